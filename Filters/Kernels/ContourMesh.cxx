@@ -1,0 +1,180 @@
+#include "ContourMesh.h"
+
+#include <stdexcept>
+
+namespace FlipFree
+{
+namespace
+{
+
+// One corner of a face: seen from outside, `Before` follows `After` counter-clockwise around the
+// vertex.
+struct Corner
+{
+  int After;
+  int Before;
+};
+
+[[noreturn]] void Refuse(const std::string& what)
+{
+  throw std::invalid_argument(what +
+    "; FlipFree deforms closed, consistently oriented meshes in which every vertex has four "
+    "neighbours (the edge midpoints of any closed mesh form one)");
+}
+
+std::array<int, 4> CyclicNeighbours(int vertex, const std::vector<Corner>& corners)
+{
+  if (corners.size() != 4)
+  {
+    Refuse("vertex " + std::to_string(vertex) + " is a corner of " +
+      std::to_string(corners.size()) + " faces instead of 4");
+  }
+  std::array<int, 4> ring{};
+  int neighbour = corners[0].After;
+  for (int slot = 0; slot < 4; ++slot)
+  {
+    ring[slot] = neighbour;
+    int next = -1;
+    for (const Corner& corner : corners)
+    {
+      if (corner.After == neighbour)
+      {
+        if (next >= 0)
+        {
+          Refuse("the edge from vertex " + std::to_string(vertex) + " to vertex " +
+            std::to_string(neighbour) + " is used twice in the same direction");
+        }
+        next = corner.Before;
+      }
+    }
+    if (next < 0)
+    {
+      Refuse("the mesh is open at the edge between vertices " + std::to_string(vertex) + " and " +
+        std::to_string(neighbour));
+    }
+    neighbour = next;
+  }
+  for (int slot = 0; slot < 4; ++slot)
+  {
+    for (int other = slot + 1; other < 4; ++other)
+    {
+      if (ring[slot] == ring[other])
+      {
+        Refuse("vertex " + std::to_string(vertex) + " has fewer than four different neighbours");
+      }
+    }
+  }
+  if (neighbour != ring[0])
+  {
+    Refuse("the faces around vertex " + std::to_string(vertex) + " do not form one ring");
+  }
+  return ring;
+}
+
+int SlotOf(const std::array<int, 4>& ring, int neighbour)
+{
+  for (int slot = 0; slot < 4; ++slot)
+  {
+    if (ring[slot] == neighbour)
+    {
+      return slot;
+    }
+  }
+  return -1;
+}
+
+std::vector<std::vector<int>> TraceContours(const std::vector<std::array<int, 4>>& neighbours)
+{
+  std::vector<std::vector<int>> contours;
+  // Two strands cross at a vertex: slots 0-2 and 1-3.
+  std::vector<std::array<bool, 2>> visited(neighbours.size(), { { false, false } });
+  for (std::size_t start = 0; start < neighbours.size(); ++start)
+  {
+    for (int strand = 0; strand < 2; ++strand)
+    {
+      if (visited[start][strand])
+      {
+        continue;
+      }
+      std::vector<int> contour;
+      int vertex = static_cast<int>(start);
+      int leaveBy = strand;
+      while (!visited[vertex][leaveBy % 2])
+      {
+        visited[vertex][leaveBy % 2] = true;
+        contour.push_back(vertex);
+        const int next = neighbours[vertex][leaveBy];
+        leaveBy = (SlotOf(neighbours[next], vertex) + 2) % 4;
+        vertex = next;
+      }
+      contours.push_back(std::move(contour));
+    }
+  }
+  return contours;
+}
+
+TriangleList Triangulate(const FaceList& faces)
+{
+  TriangleList triangles(
+    static_cast<Eigen::Index>(faces.Connectivity.size()) - 2 * faces.NumberOfFaces(), 3);
+  Eigen::Index row = 0;
+  for (int face = 0; face < faces.NumberOfFaces(); ++face)
+  {
+    const int* vertices = faces.Face(face);
+    for (int corner = 2; corner < faces.FaceSize(face); ++corner)
+    {
+      triangles.row(row++) << vertices[0], vertices[corner - 1], vertices[corner];
+    }
+  }
+  return triangles;
+}
+
+} // namespace
+
+int ContourMesh::EulerNumber() const
+{
+  const int edges = 2 * this->NumberOfPoints();
+  return this->NumberOfPoints() - edges + this->Faces.NumberOfFaces();
+}
+
+ContourMesh BuildContourMesh(int numberOfPoints, const FaceList& faces)
+{
+  if (numberOfPoints == 0 || faces.NumberOfFaces() == 0)
+  {
+    Refuse("the mesh is empty");
+  }
+  std::vector<std::vector<Corner>> corners(numberOfPoints);
+  for (int face = 0; face < faces.NumberOfFaces(); ++face)
+  {
+    const int* vertices = faces.Face(face);
+    const int size = faces.FaceSize(face);
+    if (size < 3)
+    {
+      Refuse("face " + std::to_string(face) + " has fewer than three vertices");
+    }
+    for (int corner = 0; corner < size; ++corner)
+    {
+      const int vertex = vertices[corner];
+      if (vertex < 0 || vertex >= numberOfPoints)
+      {
+        Refuse("face " + std::to_string(face) + " names vertex " + std::to_string(vertex) +
+          ", which does not exist");
+      }
+      corners[vertex].push_back(
+        { vertices[(corner + 1) % size], vertices[(corner + size - 1) % size] });
+    }
+  }
+
+  ContourMesh mesh;
+  mesh.Faces = faces;
+  mesh.Neighbours.resize(numberOfPoints);
+  for (int vertex = 0; vertex < numberOfPoints; ++vertex)
+  {
+    mesh.Neighbours[vertex] = CyclicNeighbours(vertex, corners[vertex]);
+  }
+  mesh.Contours = TraceContours(mesh.Neighbours);
+  mesh.Triangles = Triangulate(faces);
+  return mesh;
+}
+
+} // namespace FlipFree

@@ -1,0 +1,62 @@
+/**
+ * The connectivity of a closed mesh whose vertices all have four neighbours, and its contours.
+ *
+ * Where four edges meet, a contour goes straight on: it leaves along the edge opposite to the one it
+ * came by. The contours therefore follow from the faces alone; every vertex lies on two of them (or
+ * twice on one), as in section 3.1 of the paper, where they are the plane curves of a sphere.
+ */
+#ifndef FlipFreeContourMesh_h
+#define FlipFreeContourMesh_h
+
+#include "KernelTypes.h"
+
+#include <string>
+#include <vector>
+
+namespace FlipFree
+{
+
+/// Polygons as in vtkCellArray: face f has the vertices Connectivity[Offsets[f]] up to, not
+/// including, Connectivity[Offsets[f + 1]], counter-clockwise seen from outside.
+struct FaceList
+{
+  std::vector<int> Offsets{ 0 };
+  std::vector<int> Connectivity;
+
+  int NumberOfFaces() const { return static_cast<int>(this->Offsets.size()) - 1; }
+  int FaceSize(int face) const { return this->Offsets[face + 1] - this->Offsets[face]; }
+  const int* Face(int face) const { return this->Connectivity.data() + this->Offsets[face]; }
+  void Append(std::initializer_list<int> face)
+  {
+    this->Connectivity.insert(this->Connectivity.end(), face);
+    this->Offsets.push_back(static_cast<int>(this->Connectivity.size()));
+  }
+};
+
+struct ContourMesh
+{
+  FaceList Faces;
+
+  /// The neighbours of each vertex, counter-clockwise seen from outside. Entries 0 and 2 belong to
+  /// one contour, 1 and 3 to the other.
+  std::vector<std::array<int, 4>> Neighbours;
+
+  /// Each contour once, as the cyclic sequence of its vertices.
+  std::vector<std::vector<int>> Contours;
+
+  /// The certified surface: the faces, each quad cut along one fixed diagonal.
+  TriangleList Triangles;
+
+  int NumberOfPoints() const { return static_cast<int>(this->Neighbours.size()); }
+
+  /// Euler number V - E + F; 2 for a sphere.
+  int EulerNumber() const;
+};
+
+/// Builds the connectivity. Throws std::invalid_argument, naming the first bad vertex or face, when
+/// the mesh is not closed and oriented, or a vertex has not exactly four neighbours.
+ContourMesh BuildContourMesh(int numberOfPoints, const FaceList& faces);
+
+} // namespace FlipFree
+
+#endif

@@ -1,0 +1,100 @@
+/**
+ * The few types that the kernels share: point and face lists as Eigen matrices (the memory layout
+ * of VTK's arrays, so that a filter can view them without a copy), the geometry of a voxel grid,
+ * and the two hooks by which a kernel is threaded and stopped from outside.
+ */
+#ifndef FlipFreeKernelTypes_h
+#define FlipFreeKernelTypes_h
+
+#include <Eigen/Dense>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+
+namespace FlipFree
+{
+
+/// One row per point: x, y, z in millimetres.
+using PointList = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>;
+
+/// One row per triangle: the indices of its three points, counter-clockwise seen from outside.
+using TriangleList = Eigen::Matrix<int, Eigen::Dynamic, 3, Eigen::RowMajor>;
+
+/// A voxel grid in physical space. `Direction` holds the grid's unit axes in its columns; it may be
+/// permuted, oblique, or left-handed. `Origin` is the centre of voxel (0, 0, 0).
+struct ImageGeometry
+{
+  std::array<int, 3> Dimensions{ { 0, 0, 0 } };
+  Eigen::Vector3d Origin = Eigen::Vector3d::Zero();
+  Eigen::Vector3d Spacing = Eigen::Vector3d::Ones();
+  Eigen::Matrix3d Direction = Eigen::Matrix3d::Identity();
+
+  Eigen::Vector3d ToPhysical(const Eigen::Vector3d& index) const
+  {
+    return this->Origin + this->Direction * this->Spacing.cwiseProduct(index);
+  }
+  /// Continuous index; voxel (i, j, k) covers i +- 1/2 and so on. The inverse is used, not the
+  /// transpose, so that a direction matrix that is orthonormal only to its printed digits is exact.
+  Eigen::Vector3d ToIndex(const Eigen::Vector3d& point) const
+  {
+    return (this->Direction.inverse() * (point - this->Origin)).cwiseQuotient(this->Spacing);
+  }
+  std::size_t NumberOfVoxels() const
+  {
+    return static_cast<std::size_t>(this->Dimensions[0]) * this->Dimensions[1] *
+      this->Dimensions[2];
+  }
+  std::size_t Offset(int i, int j, int k) const
+  {
+    return i +
+      static_cast<std::size_t>(this->Dimensions[0]) *
+      (j + static_cast<std::size_t>(this->Dimensions[1]) * k);
+  }
+  bool Contains(int i, int j, int k) const
+  {
+    return i >= 0 && j >= 0 && k >= 0 && i < this->Dimensions[0] && j < this->Dimensions[1] &&
+      k < this->Dimensions[2];
+  }
+};
+
+/// Voxels that somebody else owns, x fastest.
+template <typename T>
+struct ImageView
+{
+  const T* Data = nullptr;
+  ImageGeometry Geometry;
+
+  const T& operator()(int i, int j, int k) const
+  {
+    return this->Data[this->Geometry.Offset(i, j, k)];
+  }
+};
+
+/// Runs body(first, last) over disjoint parts of [begin, end), perhaps in several threads. A kernel
+/// must give the same bits however the range is cut.
+using RangeBody = std::function<void(std::ptrdiff_t first, std::ptrdiff_t last)>;
+using ParallelFor =
+  std::function<void(std::ptrdiff_t begin, std::ptrdiff_t end, const RangeBody& body)>;
+
+/// The single-threaded ParallelFor.
+inline void SerialFor(std::ptrdiff_t begin, std::ptrdiff_t end, const RangeBody& body)
+{
+  if (begin < end)
+  {
+    body(begin, end);
+  }
+}
+
+/// Asked now and then by long kernels with the fraction done, 0 to 1; false means stop at once.
+using Monitor = std::function<bool(double fraction)>;
+
+inline bool NeverStop(double)
+{
+  return true;
+}
+
+} // namespace FlipFree
+
+#endif

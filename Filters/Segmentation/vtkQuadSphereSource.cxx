@@ -1,0 +1,52 @@
+#include "vtkQuadSphereSource.h"
+
+#include "MeshAdapter.h"
+#include "QuadSphere.h"
+
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkUnsignedCharArray.h"
+
+vtkStandardNewMacro(vtkQuadSphereSource);
+
+vtkQuadSphereSource::vtkQuadSphereSource()
+{
+  this->SetNumberOfInputPorts(0);
+}
+
+int vtkQuadSphereSource::RequestData(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+{
+  const FlipFree::QuadSphere sphere = FlipFree::MakeQuadSphere(this->Resolution,
+    Eigen::Vector3d(this->Center), this->Radius,
+    static_cast<FlipFree::QuadSphereSpacing>(this->Spacing));
+
+  vtkPolyData* output = vtkPolyData::GetData(outputVector);
+  output->SetPoints(FlipFree::MakePoints(sphere.Points));
+  output->SetPolys(FlipFree::MakePolys(sphere.Faces));
+
+  vtkNew<vtkUnsignedCharArray> checkerboard;
+  checkerboard->SetName("Checkerboard");
+  checkerboard->SetNumberOfValues(sphere.Points.rows());
+  for (vtkIdType vertex = 0; vertex < checkerboard->GetNumberOfValues(); ++vertex)
+  {
+    const auto& cell = sphere.Cells[vertex];
+    checkerboard->SetValue(vertex, (cell[1] / 4 + cell[2] / 4) % 2);
+  }
+  output->GetPointData()->SetScalars(checkerboard);
+  return 1;
+}
+
+void vtkQuadSphereSource::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Center: (" << this->Center[0] << ", " << this->Center[1] << ", "
+     << this->Center[2] << ")\n";
+  os << indent << "Radius: " << this->Radius << "\n";
+  os << indent << "Resolution: " << this->Resolution << "\n";
+  os << indent << "Spacing: " << this->Spacing << "\n";
+}

@@ -1,0 +1,70 @@
+#include "ContourMesh.h"
+#include "QuadSphere.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+using namespace FlipFree;
+
+TEST(ContourMesh, SphereHasThePapersCounts)
+{
+  for (int n : { 1, 2, 3, 8, 32 })
+  {
+    const QuadSphere sphere =
+      MakeQuadSphere(n, Eigen::Vector3d::Zero(), 1.0, QuadSphereSpacing::Equiangular);
+    const ContourMesh mesh = BuildContourMesh(static_cast<int>(sphere.Points.rows()), sphere.Faces);
+    EXPECT_EQ(mesh.NumberOfPoints(), 6 * n * n);
+    int quads = 0;
+    int triangles = 0;
+    for (int face = 0; face < mesh.Faces.NumberOfFaces(); ++face)
+    {
+      (mesh.Faces.FaceSize(face) == 4 ? quads : triangles)++;
+    }
+    EXPECT_EQ(quads, 6 * n * n - 6);
+    EXPECT_EQ(triangles, 8);
+    EXPECT_EQ(mesh.EulerNumber(), 2);
+    ASSERT_EQ(mesh.Contours.size(), 3u * n);
+    for (const auto& contour : mesh.Contours)
+    {
+      EXPECT_EQ(contour.size(), 4u * n);
+    }
+  }
+}
+
+TEST(ContourMesh, EveryVertexOfASphereLiesOnTwoContours)
+{
+  const int n = 5;
+  const QuadSphere sphere =
+    MakeQuadSphere(n, Eigen::Vector3d::Zero(), 1.0, QuadSphereSpacing::Radial);
+  const ContourMesh mesh = BuildContourMesh(static_cast<int>(sphere.Points.rows()), sphere.Faces);
+  std::vector<int> count(mesh.NumberOfPoints(), 0);
+  for (const auto& contour : mesh.Contours)
+  {
+    EXPECT_EQ(std::set<int>(contour.begin(), contour.end()).size(), contour.size());
+    for (int vertex : contour)
+    {
+      ++count[vertex];
+    }
+  }
+  EXPECT_EQ(count, std::vector<int>(mesh.NumberOfPoints(), 2));
+}
+
+TEST(ContourMesh, RefusesAnOpenMeshNamingItsVertex)
+{
+  QuadSphere sphere = MakeQuadSphere(2, Eigen::Vector3d::Zero(), 1.0, QuadSphereSpacing::Radial);
+  const int last = sphere.Faces.NumberOfFaces() - 1;
+  const int vertex = sphere.Faces.Face(last)[0];
+  sphere.Faces.Connectivity.resize(sphere.Faces.Offsets[last]);
+  sphere.Faces.Offsets.pop_back();
+  try
+  {
+    BuildContourMesh(static_cast<int>(sphere.Points.rows()), sphere.Faces);
+    FAIL() << "an open mesh was accepted";
+  }
+  catch (const std::invalid_argument& error)
+  {
+    EXPECT_NE(std::string(error.what()).find("3 faces instead of 4"), std::string::npos)
+      << error.what() << vertex;
+  }
+}
