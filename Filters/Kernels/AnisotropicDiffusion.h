@@ -1,0 +1,36 @@
+/**
+ * Edge-preserving smoothing (paper section 3.2): the anisotropic diffusion of P. Perona and J.
+ * Malik (Scale-space and edge detection using anisotropic diffusion, 1990) with physical spacing.
+ */
+#ifndef FlipFreeAnisotropicDiffusion_h
+#define FlipFreeAnisotropicDiffusion_h
+
+#include "KernelTypes.h"
+
+#include <vector>
+
+namespace FlipFree
+{
+
+struct AnisotropicDiffusionSettings
+{
+  int Iterations = 5;
+
+  /// Differences between neighbouring voxels, in grey values, well above it are edges and are kept.
+  double Contrast = 20;
+};
+
+/// Smooths `voxels` in place. The time step is the greatest stable one for the spacing. Returns
+/// false if the monitor stopped it.
+bool DiffuseAnisotropically(std::vector<float>& voxels, const ImageGeometry& geometry,
+  const AnisotropicDiffusionSettings& settings, const ParallelFor& parallelFor,
+  const Monitor& monitor);
+
+/// A robust estimate of the noise: the median absolute difference of neighbours within the slice
+/// over the given voxels (flags), scaled to a standard deviation of the difference.
+double NoiseContrast(const std::vector<float>& voxels, const ImageGeometry& geometry,
+  const std::vector<unsigned char>& where);
+
+} // namespace FlipFree
+
+#endif

@@ -1,0 +1,163 @@
+#include "Correspondence.h"
+
+#include "ImageInterpolation.h"
+#include "VoxelTraversal.h"
+
+#include <algorithm>
+
+namespace FlipFree
+{
+namespace
+{
+
+class LineSearch
+{
+public:
+  LineSearch(const ImageView<float>& feature, const ImageView<float>& edges,
+    const CorrespondenceSettings& settings)
+    : Feature(feature)
+    , Edges(edges)
+    , Settings(settings)
+    , Grid(feature.Geometry)
+    , Step(0.5 * feature.Geometry.Spacing.minCoeff())
+  {
+  }
+
+  /// The signed distance along the normal at which the boundary lies; false if there is none.
+  bool Find(const Eigen::Vector3d& point, const Eigen::Vector3d& normal, double& distance) const
+  {
+    const bool inside = this->IsForeground(VoxelTraversal(this->Grid, point, normal));
+    if (!inside && !this->Settings.SearchInward)
+    {
+      // Eq. 2 read literally: the run of background begins at once.
+      distance = 0;
+      return this->Walk(point, normal, false, distance);
+    }
+    const double sign = inside ? 1 : -1;
+    if (!this->Walk(point, sign * normal, !inside, distance))
+    {
+      return false;
+    }
+    distance *= sign;
+    if (this->Settings.EdgeWindow > 0)
+    {
+      distance = this->StrongestEdge(point, normal, distance);
+    }
+    return true;
+  }
+
+private:
+  bool IsForeground(const VoxelTraversal& walk) const
+  {
+    if (!walk.IsInside())
+    {
+      return false;
+    }
+    const auto& voxel = walk.GetVoxel();
+    return this->Feature(voxel[0], voxel[1], voxel[2]) >= this->Settings.Threshold;
+  }
+
+  // Walks to the first run of voxels that are foreground (or not, as `wanted` says) and gives the
+  // distance at which the line enters it.
+  bool Walk(const Eigen::Vector3d& point, const Eigen::Vector3d& direction, bool wanted,
+    double& distance) const
+  {
+    int run = 0;
+    double entry = 0;
+    VoxelTraversal walk(this->Grid, point, direction);
+    for (; walk.GetEntry() <= this->Settings.SearchDistance; walk.Advance())
+    {
+      // Looking outward, the image's end ends the search; looking inward from outside, it may begin
+      // there.
+      if (!wanted && !walk.IsInside())
+      {
+        return false;
+      }
+      if (this->IsForeground(walk) != wanted)
+      {
+        run = 0;
+        continue;
+      }
+      if (run == 0)
+      {
+        entry = walk.GetEntry();
+      }
+      ++run;
+      const bool complete = this->Settings.RunLength > 0
+        ? walk.GetExit() - entry >= this->Settings.RunLength
+        : run >= this->Settings.RunVoxels;
+      if (complete)
+      {
+        distance = entry;
+        return true;
+      }
+    }
+    return false;
+  }
+
+  // The place of the greatest change of the grey values along the line, weighed by its nearness to
+  // the crossing.
+  double StrongestEdge(const Eigen::Vector3d& point, const Eigen::Vector3d& normal,
+    double crossing) const
+  {
+    const double deviation = this->Settings.EdgeWindow;
+    const int reach = static_cast<int>(std::ceil(2 * deviation / this->Step));
+    double best = 0;
+    double bestOffset = 0;
+    double before = this->Edge(point + (crossing - (reach + 0.5) * this->Step) * normal);
+    for (int sample = -reach; sample <= reach; ++sample)
+    {
+      const double offset = sample * this->Step;
+      const double after = this->Edge(point + (crossing + offset + 0.5 * this->Step) * normal);
+      const double weight = std::exp(-0.5 * offset * offset / (deviation * deviation));
+      const double strength = weight * (before - after);
+      if (strength > best)
+      {
+        best = strength;
+        bestOffset = offset;
+      }
+      before = after;
+    }
+    return crossing + bestOffset;
+  }
+
+  double Edge(const Eigen::Vector3d& point) const
+  {
+    return InterpolateClamped(this->Edges, this->Grid.ToIndex(point));
+  }
+
+  const ImageView<float>& Feature;
+  const ImageView<float>& Edges;
+  const CorrespondenceSettings& Settings;
+  VoxelGrid Grid;
+  double Step;
+};
+
+} // namespace
+
+CorrespondenceField FindCorrespondences(const PointList& points, const PointList& normals,
+  const ImageView<float>& feature, const ImageView<float>& edges,
+  const CorrespondenceSettings& settings, const ParallelFor& parallelFor)
+{
+  CorrespondenceField field;
+  field.Displacements = PointList::Zero(points.rows(), 3);
+  field.States.assign(points.rows(), VertexState::Solitary);
+  const LineSearch search(feature, edges, settings);
+  parallelFor(0, points.rows(),
+    [&](std::ptrdiff_t first, std::ptrdiff_t last)
+    {
+      for (std::ptrdiff_t vertex = first; vertex < last; ++vertex)
+      {
+        const Eigen::Vector3d normal = normals.row(vertex);
+        double distance = 0;
+        if (search.Find(points.row(vertex), normal, distance))
+        {
+          field.Displacements.row(vertex) = distance * normal;
+          field.States[vertex] = VertexState::Matched;
+        }
+      }
+    });
+  return field;
+}
+
+} // namespace FlipFree

@@ -1,0 +1,57 @@
+/**
+ * Correspondence search (paper section 3.3, Eq. 2): from each vertex along its normal to the
+ * boundary between feature and background.
+ */
+#ifndef FlipFreeCorrespondence_h
+#define FlipFreeCorrespondence_h
+
+#include "ContourMesh.h"
+
+namespace FlipFree
+{
+
+/// What a vertex has found; the values of the array `Correspondence`.
+enum class VertexState : unsigned char
+{
+  Solitary = 0, ///< no target
+  Matched = 1,  ///< has a target
+  Flipping = 2  ///< has a target that may not be reached together with its neighbours'
+};
+
+struct CorrespondenceSettings
+{
+  /// Feature values at or above it are foreground (Gamma).
+  double Threshold = 0.5;
+
+  /// Greatest length of a search line, in millimetres.
+  double SearchDistance = 40;
+
+  /// Length of the run of consecutive voxels on the other side: in voxels (N + 1), or, if the other
+  /// one is positive, in millimetres.
+  int RunVoxels = 4;
+  double RunLength = 0;
+
+  /// A vertex in the background looks inward for the foreground. Off: Eq. 2 read literally.
+  bool SearchInward = true;
+
+  /// Where the strongest edge of `Edges` is looked for around the crossing: the deviation, in
+  /// millimetres, of the Gaussian window that weighs it. Zero leaves the target on the voxel's
+  /// face.
+  double EdgeWindow = 0;
+};
+
+struct CorrespondenceField
+{
+  PointList Displacements; ///< target minus point; zero where solitary
+  std::vector<VertexState> States;
+};
+
+/// Searches all vertices. `normals` are unit vectors; `edges` is the grey image in which the target
+/// is refined (may be the null view if EdgeWindow is zero), on the same grid as `feature`.
+CorrespondenceField FindCorrespondences(const PointList& points, const PointList& normals,
+  const ImageView<float>& feature, const ImageView<float>& edges,
+  const CorrespondenceSettings& settings, const ParallelFor& parallelFor);
+
+} // namespace FlipFree
+
+#endif

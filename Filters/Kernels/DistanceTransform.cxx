@@ -1,0 +1,148 @@
+#include "DistanceTransform.h"
+
+#include <limits>
+
+namespace FlipFree
+{
+namespace
+{
+
+constexpr float Far = 1e20f;
+
+// Lower envelope of the parabolas f(q) + (step (x - q))^2 along one line of the grid.
+class Envelope
+{
+public:
+  explicit Envelope(int size)
+    : Value(size)
+    , Place(size)
+    , Border(size + 1)
+  {
+  }
+
+  void Transform(float* line, std::ptrdiff_t stride, int size, double step)
+  {
+    const double square = step * step;
+    int last = -1;
+    for (int q = 0; q < size; ++q)
+    {
+      const double f = line[q * stride];
+      if (f >= Far)
+      {
+        continue;
+      }
+      double border = -std::numeric_limits<double>::infinity();
+      while (last >= 0)
+      {
+        const int p = this->Place[last];
+        border = 0.5 * ((f - this->Value[last]) / (square * (q - p)) + (q + p));
+        if (border > this->Border[last])
+        {
+          break;
+        }
+        --last;
+      }
+      ++last;
+      this->Place[last] = q;
+      this->Value[last] = f;
+      this->Border[last] = last == 0 ? -std::numeric_limits<double>::infinity() : border;
+    }
+    if (last < 0)
+    {
+      return;
+    }
+    this->Border[last + 1] = std::numeric_limits<double>::infinity();
+    int current = 0;
+    for (int x = 0; x < size; ++x)
+    {
+      while (this->Border[current + 1] < x)
+      {
+        ++current;
+      }
+      const double offset = x - this->Place[current];
+      line[x * stride] = static_cast<float>(this->Value[current] + square * offset * offset);
+    }
+  }
+
+private:
+  std::vector<double> Value;
+  std::vector<int> Place;
+  std::vector<double> Border;
+};
+
+// The first axis needs no envelope: the sources are all at distance zero.
+void NearestAlongRow(const unsigned char* mask, unsigned char target, float* row, int size,
+  double step)
+{
+  double distance = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < size; ++i)
+  {
+    distance = mask[i] == target ? 0 : distance + step;
+    row[i] = distance < 1e9 ? static_cast<float>(distance * distance) : Far;
+  }
+  distance = std::numeric_limits<double>::infinity();
+  for (int i = size - 1; i >= 0; --i)
+  {
+    distance = mask[i] == target ? 0 : distance + step;
+    const float square = distance < 1e9 ? static_cast<float>(distance * distance) : Far;
+    row[i] = std::min(row[i], square);
+  }
+}
+
+} // namespace
+
+std::vector<float> SquaredDistance(const std::vector<unsigned char>& mask,
+  const ImageGeometry& geometry, unsigned char target, const ParallelFor& parallelFor)
+{
+  const auto& size = geometry.Dimensions;
+  const std::ptrdiff_t row = size[0];
+  const std::ptrdiff_t slice = row * size[1];
+  std::vector<float> result(geometry.NumberOfVoxels());
+  parallelFor(0, size[2],
+    [&](std::ptrdiff_t first, std::ptrdiff_t last)
+    {
+      Envelope envelope(size[1]);
+      for (std::ptrdiff_t k = first; k < last; ++k)
+      {
+        for (int j = 0; j < size[1]; ++j)
+        {
+          const std::ptrdiff_t offset = k * slice + j * row;
+          NearestAlongRow(mask.data() + offset, target, result.data() + offset, size[0],
+            geometry.Spacing[0]);
+        }
+        for (int i = 0; i < size[0]; ++i)
+        {
+          envelope.Transform(result.data() + k * slice + i, row, size[1], geometry.Spacing[1]);
+        }
+      }
+    });
+  parallelFor(0, size[1],
+    [&](std::ptrdiff_t first, std::ptrdiff_t last)
+    {
+      Envelope envelope(size[2]);
+      for (std::ptrdiff_t j = first; j < last; ++j)
+      {
+        for (int i = 0; i < size[0]; ++i)
+        {
+          envelope.Transform(result.data() + j * row + i, slice, size[2], geometry.Spacing[2]);
+        }
+      }
+    });
+  return result;
+}
+
+void GrowValue(std::vector<unsigned char>& mask, const ImageGeometry& geometry, double radius,
+  unsigned char value, const ParallelFor& parallelFor)
+{
+  const std::vector<float> distance = SquaredDistance(mask, geometry, value, parallelFor);
+  const float limit = static_cast<float>(radius * radius * (1 + 1e-6));
+  for (std::size_t voxel = 0; voxel < mask.size(); ++voxel)
+  {
+    if (distance[voxel] <= limit)
+    {
+      mask[voxel] = value;
+    }
+  }
+}
+
+} // namespace FlipFree

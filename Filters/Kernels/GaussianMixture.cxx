@@ -1,0 +1,243 @@
+#include "GaussianMixture.h"
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+namespace FlipFree
+{
+namespace
+{
+
+constexpr int NumberOfBins = 256;
+constexpr int MaximumIterations = 200;
+
+struct Histogram
+{
+  Eigen::ArrayXd Centres;
+  Eigen::ArrayXd Counts;
+};
+
+double GaussianDensity(const Gaussian& component, double z)
+{
+  const double x = (z - component.Mean) / component.Deviation;
+  return component.Weight * std::exp(-0.5 * x * x) /
+    (component.Deviation * std::sqrt(2 * EIGEN_PI));
+}
+
+// A stone or a clip in the seed would stretch the bins until the organ falls into one of them, so
+// the range is that of the bulk, widened; what lies beyond counts in the outermost bins.
+Histogram MakeHistogram(std::vector<float> values)
+{
+  const auto quantile = [&values](double q)
+  {
+    const auto place = values.begin() + static_cast<std::ptrdiff_t>(q * (values.size() - 1));
+    std::nth_element(values.begin(), place, values.end());
+    return static_cast<double>(*place);
+  };
+  const double low = quantile(0.02);
+  const double high = quantile(0.98);
+  const double margin = 0.5 * (high - low) + 1e-6 * (1 + std::abs(low) + std::abs(high));
+  const double begin = low - margin;
+  const double width = (high - low + 2 * margin) / NumberOfBins;
+
+  Histogram histogram;
+  histogram.Centres =
+    begin + width * (Eigen::ArrayXd::LinSpaced(NumberOfBins, 0, NumberOfBins - 1) + 0.5);
+  histogram.Counts = Eigen::ArrayXd::Zero(NumberOfBins);
+  for (float value : values)
+  {
+    const double bin = std::floor((value - begin) / width);
+    histogram.Counts[static_cast<int>(std::max(0.0, std::min(bin, NumberOfBins - 1.0)))] += 1;
+  }
+  return histogram;
+}
+
+// Means at the quantiles: deterministic, and no component starts where there is no data.
+std::vector<Gaussian> StartOf(const Histogram& histogram, int components, double minimumDeviation)
+{
+  const double total = histogram.Counts.sum();
+  const double mean = (histogram.Counts * histogram.Centres).sum() / total;
+  const double variance = (histogram.Counts * (histogram.Centres - mean).square()).sum() / total;
+  std::vector<Gaussian> start(components);
+  for (int component = 0; component < components; ++component)
+  {
+    const double goal = total * (component + 0.5) / components;
+    double sum = 0;
+    int bin = 0;
+    while (bin + 1 < NumberOfBins && sum + histogram.Counts[bin] < goal)
+    {
+      sum += histogram.Counts[bin++];
+    }
+    start[component].Weight = 1.0 / components;
+    start[component].Mean = histogram.Centres[bin];
+    start[component].Deviation = std::max(minimumDeviation, std::sqrt(variance) / components);
+  }
+  return start;
+}
+
+// One step of expectation maximisation; returns the log-likelihood before it.
+double ImproveOnce(const Histogram& histogram, double minimumDeviation,
+  std::vector<Gaussian>& mixture)
+{
+  const int size = static_cast<int>(mixture.size());
+  Eigen::ArrayXXd share(NumberOfBins, size);
+  for (int component = 0; component < size; ++component)
+  {
+    for (int bin = 0; bin < NumberOfBins; ++bin)
+    {
+      share(bin, component) = GaussianDensity(mixture[component], histogram.Centres[bin]);
+    }
+  }
+  const Eigen::ArrayXd density = share.rowwise().sum().max(std::numeric_limits<double>::min());
+  const double likelihood = (histogram.Counts * density.log()).sum();
+  const double total = histogram.Counts.sum();
+  for (int component = 0; component < size; ++component)
+  {
+    const Eigen::ArrayXd count = histogram.Counts * share.col(component) / density;
+    const double mass = count.sum();
+    if (mass < 1e-9 * total)
+    {
+      mixture[component].Weight = 0;
+      continue;
+    }
+    const double mean = (count * histogram.Centres).sum() / mass;
+    const double variance = (count * (histogram.Centres - mean).square()).sum() / mass;
+    mixture[component] = { mass / total, mean, std::max(minimumDeviation, std::sqrt(variance)) };
+  }
+  return likelihood;
+}
+
+double Fit(const Histogram& histogram, double minimumDeviation, std::vector<Gaussian>& mixture)
+{
+  double likelihood = -std::numeric_limits<double>::infinity();
+  for (int iteration = 0; iteration < MaximumIterations; ++iteration)
+  {
+    const double next = ImproveOnce(histogram, minimumDeviation, mixture);
+    const bool settled = next - likelihood < 1e-7 * std::abs(next);
+    likelihood = next;
+    if (settled)
+    {
+      break;
+    }
+  }
+  return likelihood;
+}
+
+void Prune(double minimumWeight, std::vector<Gaussian>& mixture)
+{
+  std::sort(mixture.begin(), mixture.end(),
+    [](const Gaussian& a, const Gaussian& b) { return a.Weight > b.Weight; });
+  double total = 0;
+  std::size_t kept = 0;
+  while (kept < mixture.size() && (kept == 0 || mixture[kept].Weight >= minimumWeight))
+  {
+    total += mixture[kept++].Weight;
+  }
+  mixture.resize(kept);
+  for (Gaussian& component : mixture)
+  {
+    component.Weight /= total;
+  }
+}
+
+} // namespace
+
+double GaussianMixture::Density(double z) const
+{
+  double density = 0;
+  for (const Gaussian& component : this->Components)
+  {
+    density += GaussianDensity(component, z);
+  }
+  return density;
+}
+
+double GaussianMixture::Mode() const
+{
+  // The greatest density lies between the outermost means.
+  double low = std::numeric_limits<double>::infinity();
+  double high = -low;
+  for (const Gaussian& component : this->Components)
+  {
+    low = std::min(low, component.Mean);
+    high = std::max(high, component.Mean);
+  }
+  double mode = 0;
+  const int samples = high > low ? 512 : 0;
+  for (int sample = 0; sample <= samples; ++sample)
+  {
+    const double part = samples > 0 ? static_cast<double>(sample) / samples : 0;
+    mode = std::max(mode, this->Density(low + part * (high - low)));
+  }
+  return mode;
+}
+
+double GaussianMixture::ThresholdForMass(double mass) const
+{
+  double low = std::numeric_limits<double>::infinity();
+  double high = -low;
+  for (const Gaussian& component : this->Components)
+  {
+    low = std::min(low, component.Mean - 5 * component.Deviation);
+    high = std::max(high, component.Mean + 5 * component.Deviation);
+  }
+  const int samples = 4096;
+  std::vector<double> densities(samples);
+  double total = 0;
+  for (int sample = 0; sample < samples; ++sample)
+  {
+    densities[sample] = this->Density(low + (high - low) * (sample + 0.5) / samples);
+    total += densities[sample];
+  }
+  std::sort(densities.begin(), densities.end(), std::greater<double>());
+  double sum = 0;
+  for (double density : densities)
+  {
+    sum += density;
+    if (sum >= mass * total)
+    {
+      return density / this->Mode();
+    }
+  }
+  return 0;
+}
+
+GaussianMixture FitGaussianMixture(const std::vector<float>& values,
+  const MixtureSettings& settings)
+{
+  if (values.empty())
+  {
+    throw std::invalid_argument(
+      "there are no voxels to fit the foreground's mixture to; enlarge the seed");
+  }
+  const Histogram histogram = MakeHistogram(values);
+  const double observations = std::max(2.0, values.size() / settings.Correlation);
+  const double scale = observations / static_cast<double>(values.size());
+
+  GaussianMixture best;
+  double leastCriterion = std::numeric_limits<double>::infinity();
+  for (int components = 1; components <= settings.MaximumComponents; ++components)
+  {
+    std::vector<Gaussian> mixture = StartOf(histogram, components, settings.MinimumDeviation);
+    const double likelihood = Fit(histogram, settings.MinimumDeviation, mixture);
+    const int parameters = 3 * components - 1;
+    const double criterion = parameters * std::log(observations) - 2 * scale * likelihood;
+    if (criterion < leastCriterion)
+    {
+      leastCriterion = criterion;
+      best.Components = mixture;
+    }
+  }
+  Prune(settings.MinimumWeight, best.Components);
+  for (Gaussian& component : best.Components)
+  {
+    component.Deviation *= settings.Widening;
+  }
+  return best;
+}
+
+} // namespace FlipFree

@@ -1,0 +1,43 @@
+/**
+ * Trilinear interpolation of voxels; beyond the border the nearest voxel counts.
+ */
+#ifndef FlipFreeImageInterpolation_h
+#define FlipFreeImageInterpolation_h
+
+#include "KernelTypes.h"
+
+#include <algorithm>
+
+namespace FlipFree
+{
+
+inline double InterpolateClamped(const ImageView<float>& image, const Eigen::Vector3d& index)
+{
+  const auto& dimensions = image.Geometry.Dimensions;
+  int low[3];
+  int high[3];
+  double part[3];
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double x = std::max(0.0, std::min(index[axis], dimensions[axis] - 1.0));
+    low[axis] = std::min(static_cast<int>(x), std::max(0, dimensions[axis] - 2));
+    high[axis] = std::min(low[axis] + 1, dimensions[axis] - 1);
+    part[axis] = x - low[axis];
+  }
+  const auto along = [&](int j, int k)
+  {
+    const double a = image(low[0], j, k);
+    return a + part[0] * (image(high[0], j, k) - a);
+  };
+  const auto across = [&](int k)
+  {
+    const double a = along(low[1], k);
+    return a + part[1] * (along(high[1], k) - a);
+  };
+  const double a = across(low[2]);
+  return a + part[2] * (across(high[2]) - a);
+}
+
+} // namespace FlipFree
+
+#endif

@@ -1,0 +1,22 @@
+/**
+ * Vertex normals of a deforming surface, and vertex fields smoothed over neighbours.
+ */
+#ifndef FlipFreeSurfaceNormals_h
+#define FlipFreeSurfaceNormals_h
+
+#include "ContourMesh.h"
+
+namespace FlipFree
+{
+
+/// Outward unit normals, the area-weighted mean of the triangles around each vertex, then averaged
+/// `smoothing` times with those of the four neighbours, so that search lines do not follow every
+/// wrinkle. A vertex whose triangles have no area gets its neighbours' mean, or +z at the worst.
+PointList VertexNormals(const ContourMesh& mesh, const PointList& points, int smoothing);
+
+/// Mean length of the mesh's edges in millimetres.
+double MeanEdgeLength(const ContourMesh& mesh, const PointList& points);
+
+} // namespace FlipFree
+
+#endif
