@@ -1,6 +1,6 @@
 /**
- * Private to the modules, never installed: threading, progress and abort, as kernels know them. This
- * is the one place that bridges the differences between VTK versions.
+ * Private to the modules, never installed: threading, progress and abort, as kernels know them.
+ * This is the one place that bridges the differences between VTK versions.
  */
 #ifndef FlipFreeExecutionAdapter_h
 #define FlipFreeExecutionAdapter_h

@@ -22,8 +22,8 @@ inline ImageGeometry GeometryOf(vtkImageData* image)
   image->GetSpacing(geometry.Spacing.data());
   const double* direction = image->GetDirectionMatrix()->GetData();
   geometry.Direction = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(direction);
-  image->TransformContinuousIndexToPhysicalPoint(
-    extent[0], extent[2], extent[4], geometry.Origin.data());
+  image->TransformContinuousIndexToPhysicalPoint(extent[0], extent[2], extent[4],
+    geometry.Origin.data());
   return geometry;
 }
 

@@ -1,6 +1,6 @@
 /**
- * Private to the modules, never installed: between VTK's data objects and the kernels' types. Points and voxels are
- * viewed, not copied, wherever their memory layout allows.
+ * Private to the modules, never installed: between VTK's data objects and the kernels' types.
+ * Points and voxels are viewed, not copied, wherever their memory layout allows.
  */
 #ifndef FlipFreeMeshAdapter_h
 #define FlipFreeMeshAdapter_h
@@ -29,8 +29,7 @@ inline vtkSmartPointer<vtkPoints> MakePoints(const PointList& points)
 inline vtkSmartPointer<vtkCellArray> MakePolys(const FaceList& faces)
 {
   auto result = vtkSmartPointer<vtkCellArray>::New();
-  result->AllocateExact(
-    faces.NumberOfFaces(), static_cast<vtkIdType>(faces.Connectivity.size()));
+  result->AllocateExact(faces.NumberOfFaces(), static_cast<vtkIdType>(faces.Connectivity.size()));
   for (int face = 0; face < faces.NumberOfFaces(); ++face)
   {
     result->InsertNextCell(faces.FaceSize(face));

@@ -1,9 +1,9 @@
 /**
  * The connectivity of a closed mesh whose vertices all have four neighbours, and its contours.
  *
- * Where four edges meet, a contour goes straight on: it leaves along the edge opposite to the one it
- * came by. The contours therefore follow from the faces alone; every vertex lies on two of them (or
- * twice on one), as in section 3.1 of the paper, where they are the plane curves of a sphere.
+ * Where four edges meet, a contour goes straight on: it leaves along the edge opposite to the one
+ * it came by. The contours therefore follow from the faces alone; every vertex lies on two of them
+ * (or twice on one), as in section 3.1 of the paper, where they are the plane curves of a sphere.
  */
 #ifndef FlipFreeContourMesh_h
 #define FlipFreeContourMesh_h

@@ -10,7 +10,8 @@ namespace FlipFree
 namespace
 {
 
-// Vertex (u, v) of the cube's side `axis`, `sign`; u runs along the next axis, v along the one after.
+// Vertex (u, v) of the cube's side `axis`, `sign`; u runs along the next axis, v along the one
+// after.
 struct SideGrid
 {
   int n;
@@ -119,8 +120,8 @@ void AppendCorners(FaceList& faces, const PointList& cube, const SideGrid& at)
 
 } // namespace
 
-QuadSphere MakeQuadSphere(
-  int n, const Eigen::Vector3d& center, double radius, QuadSphereSpacing spacing)
+QuadSphere MakeQuadSphere(int n, const Eigen::Vector3d& center, double radius,
+  QuadSphereSpacing spacing)
 {
   if (n < 1)
   {

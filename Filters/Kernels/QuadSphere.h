@@ -27,8 +27,8 @@ struct QuadSphere
 };
 
 /// n >= 1 vertices along a side's edge; 6 n^2 vertices altogether.
-QuadSphere MakeQuadSphere(
-  int n, const Eigen::Vector3d& center, double radius, QuadSphereSpacing spacing);
+QuadSphere MakeQuadSphere(int n, const Eigen::Vector3d& center, double radius,
+  QuadSphereSpacing spacing);
 
 } // namespace FlipFree
 

@@ -18,12 +18,12 @@ vtkQuadSphereSource::vtkQuadSphereSource()
   this->SetNumberOfInputPorts(0);
 }
 
-int vtkQuadSphereSource::RequestData(
-  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+int vtkQuadSphereSource::RequestData(vtkInformation*, vtkInformationVector**,
+  vtkInformationVector* outputVector)
 {
-  const FlipFree::QuadSphere sphere = FlipFree::MakeQuadSphere(this->Resolution,
-    Eigen::Vector3d(this->Center), this->Radius,
-    static_cast<FlipFree::QuadSphereSpacing>(this->Spacing));
+  const FlipFree::QuadSphere sphere =
+    FlipFree::MakeQuadSphere(this->Resolution, Eigen::Vector3d(this->Center), this->Radius,
+      static_cast<FlipFree::QuadSphereSpacing>(this->Spacing));
 
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   output->SetPoints(FlipFree::MakePoints(sphere.Points));

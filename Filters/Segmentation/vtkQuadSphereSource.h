@@ -60,9 +60,9 @@ public:
 
   ///@{
   /**
-   * How the cube's vertices are spread on the sphere. EQUIANGULAR (default) gives even cells; RADIAL
-   * is the paper's projection along the radius, with smaller cells near the cube's corners; CUBE
-   * leaves the cube as it is (Fig. 1a).
+   * How the cube's vertices are spread on the sphere. EQUIANGULAR (default) gives even cells;
+   * RADIAL is the paper's projection along the radius, with smaller cells near the cube's corners;
+   * CUBE leaves the cube as it is (Fig. 1a).
    */
   vtkSetClampMacro(Spacing, int, EQUIANGULAR, CUBE);
   vtkGetMacro(Spacing, int);
