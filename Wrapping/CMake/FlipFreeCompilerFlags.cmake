@@ -7,3 +7,18 @@ if (CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
     target_compile_options(FlipFreeWarnings INTERFACE $<$<COMPILE_LANGUAGE:CXX>:-Werror>)
   endif ()
 endif ()
+
+# Sanitizers belong to everything, since they change how objects are laid out and linked.
+if (FLIPFREE_SANITIZERS)
+  add_compile_options("-fsanitize=${FLIPFREE_SANITIZERS}" -fno-sanitize-recover=all
+    -fno-omit-frame-pointer)
+  add_link_options("-fsanitize=${FLIPFREE_SANITIZERS}")
+endif ()
+
+if (FLIPFREE_USE_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
+  find_program(FLIPFREE_CCACHE ccache)
+  mark_as_advanced(FLIPFREE_CCACHE)
+  if (FLIPFREE_CCACHE)
+    set(CMAKE_CXX_COMPILER_LAUNCHER "${FLIPFREE_CCACHE}")
+  endif ()
+endif ()

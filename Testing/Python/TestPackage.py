@@ -1,0 +1,66 @@
+"""The package as a researcher meets it: every filter is there, and works with VTK's and numpy's objects."""
+
+import glob
+import os
+import unittest
+
+import flipfree
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkFiltersCore import vtkMassProperties, vtkTriangleFilter
+
+
+def public_classes():
+    """The class of each public header of the modules that were built."""
+    folders = os.environ["FLIPFREE_MODULE_FOLDERS"].split(os.pathsep)
+    headers = [path for folder in folders for path in glob.glob(os.path.join(folder, "vtk*.h"))]
+    return sorted(os.path.splitext(os.path.basename(path))[0] for path in headers)
+
+
+class Package(unittest.TestCase):
+    def test_every_public_class_is_there_and_can_be_made_and_printed(self):
+        names = public_classes()
+        self.assertIn("vtkQuadSphereSource", names)
+        for name in names:
+            with self.subTest(name):
+                instance = getattr(flipfree, name)()
+                self.assertEqual(instance.GetClassName(), name)
+                self.assertIn(name, str(instance))
+
+    def test_every_class_has_its_headers_prose_as_help(self):
+        for name in public_classes():
+            with self.subTest(name):
+                self.assertGreater(len(getattr(flipfree, name).__doc__), 200)
+
+    def test_version(self):
+        self.assertRegex(flipfree.__version__, r"^\d+\.\d+\.\d+$")
+
+
+class QuadSphere(unittest.TestCase):
+    def test_points_reach_numpy(self):
+        sphere = flipfree.vtkQuadSphereSource()
+        sphere.SetCenter(10, -20, 30)
+        sphere.SetRadius(5)
+        sphere.Update()
+        points = vtk_to_numpy(sphere.GetOutput().GetPoints().GetData())
+        self.assertEqual(points.shape, (6144, 3))
+        radii = ((points - [10, -20, 30]) ** 2).sum(axis=1) ** 0.5
+        self.assertAlmostEqual(radii.min(), 5, places=12)
+        self.assertAlmostEqual(radii.max(), 5, places=12)
+
+    def test_connects_to_vtks_own_filters(self):
+        sphere = flipfree.vtkQuadSphereSource()
+        triangles = vtkTriangleFilter()
+        triangles.SetInputConnection(sphere.GetOutputPort())
+        properties = vtkMassProperties()
+        properties.SetInputConnection(triangles.GetOutputPort())
+        properties.Update()
+        self.assertAlmostEqual(properties.GetVolume(), 4.18879, delta=0.02)
+
+    def test_wrong_argument_type_is_a_python_error(self):
+        sphere = flipfree.vtkQuadSphereSource()
+        with self.assertRaises(TypeError):
+            sphere.SetRadius("large")
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=2)

@@ -1,0 +1,88 @@
+#!/usr/bin/env bash
+# Installs what FlipFree is built on, on Debian 12 and its descendants: only what is missing, only from
+# the package sources that the machine already has.
+#
+#   install-dependencies.sh [build|test]
+#
+#   build  what the toolkit, its Python package and the flipfree command need (default)
+#   test   besides, what the tests, the style checks and the benchmarks need
+set -euo pipefail
+
+build_packages=(
+  cmake
+  g++
+  libcli11-dev
+  libeigen3-dev
+  # Only keeps ITK's configuration from complaining at length.
+  libgdcm-tools
+  libinsighttoolkit5-dev
+  libvtk9-dev
+  ninja-build
+  python3
+  python3-vtk9
+  # A display for pictures, on machines without one.
+  xauth
+  xvfb
+)
+
+test_packages=(
+  clang-format
+  clang-tidy
+  libbenchmark-dev
+  libcgal-dev
+  libgtest-dev
+  python3-numpy
+)
+
+usage()
+{
+  sed -n '2,/^set/{/^set/d;s/^# \{0,1\}//;p}' "$0"
+}
+
+case "${1:-build}" in
+  build) wanted=("${build_packages[@]}") ;;
+  test) wanted=("${build_packages[@]}" "${test_packages[@]}") ;;
+  -h | --help)
+    usage
+    exit 0
+    ;;
+  *)
+    usage >&2
+    exit 2
+    ;;
+esac
+
+if ! command -v apt-get >/dev/null || ! command -v dpkg-query >/dev/null; then
+  cat >&2 <<MESSAGE
+This machine has no apt-get, so nothing was installed. Install the equivalents of these Debian
+packages with your system's package manager, then use the presets of CMakePresets.json:
+  ${wanted[*]}
+MESSAGE
+  exit 1
+fi
+
+missing=()
+for package in "${wanted[@]}"; do
+  status=$(dpkg-query --show --showformat='${db:Status-Status}' "$package" 2>/dev/null || true)
+  if [[ $status != installed ]]; then
+    missing+=("$package")
+  fi
+done
+if ((${#missing[@]} == 0)); then
+  echo "Nothing to install: all ${#wanted[@]} packages are there."
+  exit 0
+fi
+
+as_root=()
+if ((EUID != 0)); then
+  if ! command -v sudo >/dev/null; then
+    echo "Missing packages, and neither root nor sudo to install them: ${missing[*]}" >&2
+    exit 1
+  fi
+  as_root=(sudo)
+fi
+
+echo "Installing: ${missing[*]}"
+"${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get update --quiet
+"${as_root[@]}" env DEBIAN_FRONTEND=noninteractive \
+  apt-get install --quiet --yes --no-install-recommends "${missing[@]}"
