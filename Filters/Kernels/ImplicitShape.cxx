@@ -1,0 +1,221 @@
+#include "ImplicitShape.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+namespace FlipFree
+{
+namespace
+{
+
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+void RequirePositive(double value, const char* what)
+{
+  if (!(value > 0) || !std::isfinite(value))
+  {
+    throw std::invalid_argument(
+      std::string(what) + " must be positive, not " + std::to_string(value));
+  }
+}
+
+// The minimum of a and b, with the kink between them replaced by a parabola. Its slope never
+// exceeds the greater of theirs, and it is at most blend / 4 below the minimum.
+double SmoothMinimum(double a, double b, double blend)
+{
+  const double overlap = std::max(blend - std::abs(a - b), 0.0);
+  return std::min(a, b) - overlap * overlap / (4 * blend);
+}
+
+// One piece of a tube. The slope of the radius tilts the surface; `Scale` keeps the value a bound.
+struct TubePiece
+{
+  Vector3d Start;
+  Vector3d Along;
+  double InverseSquaredLength;
+  double Radius;
+  double Taper;
+  double Scale;
+
+  double operator()(const Vector3d& point) const
+  {
+    const Vector3d offset = point - this->Start;
+    const double t = std::clamp(offset.dot(this->Along) * this->InverseSquaredLength, 0.0, 1.0);
+    return this->Scale * ((offset - t * this->Along).norm() - (this->Radius + t * this->Taper));
+  }
+};
+
+} // namespace
+
+ImplicitShape MakeSphere(const Vector3d& center, double radius)
+{
+  RequirePositive(radius, "the radius of a sphere");
+  return [=](const Vector3d& point) { return (point - center).norm() - radius; };
+}
+
+ImplicitShape MakeBox(const Vector3d& center, const Vector3d& halfEdges, double rounding)
+{
+  RequirePositive(halfEdges.minCoeff() - rounding, "the half edge of a box less its rounding");
+  const Vector3d core = halfEdges - Vector3d::Constant(rounding);
+  return [=](const Vector3d& point)
+  {
+    const Vector3d beyond = (point - center).cwiseAbs() - core;
+    return beyond.cwiseMax(0.0).norm() + std::min(beyond.maxCoeff(), 0.0) - rounding;
+  };
+}
+
+ImplicitShape MakeEllipsoid(const Vector3d& center, const Vector3d& radii,
+  const Eigen::Matrix3d& axes)
+{
+  RequirePositive(radii.minCoeff(), "the radius of an ellipsoid");
+  const Eigen::Matrix3d toUnitBall = radii.cwiseInverse().asDiagonal() * axes.transpose();
+  const double least = radii.minCoeff();
+  return [=](const Vector3d& point)
+  { return least * ((toUnitBall * (point - center)).norm() - 1); };
+}
+
+ImplicitShape MakeEllipticCylinder(const Vector2d& center, const Vector2d& radii)
+{
+  RequirePositive(radii.minCoeff(), "the radius of an elliptic cylinder");
+  const double least = radii.minCoeff();
+  return [=](const Vector3d& point)
+  { return least * ((point.head<2>() - center).cwiseQuotient(radii).norm() - 1); };
+}
+
+ImplicitShape MakeHalfSpace(const Vector3d& origin, const Vector3d& normal)
+{
+  return [=](const Vector3d& point) { return normal.dot(point - origin); };
+}
+
+ImplicitShape MakeTube(const std::vector<Vector3d>& centerline, const std::vector<double>& radii)
+{
+  if (centerline.size() < 2 || radii.size() != centerline.size())
+  {
+    throw std::invalid_argument("a tube needs two points or more and one radius for each, not " +
+      std::to_string(centerline.size()) + " points and " + std::to_string(radii.size()) + " radii");
+  }
+  std::vector<TubePiece> pieces;
+  for (std::size_t i = 0; i + 1 < centerline.size(); ++i)
+  {
+    RequirePositive(std::min(radii[i], radii[i + 1]), "the radius of a tube");
+    const Vector3d along = centerline[i + 1] - centerline[i];
+    RequirePositive(along.norm(), "the distance of consecutive points of a tube");
+    const double taper = radii[i + 1] - radii[i];
+    const double slope = taper / along.norm();
+    pieces.push_back({ centerline[i], along, 1 / along.squaredNorm(), radii[i], taper,
+      1 / std::sqrt(1 + slope * slope) });
+  }
+  return [pieces](const Vector3d& point)
+  {
+    double value = std::numeric_limits<double>::infinity();
+    for (const TubePiece& piece : pieces)
+    {
+      value = std::min(value, piece(point));
+    }
+    return value;
+  };
+}
+
+ImplicitShape MakeCup(const Vector3d& center, double radius, double halfWall, double height)
+{
+  RequirePositive(halfWall, "half the wall of a cup");
+  RequirePositive(radius - halfWall, "the radius of a cup less half its wall");
+  RequirePositive(height, "the height of a cup");
+  return [=](const Vector3d& point)
+  {
+    // Distance to the wall's middle surface, whose profile is a quarter circle and a straight line.
+    const Vector3d p = point - center;
+    const double fromAxis = p.head<2>().norm();
+    const double fromMiddle = p.z() < 0
+      ? std::abs(p.norm() - radius)
+      : std::hypot(fromAxis - radius, std::max(p.z() - height, 0.0));
+    return fromMiddle - halfWall;
+  };
+}
+
+ImplicitShape MakeUTube(const Vector3d& center, double bendRadius, double tubeRadius, double leg)
+{
+  RequirePositive(tubeRadius, "the radius of a U-tube");
+  RequirePositive(bendRadius - tubeRadius, "the bend radius of a U-tube less its tube radius");
+  RequirePositive(leg, "the leg of a U-tube");
+  return [=](const Vector3d& point)
+  {
+    const Vector3d p = point - center;
+    const double inPlane = p.z() < 0
+      ? std::hypot(p.x(), p.z()) - bendRadius
+      : std::hypot(std::abs(p.x()) - bendRadius, std::max(p.z() - leg, 0.0));
+    return std::hypot(inPlane, p.y()) - tubeRadius;
+  };
+}
+
+ImplicitShape Unite(std::vector<ImplicitShape> shapes)
+{
+  return [shapes = std::move(shapes)](const Vector3d& point)
+  {
+    double value = std::numeric_limits<double>::infinity();
+    for (const ImplicitShape& shape : shapes)
+    {
+      value = std::min(value, shape(point));
+    }
+    return value;
+  };
+}
+
+ImplicitShape SmoothUnite(std::vector<ImplicitShape> shapes, double blend)
+{
+  RequirePositive(blend, "the width of a blend");
+  return [shapes = std::move(shapes), blend](const Vector3d& point)
+  {
+    double value = shapes.front()(point);
+    for (std::size_t i = 1; i < shapes.size(); ++i)
+    {
+      value = SmoothMinimum(value, shapes[i](point), blend);
+    }
+    return value;
+  };
+}
+
+ImplicitShape Intersect(std::vector<ImplicitShape> shapes)
+{
+  return [shapes = std::move(shapes)](const Vector3d& point)
+  {
+    double value = -std::numeric_limits<double>::infinity();
+    for (const ImplicitShape& shape : shapes)
+    {
+      value = std::max(value, shape(point));
+    }
+    return value;
+  };
+}
+
+ImplicitShape SmoothIntersect(std::vector<ImplicitShape> shapes, double blend)
+{
+  RequirePositive(blend, "the width of a blend");
+  return [shapes = std::move(shapes), blend](const Vector3d& point)
+  {
+    double value = -shapes.front()(point);
+    for (std::size_t i = 1; i < shapes.size(); ++i)
+    {
+      value = SmoothMinimum(value, -shapes[i](point), blend);
+    }
+    return -value;
+  };
+}
+
+ImplicitShape Complement(ImplicitShape shape)
+{
+  return [shape = std::move(shape)](const Vector3d& point) { return -shape(point); };
+}
+
+ImplicitShape Grow(ImplicitShape shape, double distance)
+{
+  return [shape = std::move(shape), distance](const Vector3d& point)
+  { return shape(point) - distance; };
+}
+
+} // namespace FlipFree

@@ -1,0 +1,76 @@
+/**
+ * Solids as functions of space, from which phantoms are composed: primitives with exact signed
+ * distances, and the set operations on them.
+ *
+ * The contract that the sampler relies on: a shape's value is negative inside, positive outside,
+ * and its magnitude never exceeds the distance to the surface. Where it is the distance itself, the
+ * function says so. A ball of radius |value| around a point is thus wholly inside or wholly
+ * outside.
+ */
+#ifndef FlipFreeImplicitShape_h
+#define FlipFreeImplicitShape_h
+
+#include <Eigen/Dense>
+
+#include <functional>
+#include <vector>
+
+namespace FlipFree
+{
+
+/// Millimetres in, millimetres out.
+using ImplicitShape = std::function<double(const Eigen::Vector3d& point)>;
+
+/// Exact distance.
+ImplicitShape MakeSphere(const Eigen::Vector3d& center, double radius);
+
+/// An axis-parallel box with edges rounded by `rounding`; exact distance.
+ImplicitShape MakeBox(const Eigen::Vector3d& center, const Eigen::Vector3d& halfEdges,
+  double rounding = 0);
+
+/// An ellipsoid whose axes are the columns of `axes`; the value is exact on the surface and at the
+/// centre, elsewhere a lower bound.
+ImplicitShape MakeEllipsoid(const Eigen::Vector3d& center, const Eigen::Vector3d& radii,
+  const Eigen::Matrix3d& axes = Eigen::Matrix3d::Identity());
+
+/// An infinite elliptic cylinder along z; values as those of the ellipsoid.
+ImplicitShape MakeEllipticCylinder(const Eigen::Vector2d& center, const Eigen::Vector2d& radii);
+
+/// The half space where normal . (point - origin) < 0; the normal has unit length. Exact distance.
+ImplicitShape MakeHalfSpace(const Eigen::Vector3d& origin, const Eigen::Vector3d& normal);
+
+/// A round tube along a polyline, with spherical ends and a radius that runs linearly between the
+/// points. Exact distance outside (and, but for sharp bends, inside) where the radius is constant.
+ImplicitShape MakeTube(const std::vector<Eigen::Vector3d>& centerline,
+  const std::vector<double>& radii);
+
+/// A cup that opens along +z: the wall of thickness 2 halfWall around a half sphere of `radius`
+/// below `center` and a cylinder of `height` above it, its rim rounded. Exact distance.
+ImplicitShape MakeCup(const Eigen::Vector3d& center, double radius, double halfWall, double height);
+
+/// A tube along a half circle of `bendRadius` in the xz plane below `center` and two legs of length
+/// `leg` upwards from its ends, which are round. Exact distance.
+ImplicitShape MakeUTube(const Eigen::Vector3d& center, double bendRadius, double tubeRadius,
+  double leg);
+
+/// Points in any of the shapes.
+ImplicitShape Unite(std::vector<ImplicitShape> shapes);
+
+/// Points in any of the shapes, with a fillet where two surfaces are closer than `blend` mm.
+ImplicitShape SmoothUnite(std::vector<ImplicitShape> shapes, double blend);
+
+/// Points in all of the shapes.
+ImplicitShape Intersect(std::vector<ImplicitShape> shapes);
+
+/// Points in all of the shapes, the edges rounded by about `blend` mm.
+ImplicitShape SmoothIntersect(std::vector<ImplicitShape> shapes, double blend);
+
+/// The rest of space.
+ImplicitShape Complement(ImplicitShape shape);
+
+/// The shape grown by `distance` mm (shrunk where negative), as far as its value is the distance.
+ImplicitShape Grow(ImplicitShape shape, double distance);
+
+} // namespace FlipFree
+
+#endif

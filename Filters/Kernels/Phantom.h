@@ -1,0 +1,53 @@
+/**
+ * What a phantom consists of, and the plain ones of the paper (Fig. 1): a sphere, a cube, a cup, a
+ * U-shaped tube and a thin curved vessel. All sizes are in proportion to the grid.
+ */
+#ifndef FlipFreePhantom_h
+#define FlipFreePhantom_h
+
+#include "ShapeVolume.h"
+
+#include <optional>
+
+namespace FlipFree
+{
+
+struct Ball
+{
+  Eigen::Vector3d Center = Eigen::Vector3d::Zero();
+  double Radius = 0;
+};
+
+/// Where a segmentation may start: a ball inside the organ, its radius 0.7 times the depth there.
+struct PhantomSeed
+{
+  std::uint8_t Label;
+  Ball Start;
+};
+
+/// Positions as in TissueStack: millimetres along the grid's axes around its centre.
+struct Phantom
+{
+  TissueStack Tissues;
+  std::vector<PhantomSeed> Seeds;
+  ImplicitShape Surface; ///< of the one object of a plain phantom; empty otherwise
+  std::optional<Ball>
+    Enclosing; ///< of a plain phantom: a start from outside, 5 % clear of the object
+};
+
+enum class PlainShape
+{
+  Sphere, ///< radius 30 units, where a unit is 1/96 of the grid's shortest extent
+  Cube,   ///< edge 52 units
+  Cup,    ///< wall 16, cavity 32 wide and 40 deep, 64 high; opens along the third axis
+  UTube,  ///< tube radius 9, bend radius 18, legs of 30 along the third axis
+  Vessel  ///< tube radius 4, along an S-shaped space curve of about 105 units
+};
+
+/// The object has label 1 and intensity `foreground`, the rest 0 and `background`.
+Phantom MakePlainPhantom(PlainShape shape, const Eigen::Vector3d& extent, double foreground,
+  double background);
+
+} // namespace FlipFree
+
+#endif

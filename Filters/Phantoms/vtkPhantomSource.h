@@ -1,0 +1,198 @@
+/**
+ * @class   vtkPhantomSource
+ * @brief   synthetic volumes whose segmentation is known exactly
+ *
+ * Makes a grey volume and the label map that is its truth. The plain shapes are one object of
+ * intensity Foreground in a Background: a sphere and a cube, the concave cup and the U-shaped tube
+ * of Fig. 1 of the paper, and a thin curved vessel. ABDOMEN is a schematic contrast-enhanced CT of
+ * the upper abdomen in Hounsfield units.
+ *
+ * Shapes are sized in proportion to the grid, lie at its centre, and are aligned with its axes: a
+ * Direction turns the phantom with the grid and leaves every voxel's value as it was. For the
+ * abdomen the first axis points to the patient's left, the second to the back, the third to the
+ * head; with the identity as Direction that is the LPS frame of DICOM and ITK.
+ *
+ * The volume depends on the properties alone, bit for bit, not on the number of threads.
+ *
+ * Output port 0: vtkImageData with the point scalars
+ *  - `Intensity`, short: HU for the abdomen.
+ *
+ * Output port 1: vtkImageData of the same geometry with the point scalars
+ *  - `Labels`, unsigned char: what lies at the voxel's centre; 0 nothing in particular, 1 the
+ * object of a plain shape, for the abdomen one of OrganLabel.
+ *
+ * Errors: a dimension below 1, more than 2^31 - 1 voxels, a spacing that is not positive, a
+ * Direction that cannot be inverted, intensities outside the range of short, a negative
+ * NoiseDeviation, a NoiseCorrelation outside 0 to 0.7. They are reported once and leave the outputs
+ * empty.
+ */
+#ifndef vtkPhantomSource_h
+#define vtkPhantomSource_h
+
+#include "FlipFreePhantomsModule.h"
+#include "vtkImageAlgorithm.h"
+
+class FLIPFREEPHANTOMS_EXPORT vtkPhantomSource : public vtkImageAlgorithm
+{
+public:
+  static vtkPhantomSource* New();
+  vtkTypeMacro(vtkPhantomSource, vtkImageAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  enum ShapeType
+  {
+    SPHERE = 0,
+    CUBE = 1,
+    CUP = 2,
+    U_TUBE = 3,
+    VESSEL = 4
+  };
+
+  enum OrganLabel
+  {
+    OBJECT = 1
+  };
+
+  ///@{
+  /**
+   * What the volume shows. Default SPHERE.
+   *
+   * The sizes of the plain shapes follow, in units of 1/96 of the grid's shortest extent (so in mm
+   * for the default grid). SPHERE: radius 30. CUBE: edge 52. CUP: opens along the third axis;
+   * height 64, wall 16, cavity 32 wide and 40 deep. U_TUBE: tube radius 9, half circle of radius
+   * 18, legs of 30 along the third axis. VESSEL: tube radius 4 along an S-shaped space curve of
+   * length 105.
+   */
+  vtkSetClampMacro(Shape, int, SPHERE, VESSEL);
+  vtkGetMacro(Shape, int);
+  void SetShapeToSphere() { this->SetShape(SPHERE); }
+  void SetShapeToCube() { this->SetShape(CUBE); }
+  void SetShapeToCup() { this->SetShape(CUP); }
+  void SetShapeToUTube() { this->SetShape(U_TUBE); }
+  void SetShapeToVessel() { this->SetShape(VESSEL); }
+  ///@}
+
+  ///@{
+  /**
+   * Number of voxels along each axis. Default (0, 0, 0): as suits the shape, 96 x 96 x 96.
+   */
+  vtkSetVector3Macro(Dimensions, int);
+  vtkGetVector3Macro(Dimensions, int);
+  ///@}
+
+  ///@{
+  /**
+   * Distance of voxel centres along each axis in millimetres. Default (0, 0, 0): as suits the
+   * shape, 1 x 1 x 1.
+   */
+  vtkSetVector3Macro(Spacing, double);
+  vtkGetVector3Macro(Spacing, double);
+  ///@}
+
+  ///@{
+  /**
+   * Centre of the first voxel in physical millimetres. Default (0, 0, 0).
+   */
+  vtkSetVector3Macro(Origin, double);
+  vtkGetVector3Macro(Origin, double);
+  ///@}
+
+  ///@{
+  /**
+   * The grid's axes in physical space, as the columns of a 3 x 3 matrix given row by row, like
+   * vtkImageData's direction matrix. Permuted, oblique and left-handed axes are fine. Default the
+   * identity.
+   */
+  vtkSetVectorMacro(Direction, double, 9);
+  vtkGetVectorMacro(Direction, double, 9);
+  ///@}
+
+  ///@{
+  /**
+   * Intensities of the object and of what surrounds it, for the plain shapes. Defaults 100 and 0.
+   * They are rounded to integers after partial volume and noise: leave them far enough apart.
+   */
+  vtkSetMacro(Foreground, double);
+  vtkGetMacro(Foreground, double);
+  vtkSetMacro(Background, double);
+  vtkGetMacro(Background, double);
+  ///@}
+
+  ///@{
+  /**
+   * Standard deviation of the Gaussian noise, in units of intensity. Default 12; 0 or more.
+   */
+  vtkSetMacro(NoiseDeviation, double);
+  vtkGetMacro(NoiseDeviation, double);
+  ///@}
+
+  ///@{
+  /**
+   * Correlation of the noise of direct neighbours within a slice, such as a CT's reconstruction
+   * leaves it; slices are independent. Default 0.3; 0 (white noise) to 0.7.
+   */
+  vtkSetMacro(NoiseCorrelation, double);
+  vtkGetMacro(NoiseCorrelation, double);
+  ///@}
+
+  ///@{
+  /**
+   * From what the random numbers are derived. Default 1; any integer.
+   */
+  vtkSetMacro(RandomSeed, int);
+  vtkGetMacro(RandomSeed, int);
+  ///@}
+
+  ///@{
+  /**
+   * Whether a voxel on a border gets the mean over its volume (by up to 4 x 4 x 4 samples) or the
+   * intensity at its centre. The labels are always those at the centres. Default on.
+   */
+  vtkSetMacro(PartialVolume, bool);
+  vtkGetMacro(PartialVolume, bool);
+  vtkBooleanMacro(PartialVolume, bool);
+  ///@}
+
+  /**
+   * A place to start a segmentation from: the centre (physical millimetres) and radius (mm) of a
+   * ball deep inside the organ of the given label; the radius is at most 0.7 times the distance to
+   * the organ's border. True if there is such an organ. Needs no update.
+   */
+  bool GetSeed(int label, double seed[4]);
+
+  /**
+   * Centre and radius of a ball that holds the whole object of a plain shape with some clearance,
+   * to start from outside. False for the abdomen. Needs no update.
+   */
+  bool GetEnclosingSphere(double sphere[4]);
+
+  /**
+   * The label map, output port 1.
+   */
+  vtkImageData* GetLabelMap();
+
+protected:
+  vtkPhantomSource();
+  ~vtkPhantomSource() override = default;
+
+  int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+  int Shape = SPHERE;
+  int Dimensions[3] = { 0, 0, 0 };
+  double Spacing[3] = { 0, 0, 0 };
+  double Origin[3] = { 0, 0, 0 };
+  double Direction[9] = { 1, 0, 0, 0, 1, 0, 0, 0, 1 };
+  double Foreground = 100;
+  double Background = 0;
+  double NoiseDeviation = 12;
+  double NoiseCorrelation = 0.3;
+  int RandomSeed = 1;
+  bool PartialVolume = true;
+
+private:
+  vtkPhantomSource(const vtkPhantomSource&) = delete;
+  void operator=(const vtkPhantomSource&) = delete;
+};
+
+#endif

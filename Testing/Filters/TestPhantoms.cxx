@@ -1,0 +1,280 @@
+#include "vtkPhantomSource.h"
+
+#include "vtkCallbackCommand.h"
+#include "vtkCommand.h"
+#include "vtkDataArray.h"
+#include "vtkExecutive.h"
+#include "vtkImageData.h"
+#include "vtkMatrix3x3.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkSMPTools.h"
+#include "vtkTestErrorObserver.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace
+{
+
+const double Oblique[9] = { 0.36, 0.48, -0.8, -0.8, 0.6, 0, 0.48, 0.64, 0.6 };
+
+std::vector<double> Values(vtkImageData* image)
+{
+  vtkDataArray* scalars = image->GetPointData()->GetScalars();
+  std::vector<double> values(scalars ? scalars->GetNumberOfTuples() : 0);
+  for (std::size_t i = 0; i < values.size(); ++i)
+  {
+    values[i] = scalars->GetComponent(static_cast<vtkIdType>(i), 0);
+  }
+  return values;
+}
+
+// Every voxel whose centre lies in the ball has the label.
+void ExpectBallInside(vtkImageData* labels, const double ball[4], int label)
+{
+  int inside = 0;
+  for (vtkIdType point = 0; point < labels->GetNumberOfPoints(); ++point)
+  {
+    double x[3];
+    labels->GetPoint(point, x);
+    if (std::hypot(x[0] - ball[0], x[1] - ball[1], x[2] - ball[2]) < ball[3])
+    {
+      EXPECT_EQ(labels->GetPointData()->GetScalars()->GetComponent(point, 0), label);
+      ++inside;
+    }
+  }
+  EXPECT_GT(inside, 0);
+}
+
+// Tries an update of a broken source: one error of the source itself, empty outputs, nothing else.
+void ExpectRefusal(vtkPhantomSource* source, const std::string& part)
+{
+  vtkNew<vtkTest::ErrorObserver> observer;
+  vtkNew<vtkTest::ErrorObserver> executiveObserver;
+  source->AddObserver(vtkCommand::ErrorEvent, observer);
+  source->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, executiveObserver);
+  source->Update();
+  const std::string message = observer->GetErrorMessage();
+  EXPECT_NE(message.find(part), std::string::npos) << part << " not in: " << message;
+  EXPECT_EQ(message.find("No phantom"), message.rfind("No phantom")) << message;
+  EXPECT_EQ(source->GetOutput()->GetNumberOfPoints(), 0);
+  EXPECT_EQ(source->GetLabelMap()->GetNumberOfPoints(), 0);
+}
+
+} // namespace
+
+TEST(PhantomSource, MakesBothVolumesInTheSameGeometry)
+{
+  vtkNew<vtkPhantomSource> source;
+  source->SetShapeToCup();
+  source->SetDimensions(30, 40, 20);
+  source->SetSpacing(1, 0.75, 2);
+  source->SetOrigin(-5, 7, 100);
+  source->SetDirection(Oblique);
+  source->Update();
+  for (vtkImageData* image : { source->GetOutput(), source->GetLabelMap() })
+  {
+    EXPECT_EQ(image->GetDimensions()[0], 30);
+    EXPECT_EQ(image->GetDimensions()[1], 40);
+    EXPECT_EQ(image->GetDimensions()[2], 20);
+    EXPECT_EQ(image->GetSpacing()[1], 0.75);
+    EXPECT_EQ(image->GetOrigin()[2], 100);
+    for (int i = 0; i < 9; ++i)
+    {
+      EXPECT_EQ(image->GetDirectionMatrix()->GetData()[i], Oblique[i]);
+    }
+  }
+  EXPECT_EQ(source->GetOutput()->GetScalarType(), VTK_SHORT);
+  EXPECT_STREQ(source->GetOutput()->GetPointData()->GetScalars()->GetName(), "Intensity");
+  EXPECT_EQ(source->GetLabelMap()->GetScalarType(), VTK_UNSIGNED_CHAR);
+  EXPECT_STREQ(source->GetLabelMap()->GetPointData()->GetScalars()->GetName(), "Labels");
+}
+
+TEST(PhantomSource, DefaultIsASphereOfTheDocumentedSize)
+{
+  vtkNew<vtkPhantomSource> source;
+  source->Update();
+  EXPECT_EQ(source->GetOutput()->GetDimensions()[0], 96);
+  EXPECT_EQ(source->GetOutput()->GetSpacing()[2], 1);
+  const std::vector<double> labels = Values(source->GetLabelMap());
+  EXPECT_NEAR(std::count(labels.begin(), labels.end(), 1), 4.18879 * 27000, 300);
+}
+
+TEST(PhantomSource, IntensitiesAreForegroundAndBackgroundWithTheNoiseAsked)
+{
+  vtkNew<vtkPhantomSource> source;
+  source->SetForeground(150);
+  source->SetBackground(-40);
+  source->SetNoiseDeviation(25);
+  source->PartialVolumeOff();
+  source->Update();
+  const std::vector<double> intensities = Values(source->GetOutput());
+  const std::vector<double> labels = Values(source->GetLabelMap());
+  for (int label : { 0, 1 })
+  {
+    double count = 0;
+    double sum = 0;
+    double squares = 0;
+    for (std::size_t i = 0; i < labels.size(); ++i)
+    {
+      if (labels[i] == label)
+      {
+        ++count;
+        sum += intensities[i];
+        squares += intensities[i] * intensities[i];
+      }
+    }
+    EXPECT_NEAR(sum / count, label ? 150 : -40, 0.5);
+    EXPECT_NEAR(std::sqrt(squares / count - std::pow(sum / count, 2)), 25, 0.25);
+  }
+}
+
+TEST(PhantomSource, DirectionTurnsThePhantomAndChangesNoVoxel)
+{
+  vtkNew<vtkPhantomSource> straight;
+  vtkNew<vtkPhantomSource> turned;
+  for (vtkPhantomSource* source : { straight.Get(), turned.Get() })
+  {
+    source->SetShapeToUTube();
+    source->SetDimensions(40, 40, 24);
+    source->SetSpacing(1, 1, 2);
+  }
+  turned->SetDirection(Oblique);
+  straight->Update();
+  turned->Update();
+  EXPECT_EQ(Values(straight->GetOutput()), Values(turned->GetOutput()));
+  EXPECT_EQ(Values(straight->GetLabelMap()), Values(turned->GetLabelMap()));
+}
+
+TEST(PhantomSource, SeedsAndEnclosingSpheresFollowTheGrid)
+{
+  for (int shape = vtkPhantomSource::SPHERE; shape <= vtkPhantomSource::VESSEL; ++shape)
+  {
+    vtkNew<vtkPhantomSource> source;
+    source->SetShape(shape);
+    source->SetDimensions(80, 60, 30);
+    source->SetSpacing(1, 1.25, 2.5);
+    source->SetOrigin(10, -20, 30);
+    source->SetDirection(Oblique);
+    source->Update();
+    double seed[4];
+    ASSERT_TRUE(source->GetSeed(vtkPhantomSource::OBJECT, seed));
+    ExpectBallInside(source->GetLabelMap(), seed, 1);
+    double sphere[4];
+    ASSERT_TRUE(source->GetEnclosingSphere(sphere));
+    vtkImageData* labels = source->GetLabelMap();
+    for (vtkIdType point = 0; point < labels->GetNumberOfPoints(); ++point)
+    {
+      if (labels->GetPointData()->GetScalars()->GetComponent(point, 0) == 1)
+      {
+        double x[3];
+        labels->GetPoint(point, x);
+        EXPECT_LT(std::hypot(x[0] - sphere[0], x[1] - sphere[1], x[2] - sphere[2]), sphere[3]);
+      }
+    }
+    EXPECT_FALSE(source->GetSeed(77, seed));
+  }
+}
+
+TEST(PhantomSource, IsTheSameForAnyNumberOfThreads)
+{
+  std::vector<std::vector<double>> results;
+  for (int threads : { 1, 2 })
+  {
+    vtkSMPTools::Initialize(threads);
+    vtkNew<vtkPhantomSource> source;
+    source->SetShapeToVessel();
+    source->SetRandomSeed(42);
+    source->Update();
+    results.push_back(Values(source->GetOutput()));
+  }
+  vtkSMPTools::Initialize(0);
+  EXPECT_EQ(results[0], results[1]);
+  vtkNew<vtkPhantomSource> other;
+  other->SetShapeToVessel();
+  other->SetRandomSeed(43);
+  other->Update();
+  EXPECT_NE(results[0], Values(other->GetOutput()));
+}
+
+TEST(PhantomSource, WorksOnASingleSliceAndASingleVoxel)
+{
+  vtkNew<vtkPhantomSource> source;
+  source->SetDimensions(32, 32, 1);
+  source->SetSpacing(1, 1, 40);
+  source->Update();
+  const std::vector<double> labels = Values(source->GetLabelMap());
+  EXPECT_NEAR(std::count(labels.begin(), labels.end(), 1), 314, 10);
+  source->SetDimensions(1, 1, 1);
+  source->Update();
+  EXPECT_EQ(Values(source->GetLabelMap()), std::vector<double>{ 1 });
+}
+
+TEST(PhantomSource, RefusesBadInputOneByOne)
+{
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const auto refuse = [](const std::string& part, auto&& breakIt)
+  {
+    vtkNew<vtkPhantomSource> source;
+    source->SetDimensions(8, 8, 8);
+    source->Update();
+    EXPECT_EQ(source->GetOutput()->GetNumberOfPoints(), 512);
+    breakIt(source.Get());
+    ExpectRefusal(source, part);
+  };
+  refuse("dimension of axis 1", [](auto* source) { source->SetDimensions(8, 0, 8); });
+  refuse("dimension of axis 0", [](auto* source) { source->SetDimensions(-3, 8, 8); });
+  refuse("2^31", [](auto* source) { source->SetDimensions(3000, 3000, 3000); });
+  refuse("spacing of axis 2", [](auto* source) { source->SetSpacing(1, 1, -1); });
+  refuse("spacing of axis 0", [=](auto* source) { source->SetSpacing(nan, 1, 1); });
+  refuse("origin of axis 1", [=](auto* source) { source->SetOrigin(0, nan, 0); });
+  refuse("direction matrix",
+    [](auto* source)
+    {
+      const double flat[9] = { 1, 0, 0, 0, 1, 0, 0, 0, 0 };
+      source->SetDirection(flat);
+    });
+  refuse("Foreground", [=](auto* source) { source->SetForeground(nan); });
+  refuse("Background", [](auto* source) { source->SetBackground(1e6); });
+  refuse("deviation of the noise", [](auto* source) { source->SetNoiseDeviation(-1); });
+  refuse("correlation", [](auto* source) { source->SetNoiseCorrelation(0.9); });
+}
+
+TEST(PhantomSource, SaysWhyThereIsNoSeed)
+{
+  vtkNew<vtkPhantomSource> source;
+  source->SetSpacing(1, 1, -1);
+  vtkNew<vtkTest::ErrorObserver> observer;
+  source->AddObserver(vtkCommand::ErrorEvent, observer);
+  double ball[4];
+  EXPECT_FALSE(source->GetSeed(1, ball));
+  EXPECT_NE(observer->GetErrorMessage().find("spacing of axis 2"), std::string::npos);
+  observer->Clear();
+  EXPECT_FALSE(source->GetEnclosingSphere(ball));
+  EXPECT_NE(observer->GetErrorMessage().find("spacing of axis 2"), std::string::npos);
+}
+
+TEST(PhantomSource, CanBeAborted)
+{
+  vtkNew<vtkPhantomSource> source;
+  vtkNew<vtkTest::ErrorObserver> observer;
+  source->AddObserver(vtkCommand::ErrorEvent, observer);
+  struct Abort
+  {
+    static void Execute(vtkObject* caller, unsigned long, void*, void*)
+    {
+      static_cast<vtkAlgorithm*>(caller)->SetAbortExecute(1);
+    }
+  };
+  vtkNew<vtkCallbackCommand> abort;
+  abort->SetCallback(Abort::Execute);
+  source->AddObserver(vtkCommand::ProgressEvent, abort);
+  source->Update();
+  EXPECT_EQ(source->GetOutput()->GetNumberOfPoints(), 0);
+  EXPECT_FALSE(observer->GetError());
+}
