@@ -1,7 +1,7 @@
 #include "SurfaceDistance.h"
 
+#include "ClosestTriangle.h"
 #include "SurfaceTopology.h"
-#include "TriangleTree.h"
 
 #include <algorithm>
 #include <cmath>
@@ -117,7 +117,7 @@ bool ForInBlocks(std::size_t size, std::size_t blockSize, const ParallelFor& par
 }
 
 bool MeasureDirected(const PointList& points, const TriangleList& triangles, const Samples& samples,
-  const TriangleTree& tree, const ParallelFor& parallelFor, const Monitor& monitor,
+  const ClosestTriangleTree& tree, const ParallelFor& parallelFor, const Monitor& monitor,
   DirectedDistances& result)
 {
   std::vector<std::pair<double, double>> distancesAndAreas(samples.Offsets.back());
@@ -184,8 +184,8 @@ SurfaceDistance MeasureSurfaceDistance(const PointList& firstPoints,
   RequireValidTriangles(secondPoints, secondTriangles, "the second surface");
   const Samples firstSamples(firstPoints, firstTriangles, sampleSpacing, "the first surface");
   const Samples secondSamples(secondPoints, secondTriangles, sampleSpacing, "the second surface");
-  const TriangleTree firstTree(firstPoints, firstTriangles);
-  const TriangleTree secondTree(secondPoints, secondTriangles);
+  const ClosestTriangleTree firstTree(firstPoints, firstTriangles);
+  const ClosestTriangleTree secondTree(secondPoints, secondTriangles);
 
   SurfaceDistance result;
   DirectedDistances there;

@@ -1,7 +1,7 @@
 #include "SurfaceDistance.h"
 
+#include "ClosestTriangle.h"
 #include "ExampleSurfaces.h"
-#include "TriangleTree.h"
 
 #include <gtest/gtest.h>
 
@@ -21,10 +21,10 @@ SurfaceDistance Measure(const Surface& first, const Surface& second, double spac
 
 } // namespace
 
-TEST(TriangleTree, FindsWhatBruteForceFinds)
+TEST(ClosestTriangleTree, FindsWhatBruteForceFinds)
 {
   const Surface potato = Potato(7, { 1, 2, 3 }, 10);
-  const TriangleTree tree(potato.Points, potato.Triangles);
+  const ClosestTriangleTree tree(potato.Points, potato.Triangles);
   std::mt19937 random(1);
   std::uniform_real_distribution<double> coordinate(-20, 25);
   int likely = -1;
@@ -47,7 +47,7 @@ TEST(TriangleTree, FindsWhatBruteForceFinds)
   }
 }
 
-TEST(TriangleTree, DistanceToATriangleIsTheLeastOverItsPoints)
+TEST(ClosestTriangleTree, DistanceToATriangleIsTheLeastOverItsPoints)
 {
   std::mt19937 random(2);
   std::uniform_real_distribution<double> coordinate(-1, 1);

@@ -1,4 +1,4 @@
-#include "TriangleTree.h"
+#include "ClosestTriangle.h"
 
 #include <algorithm>
 #include <numeric>
@@ -50,7 +50,7 @@ double SquaredDistanceToTriangle(const Eigen::Vector3d& point, const Eigen::Vect
     SquaredDistanceToSegment(point, c, a) });
 }
 
-TriangleTree::TriangleTree(const PointList& points, const TriangleList& triangles)
+ClosestTriangleTree::ClosestTriangleTree(const PointList& points, const TriangleList& triangles)
   : Points(points)
   , Triangles(triangles)
   , Order(triangles.rows())
@@ -68,7 +68,7 @@ TriangleTree::TriangleTree(const PointList& points, const TriangleList& triangle
   this->Build(0, static_cast<int>(this->Order.size()), centroids);
 }
 
-void TriangleTree::Build(int first, int last, const PointList& centroids)
+void ClosestTriangleTree::Build(int first, int last, const PointList& centroids)
 {
   const std::size_t node = this->Nodes.size();
   this->Nodes.emplace_back();
@@ -106,13 +106,13 @@ void TriangleTree::Build(int first, int last, const PointList& centroids)
   this->Build(middle, last, centroids);
 }
 
-double TriangleTree::SquaredDistance(const Eigen::Vector3d& point, int triangle) const
+double ClosestTriangleTree::SquaredDistance(const Eigen::Vector3d& point, int triangle) const
 {
   return SquaredDistanceToTriangle(point, this->Points.row(this->Triangles(triangle, 0)),
     this->Points.row(this->Triangles(triangle, 1)), this->Points.row(this->Triangles(triangle, 2)));
 }
 
-TriangleTree::Closest TriangleTree::FindClosest(const Eigen::Vector3d& point,
+ClosestTriangleTree::Closest ClosestTriangleTree::FindClosest(const Eigen::Vector3d& point,
   int likelyTriangle) const
 {
   Closest closest;

@@ -2,8 +2,8 @@
  * A bounding-volume tree over the triangles of a surface, for the exact distance from a point to
  * it.
  */
-#ifndef FlipFreeTriangleTree_h
-#define FlipFreeTriangleTree_h
+#ifndef FlipFreeClosestTriangle_h
+#define FlipFreeClosestTriangle_h
 
 #include "KernelTypes.h"
 
@@ -13,12 +13,12 @@
 namespace FlipFree
 {
 
-class TriangleTree
+class ClosestTriangleTree
 {
 public:
   /// The lists must outlive the tree, have at least one triangle, and be valid
   /// (RequireValidTriangles).
-  TriangleTree(const PointList& points, const TriangleList& triangles);
+  ClosestTriangleTree(const PointList& points, const TriangleList& triangles);
 
   struct Closest
   {
