@@ -17,7 +17,7 @@ class ClosestTriangleTree
 {
 public:
   /// The lists must outlive the tree, have at least one triangle, and be valid
-  /// (RequireValidTriangles).
+  /// (RequireValidFaces).
   ClosestTriangleTree(const PointList& points, const TriangleList& triangles);
 
   struct Closest

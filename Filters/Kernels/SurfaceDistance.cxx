@@ -180,8 +180,8 @@ SurfaceDistance MeasureSurfaceDistance(const PointList& firstPoints,
     throw std::invalid_argument(
       "the sample spacing is " + std::to_string(sampleSpacing) + " mm; it must be positive");
   }
-  RequireValidTriangles(firstPoints, firstTriangles, "the first surface");
-  RequireValidTriangles(secondPoints, secondTriangles, "the second surface");
+  RequireValidFaces(firstPoints, FacesOf(firstTriangles), "the first surface");
+  RequireValidFaces(secondPoints, FacesOf(secondTriangles), "the second surface");
   const Samples firstSamples(firstPoints, firstTriangles, sampleSpacing, "the first surface");
   const Samples secondSamples(secondPoints, secondTriangles, sampleSpacing, "the second surface");
   const ClosestTriangleTree firstTree(firstPoints, firstTriangles);

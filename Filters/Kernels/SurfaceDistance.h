@@ -29,7 +29,7 @@ struct SurfaceDistance
 
 /// Triangles with sides longer than sampleSpacing (mm) are sampled at more than their centroid: on
 /// a lattice of that spacing. Throws std::invalid_argument when a surface has no area or is not
-/// valid (RequireValidTriangles), or the spacing is not positive.
+/// valid (RequireValidFaces), or the spacing is not positive.
 SurfaceDistance MeasureSurfaceDistance(const PointList& firstPoints,
   const TriangleList& firstTriangles, const PointList& secondPoints,
   const TriangleList& secondTriangles, double sampleSpacing = 1.0,

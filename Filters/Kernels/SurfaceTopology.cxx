@@ -5,6 +5,23 @@
 
 namespace FlipFree
 {
+namespace
+{
+
+// A side of a face, as the edge's lower vertex, under which it is filed, sees it.
+struct HalfEdge
+{
+  int Higher;
+  int Face;
+  bool IsBackward;
+
+  bool operator<(const HalfEdge& other) const
+  {
+    return this->Higher != other.Higher ? this->Higher < other.Higher : this->Face < other.Face;
+  }
+};
+
+} // namespace
 
 FaceList FacesOf(const TriangleList& triangles)
 {
@@ -31,20 +48,25 @@ std::vector<SurfaceEdge> CollectEdges(int numberOfPoints, const FaceList& faces)
       const int size = faces.FaceSize(face);
       for (int corner = 0; corner < size; ++corner)
       {
-        visit(vertices[corner], vertices[corner + 1 < size ? corner + 1 : 0]);
+        const int from = vertices[corner];
+        const int to = vertices[corner + 1 < size ? corner + 1 : 0];
+        if (from != to)
+        {
+          visit(face, from, to);
+        }
       }
     }
   };
-  forEachHalfEdge([&offsets](int from, int to) { ++offsets[std::min(from, to) + 1]; });
+  forEachHalfEdge([&offsets](int, int from, int to) { ++offsets[std::min(from, to) + 1]; });
   for (int vertex = 0; vertex < numberOfPoints; ++vertex)
   {
     offsets[vertex + 1] += offsets[vertex];
   }
-  std::vector<std::pair<int, bool>> halfEdges(offsets.back());
+  std::vector<HalfEdge> halfEdges(offsets.back());
   std::vector<int> next(offsets.begin(), offsets.end() - 1);
   forEachHalfEdge(
-    [&](int from, int to) {
-      halfEdges[next[std::min(from, to)]++] = { std::max(from, to), from > to };
+    [&](int face, int from, int to) {
+      halfEdges[next[std::min(from, to)]++] = { std::max(from, to), face, from > to };
     });
 
   std::vector<SurfaceEdge> edges;
@@ -56,30 +78,34 @@ std::vector<SurfaceEdge> CollectEdges(int numberOfPoints, const FaceList& faces)
     std::sort(begin, end);
     for (auto halfEdge = begin; halfEdge != end; ++halfEdge)
     {
-      if (halfEdge == begin || halfEdge->first != edges.back().Higher)
+      if (halfEdge == begin || halfEdge->Higher != edges.back().Higher)
       {
-        edges.push_back({ vertex, halfEdge->first, 0, 0 });
+        edges.push_back({ vertex, halfEdge->Higher });
       }
-      ++(halfEdge->second ? edges.back().Backward : edges.back().Forward);
+      SurfaceEdge& edge = edges.back();
+      const int uses = edge.Forward + edge.Backward;
+      if (uses < 2)
+      {
+        edge.Faces[uses] = halfEdge->Face;
+      }
+      ++(halfEdge->IsBackward ? edge.Backward : edge.Forward);
     }
   }
   return edges;
 }
 
-SurfaceTopology MeasureTopology(int numberOfPoints, const FaceList& faces)
+SurfaceTopology MeasureTopology(const FaceList& faces, const std::vector<SurfaceEdge>& edges)
 {
   SurfaceTopology topology;
-  std::vector<char> used(numberOfPoints, 0);
-  for (int vertex : faces.Connectivity)
-  {
-    used[vertex] = 1;
-  }
-  topology.Vertices = static_cast<int>(std::count(used.begin(), used.end(), 1));
+  std::vector<int> vertices = faces.Connectivity;
+  std::sort(vertices.begin(), vertices.end());
+  topology.Vertices =
+    static_cast<int>(std::unique(vertices.begin(), vertices.end()) - vertices.begin());
+  topology.Edges = static_cast<int>(edges.size());
   topology.Faces = faces.NumberOfFaces();
-  for (const SurfaceEdge& edge : CollectEdges(numberOfPoints, faces))
+  for (const SurfaceEdge& edge : edges)
   {
     const int uses = edge.Forward + edge.Backward;
-    ++topology.Edges;
     topology.BoundaryEdges += uses == 1;
     topology.NonManifoldEdges += uses > 2;
     topology.MisorientedEdges += uses == 2 && edge.Forward != 1;
@@ -87,23 +113,26 @@ SurfaceTopology MeasureTopology(int numberOfPoints, const FaceList& faces)
   return topology;
 }
 
-void RequireValidTriangles(const PointList& points, const TriangleList& triangles,
-  const std::string& name)
+void RequireValidFaces(const PointList& points, const FaceList& faces, const std::string& name)
 {
-  if (triangles.rows() == 0)
+  if (faces.NumberOfFaces() == 0)
   {
-    throw std::invalid_argument(name + " has no triangles; it must have at least one polygon");
+    throw std::invalid_argument(name + " has no polygons; it must have at least one");
   }
-  for (Eigen::Index triangle = 0; triangle < triangles.rows(); ++triangle)
+  for (int face = 0; face < faces.NumberOfFaces(); ++face)
   {
-    for (int corner = 0; corner < 3; ++corner)
+    const auto where = [&] { return "polygon " + std::to_string(face) + " of " + name; };
+    if (faces.FaceSize(face) < 3)
     {
-      const int vertex = triangles(triangle, corner);
+      throw std::invalid_argument(where() + " has fewer than three vertices; remove it");
+    }
+    for (int corner = 0; corner < faces.FaceSize(face); ++corner)
+    {
+      const int vertex = faces.Face(face)[corner];
       if (vertex < 0 || vertex >= points.rows())
       {
-        throw std::invalid_argument("triangle " + std::to_string(triangle) + " of " + name +
-          " names point " + std::to_string(vertex) + ", but there are " +
-          std::to_string(points.rows()) + " points; repair the connectivity");
+        throw std::invalid_argument(where() + " names point " + std::to_string(vertex) +
+          ", but there are " + std::to_string(points.rows()) + " points; repair the connectivity");
       }
       if (!points.row(vertex).allFinite())
       {

@@ -13,13 +13,13 @@
 namespace FlipFree
 {
 
-/// An edge with the numbers of faces that pass it from its lower to its higher vertex, and back.
 struct SurfaceEdge
 {
-  int Lower = 0;
+  int Lower = 0; ///< its vertices
   int Higher = 0;
-  int Forward = 0;
-  int Backward = 0;
+  int Forward = 0;  ///< number of faces that pass it from its lower to its higher vertex
+  int Backward = 0; ///< and back
+  std::array<int, 2> Faces{ { -1, -1 } }; ///< the first two of these faces
 };
 
 struct SurfaceTopology
@@ -37,16 +37,16 @@ struct SurfaceTopology
 
 FaceList FacesOf(const TriangleList& triangles);
 
-/// Every edge once, ordered by its lower vertex and then by its higher one. The faces' indices must
-/// have been checked.
+/// Every edge once, ordered by its lower vertex and then by its higher one; a vertex repeated
+/// within a face makes no edge. The faces' indices must have been checked (RequireValidFaces).
 std::vector<SurfaceEdge> CollectEdges(int numberOfPoints, const FaceList& faces);
 
-SurfaceTopology MeasureTopology(int numberOfPoints, const FaceList& faces);
+/// Counts, given CollectEdges of the same faces.
+SurfaceTopology MeasureTopology(const FaceList& faces, const std::vector<SurfaceEdge>& edges);
 
-/// Throws std::invalid_argument, naming the surface by `name`, when it has no triangle, a triangle
-/// names a point that does not exist, or a point of a triangle is not finite.
-void RequireValidTriangles(const PointList& points, const TriangleList& triangles,
-  const std::string& name);
+/// Throws std::invalid_argument, naming the surface by `name`, when it has no polygon, a polygon
+/// has fewer than three vertices, names a point that does not exist, or a point that is not finite.
+void RequireValidFaces(const PointList& points, const FaceList& faces, const std::string& name);
 
 /// Throws std::invalid_argument, naming the first bad edge, unless every edge is passed as often
 /// in one direction as in the other: then the surface is the boundary of a volume.

@@ -162,7 +162,7 @@ void AppendRuns(const std::vector<RowCrossing>& crossings, int k, int rowLength,
 std::vector<VoxelRun> VoxeliseSurface(const PointList& points, const TriangleList& triangles,
   const ImageGeometry& geometry, const ParallelFor& parallelFor, const Monitor& monitor)
 {
-  RequireValidTriangles(points, triangles, "the surface");
+  RequireValidFaces(points, FacesOf(triangles), "the surface");
   RequireClosed(static_cast<int>(points.rows()), triangles, "the surface");
   const PointList index = IndexCoordinates(points, geometry);
   const int numberOfPlanes = geometry.Dimensions[2];

@@ -269,9 +269,9 @@ TEST(SurfaceDistance, RefusesBadInput)
   const auto errorOf = [](const Surface& first, const Surface& second, double spacing)
   { return ErrorOf([&] { Measure(first, second, spacing); }); };
   EXPECT_EQ(errorOf(box, box, 1), "");
-  EXPECT_NE(errorOf(Surface(), box, 1).find("the first surface has no triangles"),
+  EXPECT_NE(errorOf(Surface(), box, 1).find("the first surface has no polygons"),
     std::string::npos);
-  EXPECT_NE(errorOf(box, Surface(), 1).find("the second surface has no triangles"),
+  EXPECT_NE(errorOf(box, Surface(), 1).find("the second surface has no polygons"),
     std::string::npos);
   Surface flat = box;
   flat.Points.setZero();

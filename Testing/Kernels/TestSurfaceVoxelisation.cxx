@@ -231,7 +231,7 @@ TEST(SurfaceVoxelisation, RefusesBadInput)
   astray.Triangles(0, 0) = 8;
   EXPECT_NE(errorOf(astray, grid).find("names point 8"), std::string::npos);
 
-  EXPECT_NE(errorOf(Surface(), grid).find("no triangles"), std::string::npos);
+  EXPECT_NE(errorOf(Surface(), grid).find("no polygons"), std::string::npos);
 
   ImageGeometry flat = grid;
   flat.Spacing.z() = 0;
