@@ -113,6 +113,8 @@ std::vector<std::vector<int>> TraceContours(const std::vector<std::array<int, 4>
   return contours;
 }
 
+} // namespace
+
 TriangleList Triangulate(const FaceList& faces)
 {
   TriangleList triangles(
@@ -128,8 +130,6 @@ TriangleList Triangulate(const FaceList& faces)
   }
   return triangles;
 }
-
-} // namespace
 
 int ContourMesh::EulerNumber() const
 {

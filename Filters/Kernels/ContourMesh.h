@@ -33,6 +33,10 @@ struct FaceList
   }
 };
 
+/// Cuts every polygon into triangles that share its first vertex: the one fixed triangulation by
+/// which surfaces are certified, measured and voxelised.
+TriangleList Triangulate(const FaceList& faces);
+
 struct ContourMesh
 {
   FaceList Faces;

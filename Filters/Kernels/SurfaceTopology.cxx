@@ -1,0 +1,161 @@
+#include "SurfaceTopology.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace FlipFree
+{
+namespace
+{
+
+// A side of a face, as the edge's lower vertex, under which it is filed, sees it.
+struct HalfEdge
+{
+  int Higher;
+  int Face;
+  bool IsBackward;
+
+  bool operator<(const HalfEdge& other) const
+  {
+    return this->Higher != other.Higher ? this->Higher < other.Higher : this->Face < other.Face;
+  }
+};
+
+} // namespace
+
+FaceList FacesOf(const TriangleList& triangles)
+{
+  FaceList faces;
+  faces.Connectivity.assign(triangles.data(), triangles.data() + triangles.size());
+  faces.Offsets.resize(triangles.rows() + 1);
+  for (Eigen::Index face = 0; face <= triangles.rows(); ++face)
+  {
+    faces.Offsets[face] = static_cast<int>(3 * face);
+  }
+  return faces;
+}
+
+std::vector<SurfaceEdge> CollectEdges(int numberOfPoints, const FaceList& faces)
+{
+  // Half-edges sorted by their lower vertex in linear time; what remains to sort per vertex is
+  // short.
+  std::vector<int> offsets(static_cast<std::size_t>(numberOfPoints) + 1, 0);
+  const auto forEachHalfEdge = [&faces](auto&& visit)
+  {
+    for (int face = 0; face < faces.NumberOfFaces(); ++face)
+    {
+      const int* vertices = faces.Face(face);
+      const int size = faces.FaceSize(face);
+      for (int corner = 0; corner < size; ++corner)
+      {
+        const int from = vertices[corner];
+        const int to = vertices[corner + 1 < size ? corner + 1 : 0];
+        if (from != to)
+        {
+          visit(face, from, to);
+        }
+      }
+    }
+  };
+  forEachHalfEdge([&offsets](int, int from, int to) { ++offsets[std::min(from, to) + 1]; });
+  for (int vertex = 0; vertex < numberOfPoints; ++vertex)
+  {
+    offsets[vertex + 1] += offsets[vertex];
+  }
+  std::vector<HalfEdge> halfEdges(offsets.back());
+  std::vector<int> next(offsets.begin(), offsets.end() - 1);
+  forEachHalfEdge(
+    [&](int face, int from, int to) {
+      halfEdges[next[std::min(from, to)]++] = { std::max(from, to), face, from > to };
+    });
+
+  std::vector<SurfaceEdge> edges;
+  edges.reserve(halfEdges.size() / 2 + 1);
+  for (int vertex = 0; vertex < numberOfPoints; ++vertex)
+  {
+    const auto begin = halfEdges.begin() + offsets[vertex];
+    const auto end = halfEdges.begin() + offsets[vertex + 1];
+    std::sort(begin, end);
+    for (auto halfEdge = begin; halfEdge != end; ++halfEdge)
+    {
+      if (halfEdge == begin || halfEdge->Higher != edges.back().Higher)
+      {
+        edges.push_back({ vertex, halfEdge->Higher });
+      }
+      SurfaceEdge& edge = edges.back();
+      const int uses = edge.Forward + edge.Backward;
+      if (uses < 2)
+      {
+        edge.Faces[uses] = halfEdge->Face;
+      }
+      ++(halfEdge->IsBackward ? edge.Backward : edge.Forward);
+    }
+  }
+  return edges;
+}
+
+SurfaceTopology MeasureTopology(const FaceList& faces, const std::vector<SurfaceEdge>& edges)
+{
+  SurfaceTopology topology;
+  std::vector<int> vertices = faces.Connectivity;
+  std::sort(vertices.begin(), vertices.end());
+  topology.Vertices =
+    static_cast<int>(std::unique(vertices.begin(), vertices.end()) - vertices.begin());
+  topology.Edges = static_cast<int>(edges.size());
+  topology.Faces = faces.NumberOfFaces();
+  for (const SurfaceEdge& edge : edges)
+  {
+    const int uses = edge.Forward + edge.Backward;
+    topology.BoundaryEdges += uses == 1;
+    topology.NonManifoldEdges += uses > 2;
+    topology.MisorientedEdges += uses == 2 && edge.Forward != 1;
+  }
+  return topology;
+}
+
+void RequireValidFaces(const PointList& points, const FaceList& faces, const std::string& name)
+{
+  if (faces.NumberOfFaces() == 0)
+  {
+    throw std::invalid_argument(name + " has no polygons; it must have at least one");
+  }
+  for (int face = 0; face < faces.NumberOfFaces(); ++face)
+  {
+    const auto where = [&] { return "polygon " + std::to_string(face) + " of " + name; };
+    if (faces.FaceSize(face) < 3)
+    {
+      throw std::invalid_argument(where() + " has fewer than three vertices; remove it");
+    }
+    for (int corner = 0; corner < faces.FaceSize(face); ++corner)
+    {
+      const int vertex = faces.Face(face)[corner];
+      if (vertex < 0 || vertex >= points.rows())
+      {
+        throw std::invalid_argument(where() + " names point " + std::to_string(vertex) +
+          ", but there are " + std::to_string(points.rows()) + " points; repair the connectivity");
+      }
+      if (!points.row(vertex).allFinite())
+      {
+        throw std::invalid_argument("point " + std::to_string(vertex) + " of " + name +
+          " has a coordinate that is not a finite number; remove or repair it");
+      }
+    }
+  }
+}
+
+void RequireClosed(int numberOfPoints, const TriangleList& triangles, const std::string& name)
+{
+  for (const SurfaceEdge& edge : CollectEdges(numberOfPoints, FacesOf(triangles)))
+  {
+    if (edge.Forward != edge.Backward)
+    {
+      throw std::invalid_argument(name +
+        " is not closed and consistently oriented: " + std::to_string(edge.Forward) +
+        " face(s) pass the edge from point " + std::to_string(edge.Lower) + " to point " +
+        std::to_string(edge.Higher) + " and " + std::to_string(edge.Backward) +
+        " pass it backwards; merge coincident points, fill holes, and orient the faces alike");
+    }
+  }
+}
+
+} // namespace FlipFree

@@ -1,0 +1,57 @@
+/**
+ * What the edges of a polygonal surface tell about it: whether it is closed, whether its faces are
+ * oriented alike, and its Euler number. Any polygons will do, manifold or not.
+ */
+#ifndef FlipFreeSurfaceTopology_h
+#define FlipFreeSurfaceTopology_h
+
+#include "ContourMesh.h"
+
+#include <string>
+#include <vector>
+
+namespace FlipFree
+{
+
+struct SurfaceEdge
+{
+  int Lower = 0; ///< its vertices
+  int Higher = 0;
+  int Forward = 0;  ///< number of faces that pass it from its lower to its higher vertex
+  int Backward = 0; ///< and back
+  std::array<int, 2> Faces{ { -1, -1 } }; ///< the first two of these faces
+};
+
+struct SurfaceTopology
+{
+  int Vertices = 0; ///< only those that a face uses
+  int Edges = 0;
+  int Faces = 0;
+  int BoundaryEdges = 0;    ///< on one face only
+  int NonManifoldEdges = 0; ///< on three faces or more
+  int MisorientedEdges = 0; ///< on two faces that pass it in the same direction
+
+  /// V - E + F; 2 for a sphere.
+  int EulerNumber() const { return this->Vertices - this->Edges + this->Faces; }
+};
+
+FaceList FacesOf(const TriangleList& triangles);
+
+/// Every edge once, ordered by its lower vertex and then by its higher one; a vertex repeated
+/// within a face makes no edge. The faces' indices must have been checked (RequireValidFaces).
+std::vector<SurfaceEdge> CollectEdges(int numberOfPoints, const FaceList& faces);
+
+/// Counts, given CollectEdges of the same faces.
+SurfaceTopology MeasureTopology(const FaceList& faces, const std::vector<SurfaceEdge>& edges);
+
+/// Throws std::invalid_argument, naming the surface by `name`, when it has no polygon, a polygon
+/// has fewer than three vertices, names a point that does not exist, or a point that is not finite.
+void RequireValidFaces(const PointList& points, const FaceList& faces, const std::string& name);
+
+/// Throws std::invalid_argument, naming the first bad edge, unless every edge is passed as often
+/// in one direction as in the other: then the surface is the boundary of a volume.
+void RequireClosed(int numberOfPoints, const TriangleList& triangles, const std::string& name);
+
+} // namespace FlipFree
+
+#endif

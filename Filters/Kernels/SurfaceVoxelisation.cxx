@@ -1,0 +1,217 @@
+#include "SurfaceVoxelisation.h"
+
+#include "SurfaceTopology.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+namespace FlipFree
+{
+namespace
+{
+
+// Where a row enters (+1) or leaves (-1) the surface; which is which depends on its orientation.
+struct RowCrossing
+{
+  int Row;
+  int Winding;
+  double Position;
+
+  bool operator<(const RowCrossing& other) const
+  {
+    return this->Row != other.Row ? this->Row < other.Row : this->Position < other.Position;
+  }
+};
+
+// The first integer not below the value, within [0, size].
+int FirstAtOrAbove(double value, int size)
+{
+  return value <= 0 ? 0 : value >= size ? size : static_cast<int>(std::ceil(value));
+}
+
+PointList IndexCoordinates(const PointList& points, const ImageGeometry& geometry)
+{
+  const Eigen::Matrix3d toPhysical = geometry.Direction * geometry.Spacing.asDiagonal();
+  if (!(std::abs(toPhysical.determinant()) > 0) || !toPhysical.allFinite() ||
+    !geometry.Origin.allFinite())
+  {
+    throw std::invalid_argument("the image's geometry is singular: spacing must not be zero, and "
+                                "the direction matrix must be invertible");
+  }
+  const Eigen::Matrix3d toIndex = toPhysical.inverse();
+  return (points.rowwise() - geometry.Origin.transpose()) * toIndex.transpose();
+}
+
+// For each plane of voxels, the triangles that it cuts.
+struct PlaneTriangles
+{
+  std::vector<std::size_t> Offsets;
+  std::vector<int> Triangles;
+
+  PlaneTriangles(const PointList& index, const TriangleList& triangles, int numberOfPlanes)
+    : Offsets(static_cast<std::size_t>(numberOfPlanes) + 1, 0)
+  {
+    const auto planesOf = [&](Eigen::Index triangle)
+    {
+      const double a = index(triangles(triangle, 0), 2);
+      const double b = index(triangles(triangle, 1), 2);
+      const double c = index(triangles(triangle, 2), 2);
+      return std::make_pair(FirstAtOrAbove(std::min({ a, b, c }), numberOfPlanes),
+        FirstAtOrAbove(std::max({ a, b, c }), numberOfPlanes));
+    };
+    for (Eigen::Index triangle = 0; triangle < triangles.rows(); ++triangle)
+    {
+      const auto planes = planesOf(triangle);
+      for (int k = planes.first; k < planes.second; ++k)
+      {
+        ++this->Offsets[k + 1];
+      }
+    }
+    for (int k = 0; k < numberOfPlanes; ++k)
+    {
+      this->Offsets[k + 1] += this->Offsets[k];
+    }
+    this->Triangles.resize(this->Offsets.back());
+    std::vector<std::size_t> next(this->Offsets.begin(), this->Offsets.end() - 1);
+    for (Eigen::Index triangle = 0; triangle < triangles.rows(); ++triangle)
+    {
+      const auto planes = planesOf(triangle);
+      for (int k = planes.first; k < planes.second; ++k)
+      {
+        this->Triangles[next[k]++] = static_cast<int>(triangle);
+      }
+    }
+  }
+};
+
+// Where the edge from the lower to the upper end crosses plane k. The same two ends always give the
+// same bits, whichever triangle asks.
+Eigen::Vector2d CrossPlane(const Eigen::Vector3d& lower, const Eigen::Vector3d& upper, int k)
+{
+  const double t = (k - lower.z()) / (upper.z() - lower.z());
+  return lower.head<2>() + t * (upper.head<2>() - lower.head<2>());
+}
+
+// The crossings of plane k's rows with one side of its polygon, from `start` to `end`.
+void CrossRows(const Eigen::Vector2d& start, const Eigen::Vector2d& end, int numberOfRows,
+  std::vector<RowCrossing>& crossings)
+{
+  const bool rising = start.y() <= end.y();
+  const Eigen::Vector2d& lower = rising ? start : end;
+  const Eigen::Vector2d& upper = rising ? end : start;
+  const int last = FirstAtOrAbove(upper.y(), numberOfRows);
+  for (int j = FirstAtOrAbove(lower.y(), numberOfRows); j < last; ++j)
+  {
+    const double t = (j - lower.y()) / (upper.y() - lower.y());
+    crossings.push_back({ j, rising ? 1 : -1, lower.x() + t * (upper.x() - lower.x()) });
+  }
+}
+
+void CrossTriangle(const PointList& index, const int* triangle, int k, int numberOfRows,
+  std::vector<RowCrossing>& crossings)
+{
+  // A triangle that straddles the plane passes it once upwards and once downwards.
+  Eigen::Vector2d up = Eigen::Vector2d::Zero();
+  Eigen::Vector2d down = Eigen::Vector2d::Zero();
+  for (int corner = 0; corner < 3; ++corner)
+  {
+    const Eigen::Vector3d a = index.row(triangle[corner]);
+    const Eigen::Vector3d b = index.row(triangle[(corner + 1) % 3]);
+    const bool isBelowA = a.z() <= k;
+    const bool isBelowB = b.z() <= k;
+    if (isBelowA != isBelowB)
+    {
+      (isBelowA ? up : down) = CrossPlane(isBelowA ? a : b, isBelowA ? b : a, k);
+    }
+  }
+  CrossRows(up, down, numberOfRows, crossings);
+}
+
+void AppendRuns(const std::vector<RowCrossing>& crossings, int k, int rowLength,
+  std::vector<VoxelRun>& runs)
+{
+  int winding = 0;
+  int begin = 0;
+  for (const RowCrossing& crossing : crossings)
+  {
+    const int voxel = FirstAtOrAbove(crossing.Position, rowLength);
+    if (winding == 0)
+    {
+      begin = voxel;
+    }
+    winding += crossing.Winding;
+    if (winding != 0 || begin == voxel)
+    {
+      continue;
+    }
+    if (!runs.empty() && runs.back().J == crossing.Row && runs.back().End == begin)
+    {
+      runs.back().End = voxel;
+    }
+    else
+    {
+      runs.push_back({ crossing.Row, k, begin, voxel });
+    }
+  }
+}
+
+} // namespace
+
+std::vector<VoxelRun> VoxeliseSurface(const PointList& points, const TriangleList& triangles,
+  const ImageGeometry& geometry, const ParallelFor& parallelFor, const Monitor& monitor)
+{
+  RequireValidFaces(points, FacesOf(triangles), "the surface");
+  RequireClosed(static_cast<int>(points.rows()), triangles, "the surface");
+  const PointList index = IndexCoordinates(points, geometry);
+  const int numberOfPlanes = geometry.Dimensions[2];
+  const PlaneTriangles planes(index, triangles, numberOfPlanes);
+  if (!monitor(0.5))
+  {
+    return {};
+  }
+
+  std::vector<std::vector<VoxelRun>> planeRuns(numberOfPlanes);
+  parallelFor(0, numberOfPlanes,
+    [&](std::ptrdiff_t first, std::ptrdiff_t last)
+    {
+      std::vector<RowCrossing> crossings;
+      for (int k = static_cast<int>(first); k < last; ++k)
+      {
+        crossings.clear();
+        for (std::size_t entry = planes.Offsets[k]; entry < planes.Offsets[k + 1]; ++entry)
+        {
+          CrossTriangle(index, triangles.data() + 3 * planes.Triangles[entry], k,
+            geometry.Dimensions[1], crossings);
+        }
+        std::sort(crossings.begin(), crossings.end());
+        AppendRuns(crossings, k, geometry.Dimensions[0], planeRuns[k]);
+      }
+    });
+
+  std::size_t numberOfRuns = 0;
+  for (const auto& plane : planeRuns)
+  {
+    numberOfRuns += plane.size();
+  }
+  std::vector<VoxelRun> runs;
+  runs.reserve(numberOfRuns);
+  for (const auto& plane : planeRuns)
+  {
+    runs.insert(runs.end(), plane.begin(), plane.end());
+  }
+  return runs;
+}
+
+std::size_t CountVoxels(const std::vector<VoxelRun>& runs)
+{
+  std::size_t count = 0;
+  for (const VoxelRun& run : runs)
+  {
+    count += run.End - run.Begin;
+  }
+  return count;
+}
+
+} // namespace FlipFree

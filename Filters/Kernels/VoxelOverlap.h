@@ -1,0 +1,43 @@
+/**
+ * How far two label volumes agree voxel by voxel: Dice, Jaccard (the paper's "volume overlap"), and
+ * the relative difference of their volumes.
+ */
+#ifndef FlipFreeVoxelOverlap_h
+#define FlipFreeVoxelOverlap_h
+
+#include "KernelTypes.h"
+
+namespace FlipFree
+{
+
+struct VoxelOverlap
+{
+  std::size_t Segmentation = 0; ///< voxels in the segmentation
+  std::size_t Reference = 0;    ///< voxels in the reference
+  std::size_t Intersection = 0; ///< voxels in both
+
+  double Dice() const { return 2.0 * this->Intersection / (this->Segmentation + this->Reference); }
+  double Jaccard() const
+  {
+    return static_cast<double>(this->Intersection) /
+      (this->Segmentation + this->Reference - this->Intersection);
+  }
+  /// (segmentation - reference) / reference: negative where the segmentation is too small.
+  double RelativeVolumeDifference() const
+  {
+    return (static_cast<double>(this->Segmentation) - this->Reference) / this->Reference;
+  }
+};
+
+/// Compares two masks, inside where not zero. Throws std::invalid_argument when their dimensions
+/// differ, their voxels do not lie in the same places, or a mask is empty.
+VoxelOverlap MeasureOverlap(const ImageView<unsigned char>& segmentation,
+  const ImageView<unsigned char>& reference, const ParallelFor& parallelFor = SerialFor);
+
+/// Throws std::invalid_argument, saying what differs, unless the two grids have the same dimensions
+/// and each voxel lies within a hundredth of a voxel of its counterpart.
+void RequireSameGeometry(const ImageGeometry& segmentation, const ImageGeometry& reference);
+
+} // namespace FlipFree
+
+#endif

@@ -1,0 +1,284 @@
+#include "SurfaceDistance.h"
+
+#include "ClosestTriangle.h"
+#include "ExampleSurfaces.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <random>
+
+using namespace FlipFree;
+
+namespace
+{
+
+SurfaceDistance Measure(const Surface& first, const Surface& second, double spacing = 1)
+{
+  return MeasureSurfaceDistance(first.Points, first.Triangles, second.Points, second.Triangles,
+    spacing);
+}
+
+} // namespace
+
+TEST(ClosestTriangleTree, FindsWhatBruteForceFinds)
+{
+  const Surface potato = Potato(7, { 1, 2, 3 }, 10);
+  const ClosestTriangleTree tree(potato.Points, potato.Triangles);
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> coordinate(-20, 25);
+  int likely = -1;
+  for (int query = 0; query < 500; ++query)
+  {
+    const Eigen::Vector3d point(coordinate(random), coordinate(random), coordinate(random));
+    double expected = std::numeric_limits<double>::infinity();
+    for (Eigen::Index triangle = 0; triangle < potato.Triangles.rows(); ++triangle)
+    {
+      expected = std::min(expected,
+        SquaredDistanceToTriangle(point, potato.Points.row(potato.Triangles(triangle, 0)),
+          potato.Points.row(potato.Triangles(triangle, 1)),
+          potato.Points.row(potato.Triangles(triangle, 2))));
+    }
+    EXPECT_EQ(tree.FindClosest(point).SquaredDistance, expected);
+    // A hint, good or bad, changes nothing.
+    const auto closest = tree.FindClosest(point, likely);
+    EXPECT_EQ(closest.SquaredDistance, expected);
+    likely = closest.Triangle;
+  }
+}
+
+TEST(ClosestTriangleTree, DistanceToATriangleIsTheLeastOverItsPoints)
+{
+  std::mt19937 random(2);
+  std::uniform_real_distribution<double> coordinate(-1, 1);
+  const auto randomPoint = [&]
+  { return Eigen::Vector3d(coordinate(random), coordinate(random), coordinate(random)); };
+  const int n = 200;
+  for (int trial = 0; trial < 200; ++trial)
+  {
+    const Eigen::Vector3d a = randomPoint();
+    // Every fourth triangle is a needle or a point.
+    const Eigen::Vector3d b = trial % 8 == 4 ? a : randomPoint();
+    const Eigen::Vector3d c = trial % 4 == 0 ? Eigen::Vector3d(0.3 * a + 0.7 * b) : randomPoint();
+    const Eigen::Vector3d point = 2 * randomPoint();
+    double least = std::numeric_limits<double>::infinity();
+    for (int i = 0; i <= n; ++i)
+    {
+      for (int j = 0; i + j <= n; ++j)
+      {
+        const Eigen::Vector3d q = a + (b - a) * i / n + (c - a) * j / n;
+        least = std::min(least, (q - point).norm());
+      }
+    }
+    const double distance = std::sqrt(SquaredDistanceToTriangle(point, a, b, c));
+    EXPECT_LE(distance, least + 1e-12);
+    EXPECT_GT(distance, least - 2.0 * std::sqrt(12.0) / n);
+  }
+}
+
+TEST(SurfaceDistance, OfConcentricSpheresIsTheDifferenceOfRadii)
+{
+  const Surface inner = Sphere(40, { 5, 6, 7 }, 20);
+  const Surface outer = Sphere(30, { 5, 6, 7 }, 23);
+  const SurfaceDistance distance = Measure(inner, outer);
+  // Facets lie within h^2 / (8 r) of their sphere.
+  const double sag = 0.02;
+  EXPECT_NEAR(distance.Average, 3, sag);
+  EXPECT_NEAR(distance.RootMeanSquare, 3, sag);
+  EXPECT_NEAR(distance.Hausdorff95, 3, 2 * sag);
+  EXPECT_NEAR(distance.Hausdorff, 3, 2 * sag);
+  EXPECT_TRUE(distance.Complete);
+}
+
+TEST(SurfaceDistance, OfAParallelBoxIsClosedForm)
+{
+  // The second box lies 1 mm inside the first on all sides. From it, all distances are 1. From the
+  // first: 1 over each side's middle, and hypot(1, t) in the rim at t from the middle's border.
+  const double size = 20;
+  const Surface outer = Box({ 0, 0, 0 }, { size, size, size });
+  const Surface inner = Box({ 1, 1, 1 }, { size - 1, size - 1, size - 1 });
+  const double middle = size - 2;
+  // Integrals over a rim of width 1 of sqrt(1 + t^2) and of 1 + t^2, and over its corners.
+  const double rim = (std::sqrt(2.0) + std::asinh(1.0)) / 2;
+  double corner = 0;
+  const int n = 400;
+  for (int i = 0; i < n; ++i)
+  {
+    for (int j = 0; j < n; ++j)
+    {
+      const double s = (i + 0.5) / n;
+      const double t = (j + 0.5) / n;
+      corner += std::sqrt(1 + s * s + t * t) / (n * n);
+    }
+  }
+  const double areaOuter = 6 * size * size;
+  const double areaInner = 6 * middle * middle;
+  const double sum = 6 * (middle * middle + 4 * middle * rim + 4 * corner);
+  const double sumOfSquares = 6 * (middle * middle + 4 * middle * (4.0 / 3) + 4 * (5.0 / 3));
+  const SurfaceDistance distance = Measure(outer, inner, 0.1);
+  EXPECT_NEAR(distance.Average, (sum + areaInner) / (areaOuter + areaInner), 1e-4);
+  EXPECT_NEAR(distance.RootMeanSquare,
+    std::sqrt((sumOfSquares + areaInner) / (areaOuter + areaInner)), 1e-4);
+  EXPECT_NEAR(distance.Hausdorff, std::sqrt(3.0), 1e-12);
+  // Squares of side middle + 2 t hold 95 % of a side; distances in the rim grow with t.
+  const double t95 = (std::sqrt(0.95) * size - middle) / 2;
+  EXPECT_NEAR(distance.Hausdorff95, std::sqrt(1 + t95 * t95), 0.02);
+}
+
+TEST(SurfaceDistance, OfShiftedCubesIsClosedForm)
+{
+  const double size = 10;
+  for (const double shift : { 0.0, 0.5, 2.0 })
+  {
+    const Surface first = Box({ 0, 0, 0 }, { size, size, size });
+    const Surface second = Box({ shift, 0, 0 }, { size + shift, size, size });
+    // Per box: the end outside the other box is `shift` away from it. The end inside is so too, but
+    // near its rim the other box's sides are closer. The sides coincide, but for strips of width
+    // `shift`, where the distance to the other box's end rises from 0 to `shift`.
+    const double outside = size * size * shift;
+    const double strips = 4 * size * shift * shift / 2;
+    double inside = 0;
+    const int n = 1000;
+    for (int i = 0; i < n; ++i)
+    {
+      for (int j = 0; j < n; ++j)
+      {
+        const double y = size * (i + 0.5) / n;
+        const double z = size * (j + 0.5) / n;
+        inside += std::min({ shift, y, z, size - y, size - z }) * size * size / (n * n);
+      }
+    }
+    const double sum = outside + inside + strips;
+    const SurfaceDistance distance = Measure(first, second, 0.1);
+    EXPECT_NEAR(distance.Average, sum / (6 * size * size), 1e-3) << shift;
+    EXPECT_NEAR(distance.Hausdorff, shift, 1e-12);
+    EXPECT_NEAR(distance.Hausdorff95, shift, 1e-12);
+  }
+}
+
+TEST(SurfaceDistance, IsSymmetricBitForBit)
+{
+  const Surface first = Potato(12, { 0, 0, 0 }, 20);
+  const Surface second = Sphere(9, { 2, 1, 0 }, 21);
+  const SurfaceDistance there = Measure(first, second);
+  const SurfaceDistance back = Measure(second, first);
+  EXPECT_EQ(there.Average, back.Average);
+  EXPECT_EQ(there.RootMeanSquare, back.RootMeanSquare);
+  EXPECT_EQ(there.Hausdorff95, back.Hausdorff95);
+  EXPECT_EQ(there.Hausdorff, back.Hausdorff);
+  EXPECT_LT(there.Average, there.RootMeanSquare);
+  EXPECT_LT(there.RootMeanSquare, there.Hausdorff95);
+  EXPECT_LT(there.Hausdorff95, there.Hausdorff);
+}
+
+TEST(SurfaceDistance, IsTheSameInAnyFrame)
+{
+  const Surface first = Potato(12, { 0, 0, 0 }, 20);
+  const Surface second = Sphere(9, { 2, 1, 0 }, 21);
+  const SurfaceDistance expected = Measure(first, second);
+  const Eigen::Vector3d translation(100, -200, 50);
+  for (const auto& [name, direction] : ExampleDirections())
+  {
+    const SurfaceDistance distance =
+      Measure(Moved(first, direction, translation), Moved(second, direction, translation));
+    EXPECT_NEAR(distance.Average, expected.Average, 1e-10) << name;
+    EXPECT_NEAR(distance.RootMeanSquare, expected.RootMeanSquare, 1e-10) << name;
+    EXPECT_NEAR(distance.Hausdorff, expected.Hausdorff, 1e-10) << name;
+    EXPECT_NEAR(distance.Hausdorff95, expected.Hausdorff95, 1e-3) << name;
+  }
+}
+
+TEST(SurfaceDistance, DoesNotDependOnHowASurfaceIsCutIntoTriangles)
+{
+  // One wall of the box is refined a thousandfold: a mean over vertices would drift towards it.
+  const Surface coarse = Box({ 0, 0, 0 }, { 20, 20, 20 });
+  const Surface other = Box({ 0, 0, 0 }, { 20, 20, 24 });
+  Surface fine = coarse;
+  for (int level = 0; level < 5; ++level)
+  {
+    Surface next;
+    std::vector<Eigen::RowVector3d> points;
+    std::vector<Eigen::RowVector3i> triangles;
+    for (Eigen::Index vertex = 0; vertex < fine.Points.rows(); ++vertex)
+    {
+      points.emplace_back(fine.Points.row(vertex));
+    }
+    for (Eigen::Index triangle = 0; triangle < fine.Triangles.rows(); ++triangle)
+    {
+      const Eigen::RowVector3i t = fine.Triangles.row(triangle);
+      const auto z = [&](int corner) { return fine.Points(t[corner], 2); };
+      if (z(0) < 20 || z(1) < 20 || z(2) < 20)
+      {
+        triangles.push_back(t);
+        continue;
+      }
+      const int m = static_cast<int>(points.size());
+      for (int corner = 0; corner < 3; ++corner)
+      {
+        points.emplace_back(
+          (fine.Points.row(t[corner]) + fine.Points.row(t[(corner + 1) % 3])) / 2);
+      }
+      triangles.emplace_back(t[0], m, m + 2);
+      triangles.emplace_back(t[1], m + 1, m);
+      triangles.emplace_back(t[2], m + 2, m + 1);
+      triangles.emplace_back(m, m + 1, m + 2);
+    }
+    next.Points.resize(points.size(), 3);
+    next.Triangles.resize(triangles.size(), 3);
+    for (std::size_t vertex = 0; vertex < points.size(); ++vertex)
+    {
+      next.Points.row(vertex) = points[vertex];
+    }
+    for (std::size_t triangle = 0; triangle < triangles.size(); ++triangle)
+    {
+      next.Triangles.row(triangle) = triangles[triangle];
+    }
+    fine = next;
+  }
+  ASSERT_GT(fine.Triangles.rows(), 2000);
+  EXPECT_NEAR(Measure(fine, other, 0.5).Average, Measure(coarse, other, 0.5).Average, 2e-3);
+}
+
+TEST(SurfaceDistance, ThreadsAndTheMonitor)
+{
+  const Surface first = Potato(12, { 0, 0, 0 }, 20);
+  const Surface second = Sphere(9, { 2, 1, 0 }, 21);
+  const SurfaceDistance serial = Measure(first, second);
+  double last = 0;
+  const SurfaceDistance scattered = MeasureSurfaceDistance(first.Points, first.Triangles,
+    second.Points, second.Triangles, 1, ScatteredFor,
+    [&last](double fraction)
+    {
+      EXPECT_GE(fraction, last);
+      last = fraction;
+      return true;
+    });
+  EXPECT_GT(last, 0);
+  EXPECT_EQ(serial.Average, scattered.Average);
+  EXPECT_EQ(serial.RootMeanSquare, scattered.RootMeanSquare);
+  EXPECT_EQ(serial.Hausdorff95, scattered.Hausdorff95);
+  EXPECT_EQ(serial.Hausdorff, scattered.Hausdorff);
+  const SurfaceDistance stopped = MeasureSurfaceDistance(first.Points, first.Triangles,
+    second.Points, second.Triangles, 1, SerialFor, [](double) { return false; });
+  EXPECT_FALSE(stopped.Complete);
+}
+
+TEST(SurfaceDistance, RefusesBadInput)
+{
+  const Surface box = Box({ 1, 1, 1 }, { 3, 3, 3 });
+  const auto errorOf = [](const Surface& first, const Surface& second, double spacing)
+  { return ErrorOf([&] { Measure(first, second, spacing); }); };
+  EXPECT_EQ(errorOf(box, box, 1), "");
+  EXPECT_NE(errorOf(Surface(), box, 1).find("the first surface has no polygons"),
+    std::string::npos);
+  EXPECT_NE(errorOf(box, Surface(), 1).find("the second surface has no polygons"),
+    std::string::npos);
+  Surface flat = box;
+  flat.Points.setZero();
+  EXPECT_NE(errorOf(box, flat, 1).find("no area"), std::string::npos);
+  EXPECT_NE(errorOf(box, box, 0).find("sample spacing"), std::string::npos);
+  EXPECT_NE(errorOf(box, box, 1e-6).find("greater sample spacing"), std::string::npos);
+  Surface undefined = box;
+  undefined.Points(3, 0) = std::numeric_limits<double>::infinity();
+  EXPECT_NE(errorOf(box, undefined, 1).find("point 3 of the second surface"), std::string::npos);
+}

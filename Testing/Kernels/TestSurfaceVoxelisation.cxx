@@ -1,0 +1,239 @@
+#include "SurfaceVoxelisation.h"
+
+#include "ExampleSurfaces.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+using namespace FlipFree;
+
+namespace
+{
+
+const double NotANumber = std::numeric_limits<double>::quiet_NaN();
+
+ImageGeometry Grid(std::array<int, 3> dimensions, const Eigen::Vector3d& spacing,
+  const Eigen::Matrix3d& direction, const Eigen::Vector3d& center)
+{
+  ImageGeometry grid;
+  grid.Dimensions = dimensions;
+  grid.Spacing = spacing;
+  grid.Direction = direction;
+  grid.Origin = center -
+    grid.ToPhysical(0.5 * Eigen::Vector3d(dimensions[0] - 1, dimensions[1] - 1, dimensions[2] - 1));
+  return grid;
+}
+
+std::vector<unsigned char> Voxelise(const Surface& surface, const ImageGeometry& grid)
+{
+  std::vector<unsigned char> voxels(grid.NumberOfVoxels(), 0);
+  FillRuns<unsigned char>(VoxeliseSurface(surface.Points, surface.Triangles, grid), 1, grid,
+    voxels.data());
+  return voxels;
+}
+
+} // namespace
+
+TEST(SurfaceVoxelisation, IsTheWindingNumberUnderAnyDirectionAndSpacing)
+{
+  const Eigen::Vector3d center(12.3, -45.6, 7.8);
+  const Surface potato = Potato(6, center, 10);
+  for (const auto& [name, direction] : ExampleDirections())
+  {
+    const ImageGeometry grid =
+      Grid({ 26, 23, 11 }, { 1.1, 1.31, 2.7 }, direction, center + Eigen::Vector3d(0.4, 0.3, 0.2));
+    const auto voxels = Voxelise(potato, grid);
+    int inside = 0;
+    for (int k = 0; k < grid.Dimensions[2]; ++k)
+    {
+      for (int j = 0; j < grid.Dimensions[1]; ++j)
+      {
+        for (int i = 0; i < grid.Dimensions[0]; ++i)
+        {
+          const bool expected =
+            WindingNumber(potato, grid.ToPhysical(Eigen::Vector3d(i, j, k))) > 0.5;
+          ASSERT_EQ(voxels[grid.Offset(i, j, k)] != 0, expected)
+            << name << " voxel " << i << " " << j << " " << k;
+          inside += expected;
+        }
+      }
+    }
+    EXPECT_GT(inside, 500) << name;
+  }
+}
+
+TEST(SurfaceVoxelisation, VoxelsWeighWhatTheSurfaceEncloses)
+{
+  const Surface potato = Potato(32, { 1, 2, 3 }, 40);
+  for (const auto& [name, direction] : ExampleDirections())
+  {
+    const ImageGeometry grid = Grid({ 160, 150, 80 }, { 0.9, 1.0, 1.9 }, direction, { 1, 2, 3 });
+    const auto runs = VoxeliseSurface(potato.Points, potato.Triangles, grid);
+    const double volume = CountVoxels(runs) * grid.Spacing.prod();
+    // The error is that of a Monte Carlo sum over the voxels on the surface.
+    EXPECT_NEAR(volume / EnclosedVolume(potato), 1, 1e-3) << name;
+  }
+}
+
+TEST(SurfaceVoxelisation, OrgansThatShareWallsShareNoVoxel)
+{
+  // Walls exactly on voxel centres, in the orders of vertices that two separate meshes have.
+  ImageGeometry grid;
+  grid.Dimensions = { { 10, 9, 8 } };
+  std::vector<int> count(grid.NumberOfVoxels(), 0);
+  for (int part = 0; part < 8; ++part)
+  {
+    const Eigen::Vector3d low(part & 1 ? 4 : 1, part & 2 ? 5 : 1, part & 4 ? 3 : 1);
+    const Eigen::Vector3d high(part & 1 ? 8 : 4, part & 2 ? 7 : 5, part & 4 ? 6 : 3);
+    const Surface box = Box(low, high);
+    const auto runs = VoxeliseSurface(box.Points, box.Triangles, grid);
+    EXPECT_EQ(CountVoxels(runs), (high - low).prod());
+    for (const VoxelRun& run : runs)
+    {
+      for (int i = run.Begin; i < run.End; ++i)
+      {
+        ++count[grid.Offset(i, run.J, run.K)];
+      }
+    }
+  }
+  for (int k = 0; k < 8; ++k)
+  {
+    for (int j = 0; j < 9; ++j)
+    {
+      for (int i = 0; i < 10; ++i)
+      {
+        const bool covered = i >= 1 && i < 8 && j >= 1 && j < 7 && k >= 1 && k < 6;
+        ASSERT_EQ(count[grid.Offset(i, j, k)], covered) << i << " " << j << " " << k;
+      }
+    }
+  }
+}
+
+TEST(SurfaceVoxelisation, EveryVertexOnAVoxelCentreLeavesNoHole)
+{
+  // An octahedron whose vertices and edges run through voxel centres.
+  Surface octahedron;
+  octahedron.Points.resize(6, 3);
+  octahedron.Points << 9, 5, 5, 1, 5, 5, 5, 9, 5, 5, 1, 5, 5, 5, 9, 5, 5, 1;
+  octahedron.Triangles.resize(8, 3);
+  octahedron.Triangles << 0, 2, 4, 2, 1, 4, 1, 3, 4, 3, 0, 4, 2, 0, 5, 1, 2, 5, 3, 1, 5, 0, 3, 5;
+  ImageGeometry grid;
+  grid.Dimensions = { { 11, 11, 11 } };
+  const auto voxels = Voxelise(octahedron, grid);
+  for (int k = 0; k < 11; ++k)
+  {
+    for (int j = 0; j < 11; ++j)
+    {
+      for (int i = 0; i < 11; ++i)
+      {
+        const int distance = std::abs(i - 5) + std::abs(j - 5) + std::abs(k - 5);
+        if (distance != 4)
+        {
+          ASSERT_EQ(voxels[grid.Offset(i, j, k)], distance < 4) << i << " " << j << " " << k;
+        }
+      }
+    }
+  }
+}
+
+TEST(SurfaceVoxelisation, AnImageCutsOffWhatLiesBeyondIt)
+{
+  const Surface sphere = Sphere(8, { 0, 0, 0 }, 10);
+  const ImageGeometry whole =
+    Grid({ 30, 31, 32 }, { 0.8, 0.9, 0.7 }, ObliqueRotation(), { 0.01, 0.02, 0.03 });
+  const auto voxels = Voxelise(sphere, whole);
+  ImageGeometry part = whole;
+  part.Dimensions = { { 9, 10, 11 } };
+  part.Origin = whole.ToPhysical({ 12, 13, 14 });
+  const auto cut = Voxelise(sphere, part);
+  for (int k = 0; k < 11; ++k)
+  {
+    for (int j = 0; j < 10; ++j)
+    {
+      for (int i = 0; i < 9; ++i)
+      {
+        ASSERT_EQ(cut[part.Offset(i, j, k)], voxels[whole.Offset(i + 12, j + 13, k + 14)]);
+      }
+    }
+  }
+  part.Origin = Eigen::Vector3d(100, 0, 0);
+  EXPECT_TRUE(VoxeliseSurface(sphere.Points, sphere.Triangles, part).empty());
+}
+
+TEST(SurfaceVoxelisation, OrientationAndOverlapDoNotMatter)
+{
+  const ImageGeometry grid = Grid({ 25, 25, 25 }, { 1, 1, 1 }, ObliqueRotation(), { 3, 0, 0 });
+  Surface sphere = Sphere(6, { 0, 0, 0 }, 7);
+  const Surface other = Sphere(6, { 6, 0, 0 }, 5);
+  const auto voxels = Voxelise(sphere, grid);
+  const auto otherVoxels = Voxelise(other, grid);
+  sphere.Triangles.col(0).swap(sphere.Triangles.col(1));
+  EXPECT_EQ(Voxelise(sphere, grid), voxels);
+  sphere.Triangles.col(0).swap(sphere.Triangles.col(1));
+
+  Surface both;
+  both.Points.resize(sphere.Points.rows() + other.Points.rows(), 3);
+  both.Points << sphere.Points, other.Points;
+  both.Triangles.resize(sphere.Triangles.rows() + other.Triangles.rows(), 3);
+  both.Triangles << sphere.Triangles,
+    (other.Triangles.array() + static_cast<int>(sphere.Points.rows())).matrix();
+  auto expected = voxels;
+  for (std::size_t voxel = 0; voxel < expected.size(); ++voxel)
+  {
+    expected[voxel] |= otherVoxels[voxel];
+  }
+  EXPECT_EQ(Voxelise(both, grid), expected);
+}
+
+TEST(SurfaceVoxelisation, ThreadsAndTheMonitor)
+{
+  const Surface potato = Potato(8, { 0, 0, 0 }, 10);
+  const ImageGeometry grid =
+    Grid({ 40, 41, 42 }, { 0.7, 0.8, 0.9 }, ObliqueRotation(), { 0, 0, 0 });
+  const auto serial = VoxeliseSurface(potato.Points, potato.Triangles, grid);
+  const auto scattered = VoxeliseSurface(potato.Points, potato.Triangles, grid, ScatteredFor);
+  ASSERT_EQ(serial.size(), scattered.size());
+  for (std::size_t run = 0; run < serial.size(); ++run)
+  {
+    EXPECT_EQ(serial[run].Begin, scattered[run].Begin);
+    EXPECT_EQ(serial[run].End, scattered[run].End);
+  }
+  EXPECT_TRUE(VoxeliseSurface(potato.Points, potato.Triangles, grid, SerialFor,
+    [](double) {
+      return false;
+    }).empty());
+}
+
+TEST(SurfaceVoxelisation, RefusesBadInput)
+{
+  const Surface box = Box({ 1, 1, 1 }, { 3, 3, 3 });
+  ImageGeometry grid;
+  grid.Dimensions = { { 5, 5, 5 } };
+  const auto errorOf = [](const Surface& surface, const ImageGeometry& geometry)
+  { return ErrorOf([&] { VoxeliseSurface(surface.Points, surface.Triangles, geometry); }); };
+  using testing::PrintToString;
+  EXPECT_EQ(errorOf(box, grid), "");
+
+  Surface open = box;
+  open.Triangles.conservativeResize(11, 3);
+  EXPECT_NE(errorOf(open, grid).find("not closed"), std::string::npos) << errorOf(open, grid);
+
+  Surface twisted = box;
+  twisted.Triangles.row(3).reverseInPlace();
+  EXPECT_NE(errorOf(twisted, grid).find("oriented"), std::string::npos);
+
+  Surface undefined = box;
+  undefined.Points(5, 1) = NotANumber;
+  EXPECT_NE(errorOf(undefined, grid).find("point 5 of the surface"), std::string::npos);
+
+  Surface astray = box;
+  astray.Triangles(0, 0) = 8;
+  EXPECT_NE(errorOf(astray, grid).find("names point 8"), std::string::npos);
+
+  EXPECT_NE(errorOf(Surface(), grid).find("no polygons"), std::string::npos);
+
+  ImageGeometry flat = grid;
+  flat.Spacing.z() = 0;
+  EXPECT_NE(errorOf(box, flat).find("singular"), std::string::npos);
+}
