@@ -1,0 +1,27 @@
+/**
+ * Self-intersections of a triangulated surface, decided exactly: the pairs of triangles that have
+ * more in common than the vertex or edge they share. None means that the surface is embedded.
+ */
+#ifndef FlipFreeSelfIntersection_h
+#define FlipFreeSelfIntersection_h
+
+#include "TriangleTree.h"
+
+namespace FlipFree
+{
+
+/// The pairs, each with the lesser index first, sorted. Points must be finite. Triangles without
+/// area do not hide: they are reported together with their neighbours.
+std::vector<std::pair<int, int>> FindSelfIntersections(const PointList& points,
+  const TriangleList& triangles);
+
+/// The same with a tree that was built for these triangles (at any positions), perhaps threaded.
+std::vector<std::pair<int, int>> FindSelfIntersections(const TriangleTree& tree,
+  const PointList& points, const TriangleList& triangles, const ParallelFor& parallelFor);
+
+/// How many pairs.
+std::ptrdiff_t CountSelfIntersections(const PointList& points, const TriangleList& triangles);
+
+} // namespace FlipFree
+
+#endif

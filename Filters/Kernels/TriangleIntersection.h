@@ -1,0 +1,24 @@
+/**
+ * Do two triangles of a surface meet where they must not? Exact for any coordinates.
+ */
+#ifndef FlipFreeTriangleIntersection_h
+#define FlipFreeTriangleIntersection_h
+
+#include "KernelTypes.h"
+
+namespace FlipFree
+{
+
+/// True when the two triangles (rows of `triangles`) have a point in common that is not on the
+/// vertex or edge they share; touching counts. Triangles without area intersect everything that
+/// they share a vertex or, if that is without area too, a bounding box with.
+bool TrianglesIntersect(const PointList& points, const TriangleList& triangles, int one, int two);
+
+/// True when the closed segment p q and the closed triangle a b c have a point in common. A
+/// triangle without area has none.
+bool SegmentMeetsTriangle(const double* p, const double* q, const double* a, const double* b,
+  const double* c);
+
+} // namespace FlipFree
+
+#endif

@@ -1,0 +1,136 @@
+#include "TriangleTree.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace FlipFree
+{
+namespace
+{
+
+using VertexGraph = std::vector<std::vector<int>>;
+
+// Number of edges from `start`; the number of points where there is no path.
+Eigen::VectorXi EdgeDistances(const VertexGraph& graph, int start)
+{
+  const int unreached = static_cast<int>(graph.size());
+  Eigen::VectorXi distances = Eigen::VectorXi::Constant(unreached, unreached);
+  std::vector<int> queue(1, start);
+  distances[start] = 0;
+  for (std::size_t head = 0; head < queue.size(); ++head)
+  {
+    for (int neighbour : graph[queue[head]])
+    {
+      if (distances[neighbour] == unreached)
+      {
+        distances[neighbour] = distances[queue[head]] + 1;
+        queue.push_back(neighbour);
+      }
+    }
+  }
+  return distances;
+}
+
+} // namespace
+
+TriangleTree::TriangleTree(const PointList& layout, const TriangleList& triangles)
+{
+  const int count = static_cast<int>(triangles.rows());
+  if (count == 0)
+  {
+    return;
+  }
+  PointList centers(count, 3);
+  for (int triangle = 0; triangle < count; ++triangle)
+  {
+    centers.row(triangle) = layout.row(triangles(triangle, 0)) +
+      layout.row(triangles(triangle, 1)) + layout.row(triangles(triangle, 2));
+  }
+  std::vector<int> order(count);
+  std::iota(order.begin(), order.end(), 0);
+  this->Nodes.reserve(2 * static_cast<std::size_t>(count) - 1);
+  this->Split(centers, order.data(), order.data() + count);
+}
+
+void TriangleTree::Split(const PointList& centers, int* first, int* last)
+{
+  const std::size_t self = this->Nodes.size();
+  this->Nodes.emplace_back();
+  this->Nodes[self].Count = static_cast<int>(last - first);
+  if (last - first == 1)
+  {
+    this->Nodes[self].Triangle = *first;
+    return;
+  }
+  TriangleBox extent;
+  for (const int* triangle = first; triangle != last; ++triangle)
+  {
+    extent.Add(centers.row(*triangle).data());
+  }
+  int axis = 0;
+  for (int other = 1; other < 3; ++other)
+  {
+    if (extent.High[other] - extent.Low[other] > extent.High[axis] - extent.Low[axis])
+    {
+      axis = other;
+    }
+  }
+  int* const middle = first + (last - first) / 2;
+  std::nth_element(first, middle, last,
+    [&](int one, int two)
+    {
+      // The index decides between equals, so that every library sorts alike.
+      return std::make_pair(centers(one, axis), one) < std::make_pair(centers(two, axis), two);
+    });
+  this->Split(centers, first, middle);
+  this->Nodes[self].Second = this->NumberOfNodes();
+  this->Split(centers, middle, last);
+}
+
+PointList TriangleTree::TopologicalLayout(int numberOfPoints, const TriangleList& triangles)
+{
+  VertexGraph graph(numberOfPoints);
+  for (Eigen::Index triangle = 0; triangle < triangles.rows(); ++triangle)
+  {
+    for (int corner = 0; corner < 3; ++corner)
+    {
+      graph[triangles(triangle, corner)].push_back(triangles(triangle, (corner + 1) % 3));
+      graph[triangles(triangle, (corner + 1) % 3)].push_back(triangles(triangle, corner));
+    }
+  }
+  PointList layout = PointList::Zero(numberOfPoints, 3);
+  if (numberOfPoints == 0)
+  {
+    return layout;
+  }
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    // Each pair starts in the middle of the earlier axes and ends far away, near the middle again.
+    Eigen::Index one = 0;
+    layout.rowwise().squaredNorm().minCoeff(&one);
+    const Eigen::VectorXi fromOne = EdgeDistances(graph, static_cast<int>(one));
+    Eigen::Index two = 0;
+    (fromOne.cast<double>() - layout.rowwise().norm()).maxCoeff(&two);
+    layout.col(axis) = (fromOne - EdgeDistances(graph, static_cast<int>(two))).cast<double>();
+  }
+  return layout;
+}
+
+std::vector<TriangleBox> TriangleTree::RefitBoxes(const PointList& points,
+  const TriangleList& triangles) const
+{
+  std::vector<TriangleBox> boxes;
+  this->Refit(boxes,
+    [&](int triangle)
+    {
+      TriangleBox box;
+      for (int corner = 0; corner < 3; ++corner)
+      {
+        box.Add(points.row(triangles(triangle, corner)).data());
+      }
+      return box;
+    });
+  return boxes;
+}
+
+} // namespace FlipFree

@@ -1,0 +1,251 @@
+/**
+ * A bounding-volume tree over the triangles of a fixed connectivity. Its structure is built once;
+ * only the volumes, which belong to the caller, are refitted to each set of positions. Any volume
+ * will do that can be made for a triangle and merged: boxes of positions, or of whole motions.
+ */
+#ifndef FlipFreeTriangleTree_h
+#define FlipFreeTriangleTree_h
+
+#include "KernelTypes.h"
+
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace FlipFree
+{
+
+/// An axis-aligned box; empty at first.
+struct TriangleBox
+{
+  double Low[3] = { std::numeric_limits<double>::infinity(),
+    std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity() };
+  double High[3] = { -std::numeric_limits<double>::infinity(),
+    -std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity() };
+
+  void Add(const double* point)
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      this->Low[axis] = point[axis] < this->Low[axis] ? point[axis] : this->Low[axis];
+      this->High[axis] = point[axis] > this->High[axis] ? point[axis] : this->High[axis];
+    }
+  }
+  void Merge(const TriangleBox& other)
+  {
+    this->Add(other.Low);
+    this->Add(other.High);
+  }
+  bool Touches(const TriangleBox& other) const
+  {
+    return this->Low[0] <= other.High[0] && other.Low[0] <= this->High[0] &&
+      this->Low[1] <= other.High[1] && other.Low[1] <= this->High[1] &&
+      this->Low[2] <= other.High[2] && other.Low[2] <= this->High[2];
+  }
+};
+
+class TriangleTree
+{
+public:
+  /// Splits at the median of the triangles' centres, along the longest extent of `layout`: the
+  /// positions that the mesh has at first, or any others in which neighbours lie close together.
+  TriangleTree(const PointList& layout, const TriangleList& triangles);
+
+  /// A layout for when no positions are known yet: differences of edge distances to three pairs of
+  /// far vertices.
+  static PointList TopologicalLayout(int numberOfPoints, const TriangleList& triangles);
+
+  int NumberOfNodes() const { return static_cast<int>(this->Nodes.size()); }
+  int NumberOfTriangles() const { return (this->NumberOfNodes() + 1) / 2; }
+
+  /// One volume per node: makeLeaf(triangle) at the leaves, merged upwards by Volume::Merge.
+  template <typename Volume, typename MakeLeaf>
+  void Refit(std::vector<Volume>& volumes, const MakeLeaf& makeLeaf) const;
+
+  /// The boxes of the triangles at these positions.
+  std::vector<TriangleBox> RefitBoxes(const PointList& points, const TriangleList& triangles) const;
+
+  /// All pairs of triangles, the lesser index first, in an order that depends on the tree only, for
+  /// which accept(first, second) holds; pairs of nodes for which meet(node, other) does not hold
+  /// are left out with all that is below them. Both are called from several threads at once.
+  template <typename Meet, typename Accept>
+  std::vector<std::pair<int, int>> SelfPairs(const Meet& meet, const Accept& accept,
+    const ParallelFor& parallelFor) const;
+
+  /// Calls visit(triangle) at every leaf that is reached through nodes for which enter(node) holds.
+  template <typename Enter, typename Visit>
+  void Query(const Enter& enter, const Visit& visit) const;
+
+private:
+  // In depth-first order: the first child of a node follows it, a leaf has no second one.
+  struct Node
+  {
+    int Second = -1;
+    int Count = 0;
+    int Triangle = -1;
+  };
+  using NodePair = std::pair<int, int>;
+
+  void Split(const PointList& centers, int* first, int* last);
+
+  // Replaces a pair of nodes by the pairs below it.
+  template <typename Push>
+  void Expand(const NodePair& pair, const Push& push) const;
+
+  std::vector<Node> Nodes;
+};
+
+template <typename Volume, typename MakeLeaf>
+void TriangleTree::Refit(std::vector<Volume>& volumes, const MakeLeaf& makeLeaf) const
+{
+  volumes.resize(this->Nodes.size());
+  for (int node = this->NumberOfNodes() - 1; node >= 0; --node)
+  {
+    if (this->Nodes[node].Count == 1)
+    {
+      volumes[node] = makeLeaf(this->Nodes[node].Triangle);
+    }
+    else
+    {
+      volumes[node] = volumes[node + 1];
+      volumes[node].Merge(volumes[this->Nodes[node].Second]);
+    }
+  }
+}
+
+template <typename Push>
+void TriangleTree::Expand(const NodePair& pair, const Push& push) const
+{
+  const Node& one = this->Nodes[pair.first];
+  const Node& two = this->Nodes[pair.second];
+  if (pair.first == pair.second)
+  {
+    if (one.Count > 1)
+    {
+      push(NodePair(pair.first + 1, one.Second));
+      push(NodePair(one.Second, one.Second));
+      push(NodePair(pair.first + 1, pair.first + 1));
+    }
+  }
+  else if (one.Count >= two.Count)
+  {
+    push(NodePair(one.Second, pair.second));
+    push(NodePair(pair.first + 1, pair.second));
+  }
+  else
+  {
+    push(NodePair(pair.first, two.Second));
+    push(NodePair(pair.first, pair.second + 1));
+  }
+}
+
+template <typename Meet, typename Accept>
+std::vector<std::pair<int, int>> TriangleTree::SelfPairs(const Meet& meet, const Accept& accept,
+  const ParallelFor& parallelFor) const
+{
+  // The top of the traversal is cut into a fixed number of parts, whose results are put together in
+  // their order: the same list for any number of threads.
+  constexpr std::size_t parts = 256;
+  std::vector<NodePair> tasks;
+  const auto isFinal = [this](const NodePair& pair)
+  { return this->Nodes[pair.first].Count == 1 && this->Nodes[pair.second].Count == 1; };
+  const auto isRelevant = [&meet](const NodePair& pair) { return meet(pair.first, pair.second); };
+  if (!this->Nodes.empty() && isRelevant(NodePair(0, 0)))
+  {
+    tasks.emplace_back(0, 0);
+  }
+  for (bool grown = true; grown && tasks.size() < parts;)
+  {
+    grown = false;
+    std::vector<NodePair> next;
+    for (const NodePair& task : tasks)
+    {
+      if (isFinal(task))
+      {
+        next.push_back(task);
+        continue;
+      }
+      grown = true;
+      this->Expand(task,
+        [&](const NodePair& child)
+        {
+          if (isRelevant(child))
+          {
+            next.push_back(child);
+          }
+        });
+    }
+    tasks.swap(next);
+  }
+
+  std::vector<std::vector<std::pair<int, int>>> found(tasks.size());
+  parallelFor(0, static_cast<std::ptrdiff_t>(tasks.size()),
+    [&](std::ptrdiff_t firstTask, std::ptrdiff_t lastTask)
+    {
+      std::vector<NodePair> stack;
+      for (std::ptrdiff_t task = firstTask; task < lastTask; ++task)
+      {
+        stack.assign(1, tasks[task]);
+        while (!stack.empty())
+        {
+          const NodePair pair = stack.back();
+          stack.pop_back();
+          if (isFinal(pair))
+          {
+            const int one = this->Nodes[pair.first].Triangle;
+            const int two = this->Nodes[pair.second].Triangle;
+            if (one != two && accept(one < two ? one : two, one < two ? two : one))
+            {
+              found[task].emplace_back(one < two ? one : two, one < two ? two : one);
+            }
+            continue;
+          }
+          this->Expand(pair,
+            [&](const NodePair& child)
+            {
+              if (isRelevant(child))
+              {
+                stack.push_back(child);
+              }
+            });
+        }
+      }
+    });
+
+  std::vector<std::pair<int, int>> pairs;
+  for (const auto& part : found)
+  {
+    pairs.insert(pairs.end(), part.begin(), part.end());
+  }
+  return pairs;
+}
+
+template <typename Enter, typename Visit>
+void TriangleTree::Query(const Enter& enter, const Visit& visit) const
+{
+  std::vector<int> stack;
+  if (!this->Nodes.empty())
+  {
+    stack.push_back(0);
+  }
+  while (!stack.empty())
+  {
+    const int node = stack.back();
+    stack.pop_back();
+    if (!enter(node))
+    {
+      continue;
+    }
+    if (this->Nodes[node].Count == 1)
+    {
+      visit(this->Nodes[node].Triangle);
+      continue;
+    }
+    stack.push_back(this->Nodes[node].Second);
+    stack.push_back(node + 1);
+  }
+}
+
+} // namespace FlipFree
+
+#endif
