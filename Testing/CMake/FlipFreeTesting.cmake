@@ -41,3 +41,37 @@ function (flipfree_add_python_tests)
       ENVIRONMENT "PYTHONPATH=${PROJECT_BINARY_DIR}/${FLIPFREE_PYTHON_DESTINATION};PYTHONDONTWRITEBYTECODE=1;FLIPFREE_DATA_DIR=${FLIPFREE_DATA_DIR};FLIPFREE_MODULE_FOLDERS=${_test_folders}")
   endforeach ()
 endfunction ()
+
+# flipfree_add_image_tests(<name> SOURCES <files> LIBRARIES <targets>)
+# One program of VTK's image tests: each source TestThing.cxx defines `int TestThing(int, char*[])` and
+# becomes one test of CTest, which compares its picture with Testing/Data/Baseline/TestThing.png. Where
+# they differ, picture and difference are left in the build's Testing/Temporary.
+function (flipfree_add_image_tests name)
+  cmake_parse_arguments(PARSE_ARGV 1 _test "" "" "SOURCES;LIBRARIES")
+  set(DISABLE_FLOATING_POINT_EXCEPTIONS ON) # graphics drivers rely on them being off
+  include("${VTK_DIR}/vtkTestingRenderingDriver.cmake")
+  create_test_sourcelist(_test_driver "${name}.cxx" ${_test_SOURCES}
+    EXTRA_INCLUDE vtkTestingObjectFactory.h)
+  add_executable(${name} ${_test_driver})
+  set(_test_vtk
+    VTK::InteractionStyle
+    VTK::RenderingFreeType
+    VTK::RenderingOpenGL2
+    VTK::TestingRendering)
+  target_link_libraries(${name} PRIVATE ${_test_LIBRARIES} ${_test_vtk} FlipFreeWarnings)
+  vtk_module_autoinit(TARGETS ${name} MODULES ${_test_vtk})
+  set(_test_pictures "${PROJECT_BINARY_DIR}/Testing/Temporary")
+  foreach (_test_source IN LISTS _test_SOURCES)
+    cmake_path(GET _test_source STEM _test_case)
+    add_test(NAME "Images.${_test_case}"
+      COMMAND ${name} ${_test_case}
+        -D "${PROJECT_SOURCE_DIR}/Testing/Data"
+        -T "${_test_pictures}"
+        -V "${PROJECT_SOURCE_DIR}/Testing/Data/Baseline/${_test_case}.png")
+    set_tests_properties("Images.${_test_case}" PROPERTIES
+      LABELS images
+      TIMEOUT 300
+      FAIL_REGULAR_EXPRESSION "(\n|^)ERROR: ;ERR\\|;Failed Image Test;ImageNotFound"
+      ENVIRONMENT "FLIPFREE_DATA_DIR=${FLIPFREE_DATA_DIR}")
+  endforeach ()
+endfunction ()
