@@ -32,7 +32,7 @@ function (flipfree_add_python_tests)
   endforeach ()
   list(JOIN _test_folders ":" _test_folders)
   foreach (_test_file IN LISTS ARGN)
-    cmake_path(GET _test_file STEM _test_name)
+    get_filename_component(_test_name "${_test_file}" NAME_WE)
     add_test(NAME "Python.${_test_name}"
       COMMAND "${Python3_EXECUTABLE}" "${CMAKE_CURRENT_SOURCE_DIR}/${_test_file}")
     set_tests_properties("Python.${_test_name}" PROPERTIES
@@ -62,7 +62,7 @@ function (flipfree_add_image_tests name)
   vtk_module_autoinit(TARGETS ${name} MODULES ${_test_vtk})
   set(_test_pictures "${PROJECT_BINARY_DIR}/Testing/Temporary")
   foreach (_test_source IN LISTS _test_SOURCES)
-    cmake_path(GET _test_source STEM _test_case)
+    get_filename_component(_test_case "${_test_source}" NAME_WE)
     add_test(NAME "Images.${_test_case}"
       COMMAND ${name} ${_test_case}
         -D "${PROJECT_SOURCE_DIR}/Testing/Data"

@@ -8,6 +8,11 @@ if (CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
   endif ()
 endif ()
 
+# Messages name source files from the top of the project, not from the root of the build machine.
+if (CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
+  add_compile_options("-fmacro-prefix-map=${PROJECT_SOURCE_DIR}/=")
+endif ()
+
 # Sanitizers belong to everything, since they change how objects are laid out and linked.
 if (FLIPFREE_SANITIZERS)
   add_compile_options("-fsanitize=${FLIPFREE_SANITIZERS}" -fno-sanitize-recover=all
