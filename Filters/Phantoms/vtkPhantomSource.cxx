@@ -1,5 +1,6 @@
 #include "vtkPhantomSource.h"
 
+#include "AbdomenPhantom.h"
 #include "ExecutionAdapter.h"
 #include "ImageAdapter.h"
 #include "Phantom.h"
@@ -28,13 +29,15 @@ FlipFree::ImageGeometry MakeGeometry(vtkPhantomSource* self)
   FlipFree::ImageGeometry geometry;
   self->GetDimensions(geometry.Dimensions.data());
   self->GetSpacing(geometry.Spacing.data());
+  const bool abdomen = self->GetShape() == vtkPhantomSource::ABDOMEN;
   if (geometry.Dimensions == std::array<int, 3>{ { 0, 0, 0 } })
   {
-    geometry.Dimensions = { { 96, 96, 96 } };
+    geometry.Dimensions =
+      abdomen ? std::array<int, 3>{ { 220, 170, 90 } } : std::array<int, 3>{ { 96, 96, 96 } };
   }
   if (geometry.Spacing.isZero(0))
   {
-    geometry.Spacing = Eigen::Vector3d(1, 1, 1);
+    geometry.Spacing = abdomen ? Eigen::Vector3d(1.5, 1.5, 3) : Eigen::Vector3d(1, 1, 1);
   }
   geometry.Origin = Eigen::Vector3d(self->GetOrigin());
   geometry.Direction =
@@ -46,6 +49,11 @@ FlipFree::ImageGeometry MakeGeometry(vtkPhantomSource* self)
 FlipFree::Phantom MakePhantom(vtkPhantomSource* self, const FlipFree::ImageGeometry& geometry)
 {
   const Eigen::Vector3d extent = FlipFree::GridExtent(geometry);
+  if (self->GetShape() == vtkPhantomSource::ABDOMEN)
+  {
+    return FlipFree::MakeAbdomenPhantom(extent,
+      { self->GetNumberOfLesions(), static_cast<std::uint64_t>(self->GetRandomSeed()) });
+  }
   for (double intensity : { self->GetForeground(), self->GetBackground() })
   {
     if (!(intensity >= VTK_SHORT_MIN && intensity <= VTK_SHORT_MAX))
@@ -216,5 +224,6 @@ void vtkPhantomSource::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "NoiseDeviation: " << this->NoiseDeviation << "\n";
   os << indent << "NoiseCorrelation: " << this->NoiseCorrelation << "\n";
   os << indent << "RandomSeed: " << this->RandomSeed << "\n";
+  os << indent << "NumberOfLesions: " << this->NumberOfLesions << "\n";
   os << indent << "PartialVolume: " << this->PartialVolume << "\n";
 }

@@ -202,6 +202,48 @@ TEST(PhantomSource, IsTheSameForAnyNumberOfThreads)
   EXPECT_NE(results[0], Values(other->GetOutput()));
 }
 
+TEST(PhantomSource, AbdomenComesOnItsOwnGridAndIsTheSameForAnyNumberOfThreads)
+{
+  std::vector<std::vector<double>> results;
+  for (int threads : { 1, 2 })
+  {
+    vtkSMPTools::Initialize(threads);
+    vtkNew<vtkPhantomSource> source;
+    source->SetShapeToAbdomen();
+    source->SetNumberOfLesions(3);
+    source->Update();
+    EXPECT_EQ(source->GetOutput()->GetDimensions()[0], 220);
+    EXPECT_EQ(source->GetOutput()->GetDimensions()[1], 170);
+    EXPECT_EQ(source->GetOutput()->GetDimensions()[2], 90);
+    EXPECT_EQ(source->GetOutput()->GetSpacing()[2], 3);
+    results.push_back(Values(source->GetOutput()));
+    results.push_back(Values(source->GetLabelMap()));
+  }
+  vtkSMPTools::Initialize(0);
+  EXPECT_EQ(results[0], results[2]);
+  EXPECT_EQ(results[1], results[3]);
+}
+
+TEST(PhantomSource, AbdomenHasSeedsButNoEnclosingSphere)
+{
+  vtkNew<vtkPhantomSource> source;
+  source->SetShapeToAbdomen();
+  source->SetDimensions(110, 85, 45);
+  source->SetSpacing(3, 3, 6);
+  source->SetDirection(Oblique);
+  source->SetOrigin(5, 6, 7);
+  source->Update();
+  for (int label = vtkPhantomSource::SPLEEN; label <= vtkPhantomSource::PANCREAS; ++label)
+  {
+    double seed[4];
+    ASSERT_TRUE(source->GetSeed(label, seed)) << label;
+    ExpectBallInside(source->GetLabelMap(), seed, label);
+  }
+  double ball[4];
+  EXPECT_FALSE(source->GetSeed(12, ball));
+  EXPECT_FALSE(source->GetEnclosingSphere(ball));
+}
+
 TEST(PhantomSource, WorksOnASingleSliceAndASingleVoxel)
 {
   vtkNew<vtkPhantomSource> source;
