@@ -4,6 +4,7 @@
 #include "ExecutionAdapter.h"
 #include "ImageAdapter.h"
 #include "Phantom.h"
+#include "PhantomSurface.h"
 
 #include "vtkDataObject.h"
 #include "vtkImageData.h"
@@ -12,6 +13,7 @@
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
+#include "vtkPolyData.h"
 #include "vtkShortArray.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkUnsignedCharArray.h"
@@ -90,7 +92,7 @@ auto* AttachScalars(vtkImageData* image, const FlipFree::ImageGeometry& geometry
 vtkPhantomSource::vtkPhantomSource()
 {
   this->SetNumberOfInputPorts(0);
-  this->SetNumberOfOutputPorts(2);
+  this->SetNumberOfOutputPorts(3);
 }
 
 bool vtkPhantomSource::GetSeed(int label, double seed[4])
@@ -136,6 +138,17 @@ bool vtkPhantomSource::GetEnclosingSphere(double sphere[4])
 vtkImageData* vtkPhantomSource::GetLabelMap()
 {
   return vtkImageData::SafeDownCast(this->GetOutputDataObject(1));
+}
+
+vtkPolyData* vtkPhantomSource::GetSurface()
+{
+  return vtkPolyData::SafeDownCast(this->GetOutputDataObject(2));
+}
+
+int vtkPhantomSource::FillOutputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), port == 2 ? "vtkPolyData" : "vtkImageData");
+  return 1;
 }
 
 int vtkPhantomSource::RequestInformation(vtkInformation*, vtkInformationVector**,
@@ -191,6 +204,12 @@ int vtkPhantomSource::RequestData(vtkInformation*, vtkInformationVector**,
     {
       image->Initialize();
       labelMap->Initialize();
+      return 1;
+    }
+    if (this->GenerateSurface && phantom.Surface)
+    {
+      vtkPolyData::GetData(outputVector, 2)
+        ->ShallowCopy(FlipFree::MakePhantomSurface(phantom.Surface, *phantom.Enclosing, geometry));
     }
   }
   catch (const std::invalid_argument& error)
@@ -226,4 +245,5 @@ void vtkPhantomSource::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "RandomSeed: " << this->RandomSeed << "\n";
   os << indent << "NumberOfLesions: " << this->NumberOfLesions << "\n";
   os << indent << "PartialVolume: " << this->PartialVolume << "\n";
+  os << indent << "GenerateSurface: " << this->GenerateSurface << "\n";
 }

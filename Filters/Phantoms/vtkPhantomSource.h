@@ -4,8 +4,10 @@
  *
  * Makes a grey volume and the label map that is its truth. The plain shapes are one object of
  * intensity Foreground in a Background: a sphere and a cube, the concave cup and the U-shaped tube
- * of Fig. 1 of the paper, and a thin curved vessel. ABDOMEN is a schematic contrast-enhanced CT of
- * the upper abdomen in Hounsfield units.
+ * of Fig. 1 of the paper, and a thin curved vessel. ABDOMEN is a schematic CT of the
+ * upper abdomen in the portal phase, in Hounsfield units: body wall with ribs and spine, lungs,
+ * heart, liver with its vessels, spleen, kidneys, stomach, bowel and great vessels, with uneven
+ * tissue, partial volume and noise. As in patients, organs touch neighbours of similar intensity.
  *
  * Shapes are sized in proportion to the grid, lie at its centre, and are aligned with its axes: a
  * Direction turns the phantom with the grid and leaves every voxel's value as it was. For the
@@ -19,7 +21,10 @@
  *
  * Output port 1: vtkImageData of the same geometry with the point scalars
  *  - `Labels`, unsigned char: what lies at the voxel's centre; 0 nothing in particular, 1 the
- * object of a plain shape, for the abdomen one of OrganLabel.
+ *    object of a plain shape, for the abdomen one of OrganLabel.
+ *
+ * Output port 2: vtkPolyData, the surface of a plain shape as triangles whose points lie exactly on
+ * it, if GenerateSurface is on; empty otherwise, and for the abdomen.
  *
  * Errors: a dimension below 1, more than 2^31 - 1 voxels, a spacing that is not positive, a
  * Direction that cannot be inverted, intensities outside the range of short, a negative
@@ -31,6 +36,8 @@
 
 #include "FlipFreePhantomsModule.h"
 #include "vtkImageAlgorithm.h"
+
+class vtkPolyData;
 
 class FLIPFREEPHANTOMS_EXPORT vtkPhantomSource : public vtkImageAlgorithm
 {
@@ -186,6 +193,15 @@ public:
   vtkBooleanMacro(PartialVolume, bool);
   ///@}
 
+  ///@{
+  /**
+   * Whether to make the surface of a plain shape, output port 2. Default off.
+   */
+  vtkSetMacro(GenerateSurface, bool);
+  vtkGetMacro(GenerateSurface, bool);
+  vtkBooleanMacro(GenerateSurface, bool);
+  ///@}
+
   /**
    * A place to start a segmentation from: the centre (physical millimetres) and radius (mm) of a
    * ball deep inside the organ of the given label; the radius is at most 0.7 times the distance to
@@ -205,10 +221,16 @@ public:
    */
   vtkImageData* GetLabelMap();
 
+  /**
+   * The surface, output port 2.
+   */
+  vtkPolyData* GetSurface();
+
 protected:
   vtkPhantomSource();
   ~vtkPhantomSource() override = default;
 
+  int FillOutputPortInformation(int port, vtkInformation* info) override;
   int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
@@ -224,6 +246,7 @@ protected:
   int RandomSeed = 1;
   int NumberOfLesions = 0;
   bool PartialVolume = true;
+  bool GenerateSurface = false;
 
 private:
   vtkPhantomSource(const vtkPhantomSource&) = delete;
