@@ -32,7 +32,8 @@ double SmoothMinimum(double a, double b, double blend)
   return std::min(a, b) - overlap * overlap / (4 * blend);
 }
 
-// One piece of a tube. The slope of the radius tilts the surface; `Scale` keeps the value a bound.
+// One piece of a tube. The slope of the radius tilts the surface; divided by InverseScale the value
+// is a bound.
 struct TubePiece
 {
   Vector3d Start;
@@ -40,15 +41,46 @@ struct TubePiece
   double InverseSquaredLength;
   double Radius;
   double Taper;
-  double Scale;
+  double InverseScale;
 
-  double operator()(const Vector3d& point) const
+  // Lowers the value to that of this piece. The root is taken only where it does.
+  void Lower(double& value, const Vector3d& point) const
   {
     const Vector3d offset = point - this->Start;
     const double t = std::clamp(offset.dot(this->Along) * this->InverseSquaredLength, 0.0, 1.0);
-    return this->Scale * ((offset - t * this->Along).norm() - (this->Radius + t * this->Taper));
+    const double radius = this->Radius + t * this->Taper;
+    const double squared = (offset - t * this->Along).squaredNorm();
+    const double least = value * this->InverseScale + radius;
+    if (least > 0 && squared < least * least)
+    {
+      value = (std::sqrt(squared) - radius) / this->InverseScale;
+    }
   }
 };
+
+// Some consecutive pieces and a ball that holds them, by which a far point skips them all.
+struct TubeRun
+{
+  std::vector<TubePiece> Pieces;
+  Vector3d Center;
+  double Reach;
+};
+
+TubeRun MakeTubeRun(std::vector<TubePiece> pieces)
+{
+  TubeRun run;
+  run.Pieces = std::move(pieces);
+  const TubePiece& last = run.Pieces.back();
+  run.Center = 0.5 * (run.Pieces.front().Start + last.Start + last.Along);
+  run.Reach = 0;
+  for (const TubePiece& piece : run.Pieces)
+  {
+    const double start = (piece.Start - run.Center).norm() + piece.Radius;
+    const double end = (piece.Start + piece.Along - run.Center).norm() + piece.Radius + piece.Taper;
+    run.Reach = std::max({ run.Reach, start, end });
+  }
+  return run;
+}
 
 } // namespace
 
@@ -87,6 +119,17 @@ ImplicitShape MakeEllipticCylinder(const Vector2d& center, const Vector2d& radii
   { return least * ((point.head<2>() - center).cwiseQuotient(radii).norm() - 1); };
 }
 
+ImplicitShape MakeColumn(const Vector2d& center, const Vector2d& halfEdges, double rounding)
+{
+  RequirePositive(halfEdges.minCoeff() - rounding, "the half edge of a column less its rounding");
+  const Vector2d core = halfEdges - Vector2d::Constant(rounding);
+  return [=](const Vector3d& point)
+  {
+    const Vector2d beyond = (point.head<2>() - center).cwiseAbs() - core;
+    return beyond.cwiseMax(0.0).norm() + std::min(beyond.maxCoeff(), 0.0) - rounding;
+  };
+}
+
 ImplicitShape MakeHalfSpace(const Vector3d& origin, const Vector3d& normal)
 {
   return [=](const Vector3d& point) { return normal.dot(point - origin); };
@@ -99,6 +142,8 @@ ImplicitShape MakeTube(const std::vector<Vector3d>& centerline, const std::vecto
     throw std::invalid_argument("a tube needs two points or more and one radius for each, not " +
       std::to_string(centerline.size()) + " points and " + std::to_string(radii.size()) + " radii");
   }
+  const std::size_t mostPieces = 6;
+  std::vector<TubeRun> runs;
   std::vector<TubePiece> pieces;
   for (std::size_t i = 0; i + 1 < centerline.size(); ++i)
   {
@@ -108,17 +153,58 @@ ImplicitShape MakeTube(const std::vector<Vector3d>& centerline, const std::vecto
     const double taper = radii[i + 1] - radii[i];
     const double slope = taper / along.norm();
     pieces.push_back({ centerline[i], along, 1 / along.squaredNorm(), radii[i], taper,
-      1 / std::sqrt(1 + slope * slope) });
+      std::sqrt(1 + slope * slope) });
+    if (pieces.size() == mostPieces || i + 2 == centerline.size())
+    {
+      runs.push_back(MakeTubeRun(std::move(pieces)));
+      pieces.clear();
+    }
   }
-  return [pieces](const Vector3d& point)
+  return [runs = std::move(runs)](const Vector3d& point)
   {
     double value = std::numeric_limits<double>::infinity();
-    for (const TubePiece& piece : pieces)
+    for (const TubeRun& run : runs)
     {
-      value = std::min(value, piece(point));
+      // What is farther than the best so far cannot lower it.
+      const double least = value + run.Reach;
+      if (least > 0 && (point - run.Center).squaredNorm() < least * least)
+      {
+        for (const TubePiece& piece : run.Pieces)
+        {
+          piece.Lower(value, point);
+        }
+      }
     }
     return value;
   };
+}
+
+ImplicitShape MakeSplineTube(const std::vector<Vector3d>& points, const std::vector<double>& radii)
+{
+  if (points.size() < 3 || radii.size() != points.size())
+  {
+    return MakeTube(points, radii);
+  }
+  const int pieces = 6;
+  const int last = static_cast<int>(points.size()) - 1;
+  std::vector<Vector3d> centerline{ points.front() };
+  std::vector<double> widths{ radii.front() };
+  for (int i = 0; i < last; ++i)
+  {
+    const Vector3d& from = points[i];
+    const Vector3d& to = points[i + 1];
+    const Vector3d leave = 0.5 * (to - points[std::max(i - 1, 0)]);
+    const Vector3d arrive = 0.5 * (points[std::min(i + 2, last)] - from);
+    for (int piece = 1; piece <= pieces; ++piece)
+    {
+      const double t = static_cast<double>(piece) / pieces;
+      const double blend = t * t * (3 - 2 * t);
+      centerline.push_back(
+        from + blend * (to - from) + t * (1 - t) * (1 - t) * leave - t * t * (1 - t) * arrive);
+      widths.push_back(radii[i] + blend * (radii[i + 1] - radii[i]));
+    }
+  }
+  return MakeTube(centerline, widths);
 }
 
 ImplicitShape MakeCup(const Vector3d& center, double radius, double halfWall, double height)

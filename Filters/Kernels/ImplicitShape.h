@@ -36,12 +36,20 @@ ImplicitShape MakeEllipsoid(const Eigen::Vector3d& center, const Eigen::Vector3d
 /// An infinite elliptic cylinder along z; values as those of the ellipsoid.
 ImplicitShape MakeEllipticCylinder(const Eigen::Vector2d& center, const Eigen::Vector2d& radii);
 
+/// An infinite rectangular column along z, its four edges rounded by `rounding`; exact distance.
+ImplicitShape MakeColumn(const Eigen::Vector2d& center, const Eigen::Vector2d& halfEdges,
+  double rounding);
+
 /// The half space where normal . (point - origin) < 0; the normal has unit length. Exact distance.
 ImplicitShape MakeHalfSpace(const Eigen::Vector3d& origin, const Eigen::Vector3d& normal);
 
 /// A round tube along a polyline, with spherical ends and a radius that runs linearly between the
 /// points. Exact distance outside (and, but for sharp bends, inside) where the radius is constant.
 ImplicitShape MakeTube(const std::vector<Eigen::Vector3d>& centerline,
+  const std::vector<double>& radii);
+
+/// The same along a smooth curve through the points (Catmull and Rom's spline).
+ImplicitShape MakeSplineTube(const std::vector<Eigen::Vector3d>& points,
   const std::vector<double>& radii);
 
 /// A cup that opens along +z: the wall of thickness 2 halfWall around a half sphere of `radius`

@@ -7,6 +7,7 @@
 #include <limits>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 namespace FlipFree
 {
@@ -26,10 +27,32 @@ struct VoxelBox
   Index Size;
 };
 
+// Cuts a box across its longest edge that is not a single voxel.
+std::pair<VoxelBox, VoxelBox> Halve(const VoxelBox& box, const Vector3d& spacing)
+{
+  int axis = 0;
+  double longest = 0;
+  for (int candidate = 0; candidate < 3; ++candidate)
+  {
+    const double edge = box.Size[candidate] * spacing[candidate];
+    if (box.Size[candidate] > 1 && edge > longest)
+    {
+      axis = candidate;
+      longest = edge;
+    }
+  }
+  VoxelBox lower = box;
+  VoxelBox upper = box;
+  lower.Size[axis] = box.Size[axis] / 2;
+  upper.Size[axis] = box.Size[axis] - lower.Size[axis];
+  upper.First[axis] += lower.Size[axis];
+  return { lower, upper };
+}
+
 // Paints one brick. A box of voxels keeps only those layers whose surface may cross it, since a
 // shape's value bounds the distance to its surface; boxes are halved until nothing is in doubt or
-// one voxel is left. So the cost goes with the surfaces, not with the volume times the number of
-// shapes.
+// one voxel is left, and voxels likewise down to their samples. So the cost goes with the surfaces,
+// not with the volume times the number of shapes.
 class BrickPainter
 {
 public:
@@ -44,7 +67,7 @@ public:
   {
     for (int axis = 0; axis < 3; ++axis)
     {
-      this->Center[axis] = 0.5 * (geometry.Dimensions[axis] - 1);
+      this->Middle[axis] = 0.5 * (geometry.Dimensions[axis] - 1);
       // As many along the longest edge as anywhere, so that sub-voxels come out about cubic.
       const double edge = this->Spacing[axis] / this->Spacing.maxCoeff();
       this->Samples[axis] =
@@ -54,73 +77,79 @@ public:
 
   void Paint()
   {
-    std::vector<const TissueLayer*> layers;
     for (auto layer = this->Stack.Layers.rbegin(); layer != this->Stack.Layers.rend(); ++layer)
     {
-      layers.push_back(&*layer);
+      this->InDoubt.push_back(&*layer);
     }
-    this->Paint(this->Brick, layers, this->Stack.Background);
+    this->Paint(this->Brick, { 0, this->InDoubt.size(), &this->Stack.Background });
   }
 
   std::vector<float>& GetIntensities() { return this->Intensities; }
   const std::vector<std::uint8_t>& GetLabels() const { return this->Labels; }
 
 private:
-  // `layers`, topmost first, are those in doubt; `base` is what shows where all of them are absent.
-  void Paint(const VoxelBox& box, const std::vector<const TissueLayer*>& layers, const Tissue& base)
+  // What may show in a box: layers in doubt, a range of InDoubt with the topmost first, and what is
+  // seen where all of them are absent.
+  struct View
   {
-    const Vector3d center = this->CenterOf(box);
-    const double reach = 0.5 *
-      this->Spacing.cwiseProduct(Eigen::Map<const Eigen::Vector3i>(box.Size.data()).cast<double>())
-        .norm();
-    std::vector<const TissueLayer*> inDoubt;
-    const Tissue* below = &base;
-    const Tissue* atCenter = nullptr;
-    for (const TissueLayer* layer : layers)
+    std::size_t First;
+    std::size_t Last;
+    const Tissue* Below;
+  };
+
+  // Appends to InDoubt the layers of the view that remain so within `reach` of a point. Its end
+  // must be cut back to the former by the caller. `atPoint` is what shows at the point itself.
+  View Narrow(const View& view, const Vector3d& drawn, double reach, const Tissue*& atPoint)
+  {
+    View narrowed{ this->InDoubt.size(), 0, view.Below };
+    atPoint = nullptr;
+    for (std::size_t i = view.First; i < view.Last; ++i)
     {
-      const double value = layer->Shape(center);
-      if (!atCenter && value < 0)
+      const TissueLayer* layer = this->InDoubt[i];
+      const double value = layer->Shape(drawn);
+      if (!atPoint && value < 0)
       {
-        atCenter = &layer->Tissue;
+        atPoint = &layer->Tissue;
       }
-      if (value <= -reach)
+      if (value < -reach)
       {
-        below = &layer->Tissue;
+        narrowed.Below = &layer->Tissue;
         break;
       }
       if (value < reach)
       {
-        inDoubt.push_back(layer);
+        this->InDoubt.push_back(layer);
       }
     }
-    if (inDoubt.empty())
+    if (!atPoint)
     {
-      this->Fill(box, *below);
+      atPoint = view.Below;
+    }
+    narrowed.Last = this->InDoubt.size();
+    return narrowed;
+  }
+
+  void Paint(const VoxelBox& box, const View& view)
+  {
+    const Vector3d drawn = this->Draw(this->CenterOf(box));
+    const Tissue* atCenter = nullptr;
+    const std::size_t end = this->InDoubt.size();
+    const View narrowed = this->Narrow(view, drawn, this->ReachOf(box), atCenter);
+    if (narrowed.First == narrowed.Last)
+    {
+      this->Fill(box, *narrowed.Below);
     }
     else if (box.Size == Index{ { 1, 1, 1 } })
     {
-      this->FillVoxel(box.First, center, inDoubt, *below, atCenter ? *atCenter : base);
+      this->FillVoxel(box.First, drawn, narrowed, *atCenter);
     }
     else
     {
-      int axis = 0;
-      for (int other = 1; other < 3; ++other)
-      {
-        if (box.Size[axis] == 1 ||
-          (box.Size[other] > 1 &&
-            box.Size[other] * this->Spacing[other] > box.Size[axis] * this->Spacing[axis]))
-        {
-          axis = other;
-        }
-      }
-      VoxelBox lower = box;
-      VoxelBox upper = box;
-      lower.Size[axis] = box.Size[axis] / 2;
-      upper.Size[axis] = box.Size[axis] - lower.Size[axis];
-      upper.First[axis] += lower.Size[axis];
-      this->Paint(lower, inDoubt, *below);
-      this->Paint(upper, inDoubt, *below);
+      const auto [lower, upper] = Halve(box, this->Spacing);
+      this->Paint(lower, narrowed);
+      this->Paint(upper, narrowed);
     }
+    this->InDoubt.resize(end);
   }
 
   void Fill(const VoxelBox& box, const Tissue& tissue)
@@ -131,16 +160,22 @@ private:
       {
         for (int i = box.First[0]; i < box.First[0] + box.Size[0]; ++i)
         {
-          const Index voxel = { { i, j, k } };
-          this->Set(voxel, tissue.Intensity, tissue.Unevenness, tissue.Label);
+          this->Set({ { i, j, k } }, tissue.Intensity, tissue.Unevenness, tissue.Label);
         }
       }
     }
   }
 
-  void FillVoxel(const Index& voxel, const Vector3d& center,
-    const std::vector<const TissueLayer*>& layers, const Tissue& below, const Tissue& atCenter)
+  void FillVoxel(const Index& voxel, const Vector3d& drawn, const View& view,
+    const Tissue& atCenter)
   {
+    // Within a voxel the drawing's frame is as good as affine.
+    const Vector3d center = this->CenterOf({ voxel, { { 1, 1, 1 } } });
+    Eigen::Matrix3d edges;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      edges.col(axis) = this->Draw(center + this->Spacing[axis] * Vector3d::Unit(axis)) - drawn;
+    }
     double intensity = 0;
     double unevenness = 0;
     for (int w = 0; w < this->Samples[2]; ++w)
@@ -151,23 +186,26 @@ private:
         {
           const Vector3d within((u + 0.5) / this->Samples[0] - 0.5,
             (v + 0.5) / this->Samples[1] - 0.5, (w + 0.5) / this->Samples[2] - 0.5);
-          const Vector3d point = center + this->Spacing.cwiseProduct(within);
-          const Tissue* tissue = &below;
-          for (const TissueLayer* layer : layers)
-          {
-            if (layer->Shape(point) < 0)
-            {
-              tissue = &layer->Tissue;
-              break;
-            }
-          }
-          intensity += tissue->Intensity;
-          unevenness += tissue->Unevenness;
+          const Tissue& tissue = this->TopmostAt(drawn + edges * within, view);
+          intensity += tissue.Intensity;
+          unevenness += tissue.Unevenness;
         }
       }
     }
     const double share = 1.0 / (this->Samples[0] * this->Samples[1] * this->Samples[2]);
     this->Set(voxel, share * intensity, share * unevenness, atCenter.Label);
+  }
+
+  const Tissue& TopmostAt(const Vector3d& drawn, const View& view) const
+  {
+    for (std::size_t i = view.First; i < view.Last; ++i)
+    {
+      if (this->InDoubt[i]->Shape(drawn) < 0)
+      {
+        return this->InDoubt[i]->Tissue;
+      }
+    }
+    return *view.Below;
   }
 
   void Set(const Index& voxel, double intensity, double unevenness, std::uint8_t label)
@@ -184,13 +222,29 @@ private:
     this->Labels[offset] = label;
   }
 
+  Vector3d Draw(const Vector3d& point) const
+  {
+    return this->Stack.ToDrawing ? this->Stack.ToDrawing(point) : point;
+  }
+
+  // How far, in the drawing, the outermost samples of a box lie from its centre.
+  double ReachOf(const VoxelBox& box) const
+  {
+    Vector3d span;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      span[axis] = (box.Size[axis] - 1.0 / this->Samples[axis]) * this->Spacing[axis];
+    }
+    return 0.5 * this->Stack.Stretch * span.norm();
+  }
+
   Vector3d CenterOf(const VoxelBox& box) const
   {
     Vector3d center;
     for (int axis = 0; axis < 3; ++axis)
     {
       center[axis] =
-        (box.First[axis] + 0.5 * (box.Size[axis] - 1) - this->Center[axis]) * this->Spacing[axis];
+        (box.First[axis] + 0.5 * (box.Size[axis] - 1) - this->Middle[axis]) * this->Spacing[axis];
     }
     return center;
   }
@@ -199,8 +253,9 @@ private:
   const Vector3d Spacing;
   const SmoothField& Field;
   const VoxelBox Brick;
-  Vector3d Center;
+  Vector3d Middle;
   Index Samples;
+  std::vector<const TissueLayer*> InDoubt;
   std::vector<float> Intensities;
   std::vector<std::uint8_t> Labels;
 };

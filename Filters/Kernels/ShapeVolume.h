@@ -34,6 +34,11 @@ struct TissueStack
   Tissue Background;
   std::vector<TissueLayer> Layers; ///< later layers hide earlier ones
   double FieldCell = 15;           ///< mm over which uneven tissue varies
+
+  /// Where set, shapes are drawn in a space of their own, to which it takes a point of the grid. It
+  /// must not stretch any length more than Stretch times.
+  std::function<Eigen::Vector3d(const Eigen::Vector3d& point)> ToDrawing;
+  double Stretch = 1;
 };
 
 struct SamplingOptions

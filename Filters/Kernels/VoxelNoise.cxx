@@ -116,11 +116,11 @@ void AddNoise(std::uint64_t seed, double deviation, double correlation,
 
 SmoothField::SmoothField(std::uint64_t seed, double cell, const Eigen::Vector3d& extent)
   : InverseCell(1 / cell)
-  , First(-0.5 * extent)
 {
   for (int axis = 0; axis < 3; ++axis)
   {
-    this->Size[axis] = static_cast<int>(std::ceil(extent[axis] / cell)) + 2;
+    this->Size[axis] = 2 + static_cast<int>(std::min(std::ceil(extent[axis] / cell), 62.0));
+    this->First[axis] = -0.5 * (this->Size[axis] - 1) * cell;
   }
   for (int k = 0; k < this->Size[2]; ++k)
   {

@@ -37,7 +37,8 @@ void AddNoise(std::uint64_t seed, double deviation, double correlation,
 class SmoothField
 {
 public:
-  /// Covers the box of the given extent around the origin; outside it is continued by its rim.
+  /// Covers the box of the given extent around the origin, or 64 cells of it; outside, what is at
+  /// the rim goes on.
   SmoothField(std::uint64_t seed, double cell, const Eigen::Vector3d& extent);
 
   double operator()(const Eigen::Vector3d& point) const;

@@ -1,8 +1,10 @@
 #include "vtkPhantomSource.h"
 
+#include "AbdomenPhantom.h"
 #include "ExecutionAdapter.h"
 #include "ImageAdapter.h"
 #include "Phantom.h"
+#include "PhantomSurface.h"
 
 #include "vtkDataObject.h"
 #include "vtkImageData.h"
@@ -11,6 +13,7 @@
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
+#include "vtkPolyData.h"
 #include "vtkShortArray.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkUnsignedCharArray.h"
@@ -28,13 +31,15 @@ FlipFree::ImageGeometry MakeGeometry(vtkPhantomSource* self)
   FlipFree::ImageGeometry geometry;
   self->GetDimensions(geometry.Dimensions.data());
   self->GetSpacing(geometry.Spacing.data());
+  const bool abdomen = self->GetShape() == vtkPhantomSource::ABDOMEN;
   if (geometry.Dimensions == std::array<int, 3>{ { 0, 0, 0 } })
   {
-    geometry.Dimensions = { { 96, 96, 96 } };
+    geometry.Dimensions =
+      abdomen ? std::array<int, 3>{ { 220, 170, 90 } } : std::array<int, 3>{ { 96, 96, 96 } };
   }
   if (geometry.Spacing.isZero(0))
   {
-    geometry.Spacing = Eigen::Vector3d(1, 1, 1);
+    geometry.Spacing = abdomen ? Eigen::Vector3d(1.5, 1.5, 3) : Eigen::Vector3d(1, 1, 1);
   }
   geometry.Origin = Eigen::Vector3d(self->GetOrigin());
   geometry.Direction =
@@ -46,6 +51,11 @@ FlipFree::ImageGeometry MakeGeometry(vtkPhantomSource* self)
 FlipFree::Phantom MakePhantom(vtkPhantomSource* self, const FlipFree::ImageGeometry& geometry)
 {
   const Eigen::Vector3d extent = FlipFree::GridExtent(geometry);
+  if (self->GetShape() == vtkPhantomSource::ABDOMEN)
+  {
+    return FlipFree::MakeAbdomenPhantom(extent,
+      { self->GetNumberOfLesions(), static_cast<std::uint64_t>(self->GetRandomSeed()) });
+  }
   for (double intensity : { self->GetForeground(), self->GetBackground() })
   {
     if (!(intensity >= VTK_SHORT_MIN && intensity <= VTK_SHORT_MAX))
@@ -82,7 +92,7 @@ auto* AttachScalars(vtkImageData* image, const FlipFree::ImageGeometry& geometry
 vtkPhantomSource::vtkPhantomSource()
 {
   this->SetNumberOfInputPorts(0);
-  this->SetNumberOfOutputPorts(2);
+  this->SetNumberOfOutputPorts(3);
 }
 
 bool vtkPhantomSource::GetSeed(int label, double seed[4])
@@ -128,6 +138,17 @@ bool vtkPhantomSource::GetEnclosingSphere(double sphere[4])
 vtkImageData* vtkPhantomSource::GetLabelMap()
 {
   return vtkImageData::SafeDownCast(this->GetOutputDataObject(1));
+}
+
+vtkPolyData* vtkPhantomSource::GetSurface()
+{
+  return vtkPolyData::SafeDownCast(this->GetOutputDataObject(2));
+}
+
+int vtkPhantomSource::FillOutputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), port == 2 ? "vtkPolyData" : "vtkImageData");
+  return 1;
 }
 
 int vtkPhantomSource::RequestInformation(vtkInformation*, vtkInformationVector**,
@@ -183,6 +204,12 @@ int vtkPhantomSource::RequestData(vtkInformation*, vtkInformationVector**,
     {
       image->Initialize();
       labelMap->Initialize();
+      return 1;
+    }
+    if (this->GenerateSurface && phantom.Surface)
+    {
+      vtkPolyData::GetData(outputVector, 2)
+        ->ShallowCopy(FlipFree::MakePhantomSurface(phantom.Surface, *phantom.Enclosing, geometry));
     }
   }
   catch (const std::invalid_argument& error)
@@ -216,5 +243,7 @@ void vtkPhantomSource::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "NoiseDeviation: " << this->NoiseDeviation << "\n";
   os << indent << "NoiseCorrelation: " << this->NoiseCorrelation << "\n";
   os << indent << "RandomSeed: " << this->RandomSeed << "\n";
+  os << indent << "NumberOfLesions: " << this->NumberOfLesions << "\n";
   os << indent << "PartialVolume: " << this->PartialVolume << "\n";
+  os << indent << "GenerateSurface: " << this->GenerateSurface << "\n";
 }

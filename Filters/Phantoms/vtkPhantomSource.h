@@ -4,8 +4,10 @@
  *
  * Makes a grey volume and the label map that is its truth. The plain shapes are one object of
  * intensity Foreground in a Background: a sphere and a cube, the concave cup and the U-shaped tube
- * of Fig. 1 of the paper, and a thin curved vessel. ABDOMEN is a schematic contrast-enhanced CT of
- * the upper abdomen in Hounsfield units.
+ * of Fig. 1 of the paper, and a thin curved vessel. ABDOMEN is a schematic CT of the
+ * upper abdomen in the portal phase, in Hounsfield units: body wall with ribs and spine, lungs,
+ * heart, liver with its vessels, spleen, kidneys, stomach, bowel and great vessels, with uneven
+ * tissue, partial volume and noise. As in patients, organs touch neighbours of similar intensity.
  *
  * Shapes are sized in proportion to the grid, lie at its centre, and are aligned with its axes: a
  * Direction turns the phantom with the grid and leaves every voxel's value as it was. For the
@@ -19,7 +21,10 @@
  *
  * Output port 1: vtkImageData of the same geometry with the point scalars
  *  - `Labels`, unsigned char: what lies at the voxel's centre; 0 nothing in particular, 1 the
- * object of a plain shape, for the abdomen one of OrganLabel.
+ *    object of a plain shape, for the abdomen one of OrganLabel.
+ *
+ * Output port 2: vtkPolyData, the surface of a plain shape as triangles whose points lie exactly on
+ * it, if GenerateSurface is on; empty otherwise, and for the abdomen.
  *
  * Errors: a dimension below 1, more than 2^31 - 1 voxels, a spacing that is not positive, a
  * Direction that cannot be inverted, intensities outside the range of short, a negative
@@ -31,6 +36,8 @@
 
 #include "FlipFreePhantomsModule.h"
 #include "vtkImageAlgorithm.h"
+
+class vtkPolyData;
 
 class FLIPFREEPHANTOMS_EXPORT vtkPhantomSource : public vtkImageAlgorithm
 {
@@ -45,12 +52,29 @@ public:
     CUBE = 1,
     CUP = 2,
     U_TUBE = 3,
-    VESSEL = 4
+    VESSEL = 4,
+    ABDOMEN = 5
   };
 
+  /**
+   * Values of the label map. OBJECT is that of the plain shapes, the others are the abdomen's,
+   * those of the BTCV challenge (left and right are the patient's). Vessels and lesions inside the
+   * liver belong to it, the renal sinus does not belong to the kidney. Bowel, heart, bones are 0.
+   */
   enum OrganLabel
   {
-    OBJECT = 1
+    OBJECT = 1,
+    SPLEEN = 1,
+    RIGHT_KIDNEY = 2,
+    LEFT_KIDNEY = 3,
+    GALLBLADDER = 4,
+    ESOPHAGUS = 5,
+    LIVER = 6,
+    STOMACH = 7,
+    AORTA = 8,
+    VENA_CAVA = 9,
+    PORTAL_VEIN = 10,
+    PANCREAS = 11
   };
 
   ///@{
@@ -62,19 +86,24 @@ public:
    * height 64, wall 16, cavity 32 wide and 40 deep. U_TUBE: tube radius 9, half circle of radius
    * 18, legs of 30 along the third axis. VESSEL: tube radius 4 along an S-shaped space curve of
    * length 105.
+   *
+   * The ABDOMEN's cross-section of 330 x 255 mm is scaled to fit the grid's first two axes; along
+   * the third the grid shows as much as it holds, at best 270 mm.
    */
-  vtkSetClampMacro(Shape, int, SPHERE, VESSEL);
+  vtkSetClampMacro(Shape, int, SPHERE, ABDOMEN);
   vtkGetMacro(Shape, int);
   void SetShapeToSphere() { this->SetShape(SPHERE); }
   void SetShapeToCube() { this->SetShape(CUBE); }
   void SetShapeToCup() { this->SetShape(CUP); }
   void SetShapeToUTube() { this->SetShape(U_TUBE); }
   void SetShapeToVessel() { this->SetShape(VESSEL); }
+  void SetShapeToAbdomen() { this->SetShape(ABDOMEN); }
   ///@}
 
   ///@{
   /**
-   * Number of voxels along each axis. Default (0, 0, 0): as suits the shape, 96 x 96 x 96.
+   * Number of voxels along each axis. Default (0, 0, 0): as suits the shape, 96 x 96 x 96 or,
+   * for the abdomen, 220 x 170 x 90.
    */
   vtkSetVector3Macro(Dimensions, int);
   vtkGetVector3Macro(Dimensions, int);
@@ -83,7 +112,7 @@ public:
   ///@{
   /**
    * Distance of voxel centres along each axis in millimetres. Default (0, 0, 0): as suits the
-   * shape, 1 x 1 x 1.
+   * shape, 1 x 1 x 1 or, for the abdomen, 1.5 x 1.5 x 3.
    */
   vtkSetVector3Macro(Spacing, double);
   vtkGetVector3Macro(Spacing, double);
@@ -109,8 +138,10 @@ public:
 
   ///@{
   /**
-   * Intensities of the object and of what surrounds it, for the plain shapes. Defaults 100 and 0.
-   * They are rounded to integers after partial volume and noise: leave them far enough apart.
+   * Intensities of the object and of what surrounds it, for the plain shapes. Defaults 100 and 0;
+   * they do not matter for the abdomen.
+   * Intensities are rounded to integers after partial volume and noise: leave them far enough
+   * apart.
    */
   vtkSetMacro(Foreground, double);
   vtkGetMacro(Foreground, double);
@@ -145,6 +176,15 @@ public:
 
   ///@{
   /**
+   * Dark round lesions (4 to 12 mm in radius, 68 HU) in the abdomen's liver, their places and sizes
+   * drawn at random. Default 0; 0 to 20. Where that many have no room, there are fewer.
+   */
+  vtkSetClampMacro(NumberOfLesions, int, 0, 20);
+  vtkGetMacro(NumberOfLesions, int);
+  ///@}
+
+  ///@{
+  /**
    * Whether a voxel on a border gets the mean over its volume (by up to 4 x 4 x 4 samples) or the
    * intensity at its centre. The labels are always those at the centres. Default on.
    */
@@ -153,10 +193,20 @@ public:
   vtkBooleanMacro(PartialVolume, bool);
   ///@}
 
+  ///@{
+  /**
+   * Whether to make the surface of a plain shape, output port 2. Default off.
+   */
+  vtkSetMacro(GenerateSurface, bool);
+  vtkGetMacro(GenerateSurface, bool);
+  vtkBooleanMacro(GenerateSurface, bool);
+  ///@}
+
   /**
    * A place to start a segmentation from: the centre (physical millimetres) and radius (mm) of a
    * ball deep inside the organ of the given label; the radius is at most 0.7 times the distance to
-   * the organ's border. True if there is such an organ. Needs no update.
+   * the organ's border. True if there is such an organ and the grid holds its seed. Needs no
+   * update.
    */
   bool GetSeed(int label, double seed[4]);
 
@@ -171,10 +221,16 @@ public:
    */
   vtkImageData* GetLabelMap();
 
+  /**
+   * The surface, output port 2.
+   */
+  vtkPolyData* GetSurface();
+
 protected:
   vtkPhantomSource();
   ~vtkPhantomSource() override = default;
 
+  int FillOutputPortInformation(int port, vtkInformation* info) override;
   int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
@@ -188,7 +244,9 @@ protected:
   double NoiseDeviation = 12;
   double NoiseCorrelation = 0.3;
   int RandomSeed = 1;
+  int NumberOfLesions = 0;
   bool PartialVolume = true;
+  bool GenerateSurface = false;
 
 private:
   vtkPhantomSource(const vtkPhantomSource&) = delete;

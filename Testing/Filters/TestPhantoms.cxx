@@ -4,11 +4,17 @@
 #include "vtkCommand.h"
 #include "vtkDataArray.h"
 #include "vtkExecutive.h"
+#include "vtkFeatureEdges.h"
+#include "vtkIdList.h"
 #include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkMath.h"
 #include "vtkMatrix3x3.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
+#include "vtkPolyData.h"
 #include "vtkSMPTools.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkTestErrorObserver.h"
 
 #include <gtest/gtest.h>
@@ -32,6 +38,23 @@ std::vector<double> Values(vtkImageData* image)
     values[i] = scalars->GetComponent(static_cast<vtkIdType>(i), 0);
   }
   return values;
+}
+
+double SignedVolume(vtkPolyData* surface)
+{
+  double volume = 0;
+  vtkNew<vtkIdList> face;
+  for (vtkIdType cell = 0; cell < surface->GetNumberOfCells(); ++cell)
+  {
+    surface->GetCellPoints(cell, face);
+    double points[3][3];
+    for (int corner = 0; corner < 3; ++corner)
+    {
+      surface->GetPoint(face->GetId(corner), points[corner]);
+    }
+    volume += vtkMath::Determinant3x3(points[0], points[1], points[2]) / 6;
+  }
+  return volume;
 }
 
 // Every voxel whose centre lies in the ball has the label.
@@ -64,6 +87,7 @@ void ExpectRefusal(vtkPhantomSource* source, const std::string& part)
   EXPECT_EQ(message.find("No phantom"), message.rfind("No phantom")) << message;
   EXPECT_EQ(source->GetOutput()->GetNumberOfPoints(), 0);
   EXPECT_EQ(source->GetLabelMap()->GetNumberOfPoints(), 0);
+  EXPECT_EQ(source->GetSurface()->GetNumberOfPoints(), 0);
 }
 
 } // namespace
@@ -202,6 +226,108 @@ TEST(PhantomSource, IsTheSameForAnyNumberOfThreads)
   EXPECT_NE(results[0], Values(other->GetOutput()));
 }
 
+// Closed, on the right side of its normals, of the closed form's volume.
+TEST(PhantomSource, SurfaceIsThatOfTheShapeInAnyFrame)
+{
+  const double mirrored[9] = { 0, -1, 0, -1, 0, 0, 0, 0, 1 };
+  const double leftHanded[9] = { 0, 1, 0, 1, 0, 0, 0, 0, 1 };
+  const double* directions[] = { Oblique, mirrored, leftHanded };
+  for (const double* direction : directions)
+  {
+    vtkNew<vtkPhantomSource> source;
+    source->SetShapeToSphere();
+    source->SetDirection(direction);
+    source->SetOrigin(7, -8, 9);
+    source->GenerateSurfaceOn();
+    source->Update();
+    double seed[4];
+    ASSERT_TRUE(source->GetSeed(vtkPhantomSource::OBJECT, seed));
+    vtkPolyData* surface = source->GetSurface();
+    ASSERT_GT(surface->GetNumberOfPoints(), 10000);
+    for (vtkIdType point = 0; point < surface->GetNumberOfPoints(); ++point)
+    {
+      double x[3];
+      surface->GetPoint(point, x);
+      ASSERT_NEAR(std::hypot(x[0] - seed[0], x[1] - seed[1], x[2] - seed[2]), 30, 1e-6);
+    }
+    EXPECT_NEAR(SignedVolume(surface), 4.18879 * 27000, 100);
+  }
+}
+
+TEST(PhantomSource, SurfacesOfAllPlainShapesAreClosedAndOfTheirVolume)
+{
+  const double expected[] = { 4.18879 * 27000, 52 * 52 * 52, 133116, 32711.7, 5629.9 };
+  for (int shape = vtkPhantomSource::SPHERE; shape <= vtkPhantomSource::VESSEL; ++shape)
+  {
+    vtkNew<vtkPhantomSource> source;
+    source->SetShape(shape);
+    source->GenerateSurfaceOn();
+    source->Update();
+    vtkPolyData* surface = source->GetSurface();
+    vtkNew<vtkFeatureEdges> edges;
+    edges->SetInputData(surface);
+    edges->FeatureEdgesOff();
+    edges->Update();
+    EXPECT_EQ(edges->GetOutput()->GetNumberOfCells(), 0) << shape;
+    EXPECT_NEAR(SignedVolume(surface) / expected[shape], 1, 0.006) << shape;
+  }
+}
+
+TEST(PhantomSource, AbdomenComesOnItsOwnGrid)
+{
+  vtkNew<vtkPhantomSource> source;
+  source->SetShapeToAbdomen();
+  source->UpdateInformation();
+  vtkInformation* info = source->GetOutputInformation(0);
+  int extent[6];
+  info->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent);
+  EXPECT_EQ(extent[1], 219);
+  EXPECT_EQ(extent[3], 169);
+  EXPECT_EQ(extent[5], 89);
+  EXPECT_EQ(info->Get(vtkDataObject::SPACING())[0], 1.5);
+  EXPECT_EQ(info->Get(vtkDataObject::SPACING())[2], 3);
+}
+
+TEST(PhantomSource, AbdomenIsTheSameForAnyNumberOfThreads)
+{
+  std::vector<std::vector<double>> results;
+  for (int threads : { 1, 2 })
+  {
+    vtkSMPTools::Initialize(threads);
+    vtkNew<vtkPhantomSource> source;
+    source->SetShapeToAbdomen();
+    source->SetDimensions(110, 85, 30);
+    source->SetSpacing(3, 3, 6);
+    source->SetNumberOfLesions(3);
+    source->Update();
+    results.push_back(Values(source->GetOutput()));
+    results.push_back(Values(source->GetLabelMap()));
+  }
+  vtkSMPTools::Initialize(0);
+  EXPECT_EQ(results[0], results[2]);
+  EXPECT_EQ(results[1], results[3]);
+}
+
+TEST(PhantomSource, AbdomenHasSeedsButNoEnclosingSphere)
+{
+  vtkNew<vtkPhantomSource> source;
+  source->SetShapeToAbdomen();
+  source->SetDimensions(110, 85, 45);
+  source->SetSpacing(3, 3, 6);
+  source->SetDirection(Oblique);
+  source->SetOrigin(5, 6, 7);
+  source->Update();
+  for (int label = vtkPhantomSource::SPLEEN; label <= vtkPhantomSource::PANCREAS; ++label)
+  {
+    double seed[4];
+    ASSERT_TRUE(source->GetSeed(label, seed)) << label;
+    ExpectBallInside(source->GetLabelMap(), seed, label);
+  }
+  double ball[4];
+  EXPECT_FALSE(source->GetSeed(12, ball));
+  EXPECT_FALSE(source->GetEnclosingSphere(ball));
+}
+
 TEST(PhantomSource, WorksOnASingleSliceAndASingleVoxel)
 {
   vtkNew<vtkPhantomSource> source;
@@ -222,6 +348,7 @@ TEST(PhantomSource, RefusesBadInputOneByOne)
   {
     vtkNew<vtkPhantomSource> source;
     source->SetDimensions(8, 8, 8);
+    source->GenerateSurfaceOn();
     source->Update();
     EXPECT_EQ(source->GetOutput()->GetNumberOfPoints(), 512);
     breakIt(source.Get());

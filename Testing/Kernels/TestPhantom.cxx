@@ -146,6 +146,8 @@ TEST(ImplicitShape, ValuesAreBoundedByTheDistance)
   ExpectBound(tube, 12);
   ExpectBound(box, 12);
   ExpectBound(MakeEllipticCylinder({ 1, 2 }, { 5, 8 }), 12);
+  ExpectBound(
+    MakeSplineTube({ { -9, 0, 0 }, { 0, 8, 3 }, { 9, 0, 0 }, { 9, -9, 3 } }, { 2, 3, 1, 2 }), 12);
   ExpectBound(MakeHalfSpace({ 1, 2, 3 }, Vector3d(1, -2, 2) / 3), 12);
   ExpectBound(Unite({ ellipsoid, tube }), 12);
   ExpectBound(SmoothUnite({ ellipsoid, tube, box }, 4), 12);
@@ -158,9 +160,25 @@ TEST(ImplicitShape, PrimitivesThatPromiseItGiveTheDistance)
   ExpectDistance(MakeSphere({ 1, 2, 3 }, 7), 12);
   ExpectDistance(MakeHalfSpace({ 1, 2, 3 }, Vector3d(1, -2, 2) / 3), 12);
   ExpectDistance(MakeBox({ 1, 0, 0 }, { 4, 5, 8 }, 1), 12);
+  ExpectDistance(MakeColumn({ 1, 0 }, { 4, 5 }, 2), 12);
   ExpectDistance(MakeCup({ 0, 1, 0 }, 6, 2, 5), 12);
   ExpectDistance(MakeUTube({ 0, 1, 0 }, 6, 2, 5), 12);
   ExpectDistance(MakeTube({ { -9, 0, 0 }, { 0, 5, 3 }, { 9, 0, 0 } }, { 2, 2, 2 }), 12);
+}
+
+TEST(ImplicitShape, SplineTubePassesThroughItsPointsWithTheirRadii)
+{
+  const std::vector<Vector3d> points = { { -9, 0, 0 }, { 0, 8, 3 }, { 9, 0, 0 }, { 9, -9, 3 } };
+  const ImplicitShape tube = MakeSplineTube(points, { 2, 3, 1, 2 });
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    const double radii[] = { 2, 3, 1, 2 };
+    EXPECT_NEAR(tube(points[i]), -radii[i], 0.15);
+  }
+  // Smooth: the spline leaves the chord of the bend, the polyline does not.
+  EXPECT_GT((Vector3d(4.5, 4, 1.5) - Vector3d(0, 8, 3)).norm(), 0);
+  EXPECT_GT(tube({ 4.5, 4, 1.5 }), -1.99);
+  EXPECT_THROW(MakeSplineTube(points, { 1, 1 }), std::invalid_argument);
 }
 
 TEST(ImplicitShape, SmoothUnionFillsTheNotchAndNothingElse)
