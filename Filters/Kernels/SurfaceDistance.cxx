@@ -117,7 +117,7 @@ bool ForInBlocks(std::size_t size, std::size_t blockSize, const ParallelFor& par
 }
 
 bool MeasureDirected(const PointList& points, const TriangleList& triangles, const Samples& samples,
-  const ClosestTriangleTree& tree, const ParallelFor& parallelFor, const Monitor& monitor,
+  const ClosestTriangleFinder& finder, const ParallelFor& parallelFor, const Monitor& monitor,
   DirectedDistances& result)
 {
   std::vector<std::pair<double, double>> distancesAndAreas(samples.Offsets.back());
@@ -133,7 +133,7 @@ bool MeasureDirected(const PointList& points, const TriangleList& triangles, con
       int likely = -1;
       const auto distanceAt = [&](double b, double c)
       {
-        const auto closest = tree.FindClosest(a + b * ab + c * ac, likely);
+        const auto closest = finder.Find(a + b * ab + c * ac, likely);
         likely = closest.Triangle;
         const double distance = std::sqrt(closest.SquaredDistance);
         greatest[triangle] = std::max(greatest[triangle], distance);
@@ -184,17 +184,17 @@ SurfaceDistance MeasureSurfaceDistance(const PointList& firstPoints,
   RequireValidFaces(secondPoints, FacesOf(secondTriangles), "the second surface");
   const Samples firstSamples(firstPoints, firstTriangles, sampleSpacing, "the first surface");
   const Samples secondSamples(secondPoints, secondTriangles, sampleSpacing, "the second surface");
-  const ClosestTriangleTree firstTree(firstPoints, firstTriangles);
-  const ClosestTriangleTree secondTree(secondPoints, secondTriangles);
+  const ClosestTriangleFinder first(firstPoints, firstTriangles);
+  const ClosestTriangleFinder second(secondPoints, secondTriangles);
 
   SurfaceDistance result;
   DirectedDistances there;
   DirectedDistances back;
   result.Complete = MeasureDirected(
-                      firstPoints, firstTriangles, firstSamples, secondTree, parallelFor,
+                      firstPoints, firstTriangles, firstSamples, second, parallelFor,
                       [&monitor](double fraction) { return monitor(fraction / 2); }, there) &&
     MeasureDirected(
-      secondPoints, secondTriangles, secondSamples, firstTree, parallelFor,
+      secondPoints, secondTriangles, secondSamples, first, parallelFor,
       [&monitor](double fraction) { return monitor(0.5 + fraction / 2); }, back);
   if (result.Complete)
   {
