@@ -160,7 +160,7 @@ private:
   void operator=(const vtkSegmentationMetrics&) = delete;
 
   void ForgetMeasures();
-  bool Measure(vtkDataObject* segmentation, vtkImageData* reference);
+  bool Measure(vtkDataObject* input, vtkImageData* referenceImage);
   void FillTable(vtkTable* table) const;
 };
 

@@ -22,8 +22,8 @@ class FilterErrors
 public:
   explicit FilterErrors(vtkAlgorithm* algorithm)
   {
-    this->Listen(algorithm, this->OfFilter);
-    this->Listen(algorithm->GetExecutive(), this->OfExecutive);
+    Listen(algorithm, this->OfFilter);
+    Listen(algorithm->GetExecutive(), this->OfExecutive);
   }
   FilterErrors(const FilterErrors&) = delete;
   void operator=(const FilterErrors&) = delete;
@@ -57,7 +57,7 @@ inline std::string ErrorOfUpdate(vtkAlgorithm* algorithm)
 {
   FilterErrors errors(algorithm);
   algorithm->Update();
-  const std::string message = errors.Only();
+  std::string message = errors.Only();
   algorithm->RemoveAllObservers();
   algorithm->GetExecutive()->RemoveAllObservers();
   return message;
