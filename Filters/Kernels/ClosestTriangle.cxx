@@ -1,19 +1,27 @@
 #include "ClosestTriangle.h"
 
 #include <algorithm>
-#include <numeric>
-#include <utility>
 
 namespace FlipFree
 {
 namespace
 {
 
-constexpr int LeafSize = 4;
-
 // Distances are rounded, those to boxes too: only boxes that are farther beyond doubt are skipped,
 // so that the result does not depend on the order of the search.
 constexpr double Slack = 1 + 1e-12;
+
+double SquaredDistanceToBox(const Eigen::Vector3d& point, const TriangleBox& box)
+{
+  double sum = 0;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double outside =
+      std::max({ 0.0, box.Low[axis] - point[axis], point[axis] - box.High[axis] });
+    sum += outside * outside;
+  }
+  return sum;
+}
 
 double SquaredDistanceToSegment(const Eigen::Vector3d& point, const Eigen::Vector3d& a,
   const Eigen::Vector3d& b)
@@ -50,111 +58,35 @@ double SquaredDistanceToTriangle(const Eigen::Vector3d& point, const Eigen::Vect
     SquaredDistanceToSegment(point, c, a) });
 }
 
-ClosestTriangleTree::ClosestTriangleTree(const PointList& points, const TriangleList& triangles)
+ClosestTriangleFinder::ClosestTriangleFinder(const PointList& points, const TriangleList& triangles)
   : Points(points)
   , Triangles(triangles)
-  , Order(triangles.rows())
+  , Tree(points, triangles)
+  , Boxes(Tree.RefitBoxes(points, triangles))
 {
-  std::iota(this->Order.begin(), this->Order.end(), 0);
-  PointList centroids(triangles.rows(), 3);
-  for (Eigen::Index triangle = 0; triangle < triangles.rows(); ++triangle)
-  {
-    centroids.row(triangle) =
-      (points.row(triangles(triangle, 0)) + points.row(triangles(triangle, 1)) +
-        points.row(triangles(triangle, 2))) /
-      3;
-  }
-  this->Nodes.reserve(this->Order.size());
-  this->Build(0, static_cast<int>(this->Order.size()), centroids);
 }
 
-void ClosestTriangleTree::Build(int first, int last, const PointList& centroids)
-{
-  const std::size_t node = this->Nodes.size();
-  this->Nodes.emplace_back();
-  Eigen::AlignedBox3d box;
-  Eigen::AlignedBox3d centroidBox;
-  for (int entry = first; entry < last; ++entry)
-  {
-    for (int corner = 0; corner < 3; ++corner)
-    {
-      const int vertex = this->Triangles(this->Order[entry], corner);
-      box.extend(this->Points.row(vertex).transpose());
-    }
-    centroidBox.extend(centroids.row(this->Order[entry]).transpose());
-  }
-  this->Nodes[node].Box = box;
-  this->Nodes[node].First = first;
-  this->Nodes[node].Last = last;
-  if (last - first <= LeafSize)
-  {
-    return;
-  }
-  Eigen::Index axis = 0;
-  centroidBox.sizes().maxCoeff(&axis);
-  const int middle = (first + last) / 2;
-  std::nth_element(this->Order.begin() + first, this->Order.begin() + middle,
-    this->Order.begin() + last,
-    [&centroids, axis](int a, int b)
-    {
-      const double x = centroids(a, axis);
-      const double y = centroids(b, axis);
-      return x != y ? x < y : a < b;
-    });
-  this->Build(first, middle, centroids);
-  this->Nodes[node].SecondChild = static_cast<int>(this->Nodes.size());
-  this->Build(middle, last, centroids);
-}
-
-double ClosestTriangleTree::SquaredDistance(const Eigen::Vector3d& point, int triangle) const
+double ClosestTriangleFinder::SquaredDistance(const Eigen::Vector3d& point, int triangle) const
 {
   return SquaredDistanceToTriangle(point, this->Points.row(this->Triangles(triangle, 0)),
     this->Points.row(this->Triangles(triangle, 1)), this->Points.row(this->Triangles(triangle, 2)));
 }
 
-ClosestTriangleTree::Closest ClosestTriangleTree::FindClosest(const Eigen::Vector3d& point,
-  int likelyTriangle) const
+ClosestTriangle ClosestTriangleFinder::Find(const Eigen::Vector3d& point, int likelyTriangle) const
 {
-  Closest closest;
-  if (likelyTriangle >= 0)
+  ClosestTriangle closest;
+  const auto visit = [&](int triangle)
   {
-    closest = { likelyTriangle, this->SquaredDistance(point, likelyTriangle) };
-  }
-  // Halving keeps the depth below 32, and each level leaves at most one node waiting.
-  std::array<std::pair<int, double>, 64> waiting;
-  int size = 0;
-  waiting[size++] = { 0, this->Nodes[0].Box.squaredExteriorDistance(point) };
-  while (size > 0)
-  {
-    const auto [index, distance] = waiting[--size];
-    if (distance > closest.SquaredDistance * Slack)
+    const double squaredDistance = this->SquaredDistance(point, triangle);
+    if (squaredDistance < closest.SquaredDistance)
     {
-      continue;
+      closest = { triangle, squaredDistance };
     }
-    const Node& node = this->Nodes[index];
-    if (node.SecondChild < 0)
-    {
-      for (int entry = node.First; entry < node.Last; ++entry)
-      {
-        const double squaredDistance = this->SquaredDistance(point, this->Order[entry]);
-        if (squaredDistance < closest.SquaredDistance)
-        {
-          closest = { this->Order[entry], squaredDistance };
-        }
-      }
-      continue;
-    }
-    std::pair<int, double> near{ index + 1,
-      this->Nodes[index + 1].Box.squaredExteriorDistance(point) };
-    std::pair<int, double> far{ node.SecondChild,
-      this->Nodes[node.SecondChild].Box.squaredExteriorDistance(point) };
-    if (far.second < near.second)
-    {
-      std::swap(near, far);
-    }
-    waiting[size++] = far;
-    waiting[size++] = near;
-  }
+    return closest.SquaredDistance * Slack;
+  };
+  this->Tree.QueryNearestFirst([&](int node)
+    { return SquaredDistanceToBox(point, this->Boxes[node]); },
+    likelyTriangle >= 0 ? visit(likelyTriangle) : closest.SquaredDistance, visit);
   return closest;
 }
 

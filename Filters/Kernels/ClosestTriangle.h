@@ -1,57 +1,43 @@
 /**
- * A bounding-volume tree over the triangles of a surface, for the exact distance from a point to
- * it.
+ * The exact distance from a point to a surface of triangles.
  */
 #ifndef FlipFreeClosestTriangle_h
 #define FlipFreeClosestTriangle_h
 
-#include "KernelTypes.h"
-
-#include <limits>
-#include <vector>
+#include "TriangleTree.h"
 
 namespace FlipFree
 {
 
-class ClosestTriangleTree
+double SquaredDistanceToTriangle(const Eigen::Vector3d& point, const Eigen::Vector3d& a,
+  const Eigen::Vector3d& b, const Eigen::Vector3d& c);
+
+struct ClosestTriangle
+{
+  int Triangle = -1;
+  double SquaredDistance = std::numeric_limits<double>::infinity();
+};
+
+/// Finds closest triangles by a bounding-volume tree.
+class ClosestTriangleFinder
 {
 public:
-  /// The lists must outlive the tree, have at least one triangle, and be valid
+  /// The lists must outlive the finder, have at least one triangle, and be valid
   /// (RequireValidFaces).
-  ClosestTriangleTree(const PointList& points, const TriangleList& triangles);
+  ClosestTriangleFinder(const PointList& points, const TriangleList& triangles);
 
-  struct Closest
-  {
-    int Triangle = -1;
-    double SquaredDistance = std::numeric_limits<double>::infinity();
-  };
-
-  /// The triangle closest to the point. A triangle that is likely to be close (that of a
-  /// neighbouring query) makes it faster and changes nothing else, except among triangles at the
-  /// same distance.
-  Closest FindClosest(const Eigen::Vector3d& point, int likelyTriangle = -1) const;
+  /// A triangle that is likely to be close (that of a neighbouring query) makes it faster and
+  /// changes nothing else, except which one of several triangles at the same distance is found.
+  ClosestTriangle Find(const Eigen::Vector3d& point, int likelyTriangle = -1) const;
 
 private:
-  // Node n's first child is node n + 1.
-  struct Node
-  {
-    Eigen::AlignedBox3d Box;
-    int SecondChild = -1; // none: a leaf
-    int First = 0;        // a leaf's triangles, in Order
-    int Last = 0;
-  };
-
-  void Build(int first, int last, const PointList& centroids);
   double SquaredDistance(const Eigen::Vector3d& point, int triangle) const;
 
   const PointList& Points;
   const TriangleList& Triangles;
-  std::vector<int> Order;
-  std::vector<Node> Nodes;
+  TriangleTree Tree;
+  std::vector<TriangleBox> Boxes;
 };
-
-double SquaredDistanceToTriangle(const Eigen::Vector3d& point, const Eigen::Vector3d& a,
-  const Eigen::Vector3d& b, const Eigen::Vector3d& c);
 
 } // namespace FlipFree
 

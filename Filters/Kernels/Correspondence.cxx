@@ -71,7 +71,8 @@ private:
       // there.
       if (!wanted && !walk.IsInside())
       {
-        return false;
+        distance = run > 0 ? entry : walk.GetEntry();
+        return distance <= this->Settings.ImageEndDistance;
       }
       if (this->IsForeground(walk) != wanted)
       {

@@ -34,6 +34,10 @@ struct CorrespondenceSettings
   /// A vertex in the background looks inward for the foreground. Off: Eq. 2 read literally.
   bool SearchInward = true;
 
+  /// A vertex this near to the image's end, in millimetres along its line, takes the end for its
+  /// target: an organ that the image cuts has its boundary there. Zero: it is solitary.
+  double ImageEndDistance = 0;
+
   /// Where the strongest edge of `Edges` is looked for around the crossing: the deviation, in
   /// millimetres, of the Gaussian window that weighs it. Zero leaves the target on the voxel's
   /// face.

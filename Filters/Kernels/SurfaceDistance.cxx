@@ -100,6 +100,13 @@ double WeightedPercentile(std::vector<std::pair<double, double>>& distancesAndAr
   return distancesAndAreas.back().first;
 }
 
+// A monitor of one part of the work.
+Monitor MonitorPart(const Monitor& monitor, double first, double last)
+{
+  return [&monitor, first, last](double fraction)
+  { return monitor(first + fraction * (last - first)); };
+}
+
 // Runs body over [0, size) block by block and asks the monitor in between.
 bool ForInBlocks(std::size_t size, std::size_t blockSize, const ParallelFor& parallelFor,
   const Monitor& monitor, const RangeBody& body)
@@ -116,12 +123,20 @@ bool ForInBlocks(std::size_t size, std::size_t blockSize, const ParallelFor& par
   return true;
 }
 
+// The vertices of a surface that its triangles use.
+std::vector<int> UsedVertices(const TriangleList& triangles)
+{
+  std::vector<int> vertices(triangles.data(), triangles.data() + triangles.size());
+  std::sort(vertices.begin(), vertices.end());
+  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+  return vertices;
+}
+
 bool MeasureDirected(const PointList& points, const TriangleList& triangles, const Samples& samples,
-  const ClosestTriangleTree& tree, const ParallelFor& parallelFor, const Monitor& monitor,
+  const ClosestTriangleFinder& finder, const ParallelFor& parallelFor, const Monitor& monitor,
   DirectedDistances& result)
 {
   std::vector<std::pair<double, double>> distancesAndAreas(samples.Offsets.back());
-  std::vector<double> greatest(triangles.rows(), 0);
   const auto measureTriangles = [&](std::ptrdiff_t first, std::ptrdiff_t last)
   {
     for (std::ptrdiff_t triangle = first; triangle < last; ++triangle)
@@ -131,28 +146,34 @@ bool MeasureDirected(const PointList& points, const TriangleList& triangles, con
       const Eigen::Vector3d ac = points.row(triangles(triangle, 2)).transpose() - a;
       std::size_t sample = samples.Offsets[triangle];
       int likely = -1;
-      const auto distanceAt = [&](double b, double c)
-      {
-        const auto closest = tree.FindClosest(a + b * ab + c * ac, likely);
-        likely = closest.Triangle;
-        const double distance = std::sqrt(closest.SquaredDistance);
-        greatest[triangle] = std::max(greatest[triangle], distance);
-        return distance;
-      };
       samples.Visit(triangle,
-        [&](double b, double c) {
-          distancesAndAreas[sample++] = { distanceAt(b, c), samples.PatchAreas[triangle] };
+        [&](double b, double c)
+        {
+          const ClosestTriangle closest = finder.Find(a + b * ab + c * ac, likely);
+          likely = closest.Triangle;
+          distancesAndAreas[sample++] = { std::sqrt(closest.SquaredDistance),
+            samples.PatchAreas[triangle] };
         });
-      // The distance can be greatest at a vertex; being points, vertices have no area.
-      distanceAt(0, 0);
-      distanceAt(1, 0);
-      distanceAt(0, 1);
+    }
+  };
+  // The distance can be greatest at a vertex; being points, vertices have no area.
+  const std::vector<int> vertices = UsedVertices(triangles);
+  std::vector<double> vertexDistances(vertices.size());
+  const auto measureVertices = [&](std::ptrdiff_t first, std::ptrdiff_t last)
+  {
+    for (std::ptrdiff_t vertex = first; vertex < last; ++vertex)
+    {
+      const ClosestTriangle closest = finder.Find(points.row(vertices[vertex]));
+      vertexDistances[vertex] = std::sqrt(closest.SquaredDistance);
     }
   };
   const std::size_t numberOfTriangles = triangles.rows();
-  const std::size_t samplesPerTriangle = samples.Offsets.back() / numberOfTriangles + 3;
-  if (!ForInBlocks(numberOfTriangles, std::max<std::size_t>(1, BlockSize / samplesPerTriangle),
-        parallelFor, monitor, measureTriangles))
+  const std::size_t samplesPerTriangle = samples.Offsets.back() / numberOfTriangles;
+  const std::size_t trianglesPerBlock = std::max<std::size_t>(1, BlockSize / samplesPerTriangle);
+  if (!ForInBlocks(numberOfTriangles, trianglesPerBlock, parallelFor, MonitorPart(monitor, 0, 0.8),
+        measureTriangles) ||
+    !ForInBlocks(vertices.size(), BlockSize, parallelFor, MonitorPart(monitor, 0.8, 1),
+      measureVertices))
   {
     return false;
   }
@@ -164,7 +185,9 @@ bool MeasureDirected(const PointList& points, const TriangleList& triangles, con
     result.SumOfSquares += area * distance * distance;
   }
   result.Percentile95 = WeightedPercentile(distancesAndAreas, 0.95, result.Area);
-  result.Greatest = *std::max_element(greatest.begin(), greatest.end());
+  // The list is in order now, and its last sample is the farthest one.
+  result.Greatest = std::max(distancesAndAreas.back().first,
+    *std::max_element(vertexDistances.begin(), vertexDistances.end()));
   return true;
 }
 
@@ -184,18 +207,16 @@ SurfaceDistance MeasureSurfaceDistance(const PointList& firstPoints,
   RequireValidFaces(secondPoints, FacesOf(secondTriangles), "the second surface");
   const Samples firstSamples(firstPoints, firstTriangles, sampleSpacing, "the first surface");
   const Samples secondSamples(secondPoints, secondTriangles, sampleSpacing, "the second surface");
-  const ClosestTriangleTree firstTree(firstPoints, firstTriangles);
-  const ClosestTriangleTree secondTree(secondPoints, secondTriangles);
+  const ClosestTriangleFinder first(firstPoints, firstTriangles);
+  const ClosestTriangleFinder second(secondPoints, secondTriangles);
 
   SurfaceDistance result;
   DirectedDistances there;
   DirectedDistances back;
-  result.Complete = MeasureDirected(
-                      firstPoints, firstTriangles, firstSamples, secondTree, parallelFor,
-                      [&monitor](double fraction) { return monitor(fraction / 2); }, there) &&
-    MeasureDirected(
-      secondPoints, secondTriangles, secondSamples, firstTree, parallelFor,
-      [&monitor](double fraction) { return monitor(0.5 + fraction / 2); }, back);
+  result.Complete = MeasureDirected(firstPoints, firstTriangles, firstSamples, second, parallelFor,
+                      MonitorPart(monitor, 0, 0.5), there) &&
+    MeasureDirected(secondPoints, secondTriangles, secondSamples, first, parallelFor,
+      MonitorPart(monitor, 0.5, 1), back);
   if (result.Complete)
   {
     const double area = there.Area + back.Area;

@@ -8,6 +8,7 @@
 
 #include "KernelTypes.h"
 
+#include <array>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -75,6 +76,11 @@ public:
   /// Calls visit(triangle) at every leaf that is reached through nodes for which enter(node) holds.
   template <typename Enter, typename Visit>
   void Query(const Enter& enter, const Visit& visit) const;
+
+  /// Calls visit(triangle) at the leaves, those of the nearer child first. It returns a bound:
+  /// nodes whose distanceTo(node) is greater are left out with all that is below them.
+  template <typename DistanceTo, typename Visit>
+  void QueryNearestFirst(const DistanceTo& distanceTo, double bound, const Visit& visit) const;
 
 private:
   // In depth-first order: the first child of a node follows it, a leaf has no second one.
@@ -243,6 +249,40 @@ void TriangleTree::Query(const Enter& enter, const Visit& visit) const
     }
     stack.push_back(this->Nodes[node].Second);
     stack.push_back(node + 1);
+  }
+}
+
+template <typename DistanceTo, typename Visit>
+void TriangleTree::QueryNearestFirst(const DistanceTo& distanceTo, double bound,
+  const Visit& visit) const
+{
+  // Halving keeps the depth below 32, and each level leaves at most one node waiting.
+  std::array<std::pair<double, int>, 64> waiting;
+  int size = 0;
+  if (!this->Nodes.empty())
+  {
+    waiting[size++] = { distanceTo(0), 0 };
+  }
+  while (size > 0)
+  {
+    const auto [distance, node] = waiting[--size];
+    if (distance > bound)
+    {
+      continue;
+    }
+    if (this->Nodes[node].Count == 1)
+    {
+      bound = visit(this->Nodes[node].Triangle);
+      continue;
+    }
+    std::pair<double, int> near{ distanceTo(node + 1), node + 1 };
+    std::pair<double, int> far{ distanceTo(this->Nodes[node].Second), this->Nodes[node].Second };
+    if (far < near)
+    {
+      std::swap(near, far);
+    }
+    waiting[size++] = far;
+    waiting[size++] = near;
   }
 }
 

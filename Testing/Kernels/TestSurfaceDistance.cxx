@@ -21,10 +21,10 @@ SurfaceDistance Measure(const Surface& first, const Surface& second, double spac
 
 } // namespace
 
-TEST(ClosestTriangleTree, FindsWhatBruteForceFinds)
+TEST(ClosestTriangle, FindsWhatBruteForceFinds)
 {
   const Surface potato = Potato(7, { 1, 2, 3 }, 10);
-  const ClosestTriangleTree tree(potato.Points, potato.Triangles);
+  const ClosestTriangleFinder finder(potato.Points, potato.Triangles);
   std::mt19937 random(1);
   std::uniform_real_distribution<double> coordinate(-20, 25);
   int likely = -1;
@@ -39,15 +39,15 @@ TEST(ClosestTriangleTree, FindsWhatBruteForceFinds)
           potato.Points.row(potato.Triangles(triangle, 1)),
           potato.Points.row(potato.Triangles(triangle, 2))));
     }
-    EXPECT_EQ(tree.FindClosest(point).SquaredDistance, expected);
+    EXPECT_EQ(finder.Find(point).SquaredDistance, expected);
     // A hint, good or bad, changes nothing.
-    const auto closest = tree.FindClosest(point, likely);
+    const auto closest = finder.Find(point, likely);
     EXPECT_EQ(closest.SquaredDistance, expected);
     likely = closest.Triangle;
   }
 }
 
-TEST(ClosestTriangleTree, DistanceToATriangleIsTheLeastOverItsPoints)
+TEST(ClosestTriangle, DistanceToATriangleIsTheLeastOverItsPoints)
 {
   std::mt19937 random(2);
   std::uniform_real_distribution<double> coordinate(-1, 1);

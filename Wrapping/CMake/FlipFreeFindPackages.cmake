@@ -15,6 +15,7 @@ set(_flipfree_vtk_components
   FiltersGeneral
   FiltersModeling
   FiltersSources
+  FiltersVerdict
   ImagingCore
   IOCore
   IOGeometry

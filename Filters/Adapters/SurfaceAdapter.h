@@ -1,0 +1,47 @@
+/**
+ * Private to the modules, never installed: a vtkPolyData as the checked surface that kernels
+ * measure.
+ */
+#ifndef FlipFreeSurfaceAdapter_h
+#define FlipFreeSurfaceAdapter_h
+
+#include "MeshAdapter.h"
+#include "SurfaceTopology.h"
+
+#include <stdexcept>
+#include <string>
+
+namespace FlipFree
+{
+
+struct PolygonalSurface
+{
+  PointList Points;
+  FaceList Faces;         ///< one per polygon, in their order
+  TriangleList Triangles; ///< of the faces, in their order
+};
+
+/// Copies the polygons of a surface. Throws std::invalid_argument, naming the surface by `name`,
+/// when it has no points or no polygons, has triangle strips, or is not valid (RequireValidFaces).
+inline PolygonalSurface SurfaceOf(vtkPolyData* data, const std::string& name)
+{
+  if (data->GetNumberOfPoints() == 0)
+  {
+    throw std::invalid_argument(name + " has no points; connect a filter that makes a surface");
+  }
+  if (data->GetNumberOfStrips() > 0)
+  {
+    throw std::invalid_argument(
+      name + " has triangle strips; convert them to polygons by vtkTriangleFilter");
+  }
+  PolygonalSurface surface;
+  surface.Points = CopyPoints(data);
+  surface.Faces = CopyPolys(data);
+  RequireValidFaces(surface.Points, surface.Faces, name);
+  surface.Triangles = Triangulate(surface.Faces);
+  return surface;
+}
+
+} // namespace FlipFree
+
+#endif

@@ -1,0 +1,25 @@
+/**
+ * Private to the module: the surface of a label, by VTK's flying edges.
+ */
+#ifndef FlipFreeLabelSurface_h
+#define FlipFreeLabelSurface_h
+
+#include "LabelAdapter.h"
+
+namespace FlipFree
+{
+
+struct LabelSurface
+{
+  PointList Points;
+  TriangleList Triangles;
+};
+
+/// The closed surface half-way between the voxels inside the mask and those outside, in physical
+/// millimetres under any direction matrix, counter-clockwise seen from outside. Beyond the image is
+/// outside. The mask must not be empty. Iterations of windowed sinc smoothing take the steps away.
+LabelSurface SurfaceOf(const LabelMask& mask, int smoothingIterations = 0);
+
+} // namespace FlipFree
+
+#endif

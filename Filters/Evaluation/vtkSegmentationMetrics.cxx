@@ -1,0 +1,206 @@
+#include "vtkSegmentationMetrics.h"
+
+#include "ExecutionAdapter.h"
+#include "LabelSurface.h"
+#include "SurfaceAdapter.h"
+#include "SurfaceDistance.h"
+#include "SurfaceVoxelisation.h"
+#include "TableAdapter.h"
+#include "VoxelOverlap.h"
+
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkTable.h"
+
+#include <limits>
+
+vtkStandardNewMacro(vtkSegmentationMetrics);
+
+namespace
+{
+
+FlipFree::LabelMask Voxelise(const FlipFree::PolygonalSurface& surface,
+  const FlipFree::ImageGeometry& geometry)
+{
+  const auto runs =
+    FlipFree::VoxeliseSurface(surface.Points, surface.Triangles, geometry, FlipFree::SMPFor);
+  if (runs.empty())
+  {
+    throw std::invalid_argument(
+      "the segmentation on port 0, a surface, encloses no voxel centre of the reference on port 1; "
+      "check that both are in the same physical coordinates");
+  }
+  FlipFree::LabelMask mask;
+  mask.Geometry = geometry;
+  mask.Voxels.resize(geometry.NumberOfVoxels());
+  FlipFree::FillRuns<unsigned char>(runs, 1, geometry, mask.Voxels.data());
+  return mask;
+}
+
+double Millilitres(std::size_t numberOfVoxels, const FlipFree::ImageGeometry& geometry)
+{
+  return numberOfVoxels * std::abs(geometry.Spacing.prod()) / 1000;
+}
+
+} // namespace
+
+vtkSegmentationMetrics::vtkSegmentationMetrics()
+{
+  this->SetNumberOfInputPorts(2);
+  this->ForgetMeasures();
+}
+
+void vtkSegmentationMetrics::SetReferenceData(vtkImageData* labelMap)
+{
+  this->SetInputData(1, labelMap);
+}
+
+void vtkSegmentationMetrics::SetReferenceConnection(vtkAlgorithmOutput* output)
+{
+  this->SetInputConnection(1, output);
+}
+
+int vtkSegmentationMetrics::FillInputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
+  if (port == 0)
+  {
+    info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+  }
+  return 1;
+}
+
+int vtkSegmentationMetrics::RequestUpdateExtent(vtkInformation*, vtkInformationVector** inputVector,
+  vtkInformationVector*)
+{
+  // A table has no extent from which the executive could derive those of the images: it would ask
+  // the reference for the extent of the segmentation, and the next pair of images for that of the
+  // last.
+  for (int port = 0; port < 2; ++port)
+  {
+    vtkInformation* info = inputVector[port]->GetInformationObject(0);
+    int extent[6];
+    if (info->Has(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT()))
+    {
+      info->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent);
+      info->Set(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), extent, 6);
+    }
+  }
+  return 1;
+}
+
+int vtkSegmentationMetrics::RequestData(vtkInformation*, vtkInformationVector** inputVector,
+  vtkInformationVector* outputVector)
+{
+  vtkTable* output = vtkTable::GetData(outputVector);
+  output->Initialize();
+  this->ForgetMeasures();
+  try
+  {
+    if (this->Measure(vtkDataObject::GetData(inputVector[0]),
+          vtkImageData::GetData(inputVector[1])))
+    {
+      this->FillTable(output);
+      return 1;
+    }
+    this->ForgetMeasures();
+  }
+  catch (const std::exception& error)
+  {
+    this->ForgetMeasures();
+    vtkErrorMacro(
+      "No measures of the segmentation (port 0) against the reference (port 1): " << error.what());
+    return 0;
+  }
+  return 1;
+}
+
+bool vtkSegmentationMetrics::Measure(vtkDataObject* input, vtkImageData* referenceImage)
+{
+  using namespace FlipFree;
+  const LabelMask reference =
+    MaskOf(referenceImage, this->ReferenceLabel, "the reference on port 1");
+  vtkPolyData* polyData = vtkPolyData::SafeDownCast(input);
+  PolygonalSurface mesh;
+  LabelMask segmentation;
+  if (polyData)
+  {
+    mesh = SurfaceOf(polyData, "the segmentation on port 0");
+    segmentation = Voxelise(mesh, reference.Geometry);
+  }
+  else
+  {
+    segmentation = MaskOf(vtkImageData::SafeDownCast(input), this->SegmentationLabel,
+      "the segmentation on port 0");
+  }
+  const VoxelOverlap overlap = MeasureOverlap(segmentation.View(), reference.View(), SMPFor);
+  this->Dice = overlap.Dice();
+  this->Jaccard = overlap.Jaccard();
+  this->RelativeVolumeDifference = overlap.RelativeVolumeDifference();
+  this->SegmentationVolume = Millilitres(overlap.Segmentation, reference.Geometry);
+  this->ReferenceVolume = Millilitres(overlap.Reference, reference.Geometry);
+  this->OverlapOf = polyData ? "voxelised mesh" : "label map";
+
+  const bool isMeshMeasured = polyData && !this->ScoreVoxelisation;
+  this->DistanceOf = isMeshMeasured ? "mesh" : "surface of " + this->OverlapOf;
+  const LabelSurface surface = isMeshMeasured ? LabelSurface{ mesh.Points, mesh.Triangles }
+                                              : SurfaceOf(segmentation, this->LabelSmoothing);
+  const LabelSurface referenceSurface = SurfaceOf(reference, this->LabelSmoothing);
+  const SurfaceDistance distance =
+    MeasureSurfaceDistance(surface.Points, surface.Triangles, referenceSurface.Points,
+      referenceSurface.Triangles, this->SampleSpacing, SMPFor, MonitorOf(this));
+  this->ASD = distance.Average;
+  this->RMS = distance.RootMeanSquare;
+  this->HD95 = distance.Hausdorff95;
+  this->HD = distance.Hausdorff;
+  return distance.Complete;
+}
+
+void vtkSegmentationMetrics::FillTable(vtkTable* table) const
+{
+  FlipFree::AddColumn(table, "Dice", this->Dice);
+  FlipFree::AddColumn(table, "Jaccard", this->Jaccard);
+  FlipFree::AddColumn(table, "RelativeVolumeDifference", this->RelativeVolumeDifference);
+  FlipFree::AddColumn(table, "ASD", this->ASD);
+  FlipFree::AddColumn(table, "RMS", this->RMS);
+  FlipFree::AddColumn(table, "HD95", this->HD95);
+  FlipFree::AddColumn(table, "HD", this->HD);
+  FlipFree::AddColumn(table, "SegmentationVolume", this->SegmentationVolume);
+  FlipFree::AddColumn(table, "ReferenceVolume", this->ReferenceVolume);
+  FlipFree::AddColumn(table, "OverlapOf", this->OverlapOf);
+  FlipFree::AddColumn(table, "DistanceOf", this->DistanceOf);
+}
+
+void vtkSegmentationMetrics::ForgetMeasures()
+{
+  this->Dice = this->Jaccard = this->RelativeVolumeDifference = this->ASD = this->RMS = this->HD95 =
+    this->HD = this->SegmentationVolume = this->ReferenceVolume =
+      std::numeric_limits<double>::quiet_NaN();
+  this->OverlapOf.clear();
+  this->DistanceOf.clear();
+}
+
+void vtkSegmentationMetrics::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "SegmentationLabel: " << this->SegmentationLabel << "\n";
+  os << indent << "ReferenceLabel: " << this->ReferenceLabel << "\n";
+  os << indent << "SampleSpacing: " << this->SampleSpacing << "\n";
+  os << indent << "LabelSmoothing: " << this->LabelSmoothing << "\n";
+  os << indent << "ScoreVoxelisation: " << this->ScoreVoxelisation << "\n";
+  os << indent << "Dice: " << this->Dice << "\n";
+  os << indent << "Jaccard: " << this->Jaccard << "\n";
+  os << indent << "RelativeVolumeDifference: " << this->RelativeVolumeDifference << "\n";
+  os << indent << "ASD: " << this->ASD << "\n";
+  os << indent << "RMS: " << this->RMS << "\n";
+  os << indent << "HD95: " << this->HD95 << "\n";
+  os << indent << "HD: " << this->HD << "\n";
+  os << indent << "SegmentationVolume: " << this->SegmentationVolume << "\n";
+  os << indent << "ReferenceVolume: " << this->ReferenceVolume << "\n";
+  os << indent << "OverlapOf: " << this->OverlapOf << "\n";
+  os << indent << "DistanceOf: " << this->DistanceOf << "\n";
+}

@@ -1,0 +1,89 @@
+/**
+ * @class   vtkSurfaceValidity
+ * @brief   whether a surface is a valid one, and where it is not
+ *
+ * Passes a surface of polygons through, marks its offending cells, and counts what is wrong. A
+ * surface is valid when it is closed (every edge on two faces that are oriented alike), does not
+ * intersect itself, and has no flipped corner. Polygons are cut into triangles from their first
+ * vertex; self- intersections are pairs of these triangles that have more in common than a shared
+ * vertex or edge, decided exactly. The surface may be open, of any genus, and wrong in every way
+ * that is counted.
+ *
+ * Input port 0: vtkPolyData, the surface.
+ *
+ * Input port 1, optional: vtkPolyData with the same polygons at other positions, such as the start
+ * of a deformation (SetReferenceSurfaceData or SetReferenceSurfaceConnection). A corner of a face
+ * is flipped when its normal has turned by 90 degrees or more since.
+ *
+ * Output port 0: vtkPolyData, the surface with the cell arrays
+ *  - `Defects`, unsigned char: the sum of 1 self-intersecting, 2 with a flipped corner, 4 on a
+ * boundary edge, 8 on an edge of three faces or more, or of two that are oriented differently;
+ *  - `ScaledJacobian`, double: the least over the face's corners of the sine of its angle over that
+ *    of a regular polygon, negative where it turns the wrong way: 1 is best, 0 degenerate.
+ *
+ * Output port 1: vtkTable with one row (GetMeasures) and the columns Valid (0 or 1),
+ * SelfIntersections (pairs of triangles), FlippedCorners (-1 without a reference), EulerNumber,
+ * BoundaryEdges, NonManifoldEdges, MisorientedEdges, all int; LeastScaledJacobian,
+ * FirstPercentileScaledJacobian, LeastDihedralAngle (degrees, 180 is flat), LeastGap (mm, between
+ * triangles that share no vertex; 0 where there are self-intersections) and EdgeLengthVariation
+ * (standard deviation over mean), double.
+ *
+ * Errors, with empty outputs: a surface without points or polygons, with triangle strips, or with a
+ * coordinate that is not finite; a reference with other polygons.
+ */
+#ifndef vtkSurfaceValidity_h
+#define vtkSurfaceValidity_h
+
+#include "FlipFreeEvaluationModule.h"
+#include "vtkPolyDataAlgorithm.h"
+
+class vtkTable;
+
+class FLIPFREEEVALUATION_EXPORT vtkSurfaceValidity : public vtkPolyDataAlgorithm
+{
+public:
+  static vtkSurfaceValidity* New();
+  vtkTypeMacro(vtkSurfaceValidity, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  enum DefectType
+  {
+    SELF_INTERSECTING = 1,
+    FLIPPED_CORNER = 2,
+    BOUNDARY_EDGE = 4,
+    BAD_EDGE = 8
+  };
+
+  ///@{
+  /**
+   * The same polygons at other positions (input port 1), against which flipped corners are counted.
+   */
+  void SetReferenceSurfaceData(vtkPolyData* surface);
+  void SetReferenceSurfaceConnection(vtkAlgorithmOutput* output);
+  ///@}
+
+  /**
+   * The table on output port 1, of the last update.
+   */
+  vtkTable* GetMeasures();
+
+  /**
+   * Whether the surface of the last update is valid; false before the first update and after one
+   * that failed.
+   */
+  bool IsValid();
+
+protected:
+  vtkSurfaceValidity();
+  ~vtkSurfaceValidity() override = default;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int FillOutputPortInformation(int port, vtkInformation* info) override;
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+private:
+  vtkSurfaceValidity(const vtkSurfaceValidity&) = delete;
+  void operator=(const vtkSurfaceValidity&) = delete;
+};
+
+#endif

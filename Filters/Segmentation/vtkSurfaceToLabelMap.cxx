@@ -1,0 +1,98 @@
+#include "vtkSurfaceToLabelMap.h"
+
+#include "ExecutionAdapter.h"
+#include "ImageAdapter.h"
+#include "SurfaceAdapter.h"
+#include "SurfaceVoxelisation.h"
+
+#include "vtkDataObject.h"
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkUnsignedCharArray.h"
+
+vtkStandardNewMacro(vtkSurfaceToLabelMap);
+
+vtkSurfaceToLabelMap::vtkSurfaceToLabelMap()
+{
+  this->SetNumberOfInputPorts(2);
+}
+
+void vtkSurfaceToLabelMap::SetReferenceImageData(vtkImageData* image)
+{
+  this->SetInputData(1, image);
+}
+
+void vtkSurfaceToLabelMap::SetReferenceImageConnection(vtkAlgorithmOutput* output)
+{
+  this->SetInputConnection(1, output);
+}
+
+int vtkSurfaceToLabelMap::FillInputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == 0 ? "vtkPolyData" : "vtkImageData");
+  return 1;
+}
+
+int vtkSurfaceToLabelMap::RequestInformation(vtkInformation*, vtkInformationVector** inputVector,
+  vtkInformationVector* outputVector)
+{
+  vtkInformation* reference = inputVector[1]->GetInformationObject(0);
+  vtkInformation* output = outputVector->GetInformationObject(0);
+  output->CopyEntry(reference, vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT());
+  output->CopyEntry(reference, vtkDataObject::SPACING());
+  output->CopyEntry(reference, vtkDataObject::ORIGIN());
+  output->CopyEntry(reference, vtkDataObject::DIRECTION());
+  vtkDataObject::SetPointDataActiveScalarInfo(output, VTK_UNSIGNED_CHAR, 1);
+  return 1;
+}
+
+int vtkSurfaceToLabelMap::RequestData(vtkInformation*, vtkInformationVector** inputVector,
+  vtkInformationVector* outputVector)
+{
+  vtkImageData* reference = vtkImageData::GetData(inputVector[1]);
+  vtkImageData* output = vtkImageData::GetData(outputVector);
+  output->Initialize();
+  try
+  {
+    if (reference->GetNumberOfPoints() == 0)
+    {
+      throw std::invalid_argument(
+        "the reference image on port 1 has no voxels; give it a non-empty extent");
+    }
+    const FlipFree::PolygonalSurface surface =
+      FlipFree::SurfaceOf(vtkPolyData::GetData(inputVector[0]), "the surface on port 0");
+    const FlipFree::ImageGeometry geometry = FlipFree::GeometryOf(reference);
+    const auto runs = FlipFree::VoxeliseSurface(surface.Points, surface.Triangles, geometry,
+      FlipFree::SMPFor, FlipFree::MonitorOf(this));
+    if (FlipFree::IsAborted(this))
+    {
+      return 1;
+    }
+    vtkNew<vtkUnsignedCharArray> labels;
+    labels->SetName("Labels");
+    labels->SetNumberOfValues(reference->GetNumberOfPoints());
+    labels->FillValue(0);
+    FlipFree::FillRuns(runs, static_cast<unsigned char>(this->LabelValue), geometry,
+      labels->GetPointer(0));
+    output->CopyStructure(reference);
+    output->GetPointData()->SetScalars(labels);
+  }
+  catch (const std::exception& error)
+  {
+    vtkErrorMacro("No label map: " << error.what());
+    return 0;
+  }
+  return 1;
+}
+
+void vtkSurfaceToLabelMap::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "LabelValue: " << this->LabelValue << "\n";
+}
