@@ -49,6 +49,7 @@ if (FLIPFREE_USE_ITK)
   set(_flipfree_itk_components
     ITKCommon
     ITKAnisotropicSmoothing
+    ITKGDCM
     ITKIOGDCM
     ITKIOImageBase
     ITKIOMeta

@@ -1,0 +1,119 @@
+#include "VolumeFile.h"
+
+#include "DicomSeries.h"
+#include "NiftiCheck.h"
+
+#include "vtkErrorCode.h"
+
+#include "itkMetaImageIO.h"
+#include "itkNiftiImageIO.h"
+#include "itkNrrdImageIO.h"
+
+#include <algorithm>
+#include <chrono>
+#include <fstream>
+#include <future>
+#include <thread>
+
+namespace FlipFree
+{
+namespace
+{
+
+bool EndsWith(const std::string& name, const std::string& ending)
+{
+  return name.size() >= ending.size() &&
+    std::equal(ending.rbegin(), ending.rend(), name.rbegin(),
+      [](char a, char b) { return a == std::tolower(static_cast<unsigned char>(b)); });
+}
+
+bool HasKnownEnding(const std::string& name)
+{
+  const char* const known[] = { ".nii", ".nii.gz", ".nia", ".hdr", ".img", ".img.gz", ".nrrd",
+    ".nhdr", ".mha", ".mhd" };
+  return std::any_of(std::begin(known), std::end(known),
+    [&name](const char* ending) { return EndsWith(name, ending); });
+}
+
+ImageFileError WhyNotReadable(const std::string& name)
+{
+  if (HasDicomMark(name))
+  {
+    return { vtkErrorCode::UnrecognizedFileTypeError,
+      "'" + name + "' is a single DICOM file. Give the folder of its series instead." };
+  }
+  if (HasKnownEnding(name))
+  {
+    return { vtkErrorCode::FileFormatError,
+      "'" + name + "' does not begin as the format of its ending does: the file is empty, " +
+        "truncated or damaged. Get it anew." };
+  }
+  return { vtkErrorCode::UnrecognizedFileTypeError,
+    "The format of '" + name + "' is unknown. Known are NIfTI (.nii, .nii.gz), NRRD (.nrrd, " +
+      ".nhdr), MetaImage (.mha, .mhd) and folders of DICOM files." };
+}
+
+} // namespace
+
+itk::ImageIOBase::Pointer OpenVolumeFile(const std::string& name)
+{
+  if (!std::ifstream(name))
+  {
+    throw ImageFileError(vtkErrorCode::FileNotFoundError,
+      "'" + name + "' does not exist or may not be read. Check its name and permissions.");
+  }
+  try
+  {
+    const itk::ImageIOBase::Pointer candidates[] = { itk::NiftiImageIO::New().GetPointer(),
+      itk::NrrdImageIO::New().GetPointer(), itk::MetaImageIO::New().GetPointer() };
+    for (const itk::ImageIOBase::Pointer& io : candidates)
+    {
+      if (io->CanReadFile(name.c_str()))
+      {
+        io->SetFileName(name);
+        io->ReadImageInformation();
+        return io;
+      }
+    }
+  }
+  catch (const itk::ExceptionObject& exception)
+  {
+    throw ImageFileError(vtkErrorCode::FileFormatError,
+      "The header of '" + name + "' cannot be understood. Repair or convert the file. (ITK: " +
+        exception.GetDescription() + ")");
+  }
+  throw WhyNotReadable(name);
+}
+
+void ReadVolumeFile(const itk::ImageIOBase::Pointer& io, const std::string& name,
+  const vtkSmartPointer<vtkDataArray>& scalars, const Monitor& monitor)
+{
+  std::packaged_task<void()> read(
+    [io, name, scalars]() { ReadVoxels(io, name, scalars->GetVoidPointer(0)); });
+  std::future<void> done = read.get_future();
+  std::thread(std::move(read)).detach();
+
+  // Meanwhile, in this thread: the check costs no time of its own.
+  double fraction = 0;
+  bool goOn = monitor(fraction);
+  const auto watch = [&](double checked)
+  {
+    fraction = checked;
+    goOn = goOn && monitor(fraction);
+    return goOn;
+  };
+  if (dynamic_cast<itk::NiftiImageIO*>(io.GetPointer()))
+  {
+    RequireCompleteNifti(name, watch);
+  }
+  while (goOn && done.wait_for(std::chrono::milliseconds(20)) != std::future_status::ready)
+  {
+    watch(fraction);
+  }
+  if (goOn)
+  {
+    done.get();
+  }
+}
+
+} // namespace FlipFree
