@@ -1,5 +1,6 @@
 #include "VolumeFile.h"
 
+#include "DetachedTask.h"
 #include "DicomSeries.h"
 #include "NiftiCheck.h"
 
@@ -10,22 +11,12 @@
 #include "itkNrrdImageIO.h"
 
 #include <algorithm>
-#include <chrono>
 #include <fstream>
-#include <future>
-#include <thread>
 
 namespace FlipFree
 {
 namespace
 {
-
-bool EndsWith(const std::string& name, const std::string& ending)
-{
-  return name.size() >= ending.size() &&
-    std::equal(ending.rbegin(), ending.rend(), name.rbegin(),
-      [](char a, char b) { return a == std::tolower(static_cast<unsigned char>(b)); });
-}
 
 bool HasKnownEnding(const std::string& name)
 {
@@ -54,6 +45,13 @@ ImageFileError WhyNotReadable(const std::string& name)
 }
 
 } // namespace
+
+bool EndsWith(const std::string& name, const std::string& ending)
+{
+  return name.size() >= ending.size() &&
+    std::equal(ending.rbegin(), ending.rend(), name.rbegin(),
+      [](char a, char b) { return a == std::tolower(static_cast<unsigned char>(b)); });
+}
 
 itk::ImageIOBase::Pointer OpenVolumeFile(const std::string& name)
 {
@@ -88,31 +86,22 @@ itk::ImageIOBase::Pointer OpenVolumeFile(const std::string& name)
 void ReadVolumeFile(const itk::ImageIOBase::Pointer& io, const std::string& name,
   const vtkSmartPointer<vtkDataArray>& scalars, const Monitor& monitor)
 {
-  std::packaged_task<void()> read(
-    [io, name, scalars]() { ReadVoxels(io, name, scalars->GetVoidPointer(0)); });
-  std::future<void> done = read.get_future();
-  std::thread(std::move(read)).detach();
-
-  // Meanwhile, in this thread: the check costs no time of its own.
+  DetachedTask read([io, name, scalars]() { ReadVoxels(io, name, scalars->GetVoidPointer(0)); });
   double fraction = 0;
-  bool goOn = monitor(fraction);
-  const auto watch = [&](double checked)
-  {
-    fraction = checked;
-    goOn = goOn && monitor(fraction);
-    return goOn;
-  };
+  bool goOn = true;
   if (dynamic_cast<itk::NiftiImageIO*>(io.GetPointer()))
   {
-    RequireCompleteNifti(name, watch);
-  }
-  while (goOn && done.wait_for(std::chrono::milliseconds(20)) != std::future_status::ready)
-  {
-    watch(fraction);
+    // Meanwhile, in this thread: the check costs no time of its own.
+    RequireCompleteNifti(name,
+      [&](double checked)
+      {
+        fraction = checked;
+        return goOn = monitor(checked);
+      });
   }
   if (goOn)
   {
-    done.get();
+    read.Wait([&]() { return monitor(fraction); });
   }
 }
 

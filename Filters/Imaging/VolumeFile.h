@@ -12,6 +12,9 @@
 namespace FlipFree
 {
 
+/// Whatever the case of the letters; the ending is given in small ones.
+bool EndsWith(const std::string& name, const std::string& ending);
+
 /// ITK's reader for the file, its header read; an ImageFileError if there is none.
 itk::ImageIOBase::Pointer OpenVolumeFile(const std::string& name);
 

@@ -2,9 +2,11 @@
 
 #include "vtkDataArray.h"
 #include "vtkErrorCode.h"
+#include "vtkType.h"
 
 #include <climits>
 #include <sstream>
+#include <type_traits>
 
 namespace FlipFree
 {
@@ -13,40 +15,23 @@ namespace
 
 using Component = itk::ImageIOBase::IOComponentEnum;
 
-int ScalarTypeOf(Component component, const std::string& name)
+struct TypePair
 {
-  switch (component)
-  {
-    case Component::CHAR:
-      return VTK_SIGNED_CHAR;
-    case Component::UCHAR:
-      return VTK_UNSIGNED_CHAR;
-    case Component::SHORT:
-      return VTK_SHORT;
-    case Component::USHORT:
-      return VTK_UNSIGNED_SHORT;
-    case Component::INT:
-      return VTK_INT;
-    case Component::UINT:
-      return VTK_UNSIGNED_INT;
-    case Component::LONG:
-      return VTK_LONG;
-    case Component::ULONG:
-      return VTK_UNSIGNED_LONG;
-    case Component::LONGLONG:
-      return VTK_LONG_LONG;
-    case Component::ULONGLONG:
-      return VTK_UNSIGNED_LONG_LONG;
-    case Component::FLOAT:
-      return VTK_FLOAT;
-    case Component::DOUBLE:
-      return VTK_DOUBLE;
-    default:
-      throw ImageFileError(vtkErrorCode::FileFormatError,
-        "The voxels of '" + name + "' are of a type that VTK does not have. Convert them to an " +
-          "integer type of up to 64 bits, to float or to double.");
-  }
-}
+  int ScalarType;
+  Component ItkComponent;
+};
+
+/// The first pair of a component is the type that it is read as: integers of 64 bits have several.
+constexpr TypePair TypePairs[] = { { VTK_SIGNED_CHAR, Component::CHAR },
+  { VTK_UNSIGNED_CHAR, Component::UCHAR }, { VTK_SHORT, Component::SHORT },
+  { VTK_UNSIGNED_SHORT, Component::USHORT }, { VTK_INT, Component::INT },
+  { VTK_UNSIGNED_INT, Component::UINT }, { VTK_TYPE_INT64, Component::LONGLONG },
+  { VTK_TYPE_UINT64, Component::ULONGLONG }, { VTK_TYPE_INT64, Component::LONG },
+  { VTK_TYPE_UINT64, Component::ULONG }, { VTK_LONG, Component::LONG },
+  { VTK_UNSIGNED_LONG, Component::ULONG }, { VTK_LONG_LONG, Component::LONGLONG },
+  { VTK_UNSIGNED_LONG_LONG, Component::ULONGLONG }, { VTK_ID_TYPE, Component::LONGLONG },
+  { VTK_CHAR, std::is_signed<char>::value ? Component::CHAR : Component::UCHAR },
+  { VTK_FLOAT, Component::FLOAT }, { VTK_DOUBLE, Component::DOUBLE } };
 
 std::string DimensionsText(const itk::ImageIOBase* io)
 {
@@ -110,7 +95,7 @@ VolumeHeader HeaderOf(const itk::ImageIOBase* io, const std::string& name)
 {
   RequireOneVolume(io, name);
   VolumeHeader header;
-  header.ScalarType = ScalarTypeOf(io->GetComponentType(), name);
+  header.ScalarType = ScalarTypeOf(io->GetComponentType());
   ImageGeometry& geometry = header.Geometry;
   for (int axis = 0; axis < 3; ++axis)
   {
@@ -138,6 +123,35 @@ VolumeHeader HeaderOf(const itk::ImageIOBase* io, const std::string& name)
     throw ImageFileError(vtkErrorCode::FileFormatError, message.str());
   }
   return header;
+}
+
+int ScalarTypeOf(Component component)
+{
+  for (const TypePair& pair : TypePairs)
+  {
+    if (pair.ItkComponent == component)
+    {
+      return pair.ScalarType;
+    }
+  }
+  throw ImageFileError(vtkErrorCode::FileFormatError,
+    "The voxels are of a type that VTK does not have. Convert them to an integer type of up to 64 "
+    "bits, to float or to double.");
+}
+
+itk::ImageIOBase::IOComponentEnum ComponentOf(int scalarType)
+{
+  for (const TypePair& pair : TypePairs)
+  {
+    if (pair.ScalarType == scalarType)
+    {
+      return pair.ItkComponent;
+    }
+  }
+  throw ImageFileError(vtkErrorCode::FileFormatError,
+    std::string("Voxels of type ") + vtkImageScalarTypeNameMacro(scalarType) +
+      " cannot be written. Convert them to an integer type of up to 64 bits, to float or to "
+      "double.");
 }
 
 void ReadVoxels(itk::ImageIOBase* io, const std::string& name, void* voxels)

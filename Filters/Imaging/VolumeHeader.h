@@ -40,6 +40,12 @@ struct VolumeHeader
 /// number per voxel: 2D and 4D images, several components, a grid that is not invertible.
 VolumeHeader HeaderOf(const itk::ImageIOBase* io, const std::string& name);
 
+/// The VTK scalar type for ITK's; one and the same for all integers of 64 bits.
+int ScalarTypeOf(itk::ImageIOBase::IOComponentEnum component);
+
+/// ITK's name for a VTK scalar type; an ImageFileError for types that no file holds.
+itk::ImageIOBase::IOComponentEnum ComponentOf(int scalarType);
+
 /// Tells `io` that the whole image is meant, and reads it into `voxels`.
 void ReadVoxels(itk::ImageIOBase* io, const std::string& name, void* voxels);
 
