@@ -1,16 +1,17 @@
 #include "DicomSeries.h"
 
+#include "DicomCheck.h"
+
 #include "vtkDataArray.h"
 #include "vtkErrorCode.h"
 #include "vtkSmartPointer.h"
 
 #include "itkGDCMImageIO.h"
 
-#include "gdcmReader.h"
+#include "gdcmTrace.h"
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <map>
 #include <sstream>
 
@@ -19,15 +20,28 @@ namespace FlipFree
 namespace
 {
 
-/// Structured reports, contours, directories: no rows (0028,0010). A file that cannot be parsed
-/// counts as an image, so that it is reported and not passed over.
-bool HasImage(const std::string& name)
+/// GDCM's messages go to the terminal, past VTK's; within a scope that holds one of these they are
+/// off. What they are about is reported here, where it matters.
+class GdcmMessagesOff
 {
-  const gdcm::Tag rows(0x0028, 0x0010);
-  gdcm::Reader reader;
-  reader.SetFileName(name.c_str());
-  return !reader.ReadUpToTag(rows) || reader.GetFile().GetDataSet().FindDataElement(rows);
-}
+public:
+  GdcmMessagesOff()
+  {
+    gdcm::Trace::WarningOff();
+    gdcm::Trace::ErrorOff();
+  }
+  ~GdcmMessagesOff()
+  {
+    gdcm::Trace::SetWarning(this->Warnings);
+    gdcm::Trace::SetError(this->Errors);
+  }
+  GdcmMessagesOff(const GdcmMessagesOff&) = delete;
+  void operator=(const GdcmMessagesOff&) = delete;
+
+private:
+  bool Warnings = gdcm::Trace::GetWarningFlag();
+  bool Errors = gdcm::Trace::GetErrorFlag();
+};
 
 itk::GDCMImageIO::Pointer OpenDicomFile(const std::string& name)
 {
@@ -147,7 +161,7 @@ std::vector<std::string> DicomFilesIn(const std::string& folder)
   {
     std::error_code ignored;
     if (entry.is_regular_file(ignored) && HasDicomMark(entry.path().string()) &&
-      HasImage(entry.path().string()))
+      IsCompleteDicomImage(entry.path().string()))
     {
       files.push_back(entry.path().string());
     }
@@ -170,16 +184,9 @@ std::vector<std::string> DicomFilesIn(const std::string& folder)
 
 } // namespace
 
-bool HasDicomMark(const std::string& name)
-{
-  std::ifstream file(name, std::ios::binary);
-  char mark[4] = {};
-  file.seekg(128).read(mark, sizeof(mark));
-  return file && std::equal(mark, mark + 4, "DICM");
-}
-
 std::vector<DicomSeries> ListDicomSeries(const std::string& folder, const Monitor& monitor)
 {
+  const GdcmMessagesOff quiet;
   const std::vector<std::string> files = DicomFilesIn(folder);
   std::map<std::string, DicomSeries> byUID;
   for (std::size_t index = 0; index < files.size(); ++index)
@@ -264,6 +271,7 @@ VolumeHeader HeaderOfSeries(const DicomSeries& series, std::string& warning)
 void ReadSeriesVoxels(const DicomSeries& series, const VolumeHeader& header, void* voxels,
   const Monitor& monitor)
 {
+  const GdcmMessagesOff quiet;
   const std::size_t count = series.Slices.size();
   const std::size_t stride = header.NumberOfBytes() / count;
   for (std::size_t index = 0; index < count; ++index)

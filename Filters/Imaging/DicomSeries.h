@@ -11,10 +11,6 @@
 namespace FlipFree
 {
 
-/// Does the file bear the mark of DICOM, behind a preamble of 128 bytes? Files without it are not
-/// shown to GDCM, whose parser stops the program at some of them.
-bool HasDicomMark(const std::string& name);
-
 /// One file of a series.
 struct DicomSlice
 {

@@ -1,8 +1,8 @@
 #include "VolumeFile.h"
 
+#include "CompletenessCheck.h"
 #include "DetachedTask.h"
-#include "DicomSeries.h"
-#include "NiftiCheck.h"
+#include "DicomCheck.h"
 
 #include "vtkErrorCode.h"
 
@@ -89,16 +89,13 @@ void ReadVolumeFile(const itk::ImageIOBase::Pointer& io, const std::string& name
   DetachedTask read([io, name, scalars]() { ReadVoxels(io, name, scalars->GetVoidPointer(0)); });
   double fraction = 0;
   bool goOn = true;
-  if (dynamic_cast<itk::NiftiImageIO*>(io.GetPointer()))
-  {
-    // Meanwhile, in this thread: the check costs no time of its own.
-    RequireCompleteNifti(name,
-      [&](double checked)
-      {
-        fraction = checked;
-        return goOn = monitor(checked);
-      });
-  }
+  // Meanwhile, in this thread: the check costs no time of its own.
+  RequireComplete(io, name,
+    [&](double checked)
+    {
+      fraction = checked;
+      return goOn = monitor(checked);
+    });
   if (goOn)
   {
     read.Wait([&]() { return monitor(fraction); });

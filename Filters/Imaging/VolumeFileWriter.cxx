@@ -1,7 +1,7 @@
 #include "VolumeFileWriter.h"
 
+#include "CompletenessCheck.h"
 #include "DetachedTask.h"
-#include "NiftiCheck.h"
 #include "VolumeFile.h"
 
 #include "vtkErrorCode.h"
@@ -174,10 +174,7 @@ Volume ReadBack(const std::string& written, const std::string& destination)
     Volume volume;
     const auto io = OpenVolumeFile(written);
     volume.Header = HeaderOf(io, written);
-    if (dynamic_cast<itk::NiftiImageIO*>(io.GetPointer()))
-    {
-      RequireCompleteNifti(written, NeverStop);
-    }
+    RequireComplete(io, written, NeverStop);
     volume.Voxels.resize(volume.Header.NumberOfBytes());
     ReadVoxels(io, written, volume.Voxels.data());
     return volume;
@@ -276,14 +273,16 @@ bool WriteVolumeFile(const std::string& name, const VolumeHeader& header,
       fs::weakly_canonical(destination, ignored); // what it points to is replaced, not it
   }
   const auto scratch = std::make_shared<ScratchFolder>(destination);
+  // Now, not when the task has let go of its share.
+  const std::unique_ptr<ScratchFolder, void (*)(ScratchFolder*)> removal(scratch.get(),
+    [](ScratchFolder* folder) { folder->Remove(); });
   const fs::path written = scratch->Path / destination.filename();
   // The task has its share in the voxels and in the scratch folder, for as long as it needs them.
   DetachedTask write([=, share = scratch]()
     { WriteAndCheck(written.string(), name, header, scalars->GetVoidPointer(0), compress); });
   if (!write.Wait([&monitor]() { return monitor(0); }))
   {
-    scratch->Remove(); // what the task goes on writing has no name any more
-    return false;
+    return false; // what the task goes on writing has no name any more
   }
   MoveOut(written, destination);
   return true;

@@ -130,7 +130,7 @@ Extent BoxOfSphere(vtkImageData* image, const Eigen::Vector3d& center, double ra
   for (int axis = 0; axis < 3; ++axis)
   {
     // Clamped before it becomes an integer, so that far-away spheres do not wrap around.
-    const double reach = radius * toIndex.row(axis).norm();
+    const double reach = radius * toIndex.row(axis).norm() + 1e-6; // the sphere itself decides
     const double size = geometry.Dimensions[axis];
     const int first = whole.Bounds[2 * axis];
     box.Bounds[2 * axis] =
@@ -195,6 +195,7 @@ template <typename TFilter>
 bool Diffuse(vtkImageData* image, int iterations, double timeStep, double conductance,
   double gradientScale, const FlipFree::Monitor& monitor)
 {
+  const FlipFree::ItkWarningsOff quiet; // one of the two filters warns as if spacings were 1
   auto filter = FlipFree::MonitoredDiffusion<TFilter>::New();
   filter->SetInput(FlipFree::ShareWithItk<float>(image));
   filter->InPlaceOn(); // into VTK's own array

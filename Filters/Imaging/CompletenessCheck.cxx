@@ -1,15 +1,17 @@
-#include "NiftiCheck.h"
-
-#include "VolumeHeader.h"
+#include "CompletenessCheck.h"
 
 #include "vtkErrorCode.h"
 
+#include "itkMetaImageIO.h"
+#include "itkNiftiImageIO.h"
 #include "itk_zlib.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <filesystem>
+#include <fstream>
+#include <map>
 #include <memory>
 #include <vector>
 
@@ -119,8 +121,6 @@ void RequireCompleteGzip(const std::string& name, gzFile file, double wanted,
   }
 }
 
-} // namespace
-
 void RequireCompleteNifti(const std::string& name, const Monitor& monitor)
 {
   const NiftiLayout layout = LayoutOf(name);
@@ -137,6 +137,113 @@ void RequireCompleteNifti(const std::string& name, const Monitor& monitor)
   else if (static_cast<double>(std::filesystem::file_size(voxels)) < layout.NumberOfBytes)
   {
     throw Incomplete(voxels, "it holds fewer voxels than its header says");
+  }
+}
+
+/// The fields of a MetaImage header, which ends with the name of the voxels' file; `end` is where.
+std::map<std::string, std::string> MetaImageFields(const std::string& name, std::streamoff& end)
+{
+  std::map<std::string, std::string> fields;
+  std::ifstream file(name, std::ios::binary);
+  std::string line;
+  while (fields.count("ElementDataFile") == 0 && std::getline(file, line))
+  {
+    const auto trimmed = [](const std::string& text)
+    {
+      const std::size_t first = text.find_first_not_of(" \t\r");
+      return first == std::string::npos
+        ? std::string()
+        : text.substr(first, text.find_last_not_of(" \t\r") + 1 - first);
+    };
+    const std::size_t equals = std::min(line.find('='), line.size());
+    fields[trimmed(line.substr(0, equals))] =
+      trimmed(line.substr(std::min(equals + 1, line.size())));
+  }
+  end = file.tellg();
+  return fields;
+}
+
+/// Inflates what follows in the file until it has given as many bytes as wanted, or ends.
+void RequireCompleteDeflated(const std::string& name, std::ifstream& file, double wanted,
+  const Monitor& monitor)
+{
+  std::vector<char> packed(1 << 17);
+  std::vector<unsigned char> plain(1 << 19);
+  z_stream stream = {};
+  if (inflateInit2(&stream, MAX_WBITS + 32) != Z_OK)
+  {
+    throw std::bad_alloc();
+  }
+  const std::unique_ptr<z_stream, int (*)(z_stream*)> end(&stream, inflateEnd);
+  double found = 0;
+  int state = Z_OK;
+  while (state == Z_OK && monitor(std::min(1.0, found / wanted)))
+  {
+    if (stream.avail_in == 0)
+    {
+      file.read(packed.data(), static_cast<std::streamsize>(packed.size()));
+      stream.next_in = reinterpret_cast<unsigned char*>(packed.data());
+      stream.avail_in = static_cast<unsigned int>(file.gcount());
+    }
+    stream.next_out = plain.data();
+    stream.avail_out = static_cast<unsigned int>(plain.size());
+    state = inflate(&stream, Z_NO_FLUSH); // without input left: Z_BUF_ERROR
+    found += static_cast<double>(plain.size() - stream.avail_out);
+  }
+  if (state != Z_OK && state != Z_STREAM_END)
+  {
+    throw Incomplete(name, "its compressed stream breaks off or fails its checksum");
+  }
+  if (state == Z_STREAM_END && found < wanted)
+  {
+    throw Incomplete(name, "it holds fewer voxels than its header says");
+  }
+}
+
+void RequireCompleteMetaImage(const std::string& name, double wanted, const Monitor& monitor)
+{
+  std::streamoff offset = 0;
+  auto fields = MetaImageFields(name, offset);
+  std::string voxels = name;
+  const std::string place = fields["ElementDataFile"];
+  if (place == "LIST" || place.find('%') != std::string::npos || fields["BinaryData"] == "False")
+  {
+    return; // many files, or numbers as text
+  }
+  if (place != "LOCAL" && place != "Local" && place != "local")
+  {
+    voxels = (std::filesystem::path(name).parent_path() / place).string();
+    offset = 0;
+  }
+  std::ifstream file(voxels, std::ios::binary);
+  if (!file)
+  {
+    throw Incomplete(name, "'" + voxels + "' is missing");
+  }
+  if (fields["CompressedData"] == "True")
+  {
+    file.seekg(offset);
+    RequireCompleteDeflated(name, file, wanted, monitor);
+  }
+  else if (static_cast<double>(std::filesystem::file_size(voxels)) <
+    wanted + static_cast<double>(offset))
+  {
+    throw Incomplete(name, "it holds fewer voxels than its header says");
+  }
+}
+
+} // namespace
+
+void RequireComplete(itk::ImageIOBase* io, const std::string& name, const Monitor& monitor)
+{
+  if (dynamic_cast<itk::NiftiImageIO*>(io))
+  {
+    RequireCompleteNifti(name, monitor);
+  }
+  else if (dynamic_cast<itk::MetaImageIO*>(io))
+  {
+    RequireCompleteMetaImage(name, static_cast<double>(HeaderOf(io, name).NumberOfBytes()),
+      monitor);
   }
 }
 
