@@ -32,6 +32,13 @@ Gzip OpenGzip(const std::string& name)
   return file;
 }
 
+double SizeOf(const std::string& name)
+{
+  std::error_code failure;
+  const auto size = std::filesystem::file_size(name, failure);
+  return failure ? 0 : static_cast<double>(size);
+}
+
 /// A number of the header, from the machine's byte order or the other.
 template <typename T>
 T Field(const unsigned char* header, int offset, bool swap)
@@ -85,7 +92,8 @@ std::string VoxelFileOfPair(const std::string& name)
     path.replace_extension();
   }
   path.replace_extension(".img");
-  return std::filesystem::exists(path) ? path.string() : path.string() + ".gz";
+  std::error_code ignored;
+  return std::filesystem::exists(path, ignored) ? path.string() : path.string() + ".gz";
 }
 
 ImageFileError Incomplete(const std::string& name, const std::string& what)
@@ -98,7 +106,7 @@ ImageFileError Incomplete(const std::string& name, const std::string& what)
 void RequireCompleteGzip(const std::string& name, gzFile file, double wanted,
   const Monitor& monitor)
 {
-  const double size = static_cast<double>(std::filesystem::file_size(name));
+  const double size = SizeOf(name);
   std::vector<unsigned char> chunk(1 << 19);
   double found = 0;
   for (int count = 1; count > 0; found += std::max(0, count))
@@ -134,7 +142,7 @@ void RequireCompleteNifti(const std::string& name, const Monitor& monitor)
   {
     RequireCompleteGzip(voxels, file.get(), layout.NumberOfBytes, monitor);
   }
-  else if (static_cast<double>(std::filesystem::file_size(voxels)) < layout.NumberOfBytes)
+  else if (SizeOf(voxels) < layout.NumberOfBytes)
   {
     throw Incomplete(voxels, "it holds fewer voxels than its header says");
   }
@@ -225,8 +233,7 @@ void RequireCompleteMetaImage(const std::string& name, double wanted, const Moni
     file.seekg(offset);
     RequireCompleteDeflated(name, file, wanted, monitor);
   }
-  else if (static_cast<double>(std::filesystem::file_size(voxels)) <
-    wanted + static_cast<double>(offset))
+  else if (SizeOf(voxels) < wanted + static_cast<double>(offset))
   {
     throw Incomplete(name, "it holds fewer voxels than its header says");
   }

@@ -86,9 +86,13 @@ public:
     return value;
   }
 
-  /// The group of the element that follows, in the byte order of the first group.
+  /// The group of the element that follows, in the byte order of the first group; -1 at the end.
   int NextGroup()
   {
+    if (this->AtEnd())
+    {
+      return -1;
+    }
     const std::uint64_t left = this->Left;
     const auto group = this->Number<std::uint16_t>(false);
     this->File.seekg(-2, std::ios::cur);
@@ -110,17 +114,18 @@ public:
     char vr[2] = { 0, 0 };
     this->Take(2);
     this->File.read(vr, 2);
-    if (std::any_of(vr, vr + 2, [](char letter) { return letter < 'A' || letter > 'Z'; }))
-    {
-      this->Refuse("an element has no known type");
-    }
     const std::string type(vr, 2);
-    const char* const longTypes[] = { "OB", "OD", "OF", "OL", "OV", "OW", "SQ", "SV", "UC", "UN",
-      "UR", "UT", "UV" };
-    if (std::find(std::begin(longTypes), std::end(longTypes), type) == std::end(longTypes))
+    const std::string shortTypes =
+      "AE AS AT CS DA DS DT FD FL IS LO LT PN SH SL SS ST TM UI UL US ";
+    const std::string longTypes = "OB OD OF OL OV OW SQ SV UC UN UR UT UV ";
+    if (shortTypes.find(type + ' ') != std::string::npos)
     {
       element.Length = this->Number<std::uint16_t>(big);
       return element;
+    }
+    if (longTypes.find(type + ' ') == std::string::npos)
+    {
+      this->Refuse("an element has no known type");
     }
     this->Skip(2);
     element.Length = this->Number<std::uint32_t>(big);

@@ -118,15 +118,9 @@ int vtkMedicalImageReader::RequestInformation(vtkInformation*, vtkInformationVec
       found.Header = FlipFree::HeaderOf(FlipFree::OpenVolumeFile(name), name);
     }
   }
-  catch (const FlipFree::ImageFileError& error)
+  catch (const std::exception& error)
   {
-    if (vtkImageData* stale = vtkImageData::GetData(outInfo))
-    {
-      stale->Initialize();
-    }
-    this->SetErrorCode(error.Code);
-    vtkErrorMacro(<< error.what());
-    return 0;
+    return this->Fail(error, outInfo);
   }
 
   const FlipFree::ImageGeometry& geometry = this->Found->Header.Geometry;
@@ -188,13 +182,30 @@ int vtkMedicalImageReader::RequestData(vtkInformation*, vtkInformationVector**,
     output->GetPointData()->SetScalars(scalars);
     return 1;
   }
-  catch (const FlipFree::ImageFileError& error)
+  catch (const std::exception& error)
   {
-    output->Initialize();
-    this->SetErrorCode(error.Code);
-    vtkErrorMacro(<< error.what());
-    return 0;
+    return this->Fail(error, outputVector->GetInformationObject(0));
   }
+}
+
+int vtkMedicalImageReader::Fail(const std::exception& error, vtkInformation* outInfo)
+{
+  if (vtkImageData* stale = vtkImageData::GetData(outInfo))
+  {
+    stale->Initialize();
+  }
+  if (const auto* expected = dynamic_cast<const FlipFree::ImageFileError*>(&error))
+  {
+    this->SetErrorCode(expected->Code);
+    vtkErrorMacro(<< expected->what());
+  }
+  else
+  {
+    this->SetErrorCode(vtkErrorCode::UnknownError);
+    vtkErrorMacro(<< "'" << this->FileName << "' cannot be read (" << error.what()
+                  << "). Check the file and the memory left.");
+  }
+  return 0;
 }
 
 int vtkMedicalImageReader::GetNumberOfSeries()

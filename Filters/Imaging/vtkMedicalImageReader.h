@@ -31,6 +31,7 @@
 #include "FlipFreeImagingModule.h"
 #include "vtkImageAlgorithm.h"
 
+#include <exception>
 #include <memory>
 
 class FLIPFREEIMAGING_EXPORT vtkMedicalImageReader : public vtkImageAlgorithm
@@ -86,6 +87,8 @@ protected:
 private:
   vtkMedicalImageReader(const vtkMedicalImageReader&) = delete;
   void operator=(const vtkMedicalImageReader&) = delete;
+
+  int Fail(const std::exception& error, vtkInformation* outInfo);
 
   struct Source;
   std::unique_ptr<Source> Found;

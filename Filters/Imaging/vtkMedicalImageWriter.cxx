@@ -84,6 +84,12 @@ void vtkMedicalImageWriter::WriteData()
     this->SetErrorCode(error.Code);
     vtkErrorMacro(<< error.what());
   }
+  catch (const std::exception& error)
+  {
+    this->SetErrorCode(vtkErrorCode::UnknownError);
+    vtkErrorMacro(<< "'" << this->FileName << "' cannot be written (" << error.what()
+                  << "). Check the folder and the memory left.");
+  }
 }
 
 void vtkMedicalImageWriter::PrintSelf(ostream& os, vtkIndent indent)

@@ -321,4 +321,54 @@ TEST(TestDicomSeries, TruncatedAtAnyPlace)
   }
 }
 
+TEST(TestDicomSeries, DamagedSoThatGdcmWouldStopTheProgram)
+{
+  ExampleImages::Folder folder;
+  WriteSeries(ObliqueImage(), folder);
+  const std::string bytes = ExampleImages::ReadBytes(folder / "a3.dcm");
+  // The type of an element of the first group: no such type.
+  const std::size_t type = bytes.find("UI");
+  std::string damaged = bytes;
+  damaged[type + 1] = 'J';
+  ExampleImages::WriteBytes(folder / "a3.dcm", damaged);
+  ExpectRefusal(ReaderOf(folder), { "a3.dcm", "damaged" });
+  // Fewer pixels than rows and columns say.
+  damaged = bytes.substr(0, bytes.size() - 10);
+  const std::size_t pixels = bytes.rfind(std::string("\xE0\x7F\x10\x00", 4));
+  ASSERT_NE(pixels, std::string::npos);
+  for (std::size_t length = pixels + 4; length < pixels + 12; ++length)
+  {
+    if (damaged[length] == 56) // 7 x 4 voxels of two bytes
+    {
+      damaged[length] = 46;
+    }
+  }
+  ExampleImages::WriteBytes(folder / "a3.dcm", damaged);
+  ExpectRefusal(ReaderOf(folder), { "a3.dcm", "fewer pixels" });
+}
+
+TEST(TestDicomSeries, ReportsAndContoursArePassedOver)
+{
+  ExampleImages::Folder folder;
+  WriteSeries(ObliqueImage(), folder);
+  const std::string structures = "1.2.840.10008.5.1.4.1.1.481.3";
+  // A structure set: another class of object, and no pixels.
+  std::string other(128, '\0');
+  const auto element = [&other](int number, const std::string& type, std::string value)
+  {
+    value.resize(value.size() + value.size() % 2, '\0');
+    other += std::string("\2\0", 2) + static_cast<char>(number) + '\0' + type +
+      static_cast<char>(value.size()) + '\0' + value;
+  };
+  other += "DICM";
+  element(0x02, "UI", structures);
+  element(0x10, "UI", "1.2.840.10008.1.2.1");
+  ExampleImages::WriteBytes(folder / "structures.dcm", other);
+  auto reader = ReaderOf(folder);
+  reader->Update();
+  EXPECT_EQ(reader->GetErrorCode(), vtkErrorCode::NoError);
+  EXPECT_EQ(reader->GetNumberOfSeries(), 1);
+  EXPECT_EQ(reader->GetOutput()->GetNumberOfPoints(), 140);
+}
+
 } // namespace

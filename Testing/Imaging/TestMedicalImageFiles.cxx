@@ -376,6 +376,42 @@ TEST(TestMedicalImageFiles, WhatIsNoVolume)
     120, { "image.nrrd", "determinant" });
 }
 
+TEST(TestMedicalImageFiles, DamagedHeaders)
+{
+  ExampleImages::Folder folder;
+  // No blank line ends the header; ITK's reader would stop the program at the voxels.
+  std::string bytes = Nrrd("dimension: 3\nsizes: 4 5 6", 120);
+  bytes.replace(bytes.find("\n\n"), 2, "\n" + std::string(400, '\1'));
+  ExampleImages::WriteBytes(folder / "image.nrrd", bytes);
+  ExpectRefusal(folder / "image.nrrd", { "image.nrrd", "damaged" });
+
+  auto image = ExampleImages::Make(VTK_SHORT, ExampleImages::Directions()[0].Matrix);
+  ASSERT_EQ(Write(image, folder / "image.mhd"), 1);
+  const std::string header = ExampleImages::ReadBytes(folder / "image.mhd");
+  const auto replaced = [&header](const std::string& what, const std::string& by)
+  {
+    std::string result = header;
+    result.replace(result.find(what), what.size(), by);
+    return result;
+  };
+  for (const std::string voxels : { "missing.zraw", ".", "" })
+  {
+    ExampleImages::WriteBytes(folder / "image.mhd", replaced("image.zraw", voxels));
+    ExpectRefusal(folder / "image.mhd", { "image.mhd" });
+  }
+  ExampleImages::WriteBytes(folder / "image.mhd", replaced("7 4 5", "7 4 50"));
+  ExpectRefusal(folder / "image.mhd", { "image.mhd", "voxels" });
+  ExampleImages::WriteBytes(folder / "image.mhd", replaced("7 4 5", "70000 70000 70000"));
+  ExpectRefusal(folder / "image.mhd", { "image.mhd" });
+
+  ASSERT_EQ(Write(image, folder / "image.nii"), 1);
+  bytes = ExampleImages::ReadBytes(folder / "image.nii");
+  const std::int16_t sizes[3] = { 32000, 32000, 32000 }; // 60 TB
+  std::memcpy(&bytes[42], sizes, sizeof(sizes));
+  ExampleImages::WriteBytes(folder / "image.nii", bytes);
+  ExpectRefusal(folder / "image.nii", { "image.nii", "memory" });
+}
+
 TEST(TestMedicalImageFiles, ShearedGridOnlyWhereTheFormatHoldsIt)
 {
   ExampleImages::Folder folder;
