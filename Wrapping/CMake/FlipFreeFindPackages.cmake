@@ -50,6 +50,7 @@ if (FLIPFREE_USE_ITK)
   set(_flipfree_itk_components
     ITKCommon
     ITKAnisotropicSmoothing
+    ITKGDCM
     ITKIOGDCM
     ITKIOImageBase
     ITKIOMeta
@@ -57,4 +58,15 @@ if (FLIPFREE_USE_ITK)
     ITKIONRRD
     ITKVTK)
   find_package(ITK 5.2 REQUIRED COMPONENTS ${_flipfree_itk_components})
+
+  # Distributions leave the module ITKVtkGlue out. Two of its headers are all that is used of it.
+  find_path(FLIPFREE_ITKVTKGLUE_INCLUDE_DIR itkVTKImageToImageFilter.h
+    HINTS ${ITK_INCLUDE_DIRS}
+    NO_DEFAULT_PATH
+    DOC "Folder with the headers of ITK's module ITKVtkGlue, where the ITK at hand has it")
+  if (FLIPFREE_ITKVTKGLUE_INCLUDE_DIR)
+    message(STATUS "ITK and VTK meet by ITKVtkGlue (${FLIPFREE_ITKVTKGLUE_INCLUDE_DIR})")
+  else ()
+    message(STATUS "ITK and VTK meet by our stand-ins for ITKVtkGlue")
+  endif ()
 endif ()

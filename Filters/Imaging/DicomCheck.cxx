@@ -1,0 +1,308 @@
+#include "DicomCheck.h"
+
+#include "VolumeHeader.h"
+
+#include "vtkErrorCode.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+
+namespace FlipFree
+{
+namespace
+{
+
+constexpr std::uint32_t Undefined = 0xFFFFFFFF;
+constexpr std::uint32_t Item = 0xFFFEE000;
+constexpr std::uint32_t EndOfItem = 0xFFFEE00D;
+constexpr std::uint32_t EndOfSequence = 0xFFFEE0DD;
+constexpr std::uint32_t PixelData = 0x7FE00010;
+
+struct Encoding
+{
+  bool ExplicitVR = true;
+  bool BigEndian = false;
+};
+
+/// A data element without its value, at which the file stands.
+struct Element
+{
+  std::uint32_t Tag = 0;
+  std::uint32_t Length = 0;
+  bool IsUnknownSequence = false; // coded implicitly, whatever surrounds it
+};
+
+/// Reads numbers of either byte order; reading or skipping past the end of the file is an error.
+class DicomFile
+{
+public:
+  explicit DicomFile(const std::string& name)
+    : Name(name)
+    , File(name, std::ios::binary)
+  {
+    std::error_code ignored;
+    this->Left = std::filesystem::file_size(name, ignored);
+  }
+
+  bool AtEnd() const { return this->Left == 0; }
+
+  [[noreturn]] void Refuse(const std::string& why) const
+  {
+    throw ImageFileError(vtkErrorCode::PrematureEndOfFileError,
+      "The DICOM file '" + this->Name + "' cannot be read: " + why +
+        ". It is truncated or damaged: get its series anew.");
+  }
+
+  std::string Text(std::uint32_t length)
+  {
+    std::string text(this->Take(length), '\0');
+    this->File.read(&text[0], length);
+    return text.substr(0, text.find_last_not_of(std::string(" \0", 2)) + 1);
+  }
+
+  void Skip(std::uint32_t length)
+  {
+    this->File.seekg(static_cast<std::streamoff>(this->Take(length)), std::ios::cur);
+  }
+
+  template <typename T>
+  T Number(bool bigEndian)
+  {
+    unsigned char bytes[sizeof(T)] = {};
+    this->Take(sizeof(T));
+    this->File.read(reinterpret_cast<char*>(bytes), sizeof(T));
+    if (!bigEndian)
+    {
+      std::reverse(bytes, bytes + sizeof(T));
+    }
+    T value = 0;
+    for (const unsigned char byte : bytes)
+    {
+      value = static_cast<T>(value << 8 | byte);
+    }
+    return value;
+  }
+
+  /// The group of the element that follows, in the byte order of the first group; -1 at the end.
+  int NextGroup()
+  {
+    if (this->AtEnd())
+    {
+      return -1;
+    }
+    const std::uint64_t left = this->Left;
+    const auto group = this->Number<std::uint16_t>(false);
+    this->File.seekg(-2, std::ios::cur);
+    this->Left = left;
+    return group;
+  }
+
+  Element Next(const Encoding& encoding)
+  {
+    Element element;
+    const bool big = encoding.BigEndian;
+    element.Tag = static_cast<std::uint32_t>(this->Number<std::uint16_t>(big)) << 16;
+    element.Tag |= this->Number<std::uint16_t>(big);
+    if (element.Tag >> 16 == 0xFFFE || !encoding.ExplicitVR)
+    {
+      element.Length = this->Number<std::uint32_t>(big);
+      return element;
+    }
+    char vr[2] = { 0, 0 };
+    this->Take(2);
+    this->File.read(vr, 2);
+    const std::string type(vr, 2);
+    const std::string shortTypes =
+      "AE AS AT CS DA DS DT FD FL IS LO LT PN SH SL SS ST TM UI UL US ";
+    const std::string longTypes = "OB OD OF OL OV OW SQ SV UC UN UR UT UV ";
+    if (shortTypes.find(type + ' ') != std::string::npos)
+    {
+      element.Length = this->Number<std::uint16_t>(big);
+      return element;
+    }
+    if (longTypes.find(type + ' ') == std::string::npos)
+    {
+      this->Refuse("an element has no known type");
+    }
+    this->Skip(2);
+    element.Length = this->Number<std::uint32_t>(big);
+    element.IsUnknownSequence = type == "UN" && element.Length == Undefined;
+    return element;
+  }
+
+  /// Goes behind the value of an element.
+  void SkipValue(const Element& element, const Encoding& encoding, int depth = 0)
+  {
+    if (element.Length != Undefined)
+    {
+      this->Skip(element.Length);
+      return;
+    }
+    if (depth > 64)
+    {
+      this->Refuse("its sequences are nested without end");
+    }
+    const Encoding inner = element.IsUnknownSequence ? Encoding{ false, false } : encoding;
+    for (Element item = this->Next(inner); item.Tag != EndOfSequence; item = this->Next(inner))
+    {
+      if (item.Tag != Item)
+      {
+        this->Refuse("a sequence holds what is no item");
+      }
+      if (item.Length != Undefined)
+      {
+        this->Skip(item.Length);
+        continue;
+      }
+      for (Element part = this->Next(inner); part.Tag != EndOfItem; part = this->Next(inner))
+      {
+        this->SkipValue(part, inner, depth + 1);
+      }
+    }
+  }
+
+private:
+  std::uint64_t Take(std::uint32_t length)
+  {
+    if (length > this->Left)
+    {
+      this->Refuse("it ends within an element");
+    }
+    this->Left -= length;
+    return length;
+  }
+
+  std::string Name;
+  std::ifstream File;
+  std::uint64_t Left = 0;
+};
+
+/// By the class of the object, which stands near the beginning of the file.
+bool IsKindWithoutPixels(const std::string& uid)
+{
+  const std::string storage = "1.2.840.10008.5.1.4.1.1.";
+  if (uid == "1.2.840.10008.1.3.10") // DICOMDIR
+  {
+    return true;
+  }
+  const char* const kinds[] = { "9.", "11.", "66", "66.1", "66.3", "88.", "104.", "481.3", "481.4",
+    "481.5", "481.6", "481.7", "481.8", "481.9" };
+  return uid.compare(0, storage.size(), storage) == 0 &&
+    std::any_of(std::begin(kinds), std::end(kinds),
+      [rest = uid.substr(storage.size())](const std::string& kind)
+      { return kind.back() == '.' ? rest.compare(0, kind.size(), kind) == 0 : rest == kind; });
+}
+
+struct ImageSize
+{
+  std::uint64_t Rows = 0;
+  std::uint64_t Columns = 0;
+  std::uint64_t Frames = 1;
+  std::uint64_t Samples = 1;
+  std::uint64_t Bits = 0;
+
+  std::uint64_t Bytes() const
+  {
+    return (this->Rows * this->Columns * this->Frames * this->Samples * this->Bits + 7) / 8;
+  }
+};
+
+/// Walks through the data set as far as the pixels.
+void RequirePixels(DicomFile& file, const Encoding& encoding)
+{
+  ImageSize size;
+  while (!file.AtEnd())
+  {
+    const Element element = file.Next(encoding);
+    if (element.Tag == PixelData)
+    {
+      file.SkipValue(element, encoding);
+      if (size.Bytes() == 0 || (element.Length != Undefined && element.Length < size.Bytes()))
+      {
+        file.Refuse("it holds fewer pixels than its rows and columns say");
+      }
+      return;
+    }
+    const bool isShort = element.Length == 2;
+    if (element.Tag == 0x00280010 && isShort)
+    {
+      size.Rows = file.Number<std::uint16_t>(encoding.BigEndian);
+    }
+    else if (element.Tag == 0x00280011 && isShort)
+    {
+      size.Columns = file.Number<std::uint16_t>(encoding.BigEndian);
+    }
+    else if (element.Tag == 0x00280002 && isShort)
+    {
+      size.Samples = file.Number<std::uint16_t>(encoding.BigEndian);
+    }
+    else if (element.Tag == 0x00280100 && isShort)
+    {
+      size.Bits = file.Number<std::uint16_t>(encoding.BigEndian);
+    }
+    else if (element.Tag == 0x00280008 && element.Length < 20)
+    {
+      size.Frames = std::strtoul(file.Text(element.Length).c_str(), nullptr, 10);
+    }
+    else
+    {
+      file.SkipValue(element, encoding);
+    }
+  }
+  file.Refuse("it holds no pixels");
+}
+
+} // namespace
+
+bool HasDicomMark(const std::string& name)
+{
+  std::ifstream file(name, std::ios::binary);
+  char mark[4] = {};
+  file.seekg(128).read(mark, sizeof(mark));
+  return file && std::equal(mark, mark + 4, "DICM");
+}
+
+bool IsCompleteDicomImage(const std::string& name)
+{
+  DicomFile file(name);
+  file.Skip(132);
+  // The group that tells about the file is always coded alike.
+  const Encoding ofGroup;
+  std::string kind;
+  std::string syntax;
+  while (file.NextGroup() == 2)
+  {
+    const Element element = file.Next(ofGroup);
+    if (element.Tag == 0x00020002)
+    {
+      kind = file.Text(element.Length);
+    }
+    else if (element.Tag == 0x00020010)
+    {
+      syntax = file.Text(element.Length);
+    }
+    else
+    {
+      file.SkipValue(element, ofGroup);
+    }
+  }
+  if (syntax.empty())
+  {
+    file.Refuse("it does not tell how it is coded");
+  }
+  if (IsKindWithoutPixels(kind))
+  {
+    return false;
+  }
+  if (syntax == "1.2.840.10008.1.2.1.99")
+  {
+    return true; // deflated as a whole
+  }
+  RequirePixels(file, { syntax != "1.2.840.10008.1.2", syntax == "1.2.840.10008.1.2.2" });
+  return true;
+}
+
+} // namespace FlipFree

@@ -1,0 +1,291 @@
+#include "VolumeFileWriter.h"
+
+#include "CompletenessCheck.h"
+#include "DetachedTask.h"
+#include "VolumeFile.h"
+
+#include "vtkErrorCode.h"
+
+#include "itkMetaImageIO.h"
+#include "itkNiftiImageIO.h"
+#include "itkNrrdImageIO.h"
+
+#include <cmath>
+#include <cstring>
+#include <filesystem>
+#include <memory>
+#include <random>
+#include <sstream>
+#include <vector>
+
+namespace FlipFree
+{
+namespace
+{
+
+namespace fs = std::filesystem;
+
+itk::ImageIOBase::Pointer FormatOf(const std::string& name)
+{
+  if (EndsWith(name, ".nii") || EndsWith(name, ".nii.gz"))
+  {
+    return itk::NiftiImageIO::New().GetPointer();
+  }
+  if (EndsWith(name, ".nrrd"))
+  {
+    return itk::NrrdImageIO::New().GetPointer();
+  }
+  if (EndsWith(name, ".mha") || EndsWith(name, ".mhd"))
+  {
+    return itk::MetaImageIO::New().GetPointer();
+  }
+  throw ImageFileError(vtkErrorCode::UnrecognizedFileTypeError,
+    "The ending of '" + name + "' stands for no format that can be written. Use .nii.gz, .nii, " +
+      ".nrrd, .mha or .mhd.");
+}
+
+std::string CannotWrite(const std::string& name, const std::string& why)
+{
+  return "'" + name + "' cannot be written: " + why;
+}
+
+/// A folder of its own beside the destination, so on the same disk; removed with all that is in it.
+class ScratchFolder
+{
+public:
+  explicit ScratchFolder(const fs::path& destination)
+  {
+    const fs::path parent = destination.has_parent_path() ? destination.parent_path() : ".";
+    std::random_device random;
+    std::error_code failure;
+    do
+    {
+      this->Path =
+        parent / ("." + destination.filename().string() + "." + std::to_string(random()) + ".part");
+    } while (!fs::create_directory(this->Path, failure) && !failure);
+    if (failure)
+    {
+      throw ImageFileError(vtkErrorCode::CannotOpenFileError,
+        CannotWrite(destination.string(),
+          "its folder '" + parent.string() + "' does not take files (" + failure.message() +
+            "). Create it, or check its " + "permissions and the space on the disk."));
+    }
+  }
+  ~ScratchFolder() { this->Remove(); }
+  ScratchFolder(const ScratchFolder&) = delete;
+  void operator=(const ScratchFolder&) = delete;
+
+  void Remove()
+  {
+    std::error_code ignored;
+    fs::remove_all(this->Path, ignored);
+  }
+
+  fs::path Path;
+};
+
+void WriteByItk(const std::string& name, const VolumeHeader& header, const void* voxels,
+  itk::ImageIOBase* io, bool compress)
+{
+  const ImageGeometry& geometry = header.Geometry;
+  itk::ImageIORegion whole(3);
+  io->SetFileName(name);
+  io->SetNumberOfDimensions(3);
+  for (unsigned int axis = 0; axis < 3; ++axis)
+  {
+    const Eigen::Vector3d direction = geometry.Direction.col(axis);
+    io->SetDimensions(axis, geometry.Dimensions[axis]);
+    io->SetSpacing(axis, geometry.Spacing[axis]);
+    io->SetOrigin(axis, geometry.Origin[axis]);
+    io->SetDirection(axis, std::vector<double>(direction.data(), direction.data() + 3));
+    whole.SetSize(axis, geometry.Dimensions[axis]);
+  }
+  io->SetPixelType(itk::IOPixelEnum::SCALAR);
+  io->SetNumberOfComponents(1);
+  io->SetComponentType(ComponentOf(header.ScalarType));
+  io->SetIORegion(whole);
+  io->SetUseCompression(compress);
+  io->Write(voxels);
+}
+
+/// The greatest distance between the places that two grids give to a voxel. It is reached in a
+/// corner.
+double GreatestShift(const ImageGeometry& a, const ImageGeometry& b)
+{
+  double greatest = 0;
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    const Eigen::Vector3d index((corner & 1) * (a.Dimensions[0] - 1),
+      (corner >> 1 & 1) * (a.Dimensions[1] - 1), (corner >> 2 & 1) * (a.Dimensions[2] - 1));
+    greatest = std::max(greatest, (a.ToPhysical(index) - b.ToPhysical(index)).norm());
+  }
+  return greatest;
+}
+
+/// ITK's NIfTI reader turns NaN and infinity into zero: where the original has them, anything goes.
+template <typename T>
+bool SameFiniteValues(const void* a, const void* original, std::size_t count)
+{
+  const T* first = static_cast<const T*>(a);
+  const T* second = static_cast<const T*>(original);
+  return std::equal(first, first + count, second,
+    [](T value, T wanted) { return value == wanted || !std::isfinite(wanted); });
+}
+
+bool SameVoxels(const void* a, const void* original, const VolumeHeader& header)
+{
+  const std::size_t count = header.Geometry.NumberOfVoxels();
+  switch (header.ScalarType)
+  {
+    case VTK_FLOAT:
+      return SameFiniteValues<float>(a, original, count);
+    case VTK_DOUBLE:
+      return SameFiniteValues<double>(a, original, count);
+    default:
+      return std::memcmp(a, original, header.NumberOfBytes()) == 0;
+  }
+}
+
+/// ITK would not read back what it writes of such an image.
+void RequireOrthogonalForNifti(const std::string& name, const ImageGeometry& geometry)
+{
+  const Eigen::Matrix3d product = geometry.Direction.transpose() * geometry.Direction;
+  if ((EndsWith(name, ".nii") || EndsWith(name, ".nii.gz")) && !product.isIdentity(1e-4))
+  {
+    throw ImageFileError(vtkErrorCode::FileFormatError,
+      CannotWrite(name,
+        "its direction matrix is not orthonormal, and NIfTI files do not hold such. Use .nrrd or "
+        ".mha."));
+  }
+}
+
+struct Volume
+{
+  VolumeHeader Header;
+  std::vector<char> Voxels;
+};
+
+/// ITK's writers do not tell of every failure, a full disk among them; but what they then leave
+/// cannot be read.
+Volume ReadBack(const std::string& written, const std::string& destination)
+{
+  try
+  {
+    Volume volume;
+    const auto io = OpenVolumeFile(written);
+    volume.Header = HeaderOf(io, written);
+    RequireComplete(io, written, NeverStop);
+    volume.Voxels.resize(volume.Header.NumberOfBytes());
+    ReadVoxels(io, written, volume.Voxels.data());
+    return volume;
+  }
+  catch (const ImageFileError&)
+  {
+    throw ImageFileError(vtkErrorCode::OutOfDiskSpaceError,
+      CannotWrite(destination,
+        "it does not come out whole. The disk is full, or a limit on the size of files is reached: "
+        "make room, or write elsewhere."));
+  }
+}
+
+void RequireSame(const Volume& found, const std::string& destination, const VolumeHeader& header,
+  const void* voxels)
+{
+  const auto refuse = [&destination](const std::string& why)
+  { throw ImageFileError(vtkErrorCode::FileFormatError, CannotWrite(destination, why)); };
+  if (found.Header.ScalarType != ScalarTypeOf(ComponentOf(header.ScalarType)))
+  {
+    refuse(std::string("its format does not hold voxels of type ") +
+      vtkImageScalarTypeNameMacro(header.ScalarType) +
+      ". Use another format, or convert the voxels.");
+  }
+  const double shift = GreatestShift(found.Header.Geometry, header.Geometry);
+  if (shift > 0.01 * header.Geometry.Spacing.minCoeff())
+  {
+    std::ostringstream why;
+    why << "its format does not hold this geometry, voxels would move by up to " << shift
+        << " mm. Use .nrrd or .mha, which do.";
+    refuse(why.str());
+  }
+  if (found.Header.Geometry.Dimensions != header.Geometry.Dimensions ||
+    !SameVoxels(found.Voxels.data(), voxels, header))
+  {
+    refuse("what was read back is not what was written. Check the disk.");
+  }
+}
+
+void WriteAndCheck(const std::string& written, const std::string& destination,
+  const VolumeHeader& header, const void* voxels, bool compress)
+{
+  try
+  {
+    WriteByItk(written, header, voxels, FormatOf(destination), compress);
+  }
+  catch (const itk::ExceptionObject& exception)
+  {
+    throw ImageFileError(vtkErrorCode::OutOfDiskSpaceError,
+      CannotWrite(destination,
+        std::string("the disk is full, or the format does not hold this image. Make room, or use "
+                    "another format. (ITK: ") +
+          exception.GetDescription() + ")"));
+  }
+  RequireSame(ReadBack(written, destination), destination, header, voxels);
+}
+
+/// Moves all files, the one that gives the image its name last: a .mhd names its voxels' file.
+void MoveOut(const fs::path& written, const fs::path& destination)
+{
+  std::error_code failure;
+  const fs::path folder = written.parent_path();
+  for (const auto& entry : fs::directory_iterator(folder))
+  {
+    if (entry.path() != written && !failure)
+    {
+      fs::rename(entry.path(), destination.parent_path() / entry.path().filename(), failure);
+    }
+  }
+  if (!failure)
+  {
+    fs::rename(written, destination, failure);
+  }
+  if (failure)
+  {
+    throw ImageFileError(vtkErrorCode::CannotOpenFileError,
+      CannotWrite(destination.string(),
+        failure.message() + ". Check whether something else of that name is in the way."));
+  }
+}
+
+} // namespace
+
+bool WriteVolumeFile(const std::string& name, const VolumeHeader& header,
+  const vtkSmartPointer<vtkDataArray>& scalars, bool compress, const Monitor& monitor)
+{
+  FormatOf(name); // refuses an unknown ending before anything is done
+  RequireOrthogonalForNifti(name, header.Geometry);
+  ComponentOf(header.ScalarType);
+
+  std::error_code ignored;
+  fs::path destination(name);
+  if (fs::is_symlink(destination, ignored))
+  {
+    destination =
+      fs::weakly_canonical(destination, ignored); // what it points to is replaced, not it
+  }
+  const auto scratch = std::make_shared<ScratchFolder>(destination);
+  // Now, not when the task has let go of its share.
+  const std::unique_ptr<ScratchFolder, void (*)(ScratchFolder*)> removal(scratch.get(),
+    [](ScratchFolder* folder) { folder->Remove(); });
+  const fs::path written = scratch->Path / destination.filename();
+  // The task has its share in the voxels and in the scratch folder, for as long as it needs them.
+  DetachedTask write([=, share = scratch]()
+    { WriteAndCheck(written.string(), name, header, scalars->GetVoidPointer(0), compress); });
+  if (!write.Wait([&monitor]() { return monitor(0); }))
+  {
+    return false; // what the task goes on writing has no name any more
+  }
+  MoveOut(written, destination);
+  return true;
+}
+
+} // namespace FlipFree

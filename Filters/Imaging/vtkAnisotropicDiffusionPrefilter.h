@@ -1,0 +1,144 @@
+/**
+ * @class   vtkAnisotropicDiffusionPrefilter
+ * @brief   smooths a region of an image but not its edges, by ITK
+ *
+ * The prefilter of section 3.2 of the paper: ITK's curvature or gradient anisotropic diffusion, on
+ * a region of the image only. Two of ITK's choices are made otherwise. The time step is the
+ * greatest that ITK calls stable for the image's spacing. The gradient magnitude that counts as an
+ * edge is not an average over the image, which would depend on how the image is cropped and on what
+ * else is in it, but that of a sphere (usually the seed), or a given one; and it stays the same
+ * over the iterations. So a voxel's result depends on the voxels within NumberOfIterations of it
+ * and on the sphere, and on nothing else.
+ *
+ * Conduction falls off as exp(-(|gradient| / (Conductance * GradientScale))^2 / 2). As ITK counts
+ * time, one step moves grey values along an axis by TimeStep / spacing of their second difference.
+ *
+ * Input port 0: vtkImageData with one component of finite scalars. Output port 0: vtkImageData, the
+ * VOI with the input's indices and geometry; scalars float.
+ *
+ * Errors: no or empty image, no scalars, several components, NaN or infinite voxels, a VOI or a
+ * sphere without a voxel of the image, a TimeStep that is not stable. Progress is reported and an
+ * abort obeyed within an iteration.
+ *
+ * Source: ITK's itk::CurvatureAnisotropicDiffusionImageFilter (R. Whitaker and X. Xue,
+ * Variable-conductance, level-set curvature for image denoising, ICIP 2001) and
+ * itk::GradientAnisotropicDiffusionImageFilter (P. Perona and J. Malik, Scale-space and edge
+ * detection using anisotropic diffusion, PAMI 12, 1990).
+ */
+#ifndef vtkAnisotropicDiffusionPrefilter_h
+#define vtkAnisotropicDiffusionPrefilter_h
+
+#include "FlipFreeImagingModule.h"
+#include "vtkImageAlgorithm.h"
+
+class FLIPFREEIMAGING_EXPORT vtkAnisotropicDiffusionPrefilter : public vtkImageAlgorithm
+{
+public:
+  static vtkAnisotropicDiffusionPrefilter* New();
+  vtkTypeMacro(vtkAnisotropicDiffusionPrefilter, vtkImageAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  enum EquationType
+  {
+    CURVATURE = 0,
+    GRADIENT = 1
+  };
+
+  ///@{
+  /**
+   * CURVATURE (default) flattens noise and keeps thin structures; GRADIENT is Perona and Malik's
+   * equation, which conserves the mean.
+   */
+  vtkSetClampMacro(Equation, int, CURVATURE, GRADIENT);
+  vtkGetMacro(Equation, int);
+  void SetEquationToCurvature() { this->SetEquation(CURVATURE); }
+  void SetEquationToGradient() { this->SetEquation(GRADIENT); }
+  ///@}
+
+  ///@{
+  /**
+   * Number of time steps. Default 5; 0 only converts to float.
+   */
+  vtkSetClampMacro(NumberOfIterations, int, 0, 10000);
+  vtkGetMacro(NumberOfIterations, int);
+  ///@}
+
+  ///@{
+  /**
+   * Length of a time step. 0 (default) means the greatest stable one, a sixteenth of the least
+   * spacing.
+   */
+  vtkSetClampMacro(TimeStep, double, 0, 1e9);
+  vtkGetMacro(TimeStep, double);
+  ///@}
+
+  ///@{
+  /**
+   * How far gradients are smoothed away, in multiples of the gradient scale. Default 1; positive.
+   */
+  vtkSetClampMacro(Conductance, double, 1e-9, 1e9);
+  vtkGetMacro(Conductance, double);
+  ///@}
+
+  ///@{
+  /**
+   * The gradient magnitude that counts as one, in grey values per millimetre. 0 (default) means the
+   * root mean square over the voxels of the scale sphere.
+   */
+  vtkSetClampMacro(GradientScale, double, 0, 1e30);
+  vtkGetMacro(GradientScale, double);
+  ///@}
+
+  ///@{
+  /**
+   * The sphere that gives the gradient scale: centre and radius in millimetres. A radius of 0
+   * (default) means the whole VOI; only then does the result depend on it.
+   */
+  vtkSetVector3Macro(ScaleCenter, double);
+  vtkGetVector3Macro(ScaleCenter, double);
+  vtkSetClampMacro(ScaleRadius, double, 0, 1e9);
+  vtkGetMacro(ScaleRadius, double);
+  ///@}
+
+  ///@{
+  /**
+   * The region to filter, as an extent in voxels; what lies outside the image is cut off. Empty
+   * (0, -1, 0, -1, 0, -1; the default) means the whole image.
+   */
+  vtkSetVector6Macro(VOI, int);
+  vtkGetVector6Macro(VOI, int);
+  ///@}
+
+  ///@{
+  /**
+   * The gradient scale and the time step that the last update used.
+   */
+  vtkGetMacro(GradientScaleUsed, double);
+  vtkGetMacro(TimeStepUsed, double);
+  ///@}
+
+protected:
+  vtkAnisotropicDiffusionPrefilter() = default;
+  ~vtkAnisotropicDiffusionPrefilter() override = default;
+
+  int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+  int Equation = CURVATURE;
+  int NumberOfIterations = 5;
+  double TimeStep = 0;
+  double Conductance = 1;
+  double GradientScale = 0;
+  double ScaleCenter[3] = { 0, 0, 0 };
+  double ScaleRadius = 0;
+  int VOI[6] = { 0, -1, 0, -1, 0, -1 };
+  double GradientScaleUsed = 0;
+  double TimeStepUsed = 0;
+
+private:
+  vtkAnisotropicDiffusionPrefilter(const vtkAnisotropicDiffusionPrefilter&) = delete;
+  void operator=(const vtkAnisotropicDiffusionPrefilter&) = delete;
+};
+
+#endif

@@ -1,0 +1,97 @@
+/**
+ * @class   vtkMedicalImageReader
+ * @brief   reads a medical image with its orientation, by ITK
+ *
+ * Reads a volume from a NIfTI (.nii, .nii.gz), NRRD (.nrrd, .nhdr) or MetaImage (.mha, .mhd) file,
+ * or from a folder of DICOM files. Origin, spacing and direction matrix are those that ITK gives:
+ * physical coordinates are LPS (x to the patient's left, y to the back, z to the head) millimetres;
+ * NIfTI's RAS is turned into them. The type of the voxels stays the file's, after its own rescale
+ * slope.
+ *
+ * A folder may hold several DICOM series. They are listed by GetNumberOfSeries() and its companions
+ * once the information has been updated; SeriesUID chooses one, and GetChosenSeriesUID() says which
+ * one was read. Its slices are ordered by position. A tilted gantry gives a direction matrix that
+ * is not orthogonal, so that each voxel stays where it was measured.
+ *
+ * Output port 0: vtkImageData with one component of scalars, `ImageScalars`. Image field data, for
+ * DICOM only: `SeriesUID`, one string.
+ *
+ * RequestInformation gives extent, spacing, origin, direction and scalar type from the header
+ * alone.
+ *
+ * Errors: no file name; a missing, unreadable, truncated or damaged file; an unknown format; 2D and
+ * 4D images; several components per voxel; a folder without DICOM images or without the wanted
+ * series; slices that do not form one stack. GetErrorCode() gives the vtkErrorCode. Slices that
+ * stray from an even stack by more than 1 % of the slice spacing give a warning, by more than half
+ * of it an error.
+ */
+#ifndef vtkMedicalImageReader_h
+#define vtkMedicalImageReader_h
+
+#include "FlipFreeImagingModule.h"
+#include "vtkImageAlgorithm.h"
+
+#include <exception>
+#include <memory>
+
+class FLIPFREEIMAGING_EXPORT vtkMedicalImageReader : public vtkImageAlgorithm
+{
+public:
+  static vtkMedicalImageReader* New();
+  vtkTypeMacro(vtkMedicalImageReader, vtkImageAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * The file, or the folder of a DICOM series. No default.
+   */
+  vtkSetFilePathMacro(FileName);
+  vtkGetFilePathMacro(FileName);
+  ///@}
+
+  ///@{
+  /**
+   * Series Instance UID of the DICOM series to read. Empty or unset (the default) means the series
+   * with most files. Not used for single files.
+   */
+  vtkSetStringMacro(SeriesUID);
+  vtkGetStringMacro(SeriesUID);
+  ///@}
+
+  ///@{
+  /**
+   * The DICOM series that the last UpdateInformation() found in the folder, the one with most files
+   * first. A single file has none. An index out of range gives a null pointer, or zero files.
+   */
+  int GetNumberOfSeries();
+  const char* GetSeriesUID(int index);
+  const char* GetSeriesDescription(int index);
+  int GetSeriesNumberOfFiles(int index);
+  ///@}
+
+  /**
+   * Series Instance UID of the series that was chosen; null if the image is not DICOM.
+   */
+  const char* GetChosenSeriesUID();
+
+protected:
+  vtkMedicalImageReader();
+  ~vtkMedicalImageReader() override;
+
+  int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+  char* FileName = nullptr;
+  char* SeriesUID = nullptr;
+
+private:
+  vtkMedicalImageReader(const vtkMedicalImageReader&) = delete;
+  void operator=(const vtkMedicalImageReader&) = delete;
+
+  int Fail(const std::exception& error, vtkInformation* outInfo);
+
+  struct Source;
+  std::unique_ptr<Source> Found;
+};
+
+#endif

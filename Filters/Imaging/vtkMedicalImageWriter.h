@@ -1,0 +1,70 @@
+/**
+ * @class   vtkMedicalImageWriter
+ * @brief   writes a medical image with its orientation, by ITK
+ *
+ * Writes a label map or a grey volume in the format that the name's ending stands for: NIfTI (.nii,
+ * .nii.gz), NRRD (.nrrd) or MetaImage (.mha, .mhd with its voxels beside it). Origin, spacing,
+ * direction matrix and the type of the voxels are kept, so that vtkMedicalImageReader gives the
+ * same image back; NIfTI holds its geometry in single precision. Coordinates are taken as LPS
+ * millimetres.
+ *
+ * The image is written beside its destination, read back and compared, and only then renamed: there
+ * is either the whole file or, after an error or an abort, none of it, and a former file of that
+ * name is still there.
+ *
+ * Input port 0: vtkImageData with one component of scalars.
+ *
+ * Errors: no file name; an unknown ending; no image, no scalars, several components; a folder that
+ * is missing or may not be written into; a full disk; a geometry or a type of voxels that the
+ * format cannot hold (NIfTI: sheared direction matrices). Write() then returns 0 and GetErrorCode()
+ * gives the vtkErrorCode.
+ */
+#ifndef vtkMedicalImageWriter_h
+#define vtkMedicalImageWriter_h
+
+#include "FlipFreeImagingModule.h"
+#include "vtkWriter.h"
+
+class vtkImageData;
+
+class FLIPFREEIMAGING_EXPORT vtkMedicalImageWriter : public vtkWriter
+{
+public:
+  static vtkMedicalImageWriter* New();
+  vtkTypeMacro(vtkMedicalImageWriter, vtkWriter);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * The file to write. Its ending chooses the format. No default.
+   */
+  vtkSetFilePathMacro(FileName);
+  vtkGetFilePathMacro(FileName);
+  ///@}
+
+  ///@{
+  /**
+   * Whether NRRD and MetaImage files are compressed. Default on. NIfTI goes by its ending: .nii.gz
+   * is compressed, .nii is not.
+   */
+  vtkSetMacro(UseCompression, bool);
+  vtkGetMacro(UseCompression, bool);
+  vtkBooleanMacro(UseCompression, bool);
+  ///@}
+
+protected:
+  vtkMedicalImageWriter();
+  ~vtkMedicalImageWriter() override;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  void WriteData() override;
+
+  char* FileName = nullptr;
+  bool UseCompression = true;
+
+private:
+  vtkMedicalImageWriter(const vtkMedicalImageWriter&) = delete;
+  void operator=(const vtkMedicalImageWriter&) = delete;
+};
+
+#endif

@@ -1,0 +1,374 @@
+// vtkMedicalImageReader on folders of DICOM files, which the tests write themselves.
+#include "vtkMedicalImageReader.h"
+
+#include "ItkVtkBridge.h"
+
+#include "ExampleImages.h"
+
+#include "vtkErrorCode.h"
+#include "vtkFieldData.h"
+#include "vtkStringArray.h"
+
+#include "itkGDCMImageIO.h"
+#include "itkImageSeriesWriter.h"
+#include "itkMetaDataObject.h"
+
+#include "gdcmTrace.h"
+
+#include <cmath>
+#include <iomanip>
+#include <sstream>
+
+namespace
+{
+
+using Volume = itk::Image<short, 3>;
+using Slice = itk::Image<short, 2>;
+
+const std::string UID = "1.2.826.0.1.3680043.2.1143.77";
+
+std::string Text(const std::vector<double>& values)
+{
+  std::ostringstream text;
+  text << std::setprecision(15);
+  for (std::size_t i = 0; i < values.size(); ++i)
+  {
+    text << (i ? "\\" : "") << values[i];
+  }
+  return text.str();
+}
+
+struct SeriesOptions
+{
+  std::string Series = UID + ".1";
+  std::string Description = "Example";
+  std::string Prefix = "a";
+  /// Moves slices; the second is the number of the slice.
+  std::function<itk::Point<double, 3>(itk::Point<double, 3>, int)> Move =
+    [](itk::Point<double, 3> point, int) { return point; };
+};
+
+/// Writes one file per slice by itk::ImageSeriesWriter and GDCM; the names are in no order.
+void WriteSeries(vtkImageData* image, const ExampleImages::Folder& folder,
+  const SeriesOptions& options = {})
+{
+  const Volume::Pointer volume = FlipFree::ShareWithItk<short>(image);
+  const auto size = volume->GetLargestPossibleRegion().GetSize();
+  const auto& direction = volume->GetDirection();
+
+  std::vector<itk::MetaDataDictionary> dictionaries(size[2]);
+  std::vector<itk::MetaDataDictionary*> pointers;
+  std::vector<std::string> names;
+  for (unsigned int k = 0; k < size[2]; ++k)
+  {
+    const Volume::IndexType first = { { 0, 0, static_cast<itk::IndexValueType>(k) } };
+    const auto origin =
+      options.Move(volume->TransformIndexToPhysicalPoint<double>(first), static_cast<int>(k));
+    const auto set = [&](const std::string& tag, const std::string& value)
+    { itk::EncapsulateMetaData<std::string>(dictionaries[k], tag, value); };
+    set("0008|0016", "1.2.840.10008.5.1.4.1.1.2"); // CT image
+    set("0008|0060", "CT");
+    set("0008|103e", options.Description);
+    set("0020|000d", UID);
+    set("0020|000e", options.Series);
+    set("0008|0018", options.Series + "." + std::to_string(k + 1));
+    set("0020|0013", std::to_string(k + 1));
+    set("0020|0032", Text({ origin[0], origin[1], origin[2] }));
+    set("0020|0037",
+      Text({ direction[0][0], direction[1][0], direction[2][0], direction[0][1], direction[1][1],
+        direction[2][1] }));
+    set("0028|1052", "0");
+    set("0028|1053", "1");
+    pointers.push_back(&dictionaries[k]);
+    // 3 is prime to the number of slices: each name once, none where it belongs.
+    names.push_back(folder / (options.Prefix + std::to_string((3 * k + 2) % size[2]) + ".dcm"));
+  }
+
+  gdcm::Trace::WarningOff(); // of what it writes itself
+  auto io = itk::GDCMImageIO::New();
+  io->SetKeepOriginalUID(true);
+  auto writer = itk::ImageSeriesWriter<Volume, Slice>::New();
+  writer->SetInput(volume);
+  writer->SetImageIO(io);
+  writer->SetFileNames(names);
+  writer->SetMetaDataDictionaryArray(&pointers);
+  writer->Update();
+  gdcm::Trace::WarningOn();
+}
+
+void ExpectRefusal(vtkMedicalImageReader* reader, const std::vector<std::string>& words)
+{
+  ExampleImages::Errors errors(reader);
+  reader->Update();
+  EXPECT_EQ(errors.Count(), 1);
+  for (const std::string& word : words)
+  {
+    EXPECT_NE(errors.Message().find(word), std::string::npos)
+      << "'" << word << "' is not in: " << errors.Message();
+  }
+  EXPECT_EQ(reader->GetOutput()->GetNumberOfPoints(), 0);
+}
+
+vtkSmartPointer<vtkMedicalImageReader> ReaderOf(const ExampleImages::Folder& folder)
+{
+  auto reader = vtkSmartPointer<vtkMedicalImageReader>::New();
+  reader->SetFileName(folder.Name().c_str());
+  return reader;
+}
+
+vtkSmartPointer<vtkImageData> ObliqueImage()
+{
+  return ExampleImages::Make(VTK_SHORT, ExampleImages::Directions()[4].Matrix);
+}
+
+class TestDicomDirections : public testing::TestWithParam<ExampleImages::NamedDirection>
+{
+};
+
+TEST_P(TestDicomDirections, EveryVoxelIsWhereItWas)
+{
+  ExampleImages::Folder folder;
+  auto image = ExampleImages::Make(VTK_SHORT, GetParam().Matrix);
+  WriteSeries(image, folder);
+  auto reader = ReaderOf(folder);
+  reader->Update();
+  vtkImageData* back = reader->GetOutput();
+  ASSERT_EQ(back->GetNumberOfPoints(), image->GetNumberOfPoints());
+  EXPECT_EQ(back->GetScalarType(), VTK_SHORT);
+  // Slices are stacked right-handed, so that a left-handed image comes back with its third axis
+  // reversed; what must not change is the place of each grey value.
+  double point[3];
+  for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
+  {
+    image->GetPoint(i, point);
+    const vtkIdType there = back->FindPoint(point);
+    ASSERT_GE(there, 0);
+    double pointThere[3];
+    back->GetPoint(there, pointThere);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      ASSERT_NEAR(pointThere[axis], point[axis], 1e-6);
+    }
+    ASSERT_EQ(back->GetPointData()->GetScalars()->GetComponent(there, 0),
+      image->GetPointData()->GetScalars()->GetComponent(i, 0));
+  }
+  if (back->GetDirectionMatrix()->Determinant() * image->GetDirectionMatrix()->Determinant() > 0)
+  {
+    ExampleImages::ExpectSameGeometry(back, image, 1e-9);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Directions, TestDicomDirections,
+  testing::ValuesIn(ExampleImages::Directions()),
+  [](const auto& parameter) { return std::string(parameter.param.Name); });
+
+TEST(TestDicomSeries, TheSeriesWithMostSlicesUnlessToldOtherwise)
+{
+  ExampleImages::Folder folder;
+  auto longer = ObliqueImage();
+  auto shorter = vtkSmartPointer<vtkImageData>::New();
+  shorter->SetDimensions(6, 3, 4);
+  shorter->AllocateScalars(VTK_SHORT, 1);
+  shorter->GetPointData()->GetScalars()->Fill(-1000);
+  SeriesOptions options;
+  WriteSeries(longer, folder, options);
+  options.Prefix = "b";
+  options.Series = UID + ".2";
+  options.Description = "Shorter";
+  WriteSeries(shorter, folder, options);
+  ExampleImages::WriteBytes(folder / "notes.txt", std::string(300, 'n'));
+
+  auto reader = ReaderOf(folder);
+  reader->UpdateInformation();
+  ASSERT_EQ(reader->GetNumberOfSeries(), 2);
+  EXPECT_EQ(reader->GetSeriesUID(0), UID + ".1");
+  EXPECT_EQ(reader->GetSeriesUID(1), UID + ".2");
+  EXPECT_STREQ(reader->GetSeriesDescription(0), "Example");
+  EXPECT_STREQ(reader->GetSeriesDescription(1), "Shorter");
+  EXPECT_EQ(reader->GetSeriesNumberOfFiles(0), 5);
+  EXPECT_EQ(reader->GetSeriesNumberOfFiles(1), 4);
+  EXPECT_EQ(reader->GetSeriesUID(2), nullptr);
+  EXPECT_EQ(reader->GetChosenSeriesUID(), UID + ".1");
+  reader->Update();
+  ExampleImages::ExpectSameVoxels(reader->GetOutput(), longer);
+  auto* told = vtkStringArray::SafeDownCast(
+    reader->GetOutput()->GetFieldData()->GetAbstractArray("SeriesUID"));
+  ASSERT_NE(told, nullptr);
+  EXPECT_EQ(told->GetValue(0), UID + ".1");
+
+  reader->SetSeriesUID((UID + ".2").c_str());
+  reader->Update();
+  EXPECT_EQ(reader->GetChosenSeriesUID(), UID + ".2");
+  ExampleImages::ExpectSameVoxels(reader->GetOutput(), shorter);
+
+  reader->SetSeriesUID("1.2.3");
+  ExpectRefusal(reader, { "1.2.3", UID + ".1", UID + ".2" });
+}
+
+TEST(TestDicomSeries, TiltedGantryShearsTheGrid)
+{
+  ExampleImages::Folder folder;
+  auto image = ObliqueImage();
+  SeriesOptions options;
+  const double tilt = 0.6; // mm per slice, along the second axis
+  options.Move = [&](itk::Point<double, 3> point, int slice)
+  {
+    for (unsigned int i = 0; i < 3; ++i)
+    {
+      point[i] += tilt * slice * image->GetDirectionMatrix()->GetElement(static_cast<int>(i), 1);
+    }
+    return point;
+  };
+  WriteSeries(image, folder, options);
+  auto reader = ReaderOf(folder);
+  ExampleImages::Errors errors(reader);
+  reader->Update();
+  EXPECT_EQ(errors.Warning(), "");
+  vtkImageData* back = reader->GetOutput();
+  double expected[3];
+  image->TransformContinuousIndexToPhysicalPoint(5, 1 + tilt * 2 / image->GetSpacing()[1], 2,
+    expected);
+  const auto place = ExampleImages::FindMark(back);
+  for (int i = 0; i < 3; ++i)
+  {
+    EXPECT_NEAR(place[i], expected[i], 1e-6);
+  }
+}
+
+TEST(TestDicomSeries, UnevenStackWarnsAndMissingSliceIsRefused)
+{
+  auto image = ObliqueImage();
+  const auto along = [&](itk::Point<double, 3> point, double distance)
+  {
+    for (unsigned int i = 0; i < 3; ++i)
+    {
+      point[i] += distance * image->GetDirectionMatrix()->GetElement(static_cast<int>(i), 2);
+    }
+    return point;
+  };
+  {
+    ExampleImages::Folder folder;
+    SeriesOptions options;
+    options.Move = [&](itk::Point<double, 3> point, int slice)
+    { return along(point, slice == 3 ? 0.5 : 0); };
+    WriteSeries(image, folder, options);
+    auto reader = ReaderOf(folder);
+    ExampleImages::Errors errors(reader);
+    reader->Update();
+    EXPECT_EQ(errors.Count(), 0);
+    EXPECT_NE(errors.Warning().find("0.5 mm"), std::string::npos) << errors.Warning();
+    ExampleImages::ExpectSameVoxels(reader->GetOutput(), image);
+  }
+  {
+    ExampleImages::Folder folder;
+    SeriesOptions options;
+    options.Move = [&](itk::Point<double, 3> point, int slice)
+    { return along(point, slice > 3 ? 3 * 3.5 : 0); };
+    WriteSeries(image, folder, options);
+    ExpectRefusal(ReaderOf(folder), { "missing", UID + ".1" });
+  }
+  {
+    ExampleImages::Folder folder; // one place at five times
+    SeriesOptions options;
+    options.Move = [&](itk::Point<double, 3> point, int slice)
+    { return along(point, -3.5 * slice); };
+    WriteSeries(image, folder, options);
+    ExpectRefusal(ReaderOf(folder), { "one place", UID + ".1" });
+  }
+}
+
+TEST(TestDicomSeries, SlicesOfTwoSizesAreNoVolume)
+{
+  ExampleImages::Folder folder;
+  WriteSeries(ObliqueImage(), folder);
+  auto other = vtkSmartPointer<vtkImageData>::New();
+  other->SetDimensions(6, 3, 2);
+  other->AllocateScalars(VTK_SHORT, 1);
+  SeriesOptions options;
+  options.Prefix = "b";
+  WriteSeries(other, folder, options);
+  ExpectRefusal(ReaderOf(folder), { ".dcm", "differ", "Move" });
+}
+
+TEST(TestDicomSeries, FolderWithoutImages)
+{
+  ExampleImages::Folder folder;
+  ExpectRefusal(ReaderOf(folder), { folder.Name(), "no DICOM image" });
+  ExampleImages::WriteBytes(folder / "notes.txt", std::string(3000, 'n'));
+  ExpectRefusal(ReaderOf(folder), { folder.Name(), "no DICOM image" });
+}
+
+TEST(TestDicomSeries, ASingleFileAsksForItsFolder)
+{
+  ExampleImages::Folder folder;
+  WriteSeries(ObliqueImage(), folder);
+  vtkNew<vtkMedicalImageReader> reader;
+  reader->SetFileName((folder / "a0.dcm").c_str());
+  ExpectRefusal(reader, { "a0.dcm", "folder" });
+}
+
+TEST(TestDicomSeries, TruncatedAtAnyPlace)
+{
+  ExampleImages::Folder folder;
+  WriteSeries(ObliqueImage(), folder);
+  const std::string bytes = ExampleImages::ReadBytes(folder / "a3.dcm");
+  for (std::size_t size = 132; size < bytes.size(); ++size)
+  {
+    SCOPED_TRACE(size);
+    ExampleImages::WriteBytes(folder / "a3.dcm", bytes.substr(0, size));
+    auto reader = ReaderOf(folder);
+    ExpectRefusal(reader, { "a3.dcm" });
+  }
+}
+
+TEST(TestDicomSeries, DamagedSoThatGdcmWouldStopTheProgram)
+{
+  ExampleImages::Folder folder;
+  WriteSeries(ObliqueImage(), folder);
+  const std::string bytes = ExampleImages::ReadBytes(folder / "a3.dcm");
+  // The type of an element of the first group: no such type.
+  const std::size_t type = bytes.find("UI");
+  std::string damaged = bytes;
+  damaged[type + 1] = 'J';
+  ExampleImages::WriteBytes(folder / "a3.dcm", damaged);
+  ExpectRefusal(ReaderOf(folder), { "a3.dcm", "damaged" });
+  // Fewer pixels than rows and columns say.
+  damaged = bytes.substr(0, bytes.size() - 10);
+  const std::size_t pixels = bytes.rfind(std::string("\xE0\x7F\x10\x00", 4));
+  ASSERT_NE(pixels, std::string::npos);
+  for (std::size_t length = pixels + 4; length < pixels + 12; ++length)
+  {
+    if (damaged[length] == 56) // 7 x 4 voxels of two bytes
+    {
+      damaged[length] = 46;
+    }
+  }
+  ExampleImages::WriteBytes(folder / "a3.dcm", damaged);
+  ExpectRefusal(ReaderOf(folder), { "a3.dcm", "fewer pixels" });
+}
+
+TEST(TestDicomSeries, ReportsAndContoursArePassedOver)
+{
+  ExampleImages::Folder folder;
+  WriteSeries(ObliqueImage(), folder);
+  const std::string structures = "1.2.840.10008.5.1.4.1.1.481.3";
+  // A structure set: another class of object, and no pixels.
+  std::string other(128, '\0');
+  const auto element = [&other](int number, const std::string& type, std::string value)
+  {
+    value.resize(value.size() + value.size() % 2, '\0');
+    other += std::string("\2\0", 2) + static_cast<char>(number) + '\0' + type +
+      static_cast<char>(value.size()) + '\0' + value;
+  };
+  other += "DICM";
+  element(0x02, "UI", structures);
+  element(0x10, "UI", "1.2.840.10008.1.2.1");
+  ExampleImages::WriteBytes(folder / "structures.dcm", other);
+  auto reader = ReaderOf(folder);
+  reader->Update();
+  EXPECT_EQ(reader->GetErrorCode(), vtkErrorCode::NoError);
+  EXPECT_EQ(reader->GetNumberOfSeries(), 1);
+  EXPECT_EQ(reader->GetOutput()->GetNumberOfPoints(), 140);
+}
+
+} // namespace

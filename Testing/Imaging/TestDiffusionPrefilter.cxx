@@ -1,0 +1,414 @@
+// vtkAnisotropicDiffusionPrefilter: invariants, and ITK's own filters as the second implementation.
+#include "vtkAnisotropicDiffusionPrefilter.h"
+
+#include "ItkVtkBridge.h"
+
+#include "ExampleImages.h"
+
+#include "vtkFloatArray.h"
+#include "vtkSMPTools.h"
+
+#include "itkCurvatureAnisotropicDiffusionImageFilter.h"
+#include "itkGradientAnisotropicDiffusionImageFilter.h"
+
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <random>
+
+namespace
+{
+
+using FloatImage = itk::Image<float, 3>;
+
+/// Two half-spaces, 100 apart, with Gaussian noise; the border is behind the first half of the x
+/// axis.
+vtkSmartPointer<vtkImageData> NoisyStep(int nx, int ny, int nz, double noise)
+{
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(nx, ny, nz);
+  image->SetSpacing(0.8, 0.9, 2.5);
+  image->SetOrigin(-10, 20, -300);
+  image->SetDirectionMatrix(ExampleImages::Directions()[5].Matrix.data());
+  image->AllocateScalars(VTK_SHORT, 1);
+  auto* voxels = static_cast<short*>(image->GetScalarPointer());
+  std::mt19937 random(11);
+  std::normal_distribution<double> normal(0, noise);
+  for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
+  {
+    voxels[i] = static_cast<short>(std::lround((i % nx < nx / 2 ? 0 : 100) + normal(random)));
+  }
+  return image;
+}
+
+void SetScaleSphere(vtkAnisotropicDiffusionPrefilter* filter, vtkImageData* image, double i,
+  double j, double k, double radius)
+{
+  double center[3];
+  image->TransformContinuousIndexToPhysicalPoint(i, j, k, center);
+  filter->SetScaleCenter(center);
+  filter->SetScaleRadius(radius);
+}
+
+float At(vtkImageData* image, int i, int j, int k)
+{
+  return *static_cast<float*>(image->GetScalarPointer(i, j, k));
+}
+
+struct Moments
+{
+  double Mean = 0;
+  double Deviation = 0;
+};
+
+/// Over the voxels with first <= i <= last and two or more voxels away from the other borders.
+Moments MomentsOf(vtkImageData* image, int first, int last)
+{
+  int extent[6];
+  image->GetExtent(extent);
+  double sum = 0;
+  double squares = 0;
+  int count = 0;
+  for (int k = extent[4] + 2; k <= extent[5] - 2; ++k)
+  {
+    for (int j = extent[2] + 2; j <= extent[3] - 2; ++j)
+    {
+      for (int i = first; i <= last; ++i)
+      {
+        const double value = image->GetScalarComponentAsDouble(i, j, k, 0);
+        sum += value;
+        squares += value * value;
+        ++count;
+      }
+    }
+  }
+  const double mean = sum / count;
+  return { mean, std::sqrt(squares / count - mean * mean) };
+}
+
+double MeanOf(vtkImageData* image)
+{
+  double sum = 0;
+  for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
+  {
+    sum += image->GetPointData()->GetScalars()->GetComponent(i, 0);
+  }
+  return sum / static_cast<double>(image->GetNumberOfPoints());
+}
+
+class TestDiffusionEquations : public testing::TestWithParam<int>
+{
+};
+
+TEST_P(TestDiffusionEquations, ConstantImageIsLeftAlone)
+{
+  for (const int type : { VTK_UNSIGNED_CHAR, VTK_SHORT, VTK_INT, VTK_FLOAT, VTK_DOUBLE })
+  {
+    auto image = ExampleImages::Make(type, ExampleImages::Directions()[4].Matrix);
+    image->GetPointData()->GetScalars()->Fill(77);
+    for (const double scale : { 0.0, 3.0 }) // measured, which gives zero, and given
+    {
+      vtkNew<vtkAnisotropicDiffusionPrefilter> filter;
+      filter->SetInputData(image);
+      filter->SetEquation(GetParam());
+      filter->SetGradientScale(scale);
+      filter->Update();
+      EXPECT_EQ(filter->GetOutput()->GetScalarType(), VTK_FLOAT);
+      ExampleImages::ExpectSameGeometry(filter->GetOutput(), image, 0);
+      ExampleImages::ExpectSameVoxels(filter->GetOutput(), image);
+    }
+  }
+}
+
+TEST_P(TestDiffusionEquations, NoiseGoesAndTheEdgeStays)
+{
+  auto image = NoisyStep(40, 30, 20, 5);
+  vtkNew<vtkAnisotropicDiffusionPrefilter> filter;
+  filter->SetInputData(image);
+  filter->SetEquation(GetParam());
+  filter->SetNumberOfIterations(20);
+  SetScaleSphere(filter, image, 9, 15, 10, 6);
+  filter->Update();
+  vtkImageData* output = filter->GetOutput();
+
+  const Moments before = MomentsOf(image, 2, 17);
+  const Moments after = MomentsOf(output, 2, 17);
+  EXPECT_NEAR(before.Deviation, 5, 0.2);
+  EXPECT_LT(after.Deviation, 0.6 * before.Deviation);
+  EXPECT_NEAR(after.Mean, before.Mean, 0.2);
+  // The two layers that touch at the edge are still a hundred apart, but for a few percent.
+  EXPECT_GT(MomentsOf(output, 20, 20).Mean - MomentsOf(output, 19, 19).Mean, 95);
+}
+
+TEST_P(TestDiffusionEquations, CroppingChangesNothingButTheRim)
+{
+  auto image = NoisyStep(40, 32, 24, 15);
+  const int iterations = 4;
+  int crop[6] = { 5, 33, 4, 29, 2, 20 };
+  vtkNew<vtkAnisotropicDiffusionPrefilter> whole;
+  whole->SetInputData(image);
+  whole->SetEquation(GetParam());
+  whole->SetNumberOfIterations(iterations);
+  SetScaleSphere(whole, image, 15, 16, 11, 5);
+  whole->Update();
+
+  vtkNew<vtkAnisotropicDiffusionPrefilter> part;
+  part->SetInputData(image);
+  part->SetEquation(GetParam());
+  part->SetNumberOfIterations(iterations);
+  SetScaleSphere(part, image, 15, 16, 11, 5);
+  part->SetVOI(crop);
+  part->Update();
+
+  // Cropped before the filter, with the sphere still inside; indices stay.
+  auto smaller = vtkSmartPointer<vtkImageData>::New();
+  smaller->SetOrigin(image->GetOrigin());
+  smaller->SetSpacing(image->GetSpacing());
+  smaller->SetDirectionMatrix(image->GetDirectionMatrix());
+  smaller->SetExtent(crop);
+  smaller->AllocateScalars(VTK_SHORT, 1);
+  smaller->CopyAndCastFrom(image, crop);
+  vtkNew<vtkAnisotropicDiffusionPrefilter> cropped;
+  cropped->SetInputData(smaller);
+  cropped->SetEquation(GetParam());
+  cropped->SetNumberOfIterations(iterations);
+  SetScaleSphere(cropped, image, 15, 16, 11, 5);
+  cropped->Update();
+
+  EXPECT_EQ(part->GetGradientScaleUsed(), whole->GetGradientScaleUsed());
+  EXPECT_EQ(cropped->GetGradientScaleUsed(), whole->GetGradientScaleUsed());
+  ExampleImages::ExpectSameGeometry(part->GetOutput(), smaller, 0);
+  ExampleImages::ExpectSameVoxels(part->GetOutput(), cropped->GetOutput());
+  int compared = 0;
+  int differs = 0;
+  for (int k = crop[4]; k <= crop[5]; ++k)
+  {
+    for (int j = crop[2]; j <= crop[3]; ++j)
+    {
+      for (int i = crop[0]; i <= crop[1]; ++i)
+      {
+        const bool same = At(part->GetOutput(), i, j, k) == At(whole->GetOutput(), i, j, k);
+        if (i >= crop[0] + iterations && i <= crop[1] - iterations && j >= crop[2] + iterations &&
+          j <= crop[3] - iterations && k >= crop[4] + iterations && k <= crop[5] - iterations)
+        {
+          ASSERT_TRUE(same) << i << " " << j << " " << k;
+          ++compared;
+        }
+        differs += !same;
+      }
+    }
+  }
+  EXPECT_EQ(compared, 21 * 18 * 11);
+  EXPECT_GT(differs, 0); // in the rim
+}
+
+TEST_P(TestDiffusionEquations, EqualsItksFilterWithTheSameNumbers)
+{
+  auto image = NoisyStep(21, 26, 15, 20);
+  vtkNew<vtkAnisotropicDiffusionPrefilter> filter;
+  filter->SetInputData(image);
+  filter->SetEquation(GetParam());
+  filter->SetNumberOfIterations(3);
+  filter->SetConductance(1.5);
+  filter->SetGradientScale(12);
+  filter->SetTimeStep(0.04);
+  filter->Update();
+
+  auto region = vtkSmartPointer<vtkImageData>::New();
+  region->CopyStructure(image);
+  region->AllocateScalars(VTK_FLOAT, 1);
+  region->CopyAndCastFrom(image, image->GetExtent());
+  const auto run = [&](auto itkFilter)
+  {
+    itkFilter->SetInput(FlipFree::ShareWithItk<float>(region));
+    itkFilter->SetNumberOfIterations(3);
+    itkFilter->SetConductanceParameter(1.5);
+    itkFilter->SetFixedAverageGradientMagnitude(12);
+    itkFilter->SetTimeStep(0.04);
+    itkFilter->Update();
+    return FlipFree::MoveToVtk(itkFilter->GetOutput());
+  };
+  const auto expected = GetParam() == vtkAnisotropicDiffusionPrefilter::CURVATURE
+    ? run(itk::CurvatureAnisotropicDiffusionImageFilter<FloatImage, FloatImage>::New())
+    : run(itk::GradientAnisotropicDiffusionImageFilter<FloatImage, FloatImage>::New());
+  ExampleImages::ExpectSameGeometry(filter->GetOutput(), expected, 0);
+  ExampleImages::ExpectSameVoxels(filter->GetOutput(), expected);
+}
+
+TEST_P(TestDiffusionEquations, SameBitsForAnyNumberOfThreads)
+{
+  auto image = NoisyStep(21, 26, 15, 20);
+  std::vector<vtkSmartPointer<vtkImageData>> results;
+  for (const int threads : { 1, 2, 3 })
+  {
+    vtkSMPTools::LocalScope(vtkSMPTools::Config{ threads },
+      [&]()
+      {
+        vtkNew<vtkAnisotropicDiffusionPrefilter> filter;
+        filter->SetInputData(image);
+        filter->SetEquation(GetParam());
+        filter->Update();
+        results.emplace_back(filter->GetOutput());
+      });
+  }
+  ExampleImages::ExpectSameVoxels(results[0], results[1]);
+  ExampleImages::ExpectSameVoxels(results[0], results[2]);
+}
+
+TEST_P(TestDiffusionEquations, OrientationDoesNotMatter)
+{
+  auto image = NoisyStep(20, 18, 14, 20);
+  vtkNew<vtkAnisotropicDiffusionPrefilter> filter;
+  filter->SetEquation(GetParam());
+  SetScaleSphere(filter, image, 10, 9, 7, 5);
+  filter->SetInputData(image);
+  filter->Update();
+  vtkNew<vtkImageData> expected;
+  expected->DeepCopy(filter->GetOutput());
+  for (const auto& direction : ExampleImages::Directions())
+  {
+    image->SetDirectionMatrix(direction.Matrix.data());
+    SetScaleSphere(filter, image, 10, 9, 7, 5);
+    filter->Update();
+    ExampleImages::ExpectSameGeometry(filter->GetOutput(), image, 0);
+    ExampleImages::ExpectSameVoxels(filter->GetOutput(), expected);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Equations, TestDiffusionEquations,
+  testing::Values(vtkAnisotropicDiffusionPrefilter::CURVATURE,
+    vtkAnisotropicDiffusionPrefilter::GRADIENT),
+  [](const auto& parameter)
+  {
+    return parameter.param == vtkAnisotropicDiffusionPrefilter::CURVATURE ? "Curvature"
+                                                                          : "Gradient";
+  });
+
+TEST(TestDiffusionPrefilter, GradientEquationConservesTheMean)
+{
+  auto image = NoisyStep(30, 25, 20, 25);
+  vtkNew<vtkAnisotropicDiffusionPrefilter> filter;
+  filter->SetInputData(image);
+  filter->SetEquationToGradient();
+  filter->SetNumberOfIterations(30);
+  filter->SetConductance(3);
+  filter->Update();
+  EXPECT_NEAR(MeanOf(filter->GetOutput()), MeanOf(image), 1e-3);
+  EXPECT_LT(MomentsOf(filter->GetOutput(), 2, 12).Deviation, 15);
+}
+
+TEST(TestDiffusionPrefilter, GradientScaleOfARampIsItsSlope)
+{
+  // 3 per mm along the first axis, 4 along the third: 5. The sphere keeps clear of the borders.
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(20, 20, 20);
+  image->SetSpacing(0.5, 1, 2);
+  image->SetDirectionMatrix(ExampleImages::Directions()[4].Matrix.data());
+  image->AllocateScalars(VTK_DOUBLE, 1);
+  for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
+  {
+    const double value =
+      3 * 0.5 * static_cast<double>(i % 20) + 4 * 2.0 * static_cast<double>(i / 400);
+    image->GetPointData()->GetScalars()->SetComponent(i, 0, value);
+  }
+  vtkNew<vtkAnisotropicDiffusionPrefilter> filter;
+  filter->SetInputData(image);
+  SetScaleSphere(filter, image, 10, 10, 10, 3.5);
+  filter->Update();
+  EXPECT_NEAR(filter->GetGradientScaleUsed(), 5, 1e-5);
+  EXPECT_DOUBLE_EQ(filter->GetTimeStepUsed(), 0.5 / 16);
+}
+
+TEST(TestDiffusionPrefilter, NoIterationOnlyConverts)
+{
+  auto image = NoisyStep(12, 10, 8, 25);
+  vtkNew<vtkAnisotropicDiffusionPrefilter> filter;
+  filter->SetInputData(image);
+  filter->SetNumberOfIterations(0);
+  filter->Update();
+  EXPECT_EQ(filter->GetOutput()->GetScalarType(), VTK_FLOAT);
+  ExampleImages::ExpectSameVoxels(filter->GetOutput(), image);
+}
+
+TEST(TestDiffusionPrefilter, BadInputIsRefusedWithOneError)
+{
+  const auto refuse = [](vtkImageData* image, const std::string& words,
+                        const std::function<void(vtkAnisotropicDiffusionPrefilter*)>& set = {})
+  {
+    vtkNew<vtkAnisotropicDiffusionPrefilter> filter;
+    ExampleImages::Errors errors(filter);
+    filter->SetInputData(image);
+    if (set)
+    {
+      set(filter);
+    }
+    filter->Update();
+    EXPECT_EQ(errors.Count(), 1) << words;
+    EXPECT_NE(errors.Message().find(words), std::string::npos) << errors.Message();
+    EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0);
+  };
+  vtkNew<vtkImageData> bare;
+  bare->SetDimensions(3, 3, 3);
+  refuse(bare, "no scalars");
+  bare->AllocateScalars(VTK_SHORT, 2);
+  refuse(bare, "2 components");
+  auto image = NoisyStep(12, 10, 8, 25);
+  refuse(image, "VOI", [](auto* filter) { filter->SetVOI(100, 110, 0, 9, 0, 7); });
+  refuse(image, "TimeStep", [](auto* filter) { filter->SetTimeStep(0.06); });
+  refuse(image, "scale sphere",
+    [](auto* filter)
+    {
+      filter->SetScaleCenter(1e6, 1e6, 1e6);
+      filter->SetScaleRadius(10);
+    });
+  refuse(image, "scale sphere", // between the voxels
+    [&](auto* filter) { SetScaleSphere(filter, image, 5.5, 5.5, 5.5, 0.1); });
+  auto broken = ExampleImages::Make(VTK_DOUBLE, ExampleImages::Directions()[0].Matrix);
+  for (const double value :
+    { std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(), 1e300 })
+  {
+    broken->SetScalarComponentFromDouble(3, 2, 1, 0, value);
+    refuse(broken, "NaN, infinite");
+  }
+}
+
+TEST(TestDiffusionPrefilter, AbortMidwayIsQuick)
+{
+  using Clock = std::chrono::steady_clock;
+  struct Observer
+  {
+    Clock::time_point Asked;
+    int Calls = 0;
+    double Last = 0;
+    void Progress(vtkObject* caller, unsigned long, void* data)
+    {
+      const double done = *static_cast<double*>(data);
+      EXPECT_GE(done, this->Last);
+      this->Last = done;
+      ++this->Calls;
+      auto* filter = vtkAlgorithm::SafeDownCast(caller);
+      if (done > 0.02 && !filter->GetAbortExecute())
+      {
+        filter->SetAbortExecute(1);
+        this->Asked = Clock::now();
+      }
+    }
+  } observer;
+  auto image = NoisyStep(200, 200, 100, 5);
+  vtkNew<vtkAnisotropicDiffusionPrefilter> filter;
+  ExampleImages::Errors errors(filter);
+  filter->SetInputData(image);
+  filter->SetNumberOfIterations(10);
+  filter->SetGradientScale(5);
+  filter->AddObserver(vtkCommand::ProgressEvent, &observer, &Observer::Progress);
+  filter->Update();
+  const std::chrono::duration<double> delay = Clock::now() - observer.Asked;
+  RecordProperty("SecondsFromAbortToEnd", std::to_string(delay.count()));
+  EXPECT_GT(observer.Calls, 3);
+  EXPECT_LT(observer.Last, 0.2); // all of it takes some ten seconds
+  EXPECT_LT(delay.count(), 0.4); // 0.1 on a machine that has nothing else to do
+  EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0);
+  EXPECT_EQ(errors.Count(), 0);
+}
+
+} // namespace

@@ -1,0 +1,547 @@
+// vtkMedicalImageWriter and vtkMedicalImageReader on single files.
+#include "vtkMedicalImageReader.h"
+#include "vtkMedicalImageWriter.h"
+
+#include "ExampleImages.h"
+
+#include "vtkCallbackCommand.h"
+#include "vtkErrorCode.h"
+#include "vtkInformation.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+
+#include <csignal>
+#include <cstdint>
+#include <cstring>
+#include <sys/resource.h>
+#include <unistd.h>
+
+namespace
+{
+
+const std::string Endings[] = { ".nii", ".nii.gz", ".nrrd", ".mha", ".mhd" };
+
+int Write(vtkImageData* image, const std::string& name, bool compress = true)
+{
+  vtkNew<vtkMedicalImageWriter> writer;
+  writer->SetInputData(image);
+  writer->SetFileName(name.c_str());
+  writer->SetUseCompression(compress);
+  return writer->Write();
+}
+
+vtkSmartPointer<vtkImageData> Read(const std::string& name)
+{
+  vtkNew<vtkMedicalImageReader> reader;
+  reader->SetFileName(name.c_str());
+  reader->Update();
+  EXPECT_EQ(reader->GetErrorCode(), vtkErrorCode::NoError);
+  vtkSmartPointer<vtkImageData> image = reader->GetOutput();
+  return image;
+}
+
+/// The reader refuses the file with one error that holds all of the words.
+void ExpectRefusal(const std::string& name, const std::vector<std::string>& words)
+{
+  vtkNew<vtkMedicalImageReader> reader;
+  ExampleImages::Errors errors(reader);
+  reader->SetFileName(name.c_str());
+  reader->Update();
+  EXPECT_EQ(errors.Count(), 1) << name;
+  for (const std::string& word : words)
+  {
+    EXPECT_NE(errors.Message().find(word), std::string::npos)
+      << "'" << word << "' is not in: " << errors.Message();
+  }
+  EXPECT_EQ(reader->GetOutput()->GetNumberOfPoints(), 0);
+  EXPECT_NE(reader->GetErrorCode(), vtkErrorCode::NoError);
+}
+
+/// The writer refuses with one error and leaves nothing behind.
+void ExpectWriteRefusal(vtkImageData* image, const std::string& name,
+  const std::vector<std::string>& words)
+{
+  vtkNew<vtkMedicalImageWriter> writer;
+  ExampleImages::Errors errors(writer);
+  writer->SetInputData(image);
+  writer->SetFileName(name.c_str());
+  EXPECT_EQ(writer->Write(), 0);
+  EXPECT_EQ(errors.Count(), 1) << name;
+  for (const std::string& word : words)
+  {
+    EXPECT_NE(errors.Message().find(word), std::string::npos)
+      << "'" << word << "' is not in: " << errors.Message();
+  }
+}
+
+using Combination = std::tuple<std::string, ExampleImages::NamedDirection>;
+
+class TestRoundTrip : public testing::TestWithParam<Combination>
+{
+};
+
+TEST_P(TestRoundTrip, KeepsGeometryAndVoxels)
+{
+  const std::string ending = std::get<0>(GetParam());
+  ExampleImages::Folder folder;
+  auto image = ExampleImages::Make(VTK_SHORT, std::get<1>(GetParam()).Matrix);
+  ASSERT_EQ(Write(image, folder / ("image" + ending)), 1);
+  auto back = Read(folder / ("image" + ending));
+
+  // NIfTI holds its geometry in single precision.
+  const double tolerance = ending.substr(0, 4) == ".nii" ? 1e-6 : 1e-14;
+  ExampleImages::ExpectSameGeometry(back, image, tolerance);
+  ExampleImages::ExpectSameVoxels(back, image);
+  EXPECT_EQ(back->GetScalarType(), VTK_SHORT);
+  const auto place = ExampleImages::FindMark(image);
+  const auto placeBack = ExampleImages::FindMark(back);
+  for (int i = 0; i < 3; ++i)
+  {
+    EXPECT_NEAR(placeBack[i], place[i], 1000 * tolerance);
+  }
+  // Nothing but the file, or the file and its voxels.
+  EXPECT_EQ(folder.NumberOfFiles(), ending == ".mhd" ? 2 : 1);
+}
+
+TEST_P(TestRoundTrip, InformationComesWithoutVoxels)
+{
+  const std::string name = "image" + std::get<0>(GetParam());
+  ExampleImages::Folder folder;
+  auto image = ExampleImages::Make(VTK_UNSIGNED_SHORT, std::get<1>(GetParam()).Matrix);
+  ASSERT_EQ(Write(image, folder / name), 1);
+
+  vtkNew<vtkMedicalImageReader> reader;
+  reader->SetFileName((folder / name).c_str());
+  reader->UpdateInformation();
+  vtkInformation* information = reader->GetOutputInformation(0);
+  const int* extent = information->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT());
+  const double* spacing = information->Get(vtkDataObject::SPACING());
+  const double* origin = information->Get(vtkDataObject::ORIGIN());
+  const double* direction = information->Get(vtkDataObject::DIRECTION());
+  for (int i = 0; i < 6; ++i)
+  {
+    EXPECT_EQ(extent[i], image->GetExtent()[i]);
+  }
+  for (int i = 0; i < 3; ++i)
+  {
+    EXPECT_NEAR(spacing[i], image->GetSpacing()[i], 1e-6);
+    EXPECT_NEAR(origin[i], image->GetOrigin()[i], 1e-3);
+  }
+  for (int i = 0; i < 9; ++i)
+  {
+    EXPECT_NEAR(direction[i], image->GetDirectionMatrix()->GetData()[i], 1e-6);
+  }
+  EXPECT_EQ(vtkImageData::GetScalarType(information), VTK_UNSIGNED_SHORT);
+  EXPECT_EQ(reader->GetOutput()->GetNumberOfPoints(), 0);
+}
+
+INSTANTIATE_TEST_SUITE_P(Formats, TestRoundTrip,
+  testing::Combine(testing::ValuesIn(Endings), testing::ValuesIn(ExampleImages::Directions())),
+  [](const auto& parameter)
+  {
+    std::string name = std::get<0>(parameter.param).substr(1) + std::get<1>(parameter.param).Name;
+    name.erase(std::remove(name.begin(), name.end(), '.'), name.end());
+    return name;
+  });
+
+TEST(TestMedicalImageFiles, EveryScalarTypeInEveryFormat)
+{
+  ExampleImages::Folder folder;
+  for (const int type : { VTK_SIGNED_CHAR, VTK_UNSIGNED_CHAR, VTK_SHORT, VTK_UNSIGNED_SHORT,
+         VTK_INT, VTK_UNSIGNED_INT, VTK_TYPE_INT64, VTK_TYPE_UINT64, VTK_FLOAT, VTK_DOUBLE })
+  {
+    for (const std::string& ending : Endings)
+    {
+      SCOPED_TRACE(std::string(vtkImageScalarTypeNameMacro(type)) + " " + ending);
+      auto image = ExampleImages::Make(type, ExampleImages::Directions()[4].Matrix);
+      // The ends of the type's range show a type that is too narrow or has the wrong sign.
+      vtkDataArray* scalars = image->GetPointData()->GetScalars();
+      scalars->SetComponent(0, 0, scalars->GetDataTypeMin());
+      ASSERT_EQ(Write(image, folder / ("image" + ending)), 1);
+      auto back = Read(folder / ("image" + ending));
+      EXPECT_EQ(back->GetScalarType(), type);
+      ExampleImages::ExpectSameVoxels(back, image);
+    }
+  }
+}
+
+TEST(TestMedicalImageFiles, UncompressedIsLarger)
+{
+  ExampleImages::Folder folder;
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(30, 30, 30);
+  image->AllocateScalars(VTK_UNSIGNED_CHAR, 1);
+  image->GetPointData()->GetScalars()->Fill(7);
+  for (const std::string ending : { ".nrrd", ".mha" })
+  {
+    ASSERT_EQ(Write(image, folder / ("packed" + ending)), 1);
+    ASSERT_EQ(Write(image, folder / ("plain" + ending), false), 1);
+    EXPECT_LT(std::filesystem::file_size(folder / ("packed" + ending)), 2000);
+    EXPECT_GT(std::filesystem::file_size(folder / ("plain" + ending)), 27000);
+    ExampleImages::ExpectSameVoxels(Read(folder / ("plain" + ending)), image);
+  }
+}
+
+TEST(TestMedicalImageFiles, ExtentThatDoesNotBeginAtZeroKeepsItsPlace)
+{
+  ExampleImages::Folder folder;
+  auto image = ExampleImages::Make(VTK_SHORT, ExampleImages::Directions()[4].Matrix);
+  const auto place = ExampleImages::FindMark(image);
+  double origin[3];
+  image->TransformContinuousIndexToPhysicalPoint(-3, 2, -10, origin);
+  image->SetExtent(3, 9, -2, 1, 10, 14);
+  image->SetOrigin(origin);
+  ASSERT_EQ(Write(image, folder / "image.nrrd"), 1);
+  const auto placeBack = ExampleImages::FindMark(Read(folder / "image.nrrd"));
+  for (int i = 0; i < 3; ++i)
+  {
+    EXPECT_NEAR(placeBack[i], place[i], 1e-10);
+  }
+}
+
+TEST(TestMedicalImageFiles, NiftiIsRightAnteriorSuperior)
+{
+  // By the bytes of the header, not by any reader: LPS (x, y, z) is RAS (-x, -y, z).
+  ExampleImages::Folder folder;
+  auto image = ExampleImages::Make(VTK_SHORT, ExampleImages::Directions()[4].Matrix);
+  ASSERT_EQ(Write(image, folder / "image.nii"), 1);
+  const std::string bytes = ExampleImages::ReadBytes(folder / "image.nii");
+  float sform[3][4];
+  std::memcpy(sform, bytes.data() + 280, sizeof(sform));
+  const auto place = ExampleImages::FindMark(image);
+  const double signs[3] = { -1, -1, 1 };
+  for (int row = 0; row < 3; ++row)
+  {
+    double value = sform[row][3];
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      value += sform[row][axis] * ExampleImages::MarkedVoxel[axis];
+    }
+    EXPECT_NEAR(signs[row] * value, place[row], 1e-3);
+  }
+}
+
+TEST(TestMedicalImageFiles, RescaledNiftiIsReadInItsOwnUnits)
+{
+  ExampleImages::Folder folder;
+  auto image = ExampleImages::Make(VTK_SHORT, ExampleImages::Directions()[0].Matrix);
+  ASSERT_EQ(Write(image, folder / "image.nii"), 1);
+  std::string bytes = ExampleImages::ReadBytes(folder / "image.nii");
+  const float slopeAndIntercept[2] = { 0.5F, -1024 };
+  std::memcpy(&bytes[112], slopeAndIntercept, sizeof(slopeAndIntercept));
+  ExampleImages::WriteBytes(folder / "image.nii", bytes);
+  auto back = Read(folder / "image.nii");
+  EXPECT_EQ(back->GetScalarType(), VTK_FLOAT);
+  EXPECT_EQ(back->GetScalarComponentAsDouble(ExampleImages::MarkedVoxel[0],
+              ExampleImages::MarkedVoxel[1], ExampleImages::MarkedVoxel[2], 0),
+    ExampleImages::Mark / 2 - 1024);
+}
+
+TEST(TestMedicalImageFiles, NiftiPairWithOneTimePoint)
+{
+  // A header with four axes, the last of length one, and its voxels in a file beside it.
+  ExampleImages::Folder folder;
+  auto image = ExampleImages::Make(VTK_SHORT, ExampleImages::Directions()[5].Matrix);
+  ASSERT_EQ(Write(image, folder / "image.nii"), 1);
+  const std::string bytes = ExampleImages::ReadBytes(folder / "image.nii");
+  std::string header = bytes.substr(0, 348);
+  const std::int16_t dimensions[5] = { 4, 7, 4, 5, 1 };
+  std::memcpy(&header[40], dimensions, sizeof(dimensions));
+  const float offset = 0;
+  std::memcpy(&header[108], &offset, sizeof(offset));
+  header.replace(344, 3, "ni1");
+  ExampleImages::WriteBytes(folder / "pair.hdr", header);
+  ExampleImages::WriteBytes(folder / "pair.img", bytes.substr(352));
+  auto back = Read(folder / "pair.hdr");
+  ExampleImages::ExpectSameGeometry(back, image, 1e-6);
+  ExampleImages::ExpectSameVoxels(back, image);
+
+  ExampleImages::WriteBytes(folder / "pair.img", bytes.substr(352, 100));
+  ExpectRefusal(folder / "pair.hdr", { "pair.img", "fewer voxels" });
+  std::filesystem::remove(folder / "pair.img");
+  ExpectRefusal(folder / "pair.hdr", { "pair" });
+}
+
+TEST(TestMedicalImageFiles, ReadingAgainAfterAnErrorAndAfterAChange)
+{
+  ExampleImages::Folder folder;
+  auto image = ExampleImages::Make(VTK_SHORT, ExampleImages::Directions()[0].Matrix);
+  ASSERT_EQ(Write(image, folder / "image.nrrd"), 1);
+  vtkNew<vtkMedicalImageReader> reader;
+  ExampleImages::Errors errors(reader);
+  reader->SetFileName((folder / "image.nrrd").c_str());
+  reader->Update();
+  EXPECT_EQ(reader->GetOutput()->GetNumberOfPoints(), 140);
+  reader->SetFileName((folder / "missing.nrrd").c_str());
+  reader->Update();
+  EXPECT_EQ(errors.Count(), 1);
+  EXPECT_EQ(reader->GetOutput()->GetNumberOfPoints(), 0);
+  EXPECT_EQ(reader->GetErrorCode(), vtkErrorCode::FileNotFoundError);
+  reader->SetFileName((folder / "image.nrrd").c_str());
+  reader->Update();
+  EXPECT_EQ(reader->GetOutput()->GetNumberOfPoints(), 140);
+  EXPECT_EQ(reader->GetErrorCode(), vtkErrorCode::NoError);
+}
+
+TEST(TestMedicalImageFiles, MissingAndUnknownFiles)
+{
+  ExampleImages::Folder folder;
+  ExpectRefusal("", { "FileName" });
+  ExpectRefusal(folder / "missing.nii.gz", { "missing.nii.gz", "does not exist" });
+  ExampleImages::WriteBytes(folder / "notes.txt", std::string(5000, 'x'));
+  ExpectRefusal(folder / "notes.txt", { "notes.txt", "unknown", ".nii.gz" });
+  for (const std::string& ending : Endings)
+  {
+    ExampleImages::WriteBytes(folder / ("empty" + ending), "");
+    ExpectRefusal(folder / ("empty" + ending), { "empty" + ending });
+    ExampleImages::WriteBytes(folder / ("notes" + ending), std::string(5000, 'x'));
+    ExpectRefusal(folder / ("notes" + ending), { "notes" + ending });
+  }
+  ExpectRefusal(folder.Name(), { folder.Name(), "no DICOM image" }); // full of other files
+}
+
+TEST(TestMedicalImageFiles, TruncatedAtAnyPlace)
+{
+  ExampleImages::Folder folder;
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(20, 20, 20);
+  image->AllocateScalars(VTK_SHORT, 1);
+  std::mt19937 random(5);
+  auto* voxels = static_cast<short*>(image->GetScalarPointer());
+  std::generate_n(voxels, 8000, [&random]() { return static_cast<short>(random() % 4000); });
+  for (const std::string& ending : Endings)
+  {
+    for (const bool compress : { true, false })
+    {
+      ASSERT_EQ(Write(image, folder / ("image" + ending), compress), 1);
+      // Of a .mhd it is the voxels' file that is cut.
+      std::string cut = folder / ("image" + ending);
+      if (ending == ".mhd")
+      {
+        cut = folder / (compress ? "image.zraw" : "image.raw");
+      }
+      const std::string bytes = ExampleImages::ReadBytes(cut);
+      for (const double part : { 0.0, 0.001, 0.01, 0.02, 0.05, 0.3, 0.7, 0.95, 0.999 })
+      {
+        const auto size = static_cast<std::size_t>(part * static_cast<double>(bytes.size()));
+        SCOPED_TRACE(cut + " cut to " + std::to_string(size));
+        ExampleImages::WriteBytes(cut, bytes.substr(0, size));
+        ExpectRefusal(folder / ("image" + ending), { "image" + ending });
+      }
+      std::filesystem::remove(cut);
+    }
+  }
+}
+
+TEST(TestMedicalImageFiles, DamagedGzipStream)
+{
+  ExampleImages::Folder folder;
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(40, 40, 40);
+  image->AllocateScalars(VTK_SHORT, 1);
+  std::mt19937 random(5);
+  auto* voxels = static_cast<short*>(image->GetScalarPointer());
+  std::generate_n(voxels, 64000, [&random]() { return static_cast<short>(random() % 4000); });
+  ASSERT_EQ(Write(image, folder / "image.nii.gz"), 1);
+  std::string bytes = ExampleImages::ReadBytes(folder / "image.nii.gz");
+  bytes[bytes.size() / 2] ^= 1; // noise hardly compresses: the stream stays one, the sum does not
+  ExampleImages::WriteBytes(folder / "image.nii.gz", bytes);
+  ExpectRefusal(folder / "image.nii.gz", { "image.nii.gz", "checksum" });
+}
+
+/// A NRRD file with any header.
+std::string Nrrd(const std::string& fields, std::size_t bytes)
+{
+  return "NRRD0004\ntype: unsigned char\nencoding: raw\n" + fields + "\n\n" +
+    std::string(bytes, 'a');
+}
+
+TEST(TestMedicalImageFiles, WhatIsNoVolume)
+{
+  ExampleImages::Folder folder;
+  const auto refuse =
+    [&](const std::string& fields, std::size_t bytes, const std::vector<std::string>& words)
+  {
+    ExampleImages::WriteBytes(folder / "image.nrrd", Nrrd(fields, bytes));
+    ExpectRefusal(folder / "image.nrrd", words);
+  };
+  refuse("dimension: 2\nsizes: 4 5", 20, { "2 dimensions", "4 x 5" });
+  refuse("dimension: 4\nsizes: 4 5 6 7\nkinds: domain domain domain domain", 840,
+    { "4 dimensions", "4 x 5 x 6 x 7", "Extract" });
+  refuse("dimension: 4\nsizes: 3 4 5 6\nkinds: vector domain domain domain", 360,
+    { "3 components", "Extract" });
+  refuse("dimension: 4\nsizes: 3 4 5 6\nkinds: RGB-color domain domain domain", 360,
+    { "3 components", "grey" });
+  refuse("dimension: 3\nsizes: 4 5 6\nspace: left-posterior-superior\nspace directions: (1,0,0) "
+         "(1,0,0) (0,0,1)\nspace origin: (0,0,0)",
+    120, { "image.nrrd", "determinant" });
+}
+
+TEST(TestMedicalImageFiles, DamagedHeaders)
+{
+  ExampleImages::Folder folder;
+  // No blank line ends the header; ITK's reader would stop the program at the voxels.
+  std::string bytes = Nrrd("dimension: 3\nsizes: 4 5 6", 120);
+  bytes.replace(bytes.find("\n\n"), 2, "\n" + std::string(400, '\1'));
+  ExampleImages::WriteBytes(folder / "image.nrrd", bytes);
+  ExpectRefusal(folder / "image.nrrd", { "image.nrrd", "damaged" });
+
+  auto image = ExampleImages::Make(VTK_SHORT, ExampleImages::Directions()[0].Matrix);
+  ASSERT_EQ(Write(image, folder / "image.mhd"), 1);
+  const std::string header = ExampleImages::ReadBytes(folder / "image.mhd");
+  const auto replaced = [&header](const std::string& what, const std::string& by)
+  {
+    std::string result = header;
+    result.replace(result.find(what), what.size(), by);
+    return result;
+  };
+  for (const std::string voxels : { "missing.zraw", ".", "" })
+  {
+    ExampleImages::WriteBytes(folder / "image.mhd", replaced("image.zraw", voxels));
+    ExpectRefusal(folder / "image.mhd", { "image.mhd" });
+  }
+  ExampleImages::WriteBytes(folder / "image.mhd", replaced("7 4 5", "7 4 50"));
+  ExpectRefusal(folder / "image.mhd", { "image.mhd", "voxels" });
+  ExampleImages::WriteBytes(folder / "image.mhd", replaced("7 4 5", "70000 70000 70000"));
+  ExpectRefusal(folder / "image.mhd", { "image.mhd" });
+
+  ASSERT_EQ(Write(image, folder / "image.nii"), 1);
+  bytes = ExampleImages::ReadBytes(folder / "image.nii");
+  const std::int16_t sizes[3] = { 32000, 32000, 32000 }; // 60 TB
+  std::memcpy(&bytes[42], sizes, sizeof(sizes));
+  ExampleImages::WriteBytes(folder / "image.nii", bytes);
+  ExpectRefusal(folder / "image.nii", { "image.nii", "memory" });
+}
+
+TEST(TestMedicalImageFiles, ShearedGridOnlyWhereTheFormatHoldsIt)
+{
+  ExampleImages::Folder folder;
+  const double tilt = 0.2;
+  auto image =
+    ExampleImages::Make(VTK_SHORT, { { 1, 0, 0, 0, 1, std::sin(tilt), 0, 0, std::cos(tilt) } });
+  for (const std::string ending : { ".nrrd", ".mha" })
+  {
+    ASSERT_EQ(Write(image, folder / ("image" + ending)), 1);
+    ExampleImages::ExpectSameGeometry(Read(folder / ("image" + ending)), image, 1e-14);
+  }
+  ExpectWriteRefusal(image, folder / "image.nii.gz", { "NIfTI", ".nrrd" });
+  EXPECT_EQ(folder.NumberOfFiles(), 2);
+}
+
+TEST(TestMedicalImageFiles, WriterRefusesWhatItCannotWrite)
+{
+  ExampleImages::Folder folder;
+  auto image = ExampleImages::Make(VTK_SHORT, ExampleImages::Directions()[0].Matrix);
+  ExpectWriteRefusal(image, "", { "FileName" });
+  ExpectWriteRefusal(image, folder / "image.png", { "image.png", "ending" });
+  ExpectWriteRefusal(image, folder / "missing/image.nrrd", { "missing", "Create" });
+  ExpectWriteRefusal(image, "/proc/image.nii.gz", { "/proc", "permissions" });
+  ExampleImages::WriteBytes(folder / "file", "");
+  ExpectWriteRefusal(image, folder / "file/image.nii.gz", { "file" });
+
+  vtkNew<vtkImageData> empty;
+  ExpectWriteRefusal(empty, folder / "image.nrrd", { "port 0", "empty" });
+  vtkNew<vtkImageData> bare;
+  bare->SetDimensions(3, 3, 3);
+  ExpectWriteRefusal(bare, folder / "image.nrrd", { "port 0", "no scalars" });
+  bare->AllocateScalars(VTK_SHORT, 3);
+  ExpectWriteRefusal(bare, folder / "image.nrrd", { "port 0", "3 components" });
+  bare->AllocateScalars(VTK_BIT, 1);
+  ExpectWriteRefusal(bare, folder / "image.nrrd", { "bit" });
+  std::filesystem::create_directory(folder / "taken.nrrd");
+  ExpectWriteRefusal(image, folder / "taken.nrrd", { "taken.nrrd" });
+  EXPECT_EQ(folder.NumberOfFiles(), 2);
+}
+
+TEST(TestMedicalImageFiles, FolderWithoutPermission)
+{
+  if (geteuid() == 0)
+  {
+    GTEST_SKIP() << "The superuser may write everywhere.";
+  }
+  ExampleImages::Folder folder;
+  std::filesystem::create_directory(folder / "closed");
+  std::filesystem::permissions(folder / "closed", std::filesystem::perms::owner_read);
+  auto image = ExampleImages::Make(VTK_SHORT, ExampleImages::Directions()[0].Matrix);
+  ExpectWriteRefusal(image, folder / "closed/image.nii.gz", { "closed", "permissions" });
+  std::filesystem::permissions(folder / "closed", std::filesystem::perms::owner_all);
+}
+
+TEST(TestMedicalImageFiles, FullDiskLeavesTheFormerFile)
+{
+  ExampleImages::Folder folder;
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(40, 40, 40);
+  image->AllocateScalars(VTK_SHORT, 1);
+  std::mt19937 random(5);
+  auto* voxels = static_cast<short*>(image->GetScalarPointer());
+  std::generate_n(voxels, 64000, [&random]() { return static_cast<short>(random()); });
+
+  // To the writer, a limit on the size of files looks like a disk that has become full.
+  std::signal(SIGXFSZ, SIG_IGN);
+  rlimit unlimited;
+  ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &unlimited), 0);
+  rlimit limited = unlimited;
+  for (const rlim_t limit : { 0, 100, 50000, 120000 })
+  {
+    for (const std::string& ending : Endings)
+    {
+      for (const bool compress : { true, false })
+      {
+        SCOPED_TRACE(ending + " in " + std::to_string(limit));
+        ExampleImages::WriteBytes(folder / ("image" + ending), "former");
+        const auto files = folder.NumberOfFiles();
+        vtkNew<vtkMedicalImageWriter> writer;
+        ExampleImages::Errors errors(writer);
+        writer->SetInputData(image);
+        writer->SetFileName((folder / ("image" + ending)).c_str());
+        writer->SetUseCompression(compress);
+        limited.rlim_cur = limit;
+        setrlimit(RLIMIT_FSIZE, &limited);
+        const int written = writer->Write();
+        setrlimit(RLIMIT_FSIZE, &unlimited);
+        if (limit == 120000 && written) // noise, packed, may just fit
+        {
+          ExampleImages::ExpectSameVoxels(Read(folder / ("image" + ending)), image);
+          continue;
+        }
+        EXPECT_EQ(errors.Count(), 1);
+        EXPECT_NE(errors.Message().find("full"), std::string::npos) << errors.Message();
+        EXPECT_EQ(ExampleImages::ReadBytes(folder / ("image" + ending)), "former");
+        EXPECT_EQ(folder.NumberOfFiles(), files);
+      }
+    }
+  }
+}
+
+void AbortSoon(vtkObject* caller, unsigned long, void*, void*)
+{
+  vtkAlgorithm::SafeDownCast(caller)->SetAbortExecute(1);
+}
+
+TEST(TestMedicalImageFiles, AbortReadingAndWriting)
+{
+  ExampleImages::Folder folder;
+  auto image = ExampleImages::Make(VTK_SHORT, ExampleImages::Directions()[0].Matrix);
+  ASSERT_EQ(Write(image, folder / "image.nii.gz"), 1);
+  vtkNew<vtkCallbackCommand> abort;
+  abort->SetCallback(AbortSoon);
+
+  vtkNew<vtkMedicalImageReader> reader;
+  ExampleImages::Errors errors(reader);
+  reader->SetFileName((folder / "image.nii.gz").c_str());
+  reader->AddObserver(vtkCommand::ProgressEvent, abort);
+  reader->Update();
+  EXPECT_EQ(reader->GetOutput()->GetNumberOfPoints(), 0);
+  EXPECT_EQ(errors.Count(), 0);
+
+  vtkNew<vtkMedicalImageWriter> writer;
+  ExampleImages::Errors writerErrors(writer);
+  writer->SetInputData(image);
+  writer->SetFileName((folder / "copy.nii.gz").c_str());
+  writer->AddObserver(vtkCommand::ProgressEvent, abort);
+  EXPECT_EQ(writer->Write(), 0);
+  EXPECT_EQ(writerErrors.Count(), 0);
+  EXPECT_EQ(folder.NumberOfFiles(), 1);
+}
+
+} // namespace
