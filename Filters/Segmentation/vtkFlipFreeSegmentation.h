@@ -1,0 +1,477 @@
+/**
+ * @class   vtkFlipFreeSegmentation
+ * @brief   from a seed sphere in an organ to the organ's surface
+ *
+ * Segments one soft organ of a CT or MR volume: the whole method of the paper (Algorithm 1) in one
+ * filter. Inside the region that the surface can reach it smooths the image, models the intensities
+ * of the seed sphere by a mixture of Gaussians, and deforms a quadrilateral sphere onto the organ,
+ * from coarse to fine, iteration by iteration: correspondence search, flip detection and avoidance,
+ * propagation, Laplacian deformation. Every iterate passes a guard, so that the surface stays
+ * embedded: no two of its triangles intersect, and no face flips.
+ *
+ * The same result comes from the stages chained by hand: vtkSeedRegionDiffusion,
+ * vtkGMMFeatureFilter, vtkCorrespondenceSearch, vtkFlipFreeDeform, vtkFlipFreeRefinement.
+ *
+ * Input port 0: vtkImageData with one scalar component of any type; coordinates are the image's
+ * physical millimetres, the direction matrix is honoured.
+ * Input port 1, optional: vtkPolyData, the surface to start from in place of the sphere: closed, four
+ * neighbours at every vertex, embedded. It is refined like the sphere.
+ *
+ * Output port 0: vtkPolyData, the surface, with the point arrays `Displacement` (3 doubles, mm; the
+ * last one wanted) and `Correspondence` (unsigned char; 0 solitary, 1 matched, 2 flipping).
+ * Output port 1: vtkImageData, unsigned char `Labels` of the input's geometry: LabelValue inside.
+ * Output port 2: vtkTable `Convergence`, a row per iteration: Iteration, Level, Vertices,
+ * MeanDistance (mm), Matched, Solitary, Flipping, Guarded (vertices that the guard held back), and
+ * the seconds of its stages SearchSeconds, FlipSeconds, SolveSeconds, GuardSeconds.
+ *
+ * Errors: no scalars, several components, an empty image, voxels that are not finite near the seed, a
+ * seed outside the image, a radius below a voxel, a seed without contrast to its surroundings, a
+ * start surface that is open, not four-valent or self-intersecting. Each is reported once; the
+ * outputs are then empty.
+ *
+ * Source: the paper, Algorithm 1 and sections 3.1 to 3.6; remedies beyond it carry their own switch.
+ */
+#ifndef vtkFlipFreeSegmentation_h
+#define vtkFlipFreeSegmentation_h
+
+#include "FlipFreeSegmentationModule.h"
+#include "vtkAlgorithm.h"
+
+#include <string> // for std::string
+
+class vtkImageData;
+class vtkPolyData;
+class vtkTable;
+
+class FLIPFREESEGMENTATION_EXPORT vtkFlipFreeSegmentation : public vtkAlgorithm
+{
+public:
+  static vtkFlipFreeSegmentation* New();
+  vtkTypeMacro(vtkFlipFreeSegmentation, vtkAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * The outputs, after Update().
+   */
+  vtkPolyData* GetSurface();
+  vtkImageData* GetLabelMap();
+  vtkTable* GetConvergence();
+  ///@}
+
+  /**
+   * Connects the start surface (input port 1).
+   */
+  void SetStartConnection(vtkAlgorithmOutput* output) { this->SetInputConnection(1, output); }
+  void SetStartData(vtkPolyData* surface);
+
+  /**
+   * All parameters at once. Default: what segments best. AsPublished: the paper's own method, one
+   * level, outward search by voxels, no leak control, no guard. Naive: as published, without flip
+   * detection and avoidance (the paper's Fig. 3b).
+   */
+  void UseDefaultParameters();
+  void UsePublishedParameters();
+  void UseNaiveParameters();
+
+  ///@{
+  /**
+   * Centre of the seed sphere, in millimetres. Default (0, 0, 0). The sphere should lie within the
+   * organ; its voxels model the organ's intensities, and the surface starts from it.
+   */
+  vtkSetVector3Macro(SeedCenter, double);
+  vtkGetVector3Macro(SeedCenter, double);
+  ///@}
+
+  ///@{
+  /**
+   * Radius of the seed sphere, in millimetres. Default 10; about half the organ's half thickness or
+   * more is good. The lengths below that are given in seed radii follow it.
+   */
+  vtkSetClampMacro(SeedRadius, double, 1e-6, 1e6);
+  vtkGetMacro(SeedRadius, double);
+  ///@}
+
+  ///@{
+  /**
+   * Radius of the mesh's first sphere in seed radii. Default 1. Together with StartCenterOffset other
+   * starts than the seed are possible, e.g. one that encloses the object, as in the paper's Fig. 1.
+   */
+  vtkSetClampMacro(StartScale, double, 1e-3, 1e3);
+  vtkGetMacro(StartScale, double);
+  ///@}
+
+  ///@{
+  /**
+   * Centre of the mesh's first sphere relative to the seed's centre, in millimetres. Default zero.
+   */
+  vtkSetVector3Macro(StartCenterOffset, double);
+  vtkGetVector3Macro(StartCenterOffset, double);
+  ///@}
+
+  ///@{
+  /**
+   * Vertices along the edge of a side of the final mesh (n). Default 32: 6,144 vertices; 2 to 256.
+   * The first level has Resolution / 2^(Levels - 1) of them.
+   */
+  vtkSetClampMacro(Resolution, int, 2, 256);
+  vtkGetMacro(Resolution, int);
+  ///@}
+
+  ///@{
+  /**
+   * Number of levels from coarse to fine. Default 3; 1 to 6.
+   */
+  vtkSetClampMacro(Levels, int, 1, 6);
+  vtkGetMacro(Levels, int);
+  ///@}
+
+  ///@{
+  /**
+   * Most iterations at each level. Default 40.
+   */
+  vtkSetClampMacro(MaximumIterations, int, 0, 100000);
+  vtkGetMacro(MaximumIterations, int);
+  ///@}
+
+  ///@{
+  /**
+   * A level ends when the mean distance to the targets falls below this, in voxels (of the greatest
+   * spacing). Default 0.1.
+   */
+  vtkSetClampMacro(DistanceTolerance, double, 0, 1e6);
+  vtkGetMacro(DistanceTolerance, double);
+  ///@}
+
+  ///@{
+  /**
+   * A level ends when the mean distance fell by less than this over five iterations, in voxels.
+   * Default 0.02; a negative value never ends it.
+   */
+  vtkSetMacro(ChangeTolerance, double);
+  vtkGetMacro(ChangeTolerance, double);
+  ///@}
+
+  ///@{
+  /**
+   * How far from the seed's centre, in millimetres, the surface may get; only this box of the image
+   * is touched. Default 0: ten seed radii, at least 100 and at most 250.
+   */
+  vtkSetClampMacro(Reach, double, 0, 1e6);
+  vtkGetMacro(Reach, double);
+  ///@}
+
+  ///@{
+  /**
+   * Iterations of the anisotropic diffusion that smooths the image first (3.2). Default 5; zero for
+   * an image that is smooth already.
+   */
+  vtkSetClampMacro(DiffusionIterations, int, 0, 1000);
+  vtkGetMacro(DiffusionIterations, int);
+  ///@}
+
+  ///@{
+  /**
+   * Greatest number of Gaussians of the mixture (Eq. 1). Default 3; 1 to 8.
+   */
+  vtkSetClampMacro(MaximumComponents, int, 1, 8);
+  vtkGetMacro(MaximumComponents, int);
+  ///@}
+
+  ///@{
+  /**
+   * Mass of the foreground that its threshold keeps. Default 0.95; the threshold Gamma of Eq. 2
+   * follows from it, unless FeatureThreshold is set.
+   */
+  vtkSetClampMacro(ForegroundMass, double, 0.01, 0.99999);
+  vtkGetMacro(ForegroundMass, double);
+  ///@}
+
+  ///@{
+  /**
+   * Gamma of Eq. 2, relative to the mode of g: 0 to 1. Default 0: derived from ForegroundMass.
+   */
+  vtkSetClampMacro(FeatureThreshold, double, 0, 1);
+  vtkGetMacro(FeatureThreshold, double);
+  ///@}
+
+  ///@{
+  /**
+   * By how much of the image's noise the mixture's deviations are widened, since smoothed voxels of a
+   * small sphere vary less than those of the whole organ. Default 1 (standard deviations of the
+   * noise, added in squares); 0 leaves them.
+   */
+  vtkSetClampMacro(NoiseWidening, double, 0, 100);
+  vtkGetMacro(NoiseWidening, double);
+  ///@}
+
+  ///@{
+  /**
+   * Close and open the foreground by balls and keep the seed's component, so that thin bridges to
+   * neighbours do not leak. Default on.
+   */
+  vtkSetMacro(LeakControl, bool);
+  vtkGetMacro(LeakControl, bool);
+  vtkBooleanMacro(LeakControl, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Radius of the closing, in millimetres. Default 1.5; at most two voxels are used.
+   */
+  vtkSetClampMacro(ClosingRadius, double, 0, 1000);
+  vtkGetMacro(ClosingRadius, double);
+  ///@}
+
+  ///@{
+  /**
+   * Radius of the opening, in seed radii; used between 2.5 and 6 mm and up to two voxels. Default 0.4.
+   */
+  vtkSetClampMacro(OpeningScale, double, 0, 1000);
+  vtkGetMacro(OpeningScale, double);
+  ///@}
+
+  ///@{
+  /**
+   * Fit the intensities again at each level, now to the inside of the growing surface and against a
+   * shell around it. Default on.
+   */
+  vtkSetMacro(Reestimate, bool);
+  vtkGetMacro(Reestimate, bool);
+  vtkBooleanMacro(Reestimate, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Greatest length of a search line, in seed radii; between 15 and 60 mm. Default 1.6.
+   */
+  vtkSetClampMacro(SearchScale, double, 0, 1e6);
+  vtkGetMacro(SearchScale, double);
+  ///@}
+
+  ///@{
+  /**
+   * Greatest length of a search line in millimetres; default 0: by SearchScale.
+   */
+  vtkSetClampMacro(SearchDistance, double, 0, 1e6);
+  vtkGetMacro(SearchDistance, double);
+  ///@}
+
+  ///@{
+  /**
+   * Length of the run of voxels beyond the boundary (Eq. 2), in millimetres. Default 2. Zero: the run
+   * has RunVoxels voxels.
+   */
+  vtkSetClampMacro(RunLength, double, 0, 1000);
+  vtkGetMacro(RunLength, double);
+  ///@}
+
+  ///@{
+  /**
+   * Length of the run in voxels, the paper's N + 1. Default 4; counts if RunLength is zero.
+   */
+  vtkSetClampMacro(RunVoxels, int, 1, 1000);
+  vtkGetMacro(RunVoxels, int);
+  ///@}
+
+  ///@{
+  /**
+   * Vertices in the background look inward for the foreground. Default on; off reads Eq. 2 literally.
+   */
+  vtkSetMacro(SearchInward, bool);
+  vtkGetMacro(SearchInward, bool);
+  vtkBooleanMacro(SearchInward, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Deviation of the Gaussian window, in millimetres, in which a target moves to the strongest edge;
+   * at the finest level, at most 1.5 voxels. Default 3; zero leaves it on the voxel's face.
+   */
+  vtkSetClampMacro(EdgeWindow, double, 0, 1000);
+  vtkGetMacro(EdgeWindow, double);
+  ///@}
+
+  ///@{
+  /**
+   * A vertex this near the image's end, in millimetres, takes the end for its target. Default 12; at
+   * zero it is solitary.
+   */
+  vtkSetClampMacro(ImageEndDistance, double, 0, 1e6);
+  vtkGetMacro(ImageEndDistance, double);
+  ///@}
+
+  ///@{
+  /**
+   * Targets farther from those of the two-ring than this many deviations (robust, plus a voxel) are
+   * dropped. Default 3; zero keeps all.
+   */
+  vtkSetClampMacro(OutlierDeviations, double, 0, 1e6);
+  vtkGetMacro(OutlierDeviations, double);
+  ///@}
+
+  ///@{
+  /**
+   * Greatest displacement wanted in one iteration, in voxels (of the greatest spacing). Default 8;
+   * zero does not limit it.
+   */
+  vtkSetClampMacro(MaximumDisplacement, double, 0, 1e6);
+  vtkGetMacro(MaximumDisplacement, double);
+  ///@}
+
+  ///@{
+  /**
+   * Detect and avoid flips (3.4, 3.5). Default on.
+   */
+  vtkSetMacro(AvoidFlips, bool);
+  vtkGetMacro(AvoidFlips, bool);
+  vtkBooleanMacro(AvoidFlips, bool);
+  ///@}
+
+  ///@{
+  /**
+   * r of Eq. 3. Default 0.3; 0 to 1.
+   */
+  vtkSetClampMacro(FlipThreshold, double, 0, 1);
+  vtkGetMacro(FlipThreshold, double);
+  ///@}
+
+  ///@{
+  /**
+   * Passes of local averaging by which displacements reach solitary vertices (3.6). Default 40.
+   */
+  vtkSetClampMacro(PropagationIterations, int, 0, 100000);
+  vtkGetMacro(PropagationIterations, int);
+  ///@}
+
+  ///@{
+  /**
+   * Weight lambda_p of the positional energy (Eq. 7). Default 0.3.
+   */
+  vtkSetClampMacro(PositionWeight, double, 0, 1e6);
+  vtkGetMacro(PositionWeight, double);
+  ///@}
+
+  ///@{
+  /**
+   * Weight lambda_u of the energy of uniform vertex distribution (Eq. 8). Default 1.
+   */
+  vtkSetClampMacro(UniformWeight, double, 0, 1e6);
+  vtkGetMacro(UniformWeight, double);
+  ///@}
+
+  ///@{
+  /**
+   * How much of the present Laplacian is given up in each iteration: 0 (default) is Eq. 5, which
+   * keeps the shape; 1 minimises the new Laplacian, which smooths and shrinks.
+   */
+  vtkSetClampMacro(Fairing, double, 0, 1);
+  vtkGetMacro(Fairing, double);
+  ///@}
+
+  ///@{
+  /**
+   * Hold back what would make the surface meet itself or flip. Default on. Off, nothing is promised.
+   */
+  vtkSetMacro(Guard, bool);
+  vtkGetMacro(Guard, bool);
+  vtkBooleanMacro(Guard, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Value of the organ's voxels in the label map. Default 1; 1 to 255.
+   */
+  vtkSetClampMacro(LabelValue, int, 1, 255);
+  vtkGetMacro(LabelValue, int);
+  ///@}
+
+  ///@{
+  /**
+   * Keep the surface of every iteration, and offer them as time steps: time t is the surface after
+   * iteration t. Default off.
+   */
+  vtkSetMacro(KeepHistory, bool);
+  vtkGetMacro(KeepHistory, bool);
+  vtkBooleanMacro(KeepHistory, bool);
+  ///@}
+
+  /**
+   * Why the last level ended, after Update(): "distance below tolerance", "at rest", "iteration
+   * limit", or "aborted"; empty before.
+   */
+  const char* GetStopReason() const { return this->StopReason.c_str(); }
+
+  /**
+   * Self-intersecting pairs of triangles of the result, counted exactly and independently of the
+   * guard; -1 before Update().
+   */
+  vtkGetMacro(NumberOfSelfIntersections, int);
+
+  /**
+   * Seconds of the last Update() by stage: smoothing, feature, deformation, label map.
+   */
+  vtkGetVector4Macro(StageSeconds, double);
+
+  vtkTypeBool ProcessRequest(
+    vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+protected:
+  vtkFlipFreeSegmentation();
+  ~vtkFlipFreeSegmentation() override;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int FillOutputPortInformation(int port, vtkInformation* info) override;
+  int RequestDataObject(vtkInformationVector** inputs, vtkInformationVector* outputs);
+  int RequestInformation(vtkInformationVector** inputs, vtkInformationVector* outputs);
+  int RequestUpdateExtent(vtkInformationVector** inputs);
+  int RequestData(vtkInformationVector** inputs, vtkInformationVector* outputs);
+
+  double SeedCenter[3] = { 0, 0, 0 };
+  double SeedRadius = 10;
+  double StartScale = 1;
+  double StartCenterOffset[3] = { 0, 0, 0 };
+  int Resolution = 32;
+  int Levels = 3;
+  int MaximumIterations = 40;
+  double DistanceTolerance = 0.1;
+  double ChangeTolerance = 0.02;
+  double Reach = 0;
+  int DiffusionIterations = 5;
+  int MaximumComponents = 3;
+  double ForegroundMass = 0.95;
+  double FeatureThreshold = 0;
+  double NoiseWidening = 1;
+  bool LeakControl = true;
+  double ClosingRadius = 1.5;
+  double OpeningScale = 0.4;
+  bool Reestimate = true;
+  double SearchScale = 1.6;
+  double SearchDistance = 0;
+  double RunLength = 2;
+  int RunVoxels = 4;
+  bool SearchInward = true;
+  double EdgeWindow = 3;
+  double ImageEndDistance = 12;
+  double OutlierDeviations = 3;
+  double MaximumDisplacement = 8;
+  bool AvoidFlips = true;
+  double FlipThreshold = 0.3;
+  int PropagationIterations = 40;
+  double PositionWeight = 0.3;
+  double UniformWeight = 1;
+  double Fairing = 0;
+  bool Guard = true;
+  int LabelValue = 1;
+  bool KeepHistory = false;
+
+  std::string StopReason;
+  int NumberOfSelfIntersections = -1;
+  double StageSeconds[4] = { 0, 0, 0, 0 };
+
+private:
+  vtkFlipFreeSegmentation(const vtkFlipFreeSegmentation&) = delete;
+  void operator=(const vtkFlipFreeSegmentation&) = delete;
+};
+
+#endif
