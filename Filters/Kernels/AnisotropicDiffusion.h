@@ -26,10 +26,8 @@ bool DiffuseAnisotropically(std::vector<float>& voxels, const ImageGeometry& geo
   const AnisotropicDiffusionSettings& settings, const ParallelFor& parallelFor,
   const Monitor& monitor);
 
-/// A robust estimate of the noise: the median absolute difference of neighbours within the slice
-/// over the given voxels (flags), scaled to a standard deviation of the difference.
-double NoiseContrast(const std::vector<float>& voxels, const ImageGeometry& geometry,
-  const std::vector<unsigned char>& where);
+/// The contrast that keeps edges above the image's noise, of the given standard deviation.
+double ContrastOfNoise(double noiseDeviation);
 
 } // namespace FlipFree
 

@@ -124,7 +124,12 @@ private:
 
   double Edge(const Eigen::Vector3d& point) const
   {
-    return InterpolateClamped(this->Edges, this->Grid.ToIndex(point));
+    const Eigen::Vector3d index = this->Grid.ToIndex(point);
+    if (this->Settings.Ramp.Width > 0)
+    {
+      return InterpolateClamped(this->Edges, index, this->Settings.Ramp);
+    }
+    return InterpolateClamped(this->Edges, index);
   }
 
   const ImageView<float>& Feature;

@@ -6,6 +6,7 @@
 #define FlipFreeCorrespondence_h
 
 #include "ContourMesh.h"
+#include "IntensityModel.h"
 
 namespace FlipFree
 {
@@ -38,10 +39,12 @@ struct CorrespondenceSettings
   /// target: an organ that the image cuts has its boundary there. Zero: it is solitary.
   double ImageEndDistance = 0;
 
-  /// Where the strongest edge of `Edges` is looked for around the crossing: the deviation, in
-  /// millimetres, of the Gaussian window that weighs it. Zero leaves the target on the voxel's
-  /// face.
+  /// Where the strongest edge is looked for around the crossing: the deviation, in millimetres, of
+  /// the Gaussian window that weighs it. Zero leaves the target on the voxel's face.
   double EdgeWindow = 0;
+
+  /// How grey values are read there; edges count where it falls outward.
+  EdgeRamp Ramp;
 };
 
 struct CorrespondenceField

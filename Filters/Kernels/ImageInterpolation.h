@@ -11,7 +11,10 @@
 namespace FlipFree
 {
 
-inline double InterpolateClamped(const ImageView<float>& image, const Eigen::Vector3d& index)
+/// `read` turns a voxel's value into the one that is interpolated.
+template <typename Read>
+double InterpolateClamped(const ImageView<float>& image, const Eigen::Vector3d& index,
+  const Read& read)
 {
   const auto& dimensions = image.Geometry.Dimensions;
   int low[3];
@@ -26,8 +29,8 @@ inline double InterpolateClamped(const ImageView<float>& image, const Eigen::Vec
   }
   const auto along = [&](int j, int k)
   {
-    const double a = image(low[0], j, k);
-    return a + part[0] * (image(high[0], j, k) - a);
+    const double a = read(image(low[0], j, k));
+    return a + part[0] * (read(image(high[0], j, k)) - a);
   };
   const auto across = [&](int k)
   {
@@ -36,6 +39,11 @@ inline double InterpolateClamped(const ImageView<float>& image, const Eigen::Vec
   };
   const double a = across(low[2]);
   return a + part[2] * (across(high[2]) - a);
+}
+
+inline double InterpolateClamped(const ImageView<float>& image, const Eigen::Vector3d& index)
+{
+  return InterpolateClamped(image, index, [](float value) { return static_cast<double>(value); });
 }
 
 } // namespace FlipFree

@@ -14,8 +14,8 @@
  *
  * Input port 0: vtkImageData with one scalar component of any type; coordinates are the image's
  * physical millimetres, the direction matrix is honoured.
- * Input port 1, optional: vtkPolyData, the surface to start from in place of the sphere: closed, four
- * neighbours at every vertex, embedded. It is refined like the sphere.
+ * Input port 1, optional: vtkPolyData, the surface to start from in place of the sphere: closed,
+ * four neighbours at every vertex, embedded. It is refined like the sphere.
  *
  * Output port 0: vtkPolyData, the surface, with the point arrays `Displacement` (3 doubles, mm; the
  * last one wanted) and `Correspondence` (unsigned char; 0 solitary, 1 matched, 2 flipping).
@@ -24,12 +24,13 @@
  * MeanDistance (mm), Matched, Solitary, Flipping, Guarded (vertices that the guard held back), and
  * the seconds of its stages SearchSeconds, FlipSeconds, SolveSeconds, GuardSeconds.
  *
- * Errors: no scalars, several components, an empty image, voxels that are not finite near the seed, a
- * seed outside the image, a radius below a voxel, a seed without contrast to its surroundings, a
+ * Errors: no scalars, several components, an empty image, voxels that are not finite near the seed,
+ * a seed outside the image, a radius below a voxel, a seed without contrast to its surroundings, a
  * start surface that is open, not four-valent or self-intersecting. Each is reported once; the
  * outputs are then empty.
  *
- * Source: the paper, Algorithm 1 and sections 3.1 to 3.6; remedies beyond it carry their own switch.
+ * Source: the paper, Algorithm 1 and sections 3.1 to 3.6; remedies beyond it carry their own
+ * switch.
  */
 #ifndef vtkFlipFreeSegmentation_h
 #define vtkFlipFreeSegmentation_h
@@ -37,6 +38,7 @@
 #include "FlipFreeSegmentationModule.h"
 #include "vtkAlgorithm.h"
 
+#include <memory> // for std::unique_ptr
 #include <string> // for std::string
 
 class vtkImageData;
@@ -94,8 +96,9 @@ public:
 
   ///@{
   /**
-   * Radius of the mesh's first sphere in seed radii. Default 1. Together with StartCenterOffset other
-   * starts than the seed are possible, e.g. one that encloses the object, as in the paper's Fig. 1.
+   * Radius of the mesh's first sphere in seed radii. Default 1. Together with StartCenterOffset
+   * other starts than the seed are possible, e.g. one that encloses the object, as in the paper's
+   * Fig. 1.
    */
   vtkSetClampMacro(StartScale, double, 1e-3, 1e3);
   vtkGetMacro(StartScale, double);
@@ -197,8 +200,8 @@ public:
 
   ///@{
   /**
-   * By how much of the image's noise the mixture's deviations are widened, since smoothed voxels of a
-   * small sphere vary less than those of the whole organ. Default 1 (standard deviations of the
+   * By how much of the image's noise the mixture's deviations are widened, since smoothed voxels of
+   * a small sphere vary less than those of the whole organ. Default 1 (standard deviations of the
    * noise, added in squares); 0 leaves them.
    */
   vtkSetClampMacro(NoiseWidening, double, 0, 100);
@@ -225,7 +228,8 @@ public:
 
   ///@{
   /**
-   * Radius of the opening, in seed radii; used between 2.5 and 6 mm and up to two voxels. Default 0.4.
+   * Radius of the opening, in seed radii; used between 2.5 and 6 mm and up to two voxels. Default
+   * 0.4.
    */
   vtkSetClampMacro(OpeningScale, double, 0, 1000);
   vtkGetMacro(OpeningScale, double);
@@ -259,8 +263,8 @@ public:
 
   ///@{
   /**
-   * Length of the run of voxels beyond the boundary (Eq. 2), in millimetres. Default 2. Zero: the run
-   * has RunVoxels voxels.
+   * Length of the run of voxels beyond the boundary (Eq. 2), in millimetres. Default 2. Zero: the
+   * run has RunVoxels voxels.
    */
   vtkSetClampMacro(RunLength, double, 0, 1000);
   vtkGetMacro(RunLength, double);
@@ -276,7 +280,8 @@ public:
 
   ///@{
   /**
-   * Vertices in the background look inward for the foreground. Default on; off reads Eq. 2 literally.
+   * Vertices in the background look inward for the foreground. Default on; off reads Eq. 2
+   * literally.
    */
   vtkSetMacro(SearchInward, bool);
   vtkGetMacro(SearchInward, bool);
@@ -285,8 +290,8 @@ public:
 
   ///@{
   /**
-   * Deviation of the Gaussian window, in millimetres, in which a target moves to the strongest edge;
-   * at the finest level, at most 1.5 voxels. Default 3; zero leaves it on the voxel's face.
+   * Deviation of the Gaussian window, in millimetres, in which a target moves to the strongest
+   * edge; at the finest level, at most 1.5 voxels. Default 3; zero leaves it on the voxel's face.
    */
   vtkSetClampMacro(EdgeWindow, double, 0, 1000);
   vtkGetMacro(EdgeWindow, double);
@@ -294,8 +299,8 @@ public:
 
   ///@{
   /**
-   * A vertex this near the image's end, in millimetres, takes the end for its target. Default 12; at
-   * zero it is solitary.
+   * A vertex this near the image's end, in millimetres, takes the end for its target. Default 12;
+   * at zero it is solitary.
    */
   vtkSetClampMacro(ImageEndDistance, double, 0, 1e6);
   vtkGetMacro(ImageEndDistance, double);
@@ -371,7 +376,8 @@ public:
 
   ///@{
   /**
-   * Hold back what would make the surface meet itself or flip. Default on. Off, nothing is promised.
+   * Hold back what would make the surface meet itself or flip. Default on. Off, nothing is
+   * promised.
    */
   vtkSetMacro(Guard, bool);
   vtkGetMacro(Guard, bool);
@@ -413,8 +419,8 @@ public:
    */
   vtkGetVector4Macro(StageSeconds, double);
 
-  vtkTypeBool ProcessRequest(
-    vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  vtkTypeBool ProcessRequest(vtkInformation*, vtkInformationVector**,
+    vtkInformationVector*) override;
 
 protected:
   vtkFlipFreeSegmentation();
@@ -422,7 +428,6 @@ protected:
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int FillOutputPortInformation(int port, vtkInformation* info) override;
-  int RequestDataObject(vtkInformationVector** inputs, vtkInformationVector* outputs);
   int RequestInformation(vtkInformationVector** inputs, vtkInformationVector* outputs);
   int RequestUpdateExtent(vtkInformationVector** inputs);
   int RequestData(vtkInformationVector** inputs, vtkInformationVector* outputs);
@@ -470,6 +475,14 @@ protected:
   double StageSeconds[4] = { 0, 0, 0, 0 };
 
 private:
+  struct Result;
+
+  bool IsResultValid(vtkInformationVector** inputs) const;
+  void Execute(vtkImageData* image, vtkPolyData* start);
+  void Deliver(vtkInformationVector* outputs);
+
+  std::unique_ptr<Result> Cache;
+
   vtkFlipFreeSegmentation(const vtkFlipFreeSegmentation&) = delete;
   void operator=(const vtkFlipFreeSegmentation&) = delete;
 };

@@ -1,0 +1,116 @@
+/**
+ * Private to the modules, never installed: a vtkImageData of any scalar type as the grey image that
+ * kernels smooth and search, with the checks that all filters make of it.
+ */
+#ifndef FlipFreeGreyImageAdapter_h
+#define FlipFreeGreyImageAdapter_h
+
+#include "ExecutionAdapter.h"
+#include "ImageAdapter.h"
+#include "SeedRegion.h"
+
+#include "vtkDataArray.h"
+#include "vtkPointData.h"
+#include "vtkSetGet.h"
+
+#include <cmath>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+
+namespace FlipFree
+{
+
+/// Throws std::invalid_argument, naming the image by `name`, unless it has voxels, and scalars of
+/// one component for each of them.
+inline void RequireGreyImage(vtkImageData* image, const std::string& name)
+{
+  if (!image || image->GetNumberOfPoints() == 0)
+  {
+    throw std::invalid_argument(name + " has no voxels; connect an image");
+  }
+  vtkDataArray* scalars = image->GetPointData()->GetScalars();
+  if (!scalars || scalars->GetNumberOfTuples() != image->GetNumberOfPoints())
+  {
+    throw std::invalid_argument(
+      name + " has no point scalars; make the array of its intensities the active scalars");
+  }
+  if (scalars->GetNumberOfComponents() != 1)
+  {
+    throw std::invalid_argument(name + " has " + std::to_string(scalars->GetNumberOfComponents()) +
+      " components per voxel; extract one of them by vtkImageExtractComponents");
+  }
+}
+
+/// Throws std::invalid_argument unless the centre lies within the image and the radius is a voxel
+/// or more.
+inline void RequireSeed(const ImageGeometry& geometry, const SeedSphere& seed,
+  const std::string& name)
+{
+  const Eigen::Vector3d index = geometry.ToIndex(seed.Center);
+  std::ostringstream message;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    if (!(index[axis] >= -0.5 && index[axis] <= geometry.Dimensions[axis] - 0.5))
+    {
+      const Eigen::Vector3d first = geometry.ToPhysical(Eigen::Vector3d::Zero());
+      const Eigen::Vector3d last = geometry.ToPhysical(Eigen::Vector3d(geometry.Dimensions[0] - 1,
+        geometry.Dimensions[1] - 1, geometry.Dimensions[2] - 1));
+      message << "the seed's centre (" << seed.Center.transpose() << ") mm lies outside " << name
+              << ", which reaches from (" << first.transpose() << ") to (" << last.transpose()
+              << ") mm; give it in the image's physical coordinates";
+      throw std::invalid_argument(message.str());
+    }
+  }
+  if (!(seed.Radius >= geometry.Spacing.minCoeff()))
+  {
+    message << "the seed's radius of " << seed.Radius << " mm is below a voxel of " << name << " ("
+            << geometry.Spacing.minCoeff() << " mm); enlarge it";
+    throw std::invalid_argument(message.str());
+  }
+}
+
+/// Throws std::invalid_argument, naming the first bad voxel, unless all are finite numbers.
+inline void RequireFinite(const FloatImage& image, const std::string& name)
+{
+  for (std::size_t voxel = 0; voxel < image.Voxels.size(); ++voxel)
+  {
+    if (!std::isfinite(image.Voxels[voxel]))
+    {
+      const std::size_t row = image.Geometry.Dimensions[0];
+      const std::size_t slice = row * image.Geometry.Dimensions[1];
+      std::ostringstream message;
+      message << "a voxel of " << name << ", at ("
+              << image.Geometry
+                   .ToPhysical(Eigen::Vector3d(static_cast<double>(voxel % row),
+                     static_cast<double>(voxel % slice / row), static_cast<double>(voxel / slice)))
+                   .transpose()
+              << ") mm, is not a finite number; replace such voxels first";
+      throw std::invalid_argument(message.str());
+    }
+  }
+}
+
+/// A part of the image as floats. The image has passed RequireGreyImage.
+inline FloatImage GreyRegionOf(vtkImageData* image, const Extent& extent)
+{
+  const ImageGeometry geometry = GeometryOf(image);
+  FloatImage region;
+  void* voxels = image->GetPointData()->GetScalars()->GetVoidPointer(0);
+  switch (image->GetPointData()->GetScalars()->GetDataType())
+  {
+    vtkTemplateMacro(region = CropToFloat<VTK_TT>({ static_cast<const VTK_TT*>(voxels), geometry },
+                       extent, SMPFor));
+  }
+  return region;
+}
+
+inline Extent WholeExtent(const ImageGeometry& geometry)
+{
+  return { { 0, geometry.Dimensions[0] - 1, 0, geometry.Dimensions[1] - 1, 0,
+    geometry.Dimensions[2] - 1 } };
+}
+
+} // namespace FlipFree
+
+#endif

@@ -1,0 +1,36 @@
+#include "DeformationStep.h"
+
+#include "FlipAvoidance.h"
+#include "Stopwatch.h"
+
+namespace FlipFree
+{
+
+DeformationStepReport DeformOnce(const ContourMesh& mesh, const EmbeddingGuard* guard,
+  const DeformationStepSettings& settings, const ParallelFor& parallelFor, const Monitor& monitor,
+  CorrespondenceField& field, PointList& points)
+{
+  DeformationStepReport report;
+  Stopwatch watch;
+  if (settings.AvoidFlips)
+  {
+    report.Flipping = DetectFlips(mesh, points, settings.FlipThreshold, field);
+    AvoidFlips(mesh, points, settings.FlipThreshold, field);
+  }
+  DiffuseDisplacements(mesh, settings.Propagation, field);
+  report.FlipSeconds = watch.Lap();
+
+  PointList motion = field.Displacements;
+  SolveDeformation(mesh, points, field.Displacements, settings.Energy, motion);
+  report.SolveSeconds = watch.Lap();
+
+  if (guard != nullptr)
+  {
+    report.HeldBack = guard->Limit(points, motion, parallelFor, monitor).HeldBack;
+    report.GuardSeconds = watch.Lap();
+  }
+  points += motion;
+  return report;
+}
+
+} // namespace FlipFree

@@ -1,0 +1,85 @@
+/**
+ * How well a grey value fits the organ: first from the seed sphere's mixture (paper section 3.2),
+ * and once there is a surface, from the values inside it against those of a shell around it.
+ */
+#ifndef FlipFreeIntensityModel_h
+#define FlipFreeIntensityModel_h
+
+#include "GaussianMixture.h"
+#include "SeedRegion.h"
+
+namespace FlipFree
+{
+
+struct IntensitySettings
+{
+  MixtureSettings Mixture;
+
+  /// Deviations of the noise by which the mixture is widened, added in squares.
+  double NoiseWidening = 1;
+
+  /// Mass of the foreground above the threshold; counts if Threshold is zero.
+  double ForegroundMass = 0.95;
+  double Threshold = 0;
+
+  /// Odds at which a value that background has as well still is foreground (re-estimation).
+  double BackgroundRatio = 0.5;
+
+  /// The shell around the surface that models the background, and the rind inside it that does not
+  /// model the foreground, in millimetres.
+  double ShellBegin = 1.5;
+  double ShellEnd = 12;
+  double Rind = 2;
+
+  /// Half width of the ramp by which edges are located, in deviations of the noise.
+  double EdgeRamp = 20;
+};
+
+/// Grey values in which the organ's boundary is located: 1 between Low and High, falling to 0
+/// within Width outside of them, so that all that is unlike the organ looks alike.
+struct EdgeRamp
+{
+  double Low = 0;
+  double High = 0;
+  double Width = 0; ///< zero: the grey values themselves
+
+  double operator()(double z) const
+  {
+    const double outside = z < this->Low ? this->Low - z : (z > this->High ? z - this->High : 0);
+    return outside < this->Width ? 1 - outside / this->Width : 0;
+  }
+};
+
+class IntensityModel
+{
+public:
+  GaussianMixture Mixture;
+  double Threshold = 0.5; ///< of the feature (Gamma)
+  EdgeRamp Ramp;
+
+  /// The feature of a grey value, in [0, 1]; tabulated.
+  float operator()(float z) const;
+
+  /// Fits the mixture to the seed's values.
+  static IntensityModel FromSeed(const std::vector<float>& values, double noise,
+    const IntensitySettings& settings);
+
+  /// Replaces the feature by the odds of `inside` against `outside`, within the one interval of
+  /// grey values about the median of `inside` in which they favour it. Mixture and ramp stay.
+  void Reestimate(const std::vector<float>& inside, const std::vector<float>& outside, double noise,
+    const IntensitySettings& settings);
+
+private:
+  float Begin = 0;
+  float Step = 1;
+  std::vector<float> Table;
+};
+
+/// The grey values well inside a voxelised surface, and those of the shell around it.
+void SampleInsideAndShell(const ImageView<float>& image, const std::vector<unsigned char>& inside,
+  const IntensitySettings& settings, const ParallelFor& parallelFor,
+  std::vector<float>& insideValues, std::vector<float>& shellValues);
+
+} // namespace FlipFree
+
+#endif

@@ -1,0 +1,30 @@
+/**
+ * Keeps the foreground from leaking into neighbours: thin bridges are cut by an opening, and only
+ * what hangs together with the seed stays. All lengths are millimetres.
+ */
+#ifndef FlipFreeLeakControl_h
+#define FlipFreeLeakControl_h
+
+#include "SeedRegion.h"
+
+namespace FlipFree
+{
+
+struct LeakControlSettings
+{
+  double ClosingRadius = 1.5; ///< fills vessels and noise
+  double OpeningRadius = 4;   ///< cuts bridges; what is thinner is lost
+};
+
+/// The part of `mask` (0 or 1) that survives closing, opening, and connection with the seed. With
+/// an opening that leaves nothing at the seed, the opening is not applied.
+void ControlLeaks(std::vector<unsigned char>& mask, const ImageGeometry& geometry,
+  const SeedSphere& seed, const LeakControlSettings& settings, const ParallelFor& parallelFor);
+
+/// Clears all voxels of the mask that are not connected (by faces) with one of `sources`.
+void KeepConnected(std::vector<unsigned char>& mask, const ImageGeometry& geometry,
+  const std::vector<std::size_t>& sources);
+
+} // namespace FlipFree
+
+#endif

@@ -1,0 +1,87 @@
+#include "OrganFeature.h"
+
+#include "SurfaceVoxelisation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace FlipFree
+{
+namespace
+{
+
+// Fewer voxels do not make a histogram.
+constexpr std::size_t LeastSample = 200;
+
+} // namespace
+
+IntensityModel FitToSeed(const ImageView<float>& smooth, const SeedSphere& seed, double noise,
+  const IntensitySettings& settings)
+{
+  std::vector<float> values;
+  for (std::size_t voxel : VoxelsInSphere(smooth.Geometry, seed))
+  {
+    if (!std::isfinite(smooth.Data[voxel]))
+    {
+      throw std::invalid_argument(
+        "the seed sphere holds voxels that are not finite numbers; replace them first");
+    }
+    values.push_back(smooth.Data[voxel]);
+  }
+  if (values.empty())
+  {
+    throw std::invalid_argument(
+      "no voxel centre lies in the seed sphere; enlarge its radius beyond "
+      "a voxel, or move its centre into the image");
+  }
+  return IntensityModel::FromSeed(values, noise, settings);
+}
+
+void RefitToSurface(const ImageView<float>& smooth, const PointList& points,
+  const TriangleList& triangles, double noise, const IntensitySettings& settings,
+  const ParallelFor& parallelFor, IntensityModel& model)
+{
+  std::vector<unsigned char> mask(smooth.Geometry.NumberOfVoxels(), 0);
+  FillRuns<unsigned char>(VoxeliseSurface(points, triangles, smooth.Geometry, parallelFor), 1,
+    smooth.Geometry, mask.data());
+  std::vector<float> inside;
+  std::vector<float> shell;
+  SampleInsideAndShell(smooth, mask, settings, parallelFor, inside, shell);
+  if (inside.size() > LeastSample)
+  {
+    model.Reestimate(inside, shell, noise, settings);
+  }
+}
+
+std::vector<float> MakeFeature(const ImageView<float>& smooth, const IntensityModel& model,
+  const SeedSphere& seed, const OrganFeatureSettings& settings, const ParallelFor& parallelFor)
+{
+  const std::size_t size = smooth.Geometry.NumberOfVoxels();
+  std::vector<float> feature(size);
+  parallelFor(0, static_cast<std::ptrdiff_t>(size),
+    [&](std::ptrdiff_t first, std::ptrdiff_t last)
+    { std::transform(smooth.Data + first, smooth.Data + last, feature.begin() + first, model); });
+  if (!settings.ControlLeaks)
+  {
+    return feature;
+  }
+  // Rounded towards the foreground, so that a voxel at the threshold stays above it as a double.
+  const float threshold =
+    std::nextafter(static_cast<float>(model.Threshold), std::numeric_limits<float>::infinity());
+  const float below = 0.5F * threshold;
+  std::vector<unsigned char> mask(size);
+  for (std::size_t voxel = 0; voxel < size; ++voxel)
+  {
+    mask[voxel] = feature[voxel] >= model.Threshold;
+  }
+  ControlLeaks(mask, smooth.Geometry, seed, settings.Leaks, parallelFor);
+  for (std::size_t voxel = 0; voxel < size; ++voxel)
+  {
+    feature[voxel] =
+      mask[voxel] ? std::max(feature[voxel], threshold) : std::min(feature[voxel], below);
+  }
+  return feature;
+}
+
+} // namespace FlipFree

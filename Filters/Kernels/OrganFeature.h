@@ -1,0 +1,37 @@
+/**
+ * The feature image of the organ (paper section 3.2) with its threshold, and its leak control.
+ */
+#ifndef FlipFreeOrganFeature_h
+#define FlipFreeOrganFeature_h
+
+#include "ContourMesh.h"
+#include "IntensityModel.h"
+#include "LeakControl.h"
+
+namespace FlipFree
+{
+
+struct OrganFeatureSettings
+{
+  IntensitySettings Intensity;
+  bool ControlLeaks = true;
+  LeakControlSettings Leaks;
+};
+
+/// Applies the model to a smoothed image. With leak control, voxels that it takes away get a
+/// feature below the model's threshold, and voxels that it fills in get the threshold.
+std::vector<float> MakeFeature(const ImageView<float>& smooth, const IntensityModel& model,
+  const SeedSphere& seed, const OrganFeatureSettings& settings, const ParallelFor& parallelFor);
+
+/// Fits the model to the seed.
+IntensityModel FitToSeed(const ImageView<float>& smooth, const SeedSphere& seed, double noise,
+  const IntensitySettings& settings);
+
+/// Fits it again to the inside of a closed surface, if that holds enough voxels.
+void RefitToSurface(const ImageView<float>& smooth, const PointList& points,
+  const TriangleList& triangles, double noise, const IntensitySettings& settings,
+  const ParallelFor& parallelFor, IntensityModel& model);
+
+} // namespace FlipFree
+
+#endif

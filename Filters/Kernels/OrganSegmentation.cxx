@@ -1,0 +1,184 @@
+#include "OrganSegmentation.h"
+
+#include "SelfIntersection.h"
+#include "Stopwatch.h"
+#include "SurfaceRefinement.h"
+
+#include <memory>
+
+namespace FlipFree
+{
+namespace
+{
+
+constexpr std::size_t ChangeSpan = 5;
+
+class Run
+{
+public:
+  Run(const ImageView<float>& smooth, double noise, const SeedSphere& seed,
+    const OrganSegmentationSettings& settings, const ParallelFor& parallelFor,
+    const Monitor& monitor, const IterationObserver& observer, OrganSurface& surface)
+    : Smooth(smooth)
+    , Noise(noise)
+    , Seed(seed)
+    , Settings(settings)
+    , Parallel(parallelFor)
+    , Ask(monitor)
+    , Observe(observer)
+    , Surface(surface)
+  {
+  }
+
+  void Execute()
+  {
+    Stopwatch watch;
+    this->Model =
+      FitToSeed(this->Smooth, this->Seed, this->Noise, this->Settings.Feature.Intensity);
+    this->UpdateFeature();
+    this->Surface.FeatureSeconds += watch.Lap();
+    for (int level = 0; level < this->Settings.Levels; ++level)
+    {
+      if (level > 0 && !this->NextLevel())
+      {
+        return;
+      }
+      this->IterateLevel(level);
+      if (this->Stopped)
+      {
+        this->Surface.StopReason = "aborted";
+        return;
+      }
+    }
+  }
+
+private:
+  bool Proceed(int level, double partOfLevel)
+  {
+    this->Stopped = this->Stopped || !this->Ask((level + partOfLevel) / this->Settings.Levels);
+    return !this->Stopped;
+  }
+
+  void UpdateFeature()
+  {
+    this->Feature =
+      MakeFeature(this->Smooth, this->Model, this->Seed, this->Settings.Feature, this->Parallel);
+  }
+
+  bool NextLevel()
+  {
+    const Monitor proceed = [this](double) { return this->Proceed(this->Level, 1); };
+    RefinedSurface refined = RefineSurface(this->Surface.Mesh, this->Surface.Points,
+      this->Settings.Guard, this->Parallel, proceed);
+    if (!refined.Embedded)
+    {
+      this->Surface.StopReason =
+        this->Stopped ? "aborted" : "the coarse surface could not be refined";
+      return false;
+    }
+    this->Surface.Mesh = std::move(refined.Mesh);
+    this->Surface.Points = std::move(refined.Points);
+    if (this->Settings.Reestimate)
+    {
+      Stopwatch watch;
+      RefitToSurface(this->Smooth, this->Surface.Points, this->Surface.Mesh.Triangles, this->Noise,
+        this->Settings.Feature.Intensity, this->Parallel, this->Model);
+      this->UpdateFeature();
+      this->Surface.FeatureSeconds += watch.Lap();
+    }
+    return true;
+  }
+
+  void IterateLevel(int level)
+  {
+    this->Level = level;
+    std::unique_ptr<EmbeddingGuard> guard;
+    if (this->Settings.Guard)
+    {
+      guard = std::make_unique<EmbeddingGuard>(this->Surface.Mesh);
+    }
+    const bool finest = level + 1 == this->Settings.Levels;
+    std::vector<double> distances;
+    this->Surface.StopReason = "iteration limit";
+    for (int iteration = 0; iteration < this->Settings.MaximumIterations; ++iteration)
+    {
+      const double part = static_cast<double>(iteration) / this->Settings.MaximumIterations;
+      if (!this->Proceed(level, part))
+      {
+        return;
+      }
+      distances.push_back(this->IterateOnce(guard.get(), finest, part));
+      if (distances.back() < this->Settings.DistanceTolerance)
+      {
+        this->Surface.StopReason = "distance below tolerance";
+        return;
+      }
+      if (distances.size() > ChangeSpan &&
+        distances[distances.size() - 1 - ChangeSpan] - distances.back() <
+          this->Settings.ChangeTolerance)
+      {
+        this->Surface.StopReason = "at rest";
+        return;
+      }
+    }
+  }
+
+  double IterateOnce(const EmbeddingGuard* guard, bool finest, double part)
+  {
+    IterationRecord record;
+    record.Iteration = static_cast<int>(this->Surface.Iterations.size()) + 1;
+    record.Level = this->Level;
+    record.Vertices = this->Surface.Mesh.NumberOfPoints();
+
+    TargetSettings targets = this->Settings.Targets;
+    targets.Correspondence.Threshold = this->Model.Threshold;
+    targets.Correspondence.Ramp = this->Model.Ramp;
+    if (!finest)
+    {
+      targets.Correspondence.EdgeWindow = 0;
+    }
+    Stopwatch watch;
+    const ImageView<float> feature{ this->Feature.data(), this->Smooth.Geometry };
+    this->Surface.Field = FindTargets(this->Surface.Mesh, this->Surface.Points, feature,
+      this->Smooth, targets, this->Parallel, record.Targets);
+    record.SearchSeconds = watch.Lap();
+
+    const Monitor proceed = [this, part](double) { return this->Proceed(this->Level, part); };
+    record.Step = DeformOnce(this->Surface.Mesh, guard, this->Settings.Step, this->Parallel,
+      proceed, this->Surface.Field, this->Surface.Points);
+    this->Surface.Iterations.push_back(record);
+    this->Observe(this->Surface.Mesh, this->Surface.Points, record);
+    return record.Targets.MeanDistance;
+  }
+
+  const ImageView<float>& Smooth;
+  double Noise;
+  const SeedSphere& Seed;
+  const OrganSegmentationSettings& Settings;
+  const ParallelFor& Parallel;
+  const Monitor& Ask;
+  const IterationObserver& Observe;
+  OrganSurface& Surface;
+
+  IntensityModel Model;
+  std::vector<float> Feature;
+  int Level = 0;
+  bool Stopped = false;
+};
+
+} // namespace
+
+OrganSurface SegmentOrgan(const ImageView<float>& smooth, double noise, const SeedSphere& seed,
+  const ContourMesh& startMesh, const PointList& startPoints,
+  const OrganSegmentationSettings& settings, const ParallelFor& parallelFor, const Monitor& monitor,
+  const IterationObserver& observer)
+{
+  OrganSurface surface;
+  surface.Mesh = startMesh;
+  surface.Points = startPoints;
+  Run(smooth, noise, seed, settings, parallelFor, monitor, observer, surface).Execute();
+  surface.SelfIntersections = CountSelfIntersections(surface.Points, surface.Mesh.Triangles);
+  return surface;
+}
+
+} // namespace FlipFree

@@ -1,0 +1,74 @@
+/**
+ * The seed sphere, and the part of an image that a surface grown from it can reach: all later work
+ * is done on that box alone, so that its cost follows the organ and not the volume.
+ */
+#ifndef FlipFreeSeedRegion_h
+#define FlipFreeSeedRegion_h
+
+#include "KernelTypes.h"
+
+#include <vector>
+
+namespace FlipFree
+{
+
+struct SeedSphere
+{
+  Eigen::Vector3d Center = Eigen::Vector3d::Zero(); ///< millimetres
+  double Radius = 10;                               ///< millimetres
+};
+
+/// Grey values or features on a grid of their own.
+struct FloatImage
+{
+  ImageGeometry Geometry;
+  std::vector<float> Voxels;
+
+  ImageView<float> View() const { return { this->Voxels.data(), this->Geometry }; }
+};
+
+/// First and last voxel on each axis.
+using Extent = std::array<int, 6>;
+
+/// The voxels within `reach` millimetres of a point along each of the image's axes.
+Extent ReachableExtent(const ImageGeometry& geometry, const Eigen::Vector3d& center, double reach);
+
+/// The geometry of that part of the image.
+ImageGeometry CropGeometry(const ImageGeometry& geometry, const Extent& extent);
+
+template <typename T>
+FloatImage CropToFloat(const ImageView<T>& image, const Extent& extent,
+  const ParallelFor& parallelFor)
+{
+  FloatImage region;
+  region.Geometry = CropGeometry(image.Geometry, extent);
+  region.Voxels.resize(region.Geometry.NumberOfVoxels());
+  parallelFor(0, region.Geometry.Dimensions[2],
+    [&](std::ptrdiff_t first, std::ptrdiff_t last)
+    {
+      for (int k = static_cast<int>(first); k < last; ++k)
+      {
+        for (int j = 0; j < region.Geometry.Dimensions[1]; ++j)
+        {
+          const T* from = &image(extent[0], extent[2] + j, extent[4] + k);
+          float* to = region.Voxels.data() + region.Geometry.Offset(0, j, k);
+          for (int i = 0; i < region.Geometry.Dimensions[0]; ++i)
+          {
+            to[i] = static_cast<float>(from[i]);
+          }
+        }
+      }
+    });
+  return region;
+}
+
+/// Offsets of the voxels whose centres lie in the sphere, ascending.
+std::vector<std::size_t> VoxelsInSphere(const ImageGeometry& geometry, const SeedSphere& seed);
+
+/// The standard deviation of the noise: from the median absolute difference of neighbours along the
+/// first axis within the sphere, which structures larger than a voxel hardly touch. Not negative.
+double NoiseDeviation(const ImageView<float>& image, const SeedSphere& seed);
+
+} // namespace FlipFree
+
+#endif

@@ -1,0 +1,50 @@
+/**
+ * One iteration's targets: normals, correspondence search, and two remedies beyond the paper that
+ * take back what the search found too boldly.
+ */
+#ifndef FlipFreeTargetSearch_h
+#define FlipFreeTargetSearch_h
+
+#include "Correspondence.h"
+
+namespace FlipFree
+{
+
+struct TargetSettings
+{
+  CorrespondenceSettings Correspondence;
+
+  /// Passes of averaging over neighbours that the normals get.
+  int NormalSmoothing = 2;
+
+  /// Targets farther from the two-ring's median than this many robust deviations, plus a voxel, are
+  /// dropped; zero keeps all.
+  double OutlierDeviations = 3;
+
+  /// Greatest displacement in millimetres; zero does not limit it.
+  double MaximumDisplacement = 0;
+};
+
+struct TargetReport
+{
+  double MeanDistance = 0; ///< mm, over the matched vertices, before displacements are limited
+  int Matched = 0;
+  int Solitary = 0;
+};
+
+/// Makes the vertices solitary whose displacement along the normal is unlike those of their
+/// two-ring: beyond `deviations` robust standard deviations plus `allowance` millimetres from the
+/// median.
+void RejectOutliers(const ContourMesh& mesh, const PointList& normals, double deviations,
+  double allowance, CorrespondenceField& field);
+
+/// Shortens displacements to at most `limit` millimetres.
+void LimitDisplacements(double limit, CorrespondenceField& field);
+
+CorrespondenceField FindTargets(const ContourMesh& mesh, const PointList& points,
+  const ImageView<float>& feature, const ImageView<float>& edges, const TargetSettings& settings,
+  const ParallelFor& parallelFor, TargetReport& report);
+
+} // namespace FlipFree
+
+#endif

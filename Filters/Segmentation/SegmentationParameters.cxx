@@ -1,0 +1,95 @@
+#include "SegmentationParameters.h"
+
+#include "vtkFlipFreeSegmentation.h"
+
+#include <algorithm>
+
+namespace FlipFree
+{
+namespace
+{
+
+// Lengths beyond these help on no organ, whatever the seed.
+constexpr double LeastReach = 100;
+constexpr double GreatestReach = 250;
+constexpr double ReachInRadii = 10;
+constexpr double LeastSearch = 15;
+constexpr double GreatestSearch = 60;
+constexpr double LeastOpening = 2.5;
+constexpr double GreatestOpening = 6;
+constexpr double MostVoxelsOpened = 2;
+constexpr double MostVoxelsOfEdgeWindow = 1.5;
+
+double Clamp(double value, double least, double greatest)
+{
+  return std::max(least, std::min(greatest, value));
+}
+
+} // namespace
+
+int FirstResolution(vtkFlipFreeSegmentation* filter)
+{
+  return std::max(1, filter->GetResolution() >> (filter->GetLevels() - 1));
+}
+
+double ReachOf(vtkFlipFreeSegmentation* filter)
+{
+  return filter->GetReach() > 0
+    ? filter->GetReach()
+    : Clamp(ReachInRadii * filter->GetSeedRadius(), LeastReach, GreatestReach);
+}
+
+AnisotropicDiffusionSettings DiffusionSettingsOf(vtkFlipFreeSegmentation* filter, double noise)
+{
+  AnisotropicDiffusionSettings settings;
+  settings.Iterations = filter->GetDiffusionIterations();
+  settings.Contrast = ContrastOfNoise(noise);
+  return settings;
+}
+
+OrganSegmentationSettings SettingsOf(vtkFlipFreeSegmentation* filter, const ImageGeometry& geometry)
+{
+  const double voxel = geometry.Spacing.maxCoeff();
+  const double radius = filter->GetSeedRadius();
+  OrganSegmentationSettings settings;
+  settings.Levels = filter->GetLevels();
+  settings.MaximumIterations = filter->GetMaximumIterations();
+  settings.DistanceTolerance = voxel * filter->GetDistanceTolerance();
+  settings.ChangeTolerance = voxel * filter->GetChangeTolerance();
+  settings.Reestimate = filter->GetReestimate();
+  settings.Guard = filter->GetGuard();
+
+  IntensitySettings& intensity = settings.Feature.Intensity;
+  intensity.Mixture.MaximumComponents = filter->GetMaximumComponents();
+  intensity.NoiseWidening = filter->GetNoiseWidening();
+  intensity.ForegroundMass = filter->GetForegroundMass();
+  intensity.Threshold = filter->GetFeatureThreshold();
+  settings.Feature.ControlLeaks = filter->GetLeakControl();
+  settings.Feature.Leaks.ClosingRadius =
+    std::min(filter->GetClosingRadius(), MostVoxelsOpened * voxel);
+  settings.Feature.Leaks.OpeningRadius =
+    std::min(Clamp(filter->GetOpeningScale() * radius, LeastOpening, GreatestOpening),
+      MostVoxelsOpened * voxel);
+
+  CorrespondenceSettings& search = settings.Targets.Correspondence;
+  search.SearchDistance = filter->GetSearchDistance() > 0
+    ? filter->GetSearchDistance()
+    : Clamp(filter->GetSearchScale() * radius, LeastSearch, GreatestSearch);
+  search.RunLength = filter->GetRunLength();
+  search.RunVoxels = filter->GetRunVoxels();
+  search.SearchInward = filter->GetSearchInward();
+  search.ImageEndDistance = filter->GetImageEndDistance();
+  search.EdgeWindow = std::min(filter->GetEdgeWindow(), MostVoxelsOfEdgeWindow * voxel);
+  settings.Targets.OutlierDeviations = filter->GetOutlierDeviations();
+  settings.Targets.MaximumDisplacement = voxel * filter->GetMaximumDisplacement();
+
+  settings.Step.AvoidFlips = filter->GetAvoidFlips();
+  settings.Step.FlipThreshold = filter->GetFlipThreshold();
+  settings.Step.Propagation.Iterations = filter->GetPropagationIterations();
+  settings.Step.Energy.PositionWeight = filter->GetPositionWeight();
+  settings.Step.Energy.UniformWeight = filter->GetUniformWeight();
+  settings.Step.Energy.Fairing = filter->GetFairing();
+  return settings;
+}
+
+} // namespace FlipFree

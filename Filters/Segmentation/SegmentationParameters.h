@@ -1,0 +1,30 @@
+/**
+ * Private to the module: the parameters of vtkFlipFreeSegmentation, given in seed radii and voxels,
+ * as the lengths in millimetres that the kernels take. The stages chained by hand get the same
+ * ones.
+ */
+#ifndef FlipFreeSegmentationParameters_h
+#define FlipFreeSegmentationParameters_h
+
+#include "AnisotropicDiffusion.h"
+#include "OrganSegmentation.h"
+
+class vtkFlipFreeSegmentation;
+
+namespace FlipFree
+{
+
+/// n of the first level.
+int FirstResolution(vtkFlipFreeSegmentation* filter);
+
+/// How far from the seed's centre the surface may get, in millimetres.
+double ReachOf(vtkFlipFreeSegmentation* filter);
+
+AnisotropicDiffusionSettings DiffusionSettingsOf(vtkFlipFreeSegmentation* filter, double noise);
+
+OrganSegmentationSettings SettingsOf(vtkFlipFreeSegmentation* filter,
+  const ImageGeometry& geometry);
+
+} // namespace FlipFree
+
+#endif

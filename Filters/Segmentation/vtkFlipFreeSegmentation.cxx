@@ -1,0 +1,282 @@
+#include "vtkFlipFreeSegmentation.h"
+
+#include "ContourMeshAdapter.h"
+#include "ConvergenceTable.h"
+#include "ExecutionAdapter.h"
+#include "GreyImageAdapter.h"
+#include "SegmentationParameters.h"
+
+#include "AnisotropicDiffusion.h"
+#include "OrganSegmentation.h"
+#include "QuadSphere.h"
+#include "Stopwatch.h"
+#include "SurfaceVoxelisation.h"
+
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkTable.h"
+#include "vtkTrivialProducer.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
+#include <vector>
+
+vtkStandardNewMacro(vtkFlipFreeSegmentation);
+
+// The outputs of the last run, from which any iteration can be delivered again.
+struct vtkFlipFreeSegmentation::Result
+{
+  vtkNew<vtkPolyData> Surface;
+  vtkNew<vtkImageData> Labels;
+  vtkNew<vtkTable> Convergence;
+  std::vector<vtkSmartPointer<vtkPolyData>> History;
+  vtkTimeStamp Time;
+};
+
+vtkFlipFreeSegmentation::vtkFlipFreeSegmentation()
+{
+  this->SetNumberOfInputPorts(2);
+  this->SetNumberOfOutputPorts(3);
+}
+
+vtkFlipFreeSegmentation::~vtkFlipFreeSegmentation() = default;
+
+vtkPolyData* vtkFlipFreeSegmentation::GetSurface()
+{
+  return vtkPolyData::SafeDownCast(this->GetOutputDataObject(0));
+}
+
+vtkImageData* vtkFlipFreeSegmentation::GetLabelMap()
+{
+  return vtkImageData::SafeDownCast(this->GetOutputDataObject(1));
+}
+
+vtkTable* vtkFlipFreeSegmentation::GetConvergence()
+{
+  return vtkTable::SafeDownCast(this->GetOutputDataObject(2));
+}
+
+void vtkFlipFreeSegmentation::SetStartData(vtkPolyData* surface)
+{
+  this->SetInputDataObject(1, surface);
+}
+
+int vtkFlipFreeSegmentation::FillInputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(INPUT_REQUIRED_DATA_TYPE(), port == 0 ? "vtkImageData" : "vtkPolyData");
+  info->Set(INPUT_IS_OPTIONAL(), port == 1);
+  return 1;
+}
+
+int vtkFlipFreeSegmentation::FillOutputPortInformation(int port, vtkInformation* info)
+{
+  const char* const types[3] = { "vtkPolyData", "vtkImageData", "vtkTable" };
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), types[port]);
+  return 1;
+}
+
+vtkTypeBool vtkFlipFreeSegmentation::ProcessRequest(vtkInformation* request,
+  vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  if (request->Has(vtkDemandDrivenPipeline::REQUEST_INFORMATION()))
+  {
+    return this->RequestInformation(inputs, outputs);
+  }
+  if (request->Has(vtkStreamingDemandDrivenPipeline::REQUEST_UPDATE_EXTENT()))
+  {
+    return this->RequestUpdateExtent(inputs);
+  }
+  if (request->Has(vtkDemandDrivenPipeline::REQUEST_DATA()))
+  {
+    return this->RequestData(inputs, outputs);
+  }
+  return this->Superclass::ProcessRequest(request, inputs, outputs);
+}
+
+int vtkFlipFreeSegmentation::RequestInformation(vtkInformationVector** inputs,
+  vtkInformationVector* outputs)
+{
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  vtkInformation* in = inputs[0]->GetInformationObject(0);
+  vtkInformation* labels = outputs->GetInformationObject(1);
+  labels->CopyEntry(in, Pipeline::WHOLE_EXTENT());
+  labels->CopyEntry(in, vtkDataObject::SPACING());
+  labels->CopyEntry(in, vtkDataObject::ORIGIN());
+  labels->CopyEntry(in, vtkDataObject::DIRECTION());
+  vtkDataObject::SetPointDataActiveScalarInfo(labels, VTK_UNSIGNED_CHAR, 1);
+  return 1;
+}
+
+int vtkFlipFreeSegmentation::RequestUpdateExtent(vtkInformationVector** inputs)
+{
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  vtkInformation* in = inputs[0]->GetInformationObject(0);
+  if (in->Has(Pipeline::WHOLE_EXTENT()))
+  {
+    in->Set(Pipeline::UPDATE_EXTENT(), in->Get(Pipeline::WHOLE_EXTENT()), 6);
+  }
+  return 1;
+}
+
+bool vtkFlipFreeSegmentation::IsResultValid(vtkInformationVector** inputs) const
+{
+  if (!this->Cache || this->Cache->Time < const_cast<vtkFlipFreeSegmentation*>(this)->GetMTime())
+  {
+    return false;
+  }
+  for (int port = 0; port < 2; ++port)
+  {
+    vtkDataObject* input = vtkDataObject::GetData(inputs[port]);
+    if (input && this->Cache->Time < input->GetMTime())
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+int vtkFlipFreeSegmentation::RequestData(vtkInformationVector** inputs,
+  vtkInformationVector* outputs)
+{
+  if (!this->KeepHistory || !this->IsResultValid(inputs))
+  {
+    this->Cache = std::make_unique<Result>();
+    try
+    {
+      this->Execute(vtkImageData::GetData(inputs[0]), vtkPolyData::GetData(inputs[1]));
+    }
+    catch (const std::exception& error)
+    {
+      this->Cache = std::make_unique<Result>();
+      this->Deliver(outputs);
+      this->Cache.reset();
+      vtkErrorMacro("No segmentation: " << error.what() << ".");
+      return 0;
+    }
+    this->Cache->Time.Modified();
+  }
+  this->Deliver(outputs);
+  if (!this->KeepHistory)
+  {
+    this->Cache.reset();
+  }
+  return 1;
+}
+
+void vtkFlipFreeSegmentation::Execute(vtkImageData* image, vtkPolyData* start)
+{
+  this->StopReason.clear();
+  this->NumberOfSelfIntersections = -1;
+  std::fill_n(this->StageSeconds, 4, 0.0);
+
+  const FlipFree::SeedSphere seed{ Eigen::Vector3d(this->SeedCenter), this->SeedRadius };
+  FlipFree::RequireGreyImage(image, "the image on port 0");
+  const FlipFree::ImageGeometry geometry = FlipFree::GeometryOf(image);
+  FlipFree::RequireSeed(geometry, seed, "the image on port 0");
+  FlipFree::DeformableSurface surface;
+  if (start)
+  {
+    surface = FlipFree::DeformableSurfaceOf(start, "the start surface on port 1", this->Guard);
+  }
+  else
+  {
+    const FlipFree::QuadSphere sphere = FlipFree::MakeQuadSphere(FlipFree::FirstResolution(this),
+      seed.Center + Eigen::Vector3d(this->StartCenterOffset), this->StartScale * seed.Radius,
+      FlipFree::QuadSphereSpacing::Equiangular);
+    surface.Mesh = FlipFree::BuildContourMesh(static_cast<int>(sphere.Points.rows()), sphere.Faces);
+    surface.Points = sphere.Points;
+  }
+
+  FlipFree::Stopwatch watch;
+  FlipFree::FloatImage region = FlipFree::GreyRegionOf(image,
+    FlipFree::ReachableExtent(geometry, seed.Center, FlipFree::ReachOf(this)));
+  FlipFree::RequireFinite(region, "the image on port 0");
+  const double noise = FlipFree::NoiseDeviation(region.View(), seed);
+  const bool smoothed = FlipFree::DiffuseAnisotropically(region.Voxels, region.Geometry,
+    FlipFree::DiffusionSettingsOf(this, noise), FlipFree::SMPFor,
+    FlipFree::MonitorOf(this, 0, 0.1));
+  this->StageSeconds[0] = watch.Lap();
+  if (!smoothed)
+  {
+    this->StopReason = "aborted";
+    return;
+  }
+
+  const FlipFree::OrganSurface organ = FlipFree::SegmentOrgan(region.View(), noise, seed,
+    surface.Mesh, surface.Points, FlipFree::SettingsOf(this, region.Geometry), FlipFree::SMPFor,
+    FlipFree::MonitorOf(this, 0.1, 0.95),
+    [this](const FlipFree::ContourMesh& mesh, const FlipFree::PointList& points,
+      const FlipFree::IterationRecord&)
+    {
+      if (this->KeepHistory)
+      {
+        this->Cache->History.push_back(vtkSmartPointer<vtkPolyData>::New());
+        FlipFree::AttachMesh(mesh, points, this->Cache->History.back());
+      }
+    });
+  this->StageSeconds[1] = organ.FeatureSeconds;
+  this->StageSeconds[2] = watch.Lap() - organ.FeatureSeconds;
+  this->StopReason = organ.StopReason;
+  FlipFree::FillConvergenceTable(organ.Iterations, this->Cache->Convergence);
+  if (organ.StopReason == "aborted")
+  {
+    this->Cache->History.clear();
+    return;
+  }
+  this->NumberOfSelfIntersections = static_cast<int>(organ.SelfIntersections);
+  FlipFree::AttachMesh(organ.Mesh, organ.Points, this->Cache->Surface);
+  FlipFree::AttachField(organ.Field, this->Cache->Surface);
+
+  vtkNew<vtkUnsignedCharArray> labels;
+  labels->SetName("Labels");
+  labels->SetNumberOfValues(image->GetNumberOfPoints());
+  labels->FillValue(0);
+  FlipFree::FillRuns(
+    FlipFree::VoxeliseSurface(organ.Points, organ.Mesh.Triangles, geometry, FlipFree::SMPFor),
+    static_cast<unsigned char>(this->LabelValue), geometry, labels->GetPointer(0));
+  this->Cache->Labels->CopyStructure(image);
+  this->Cache->Labels->GetPointData()->SetScalars(labels);
+  this->StageSeconds[3] = watch.Lap();
+  this->UpdateProgress(1);
+}
+
+void vtkFlipFreeSegmentation::Deliver(vtkInformationVector* outputs)
+{
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  vtkInformation* info = outputs->GetInformationObject(0);
+  vtkPolyData* surface = this->Cache->Surface;
+  if (this->Cache->History.empty())
+  {
+    info->Remove(Pipeline::TIME_STEPS());
+    info->Remove(Pipeline::TIME_RANGE());
+  }
+  else
+  {
+    const int size = static_cast<int>(this->Cache->History.size());
+    std::vector<double> times(size);
+    for (int step = 0; step < size; ++step)
+    {
+      times[step] = step + 1;
+    }
+    const double range[2] = { times.front(), times.back() };
+    info->Set(Pipeline::TIME_STEPS(), times.data(), size);
+    info->Set(Pipeline::TIME_RANGE(), range, 2);
+    if (info->Has(Pipeline::UPDATE_TIME_STEP()))
+    {
+      const double time = info->Get(Pipeline::UPDATE_TIME_STEP());
+      const int step = static_cast<int>(std::max(1.0, std::min<double>(time, size)));
+      surface = step < size ? this->Cache->History[step - 1].Get() : surface;
+      surface->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), time);
+    }
+  }
+  vtkPolyData::GetData(outputs, 0)->ShallowCopy(surface);
+  vtkImageData::GetData(outputs, 1)->ShallowCopy(this->Cache->Labels);
+  vtkTable::GetData(outputs, 2)->ShallowCopy(this->Cache->Convergence);
+}
