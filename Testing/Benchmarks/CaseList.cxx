@@ -1,0 +1,80 @@
+#include "CaseList.h"
+
+#include "DistanceTransform.h"
+#include "ImageAdapter.h"
+#include "LabelAdapter.h"
+
+#include <sys/resource.h>
+
+#include <fstream>
+#include <random>
+#include <sstream>
+
+std::vector<Case> ReadCases(const std::string& file)
+{
+  std::vector<Case> cases;
+  std::ifstream stream(file);
+  std::string line;
+  std::getline(stream, line); // the column names
+  while (std::getline(stream, line))
+  {
+    std::vector<std::string> fields;
+    std::istringstream parts(line);
+    for (std::string field; std::getline(parts, field, ',');)
+    {
+      fields.push_back(field);
+    }
+    Case row;
+    row.Name = fields.at(0);
+    row.Organ = fields.at(1);
+    row.Image = fields.at(3);
+    row.Labels = fields.at(4);
+    row.Label = std::stoi(fields.at(5));
+    row.Seed = { { std::stod(fields.at(6)), std::stod(fields.at(7)), std::stod(fields.at(8)) } };
+    row.Radius = std::stod(fields.at(9));
+    cases.push_back(row);
+  }
+  return cases;
+}
+
+std::vector<RandomSeed> RandomSeeds(vtkImageData* labels, int label, double radius, int count)
+{
+  const FlipFree::LabelMask mask = FlipFree::MaskOf(labels, label, "the reference");
+  const std::vector<float> depth =
+    FlipFree::SquaredDistance(mask.Voxels, mask.Geometry, 0, FlipFree::SerialFor);
+  std::mt19937 random(20240607);
+  std::vector<RandomSeed> seeds;
+  for (int halving = 0; halving < 3 && seeds.empty(); ++halving, radius /= 2)
+  {
+    std::vector<std::size_t> candidates;
+    for (std::size_t voxel = 0; voxel < depth.size(); ++voxel)
+    {
+      if (mask.Voxels[voxel] && depth[voxel] >= radius * radius)
+      {
+        candidates.push_back(voxel);
+      }
+    }
+    if (candidates.size() < static_cast<std::size_t>(count))
+    {
+      continue;
+    }
+    for (int seed = 0; seed < count; ++seed)
+    {
+      const std::size_t voxel = candidates[random() % candidates.size()];
+      const std::size_t row = mask.Geometry.Dimensions[0];
+      const std::size_t slice = row * mask.Geometry.Dimensions[1];
+      const Eigen::Vector3d center =
+        mask.Geometry.ToPhysical(Eigen::Vector3d(static_cast<double>(voxel % row),
+          static_cast<double>(voxel % slice / row), static_cast<double>(voxel / slice)));
+      seeds.push_back({ { { center[0], center[1], center[2] } }, radius });
+    }
+  }
+  return seeds;
+}
+
+double PeakMemory()
+{
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return 1024.0 * static_cast<double>(usage.ru_maxrss);
+}

@@ -1,0 +1,42 @@
+/**
+ * The real cases that benchmarks and tests measure, and random seeds in their organs.
+ */
+#ifndef CaseList_h
+#define CaseList_h
+
+#include "vtkImageData.h"
+#include "vtkSmartPointer.h"
+
+#include <array>
+#include <string>
+#include <vector>
+
+struct Case
+{
+  std::string Name;
+  std::string Organ;
+  std::string Image;
+  std::string Labels;
+  int Label = 0;
+  std::array<double, 3> Seed{};
+  double Radius = 0;
+};
+
+/// The rows of cases.csv; none where the file does not exist.
+std::vector<Case> ReadCases(const std::string& file);
+
+struct RandomSeed
+{
+  std::array<double, 3> Center{};
+  double Radius = 0;
+};
+
+/// Voxel centres of the organ that lie at least `radius` millimetres from its border, chosen at
+/// random but the same each time. Where fewer exist than asked for, the radius is halved, at most
+/// twice.
+std::vector<RandomSeed> RandomSeeds(vtkImageData* labels, int label, double radius, int count);
+
+/// The greatest resident size of this process so far, in bytes.
+double PeakMemory();
+
+#endif

@@ -1,0 +1,230 @@
+// Runs the default segmentation over every row of cases.csv, one setting for all, and prints a
+// table: accuracy against the reference label, iterations, seconds, stop reason, validity, peak
+// memory.
+//
+//   MeasureCases [--data DIR] [--only TEXT] [--preset default|published|naive] [--seeds N]
+//                [--surfaces DIR] [--threads N]
+//
+// With --seeds N each row is run from N random seeds in the organ, at least their radius away from
+// its border, and the spread of the Dice score is printed.
+#include "CaseList.h"
+
+#include "vtkDoubleArray.h"
+#include "vtkFlipFreeSegmentation.h"
+#include "vtkImageData.h"
+#include "vtkMedicalImageReader.h"
+#include "vtkNew.h"
+#include "vtkPolyData.h"
+#include "vtkSMPTools.h"
+#include "vtkSegmentationMetrics.h"
+#include "vtkSurfaceValidity.h"
+#include "vtkTable.h"
+#include "vtkTimerLog.h"
+#include "vtkXMLPolyDataWriter.h"
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <cstdio>
+#include <iostream>
+#include <map>
+#include <numeric>
+#include <vector>
+
+namespace
+{
+
+struct Options
+{
+  std::string Data = "../shared/data";
+  std::string Only;
+  std::string Preset = "default";
+  std::string Surfaces;
+  int Seeds = 0;
+  int Threads = 0;
+};
+
+vtkSmartPointer<vtkImageData> Read(const std::string& file)
+{
+  vtkNew<vtkMedicalImageReader> reader;
+  reader->SetFileName(file.c_str());
+  reader->Update();
+  return reader->GetOutput();
+}
+
+void ApplyPreset(const std::string& preset, vtkFlipFreeSegmentation* filter)
+{
+  if (preset == "published")
+  {
+    filter->UsePublishedParameters();
+  }
+  else if (preset == "naive")
+  {
+    filter->UseNaiveParameters();
+  }
+}
+
+double Median(std::vector<double> values)
+{
+  if (values.empty())
+  {
+    return 0;
+  }
+  std::sort(values.begin(), values.end());
+  const std::size_t middle = values.size() / 2;
+  return values.size() % 2 ? values[middle] : 0.5 * (values[middle - 1] + values[middle]);
+}
+
+double Dice(vtkFlipFreeSegmentation* filter, vtkImageData* reference, int label)
+{
+  vtkNew<vtkSegmentationMetrics> metrics;
+  metrics->SetInputData(filter->GetLabelMap());
+  metrics->SetReferenceData(reference);
+  metrics->SetReferenceLabel(label);
+  metrics->Update();
+  return metrics->GetDice();
+}
+
+// From the seed of the row: one line of the table.
+double MeasureRow(const Case& row, const Options& options)
+{
+  const double begin = vtkTimerLog::GetUniversalTime();
+  const auto image = Read(options.Data + "/" + row.Image);
+  const double read = vtkTimerLog::GetUniversalTime();
+  vtkNew<vtkFlipFreeSegmentation> filter;
+  ApplyPreset(options.Preset, filter);
+  filter->SetInputDataObject(image);
+  filter->SetSeedCenter(row.Seed.data());
+  filter->SetSeedRadius(row.Radius);
+  filter->Update();
+  const double end = vtkTimerLog::GetUniversalTime();
+  const auto reference = Read(options.Data + "/" + row.Labels);
+  if (filter->GetSurface()->GetNumberOfPoints() == 0)
+  {
+    std::printf("| %-26s | no surface |\n", row.Name.c_str());
+    return 0;
+  }
+
+  vtkNew<vtkSegmentationMetrics> metrics;
+  metrics->SetInputData(filter->GetLabelMap());
+  metrics->SetReferenceData(reference);
+  metrics->SetReferenceLabel(row.Label);
+  metrics->Update();
+  vtkNew<vtkSurfaceValidity> validity;
+  validity->SetInputData(filter->GetSurface());
+  validity->Update();
+  vtkTable* convergence = filter->GetConvergence();
+  const auto sum = [convergence](const char* name)
+  {
+    double total = 0;
+    for (vtkIdType i = 0; i < convergence->GetNumberOfRows(); ++i)
+    {
+      total += convergence->GetValueByName(i, name).ToDouble();
+    }
+    return total;
+  };
+  const double* stages = filter->GetStageSeconds();
+  std::printf(
+    "| %-26s | %.3f | %.3f | %5.2f | %6.2f | %+5.2f | %3lld | %4.2f | %4.2f | %4.2f %4.2f "
+    "%4.2f %4.2f | %4.2f %4.2f %4.2f %4.2f | %d | %6.0f | %s |\n",
+    row.Name.c_str(), metrics->GetDice(), metrics->GetJaccard(), metrics->GetASD(),
+    metrics->GetHD95(), metrics->GetRelativeVolumeDifference(), convergence->GetNumberOfRows(),
+    read - begin, end - read, stages[0], stages[1], stages[2], stages[3], sum("SearchSeconds"),
+    sum("FlipSeconds"), sum("SolveSeconds"), sum("GuardSeconds"),
+    filter->GetNumberOfSelfIntersections(), sum("Guarded"), filter->GetStopReason());
+  std::fflush(stdout);
+  if (!options.Surfaces.empty())
+  {
+    vtkNew<vtkXMLPolyDataWriter> writer;
+    writer->SetInputData(filter->GetSurface());
+    writer->SetFileName((options.Surfaces + "/" + row.Name + ".vtp").c_str());
+    writer->Write();
+  }
+  return metrics->GetDice();
+}
+
+void MeasureSeeds(const Case& row, const Options& options)
+{
+  const auto image = Read(options.Data + "/" + row.Image);
+  const auto reference = Read(options.Data + "/" + row.Labels);
+  std::vector<double> scores;
+  for (const RandomSeed& seed : RandomSeeds(reference, row.Label, row.Radius, options.Seeds))
+  {
+    vtkNew<vtkFlipFreeSegmentation> filter;
+    filter->SetInputDataObject(image);
+    filter->SetSeedCenter(seed.Center.data());
+    filter->SetSeedRadius(seed.Radius);
+    filter->Update();
+    scores.push_back(
+      filter->GetSurface()->GetNumberOfPoints() ? Dice(filter, reference, row.Label) : 0);
+  }
+  if (scores.empty())
+  {
+    std::printf("| %-26s | no place for a seed |\n", row.Name.c_str());
+    return;
+  }
+  std::sort(scores.begin(), scores.end());
+  std::printf("| %-26s | %2zu | %.3f | %.3f | %.3f |", row.Name.c_str(), scores.size(),
+    scores.front(), Median(scores), scores.back());
+  for (double score : scores)
+  {
+    std::printf(" %.2f", score);
+  }
+  std::printf(" |\n");
+  std::fflush(stdout);
+}
+
+} // namespace
+
+int main(int argc, char* argv[])
+{
+  Options options;
+  CLI::App app("Measures the default segmentation over the rows of cases.csv.");
+  app.add_option("--data", options.Data, "folder with cases.csv")->capture_default_str();
+  app.add_option("--only", options.Only, "rows whose name contains this text");
+  app.add_option("--preset", options.Preset, "default, published, or naive")
+    ->check(CLI::IsMember({ "default", "published", "naive" }));
+  app.add_option("--seeds", options.Seeds, "random seeds per row in place of the row's own");
+  app.add_option("--surfaces", options.Surfaces, "folder that takes the surfaces");
+  app.add_option("--threads", options.Threads, "number of threads");
+  CLI11_PARSE(app, argc, argv);
+  vtkSMPTools::Initialize(options.Threads);
+
+  if (options.Seeds > 0)
+  {
+    std::puts("| case | seeds | least | median | greatest | all |\n|---|---|---|---|---|---|");
+  }
+  else
+  {
+    std::puts("| case | Dice | Jaccard | ASD mm | HD95 mm | volume | iterations | read s | run s | "
+              "smoothing, feature, deformation, labels s | search, flips, solve, guard s | "
+              "self-intersections | held back | stop reason |\n"
+              "|---|---|---|---|---|---|---|---|---|---|---|---|---|---|");
+  }
+  std::map<std::string, std::vector<double>> scores;
+  for (const Case& row : ReadCases(options.Data + "/cases.csv"))
+  {
+    if (row.Name.find(options.Only) == std::string::npos)
+    {
+      continue;
+    }
+    if (options.Seeds > 0)
+    {
+      MeasureSeeds(row, options);
+    }
+    else
+    {
+      scores[row.Organ].push_back(MeasureRow(row, options));
+    }
+  }
+  for (const auto& organ : scores)
+  {
+    std::printf("median Dice, %s: %.3f of %zu\n", organ.first.c_str(), Median(organ.second),
+      organ.second.size());
+  }
+  std::vector<double> globular = scores["liver"];
+  globular.insert(globular.end(), scores["spleen"].begin(), scores["spleen"].end());
+  std::printf("median Dice, liver and spleen: %.3f\n", Median(globular));
+  std::printf("peak memory: %.0f MB\n", PeakMemory() / 1e6);
+  return 0;
+}
