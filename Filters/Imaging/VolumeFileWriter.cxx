@@ -75,7 +75,7 @@ public:
   ScratchFolder(const ScratchFolder&) = delete;
   void operator=(const ScratchFolder&) = delete;
 
-  void Remove()
+  void Remove() const
   {
     std::error_code ignored;
     fs::remove_all(this->Path, ignored);
@@ -274,8 +274,8 @@ bool WriteVolumeFile(const std::string& name, const VolumeHeader& header,
   }
   const auto scratch = std::make_shared<ScratchFolder>(destination);
   // Now, not when the task has let go of its share.
-  const std::unique_ptr<ScratchFolder, void (*)(ScratchFolder*)> removal(scratch.get(),
-    [](ScratchFolder* folder) { folder->Remove(); });
+  const std::unique_ptr<const ScratchFolder, void (*)(const ScratchFolder*)> removal(scratch.get(),
+    [](const ScratchFolder* folder) { folder->Remove(); });
   const fs::path written = scratch->Path / destination.filename();
   // The task has its share in the voxels and in the scratch folder, for as long as it needs them.
   DetachedTask write([=, share = scratch]()

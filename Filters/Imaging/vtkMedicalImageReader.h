@@ -6,7 +6,7 @@
  * or from a folder of DICOM files. Origin, spacing and direction matrix are those that ITK gives:
  * physical coordinates are LPS (x to the patient's left, y to the back, z to the head) millimetres;
  * NIfTI's RAS is turned into them. The type of the voxels stays the file's, after its own rescale
- * slope.
+ * slope. Of a NIfTI file, ITK gives NaN and infinite voxels as 0.
  *
  * A folder may hold several DICOM series. They are listed by GetNumberOfSeries() and its companions
  * once the information has been updated; SeriesUID chooses one, and GetChosenSeriesUID() says which

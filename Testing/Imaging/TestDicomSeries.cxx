@@ -80,7 +80,7 @@ void WriteSeries(vtkImageData* image, const ExampleImages::Folder& folder,
     set("0028|1052", "0");
     set("0028|1053", "1");
     pointers.push_back(&dictionaries[k]);
-    // 3 is prime to the number of slices: each name once, none where it belongs.
+    // 3 is prime to the numbers of slices used here: each name once.
     names.push_back(folder / (options.Prefix + std::to_string((3 * k + 2) % size[2]) + ".dcm"));
   }
 

@@ -9,9 +9,11 @@
 #include "vtkInformation.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
+#include <cmath>
 #include <csignal>
 #include <cstdint>
 #include <cstring>
+#include <limits>
 #include <sys/resource.h>
 #include <unistd.h>
 
@@ -160,6 +162,26 @@ TEST(TestMedicalImageFiles, EveryScalarTypeInEveryFormat)
       auto back = Read(folder / ("image" + ending));
       EXPECT_EQ(back->GetScalarType(), type);
       ExampleImages::ExpectSameVoxels(back, image);
+    }
+  }
+}
+
+TEST(TestMedicalImageFiles, NotANumberIsWrittenAndNiftiReadsItAsZero)
+{
+  ExampleImages::Folder folder;
+  auto image = ExampleImages::Make(VTK_FLOAT, ExampleImages::Directions()[0].Matrix);
+  image->SetScalarComponentFromFloat(3, 2, 1, 0, std::numeric_limits<float>::quiet_NaN());
+  for (const std::string& ending : Endings)
+  {
+    ASSERT_EQ(Write(image, folder / ("image" + ending)), 1);
+    const double back = Read(folder / ("image" + ending))->GetScalarComponentAsDouble(3, 2, 1, 0);
+    if (ending.substr(0, 4) == ".nii")
+    {
+      EXPECT_EQ(back, 0);
+    }
+    else
+    {
+      EXPECT_TRUE(std::isnan(back)) << ending;
     }
   }
 }
