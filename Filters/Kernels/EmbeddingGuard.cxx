@@ -1,8 +1,11 @@
 #include "EmbeddingGuard.h"
 
+#include "MotionBox.h"
+#include "SelfIntersection.h"
 #include "TriangleIntersection.h"
 
 #include <algorithm>
+#include <sstream>
 #include <stdexcept>
 
 namespace FlipFree
@@ -10,26 +13,27 @@ namespace FlipFree
 namespace
 {
 
+// Relative to the mean edge length.
+constexpr double RelativeGap = 1e-3;
+
+// Of the greatest coordinate: well above the rounding errors of positions and distances.
+constexpr double RelativeResolution = 1e-12;
+
+// Longer displacements, in units of the surface's extent, are cut first: they are errors of the
+// caller, and the rounding errors of their ends must not spoil the rest.
+constexpr double GreatestDisplacement = 100;
+
 // Below this fraction of its displacement a vertex is not moved at all.
 constexpr double LeastScale = 1.0 / 64;
 
-// How much more of its displacement a neighbour may make: the held-back region fades out within a
-// few vertices, instead of being torn off from the rest.
-constexpr double ScaleDifference = 0.25;
+// By how much farther a neighbour's scale may carry it, in mean edge lengths: a region whose motion
+// is long is held back as a whole, instead of being sheared where the scale changes.
+constexpr double GreatestShear = 0.25;
 
-// Normals are computed with rounding errors; the cosine keeps this distance from zero.
-constexpr double LeastCosine = 1e-9;
-
-struct MovedBox
+struct ChangeFlag
 {
-  TriangleBox Box;
   bool Changed = false;
-
-  void Merge(const MovedBox& other)
-  {
-    this->Box.Merge(other.Box);
-    this->Changed = this->Changed || other.Changed;
-  }
+  void Merge(const ChangeFlag& other) { this->Changed = this->Changed || other.Changed; }
 };
 
 std::vector<std::array<int, 3>> ListCorners(const FaceList& faces)
@@ -54,183 +58,434 @@ std::vector<std::array<int, 3>> ListCorners(const FaceList& faces)
   return corners;
 }
 
-Eigen::RowVector3d CornerNormal(const PointList& points, const std::array<int, 3>& corner)
+template <std::size_t N>
+bool AnyOf(const std::vector<char>& flags, const std::array<int, N>& vertices)
 {
-  const Eigen::RowVector3d before = points.row(corner[0]) - points.row(corner[1]);
-  const Eigen::RowVector3d after = points.row(corner[2]) - points.row(corner[1]);
-  return after.cross(before);
+  return std::any_of(vertices.begin(), vertices.end(),
+    [&](int vertex) { return flags[vertex] != 0; });
+}
+
+template <std::size_t N>
+bool Contains(const std::array<int, N>& vertices, int vertex)
+{
+  return std::find(vertices.begin(), vertices.end(), vertex) != vertices.end();
 }
 
 } // namespace
+
+// The motion that is being certified.
+struct EmbeddingGuard::Attempt
+{
+  Attempt(const PointList& points, const PointList& displacements)
+    : From(points)
+    , Wanted(displacements)
+    , Scales(points.rows(), 1.0)
+    , Failed(points.rows(), 0)
+    , IsHeightField(points.rows(), 0)
+  {
+    this->Scaled = this->Wanted;
+    this->To = this->From + this->Scaled;
+    this->ChangedForCorners.assign(points.rows(), 1);
+    this->ChangedForStars = this->ChangedForCorners;
+    this->ChangedForPairs = this->ChangedForCorners;
+  }
+  Motion Path() const { return { this->From, this->To }; }
+
+  const PointList& From;
+  PointList Wanted;
+  PointList Scaled;
+  PointList To;
+  double EdgeLength = 0; // mean
+  MotionGap Gap;
+  std::vector<double> Scales;
+  std::vector<char> Failed;
+
+  // Vertices whose path changed since a part of the test was last run.
+  std::vector<char> ChangedForCorners;
+  std::vector<char> ChangedForStars;
+  std::vector<char> ChangedForPairs;
+
+  std::vector<MovingNormal> Normals; // of triangles
+  std::vector<char> IsHeightField;   // stars of vertices
+};
 
 EmbeddingGuard::EmbeddingGuard(const ContourMesh& mesh)
   : Neighbours(mesh.Neighbours)
   , Triangles(mesh.Triangles)
   , Corners(ListCorners(mesh.Faces))
-  , Tree(TriangleTree::TopologicalLayout(mesh.NumberOfPoints(), mesh.Triangles), mesh.Triangles)
+  , StarOffsets(mesh.Neighbours.size() + 1, 0)
+  , Stars(3 * static_cast<std::size_t>(mesh.Triangles.rows()))
+  , Layout(TriangleTree::TopologicalLayout(mesh.NumberOfPoints(), mesh.Triangles))
+  , Tree(this->Layout, mesh.Triangles)
+  , Strangers(this->Tree.PairsOfStrangers(this->Layout, mesh.Triangles))
 {
+  for (Eigen::Index i = 0; i < this->Triangles.size(); ++i)
+  {
+    ++this->StarOffsets[this->Triangles.data()[i] + 1];
+  }
+  for (std::size_t vertex = 0; vertex < this->Neighbours.size(); ++vertex)
+  {
+    this->StarOffsets[vertex + 1] += this->StarOffsets[vertex];
+  }
+  std::vector<int> next(this->StarOffsets.begin(), this->StarOffsets.end() - 1);
+  for (int triangle = 0; triangle < this->Triangles.rows(); ++triangle)
+  {
+    const std::array<int, 3> vertices = this->Triangle(triangle);
+    for (int corner = 0; corner < 3; ++corner)
+    {
+      this->Stars[next[vertices[corner]]++] = { vertices[(corner + 1) % 3],
+        vertices[(corner + 2) % 3], triangle };
+    }
+  }
 }
 
 GuardReport EmbeddingGuard::Limit(const PointList& points, PointList& displacements,
   const ParallelFor& parallelFor, const Monitor& monitor) const
 {
-  const Eigen::Index count = static_cast<Eigen::Index>(this->Neighbours.size());
-  if (points.rows() != count || displacements.rows() != count)
+  this->RequireFinite(points, "position");
+  this->RequireFinite(displacements, "displacement");
+
+  Attempt attempt(points, displacements);
+  GuardReport report;
+  const double extent = (points.colwise().maxCoeff() - points.colwise().minCoeff()).norm();
+  const double greatest = GreatestDisplacement * extent;
+  for (Eigen::Index vertex = 0; vertex < points.rows(); ++vertex)
   {
-    throw std::invalid_argument("The guard was made for a mesh of " + std::to_string(count) +
-      " vertices and got " + std::to_string(points.rows()) + " points and " +
-      std::to_string(displacements.rows()) + " displacements");
-  }
-  for (Eigen::Index vertex = 0; vertex < count; ++vertex)
-  {
-    if (!points.row(vertex).allFinite() || !displacements.row(vertex).allFinite())
+    const double length = displacements.row(vertex).lpNorm<Eigen::Infinity>();
+    if (length > greatest)
     {
-      throw std::invalid_argument("The position or displacement of vertex " +
-        std::to_string(vertex) + " is not finite; check the targets");
+      attempt.Wanted.row(vertex) *= greatest / length;
     }
   }
+  attempt.Scaled = attempt.Wanted;
+  attempt.To = points + attempt.Scaled;
+  attempt.EdgeLength = this->MeanEdgeLength(points);
+  attempt.Gap.Resolution = RelativeResolution * (points.cwiseAbs().maxCoeff() + greatest);
+  attempt.Gap.Wanted = std::max(RelativeGap * attempt.EdgeLength, 2 * attempt.Gap.Resolution);
 
-  GuardReport report;
-  std::vector<double> scales(count, 1.0);
-  std::vector<char> changed(count, 1);
-  std::vector<char> failed;
-  PointList scaled = displacements;
-  PointList moved;
   while (true)
   {
-    moved = points + scaled;
-    this->FindFailures(points, moved, changed, parallelFor, failed);
     ++report.Passes;
-    const auto failure = std::find(failed.begin(), failed.end(), 1);
-    if (failure == failed.end())
+    if (this->TestCorners(attempt, parallelFor) && this->TestStars(attempt, parallelFor) &&
+      this->TestPairs(attempt, parallelFor))
     {
       break;
     }
     if (!monitor(1 - 1.0 / report.Passes))
     {
-      // Stopped from outside: the only motion known to be valid is none.
-      std::fill(scales.begin(), scales.end(), 0.0);
-      scaled.setZero();
-      break;
+      displacements.setZero();
+      return report;
     }
-    if (!this->ScaleBack(failed, scales, changed))
-    {
-      throw std::invalid_argument("The surface intersects itself near vertex " +
-        std::to_string(failure - failed.begin()) +
-        " before it is moved; start from a surface without self-intersections");
-    }
-    for (Eigen::Index vertex = 0; vertex < count; ++vertex)
-    {
-      scaled.row(vertex) = scales[vertex] * displacements.row(vertex);
-    }
+    this->ScaleBack(attempt);
   }
-  for (Eigen::Index vertex = 0; vertex < count; ++vertex)
+
+  std::vector<char> frozen(points.rows(), 0);
+  for (Eigen::Index vertex = 0; vertex < points.rows(); ++vertex)
   {
-    report.HeldBack += scales[vertex] < 1 && !displacements.row(vertex).isZero(0) ? 1 : 0;
+    report.HeldBack += attempt.Scaled.row(vertex) != displacements.row(vertex) ? 1 : 0;
+    frozen[vertex] = attempt.Scales[vertex] == 0;
   }
-  displacements = scaled;
+  // Everything that moves is certified to be apart at the start, too. So if the start has a defect,
+  // it is where nothing could move.
+  if (std::find(frozen.begin(), frozen.end(), 1) != frozen.end())
+  {
+    this->RequireEmbeddedNear(points, frozen, parallelFor);
+  }
+  displacements = attempt.Scaled;
   return report;
 }
 
-void EmbeddingGuard::FindFailures(const PointList& points, const PointList& moved,
-  const std::vector<char>& changed, const ParallelFor& parallelFor, std::vector<char>& failed) const
+void EmbeddingGuard::RequireEmbedded(const PointList& points, const ParallelFor& parallelFor) const
 {
-  failed.assign(changed.size(), 0);
-  const auto hasChanged = [&](const int* vertices)
-  { return changed[vertices[0]] || changed[vertices[1]] || changed[vertices[2]]; };
+  this->RequireFinite(points, "position");
+  this->RequireEmbeddedNear(points, std::vector<char>(points.rows(), 1), parallelFor);
+}
 
+void EmbeddingGuard::RequireFinite(const PointList& points, const char* what) const
+{
+  if (points.rows() != static_cast<Eigen::Index>(this->Neighbours.size()))
+  {
+    throw std::invalid_argument("The guard was made for a mesh of " +
+      std::to_string(this->Neighbours.size()) + " vertices and got one " + what + " for each of " +
+      std::to_string(points.rows()));
+  }
+  for (Eigen::Index vertex = 0; vertex < points.rows(); ++vertex)
+  {
+    if (!points.row(vertex).allFinite())
+    {
+      throw std::invalid_argument("The " + std::string(what) + " of vertex " +
+        std::to_string(vertex) + " is not finite; check the image and the surface it comes from");
+    }
+  }
+}
+
+void EmbeddingGuard::RequireEmbeddedNear(const PointList& points, const std::vector<char>& vertices,
+  const ParallelFor& parallelFor) const
+{
+  const std::vector<TriangleBox> boxes = this->Tree.RefitBoxes(points, this->Triangles);
+  std::vector<ChangeFlag> flags;
+  this->Tree.Refit(flags,
+    [&](int triangle) { return ChangeFlag{ AnyOf(vertices, this->Triangle(triangle)) }; });
+  const auto pairs = this->Tree.SelfPairs([&](int node, int other)
+    { return (flags[node].Changed || flags[other].Changed) && boxes[node].Touches(boxes[other]); },
+    [&](int one, int two) { return TrianglesIntersect(points, this->Triangles, one, two); },
+    parallelFor);
+  if (pairs.empty())
+  {
+    return;
+  }
+  const auto first = *std::min_element(pairs.begin(), pairs.end());
+  const std::array<int, 3> one = this->Triangle(first.first);
+  const std::array<int, 3> two = this->Triangle(first.second);
+  std::ostringstream message;
+  message << "The surface intersects itself before it is moved, in " << pairs.size()
+          << " pairs of triangles; the first are those of the vertices (" << one[0] << ", "
+          << one[1] << ", " << one[2] << ") and (" << two[0] << ", " << two[1] << ", " << two[2]
+          << "), near (" << points(one[0], 0) << ", " << points(one[0], 1) << ", "
+          << points(one[0], 2) << "); start from a surface without self-intersections";
+  throw std::invalid_argument(message.str());
+}
+
+double EmbeddingGuard::MeanEdgeLength(const PointList& points) const
+{
+  double sum = 0;
+  for (std::size_t vertex = 0; vertex < this->Neighbours.size(); ++vertex)
+  {
+    for (int neighbour : this->Neighbours[vertex])
+    {
+      sum += (points.row(vertex) - points.row(neighbour)).norm();
+    }
+  }
+  return sum / (4.0 * this->Neighbours.size());
+}
+
+bool EmbeddingGuard::TestCorners(Attempt& attempt, const ParallelFor& parallelFor) const
+{
+  const Motion motion = attempt.Path();
   std::vector<char> flipped(this->Corners.size(), 0);
   parallelFor(0, static_cast<std::ptrdiff_t>(this->Corners.size()),
     [&](std::ptrdiff_t first, std::ptrdiff_t last)
     {
       for (std::ptrdiff_t index = first; index < last; ++index)
       {
-        const Corner& corner = this->Corners[index];
-        if (!hasChanged(corner.data()))
-        {
-          continue;
-        }
-        const Eigen::RowVector3d before = CornerNormal(points, corner);
-        const Eigen::RowVector3d after = CornerNormal(moved, corner);
-        flipped[index] =
-          !before.isZero(0) && !(before.dot(after) > LeastCosine * before.norm() * after.norm());
+        flipped[index] = AnyOf(attempt.ChangedForCorners, this->Corners[index]) &&
+          !CornerStaysUpright(motion, this->Corners[index]);
       }
     });
+  std::fill(attempt.ChangedForCorners.begin(), attempt.ChangedForCorners.end(), 0);
+  bool isClean = true;
   for (std::size_t index = 0; index < this->Corners.size(); ++index)
   {
     if (flipped[index])
     {
+      isClean = false;
       for (int vertex : this->Corners[index])
       {
-        failed[vertex] = 1;
+        attempt.Failed[vertex] = 1;
       }
     }
   }
+  return isClean;
+}
 
-  std::vector<MovedBox> boxes;
-  this->Tree.Refit(boxes,
-    [&](int triangle)
+bool EmbeddingGuard::TestStars(Attempt& attempt, const ParallelFor& parallelFor) const
+{
+  const Motion motion = attempt.Path();
+  std::vector<char> changed(attempt.Failed.size(), 0);
+  changed.swap(attempt.ChangedForStars);
+
+  attempt.Normals.resize(this->Triangles.rows());
+  parallelFor(0, this->Triangles.rows(),
+    [&](std::ptrdiff_t first, std::ptrdiff_t last)
     {
-      MovedBox box;
-      const int* const vertices = this->Triangles.row(triangle).data();
-      for (int corner = 0; corner < 3; ++corner)
+      for (std::ptrdiff_t index = first; index < last; ++index)
       {
-        box.Box.Add(moved.row(vertices[corner]).data());
+        const std::array<int, 3> triangle = this->Triangle(static_cast<int>(index));
+        if (AnyOf(changed, triangle))
+        {
+          attempt.Normals[index] = MovingNormal(motion, triangle.data());
+        }
       }
-      box.Changed = hasChanged(vertices);
-      return box;
     });
-  const auto pairs = this->Tree.SelfPairs(
-    [&](int node, int other)
+
+  const std::ptrdiff_t count = static_cast<std::ptrdiff_t>(this->Neighbours.size());
+  std::vector<char> isDoubtful(count, 0);
+  parallelFor(0, count,
+    [&](std::ptrdiff_t first, std::ptrdiff_t last)
     {
-      return (boxes[node].Changed || boxes[other].Changed) &&
-        boxes[node].Box.Touches(boxes[other].Box);
-    },
-    [&](int one, int two) { return TrianglesIntersect(moved, this->Triangles, one, two); },
-    parallelFor);
-  for (const auto& pair : pairs)
+      for (std::ptrdiff_t index = first; index < last; ++index)
+      {
+        const int vertex = static_cast<int>(index);
+        const StarTriangle* const begin = this->StarBegin(vertex);
+        const StarTriangle* const end = this->StarBegin(vertex + 1);
+        if (changed[vertex] ||
+          std::any_of(begin, end, [&](const StarTriangle& part) { return changed[part.Next]; }))
+        {
+          attempt.IsHeightField[vertex] =
+            StarStaysHeightField(motion, vertex, begin, end, attempt.Normals, attempt.Gap);
+          isDoubtful[vertex] = !attempt.IsHeightField[vertex];
+        }
+      }
+    });
+
+  std::vector<int> doubtful;
+  for (int vertex = 0; vertex < count; ++vertex)
   {
-    for (int corner = 0; corner < 3; ++corner)
+    if (isDoubtful[vertex])
     {
-      failed[this->Triangles(pair.first, corner)] = 1;
-      failed[this->Triangles(pair.second, corner)] = 1;
+      doubtful.push_back(vertex);
+    }
+  }
+  std::vector<std::vector<int>> failed(doubtful.size());
+  parallelFor(0, static_cast<std::ptrdiff_t>(doubtful.size()),
+    [&](std::ptrdiff_t first, std::ptrdiff_t last)
+    {
+      for (std::ptrdiff_t index = first; index < last; ++index)
+      {
+        this->TestStarByPairs(attempt, changed, doubtful[index], failed[index]);
+      }
+    });
+  bool isClean = true;
+  for (const std::vector<int>& vertices : failed)
+  {
+    for (int vertex : vertices)
+    {
+      isClean = false;
+      attempt.Failed[vertex] = 1;
+    }
+  }
+  return isClean;
+}
+
+void EmbeddingGuard::TestStarByPairs(const Attempt& attempt, const std::vector<char>& changed,
+  int center, std::vector<int>& failed) const
+{
+  const Motion motion = attempt.Path();
+  const auto test = [&](const auto& one, const auto& two)
+  {
+    if (!StayApart(motion, one, two, attempt.Gap))
+    {
+      failed.insert(failed.end(), one.begin(), one.end());
+      failed.insert(failed.end(), two.begin(), two.end());
+    }
+  };
+  const StarTriangle* const end = this->StarBegin(center + 1);
+  for (const StarTriangle* first = this->StarBegin(center); first != end; ++first)
+  {
+    const std::array<int, 3> one = this->Triangle(first->Triangle);
+    for (const StarTriangle* second = first + 1; second != end; ++second)
+    {
+      const std::array<int, 3> two = this->Triangle(second->Triangle);
+      if (!AnyOf(changed, one) && !AnyOf(changed, two))
+      {
+        continue;
+      }
+      // Two triangles with a common edge are in two stars; one proof is enough.
+      const int other = first->Next == second->Last ? first->Next
+        : first->Last == second->Next               ? first->Last
+                                                    : -1;
+      if (other >= 0 && (attempt.IsHeightField[other] || other < center))
+      {
+        continue;
+      }
+      for (int i = 0; i < 3; ++i)
+      {
+        if (!Contains(two, one[i]))
+        {
+          test(std::array<int, 1>{ { one[i] } }, two);
+        }
+        if (!Contains(one, two[i]))
+        {
+          test(std::array<int, 1>{ { two[i] } }, one);
+        }
+        const std::array<int, 2> edge{ { one[i], one[(i + 1) % 3] } };
+        for (int j = 0; j < 3; ++j)
+        {
+          const std::array<int, 2> otherEdge{ { two[j], two[(j + 1) % 3] } };
+          if (!Contains(otherEdge, edge[0]) && !Contains(otherEdge, edge[1]))
+          {
+            test(edge, otherEdge);
+          }
+        }
+      }
     }
   }
 }
 
-bool EmbeddingGuard::ScaleBack(const std::vector<char>& failed, std::vector<double>& scales,
-  std::vector<char>& changed) const
+bool EmbeddingGuard::TestPairs(Attempt& attempt, const ParallelFor& parallelFor) const
 {
-  changed.assign(failed.size(), 0);
-  std::vector<int> queue;
-  for (std::size_t vertex = 0; vertex < failed.size(); ++vertex)
-  {
-    if (failed[vertex] && scales[vertex] > 0)
+  const Motion motion = attempt.Path();
+  std::vector<MotionBox> boxes;
+  this->Tree.Refit(boxes,
+    [&](int triangle)
+    { return MotionBox(motion, this->Triangles.row(triangle).data(), attempt.Gap.Wanted / 2); });
+  std::vector<ChangeFlag> flags;
+  this->Tree.Refit(flags,
+    [&](int triangle)
+    { return ChangeFlag{ AnyOf(attempt.ChangedForPairs, this->Triangle(triangle)) }; });
+  const auto pairs = this->Tree.PairsBelow(
+    this->Strangers,
+    [&](int node, int other)
     {
-      scales[vertex] /= 2;
-      if (scales[vertex] < LeastScale)
-      {
-        scales[vertex] = 0;
-      }
+      return (flags[node].Changed || flags[other].Changed) &&
+        !boxes[node].StaysApartFrom(boxes[other]);
+    },
+    [&](int one, int two)
+    { return !StayApart(motion, this->Triangle(one), this->Triangle(two), attempt.Gap); },
+    parallelFor);
+  std::fill(attempt.ChangedForPairs.begin(), attempt.ChangedForPairs.end(), 0);
+  for (const auto& pair : pairs)
+  {
+    for (int corner = 0; corner < 3; ++corner)
+    {
+      attempt.Failed[this->Triangles(pair.first, corner)] = 1;
+      attempt.Failed[this->Triangles(pair.second, corner)] = 1;
+    }
+  }
+  return pairs.empty();
+}
+
+void EmbeddingGuard::ScaleBack(Attempt& attempt) const
+{
+  std::vector<char> changed(attempt.Failed.size(), 0);
+  const double shear = GreatestShear * attempt.EdgeLength;
+  std::vector<int> queue;
+  for (std::size_t vertex = 0; vertex < attempt.Failed.size(); ++vertex)
+  {
+    double& scale = attempt.Scales[vertex];
+    if (attempt.Failed[vertex] && scale > 0)
+    {
+      scale = scale / 2 < LeastScale ? 0 : scale / 2;
       changed[vertex] = 1;
       queue.push_back(static_cast<int>(vertex));
     }
+    attempt.Failed[vertex] = 0;
   }
-  const bool progress = !queue.empty();
   for (std::size_t head = 0; head < queue.size(); ++head)
   {
-    const double limit = scales[queue[head]] + ScaleDifference;
+    const double scale = attempt.Scales[queue[head]];
     for (int neighbour : this->Neighbours[queue[head]])
     {
-      if (scales[neighbour] > limit)
+      const double limit = scale + shear / attempt.Wanted.row(neighbour).norm();
+      if (attempt.Scales[neighbour] > limit)
       {
-        scales[neighbour] = limit;
+        attempt.Scales[neighbour] = limit;
         changed[neighbour] = 1;
         queue.push_back(neighbour);
       }
     }
   }
-  return progress;
+  for (std::size_t vertex = 0; vertex < changed.size(); ++vertex)
+  {
+    if (changed[vertex])
+    {
+      attempt.Scaled.row(vertex) = attempt.Scales[vertex] * attempt.Wanted.row(vertex);
+      attempt.To.row(vertex) = attempt.From.row(vertex) + attempt.Scaled.row(vertex);
+      attempt.ChangedForCorners[vertex] = 1;
+      attempt.ChangedForStars[vertex] = 1;
+      attempt.ChangedForPairs[vertex] = 1;
+    }
+  }
 }
 
 } // namespace FlipFree

@@ -1,11 +1,16 @@
 /**
- * Holds a step of the deformation back where it would make the surface meet itself or a face flip,
- * so that every iterate is embedded when the first one is.
+ * Holds a step of the deformation back where the surface would touch itself or a face would flip on
+ * the way, so that every iterate is embedded when the first one is.
+ *
+ * The whole motion is certified, every vertex moving along a straight line: its end alone would let
+ * parts pass through each other. What fails is scaled back and certified again, until a whole pass
+ * is clean. No motion always is, so this ends, and there is no limit after which it gives up.
  */
 #ifndef FlipFreeEmbeddingGuard_h
 #define FlipFreeEmbeddingGuard_h
 
 #include "ContourMesh.h"
+#include "MotionCertificate.h"
 #include "TriangleTree.h"
 
 namespace FlipFree
@@ -23,32 +28,63 @@ public:
   /// Keeps what depends on the connectivity only.
   explicit EmbeddingGuard(const ContourMesh& mesh);
 
-  /// Scales displacements down, as little as it can, until points + displacements is embedded (no
-  /// pair of its triangles intersects) and no corner of a face or triangle has a normal that turned
-  /// by 90 degrees or more. Corners without a normal at the start are not judged. `points` must be
-  /// embedded: no motion is then always valid, so this ends. Throws std::invalid_argument when they
-  /// turn out not to be, or when a number is not finite.
+  /// Scales displacements down, where and as little as it must, until it is certain that on the
+  /// straight way from points to points + displacements
+  /// - no two triangles meet but in the vertex or edge they share; parts come no nearer to each
+  /// other
+  ///   than a thousandth of the mean edge length, or than they are at the start where that is less;
+  /// - no normal of a triangle or of a corner of a face turns by 90 degrees or more (corners
+  /// without
+  ///   a normal at the start are not judged).
+  /// Neighbours of a vertex that is held back are, too, if their motion is long.
+  /// `monitor` is asked between passes; when it returns false, the displacements become zero.
+  /// Throws std::invalid_argument when a number is not finite, or where a motion cannot be
+  /// certified because the points are not embedded.
   GuardReport Limit(const PointList& points, PointList& displacements,
     const ParallelFor& parallelFor, const Monitor& monitor) const;
 
+  /// Throws std::invalid_argument, naming the first pair of triangles, when the surface intersects
+  /// itself at these points or one of them is not finite.
+  void RequireEmbedded(const PointList& points, const ParallelFor& parallelFor) const;
+
 private:
   using Corner = std::array<int, 3>; // before, vertex, after
+  struct Attempt;
 
-  // Marks the vertices of all pairs and corners that fail, among those with a vertex that
-  // `changed`.
-  void FindFailures(const PointList& points, const PointList& moved,
-    const std::vector<char>& changed, const ParallelFor& parallelFor,
-    std::vector<char>& failed) const;
+  void RequireFinite(const PointList& points, const char* what) const;
+  void RequireEmbeddedNear(const PointList& points, const std::vector<char>& vertices,
+    const ParallelFor& parallelFor) const;
+  double MeanEdgeLength(const PointList& points) const;
 
-  // Scales the failed vertices down and their neighbourhood with them; marks what changed. False
-  // when there was nothing left to scale down.
-  bool ScaleBack(const std::vector<char>& failed, std::vector<double>& scales,
-    std::vector<char>& changed) const;
+  // The three parts of a pass. Each tests what changed since it was run last, marks the vertices of
+  // what fails, and tells whether nothing did.
+  bool TestCorners(Attempt& attempt, const ParallelFor& parallelFor) const;
+  bool TestStars(Attempt& attempt, const ParallelFor& parallelFor) const;
+  bool TestPairs(Attempt& attempt, const ParallelFor& parallelFor) const;
+
+  // The triangles around one vertex, pair by pair; appends the vertices of what fails.
+  void TestStarByPairs(const Attempt& attempt, const std::vector<char>& changed, int center,
+    std::vector<int>& failed) const;
+
+  void ScaleBack(Attempt& attempt) const;
+
+  const StarTriangle* StarBegin(int vertex) const
+  {
+    return this->Stars.data() + this->StarOffsets[vertex];
+  }
+  std::array<int, 3> Triangle(int index) const
+  {
+    return { { this->Triangles(index, 0), this->Triangles(index, 1), this->Triangles(index, 2) } };
+  }
 
   std::vector<std::array<int, 4>> Neighbours;
   TriangleList Triangles;
   std::vector<Corner> Corners;
+  std::vector<int> StarOffsets;
+  std::vector<StarTriangle> Stars;
+  PointList Layout;
   TriangleTree Tree;
+  std::vector<TriangleTree::NodePair> Strangers;
 };
 
 } // namespace FlipFree

@@ -31,6 +31,12 @@ Eigen::VectorXi EdgeDistances(const VertexGraph& graph, int start)
   return distances;
 }
 
+bool ShareVertex(const int* one, const int* two)
+{
+  return std::any_of(one, one + 3,
+    [two](int vertex) { return vertex == two[0] || vertex == two[1] || vertex == two[2]; });
+}
+
 } // namespace
 
 TriangleTree::TriangleTree(const PointList& layout, const TriangleList& triangles)
@@ -114,6 +120,51 @@ PointList TriangleTree::TopologicalLayout(int numberOfPoints, const TriangleList
     layout.col(axis) = (fromOne - EdgeDistances(graph, static_cast<int>(two))).cast<double>();
   }
   return layout;
+}
+
+std::vector<TriangleTree::NodePair> TriangleTree::PairsOfStrangers(const PointList& layout,
+  const TriangleList& triangles) const
+{
+  std::vector<NodePair> front;
+  if (!this->Nodes.empty())
+  {
+    // Neighbours have a point of the layout in common, so their boxes touch.
+    this->CollectStrangers(NodePair(0, 0), this->RefitBoxes(layout, triangles), triangles, front);
+  }
+  return front;
+}
+
+bool TriangleTree::CollectStrangers(const NodePair& pair, const std::vector<TriangleBox>& boxes,
+  const TriangleList& triangles, std::vector<NodePair>& front) const
+{
+  if (!boxes[pair.first].Touches(boxes[pair.second]))
+  {
+    return false;
+  }
+  if (this->IsFinal(pair))
+  {
+    return ShareVertex(triangles.row(this->Nodes[pair.first].Triangle).data(),
+      triangles.row(this->Nodes[pair.second].Triangle).data());
+  }
+  bool areNeighbours = false;
+  std::vector<NodePair> strangers;
+  this->Expand(pair,
+    [&](const NodePair& child)
+    {
+      if (this->CollectStrangers(child, boxes, triangles, front))
+      {
+        areNeighbours = true;
+      }
+      else
+      {
+        strangers.push_back(child);
+      }
+    });
+  if (areNeighbours)
+  {
+    front.insert(front.end(), strangers.begin(), strangers.end());
+  }
+  return areNeighbours;
 }
 
 std::vector<TriangleBox> TriangleTree::RefitBoxes(const PointList& points,

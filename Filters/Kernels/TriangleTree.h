@@ -8,6 +8,7 @@
 
 #include "KernelTypes.h"
 
+#include <algorithm>
 #include <array>
 #include <limits>
 #include <utility>
@@ -73,6 +74,19 @@ public:
   std::vector<std::pair<int, int>> SelfPairs(const Meet& meet, const Accept& accept,
     const ParallelFor& parallelFor) const;
 
+  /// Two nodes, standing for all pairs of a triangle below one and a triangle below the other.
+  using NodePair = std::pair<int, int>;
+
+  /// Pairs of nodes that together stand for every pair of triangles without a common vertex, once,
+  /// and for no other. It spares a traversal the neighbours, which always meet.
+  std::vector<NodePair> PairsOfStrangers(const PointList& layout,
+    const TriangleList& triangles) const;
+
+  /// Like SelfPairs, among the pairs of triangles that `front` stands for.
+  template <typename Meet, typename Accept>
+  std::vector<std::pair<int, int>> PairsBelow(const std::vector<NodePair>& front, const Meet& meet,
+    const Accept& accept, const ParallelFor& parallelFor) const;
+
   /// Calls visit(triangle) at every leaf that is reached through nodes for which enter(node) holds.
   template <typename Enter, typename Visit>
   void Query(const Enter& enter, const Visit& visit) const;
@@ -90,9 +104,18 @@ private:
     int Count = 0;
     int Triangle = -1;
   };
-  using NodePair = std::pair<int, int>;
+
+  bool IsFinal(const NodePair& pair) const
+  {
+    return this->Nodes[pair.first].Count == 1 && this->Nodes[pair.second].Count == 1;
+  }
 
   void Split(const PointList& centers, int* first, int* last);
+
+  // True when some triangles below the two nodes are neighbours; then the pairs of strangers below
+  // them are in the front.
+  bool CollectStrangers(const NodePair& pair, const std::vector<TriangleBox>& boxes,
+    const TriangleList& triangles, std::vector<NodePair>& front) const;
 
   // Replaces a pair of nodes by the pairs below it.
   template <typename Push>
@@ -149,71 +172,80 @@ template <typename Meet, typename Accept>
 std::vector<std::pair<int, int>> TriangleTree::SelfPairs(const Meet& meet, const Accept& accept,
   const ParallelFor& parallelFor) const
 {
-  // The top of the traversal is cut into a fixed number of parts, whose results are put together in
-  // their order: the same list for any number of threads.
-  constexpr std::size_t parts = 256;
-  std::vector<NodePair> tasks;
-  const auto isFinal = [this](const NodePair& pair)
-  { return this->Nodes[pair.first].Count == 1 && this->Nodes[pair.second].Count == 1; };
-  const auto isRelevant = [&meet](const NodePair& pair) { return meet(pair.first, pair.second); };
-  if (!this->Nodes.empty() && isRelevant(NodePair(0, 0)))
+  // Opened from the root until there is enough to share out.
+  constexpr std::size_t enough = 1024;
+  std::vector<NodePair> front;
+  if (!this->Nodes.empty())
   {
-    tasks.emplace_back(0, 0);
+    front.emplace_back(0, 0);
   }
-  for (bool grown = true; grown && tasks.size() < parts;)
+  for (bool grown = true; grown && front.size() < enough;)
   {
     grown = false;
     std::vector<NodePair> next;
-    for (const NodePair& task : tasks)
+    for (const NodePair& pair : front)
     {
-      if (isFinal(task))
+      if (this->IsFinal(pair))
       {
-        next.push_back(task);
-        continue;
+        next.push_back(pair);
       }
-      grown = true;
-      this->Expand(task,
-        [&](const NodePair& child)
-        {
-          if (isRelevant(child))
-          {
-            next.push_back(child);
-          }
-        });
+      else if (meet(pair.first, pair.second))
+      {
+        grown = true;
+        this->Expand(pair, [&](const NodePair& child) { next.push_back(child); });
+      }
     }
-    tasks.swap(next);
+    front.swap(next);
   }
+  return this->PairsBelow(front, meet, accept, parallelFor);
+}
 
-  std::vector<std::vector<std::pair<int, int>>> found(tasks.size());
-  parallelFor(0, static_cast<std::ptrdiff_t>(tasks.size()),
-    [&](std::ptrdiff_t firstTask, std::ptrdiff_t lastTask)
+template <typename Meet, typename Accept>
+std::vector<std::pair<int, int>> TriangleTree::PairsBelow(const std::vector<NodePair>& front,
+  const Meet& meet, const Accept& accept, const ParallelFor& parallelFor) const
+{
+  // The front is cut into a fixed number of parts, whose results are put together in their order:
+  // the same list for any number of threads.
+  constexpr std::ptrdiff_t parts = 256;
+  const std::ptrdiff_t size = static_cast<std::ptrdiff_t>(front.size());
+  std::vector<std::vector<std::pair<int, int>>> found(parts);
+  parallelFor(0, parts,
+    [&](std::ptrdiff_t firstPart, std::ptrdiff_t lastPart)
     {
       std::vector<NodePair> stack;
-      for (std::ptrdiff_t task = firstTask; task < lastTask; ++task)
+      for (std::ptrdiff_t part = firstPart; part < lastPart; ++part)
       {
-        stack.assign(1, tasks[task]);
-        while (!stack.empty())
+        const std::ptrdiff_t last = size * (part + 1) / parts;
+        for (std::ptrdiff_t index = size * part / parts; index < last; ++index)
         {
-          const NodePair pair = stack.back();
-          stack.pop_back();
-          if (isFinal(pair))
+          if (!meet(front[index].first, front[index].second))
           {
-            const int one = this->Nodes[pair.first].Triangle;
-            const int two = this->Nodes[pair.second].Triangle;
-            if (one != two && accept(one < two ? one : two, one < two ? two : one))
-            {
-              found[task].emplace_back(one < two ? one : two, one < two ? two : one);
-            }
             continue;
           }
-          this->Expand(pair,
-            [&](const NodePair& child)
+          stack.assign(1, front[index]);
+          while (!stack.empty())
+          {
+            const NodePair pair = stack.back();
+            stack.pop_back();
+            if (this->IsFinal(pair))
             {
-              if (isRelevant(child))
+              const int one = this->Nodes[pair.first].Triangle;
+              const int two = this->Nodes[pair.second].Triangle;
+              if (one != two && accept(std::min(one, two), std::max(one, two)))
               {
-                stack.push_back(child);
+                found[part].emplace_back(std::min(one, two), std::max(one, two));
               }
-            });
+              continue;
+            }
+            this->Expand(pair,
+              [&](const NodePair& child)
+              {
+                if (meet(child.first, child.second))
+                {
+                  stack.push_back(child);
+                }
+              });
+          }
         }
       }
     });

@@ -1,10 +1,13 @@
+#include "ClosestDirection.h"
 #include "EmbeddingGuard.h"
 #include "RandomMotions.h"
 #include "SelfIntersection.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
+#include <numeric>
 #include <stdexcept>
 #include <thread>
 
@@ -12,6 +15,13 @@ using namespace FlipFree;
 
 namespace
 {
+
+const Eigen::RowVector3d Center(10.0, -20.0, 30.0);
+
+PointList Outward(const TestSphere& sphere)
+{
+  return sphere.Points().rowwise() - Center;
+}
 
 // Corners of the faces, and triangles, whose normal turned by 90 degrees or more.
 int CountFlippedCorners(const ContourMesh& mesh, const PointList& before, const PointList& after)
@@ -47,12 +57,171 @@ void ExpectValid(const ContourMesh& mesh, const PointList& before, const PointLi
   EXPECT_EQ(CountFlippedCorners(mesh, before, after), 0);
 }
 
-void Halves(std::ptrdiff_t begin, std::ptrdiff_t end, const RangeBody& body)
+void ExpectValidAllTheWay(const ContourMesh& mesh, const PointList& before,
+  const PointList& displacements)
+{
+  for (int step = 1; step < 16; ++step)
+  {
+    const PointList between = before + step / 16.0 * displacements;
+    EXPECT_EQ(CountSelfIntersections(between, mesh.Triangles), 0) << "time " << step / 16.0;
+    EXPECT_EQ(CountFlippedCorners(mesh, before, between), 0) << "time " << step / 16.0;
+  }
+  ExpectValid(mesh, before, displacements);
+}
+
+// The least distance of a vertex and a triangle without it, and of two edges without common vertex.
+double LeastGap(const ContourMesh& mesh, const PointList& points)
+{
+  using Eigen::Vector3d;
+  const auto at = [&](int vertex) -> Vector3d { return points.row(vertex); };
+  double least = std::numeric_limits<double>::infinity();
+  const TriangleList& triangles = mesh.Triangles;
+  for (Eigen::Index row = 0; row < triangles.rows(); ++row)
+  {
+    const int a = triangles(row, 0);
+    const int b = triangles(row, 1);
+    const int c = triangles(row, 2);
+    for (int vertex = 0; vertex < points.rows(); ++vertex)
+    {
+      if (vertex != a && vertex != b && vertex != c)
+      {
+        least = std::min(least,
+          ClosestDirection(std::array<Vector3d, 1>{ { at(vertex) } },
+            std::array<Vector3d, 3>{ { at(a), at(b), at(c) } })
+            .norm());
+      }
+    }
+    for (int corner = 0; corner < 3; ++corner)
+    {
+      const int p = triangles(row, corner);
+      const int q = triangles(row, (corner + 1) % 3);
+      for (Eigen::Index other = row + 1; other < triangles.rows(); ++other)
+      {
+        for (int otherCorner = 0; otherCorner < 3; ++otherCorner)
+        {
+          const int r = triangles(other, otherCorner);
+          const int s = triangles(other, (otherCorner + 1) % 3);
+          if (p != r && p != s && q != r && q != s)
+          {
+            least = std::min(least,
+              ClosestDirection(std::array<Vector3d, 2>{ { at(p), at(q) } },
+                std::array<Vector3d, 2>{ { at(r), at(s) } })
+                .norm());
+          }
+        }
+      }
+    }
+  }
+  return least;
+}
+
+void Thirds(std::ptrdiff_t begin, std::ptrdiff_t end, const RangeBody& body)
 {
   const std::ptrdiff_t middle = begin + (end - begin) / 3;
   std::thread other([&] { body(begin, middle); });
   body(middle, end);
   other.join();
+}
+
+// A motion that no step of a segmentation should have, but one may.
+constexpr int NumberOfAdverseMotions = 14;
+PointList AdverseMotion(int kind, const TestSphere& sphere, const PointList& points,
+  std::mt19937& random)
+{
+  const Eigen::Index count = points.rows();
+  const double edge = sphere.EdgeLength;
+  std::uniform_real_distribution<double> uniform(0.0, 1.0);
+  const Eigen::RowVector3d axis = WhiteNoise(1, 1.0, random).row(0).normalized();
+  const PointList outward = points.rowwise() - points.colwise().mean();
+  const Eigen::VectorXd height = outward * axis.transpose();
+  PointList motion = PointList::Zero(count, 3);
+  switch (kind)
+  {
+    case 0: // white noise
+      return WhiteNoise(count, (0.1 + 4.9 * uniform(random)) * edge, random);
+    case 1: // inversion through the middle
+      return -(1 + uniform(random)) * outward;
+    case 2: // all targets equal
+      return (-points).rowwise() + (Center + 30 * axis);
+    case 3: // collapse to a plane and beyond
+      return -(0.9 + uniform(random)) * height * axis;
+    case 4: // collapse to a line
+      return -(outward - height * axis);
+    case 5: // one half is folded over
+      for (Eigen::Index i = 0; i < count; ++i)
+      {
+        if (height[i] > 0)
+        {
+          motion.row(i) = -2 * height[i] * axis + 5 * axis.unitOrthogonal();
+        }
+      }
+      return motion;
+    case 6: // two far parts pass through each other
+      for (Eigen::Index i = 0; i < count; ++i)
+      {
+        motion.row(i) = (std::abs(height[i]) > 15 ? -2.2 * height[i] : 0.0) * axis;
+      }
+      return motion;
+    case 7: // spikes
+      for (int spike = 0; spike < 5; ++spike)
+      {
+        const Eigen::Index i = static_cast<Eigen::Index>(uniform(random) * (count - 1));
+        motion.row(i) = (6 * uniform(random) - 3) * outward.row(i);
+      }
+      return motion;
+    case 8: // targets change places
+    {
+      std::vector<int> order(count);
+      std::iota(order.begin(), order.end(), 0);
+      std::shuffle(order.begin(), order.end(), random);
+      for (Eigen::Index i = 0; i < count; ++i)
+      {
+        motion.row(i) = points.row(order[i]) - points.row(i);
+      }
+      return motion;
+    }
+    case 9: // twisted
+      for (Eigen::Index i = 0; i < count; ++i)
+      {
+        const Eigen::AngleAxisd turn(0.2 * height[i], axis.transpose());
+        motion.row(i) = (turn * outward.row(i).transpose()).transpose() - outward.row(i);
+      }
+      return motion;
+    case 10: // turned by much
+    {
+      const Eigen::AngleAxisd turn(M_PI * uniform(random), axis.transpose());
+      return outward * turn.toRotationMatrix().transpose() - outward;
+    }
+    case 11: // a needle through the whole
+      for (Eigen::Index i = 0; i < count; ++i)
+      {
+        const double distance = (outward.row(i) - 25 * axis).norm();
+        motion.row(i) = -60 * std::exp(-distance * distance / 50) * axis;
+      }
+      return motion;
+    case 12: // far out of range
+      motion = WhiteNoise(count, edge, random);
+      motion.row(static_cast<Eigen::Index>(uniform(random) * (count - 1))) *=
+        std::pow(10.0, 250 * uniform(random));
+      return motion;
+    default: // targets on a coarse grid, many of them equal
+      return ((points + WhiteNoise(count, edge, random)) / (2 * edge)).array().round().matrix() *
+        (2 * edge) -
+        points;
+  }
+}
+
+std::string MessageOf(const std::function<void()>& call)
+{
+  try
+  {
+    call();
+  }
+  catch (const std::invalid_argument& error)
+  {
+    return error.what();
+  }
+  return "accepted";
 }
 
 } // namespace
@@ -64,9 +233,15 @@ TEST(EmbeddingGuard, LeavesValidMotionsAlone)
   {
     const TestSphere sphere(n);
     const EmbeddingGuard guard(sphere.Mesh);
-    const PointList outward = sphere.Points().rowwise() - Eigen::RowVector3d(10, -20, 30);
+    const PointList outward = Outward(sphere);
+    const Eigen::Matrix3d turn =
+      Eigen::AngleAxisd(1.0, Eigen::Vector3d(1, 2, 3).normalized()).toRotationMatrix();
+    PointList flattened = outward;
+    flattened.col(2) *= -0.95;
+    flattened.leftCols(2).setZero();
     const PointList motions[] = { PointList::Zero(sphere.Points().rows(), 3), 3 * outward,
-      -0.9 * outward, PointList::Constant(sphere.Points().rows(), 3, 500.0),
+      -0.9 * outward, flattened, outward * turn.transpose() - outward,
+      PointList::Constant(sphere.Points().rows(), 3, 500.0),
       WhiteNoise(sphere.Points().rows(), 0.05 * sphere.EdgeLength, random) };
     for (const PointList& motion : motions)
     {
@@ -79,46 +254,131 @@ TEST(EmbeddingGuard, LeavesValidMotionsAlone)
   }
 }
 
-TEST(EmbeddingGuard, RandomMotionsEndEmbedded)
+TEST(EmbeddingGuard, AdverseMotionsEndEmbedded)
 {
   std::mt19937 random(2);
-  for (int n : { 4, 8 })
+  int motions = 0;
+  int heldBack = 0;
+  for (int n : { 4, 8, 16 })
   {
     const TestSphere sphere(n);
     const EmbeddingGuard guard(sphere.Mesh);
-    for (double noise : { 0.1, 0.3, 0.5, 1.0, 2.0, 5.0 })
+    for (int repeat = 0; repeat < 400 / n; ++repeat)
+    {
+      for (int kind = 0; kind < NumberOfAdverseMotions; ++kind)
+      {
+        PointList displacements = AdverseMotion(kind, sphere, sphere.Points(), random);
+        const GuardReport report =
+          guard.Limit(sphere.Points(), displacements, SerialFor, NeverStop);
+        ExpectValid(sphere.Mesh, sphere.Points(), displacements);
+        ASSERT_FALSE(::testing::Test::HasFailure()) << "n " << n << ", kind " << kind;
+        ++motions;
+        heldBack += report.HeldBack > 0 ? 1 : 0;
+      }
+    }
+  }
+  EXPECT_GT(motions, 2000);
+  EXPECT_GT(heldBack, 2000);
+}
+
+// The way, not only its end: an inversion ends in a perfect sphere, inside out.
+TEST(EmbeddingGuard, AdverseMotionsAreValidAllTheWay)
+{
+  std::mt19937 random(3);
+  const TestSphere sphere(6);
+  const EmbeddingGuard guard(sphere.Mesh);
+  for (int kind = 0; kind < NumberOfAdverseMotions; ++kind)
+  {
+    for (int repeat = 0; repeat < 4; ++repeat)
+    {
+      PointList displacements = AdverseMotion(kind, sphere, sphere.Points(), random);
+      guard.Limit(sphere.Points(), displacements, SerialFor, NeverStop);
+      EXPECT_FALSE(displacements.isZero(0)) << "kind " << kind;
+      ExpectValidAllTheWay(sphere.Mesh, sphere.Points(), displacements);
+      ASSERT_FALSE(::testing::Test::HasFailure()) << "kind " << kind;
+    }
+  }
+}
+
+// One step after the other, from ever worse surfaces.
+TEST(EmbeddingGuard, SequencesOfAdverseMotionsStayEmbedded)
+{
+  std::mt19937 random(4);
+  for (QuadSphereSpacing spacing : { QuadSphereSpacing::Equiangular, QuadSphereSpacing::Cube })
+  {
+    const TestSphere sphere(5, spacing);
+    const EmbeddingGuard guard(sphere.Mesh);
+    for (int sequence = 0; sequence < 3; ++sequence)
     {
       PointList points = sphere.Points();
-      for (int step = 0; step < 10; ++step)
+      for (int step = 0; step < 60; ++step)
       {
-        PointList displacements = WhiteNoise(points.rows(), noise * sphere.EdgeLength, random);
+        PointList displacements = sequence == 0
+          ? WhiteNoise(points.rows(), 0.3 * sphere.EdgeLength, random)
+          : AdverseMotion((step * sequence) % NumberOfAdverseMotions, sphere, points, random);
         guard.Limit(points, displacements, SerialFor, NeverStop);
         ExpectValid(sphere.Mesh, points, displacements);
+        ASSERT_FALSE(::testing::Test::HasFailure()) << "sequence " << sequence << " step " << step;
         points += displacements;
       }
     }
   }
 }
 
-TEST(EmbeddingGuard, InversionAndCollapseEndEmbedded)
+TEST(EmbeddingGuard, KeepsTheGap)
 {
-  for (int n : { 4, 8 })
+  std::mt19937 random(5);
+  const TestSphere sphere(3);
+  const EmbeddingGuard guard(sphere.Mesh);
+  double edge = 0;
+  for (std::size_t vertex = 0; vertex < sphere.Mesh.Neighbours.size(); ++vertex)
   {
-    const TestSphere sphere(n);
-    const EmbeddingGuard guard(sphere.Mesh);
-    const PointList outward = sphere.Points().rowwise() - Eigen::RowVector3d(10, -20, 30);
-    const PointList equalTargets = (-sphere.Points()).rowwise() + Eigen::RowVector3d(13, -22, 50);
-    for (const PointList& motion : { PointList(-2 * outward), PointList(-outward), equalTargets })
+    for (int neighbour : sphere.Mesh.Neighbours[vertex])
+    {
+      edge += (sphere.Points().row(vertex) - sphere.Points().row(neighbour)).norm() /
+        (4.0 * sphere.Mesh.NumberOfPoints());
+    }
+  }
+  ASSERT_GT(LeastGap(sphere.Mesh, sphere.Points()), 0.1 * edge);
+  for (int kind = 0; kind < NumberOfAdverseMotions; ++kind)
+  {
+    PointList displacements = AdverseMotion(kind, sphere, sphere.Points(), random);
+    guard.Limit(sphere.Points(), displacements, SerialFor, NeverStop);
+    EXPECT_GE(LeastGap(sphere.Mesh, sphere.Points() + displacements), 0.999e-3 * edge)
+      << "kind " << kind;
+  }
+}
+
+// Sheets that lie nearer than the gap from the start: they may move, but not towards each other.
+TEST(EmbeddingGuard, ThinSurfaces)
+{
+  std::mt19937 random(6);
+  const TestSphere sphere(6);
+  const EmbeddingGuard guard(sphere.Mesh);
+  for (double thickness : { 1e-3, 1e-6, 1e-9, 1e-12, 1e-14 })
+  {
+    PointList points = Outward(sphere);
+    points.col(2) *= thickness;
+    const Eigen::Matrix3d turn =
+      Eigen::AngleAxisd(0.7, Eigen::Vector3d(3, 1, 2).normalized()).toRotationMatrix();
+    points = points * turn.transpose();
+    if (CountSelfIntersections(points, sphere.Triangles()) > 0)
+    {
+      EXPECT_LT(thickness, 1e-11); // rounding closed it
+      continue;
+    }
+    const PointList normal = Eigen::VectorXd::Ones(points.rows()) * turn.col(2).transpose();
+    const PointList motions[] = { PointList::Zero(points.rows(), 3), 3 * normal,
+      WhiteNoise(points.rows(), 0.1 * sphere.EdgeLength, random) };
+    for (const PointList& motion : motions)
     {
       PointList displacements = motion;
-      guard.Limit(sphere.Points(), displacements, SerialFor, NeverStop);
-      EXPECT_FALSE(displacements.isZero(0));
-      ExpectValid(sphere.Mesh, sphere.Points(), displacements);
+      guard.Limit(points, displacements, SerialFor, NeverStop);
+      ExpectValid(sphere.Mesh, points, displacements);
     }
-    PointList displacements = equalTargets;
-    const GuardReport report = guard.Limit(sphere.Points(), displacements, SerialFor, NeverStop);
-    EXPECT_EQ(report.HeldBack, sphere.Points().rows());
-    EXPECT_GT(report.Passes, 1);
+    PointList apart = Outward(sphere).col(2) * turn.col(2).transpose();
+    guard.Limit(points, apart, SerialFor, NeverStop);
+    EXPECT_EQ(CountSelfIntersections(points + apart, sphere.Triangles()), 0);
   }
 }
 
@@ -128,69 +388,80 @@ TEST(EmbeddingGuard, HoldsBackOnlyNearTheTrouble)
   const EmbeddingGuard guard(sphere.Mesh);
   PointList displacements = PointList::Constant(sphere.Points().rows(), 3, 1.0);
   // One vertex is pushed through the opposite side.
-  const Eigen::RowVector3d outward = sphere.Points().row(0) - Eigen::RowVector3d(10, -20, 30);
-  displacements.row(0) -= 3 * outward;
+  displacements.row(0) -= 3 * Outward(sphere).row(0);
   const GuardReport report = guard.Limit(sphere.Points(), displacements, SerialFor, NeverStop);
   EXPECT_GT(report.HeldBack, 0);
-  EXPECT_LT(report.HeldBack, sphere.Points().rows() / 4);
+  EXPECT_LT(report.HeldBack, 40);
   ExpectValid(sphere.Mesh, sphere.Points(), displacements);
 }
 
 TEST(EmbeddingGuard, TheNumberOfThreadsDoesNotMatter)
 {
-  std::mt19937 random(3);
+  std::mt19937 random(7);
   const TestSphere sphere(8);
   const EmbeddingGuard guard(sphere.Mesh);
-  for (double noise : { 0.1, 1.0, 3.0 })
+  for (int kind = 0; kind < NumberOfAdverseMotions; ++kind)
   {
-    PointList one = WhiteNoise(sphere.Points().rows(), noise * sphere.EdgeLength, random);
+    PointList one = AdverseMotion(kind, sphere, sphere.Points(), random);
     PointList two = one;
-    guard.Limit(sphere.Points(), one, SerialFor, NeverStop);
-    guard.Limit(sphere.Points(), two, Halves, NeverStop);
+    const GuardReport reportOne = guard.Limit(sphere.Points(), one, SerialFor, NeverStop);
+    const GuardReport reportTwo = guard.Limit(sphere.Points(), two, Thirds, NeverStop);
     EXPECT_EQ(one, two);
+    EXPECT_EQ(reportOne.HeldBack, reportTwo.HeldBack);
+    EXPECT_EQ(reportOne.Passes, reportTwo.Passes);
   }
 }
 
 TEST(EmbeddingGuard, StoppedFromOutsideItLeavesNoMotion)
 {
   const TestSphere sphere(4);
-  std::mt19937 random(4);
-  PointList displacements = WhiteNoise(sphere.Points().rows(), 3 * sphere.EdgeLength, random);
+  PointList displacements = -2 * Outward(sphere);
   EmbeddingGuard(sphere.Mesh)
     .Limit(sphere.Points(), displacements, SerialFor, [](double) { return false; });
   EXPECT_TRUE(displacements.isZero(0));
 }
 
-TEST(EmbeddingGuard, RefusesWhatItCannotGuard)
+TEST(EmbeddingGuard, RefusesWhatIsNotFinite)
 {
   const TestSphere sphere(4);
   const EmbeddingGuard guard(sphere.Mesh);
-  const auto messageOf = [&](const PointList& points, PointList displacements) -> std::string
-  {
-    try
-    {
-      guard.Limit(points, displacements, SerialFor, NeverStop);
-    }
-    catch (const std::invalid_argument& error)
-    {
-      return error.what();
-    }
-    return "accepted";
-  };
   const PointList zero = PointList::Zero(sphere.Points().rows(), 3);
-
-  EXPECT_NE(messageOf(sphere.Points(), PointList::Zero(3, 3)).find("3 displacements"),
+  const auto messageOf = [&](const PointList& points, PointList displacements)
+  { return MessageOf([&] { guard.Limit(points, displacements, SerialFor, NeverStop); }); };
+  EXPECT_NE(messageOf(sphere.Points(), PointList::Zero(3, 3)).find("96 vertices"),
     std::string::npos);
   for (double bad :
-    { std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity() })
+    { std::numeric_limits<double>::quiet_NaN(), -std::numeric_limits<double>::infinity() })
   {
     PointList displacements = zero;
     displacements(17, 1) = bad;
-    EXPECT_NE(messageOf(sphere.Points(), displacements).find("vertex 17 is not finite"),
+    EXPECT_NE(messageOf(sphere.Points(), displacements).find("displacement of vertex 17"),
+      std::string::npos);
+    PointList points = sphere.Points();
+    points(3, 2) = bad;
+    EXPECT_NE(messageOf(points, zero).find("position of vertex 3"), std::string::npos);
+    EXPECT_NE(
+      MessageOf([&] { guard.RequireEmbedded(points, SerialFor); }).find("position of vertex 3"),
       std::string::npos);
   }
+}
+
+TEST(EmbeddingGuard, RefusesAStartThatIntersectsItself)
+{
+  std::mt19937 random(8);
+  const TestSphere sphere(4);
+  const EmbeddingGuard guard(sphere.Mesh);
+  EXPECT_EQ(MessageOf([&] { guard.RequireEmbedded(sphere.Points(), SerialFor); }), "accepted");
 
   PointList crossed = sphere.Points();
-  crossed.row(5) += 3 * (Eigen::RowVector3d(10, -20, 30) - crossed.row(5));
-  EXPECT_NE(messageOf(crossed, zero).find("before it is moved"), std::string::npos);
+  crossed.row(5) += 3 * (Center - crossed.row(5));
+  const std::string message = MessageOf([&] { guard.RequireEmbedded(crossed, SerialFor); });
+  EXPECT_NE(message.find("pairs of triangles"), std::string::npos) << message;
+  EXPECT_NE(message.find("start from"), std::string::npos) << message;
+
+  // A step cannot be certified there, and says why.
+  PointList displacements = WhiteNoise(crossed.rows(), 0.01, random);
+  EXPECT_NE(MessageOf([&] { guard.Limit(crossed, displacements, SerialFor, NeverStop); })
+              .find("intersects itself before it is moved"),
+    std::string::npos);
 }

@@ -1,0 +1,72 @@
+/**
+ * The bounding volume of a motion: one box at the start and one at the end.
+ *
+ * If one volume lies below the other along the same axis in both boxes, the two are apart at all
+ * times between, since all positions are linear in time. Motion that both share does not matter,
+ * however far it goes.
+ */
+#ifndef FlipFreeMotionBox_h
+#define FlipFreeMotionBox_h
+
+#include "MotionCertificate.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace FlipFree
+{
+
+class MotionBox
+{
+public:
+  MotionBox() = default;
+
+  /// The triangle's volume, enlarged by a margin. Coordinates must be in the range of a float.
+  MotionBox(const Motion& motion, const int* triangle, double margin)
+  {
+    for (int end = 0; end < 2; ++end)
+    {
+      const PointList& points = end == 0 ? motion.From : motion.To;
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        const double a = points(triangle[0], axis);
+        const double b = points(triangle[1], axis);
+        const double c = points(triangle[2], axis);
+        const double low = std::min(a, std::min(b, c)) - margin;
+        const double high = std::max(a, std::max(b, c)) + margin;
+        // Rounded outwards.
+        this->Low[end][axis] = static_cast<float>(low - std::abs(low) * Rounding);
+        this->High[end][axis] = static_cast<float>(high + std::abs(high) * Rounding);
+      }
+    }
+  }
+
+  void Merge(const MotionBox& other)
+  {
+    for (int end = 0; end < 2; ++end)
+    {
+      this->Low[end] = this->Low[end].min(other.Low[end]);
+      this->High[end] = this->High[end].max(other.High[end]);
+    }
+  }
+
+  bool StaysApartFrom(const MotionBox& other) const
+  {
+    const Lanes below = (other.Low[0] - this->High[0]).min(other.Low[1] - this->High[1]);
+    const Lanes above = (this->Low[0] - other.High[0]).min(this->Low[1] - other.High[1]);
+    return below.max(above).maxCoeff() > 0;
+  }
+
+private:
+  // Single precision, and a fourth lane that stays zero, for the vector units.
+  using Lanes = Eigen::Array4f;
+  static constexpr double Rounding = 2.0 * std::numeric_limits<float>::epsilon();
+
+  Lanes Low[2] = { Lanes::Zero(), Lanes::Zero() };
+  Lanes High[2] = { Lanes::Zero(), Lanes::Zero() };
+};
+
+} // namespace FlipFree
+
+#endif

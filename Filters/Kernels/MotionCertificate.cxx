@@ -1,0 +1,246 @@
+#include "MotionCertificate.h"
+
+#include "ClosestDirection.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace FlipFree
+{
+namespace
+{
+
+using Eigen::Vector3d;
+
+// Advances shorter than this fraction of the motion are given up: the parts are about to touch.
+constexpr double LeastAdvance = 0.01;
+
+// Parts that are nearer than the wanted gap keep their distance, up to this fraction; without it,
+// rounding would refuse every motion.
+constexpr double KeptFraction = 1 - 1e-6;
+
+// Relative to the product of the lengths involved, well above the rounding errors of a normal.
+constexpr double NormalError = 1e-12;
+
+template <std::size_t N>
+bool AreAtRest(const Motion& motion, const std::array<int, N>& vertices)
+{
+  return std::all_of(vertices.begin(), vertices.end(),
+    [&](int vertex) { return motion.IsAtRest(vertex); });
+}
+
+template <std::size_t N>
+std::array<Vector3d, N> PositionsAt(const Motion& motion, const std::array<int, N>& vertices,
+  double time)
+{
+  std::array<Vector3d, N> positions;
+  for (std::size_t i = 0; i < N; ++i)
+  {
+    positions[i] = motion.At(vertices[i], time);
+  }
+  return positions;
+}
+
+// Conservative advancement: a direction carries the proof as far as it separates, then the next one
+// is taken from where it got.
+template <std::size_t A, std::size_t B>
+bool Advance(const Motion& motion, const std::array<int, A>& one, const std::array<int, B>& two,
+  const MotionGap& gap)
+{
+  if (AreAtRest(motion, one) && AreAtRest(motion, two))
+  {
+    return true;
+  }
+  const std::array<Vector3d, A> oneEnd = PositionsAt(motion, one, 1);
+  const std::array<Vector3d, B> twoEnd = PositionsAt(motion, two, 1);
+  double time = 0;
+  double kept = gap.Wanted;
+  while (true)
+  {
+    const std::array<Vector3d, A> oneNow = PositionsAt(motion, one, time);
+    const std::array<Vector3d, B> twoNow = PositionsAt(motion, two, time);
+    const Vector3d direction = ClosestDirection(oneNow, twoNow).normalized();
+
+    double separation = std::numeric_limits<double>::infinity();
+    for (const Vector3d& a : oneNow)
+    {
+      for (const Vector3d& b : twoNow)
+      {
+        separation = std::min(separation, direction.dot(a - b));
+      }
+    }
+    if (time == 0)
+    {
+      kept = std::min(gap.Wanted, KeptFraction * separation);
+    }
+    if (!(separation >= kept && kept >= gap.Resolution))
+    {
+      return false;
+    }
+
+    double reached = 1;
+    bool isSafe = true;
+    for (std::size_t i = 0; i < A; ++i)
+    {
+      for (std::size_t j = 0; j < B; ++j)
+      {
+        const double end = direction.dot(oneEnd[i] - twoEnd[j]);
+        if (!(end >= kept))
+        {
+          const double now = direction.dot(oneNow[i] - twoNow[j]);
+          reached = std::min(reached, (now - kept) / (now - end));
+          isSafe = false;
+        }
+      }
+    }
+    if (isSafe)
+    {
+      return true;
+    }
+    const double advance = (1 - time) * reached;
+    if (!(advance > LeastAdvance))
+    {
+      return false;
+    }
+    time += advance;
+  }
+}
+
+// Does the direction separate two triangles at both ends?
+bool Separates(const Motion& motion, const std::array<int, 3>& one, const std::array<int, 3>& two,
+  const Vector3d& direction, double gap)
+{
+  for (const PointList* points : { &motion.From, &motion.To })
+  {
+    double low = std::numeric_limits<double>::infinity();
+    double high = -low;
+    for (int corner = 0; corner < 3; ++corner)
+    {
+      low = std::min(low, points->row(one[corner]).dot(direction));
+      high = std::max(high, points->row(two[corner]).dot(direction));
+    }
+    if (!(low - high >= gap))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+} // namespace
+
+bool CornerStaysUpright(const Motion& motion, const std::array<int, 3>& corner)
+{
+  if (AreAtRest(motion, corner))
+  {
+    return true;
+  }
+  const MovingNormal normal(motion, corner.data());
+  const Vector3d& first = normal.Coefficients[0];
+  const double error = NormalError * normal.SquaredLength;
+  const double firstLength = first.norm();
+  if (firstLength <= error)
+  {
+    return true;
+  }
+  // The least value of b0 (1 - t)^2 + 2 b1 t (1 - t) + b2 t^2 on [0, 1].
+  const double b0 = first.squaredNorm();
+  const double b1 = first.dot(normal.Coefficients[1]);
+  const double b2 = first.dot(normal.Coefficients[2]);
+  double least = std::min(b0, b2);
+  const double curvature = b0 - 2 * b1 + b2;
+  if (b1 < least && curvature > 0)
+  {
+    const double time = (b0 - b1) / curvature;
+    if (time > 0 && time < 1)
+    {
+      least = (1 - time) * (1 - time) * b0 + 2 * time * (1 - time) * b1 + time * time * b2;
+    }
+  }
+  return least > error * firstLength && std::isfinite(b1) && std::isfinite(b2);
+}
+
+MovingNormal::MovingNormal(const Motion& motion, const int* triangle)
+{
+  Vector3d edges[2][2];
+  for (int end = 0; end < 2; ++end)
+  {
+    const PointList& points = end == 0 ? motion.From : motion.To;
+    const Vector3d origin = points.row(triangle[0]);
+    edges[end][0] = points.row(triangle[1]).transpose() - origin;
+    edges[end][1] = points.row(triangle[2]).transpose() - origin;
+    this->SquaredLength = std::max({ this->SquaredLength, edges[end][0].squaredNorm(),
+      edges[end][1].squaredNorm(), (edges[end][1] - edges[end][0]).squaredNorm() });
+  }
+  this->Coefficients[0] = edges[0][0].cross(edges[0][1]);
+  this->Coefficients[1] = 0.5 * (edges[0][0].cross(edges[1][1]) + edges[1][0].cross(edges[0][1]));
+  this->Coefficients[2] = edges[1][0].cross(edges[1][1]);
+}
+
+bool StarStaysHeightField(const Motion& motion, int center, const StarTriangle* first,
+  const StarTriangle* last, const std::vector<MovingNormal>& normals, const MotionGap& gap)
+{
+  Vector3d up = Vector3d::Zero();
+  for (const StarTriangle* part = first; part != last; ++part)
+  {
+    const MovingNormal& normal = normals[part->Triangle];
+    up += normal.Coefficients[0].normalized() + normal.Coefficients[2].normalized();
+  }
+  up.normalize();
+  for (const StarTriangle* part = first; part != last; ++part)
+  {
+    const MovingNormal& normal = normals[part->Triangle];
+    const double least = gap.Wanted * std::sqrt(normal.SquaredLength);
+    for (const Vector3d& coefficient : normal.Coefficients)
+    {
+      if (!(coefficient.dot(up) > least))
+      {
+        return false;
+      }
+    }
+  }
+  // All of them turn counter-clockwise around the centre. How often they go around altogether does
+  // not change with time: it must be once, counted where the ring enters the upper half plane.
+  const Vector3d across = up.unitOrthogonal();
+  const double level = motion.From.row(center).dot(across);
+  int turns = 0;
+  for (const StarTriangle* part = first; part != last; ++part)
+  {
+    turns += motion.From.row(part->Next).dot(across) < level &&
+        motion.From.row(part->Last).dot(across) >= level
+      ? 1
+      : 0;
+  }
+  return turns == 1;
+}
+
+bool StayApart(const Motion& motion, const std::array<int, 1>& vertex,
+  const std::array<int, 3>& face, const MotionGap& gap)
+{
+  return Advance(motion, vertex, face, gap);
+}
+
+bool StayApart(const Motion& motion, const std::array<int, 2>& one, const std::array<int, 2>& two,
+  const MotionGap& gap)
+{
+  return Advance(motion, one, two, gap);
+}
+
+bool StayApart(const Motion& motion, const std::array<int, 3>& one, const std::array<int, 3>& two,
+  const MotionGap& gap)
+{
+  // The direction between the centres decides most pairs for a fraction of the cost.
+  Vector3d between = Vector3d::Zero();
+  for (int corner = 0; corner < 3; ++corner)
+  {
+    between += motion.At(one[corner], 0.5) - motion.At(two[corner], 0.5);
+  }
+  if (Separates(motion, one, two, between.normalized(), gap.Wanted))
+  {
+    return true;
+  }
+  return Advance(motion, one, two, gap);
+}
+
+} // namespace FlipFree

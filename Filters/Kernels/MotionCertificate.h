@@ -1,0 +1,81 @@
+/**
+ * Proofs that parts of a surface stay apart while its vertices move along straight lines.
+ *
+ * All of them rest on one observation: along a fixed direction m, the separation of two moving
+ * points is linear in time. A direction that separates two sets of vertices at the beginning and at
+ * the end of an interval therefore separates their convex hulls throughout, whatever motion they
+ * share; and a set of triangles that all face m stays a height field. How m is found needs no
+ * trust: a poor one proves nothing, it never proves too much.
+ */
+#ifndef FlipFreeMotionCertificate_h
+#define FlipFreeMotionCertificate_h
+
+#include "KernelTypes.h"
+
+#include <array>
+#include <vector>
+
+namespace FlipFree
+{
+
+/// Every vertex moves from its row of `From` to its row of `To`, in unit time.
+struct Motion
+{
+  const PointList& From;
+  const PointList& To;
+
+  Eigen::Vector3d At(int vertex, double time) const
+  {
+    return (1 - time) * this->From.row(vertex) + time * this->To.row(vertex);
+  }
+  bool IsAtRest(int vertex) const { return this->From.row(vertex) == this->To.row(vertex); }
+};
+
+/// The distance that is to be kept, in millimetres. Where parts are nearer than `Wanted` at the
+/// start, they may not come nearer; nearer than `Resolution`, the size of rounding errors, they may
+/// not move at all.
+struct MotionGap
+{
+  double Wanted = 0;
+  double Resolution = 0;
+};
+
+/// Does the normal of the corner before-vertex-after turn by less than 90 degrees at all times?
+/// A corner at rest does, and so does one that has no normal at the start.
+bool CornerStaysUpright(const Motion& motion, const std::array<int, 3>& corner);
+
+/// The normal of a moving triangle is quadratic in time.
+struct MovingNormal
+{
+  MovingNormal() = default;
+  MovingNormal(const Motion& motion, const int* triangle);
+
+  std::array<Eigen::Vector3d, 3> Coefficients; ///< in the basis of Bernstein
+  double SquaredLength = 0;                    ///< the greatest that an edge has at any time
+};
+
+/// One triangle of a star: the two vertices that follow the centre, and its index.
+struct StarTriangle
+{
+  int Next = 0;
+  int Last = 0;
+  int Triangle = 0;
+};
+
+/// Are the triangles around a vertex a height field over one plane at all times, with heights of at
+/// least the wanted gap in its triangles? Then no two of them touch but where they are neighbours.
+bool StarStaysHeightField(const Motion& motion, int center, const StarTriangle* first,
+  const StarTriangle* last, const std::vector<MovingNormal>& normals, const MotionGap& gap);
+
+/// Do a vertex and a face, two edges, two triangles without common vertices keep their gap at all
+/// times? False also where no proof is found. Parts that do not move at all do.
+bool StayApart(const Motion& motion, const std::array<int, 1>& vertex,
+  const std::array<int, 3>& face, const MotionGap& gap);
+bool StayApart(const Motion& motion, const std::array<int, 2>& one, const std::array<int, 2>& two,
+  const MotionGap& gap);
+bool StayApart(const Motion& motion, const std::array<int, 3>& one, const std::array<int, 3>& two,
+  const MotionGap& gap);
+
+} // namespace FlipFree
+
+#endif

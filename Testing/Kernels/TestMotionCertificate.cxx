@@ -1,0 +1,247 @@
+#include "ClosestDirection.h"
+#include "MotionCertificate.h"
+#include "RandomMotions.h"
+#include "TriangleIntersection.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+using namespace FlipFree;
+using Eigen::Vector3d;
+
+namespace
+{
+
+PointList RandomPoints(Eigen::Index count, std::mt19937& random)
+{
+  return WhiteNoise(count, 1.0, random);
+}
+
+template <std::size_t N>
+std::array<Vector3d, N> Take(const PointList& points, int first)
+{
+  std::array<Vector3d, N> taken;
+  for (std::size_t i = 0; i < N; ++i)
+  {
+    taken[i] = points.row(first + static_cast<int>(i));
+  }
+  return taken;
+}
+
+// The distance of two convex hulls by a method of its own (Gilbert's): the point of the difference
+// body nearest to the origin, improved one vertex at a time.
+template <std::size_t A, std::size_t B>
+double DistanceBySearch(const std::array<Vector3d, A>& one, const std::array<Vector3d, B>& two)
+{
+  Vector3d nearest = one[0] - two[0];
+  for (int iteration = 0; iteration < 20000; ++iteration)
+  {
+    Vector3d support = nearest;
+    for (const Vector3d& a : one)
+    {
+      for (const Vector3d& b : two)
+      {
+        if (nearest.dot(a - b) < nearest.dot(support))
+        {
+          support = a - b;
+        }
+      }
+    }
+    const Vector3d step = support - nearest;
+    if (-nearest.dot(step) < 1e-9 || step.squaredNorm() == 0)
+    {
+      break;
+    }
+    nearest += std::min(1.0, -nearest.dot(step) / step.squaredNorm()) * step;
+  }
+  return nearest.norm();
+}
+
+template <std::size_t A, std::size_t B>
+void CompareDistances(std::mt19937& random)
+{
+  for (int repeat = 0; repeat < 500; ++repeat)
+  {
+    const PointList points = RandomPoints(A + B, random);
+    auto one = Take<A>(points, 0);
+    const auto two = Take<B>(points, A);
+    for (Vector3d& point : one)
+    {
+      point += Vector3d(1.5, 0, 0);
+    }
+    const double expected = DistanceBySearch(one, two);
+    if (expected > 0.05)
+    {
+      // The search ends a little above the least distance.
+      const double distance = ClosestDirection(one, two).norm();
+      EXPECT_LE(distance, expected * (1 + 1e-12));
+      EXPECT_GE(distance, expected * (1 - 1e-2));
+    }
+  }
+}
+
+// The least distance of two triangles, zero where they intersect, at sampled times.
+double LeastDistance(const PointList& from, const PointList& to, double until)
+{
+  TriangleList triangles(2, 3);
+  triangles << 0, 1, 2, 3, 4, 5;
+  double least = 1e300;
+  for (int step = 0; step <= 200; ++step)
+  {
+    const double time = until * step / 200.0;
+    const PointList points = (1 - time) * from + time * to;
+    least = std::min(least,
+      TrianglesIntersect(points, triangles, 0, 1)
+        ? 0.0
+        : ClosestDirection(Take<3>(points, 0), Take<3>(points, 3)).norm());
+  }
+  return least;
+}
+
+Vector3d CornerNormal(const Motion& motion, const std::array<int, 3>& corner, double time)
+{
+  const Vector3d origin = motion.At(corner[0], time);
+  const Vector3d one = motion.At(corner[1], time) - origin;
+  const Vector3d two = motion.At(corner[2], time) - origin;
+  return one.cross(two);
+}
+
+} // namespace
+
+TEST(ClosestDirection, AgreesWithASearch)
+{
+  std::mt19937 random(1);
+  CompareDistances<1, 3>(random);
+  CompareDistances<2, 2>(random);
+  CompareDistances<3, 3>(random);
+}
+
+TEST(ClosestDirection, DegenerateSimplices)
+{
+  const Vector3d o(0, 0, 0);
+  const Vector3d x(1, 0, 0);
+  const Vector3d y(0, 1, 0);
+  using Point = std::array<Vector3d, 1>;
+  using Segment = std::array<Vector3d, 2>;
+  using Triangle = std::array<Vector3d, 3>;
+  // Parallel segments, a point as a segment, a segment as a triangle.
+  EXPECT_NEAR(ClosestDirection(Segment{ o, x }, Segment{ y, Vector3d(x + y) }).norm(), 1, 1e-15);
+  EXPECT_NEAR(ClosestDirection(Segment{ o, x }, Segment{ y, y }).norm(), 1, 1e-15);
+  EXPECT_NEAR(
+    ClosestDirection(Point{ Vector3d(0.5, 2, 0) }, Triangle{ o, x, Vector3d(2 * x) }).norm(), 2,
+    1e-15);
+  // From the second to the first.
+  EXPECT_EQ(ClosestDirection(Point{ Vector3d(0.2, 0.2, 3) }, Triangle{ o, x, y }),
+    Vector3d(0, 0, 3));
+}
+
+// Whenever it says that two triangles keep their gap, they do at every sampled time; and it does
+// not give up where there is room.
+TEST(MotionCertificate, TrianglesStayApart)
+{
+  std::mt19937 random(2);
+  const std::array<int, 3> one{ { 0, 1, 2 } };
+  const std::array<int, 3> two{ { 3, 4, 5 } };
+  const MotionGap gap{ 0.01, 1e-12 };
+  int proven = 0;
+  int refused = 0;
+  for (int repeat = 0; repeat < 3000; ++repeat)
+  {
+    PointList from = RandomPoints(6, random);
+    from.bottomRows(3).rowwise() += Eigen::RowVector3d(1, 0, 0);
+    // Large motion in common, smaller motion of its own.
+    const Eigen::RowVector3d shared = RandomPoints(1, random);
+    const PointList to =
+      (from + 0.5 * (1 + repeat % 3) * RandomPoints(6, random)).rowwise() + 10 * shared;
+    const Motion motion{ from, to };
+    const double start = LeastDistance(from, to, 0);
+    const double least = LeastDistance(from, to, 1);
+    if (StayApart(motion, one, two, gap))
+    {
+      ++proven;
+      EXPECT_GE(least, 0.999 * std::min(start, gap.Wanted));
+    }
+    else
+    {
+      ++refused;
+      EXPECT_LE(least, 2 * gap.Wanted);
+    }
+  }
+  EXPECT_GT(proven, 500);
+  EXPECT_GT(refused, 500);
+}
+
+TEST(MotionCertificate, RestIsSafeWhereverItIs)
+{
+  PointList points = PointList::Zero(6, 3);
+  const MotionGap gap{ 0.01, 1e-12 };
+  const std::array<int, 3> one{ { 0, 1, 2 } };
+  const std::array<int, 3> two{ { 3, 4, 5 } };
+  EXPECT_TRUE(StayApart({ points, points }, one, two, gap));
+  EXPECT_TRUE(CornerStaysUpright({ points, points }, one));
+  PointList moved = points;
+  moved(4, 1) = 1e-3;
+  EXPECT_FALSE(StayApart({ points, moved }, one, two, gap));
+}
+
+TEST(MotionCertificate, CornersStayUpright)
+{
+  std::mt19937 random(3);
+  const std::array<int, 3> corner{ { 0, 1, 2 } };
+  int upright = 0;
+  int flipped = 0;
+  for (int repeat = 0; repeat < 5000; ++repeat)
+  {
+    const PointList from = RandomPoints(3, random);
+    const PointList to = from + 0.4 * (1 + repeat % 5) * RandomPoints(3, random);
+    const Motion motion{ from, to };
+    const Vector3d first = CornerNormal(motion, corner, 0);
+    double least = 1e300;
+    for (int step = 0; step <= 500; ++step)
+    {
+      least = std::min(least, first.dot(CornerNormal(motion, corner, step / 500.0)));
+    }
+    if (CornerStaysUpright(motion, corner))
+    {
+      ++upright;
+      EXPECT_GT(least, 0);
+    }
+    else
+    {
+      ++flipped;
+      EXPECT_LT(least, 1e-3);
+    }
+  }
+  EXPECT_GT(upright, 500);
+  EXPECT_GT(flipped, 500);
+}
+
+// A ring that goes around its centre twice is not a height field, though all of its triangles face
+// up.
+TEST(MotionCertificate, StarsThatWindTwiceAreDoubtful)
+{
+  for (int turns : { 1, 2 })
+  {
+    const int size = 8;
+    PointList points(size + 1, 3);
+    points.row(size).setZero();
+    std::vector<StarTriangle> star;
+    std::vector<MovingNormal> normals;
+    for (int i = 0; i < size; ++i)
+    {
+      const double angle = turns * 2 * M_PI * i / size + 0.1;
+      points.row(i) << std::cos(angle), std::sin(angle), 0.1 * i;
+      star.push_back({ i, (i + 1) % size, i });
+    }
+    const Motion motion{ points, points };
+    for (const StarTriangle& part : star)
+    {
+      const int triangle[3] = { size, part.Next, part.Last };
+      normals.emplace_back(motion, triangle);
+    }
+    EXPECT_EQ(
+      StarStaysHeightField(motion, size, star.data(), star.data() + size, normals, { 1e-3, 1e-12 }),
+      turns == 1);
+  }
+}
