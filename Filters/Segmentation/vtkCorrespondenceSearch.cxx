@@ -1,0 +1,131 @@
+#include "vtkCorrespondenceSearch.h"
+
+#include "ContourMeshAdapter.h"
+#include "FieldData.h"
+#include "GreyImageAdapter.h"
+#include "TargetSearch.h"
+#include "VoxelOverlap.h"
+
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+
+vtkStandardNewMacro(vtkCorrespondenceSearch);
+
+vtkCorrespondenceSearch::vtkCorrespondenceSearch()
+{
+  this->SetNumberOfInputPorts(3);
+}
+
+void vtkCorrespondenceSearch::SetFeatureData(vtkImageData* feature)
+{
+  this->SetInputDataObject(1, feature);
+}
+
+void vtkCorrespondenceSearch::SetEdgeData(vtkImageData* image)
+{
+  this->SetInputDataObject(2, image);
+}
+
+int vtkCorrespondenceSearch::FillInputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(INPUT_REQUIRED_DATA_TYPE(), port == 0 ? "vtkPolyData" : "vtkImageData");
+  info->Set(INPUT_IS_OPTIONAL(), port == 2);
+  return 1;
+}
+
+int vtkCorrespondenceSearch::RequestUpdateExtent(vtkInformation*,
+  vtkInformationVector** inputVector, vtkInformationVector*)
+{
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  for (int port = 1; port < 3; ++port)
+  {
+    vtkInformation* in = inputVector[port]->GetInformationObject(0);
+    if (in && in->Has(Pipeline::WHOLE_EXTENT()))
+    {
+      in->Set(Pipeline::UPDATE_EXTENT(), in->Get(Pipeline::WHOLE_EXTENT()), 6);
+    }
+  }
+  return 1;
+}
+
+int vtkCorrespondenceSearch::RequestData(vtkInformation*, vtkInformationVector** inputVector,
+  vtkInformationVector* outputVector)
+{
+  vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
+  vtkImageData* featureImage = vtkImageData::GetData(inputVector[1]);
+  vtkImageData* edgeImage = vtkImageData::GetData(inputVector[2]);
+  vtkPolyData* output = vtkPolyData::GetData(outputVector);
+  output->Initialize();
+  try
+  {
+    const FlipFree::DeformableSurface surface =
+      FlipFree::DeformableSurfaceOf(input, "the surface on port 0", false);
+    FlipFree::RequireGreyImage(featureImage, "the feature on port 1");
+    const FlipFree::FloatImage feature = FlipFree::GreyRegionOf(featureImage,
+      FlipFree::WholeExtent(FlipFree::GeometryOf(featureImage)));
+    FlipFree::FloatImage edges;
+    if (this->EdgeWindow > 0)
+    {
+      FlipFree::RequireGreyImage(edgeImage, "the edge image on port 2");
+      edges =
+        FlipFree::GreyRegionOf(edgeImage, FlipFree::WholeExtent(FlipFree::GeometryOf(edgeImage)));
+      FlipFree::RequireSameGeometry(edges.Geometry, feature.Geometry);
+    }
+
+    FlipFree::TargetSettings settings;
+    const std::vector<double> threshold = FlipFree::FieldValues("FeatureThreshold", featureImage);
+    settings.Correspondence.Threshold =
+      this->Threshold > 0 || threshold.empty() ? this->Threshold : threshold.front();
+    if (settings.Correspondence.Threshold <= 0)
+    {
+      settings.Correspondence.Threshold = 0.5;
+    }
+    const std::vector<double> ramp = FlipFree::FieldValues("EdgeRamp", featureImage);
+    if (ramp.size() == 3)
+    {
+      settings.Correspondence.Ramp = { ramp[0], ramp[1], ramp[2] };
+    }
+    settings.Correspondence.SearchDistance = this->SearchDistance;
+    settings.Correspondence.RunLength = this->RunLength;
+    settings.Correspondence.RunVoxels = this->RunVoxels;
+    settings.Correspondence.SearchInward = this->SearchInward;
+    settings.Correspondence.ImageEndDistance = this->ImageEndDistance;
+    settings.Correspondence.EdgeWindow = this->EdgeWindow;
+    settings.NormalSmoothing = this->NormalSmoothing;
+    settings.OutlierDeviations = this->OutlierDeviations;
+    settings.MaximumDisplacement = this->MaximumDisplacement;
+
+    FlipFree::TargetReport report;
+    const FlipFree::CorrespondenceField field = FlipFree::FindTargets(surface.Mesh, surface.Points,
+      feature.View(), edges.View(), settings, FlipFree::SMPFor, report);
+    output->ShallowCopy(input);
+    FlipFree::AttachField(field, output);
+    FlipFree::AddFieldValues("MeanDistance", { report.MeanDistance }, output);
+  }
+  catch (const std::exception& error)
+  {
+    output->Initialize();
+    vtkErrorMacro("No correspondence: " << error.what() << ".");
+    return 0;
+  }
+  return 1;
+}
+
+void vtkCorrespondenceSearch::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Threshold: " << this->Threshold << "\n";
+  os << indent << "SearchDistance: " << this->SearchDistance << "\n";
+  os << indent << "RunLength: " << this->RunLength << "\n";
+  os << indent << "RunVoxels: " << this->RunVoxels << "\n";
+  os << indent << "SearchInward: " << this->SearchInward << "\n";
+  os << indent << "ImageEndDistance: " << this->ImageEndDistance << "\n";
+  os << indent << "EdgeWindow: " << this->EdgeWindow << "\n";
+  os << indent << "NormalSmoothing: " << this->NormalSmoothing << "\n";
+  os << indent << "OutlierDeviations: " << this->OutlierDeviations << "\n";
+  os << indent << "MaximumDisplacement: " << this->MaximumDisplacement << "\n";
+}

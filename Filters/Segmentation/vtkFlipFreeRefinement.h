@@ -1,0 +1,51 @@
+/**
+ * @class   vtkFlipFreeRefinement
+ * @brief   a surface of four times as many vertices, for working from coarse to fine
+ *
+ * Refines a closed mesh with four neighbours at every vertex into one of the same kind (D. Doo and
+ * M. Sabin, 1978): the sphere of resolution n becomes that of 2 n. With Check on, the refined
+ * surface is embedded when the input is: where it would intersect itself, it is pulled towards the
+ * old vertices, and if need be the old surface is smoothed first.
+ *
+ * Input port 0: vtkPolyData, closed, four neighbours at every vertex.
+ * Output port 0: the refined surface, without arrays.
+ *
+ * Errors: a surface that is open, not four-valent, or, with Check on, self-intersecting or
+ * impossible to refine.
+ */
+#ifndef vtkFlipFreeRefinement_h
+#define vtkFlipFreeRefinement_h
+
+#include "FlipFreeSegmentationModule.h"
+#include "vtkPolyDataAlgorithm.h"
+
+class FLIPFREESEGMENTATION_EXPORT vtkFlipFreeRefinement : public vtkPolyDataAlgorithm
+{
+public:
+  static vtkFlipFreeRefinement* New();
+  vtkTypeMacro(vtkFlipFreeRefinement, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * See to it that the result is embedded. Default on.
+   */
+  vtkSetMacro(Check, bool);
+  vtkGetMacro(Check, bool);
+  vtkBooleanMacro(Check, bool);
+  ///@}
+
+protected:
+  vtkFlipFreeRefinement() = default;
+  ~vtkFlipFreeRefinement() override = default;
+
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+  bool Check = true;
+
+private:
+  vtkFlipFreeRefinement(const vtkFlipFreeRefinement&) = delete;
+  void operator=(const vtkFlipFreeRefinement&) = delete;
+};
+
+#endif

@@ -1,0 +1,134 @@
+#include "vtkGMMFeatureFilter.h"
+
+#include "FieldData.h"
+#include "GreyImageAdapter.h"
+#include "OrganFeature.h"
+#include "SurfaceAdapter.h"
+
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+
+vtkStandardNewMacro(vtkGMMFeatureFilter);
+
+vtkGMMFeatureFilter::vtkGMMFeatureFilter()
+{
+  this->SetNumberOfInputPorts(2);
+}
+
+void vtkGMMFeatureFilter::SetSurfaceData(vtkPolyData* surface)
+{
+  this->SetInputDataObject(1, surface);
+}
+
+int vtkGMMFeatureFilter::FillInputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(INPUT_REQUIRED_DATA_TYPE(), port == 0 ? "vtkImageData" : "vtkPolyData");
+  info->Set(INPUT_IS_OPTIONAL(), port == 1);
+  return 1;
+}
+
+int vtkGMMFeatureFilter::RequestInformation(vtkInformation*, vtkInformationVector**,
+  vtkInformationVector* outputVector)
+{
+  vtkDataObject::SetPointDataActiveScalarInfo(outputVector->GetInformationObject(0), VTK_FLOAT, 1);
+  return 1;
+}
+
+int vtkGMMFeatureFilter::RequestUpdateExtent(vtkInformation*, vtkInformationVector** inputVector,
+  vtkInformationVector*)
+{
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  vtkInformation* in = inputVector[0]->GetInformationObject(0);
+  in->Set(Pipeline::UPDATE_EXTENT(), in->Get(Pipeline::WHOLE_EXTENT()), 6);
+  return 1;
+}
+
+int vtkGMMFeatureFilter::RequestData(vtkInformation*, vtkInformationVector** inputVector,
+  vtkInformationVector* outputVector)
+{
+  vtkImageData* image = vtkImageData::GetData(inputVector[0]);
+  vtkPolyData* surface = vtkPolyData::GetData(inputVector[1]);
+  vtkImageData* output = vtkImageData::GetData(outputVector);
+  const FlipFree::SeedSphere seed{ Eigen::Vector3d(this->SeedCenter), this->SeedRadius };
+  FlipFree::OrganFeatureSettings settings;
+  settings.Intensity.Mixture.MaximumComponents = this->MaximumComponents;
+  settings.Intensity.Mixture.MinimumWeight = this->MinimumComponentWeight;
+  settings.Intensity.NoiseWidening = this->NoiseWidening;
+  settings.Intensity.ForegroundMass = this->ForegroundMass;
+  settings.Intensity.Threshold = this->FeatureThreshold;
+  settings.ControlLeaks = this->LeakControl;
+  settings.Leaks.ClosingRadius = this->ClosingRadius;
+  settings.Leaks.OpeningRadius = this->OpeningRadius;
+  output->Initialize();
+  try
+  {
+    FlipFree::RequireGreyImage(image, "the image on port 0");
+    const FlipFree::ImageGeometry geometry = FlipFree::GeometryOf(image);
+    FlipFree::RequireSeed(geometry, seed, "the image on port 0");
+    const FlipFree::FloatImage smooth =
+      FlipFree::GreyRegionOf(image, FlipFree::WholeExtent(geometry));
+    FlipFree::RequireFinite(smooth, "the image on port 0");
+    const std::vector<double> given = FlipFree::FieldValues("NoiseDeviation", image);
+    const double noise =
+      given.empty() ? FlipFree::NoiseDeviation(smooth.View(), seed) : given.front();
+
+    FlipFree::IntensityModel model =
+      FlipFree::FitToSeed(smooth.View(), seed, noise, settings.Intensity);
+    this->UpdateProgress(0.1);
+    if (surface)
+    {
+      const FlipFree::PolygonalSurface inside =
+        FlipFree::SurfaceOf(surface, "the surface on port 1");
+      FlipFree::RefitToSurface(smooth.View(), inside.Points, inside.Triangles, noise,
+        settings.Intensity, FlipFree::SMPFor, model);
+    }
+    this->UpdateProgress(0.4);
+    const std::vector<float> feature =
+      FlipFree::MakeFeature(smooth.View(), model, seed, settings, FlipFree::SMPFor);
+
+    output->CopyStructure(image);
+    FlipFree::SetFloatScalars("Feature", feature, output);
+    std::vector<double> weights;
+    std::vector<double> means;
+    std::vector<double> deviations;
+    for (const FlipFree::Gaussian& component : model.Mixture.Components)
+    {
+      weights.push_back(component.Weight);
+      means.push_back(component.Mean);
+      deviations.push_back(component.Deviation);
+    }
+    FlipFree::AddFieldValues("FeatureThreshold", { model.Threshold }, output);
+    FlipFree::AddFieldValues("MixtureWeights", weights, output);
+    FlipFree::AddFieldValues("MixtureMeans", means, output);
+    FlipFree::AddFieldValues("MixtureDeviations", deviations, output);
+    FlipFree::AddFieldValues("EdgeRamp", { model.Ramp.Low, model.Ramp.High, model.Ramp.Width },
+      output);
+  }
+  catch (const std::exception& error)
+  {
+    output->Initialize();
+    vtkErrorMacro("No feature: " << error.what() << ".");
+    return 0;
+  }
+  return 1;
+}
+
+void vtkGMMFeatureFilter::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "SeedCenter: (" << this->SeedCenter[0] << ", " << this->SeedCenter[1] << ", "
+     << this->SeedCenter[2] << ")\n";
+  os << indent << "SeedRadius: " << this->SeedRadius << "\n";
+  os << indent << "MaximumComponents: " << this->MaximumComponents << "\n";
+  os << indent << "MinimumComponentWeight: " << this->MinimumComponentWeight << "\n";
+  os << indent << "NoiseWidening: " << this->NoiseWidening << "\n";
+  os << indent << "ForegroundMass: " << this->ForegroundMass << "\n";
+  os << indent << "FeatureThreshold: " << this->FeatureThreshold << "\n";
+  os << indent << "LeakControl: " << this->LeakControl << "\n";
+  os << indent << "ClosingRadius: " << this->ClosingRadius << "\n";
+  os << indent << "OpeningRadius: " << this->OpeningRadius << "\n";
+}

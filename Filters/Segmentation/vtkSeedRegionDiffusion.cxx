@@ -1,0 +1,117 @@
+#include "vtkSeedRegionDiffusion.h"
+
+#include "AnisotropicDiffusion.h"
+#include "FieldData.h"
+#include "GreyImageAdapter.h"
+
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkMatrix3x3.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+
+#include <array>
+
+vtkStandardNewMacro(vtkSeedRegionDiffusion);
+
+namespace
+{
+
+using Pipeline = vtkStreamingDemandDrivenPipeline;
+
+// The geometry that the pipeline announces, before there are voxels.
+FlipFree::ImageGeometry AnnouncedGeometry(vtkInformation* info, const int* extent)
+{
+  vtkNew<vtkImageData> image;
+  image->SetExtent(const_cast<int*>(extent));
+  image->SetSpacing(info->Get(vtkDataObject::SPACING()));
+  image->SetOrigin(info->Get(vtkDataObject::ORIGIN()));
+  if (info->Has(vtkDataObject::DIRECTION()))
+  {
+    image->SetDirectionMatrix(info->Get(vtkDataObject::DIRECTION()));
+  }
+  return FlipFree::GeometryOf(image);
+}
+
+} // namespace
+
+int vtkSeedRegionDiffusion::RequestInformation(vtkInformation*, vtkInformationVector** inputVector,
+  vtkInformationVector* outputVector)
+{
+  vtkInformation* in = inputVector[0]->GetInformationObject(0);
+  vtkInformation* out = outputVector->GetInformationObject(0);
+  vtkDataObject::SetPointDataActiveScalarInfo(out, VTK_FLOAT, 1);
+  if (!in->Has(Pipeline::WHOLE_EXTENT()) || !in->Has(vtkDataObject::SPACING()) ||
+    !in->Has(vtkDataObject::ORIGIN()))
+  {
+    return 1;
+  }
+  int extent[6];
+  in->Get(Pipeline::WHOLE_EXTENT(), extent);
+  const FlipFree::Extent box = FlipFree::ReachableExtent(AnnouncedGeometry(in, extent),
+    Eigen::Vector3d(this->SeedCenter), this->Reach);
+  const int region[6] = { extent[0] + box[0], extent[0] + box[1], extent[2] + box[2],
+    extent[2] + box[3], extent[4] + box[4], extent[4] + box[5] };
+  out->Set(Pipeline::WHOLE_EXTENT(), region, 6);
+  return 1;
+}
+
+int vtkSeedRegionDiffusion::RequestUpdateExtent(vtkInformation*, vtkInformationVector** inputVector,
+  vtkInformationVector*)
+{
+  vtkInformation* in = inputVector[0]->GetInformationObject(0);
+  in->Set(Pipeline::UPDATE_EXTENT(), in->Get(Pipeline::WHOLE_EXTENT()), 6);
+  return 1;
+}
+
+int vtkSeedRegionDiffusion::RequestData(vtkInformation*, vtkInformationVector** inputVector,
+  vtkInformationVector* outputVector)
+{
+  vtkImageData* image = vtkImageData::GetData(inputVector[0]);
+  vtkImageData* output = vtkImageData::GetData(outputVector);
+  const FlipFree::SeedSphere seed{ Eigen::Vector3d(this->SeedCenter), this->SeedRadius };
+  try
+  {
+    FlipFree::RequireGreyImage(image, "the image on port 0");
+    const FlipFree::ImageGeometry geometry = FlipFree::GeometryOf(image);
+    FlipFree::RequireSeed(geometry, seed, "the image on port 0");
+    FlipFree::FloatImage region =
+      FlipFree::GreyRegionOf(image, FlipFree::ReachableExtent(geometry, seed.Center, this->Reach));
+    FlipFree::RequireFinite(region, "the image on port 0");
+    const double noise = FlipFree::NoiseDeviation(region.View(), seed);
+    FlipFree::AnisotropicDiffusionSettings settings;
+    settings.Iterations = this->NumberOfIterations;
+    settings.Contrast = FlipFree::ContrastOfNoise(noise);
+    if (!FlipFree::DiffuseAnisotropically(region.Voxels, region.Geometry, settings,
+          FlipFree::SMPFor, FlipFree::MonitorOf(this)))
+    {
+      output->Initialize();
+      return 1;
+    }
+    output->SetExtent(outputVector->GetInformationObject(0)->Get(Pipeline::WHOLE_EXTENT()));
+    output->SetSpacing(image->GetSpacing());
+    output->SetOrigin(image->GetOrigin());
+    output->SetDirectionMatrix(image->GetDirectionMatrix());
+    FlipFree::SetFloatScalars("Intensity", region.Voxels, output);
+    FlipFree::AddFieldValues("NoiseDeviation", { noise }, output);
+  }
+  catch (const std::exception& error)
+  {
+    output->Initialize();
+    vtkErrorMacro("Nothing smoothed: " << error.what() << ".");
+    return 0;
+  }
+  return 1;
+}
+
+void vtkSeedRegionDiffusion::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "SeedCenter: (" << this->SeedCenter[0] << ", " << this->SeedCenter[1] << ", "
+     << this->SeedCenter[2] << ")\n";
+  os << indent << "SeedRadius: " << this->SeedRadius << "\n";
+  os << indent << "Reach: " << this->Reach << "\n";
+  os << indent << "NumberOfIterations: " << this->NumberOfIterations << "\n";
+}
