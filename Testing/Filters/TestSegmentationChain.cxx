@@ -1,0 +1,146 @@
+// The stages chained by hand give the composite's surface, bit for bit.
+#include "vtkCorrespondenceSearch.h"
+#include "vtkFlipFreeDeform.h"
+#include "vtkFlipFreeRefinement.h"
+#include "vtkFlipFreeSegmentation.h"
+#include "vtkGMMFeatureFilter.h"
+#include "vtkPhantomSource.h"
+#include "vtkQuadSphereSource.h"
+#include "vtkSeedRegionDiffusion.h"
+
+#include "vtkImageData.h"
+#include "vtkNew.h"
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+#include "vtkTable.h"
+#include "vtkVariant.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace
+{
+
+constexpr int Resolution = 16;
+constexpr int Levels = 2;
+
+// The composite's lengths, as its documentation gives them, for a seed of this radius and voxels of
+// this greatest spacing.
+struct Lengths
+{
+  Lengths(double radius, double voxel)
+    : Reach(std::clamp(10 * radius, 100.0, 250.0))
+    , Search(std::clamp(1.6 * radius, 15.0, 60.0))
+    , Opening(std::min(std::clamp(0.4 * radius, 2.5, 6.0), 2 * voxel))
+    , Closing(std::min(1.5, 2 * voxel))
+    , Window(std::min(3.0, 1.5 * voxel))
+    , Cap(8 * voxel)
+  {
+  }
+  double Reach;
+  double Search;
+  double Opening;
+  double Closing;
+  double Window;
+  double Cap;
+};
+
+vtkSmartPointer<vtkPolyData> Detach(vtkPolyData* surface)
+{
+  auto copy = vtkSmartPointer<vtkPolyData>::New();
+  copy->DeepCopy(surface);
+  return copy;
+}
+
+// As many iterations at each level as the composite made.
+vtkSmartPointer<vtkPolyData> ChainByHand(vtkImageData* image, const double seed[4],
+  vtkTable* convergence)
+{
+  double spacing[3];
+  image->GetSpacing(spacing);
+  const Lengths lengths(seed[3], *std::max_element(spacing, spacing + 3));
+
+  vtkNew<vtkSeedRegionDiffusion> smooth;
+  smooth->SetInputData(image);
+  smooth->SetSeedCenter(seed);
+  smooth->SetSeedRadius(seed[3]);
+  smooth->SetReach(lengths.Reach);
+  vtkNew<vtkGMMFeatureFilter> feature;
+  feature->SetInputConnection(smooth->GetOutputPort());
+  feature->SetSeedCenter(seed);
+  feature->SetSeedRadius(seed[3]);
+  feature->SetClosingRadius(lengths.Closing);
+  feature->SetOpeningRadius(lengths.Opening);
+  vtkNew<vtkCorrespondenceSearch> search;
+  search->SetFeatureConnection(feature->GetOutputPort());
+  search->SetEdgeConnection(smooth->GetOutputPort());
+  search->SetSearchDistance(lengths.Search);
+  search->SetImageEndDistance(12);
+  search->SetMaximumDisplacement(lengths.Cap);
+  vtkNew<vtkFlipFreeDeform> deform;
+  deform->SetInputConnection(search->GetOutputPort());
+  vtkNew<vtkFlipFreeRefinement> refine;
+  vtkNew<vtkQuadSphereSource> sphere;
+  sphere->SetCenter(seed);
+  sphere->SetRadius(seed[3]);
+  sphere->SetResolution(Resolution >> (Levels - 1));
+  sphere->Update();
+
+  vtkSmartPointer<vtkPolyData> surface = Detach(sphere->GetOutput());
+  int level = 0;
+  for (vtkIdType row = 0; row < convergence->GetNumberOfRows(); ++row)
+  {
+    if (convergence->GetValueByName(row, "Level").ToInt() > level)
+    {
+      ++level;
+      refine->SetInputData(surface);
+      refine->Update();
+      surface = Detach(refine->GetOutput());
+      feature->SetSurfaceData(surface);
+    }
+    search->SetEdgeWindow(level + 1 == Levels ? lengths.Window : 0);
+    search->SetInputData(surface);
+    deform->Update();
+    surface = Detach(deform->GetOutput());
+  }
+  return surface;
+}
+
+} // namespace
+
+TEST(SegmentationChain, StagesByHandGiveTheCompositesSurface)
+{
+  vtkNew<vtkPhantomSource> phantom;
+  phantom->SetShapeToAbdomen();
+  phantom->SetDimensions(110, 85, 45);
+  phantom->SetSpacing(3, 3, 6);
+  double seed[4];
+  ASSERT_TRUE(phantom->GetSeed(vtkPhantomSource::SPLEEN, seed));
+  phantom->Update();
+
+  vtkNew<vtkFlipFreeSegmentation> composite;
+  composite->SetInputConnection(phantom->GetOutputPort());
+  composite->SetSeedCenter(seed);
+  composite->SetSeedRadius(seed[3]);
+  composite->SetResolution(Resolution);
+  composite->SetLevels(Levels);
+  composite->Update();
+  vtkPolyData* expected = composite->GetSurface();
+  ASSERT_EQ(expected->GetNumberOfPoints(), 6 * Resolution * Resolution);
+  ASSERT_GT(composite->GetConvergence()->GetNumberOfRows(), Levels);
+
+  const auto surface = ChainByHand(phantom->GetOutput(), seed, composite->GetConvergence());
+  ASSERT_EQ(surface->GetNumberOfPoints(), expected->GetNumberOfPoints());
+  for (vtkIdType vertex = 0; vertex < surface->GetNumberOfPoints(); ++vertex)
+  {
+    double a[3];
+    double b[3];
+    surface->GetPoint(vertex, a);
+    expected->GetPoint(vertex, b);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      ASSERT_EQ(a[axis], b[axis]) << "vertex " << vertex;
+    }
+  }
+}
