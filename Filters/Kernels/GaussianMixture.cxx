@@ -233,10 +233,6 @@ GaussianMixture FitGaussianMixture(const std::vector<float>& values,
     }
   }
   Prune(settings.MinimumWeight, best.Components);
-  for (Gaussian& component : best.Components)
-  {
-    component.Deviation *= settings.Widening;
-  }
   return best;
 }
 

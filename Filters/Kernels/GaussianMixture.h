@@ -46,10 +46,6 @@ struct MixtureSettings
 
   /// Components of less weight (vessels, noise) are dropped. The heaviest always stays.
   double MinimumWeight = 0.15;
-
-  /// Factor on the deviations after the fit: smoothed voxels of a small sphere vary less than those
-  /// of the whole organ.
-  double Widening = 2;
 };
 
 /// Fits the mixture to finite values. Throws std::invalid_argument when there are none.

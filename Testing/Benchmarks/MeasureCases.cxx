@@ -3,7 +3,7 @@
 // memory.
 //
 //   MeasureCases [--data DIR] [--only TEXT] [--preset default|published|naive] [--seeds N]
-//                [--surfaces DIR] [--threads N]
+//                [--surfaces DIR] [--threads N] [--set Name=value ...]
 //
 // With --seeds N each row is run from N random seeds in the organ, at least their radius away from
 // its border, and the spread of the Dice score is printed.
@@ -26,6 +26,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <functional>
 #include <iostream>
 #include <map>
 #include <numeric>
@@ -42,6 +43,7 @@ struct Options
   std::string Surfaces;
   int Seeds = 0;
   int Threads = 0;
+  std::vector<std::string> Parameters;
 };
 
 vtkSmartPointer<vtkImageData> Read(const std::string& file)
@@ -61,6 +63,44 @@ void ApplyPreset(const std::string& preset, vtkFlipFreeSegmentation* filter)
   else if (preset == "naive")
   {
     filter->UseNaiveParameters();
+  }
+}
+
+// Parameters that a study may vary, by the names of their setters.
+void SetParameter(const std::string& assignment, vtkFlipFreeSegmentation* filter)
+{
+  const std::map<std::string, std::function<void(double)>> setters = {
+    { "Resolution", [&](double x) { filter->SetResolution(static_cast<int>(x)); } },
+    { "Levels", [&](double x) { filter->SetLevels(static_cast<int>(x)); } },
+    { "MaximumIterations", [&](double x) { filter->SetMaximumIterations(static_cast<int>(x)); } },
+    { "ChangeTolerance", [&](double x) { filter->SetChangeTolerance(x); } },
+    { "DiffusionIterations",
+      [&](double x) { filter->SetDiffusionIterations(static_cast<int>(x)); } },
+    { "ForegroundMass", [&](double x) { filter->SetForegroundMass(x); } },
+    { "NoiseWidening", [&](double x) { filter->SetNoiseWidening(x); } },
+    { "ClosingRadius", [&](double x) { filter->SetClosingRadius(x); } },
+    { "OpeningScale", [&](double x) { filter->SetOpeningScale(x); } },
+    { "SearchScale", [&](double x) { filter->SetSearchScale(x); } },
+    { "RunLength", [&](double x) { filter->SetRunLength(x); } },
+    { "EdgeWindow", [&](double x) { filter->SetEdgeWindow(x); } },
+    { "ImageEndDistance", [&](double x) { filter->SetImageEndDistance(x); } },
+    { "OutlierDeviations", [&](double x) { filter->SetOutlierDeviations(x); } },
+    { "MaximumDisplacement", [&](double x) { filter->SetMaximumDisplacement(x); } },
+    { "FlipThreshold", [&](double x) { filter->SetFlipThreshold(x); } },
+    { "PositionWeight", [&](double x) { filter->SetPositionWeight(x); } },
+    { "UniformWeight", [&](double x) { filter->SetUniformWeight(x); } },
+    { "Fairing", [&](double x) { filter->SetFairing(x); } },
+  };
+  const std::size_t equals = assignment.find('=');
+  setters.at(assignment.substr(0, equals))(std::stod(assignment.substr(equals + 1)));
+}
+
+void Configure(const Options& options, vtkFlipFreeSegmentation* filter)
+{
+  ApplyPreset(options.Preset, filter);
+  for (const std::string& assignment : options.Parameters)
+  {
+    SetParameter(assignment, filter);
   }
 }
 
@@ -92,7 +132,7 @@ double MeasureRow(const Case& row, const Options& options)
   const auto image = Read(options.Data + "/" + row.Image);
   const double read = vtkTimerLog::GetUniversalTime();
   vtkNew<vtkFlipFreeSegmentation> filter;
-  ApplyPreset(options.Preset, filter);
+  Configure(options, filter);
   filter->SetInputDataObject(image);
   filter->SetSeedCenter(row.Seed.data());
   filter->SetSeedRadius(row.Radius);
@@ -151,6 +191,7 @@ void MeasureSeeds(const Case& row, const Options& options)
   for (const RandomSeed& seed : RandomSeeds(reference, row.Label, row.Radius, options.Seeds))
   {
     vtkNew<vtkFlipFreeSegmentation> filter;
+    Configure(options, filter);
     filter->SetInputDataObject(image);
     filter->SetSeedCenter(seed.Center.data());
     filter->SetSeedRadius(seed.Radius);
@@ -187,6 +228,7 @@ int main(int argc, char* argv[])
   app.add_option("--seeds", options.Seeds, "random seeds per row in place of the row's own");
   app.add_option("--surfaces", options.Surfaces, "folder that takes the surfaces");
   app.add_option("--threads", options.Threads, "number of threads");
+  app.add_option("--set", options.Parameters, "Name=value of a parameter, as its setter is called");
   CLI11_PARSE(app, argc, argv);
   vtkSMPTools::Initialize(options.Threads);
 
