@@ -16,11 +16,11 @@ void AverageOnce(const ContourMesh& mesh, const std::vector<int>& vertices,
   {
     const int vertex = vertices[position];
     Eigen::RowVector3d sum = displacements.row(vertex);
-    int count = known[vertex];
+    int count = known[vertex] ? 1 : 0;
     for (int neighbour : mesh.Neighbours[vertex])
     {
       sum += displacements.row(neighbour);
-      count += known[neighbour];
+      count += known[neighbour] ? 1 : 0;
     }
     reached[position] = count > 0;
     averages[position] = count > 0 ? Eigen::RowVector3d(sum / count) : sum;
