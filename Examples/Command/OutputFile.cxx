@@ -103,13 +103,6 @@ void RequireEnding(const std::string& option, const std::string& name,
 
 void OutputFiles::Announce(const std::string& name, const std::vector<std::string>& inputs)
 {
-  for (const File& other : this->Files)
-  {
-    if (SameFile(name, other.Name))
-    {
-      throw WrongUsage("'" + name + "' is to hold two results. Give each its own name.");
-    }
-  }
   for (const std::string& input : inputs)
   {
     if (SameFile(name, input))

@@ -27,8 +27,8 @@ public:
   OutputFiles(const OutputFiles&) = delete;
   void operator=(const OutputFiles&) = delete;
 
-  /// Announces a file before the work is done: its folder must take files, and no other output nor
-  /// any of the `inputs` may be the same file.
+  /// Announces a file before the work is done: its folder must take files, and it may be none
+  /// of the `inputs`.
   void Announce(const std::string& name, const std::vector<std::string>& inputs = {});
 
   /// Lets `write` make the file under the temporary name that it is called with. Throws Failure.

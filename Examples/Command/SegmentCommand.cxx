@@ -212,7 +212,7 @@ void Segment(const Segmentation& segmentation)
   const std::chrono::duration<double> reading = std::chrono::steady_clock::now() - start;
 
   const Point seed = SeedIn(image, segmentation);
-  filter->SetInputData(image);
+  filter->SetInputDataObject(image);
   filter->SetSeedCenter(seed[0], seed[1], seed[2]);
   filter->SetSeedRadius(segmentation.Radius);
   filter->SetLabelValue(segmentation.Label);

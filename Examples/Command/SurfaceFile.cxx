@@ -158,7 +158,8 @@ vtkSmartPointer<vtkPolyData> ReadSurface(const std::string& name)
 void WriteSurface(const std::string& name, vtkPolyData* surface)
 {
   const bool triangulated = HasEnding(name, { ".stl" });
-  const vtkSmartPointer<vtkPolyData> written = triangulated ? TrianglesOf(surface) : surface;
+  const vtkSmartPointer<vtkPolyData> written =
+    triangulated ? TrianglesOf(surface) : vtkSmartPointer<vtkPolyData>(surface);
   bool whole = false;
   try
   {

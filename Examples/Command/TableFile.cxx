@@ -7,6 +7,9 @@
 #include "vtkNew.h"
 #include "vtkTable.h"
 
+#include <cstring>
+#include <memory>
+
 namespace Command
 {
 
@@ -16,8 +19,8 @@ void WriteTable(const std::string& name, vtkTable* table)
   writer->SetInputData(table);
   writer->WriteToOutputStringOn();
   Run(writer, "writing", [&writer]() { writer->Write(); });
-  const std::string text = writer->GetOutputString();
-  WriteBytes(name, text.data(), text.size());
+  const std::unique_ptr<char[]> text(writer->RegisterAndGetOutputString());
+  WriteBytes(name, text.get(), std::strlen(text.get()));
 }
 
 } // namespace Command
