@@ -1,5 +1,6 @@
 #include "Messages.h"
 
+#include "Failure.h"
 #include "ProgressBar.h"
 
 #include "vtkLogger.h"
@@ -7,14 +8,18 @@
 #include "vtkObjectFactory.h"
 #include "vtkOutputWindow.h"
 
-#include <iostream>
+#include <cstdio>
 #include <mutex>
+
+#include <fcntl.h>
+#include <unistd.h>
 
 namespace Command
 {
 namespace
 {
 
+int UserStream = STDERR_FILENO;
 std::mutex Lock; // filters may report from their threads
 std::string FirstError;
 
@@ -56,7 +61,7 @@ std::string InOneLine(const std::string& text)
 void Print(const char* kind, const std::string& message)
 {
   ProgressBar::Clear();
-  std::cerr << "flipfree: " << kind << ": " << InOneLine(message) << std::endl;
+  WriteToUser(std::string("flipfree: ") + kind + ": " + InOneLine(message) + "\n");
 }
 
 class MessageCollector : public vtkOutputWindow
@@ -80,7 +85,15 @@ public:
     const std::lock_guard<std::mutex> guard(Lock);
     PrintWarning(WithoutTrace(text));
   }
-  void DisplayGenericWarningText(const char* text) override { this->DisplayWarningText(text); }
+  void DisplayGenericWarningText(const char* text) override
+  {
+    // VTK's reader of PLY files would go on beyond the end of a truncated one, and crash.
+    if (std::string(text).find("PLY error") != std::string::npos)
+    {
+      throw Failure(WithoutTrace(text));
+    }
+    this->DisplayWarningText(text);
+  }
 };
 
 vtkStandardNewMacro(MessageCollector);
@@ -100,6 +113,44 @@ std::string TakeVtkError()
   std::string error;
   error.swap(FirstError);
   return error;
+}
+
+SilentLibraries::SilentLibraries()
+  : Original(fcntl(STDERR_FILENO, F_DUPFD_CLOEXEC, 3))
+{
+  const int nowhere = open("/dev/null", O_WRONLY | O_CLOEXEC);
+  if (this->Original >= 0 && nowhere >= 0)
+  {
+    std::fflush(stderr);
+    dup2(nowhere, STDERR_FILENO);
+    UserStream = this->Original;
+  }
+  close(nowhere);
+}
+
+SilentLibraries::~SilentLibraries()
+{
+  if (this->Original >= 0)
+  {
+    std::fflush(stderr);
+    dup2(this->Original, STDERR_FILENO);
+    UserStream = STDERR_FILENO;
+    close(this->Original);
+  }
+}
+
+void WriteToUser(const std::string& text)
+{
+  std::string::size_type done = 0;
+  while (done < text.size())
+  {
+    const ssize_t count = write(UserStream, text.data() + done, text.size() - done);
+    if (count <= 0)
+    {
+      return; // nobody is there to be told
+    }
+    done += static_cast<std::string::size_type>(count);
+  }
 }
 
 void PrintError(const std::string& message)

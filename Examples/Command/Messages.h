@@ -17,6 +17,23 @@ void CatchVtkMessages();
 /// The first error that VTK has reported since the last call, without its trace; empty if none.
 std::string TakeVtkError();
 
+/// While it lives, nothing that libraries write to the standard error stream themselves gets there:
+/// those under ITK's readers and writers print what we tell, too, in a form of their own.
+class SilentLibraries
+{
+public:
+  SilentLibraries();
+  ~SilentLibraries();
+  SilentLibraries(const SilentLibraries&) = delete;
+  void operator=(const SilentLibraries&) = delete;
+
+private:
+  int Original;
+};
+
+/// The standard error stream, even while libraries are silent.
+void WriteToUser(const std::string& text);
+
 void PrintError(const std::string& message);
 void PrintWarning(const std::string& message);
 

@@ -1,7 +1,8 @@
 #include "ProgressBar.h"
 
+#include "Messages.h"
+
 #include <algorithm>
-#include <iostream>
 
 #include <unistd.h>
 
@@ -37,7 +38,7 @@ void Show(const std::string& title, double fraction)
     std::string(3 - percent.size(), ' ') + percent + " %";
   if (line != Shown)
   {
-    std::cerr << '\r' << line << std::flush;
+    WriteToUser('\r' + line);
     Shown = line;
   }
 }
@@ -46,7 +47,7 @@ void Clear()
 {
   if (!Shown.empty())
   {
-    std::cerr << "\r\x1b[K" << std::flush;
+    WriteToUser("\r\x1b[K");
     Shown.clear();
   }
 }

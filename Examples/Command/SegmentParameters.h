@@ -34,11 +34,11 @@ public:
 
 private:
   template <typename T>
-  void Add(CLI::App& command, const std::string& option, const std::string& unit,
+  void Add(CLI::App& command, const char* group, const std::string& option, const std::string& unit,
     const std::string& description, T (vtkFlipFreeSegmentation::*get)(),
     void (vtkFlipFreeSegmentation::*set)(T));
-  void AddSwitch(CLI::App& command, const std::string& option, const std::string& description,
-    void (vtkFlipFreeSegmentation::*set)(bool));
+  void AddSwitch(CLI::App& command, const char* group, const std::string& option,
+    const std::string& description, void (vtkFlipFreeSegmentation::*set)(bool));
 
   std::string Preset = "default";
   std::vector<double> StartOffset;

@@ -46,11 +46,6 @@ void Prepare(vtkSTLWriter* writer)
   writer->SetFileTypeToBinary();
 }
 
-void Prepare(vtkPLYWriter* writer)
-{
-  writer->SetFileTypeToBinary();
-}
-
 void Prepare(vtkXMLPolyDataWriter* writer)
 {
   writer->SetDataModeToAppended();

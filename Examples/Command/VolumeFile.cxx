@@ -1,6 +1,7 @@
 #include "VolumeFile.h"
 
 #include "Failure.h"
+#include "Messages.h"
 #include "Run.h"
 
 #include "vtkImageData.h"
@@ -35,6 +36,7 @@ vtkSmartPointer<vtkImageData> ReadVolume(const std::string& name, const std::str
   vtkNew<vtkMedicalImageReader> reader;
   reader->SetFileName(name.c_str());
   reader->SetSeriesUID(seriesUID.c_str());
+  const SilentLibraries silent;
   Run(reader, "reading");
   return reader->GetOutput();
 }
@@ -44,6 +46,7 @@ void WriteVolume(const std::string& name, vtkImageData* image)
   vtkNew<vtkMedicalImageWriter> writer;
   writer->SetInputData(image);
   writer->SetFileName(name.c_str());
+  const SilentLibraries silent;
   Run(writer, "writing", [&writer]() { writer->Write(); });
 }
 

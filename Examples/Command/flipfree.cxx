@@ -2,6 +2,7 @@
  * The command `flipfree`: the toolkit for batch users. `flipfree --help` explains it.
  */
 #include "Failure.h"
+#include "HelpFormatter.h"
 #include "Interrupt.h"
 #include "Messages.h"
 #include "ProgressBar.h"
@@ -13,6 +14,7 @@
 #include <cstdio>
 #include <cstring>
 #include <iostream>
+#include <memory>
 #include <new>
 
 namespace
@@ -90,7 +92,7 @@ int main(int argc, char* argv[])
 
   CLI::App program(Description, "flipfree");
   program.set_version_flag("--version", "flipfree " FLIPFREE_VERSION, "Print the version and end");
-  program.get_formatter()->column_width(34);
+  program.formatter(std::make_shared<HelpFormatter>()); // the subcommands inherit it
   program.footer(Footer);
   program.require_subcommand(1);
   AddSegmentCommand(program);
