@@ -5,7 +5,7 @@
 #   segment-phantom.sh [folder for the results, default: ./flipfree-results]
 #
 # Leaves there
-#   abdomen.nii.gz, abdomen-liver.nii.gz   the phantom and the true liver
+#   abdomen.nii.gz, abdomen-truth.nii.gz   the phantom and its true organs
 #   liver.vtp, liver.nii.gz                the surface and the label map that FlipFree found
 #   liver.csv                              its convergence
 #   scores.txt                             how well they agree with the truth
@@ -35,10 +35,11 @@ flipfree()
     "$root/build/release/bin/flipfree" "$@"
 }
 
-flipfree phantom abdomen -o "$results"
-flipfree segment "$results/abdomen.nii.gz" --seed -60 0 0 --radius 20 \
+# The phantom knows a seed for each of its organs, printed as "liver (label 6): --seed ...".
+read -ra seed < <(flipfree phantom abdomen -o "$results" | sed -n 's/^liver .*: //p')
+flipfree segment "$results/abdomen.nii.gz" "${seed[@]}" \
   -o "$results/liver.vtp" --labels "$results/liver.nii.gz" --convergence "$results/liver.csv" \
   --snapshot "$results/liver.png"
-flipfree evaluate "$results/liver.nii.gz" "$results/abdomen-liver.nii.gz" |
+flipfree evaluate "$results/liver.vtp" "$results/abdomen-truth.nii.gz" --reference-label 6 |
   tee "$results/scores.txt"
 printf '\nThe results are in %s\n' "$results"

@@ -1,0 +1,204 @@
+#include "Failure.h"
+#include "Messages.h"
+#include "OutputFile.h"
+#include "ProgressBar.h"
+#include "Run.h"
+#include "Subcommands.h"
+#include "SurfaceFile.h"
+#include "TableFile.h"
+#include "VolumeFile.h"
+
+#include "vtkImageData.h"
+#include "vtkNew.h"
+#include "vtkPolyData.h"
+#include "vtkSegmentationMetrics.h"
+#include "vtkStringArray.h"
+#include "vtkSurfaceValidity.h"
+#include "vtkTable.h"
+#include "vtkVariant.h"
+
+#include <CLI/CLI.hpp>
+
+#include <cstdio>
+#include <memory>
+
+namespace Command
+{
+namespace
+{
+
+struct Evaluation
+{
+  std::string Segmentation;
+  std::string Reference;
+  int Label = -1;
+  int SegmentationLabel = -1;
+  int ReferenceLabel = -1;
+  std::string Csv;
+  bool Voxelise = false;
+  bool Quiet = false;
+};
+
+void PrintValidity(vtkPolyData* surface)
+{
+  vtkNew<vtkSurfaceValidity> validity;
+  validity->SetInputData(surface);
+  Run(validity, "checking");
+  const auto count = [&validity](const char* name)
+  { return validity->GetMeasures()->GetValueByName(0, name).ToInt(); };
+  const int open = count("BoundaryEdges");
+  std::printf("surface              %s: %s, Euler number %d, self-intersections %d\n",
+    validity->IsValid() ? "valid" : "not valid",
+    open ? (std::to_string(open) + " open edges").c_str() : "closed", count("EulerNumber"),
+    count("SelfIntersections"));
+}
+
+void PrintMeasures(vtkSegmentationMetrics* metrics)
+{
+  std::printf("Dice                 %.4f\n", metrics->GetDice());
+  std::printf("Jaccard              %.4f\n", metrics->GetJaccard());
+  std::printf("volume               %.2f ml, reference %.2f ml, difference %+.2f %%\n",
+    metrics->GetSegmentationVolume(), metrics->GetReferenceVolume(),
+    100 * metrics->GetRelativeVolumeDifference());
+  std::printf("surface distance     mean %.3f mm, RMS %.3f mm\n", metrics->GetASD(), //
+    metrics->GetRMS());
+  std::printf("Hausdorff distance   %.3f mm, 95th percentile %.3f mm\n", metrics->GetHD(),
+    metrics->GetHD95());
+  std::printf("measured             overlap of the %s, distances of the %s\n",
+    metrics->GetOverlapOf().c_str(), metrics->GetDistanceOf().c_str());
+}
+
+vtkSmartPointer<vtkTable> NamedRow(vtkSegmentationMetrics* metrics, const Evaluation& evaluation)
+{
+  const auto row = vtkSmartPointer<vtkTable>::New();
+  const auto add = [&row](const char* column, const std::string& value)
+  {
+    vtkNew<vtkStringArray> names;
+    names->SetName(column);
+    names->InsertNextValue(value);
+    row->AddColumn(names);
+  };
+  add("Segmentation", evaluation.Segmentation);
+  add("Reference", evaluation.Reference);
+  for (vtkIdType column = 0; column < metrics->GetOutput()->GetNumberOfColumns(); ++column)
+  {
+    row->AddColumn(metrics->GetOutput()->GetColumn(column));
+  }
+  return row;
+}
+
+void Measure(vtkSegmentationMetrics* metrics, const Evaluation& evaluation)
+{
+  try
+  {
+    Run(metrics, "measuring");
+  }
+  catch (const Failure& failure)
+  {
+    std::string message = failure.what();
+    for (const char* port : { "the segmentation (port 0)", "the segmentation on port 0" })
+    {
+      message = Replaced(message, port, "'" + evaluation.Segmentation + "'");
+    }
+    for (const char* port : { "the reference (port 1)", "the reference on port 1" })
+    {
+      message = Replaced(message, port, "'" + evaluation.Reference + "'");
+    }
+    throw Failure(message);
+  }
+}
+
+void Evaluate(const Evaluation& evaluation)
+{
+  if (evaluation.Quiet)
+  {
+    ProgressBar::Disable();
+  }
+  OutputFiles outputs;
+  if (!evaluation.Csv.empty())
+  {
+    RequireEnding("--csv", evaluation.Csv, { ".csv" });
+    outputs.Announce(evaluation.Csv, { evaluation.Segmentation, evaluation.Reference });
+  }
+
+  const auto labelOr = [&evaluation](int own) { return own >= 0 ? own : evaluation.Label; };
+  vtkNew<vtkSegmentationMetrics> metrics;
+  metrics->SetSegmentationLabel(labelOr(evaluation.SegmentationLabel));
+  metrics->SetReferenceLabel(labelOr(evaluation.ReferenceLabel));
+  metrics->SetScoreVoxelisation(evaluation.Voxelise);
+  vtkSmartPointer<vtkPolyData> surface;
+  if (HasEnding(evaluation.Segmentation, SurfaceEndings()))
+  {
+    surface = ReadSurface(evaluation.Segmentation);
+    metrics->SetInputData(surface);
+  }
+  else
+  {
+    metrics->SetInputData(ReadVolume(evaluation.Segmentation));
+  }
+  metrics->SetReferenceData(ReadVolume(evaluation.Reference));
+  Measure(metrics, evaluation);
+
+  if (!evaluation.Csv.empty())
+  {
+    outputs.Write(evaluation.Csv,
+      [&](const std::string& name) { WriteTable(name, NamedRow(metrics, evaluation)); });
+    outputs.Commit();
+  }
+  if (!evaluation.Quiet)
+  {
+    PrintMeasures(metrics);
+    if (surface)
+    {
+      PrintValidity(surface);
+    }
+    std::fflush(stdout);
+  }
+}
+
+const char* const Footer =
+  "A segmentation is a label map (.nii .nii.gz .nrrd .nhdr .mha .mhd) on the reference's grid, or "
+  "a\n"
+  "closed surface (.vtp .stl .ply .obj) in LPS millimetres. A surface is voxelised for the "
+  "overlap\n"
+  "and measured as it is for the distances.\n"
+  "\n"
+  "Examples:\n"
+  "  flipfree evaluate liver.nii.gz truth.nii.gz --reference-label 6\n"
+  "  flipfree evaluate liver.vtp truth.nii.gz --reference-label 6 --csv scores.csv\n";
+
+} // namespace
+
+void AddEvaluateCommand(CLI::App& program)
+{
+  const auto evaluation = std::make_shared<Evaluation>();
+  CLI::App* command =
+    program.add_subcommand("evaluate", "Measure how well a segmentation agrees with a reference");
+  command->add_option("SEGMENTATION", evaluation->Segmentation, "Label map or surface")->required();
+  command->add_option("REFERENCE", evaluation->Reference, "Label map that is the truth")
+    ->required();
+  command
+    ->add_option("--label", evaluation->Label,
+      "Value that counts as inside in both label maps; by default, all but 0")
+    ->type_name("N")
+    ->check(CLI::NonNegativeNumber);
+  command
+    ->add_option("--segmentation-label", evaluation->SegmentationLabel,
+      "The same, for the segmentation only")
+    ->type_name("N")
+    ->check(CLI::NonNegativeNumber);
+  command
+    ->add_option("--reference-label", evaluation->ReferenceLabel,
+      "The same, for the reference only")
+    ->type_name("N")
+    ->check(CLI::NonNegativeNumber);
+  command->add_option("--csv", evaluation->Csv, "Also write the measures into this file")
+    ->type_name("FILE");
+  command->add_flag("--voxelise", evaluation->Voxelise,
+    "Measure the distances of a surface's voxels, to compare it with label maps on equal terms");
+  command->add_flag("-q,--quiet", evaluation->Quiet, "Print nothing but errors");
+  command->footer(Footer);
+  command->callback([evaluation]() { Evaluate(*evaluation); });
+}
+
+} // namespace Command

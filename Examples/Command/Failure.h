@@ -1,0 +1,41 @@
+/**
+ * The ways in which the command ends other than well, each with its exit status. What a failure
+ * says becomes the one line that the user reads, so it names the file or the option, and the
+ * remedy.
+ */
+#ifndef FlipFreeCommandFailure_h
+#define FlipFreeCommandFailure_h
+
+#include <stdexcept>
+
+namespace Command
+{
+
+enum ExitStatus
+{
+  SUCCESS = 0,
+  FAILURE = 1,
+  WRONG_USAGE = 2,
+  INTERRUPTED = 130
+};
+
+/// The work failed: bad data, a file that cannot be read or written.
+struct Failure : std::runtime_error
+{
+  using std::runtime_error::runtime_error;
+};
+
+/// The command line asks for something that there is not; found before any work is done.
+struct WrongUsage : std::runtime_error
+{
+  using std::runtime_error::runtime_error;
+};
+
+/// The user stopped it.
+struct Interrupted
+{
+};
+
+} // namespace Command
+
+#endif

@@ -1,0 +1,190 @@
+#include "Failure.h"
+#include "Messages.h"
+#include "OutputFile.h"
+#include "ProgressBar.h"
+#include "Run.h"
+#include "Subcommands.h"
+#include "VolumeFile.h"
+
+#include "vtkImageData.h"
+#include "vtkNew.h"
+#include "vtkPhantomSource.h"
+
+#include <CLI/CLI.hpp>
+
+#include <array>
+#include <cstdio>
+#include <filesystem>
+#include <iostream>
+#include <map>
+#include <memory>
+
+namespace Command
+{
+namespace
+{
+
+struct Phantom
+{
+  std::string Name;
+  std::string Folder = ".";
+  std::array<int, 3> Dimensions{ { 0, 0, 0 } };
+  std::array<double, 3> Spacing{ { 0, 0, 0 } };
+  double Noise = 12;
+  int RandomSeed = 1;
+  int Lesions = 0;
+  bool Quiet = false;
+};
+
+const std::map<std::string, int>& Shapes()
+{
+  static const std::map<std::string, int> shapes{
+    { "sphere", vtkPhantomSource::SPHERE },
+    { "cube", vtkPhantomSource::CUBE },
+    { "cup", vtkPhantomSource::CUP },
+    { "u-tube", vtkPhantomSource::U_TUBE },
+    { "vessel", vtkPhantomSource::VESSEL },
+    { "abdomen", vtkPhantomSource::ABDOMEN },
+  };
+  return shapes;
+}
+
+using Label = std::pair<int, const char*>;
+
+std::vector<Label> LabelsOf(int shape)
+{
+  if (shape != vtkPhantomSource::ABDOMEN)
+  {
+    return { { vtkPhantomSource::OBJECT, "object" } };
+  }
+  return {
+    { vtkPhantomSource::LIVER, "liver" },
+    { vtkPhantomSource::SPLEEN, "spleen" },
+    { vtkPhantomSource::RIGHT_KIDNEY, "right kidney" },
+    { vtkPhantomSource::LEFT_KIDNEY, "left kidney" },
+    { vtkPhantomSource::GALLBLADDER, "gallbladder" },
+    { vtkPhantomSource::ESOPHAGUS, "esophagus" },
+    { vtkPhantomSource::STOMACH, "stomach" },
+    { vtkPhantomSource::AORTA, "aorta" },
+    { vtkPhantomSource::VENA_CAVA, "vena cava" },
+    { vtkPhantomSource::PORTAL_VEIN, "portal vein" },
+    { vtkPhantomSource::PANCREAS, "pancreas" },
+  };
+}
+
+void PrintSeeds(vtkPhantomSource* source)
+{
+  for (const Label& label : LabelsOf(source->GetShape()))
+  {
+    double seed[4];
+    if (source->GetSeed(label.first, seed))
+    {
+      std::printf("%s (label %d): --seed %.2f %.2f %.2f --radius %.2f\n", label.second, label.first,
+        seed[0], seed[1], seed[2], seed[3]);
+    }
+  }
+  double seed[4];
+  double around[4];
+  if (source->GetSeed(vtkPhantomSource::OBJECT, seed) && source->GetEnclosingSphere(around))
+  {
+    std::printf("object, from outside: --seed %.2f %.2f %.2f --radius %.2f --start-scale %.3f "
+                "--start-offset %.2f %.2f %.2f\n",
+      seed[0], seed[1], seed[2], seed[3], around[3] / seed[3], around[0] - seed[0],
+      around[1] - seed[1], around[2] - seed[2]);
+  }
+  std::fflush(stdout);
+}
+
+void MakeFolder(const std::string& folder)
+{
+  std::error_code failure;
+  std::filesystem::create_directory(folder, failure);
+  if (!std::filesystem::is_directory(folder))
+  {
+    throw Failure("The folder '" + folder + "' cannot be made (" +
+      (failure ? failure.message() : "a file of that name is in the way") +
+      "). Check the name, and the permissions of the folder that is to hold it.");
+  }
+}
+
+void Make(const Phantom& phantom)
+{
+  if (phantom.Quiet)
+  {
+    ProgressBar::Disable();
+  }
+  const auto shape = Shapes().find(phantom.Name);
+  if (shape == Shapes().end())
+  {
+    throw WrongUsage("There is no phantom '" + phantom.Name +
+      "'. Choose sphere, cube, cup, u-tube, vessel or abdomen.");
+  }
+  MakeFolder(phantom.Folder);
+  const std::string stem = (std::filesystem::path(phantom.Folder) / phantom.Name).string();
+  const std::string grey = stem + ".nii.gz";
+  const std::string truth = stem + "-truth.nii.gz";
+  OutputFiles outputs;
+  outputs.Announce(grey);
+  outputs.Announce(truth);
+
+  vtkNew<vtkPhantomSource> source;
+  source->SetShape(shape->second);
+  source->SetDimensions(phantom.Dimensions[0], phantom.Dimensions[1], phantom.Dimensions[2]);
+  source->SetSpacing(phantom.Spacing[0], phantom.Spacing[1], phantom.Spacing[2]);
+  source->SetNoiseDeviation(phantom.Noise);
+  source->SetRandomSeed(phantom.RandomSeed);
+  source->SetNumberOfLesions(phantom.Lesions);
+  Run(source, "drawing");
+  outputs.Write(grey, [&](const std::string& name) { WriteVolume(name, source->GetOutput()); });
+  outputs.Write(truth, [&](const std::string& name) { WriteVolume(name, source->GetLabelMap()); });
+  outputs.Commit();
+  if (!phantom.Quiet)
+  {
+    PrintSeeds(source);
+  }
+}
+
+const char* const Footer =
+  "It writes NAME.nii.gz, the volume, and NAME-truth.nii.gz, the label map that is its truth, and\n"
+  "prints a seed for each object, to be pasted after 'flipfree segment'.\n"
+  "\n"
+  "Examples:\n"
+  "  flipfree phantom abdomen -o try         # a CT of the upper abdomen, in Hounsfield units\n"
+  "  flipfree phantom cup -o try --noise 20  # the cup of the paper, noisier\n"
+  "  flipfree phantom sphere -o try --size 64 64 40 --spacing 1 1 2\n";
+
+} // namespace
+
+void AddPhantomCommand(CLI::App& program)
+{
+  const auto phantom = std::make_shared<Phantom>();
+  CLI::App* command =
+    program.add_subcommand("phantom", "Make a synthetic volume whose segmentation is known");
+  command->add_option("NAME", phantom->Name, "sphere, cube, cup, u-tube, vessel or abdomen")
+    ->required();
+  command
+    ->add_option("-o,--output", phantom->Folder, "Folder for the two files, made if it is absent")
+    ->type_name("DIR")
+    ->capture_default_str();
+  command->add_option("--size", phantom->Dimensions, "Number of voxels along each axis")
+    ->type_name("NX NY NZ")
+    ->default_str("as suits the phantom");
+  command->add_option("--spacing", phantom->Spacing, "Distance of voxels along each axis, in mm")
+    ->type_name("X Y Z")
+    ->default_str("as suits the phantom");
+  command->add_option("--noise", phantom->Noise, "Standard deviation of the noise")
+    ->type_name("S")
+    ->capture_default_str();
+  command->add_option("--random-seed", phantom->RandomSeed, "Where the random numbers start")
+    ->type_name("N")
+    ->capture_default_str();
+  command->add_option("--lesions", phantom->Lesions, "Lesions in the abdomen's liver, 0 to 20")
+    ->type_name("N")
+    ->check(CLI::Range(0, 20))
+    ->capture_default_str();
+  command->add_flag("-q,--quiet", phantom->Quiet, "Print nothing but errors");
+  command->footer(Footer);
+  command->callback([phantom]() { Make(*phantom); });
+}
+
+} // namespace Command

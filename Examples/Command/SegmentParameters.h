@@ -1,0 +1,51 @@
+/**
+ * The parameters of vtkFlipFreeSegmentation as options. Their defaults are the filter's own, and so
+ * are their ranges: what the filter does not take is refused.
+ */
+#ifndef FlipFreeCommandSegmentParameters_h
+#define FlipFreeCommandSegmentParameters_h
+
+#include "vtkNew.h"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+class vtkFlipFreeSegmentation;
+
+namespace CLI
+{
+class App;
+}
+
+namespace Command
+{
+
+class SegmentParameters
+{
+public:
+  SegmentParameters();
+  ~SegmentParameters();
+
+  void AddOptions(CLI::App& command);
+
+  /// First the preset, then the options that were given, whatever their order. Throws WrongUsage.
+  void Apply(vtkFlipFreeSegmentation* filter) const;
+
+private:
+  template <typename T>
+  void Add(CLI::App& command, const char* group, const std::string& option, const std::string& unit,
+    const std::string& description, T (vtkFlipFreeSegmentation::*get)(),
+    void (vtkFlipFreeSegmentation::*set)(T));
+  void AddSwitch(CLI::App& command, const char* group, const std::string& option,
+    const std::string& description, void (vtkFlipFreeSegmentation::*set)(bool));
+
+  std::string Preset = "default";
+  std::vector<double> StartOffset;
+  std::vector<std::function<void(vtkFlipFreeSegmentation*)>> Given;
+  vtkNew<vtkFlipFreeSegmentation> Defaults;
+};
+
+} // namespace Command
+
+#endif

@@ -1,0 +1,180 @@
+#include "SurfaceFile.h"
+
+#include "Failure.h"
+#include "OutputFile.h"
+#include "Run.h"
+
+#include "vtkCellArray.h"
+#include "vtkIdList.h"
+#include "vtkNew.h"
+#include "vtkOBJReader.h"
+#include "vtkOBJWriter.h"
+#include "vtkPLYReader.h"
+#include "vtkPLYWriter.h"
+#include "vtkPolyData.h"
+#include "vtkSTLReader.h"
+#include "vtkSTLWriter.h"
+#include "vtkTriangleFilter.h"
+#include "vtkXMLPolyDataReader.h"
+#include "vtkXMLPolyDataWriter.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <functional>
+
+namespace Command
+{
+namespace
+{
+
+template <typename Reader>
+vtkSmartPointer<vtkPolyData> ReadBy(const std::string& name)
+{
+  vtkNew<Reader> reader;
+  reader->SetFileName(name.c_str());
+  Run(reader, "reading");
+  return reader->GetOutput();
+}
+
+template <typename Writer>
+void Prepare(Writer*)
+{
+}
+
+void Prepare(vtkSTLWriter* writer)
+{
+  writer->SetFileTypeToBinary();
+}
+
+void Prepare(vtkXMLPolyDataWriter* writer)
+{
+  writer->SetDataModeToAppended();
+  writer->EncodeAppendedDataOff();
+}
+
+template <typename Writer>
+void WriteBy(const std::string& name, vtkPolyData* surface)
+{
+  vtkNew<Writer> writer;
+  writer->SetFileName(name.c_str());
+  writer->SetInputData(surface);
+  Prepare(writer.Get());
+  Run(writer, "writing", [&writer]() { writer->Write(); });
+}
+
+struct Format
+{
+  const char* Ending;
+  std::function<vtkSmartPointer<vtkPolyData>(const std::string&)> Read;
+  std::function<void(const std::string&, vtkPolyData*)> Write;
+};
+
+const Format& FormatOf(const std::string& name)
+{
+  static const std::vector<Format> formats{
+    { ".vtp", ReadBy<vtkXMLPolyDataReader>, WriteBy<vtkXMLPolyDataWriter> },
+    { ".stl", ReadBy<vtkSTLReader>, WriteBy<vtkSTLWriter> },
+    { ".ply", ReadBy<vtkPLYReader>, WriteBy<vtkPLYWriter> },
+    { ".obj", ReadBy<vtkOBJReader>, WriteBy<vtkOBJWriter> },
+  };
+  for (const Format& format : formats)
+  {
+    if (HasEnding(name, { format.Ending }))
+    {
+      return format;
+    }
+  }
+  throw std::logic_error("the ending of '" + name + "' was not checked");
+}
+
+/// Whether the faces have the same vertices; their positions are rounded by most formats.
+bool SameFaces(vtkPolyData* a, vtkPolyData* b)
+{
+  if (a->GetNumberOfPoints() != b->GetNumberOfPoints() ||
+    a->GetNumberOfPolys() != b->GetNumberOfPolys())
+  {
+    return false;
+  }
+  vtkNew<vtkIdList> first;
+  vtkNew<vtkIdList> second;
+  for (vtkIdType face = 0; face < a->GetNumberOfPolys(); ++face)
+  {
+    a->GetPolys()->GetCellAtId(face, first);
+    b->GetPolys()->GetCellAtId(face, second);
+    if (first->GetNumberOfIds() != second->GetNumberOfIds() ||
+      !std::equal(first->begin(), first->end(), second->begin()))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+vtkSmartPointer<vtkPolyData> TrianglesOf(vtkPolyData* surface)
+{
+  vtkNew<vtkTriangleFilter> triangles;
+  triangles->SetInputData(surface);
+  triangles->Update();
+  return triangles->GetOutput();
+}
+
+} // namespace
+
+const std::vector<std::string>& SurfaceEndings()
+{
+  static const std::vector<std::string> endings{ ".vtp", ".stl", ".ply", ".obj" };
+  return endings;
+}
+
+vtkSmartPointer<vtkPolyData> ReadSurface(const std::string& name)
+{
+  std::error_code ignored;
+  if (!std::filesystem::exists(name, ignored))
+  {
+    throw Failure("There is no file '" + name + "'. Check the name and the folder.");
+  }
+  vtkSmartPointer<vtkPolyData> surface;
+  try
+  {
+    surface = FormatOf(name).Read(name);
+  }
+  catch (const Failure& failure)
+  {
+    throw Failure("'" + name + "' cannot be read, it is damaged or of another format (VTK: " +
+      failure.what() + "). Check its ending, or write it again.");
+  }
+  if (surface->GetNumberOfPolys() == 0)
+  {
+    throw Failure("'" + name + "' holds no faces. Check its ending, or write it again.");
+  }
+  return surface;
+}
+
+void WriteSurface(const std::string& name, vtkPolyData* surface)
+{
+  const bool triangulated = HasEnding(name, { ".stl" });
+  const vtkSmartPointer<vtkPolyData> written =
+    triangulated ? TrianglesOf(surface) : vtkSmartPointer<vtkPolyData>(surface);
+  bool whole = false;
+  try
+  {
+    const Format& format = FormatOf(name);
+    format.Write(name, written);
+    const vtkSmartPointer<vtkPolyData> found = format.Read(name);
+    // An STL file numbers no vertices.
+    whole = triangulated ? found->GetNumberOfPolys() == written->GetNumberOfPolys()
+                         : SameFaces(found, written);
+  }
+  catch (const Failure&)
+  {
+    whole = false;
+  }
+  if (!whole)
+  {
+    throw Failure("'" + name +
+      "' cannot be written: it does not come out whole. The disk is full, or a limit on the size "
+      "of files is reached: make room, or write elsewhere.");
+  }
+}
+
+} // namespace Command

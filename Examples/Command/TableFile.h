@@ -1,0 +1,18 @@
+/**
+ * Tables as CSV files: a line of names, then one line per row.
+ */
+#ifndef FlipFreeCommandTableFile_h
+#define FlipFreeCommandTableFile_h
+
+#include <string>
+
+class vtkTable;
+
+namespace Command
+{
+
+void WriteTable(const std::string& name, vtkTable* table);
+
+} // namespace Command
+
+#endif

@@ -1,0 +1,53 @@
+#include "VolumeFile.h"
+
+#include "Failure.h"
+#include "Messages.h"
+#include "Run.h"
+
+#include "vtkImageData.h"
+#include "vtkMedicalImageReader.h"
+#include "vtkMedicalImageWriter.h"
+#include "vtkNew.h"
+
+#include <filesystem>
+
+namespace Command
+{
+
+const std::vector<std::string>& VolumeEndings()
+{
+  static const std::vector<std::string> endings{ ".nii.gz", ".nii", ".nrrd", ".mha" };
+  return endings;
+}
+
+vtkSmartPointer<vtkImageData> ReadVolume(const std::string& name, const std::string& seriesUID)
+{
+  std::error_code ignored;
+  const bool folder = std::filesystem::is_directory(name, ignored);
+  if (!folder && !std::filesystem::exists(name, ignored))
+  {
+    throw Failure("There is no file '" + name + "'. Check the name and the folder.");
+  }
+  if (!folder && !seriesUID.empty())
+  {
+    throw WrongUsage("--series chooses among the series of a DICOM folder, but '" + name +
+      "' is a file. Leave the option out, or give the folder.");
+  }
+  vtkNew<vtkMedicalImageReader> reader;
+  reader->SetFileName(name.c_str());
+  reader->SetSeriesUID(seriesUID.c_str());
+  const SilentLibraries silent;
+  Run(reader, "reading");
+  return reader->GetOutput();
+}
+
+void WriteVolume(const std::string& name, vtkImageData* image)
+{
+  vtkNew<vtkMedicalImageWriter> writer;
+  writer->SetInputData(image);
+  writer->SetFileName(name.c_str());
+  const SilentLibraries silent;
+  Run(writer, "writing", [&writer]() { writer->Write(); });
+}
+
+} // namespace Command

@@ -1,0 +1,120 @@
+/**
+ * The command `flipfree`: the toolkit for batch users. `flipfree --help` explains it.
+ */
+#include "Failure.h"
+#include "HelpFormatter.h"
+#include "Interrupt.h"
+#include "Messages.h"
+#include "ProgressBar.h"
+#include "Subcommands.h"
+
+#include <CLI/CLI.hpp>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <iostream>
+#include <memory>
+#include <new>
+
+namespace
+{
+
+using namespace Command;
+
+const char* const Description = "Segments soft organs (liver, spleen, kidney, a vein) in CT and MR "
+                                "volumes, from one sphere in the "
+                                "organ to a surface that is closed and does not meet itself.";
+
+const char* const Footer =
+  "Examples:\n"
+  "  flipfree phantom abdomen -o try                  # a volume to try it on, and seeds for it\n"
+  "  flipfree segment ct.nii.gz --seed -83 -154 321 --radius 26 -o liver.vtp\n"
+  "  flipfree evaluate liver.vtp truth.nii.gz\n"
+  "\n"
+  "Each subcommand has its own --help, with units, defaults and examples. Coordinates are LPS\n"
+  "millimetres: x to the patient's left, y to the back, z to the head.\n"
+  "Exit status: 0 success, 1 the work failed, 2 wrong usage, 130 interrupted.\n";
+
+/// Which help has the answer.
+std::string HelpFor(const CLI::App& program)
+{
+  std::string command = "flipfree";
+  for (const CLI::App* chosen : program.get_subcommands())
+  {
+    command += " " + chosen->get_name();
+  }
+  return " See '" + command + " --help'.";
+}
+
+void RequireOutputArrived()
+{
+  errno = 0;
+  if (!std::cout.flush() || std::ferror(stdout))
+  {
+    throw Failure(std::string("The standard output does not take what is printed (") +
+      (errno ? std::strerror(errno) : "closed") + "). Check where it leads.");
+  }
+}
+
+ExitStatus RunProgram(CLI::App& program, int argc, char* argv[])
+{
+  try
+  {
+    program.parse(argc, argv);
+    RequireOutputArrived();
+    return SUCCESS;
+  }
+  catch (const CLI::Success& wanted) // help or version
+  {
+    program.exit(wanted);
+    RequireOutputArrived();
+    return SUCCESS;
+  }
+  catch (const CLI::ParseError& error)
+  {
+    std::string message = error.what();
+    PrintError(message + (message.empty() || message.back() == '.' ? "" : ".") + HelpFor(program));
+  }
+  catch (const WrongUsage& error)
+  {
+    PrintError(error.what() + HelpFor(program));
+  }
+  return WRONG_USAGE;
+}
+
+} // namespace
+
+int main(int argc, char* argv[])
+{
+  CatchSignals();
+  CatchVtkMessages();
+
+  CLI::App program(Description, "flipfree");
+  program.set_version_flag("--version", "flipfree " FLIPFREE_VERSION, "Print the version and end");
+  program.formatter(std::make_shared<HelpFormatter>()); // the subcommands inherit it
+  program.footer(Footer);
+  program.require_subcommand(1);
+  AddSegmentCommand(program);
+  AddEvaluateCommand(program);
+  AddPhantomCommand(program);
+
+  try
+  {
+    return RunProgram(program, argc, argv);
+  }
+  catch (const Interrupted&)
+  {
+    ProgressBar::Clear();
+    return INTERRUPTED;
+  }
+  catch (const std::bad_alloc&)
+  {
+    PrintError("There is not enough memory. Crop the volume, or use a machine with more.");
+  }
+  catch (const std::exception& error)
+  {
+    PrintError(error.what());
+  }
+  return FAILURE;
+}

@@ -1,0 +1,43 @@
+"""Ctrl-C and SIGTERM: the command ends within a second, with status 130 and no file."""
+
+import os
+import signal
+import subprocess
+import time
+import unittest
+
+import command
+
+
+class TestInterrupt(command.CommandTest):
+    def assert_stops(self, delay, sent, *arguments):
+        process = subprocess.Popen([command.PROGRAM, *map(str, arguments)],
+                                   stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        time.sleep(delay)
+        self.assertIsNone(process.poll(), "it ended before it could be stopped")
+        process.send_signal(sent)
+        start = time.monotonic()
+        output, errors = process.communicate(timeout=60)
+        self.assertLess(time.monotonic() - start, 1)
+        self.assertEqual((process.returncode, output, errors), (130, "", ""))
+        self.assertEqual(os.listdir(self.results), [])
+
+    def endless(self):
+        return ("segment", self.volume, *self.seed, "--iterations", 100000, "--change-tolerance",
+                -1, "--distance-tolerance", 0, "-o", self.result("out.vtp"), "--labels",
+                self.result("out.nii.gz"))
+
+    def test_ctrl_c_while_segmenting(self):
+        for delay in (0.7, 2):
+            self.assert_stops(delay, signal.SIGINT, *self.endless())
+
+    def test_sigterm_while_segmenting(self):
+        self.assert_stops(1, signal.SIGTERM, *self.endless())
+
+    def test_ctrl_c_while_drawing_a_phantom(self):
+        self.assert_stops(0.5, signal.SIGINT, "phantom", "abdomen", "-o", self.results, "--size",
+                          600, 500, 300)
+
+
+if __name__ == "__main__":
+    unittest.main()

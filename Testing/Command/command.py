@@ -1,0 +1,75 @@
+"""What the tests of the command share: running it, and a small phantom to run it on."""
+
+import os
+import re
+import shutil
+import subprocess
+import tempfile
+import unittest
+
+PROGRAM = os.environ["FLIPFREE_COMMAND"]
+
+
+def run(*arguments, **options):
+    """Runs `flipfree` with the arguments; gives its status, output and error text."""
+    options.setdefault("timeout", 120)
+    return subprocess.run([PROGRAM, *map(str, arguments)], stdin=subprocess.DEVNULL,
+                          stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, **options)
+
+
+def with_display(*arguments):
+    """The same, with a display where the machine has none."""
+    if os.environ.get("DISPLAY"):
+        return run(*arguments)
+    return subprocess.run(["xvfb-run", "-a", PROGRAM, *map(str, arguments)], timeout=120,
+                          stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+                          stderr=subprocess.PIPE, text=True)
+
+
+HAS_DISPLAY = bool(os.environ.get("DISPLAY") or shutil.which("xvfb-run"))
+
+
+def make_phantom(folder, name, *options):
+    """Makes a phantom; gives the arguments of its seeds by their names."""
+    result = run("phantom", name, "-o", folder, *options)
+    if result.returncode != 0:
+        raise AssertionError(result.stderr)
+    return {line.split(":")[0]: line.split(":")[1].split() for line in result.stdout.splitlines()}
+
+
+def dice_of(text):
+    return float(re.search(r"^Dice +([0-9.]+)$", text, re.MULTILINE).group(1))
+
+
+class CommandTest(unittest.TestCase):
+    """Each class has a folder with a small sphere, each test an empty one for its results."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.inputs = tempfile.mkdtemp(prefix="flipfree-test-")
+        cls.addClassCleanup(shutil.rmtree, cls.inputs)
+        seeds = make_phantom(cls.inputs, "sphere", "--size", 64, 64, 40, "--spacing", 1, 1, 1.6)
+        cls.seed = seeds["object (label 1)"]
+        cls.volume = os.path.join(cls.inputs, "sphere.nii.gz")
+        cls.truth = os.path.join(cls.inputs, "sphere-truth.nii.gz")
+
+    def setUp(self):
+        self.results = tempfile.mkdtemp(prefix="flipfree-test-")
+        self.addCleanup(shutil.rmtree, self.results)
+
+    def result(self, name):
+        return os.path.join(self.results, name)
+
+    def assert_succeeds(self, process):
+        self.assertEqual(process.returncode, 0, process.stderr)
+        self.assertEqual(process.stderr, "")
+
+    def assert_refused(self, process, status, *patterns):
+        """One line that says what is wrong, the status, and no file."""
+        self.assertEqual(process.returncode, status, process.stdout + process.stderr)
+        self.assertRegex(process.stderr, r"\Aflipfree: error: [^\n]+\n\Z")
+        for trace in (r"0x[0-9a-f]{6}", r"\.cxx", r"\bvtk[A-Z]", r"\bitk::", r"input port"):
+            self.assertNotRegex(process.stderr, trace)
+        for pattern in patterns:
+            self.assertRegex(process.stderr, pattern)
+        self.assertEqual(os.listdir(self.results), [])
