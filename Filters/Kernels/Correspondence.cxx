@@ -10,6 +10,9 @@ namespace FlipFree
 namespace
 {
 
+// A run of just the wanted length counts, whichever way its ends were rounded.
+constexpr double RoundingSlack = 1 - 1e-9;
+
 class LineSearch
 {
 public:
@@ -72,7 +75,7 @@ private:
       if (!wanted && !walk.IsInside())
       {
         distance = run > 0 ? entry : walk.GetEntry();
-        return distance <= this->Settings.ImageEndDistance;
+        return this->Settings.ImageEndDistance > 0 && distance <= this->Settings.ImageEndDistance;
       }
       if (this->IsForeground(walk) != wanted)
       {
@@ -85,7 +88,7 @@ private:
       }
       ++run;
       const bool complete = this->Settings.RunLength > 0
-        ? walk.GetExit() - entry >= this->Settings.RunLength
+        ? walk.GetExit() - entry >= RoundingSlack * this->Settings.RunLength
         : run >= this->Settings.RunVoxels;
       if (complete)
       {

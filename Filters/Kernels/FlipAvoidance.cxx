@@ -33,51 +33,55 @@ bool Flips(const PointList& points, const CorrespondenceField& field, int i, int
   return lengths <= 0 || u.dot(v) < r * lengths;
 }
 
-// Of each maximal run of flipping vertices of one contour keeps the middle one. A contour that
-// flips as a whole is one run that begins anywhere.
-int KeepMiddles(const std::vector<int>& chain, CorrespondenceField& field)
+// Per position of the chain: does its vertex flip with the one before or after it?
+void FlipsAlong(const std::vector<int>& chain, const PointList& points, double r,
+  const CorrespondenceField& field, std::vector<char>& flipping)
 {
   const std::size_t size = chain.size();
-  const auto flipping = [&](std::size_t position)
-  { return field.States[chain[position % size]] == VertexState::Flipping; };
+  flipping.assign(size, 0);
+  for (std::size_t position = 0; position < size; ++position)
+  {
+    const std::size_t next = (position + 1) % size;
+    if (chain[position] != chain[next] && Flips(points, field, chain[position], chain[next], r))
+    {
+      flipping[position] = 1;
+      flipping[next] = 1;
+    }
+  }
+}
 
+// Of each maximal run of flipping vertices of one contour keeps the middle one. A contour that
+// flips as a whole is one run that begins anywhere.
+int KeepMiddles(const std::vector<int>& chain, const std::vector<char>& flipping,
+  CorrespondenceField& field)
+{
+  const std::size_t size = chain.size();
   std::size_t begin = 0;
-  while (begin < size && flipping(begin))
+  while (begin < size && flipping[begin])
   {
     ++begin;
   }
-  const bool wholeContour = begin == size;
-  if (wholeContour)
-  {
-    begin = 0;
-  }
+  begin = begin < size ? begin : 0;
   int dropped = 0;
   for (std::size_t offset = 0; offset < size;)
   {
-    if (!flipping(begin + offset))
-    {
-      ++offset;
-      continue;
-    }
     const std::size_t first = offset;
-    while (offset < size && flipping(begin + offset))
+    while (offset < size && flipping[(begin + offset) % size])
     {
       ++offset;
     }
-    const std::size_t middle = first + (offset - first) / 2;
+    const int middle = chain[(begin + first + (offset - first) / 2) % size];
     for (std::size_t position = first; position < offset; ++position)
     {
+      // A contour may pass a vertex twice.
       const int vertex = chain[(begin + position) % size];
-      if (position == middle)
-      {
-        field.States[vertex] = VertexState::Matched;
-      }
-      else
+      if (vertex != middle && field.States[vertex] != VertexState::Solitary)
       {
         MakeSolitary(vertex, field);
         ++dropped;
       }
     }
+    offset += offset == first;
   }
   return dropped;
 }
@@ -92,21 +96,16 @@ int DetectFlips(const ContourMesh& mesh, const PointList& points, double r,
     state = state == VertexState::Flipping ? VertexState::Matched : state;
   }
   std::vector<int> chain;
+  std::vector<char> flipping;
   for (const auto& contour : mesh.Contours)
   {
     NonSolitary(contour, field, chain);
-    if (chain.size() < 2)
-    {
-      continue;
-    }
+    FlipsAlong(chain, points, r, field, flipping);
     for (std::size_t position = 0; position < chain.size(); ++position)
     {
-      const int i = chain[position];
-      const int j = chain[(position + 1) % chain.size()];
-      if (i != j && Flips(points, field, i, j, r))
+      if (flipping[position])
       {
-        field.States[i] = VertexState::Flipping;
-        field.States[j] = VertexState::Flipping;
+        field.States[chain[position]] = VertexState::Flipping;
       }
     }
   }
@@ -121,23 +120,28 @@ int DetectFlips(const ContourMesh& mesh, const PointList& points, double r,
 int AvoidFlips(const ContourMesh& mesh, const PointList& points, double r,
   CorrespondenceField& field)
 {
-  int dropped = 0;
-  std::vector<int> chain;
-  // Each pass that finds a flip takes a target from at least one vertex, so this ends.
-  while (DetectFlips(mesh, points, r, field) > 0)
+  for (VertexState& state : field.States)
   {
-    int droppedNow = 0;
+    state = state == VertexState::Flipping ? VertexState::Matched : state;
+  }
+  int dropped = 0;
+  int droppedNow = 0;
+  std::vector<int> chain;
+  std::vector<char> flipping;
+  // Runs are those of the contour's own flips: a vertex that flips along the other contour only
+  // would be a run of its own here, whose middle is kept, and the flip would be forgotten. A flip
+  // takes the target from at least one vertex, so this ends.
+  do
+  {
+    droppedNow = 0;
     for (const auto& contour : mesh.Contours)
     {
       NonSolitary(contour, field, chain);
-      droppedNow += chain.empty() ? 0 : KeepMiddles(chain, field);
-    }
-    if (droppedNow == 0)
-    {
-      break;
+      FlipsAlong(chain, points, r, field, flipping);
+      droppedNow += KeepMiddles(chain, flipping, field);
     }
     dropped += droppedNow;
-  }
+  } while (droppedNow > 0);
   return dropped;
 }
 

@@ -108,8 +108,8 @@ bool ConjugateGradients(const NormalEquations& equations, const PointList& right
 {
   const Eigen::VectorXd preconditioner =
     (equations.Diagonal.array() + 1.25 + 4 * equations.Uniform).inverse();
-  const Eigen::RowVector3d goal =
-    RelativeTolerance * RelativeTolerance * right.colwise().squaredNorm();
+  // One goal for the three: a coordinate without any force could never meet one of its own.
+  const double goal = RelativeTolerance * RelativeTolerance * right.squaredNorm() / 3;
   PointList residual = right - equations(x);
   PointList scaled = preconditioner.asDiagonal() * residual;
   PointList direction = scaled;
@@ -117,7 +117,7 @@ bool ConjugateGradients(const NormalEquations& equations, const PointList& right
   for (iterations = 0; iterations < MaximumIterations; ++iterations)
   {
     const Eigen::RowVector3d error = residual.colwise().squaredNorm();
-    if ((error.array() <= goal.array()).all())
+    if ((error.array() <= goal).all())
     {
       return true;
     }

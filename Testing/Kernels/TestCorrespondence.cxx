@@ -1,0 +1,364 @@
+#include "Correspondence.h"
+#include "ExampleSurfaces.h"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <random>
+
+using namespace FlipFree;
+
+namespace
+{
+
+using Scalar = std::function<double(const Eigen::Vector3d& index)>;
+
+struct TestImage
+{
+  TestImage(const ImageGeometry& geometry, const Scalar& value)
+  {
+    this->View.Geometry = geometry;
+    for (int k = 0; k < geometry.Dimensions[2]; ++k)
+    {
+      for (int j = 0; j < geometry.Dimensions[1]; ++j)
+      {
+        for (int i = 0; i < geometry.Dimensions[0]; ++i)
+        {
+          this->Voxels.push_back(static_cast<float>(value({ i + 0.0, j + 0.0, k + 0.0 })));
+        }
+      }
+    }
+    this->View.Data = this->Voxels.data();
+  }
+  std::vector<float> Voxels;
+  ImageView<float> View;
+};
+
+ImageGeometry Grid(int i, int j, int k, const Eigen::Vector3d& spacing)
+{
+  ImageGeometry geometry;
+  geometry.Dimensions = { { i, j, k } };
+  geometry.Spacing = spacing;
+  return geometry;
+}
+
+// A row of voxels along x: '#' is foreground.
+TestImage Row(const std::string& voxels, double spacing = 1)
+{
+  return TestImage(Grid(static_cast<int>(voxels.size()), 1, 1, { spacing, 1, 1 }),
+    [&](const Eigen::Vector3d& index) { return voxels[static_cast<int>(index[0])] == '#'; });
+}
+
+struct Answer
+{
+  bool Found;
+  double Distance;
+};
+
+Answer Search(const TestImage& image, const Eigen::Vector3d& point, const Eigen::Vector3d& normal,
+  const CorrespondenceSettings& settings, const TestImage* edges = nullptr)
+{
+  PointList points(1, 3);
+  PointList normals(1, 3);
+  points.row(0) = point;
+  normals.row(0) = normal;
+  const CorrespondenceField field = FindCorrespondences(points, normals, image.View,
+    edges != nullptr ? edges->View : ImageView<float>(), settings, SerialFor);
+  EXPECT_NE(field.States[0], VertexState::Flipping);
+  return { field.States[0] == VertexState::Matched,
+    field.Displacements.row(0).dot(normals.row(0)) };
+}
+
+CorrespondenceSettings RunOf(int voxels)
+{
+  CorrespondenceSettings settings;
+  settings.RunVoxels = voxels;
+  return settings;
+}
+
+CorrespondenceSettings RunOfLength(double length)
+{
+  CorrespondenceSettings settings;
+  settings.RunLength = length;
+  settings.SearchDistance = 100;
+  return settings;
+}
+
+const Eigen::Vector3d AlongX(1, 0, 0);
+
+void ExpectFound(const Answer& answer, double distance)
+{
+  EXPECT_TRUE(answer.Found);
+  EXPECT_NEAR(answer.Distance, distance, 1e-12);
+}
+
+void ExpectSolitary(const Answer& answer)
+{
+  EXPECT_FALSE(answer.Found);
+  EXPECT_EQ(answer.Distance, 0);
+}
+
+// Uneven directions all over the sphere.
+PointList Directions(int count)
+{
+  std::mt19937 random(8);
+  std::normal_distribution<double> normal;
+  PointList directions(count, 3);
+  for (int row = 0; row < count; ++row)
+  {
+    directions.row(row) =
+      Eigen::RowVector3d(normal(random), normal(random), normal(random)).normalized();
+  }
+  return directions;
+}
+
+// Where the line leaves the box, both given in index space.
+double BoxExit(const Eigen::Vector3d& point, const Eigen::Vector3d& slope,
+  const Eigen::Vector3d& low, const Eigen::Vector3d& high)
+{
+  double exit = 1e9;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double face = slope[axis] > 0 ? high[axis] : low[axis];
+    exit = std::min(exit, (face - point[axis]) / slope[axis]);
+  }
+  return exit;
+}
+
+bool InBox(const Eigen::Vector3d& index)
+{
+  return (index.array() >= Eigen::Array3d(10, 9, 7)).all() &&
+    (index.array() <= Eigen::Array3d(29, 27, 14)).all();
+}
+
+} // namespace
+
+TEST(Correspondence, ReachesTheFaceOfABoxExactly)
+{
+  for (const auto& [name, matrix] : ExampleDirections())
+  {
+    ImageGeometry geometry = Grid(40, 38, 22, { 0.8, 1.1, 2.3 });
+    geometry.Origin = Eigen::Vector3d(-30, 12, 200);
+    geometry.Direction = matrix;
+    const TestImage image(geometry, InBox);
+    const Eigen::Vector3d start(19.2, 17.7, 10.1);
+    const PointList normals = Directions(500);
+    const PointList points = geometry.ToPhysical(start).transpose().replicate(500, 1);
+    const CorrespondenceField field =
+      FindCorrespondences(points, normals, image.View, {}, RunOf(2), SerialFor);
+    for (int vertex = 0; vertex < 500; ++vertex)
+    {
+      const Eigen::Vector3d slope =
+        (matrix.transpose() * normals.row(vertex).transpose()).cwiseQuotient(geometry.Spacing);
+      const double expected = BoxExit(start, slope, { 9.5, 8.5, 6.5 }, { 29.5, 27.5, 14.5 });
+      ASSERT_EQ(field.States[vertex], VertexState::Matched);
+      ASSERT_LT((field.Displacements.row(vertex) - expected * normals.row(vertex)).norm(), 1e-10)
+        << name;
+    }
+  }
+}
+
+// From outside, with outward normals, the same face is found by looking inward.
+TEST(Correspondence, ReachesTheSameFaceFromOutside)
+{
+  const ImageGeometry geometry = Grid(40, 38, 22, { 0.8, 1.1, 2.3 });
+  const TestImage image(geometry, InBox);
+  const Eigen::Vector3d start = geometry.ToPhysical({ 19.2, 17.7, 10.1 });
+  const PointList normals = Directions(500);
+  const PointList inner = start.transpose().replicate(500, 1);
+  // Beyond the image's end as well: the search may begin there.
+  const PointList outer = inner + 36 * normals;
+  const CorrespondenceField fromInside =
+    FindCorrespondences(inner, normals, image.View, {}, RunOf(1), SerialFor);
+  const CorrespondenceField fromOutside =
+    FindCorrespondences(outer, normals, image.View, {}, RunOf(1), SerialFor);
+  for (int vertex = 0; vertex < 500; ++vertex)
+  {
+    ASSERT_EQ(fromOutside.States[vertex], VertexState::Matched);
+    ASSERT_LT((inner.row(vertex) + fromInside.Displacements.row(vertex) - outer.row(vertex) -
+                fromOutside.Displacements.row(vertex))
+                .norm(),
+      1e-10);
+  }
+}
+
+TEST(Correspondence, SphereIsReachedToWithinAVoxel)
+{
+  const ImageGeometry geometry = Grid(50, 50, 50, { 1, 1, 1 });
+  const Eigen::Vector3d center(24.3, 25.1, 24.7);
+  const TestImage image(geometry,
+    [&](const Eigen::Vector3d& index) { return (index - center).norm() <= 15; });
+  const PointList normals = Directions(1000);
+  const CorrespondenceField field = FindCorrespondences(center.transpose().replicate(1000, 1),
+    normals, image.View, {}, RunOf(4), SerialFor);
+  for (int vertex = 0; vertex < 1000; ++vertex)
+  {
+    ASSERT_EQ(field.States[vertex], VertexState::Matched);
+    ASSERT_NEAR(field.Displacements.row(vertex).norm(), 15, std::sqrt(3.0) / 2);
+  }
+}
+
+TEST(Correspondence, RunsInVoxelsJumpGapsThatAreShorter)
+{
+  const TestImage image = Row("#####..####........");
+  const Eigen::Vector3d point(2, 0, 0);
+  ExpectFound(Search(image, point, AlongX, RunOf(1)), 2.5);
+  ExpectFound(Search(image, point, AlongX, RunOf(2)), 2.5);
+  ExpectFound(Search(image, point, AlongX, RunOf(3)), 8.5);
+  ExpectFound(Search(image, point, AlongX, RunOf(8)), 8.5);
+  ExpectSolitary(Search(image, point, AlongX, RunOf(9)));
+}
+
+// A gap of exactly the length counts, whichever way its ends are rounded.
+TEST(Correspondence, RunsInMillimetresDoNotDependOnTheVoxels)
+{
+  for (double spacing : { 0.1, 0.3, 0.7, 1.1, 2.9 })
+  {
+    const TestImage image = Row("#####...####........", spacing);
+    for (double start : { 0.0, 0.123, 1.77, 2.0, 3.999 })
+    {
+      const Eigen::Vector3d point(start * spacing, 0, 0);
+      const double gap = (4.5 - start) * spacing;
+      ExpectFound(Search(image, point, AlongX, RunOfLength(2.5 * spacing)), gap);
+      ExpectFound(Search(image, point, AlongX, RunOfLength(3 * spacing)), gap);
+      ExpectFound(Search(image, point, AlongX, RunOfLength(3.1 * spacing)), gap + 7 * spacing);
+    }
+  }
+}
+
+TEST(Correspondence, InwardRunsPassSpecks)
+{
+  const TestImage image = Row("..####...#....");
+  const Eigen::Vector3d point(12, 0, 0);
+  ExpectFound(Search(image, point, AlongX, RunOf(1)), -2.5);
+  ExpectFound(Search(image, point, AlongX, RunOf(2)), -6.5);
+  ExpectSolitary(Search(image, point, AlongX, RunOf(5)));
+}
+
+TEST(Correspondence, SearchDistanceIsTheLinesEnd)
+{
+  const TestImage image = Row("##########..........");
+  CorrespondenceSettings settings = RunOf(1);
+  settings.SearchDistance = 6.4;
+  ExpectSolitary(Search(image, { 3, 0, 0 }, AlongX, settings));
+  settings.SearchDistance = 6.6;
+  ExpectFound(Search(image, { 3, 0, 0 }, AlongX, settings), 6.5);
+}
+
+TEST(Correspondence, TheImagesEndIsATargetOnlyOnDemandAndNearby)
+{
+  const TestImage image = Row("..########");
+  CorrespondenceSettings settings = RunOf(3);
+  ExpectSolitary(Search(image, { 5, 0, 0 }, AlongX, settings));
+  settings.ImageEndDistance = 4.4;
+  ExpectSolitary(Search(image, { 5, 0, 0 }, AlongX, settings));
+  settings.ImageEndDistance = 4.6;
+  ExpectFound(Search(image, { 5, 0, 0 }, AlongX, settings), 4.5);
+  // A run that the end cuts short begins where it begins.
+  const TestImage cut = Row("..######..");
+  ExpectFound(Search(cut, { 5, 0, 0 }, AlongX, settings), 2.5);
+  settings.ImageEndDistance = 0;
+  ExpectSolitary(Search(cut, { 5, 0, 0 }, AlongX, settings));
+}
+
+TEST(Correspondence, OutwardOnlyIsEquation2)
+{
+  const TestImage image = Row("###..........");
+  CorrespondenceSettings settings = RunOf(4);
+  settings.SearchInward = false;
+  // In the background a run of background begins at the vertex itself.
+  ExpectFound(Search(image, { 6, 0, 0 }, AlongX, settings), 0);
+  ExpectFound(Search(image, { 1, 0, 0 }, AlongX, settings), 1.5);
+  // Cut short by the image's end there is no run; outside the image neither.
+  ExpectSolitary(Search(image, { 10, 0, 0 }, AlongX, settings));
+  ExpectSolitary(Search(image, { 20, 0, 0 }, AlongX, settings));
+  settings.SearchInward = true;
+  settings.RunVoxels = 3;
+  ExpectFound(Search(image, { 6, 0, 0 }, AlongX, settings), -3.5);
+}
+
+// Partial volume: the voxels' faces are up to half a voxel off, the edge is where the blurred step
+// is steepest.
+TEST(Correspondence, EdgeWindowFindsTheAnalyticEdge)
+{
+  const double edge = 12.3;
+  const auto blurred = [&](const Eigen::Vector3d& index)
+  { return 50 + 50 * std::erf((edge - index[0]) / 1.5); };
+  const ImageGeometry geometry = Grid(30, 3, 3, { 1, 1, 1 });
+  const TestImage grey(geometry, blurred);
+  // A threshold that is off by more than a voxel.
+  const TestImage feature(geometry,
+    [&](const Eigen::Vector3d& index) { return blurred(index) > 93; });
+  CorrespondenceSettings settings = RunOf(2);
+  const Eigen::Vector3d inside(6, 1, 1);
+  const double crude = Search(feature, inside, AlongX, settings).Distance;
+  EXPECT_GT(std::abs(6 + crude - edge), 0.7);
+  settings.EdgeWindow = 3;
+  EXPECT_NEAR(6 + Search(feature, inside, AlongX, settings, &grey).Distance, edge, 0.5);
+  EXPECT_NEAR(20 + Search(feature, { 20, 1, 1 }, AlongX, settings, &grey).Distance, edge, 0.5);
+  // Only edges that fall outward count; with none the target stays on the voxel's face.
+  const TestImage rising(geometry, [&](const Eigen::Vector3d& index) { return -blurred(index); });
+  EXPECT_NEAR(Search(feature, inside, AlongX, settings, &rising).Distance, crude, 1e-12);
+  // Unless the ramp says that what is darker is the organ's own.
+  settings.Ramp.Low = -120;
+  settings.Ramp.High = -90;
+  settings.Ramp.Width = 200;
+  EXPECT_NEAR(6 + Search(feature, inside, AlongX, settings, &rising).Distance, edge, 0.7);
+}
+
+TEST(Correspondence, AnyNumberOfPartsGivesTheSameBits)
+{
+  std::mt19937 random(3);
+  const ImageGeometry geometry = Grid(40, 38, 22, { 0.8, 1.1, 2.3 });
+  const TestImage noise(geometry, [&](const Eigen::Vector3d&) { return random() % 100 * 0.01; });
+  const PointList normals = Directions(777);
+  const PointList points =
+    geometry.ToPhysical({ 20, 19, 11 }).transpose().replicate(777, 1) + 5 * Directions(777);
+  CorrespondenceSettings settings = RunOf(3);
+  settings.EdgeWindow = 2;
+  const CorrespondenceField serial =
+    FindCorrespondences(points, normals, noise.View, noise.View, settings, SerialFor);
+  EXPECT_GT(std::count(serial.States.begin(), serial.States.end(), VertexState::Matched), 300);
+  for (int parts : { 1, 2, 5, 200 })
+  {
+    const auto inParts = [parts](std::ptrdiff_t begin, std::ptrdiff_t end, const RangeBody& body)
+    {
+      for (int part = parts - 1; part >= 0; --part)
+      {
+        body(begin + (end - begin) * part / parts, begin + (end - begin) * (part + 1) / parts);
+      }
+    };
+    const CorrespondenceField other =
+      FindCorrespondences(points, normals, noise.View, noise.View, settings, inParts);
+    EXPECT_EQ(other.States, serial.States);
+    EXPECT_EQ(other.Displacements, serial.Displacements);
+  }
+}
+
+TEST(Correspondence, MovesWithTheImage)
+{
+  std::mt19937 random(4);
+  const ImageGeometry geometry = Grid(40, 38, 22, { 0.8, 1.1, 2.3 });
+  TestImage image(geometry,
+    [&](const Eigen::Vector3d& index) { return InBox(index) + random() % 100 * 0.007; });
+  const PointList normals = Directions(500);
+  const PointList points =
+    geometry.ToPhysical({ 19.2, 17.7, 10.1 }).transpose().replicate(500, 1) + 7 * Directions(500);
+  CorrespondenceSettings settings = RunOfLength(3);
+  settings.EdgeWindow = 2;
+  const CorrespondenceField still =
+    FindCorrespondences(points, normals, image.View, image.View, settings, SerialFor);
+  for (const auto& [name, matrix] : ExampleDirections())
+  {
+    const Eigen::RowVector3d shift(100, -50, 7);
+    image.View.Geometry.Direction = matrix;
+    image.View.Geometry.Origin = shift.transpose();
+    const CorrespondenceField moved =
+      FindCorrespondences((points * matrix.transpose()).rowwise() + shift,
+        normals * matrix.transpose(), image.View, image.View, settings, SerialFor);
+    EXPECT_EQ(moved.States, still.States) << name;
+    EXPECT_LT(
+      (moved.Displacements - still.Displacements * matrix.transpose()).cwiseAbs().maxCoeff(), 1e-9)
+      << name;
+  }
+}
