@@ -52,9 +52,10 @@ bool DiffuseAnisotropically(std::vector<float>& voxels, const ImageGeometry& geo
   const double finest = geometry.Spacing.minCoeff();
   const Eigen::Vector3d weights = (finest / geometry.Spacing.array()).square();
   const double step = 1 / (2 * weights.sum() + 1e-9);
+  // Finite, so that where nothing differs nothing flows, however small the contrast.
+  const double inverseSquare = 1 / (settings.Contrast * settings.Contrast);
   const Fluxes fluxes{ static_cast<float>(step * weights[0]), static_cast<float>(step * weights[1]),
-    static_cast<float>(step * weights[2]),
-    static_cast<float>(1 / (settings.Contrast * settings.Contrast)) };
+    static_cast<float>(step * weights[2]), static_cast<float>(std::min(inverseSquare, 1e38)) };
 
   std::vector<float> next(voxels.size());
   for (int iteration = 0; iteration < settings.Iterations; ++iteration)

@@ -19,6 +19,7 @@ struct Histogram
 {
   Eigen::ArrayXd Centres;
   Eigen::ArrayXd Counts;
+  double Grain = 1; ///< the unit of MixtureSettings::MinimumDeviation
 };
 
 double GaussianDensity(const Gaussian& component, double z)
@@ -26,6 +27,46 @@ double GaussianDensity(const Gaussian& component, double z)
   const double x = (z - component.Mean) / component.Deviation;
   return component.Weight * std::exp(-0.5 * x * x) /
     (component.Deviation * std::sqrt(2 * EIGEN_PI));
+}
+
+// The typical difference between a grey value and the next greater one that occurs: 1 for integers,
+// almost nothing for what has been filtered.
+double TypicalStep(const std::vector<float>& values)
+{
+  constexpr std::size_t enough = 4096;
+  const std::size_t stride = 1 + values.size() / enough;
+  std::vector<float> sample;
+  for (std::size_t at = 0; at < values.size(); at += stride)
+  {
+    sample.push_back(values[at]);
+  }
+  std::sort(sample.begin(), sample.end());
+  std::vector<float> steps;
+  for (std::size_t at = 1; at < sample.size(); ++at)
+  {
+    if (sample[at] > sample[at - 1])
+    {
+      steps.push_back(sample[at] - sample[at - 1]);
+    }
+  }
+  if (steps.empty())
+  {
+    return 0;
+  }
+  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
+  std::nth_element(steps.begin(), middle, steps.end());
+  return *middle;
+}
+
+// No unit of grey values is presumed: images may be in Hounsfield units or between 0 and 1.
+double GrainOf(const std::vector<float>& values, double low, double high)
+{
+  const double magnitude = std::max(std::abs(low), std::abs(high));
+  if (high - low > 1e-4 * magnitude)
+  {
+    return std::max(TypicalStep(values), (high - low) / 64);
+  }
+  return magnitude > 0 ? 0.01 * magnitude : 1;
 }
 
 // A stone or a clip in the seed would stretch the bins until the organ falls into one of them, so
@@ -40,11 +81,13 @@ Histogram MakeHistogram(std::vector<float> values)
   };
   const double low = quantile(0.02);
   const double high = quantile(0.98);
-  const double margin = 0.5 * (high - low) + 1e-6 * (1 + std::abs(low) + std::abs(high));
+  const double margin = 0.5 * (high - low) + 1e-6 * (std::abs(low) + std::abs(high)) +
+    std::numeric_limits<float>::min();
   const double begin = low - margin;
   const double width = (high - low + 2 * margin) / NumberOfBins;
 
   Histogram histogram;
+  histogram.Grain = GrainOf(values, low, high);
   histogram.Centres =
     begin + width * (Eigen::ArrayXd::LinSpaced(NumberOfBins, 0, NumberOfBins - 1) + 0.5);
   histogram.Counts = Eigen::ArrayXd::Zero(NumberOfBins);
@@ -113,11 +156,12 @@ double ImproveOnce(const Histogram& histogram, double minimumDeviation,
 
 double Fit(const Histogram& histogram, double minimumDeviation, std::vector<Gaussian>& mixture)
 {
+  const double observations = histogram.Counts.sum();
   double likelihood = -std::numeric_limits<double>::infinity();
   for (int iteration = 0; iteration < MaximumIterations; ++iteration)
   {
     const double next = ImproveOnce(histogram, minimumDeviation, mixture);
-    const bool settled = next - likelihood < 1e-7 * std::abs(next);
+    const bool settled = next - likelihood < 1e-7 * observations;
     likelihood = next;
     if (settled)
     {
@@ -158,7 +202,7 @@ double GaussianMixture::Density(double z) const
 
 double GaussianMixture::Mode() const
 {
-  // The greatest density lies between the outermost means.
+  // The greatest density lies between the outermost means, or at a narrow component's own.
   double low = std::numeric_limits<double>::infinity();
   double high = -low;
   for (const Gaussian& component : this->Components)
@@ -167,6 +211,10 @@ double GaussianMixture::Mode() const
     high = std::max(high, component.Mean);
   }
   double mode = 0;
+  for (const Gaussian& component : this->Components)
+  {
+    mode = std::max(mode, this->Density(component.Mean));
+  }
   const int samples = high > low ? 512 : 0;
   for (int sample = 0; sample <= samples; ++sample)
   {
@@ -215,6 +263,7 @@ GaussianMixture FitGaussianMixture(const std::vector<float>& values,
       "there are no voxels to fit the foreground's mixture to; enlarge the seed");
   }
   const Histogram histogram = MakeHistogram(values);
+  const double leastDeviation = settings.MinimumDeviation * histogram.Grain;
   const double observations = std::max(2.0, values.size() / settings.Correlation);
   const double scale = observations / static_cast<double>(values.size());
 
@@ -222,8 +271,8 @@ GaussianMixture FitGaussianMixture(const std::vector<float>& values,
   double leastCriterion = std::numeric_limits<double>::infinity();
   for (int components = 1; components <= settings.MaximumComponents; ++components)
   {
-    std::vector<Gaussian> mixture = StartOf(histogram, components, settings.MinimumDeviation);
-    const double likelihood = Fit(histogram, settings.MinimumDeviation, mixture);
+    std::vector<Gaussian> mixture = StartOf(histogram, components, leastDeviation);
+    const double likelihood = Fit(histogram, leastDeviation, mixture);
     const int parameters = 3 * components - 1;
     const double criterion = parameters * std::log(observations) - 2 * scale * likelihood;
     if (criterion < leastCriterion)

@@ -41,7 +41,9 @@ struct MixtureSettings
   /// Neighbouring voxels are correlated: that many of them count as one observation.
   double Correlation = 27;
 
-  /// Least deviation of a component: integer intensities would collapse otherwise.
+  /// Least deviation of a component: integer intensities would collapse otherwise. In steps of the
+  /// grey values, or in 64ths of their spread (2nd to 98th percentile) where that is more; of
+  /// values that are all the same in hundredths of their magnitude.
   double MinimumDeviation = 1;
 
   /// Components of less weight (vessels, noise) are dropped. The heaviest always stays.
