@@ -139,7 +139,7 @@ Point SeedIn(vtkImageData* image, const Segmentation& segmentation)
       image->TransformContinuousIndexToPhysicalPoint(centre, middle);
       char place[256];
       std::snprintf(place, sizeof(place),
-        "that has %d x %d x %d voxels around (%g, %g, %g) mm. Coordinates are LPS: a viewer that "
+        "which has %d x %d x %d voxels around (%g, %g, %g) mm. Coordinates are LPS: a viewer that "
         "shows RAS has the signs of x and y the other way round.",
         extent[1] + 1, extent[3] + 1, extent[5] + 1, middle[0], middle[1], middle[2]);
       throw Failure(std::string(given) + " lies outside of '" + segmentation.Input + "', " + place);
@@ -222,7 +222,7 @@ void Segment(const Segmentation& segmentation)
   }
   catch (const Failure& failure)
   {
-    throw Failure("'" + segmentation.Input + "': " + failure.what());
+    throw Failure("'" + segmentation.Input + "': " + Replaced(failure.what(), " on port 0", ""));
   }
   if (filter->GetSurface()->GetNumberOfPolys() == 0)
   {

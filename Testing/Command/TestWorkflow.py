@@ -3,7 +3,9 @@
 import csv
 import gzip
 import os
+import pty
 import struct
+import subprocess
 import unittest
 import zlib
 
@@ -48,6 +50,23 @@ class TestWorkflow(command.CommandTest):
 
     def test_quiet(self):
         self.assertEqual(self.segment("--quiet", "-o", self.result("sphere.vtp")), "")
+
+    def test_progress_bar_on_a_terminal_only(self):
+        ours, theirs = pty.openpty()
+        process = subprocess.Popen([command.PROGRAM, "segment", self.volume, *self.seed, "-o",
+                                    self.result("sphere.vtp")], stdout=subprocess.DEVNULL,
+                                   stderr=theirs)
+        os.close(theirs)
+        shown = b""
+        try:
+            while data := os.read(ours, 4096):
+                shown += data
+        except OSError:  # the terminal's way to say that nobody writes any more
+            pass
+        os.close(ours)
+        self.assertEqual(process.wait(), 0)
+        self.assertRegex(shown, rb"\rsegmenting +\[#+\.+\] +\d+ %")
+        self.assertTrue(shown.endswith(b"\r\x1b[K"))  # and it is gone in the end
 
     def test_convergence(self):
         text = self.segment("--convergence", self.result("sphere.csv"))
