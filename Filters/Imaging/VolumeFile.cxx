@@ -1,7 +1,7 @@
 #include "VolumeFile.h"
 
+#include "BackgroundTask.h"
 #include "CompletenessCheck.h"
-#include "DetachedTask.h"
 #include "DicomCheck.h"
 
 #include "vtkErrorCode.h"
@@ -117,7 +117,7 @@ itk::ImageIOBase::Pointer OpenVolumeFile(const std::string& name)
 void ReadVolumeFile(const itk::ImageIOBase::Pointer& io, const std::string& name,
   const vtkSmartPointer<vtkDataArray>& scalars, const Monitor& monitor)
 {
-  DetachedTask read([io, name, scalars]() { ReadVoxels(io, name, scalars->GetVoidPointer(0)); });
+  BackgroundTask read([io, name, scalars]() { ReadVoxels(io, name, scalars->GetVoidPointer(0)); });
   double fraction = 0;
   bool goOn = true;
   // Meanwhile, in this thread: the check costs no time of its own.

@@ -1,7 +1,7 @@
 #include "VolumeFileWriter.h"
 
+#include "BackgroundTask.h"
 #include "CompletenessCheck.h"
-#include "DetachedTask.h"
 #include "VolumeFile.h"
 
 #include "vtkErrorCode.h"
@@ -278,7 +278,7 @@ bool WriteVolumeFile(const std::string& name, const VolumeHeader& header,
     [](const ScratchFolder* folder) { folder->Remove(); });
   const fs::path written = scratch->Path / destination.filename();
   // The task has its share in the voxels and in the scratch folder, for as long as it needs them.
-  DetachedTask write([=, share = scratch]()
+  BackgroundTask write([=, share = scratch]()
     { WriteAndCheck(written.string(), name, header, scalars->GetVoidPointer(0), compress); });
   if (!write.Wait([&monitor]() { return monitor(0); }))
   {

@@ -1,6 +1,6 @@
 #include "vtkAnisotropicDiffusionPrefilter.h"
 
-#include "DetachedTask.h"
+#include "BackgroundTask.h"
 #include "ExecutionAdapter.h"
 #include "ImageAdapter.h"
 #include "ItkVtkBridge.h"
@@ -207,7 +207,7 @@ bool Diffuse(vtkImageData* image, int iterations, double timeStep, double conduc
   filter->SetNumberOfWorkUnits(
     static_cast<itk::ThreadIdType>(vtkSMPTools::GetEstimatedNumberOfThreads()));
 
-  FlipFree::DetachedTask task([filter]() { filter->Update(); });
+  FlipFree::BackgroundTask task([filter]() { filter->Update(); });
   const double work = static_cast<double>(image->GetNumberOfPoints()) * iterations;
   const bool done =
     task.Wait([&]() { return monitor(static_cast<double>(filter->GetVoxelsDone()) / work); });
