@@ -70,7 +70,7 @@ void PrintMeasures(vtkSegmentationMetrics* metrics)
 
 vtkSmartPointer<vtkTable> NamedRow(vtkSegmentationMetrics* metrics, const Evaluation& evaluation)
 {
-  const auto row = vtkSmartPointer<vtkTable>::New();
+  auto row = vtkSmartPointer<vtkTable>::New();
   const auto add = [&row](const char* column, const std::string& value)
   {
     vtkNew<vtkStringArray> names;

@@ -60,7 +60,7 @@ void SegmentParameters::AddSwitch(CLI::App& command, const char* group, const st
   const std::string& description, void (Filter::*set)(bool))
 {
   const auto keep = [this, set](std::int64_t count)
-  { this->Given.push_back([=](Filter* filter) { (filter->*set)(count > 0); }); };
+  { this->Given.emplace_back([=](Filter* filter) { (filter->*set)(count > 0); }); };
   command.add_flag_function("--" + option + ",!--no-" + option, keep, description)->group(group);
 }
 

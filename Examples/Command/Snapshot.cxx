@@ -201,7 +201,7 @@ vtkSmartPointer<vtkImageData> SliceOf(vtkImageData* image, vtkMatrix4x4* axes, c
 vtkSmartPointer<vtkRenderer> AddRenderer(vtkRenderWindow* window,
   const std::array<double, 2>& corner)
 {
-  const auto renderer = vtkSmartPointer<vtkRenderer>::New();
+  auto renderer = vtkSmartPointer<vtkRenderer>::New();
   renderer->SetViewport(corner[0] + (corner[0] > 0 ? Gap / 2 : 0),
     corner[1] + (corner[1] > 0 ? Gap / 2 : 0), corner[0] + 0.5 - (corner[0] > 0 ? 0 : Gap / 2),
     corner[1] + 0.5 - (corner[1] > 0 ? 0 : Gap / 2));

@@ -87,20 +87,20 @@ ExitStatus RunProgram(CLI::App& program, int argc, char* argv[])
 
 int main(int argc, char* argv[])
 {
-  CatchSignals();
-  CatchVtkMessages();
-
-  CLI::App program(Description, "flipfree");
-  program.set_version_flag("--version", "flipfree " FLIPFREE_VERSION, "Print the version and end");
-  program.formatter(std::make_shared<HelpFormatter>()); // the subcommands inherit it
-  program.footer(Footer);
-  program.require_subcommand(1);
-  AddSegmentCommand(program);
-  AddEvaluateCommand(program);
-  AddPhantomCommand(program);
-
   try
   {
+    CatchSignals();
+    CatchVtkMessages();
+
+    CLI::App program(Description, "flipfree");
+    program.set_version_flag("--version", "flipfree " FLIPFREE_VERSION, "Print the version and end");
+    program.formatter(std::make_shared<HelpFormatter>()); // the subcommands inherit it
+    program.footer(Footer);
+    program.require_subcommand(1);
+    AddSegmentCommand(program);
+    AddEvaluateCommand(program);
+    AddPhantomCommand(program);
+
     return RunProgram(program, argc, argv);
   }
   catch (const Interrupted&)

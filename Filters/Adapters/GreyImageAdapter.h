@@ -78,13 +78,12 @@ inline void RequireFinite(const FloatImage& image, const std::string& name)
     if (!std::isfinite(image.Voxels[voxel]))
     {
       const std::size_t row = image.Geometry.Dimensions[0];
-      const std::size_t slice = row * image.Geometry.Dimensions[1];
+      const std::size_t rows = image.Geometry.Dimensions[1];
+      const Eigen::Matrix<std::size_t, 3, 1> index(
+        voxel % row, voxel / row % rows, voxel / row / rows);
       std::ostringstream message;
       message << "a voxel of " << name << ", at ("
-              << image.Geometry
-                   .ToPhysical(Eigen::Vector3d(static_cast<double>(voxel % row),
-                     static_cast<double>(voxel % slice / row), static_cast<double>(voxel / slice)))
-                   .transpose()
+              << image.Geometry.ToPhysical(index.cast<double>()).transpose()
               << ") mm, is not a finite number; replace such voxels first";
       throw std::invalid_argument(message.str());
     }

@@ -25,7 +25,7 @@ void AddBowel(TissueLayers& layers, const std::vector<Vector3d>& centerline, dou
     radii.push_back(radius);
     if (i + 1 < centerline.size())
     {
-      points.push_back(0.5 * (centerline[i] + centerline[i + 1]));
+      points.emplace_back(0.5 * (centerline[i] + centerline[i + 1]));
       radii.push_back(0.86 * radius);
     }
   }

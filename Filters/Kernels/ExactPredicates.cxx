@@ -53,8 +53,8 @@ struct Expansion
 
 Expansion<2> Difference(double a, double b)
 {
-  double sum;
-  double error;
+  double sum = 0;
+  double error = 0;
   TwoSum(a, -b, sum, error);
   Expansion<2> result;
   result.Append(error);
@@ -70,7 +70,7 @@ void Grow(Expansion<Capacity>& expansion, double term)
   expansion.Size = 0;
   for (int i = 0; i < size; ++i)
   {
-    double error;
+    double error = 0;
     TwoSum(term, expansion.Terms[i], term, error);
     expansion.Append(error);
   }
@@ -100,8 +100,8 @@ Expansion<2 * A * B> Product(const Expansion<A>& a, const Expansion<B>& b)
   {
     for (int j = 0; j < b.Size; ++j)
     {
-      double product;
-      double error;
+      double product = 0;
+      double error = 0;
       TwoProduct(a.Terms[i], b.Terms[j], product, error);
       Grow(result, error);
       Grow(result, product);

@@ -199,7 +199,7 @@ ImplicitShape MakeSplineTube(const std::vector<Vector3d>& points, const std::vec
     {
       const double t = static_cast<double>(piece) / pieces;
       const double blend = t * t * (3 - 2 * t);
-      centerline.push_back(
+      centerline.emplace_back(
         from + blend * (to - from) + t * (1 - t) * (1 - t) * leave - t * t * (1 - t) * arrive);
       widths.push_back(radii[i] + blend * (radii[i + 1] - radii[i]));
     }

@@ -81,11 +81,11 @@ std::vector<double> SmoothHistogram(const std::vector<float>& values, const Bins
 
 float IntensityModel::operator()(float z) const
 {
-  const float place = (z - this->Begin) / this->Step;
+  const float place = (z - this->Begin) / this->Step + 0.5F; // so that cutting rounds
   const float last = static_cast<float>(this->Table.size() - 1);
   // Written so that a value that is not a number falls to the table's beginning.
   const float clamped = place > 0 ? std::min(place, last) : 0;
-  return this->Table[static_cast<std::size_t>(clamped + 0.5F)];
+  return this->Table[static_cast<std::size_t>(clamped)];
 }
 
 IntensityModel IntensityModel::FromSeed(const std::vector<float>& values, double noise,

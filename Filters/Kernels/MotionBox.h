@@ -11,6 +11,7 @@
 #include "MotionCertificate.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -63,8 +64,8 @@ private:
   using Lanes = Eigen::Array4f;
   static constexpr double Rounding = 2.0 * std::numeric_limits<float>::epsilon();
 
-  Lanes Low[2] = { Lanes::Zero(), Lanes::Zero() };
-  Lanes High[2] = { Lanes::Zero(), Lanes::Zero() };
+  std::array<Lanes, 2> Low = { Lanes::Zero(), Lanes::Zero() };
+  std::array<Lanes, 2> High = { Lanes::Zero(), Lanes::Zero() };
 };
 
 } // namespace FlipFree
