@@ -1,7 +1,6 @@
 #include "EmbeddingGuard.h"
 
 #include "MotionBox.h"
-#include "SelfIntersection.h"
 #include "TriangleIntersection.h"
 
 #include <algorithm>
@@ -66,9 +65,12 @@ bool AnyOf(const std::vector<char>& flags, const std::array<int, N>& vertices)
 }
 
 template <std::size_t N>
-bool Contains(const std::array<int, N>& vertices, int vertex)
+void Mark(std::vector<char>& flags, const std::array<int, N>& vertices)
 {
-  return std::find(vertices.begin(), vertices.end(), vertex) != vertices.end();
+  for (int vertex : vertices)
+  {
+    flags[vertex] = 1;
+  }
 }
 
 } // namespace
@@ -81,12 +83,10 @@ struct EmbeddingGuard::Attempt
     , Wanted(displacements)
     , Scales(points.rows(), 1.0)
     , Failed(points.rows(), 0)
-    , IsHeightField(points.rows(), 0)
   {
     this->Scaled = this->Wanted;
     this->To = this->From + this->Scaled;
     this->ChangedForCorners.assign(points.rows(), 1);
-    this->ChangedForStars = this->ChangedForCorners;
     this->ChangedForPairs = this->ChangedForCorners;
   }
   Motion Path() const { return { this->From, this->To }; }
@@ -102,41 +102,18 @@ struct EmbeddingGuard::Attempt
 
   // Vertices whose path changed since a part of the test was last run.
   std::vector<char> ChangedForCorners;
-  std::vector<char> ChangedForStars;
   std::vector<char> ChangedForPairs;
-
-  std::vector<MovingNormal> Normals; // of triangles
-  std::vector<char> IsHeightField;   // stars of vertices
 };
 
 EmbeddingGuard::EmbeddingGuard(const ContourMesh& mesh)
   : Neighbours(mesh.Neighbours)
   , Triangles(mesh.Triangles)
   , Corners(ListCorners(mesh.Faces))
-  , StarOffsets(mesh.Neighbours.size() + 1, 0)
-  , Stars(3 * static_cast<std::size_t>(mesh.Triangles.rows()))
+  , WithoutStrangers(ListPairsWithoutStrangers(mesh.NumberOfPoints(), mesh.Triangles))
   , Layout(TriangleTree::TopologicalLayout(mesh.NumberOfPoints(), mesh.Triangles))
   , Tree(this->Layout, mesh.Triangles)
   , Strangers(this->Tree.PairsOfStrangers(this->Layout, mesh.Triangles))
 {
-  for (Eigen::Index i = 0; i < this->Triangles.size(); ++i)
-  {
-    ++this->StarOffsets[this->Triangles.data()[i] + 1];
-  }
-  for (std::size_t vertex = 0; vertex < this->Neighbours.size(); ++vertex)
-  {
-    this->StarOffsets[vertex + 1] += this->StarOffsets[vertex];
-  }
-  std::vector<int> next(this->StarOffsets.begin(), this->StarOffsets.end() - 1);
-  for (int triangle = 0; triangle < this->Triangles.rows(); ++triangle)
-  {
-    const std::array<int, 3> vertices = this->Triangle(triangle);
-    for (int corner = 0; corner < 3; ++corner)
-    {
-      this->Stars[next[vertices[corner]]++] = { vertices[(corner + 1) % 3],
-        vertices[(corner + 2) % 3], triangle };
-    }
-  }
 }
 
 GuardReport EmbeddingGuard::Limit(const PointList& points, PointList& displacements,
@@ -166,8 +143,7 @@ GuardReport EmbeddingGuard::Limit(const PointList& points, PointList& displaceme
   while (true)
   {
     ++report.Passes;
-    if (this->TestCorners(attempt, parallelFor) && this->TestStars(attempt, parallelFor) &&
-      this->TestPairs(attempt, parallelFor))
+    if (this->TestCorners(attempt, parallelFor) && this->TestPairs(attempt, parallelFor))
     {
       break;
     }
@@ -279,137 +255,10 @@ bool EmbeddingGuard::TestCorners(Attempt& attempt, const ParallelFor& parallelFo
     if (flipped[index])
     {
       isClean = false;
-      for (int vertex : this->Corners[index])
-      {
-        attempt.Failed[vertex] = 1;
-      }
+      Mark(attempt.Failed, this->Corners[index]);
     }
   }
   return isClean;
-}
-
-bool EmbeddingGuard::TestStars(Attempt& attempt, const ParallelFor& parallelFor) const
-{
-  const Motion motion = attempt.Path();
-  std::vector<char> changed(attempt.Failed.size(), 0);
-  changed.swap(attempt.ChangedForStars);
-
-  attempt.Normals.resize(this->Triangles.rows());
-  parallelFor(0, this->Triangles.rows(),
-    [&](std::ptrdiff_t first, std::ptrdiff_t last)
-    {
-      for (std::ptrdiff_t index = first; index < last; ++index)
-      {
-        const std::array<int, 3> triangle = this->Triangle(static_cast<int>(index));
-        if (AnyOf(changed, triangle))
-        {
-          attempt.Normals[index] = MovingNormal(motion, triangle.data());
-        }
-      }
-    });
-
-  const std::ptrdiff_t count = static_cast<std::ptrdiff_t>(this->Neighbours.size());
-  std::vector<char> isDoubtful(count, 0);
-  parallelFor(0, count,
-    [&](std::ptrdiff_t first, std::ptrdiff_t last)
-    {
-      for (std::ptrdiff_t index = first; index < last; ++index)
-      {
-        const int vertex = static_cast<int>(index);
-        const StarTriangle* const begin = this->StarBegin(vertex);
-        const StarTriangle* const end = this->StarBegin(vertex + 1);
-        if (changed[vertex] ||
-          std::any_of(begin, end, [&](const StarTriangle& part) { return changed[part.Next]; }))
-        {
-          attempt.IsHeightField[vertex] =
-            StarStaysHeightField(motion, vertex, begin, end, attempt.Normals, attempt.Gap);
-          isDoubtful[vertex] = !attempt.IsHeightField[vertex];
-        }
-      }
-    });
-
-  std::vector<int> doubtful;
-  for (int vertex = 0; vertex < count; ++vertex)
-  {
-    if (isDoubtful[vertex])
-    {
-      doubtful.push_back(vertex);
-    }
-  }
-  std::vector<std::vector<int>> failed(doubtful.size());
-  parallelFor(0, static_cast<std::ptrdiff_t>(doubtful.size()),
-    [&](std::ptrdiff_t first, std::ptrdiff_t last)
-    {
-      for (std::ptrdiff_t index = first; index < last; ++index)
-      {
-        this->TestStarByPairs(attempt, changed, doubtful[index], failed[index]);
-      }
-    });
-  bool isClean = true;
-  for (const std::vector<int>& vertices : failed)
-  {
-    for (int vertex : vertices)
-    {
-      isClean = false;
-      attempt.Failed[vertex] = 1;
-    }
-  }
-  return isClean;
-}
-
-void EmbeddingGuard::TestStarByPairs(const Attempt& attempt, const std::vector<char>& changed,
-  int center, std::vector<int>& failed) const
-{
-  const Motion motion = attempt.Path();
-  const auto test = [&](const auto& one, const auto& two)
-  {
-    if (!StayApart(motion, one, two, attempt.Gap))
-    {
-      failed.insert(failed.end(), one.begin(), one.end());
-      failed.insert(failed.end(), two.begin(), two.end());
-    }
-  };
-  const StarTriangle* const end = this->StarBegin(center + 1);
-  for (const StarTriangle* first = this->StarBegin(center); first != end; ++first)
-  {
-    const std::array<int, 3> one = this->Triangle(first->Triangle);
-    for (const StarTriangle* second = first + 1; second != end; ++second)
-    {
-      const std::array<int, 3> two = this->Triangle(second->Triangle);
-      if (!AnyOf(changed, one) && !AnyOf(changed, two))
-      {
-        continue;
-      }
-      // Two triangles with a common edge are in two stars; one proof is enough.
-      const int other = first->Next == second->Last ? first->Next
-        : first->Last == second->Next               ? first->Last
-                                                    : -1;
-      if (other >= 0 && (attempt.IsHeightField[other] || other < center))
-      {
-        continue;
-      }
-      for (int i = 0; i < 3; ++i)
-      {
-        if (!Contains(two, one[i]))
-        {
-          test(std::array<int, 1>{ { one[i] } }, two);
-        }
-        if (!Contains(one, two[i]))
-        {
-          test(std::array<int, 1>{ { two[i] } }, one);
-        }
-        const std::array<int, 2> edge{ { one[i], one[(i + 1) % 3] } };
-        for (int j = 0; j < 3; ++j)
-        {
-          const std::array<int, 2> otherEdge{ { two[j], two[(j + 1) % 3] } };
-          if (!Contains(otherEdge, edge[0]) && !Contains(otherEdge, edge[1]))
-          {
-            test(edge, otherEdge);
-          }
-        }
-      }
-    }
-  }
 }
 
 bool EmbeddingGuard::TestPairs(Attempt& attempt, const ParallelFor& parallelFor) const
@@ -433,16 +282,33 @@ bool EmbeddingGuard::TestPairs(Attempt& attempt, const ParallelFor& parallelFor)
     [&](int one, int two)
     { return !StayApart(motion, this->Triangle(one), this->Triangle(two), attempt.Gap); },
     parallelFor);
-  std::fill(attempt.ChangedForPairs.begin(), attempt.ChangedForPairs.end(), 0);
+  bool isClean = pairs.empty();
   for (const auto& pair : pairs)
   {
-    for (int corner = 0; corner < 3; ++corner)
-    {
-      attempt.Failed[this->Triangles(pair.first, corner)] = 1;
-      attempt.Failed[this->Triangles(pair.second, corner)] = 1;
-    }
+    Mark(attempt.Failed, this->Triangle(pair.first));
+    Mark(attempt.Failed, this->Triangle(pair.second));
   }
-  return pairs.empty();
+
+  const auto test = [&](const auto& one, const auto& two)
+  {
+    if ((AnyOf(attempt.ChangedForPairs, one) || AnyOf(attempt.ChangedForPairs, two)) &&
+      !StayApart(motion, one, two, attempt.Gap))
+    {
+      isClean = false;
+      Mark(attempt.Failed, one);
+      Mark(attempt.Failed, two);
+    }
+  };
+  for (const FeaturePairs::VertexFace& pair : this->WithoutStrangers.VertexFaces)
+  {
+    test(pair.Vertex, pair.Face);
+  }
+  for (const FeaturePairs::EdgeEdge& pair : this->WithoutStrangers.EdgeEdges)
+  {
+    test(pair.One, pair.Two);
+  }
+  std::fill(attempt.ChangedForPairs.begin(), attempt.ChangedForPairs.end(), 0);
+  return isClean;
 }
 
 void EmbeddingGuard::ScaleBack(Attempt& attempt) const
@@ -482,7 +348,6 @@ void EmbeddingGuard::ScaleBack(Attempt& attempt) const
       attempt.Scaled.row(vertex) = attempt.Scales[vertex] * attempt.Wanted.row(vertex);
       attempt.To.row(vertex) = attempt.From.row(vertex) + attempt.Scaled.row(vertex);
       attempt.ChangedForCorners[vertex] = 1;
-      attempt.ChangedForStars[vertex] = 1;
       attempt.ChangedForPairs[vertex] = 1;
     }
   }

@@ -11,6 +11,7 @@
 
 #include "ContourMesh.h"
 #include "MotionCertificate.h"
+#include "StrangerPairs.h"
 #include "TriangleTree.h"
 
 namespace FlipFree
@@ -30,13 +31,12 @@ public:
 
   /// Scales displacements down, where and as little as it must, until it is certain that on the
   /// straight way from points to points + displacements
-  /// - no two triangles meet but in the vertex or edge they share; parts come no nearer to each
-  /// other
-  ///   than a thousandth of the mean edge length, or than they are at the start where that is less;
-  /// - no normal of a triangle or of a corner of a face turns by 90 degrees or more (corners
-  /// without
-  ///   a normal at the start are not judged).
-  /// Neighbours of a vertex that is held back are, too, if their motion is long.
+  /// - no two triangles meet but in the vertex or edge they share: triangles without a common
+  /// vertex
+  ///   keep a distance of a thousandth of the mean edge length, or the one they start with if less;
+  /// - no normal of a triangle or of a corner of a face turns by 90 degrees or more. Corners that
+  ///   have no normal at the start are not judged.
+  /// Where the motion is long, a vertex that is held back holds its neighbours, too.
   /// `monitor` is asked between passes; when it returns false, the displacements become zero.
   /// Throws std::invalid_argument when a number is not finite, or where a motion cannot be
   /// certified because the points are not embedded.
@@ -56,22 +56,13 @@ private:
     const ParallelFor& parallelFor) const;
   double MeanEdgeLength(const PointList& points) const;
 
-  // The three parts of a pass. Each tests what changed since it was run last, marks the vertices of
-  // what fails, and tells whether nothing did.
+  // The parts of a pass. Each tests what changed since it was run last, marks the vertices of what
+  // fails, and tells whether nothing did.
   bool TestCorners(Attempt& attempt, const ParallelFor& parallelFor) const;
-  bool TestStars(Attempt& attempt, const ParallelFor& parallelFor) const;
   bool TestPairs(Attempt& attempt, const ParallelFor& parallelFor) const;
-
-  // The triangles around one vertex, pair by pair; appends the vertices of what fails.
-  void TestStarByPairs(const Attempt& attempt, const std::vector<char>& changed, int center,
-    std::vector<int>& failed) const;
 
   void ScaleBack(Attempt& attempt) const;
 
-  const StarTriangle* StarBegin(int vertex) const
-  {
-    return this->Stars.data() + this->StarOffsets[vertex];
-  }
   std::array<int, 3> Triangle(int index) const
   {
     return { { this->Triangles(index, 0), this->Triangles(index, 1), this->Triangles(index, 2) } };
@@ -80,8 +71,7 @@ private:
   std::vector<std::array<int, 4>> Neighbours;
   TriangleList Triangles;
   std::vector<Corner> Corners;
-  std::vector<int> StarOffsets;
-  std::vector<StarTriangle> Stars;
+  FeaturePairs WithoutStrangers;
   PointList Layout;
   TriangleTree Tree;
   std::vector<TriangleTree::NodePair> Strangers;

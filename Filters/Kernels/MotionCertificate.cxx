@@ -136,83 +136,38 @@ bool CornerStaysUpright(const Motion& motion, const std::array<int, 3>& corner)
   {
     return true;
   }
-  const MovingNormal normal(motion, corner.data());
-  const Vector3d& first = normal.Coefficients[0];
-  const double error = NormalError * normal.SquaredLength;
-  const double firstLength = first.norm();
-  if (firstLength <= error)
+  Vector3d edges[2][2];
+  double squaredLength = 0;
+  for (int end = 0; end < 2; ++end)
+  {
+    const PointList& points = end == 0 ? motion.From : motion.To;
+    const Vector3d vertex = points.row(corner[1]);
+    edges[end][0] = points.row(corner[2]).transpose() - vertex;
+    edges[end][1] = points.row(corner[0]).transpose() - vertex;
+    squaredLength =
+      std::max({ squaredLength, edges[end][0].squaredNorm(), edges[end][1].squaredNorm() });
+  }
+  const Vector3d normal = edges[0][0].cross(edges[0][1]);
+  const double length = normal.norm();
+  const double error = NormalError * squaredLength;
+  if (length <= error)
   {
     return true;
   }
-  // The least value of b0 (1 - t)^2 + 2 b1 t (1 - t) + b2 t^2 on [0, 1].
-  const double b0 = first.squaredNorm();
-  const double b1 = first.dot(normal.Coefficients[1]);
-  const double b2 = first.dot(normal.Coefficients[2]);
+  // The normal is quadratic in time, and so is its component along the first one. Its least value
+  // is b0 (1 - t)^2 + 2 b1 t (1 - t) + b2 t^2 at an end or where the derivative is zero.
+  const double b0 = length * length;
+  const double b1 =
+    0.5 * normal.dot(edges[0][0].cross(edges[1][1]) + edges[1][0].cross(edges[0][1]));
+  const double b2 = normal.dot(edges[1][0].cross(edges[1][1]));
   double least = std::min(b0, b2);
   const double curvature = b0 - 2 * b1 + b2;
   if (b1 < least && curvature > 0)
   {
     const double time = (b0 - b1) / curvature;
-    if (time > 0 && time < 1)
-    {
-      least = (1 - time) * (1 - time) * b0 + 2 * time * (1 - time) * b1 + time * time * b2;
-    }
+    least = (1 - time) * (1 - time) * b0 + 2 * time * (1 - time) * b1 + time * time * b2;
   }
-  return least > error * firstLength && std::isfinite(b1) && std::isfinite(b2);
-}
-
-MovingNormal::MovingNormal(const Motion& motion, const int* triangle)
-{
-  Vector3d edges[2][2];
-  for (int end = 0; end < 2; ++end)
-  {
-    const PointList& points = end == 0 ? motion.From : motion.To;
-    const Vector3d origin = points.row(triangle[0]);
-    edges[end][0] = points.row(triangle[1]).transpose() - origin;
-    edges[end][1] = points.row(triangle[2]).transpose() - origin;
-    this->SquaredLength = std::max({ this->SquaredLength, edges[end][0].squaredNorm(),
-      edges[end][1].squaredNorm(), (edges[end][1] - edges[end][0]).squaredNorm() });
-  }
-  this->Coefficients[0] = edges[0][0].cross(edges[0][1]);
-  this->Coefficients[1] = 0.5 * (edges[0][0].cross(edges[1][1]) + edges[1][0].cross(edges[0][1]));
-  this->Coefficients[2] = edges[1][0].cross(edges[1][1]);
-}
-
-bool StarStaysHeightField(const Motion& motion, int center, const StarTriangle* first,
-  const StarTriangle* last, const std::vector<MovingNormal>& normals, const MotionGap& gap)
-{
-  Vector3d up = Vector3d::Zero();
-  for (const StarTriangle* part = first; part != last; ++part)
-  {
-    const MovingNormal& normal = normals[part->Triangle];
-    up += normal.Coefficients[0].normalized() + normal.Coefficients[2].normalized();
-  }
-  up.normalize();
-  for (const StarTriangle* part = first; part != last; ++part)
-  {
-    const MovingNormal& normal = normals[part->Triangle];
-    const double least = gap.Wanted * std::sqrt(normal.SquaredLength);
-    for (const Vector3d& coefficient : normal.Coefficients)
-    {
-      if (!(coefficient.dot(up) > least))
-      {
-        return false;
-      }
-    }
-  }
-  // All of them turn counter-clockwise around the centre. How often they go around altogether does
-  // not change with time: it must be once, counted where the ring enters the upper half plane.
-  const Vector3d across = up.unitOrthogonal();
-  const double level = motion.From.row(center).dot(across);
-  int turns = 0;
-  for (const StarTriangle* part = first; part != last; ++part)
-  {
-    turns += motion.From.row(part->Next).dot(across) < level &&
-        motion.From.row(part->Last).dot(across) >= level
-      ? 1
-      : 0;
-  }
-  return turns == 1;
+  return least > error * length;
 }
 
 bool StayApart(const Motion& motion, const std::array<int, 1>& vertex,

@@ -1,11 +1,10 @@
 /**
  * Proofs that parts of a surface stay apart while its vertices move along straight lines.
  *
- * All of them rest on one observation: along a fixed direction m, the separation of two moving
- * points is linear in time. A direction that separates two sets of vertices at the beginning and at
- * the end of an interval therefore separates their convex hulls throughout, whatever motion they
- * share; and a set of triangles that all face m stays a height field. How m is found needs no
- * trust: a poor one proves nothing, it never proves too much.
+ * They rest on one observation: along a fixed direction, the separation of two moving points is
+ * linear in time. A direction that separates two sets of vertices at the beginning and at the end
+ * of an interval therefore separates their convex hulls throughout, whatever motion they share. How
+ * the direction is found needs no trust: a poor one proves nothing, it never proves too much.
  */
 #ifndef FlipFreeMotionCertificate_h
 #define FlipFreeMotionCertificate_h
@@ -13,7 +12,6 @@
 #include "KernelTypes.h"
 
 #include <array>
-#include <vector>
 
 namespace FlipFree
 {
@@ -43,29 +41,6 @@ struct MotionGap
 /// Does the normal of the corner before-vertex-after turn by less than 90 degrees at all times?
 /// A corner at rest does, and so does one that has no normal at the start.
 bool CornerStaysUpright(const Motion& motion, const std::array<int, 3>& corner);
-
-/// The normal of a moving triangle is quadratic in time.
-struct MovingNormal
-{
-  MovingNormal() = default;
-  MovingNormal(const Motion& motion, const int* triangle);
-
-  std::array<Eigen::Vector3d, 3> Coefficients; ///< in the basis of Bernstein
-  double SquaredLength = 0;                    ///< the greatest that an edge has at any time
-};
-
-/// One triangle of a star: the two vertices that follow the centre, and its index.
-struct StarTriangle
-{
-  int Next = 0;
-  int Last = 0;
-  int Triangle = 0;
-};
-
-/// Are the triangles around a vertex a height field over one plane at all times, with heights of at
-/// least the wanted gap in its triangles? Then no two of them touch but where they are neighbours.
-bool StarStaysHeightField(const Motion& motion, int center, const StarTriangle* first,
-  const StarTriangle* last, const std::vector<MovingNormal>& normals, const MotionGap& gap);
 
 /// Do a vertex and a face, two edges, two triangles without common vertices keep their gap at all
 /// times? False also where no proof is found. Parts that do not move at all do.

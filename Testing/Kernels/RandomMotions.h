@@ -28,6 +28,55 @@ struct TestSphere
   double EdgeLength;
 };
 
+/// A torus of quads: `around` rings of `across` vertices.
+struct TestTorus
+{
+  TestTorus(int around, int across)
+    : Points(around * across, 3)
+  {
+    FaceList faces;
+    for (int i = 0; i < around; ++i)
+    {
+      for (int j = 0; j < across; ++j)
+      {
+        const double turn = 2 * 3.141592653589793 * i / around;
+        const double roll = 2 * 3.141592653589793 * j / across;
+        const double radius = 30 + 10 * std::cos(roll);
+        this->Points.row(across * i + j) << radius * std::cos(turn), radius * std::sin(turn),
+          10 * std::sin(roll);
+        const int nextI = (i + 1) % around;
+        const int nextJ = (j + 1) % across;
+        faces.Append(
+          { across * i + j, across * nextI + j, across * nextI + nextJ, across * i + nextJ });
+      }
+    }
+    this->Mesh = BuildContourMesh(around * across, faces);
+  }
+
+  PointList Points;
+  ContourMesh Mesh;
+};
+
+/// The torus of Csaszar: seven vertices, every two of them joined by an edge of its 14 triangles,
+/// so that all triangles have common vertices.
+struct SevenVertexTorus
+{
+  SevenVertexTorus()
+    : Points(7, 3)
+  {
+    FaceList faces;
+    for (int i = 0; i < 7; ++i)
+    {
+      faces.Append({ i, (i + 1) % 7, (i + 3) % 7, (i + 2) % 7 });
+    }
+    this->Mesh = BuildContourMesh(7, faces);
+    this->Points << 3, -3, 0, -3, 3, 0, -1, -2, 3, 3, 3, 1, 0, 0, 15, -3, -3, 1, 1, 2, 3;
+  }
+
+  PointList Points;
+  ContourMesh Mesh;
+};
+
 /// Independent normal deviates of the given root mean square length.
 inline PointList WhiteNoise(Eigen::Index count, double length, std::mt19937& random)
 {

@@ -125,11 +125,9 @@ void Thirds(std::ptrdiff_t begin, std::ptrdiff_t end, const RangeBody& body)
 
 // A motion that no step of a segmentation should have, but one may.
 constexpr int NumberOfAdverseMotions = 14;
-PointList AdverseMotion(int kind, const TestSphere& sphere, const PointList& points,
-  std::mt19937& random)
+PointList AdverseMotion(int kind, double edge, const PointList& points, std::mt19937& random)
 {
   const Eigen::Index count = points.rows();
-  const double edge = sphere.EdgeLength;
   std::uniform_real_distribution<double> uniform(0.0, 1.0);
   const Eigen::RowVector3d axis = WhiteNoise(1, 1.0, random).row(0).normalized();
   const PointList outward = points.rowwise() - points.colwise().mean();
@@ -267,7 +265,7 @@ TEST(EmbeddingGuard, AdverseMotionsEndEmbedded)
     {
       for (int kind = 0; kind < NumberOfAdverseMotions; ++kind)
       {
-        PointList displacements = AdverseMotion(kind, sphere, sphere.Points(), random);
+        PointList displacements = AdverseMotion(kind, sphere.EdgeLength, sphere.Points(), random);
         const GuardReport report =
           guard.Limit(sphere.Points(), displacements, SerialFor, NeverStop);
         ExpectValid(sphere.Mesh, sphere.Points(), displacements);
@@ -291,13 +289,51 @@ TEST(EmbeddingGuard, AdverseMotionsAreValidAllTheWay)
   {
     for (int repeat = 0; repeat < 4; ++repeat)
     {
-      PointList displacements = AdverseMotion(kind, sphere, sphere.Points(), random);
+      PointList displacements = AdverseMotion(kind, sphere.EdgeLength, sphere.Points(), random);
       guard.Limit(sphere.Points(), displacements, SerialFor, NeverStop);
       EXPECT_FALSE(displacements.isZero(0)) << "kind " << kind;
       ExpectValidAllTheWay(sphere.Mesh, sphere.Points(), displacements);
       ASSERT_FALSE(::testing::Test::HasFailure()) << "kind " << kind;
     }
   }
+}
+
+// With as few vertices as this, most triangles are neighbours, or all.
+TEST(EmbeddingGuard, SmallToriEndEmbedded)
+{
+  std::mt19937 random(9);
+  const auto check = [&](const PointList& points, const ContourMesh& mesh, double edge)
+  {
+    ASSERT_EQ(mesh.EulerNumber(), 0);
+    const EmbeddingGuard guard(mesh);
+    ASSERT_EQ(MessageOf([&] { guard.RequireEmbedded(points, SerialFor); }), "accepted");
+    for (int repeat = 0; repeat < 20; ++repeat)
+    {
+      PointList present = points;
+      for (int kind = 0; kind < NumberOfAdverseMotions; ++kind)
+      {
+        PointList displacements = AdverseMotion(kind, edge, present, random);
+        guard.Limit(present, displacements, SerialFor, NeverStop);
+        ExpectValidAllTheWay(mesh, present, displacements);
+        ASSERT_FALSE(::testing::Test::HasFailure())
+          << mesh.NumberOfPoints() << " vertices, kind " << kind;
+        if (repeat % 2 == 1)
+        {
+          present += displacements;
+        }
+      }
+    }
+  };
+  for (int around : { 3, 4, 9 })
+  {
+    for (int across : { 3, 4 })
+    {
+      const TestTorus torus(around, across);
+      check(torus.Points, torus.Mesh, 15.0);
+    }
+  }
+  const SevenVertexTorus seven;
+  check(seven.Points, seven.Mesh, 2.0);
 }
 
 // One step after the other, from ever worse surfaces.
@@ -315,7 +351,8 @@ TEST(EmbeddingGuard, SequencesOfAdverseMotionsStayEmbedded)
       {
         PointList displacements = sequence == 0
           ? WhiteNoise(points.rows(), 0.3 * sphere.EdgeLength, random)
-          : AdverseMotion((step * sequence) % NumberOfAdverseMotions, sphere, points, random);
+          : AdverseMotion((step * sequence) % NumberOfAdverseMotions, sphere.EdgeLength, points,
+              random);
         guard.Limit(points, displacements, SerialFor, NeverStop);
         ExpectValid(sphere.Mesh, points, displacements);
         ASSERT_FALSE(::testing::Test::HasFailure()) << "sequence " << sequence << " step " << step;
@@ -342,7 +379,7 @@ TEST(EmbeddingGuard, KeepsTheGap)
   ASSERT_GT(LeastGap(sphere.Mesh, sphere.Points()), 0.1 * edge);
   for (int kind = 0; kind < NumberOfAdverseMotions; ++kind)
   {
-    PointList displacements = AdverseMotion(kind, sphere, sphere.Points(), random);
+    PointList displacements = AdverseMotion(kind, sphere.EdgeLength, sphere.Points(), random);
     guard.Limit(sphere.Points(), displacements, SerialFor, NeverStop);
     EXPECT_GE(LeastGap(sphere.Mesh, sphere.Points() + displacements), 0.999e-3 * edge)
       << "kind " << kind;
@@ -402,7 +439,7 @@ TEST(EmbeddingGuard, TheNumberOfThreadsDoesNotMatter)
   const EmbeddingGuard guard(sphere.Mesh);
   for (int kind = 0; kind < NumberOfAdverseMotions; ++kind)
   {
-    PointList one = AdverseMotion(kind, sphere, sphere.Points(), random);
+    PointList one = AdverseMotion(kind, sphere.EdgeLength, sphere.Points(), random);
     PointList two = one;
     const GuardReport reportOne = guard.Limit(sphere.Points(), one, SerialFor, NeverStop);
     const GuardReport reportTwo = guard.Limit(sphere.Points(), two, Thirds, NeverStop);

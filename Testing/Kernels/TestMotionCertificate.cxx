@@ -216,32 +216,3 @@ TEST(MotionCertificate, CornersStayUpright)
   EXPECT_GT(upright, 500);
   EXPECT_GT(flipped, 500);
 }
-
-// A ring that goes around its centre twice is not a height field, though all of its triangles face
-// up.
-TEST(MotionCertificate, StarsThatWindTwiceAreDoubtful)
-{
-  for (int turns : { 1, 2 })
-  {
-    const int size = 8;
-    PointList points(size + 1, 3);
-    points.row(size).setZero();
-    std::vector<StarTriangle> star;
-    std::vector<MovingNormal> normals;
-    for (int i = 0; i < size; ++i)
-    {
-      const double angle = turns * 2 * M_PI * i / size + 0.1;
-      points.row(i) << std::cos(angle), std::sin(angle), 0.1 * i;
-      star.push_back({ i, (i + 1) % size, i });
-    }
-    const Motion motion{ points, points };
-    for (const StarTriangle& part : star)
-    {
-      const int triangle[3] = { size, part.Next, part.Last };
-      normals.emplace_back(motion, triangle);
-    }
-    EXPECT_EQ(
-      StarStaysHeightField(motion, size, star.data(), star.data() + size, normals, { 1e-3, 1e-12 }),
-      turns == 1);
-  }
-}
