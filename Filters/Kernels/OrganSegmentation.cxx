@@ -12,6 +12,9 @@ namespace
 {
 
 constexpr std::size_t ChangeSpan = 5;
+// A surface that still finds new parts of the boundary is not at rest, though its mean distance to
+// what it has found may grow: by this part of its vertices.
+constexpr double Growth = 0.01;
 
 class Run
 {
@@ -98,7 +101,7 @@ private:
       guard = std::make_unique<EmbeddingGuard>(this->Surface.Mesh);
     }
     const bool finest = level + 1 == this->Settings.Levels;
-    std::vector<double> distances;
+    std::vector<TargetReport> reports;
     this->Surface.StopReason = "iteration limit";
     for (int iteration = 0; iteration < this->Settings.MaximumIterations; ++iteration)
     {
@@ -107,23 +110,42 @@ private:
       {
         return;
       }
-      distances.push_back(this->IterateOnce(guard.get(), finest, part));
-      if (distances.back() < this->Settings.DistanceTolerance)
+      reports.push_back(this->IterateOnce(guard.get(), finest, part));
+      if (this->IsLevelDone(reports))
       {
-        this->Surface.StopReason = "distance below tolerance";
-        return;
-      }
-      if (distances.size() > ChangeSpan &&
-        distances[distances.size() - 1 - ChangeSpan] - distances.back() <
-          this->Settings.ChangeTolerance)
-      {
-        this->Surface.StopReason = "at rest";
         return;
       }
     }
   }
 
-  double IterateOnce(const EmbeddingGuard* guard, bool finest, double part)
+  bool IsLevelDone(const std::vector<TargetReport>& reports)
+  {
+    const TargetReport& now = reports.back();
+    if (now.Matched == 0)
+    {
+      this->Surface.StopReason = "no boundary found";
+      return true;
+    }
+    if (now.MeanDistance < this->Settings.DistanceTolerance)
+    {
+      this->Surface.StopReason = "distance below tolerance";
+      return true;
+    }
+    if (this->Settings.ChangeTolerance < 0 || reports.size() <= ChangeSpan)
+    {
+      return false;
+    }
+    const TargetReport& before = reports[reports.size() - 1 - ChangeSpan];
+    const bool grows = now.Matched - before.Matched > Growth * this->Surface.Mesh.NumberOfPoints();
+    if (!grows && before.MeanDistance - now.MeanDistance < this->Settings.ChangeTolerance)
+    {
+      this->Surface.StopReason = "at rest";
+      return true;
+    }
+    return false;
+  }
+
+  TargetReport IterateOnce(const EmbeddingGuard* guard, bool finest, double part)
   {
     IterationRecord record;
     record.Iteration = static_cast<int>(this->Surface.Iterations.size()) + 1;
@@ -148,7 +170,7 @@ private:
       proceed, this->Surface.Field, this->Surface.Points);
     this->Surface.Iterations.push_back(record);
     this->Observe(this->Surface.Mesh, this->Surface.Points, record);
-    return record.Targets.MeanDistance;
+    return record.Targets;
   }
 
   const ImageView<float>& Smooth;
