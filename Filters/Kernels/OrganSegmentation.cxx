@@ -4,7 +4,9 @@
 #include "Stopwatch.h"
 #include "SurfaceRefinement.h"
 
+#include <algorithm>
 #include <memory>
+#include <stdexcept>
 
 namespace FlipFree
 {
@@ -12,6 +14,11 @@ namespace
 {
 
 constexpr std::size_t ChangeSpan = 5;
+// A surface that still finds new parts of the boundary is not at rest, though its mean distance to
+// what it has found may grow: by this part of its vertices.
+constexpr double Growth = 0.01;
+// A region with a smaller part of background than this has no contrast.
+constexpr double LeastBackground = 1e-3;
 
 class Run
 {
@@ -36,6 +43,7 @@ public:
     this->Model =
       FitToSeed(this->Smooth, this->Seed, this->Noise, this->Settings.Feature.Intensity);
     this->UpdateFeature();
+    this->RequireContrast();
     this->Surface.FeatureSeconds += watch.Lap();
     for (int level = 0; level < this->Settings.Levels; ++level)
     {
@@ -63,6 +71,22 @@ private:
   {
     this->Feature =
       MakeFeature(this->Smooth, this->Model, this->Seed, this->Settings.Feature, this->Parallel);
+  }
+
+  // Where everything is foreground there is no boundary to be found.
+  void RequireContrast() const
+  {
+    const auto background = std::count_if(this->Feature.begin(), this->Feature.end(),
+      [this](float feature) { return feature < this->Model.Threshold; });
+    if (static_cast<double>(background) <
+      LeastBackground * static_cast<double>(this->Feature.size()))
+    {
+      throw std::invalid_argument("the seed has no contrast to its surroundings: of the " +
+        std::to_string(this->Feature.size()) + " voxels within reach only " +
+        std::to_string(background) +
+        " differ from its intensities; check the image, or narrow the foreground's intensities "
+        "(ForegroundMass, NoiseWidening)");
+    }
   }
 
   bool NextLevel()
@@ -98,7 +122,7 @@ private:
       guard = std::make_unique<EmbeddingGuard>(this->Surface.Mesh);
     }
     const bool finest = level + 1 == this->Settings.Levels;
-    std::vector<double> distances;
+    std::vector<TargetReport> reports;
     this->Surface.StopReason = "iteration limit";
     for (int iteration = 0; iteration < this->Settings.MaximumIterations; ++iteration)
     {
@@ -107,23 +131,42 @@ private:
       {
         return;
       }
-      distances.push_back(this->IterateOnce(guard.get(), finest, part));
-      if (distances.back() < this->Settings.DistanceTolerance)
+      reports.push_back(this->IterateOnce(guard.get(), finest, part));
+      if (this->IsLevelDone(reports))
       {
-        this->Surface.StopReason = "distance below tolerance";
-        return;
-      }
-      if (distances.size() > ChangeSpan &&
-        distances[distances.size() - 1 - ChangeSpan] - distances.back() <
-          this->Settings.ChangeTolerance)
-      {
-        this->Surface.StopReason = "at rest";
         return;
       }
     }
   }
 
-  double IterateOnce(const EmbeddingGuard* guard, bool finest, double part)
+  bool IsLevelDone(const std::vector<TargetReport>& reports)
+  {
+    const TargetReport& now = reports.back();
+    if (now.Matched == 0)
+    {
+      this->Surface.StopReason = "no boundary found";
+      return true;
+    }
+    if (now.MeanDistance < this->Settings.DistanceTolerance)
+    {
+      this->Surface.StopReason = "distance below tolerance";
+      return true;
+    }
+    if (this->Settings.ChangeTolerance < 0 || reports.size() <= ChangeSpan)
+    {
+      return false;
+    }
+    const TargetReport& before = reports[reports.size() - 1 - ChangeSpan];
+    const bool grows = now.Matched - before.Matched > Growth * this->Surface.Mesh.NumberOfPoints();
+    if (!grows && before.MeanDistance - now.MeanDistance < this->Settings.ChangeTolerance)
+    {
+      this->Surface.StopReason = "at rest";
+      return true;
+    }
+    return false;
+  }
+
+  TargetReport IterateOnce(const EmbeddingGuard* guard, bool finest, double part)
   {
     IterationRecord record;
     record.Iteration = static_cast<int>(this->Surface.Iterations.size()) + 1;
@@ -148,7 +191,7 @@ private:
       proceed, this->Surface.Field, this->Surface.Points);
     this->Surface.Iterations.push_back(record);
     this->Observe(this->Surface.Mesh, this->Surface.Points, record);
-    return record.Targets.MeanDistance;
+    return record.Targets;
   }
 
   const ImageView<float>& Smooth;

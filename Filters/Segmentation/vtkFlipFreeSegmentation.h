@@ -404,7 +404,8 @@ public:
 
   /**
    * Why the last level ended, after Update(): "distance below tolerance", "at rest", "iteration
-   * limit", or "aborted"; empty before.
+   * limit", "no boundary found" (by any vertex), "the coarse surface could not be refined" (without
+   * intersecting itself; the surface is then that of a coarser level), or "aborted"; empty before.
    */
   const char* GetStopReason() const { return this->StopReason.c_str(); }
 

@@ -1,0 +1,184 @@
+// The whole pipeline on phantoms with exact truth: how near it comes, and that what comes out is a
+// valid surface.
+#include "PhantomCases.h"
+
+#include "vtkSegmentationMetrics.h"
+#include "vtkSurfaceValidity.h"
+
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkTable.h"
+#include "vtkVariant.h"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+namespace
+{
+
+class PhantomSegmentation : public testing::Test
+{
+protected:
+  double Measure(vtkSegmentationMetrics* metrics, int label)
+  {
+    metrics->SetInputConnection(this->Filter->GetOutputPort());
+    metrics->SetReferenceConnection(this->Phantom->GetOutputPort(1));
+    metrics->SetReferenceLabel(label);
+    metrics->Update();
+    return metrics->GetDice();
+  }
+
+  int Count(const char* column, vtkPolyData* surface, vtkPolyData* before = nullptr)
+  {
+    vtkNew<vtkSurfaceValidity> validity;
+    validity->SetInputData(surface);
+    if (before)
+    {
+      validity->SetReferenceSurfaceData(before);
+    }
+    validity->Update();
+    return validity->GetMeasures()->GetValueByName(0, column).ToInt();
+  }
+
+  void ExpectValid(int vertices)
+  {
+    vtkPolyData* surface = this->Filter->GetSurface();
+    EXPECT_EQ(surface->GetNumberOfPoints(), vertices) << this->Filter->GetStopReason();
+    EXPECT_EQ(this->Filter->GetNumberOfSelfIntersections(), 0);
+    for (const char* defect :
+      { "SelfIntersections", "BoundaryEdges", "NonManifoldEdges", "MisorientedEdges" })
+    {
+      EXPECT_EQ(this->Count(defect, surface), 0) << defect;
+    }
+    EXPECT_EQ(this->Count("EulerNumber", surface), 2);
+  }
+
+  // All surfaces of the last run, which kept them.
+  std::vector<vtkSmartPointer<vtkPolyData>> History()
+  {
+    std::vector<vtkSmartPointer<vtkPolyData>> surfaces;
+    vtkInformation* info = this->Filter->GetOutputInformation(0);
+    const int size = info->Length(vtkStreamingDemandDrivenPipeline::TIME_STEPS());
+    for (int step = 0; step < size; ++step)
+    {
+      this->Filter->UpdateTimeStep(info->Get(vtkStreamingDemandDrivenPipeline::TIME_STEPS(), step));
+      surfaces.push_back(vtkSmartPointer<vtkPolyData>::New());
+      surfaces.back()->DeepCopy(this->Filter->GetSurface());
+    }
+    return surfaces;
+  }
+
+  // Corners whose normal turned by 90 degrees or more in one step.
+  int FlippedCorners()
+  {
+    int flipped = 0;
+    const auto surfaces = this->History();
+    EXPECT_GT(surfaces.size(), 2u);
+    for (std::size_t step = 1; step < surfaces.size(); ++step)
+    {
+      if (surfaces[step]->GetNumberOfPoints() == surfaces[step - 1]->GetNumberOfPoints())
+      {
+        flipped += this->Count("FlippedCorners", surfaces[step], surfaces[step - 1]);
+      }
+    }
+    return flipped;
+  }
+
+  vtkNew<vtkPhantomSource> Phantom;
+  vtkNew<vtkFlipFreeSegmentation> Filter;
+  vtkNew<vtkSegmentationMetrics> Metrics;
+};
+
+} // namespace
+
+TEST_F(PhantomSegmentation, CupFromOutside)
+{
+  FlipFree::SegmentCup(this->Filter, this->Phantom);
+  EXPECT_GE(this->Measure(this->Metrics, 1), 0.985); // measured 0.991
+  EXPECT_LE(this->Metrics->GetASD(), 0.25);          // 0.18 mm
+  EXPECT_LE(this->Metrics->GetHD(), 1.8);            // 1.3 mm
+  EXPECT_STREQ(this->Filter->GetStopReason(), "at rest");
+  this->ExpectValid(6144);
+}
+
+TEST_F(PhantomSegmentation, UTubeFromOutside)
+{
+  FlipFree::SegmentUTube(this->Filter, this->Phantom);
+  EXPECT_GE(this->Measure(this->Metrics, 1), 0.975); // measured 0.983
+  EXPECT_LE(this->Metrics->GetASD(), 0.3);           // 0.21 mm
+  // A web between the legs encloses no voxel, but lies 9 mm from the tube.
+  EXPECT_LE(this->Metrics->GetHD(), 4); // 2.7 mm
+  EXPECT_STREQ(this->Filter->GetStopReason(), "at rest");
+  this->ExpectValid(6144);
+}
+
+TEST_F(PhantomSegmentation, ThinVesselFromInside)
+{
+  FlipFree::SegmentVessel(this->Filter, this->Phantom);
+  EXPECT_GE(this->Measure(this->Metrics, 1), 0.88); // measured 0.915
+  EXPECT_LE(this->Metrics->GetASD(), 0.6);          // 0.36 mm
+  EXPECT_LE(this->Metrics->GetHD(), 7);             // 4.7 mm: both ends are reached
+  this->ExpectValid(6 * 64 * 64);
+}
+
+TEST_F(PhantomSegmentation, StepsFlipNoCorner)
+{
+  FlipFree::SegmentUTube(this->Filter, this->Phantom);
+  this->Filter->SetResolution(16);
+  this->Filter->SetLevels(3);
+  this->Filter->KeepHistoryOn();
+  this->Filter->Update();
+  EXPECT_EQ(this->FlippedCorners(), 0);
+  this->ExpectValid(6 * 16 * 16);
+}
+
+TEST_F(PhantomSegmentation, NaiveMethodFlipsAndIntersectsItself)
+{
+  FlipFree::SegmentCup(this->Filter, this->Phantom);
+  FlipFree::MakeNaive(this->Filter);
+  this->Filter->KeepHistoryOn();
+  this->Filter->Update();
+  EXPECT_GT(this->Filter->GetNumberOfSelfIntersections(), 1000); // measured 12,000
+  EXPECT_EQ(this->Count("SelfIntersections", this->Filter->GetSurface()),
+    this->Filter->GetNumberOfSelfIntersections());
+  EXPECT_GT(this->FlippedCorners(), 1000);
+}
+
+namespace
+{
+
+// Bounds a little below what the default parameters reach.
+struct Organ
+{
+  const char* Name;
+  int Label;
+  double Dice;
+  double ASD;
+};
+
+class AbdomenSegmentation
+  : public PhantomSegmentation
+  , public testing::WithParamInterface<Organ>
+{
+};
+
+} // namespace
+
+TEST_P(AbdomenSegmentation, OrganFromItsSeedWithDefaults)
+{
+  this->Phantom->SetShapeToAbdomen();
+  FlipFree::StartInside(this->Filter, this->Phantom, GetParam().Label);
+  EXPECT_GE(this->Measure(this->Metrics, GetParam().Label), GetParam().Dice);
+  EXPECT_LE(this->Metrics->GetASD(), GetParam().ASD);
+  this->ExpectValid(6144);
+}
+
+INSTANTIATE_TEST_SUITE_P(PhantomSegmentation, AbdomenSegmentation,
+  testing::Values(Organ{ "Liver", vtkPhantomSource::LIVER, 0.93, 2.2 },
+    Organ{ "Spleen", vtkPhantomSource::SPLEEN, 0.92, 1.5 },
+    Organ{ "LeftKidney", vtkPhantomSource::LEFT_KIDNEY, 0.94, 0.9 }),
+  [](const testing::TestParamInfo<Organ>& organ) { return organ.param.Name; });
