@@ -93,7 +93,8 @@ int main(int argc, char* argv[])
     CatchVtkMessages();
 
     CLI::App program(Description, "flipfree");
-    program.set_version_flag("--version", "flipfree " FLIPFREE_VERSION, "Print the version and end");
+    program.set_version_flag("--version", "flipfree " FLIPFREE_VERSION,
+      "Print the version and end");
     program.formatter(std::make_shared<HelpFormatter>()); // the subcommands inherit it
     program.footer(Footer);
     program.require_subcommand(1);

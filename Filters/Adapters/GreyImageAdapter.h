@@ -79,8 +79,8 @@ inline void RequireFinite(const FloatImage& image, const std::string& name)
     {
       const std::size_t row = image.Geometry.Dimensions[0];
       const std::size_t rows = image.Geometry.Dimensions[1];
-      const Eigen::Matrix<std::size_t, 3, 1> index(
-        voxel % row, voxel / row % rows, voxel / row / rows);
+      const Eigen::Matrix<std::size_t, 3, 1> index(voxel % row, voxel / row % rows,
+        voxel / row / rows);
       std::ostringstream message;
       message << "a voxel of " << name << ", at ("
               << image.Geometry.ToPhysical(index.cast<double>()).transpose()

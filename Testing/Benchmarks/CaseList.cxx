@@ -63,8 +63,8 @@ std::vector<RandomSeed> RandomSeeds(vtkImageData* labels, int label, double radi
       const std::size_t voxel = candidates[random() % candidates.size()];
       const std::size_t row = mask.Geometry.Dimensions[0];
       const std::size_t rows = mask.Geometry.Dimensions[1];
-      const Eigen::Matrix<std::size_t, 3, 1> index(
-        voxel % row, voxel / row % rows, voxel / row / rows);
+      const Eigen::Matrix<std::size_t, 3, 1> index(voxel % row, voxel / row % rows,
+        voxel / row / rows);
       const Eigen::Vector3d center = mask.Geometry.ToPhysical(index.cast<double>());
       seeds.push_back({ { { center[0], center[1], center[2] } }, radius });
     }
