@@ -81,7 +81,8 @@ RefinedMesh RefineFaces(const ContourMesh& mesh)
   return refined;
 }
 
-PointList RefinePoints(const ContourMesh& mesh, const PointList& points, double reach)
+PointList RefinePoints(const ContourMesh& mesh, const PointList& points,
+  const Eigen::VectorXd& reach)
 {
   PointList refined(static_cast<Eigen::Index>(mesh.Faces.Connectivity.size()), 3);
   for (int face = 0; face < mesh.Faces.NumberOfFaces(); ++face)
@@ -99,10 +100,16 @@ PointList RefinePoints(const ContourMesh& mesh, const PointList& points, double 
         point += weight * points.row(vertices[other]);
       }
       const Eigen::RowVector3d parent = points.row(vertices[corner]);
-      refined.row(mesh.Faces.Offsets[face] + corner) = parent + reach * (point - parent);
+      refined.row(mesh.Faces.Offsets[face] + corner) =
+        parent + reach[vertices[corner]] * (point - parent);
     }
   }
   return refined;
+}
+
+PointList RefinePoints(const ContourMesh& mesh, const PointList& points, double reach)
+{
+  return RefinePoints(mesh, points, Eigen::VectorXd::Constant(points.rows(), reach));
 }
 
 } // namespace FlipFree

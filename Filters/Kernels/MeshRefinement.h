@@ -22,9 +22,11 @@ struct RefinedMesh
 /// The faces of the refined mesh. Vertex c of it is corner c of the old connectivity list.
 RefinedMesh RefineFaces(const ContourMesh& mesh);
 
-/// The points of the refined mesh. `reach` of 1 gives those of Doo and Sabin; smaller values pull
-/// them towards their parents, and for small values the new surface is the old one with its edges
-/// bevelled a little, which is embedded wherever the old one is.
+/// The points of the refined mesh. A `reach` of 1 gives those of Doo and Sabin; smaller values, one
+/// per old vertex, pull them towards their parents. For small values the new surface is the old one
+/// with its edges bevelled a little.
+PointList RefinePoints(const ContourMesh& mesh, const PointList& points,
+  const Eigen::VectorXd& reach);
 PointList RefinePoints(const ContourMesh& mesh, const PointList& points, double reach);
 
 } // namespace FlipFree

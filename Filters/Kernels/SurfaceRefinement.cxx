@@ -1,28 +1,71 @@
 #include "SurfaceRefinement.h"
 
 #include "EmbeddingGuard.h"
-#include "LaplacianDeformation.h"
 #include "MeshRefinement.h"
 #include "SelfIntersection.h"
+
+#include <set>
 
 namespace FlipFree
 {
 namespace
 {
 
-constexpr int MostFairingSteps = 30;
-constexpr double Fairing = 0.5;
+constexpr int MostAttempts = 14;
+constexpr int MostRelaxations = 30;
+// Of the way of a vertex to the mean of its neighbours.
+constexpr double Relaxation = 0.5;
 
-void FairOnce(const ContourMesh& mesh, const EmbeddingGuard& guard, const ParallelFor& parallelFor,
-  const Monitor& monitor, PointList& points)
+// Smooths the surface at some vertices.
+void RelaxOnce(const ContourMesh& mesh, const EmbeddingGuard& guard, const std::set<int>& vertices,
+  const ParallelFor& parallelFor, const Monitor& monitor, PointList& points)
 {
-  DeformationSettings settings;
-  settings.Fairing = Fairing;
-  const PointList noTargets = PointList::Zero(points.rows(), 3);
-  PointList motion = noTargets;
-  SolveDeformation(mesh, points, noTargets, settings, motion);
+  PointList motion = PointList::Zero(points.rows(), 3);
+  for (int vertex : vertices)
+  {
+    const auto& ring = mesh.Neighbours[vertex];
+    motion.row(vertex) = Relaxation *
+      (0.25 *
+          (points.row(ring[0]) + points.row(ring[1]) + points.row(ring[2]) + points.row(ring[3])) -
+        points.row(vertex));
+  }
   guard.Limit(points, motion, parallelFor, monitor);
   points += motion;
+}
+
+// Pulls the new points near intersections towards their parents until there are none. False if some
+// remain; `involved` are then the old vertices near those.
+bool RefineEmbedded(const ContourMesh& mesh, const PointList& points, const RefinedMesh& faces,
+  RefinedSurface& refined, std::set<int>& involved)
+{
+  Eigen::VectorXd reach = Eigen::VectorXd::Ones(points.rows());
+  for (int attempt = 0; attempt < MostAttempts; ++attempt)
+  {
+    refined.Points = RefinePoints(mesh, points, reach);
+    const auto pairs = FindSelfIntersections(refined.Points, refined.Mesh.Triangles);
+    if (pairs.empty())
+    {
+      return true;
+    }
+    involved.clear();
+    for (const auto& pair : pairs)
+    {
+      for (int triangle : { pair.first, pair.second })
+      {
+        for (int corner = 0; corner < 3; ++corner)
+        {
+          const int parent = faces.Parents[refined.Mesh.Triangles(triangle, corner)];
+          involved.insert(parent);
+          involved.insert(mesh.Neighbours[parent].begin(), mesh.Neighbours[parent].end());
+        }
+      }
+    }
+    for (int vertex : involved)
+    {
+      reach[vertex] *= 0.5;
+    }
+  }
+  return false;
 }
 
 } // namespace
@@ -41,22 +84,19 @@ RefinedSurface RefineSurface(const ContourMesh& mesh, const PointList& points, b
   }
   const EmbeddingGuard guard(mesh);
   PointList coarse = points;
-  for (; refined.FairingSteps <= MostFairingSteps; ++refined.FairingSteps)
+  for (; refined.Relaxations <= MostRelaxations; ++refined.Relaxations)
   {
-    for (double reach : { 1.0, 0.5, 0.25, 0.1 })
+    if (!monitor(static_cast<double>(refined.Relaxations) / MostRelaxations))
     {
-      if (!monitor(static_cast<double>(refined.FairingSteps) / MostFairingSteps))
-      {
-        return refined;
-      }
-      refined.Points = RefinePoints(mesh, coarse, reach);
-      if (CountSelfIntersections(refined.Points, refined.Mesh.Triangles) == 0)
-      {
-        refined.Embedded = true;
-        return refined;
-      }
+      return refined;
     }
-    FairOnce(mesh, guard, parallelFor, monitor, coarse);
+    std::set<int> involved;
+    if (RefineEmbedded(mesh, coarse, faces, refined, involved))
+    {
+      refined.Embedded = true;
+      return refined;
+    }
+    RelaxOnce(mesh, guard, involved, parallelFor, monitor, coarse);
   }
   return refined;
 }

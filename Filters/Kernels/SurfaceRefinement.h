@@ -14,13 +14,14 @@ struct RefinedSurface
 {
   ContourMesh Mesh;
   PointList Points;
-  int FairingSteps = 0; ///< guarded smoothing steps that the coarse surface needed first
+  int Relaxations = 0; ///< guarded smoothing steps that the coarse surface needed first
   bool Embedded = false;
 };
 
 /// Refines a surface into one of four times as many vertices (MeshRefinement.h). Where the refined
-/// surface would intersect itself, it is pulled towards the old vertices, and if that does not
-/// help, the old surface is smoothed under the guard, which opens its sharpest folds. `checked`
+/// surface would intersect itself, it is pulled towards the old vertices there, and if that does
+/// not help, the old surface is smoothed there under the guard, which opens its sharpest folds.
+/// `checked`
 /// false skips all that. Embedded is false when no attempt succeeded or the monitor stopped it; the
 /// mesh must then not be used.
 RefinedSurface RefineSurface(const ContourMesh& mesh, const PointList& points, bool checked,
