@@ -80,11 +80,11 @@ struct SevenVertexTorus
 /// Independent normal deviates of the given root mean square length.
 inline PointList WhiteNoise(Eigen::Index count, double length, std::mt19937& random)
 {
-  std::normal_distribution<double> normal(0.0, length / std::sqrt(3.0));
+  std::normal_distribution<double> normal(0.0, 1.0);
   PointList noise(count, 3);
   for (Eigen::Index i = 0; i < noise.size(); ++i)
   {
-    noise.data()[i] = normal(random);
+    noise.data()[i] = length / std::sqrt(3.0) * normal(random);
   }
   return noise;
 }
