@@ -30,14 +30,12 @@ public:
   explicit EmbeddingGuard(const ContourMesh& mesh);
 
   /// Scales displacements down, where and as little as it must, until it is certain that on the
-  /// straight way from points to points + displacements
-  /// - no two triangles meet but in the vertex or edge they share: triangles without a common
-  /// vertex
-  ///   keep a distance of a thousandth of the mean edge length, or the one they start with if less;
-  /// - no normal of a triangle or of a corner of a face turns by 90 degrees or more. Corners that
-  ///   have no normal at the start are not judged.
-  /// Where the motion is long, a vertex that is held back holds its neighbours, too.
-  /// `monitor` is asked between passes; when it returns false, the displacements become zero.
+  /// straight way from points to points + displacements no two triangles meet but in the vertex or
+  /// edge they share, and no normal of a triangle or of a corner of a face turns by 90 degrees or
+  /// more. Triangles without a common vertex keep a distance of a thousandth of the mean edge
+  /// length, or the one they start with if that is less; corners that have no normal at the start
+  /// are not judged. Where the motion is long, a vertex that is held back holds its neighbours,
+  /// too. `monitor` is asked between passes; when it returns false, the displacements become zero.
   /// Throws std::invalid_argument when a number is not finite, or where a motion cannot be
   /// certified because the points are not embedded.
   GuardReport Limit(const PointList& points, PointList& displacements,

@@ -1,0 +1,169 @@
+// Tries to break the guard: thousands of adverse motions, of spheres and of what earlier motions
+// left of them. Prints, per kind of motion, what is wrong with the surfaces it let through (nothing
+// should be), as our own test and CGAL's count it, and exits with an error if anything is.
+#include "AdverseMotions.h"
+#include "EmbeddingGuard.h"
+#include "FindWithCGAL.h"
+#include "SelfIntersection.h"
+
+#include <CLI/CLI.hpp>
+
+#include <chrono>
+#include <cstdio>
+#include <exception>
+#include <limits>
+#include <stdexcept>
+
+using namespace FlipFree;
+
+namespace
+{
+
+struct Tally
+{
+  int Motions = 0;
+  int HeldBackMotions = 0;
+  std::ptrdiff_t Intersections = 0;
+  std::ptrdiff_t IntersectionsOnTheWay = 0;
+  std::ptrdiff_t IntersectionsByCGAL = 0;
+  std::ptrdiff_t FlippedCorners = 0;
+  double Kept = 0; ///< mean length of the displacements, part of the wanted one
+  double Seconds = 0;
+
+  bool IsClean() const
+  {
+    return this->Intersections + this->IntersectionsOnTheWay + this->IntersectionsByCGAL +
+      this->FlippedCorners ==
+      0;
+  }
+};
+
+double Now()
+{
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+// One motion; returns where it ended.
+PointList Try(const TestSphere& sphere, const EmbeddingGuard& guard, const PointList& points,
+  const PointList& wanted, std::mt19937& random, Tally& tally)
+{
+  const TriangleList& triangles = sphere.Triangles();
+  PointList displacements = wanted;
+  const double begin = Now();
+  guard.Limit(points, displacements, SerialFor, NeverStop);
+  tally.Seconds += Now() - begin;
+  ++tally.Motions;
+  tally.HeldBackMotions += displacements != wanted;
+  tally.Kept += wanted.isZero(0) ? 1 : displacements.norm() / wanted.norm();
+  PointList after = points + displacements;
+  tally.Intersections += CountSelfIntersections(after, triangles);
+  tally.IntersectionsByCGAL += static_cast<std::ptrdiff_t>(FindWithCGAL(after, triangles).size());
+  tally.FlippedCorners += CountFlippedCorners(sphere.Mesh, points, after);
+  const double time = std::uniform_real_distribution<double>(0.0, 1.0)(random);
+  tally.IntersectionsOnTheWay += CountSelfIntersections(points + time * displacements, triangles);
+  return after;
+}
+
+// Targets that are no numbers must be refused, whichever they are.
+int CountAccepted(const TestSphere& sphere, const EmbeddingGuard& guard, int tries,
+  std::mt19937& random)
+{
+  int accepted = 0;
+  for (int i = 0; i < tries; ++i)
+  {
+    PointList displacements = WhiteNoise(sphere.Points().rows(), sphere.EdgeLength, random);
+    const Eigen::Index entry =
+      std::uniform_int_distribution<Eigen::Index>(0, displacements.size() - 1)(random);
+    const double bad[] = { std::numeric_limits<double>::quiet_NaN(),
+      std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity() };
+    displacements.data()[entry] = bad[i % 3];
+    try
+    {
+      guard.Limit(sphere.Points(), displacements, SerialFor, NeverStop);
+      ++accepted;
+    }
+    catch (const std::invalid_argument&)
+    {
+    }
+  }
+  return accepted;
+}
+
+void Print(const char* name, const Tally& tally)
+{
+  std::printf("| %-30s | %6d | %6d | %.2f | %td | %td | %td | %td | %6.1f |\n", name, tally.Motions,
+    tally.HeldBackMotions, tally.Kept / tally.Motions, tally.Intersections,
+    tally.IntersectionsOnTheWay, tally.IntersectionsByCGAL, tally.FlippedCorners, tally.Seconds);
+}
+
+int Fuzz(int chains, int length)
+{
+  std::vector<Tally> tallies(NumberOfAdverseMotions);
+  int refused = 0;
+  int accepted = 0;
+  std::mt19937 random(2026);
+  for (int n : { 4, 8, 16, 32 })
+  {
+    const TestSphere sphere(n);
+    const EmbeddingGuard guard(sphere.Mesh);
+    // As many of the small as of the large, by time.
+    const int count = std::max(1, chains * 4 / n);
+    for (int chain = 0; chain < count; ++chain)
+    {
+      PointList points = sphere.Points();
+      for (int step = 0; step < length; ++step)
+      {
+        const int kind = std::uniform_int_distribution<int>(0, NumberOfAdverseMotions - 1)(random);
+        const PointList wanted = AdverseMotion(kind, sphere.EdgeLength, points, random);
+        points = Try(sphere, guard, points, wanted, random, tallies[kind]);
+      }
+    }
+    const int tries = 3 * std::max(1, count / 10);
+    accepted += CountAccepted(sphere, guard, tries, random);
+    refused += tries;
+  }
+  std::puts("| motion | motions | held back | part kept | intersections | "
+            "on the way | by CGAL | flipped corners | guard s |\n"
+            "|---|---|---|---|---|---|---|---|---|");
+  Tally sum;
+  for (int kind = 0; kind < NumberOfAdverseMotions; ++kind)
+  {
+    const Tally& tally = tallies[kind];
+    Print(AdverseMotionNames[kind], tally);
+    sum.Motions += tally.Motions;
+    sum.HeldBackMotions += tally.HeldBackMotions;
+    sum.Kept += tally.Kept;
+    sum.Intersections += tally.Intersections;
+    sum.IntersectionsOnTheWay += tally.IntersectionsOnTheWay;
+    sum.IntersectionsByCGAL += tally.IntersectionsByCGAL;
+    sum.FlippedCorners += tally.FlippedCorners;
+    sum.Seconds += tally.Seconds;
+  }
+  Print("all", sum);
+  std::printf("targets that are no numbers: %d, accepted %d\n", refused, accepted);
+  return sum.IsClean() && accepted == 0 ? 0 : 1;
+}
+
+} // namespace
+
+int main(int argc, char* argv[])
+{
+  int chains = 1000;
+  int length = 6;
+  CLI::App app("Tries to break the guard that keeps surfaces embedded.");
+  app.add_option("--chains", chains, "of motions on the coarsest mesh")->capture_default_str();
+  app.add_option("--length", length, "motions in a chain")->capture_default_str();
+  CLI11_PARSE(app, argc, argv);
+  const double begin = Now();
+  try
+  {
+    const int status = Fuzz(chains, length);
+    std::printf("whole run %.0f s\n", Now() - begin);
+    return status;
+  }
+  catch (const std::exception& error)
+  {
+    std::fprintf(stderr, "%s\n", error.what());
+    return 1;
+  }
+}
