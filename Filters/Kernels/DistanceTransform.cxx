@@ -131,18 +131,4 @@ std::vector<float> SquaredDistance(const std::vector<unsigned char>& mask,
   return result;
 }
 
-void GrowValue(std::vector<unsigned char>& mask, const ImageGeometry& geometry, double radius,
-  unsigned char value, const ParallelFor& parallelFor)
-{
-  const std::vector<float> distance = SquaredDistance(mask, geometry, value, parallelFor);
-  const float limit = static_cast<float>(radius * radius * (1 + 1e-6));
-  for (std::size_t voxel = 0; voxel < mask.size(); ++voxel)
-  {
-    if (distance[voxel] <= limit)
-    {
-      mask[voxel] = value;
-    }
-  }
-}
-
 } // namespace FlipFree

@@ -1,7 +1,6 @@
 /**
  * Exact Euclidean distance transform with any spacing, in time linear in the number of voxels
- * (P. Felzenszwalb, D. Huttenlocher: Distance transforms of sampled functions, 2012), and what
- * follows from it: dilation and erosion by balls measured in millimetres.
+ * (P. Felzenszwalb, D. Huttenlocher: Distance transforms of sampled functions, 2012).
  */
 #ifndef FlipFreeDistanceTransform_h
 #define FlipFreeDistanceTransform_h
@@ -17,10 +16,6 @@ namespace FlipFree
 /// the mask whose value is `target` (0 or 1); a large number where there is none.
 std::vector<float> SquaredDistance(const std::vector<unsigned char>& mask,
   const ImageGeometry& geometry, unsigned char target, const ParallelFor& parallelFor);
-
-/// Sets (value 1) or clears (value 0) all voxels within `radius` millimetres of one that is.
-void GrowValue(std::vector<unsigned char>& mask, const ImageGeometry& geometry, double radius,
-  unsigned char value, const ParallelFor& parallelFor);
 
 } // namespace FlipFree
 

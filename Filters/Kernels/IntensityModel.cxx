@@ -1,6 +1,6 @@
 #include "IntensityModel.h"
 
-#include "DistanceTransform.h"
+#include "BallMorphology.h"
 
 #include <Eigen/Dense>
 
@@ -165,24 +165,24 @@ void SampleInsideAndShell(const ImageView<float>& image, const std::vector<unsig
   const IntensitySettings& settings, const ParallelFor& parallelFor,
   std::vector<float>& insideValues, std::vector<float>& shellValues)
 {
-  const auto square = [](double length) { return static_cast<float>(length * length); };
+  const auto grown = [&](double radius, unsigned char value)
+  {
+    std::vector<unsigned char> mask = inside;
+    GrowValue(mask, image.Geometry, radius, value, parallelFor);
+    return mask;
+  };
   insideValues.clear();
   shellValues.clear();
-  {
-    const std::vector<float> depth = SquaredDistance(inside, image.Geometry, 0, parallelFor);
-    for (std::size_t voxel = 0; voxel < inside.size(); ++voxel)
-    {
-      if (inside[voxel] && depth[voxel] > square(settings.Rind))
-      {
-        insideValues.push_back(image.Data[voxel]);
-      }
-    }
-  }
-  const std::vector<float> distance = SquaredDistance(inside, image.Geometry, 1, parallelFor);
+  const std::vector<unsigned char> core = grown(settings.Rind, 0);
+  const std::vector<unsigned char> near = grown(settings.ShellBegin, 1);
+  const std::vector<unsigned char> around = grown(settings.ShellEnd, 1);
   for (std::size_t voxel = 0; voxel < inside.size(); ++voxel)
   {
-    if (!inside[voxel] && distance[voxel] > square(settings.ShellBegin) &&
-      distance[voxel] < square(settings.ShellEnd))
+    if (core[voxel])
+    {
+      insideValues.push_back(image.Data[voxel]);
+    }
+    else if (around[voxel] && !near[voxel])
     {
       shellValues.push_back(image.Data[voxel]);
     }

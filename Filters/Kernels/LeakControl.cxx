@@ -1,6 +1,6 @@
 #include "LeakControl.h"
 
-#include "DistanceTransform.h"
+#include "BallMorphology.h"
 
 #include <algorithm>
 

@@ -1,3 +1,4 @@
+#include "BallMorphology.h"
 #include "DistanceTransform.h"
 #include "ExampleSurfaces.h"
 
@@ -87,18 +88,21 @@ TEST(DistanceTransform, IsTheBruteForceDistance)
   }
 }
 
-TEST(DistanceTransform, GrowsAndShrinksByABallInMillimetres)
+TEST(BallMorphology, GrowsAndShrinksByABallInMillimetres)
 {
   std::mt19937 random(2);
   for (const ImageGeometry& geometry : ExampleGrids)
   {
-    for (double radius : { 0.0, 0.65, 1.0, 2.0, 3.3 })
+    for (double radius : { 0.0, 0.65, 1.0, 2.0, 3.3, 30.0 })
     {
       for (unsigned char value : { 0, 1 })
       {
         const std::vector<unsigned char> mask = RandomMask(geometry, value ? 0.03 : 0.97, random);
         std::vector<unsigned char> grown = mask;
         GrowValue(grown, geometry, radius, value, SerialFor);
+        std::vector<unsigned char> threaded = mask;
+        GrowValue(threaded, geometry, radius, value, ScatteredFor);
+        ASSERT_EQ(threaded, grown);
         for (int k = 0; k < geometry.Dimensions[2]; ++k)
         {
           for (int j = 0; j < geometry.Dimensions[1]; ++j)
