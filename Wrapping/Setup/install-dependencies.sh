@@ -32,6 +32,7 @@ test_packages=(
   libcgal-dev
   libgtest-dev
   python3-numpy
+  tetgen
 )
 
 usage()
