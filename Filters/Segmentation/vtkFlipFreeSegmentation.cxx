@@ -26,6 +26,8 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
+#include <stdexcept>
+#include <string>
 #include <vector>
 
 vtkStandardNewMacro(vtkFlipFreeSegmentation);
@@ -231,6 +233,13 @@ void vtkFlipFreeSegmentation::Execute(vtkImageData* image, vtkPolyData* start)
     return;
   }
   this->NumberOfSelfIntersections = static_cast<int>(organ.SelfIntersections);
+  if (this->Guard && organ.SelfIntersections > 0)
+  {
+    throw std::logic_error("the surface intersects itself in " +
+      std::to_string(organ.SelfIntersections) +
+      " pairs of triangles although every step was certified, which should be impossible; please "
+      "report it with the image and the parameters");
+  }
   FlipFree::AttachMesh(organ.Mesh, organ.Points, this->Cache->Surface);
   FlipFree::AttachField(organ.Field, this->Cache->Surface);
 
