@@ -3,6 +3,9 @@
 #include "FlipAvoidance.h"
 #include "Stopwatch.h"
 
+#include <stdexcept>
+#include <string>
+
 namespace FlipFree
 {
 
@@ -22,6 +25,12 @@ DeformationStepReport DeformOnce(const ContourMesh& mesh, const EmbeddingGuard* 
 
   PointList motion = field.Displacements;
   SolveDeformation(mesh, points, field.Displacements, settings.Energy, motion);
+  if (!motion.allFinite())
+  {
+    throw std::invalid_argument("the displacements, of up to " +
+      std::to_string(field.Displacements.cwiseAbs().maxCoeff()) +
+      " mm, are too long to be computed with; limit them (MaximumDisplacement)");
+  }
   report.SolveSeconds = watch.Lap();
 
   if (guard != nullptr)

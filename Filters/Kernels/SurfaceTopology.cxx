@@ -158,4 +158,22 @@ void RequireClosed(int numberOfPoints, const TriangleList& triangles, const std:
   }
 }
 
+void RequireOutward(const PointList& points, const TriangleList& triangles, const std::string& name)
+{
+  const Eigen::RowVector3d center = points.colwise().mean();
+  double volume = 0;
+  for (Eigen::Index triangle = 0; triangle < triangles.rows(); ++triangle)
+  {
+    const Eigen::RowVector3d a = points.row(triangles(triangle, 0)) - center;
+    const Eigen::RowVector3d b = points.row(triangles(triangle, 1)) - center;
+    const Eigen::RowVector3d c = points.row(triangles(triangle, 2)) - center;
+    volume += a.dot(b.cross(c)) / 6;
+  }
+  if (volume < 0)
+  {
+    throw std::invalid_argument(name + " is inside out: it encloses a volume of " +
+      std::to_string(volume) + " mm3; reverse its faces, as vtkReverseSense does");
+  }
+}
+
 } // namespace FlipFree
