@@ -3,6 +3,7 @@
 #include "ContourMeshAdapter.h"
 #include "FieldData.h"
 #include "GreyImageAdapter.h"
+#include "PropertyCheck.h"
 #include "TargetSearch.h"
 #include "VoxelOverlap.h"
 
@@ -62,6 +63,11 @@ int vtkCorrespondenceSearch::RequestData(vtkInformation*, vtkInformationVector**
   output->Initialize();
   try
   {
+    FlipFree::RequireNumbers(
+      { { "Threshold", this->Threshold }, { "SearchDistance", this->SearchDistance },
+        { "RunLength", this->RunLength }, { "ImageEndDistance", this->ImageEndDistance },
+        { "EdgeWindow", this->EdgeWindow }, { "OutlierDeviations", this->OutlierDeviations },
+        { "MaximumDisplacement", this->MaximumDisplacement } });
     const FlipFree::DeformableSurface surface =
       FlipFree::DeformableSurfaceOf(input, "the surface on port 0", false);
     FlipFree::RequireGreyImage(featureImage, "the feature on port 1");

@@ -3,6 +3,7 @@
 #include "FieldData.h"
 #include "GreyImageAdapter.h"
 #include "OrganFeature.h"
+#include "PropertyCheck.h"
 #include "SurfaceAdapter.h"
 
 #include "vtkImageData.h"
@@ -66,6 +67,10 @@ int vtkGMMFeatureFilter::RequestData(vtkInformation*, vtkInformationVector** inp
   output->Initialize();
   try
   {
+    FlipFree::RequireNumbers({ { "MinimumComponentWeight", this->MinimumComponentWeight },
+      { "NoiseWidening", this->NoiseWidening }, { "ForegroundMass", this->ForegroundMass },
+      { "FeatureThreshold", this->FeatureThreshold }, { "ClosingRadius", this->ClosingRadius },
+      { "OpeningRadius", this->OpeningRadius } });
     FlipFree::RequireGreyImage(image, "the image on port 0");
     const FlipFree::ImageGeometry geometry = FlipFree::GeometryOf(image);
     FlipFree::RequireSeed(geometry, seed, "the image on port 0");

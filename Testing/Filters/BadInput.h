@@ -21,7 +21,7 @@ constexpr double Infinite = std::numeric_limits<double>::infinity();
 
 /// Of the sphere in SphereImage, and of a seed in it.
 const Eigen::Vector3d ExampleCenter(46.5, 46.5, 46.5);
-constexpr double ExampleRadius = 10;
+constexpr double ExampleRadius = 18;
 
 /// A bright sphere of radius 30 mm in 32 x 32 x 32 voxels of 3 mm.
 inline vtkSmartPointer<vtkImageData> SphereImage()

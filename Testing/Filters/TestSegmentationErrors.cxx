@@ -41,6 +41,7 @@ protected:
     EXPECT_EQ(this->Filter->GetLabelMap()->GetNumberOfPoints(), 32 * 32 * 32);
     EXPECT_GT(this->Filter->GetConvergence()->GetNumberOfRows(), 0);
     EXPECT_EQ(this->Filter->GetNumberOfSelfIntersections(), 0);
+    EXPECT_STRNE(this->Filter->GetStopReason(), "no boundary found");
   }
 
   vtkNew<vtkFlipFreeSegmentation> Filter;
@@ -188,6 +189,15 @@ TEST_F(SegmentationRefuses, ButNotASeedOfOneValueWithContrast)
   phantom->SetNoiseDeviation(0);
   this->Filter->SetInputConnection(phantom->GetOutputPort());
   this->ExpectSegmentation();
+}
+
+TEST_F(SegmentationRefuses, PropertiesThatAreNotNumbers)
+{
+  this->Filter->SetPositionWeight(NotANumber);
+  ExpectRefusal(this->Filter, { "the property PositionWeight", "NaN", "set it" });
+  this->Filter->SetPositionWeight(0.3);
+  this->Filter->SetStartCenterOffset(0, NotANumber, 0);
+  ExpectRefusal(this->Filter, { "the property StartCenterOffset", "NaN", "set it" });
 }
 
 TEST_F(SegmentationRefuses, AStartWithoutPoints)

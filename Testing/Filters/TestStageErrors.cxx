@@ -444,6 +444,30 @@ TEST(RefinementRefuses, BadSurfaces)
   EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 4 * 96);
 }
 
+TEST_F(SeedRegionDiffusionRefuses, PropertiesThatAreNotNumbers)
+{
+  this->Filter->SetReach(NotANumber);
+  ExpectRefusal(this->Filter, { "the property Reach", "NaN" });
+}
+
+TEST_F(FeatureFilterRefuses, PropertiesThatAreNotNumbers)
+{
+  this->Filter->SetForegroundMass(NotANumber);
+  ExpectRefusal(this->Filter, { "the property ForegroundMass", "NaN" });
+}
+
+TEST_F(CorrespondenceSearchRefuses, PropertiesThatAreNotNumbers)
+{
+  this->Filter->SetSearchDistance(NotANumber);
+  ExpectRefusal(this->Filter, { "the property SearchDistance", "NaN" });
+}
+
+TEST_F(DeformRefuses, PropertiesThatAreNotNumbers)
+{
+  this->Filter->SetUniformWeight(NotANumber);
+  this->ExpectRefused({ "the property UniformWeight", "NaN" });
+}
+
 TEST(QuadSphereSourceRefuses, NumbersThatAreNotFinite)
 {
   vtkNew<vtkQuadSphereSource> source;
