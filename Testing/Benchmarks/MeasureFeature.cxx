@@ -2,6 +2,7 @@
 #include "ExampleRun.h"
 
 #include "AnisotropicDiffusion.h"
+#include "BallMorphology.h"
 #include "DistanceTransform.h"
 
 #include <algorithm>
@@ -74,6 +75,21 @@ void Distances(benchmark::State& state)
   ReportTimePer("voxel", static_cast<double>(run.Foreground.size()), state);
 }
 
+void Opening(benchmark::State& state)
+{
+  const ExampleRun& run = TheExampleRun();
+  const double radius = run.FeatureSettings.Leaks.OpeningRadius;
+  const ParallelFor parallelFor = ThreadedFor(state.range(0));
+  for (auto _ : state)
+  {
+    std::vector<unsigned char> mask = run.Foreground;
+    GrowValue(mask, run.Smooth.Geometry, radius, 0, parallelFor);
+    GrowValue(mask, run.Smooth.Geometry, radius, 1, parallelFor);
+    benchmark::ClobberMemory();
+  }
+  ReportTimePer("voxel", static_cast<double>(run.Foreground.size()), state);
+}
+
 void FeatureImage(benchmark::State& state)
 {
   const ExampleRun& run = TheExampleRun();
@@ -91,6 +107,7 @@ BENCHMARK(MixtureFit)->Unit(benchmark::kMillisecond);
 BENCHMARK(ModelFit)->Unit(benchmark::kMillisecond);
 BENCHMARK(LookUp)->Unit(benchmark::kMillisecond);
 BENCHMARK(Distances)->Apply(Threads);
+BENCHMARK(Opening)->Apply(Threads);
 BENCHMARK(FeatureImage)->Apply(Threads);
 
 } // namespace
