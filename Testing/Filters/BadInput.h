@@ -69,7 +69,7 @@ inline vtkSmartPointer<vtkPolyData> StartSphere(double radius = ExampleRadius)
 /// Without its last face.
 inline vtkSmartPointer<vtkPolyData> OpenSphere()
 {
-  const auto sphere = StartSphere();
+  auto sphere = StartSphere();
   vtkNew<vtkCellArray> faces;
   for (vtkIdType face = 0; face + 1 < sphere->GetNumberOfPolys(); ++face)
   {
@@ -85,7 +85,7 @@ inline vtkSmartPointer<vtkPolyData> OpenSphere()
 /// Its faces turned inward.
 inline vtkSmartPointer<vtkPolyData> SphereInsideOut()
 {
-  const auto sphere = StartSphere();
+  auto sphere = StartSphere();
   sphere->GetPolys()->Modified();
   for (vtkIdType face = 0; face < sphere->GetNumberOfPolys(); ++face)
   {
@@ -97,7 +97,7 @@ inline vtkSmartPointer<vtkPolyData> SphereInsideOut()
 /// One vertex on the other side.
 inline vtkSmartPointer<vtkPolyData> SelfIntersectingSphere()
 {
-  const auto sphere = StartSphere();
+  auto sphere = StartSphere();
   const Eigen::Vector3d opposite = 2 * ExampleCenter -
     1.5 * (Eigen::Map<const Eigen::Vector3d>(sphere->GetPoint(5)) - ExampleCenter) - ExampleCenter;
   sphere->GetPoints()->SetPoint(5, opposite.data());
@@ -106,7 +106,7 @@ inline vtkSmartPointer<vtkPolyData> SelfIntersectingSphere()
 
 inline vtkSmartPointer<vtkPolyData> SphereWithPointAt(double x)
 {
-  const auto sphere = StartSphere();
+  auto sphere = StartSphere();
   sphere->GetPoints()->SetPoint(7, x, 0, 0);
   return sphere;
 }
