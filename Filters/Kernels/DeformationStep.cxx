@@ -3,8 +3,8 @@
 #include "FlipAvoidance.h"
 #include "Stopwatch.h"
 
+#include <sstream>
 #include <stdexcept>
-#include <string>
 
 namespace FlipFree
 {
@@ -27,9 +27,10 @@ DeformationStepReport DeformOnce(const ContourMesh& mesh, const EmbeddingGuard* 
   SolveDeformation(mesh, points, field.Displacements, settings.Energy, motion);
   if (!motion.allFinite())
   {
-    throw std::invalid_argument("the displacements, of up to " +
-      std::to_string(field.Displacements.cwiseAbs().maxCoeff()) +
-      " mm, are too long to be computed with; limit them (MaximumDisplacement)");
+    std::ostringstream message;
+    message << "the displacements, of up to " << field.Displacements.cwiseAbs().maxCoeff()
+            << " mm, are too long to be computed with; limit them (MaximumDisplacement)";
+    throw std::invalid_argument(message.str());
   }
   report.SolveSeconds = watch.Lap();
 

@@ -1,6 +1,7 @@
 #include "SurfaceTopology.h"
 
 #include <algorithm>
+#include <sstream>
 #include <stdexcept>
 
 namespace FlipFree
@@ -171,8 +172,10 @@ void RequireOutward(const PointList& points, const TriangleList& triangles, cons
   }
   if (volume < 0)
   {
-    throw std::invalid_argument(name + " is inside out: it encloses a volume of " +
-      std::to_string(volume) + " mm3; reverse its faces, as vtkReverseSense does");
+    std::ostringstream message;
+    message << name << " is inside out: it encloses a volume of " << volume
+            << " mm3; reverse its faces, as vtkReverseSense does";
+    throw std::invalid_argument(message.str());
   }
 }
 

@@ -53,8 +53,8 @@ inline std::vector<double> FieldValues(const std::string& name, vtkIdType size, 
   if (!valid)
   {
     throw std::invalid_argument("the field array " + name + " of " + owner + " must hold " +
-      std::to_string(size) + (negative ? " finite" : " finite, non-negative") +
-      " number(s); remove it, or take it from the filter that makes it");
+      (size == 1 ? "one finite number" : std::to_string(size) + " finite numbers") +
+      (negative ? "" : ", not negative") + "; remove it, or take it from the filter that makes it");
   }
   return values;
 }
