@@ -8,6 +8,7 @@
 #include "ContourMesh.h"
 #include "Correspondence.h"
 #include "MeshAdapter.h"
+#include "MessageText.h"
 #include "SelfIntersection.h"
 #include "SurfaceAdapter.h"
 
@@ -31,7 +32,7 @@ struct DeformableSurface
 };
 
 /// Throws std::invalid_argument, naming the surface by `name`, when it is not a closed mesh with
-/// four neighbours at every vertex, or, if asked, intersects itself.
+/// four neighbours at every vertex, or, if asked, intersects itself or is inside out.
 inline DeformableSurface DeformableSurfaceOf(vtkPolyData* data, const std::string& name,
   bool requireEmbedded)
 {
@@ -48,12 +49,15 @@ inline DeformableSurface DeformableSurfaceOf(vtkPolyData* data, const std::strin
   result.Points = std::move(surface.Points);
   if (requireEmbedded)
   {
-    const auto pairs = CountSelfIntersections(result.Points, result.Mesh.Triangles);
-    if (pairs > 0)
+    const auto pairs = FindSelfIntersections(result.Points, result.Mesh.Triangles);
+    if (!pairs.empty())
     {
-      throw std::invalid_argument(name + " intersects itself in " + std::to_string(pairs) +
-        " pairs of triangles; start from an embedded surface, or switch the guard off");
+      throw std::invalid_argument(name + " intersects itself in " + std::to_string(pairs.size()) +
+        " pairs of triangles, the first near " +
+        TextOf(result.Points.row(result.Mesh.Triangles(pairs[0].first, 0))) +
+        " mm; start from an embedded surface, or switch Guard (of a refinement: Check) off");
     }
+    RequireOutward(result.Points, result.Mesh.Triangles, name);
   }
   return result;
 }
@@ -82,6 +86,14 @@ inline void AttachField(const CorrespondenceField& field, vtkPolyData* surface)
   surface->GetPointData()->AddArray(state);
 }
 
+/// What an array is where it is not what it should be.
+inline std::string DescribeArray(vtkAbstractArray* array)
+{
+  return array ? " (it has " + std::to_string(array->GetNumberOfTuples()) + " tuples of " +
+      std::to_string(array->GetNumberOfComponents()) + " x " + array->GetDataTypeAsString() + ")"
+               : "";
+}
+
 /// Throws std::invalid_argument unless the surface carries both arrays as the search makes them.
 inline CorrespondenceField FieldOf(vtkPolyData* surface, const std::string& name)
 {
@@ -93,25 +105,39 @@ inline CorrespondenceField FieldOf(vtkPolyData* surface, const std::string& name
     displacement->GetNumberOfTuples() != size)
   {
     throw std::invalid_argument(name +
-      " lacks the point array Displacement (3 doubles per point); connect vtkCorrespondenceSearch");
+      " lacks the point array Displacement of 3 doubles per point" +
+      DescribeArray(data->GetAbstractArray("Displacement")) + "; connect vtkCorrespondenceSearch");
   }
-  if (!state || state->GetNumberOfValues() != size)
+  if (!state || state->GetNumberOfComponents() != 1 || state->GetNumberOfTuples() != size)
   {
     throw std::invalid_argument(name +
-      " lacks the point array Correspondence (unsigned char); connect vtkCorrespondenceSearch");
+      " lacks the point array Correspondence of 1 unsigned char per point" +
+      DescribeArray(data->GetAbstractArray("Correspondence")) +
+      "; connect vtkCorrespondenceSearch");
   }
   CorrespondenceField field;
   field.Displacements = Eigen::Map<const PointList>(displacement->GetPointer(0), size, 3);
   if (!field.Displacements.allFinite())
   {
-    throw std::invalid_argument(
-      "the array Displacement of " + name + " holds values that are not finite numbers");
+    vtkIdType vertex = 0;
+    while (field.Displacements.row(vertex).allFinite())
+    {
+      ++vertex;
+    }
+    throw std::invalid_argument("the array Displacement of " + name + " is not finite at point " +
+      std::to_string(vertex) + "; set it to zero there, and Correspondence to 0");
   }
   field.States.resize(size);
   for (vtkIdType vertex = 0; vertex < size; ++vertex)
   {
-    field.States[vertex] =
-      state->GetValue(vertex) == 0 ? VertexState::Solitary : VertexState::Matched;
+    const unsigned char value = state->GetValue(vertex);
+    if (value > static_cast<unsigned char>(VertexState::Flipping))
+    {
+      throw std::invalid_argument("the array Correspondence of " + name + " has the value " +
+        std::to_string(value) + " at point " + std::to_string(vertex) +
+        "; use 0 for solitary, 1 for matched, 2 for flipping");
+    }
+    field.States[vertex] = value == 0 ? VertexState::Solitary : VertexState::Matched;
   }
   return field;
 }

@@ -7,6 +7,7 @@
 
 #include "ExecutionAdapter.h"
 #include "ImageAdapter.h"
+#include "MessageText.h"
 #include "SeedRegion.h"
 
 #include "vtkDataArray.h"
@@ -21,8 +22,27 @@
 namespace FlipFree
 {
 
-/// Throws std::invalid_argument, naming the image by `name`, unless it has voxels, and scalars of
-/// one component for each of them.
+/// Throws std::invalid_argument, naming the image by `name`, unless its voxels lie apart on three
+/// independent axes.
+inline void RequireProperGrid(vtkImageData* image, const std::string& name)
+{
+  const ImageGeometry geometry = GeometryOf(image);
+  if (!(geometry.Spacing.minCoeff() > 0) || !geometry.Spacing.allFinite())
+  {
+    throw std::invalid_argument(name + " has a spacing of " + TextOf(geometry.Spacing) +
+      " mm; make it positive on every axis, and turn axes by the direction matrix");
+  }
+  if (!(std::abs(geometry.Direction.determinant()) > 1e-6) || !geometry.Direction.allFinite() ||
+    !geometry.Origin.allFinite())
+  {
+    throw std::invalid_argument(name +
+      " has a direction matrix that cannot be inverted, or an origin that is not finite; correct "
+      "them");
+  }
+}
+
+/// Throws std::invalid_argument, naming the image by `name`, unless it has voxels on a proper grid,
+/// and scalars of one component for each of them.
 inline void RequireGreyImage(vtkImageData* image, const std::string& name)
 {
   if (!image || image->GetNumberOfPoints() == 0)
@@ -30,16 +50,28 @@ inline void RequireGreyImage(vtkImageData* image, const std::string& name)
     throw std::invalid_argument(name + " has no voxels; connect an image");
   }
   vtkDataArray* scalars = image->GetPointData()->GetScalars();
-  if (!scalars || scalars->GetNumberOfTuples() != image->GetNumberOfPoints())
+  if (!scalars)
   {
     throw std::invalid_argument(
       name + " has no point scalars; make the array of its intensities the active scalars");
+  }
+  if (scalars->GetNumberOfTuples() != image->GetNumberOfPoints())
+  {
+    throw std::invalid_argument(name + " has " + std::to_string(scalars->GetNumberOfTuples()) +
+      " scalars for " + std::to_string(image->GetNumberOfPoints()) +
+      " voxels; give it one for each");
   }
   if (scalars->GetNumberOfComponents() != 1)
   {
     throw std::invalid_argument(name + " has " + std::to_string(scalars->GetNumberOfComponents()) +
       " components per voxel; extract one of them by vtkImageExtractComponents");
   }
+  if (scalars->GetDataType() == VTK_BIT)
+  {
+    throw std::invalid_argument(
+      name + " has scalars of type bit; copy them into an array of unsigned char");
+  }
+  RequireProperGrid(image, name);
 }
 
 /// Throws std::invalid_argument unless the centre lies within the image and the radius is a voxel
@@ -48,7 +80,6 @@ inline void RequireSeed(const ImageGeometry& geometry, const SeedSphere& seed,
   const std::string& name)
 {
   const Eigen::Vector3d index = geometry.ToIndex(seed.Center);
-  std::ostringstream message;
   for (int axis = 0; axis < 3; ++axis)
   {
     if (!(index[axis] >= -0.5 && index[axis] <= geometry.Dimensions[axis] - 0.5))
@@ -56,14 +87,14 @@ inline void RequireSeed(const ImageGeometry& geometry, const SeedSphere& seed,
       const Eigen::Vector3d first = geometry.ToPhysical(Eigen::Vector3d::Zero());
       const Eigen::Vector3d last = geometry.ToPhysical(Eigen::Vector3d(geometry.Dimensions[0] - 1,
         geometry.Dimensions[1] - 1, geometry.Dimensions[2] - 1));
-      message << "the seed's centre (" << seed.Center.transpose() << ") mm lies outside " << name
-              << ", which reaches from (" << first.transpose() << ") to (" << last.transpose()
-              << ") mm; give it in the image's physical coordinates";
-      throw std::invalid_argument(message.str());
+      throw std::invalid_argument("the seed's centre " + TextOf(seed.Center) + " mm lies outside " +
+        name + ", which reaches from " + TextOf(first) + " to " + TextOf(last) +
+        " mm; give it in the image's physical coordinates");
     }
   }
   if (!(seed.Radius >= geometry.Spacing.minCoeff()))
   {
+    std::ostringstream message;
     message << "the seed's radius of " << seed.Radius << " mm is below a voxel of " << name << " ("
             << geometry.Spacing.minCoeff() << " mm); enlarge it";
     throw std::invalid_argument(message.str());
@@ -81,11 +112,9 @@ inline void RequireFinite(const FloatImage& image, const std::string& name)
       const std::size_t rows = image.Geometry.Dimensions[1];
       const Eigen::Matrix<std::size_t, 3, 1> index(voxel % row, voxel / row % rows,
         voxel / row / rows);
-      std::ostringstream message;
-      message << "a voxel of " << name << ", at ("
-              << image.Geometry.ToPhysical(index.cast<double>()).transpose()
-              << ") mm, is not a finite number; replace such voxels first";
-      throw std::invalid_argument(message.str());
+      throw std::invalid_argument("a voxel of " + name + ", at " +
+        TextOf(image.Geometry.ToPhysical(index.cast<double>())) +
+        " mm, is not a finite number; replace such voxels first");
     }
   }
 }

@@ -3,6 +3,9 @@
 #include "FlipAvoidance.h"
 #include "Stopwatch.h"
 
+#include <sstream>
+#include <stdexcept>
+
 namespace FlipFree
 {
 
@@ -22,6 +25,13 @@ DeformationStepReport DeformOnce(const ContourMesh& mesh, const EmbeddingGuard* 
 
   PointList motion = field.Displacements;
   SolveDeformation(mesh, points, field.Displacements, settings.Energy, motion);
+  if (!motion.allFinite())
+  {
+    std::ostringstream message;
+    message << "the displacements, of up to " << field.Displacements.cwiseAbs().maxCoeff()
+            << " mm, are too long to be computed with; limit them (MaximumDisplacement)";
+    throw std::invalid_argument(message.str());
+  }
   report.SolveSeconds = watch.Lap();
 
   if (guard != nullptr)

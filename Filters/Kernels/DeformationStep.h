@@ -31,7 +31,8 @@ struct DeformationStepReport
 
 /// Moves the points. The field is left as flip avoidance left it: its states say which vertices
 /// have a target, its displacements what was wanted of every vertex after propagation. Without a
-/// guard (null) the solved motion is taken as it is.
+/// guard (null) the solved motion is taken as it is. Throws std::invalid_argument when
+/// displacements are too long to be computed with.
 DeformationStepReport DeformOnce(const ContourMesh& mesh, const EmbeddingGuard* guard,
   const DeformationStepSettings& settings, const ParallelFor& parallelFor, const Monitor& monitor,
   CorrespondenceField& field, PointList& points);

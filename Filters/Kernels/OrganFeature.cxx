@@ -13,6 +13,8 @@ namespace
 
 // Fewer voxels do not make a histogram.
 constexpr std::size_t LeastSample = 200;
+// A region with a smaller part of background than this has no contrast.
+constexpr double LeastBackground = 1e-3;
 
 } // namespace
 
@@ -82,6 +84,19 @@ std::vector<float> MakeFeature(const ImageView<float>& smooth, const IntensityMo
       mask[voxel] ? std::max(feature[voxel], threshold) : std::min(feature[voxel], below);
   }
   return feature;
+}
+
+void RequireContrast(const std::vector<float>& feature, double threshold)
+{
+  const auto background = std::count_if(feature.begin(), feature.end(),
+    [threshold](float value) { return value < threshold; });
+  if (static_cast<double>(background) < LeastBackground * static_cast<double>(feature.size()))
+  {
+    throw std::invalid_argument("the seed has no contrast to its surroundings: of the " +
+      std::to_string(feature.size()) + " voxels within reach only " + std::to_string(background) +
+      " differ from its intensities; check the image, or narrow the foreground's intensities "
+      "(ForegroundMass, NoiseWidening)");
+  }
 }
 
 } // namespace FlipFree

@@ -23,6 +23,10 @@ struct OrganFeatureSettings
 std::vector<float> MakeFeature(const ImageView<float>& smooth, const IntensityModel& model,
   const SeedSphere& seed, const OrganFeatureSettings& settings, const ParallelFor& parallelFor);
 
+/// Throws std::invalid_argument when all but a thousandth of a feature image is foreground: then
+/// there is no boundary to be found.
+void RequireContrast(const std::vector<float>& feature, double threshold);
+
 /// Fits the model to the seed.
 IntensityModel FitToSeed(const ImageView<float>& smooth, const SeedSphere& seed, double noise,
   const IntensitySettings& settings);

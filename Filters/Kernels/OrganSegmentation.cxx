@@ -4,9 +4,7 @@
 #include "Stopwatch.h"
 #include "SurfaceRefinement.h"
 
-#include <algorithm>
 #include <memory>
-#include <stdexcept>
 
 namespace FlipFree
 {
@@ -17,8 +15,6 @@ constexpr std::size_t ChangeSpan = 5;
 // A surface that still finds new parts of the boundary is not at rest, though its mean distance to
 // what it has found may grow: by this part of its vertices.
 constexpr double Growth = 0.01;
-// A region with a smaller part of background than this has no contrast.
-constexpr double LeastBackground = 1e-3;
 
 class Run
 {
@@ -43,7 +39,7 @@ public:
     this->Model =
       FitToSeed(this->Smooth, this->Seed, this->Noise, this->Settings.Feature.Intensity);
     this->UpdateFeature();
-    this->RequireContrast();
+    RequireContrast(this->Feature, this->Model.Threshold);
     this->Surface.FeatureSeconds += watch.Lap();
     for (int level = 0; level < this->Settings.Levels; ++level)
     {
@@ -71,22 +67,6 @@ private:
   {
     this->Feature =
       MakeFeature(this->Smooth, this->Model, this->Seed, this->Settings.Feature, this->Parallel);
-  }
-
-  // Where everything is foreground there is no boundary to be found.
-  void RequireContrast() const
-  {
-    const auto background = std::count_if(this->Feature.begin(), this->Feature.end(),
-      [this](float feature) { return feature < this->Model.Threshold; });
-    if (static_cast<double>(background) <
-      LeastBackground * static_cast<double>(this->Feature.size()))
-    {
-      throw std::invalid_argument("the seed has no contrast to its surroundings: of the " +
-        std::to_string(this->Feature.size()) + " voxels within reach only " +
-        std::to_string(background) +
-        " differ from its intensities; check the image, or narrow the foreground's intensities "
-        "(ForegroundMass, NoiseWidening)");
-    }
   }
 
   bool NextLevel()

@@ -1,6 +1,7 @@
 #include "SurfaceTopology.h"
 
 #include <algorithm>
+#include <sstream>
 #include <stdexcept>
 
 namespace FlipFree
@@ -155,6 +156,26 @@ void RequireClosed(int numberOfPoints, const TriangleList& triangles, const std:
         std::to_string(edge.Higher) + " and " + std::to_string(edge.Backward) +
         " pass it backwards; merge coincident points, fill holes, and orient the faces alike");
     }
+  }
+}
+
+void RequireOutward(const PointList& points, const TriangleList& triangles, const std::string& name)
+{
+  const Eigen::RowVector3d center = points.colwise().mean();
+  double volume = 0;
+  for (Eigen::Index triangle = 0; triangle < triangles.rows(); ++triangle)
+  {
+    const Eigen::RowVector3d a = points.row(triangles(triangle, 0)) - center;
+    const Eigen::RowVector3d b = points.row(triangles(triangle, 1)) - center;
+    const Eigen::RowVector3d c = points.row(triangles(triangle, 2)) - center;
+    volume += a.dot(b.cross(c)) / 6;
+  }
+  if (volume < 0)
+  {
+    std::ostringstream message;
+    message << name << " is inside out: it encloses a volume of " << volume
+            << " mm3; reverse its faces, as vtkReverseSense does";
+    throw std::invalid_argument(message.str());
   }
 }
 

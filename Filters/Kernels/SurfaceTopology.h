@@ -52,6 +52,11 @@ void RequireValidFaces(const PointList& points, const FaceList& faces, const std
 /// in one direction as in the other: then the surface is the boundary of a volume.
 void RequireClosed(int numberOfPoints, const TriangleList& triangles, const std::string& name);
 
+/// Throws std::invalid_argument when a closed surface is inside out, its faces clockwise seen from
+/// outside.
+void RequireOutward(const PointList& points, const TriangleList& triangles,
+  const std::string& name);
+
 } // namespace FlipFree
 
 #endif

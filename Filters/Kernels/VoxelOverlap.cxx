@@ -1,7 +1,8 @@
 #include "VoxelOverlap.h"
 
+#include "MessageText.h"
+
 #include <atomic>
-#include <sstream>
 #include <stdexcept>
 
 namespace FlipFree
@@ -9,17 +10,11 @@ namespace FlipFree
 namespace
 {
 
-const Eigen::IOFormat OneLine(Eigen::StreamPrecision, Eigen::DontAlignCols, ", ", ", ", "", "", "(",
-  ")");
-
-[[noreturn]] void RefuseGeometry(const std::string& what, const Eigen::MatrixXd& segmentation,
-  const Eigen::MatrixXd& reference)
+[[noreturn]] void RefuseGeometry(const std::string& what, const Eigen::MatrixXd& ofOne,
+  const std::string& one, const Eigen::MatrixXd& ofOther, const std::string& other)
 {
-  std::ostringstream message;
-  message << "the " << what << " of the segmentation " << segmentation.format(OneLine)
-          << " and of the reference " << reference.format(OneLine)
-          << " differ; resample one onto the grid of the other";
-  throw std::invalid_argument(message.str());
+  throw std::invalid_argument("the " + what + " of " + one + " " + TextOf(ofOne) + " and of " +
+    other + " " + TextOf(ofOther) + " differ; resample one onto the grid of the other");
 }
 
 Eigen::Vector3d Vector(const std::array<int, 3>& values)
@@ -29,39 +24,44 @@ Eigen::Vector3d Vector(const std::array<int, 3>& values)
 
 } // namespace
 
-void RequireSameGeometry(const ImageGeometry& segmentation, const ImageGeometry& reference)
+void RequireSameGeometry(const ImageGeometry& one, const ImageGeometry& other,
+  const std::string& nameOfOne, const std::string& nameOfOther)
 {
-  if (segmentation.Dimensions != reference.Dimensions)
+  const auto refuse =
+    [&](const std::string& what, const Eigen::MatrixXd& ofOne, const Eigen::MatrixXd& ofOther)
+  { RefuseGeometry(what, ofOne, nameOfOne, ofOther, nameOfOther); };
+  if (one.Dimensions != other.Dimensions)
   {
-    RefuseGeometry("dimensions", Vector(segmentation.Dimensions), Vector(reference.Dimensions));
+    refuse("dimensions", Vector(one.Dimensions), Vector(other.Dimensions));
   }
   // Headers round their numbers, so compare where the corner voxels end up.
   for (int corner = 0; corner < 8; ++corner)
   {
     const Eigen::Vector3d index =
       Eigen::Vector3d(corner & 1, (corner >> 1) & 1, corner >> 2)
-        .cwiseProduct(Vector(reference.Dimensions) - Eigen::Vector3d::Ones());
-    const double distance = (segmentation.ToPhysical(index) - reference.ToPhysical(index)).norm();
-    if (distance <= 0.01 * reference.Spacing.cwiseAbs().minCoeff())
+        .cwiseProduct(Vector(other.Dimensions) - Eigen::Vector3d::Ones());
+    const double distance = (one.ToPhysical(index) - other.ToPhysical(index)).norm();
+    if (distance <= 0.01 * other.Spacing.cwiseAbs().minCoeff())
     {
       continue;
     }
     if (corner == 0)
     {
-      RefuseGeometry("origins", segmentation.Origin, reference.Origin);
+      refuse("origins", one.Origin, other.Origin);
     }
-    if (!segmentation.Spacing.isApprox(reference.Spacing, 1e-5))
+    if (!one.Spacing.isApprox(other.Spacing, 1e-5))
     {
-      RefuseGeometry("spacings", segmentation.Spacing, reference.Spacing);
+      refuse("spacings", one.Spacing, other.Spacing);
     }
-    RefuseGeometry("direction matrices", segmentation.Direction, reference.Direction);
+    refuse("direction matrices", one.Direction, other.Direction);
   }
 }
 
 VoxelOverlap MeasureOverlap(const ImageView<unsigned char>& segmentation,
   const ImageView<unsigned char>& reference, const ParallelFor& parallelFor)
 {
-  RequireSameGeometry(segmentation.Geometry, reference.Geometry);
+  RequireSameGeometry(segmentation.Geometry, reference.Geometry, "the segmentation",
+    "the reference");
   std::atomic<std::size_t> inSegmentation{ 0 };
   std::atomic<std::size_t> inReference{ 0 };
   std::atomic<std::size_t> inBoth{ 0 };

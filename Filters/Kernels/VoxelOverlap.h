@@ -7,6 +7,8 @@
 
 #include "KernelTypes.h"
 
+#include <string>
+
 namespace FlipFree
 {
 
@@ -34,9 +36,10 @@ struct VoxelOverlap
 VoxelOverlap MeasureOverlap(const ImageView<unsigned char>& segmentation,
   const ImageView<unsigned char>& reference, const ParallelFor& parallelFor = SerialFor);
 
-/// Throws std::invalid_argument, saying what differs, unless the two grids have the same dimensions
-/// and each voxel lies within a hundredth of a voxel of its counterpart.
-void RequireSameGeometry(const ImageGeometry& segmentation, const ImageGeometry& reference);
+/// Throws std::invalid_argument, saying what differs between the two named so, unless the grids
+/// have the same dimensions and each voxel lies within a hundredth of a voxel of its counterpart.
+void RequireSameGeometry(const ImageGeometry& one, const ImageGeometry& other,
+  const std::string& nameOfOne, const std::string& nameOfOther);
 
 } // namespace FlipFree
 

@@ -11,8 +11,12 @@
 #include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
+#include "vtkVariant.h"
 
 #include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
 #include <vector>
 
 namespace FlipFree
@@ -29,14 +33,28 @@ inline void AddFieldValues(const char* name, const std::vector<double>& values, 
   data->GetFieldData()->AddArray(array);
 }
 
-/// The values of a field array of doubles; empty where there is none.
-inline std::vector<double> FieldValues(const char* name, vtkDataObject* data)
+/// The values of a field array of numbers; empty where there is none. Throws std::invalid_argument,
+/// naming the data object by `owner`, unless they are `size` finite numbers, not negative if asked.
+inline std::vector<double> FieldValues(const std::string& name, vtkIdType size, bool negative,
+  vtkDataObject* data, const std::string& owner)
 {
   std::vector<double> values;
-  auto* array = vtkDoubleArray::SafeDownCast(data->GetFieldData()->GetArray(name));
-  for (vtkIdType i = 0; array && i < array->GetNumberOfValues(); ++i)
+  vtkDataArray* array = data->GetFieldData()->GetArray(name.c_str());
+  if (!array)
   {
-    values.push_back(array->GetValue(i));
+    return values;
+  }
+  bool valid = array->GetNumberOfValues() == size;
+  for (vtkIdType i = 0; valid && i < size; ++i)
+  {
+    values.push_back(array->GetVariantValue(i).ToDouble());
+    valid = std::isfinite(values.back()) && (negative || values.back() >= 0);
+  }
+  if (!valid)
+  {
+    throw std::invalid_argument("the field array " + name + " of " + owner + " must hold " +
+      (size == 1 ? "one finite number" : std::to_string(size) + " finite numbers") +
+      (negative ? "" : ", not negative") + "; remove it, or take it from the filter that makes it");
   }
   return values;
 }

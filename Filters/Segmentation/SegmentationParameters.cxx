@@ -1,5 +1,7 @@
 #include "SegmentationParameters.h"
 
+#include "PropertyCheck.h"
+
 #include "vtkFlipFreeSegmentation.h"
 
 #include <algorithm>
@@ -26,6 +28,27 @@ double Clamp(double value, double least, double greatest)
 }
 
 } // namespace
+
+void RequireParameters(vtkFlipFreeSegmentation* filter)
+{
+  const double* offset = filter->GetStartCenterOffset();
+  RequireNumbers({ { "StartScale", filter->GetStartScale() },
+    { "DistanceTolerance", filter->GetDistanceTolerance() },
+    { "ChangeTolerance", filter->GetChangeTolerance() }, { "Reach", filter->GetReach() },
+    { "ForegroundMass", filter->GetForegroundMass() },
+    { "FeatureThreshold", filter->GetFeatureThreshold() },
+    { "NoiseWidening", filter->GetNoiseWidening() },
+    { "ClosingRadius", filter->GetClosingRadius() }, { "OpeningScale", filter->GetOpeningScale() },
+    { "SearchScale", filter->GetSearchScale() }, { "SearchDistance", filter->GetSearchDistance() },
+    { "RunLength", filter->GetRunLength() }, { "EdgeWindow", filter->GetEdgeWindow() },
+    { "ImageEndDistance", filter->GetImageEndDistance() },
+    { "OutlierDeviations", filter->GetOutlierDeviations() },
+    { "MaximumDisplacement", filter->GetMaximumDisplacement() },
+    { "FlipThreshold", filter->GetFlipThreshold() },
+    { "PositionWeight", filter->GetPositionWeight() },
+    { "UniformWeight", filter->GetUniformWeight() }, { "Fairing", filter->GetFairing() },
+    { "StartCenterOffset", offset[0] + offset[1] + offset[2] } });
+}
 
 int FirstResolution(vtkFlipFreeSegmentation* filter)
 {

@@ -14,6 +14,9 @@ class vtkFlipFreeSegmentation;
 namespace FlipFree
 {
 
+/// Throws std::invalid_argument, naming the first parameter that is NaN.
+void RequireParameters(vtkFlipFreeSegmentation* filter);
+
 /// n of the first level.
 int FirstResolution(vtkFlipFreeSegmentation* filter);
 

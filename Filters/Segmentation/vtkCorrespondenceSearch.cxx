@@ -3,6 +3,7 @@
 #include "ContourMeshAdapter.h"
 #include "FieldData.h"
 #include "GreyImageAdapter.h"
+#include "PropertyCheck.h"
 #include "TargetSearch.h"
 #include "VoxelOverlap.h"
 
@@ -62,29 +63,39 @@ int vtkCorrespondenceSearch::RequestData(vtkInformation*, vtkInformationVector**
   output->Initialize();
   try
   {
+    FlipFree::RequireNumbers(
+      { { "Threshold", this->Threshold }, { "SearchDistance", this->SearchDistance },
+        { "RunLength", this->RunLength }, { "ImageEndDistance", this->ImageEndDistance },
+        { "EdgeWindow", this->EdgeWindow }, { "OutlierDeviations", this->OutlierDeviations },
+        { "MaximumDisplacement", this->MaximumDisplacement } });
     const FlipFree::DeformableSurface surface =
       FlipFree::DeformableSurfaceOf(input, "the surface on port 0", false);
     FlipFree::RequireGreyImage(featureImage, "the feature on port 1");
     const FlipFree::FloatImage feature = FlipFree::GreyRegionOf(featureImage,
       FlipFree::WholeExtent(FlipFree::GeometryOf(featureImage)));
+    FlipFree::RequireFinite(feature, "the feature on port 1");
     FlipFree::FloatImage edges;
     if (this->EdgeWindow > 0)
     {
       FlipFree::RequireGreyImage(edgeImage, "the edge image on port 2");
       edges =
         FlipFree::GreyRegionOf(edgeImage, FlipFree::WholeExtent(FlipFree::GeometryOf(edgeImage)));
-      FlipFree::RequireSameGeometry(edges.Geometry, feature.Geometry);
+      FlipFree::RequireFinite(edges, "the edge image on port 2");
+      FlipFree::RequireSameGeometry(edges.Geometry, feature.Geometry, "the edge image on port 2",
+        "the feature on port 1");
     }
 
     FlipFree::TargetSettings settings;
-    const std::vector<double> threshold = FlipFree::FieldValues("FeatureThreshold", featureImage);
+    const std::vector<double> threshold =
+      FlipFree::FieldValues("FeatureThreshold", 1, false, featureImage, "the feature on port 1");
     settings.Correspondence.Threshold =
       this->Threshold > 0 || threshold.empty() ? this->Threshold : threshold.front();
     if (settings.Correspondence.Threshold <= 0)
     {
       settings.Correspondence.Threshold = 0.5;
     }
-    const std::vector<double> ramp = FlipFree::FieldValues("EdgeRamp", featureImage);
+    const std::vector<double> ramp =
+      FlipFree::FieldValues("EdgeRamp", 3, true, featureImage, "the feature on port 1");
     if (ramp.size() == 3)
     {
       settings.Correspondence.Ramp = { ramp[0], ramp[1], ramp[2] };

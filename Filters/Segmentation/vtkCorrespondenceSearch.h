@@ -15,8 +15,9 @@
  * solitary) and `Correspondence` (unsigned char: 0 solitary, 1 matched). Field data `MeanDistance`
  * (1 double, mm): mean distance to the targets found, before they are limited.
  *
- * Errors: a surface that is open or not four-valent; images without scalars or with several
- * components; an edge image of another grid than the feature.
+ * Errors: a surface that is open or not four-valent; images without scalars, with several
+ * components or with voxels that are not finite; an edge image that is missing or has another grid
+ * than the feature; `FeatureThreshold` or `EdgeRamp` of another size or not finite.
  */
 #ifndef vtkCorrespondenceSearch_h
 #define vtkCorrespondenceSearch_h

@@ -4,6 +4,7 @@
 #include "DeformationStep.h"
 #include "ExecutionAdapter.h"
 #include "FieldData.h"
+#include "PropertyCheck.h"
 
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
@@ -28,6 +29,9 @@ int vtkFlipFreeDeform::RequestData(vtkInformation*, vtkInformationVector** input
   settings.Energy.Fairing = this->Fairing;
   try
   {
+    FlipFree::RequireNumbers(
+      { { "FlipThreshold", this->FlipThreshold }, { "PositionWeight", this->PositionWeight },
+        { "UniformWeight", this->UniformWeight }, { "Fairing", this->Fairing } });
     FlipFree::DeformableSurface surface =
       FlipFree::DeformableSurfaceOf(input, "the surface on port 0", this->Guard);
     FlipFree::CorrespondenceField field = FlipFree::FieldOf(input, "the surface on port 0");

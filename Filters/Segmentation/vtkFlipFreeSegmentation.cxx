@@ -179,6 +179,7 @@ void vtkFlipFreeSegmentation::Execute(vtkImageData* image, vtkPolyData* start)
   std::fill_n(this->StageSeconds, 4, 0.0);
 
   const FlipFree::SeedSphere seed{ Eigen::Vector3d(this->SeedCenter), this->SeedRadius };
+  FlipFree::RequireParameters(this);
   FlipFree::RequireGreyImage(image, "the image on port 0");
   const FlipFree::ImageGeometry geometry = FlipFree::GeometryOf(image);
   FlipFree::RequireSeed(geometry, seed, "the image on port 0");

@@ -3,6 +3,7 @@
 #include "FieldData.h"
 #include "GreyImageAdapter.h"
 #include "OrganFeature.h"
+#include "PropertyCheck.h"
 #include "SurfaceAdapter.h"
 
 #include "vtkImageData.h"
@@ -66,13 +67,18 @@ int vtkGMMFeatureFilter::RequestData(vtkInformation*, vtkInformationVector** inp
   output->Initialize();
   try
   {
+    FlipFree::RequireNumbers({ { "MinimumComponentWeight", this->MinimumComponentWeight },
+      { "NoiseWidening", this->NoiseWidening }, { "ForegroundMass", this->ForegroundMass },
+      { "FeatureThreshold", this->FeatureThreshold }, { "ClosingRadius", this->ClosingRadius },
+      { "OpeningRadius", this->OpeningRadius } });
     FlipFree::RequireGreyImage(image, "the image on port 0");
     const FlipFree::ImageGeometry geometry = FlipFree::GeometryOf(image);
     FlipFree::RequireSeed(geometry, seed, "the image on port 0");
     const FlipFree::FloatImage smooth =
       FlipFree::GreyRegionOf(image, FlipFree::WholeExtent(geometry));
     FlipFree::RequireFinite(smooth, "the image on port 0");
-    const std::vector<double> given = FlipFree::FieldValues("NoiseDeviation", image);
+    const std::vector<double> given =
+      FlipFree::FieldValues("NoiseDeviation", 1, false, image, "the image on port 0");
     const double noise =
       given.empty() ? FlipFree::NoiseDeviation(smooth.View(), seed) : given.front();
 
@@ -83,12 +89,18 @@ int vtkGMMFeatureFilter::RequestData(vtkInformation*, vtkInformationVector** inp
     {
       const FlipFree::PolygonalSurface inside =
         FlipFree::SurfaceOf(surface, "the surface on port 1");
+      FlipFree::RequireClosed(static_cast<int>(inside.Points.rows()), inside.Triangles,
+        "the surface on port 1");
       FlipFree::RefitToSurface(smooth.View(), inside.Points, inside.Triangles, noise,
         settings.Intensity, FlipFree::SMPFor, model);
     }
     this->UpdateProgress(0.4);
     const std::vector<float> feature =
       FlipFree::MakeFeature(smooth.View(), model, seed, settings, FlipFree::SMPFor);
+    if (!surface)
+    {
+      FlipFree::RequireContrast(feature, model.Threshold);
+    }
 
     output->CopyStructure(image);
     FlipFree::SetFloatScalars("Feature", feature, output);

@@ -19,7 +19,8 @@
  * per component, grey values), `EdgeRamp` (3 values: low, high, width, by which
  * vtkCorrespondenceSearch reads edges).
  *
- * Errors: as vtkSeedRegionDiffusion; an open surface; a seed that holds no voxel.
+ * Errors: as vtkSeedRegionDiffusion; an open surface; a seed that holds no voxel, or, without a
+ * surface, has no contrast to its surroundings; a `NoiseDeviation` that is not one finite number.
  */
 #ifndef vtkGMMFeatureFilter_h
 #define vtkGMMFeatureFilter_h

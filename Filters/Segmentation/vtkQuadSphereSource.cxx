@@ -1,6 +1,7 @@
 #include "vtkQuadSphereSource.h"
 
 #include "MeshAdapter.h"
+#include "MessageText.h"
 #include "QuadSphere.h"
 
 #include "vtkInformation.h"
@@ -10,6 +11,8 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkUnsignedCharArray.h"
+
+#include <cmath>
 
 vtkStandardNewMacro(vtkQuadSphereSource);
 
@@ -21,6 +24,13 @@ vtkQuadSphereSource::vtkQuadSphereSource()
 int vtkQuadSphereSource::RequestData(vtkInformation*, vtkInformationVector**,
   vtkInformationVector* outputVector)
 {
+  if (!Eigen::Vector3d(this->Center).allFinite() || !std::isfinite(this->Radius))
+  {
+    vtkErrorMacro("No sphere: Center " << FlipFree::TextOf(Eigen::Vector3d(this->Center))
+                                       << " and Radius (" << this->Radius
+                                       << ") must be finite numbers; set them, in millimetres.");
+    return 0;
+  }
   const FlipFree::QuadSphere sphere =
     FlipFree::MakeQuadSphere(this->Resolution, Eigen::Vector3d(this->Center), this->Radius,
       static_cast<FlipFree::QuadSphereSpacing>(this->Spacing));

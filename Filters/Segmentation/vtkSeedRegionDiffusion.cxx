@@ -3,6 +3,7 @@
 #include "AnisotropicDiffusion.h"
 #include "FieldData.h"
 #include "GreyImageAdapter.h"
+#include "PropertyCheck.h"
 
 #include "vtkImageData.h"
 #include "vtkInformation.h"
@@ -74,6 +75,7 @@ int vtkSeedRegionDiffusion::RequestData(vtkInformation*, vtkInformationVector** 
   const FlipFree::SeedSphere seed{ Eigen::Vector3d(this->SeedCenter), this->SeedRadius };
   try
   {
+    FlipFree::RequireNumbers({ { "Reach", this->Reach } });
     FlipFree::RequireGreyImage(image, "the image on port 0");
     const FlipFree::ImageGeometry geometry = FlipFree::GeometryOf(image);
     FlipFree::RequireSeed(geometry, seed, "the image on port 0");

@@ -6,9 +6,13 @@
 
 #include "vtkAlgorithm.h"
 #include "vtkCallbackCommand.h"
+#include "vtkDataObject.h"
 #include "vtkExecutive.h"
 #include "vtkNew.h"
 
+#include <gtest/gtest.h>
+
+#include <iostream>
 #include <string>
 #include <vector>
 
@@ -61,6 +65,60 @@ inline std::string ErrorOfUpdate(vtkAlgorithm* algorithm)
   algorithm->RemoveAllObservers();
   algorithm->GetExecutive()->RemoveAllObservers();
   return message;
+}
+
+/// Whether an output holds anything at all.
+inline bool IsEmpty(vtkDataObject* output)
+{
+  for (int type = 0; type < vtkDataObject::NUMBER_OF_ATTRIBUTE_TYPES; ++type)
+  {
+    if (output->GetNumberOfElements(type) > 0)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+/// Updates an algorithm that is expected to refuse its input: exactly one error of its own, which
+/// has all the parts and, behind a semicolon, a remedy; outputs that are empty. The message is
+/// printed, so that a run of these tests lists what users read.
+inline void ExpectRefusal(vtkAlgorithm* algorithm, const std::vector<std::string>& parts)
+{
+  const std::string message = ErrorOfUpdate(algorithm);
+  for (const std::string& part : parts)
+  {
+    EXPECT_NE(message.find(part), std::string::npos) << "'" << part << "' is not in: " << message;
+  }
+  const std::size_t remedy = message.find("; ");
+  EXPECT_NE(remedy, std::string::npos) << "no remedy in: " << message;
+  for (int port = 0; port < algorithm->GetNumberOfOutputPorts(); ++port)
+  {
+    EXPECT_TRUE(IsEmpty(algorithm->GetOutputDataObject(port))) << "output " << port;
+  }
+  // VTK puts file, line and class in front, and an empty line behind.
+  const std::size_t begin = message.find("): ");
+  std::cout << "  " << algorithm->GetClassName() << ": "
+            << message.substr(begin == std::string::npos ? 0 : begin + 3,
+                 message.find_last_not_of('\n') - begin - 2)
+            << std::endl;
+}
+
+/// The same for what VTK's pipeline refuses before it asks the algorithm: an input that is missing
+/// or of another type.
+inline void ExpectPipelineRefusal(vtkAlgorithm* algorithm, const std::string& part)
+{
+  FilterErrors errors(algorithm);
+  algorithm->Update();
+  EXPECT_EQ(errors.OfFilter.size(), 0u);
+  ASSERT_EQ(errors.OfExecutive.size(), 1u);
+  EXPECT_NE(errors.OfExecutive[0].find(part), std::string::npos) << errors.OfExecutive[0];
+  for (int port = 0; port < algorithm->GetNumberOfOutputPorts(); ++port)
+  {
+    EXPECT_TRUE(IsEmpty(algorithm->GetOutputDataObject(port))) << "output " << port;
+  }
+  algorithm->RemoveAllObservers();
+  algorithm->GetExecutive()->RemoveAllObservers();
 }
 
 } // namespace FlipFree

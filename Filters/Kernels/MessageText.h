@@ -1,0 +1,27 @@
+/**
+ * Numbers as messages show them.
+ */
+#ifndef FlipFreeMessageText_h
+#define FlipFreeMessageText_h
+
+#include <Eigen/Dense>
+
+#include <sstream>
+#include <string>
+
+namespace FlipFree
+{
+
+/// In brackets, row after row: (1, 2.5, nan).
+inline std::string TextOf(const Eigen::MatrixXd& numbers)
+{
+  static const Eigen::IOFormat oneLine(Eigen::StreamPrecision, Eigen::DontAlignCols, ", ", ", ", "",
+    "", "(", ")");
+  std::ostringstream text;
+  text << numbers.format(oneLine);
+  return text.str();
+}
+
+} // namespace FlipFree
+
+#endif

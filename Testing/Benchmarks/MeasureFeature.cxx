@@ -1,0 +1,114 @@
+// What is done on voxels: smoothing, the intensity model, leak control.
+#include "ExampleRun.h"
+
+#include "AnisotropicDiffusion.h"
+#include "BallMorphology.h"
+#include "DistanceTransform.h"
+
+#include <algorithm>
+
+namespace FlipFree
+{
+namespace
+{
+
+void Diffusion(benchmark::State& state)
+{
+  const ExampleRun& run = TheExampleRun();
+  const ParallelFor parallelFor = ThreadedFor(state.range(0));
+  AnisotropicDiffusionSettings settings;
+  settings.Contrast = ContrastOfNoise(run.Noise);
+  for (auto _ : state)
+  {
+    state.PauseTiming();
+    std::vector<float> voxels = run.Grey.Voxels;
+    state.ResumeTiming();
+    DiffuseAnisotropically(voxels, run.Grey.Geometry, settings, parallelFor, NeverStop);
+  }
+  ReportTimePer("voxel and step", static_cast<double>(run.Grey.Voxels.size()) * settings.Iterations,
+    state);
+}
+
+void MixtureFit(benchmark::State& state)
+{
+  const ExampleRun& run = TheExampleRun();
+  for (auto _ : state)
+  {
+    benchmark::DoNotOptimize(
+      FitGaussianMixture(run.SeedValues, run.FeatureSettings.Intensity.Mixture));
+  }
+  ReportTimePer("voxel", static_cast<double>(run.SeedValues.size()), state);
+  state.counters["voxels"] = static_cast<double>(run.SeedValues.size());
+}
+
+void ModelFit(benchmark::State& state)
+{
+  const ExampleRun& run = TheExampleRun();
+  for (auto _ : state)
+  {
+    benchmark::DoNotOptimize(
+      FitToSeed(run.Smooth.View(), run.Seed, run.Noise, run.FeatureSettings.Intensity));
+  }
+}
+
+void LookUp(benchmark::State& state)
+{
+  const ExampleRun& run = TheExampleRun();
+  std::vector<float> feature(run.Smooth.Voxels.size());
+  for (auto _ : state)
+  {
+    std::transform(run.Smooth.Voxels.begin(), run.Smooth.Voxels.end(), feature.begin(),
+      [&run](float grey) { return run.Model(grey); });
+    benchmark::ClobberMemory();
+  }
+  ReportTimePer("voxel", static_cast<double>(feature.size()), state);
+}
+
+void Distances(benchmark::State& state)
+{
+  const ExampleRun& run = TheExampleRun();
+  const ParallelFor parallelFor = ThreadedFor(state.range(0));
+  for (auto _ : state)
+  {
+    benchmark::DoNotOptimize(SquaredDistance(run.Foreground, run.Smooth.Geometry, 0, parallelFor));
+  }
+  ReportTimePer("voxel", static_cast<double>(run.Foreground.size()), state);
+}
+
+void Opening(benchmark::State& state)
+{
+  const ExampleRun& run = TheExampleRun();
+  const double radius = run.FeatureSettings.Leaks.OpeningRadius;
+  const ParallelFor parallelFor = ThreadedFor(state.range(0));
+  for (auto _ : state)
+  {
+    std::vector<unsigned char> mask = run.Foreground;
+    GrowValue(mask, run.Smooth.Geometry, radius, 0, parallelFor);
+    GrowValue(mask, run.Smooth.Geometry, radius, 1, parallelFor);
+    benchmark::ClobberMemory();
+  }
+  ReportTimePer("voxel", static_cast<double>(run.Foreground.size()), state);
+}
+
+void FeatureImage(benchmark::State& state)
+{
+  const ExampleRun& run = TheExampleRun();
+  const ParallelFor parallelFor = ThreadedFor(state.range(0));
+  for (auto _ : state)
+  {
+    benchmark::DoNotOptimize(
+      MakeFeature(run.Smooth.View(), run.Model, run.Seed, run.FeatureSettings, parallelFor));
+  }
+  ReportTimePer("voxel", static_cast<double>(run.Smooth.Voxels.size()), state);
+}
+
+BENCHMARK(Diffusion)->Apply(Threads);
+BENCHMARK(MixtureFit)->Unit(benchmark::kMillisecond);
+BENCHMARK(ModelFit)->Unit(benchmark::kMillisecond);
+BENCHMARK(LookUp)->Unit(benchmark::kMillisecond);
+BENCHMARK(Distances)->Apply(Threads);
+BENCHMARK(Opening)->Apply(Threads);
+BENCHMARK(FeatureImage)->Apply(Threads);
+
+} // namespace
+} // namespace FlipFree
