@@ -43,6 +43,8 @@ int TestNaiveMethod(int argc, char* argv[])
     vtkNew<vtkPhantomSource> phantom;
     vtkNew<vtkFlipFreeSegmentation> segmentation;
     FlipFree::SegmentCup(segmentation, phantom);
+    phantom->SetNoiseDeviation(0);
+    phantom->PartialVolumeOff();
     // Off the grid's symmetry, where the last digit decides between two voxels.
     double* offset = segmentation->GetStartCenterOffset();
     segmentation->SetStartCenterOffset(offset[0] + 0.3, offset[1] + 0.2, offset[2] + 0.1);
