@@ -56,15 +56,23 @@ std::vector<std::size_t> VoxelsInSphere(const ImageGeometry& geometry, const See
 double NoiseDeviation(const ImageView<float>& image, const SeedSphere& seed)
 {
   const std::vector<std::size_t> voxels = VoxelsInSphere(image.Geometry, seed);
-  const std::size_t row = image.Geometry.Dimensions[0];
+  const auto& size = image.Geometry.Dimensions;
+  const double finest = image.Geometry.Spacing.minCoeff();
   std::vector<float> differences;
-  for (std::size_t position = 1; position < voxels.size(); ++position)
+  std::size_t stride = 1;
+  for (int axis = 0; axis < 3; ++axis)
   {
-    const std::size_t voxel = voxels[position];
-    if (voxel == voxels[position - 1] + 1 && voxel % row != 0)
+    const std::size_t last = size[axis] - 1;
+    for (std::size_t voxel : voxels)
     {
-      differences.push_back(std::abs(image.Data[voxel] - image.Data[voxel - 1]));
+      const std::size_t next = voxel + stride;
+      if (image.Geometry.Spacing[axis] <= 1.01 * finest && voxel / stride % size[axis] != last &&
+        std::binary_search(voxels.begin(), voxels.end(), next))
+      {
+        differences.push_back(std::abs(image.Data[next] - image.Data[voxel]));
+      }
     }
+    stride *= size[axis];
   }
   if (differences.empty())
   {

@@ -65,8 +65,9 @@ FloatImage CropToFloat(const ImageView<T>& image, const Extent& extent,
 /// Offsets of the voxels whose centres lie in the sphere, ascending.
 std::vector<std::size_t> VoxelsInSphere(const ImageGeometry& geometry, const SeedSphere& seed);
 
-/// The standard deviation of the noise: from the median absolute difference of neighbours along the
-/// first axis within the sphere, which structures larger than a voxel hardly touch. Not negative.
+/// The standard deviation of the noise: from the median absolute difference of neighbours within
+/// the sphere, which structures larger than a voxel hardly touch. Not negative. Neighbours are
+/// those along the finest axis, and along any other as fine, in whatever order the axes are stored.
 double NoiseDeviation(const ImageView<float>& image, const SeedSphere& seed);
 
 } // namespace FlipFree

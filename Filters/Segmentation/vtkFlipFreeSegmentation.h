@@ -405,7 +405,8 @@ public:
   /**
    * Why the last level ended, after Update(): "distance below tolerance", "at rest", "iteration
    * limit", "no boundary found" (by any vertex), "the coarse surface could not be refined" (without
-   * intersecting itself; the surface is then that of a coarser level), or "aborted"; empty before.
+   * intersecting itself; the surface is then that of a coarser level), or "aborted" (surface and
+   * label map are then empty); empty before.
    */
   const char* GetStopReason() const { return this->StopReason.c_str(); }
 

@@ -1,24 +1,30 @@
 /**
- * What image tests share: a small window without anything that depends on the machine (300 x 300
- * pixels, no multisampling, no text), a few colours, surfaces in them, and the comparison with the
- * baseline.
+ * What image tests share: a small picture without anything that depends on the machine (no
+ * multisampling, and text only where a picture means nothing without), a few colours, surfaces in
+ * them, and the comparison with the baseline. Pictures are drawn finer and scaled down, so that
+ * their lines are smooth.
  */
 #ifndef FlipFreeImageTest_h
 #define FlipFreeImageTest_h
 
 #include "vtkActor.h"
+#include "vtkBoundingBox.h"
 #include "vtkCamera.h"
+#include "vtkImageShrink3D.h"
+#include "vtkMath.h"
+#include "vtkMatrix4x4.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
+#include "vtkPolyDataNormals.h"
 #include "vtkProperty.h"
-#include "vtkRenderStepsPass.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
-#include "vtkSSAAPass.h"
 #include "vtkSmartPointer.h"
 #include "vtkTesting.h"
+#include "vtkWindowToImageFilter.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdlib>
 #include <iostream>
@@ -36,11 +42,14 @@ constexpr Colour Sand{ { 0.97, 0.92, 0.82 } };
 constexpr Colour Blue{ { 0.22, 0.45, 0.69 } };
 constexpr Colour Red{ { 0.80, 0.29, 0.22 } };
 
-inline vtkSmartPointer<vtkRenderWindow> MakeWindow()
+constexpr int Finer = 3; // drawn so many times as large
+
+inline vtkSmartPointer<vtkRenderWindow> MakeWindow(int width = 300, int height = 300)
 {
   auto window = vtkSmartPointer<vtkRenderWindow>::New();
   window->SetMultiSamples(0);
-  window->SetSize(300, 300);
+  window->SetOffScreenRendering(1); // it may be larger than the screen
+  window->SetSize(Finer * width, Finer * height);
   return window;
 }
 
@@ -57,19 +66,35 @@ inline vtkSmartPointer<vtkRenderer> AddView(vtkRenderWindow* window,
   camera->SetFocalPoint(0, 0, 0);
   camera->SetPosition(-direction[0], -direction[1], -direction[2]);
   camera->SetViewUp(0, 0, 1);
-  vtkNew<vtkRenderStepsPass> steps;
-  vtkNew<vtkSSAAPass> smooth;
-  smooth->SetDelegatePass(steps);
-  view->SetPass(smooth);
   window->AddRenderer(view);
   return view;
 }
 
-/// Moves the camera so that everything is in view; beyond 1, `zoom` trims the margin.
-inline void Fit(vtkRenderer* view, double zoom = 1.6)
+/// Moves the camera so that a surface fills the view but for a small margin.
+inline void Fit(vtkRenderer* view, vtkPolyData* surface)
 {
-  view->ResetCamera();
-  view->GetActiveCamera()->Zoom(zoom);
+  vtkCamera* camera = view->GetActiveCamera();
+  vtkMatrix4x4* toCamera = camera->GetViewTransformMatrix();
+  vtkBoundingBox box;
+  for (vtkIdType vertex = 0; vertex < surface->GetNumberOfPoints(); ++vertex)
+  {
+    double point[4] = { 0, 0, 0, 1 };
+    surface->GetPoint(vertex, point);
+    toCamera->MultiplyPoint(point, point);
+    box.AddPoint(point);
+  }
+  double middle[4] = { 0, 0, 0, 1 };
+  box.GetCenter(middle);
+  vtkNew<vtkMatrix4x4> toWorld;
+  vtkMatrix4x4::Invert(toCamera, toWorld);
+  toWorld->MultiplyPoint(middle, middle);
+  double direction[3];
+  camera->GetDirectionOfProjection(direction);
+  vtkMath::MultiplyScalar(direction, box.GetDiagonalLength()); // nothing is behind the camera
+  camera->SetFocalPoint(middle);
+  camera->SetPosition(middle[0] - direction[0], middle[1] - direction[1], middle[2] - direction[2]);
+  camera->SetParallelScale(
+    0.53 * std::max(box.GetLength(1), box.GetLength(0) / view->GetTiledAspectRatio()));
   view->ResetCameraClippingRange();
 }
 
@@ -91,6 +116,19 @@ inline vtkSmartPointer<vtkActor> AddSurface(vtkRenderer* view, vtkPolyData* surf
   return actor;
 }
 
+/// A surface in one colour as an object in the light: its shape counts, not its facets.
+inline void AddSmoothSurface(vtkRenderer* view, vtkPolyData* surface, const Colour& colour)
+{
+  vtkNew<vtkPolyDataNormals> normals;
+  normals->SetInputData(surface);
+  normals->SplittingOff();
+  normals->Update();
+  vtkProperty* property = AddSurface(view, normals->GetOutput(), colour)->GetProperty();
+  property->SetInterpolationToPhong();
+  property->SetAmbient(0.1);
+  property->SetDiffuse(0.9);
+}
+
 /// The edges of a surface, in one colour whatever the light; they may be drawn over its faces.
 inline vtkSmartPointer<vtkActor> AddLines(vtkRenderer* view, vtkPolyData* surface,
   const Colour& colour)
@@ -101,20 +139,28 @@ inline vtkSmartPointer<vtkActor> AddLines(vtkRenderer* view, vtkPolyData* surfac
   actor->GetMapper()->SetRelativeCoincidentTopologyLineOffsetParameters(-2, -8);
   actor->GetProperty()->SetRepresentationToWireframe();
   actor->GetProperty()->LightingOff();
-  actor->GetProperty()->SetLineWidth(3);
+  actor->GetProperty()->SetLineWidth(Finer);
   return actor;
 }
 
 /// Compares what the window shows with the test's baseline; the test's exit status. Of VTK's report
-/// only the measurements are shown, not the driver's hundreds of extensions.
-inline int Compare(vtkRenderWindow* window, int argc, char* argv[])
+/// only the measurements are shown, not the driver's hundreds of extensions. The threshold is the
+/// sum over pixels of what differs more than a shift by a pixel explains, 1 being black for white.
+inline int Compare(vtkRenderWindow* window, int argc, char* argv[], double threshold = 0.15,
+  int finer = Finer)
 {
   window->Render();
+  vtkNew<vtkWindowToImageFilter> picture;
+  picture->SetInput(window);
+  picture->ReadFrontBufferOff();
+  vtkNew<vtkImageShrink3D> shrink;
+  shrink->SetInputConnection(picture->GetOutputPort());
+  shrink->SetShrinkFactors(finer, finer, 1);
+  shrink->MeanOn();
   vtkNew<vtkTesting> testing;
   testing->AddArguments(argc, argv);
-  testing->SetRenderWindow(window);
   std::stringstream report;
-  const int result = testing->RegressionTest(0.15, report);
+  const int result = testing->RegressionTest(shrink, threshold, report);
   for (std::string line; std::getline(report, line);)
   {
     if (line.find("Dart") != std::string::npos || line.find("Image Test") != std::string::npos)

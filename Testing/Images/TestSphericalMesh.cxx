@@ -14,6 +14,6 @@ int TestSphericalMesh(int argc, char* argv[])
   const auto window = ImageTest::MakeWindow();
   const auto view = ImageTest::AddView(window, { { -2, 3, -2 } });
   ImageTest::AddCheckerboard(view, source->GetOutput());
-  ImageTest::Fit(view, 1.65);
+  ImageTest::Fit(view, source->GetOutput());
   return ImageTest::Compare(window, argc, argv);
 }

@@ -11,6 +11,7 @@
 #include "vtkNew.h"
 
 #include <stdexcept>
+#include <string>
 
 namespace FlipFree
 {
@@ -47,6 +48,13 @@ inline void StartOutside(vtkFlipFreeSegmentation* filter, vtkPhantomSource* phan
   filter->ReestimateOff();
   filter->LeakControlOff();
   filter->SetMaximumIterations(100);
+}
+
+/// The liver of the abdomen from its seed, with the default parameters.
+inline void SegmentLiver(vtkFlipFreeSegmentation* filter, vtkPhantomSource* phantom)
+{
+  phantom->SetShapeToAbdomen();
+  StartInside(filter, phantom, vtkPhantomSource::LIVER);
 }
 
 inline void SegmentCup(vtkFlipFreeSegmentation* filter, vtkPhantomSource* phantom)
