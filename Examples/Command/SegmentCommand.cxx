@@ -229,6 +229,12 @@ void Segment(const Segmentation& segmentation)
     throw Failure("'" + segmentation.Input +
       "': no surface was found. Check that the seed and its radius lie within the organ.");
   }
+  if (std::string(filter->GetStopReason()) == "no boundary found")
+  {
+    throw Failure("'" + segmentation.Input +
+      "': no boundary of the organ was found. Check that the seed and its radius lie within the "
+      "organ, lower --threshold, or raise --search-distance.");
+  }
   WriteResults(filter, image, segmentation, outputs);
   if (!segmentation.Quiet)
   {

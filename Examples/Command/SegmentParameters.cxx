@@ -105,6 +105,9 @@ void SegmentParameters::AddOptions(CLI::App& command)
     &Filter::SetFeatureThreshold);
   this->Add(command, Finer, "--components", "N", "Most Gaussians in the mixture",
     &Filter::GetMaximumComponents, &Filter::SetMaximumComponents);
+  this->Add(command, Finer, "--minimum-weight", "P",
+    "Weight below which a Gaussian is taken out of the mixture", &Filter::GetMinimumComponentWeight,
+    &Filter::SetMinimumComponentWeight);
   this->Add(command, Finer, "--noise-widening", "F",
     "Noise added to the mixture's deviations, in standard deviations of the volume's noise",
     &Filter::GetNoiseWidening, &Filter::SetNoiseWidening);
@@ -125,6 +128,9 @@ void SegmentParameters::AddOptions(CLI::App& command)
   this->Add(command, Finer, "--edge-window", "MM",
     "Window in which targets move to the strongest edge", &Filter::GetEdgeWindow,
     &Filter::SetEdgeWindow);
+  this->Add(command, Finer, "--normal-smoothing", "N",
+    "Passes of averaging that the surface's normals get", &Filter::GetNormalSmoothing,
+    &Filter::SetNormalSmoothing);
   this->Add(command, Finer, "--outlier-deviations", "F",
     "Deviations beyond which a target is dropped; 0: none is", &Filter::GetOutlierDeviations,
     &Filter::SetOutlierDeviations);

@@ -62,25 +62,24 @@ inline DeformableSurface DeformableSurfaceOf(vtkPolyData* data, const std::strin
   return result;
 }
 
+/// Where the field is of another size, no iteration has been made of this mesh: nothing is wanted.
 inline void AttachField(const CorrespondenceField& field, vtkPolyData* surface)
 {
   const vtkIdType size = surface->GetNumberOfPoints();
-  if (static_cast<vtkIdType>(field.States.size()) != size)
-  {
-    return; // no iteration has been made
-  }
+  const bool isMade = static_cast<vtkIdType>(field.States.size()) == size;
   vtkNew<vtkDoubleArray> displacement;
   displacement->SetName("Displacement");
   displacement->SetNumberOfComponents(3);
   displacement->SetNumberOfTuples(size);
-  std::copy(field.Displacements.data(), field.Displacements.data() + field.Displacements.size(),
-    displacement->GetPointer(0));
+  Eigen::Map<PointList>(displacement->GetPointer(0), size, 3) =
+    isMade ? field.Displacements : PointList::Zero(size, 3);
   vtkNew<vtkUnsignedCharArray> state;
   state->SetName("Correspondence");
   state->SetNumberOfValues(size);
   for (vtkIdType vertex = 0; vertex < size; ++vertex)
   {
-    state->SetValue(vertex, static_cast<unsigned char>(field.States[vertex]));
+    state->SetValue(vertex,
+      static_cast<unsigned char>(isMade ? field.States[vertex] : VertexState::Solitary));
   }
   surface->GetPointData()->AddArray(displacement);
   surface->GetPointData()->AddArray(state);
@@ -138,6 +137,10 @@ inline CorrespondenceField FieldOf(vtkPolyData* surface, const std::string& name
         "; use 0 for solitary, 1 for matched, 2 for flipping");
     }
     field.States[vertex] = value == 0 ? VertexState::Solitary : VertexState::Matched;
+    if (value == 0)
+    {
+      field.Displacements.row(vertex).setZero(); // of an earlier propagation
+    }
   }
   return field;
 }

@@ -3,6 +3,9 @@
 #include "FlipAvoidance.h"
 #include "Stopwatch.h"
 
+#include <algorithm>
+#include <vector>
+
 #include <sstream>
 #include <stdexcept>
 
@@ -15,9 +18,10 @@ DeformationStepReport DeformOnce(const ContourMesh& mesh, const EmbeddingGuard* 
 {
   DeformationStepReport report;
   Stopwatch watch;
+  report.Flipping = DetectFlips(mesh, points, settings.FlipThreshold, field);
+  const std::vector<VertexState> detected = field.States;
   if (settings.AvoidFlips)
   {
-    report.Flipping = DetectFlips(mesh, points, settings.FlipThreshold, field);
     AvoidFlips(mesh, points, settings.FlipThreshold, field);
   }
   DiffuseDisplacements(mesh, settings.Propagation, field);
@@ -40,6 +44,9 @@ DeformationStepReport DeformOnce(const ContourMesh& mesh, const EmbeddingGuard* 
     report.GuardSeconds = watch.Lap();
   }
   points += motion;
+  std::transform(detected.begin(), detected.end(), field.States.begin(), field.States.begin(),
+    [](VertexState before, VertexState now)
+    { return before == VertexState::Flipping ? before : now; });
   return report;
 }
 

@@ -14,7 +14,7 @@ namespace FlipFree
 
 struct DeformationStepSettings
 {
-  bool AvoidFlips = true;
+  bool AvoidFlips = true;     ///< off: they are only counted
   double FlipThreshold = 0.3; ///< r of Eq. 3
   DiffusionSettings Propagation;
   DeformationSettings Energy;
@@ -29,8 +29,9 @@ struct DeformationStepReport
   double GuardSeconds = 0;
 };
 
-/// Moves the points. The field is left as flip avoidance left it: its states say which vertices
-/// have a target, its displacements what was wanted of every vertex after propagation. Without a
+/// Moves the points. The field is left with what came of it: its states say which vertices had a
+/// target, and which of these would have flipped an edge, whether that was avoided or not; its
+/// displacements what was wanted of every vertex after propagation. Without a
 /// guard (null) the solved motion is taken as it is. Throws std::invalid_argument when
 /// displacements are too long to be computed with.
 DeformationStepReport DeformOnce(const ContourMesh& mesh, const EmbeddingGuard* guard,

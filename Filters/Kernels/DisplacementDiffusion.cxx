@@ -15,12 +15,20 @@ void AverageOnce(const ContourMesh& mesh, const std::vector<int>& vertices,
   for (std::size_t position = 0; position < vertices.size(); ++position)
   {
     const int vertex = vertices[position];
-    Eigen::RowVector3d sum = displacements.row(vertex);
-    int count = known[vertex] ? 1 : 0;
+    Eigen::RowVector3d sum = Eigen::RowVector3d::Zero();
+    int count = 0;
+    const auto add = [&](int member)
+    {
+      if (known[member])
+      {
+        sum += displacements.row(member);
+        ++count;
+      }
+    };
+    add(vertex);
     for (int neighbour : mesh.Neighbours[vertex])
     {
-      sum += displacements.row(neighbour);
-      count += known[neighbour] ? 1 : 0;
+      add(neighbour);
     }
     reached[position] = count > 0;
     averages[position] = count > 0 ? Eigen::RowVector3d(sum / count) : sum;

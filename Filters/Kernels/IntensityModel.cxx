@@ -155,10 +155,11 @@ void IntensityModel::Reestimate(const std::vector<float>& inside, const std::vec
   // One empty entry at either end, for all that lies beyond.
   this->Table.assign(NumberOfBins + 2, 0.0F);
   std::copy(odds.begin() + first, odds.begin() + last + 1, this->Table.begin() + first + 1);
-  this->Table[bins(median) + 1] = std::max(this->Table[bins(median) + 1], even);
+  this->Threshold = settings.Threshold > 0 ? settings.Threshold : even;
+  this->Table[bins(median) + 1] =
+    std::max(this->Table[bins(median) + 1], static_cast<float>(this->Threshold));
   this->Step = static_cast<float>(bins.Width);
   this->Begin = static_cast<float>(bins.Begin - 0.5 * bins.Width);
-  this->Threshold = even;
 }
 
 void SampleInsideAndShell(const ImageView<float>& image, const std::vector<unsigned char>& inside,
@@ -173,7 +174,7 @@ void SampleInsideAndShell(const ImageView<float>& image, const std::vector<unsig
   };
   insideValues.clear();
   shellValues.clear();
-  const std::vector<unsigned char> core = grown(settings.Rind, 0);
+  const std::vector<unsigned char> core = grown(settings.InnerMargin, 0);
   const std::vector<unsigned char> near = grown(settings.ShellBegin, 1);
   const std::vector<unsigned char> around = grown(settings.ShellEnd, 1);
   for (std::size_t voxel = 0; voxel < inside.size(); ++voxel)

@@ -20,16 +20,18 @@ struct IntensitySettings
 
   /// Mass of the foreground above the threshold; counts if Threshold is zero.
   double ForegroundMass = 0.95;
+
+  /// Gamma; zero: from ForegroundMass, and after re-estimation even odds.
   double Threshold = 0;
 
   /// Odds at which a value that background has as well still is foreground (re-estimation).
   double BackgroundRatio = 0.5;
 
-  /// The shell around the surface that models the background, and the rind inside it that does not
-  /// model the foreground, in millimetres.
+  /// The shell around the surface that models the background, and the margin inside it that does
+  /// not model the foreground, in millimetres.
   double ShellBegin = 1.5;
   double ShellEnd = 12;
-  double Rind = 2;
+  double InnerMargin = 2;
 
   /// Half width of the ramp by which edges are located, in deviations of the noise.
   double EdgeRamp = 20;

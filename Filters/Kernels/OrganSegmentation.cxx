@@ -170,7 +170,7 @@ private:
     record.Step = DeformOnce(this->Surface.Mesh, guard, this->Settings.Step, this->Parallel,
       proceed, this->Surface.Field, this->Surface.Points);
     this->Surface.Iterations.push_back(record);
-    this->Observe(this->Surface.Mesh, this->Surface.Points, record);
+    this->Observe(this->Surface.Mesh, this->Surface.Points, this->Surface.Field, record);
     return record.Targets;
   }
 
@@ -200,7 +200,10 @@ OrganSurface SegmentOrgan(const ImageView<float>& smooth, double noise, const Se
   surface.Mesh = startMesh;
   surface.Points = startPoints;
   Run(smooth, noise, seed, settings, parallelFor, monitor, observer, surface).Execute();
-  surface.SelfIntersections = CountSelfIntersections(surface.Points, surface.Mesh.Triangles);
+  if (surface.StopReason != "aborted")
+  {
+    surface.SelfIntersections = CountSelfIntersections(surface.Points, surface.Mesh.Triangles);
+  }
   return surface;
 }
 

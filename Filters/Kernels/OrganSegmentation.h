@@ -54,9 +54,9 @@ struct OrganSurface
   double FeatureSeconds = 0;
 };
 
-/// Called after every iteration with the surface as it then is.
-using IterationObserver =
-  std::function<void(const ContourMesh&, const PointList&, const IterationRecord&)>;
+/// Called after every iteration with the surface as it then is, and what was wanted of it.
+using IterationObserver = std::function<void(const ContourMesh&, const PointList&,
+  const CorrespondenceField&, const IterationRecord&)>;
 
 /// `smooth` is the smoothed image of the reachable region, `noise` the deviation of the noise
 /// before smoothing. Throws std::invalid_argument for bad input; a stop by the monitor gives the

@@ -12,6 +12,7 @@ namespace
 {
 
 // Lengths beyond these help on no organ, whatever the seed.
+constexpr int LeastResolution = 2;
 constexpr double LeastReach = 100;
 constexpr double GreatestReach = 250;
 constexpr double ReachInRadii = 10;
@@ -35,6 +36,7 @@ void RequireParameters(vtkFlipFreeSegmentation* filter)
   RequireNumbers({ { "StartScale", filter->GetStartScale() },
     { "DistanceTolerance", filter->GetDistanceTolerance() },
     { "ChangeTolerance", filter->GetChangeTolerance() }, { "Reach", filter->GetReach() },
+    { "MinimumComponentWeight", filter->GetMinimumComponentWeight() },
     { "ForegroundMass", filter->GetForegroundMass() },
     { "FeatureThreshold", filter->GetFeatureThreshold() },
     { "NoiseWidening", filter->GetNoiseWidening() },
@@ -50,9 +52,19 @@ void RequireParameters(vtkFlipFreeSegmentation* filter)
     { "StartCenterOffset", offset[0] + offset[1] + offset[2] } });
 }
 
+int LevelsOf(vtkFlipFreeSegmentation* filter)
+{
+  int levels = filter->GetLevels();
+  while (levels > 1 && filter->GetResolution() >> (levels - 1) < LeastResolution)
+  {
+    --levels;
+  }
+  return levels;
+}
+
 int FirstResolution(vtkFlipFreeSegmentation* filter)
 {
-  return std::max(1, filter->GetResolution() >> (filter->GetLevels() - 1));
+  return filter->GetResolution() >> (LevelsOf(filter) - 1);
 }
 
 double ReachOf(vtkFlipFreeSegmentation* filter)
@@ -60,6 +72,27 @@ double ReachOf(vtkFlipFreeSegmentation* filter)
   return filter->GetReach() > 0
     ? filter->GetReach()
     : Clamp(ReachInRadii * filter->GetSeedRadius(), LeastReach, GreatestReach);
+}
+
+bool ReachesEndOf(const ImageGeometry& region, const ImageGeometry& image, const PointList& points)
+{
+  // Voxels of the image before and behind the region, along each axis.
+  const Eigen::Vector3d first = image.ToIndex(region.ToPhysical(Eigen::Vector3d::Zero()));
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double size = region.Dimensions[axis];
+    const bool isCutBelow = first[axis] > 0.5;
+    const bool isCutAbove = first[axis] + size < image.Dimensions[axis] - 0.5;
+    for (Eigen::Index vertex = 0; vertex < points.rows(); ++vertex)
+    {
+      const double index = region.ToIndex(points.row(vertex).transpose())[axis];
+      if ((isCutBelow && index < 0) || (isCutAbove && index > size - 1))
+      {
+        return true;
+      }
+    }
+  }
+  return false;
 }
 
 AnisotropicDiffusionSettings DiffusionSettingsOf(vtkFlipFreeSegmentation* filter, double noise)
@@ -75,7 +108,7 @@ OrganSegmentationSettings SettingsOf(vtkFlipFreeSegmentation* filter, const Imag
   const double voxel = geometry.Spacing.maxCoeff();
   const double radius = filter->GetSeedRadius();
   OrganSegmentationSettings settings;
-  settings.Levels = filter->GetLevels();
+  settings.Levels = LevelsOf(filter);
   settings.MaximumIterations = filter->GetMaximumIterations();
   settings.DistanceTolerance = voxel * filter->GetDistanceTolerance();
   settings.ChangeTolerance = voxel * filter->GetChangeTolerance();
@@ -84,6 +117,7 @@ OrganSegmentationSettings SettingsOf(vtkFlipFreeSegmentation* filter, const Imag
 
   IntensitySettings& intensity = settings.Feature.Intensity;
   intensity.Mixture.MaximumComponents = filter->GetMaximumComponents();
+  intensity.Mixture.MinimumWeight = filter->GetMinimumComponentWeight();
   intensity.NoiseWidening = filter->GetNoiseWidening();
   intensity.ForegroundMass = filter->GetForegroundMass();
   intensity.Threshold = filter->GetFeatureThreshold();
@@ -103,6 +137,7 @@ OrganSegmentationSettings SettingsOf(vtkFlipFreeSegmentation* filter, const Imag
   search.SearchInward = filter->GetSearchInward();
   search.ImageEndDistance = filter->GetImageEndDistance();
   search.EdgeWindow = std::min(filter->GetEdgeWindow(), MostVoxelsOfEdgeWindow * voxel);
+  settings.Targets.NormalSmoothing = filter->GetNormalSmoothing();
   settings.Targets.OutlierDeviations = filter->GetOutlierDeviations();
   settings.Targets.MaximumDisplacement = voxel * filter->GetMaximumDisplacement();
 

@@ -17,11 +17,17 @@ namespace FlipFree
 /// Throws std::invalid_argument, naming the first parameter that is NaN.
 void RequireParameters(vtkFlipFreeSegmentation* filter);
 
+/// How many levels there are.
+int LevelsOf(vtkFlipFreeSegmentation* filter);
+
 /// n of the first level.
 int FirstResolution(vtkFlipFreeSegmentation* filter);
 
 /// How far from the seed's centre the surface may get, in millimetres.
 double ReachOf(vtkFlipFreeSegmentation* filter);
+
+/// Does a surface touch the end of the region where the image goes on?
+bool ReachesEndOf(const ImageGeometry& region, const ImageGeometry& image, const PointList& points);
 
 AnisotropicDiffusionSettings DiffusionSettingsOf(vtkFlipFreeSegmentation* filter, double noise);
 

@@ -108,7 +108,7 @@ int vtkCorrespondenceSearch::RequestData(vtkInformation*, vtkInformationVector**
     settings.Correspondence.EdgeWindow = this->EdgeWindow;
     settings.NormalSmoothing = this->NormalSmoothing;
     settings.OutlierDeviations = this->OutlierDeviations;
-    settings.MaximumDisplacement = this->MaximumDisplacement;
+    settings.MaximumDisplacement = this->MaximumDisplacement * feature.Geometry.Spacing.maxCoeff();
 
     FlipFree::TargetReport report;
     const FlipFree::CorrespondenceField field = FlipFree::FindTargets(surface.Mesh, surface.Points,

@@ -129,7 +129,8 @@ public:
 
   ///@{
   /**
-   * Greatest displacement in millimetres. Default 0: not limited.
+   * Greatest displacement, in voxels of the feature (of the greatest spacing). Default 0: not
+   * limited.
    */
   vtkSetClampMacro(MaximumDisplacement, double, 0, 1e6);
   vtkGetMacro(MaximumDisplacement, double);

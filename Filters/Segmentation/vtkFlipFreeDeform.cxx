@@ -6,7 +6,9 @@
 #include "FieldData.h"
 #include "PropertyCheck.h"
 
+#include "vtkCellData.h"
 #include "vtkObjectFactory.h"
+#include "vtkPointData.h"
 #include "vtkPolyData.h"
 
 #include <memory>
@@ -48,6 +50,11 @@ int vtkFlipFreeDeform::RequestData(vtkInformation*, vtkInformationVector** input
     }
     output->ShallowCopy(input);
     output->SetPoints(FlipFree::MakePoints(surface.Points));
+    // Those of the surface that was.
+    output->GetPointData()->SetNormals(nullptr);
+    output->GetPointData()->SetTangents(nullptr);
+    output->GetCellData()->SetNormals(nullptr);
+    output->GetCellData()->SetTangents(nullptr);
     FlipFree::AttachField(field, output);
     FlipFree::AddFieldValues("FlippingVertices", { static_cast<double>(report.Flipping) }, output);
     FlipFree::AddFieldValues("GuardedVertices", { static_cast<double>(report.HeldBack) }, output);

@@ -26,6 +26,7 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
+#include <numeric>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -49,6 +50,16 @@ vtkFlipFreeSegmentation::vtkFlipFreeSegmentation()
 }
 
 vtkFlipFreeSegmentation::~vtkFlipFreeSegmentation() = default;
+
+void vtkFlipFreeSegmentation::SetInputData(vtkImageData* image)
+{
+  this->SetInputDataObject(0, image);
+}
+
+vtkPolyData* vtkFlipFreeSegmentation::GetOutput()
+{
+  return this->GetSurface();
+}
 
 vtkPolyData* vtkFlipFreeSegmentation::GetSurface()
 {
@@ -113,6 +124,10 @@ int vtkFlipFreeSegmentation::RequestInformation(vtkInformationVector** inputs,
   labels->CopyEntry(in, vtkDataObject::ORIGIN());
   labels->CopyEntry(in, vtkDataObject::DIRECTION());
   vtkDataObject::SetPointDataActiveScalarInfo(labels, VTK_UNSIGNED_CHAR, 1);
+  if (this->KeepHistory)
+  {
+    this->PublishHistory(outputs->GetInformationObject(0), this->IsResultValid(inputs));
+  }
   return 1;
 }
 
@@ -123,6 +138,11 @@ int vtkFlipFreeSegmentation::RequestUpdateExtent(vtkInformationVector** inputs)
   if (in->Has(Pipeline::WHOLE_EXTENT()))
   {
     in->Set(Pipeline::UPDATE_EXTENT(), in->Get(Pipeline::WHOLE_EXTENT()), 6);
+  }
+  if (this->KeepHistory)
+  {
+    // Time is the number of the iteration here, and none of the image's.
+    in->Remove(Pipeline::UPDATE_TIME_STEP());
   }
   return 1;
 }
@@ -159,13 +179,14 @@ int vtkFlipFreeSegmentation::RequestData(vtkInformationVector** inputs,
       this->Cache = std::make_unique<Result>();
       this->Deliver(outputs);
       this->Cache.reset();
+      this->StopReason.clear();
       vtkErrorMacro("No segmentation: " << error.what() << ".");
       return 0;
     }
     this->Cache->Time.Modified();
   }
   this->Deliver(outputs);
-  if (!this->KeepHistory)
+  if (!this->KeepHistory || this->StopReason == "aborted")
   {
     this->Cache.reset();
   }
@@ -216,12 +237,13 @@ void vtkFlipFreeSegmentation::Execute(vtkImageData* image, vtkPolyData* start)
     surface.Mesh, surface.Points, FlipFree::SettingsOf(this, region.Geometry), FlipFree::SMPFor,
     FlipFree::MonitorOf(this, 0.1, 0.95),
     [this](const FlipFree::ContourMesh& mesh, const FlipFree::PointList& points,
-      const FlipFree::IterationRecord&)
+      const FlipFree::CorrespondenceField& field, const FlipFree::IterationRecord&)
     {
       if (this->KeepHistory)
       {
         this->Cache->History.push_back(vtkSmartPointer<vtkPolyData>::New());
         FlipFree::AttachMesh(mesh, points, this->Cache->History.back());
+        FlipFree::AttachField(field, this->Cache->History.back());
       }
     });
   this->StageSeconds[1] = organ.FeatureSeconds;
@@ -243,6 +265,7 @@ void vtkFlipFreeSegmentation::Execute(vtkImageData* image, vtkPolyData* start)
   }
   FlipFree::AttachMesh(organ.Mesh, organ.Points, this->Cache->Surface);
   FlipFree::AttachField(organ.Field, this->Cache->Surface);
+  this->WarnOf(organ, region.Geometry, geometry);
 
   vtkNew<vtkUnsignedCharArray> labels;
   labels->SetName("Labels");
@@ -257,30 +280,57 @@ void vtkFlipFreeSegmentation::Execute(vtkImageData* image, vtkPolyData* start)
   this->UpdateProgress(1);
 }
 
-void vtkFlipFreeSegmentation::Deliver(vtkInformationVector* outputs)
+void vtkFlipFreeSegmentation::PublishHistory(vtkInformation* info, bool isKnown) const
 {
   using Pipeline = vtkStreamingDemandDrivenPipeline;
+  if (!isKnown)
+  {
+    // How many there will be is not known; this many at most.
+    const double range[2] = { 1, std::max(1.0, 1.0 * this->Levels * this->MaximumIterations) };
+    info->Remove(Pipeline::TIME_STEPS());
+    info->Set(Pipeline::TIME_RANGE(), range, 2);
+    return;
+  }
+  std::vector<double> times(std::max<std::size_t>(1, this->Cache->History.size()));
+  std::iota(times.begin(), times.end(), 1.0);
+  const double range[2] = { times.front(), times.back() };
+  info->Set(Pipeline::TIME_STEPS(), times.data(), static_cast<int>(times.size()));
+  info->Set(Pipeline::TIME_RANGE(), range, 2);
+}
+
+void vtkFlipFreeSegmentation::WarnOf(const FlipFree::OrganSurface& organ,
+  const FlipFree::ImageGeometry& region, const FlipFree::ImageGeometry& image)
+{
+  if (this->StopReason == "no boundary found")
+  {
+    vtkWarningMacro(
+      "No vertex found the organ's boundary, so the surface is not the organ's; check "
+      "that the seed lies in the organ, or lower FeatureThreshold, or raise "
+      "SearchDistance.");
+  }
+  if (this->StopReason == "the coarse surface could not be refined")
+  {
+    vtkWarningMacro("The surface could not be refined without intersecting itself, so it has "
+      << organ.Mesh.NumberOfPoints() << " vertices only; lower Levels to start from a finer one.");
+  }
+  if (FlipFree::ReachesEndOf(region, image, organ.Points))
+  {
+    vtkWarningMacro("The surface has got to the end of what it may reach, "
+      << FlipFree::ReachOf(this) << " mm from the seed's centre, and is cut there; raise Reach.");
+  }
+}
+
+void vtkFlipFreeSegmentation::Deliver(vtkInformationVector* outputs)
+{
   vtkInformation* info = outputs->GetInformationObject(0);
   vtkPolyData* surface = this->Cache->Surface;
-  if (this->Cache->History.empty())
+  const int size = static_cast<int>(this->Cache->History.size());
+  if (size > 0)
   {
-    info->Remove(Pipeline::TIME_STEPS());
-    info->Remove(Pipeline::TIME_RANGE());
-  }
-  else
-  {
-    const int size = static_cast<int>(this->Cache->History.size());
-    std::vector<double> times(size);
-    for (int step = 0; step < size; ++step)
+    this->PublishHistory(info, true);
+    if (info->Has(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP()))
     {
-      times[step] = step + 1;
-    }
-    const double range[2] = { times.front(), times.back() };
-    info->Set(Pipeline::TIME_STEPS(), times.data(), size);
-    info->Set(Pipeline::TIME_RANGE(), range, 2);
-    if (info->Has(Pipeline::UPDATE_TIME_STEP()))
-    {
-      const double time = info->Get(Pipeline::UPDATE_TIME_STEP());
+      const double time = info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP());
       const int step = static_cast<int>(std::max(1.0, std::min<double>(time, size)));
       surface = step < size ? this->Cache->History[step - 1].Get() : surface;
       surface->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), time);

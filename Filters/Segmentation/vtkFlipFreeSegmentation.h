@@ -45,6 +45,12 @@ class vtkImageData;
 class vtkPolyData;
 class vtkTable;
 
+namespace FlipFree
+{
+struct ImageGeometry;
+struct OrganSurface;
+}
+
 class FLIPFREESEGMENTATION_EXPORT vtkFlipFreeSegmentation : public vtkAlgorithm
 {
 public:
@@ -52,10 +58,16 @@ public:
   vtkTypeMacro(vtkFlipFreeSegmentation, vtkAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  /**
+   * Sets the image (input port 0); SetInputConnection() connects a reader in its place.
+   */
+  void SetInputData(vtkImageData* image);
+
   ///@{
   /**
-   * The outputs, after Update().
+   * The outputs, after Update(); GetOutput() is the surface, too.
    */
+  vtkPolyData* GetOutput();
   vtkPolyData* GetSurface();
   vtkImageData* GetLabelMap();
   vtkTable* GetConvergence();
@@ -68,9 +80,9 @@ public:
   void SetStartData(vtkPolyData* surface);
 
   /**
-   * All parameters at once. Default: what segments best. AsPublished: the paper's own method, one
-   * level, outward search by voxels, no leak control, no guard. Naive: as published, without flip
-   * detection and avoidance (the paper's Fig. 3b).
+   * All parameters of the method at once, those of seed, start, outputs and Reach aside. Default:
+   * what segments best. Published: the paper's own method, one level, outward search by voxels, no
+   * leak control, no guard. Naive: as published, without flip avoidance (the paper's Fig. 3b).
    */
   void UseDefaultParameters();
   void UsePublishedParameters();
@@ -115,7 +127,7 @@ public:
   ///@{
   /**
    * Vertices along the edge of a side of the final mesh (n). Default 32: 6,144 vertices; 2 to 256.
-   * The first level has Resolution / 2^(Levels - 1) of them.
+   * As each level doubles them, it is rounded down to a multiple of 2^(Levels - 1).
    */
   vtkSetClampMacro(Resolution, int, 2, 256);
   vtkGetMacro(Resolution, int);
@@ -123,7 +135,8 @@ public:
 
   ///@{
   /**
-   * Number of levels from coarse to fine. Default 3; 1 to 6.
+   * Number of levels from coarse to fine. Default 3; 1 to 6. Levels that would begin with fewer
+   * than two vertices along an edge are left out.
    */
   vtkSetClampMacro(Levels, int, 1, 6);
   vtkGetMacro(Levels, int);
@@ -183,6 +196,15 @@ public:
 
   ///@{
   /**
+   * Components of a smaller weight are taken out of the mixture: specks in the seed sphere are not
+   * the organ. Default 0.15; zero keeps all.
+   */
+  vtkSetClampMacro(MinimumComponentWeight, double, 0, 1);
+  vtkGetMacro(MinimumComponentWeight, double);
+  ///@}
+
+  ///@{
+  /**
    * Mass of the foreground that its threshold keeps. Default 0.95; the threshold Gamma of Eq. 2
    * follows from it, unless FeatureThreshold is set.
    */
@@ -192,7 +214,8 @@ public:
 
   ///@{
   /**
-   * Gamma of Eq. 2, relative to the mode of g: 0 to 1. Default 0: derived from ForegroundMass.
+   * Gamma of Eq. 2, relative to the mode of g: 0 to 1. Default 0: derived from ForegroundMass, and
+   * once intensities are estimated again, even odds of organ and background (0.5).
    */
   vtkSetClampMacro(FeatureThreshold, double, 0, 1);
   vtkGetMacro(FeatureThreshold, double);
@@ -308,6 +331,14 @@ public:
 
   ///@{
   /**
+   * Passes of averaging over neighbours that the normals get before the search. Default 2.
+   */
+  vtkSetClampMacro(NormalSmoothing, int, 0, 1000);
+  vtkGetMacro(NormalSmoothing, int);
+  ///@}
+
+  ///@{
+  /**
    * Targets farther from those of the two-ring than this many deviations (robust, plus a voxel) are
    * dropped. Default 3; zero keeps all.
    */
@@ -326,7 +357,7 @@ public:
 
   ///@{
   /**
-   * Detect and avoid flips (3.4, 3.5). Default on.
+   * Avoid the flips that are detected (3.4, 3.5). Default on; off only counts them.
    */
   vtkSetMacro(AvoidFlips, bool);
   vtkGetMacro(AvoidFlips, bool);
@@ -395,7 +426,7 @@ public:
   ///@{
   /**
    * Keep the surface of every iteration, and offer them as time steps: time t is the surface after
-   * iteration t. Default off.
+   * iteration t. How many there are is known after the first Update(). Default off.
    */
   vtkSetMacro(KeepHistory, bool);
   vtkGetMacro(KeepHistory, bool);
@@ -446,6 +477,7 @@ protected:
   double Reach = 0;
   int DiffusionIterations = 5;
   int MaximumComponents = 3;
+  double MinimumComponentWeight = 0.15;
   double ForegroundMass = 0.95;
   double FeatureThreshold = 0;
   double NoiseWidening = 1;
@@ -460,6 +492,7 @@ protected:
   bool SearchInward = true;
   double EdgeWindow = 3;
   double ImageEndDistance = 12;
+  int NormalSmoothing = 2;
   double OutlierDeviations = 3;
   double MaximumDisplacement = 8;
   bool AvoidFlips = true;
@@ -481,6 +514,9 @@ private:
 
   bool IsResultValid(vtkInformationVector** inputs) const;
   void Execute(vtkImageData* image, vtkPolyData* start);
+  void PublishHistory(vtkInformation* info, bool isKnown) const;
+  void WarnOf(const FlipFree::OrganSurface& organ, const FlipFree::ImageGeometry& region,
+    const FlipFree::ImageGeometry& image);
   void Deliver(vtkInformationVector* outputs);
 
   std::unique_ptr<Result> Cache;

@@ -5,20 +5,36 @@
 
 void vtkFlipFreeSegmentation::UseDefaultParameters()
 {
+  this->Resolution = 32;
   this->Levels = 3;
+  this->MaximumIterations = 40;
+  this->DistanceTolerance = 0.1;
+  this->ChangeTolerance = 0.02;
+  this->DiffusionIterations = 5;
+  this->MaximumComponents = 3;
+  this->MinimumComponentWeight = 0.15;
+  this->ForegroundMass = 0.95;
+  this->FeatureThreshold = 0;
   this->NoiseWidening = 1;
   this->LeakControl = true;
+  this->ClosingRadius = 1.5;
+  this->OpeningScale = 0.4;
   this->Reestimate = true;
   this->SearchScale = 1.6;
   this->SearchDistance = 0;
   this->RunLength = 2;
+  this->RunVoxels = 4;
   this->SearchInward = true;
   this->EdgeWindow = 3;
   this->ImageEndDistance = 12;
+  this->NormalSmoothing = 2;
   this->OutlierDeviations = 3;
   this->MaximumDisplacement = 8;
   this->AvoidFlips = true;
   this->FlipThreshold = 0.3;
+  this->PropagationIterations = 40;
+  this->PositionWeight = 0.3;
+  this->UniformWeight = 1;
   this->Fairing = 0;
   this->Guard = true;
   this->Modified();
@@ -28,6 +44,8 @@ void vtkFlipFreeSegmentation::UsePublishedParameters()
 {
   this->UseDefaultParameters();
   this->Levels = 1;
+  this->MaximumIterations = 150;
+  this->MinimumComponentWeight = 0;
   this->NoiseWidening = 0;
   this->LeakControl = false;
   this->Reestimate = false;
@@ -37,6 +55,7 @@ void vtkFlipFreeSegmentation::UsePublishedParameters()
   this->SearchInward = false;
   this->EdgeWindow = 0;
   this->ImageEndDistance = 0;
+  this->NormalSmoothing = 0;
   this->OutlierDeviations = 0;
   this->MaximumDisplacement = 0;
   this->Guard = false;
@@ -65,6 +84,7 @@ void vtkFlipFreeSegmentation::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Reach: " << this->Reach << "\n";
   os << indent << "DiffusionIterations: " << this->DiffusionIterations << "\n";
   os << indent << "MaximumComponents: " << this->MaximumComponents << "\n";
+  os << indent << "MinimumComponentWeight: " << this->MinimumComponentWeight << "\n";
   os << indent << "ForegroundMass: " << this->ForegroundMass << "\n";
   os << indent << "FeatureThreshold: " << this->FeatureThreshold << "\n";
   os << indent << "NoiseWidening: " << this->NoiseWidening << "\n";
@@ -79,6 +99,7 @@ void vtkFlipFreeSegmentation::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "SearchInward: " << this->SearchInward << "\n";
   os << indent << "EdgeWindow: " << this->EdgeWindow << "\n";
   os << indent << "ImageEndDistance: " << this->ImageEndDistance << "\n";
+  os << indent << "NormalSmoothing: " << this->NormalSmoothing << "\n";
   os << indent << "OutlierDeviations: " << this->OutlierDeviations << "\n";
   os << indent << "MaximumDisplacement: " << this->MaximumDisplacement << "\n";
   os << indent << "AvoidFlips: " << this->AvoidFlips << "\n";

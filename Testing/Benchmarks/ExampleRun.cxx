@@ -91,7 +91,8 @@ void MakeSurfaces(ExampleRun& run)
   SegmentOrgan(run.Smooth.View(), run.Noise, run.Seed,
     BuildContourMesh(static_cast<int>(sphere.Points.rows()), sphere.Faces), sphere.Points, settings,
     SMPFor, NeverStop,
-    [&](const ContourMesh& mesh, const PointList& points, const IterationRecord& record)
+    [&](const ContourMesh& mesh, const PointList& points, const CorrespondenceField&,
+      const IterationRecord& record)
     {
       if (iterations[record.Level]++ < IterationsBefore)
       {

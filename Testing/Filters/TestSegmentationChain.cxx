@@ -35,7 +35,6 @@ struct Lengths
     , Opening(std::min(std::clamp(0.4 * radius, 2.5, 6.0), 2 * voxel))
     , Closing(std::min(1.5, 2 * voxel))
     , Window(std::min(3.0, 1.5 * voxel))
-    , Cap(8 * voxel)
   {
   }
   double Reach;
@@ -43,7 +42,6 @@ struct Lengths
   double Opening;
   double Closing;
   double Window;
-  double Cap;
 };
 
 vtkSmartPointer<vtkPolyData> Detach(vtkPolyData* surface)
@@ -77,7 +75,7 @@ vtkSmartPointer<vtkPolyData> ChainByHand(vtkImageData* image, const double seed[
   search->SetEdgeConnection(smooth->GetOutputPort());
   search->SetSearchDistance(lengths.Search);
   search->SetImageEndDistance(12);
-  search->SetMaximumDisplacement(lengths.Cap);
+  search->SetMaximumDisplacement(8);
   vtkNew<vtkFlipFreeDeform> deform;
   deform->SetInputConnection(search->GetOutputPort());
   vtkNew<vtkFlipFreeRefinement> refine;
