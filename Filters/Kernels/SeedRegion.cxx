@@ -53,34 +53,52 @@ std::vector<std::size_t> VoxelsInSphere(const ImageGeometry& geometry, const See
   return voxels;
 }
 
-double NoiseDeviation(const ImageView<float>& image, const SeedSphere& seed)
+namespace
 {
-  const std::vector<std::size_t> voxels = VoxelsInSphere(image.Geometry, seed);
+
+// The median absolute difference of neighbours along an axis, both among the voxels; negative
+// without any.
+double MedianDifference(const ImageView<float>& image, const std::vector<std::size_t>& voxels,
+  int axis)
+{
   const auto& size = image.Geometry.Dimensions;
-  const double finest = image.Geometry.Spacing.minCoeff();
+  const std::size_t stride = image.Geometry.Offset(axis == 0, axis == 1, axis == 2);
+  const std::size_t last = size[axis] - 1;
   std::vector<float> differences;
-  std::size_t stride = 1;
-  for (int axis = 0; axis < 3; ++axis)
+  for (std::size_t voxel : voxels)
   {
-    const std::size_t last = size[axis] - 1;
-    for (std::size_t voxel : voxels)
+    const std::size_t next = voxel + stride;
+    if (voxel / stride % size[axis] != last &&
+      std::binary_search(voxels.begin(), voxels.end(), next))
     {
-      const std::size_t next = voxel + stride;
-      if (image.Geometry.Spacing[axis] <= 1.01 * finest && voxel / stride % size[axis] != last &&
-        std::binary_search(voxels.begin(), voxels.end(), next))
-      {
-        differences.push_back(std::abs(image.Data[next] - image.Data[voxel]));
-      }
+      differences.push_back(std::abs(image.Data[next] - image.Data[voxel]));
     }
-    stride *= size[axis];
   }
   if (differences.empty())
   {
-    return 0;
+    return -1;
   }
   const auto middle = differences.begin() + static_cast<std::ptrdiff_t>(differences.size() / 2);
   std::nth_element(differences.begin(), middle, differences.end());
-  return 1.4826 * *middle / std::sqrt(2.0);
+  return *middle;
+}
+
+} // namespace
+
+double NoiseDeviation(const ImageView<float>& image, const SeedSphere& seed)
+{
+  const std::vector<std::size_t> voxels = VoxelsInSphere(image.Geometry, seed);
+  const double finest = image.Geometry.Spacing.minCoeff();
+  double least = -1;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    if (image.Geometry.Spacing[axis] <= 1.01 * finest)
+    {
+      const double median = MedianDifference(image, voxels, axis);
+      least = least < 0 || (median >= 0 && median < least) ? median : least;
+    }
+  }
+  return 1.4826 * std::max(0.0, least) / std::sqrt(2.0);
 }
 
 } // namespace FlipFree

@@ -67,7 +67,8 @@ std::vector<std::size_t> VoxelsInSphere(const ImageGeometry& geometry, const See
 
 /// The standard deviation of the noise: from the median absolute difference of neighbours within
 /// the sphere, which structures larger than a voxel hardly touch. Not negative. Neighbours are
-/// those along the finest axis, and along any other as fine, in whatever order the axes are stored.
+/// those along the finest axis; of several as fine the one with the least differences counts, since
+/// structure can only add to them, and the order in which axes are stored does not matter.
 double NoiseDeviation(const ImageView<float>& image, const SeedSphere& seed);
 
 } // namespace FlipFree
