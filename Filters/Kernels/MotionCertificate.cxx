@@ -185,13 +185,17 @@ bool StayApart(const Motion& motion, const std::array<int, 2>& one, const std::a
 bool StayApart(const Motion& motion, const std::array<int, 3>& one, const std::array<int, 3>& two,
   const MotionGap& gap)
 {
-  // The direction between the centres decides most pairs for a fraction of the cost.
-  Vector3d between = Vector3d::Zero();
-  for (int corner = 0; corner < 3; ++corner)
-  {
-    between += motion.At(one[corner], 0.5) - motion.At(two[corner], 0.5);
-  }
-  if (Separates(motion, one, two, between.normalized(), gap.Wanted))
+  // Three directions decide most pairs for a fraction of the cost: the one between the centres, and
+  // the normals, across which sheets that lie on each other are apart.
+  const std::array<Vector3d, 3> a = PositionsAt(motion, one, 0.5);
+  const std::array<Vector3d, 3> b = PositionsAt(motion, two, 0.5);
+  const Vector3d between = (a[0] + a[1] + a[2]) - (b[0] + b[1] + b[2]);
+  const auto isProof = [&](const Vector3d& direction)
+  { return Separates(motion, one, two, direction.normalized(), gap.Wanted); };
+  const auto towardsOne = [&](const Vector3d& normal) -> Vector3d
+  { return normal.dot(between) < 0 ? Vector3d(-normal) : normal; };
+  if (isProof(between) || isProof(towardsOne((b[1] - b[0]).cross(b[2] - b[0]))) ||
+    isProof(towardsOne((a[1] - a[0]).cross(a[2] - a[0]))))
   {
     return true;
   }
