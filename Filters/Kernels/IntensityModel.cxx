@@ -177,7 +177,8 @@ bool SampleInsideAndShell(const ImageView<float>& image, const std::vector<unsig
   std::vector<unsigned char> core = inside;
   std::vector<unsigned char> near = inside;
   std::vector<unsigned char> around = inside;
-  if (!grow(core, settings.InnerMargin, 0, 0, 0.2) || !grow(near, settings.ShellBegin, 1, 0.2, 0.4) ||
+  if (!grow(core, settings.InnerMargin, 0, 0, 0.2) ||
+    !grow(near, settings.ShellBegin, 1, 0.2, 0.4) ||
     !grow(around, settings.ShellEnd, 1, 0.4, 0.9) || !monitor(0.9))
   {
     return false;
