@@ -1,6 +1,8 @@
 /**
- * Files that the command leaves: all of them, whole, or none. Each is written under a temporary
- * name in its own folder; once all of a run are there, they are renamed.
+ * Files that the command leaves: never a part of one. Each is written under a temporary name in its
+ * own folder; only once all of a run are there are they renamed, one after the other. So a run that
+ * fails or is interrupted before leaves none of them. Should a renaming itself fail, files renamed
+ * before it stay, and the message names the one that is missing.
  */
 #ifndef FlipFreeCommandOutputFile_h
 #define FlipFreeCommandOutputFile_h
@@ -34,7 +36,8 @@ public:
   /// Lets `write` make the file under the temporary name that it is called with. Throws Failure.
   void Write(const std::string& name, const std::function<void(const std::string&)>& write);
 
-  /// Gives all files their names.
+  /// Gives the files their names, in the order in which they were announced. Throws Failure at the
+  /// first that does not take its name; those before it are in place, those behind it are not made.
   void Commit();
 
 private:

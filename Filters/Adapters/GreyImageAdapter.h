@@ -22,25 +22,6 @@
 namespace FlipFree
 {
 
-/// Throws std::invalid_argument, naming the image by `name`, unless its voxels lie apart on three
-/// independent axes.
-inline void RequireProperGrid(vtkImageData* image, const std::string& name)
-{
-  const ImageGeometry geometry = GeometryOf(image);
-  if (!(geometry.Spacing.minCoeff() > 0) || !geometry.Spacing.allFinite())
-  {
-    throw std::invalid_argument(name + " has a spacing of " + TextOf(geometry.Spacing) +
-      " mm; make it positive on every axis, and turn axes by the direction matrix");
-  }
-  if (!(std::abs(geometry.Direction.determinant()) > 1e-6) || !geometry.Direction.allFinite() ||
-    !geometry.Origin.allFinite())
-  {
-    throw std::invalid_argument(name +
-      " has a direction matrix that cannot be inverted, or an origin that is not finite; correct "
-      "them");
-  }
-}
-
 /// Throws std::invalid_argument, naming the image by `name`, unless it has voxels on a proper grid,
 /// and scalars of one component for each of them.
 inline void RequireGreyImage(vtkImageData* image, const std::string& name)
@@ -68,8 +49,7 @@ inline void RequireGreyImage(vtkImageData* image, const std::string& name)
   }
   if (scalars->GetDataType() == VTK_BIT)
   {
-    throw std::invalid_argument(
-      name + " has scalars of type bit; copy them into an array of unsigned char");
+    RefuseScalarType(scalars, name);
   }
   RequireProperGrid(image, name);
 }
@@ -129,6 +109,8 @@ inline FloatImage GreyRegionOf(vtkImageData* image, const Extent& extent)
   {
     vtkTemplateMacro(region = CropToFloat<VTK_TT>({ static_cast<const VTK_TT*>(voxels), geometry },
                        extent, SMPFor));
+    default:
+      RefuseScalarType(image->GetPointData()->GetScalars(), "the image");
   }
   return region;
 }

@@ -5,9 +5,15 @@
 #define FlipFreeImageAdapter_h
 
 #include "KernelTypes.h"
+#include "MessageText.h"
 
+#include "vtkDataArray.h"
 #include "vtkImageData.h"
 #include "vtkMatrix3x3.h"
+
+#include <cmath>
+#include <stdexcept>
+#include <string>
 
 namespace FlipFree
 {
@@ -25,6 +31,34 @@ inline ImageGeometry GeometryOf(vtkImageData* image)
   image->TransformContinuousIndexToPhysicalPoint(extent[0], extent[2], extent[4],
     geometry.Origin.data());
   return geometry;
+}
+
+/// Throws std::invalid_argument, naming the image by `name`, unless its voxels lie apart on three
+/// independent axes.
+inline void RequireProperGrid(vtkImageData* image, const std::string& name)
+{
+  const ImageGeometry geometry = GeometryOf(image);
+  if (!(geometry.Spacing.minCoeff() > 0) || !geometry.Spacing.allFinite())
+  {
+    throw std::invalid_argument(name + " has a spacing of " + TextOf(geometry.Spacing) +
+      " mm; make it positive on every axis, and turn axes by the direction matrix");
+  }
+  if (!(std::abs(geometry.Direction.determinant()) > 1e-6) || !geometry.Direction.allFinite() ||
+    !geometry.Origin.allFinite())
+  {
+    throw std::invalid_argument(name +
+      " has a direction matrix that cannot be inverted, or an origin that is not finite; correct "
+      "them");
+  }
+}
+
+/// For the types that vtkTemplateMacro has no case for: bits. Throws std::invalid_argument, naming
+/// the array, its type, and the image by `name`.
+[[noreturn]] inline void RefuseScalarType(vtkDataArray* scalars, const std::string& name)
+{
+  throw std::invalid_argument("the scalars '" +
+    std::string(scalars->GetName() ? scalars->GetName() : "") + "' of " + name + " are of type " +
+    scalars->GetDataTypeAsString() + "; copy them into an array of another, as unsigned char");
 }
 
 /// Gives an image a geometry; the extent starts at zero. Scalars are not allocated.

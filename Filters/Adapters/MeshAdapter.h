@@ -1,6 +1,7 @@
 /**
- * Private to the modules, never installed: between VTK's data objects and the kernels' types.
- * Points and voxels are viewed, not copied, wherever their memory layout allows.
+ * Private to the modules, never installed: between the points and polygons of VTK and those of the
+ * kernels. Both ways copy: VTK's points may be of either precision and its faces lie in another
+ * layout, and a mesh is small beside an image.
  */
 #ifndef FlipFreeMeshAdapter_h
 #define FlipFreeMeshAdapter_h

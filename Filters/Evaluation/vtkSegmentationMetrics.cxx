@@ -43,7 +43,7 @@ FlipFree::LabelMask Voxelise(const FlipFree::PolygonalSurface& surface,
 
 double Millilitres(std::size_t numberOfVoxels, const FlipFree::ImageGeometry& geometry)
 {
-  return numberOfVoxels * std::abs(geometry.Spacing.prod()) / 1000;
+  return numberOfVoxels * geometry.VoxelVolume() / 1000;
 }
 
 } // namespace

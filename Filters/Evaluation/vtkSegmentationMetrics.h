@@ -33,8 +33,9 @@
  * of label map", "mesh" or "surface of voxelised mesh".
  *
  * Errors, with an empty table and measures that are not a number: an empty mask on either port,
- * label maps of different geometry, a label map without scalars or with several components, a
- * surface that is empty, open or not finite, or encloses no voxel centre of the reference.
+ * label maps of different geometry, a label map without scalars, with several components, of bits,
+ * or with a spacing that is not positive, a surface that is empty, open or not finite, or encloses
+ * no voxel centre of the reference.
  *
  * Definitions: L. Maier-Hein et al., Metrics reloaded, Nature Methods 21 (2024), but with
  * area-weighted samples instead of boundary voxels.

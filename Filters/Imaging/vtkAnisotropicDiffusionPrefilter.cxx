@@ -2,7 +2,8 @@
 
 #include "BackgroundTask.h"
 #include "ExecutionAdapter.h"
-#include "ImageAdapter.h"
+#include "FieldData.h"
+#include "GreyImageAdapter.h"
 #include "ItkVtkBridge.h"
 #include "MonitoredDiffusion.h"
 #include "VolumeHeader.h"
@@ -26,7 +27,9 @@ vtkStandardNewMacro(vtkAnisotropicDiffusionPrefilter);
 namespace
 {
 
-using FloatImage = itk::Image<float, 3>;
+using ItkImage = itk::Image<float, 3>;
+
+constexpr const char* InputName = "the image on port 0";
 
 struct Extent
 {
@@ -73,28 +76,6 @@ Extent ChooseRegion(const int voi[6], const Extent& whole)
   return wanted.IsEmpty() ? whole : wanted.Clipped(whole);
 }
 
-void RequireGreyImage(vtkImageData* image)
-{
-  if (!image || image->GetNumberOfPoints() == 0)
-  {
-    throw std::invalid_argument(
-      "The image on input port 0 is empty. Connect an image with voxels.");
-  }
-  vtkDataArray* scalars = image->GetPointData()->GetScalars();
-  if (!scalars || scalars->GetNumberOfTuples() != image->GetNumberOfPoints())
-  {
-    throw std::invalid_argument("The image on input port 0 has no scalars with a value for each "
-                                "voxel. Make one of its point arrays the scalars.");
-  }
-  if (scalars->GetNumberOfComponents() != 1)
-  {
-    throw std::invalid_argument("The scalars '" +
-      std::string(scalars->GetName() ? scalars->GetName() : "") +
-      "' of the image on input port 0 have " + std::to_string(scalars->GetNumberOfComponents()) +
-      " components, where one is wanted. Extract one component.");
-  }
-}
-
 /// The region as an image of its own, in float.
 void CopyRegion(vtkImageData* image, Extent region, vtkImageData* copy)
 {
@@ -112,33 +93,42 @@ void CopyRegion(vtkImageData* image, Extent region, vtkImageData* copy)
   {
     double point[3];
     copy->GetPoint(bad - voxels, point);
-    throw std::invalid_argument("The image on input port 0 has a voxel that is NaN, infinite or " +
-      std::string("beyond the range of float at (") + std::to_string(point[0]) + ", " +
-      std::to_string(point[1]) + ", " + std::to_string(point[2]) +
-      ") mm. Replace such voxels by a grey value.");
+    throw std::invalid_argument(std::string(InputName) +
+      " has a voxel that is NaN, infinite or beyond the range of float at " +
+      FlipFree::TextOf(Eigen::Vector3d(point)) + " mm; replace such voxels by a grey value");
   }
 }
 
 /// The voxels of the image that may lie in the sphere.
-Extent BoxOfSphere(vtkImageData* image, const Eigen::Vector3d& center, double radius)
+Extent BoxOfSphere(vtkImageData* image, const FlipFree::SeedSphere& sphere)
 {
-  const FlipFree::ImageGeometry geometry = FlipFree::GeometryOf(image);
-  const Extent whole = ExtentOf(image);
-  const Eigen::Matrix3d toIndex = (geometry.Direction * geometry.Spacing.asDiagonal()).inverse();
-  const Eigen::Vector3d middle = geometry.ToIndex(center);
-  Extent box;
-  for (int axis = 0; axis < 3; ++axis)
+  const FlipFree::Extent reached =
+    FlipFree::ReachableExtent(FlipFree::GeometryOf(image), sphere.Center, sphere.Radius);
+  Extent box = ExtentOf(image);
+  for (int side = 0; side < 6; ++side)
   {
-    // Clamped before it becomes an integer, so that far-away spheres do not wrap around.
-    const double reach = radius * toIndex.row(axis).norm() + 1e-6; // the sphere itself decides
-    const double size = geometry.Dimensions[axis];
-    const int first = whole.Bounds[2 * axis];
-    box.Bounds[2 * axis] =
-      first + static_cast<int>(std::clamp(std::ceil(middle[axis] - reach), 0.0, size));
-    box.Bounds[2 * axis + 1] =
-      first + static_cast<int>(std::clamp(std::floor(middle[axis] + reach), -1.0, size - 1));
+    box.Bounds[side] = box.Bounds[side / 2 * 2] + reached[side];
   }
   return box;
+}
+
+[[noreturn]] void RefuseEmptySphere()
+{
+  throw std::invalid_argument("the scale sphere holds no voxel of " + std::string(InputName) +
+    "; put ScaleCenter into the image, and give a ScaleRadius of a voxel or more");
+}
+
+/// Of the voxels as they are, in the sphere.
+double NoiseOf(vtkImageData* image, const FlipFree::SeedSphere& sphere)
+{
+  const FlipFree::FloatImage box = FlipFree::GreyRegionOf(image,
+    FlipFree::ReachableExtent(FlipFree::GeometryOf(image), sphere.Center, sphere.Radius));
+  FlipFree::RequireFinite(box, InputName);
+  if (FlipFree::VoxelsInSphere(box.Geometry, sphere).empty())
+  {
+    RefuseEmptySphere();
+  }
+  return FlipFree::NoiseDeviation(box.View(), sphere);
 }
 
 /// Root mean square of the gradient's magnitude over the voxels of the box within the radius of the
@@ -183,9 +173,7 @@ double GradientScaleOf(vtkImageData* image, const Extent& box, const Eigen::Vect
   }
   if (count == 0)
   {
-    throw std::invalid_argument("The scale sphere holds no voxel of the image on input port 0. Put "
-                                "ScaleCenter into the image, and give a ScaleRadius of a voxel or "
-                                "more.");
+    RefuseEmptySphere();
   }
   return std::sqrt(sum / static_cast<double>(count));
 }
@@ -259,54 +247,60 @@ int vtkAnisotropicDiffusionPrefilter::RequestData(vtkInformation*,
   output->Initialize();
   try
   {
-    RequireGreyImage(input);
+    FlipFree::RequireGreyImage(input, InputName);
     const Extent region = ChooseRegion(this->VOI, ExtentOf(input));
     if (region.IsEmpty())
     {
-      throw std::invalid_argument("VOI holds no voxel of the image on input port 0. Give an extent "
-                                  "within the image's own, or an empty one for all of it.");
+      throw std::invalid_argument("VOI holds no voxel of " + std::string(InputName) +
+        "; give an extent within the image's own, or an empty one for all of it");
     }
     const double* spacing = input->GetSpacing();
     const double stable = *std::min_element(spacing, spacing + 3) / 16;
     if (this->TimeStep > stable)
     {
       throw std::invalid_argument("TimeStep " + std::to_string(this->TimeStep) +
-        " is not stable for the spacing of the image on input port 0. Give at most " +
-        std::to_string(stable) + ", or 0 to have it chosen.");
+        " is not stable for the spacing of " + InputName + "; give at most " +
+        std::to_string(stable) + ", or 0 to have it chosen");
     }
     this->TimeStepUsed = this->TimeStep > 0 ? this->TimeStep : stable;
 
-    const Eigen::Vector3d center(this->ScaleCenter);
+    const FlipFree::SeedSphere sphere{ Eigen::Vector3d(this->ScaleCenter), this->ScaleRadius };
+    const double noise = this->ScaleRadius > 0 ? NoiseOf(input, sphere) : 0;
     if (this->GradientScale > 0)
     {
       this->GradientScaleUsed = this->GradientScale;
     }
     else if (this->ScaleRadius > 0)
     {
-      this->GradientScaleUsed = GradientScaleOf(input,
-        BoxOfSphere(input, center, this->ScaleRadius), center, this->ScaleRadius);
+      this->GradientScaleUsed =
+        GradientScaleOf(input, BoxOfSphere(input, sphere), sphere.Center, sphere.Radius);
     }
     else
     {
-      this->GradientScaleUsed = GradientScaleOf(input, region, center, HUGE_VAL);
+      this->GradientScaleUsed = GradientScaleOf(input, region, sphere.Center, HUGE_VAL);
     }
 
     CopyRegion(input, region, output);
     const auto diffuse = this->Equation == CURVATURE
-      ? Diffuse<itk::CurvatureAnisotropicDiffusionImageFilter<FloatImage, FloatImage>>
-      : Diffuse<itk::GradientAnisotropicDiffusionImageFilter<FloatImage, FloatImage>>;
+      ? Diffuse<itk::CurvatureAnisotropicDiffusionImageFilter<ItkImage, ItkImage>>
+      : Diffuse<itk::GradientAnisotropicDiffusionImageFilter<ItkImage, ItkImage>>;
     if (this->NumberOfIterations > 0 && this->GradientScaleUsed > 0 &&
       !diffuse(output, this->NumberOfIterations, this->TimeStepUsed, this->Conductance,
         this->GradientScaleUsed, FlipFree::MonitorOf(this)))
     {
       output->Initialize();
+      return 1;
+    }
+    if (this->ScaleRadius > 0)
+    {
+      FlipFree::AddFieldValues("NoiseDeviation", { noise }, output);
     }
     return 1;
   }
   catch (const std::exception& error)
   {
     output->Initialize();
-    vtkErrorMacro(<< error.what());
+    vtkErrorMacro("Nothing smoothed: " << error.what() << ".");
     return 0;
   }
 }

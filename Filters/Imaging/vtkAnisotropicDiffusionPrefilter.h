@@ -13,11 +13,17 @@
  * Conduction falls off as exp(-(|gradient| / (Conductance * GradientScale))^2 / 2). As ITK counts
  * time, one step moves grey values along an axis by TimeStep / spacing of their second difference.
  *
- * Input port 0: vtkImageData with one component of finite scalars. Output port 0: vtkImageData, the
- * VOI with the input's indices and geometry; scalars float.
+ * Gradients are measured along the grid's axes, as ITK does it: where these are not at right angles
+ * (a tilted gantry's), the smoothing is sheared with the grid.
  *
- * Errors: no or empty image, no scalars, several components, NaN or infinite voxels, a VOI or a
- * sphere without a voxel of the image, a TimeStep that is not stable. Progress is reported and an
+ * Input port 0: vtkImageData with one component of finite scalars. Output port 0: vtkImageData, the
+ * VOI with the input's indices and geometry; scalars float. Field data `NoiseDeviation` (one
+ * double, grey values), only if there is a scale sphere: the noise found in it before smoothing, as
+ * by vtkSeedRegionDiffusion, for vtkGMMFeatureFilter.
+ *
+ * Errors: no or empty image, no scalars, several components, scalars of bits, a spacing that is not
+ * positive, NaN or infinite voxels, a VOI or a sphere without a voxel of the image, a TimeStep that
+ * is not stable. Progress is reported and an
  * abort obeyed within an iteration.
  *
  * Source: ITK's itk::CurvatureAnisotropicDiffusionImageFilter (R. Whitaker and X. Xue,
@@ -91,8 +97,9 @@ public:
 
   ///@{
   /**
-   * The sphere that gives the gradient scale: centre and radius in millimetres. A radius of 0
-   * (default) means the whole VOI; only then does the result depend on it.
+   * The sphere that gives the gradient scale and `NoiseDeviation`: centre and radius in
+   * millimetres. A radius of 0 (default) means the whole VOI for the scale, which only then depends
+   * on it, and no `NoiseDeviation`.
    */
   vtkSetVector3Macro(ScaleCenter, double);
   vtkGetVector3Macro(ScaleCenter, double);

@@ -1,6 +1,10 @@
 /**
  * Edge-preserving smoothing (paper section 3.2): the anisotropic diffusion of P. Perona and J.
  * Malik (Scale-space and edge detection using anisotropic diffusion, 1990) with physical spacing.
+ * Grey values flow between neighbours along the grid's axes: the diffusion is the same in all
+ * directions where the axes are at right angles, whichever way they point. On a sheared grid (a
+ * tilted gantry's) the angle between the axes is not taken into account, so that the smoothing is
+ * sheared with the grid; it is as stable, and keeps edges all the same.
  */
 #ifndef FlipFreeAnisotropicDiffusion_h
 #define FlipFreeAnisotropicDiffusion_h

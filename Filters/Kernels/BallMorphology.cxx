@@ -13,7 +13,7 @@ namespace
 {
 
 // A ball of more rows is left to the distance transform, whose time does not depend on the radius.
-constexpr std::size_t MostRows = 400;
+constexpr double MostRows = 1250;
 // A voxel whose centre is on the ball's surface belongs to it, whatever the rounding.
 constexpr double Slack = 1 + 1e-6;
 
@@ -29,15 +29,23 @@ std::map<int, std::vector<BallRow>> RowsOfBall(double radius, const Eigen::Vecto
 {
   std::map<int, std::vector<BallRow>> rows;
   const double square = radius * radius * Slack;
-  if (square > static_cast<double>(MostRows) * spacing[1] * spacing[2])
+  const double slices = 2 * std::floor(std::sqrt(square) / spacing[2]) + 1;
+  if (slices > MostRows)
   {
     return rows;
   }
-  const int depth = static_cast<int>(std::sqrt(square) / spacing[2]);
+  double count = 0;
+  const int depth = static_cast<int>(slices) / 2;
   for (int k = -depth; k <= depth; ++k)
   {
     const double slice = square - k * k * spacing[2] * spacing[2];
-    const int height = static_cast<int>(std::sqrt(std::max(0.0, slice)) / spacing[1]);
+    const double halfHeight = std::floor(std::sqrt(std::max(0.0, slice)) / spacing[1]);
+    count += 2 * halfHeight + 1;
+    if (count > MostRows)
+    {
+      return {};
+    }
+    const int height = static_cast<int>(halfHeight);
     for (int j = -height; j <= height; ++j)
     {
       const double width = slice - j * j * spacing[1] * spacing[1];
@@ -76,10 +84,14 @@ void MergeRow(const unsigned char* from, std::ptrdiff_t size, unsigned char* __r
   }
 }
 
-void GrowByDistance(std::vector<unsigned char>& mask, const ImageGeometry& geometry, double radius,
-  unsigned char value, const ParallelFor& parallelFor)
+bool GrowByDistance(std::vector<unsigned char>& mask, const ImageGeometry& geometry, double radius,
+  unsigned char value, const ParallelFor& parallelFor, const Monitor& monitor)
 {
-  const std::vector<float> distance = SquaredDistance(mask, geometry, value, parallelFor);
+  const std::vector<float> distance = SquaredDistance(mask, geometry, value, parallelFor, monitor);
+  if (distance.empty() || !monitor(0.9))
+  {
+    return false;
+  }
   const float limit = static_cast<float>(radius * radius * Slack);
   for (std::size_t voxel = 0; voxel < mask.size(); ++voxel)
   {
@@ -88,18 +100,18 @@ void GrowByDistance(std::vector<unsigned char>& mask, const ImageGeometry& geome
       mask[voxel] = value;
     }
   }
+  return true;
 }
 
 } // namespace
 
-void GrowValue(std::vector<unsigned char>& mask, const ImageGeometry& geometry, double radius,
-  unsigned char value, const ParallelFor& parallelFor)
+bool GrowValue(std::vector<unsigned char>& mask, const ImageGeometry& geometry, double radius,
+  unsigned char value, const ParallelFor& parallelFor, const Monitor& monitor)
 {
   const auto rowsOfWidth = RowsOfBall(radius, geometry.Spacing);
-  if (rowsOfWidth.empty())
+  if (mask.empty() || rowsOfWidth.empty())
   {
-    GrowByDistance(mask, geometry, radius, value, parallelFor);
-    return;
+    return mask.empty() || GrowByDistance(mask, geometry, radius, value, parallelFor, monitor);
   }
   const auto& size = geometry.Dimensions;
   const std::ptrdiff_t row = size[0];
@@ -111,8 +123,14 @@ void GrowValue(std::vector<unsigned char>& mask, const ImageGeometry& geometry, 
   std::vector<unsigned char> grown(mask.size(), 0);
   std::vector<char> occupied(size[1] * static_cast<std::size_t>(size[2])); // per row of the source
   int grownBy = 0;
+  const double passes = 2.0 * static_cast<double>(rowsOfWidth.size()) + 1;
+  double pass = 0;
   for (const auto& [width, rows] : rowsOfWidth)
   {
+    if (!monitor(pass++ / passes))
+    {
+      return false;
+    }
     parallelFor(0, size[2],
       [&, more = width - grownBy](std::ptrdiff_t first, std::ptrdiff_t last)
       {
@@ -125,6 +143,10 @@ void GrowValue(std::vector<unsigned char>& mask, const ImageGeometry& geometry, 
         }
       });
     grownBy = width;
+    if (!monitor(pass++ / passes))
+    {
+      return false;
+    }
     parallelFor(0, size[2],
       [&, list = &rows](std::ptrdiff_t first, std::ptrdiff_t last)
       {
@@ -149,10 +171,15 @@ void GrowValue(std::vector<unsigned char>& mask, const ImageGeometry& geometry, 
         }
       });
   }
+  if (!monitor(pass / passes))
+  {
+    return false;
+  }
   for (std::size_t voxel = 0; voxel < mask.size(); ++voxel)
   {
     mask[voxel] = grown[voxel] ? value : mask[voxel];
   }
+  return true;
 }
 
 } // namespace FlipFree

@@ -92,8 +92,13 @@ void NearestAlongRow(const unsigned char* mask, unsigned char target, float* row
 } // namespace
 
 std::vector<float> SquaredDistance(const std::vector<unsigned char>& mask,
-  const ImageGeometry& geometry, unsigned char target, const ParallelFor& parallelFor)
+  const ImageGeometry& geometry, unsigned char target, const ParallelFor& parallelFor,
+  const Monitor& monitor)
 {
+  if (!monitor(0))
+  {
+    return {};
+  }
   const auto& size = geometry.Dimensions;
   const std::ptrdiff_t row = size[0];
   const std::ptrdiff_t slice = row * size[1];
@@ -116,6 +121,10 @@ std::vector<float> SquaredDistance(const std::vector<unsigned char>& mask,
         }
       }
     });
+  if (!monitor(0.5))
+  {
+    return {};
+  }
   parallelFor(0, size[1],
     [&](std::ptrdiff_t first, std::ptrdiff_t last)
     {

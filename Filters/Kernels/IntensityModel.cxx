@@ -162,21 +162,27 @@ void IntensityModel::Reestimate(const std::vector<float>& inside, const std::vec
   this->Begin = static_cast<float>(bins.Begin - 0.5 * bins.Width);
 }
 
-void SampleInsideAndShell(const ImageView<float>& image, const std::vector<unsigned char>& inside,
-  const IntensitySettings& settings, const ParallelFor& parallelFor,
+bool SampleInsideAndShell(const ImageView<float>& image, const std::vector<unsigned char>& inside,
+  const IntensitySettings& settings, const ParallelFor& parallelFor, const Monitor& monitor,
   std::vector<float>& insideValues, std::vector<float>& shellValues)
 {
-  const auto grown = [&](double radius, unsigned char value)
+  const auto grow = [&](std::vector<unsigned char>& mask, double radius, unsigned char value,
+                      double first, double last)
   {
-    std::vector<unsigned char> mask = inside;
-    GrowValue(mask, image.Geometry, radius, value, parallelFor);
-    return mask;
+    return GrowValue(mask, image.Geometry, radius, value, parallelFor,
+      PartOf(monitor, first, last));
   };
   insideValues.clear();
   shellValues.clear();
-  const std::vector<unsigned char> core = grown(settings.InnerMargin, 0);
-  const std::vector<unsigned char> near = grown(settings.ShellBegin, 1);
-  const std::vector<unsigned char> around = grown(settings.ShellEnd, 1);
+  std::vector<unsigned char> core = inside;
+  std::vector<unsigned char> near = inside;
+  std::vector<unsigned char> around = inside;
+  if (!grow(core, settings.InnerMargin, 0, 0, 0.2) ||
+    !grow(near, settings.ShellBegin, 1, 0.2, 0.4) ||
+    !grow(around, settings.ShellEnd, 1, 0.4, 0.9) || !monitor(0.9))
+  {
+    return false;
+  }
   for (std::size_t voxel = 0; voxel < inside.size(); ++voxel)
   {
     if (core[voxel])
@@ -188,6 +194,7 @@ void SampleInsideAndShell(const ImageView<float>& image, const std::vector<unsig
       shellValues.push_back(image.Data[voxel]);
     }
   }
+  return true;
 }
 
 } // namespace FlipFree

@@ -77,9 +77,10 @@ private:
   std::vector<float> Table;
 };
 
-/// The grey values well inside a voxelised surface, and those of the shell around it.
-void SampleInsideAndShell(const ImageView<float>& image, const std::vector<unsigned char>& inside,
-  const IntensitySettings& settings, const ParallelFor& parallelFor,
+/// The grey values well inside a voxelised surface, and those of the shell around it. Returns false
+/// if the monitor, asked before each pass over the image, stopped it; there are then none.
+bool SampleInsideAndShell(const ImageView<float>& image, const std::vector<unsigned char>& inside,
+  const IntensitySettings& settings, const ParallelFor& parallelFor, const Monitor& monitor,
   std::vector<float>& insideValues, std::vector<float>& shellValues);
 
 } // namespace FlipFree

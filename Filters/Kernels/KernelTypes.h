@@ -9,6 +9,7 @@
 #include <Eigen/Dense>
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -23,7 +24,8 @@ using PointList = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>;
 using TriangleList = Eigen::Matrix<int, Eigen::Dynamic, 3, Eigen::RowMajor>;
 
 /// A voxel grid in physical space. `Direction` holds the grid's unit axes in its columns; it may be
-/// permuted, oblique, or left-handed. `Origin` is the centre of voxel (0, 0, 0).
+/// permuted, oblique, left-handed, or sheared (axes not at right angles: tilted gantries).
+/// `Origin` is the centre of voxel (0, 0, 0).
 struct ImageGeometry
 {
   std::array<int, 3> Dimensions{ { 0, 0, 0 } };
@@ -40,6 +42,17 @@ struct ImageGeometry
   Eigen::Vector3d ToIndex(const Eigen::Vector3d& point) const
   {
     return (this->Direction.inverse() * (point - this->Origin)).cwiseQuotient(this->Spacing);
+  }
+  /// How far a ball reaches along each index axis, in voxels: its box in index space. Where axes
+  /// are not at right angles, that is further than the radius divided by the spacing.
+  Eigen::Vector3d IndexReach(double radius) const
+  {
+    return (radius * this->Direction.inverse().rowwise().norm()).cwiseQuotient(this->Spacing);
+  }
+  /// In cubic millimetres.
+  double VoxelVolume() const
+  {
+    return std::abs(this->Spacing.prod() * this->Direction.determinant());
   }
   std::size_t NumberOfVoxels() const
   {
@@ -93,6 +106,14 @@ using Monitor = std::function<bool(double fraction)>;
 inline bool NeverStop(double)
 {
   return true;
+}
+
+/// The monitor of a part of the work, from the fraction `first` to `last` of the whole. Refers to
+/// the whole's monitor.
+inline Monitor PartOf(const Monitor& monitor, double first, double last)
+{
+  return [&monitor, first, last](double fraction)
+  { return monitor(first + fraction * (last - first)); };
 }
 
 } // namespace FlipFree

@@ -62,8 +62,9 @@ void KeepConnected(std::vector<unsigned char>& mask, const ImageGeometry& geomet
   }
 }
 
-void ControlLeaks(std::vector<unsigned char>& mask, const ImageGeometry& geometry,
-  const SeedSphere& seed, const LeakControlSettings& settings, const ParallelFor& parallelFor)
+bool ControlLeaks(std::vector<unsigned char>& mask, const ImageGeometry& geometry,
+  const SeedSphere& seed, const LeakControlSettings& settings, const ParallelFor& parallelFor,
+  const Monitor& monitor)
 {
   const std::vector<std::size_t> sources = VoxelsInSphere(geometry, seed);
   const auto holdsSeed = [&]
@@ -71,26 +72,43 @@ void ControlLeaks(std::vector<unsigned char>& mask, const ImageGeometry& geometr
     return std::any_of(sources.begin(), sources.end(),
       [&](std::size_t voxel) { return mask[voxel] != 0; });
   };
-  if (settings.ClosingRadius > 0)
+  const auto grow = [&](double radius, unsigned char value, double first, double last)
+  { return GrowValue(mask, geometry, radius, value, parallelFor, PartOf(monitor, first, last)); };
+  if (settings.ClosingRadius > 0 &&
+    !(grow(settings.ClosingRadius, 1, 0, 0.15) && grow(settings.ClosingRadius, 0, 0.15, 0.3)))
   {
-    GrowValue(mask, geometry, settings.ClosingRadius, 1, parallelFor);
-    GrowValue(mask, geometry, settings.ClosingRadius, 0, parallelFor);
+    return false;
   }
   if (settings.OpeningRadius > 0)
   {
     const std::vector<unsigned char> closed = mask;
-    GrowValue(mask, geometry, settings.OpeningRadius, 0, parallelFor);
-    if (holdsSeed())
+    if (!grow(settings.OpeningRadius, 0, 0.3, 0.6))
     {
-      KeepConnected(mask, geometry, sources);
-      GrowValue(mask, geometry, settings.OpeningRadius, 1, parallelFor);
+      return false;
     }
-    else
+    if (!holdsSeed())
     {
       mask = closed;
     }
+    else
+    {
+      if (!monitor(0.6))
+      {
+        return false;
+      }
+      KeepConnected(mask, geometry, sources);
+      if (!grow(settings.OpeningRadius, 1, 0.6, 0.9))
+      {
+        return false;
+      }
+    }
+  }
+  if (!monitor(0.9))
+  {
+    return false;
   }
   KeepConnected(mask, geometry, sources);
+  return true;
 }
 
 } // namespace FlipFree

@@ -17,9 +17,11 @@ struct LeakControlSettings
 };
 
 /// The part of `mask` (0 or 1) that survives closing, opening, and connection with the seed. With
-/// an opening that leaves nothing at the seed, the opening is not applied.
-void ControlLeaks(std::vector<unsigned char>& mask, const ImageGeometry& geometry,
-  const SeedSphere& seed, const LeakControlSettings& settings, const ParallelFor& parallelFor);
+/// an opening that leaves nothing at the seed, the opening is not applied. Returns false if the
+/// monitor, asked before each pass over the mask, stopped it; the mask is then useless.
+bool ControlLeaks(std::vector<unsigned char>& mask, const ImageGeometry& geometry,
+  const SeedSphere& seed, const LeakControlSettings& settings, const ParallelFor& parallelFor,
+  const Monitor& monitor);
 
 /// Clears all voxels of the mask that are not connected (by faces) with one of `sources`.
 void KeepConnected(std::vector<unsigned char>& mask, const ImageGeometry& geometry,

@@ -40,25 +40,44 @@ IntensityModel FitToSeed(const ImageView<float>& smooth, const SeedSphere& seed,
   return IntensityModel::FromSeed(values, noise, settings);
 }
 
-void RefitToSurface(const ImageView<float>& smooth, const PointList& points,
+bool RefitToSurface(const ImageView<float>& smooth, const PointList& points,
   const TriangleList& triangles, double noise, const IntensitySettings& settings,
-  const ParallelFor& parallelFor, IntensityModel& model)
+  const ParallelFor& parallelFor, const Monitor& monitor, IntensityModel& model)
 {
+  // Remembers, since no voxels at all may also mean that the surface holds none.
+  bool stopped = false;
+  const Monitor proceed = [&](double fraction)
+  {
+    stopped = stopped || !monitor(fraction);
+    return !stopped;
+  };
   std::vector<unsigned char> mask(smooth.Geometry.NumberOfVoxels(), 0);
-  FillRuns<unsigned char>(VoxeliseSurface(points, triangles, smooth.Geometry, parallelFor), 1,
+  FillRuns<unsigned char>(
+    VoxeliseSurface(points, triangles, smooth.Geometry, parallelFor, PartOf(proceed, 0, 0.2)), 1,
     smooth.Geometry, mask.data());
   std::vector<float> inside;
   std::vector<float> shell;
-  SampleInsideAndShell(smooth, mask, settings, parallelFor, inside, shell);
+  if (!SampleInsideAndShell(smooth, mask, settings, parallelFor, PartOf(proceed, 0.2, 0.9), inside,
+        shell) ||
+    !proceed(0.9))
+  {
+    return false;
+  }
   if (inside.size() > LeastSample)
   {
     model.Reestimate(inside, shell, noise, settings);
   }
+  return true;
 }
 
 std::vector<float> MakeFeature(const ImageView<float>& smooth, const IntensityModel& model,
-  const SeedSphere& seed, const OrganFeatureSettings& settings, const ParallelFor& parallelFor)
+  const SeedSphere& seed, const OrganFeatureSettings& settings, const ParallelFor& parallelFor,
+  const Monitor& monitor)
 {
+  if (!monitor(0))
+  {
+    return {};
+  }
   const std::size_t size = smooth.Geometry.NumberOfVoxels();
   std::vector<float> feature(size);
   parallelFor(0, static_cast<std::ptrdiff_t>(size),
@@ -67,6 +86,10 @@ std::vector<float> MakeFeature(const ImageView<float>& smooth, const IntensityMo
   if (!settings.ControlLeaks)
   {
     return feature;
+  }
+  if (!monitor(0.1))
+  {
+    return {};
   }
   // Rounded towards the foreground, so that a voxel at the threshold stays above it as a double.
   const float threshold =
@@ -77,7 +100,12 @@ std::vector<float> MakeFeature(const ImageView<float>& smooth, const IntensityMo
   {
     mask[voxel] = feature[voxel] >= model.Threshold;
   }
-  ControlLeaks(mask, smooth.Geometry, seed, settings.Leaks, parallelFor);
+  if (!ControlLeaks(mask, smooth.Geometry, seed, settings.Leaks, parallelFor,
+        PartOf(monitor, 0.2, 0.9)) ||
+    !monitor(0.9))
+  {
+    return {};
+  }
   for (std::size_t voxel = 0; voxel < size; ++voxel)
   {
     feature[voxel] =

@@ -19,9 +19,11 @@ struct OrganFeatureSettings
 };
 
 /// Applies the model to a smoothed image. With leak control, voxels that it takes away get a
-/// feature below the model's threshold, and voxels that it fills in get the threshold.
+/// feature below the model's threshold, and voxels that it fills in get the threshold. Empty if the
+/// monitor, asked before each pass over the image, stopped it.
 std::vector<float> MakeFeature(const ImageView<float>& smooth, const IntensityModel& model,
-  const SeedSphere& seed, const OrganFeatureSettings& settings, const ParallelFor& parallelFor);
+  const SeedSphere& seed, const OrganFeatureSettings& settings, const ParallelFor& parallelFor,
+  const Monitor& monitor);
 
 /// Throws std::invalid_argument when all but a thousandth of a feature image is foreground: then
 /// there is no boundary to be found.
@@ -31,10 +33,11 @@ void RequireContrast(const std::vector<float>& feature, double threshold);
 IntensityModel FitToSeed(const ImageView<float>& smooth, const SeedSphere& seed, double noise,
   const IntensitySettings& settings);
 
-/// Fits it again to the inside of a closed surface, if that holds enough voxels.
-void RefitToSurface(const ImageView<float>& smooth, const PointList& points,
+/// Fits it again to the inside of a closed surface, if that holds enough voxels. Returns false if
+/// the monitor, asked before each pass over the image, stopped it; the model is then as it was.
+bool RefitToSurface(const ImageView<float>& smooth, const PointList& points,
   const TriangleList& triangles, double noise, const IntensitySettings& settings,
-  const ParallelFor& parallelFor, IntensityModel& model);
+  const ParallelFor& parallelFor, const Monitor& monitor, IntensityModel& model);
 
 } // namespace FlipFree
 

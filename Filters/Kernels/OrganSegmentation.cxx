@@ -38,7 +38,7 @@ public:
     Stopwatch watch;
     this->Model =
       FitToSeed(this->Smooth, this->Seed, this->Noise, this->Settings.Feature.Intensity);
-    this->UpdateFeature();
+    this->UpdateFeature([this](double) { return this->Proceed(0, 0); });
     RequireContrast(this->Feature, this->Model.Threshold);
     this->Surface.FeatureSeconds += watch.Lap();
     for (int level = 0; level < this->Settings.Levels; ++level)
@@ -63,10 +63,10 @@ private:
     return !this->Stopped;
   }
 
-  void UpdateFeature()
+  void UpdateFeature(const Monitor& proceed)
   {
-    this->Feature =
-      MakeFeature(this->Smooth, this->Model, this->Seed, this->Settings.Feature, this->Parallel);
+    this->Feature = MakeFeature(this->Smooth, this->Model, this->Seed, this->Settings.Feature,
+      this->Parallel, proceed);
   }
 
   bool NextLevel()
@@ -86,8 +86,8 @@ private:
     {
       Stopwatch watch;
       RefitToSurface(this->Smooth, this->Surface.Points, this->Surface.Mesh.Triangles, this->Noise,
-        this->Settings.Feature.Intensity, this->Parallel, this->Model);
-      this->UpdateFeature();
+        this->Settings.Feature.Intensity, this->Parallel, proceed, this->Model);
+      this->UpdateFeature(proceed);
       this->Surface.FeatureSeconds += watch.Lap();
     }
     return true;

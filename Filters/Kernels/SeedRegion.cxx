@@ -9,15 +9,15 @@ namespace FlipFree
 Extent ReachableExtent(const ImageGeometry& geometry, const Eigen::Vector3d& center, double reach)
 {
   const Eigen::Vector3d index = geometry.ToIndex(center);
+  const Eigen::Vector3d margin = geometry.IndexReach(reach);
   Extent extent{};
   for (int axis = 0; axis < 3; ++axis)
   {
-    const double margin = reach / geometry.Spacing[axis];
     const double last = geometry.Dimensions[axis] - 1.0;
     extent[2 * axis] =
-      static_cast<int>(std::max(0.0, std::min(last, std::floor(index[axis] - margin))));
+      static_cast<int>(std::max(0.0, std::min(last, std::floor(index[axis] - margin[axis]))));
     extent[2 * axis + 1] =
-      static_cast<int>(std::max(0.0, std::min(last, std::ceil(index[axis] + margin))));
+      static_cast<int>(std::max(0.0, std::min(last, std::ceil(index[axis] + margin[axis]))));
   }
   return extent;
 }

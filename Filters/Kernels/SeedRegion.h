@@ -30,7 +30,8 @@ struct FloatImage
 /// First and last voxel on each axis.
 using Extent = std::array<int, 6>;
 
-/// The voxels within `reach` millimetres of a point along each of the image's axes.
+/// The box of voxels that holds all within `reach` millimetres of a point, whatever the angles
+/// between the image's axes. Never empty: of a point outside it holds the rim that is next to it.
 Extent ReachableExtent(const ImageGeometry& geometry, const Eigen::Vector3d& center, double reach);
 
 /// The geometry of that part of the image.

@@ -100,13 +100,6 @@ double WeightedPercentile(std::vector<std::pair<double, double>>& distancesAndAr
   return distancesAndAreas.back().first;
 }
 
-// A monitor of one part of the work.
-Monitor MonitorPart(const Monitor& monitor, double first, double last)
-{
-  return [&monitor, first, last](double fraction)
-  { return monitor(first + fraction * (last - first)); };
-}
-
 // Runs body over [0, size) block by block and asks the monitor in between.
 bool ForInBlocks(std::size_t size, std::size_t blockSize, const ParallelFor& parallelFor,
   const Monitor& monitor, const RangeBody& body)
@@ -170,10 +163,9 @@ bool MeasureDirected(const PointList& points, const TriangleList& triangles, con
   const std::size_t numberOfTriangles = triangles.rows();
   const std::size_t samplesPerTriangle = samples.Offsets.back() / numberOfTriangles;
   const std::size_t trianglesPerBlock = std::max<std::size_t>(1, BlockSize / samplesPerTriangle);
-  if (!ForInBlocks(numberOfTriangles, trianglesPerBlock, parallelFor, MonitorPart(monitor, 0, 0.8),
+  if (!ForInBlocks(numberOfTriangles, trianglesPerBlock, parallelFor, PartOf(monitor, 0, 0.8),
         measureTriangles) ||
-    !ForInBlocks(vertices.size(), BlockSize, parallelFor, MonitorPart(monitor, 0.8, 1),
-      measureVertices))
+    !ForInBlocks(vertices.size(), BlockSize, parallelFor, PartOf(monitor, 0.8, 1), measureVertices))
   {
     return false;
   }
@@ -214,9 +206,9 @@ SurfaceDistance MeasureSurfaceDistance(const PointList& firstPoints,
   DirectedDistances there;
   DirectedDistances back;
   result.Complete = MeasureDirected(firstPoints, firstTriangles, firstSamples, second, parallelFor,
-                      MonitorPart(monitor, 0, 0.5), there) &&
+                      PartOf(monitor, 0, 0.5), there) &&
     MeasureDirected(secondPoints, secondTriangles, secondSamples, first, parallelFor,
-      MonitorPart(monitor, 0.5, 1), back);
+      PartOf(monitor, 0.5, 1), back);
   if (result.Complete)
   {
     const double area = there.Area + back.Area;

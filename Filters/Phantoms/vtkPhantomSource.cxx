@@ -109,7 +109,7 @@ bool vtkPhantomSource::GetSeed(int label, double seed[4])
       }
     }
   }
-  catch (const std::invalid_argument& error)
+  catch (const std::exception& error)
   {
     vtkErrorMacro("No seed: " << error.what());
   }
@@ -128,7 +128,7 @@ bool vtkPhantomSource::GetEnclosingSphere(double sphere[4])
       return true;
     }
   }
-  catch (const std::invalid_argument& error)
+  catch (const std::exception& error)
   {
     vtkErrorMacro("No enclosing sphere: " << error.what());
   }
@@ -159,7 +159,7 @@ int vtkPhantomSource::RequestInformation(vtkInformation*, vtkInformationVector**
   {
     geometry = MakeGeometry(this);
   }
-  catch (const std::invalid_argument& error)
+  catch (const std::exception& error)
   {
     for (int port = 0; port < this->GetNumberOfOutputPorts(); ++port)
     {
@@ -212,7 +212,7 @@ int vtkPhantomSource::RequestData(vtkInformation*, vtkInformationVector**,
         ->ShallowCopy(FlipFree::MakePhantomSurface(phantom.Surface, *phantom.Enclosing, geometry));
     }
   }
-  catch (const std::invalid_argument& error)
+  catch (const std::exception& error)
   {
     image->Initialize();
     labelMap->Initialize();

@@ -84,19 +84,27 @@ int vtkGMMFeatureFilter::RequestData(vtkInformation*, vtkInformationVector** inp
 
     FlipFree::IntensityModel model =
       FlipFree::FitToSeed(smooth.View(), seed, noise, settings.Intensity);
-    this->UpdateProgress(0.1);
-    if (surface)
+    const FlipFree::Monitor whole = FlipFree::MonitorOf(this);
+    bool proceed = whole(0.1);
+    if (proceed && surface)
     {
       const FlipFree::PolygonalSurface inside =
         FlipFree::SurfaceOf(surface, "the surface on port 1");
       FlipFree::RequireClosed(static_cast<int>(inside.Points.rows()), inside.Triangles,
         "the surface on port 1");
-      FlipFree::RefitToSurface(smooth.View(), inside.Points, inside.Triangles, noise,
-        settings.Intensity, FlipFree::SMPFor, model);
+      proceed = FlipFree::RefitToSurface(smooth.View(), inside.Points, inside.Triangles, noise,
+        settings.Intensity, FlipFree::SMPFor, FlipFree::PartOf(whole, 0.1, 0.4), model);
     }
-    this->UpdateProgress(0.4);
-    const std::vector<float> feature =
-      FlipFree::MakeFeature(smooth.View(), model, seed, settings, FlipFree::SMPFor);
+    std::vector<float> feature;
+    if (proceed)
+    {
+      feature = FlipFree::MakeFeature(smooth.View(), model, seed, settings, FlipFree::SMPFor,
+        FlipFree::PartOf(whole, 0.4, 1));
+    }
+    if (feature.empty())
+    {
+      return 1; // aborted
+    }
     if (!surface)
     {
       FlipFree::RequireContrast(feature, model.Threshold);

@@ -21,6 +21,7 @@
  *
  * Errors: as vtkSeedRegionDiffusion; an open surface; a seed that holds no voxel, or, without a
  * surface, has no contrast to its surroundings; a `NoiseDeviation` that is not one finite number.
+ * Progress is reported and an abort obeyed between passes over the image; the output is then empty.
  */
 #ifndef vtkGMMFeatureFilter_h
 #define vtkGMMFeatureFilter_h

@@ -13,6 +13,7 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <cmath>
+#include <exception>
 
 vtkStandardNewMacro(vtkQuadSphereSource);
 
@@ -31,23 +32,32 @@ int vtkQuadSphereSource::RequestData(vtkInformation*, vtkInformationVector**,
                                        << ") must be finite numbers; set them, in millimetres.");
     return 0;
   }
-  const FlipFree::QuadSphere sphere =
-    FlipFree::MakeQuadSphere(this->Resolution, Eigen::Vector3d(this->Center), this->Radius,
-      static_cast<FlipFree::QuadSphereSpacing>(this->Spacing));
-
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
-  output->SetPoints(FlipFree::MakePoints(sphere.Points));
-  output->SetPolys(FlipFree::MakePolys(sphere.Faces));
-
-  vtkNew<vtkUnsignedCharArray> checkerboard;
-  checkerboard->SetName("Checkerboard");
-  checkerboard->SetNumberOfValues(sphere.Points.rows());
-  for (vtkIdType vertex = 0; vertex < checkerboard->GetNumberOfValues(); ++vertex)
+  try
   {
-    const auto& cell = sphere.Cells[vertex];
-    checkerboard->SetValue(vertex, (cell[1] / 4 + cell[2] / 4) % 2);
+    const FlipFree::QuadSphere sphere =
+      FlipFree::MakeQuadSphere(this->Resolution, Eigen::Vector3d(this->Center), this->Radius,
+        static_cast<FlipFree::QuadSphereSpacing>(this->Spacing));
+    output->SetPoints(FlipFree::MakePoints(sphere.Points));
+    output->SetPolys(FlipFree::MakePolys(sphere.Faces));
+
+    vtkNew<vtkUnsignedCharArray> checkerboard;
+    checkerboard->SetName("Checkerboard");
+    checkerboard->SetNumberOfValues(sphere.Points.rows());
+    for (vtkIdType vertex = 0; vertex < checkerboard->GetNumberOfValues(); ++vertex)
+    {
+      const auto& cell = sphere.Cells[vertex];
+      checkerboard->SetValue(vertex, (cell[1] / 4 + cell[2] / 4) % 2);
+    }
+    output->GetPointData()->SetScalars(checkerboard);
   }
-  output->GetPointData()->SetScalars(checkerboard);
+  catch (const std::exception& error)
+  {
+    output->Initialize();
+    vtkErrorMacro("No sphere: " << error.what() << "; lower Resolution (" << this->Resolution
+                                << "), on which the memory depends.");
+    return 0;
+  }
   return 1;
 }
 

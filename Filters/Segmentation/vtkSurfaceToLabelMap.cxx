@@ -1,7 +1,7 @@
 #include "vtkSurfaceToLabelMap.h"
 
 #include "ExecutionAdapter.h"
-#include "ImageAdapter.h"
+#include "LabelAdapter.h"
 #include "SurfaceAdapter.h"
 #include "SurfaceVoxelisation.h"
 
@@ -9,12 +9,9 @@
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
-#include "vtkNew.h"
 #include "vtkObjectFactory.h"
-#include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
-#include "vtkUnsignedCharArray.h"
 
 vtkStandardNewMacro(vtkSurfaceToLabelMap);
 
@@ -65,23 +62,16 @@ int vtkSurfaceToLabelMap::RequestData(vtkInformation*, vtkInformationVector** in
       throw std::invalid_argument(
         "the reference image on port 1 has no voxels; give it a non-empty extent");
     }
+    FlipFree::RequireProperGrid(reference, "the reference image on port 1");
     const FlipFree::PolygonalSurface surface =
       FlipFree::SurfaceOf(vtkPolyData::GetData(inputVector[0]), "the surface on port 0");
-    const FlipFree::ImageGeometry geometry = FlipFree::GeometryOf(reference);
-    const auto runs = FlipFree::VoxeliseSurface(surface.Points, surface.Triangles, geometry,
-      FlipFree::SMPFor, FlipFree::MonitorOf(this));
+    const auto runs = FlipFree::VoxeliseSurface(surface.Points, surface.Triangles,
+      FlipFree::GeometryOf(reference), FlipFree::SMPFor, FlipFree::MonitorOf(this));
     if (FlipFree::IsAborted(this))
     {
       return 1;
     }
-    vtkNew<vtkUnsignedCharArray> labels;
-    labels->SetName("Labels");
-    labels->SetNumberOfValues(reference->GetNumberOfPoints());
-    labels->FillValue(0);
-    FlipFree::FillRuns(runs, static_cast<unsigned char>(this->LabelValue), geometry,
-      labels->GetPointer(0));
-    output->CopyStructure(reference);
-    output->GetPointData()->SetScalars(labels);
+    FlipFree::MakeLabelMap(runs, static_cast<unsigned char>(this->LabelValue), reference, output);
   }
   catch (const std::exception& error)
   {

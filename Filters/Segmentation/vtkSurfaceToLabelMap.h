@@ -19,8 +19,8 @@
  *  - `Labels`, unsigned char, one component: LabelValue inside, 0 outside.
  *
  * Errors, with an empty output: a surface without points or polygons, with triangle strips, with a
- * coordinate that is not finite, or not closed and consistently oriented; an image without voxels
- * or with a singular geometry.
+ * coordinate that is not finite, or not closed and consistently oriented; an image without voxels,
+ * with a spacing that is not positive, or with a singular direction matrix.
  *
  * @sa vtkPolyDataToImageStencil, which knows no direction matrix.
  */

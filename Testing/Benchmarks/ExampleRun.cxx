@@ -59,7 +59,8 @@ void MakeFeatures(ExampleRun& run)
     run.SeedValues.push_back(run.Smooth.Voxels[voxel]);
   }
   run.Model = FitToSeed(run.Smooth.View(), run.Seed, run.Noise, run.FeatureSettings.Intensity);
-  run.Feature = MakeFeature(run.Smooth.View(), run.Model, run.Seed, run.FeatureSettings, SMPFor);
+  run.Feature =
+    MakeFeature(run.Smooth.View(), run.Model, run.Seed, run.FeatureSettings, SMPFor, NeverStop);
   run.Foreground.resize(run.Feature.size());
   std::transform(run.Feature.begin(), run.Feature.end(), run.Foreground.begin(),
     [&run](float feature) { return feature >= run.Model.Threshold; });

@@ -70,7 +70,8 @@ void Distances(benchmark::State& state)
   const ParallelFor parallelFor = ThreadedFor(state.range(0));
   for (auto _ : state)
   {
-    benchmark::DoNotOptimize(SquaredDistance(run.Foreground, run.Smooth.Geometry, 0, parallelFor));
+    benchmark::DoNotOptimize(
+      SquaredDistance(run.Foreground, run.Smooth.Geometry, 0, parallelFor, NeverStop));
   }
   ReportTimePer("voxel", static_cast<double>(run.Foreground.size()), state);
 }
@@ -83,8 +84,8 @@ void Opening(benchmark::State& state)
   for (auto _ : state)
   {
     std::vector<unsigned char> mask = run.Foreground;
-    GrowValue(mask, run.Smooth.Geometry, radius, 0, parallelFor);
-    GrowValue(mask, run.Smooth.Geometry, radius, 1, parallelFor);
+    GrowValue(mask, run.Smooth.Geometry, radius, 0, parallelFor, NeverStop);
+    GrowValue(mask, run.Smooth.Geometry, radius, 1, parallelFor, NeverStop);
     benchmark::ClobberMemory();
   }
   ReportTimePer("voxel", static_cast<double>(run.Foreground.size()), state);
@@ -96,8 +97,8 @@ void FeatureImage(benchmark::State& state)
   const ParallelFor parallelFor = ThreadedFor(state.range(0));
   for (auto _ : state)
   {
-    benchmark::DoNotOptimize(
-      MakeFeature(run.Smooth.View(), run.Model, run.Seed, run.FeatureSettings, parallelFor));
+    benchmark::DoNotOptimize(MakeFeature(run.Smooth.View(), run.Model, run.Seed,
+      run.FeatureSettings, parallelFor, NeverStop));
   }
   ReportTimePer("voxel", static_cast<double>(run.Smooth.Voxels.size()), state);
 }

@@ -1,5 +1,7 @@
 #include "vtkPhantomSource.h"
 
+#include "MemoryLimit.h"
+
 #include "vtkCallbackCommand.h"
 #include "vtkCommand.h"
 #include "vtkDataArray.h"
@@ -371,6 +373,16 @@ TEST(PhantomSource, RefusesBadInputOneByOne)
   refuse("deviation of the noise", [](auto* source) { source->SetNoiseDeviation(-1); });
   refuse("correlation", [](auto* source) { source->SetNoiseCorrelation(0.9); });
 }
+
+#ifdef FLIPFREE_CAN_LIMIT_MEMORY
+TEST(PhantomSource, RefusesWhatTheMemoryDoesNotHold)
+{
+  vtkNew<vtkPhantomSource> source;
+  source->SetDimensions(512, 512, 512);
+  const FlipFree::MemoryLimit limit(32 << 20);
+  ExpectRefusal(source, "No phantom: ");
+}
+#endif
 
 TEST(PhantomSource, SaysWhyThereIsNoSeed)
 {

@@ -5,6 +5,7 @@
 #include "FilterErrors.h"
 #include "SurfaceVoxelisation.h"
 
+#include "vtkBitArray.h"
 #include "vtkCallbackCommand.h"
 #include "vtkCellArray.h"
 #include "vtkCommand.h"
@@ -203,6 +204,20 @@ TEST(SegmentationMetrics, AreTheSameInAnyFrame)
   }
 }
 
+TEST(SegmentationMetrics, VolumesOfAShearedGridAreThoseOfItsVoxels)
+{
+  const double tilt = 40 * std::atan(1.0) / 45;
+  Eigen::Matrix3d sheared = Eigen::Matrix3d::Identity();
+  sheared.col(2) << 0, std::sin(tilt), std::cos(tilt);
+  const Surface sphere = Sphere(12, Center, 14);
+  const auto grid = ImageAround(Center, { 60, 60, 60 }, { 0.8, 0.8, 0.8 }, sheared);
+  const auto metrics = Scores(PolyDataOf(sphere), LabelMapOf(sphere, grid));
+  EXPECT_EQ(metrics->GetDice(), 1);
+  EXPECT_NEAR(metrics->GetSegmentationVolume(), EnclosedVolume(sphere) / 1000, 0.1);
+  EXPECT_EQ(metrics->GetReferenceVolume(), metrics->GetSegmentationVolume());
+  EXPECT_LT(metrics->GetHD(), 1); // a voxel
+}
+
 TEST(SegmentationMetrics, OfAnisotropicVoxelsAreThoseOfFineOnes)
 {
   const auto fine = ImageAround(Center, { 90, 90, 90 }, { 0.6, 0.6, 0.6 }, ObliqueRotation());
@@ -387,6 +402,32 @@ TEST_F(SegmentationMetricsRefuse, LabelMapsThatAreNone)
   undefined->GetPointData()->GetScalars()->SetComponent(77, 0,
     std::numeric_limits<double>::quiet_NaN());
   this->ExpectError(undefined, this->Reference, "voxel 77 of the segmentation on port 0");
+}
+
+TEST_F(SegmentationMetricsRefuse, LabelMapsOfBits)
+{
+  const auto bits = Grid();
+  vtkNew<vtkBitArray> array;
+  array->SetName("Mask");
+  array->SetNumberOfValues(bits->GetNumberOfPoints());
+  array->Fill(1);
+  bits->GetPointData()->SetScalars(array);
+  this->ExpectError(bits, this->Reference,
+    "the scalars 'Mask' of the segmentation on port 0 are of type bit");
+  this->ExpectError(this->Segmentation, bits,
+    "the scalars 'Mask' of the reference on port 1 are of type bit");
+}
+
+TEST_F(SegmentationMetricsRefuse, GridsThatAreNone)
+{
+  for (const double spacing : { 0.0, -1.5 })
+  {
+    this->Segmentation->SetSpacing(1, 1.2, spacing);
+    this->ExpectError(this->Segmentation, this->Reference,
+      "the segmentation on port 0 has a spacing of (1, 1.2, ");
+    this->ExpectError(this->Reference, this->Segmentation,
+      "the reference on port 1 has a spacing of (1, 1.2, ");
+  }
 }
 
 TEST_F(SegmentationMetricsRefuse, SurfacesThatAreNone)

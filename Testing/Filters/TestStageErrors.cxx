@@ -9,6 +9,7 @@
 
 #include "BadInput.h"
 #include "FilterErrors.h"
+#include "MemoryLimit.h"
 
 #include "vtkBitArray.h"
 #include "vtkDoubleArray.h"
@@ -44,14 +45,18 @@ void ForEachBadImage(const std::function<void(vtkImageData*, const std::string&)
   visit(ImageOfType(VTK_FLOAT, 2), "2 components");
   const auto bits = ImageOfType(VTK_FLOAT);
   vtkNew<vtkBitArray> array;
+  array->SetName("Mask");
   array->SetNumberOfValues(bits->GetNumberOfPoints());
   bits->GetPointData()->SetScalars(array);
-  visit(bits, "type bit");
+  visit(bits, "are of type bit");
   visit(ImageWith(NotANumber), "not a finite number");
   visit(ImageWith(Infinite), "not a finite number");
   const auto flat = SphereImage();
-  flat->SetSpacing(3, 3, 0);
-  visit(flat, "spacing");
+  for (const double spacing : { 0, -3 })
+  {
+    flat->SetSpacing(3, 3, spacing);
+    visit(flat, "has a spacing of (3, 3, ");
+  }
 }
 
 // The surfaces that no stage takes.
@@ -467,6 +472,16 @@ TEST_F(DeformRefuses, PropertiesThatAreNotNumbers)
   this->Filter->SetUniformWeight(NotANumber);
   this->ExpectRefused({ "the property UniformWeight", "NaN" });
 }
+
+#ifdef FLIPFREE_CAN_LIMIT_MEMORY
+TEST(QuadSphereSourceRefuses, WhatTheMemoryDoesNotHold)
+{
+  vtkNew<vtkQuadSphereSource> source;
+  source->SetResolution(1024);
+  const MemoryLimit limit(32 << 20);
+  ExpectRefusal(source, { "No sphere: ", "lower Resolution (1024)" });
+}
+#endif
 
 TEST(QuadSphereSourceRefuses, NumbersThatAreNotFinite)
 {

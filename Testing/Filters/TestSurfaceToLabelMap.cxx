@@ -228,10 +228,20 @@ TEST_F(SurfaceToLabelMapRefuses, AnImageWithoutVoxels)
   this->ExpectError("port 1 has no voxels");
 }
 
-TEST_F(SurfaceToLabelMapRefuses, AnImageWithoutThickness)
+TEST_F(SurfaceToLabelMapRefuses, AnImageWithoutThicknessOrOfNegativeSpacing)
 {
-  this->Image->SetSpacing(1, 1, 0);
-  this->ExpectError("singular");
+  for (const double spacing : { 0, -1 })
+  {
+    this->Image->SetSpacing(1, 1, spacing);
+    this->ExpectError("the reference image on port 1 has a spacing of (1, 1, ");
+  }
+}
+
+TEST_F(SurfaceToLabelMapRefuses, AnImageWhoseAxesLieInAPlane)
+{
+  const double flat[9] = { 1, 0, 1, 0, 1, 1, 0, 0, 0 };
+  this->Image->SetDirectionMatrix(flat);
+  this->ExpectError("the reference image on port 1 has a direction matrix");
 }
 
 TEST_F(SurfaceToLabelMapRefuses, NoInputAndTheWrongType)

@@ -1,10 +1,14 @@
 // vtkAnisotropicDiffusionPrefilter: invariants, and ITK's own filters as the second implementation.
 #include "vtkAnisotropicDiffusionPrefilter.h"
+#include "vtkGMMFeatureFilter.h"
+#include "vtkSeedRegionDiffusion.h"
 
 #include "ItkVtkBridge.h"
 
 #include "ExampleImages.h"
 
+#include "vtkBitArray.h"
+#include "vtkFieldData.h"
 #include "vtkFloatArray.h"
 #include "vtkSMPTools.h"
 
@@ -319,6 +323,95 @@ TEST(TestDiffusionPrefilter, GradientScaleOfARampIsItsSlope)
   EXPECT_DOUBLE_EQ(filter->GetTimeStepUsed(), 0.5 / 16);
 }
 
+// The grid of a gantry tilted by 40 degrees. A voxel of the sphere's far end, along the shear,
+// makes all the difference.
+TEST(TestDiffusionPrefilter, GradientScaleOfAShearedGridCountsTheWholeSphere)
+{
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(30, 30, 30);
+  const double tilt = 40 * std::atan(1.0) / 45;
+  const double sheared[9] = { 1, 0, 0, 0, 1, std::sin(tilt), 0, 0, std::cos(tilt) };
+  image->SetDirectionMatrix(sheared);
+  image->AllocateScalars(VTK_FLOAT, 1);
+  const double radius = 6;
+  int index[3];
+  double center[3];
+  image->TransformContinuousIndexToPhysicalPoint(15, 15, 15, center);
+  double sum = 0;
+  int count = 0;
+  for (index[2] = 0; index[2] < 30; ++index[2])
+  {
+    for (index[1] = 0; index[1] < 30; ++index[1])
+    {
+      for (index[0] = 0; index[0] < 30; ++index[0])
+      {
+        image->SetScalarComponentFromDouble(index[0], index[1], index[2], 0, index[1] * index[1]);
+        double point[3];
+        image->TransformIndexToPhysicalPoint(index, point);
+        if (std::hypot(point[0] - center[0], point[1] - center[1], point[2] - center[2]) <= radius)
+        {
+          sum += 4.0 * index[1] * index[1]; // the slope is twice the index
+          ++count;
+        }
+      }
+    }
+  }
+  vtkNew<vtkAnisotropicDiffusionPrefilter> filter;
+  filter->SetInputData(image);
+  filter->SetScaleCenter(center);
+  filter->SetScaleRadius(radius);
+  filter->Update();
+  EXPECT_NEAR(filter->GetGradientScaleUsed(), std::sqrt(sum / count), 1e-6);
+}
+
+TEST(TestDiffusionPrefilter, FeatureIsModelledWithTheNoiseBeforeSmoothing)
+{
+  auto image = NoisyStep(40, 30, 20, 5);
+  double center[3];
+  image->TransformContinuousIndexToPhysicalPoint(9, 15, 10, center);
+  const double radius = 6.03;
+  const auto noiseOf = [](vtkImageData* smooth)
+  {
+    vtkDataArray* noise = smooth->GetFieldData()->GetArray("NoiseDeviation");
+    return noise && noise->GetNumberOfValues() == 1 ? noise->GetTuple1(0) : -1;
+  };
+  vtkNew<vtkAnisotropicDiffusionPrefilter> smooth;
+  smooth->SetInputData(image);
+  smooth->SetNumberOfIterations(20);
+  smooth->Update();
+  EXPECT_EQ(noiseOf(smooth->GetOutput()), -1); // without a sphere
+  smooth->SetScaleCenter(center);
+  smooth->SetScaleRadius(radius);
+  vtkNew<vtkGMMFeatureFilter> feature;
+  feature->SetInputConnection(smooth->GetOutputPort());
+  feature->SetSeedCenter(center);
+  feature->SetSeedRadius(radius);
+  feature->Update();
+  const double noise = noiseOf(smooth->GetOutput());
+  EXPECT_NEAR(noise, 5, 0.5);
+
+  vtkNew<vtkSeedRegionDiffusion> other;
+  other->SetInputData(image);
+  other->SetSeedCenter(center);
+  other->SetSeedRadius(radius);
+  other->Update();
+  EXPECT_DOUBLE_EQ(noise, noiseOf(other->GetOutput()));
+
+  const auto narrowest = [&feature]()
+  {
+    double range[2];
+    feature->GetOutput()->GetFieldData()->GetArray("MixtureDeviations")->GetRange(range);
+    return range[0];
+  };
+  EXPECT_GE(narrowest(), noise);
+  vtkNew<vtkImageData> unknown; // the very same voxels
+  unknown->DeepCopy(smooth->GetOutput());
+  unknown->GetFieldData()->Initialize();
+  feature->SetInputData(unknown);
+  feature->Update();
+  EXPECT_LT(narrowest(), noise);
+}
+
 TEST(TestDiffusionPrefilter, NoIterationOnlyConverts)
 {
   auto image = NoisyStep(12, 10, 8, 25);
@@ -349,15 +442,30 @@ TEST(TestDiffusionPrefilter, BadInputIsRefusedWithOneError)
   };
   vtkNew<vtkImageData> bare;
   bare->SetDimensions(3, 3, 3);
-  refuse(bare, "no scalars");
+  refuse(bare, "no point scalars");
   bare->AllocateScalars(VTK_SHORT, 2);
   refuse(bare, "2 components");
+  vtkNew<vtkBitArray> bits;
+  bits->SetName("Mask");
+  bits->SetNumberOfValues(27);
+  bare->GetPointData()->SetScalars(bits);
+  refuse(bare, "the scalars 'Mask' of the image on port 0 are of type bit");
   auto image = NoisyStep(12, 10, 8, 25);
+  image->SetSpacing(1, -1, 1);
+  refuse(image, "spacing of (1, -1, 1) mm");
+  image = NoisyStep(12, 10, 8, 25);
   refuse(image, "VOI", [](auto* filter) { filter->SetVOI(100, 110, 0, 9, 0, 7); });
   refuse(image, "TimeStep", [](auto* filter) { filter->SetTimeStep(0.06); });
   refuse(image, "scale sphere",
     [](auto* filter)
     {
+      filter->SetScaleCenter(1e6, 1e6, 1e6);
+      filter->SetScaleRadius(10);
+    });
+  refuse(image, "scale sphere", // which the scale does not need, but the noise
+    [](auto* filter)
+    {
+      filter->SetGradientScale(5);
       filter->SetScaleCenter(1e6, 1e6, 1e6);
       filter->SetScaleRadius(10);
     });

@@ -68,7 +68,8 @@ TEST(DistanceTransform, IsTheBruteForceDistance)
       const std::vector<unsigned char> mask = RandomMask(geometry, part, random);
       for (unsigned char target : { 0, 1 })
       {
-        const std::vector<float> distance = SquaredDistance(mask, geometry, target, SerialFor);
+        const std::vector<float> distance =
+          SquaredDistance(mask, geometry, target, SerialFor, NeverStop);
         ASSERT_EQ(distance.size(), mask.size());
         for (int k = 0; k < geometry.Dimensions[2]; ++k)
         {
@@ -82,7 +83,7 @@ TEST(DistanceTransform, IsTheBruteForceDistance)
             }
           }
         }
-        EXPECT_EQ(SquaredDistance(mask, geometry, target, ScatteredFor), distance);
+        EXPECT_EQ(SquaredDistance(mask, geometry, target, ScatteredFor, NeverStop), distance);
       }
     }
   }
@@ -99,9 +100,9 @@ TEST(BallMorphology, GrowsAndShrinksByABallInMillimetres)
       {
         const std::vector<unsigned char> mask = RandomMask(geometry, value ? 0.03 : 0.97, random);
         std::vector<unsigned char> grown = mask;
-        GrowValue(grown, geometry, radius, value, SerialFor);
+        GrowValue(grown, geometry, radius, value, SerialFor, NeverStop);
         std::vector<unsigned char> threaded = mask;
-        GrowValue(threaded, geometry, radius, value, ScatteredFor);
+        GrowValue(threaded, geometry, radius, value, ScatteredFor, NeverStop);
         ASSERT_EQ(threaded, grown);
         for (int k = 0; k < geometry.Dimensions[2]; ++k)
         {
@@ -129,17 +130,17 @@ TEST(DistanceTransform, EmptyAndFullMasks)
   for (unsigned char value : { 0, 1 })
   {
     const std::vector<unsigned char> uniform(geometry.NumberOfVoxels(), value);
-    for (float distance : SquaredDistance(uniform, geometry, value, SerialFor))
+    for (float distance : SquaredDistance(uniform, geometry, value, SerialFor, NeverStop))
     {
       EXPECT_EQ(distance, 0);
     }
     const unsigned char other = 1 - value;
-    for (float distance : SquaredDistance(uniform, geometry, other, SerialFor))
+    for (float distance : SquaredDistance(uniform, geometry, other, SerialFor, NeverStop))
     {
       EXPECT_GT(distance, 1e18f);
     }
     std::vector<unsigned char> grown = uniform;
-    GrowValue(grown, geometry, 100, other, SerialFor);
+    GrowValue(grown, geometry, 100, other, SerialFor, NeverStop);
     EXPECT_EQ(grown, uniform);
   }
 }

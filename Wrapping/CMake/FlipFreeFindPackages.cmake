@@ -3,37 +3,46 @@
 find_package(Threads REQUIRED)
 find_package(Eigen3 3.3 REQUIRED NO_MODULE)
 
+# What the modules need, and for each further part what that adds: the modules alone can be built on a
+# VTK without rendering, charts, or readers and writers of its own.
 set(_flipfree_vtk_components
-  ChartsCore
   CommonCore
   CommonDataModel
   CommonExecutionModel
   CommonMath
-  CommonMisc
-  CommonTransforms
   FiltersCore
-  FiltersGeneral
-  FiltersModeling
-  FiltersSources
-  FiltersVerdict
-  ImagingCore
-  IOCore
-  IOGeometry
-  IOImage
-  IOLegacy
-  IOPLY
-  IOXML
-  InteractionStyle
-  RenderingAnnotation
-  RenderingContext2D
-  RenderingContextOpenGL2
-  RenderingCore
-  RenderingFreeType
-  RenderingImage
-  RenderingOpenGL2
-  ViewsContext2D)
+  FiltersGeneral)
+if (FLIPFREE_USE_ITK)
+  list(APPEND _flipfree_vtk_components CommonMisc IOCore IOImage)
+endif ()
+if (FLIPFREE_BUILD_COMMAND)
+  list(APPEND _flipfree_vtk_components
+    CommonTransforms
+    ImagingCore
+    IOCore
+    IOGeometry
+    IOImage
+    IOPLY
+    IOXML
+    RenderingCore
+    RenderingOpenGL2)
+endif ()
+if (FLIPFREE_BUILD_BENCHMARKS)
+  list(APPEND _flipfree_vtk_components CommonSystem IOXML)
+endif ()
 if (BUILD_TESTING)
-  list(APPEND _flipfree_vtk_components TestingCore TestingRendering)
+  list(APPEND _flipfree_vtk_components
+    ChartsCore
+    CommonSystem
+    FiltersVerdict
+    ImagingCore
+    InteractionStyle
+    RenderingContextOpenGL2
+    RenderingFreeType
+    RenderingOpenGL2
+    TestingCore
+    TestingRendering
+    ViewsContext2D)
 endif ()
 if (FLIPFREE_WRAP_PYTHON)
   # VTK's wrapping must find the interpreter that imports the distribution's vtkmodules.
@@ -43,6 +52,7 @@ if (FLIPFREE_WRAP_PYTHON)
   find_package(Python3 COMPONENTS Interpreter Development REQUIRED)
   list(APPEND _flipfree_vtk_components Python WrappingPythonCore)
 endif ()
+list(REMOVE_DUPLICATES _flipfree_vtk_components)
 find_package(VTK 9.1 REQUIRED COMPONENTS ${_flipfree_vtk_components})
 
 if (FLIPFREE_USE_ITK)

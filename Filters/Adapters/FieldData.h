@@ -1,5 +1,6 @@
 /**
- * Private to the module: the numbers that travel with an image from stage to stage as field data.
+ * Private to the modules, never installed: the numbers that travel with an image from stage to
+ * stage as field data.
  */
 #ifndef FlipFreeFieldData_h
 #define FlipFreeFieldData_h

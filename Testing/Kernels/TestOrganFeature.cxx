@@ -1,0 +1,166 @@
+// The feature image and its parts: what they do when they are stopped.
+#include "BallMorphology.h"
+#include "DistanceTransform.h"
+#include "ExampleSurfaces.h"
+#include "OrganFeature.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <random>
+
+using namespace FlipFree;
+
+namespace
+{
+
+/// Stops at its n-th question, counted from 0, but not if it is asked once more.
+class Stop
+{
+public:
+  explicit Stop(int at)
+    : At(at)
+  {
+  }
+  Monitor AsMonitor()
+  {
+    return [this](double fraction)
+    {
+      EXPECT_GE(fraction, this->Last);
+      EXPECT_LE(fraction, 1);
+      this->Last = fraction;
+      return this->Asked++ != this->At;
+    };
+  }
+
+  int Asked = 0;
+
+private:
+  int At;
+  double Last = 0;
+};
+
+/// `work` is given a monitor and says whether it came to its end. It must do so if it is not
+/// stopped, and not ask again once it is. Returns how often it asks.
+template <typename Work>
+int ExpectStopsWheneverAsked(Work&& work)
+{
+  Stop never(std::numeric_limits<int>::max());
+  EXPECT_TRUE(work(never.AsMonitor()));
+  for (int question = 0; question < never.Asked; ++question)
+  {
+    Stop stop(question);
+    EXPECT_FALSE(work(stop.AsMonitor())) << "question " << question;
+    EXPECT_EQ(stop.Asked, question + 1);
+  }
+  return never.Asked;
+}
+
+/// A bright ball of 9 mm on noise, and a seed in it.
+class OrganFeatureStops : public testing::Test
+{
+protected:
+  void SetUp() override
+  {
+    this->Image.Geometry.Dimensions = { { 30, 26, 20 } };
+    this->Image.Geometry.Spacing = { 1, 1.2, 1.5 };
+    std::mt19937 random(5);
+    std::normal_distribution<float> noise(0, 6);
+    for (int k = 0; k < 20; ++k)
+    {
+      for (int j = 0; j < 26; ++j)
+      {
+        for (int i = 0; i < 30; ++i)
+        {
+          const Eigen::Vector3d point = this->Image.Geometry.ToPhysical(Eigen::Vector3d(i, j, k));
+          const bool inside = (point - this->Seed.Center).norm() < 9;
+          this->Image.Voxels.push_back((inside ? 100.0F : 0.0F) + noise(random));
+          this->Mask.push_back(inside);
+        }
+      }
+    }
+  }
+
+  FloatImage Image;
+  std::vector<unsigned char> Mask;
+  SeedSphere Seed{ { 15, 15, 14 }, 5 };
+};
+
+} // namespace
+
+TEST_F(OrganFeatureStops, DistanceTransform)
+{
+  const int asked = ExpectStopsWheneverAsked([this](const Monitor& monitor)
+    { return !SquaredDistance(this->Mask, this->Image.Geometry, 1, SerialFor, monitor).empty(); });
+  EXPECT_EQ(asked, 2);
+}
+
+TEST_F(OrganFeatureStops, MorphologyAndLeavesTheMask)
+{
+  for (const double radius : { 2.5, 40.0 }) // by rows, and by distance
+  {
+    const int asked = ExpectStopsWheneverAsked(
+      [this, radius](const Monitor& monitor)
+      {
+        std::vector<unsigned char> mask = this->Mask;
+        const bool done = GrowValue(mask, this->Image.Geometry, radius, 1, SerialFor, monitor);
+        EXPECT_EQ(mask == this->Mask, !done);
+        return done;
+      });
+    EXPECT_GE(asked, 3);
+  }
+}
+
+TEST_F(OrganFeatureStops, LeakControl)
+{
+  const int asked = ExpectStopsWheneverAsked(
+    [this](const Monitor& monitor)
+    {
+      std::vector<unsigned char> mask = this->Mask;
+      return ControlLeaks(mask, this->Image.Geometry, this->Seed, { 1.5, 4 }, SerialFor, monitor);
+    });
+  EXPECT_GE(asked, 4 * 3 + 2);
+}
+
+TEST_F(OrganFeatureStops, RefitAndLeavesTheModel)
+{
+  const Surface surface = Sphere(6, this->Seed.Center, 8);
+  const IntensitySettings settings;
+  const IntensityModel start = FitToSeed(this->Image.View(), this->Seed, 6, settings);
+  const auto tableOf = [](const IntensityModel& model)
+  {
+    std::vector<float> table;
+    for (int z = -50; z <= 200; ++z)
+    {
+      table.push_back(model(static_cast<float>(z)));
+    }
+    return table;
+  };
+  const int asked = ExpectStopsWheneverAsked(
+    [&](const Monitor& monitor)
+    {
+      IntensityModel model = start;
+      const bool done = RefitToSurface(this->Image.View(), surface.Points, surface.Triangles, 6,
+        settings, SerialFor, monitor, model);
+      EXPECT_EQ(tableOf(model) == tableOf(start), !done);
+      return done;
+    });
+  EXPECT_GE(asked, 3 * 3 + 2);
+}
+
+TEST_F(OrganFeatureStops, FeatureImage)
+{
+  OrganFeatureSettings settings;
+  const IntensityModel model = FitToSeed(this->Image.View(), this->Seed, 6, settings.Intensity);
+  for (const bool controlLeaks : { false, true })
+  {
+    settings.ControlLeaks = controlLeaks;
+    const int asked = ExpectStopsWheneverAsked(
+      [&](const Monitor& monitor)
+      {
+        return !MakeFeature(this->Image.View(), model, this->Seed, settings, SerialFor, monitor)
+                  .empty();
+      });
+    EXPECT_GE(asked, controlLeaks ? 15 : 1);
+  }
+}

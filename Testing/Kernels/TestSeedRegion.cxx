@@ -1,0 +1,115 @@
+#include "ExampleSurfaces.h"
+#include "SeedRegion.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+using namespace FlipFree;
+
+namespace
+{
+
+// The frames of ExampleDirections, and grids whose axes are not at right angles: gantries tilted
+// either way, and one with all angles different.
+std::vector<std::pair<std::string, Eigen::Matrix3d>> FramesAndShears()
+{
+  auto frames = ExampleDirections();
+  for (const double degrees : { 30.0, -50.0 })
+  {
+    const double tilt = degrees * std::atan(1.0) / 45;
+    Eigen::Matrix3d sheared = Eigen::Matrix3d::Identity();
+    sheared.col(2) << 0, std::sin(tilt), std::cos(tilt);
+    frames.emplace_back("tilted by " + std::to_string(degrees), sheared);
+    frames.emplace_back("tilted and oblique", ObliqueRotation() * sheared);
+  }
+  Eigen::Matrix3d skew;
+  skew << 1, 0.6, -0.2, 0, 0.8, 0.5, 0, 0, 0.842615;
+  frames.emplace_back("skew", skew);
+  return frames;
+}
+
+ImageGeometry GridAround(const Eigen::Vector3d& center, const Eigen::Matrix3d& direction)
+{
+  ImageGeometry geometry;
+  geometry.Dimensions = { { 34, 30, 21 } };
+  geometry.Spacing = { 0.7, 1, 1.9 };
+  geometry.Direction = direction;
+  geometry.Origin = center - geometry.ToPhysical({ 16.3, 14.1, 10.4 });
+  return geometry;
+}
+
+const Eigen::Vector3d Center(-30, 20, 150);
+
+} // namespace
+
+TEST(SeedRegion, SphereHoldsTheVoxelsThatBruteForceFinds)
+{
+  for (const auto& [name, direction] : FramesAndShears())
+  {
+    const ImageGeometry geometry = GridAround(Center, direction);
+    for (const double radius : { 0.3, 2.0, 5.0, 8.5, 30.0 })
+    {
+      std::vector<std::size_t> expected;
+      for (int k = 0; k < geometry.Dimensions[2]; ++k)
+      {
+        for (int j = 0; j < geometry.Dimensions[1]; ++j)
+        {
+          for (int i = 0; i < geometry.Dimensions[0]; ++i)
+          {
+            const Eigen::Vector3d index(i, j, k);
+            if ((geometry.ToPhysical(index) - Center).norm() <= radius)
+            {
+              expected.push_back(geometry.Offset(i, j, k));
+            }
+          }
+        }
+      }
+      EXPECT_EQ(VoxelsInSphere(geometry, { Center, radius }), expected) << name << " " << radius;
+    }
+  }
+}
+
+TEST(SeedRegion, ReachInIndicesIsThatOfTheFurthestPointsOfABall)
+{
+  std::mt19937 random(3);
+  std::normal_distribution<double> normal;
+  for (const auto& [name, direction] : FramesAndShears())
+  {
+    const ImageGeometry geometry = GridAround(Center, direction);
+    const Eigen::Vector3d reach = geometry.IndexReach(7);
+    Eigen::Vector3d furthest = Eigen::Vector3d::Zero();
+    for (int i = 0; i < 20000; ++i)
+    {
+      const Eigen::Vector3d offset(normal(random), normal(random), normal(random));
+      furthest = furthest.cwiseMax(
+        (geometry.ToIndex(Center + 7 * offset.normalized()) - geometry.ToIndex(Center)).cwiseAbs());
+    }
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      EXPECT_LE(furthest[axis], reach[axis] * (1 + 1e-9)) << name;
+      EXPECT_GT(furthest[axis], 0.99 * reach[axis]) << name;
+    }
+    const Extent box = ReachableExtent(geometry, Center, 7);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const double middle = geometry.ToIndex(Center)[axis];
+      const double last = geometry.Dimensions[axis] - 1;
+      EXPECT_EQ(box[2 * axis], std::max(0.0, std::floor(middle - reach[axis]))) << name;
+      EXPECT_EQ(box[2 * axis + 1], std::min(last, std::ceil(middle + reach[axis]))) << name;
+    }
+  }
+}
+
+TEST(SeedRegion, VoxelVolumeIsThatOfTheParallelepiped)
+{
+  for (const auto& [name, direction] : FramesAndShears())
+  {
+    const ImageGeometry geometry = GridAround(Center, direction);
+    const Eigen::Vector3d origin = geometry.ToPhysical({ 0, 0, 0 });
+    const Eigen::Vector3d x = geometry.ToPhysical({ 1, 0, 0 }) - origin;
+    const Eigen::Vector3d y = geometry.ToPhysical({ 0, 1, 0 }) - origin;
+    const Eigen::Vector3d z = geometry.ToPhysical({ 0, 0, 1 }) - origin;
+    EXPECT_NEAR(geometry.VoxelVolume(), std::abs(x.dot(y.cross(z))), 1e-9) << name;
+  }
+}
