@@ -34,7 +34,11 @@ const double Oblique[9] = { 0.36, 0.48, -0.8, -0.8, 0.6, 0, 0.48, 0.64, 0.6 };
 std::vector<double> Values(vtkImageData* image)
 {
   vtkDataArray* scalars = image->GetPointData()->GetScalars();
-  std::vector<double> values(scalars ? scalars->GetNumberOfTuples() : 0);
+  if (!scalars)
+  {
+    return {};
+  }
+  std::vector<double> values(scalars->GetNumberOfTuples());
   for (std::size_t i = 0; i < values.size(); ++i)
   {
     values[i] = scalars->GetComponent(static_cast<vtkIdType>(i), 0);

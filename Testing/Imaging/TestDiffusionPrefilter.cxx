@@ -311,8 +311,9 @@ TEST(TestDiffusionPrefilter, GradientScaleOfARampIsItsSlope)
   image->AllocateScalars(VTK_DOUBLE, 1);
   for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
   {
+    const vtkIdType slice = i / 400;
     const double value =
-      3 * 0.5 * static_cast<double>(i % 20) + 4 * 2.0 * static_cast<double>(i / 400);
+      3 * 0.5 * static_cast<double>(i % 20) + 4 * 2.0 * static_cast<double>(slice);
     image->GetPointData()->GetScalars()->SetComponent(i, 0, value);
   }
   vtkNew<vtkAnisotropicDiffusionPrefilter> filter;
