@@ -4,6 +4,7 @@
 #include "ConvergenceTable.h"
 #include "ExecutionAdapter.h"
 #include "GreyImageAdapter.h"
+#include "LabelAdapter.h"
 #include "SegmentationParameters.h"
 
 #include "AnisotropicDiffusion.h"
@@ -17,13 +18,11 @@
 #include "vtkInformationVector.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
-#include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkTable.h"
 #include "vtkTrivialProducer.h"
-#include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 #include <numeric>
@@ -267,15 +266,9 @@ void vtkFlipFreeSegmentation::Execute(vtkImageData* image, vtkPolyData* start)
   FlipFree::AttachField(organ.Field, this->Cache->Surface);
   this->WarnOf(organ, region.Geometry, geometry);
 
-  vtkNew<vtkUnsignedCharArray> labels;
-  labels->SetName("Labels");
-  labels->SetNumberOfValues(image->GetNumberOfPoints());
-  labels->FillValue(0);
-  FlipFree::FillRuns(
+  FlipFree::MakeLabelMap(
     FlipFree::VoxeliseSurface(organ.Points, organ.Mesh.Triangles, geometry, FlipFree::SMPFor),
-    static_cast<unsigned char>(this->LabelValue), geometry, labels->GetPointer(0));
-  this->Cache->Labels->CopyStructure(image);
-  this->Cache->Labels->GetPointData()->SetScalars(labels);
+    static_cast<unsigned char>(this->LabelValue), image, this->Cache->Labels);
   this->StageSeconds[3] = watch.Lap();
   this->UpdateProgress(1);
 }
