@@ -174,22 +174,28 @@ bool SampleInsideAndShell(const ImageView<float>& image, const std::vector<unsig
   };
   insideValues.clear();
   shellValues.clear();
-  std::vector<unsigned char> core = inside;
-  std::vector<unsigned char> near = inside;
+  std::vector<unsigned char> mask = inside;
+  if (!grow(mask, settings.InnerMargin, 0, 0, 0.2))
+  {
+    return false;
+  }
+  for (std::size_t voxel = 0; voxel < inside.size(); ++voxel)
+  {
+    if (mask[voxel])
+    {
+      insideValues.push_back(image.Data[voxel]);
+    }
+  }
+  mask = inside;
   std::vector<unsigned char> around = inside;
-  if (!grow(core, settings.InnerMargin, 0, 0, 0.2) ||
-    !grow(near, settings.ShellBegin, 1, 0.2, 0.4) ||
+  if (!grow(mask, settings.ShellBegin, 1, 0.2, 0.4) ||
     !grow(around, settings.ShellEnd, 1, 0.4, 0.9) || !monitor(0.9))
   {
     return false;
   }
   for (std::size_t voxel = 0; voxel < inside.size(); ++voxel)
   {
-    if (core[voxel])
-    {
-      insideValues.push_back(image.Data[voxel]);
-    }
-    else if (around[voxel] && !near[voxel])
+    if (around[voxel] && !mask[voxel])
     {
       shellValues.push_back(image.Data[voxel]);
     }

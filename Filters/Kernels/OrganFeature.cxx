@@ -78,16 +78,25 @@ std::vector<float> MakeFeature(const ImageView<float>& smooth, const IntensityMo
   {
     return {};
   }
-  const std::size_t size = smooth.Geometry.NumberOfVoxels();
-  std::vector<float> feature(size);
-  parallelFor(0, static_cast<std::ptrdiff_t>(size),
-    [&](std::ptrdiff_t first, std::ptrdiff_t last)
-    { std::transform(smooth.Data + first, smooth.Data + last, feature.begin() + first, model); });
-  if (!settings.ControlLeaks)
+  const auto size = static_cast<std::ptrdiff_t>(smooth.Geometry.NumberOfVoxels());
+  // The mask first, since the feature and what leak control needs would be too much at once.
+  std::vector<unsigned char> mask;
+  if (settings.ControlLeaks)
   {
-    return feature;
+    mask.resize(size);
+    parallelFor(0, size,
+      [&](std::ptrdiff_t first, std::ptrdiff_t last)
+      {
+        std::transform(smooth.Data + first, smooth.Data + last, mask.begin() + first,
+          [&model](float z) { return static_cast<unsigned char>(model(z) >= model.Threshold); });
+      });
+    if (!ControlLeaks(mask, smooth.Geometry, seed, settings.Leaks, parallelFor,
+          PartOf(monitor, 0.1, 0.9)))
+    {
+      return {};
+    }
   }
-  if (!monitor(0.1))
+  if (!monitor(0.9))
   {
     return {};
   }
@@ -95,22 +104,18 @@ std::vector<float> MakeFeature(const ImageView<float>& smooth, const IntensityMo
   const float threshold =
     std::nextafter(static_cast<float>(model.Threshold), std::numeric_limits<float>::infinity());
   const float below = 0.5F * threshold;
-  std::vector<unsigned char> mask(size);
-  for (std::size_t voxel = 0; voxel < size; ++voxel)
-  {
-    mask[voxel] = feature[voxel] >= model.Threshold;
-  }
-  if (!ControlLeaks(mask, smooth.Geometry, seed, settings.Leaks, parallelFor,
-        PartOf(monitor, 0.2, 0.9)) ||
-    !monitor(0.9))
-  {
-    return {};
-  }
-  for (std::size_t voxel = 0; voxel < size; ++voxel)
-  {
-    feature[voxel] =
-      mask[voxel] ? std::max(feature[voxel], threshold) : std::min(feature[voxel], below);
-  }
+  std::vector<float> feature(size);
+  parallelFor(0, size,
+    [&](std::ptrdiff_t first, std::ptrdiff_t last)
+    {
+      for (std::ptrdiff_t voxel = first; voxel < last; ++voxel)
+      {
+        const float value = model(smooth.Data[voxel]);
+        feature[voxel] = mask.empty() ? value
+          : mask[voxel]               ? std::max(value, threshold)
+                                      : std::min(value, below);
+      }
+    });
   return feature;
 }
 

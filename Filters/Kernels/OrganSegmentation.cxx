@@ -85,6 +85,7 @@ private:
     if (this->Settings.Reestimate)
     {
       Stopwatch watch;
+      this->Feature = std::vector<float>(); // two at a time would be the greatest need of memory
       RefitToSurface(this->Smooth, this->Surface.Points, this->Surface.Mesh.Triangles, this->Noise,
         this->Settings.Feature.Intensity, this->Parallel, proceed, this->Model);
       this->UpdateFeature(proceed);
