@@ -1,12 +1,16 @@
 #include "AnisotropicDiffusion.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace FlipFree
 {
 namespace
 {
+
+// Slices that are worked on by one thread in one piece.
+constexpr std::ptrdiff_t SlicesOfSlab = 16;
 
 struct Fluxes
 {
@@ -39,6 +43,19 @@ void StepRow(const float* row, const float* south, const float* north, const flo
   }
 }
 
+// One slice of one explicit step.
+void StepSlice(const float* now, const float* below, const float* above,
+  const std::array<int, 3>& size, const Fluxes& fluxes, float* out)
+{
+  const std::ptrdiff_t row = size[0];
+  for (std::ptrdiff_t j = 0; j < size[1]; ++j)
+  {
+    const float* const at = now + j * row;
+    StepRow(at, at - (j > 0 ? row : 0), at + (j + 1 < size[1] ? row : 0), below + j * row,
+      above + j * row, out + j * row, size[0], fluxes);
+  }
+}
+
 } // namespace
 
 bool DiffuseAnisotropically(std::vector<float>& voxels, const ImageGeometry& geometry,
@@ -46,8 +63,7 @@ bool DiffuseAnisotropically(std::vector<float>& voxels, const ImageGeometry& geo
   const Monitor& monitor)
 {
   const auto& size = geometry.Dimensions;
-  const std::ptrdiff_t row = size[0];
-  const std::ptrdiff_t slice = row * size[1];
+  const std::ptrdiff_t slice = static_cast<std::ptrdiff_t>(size[0]) * size[1];
   // The step is chosen in units of the finest spacing; coarser axes diffuse less.
   const double finest = geometry.Spacing.minCoeff();
   const Eigen::Vector3d weights = (finest / geometry.Spacing.array()).square();
@@ -57,29 +73,52 @@ bool DiffuseAnisotropically(std::vector<float>& voxels, const ImageGeometry& geo
   const Fluxes fluxes{ static_cast<float>(step * weights[0]), static_cast<float>(step * weights[1]),
     static_cast<float>(step * weights[2]), static_cast<float>(std::min(inverseSquare, 1e38)) };
 
-  std::vector<float> next(voxels.size());
+  // In place, slab by slab. The slices next to a slab are kept as they were before the step, since
+  // other slabs may have changed them by the time that they are needed.
+  const std::ptrdiff_t slabs = (size[2] + SlicesOfSlab - 1) / SlicesOfSlab;
+  std::vector<float> before(slabs * slice);
+  std::vector<float> behind(slabs * slice);
   for (int iteration = 0; iteration < settings.Iterations; ++iteration)
   {
     if (!monitor(static_cast<double>(iteration) / settings.Iterations))
     {
       return false;
     }
-    parallelFor(0, size[2],
+    parallelFor(0, slabs,
       [&](std::ptrdiff_t first, std::ptrdiff_t last)
       {
-        for (std::ptrdiff_t k = first; k < last; ++k)
+        for (std::ptrdiff_t slab = first; slab < last; ++slab)
         {
-          const std::ptrdiff_t below = k > 0 ? -slice : 0;
-          const std::ptrdiff_t above = k + 1 < size[2] ? slice : 0;
-          for (std::ptrdiff_t j = 0; j < size[1]; ++j)
+          const std::ptrdiff_t begin = slab * SlicesOfSlab;
+          const std::ptrdiff_t end = std::min<std::ptrdiff_t>(begin + SlicesOfSlab, size[2]);
+          // The border repeats, which lets nothing flow out.
+          const float* const lower = voxels.data() + std::max<std::ptrdiff_t>(begin - 1, 0) * slice;
+          const float* const upper =
+            voxels.data() + std::min<std::ptrdiff_t>(end, size[2] - 1) * slice;
+          std::copy_n(lower, slice, before.data() + slab * slice);
+          std::copy_n(upper, slice, behind.data() + slab * slice);
+        }
+      });
+    parallelFor(0, slabs,
+      [&](std::ptrdiff_t first, std::ptrdiff_t last)
+      {
+        std::vector<float> below(slice);
+        std::vector<float> now(slice);
+        for (std::ptrdiff_t slab = first; slab < last; ++slab)
+        {
+          const std::ptrdiff_t begin = slab * SlicesOfSlab;
+          const std::ptrdiff_t end = std::min<std::ptrdiff_t>(begin + SlicesOfSlab, size[2]);
+          std::copy_n(before.data() + slab * slice, slice, below.data());
+          for (std::ptrdiff_t k = begin; k < end; ++k)
           {
-            const float* at = voxels.data() + k * slice + j * row;
-            StepRow(at, at - (j > 0 ? row : 0), at + (j + 1 < size[1] ? row : 0), at + below,
-              at + above, next.data() + k * slice + j * row, size[0], fluxes);
+            float* const out = voxels.data() + k * slice;
+            std::copy_n(out, slice, now.data());
+            const float* const above = k + 1 < end ? out + slice : behind.data() + slab * slice;
+            StepSlice(now.data(), below.data(), above, size, fluxes, out);
+            below.swap(now);
           }
         }
       });
-    voxels.swap(next);
   }
   return true;
 }
