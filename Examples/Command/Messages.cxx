@@ -83,7 +83,7 @@ public:
   void DisplayWarningText(const char* text) override
   {
     const std::lock_guard<std::mutex> guard(Lock);
-    PrintWarning(WithoutTrace(text));
+    PrintWarning(WithOptionNames(WithoutTrace(text)));
   }
   void DisplayGenericWarningText(const char* text) override
   {
@@ -169,6 +169,19 @@ std::string Replaced(std::string text, const std::string& from, const std::strin
        at += to.size())
   {
     text.replace(at, from.size(), to);
+  }
+  return text;
+}
+
+std::string WithOptionNames(std::string text)
+{
+  const std::pair<const char*, const char*> names[] = { { "FeatureThreshold", "--threshold" },
+    { "ForegroundMass", "--foreground-mass" }, { "NoiseWidening", "--noise-widening" },
+    { "SearchDistance", "--search-distance" }, { "MaximumDisplacement", "--maximum-displacement" },
+    { "raise Reach", "raise --reach" }, { "lower Levels", "lower --levels" } };
+  for (const auto& name : names)
+  {
+    text = Replaced(text, name.first, name.second);
   }
   return text;
 }

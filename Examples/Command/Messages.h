@@ -37,6 +37,9 @@ void WriteToUser(const std::string& text);
 void PrintError(const std::string& message);
 void PrintWarning(const std::string& message);
 
+/// A filter's message with the command's options in place of the filter's properties.
+std::string WithOptionNames(std::string text);
+
 /// `text` with every `from` replaced, for messages that name a port or a temporary file.
 std::string Replaced(std::string text, const std::string& from, const std::string& to);
 

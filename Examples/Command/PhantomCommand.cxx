@@ -85,12 +85,16 @@ void PrintSeeds(vtkPhantomSource* source)
   }
   double seed[4];
   double around[4];
-  if (source->GetSeed(vtkPhantomSource::OBJECT, seed) && source->GetEnclosingSphere(around))
+  if (source->GetShape() != vtkPhantomSource::VESSEL && // too thin to be found from there
+    source->GetSeed(vtkPhantomSource::OBJECT, seed) && source->GetEnclosingSphere(around))
   {
+    // The object is in reach of the search lines; the surface does not hold it alone until the end,
+    // so that intensities are not to be fitted again on the way.
     std::printf("object, from outside: --seed %.2f %.2f %.2f --radius %.2f --start-scale %.3f "
-                "--start-offset %.2f %.2f %.2f\n",
+                "--start-offset %.2f %.2f %.2f --search-distance %.0f --no-reestimate "
+                "--no-leak-control --iterations 100 --levels 4\n",
       seed[0], seed[1], seed[2], seed[3], around[3] / seed[3], around[0] - seed[0],
-      around[1] - seed[1], around[2] - seed[2]);
+      around[1] - seed[1], around[2] - seed[2], 2 * around[3]);
   }
   std::fflush(stdout);
 }

@@ -222,7 +222,8 @@ void Segment(const Segmentation& segmentation)
   }
   catch (const Failure& failure)
   {
-    throw Failure("'" + segmentation.Input + "': " + Replaced(failure.what(), " on port 0", ""));
+    throw Failure("'" + segmentation.Input +
+      "': " + WithOptionNames(Replaced(failure.what(), " on port 0", "")));
   }
   if (filter->GetSurface()->GetNumberOfPolys() == 0)
   {
@@ -236,6 +237,12 @@ void Segment(const Segmentation& segmentation)
       "organ, lower --threshold, or raise --search-distance.");
   }
   WriteResults(filter, image, segmentation, outputs);
+  if (filter->GetNumberOfSelfIntersections() > 0)
+  {
+    PrintWarning("The surface intersects itself in " +
+      std::to_string(filter->GetNumberOfSelfIntersections()) +
+      " pairs of triangles; it would not with --guard.");
+  }
   if (!segmentation.Quiet)
   {
     PrintSummary(filter, segmentation, reading.count());
@@ -248,11 +255,11 @@ const char* const Footer =
   "(xvfb-run gives one to machines that have none).\n"
   "\n"
   "Examples:\n"
-  "  flipfree segment ct.nii.gz --seed -83 -154 321 --radius 26 -o liver.vtp\n"
+  "  flipfree segment ct.nii.gz --seed 83 -154 321 --radius 26 -o liver.vtp\n"
   "  flipfree segment ct.nii.gz --seed-voxel 120 140 60 --radius 15 -o spleen.stl \\\n"
   "      --labels spleen.nii.gz --convergence spleen.csv --snapshot spleen.png\n"
   "  flipfree segment dicom/ --series 1.2.840.1 --seed 90 20 -640 --radius 12 -o kidney.vtp\n"
-  "  flipfree segment cup.nii.gz --seed 48 48 24 --radius 5 --preset published -o cup.ply\n"
+  "  flipfree segment ct.nii.gz --seed 83 -154 321 --radius 26 --preset naive -o flips.ply\n"
   "\n"
   "The seed is the centre of a sphere within the organ, its radius about half of what has room\n"
   "there or more: the voxels in it tell what the organ looks like, and the surface starts from "

@@ -29,11 +29,12 @@ const char* const Description = "Segments soft organs (liver, spleen, kidney, a 
 const char* const Footer =
   "Examples:\n"
   "  flipfree phantom abdomen -o try                  # a volume to try it on, and seeds for it\n"
-  "  flipfree segment ct.nii.gz --seed -83 -154 321 --radius 26 -o liver.vtp\n"
-  "  flipfree evaluate liver.vtp truth.nii.gz\n"
+  "  flipfree segment try/abdomen.nii.gz --seed 99.75 83.75 167 --radius 28 -o liver.vtp\n"
+  "  flipfree evaluate liver.vtp try/abdomen-truth.nii.gz --reference-label 6\n"
   "\n"
   "Each subcommand has its own --help, with units, defaults and examples. Coordinates are LPS\n"
-  "millimetres: x to the patient's left, y to the back, z to the head.\n"
+  "millimetres: x to the patient's left, y to the back, z to the head. A viewer that shows RAS,\n"
+  "such as 3D Slicer, has the signs of x and y the other way round.\n"
   "Exit status: 0 success, 1 the work failed, 2 wrong usage, 130 interrupted.\n";
 
 /// Which help has the answer.

@@ -138,13 +138,32 @@ class TestWorkflow(command.CommandTest):
         for name in ("sphere", "cube", "cup", "u-tube", "vessel"):
             with self.subTest(phantom=name):
                 seeds = command.make_phantom(self.results, name, "--size", 48, 48, 48)
-                self.assertEqual(set(seeds), {"object (label 1)", "object, from outside"})
+                outside = set() if name == "vessel" else {"object, from outside"}
+                self.assertEqual(set(seeds), {"object (label 1)"} | outside)
                 with gzip.open(self.result(name + "-truth.nii.gz")) as file:
                     header = file.read(352)
                     labels = file.read()
                 self.assertEqual(struct.unpack("<3h", header[42:48]), (48, 48, 48))
                 x, y, z = (round(float(value)) for value in seeds["object (label 1)"][1:4])
                 self.assertEqual(labels[x + 48 * (y + 48 * z)], 1)
+
+    def test_the_printed_options_find_cup_and_u_tube_from_outside(self):
+        for name in ("cup", "u-tube"):
+            with self.subTest(phantom=name):
+                seeds = command.make_phantom(self.results, name)
+                surface = self.result(name + ".ply")
+                process = command.run("segment", self.result(name + ".nii.gz"),
+                                      *seeds["object, from outside"], "-o", surface)
+                self.assert_succeeds(process)
+                scores = command.run("evaluate", surface, self.result(name + "-truth.nii.gz"))
+                self.assertGreaterEqual(command.dice_of(scores.stdout), 0.97)
+
+    def test_a_surface_that_intersects_itself_warns(self):
+        seeds = command.make_phantom(self.results, "cup")
+        process = command.run("segment", self.result("cup.nii.gz"), *seeds["object (label 1)"],
+                              "--preset", "naive", "-o", self.result("cup.ply"))
+        self.assertEqual(process.returncode, 0)
+        self.assertRegex(process.stderr, r"\Aflipfree: warning: The surface intersects itself in \d+ ")
 
     def test_an_existing_file_is_replaced_and_nothing_else_is_left(self):
         with open(self.result("sphere.stl"), "w") as file:

@@ -74,4 +74,8 @@ with open('/proc/self/maps') as maps:
     strays = {line.split()[-1] for line in maps if '${BUILD_TREE}/lib' in line}
 assert not strays, strays
 ")
+  if (EXISTS "${prefix}/bin/flipfree")
+    run("Following the readme" "${PYTHON}" "${CMAKE_CURRENT_LIST_DIR}/TestReadme.py"
+      "${SOURCE_TREE}/README.md" "${prefix}" "${VTK_DIR}" "${CXX_COMPILER}")
+  endif ()
 endif ()
