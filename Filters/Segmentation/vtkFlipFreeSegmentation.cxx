@@ -130,7 +130,7 @@ int vtkFlipFreeSegmentation::RequestInformation(vtkInformationVector** inputs,
   return 1;
 }
 
-int vtkFlipFreeSegmentation::RequestUpdateExtent(vtkInformationVector** inputs)
+int vtkFlipFreeSegmentation::RequestUpdateExtent(vtkInformationVector** inputs) const
 {
   using Pipeline = vtkStreamingDemandDrivenPipeline;
   vtkInformation* in = inputs[0]->GetInformationObject(0);

@@ -462,7 +462,7 @@ protected:
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int FillOutputPortInformation(int port, vtkInformation* info) override;
   int RequestInformation(vtkInformationVector** inputs, vtkInformationVector* outputs);
-  int RequestUpdateExtent(vtkInformationVector** inputs);
+  int RequestUpdateExtent(vtkInformationVector** inputs) const;
   int RequestData(vtkInformationVector** inputs, vtkInformationVector* outputs);
 
   double SeedCenter[3] = { 0, 0, 0 };
