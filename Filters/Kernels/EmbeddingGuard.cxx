@@ -103,6 +103,8 @@ struct EmbeddingGuard::Attempt
   // Vertices whose path changed since a part of the test was last run.
   std::vector<char> ChangedForCorners;
   std::vector<char> ChangedForPairs;
+
+  std::vector<MotionBox> Boxes; // of the tree's nodes; empty before the first pass
 };
 
 EmbeddingGuard::EmbeddingGuard(const ContourMesh& mesh)
@@ -264,19 +266,28 @@ bool EmbeddingGuard::TestCorners(Attempt& attempt, const ParallelFor& parallelFo
 bool EmbeddingGuard::TestPairs(Attempt& attempt, const ParallelFor& parallelFor) const
 {
   const Motion motion = attempt.Path();
-  std::vector<MotionBox> boxes;
-  this->Tree.Refit(boxes,
-    [&](int triangle)
-    { return MotionBox(motion, this->Triangles.row(triangle).data(), attempt.Gap.Wanted / 2); });
+  const auto boxOf = [&](int triangle)
+  { return MotionBox(motion, this->Triangles.row(triangle).data(), attempt.Gap.Wanted / 2); };
+  // At first everything has changed; later it is little, and a pass costs as little.
+  const bool isFirst = attempt.Boxes.empty();
+  std::vector<MotionBox>& boxes = attempt.Boxes;
   std::vector<ChangeFlag> flags;
-  this->Tree.Refit(flags,
-    [&](int triangle)
-    { return ChangeFlag{ AnyOf(attempt.ChangedForPairs, this->Triangle(triangle)) }; });
+  if (isFirst)
+  {
+    this->Tree.Refit(boxes, boxOf);
+  }
+  else
+  {
+    this->Tree.Refit(flags,
+      [&](int triangle)
+      { return ChangeFlag{ AnyOf(attempt.ChangedForPairs, this->Triangle(triangle)) }; });
+    this->Tree.RefitSome(boxes, boxOf, [&flags](int node) { return flags[node].Changed; });
+  }
   const auto pairs = this->Tree.PairsBelow(
     this->Strangers,
     [&](int node, int other)
     {
-      return (flags[node].Changed || flags[other].Changed) &&
+      return (isFirst || flags[node].Changed || flags[other].Changed) &&
         !boxes[node].StaysApartFrom(boxes[other]);
     },
     [&](int one, int two)

@@ -185,8 +185,8 @@ bool StayApart(const Motion& motion, const std::array<int, 2>& one, const std::a
 bool StayApart(const Motion& motion, const std::array<int, 3>& one, const std::array<int, 3>& two,
   const MotionGap& gap)
 {
-  // Three directions decide most pairs for a fraction of the cost: the one between the centres, and
-  // the normals, across which sheets that lie on each other are apart.
+  // These directions decide most pairs for a fraction of the cost: the one between the centres, the
+  // normals, across which sheets that lie on each other are apart, and those across two edges.
   const std::array<Vector3d, 3> a = PositionsAt(motion, one, 0.5);
   const std::array<Vector3d, 3> b = PositionsAt(motion, two, 0.5);
   const Vector3d between = (a[0] + a[1] + a[2]) - (b[0] + b[1] + b[2]);
@@ -198,6 +198,16 @@ bool StayApart(const Motion& motion, const std::array<int, 3>& one, const std::a
     isProof(towardsOne((a[1] - a[0]).cross(a[2] - a[0]))))
   {
     return true;
+  }
+  for (int i = 0; i < 3; ++i)
+  {
+    for (int j = 0; j < 3; ++j)
+    {
+      if (isProof(towardsOne((a[(i + 1) % 3] - a[i]).cross(b[(j + 1) % 3] - b[j]))))
+      {
+        return true;
+      }
+    }
   }
   return Advance(motion, one, two, gap);
 }

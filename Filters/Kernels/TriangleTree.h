@@ -64,6 +64,12 @@ public:
   template <typename Volume, typename MakeLeaf>
   void Refit(std::vector<Volume>& volumes, const MakeLeaf& makeLeaf) const;
 
+  /// The same for those nodes only for which isStale(node) holds, as it must for all that are above
+  /// a leaf that has changed.
+  template <typename Volume, typename MakeLeaf, typename IsStale>
+  void RefitSome(std::vector<Volume>& volumes, const MakeLeaf& makeLeaf,
+    const IsStale& isStale) const;
+
   /// The boxes of the triangles at these positions.
   std::vector<TriangleBox> RefitBoxes(const PointList& points, const TriangleList& triangles) const;
 
@@ -128,8 +134,19 @@ template <typename Volume, typename MakeLeaf>
 void TriangleTree::Refit(std::vector<Volume>& volumes, const MakeLeaf& makeLeaf) const
 {
   volumes.resize(this->Nodes.size());
+  this->RefitSome(volumes, makeLeaf, [](int) { return true; });
+}
+
+template <typename Volume, typename MakeLeaf, typename IsStale>
+void TriangleTree::RefitSome(std::vector<Volume>& volumes, const MakeLeaf& makeLeaf,
+  const IsStale& isStale) const
+{
   for (int node = this->NumberOfNodes() - 1; node >= 0; --node)
   {
+    if (!isStale(node))
+    {
+      continue;
+    }
     if (this->Nodes[node].Count == 1)
     {
       volumes[node] = makeLeaf(this->Nodes[node].Triangle);
