@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <map>
 
 namespace FlipFree
@@ -13,7 +12,7 @@ namespace
 {
 
 // A ball of more rows is left to the distance transform, whose time does not depend on the radius.
-constexpr double MostRows = 1250;
+constexpr double MostRows = 5000;
 // A voxel whose centre is on the ball's surface belongs to it, whatever the rounding.
 constexpr double Slack = 1 + 1e-6;
 
@@ -55,75 +54,88 @@ std::map<int, std::vector<BallRow>> RowsOfBall(double radius, const Eigen::Vecto
   return rows;
 }
 
-// Grows the ones of a row by `width` voxels to both sides, by doubling.
-void GrowRow(unsigned char* row, int size, int width, std::vector<unsigned char>& scratch)
+// Sets the bits of a row that are `step` places before or behind one that is set.
+void SpreadRow(const BitMask::Word* from, std::ptrdiff_t size, int step, BitMask::Word* to)
 {
-  scratch.resize(size);
+  const std::ptrdiff_t words = step / BitMask::BitsOfWord;
+  const int bits = step % BitMask::BitsOfWord;
+  const int rest = BitMask::BitsOfWord - 1 - bits; // shifted in two steps, since bits may be zero
+  for (std::ptrdiff_t word = words; word < size; ++word)
+  {
+    to[word] |= from[word - words] << bits;
+    to[word - words] |= from[word] >> bits;
+  }
+  for (std::ptrdiff_t word = words + 1; word < size; ++word)
+  {
+    to[word] |= from[word - words - 1] >> rest >> 1;
+    to[word - words - 1] |= from[word] << rest << 1;
+  }
+}
+
+// Grows a row by `width` voxels to both sides, by doubling.
+void GrowRow(BitMask::Word* row, std::ptrdiff_t size, int width, BitMask::Word last,
+  std::vector<BitMask::Word>& scratch)
+{
   for (int done = 0; done < width;)
   {
-    const int step = std::min({ width - done, done + 1, size });
-    std::copy_n(row, size, scratch.begin());
-    for (int i = 0; i + step < size; ++i)
-    {
-      row[i] |= scratch[i + step];
-    }
-    for (int i = step; i < size; ++i)
-    {
-      row[i] |= scratch[i - step];
-    }
+    const int step = std::min(width - done, done + 1);
+    scratch.assign(row, row + size);
+    SpreadRow(scratch.data(), size, step, row);
     done += step;
   }
+  row[size - 1] &= last;
 }
 
 // A function of its own, so that the compiler knows that nothing else changes, and vectorises.
-void MergeRow(const unsigned char* from, std::ptrdiff_t size, unsigned char* __restrict to)
+void MergeRow(const BitMask::Word* from, std::ptrdiff_t size, BitMask::Word* __restrict to)
 {
-  for (std::ptrdiff_t i = 0; i < size; ++i)
+  for (std::ptrdiff_t word = 0; word < size; ++word)
   {
-    to[i] |= from[i];
+    to[word] |= from[word];
   }
 }
 
-bool GrowByDistance(std::vector<unsigned char>& mask, const ImageGeometry& geometry, double radius,
-  unsigned char value, const ParallelFor& parallelFor, const Monitor& monitor)
+bool DilateByDistance(BitMask& mask, double radius, const ParallelFor& parallelFor,
+  const Monitor& monitor)
 {
-  const std::vector<float> distance = SquaredDistance(mask, geometry, value, parallelFor, monitor);
+  const ImageGeometry& geometry = mask.GetGeometry();
+  std::vector<unsigned char> bytes(geometry.NumberOfVoxels(), 0);
+  mask.ForEach([&bytes](std::size_t voxel) { bytes[voxel] = 1; });
+  const std::vector<float> distance = SquaredDistance(bytes, geometry, 1, parallelFor, monitor);
   if (distance.empty() || !monitor(0.9))
   {
+    mask = BitMask();
     return false;
   }
   const float limit = static_cast<float>(radius * radius * Slack);
-  for (std::size_t voxel = 0; voxel < mask.size(); ++voxel)
-  {
-    if (distance[voxel] <= limit)
-    {
-      mask[voxel] = value;
-    }
-  }
+  mask = VoxelsWhere(
+    ImageView<float>{ distance.data(), geometry },
+    [limit](float square) { return square <= limit; }, parallelFor);
   return true;
 }
 
 } // namespace
 
-bool GrowValue(std::vector<unsigned char>& mask, const ImageGeometry& geometry, double radius,
-  unsigned char value, const ParallelFor& parallelFor, const Monitor& monitor)
+bool Dilate(BitMask& mask, double radius, const ParallelFor& parallelFor, const Monitor& monitor)
 {
-  const auto rowsOfWidth = RowsOfBall(radius, geometry.Spacing);
-  if (mask.empty() || rowsOfWidth.empty())
+  const ImageGeometry geometry = mask.GetGeometry();
+  if (geometry.NumberOfVoxels() == 0)
   {
-    return mask.empty() || GrowByDistance(mask, geometry, radius, value, parallelFor, monitor);
+    return true;
+  }
+  const auto rowsOfWidth = RowsOfBall(radius, geometry.Spacing);
+  if (rowsOfWidth.empty())
+  {
+    return DilateByDistance(mask, radius, parallelFor, monitor);
   }
   const auto& size = geometry.Dimensions;
-  const std::ptrdiff_t row = size[0];
-  const std::ptrdiff_t slice = row * size[1];
-  // Ones where the value is; then where it comes.
-  std::vector<unsigned char> source(mask.size());
-  std::transform(mask.begin(), mask.end(), source.begin(),
-    [value](unsigned char voxel) { return static_cast<unsigned char>(voxel == value); });
-  std::vector<unsigned char> grown(mask.size(), 0);
+  const std::ptrdiff_t words = mask.GetWordsPerRow();
+  BitMask source = std::move(mask);
+  mask = BitMask();
+  BitMask grown(geometry);
   std::vector<char> occupied(size[1] * static_cast<std::size_t>(size[2])); // per row of the source
   int grownBy = 0;
-  const double passes = 2.0 * static_cast<double>(rowsOfWidth.size()) + 1;
+  const double passes = 2.0 * static_cast<double>(rowsOfWidth.size());
   double pass = 0;
   for (const auto& [width, rows] : rowsOfWidth)
   {
@@ -131,15 +143,19 @@ bool GrowValue(std::vector<unsigned char>& mask, const ImageGeometry& geometry, 
     {
       return false;
     }
-    parallelFor(0, size[2],
+    parallelFor(0, static_cast<std::ptrdiff_t>(occupied.size()),
       [&, more = width - grownBy](std::ptrdiff_t first, std::ptrdiff_t last)
       {
-        std::vector<unsigned char> scratch;
-        for (std::ptrdiff_t offset = first * slice; offset < last * slice; offset += row)
+        std::vector<BitMask::Word> scratch;
+        for (std::ptrdiff_t row = first; row < last; ++row)
         {
-          unsigned char* const begin = source.data() + offset;
-          GrowRow(begin, size[0], more, scratch);
-          occupied[offset / row] = std::memchr(begin, 1, size[0]) != nullptr;
+          BitMask::Word* const begin = source.GetWords().data() + row * words;
+          occupied[row] =
+            std::any_of(begin, begin + words, [](BitMask::Word word) { return word != 0; });
+          if (occupied[row])
+          {
+            GrowRow(begin, words, std::min(more, size[0]), source.GetLastWord(), scratch);
+          }
         }
       });
     grownBy = width;
@@ -154,31 +170,33 @@ bool GrowValue(std::vector<unsigned char>& mask, const ImageGeometry& geometry, 
         {
           for (std::ptrdiff_t j = 0; j < size[1]; ++j)
           {
-            unsigned char* const target = grown.data() + k * slice + j * row;
+            BitMask::Word* const target = grown.Row(j, k);
             for (const BallRow& part : *list)
             {
-              if (j + part.J >= 0 && j + part.J < size[1] && k + part.K >= 0 &&
-                k + part.K < size[2])
+              const std::ptrdiff_t fromJ = j + part.J;
+              const std::ptrdiff_t fromK = k + part.K;
+              if (fromJ >= 0 && fromJ < size[1] && fromK >= 0 && fromK < size[2] &&
+                occupied[fromK * size[1] + fromJ])
               {
-                const std::ptrdiff_t from = (k + part.K) * slice + (j + part.J) * row;
-                if (occupied[from / row])
-                {
-                  MergeRow(source.data() + from, row, target);
-                }
+                MergeRow(source.Row(fromJ, fromK), words, target);
               }
             }
           }
         }
       });
   }
-  if (!monitor(pass / passes))
+  mask = std::move(grown);
+  return true;
+}
+
+bool Erode(BitMask& mask, double radius, const ParallelFor& parallelFor, const Monitor& monitor)
+{
+  mask.Complement();
+  if (!Dilate(mask, radius, parallelFor, monitor))
   {
     return false;
   }
-  for (std::size_t voxel = 0; voxel < mask.size(); ++voxel)
-  {
-    mask[voxel] = grown[voxel] ? value : mask[voxel];
-  }
+  mask.Complement();
   return true;
 }
 

@@ -7,18 +7,18 @@
 #ifndef FlipFreeBallMorphology_h
 #define FlipFreeBallMorphology_h
 
-#include "KernelTypes.h"
-
-#include <vector>
+#include "BitMask.h"
 
 namespace FlipFree
 {
 
-/// Sets (value 1) or clears (value 0) all voxels within `radius` millimetres of one that is.
-/// Returns false if the monitor, asked before each pass over the mask, stopped it; the mask is then
-/// as it was.
-bool GrowValue(std::vector<unsigned char>& mask, const ImageGeometry& geometry, double radius,
-  unsigned char value, const ParallelFor& parallelFor, const Monitor& monitor);
+/// Adds all voxels within `radius` millimetres of the mask. Returns false if the monitor, asked
+/// before each pass over the mask, stopped it; the mask is then empty.
+bool Dilate(BitMask& mask, double radius, const ParallelFor& parallelFor, const Monitor& monitor);
+
+/// Takes out all voxels within `radius` millimetres of one that is not in the mask. What lies
+/// beyond the image counts as neither. Stops like Dilate().
+bool Erode(BitMask& mask, double radius, const ParallelFor& parallelFor, const Monitor& monitor);
 
 } // namespace FlipFree
 

@@ -16,13 +16,13 @@ constexpr double RoundingSlack = 1 - 1e-9;
 class LineSearch
 {
 public:
-  LineSearch(const ImageView<float>& feature, const ImageView<float>& edges,
+  LineSearch(const BitMask& foreground, const ImageView<float>& edges,
     const CorrespondenceSettings& settings)
-    : Feature(feature)
+    : Foreground(foreground)
     , Edges(edges)
     , Settings(settings)
-    , Grid(feature.Geometry)
-    , Step(0.5 * feature.Geometry.Spacing.minCoeff())
+    , Grid(foreground.GetGeometry())
+    , Step(0.5 * foreground.GetGeometry().Spacing.minCoeff())
   {
   }
 
@@ -57,7 +57,7 @@ private:
       return false;
     }
     const auto& voxel = walk.GetVoxel();
-    return this->Feature(voxel[0], voxel[1], voxel[2]) >= this->Settings.Threshold;
+    return this->Foreground(voxel[0], voxel[1], voxel[2]);
   }
 
   // Walks to the first run of voxels that are foreground (or not, as `wanted` says) and gives the
@@ -135,7 +135,7 @@ private:
     return InterpolateClamped(this->Edges, index);
   }
 
-  const ImageView<float>& Feature;
+  const BitMask& Foreground;
   const ImageView<float>& Edges;
   const CorrespondenceSettings& Settings;
   VoxelGrid Grid;
@@ -145,13 +145,13 @@ private:
 } // namespace
 
 CorrespondenceField FindCorrespondences(const PointList& points, const PointList& normals,
-  const ImageView<float>& feature, const ImageView<float>& edges,
-  const CorrespondenceSettings& settings, const ParallelFor& parallelFor)
+  const BitMask& foreground, const ImageView<float>& edges, const CorrespondenceSettings& settings,
+  const ParallelFor& parallelFor)
 {
   CorrespondenceField field;
   field.Displacements = PointList::Zero(points.rows(), 3);
   field.States.assign(points.rows(), VertexState::Solitary);
-  const LineSearch search(feature, edges, settings);
+  const LineSearch search(foreground, edges, settings);
   parallelFor(0, points.rows(),
     [&](std::ptrdiff_t first, std::ptrdiff_t last)
     {

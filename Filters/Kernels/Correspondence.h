@@ -5,6 +5,7 @@
 #ifndef FlipFreeCorrespondence_h
 #define FlipFreeCorrespondence_h
 
+#include "BitMask.h"
 #include "ContourMesh.h"
 #include "IntensityModel.h"
 
@@ -21,9 +22,6 @@ enum class VertexState : unsigned char
 
 struct CorrespondenceSettings
 {
-  /// Feature values at or above it are foreground (Gamma).
-  double Threshold = 0.5;
-
   /// Greatest length of a search line, in millimetres.
   double SearchDistance = 40;
 
@@ -53,11 +51,12 @@ struct CorrespondenceField
   std::vector<VertexState> States;
 };
 
-/// Searches all vertices. `normals` are unit vectors; `edges` is the grey image in which the target
-/// is refined (may be the null view if EdgeWindow is zero), on the same grid as `feature`.
+/// Searches all vertices. `normals` are unit vectors; `foreground` are the voxels whose feature is
+/// at or above its threshold (Gamma); `edges` is the grey image in which the target is refined (may
+/// be the null view if EdgeWindow is zero), on the same grid.
 CorrespondenceField FindCorrespondences(const PointList& points, const PointList& normals,
-  const ImageView<float>& feature, const ImageView<float>& edges,
-  const CorrespondenceSettings& settings, const ParallelFor& parallelFor);
+  const BitMask& foreground, const ImageView<float>& edges, const CorrespondenceSettings& settings,
+  const ParallelFor& parallelFor);
 
 } // namespace FlipFree
 

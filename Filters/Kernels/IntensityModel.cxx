@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <limits>
 
 namespace FlipFree
@@ -18,13 +19,6 @@ constexpr double HalfRange = 30;
 constexpr int NumberOfBins = 600;
 constexpr double Bandwidth = 0.4;
 constexpr double LeastDensity = 1e-6;
-
-float Median(std::vector<float> values)
-{
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 // Grey images without noise (phantoms) still need bins of some width.
 double UsableNoise(double noise, const GaussianMixture& mixture)
@@ -49,14 +43,12 @@ struct Bins
   }
 };
 
-std::vector<double> SmoothHistogram(const std::vector<float>& values, const Bins& bins,
-  double deviation)
+std::vector<double> SmoothHistogram(const ImageView<float>& image, const BitMask& mask,
+  const Bins& bins, double deviation)
 {
   std::vector<double> histogram(NumberOfBins, 0.0);
-  for (float value : values)
-  {
-    histogram[bins(value)] += 1.0 / static_cast<double>(values.size());
-  }
+  const auto size = static_cast<double>(mask.Count());
+  mask.ForEach([&](std::size_t voxel) { histogram[bins(image.Data[voxel])] += 1 / size; });
   const double s = deviation / bins.Width;
   const int reach = static_cast<int>(3 * s) + 1;
   std::vector<double> smooth(NumberOfBins, 0.0);
@@ -123,16 +115,14 @@ IntensityModel IntensityModel::FromSeed(const std::vector<float>& values, double
   return model;
 }
 
-void IntensityModel::Reestimate(const std::vector<float>& inside, const std::vector<float>& outside,
-  double noise, const IntensitySettings& settings)
+void IntensityModel::Reestimate(const ImageView<float>& image, const BitMask& inside,
+  const BitMask& outside, double noise, const IntensitySettings& settings)
 {
   const double unit = UsableNoise(noise, this->Mixture);
-  const float median = Median(inside);
+  const float median = MedianOf(image, inside);
   const Bins bins{ median - HalfRange * unit, 2 * HalfRange * unit / NumberOfBins };
-  const std::vector<double> foreground = SmoothHistogram(inside, bins, Bandwidth * unit);
-  const std::vector<double> background = outside.empty()
-    ? std::vector<double>(NumberOfBins, 0.0)
-    : SmoothHistogram(outside, bins, Bandwidth * unit);
+  const std::vector<double> foreground = SmoothHistogram(image, inside, bins, Bandwidth * unit);
+  const std::vector<double> background = SmoothHistogram(image, outside, bins, Bandwidth * unit);
 
   std::vector<float> odds(NumberOfBins);
   for (int bin = 0; bin < NumberOfBins; ++bin)
@@ -162,45 +152,60 @@ void IntensityModel::Reestimate(const std::vector<float>& inside, const std::vec
   this->Begin = static_cast<float>(bins.Begin - 0.5 * bins.Width);
 }
 
-bool SampleInsideAndShell(const ImageView<float>& image, const std::vector<unsigned char>& inside,
-  const IntensitySettings& settings, const ParallelFor& parallelFor, const Monitor& monitor,
-  std::vector<float>& insideValues, std::vector<float>& shellValues)
+float MedianOf(const ImageView<float>& image, const BitMask& mask)
 {
-  const auto grow = [&](std::vector<unsigned char>& mask, double radius, unsigned char value,
-                      double first, double last)
+  // Floats as whole numbers of the same order; found by their upper half, then by their lower.
+  const auto keyOf = [&image](std::size_t voxel)
   {
-    return GrowValue(mask, image.Geometry, radius, value, parallelFor,
-      PartOf(monitor, first, last));
+    std::uint32_t bits = 0;
+    std::memcpy(&bits, image.Data + voxel, sizeof bits);
+    return bits >> 31U ? ~bits : bits | 0x80000000U;
   };
-  insideValues.clear();
-  shellValues.clear();
-  std::vector<unsigned char> mask = inside;
-  if (!grow(mask, settings.InnerMargin, 0, 0, 0.2))
+  constexpr std::size_t halves = 0x10000;
+  std::size_t rank = mask.Count() / 2;
+  std::vector<std::uint32_t> counts(halves, 0);
+  const auto take = [&counts, &rank]
+  {
+    std::uint32_t half = 0;
+    while (rank >= counts[half])
+    {
+      rank -= counts[half++];
+    }
+    return half;
+  };
+  mask.ForEach([&](std::size_t voxel) { ++counts[keyOf(voxel) >> 16U]; });
+  const std::uint32_t upper = take();
+  counts.assign(halves, 0);
+  mask.ForEach(
+    [&](std::size_t voxel)
+    {
+      const std::uint32_t key = keyOf(voxel);
+      counts[key & 0xffffU] += key >> 16U == upper;
+    });
+  const std::uint32_t key = upper << 16U | take();
+  const std::uint32_t bits = key >> 31U ? key & 0x7fffffffU : ~key;
+  float median = 0;
+  std::memcpy(&median, &bits, sizeof bits);
+  return median;
+}
+
+bool MakeInsideAndShell(const IntensitySettings& settings, const ParallelFor& parallelFor,
+  const Monitor& monitor, BitMask& inside, BitMask& shell)
+{
+  shell = inside;
+  if (!Dilate(shell, settings.ShellEnd, parallelFor, PartOf(monitor, 0, 0.5)))
   {
     return false;
   }
-  for (std::size_t voxel = 0; voxel < inside.size(); ++voxel)
-  {
-    if (mask[voxel])
-    {
-      insideValues.push_back(image.Data[voxel]);
-    }
-  }
-  mask = inside;
-  std::vector<unsigned char> around = inside;
-  if (!grow(mask, settings.ShellBegin, 1, 0.2, 0.4) ||
-    !grow(around, settings.ShellEnd, 1, 0.4, 0.9) || !monitor(0.9))
+  BitMask rim = inside;
+  if (!Dilate(rim, settings.ShellBegin, parallelFor, PartOf(monitor, 0.5, 0.7)))
   {
     return false;
   }
-  for (std::size_t voxel = 0; voxel < inside.size(); ++voxel)
-  {
-    if (around[voxel] && !mask[voxel])
-    {
-      shellValues.push_back(image.Data[voxel]);
-    }
-  }
-  return true;
+  shell.Remove(rim);
+  rim = BitMask();
+  return Erode(inside, settings.InnerMargin, parallelFor, PartOf(monitor, 0.7, 0.9)) &&
+    monitor(0.9);
 }
 
 } // namespace FlipFree

@@ -5,6 +5,7 @@
 #ifndef FlipFreeIntensityModel_h
 #define FlipFreeIntensityModel_h
 
+#include "BitMask.h"
 #include "GaussianMixture.h"
 #include "SeedRegion.h"
 
@@ -66,10 +67,10 @@ public:
   static IntensityModel FromSeed(const std::vector<float>& values, double noise,
     const IntensitySettings& settings);
 
-  /// Replaces the feature by the odds of `inside` against `outside`, within the one interval of
-  /// grey values about the median of `inside` in which they favour it. Mixture and ramp stay.
-  void Reestimate(const std::vector<float>& inside, const std::vector<float>& outside, double noise,
-    const IntensitySettings& settings);
+  /// Replaces the feature by the odds of the grey values `inside` against those `outside`, within
+  /// the one interval about the median inside in which they favour it. Mixture and ramp stay.
+  void Reestimate(const ImageView<float>& image, const BitMask& inside, const BitMask& outside,
+    double noise, const IntensitySettings& settings);
 
 private:
   float Begin = 0;
@@ -77,11 +78,15 @@ private:
   std::vector<float> Table;
 };
 
-/// The grey values well inside a voxelised surface, and those of the shell around it. Returns false
-/// if the monitor, asked before each pass over the image, stopped it; there are then none.
-bool SampleInsideAndShell(const ImageView<float>& image, const std::vector<unsigned char>& inside,
-  const IntensitySettings& settings, const ParallelFor& parallelFor, const Monitor& monitor,
-  std::vector<float>& insideValues, std::vector<float>& shellValues);
+/// The median of the image's voxels in the mask, which must hold one: of an even number the upper
+/// one. Sorts nothing and copies nothing.
+float MedianOf(const ImageView<float>& image, const BitMask& mask);
+
+/// Cuts `inside`, the voxels inside a surface, down to those well inside, and gives the shell
+/// around the surface. Returns false if the monitor, asked before each pass over the masks, stopped
+/// it; the masks are then useless.
+bool MakeInsideAndShell(const IntensitySettings& settings, const ParallelFor& parallelFor,
+  const Monitor& monitor, BitMask& inside, BitMask& shell);
 
 } // namespace FlipFree
 

@@ -6,89 +6,143 @@
 
 namespace FlipFree
 {
-
-void KeepConnected(std::vector<unsigned char>& mask, const ImageGeometry& geometry,
-  const std::vector<std::size_t>& sources)
+namespace
 {
-  constexpr unsigned char reached = 2;
-  const auto& size = geometry.Dimensions;
-  const std::size_t row = size[0];
-  const std::size_t slice = row * size[1];
-  std::vector<std::size_t> front;
-  const auto visit = [&](std::size_t voxel)
-  {
-    if (mask[voxel] == 1)
-    {
-      mask[voxel] = reached;
-      front.push_back(voxel);
-    }
-  };
-  std::for_each(sources.begin(), sources.end(), visit);
-  while (!front.empty())
-  {
-    const std::size_t voxel = front.back();
-    front.pop_back();
-    const std::size_t i = voxel % row;
-    const std::size_t j = voxel / row % size[1];
-    const std::size_t k = voxel / slice;
-    if (i > 0)
-    {
-      visit(voxel - 1);
-    }
-    if (i + 1 < row)
-    {
-      visit(voxel + 1);
-    }
-    if (j > 0)
-    {
-      visit(voxel - row);
-    }
-    if (j + 1 < static_cast<std::size_t>(size[1]))
-    {
-      visit(voxel + row);
-    }
-    if (k > 0)
-    {
-      visit(voxel - slice);
-    }
-    if (k + 1 < static_cast<std::size_t>(size[2]))
-    {
-      visit(voxel + slice);
-    }
-  }
-  for (unsigned char& voxel : mask)
-  {
-    voxel = voxel == reached;
-  }
+
+using Word = BitMask::Word;
+
+std::array<int, 3> IndexOf(std::size_t voxel, const ImageGeometry& geometry)
+{
+  const std::size_t row = geometry.Dimensions[0];
+  const std::size_t rows = geometry.Dimensions[1];
+  return { { static_cast<int>(voxel % row), static_cast<int>(voxel / row % rows),
+    static_cast<int>(voxel / row / rows) } };
 }
 
-bool ControlLeaks(std::vector<unsigned char>& mask, const ImageGeometry& geometry,
-  const SeedSphere& seed, const LeakControlSettings& settings, const ParallelFor& parallelFor,
-  const Monitor& monitor)
+bool HoldsOne(const BitMask& mask, const std::vector<std::size_t>& voxels)
 {
-  const std::vector<std::size_t> sources = VoxelsInSphere(geometry, seed);
-  const auto holdsSeed = [&]
+  return std::any_of(voxels.begin(), voxels.end(),
+    [&mask](std::size_t voxel)
+    {
+      const std::array<int, 3> index = IndexOf(voxel, mask.GetGeometry());
+      return mask(index[0], index[1], index[2]);
+    });
+}
+
+// All of the runs of ones in `mask` that hold a one of `bits`, by doubling.
+Word FillRuns(Word bits, Word mask)
+{
+  Word up = bits & mask;
+  Word down = up;
+  Word throughUp = mask;
+  Word throughDown = mask;
+  for (int step = 1; step < BitMask::BitsOfWord; step *= 2)
   {
-    return std::any_of(sources.begin(), sources.end(),
-      [&](std::size_t voxel) { return mask[voxel] != 0; });
-  };
-  const auto grow = [&](double radius, unsigned char value, double first, double last)
-  { return GrowValue(mask, geometry, radius, value, parallelFor, PartOf(monitor, first, last)); };
+    up |= throughUp & (up << step);
+    throughUp &= throughUp << step;
+    down |= throughDown & (down >> step);
+    throughDown &= throughDown >> step;
+  }
+  return up | down;
+}
+
+// A flood from word to word.
+class Flood
+{
+public:
+  explicit Flood(const BitMask& mask)
+    : Mask(mask)
+    , Reached(mask.GetGeometry())
+  {
+  }
+
+  void Enter(std::ptrdiff_t word, Word bits)
+  {
+    const Word added = bits & this->Mask.GetWords()[word] & ~this->Reached.GetWords()[word];
+    if (added != 0)
+    {
+      this->Reached.GetWords()[word] |= added;
+      this->Front.push_back(word);
+    }
+  }
+
+  void Enter(const std::array<int, 3>& index)
+  {
+    const Word* const row = this->Mask.Row(index[1], index[2]);
+    this->Enter(row - this->Mask.GetWords().data() + index[0] / BitMask::BitsOfWord,
+      Word(1) << (index[0] % BitMask::BitsOfWord));
+  }
+
+  BitMask Spread()
+  {
+    const auto& size = this->Mask.GetGeometry().Dimensions;
+    const std::ptrdiff_t row = this->Mask.GetWordsPerRow();
+    const std::ptrdiff_t slice = row * size[1];
+    while (!this->Front.empty())
+    {
+      const std::ptrdiff_t word = this->Front.back();
+      this->Front.pop_back();
+      Word& bits = this->Reached.GetWords()[word];
+      bits = FillRuns(bits, this->Mask.GetWords()[word]);
+      const std::ptrdiff_t inRow = word % row;
+      const std::ptrdiff_t j = word / row % size[1];
+      const std::ptrdiff_t k = word / slice;
+      this->EnterIf(inRow > 0, word - 1, bits << (BitMask::BitsOfWord - 1));
+      this->EnterIf(inRow + 1 < row, word + 1, bits >> (BitMask::BitsOfWord - 1));
+      this->EnterIf(j > 0, word - row, bits);
+      this->EnterIf(j + 1 < size[1], word + row, bits);
+      this->EnterIf(k > 0, word - slice, bits);
+      this->EnterIf(k + 1 < size[2], word + slice, bits);
+    }
+    return std::move(this->Reached);
+  }
+
+private:
+  void EnterIf(bool exists, std::ptrdiff_t word, Word bits)
+  {
+    if (exists)
+    {
+      this->Enter(word, bits);
+    }
+  }
+
+  const BitMask& Mask;
+  BitMask Reached;
+  std::vector<std::ptrdiff_t> Front;
+};
+
+} // namespace
+
+BitMask ConnectedVoxels(const BitMask& mask, const std::vector<std::size_t>& sources)
+{
+  Flood flood(mask);
+  for (std::size_t voxel : sources)
+  {
+    flood.Enter(IndexOf(voxel, mask.GetGeometry()));
+  }
+  return flood.Spread();
+}
+
+bool ControlLeaks(BitMask& mask, const SeedSphere& seed, const LeakControlSettings& settings,
+  const ParallelFor& parallelFor, const Monitor& monitor)
+{
+  const std::vector<std::size_t> sources = VoxelsInSphere(mask.GetGeometry(), seed);
   if (settings.ClosingRadius > 0 &&
-    !(grow(settings.ClosingRadius, 1, 0, 0.15) && grow(settings.ClosingRadius, 0, 0.15, 0.3)))
+    !(Dilate(mask, settings.ClosingRadius, parallelFor, PartOf(monitor, 0, 0.15)) &&
+      Erode(mask, settings.ClosingRadius, parallelFor, PartOf(monitor, 0.15, 0.3))))
   {
     return false;
   }
   if (settings.OpeningRadius > 0)
   {
-    const std::vector<unsigned char> closed = mask;
-    if (!grow(settings.OpeningRadius, 0, 0.3, 0.6))
+    BitMask closed = mask;
+    if (!Erode(mask, settings.OpeningRadius, parallelFor, PartOf(monitor, 0.3, 0.6)))
     {
       return false;
     }
-    if (!holdsSeed())
+    if (!HoldsOne(mask, sources))
     {
-      mask = closed;
+      mask = std::move(closed);
     }
     else
     {
@@ -96,8 +150,9 @@ bool ControlLeaks(std::vector<unsigned char>& mask, const ImageGeometry& geometr
       {
         return false;
       }
-      KeepConnected(mask, geometry, sources);
-      if (!grow(settings.OpeningRadius, 1, 0.6, 0.9))
+      closed = BitMask();
+      mask = ConnectedVoxels(mask, sources);
+      if (!Dilate(mask, settings.OpeningRadius, parallelFor, PartOf(monitor, 0.6, 0.9)))
       {
         return false;
       }
@@ -107,7 +162,7 @@ bool ControlLeaks(std::vector<unsigned char>& mask, const ImageGeometry& geometr
   {
     return false;
   }
-  KeepConnected(mask, geometry, sources);
+  mask = ConnectedVoxels(mask, sources);
   return true;
 }
 

@@ -5,6 +5,7 @@
 #ifndef FlipFreeLeakControl_h
 #define FlipFreeLeakControl_h
 
+#include "BitMask.h"
 #include "SeedRegion.h"
 
 namespace FlipFree
@@ -16,16 +17,14 @@ struct LeakControlSettings
   double OpeningRadius = 4;   ///< cuts bridges; what is thinner is lost
 };
 
-/// The part of `mask` (0 or 1) that survives closing, opening, and connection with the seed. With
-/// an opening that leaves nothing at the seed, the opening is not applied. Returns false if the
+/// The part of the mask that survives closing, opening, and connection with the seed. With an
+/// opening that leaves nothing at the seed, the opening is not applied. Returns false if the
 /// monitor, asked before each pass over the mask, stopped it; the mask is then useless.
-bool ControlLeaks(std::vector<unsigned char>& mask, const ImageGeometry& geometry,
-  const SeedSphere& seed, const LeakControlSettings& settings, const ParallelFor& parallelFor,
-  const Monitor& monitor);
+bool ControlLeaks(BitMask& mask, const SeedSphere& seed, const LeakControlSettings& settings,
+  const ParallelFor& parallelFor, const Monitor& monitor);
 
-/// Clears all voxels of the mask that are not connected (by faces) with one of `sources`.
-void KeepConnected(std::vector<unsigned char>& mask, const ImageGeometry& geometry,
-  const std::vector<std::size_t>& sources);
+/// The voxels of the mask that are connected, by faces, with one of `sources` (offsets of voxels).
+BitMask ConnectedVoxels(const BitMask& mask, const std::vector<std::size_t>& sources);
 
 } // namespace FlipFree
 

@@ -2,8 +2,8 @@
 
 #include "SurfaceVoxelisation.h"
 
-#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 namespace FlipFree
@@ -51,82 +51,76 @@ bool RefitToSurface(const ImageView<float>& smooth, const PointList& points,
     stopped = stopped || !monitor(fraction);
     return !stopped;
   };
-  std::vector<unsigned char> mask(smooth.Geometry.NumberOfVoxels(), 0);
-  FillRuns<unsigned char>(
-    VoxeliseSurface(points, triangles, smooth.Geometry, parallelFor, PartOf(proceed, 0, 0.2)), 1,
-    smooth.Geometry, mask.data());
-  std::vector<float> inside;
-  std::vector<float> shell;
-  if (!SampleInsideAndShell(smooth, mask, settings, parallelFor, PartOf(proceed, 0.2, 0.9), inside,
-        shell) ||
+  BitMask inside(smooth.Geometry);
+  for (const VoxelRun& run :
+    VoxeliseSurface(points, triangles, smooth.Geometry, parallelFor, PartOf(proceed, 0, 0.2)))
+  {
+    inside.InsertRun(run.Begin, run.End, run.J, run.K);
+  }
+  BitMask shell;
+  if (!MakeInsideAndShell(settings, parallelFor, PartOf(proceed, 0.2, 0.9), inside, shell) ||
     !proceed(0.9))
   {
     return false;
   }
-  if (inside.size() > LeastSample)
+  if (inside.Count() > LeastSample)
   {
-    model.Reestimate(inside, shell, noise, settings);
+    model.Reestimate(smooth, inside, shell, noise, settings);
   }
   return true;
 }
 
-std::vector<float> MakeFeature(const ImageView<float>& smooth, const IntensityModel& model,
+bool FindForeground(const ImageView<float>& smooth, const IntensityModel& model,
   const SeedSphere& seed, const OrganFeatureSettings& settings, const ParallelFor& parallelFor,
-  const Monitor& monitor)
+  const Monitor& monitor, BitMask& foreground)
 {
   if (!monitor(0))
   {
-    return {};
+    return false;
   }
-  const auto size = static_cast<std::ptrdiff_t>(smooth.Geometry.NumberOfVoxels());
-  // The mask first, since the feature and what leak control needs would be too much at once.
-  std::vector<unsigned char> mask;
-  if (settings.ControlLeaks)
-  {
-    mask.resize(size);
-    parallelFor(0, size,
-      [&](std::ptrdiff_t first, std::ptrdiff_t last)
-      {
-        std::transform(smooth.Data + first, smooth.Data + last, mask.begin() + first,
-          [&model](float z) { return static_cast<unsigned char>(model(z) >= model.Threshold); });
-      });
-    if (!ControlLeaks(mask, smooth.Geometry, seed, settings.Leaks, parallelFor,
-          PartOf(monitor, 0.1, 0.9)))
-    {
-      return {};
-    }
-  }
-  if (!monitor(0.9))
-  {
-    return {};
-  }
+  foreground = VoxelsWhere(
+    smooth, [&model](float z) { return model(z) >= model.Threshold; }, parallelFor);
+  return !settings.ControlLeaks ||
+    ControlLeaks(foreground, seed, settings.Leaks, parallelFor, PartOf(monitor, 0.1, 1));
+}
+
+std::vector<float> MakeFeature(const ImageView<float>& smooth, const IntensityModel& model,
+  const BitMask& foreground, const ParallelFor& parallelFor)
+{
+  const auto& size = smooth.Geometry.Dimensions;
   // Rounded towards the foreground, so that a voxel at the threshold stays above it as a double.
   const float threshold =
     std::nextafter(static_cast<float>(model.Threshold), std::numeric_limits<float>::infinity());
   const float below = 0.5F * threshold;
-  std::vector<float> feature(size);
-  parallelFor(0, size,
+  std::vector<float> feature(smooth.Geometry.NumberOfVoxels());
+  parallelFor(0, size[2],
     [&](std::ptrdiff_t first, std::ptrdiff_t last)
     {
-      for (std::ptrdiff_t voxel = first; voxel < last; ++voxel)
+      for (int k = static_cast<int>(first); k < last; ++k)
       {
-        const float value = model(smooth.Data[voxel]);
-        feature[voxel] = mask.empty() ? value
-          : mask[voxel]               ? std::max(value, threshold)
-                                      : std::min(value, below);
+        for (int j = 0; j < size[1]; ++j)
+        {
+          for (int i = 0; i < size[0]; ++i)
+          {
+            const float value = model(smooth(i, j, k));
+            const bool wanted = foreground(i, j, k);
+            feature[smooth.Geometry.Offset(i, j, k)] =
+              (value >= model.Threshold) == wanted ? value : (wanted ? threshold : below);
+          }
+        }
       }
     });
   return feature;
 }
 
-void RequireContrast(const std::vector<float>& feature, double threshold)
+void RequireContrast(const BitMask& foreground)
 {
-  const auto background = std::count_if(feature.begin(), feature.end(),
-    [threshold](float value) { return value < threshold; });
-  if (static_cast<double>(background) < LeastBackground * static_cast<double>(feature.size()))
+  const std::size_t size = foreground.GetGeometry().NumberOfVoxels();
+  const std::size_t background = size - foreground.Count();
+  if (static_cast<double>(background) < LeastBackground * static_cast<double>(size))
   {
     throw std::invalid_argument("the seed has no contrast to its surroundings: of the " +
-      std::to_string(feature.size()) + " voxels within reach only " + std::to_string(background) +
+      std::to_string(size) + " voxels within reach only " + std::to_string(background) +
       " differ from its intensities; check the image, or narrow the foreground's intensities "
       "(ForegroundMass, NoiseWidening)");
   }

@@ -4,7 +4,6 @@
 #ifndef FlipFreeOrganFeature_h
 #define FlipFreeOrganFeature_h
 
-#include "ContourMesh.h"
 #include "IntensityModel.h"
 #include "LeakControl.h"
 
@@ -18,16 +17,20 @@ struct OrganFeatureSettings
   LeakControlSettings Leaks;
 };
 
-/// Applies the model to a smoothed image. With leak control, voxels that it takes away get a
-/// feature below the model's threshold, and voxels that it fills in get the threshold. Empty if the
-/// monitor, asked before each pass over the image, stopped it.
-std::vector<float> MakeFeature(const ImageView<float>& smooth, const IntensityModel& model,
+/// The voxels of a smoothed image whose feature is at or above the model's threshold, after leak
+/// control. Returns false if the monitor, asked before each pass over the image, stopped it.
+bool FindForeground(const ImageView<float>& smooth, const IntensityModel& model,
   const SeedSphere& seed, const OrganFeatureSettings& settings, const ParallelFor& parallelFor,
-  const Monitor& monitor);
+  const Monitor& monitor, BitMask& foreground);
 
-/// Throws std::invalid_argument when all but a thousandth of a feature image is foreground: then
-/// there is no boundary to be found.
-void RequireContrast(const std::vector<float>& feature, double threshold);
+/// The feature of a smoothed image. Voxels that leak control has taken away get a feature below
+/// the model's threshold, and voxels that it has filled in get the threshold.
+std::vector<float> MakeFeature(const ImageView<float>& smooth, const IntensityModel& model,
+  const BitMask& foreground, const ParallelFor& parallelFor);
+
+/// Throws std::invalid_argument when all but a thousandth of the voxels are foreground: then there
+/// is no boundary to be found.
+void RequireContrast(const BitMask& foreground);
 
 /// Fits the model to the seed.
 IntensityModel FitToSeed(const ImageView<float>& smooth, const SeedSphere& seed, double noise,

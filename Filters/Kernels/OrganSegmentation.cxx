@@ -38,8 +38,11 @@ public:
     Stopwatch watch;
     this->Model =
       FitToSeed(this->Smooth, this->Seed, this->Noise, this->Settings.Feature.Intensity);
-    this->UpdateFeature([this](double) { return this->Proceed(0, 0); });
-    RequireContrast(this->Feature, this->Model.Threshold);
+    this->UpdateForeground([this](double) { return this->Proceed(0, 0); });
+    if (!this->Stopped)
+    {
+      RequireContrast(this->Foreground);
+    }
     this->Surface.FeatureSeconds += watch.Lap();
     for (int level = 0; level < this->Settings.Levels; ++level)
     {
@@ -63,10 +66,11 @@ private:
     return !this->Stopped;
   }
 
-  void UpdateFeature(const Monitor& proceed)
+  // The search asks of the feature only where it is above its threshold.
+  void UpdateForeground(const Monitor& proceed)
   {
-    this->Feature = MakeFeature(this->Smooth, this->Model, this->Seed, this->Settings.Feature,
-      this->Parallel, proceed);
+    FindForeground(this->Smooth, this->Model, this->Seed, this->Settings.Feature, this->Parallel,
+      proceed, this->Foreground);
   }
 
   bool NextLevel()
@@ -85,10 +89,10 @@ private:
     if (this->Settings.Reestimate)
     {
       Stopwatch watch;
-      this->Feature = std::vector<float>(); // two at a time would be the greatest need of memory
+      this->Foreground = BitMask(); // what follows has need of the memory
       RefitToSurface(this->Smooth, this->Surface.Points, this->Surface.Mesh.Triangles, this->Noise,
         this->Settings.Feature.Intensity, this->Parallel, proceed, this->Model);
-      this->UpdateFeature(proceed);
+      this->UpdateForeground(proceed);
       this->Surface.FeatureSeconds += watch.Lap();
     }
     return true;
@@ -155,15 +159,13 @@ private:
     record.Vertices = this->Surface.Mesh.NumberOfPoints();
 
     TargetSettings targets = this->Settings.Targets;
-    targets.Correspondence.Threshold = this->Model.Threshold;
     targets.Correspondence.Ramp = this->Model.Ramp;
     if (!finest)
     {
       targets.Correspondence.EdgeWindow = 0;
     }
     Stopwatch watch;
-    const ImageView<float> feature{ this->Feature.data(), this->Smooth.Geometry };
-    this->Surface.Field = FindTargets(this->Surface.Mesh, this->Surface.Points, feature,
+    this->Surface.Field = FindTargets(this->Surface.Mesh, this->Surface.Points, this->Foreground,
       this->Smooth, targets, this->Parallel, record.Targets);
     record.SearchSeconds = watch.Lap();
 
@@ -185,7 +187,7 @@ private:
   OrganSurface& Surface;
 
   IntensityModel Model;
-  std::vector<float> Feature;
+  BitMask Foreground;
   int Level = 0;
   bool Stopped = false;
 };

@@ -103,15 +103,15 @@ void LimitDisplacements(double limit, CorrespondenceField& field)
 }
 
 CorrespondenceField FindTargets(const ContourMesh& mesh, const PointList& points,
-  const ImageView<float>& feature, const ImageView<float>& edges, const TargetSettings& settings,
+  const BitMask& foreground, const ImageView<float>& edges, const TargetSettings& settings,
   const ParallelFor& parallelFor, TargetReport& report)
 {
   const PointList normals = VertexNormals(mesh, points, settings.NormalSmoothing);
   CorrespondenceField field =
-    FindCorrespondences(points, normals, feature, edges, settings.Correspondence, parallelFor);
+    FindCorrespondences(points, normals, foreground, edges, settings.Correspondence, parallelFor);
   if (settings.OutlierDeviations > 0)
   {
-    const double voxel = feature.Geometry.Spacing.maxCoeff();
+    const double voxel = foreground.GetGeometry().Spacing.maxCoeff();
     RejectOutliers(mesh, normals, settings.OutlierDeviations, voxel, field);
   }
   report = Describe(field);

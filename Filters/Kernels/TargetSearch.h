@@ -42,7 +42,7 @@ void RejectOutliers(const ContourMesh& mesh, const PointList& normals, double de
 void LimitDisplacements(double limit, CorrespondenceField& field);
 
 CorrespondenceField FindTargets(const ContourMesh& mesh, const PointList& points,
-  const ImageView<float>& feature, const ImageView<float>& edges, const TargetSettings& settings,
+  const BitMask& foreground, const ImageView<float>& edges, const TargetSettings& settings,
   const ParallelFor& parallelFor, TargetReport& report);
 
 } // namespace FlipFree

@@ -74,6 +74,13 @@ int vtkCorrespondenceSearch::RequestData(vtkInformation*, vtkInformationVector**
     const FlipFree::FloatImage feature = FlipFree::GreyRegionOf(featureImage,
       FlipFree::WholeExtent(FlipFree::GeometryOf(featureImage)));
     FlipFree::RequireFinite(feature, "the feature on port 1");
+    const std::vector<double> given =
+      FlipFree::FieldValues("FeatureThreshold", 1, false, featureImage, "the feature on port 1");
+    const double threshold = this->Threshold > 0 ? this->Threshold
+      : !given.empty() && given.front() > 0      ? given.front()
+                                                 : 0.5;
+    const FlipFree::BitMask foreground = FlipFree::VoxelsWhere(
+      feature.View(), [threshold](float value) { return value >= threshold; }, FlipFree::SMPFor);
     FlipFree::FloatImage edges;
     if (this->EdgeWindow > 0)
     {
@@ -86,14 +93,6 @@ int vtkCorrespondenceSearch::RequestData(vtkInformation*, vtkInformationVector**
     }
 
     FlipFree::TargetSettings settings;
-    const std::vector<double> threshold =
-      FlipFree::FieldValues("FeatureThreshold", 1, false, featureImage, "the feature on port 1");
-    settings.Correspondence.Threshold =
-      this->Threshold > 0 || threshold.empty() ? this->Threshold : threshold.front();
-    if (settings.Correspondence.Threshold <= 0)
-    {
-      settings.Correspondence.Threshold = 0.5;
-    }
     const std::vector<double> ramp =
       FlipFree::FieldValues("EdgeRamp", 3, true, featureImage, "the feature on port 1");
     if (ramp.size() == 3)
@@ -112,7 +111,7 @@ int vtkCorrespondenceSearch::RequestData(vtkInformation*, vtkInformationVector**
 
     FlipFree::TargetReport report;
     const FlipFree::CorrespondenceField field = FlipFree::FindTargets(surface.Mesh, surface.Points,
-      feature.View(), edges.View(), settings, FlipFree::SMPFor, report);
+      foreground, edges.View(), settings, FlipFree::SMPFor, report);
     output->ShallowCopy(input);
     FlipFree::AttachField(field, output);
     FlipFree::AddFieldValues("MeanDistance", { report.MeanDistance }, output);

@@ -95,20 +95,19 @@ int vtkGMMFeatureFilter::RequestData(vtkInformation*, vtkInformationVector** inp
       proceed = FlipFree::RefitToSurface(smooth.View(), inside.Points, inside.Triangles, noise,
         settings.Intensity, FlipFree::SMPFor, FlipFree::PartOf(whole, 0.1, 0.4), model);
     }
-    std::vector<float> feature;
-    if (proceed)
-    {
-      feature = FlipFree::MakeFeature(smooth.View(), model, seed, settings, FlipFree::SMPFor,
-        FlipFree::PartOf(whole, 0.4, 1));
-    }
-    if (feature.empty())
+    FlipFree::BitMask foreground;
+    if (!proceed ||
+      !FlipFree::FindForeground(smooth.View(), model, seed, settings, FlipFree::SMPFor,
+        FlipFree::PartOf(whole, 0.4, 1), foreground))
     {
       return 1; // aborted
     }
     if (!surface)
     {
-      FlipFree::RequireContrast(feature, model.Threshold);
+      FlipFree::RequireContrast(foreground);
     }
+    const std::vector<float> feature =
+      FlipFree::MakeFeature(smooth.View(), model, foreground, FlipFree::SMPFor);
 
     output->CopyStructure(image);
     FlipFree::SetFloatScalars("Feature", feature, output);

@@ -59,11 +59,8 @@ void MakeFeatures(ExampleRun& run)
     run.SeedValues.push_back(run.Smooth.Voxels[voxel]);
   }
   run.Model = FitToSeed(run.Smooth.View(), run.Seed, run.Noise, run.FeatureSettings.Intensity);
-  run.Feature =
-    MakeFeature(run.Smooth.View(), run.Model, run.Seed, run.FeatureSettings, SMPFor, NeverStop);
-  run.Foreground.resize(run.Feature.size());
-  std::transform(run.Feature.begin(), run.Feature.end(), run.Foreground.begin(),
-    [&run](float feature) { return feature >= run.Model.Threshold; });
+  FindForeground(run.Smooth.View(), run.Model, run.Seed, run.FeatureSettings, SMPFor, NeverStop,
+    run.Foreground);
 }
 
 void MakeSurfaces(ExampleRun& run)
@@ -74,7 +71,6 @@ void MakeSurfaces(ExampleRun& run)
   correspondence.RunLength = 2;
   correspondence.ImageEndDistance = 12;
   correspondence.EdgeWindow = 3;
-  correspondence.Threshold = run.Model.Threshold;
   correspondence.Ramp = run.Model.Ramp;
   run.Search.MaximumDisplacement = 8 * voxel;
 
@@ -106,7 +102,7 @@ void MakeSurfaces(ExampleRun& run)
 void Prepare(const ExampleRun& run, SurfaceOnItsWay& surface)
 {
   TargetReport report;
-  surface.Targets = FindTargets(surface.Mesh, surface.Points, run.FeatureView(), run.Smooth.View(),
+  surface.Targets = FindTargets(surface.Mesh, surface.Points, run.Foreground, run.Smooth.View(),
     run.Search, SMPFor, report);
   surface.Wanted = surface.Targets;
   AvoidFlips(surface.Mesh, surface.Points, run.Step.FlipThreshold, surface.Wanted);

@@ -38,13 +38,10 @@ struct ExampleRun
   std::vector<float> SeedValues;
   IntensityModel Model;
   OrganFeatureSettings FeatureSettings;
-  std::vector<float> Feature;
-  std::vector<unsigned char> Foreground; ///< the feature above its threshold
+  BitMask Foreground; ///< where the feature is above its threshold
   TargetSettings Search;
   DeformationStepSettings Step;
   std::map<int, SurfaceOnItsWay> Surfaces; ///< by vertices along a side: 8, 16, 32, 64
-
-  ImageView<float> FeatureView() const { return { this->Feature.data(), this->Smooth.Geometry }; }
 };
 
 /// Made when it is first asked for, with the settings that vtkFlipFreeSegmentation has by default.

@@ -68,12 +68,13 @@ void Distances(benchmark::State& state)
 {
   const ExampleRun& run = TheExampleRun();
   const ParallelFor parallelFor = ThreadedFor(state.range(0));
+  std::vector<unsigned char> mask(run.Smooth.Voxels.size(), 0);
+  run.Foreground.ForEach([&mask](std::size_t voxel) { mask[voxel] = 1; });
   for (auto _ : state)
   {
-    benchmark::DoNotOptimize(
-      SquaredDistance(run.Foreground, run.Smooth.Geometry, 0, parallelFor, NeverStop));
+    benchmark::DoNotOptimize(SquaredDistance(mask, run.Smooth.Geometry, 0, parallelFor, NeverStop));
   }
-  ReportTimePer("voxel", static_cast<double>(run.Foreground.size()), state);
+  ReportTimePer("voxel", static_cast<double>(run.Smooth.Voxels.size()), state);
 }
 
 void Opening(benchmark::State& state)
@@ -83,22 +84,35 @@ void Opening(benchmark::State& state)
   const ParallelFor parallelFor = ThreadedFor(state.range(0));
   for (auto _ : state)
   {
-    std::vector<unsigned char> mask = run.Foreground;
-    GrowValue(mask, run.Smooth.Geometry, radius, 0, parallelFor, NeverStop);
-    GrowValue(mask, run.Smooth.Geometry, radius, 1, parallelFor, NeverStop);
+    BitMask mask = run.Foreground;
+    Erode(mask, radius, parallelFor, NeverStop);
+    Dilate(mask, radius, parallelFor, NeverStop);
     benchmark::ClobberMemory();
   }
-  ReportTimePer("voxel", static_cast<double>(run.Foreground.size()), state);
+  ReportTimePer("voxel", static_cast<double>(run.Smooth.Voxels.size()), state);
 }
 
-void FeatureImage(benchmark::State& state)
+void Foreground(benchmark::State& state)
 {
   const ExampleRun& run = TheExampleRun();
   const ParallelFor parallelFor = ThreadedFor(state.range(0));
   for (auto _ : state)
   {
-    benchmark::DoNotOptimize(MakeFeature(run.Smooth.View(), run.Model, run.Seed,
-      run.FeatureSettings, parallelFor, NeverStop));
+    BitMask foreground;
+    FindForeground(run.Smooth.View(), run.Model, run.Seed, run.FeatureSettings, parallelFor,
+      NeverStop, foreground);
+    benchmark::ClobberMemory();
+  }
+  ReportTimePer("voxel", static_cast<double>(run.Smooth.Voxels.size()), state);
+}
+
+void Connection(benchmark::State& state)
+{
+  const ExampleRun& run = TheExampleRun();
+  const std::vector<std::size_t> sources = VoxelsInSphere(run.Smooth.Geometry, run.Seed);
+  for (auto _ : state)
+  {
+    benchmark::DoNotOptimize(ConnectedVoxels(run.Foreground, sources));
   }
   ReportTimePer("voxel", static_cast<double>(run.Smooth.Voxels.size()), state);
 }
@@ -109,7 +123,8 @@ BENCHMARK(ModelFit)->Unit(benchmark::kMillisecond);
 BENCHMARK(LookUp)->Unit(benchmark::kMillisecond);
 BENCHMARK(Distances)->Apply(Threads);
 BENCHMARK(Opening)->Apply(Threads);
-BENCHMARK(FeatureImage)->Apply(Threads);
+BENCHMARK(Foreground)->Apply(Threads);
+BENCHMARK(Connection)->Unit(benchmark::kMillisecond);
 
 } // namespace
 } // namespace FlipFree

@@ -40,7 +40,7 @@ void Search(benchmark::State& state)
   for (auto _ : state)
   {
     TargetReport report;
-    benchmark::DoNotOptimize(FindTargets(surface.Mesh, surface.Points, run.FeatureView(),
+    benchmark::DoNotOptimize(FindTargets(surface.Mesh, surface.Points, run.Foreground,
       run.Smooth.View(), run.Search, parallelFor, report));
   }
   ReportTimePerVertex(surface, state);
@@ -117,8 +117,8 @@ void WholeIteration(benchmark::State& state)
   {
     PointList points = surface.Points;
     TargetReport report;
-    CorrespondenceField field = FindTargets(surface.Mesh, points, run.FeatureView(),
-      run.Smooth.View(), run.Search, parallelFor, report);
+    CorrespondenceField field = FindTargets(surface.Mesh, points, run.Foreground, run.Smooth.View(),
+      run.Search, parallelFor, report);
     DeformOnce(surface.Mesh, &guard, run.Step, parallelFor, NeverStop, field, points);
     benchmark::ClobberMemory();
   }

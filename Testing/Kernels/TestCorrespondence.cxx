@@ -30,6 +30,11 @@ struct TestImage
     }
     this->View.Data = this->Voxels.data();
   }
+  BitMask Foreground() const
+  {
+    return VoxelsWhere(
+      this->View, [](float value) { return value >= 0.5F; }, SerialFor);
+  }
   std::vector<float> Voxels;
   ImageView<float> View;
 };
@@ -62,7 +67,7 @@ Answer Search(const TestImage& image, const Eigen::Vector3d& point, const Eigen:
   PointList normals(1, 3);
   points.row(0) = point;
   normals.row(0) = normal;
-  const CorrespondenceField field = FindCorrespondences(points, normals, image.View,
+  const CorrespondenceField field = FindCorrespondences(points, normals, image.Foreground(),
     edges != nullptr ? edges->View : ImageView<float>(), settings, SerialFor);
   EXPECT_NE(field.States[0], VertexState::Flipping);
   return { field.States[0] == VertexState::Matched,
@@ -145,7 +150,7 @@ TEST(Correspondence, ReachesTheFaceOfABoxExactly)
     const PointList normals = Directions(500);
     const PointList points = geometry.ToPhysical(start).transpose().replicate(500, 1);
     const CorrespondenceField field =
-      FindCorrespondences(points, normals, image.View, {}, RunOf(2), SerialFor);
+      FindCorrespondences(points, normals, image.Foreground(), {}, RunOf(2), SerialFor);
     for (int vertex = 0; vertex < 500; ++vertex)
     {
       const Eigen::Vector3d slope =
@@ -169,9 +174,9 @@ TEST(Correspondence, ReachesTheSameFaceFromOutside)
   // Beyond the image's end as well: the search may begin there.
   const PointList outer = inner + 36 * normals;
   const CorrespondenceField fromInside =
-    FindCorrespondences(inner, normals, image.View, {}, RunOf(1), SerialFor);
+    FindCorrespondences(inner, normals, image.Foreground(), {}, RunOf(1), SerialFor);
   const CorrespondenceField fromOutside =
-    FindCorrespondences(outer, normals, image.View, {}, RunOf(1), SerialFor);
+    FindCorrespondences(outer, normals, image.Foreground(), {}, RunOf(1), SerialFor);
   for (int vertex = 0; vertex < 500; ++vertex)
   {
     ASSERT_EQ(fromOutside.States[vertex], VertexState::Matched);
@@ -190,7 +195,7 @@ TEST(Correspondence, SphereIsReachedToWithinAVoxel)
     [&](const Eigen::Vector3d& index) { return (index - center).norm() <= 15; });
   const PointList normals = Directions(1000);
   const CorrespondenceField field = FindCorrespondences(center.transpose().replicate(1000, 1),
-    normals, image.View, {}, RunOf(4), SerialFor);
+    normals, image.Foreground(), {}, RunOf(4), SerialFor);
   for (int vertex = 0; vertex < 1000; ++vertex)
   {
     ASSERT_EQ(field.States[vertex], VertexState::Matched);
@@ -317,7 +322,7 @@ TEST(Correspondence, AnyNumberOfPartsGivesTheSameBits)
   CorrespondenceSettings settings = RunOf(3);
   settings.EdgeWindow = 2;
   const CorrespondenceField serial =
-    FindCorrespondences(points, normals, noise.View, noise.View, settings, SerialFor);
+    FindCorrespondences(points, normals, noise.Foreground(), noise.View, settings, SerialFor);
   EXPECT_GT(std::count(serial.States.begin(), serial.States.end(), VertexState::Matched), 300);
   for (int parts : { 1, 2, 5, 200 })
   {
@@ -329,7 +334,7 @@ TEST(Correspondence, AnyNumberOfPartsGivesTheSameBits)
       }
     };
     const CorrespondenceField other =
-      FindCorrespondences(points, normals, noise.View, noise.View, settings, inParts);
+      FindCorrespondences(points, normals, noise.Foreground(), noise.View, settings, inParts);
     EXPECT_EQ(other.States, serial.States);
     EXPECT_EQ(other.Displacements, serial.Displacements);
   }
@@ -347,7 +352,7 @@ TEST(Correspondence, MovesWithTheImage)
   CorrespondenceSettings settings = RunOfLength(3);
   settings.EdgeWindow = 2;
   const CorrespondenceField still =
-    FindCorrespondences(points, normals, image.View, image.View, settings, SerialFor);
+    FindCorrespondences(points, normals, image.Foreground(), image.View, settings, SerialFor);
   for (const auto& [name, matrix] : ExampleDirections())
   {
     const Eigen::RowVector3d shift(100, -50, 7);
@@ -355,7 +360,7 @@ TEST(Correspondence, MovesWithTheImage)
     image.View.Geometry.Origin = shift.transpose();
     const CorrespondenceField moved =
       FindCorrespondences((points * matrix.transpose()).rowwise() + shift,
-        normals * matrix.transpose(), image.View, image.View, settings, SerialFor);
+        normals * matrix.transpose(), image.Foreground(), image.View, settings, SerialFor);
     EXPECT_EQ(moved.States, still.States) << name;
     EXPECT_LT(
       (moved.Displacements - still.Displacements * matrix.transpose()).cwiseAbs().maxCoeff(), 1e-9)

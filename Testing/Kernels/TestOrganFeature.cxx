@@ -1,11 +1,13 @@
 // The feature image and its parts: what they do when they are stopped.
 #include "BallMorphology.h"
 #include "DistanceTransform.h"
+#include "ExampleMasks.h"
 #include "ExampleSurfaces.h"
 #include "OrganFeature.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 #include <random>
 
@@ -95,17 +97,15 @@ TEST_F(OrganFeatureStops, DistanceTransform)
   EXPECT_EQ(asked, 2);
 }
 
-TEST_F(OrganFeatureStops, MorphologyAndLeavesTheMask)
+TEST_F(OrganFeatureStops, Morphology)
 {
-  for (const double radius : { 2.5, 40.0 }) // by rows, and by distance
+  for (const double radius : { 2.5, 400.0 }) // by rows, and by distance
   {
     const int asked = ExpectStopsWheneverAsked(
       [this, radius](const Monitor& monitor)
       {
-        std::vector<unsigned char> mask = this->Mask;
-        const bool done = GrowValue(mask, this->Image.Geometry, radius, 1, SerialFor, monitor);
-        EXPECT_EQ(mask == this->Mask, !done);
-        return done;
+        BitMask mask = BitsOf(this->Mask, this->Image.Geometry);
+        return Dilate(mask, radius, SerialFor, monitor);
       });
     EXPECT_GE(asked, 3);
   }
@@ -116,8 +116,8 @@ TEST_F(OrganFeatureStops, LeakControl)
   const int asked = ExpectStopsWheneverAsked(
     [this](const Monitor& monitor)
     {
-      std::vector<unsigned char> mask = this->Mask;
-      return ControlLeaks(mask, this->Image.Geometry, this->Seed, { 1.5, 4 }, SerialFor, monitor);
+      BitMask mask = BitsOf(this->Mask, this->Image.Geometry);
+      return ControlLeaks(mask, this->Seed, { 1.5, 4 }, SerialFor, monitor);
     });
   EXPECT_GE(asked, 4 * 3 + 2);
 }
@@ -148,7 +148,7 @@ TEST_F(OrganFeatureStops, RefitAndLeavesTheModel)
   EXPECT_GE(asked, 3 * 3 + 2);
 }
 
-TEST_F(OrganFeatureStops, FeatureImage)
+TEST_F(OrganFeatureStops, Foreground)
 {
   OrganFeatureSettings settings;
   const IntensityModel model = FitToSeed(this->Image.View(), this->Seed, 6, settings.Intensity);
@@ -158,9 +158,51 @@ TEST_F(OrganFeatureStops, FeatureImage)
     const int asked = ExpectStopsWheneverAsked(
       [&](const Monitor& monitor)
       {
-        return !MakeFeature(this->Image.View(), model, this->Seed, settings, SerialFor, monitor)
-                  .empty();
+        BitMask foreground;
+        return FindForeground(this->Image.View(), model, this->Seed, settings, SerialFor, monitor,
+          foreground);
       });
     EXPECT_GE(asked, controlLeaks ? 15 : 1);
+  }
+}
+
+TEST_F(OrganFeatureStops, FeatureIsAboveItsThresholdInTheForegroundAlone)
+{
+  const IntensityModel model = FitToSeed(this->Image.View(), this->Seed, 6, {});
+  std::mt19937 random(3);
+  // Any foreground, to have voxels that were taken away and that were filled in.
+  const BitMask foreground =
+    BitsOf(RandomMask(this->Image.Geometry, 0.5, random), this->Image.Geometry);
+  const std::vector<float> feature = MakeFeature(this->Image.View(), model, foreground, SerialFor);
+  const std::vector<unsigned char> bytes = BytesOf(foreground);
+  std::size_t changed = 0;
+  for (std::size_t voxel = 0; voxel < feature.size(); ++voxel)
+  {
+    ASSERT_EQ(feature[voxel] >= model.Threshold, bytes[voxel] != 0);
+    const float own = model(this->Image.Voxels[voxel]);
+    changed += feature[voxel] != own;
+    ASSERT_EQ(feature[voxel] != own, (own >= model.Threshold) != (bytes[voxel] != 0));
+  }
+  EXPECT_GT(changed, feature.size() / 4);
+}
+
+TEST_F(OrganFeatureStops, MedianIsThatOfTheSortedValues)
+{
+  std::mt19937 random(6);
+  for (const double part : { 0.001, 0.01, 0.3, 1.0 })
+  {
+    std::vector<unsigned char> bytes = RandomMask(this->Image.Geometry, part, random);
+    bytes[7] = 1;
+    std::vector<float> values;
+    for (std::size_t voxel = 0; voxel < bytes.size(); ++voxel)
+    {
+      if (bytes[voxel])
+      {
+        values.push_back(this->Image.Voxels[voxel]); // about zero, of both signs
+      }
+    }
+    std::sort(values.begin(), values.end());
+    EXPECT_EQ(MedianOf(this->Image.View(), BitsOf(bytes, this->Image.Geometry)),
+      values[values.size() / 2]);
   }
 }

@@ -1,0 +1,62 @@
+#include "BitMask.h"
+
+#include <bitset>
+
+namespace FlipFree
+{
+
+BitMask::BitMask(const ImageGeometry& geometry)
+  : Geometry(geometry)
+  , WordsPerRow((geometry.Dimensions[0] + BitsOfWord - 1) / BitsOfWord)
+  , LastWord(~Word(0) >> ((BitsOfWord - geometry.Dimensions[0] % BitsOfWord) % BitsOfWord))
+  , Words(this->WordsPerRow * geometry.Dimensions[1] * geometry.Dimensions[2], 0)
+{
+}
+
+void BitMask::InsertRun(int begin, int end, int j, int k)
+{
+  if (begin >= end)
+  {
+    return;
+  }
+  Word* const row = this->Row(j, k);
+  const int first = begin / BitsOfWord;
+  const int last = (end - 1) / BitsOfWord;
+  const Word fromBegin = ~Word(0) << (begin % BitsOfWord);
+  const Word toEnd = ~Word(0) >> (BitsOfWord - 1 - (end - 1) % BitsOfWord);
+  for (int word = first; word <= last; ++word)
+  {
+    row[word] |= (word == first ? fromBegin : ~Word(0)) & (word == last ? toEnd : ~Word(0));
+  }
+}
+
+void BitMask::Complement()
+{
+  std::ptrdiff_t inRow = 0;
+  for (Word& word : this->Words)
+  {
+    ++inRow;
+    word = ~word & (inRow == this->WordsPerRow ? this->LastWord : ~Word(0));
+    inRow %= this->WordsPerRow;
+  }
+}
+
+void BitMask::Remove(const BitMask& other)
+{
+  for (std::size_t word = 0; word < this->Words.size(); ++word)
+  {
+    this->Words[word] &= ~other.Words[word];
+  }
+}
+
+std::size_t BitMask::Count() const
+{
+  std::size_t count = 0;
+  for (Word word : this->Words)
+  {
+    count += std::bitset<BitsOfWord>(word).count();
+  }
+  return count;
+}
+
+} // namespace FlipFree

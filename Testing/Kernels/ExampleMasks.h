@@ -1,0 +1,82 @@
+/**
+ * Sets of voxels for the tests, as bytes (0 or 1) and as bits, and grids of odd sizes to have them
+ * on: the width of some is about that of one or two words.
+ */
+#ifndef ExampleMasks_h
+#define ExampleMasks_h
+
+#include "BitMask.h"
+
+#include <random>
+#include <vector>
+
+namespace FlipFree
+{
+
+inline ImageGeometry Grid(const std::array<int, 3>& dimensions, const Eigen::Vector3d& spacing)
+{
+  ImageGeometry geometry;
+  geometry.Dimensions = dimensions;
+  geometry.Spacing = spacing;
+  return geometry;
+}
+
+inline std::vector<ImageGeometry> ExampleGrids()
+{
+  return { Grid({ { 13, 11, 9 } }, { 1, 1, 1 }), Grid({ { 14, 9, 7 } }, { 0.7, 1.3, 3.1 }),
+    Grid({ { 9, 12, 5 } }, { 5, 0.4, 1 }), Grid({ { 1, 20, 1 } }, { 1, 2, 3 }),
+    Grid({ { 20, 1, 6 } }, { 2, 1, 0.5 }), Grid({ { 64, 4, 3 } }, { 0.5, 1, 1 }),
+    Grid({ { 65, 3, 4 } }, { 1, 1, 2 }), Grid({ { 130, 4, 2 } }, { 0.05, 1, 1 }) };
+}
+
+inline std::vector<unsigned char> RandomMask(const ImageGeometry& geometry, double part,
+  std::mt19937& random)
+{
+  std::vector<unsigned char> mask(geometry.NumberOfVoxels());
+  std::bernoulli_distribution coin(part);
+  for (unsigned char& voxel : mask)
+  {
+    voxel = coin(random);
+  }
+  return mask;
+}
+
+inline BitMask BitsOf(const std::vector<unsigned char>& mask, const ImageGeometry& geometry)
+{
+  return VoxelsWhere(
+    ImageView<unsigned char>{ mask.data(), geometry },
+    [](unsigned char voxel) { return voxel != 0; }, SerialFor);
+}
+
+inline std::vector<unsigned char> BytesOf(const BitMask& mask)
+{
+  std::vector<unsigned char> bytes(mask.GetGeometry().NumberOfVoxels(), 0);
+  mask.ForEach([&bytes](std::size_t voxel) { bytes[voxel] = 1; });
+  return bytes;
+}
+
+/// The square of the distance from a voxel to the nearest one of the value `target`.
+inline double SquareToNearest(const std::vector<unsigned char>& mask, const ImageGeometry& geometry,
+  unsigned char target, const Eigen::Vector3d& index)
+{
+  double least = 1e20;
+  for (int k = 0; k < geometry.Dimensions[2]; ++k)
+  {
+    for (int j = 0; j < geometry.Dimensions[1]; ++j)
+    {
+      for (int i = 0; i < geometry.Dimensions[0]; ++i)
+      {
+        if (mask[geometry.Offset(i, j, k)] == target)
+        {
+          const Eigen::Vector3d offset(i - index[0], j - index[1], k - index[2]);
+          least = std::min(least, geometry.Spacing.cwiseProduct(offset).squaredNorm());
+        }
+      }
+    }
+  }
+  return least;
+}
+
+} // namespace FlipFree
+
+#endif

@@ -1,0 +1,86 @@
+#include "BallMorphology.h"
+#include "ExampleMasks.h"
+#include "ExampleSurfaces.h"
+
+#include <gtest/gtest.h>
+
+using namespace FlipFree;
+
+namespace
+{
+
+bool Grow(BitMask& mask, double radius, unsigned char value, const ParallelFor& parallelFor)
+{
+  return value ? Dilate(mask, radius, parallelFor, NeverStop)
+               : Erode(mask, radius, parallelFor, NeverStop);
+}
+
+} // namespace
+
+TEST(BallMorphology, GrowsAndShrinksByABallInMillimetres)
+{
+  std::mt19937 random(2);
+  for (const ImageGeometry& geometry : ExampleGrids())
+  {
+    for (double radius : { 0.0, 0.65, 1.0, 2.0, 3.3, 30.0 })
+    {
+      for (unsigned char value : { 0, 1 })
+      {
+        const std::vector<unsigned char> mask = RandomMask(geometry, value ? 0.03 : 0.97, random);
+        BitMask grown = BitsOf(mask, geometry);
+        ASSERT_TRUE(Grow(grown, radius, value, SerialFor));
+        BitMask threaded = BitsOf(mask, geometry);
+        ASSERT_TRUE(Grow(threaded, radius, value, ScatteredFor));
+        ASSERT_EQ(threaded, grown);
+        for (int k = 0; k < geometry.Dimensions[2]; ++k)
+        {
+          for (int j = 0; j < geometry.Dimensions[1]; ++j)
+          {
+            for (int i = 0; i < geometry.Dimensions[0]; ++i)
+            {
+              // A ball that ends exactly at a voxel's centre holds it.
+              const double square =
+                SquareToNearest(mask, geometry, value, { i + 0.0, j + 0.0, k + 0.0 });
+              const bool within = std::sqrt(square) <= radius + 1e-6;
+              ASSERT_EQ(grown(i, j, k) == (value != 0),
+                within || mask[geometry.Offset(i, j, k)] == value);
+            }
+          }
+        }
+      }
+    }
+  }
+}
+
+TEST(BallMorphology, UniformMasksStay)
+{
+  const ImageGeometry geometry = Grid({ { 6, 5, 4 } }, { 1, 2, 3 });
+  for (unsigned char value : { 0, 1 })
+  {
+    for (double radius : { 2.0, 1e4 }) // by rows, and by distance
+    {
+      const BitMask uniform =
+        BitsOf(std::vector<unsigned char>(geometry.NumberOfVoxels(), 1 - value), geometry);
+      BitMask grown = uniform;
+      EXPECT_TRUE(Grow(grown, radius, value, SerialFor));
+      EXPECT_EQ(grown, uniform);
+    }
+  }
+}
+
+TEST(BallMorphology, LargeBallsByDistanceAreTheSame)
+{
+  // Four tall voxels by thousands of thin ones: the ball has more rows than are done one by one.
+  const ImageGeometry geometry = Grid({ { 3, 6000, 2 } }, { 1, 0.01, 1 });
+  std::vector<unsigned char> mask(geometry.NumberOfVoxels(), 0);
+  mask[geometry.Offset(1, 3000, 0)] = 1;
+  const double radius = 25.505;
+  BitMask grown = BitsOf(mask, geometry);
+  ASSERT_TRUE(Dilate(grown, radius, SerialFor, NeverStop));
+  for (int j = 0; j < 6000; ++j)
+  {
+    const double y = 0.01 * (j - 3000);
+    ASSERT_EQ(grown(1, j, 0), y * y <= radius * radius) << j;
+    ASSERT_EQ(grown(0, j, 1), y * y + 2 <= radius * radius) << j;
+  }
+}

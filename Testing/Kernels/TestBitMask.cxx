@@ -1,0 +1,92 @@
+#include "ExampleMasks.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+using namespace FlipFree;
+
+TEST(BitMask, HoldsWhatIsInsertedAndNothingElse)
+{
+  std::mt19937 random(1);
+  for (const ImageGeometry& geometry : ExampleGrids())
+  {
+    const std::vector<unsigned char> bytes = RandomMask(geometry, 0.3, random);
+    BitMask mask(geometry);
+    EXPECT_TRUE(mask.IsEmpty());
+    std::size_t voxel = 0;
+    for (int k = 0; k < geometry.Dimensions[2]; ++k)
+    {
+      for (int j = 0; j < geometry.Dimensions[1]; ++j)
+      {
+        for (int i = 0; i < geometry.Dimensions[0]; ++i)
+        {
+          if (bytes[voxel++])
+          {
+            mask.Insert(i, j, k);
+          }
+          ASSERT_EQ(mask(i, j, k), bytes[voxel - 1] != 0);
+        }
+      }
+    }
+    EXPECT_EQ(BytesOf(mask), bytes);
+    EXPECT_EQ(mask, BitsOf(bytes, geometry));
+    EXPECT_EQ(mask.Count(), static_cast<std::size_t>(std::count(bytes.begin(), bytes.end(), 1)));
+    EXPECT_EQ(mask.IsEmpty(), mask.Count() == 0);
+  }
+}
+
+TEST(BitMask, VisitsInTheOrderOfTheVoxels)
+{
+  std::mt19937 random(2);
+  for (const ImageGeometry& geometry : ExampleGrids())
+  {
+    std::vector<std::size_t> visited;
+    BitsOf(RandomMask(geometry, 0.5, random), geometry)
+      .ForEach([&visited](std::size_t voxel) { visited.push_back(voxel); });
+    EXPECT_TRUE(std::is_sorted(visited.begin(), visited.end()));
+  }
+}
+
+TEST(BitMask, RunsOfEveryPlaceAndLength)
+{
+  const ImageGeometry geometry = Grid({ { 130, 2, 2 } }, { 1, 1, 1 });
+  for (int begin = 0; begin < 130; ++begin)
+  {
+    for (int end = begin; end <= 130; ++end)
+    {
+      BitMask run(geometry);
+      run.InsertRun(begin, end, 1, 0);
+      BitMask expected(geometry);
+      for (int i = begin; i < end; ++i)
+      {
+        expected.Insert(i, 1, 0);
+      }
+      ASSERT_EQ(run, expected) << begin << " to " << end;
+    }
+  }
+}
+
+TEST(BitMask, ComplementAndRemovalStayWithinTheRows)
+{
+  std::mt19937 random(3);
+  for (const ImageGeometry& geometry : ExampleGrids())
+  {
+    const std::vector<unsigned char> a = RandomMask(geometry, 0.5, random);
+    const std::vector<unsigned char> b = RandomMask(geometry, 0.5, random);
+    std::vector<unsigned char> notA = a;
+    std::vector<unsigned char> onlyA = a;
+    for (std::size_t voxel = 0; voxel < a.size(); ++voxel)
+    {
+      notA[voxel] = !a[voxel];
+      onlyA[voxel] = a[voxel] && !b[voxel];
+    }
+    BitMask complement = BitsOf(a, geometry);
+    complement.Complement();
+    EXPECT_EQ(complement, BitsOf(notA, geometry));
+    EXPECT_EQ(complement.Count() + BitsOf(a, geometry).Count(), geometry.NumberOfVoxels());
+    BitMask difference = BitsOf(a, geometry);
+    difference.Remove(BitsOf(b, geometry));
+    EXPECT_EQ(difference, BitsOf(onlyA, geometry));
+  }
+}

@@ -1,0 +1,157 @@
+#include "ExampleMasks.h"
+#include "ExampleSurfaces.h"
+#include "LeakControl.h"
+
+#include <gtest/gtest.h>
+
+using namespace FlipFree;
+
+namespace
+{
+
+// By repeating until nothing changes: slow, and beyond doubt.
+std::vector<unsigned char> ConnectedByRepetition(const std::vector<unsigned char>& mask,
+  const ImageGeometry& geometry, const std::vector<std::size_t>& sources)
+{
+  std::vector<unsigned char> reached(mask.size(), 0);
+  for (std::size_t voxel : sources)
+  {
+    reached[voxel] = mask[voxel];
+  }
+  for (bool changed = true; changed;)
+  {
+    changed = false;
+    for (int k = 0; k < geometry.Dimensions[2]; ++k)
+    {
+      for (int j = 0; j < geometry.Dimensions[1]; ++j)
+      {
+        for (int i = 0; i < geometry.Dimensions[0]; ++i)
+        {
+          const auto at = [&](int di, int dj, int dk)
+          {
+            return geometry.Contains(i + di, j + dj, k + dk) &&
+              reached[geometry.Offset(i + di, j + dj, k + dk)];
+          };
+          const std::size_t voxel = geometry.Offset(i, j, k);
+          if (mask[voxel] && !reached[voxel] &&
+            (at(1, 0, 0) || at(-1, 0, 0) || at(0, 1, 0) || at(0, -1, 0) || at(0, 0, 1) ||
+              at(0, 0, -1)))
+          {
+            reached[voxel] = 1;
+            changed = true;
+          }
+        }
+      }
+    }
+  }
+  return reached;
+}
+
+} // namespace
+
+TEST(LeakControl, ConnectedVoxelsAreThoseThatAFloodReaches)
+{
+  std::mt19937 random(4);
+  for (const ImageGeometry& geometry : ExampleGrids())
+  {
+    for (double part : { 0.3, 0.6, 0.7, 0.9, 1.0 })
+    {
+      const std::vector<unsigned char> mask = RandomMask(geometry, part, random);
+      std::uniform_int_distribution<std::size_t> anyVoxel(0, mask.size() - 1);
+      const std::vector<std::size_t> sources{ anyVoxel(random), anyVoxel(random) };
+      ASSERT_EQ(BytesOf(ConnectedVoxels(BitsOf(mask, geometry), sources)),
+        ConnectedByRepetition(mask, geometry, sources));
+    }
+  }
+}
+
+TEST(LeakControl, AMazeIsWalkedToItsEnd)
+{
+  // Every second row is a wall with a gap at its one end or its other.
+  const ImageGeometry geometry = Grid({ { 200, 41, 1 } }, { 1, 1, 1 });
+  std::vector<unsigned char> mask(geometry.NumberOfVoxels(), 1);
+  for (int j = 1; j < 41; j += 2)
+  {
+    for (int i = 0; i < 200; ++i)
+    {
+      mask[geometry.Offset(i, j, 0)] = i == (j % 4 == 1 ? 199 : 0);
+    }
+  }
+  EXPECT_EQ(BytesOf(ConnectedVoxels(BitsOf(mask, geometry), { 0 })), mask);
+}
+
+TEST(LeakControl, CutsAThinBridgeAndKeepsTheSeedsSide)
+{
+  // Two cubes of 16 mm with a bridge of 2 mm between them.
+  const ImageGeometry geometry = Grid({ { 60, 24, 24 } }, { 1, 1, 1 });
+  std::vector<unsigned char> mask(geometry.NumberOfVoxels(), 0);
+  std::vector<unsigned char> first = mask;
+  for (int k = 4; k < 20; ++k)
+  {
+    for (int j = 4; j < 20; ++j)
+    {
+      for (int i = 4; i < 56; ++i)
+      {
+        const bool bridge = j >= 11 && j < 13 && k >= 11 && k < 13;
+        const bool cube = i < 20 || i >= 40;
+        mask[geometry.Offset(i, j, k)] = cube || bridge;
+        first[geometry.Offset(i, j, k)] = i < 20;
+      }
+    }
+  }
+  BitMask kept = BitsOf(mask, geometry);
+  ASSERT_TRUE(ControlLeaks(kept, { { 12, 12, 12 }, 3 }, { 0, 3 }, ScatteredFor, NeverStop));
+  std::size_t lost = 0;
+  for (int k = 0; k < 24; ++k)
+  {
+    for (int j = 0; j < 24; ++j)
+    {
+      for (int i = 0; i < 60; ++i)
+      {
+        const std::size_t voxel = geometry.Offset(i, j, k);
+        // The ball bulges a little into the bridge's mouth.
+        ASSERT_TRUE(!kept(i, j, k) || (mask[voxel] && i < 22)) << i << " " << j << " " << k;
+        lost += !kept(i, j, k) && first[voxel];
+      }
+    }
+  }
+  EXPECT_LT(lost, 1000U); // the cube's edges and corners, which a ball does not fill
+
+  BitMask open = BitsOf(mask, geometry);
+  ASSERT_TRUE(ControlLeaks(open, { { 12, 12, 12 }, 3 }, { 0, 0 }, SerialFor, NeverStop));
+  EXPECT_EQ(BytesOf(open), mask);
+}
+
+TEST(LeakControl, AnOpeningThatLeavesNothingIsNotApplied)
+{
+  const ImageGeometry geometry = Grid({ { 40, 9, 9 } }, { 1, 1, 1 });
+  BitMask rod(geometry);
+  for (int k = 3; k < 6; ++k)
+  {
+    rod.InsertRun(2, 38, 3, k);
+    rod.InsertRun(2, 38, 4, k);
+    rod.InsertRun(2, 38, 5, k);
+  }
+  BitMask kept = rod;
+  ASSERT_TRUE(ControlLeaks(kept, { { 20, 4, 4 }, 1 }, { 0, 4 }, SerialFor, NeverStop));
+  EXPECT_EQ(kept, rod);
+}
+
+TEST(LeakControl, ClosingFillsAHole)
+{
+  const ImageGeometry geometry = Grid({ { 30, 30, 30 } }, { 1, 1, 1 });
+  BitMask full(geometry);
+  for (int k = 5; k < 25; ++k)
+  {
+    for (int j = 5; j < 25; ++j)
+    {
+      full.InsertRun(5, 25, j, k);
+    }
+  }
+  BitMask hole(geometry);
+  hole.InsertRun(14, 16, 15, 15);
+  BitMask pierced = full;
+  pierced.Remove(hole);
+  ASSERT_TRUE(ControlLeaks(pierced, { { 10, 10, 10 }, 2 }, { 1.5, 0 }, SerialFor, NeverStop));
+  EXPECT_EQ(pierced, full);
+}
