@@ -36,6 +36,40 @@ struct CornerLinks
   std::vector<std::array<int, 4>> CornerAt;
 };
 
+// From a corner of a face to the place of Doo and Sabin.
+Eigen::RowVector3d TowardsDooSabin(const PointList& points, const int* vertices, int size,
+  int corner)
+{
+  Eigen::RowVector3d offset = Eigen::RowVector3d::Zero();
+  for (int other = 0; other < size; ++other)
+  {
+    const double angle = 2 * EIGEN_PI * (other - corner) / size;
+    const double weight =
+      other == corner ? (size + 5.0) / (4.0 * size) : (3 + 2 * std::cos(angle)) / (4.0 * size);
+    offset += weight * points.row(vertices[other]);
+  }
+  return offset - points.row(vertices[corner]);
+}
+
+// From a corner of a face to a place about as far that lies in one of the triangles that the face
+// is cut into, from its first vertex.
+Eigen::RowVector3d TowardsTriangles(const PointList& points, const int* vertices, int size,
+  int corner)
+{
+  const Eigen::RowVector3d parent = points.row(vertices[corner]);
+  const auto towards = [&](int other) -> Eigen::RowVector3d
+  { return 0.25 * (points.row(vertices[other % size]) - parent); };
+  if (corner == 0 && size > 3)
+  {
+    return towards(size / 2);
+  }
+  if (corner <= 1 || corner == size - 1)
+  {
+    return towards(corner + 1) + towards(corner + size - 1);
+  }
+  return towards(0);
+}
+
 } // namespace
 
 RefinedMesh RefineFaces(const ContourMesh& mesh)
@@ -91,17 +125,12 @@ PointList RefinePoints(const ContourMesh& mesh, const PointList& points,
     const int* vertices = mesh.Faces.Face(face);
     for (int corner = 0; corner < size; ++corner)
     {
-      Eigen::RowVector3d point = Eigen::RowVector3d::Zero();
-      for (int other = 0; other < size; ++other)
-      {
-        const double angle = 2 * EIGEN_PI * (other - corner) / size;
-        const double weight =
-          other == corner ? (size + 5.0) / (4.0 * size) : (3 + 2 * std::cos(angle)) / (4.0 * size);
-        point += weight * points.row(vertices[other]);
-      }
       const Eigen::RowVector3d parent = points.row(vertices[corner]);
+      const Eigen::RowVector3d smooth = TowardsDooSabin(points, vertices, size, corner);
+      const Eigen::RowVector3d flat = TowardsTriangles(points, vertices, size, corner);
+      const double part = reach[vertices[corner]];
       refined.row(mesh.Faces.Offsets[face] + corner) =
-        parent + reach[vertices[corner]] * (point - parent);
+        parent + part * (flat + part * (smooth - flat));
     }
   }
   return refined;

@@ -23,7 +23,8 @@ struct RefinedMesh
 RefinedMesh RefineFaces(const ContourMesh& mesh);
 
 /// The points of the refined mesh. A `reach` of 1 gives those of Doo and Sabin; smaller values, one
-/// per old vertex, pull them towards their parents. For small values the new surface is the old one
+/// per old vertex, pull them towards their parents, and from the places of Doo and Sabin, which lie
+/// above or below the old triangles, into these. For small values the new surface is the old one
 /// with its edges bevelled a little.
 PointList RefinePoints(const ContourMesh& mesh, const PointList& points,
   const Eigen::VectorXd& reach);

@@ -11,8 +11,10 @@ namespace FlipFree
 namespace
 {
 
-constexpr int MostAttempts = 14;
-constexpr int MostRelaxations = 30;
+constexpr int MostAttempts = 5;
+constexpr int MostRelaxations = 60;
+// After so many, vertices a ring farther away are smoothed, too.
+constexpr int RelaxationsPerRing = 3;
 // Of the way of a vertex to the mean of its neighbours.
 constexpr double Relaxation = 0.5;
 
@@ -62,7 +64,7 @@ bool RefineEmbedded(const ContourMesh& mesh, const PointList& points, const Refi
     }
     for (int vertex : involved)
     {
-      reach[vertex] *= 0.5;
+      reach[vertex] *= 0.25;
     }
   }
   return false;
@@ -95,6 +97,14 @@ RefinedSurface RefineSurface(const ContourMesh& mesh, const PointList& points, b
     {
       refined.Embedded = true;
       return refined;
+    }
+    for (int ring = 0; ring < refined.Relaxations / RelaxationsPerRing; ++ring)
+    {
+      const std::set<int> inner = involved;
+      for (int vertex : inner)
+      {
+        involved.insert(mesh.Neighbours[vertex].begin(), mesh.Neighbours[vertex].end());
+      }
     }
     RelaxOnce(mesh, guard, involved, parallelFor, monitor, coarse);
   }

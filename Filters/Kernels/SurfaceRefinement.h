@@ -20,10 +20,9 @@ struct RefinedSurface
 
 /// Refines a surface into one of four times as many vertices (MeshRefinement.h). Where the refined
 /// surface would intersect itself, it is pulled towards the old vertices there, and if that does
-/// not help, the old surface is smoothed there under the guard, which opens its sharpest folds.
-/// `checked`
-/// false skips all that. Embedded is false when no attempt succeeded or the monitor stopped it; the
-/// mesh must then not be used.
+/// not help, the old surface is smoothed there, and if need be farther and farther around, under
+/// the guard, which opens its sharpest folds. `checked` false skips all that. Embedded is false
+/// when no attempt succeeded or the monitor stopped it; the mesh must then not be used.
 RefinedSurface RefineSurface(const ContourMesh& mesh, const PointList& points, bool checked,
   const ParallelFor& parallelFor, const Monitor& monitor);
 

@@ -159,21 +159,39 @@ TEST(MeshRefinement, OtherMeshesKeepTheirGenus)
   }
 }
 
-TEST(MeshRefinement, ReachPullsFromTheParents)
+TEST(MeshRefinement, ReachPullsFromTheParentsIntoTheOldTriangles)
 {
-  const TestSphere sphere(5);
-  const RefinedMesh refined = RefineFaces(sphere.Mesh);
-  const PointList& coarse = sphere.Points();
-  const PointList full = RefinePoints(sphere.Mesh, coarse, 1);
-  const PointList little = RefinePoints(sphere.Mesh, coarse, 0.01);
-  const PointList none = RefinePoints(sphere.Mesh, coarse, 0);
-  for (Eigen::Index vertex = 0; vertex < full.rows(); ++vertex)
+  Torus torus(7);
+  torus.Points(Eigen::seq(0, 48, 2), 2).array() += 1; // bends its quads
+  const ContourMesh mesh = BuildContourMesh(49, torus.Faces);
+  const RefinedMesh refined = RefineFaces(mesh);
+  const PointList full = RefinePoints(mesh, torus.Points, 1);
+  const PointList none = RefinePoints(mesh, torus.Points, 0);
+  const double reach = 1e-3;
+  const PointList little = RefinePoints(mesh, torus.Points, reach);
+  double greatest = 0; // deviation of the full places from the triangles
+  for (Eigen::Index triangle = 0; triangle < mesh.Triangles.rows(); ++triangle)
   {
-    const Eigen::RowVector3d parent = coarse.row(refined.Parents[vertex]);
-    EXPECT_EQ(Eigen::RowVector3d(none.row(vertex)), parent);
-    EXPECT_LT((little.row(vertex) - parent).norm(), 0.01 * sphere.EdgeLength);
-    EXPECT_LT((little.row(vertex) - parent - 0.01 * (full.row(vertex) - parent)).norm(), 1e-12);
+    // A face's triangles are those of its shrunk image, too: the fan from its first corner.
+    const int face = static_cast<int>(triangle / 2);
+    const int first = mesh.Faces.Offsets[face];
+    const Eigen::RowVector3d a = torus.Points.row(mesh.Triangles(triangle, 0));
+    const Eigen::Vector3d normal = (torus.Points.row(mesh.Triangles(triangle, 1)) - a)
+                                     .cross(torus.Points.row(mesh.Triangles(triangle, 2)) - a)
+                                     .normalized();
+    const int corners[3] = { first, first + (triangle % 2 == 0 ? 1 : 2),
+      first + (triangle % 2 == 0 ? 2 : 3) };
+    for (int corner : corners)
+    {
+      EXPECT_EQ(none.row(corner), torus.Points.row(refined.Parents[corner]));
+      const double away = (little.row(corner) - none.row(corner)).norm();
+      EXPECT_GT(away, 0.1 * reach);
+      EXPECT_LT(away, 10 * reach);
+      EXPECT_LT(std::abs((little.row(corner) - a).dot(normal.transpose())), 10 * reach * reach);
+      greatest = std::max(greatest, std::abs((full.row(corner) - a).dot(normal.transpose())));
+    }
   }
+  EXPECT_GT(greatest, 0.05);
 }
 
 // Doo and Sabin's masks: a quad's new corner is 9/16, 3/16, 1/16, 3/16 of the old ones.
