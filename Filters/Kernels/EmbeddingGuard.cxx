@@ -22,6 +22,11 @@ constexpr double RelativeResolution = 1e-12;
 // caller, and the rounding errors of their ends must not spoil the rest.
 constexpr double GreatestDisplacement = 100;
 
+// What fails keeps this part of the motion that was certain, and at most that part of its motion:
+// the more must be taken off, the sooner it is done.
+constexpr double SafetyFactor = 0.9;
+constexpr double GreatestPart = 0.5;
+
 // Below this fraction of its displacement a vertex is not moved at all.
 constexpr double LeastScale = 1.0 / 64;
 
@@ -65,11 +70,11 @@ bool AnyOf(const std::vector<char>& flags, const std::array<int, N>& vertices)
 }
 
 template <std::size_t N>
-void Mark(std::vector<char>& flags, const std::array<int, N>& vertices)
+void Lower(std::vector<double>& limits, const std::array<int, N>& vertices, double limit)
 {
   for (int vertex : vertices)
   {
-    flags[vertex] = 1;
+    limits[vertex] = std::min(limits[vertex], limit);
   }
 }
 
@@ -82,7 +87,7 @@ struct EmbeddingGuard::Attempt
     : From(points)
     , Wanted(displacements)
     , Scales(points.rows(), 1.0)
-    , Failed(points.rows(), 0)
+    , SafeUntil(points.rows(), 1.0)
   {
     this->Scaled = this->Wanted;
     this->To = this->From + this->Scaled;
@@ -98,7 +103,7 @@ struct EmbeddingGuard::Attempt
   double EdgeLength = 0; // mean
   MotionGap Gap;
   std::vector<double> Scales;
-  std::vector<char> Failed;
+  std::vector<double> SafeUntil; // the part of the motion that the present pass has found certain
 
   // Vertices whose path changed since a part of the test was last run.
   std::vector<char> ChangedForCorners;
@@ -240,24 +245,26 @@ double EmbeddingGuard::MeanEdgeLength(const PointList& points) const
 bool EmbeddingGuard::TestCorners(Attempt& attempt, const ParallelFor& parallelFor) const
 {
   const Motion motion = attempt.Path();
-  std::vector<char> flipped(this->Corners.size(), 0);
+  std::vector<double> until(this->Corners.size(), 1);
   parallelFor(0, static_cast<std::ptrdiff_t>(this->Corners.size()),
     [&](std::ptrdiff_t first, std::ptrdiff_t last)
     {
       for (std::ptrdiff_t index = first; index < last; ++index)
       {
-        flipped[index] = AnyOf(attempt.ChangedForCorners, this->Corners[index]) &&
-          !CornerStaysUpright(motion, this->Corners[index]);
+        if (AnyOf(attempt.ChangedForCorners, this->Corners[index]))
+        {
+          until[index] = UprightUntil(motion, this->Corners[index]);
+        }
       }
     });
   std::fill(attempt.ChangedForCorners.begin(), attempt.ChangedForCorners.end(), 0);
   bool isClean = true;
   for (std::size_t index = 0; index < this->Corners.size(); ++index)
   {
-    if (flipped[index])
+    if (until[index] < 1)
     {
       isClean = false;
-      Mark(attempt.Failed, this->Corners[index]);
+      Lower(attempt.SafeUntil, this->Corners[index], until[index]);
     }
   }
   return isClean;
@@ -291,23 +298,25 @@ bool EmbeddingGuard::TestPairs(Attempt& attempt, const ParallelFor& parallelFor)
         !boxes[node].StaysApartFrom(boxes[other]);
     },
     [&](int one, int two)
-    { return !StayApart(motion, this->Triangle(one), this->Triangle(two), attempt.Gap); },
+    { return ApartUntil(motion, this->Triangle(one), this->Triangle(two), attempt.Gap) < 1; },
     parallelFor);
   bool isClean = pairs.empty();
   for (const auto& pair : pairs)
   {
-    Mark(attempt.Failed, this->Triangle(pair.first));
-    Mark(attempt.Failed, this->Triangle(pair.second));
+    const double until =
+      ApartUntil(motion, this->Triangle(pair.first), this->Triangle(pair.second), attempt.Gap);
+    Lower(attempt.SafeUntil, this->Triangle(pair.first), until);
+    Lower(attempt.SafeUntil, this->Triangle(pair.second), until);
   }
 
   const auto test = [&](const auto& one, const auto& two)
   {
-    if ((AnyOf(attempt.ChangedForPairs, one) || AnyOf(attempt.ChangedForPairs, two)) &&
-      !StayApart(motion, one, two, attempt.Gap))
+    if (AnyOf(attempt.ChangedForPairs, one) || AnyOf(attempt.ChangedForPairs, two))
     {
-      isClean = false;
-      Mark(attempt.Failed, one);
-      Mark(attempt.Failed, two);
+      const double until = ApartUntil(motion, one, two, attempt.Gap);
+      isClean = isClean && until >= 1;
+      Lower(attempt.SafeUntil, one, until);
+      Lower(attempt.SafeUntil, two, until);
     }
   };
   for (const FeaturePairs::VertexFace& pair : this->WithoutStrangers.VertexFaces)
@@ -324,19 +333,21 @@ bool EmbeddingGuard::TestPairs(Attempt& attempt, const ParallelFor& parallelFor)
 
 void EmbeddingGuard::ScaleBack(Attempt& attempt) const
 {
-  std::vector<char> changed(attempt.Failed.size(), 0);
+  std::vector<char> changed(attempt.SafeUntil.size(), 0);
   const double shear = GreatestShear * attempt.EdgeLength;
   std::vector<int> queue;
-  for (std::size_t vertex = 0; vertex < attempt.Failed.size(); ++vertex)
+  for (std::size_t vertex = 0; vertex < attempt.SafeUntil.size(); ++vertex)
   {
     double& scale = attempt.Scales[vertex];
-    if (attempt.Failed[vertex] && scale > 0)
+    double& until = attempt.SafeUntil[vertex];
+    if (until < 1 && scale > 0)
     {
-      scale = scale / 2 < LeastScale ? 0 : scale / 2;
+      scale *= std::min(GreatestPart, SafetyFactor * until);
+      scale = scale < LeastScale ? 0 : scale;
       changed[vertex] = 1;
       queue.push_back(static_cast<int>(vertex));
     }
-    attempt.Failed[vertex] = 0;
+    until = 1;
   }
   for (std::size_t head = 0; head < queue.size(); ++head)
   {

@@ -45,12 +45,12 @@ std::array<Vector3d, N> PositionsAt(const Motion& motion, const std::array<int, 
 // Conservative advancement: a direction carries the proof as far as it separates, then the next one
 // is taken from where it got.
 template <std::size_t A, std::size_t B>
-bool Advance(const Motion& motion, const std::array<int, A>& one, const std::array<int, B>& two,
+double Advance(const Motion& motion, const std::array<int, A>& one, const std::array<int, B>& two,
   const MotionGap& gap)
 {
   if (AreAtRest(motion, one) && AreAtRest(motion, two))
   {
-    return true;
+    return 1;
   }
   const std::array<Vector3d, A> oneEnd = PositionsAt(motion, one, 1);
   const std::array<Vector3d, B> twoEnd = PositionsAt(motion, two, 1);
@@ -76,7 +76,7 @@ bool Advance(const Motion& motion, const std::array<int, A>& one, const std::arr
     }
     if (!(separation >= kept && kept >= gap.Resolution))
     {
-      return false;
+      return time;
     }
 
     double reached = 1;
@@ -96,14 +96,18 @@ bool Advance(const Motion& motion, const std::array<int, A>& one, const std::arr
     }
     if (isSafe)
     {
-      return true;
+      return 1;
     }
     const double advance = (1 - time) * reached;
-    if (!(advance > LeastAdvance))
+    if (!(advance > 0))
     {
-      return false;
+      return time;
     }
     time += advance;
+    if (advance <= LeastAdvance)
+    {
+      return time;
+    }
   }
 }
 
@@ -130,11 +134,11 @@ bool Separates(const Motion& motion, const std::array<int, 3>& one, const std::a
 
 } // namespace
 
-bool CornerStaysUpright(const Motion& motion, const std::array<int, 3>& corner)
+double UprightUntil(const Motion& motion, const std::array<int, 3>& corner)
 {
   if (AreAtRest(motion, corner))
   {
-    return true;
+    return 1;
   }
   Vector3d edges[2][2];
   double squaredLength = 0;
@@ -152,38 +156,40 @@ bool CornerStaysUpright(const Motion& motion, const std::array<int, 3>& corner)
   const double error = NormalError * squaredLength;
   if (length <= error)
   {
-    return true;
+    return 1;
   }
-  // The normal is quadratic in time, and so is its component along the first one. Its least value
-  // is b0 (1 - t)^2 + 2 b1 t (1 - t) + b2 t^2 at an end or where the derivative is zero.
-  const double b0 = length * length;
+  // The normal is quadratic in time, and so is its component along the first one:
+  // b0 (1 - t)^2 + 2 b1 t (1 - t) + b2 t^2, which must stay above what rounding may make of it.
+  const double b0 = length * length - error * length;
   const double b1 =
-    0.5 * normal.dot(edges[0][0].cross(edges[1][1]) + edges[1][0].cross(edges[0][1]));
-  const double b2 = normal.dot(edges[1][0].cross(edges[1][1]));
-  double least = std::min(b0, b2);
+    0.5 * normal.dot(edges[0][0].cross(edges[1][1]) + edges[1][0].cross(edges[0][1])) -
+    error * length;
+  const double b2 = normal.dot(edges[1][0].cross(edges[1][1])) - error * length;
+  // Its first zero is b0 / (b0 - b1 + root), if there is one.
   const double curvature = b0 - 2 * b1 + b2;
-  if (b1 < least && curvature > 0)
+  const double discriminant = (b0 - b1) * (b0 - b1) - curvature * b0;
+  if (discriminant < 0)
   {
-    const double time = (b0 - b1) / curvature;
-    least = (1 - time) * (1 - time) * b0 + 2 * time * (1 - time) * b1 + time * time * b2;
+    return 1;
   }
-  return least > error * length;
+  const double divisor = b0 - b1 + std::sqrt(discriminant);
+  return divisor > b0 ? std::max(0.0, b0 / divisor) : 1;
 }
 
-bool StayApart(const Motion& motion, const std::array<int, 1>& vertex,
+double ApartUntil(const Motion& motion, const std::array<int, 1>& vertex,
   const std::array<int, 3>& face, const MotionGap& gap)
 {
   return Advance(motion, vertex, face, gap);
 }
 
-bool StayApart(const Motion& motion, const std::array<int, 2>& one, const std::array<int, 2>& two,
-  const MotionGap& gap)
+double ApartUntil(const Motion& motion, const std::array<int, 2>& one,
+  const std::array<int, 2>& two, const MotionGap& gap)
 {
   return Advance(motion, one, two, gap);
 }
 
-bool StayApart(const Motion& motion, const std::array<int, 3>& one, const std::array<int, 3>& two,
-  const MotionGap& gap)
+double ApartUntil(const Motion& motion, const std::array<int, 3>& one,
+  const std::array<int, 3>& two, const MotionGap& gap)
 {
   // These directions decide most pairs for a fraction of the cost: the one between the centres, the
   // normals, across which sheets that lie on each other are apart, and those across two edges.
@@ -197,7 +203,7 @@ bool StayApart(const Motion& motion, const std::array<int, 3>& one, const std::a
   if (isProof(between) || isProof(towardsOne((b[1] - b[0]).cross(b[2] - b[0]))) ||
     isProof(towardsOne((a[1] - a[0]).cross(a[2] - a[0]))))
   {
-    return true;
+    return 1;
   }
   for (int i = 0; i < 3; ++i)
   {
@@ -205,7 +211,7 @@ bool StayApart(const Motion& motion, const std::array<int, 3>& one, const std::a
     {
       if (isProof(towardsOne((a[(i + 1) % 3] - a[i]).cross(b[(j + 1) % 3] - b[j]))))
       {
-        return true;
+        return 1;
       }
     }
   }

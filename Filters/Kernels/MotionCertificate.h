@@ -38,18 +38,19 @@ struct MotionGap
   double Resolution = 0;
 };
 
-/// Does the normal of the corner before-vertex-after turn by less than 90 degrees at all times?
-/// A corner at rest does, and so does one that has no normal at the start.
-bool CornerStaysUpright(const Motion& motion, const std::array<int, 3>& corner);
+/// The time until which the normal of the corner before-vertex-after has turned by less than 90
+/// degrees; 1 or more means always. Always for a corner at rest, and for one that has no normal at
+/// the start.
+double UprightUntil(const Motion& motion, const std::array<int, 3>& corner);
 
-/// Do a vertex and a face, two edges, two triangles without common vertices keep their gap at all
-/// times? False also where no proof is found. Parts that do not move at all do.
-bool StayApart(const Motion& motion, const std::array<int, 1>& vertex,
+/// The time until which a vertex and a face, two edges, two triangles without common vertices are
+/// proven to keep their gap; 1 or more means always. Always for parts that do not move at all.
+double ApartUntil(const Motion& motion, const std::array<int, 1>& vertex,
   const std::array<int, 3>& face, const MotionGap& gap);
-bool StayApart(const Motion& motion, const std::array<int, 2>& one, const std::array<int, 2>& two,
-  const MotionGap& gap);
-bool StayApart(const Motion& motion, const std::array<int, 3>& one, const std::array<int, 3>& two,
-  const MotionGap& gap);
+double ApartUntil(const Motion& motion, const std::array<int, 2>& one,
+  const std::array<int, 2>& two, const MotionGap& gap);
+double ApartUntil(const Motion& motion, const std::array<int, 3>& one,
+  const std::array<int, 3>& two, const MotionGap& gap);
 
 } // namespace FlipFree
 

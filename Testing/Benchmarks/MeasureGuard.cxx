@@ -87,7 +87,7 @@ std::ptrdiff_t SweptBoxes(const Expansion& expansion, std::ptrdiff_t& failed)
     [&](int one, int two)
     {
       ++tested;
-      return !StayApart(motion, corners(one), corners(two), gap);
+      return ApartUntil(motion, corners(one), corners(two), gap) < 1;
     },
     SerialFor);
   failed = static_cast<std::ptrdiff_t>(pairs.size());

@@ -157,7 +157,8 @@ TEST(MotionCertificate, TrianglesStayApart)
     const Motion motion{ from, to };
     const double start = LeastDistance(from, to, 0);
     const double least = LeastDistance(from, to, 1);
-    if (StayApart(motion, one, two, gap))
+    const double until = ApartUntil(motion, one, two, gap);
+    if (until >= 1)
     {
       ++proven;
       EXPECT_GE(least, 0.999 * std::min(start, gap.Wanted));
@@ -166,6 +167,13 @@ TEST(MotionCertificate, TrianglesStayApart)
     {
       ++refused;
       EXPECT_LE(least, 2 * gap.Wanted);
+      // What is proven holds, and it is most of what there is.
+      EXPECT_GE(until, 0);
+      EXPECT_GE(LeastDistance(from, to, until), 0.999 * std::min(start, gap.Wanted));
+      if (start > 2 * gap.Wanted)
+      {
+        EXPECT_LE(LeastDistance(from, to, until + 0.15), 2 * gap.Wanted);
+      }
     }
   }
   EXPECT_GT(proven, 500);
@@ -178,11 +186,11 @@ TEST(MotionCertificate, RestIsSafeWhereverItIs)
   const MotionGap gap{ 0.01, 1e-12 };
   const std::array<int, 3> one{ { 0, 1, 2 } };
   const std::array<int, 3> two{ { 3, 4, 5 } };
-  EXPECT_TRUE(StayApart({ points, points }, one, two, gap));
-  EXPECT_TRUE(CornerStaysUpright({ points, points }, one));
+  EXPECT_EQ(ApartUntil({ points, points }, one, two, gap), 1);
+  EXPECT_EQ(UprightUntil({ points, points }, one), 1);
   PointList moved = points;
   moved(4, 1) = 1e-3;
-  EXPECT_FALSE(StayApart({ points, moved }, one, two, gap));
+  EXPECT_EQ(ApartUntil({ points, moved }, one, two, gap), 0);
 }
 
 TEST(MotionCertificate, CornersStayUpright)
@@ -197,20 +205,25 @@ TEST(MotionCertificate, CornersStayUpright)
     const PointList to = from + 0.4 * (1 + repeat % 5) * RandomPoints(3, random);
     const Motion motion{ from, to };
     const Vector3d first = CornerNormal(motion, corner, 0);
-    double least = 1e300;
-    for (int step = 0; step <= 500; ++step)
+    const double until = UprightUntil(motion, corner);
+    double firstZero = 1;
+    for (int step = 500; step > 0; --step)
     {
-      least = std::min(least, first.dot(CornerNormal(motion, corner, step / 500.0)));
+      const double time = step / 500.0;
+      firstZero = first.dot(CornerNormal(motion, corner, time)) > 0 ? firstZero : time;
     }
-    if (CornerStaysUpright(motion, corner))
+    if (until >= 1)
     {
       ++upright;
-      EXPECT_GT(least, 0);
+      EXPECT_GT(first.dot(CornerNormal(motion, corner, 1)), 0);
+      EXPECT_EQ(firstZero, 1);
     }
     else
     {
       ++flipped;
-      EXPECT_LT(least, 1e-3);
+      EXPECT_NEAR(first.dot(CornerNormal(motion, corner, until)), 0,
+        1e-9 * (first.squaredNorm() + CornerNormal(motion, corner, 1).squaredNorm()));
+      EXPECT_LT(until, firstZero + 1e-6);
     }
   }
   EXPECT_GT(upright, 500);
