@@ -4,6 +4,7 @@
 #include "TriangleIntersection.h"
 
 #include <algorithm>
+#include <atomic>
 #include <sstream>
 #include <stdexcept>
 
@@ -69,13 +70,26 @@ bool AnyOf(const std::vector<char>& flags, const std::array<int, N>& vertices)
     [&](int vertex) { return flags[vertex] != 0; });
 }
 
+// Lowers limits from several threads at once. The least of them is the same in any order.
 template <std::size_t N>
-void Lower(std::vector<double>& limits, const std::array<int, N>& vertices, double limit)
+void Lower(std::vector<std::atomic<double>>& limits, const std::array<int, N>& vertices,
+  double limit)
 {
   for (int vertex : vertices)
   {
-    limits[vertex] = std::min(limits[vertex], limit);
+    double present = limits[vertex];
+    while (limit < present && !limits[vertex].compare_exchange_weak(present, limit))
+    {
+    }
   }
+}
+
+template <typename Item, typename Visit>
+void ForEach(const std::vector<Item>& items, const ParallelFor& parallelFor, const Visit& visit)
+{
+  parallelFor(0, static_cast<std::ptrdiff_t>(items.size()),
+    [&](std::ptrdiff_t first, std::ptrdiff_t last)
+    { std::for_each(items.begin() + first, items.begin() + last, visit); });
 }
 
 } // namespace
@@ -87,8 +101,9 @@ struct EmbeddingGuard::Attempt
     : From(points)
     , Wanted(displacements)
     , Scales(points.rows(), 1.0)
-    , SafeUntil(points.rows(), 1.0)
+    , SafeUntil(points.rows())
   {
+    std::fill(this->SafeUntil.begin(), this->SafeUntil.end(), 1.0);
     this->Scaled = this->Wanted;
     this->To = this->From + this->Scaled;
     this->ChangedForCorners.assign(points.rows(), 1);
@@ -103,7 +118,9 @@ struct EmbeddingGuard::Attempt
   double EdgeLength = 0; // mean
   MotionGap Gap;
   std::vector<double> Scales;
-  std::vector<double> SafeUntil; // the part of the motion that the present pass has found certain
+  // The part of the motion that the present pass has found certain.
+  std::vector<std::atomic<double>> SafeUntil;
+  std::atomic<bool> TouchesAtStart{ false };
 
   // Vertices whose path changed since a part of the test was last run.
   std::vector<char> ChangedForCorners;
@@ -168,9 +185,8 @@ GuardReport EmbeddingGuard::Limit(const PointList& points, PointList& displaceme
     report.HeldBack += attempt.Scaled.row(vertex) != displacements.row(vertex) ? 1 : 0;
     frozen[vertex] = attempt.Scales[vertex] == 0;
   }
-  // Everything that moves is certified to be apart at the start, too. So if the start has a defect,
-  // it is where nothing could move.
-  if (std::find(frozen.begin(), frozen.end(), 1) != frozen.end())
+  // If the start has a defect, it is where nothing could move.
+  if (attempt.TouchesAtStart)
   {
     this->RequireEmbeddedNear(points, frozen, parallelFor);
   }
@@ -245,28 +261,25 @@ double EmbeddingGuard::MeanEdgeLength(const PointList& points) const
 bool EmbeddingGuard::TestCorners(Attempt& attempt, const ParallelFor& parallelFor) const
 {
   const Motion motion = attempt.Path();
-  std::vector<double> until(this->Corners.size(), 1);
+  std::atomic<bool> isClean{ true };
   parallelFor(0, static_cast<std::ptrdiff_t>(this->Corners.size()),
     [&](std::ptrdiff_t first, std::ptrdiff_t last)
     {
       for (std::ptrdiff_t index = first; index < last; ++index)
       {
-        if (AnyOf(attempt.ChangedForCorners, this->Corners[index]))
+        if (!AnyOf(attempt.ChangedForCorners, this->Corners[index]))
         {
-          until[index] = UprightUntil(motion, this->Corners[index]);
+          continue;
+        }
+        const double until = UprightUntil(motion, this->Corners[index]);
+        if (until < 1)
+        {
+          isClean = false;
+          Lower(attempt.SafeUntil, this->Corners[index], until);
         }
       }
     });
   std::fill(attempt.ChangedForCorners.begin(), attempt.ChangedForCorners.end(), 0);
-  bool isClean = true;
-  for (std::size_t index = 0; index < this->Corners.size(); ++index)
-  {
-    if (until[index] < 1)
-    {
-      isClean = false;
-      Lower(attempt.SafeUntil, this->Corners[index], until[index]);
-    }
-  }
   return isClean;
 }
 
@@ -290,43 +303,46 @@ bool EmbeddingGuard::TestPairs(Attempt& attempt, const ParallelFor& parallelFor)
       { return ChangeFlag{ AnyOf(attempt.ChangedForPairs, this->Triangle(triangle)) }; });
     this->Tree.RefitSome(boxes, boxOf, [&flags](int node) { return flags[node].Changed; });
   }
-  const auto pairs = this->Tree.PairsBelow(
+  std::atomic<bool> isClean{ true };
+  const auto test = [&](const auto& one, const auto& two)
+  {
+    const double until = ApartUntil(motion, one, two, attempt.Gap);
+    if (until < 1)
+    {
+      isClean = false;
+      attempt.TouchesAtStart = attempt.TouchesAtStart || until < 0;
+      Lower(attempt.SafeUntil, one, std::max(until, 0.0));
+      Lower(attempt.SafeUntil, two, std::max(until, 0.0));
+    }
+  };
+  this->Tree.VisitPairsBelow(
     this->Strangers,
     [&](int node, int other)
     {
       return (isFirst || flags[node].Changed || flags[other].Changed) &&
         !boxes[node].StaysApartFrom(boxes[other]);
     },
-    [&](int one, int two)
-    { return ApartUntil(motion, this->Triangle(one), this->Triangle(two), attempt.Gap) < 1; },
-    parallelFor);
-  bool isClean = pairs.empty();
-  for (const auto& pair : pairs)
-  {
-    const double until =
-      ApartUntil(motion, this->Triangle(pair.first), this->Triangle(pair.second), attempt.Gap);
-    Lower(attempt.SafeUntil, this->Triangle(pair.first), until);
-    Lower(attempt.SafeUntil, this->Triangle(pair.second), until);
-  }
+    [&](int one, int two) { test(this->Triangle(one), this->Triangle(two)); }, parallelFor);
 
-  const auto test = [&](const auto& one, const auto& two)
-  {
-    if (AnyOf(attempt.ChangedForPairs, one) || AnyOf(attempt.ChangedForPairs, two))
+  const auto hasChanged = [&](const auto& one, const auto& two)
+  { return AnyOf(attempt.ChangedForPairs, one) || AnyOf(attempt.ChangedForPairs, two); };
+  const FeaturePairs& others = this->WithoutStrangers;
+  ForEach(others.VertexFaces, parallelFor,
+    [&](const FeaturePairs::VertexFace& pair)
     {
-      const double until = ApartUntil(motion, one, two, attempt.Gap);
-      isClean = isClean && until >= 1;
-      Lower(attempt.SafeUntil, one, until);
-      Lower(attempt.SafeUntil, two, until);
-    }
-  };
-  for (const FeaturePairs::VertexFace& pair : this->WithoutStrangers.VertexFaces)
-  {
-    test(pair.Vertex, pair.Face);
-  }
-  for (const FeaturePairs::EdgeEdge& pair : this->WithoutStrangers.EdgeEdges)
-  {
-    test(pair.One, pair.Two);
-  }
+      if (hasChanged(pair.Vertex, pair.Face))
+      {
+        test(pair.Vertex, pair.Face);
+      }
+    });
+  ForEach(others.EdgeEdges, parallelFor,
+    [&](const FeaturePairs::EdgeEdge& pair)
+    {
+      if (hasChanged(pair.One, pair.Two))
+      {
+        test(pair.One, pair.Two);
+      }
+    });
   std::fill(attempt.ChangedForPairs.begin(), attempt.ChangedForPairs.end(), 0);
   return isClean;
 }
@@ -339,7 +355,7 @@ void EmbeddingGuard::ScaleBack(Attempt& attempt) const
   for (std::size_t vertex = 0; vertex < attempt.SafeUntil.size(); ++vertex)
   {
     double& scale = attempt.Scales[vertex];
-    double& until = attempt.SafeUntil[vertex];
+    const double until = attempt.SafeUntil[vertex];
     if (until < 1 && scale > 0)
     {
       scale *= std::min(GreatestPart, SafetyFactor * until);
@@ -347,7 +363,7 @@ void EmbeddingGuard::ScaleBack(Attempt& attempt) const
       changed[vertex] = 1;
       queue.push_back(static_cast<int>(vertex));
     }
-    until = 1;
+    attempt.SafeUntil[vertex] = 1;
   }
   for (std::size_t head = 0; head < queue.size(); ++head)
   {

@@ -42,6 +42,28 @@ std::array<Vector3d, N> PositionsAt(const Motion& motion, const std::array<int, 
   return positions;
 }
 
+// Where vertices lie along a direction.
+template <std::size_t N>
+struct Extent
+{
+  std::array<double, N> Places;
+  double Low = std::numeric_limits<double>::infinity();
+  double High = -std::numeric_limits<double>::infinity();
+};
+
+template <std::size_t N>
+Extent<N> Project(const std::array<Vector3d, N>& vertices, const Vector3d& direction)
+{
+  Extent<N> extent;
+  for (std::size_t i = 0; i < N; ++i)
+  {
+    extent.Places[i] = vertices[i].dot(direction);
+    extent.Low = std::min(extent.Low, extent.Places[i]);
+    extent.High = std::max(extent.High, extent.Places[i]);
+  }
+  return extent;
+}
+
 // Conservative advancement: a direction carries the proof as far as it separates, then the next one
 // is taken from where it got.
 template <std::size_t A, std::size_t B>
@@ -62,41 +84,40 @@ double Advance(const Motion& motion, const std::array<int, A>& one, const std::a
     const std::array<Vector3d, B> twoNow = PositionsAt(motion, two, time);
     const Vector3d direction = ClosestDirection(oneNow, twoNow).normalized();
 
-    double separation = std::numeric_limits<double>::infinity();
-    for (const Vector3d& a : oneNow)
-    {
-      for (const Vector3d& b : twoNow)
-      {
-        separation = std::min(separation, direction.dot(a - b));
-      }
-    }
+    const Extent<A> one0 = Project(oneNow, direction);
+    const Extent<B> two0 = Project(twoNow, direction);
+    const double separation = one0.Low - two0.High;
     if (time == 0)
     {
       kept = std::min(gap.Wanted, KeptFraction * separation);
     }
-    if (!(separation >= kept && kept >= gap.Resolution))
+    if (!(kept >= gap.Resolution))
+    {
+      return -1;
+    }
+    if (!(separation >= kept))
     {
       return time;
     }
 
+    const Extent<A> one1 = Project(oneEnd, direction);
+    const Extent<B> two1 = Project(twoEnd, direction);
+    if (one1.Low - two1.High >= kept)
+    {
+      return 1;
+    }
     double reached = 1;
-    bool isSafe = true;
     for (std::size_t i = 0; i < A; ++i)
     {
       for (std::size_t j = 0; j < B; ++j)
       {
-        const double end = direction.dot(oneEnd[i] - twoEnd[j]);
+        const double end = one1.Places[i] - two1.Places[j];
         if (!(end >= kept))
         {
-          const double now = direction.dot(oneNow[i] - twoNow[j]);
+          const double now = one0.Places[i] - two0.Places[j];
           reached = std::min(reached, (now - kept) / (now - end));
-          isSafe = false;
         }
       }
-    }
-    if (isSafe)
-    {
-      return 1;
     }
     const double advance = (1 - time) * reached;
     if (!(advance > 0))
@@ -111,25 +132,11 @@ double Advance(const Motion& motion, const std::array<int, A>& one, const std::a
   }
 }
 
-// Does the direction separate two triangles at both ends?
-bool Separates(const Motion& motion, const std::array<int, 3>& one, const std::array<int, 3>& two,
+// Does the direction, of any length, separate two triangles?
+bool Separates(const std::array<Vector3d, 3>& one, const std::array<Vector3d, 3>& two,
   const Vector3d& direction, double gap)
 {
-  for (const PointList* points : { &motion.From, &motion.To })
-  {
-    double low = std::numeric_limits<double>::infinity();
-    double high = -low;
-    for (int corner = 0; corner < 3; ++corner)
-    {
-      low = std::min(low, points->row(one[corner]).dot(direction));
-      high = std::max(high, points->row(two[corner]).dot(direction));
-    }
-    if (!(low - high >= gap))
-    {
-      return false;
-    }
-  }
-  return true;
+  return Project(one, direction).Low - Project(two, direction).High >= gap;
 }
 
 } // namespace
@@ -191,17 +198,35 @@ double ApartUntil(const Motion& motion, const std::array<int, 2>& one,
 double ApartUntil(const Motion& motion, const std::array<int, 3>& one,
   const std::array<int, 3>& two, const MotionGap& gap)
 {
+  if (AreAtRest(motion, one) && AreAtRest(motion, two))
+  {
+    return 1;
+  }
   // These directions decide most pairs for a fraction of the cost: the one between the centres, the
   // normals, across which sheets that lie on each other are apart, and those across two edges.
-  const std::array<Vector3d, 3> a = PositionsAt(motion, one, 0.5);
-  const std::array<Vector3d, 3> b = PositionsAt(motion, two, 0.5);
+  const std::array<Vector3d, 3> oneStart = PositionsAt(motion, one, 0);
+  const std::array<Vector3d, 3> twoStart = PositionsAt(motion, two, 0);
+  const std::array<Vector3d, 3> oneEnd = PositionsAt(motion, one, 1);
+  const std::array<Vector3d, 3> twoEnd = PositionsAt(motion, two, 1);
+  std::array<Vector3d, 3> a;
+  std::array<Vector3d, 3> b;
+  for (int corner = 0; corner < 3; ++corner)
+  {
+    a[corner] = 0.5 * (oneStart[corner] + oneEnd[corner]);
+    b[corner] = 0.5 * (twoStart[corner] + twoEnd[corner]);
+  }
   const Vector3d between = (a[0] + a[1] + a[2]) - (b[0] + b[1] + b[2]);
   const auto isProof = [&](const Vector3d& direction)
-  { return Separates(motion, one, two, direction.normalized(), gap.Wanted); };
+  {
+    const double apart = gap.Wanted * direction.norm();
+    // Of a direction that is zero nothing can be said, and nothing can be proven.
+    return apart > 0 && Separates(oneStart, twoStart, direction, apart) &&
+      Separates(oneEnd, twoEnd, direction, apart);
+  };
   const auto towardsOne = [&](const Vector3d& normal) -> Vector3d
   { return normal.dot(between) < 0 ? Vector3d(-normal) : normal; };
-  if (isProof(between) || isProof(towardsOne((b[1] - b[0]).cross(b[2] - b[0]))) ||
-    isProof(towardsOne((a[1] - a[0]).cross(a[2] - a[0]))))
+  if (isProof(towardsOne((b[1] - b[0]).cross(b[2] - b[0]))) ||
+    isProof(towardsOne((a[1] - a[0]).cross(a[2] - a[0]))) || isProof(between))
   {
     return 1;
   }

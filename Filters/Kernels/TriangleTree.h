@@ -88,6 +88,13 @@ public:
   std::vector<NodePair> PairsOfStrangers(const PointList& layout,
     const TriangleList& triangles) const;
 
+  /// Calls visit(first, second) for all pairs of triangles, the lesser index first, among those
+  /// that `front` stands for; pairs of nodes for which meet(node, other) does not hold are left out
+  /// with all that is below them. Both are called from several threads at once.
+  template <typename Meet, typename Visit>
+  void VisitPairsBelow(const std::vector<NodePair>& front, const Meet& meet, const Visit& visit,
+    const ParallelFor& parallelFor) const;
+
   /// Like SelfPairs, among the pairs of triangles that `front` stands for.
   template <typename Meet, typename Accept>
   std::vector<std::pair<int, int>> PairsBelow(const std::vector<NodePair>& front, const Meet& meet,
@@ -122,6 +129,10 @@ private:
   // them are in the front.
   bool CollectStrangers(const NodePair& pair, const std::vector<TriangleBox>& boxes,
     const TriangleList& triangles, std::vector<NodePair>& front) const;
+
+  template <typename Meet, typename Visit>
+  void VisitPairsBelow(const NodePair& pair, const Meet& meet, const Visit& visit,
+    std::vector<NodePair>& stack) const;
 
   // Replaces a pair of nodes by the pairs below it.
   template <typename Push>
@@ -217,6 +228,52 @@ std::vector<std::pair<int, int>> TriangleTree::SelfPairs(const Meet& meet, const
   return this->PairsBelow(front, meet, accept, parallelFor);
 }
 
+template <typename Meet, typename Visit>
+void TriangleTree::VisitPairsBelow(const NodePair& pair, const Meet& meet, const Visit& visit,
+  std::vector<NodePair>& stack) const
+{
+  stack.clear();
+  const auto push = [&](const NodePair& child)
+  {
+    if (meet(child.first, child.second))
+    {
+      stack.push_back(child);
+    }
+  };
+  push(pair);
+  while (!stack.empty())
+  {
+    const NodePair top = stack.back();
+    stack.pop_back();
+    if (!this->IsFinal(top))
+    {
+      this->Expand(top, push);
+      continue;
+    }
+    const int one = this->Nodes[top.first].Triangle;
+    const int two = this->Nodes[top.second].Triangle;
+    if (one != two)
+    {
+      visit(std::min(one, two), std::max(one, two));
+    }
+  }
+}
+
+template <typename Meet, typename Visit>
+void TriangleTree::VisitPairsBelow(const std::vector<NodePair>& front, const Meet& meet,
+  const Visit& visit, const ParallelFor& parallelFor) const
+{
+  parallelFor(0, static_cast<std::ptrdiff_t>(front.size()),
+    [&](std::ptrdiff_t first, std::ptrdiff_t last)
+    {
+      std::vector<NodePair> stack;
+      for (std::ptrdiff_t index = first; index < last; ++index)
+      {
+        this->VisitPairsBelow(front[index], meet, visit, stack);
+      }
+    });
+}
+
 template <typename Meet, typename Accept>
 std::vector<std::pair<int, int>> TriangleTree::PairsBelow(const std::vector<NodePair>& front,
   const Meet& meet, const Accept& accept, const ParallelFor& parallelFor) const
@@ -232,37 +289,17 @@ std::vector<std::pair<int, int>> TriangleTree::PairsBelow(const std::vector<Node
       std::vector<NodePair> stack;
       for (std::ptrdiff_t part = firstPart; part < lastPart; ++part)
       {
+        const auto add = [&](int one, int two)
+        {
+          if (accept(one, two))
+          {
+            found[part].emplace_back(one, two);
+          }
+        };
         const std::ptrdiff_t last = size * (part + 1) / parts;
         for (std::ptrdiff_t index = size * part / parts; index < last; ++index)
         {
-          if (!meet(front[index].first, front[index].second))
-          {
-            continue;
-          }
-          stack.assign(1, front[index]);
-          while (!stack.empty())
-          {
-            const NodePair pair = stack.back();
-            stack.pop_back();
-            if (this->IsFinal(pair))
-            {
-              const int one = this->Nodes[pair.first].Triangle;
-              const int two = this->Nodes[pair.second].Triangle;
-              if (one != two && accept(std::min(one, two), std::max(one, two)))
-              {
-                found[part].emplace_back(std::min(one, two), std::max(one, two));
-              }
-              continue;
-            }
-            this->Expand(pair,
-              [&](const NodePair& child)
-              {
-                if (meet(child.first, child.second))
-                {
-                  stack.push_back(child);
-                }
-              });
-          }
+          this->VisitPairsBelow(front[index], meet, add, stack);
         }
       }
     });
