@@ -266,6 +266,7 @@ void vtkFlipFreeSegmentation::Execute(vtkImageData* image, vtkPolyData* start)
   FlipFree::AttachField(organ.Field, this->Cache->Surface);
   this->WarnOf(organ, region.Geometry, geometry);
 
+  region.Voxels = std::vector<float>(); // the label map takes its place
   FlipFree::MakeLabelMap(
     FlipFree::VoxeliseSurface(organ.Points, organ.Mesh.Triangles, geometry, FlipFree::SMPFor),
     static_cast<unsigned char>(this->LabelValue), image, this->Cache->Labels);

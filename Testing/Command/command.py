@@ -8,6 +8,8 @@ import tempfile
 import unittest
 
 PROGRAM = os.environ["FLIPFREE_COMMAND"]
+# How much longer things take than in the build that users have: more than 1 with sanitizers.
+SLOWNESS = float(os.environ.get("FLIPFREE_SLOWNESS", "1"))
 
 
 def run(*arguments, **options):
@@ -17,13 +19,17 @@ def run(*arguments, **options):
                           stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, **options)
 
 
+def without_leak_check():
+    """An environment for runs in which other people's libraries leak."""
+    return {**os.environ, "ASAN_OPTIONS": os.environ.get("ASAN_OPTIONS", "") + ":detect_leaks=0"}
+
+
 def with_display(*arguments):
     """The same, with a display where the machine has none."""
     display = [] if os.environ.get("DISPLAY") else ["xvfb-run", "-a"]
     # Graphics drivers leak, and are unloaded before their leaks could be told from ours.
-    sanitizer = os.environ.get("ASAN_OPTIONS", "") + ":detect_leaks=0"
     return subprocess.run([*display, PROGRAM, *map(str, arguments)], timeout=120,
-                          env={**os.environ, "ASAN_OPTIONS": sanitizer},
+                          env=without_leak_check(),
                           stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
                           stderr=subprocess.PIPE, text=True)
 
