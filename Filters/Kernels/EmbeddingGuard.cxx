@@ -23,10 +23,12 @@ constexpr double RelativeResolution = 1e-12;
 // caller, and the rounding errors of their ends must not spoil the rest.
 constexpr double GreatestDisplacement = 100;
 
-// What fails keeps this part of the motion that was certain, and at most that part of its motion:
-// the more must be taken off, the sooner it is done.
+// What fails keeps this part of the motion that was certain: the more must be taken off, the sooner
+// it is done. But it keeps no more than the greatest part of its motion, and no less than the
+// least: a vertex that others push into may well be able to move once they are held back.
 constexpr double SafetyFactor = 0.9;
 constexpr double GreatestPart = 0.5;
+constexpr double LeastPart = 0.12;
 
 // Below this fraction of its displacement a vertex is not moved at all.
 constexpr double LeastScale = 1.0 / 64;
@@ -358,7 +360,7 @@ void EmbeddingGuard::ScaleBack(Attempt& attempt) const
     const double until = attempt.SafeUntil[vertex];
     if (until < 1 && scale > 0)
     {
-      scale *= std::min(GreatestPart, SafetyFactor * until);
+      scale *= std::max(LeastPart, std::min(GreatestPart, SafetyFactor * until));
       scale = scale < LeastScale ? 0 : scale;
       changed[vertex] = 1;
       queue.push_back(static_cast<int>(vertex));

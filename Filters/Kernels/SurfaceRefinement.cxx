@@ -11,7 +11,7 @@ namespace FlipFree
 namespace
 {
 
-constexpr int MostAttempts = 5;
+constexpr int MostAttempts = 9;
 constexpr int MostRelaxations = 60;
 // After so many, vertices a ring farther away are smoothed, too.
 constexpr int RelaxationsPerRing = 3;
@@ -64,7 +64,7 @@ bool RefineEmbedded(const ContourMesh& mesh, const PointList& points, const Refi
     }
     for (int vertex : involved)
     {
-      reach[vertex] *= 0.25;
+      reach[vertex] *= 0.5;
     }
   }
   return false;
