@@ -4,6 +4,9 @@
 #include "ImageAdapter.h"
 #include "LabelAdapter.h"
 
+#include "vtkMedicalImageReader.h"
+#include "vtkNew.h"
+
 #include <sys/resource.h>
 
 #include <fstream>
@@ -35,6 +38,14 @@ std::vector<Case> ReadCases(const std::string& file)
     cases.push_back(row);
   }
   return cases;
+}
+
+vtkSmartPointer<vtkImageData> ReadVolume(const std::string& file)
+{
+  vtkNew<vtkMedicalImageReader> reader;
+  reader->SetFileName(file.c_str());
+  reader->Update();
+  return reader->GetOutput();
 }
 
 std::vector<RandomSeed> RandomSeeds(vtkImageData* labels, int label, double radius, int count)

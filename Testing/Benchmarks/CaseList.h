@@ -25,6 +25,8 @@ struct Case
 /// The rows of cases.csv; none where the file does not exist.
 std::vector<Case> ReadCases(const std::string& file);
 
+vtkSmartPointer<vtkImageData> ReadVolume(const std::string& file);
+
 struct RandomSeed
 {
   std::array<double, 3> Center{};

@@ -12,7 +12,6 @@
 #include "vtkDoubleArray.h"
 #include "vtkFlipFreeSegmentation.h"
 #include "vtkImageData.h"
-#include "vtkMedicalImageReader.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
 #include "vtkSMPTools.h"
@@ -45,14 +44,6 @@ struct Options
   int Threads = 0;
   std::vector<std::string> Parameters;
 };
-
-vtkSmartPointer<vtkImageData> Read(const std::string& file)
-{
-  vtkNew<vtkMedicalImageReader> reader;
-  reader->SetFileName(file.c_str());
-  reader->Update();
-  return reader->GetOutput();
-}
 
 void ApplyPreset(const std::string& preset, vtkFlipFreeSegmentation* filter)
 {
@@ -129,7 +120,7 @@ double Dice(vtkFlipFreeSegmentation* filter, vtkImageData* reference, int label)
 double MeasureRow(const Case& row, const Options& options)
 {
   const double begin = vtkTimerLog::GetUniversalTime();
-  const auto image = Read(options.Data + "/" + row.Image);
+  const auto image = ReadVolume(options.Data + "/" + row.Image);
   const double read = vtkTimerLog::GetUniversalTime();
   vtkNew<vtkFlipFreeSegmentation> filter;
   Configure(options, filter);
@@ -138,7 +129,7 @@ double MeasureRow(const Case& row, const Options& options)
   filter->SetSeedRadius(row.Radius);
   filter->Update();
   const double end = vtkTimerLog::GetUniversalTime();
-  const auto reference = Read(options.Data + "/" + row.Labels);
+  const auto reference = ReadVolume(options.Data + "/" + row.Labels);
   if (filter->GetSurface()->GetNumberOfPoints() == 0)
   {
     std::printf("| %-26s | no surface |\n", row.Name.c_str());
@@ -185,8 +176,8 @@ double MeasureRow(const Case& row, const Options& options)
 
 void MeasureSeeds(const Case& row, const Options& options)
 {
-  const auto image = Read(options.Data + "/" + row.Image);
-  const auto reference = Read(options.Data + "/" + row.Labels);
+  const auto image = ReadVolume(options.Data + "/" + row.Image);
+  const auto reference = ReadVolume(options.Data + "/" + row.Labels);
   std::vector<double> scores;
   for (const RandomSeed& seed : RandomSeeds(reference, row.Label, row.Radius, options.Seeds))
   {

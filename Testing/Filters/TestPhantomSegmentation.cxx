@@ -1,6 +1,7 @@
 // The whole pipeline on phantoms with exact truth: how near it comes, and that what comes out is a
 // valid surface.
 #include "PhantomCases.h"
+#include "SurfaceHistory.h"
 
 #include "vtkSegmentationMetrics.h"
 #include "vtkSurfaceValidity.h"
@@ -32,18 +33,6 @@ protected:
     return metrics->GetDice();
   }
 
-  int Count(const char* column, vtkPolyData* surface, vtkPolyData* before = nullptr)
-  {
-    vtkNew<vtkSurfaceValidity> validity;
-    validity->SetInputData(surface);
-    if (before)
-    {
-      validity->SetReferenceSurfaceData(before);
-    }
-    validity->Update();
-    return validity->GetMeasures()->GetValueByName(0, column).ToInt();
-  }
-
   void ExpectValid(int vertices)
   {
     vtkPolyData* surface = this->Filter->GetSurface();
@@ -52,40 +41,16 @@ protected:
     for (const char* defect :
       { "SelfIntersections", "BoundaryEdges", "NonManifoldEdges", "MisorientedEdges" })
     {
-      EXPECT_EQ(this->Count(defect, surface), 0) << defect;
+      EXPECT_EQ(FlipFree::CountDefects(defect, surface), 0) << defect;
     }
-    EXPECT_EQ(this->Count("EulerNumber", surface), 2);
+    EXPECT_EQ(FlipFree::CountDefects("EulerNumber", surface), 2);
   }
 
-  // All surfaces of the last run, which kept them.
-  std::vector<vtkSmartPointer<vtkPolyData>> History()
-  {
-    std::vector<vtkSmartPointer<vtkPolyData>> surfaces;
-    vtkInformation* info = this->Filter->GetOutputInformation(0);
-    const int size = info->Length(vtkStreamingDemandDrivenPipeline::TIME_STEPS());
-    for (int step = 0; step < size; ++step)
-    {
-      this->Filter->UpdateTimeStep(info->Get(vtkStreamingDemandDrivenPipeline::TIME_STEPS(), step));
-      surfaces.push_back(vtkSmartPointer<vtkPolyData>::New());
-      surfaces.back()->DeepCopy(this->Filter->GetSurface());
-    }
-    return surfaces;
-  }
-
-  // Corners whose normal turned by 90 degrees or more in one step.
   int FlippedCorners()
   {
-    int flipped = 0;
-    const auto surfaces = this->History();
+    const auto surfaces = FlipFree::HistoryOf(this->Filter);
     EXPECT_GT(surfaces.size(), 2u);
-    for (std::size_t step = 1; step < surfaces.size(); ++step)
-    {
-      if (surfaces[step]->GetNumberOfPoints() == surfaces[step - 1]->GetNumberOfPoints())
-      {
-        flipped += this->Count("FlippedCorners", surfaces[step], surfaces[step - 1]);
-      }
-    }
-    return flipped;
+    return FlipFree::CountFlippedCorners(surfaces);
   }
 
   vtkNew<vtkPhantomSource> Phantom;
@@ -143,7 +108,7 @@ TEST_F(PhantomSegmentation, NaiveMethodFlipsAndIntersectsItself)
   this->Filter->KeepHistoryOn();
   this->Filter->Update();
   EXPECT_GT(this->Filter->GetNumberOfSelfIntersections(), 1000); // measured 12,000
-  EXPECT_EQ(this->Count("SelfIntersections", this->Filter->GetSurface()),
+  EXPECT_EQ(FlipFree::CountDefects("SelfIntersections", this->Filter->GetSurface()),
     this->Filter->GetNumberOfSelfIntersections());
   EXPECT_GT(this->FlippedCorners(), 1000);
 }
