@@ -13,8 +13,6 @@ namespace
 
 constexpr int MostAttempts = 9;
 constexpr int MostRelaxations = 60;
-// After so many, vertices a ring farther away are smoothed, too.
-constexpr int RelaxationsPerRing = 3;
 // Of the way of a vertex to the mean of its neighbours.
 constexpr double Relaxation = 0.5;
 
@@ -38,13 +36,15 @@ void RelaxOnce(const ContourMesh& mesh, const EmbeddingGuard& guard, const std::
 // Pulls the new points near intersections towards their parents until there are none. False if some
 // remain; `involved` are then the old vertices near those.
 bool RefineEmbedded(const ContourMesh& mesh, const PointList& points, const RefinedMesh& faces,
-  RefinedSurface& refined, std::set<int>& involved)
+  const TriangleTree& tree, const ParallelFor& parallelFor, RefinedSurface& refined,
+  std::set<int>& involved)
 {
   Eigen::VectorXd reach = Eigen::VectorXd::Ones(points.rows());
   for (int attempt = 0; attempt < MostAttempts; ++attempt)
   {
     refined.Points = RefinePoints(mesh, points, reach);
-    const auto pairs = FindSelfIntersections(refined.Points, refined.Mesh.Triangles);
+    const auto pairs =
+      FindSelfIntersections(tree, refined.Points, refined.Mesh.Triangles, parallelFor);
     if (pairs.empty())
     {
       return true;
@@ -70,6 +70,18 @@ bool RefineEmbedded(const ContourMesh& mesh, const PointList& points, const Refi
   return false;
 }
 
+void AddRings(const ContourMesh& mesh, int rings, std::set<int>& vertices)
+{
+  for (int ring = 0; ring < rings; ++ring)
+  {
+    const std::set<int> inner = vertices;
+    for (int vertex : inner)
+    {
+      vertices.insert(mesh.Neighbours[vertex].begin(), mesh.Neighbours[vertex].end());
+    }
+  }
+}
+
 } // namespace
 
 RefinedSurface RefineSurface(const ContourMesh& mesh, const PointList& points, bool checked,
@@ -85,6 +97,7 @@ RefinedSurface RefineSurface(const ContourMesh& mesh, const PointList& points, b
     return refined;
   }
   const EmbeddingGuard guard(mesh);
+  const TriangleTree tree(RefinePoints(mesh, points, 1), refined.Mesh.Triangles);
   PointList coarse = points;
   for (; refined.Relaxations <= MostRelaxations; ++refined.Relaxations)
   {
@@ -93,19 +106,12 @@ RefinedSurface RefineSurface(const ContourMesh& mesh, const PointList& points, b
       return refined;
     }
     std::set<int> involved;
-    if (RefineEmbedded(mesh, coarse, faces, refined, involved))
+    if (RefineEmbedded(mesh, coarse, faces, tree, parallelFor, refined, involved))
     {
       refined.Embedded = true;
       return refined;
     }
-    for (int ring = 0; ring < refined.Relaxations / RelaxationsPerRing; ++ring)
-    {
-      const std::set<int> inner = involved;
-      for (int vertex : inner)
-      {
-        involved.insert(mesh.Neighbours[vertex].begin(), mesh.Neighbours[vertex].end());
-      }
-    }
+    AddRings(mesh, refined.Relaxations, involved);
     RelaxOnce(mesh, guard, involved, parallelFor, monitor, coarse);
   }
   return refined;
