@@ -1,10 +1,11 @@
 """Pictures of images and surfaces for the examples: plain VTK, nothing of FlipFree's own.
 
-A picture is a row of views. Slices are shown as radiologists look at them: the patient's right on the
-left, the back at the bottom of an axial slice, the head at the top of a coronal one.
+A picture is a row of views. Slices are shown as radiologists look at them: the patient's right on
+the left, the back at the bottom of an axial slice, the head at the top of a coronal one.
 """
 
-import vtkmodules.vtkRenderingFreeType  # noqa: F401  the classes that draw, chosen by being imported
+# To import these is to choose the classes that draw.
+import vtkmodules.vtkRenderingFreeType  # noqa: F401
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
 from vtkmodules.vtkCommonDataModel import vtkPlane
 from vtkmodules.vtkFiltersCore import (
@@ -64,8 +65,8 @@ def surface_actor(surface, colour=LIVER, opacity=1.0, edges=False):
     return actor
 
 
-def slice_actor(image, centre, plane, window=(-150, 250)):
-    """A slice through a point in grey values, over the whole image."""
+def slice_actor(image, centre, plane, window=(-150, 250), samples=500):
+    """A slice through a point in grey values, over the whole image, by default the abdomen's."""
     right, up = plane
     bounds = image.GetBounds()
     corners = []
@@ -80,7 +81,7 @@ def slice_actor(image, centre, plane, window=(-150, 250)):
     grid.SetOrigin(corners[0])
     grid.SetPoint1(corners[1])
     grid.SetPoint2(corners[2])
-    grid.SetResolution(500, 500)
+    grid.SetResolution(samples, samples)
     probe = vtkProbeFilter()  # knows direction matrices
     probe.SetInputConnection(grid.GetOutputPort())
     probe.SetSourceData(image)
@@ -119,6 +120,19 @@ def contour_actor(surface, centre, plane, colour=YELLOW, width=2.2):
     actor.GetProperty().LightingOff()
     actor.GetProperty().SetLineWidth(width * FINER)
     return actor
+
+
+def text_actor(words, colour=(0.92, 0.92, 0.92), size=15):
+    """Words on a dark ground, at the lower left."""
+    text = vtkTextActor()
+    text.SetInput(words)
+    text.SetPosition(10, 10)
+    look = text.GetTextProperty()
+    look.SetFontSize(size)
+    look.SetColor(colour)
+    look.SetBackgroundColor(INK)
+    look.SetBackgroundOpacity(0.6)
+    return text
 
 
 def slice_view(actors, surface, plane, caption="", margin=1.4):
@@ -199,15 +213,10 @@ def _renderer(actors, caption):
     # One line, or several in colours of their own, from the bottom upwards.
     lines = [(caption, (0.92, 0.92, 0.92))] if isinstance(caption, str) else caption
     for number, (words, colour) in enumerate(lines):
-        text = vtkTextActor()
-        text.SetInput(words)
-        look = text.GetTextProperty()
-        look.SetFontSize(15 * FINER)
-        look.SetColor(colour)
-        look.SetBackgroundColor(INK)
-        look.SetBackgroundOpacity(0.6 if words else 0)
-        text.SetPosition(10 * FINER, (10 + 22 * number) * FINER)
-        renderer.AddViewProp(text)
+        if words:
+            text = text_actor(words, colour, 15 * FINER)
+            text.SetPosition(10 * FINER, (10 + 22 * number) * FINER)
+            renderer.AddViewProp(text)
     return renderer
 
 

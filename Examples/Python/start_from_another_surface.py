@@ -1,10 +1,10 @@
 """Starts from another surface than a sphere: from any closed mesh of triangles or polygons.
 
-    python3 start_from_another_surface.py --start atlas-liver.stl ct.nii.gz --seed 83 -154 321 --radius 26
+    python3 start_from_another_surface.py --start atlas.stl ct.nii.gz --seed 83 -154 321 --radius 26
 
-The method needs four neighbours at every vertex. The mesh whose vertices are the midpoints of another
-one's edges has them everywhere: each edge lies on two faces, and in each of them it has a neighbour on
-either side. Without --start, an ellipsoid along the phantom's liver serves as the other mesh.
+The method needs four neighbours at every vertex. The mesh whose vertices are the midpoints of
+another one's edges has them everywhere: each edge lies on two faces, and in each of them it has a
+neighbour on either side. Without --start, a stretched icosahedron serves as the other mesh.
 """
 
 import argparse
@@ -15,7 +15,7 @@ import scene
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from vtkmodules.vtkCommonTransforms import vtkTransform
-from vtkmodules.vtkFiltersCore import vtkCleanPolyData
+from vtkmodules.vtkFiltersCore import vtkCleanPolyData, vtkPolyDataNormals
 from vtkmodules.vtkFiltersGeneral import vtkTransformPolyDataFilter
 from vtkmodules.vtkFiltersModeling import vtkLinearSubdivisionFilter
 from vtkmodules.vtkFiltersSources import vtkPlatonicSolidSource
@@ -23,7 +23,7 @@ from vtkmodules.vtkIOGeometry import vtkSTLReader
 
 
 def midpoint_mesh(surface):
-    """The mesh of a closed mesh's edge midpoints: a face in each face and one around each vertex."""
+    """The mesh of the midpoints of edges: a face in each old face and one around each vertex."""
     points = vtkPoints()
     points.SetDataTypeToDouble()
     faces = vtkCellArray()
@@ -60,6 +60,17 @@ def midpoint_mesh(surface):
     return mesh
 
 
+def turned_outwards(surface):
+    """Faces counter-clockwise seen from outside, whatever the program that made them thought."""
+    normals = vtkPolyDataNormals()
+    normals.SetInputData(surface)
+    normals.SplittingOff()
+    normals.ConsistencyOn()
+    normals.AutoOrientNormalsOn()
+    normals.Update()
+    return normals.GetOutput()
+
+
 def read_stl(name):
     """STL repeats its vertices in every triangle; the reader joins them again."""
     reader = vtkSTLReader()
@@ -70,8 +81,8 @@ def read_stl(name):
     return clean.GetOutput()
 
 
-def ellipsoid(centre, radii):
-    """An icosahedron, refined and stretched: five or six triangles meet at its vertices."""
+def stretched_icosahedron(centre, radii):
+    """A mesh like any other: five or six triangles meet at its vertices."""
     solid = vtkPlatonicSolidSource()
     solid.SetSolidTypeToIcosahedron()
     fine = vtkLinearSubdivisionFilter()
@@ -91,13 +102,13 @@ parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
 parser.add_argument("--start", help="STL file of a closed surface, in the image's coordinates")
 arguments = inputs.parse(__doc__, parser)
 image, seed, radius = inputs.image_and_seed(arguments)
-other = read_stl(arguments.start) if arguments.start else ellipsoid(seed, (45, 30, 35))
+other = turned_outwards(read_stl(arguments.start) if arguments.start
+                        else stretched_icosahedron(seed, (45, 30, 35)))
 start = midpoint_mesh(other)
 
-# The seed still tells what the organ looks like. One refinement, so that the result has as many
-# vertices as one wants of it, four times the start's.
-organ = flipfree.segment(image, seed, radius, start=start, levels=2)
-print(f"{other.GetNumberOfCells()} faces given, {start.GetNumberOfPoints()} edge midpoints to start from")
+# The seed still tells what the organ looks like. Each further level has four times the vertices.
+organ = flipfree.segment(image, seed, radius, start=start, levels=3)
+print(f"{other.GetNumberOfCells()} faces given; start from {start.GetNumberOfPoints()} midpoints")
 print(organ)
 
 if arguments.picture:

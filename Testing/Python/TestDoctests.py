@@ -26,7 +26,8 @@ class Coverage(unittest.TestCase):
     def test_what_is_public_has_an_example(self):
         for function in (flipfree.segment, flipfree.evaluate, flipfree.read_image,
                          flipfree.write_image, flipfree.image_from_array,
-                         flipfree.array_from_image, flipfree.default_parameters):
+                         flipfree.array_from_image, flipfree.default_parameters,
+                         flipfree.update):
             with self.subTest(function.__name__):
                 self.assertIn(">>> import flipfree", function.__doc__)
 

@@ -25,15 +25,27 @@ from ._types import Progress
 
 def update(
     algorithm: vtkAlgorithm,
-    failure: type[FlipFreeError],
+    failure: type[FlipFreeError] = FlipFreeError,
     progress: Progress | None = None,
     run: Callable[[], Any] | None = None,
 ) -> None:
-    """Calls run, Update() by default, and raises `failure` with the message of the first error.
+    """Updates a filter, and raises `failure` with VTK's message where it reports an error.
+
+    What segment() does for the whole method, for filters that are put together by hand. It listens
+    to this one alone: of a pipeline, update each filter that may fail. Where it is no Update() that
+    is wanted, `run` is called instead.
 
     Progress is told fractions from 0 to 1. An exception that it raises aborts the algorithm and is
     raised again, and so is the KeyboardInterrupt of Ctrl-C, or what else the program's own handler
     makes of it.
+
+    >>> import flipfree
+    >>> sphere = flipfree.vtkQuadSphereSource()
+    >>> sphere.SetCenter(0, 0, float("nan"))
+    >>> flipfree.update(sphere)
+    Traceback (most recent call last):
+      ...
+    flipfree.FlipFreeError: ...
     """
     with _messages_on(), Interrupt() as interrupt, _Listener(
         algorithm, progress, interrupt
