@@ -4,19 +4,19 @@
 
 The method needs four neighbours at every vertex. The mesh whose vertices are the midpoints of
 another one's edges has them everywhere: each edge lies on two faces, and in each of them it has a
-neighbour on either side. Without --start, a stretched icosahedron serves as the other mesh.
+neighbour on either side. Without --start, an ellipsoid serves as the other mesh.
 """
 
 import argparse
 
 import flipfree
 import inputs
+import numpy
 import scene
+from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
-from vtkmodules.vtkCommonTransforms import vtkTransform
 from vtkmodules.vtkFiltersCore import vtkCleanPolyData, vtkPolyDataNormals
-from vtkmodules.vtkFiltersGeneral import vtkTransformPolyDataFilter
 from vtkmodules.vtkFiltersModeling import vtkLinearSubdivisionFilter
 from vtkmodules.vtkFiltersSources import vtkPlatonicSolidSource
 from vtkmodules.vtkIOGeometry import vtkSTLReader
@@ -81,21 +81,19 @@ def read_stl(name):
     return clean.GetOutput()
 
 
-def stretched_icosahedron(centre, radii):
-    """A mesh like any other: five or six triangles meet at its vertices."""
+def ellipsoid(centre, radii):
+    """A mesh like any other, from a refined icosahedron: five or six triangles at its vertices."""
     solid = vtkPlatonicSolidSource()
     solid.SetSolidTypeToIcosahedron()
     fine = vtkLinearSubdivisionFilter()
     fine.SetInputConnection(solid.GetOutputPort())
     fine.SetNumberOfSubdivisions(2)
-    place = vtkTransform()
-    place.Translate(centre)
-    place.Scale(radii)
-    placed = vtkTransformPolyDataFilter()
-    placed.SetInputConnection(fine.GetOutputPort())
-    placed.SetTransform(place)
-    placed.Update()
-    return placed.GetOutput()
+    fine.Update()
+    surface = fine.GetOutput()
+    points = vtk_to_numpy(surface.GetPoints().GetData())  # a view
+    points /= numpy.linalg.norm(points, axis=1, keepdims=True)
+    points[:] = centre + points * radii
+    return surface
 
 
 parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
@@ -103,7 +101,7 @@ parser.add_argument("--start", help="STL file of a closed surface, in the image'
 arguments = inputs.parse(__doc__, parser)
 image, seed, radius = inputs.image_and_seed(arguments)
 other = turned_outwards(read_stl(arguments.start) if arguments.start
-                        else stretched_icosahedron(seed, (45, 30, 35)))
+                        else ellipsoid(seed, (45, 30, 35)))
 start = midpoint_mesh(other)
 
 # The seed still tells what the organ looks like. Each further level has four times the vertices.
