@@ -157,7 +157,7 @@ vtkSmartPointer<vtkTextActor> TextActor(const std::string& words, int size)
 {
   auto text = vtkSmartPointer<vtkTextActor>::New();
   text->SetInput(words.c_str());
-  text->SetPosition(size / 2, size / 2);
+  text->SetPosition(0.5 * size, 0.5 * size);
   vtkTextProperty* look = text->GetTextProperty();
   look->SetFontSize(size);
   look->SetColor(0.92, 0.92, 0.92);

@@ -9,6 +9,7 @@ import argparse
 import flipfree
 import inputs
 import scene
+from vtkmodules.vtkCommonDataModel import vtkBoundingBox
 
 COLOURS = [(0.86, 0.42, 0.33), (0.72, 0.48, 0.80), (0.95, 0.72, 0.30), (0.95, 0.90, 0.45),
            (0.45, 0.75, 0.50), (0.40, 0.60, 0.85)]
@@ -60,8 +61,14 @@ if arguments.picture:
     # The spine behind the organs tells where they lie.
     back = max(organ.surface.GetBounds()[3] for organ in organs.values())
     spine = scene.slice_actor(image, [centre[0], back, centre[2]], scene.CORONAL)
+    box = vtkBoundingBox()
+    for organ in organs.values():
+        box.AddBounds(organ.surface.GetBounds())
+    bounds = [0.0] * 6
+    box.GetBounds(bounds)
     legend = list(zip(organs, COLOURS))[::-1]
     scene.write_picture(arguments.picture, [[
         scene.slice_view(axial, image, scene.AXIAL, legend, margin=1.02),
-        scene.space_view([spine, *surfaces], "from the front", zoom=1.5),
-        scene.space_view(surfaces, "from behind", towards=(0.35, 1, 0.3), zoom=1.25)]], size=560)
+        scene.space_view([spine, *surfaces], "from the front", zoom=1.2, bounds=bounds),
+        scene.space_view(surfaces, "from behind", towards=(0.35, 1, 0.3), bounds=bounds)]],
+        size=560)
