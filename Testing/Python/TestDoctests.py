@@ -12,6 +12,8 @@ import flipfree
 MODULES = ["flipfree"] + [
     "flipfree." + module.name for module in pkgutil.iter_modules(flipfree.__path__)
     if module.name.startswith("_")]
+if not hasattr(flipfree, "vtkMedicalImageReader"):
+    MODULES.remove("flipfree._files")
 
 
 def load_tests(_loader, tests, _pattern):

@@ -9,7 +9,7 @@ import time
 import unittest
 
 import flipfree
-from example import RADIUS, SEED, image, liver, start_python
+from example import RADIUS, SEED, image, liver, needs_files, start_python
 
 ENDLESS = {"maximum_iterations": 100000, "change_tolerance": -1, "distance_tolerance": 0}
 
@@ -111,6 +111,7 @@ assert signal.getsignal(signal.SIGINT).__name__ == "<lambda>"
         output, errors = process.communicate(timeout=60)
         self.assertEqual((output, errors), (f"handled\n{liver()!r}\n", ""))
 
+    @needs_files
     def test_while_a_file_is_read(self):
         process = self.start("""
 import os, tempfile

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import flipfree
 import numpy
-from example import RADIUS, SEED, image, liver
+from example import RADIUS, SEED, image, liver, needs_files
 from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData, vtkTable
 from vtkmodules.vtkFiltersCore import vtkMassProperties, vtkTriangleFilter
 
@@ -116,6 +116,7 @@ class Input(unittest.TestCase):
         overlap = numpy.count_nonzero(result.labels & liver().labels)
         self.assertGreater(2 * overlap / (result.labels.sum() + liver().labels.sum()), 0.97)
 
+    @needs_files
     def test_file(self):
         with tempfile.TemporaryDirectory() as folder:
             path = Path(folder) / "abdomen.mha"

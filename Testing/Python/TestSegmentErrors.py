@@ -9,7 +9,7 @@ from pathlib import Path
 
 import flipfree
 import numpy
-from example import RADIUS, SEED, image, liver, start_python, truth
+from example import RADIUS, SEED, image, liver, needs_files, start_python, truth
 from vtkmodules.vtkCommonCore import vtkObject
 from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData
 
@@ -67,6 +67,7 @@ class Failures(unittest.TestCase):
         self.refuse(TypeError, "belong to arrays", image(), SEED, RADIUS, spacing=(1, 1, 1))
         self.refuse(TypeError, "^image: a vtkImageData, an array or the name", None, SEED, RADIUS)
 
+    @needs_files
     def test_files(self):
         self.refuse(flipfree.FileError, "'nowhere.nii' does not exist", "nowhere.nii", SEED, RADIUS)
         with self.assertRaises(OSError):

@@ -4,8 +4,11 @@ import functools
 import os
 import subprocess
 import sys
+import unittest
 
 import flipfree
+
+needs_files = unittest.skipUnless(hasattr(flipfree, "vtkMedicalImageReader"), "built without ITK")
 
 SEED = (99.75, 83.75, 167)
 RADIUS = 28
