@@ -61,6 +61,11 @@ refuse("A later version than there is" "requested version \"1000\""
   ${configure} -B "${WORK}/version" "-DVTK_DIR=${VTK_DIR}" -DMINIMUM_VERSION=1000)
 
 if (PYTHON)
+  foreach (file IN ITEMS py.typed FlipFreeSegmentation.pyi _segment.py _segment.pyi)
+    if (NOT EXISTS "${prefix}/${PYTHON_DESTINATION}/flipfree/${file}")
+      message(FATAL_ERROR "the Python package lacks ${file}")
+    endif ()
+  endforeach ()
   run("Importing the installed Python package" "${CMAKE_COMMAND}" -E env
     "PYTHONPATH=${prefix}/${PYTHON_DESTINATION}" --unset=LD_LIBRARY_PATH
     "${PYTHON}" -c "

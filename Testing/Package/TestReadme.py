@@ -10,10 +10,17 @@ import sys
 import tempfile
 
 
+def blocks(text, heading, language):
+    """The blocks of code in a language below a heading."""
+    section = text[text.index("\n" + heading + "\n") + 1:]
+    section = re.split("\n##+ ", section)[0]
+    return re.findall("```" + language + "\n(.*?)```", section, re.DOTALL)
+
+
 def block(text, heading, language):
-    """The first block of code in a language below a heading."""
-    section = text[text.index("\n" + heading + "\n"):]
-    return re.search("```" + language + "\n(.*?)```", section, re.DOTALL).group(1)
+    """The only one."""
+    [only] = blocks(text, heading, language)
+    return only
 
 
 def run(command, folder, environment):
@@ -50,8 +57,10 @@ def main(readme, prefix, vtk, compiler):
         run(["cmake", "--build", "build"], folder, environment)
         expect("^6144 vertices, [0-9]+ voxels, 0 self-intersections\n$",
                run(["build/liver"], folder, environment))
-        expect("^at rest 6144\n$", run([sys.executable, "-c", block(text, "### Python", "python")],
-                                       folder, environment))
+        layer, filters = blocks(text, "### Python", "python")
+        expect(r"^at rest \(6144, 3\) [0-9]+ voxels\n0\.9[3-9]",
+               run([sys.executable, "-c", layer], folder, environment))
+        expect("^at rest 6144\n$", run([sys.executable, "-c", filters], folder, environment))
 
 
 main(*sys.argv[1:])

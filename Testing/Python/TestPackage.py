@@ -2,6 +2,8 @@
 
 import glob
 import os
+import subprocess
+import sys
 import unittest
 
 import flipfree
@@ -30,6 +32,11 @@ class Package(unittest.TestCase):
         for name in public_classes():
             with self.subTest(name):
                 self.assertGreater(len(getattr(flipfree, name).__doc__), 200)
+
+    def test_filters_need_no_numpy(self):
+        program = ("import sys; sys.modules['numpy'] = None; import flipfree; "
+                   "sphere = flipfree.vtkQuadSphereSource(); flipfree.update(sphere)")
+        subprocess.run([sys.executable, "-c", program], check=True)
 
     def test_version(self):
         self.assertRegex(flipfree.__version__, r"^\d+\.\d+\.\d+$")

@@ -19,6 +19,7 @@ build_packages=(
   libvtk9-dev
   ninja-build
   python3
+  python3-numpy
   python3-vtk9
   # A display for pictures, on machines without one.
   xauth
@@ -31,7 +32,7 @@ test_packages=(
   libbenchmark-dev
   libcgal-dev
   libgtest-dev
-  python3-numpy
+  mypy
   tetgen
 )
 

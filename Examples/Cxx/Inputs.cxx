@@ -1,0 +1,105 @@
+#include "Inputs.h"
+
+#include <vtkMedicalImageReader.h>
+#include <vtkNew.h>
+#include <vtkPhantomSource.h>
+
+#include <cstdlib>
+#include <iostream>
+#include <stdexcept>
+#include <vector>
+
+namespace
+{
+
+[[noreturn]] void Refuse(const char* program, const std::string& why)
+{
+  std::cerr << why << "\nUsage: " << program
+            << " [FILE --seed X Y Z --radius R] [--picture PNG] [--start STL]\n"
+               "FILE may be a folder of DICOM files; without it, the built-in phantom serves.\n";
+  std::exit(2);
+}
+
+void UsePhantom(Inputs& inputs)
+{
+  vtkNew<vtkPhantomSource> phantom;
+  phantom->SetShapeToAbdomen();
+  phantom->Update();
+  inputs.Image = phantom->GetOutput();
+  double ball[4];
+  phantom->GetSeed(vtkPhantomSource::LIVER, ball);
+  inputs.Seed = { ball[0], ball[1], ball[2] };
+  inputs.Radius = ball[3];
+}
+
+void ReadFile(const std::string& name, Inputs& inputs)
+{
+  vtkNew<vtkMedicalImageReader> reader;
+  reader->SetFileName(name.c_str());
+  reader->Update(); // tells by itself why it could not
+  if (reader->GetErrorCode() != 0)
+  {
+    std::exit(1);
+  }
+  inputs.Image = reader->GetOutput();
+}
+
+} // namespace
+
+Inputs ReadInputs(int argc, char* argv[])
+{
+  Inputs inputs;
+  inputs.Radius = 0;
+  std::string file;
+  const std::vector<std::string> words(argv + 1, argv + argc);
+  try
+  {
+    for (std::size_t i = 0; i < words.size(); ++i)
+    {
+      if (words[i] == "--seed")
+      {
+        for (double& coordinate : inputs.Seed)
+        {
+          coordinate = std::stod(words.at(++i));
+        }
+      }
+      else if (words[i] == "--radius")
+      {
+        inputs.Radius = std::stod(words.at(++i));
+      }
+      else if (words[i] == "--picture")
+      {
+        inputs.Picture = words.at(++i);
+      }
+      else if (words[i] == "--start")
+      {
+        inputs.Start = words.at(++i);
+      }
+      else if (file.empty() && words[i].front() != '-')
+      {
+        file = words[i];
+      }
+      else
+      {
+        Refuse(argv[0], "What is " + words[i] + "?");
+      }
+    }
+  }
+  catch (const std::logic_error&) // of std::stod and at
+  {
+    Refuse(argv[0], "An option lacks its value, or it is no number.");
+  }
+  if (file.empty())
+  {
+    UsePhantom(inputs);
+  }
+  else if (inputs.Radius <= 0)
+  {
+    Refuse(argv[0], "An image needs --seed X Y Z and --radius R.");
+  }
+  else
+  {
+    ReadFile(file, inputs);
+  }
+  return inputs;
+}

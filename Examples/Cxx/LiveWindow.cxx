@@ -1,0 +1,265 @@
+/**
+ * A window in which one drags a sphere into an organ and watches the surface grow.
+ *
+ *   LiveWindow                                      the built-in phantom
+ *   LiveWindow ct.nii.gz --seed 83 -154 321 --radius 26
+ *
+ * Drag the sphere with the left button, size it with the right one; when it is let go, the surface
+ * grows from it. Drag beside it to turn the view; q ends. With --picture, the program plays the
+ * user itself: it drags the sphere with the mouse, waits until the surface is at rest, and ends.
+ */
+#include "Growth.h"
+#include "Inputs.h"
+#include "Scene.h"
+
+#include <vtkCamera.h>
+#include <vtkCommand.h>
+#include <vtkCoordinate.h>
+#include <vtkInteractorStyleTrackballCamera.h>
+#include <vtkMath.h>
+#include <vtkPNGWriter.h>
+#include <vtkProperty.h>
+#include <vtkRenderWindow.h>
+#include <vtkRenderWindowInteractor.h>
+#include <vtkSphereRepresentation.h>
+#include <vtkSphereWidget2.h>
+#include <vtkWindowToImageFilter.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <iostream>
+#include <memory>
+#include <sstream>
+
+namespace
+{
+
+constexpr int Milliseconds = 30; // between iterations, in which the window listens to the mouse
+
+/// Three views: space with the sphere, and two slices through its centre.
+class LiveWindow
+{
+public:
+  explicit LiveWindow(const Inputs& inputs);
+
+  void Stop();
+  void Begin();
+  void Step();
+
+  vtkRenderWindowInteractor* GetInteractor() { return this->Interactor; }
+  vtkRenderer* GetSpace() { return this->Space; }
+  vtkSphereRepresentation* GetSphere() { return this->Sphere; }
+  vtkPolyData* GetSurface() { return this->Surface; }
+  bool IsGrowing() const { return this->Growing && !this->Growing->IsAtRest(); }
+
+private:
+  void PlaceSphere(const Inputs& inputs);
+  void ShowSlices();
+
+  vtkSmartPointer<vtkImageData> Image;
+  // All views show this one object; a new iterate gets to them by being copied into it.
+  vtkNew<vtkPolyData> Surface;
+  vtkNew<vtkRenderWindow> Window;
+  vtkNew<vtkRenderWindowInteractor> Interactor;
+  vtkSmartPointer<vtkRenderer> Space;
+  vtkSmartPointer<vtkRenderer> Slices[2];
+  vtkSmartPointer<vtkTextActor> Words;
+  vtkNew<vtkSphereRepresentation> Sphere;
+  vtkNew<vtkSphereWidget2> Widget;
+  std::vector<std::pair<vtkRenderer*, vtkSmartPointer<vtkActor>>> Shown; // what follows the sphere
+  std::unique_ptr<Growth> Growing;
+};
+
+const Scene::Plane* const Planes[2] = { &Scene::Axial, &Scene::Coronal };
+
+LiveWindow::LiveWindow(const Inputs& inputs)
+  : Image(inputs.Image)
+{
+  const double* bounds = this->Image->GetBounds();
+  this->Space = Scene::SpaceView({ Scene::SurfaceActor(this->Surface) }, bounds, "", 1.5);
+  this->Words = Scene::TextActor("drag the sphere into an organ", 15);
+  this->Space->AddViewProp(this->Words);
+  this->Space->SetViewport(0, 0, 0.66, 1);
+  this->Window->AddRenderer(this->Space);
+  for (int view = 0; view < 2; ++view)
+  {
+    this->Slices[view] = Scene::SliceView({}, bounds, *Planes[view], "", 1.05);
+    this->Slices[view]->SetViewport(0.66, view == 0 ? 0.5 : 0, 1, view == 0 ? 1 : 0.5);
+    this->Slices[view]->InteractiveOff();
+    this->Window->AddRenderer(this->Slices[view]);
+  }
+  this->Window->SetWindowName("FlipFree");
+  this->Window->SetMultiSamples(0);
+  this->Window->SetSize(1200, 800);
+
+  this->Interactor->SetRenderWindow(this->Window);
+  vtkNew<vtkInteractorStyleTrackballCamera> style;
+  this->Interactor->SetInteractorStyle(style);
+  this->Interactor->Initialize();
+  this->PlaceSphere(inputs);
+  this->ShowSlices();
+  this->Window->Render();
+
+  this->Widget->AddObserver(vtkCommand::StartInteractionEvent, this, &LiveWindow::Stop);
+  this->Widget->AddObserver(vtkCommand::EndInteractionEvent, this, &LiveWindow::Begin);
+  this->Interactor->AddObserver(vtkCommand::TimerEvent, this, &LiveWindow::Step);
+  this->Interactor->CreateRepeatingTimer(Milliseconds);
+}
+
+void LiveWindow::PlaceSphere(const Inputs& inputs)
+{
+  double box[6];
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    box[2 * axis] = inputs.Seed[axis] - inputs.Radius;
+    box[2 * axis + 1] = inputs.Seed[axis] + inputs.Radius;
+  }
+  this->Sphere->SetPlaceFactor(1);
+  this->Sphere->PlaceWidget(box);
+  this->Sphere->SetRepresentationToWireframe();
+  this->Sphere->GetSphereProperty()->SetColor(Scene::Yellow[0], Scene::Yellow[1], Scene::Yellow[2]);
+  this->Sphere->GetSphereProperty()->SetOpacity(0.5);
+  this->Sphere->HandleVisibilityOff();
+  this->Sphere->HandleTextOff();
+  this->Sphere->RadialLineOff();
+  this->Widget->SetInteractor(this->Interactor);
+  this->Widget->SetDefaultRenderer(this->Space);
+  this->Widget->SetRepresentation(this->Sphere);
+  this->Widget->On();
+}
+
+/// Nothing grows while the sphere is dragged.
+void LiveWindow::Stop()
+{
+  this->Growing.reset();
+  this->Surface->Initialize();
+}
+
+/// Starts from where the sphere has been let go.
+void LiveWindow::Begin()
+{
+  this->ShowSlices();
+  std::array<double, 3> seed;
+  this->Sphere->GetCenter(seed.data());
+  this->Growing = std::make_unique<Growth>(this->Image, seed, this->Sphere->GetRadius());
+}
+
+/// One iteration, each time the timer rings.
+void LiveWindow::Step()
+{
+  if (!this->IsGrowing())
+  {
+    return;
+  }
+  if (this->Growing->Step())
+  {
+    this->Surface->ShallowCopy(this->Growing->GetSurface());
+    std::ostringstream words;
+    words.precision(2);
+    words << this->Surface->GetNumberOfPoints() << " vertices, on average "
+          << this->Growing->MeanDistance << " mm from their targets";
+    this->Words->SetInput(words.str().c_str());
+  }
+  else
+  {
+    this->Stop();
+    this->Words->SetInput("there is no organ to be found from here");
+  }
+  this->Window->Render();
+}
+
+void LiveWindow::ShowSlices()
+{
+  for (const auto& shown : this->Shown)
+  {
+    shown.first->RemoveActor(shown.second);
+  }
+  this->Shown.clear();
+  Scene::Vector centre;
+  this->Sphere->GetCenter(centre.data());
+  for (int view = 0; view < 2; ++view)
+  {
+    const auto picture = Scene::SliceActor(this->Image, centre, *Planes[view], 200);
+    this->Shown.emplace_back(this->Slices[view], picture);
+    this->Shown.emplace_back(this->Space, picture);
+    this->Shown.emplace_back(this->Slices[view],
+      Scene::ContourActor(this->Surface, centre, *Planes[view], Scene::Yellow, 2));
+  }
+  for (const auto& shown : this->Shown)
+  {
+    shown.first->AddActor(shown.second);
+    shown.first->ResetCameraClippingRange();
+  }
+}
+
+/// How far the sphere is from a point.
+double DistanceFrom(const double point[3], LiveWindow& live)
+{
+  double centre[3];
+  live.GetSphere()->GetCenter(centre);
+  return std::sqrt(vtkMath::Distance2BetweenPoints(point, centre));
+}
+
+/// Drags the sphere out of the organ and back with the mouse, and waits.
+void PlayUser(LiveWindow& live)
+{
+  double start[3];
+  live.GetSphere()->GetCenter(start);
+  vtkNew<vtkCoordinate> place;
+  place->SetCoordinateSystemToWorld();
+  place->SetValue(start);
+  const int* pixel = place->GetComputedDisplayValue(live.GetSpace());
+  const int home[2] = { pixel[0], pixel[1] };
+
+  vtkRenderWindowInteractor* mouse = live.GetInteractor();
+  mouse->SetEventInformation(home[0], home[1]);
+  mouse->InvokeEvent(vtkCommand::MouseMoveEvent);
+  mouse->InvokeEvent(vtkCommand::LeftButtonPressEvent);
+  double farthest = 0;
+  for (const int right : { 60, 120, 60, 0 })
+  {
+    mouse->SetEventInformation(home[0] + right, home[1] + right / 3);
+    mouse->InvokeEvent(vtkCommand::MouseMoveEvent);
+    farthest = std::max(farthest, DistanceFrom(start, live));
+  }
+  mouse->InvokeEvent(vtkCommand::LeftButtonReleaseEvent);
+  int iterations = 0;
+  for (; live.IsGrowing(); ++iterations)
+  {
+    mouse->InvokeEvent(vtkCommand::TimerEvent);
+  }
+  std::cout << "dragged by " << std::lround(farthest) << " mm and back to within "
+            << std::lround(DistanceFrom(start, live)) << " mm; then " << iterations
+            << " iterations to " << live.GetSurface()->GetNumberOfPoints() << " vertices\n";
+}
+
+void Save(vtkRenderWindow* window, const std::string& name)
+{
+  vtkNew<vtkWindowToImageFilter> shot;
+  shot->SetInput(window);
+  shot->ReadFrontBufferOff();
+  vtkNew<vtkPNGWriter> writer;
+  writer->SetInputConnection(shot->GetOutputPort());
+  writer->SetFileName(name.c_str());
+  writer->Write();
+}
+
+} // namespace
+
+int main(int argc, char* argv[])
+{
+  const Inputs inputs = ReadInputs(argc, argv);
+  LiveWindow live(inputs);
+  if (inputs.Picture.empty())
+  {
+    live.Begin();
+    live.GetInteractor()->Start();
+  }
+  else
+  {
+    PlayUser(live);
+    Save(live.GetInteractor()->GetRenderWindow(), inputs.Picture);
+  }
+  return EXIT_SUCCESS;
+}

@@ -1,0 +1,100 @@
+"""Images from arrays and files and back, and flipfree.evaluate."""
+
+import math
+import tempfile
+import unittest
+from pathlib import Path
+
+import flipfree
+import numpy
+from example import liver, needs_files, truth
+
+LIVER = flipfree.vtkPhantomSource.LIVER
+
+
+class Arrays(unittest.TestCase):
+    def test_round_trip_for_every_type(self):
+        for name in ("bool", "int8", "uint8", "int16", "uint16", "int32", "uint32", "int64",
+                     "float16", "float32", "float64", ">i2", ">f4"):
+            with self.subTest(name):
+                array = (numpy.arange(24).reshape(2, 3, 4) % 2).astype(name)
+                back = flipfree.array_from_image(flipfree.image_from_array(array, (1, 2, 3)))
+                numpy.testing.assert_array_equal(back, array)
+
+    def test_geometry(self):
+        image = flipfree.image_from_array(numpy.zeros((2, 3, 4)), (1, 2, 3), (4, 5, 6),
+                                          [[0, 1, 0], [0, 0, 1], [1, 0, 0]])
+        self.assertEqual(image.GetDimensions(), (4, 3, 2))
+        self.assertEqual(image.GetSpacing(), (1, 2, 3))
+        point = [0.0] * 3
+        image.TransformIndexToPhysicalPoint([1, 0, 0], point)
+        self.assertEqual(point, [4, 5, 7])
+
+    def test_memory_is_shared_and_outlives_the_array(self):
+        array = numpy.arange(24.0).reshape(2, 3, 4)
+        image = flipfree.image_from_array(array, (1, 1, 1))
+        array[1, 2, 3] = -1
+        self.assertTrue(numpy.shares_memory(flipfree.array_from_image(image), array))
+        del array
+        self.assertEqual(image.GetScalarRange(), (-1, 22))
+
+    def test_image_without_scalars(self):
+        flat = flipfree.image_from_array(numpy.zeros((0, 3, 4)), (1, 1, 1))
+        with self.assertRaisesRegex(ValueError, "^image: it has no scalars"):
+            flipfree.array_from_image(flat)
+
+
+@needs_files
+class Files(unittest.TestCase):
+    def test_round_trip(self):
+        with tempfile.TemporaryDirectory() as folder:
+            for name in ("a.nii.gz", "a.nrrd", "a.mha"):
+                path = Path(folder) / name
+                flipfree.write_image(liver().label_map, path)
+                read = flipfree.read_image(path)
+                self.assertEqual(read.GetSpacing(), liver().label_map.GetSpacing())
+                numpy.testing.assert_array_equal(flipfree.array_from_image(read), liver().labels)
+
+
+class Evaluation(unittest.TestCase):
+    def test_is_the_filters(self):
+        metrics = flipfree.vtkSegmentationMetrics()
+        metrics.SetInputDataObject(liver().surface)
+        metrics.SetReferenceData(truth())
+        metrics.SetReferenceLabel(LIVER)
+        metrics.Update()
+        scores = flipfree.evaluate(liver(), truth(), reference_label=LIVER)
+        for name, value in vars(scores).items():
+            getter = "".join(word.capitalize() for word in name.split("_"))
+            for short in ("asd", "rms", "hd95", "hd"):
+                getter = short.upper() if name == short else getter
+            self.assertEqual(value, getattr(metrics, "Get" + getter)(), name)
+        self.assertGreater(scores.dice, 0.94)
+
+    def test_takes_arrays(self):
+        reference = numpy.uint8(flipfree.array_from_image(truth()) == LIVER)
+        expected = flipfree.evaluate(liver().label_map, truth(), reference_label=LIVER)
+        scores = flipfree.evaluate(liver().labels, truth(), reference_label=LIVER)
+        self.assertEqual(scores, expected)
+        self.assertEqual(flipfree.evaluate(liver().label_map, reference), expected)
+        self.assertEqual(flipfree.evaluate(liver(), reference).dice, expected.dice)
+
+    @needs_files
+    def test_takes_files(self):
+        reference = numpy.uint8(flipfree.array_from_image(truth()) == LIVER)
+        expected = flipfree.evaluate(liver().label_map, reference)
+        with tempfile.TemporaryDirectory() as folder:
+            path = Path(folder) / "liver.nii.gz"
+            flipfree.write_image(liver().label_map, path)
+            scores = flipfree.evaluate(path, reference)
+            self.assertTrue(math.isclose(scores.asd, expected.asd, rel_tol=1e-5))
+            self.assertEqual(scores.dice, expected.dice)
+
+    def test_takes_surfaces(self):
+        expected = flipfree.evaluate(liver().label_map, truth(), reference_label=LIVER)
+        self.assertEqual(flipfree.evaluate(liver().surface, truth(), reference_label=LIVER,
+                                           score_voxelisation=True).asd, expected.asd)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,142 @@
+"""Progress, and how a segmentation is stopped: by the callback, or by Ctrl-C."""
+
+import contextlib
+import io
+import os
+import signal
+import threading
+import time
+import unittest
+
+import flipfree
+from example import RADIUS, SEED, image, liver, needs_files, start_python
+
+ENDLESS = {"maximum_iterations": 100000, "change_tolerance": -1, "distance_tolerance": 0}
+
+
+def processor_seconds(process):
+    """Not the clock's: machines that run tests are busy."""
+    with open(f"/proc/{process.pid}/stat", encoding="ascii") as file:
+        fields = file.read().rpartition(")")[2].split()
+    return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
+
+
+class Progress(unittest.TestCase):
+    def test_is_told_from_0_to_1(self):
+        told = []
+        flipfree.segment(image(), SEED, RADIUS, progress=told.append)
+        self.assertEqual((told[0], told[-1]), (0, 1))
+        self.assertEqual(told, sorted(told))
+        self.assertGreater(len(told), 50)
+
+    def test_bar_comes_and_goes(self):
+        screen = io.StringIO()
+        with contextlib.redirect_stderr(screen):
+            flipfree.segment(image(), SEED, RADIUS, progress=True, levels=1)
+        lines = screen.getvalue().split("\r")
+        self.assertIn("segmenting    [################################] 100 %", lines)
+        self.assertEqual([lines[0], lines[-2].strip(), lines[-1]], ["", "", ""])
+
+    def test_what_the_callback_raises_stops_it(self):
+        told = []
+
+        def stop(fraction):
+            told.append(fraction)
+            if len(told) == 50:
+                raise LookupError("enough")
+
+        with self.assertRaisesRegex(LookupError, "enough"):
+            flipfree.segment(image(), SEED, RADIUS, progress=stop, **ENDLESS)
+        self.assertEqual(len(told), 50)
+
+    def test_bar_goes_when_it_fails(self):
+        screen = io.StringIO()
+        with contextlib.redirect_stderr(screen), self.assertRaises(flipfree.SegmentationError):
+            flipfree.segment(image(), (-50, 0, 0), RADIUS, progress=True)
+        self.assertEqual(screen.getvalue().split("\r")[-1], "")
+
+
+class CtrlC(unittest.TestCase):
+    def start(self, program):
+        process = start_python(program)
+        self.addCleanup(process.communicate)
+        self.addCleanup(process.kill)
+        self.assertEqual(process.stdout.readline(), "started\n")
+        return process
+
+    def test_raises_keyboard_interrupt_promptly(self):
+        process = self.start(f"""
+import time
+told = []
+def tell(fraction):
+    told.append(fraction)
+    if len(told) == 50:
+        print("started", flush=True)
+try:
+    flipfree.segment(image(), SEED, RADIUS, progress=tell, **{ENDLESS})
+except KeyboardInterrupt:
+    print(time.process_time())
+print(flipfree.segment(image(), SEED, RADIUS))
+""")
+        sent = processor_seconds(process)
+        process.send_signal(signal.SIGINT)
+        output, errors = process.communicate(timeout=60)
+        caught, after = output.splitlines()
+        self.assertEqual(errors, "")
+        self.assertLess(float(caught) - sent, 0.3)
+        self.assertEqual(after, repr(liver()))
+
+    def test_ends_a_program_that_does_not_expect_it(self):
+        process = self.start(f"""
+print("started", flush=True)
+flipfree.segment(image(), SEED, RADIUS, **{ENDLESS})
+""")
+        time.sleep(0.5)
+        process.send_signal(signal.SIGINT)
+        output, errors = process.communicate(timeout=60)
+        self.assertEqual((output, process.returncode), ("", -signal.SIGINT))
+        self.assertRegex(errors, r"^Traceback(.*\n)*KeyboardInterrupt\n$")
+
+    def test_calls_the_programs_own_handler_and_goes_on(self):
+        process = self.start("""
+import signal
+signal.signal(signal.SIGINT, lambda *_: print("handled", flush=True))
+image = image()
+print("started", flush=True)
+print(flipfree.segment(image, SEED, RADIUS))
+assert signal.getsignal(signal.SIGINT).__name__ == "<lambda>"
+""")
+        time.sleep(0.1)
+        process.send_signal(signal.SIGINT)
+        output, errors = process.communicate(timeout=60)
+        self.assertEqual((output, errors), (f"handled\n{liver()!r}\n", ""))
+
+    @needs_files
+    def test_while_a_file_is_read(self):
+        process = self.start("""
+import os, tempfile
+with tempfile.TemporaryDirectory() as folder:
+    path = os.path.join(folder, "abdomen.nii.gz")
+    flipfree.write_image(image(), path)
+    print("started", flush=True)
+    try:
+        while True:
+            flipfree.read_image(path)
+    except KeyboardInterrupt:
+        print("stopped")
+""")
+        time.sleep(0.5)
+        process.send_signal(signal.SIGINT)
+        self.assertEqual(process.communicate(timeout=60), ("stopped\n", ""))
+
+    def test_handler_is_left_alone_in_other_threads(self):
+        results = []
+        thread = threading.Thread(
+            target=lambda: results.append(flipfree.segment(image(), SEED, RADIUS)))
+        thread.start()
+        thread.join()
+        self.assertEqual(repr(results[0]), repr(liver()))
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,172 @@
+"""flipfree.segment: what it takes, what it gives, and that it is the filter's own result."""
+
+import os
+import tempfile
+import unittest
+from pathlib import Path
+
+import flipfree
+import numpy
+from example import RADIUS, SEED, image, liver, needs_files
+from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData, vtkTable
+from vtkmodules.vtkFiltersCore import vtkMassProperties, vtkTriangleFilter
+
+
+def filter_with_seed():
+    segmentation = flipfree.vtkFlipFreeSegmentation()
+    segmentation.SetInputData(image())
+    segmentation.SetSeedCenter(*SEED)
+    segmentation.SetSeedRadius(RADIUS)
+    return segmentation
+
+
+def points_of(surface):
+    return numpy.array([surface.GetPoint(i) for i in range(surface.GetNumberOfPoints())])
+
+
+def oblique():
+    """Left-handed, and in no plane of the scanner's."""
+    x, z = numpy.radians(20), numpy.radians(35)
+    about_x = [[1, 0, 0], [0, numpy.cos(x), -numpy.sin(x)], [0, numpy.sin(x), numpy.cos(x)]]
+    about_z = [[numpy.cos(z), -numpy.sin(z), 0], [numpy.sin(z), numpy.cos(z), 0], [0, 0, 1]]
+    return numpy.array(about_x) @ about_z @ numpy.diag([1, 1, -1])
+
+
+class Output(unittest.TestCase):
+    def test_is_the_filters(self):
+        segmentation = filter_with_seed()
+        segmentation.Update()
+        numpy.testing.assert_array_equal(liver().points, points_of(segmentation.GetSurface()))
+        self.assertEqual(liver().stop_reason, segmentation.GetStopReason())
+        self.assertEqual(liver().self_intersections, 0)
+
+    def test_has_vtks_types(self):
+        self.assertIsInstance(liver().surface, vtkPolyData)
+        self.assertIsInstance(liver().label_map, vtkImageData)
+        self.assertIsInstance(liver().convergence, vtkTable)
+
+    def test_faces_are_those_of_the_surface(self):
+        surface = liver().surface
+        self.assertEqual(liver().faces.shape, (surface.GetNumberOfCells(), 4))
+        triangles = 0
+        for cell, face in enumerate(liver().faces):
+            ids = surface.GetCell(cell).GetPointIds()
+            corners = [ids.GetId(i) for i in range(ids.GetNumberOfIds())]
+            triangles += len(corners) == 3
+            self.assertEqual(list(face), corners + corners[-1:] * (4 - len(corners)))
+        self.assertEqual(triangles, 8)
+
+    def test_triangles_enclose_the_volume_of_the_surface(self):
+        a, b, c = (liver().points[liver().triangles[:, corner]] for corner in range(3))
+        triangulated = vtkTriangleFilter()
+        triangulated.SetInputData(liver().surface)
+        properties = vtkMassProperties()
+        properties.SetInputConnection(triangulated.GetOutputPort())
+        volume = numpy.einsum("ij,ij", a, numpy.cross(b, c)) / 6
+        self.assertAlmostEqual(volume / properties.GetVolume(), 1, delta=1e-3)
+        self.assertEqual(len(a), 12 * 32 * 32 - 4)
+
+    def test_labels_are_the_voxels_within(self):
+        labels = liver().labels
+        self.assertEqual(labels.shape, (90, 170, 220))
+        self.assertEqual(set(numpy.unique(labels)), {0, 1})
+        i, j, k = (numpy.array(SEED) / (1.5, 1.5, 3)).round().astype(int)
+        self.assertEqual(labels[k, j, i], 1)
+        self.assertEqual(labels[0, 0, 0], 0)
+
+    def test_points_and_labels_are_views(self):
+        result = flipfree.segment(image(), SEED, RADIUS, levels=1, maximum_iterations=1)
+        result.points[5] = (1, 2, 3)
+        self.assertEqual(result.surface.GetPoint(5), (1, 2, 3))
+        result.labels[3, 2, 1] = 9
+        self.assertEqual(result.label_map.GetScalarComponentAsDouble(1, 2, 3, 0), 9)
+
+    def test_iterations_are_the_columns_of_the_convergence(self):
+        iterations = liver().iterations
+        rows = liver().convergence.GetNumberOfRows()
+        self.assertEqual(list(iterations["Iteration"]), list(range(1, rows + 1)))
+        self.assertLess(iterations["MeanDistance"][-1], iterations["MeanDistance"][0])
+
+    def test_history_ends_with_the_surface(self):
+        result = flipfree.segment(image(), SEED, RADIUS, keep_history=True)
+        self.assertEqual(len(result.history), result.convergence.GetNumberOfRows())
+        numpy.testing.assert_array_equal(result.points, liver().points)
+        numpy.testing.assert_array_equal(points_of(result.history[-1]), result.points)
+        vertices = [surface.GetNumberOfPoints() for surface in result.history]
+        self.assertEqual(vertices, list(result.iterations["Vertices"]))
+        self.assertEqual(liver().history, ())
+
+    def test_repr_tells_what_one_wants_to_know(self):
+        self.assertRegex(repr(liver()), "^<Segmentation: 6144 vertices, 0 self-intersections, ")
+
+
+class Input(unittest.TestCase):
+    def test_array_with_its_geometry(self):
+        array = flipfree.array_from_image(image())
+        result = flipfree.segment(array, numpy.array(SEED), RADIUS, spacing=(1.5, 1.5, 3))
+        numpy.testing.assert_array_equal(result.points, liver().points)
+
+    def test_array_that_is_turned_moved_and_not_contiguous(self):
+        array = numpy.asfortranarray(flipfree.array_from_image(image()))
+        direction, origin = oblique(), numpy.array([10, -200, 1000])
+        result = flipfree.segment(array, direction @ SEED + origin, RADIUS, spacing=(1.5, 1.5, 3),
+                                  origin=origin, direction=direction)
+        matrix = result.label_map.GetDirectionMatrix()
+        self.assertAlmostEqual(matrix.GetElement(2, 1), direction[2, 1], places=15)
+        overlap = numpy.count_nonzero(result.labels & liver().labels)
+        self.assertGreater(2 * overlap / (result.labels.sum() + liver().labels.sum()), 0.97)
+
+    @needs_files
+    def test_file(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = Path(folder) / "abdomen.mha"
+            flipfree.write_image(image(), path)
+            for name in (path, str(path)):
+                result = flipfree.segment(name, SEED, RADIUS)
+                numpy.testing.assert_array_equal(result.points, liver().points)
+            os.remove(path)
+
+    def test_start_from_another_surface(self):
+        cube = flipfree.vtkQuadSphereSource()
+        cube.SetSpacingToCube()
+        cube.SetCenter(*SEED)
+        cube.SetRadius(20)
+        cube.SetResolution(8)
+        cube.Update()
+        result = flipfree.segment(image(), SEED, RADIUS, start=cube.GetOutput(), levels=1,
+                                  maximum_iterations=0)
+        numpy.testing.assert_array_equal(result.points, points_of(cube.GetOutput()))
+        again = flipfree.segment(image(), SEED, RADIUS, start=result, levels=1,
+                                 maximum_iterations=1)
+        self.assertEqual(again.points.shape, result.points.shape)
+        self.assertGreater(abs(again.points - result.points).max(), 1)
+
+
+class Parameters(unittest.TestCase):
+    def test_every_property_is_one(self):
+        names = {name[3:] for name in vars(flipfree.vtkFlipFreeSegmentation)
+                 if name.startswith("Set") and "Get" + name[3:] in
+                 vars(flipfree.vtkFlipFreeSegmentation)}
+        names -= {"SeedCenter", "SeedRadius"}
+        self.assertEqual(len(flipfree.default_parameters()), len(names))
+        self.assertEqual(flipfree.default_parameters()["minimum_component_weight"], 0.15)
+
+    def test_reach_the_filter(self):
+        result = flipfree.segment(image(), SEED, RADIUS, resolution=8, levels=1, label_value=7)
+        self.assertEqual(len(result.points), 6 * 8 * 8)
+        self.assertEqual(result.labels.max(), 7)
+
+    def test_presets(self):
+        self.assertFalse(flipfree.default_parameters("published")["guard"])
+        result = flipfree.segment(image(), SEED, RADIUS, preset="naive", maximum_iterations=9,
+                                  resolution=16)
+        self.assertEqual(len(result.iterations["Iteration"]), 9)
+        self.assertEqual(len(result.points), 6 * 16 * 16)
+
+    def test_are_in_the_help(self):
+        self.assertIn("minimum_component_weight\n        Components of a smaller weight are taken",
+                      flipfree.segment.__doc__)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,143 @@
+"""Runs an algorithm of VTK's as Python expects it: failures are exceptions and Ctrl-C works.
+
+VTK calls observers from C++, which no exception can cross: one that leaves an observer is printed
+and forgotten, and a KeyboardInterrupt ends the whole interpreter. So nothing gets out of an
+observer in here: exceptions are kept, the algorithm is aborted, and they are raised when it has
+come back.
+"""
+
+from __future__ import annotations
+
+import re
+import sys
+import warnings
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from typing import Any
+
+from vtkmodules.vtkCommonCore import vtkObject
+from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
+
+from ._errors import FlipFreeError, FlipFreeWarning
+from ._interrupt import Interrupt
+from ._types import Progress
+
+
+def update(
+    algorithm: vtkAlgorithm,
+    failure: type[FlipFreeError] = FlipFreeError,
+    progress: Progress | None = None,
+    run: Callable[[], Any] | None = None,
+) -> None:
+    """Updates a filter, and raises `failure` with VTK's message where it reports an error.
+
+    What segment() does for the whole method, for filters that are put together by hand. It listens
+    to this one alone: of a pipeline, update each filter that may fail. Where it is no Update() that
+    is wanted, `run` is called instead.
+
+    Progress is told fractions from 0 to 1. An exception that it raises aborts the algorithm and is
+    raised again, and so is the KeyboardInterrupt of Ctrl-C, or what else the program's own handler
+    makes of it.
+
+    >>> import flipfree
+    >>> sphere = flipfree.vtkQuadSphereSource()
+    >>> sphere.SetCenter(0, 0, float("nan"))
+    >>> flipfree.update(sphere)
+    Traceback (most recent call last):
+      ...
+    flipfree.FlipFreeError: ...
+    """
+    with _messages_on(), Interrupt() as interrupt, _Listener(
+        algorithm, progress, interrupt
+    ) as listener:
+        (run or algorithm.Update)()
+    if listener.exception is not None:
+        raise listener.exception
+    for text in listener.warnings:
+        warnings.warn(text, FlipFreeWarning, stacklevel=_level_of_caller())
+    # The pipeline complains as well, but only that its algorithm did.
+    errors = listener.errors + listener.pipeline_errors
+    if errors:
+        raise failure(errors[0])
+
+
+class _Listener:
+    """Observes an algorithm and its pipeline: progress, errors and warnings."""
+
+    def __init__(
+        self, algorithm: vtkAlgorithm, progress: Progress | None, interrupt: Interrupt
+    ) -> None:
+        self.algorithm = algorithm
+        self.progress = progress
+        self.interrupt = interrupt
+        self.exception: BaseException | None = None
+        self.errors: list[str] = []
+        self.pipeline_errors: list[str] = []
+        self.warnings: list[str] = []
+        self._tags: list[tuple[vtkObject, int]] = []
+
+    def __enter__(self) -> _Listener:
+        executive = self.algorithm.GetExecutive()
+        self._observe(self.algorithm, "ProgressEvent", self._on_progress)
+        self._observe(self.algorithm, "ErrorEvent", _keeper_of_messages(self.errors))
+        self._observe(self.algorithm, "WarningEvent", _keeper_of_messages(self.warnings))
+        self._observe(executive, "ErrorEvent", _keeper_of_messages(self.pipeline_errors))
+        self._observe(executive, "WarningEvent", _keeper_of_messages(self.warnings))
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        for observed, tag in self._tags:
+            observed.RemoveObserver(tag)
+        self.algorithm.AbortExecuteOff()
+
+    def _observe(self, observed: vtkObject, event: str, call: Callable[..., None]) -> None:
+        self._tags.append((observed, observed.AddObserver(event, call)))
+
+    def _on_progress(self, algorithm: vtkAlgorithm, _event: str) -> None:
+        try:
+            self.interrupt.deliver()
+            if self.progress is not None and self.exception is None:
+                self.progress(algorithm.GetProgress())
+        except BaseException as exception:  # pylint: disable=broad-except
+            self.exception = exception
+        if self.exception is not None:
+            # Again each time: the pipeline forgets an abort that comes before the start.
+            algorithm.AbortExecuteOn()
+
+
+def _keeper_of_messages(messages: list[str]) -> Callable[..., None]:
+    def keep(_object: vtkObject, _event: str, text: str) -> None:
+        messages.append(_message_in(text))
+
+    keep.CallDataType = "string0"  # type: ignore[attr-defined]  # how VTK is asked for the text
+    return keep
+
+
+def _message_in(text: str) -> str:
+    """Without the place in the source and the object's address, which VTK puts in front.
+
+    >>> _message_in("ERROR: In vtkReader.cxx, line 7\\nvtkReader (0x2a): No file: (none).\\n\\n")
+    'No file: (none).'
+    """
+    return re.sub(r"\A\w+: In .*, line \d+\n\w+ \(\w+\): ", "", text).strip()
+
+
+@contextmanager
+def _messages_on() -> Iterator[None]:
+    """Where warnings are switched off globally, VTK would tell nobody of errors, either."""
+    before = vtkObject.GetGlobalWarningDisplay()
+    vtkObject.GlobalWarningDisplayOn()
+    try:
+        yield
+    finally:
+        vtkObject.SetGlobalWarningDisplay(before)
+
+
+def _level_of_caller() -> int:
+    """The stack level, as the function above counts it, of the first caller outside the package."""
+    level = 1
+    frame = sys._getframe(1)  # pylint: disable=protected-access
+    while frame.f_back is not None and frame.f_globals.get("__package__") == __package__:
+        frame = frame.f_back
+        level += 1
+    return level
