@@ -89,6 +89,18 @@ class Stages(session.SessionTest):
         self.assert_same(points(fetch(surface)), expected)
         self.assertGreater(numpy.linalg.norm(expected - seed["SeedCenter"], axis=1).min(), 20)
 
+    def test_start_surface_is_optional_and_takes_the_spheres_place(self):
+        phantom = simple.SegmentationPhantom(Shape="Sphere")
+        seed = {"SeedCenter": [47.5, 47.5, 47.5], "SeedRadius": 15}
+        whole = simple.FlipFreeSegmentation(Input=phantom, Resolution=16, Levels=1, MaximumIterations=1, **seed)
+        by_sphere = points(fetch(whole))
+        whole.StartSurface = simple.QuadSphere(Center=seed["SeedCenter"], Radius=seed["SeedRadius"], Resolution=16)
+        self.assert_same(points(fetch(whole)), by_sphere)
+        whole.StartSurface = simple.QuadSphere(Center=seed["SeedCenter"], Radius=18, Resolution=8)
+        self.assertEqual(len(points(fetch(whole))), 6 * 8 * 8)
+        whole.StartSurface = None
+        self.assert_same(points(fetch(whole)), by_sphere)
+
     def test_refinement_label_map_and_validity(self):
         sphere = simple.QuadSphere(Center=[47.5, 47.5, 47.5], Radius=30, Resolution=16)
         fine = simple.FlipFreeStage5Refinement(Input=sphere)

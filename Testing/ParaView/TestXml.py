@@ -78,13 +78,21 @@ class Xml(unittest.TestCase):
                 self.assertEqual(item.get("label", item.get("name")).replace(" ", ""), item.get("name"))
 
     def test_defaults_are_the_filters(self):
+        checked = 0
         for proxy, header in self.each():
             for item in settable(proxy):
                 default = header.default(item.get("name"))
-                if default is not None:
-                    given = [float(value) for value in item.get("default_values").split()]
-                    self.assertEqual(given, default, item.get("name"))
-                    self.assertEqual(len(given), int(item.get("number_of_elements")))
+                if default is None:
+                    continue
+                checked += 1
+                if item.find("BoundsDomain") is not None:
+                    # ParaView would take a value that equals the XML's default for not set, and set it by the data.
+                    self.assertEqual(item.get("default_values"), "none")
+                    continue
+                given = [float(value) for value in item.get("default_values").split()]
+                self.assertEqual(given, default, item.get("name"))
+                self.assertEqual(len(given), int(item.get("number_of_elements")))
+        self.assertGreater(checked, 80)
 
     def test_ranges_are_the_filters(self):
         checked = 0

@@ -56,6 +56,12 @@ class SessionTest(unittest.TestCase):
     def file(self, name):
         return os.path.join(self.folder, name)
 
+    def view(self, kind="RenderView"):
+        """A view that is gone before Python is: one that is left makes ParaView fail at the exit."""
+        view = simple.CreateView(kind)
+        self.addCleanup(lambda: simple.Delete(view))
+        return view
+
     def assert_same(self, first, second):
         self.assertEqual(first.shape, second.shape)
         self.assertEqual(numpy.count_nonzero(first != second), 0,
