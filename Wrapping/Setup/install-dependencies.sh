@@ -47,9 +47,11 @@ paraview_packages=(
   libgl1-mesa-dri
   libinsighttoolkit5-dev
   libvtk9-dev
+  libxtst6
   ninja-build
   python3
   python3-numpy
+  python3-pil
   xauth
   xvfb
 )
