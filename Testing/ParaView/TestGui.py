@@ -14,10 +14,12 @@ from desk import Desk
 HERE = os.path.dirname(os.path.abspath(__file__))
 PARAVIEW = os.path.join(os.environ["FLIPFREE_BUILD"] + "-prefix", "usr", "bin", "paraview")
 WIDTH, HEIGHT = 1280, 860
-# The middle of the view, where the camera looks at the liver.
-MIDDLE = (790, 512)
-# Of a window of this size: the box "Keep History" and the button for the last frame.
-KEEP_HISTORY = (16, 801)
+# Of a window of this size: the seam between panels and view, and where it is drawn to, so that the panels show all; the
+# middle of the view that is left, where the camera looks at the liver; the box "Keep History"; the button for the last
+# frame.
+SEAM, WIDER = range(294, 299), 400
+MIDDLE = (842, 512)
+KEEP_HISTORY = (16, 786)
 LAST_FRAME = (658, 42)
 
 
@@ -40,6 +42,9 @@ class Gui(unittest.TestCase):
         self.desk.settle(3)
         self.desk.fill_screen(self.window, WIDTH, HEIGHT)
         self.desk.focus(self.window)
+        for x in SEAM:
+            self.desk.drag((x, 600), (WIDER, 600), steps=20)
+        self.desk.settle(1)
 
     def stop(self):
         self.paraview.kill()

@@ -24,7 +24,7 @@ def show_slices(image, view):
     Render(view)
     view.CameraViewUp = [0, 0, 1]
     view.CameraFocalPoint = CENTER
-    view.CameraPosition = [CENTER[0] + 220, CENTER[1] - 570, CENTER[2] + 250]
+    view.CameraPosition = [CENTER[0] + 245, CENTER[1] - 635, CENTER[2] + 280]
     Render(view)
 
 
