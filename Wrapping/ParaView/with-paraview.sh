@@ -39,6 +39,6 @@ export PV_PLUGIN_PATH=$(dirname "$plugin")${PV_PLUGIN_PATH:+:$PV_PLUGIN_PATH}
 
 if [[ -z ${DISPLAY:-} ]]; then
   export LIBGL_ALWAYS_SOFTWARE=1
-  exec xvfb-run --auto-servernum --server-args="-screen 0 1280x1024x24" "$program" "$@"
+  exec xvfb-run --auto-servernum --server-args="-screen 0 1280x1024x24 -noreset" "$program" "$@"
 fi
 exec "$program" "$@"
