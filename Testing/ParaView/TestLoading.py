@@ -1,4 +1,4 @@
-"""The plugin loads into ParaView's programs, brings no second VTK, and where the version is another one, that is said."""
+"""The plugin loads into ParaView's programs, brings no second VTK, and tells where ParaView is another version."""
 
 import os
 import re

@@ -1,5 +1,5 @@
-"""ParaView gives the toolkit's numbers: those of the flipfree command on the same files, value for value; and the stages
-chained by hand give the composite's surface."""
+"""ParaView gives the toolkit's numbers: those of the flipfree command on the same files, value for value; and the
+stages chained by hand give the composite's surface."""
 
 import os
 import re
@@ -114,7 +114,8 @@ class Stages(session.SessionTest):
         self.assertGreater(overlap, 0.97)
         validity = simple.SurfaceValidity(Input=fine)
         measures = fetch(validity, 1)
-        self.assertEqual([column(measures, name)[0] for name in ("Valid", "SelfIntersections", "EulerNumber")], [1, 0, 2])
+        found = [column(measures, name)[0] for name in ("Valid", "SelfIntersections", "EulerNumber")]
+        self.assertEqual(found, [1, 0, 2])
         validity.UpdatePropertyInformation()
         self.assertEqual(validity.IsValid, 1)
 

@@ -8,7 +8,8 @@ import unittest
 import xml.etree.ElementTree as ElementTree
 
 SOURCE = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..")
-SETTER = re.compile(r"vtkSet(Clamp|Vector\d?|String|FilePath|)Macro\((\w+)(?:,\s*(\w+))?(?:,\s*([^,)]+))?(?:,\s*([^)]+))?\)")
+SETTER = re.compile(
+    r"vtkSet(Clamp|Vector\d?|String|FilePath|)Macro\((\w+)(?:,\s*(\w+))?(?:,\s*([^,)]+))?(?:,\s*([^)]+))?\)")
 # So great that the panel need not show it.
 PRACTICALLY_INFINITE = 1e6
 

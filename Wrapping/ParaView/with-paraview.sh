@@ -35,7 +35,7 @@ fi
 libraries=$(dirname "$(find "$prefix/usr/lib" -name 'libvtkRemotingCore-pv*.so' -print -quit)")
 export LD_LIBRARY_PATH=$libraries${LD_LIBRARY_PATH:+:$LD_LIBRARY_PATH}
 export PYTHONPATH=$prefix/usr/lib/python3/dist-packages${PYTHONPATH:+:$PYTHONPATH}
-export PV_PLUGIN_PATH=$(dirname "$plugin")${PV_PLUGIN_PATH:+:$PV_PLUGIN_PATH}
+export PV_PLUGIN_PATH=${plugin%/*}${PV_PLUGIN_PATH:+:$PV_PLUGIN_PATH}
 
 if [[ -z ${DISPLAY:-} ]]; then
   export LIBGL_ALWAYS_SOFTWARE=1

@@ -59,5 +59,6 @@ for archive in "$downloads"/*.deb; do
   dpkg-deb --extract "$archive" "$folder"
 done
 # Written last, so that an interrupted download is taken up again.
+# shellcheck disable=SC2016 # the variables are dpkg-deb's
 dpkg-deb --show --showformat='${Package} ${Version}\n' "$downloads"/paraview_*.deb >"$folder/complete"
 echo "ParaView is there: $(cat "$folder/complete"), in $folder."
