@@ -63,44 +63,42 @@ def other_values(item):
 
 
 class Proxies(session.SessionTest):
-    def each(self):
-        for group, name in proxies():
-            with self.subTest(proxy=name):
-                yield servermanager.ProxyManager().NewProxy(group, name)
-
     def test_all_are_there(self):
         self.assertEqual(len(list(proxies())), 15)
 
     def test_each_property_reaches_the_filter(self):
         checked = 0
-        for proxy in self.each():
-            for name, item in properties(proxy):
-                with self.subTest(property=name):
-                    values = other_values(item)
-                    before = printed(proxy)[name]
-                    for index, value in enumerate(values):
-                        item.SetElement(index, value)
-                    after = printed(proxy)[name]
-                    self.assertNotEqual(before, after)
-                    if item.GetDomain("enum") and not after[0].isdigit():
-                        self.assertEqual(after[0], item.GetDomain("enum").GetEntryText(values[0]).lower())
-                    else:
-                        kind = type(values[0])
-                        self.assertEqual([kind(word) for word in after[:len(values)]], values)
-                    self.assertEqual(elements(item), values)
-                    checked += 1
+        for group, name in proxies():
+            with self.subTest(proxy=name):
+                proxy = servermanager.ProxyManager().NewProxy(group, name)
+                for key, item in properties(proxy):
+                    with self.subTest(property=key):
+                        values = other_values(item)
+                        before = printed(proxy)[key]
+                        for index, value in enumerate(values):
+                            item.SetElement(index, value)
+                        after = printed(proxy)[key]
+                        self.assertNotEqual(before, after)
+                        if item.GetDomain("enum") and not after[0].isdigit():
+                            self.assertEqual(after[0], item.GetDomain("enum").GetEntryText(values[0]).lower())
+                        else:
+                            kind = type(values[0])
+                            self.assertEqual([kind(word) for word in after[:len(values)]], values)
+                        self.assertEqual(elements(item), values)
+                        checked += 1
         self.assertGreater(checked, 100)
 
     def test_ports_have_names(self):
         ports = {"FlipFreeSegmentation": ["Surface", "Label map", "Convergence"],
                  "FlipFreePhantom": ["Image", "Label map", "Surface"],
                  "FlipFreeSurfaceValidity": ["Surface", "Measures"]}
-        for proxy in self.each():
-            name = proxy.GetXMLName()
-            if name in ports:
-                proxy.UpdateVTKObjects()
-                count = proxy.GetNumberOfOutputPorts()
-                self.assertEqual([proxy.GetOutputPortName(port) for port in range(count)], ports[name])
+        for group, name in proxies():
+            with self.subTest(proxy=name):
+                proxy = servermanager.ProxyManager().NewProxy(group, name)
+                if name in ports:
+                    proxy.UpdateVTKObjects()
+                    count = proxy.GetNumberOfOutputPorts()
+                    self.assertEqual([proxy.GetOutputPortName(port) for port in range(count)], ports[name])
 
 
 if __name__ == "__main__":

@@ -43,9 +43,10 @@ def proxies():
             yield from group
 
 
-def header_of(proxy):
-    (path,) = glob.glob(os.path.join(SOURCE, "Filters", "*", proxy.get("class") + ".h"))
-    return Header(path)
+def with_headers():
+    for proxy in proxies():
+        (path,) = glob.glob(os.path.join(SOURCE, "Filters", "*", proxy.get("class") + ".h"))
+        yield proxy, Header(path)
 
 
 def settable(proxy):
@@ -57,11 +58,6 @@ def words(element):
 
 
 class Xml(unittest.TestCase):
-    def each(self):
-        for proxy in proxies():
-            with self.subTest(proxy=proxy.get("name")):
-                yield proxy, header_of(proxy)
-
     def test_every_filter_is_a_proxy(self):
         classes = {os.path.basename(path)[:-2] for path in glob.glob(os.path.join(SOURCE, "Filters", "*", "vtk*.h"))}
         self.assertGreater(len(classes), 10)
@@ -69,45 +65,48 @@ class Xml(unittest.TestCase):
 
     def test_every_property_is_there_under_its_own_name(self):
         reader = {"SeriesUID"}  # of the reader of single files
-        for proxy, header in self.each():
-            names = {item.get("name") for item in settable(proxy)}
-            missing = set(header.ranges) - names
-            self.assertLessEqual(missing, reader if proxy.get("name") == "OrientedImageReader" else set())
-            for item in settable(proxy):
-                self.assertEqual(item.get("command"), "Set" + item.get("name"))
-                # Python in ParaView calls a property by its label.
-                self.assertEqual(item.get("label", item.get("name")).replace(" ", ""), item.get("name"))
+        for proxy, header in with_headers():
+            with self.subTest(proxy=proxy.get("name")):
+                names = {item.get("name") for item in settable(proxy)}
+                missing = set(header.ranges) - names
+                self.assertLessEqual(missing, reader if proxy.get("name") == "OrientedImageReader" else set())
+                for item in settable(proxy):
+                    self.assertEqual(item.get("command"), "Set" + item.get("name"))
+                    # Python in ParaView calls a property by its label.
+                    self.assertEqual(item.get("label", item.get("name")).replace(" ", ""), item.get("name"))
 
     def test_defaults_are_the_filters(self):
         checked = 0
-        for proxy, header in self.each():
-            for item in settable(proxy):
-                default = header.default(item.get("name"))
-                if default is None:
-                    continue
-                checked += 1
-                if item.find("BoundsDomain") is not None:
-                    # ParaView would take a value that equals the XML's default for not set, and set it by the data.
-                    self.assertEqual(item.get("default_values"), "none")
-                    continue
-                given = [float(value) for value in item.get("default_values").split()]
-                self.assertEqual(given, default, item.get("name"))
-                self.assertEqual(len(given), int(item.get("number_of_elements")))
+        for proxy, header in with_headers():
+            with self.subTest(proxy=proxy.get("name")):
+                for item in settable(proxy):
+                    default = header.default(item.get("name"))
+                    if default is None:
+                        continue
+                    checked += 1
+                    if item.find("BoundsDomain") is not None:
+                        # ParaView would take a value that equals the XML's default for not set, and set it by the data.
+                        self.assertEqual(item.get("default_values"), "none")
+                        continue
+                    given = [float(value) for value in item.get("default_values").split()]
+                    self.assertEqual(given, default, item.get("name"))
+                    self.assertEqual(len(given), int(item.get("number_of_elements")))
         self.assertGreater(checked, 80)
 
     def test_ranges_are_the_filters(self):
         checked = 0
-        for proxy, header in self.each():
-            for item in settable(proxy):
-                limits = header.ranges.get(item.get("name"))
-                domain = item.find("DoubleRangeDomain")
-                domain = item.find("IntRangeDomain") if domain is None else domain
-                if limits is None or domain is None:
-                    continue
-                checked += 1
-                self.assertEqual(float(domain.get("min")), limits[0], item.get("name"))
-                if limits[1] < PRACTICALLY_INFINITE or domain.get("max"):
-                    self.assertEqual(float(domain.get("max")), limits[1], item.get("name"))
+        for proxy, header in with_headers():
+            with self.subTest(proxy=proxy.get("name")):
+                for item in settable(proxy):
+                    limits = header.ranges.get(item.get("name"))
+                    domain = item.find("DoubleRangeDomain")
+                    domain = item.find("IntRangeDomain") if domain is None else domain
+                    if limits is None or domain is None:
+                        continue
+                    checked += 1
+                    self.assertEqual(float(domain.get("min")), limits[0], item.get("name"))
+                    if limits[1] < PRACTICALLY_INFINITE or domain.get("max"):
+                        self.assertEqual(float(domain.get("max")), limits[1], item.get("name"))
         self.assertGreater(checked, 50)
 
     def test_everything_is_documented(self):
@@ -125,12 +124,13 @@ class Xml(unittest.TestCase):
                     self.assertRegex(text, r"Optional|Needed if", where)
 
     def test_seeds_have_the_sphere_widget(self):
-        for proxy, header in self.each():
-            if "SeedCenter" not in header.ranges:
-                continue
-            group = proxy.find("PropertyGroup[@panel_widget='InteractiveSphere']")
-            self.assertEqual({item.get("function"): item.get("name") for item in group},
-                             {"Center": "SeedCenter", "Radius": "SeedRadius", "Input": "Input"})
+        for proxy, header in with_headers():
+            with self.subTest(proxy=proxy.get("name")):
+                if "SeedCenter" not in header.ranges:
+                    continue
+                group = proxy.find("PropertyGroup[@panel_widget='InteractiveSphere']")
+                self.assertEqual({item.get("function"): item.get("name") for item in group},
+                                 {"Center": "SeedCenter", "Radius": "SeedRadius", "Input": "Input"})
 
     def test_groups_name_properties_that_exist_and_each_once(self):
         for proxy in proxies():
