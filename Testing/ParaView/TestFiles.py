@@ -3,6 +3,8 @@
 import math
 import os
 
+import dicom
+import numpy
 import session
 from paraview import servermanager, simple
 from session import fetch, voxels
@@ -69,8 +71,19 @@ class Files(session.SessionTest):
                       writers.GetSupportedFileTypes(self.phantom.SMProxy, 0))
 
     def test_a_folder_is_a_dicom_series(self):
+        volume = numpy.arange(5 * 6 * 8).reshape(5, 6, 8) - 100
+        uid = "1.2.826.0.1.3680043.2.1143.78"
+        dicom.write_series(self.folder, volume, (0.75, 0.5, 3), (-20, 12, 40), uid)
         self.assertTrue(readers().CanReadFile(self.folder, servermanager.ActiveConnection.Session))
-        self.assertEqual(readers().GetReaderName(), "FlipFreeDicomSeriesReader")
+        reader = simple.OpenDataFile(self.folder)
+        self.assertEqual(reader.GetXMLName(), "FlipFreeDicomSeriesReader")
+        read = fetch(reader)
+        self.assert_same(voxels(read), volume.ravel())
+        self.assertEqual(geometry(read)[:6], [-20, 12, 40, 0.75, 0.5, 3])
+        reader.UpdatePropertyInformation()
+        self.assertEqual(reader.ChosenSeriesUID, uid)
+
+    def test_a_file_of_no_kind_is_nobodys(self):
         with open(self.file("volume.unknown"), "wb"):
             pass
         self.assertFalse(readers().CanReadFile(self.file("volume.unknown"), servermanager.ActiveConnection.Session))
