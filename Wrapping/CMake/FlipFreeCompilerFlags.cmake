@@ -10,7 +10,8 @@ endif ()
 
 # Messages name source files from the top of the project, not from the root of the build machine.
 if (CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
-  add_compile_options("-fmacro-prefix-map=${PROJECT_SOURCE_DIR}/=")
+  get_filename_component(_flipfree_top "${CMAKE_CURRENT_LIST_DIR}/../.." ABSOLUTE)
+  add_compile_options("-fmacro-prefix-map=${_flipfree_top}/=")
 endif ()
 
 # Sanitizers belong to everything, since they change how objects are laid out and linked.

@@ -53,7 +53,10 @@ if (FLIPFREE_WRAP_PYTHON)
   list(APPEND _flipfree_vtk_components Python WrappingPythonCore)
 endif ()
 list(REMOVE_DUPLICATES _flipfree_vtk_components)
-find_package(VTK 9.1 REQUIRED COMPONENTS ${_flipfree_vtk_components})
+# ParaView brings its own VTK, and two do not go together.
+if (NOT ParaView_FOUND)
+  find_package(VTK 9.1 REQUIRED COMPONENTS ${_flipfree_vtk_components})
+endif ()
 
 if (FLIPFREE_USE_ITK)
   # By name: the full list of components wants development files that nothing pulls in.

@@ -2,10 +2,12 @@
 # Installs what FlipFree is built on, on Debian 12 and its descendants: only what is missing, only from
 # the package sources that the machine already has.
 #
-#   install-dependencies.sh [build|test]
+#   install-dependencies.sh [build|test|paraview]
 #
-#   build  what the toolkit, its Python package and the flipfree command need (default)
-#   test   besides, what the tests, the style checks and the benchmarks need
+#   build     what the toolkit, its Python package and the flipfree command need (default)
+#   test      besides, what the tests, the style checks and the benchmarks need
+#   paraview  what the ParaView plugin needs, ParaView itself aside: that is what install-paraview.sh,
+#             beside this script, is for
 set -euo pipefail
 
 build_packages=(
@@ -36,6 +38,25 @@ test_packages=(
   tetgen
 )
 
+# The VTK that ParaView brings along wants the same libraries' development files as Debian's own, whose
+# package depends on them.
+paraview_packages=(
+  cmake
+  g++
+  libeigen3-dev
+  libgdcm-tools
+  libgl1-mesa-dri
+  libinsighttoolkit5-dev
+  libvtk9-dev
+  libxtst6
+  ninja-build
+  python3
+  python3-numpy
+  python3-pil
+  xauth
+  xvfb
+)
+
 usage()
 {
   sed -n '2,/^set/{/^set/d;s/^# \{0,1\}//;p}' "$0"
@@ -44,6 +65,7 @@ usage()
 case "${1:-build}" in
   build) wanted=("${build_packages[@]}") ;;
   test) wanted=("${build_packages[@]}" "${test_packages[@]}") ;;
+  paraview) wanted=("${paraview_packages[@]}") ;;
   -h | --help)
     usage
     exit 0

@@ -1,0 +1,119 @@
+"""Opens a CT, puts a seed into an organ, segments it, and shows the surface on slices beside its convergence.
+
+In ParaView with the plugin FlipFree loaded, run it from the Python Shell (Run Script) or as a macro: the built-in
+abdomen serves as the image, and the seed sphere can then be moved in the Properties panel of "Organ". In the shell, on
+a volume of one's own:
+
+    pvbatch segment-organ.py [VOLUME X Y Z RADIUS] [-o PICTURE.png] [--state STATE.pvsm]
+
+VOLUME is a NIfTI, NRRD or MetaImage file or a folder of DICOM files; X Y Z and RADIUS are the seed in millimetres.
+"""
+
+import argparse
+import os
+
+from paraview.simple import *
+
+# Of the built-in abdomen's liver.
+SEED = [99.75, 83.75, 167, 28]
+# The grey values that are drawn black and white: soft tissue of a CT. None takes the image's whole range.
+WINDOW = [-110, 240]
+
+
+def parse_arguments():
+    parser = argparse.ArgumentParser(description="Segments one organ and shows it on slices.")
+    parser.add_argument("volume", nargs="?")
+    parser.add_argument("seed", nargs="*", type=float, help="X Y Z RADIUS, in millimetres")
+    parser.add_argument("-o", "--output", metavar="PICTURE.png")
+    parser.add_argument("--state", metavar="STATE.pvsm")
+    arguments = parser.parse_args()
+    if arguments.volume and len(arguments.seed) != 4:
+        parser.error("after the volume, give its seed: X Y Z RADIUS, in millimetres")
+    return arguments
+
+
+def open_image(volume):
+    if volume is None:
+        return SegmentationPhantom(registrationName="CT", Shape="Abdomen")
+    if os.path.isdir(volume):
+        return DICOMSeriesReader(registrationName="CT", FileName=volume)
+    return MedicalImageReader(registrationName="CT", FileName=volume)
+
+
+def show_slices(image, center, view):
+    """The coronal and the axial plane through the seed, in grey."""
+    name = image.PointData[0].GetName()
+    for plane, normal in (("Coronal", [0, 1, 0]), ("Axial", [0, 0, 1])):
+        cut = Slice(registrationName=plane, Input=image)
+        cut.SliceType.Origin = center
+        cut.SliceType.Normal = normal
+        Hide3DWidgets(proxy=cut.SliceType)
+        ColorBy(Show(cut, view), ("POINTS", name))
+    colors = GetColorTransferFunction(name)
+    colors.ApplyPreset("Grayscale", True)
+    if WINDOW:
+        colors.RescaleTransferFunction(*WINDOW)
+
+
+def show_surface(organ, view):
+    surface = Show(OutputPort(organ, 0), view)
+    ColorBy(surface, ("POINTS", ""))  # none
+    surface.AmbientColor = surface.DiffuseColor = [0.86, 0.45, 0.36]
+    surface.SetRepresentationType("Surface With Edges")
+    surface.EdgeColor = [0.55, 0.2, 0.15]
+
+
+def show_convergence(organ, layout, hint):
+    chart = CreateView("XYChartView")
+    AssignViewToLayout(view=chart, layout=layout, hint=hint)
+    lines = Show(OutputPort(organ, 2), chart, "XYChartRepresentation")
+    lines.UseIndexForXAxis = 0
+    lines.XArrayName = "Iteration"
+    lines.SeriesVisibility = ["MeanDistance"]
+    chart.ShowLegend = 0
+    chart.ChartTitle = "Mean distance to the targets"
+    chart.BottomAxisTitle = "iteration"
+    chart.LeftAxisTitle = "mm"
+    chart.ChartTitleFontSize = chart.BottomAxisTitleFontSize = chart.LeftAxisTitleFontSize = 14
+    chart.BottomAxisLabelFontSize = chart.LeftAxisLabelFontSize = 12
+    return chart
+
+
+def main():
+    arguments = parse_arguments()
+    seed = arguments.seed or SEED
+
+    image = open_image(arguments.volume)
+    image.UpdatePipeline()
+    organ = FlipFreeSegmentation(registrationName="Organ", Input=image, SeedCenter=seed[:3], SeedRadius=seed[3])
+    organ.UpdatePipeline()
+    organ.UpdatePropertyInformation()
+    print(f"{organ.GetDataInformation().GetNumberOfPoints()} vertices, "
+          f"{organ.NumberOfSelfIntersections} self-intersections; stopped: {organ.StopReason}")
+
+    view = GetActiveViewOrCreate("RenderView")
+    view.ViewSize = [800, 700]
+    layout = GetLayout(view)
+    show_slices(image, seed[:3], view)
+    show_surface(organ, view)
+    # From the front and above, the patient's left on the right.
+    view.CameraViewUp = [0, 0, 1]
+    view.CameraPosition = [seed[0] + 350, seed[1] - 800, seed[2] + 350]
+    view.CameraFocalPoint = seed[:3]
+    ResetCamera(view)
+    view.GetActiveCamera().Zoom(1.4)
+    layout.SplitHorizontal(layout.GetViewLocation(view), 0.62)
+    chart = show_convergence(organ, layout, layout.GetViewLocation(view) + 1)
+    SetActiveView(view)
+    SetActiveSource(organ)
+    RenderAllViews()
+
+    if arguments.output:
+        SaveScreenshot(arguments.output, layout, ImageResolution=[1400, 700])
+    if arguments.state:
+        SaveState(arguments.state)
+    return view, chart
+
+
+if __name__ in ("__main__", "__vtkconsole__"):
+    VIEWS = main()

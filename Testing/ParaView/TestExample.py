@@ -1,0 +1,48 @@
+"""The ready example runs on a volume of one's own, draws what it says, and leaves a state that restores."""
+
+import os
+import subprocess
+
+import session
+from paraview import simple
+from session import fetch
+
+SOURCE = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..")
+PVBATCH = os.path.join(os.environ["FLIPFREE_BUILD"] + "-prefix", "usr", "bin", "pvbatch")
+
+
+class Example(session.SessionTest):
+    def run_example(self, *arguments):
+        script = os.path.join(SOURCE, "Examples", "ParaView", "segment-organ.py")
+        return subprocess.run([PVBATCH, script, *map(str, arguments)], stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+                              stderr=subprocess.STDOUT, text=True, timeout=200)
+
+    def test_on_a_volume(self):
+        volume, picture, state = (self.file(name) for name in ("ct.nii.gz", "organ.png", "organ.pvsm"))
+        simple.SaveData(volume, proxy=session.abdomen())
+        result = self.run_example(volume, *session.SEED, session.RADIUS, "-o", picture, "--state", state)
+        self.assertEqual(result.returncode, 0, result.stdout)
+        self.assertIn("6144 vertices, 0 self-intersections; stopped: at rest", result.stdout)
+        self.assertNotIn("ERR|", result.stdout)
+        pixels = fetch(simple.PNGSeriesReader(FileNames=[picture]))
+        self.assertEqual(pixels.GetDimensions(), (1400, 700, 1))
+        colors = {tuple(color) for color in session.voxels(pixels)[::101, :3].tolist()}
+        self.assertTrue(any(red > 1.3 * blue and red > 150 for red, green, blue in colors))  # the organ
+        self.assertIn((255, 255, 255), colors)  # the chart
+
+        simple.ResetSession()
+        simple.LoadState(state)
+        self.addCleanup(lambda: [simple.Delete(view) for view in simple.GetViews()])
+        organ = simple.FindSource("Organ")
+        self.assertEqual([*organ.SeedCenter, organ.SeedRadius], [*session.SEED, session.RADIUS])
+        self.assertEqual(fetch(organ).GetNumberOfPoints(), 6144)
+        self.assertIsNotNone(simple.FindSource("Axial"))
+
+    def test_says_what_is_missing(self):
+        result = self.run_example("ct.nii.gz")
+        self.assertEqual(result.returncode, 2, result.stdout)
+        self.assertIn("after the volume, give its seed", result.stdout)
+
+
+if __name__ == "__main__":
+    session.main()

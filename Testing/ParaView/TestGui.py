@@ -1,0 +1,136 @@
+"""Sessions at ParaView's window: the filter from the quick launch, the sphere placed and sized by mouse and keyboard,
+Apply, undo, and the iterations as frames. Pictures are left in the folder FLIPFREE_GUI_PICTURES, if that is set."""
+
+import json
+import os
+import shutil
+import subprocess
+import tempfile
+import time
+import unittest
+
+from desk import Desk
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+PARAVIEW = os.path.join(os.environ["FLIPFREE_BUILD"] + "-prefix", "usr", "bin", "paraview")
+WIDTH, HEIGHT = 1280, 860
+# Of a window of this size: the seam between panels and view, and where it is drawn to, so that the panels show all; the
+# middle of the view that is left, where the camera looks at the liver; the box "Keep History"; the button for the last
+# frame.
+SEAM, WIDER = range(294, 299), 400
+MIDDLE = (842, 512)
+KEEP_HISTORY = (16, 786)
+LAST_FRAME = (658, 42)
+
+
+class Gui(unittest.TestCase):
+    def setUp(self):
+        self.folder = tempfile.mkdtemp(prefix="flipfree-test-")
+        self.addCleanup(shutil.rmtree, self.folder)
+        self.note = os.path.join(self.folder, "note.json")
+        self.log = open(os.path.join(self.folder, "log"), "w+", encoding="utf-8")
+        self.addCleanup(self.log.close)
+        # Without the settings of whoever runs this.
+        self.paraview = subprocess.Popen(
+            [PARAVIEW, "--dr", "--script=" + os.path.join(HERE, "gui_setup.py")], stdin=subprocess.DEVNULL,
+            stdout=self.log, stderr=subprocess.STDOUT,
+            env={**os.environ, "FLIPFREE_GUI_NOTE": self.note, "HOME": self.folder, "XDG_RUNTIME_DIR": self.folder})
+        self.addCleanup(self.stop)
+        self.desk = Desk()
+        self.wait_for(lambda: [window for window in self.desk.windows() if window[0] > 800], "ParaView's window")
+        self.window = self.desk.windows()[0][2]
+        self.desk.settle(3)
+        self.desk.fill_screen(self.window, WIDTH, HEIGHT)
+        self.desk.focus(self.window)
+        for x in SEAM:
+            self.desk.drag((x, 600), (WIDER, 600), steps=20)
+        self.desk.settle(1)
+
+    def stop(self):
+        self.paraview.kill()
+        self.paraview.wait()
+
+    def wait_for(self, condition, what, seconds=60):
+        end = time.monotonic() + seconds
+        while not condition():
+            if time.monotonic() > end or self.paraview.poll() is not None:
+                self.keep_picture("failed")
+                self.log.seek(0)
+                self.fail(f"waited in vain for {what}; {self.log.read()[-3000:]}")
+            time.sleep(0.3)
+
+    def keep_picture(self, name):
+        folder = os.environ.get("FLIPFREE_GUI_PICTURES")
+        if folder:
+            self.desk.picture(WIDTH, HEIGHT).save(os.path.join(folder, f"gui-{name}.png"))
+
+    def state(self):
+        try:
+            with open(self.note, encoding="utf-8") as file:
+                return json.load(file)
+        except FileNotFoundError:
+            return {"points": -1, "radius": -1, "center": [0, 0, 0]}
+
+    def add_filter(self, letters):
+        """From the quick launch."""
+        self.desk.move(*MIDDLE)
+        self.desk.key("space", "Control_L")
+        self.wait_for(lambda: len(self.desk.windows()) > 1, "the quick launch")
+        self.desk.settle(1)
+        self.desk.focus(self.desk.windows()[-1][2])
+        for letter in letters:
+            self.desk.key(letter)
+        self.desk.key("Return")
+        self.wait_for(lambda: len(self.desk.windows()) == 1, "the end of the quick launch")
+        self.desk.focus(self.window)
+        self.desk.settle(1)
+
+    def place_seed(self):
+        """Into the liver; gives the default that it had."""
+        self.add_filter("flip")
+        self.desk.move(MIDDLE[0] + 1, MIDDLE[1])
+        self.desk.key("p")
+        self.wait_for(lambda: self.state()["radius"] > 0, "a drawing with the filter")
+        default = self.state()
+        # The right button scales the sphere.
+        self.desk.drag((MIDDLE[0] + 8, MIDDLE[1] - 8), (MIDDLE[0] + 8, MIDDLE[1] - 38), number=3)
+        self.keep_picture("placed")
+        self.assertEqual(self.state()["points"], 0)
+        return default
+
+    def apply(self):
+        self.desk.key("a", "Alt_L")
+        self.wait_for(lambda: self.state()["points"] > 0, "the segmentation")
+        self.desk.settle(2)
+        return self.state()
+
+    def test_place_apply_undo(self):
+        default = self.place_seed()
+        self.assertEqual(default["center"], [164.25, 126.75, 133.5])  # the image's middle
+        applied = self.apply()
+        self.keep_picture("applied")
+        for value, expected in zip(applied["center"], (99.75, 83.75, 167)):
+            self.assertAlmostEqual(value, expected, delta=8)
+        self.assertGreater(applied["radius"], default["radius"] + 3)
+        self.assertLess(applied["radius"], 45)
+        self.assertEqual([applied["stop"], applied["intersections"], applied["points"]], ["at rest", 0, 6144])
+        self.assertEqual(applied["visible"], ["Axial", "Coronal", "FlipFreeSegmentation1"])
+
+        self.desk.key("z", "Control_L")
+        self.wait_for(lambda: self.state()["radius"] == default["radius"], "the undone seed")
+        self.assertEqual(self.state()["visible"], ["Axial", "Coronal"])
+
+    def test_history_becomes_frames(self):
+        self.place_seed()
+        self.desk.click(*KEEP_HISTORY)
+        first = self.apply()
+        self.assertEqual(first["history"], 1)
+        self.assertEqual(first["times"][0], 1)
+        self.assertGreater(first["times"][1], 20)
+        self.assertEqual(first["points"], 384)  # of the coarsest level
+        self.desk.click(*LAST_FRAME)
+        self.wait_for(lambda: self.state()["points"] == 6144, "the last frame")
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=2)

@@ -1,0 +1,132 @@
+"""ParaView gives the toolkit's numbers: those of the flipfree command on the same files, value for value; and the
+stages chained by hand give the composite's surface."""
+
+import os
+import re
+import subprocess
+
+import numpy
+import session
+from paraview import simple
+from session import column, fetch, points, voxels
+
+
+def command(*arguments):
+    environment = {name: value for name, value in os.environ.items() if name != "LD_LIBRARY_PATH"}
+    result = subprocess.run([os.environ["FLIPFREE_COMMAND"], *map(str, arguments)], check=True, timeout=300,
+                            stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, text=True, env=environment)
+    return result.stdout
+
+
+class AgainstTheCommand(session.SessionTest):
+    def setUp(self):
+        super().setUp()
+        seeds = command("phantom", "abdomen", "-o", self.folder)
+        liver = [float(value) for value in re.search(r"^liver.*--seed (\S+) (\S+) (\S+) --radius (\S+)", seeds,
+                                                     re.M).groups()]
+        self.assertEqual(liver, [*session.SEED, session.RADIUS])
+
+    def test_phantom(self):
+        phantom = session.abdomen()
+        for port, name in enumerate(("abdomen", "abdomen-truth")):
+            read = fetch(simple.MedicalImageReader(FileName=self.file(name + ".nii.gz")))
+            made = fetch(phantom, port)
+            self.assert_same(voxels(made), voxels(read))
+            self.assertEqual(made.GetDimensions(), read.GetDimensions())
+            self.assertEqual(made.GetSpacing(), read.GetSpacing())
+
+    def test_segmentation(self):
+        volume = self.file("abdomen.nii.gz")
+        surface, labels, table = self.file("liver.vtp"), self.file("liver.nii.gz"), self.file("liver.csv")
+        command("segment", volume, "--seed", *session.SEED, "--radius", session.RADIUS, "-o", surface,
+                "--labels", labels, "--convergence", table)
+        liver = session.segmentation(simple.MedicalImageReader(FileName=volume))
+        result = fetch(liver)
+        self.assertEqual(result.GetNumberOfPoints(), 6144)
+        expected = fetch(simple.XMLPolyDataReader(FileName=[surface]))
+        self.assert_same(points(result), points(expected))
+        for array in ("Displacement", "Correspondence"):
+            self.assert_same(session.point_array(result, array), session.point_array(expected, array))
+        self.assert_same(voxels(fetch(liver, 1)), voxels(fetch(simple.MedicalImageReader(FileName=labels))))
+        convergence = fetch(liver, 2)
+        with open(table, encoding="utf-8") as file:
+            self.assertEqual(convergence.GetNumberOfRows(), len(file.readlines()) - 1)
+        liver.UpdatePropertyInformation()
+        self.assertEqual(liver.NumberOfSelfIntersections, 0)
+        self.assertEqual(liver.StopReason, "at rest")
+
+    def test_metrics(self):
+        truth = simple.MedicalImageReader(FileName=self.file("abdomen-truth.nii.gz"))
+        other = self.file("other.nii.gz")
+        made = session.segmentation(simple.MedicalImageReader(FileName=self.file("abdomen.nii.gz")), Resolution=16)
+        simple.SaveData(other, proxy=simple.OutputPort(made, 1))
+        printed = command("evaluate", other, self.file("abdomen-truth.nii.gz"), "--reference-label", 6)
+        metrics = simple.SegmentationMetrics(Input=simple.OutputPort(made, 1), Reference=truth, ReferenceLabel=6)
+        table = fetch(metrics)
+        dice = column(table, "Dice")[0]
+        self.assertGreater(dice, 0.9)
+        self.assertAlmostEqual(dice, float(re.search(r"^Dice +(\S+)", printed, re.M).group(1)), 3)
+        metrics.UpdatePropertyInformation()
+        self.assertEqual([metrics.Dice, metrics.ASD, metrics.HD95],
+                         [column(table, name)[0] for name in ("Dice", "ASD", "HD95")])
+
+
+class Stages(session.SessionTest):
+    def test_chain_by_hand_gives_the_composites_surface(self):
+        phantom = simple.SegmentationPhantom(Shape="Sphere")
+        seed = {"SeedCenter": [47.5, 47.5, 47.5], "SeedRadius": 15}
+        whole = simple.FlipFreeSegmentation(Input=phantom, Resolution=16, Levels=1, MaximumIterations=2, **seed)
+        expected = points(fetch(whole))
+
+        smooth = simple.FlipFreeStage1Diffusion(Input=phantom, Reach=150, **seed)
+        # The composite's radii and window: at most two voxels and one and a half.
+        feature = simple.FlipFreeStage2Feature(Input=smooth, ClosingRadius=1.5, OpeningRadius=2, **seed)
+        surface = simple.QuadSphere(Center=seed["SeedCenter"], Radius=seed["SeedRadius"], Resolution=16)
+        for _ in range(2):
+            targets = simple.FlipFreeStage3Correspondence(Input=surface, Feature=feature, EdgeImage=smooth,
+                SearchDistance=24, ImageEndDistance=12, MaximumDisplacement=8, EdgeWindow=1.5)
+            surface = simple.FlipFreeStage4Deformation(Input=targets)
+        self.assert_same(points(fetch(surface)), expected)
+        self.assertGreater(numpy.linalg.norm(expected - seed["SeedCenter"], axis=1).min(), 20)
+
+    def test_start_surface_is_optional_and_takes_the_spheres_place(self):
+        phantom = simple.SegmentationPhantom(Shape="Sphere")
+        seed = {"SeedCenter": [47.5, 47.5, 47.5], "SeedRadius": 15}
+        whole = simple.FlipFreeSegmentation(Input=phantom, Resolution=16, Levels=1, MaximumIterations=1, **seed)
+        by_sphere = points(fetch(whole))
+        whole.StartSurface = simple.QuadSphere(Center=seed["SeedCenter"], Radius=seed["SeedRadius"], Resolution=16)
+        self.assert_same(points(fetch(whole)), by_sphere)
+        whole.StartSurface = simple.QuadSphere(Center=seed["SeedCenter"], Radius=18, Resolution=8)
+        self.assertEqual(len(points(fetch(whole))), 6 * 8 * 8)
+        whole.StartSurface = None
+        self.assert_same(points(fetch(whole)), by_sphere)
+
+    def test_refinement_label_map_and_validity(self):
+        sphere = simple.QuadSphere(Center=[47.5, 47.5, 47.5], Radius=30, Resolution=16)
+        fine = simple.FlipFreeStage5Refinement(Input=sphere)
+        self.assertEqual(fetch(fine).GetNumberOfPoints(), 6 * 32 * 32)
+        phantom = simple.SegmentationPhantom(Shape="Sphere")
+        labels = simple.SurfaceToLabelMap(Input=fine, ReferenceImage=phantom, LabelValue=7)
+        inside = voxels(fetch(labels))
+        self.assertEqual(set(numpy.unique(inside)), {0, 7})
+        truth = voxels(fetch(phantom, 1)) > 0
+        overlap = 2 * numpy.count_nonzero(truth & (inside > 0)) / (truth.sum() + (inside > 0).sum())
+        self.assertGreater(overlap, 0.97)
+        validity = simple.SurfaceValidity(Input=fine)
+        measures = fetch(validity, 1)
+        found = [column(measures, name)[0] for name in ("Valid", "SelfIntersections", "EulerNumber")]
+        self.assertEqual(found, [1, 0, 2])
+        validity.UpdatePropertyInformation()
+        self.assertEqual(validity.IsValid, 1)
+
+    def test_itk_diffusion_smooths(self):
+        phantom = simple.SegmentationPhantom(Shape="Sphere")
+        smooth = simple.ITKAnisotropicDiffusion(Input=phantom)
+        middle = (slice(40, 56),) * 3
+        noisy, quiet = (voxels(fetch(proxy)).reshape(96, 96, 96)[middle] for proxy in (phantom, smooth))
+        self.assertAlmostEqual(quiet.mean(), noisy.mean(), delta=1)
+        self.assertLess(quiet.std(), 0.6 * noisy.std())
+
+
+if __name__ == "__main__":
+    session.main()

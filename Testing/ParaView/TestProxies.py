@@ -1,0 +1,105 @@
+"""Each proxy is made, and each of its properties reaches the filter itself: what the filter prints of itself afterwards
+is read back."""
+
+import re
+
+import session
+from paraview import servermanager
+
+GROUPS = ("sources", "filters", "writers")
+
+
+def proxies():
+    """Group and name of all that the plugin brings."""
+    manager = servermanager.vtkSMProxyManager.GetProxyManager().GetActiveSessionProxyManager()
+    definitions = manager.GetProxyDefinitionManager()
+    for group in GROUPS:
+        item = definitions.NewSingleGroupIterator(group, 0)
+        item.InitTraversal()
+        while not item.IsDoneWithTraversal():
+            name = item.GetProxyName()
+            if name.startswith("FlipFree") or name == "OrientedImageReader":
+                yield group, name
+            item.GoToNextItem()
+
+
+def printed(proxy):
+    """What the filter prints of itself, line by line, as lists of words."""
+    proxy.UpdateVTKObjects()
+    text = str(proxy.GetClientSideObject())
+    lines = re.findall(r"^  (\w+): (.*)$", text, re.M)
+    return {name: re.sub(r"[(),]", " ", value).split() for name, value in lines}
+
+
+def properties(proxy):
+    """Names and properties that a user sets; inputs aside."""
+    item = proxy.NewPropertyIterator()
+    item.Begin()
+    while not item.IsAtEnd():
+        found = item.GetProperty()
+        if found.IsA("vtkSMVectorProperty") and found.GetCommand() and not found.GetInformationOnly():
+            yield item.GetKey(), found
+        item.Next()
+
+
+def elements(item):
+    return [item.GetElement(index) for index in range(item.GetNumberOfElements())]
+
+
+def other_values(item):
+    """Values that the property does not have yet and that its domain allows."""
+    if item.IsA("vtkSMStringVectorProperty"):
+        return ["/no/such/file"]
+    if item.GetDomain("bool"):
+        return [1 - item.GetElement(0)]
+    if item.GetDomain("enum"):
+        return [1]
+    step = 3 if item.IsA("vtkSMIntVectorProperty") else 0.375
+    values = [value + step + index for index, value in enumerate(elements(item))]
+    domain = item.GetDomain("range")
+    if domain.GetMaximumExists(0) and max(values) > domain.GetMaximum(0):
+        return [domain.GetMaximum(0) / 2]
+    return values
+
+
+class Proxies(session.SessionTest):
+    def test_all_are_there(self):
+        self.assertEqual(len(list(proxies())), 15)
+
+    def test_each_property_reaches_the_filter(self):
+        checked = 0
+        for group, name in proxies():
+            with self.subTest(proxy=name):
+                proxy = servermanager.ProxyManager().NewProxy(group, name)
+                for key, item in properties(proxy):
+                    with self.subTest(property=key):
+                        values = other_values(item)
+                        before = printed(proxy)[key]
+                        for index, value in enumerate(values):
+                            item.SetElement(index, value)
+                        after = printed(proxy)[key]
+                        self.assertNotEqual(before, after)
+                        if item.GetDomain("enum") and not after[0].isdigit():
+                            self.assertEqual(after[0], item.GetDomain("enum").GetEntryText(values[0]).lower())
+                        else:
+                            kind = type(values[0])
+                            self.assertEqual([kind(word) for word in after[:len(values)]], values)
+                        self.assertEqual(elements(item), values)
+                        checked += 1
+        self.assertGreater(checked, 100)
+
+    def test_ports_have_names(self):
+        ports = {"FlipFreeSegmentation": ["Surface", "Label map", "Convergence"],
+                 "FlipFreePhantom": ["Image", "Label map", "Surface"],
+                 "FlipFreeSurfaceValidity": ["Surface", "Measures"]}
+        for group, name in proxies():
+            with self.subTest(proxy=name):
+                proxy = servermanager.ProxyManager().NewProxy(group, name)
+                if name in ports:
+                    proxy.UpdateVTKObjects()
+                    count = proxy.GetNumberOfOutputPorts()
+                    self.assertEqual([proxy.GetOutputPortName(port) for port in range(count)], ports[name])
+
+
+if __name__ == "__main__":
+    session.main()

@@ -1,0 +1,72 @@
+"""What the tests in ParaView share: the plugin loaded, an abdomen with a seed in its liver, a folder for files."""
+
+import os
+import shutil
+import tempfile
+import unittest
+
+import numpy
+from paraview import servermanager
+from paraview import simple
+from vtkmodules.util.numpy_support import vtk_to_numpy
+
+# The liver of the abdomen phantom, as `flipfree phantom abdomen` prints it.
+SEED = [99.75, 83.75, 167]
+RADIUS = 28
+
+
+def abdomen():
+    return simple.SegmentationPhantom(Shape="Abdomen")
+
+
+def segmentation(image, **properties):
+    return simple.FlipFreeSegmentation(Input=image, SeedCenter=SEED, SeedRadius=RADIUS, **properties)
+
+
+def fetch(proxy, port=0):
+    """The output of a port, brought to the client."""
+    proxy.UpdatePipeline()
+    return servermanager.Fetch(proxy, idx=port)
+
+
+def points(surface):
+    return vtk_to_numpy(surface.GetPoints().GetData()).copy()
+
+
+def point_array(surface, name):
+    return vtk_to_numpy(surface.GetPointData().GetArray(name)).copy()
+
+
+def voxels(image):
+    return vtk_to_numpy(image.GetPointData().GetScalars()).copy()
+
+
+def column(table, name):
+    return vtk_to_numpy(table.GetColumnByName(name)).copy()
+
+
+class SessionTest(unittest.TestCase):
+    """Each test starts with an empty pipeline and has a folder of its own."""
+
+    def setUp(self):
+        simple.ResetSession()
+        self.folder = tempfile.mkdtemp(prefix="flipfree-test-")
+        self.addCleanup(shutil.rmtree, self.folder)
+
+    def file(self, name):
+        return os.path.join(self.folder, name)
+
+    def view(self, kind="RenderView"):
+        """A view that is gone before Python is: one that is left makes ParaView fail at the exit."""
+        view = simple.CreateView(kind)
+        self.addCleanup(lambda: simple.Delete(view))
+        return view
+
+    def assert_same(self, first, second):
+        self.assertEqual(first.shape, second.shape)
+        self.assertEqual(numpy.count_nonzero(first != second), 0,
+                         f"greatest difference {numpy.abs(first.astype(float) - second).max()}")
+
+
+def main():
+    unittest.main(module="__main__", argv=["test"], verbosity=2)

@@ -1,0 +1,43 @@
+#!/usr/bin/env bash
+# Builds the ParaView plugin from a bare Debian 12 and a clean clone: gets ParaView 5.11, configures, builds.
+#
+#   build-plugin.sh [FOLDER] [CMAKE-OPTION...]
+#
+#   FOLDER  where the plugin is built (default: build/paraview in the source folder); ParaView goes beside it,
+#           into FOLDER-prefix
+#
+# With -DParaView_DIR=... among the options no ParaView is fetched: the plugin is built for that one, of which the
+# development files have to be there. FLIPFREE_JOBS sets the number of compilers at work.
+# The last line says how to start ParaView with the plugin.
+set -euo pipefail
+
+if [[ ${1:-} == -h || ${1:-} == --help ]]; then
+  sed -n '2,/^set/{/^set/d;s/^# \{0,1\}//;p}' "$0"
+  exit 0
+fi
+
+here=$(cd -P "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+root=$(cd -P "$here/../.." && pwd)
+folder=$root/build/paraview
+if [[ -n ${1:-} && $1 != -* ]]; then
+  folder=$1
+  shift
+fi
+mkdir -p "$folder"
+folder=$(cd -P "$folder" && pwd)
+
+options=("$@")
+if [[ " $* " != *" -DParaView_DIR="* ]]; then
+  "$root/Wrapping/Setup/install-paraview.sh" "$folder-prefix"
+  config=$(find "$folder-prefix/usr/lib" -name paraview-config.cmake -print -quit)
+  options+=("-DParaView_DIR=$(dirname "$config")")
+fi
+
+cmake -S "$here" -B "$folder" -G Ninja -DFLIPFREE_USE_CCACHE=ON "${options[@]}"
+cmake --build "$folder" --parallel "${FLIPFREE_JOBS:-$(nproc)}"
+
+plugin=$(find "$folder" -name FlipFree.so -print -quit)
+echo "The plugin is $plugin."
+if [[ -d $folder-prefix ]]; then
+  echo "Start ParaView with it: FLIPFREE_BUILD=$folder $here/with-paraview.sh paraview"
+fi

@@ -1,0 +1,44 @@
+#!/usr/bin/env bash
+# Runs a program of the ParaView that install-paraview.sh has unpacked, with the plugin at hand.
+#
+#   with-paraview.sh PROGRAM [ARGUMENT...]
+#
+#   PROGRAM  paraview, pvpython, pvbatch or pvserver; the plugin is loaded from the start
+#
+#   FLIPFREE_BUILD  folder in which build-plugin.sh has built (default: build/paraview in the source folder)
+#
+# Where no display is, programs that draw run under a virtual one, with software rendering.
+set -euo pipefail
+
+if (($# == 0)) || [[ $1 == -h || $1 == --help ]]; then
+  sed -n '2,/^set/{/^set/d;s/^# \{0,1\}//;p}' "$0"
+  exit 0
+fi
+
+root=$(cd -P "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
+build=${FLIPFREE_BUILD:-$root/build/paraview}
+prefix=$build-prefix
+program=$prefix/usr/bin/$1
+shift
+
+if [[ ! -x $program ]]; then
+  echo "There is no $program. Wrapping/ParaView/build-plugin.sh gets ParaView and builds the plugin; FLIPFREE_BUILD" \
+    "names the folder if it is not $build." >&2
+  exit 1
+fi
+plugin=$(find "$build" -name FlipFree.so -print -quit)
+if [[ -z $plugin ]]; then
+  echo "There is no FlipFree.so in $build. Wrapping/ParaView/build-plugin.sh builds it." >&2
+  exit 1
+fi
+
+libraries=$(dirname "$(find "$prefix/usr/lib" -name 'libvtkRemotingCore-pv*.so' -print -quit)")
+export LD_LIBRARY_PATH=$libraries${LD_LIBRARY_PATH:+:$LD_LIBRARY_PATH}
+export PYTHONPATH=$prefix/usr/lib/python3/dist-packages${PYTHONPATH:+:$PYTHONPATH}
+export PV_PLUGIN_PATH=${plugin%/*}${PV_PLUGIN_PATH:+:$PV_PLUGIN_PATH}
+
+if [[ -z ${DISPLAY:-} ]]; then
+  export LIBGL_ALWAYS_SOFTWARE=1
+  exec xvfb-run --auto-servernum --server-args="-screen 0 1280x1024x24 -noreset" "$program" "$@"
+fi
+exec "$program" "$@"
