@@ -24,8 +24,10 @@ struct BallRow
 };
 
 // The rows by their half width in voxels. Empty if there are too many.
-std::map<int, std::vector<BallRow>> RowsOfBall(double radius, const Eigen::Vector3d& spacing)
+std::map<int, std::vector<BallRow>> RowsOfBall(double radius, const ImageGeometry& geometry)
 {
+  const Eigen::Vector3d& spacing = geometry.Spacing;
+  const double greatestWidth = geometry.Dimensions[0]; // more would not matter
   std::map<int, std::vector<BallRow>> rows;
   const double square = radius * radius * Slack;
   const double slices = 2 * std::floor(std::sqrt(square) / spacing[2]) + 1;
@@ -48,7 +50,8 @@ std::map<int, std::vector<BallRow>> RowsOfBall(double radius, const Eigen::Vecto
     for (int j = -height; j <= height; ++j)
     {
       const double width = slice - j * j * spacing[1] * spacing[1];
-      rows[static_cast<int>(std::sqrt(std::max(0.0, width)) / spacing[0])].push_back({ j, k });
+      const double halfWidth = std::sqrt(std::max(0.0, width)) / spacing[0];
+      rows[static_cast<int>(std::min(halfWidth, greatestWidth))].push_back({ j, k });
     }
   }
   return rows;
@@ -123,7 +126,7 @@ bool Dilate(BitMask& mask, double radius, const ParallelFor& parallelFor, const 
   {
     return true;
   }
-  const auto rowsOfWidth = RowsOfBall(radius, geometry.Spacing);
+  const auto rowsOfWidth = RowsOfBall(radius, geometry);
   if (rowsOfWidth.empty())
   {
     return DilateByDistance(mask, radius, parallelFor, monitor);
@@ -154,7 +157,7 @@ bool Dilate(BitMask& mask, double radius, const ParallelFor& parallelFor, const 
             std::any_of(begin, begin + words, [](BitMask::Word word) { return word != 0; });
           if (occupied[row])
           {
-            GrowRow(begin, words, std::min(more, size[0]), source.GetLastWord(), scratch);
+            GrowRow(begin, words, more, source.GetLastWord(), scratch);
           }
         }
       });

@@ -13,7 +13,7 @@ namespace FlipFree
 {
 
 /// Adds all voxels within `radius` millimetres of the mask. Returns false if the monitor, asked
-/// before each pass over the mask, stopped it; the mask is then empty.
+/// before each pass over the mask, stopped it; the mask then has neither voxels nor a grid.
 bool Dilate(BitMask& mask, double radius, const ParallelFor& parallelFor, const Monitor& monitor);
 
 /// Takes out all voxels within `radius` millimetres of one that is not in the mask. What lies

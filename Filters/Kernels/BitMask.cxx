@@ -7,7 +7,7 @@ namespace FlipFree
 
 BitMask::BitMask(const ImageGeometry& geometry)
   : Geometry(geometry)
-  , WordsPerRow((geometry.Dimensions[0] + BitsOfWord - 1) / BitsOfWord)
+  , WordsPerRow((static_cast<std::ptrdiff_t>(geometry.Dimensions[0]) + BitsOfWord - 1) / BitsOfWord)
   , LastWord(~Word(0) >> ((BitsOfWord - geometry.Dimensions[0] % BitsOfWord) % BitsOfWord))
   , Words(this->WordsPerRow * geometry.Dimensions[1] * geometry.Dimensions[2], 0)
 {

@@ -52,11 +52,10 @@ public:
   Word GetLastWord() const { return this->LastWord; }
 
   void Complement();
-  /// Takes out all voxels of another set on the same grid.
+  /// Takes out all voxels of another set, which must be on the same grid.
   void Remove(const BitMask& other);
 
   std::size_t Count() const;
-  bool IsEmpty() const { return this->Count() == 0; }
 
   /// Calls visit(offset) for every voxel of the set, in the order of the voxels.
   template <typename Visit>
@@ -79,7 +78,11 @@ public:
     }
   }
 
-  friend bool operator==(const BitMask& a, const BitMask& b) { return a.Words == b.Words; }
+  /// The same voxels of grids of the same size.
+  friend bool operator==(const BitMask& a, const BitMask& b)
+  {
+    return a.Geometry.Dimensions == b.Geometry.Dimensions && a.Words == b.Words;
+  }
   friend bool operator!=(const BitMask& a, const BitMask& b) { return !(a == b); }
 
 private:

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <limits>
 #include <sstream>
 #include <stdexcept>
 
@@ -18,6 +19,9 @@ constexpr double RelativeGap = 1e-3;
 
 // Of the greatest coordinate: well above the rounding errors of positions and distances.
 constexpr double RelativeResolution = 1e-12;
+
+// In millimetres; boxes of motions are kept in single precision.
+constexpr double GreatestPosition = 1e30;
 
 // Longer displacements, in units of the surface's extent, are cut first: they are errors of the
 // caller, and the rounding errors of their ends must not spoil the rest.
@@ -122,7 +126,8 @@ struct EmbeddingGuard::Attempt
   std::vector<double> Scales;
   // The part of the motion that the present pass has found certain.
   std::vector<std::atomic<double>> SafeUntil;
-  std::atomic<bool> TouchesAtStart{ false };
+  // Parts were found not to be apart at the start, or vertices held back before that was looked at.
+  std::atomic<bool> IsStartInDoubt{ false };
 
   // Vertices whose path changed since a part of the test was last run.
   std::vector<char> ChangedForCorners;
@@ -145,8 +150,8 @@ EmbeddingGuard::EmbeddingGuard(const ContourMesh& mesh)
 GuardReport EmbeddingGuard::Limit(const PointList& points, PointList& displacements,
   const ParallelFor& parallelFor, const Monitor& monitor) const
 {
-  this->RequireFinite(points, "position");
-  this->RequireFinite(displacements, "displacement");
+  this->RequireFinite(points, "position", GreatestPosition);
+  this->RequireFinite(displacements, "displacement", std::numeric_limits<double>::max());
 
   Attempt attempt(points, displacements);
   GuardReport report;
@@ -188,7 +193,7 @@ GuardReport EmbeddingGuard::Limit(const PointList& points, PointList& displaceme
     frozen[vertex] = attempt.Scales[vertex] == 0;
   }
   // If the start has a defect, it is where nothing could move.
-  if (attempt.TouchesAtStart)
+  if (attempt.IsStartInDoubt)
   {
     this->RequireEmbeddedNear(points, frozen, parallelFor);
   }
@@ -198,11 +203,11 @@ GuardReport EmbeddingGuard::Limit(const PointList& points, PointList& displaceme
 
 void EmbeddingGuard::RequireEmbedded(const PointList& points, const ParallelFor& parallelFor) const
 {
-  this->RequireFinite(points, "position");
+  this->RequireFinite(points, "position", GreatestPosition);
   this->RequireEmbeddedNear(points, std::vector<char>(points.rows(), 1), parallelFor);
 }
 
-void EmbeddingGuard::RequireFinite(const PointList& points, const char* what) const
+void EmbeddingGuard::RequireFinite(const PointList& points, const char* what, double greatest) const
 {
   if (points.rows() != static_cast<Eigen::Index>(this->Neighbours.size()))
   {
@@ -212,10 +217,13 @@ void EmbeddingGuard::RequireFinite(const PointList& points, const char* what) co
   }
   for (Eigen::Index vertex = 0; vertex < points.rows(); ++vertex)
   {
-    if (!points.row(vertex).allFinite())
+    if (!points.row(vertex).allFinite() || points.row(vertex).cwiseAbs().maxCoeff() > greatest)
     {
       throw std::invalid_argument("The " + std::string(what) + " of vertex " +
-        std::to_string(vertex) + " is not finite; check the image and the surface it comes from");
+        std::to_string(vertex) +
+        " is not finite, or too large to be computed with; check the image and the surface it "
+        "comes "
+        "from");
     }
   }
 }
@@ -274,7 +282,7 @@ bool EmbeddingGuard::TestCorners(Attempt& attempt, const ParallelFor& parallelFo
           continue;
         }
         const double until = UprightUntil(motion, this->Corners[index]);
-        if (until < 1)
+        if (!(until >= 1))
         {
           isClean = false;
           Lower(attempt.SafeUntil, this->Corners[index], until);
@@ -297,6 +305,9 @@ bool EmbeddingGuard::TestPairs(Attempt& attempt, const ParallelFor& parallelFor)
   if (isFirst)
   {
     this->Tree.Refit(boxes, boxOf);
+    // Corners have held these back; where nothing moves, nothing is asked about the start.
+    const auto& scales = attempt.Scales;
+    attempt.IsStartInDoubt = std::find(scales.begin(), scales.end(), 0.0) != scales.end();
   }
   else
   {
@@ -309,10 +320,13 @@ bool EmbeddingGuard::TestPairs(Attempt& attempt, const ParallelFor& parallelFor)
   const auto test = [&](const auto& one, const auto& two)
   {
     const double until = ApartUntil(motion, one, two, attempt.Gap);
-    if (until < 1)
+    if (!(until >= 1))
     {
       isClean = false;
-      attempt.TouchesAtStart = attempt.TouchesAtStart || until < 0;
+      if (until < 0)
+      {
+        attempt.IsStartInDoubt = true;
+      }
       Lower(attempt.SafeUntil, one, std::max(until, 0.0));
       Lower(attempt.SafeUntil, two, std::max(until, 0.0));
     }

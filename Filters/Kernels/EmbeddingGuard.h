@@ -49,13 +49,13 @@ private:
   using Corner = std::array<int, 3>; // before, vertex, after
   struct Attempt;
 
-  void RequireFinite(const PointList& points, const char* what) const;
+  void RequireFinite(const PointList& points, const char* what, double greatest) const;
   void RequireEmbeddedNear(const PointList& points, const std::vector<char>& vertices,
     const ParallelFor& parallelFor) const;
   double MeanEdgeLength(const PointList& points) const;
 
-  // The parts of a pass. Each tests what changed since it was run last, marks the vertices of what
-  // fails, and tells whether nothing did.
+  // The parts of a pass. Each tests what changed since it was run last, lowers the limits of the
+  // vertices of what fails, and tells whether nothing did.
   bool TestCorners(Attempt& attempt, const ParallelFor& parallelFor) const;
   bool TestPairs(Attempt& attempt, const ParallelFor& parallelFor) const;
 

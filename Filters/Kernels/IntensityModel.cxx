@@ -163,11 +163,11 @@ float MedianOf(const ImageView<float>& image, const BitMask& mask)
   };
   constexpr std::size_t halves = 0x10000;
   std::size_t rank = mask.Count() / 2;
-  std::vector<std::uint32_t> counts(halves, 0);
+  std::vector<std::size_t> counts(halves, 0);
   const auto take = [&counts, &rank]
   {
     std::uint32_t half = 0;
-    while (rank >= counts[half])
+    while (half + 1 < halves && rank >= counts[half])
     {
       rank -= counts[half++];
     }

@@ -11,6 +11,9 @@ namespace
 
 using Word = BitMask::Word;
 
+// Some milliseconds.
+constexpr std::size_t StepsBetweenQuestions = 1U << 18U;
+
 std::array<int, 3> IndexOf(std::size_t voxel, const ImageGeometry& geometry)
 {
   const std::size_t row = geometry.Dimensions[0];
@@ -73,13 +76,18 @@ public:
       Word(1) << (index[0] % BitMask::BitsOfWord));
   }
 
-  BitMask Spread()
+  // False if the monitor stopped it.
+  bool Spread(const Monitor& monitor)
   {
     const auto& size = this->Mask.GetGeometry().Dimensions;
     const std::ptrdiff_t row = this->Mask.GetWordsPerRow();
     const std::ptrdiff_t slice = row * size[1];
-    while (!this->Front.empty())
+    for (std::size_t step = 0; !this->Front.empty(); ++step)
     {
+      if (step % StepsBetweenQuestions == 0 && !monitor(0))
+      {
+        return false;
+      }
       const std::ptrdiff_t word = this->Front.back();
       this->Front.pop_back();
       Word& bits = this->Reached.GetWords()[word];
@@ -94,8 +102,10 @@ public:
       this->EnterIf(k > 0, word - slice, bits);
       this->EnterIf(k + 1 < size[2], word + slice, bits);
     }
-    return std::move(this->Reached);
+    return true;
   }
+
+  BitMask TakeReached() { return std::move(this->Reached); }
 
 private:
   void EnterIf(bool exists, std::ptrdiff_t word, Word bits)
@@ -113,14 +123,19 @@ private:
 
 } // namespace
 
-BitMask ConnectedVoxels(const BitMask& mask, const std::vector<std::size_t>& sources)
+bool KeepConnected(BitMask& mask, const std::vector<std::size_t>& sources, const Monitor& monitor)
 {
   Flood flood(mask);
   for (std::size_t voxel : sources)
   {
     flood.Enter(IndexOf(voxel, mask.GetGeometry()));
   }
-  return flood.Spread();
+  if (!flood.Spread(monitor))
+  {
+    return false;
+  }
+  mask = flood.TakeReached();
+  return true;
 }
 
 bool ControlLeaks(BitMask& mask, const SeedSphere& seed, const LeakControlSettings& settings,
@@ -146,24 +161,15 @@ bool ControlLeaks(BitMask& mask, const SeedSphere& seed, const LeakControlSettin
     }
     else
     {
-      if (!monitor(0.6))
-      {
-        return false;
-      }
       closed = BitMask();
-      mask = ConnectedVoxels(mask, sources);
-      if (!Dilate(mask, settings.OpeningRadius, parallelFor, PartOf(monitor, 0.6, 0.9)))
+      if (!KeepConnected(mask, sources, PartOf(monitor, 0.6, 0.7)) ||
+        !Dilate(mask, settings.OpeningRadius, parallelFor, PartOf(monitor, 0.7, 0.9)))
       {
         return false;
       }
     }
   }
-  if (!monitor(0.9))
-  {
-    return false;
-  }
-  mask = ConnectedVoxels(mask, sources);
-  return true;
+  return KeepConnected(mask, sources, PartOf(monitor, 0.9, 1));
 }
 
 } // namespace FlipFree

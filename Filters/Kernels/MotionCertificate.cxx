@@ -20,7 +20,7 @@ constexpr double LeastAdvance = 0.01;
 // rounding would refuse every motion.
 constexpr double KeptFraction = 1 - 1e-6;
 
-// Relative to the product of the lengths involved, well above the rounding errors of a normal.
+// Relative to the square of the greatest length, well above the rounding errors of a normal.
 constexpr double NormalError = 1e-12;
 
 template <std::size_t N>
@@ -44,7 +44,7 @@ std::array<Vector3d, N> PositionsAt(const Motion& motion, const std::array<int, 
 
 // Where vertices lie along a direction.
 template <std::size_t N>
-struct Extent
+struct Projection
 {
   std::array<double, N> Places;
   double Low = std::numeric_limits<double>::infinity();
@@ -52,16 +52,16 @@ struct Extent
 };
 
 template <std::size_t N>
-Extent<N> Project(const std::array<Vector3d, N>& vertices, const Vector3d& direction)
+Projection<N> Project(const std::array<Vector3d, N>& vertices, const Vector3d& direction)
 {
-  Extent<N> extent;
+  Projection<N> projection;
   for (std::size_t i = 0; i < N; ++i)
   {
-    extent.Places[i] = vertices[i].dot(direction);
-    extent.Low = std::min(extent.Low, extent.Places[i]);
-    extent.High = std::max(extent.High, extent.Places[i]);
+    projection.Places[i] = vertices[i].dot(direction);
+    projection.Low = std::min(projection.Low, projection.Places[i]);
+    projection.High = std::max(projection.High, projection.Places[i]);
   }
-  return extent;
+  return projection;
 }
 
 // Conservative advancement: a direction carries the proof as far as it separates, then the next one
@@ -84,14 +84,14 @@ double Advance(const Motion& motion, const std::array<int, A>& one, const std::a
     const std::array<Vector3d, B> twoNow = PositionsAt(motion, two, time);
     const Vector3d direction = ClosestDirection(oneNow, twoNow).normalized();
 
-    const Extent<A> one0 = Project(oneNow, direction);
-    const Extent<B> two0 = Project(twoNow, direction);
-    const double separation = one0.Low - two0.High;
+    const Projection<A> oneBefore = Project(oneNow, direction);
+    const Projection<B> twoBefore = Project(twoNow, direction);
+    const double separation = oneBefore.Low - twoBefore.High;
     if (time == 0)
     {
       kept = std::min(gap.Wanted, KeptFraction * separation);
     }
-    if (!(kept >= gap.Resolution))
+    if (!(kept >= gap.Resolution && kept > 0))
     {
       return -1;
     }
@@ -100,9 +100,9 @@ double Advance(const Motion& motion, const std::array<int, A>& one, const std::a
       return time;
     }
 
-    const Extent<A> one1 = Project(oneEnd, direction);
-    const Extent<B> two1 = Project(twoEnd, direction);
-    if (one1.Low - two1.High >= kept)
+    const Projection<A> oneAfter = Project(oneEnd, direction);
+    const Projection<B> twoAfter = Project(twoEnd, direction);
+    if (oneAfter.Low - twoAfter.High >= kept)
     {
       return 1;
     }
@@ -111,10 +111,10 @@ double Advance(const Motion& motion, const std::array<int, A>& one, const std::a
     {
       for (std::size_t j = 0; j < B; ++j)
       {
-        const double end = one1.Places[i] - two1.Places[j];
+        const double end = oneAfter.Places[i] - twoAfter.Places[j];
         if (!(end >= kept))
         {
-          const double now = one0.Places[i] - two0.Places[j];
+          const double now = oneBefore.Places[i] - twoBefore.Places[j];
           reached = std::min(reached, (now - kept) / (now - end));
         }
       }
@@ -148,39 +148,48 @@ double UprightUntil(const Motion& motion, const std::array<int, 3>& corner)
     return 1;
   }
   Vector3d edges[2][2];
-  double squaredLength = 0;
+  double greatest = 0;
   for (int end = 0; end < 2; ++end)
   {
     const PointList& points = end == 0 ? motion.From : motion.To;
     const Vector3d vertex = points.row(corner[1]);
     edges[end][0] = points.row(corner[2]).transpose() - vertex;
     edges[end][1] = points.row(corner[0]).transpose() - vertex;
-    squaredLength =
-      std::max({ squaredLength, edges[end][0].squaredNorm(), edges[end][1].squaredNorm() });
+    greatest = std::max({ greatest, edges[end][0].norm(), edges[end][1].norm() });
+  }
+  if (greatest == 0)
+  {
+    return 1;
+  }
+  for (auto& pair : edges)
+  {
+    pair[0] /= greatest; // so that no product underflows
+    pair[1] /= greatest;
   }
   const Vector3d normal = edges[0][0].cross(edges[0][1]);
   const double length = normal.norm();
-  const double error = NormalError * squaredLength;
-  if (length <= error)
+  if (length <= NormalError)
   {
     return 1;
   }
   // The normal is quadratic in time, and so is its component along the first one:
   // b0 (1 - t)^2 + 2 b1 t (1 - t) + b2 t^2, which must stay above what rounding may make of it.
-  const double b0 = length * length - error * length;
+  const double error = NormalError * length;
+  const double b0 = length * length - error;
   const double b1 =
-    0.5 * normal.dot(edges[0][0].cross(edges[1][1]) + edges[1][0].cross(edges[0][1])) -
-    error * length;
-  const double b2 = normal.dot(edges[1][0].cross(edges[1][1])) - error * length;
-  // Its first zero is b0 / (b0 - b1 + root), if there is one.
-  const double curvature = b0 - 2 * b1 + b2;
-  const double discriminant = (b0 - b1) * (b0 - b1) - curvature * b0;
-  if (discriminant < 0)
+    0.5 * normal.dot(edges[0][0].cross(edges[1][1]) + edges[1][0].cross(edges[0][1])) - error;
+  const double b2 = normal.dot(edges[1][0].cross(edges[1][1])) - error;
+  const double discriminant = b1 * b1 - b0 * b2;
+  if (b2 > 0 && (b1 >= 0 || discriminant < 0))
   {
     return 1;
   }
-  const double divisor = b0 - b1 + std::sqrt(discriminant);
-  return divisor > b0 ? std::max(0.0, b0 / divisor) : 1;
+  // The first zero as t / (1 - t). Neither form subtracts what may be nearly the same: a corner
+  // that is thin at both ends and wide in between has a b1 beside which b0 and b2 are lost.
+  const double root = std::sqrt(std::max(0.0, discriminant));
+  const double ratio = b1 < 0 ? b0 / (root - b1) : (root + b1) / -b2;
+  const double time = std::isfinite(ratio) ? ratio / (1 + ratio) : 1;
+  return std::min(time, std::nextafter(1.0, 0.0));
 }
 
 double ApartUntil(const Motion& motion, const std::array<int, 1>& vertex,

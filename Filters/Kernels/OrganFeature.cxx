@@ -88,9 +88,12 @@ std::vector<float> MakeFeature(const ImageView<float>& smooth, const IntensityMo
   const BitMask& foreground, const ParallelFor& parallelFor)
 {
   const auto& size = smooth.Geometry.Dimensions;
-  // Rounded towards the foreground, so that a voxel at the threshold stays above it as a double.
-  const float threshold =
-    std::nextafter(static_cast<float>(model.Threshold), std::numeric_limits<float>::infinity());
+  auto threshold = static_cast<float>(model.Threshold);
+  if (threshold < model.Threshold)
+  {
+    // Rounded towards the foreground, so that a voxel at the threshold stays above it as a double.
+    threshold = std::nextafter(threshold, std::numeric_limits<float>::infinity());
+  }
   const float below = 0.5F * threshold;
   std::vector<float> feature(smooth.Geometry.NumberOfVoxels());
   parallelFor(0, size[2],

@@ -18,13 +18,14 @@ struct OrganFeatureSettings
 };
 
 /// The voxels of a smoothed image whose feature is at or above the model's threshold, after leak
-/// control. Returns false if the monitor, asked before each pass over the image, stopped it.
+/// control. Returns false if the monitor, asked before each pass over the image, stopped it; what
+/// is in `foreground` is then useless.
 bool FindForeground(const ImageView<float>& smooth, const IntensityModel& model,
   const SeedSphere& seed, const OrganFeatureSettings& settings, const ParallelFor& parallelFor,
   const Monitor& monitor, BitMask& foreground);
 
-/// The feature of a smoothed image. Voxels that leak control has taken away get a feature below
-/// the model's threshold, and voxels that it has filled in get the threshold.
+/// The feature of a smoothed image. Voxels that leak control has taken away get half the model's
+/// threshold, and voxels that it has filled in get the threshold; all others keep what they have.
 std::vector<float> MakeFeature(const ImageView<float>& smooth, const IntensityModel& model,
   const BitMask& foreground, const ParallelFor& parallelFor);
 

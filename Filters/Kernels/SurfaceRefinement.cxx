@@ -5,6 +5,7 @@
 #include "SelfIntersection.h"
 
 #include <set>
+#include <vector>
 
 namespace FlipFree
 {
@@ -36,12 +37,16 @@ void RelaxOnce(const ContourMesh& mesh, const EmbeddingGuard& guard, const std::
 // Pulls the new points near intersections towards their parents until there are none. False if some
 // remain; `involved` are then the old vertices near those.
 bool RefineEmbedded(const ContourMesh& mesh, const PointList& points, const RefinedMesh& faces,
-  const TriangleTree& tree, const ParallelFor& parallelFor, RefinedSurface& refined,
-  std::set<int>& involved)
+  const TriangleTree& tree, const ParallelFor& parallelFor, const Monitor& monitor,
+  RefinedSurface& refined, std::set<int>& involved)
 {
   Eigen::VectorXd reach = Eigen::VectorXd::Ones(points.rows());
   for (int attempt = 0; attempt < MostAttempts; ++attempt)
   {
+    if (!monitor(0))
+    {
+      return false;
+    }
     refined.Points = RefinePoints(mesh, points, reach);
     const auto pairs =
       FindSelfIntersections(tree, refined.Points, refined.Mesh.Triangles, parallelFor);
@@ -72,13 +77,21 @@ bool RefineEmbedded(const ContourMesh& mesh, const PointList& points, const Refi
 
 void AddRings(const ContourMesh& mesh, int rings, std::set<int>& vertices)
 {
+  std::vector<int> rim(vertices.begin(), vertices.end());
   for (int ring = 0; ring < rings; ++ring)
   {
-    const std::set<int> inner = vertices;
-    for (int vertex : inner)
+    std::vector<int> next;
+    for (int vertex : rim)
     {
-      vertices.insert(mesh.Neighbours[vertex].begin(), mesh.Neighbours[vertex].end());
+      for (int neighbour : mesh.Neighbours[vertex])
+      {
+        if (vertices.insert(neighbour).second)
+        {
+          next.push_back(neighbour);
+        }
+      }
     }
+    rim.swap(next);
   }
 }
 
@@ -99,21 +112,21 @@ RefinedSurface RefineSurface(const ContourMesh& mesh, const PointList& points, b
   const EmbeddingGuard guard(mesh);
   const TriangleTree tree(RefinePoints(mesh, points, 1), refined.Mesh.Triangles);
   PointList coarse = points;
-  for (; refined.Relaxations <= MostRelaxations; ++refined.Relaxations)
+  std::set<int> involved;
+  // Asked at each attempt, of which some are made before and after each relaxation.
+  const Monitor proceed = [&](double)
+  { return monitor(static_cast<double>(refined.Relaxations) / MostRelaxations); };
+  while (!RefineEmbedded(mesh, coarse, faces, tree, parallelFor, proceed, refined, involved))
   {
-    if (!monitor(static_cast<double>(refined.Relaxations) / MostRelaxations))
+    if (refined.Relaxations == MostRelaxations || !proceed(0))
     {
-      return refined;
-    }
-    std::set<int> involved;
-    if (RefineEmbedded(mesh, coarse, faces, tree, parallelFor, refined, involved))
-    {
-      refined.Embedded = true;
       return refined;
     }
     AddRings(mesh, refined.Relaxations, involved);
     RelaxOnce(mesh, guard, involved, parallelFor, monitor, coarse);
+    ++refined.Relaxations;
   }
+  refined.Embedded = true;
   return refined;
 }
 

@@ -1,6 +1,6 @@
 /**
- * Refinement that keeps a surface embedded: the step from one level to the next passes the same
- * check as a step of the deformation.
+ * Refinement that keeps a surface embedded: the surface of the next level is counted, exactly, to
+ * have no self-intersections.
  */
 #ifndef FlipFreeSurfaceRefinement_h
 #define FlipFreeSurfaceRefinement_h

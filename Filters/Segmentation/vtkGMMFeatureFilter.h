@@ -9,7 +9,8 @@
  * around it, in [0, 1] with threshold 1/2.
  *
  * Leak control (beyond the paper) closes the foreground, opens it, and keeps what hangs together
- * with the seed, so that thin bridges to neighbours do not leak.
+ * with the seed, so that thin bridges to neighbours do not leak. Voxels that it takes away get half
+ * the threshold, voxels that it fills in the threshold.
  *
  * Input port 0: vtkImageData, one scalar component, smoothed. Field data `NoiseDeviation` of
  * vtkSeedRegionDiffusion is used where present; else the noise is measured in the seed.

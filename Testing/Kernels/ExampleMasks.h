@@ -26,7 +26,8 @@ inline std::vector<ImageGeometry> ExampleGrids()
   return { Grid({ { 13, 11, 9 } }, { 1, 1, 1 }), Grid({ { 14, 9, 7 } }, { 0.7, 1.3, 3.1 }),
     Grid({ { 9, 12, 5 } }, { 5, 0.4, 1 }), Grid({ { 1, 20, 1 } }, { 1, 2, 3 }),
     Grid({ { 20, 1, 6 } }, { 2, 1, 0.5 }), Grid({ { 64, 4, 3 } }, { 0.5, 1, 1 }),
-    Grid({ { 65, 3, 4 } }, { 1, 1, 2 }), Grid({ { 130, 4, 2 } }, { 0.05, 1, 1 }) };
+    Grid({ { 65, 3, 4 } }, { 1, 1, 2 }), Grid({ { 128, 3, 2 } }, { 0.4, 1, 1 }),
+    Grid({ { 130, 4, 2 } }, { 0.05, 1, 1 }) };
 }
 
 inline std::vector<unsigned char> RandomMask(const ImageGeometry& geometry, double part,

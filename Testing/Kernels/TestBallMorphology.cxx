@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 using namespace FlipFree;
 
 namespace
@@ -70,7 +72,7 @@ TEST(BallMorphology, UniformMasksStay)
 
 TEST(BallMorphology, LargeBallsByDistanceAreTheSame)
 {
-  // Four tall voxels by thousands of thin ones: the ball has more rows than are done one by one.
+  // Voxels so thin that the ball has more rows than are done one by one.
   const ImageGeometry geometry = Grid({ { 3, 6000, 2 } }, { 1, 0.01, 1 });
   std::vector<unsigned char> mask(geometry.NumberOfVoxels(), 0);
   mask[geometry.Offset(1, 3000, 0)] = 1;
@@ -82,5 +84,48 @@ TEST(BallMorphology, LargeBallsByDistanceAreTheSame)
     const double y = 0.01 * (j - 3000);
     ASSERT_EQ(grown(1, j, 0), y * y <= radius * radius) << j;
     ASSERT_EQ(grown(0, j, 1), y * y + 2 <= radius * radius) << j;
+  }
+}
+
+// Balls that reach over whole words of a row.
+TEST(BallMorphology, WideBallsAroundSingleVoxels)
+{
+  for (int width : { 127, 128, 129, 300 })
+  {
+    const ImageGeometry geometry = Grid({ { width, 1, 1 } }, { 1, 1, 1 });
+    for (int center : { 0, 1, 62, 63, 64, 65, 100, width - 1 })
+    {
+      for (int radius : { 30, 63, 64, 65, 90, 127, 128, 200 })
+      {
+        BitMask grown(geometry);
+        grown.Insert(center, 0, 0);
+        ASSERT_TRUE(Dilate(grown, radius, SerialFor, NeverStop));
+        BitMask expected(geometry);
+        expected.InsertRun(std::max(0, center - radius), std::min(width, center + radius + 1), 0,
+          0);
+        ASSERT_EQ(grown, expected) << center << " by " << radius << " of " << width;
+        BitMask hole(geometry);
+        hole.Insert(center, 0, 0);
+        hole.Complement();
+        ASSERT_TRUE(Erode(hole, radius, SerialFor, NeverStop));
+        expected.Complement();
+        ASSERT_EQ(hole, expected) << center << " by " << radius << " of " << width;
+      }
+    }
+  }
+}
+
+TEST(BallMorphology, AStopLeavesNothing)
+{
+  const ImageGeometry geometry = Grid({ { 20, 20, 20 } }, { 1, 1, 1 });
+  for (double radius : { 3.0, 1e4 })
+  {
+    BitMask mask(geometry);
+    mask.Insert(3, 4, 5);
+    BitMask other = mask;
+    EXPECT_FALSE(Dilate(mask, radius, SerialFor, [](double) { return false; }));
+    EXPECT_EQ(mask, BitMask());
+    EXPECT_FALSE(Erode(other, radius, SerialFor, [](double) { return false; }));
+    EXPECT_EQ(other, BitMask());
   }
 }

@@ -390,3 +390,25 @@ TEST(EmbeddingGuard, RefusesAStartThatIntersectsItself)
               .find("intersects itself before it is moved"),
     std::string::npos);
 }
+
+// Corners alone hold this vertex back: no pair of triangles is seen to move.
+TEST(EmbeddingGuard, RefusesAStartThatIntersectsItselfWhereCornersStopTheMotion)
+{
+  const TestSphere sphere(6);
+  const EmbeddingGuard guard(sphere.Mesh);
+  PointList points = sphere.Points();
+  const Eigen::RowVector3d center = points.colwise().mean();
+  const int vertex = 20;
+  points.row(vertex) = center - 1.3 * (points.row(vertex) - center);
+  ASSERT_GT(CountSelfIntersections(points, sphere.Triangles()), 0);
+  for (double length : { 1.0, 3000.0, 6000.0 })
+  {
+    for (int direction = 0; direction < 6; ++direction)
+    {
+      PointList motion = PointList::Zero(points.rows(), 3);
+      motion(vertex, direction % 3) = direction < 3 ? length : -length;
+      EXPECT_THROW(guard.Limit(points, motion, SerialFor, NeverStop), std::invalid_argument)
+        << length << " in direction " << direction;
+    }
+  }
+}

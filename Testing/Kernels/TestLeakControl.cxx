@@ -49,7 +49,7 @@ std::vector<unsigned char> ConnectedByRepetition(const std::vector<unsigned char
 
 } // namespace
 
-TEST(LeakControl, ConnectedVoxelsAreThoseThatAFloodReaches)
+TEST(LeakControl, KeepsWhatAFloodReaches)
 {
   std::mt19937 random(4);
   for (const ImageGeometry& geometry : ExampleGrids())
@@ -59,8 +59,9 @@ TEST(LeakControl, ConnectedVoxelsAreThoseThatAFloodReaches)
       const std::vector<unsigned char> mask = RandomMask(geometry, part, random);
       std::uniform_int_distribution<std::size_t> anyVoxel(0, mask.size() - 1);
       const std::vector<std::size_t> sources{ anyVoxel(random), anyVoxel(random) };
-      ASSERT_EQ(BytesOf(ConnectedVoxels(BitsOf(mask, geometry), sources)),
-        ConnectedByRepetition(mask, geometry, sources));
+      BitMask kept = BitsOf(mask, geometry);
+      ASSERT_TRUE(KeepConnected(kept, sources, NeverStop));
+      ASSERT_EQ(BytesOf(kept), ConnectedByRepetition(mask, geometry, sources));
     }
   }
 }
@@ -77,7 +78,11 @@ TEST(LeakControl, AMazeIsWalkedToItsEnd)
       mask[geometry.Offset(i, j, 0)] = i == (j % 4 == 1 ? 199 : 0);
     }
   }
-  EXPECT_EQ(BytesOf(ConnectedVoxels(BitsOf(mask, geometry), { 0 })), mask);
+  BitMask kept = BitsOf(mask, geometry);
+  ASSERT_TRUE(KeepConnected(kept, { 0 }, NeverStop));
+  EXPECT_EQ(BytesOf(kept), mask);
+  EXPECT_FALSE(KeepConnected(kept, { 0 }, [](double) { return false; }));
+  EXPECT_EQ(BytesOf(kept), mask);
 }
 
 TEST(LeakControl, CutsAThinBridgeAndKeepsTheSeedsSide)

@@ -229,3 +229,53 @@ TEST(MotionCertificate, CornersStayUpright)
   EXPECT_GT(upright, 500);
   EXPECT_GT(flipped, 500);
 }
+
+// Corners that are thin at both ends of their motion and wide in between, and those that turn over
+// while they are thin: what decides is lost beside what is large, if it is not kept apart.
+TEST(MotionCertificate, SliversThatTurnOverAreNotUpright)
+{
+  PointList from(3, 3);
+  PointList to(3, 3);
+  from << -1, 1e-9, 0, 0, 0, 0, 1, 0, 0;
+  to << -1.1567222846714935, 1.2203275536361291, 0, 0, 0, 0, 0.84327771532850648,
+    -0.88964745456838934, 0;
+  EXPECT_LT(UprightUntil({ from, to }, { { 0, 1, 2 } }), 1);
+
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> angle(0.1, 3);
+  for (double height : { 1e-7, 3e-8, 1e-8, 1e-9, 1e-10 })
+  {
+    for (int repeat = 0; repeat < 3000; ++repeat)
+    {
+      // The same sliver, stretched, turned about its vertex, and turned over.
+      const double turn = angle(random);
+      const Eigen::Rotation2Dd rotation(turn);
+      from << -1, height, 0, 0, 0, 0, 1, 0, 0;
+      to.setZero();
+      to.row(0).head<2>() = (rotation * Eigen::Vector2d(-1, -3 * height)).transpose();
+      to.row(2).head<2>() = (rotation * Eigen::Vector2d(1, 0)).transpose();
+      const Motion motion{ from, to };
+      const Vector3d first = CornerNormal(motion, { { 1, 2, 0 } }, 0);
+      const Vector3d last = CornerNormal(motion, { { 1, 2, 0 } }, 1);
+      if (first.dot(last) < -1e-9 * first.norm() * last.norm())
+      {
+        ASSERT_LT(UprightUntil(motion, { { 0, 1, 2 } }), 1) << height << " turned by " << turn;
+      }
+    }
+  }
+}
+
+TEST(MotionCertificate, TinyCornersAreJudgedLikeOthers)
+{
+  for (double size : { 1e-30, 1e-10, 1.0, 1e20 })
+  {
+    PointList from(3, 3);
+    from << size, 0, 0, 0, 0, 0, 0, size, 0;
+    PointList flipped = from;
+    flipped(0, 0) = -size;
+    PointList turned = from;
+    turned(0, 1) = 0.5 * size;
+    EXPECT_NEAR(UprightUntil({ from, flipped }, { { 0, 1, 2 } }), 0.5, 1e-9) << size;
+    EXPECT_EQ(UprightUntil({ from, turned }, { { 0, 1, 2 } }), 1) << size;
+  }
+}
