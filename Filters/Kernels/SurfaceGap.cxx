@@ -1,7 +1,6 @@
 #include "SurfaceGap.h"
 
 #include "ClosestTriangle.h"
-#include "TriangleTree.h"
 
 #include <algorithm>
 #include <atomic>
@@ -119,6 +118,22 @@ double MeasureLeastGap(const PointList& points, const TriangleList& triangles,
       }
     });
   return std::sqrt(least);
+}
+
+std::vector<std::pair<int, int>> FindPairsNearerThan(double gap, const TriangleTree& tree,
+  const PointList& points, const TriangleList& triangles, const ParallelFor& parallelFor)
+{
+  const std::vector<TriangleBox> boxes = tree.RefitBoxes(points, triangles);
+  const double square = gap * gap;
+  return tree.SelfPairs([&](int node, int other)
+    { return SquaredDistanceOfBoxes(boxes[node], boxes[other]) < square; },
+    [&](int one, int two)
+    {
+      return !ShareVertex(triangles, one, two) &&
+        SquaredDistanceOfTriangles(CornersOf(points, triangles, one),
+          CornersOf(points, triangles, two)) < square;
+    },
+    parallelFor);
 }
 
 } // namespace FlipFree

@@ -4,7 +4,7 @@
 #ifndef FlipFreeSurfaceGap_h
 #define FlipFreeSurfaceGap_h
 
-#include "KernelTypes.h"
+#include "TriangleTree.h"
 
 namespace FlipFree
 {
@@ -14,6 +14,11 @@ namespace FlipFree
 /// between vertices and triangles and between edges, which is right for triangles that are apart.
 double MeasureLeastGap(const PointList& points, const TriangleList& triangles,
   const ParallelFor& parallelFor = SerialFor);
+
+/// The pairs of triangles that share no vertex and are nearer to each other than `gap` (mm), of a
+/// surface like that above; `tree` was built for its triangles, at any positions.
+std::vector<std::pair<int, int>> FindPairsNearerThan(double gap, const TriangleTree& tree,
+  const PointList& points, const TriangleList& triangles, const ParallelFor& parallelFor);
 
 } // namespace FlipFree
 

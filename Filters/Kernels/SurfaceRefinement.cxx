@@ -3,6 +3,7 @@
 #include "EmbeddingGuard.h"
 #include "MeshRefinement.h"
 #include "SelfIntersection.h"
+#include "SurfaceGap.h"
 
 #include <set>
 #include <vector>
@@ -14,6 +15,10 @@ namespace
 
 constexpr int MostAttempts = 9;
 constexpr int MostRelaxations = 60;
+constexpr int MostRelaxationsForGap = 15;
+// That the refined surface keeps from itself, relative to the mean edge length of the old one: as
+// volume meshers like it.
+constexpr double RelativeGap = 1e-4;
 // Of the way of a vertex to the mean of its neighbours.
 constexpr double Relaxation = 0.5;
 
@@ -34,10 +39,24 @@ void RelaxOnce(const ContourMesh& mesh, const EmbeddingGuard& guard, const std::
   points += motion;
 }
 
-// Pulls the new points near intersections towards their parents until there are none. False if some
-// remain; `involved` are then the old vertices near those.
+double MeanEdgeLength(const ContourMesh& mesh, const PointList& points)
+{
+  double sum = 0;
+  for (int vertex = 0; vertex < mesh.NumberOfPoints(); ++vertex)
+  {
+    for (int neighbour : mesh.Neighbours[vertex])
+    {
+      sum += (points.row(vertex) - points.row(neighbour)).norm();
+    }
+  }
+  return sum / (4.0 * mesh.NumberOfPoints());
+}
+
+// Pulls the new points near intersections, and where the surface comes too near to itself, towards
+// their parents until there are none. False if some remain; `involved` are then the old vertices
+// near those, and Embedded says whether there is a surface without intersections all the same.
 bool RefineEmbedded(const ContourMesh& mesh, const PointList& points, const RefinedMesh& faces,
-  const TriangleTree& tree, const ParallelFor& parallelFor, const Monitor& monitor,
+  const TriangleTree& tree, double gap, const ParallelFor& parallelFor, const Monitor& monitor,
   RefinedSurface& refined, std::set<int>& involved)
 {
   Eigen::VectorXd reach = Eigen::VectorXd::Ones(points.rows());
@@ -47,12 +66,17 @@ bool RefineEmbedded(const ContourMesh& mesh, const PointList& points, const Refi
     {
       return false;
     }
-    refined.Points = RefinePoints(mesh, points, reach);
-    const auto pairs =
-      FindSelfIntersections(tree, refined.Points, refined.Mesh.Triangles, parallelFor);
+    PointList fine = RefinePoints(mesh, points, reach);
+    auto pairs = FindSelfIntersections(tree, fine, refined.Mesh.Triangles, parallelFor);
     if (pairs.empty())
     {
-      return true;
+      pairs = FindPairsNearerThan(gap, tree, fine, refined.Mesh.Triangles, parallelFor);
+      refined.Points = std::move(fine);
+      refined.Embedded = true;
+      if (pairs.empty())
+      {
+        return true;
+      }
     }
     involved.clear();
     for (const auto& pair : pairs)
@@ -111,14 +135,20 @@ RefinedSurface RefineSurface(const ContourMesh& mesh, const PointList& points, b
   }
   const EmbeddingGuard guard(mesh);
   const TriangleTree tree(RefinePoints(mesh, points, 1), refined.Mesh.Triangles);
+  const double gap = RelativeGap * MeanEdgeLength(mesh, points);
   PointList coarse = points;
   std::set<int> involved;
   // Asked at each attempt, of which some are made before and after each relaxation.
   const Monitor proceed = [&](double)
   { return monitor(static_cast<double>(refined.Relaxations) / MostRelaxations); };
-  while (!RefineEmbedded(mesh, coarse, faces, tree, parallelFor, proceed, refined, involved))
+  while (!RefineEmbedded(mesh, coarse, faces, tree, gap, parallelFor, proceed, refined, involved))
   {
-    if (refined.Relaxations == MostRelaxations || !proceed(0))
+    if (!proceed(0))
+    {
+      refined.Embedded = false;
+      return refined;
+    }
+    if (refined.Relaxations >= (refined.Embedded ? MostRelaxationsForGap : MostRelaxations))
     {
       return refined;
     }
@@ -126,7 +156,6 @@ RefinedSurface RefineSurface(const ContourMesh& mesh, const PointList& points, b
     RelaxOnce(mesh, guard, involved, parallelFor, monitor, coarse);
     ++refined.Relaxations;
   }
-  refined.Embedded = true;
   return refined;
 }
 

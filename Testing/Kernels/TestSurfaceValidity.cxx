@@ -53,6 +53,34 @@ TEST(SurfaceGap, BetweenBoxesIsClosedForm)
   EXPECT_NEAR(LeastGapOf(Joined(ridge, crossing)), 0.25, 1e-14);
 }
 
+TEST(SurfaceGap, PairsNearerThanTheLeastGapAreNone)
+{
+  const Surface potato = Potato(5, { 0, 0, 0 }, 10);
+  const TriangleTree tree(potato.Points, potato.Triangles);
+  const auto nearerThan = [&](double gap)
+  { return FindPairsNearerThan(gap, tree, potato.Points, potato.Triangles, ScatteredFor); };
+  const double least = LeastGapOf(potato);
+  EXPECT_TRUE(nearerThan((1 - 1e-9) * least).empty());
+  EXPECT_GE(nearerThan((1 + 1e-9) * least).size(), 1U);
+
+  // All pairs without a common vertex, and none twice.
+  const auto all = nearerThan(1000);
+  std::size_t expected = 0;
+  for (Eigen::Index one = 0; one < potato.Triangles.rows(); ++one)
+  {
+    for (Eigen::Index two = one + 1; two < potato.Triangles.rows(); ++two)
+    {
+      bool share = false;
+      for (int corner = 0; corner < 3; ++corner)
+      {
+        share = share || (potato.Triangles.row(two).array() == potato.Triangles(one, corner)).any();
+      }
+      expected += !share;
+    }
+  }
+  EXPECT_EQ(all.size(), expected);
+}
+
 TEST(SurfaceGap, IsTheLeastOverManySamples)
 {
   const Surface potato = Potato(5, { 0, 0, 0 }, 10);

@@ -1,0 +1,92 @@
+// From a coarse surface that the guard has just been able to keep embedded to a finer one.
+#include "AdverseMotions.h"
+#include "EmbeddingGuard.h"
+#include "RandomMotions.h"
+#include "SelfIntersection.h"
+#include "SurfaceGap.h"
+#include "SurfaceRefinement.h"
+
+#include <gtest/gtest.h>
+
+using namespace FlipFree;
+
+namespace
+{
+
+// A sphere after some adverse motions, as far as the guard lets them go.
+PointList Crumpled(const TestSphere& sphere, int kind, int steps, std::mt19937& random)
+{
+  const EmbeddingGuard guard(sphere.Mesh);
+  PointList points = sphere.Points();
+  for (int step = 0; step < steps; ++step)
+  {
+    PointList motion = AdverseMotion(kind, sphere.EdgeLength, points, random);
+    guard.Limit(points, motion, SerialFor, NeverStop);
+    points += motion;
+  }
+  return points;
+}
+
+} // namespace
+
+TEST(SurfaceRefinement, CrumpledSurfacesStayEmbeddedAndKeepAGap)
+{
+  std::mt19937 random(9);
+  const TestSphere sphere(6);
+  int uncheckedIntersect = 0;
+  int embedded = 0;
+  int withGap = 0;
+  const int kinds[] = { 0, 1, 3, 5, 7, 8, 9, 13 };
+  for (int kind : kinds)
+  {
+    const PointList points = Crumpled(sphere, kind, 8, random);
+    const RefinedSurface unchecked =
+      RefineSurface(sphere.Mesh, points, false, SerialFor, NeverStop);
+    uncheckedIntersect +=
+      CountSelfIntersections(unchecked.Points, unchecked.Mesh.Triangles) > 0 ? 1 : 0;
+
+    const RefinedSurface refined = RefineSurface(sphere.Mesh, points, true, SerialFor, NeverStop);
+    if (!refined.Embedded)
+    {
+      continue;
+    }
+    ++embedded;
+    EXPECT_EQ(refined.Mesh.NumberOfPoints(), 4 * sphere.Mesh.NumberOfPoints());
+    EXPECT_EQ(CountSelfIntersections(refined.Points, refined.Mesh.Triangles), 0)
+      << AdverseMotionNames[kind];
+    withGap += MeasureLeastGap(refined.Points, refined.Mesh.Triangles) > 1e-5 * sphere.EdgeLength;
+  }
+  EXPECT_GE(uncheckedIntersect, 4);
+  EXPECT_EQ(embedded, 8);
+  EXPECT_GE(withGap, 6);
+}
+
+TEST(SurfaceRefinement, SmoothSurfacesNeedNothing)
+{
+  const TestSphere sphere(6);
+  const RefinedSurface unchecked =
+    RefineSurface(sphere.Mesh, sphere.Points(), false, SerialFor, NeverStop);
+  const RefinedSurface refined =
+    RefineSurface(sphere.Mesh, sphere.Points(), true, SerialFor, NeverStop);
+  EXPECT_TRUE(refined.Embedded);
+  EXPECT_EQ(refined.Relaxations, 0);
+  EXPECT_EQ(refined.Points, unchecked.Points);
+}
+
+TEST(SurfaceRefinement, StopsWheneverItIsAsked)
+{
+  std::mt19937 random(9);
+  const TestSphere sphere(6);
+  const PointList points = Crumpled(sphere, 0, 8, random);
+  int questions = 0;
+  RefineSurface(sphere.Mesh, points, true, SerialFor,
+    [&questions](double) { return ++questions > 0; });
+  ASSERT_GE(questions, 2);
+  for (int last = 0; last < std::min(questions, 12); ++last)
+  {
+    int asked = 0;
+    const RefinedSurface refined = RefineSurface(sphere.Mesh, points, true, SerialFor,
+      [&asked, last](double) { return asked++ < last; });
+    EXPECT_FALSE(refined.Embedded);
+  }
+}
