@@ -14,8 +14,7 @@ namespace
 {
 
 constexpr int MostAttempts = 9;
-constexpr int MostRelaxations = 60;
-constexpr int MostRelaxationsForGap = 15;
+constexpr int MostRelaxations = 30;
 // That the refined surface keeps from itself, relative to the mean edge length of the old one: as
 // volume meshers like it.
 constexpr double RelativeGap = 1e-4;
@@ -54,7 +53,7 @@ double MeanEdgeLength(const ContourMesh& mesh, const PointList& points)
 
 // Pulls the new points near intersections, and where the surface comes too near to itself, towards
 // their parents until there are none. False if some remain; `involved` are then the old vertices
-// near those, and Embedded says whether there is a surface without intersections all the same.
+// near those.
 bool RefineEmbedded(const ContourMesh& mesh, const PointList& points, const RefinedMesh& faces,
   const TriangleTree& tree, double gap, const ParallelFor& parallelFor, const Monitor& monitor,
   RefinedSurface& refined, std::set<int>& involved)
@@ -66,17 +65,15 @@ bool RefineEmbedded(const ContourMesh& mesh, const PointList& points, const Refi
     {
       return false;
     }
-    PointList fine = RefinePoints(mesh, points, reach);
-    auto pairs = FindSelfIntersections(tree, fine, refined.Mesh.Triangles, parallelFor);
+    refined.Points = RefinePoints(mesh, points, reach);
+    auto pairs = FindSelfIntersections(tree, refined.Points, refined.Mesh.Triangles, parallelFor);
     if (pairs.empty())
     {
-      pairs = FindPairsNearerThan(gap, tree, fine, refined.Mesh.Triangles, parallelFor);
-      refined.Points = std::move(fine);
-      refined.Embedded = true;
-      if (pairs.empty())
-      {
-        return true;
-      }
+      pairs = FindPairsNearerThan(gap, tree, refined.Points, refined.Mesh.Triangles, parallelFor);
+    }
+    if (pairs.empty())
+    {
+      return true;
     }
     involved.clear();
     for (const auto& pair : pairs)
@@ -143,12 +140,7 @@ RefinedSurface RefineSurface(const ContourMesh& mesh, const PointList& points, b
   { return monitor(static_cast<double>(refined.Relaxations) / MostRelaxations); };
   while (!RefineEmbedded(mesh, coarse, faces, tree, gap, parallelFor, proceed, refined, involved))
   {
-    if (!proceed(0))
-    {
-      refined.Embedded = false;
-      return refined;
-    }
-    if (refined.Relaxations >= (refined.Embedded ? MostRelaxationsForGap : MostRelaxations))
+    if (refined.Relaxations == MostRelaxations || !proceed(0))
     {
       return refined;
     }
@@ -156,6 +148,7 @@ RefinedSurface RefineSurface(const ContourMesh& mesh, const PointList& points, b
     RelaxOnce(mesh, guard, involved, parallelFor, monitor, coarse);
     ++refined.Relaxations;
   }
+  refined.Embedded = true;
   return refined;
 }
 

@@ -1,6 +1,6 @@
 /**
  * Refinement that keeps a surface embedded: the surface of the next level is counted, exactly, to
- * have no self-intersections.
+ * have no self-intersections, and to keep a small gap from itself.
  */
 #ifndef FlipFreeSurfaceRefinement_h
 #define FlipFreeSurfaceRefinement_h

@@ -35,7 +35,6 @@ TEST(SurfaceRefinement, CrumpledSurfacesStayEmbeddedAndKeepAGap)
   const TestSphere sphere(6);
   int uncheckedIntersect = 0;
   int embedded = 0;
-  int withGap = 0;
   const int kinds[] = { 0, 1, 3, 5, 7, 8, 9, 13 };
   for (int kind : kinds)
   {
@@ -54,11 +53,11 @@ TEST(SurfaceRefinement, CrumpledSurfacesStayEmbeddedAndKeepAGap)
     EXPECT_EQ(refined.Mesh.NumberOfPoints(), 4 * sphere.Mesh.NumberOfPoints());
     EXPECT_EQ(CountSelfIntersections(refined.Points, refined.Mesh.Triangles), 0)
       << AdverseMotionNames[kind];
-    withGap += MeasureLeastGap(refined.Points, refined.Mesh.Triangles) > 1e-5 * sphere.EdgeLength;
+    EXPECT_GT(MeasureLeastGap(refined.Points, refined.Mesh.Triangles), 1e-5 * sphere.EdgeLength)
+      << AdverseMotionNames[kind];
   }
   EXPECT_GE(uncheckedIntersect, 4);
-  EXPECT_EQ(embedded, 8);
-  EXPECT_GE(withGap, 6);
+  EXPECT_GE(embedded, 6);
 }
 
 TEST(SurfaceRefinement, SmoothSurfacesNeedNothing)
