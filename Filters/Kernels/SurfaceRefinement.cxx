@@ -4,6 +4,7 @@
 #include "MeshRefinement.h"
 #include "SelfIntersection.h"
 #include "SurfaceGap.h"
+#include "SurfaceNormals.h"
 
 #include <set>
 #include <vector>
@@ -36,19 +37,6 @@ void RelaxOnce(const ContourMesh& mesh, const EmbeddingGuard& guard, const std::
   }
   guard.Limit(points, motion, parallelFor, monitor);
   points += motion;
-}
-
-double MeanEdgeLength(const ContourMesh& mesh, const PointList& points)
-{
-  double sum = 0;
-  for (int vertex = 0; vertex < mesh.NumberOfPoints(); ++vertex)
-  {
-    for (int neighbour : mesh.Neighbours[vertex])
-    {
-      sum += (points.row(vertex) - points.row(neighbour)).norm();
-    }
-  }
-  return sum / (4.0 * mesh.NumberOfPoints());
 }
 
 // Pulls the new points near intersections, and where the surface comes too near to itself, towards

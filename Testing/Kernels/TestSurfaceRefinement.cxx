@@ -4,6 +4,7 @@
 #include "RandomMotions.h"
 #include "SelfIntersection.h"
 #include "SurfaceGap.h"
+#include "SurfaceNormals.h"
 #include "SurfaceRefinement.h"
 
 #include <gtest/gtest.h>
@@ -25,19 +26,6 @@ PointList Crumpled(const TestSphere& sphere, int kind, int steps, std::mt19937& 
     points += motion;
   }
   return points;
-}
-
-double MeanEdgeLength(const ContourMesh& mesh, const PointList& points)
-{
-  double sum = 0;
-  for (int vertex = 0; vertex < mesh.NumberOfPoints(); ++vertex)
-  {
-    for (int neighbour : mesh.Neighbours[vertex])
-    {
-      sum += (points.row(vertex) - points.row(neighbour)).norm();
-    }
-  }
-  return sum / (4.0 * mesh.NumberOfPoints());
 }
 
 } // namespace
