@@ -186,15 +186,16 @@ GuardReport EmbeddingGuard::Limit(const PointList& points, PointList& displaceme
     this->ScaleBack(attempt);
   }
 
-  std::vector<char> frozen(points.rows(), 0);
   for (Eigen::Index vertex = 0; vertex < points.rows(); ++vertex)
   {
     report.HeldBack += attempt.Scaled.row(vertex) != displacements.row(vertex) ? 1 : 0;
-    frozen[vertex] = attempt.Scales[vertex] == 0;
   }
   // If the start has a defect, it is where nothing could move.
   if (attempt.IsStartInDoubt)
   {
+    std::vector<char> frozen(points.rows(), 0);
+    std::transform(attempt.Scales.begin(), attempt.Scales.end(), frozen.begin(),
+      [](double scale) { return static_cast<char>(scale == 0); });
     this->RequireEmbeddedNear(points, frozen, parallelFor);
   }
   displacements = attempt.Scaled;
