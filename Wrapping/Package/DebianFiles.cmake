@@ -1,7 +1,7 @@
 # Run by CPack on the files of the package, before they are packed: what Debian expects of documents.
 if (CPACK_GENERATOR STREQUAL "DEB")
   set(share "${CPACK_TEMPORARY_DIRECTORY}/usr/share")
-  file(COPY_FILE "${share}/doc/flipfree/LICENSE" "${share}/doc/flipfree/copyright")
+  configure_file("${share}/doc/flipfree/LICENSE" "${share}/doc/flipfree/copyright" COPYONLY)
   file(GLOB pages "${share}/man/man1/*.1")
   foreach (page IN LISTS pages)
     execute_process(COMMAND gzip -9 --no-name "${page}" RESULT_VARIABLE status)
