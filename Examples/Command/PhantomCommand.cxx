@@ -165,6 +165,7 @@ void AddPhantomCommand(CLI::App& program)
   CLI::App* command =
     program.add_subcommand("phantom", "Make a synthetic volume whose segmentation is known");
   command->add_option("NAME", phantom->Name, "sphere, cube, cup, u-tube, vessel or abdomen")
+    ->type_name("{sphere,cube,cup,u-tube,vessel,abdomen}") // for completion; the help shows none
     ->required();
   command
     ->add_option("-o,--output", phantom->Folder, "Folder for the two files, made if it is absent")

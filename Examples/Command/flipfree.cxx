@@ -2,6 +2,7 @@
  * The command `flipfree`: the toolkit for batch users. `flipfree --help` explains it.
  */
 #include "Failure.h"
+#include "Generate.h"
 #include "HelpFormatter.h"
 #include "Interrupt.h"
 #include "Messages.h"
@@ -102,6 +103,7 @@ int main(int argc, char* argv[])
     AddSegmentCommand(program);
     AddEvaluateCommand(program);
     AddPhantomCommand(program);
+    AddGenerateOption(program);
 
     return RunProgram(program, argc, argv);
   }

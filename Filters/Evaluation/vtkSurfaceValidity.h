@@ -46,6 +46,9 @@ public:
   vtkTypeMacro(vtkSurfaceValidity, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  /**
+   * Bits of the array Defects.
+   */
   enum DefectType
   {
     SELF_INTERSECTING = 1,

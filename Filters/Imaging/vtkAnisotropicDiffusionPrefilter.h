@@ -44,6 +44,9 @@ public:
   vtkTypeMacro(vtkAnisotropicDiffusionPrefilter, vtkImageAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  /**
+   * Values of Equation.
+   */
   enum EquationType
   {
     CURVATURE = 0,

@@ -46,6 +46,9 @@ public:
   vtkTypeMacro(vtkPhantomSource, vtkImageAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  /**
+   * Values of Shape.
+   */
   enum ShapeType
   {
     SPHERE = 0,

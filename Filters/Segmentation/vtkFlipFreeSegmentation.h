@@ -73,12 +73,15 @@ public:
   vtkTable* GetConvergence();
   ///@}
 
+  ///@{
   /**
-   * Connects the start surface (input port 1).
+   * Connects or sets the start surface (input port 1).
    */
   void SetStartConnection(vtkAlgorithmOutput* output) { this->SetInputConnection(1, output); }
   void SetStartData(vtkPolyData* surface);
+  ///@}
 
+  ///@{
   /**
    * All parameters of the method at once, those of seed, start, outputs and Reach aside. Default:
    * what segments best. Published: the paper's own method, one level, outward search by voxels, no
@@ -87,6 +90,7 @@ public:
   void UseDefaultParameters();
   void UsePublishedParameters();
   void UseNaiveParameters();
+  ///@}
 
   ///@{
   /**
@@ -447,10 +451,12 @@ public:
    */
   vtkGetMacro(NumberOfSelfIntersections, int);
 
+  ///@{
   /**
    * Seconds of the last Update() by stage: smoothing, feature, deformation, label map.
    */
   vtkGetVector4Macro(StageSeconds, double);
+  ///@}
 
   vtkTypeBool ProcessRequest(vtkInformation*, vtkInformationVector**,
     vtkInformationVector*) override;

@@ -27,6 +27,9 @@ public:
   vtkTypeMacro(vtkQuadSphereSource, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  /**
+   * Values of Spacing.
+   */
   enum SpacingType
   {
     EQUIANGULAR = 0,

@@ -26,7 +26,8 @@ run("Installing" "${CMAKE_COMMAND}" --install "${BUILD_TREE}" --prefix "${WORK}/
 # An installation can be moved, so nothing in it may name the place where it was made.
 set(prefix "${WORK}/prefix with a space")
 file(RENAME "${WORK}/first" "${prefix}")
-file(GLOB_RECURSE texts "${prefix}/*.cmake" "${prefix}/*.h" "${prefix}/*.py" "${prefix}/*.txt")
+file(GLOB_RECURSE texts "${prefix}/*.cmake" "${prefix}/*.h" "${prefix}/*.py" "${prefix}/*.txt"
+  "${prefix}/*.md" "${prefix}/share/man/*" "${prefix}/share/bash-completion/*" "${prefix}/share/zsh/*")
 foreach (text IN LISTS texts)
   file(READ "${text}" content)
   foreach (place IN ITEMS "${BUILD_TREE}" "${SOURCE_TREE}")
@@ -61,6 +62,8 @@ refuse("A later version than there is" "requested version \"1000\""
   ${configure} -B "${WORK}/version" "-DVTK_DIR=${VTK_DIR}" -DMINIMUM_VERSION=1000)
 
 if (PYTHON)
+  run("Reading the documents"
+    "${PYTHON}" -B "${CMAKE_CURRENT_LIST_DIR}/TestDocuments.py" "${prefix}")
   foreach (file IN ITEMS py.typed FlipFreeSegmentation.pyi _segment.py _segment.pyi)
     if (NOT EXISTS "${prefix}/${PYTHON_DESTINATION}/flipfree/${file}")
       message(FATAL_ERROR "the Python package lacks ${file}")
@@ -81,6 +84,6 @@ assert not strays, strays
 ")
   if (EXISTS "${prefix}/bin/flipfree")
     run("Following the readme" "${PYTHON}" "${CMAKE_CURRENT_LIST_DIR}/TestReadme.py"
-      "${SOURCE_TREE}/README.md" "${prefix}" "${VTK_DIR}" "${CXX_COMPILER}")
+      "${prefix}/share/doc/flipfree/README.md" "${prefix}" "${VTK_DIR}" "${CXX_COMPILER}")
   endif ()
 endif ()

@@ -31,11 +31,16 @@ build_packages=(
 test_packages=(
   clang-format
   clang-tidy
+  doxygen
+  dpkg-dev
+  file
+  groff-base
   libbenchmark-dev
   libcgal-dev
   libgtest-dev
   mypy
   tetgen
+  zsh
 )
 
 # The VTK that ParaView brings along wants the same libraries' development files as Debian's own, whose

@@ -1,0 +1,12 @@
+# Run by CPack on the files of the package, before they are packed: what Debian expects of documents.
+if (CPACK_GENERATOR STREQUAL "DEB")
+  set(share "${CPACK_TEMPORARY_DIRECTORY}/usr/share")
+  configure_file("${share}/doc/flipfree/LICENSE" "${share}/doc/flipfree/copyright" COPYONLY)
+  file(GLOB pages "${share}/man/man1/*.1")
+  foreach (page IN LISTS pages)
+    execute_process(COMMAND gzip -9 --no-name "${page}" RESULT_VARIABLE status)
+    if (NOT status EQUAL 0)
+      message(FATAL_ERROR "${page} could not be compressed")
+    endif ()
+  endforeach ()
+endif ()
