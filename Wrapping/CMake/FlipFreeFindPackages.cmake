@@ -63,12 +63,16 @@ if (FLIPFREE_USE_ITK)
   set(_flipfree_itk_components
     ITKCommon
     ITKAnisotropicSmoothing
+    ITKDeformableMesh
     ITKGDCM
     ITKIOGDCM
     ITKIOImageBase
     ITKIOMeta
     ITKIONIFTI
     ITKIONRRD
+    ITKImageFeature
+    ITKLevelSets
+    ITKRegionGrowing
     ITKVTK)
   find_package(ITK 5.2 REQUIRED COMPONENTS ${_flipfree_itk_components})
 

@@ -1,0 +1,48 @@
+/**
+ * Every method of the module, for tests that ask the same of each.
+ */
+#ifndef FlipFreeBaselineMethods_h
+#define FlipFreeBaselineMethods_h
+
+#include "vtkBaselineSegmentation.h"
+#include "vtkRegionGrowing.h"
+
+#include "vtkSmartPointer.h"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <ostream>
+#include <string>
+#include <vector>
+
+namespace FlipFree
+{
+
+struct BaselineMethod
+{
+  std::string Name;
+  std::function<vtkSmartPointer<vtkBaselineSegmentation>()> Make;
+  double Dice; ///< a little below what it reaches on the phantom's liver
+};
+
+inline void PrintTo(const BaselineMethod& method, std::ostream* stream)
+{
+  *stream << method.Name;
+}
+
+inline std::vector<BaselineMethod> BaselineMethods()
+{
+  return {
+    { "RegionGrowing", []() { return vtkSmartPointer<vtkRegionGrowing>::New(); }, 0.8 },
+  };
+}
+
+inline std::string NameOf(const testing::TestParamInfo<BaselineMethod>& method)
+{
+  return method.param.Name;
+}
+
+} // namespace FlipFree
+
+#endif
