@@ -3,9 +3,10 @@
 #include "BaselineTask.h"
 #include "FieldSurface.h"
 #include "ItkRegion.h"
+#include "LeakSettings.h"
+#include "SeedStatistics.h"
 
 #include "ExecutionAdapter.h"
-#include "LeakControl.h"
 #include "PropertyCheck.h"
 
 #include "vtkObjectFactory.h"
@@ -29,20 +30,10 @@ constexpr double GrowingEnds = 0.7;
 void AddSeeds(const FlipFree::BaselineTask& task, FlipFree::ItkImage* image, Filter* filter)
 {
   const auto voxels = FlipFree::VoxelsInSphere(task.Region.Geometry, task.Seed);
-  double sum = 0;
-  double squares = 0;
+  const FlipFree::SeedStatistics seed = FlipFree::StatisticsOf(task.Region.Voxels.data(), voxels);
   for (const std::size_t voxel : voxels)
   {
-    const double value = task.Region.Voxels[voxel];
-    sum += value;
-    squares += value * value;
-  }
-  const double count = static_cast<double>(voxels.size());
-  const double mean = sum / count;
-  const double deviation = std::sqrt(std::max(0.0, squares / count - mean * mean));
-  for (const std::size_t voxel : voxels)
-  {
-    if (std::abs(task.Region.Voxels[voxel] - mean) <= SeedDeviations * deviation + 1e-6)
+    if (std::abs(task.Region.Voxels[voxel] - seed.Mean) <= SeedDeviations * seed.Deviation + 1e-6)
     {
       filter->AddSeed(image->ComputeIndex(static_cast<itk::OffsetValueType>(voxel)));
     }
@@ -70,8 +61,9 @@ bool vtkRegionGrowing::Segment(const FlipFree::BaselineTask& task,
     task.Region.Geometry };
   FlipFree::BitMask mask = FlipFree::VoxelsWhere(
     grown, [](unsigned char value) { return value != 0; }, FlipFree::SMPFor);
-  if (!FlipFree::ControlLeaks(mask, task.Seed, { this->ClosingRadius, this->OpeningRadius },
-        FlipFree::SMPFor, FlipFree::PartOf(monitor, GrowingEnds, 1)))
+  if (!FlipFree::ControlLeaks(mask, task.Seed,
+        FlipFree::LeakSettingsOf(task, this->ClosingRadius, this->OpeningScale), FlipFree::SMPFor,
+        FlipFree::PartOf(monitor, GrowingEnds, 1)))
   {
     return false;
   }
@@ -84,7 +76,7 @@ void vtkRegionGrowing::RequireProperties()
 {
   this->Superclass::RequireProperties();
   FlipFree::RequireNumbers({ { "Multiplier", this->Multiplier },
-    { "ClosingRadius", this->ClosingRadius }, { "OpeningRadius", this->OpeningRadius } });
+    { "ClosingRadius", this->ClosingRadius }, { "OpeningScale", this->OpeningScale } });
 }
 
 void vtkRegionGrowing::PrintSelf(ostream& os, vtkIndent indent)
@@ -93,5 +85,5 @@ void vtkRegionGrowing::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Multiplier: " << this->Multiplier << "\n";
   os << indent << "Repetitions: " << this->Repetitions << "\n";
   os << indent << "ClosingRadius: " << this->ClosingRadius << "\n";
-  os << indent << "OpeningRadius: " << this->OpeningRadius << "\n";
+  os << indent << "OpeningScale: " << this->OpeningScale << "\n";
 }

@@ -45,7 +45,8 @@ public:
 
   ///@{
   /**
-   * Radius of the ball of the closing, in millimetres. Default 1.5; 0 (none) to 100.
+   * Radius of the ball of the closing, in millimetres; used up to two voxels. Default 1.5; 0 (none)
+   * to 100.
    */
   vtkSetClampMacro(ClosingRadius, double, 0, 100);
   vtkGetMacro(ClosingRadius, double);
@@ -53,11 +54,12 @@ public:
 
   ///@{
   /**
-   * Radius of the ball of the opening, in millimetres. Default 4; 0 (none) to 100. An opening that
-   * would leave nothing at the seed is not applied.
+   * Radius of the ball of the opening, in seed radii; used between 2.5 and 6 mm and up to two
+   * voxels. Default 0.3; 0 (none) to 1000. An opening that would
+   * leave nothing at the seed is not applied.
    */
-  vtkSetClampMacro(OpeningRadius, double, 0, 100);
-  vtkGetMacro(OpeningRadius, double);
+  vtkSetClampMacro(OpeningScale, double, 0, 1000);
+  vtkGetMacro(OpeningScale, double);
   ///@}
 
 protected:
@@ -71,7 +73,7 @@ protected:
   double Multiplier = 3;
   int Repetitions = 1;
   double ClosingRadius = 1.5;
-  double OpeningRadius = 4;
+  double OpeningScale = 0.3;
 
 private:
   vtkRegionGrowing(const vtkRegionGrowing&) = delete;

@@ -5,6 +5,8 @@
 #define FlipFreeBaselineMethods_h
 
 #include "vtkBaselineSegmentation.h"
+#include "vtkGraphCutSegmentation.h"
+#include "vtkLevelSetSegmentation.h"
 #include "vtkRegionGrowing.h"
 
 #include "vtkSmartPointer.h"
@@ -35,6 +37,24 @@ inline std::vector<BaselineMethod> BaselineMethods()
 {
   return {
     { "RegionGrowing", []() { return vtkSmartPointer<vtkRegionGrowing>::New(); }, 0.8 },
+    { "SliceGraphCut", []() { return vtkSmartPointer<vtkGraphCutSegmentation>::New(); }, 0.8 },
+    { "VolumeGraphCut",
+      []()
+      {
+        auto filter = vtkSmartPointer<vtkGraphCutSegmentation>::New();
+        filter->SetModeToVolume();
+        return filter;
+      },
+      0.8 },
+    { "ThresholdLevelSet", []() { return vtkSmartPointer<vtkLevelSetSegmentation>::New(); }, 0.8 },
+    { "GeodesicLevelSet",
+      []()
+      {
+        auto filter = vtkSmartPointer<vtkLevelSetSegmentation>::New();
+        filter->SetSpeedToGeodesic();
+        return filter;
+      },
+      0.8 },
   };
 }
 

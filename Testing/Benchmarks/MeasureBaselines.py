@@ -12,7 +12,7 @@ import time
 
 import flipfree
 
-METHODS = ("vtkRegionGrowing",)
+METHODS = ("vtkRegionGrowing", "vtkLevelSetSegmentation", "vtkGraphCutSegmentation")
 ORGANS = ("liver", "spleen", "kidney")
 
 

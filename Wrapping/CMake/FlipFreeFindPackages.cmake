@@ -59,6 +59,9 @@ if (NOT ParaView_FOUND)
 endif ()
 
 if (FLIPFREE_USE_ITK)
+  # Graphs for the baselines; headers alone.
+  find_package(Boost 1.71 REQUIRED)
+
   # By name: the full list of components wants development files that nothing pulls in.
   set(_flipfree_itk_components
     ITKCommon

@@ -13,6 +13,7 @@ set -euo pipefail
 build_packages=(
   cmake
   g++
+  libboost-dev
   libcli11-dev
   libeigen3-dev
   # Only keeps ITK's configuration from complaining at length.
