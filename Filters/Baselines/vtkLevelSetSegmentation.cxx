@@ -29,6 +29,8 @@ using GeodesicFilter = FlipFree::SettlingLevelSet<
   itk::GeodesicActiveContourLevelSetImageFilter<ItkImage, ItkImage, float>>;
 using GradientFilter = itk::GradientMagnitudeRecursiveGaussianImageFilter<ItkImage, ItkImage>;
 
+constexpr double CurvatureOfThreshold = 2;
+constexpr double CurvatureOfGeodesic = 0.5;
 // Share of the progress.
 constexpr double EdgesEnd = 0.1;
 
@@ -133,10 +135,13 @@ bool Evolve(const FlipFree::BaselineTask& task, TFilter* filter, double rimWidth
 bool vtkLevelSetSegmentation::Segment(const FlipFree::BaselineTask& task,
   const std::function<bool(double)>& monitor, FlipFree::BaselineResult& result)
 {
-  const auto configure = [this](auto filter)
+  const double curvature = this->CurvatureScaling > 0
+    ? this->CurvatureScaling
+    : (this->Speed == THRESHOLD ? CurvatureOfThreshold : CurvatureOfGeodesic);
+  const auto configure = [this, curvature](auto filter)
   {
     filter->SetPropagationScaling(1); // outward, where negative is inside
-    filter->SetCurvatureScaling(static_cast<float>(this->CurvatureScaling));
+    filter->SetCurvatureScaling(static_cast<float>(curvature));
     filter->SetNumberOfIterations(static_cast<unsigned int>(this->MaximumIterations));
     filter->SetVolumeTolerance(this->VolumeTolerance);
     return filter;

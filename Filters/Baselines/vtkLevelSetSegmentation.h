@@ -9,7 +9,7 @@
  *    speed 1;
  *  - GEODESIC (itk::GeodesicActiveContourLevelSetImageFilter): the front moves outward everywhere,
  *    slowly where the image has an edge, and is drawn to the edge's middle by advection. An edge is
- *    where the gradient is above EdgeContrast times what noise alone gives in the seed.
+ *    where the gradient is well above the seed's mean gradient.
  * In both, curvature smooths the front. The evolution stops when the volume has settled, or after
  * MaximumIterations.
  *
@@ -60,7 +60,7 @@ public:
   ///@{
   /**
    * Weight of the mean curvature, in voxels of the least spacing, against the speed, which is 1 at
-   * most. Default 2; 0 to 100.
+   * most. Default 0: what suits the speed best, 2 for THRESHOLD and 0.5 for GEODESIC; 0 to 100.
    */
   vtkSetClampMacro(CurvatureScaling, double, 0, 100);
   vtkGetMacro(CurvatureScaling, double);
@@ -68,7 +68,7 @@ public:
 
   ///@{
   /**
-   * Weight of the pull towards edges. Default 1; 0 to 100. GEODESIC only.
+   * Weight of the pull towards edges. Default 5; 0 to 100. GEODESIC only.
    */
   vtkSetClampMacro(AdvectionScaling, double, 0, 100);
   vtkGetMacro(AdvectionScaling, double);
@@ -95,7 +95,7 @@ public:
   ///@{
   /**
    * How far the final front is moved outward, in millimetres, since voxels that organ and neighbour
-   * share count as background. Default 0.6; 0 to 3. THRESHOLD only.
+   * share count as background. Default 1.2; 0 to 3. THRESHOLD only.
    */
   vtkSetClampMacro(RimWidth, double, 0, 3);
   vtkGetMacro(RimWidth, double);
@@ -129,11 +129,11 @@ protected:
 
   int Speed = THRESHOLD;
   double IntensityWidth = 4;
-  double CurvatureScaling = 2;
-  double AdvectionScaling = 1;
+  double CurvatureScaling = 0;
+  double AdvectionScaling = 5;
   double EdgeSigma = 1.5;
   double EdgeContrast = 3;
-  double RimWidth = 0.6;
+  double RimWidth = 1.2;
   int MaximumIterations = 1500;
   double VolumeTolerance = 0.0005;
 

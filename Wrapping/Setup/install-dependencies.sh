@@ -44,6 +44,7 @@ test_packages=(
 paraview_packages=(
   cmake
   g++
+  libboost-dev
   libeigen3-dev
   libgdcm-tools
   libgl1-mesa-dri
