@@ -59,16 +59,23 @@ if (NOT ParaView_FOUND)
 endif ()
 
 if (FLIPFREE_USE_ITK)
+  # Graphs for the baselines; headers alone.
+  find_package(Boost 1.71 REQUIRED)
+
   # By name: the full list of components wants development files that nothing pulls in.
   set(_flipfree_itk_components
     ITKCommon
     ITKAnisotropicSmoothing
+    ITKDeformableMesh
     ITKGDCM
     ITKIOGDCM
     ITKIOImageBase
     ITKIOMeta
     ITKIONIFTI
     ITKIONRRD
+    ITKImageFeature
+    ITKLevelSets
+    ITKRegionGrowing
     ITKVTK)
   find_package(ITK 5.2 REQUIRED COMPONENTS ${_flipfree_itk_components})
 

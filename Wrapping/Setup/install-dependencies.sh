@@ -13,6 +13,7 @@ set -euo pipefail
 build_packages=(
   cmake
   g++
+  libboost-dev
   libcli11-dev
   libeigen3-dev
   # Only keeps ITK's configuration from complaining at length.
@@ -48,6 +49,7 @@ test_packages=(
 paraview_packages=(
   cmake
   g++
+  libboost-dev
   libeigen3-dev
   libgdcm-tools
   libgl1-mesa-dri

@@ -1,6 +1,6 @@
 /**
- * Private to the module: VTK's clamping setters let NaN pass, and every comparison with it is
- * false.
+ * Private to the modules, never installed: VTK's clamping setters let NaN pass, and every
+ * comparison with it is false.
  */
 #ifndef FlipFreePropertyCheck_h
 #define FlipFreePropertyCheck_h

@@ -1,0 +1,153 @@
+#include "SliceCut.h"
+
+#include "BallMorphology.h"
+#include "LeakControl.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace FlipFree
+{
+namespace
+{
+
+// The offsets of a mask's voxels.
+std::vector<std::size_t> OffsetsOf(const BitMask& mask)
+{
+  std::vector<std::size_t> offsets;
+  mask.ForEach([&offsets](std::size_t voxel) { offsets.push_back(voxel); });
+  return offsets;
+}
+
+void Intersect(BitMask& mask, const BitMask& other)
+{
+  std::transform(mask.GetWords().begin(), mask.GetWords().end(), other.GetWords().begin(),
+    mask.GetWords().begin(), [](BitMask::Word a, BitMask::Word b) { return a & b; });
+}
+
+void Unite(BitMask& mask, const BitMask& other)
+{
+  std::transform(mask.GetWords().begin(), mask.GetWords().end(), other.GetWords().begin(),
+    mask.GetWords().begin(), [](BitMask::Word a, BitMask::Word b) { return a | b; });
+}
+
+// Plane k of a mask as a mask of its own, and back.
+BitMask PlaneOf(const BitMask& mask, int k, const ImageGeometry& geometry)
+{
+  BitMask plane(geometry);
+  std::copy_n(mask.Row(0, k), plane.GetWords().size(), plane.GetWords().begin());
+  return plane;
+}
+
+void InsertPlane(const BitMask& plane, int k, BitMask& mask)
+{
+  std::copy(plane.GetWords().begin(), plane.GetWords().end(), mask.Row(0, k));
+}
+
+class SliceCutter
+{
+public:
+  SliceCutter(const BaselineTask& task, const std::vector<float>& logOdds,
+    const BitMask& candidates, const BitMask& seeds, const MinimumCutSettings& settings,
+    double margin, const ParallelFor& parallelFor)
+    : Task(task)
+    , LogOdds(logOdds)
+    , Candidates(candidates)
+    , Seeds(seeds)
+    , Settings(settings)
+    , Margin(margin)
+    , For(parallelFor)
+  {
+  }
+
+  // The organ in plane k, given that in the plane before, or none for the first. False if stopped.
+  bool Cut(int k, const BitMask* before, const Monitor& monitor, BitMask& organ) const
+  {
+    const ImageGeometry& region = this->Task.Region.Geometry;
+    const ImageGeometry plane =
+      CropGeometry(region, { { 0, region.Dimensions[0] - 1, 0, region.Dimensions[1] - 1, k, k } });
+    const std::size_t first = region.Offset(0, 0, k);
+    const float* const odds = this->LogOdds.data() + first;
+    const std::vector<float> oddsOfPlane(odds, odds + plane.NumberOfVoxels());
+    BitMask candidates = PlaneOf(this->Candidates, k, plane);
+    BitMask seeds = PlaneOf(this->Seeds, k, plane);
+    std::vector<std::size_t> sources;
+    if (before)
+    {
+      BitMask near = *before;
+      BitMask core = *before;
+      if (!Dilate(near, this->Margin, this->For, monitor) ||
+        !Erode(core, this->Margin, this->For, monitor))
+      {
+        return false;
+      }
+      Intersect(candidates, near);
+      Intersect(core,
+        VoxelsWhere(
+          ImageView<float>{ odds, plane }, [](float value) { return value > 0; }, this->For));
+      Unite(seeds, core);
+      sources = OffsetsOf(*before);
+    }
+    Unite(candidates, seeds);
+    if (!FindMinimumCut({ this->Task.Region.Voxels.data() + first, plane }, oddsOfPlane, candidates,
+          seeds, this->Settings, monitor, organ))
+    {
+      return false;
+    }
+    const std::vector<std::size_t> certain = OffsetsOf(seeds);
+    sources.insert(sources.end(), certain.begin(), certain.end());
+    organ = ConnectedVoxels(organ, sources);
+    return true;
+  }
+
+private:
+  const BaselineTask& Task;
+  const std::vector<float>& LogOdds;
+  const BitMask& Candidates;
+  const BitMask& Seeds;
+  const MinimumCutSettings& Settings;
+  double Margin;
+  const ParallelFor& For;
+};
+
+} // namespace
+
+bool CutSliceBySlice(const BaselineTask& task, const std::vector<float>& logOdds,
+  const BitMask& candidates, const BitMask& seeds, const MinimumCutSettings& settings,
+  double margin, const ParallelFor& parallelFor, const Monitor& monitor, BitMask& organ,
+  int& slices)
+{
+  const ImageGeometry& geometry = task.Region.Geometry;
+  const int size = geometry.Dimensions[2];
+  const int first = std::max(0,
+    std::min(size - 1, static_cast<int>(std::lround(geometry.ToIndex(task.Seed.Center)[2]))));
+  const SliceCutter cutter(task, logOdds, candidates, seeds, settings, margin, parallelFor);
+  const Monitor slice = [&](double) { return monitor(static_cast<double>(slices) / size); };
+  slices = 0;
+  BitMask middle;
+  if (!cutter.Cut(first, nullptr, slice, middle))
+  {
+    return false;
+  }
+  organ = BitMask(geometry);
+  InsertPlane(middle, first, organ);
+  ++slices;
+  for (const int direction : { 1, -1 })
+  {
+    BitMask before = middle;
+    for (int k = first + direction; k >= 0 && k < size && !before.IsEmpty(); k += direction)
+    {
+      BitMask next;
+      if (!cutter.Cut(k, &before, slice, next))
+      {
+        return false;
+      }
+      InsertPlane(next, k, organ);
+      before = std::move(next);
+      ++slices;
+    }
+  }
+  return true;
+}
+
+} // namespace FlipFree

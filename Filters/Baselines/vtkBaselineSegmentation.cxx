@@ -1,0 +1,217 @@
+#include "vtkBaselineSegmentation.h"
+
+#include "BaselineTask.h"
+#include "FieldSurface.h"
+
+#include "AnisotropicDiffusion.h"
+#include "ExecutionAdapter.h"
+#include "GreyImageAdapter.h"
+#include "LabelAdapter.h"
+#include "MeshAdapter.h"
+#include "PropertyCheck.h"
+#include "SurfaceTopology.h"
+#include "SurfaceVoxelisation.h"
+
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkPolyData.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+
+namespace
+{
+
+using Pipeline = vtkStreamingDemandDrivenPipeline;
+
+constexpr const char* InputName = "the image on port 0";
+
+// As vtkFlipFreeSegmentation has them.
+constexpr double ReachInRadii = 10;
+constexpr double LeastReach = 100;
+constexpr double GreatestReach = 250;
+
+// Shares of the progress.
+constexpr double MethodBegins = 0.1;
+constexpr double MethodEnds = 0.95;
+
+double ReachOf(double reach, double seedRadius)
+{
+  return reach > 0 ? reach
+                   : std::max(LeastReach, std::min(GreatestReach, ReachInRadii * seedRadius));
+}
+
+} // namespace
+
+vtkBaselineSegmentation::vtkBaselineSegmentation()
+{
+  this->SetNumberOfOutputPorts(2);
+  this->SetNumberOfInputPorts(1);
+}
+
+void vtkBaselineSegmentation::SetInputData(vtkImageData* image)
+{
+  this->SetInputDataObject(0, image);
+}
+
+vtkPolyData* vtkBaselineSegmentation::GetOutput()
+{
+  return this->GetSurface();
+}
+
+vtkPolyData* vtkBaselineSegmentation::GetSurface()
+{
+  return vtkPolyData::SafeDownCast(this->GetOutputDataObject(0));
+}
+
+vtkImageData* vtkBaselineSegmentation::GetLabelMap()
+{
+  return vtkImageData::SafeDownCast(this->GetOutputDataObject(1));
+}
+
+int vtkBaselineSegmentation::FillInputPortInformation(int, vtkInformation* info)
+{
+  info->Set(INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
+  return 1;
+}
+
+int vtkBaselineSegmentation::FillOutputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), port == 0 ? "vtkPolyData" : "vtkImageData");
+  return 1;
+}
+
+vtkTypeBool vtkBaselineSegmentation::ProcessRequest(vtkInformation* request,
+  vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  if (request->Has(vtkDemandDrivenPipeline::REQUEST_INFORMATION()))
+  {
+    return this->RequestInformation(inputs, outputs);
+  }
+  if (request->Has(Pipeline::REQUEST_UPDATE_EXTENT()))
+  {
+    vtkInformation* in = inputs[0]->GetInformationObject(0);
+    if (in->Has(Pipeline::WHOLE_EXTENT()))
+    {
+      in->Set(Pipeline::UPDATE_EXTENT(), in->Get(Pipeline::WHOLE_EXTENT()), 6);
+    }
+    return 1;
+  }
+  if (request->Has(vtkDemandDrivenPipeline::REQUEST_DATA()))
+  {
+    return this->RequestData(inputs, outputs);
+  }
+  return this->Superclass::ProcessRequest(request, inputs, outputs);
+}
+
+int vtkBaselineSegmentation::RequestInformation(vtkInformationVector** inputs,
+  vtkInformationVector* outputs)
+{
+  vtkInformation* in = inputs[0]->GetInformationObject(0);
+  vtkInformation* labels = outputs->GetInformationObject(1);
+  labels->CopyEntry(in, Pipeline::WHOLE_EXTENT());
+  labels->CopyEntry(in, vtkDataObject::SPACING());
+  labels->CopyEntry(in, vtkDataObject::ORIGIN());
+  labels->CopyEntry(in, vtkDataObject::DIRECTION());
+  vtkDataObject::SetPointDataActiveScalarInfo(labels, VTK_UNSIGNED_CHAR, 1);
+  return 1;
+}
+
+int vtkBaselineSegmentation::RequestData(vtkInformationVector** inputs,
+  vtkInformationVector* outputs)
+{
+  vtkPolyData* surface = vtkPolyData::GetData(outputs, 0);
+  vtkImageData* labels = vtkImageData::GetData(outputs, 1);
+  surface->Initialize();
+  labels->Initialize();
+  this->NumberOfIterations = 0;
+  try
+  {
+    this->Execute(vtkImageData::GetData(inputs[0]), surface, labels);
+  }
+  catch (const std::exception& error)
+  {
+    surface->Initialize();
+    labels->Initialize();
+    this->NumberOfIterations = 0;
+    vtkErrorMacro("No segmentation: " << error.what() << ".");
+    return 0;
+  }
+  return 1;
+}
+
+void vtkBaselineSegmentation::RequireProperties()
+{
+  FlipFree::RequireNumbers({ { "Reach", this->Reach } });
+}
+
+void vtkBaselineSegmentation::Execute(vtkImageData* image, vtkPolyData* surface,
+  vtkImageData* labels)
+{
+  this->RequireProperties();
+  FlipFree::RequireGreyImage(image, InputName);
+  const FlipFree::ImageGeometry geometry = FlipFree::GeometryOf(image);
+  FlipFree::BaselineTask task;
+  task.Seed = { Eigen::Vector3d(this->SeedCenter), this->SeedRadius };
+  FlipFree::RequireSeed(geometry, task.Seed, InputName);
+
+  const FlipFree::Extent extent =
+    FlipFree::ReachableExtent(geometry, task.Seed.Center, ReachOf(this->Reach, this->SeedRadius));
+  task.Region = FlipFree::GreyRegionOf(image, extent);
+  FlipFree::RequireFinite(task.Region, InputName);
+  if (FlipFree::VoxelsInSphere(task.Region.Geometry, task.Seed).empty())
+  {
+    throw std::invalid_argument("no voxel centre of " + std::string(InputName) +
+      " lies in the seed sphere; enlarge it, or move it onto one");
+  }
+  task.Noise = FlipFree::NoiseDeviation(task.Region.View(), task.Seed);
+  FlipFree::AnisotropicDiffusionSettings diffusion;
+  diffusion.Iterations = this->DiffusionIterations;
+  diffusion.Contrast = FlipFree::ContrastOfNoise(task.Noise);
+  FlipFree::BaselineResult result;
+  if (!FlipFree::DiffuseAnisotropically(task.Region.Voxels, task.Region.Geometry, diffusion,
+        FlipFree::SMPFor, FlipFree::MonitorOf(this, 0, MethodBegins)) ||
+    !this->Segment(task, FlipFree::MonitorOf(this, MethodBegins, MethodEnds), result))
+  {
+    return;
+  }
+
+  std::vector<FlipFree::VoxelRun> runs;
+  if (result.Field.empty())
+  {
+    runs = FlipFree::VoxeliseSurface(result.Points, result.Triangles, geometry, FlipFree::SMPFor);
+  }
+  else
+  {
+    const FlipFree::ImageView<float> field{ result.Field.data(), task.Region.Geometry };
+    runs = FlipFree::RunsOfField(field, { { extent[0], extent[2], extent[4] } });
+    FlipFree::FieldSurface contour = FlipFree::SurfaceOfField(field);
+    result.Points = std::move(contour.Points);
+    result.Triangles = std::move(contour.Triangles);
+  }
+  if (runs.empty())
+  {
+    throw std::invalid_argument("nothing was found that hangs together with the seed sphere; check "
+                                "that it lies in the organ, or enlarge it");
+  }
+  surface->SetPoints(FlipFree::MakePoints(result.Points));
+  surface->SetPolys(FlipFree::MakePolys(FlipFree::FacesOf(result.Triangles)));
+  FlipFree::MakeLabelMap(runs, static_cast<unsigned char>(this->LabelValue), image, labels);
+  this->NumberOfIterations = result.Iterations;
+  this->UpdateProgress(1);
+}
+
+void vtkBaselineSegmentation::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "SeedCenter: (" << this->SeedCenter[0] << ", " << this->SeedCenter[1] << ", "
+     << this->SeedCenter[2] << ")\n";
+  os << indent << "SeedRadius: " << this->SeedRadius << "\n";
+  os << indent << "LabelValue: " << this->LabelValue << "\n";
+  os << indent << "Reach: " << this->Reach << "\n";
+  os << indent << "DiffusionIterations: " << this->DiffusionIterations << "\n";
+  os << indent << "NumberOfIterations: " << this->NumberOfIterations << "\n";
+}

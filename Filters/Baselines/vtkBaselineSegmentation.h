@@ -1,0 +1,144 @@
+/**
+ * @class   vtkBaselineSegmentation
+ * @brief   what the methods have in common that vtkFlipFreeSegmentation is compared with
+ *
+ * From the same seed sphere as vtkFlipFreeSegmentation, on the same part of the image, smoothed by
+ * the same anisotropic diffusion (vtkSeedRegionDiffusion), to the same two outputs. Each method is
+ * a subclass: vtkRegionGrowing, vtkLevelSetSegmentation, vtkGraphCutSegmentation.
+ *
+ * Input port 0: vtkImageData with one scalar component of any type; coordinates are the image's
+ * physical millimetres, the direction matrix is honoured.
+ *
+ * Output port 0: vtkPolyData, the surface: triangles, closed; where the organ reaches the image's
+ * end, closed there. Not of a known topology, unlike that of vtkFlipFreeSegmentation.
+ * Output port 1: vtkImageData, unsigned char `Labels` of the input's geometry: LabelValue inside.
+ *
+ * Errors: no scalars, several components, an empty image, voxels that are not finite within Reach,
+ * a seed outside the image, a radius below a voxel, a property that is not a number, nothing found
+ * at the seed. Each is reported once; the outputs are then empty. They are empty without an error
+ * after an abort.
+ */
+#ifndef vtkBaselineSegmentation_h
+#define vtkBaselineSegmentation_h
+
+#include "FlipFreeBaselinesModule.h"
+#include "vtkAlgorithm.h"
+
+#include <functional> // for std::function
+
+class vtkImageData;
+class vtkPolyData;
+
+namespace FlipFree
+{
+struct BaselineResult;
+struct BaselineTask;
+}
+
+class FLIPFREEBASELINES_EXPORT vtkBaselineSegmentation : public vtkAlgorithm
+{
+public:
+  vtkTypeMacro(vtkBaselineSegmentation, vtkAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /**
+   * Sets the image (input port 0); SetInputConnection() connects a reader in its place.
+   */
+  void SetInputData(vtkImageData* image);
+
+  ///@{
+  /**
+   * The outputs, after Update(); GetOutput() is the surface, too.
+   */
+  vtkPolyData* GetOutput();
+  vtkPolyData* GetSurface();
+  vtkImageData* GetLabelMap();
+  ///@}
+
+  ///@{
+  /**
+   * Centre of the seed sphere, in millimetres. Default (0, 0, 0). The sphere should lie within the
+   * organ; its voxels model the organ's intensities, and the segmentation starts from it.
+   */
+  vtkSetVector3Macro(SeedCenter, double);
+  vtkGetVector3Macro(SeedCenter, double);
+  ///@}
+
+  ///@{
+  /**
+   * Radius of the seed sphere, in millimetres. Default 10; a voxel or more.
+   */
+  vtkSetClampMacro(SeedRadius, double, 1e-6, 1e6);
+  vtkGetMacro(SeedRadius, double);
+  ///@}
+
+  ///@{
+  /**
+   * Value of the organ's voxels in the label map. Default 1; 1 to 255.
+   */
+  vtkSetClampMacro(LabelValue, int, 1, 255);
+  vtkGetMacro(LabelValue, int);
+  ///@}
+
+  ///@{
+  /**
+   * Half the edge length of the box around the seed's centre that can be reached, in millimetres;
+   * nothing beyond it is looked at. Default 0: ten seed radii, but 100 at least and 250 at most, as
+   * in vtkFlipFreeSegmentation. 0 to 1e6.
+   */
+  vtkSetClampMacro(Reach, double, 0, 1e6);
+  vtkGetMacro(Reach, double);
+  ///@}
+
+  ///@{
+  /**
+   * Time steps of the anisotropic diffusion before the method. Default 5, as in
+   * vtkFlipFreeSegmentation; 0 (none) to 1000.
+   */
+  vtkSetClampMacro(DiffusionIterations, int, 0, 1000);
+  vtkGetMacro(DiffusionIterations, int);
+  ///@}
+
+  /**
+   * Iterations that the last update took; 0 of methods that do not iterate, and after a failure.
+   */
+  vtkGetMacro(NumberOfIterations, int);
+
+  vtkTypeBool ProcessRequest(vtkInformation* request, vtkInformationVector** inputs,
+    vtkInformationVector* outputs) override;
+
+protected:
+  vtkBaselineSegmentation();
+  ~vtkBaselineSegmentation() override = default;
+
+  /**
+   * The method itself. Returns false if the monitor stopped it; throws where it cannot be done.
+   */
+  virtual bool Segment(const FlipFree::BaselineTask& task,
+    const std::function<bool(double)>& monitor, FlipFree::BaselineResult& result) = 0;
+
+  /**
+   * Throws if a property of the method is not a number.
+   */
+  virtual void RequireProperties();
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int FillOutputPortInformation(int port, vtkInformation* info) override;
+
+  double SeedCenter[3] = { 0, 0, 0 };
+  double SeedRadius = 10;
+  int LabelValue = 1;
+  double Reach = 0;
+  int DiffusionIterations = 5;
+  int NumberOfIterations = 0;
+
+private:
+  vtkBaselineSegmentation(const vtkBaselineSegmentation&) = delete;
+  void operator=(const vtkBaselineSegmentation&) = delete;
+
+  int RequestInformation(vtkInformationVector** inputs, vtkInformationVector* outputs);
+  int RequestData(vtkInformationVector** inputs, vtkInformationVector* outputs);
+  void Execute(vtkImageData* image, vtkPolyData* surface, vtkImageData* labels);
+};
+
+#endif

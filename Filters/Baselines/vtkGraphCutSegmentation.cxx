@@ -1,0 +1,132 @@
+#include "vtkGraphCutSegmentation.h"
+
+#include "BaselineTask.h"
+#include "FieldSurface.h"
+#include "IntensityOdds.h"
+#include "LeakSettings.h"
+#include "MinimumCut.h"
+#include "SliceCut.h"
+
+#include "BallMorphology.h"
+#include "ExecutionAdapter.h"
+#include "PropertyCheck.h"
+
+#include "vtkObjectFactory.h"
+
+#include <algorithm>
+
+vtkStandardNewMacro(vtkGraphCutSegmentation);
+
+namespace
+{
+
+// Voxels of worse odds are background for certain.
+constexpr float WorstLogOdds = -4;
+// Candidates hang together across what is thinner than that, in millimetres.
+constexpr double Bridge = 1.5;
+constexpr double SmoothnessOfSlices = 20;
+constexpr double SmoothnessOfVolume = 10;
+constexpr double CandidatesEnd = 0.1;
+constexpr double CutEnds = 0.9;
+
+FlipFree::BitMask MaskOfVoxels(const std::vector<std::size_t>& voxels,
+  const FlipFree::ImageGeometry& geometry)
+{
+  FlipFree::BitMask mask(geometry);
+  const std::size_t row = geometry.Dimensions[0];
+  const std::size_t rows = geometry.Dimensions[1];
+  for (const std::size_t voxel : voxels)
+  {
+    mask.Insert(static_cast<int>(voxel % row), static_cast<int>(voxel / row % rows),
+      static_cast<int>(voxel / row / rows));
+  }
+  return mask;
+}
+
+// What may be organ: favourable voxels that hang together with the seed, and all around them whose
+// odds are not hopeless. False if the monitor stopped it.
+bool FindCandidates(const FlipFree::ImageView<float>& logOdds,
+  const std::vector<std::size_t>& seedVoxels, const FlipFree::Monitor& monitor,
+  FlipFree::BitMask& candidates)
+{
+  candidates = FlipFree::VoxelsWhere(
+    logOdds, [](float odds) { return odds > WorstLogOdds; }, FlipFree::SMPFor);
+  for (const std::size_t voxel : seedVoxels)
+  {
+    const std::size_t row = logOdds.Geometry.Dimensions[0];
+    const std::size_t rows = logOdds.Geometry.Dimensions[1];
+    candidates.Insert(static_cast<int>(voxel % row), static_cast<int>(voxel / row % rows),
+      static_cast<int>(voxel / row / rows));
+  }
+  if (!FlipFree::Dilate(candidates, Bridge, FlipFree::SMPFor, monitor))
+  {
+    return false;
+  }
+  candidates = FlipFree::ConnectedVoxels(candidates, seedVoxels);
+  return true;
+}
+
+} // namespace
+
+bool vtkGraphCutSegmentation::Segment(const FlipFree::BaselineTask& task,
+  const std::function<bool(double)>& monitor, FlipFree::BaselineResult& result)
+{
+  const FlipFree::ImageGeometry& geometry = task.Region.Geometry;
+  const auto seedVoxels = FlipFree::VoxelsInSphere(geometry, task.Seed);
+  const FlipFree::BitMask seeds = MaskOfVoxels(seedVoxels, geometry);
+  const std::vector<float> logOdds =
+    FlipFree::LogOddsOf(task, this->NoiseWidening, FlipFree::SMPFor);
+  FlipFree::BitMask candidates;
+  if (!FindCandidates({ logOdds.data(), geometry }, seedVoxels,
+        FlipFree::PartOf(monitor, 0, CandidatesEnd), candidates))
+  {
+    return false;
+  }
+
+  FlipFree::MinimumCutSettings settings;
+  settings.Smoothness = this->Smoothness > 0
+    ? this->Smoothness
+    : (this->Mode == SLICES ? SmoothnessOfSlices : SmoothnessOfVolume);
+  settings.EdgeContrast = std::max(this->EdgeContrast * task.Noise, 1e-6);
+  const FlipFree::Monitor cutting = FlipFree::PartOf(monitor, CandidatesEnd, CutEnds);
+  FlipFree::BitMask organ;
+  result.Iterations = 1;
+  const bool done = this->Mode == VOLUME
+    ? FlipFree::FindMinimumCut(task.Region.View(), logOdds, candidates, seeds, settings, cutting,
+        organ)
+    : FlipFree::CutSliceBySlice(task, logOdds, candidates, seeds, settings, this->SliceMargin,
+        FlipFree::SMPFor, cutting, organ, result.Iterations);
+  const FlipFree::Monitor rest = FlipFree::PartOf(monitor, CutEnds, 1);
+  if (!done ||
+    !FlipFree::ControlLeaks(organ, task.Seed,
+      FlipFree::LeakSettingsOf(task, this->ClosingRadius, this->OpeningScale), FlipFree::SMPFor,
+      rest) ||
+    !FlipFree::Dilate(organ, this->RimWidth, FlipFree::SMPFor, rest))
+  {
+    return false;
+  }
+  result.Field = FlipFree::FieldOfMask(organ);
+  return true;
+}
+
+void vtkGraphCutSegmentation::RequireProperties()
+{
+  this->Superclass::RequireProperties();
+  FlipFree::RequireNumbers({ { "NoiseWidening", this->NoiseWidening },
+    { "Smoothness", this->Smoothness }, { "EdgeContrast", this->EdgeContrast },
+    { "SliceMargin", this->SliceMargin }, { "ClosingRadius", this->ClosingRadius },
+    { "OpeningScale", this->OpeningScale }, { "RimWidth", this->RimWidth } });
+}
+
+void vtkGraphCutSegmentation::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Mode: " << (this->Mode == SLICES ? "slices" : "volume") << "\n";
+  os << indent << "NoiseWidening: " << this->NoiseWidening << "\n";
+  os << indent << "Smoothness: " << this->Smoothness << "\n";
+  os << indent << "EdgeContrast: " << this->EdgeContrast << "\n";
+  os << indent << "SliceMargin: " << this->SliceMargin << "\n";
+  os << indent << "ClosingRadius: " << this->ClosingRadius << "\n";
+  os << indent << "OpeningScale: " << this->OpeningScale << "\n";
+  os << indent << "RimWidth: " << this->RimWidth << "\n";
+}

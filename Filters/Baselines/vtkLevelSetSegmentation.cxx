@@ -1,0 +1,191 @@
+#include "vtkLevelSetSegmentation.h"
+
+#include "BaselineTask.h"
+#include "ItkRegion.h"
+#include "SeedStatistics.h"
+#include "SettlingLevelSet.h"
+
+#include "ExecutionAdapter.h"
+#include "PropertyCheck.h"
+
+#include "vtkObjectFactory.h"
+
+#include "itkGeodesicActiveContourLevelSetImageFilter.h"
+#include "itkGradientMagnitudeRecursiveGaussianImageFilter.h"
+#include "itkThresholdSegmentationLevelSetImageFilter.h"
+
+#include <algorithm>
+#include <cmath>
+
+vtkStandardNewMacro(vtkLevelSetSegmentation);
+
+namespace
+{
+
+using FlipFree::ItkImage;
+using ThresholdFilter = FlipFree::SettlingLevelSet<
+  itk::ThresholdSegmentationLevelSetImageFilter<ItkImage, ItkImage, float>>;
+using GeodesicFilter = FlipFree::SettlingLevelSet<
+  itk::GeodesicActiveContourLevelSetImageFilter<ItkImage, ItkImage, float>>;
+using GradientFilter = itk::GradientMagnitudeRecursiveGaussianImageFilter<ItkImage, ItkImage>;
+
+constexpr double CurvatureOfThreshold = 2;
+constexpr double CurvatureOfGeodesic = 0.5;
+// Share of the progress.
+constexpr double EdgesEnd = 0.1;
+
+// Negative inside the seed sphere.
+ItkImage::Pointer SphereFunction(const FlipFree::BaselineTask& task)
+{
+  const FlipFree::ImageGeometry& geometry = task.Region.Geometry;
+  auto image = FlipFree::NewItkImage(geometry);
+  FlipFree::SMPFor(0, geometry.Dimensions[2],
+    [&](std::ptrdiff_t first, std::ptrdiff_t last)
+    {
+      float* value = image->GetBufferPointer() + geometry.Offset(0, 0, static_cast<int>(first));
+      for (int k = static_cast<int>(first); k < last; ++k)
+      {
+        for (int j = 0; j < geometry.Dimensions[1]; ++j)
+        {
+          for (int i = 0; i < geometry.Dimensions[0]; ++i)
+          {
+            const Eigen::Vector3d point = geometry.ToPhysical(Eigen::Vector3d(i, j, k));
+            *value++ = static_cast<float>((point - task.Seed.Center).norm() - task.Seed.Radius);
+          }
+        }
+      }
+    });
+  return image;
+}
+
+// 1 at the middle of the interval, 0 at its ends, -1 at as far again and beyond. Bounded, since the
+// time step would follow the greatest speed: that of air beside bone.
+ItkImage::Pointer ThresholdSpeed(const FlipFree::BaselineTask& task, double width)
+{
+  const FlipFree::SeedStatistics seed = FlipFree::StatisticsOf(task.Region.Voxels.data(),
+    FlipFree::VoxelsInSphere(task.Region.Geometry, task.Seed));
+  // Of a seed of one value any other is background.
+  const double half = std::max(width * seed.Deviation, 1e-6 * (1 + std::abs(seed.Mean)));
+  auto image = FlipFree::NewItkImage(task.Region.Geometry);
+  std::transform(task.Region.Voxels.begin(), task.Region.Voxels.end(), image->GetBufferPointer(),
+    [&](float value)
+    { return static_cast<float>(std::max(-1.0, 1 - std::abs(value - seed.Mean) / half)); });
+  return image;
+}
+
+// 1 in flat parts of the image, a half where the gradient is `contrast` times the seed's mean, 0 at
+// strong edges. Null if the monitor stopped it.
+ItkImage::Pointer EdgePotential(const FlipFree::BaselineTask& task, double sigma, double contrast,
+  const FlipFree::Monitor& monitor)
+{
+  auto gradient = GradientFilter::New();
+  gradient->SetInput(FlipFree::CopyToItk(task.Region.Voxels, task.Region.Geometry));
+  gradient->SetSigma(sigma);
+  gradient->SetNumberOfWorkUnits(
+    static_cast<itk::ThreadIdType>(vtkSMPTools::GetEstimatedNumberOfThreads()));
+  if (!FlipFree::UpdateMonitored<GradientFilter>(gradient,
+        FlipFree::ReportedProgress<GradientFilter>, monitor))
+  {
+    return nullptr;
+  }
+  ItkImage::Pointer image = gradient->GetOutput();
+  image->DisconnectPipeline();
+  float* const begin = image->GetBufferPointer();
+  const FlipFree::SeedStatistics seed =
+    FlipFree::StatisticsOf(begin, FlipFree::VoxelsInSphere(task.Region.Geometry, task.Seed));
+  const double scale = std::max(contrast * seed.Mean, 1e-30);
+  std::transform(begin, begin + task.Region.Voxels.size(), begin,
+    [scale](float value)
+    {
+      const double squared = (value / scale) * (value / scale);
+      return static_cast<float>(1 / (1 + squared * squared));
+    });
+  return image;
+}
+
+// Runs the level set and takes its result over. False if the monitor stopped it.
+template <typename TFilter>
+bool Evolve(const FlipFree::BaselineTask& task, TFilter* filter, double rimWidth,
+  const FlipFree::Monitor& monitor, FlipFree::BaselineResult& result)
+{
+  filter->SetInput(SphereFunction(task));
+  filter->SetMaximumRMSError(0);
+  filter->SetUseImageSpacing(true);
+  const auto progress = [](const TFilter* running)
+  {
+    return static_cast<double>(running->GetElapsedIterations()) /
+      static_cast<double>(running->GetNumberOfIterations());
+  };
+  if (!FlipFree::UpdateMonitored<TFilter>(filter, progress, monitor))
+  {
+    return false;
+  }
+  const float* level = filter->GetOutput()->GetBufferPointer();
+  // The level set function is a distance in voxels of the least spacing, near the front.
+  const float rim = static_cast<float>(rimWidth / task.Region.Geometry.Spacing.minCoeff());
+  result.Field.resize(task.Region.Voxels.size());
+  std::transform(level, level + result.Field.size(), result.Field.begin(),
+    [rim](float value) { return rim - value; });
+  result.Iterations = static_cast<int>(filter->GetElapsedIterations());
+  return true;
+}
+
+} // namespace
+
+bool vtkLevelSetSegmentation::Segment(const FlipFree::BaselineTask& task,
+  const std::function<bool(double)>& monitor, FlipFree::BaselineResult& result)
+{
+  const double curvature = this->CurvatureScaling > 0
+    ? this->CurvatureScaling
+    : (this->Speed == THRESHOLD ? CurvatureOfThreshold : CurvatureOfGeodesic);
+  const auto configure = [this, curvature](auto filter)
+  {
+    filter->SetPropagationScaling(1); // outward, where negative is inside
+    filter->SetCurvatureScaling(static_cast<float>(curvature));
+    filter->SetNumberOfIterations(static_cast<unsigned int>(this->MaximumIterations));
+    filter->SetVolumeTolerance(this->VolumeTolerance);
+    return filter;
+  };
+  if (this->Speed == THRESHOLD)
+  {
+    auto filter = configure(ThresholdFilter::New());
+    auto speed = ThresholdSpeed(task, this->IntensityWidth);
+    filter->SetFeatureImage(speed); // required, but not looked at: the speed is given
+    filter->AutoGenerateSpeedAdvectionOff();
+    filter->GetSegmentationFunction()->SetSpeedImage(speed);
+    return Evolve<ThresholdFilter>(task, filter, this->RimWidth, monitor, result);
+  }
+  auto potential = EdgePotential(task, this->EdgeSigma, this->EdgeContrast,
+    FlipFree::PartOf(monitor, 0, EdgesEnd));
+  if (!potential)
+  {
+    return false;
+  }
+  auto filter = configure(GeodesicFilter::New());
+  filter->SetFeatureImage(potential);
+  filter->SetAdvectionScaling(static_cast<float>(this->AdvectionScaling));
+  return Evolve<GeodesicFilter>(task, filter, 0, FlipFree::PartOf(monitor, EdgesEnd, 1), result);
+}
+
+void vtkLevelSetSegmentation::RequireProperties()
+{
+  this->Superclass::RequireProperties();
+  FlipFree::RequireNumbers({ { "IntensityWidth", this->IntensityWidth },
+    { "CurvatureScaling", this->CurvatureScaling }, { "AdvectionScaling", this->AdvectionScaling },
+    { "EdgeSigma", this->EdgeSigma }, { "EdgeContrast", this->EdgeContrast },
+    { "RimWidth", this->RimWidth }, { "VolumeTolerance", this->VolumeTolerance } });
+}
+
+void vtkLevelSetSegmentation::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Speed: " << (this->Speed == THRESHOLD ? "threshold" : "geodesic") << "\n";
+  os << indent << "IntensityWidth: " << this->IntensityWidth << "\n";
+  os << indent << "CurvatureScaling: " << this->CurvatureScaling << "\n";
+  os << indent << "AdvectionScaling: " << this->AdvectionScaling << "\n";
+  os << indent << "EdgeSigma: " << this->EdgeSigma << "\n";
+  os << indent << "EdgeContrast: " << this->EdgeContrast << "\n";
+  os << indent << "MaximumIterations: " << this->MaximumIterations << "\n";
+  os << indent << "RimWidth: " << this->RimWidth << "\n";
+  os << indent << "VolumeTolerance: " << this->VolumeTolerance << "\n";
+}

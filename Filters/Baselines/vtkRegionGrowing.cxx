@@ -1,0 +1,89 @@
+#include "vtkRegionGrowing.h"
+
+#include "BaselineTask.h"
+#include "FieldSurface.h"
+#include "ItkRegion.h"
+#include "LeakSettings.h"
+#include "SeedStatistics.h"
+
+#include "ExecutionAdapter.h"
+#include "PropertyCheck.h"
+
+#include "vtkObjectFactory.h"
+
+#include "itkConfidenceConnectedImageFilter.h"
+
+#include <cmath>
+
+vtkStandardNewMacro(vtkRegionGrowing);
+
+namespace
+{
+
+using ItkMask = itk::Image<unsigned char, 3>;
+using Filter = itk::ConfidenceConnectedImageFilter<FlipFree::ItkImage, ItkMask>;
+
+constexpr double SeedDeviations = 2; // more is a vessel, or noise
+constexpr double GrowingEnds = 0.7;
+
+// ITK widens the interval until it holds all the seeds, so outliers of the sphere are none.
+void AddSeeds(const FlipFree::BaselineTask& task, FlipFree::ItkImage* image, Filter* filter)
+{
+  const auto voxels = FlipFree::VoxelsInSphere(task.Region.Geometry, task.Seed);
+  const FlipFree::SeedStatistics seed = FlipFree::StatisticsOf(task.Region.Voxels.data(), voxels);
+  for (const std::size_t voxel : voxels)
+  {
+    if (std::abs(task.Region.Voxels[voxel] - seed.Mean) <= SeedDeviations * seed.Deviation + 1e-6)
+    {
+      filter->AddSeed(image->ComputeIndex(static_cast<itk::OffsetValueType>(voxel)));
+    }
+  }
+}
+
+} // namespace
+
+bool vtkRegionGrowing::Segment(const FlipFree::BaselineTask& task,
+  const std::function<bool(double)>& monitor, FlipFree::BaselineResult& result)
+{
+  auto image = FlipFree::CopyToItk(task.Region.Voxels, task.Region.Geometry);
+  auto filter = Filter::New();
+  filter->SetInput(image);
+  filter->SetInitialNeighborhoodRadius(0);
+  filter->SetMultiplier(this->Multiplier);
+  filter->SetNumberOfIterations(static_cast<unsigned int>(this->Repetitions));
+  AddSeeds(task, image, filter);
+  if (!FlipFree::UpdateMonitored<Filter>(filter, FlipFree::ReportedProgress<Filter>,
+        FlipFree::PartOf(monitor, 0, GrowingEnds)))
+  {
+    return false;
+  }
+  const FlipFree::ImageView<unsigned char> grown{ filter->GetOutput()->GetBufferPointer(),
+    task.Region.Geometry };
+  FlipFree::BitMask mask = FlipFree::VoxelsWhere(
+    grown, [](unsigned char value) { return value != 0; }, FlipFree::SMPFor);
+  if (!FlipFree::ControlLeaks(mask, task.Seed,
+        FlipFree::LeakSettingsOf(task, this->ClosingRadius, this->OpeningScale), FlipFree::SMPFor,
+        FlipFree::PartOf(monitor, GrowingEnds, 1)))
+  {
+    return false;
+  }
+  result.Field = FlipFree::FieldOfMask(mask);
+  result.Iterations = this->Repetitions;
+  return true;
+}
+
+void vtkRegionGrowing::RequireProperties()
+{
+  this->Superclass::RequireProperties();
+  FlipFree::RequireNumbers({ { "Multiplier", this->Multiplier },
+    { "ClosingRadius", this->ClosingRadius }, { "OpeningScale", this->OpeningScale } });
+}
+
+void vtkRegionGrowing::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Multiplier: " << this->Multiplier << "\n";
+  os << indent << "Repetitions: " << this->Repetitions << "\n";
+  os << indent << "ClosingRadius: " << this->ClosingRadius << "\n";
+  os << indent << "OpeningScale: " << this->OpeningScale << "\n";
+}

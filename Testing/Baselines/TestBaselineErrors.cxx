@@ -1,0 +1,121 @@
+// Whatever is wrong with the input of a method: one error that says what, where, and what to do,
+// and empty outputs.
+#include "BaselineMethods.h"
+
+#include "BadInput.h"
+#include "FilterErrors.h"
+
+#include "vtkImageData.h"
+#include "vtkPolyData.h"
+
+using namespace FlipFree;
+
+namespace
+{
+
+class BaselineRefuses : public testing::TestWithParam<BaselineMethod>
+{
+protected:
+  void SetUp() override
+  {
+    this->Filter = GetParam().Make();
+    this->Filter->SetInputData(SphereImage());
+    this->Filter->SetSeedCenter(ExampleCenter.data());
+    this->Filter->SetSeedRadius(ExampleRadius);
+  }
+  void ExpectImageRefused(vtkImageData* image, const std::vector<std::string>& parts)
+  {
+    this->Filter->SetInputData(image);
+    ExpectRefusal(this->Filter, parts);
+    EXPECT_EQ(this->Filter->GetNumberOfIterations(), 0);
+  }
+  void ExpectSegmentation()
+  {
+    EXPECT_EQ(ErrorOfUpdate(this->Filter), "0 errors");
+    EXPECT_GT(this->Filter->GetSurface()->GetNumberOfPolys(), 0);
+    EXPECT_EQ(this->Filter->GetLabelMap()->GetNumberOfPoints(), 32 * 32 * 32);
+  }
+
+  vtkSmartPointer<vtkBaselineSegmentation> Filter;
+};
+
+} // namespace
+
+TEST_P(BaselineRefuses, NothingThatIsGood)
+{
+  this->ExpectSegmentation();
+}
+
+TEST_P(BaselineRefuses, NoImage)
+{
+  this->Filter->SetInputData(nullptr);
+  ExpectPipelineRefusal(this->Filter, "port 0");
+}
+
+TEST_P(BaselineRefuses, ImagesThatAreNone)
+{
+  vtkNew<vtkImageData> empty;
+  this->ExpectImageRefused(empty, { "the image on port 0", "no voxels", "connect" });
+  vtkNew<vtkImageData> bare;
+  bare->SetDimensions(32, 32, 32);
+  this->ExpectImageRefused(bare, { "the image on port 0", "no point scalars", "active" });
+  this->ExpectImageRefused(ImageOfType(VTK_SHORT, 3),
+    { "the image on port 0", "3 components", "vtkImageExtractComponents" });
+}
+
+TEST_P(BaselineRefuses, VoxelsThatAreNotFinite)
+{
+  for (const double value : { NotANumber, Infinite, -Infinite })
+  {
+    this->ExpectImageRefused(ImageWith(value),
+      { "the image on port 0", "(45, 48, 51) mm", "not a finite number", "replace" });
+  }
+}
+
+TEST_P(BaselineRefuses, ButNotVoxelsFarFromTheSeed)
+{
+  const auto image = ImageWith(0);
+  image->SetScalarComponentFromDouble(0, 0, 0, 0, NotANumber);
+  this->Filter->SetInputData(image);
+  this->Filter->SetReach(40);
+  this->ExpectSegmentation();
+}
+
+TEST_P(BaselineRefuses, GeometryThatIsNone)
+{
+  const auto flat = SphereImage();
+  flat->SetSpacing(3, 0, 3);
+  this->ExpectImageRefused(flat, { "the image on port 0", "spacing", "direction matrix" });
+  const auto singular = SphereImage();
+  singular->SetDirectionMatrix(1, 0, 0, 0, 1, 0, 0, 0, 0);
+  this->ExpectImageRefused(singular, { "the image on port 0", "direction matrix", "inverted" });
+}
+
+TEST_P(BaselineRefuses, SeedsThatAreNone)
+{
+  this->Filter->SetSeedCenter(46, 46, 94.6);
+  ExpectRefusal(this->Filter,
+    { "(46, 46, 94.6) mm", "outside the image on port 0", "physical coordinates" });
+  this->Filter->SetSeedCenter(ExampleCenter.data());
+  this->Filter->SetSeedRadius(2.9);
+  ExpectRefusal(this->Filter,
+    { "seed's radius", "below a voxel of the image on port 0 (3 mm)", "enlarge" });
+}
+
+TEST_P(BaselineRefuses, ASeedBetweenTheVoxels)
+{
+  const auto image = SphereImage();
+  image->SetSpacing(3, 3, 9); // so that a sphere fits between slices
+  this->Filter->SetInputData(image);
+  this->Filter->SetSeedCenter(45, 45, 139.5);
+  this->Filter->SetSeedRadius(3.5);
+  ExpectRefusal(this->Filter, { "no voxel centre", "seed sphere", "enlarge" });
+}
+
+TEST_P(BaselineRefuses, PropertiesThatAreNotNumbers)
+{
+  this->Filter->SetReach(NotANumber);
+  ExpectRefusal(this->Filter, { "the property Reach", "NaN", "set it" });
+}
+
+INSTANTIATE_TEST_SUITE_P(Baselines, BaselineRefuses, testing::ValuesIn(BaselineMethods()), NameOf);
