@@ -96,8 +96,7 @@ public:
     }
     const std::vector<std::size_t> certain = OffsetsOf(seeds);
     sources.insert(sources.end(), certain.begin(), certain.end());
-    organ = ConnectedVoxels(organ, sources);
-    return true;
+    return KeepConnected(organ, sources, monitor);
   }
 
 private:
@@ -135,7 +134,7 @@ bool CutSliceBySlice(const BaselineTask& task, const std::vector<float>& logOdds
   for (const int direction : { 1, -1 })
   {
     BitMask before = middle;
-    for (int k = first + direction; k >= 0 && k < size && !before.IsEmpty(); k += direction)
+    for (int k = first + direction; k >= 0 && k < size && before.Count() > 0; k += direction)
     {
       BitMask next;
       if (!cutter.Cut(k, &before, slice, next))

@@ -58,12 +58,8 @@ bool FindCandidates(const FlipFree::ImageView<float>& logOdds,
     candidates.Insert(static_cast<int>(voxel % row), static_cast<int>(voxel / row % rows),
       static_cast<int>(voxel / row / rows));
   }
-  if (!FlipFree::Dilate(candidates, Bridge, FlipFree::SMPFor, monitor))
-  {
-    return false;
-  }
-  candidates = FlipFree::ConnectedVoxels(candidates, seedVoxels);
-  return true;
+  return FlipFree::Dilate(candidates, Bridge, FlipFree::SMPFor, monitor) &&
+    FlipFree::KeepConnected(candidates, seedVoxels, monitor);
 }
 
 } // namespace
