@@ -5,12 +5,13 @@
 #   2. style: clang-format
 #   3. build with warnings as errors
 #   4. clang-tidy
-#   5. all tests, pictures included, with a virtual display and software rendering
-#   6. all tests again under AddressSanitizer and UndefinedBehaviorSanitizer
+#   5. gets ParaView and builds the plugin
+#   6. all tests, pictures included, with a virtual display and software rendering
+#   7. all tests again under AddressSanitizer and UndefinedBehaviorSanitizer
 #
 #   run-all.sh [--quick]
 #
-#   --quick  leaves out 4 and 6, which take most of the time
+#   --quick  leaves out 4, 5 and 7, which take most of the time; the tests of the plugin are then skipped
 #
 # It stops at the first step that fails. The last lines are CTest's summary.
 set -euo pipefail
@@ -74,6 +75,9 @@ if ! $quick; then
   step "clang-tidy"
   own_sources | xargs --no-run-if-empty -0 -n 1 -P "$jobs" \
     clang-tidy --quiet -p build/dev --warnings-as-errors='*' 2> >(grep -v 'warnings generated' >&2)
+
+  step "ParaView plugin"
+  Wrapping/ParaView/build-plugin.sh build/paraview -DFLIPFREE_WARNINGS_AS_ERRORS=ON
 fi
 
 step "Tests"

@@ -36,6 +36,9 @@ public:
   vtkTypeMacro(vtkGraphCutSegmentation, vtkBaselineSegmentation);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  /**
+   * Values of Mode.
+   */
   enum ModeType
   {
     SLICES = 0,

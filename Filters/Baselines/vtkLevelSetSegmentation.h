@@ -32,6 +32,9 @@ public:
   vtkTypeMacro(vtkLevelSetSegmentation, vtkBaselineSegmentation);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  /**
+   * Values of Speed.
+   */
   enum SpeedType
   {
     THRESHOLD = 0,
