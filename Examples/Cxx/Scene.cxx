@@ -29,7 +29,6 @@ namespace
 constexpr int Finer = 2; // drawn so many times as large and scaled down, for smooth lines
 constexpr double Ink[3] = { 0.045, 0.05, 0.06 };
 constexpr double Frame[3] = { 0.2, 0.21, 0.24 };
-constexpr double Liver[3] = { 0.86, 0.42, 0.33 };
 
 Vector NormalOf(const Plane& plane)
 {
@@ -79,7 +78,7 @@ vtkSmartPointer<vtkRenderer> MakeView(const Actors& actors, const std::string& c
 
 } // namespace
 
-vtkSmartPointer<vtkActor> SurfaceActor(vtkPolyData* surface)
+vtkSmartPointer<vtkActor> SurfaceActor(vtkPolyData* surface, const double colour[3])
 {
   vtkNew<vtkPolyDataNormals> normals;
   normals->SetInputData(surface);
@@ -91,14 +90,14 @@ vtkSmartPointer<vtkActor> SurfaceActor(vtkPolyData* surface)
   auto actor = vtkSmartPointer<vtkActor>::New();
   actor->SetMapper(mapper);
   vtkProperty* look = actor->GetProperty();
-  look->SetColor(Liver[0], Liver[1], Liver[2]);
+  look->SetColor(colour[0], colour[1], colour[2]);
   look->SetInterpolationToPhong();
   look->SetAmbient(0.1);
   look->SetDiffuse(0.85);
   look->SetSpecular(0.2);
   look->SetSpecularPower(25);
   look->EdgeVisibilityOn();
-  look->SetEdgeColor(Liver[0] / 2, Liver[1] / 2, Liver[2] / 2);
+  look->SetEdgeColor(colour[0] / 2, colour[1] / 2, colour[2] / 2);
   return actor;
 }
 

@@ -26,6 +26,7 @@ using Actors = std::vector<vtkSmartPointer<vtkActor>>;
 
 constexpr double Yellow[3] = { 1.0, 0.76, 0.2 };
 constexpr double Blue[3] = { 0.35, 0.65, 1.0 };
+constexpr double Liver[3] = { 0.86, 0.42, 0.33 };
 
 /// A slice's directions, along the axes; the viewer is where Right x Up points.
 struct Plane
@@ -38,7 +39,7 @@ const Plane Axial{ { 1, 0, 0 }, { 0, -1, 0 } };
 const Plane Coronal{ { 1, 0, 0 }, { 0, 0, 1 } };
 
 /// A surface with the edges of its mesh.
-vtkSmartPointer<vtkActor> SurfaceActor(vtkPolyData* surface);
+vtkSmartPointer<vtkActor> SurfaceActor(vtkPolyData* surface, const double colour[3] = Liver);
 
 /// A slice through a point, over the whole image, in the grey values of an abdomen's CT.
 vtkSmartPointer<vtkActor> SliceActor(vtkImageData* image, const Vector& centre, const Plane& plane,

@@ -1,0 +1,167 @@
+/**
+ * Segments several organs of the built-in phantom, each from its own seed, into one scene and one
+ * label map.
+ *
+ *   SeveralOrgans
+ *   SeveralOrgans --picture organs.png --labels organs.nii.gz
+ */
+#include "Scene.h"
+
+#include <vtkBoundingBox.h>
+#include <vtkDataArray.h>
+#include <vtkFlipFreeSegmentation.h>
+#include <vtkImageData.h>
+#include <vtkMedicalImageWriter.h>
+#include <vtkNew.h>
+#include <vtkPhantomSource.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
+
+#include <cstdlib>
+#include <iostream>
+#include <string>
+#include <vector>
+
+namespace
+{
+
+struct Organ
+{
+  const char* Name;
+  int Label; // in the phantom's truth
+  double Colour[3];
+  vtkSmartPointer<vtkPolyData> Surface;
+};
+
+struct Files
+{
+  std::string Picture;
+  std::string Labels;
+};
+
+Files ReadFiles(int argc, char* argv[])
+{
+  Files files;
+  for (int i = 1; i < argc; i += 2)
+  {
+    const std::string option = argv[i];
+    if ((option != "--picture" && option != "--labels") || i + 1 == argc)
+    {
+      std::cerr << "Usage: " << argv[0] << " [--picture PNG] [--labels FILE]\n";
+      std::exit(2);
+    }
+    (option == "--picture" ? files.Picture : files.Labels) = argv[i + 1];
+  }
+  return files;
+}
+
+/// Adds an organ to the label map of those before it, which keep what two of them claim. Returns
+/// the number of such voxels.
+vtkIdType Merge(vtkImageData* organ, vtkImageData* all)
+{
+  vtkDataArray* const added = organ->GetPointData()->GetScalars();
+  vtkDataArray* const labels = all->GetPointData()->GetScalars();
+  vtkIdType contested = 0;
+  for (vtkIdType voxel = 0; voxel < labels->GetNumberOfTuples(); ++voxel)
+  {
+    const double value = added->GetComponent(voxel, 0);
+    if (value != 0 && labels->GetComponent(voxel, 0) != 0)
+    {
+      ++contested;
+    }
+    else if (value != 0)
+    {
+      labels->SetComponent(voxel, 0, value);
+    }
+  }
+  labels->Modified();
+  return contested;
+}
+
+void Draw(const std::string& file, vtkImageData* image, const std::vector<Organ>& organs)
+{
+  const Scene::Plane& plane = Scene::Axial;
+  Scene::Vector centre;
+  organs.front().Surface->GetCenter(centre.data());
+  Scene::Actors slice = { Scene::SliceActor(image, centre, plane) };
+  Scene::Actors surfaces;
+  vtkBoundingBox box;
+  for (const Organ& organ : organs)
+  {
+    slice.push_back(Scene::ContourActor(organ.Surface, centre, plane, organ.Colour));
+    surfaces.push_back(Scene::SurfaceActor(organ.Surface, organ.Colour));
+    box.AddBounds(organ.Surface->GetBounds());
+  }
+  double bounds[6];
+  box.GetBounds(bounds);
+  Scene::WritePicture(file,
+    { { Scene::SliceView(slice, image->GetBounds(), plane, "", 1.02),
+      Scene::SpaceView(surfaces, bounds, "from the front") } });
+}
+
+} // namespace
+
+int main(int argc, char* argv[])
+{
+  const Files files = ReadFiles(argc, argv);
+  vtkNew<vtkPhantomSource> phantom;
+  phantom->SetShapeToAbdomen();
+  phantom->Update();
+
+  std::vector<Organ> organs = {
+    { "liver", vtkPhantomSource::LIVER, { 0.86, 0.42, 0.33 }, nullptr },
+    { "spleen", vtkPhantomSource::SPLEEN, { 0.72, 0.48, 0.80 }, nullptr },
+    { "right kidney", vtkPhantomSource::RIGHT_KIDNEY, { 0.95, 0.72, 0.30 }, nullptr },
+    { "left kidney", vtkPhantomSource::LEFT_KIDNEY, { 0.95, 0.90, 0.45 }, nullptr },
+    { "stomach", vtkPhantomSource::STOMACH, { 0.45, 0.75, 0.50 }, nullptr },
+  };
+  vtkNew<vtkImageData> labels;
+  vtkNew<vtkFlipFreeSegmentation> segmentation;
+  segmentation->SetInputConnection(phantom->GetOutputPort());
+  for (Organ& organ : organs)
+  {
+    double ball[4];
+    phantom->GetSeed(organ.Label, ball);
+    segmentation->SetSeedCenter(ball);
+    segmentation->SetSeedRadius(ball[3]);
+    segmentation->SetLabelValue(static_cast<int>(&organ - organs.data()) + 1);
+    segmentation->Update();
+    if (segmentation->GetSurface()->GetNumberOfPoints() == 0)
+    {
+      return EXIT_FAILURE; // the filter has told why
+    }
+    // The filter's next run writes into its outputs again: a copy keeps what they hold now.
+    organ.Surface = vtkSmartPointer<vtkPolyData>::New();
+    organ.Surface->ShallowCopy(segmentation->GetSurface());
+    std::cout << organ.Name << ": " << organ.Surface->GetNumberOfPoints() << " vertices, "
+              << segmentation->GetNumberOfSelfIntersections() << " self-intersections";
+    if (labels->GetNumberOfPoints() == 0)
+    {
+      labels->DeepCopy(segmentation->GetLabelMap());
+    }
+    else
+    {
+      std::cout << ", " << Merge(segmentation->GetLabelMap(), labels)
+                << " voxels were another organ's already";
+    }
+    std::cout << "\n";
+  }
+
+  if (!files.Labels.empty())
+  {
+    vtkNew<vtkMedicalImageWriter> writer;
+    writer->SetInputData(labels);
+    writer->SetFileName(files.Labels.c_str());
+    writer->Write();
+    if (writer->GetErrorCode() != 0)
+    {
+      return EXIT_FAILURE;
+    }
+  }
+  if (!files.Picture.empty())
+  {
+    Draw(files.Picture, phantom->GetOutput(), organs);
+  }
+  return EXIT_SUCCESS;
+}
