@@ -39,12 +39,21 @@ class Gui(unittest.TestCase):
         self.desk = Desk()
         self.wait_for(lambda: [window for window in self.desk.windows() if window[0] > 800], "ParaView's window")
         self.window = self.desk.windows()[0][2]
-        self.desk.settle(3)
+        self.wait_for(lambda: self.state()["view"][0] > 0, "the two slices")
         self.desk.fill_screen(self.window, WIDTH, HEIGHT)
         self.desk.focus(self.window)
+        self.wait_for(self.view_is_wide, "the window to fill the screen")
+        self.wait_for(self.widen_panels, "the panels to become wide")
+
+    def view_is_wide(self):
+        return self.state()["view"][0] > WIDTH - SEAM.stop - 10
+
+    def widen_panels(self):
+        """Draws the seam to the right, wherever exactly it is; true once the view has become smaller."""
         for x in SEAM:
             self.desk.drag((x, 600), (WIDER, 600), steps=20)
         self.desk.settle(1)
+        return not self.view_is_wide()
 
     def stop(self):
         self.paraview.kill()
@@ -65,11 +74,13 @@ class Gui(unittest.TestCase):
             self.desk.picture(WIDTH, HEIGHT).save(os.path.join(folder, f"gui-{name}.png"))
 
     def state(self):
+        state = {"view": [0, 0], "points": -1, "radius": -1, "center": [0, 0, 0]}
         try:
             with open(self.note, encoding="utf-8") as file:
-                return json.load(file)
+                state.update(json.load(file))
         except FileNotFoundError:
-            return {"points": -1, "radius": -1, "center": [0, 0, 0]}
+            pass
+        return state
 
     def add_filter(self, letters):
         """From the quick launch."""

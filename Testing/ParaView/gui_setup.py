@@ -1,5 +1,5 @@
 """Run by ParaView's window at its start, for TestGui.py: the abdomen on two slices, the camera on its liver; and after
-each drawing, a note of what the segmentation is by then, for the test to read."""
+each drawing, a note of the view's size and of what the segmentation is by then, for the test to read."""
 
 import json
 import os
@@ -29,17 +29,18 @@ def show_slices(image, view):
 
 
 def note(*_):
+    state = {"view": list(view.ViewSize)}
     organ = FindSource("FlipFreeSegmentation1")
-    if organ is None:
-        return
-    organ.UpdatePropertyInformation()
-    state = {"center": list(organ.SeedCenter), "radius": organ.SeedRadius, "stop": organ.StopReason,
-             "intersections": organ.NumberOfSelfIntersections,
-             "points": organ.GetDataInformation().GetNumberOfPoints(),
-             "history": organ.KeepHistory, "times": [GetAnimationScene().StartTime, GetAnimationScene().EndTime],
-             "visible": sorted(name for (name, _), source in GetSources().items()
-                               for port in range(source.SMProxy.GetNumberOfOutputPorts())
-                               if shown(source, port))}
+    if organ is not None:
+        organ.UpdatePropertyInformation()
+        state.update({
+            "center": list(organ.SeedCenter), "radius": organ.SeedRadius, "stop": organ.StopReason,
+            "intersections": organ.NumberOfSelfIntersections,
+            "points": organ.GetDataInformation().GetNumberOfPoints(),
+            "history": organ.KeepHistory, "times": [GetAnimationScene().StartTime, GetAnimationScene().EndTime],
+            "visible": sorted(name for (name, _), source in GetSources().items()
+                              for port in range(source.SMProxy.GetNumberOfOutputPorts())
+                              if shown(source, port))})
     partial = os.environ["FLIPFREE_GUI_NOTE"] + ".part"
     with open(partial, "w", encoding="utf-8") as file:
         json.dump(state, file)
@@ -57,3 +58,4 @@ view = GetActiveViewOrCreate("RenderView")
 show_slices(ct, view)
 SetActiveSource(ct)
 view.SMProxy.AddObserver("EndEvent", note)
+note()
