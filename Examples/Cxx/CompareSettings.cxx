@@ -84,6 +84,7 @@ int main(int argc, char* argv[])
         bounds, plane, Settings[0].Name + " (yellow), " + Settings[1].Name + " (blue)"));
     }
     std::vector<vtkSmartPointer<vtkRenderer>> surfaces;
+    surfaces.reserve(2);
     for (int i = 0; i < 2; ++i)
     {
       surfaces.push_back(Scene::SpaceView({ Scene::SurfaceActor(organs[i]->GetSurface()) }, bounds,
