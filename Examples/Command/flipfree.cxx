@@ -17,6 +17,8 @@
 #include <iostream>
 #include <memory>
 #include <new>
+#include <string>
+#include <vector>
 
 namespace
 {
@@ -49,6 +51,19 @@ std::string HelpFor(const CLI::App& program)
   return " See '" + command + " --help'.";
 }
 
+/// What is wrong with the words, in CLI11's words; but that does not look at a mistyped subcommand,
+/// only misses a right one.
+std::string MessageOf(const CLI::ParseError& error, const CLI::App& program)
+{
+  const std::vector<std::string> unknown = program.remaining();
+  if (program.get_subcommands().empty() && !unknown.empty())
+  {
+    const bool isOption = unknown.front().rfind('-', 0) == 0;
+    return (isOption ? "There is no option '" : "There is no subcommand '") + unknown.front() + "'";
+  }
+  return error.what();
+}
+
 void RequireOutputArrived()
 {
   errno = 0;
@@ -75,7 +90,7 @@ ExitStatus RunProgram(CLI::App& program, int argc, char* argv[])
   }
   catch (const CLI::ParseError& error)
   {
-    std::string message = error.what();
+    const std::string message = MessageOf(error, program);
     PrintError(message + (message.empty() || message.back() == '.' ? "" : ".") + HelpFor(program));
   }
   catch (const WrongUsage& error)

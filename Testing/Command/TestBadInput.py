@@ -16,6 +16,10 @@ class TestBadInput(command.CommandTest):
         return ("-o", self.result("out.vtp"), "--labels", self.result("out.nii.gz"),
                 "--convergence", self.result("out.csv"))
 
+    def test_mistyped_subcommand(self):
+        self.assert_refused(command.run("segmant", self.volume), 2, "subcommand 'segmant'", "flipfree --help")
+        self.assert_refused(command.run("--foo"), 2, "option '--foo'", "flipfree --help")
+
     def test_missing_file(self):
         self.assert_refused(self.segment(*self.seed, *self.output(), volume="/nowhere/ct.nii.gz"),
                             1, "'/nowhere/ct.nii.gz'", "Check")
