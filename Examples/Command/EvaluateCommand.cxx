@@ -196,7 +196,7 @@ void AddEvaluateCommand(CLI::App& program)
     ->type_name("FILE");
   command->add_flag("--voxelise", evaluation->Voxelise,
     "Measure the distances of a surface's voxels, to compare it with label maps on equal terms");
-  command->add_flag("-q,--quiet", evaluation->Quiet, "Print nothing but errors");
+  command->add_flag("-q,--quiet", evaluation->Quiet, "Print nothing but errors and warnings");
   command->footer(Footer);
   command->callback([evaluation]() { Evaluate(*evaluation); });
 }

@@ -187,7 +187,7 @@ void AddPhantomCommand(CLI::App& program)
     ->type_name("N")
     ->check(CLI::Range(0, 20))
     ->capture_default_str();
-  command->add_flag("-q,--quiet", phantom->Quiet, "Print nothing but errors");
+  command->add_flag("-q,--quiet", phantom->Quiet, "Print nothing but errors and warnings");
   command->footer(Footer);
   command->callback([phantom]() { Make(*phantom); });
 }

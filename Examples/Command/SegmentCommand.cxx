@@ -304,7 +304,7 @@ void AddFiles(CLI::App* command, Segmentation& segmentation)
     ->type_name("N")
     ->check(CLI::Range(0, 1024))
     ->capture_default_str();
-  command->add_flag("-q,--quiet", segmentation.Quiet, "Print nothing but errors");
+  command->add_flag("-q,--quiet", segmentation.Quiet, "Print nothing but errors and warnings");
 }
 
 } // namespace

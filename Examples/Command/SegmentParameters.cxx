@@ -45,8 +45,8 @@ void SegmentParameters::Add(CLI::App& command, const char* group, const std::str
         const T taken = (filter->*get)();
         if (taken != value)
         {
-          throw WrongUsage(option + ": " + TextOf(value) + " is out of range; the nearest is " +
-            TextOf(taken) + ".");
+          throw WrongUsage(option.substr(0, option.find(',')) + ": " + TextOf(value) +
+            " is out of range; the nearest is " + TextOf(taken) + ".");
         }
       });
   };
@@ -81,15 +81,15 @@ void SegmentParameters::AddOptions(CLI::App& command)
     &Filter::SetResolution);
   this->Add(command, General, "--levels", "N", "Levels from coarse to fine", &Filter::GetLevels,
     &Filter::SetLevels);
-  this->Add(command, General, "--iterations", "N", "Most iterations at each level",
-    &Filter::GetMaximumIterations, &Filter::SetMaximumIterations);
+  this->Add(command, General, "--iterations,--maximum-iterations", "N",
+    "Most iterations at each level", &Filter::GetMaximumIterations, &Filter::SetMaximumIterations);
   this->Add(command, General, "--search-distance", "MM",
     "Length of the search lines; 0: in proportion to the radius", &Filter::GetSearchDistance,
     &Filter::SetSearchDistance);
   this->Add(command, General, "--reach", "MM",
     "How far from the seed the surface may get; 0: ten radii, 100 to 250 mm", &Filter::GetReach,
     &Filter::SetReach);
-  this->Add(command, General, "--smoothing", "N",
+  this->Add(command, General, "--smoothing,--diffusion-iterations", "N",
     "Iterations of the diffusion that smooths the volume", &Filter::GetDiffusionIterations,
     &Filter::SetDiffusionIterations);
   this->Add(command, General, "--foreground-mass", "P",
@@ -101,20 +101,21 @@ void SegmentParameters::AddOptions(CLI::App& command)
     "Keep the surface from meeting itself (default: on); without, nothing is promised",
     &Filter::SetGuard);
 
-  this->Add(command, Finer, "--threshold", "G",
+  this->Add(command, Finer, "--threshold,--feature-threshold", "G",
     "Gamma of Eq. 2, 0 to 1; 0: from the foreground's mass", &Filter::GetFeatureThreshold,
     &Filter::SetFeatureThreshold);
-  this->Add(command, Finer, "--components", "N", "Most Gaussians in the mixture",
-    &Filter::GetMaximumComponents, &Filter::SetMaximumComponents);
-  this->Add(command, Finer, "--minimum-weight", "P",
+  this->Add(command, Finer, "--components,--maximum-components", "N",
+    "Most Gaussians in the mixture", &Filter::GetMaximumComponents, &Filter::SetMaximumComponents);
+  this->Add(command, Finer, "--minimum-weight,--minimum-component-weight", "P",
     "Weight below which a Gaussian is taken out of the mixture", &Filter::GetMinimumComponentWeight,
     &Filter::SetMinimumComponentWeight);
   this->Add(command, Finer, "--noise-widening", "F",
     "Noise added to the mixture's deviations, in standard deviations of the volume's noise",
     &Filter::GetNoiseWidening, &Filter::SetNoiseWidening);
-  this->Add(command, Finer, "--closing", "MM", "Radius of the closing of the foreground",
-    &Filter::GetClosingRadius, &Filter::SetClosingRadius);
-  this->Add(command, Finer, "--opening", "F",
+  this->Add(command, Finer, "--closing,--closing-radius", "MM",
+    "Radius of the closing of the foreground", &Filter::GetClosingRadius,
+    &Filter::SetClosingRadius);
+  this->Add(command, Finer, "--opening,--opening-scale", "F",
     "Radius of the opening of the foreground, in seed radii", &Filter::GetOpeningScale,
     &Filter::SetOpeningScale);
   this->AddSwitch(command, Finer, "reestimate",
@@ -126,6 +127,12 @@ void SegmentParameters::AddOptions(CLI::App& command)
     &Filter::GetRunVoxels, &Filter::SetRunVoxels);
   this->AddSwitch(command, Finer, "search-inward",
     "Vertices in the background look inward for the organ (default: on)", &Filter::SetSearchInward);
+  this->Add(command, Finer, "--search-scale", "F",
+    "Length of the search lines in seed radii, where it is not given in millimetres",
+    &Filter::GetSearchScale, &Filter::SetSearchScale);
+  this->Add(command, Finer, "--image-end-distance", "MM",
+    "How near the end of the volume a vertex takes the end for its target; 0: it has none",
+    &Filter::GetImageEndDistance, &Filter::SetImageEndDistance);
   this->Add(command, Finer, "--edge-window", "MM",
     "Window in which targets move to the strongest edge", &Filter::GetEdgeWindow,
     &Filter::SetEdgeWindow);
@@ -142,7 +149,7 @@ void SegmentParameters::AddOptions(CLI::App& command)
     &Filter::SetAvoidFlips);
   this->Add(command, Finer, "--flip-threshold", "R", "r of Eq. 3", &Filter::GetFlipThreshold,
     &Filter::SetFlipThreshold);
-  this->Add(command, Finer, "--propagation", "N",
+  this->Add(command, Finer, "--propagation,--propagation-iterations", "N",
     "Passes that carry displacements to solitary vertices", &Filter::GetPropagationIterations,
     &Filter::SetPropagationIterations);
   this->Add(command, Finer, "--position-weight", "F", "lambda_p of Eq. 7",
@@ -160,7 +167,7 @@ void SegmentParameters::AddOptions(CLI::App& command)
   this->Add(command, Finer, "--start-scale", "F", "Radius of the first sphere, in seed radii",
     &Filter::GetStartScale, &Filter::SetStartScale);
   command
-    .add_option("--start-offset", this->StartOffset,
+    .add_option("--start-offset,--start-center-offset", this->StartOffset,
       "Centre of the first sphere from the seed's, in mm, to start elsewhere than in the seed")
     ->type_name("X Y Z")
     ->expected(3)

@@ -49,8 +49,8 @@ void ReadFile(const std::string& name, Inputs& inputs)
 Inputs ReadInputs(int argc, char* argv[])
 {
   Inputs inputs;
-  inputs.Radius = 0;
   std::string file;
+  bool hasSeed = false;
   const std::vector<std::string> words(argv + 1, argv + argc);
   try
   {
@@ -58,6 +58,7 @@ Inputs ReadInputs(int argc, char* argv[])
     {
       if (words[i] == "--seed")
       {
+        hasSeed = true;
         for (double& coordinate : inputs.Seed)
         {
           coordinate = std::stod(words.at(++i));
@@ -75,7 +76,7 @@ Inputs ReadInputs(int argc, char* argv[])
       {
         inputs.Start = words.at(++i);
       }
-      else if (file.empty() && words[i].front() != '-')
+      else if (file.empty() && !words[i].empty() && words[i].front() != '-')
       {
         file = words[i];
       }
@@ -91,9 +92,13 @@ Inputs ReadInputs(int argc, char* argv[])
   }
   if (file.empty())
   {
+    if (hasSeed || inputs.Radius != 0)
+    {
+      Refuse(argv[0], "--seed and --radius go with an image; the phantom has a seed of its own.");
+    }
     UsePhantom(inputs);
   }
-  else if (inputs.Radius <= 0)
+  else if (!hasSeed || inputs.Radius <= 0)
   {
     Refuse(argv[0], "An image needs --seed X Y Z and --radius R.");
   }

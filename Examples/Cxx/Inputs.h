@@ -13,8 +13,8 @@
 struct Inputs
 {
   vtkSmartPointer<vtkImageData> Image;
-  std::array<double, 3> Seed; // within the organ, LPS millimetres
-  double Radius;
+  std::array<double, 3> Seed{}; // within the organ, LPS millimetres
+  double Radius = 0;
   std::string Picture; // to draw, if any
   std::string Start;   // STL file of another surface to start from, if any
 };

@@ -31,6 +31,8 @@ def parse(description, parser=None):
     arguments = parser.parse_args()
     if arguments.image and not (arguments.seed and arguments.radius):
         parser.error("an image needs --seed X Y Z and --radius R")
+    if not arguments.image and (arguments.seed or arguments.radius):
+        parser.error("--seed and --radius go with an image; the phantom has a seed of its own")
     return arguments
 
 

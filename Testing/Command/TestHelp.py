@@ -1,8 +1,13 @@
 """The help teaches: purpose, units, defaults, examples; and the version is printed."""
 
+import os
+import re
 import unittest
 
 import command
+
+HEADER = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "Filters", "Segmentation",
+                      "vtkFlipFreeSegmentation.h")
 
 
 class TestHelp(unittest.TestCase):
@@ -22,6 +27,17 @@ class TestHelp(unittest.TestCase):
                      "--preset", "published", "naive", "--threads", "--series", "Examples:"):
             self.assertIn(word, text)
         self.assertRegex(text, r"--resolution N [^\[]*\[32\]")  # the filter's own default
+
+    def test_every_property_of_the_filter_is_an_option(self):
+        with open(HEADER, encoding="utf-8") as file:
+            properties = re.findall(r"vtkSet\w*Macro\((\w+)", file.read())
+        options = {re.sub(r"(?<!^)(?=[A-Z])", "-", name).lower() for name in properties}
+        # The seed is --seed or --seed-voxel and --radius; iterates are for pipelines.
+        options -= {"seed-center", "seed-radius", "keep-history"}
+        self.assertGreater(len(options), 30)
+        help_of_segment = self.help_of("segment")
+        self.assertEqual([option for option in sorted(options)
+                          if not re.search(rf"--{option}\b(?!-)", help_of_segment)], [])
 
     def test_evaluate(self):
         text = self.help_of("evaluate")

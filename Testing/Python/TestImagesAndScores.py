@@ -38,6 +38,13 @@ class Arrays(unittest.TestCase):
         del array
         self.assertEqual(image.GetScalarRange(), (-1, 22))
 
+    def test_what_may_not_be_written_to_is_copied(self):
+        array = numpy.arange(24.0).reshape(2, 3, 4)
+        array.setflags(write=False)
+        image = flipfree.image_from_array(array, (1, 1, 1))
+        image.SetScalarComponentFromDouble(0, 0, 0, 0, 77)
+        self.assertEqual(array[0, 0, 0], 0)
+
     def test_image_without_scalars(self):
         flat = flipfree.image_from_array(numpy.zeros((0, 3, 4)), (1, 1, 1))
         with self.assertRaisesRegex(ValueError, "^image: it has no scalars"):

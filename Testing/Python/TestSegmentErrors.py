@@ -1,6 +1,9 @@
 """What goes wrong is an exception with VTK's message, or a warning, and nothing is printed."""
 
+import os
 import pickle
+import subprocess
+import sys
 import tempfile
 import threading
 import unittest
@@ -55,6 +58,8 @@ class Failures(unittest.TestCase):
         self.refuse(ValueError, "^seed: 3 numbers are needed, not 2$", image(), (1, 2), RADIUS)
         self.refuse(TypeError, "^seed: 3 numbers are needed, not 5$", image(), 5, RADIUS)
         self.refuse(TypeError, "^radius: a number is needed, not", image(), SEED, "wide")
+        self.refuse(ValueError, "^radius: -1.0 is out of range", image(), SEED, -1)
+        self.refuse(ValueError, "^radius: 1000000000.0 is out of range", image(), SEED, 1e9)
 
     def test_images(self):
         array = flipfree.array_from_image(image())
@@ -76,6 +81,9 @@ class Failures(unittest.TestCase):
             self.refuse(flipfree.FileError, "no DICOM image", Path(folder), SEED, RADIUS)
             with self.assertRaisesRegex(flipfree.FileError, r"'\.jpg'|jpg"):
                 flipfree.write_image(image(), Path(folder) / "abdomen.jpg")
+            for no_image in (None, liver().labels):
+                with self.assertRaisesRegex(TypeError, "^image: a vtkImageData is needed, not"):
+                    flipfree.write_image(no_image, Path(folder) / "abdomen.nii")
             self.assertEqual(list(Path(folder).iterdir()), [])
 
     def test_evaluation(self):
@@ -132,6 +140,23 @@ class Warnings(unittest.TestCase):
             warnings.simplefilter("error")
             with self.assertRaises(flipfree.FlipFreeWarning):
                 flipfree.segment(image(), SEED, RADIUS, reach=30)
+
+
+class OtherVTK(unittest.TestCase):
+    def test_is_refused_before_it_crashes(self):
+        with tempfile.TemporaryDirectory() as folder:
+            package = Path(folder, "vtkmodules")
+            package.mkdir()
+            for module in ("__init__", "vtkCommonDataModel", "vtkCommonExecutionModel"):
+                (package / f"{module}.py").touch()
+            (package / "vtkCommonCore.py").write_text(
+                "class vtkVersion:\n    GetVTKVersion = staticmethod(lambda: '9.99.1')\n")
+            paths = [folder, str(Path(flipfree.__file__).parent.parent)]
+            program = subprocess.run([sys.executable, "-c", "import flipfree"], capture_output=True,
+                                     text=True, env={**os.environ, "PYTHONPATH": os.pathsep.join(paths)})
+        self.assertEqual(program.returncode, 1)
+        self.assertRegex(program.stderr, r"ImportError: flipfree works with the vtkmodules package of VTK "
+                                         r"9\.1.*vtkmodules is of VTK 9\.99\.1")
 
 
 class Printed(unittest.TestCase):

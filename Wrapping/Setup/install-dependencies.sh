@@ -12,6 +12,9 @@ set -euo pipefail
 
 build_packages=(
   cmake
+  # For the Debian package.
+  dpkg-dev
+  file
   g++
   libboost-dev
   libcli11-dev
@@ -33,8 +36,6 @@ test_packages=(
   clang-format
   clang-tidy
   doxygen
-  dpkg-dev
-  file
   groff-base
   libbenchmark-dev
   libcgal-dev

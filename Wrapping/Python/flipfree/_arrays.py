@@ -30,8 +30,8 @@ def image_from_array(
 
     Spacing (mm), origin (mm, of the centre of the first voxel) and direction (3 x 3, the axes as
     columns; default the identity) are as SimpleITK, nibabel and pydicom users know them, in LPS
-    coordinates. Where VTK knows the array's type and its voxels lie one behind the other, the image
-    shares its memory.
+    coordinates. Where VTK knows the array's type, its voxels lie one behind the other and may be
+    written to, the image shares its memory; otherwise it has a copy.
 
     >>> import flipfree, numpy
     >>> volume = numpy.zeros((20, 64, 48), dtype=numpy.int16)   # 20 slices, 64 rows, 48 columns
@@ -52,6 +52,8 @@ def image_from_array(
             f"{voxels.shape}"
         )
     voxels = numpy.ascontiguousarray(voxels, dtype=_type_for_vtk(voxels.dtype))
+    if not voxels.flags.writeable:  # which an image cannot tell those who get it
+        voxels = voxels.copy()
     image = vtkImageData()
     image.SetDimensions(voxels.shape[2], voxels.shape[1], voxels.shape[0])
     image.SetSpacing(floats("spacing", spacing, 3))

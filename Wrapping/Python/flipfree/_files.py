@@ -49,6 +49,8 @@ def write_image(image: vtkImageData, path: PathName) -> None:
     ...     flipfree.read_image(path).GetDimensions()
     (96, 96, 96)
     """
+    if not isinstance(image, vtkImageData):
+        raise TypeError(f"image: a vtkImageData is needed, not {image!r:.80}; image_from_array makes one")
     writer = _imaging_class("vtkMedicalImageWriter")
     writer.SetInputDataObject(image)
     writer.SetFileName(os.fspath(path))

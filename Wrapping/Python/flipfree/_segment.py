@@ -11,7 +11,14 @@ from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData
 from ._arrays import image_from_array
 from ._errors import SegmentationError
 from ._files import read_image
-from ._parameters import described, floats, parameters_of, set_parameters, signature_with
+from ._parameters import (
+    Parameter,
+    described,
+    floats,
+    parameters_of,
+    set_parameters,
+    signature_with,
+)
 from ._progress import progress_of
 from ._segmentation import Segmentation
 from ._types import Preset, ProgressOption
@@ -24,6 +31,7 @@ if TYPE_CHECKING:
     from ._types import Image
 
 PARAMETERS = parameters_of(vtkFlipFreeSegmentation, without=("seed_center", "seed_radius"))
+RADIUS = Parameter("radius", "SeedRadius", float, "")
 
 
 def segment(
@@ -84,7 +92,7 @@ def segment(
     algorithm = _with_preset(preset)
     set_parameters("segment", algorithm, PARAMETERS, parameters)
     algorithm.SetSeedCenter(floats("seed", seed, 3))
-    algorithm.SetSeedRadius(floats("radius", [radius], 1)[0])
+    RADIUS.set(algorithm, floats("radius", [radius], 1)[0])
     if start is not None:
         algorithm.SetStartData(_surface_of(start))
     algorithm.SetInputData(_image_of(image, spacing, origin, direction, progress))
