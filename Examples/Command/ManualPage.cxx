@@ -86,7 +86,7 @@ void AddOption(std::ostringstream& page, const OptionEntry& option)
   page << '\n' << Roff(Sentence(option.Description));
   if (!option.Default.empty())
   {
-    page << " Default: " << Roff(option.Default) << '.';
+    page << " Default: \\fB" << Roff(option.Default) << "\\fR";
   }
   if (option.Required && !option.Names.empty())
   {

@@ -178,7 +178,8 @@ std::string WithOptionNames(std::string text)
   const std::pair<const char*, const char*> names[] = { { "FeatureThreshold", "--threshold" },
     { "ForegroundMass", "--foreground-mass" }, { "NoiseWidening", "--noise-widening" },
     { "SearchDistance", "--search-distance" }, { "MaximumDisplacement", "--maximum-displacement" },
-    { "raise Reach", "raise --reach" }, { "lower Levels", "lower --levels" } };
+    { "raise Reach", "raise --reach" }, { "lower Levels", "lower --levels" },
+    { "lower SeedRadius", "lower --radius" }, { "move SeedCenter", "move --seed" } };
   for (const auto& name : names)
   {
     text = Replaced(text, name.first, name.second);

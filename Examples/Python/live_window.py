@@ -4,7 +4,8 @@
     python3 live_window.py ct.nii.gz --seed 83 -154 321 --radius 26
 
 Drag the sphere with the left button, size it with the right one; when it is let go, the surface
-grows from it. Drag beside it to turn the view; q ends.
+grows from it. Drag beside it to turn the view; q ends. With --picture, the surface grows from the
+seed without anybody at the mouse, and the window is saved once it is at rest.
 """
 
 import flipfree
@@ -14,7 +15,12 @@ from growth import Growth
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkInteractionStyle import vtkInteractorStyleTrackballCamera
 from vtkmodules.vtkInteractionWidgets import vtkSphereRepresentation, vtkSphereWidget2
-from vtkmodules.vtkRenderingCore import vtkRenderWindow, vtkRenderWindowInteractor
+from vtkmodules.vtkIOImage import vtkPNGWriter
+from vtkmodules.vtkRenderingCore import (
+    vtkRenderWindow,
+    vtkRenderWindowInteractor,
+    vtkWindowToImageFilter,
+)
 
 MILLISECONDS = 30  # between two iterations, in which the window listens to the mouse
 
@@ -133,6 +139,29 @@ class LiveWindow:
         self.begin()
         self.interactor.Start()
 
+    def grow(self):
+        """All iterations, one behind the other."""
+        self.begin()
+        while self.growth is not None and not self.growth.is_at_rest():
+            self.step()
+
+    def save(self, picture):
+        """What the window shows, as PNG."""
+        shot = vtkWindowToImageFilter()
+        shot.SetInput(self.window)
+        shot.ReadFrontBufferOff()
+        writer = vtkPNGWriter()
+        writer.SetInputConnection(shot.GetOutputPort())
+        writer.SetFileName(picture)
+        writer.Write()
+
 
 if __name__ == "__main__":
-    LiveWindow(*inputs.image_and_seed(inputs.parse(__doc__))).run()
+    arguments = inputs.parse(__doc__)
+    live = LiveWindow(*inputs.image_and_seed(arguments))
+    if arguments.picture:
+        live.grow()
+        live.save(arguments.picture)
+        print(live.words.GetInput())
+    else:
+        live.run()

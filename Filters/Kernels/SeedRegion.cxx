@@ -33,6 +33,21 @@ ImageGeometry CropGeometry(const ImageGeometry& geometry, const Extent& extent)
   return result;
 }
 
+bool ContainsSphere(const ImageGeometry& geometry, const SeedSphere& seed)
+{
+  const Eigen::Vector3d index = geometry.ToIndex(seed.Center);
+  const Eigen::Vector3d margin = geometry.IndexReach(seed.Radius);
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    if (index[axis] - margin[axis] < -0.5 ||
+      index[axis] + margin[axis] > geometry.Dimensions[axis] - 0.5)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
 std::vector<std::size_t> VoxelsInSphere(const ImageGeometry& geometry, const SeedSphere& seed)
 {
   std::vector<std::size_t> voxels;

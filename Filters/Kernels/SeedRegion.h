@@ -63,6 +63,9 @@ FloatImage CropToFloat(const ImageView<T>& image, const Extent& extent,
   return region;
 }
 
+/// Whether the image, to the rims of its outermost voxels, holds the whole sphere.
+bool ContainsSphere(const ImageGeometry& geometry, const SeedSphere& seed);
+
 /// Offsets of the voxels whose centres lie in the sphere, ascending.
 std::vector<std::size_t> VoxelsInSphere(const ImageGeometry& geometry, const SeedSphere& seed);
 

@@ -295,6 +295,13 @@ void vtkFlipFreeSegmentation::PublishHistory(vtkInformation* info, bool isKnown)
 void vtkFlipFreeSegmentation::WarnOf(const FlipFree::OrganSurface& organ,
   const FlipFree::ImageGeometry& region, const FlipFree::ImageGeometry& image)
 {
+  if (!FlipFree::ContainsSphere(image, { Eigen::Vector3d(this->SeedCenter), this->SeedRadius }))
+  {
+    vtkWarningMacro("The seed sphere of " << this->SeedRadius
+                                          << " mm reaches beyond the image; it should lie within "
+                                             "the organ, so lower SeedRadius or move "
+                                             "SeedCenter.");
+  }
   if (this->StopReason == "no boundary found")
   {
     vtkWarningMacro(

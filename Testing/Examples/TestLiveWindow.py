@@ -13,8 +13,7 @@ import flipfree  # noqa: E402
 import inputs  # noqa: E402
 import live_window  # noqa: E402
 import numpy  # noqa: E402
-from vtkmodules.vtkIOImage import vtkPNGWriter  # noqa: E402
-from vtkmodules.vtkRenderingCore import vtkCoordinate, vtkWindowToImageFilter  # noqa: E402
+from vtkmodules.vtkRenderingCore import vtkCoordinate  # noqa: E402
 
 
 def on_screen(window, point):
@@ -46,17 +45,6 @@ def wait(window):
     return rings
 
 
-def save(window):
-    shot = vtkWindowToImageFilter()
-    shot.SetInput(window.window)
-    shot.ReadFrontBufferOff()
-    writer = vtkPNGWriter()
-    writer.SetInputConnection(shot.GetOutputPort())
-    writer.SetFileName(PICTURE)
-    os.makedirs(os.path.dirname(PICTURE), exist_ok=True)
-    writer.Write()
-
-
 def main():
     source = inputs.phantom()
     liver, radius = inputs.seed_in(source, source.LIVER)
@@ -82,7 +70,8 @@ def main():
     assert rings > 10, f"the surface evolves while one watches, not in {rings} iterations"
     grown = window.surface.GetLength() / first
     assert grown > 1.3, f"the surface grows, not by {grown}"
-    save(window)
+    os.makedirs(os.path.dirname(PICTURE), exist_ok=True)
+    window.save(PICTURE)
 
     # What one has watched is what the whole method gives from there.
     labels = flipfree.vtkSurfaceToLabelMap()

@@ -282,14 +282,36 @@ TEST_F(SegmentationRequests, LevelsAreLeftOutThatWouldBeginTooCoarse)
   EXPECT_EQ(this->Filter->GetSurface()->GetNumberOfPoints(), 6 * 8 * 8);
 }
 
-TEST_F(SegmentationRequests, ASurfaceThatReachesTheEndOfItsRegionWarns)
+namespace
 {
-  std::vector<std::string> warnings;
+
+// Keeps the words of all warnings to come.
+void KeepWarnings(vtkObject* object, std::vector<std::string>& warnings)
+{
   vtkNew<vtkCallbackCommand> keep;
   keep->SetClientData(&warnings);
   keep->SetCallback([](vtkObject*, unsigned long, void* list, void* text)
     { static_cast<std::vector<std::string>*>(list)->emplace_back(static_cast<char*>(text)); });
-  this->Filter->AddObserver(vtkCommand::WarningEvent, keep);
+  object->AddObserver(vtkCommand::WarningEvent, keep);
+}
+
+} // namespace
+
+TEST_F(SegmentationRequests, ASeedThatReachesBeyondTheImageWarns)
+{
+  std::vector<std::string> warnings;
+  KeepWarnings(this->Filter, warnings);
+  this->Filter->SetSeedRadius(300);
+  this->Filter->SetMaximumIterations(0);
+  this->Filter->Update();
+  ASSERT_FALSE(warnings.empty());
+  EXPECT_NE(warnings[0].find("reaches beyond the image"), std::string::npos) << warnings[0];
+}
+
+TEST_F(SegmentationRequests, ASurfaceThatReachesTheEndOfItsRegionWarns)
+{
+  std::vector<std::string> warnings;
+  KeepWarnings(this->Filter, warnings);
   this->Filter->Update();
   EXPECT_EQ(warnings.size(), 0u);
   this->Filter->SetReach(25);

@@ -101,6 +101,25 @@ TEST(SeedRegion, ReachInIndicesIsThatOfTheFurthestPointsOfABall)
   }
 }
 
+TEST(SeedRegion, SphereIsContainedUpToTheOuterFacesOfTheVoxels)
+{
+  for (const auto& [name, direction] : FramesAndShears())
+  {
+    const ImageGeometry geometry = GridAround(Center, direction);
+    const Eigen::Vector3d middle = geometry.ToIndex(Center);
+    const Eigen::Vector3d reach = geometry.IndexReach(1);
+    double greatest = 1e9;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const double room =
+        std::min(middle[axis] + 0.5, geometry.Dimensions[axis] - 0.5 - middle[axis]);
+      greatest = std::min(greatest, room / reach[axis]);
+    }
+    EXPECT_TRUE(ContainsSphere(geometry, { Center, greatest * (1 - 1e-6) })) << name;
+    EXPECT_FALSE(ContainsSphere(geometry, { Center, greatest * (1 + 1e-6) })) << name;
+  }
+}
+
 TEST(SeedRegion, VoxelVolumeIsThatOfTheParallelepiped)
 {
   for (const auto& [name, direction] : FramesAndShears())
