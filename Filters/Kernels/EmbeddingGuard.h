@@ -13,6 +13,7 @@
 #include "MotionCertificate.h"
 #include "StrangerPairs.h"
 #include "TriangleTree.h"
+#include "VertexIncidence.h"
 
 namespace FlipFree
 {
@@ -57,6 +58,7 @@ private:
   // The parts of a pass. Each tests what changed since it was run last, lowers the limits of the
   // vertices of what fails, and tells whether nothing did.
   bool TestCorners(Attempt& attempt, const ParallelFor& parallelFor) const;
+  bool TestPairsWithoutStrangers(Attempt& attempt, const ParallelFor& parallelFor) const;
   bool TestPairs(Attempt& attempt, const ParallelFor& parallelFor) const;
 
   void ScaleBack(Attempt& attempt) const;
@@ -69,10 +71,12 @@ private:
   std::vector<std::array<int, 4>> Neighbours;
   TriangleList Triangles;
   std::vector<Corner> Corners;
+  VertexIncidence CornersAt;
+  VertexIncidence TrianglesAt;
   FeaturePairs WithoutStrangers;
   PointList Layout;
   TriangleTree Tree;
-  std::vector<TriangleTree::NodePair> Strangers;
+  TriangleTree::NodePartners Strangers;
 };
 
 } // namespace FlipFree

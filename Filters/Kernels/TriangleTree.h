@@ -62,13 +62,21 @@ public:
 
   /// One volume per node: makeLeaf(triangle) at the leaves, merged upwards by Volume::Merge.
   template <typename Volume, typename MakeLeaf>
-  void Refit(std::vector<Volume>& volumes, const MakeLeaf& makeLeaf) const;
+  void Refit(std::vector<Volume>& volumes, const MakeLeaf& makeLeaf,
+    const ParallelFor& parallelFor = SerialFor) const;
 
-  /// The same for those nodes only for which isStale(node) holds, as it must for all that are above
-  /// a leaf that has changed.
-  template <typename Volume, typename MakeLeaf, typename IsStale>
-  void RefitSome(std::vector<Volume>& volumes, const MakeLeaf& makeLeaf,
-    const IsStale& isStale) const;
+  /// Some of the nodes: leaves, and all nodes above them.
+  struct NodeSet
+  {
+    std::vector<char> Contains; ///< per node
+    std::vector<int> Nodes;     ///< in ascending order, so that those above come first
+  };
+  NodeSet NodesAbove(const std::vector<int>& triangles) const;
+
+  /// The volumes of these nodes only.
+  template <typename Volume, typename MakeLeaf>
+  void RefitSome(std::vector<Volume>& volumes, const MakeLeaf& makeLeaf, const NodeSet& nodes,
+    const ParallelFor& parallelFor) const;
 
   /// The boxes of the triangles at these positions.
   std::vector<TriangleBox> RefitBoxes(const PointList& points, const TriangleList& triangles) const;
@@ -88,12 +96,28 @@ public:
   std::vector<NodePair> PairsOfStrangers(const PointList& layout,
     const TriangleList& triangles) const;
 
+  /// Pairs of nodes by node: the others that a node is in a pair with are
+  /// Others[Begin[node]] to, not including, Others[Begin[node + 1]]; the first of them after the
+  /// node itself is Others[Middle[node]].
+  struct NodePartners
+  {
+    std::vector<int> Begin;
+    std::vector<int> Middle;
+    std::vector<int> Others;
+  };
+  NodePartners PartnersOf(const std::vector<NodePair>& front) const;
+
   /// Calls visit(first, second) for all pairs of triangles, the lesser index first, among those
-  /// that `front` stands for; pairs of nodes for which meet(node, other) does not hold are left out
-  /// with all that is below them. Both are called from several threads at once.
+  /// that the pairs of nodes stand for; pairs of nodes for which meet(node, other) does not hold
+  /// are left out with all that is below them. Both are called from several threads at once.
   template <typename Meet, typename Visit>
-  void VisitPairsBelow(const std::vector<NodePair>& front, const Meet& meet, const Visit& visit,
+  void VisitPairsBelow(const NodePartners& front, const Meet& meet, const Visit& visit,
     const ParallelFor& parallelFor) const;
+
+  /// Only those of which a triangle is in the set.
+  template <typename Meet, typename Visit>
+  void VisitSomePairsBelow(const NodePartners& front, const NodeSet& nodes, const Meet& meet,
+    const Visit& visit, const ParallelFor& parallelFor) const;
 
   /// Like SelfPairs, among the pairs of triangles that `front` stands for.
   template <typename Meet, typename Accept>
@@ -123,6 +147,9 @@ private:
     return this->Nodes[pair.first].Count == 1 && this->Nodes[pair.second].Count == 1;
   }
 
+  template <typename Volume, typename MakeLeaf>
+  void RefitNode(std::vector<Volume>& volumes, const MakeLeaf& makeLeaf, int node) const;
+
   void Split(const PointList& centers, int* first, int* last);
 
   // True when some triangles below the two nodes are neighbours; then the pairs of strangers below
@@ -130,6 +157,7 @@ private:
   bool CollectStrangers(const NodePair& pair, const std::vector<TriangleBox>& boxes,
     const TriangleList& triangles, std::vector<NodePair>& front) const;
 
+  // Of a pair that meets.
   template <typename Meet, typename Visit>
   void VisitPairsBelow(const NodePair& pair, const Meet& meet, const Visit& visit,
     std::vector<NodePair>& stack) const;
@@ -139,33 +167,73 @@ private:
   void Expand(const NodePair& pair, const Push& push) const;
 
   std::vector<Node> Nodes;
+  std::vector<int> Parents; // -1 for the root
+  std::vector<int> Leaves;  // per triangle
+  // What is refitted in parallel, and the nodes above it.
+  std::vector<int> Subtrees;
+  std::vector<int> AboveSubtrees;
 };
 
 template <typename Volume, typename MakeLeaf>
-void TriangleTree::Refit(std::vector<Volume>& volumes, const MakeLeaf& makeLeaf) const
+void TriangleTree::RefitNode(std::vector<Volume>& volumes, const MakeLeaf& makeLeaf, int node) const
 {
-  volumes.resize(this->Nodes.size());
-  this->RefitSome(volumes, makeLeaf, [](int) { return true; });
+  if (this->Nodes[node].Count == 1)
+  {
+    volumes[node] = makeLeaf(this->Nodes[node].Triangle);
+  }
+  else
+  {
+    volumes[node] = volumes[node + 1];
+    volumes[node].Merge(volumes[this->Nodes[node].Second]);
+  }
 }
 
-template <typename Volume, typename MakeLeaf, typename IsStale>
-void TriangleTree::RefitSome(std::vector<Volume>& volumes, const MakeLeaf& makeLeaf,
-  const IsStale& isStale) const
+template <typename Volume, typename MakeLeaf>
+void TriangleTree::Refit(std::vector<Volume>& volumes, const MakeLeaf& makeLeaf,
+  const ParallelFor& parallelFor) const
 {
-  for (int node = this->NumberOfNodes() - 1; node >= 0; --node)
+  volumes.resize(this->Nodes.size());
+  // All that is below a node follows it without a gap.
+  const std::vector<int>& roots = this->Subtrees;
+  parallelFor(0, static_cast<std::ptrdiff_t>(roots.size()),
+    [&](std::ptrdiff_t first, std::ptrdiff_t last)
+    {
+      for (std::ptrdiff_t index = first; index < last; ++index)
+      {
+        const int root = roots[index];
+        for (int node = root + 2 * this->Nodes[root].Count - 2; node >= root; --node)
+        {
+          this->RefitNode(volumes, makeLeaf, node);
+        }
+      }
+    });
+  for (auto node = this->AboveSubtrees.rbegin(); node != this->AboveSubtrees.rend(); ++node)
   {
-    if (!isStale(node))
+    this->RefitNode(volumes, makeLeaf, *node);
+  }
+}
+
+template <typename Volume, typename MakeLeaf>
+void TriangleTree::RefitSome(std::vector<Volume>& volumes, const MakeLeaf& makeLeaf,
+  const NodeSet& nodes, const ParallelFor& parallelFor) const
+{
+  parallelFor(0, static_cast<std::ptrdiff_t>(nodes.Nodes.size()),
+    [&](std::ptrdiff_t first, std::ptrdiff_t last)
     {
-      continue;
-    }
-    if (this->Nodes[node].Count == 1)
+      for (std::ptrdiff_t index = first; index < last; ++index)
+      {
+        const int node = nodes.Nodes[index];
+        if (this->Nodes[node].Count == 1)
+        {
+          this->RefitNode(volumes, makeLeaf, node);
+        }
+      }
+    });
+  for (auto node = nodes.Nodes.rbegin(); node != nodes.Nodes.rend(); ++node)
+  {
+    if (this->Nodes[*node].Count > 1)
     {
-      volumes[node] = makeLeaf(this->Nodes[node].Triangle);
-    }
-    else
-    {
-      volumes[node] = volumes[node + 1];
-      volumes[node].Merge(volumes[this->Nodes[node].Second]);
+      this->RefitNode(volumes, makeLeaf, *node);
     }
   }
 }
@@ -232,7 +300,7 @@ template <typename Meet, typename Visit>
 void TriangleTree::VisitPairsBelow(const NodePair& pair, const Meet& meet, const Visit& visit,
   std::vector<NodePair>& stack) const
 {
-  stack.clear();
+  stack.assign(1, pair);
   const auto push = [&](const NodePair& child)
   {
     if (meet(child.first, child.second))
@@ -240,7 +308,6 @@ void TriangleTree::VisitPairsBelow(const NodePair& pair, const Meet& meet, const
       stack.push_back(child);
     }
   };
-  push(pair);
   while (!stack.empty())
   {
     const NodePair top = stack.back();
@@ -260,16 +327,49 @@ void TriangleTree::VisitPairsBelow(const NodePair& pair, const Meet& meet, const
 }
 
 template <typename Meet, typename Visit>
-void TriangleTree::VisitPairsBelow(const std::vector<NodePair>& front, const Meet& meet,
-  const Visit& visit, const ParallelFor& parallelFor) const
+void TriangleTree::VisitPairsBelow(const NodePartners& front, const Meet& meet, const Visit& visit,
+  const ParallelFor& parallelFor) const
 {
-  parallelFor(0, static_cast<std::ptrdiff_t>(front.size()),
+  parallelFor(0, this->NumberOfNodes(),
     [&](std::ptrdiff_t first, std::ptrdiff_t last)
     {
       std::vector<NodePair> stack;
-      for (std::ptrdiff_t index = first; index < last; ++index)
+      for (int node = static_cast<int>(first); node < last; ++node)
       {
-        this->VisitPairsBelow(front[index], meet, visit, stack);
+        for (int index = front.Middle[node]; index < front.Begin[node + 1]; ++index)
+        {
+          const int other = front.Others[index];
+          if (meet(node, other))
+          {
+            this->VisitPairsBelow(NodePair(node, other), meet, visit, stack);
+          }
+        }
+      }
+    });
+}
+
+template <typename Meet, typename Visit>
+void TriangleTree::VisitSomePairsBelow(const NodePartners& front, const NodeSet& nodes,
+  const Meet& meet, const Visit& visit, const ParallelFor& parallelFor) const
+{
+  const auto meetInSet = [&](int node, int other)
+  { return (nodes.Contains[node] || nodes.Contains[other]) && meet(node, other); };
+  parallelFor(0, static_cast<std::ptrdiff_t>(nodes.Nodes.size()),
+    [&](std::ptrdiff_t first, std::ptrdiff_t last)
+    {
+      std::vector<NodePair> stack;
+      for (std::ptrdiff_t item = first; item < last; ++item)
+      {
+        const int node = nodes.Nodes[item];
+        for (int index = front.Begin[node]; index < front.Begin[node + 1]; ++index)
+        {
+          const int other = front.Others[index];
+          // Of two nodes in the set, the first has seen to it.
+          if ((other > node || !nodes.Contains[other]) && meet(node, other))
+          {
+            this->VisitPairsBelow(NodePair(node, other), meetInSet, visit, stack);
+          }
+        }
       }
     });
 }
@@ -299,7 +399,10 @@ std::vector<std::pair<int, int>> TriangleTree::PairsBelow(const std::vector<Node
         const std::ptrdiff_t last = size * (part + 1) / parts;
         for (std::ptrdiff_t index = size * part / parts; index < last; ++index)
         {
-          this->VisitPairsBelow(front[index], meet, add, stack);
+          if (meet(front[index].first, front[index].second))
+          {
+            this->VisitPairsBelow(front[index], meet, add, stack);
+          }
         }
       }
     });
