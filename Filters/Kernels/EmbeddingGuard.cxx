@@ -156,6 +156,27 @@ struct EmbeddingGuard::Attempt
   }
   Motion Path() const { return { this->From, this->To }; }
 
+  // The time from which on it makes no difference until when these two triangles stay apart, because
+  // all their vertices are held back by others that far.
+  double EnoughFor(const std::array<int, 3>& one, const std::array<int, 3>& two) const
+  {
+    double latest = -1;
+    for (const auto* triangle : { &one, &two })
+    {
+      for (int vertex : *triangle)
+      {
+        if (this->Scales[vertex] > 0)
+        {
+          latest = std::max(latest, this->SafeUntil[vertex].load(std::memory_order_relaxed));
+        }
+      }
+    }
+    // A motion that ends sooner, or later, than at these times is cut to the same part.
+    constexpr double last = GreatestPart / SafetyFactor;
+    return latest < 0 || latest >= 1 ? 1.0
+      : latest * SafetyFactor <= LeastPart ? 0.0 : std::min(latest, last);
+  }
+
   // These two parts are not known to be apart for longer than that; not even at the start when it
   // is negative.
   template <std::size_t A, std::size_t B>
@@ -389,7 +410,7 @@ bool EmbeddingGuard::TestPairs(Attempt& attempt, const ParallelFor& parallelFor)
   {
     const std::array<int, 3> one = this->Triangle(first);
     const std::array<int, 3> two = this->Triangle(second);
-    const double until = ApartUntil(motion, one, two, attempt.Gap);
+    const double until = ApartUntil(motion, one, two, attempt.Gap, attempt.EnoughFor(one, two));
     if (!(until >= 1))
     {
       attempt.Blame(one, two, until);

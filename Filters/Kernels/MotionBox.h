@@ -18,9 +18,11 @@
 namespace FlipFree
 {
 
-class MotionBox
+// A cache line each.
+class alignas(64) MotionBox
 {
 public:
+  /// Holds nothing yet.
   MotionBox() = default;
 
   /// A vertex, with a margin around it. Coordinates must be in the range of a float.
@@ -28,6 +30,8 @@ public:
   {
     for (int end = 0; end < 2; ++end)
     {
+      this->Low[end][3] = 0;
+      this->High[end][3] = 0;
       const PointList& points = end == 0 ? motion.From : motion.To;
       for (int axis = 0; axis < 3; ++axis)
       {
@@ -61,8 +65,8 @@ private:
   using Lanes = Eigen::Array4f;
   static constexpr double Rounding = 2.0 * std::numeric_limits<float>::epsilon();
 
-  std::array<Lanes, 2> Low = { Lanes::Zero(), Lanes::Zero() };
-  std::array<Lanes, 2> High = { Lanes::Zero(), Lanes::Zero() };
+  std::array<Lanes, 2> Low;
+  std::array<Lanes, 2> High;
 };
 
 } // namespace FlipFree

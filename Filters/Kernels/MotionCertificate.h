@@ -45,13 +45,14 @@ double UprightUntil(const Motion& motion, const std::array<int, 3>& corner);
 
 /// The time until which a vertex and a face, two edges, two triangles without common vertices are
 /// proven to keep their gap; 1 or more means always. Always for parts that do not move at all.
-/// Negative for parts that are not proven to be apart at the start.
+/// Negative for parts that are not proven to be apart at the start. The search may end at a time of
+/// less than 1 that is not before `enough`.
 double ApartUntil(const Motion& motion, const std::array<int, 1>& vertex,
   const std::array<int, 3>& face, const MotionGap& gap);
 double ApartUntil(const Motion& motion, const std::array<int, 2>& one,
   const std::array<int, 2>& two, const MotionGap& gap);
 double ApartUntil(const Motion& motion, const std::array<int, 3>& one,
-  const std::array<int, 3>& two, const MotionGap& gap);
+  const std::array<int, 3>& two, const MotionGap& gap, double enough = 1);
 
 } // namespace FlipFree
 
