@@ -149,12 +149,23 @@ struct EmbeddingGuard::Attempt
     , Wanted(displacements)
     , Scales(points.rows(), 1.0)
     , SafeUntil(points.rows())
+    , IsDoubtful(points.rows())
+    , Rough(points.rows(), points.row(0))
     , ChangedForCorners(points.rows())
     , ChangedForPairs(points.rows())
   {
     std::fill(this->SafeUntil.begin(), this->SafeUntil.end(), 1.0);
   }
   Motion Path() const { return { this->From, this->To }; }
+
+  template <std::size_t N>
+  void Doubt(const std::array<int, N>& vertices)
+  {
+    for (int vertex : vertices)
+    {
+      this->IsDoubtful[vertex].store(1, std::memory_order_relaxed);
+    }
+  }
 
   // The time from which on it makes no difference until when these two triangles stay apart, because
   // all their vertices are held back by others that far.
@@ -185,6 +196,8 @@ struct EmbeddingGuard::Attempt
     if (until < 0)
     {
       this->IsStartInDoubt = true;
+      this->Doubt(one);
+      this->Doubt(two);
     }
     Lower(this->SafeUntil, one, std::max(until, 0.0));
     Lower(this->SafeUntil, two, std::max(until, 0.0));
@@ -201,8 +214,17 @@ struct EmbeddingGuard::Attempt
   std::vector<std::atomic<double>> SafeUntil;
   // Parts were found not to be apart at the start, or vertices held back before that was looked at.
   std::atomic<bool> IsStartInDoubt{ false };
+  std::vector<std::atomic<char>> IsDoubtful; // per vertex
+
+  // Takes over the present path of a vertex.
+  void UpdateBounds(const Motion& motion, int vertex)
+  {
+    this->Rough.Update(motion, vertex);
+    this->VertexBoxes[vertex] = MotionBox(motion, vertex, this->Gap.Wanted / 2);
+  }
 
   // Vertices whose path changed since a part of the test was last run.
+  RoughMotion Rough;
   ChangedVertices ChangedForCorners;
   ChangedVertices ChangedForPairs;
 
@@ -271,10 +293,8 @@ GuardReport EmbeddingGuard::Limit(const PointList& points, PointList& displaceme
   // If the start has a defect, it is where nothing could move.
   if (attempt.IsStartInDoubt)
   {
-    std::vector<char> frozen(points.rows(), 0);
-    std::transform(attempt.Scales.begin(), attempt.Scales.end(), frozen.begin(),
-      [](double scale) { return static_cast<char>(scale == 0); });
-    this->RequireEmbeddedNear(points, frozen, parallelFor);
+    const std::vector<char> doubtful(attempt.IsDoubtful.begin(), attempt.IsDoubtful.end());
+    this->RequireEmbeddedNear(points, doubtful, parallelFor);
   }
   displacements = attempt.Scaled;
   return report;
@@ -410,7 +430,17 @@ bool EmbeddingGuard::TestPairs(Attempt& attempt, const ParallelFor& parallelFor)
   {
     const std::array<int, 3> one = this->Triangle(first);
     const std::array<int, 3> two = this->Triangle(second);
-    const double until = ApartUntil(motion, one, two, attempt.Gap, attempt.EnoughFor(one, two));
+    const QuickProof proof = ProveApart(attempt.Rough, one, two, attempt.Gap.Wanted);
+    if (proof == QuickProof::ApartThroughout)
+    {
+      return;
+    }
+    const double enough = attempt.EnoughFor(one, two);
+    if (enough <= 0 && proof == QuickProof::ApartAtStart)
+    {
+      return;
+    }
+    const double until = ApartUntil(motion, one, two, attempt.Gap, enough);
     if (!(until >= 1))
     {
       attempt.Blame(one, two, until);
@@ -425,14 +455,19 @@ bool EmbeddingGuard::TestPairs(Attempt& attempt, const ParallelFor& parallelFor)
       {
         for (std::ptrdiff_t vertex = first; vertex < last; ++vertex)
         {
-          attempt.VertexBoxes[vertex] =
-            MotionBox(motion, static_cast<int>(vertex), attempt.Gap.Wanted / 2);
+          attempt.UpdateBounds(motion, static_cast<int>(vertex));
         }
       });
     this->Tree.Refit(boxes, boxOf, parallelFor);
     // Corners have held these back; where nothing moves, nothing is asked about the start.
-    const auto& scales = attempt.Scales;
-    attempt.IsStartInDoubt = std::find(scales.begin(), scales.end(), 0.0) != scales.end();
+    for (std::size_t vertex = 0; vertex < attempt.Scales.size(); ++vertex)
+    {
+      if (attempt.Scales[vertex] == 0)
+      {
+        attempt.IsStartInDoubt = true;
+        attempt.IsDoubtful[vertex] = 1;
+      }
+    }
     this->Tree.VisitPairsBelow(this->Strangers, meet, test, parallelFor);
   }
   else
@@ -440,7 +475,7 @@ bool EmbeddingGuard::TestPairs(Attempt& attempt, const ParallelFor& parallelFor)
     std::vector<int> triangles;
     for (int vertex : changed.Vertices)
     {
-      attempt.VertexBoxes[vertex] = MotionBox(motion, vertex, attempt.Gap.Wanted / 2);
+      attempt.UpdateBounds(motion, vertex);
       this->TrianglesAt.ForEachAt(vertex, [&](int triangle) { triangles.push_back(triangle); });
     }
     const TriangleTree::NodeSet nodes = this->Tree.NodesAbove(triangles);

@@ -2,6 +2,8 @@
 
 #include "ClosestDirection.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -135,35 +137,42 @@ double Advance(const Motion& motion, const std::array<int, A>& one, const std::a
 // Tries directions across two triangles, four at once in single precision, for the vector units:
 // they decide most pairs for a fraction of the cost of an advancement.
 //
-// The error bound. Let u = 2^-24, E the greatest coordinate relative to a vertex of the pair (at
-// either end of the motion its own), and |d| the sum of a direction's components. A coordinate is
-// wrong by u E, the products and sums of a projection add 3 u E |d|, and a difference of two
-// projections 2 u E |d|: together less than 11 u E |d|, for which 32 u E |d| is taken. Of the
-// direction nothing is assumed but that it is the same at both ends. Numbers so small that they
-// underflow, or so large that they overflow, prove nothing.
+// The error bound. Let u = 2^-24, G the greatest coordinate of the vertices at one end of the
+// motion, E the greatest relative to one of them, and |d| the sum of a direction's components. A
+// coordinate is wrong by u G from its conversion and u E from being made relative; the products and
+// sums of a projection add 3 u E |d|, and a difference of two projections 2 u E |d|: together less
+// than (2 G + 10 E) u |d|, for which (4 G + 32 E) u |d| is taken. Of the direction nothing is
+// assumed but that it is the same at both ends. Numbers so small that they may underflow, or so
+// large that they may overflow, prove nothing.
 class DirectionTest
 {
 public:
   using Lanes = Eigen::Array4f;
-  using Vector = Eigen::Vector3f;
 
-  DirectionTest(const Motion& motion, const std::array<int, 3>& one, const std::array<int, 3>& two,
-    double gap)
+  DirectionTest(const RoughMotion& motion, const std::array<int, 3>& one,
+    const std::array<int, 3>& two, double gap)
     : Gap(std::max(static_cast<float>(gap * (1 + 1e-6)), Tiny))
   {
     for (int end = 0; end < 2; ++end)
     {
-      const PointList& points = end == 0 ? motion.From : motion.To;
-      const Eigen::RowVector3d origin = points.row(one[0]);
-      float greatest = 0;
+      const std::vector<Lanes>& points = motion.Ends[end];
+      const Lanes origin = points[one[0]];
+      Lanes greatest = origin;
+      Lanes relative = Lanes::Zero();
+      const auto take = [&](int vertex)
+      {
+        const Lanes local = points[vertex] - origin;
+        greatest = greatest.max(points[vertex]);
+        relative = relative.max(local.abs());
+        return local;
+      };
       for (int i = 0; i < 3; ++i)
       {
-        this->One[end][i] = (points.row(one[i]) - origin).transpose().cast<float>();
-        this->Two[end][i] = (points.row(two[i]) - origin).transpose().cast<float>();
-        greatest = std::max({ greatest, this->One[end][i].lpNorm<Eigen::Infinity>(),
-          this->Two[end][i].lpNorm<Eigen::Infinity>() });
+        this->One[end][i] = take(one[i]);
+        this->Two[end][i] = take(two[i]);
       }
-      this->Extent[end] = greatest;
+      this->Extent[end] = relative.head<3>().maxCoeff();
+      this->Error[end] = Unit * (4 * greatest[3] + 32 * this->Extent[end]);
     }
   }
 
@@ -171,25 +180,31 @@ public:
   // line between their centres, the perpendiculars of their edges.
   bool FindsProof()
   {
-    std::array<Vector, 3> a;
-    std::array<Vector, 3> b;
-    for (int i = 0; i < 3; ++i)
+    if (!(this->Extent[0] < Huge && this->Extent[1] < Huge))
     {
-      a[i] = this->One[0][i] + this->One[1][i];
-      b[i] = this->Two[0][i] + this->Two[1][i];
+      return false;
     }
-    const std::array<Vector, 3> u = { a[1] - a[0], a[2] - a[1], a[0] - a[2] };
-    const std::array<Vector, 3> v = { b[1] - b[0], b[2] - b[1], b[0] - b[2] };
-    const Vector across = u[0].cross(u[1]);
-    const Vector acrossTwo = v[0].cross(v[1]);
-    const Vector between = a[0] + a[1] + a[2] - b[0] - b[1] - b[2];
-    if (this->IsProof({ across, acrossTwo, between, u[0].cross(v[0]) }))
+    const auto a = [this](int i) -> Lanes { return this->One[0][i] + this->One[1][i]; };
+    const auto b = [this](int i) -> Lanes { return this->Two[0][i] + this->Two[1][i]; };
+    const Lanes u[3] = { a(1) - a(0), a(2) - a(1), a(0) - a(2) };
+    const Lanes v[3] = { b(1) - b(0), b(2) - b(1), b(0) - b(2) };
+    const Lanes across = Cross(u[0], u[1]);
+    const Lanes between = a(0) + a(1) + a(2) - b(0) - b(1) - b(2);
+    if (this->IsProof(Transposed(across, Cross(v[0], v[1]), between, Cross(u[0], v[0]))))
     {
       return true;
     }
+    const Eigen::Matrix4f others = Transposed(v[0], v[1], v[2], across);
     for (int i = 0; i < 3; ++i)
     {
-      if (this->IsProof({ u[i].cross(v[0]), u[i].cross(v[1]), u[i].cross(v[2]), u[i].cross(across) }))
+      Eigen::Matrix4f directions;
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        const int next = axis < 2 ? axis + 1 : 0;
+        const int last = axis > 0 ? axis - 1 : 2;
+        directions.col(axis) = u[i][next] * others.col(last) - u[i][last] * others.col(next);
+      }
+      if (this->IsProof(directions))
       {
         return true;
       }
@@ -202,60 +217,67 @@ public:
 
 private:
   static constexpr float Tiny = 1e-30F;
-  static constexpr float Error = 32.0F / (1 << 24);
+  static constexpr float Huge = 1e5F; // its seventh power is still in range
+  static constexpr float Unit = 1.0F / (1 << 24);
 
-  bool IsProof(const std::array<Vector, 4>& directions)
+  static Lanes Cross(const Lanes& a, const Lanes& b)
   {
-    Lanes d[3];
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      d[axis] << directions[0][axis], directions[1][axis], directions[2][axis], directions[3][axis];
-    }
-    const Lanes square = d[0] * d[0] + d[1] * d[1] + d[2] * d[2];
+    return a.matrix().cross3(b.matrix()).array();
+  }
+
+  // One column per component.
+  static Eigen::Matrix4f Transposed(const Lanes& a, const Lanes& b, const Lanes& c, const Lanes& d)
+  {
+    Eigen::Matrix4f rows;
+    rows << a.matrix(), b.matrix(), c.matrix(), d.matrix();
+    rows.transposeInPlace();
+    return rows;
+  }
+
+  bool IsProof(const Eigen::Matrix4f& directions)
+  {
+    const Lanes x = directions.col(0);
+    const Lanes y = directions.col(1);
+    const Lanes z = directions.col(2);
+    const Lanes square = x * x + y * y + z * z;
     const Lanes wanted = this->Gap * square.sqrt();
-    const Lanes sum = Error * (d[0].abs() + d[1].abs() + d[2].abs());
+    const Lanes sum = x.abs() + y.abs() + z.abs();
     Lanes above[2];
     Lanes below[2];
     for (int end = 0; end < 2; ++end)
     {
       Lanes low[2];
       Lanes high[2];
-      this->Project(this->One[end], d, low[0], high[0]);
-      this->Project(this->Two[end], d, low[1], high[1]);
-      const Lanes apart = wanted + this->Extent[end] * sum;
+      for (int side = 0; side < 2; ++side)
+      {
+        const Lanes* const vertices = side == 0 ? this->One[end] : this->Two[end];
+        const Lanes p = vertices[0][0] * x + vertices[0][1] * y + vertices[0][2] * z;
+        const Lanes q = vertices[1][0] * x + vertices[1][1] * y + vertices[1][2] * z;
+        const Lanes r = vertices[2][0] * x + vertices[2][1] * y + vertices[2][2] * z;
+        low[side] = p.min(q).min(r);
+        high[side] = p.max(q).max(r);
+      }
+      const Lanes apart = wanted + this->Error[end] * sum;
       above[end] = low[0] - high[1] - apart;
       below[end] = low[1] - high[0] - apart;
     }
-    const float least = std::min(this->Extent[0], this->Extent[1]);
-    for (int lane = 0; lane < 4; ++lane)
+    // Numbers that may have underflown make one of these conditions fail.
+    const float least = std::min(this->Error[0], this->Error[1]);
+    const Lanes sound = (square - Tiny).min(least * sum - Tiny);
+    const auto holds = [](const Lanes& condition) { return condition.maxCoeff() >= 0; };
+    if (holds(above[0].min(above[1]).max(below[0].min(below[1])).min(sound)))
     {
-      if (square[lane] > Tiny && least * sum[lane] > Tiny)
-      {
-        this->IsApartAtStart = this->IsApartAtStart || above[0][lane] >= 0 || below[0][lane] >= 0;
-        if ((above[0][lane] >= 0 && above[1][lane] >= 0) ||
-          (below[0][lane] >= 0 && below[1][lane] >= 0))
-        {
-          return true;
-        }
-      }
+      return true;
     }
+    this->IsApartAtStart = this->IsApartAtStart || holds(above[0].max(below[0]).min(sound));
     return false;
-  }
-
-  static void Project(const std::array<Vector, 3>& vertices, const Lanes (&d)[3], Lanes& low,
-    Lanes& high)
-  {
-    const Lanes p = vertices[0][0] * d[0] + vertices[0][1] * d[1] + vertices[0][2] * d[2];
-    const Lanes q = vertices[1][0] * d[0] + vertices[1][1] * d[1] + vertices[1][2] * d[2];
-    const Lanes r = vertices[2][0] * d[0] + vertices[2][1] * d[1] + vertices[2][2] * d[2];
-    low = p.min(q).min(r);
-    high = p.max(q).max(r);
   }
 
   float Gap;
   float Extent[2];
-  std::array<Vector, 3> One[2];
-  std::array<Vector, 3> Two[2];
+  float Error[2];
+  Lanes One[2][3];
+  Lanes Two[2][3];
   bool IsApartAtStart = false;
 };
 
@@ -334,30 +356,50 @@ double UprightUntil(const Motion& motion, const std::array<int, 3>& corner)
 }
 
 double ApartUntil(const Motion& motion, const std::array<int, 1>& vertex,
-  const std::array<int, 3>& face, const MotionGap& gap)
+  const std::array<int, 3>& face, const MotionGap& gap, double enough)
 {
-  return Advance(motion, vertex, face, gap, 1);
+  return Advance(motion, vertex, face, gap, enough);
 }
 
 double ApartUntil(const Motion& motion, const std::array<int, 2>& one,
-  const std::array<int, 2>& two, const MotionGap& gap)
+  const std::array<int, 2>& two, const MotionGap& gap, double enough)
 {
-  return Advance(motion, one, two, gap, 1);
+  return Advance(motion, one, two, gap, enough);
 }
 
 double ApartUntil(const Motion& motion, const std::array<int, 3>& one,
   const std::array<int, 3>& two, const MotionGap& gap, double enough)
 {
-  DirectionTest test(motion, one, two, gap.Wanted);
-  if (test.FindsProof())
-  {
-    return 1;
-  }
-  if (enough <= 0 && test.StartsApart())
-  {
-    return 0;
-  }
   return Advance(motion, one, two, gap, enough);
+}
+
+RoughMotion::RoughMotion(Eigen::Index count, const Eigen::Vector3d& origin)
+  : Ends{ std::vector<Eigen::Array4f>(count), std::vector<Eigen::Array4f>(count) }
+  , Origin(origin)
+{
+}
+
+void RoughMotion::Update(const Motion& motion, int vertex)
+{
+  for (int end = 0; end < 2; ++end)
+  {
+    const PointList& points = end == 0 ? motion.From : motion.To;
+    Eigen::Array4f& rough = this->Ends[end][vertex];
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      rough[axis] = static_cast<float>(points(vertex, axis) - this->Origin[axis]);
+    }
+    rough[3] = rough.head<3>().abs().maxCoeff();
+  }
+}
+
+QuickProof ProveApart(const RoughMotion& motion, const std::array<int, 3>& one,
+  const std::array<int, 3>& two, double gap)
+{
+  DirectionTest test(motion, one, two, gap);
+  return test.FindsProof() ? QuickProof::ApartThroughout
+    : test.StartsApart()   ? QuickProof::ApartAtStart
+                           : QuickProof::None;
 }
 
 } // namespace FlipFree

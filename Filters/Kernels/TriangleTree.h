@@ -300,6 +300,20 @@ template <typename Meet, typename Visit>
 void TriangleTree::VisitPairsBelow(const NodePair& pair, const Meet& meet, const Visit& visit,
   std::vector<NodePair>& stack) const
 {
+  const auto visitLeaves = [&](const NodePair& leaves)
+  {
+    const int one = this->Nodes[leaves.first].Triangle;
+    const int two = this->Nodes[leaves.second].Triangle;
+    if (one != two)
+    {
+      visit(std::min(one, two), std::max(one, two));
+    }
+  };
+  if (this->IsFinal(pair))
+  {
+    visitLeaves(pair);
+    return;
+  }
   stack.assign(1, pair);
   const auto push = [&](const NodePair& child)
   {
@@ -317,12 +331,7 @@ void TriangleTree::VisitPairsBelow(const NodePair& pair, const Meet& meet, const
       this->Expand(top, push);
       continue;
     }
-    const int one = this->Nodes[top.first].Triangle;
-    const int two = this->Nodes[top.second].Triangle;
-    if (one != two)
-    {
-      visit(std::min(one, two), std::max(one, two));
-    }
+    visitLeaves(top);
   }
 }
 
