@@ -1,6 +1,5 @@
 #include "EmbeddingGuard.h"
 
-#include "MotionBox.h"
 #include "TriangleIntersection.h"
 
 #include <algorithm>
@@ -271,6 +270,7 @@ GuardReport EmbeddingGuard::Limit(const PointList& points, PointList& displaceme
   attempt.Gap.Resolution = RelativeResolution * (points.cwiseAbs().maxCoeff() + greatest);
   attempt.Gap.Wanted = std::max(RelativeGap * attempt.EdgeLength, 2 * attempt.Gap.Resolution);
 
+  this->ExchangeSpareBoxes(attempt);
   while (true)
   {
     ++report.Passes;
@@ -285,6 +285,7 @@ GuardReport EmbeddingGuard::Limit(const PointList& points, PointList& displaceme
     }
     this->ScaleBack(attempt);
   }
+  this->ExchangeSpareBoxes(attempt);
 
   for (Eigen::Index vertex = 0; vertex < points.rows(); ++vertex)
   {
@@ -510,6 +511,12 @@ bool EmbeddingGuard::TestPairsWithoutStrangers(Attempt& attempt,
   ForEach(this->WithoutStrangers.EdgeEdges, parallelFor,
     [&](const FeaturePairs::EdgeEdge& pair) { test(pair.One, pair.Two); });
   return isClean;
+}
+
+void EmbeddingGuard::ExchangeSpareBoxes(Attempt& attempt) const
+{
+  const std::lock_guard<std::mutex> lock(this->SpareMutex);
+  attempt.Boxes.swap(this->SpareBoxes);
 }
 
 void EmbeddingGuard::ScaleBack(Attempt& attempt) const

@@ -10,10 +10,13 @@
 #define FlipFreeEmbeddingGuard_h
 
 #include "ContourMesh.h"
+#include "MotionBox.h"
 #include "MotionCertificate.h"
 #include "StrangerPairs.h"
 #include "TriangleTree.h"
 #include "VertexIncidence.h"
+
+#include <mutex>
 
 namespace FlipFree
 {
@@ -63,6 +66,8 @@ private:
 
   void ScaleBack(Attempt& attempt) const;
 
+  void ExchangeSpareBoxes(Attempt& attempt) const;
+
   std::array<int, 3> Triangle(int index) const
   {
     return { { this->Triangles(index, 0), this->Triangles(index, 1), this->Triangles(index, 2) } };
@@ -77,6 +82,11 @@ private:
   PointList Layout;
   TriangleTree Tree;
   TriangleTree::NodePartners Strangers;
+
+  // The greatest of a call's memory is kept for the next one; a second call at the same time does
+  // without.
+  mutable std::mutex SpareMutex;
+  mutable std::vector<MotionBox> SpareBoxes;
 };
 
 } // namespace FlipFree

@@ -159,8 +159,7 @@ private:
 
   // Of a pair that meets.
   template <typename Meet, typename Visit>
-  void VisitPairsBelow(const NodePair& pair, const Meet& meet, const Visit& visit,
-    std::vector<NodePair>& stack) const;
+  void VisitPairsBelow(const NodePair& pair, const Meet& meet, const Visit& visit) const;
 
   // Replaces a pair of nodes by the pairs below it.
   template <typename Push>
@@ -297,8 +296,8 @@ std::vector<std::pair<int, int>> TriangleTree::SelfPairs(const Meet& meet, const
 }
 
 template <typename Meet, typename Visit>
-void TriangleTree::VisitPairsBelow(const NodePair& pair, const Meet& meet, const Visit& visit,
-  std::vector<NodePair>& stack) const
+void TriangleTree::VisitPairsBelow(const NodePair& pair, const Meet& meet,
+  const Visit& visit) const
 {
   const auto visitLeaves = [&](const NodePair& leaves)
   {
@@ -314,18 +313,26 @@ void TriangleTree::VisitPairsBelow(const NodePair& pair, const Meet& meet, const
     visitLeaves(pair);
     return;
   }
-  stack.assign(1, pair);
+  // Halving keeps the depth below 32, and each level of either node leaves at most two waiting.
+  struct Waiting
+  {
+    int First;
+    int Second;
+  };
+  std::array<Waiting, 160> waiting;
+  int size = 0;
+  waiting[size++] = { pair.first, pair.second };
   const auto push = [&](const NodePair& child)
   {
     if (meet(child.first, child.second))
     {
-      stack.push_back(child);
+      waiting[size++] = { child.first, child.second };
     }
   };
-  while (!stack.empty())
+  while (size > 0)
   {
-    const NodePair top = stack.back();
-    stack.pop_back();
+    --size;
+    const NodePair top(waiting[size].First, waiting[size].Second);
     if (!this->IsFinal(top))
     {
       this->Expand(top, push);
@@ -342,7 +349,6 @@ void TriangleTree::VisitPairsBelow(const NodePartners& front, const Meet& meet, 
   parallelFor(0, this->NumberOfNodes(),
     [&](std::ptrdiff_t first, std::ptrdiff_t last)
     {
-      std::vector<NodePair> stack;
       for (int node = static_cast<int>(first); node < last; ++node)
       {
         for (int index = front.Middle[node]; index < front.Begin[node + 1]; ++index)
@@ -350,7 +356,7 @@ void TriangleTree::VisitPairsBelow(const NodePartners& front, const Meet& meet, 
           const int other = front.Others[index];
           if (meet(node, other))
           {
-            this->VisitPairsBelow(NodePair(node, other), meet, visit, stack);
+            this->VisitPairsBelow(NodePair(node, other), meet, visit);
           }
         }
       }
@@ -366,7 +372,6 @@ void TriangleTree::VisitSomePairsBelow(const NodePartners& front, const NodeSet&
   parallelFor(0, static_cast<std::ptrdiff_t>(nodes.Nodes.size()),
     [&](std::ptrdiff_t first, std::ptrdiff_t last)
     {
-      std::vector<NodePair> stack;
       for (std::ptrdiff_t item = first; item < last; ++item)
       {
         const int node = nodes.Nodes[item];
@@ -376,7 +381,7 @@ void TriangleTree::VisitSomePairsBelow(const NodePartners& front, const NodeSet&
           // Of two nodes in the set, the first has seen to it.
           if ((other > node || !nodes.Contains[other]) && meet(node, other))
           {
-            this->VisitPairsBelow(NodePair(node, other), meetInSet, visit, stack);
+            this->VisitPairsBelow(NodePair(node, other), meetInSet, visit);
           }
         }
       }
@@ -395,7 +400,6 @@ std::vector<std::pair<int, int>> TriangleTree::PairsBelow(const std::vector<Node
   parallelFor(0, parts,
     [&](std::ptrdiff_t firstPart, std::ptrdiff_t lastPart)
     {
-      std::vector<NodePair> stack;
       for (std::ptrdiff_t part = firstPart; part < lastPart; ++part)
       {
         const auto add = [&](int one, int two)
@@ -410,7 +414,7 @@ std::vector<std::pair<int, int>> TriangleTree::PairsBelow(const std::vector<Node
         {
           if (meet(front[index].first, front[index].second))
           {
-            this->VisitPairsBelow(front[index], meet, add, stack);
+            this->VisitPairsBelow(front[index], meet, add);
           }
         }
       }
