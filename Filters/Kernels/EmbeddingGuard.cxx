@@ -147,6 +147,7 @@ struct EmbeddingGuard::Attempt
     : From(points)
     , Wanted(displacements)
     , Scales(points.rows(), 1.0)
+    , ShearSteps(points.rows(), -1.0)
     , SafeUntil(points.rows())
     , IsDoubtful(points.rows())
     , Rough(points.rows(), points.row(0))
@@ -209,6 +210,8 @@ struct EmbeddingGuard::Attempt
   double EdgeLength = 0; // mean
   MotionGap Gap;
   std::vector<double> Scales;
+  // By how much a vertex's scale may exceed its neighbours'; negative until it is asked for.
+  std::vector<double> ShearSteps;
   // The part of the motion that the present pass has found certain.
   std::vector<std::atomic<double>> SafeUntil;
   // Parts were found not to be apart at the start, or vertices held back before that was looked at.
@@ -542,7 +545,12 @@ void EmbeddingGuard::ScaleBack(Attempt& attempt) const
     const double scale = attempt.Scales[queue[head]];
     for (int neighbour : this->Neighbours[queue[head]])
     {
-      const double limit = scale + shear / attempt.Wanted.row(neighbour).norm();
+      double& step = attempt.ShearSteps[neighbour];
+      if (step < 0)
+      {
+        step = shear / attempt.Wanted.row(neighbour).norm();
+      }
+      const double limit = scale + step;
       if (attempt.Scales[neighbour] > limit)
       {
         attempt.Scales[neighbour] = limit;
