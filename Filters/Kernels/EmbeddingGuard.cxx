@@ -167,8 +167,8 @@ struct EmbeddingGuard::Attempt
     }
   }
 
-  // The time from which on it makes no difference until when these two triangles stay apart, because
-  // all their vertices are held back by others that far.
+  // The time from which on it makes no difference until when these two triangles stay apart,
+  // because all their vertices are held back by others that far.
   double EnoughFor(const std::array<int, 3>& one, const std::array<int, 3>& two) const
   {
     double latest = -1;
@@ -184,8 +184,9 @@ struct EmbeddingGuard::Attempt
     }
     // A motion that ends sooner, or later, than at these times is cut to the same part.
     constexpr double last = GreatestPart / SafetyFactor;
-    return latest < 0 || latest >= 1 ? 1.0
-      : latest * SafetyFactor <= LeastPart ? 0.0 : std::min(latest, last);
+    return latest < 0 || latest >= 1       ? 1.0
+      : latest * SafetyFactor <= LeastPart ? 0.0
+                                           : std::min(latest, last);
   }
 
   // These two parts are not known to be apart for longer than that; not even at the start when it

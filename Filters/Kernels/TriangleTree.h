@@ -296,8 +296,7 @@ std::vector<std::pair<int, int>> TriangleTree::SelfPairs(const Meet& meet, const
 }
 
 template <typename Meet, typename Visit>
-void TriangleTree::VisitPairsBelow(const NodePair& pair, const Meet& meet,
-  const Visit& visit) const
+void TriangleTree::VisitPairsBelow(const NodePair& pair, const Meet& meet, const Visit& visit) const
 {
   const auto visitLeaves = [&](const NodePair& leaves)
   {
