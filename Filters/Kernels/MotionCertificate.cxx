@@ -161,7 +161,7 @@ public:
       Lanes relative = Lanes::Zero();
       const auto take = [&](int vertex)
       {
-        const Lanes local = points[vertex] - origin;
+        Lanes local = points[vertex] - origin;
         greatest = greatest.max(points[vertex]);
         relative = relative.max(local.abs());
         return local;
@@ -195,14 +195,14 @@ public:
       return true;
     }
     const Eigen::Matrix4f others = Transposed(v[0], v[1], v[2], across);
-    for (int i = 0; i < 3; ++i)
+    for (const Lanes& edge : u)
     {
       Eigen::Matrix4f directions;
       for (int axis = 0; axis < 3; ++axis)
       {
         const int next = axis < 2 ? axis + 1 : 0;
         const int last = axis > 0 ? axis - 1 : 2;
-        directions.col(axis) = u[i][next] * others.col(last) - u[i][last] * others.col(next);
+        directions.col(axis) = edge[next] * others.col(last) - edge[last] * others.col(next);
       }
       if (this->IsProof(directions))
       {
