@@ -1,6 +1,5 @@
 #include "EmbeddingGuard.h"
 
-#include "MotionBox.h"
 #include "TriangleIntersection.h"
 
 #include <algorithm>
@@ -41,12 +40,6 @@ constexpr double LeastScale = 1.0 / 64;
 // is long is held back as a whole, instead of being sheared where the scale changes.
 constexpr double GreatestShear = 0.25;
 
-struct ChangeFlag
-{
-  bool Changed = false;
-  void Merge(const ChangeFlag& other) { this->Changed = this->Changed || other.Changed; }
-};
-
 std::vector<std::array<int, 3>> ListCorners(const FaceList& faces)
 {
   std::vector<std::array<int, 3>> corners;
@@ -69,6 +62,52 @@ std::vector<std::array<int, 3>> ListCorners(const FaceList& faces)
   return corners;
 }
 
+// Some of the vertices; all of them at first.
+struct ChangedVertices
+{
+  explicit ChangedVertices(Eigen::Index count)
+    : Contains(count, 1)
+  {
+  }
+  void Add(int vertex)
+  {
+    if (!this->Contains[vertex])
+    {
+      this->Contains[vertex] = 1;
+      this->Vertices.push_back(vertex);
+    }
+  }
+  void Clear()
+  {
+    if (this->AreAll)
+    {
+      std::fill(this->Contains.begin(), this->Contains.end(), 0);
+    }
+    for (int vertex : this->Vertices)
+    {
+      this->Contains[vertex] = 0;
+    }
+    this->Vertices.clear();
+    this->AreAll = false;
+  }
+  // The first of them among these.
+  int FirstOf(const std::array<int, 3>& vertices) const
+  {
+    for (int vertex : vertices)
+    {
+      if (this->Contains[vertex])
+      {
+        return vertex;
+      }
+    }
+    return -1;
+  }
+
+  bool AreAll = true;
+  std::vector<char> Contains; // per vertex
+  std::vector<int> Vertices;  // unless they are all
+};
+
 template <std::size_t N>
 bool AnyOf(const std::vector<char>& flags, const std::array<int, N>& vertices)
 {
@@ -83,8 +122,9 @@ void Lower(std::vector<std::atomic<double>>& limits, const std::array<int, N>& v
 {
   for (int vertex : vertices)
   {
-    double present = limits[vertex];
-    while (limit < present && !limits[vertex].compare_exchange_weak(present, limit))
+    double present = limits[vertex].load(std::memory_order_relaxed);
+    while (limit < present &&
+      !limits[vertex].compare_exchange_weak(present, limit, std::memory_order_relaxed))
     {
     }
   }
@@ -107,15 +147,62 @@ struct EmbeddingGuard::Attempt
     : From(points)
     , Wanted(displacements)
     , Scales(points.rows(), 1.0)
+    , ShearSteps(points.rows(), -1.0)
     , SafeUntil(points.rows())
+    , IsDoubtful(points.rows())
+    , Rough(points.rows(), points.row(0))
+    , ChangedForCorners(points.rows())
+    , ChangedForPairs(points.rows())
   {
     std::fill(this->SafeUntil.begin(), this->SafeUntil.end(), 1.0);
-    this->Scaled = this->Wanted;
-    this->To = this->From + this->Scaled;
-    this->ChangedForCorners.assign(points.rows(), 1);
-    this->ChangedForPairs = this->ChangedForCorners;
   }
   Motion Path() const { return { this->From, this->To }; }
+
+  template <std::size_t N>
+  void Doubt(const std::array<int, N>& vertices)
+  {
+    for (int vertex : vertices)
+    {
+      this->IsDoubtful[vertex].store(1, std::memory_order_relaxed);
+    }
+  }
+
+  // The time from which on it makes no difference until when these two triangles stay apart,
+  // because all their vertices are held back by others that far.
+  double EnoughFor(const std::array<int, 3>& one, const std::array<int, 3>& two) const
+  {
+    double latest = -1;
+    for (const auto* triangle : { &one, &two })
+    {
+      for (int vertex : *triangle)
+      {
+        if (this->Scales[vertex] > 0)
+        {
+          latest = std::max(latest, this->SafeUntil[vertex].load(std::memory_order_relaxed));
+        }
+      }
+    }
+    // A motion that ends sooner, or later, than at these times is cut to the same part.
+    constexpr double last = GreatestPart / SafetyFactor;
+    return latest < 0 || latest >= 1       ? 1.0
+      : latest * SafetyFactor <= LeastPart ? 0.0
+                                           : std::min(latest, last);
+  }
+
+  // These two parts are not known to be apart for longer than that; not even at the start when it
+  // is negative.
+  template <std::size_t A, std::size_t B>
+  void Blame(const std::array<int, A>& one, const std::array<int, B>& two, double until)
+  {
+    if (until < 0)
+    {
+      this->IsStartInDoubt = true;
+      this->Doubt(one);
+      this->Doubt(two);
+    }
+    Lower(this->SafeUntil, one, std::max(until, 0.0));
+    Lower(this->SafeUntil, two, std::max(until, 0.0));
+  }
 
   const PointList& From;
   PointList Wanted;
@@ -124,26 +211,42 @@ struct EmbeddingGuard::Attempt
   double EdgeLength = 0; // mean
   MotionGap Gap;
   std::vector<double> Scales;
+  // By how much a vertex's scale may exceed its neighbours'; negative until it is asked for.
+  std::vector<double> ShearSteps;
   // The part of the motion that the present pass has found certain.
   std::vector<std::atomic<double>> SafeUntil;
   // Parts were found not to be apart at the start, or vertices held back before that was looked at.
   std::atomic<bool> IsStartInDoubt{ false };
+  std::vector<std::atomic<char>> IsDoubtful; // per vertex
+
+  // Takes over the present path of a vertex.
+  void UpdateBounds(const Motion& motion, int vertex)
+  {
+    this->Rough.Update(motion, vertex);
+    this->VertexBoxes[vertex] = MotionBox(motion, vertex, this->Gap.Wanted / 2);
+  }
 
   // Vertices whose path changed since a part of the test was last run.
-  std::vector<char> ChangedForCorners;
-  std::vector<char> ChangedForPairs;
+  RoughMotion Rough;
+  ChangedVertices ChangedForCorners;
+  ChangedVertices ChangedForPairs;
 
-  std::vector<MotionBox> Boxes; // of the tree's nodes; empty before the first pass
+  std::vector<MotionBox> VertexBoxes;
+  std::vector<MotionBox> Boxes; // of the tree's nodes
 };
 
 EmbeddingGuard::EmbeddingGuard(const ContourMesh& mesh)
   : Neighbours(mesh.Neighbours)
   , Triangles(mesh.Triangles)
   , Corners(ListCorners(mesh.Faces))
+  , CornersAt(mesh.NumberOfPoints(), static_cast<int>(this->Corners.size()),
+      [this](int corner, int i) { return this->Corners[corner][i]; })
+  , TrianglesAt(mesh.NumberOfPoints(), static_cast<int>(mesh.Triangles.rows()),
+      [&mesh](int triangle, int i) { return mesh.Triangles(triangle, i); })
   , WithoutStrangers(ListPairsWithoutStrangers(mesh.NumberOfPoints(), mesh.Triangles))
   , Layout(TriangleTree::TopologicalLayout(mesh.NumberOfPoints(), mesh.Triangles))
   , Tree(this->Layout, mesh.Triangles)
-  , Strangers(this->Tree.PairsOfStrangers(this->Layout, mesh.Triangles))
+  , Strangers(this->Tree.PartnersOf(this->Tree.PairsOfStrangers(this->Layout, mesh.Triangles)))
 {
 }
 
@@ -171,6 +274,7 @@ GuardReport EmbeddingGuard::Limit(const PointList& points, PointList& displaceme
   attempt.Gap.Resolution = RelativeResolution * (points.cwiseAbs().maxCoeff() + greatest);
   attempt.Gap.Wanted = std::max(RelativeGap * attempt.EdgeLength, 2 * attempt.Gap.Resolution);
 
+  this->ExchangeSpareBoxes(attempt);
   while (true)
   {
     ++report.Passes;
@@ -185,6 +289,7 @@ GuardReport EmbeddingGuard::Limit(const PointList& points, PointList& displaceme
     }
     this->ScaleBack(attempt);
   }
+  this->ExchangeSpareBoxes(attempt);
 
   for (Eigen::Index vertex = 0; vertex < points.rows(); ++vertex)
   {
@@ -193,10 +298,8 @@ GuardReport EmbeddingGuard::Limit(const PointList& points, PointList& displaceme
   // If the start has a defect, it is where nothing could move.
   if (attempt.IsStartInDoubt)
   {
-    std::vector<char> frozen(points.rows(), 0);
-    std::transform(attempt.Scales.begin(), attempt.Scales.end(), frozen.begin(),
-      [](double scale) { return static_cast<char>(scale == 0); });
-    this->RequireEmbeddedNear(points, frozen, parallelFor);
+    const std::vector<char> doubtful(attempt.IsDoubtful.begin(), attempt.IsDoubtful.end());
+    this->RequireEmbeddedNear(points, doubtful, parallelFor);
   }
   displacements = attempt.Scaled;
   return report;
@@ -233,11 +336,17 @@ void EmbeddingGuard::RequireEmbeddedNear(const PointList& points, const std::vec
   const ParallelFor& parallelFor) const
 {
   const std::vector<TriangleBox> boxes = this->Tree.RefitBoxes(points, this->Triangles);
-  std::vector<ChangeFlag> flags;
-  this->Tree.Refit(flags,
-    [&](int triangle) { return ChangeFlag{ AnyOf(vertices, this->Triangle(triangle)) }; });
+  std::vector<int> triangles;
+  for (int triangle = 0; triangle < this->Triangles.rows(); ++triangle)
+  {
+    if (AnyOf(vertices, this->Triangle(triangle)))
+    {
+      triangles.push_back(triangle);
+    }
+  }
+  const std::vector<char> flags = this->Tree.NodesAbove(triangles).Contains;
   const auto pairs = this->Tree.SelfPairs([&](int node, int other)
-    { return (flags[node].Changed || flags[other].Changed) && boxes[node].Touches(boxes[other]); },
+    { return (flags[node] || flags[other]) && boxes[node].Touches(boxes[other]); },
     [&](int one, int two) { return TrianglesIntersect(points, this->Triangles, one, two); },
     parallelFor);
   if (pairs.empty())
@@ -273,95 +382,145 @@ bool EmbeddingGuard::TestCorners(Attempt& attempt, const ParallelFor& parallelFo
 {
   const Motion motion = attempt.Path();
   std::atomic<bool> isClean{ true };
-  parallelFor(0, static_cast<std::ptrdiff_t>(this->Corners.size()),
-    [&](std::ptrdiff_t first, std::ptrdiff_t last)
+  const auto test = [&](const Corner& corner)
+  {
+    const double until = UprightUntil(motion, corner);
+    if (!(until >= 1))
     {
-      for (std::ptrdiff_t index = first; index < last; ++index)
+      isClean = false;
+      Lower(attempt.SafeUntil, corner, until);
+    }
+  };
+  // At first everything has changed; later it is little, and a pass costs as little.
+  ChangedVertices& changed = attempt.ChangedForCorners;
+  if (changed.AreAll)
+  {
+    ForEach(this->Corners, parallelFor, test);
+  }
+  else
+  {
+    ForEach(changed.Vertices, parallelFor,
+      [&](int vertex)
       {
-        if (!AnyOf(attempt.ChangedForCorners, this->Corners[index]))
-        {
-          continue;
-        }
-        const double until = UprightUntil(motion, this->Corners[index]);
-        if (!(until >= 1))
-        {
-          isClean = false;
-          Lower(attempt.SafeUntil, this->Corners[index], until);
-        }
-      }
-    });
-  std::fill(attempt.ChangedForCorners.begin(), attempt.ChangedForCorners.end(), 0);
+        this->CornersAt.ForEachAt(vertex,
+          [&](int index)
+          {
+            if (changed.FirstOf(this->Corners[index]) == vertex)
+            {
+              test(this->Corners[index]);
+            }
+          });
+      });
+  }
+  changed.Clear();
   return isClean;
 }
 
 bool EmbeddingGuard::TestPairs(Attempt& attempt, const ParallelFor& parallelFor) const
 {
   const Motion motion = attempt.Path();
-  const auto boxOf = [&](int triangle)
-  { return MotionBox(motion, this->Triangles.row(triangle).data(), attempt.Gap.Wanted / 2); };
-  // At first everything has changed; later it is little, and a pass costs as little.
-  const bool isFirst = attempt.Boxes.empty();
+  ChangedVertices& changed = attempt.ChangedForPairs;
   std::vector<MotionBox>& boxes = attempt.Boxes;
-  std::vector<ChangeFlag> flags;
-  if (isFirst)
+  const auto boxOf = [&](int triangle)
   {
-    this->Tree.Refit(boxes, boxOf);
+    MotionBox box = attempt.VertexBoxes[this->Triangles(triangle, 0)];
+    box.Merge(attempt.VertexBoxes[this->Triangles(triangle, 1)]);
+    box.Merge(attempt.VertexBoxes[this->Triangles(triangle, 2)]);
+    return box;
+  };
+  const auto meet = [&boxes](int node, int other)
+  { return !boxes[node].StaysApartFrom(boxes[other]); };
+  std::atomic<bool> isClean{ true };
+  const auto test = [&](int first, int second)
+  {
+    const std::array<int, 3> one = this->Triangle(first);
+    const std::array<int, 3> two = this->Triangle(second);
+    const QuickProof proof = ProveApart(attempt.Rough, one, two, attempt.Gap.Wanted);
+    if (proof == QuickProof::ApartThroughout)
+    {
+      return;
+    }
+    const double enough = attempt.EnoughFor(one, two);
+    if (enough <= 0 && proof == QuickProof::ApartAtStart)
+    {
+      return;
+    }
+    const double until = ApartUntil(motion, one, two, attempt.Gap, enough);
+    if (!(until >= 1))
+    {
+      attempt.Blame(one, two, until);
+      isClean = false;
+    }
+  };
+  if (changed.AreAll)
+  {
+    attempt.VertexBoxes.resize(this->Neighbours.size());
+    parallelFor(0, motion.From.rows(),
+      [&](std::ptrdiff_t first, std::ptrdiff_t last)
+      {
+        for (std::ptrdiff_t vertex = first; vertex < last; ++vertex)
+        {
+          attempt.UpdateBounds(motion, static_cast<int>(vertex));
+        }
+      });
+    this->Tree.Refit(boxes, boxOf, parallelFor);
     // Corners have held these back; where nothing moves, nothing is asked about the start.
-    const auto& scales = attempt.Scales;
-    attempt.IsStartInDoubt = std::find(scales.begin(), scales.end(), 0.0) != scales.end();
+    for (std::size_t vertex = 0; vertex < attempt.Scales.size(); ++vertex)
+    {
+      if (attempt.Scales[vertex] == 0)
+      {
+        attempt.IsStartInDoubt = true;
+        attempt.IsDoubtful[vertex] = 1;
+      }
+    }
+    this->Tree.VisitPairsBelow(this->Strangers, meet, test, parallelFor);
   }
   else
   {
-    this->Tree.Refit(flags,
-      [&](int triangle)
-      { return ChangeFlag{ AnyOf(attempt.ChangedForPairs, this->Triangle(triangle)) }; });
-    this->Tree.RefitSome(boxes, boxOf, [&flags](int node) { return flags[node].Changed; });
+    std::vector<int> triangles;
+    for (int vertex : changed.Vertices)
+    {
+      attempt.UpdateBounds(motion, vertex);
+      this->TrianglesAt.ForEachAt(vertex, [&](int triangle) { triangles.push_back(triangle); });
+    }
+    const TriangleTree::NodeSet nodes = this->Tree.NodesAbove(triangles);
+    this->Tree.RefitSome(boxes, boxOf, nodes, parallelFor);
+    this->Tree.VisitSomePairsBelow(this->Strangers, nodes, meet, test, parallelFor);
   }
+  isClean = this->TestPairsWithoutStrangers(attempt, parallelFor) && isClean;
+  changed.Clear();
+  return isClean;
+}
+
+bool EmbeddingGuard::TestPairsWithoutStrangers(Attempt& attempt,
+  const ParallelFor& parallelFor) const
+{
+  const Motion motion = attempt.Path();
+  const std::vector<char>& changed = attempt.ChangedForPairs.Contains;
   std::atomic<bool> isClean{ true };
   const auto test = [&](const auto& one, const auto& two)
   {
-    const double until = ApartUntil(motion, one, two, attempt.Gap);
-    if (!(until >= 1))
+    if (AnyOf(changed, one) || AnyOf(changed, two))
     {
-      isClean = false;
-      if (until < 0)
+      const double until = ApartUntil(motion, one, two, attempt.Gap);
+      if (!(until >= 1))
       {
-        attempt.IsStartInDoubt = true;
+        attempt.Blame(one, two, until);
+        isClean = false;
       }
-      Lower(attempt.SafeUntil, one, std::max(until, 0.0));
-      Lower(attempt.SafeUntil, two, std::max(until, 0.0));
     }
   };
-  this->Tree.VisitPairsBelow(
-    this->Strangers,
-    [&](int node, int other)
-    {
-      return (isFirst || flags[node].Changed || flags[other].Changed) &&
-        !boxes[node].StaysApartFrom(boxes[other]);
-    },
-    [&](int one, int two) { test(this->Triangle(one), this->Triangle(two)); }, parallelFor);
-
-  const auto hasChanged = [&](const auto& one, const auto& two)
-  { return AnyOf(attempt.ChangedForPairs, one) || AnyOf(attempt.ChangedForPairs, two); };
-  const FeaturePairs& others = this->WithoutStrangers;
-  ForEach(others.VertexFaces, parallelFor,
-    [&](const FeaturePairs::VertexFace& pair)
-    {
-      if (hasChanged(pair.Vertex, pair.Face))
-      {
-        test(pair.Vertex, pair.Face);
-      }
-    });
-  ForEach(others.EdgeEdges, parallelFor,
-    [&](const FeaturePairs::EdgeEdge& pair)
-    {
-      if (hasChanged(pair.One, pair.Two))
-      {
-        test(pair.One, pair.Two);
-      }
-    });
-  std::fill(attempt.ChangedForPairs.begin(), attempt.ChangedForPairs.end(), 0);
+  ForEach(this->WithoutStrangers.VertexFaces, parallelFor,
+    [&](const FeaturePairs::VertexFace& pair) { test(pair.Vertex, pair.Face); });
+  ForEach(this->WithoutStrangers.EdgeEdges, parallelFor,
+    [&](const FeaturePairs::EdgeEdge& pair) { test(pair.One, pair.Two); });
   return isClean;
+}
+
+void EmbeddingGuard::ExchangeSpareBoxes(Attempt& attempt) const
+{
+  const std::lock_guard<std::mutex> lock(this->SpareMutex);
+  attempt.Boxes.swap(this->SpareBoxes);
 }
 
 void EmbeddingGuard::ScaleBack(Attempt& attempt) const
@@ -387,7 +546,12 @@ void EmbeddingGuard::ScaleBack(Attempt& attempt) const
     const double scale = attempt.Scales[queue[head]];
     for (int neighbour : this->Neighbours[queue[head]])
     {
-      const double limit = scale + shear / attempt.Wanted.row(neighbour).norm();
+      double& step = attempt.ShearSteps[neighbour];
+      if (step < 0)
+      {
+        step = shear / attempt.Wanted.row(neighbour).norm();
+      }
+      const double limit = scale + step;
       if (attempt.Scales[neighbour] > limit)
       {
         attempt.Scales[neighbour] = limit;
@@ -402,8 +566,8 @@ void EmbeddingGuard::ScaleBack(Attempt& attempt) const
     {
       attempt.Scaled.row(vertex) = attempt.Scales[vertex] * attempt.Wanted.row(vertex);
       attempt.To.row(vertex) = attempt.From.row(vertex) + attempt.Scaled.row(vertex);
-      attempt.ChangedForCorners[vertex] = 1;
-      attempt.ChangedForPairs[vertex] = 1;
+      attempt.ChangedForCorners.Add(static_cast<int>(vertex));
+      attempt.ChangedForPairs.Add(static_cast<int>(vertex));
     }
   }
 }

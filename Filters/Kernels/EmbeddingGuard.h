@@ -10,9 +10,13 @@
 #define FlipFreeEmbeddingGuard_h
 
 #include "ContourMesh.h"
+#include "MotionBox.h"
 #include "MotionCertificate.h"
 #include "StrangerPairs.h"
 #include "TriangleTree.h"
+#include "VertexIncidence.h"
+
+#include <mutex>
 
 namespace FlipFree
 {
@@ -57,9 +61,12 @@ private:
   // The parts of a pass. Each tests what changed since it was run last, lowers the limits of the
   // vertices of what fails, and tells whether nothing did.
   bool TestCorners(Attempt& attempt, const ParallelFor& parallelFor) const;
+  bool TestPairsWithoutStrangers(Attempt& attempt, const ParallelFor& parallelFor) const;
   bool TestPairs(Attempt& attempt, const ParallelFor& parallelFor) const;
 
   void ScaleBack(Attempt& attempt) const;
+
+  void ExchangeSpareBoxes(Attempt& attempt) const;
 
   std::array<int, 3> Triangle(int index) const
   {
@@ -69,10 +76,17 @@ private:
   std::vector<std::array<int, 4>> Neighbours;
   TriangleList Triangles;
   std::vector<Corner> Corners;
+  VertexIncidence CornersAt;
+  VertexIncidence TrianglesAt;
   FeaturePairs WithoutStrangers;
   PointList Layout;
   TriangleTree Tree;
-  std::vector<TriangleTree::NodePair> Strangers;
+  TriangleTree::NodePartners Strangers;
+
+  // The greatest of a call's memory is kept for the next one; a second call at the same time does
+  // without.
+  mutable std::mutex SpareMutex;
+  mutable std::vector<MotionBox> SpareBoxes;
 };
 
 } // namespace FlipFree

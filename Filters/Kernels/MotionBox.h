@@ -18,24 +18,25 @@
 namespace FlipFree
 {
 
-class MotionBox
+// A cache line each.
+class alignas(64) MotionBox
 {
 public:
+  /// Holds nothing yet.
   MotionBox() = default;
 
-  /// The triangle's volume, enlarged by a margin. Coordinates must be in the range of a float.
-  MotionBox(const Motion& motion, const int* triangle, double margin)
+  /// A vertex, with a margin around it. Coordinates must be in the range of a float.
+  MotionBox(const Motion& motion, int vertex, double margin)
   {
     for (int end = 0; end < 2; ++end)
     {
+      this->Low[end][3] = 0;
+      this->High[end][3] = 0;
       const PointList& points = end == 0 ? motion.From : motion.To;
       for (int axis = 0; axis < 3; ++axis)
       {
-        const double a = points(triangle[0], axis);
-        const double b = points(triangle[1], axis);
-        const double c = points(triangle[2], axis);
-        const double low = std::min(a, std::min(b, c)) - margin;
-        const double high = std::max(a, std::max(b, c)) + margin;
+        const double low = points(vertex, axis) - margin;
+        const double high = points(vertex, axis) + margin;
         // Rounded outwards.
         this->Low[end][axis] = static_cast<float>(low - std::abs(low) * Rounding);
         this->High[end][axis] = static_cast<float>(high + std::abs(high) * Rounding);
@@ -64,8 +65,8 @@ private:
   using Lanes = Eigen::Array4f;
   static constexpr double Rounding = 2.0 * std::numeric_limits<float>::epsilon();
 
-  std::array<Lanes, 2> Low = { Lanes::Zero(), Lanes::Zero() };
-  std::array<Lanes, 2> High = { Lanes::Zero(), Lanes::Zero() };
+  std::array<Lanes, 2> Low;
+  std::array<Lanes, 2> High;
 };
 
 } // namespace FlipFree

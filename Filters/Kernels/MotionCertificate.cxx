@@ -2,6 +2,8 @@
 
 #include "ClosestDirection.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -68,7 +70,7 @@ Projection<N> Project(const std::array<Vector3d, N>& vertices, const Vector3d& d
 // is taken from where it got.
 template <std::size_t A, std::size_t B>
 double Advance(const Motion& motion, const std::array<int, A>& one, const std::array<int, B>& two,
-  const MotionGap& gap)
+  const MotionGap& gap, double enough)
 {
   if (AreAtRest(motion, one) && AreAtRest(motion, two))
   {
@@ -95,7 +97,7 @@ double Advance(const Motion& motion, const std::array<int, A>& one, const std::a
     {
       return -1;
     }
-    if (!(separation >= kept))
+    if (!(separation >= kept) || enough <= 0)
     {
       return time;
     }
@@ -125,25 +127,186 @@ double Advance(const Motion& motion, const std::array<int, A>& one, const std::a
       return time;
     }
     time += advance;
-    if (advance <= LeastAdvance)
+    if (advance <= LeastAdvance || (time >= enough && time < 1))
     {
       return time;
     }
   }
 }
 
-// Does the direction, of any length, separate two triangles?
-bool Separates(const std::array<Vector3d, 3>& one, const std::array<Vector3d, 3>& two,
-  const Vector3d& direction, double gap)
+// Tries directions across two triangles, four at once in single precision, for the vector units:
+// they decide most pairs for a fraction of the cost of an advancement.
+//
+// The error bound. Let u = 2^-24, G the greatest coordinate of the vertices at one end of the
+// motion, E the greatest relative to one of them, and |d| the sum of a direction's components. A
+// coordinate is wrong by u G from its conversion and u E from being made relative; the products and
+// sums of a projection add 3 u E |d|, and a difference of two projections 2 u E |d|: together less
+// than (2 G + 10 E) u |d|, for which (4 G + 32 E) u |d| is taken. Of the direction nothing is
+// assumed but that it is the same at both ends. Numbers so small that they may underflow, or so
+// large that they may overflow, prove nothing.
+class DirectionTest
 {
-  return Project(one, direction).Low - Project(two, direction).High >= gap;
+public:
+  using Lanes = Eigen::Array4f;
+
+  DirectionTest(const RoughMotion& motion, const std::array<int, 3>& one,
+    const std::array<int, 3>& two, double gap)
+    : Gap(std::max(static_cast<float>(gap * (1 + 1e-6)), Tiny))
+  {
+    for (int end = 0; end < 2; ++end)
+    {
+      const std::vector<Lanes>& points = motion.Ends[end];
+      const Lanes origin = points[one[0]];
+      Lanes greatest = origin;
+      Lanes relative = Lanes::Zero();
+      const auto take = [&](int vertex)
+      {
+        Lanes local = points[vertex] - origin;
+        greatest = greatest.max(points[vertex]);
+        relative = relative.max(local.abs());
+        return local;
+      };
+      for (int i = 0; i < 3; ++i)
+      {
+        this->One[end][i] = take(one[i]);
+        this->Two[end][i] = take(two[i]);
+      }
+      this->Extent[end] = relative.head<3>().maxCoeff();
+      this->Error[end] = Unit * (4 * greatest[3] + 32 * this->Extent[end]);
+    }
+  }
+
+  // Tries the normals of both triangles, across which sheets that lie on each other are apart, the
+  // line between their centres, the perpendiculars of their edges.
+  bool FindsProof()
+  {
+    if (!(this->Extent[0] < Huge && this->Extent[1] < Huge))
+    {
+      return false;
+    }
+    const auto a = [this](int i) -> Lanes { return this->One[0][i] + this->One[1][i]; };
+    const auto b = [this](int i) -> Lanes { return this->Two[0][i] + this->Two[1][i]; };
+    const Lanes u[3] = { a(1) - a(0), a(2) - a(1), a(0) - a(2) };
+    const Lanes v[3] = { b(1) - b(0), b(2) - b(1), b(0) - b(2) };
+    const Lanes across = Cross(u[0], u[1]);
+    const Lanes between = a(0) + a(1) + a(2) - b(0) - b(1) - b(2);
+    if (this->IsProof(Transposed(across, Cross(v[0], v[1]), between, Cross(u[0], v[0]))))
+    {
+      return true;
+    }
+    const Eigen::Matrix4f others = Transposed(v[0], v[1], v[2], across);
+    for (const Lanes& edge : u)
+    {
+      Eigen::Matrix4f directions;
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        const int next = axis < 2 ? axis + 1 : 0;
+        const int last = axis > 0 ? axis - 1 : 2;
+        directions.col(axis) = edge[next] * others.col(last) - edge[last] * others.col(next);
+      }
+      if (this->IsProof(directions))
+      {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  // Has any of the directions that were tried shown the gap at the start?
+  bool StartsApart() const { return this->IsApartAtStart; }
+
+private:
+  static constexpr float Tiny = 1e-30F;
+  static constexpr float Huge = 1e5F; // its seventh power is still in range
+  static constexpr float Unit = 1.0F / (1 << 24);
+
+  static Lanes Cross(const Lanes& a, const Lanes& b)
+  {
+    return a.matrix().cross3(b.matrix()).array();
+  }
+
+  // One column per component.
+  static Eigen::Matrix4f Transposed(const Lanes& a, const Lanes& b, const Lanes& c, const Lanes& d)
+  {
+    Eigen::Matrix4f rows;
+    rows << a.matrix(), b.matrix(), c.matrix(), d.matrix();
+    rows.transposeInPlace();
+    return rows;
+  }
+
+  bool IsProof(const Eigen::Matrix4f& directions)
+  {
+    const Lanes x = directions.col(0);
+    const Lanes y = directions.col(1);
+    const Lanes z = directions.col(2);
+    const Lanes square = x * x + y * y + z * z;
+    const Lanes wanted = this->Gap * square.sqrt();
+    const Lanes sum = x.abs() + y.abs() + z.abs();
+    Lanes above[2];
+    Lanes below[2];
+    for (int end = 0; end < 2; ++end)
+    {
+      Lanes low[2];
+      Lanes high[2];
+      for (int side = 0; side < 2; ++side)
+      {
+        const Lanes* const vertices = side == 0 ? this->One[end] : this->Two[end];
+        const Lanes p = vertices[0][0] * x + vertices[0][1] * y + vertices[0][2] * z;
+        const Lanes q = vertices[1][0] * x + vertices[1][1] * y + vertices[1][2] * z;
+        const Lanes r = vertices[2][0] * x + vertices[2][1] * y + vertices[2][2] * z;
+        low[side] = p.min(q).min(r);
+        high[side] = p.max(q).max(r);
+      }
+      const Lanes apart = wanted + this->Error[end] * sum;
+      above[end] = low[0] - high[1] - apart;
+      below[end] = low[1] - high[0] - apart;
+    }
+    // Numbers that may have underflown make one of these conditions fail.
+    const float least = std::min(this->Error[0], this->Error[1]);
+    const Lanes sound = (square - Tiny).min(least * sum - Tiny);
+    const auto holds = [](const Lanes& condition) { return condition.maxCoeff() >= 0; };
+    if (holds(above[0].min(above[1]).max(below[0].min(below[1])).min(sound)))
+    {
+      return true;
+    }
+    this->IsApartAtStart = this->IsApartAtStart || holds(above[0].max(below[0]).min(sound));
+    return false;
+  }
+
+  float Gap;
+  float Extent[2];
+  float Error[2];
+  Lanes One[2][3];
+  Lanes Two[2][3];
+  bool IsApartAtStart = false;
+};
+
+// Most corners turn so little that no square root and no division is needed to see it: the
+// component of the normal along the first one is quadratic in time, and positive when its three
+// Bernstein coefficients are. They are sums of products of four edges, so that their rounding
+// errors are below 1e-14 times the fourth power of the longest.
+bool StaysClearlyUpright(const Motion& motion, const std::array<int, 3>& corner)
+{
+  const auto edge = [&](const PointList& points, int end) -> Vector3d
+  { return (points.row(corner[end]) - points.row(corner[1])).transpose(); };
+  const Vector3d a = edge(motion.From, 2);
+  const Vector3d b = edge(motion.From, 0);
+  const Vector3d c = edge(motion.To, 2);
+  const Vector3d d = edge(motion.To, 0);
+  const double greatest =
+    std::max({ a.squaredNorm(), b.squaredNorm(), c.squaredNorm(), d.squaredNorm() });
+  const double error = 4 * NormalError * greatest * greatest;
+  const Vector3d normal = a.cross(b);
+  // Neither underflow nor overflow comes near the comparisons.
+  return greatest > 1e-60 && greatest < 1e60 && normal.squaredNorm() > error &&
+    normal.dot(a.cross(d) + c.cross(b)) > error && normal.dot(c.cross(d)) > error;
 }
 
 } // namespace
 
 double UprightUntil(const Motion& motion, const std::array<int, 3>& corner)
 {
-  if (AreAtRest(motion, corner))
+  if (StaysClearlyUpright(motion, corner) || AreAtRest(motion, corner))
   {
     return 1;
   }
@@ -193,63 +356,50 @@ double UprightUntil(const Motion& motion, const std::array<int, 3>& corner)
 }
 
 double ApartUntil(const Motion& motion, const std::array<int, 1>& vertex,
-  const std::array<int, 3>& face, const MotionGap& gap)
+  const std::array<int, 3>& face, const MotionGap& gap, double enough)
 {
-  return Advance(motion, vertex, face, gap);
+  return Advance(motion, vertex, face, gap, enough);
 }
 
 double ApartUntil(const Motion& motion, const std::array<int, 2>& one,
-  const std::array<int, 2>& two, const MotionGap& gap)
+  const std::array<int, 2>& two, const MotionGap& gap, double enough)
 {
-  return Advance(motion, one, two, gap);
+  return Advance(motion, one, two, gap, enough);
 }
 
 double ApartUntil(const Motion& motion, const std::array<int, 3>& one,
-  const std::array<int, 3>& two, const MotionGap& gap)
+  const std::array<int, 3>& two, const MotionGap& gap, double enough)
 {
-  if (AreAtRest(motion, one) && AreAtRest(motion, two))
+  return Advance(motion, one, two, gap, enough);
+}
+
+RoughMotion::RoughMotion(Eigen::Index count, const Eigen::Vector3d& origin)
+  : Ends{ std::vector<Eigen::Array4f>(count), std::vector<Eigen::Array4f>(count) }
+  , Origin(origin)
+{
+}
+
+void RoughMotion::Update(const Motion& motion, int vertex)
+{
+  for (int end = 0; end < 2; ++end)
   {
-    return 1;
-  }
-  // These directions decide most pairs for a fraction of the cost: the one between the centres, the
-  // normals, across which sheets that lie on each other are apart, and those across two edges.
-  const std::array<Vector3d, 3> oneStart = PositionsAt(motion, one, 0);
-  const std::array<Vector3d, 3> twoStart = PositionsAt(motion, two, 0);
-  const std::array<Vector3d, 3> oneEnd = PositionsAt(motion, one, 1);
-  const std::array<Vector3d, 3> twoEnd = PositionsAt(motion, two, 1);
-  std::array<Vector3d, 3> a;
-  std::array<Vector3d, 3> b;
-  for (int corner = 0; corner < 3; ++corner)
-  {
-    a[corner] = 0.5 * (oneStart[corner] + oneEnd[corner]);
-    b[corner] = 0.5 * (twoStart[corner] + twoEnd[corner]);
-  }
-  const Vector3d between = (a[0] + a[1] + a[2]) - (b[0] + b[1] + b[2]);
-  const auto isProof = [&](const Vector3d& direction)
-  {
-    const double apart = gap.Wanted * direction.norm();
-    // Of a direction that is zero nothing can be said, and nothing can be proven.
-    return apart > 0 && Separates(oneStart, twoStart, direction, apart) &&
-      Separates(oneEnd, twoEnd, direction, apart);
-  };
-  const auto towardsOne = [&](const Vector3d& normal) -> Vector3d
-  { return normal.dot(between) < 0 ? Vector3d(-normal) : normal; };
-  if (isProof(towardsOne((b[1] - b[0]).cross(b[2] - b[0]))) ||
-    isProof(towardsOne((a[1] - a[0]).cross(a[2] - a[0]))) || isProof(between))
-  {
-    return 1;
-  }
-  for (int i = 0; i < 3; ++i)
-  {
-    for (int j = 0; j < 3; ++j)
+    const PointList& points = end == 0 ? motion.From : motion.To;
+    Eigen::Array4f& rough = this->Ends[end][vertex];
+    for (int axis = 0; axis < 3; ++axis)
     {
-      if (isProof(towardsOne((a[(i + 1) % 3] - a[i]).cross(b[(j + 1) % 3] - b[j]))))
-      {
-        return 1;
-      }
+      rough[axis] = static_cast<float>(points(vertex, axis) - this->Origin[axis]);
     }
+    rough[3] = rough.head<3>().abs().maxCoeff();
   }
-  return Advance(motion, one, two, gap);
+}
+
+QuickProof ProveApart(const RoughMotion& motion, const std::array<int, 3>& one,
+  const std::array<int, 3>& two, double gap)
+{
+  DirectionTest test(motion, one, two, gap);
+  return test.FindsProof() ? QuickProof::ApartThroughout
+    : test.StartsApart()   ? QuickProof::ApartAtStart
+                           : QuickProof::None;
 }
 
 } // namespace FlipFree

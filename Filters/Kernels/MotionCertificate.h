@@ -12,6 +12,7 @@
 #include "KernelTypes.h"
 
 #include <array>
+#include <vector>
 
 namespace FlipFree
 {
@@ -45,13 +46,38 @@ double UprightUntil(const Motion& motion, const std::array<int, 3>& corner);
 
 /// The time until which a vertex and a face, two edges, two triangles without common vertices are
 /// proven to keep their gap; 1 or more means always. Always for parts that do not move at all.
-/// Negative for parts that are not proven to be apart at the start.
+/// Negative for parts that are not proven to be apart at the start. The search may end at a time of
+/// less than 1 that is not before `enough`.
 double ApartUntil(const Motion& motion, const std::array<int, 1>& vertex,
-  const std::array<int, 3>& face, const MotionGap& gap);
+  const std::array<int, 3>& face, const MotionGap& gap, double enough = 1);
 double ApartUntil(const Motion& motion, const std::array<int, 2>& one,
-  const std::array<int, 2>& two, const MotionGap& gap);
+  const std::array<int, 2>& two, const MotionGap& gap, double enough = 1);
 double ApartUntil(const Motion& motion, const std::array<int, 3>& one,
-  const std::array<int, 3>& two, const MotionGap& gap);
+  const std::array<int, 3>& two, const MotionGap& gap, double enough = 1);
+
+/// A motion in single precision, for the vector units. The origin does not matter but for rounding:
+/// it should be near the points.
+struct RoughMotion
+{
+  RoughMotion(Eigen::Index count, const Eigen::Vector3d& origin);
+
+  /// Takes this vertex from the motion.
+  void Update(const Motion& motion, int vertex);
+
+  // Three coordinates, and the greatest of their absolute values.
+  std::vector<Eigen::Array4f> Ends[2];
+  Eigen::Vector3d Origin;
+};
+
+/// Of two triangles, what the few directions that are quickly tried can prove of a gap.
+enum class QuickProof
+{
+  None,
+  ApartAtStart,
+  ApartThroughout
+};
+QuickProof ProveApart(const RoughMotion& motion, const std::array<int, 3>& one,
+  const std::array<int, 3>& two, double gap);
 
 } // namespace FlipFree
 

@@ -8,6 +8,9 @@ namespace FlipFree
 namespace
 {
 
+// Enough of them to be shared out between threads.
+constexpr int NumberOfSubtrees = 64;
+
 using VertexGraph = std::vector<std::vector<int>>;
 
 // Number of edges from `start`; the number of points where there is no path.
@@ -56,6 +59,31 @@ TriangleTree::TriangleTree(const PointList& layout, const TriangleList& triangle
   std::iota(order.begin(), order.end(), 0);
   this->Nodes.reserve(2 * static_cast<std::size_t>(count) - 1);
   this->Split(centers, order.data(), order.data() + count);
+
+  this->Parents.assign(this->Nodes.size(), -1);
+  this->Leaves.assign(count, -1);
+  const int ofSubtree = std::max(1, count / NumberOfSubtrees);
+  for (int node = 0; node < this->NumberOfNodes(); ++node)
+  {
+    const bool isRoot = node == 0;
+    if (this->Nodes[node].Count == 1)
+    {
+      this->Leaves[this->Nodes[node].Triangle] = node;
+    }
+    else
+    {
+      this->Parents[node + 1] = node;
+      this->Parents[this->Nodes[node].Second] = node;
+    }
+    if (this->Nodes[node].Count > ofSubtree)
+    {
+      this->AboveSubtrees.push_back(node);
+    }
+    else if (isRoot || this->Nodes[this->Parents[node]].Count > ofSubtree)
+    {
+      this->Subtrees.push_back(node);
+    }
+  }
 }
 
 void TriangleTree::Split(const PointList& centers, int* first, int* last)
@@ -132,6 +160,52 @@ std::vector<TriangleTree::NodePair> TriangleTree::PairsOfStrangers(const PointLi
     this->CollectStrangers(NodePair(0, 0), this->RefitBoxes(layout, triangles), triangles, front);
   }
   return front;
+}
+
+TriangleTree::NodePartners TriangleTree::PartnersOf(const std::vector<NodePair>& front) const
+{
+  NodePartners partners;
+  partners.Begin.assign(this->Nodes.size() + 1, 0);
+  for (const NodePair& pair : front)
+  {
+    ++partners.Begin[pair.first + 1];
+    ++partners.Begin[pair.second + 1];
+  }
+  std::partial_sum(partners.Begin.begin(), partners.Begin.end(), partners.Begin.begin());
+  partners.Others.resize(partners.Begin.back());
+  std::vector<int> next = partners.Begin;
+  for (const NodePair& pair : front)
+  {
+    partners.Others[next[pair.first]++] = pair.second;
+    partners.Others[next[pair.second]++] = pair.first;
+  }
+  partners.Middle.resize(this->Nodes.size());
+  for (int node = 0; node < this->NumberOfNodes(); ++node)
+  {
+    const auto first = partners.Others.begin() + partners.Begin[node];
+    const auto last = partners.Others.begin() + partners.Begin[node + 1];
+    std::sort(first, last);
+    partners.Middle[node] =
+      static_cast<int>(std::upper_bound(first, last, node) - partners.Others.begin());
+  }
+  return partners;
+}
+
+TriangleTree::NodeSet TriangleTree::NodesAbove(const std::vector<int>& triangles) const
+{
+  NodeSet set;
+  set.Contains.assign(this->Nodes.size(), 0);
+  for (int triangle : triangles)
+  {
+    for (int node = this->Leaves[triangle]; node >= 0 && !set.Contains[node];
+         node = this->Parents[node])
+    {
+      set.Contains[node] = 1;
+      set.Nodes.push_back(node);
+    }
+  }
+  std::sort(set.Nodes.begin(), set.Nodes.end());
+  return set;
 }
 
 bool TriangleTree::CollectStrangers(const NodePair& pair, const std::vector<TriangleBox>& boxes,

@@ -62,13 +62,21 @@ public:
 
   /// One volume per node: makeLeaf(triangle) at the leaves, merged upwards by Volume::Merge.
   template <typename Volume, typename MakeLeaf>
-  void Refit(std::vector<Volume>& volumes, const MakeLeaf& makeLeaf) const;
+  void Refit(std::vector<Volume>& volumes, const MakeLeaf& makeLeaf,
+    const ParallelFor& parallelFor = SerialFor) const;
 
-  /// The same for those nodes only for which isStale(node) holds, as it must for all that are above
-  /// a leaf that has changed.
-  template <typename Volume, typename MakeLeaf, typename IsStale>
-  void RefitSome(std::vector<Volume>& volumes, const MakeLeaf& makeLeaf,
-    const IsStale& isStale) const;
+  /// Some of the nodes: leaves, and all nodes above them.
+  struct NodeSet
+  {
+    std::vector<char> Contains; ///< per node
+    std::vector<int> Nodes;     ///< in ascending order, so that those above come first
+  };
+  NodeSet NodesAbove(const std::vector<int>& triangles) const;
+
+  /// The volumes of these nodes only.
+  template <typename Volume, typename MakeLeaf>
+  void RefitSome(std::vector<Volume>& volumes, const MakeLeaf& makeLeaf, const NodeSet& nodes,
+    const ParallelFor& parallelFor) const;
 
   /// The boxes of the triangles at these positions.
   std::vector<TriangleBox> RefitBoxes(const PointList& points, const TriangleList& triangles) const;
@@ -88,12 +96,28 @@ public:
   std::vector<NodePair> PairsOfStrangers(const PointList& layout,
     const TriangleList& triangles) const;
 
+  /// Pairs of nodes by node: the others that a node is in a pair with are
+  /// Others[Begin[node]] to, not including, Others[Begin[node + 1]]; the first of them after the
+  /// node itself is Others[Middle[node]].
+  struct NodePartners
+  {
+    std::vector<int> Begin;
+    std::vector<int> Middle;
+    std::vector<int> Others;
+  };
+  NodePartners PartnersOf(const std::vector<NodePair>& front) const;
+
   /// Calls visit(first, second) for all pairs of triangles, the lesser index first, among those
-  /// that `front` stands for; pairs of nodes for which meet(node, other) does not hold are left out
-  /// with all that is below them. Both are called from several threads at once.
+  /// that the pairs of nodes stand for; pairs of nodes for which meet(node, other) does not hold
+  /// are left out with all that is below them. Both are called from several threads at once.
   template <typename Meet, typename Visit>
-  void VisitPairsBelow(const std::vector<NodePair>& front, const Meet& meet, const Visit& visit,
+  void VisitPairsBelow(const NodePartners& front, const Meet& meet, const Visit& visit,
     const ParallelFor& parallelFor) const;
+
+  /// Only those of which a triangle is in the set.
+  template <typename Meet, typename Visit>
+  void VisitSomePairsBelow(const NodePartners& front, const NodeSet& nodes, const Meet& meet,
+    const Visit& visit, const ParallelFor& parallelFor) const;
 
   /// Like SelfPairs, among the pairs of triangles that `front` stands for.
   template <typename Meet, typename Accept>
@@ -123,6 +147,9 @@ private:
     return this->Nodes[pair.first].Count == 1 && this->Nodes[pair.second].Count == 1;
   }
 
+  template <typename Volume, typename MakeLeaf>
+  void RefitNode(std::vector<Volume>& volumes, const MakeLeaf& makeLeaf, int node) const;
+
   void Split(const PointList& centers, int* first, int* last);
 
   // True when some triangles below the two nodes are neighbours; then the pairs of strangers below
@@ -130,42 +157,82 @@ private:
   bool CollectStrangers(const NodePair& pair, const std::vector<TriangleBox>& boxes,
     const TriangleList& triangles, std::vector<NodePair>& front) const;
 
+  // Of a pair that meets.
   template <typename Meet, typename Visit>
-  void VisitPairsBelow(const NodePair& pair, const Meet& meet, const Visit& visit,
-    std::vector<NodePair>& stack) const;
+  void VisitPairsBelow(const NodePair& pair, const Meet& meet, const Visit& visit) const;
 
   // Replaces a pair of nodes by the pairs below it.
   template <typename Push>
   void Expand(const NodePair& pair, const Push& push) const;
 
   std::vector<Node> Nodes;
+  std::vector<int> Parents; // -1 for the root
+  std::vector<int> Leaves;  // per triangle
+  // What is refitted in parallel, and the nodes above it.
+  std::vector<int> Subtrees;
+  std::vector<int> AboveSubtrees;
 };
 
 template <typename Volume, typename MakeLeaf>
-void TriangleTree::Refit(std::vector<Volume>& volumes, const MakeLeaf& makeLeaf) const
+void TriangleTree::RefitNode(std::vector<Volume>& volumes, const MakeLeaf& makeLeaf, int node) const
 {
-  volumes.resize(this->Nodes.size());
-  this->RefitSome(volumes, makeLeaf, [](int) { return true; });
+  if (this->Nodes[node].Count == 1)
+  {
+    volumes[node] = makeLeaf(this->Nodes[node].Triangle);
+  }
+  else
+  {
+    volumes[node] = volumes[node + 1];
+    volumes[node].Merge(volumes[this->Nodes[node].Second]);
+  }
 }
 
-template <typename Volume, typename MakeLeaf, typename IsStale>
-void TriangleTree::RefitSome(std::vector<Volume>& volumes, const MakeLeaf& makeLeaf,
-  const IsStale& isStale) const
+template <typename Volume, typename MakeLeaf>
+void TriangleTree::Refit(std::vector<Volume>& volumes, const MakeLeaf& makeLeaf,
+  const ParallelFor& parallelFor) const
 {
-  for (int node = this->NumberOfNodes() - 1; node >= 0; --node)
+  volumes.resize(this->Nodes.size());
+  // All that is below a node follows it without a gap.
+  const std::vector<int>& roots = this->Subtrees;
+  parallelFor(0, static_cast<std::ptrdiff_t>(roots.size()),
+    [&](std::ptrdiff_t first, std::ptrdiff_t last)
+    {
+      for (std::ptrdiff_t index = first; index < last; ++index)
+      {
+        const int root = roots[index];
+        for (int node = root + 2 * this->Nodes[root].Count - 2; node >= root; --node)
+        {
+          this->RefitNode(volumes, makeLeaf, node);
+        }
+      }
+    });
+  for (auto node = this->AboveSubtrees.rbegin(); node != this->AboveSubtrees.rend(); ++node)
   {
-    if (!isStale(node))
+    this->RefitNode(volumes, makeLeaf, *node);
+  }
+}
+
+template <typename Volume, typename MakeLeaf>
+void TriangleTree::RefitSome(std::vector<Volume>& volumes, const MakeLeaf& makeLeaf,
+  const NodeSet& nodes, const ParallelFor& parallelFor) const
+{
+  parallelFor(0, static_cast<std::ptrdiff_t>(nodes.Nodes.size()),
+    [&](std::ptrdiff_t first, std::ptrdiff_t last)
     {
-      continue;
-    }
-    if (this->Nodes[node].Count == 1)
+      for (std::ptrdiff_t index = first; index < last; ++index)
+      {
+        const int node = nodes.Nodes[index];
+        if (this->Nodes[node].Count == 1)
+        {
+          this->RefitNode(volumes, makeLeaf, node);
+        }
+      }
+    });
+  for (auto node = nodes.Nodes.rbegin(); node != nodes.Nodes.rend(); ++node)
+  {
+    if (this->Nodes[*node].Count > 1)
     {
-      volumes[node] = makeLeaf(this->Nodes[node].Triangle);
-    }
-    else
-    {
-      volumes[node] = volumes[node + 1];
-      volumes[node].Merge(volumes[this->Nodes[node].Second]);
+      this->RefitNode(volumes, makeLeaf, *node);
     }
   }
 }
@@ -229,47 +296,93 @@ std::vector<std::pair<int, int>> TriangleTree::SelfPairs(const Meet& meet, const
 }
 
 template <typename Meet, typename Visit>
-void TriangleTree::VisitPairsBelow(const NodePair& pair, const Meet& meet, const Visit& visit,
-  std::vector<NodePair>& stack) const
+void TriangleTree::VisitPairsBelow(const NodePair& pair, const Meet& meet, const Visit& visit) const
 {
-  stack.clear();
+  const auto visitLeaves = [&](const NodePair& leaves)
+  {
+    const int one = this->Nodes[leaves.first].Triangle;
+    const int two = this->Nodes[leaves.second].Triangle;
+    if (one != two)
+    {
+      visit(std::min(one, two), std::max(one, two));
+    }
+  };
+  if (this->IsFinal(pair))
+  {
+    visitLeaves(pair);
+    return;
+  }
+  // Halving keeps the depth below 32, and each level of either node leaves at most two waiting.
+  struct Waiting
+  {
+    int First;
+    int Second;
+  };
+  std::array<Waiting, 160> waiting;
+  int size = 0;
+  waiting[size++] = { pair.first, pair.second };
   const auto push = [&](const NodePair& child)
   {
     if (meet(child.first, child.second))
     {
-      stack.push_back(child);
+      waiting[size++] = { child.first, child.second };
     }
   };
-  push(pair);
-  while (!stack.empty())
+  while (size > 0)
   {
-    const NodePair top = stack.back();
-    stack.pop_back();
+    --size;
+    const NodePair top(waiting[size].First, waiting[size].Second);
     if (!this->IsFinal(top))
     {
       this->Expand(top, push);
       continue;
     }
-    const int one = this->Nodes[top.first].Triangle;
-    const int two = this->Nodes[top.second].Triangle;
-    if (one != two)
-    {
-      visit(std::min(one, two), std::max(one, two));
-    }
+    visitLeaves(top);
   }
 }
 
 template <typename Meet, typename Visit>
-void TriangleTree::VisitPairsBelow(const std::vector<NodePair>& front, const Meet& meet,
-  const Visit& visit, const ParallelFor& parallelFor) const
+void TriangleTree::VisitPairsBelow(const NodePartners& front, const Meet& meet, const Visit& visit,
+  const ParallelFor& parallelFor) const
 {
-  parallelFor(0, static_cast<std::ptrdiff_t>(front.size()),
+  parallelFor(0, this->NumberOfNodes(),
     [&](std::ptrdiff_t first, std::ptrdiff_t last)
     {
-      std::vector<NodePair> stack;
-      for (std::ptrdiff_t index = first; index < last; ++index)
+      for (int node = static_cast<int>(first); node < last; ++node)
       {
-        this->VisitPairsBelow(front[index], meet, visit, stack);
+        for (int index = front.Middle[node]; index < front.Begin[node + 1]; ++index)
+        {
+          const int other = front.Others[index];
+          if (meet(node, other))
+          {
+            this->VisitPairsBelow(NodePair(node, other), meet, visit);
+          }
+        }
+      }
+    });
+}
+
+template <typename Meet, typename Visit>
+void TriangleTree::VisitSomePairsBelow(const NodePartners& front, const NodeSet& nodes,
+  const Meet& meet, const Visit& visit, const ParallelFor& parallelFor) const
+{
+  const auto meetInSet = [&](int node, int other)
+  { return (nodes.Contains[node] || nodes.Contains[other]) && meet(node, other); };
+  parallelFor(0, static_cast<std::ptrdiff_t>(nodes.Nodes.size()),
+    [&](std::ptrdiff_t first, std::ptrdiff_t last)
+    {
+      for (std::ptrdiff_t item = first; item < last; ++item)
+      {
+        const int node = nodes.Nodes[item];
+        for (int index = front.Begin[node]; index < front.Begin[node + 1]; ++index)
+        {
+          const int other = front.Others[index];
+          // Of two nodes in the set, the first has seen to it.
+          if ((other > node || !nodes.Contains[other]) && meet(node, other))
+          {
+            this->VisitPairsBelow(NodePair(node, other), meetInSet, visit);
+          }
+        }
       }
     });
 }
@@ -286,7 +399,6 @@ std::vector<std::pair<int, int>> TriangleTree::PairsBelow(const std::vector<Node
   parallelFor(0, parts,
     [&](std::ptrdiff_t firstPart, std::ptrdiff_t lastPart)
     {
-      std::vector<NodePair> stack;
       for (std::ptrdiff_t part = firstPart; part < lastPart; ++part)
       {
         const auto add = [&](int one, int two)
@@ -299,7 +411,10 @@ std::vector<std::pair<int, int>> TriangleTree::PairsBelow(const std::vector<Node
         const std::ptrdiff_t last = size * (part + 1) / parts;
         for (std::ptrdiff_t index = size * part / parts; index < last; ++index)
         {
-          this->VisitPairsBelow(front[index], meet, add, stack);
+          if (meet(front[index].first, front[index].second))
+          {
+            this->VisitPairsBelow(front[index], meet, add);
+          }
         }
       }
     });

@@ -180,6 +180,144 @@ TEST(MotionCertificate, TrianglesStayApart)
   EXPECT_GT(refused, 500);
 }
 
+namespace
+{
+
+RoughMotion Rough(const Motion& motion, const Vector3d& origin)
+{
+  RoughMotion rough(motion.From.rows(), origin);
+  for (int vertex = 0; vertex < motion.From.rows(); ++vertex)
+  {
+    rough.Update(motion, vertex);
+  }
+  return rough;
+}
+
+} // namespace
+
+// A quick proof is a proof, at any scale and far from the origin; and mostly there is one.
+TEST(MotionCertificate, QuickProofsHold)
+{
+  std::mt19937 random(4);
+  const std::array<int, 3> one{ { 0, 1, 2 } };
+  const std::array<int, 3> two{ { 3, 4, 5 } };
+  for (double size : { 1e-20, 1e-6, 1.0, 1e4, 1e20 })
+  {
+    const MotionGap gap{ 0.01 * size, 1e-12 * size };
+    int apart = 0;
+    int proven = 0;
+    int provenAtStart = 0;
+    for (int repeat = 0; repeat < 2000; ++repeat)
+    {
+      PointList from = RandomPoints(6, random);
+      from.bottomRows(3).rowwise() += Eigen::RowVector3d(1, 0, 0);
+      const Eigen::RowVector3d shared = RandomPoints(1, random);
+      PointList to = (from + 0.3 * RandomPoints(6, random)).rowwise() + 10 * shared;
+      from *= size;
+      to *= size;
+      const Motion motion{ from, to };
+      const bool isApart = ApartUntil(motion, one, two, gap) >= 1;
+      apart += isApart ? 1 : 0;
+      switch (
+        ProveApart(Rough(motion, size * RandomPoints(1, random).row(0)), one, two, gap.Wanted))
+      {
+        case QuickProof::ApartThroughout:
+          ++proven;
+          EXPECT_GE(LeastDistance(from, to, 1), (1 - 1e-9) * gap.Wanted);
+          break;
+        case QuickProof::ApartAtStart:
+          ++provenAtStart;
+          EXPECT_GE(LeastDistance(from, to, 0), (1 - 1e-9) * gap.Wanted);
+          break;
+        case QuickProof::None:
+          break;
+      }
+    }
+    EXPECT_GT(apart, 500);
+    if (size > 1e-5 && size < 1e4)
+    {
+      EXPECT_GT(proven, 0.8 * apart) << size;
+      EXPECT_GT(provenAtStart, 100) << size;
+    }
+    else if (size < 1e-10 || size > 1e10)
+    {
+      EXPECT_EQ(proven, 0) << size; // out of range
+    }
+  }
+}
+
+// What is less than the gap by no more than the rounding of single precision proves nothing, nor
+// does what is lost in the rounding of large coordinates.
+TEST(MotionCertificate, QuickProofsAllowForRounding)
+{
+  std::mt19937 random(5);
+  const std::array<int, 3> one{ { 0, 1, 2 } };
+  const std::array<int, 3> two{ { 3, 4, 5 } };
+  for (double far : { 0.0, 1.0, 100.0, 1e4, 1e6 })
+  {
+    int proven = 0;
+    for (int repeat = 0; repeat < 2000; ++repeat)
+    {
+      // Parallel triangles that are 1 apart along a random direction, over each other.
+      const Eigen::Matrix3d turn = Eigen::Quaterniond(RandomPoints(1, random)(0, 0),
+        RandomPoints(1, random)(0, 0), RandomPoints(1, random)(0, 0), RandomPoints(1, random)(0, 0))
+                                     .normalized()
+                                     .toRotationMatrix();
+      PointList from(6, 3);
+      from << -9, -9, 1, 9, -9, 1, 0, 9, 1, -9, 9, 0, 9, 9, 0, 0, -9, 0;
+      from.leftCols(2) += RandomPoints(6, random).leftCols(2);
+      from = (from * turn.transpose()).rowwise() + far * RandomPoints(1, random).row(0);
+      const PointList to = from.rowwise() + 5 * RandomPoints(1, random).row(0);
+      const RoughMotion rough = Rough({ from, to }, Vector3d::Zero());
+      // Positions far away are themselves rounded, in double precision.
+      const double gap = 1 + 1e-12 + 1e-15 * far;
+      EXPECT_EQ(ProveApart(rough, one, two, gap), QuickProof::None) << far;
+      proven += ProveApart(rough, one, two, 0.9) == QuickProof::ApartThroughout ? 1 : 0;
+    }
+    if (far < 1e5)
+    {
+      EXPECT_EQ(proven, 2000) << far;
+    }
+    else
+    {
+      EXPECT_LT(proven, 500) << far;
+    }
+  }
+}
+
+// A search that may end early ends with what is true, no sooner than it may.
+TEST(MotionCertificate, EnoughIsEnough)
+{
+  std::mt19937 random(6);
+  const std::array<int, 3> one{ { 0, 1, 2 } };
+  const std::array<int, 3> two{ { 3, 4, 5 } };
+  const MotionGap gap{ 0.01, 1e-12 };
+  int shortened = 0;
+  for (int repeat = 0; repeat < 3000; ++repeat)
+  {
+    PointList from = RandomPoints(6, random);
+    from.bottomRows(3).rowwise() += Eigen::RowVector3d(1, 0, 0);
+    const PointList to = from + (1 + repeat % 3) * RandomPoints(6, random);
+    const Motion motion{ from, to };
+    const double until = ApartUntil(motion, one, two, gap);
+    for (double enough : { 0.0, 0.1, 0.4 })
+    {
+      const double early = ApartUntil(motion, one, two, gap, enough);
+      if (until < 0 || until < enough)
+      {
+        EXPECT_EQ(early, until);
+      }
+      else
+      {
+        EXPECT_GE(early, enough);
+        EXPECT_LE(early, until);
+        shortened += early < until ? 1 : 0;
+      }
+    }
+  }
+  EXPECT_GT(shortened, 500);
+}
+
 TEST(MotionCertificate, RestIsSafeWhereverItIs)
 {
   PointList points = PointList::Zero(6, 3);
