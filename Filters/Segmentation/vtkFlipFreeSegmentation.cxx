@@ -7,7 +7,6 @@
 #include "LabelAdapter.h"
 #include "SegmentationParameters.h"
 
-#include "AnisotropicDiffusion.h"
 #include "OrganSegmentation.h"
 #include "QuadSphere.h"
 #include "Stopwatch.h"
@@ -218,13 +217,14 @@ void vtkFlipFreeSegmentation::Execute(vtkImageData* image, vtkPolyData* start)
   }
 
   FlipFree::Stopwatch watch;
-  FlipFree::FloatImage region = FlipFree::GreyRegionOf(image,
-    FlipFree::ReachableExtent(geometry, seed.Center, FlipFree::ReachOf(this)));
-  FlipFree::RequireFinite(region, "the image on port 0");
-  const double noise = FlipFree::NoiseDeviation(region.View(), seed);
-  const bool smoothed = FlipFree::DiffuseAnisotropically(region.Voxels, region.Geometry,
-    FlipFree::DiffusionSettingsOf(this, noise), FlipFree::SMPFor,
-    FlipFree::MonitorOf(this, 0, 0.1));
+  const FlipFree::Extent extent =
+    FlipFree::ReachableExtent(geometry, seed.Center, FlipFree::ReachOf(this));
+  FlipFree::RequireFinite(image, extent, "the image on port 0");
+  const double noise = FlipFree::NoiseOf(image, seed);
+  FlipFree::FloatImage region;
+  const bool smoothed =
+    FlipFree::SmoothRegionOf(image, extent, FlipFree::DiffusionSettingsOf(this, noise, geometry),
+      FlipFree::MonitorOf(this, 0, 0.1), region);
   this->StageSeconds[0] = watch.Lap();
   if (!smoothed)
   {
