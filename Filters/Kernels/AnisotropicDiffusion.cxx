@@ -14,13 +14,8 @@ namespace
 // The greatest parts that the image is cut into: what a core works on, a few slices after each
 // iteration, is to fit into its second cache. What is around a part is computed twice.
 constexpr std::array<int, 3> PartSize{ { 320, 32, 64 } };
-// Iterations made at once: more of them would compute too much around the parts, and need too much
-// memory.
-constexpr int MostAtOnce = 10;
 // Parts between two questions to the monitor: some ten milliseconds.
 constexpr std::ptrdiff_t PartsAtOnce = 32;
-
-constexpr double ContrastFactor = 1;
 
 DiffusionCoefficients CoefficientsOf(const AnisotropicDiffusionSettings& settings,
   const Eigen::Vector3d& spacing)
@@ -63,21 +58,19 @@ class Cascade
 {
 public:
   Cascade(const VoxelReader& read, const ImageGeometry& geometry,
-    const AnisotropicDiffusionSettings& settings)
+    const AnisotropicDiffusionSettings& settings, float* out)
     : Read(read)
     , Size(geometry.Dimensions)
+    , Out(out)
     , Last(settings.Iterations)
     , Rows(ChooseDiffusionRows(settings.Equation))
     , Coefficients(CoefficientsOf(settings, geometry.Spacing))
   {
   }
 
-  void Run(const VoxelBox& box, float* out, std::ptrdiff_t row, std::ptrdiff_t slice)
+  void Run(const VoxelBox& box)
   {
     this->Box = box;
-    this->Out = out;
-    this->OutRow = row;
-    this->OutSlice = slice;
     // With a place more on each side, where what is beyond the image repeats its rim.
     this->Row = this->RangeOf(0, 0).Size() + 2;
     this->Slice = this->Row * (this->RangeOf(0, 1).Size() + 2);
@@ -125,9 +118,9 @@ private:
 
   float* Target(int level, int i, int j, int k)
   {
-    return level < this->Last ? this->RowAt(level, i, j, k)
-                              : this->Out + (i - this->Box.Begin[0]) +
-        (j - this->Box.Begin[1]) * this->OutRow + (k - this->Box.Begin[2]) * this->OutSlice;
+    return level < this->Last
+      ? this->RowAt(level, i, j, k)
+      : this->Out + i + this->Size[0] * (j + static_cast<std::ptrdiff_t>(this->Size[1]) * k);
   }
 
   void MakeSlice(int level, int k)
@@ -230,14 +223,12 @@ private:
 
   const VoxelReader& Read;
   std::array<int, 3> Size;
+  float* Out;
   int Last;
   DiffusionRows Rows;
   DiffusionCoefficients Coefficients;
 
   VoxelBox Box{};
-  float* Out = nullptr;
-  std::ptrdiff_t OutRow = 0;
-  std::ptrdiff_t OutSlice = 0;
   std::ptrdiff_t Row = 0;
   std::ptrdiff_t Slice = 0;
   std::vector<float> Voxels;    // by iteration, slice modulo three
@@ -245,16 +236,16 @@ private:
   std::vector<float> RowFlux;
 };
 
-// All iterations, part by part.
-bool DiffuseAtOnce(const VoxelReader& read, const ImageGeometry& geometry,
-  const AnisotropicDiffusionSettings& settings, const ParallelFor& parallelFor,
+} // namespace
+
+bool DiffuseBox(const VoxelReader& read, const ImageGeometry& geometry,
+  const AnisotropicDiffusionSettings& settings, const VoxelBox& box, const ParallelFor& parallelFor,
   const Monitor& monitor, float* out)
 {
-  const auto& size = geometry.Dimensions;
   std::array<std::ptrdiff_t, 3> parts{};
   for (int axis = 0; axis < 3; ++axis)
   {
-    parts[axis] = (size[axis] + PartSize[axis] - 1) / PartSize[axis];
+    parts[axis] = (box.Size(axis) + PartSize[axis] - 1) / PartSize[axis];
   }
   const std::ptrdiff_t count = parts[0] * parts[1] * parts[2];
   for (std::ptrdiff_t begin = 0; begin < count; begin += PartsAtOnce)
@@ -266,32 +257,32 @@ bool DiffuseAtOnce(const VoxelReader& read, const ImageGeometry& geometry,
     parallelFor(begin, std::min(count, begin + PartsAtOnce),
       [&](std::ptrdiff_t first, std::ptrdiff_t last)
       {
-        Cascade cascade(read, geometry, settings);
+        Cascade cascade(read, geometry, settings, out);
         for (std::ptrdiff_t part = first; part < last; ++part)
         {
           const std::array<std::ptrdiff_t, 3> place{ { part % parts[0], part / parts[0] % parts[1],
             part / parts[0] / parts[1] } };
-          VoxelBox box{};
+          VoxelBox cut;
           for (int axis = 0; axis < 3; ++axis)
           {
-            box.Begin[axis] = static_cast<int>(size[axis] * place[axis] / parts[axis]);
-            box.End[axis] = static_cast<int>(size[axis] * (place[axis] + 1) / parts[axis]);
+            const auto border = [&](std::ptrdiff_t at)
+            { return box.Begin[axis] + static_cast<int>(box.Size(axis) * at / parts[axis]); };
+            cut.Begin[axis] = border(place[axis]);
+            cut.End[axis] = border(place[axis] + 1);
           }
-          cascade.Run(box, out + geometry.Offset(box.Begin[0], box.Begin[1], box.Begin[2]), size[0],
-            static_cast<std::ptrdiff_t>(size[0]) * size[1]);
+          cascade.Run(cut);
         }
       });
   }
   return true;
 }
 
-} // namespace
-
 bool DiffuseAnisotropically(const VoxelReader& read, const ImageGeometry& geometry,
   const AnisotropicDiffusionSettings& settings, const ParallelFor& parallelFor,
   const Monitor& monitor, float* out)
 {
-  const int passes = std::max(1, (settings.Iterations + MostAtOnce - 1) / MostAtOnce);
+  const int passes =
+    std::max(1, (settings.Iterations + DiffusionIterationsAtOnce - 1) / DiffusionIterationsAtOnce);
   std::vector<float> other(passes > 1 ? geometry.NumberOfVoxels() : 0);
   // From one to the other and back, so that the last pass ends in `out`.
   float* to = passes % 2 == 1 ? out : other.data();
@@ -301,7 +292,7 @@ bool DiffuseAnisotropically(const VoxelReader& read, const ImageGeometry& geomet
     AnisotropicDiffusionSettings now = settings;
     now.Iterations =
       (pass + 1) * settings.Iterations / passes - pass * settings.Iterations / passes;
-    if (!DiffuseAtOnce(from, geometry, now, parallelFor,
+    if (!DiffuseBox(from, geometry, now, { { { 0, 0, 0 } }, geometry.Dimensions }, parallelFor,
           PartOf(monitor, 1.0 * pass / passes, (pass + 1.0) / passes), to))
     {
       return false;
@@ -310,13 +301,6 @@ bool DiffuseAnisotropically(const VoxelReader& read, const ImageGeometry& geomet
     to = to == out ? other.data() : out;
   }
   return true;
-}
-
-void DiffuseBox(const VoxelReader& read, const ImageGeometry& geometry,
-  const AnisotropicDiffusionSettings& settings, const VoxelBox& box, float* out, std::ptrdiff_t row,
-  std::ptrdiff_t slice)
-{
-  Cascade(read, geometry, settings).Run(box, out, row, slice);
 }
 
 double ContrastOfNoise(double noiseDeviation, const ImageGeometry& geometry,
@@ -333,8 +317,7 @@ double ContrastOfNoise(double noiseDeviation, const ImageGeometry& geometry,
   // the image.
   const double least = 1e-3 / geometry.Spacing.minCoeff();
   return std::max(least,
-    ContrastFactor * noiseDeviation *
-      std::sqrt(0.5 * geometry.Spacing.array().square().inverse().sum()));
+    noiseDeviation * std::sqrt(0.5 * geometry.Spacing.array().square().inverse().sum()));
 }
 
 } // namespace FlipFree

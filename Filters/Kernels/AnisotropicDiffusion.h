@@ -74,24 +74,22 @@ VoxelReader ReaderOf(const ImageView<T>& image, const std::array<int, 3>& first 
   };
 }
 
-/// A part of an image: first and one behind the last voxel on each axis.
-struct VoxelBox
-{
-  std::array<int, 3> Begin;
-  std::array<int, 3> End;
-};
-
 /// Smooths an image, which is read voxel by voxel a few times and nowhere copied, into `out`, x
 /// fastest. Returns false if the monitor stopped it; what is in `out` is then worthless.
 bool DiffuseAnisotropically(const VoxelReader& read, const ImageGeometry& geometry,
   const AnisotropicDiffusionSettings& settings, const ParallelFor& parallelFor,
   const Monitor& monitor, float* out);
 
-/// Smooths a part of an image into `out`, of which `row` and `slice` are the steps from one row and
-/// slice to the next. The voxels around the part, as many as there are iterations, are read.
-void DiffuseBox(const VoxelReader& read, const ImageGeometry& geometry,
-  const AnisotropicDiffusionSettings& settings, const VoxelBox& box, float* out, std::ptrdiff_t row,
-  std::ptrdiff_t slice);
+/// Smooths only the voxels of a box, in their places in `out`, which is as large as the whole;
+/// those around them, as many as there are iterations, are read. At most DiffusionIterationsAtOnce
+/// iterations.
+bool DiffuseBox(const VoxelReader& read, const ImageGeometry& geometry,
+  const AnisotropicDiffusionSettings& settings, const VoxelBox& box, const ParallelFor& parallelFor,
+  const Monitor& monitor, float* out);
+
+/// More of them are made in several passes, since they would compute too much around the parts, and
+/// need too much memory.
+constexpr int DiffusionIterationsAtOnce = 10;
 
 /// The contrast that keeps edges above the image's noise, of the given standard deviation.
 double ContrastOfNoise(double noiseDeviation, const ImageGeometry& geometry,

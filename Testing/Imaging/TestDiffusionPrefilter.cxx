@@ -280,15 +280,19 @@ TEST_P(TestDiffusionEquations, OwnKernelAgreesWithItk)
     RecordProperty("GreatestDifference", std::to_string(difference));
 
     const FlipFree::VoxelBox box{ { { 3, 7, 9 } }, { { 30, 21, 20 } } };
-    std::vector<float> part(27 * 14 * 11);
-    FlipFree::DiffuseBox(FlipFree::ReaderOf(grey), grey.Geometry, settings, box, part.data(), 27,
-      27 * 14);
-    for (std::size_t voxel = 0; voxel < part.size(); ++voxel)
+    std::vector<float> part(whole.size());
+    FlipFree::DiffuseBox(FlipFree::ReaderOf(grey), grey.Geometry, settings, box, FlipFree::SMPFor,
+      FlipFree::NeverStop, part.data());
+    for (int k = box.Begin[2]; k < box.End[2]; ++k)
     {
-      const int i = 3 + static_cast<int>(voxel % 27);
-      const int j = 7 + static_cast<int>(voxel / 27 % 14);
-      const int k = 9 + static_cast<int>(voxel / 27 / 14);
-      ASSERT_EQ(part[voxel], whole[grey.Geometry.Offset(i, j, k)]);
+      for (int j = box.Begin[1]; j < box.End[1]; ++j)
+      {
+        for (int i = box.Begin[0]; i < box.End[0]; ++i)
+        {
+          const std::size_t voxel = grey.Geometry.Offset(i, j, k);
+          ASSERT_EQ(part[voxel], whole[voxel]);
+        }
+      }
     }
   }
 }

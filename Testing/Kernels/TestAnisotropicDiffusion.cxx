@@ -335,7 +335,7 @@ TEST(AnisotropicDiffusion, AnyNumberOfThreadsGivesTheSameBits)
   }
 }
 
-// Whatever part is asked for, at the image's rim or within it, and wherever it is put.
+// Whatever part is asked for, at the image's rim or within it, and nothing else.
 TEST(AnisotropicDiffusion, APartHasTheBitsOfTheWhole)
 {
   const ImageGeometry geometry = Grid({ { 37, 41, 29 } }, { 0.8, 0.9, 2.5 });
@@ -343,13 +343,13 @@ TEST(AnisotropicDiffusion, APartHasTheBitsOfTheWhole)
   std::mt19937 random(3);
   for (const Equation equation : Equations)
   {
-    for (const int iterations : { 0, 1, 4, 30 })
+    for (const int iterations : { 0, 1, 4, 10 })
     {
       const AnisotropicDiffusionSettings settings{ iterations, 20, equation, 0 };
       const std::vector<float> whole = Diffused(voxels, geometry, settings);
       for (int repetition = 0; repetition < 12; ++repetition)
       {
-        VoxelBox box{};
+        VoxelBox box;
         for (int axis = 0; axis < 3; ++axis)
         {
           const int size = geometry.Dimensions[axis];
@@ -360,10 +360,8 @@ TEST(AnisotropicDiffusion, APartHasTheBitsOfTheWhole)
           box.End[axis] = std::max(a, b) + 1;
         }
         std::vector<float> out(whole.size(), -1);
-        DiffuseBox(ReaderOf(voxels, geometry), geometry, settings, box,
-          out.data() + geometry.Offset(box.Begin[0], box.Begin[1], box.Begin[2]),
-          geometry.Dimensions[0],
-          static_cast<std::ptrdiff_t>(geometry.Dimensions[0]) * geometry.Dimensions[1]);
+        ASSERT_TRUE(DiffuseBox(ReaderOf(voxels, geometry), geometry, settings, box, ScatteredFor,
+          NeverStop, out.data()));
         for (int k = 0; k < geometry.Dimensions[2]; ++k)
         {
           for (int j = 0; j < geometry.Dimensions[1]; ++j)
