@@ -308,16 +308,16 @@ double ContrastOfNoise(double noiseDeviation, const ImageGeometry& geometry,
 {
   // Differences of neighbours scatter by sqrt(2) of the noise; twice that is an edge. An image
   // without noise has nothing to smooth.
-  const double difference = std::max(1e-3, 2 * std::sqrt(2.0) * noiseDeviation);
+  constexpr double factor = 2;
+  const double difference = std::max(1e-3, factor * std::sqrt(2.0) * noiseDeviation);
   if (equation == DiffusionEquation::Faces)
   {
     return difference;
   }
-  // The gradient's magnitude, root mean square, by differences over two voxels; ITK takes that of
-  // the image.
+  // So do gradients, by differences over two voxels; ITK takes those of the whole image.
   const double least = 1e-3 / geometry.Spacing.minCoeff();
   return std::max(least,
-    noiseDeviation * std::sqrt(0.5 * geometry.Spacing.array().square().inverse().sum()));
+    factor * noiseDeviation * std::sqrt(0.5 * geometry.Spacing.array().square().inverse().sum()));
 }
 
 } // namespace FlipFree

@@ -17,6 +17,7 @@
 #define FlipFreeAnisotropicDiffusion_h
 
 #include "KernelTypes.h"
+#include "VoxelBox.h"
 
 #include <vector>
 
