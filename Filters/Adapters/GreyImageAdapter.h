@@ -5,6 +5,7 @@
 #ifndef FlipFreeGreyImageAdapter_h
 #define FlipFreeGreyImageAdapter_h
 
+#include "AnisotropicDiffusion.h"
 #include "ExecutionAdapter.h"
 #include "ImageAdapter.h"
 #include "MessageText.h"
@@ -18,6 +19,7 @@
 #include <sstream>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 
 namespace FlipFree
 {
@@ -81,21 +83,59 @@ inline void RequireSeed(const ImageGeometry& geometry, const SeedSphere& seed,
   }
 }
 
-/// Throws std::invalid_argument, naming the first bad voxel, unless all are finite numbers.
+[[noreturn]] inline void RefuseVoxel(const ImageGeometry& geometry, int i, int j, int k,
+  const std::string& name)
+{
+  throw std::invalid_argument("a voxel of " + name + ", at " +
+    TextOf(geometry.ToPhysical(Eigen::Vector3d(i, j, k))) +
+    " mm, is not a finite number; replace such voxels first");
+}
+
+/// Throws std::invalid_argument, naming the first bad voxel, unless all are finite as floats.
+template <typename T>
+void RequireFiniteRegion(const ImageView<T>& image, const Extent& extent, const std::string& name)
+{
+  if constexpr (std::is_floating_point_v<T>)
+  {
+    for (int k = extent[4]; k <= extent[5]; ++k)
+    {
+      for (int j = extent[2]; j <= extent[3]; ++j)
+      {
+        for (int i = extent[0]; i <= extent[1]; ++i)
+        {
+          if (!std::isfinite(static_cast<float>(image(i, j, k))))
+          {
+            RefuseVoxel(image.Geometry, i, j, k, name);
+          }
+        }
+      }
+    }
+  }
+}
+
+inline Extent WholeExtent(const ImageGeometry& geometry)
+{
+  return { { 0, geometry.Dimensions[0] - 1, 0, geometry.Dimensions[1] - 1, 0,
+    geometry.Dimensions[2] - 1 } };
+}
+
 inline void RequireFinite(const FloatImage& image, const std::string& name)
 {
-  for (std::size_t voxel = 0; voxel < image.Voxels.size(); ++voxel)
+  RequireFiniteRegion(image.View(), WholeExtent(image.Geometry), name);
+}
+
+/// The same of a part of the image, which has passed RequireGreyImage. Whole numbers are not looked
+/// at.
+inline void RequireFinite(vtkImageData* image, const Extent& extent, const std::string& name)
+{
+  const ImageGeometry geometry = GeometryOf(image);
+  const void* voxels = image->GetPointData()->GetScalars()->GetVoidPointer(0);
+  switch (image->GetPointData()->GetScalars()->GetDataType())
   {
-    if (!std::isfinite(image.Voxels[voxel]))
-    {
-      const std::size_t row = image.Geometry.Dimensions[0];
-      const std::size_t rows = image.Geometry.Dimensions[1];
-      const Eigen::Matrix<std::size_t, 3, 1> index(voxel % row, voxel / row % rows,
-        voxel / row / rows);
-      throw std::invalid_argument("a voxel of " + name + ", at " +
-        TextOf(image.Geometry.ToPhysical(index.cast<double>())) +
-        " mm, is not a finite number; replace such voxels first");
-    }
+    vtkTemplateMacro(
+      RequireFiniteRegion<VTK_TT>({ static_cast<const VTK_TT*>(voxels), geometry }, extent, name));
+    default:
+      RefuseScalarType(image->GetPointData()->GetScalars(), name);
   }
 }
 
@@ -115,10 +155,36 @@ inline FloatImage GreyRegionOf(vtkImageData* image, const Extent& extent)
   return region;
 }
 
-inline Extent WholeExtent(const ImageGeometry& geometry)
+/// The noise in the seed sphere.
+inline double NoiseOf(vtkImageData* image, const SeedSphere& seed)
 {
-  return { { 0, geometry.Dimensions[0] - 1, 0, geometry.Dimensions[1] - 1, 0,
-    geometry.Dimensions[2] - 1 } };
+  return NoiseDeviation(
+    GreyRegionOf(image, ReachableExtent(GeometryOf(image), seed.Center, seed.Radius)).View(), seed);
+}
+
+/// The voxels of a part of the image, which has passed RequireGreyImage and outlives the reader.
+inline VoxelReader GreyReaderOf(vtkImageData* image, const Extent& extent)
+{
+  const ImageGeometry geometry = GeometryOf(image);
+  const void* voxels = image->GetPointData()->GetScalars()->GetVoidPointer(0);
+  switch (image->GetPointData()->GetScalars()->GetDataType())
+  {
+    vtkTemplateMacro(return ReaderOf<VTK_TT>({ static_cast<const VTK_TT*>(voxels), geometry },
+      { { extent[0], extent[2], extent[4] } }));
+    default:
+      RefuseScalarType(image->GetPointData()->GetScalars(), "the image");
+  }
+}
+
+/// Smooths a part of the image, which is not copied before. Returns false if the monitor stopped
+/// it.
+inline bool SmoothRegionOf(vtkImageData* image, const Extent& extent,
+  const AnisotropicDiffusionSettings& settings, const Monitor& monitor, FloatImage& region)
+{
+  region.Geometry = CropGeometry(GeometryOf(image), extent);
+  region.Voxels.resize(region.Geometry.NumberOfVoxels());
+  return DiffuseAnisotropically(GreyReaderOf(image, extent), region.Geometry, settings, SMPFor,
+    monitor, region.Voxels.data());
 }
 
 } // namespace FlipFree

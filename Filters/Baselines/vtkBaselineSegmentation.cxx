@@ -3,7 +3,6 @@
 #include "BaselineTask.h"
 #include "FieldSurface.h"
 
-#include "AnisotropicDiffusion.h"
 #include "ExecutionAdapter.h"
 #include "GreyImageAdapter.h"
 #include "LabelAdapter.h"
@@ -160,20 +159,19 @@ void vtkBaselineSegmentation::Execute(vtkImageData* image, vtkPolyData* surface,
 
   const FlipFree::Extent extent =
     FlipFree::ReachableExtent(geometry, task.Seed.Center, ReachOf(this->Reach, this->SeedRadius));
-  task.Region = FlipFree::GreyRegionOf(image, extent);
-  FlipFree::RequireFinite(task.Region, InputName);
-  if (FlipFree::VoxelsInSphere(task.Region.Geometry, task.Seed).empty())
+  FlipFree::RequireFinite(image, extent, InputName);
+  if (FlipFree::VoxelsInSphere(FlipFree::CropGeometry(geometry, extent), task.Seed).empty())
   {
     throw std::invalid_argument("no voxel centre of " + std::string(InputName) +
       " lies in the seed sphere; enlarge it, or move it onto one");
   }
-  task.Noise = FlipFree::NoiseDeviation(task.Region.View(), task.Seed);
+  task.Noise = FlipFree::NoiseOf(image, task.Seed);
   FlipFree::AnisotropicDiffusionSettings diffusion;
   diffusion.Iterations = this->DiffusionIterations;
-  diffusion.Contrast = FlipFree::ContrastOfNoise(task.Noise);
+  diffusion.Contrast = FlipFree::ContrastOfNoise(task.Noise, geometry, diffusion.Equation);
   FlipFree::BaselineResult result;
-  if (!FlipFree::DiffuseAnisotropically(task.Region.Voxels, task.Region.Geometry, diffusion,
-        FlipFree::SMPFor, FlipFree::MonitorOf(this, 0, MethodBegins)) ||
+  if (!FlipFree::SmoothRegionOf(image, extent, diffusion,
+        FlipFree::MonitorOf(this, 0, MethodBegins), task.Region) ||
     !this->Segment(task, FlipFree::MonitorOf(this, MethodBegins, MethodEnds), result))
   {
     return;

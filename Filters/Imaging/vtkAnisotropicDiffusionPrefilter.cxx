@@ -119,16 +119,16 @@ Extent BoxOfSphere(vtkImageData* image, const FlipFree::SeedSphere& sphere)
 }
 
 /// Of the voxels as they are, in the sphere.
-double NoiseOf(vtkImageData* image, const FlipFree::SeedSphere& sphere)
+double NoiseOfSphere(vtkImageData* image, const FlipFree::SeedSphere& sphere)
 {
-  const FlipFree::FloatImage box = FlipFree::GreyRegionOf(image,
-    FlipFree::ReachableExtent(FlipFree::GeometryOf(image), sphere.Center, sphere.Radius));
-  FlipFree::RequireFinite(box, InputName);
-  if (FlipFree::VoxelsInSphere(box.Geometry, sphere).empty())
+  const FlipFree::ImageGeometry geometry = FlipFree::GeometryOf(image);
+  FlipFree::RequireFinite(image, FlipFree::ReachableExtent(geometry, sphere.Center, sphere.Radius),
+    InputName);
+  if (FlipFree::VoxelsInSphere(geometry, sphere).empty())
   {
     RefuseEmptySphere();
   }
-  return FlipFree::NoiseDeviation(box.View(), sphere);
+  return FlipFree::NoiseOf(image, sphere);
 }
 
 /// Root mean square of the gradient's magnitude over the voxels of the box within the radius of the
@@ -265,7 +265,7 @@ int vtkAnisotropicDiffusionPrefilter::RequestData(vtkInformation*,
     this->TimeStepUsed = this->TimeStep > 0 ? this->TimeStep : stable;
 
     const FlipFree::SeedSphere sphere{ Eigen::Vector3d(this->ScaleCenter), this->ScaleRadius };
-    const double noise = this->ScaleRadius > 0 ? NoiseOf(input, sphere) : 0;
+    const double noise = this->ScaleRadius > 0 ? NoiseOfSphere(input, sphere) : 0;
     if (this->GradientScale > 0)
     {
       this->GradientScaleUsed = this->GradientScale;

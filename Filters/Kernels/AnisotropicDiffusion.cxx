@@ -1,5 +1,7 @@
 #include "AnisotropicDiffusion.h"
 
+#include "DiffusionRows.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -9,125 +11,313 @@ namespace FlipFree
 namespace
 {
 
-// Slices that are worked on by one thread in one piece.
-constexpr std::ptrdiff_t SlicesOfSlab = 16;
+// The greatest parts that the image is cut into: what a core works on, a few slices after each
+// iteration, is to fit into its second cache. What is around a part is computed twice.
+constexpr std::array<int, 3> PartSize{ { 320, 32, 64 } };
+// Parts between two questions to the monitor: some ten milliseconds.
+constexpr std::ptrdiff_t PartsAtOnce = 32;
 
-struct Fluxes
+DiffusionCoefficients CoefficientsOf(const AnisotropicDiffusionSettings& settings,
+  const Eigen::Vector3d& spacing)
 {
-  float WeightX;
-  float WeightY;
-  float WeightZ;
-  float InverseSquare; // 1 / contrast^2
+  DiffusionCoefficients result{};
+  const double finest = spacing.minCoeff();
+  const double contrast = settings.Contrast * settings.Contrast;
+  const bool itk = settings.Equation != DiffusionEquation::Faces;
+  // The step is chosen in units of the finest spacing; coarser axes diffuse less.
+  const Eigen::Vector3d rates = (finest / spacing.array()).square();
+  const double step =
+    itk ? (settings.TimeStep > 0 ? settings.TimeStep : finest / 16) : 1 / (2 * rates.sum() + 1e-9);
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    result.InverseSpacing[axis] = static_cast<float>(1 / spacing[axis]);
+    result.Weight[axis] = static_cast<float>(step * (itk ? 1 : rates[axis]));
+  }
+  // Finite, so that where nothing differs nothing flows, however small the contrast.
+  result.Fall = static_cast<float>(std::min(itk ? 0.5 / contrast : 1 / contrast, 1e38));
+  result.TimeStep = static_cast<float>(step);
+  return result;
+}
+
+struct Range
+{
+  int Begin;
+  int End;
+
+  int Size() const { return this->End - this->Begin; }
 };
 
-// Flux between two neighbours: the difference times a conductance that falls off at edges.
-inline float Flux(float difference, float inverseSquare)
+std::array<int, 2> OthersOf(int axis)
 {
-  return difference / (1 + difference * difference * inverseSquare);
+  return { { axis == 0 ? 1 : 0, axis == 2 ? 1 : 2 } };
 }
 
-// One row of one explicit step. The rows before and after, in y and in z, repeat at the border,
-// which lets nothing flow out.
-void StepRow(const float* row, const float* south, const float* north, const float* below,
-  const float* above, float* out, int size, const Fluxes& fluxes)
+// The working memory of one thread: what a part of the image and its surroundings are after each
+// iteration, of which three slices are kept.
+class Cascade
 {
-  const float s = fluxes.InverseSquare;
-  for (int i = 0; i < size; ++i)
+public:
+  Cascade(const VoxelReader& read, const ImageGeometry& geometry,
+    const AnisotropicDiffusionSettings& settings, float* out)
+    : Read(read)
+    , Size(geometry.Dimensions)
+    , Out(out)
+    , Last(settings.Iterations)
+    , Rows(ChooseDiffusionRows(settings.Equation))
+    , Coefficients(CoefficientsOf(settings, geometry.Spacing))
   {
-    const float v = row[i];
-    const float west = row[i > 0 ? i - 1 : 0];
-    const float east = row[i + 1 < size ? i + 1 : i];
-    out[i] = v + fluxes.WeightX * (Flux(west - v, s) + Flux(east - v, s)) +
-      fluxes.WeightY * (Flux(south[i] - v, s) + Flux(north[i] - v, s)) +
-      fluxes.WeightZ * (Flux(below[i] - v, s) + Flux(above[i] - v, s));
   }
-}
 
-// One slice of one explicit step.
-void StepSlice(const float* now, const float* below, const float* above,
-  const std::array<int, 3>& size, const Fluxes& fluxes, float* out)
-{
-  const std::ptrdiff_t row = size[0];
-  for (std::ptrdiff_t j = 0; j < size[1]; ++j)
+  void Run(const VoxelBox& box)
   {
-    const float* const at = now + j * row;
-    StepRow(at, at - (j > 0 ? row : 0), at + (j + 1 < size[1] ? row : 0), below + j * row,
-      above + j * row, out + j * row, size[0], fluxes);
+    this->Box = box;
+    // With a place more on each side, where what is beyond the image repeats its rim.
+    this->Row = this->RangeOf(0, 0).Size() + 2;
+    this->Slice = this->Row * (this->RangeOf(0, 1).Size() + 2);
+    this->Voxels.resize(3 * this->Slice * std::max(1, this->Last));
+    this->SliceFlux.resize(this->Slice * this->Last);
+    this->RowFlux.resize(4 * this->Row);
+
+    // An iteration follows the one before at a distance of one slice.
+    const int end = box.End[2] + this->Last;
+    for (int front = this->RangeOf(0, 2).Begin; front < end; ++front)
+    {
+      for (int level = 0; level <= this->Last; ++level)
+      {
+        const int k = front - level;
+        const Range slices = this->RangeOf(level, 2);
+        if (k >= slices.Begin && k < slices.End)
+        {
+          this->MakeSlice(level, k);
+        }
+      }
+    }
   }
-}
+
+private:
+  // Indices that are needed after `level` iterations, so that the box is right after the last.
+  Range RangeOf(int level, int axis) const
+  {
+    const int margin = this->Last - level;
+    return { std::max(0, this->Box.Begin[axis] - margin),
+      std::min(this->Size[axis], this->Box.End[axis] + margin) };
+  }
+
+  std::ptrdiff_t Place(int i, int j) const
+  {
+    return (j - this->RangeOf(0, 1).Begin + 1) * this->Row + (i - this->RangeOf(0, 0).Begin + 1);
+  }
+
+  // Of a slice in memory, the pointer to what would be its voxel (0, j). Beyond the image in z, the
+  // slice next to it.
+  float* RowAt(int level, int i, int j, int k)
+  {
+    const int inside = std::clamp(k, 0, this->Size[2] - 1);
+    return this->Voxels.data() + (3 * level + inside % 3) * this->Slice + this->Place(i, j);
+  }
+
+  float* Target(int level, int i, int j, int k)
+  {
+    return level < this->Last
+      ? this->RowAt(level, i, j, k)
+      : this->Out + i + this->Size[0] * (j + static_cast<std::ptrdiff_t>(this->Size[1]) * k);
+  }
+
+  void MakeSlice(int level, int k)
+  {
+    const Range columns = this->RangeOf(level, 0);
+    const Range rows = this->RangeOf(level, 1);
+    if (level == 0)
+    {
+      for (int j = rows.Begin; j < rows.End; ++j)
+      {
+        this->Read(columns.Begin, columns.End, j, k, this->Target(0, columns.Begin, j, k));
+      }
+    }
+    else
+    {
+      this->StepSlice(level, k, columns, rows);
+    }
+    if (level < this->Last)
+    {
+      this->RepeatRim(level, k, columns, rows);
+    }
+  }
+
+  // The border repeats, which lets nothing flow out.
+  void RepeatRim(int level, int k, const Range& columns, const Range& rows)
+  {
+    for (int j = rows.Begin; j < rows.End; ++j)
+    {
+      float* const row = this->RowAt(level, columns.Begin, j, k);
+      row[-1] = row[0];
+      row[columns.Size()] = row[columns.Size() - 1];
+    }
+    const int width = columns.Size() + 2;
+    std::copy_n(this->RowAt(level, columns.Begin - 1, rows.Begin, k), width,
+      this->RowAt(level, columns.Begin - 1, rows.Begin - 1, k));
+    std::copy_n(this->RowAt(level, columns.Begin - 1, rows.End - 1, k), width,
+      this->RowAt(level, columns.Begin - 1, rows.End, k));
+  }
+
+  // The neighbours along each axis.
+  VoxelRows RowsAround(int level, int i, int j, int k)
+  {
+    const float* const voxels = this->RowAt(level, i, j, k);
+    VoxelRows rows{};
+    rows.Voxels = voxels;
+    rows.Previous = { { voxels - 1, voxels - this->Row, this->RowAt(level, i, j, k - 1) } };
+    rows.Next = { { voxels + 1, voxels + this->Row, this->RowAt(level, i, j, k + 1) } };
+    return rows;
+  }
+
+  // The voxels of a row and their neighbours along the two axes other than `axis`.
+  FaceRows::Side SideOf(int level, int axis, int i, int j, int k)
+  {
+    const VoxelRows rows = this->RowsAround(level, i, j, k);
+    const auto [first, second] = OthersOf(axis);
+    return { rows.Voxels, { { rows.Previous[first], rows.Previous[second] } },
+      { { rows.Next[first], rows.Next[second] } } };
+  }
+
+  // Through the faces towards the end of the axis.
+  void MakeFlux(int level, int axis, int i, int j, int k, int size, float* flux)
+  {
+    const FaceRows rows{ axis, OthersOf(axis), this->SideOf(level, axis, i, j, k),
+      this->SideOf(level, axis, i + (axis == 0), j + (axis == 1), k + (axis == 2)) };
+    this->Rows.Flux(rows, this->Coefficients, size, flux);
+  }
+
+  void StepSlice(int level, int k, const Range& columns, const Range& rows)
+  {
+    const int i = columns.Begin;
+    const int size = columns.Size();
+    const int from = level - 1;
+    float* const sliceFlux = this->SliceFlux.data() + from * this->Slice;
+    float* const alongRow = this->RowFlux.data();
+    float* previousRow = alongRow + this->Row;
+    float* nextRow = previousRow + this->Row;
+    float* const nextSlice = nextRow + this->Row;
+    if (k == this->RangeOf(level, 2).Begin)
+    {
+      for (int j = rows.Begin; j < rows.End; ++j)
+      {
+        this->MakeFlux(from, 2, i, j, k - 1, size, sliceFlux + this->Place(i, j));
+      }
+    }
+    this->MakeFlux(from, 1, i, rows.Begin - 1, k, size, previousRow);
+    for (int j = rows.Begin; j < rows.End; ++j)
+    {
+      float* const previousSlice = sliceFlux + this->Place(i, j);
+      this->MakeFlux(from, 0, i - 1, j, k, size + 1, alongRow);
+      this->MakeFlux(from, 1, i, j, k, size, nextRow);
+      this->MakeFlux(from, 2, i, j, k, size, nextSlice);
+      VoxelRows around = this->RowsAround(from, i, j, k);
+      around.PreviousFlux = { { alongRow, previousRow, previousSlice } };
+      around.NextFlux = { { alongRow + 1, nextRow, nextSlice } };
+      this->Rows.Step(around, this->Coefficients, size, this->Target(level, i, j, k));
+      std::swap(previousRow, nextRow);
+      std::copy_n(nextSlice, size, previousSlice);
+    }
+  }
+
+  const VoxelReader& Read;
+  std::array<int, 3> Size;
+  float* Out;
+  int Last;
+  DiffusionRows Rows;
+  DiffusionCoefficients Coefficients;
+
+  VoxelBox Box{};
+  std::ptrdiff_t Row = 0;
+  std::ptrdiff_t Slice = 0;
+  std::vector<float> Voxels;    // by iteration, slice modulo three
+  std::vector<float> SliceFlux; // by iteration, from the slice before
+  std::vector<float> RowFlux;
+};
 
 } // namespace
 
-bool DiffuseAnisotropically(std::vector<float>& voxels, const ImageGeometry& geometry,
-  const AnisotropicDiffusionSettings& settings, const ParallelFor& parallelFor,
-  const Monitor& monitor)
+bool DiffuseBox(const VoxelReader& read, const ImageGeometry& geometry,
+  const AnisotropicDiffusionSettings& settings, const VoxelBox& box, const ParallelFor& parallelFor,
+  const Monitor& monitor, float* out)
 {
-  const auto& size = geometry.Dimensions;
-  const std::ptrdiff_t slice = static_cast<std::ptrdiff_t>(size[0]) * size[1];
-  // The step is chosen in units of the finest spacing; coarser axes diffuse less.
-  const double finest = geometry.Spacing.minCoeff();
-  const Eigen::Vector3d weights = (finest / geometry.Spacing.array()).square();
-  const double step = 1 / (2 * weights.sum() + 1e-9);
-  // Finite, so that where nothing differs nothing flows, however small the contrast.
-  const double inverseSquare = 1 / (settings.Contrast * settings.Contrast);
-  const Fluxes fluxes{ static_cast<float>(step * weights[0]), static_cast<float>(step * weights[1]),
-    static_cast<float>(step * weights[2]), static_cast<float>(std::min(inverseSquare, 1e38)) };
-
-  // In place, slab by slab. The slices next to a slab are kept as they were before the step, since
-  // other slabs may have changed them by the time that they are needed.
-  const std::ptrdiff_t slabs = (size[2] + SlicesOfSlab - 1) / SlicesOfSlab;
-  std::vector<float> before(slabs * slice);
-  std::vector<float> behind(slabs * slice);
-  for (int iteration = 0; iteration < settings.Iterations; ++iteration)
+  std::array<std::ptrdiff_t, 3> parts{};
+  for (int axis = 0; axis < 3; ++axis)
   {
-    if (!monitor(static_cast<double>(iteration) / settings.Iterations))
+    parts[axis] = (box.Size(axis) + PartSize[axis] - 1) / PartSize[axis];
+  }
+  const std::ptrdiff_t count = parts[0] * parts[1] * parts[2];
+  for (std::ptrdiff_t begin = 0; begin < count; begin += PartsAtOnce)
+  {
+    if (!monitor(static_cast<double>(begin) / static_cast<double>(count)))
     {
       return false;
     }
-    parallelFor(0, slabs,
+    parallelFor(begin, std::min(count, begin + PartsAtOnce),
       [&](std::ptrdiff_t first, std::ptrdiff_t last)
       {
-        for (std::ptrdiff_t slab = first; slab < last; ++slab)
+        Cascade cascade(read, geometry, settings, out);
+        for (std::ptrdiff_t part = first; part < last; ++part)
         {
-          const std::ptrdiff_t begin = slab * SlicesOfSlab;
-          const std::ptrdiff_t end = std::min<std::ptrdiff_t>(begin + SlicesOfSlab, size[2]);
-          // The border repeats, which lets nothing flow out.
-          const float* const lower = voxels.data() + std::max<std::ptrdiff_t>(begin - 1, 0) * slice;
-          const float* const upper =
-            voxels.data() + std::min<std::ptrdiff_t>(end, size[2] - 1) * slice;
-          std::copy_n(lower, slice, before.data() + slab * slice);
-          std::copy_n(upper, slice, behind.data() + slab * slice);
-        }
-      });
-    parallelFor(0, slabs,
-      [&](std::ptrdiff_t first, std::ptrdiff_t last)
-      {
-        std::vector<float> below(slice);
-        std::vector<float> now(slice);
-        for (std::ptrdiff_t slab = first; slab < last; ++slab)
-        {
-          const std::ptrdiff_t begin = slab * SlicesOfSlab;
-          const std::ptrdiff_t end = std::min<std::ptrdiff_t>(begin + SlicesOfSlab, size[2]);
-          std::copy_n(before.data() + slab * slice, slice, below.data());
-          for (std::ptrdiff_t k = begin; k < end; ++k)
+          const std::array<std::ptrdiff_t, 3> place{ { part % parts[0], part / parts[0] % parts[1],
+            part / parts[0] / parts[1] } };
+          VoxelBox cut;
+          for (int axis = 0; axis < 3; ++axis)
           {
-            float* const out = voxels.data() + k * slice;
-            std::copy_n(out, slice, now.data());
-            const float* const above = k + 1 < end ? out + slice : behind.data() + slab * slice;
-            StepSlice(now.data(), below.data(), above, size, fluxes, out);
-            below.swap(now);
+            const auto border = [&](std::ptrdiff_t at)
+            { return box.Begin[axis] + static_cast<int>(box.Size(axis) * at / parts[axis]); };
+            cut.Begin[axis] = border(place[axis]);
+            cut.End[axis] = border(place[axis] + 1);
           }
+          cascade.Run(cut);
         }
       });
   }
   return true;
 }
 
-double ContrastOfNoise(double noiseDeviation)
+bool DiffuseAnisotropically(const VoxelReader& read, const ImageGeometry& geometry,
+  const AnisotropicDiffusionSettings& settings, const ParallelFor& parallelFor,
+  const Monitor& monitor, float* out)
+{
+  const int passes =
+    std::max(1, (settings.Iterations + DiffusionIterationsAtOnce - 1) / DiffusionIterationsAtOnce);
+  std::vector<float> other(passes > 1 ? geometry.NumberOfVoxels() : 0);
+  // From one to the other and back, so that the last pass ends in `out`.
+  float* to = passes % 2 == 1 ? out : other.data();
+  VoxelReader from = read;
+  for (int pass = 0; pass < passes; ++pass)
+  {
+    AnisotropicDiffusionSettings now = settings;
+    now.Iterations =
+      (pass + 1) * settings.Iterations / passes - pass * settings.Iterations / passes;
+    if (!DiffuseBox(from, geometry, now, { { { 0, 0, 0 } }, geometry.Dimensions }, parallelFor,
+          PartOf(monitor, 1.0 * pass / passes, (pass + 1.0) / passes), to))
+    {
+      return false;
+    }
+    from = ReaderOf(ImageView<float>{ to, geometry });
+    to = to == out ? other.data() : out;
+  }
+  return true;
+}
+
+double ContrastOfNoise(double noiseDeviation, const ImageGeometry& geometry,
+  DiffusionEquation equation)
 {
   // Differences of neighbours scatter by sqrt(2) of the noise; twice that is an edge. An image
   // without noise has nothing to smooth.
-  return std::max(1e-3, 2 * std::sqrt(2.0) * noiseDeviation);
+  constexpr double factor = 2;
+  const double difference = std::max(1e-3, factor * std::sqrt(2.0) * noiseDeviation);
+  if (equation == DiffusionEquation::Faces)
+  {
+    return difference;
+  }
+  // So do gradients, by differences over two voxels; ITK takes those of the whole image.
+  const double least = 1e-3 / geometry.Spacing.minCoeff();
+  return std::max(least,
+    factor * noiseDeviation * std::sqrt(0.5 * geometry.Spacing.array().square().inverse().sum()));
 }
 
 } // namespace FlipFree

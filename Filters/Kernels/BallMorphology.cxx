@@ -11,8 +11,9 @@ namespace FlipFree
 namespace
 {
 
-// A ball of more rows is left to the distance transform, whose time does not depend on the radius.
-constexpr double MostRows = 5000;
+// A ball of more rows is left to the distance transform, whose time does not depend on the radius,
+// and is about that of so many rows.
+constexpr double MostRows = 1000;
 // A voxel whose centre is on the ball's surface belongs to it, whatever the rounding.
 constexpr double Slack = 1 + 1e-6;
 

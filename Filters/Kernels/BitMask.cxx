@@ -1,5 +1,6 @@
 #include "BitMask.h"
 
+#include <algorithm>
 #include <bitset>
 
 namespace FlipFree
@@ -57,6 +58,40 @@ std::size_t BitMask::Count() const
     count += std::bitset<BitsOfWord>(word).count();
   }
   return count;
+}
+
+VoxelBox BitMask::Bounds() const
+{
+  const std::array<int, 3>& size = this->Geometry.Dimensions;
+  VoxelBox box{ size, { { 0, 0, 0 } } };
+  std::vector<Word> along(this->WordsPerRow, 0); // all rows, one upon the other
+  for (int k = 0; k < size[2]; ++k)
+  {
+    for (int j = 0; j < size[1]; ++j)
+    {
+      const Word* const row = this->Row(j, k);
+      Word any = 0;
+      for (std::ptrdiff_t word = 0; word < this->WordsPerRow; ++word)
+      {
+        any |= row[word];
+        along[word] |= row[word];
+      }
+      if (any != 0)
+      {
+        box.Begin = { { size[0], std::min(box.Begin[1], j), std::min(box.Begin[2], k) } };
+        box.End = { { 0, std::max(box.End[1], j + 1), k + 1 } };
+      }
+    }
+  }
+  for (int i = 0; i < size[0]; ++i)
+  {
+    if ((along[i / BitsOfWord] >> (i % BitsOfWord) & 1U) != 0)
+    {
+      box.Begin[0] = std::min(box.Begin[0], i);
+      box.End[0] = i + 1;
+    }
+  }
+  return box;
 }
 
 } // namespace FlipFree

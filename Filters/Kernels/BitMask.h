@@ -6,6 +6,7 @@
 #define FlipFreeBitMask_h
 
 #include "KernelTypes.h"
+#include "VoxelBox.h"
 
 #include <vector>
 
@@ -56,6 +57,9 @@ public:
   void Remove(const BitMask& other);
 
   std::size_t Count() const;
+
+  /// The least box that holds all voxels of the set; empty if there are none.
+  VoxelBox Bounds() const;
 
   /// Calls visit(offset) for every voxel of the set, in the order of the voxels.
   template <typename Visit>

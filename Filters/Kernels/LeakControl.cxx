@@ -141,7 +141,13 @@ bool KeepConnected(BitMask& mask, const std::vector<std::size_t>& sources, const
 bool ControlLeaks(BitMask& mask, const SeedSphere& seed, const LeakControlSettings& settings,
   const ParallelFor& parallelFor, const Monitor& monitor)
 {
-  const std::vector<std::size_t> sources = VoxelsInSphere(mask.GetGeometry(), seed);
+  return ControlLeaks(mask, VoxelsInSphere(mask.GetGeometry(), seed), settings, parallelFor,
+    monitor);
+}
+
+bool ControlLeaks(BitMask& mask, const std::vector<std::size_t>& sources,
+  const LeakControlSettings& settings, const ParallelFor& parallelFor, const Monitor& monitor)
+{
   if (settings.ClosingRadius > 0 &&
     !(Dilate(mask, settings.ClosingRadius, parallelFor, PartOf(monitor, 0, 0.15)) &&
       Erode(mask, settings.ClosingRadius, parallelFor, PartOf(monitor, 0.15, 0.3))))

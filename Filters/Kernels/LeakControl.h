@@ -23,6 +23,10 @@ struct LeakControlSettings
 bool ControlLeaks(BitMask& mask, const SeedSphere& seed, const LeakControlSettings& settings,
   const ParallelFor& parallelFor, const Monitor& monitor);
 
+/// The same for a seed of the voxels `sources` (offsets, ascending).
+bool ControlLeaks(BitMask& mask, const std::vector<std::size_t>& sources,
+  const LeakControlSettings& settings, const ParallelFor& parallelFor, const Monitor& monitor);
+
 /// Keeps the voxels of the mask that are connected, by faces, with one of `sources` (offsets of
 /// voxels). Returns false if the monitor, asked now and then, stopped it; the mask is then as it
 /// was.

@@ -2,6 +2,7 @@
 
 #include "SurfaceVoxelisation.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -82,6 +83,73 @@ bool FindForeground(const ImageView<float>& smooth, const IntensityModel& model,
     smooth, [&model](float z) { return model(z) >= model.Threshold; }, parallelFor);
   return !settings.ControlLeaks ||
     ControlLeaks(foreground, seed, settings.Leaks, parallelFor, PartOf(monitor, 0.1, 1));
+}
+
+bool FindForegroundInBox(const ImageView<float>& smooth, const VoxelBox& box,
+  const IntensityModel& model, const SeedSphere& seed, const LeakControlSettings& leaks,
+  const ParallelFor& parallelFor, const Monitor& monitor, BitMask& foreground)
+{
+  if (!monitor(0))
+  {
+    return false;
+  }
+  const auto [i, j, k] = box.Begin;
+  const ImageGeometry geometry =
+    CropGeometry(smooth.Geometry, { { i, box.End[0] - 1, j, box.End[1] - 1, k, box.End[2] - 1 } });
+  BitMask part(geometry);
+  parallelFor(0, geometry.Dimensions[2],
+    [&, first = box.Begin](std::ptrdiff_t begin, std::ptrdiff_t end)
+    {
+      for (int slice = static_cast<int>(begin); slice < end; ++slice)
+      {
+        for (int row = 0; row < geometry.Dimensions[1]; ++row)
+        {
+          const float* const voxels = &smooth(first[0], first[1] + row, first[2] + slice);
+          BitMask::Word* const bits = part.Row(row, slice);
+          for (int place = 0; place < geometry.Dimensions[0]; ++place)
+          {
+            bits[place / BitMask::BitsOfWord] |=
+              BitMask::Word(model(voxels[place]) >= model.Threshold ? 1 : 0)
+              << (place % BitMask::BitsOfWord);
+          }
+        }
+      }
+    });
+  // As the whole image finds them, so that its rounding decides.
+  std::vector<std::size_t> sources;
+  for (const std::size_t voxel : VoxelsInSphere(smooth.Geometry, seed))
+  {
+    const auto& size = smooth.Geometry.Dimensions;
+    const std::size_t row = voxel / size[0];
+    sources.push_back(geometry.Offset(static_cast<int>(voxel % size[0]) - i,
+      static_cast<int>(row % size[1]) - j, static_cast<int>(row / size[1]) - k));
+  }
+  if (!ControlLeaks(part, sources, leaks, parallelFor, PartOf(monitor, 0.1, 1)))
+  {
+    return false;
+  }
+  foreground = BitMask(smooth.Geometry);
+  for (int slice = 0; slice < geometry.Dimensions[2]; ++slice)
+  {
+    for (int row = 0; row < geometry.Dimensions[1]; ++row)
+    {
+      std::copy_n(part.Row(row, slice), part.GetWordsPerRow(),
+        foreground.Row(j + row, k + slice) + i / BitMask::BitsOfWord);
+    }
+  }
+  return true;
+}
+
+std::array<int, 3> ForegroundMargin(const ImageGeometry& geometry, const LeakControlSettings& leaks)
+{
+  std::array<int, 3> margin{};
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const auto voxels = [&](double radius)
+    { return static_cast<int>(std::ceil(radius / geometry.Spacing[axis] * (1 + 1e-6))); };
+    margin[axis] = 2 * voxels(leaks.ClosingRadius) + voxels(leaks.OpeningRadius) + 1;
+  }
+  return margin;
 }
 
 std::vector<float> MakeFeature(const ImageView<float>& smooth, const IntensityModel& model,

@@ -24,6 +24,22 @@ bool FindForeground(const ImageView<float>& smooth, const IntensityModel& model,
   const SeedSphere& seed, const OrganFeatureSettings& settings, const ParallelFor& parallelFor,
   const Monitor& monitor, BitMask& foreground);
 
+/// The same, looked for in a box of the image alone, in which the seed sphere lies; a box that
+/// begins at a multiple of BitMask::BitsOfWord along x. Voxels of the box that are nearer to its
+/// sides than ForegroundMargin() may be wrong; where none of those farther in than the margin is
+/// missing, see there, the foreground is that of the whole image.
+bool FindForegroundInBox(const ImageView<float>& smooth, const VoxelBox& box,
+  const IntensityModel& model, const SeedSphere& seed, const LeakControlSettings& leaks,
+  const ParallelFor& parallelFor, const Monitor& monitor, BitMask& foreground);
+
+/// How far, in voxels along each axis, the sides of a box are felt: a foreground all of whose
+/// voxels are farther than that from the sides that are not the image's own is the same as that of
+/// the whole image. Leak control's masks are right where no ball of closing and opening, one after
+/// the other, reaches beyond the sides; and what hangs together with the seed cannot have left that
+/// part of the box without being seen on its rim.
+std::array<int, 3> ForegroundMargin(const ImageGeometry& geometry,
+  const LeakControlSettings& leaks);
+
 /// The feature of a smoothed image. Voxels that leak control has taken away get half the model's
 /// threshold, and voxels that it has filled in get the threshold; all others keep what they have.
 std::vector<float> MakeFeature(const ImageView<float>& smooth, const IntensityModel& model,

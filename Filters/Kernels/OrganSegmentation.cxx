@@ -4,6 +4,8 @@
 #include "Stopwatch.h"
 #include "SurfaceRefinement.h"
 
+#include <algorithm>
+#include <cmath>
 #include <memory>
 
 namespace FlipFree
@@ -15,14 +17,19 @@ constexpr std::size_t ChangeSpan = 5;
 // A surface that still finds new parts of the boundary is not at rest, though its mean distance to
 // what it has found may grow: by this part of its vertices.
 constexpr double Growth = 0.01;
+// What is smoothed before anything is known of the organ, in seed radii around the seed's centre,
+// and by how much of its size it grows where the organ goes on.
+constexpr double FirstReach = 3;
+constexpr double GrowthOfBox = 0.25;
 
 class Run
 {
 public:
-  Run(const ImageView<float>& smooth, double noise, const SeedSphere& seed,
+  Run(const ImageView<float>& smooth, SmoothRegion* region, double noise, const SeedSphere& seed,
     const OrganSegmentationSettings& settings, const ParallelFor& parallelFor,
     const Monitor& monitor, const IterationObserver& observer, OrganSurface& surface)
     : Smooth(smooth)
+    , Region(region)
     , Noise(noise)
     , Seed(seed)
     , Settings(settings)
@@ -35,7 +42,13 @@ public:
 
   void Execute()
   {
+    if (!this->MakeAroundSeed())
+    {
+      this->Surface.StopReason = "aborted";
+      return;
+    }
     Stopwatch watch;
+    const double smoothing = this->Surface.SmoothingSeconds;
     this->Model =
       FitToSeed(this->Smooth, this->Seed, this->Noise, this->Settings.Feature.Intensity);
     this->UpdateForeground([this](double) { return this->Proceed(0, 0); });
@@ -43,7 +56,7 @@ public:
     {
       RequireContrast(this->Foreground);
     }
-    this->Surface.FeatureSeconds += watch.Lap();
+    this->Surface.FeatureSeconds += watch.Lap() - (this->Surface.SmoothingSeconds - smoothing);
     for (int level = 0; level < this->Settings.Levels; ++level)
     {
       if (level > 0 && !this->NextLevel())
@@ -66,11 +79,123 @@ private:
     return !this->Stopped;
   }
 
+  // Makes the smoothed image in a box, cut off where the image ends, and lets it begin with a whole
+  // word of a mask.
+  bool Make(VoxelBox box)
+  {
+    Stopwatch watch;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      box.Begin[axis] = std::max(0, box.Begin[axis]);
+      box.End[axis] = std::min(this->Smooth.Geometry.Dimensions[axis], box.End[axis]);
+    }
+    box.Begin[0] -= box.Begin[0] % BitMask::BitsOfWord;
+    const bool made =
+      this->Region->Make(box, [this](double) { return this->Proceed(this->Level, 0); });
+    this->Surface.SmoothingSeconds += watch.Lap();
+    return made;
+  }
+
+  bool MakeAroundSeed()
+  {
+    if (!this->Region)
+    {
+      return true;
+    }
+    if (!this->Settings.Feature.ControlLeaks)
+    {
+      return this->Make({ { { 0, 0, 0 } }, this->Smooth.Geometry.Dimensions });
+    }
+    return this->Make(this->BoxAround(this->Seed.Center.transpose(), FirstReach * this->Seed.Radius,
+      ForegroundMargin(this->Smooth.Geometry, this->Settings.Feature.Leaks)));
+  }
+
+  // All within millimetres of the points, and some voxels more.
+  VoxelBox BoxAround(const PointList& points, double reach, const std::array<int, 3>& margin) const
+  {
+    const ImageGeometry& geometry = this->Smooth.Geometry;
+    const Eigen::Vector3d voxels = geometry.IndexReach(reach);
+    VoxelBox box{ geometry.Dimensions, { { 0, 0, 0 } } };
+    for (Eigen::Index point = 0; point < points.rows(); ++point)
+    {
+      const Eigen::Vector3d index = geometry.ToIndex(points.row(point).transpose());
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        const double last = geometry.Dimensions[axis];
+        const double begin = std::floor(index[axis] - voxels[axis]) - margin[axis];
+        const double end = std::ceil(index[axis] + voxels[axis]) + margin[axis] + 1;
+        box.Begin[axis] = std::min(box.Begin[axis], static_cast<int>(std::clamp(begin, 0.0, last)));
+        box.End[axis] = std::max(box.End[axis], static_cast<int>(std::clamp(end, 0.0, last)));
+      }
+    }
+    return box;
+  }
+
+  // How far from the sides of what has been made the foreground must stay, in voxels: for its own
+  // sake, and for the grey values that the search reads around its rim.
+  std::array<int, 3> Margin() const
+  {
+    const ImageGeometry& geometry = this->Smooth.Geometry;
+    std::array<int, 3> margin = ForegroundMargin(geometry, this->Settings.Feature.Leaks);
+    const Eigen::Vector3d edges = geometry.IndexReach(
+      2 * this->Settings.Targets.Correspondence.EdgeWindow + geometry.Spacing.minCoeff());
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      margin[axis] = std::max(margin[axis], static_cast<int>(std::ceil(edges[axis])) + 2);
+    }
+    return margin;
+  }
+
+  // What has been made, and more of it on the sides that the foreground has come near.
+  VoxelBox Grown() const
+  {
+    const VoxelBox made = this->Region->GetMade();
+    const VoxelBox bounds = this->Foreground.Bounds();
+    const std::array<int, 3> margin = this->Margin();
+    VoxelBox box = made;
+    for (int axis = 0; axis < 3 && !bounds.IsEmpty(); ++axis)
+    {
+      const int size = this->Smooth.Geometry.Dimensions[axis];
+      const int step = std::max(margin[axis], static_cast<int>(GrowthOfBox * made.Size(axis)));
+      if (made.Begin[axis] > 0 && bounds.Begin[axis] - margin[axis] < made.Begin[axis])
+      {
+        box.Begin[axis] = std::max(0, made.Begin[axis] - step);
+      }
+      if (made.End[axis] < size && bounds.End[axis] + margin[axis] > made.End[axis])
+      {
+        box.End[axis] = std::min(size, made.End[axis] + step);
+      }
+    }
+    return box;
+  }
+
   // The search asks of the feature only where it is above its threshold.
   void UpdateForeground(const Monitor& proceed)
   {
-    FindForeground(this->Smooth, this->Model, this->Seed, this->Settings.Feature, this->Parallel,
-      proceed, this->Foreground);
+    if (!this->Region || !this->Settings.Feature.ControlLeaks)
+    {
+      FindForeground(this->Smooth, this->Model, this->Seed, this->Settings.Feature, this->Parallel,
+        proceed, this->Foreground);
+      return;
+    }
+    do
+    {
+      if (!FindForegroundInBox(this->Smooth, this->Region->GetMade(), this->Model, this->Seed,
+            this->Settings.Feature.Leaks, this->Parallel, proceed, this->Foreground))
+      {
+        return;
+      }
+      const VoxelBox grown = this->Grown();
+      if (this->Region->GetMade().Holds(grown))
+      {
+        return;
+      }
+      this->Foreground = BitMask(); // what follows has need of the memory
+      if (!this->Make(grown))
+      {
+        return;
+      }
+    } while (true);
   }
 
   bool NextLevel()
@@ -89,11 +214,19 @@ private:
     if (this->Settings.Reestimate)
     {
       Stopwatch watch;
+      const double smoothing = this->Surface.SmoothingSeconds;
       this->Foreground = BitMask(); // what follows has need of the memory
+      if (this->Region &&
+        !this->Make(this->BoxAround(this->Surface.Points, this->Settings.Feature.Intensity.ShellEnd,
+          { { 2, 2, 2 } })))
+      {
+        this->Surface.StopReason = "aborted";
+        return false;
+      }
       RefitToSurface(this->Smooth, this->Surface.Points, this->Surface.Mesh.Triangles, this->Noise,
         this->Settings.Feature.Intensity, this->Parallel, proceed, this->Model);
       this->UpdateForeground(proceed);
-      this->Surface.FeatureSeconds += watch.Lap();
+      this->Surface.FeatureSeconds += watch.Lap() - (this->Surface.SmoothingSeconds - smoothing);
     }
     return true;
   }
@@ -177,7 +310,8 @@ private:
     return record.Targets;
   }
 
-  const ImageView<float>& Smooth;
+  const ImageView<float> Smooth;
+  SmoothRegion* Region; // null where all of the image has been smoothed before
   double Noise;
   const SeedSphere& Seed;
   const OrganSegmentationSettings& Settings;
@@ -192,22 +326,40 @@ private:
   bool Stopped = false;
 };
 
-} // namespace
-
-OrganSurface SegmentOrgan(const ImageView<float>& smooth, double noise, const SeedSphere& seed,
-  const ContourMesh& startMesh, const PointList& startPoints,
+OrganSurface SegmentIn(const ImageView<float>& smooth, SmoothRegion* region, double noise,
+  const SeedSphere& seed, const ContourMesh& startMesh, const PointList& startPoints,
   const OrganSegmentationSettings& settings, const ParallelFor& parallelFor, const Monitor& monitor,
   const IterationObserver& observer)
 {
   OrganSurface surface;
   surface.Mesh = startMesh;
   surface.Points = startPoints;
-  Run(smooth, noise, seed, settings, parallelFor, monitor, observer, surface).Execute();
+  Run(smooth, region, noise, seed, settings, parallelFor, monitor, observer, surface).Execute();
   if (surface.StopReason != "aborted")
   {
     surface.SelfIntersections = CountSelfIntersections(surface.Points, surface.Mesh.Triangles);
   }
   return surface;
+}
+
+} // namespace
+
+OrganSurface SegmentOrgan(SmoothRegion& region, double noise, const SeedSphere& seed,
+  const ContourMesh& startMesh, const PointList& startPoints,
+  const OrganSegmentationSettings& settings, const ParallelFor& parallelFor, const Monitor& monitor,
+  const IterationObserver& observer)
+{
+  return SegmentIn(region.View(), &region, noise, seed, startMesh, startPoints, settings,
+    parallelFor, monitor, observer);
+}
+
+OrganSurface SegmentOrgan(const ImageView<float>& smooth, double noise, const SeedSphere& seed,
+  const ContourMesh& startMesh, const PointList& startPoints,
+  const OrganSegmentationSettings& settings, const ParallelFor& parallelFor, const Monitor& monitor,
+  const IterationObserver& observer)
+{
+  return SegmentIn(smooth, nullptr, noise, seed, startMesh, startPoints, settings, parallelFor,
+    monitor, observer);
 }
 
 } // namespace FlipFree

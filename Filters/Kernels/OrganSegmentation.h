@@ -7,6 +7,7 @@
 
 #include "DeformationStep.h"
 #include "OrganFeature.h"
+#include "SmoothRegion.h"
 #include "TargetSearch.h"
 
 #include <string>
@@ -51,12 +52,20 @@ struct OrganSurface
   std::vector<IterationRecord> Iterations;
   std::string StopReason;
   std::ptrdiff_t SelfIntersections = 0;
+  double SmoothingSeconds = 0;
   double FeatureSeconds = 0;
 };
 
 /// Called after every iteration with the surface as it then is, and what was wanted of it.
 using IterationObserver = std::function<void(const ContourMesh&, const PointList&,
   const CorrespondenceField&, const IterationRecord&)>;
+
+/// Smooths what it needs of the region, and no more: with leak control, a box that holds all that
+/// hangs together with the seed. Otherwise like the function below, and with the same result.
+OrganSurface SegmentOrgan(SmoothRegion& region, double noise, const SeedSphere& seed,
+  const ContourMesh& startMesh, const PointList& startPoints,
+  const OrganSegmentationSettings& settings, const ParallelFor& parallelFor, const Monitor& monitor,
+  const IterationObserver& observer);
 
 /// `smooth` is the smoothed image of the reachable region, `noise` the deviation of the noise
 /// before smoothing. Throws std::invalid_argument for bad input; a stop by the monitor gives the

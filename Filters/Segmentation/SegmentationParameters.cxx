@@ -95,11 +95,13 @@ bool ReachesEndOf(const ImageGeometry& region, const ImageGeometry& image, const
   return false;
 }
 
-AnisotropicDiffusionSettings DiffusionSettingsOf(vtkFlipFreeSegmentation* filter, double noise)
+AnisotropicDiffusionSettings DiffusionSettingsOf(vtkFlipFreeSegmentation* filter, double noise,
+  const ImageGeometry& geometry)
 {
   AnisotropicDiffusionSettings settings;
   settings.Iterations = filter->GetDiffusionIterations();
-  settings.Contrast = ContrastOfNoise(noise);
+  settings.Equation = static_cast<DiffusionEquation>(filter->GetDiffusionEquation());
+  settings.Contrast = ContrastOfNoise(noise, geometry, settings.Equation);
   return settings;
 }
 

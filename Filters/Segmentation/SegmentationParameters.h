@@ -29,7 +29,8 @@ double ReachOf(vtkFlipFreeSegmentation* filter);
 /// Does a surface touch the end of the region where the image goes on?
 bool ReachesEndOf(const ImageGeometry& region, const ImageGeometry& image, const PointList& points);
 
-AnisotropicDiffusionSettings DiffusionSettingsOf(vtkFlipFreeSegmentation* filter, double noise);
+AnisotropicDiffusionSettings DiffusionSettingsOf(vtkFlipFreeSegmentation* filter, double noise,
+  const ImageGeometry& geometry);
 
 OrganSegmentationSettings SettingsOf(vtkFlipFreeSegmentation* filter,
   const ImageGeometry& geometry);

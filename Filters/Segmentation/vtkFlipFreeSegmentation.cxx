@@ -7,7 +7,6 @@
 #include "LabelAdapter.h"
 #include "SegmentationParameters.h"
 
-#include "AnisotropicDiffusion.h"
 #include "OrganSegmentation.h"
 #include "QuadSphere.h"
 #include "Stopwatch.h"
@@ -218,35 +217,31 @@ void vtkFlipFreeSegmentation::Execute(vtkImageData* image, vtkPolyData* start)
   }
 
   FlipFree::Stopwatch watch;
-  FlipFree::FloatImage region = FlipFree::GreyRegionOf(image,
-    FlipFree::ReachableExtent(geometry, seed.Center, FlipFree::ReachOf(this)));
-  FlipFree::RequireFinite(region, "the image on port 0");
-  const double noise = FlipFree::NoiseDeviation(region.View(), seed);
-  const bool smoothed = FlipFree::DiffuseAnisotropically(region.Voxels, region.Geometry,
-    FlipFree::DiffusionSettingsOf(this, noise), FlipFree::SMPFor,
-    FlipFree::MonitorOf(this, 0, 0.1));
-  this->StageSeconds[0] = watch.Lap();
-  if (!smoothed)
-  {
-    this->StopReason = "aborted";
-    return;
-  }
+  const FlipFree::Extent extent =
+    FlipFree::ReachableExtent(geometry, seed.Center, FlipFree::ReachOf(this));
+  FlipFree::RequireFinite(image, extent, "the image on port 0");
+  const double noise = FlipFree::NoiseOf(image, seed);
+  const FlipFree::ImageGeometry region = FlipFree::CropGeometry(geometry, extent);
+  auto smooth = std::make_unique<FlipFree::SmoothRegion>(FlipFree::GreyReaderOf(image, extent),
+    region, FlipFree::DiffusionSettingsOf(this, noise, region), FlipFree::SMPFor);
+  const double before = watch.Lap();
 
-  const FlipFree::OrganSurface organ = FlipFree::SegmentOrgan(region.View(), noise, seed,
-    surface.Mesh, surface.Points, FlipFree::SettingsOf(this, region.Geometry), FlipFree::SMPFor,
-    FlipFree::MonitorOf(this, 0.1, 0.95),
-    [this](const FlipFree::ContourMesh& mesh, const FlipFree::PointList& points,
-      const FlipFree::CorrespondenceField& field, const FlipFree::IterationRecord&)
-    {
-      if (this->KeepHistory)
+  const FlipFree::OrganSurface organ =
+    FlipFree::SegmentOrgan(*smooth, noise, seed, surface.Mesh, surface.Points,
+      FlipFree::SettingsOf(this, region), FlipFree::SMPFor, FlipFree::MonitorOf(this, 0, 0.95),
+      [this](const FlipFree::ContourMesh& mesh, const FlipFree::PointList& points,
+        const FlipFree::CorrespondenceField& field, const FlipFree::IterationRecord&)
       {
-        this->Cache->History.push_back(vtkSmartPointer<vtkPolyData>::New());
-        FlipFree::AttachMesh(mesh, points, this->Cache->History.back());
-        FlipFree::AttachField(field, this->Cache->History.back());
-      }
-    });
+        if (this->KeepHistory)
+        {
+          this->Cache->History.push_back(vtkSmartPointer<vtkPolyData>::New());
+          FlipFree::AttachMesh(mesh, points, this->Cache->History.back());
+          FlipFree::AttachField(field, this->Cache->History.back());
+        }
+      });
+  this->StageSeconds[0] = before + organ.SmoothingSeconds;
   this->StageSeconds[1] = organ.FeatureSeconds;
-  this->StageSeconds[2] = watch.Lap() - organ.FeatureSeconds;
+  this->StageSeconds[2] = watch.Lap() - organ.SmoothingSeconds - organ.FeatureSeconds;
   this->StopReason = organ.StopReason;
   FlipFree::FillConvergenceTable(organ.Iterations, this->Cache->Convergence);
   if (organ.StopReason == "aborted")
@@ -264,9 +259,9 @@ void vtkFlipFreeSegmentation::Execute(vtkImageData* image, vtkPolyData* start)
   }
   FlipFree::AttachMesh(organ.Mesh, organ.Points, this->Cache->Surface);
   FlipFree::AttachField(organ.Field, this->Cache->Surface);
-  this->WarnOf(organ, region.Geometry, geometry);
+  this->WarnOf(organ, region, geometry);
 
-  region.Voxels = std::vector<float>(); // the label map takes its place
+  smooth.reset(); // the label map takes its place
   FlipFree::MakeLabelMap(
     FlipFree::VoxeliseSurface(organ.Points, organ.Mesh.Triangles, geometry, FlipFree::SMPFor),
     static_cast<unsigned char>(this->LabelValue), image, this->Cache->Labels);

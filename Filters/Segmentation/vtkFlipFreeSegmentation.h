@@ -193,6 +193,15 @@ public:
 
   ///@{
   /**
+   * What keeps edges from being smoothed away, as Equation of vtkSeedRegionDiffusion: 0 (default),
+   * differences across the faces between voxels; 1 and 2, ITK's gradient and curvature equations.
+   */
+  vtkSetClampMacro(DiffusionEquation, int, 0, 2);
+  vtkGetMacro(DiffusionEquation, int);
+  ///@}
+
+  ///@{
+  /**
    * Greatest number of Gaussians of the mixture (Eq. 1). Default 3; 1 to 8.
    */
   vtkSetClampMacro(MaximumComponents, int, 1, 8);
@@ -483,6 +492,7 @@ protected:
   double ChangeTolerance = 0.02;
   double Reach = 0;
   int DiffusionIterations = 5;
+  int DiffusionEquation = 0;
   int MaximumComponents = 3;
   double MinimumComponentWeight = 0.15;
   double ForegroundMass = 0.95;

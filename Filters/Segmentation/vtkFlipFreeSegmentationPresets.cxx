@@ -11,6 +11,7 @@ void vtkFlipFreeSegmentation::UseDefaultParameters()
   this->DistanceTolerance = 0.1;
   this->ChangeTolerance = 0.02;
   this->DiffusionIterations = 5;
+  this->DiffusionEquation = 0;
   this->MaximumComponents = 3;
   this->MinimumComponentWeight = 0.15;
   this->ForegroundMass = 0.95;
@@ -83,6 +84,7 @@ void vtkFlipFreeSegmentation::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ChangeTolerance: " << this->ChangeTolerance << "\n";
   os << indent << "Reach: " << this->Reach << "\n";
   os << indent << "DiffusionIterations: " << this->DiffusionIterations << "\n";
+  os << indent << "DiffusionEquation: " << this->DiffusionEquation << "\n";
   os << indent << "MaximumComponents: " << this->MaximumComponents << "\n";
   os << indent << "MinimumComponentWeight: " << this->MinimumComponentWeight << "\n";
   os << indent << "ForegroundMass: " << this->ForegroundMass << "\n";

@@ -1,6 +1,5 @@
 #include "vtkSeedRegionDiffusion.h"
 
-#include "AnisotropicDiffusion.h"
 #include "FieldData.h"
 #include "GreyImageAdapter.h"
 #include "PropertyCheck.h"
@@ -79,15 +78,15 @@ int vtkSeedRegionDiffusion::RequestData(vtkInformation*, vtkInformationVector** 
     FlipFree::RequireGreyImage(image, "the image on port 0");
     const FlipFree::ImageGeometry geometry = FlipFree::GeometryOf(image);
     FlipFree::RequireSeed(geometry, seed, "the image on port 0");
-    FlipFree::FloatImage region =
-      FlipFree::GreyRegionOf(image, FlipFree::ReachableExtent(geometry, seed.Center, this->Reach));
-    FlipFree::RequireFinite(region, "the image on port 0");
-    const double noise = FlipFree::NoiseDeviation(region.View(), seed);
+    const FlipFree::Extent extent = FlipFree::ReachableExtent(geometry, seed.Center, this->Reach);
+    FlipFree::RequireFinite(image, extent, "the image on port 0");
+    const double noise = FlipFree::NoiseOf(image, seed);
     FlipFree::AnisotropicDiffusionSettings settings;
     settings.Iterations = this->NumberOfIterations;
-    settings.Contrast = FlipFree::ContrastOfNoise(noise);
-    if (!FlipFree::DiffuseAnisotropically(region.Voxels, region.Geometry, settings,
-          FlipFree::SMPFor, FlipFree::MonitorOf(this)))
+    settings.Equation = static_cast<FlipFree::DiffusionEquation>(this->Equation);
+    settings.Contrast = FlipFree::ContrastOfNoise(noise, geometry, settings.Equation);
+    FlipFree::FloatImage region;
+    if (!FlipFree::SmoothRegionOf(image, extent, settings, FlipFree::MonitorOf(this), region))
     {
       output->Initialize();
       return 1;
@@ -115,5 +114,6 @@ void vtkSeedRegionDiffusion::PrintSelf(ostream& os, vtkIndent indent)
      << this->SeedCenter[2] << ")\n";
   os << indent << "SeedRadius: " << this->SeedRadius << "\n";
   os << indent << "Reach: " << this->Reach << "\n";
+  os << indent << "Equation: " << this->Equation << "\n";
   os << indent << "NumberOfIterations: " << this->NumberOfIterations << "\n";
 }

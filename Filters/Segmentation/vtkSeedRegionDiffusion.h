@@ -59,6 +59,30 @@ public:
   vtkGetMacro(NumberOfIterations, int);
   ///@}
 
+  /**
+   * Values of Equation.
+   */
+  enum EquationType
+  {
+    FACES = 0,
+    GRADIENT = 1,
+    CURVATURE = 2
+  };
+
+  ///@{
+  /**
+   * What keeps edges. FACES (default): each face between two voxels conducts by the difference
+   * across it, which is fastest and smooths most. GRADIENT and CURVATURE: the equations of ITK's
+   * filters, with their numbers, and the noise's gradient for their scale;
+   * vtkAnisotropicDiffusionPrefilter runs ITK's own.
+   */
+  vtkSetClampMacro(Equation, int, FACES, CURVATURE);
+  vtkGetMacro(Equation, int);
+  void SetEquationToFaces() { this->SetEquation(FACES); }
+  void SetEquationToGradient() { this->SetEquation(GRADIENT); }
+  void SetEquationToCurvature() { this->SetEquation(CURVATURE); }
+  ///@}
+
 protected:
   vtkSeedRegionDiffusion() = default;
   ~vtkSeedRegionDiffusion() override = default;
@@ -71,6 +95,7 @@ protected:
   double SeedRadius = 10;
   double Reach = 100;
   int NumberOfIterations = 5;
+  int Equation = FACES;
 
 private:
   vtkSeedRegionDiffusion(const vtkSeedRegionDiffusion&) = delete;

@@ -47,8 +47,9 @@ void MakeImages(ExampleRun& run)
   run.Noise = NoiseDeviation(run.Grey.View(), run.Seed);
   run.Smooth = run.Grey;
   AnisotropicDiffusionSettings diffusion;
-  diffusion.Contrast = ContrastOfNoise(run.Noise);
-  DiffuseAnisotropically(run.Smooth.Voxels, run.Smooth.Geometry, diffusion, SMPFor, NeverStop);
+  diffusion.Contrast = ContrastOfNoise(run.Noise, run.Grey.Geometry, diffusion.Equation);
+  DiffuseAnisotropically(ReaderOf(run.Grey.View()), run.Grey.Geometry, diffusion, SMPFor, NeverStop,
+    run.Smooth.Voxels.data());
 }
 
 void MakeFeatures(ExampleRun& run)

@@ -67,6 +67,7 @@ void SetParameter(const std::string& assignment, vtkFlipFreeSegmentation* filter
     { "ChangeTolerance", [&](double x) { filter->SetChangeTolerance(x); } },
     { "DiffusionIterations",
       [&](double x) { filter->SetDiffusionIterations(static_cast<int>(x)); } },
+    { "DiffusionEquation", [&](double x) { filter->SetDiffusionEquation(static_cast<int>(x)); } },
     { "ForegroundMass", [&](double x) { filter->SetForegroundMass(x); } },
     { "NoiseWidening", [&](double x) { filter->SetNoiseWidening(x); } },
     { "ClosingRadius", [&](double x) { filter->SetClosingRadius(x); } },

@@ -12,18 +12,19 @@ namespace FlipFree
 namespace
 {
 
-void Diffusion(benchmark::State& state)
+void Diffusion(benchmark::State& state, DiffusionEquation equation)
 {
   const ExampleRun& run = TheExampleRun();
   const ParallelFor parallelFor = ThreadedFor(state.range(0));
   AnisotropicDiffusionSettings settings;
-  settings.Contrast = ContrastOfNoise(run.Noise);
+  settings.Equation = equation;
+  settings.Contrast = ContrastOfNoise(run.Noise, run.Grey.Geometry, equation);
+  std::vector<float> smooth(run.Grey.Voxels.size());
   for (auto _ : state)
   {
-    state.PauseTiming();
-    std::vector<float> voxels = run.Grey.Voxels;
-    state.ResumeTiming();
-    DiffuseAnisotropically(voxels, run.Grey.Geometry, settings, parallelFor, NeverStop);
+    DiffuseAnisotropically(ReaderOf(run.Grey.View()), run.Grey.Geometry, settings, parallelFor,
+      NeverStop, smooth.data());
+    benchmark::ClobberMemory();
   }
   ReportTimePer("voxel and step", static_cast<double>(run.Grey.Voxels.size()) * settings.Iterations,
     state);
@@ -119,7 +120,9 @@ void Connection(benchmark::State& state)
   ReportTimePer("voxel", static_cast<double>(run.Smooth.Voxels.size()), state);
 }
 
-BENCHMARK(Diffusion)->Apply(Threads);
+BENCHMARK_CAPTURE(Diffusion, Faces, DiffusionEquation::Faces)->Apply(Threads);
+BENCHMARK_CAPTURE(Diffusion, Gradient, DiffusionEquation::Gradient)->Apply(Threads);
+BENCHMARK_CAPTURE(Diffusion, Curvature, DiffusionEquation::Curvature)->Apply(Threads);
 BENCHMARK(MixtureFit)->Unit(benchmark::kMillisecond);
 BENCHMARK(ModelFit)->Unit(benchmark::kMillisecond);
 BENCHMARK(LookUp)->Unit(benchmark::kMillisecond);

@@ -3,6 +3,9 @@
 #include "vtkGMMFeatureFilter.h"
 #include "vtkSeedRegionDiffusion.h"
 
+#include "AnisotropicDiffusion.h"
+#include "ExecutionAdapter.h"
+#include "ImageAdapter.h"
 #include "ItkVtkBridge.h"
 
 #include "ExampleImages.h"
@@ -237,6 +240,61 @@ TEST_P(TestDiffusionEquations, EqualsItksFilterWithTheSameNumbers)
     : run(itk::GradientAnisotropicDiffusionImageFilter<FloatImage, FloatImage>::New());
   ExampleImages::ExpectSameGeometry(filter->GetOutput(), expected, 0);
   ExampleImages::ExpectSameVoxels(filter->GetOutput(), expected);
+}
+
+// The kernel of vtkSeedRegionDiffusion, by the same equation and numbers, in float where ITK
+// computes in double: at the image's rim, too, and on a part of the image.
+TEST_P(TestDiffusionEquations, OwnKernelAgreesWithItk)
+{
+  for (const double contrast : { 6.0, 20.0, 60.0 })
+  {
+    auto image = NoisyStep(41, 36, 25, 20);
+    const int iterations = 5;
+    vtkNew<vtkAnisotropicDiffusionPrefilter> filter;
+    filter->SetInputData(image);
+    filter->SetEquation(GetParam());
+    filter->SetNumberOfIterations(iterations);
+    filter->SetConductance(0.5);
+    filter->SetGradientScale(2 * contrast);
+    filter->Update();
+    const auto* expected = static_cast<float*>(filter->GetOutput()->GetScalarPointer());
+
+    const auto grey = FlipFree::ViewOf<short>(image);
+    const FlipFree::AnisotropicDiffusionSettings settings{ iterations, contrast,
+      GetParam() == vtkAnisotropicDiffusionPrefilter::CURVATURE
+        ? FlipFree::DiffusionEquation::Curvature
+        : FlipFree::DiffusionEquation::Gradient,
+      0 };
+    std::vector<float> whole(grey.Geometry.NumberOfVoxels());
+    FlipFree::DiffuseAnisotropically(FlipFree::ReaderOf(grey), grey.Geometry, settings,
+      FlipFree::SMPFor, FlipFree::NeverStop, whole.data());
+    double difference = 0;
+    double change = 0;
+    for (std::size_t voxel = 0; voxel < whole.size(); ++voxel)
+    {
+      difference = std::max(difference, std::abs(1.0 * whole[voxel] - expected[voxel]));
+      change = std::max(change, std::abs(1.0 * grey.Data[voxel] - expected[voxel]));
+    }
+    EXPECT_LT(difference, 1.5e-4); // ten units in the last place of a float about 150
+    EXPECT_GT(change, 1);
+    RecordProperty("GreatestDifference", std::to_string(difference));
+
+    const FlipFree::VoxelBox box{ { { 3, 7, 9 } }, { { 30, 21, 20 } } };
+    std::vector<float> part(whole.size());
+    FlipFree::DiffuseBox(FlipFree::ReaderOf(grey), grey.Geometry, settings, box, FlipFree::SMPFor,
+      FlipFree::NeverStop, part.data());
+    for (int k = box.Begin[2]; k < box.End[2]; ++k)
+    {
+      for (int j = box.Begin[1]; j < box.End[1]; ++j)
+      {
+        for (int i = box.Begin[0]; i < box.End[0]; ++i)
+        {
+          const std::size_t voxel = grey.Geometry.Offset(i, j, k);
+          ASSERT_EQ(part[voxel], whole[voxel]);
+        }
+      }
+    }
+  }
 }
 
 TEST_P(TestDiffusionEquations, SameBitsForAnyNumberOfThreads)

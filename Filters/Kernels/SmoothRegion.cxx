@@ -1,0 +1,70 @@
+#include "SmoothRegion.h"
+
+#include <algorithm>
+
+namespace FlipFree
+{
+
+SmoothRegion::SmoothRegion(VoxelReader read, const ImageGeometry& geometry,
+  const AnisotropicDiffusionSettings& settings, ParallelFor parallelFor)
+  : Read(std::move(read))
+  , Geometry(geometry)
+  , Settings(settings)
+  , Parallel(std::move(parallelFor))
+  , Voxels(new float[geometry.NumberOfVoxels()]) // not set to zero, which would touch all of them
+{
+}
+
+bool SmoothRegion::MakeAll(const Monitor& monitor)
+{
+  this->Made = { { { 0, 0, 0 } }, this->Geometry.Dimensions };
+  return DiffuseAnisotropically(this->Read, this->Geometry, this->Settings, this->Parallel, monitor,
+    this->Voxels.get());
+}
+
+bool SmoothRegion::Make(const VoxelBox& wanted, const Monitor& monitor)
+{
+  if (this->Made.Holds(wanted))
+  {
+    return true;
+  }
+  if (this->Settings.Iterations > DiffusionIterationsAtOnce)
+  {
+    return this->MakeAll(monitor);
+  }
+  const auto make = [this, &monitor](const VoxelBox& box)
+  {
+    return DiffuseBox(this->Read, this->Geometry, this->Settings, box, this->Parallel, monitor,
+      this->Voxels.get());
+  };
+  if (this->Made.IsEmpty())
+  {
+    this->Made = wanted;
+    return make(wanted);
+  }
+  // What is missing, cut off side by side.
+  VoxelBox rest = this->Made;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    rest.Begin[axis] = std::min(rest.Begin[axis], wanted.Begin[axis]);
+    rest.End[axis] = std::max(rest.End[axis], wanted.End[axis]);
+  }
+  const VoxelBox grown = rest;
+  for (int axis = 2; axis >= 0; --axis)
+  {
+    VoxelBox before = rest;
+    before.End[axis] = this->Made.Begin[axis];
+    VoxelBox behind = rest;
+    behind.Begin[axis] = this->Made.End[axis];
+    if ((!before.IsEmpty() && !make(before)) || (!behind.IsEmpty() && !make(behind)))
+    {
+      return false;
+    }
+    rest.Begin[axis] = this->Made.Begin[axis];
+    rest.End[axis] = this->Made.End[axis];
+  }
+  this->Made = grown;
+  return true;
+}
+
+} // namespace FlipFree
