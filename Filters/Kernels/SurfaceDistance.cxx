@@ -84,20 +84,35 @@ struct Samples
   }
 };
 
+// The least distance up to which lies at least that part of the area. Leaves the list in another
+// order.
 double WeightedPercentile(std::vector<std::pair<double, double>>& distancesAndAreas,
   double fraction, double total)
 {
-  std::sort(distancesAndAreas.begin(), distancesAndAreas.end());
-  double sum = 0;
-  for (const auto& [distance, area] : distancesAndAreas)
+  // What lies before `first` is nearer, and has the area `before`.
+  auto first = distancesAndAreas.begin();
+  auto last = distancesAndAreas.end();
+  double before = 0;
+  while (last - first > 1)
   {
-    sum += area;
-    if (sum >= fraction * total)
+    const auto middle = first + (last - first) / 2;
+    std::nth_element(first, middle, last);
+    double area = before;
+    for (auto part = first; part != middle; ++part)
     {
-      return distance;
+      area += part->second;
+    }
+    if (area >= fraction * total)
+    {
+      last = middle;
+    }
+    else
+    {
+      first = middle;
+      before = area;
     }
   }
-  return distancesAndAreas.back().first;
+  return first->first;
 }
 
 // Runs body over [0, size) block by block and asks the monitor in between.
@@ -132,13 +147,13 @@ bool MeasureDirected(const PointList& points, const TriangleList& triangles, con
   std::vector<std::pair<double, double>> distancesAndAreas(samples.Offsets.back());
   const auto measureTriangles = [&](std::ptrdiff_t first, std::ptrdiff_t last)
   {
+    int likely = -1;
     for (std::ptrdiff_t triangle = first; triangle < last; ++triangle)
     {
       const Eigen::Vector3d a = points.row(triangles(triangle, 0));
       const Eigen::Vector3d ab = points.row(triangles(triangle, 1)).transpose() - a;
       const Eigen::Vector3d ac = points.row(triangles(triangle, 2)).transpose() - a;
       std::size_t sample = samples.Offsets[triangle];
-      int likely = -1;
       samples.Visit(triangle,
         [&](double b, double c)
         {
@@ -154,9 +169,11 @@ bool MeasureDirected(const PointList& points, const TriangleList& triangles, con
   std::vector<double> vertexDistances(vertices.size());
   const auto measureVertices = [&](std::ptrdiff_t first, std::ptrdiff_t last)
   {
+    int likely = -1;
     for (std::ptrdiff_t vertex = first; vertex < last; ++vertex)
     {
-      const ClosestTriangle closest = finder.Find(points.row(vertices[vertex]));
+      const ClosestTriangle closest = finder.Find(points.row(vertices[vertex]), likely);
+      likely = closest.Triangle;
       vertexDistances[vertex] = std::sqrt(closest.SquaredDistance);
     }
   };
@@ -175,11 +192,11 @@ bool MeasureDirected(const PointList& points, const TriangleList& triangles, con
     result.Area += area;
     result.Sum += area * distance;
     result.SumOfSquares += area * distance * distance;
+    result.Greatest = std::max(result.Greatest, distance);
   }
   result.Percentile95 = WeightedPercentile(distancesAndAreas, 0.95, result.Area);
-  // The list is in order now, and its last sample is the farthest one.
-  result.Greatest = std::max(distancesAndAreas.back().first,
-    *std::max_element(vertexDistances.begin(), vertexDistances.end()));
+  result.Greatest =
+    std::max(result.Greatest, *std::max_element(vertexDistances.begin(), vertexDistances.end()));
   return true;
 }
 

@@ -78,13 +78,15 @@ void Propagation(benchmark::State& state)
 void Solve(benchmark::State& state)
 {
   const SurfaceOnItsWay& surface = SurfaceOf(state);
+  DeformationSolver solver(surface.Mesh);
   int iterations = 0;
   for (auto _ : state)
   {
     PointList motion = surface.Wanted.Displacements;
-    iterations = SolveDeformation(surface.Mesh, surface.Points, surface.Wanted.Displacements,
-      TheExampleRun().Step.Energy, motion)
-                   .Iterations;
+    iterations =
+      solver
+        .Solve(surface.Points, surface.Wanted.Displacements, TheExampleRun().Step.Energy, motion)
+        .Iterations;
     benchmark::ClobberMemory();
   }
   ReportTimePerVertex(surface, state);
@@ -113,13 +115,14 @@ void WholeIteration(benchmark::State& state)
   const SurfaceOnItsWay& surface = SurfaceOf(state);
   const ParallelFor parallelFor = ThreadedFor(state.range(1));
   const EmbeddingGuard guard(surface.Mesh);
+  DeformationSolver solver(surface.Mesh);
   for (auto _ : state)
   {
     PointList points = surface.Points;
     TargetReport report;
     CorrespondenceField field = FindTargets(surface.Mesh, points, run.Foreground, run.Smooth.View(),
       run.Search, parallelFor, report);
-    DeformOnce(surface.Mesh, &guard, run.Step, parallelFor, NeverStop, field, points);
+    DeformOnce(solver, &guard, run.Step, parallelFor, NeverStop, field, points);
     benchmark::ClobberMemory();
   }
   ReportTimePerVertex(surface, state);
