@@ -204,19 +204,6 @@ void ClosestTriangleFinder::MakeNodesAbove()
   }
 }
 
-Eigen::Array4f ClosestTriangleFinder::SquaredDistances(const Eigen::Vector3f& point,
-  const Node& node) const
-{
-  Eigen::Array4f sum = Eigen::Array4f::Zero();
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    const Eigen::Array4f outside =
-      (node.Low[axis] - point[axis]).max(point[axis] - node.High[axis]).max(0.0F);
-    sum += outside * outside;
-  }
-  return sum;
-}
-
 ClosestTriangle ClosestTriangleFinder::Find(const Eigen::Vector3d& point, int likelyTriangle) const
 {
   struct Entry
@@ -253,7 +240,7 @@ ClosestTriangle ClosestTriangleFinder::Find(const Eigen::Vector3d& point, int li
       continue;
     }
     const Eigen::Array4f distances =
-      this->SquaredDistances(place, this->Nodes[this->Levels[entry.Level] + entry.Index]);
+      this->Nodes[this->Levels[entry.Level] + entry.Index].SquaredDistances(place);
     // How many triangles, or nodes of the level below, there are.
     const int count = entry.Level == 0 ? static_cast<int>(this->Order.size())
                                        : this->Levels[entry.Level] - this->Levels[entry.Level - 1];

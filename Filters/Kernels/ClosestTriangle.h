@@ -61,9 +61,20 @@ private:
   {
     std::array<Eigen::Array4f, 3> Low;
     std::array<Eigen::Array4f, 3> High;
+
+    Eigen::Array4f SquaredDistances(const Eigen::Vector3f& point) const
+    {
+      Eigen::Array4f sum = Eigen::Array4f::Zero();
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        const Eigen::Array4f outside =
+          (this->Low[axis] - point[axis]).max(point[axis] - this->High[axis]).max(0.0F);
+        sum += outside * outside;
+      }
+      return sum;
+    }
   };
 
-  Eigen::Array4f SquaredDistances(const Eigen::Vector3f& point, const Node& node) const;
   void MakeLeaves(const PointList& points, const TriangleList& triangles);
   void MakeNodesAbove();
 

@@ -44,8 +44,10 @@ struct Samples
       const Eigen::RowVector3d a = points.row(triangles(triangle, 0));
       const Eigen::RowVector3d b = points.row(triangles(triangle, 1));
       const Eigen::RowVector3d c = points.row(triangles(triangle, 2));
-      const double longest = std::max({ (b - a).norm(), (c - b).norm(), (a - c).norm() });
-      const double divisions = std::max(1.0, std::ceil(longest / spacing));
+      // From the centroid of a patch to its neighbour's it is two thirds of a median.
+      const double step =
+        std::max({ (b + c - 2 * a).norm(), (c + a - 2 * b).norm(), (a + b - 2 * c).norm() }) / 3;
+      const double divisions = std::max(1.0, std::ceil(step / spacing));
       total += divisions * divisions;
       if (!(total <= MaximumNumberOfSamples))
       {

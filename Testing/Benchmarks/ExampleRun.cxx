@@ -22,7 +22,7 @@ void MakeImages(const PhantomScan& scan, ExampleRun& run)
 {
   run.Seed = scan.Seed;
   run.Grey = CropToFloat(ImageView<std::int16_t>{ scan.Voxels.data(), scan.Geometry },
-    ReachableExtent(scan.Geometry, run.Seed.Center, LiverReach), SMPFor);
+    ReachableExtent(scan.Geometry, run.Seed.Center, OrganReach), SMPFor);
   run.Noise = NoiseDeviation(run.Grey.View(), run.Seed);
   run.Smooth = run.Grey;
   AnisotropicDiffusionSettings diffusion;
@@ -84,7 +84,7 @@ const ExampleRun& TheExampleRun()
   {
     ExampleRun run;
     const PhantomScan scan = ScanAbdomen({ { 220, 170, 90 } }, { 1.5, 1.5, 3 }, 1, SMPFor);
-    const OrganSegmentationSettings settings = LiverSettings(scan);
+    const OrganSegmentationSettings settings = OrganSettings(scan);
     run.FeatureSettings = settings.Feature;
     run.Search = settings.Targets;
     run.Step = settings.Step;

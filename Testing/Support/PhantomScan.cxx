@@ -7,11 +7,12 @@
 namespace FlipFree
 {
 
-PhantomScan ScanAbdomen(const std::array<int, 3>& dimensions, const Eigen::Vector3d& spacing,
-  double scale, const ParallelFor& parallelFor)
+PhantomScan ScanPhantom(const Phantom& phantom, std::uint8_t label,
+  const std::array<int, 3>& dimensions, const Eigen::Vector3d& spacing,
+  const ParallelFor& parallelFor)
 {
-  const Phantom phantom = MakeAbdomenPhantom(scale * Eigen::Vector3d(330, 255, 270));
   PhantomScan scan;
+  scan.Label = label;
   scan.Geometry.Dimensions = dimensions;
   scan.Geometry.Spacing = spacing;
   scan.Voxels.resize(scan.Geometry.NumberOfVoxels());
@@ -22,14 +23,20 @@ PhantomScan ScanAbdomen(const std::array<int, 3>& dimensions, const Eigen::Vecto
   options.Seed = 1;
   SampleTissues(phantom.Tissues, scan.Geometry, options, scan.Voxels.data(), scan.Labels.data(),
     parallelFor);
-  scan.Label = static_cast<std::uint8_t>(AbdomenLabel::Liver);
-  const auto liver = std::find_if(phantom.Seeds.begin(), phantom.Seeds.end(),
-    [&scan](const PhantomSeed& seed) { return seed.Label == scan.Label; });
-  scan.Seed = { GridToPhysical(scan.Geometry, liver->Start.Center), liver->Start.Radius };
+  const auto organ = std::find_if(phantom.Seeds.begin(), phantom.Seeds.end(),
+    [label](const PhantomSeed& seed) { return seed.Label == label; });
+  scan.Seed = { GridToPhysical(scan.Geometry, organ->Start.Center), organ->Start.Radius };
   return scan;
 }
 
-OrganSegmentationSettings LiverSettings(const PhantomScan& scan)
+PhantomScan ScanAbdomen(const std::array<int, 3>& dimensions, const Eigen::Vector3d& spacing,
+  double scale, const ParallelFor& parallelFor)
+{
+  return ScanPhantom(MakeAbdomenPhantom(scale * Eigen::Vector3d(330, 255, 270)),
+    static_cast<std::uint8_t>(AbdomenLabel::Liver), dimensions, spacing, parallelFor);
+}
+
+OrganSegmentationSettings OrganSettings(const PhantomScan& scan)
 {
   const double voxel = scan.Geometry.Spacing.maxCoeff();
   OrganSegmentationSettings settings;
