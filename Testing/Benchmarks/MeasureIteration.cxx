@@ -46,6 +46,23 @@ void Search(benchmark::State& state)
   ReportTimePerVertex(surface, state);
 }
 
+void Outliers(benchmark::State& state)
+{
+  const ExampleRun& run = TheExampleRun();
+  const SurfaceOnItsWay& surface = SurfaceOf(state);
+  const ParallelFor parallelFor = ThreadedFor(state.range(1));
+  const PointList normals = VertexNormals(surface.Mesh, surface.Points, run.Search.NormalSmoothing);
+  const CorrespondenceField found = FindCorrespondences(surface.Points, normals, run.Foreground,
+    run.Smooth.View(), run.Search.Correspondence, parallelFor);
+  for (auto _ : state)
+  {
+    CorrespondenceField field = found;
+    RejectOutliers(surface.Mesh, normals, run.Search.OutlierDeviations, 3, parallelFor, field);
+    benchmark::ClobberMemory();
+  }
+  ReportTimePerVertex(surface, state);
+}
+
 void Flips(benchmark::State& state)
 {
   const SurfaceOnItsWay& surface = SurfaceOf(state);
@@ -130,6 +147,7 @@ void WholeIteration(benchmark::State& state)
 
 BENCHMARK(Normals)->Apply(Resolutions);
 BENCHMARK(Search)->Apply(ResolutionsAndThreads);
+BENCHMARK(Outliers)->Apply(ResolutionsAndThreads);
 BENCHMARK(Flips)->Apply(Resolutions);
 BENCHMARK(Propagation)->Apply(Resolutions);
 BENCHMARK(Solve)->Apply(Resolutions);
