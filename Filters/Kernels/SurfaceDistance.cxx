@@ -4,7 +4,9 @@
 #include "SurfaceTopology.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <optional>
 #include <stdexcept>
 #include <vector>
 
@@ -218,15 +220,23 @@ SurfaceDistance MeasureSurfaceDistance(const PointList& firstPoints,
   RequireValidFaces(secondPoints, FacesOf(secondTriangles), "the second surface");
   const Samples firstSamples(firstPoints, firstTriangles, sampleSpacing, "the first surface");
   const Samples secondSamples(secondPoints, secondTriangles, sampleSpacing, "the second surface");
-  const ClosestTriangleFinder first(firstPoints, firstTriangles);
-  const ClosestTriangleFinder second(secondPoints, secondTriangles);
+  std::array<std::optional<ClosestTriangleFinder>, 2> finders;
+  parallelFor(0, 2,
+    [&](std::ptrdiff_t begin, std::ptrdiff_t end)
+    {
+      for (std::ptrdiff_t surface = begin; surface < end; ++surface)
+      {
+        finders[surface].emplace(surface == 0 ? firstPoints : secondPoints,
+          surface == 0 ? firstTriangles : secondTriangles);
+      }
+    });
 
   SurfaceDistance result;
   DirectedDistances there;
   DirectedDistances back;
-  result.Complete = MeasureDirected(firstPoints, firstTriangles, firstSamples, second, parallelFor,
-                      PartOf(monitor, 0, 0.5), there) &&
-    MeasureDirected(secondPoints, secondTriangles, secondSamples, first, parallelFor,
+  result.Complete = MeasureDirected(firstPoints, firstTriangles, firstSamples, *finders[1],
+                      parallelFor, PartOf(monitor, 0, 0.5), there) &&
+    MeasureDirected(secondPoints, secondTriangles, secondSamples, *finders[0], parallelFor,
       PartOf(monitor, 0.5, 1), back);
   if (result.Complete)
   {
