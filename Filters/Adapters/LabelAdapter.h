@@ -5,6 +5,7 @@
 #ifndef FlipFreeLabelAdapter_h
 #define FlipFreeLabelAdapter_h
 
+#include "ExecutionAdapter.h"
 #include "ImageAdapter.h"
 #include "SurfaceVoxelisation.h"
 
@@ -13,9 +14,12 @@
 #include "vtkPointData.h"
 #include "vtkUnsignedCharArray.h"
 
+#include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 namespace FlipFree
@@ -49,24 +53,39 @@ inline LabelMask MaskOf(vtkImageData* image, int label, const std::string& name)
   LabelMask mask;
   mask.Geometry = GeometryOf(image);
   mask.Voxels.resize(mask.Geometry.NumberOfVoxels());
-  const auto select = [&](auto* values)
+  const auto size = static_cast<std::ptrdiff_t>(mask.Voxels.size());
+  std::atomic<std::ptrdiff_t> firstBad{ size };
+  const auto select = [&](const auto* values)
   {
-    for (std::size_t voxel = 0; voxel < mask.Voxels.size(); ++voxel)
-    {
-      const double value = static_cast<double>(values[voxel]);
-      if (!std::isfinite(value))
+    SMPFor(0, size,
+      [&](std::ptrdiff_t first, std::ptrdiff_t last)
       {
-        throw std::invalid_argument("voxel " + std::to_string(voxel) + " of " + name +
-          " is not a finite number; a label map holds whole numbers");
-      }
-      mask.Voxels[voxel] = label < 0 ? value != 0 : value == label;
-    }
+        std::ptrdiff_t bad = size;
+        for (std::ptrdiff_t voxel = first; voxel < last; ++voxel)
+        {
+          const auto value = static_cast<double>(values[voxel]);
+          if constexpr (std::is_floating_point_v<std::decay_t<decltype(values[voxel])>>)
+          {
+            bad = std::isfinite(value) ? bad : std::min(bad, voxel);
+          }
+          mask.Voxels[voxel] = label < 0 ? value != 0 : value == label;
+        }
+        for (std::ptrdiff_t known = firstBad; bad < known;)
+        {
+          firstBad.compare_exchange_weak(known, bad);
+        }
+      });
   };
   switch (scalars->GetDataType())
   {
-    vtkTemplateMacro(select(static_cast<VTK_TT*>(scalars->GetVoidPointer(0))));
+    vtkTemplateMacro(select(static_cast<const VTK_TT*>(scalars->GetVoidPointer(0))));
     default:
       RefuseScalarType(scalars, name);
+  }
+  if (firstBad < size)
+  {
+    throw std::invalid_argument("voxel " + std::to_string(firstBad) + " of " + name +
+      " is not a finite number; a label map holds whole numbers");
   }
   return mask;
 }

@@ -9,6 +9,8 @@
 #include "vtkWindowedSincPolyDataFilter.h"
 
 #include <algorithm>
+#include <cstring>
+#include <iterator>
 
 namespace FlipFree
 {
@@ -22,18 +24,20 @@ vtkSmartPointer<vtkImageData> CropAndPad(const LabelMask& mask)
   const auto& size = mask.Geometry.Dimensions;
   Eigen::Array3i low(size[0], size[1], size[2]);
   Eigen::Array3i high(-1, -1, -1);
-  const unsigned char* voxel = mask.Voxels.data();
   for (int k = 0; k < size[2]; ++k)
   {
     for (int j = 0; j < size[1]; ++j)
     {
-      for (int i = 0; i < size[0]; ++i, ++voxel)
+      const unsigned char* const row = mask.Voxels.data() + mask.Geometry.Offset(0, j, k);
+      const unsigned char* const end = row + size[0];
+      const void* const found = std::memchr(row, 1, size[0]);
+      if (found)
       {
-        if (*voxel)
-        {
-          low = low.min(Eigen::Array3i(i, j, k));
-          high = high.max(Eigen::Array3i(i, j, k));
-        }
+        const auto first = static_cast<int>(static_cast<const unsigned char*>(found) - row);
+        const auto last = static_cast<int>(
+          std::find(std::reverse_iterator(end), std::reverse_iterator(row), 1).base() - row - 1);
+        low = low.min(Eigen::Array3i(first, j, k));
+        high = high.max(Eigen::Array3i(last, j, k));
       }
     }
   }

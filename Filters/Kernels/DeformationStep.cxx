@@ -12,10 +12,11 @@
 namespace FlipFree
 {
 
-DeformationStepReport DeformOnce(const ContourMesh& mesh, const EmbeddingGuard* guard,
+DeformationStepReport DeformOnce(DeformationSolver& solver, const EmbeddingGuard* guard,
   const DeformationStepSettings& settings, const ParallelFor& parallelFor, const Monitor& monitor,
   CorrespondenceField& field, PointList& points)
 {
+  const ContourMesh& mesh = solver.GetMesh();
   DeformationStepReport report;
   Stopwatch watch;
   report.Flipping = DetectFlips(mesh, points, settings.FlipThreshold, field);
@@ -28,7 +29,7 @@ DeformationStepReport DeformOnce(const ContourMesh& mesh, const EmbeddingGuard* 
   report.FlipSeconds = watch.Lap();
 
   PointList motion = field.Displacements;
-  SolveDeformation(mesh, points, field.Displacements, settings.Energy, motion);
+  solver.Solve(points, field.Displacements, settings.Energy, motion);
   if (!motion.allFinite())
   {
     std::ostringstream message;

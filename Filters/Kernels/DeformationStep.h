@@ -29,12 +29,12 @@ struct DeformationStepReport
   double GuardSeconds = 0;
 };
 
-/// Moves the points. The field is left with what came of it: its states say which vertices had a
-/// target, and which of these would have flipped an edge, whether that was avoided or not; its
-/// displacements what was wanted of every vertex after propagation. Without a
+/// Moves the points of the solver's mesh. The field is left with what came of it: its states say
+/// which vertices had a target, and which of these would have flipped an edge, whether that was
+/// avoided or not; its displacements what was wanted of every vertex after propagation. Without a
 /// guard (null) the solved motion is taken as it is. Throws std::invalid_argument when
 /// displacements are too long to be computed with.
-DeformationStepReport DeformOnce(const ContourMesh& mesh, const EmbeddingGuard* guard,
+DeformationStepReport DeformOnce(DeformationSolver& solver, const EmbeddingGuard* guard,
   const DeformationStepSettings& settings, const ParallelFor& parallelFor, const Monitor& monitor,
   CorrespondenceField& field, PointList& points);
 

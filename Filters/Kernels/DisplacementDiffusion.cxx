@@ -1,69 +1,99 @@
 #include "DisplacementDiffusion.h"
 
+#include <algorithm>
+#include <vector>
+
 namespace FlipFree
 {
 namespace
 {
 
-// One pass of averaging. A vertex that no displacement has reached yet does not count as one that
-// wants to rest: only `known` neighbours take part.
-void AverageOnce(const ContourMesh& mesh, const std::vector<int>& vertices,
-  PointList& displacements, std::vector<char>& known)
+class Averaging
 {
-  std::vector<Eigen::RowVector3d> averages(vertices.size());
-  std::vector<char> reached(vertices.size());
-  for (std::size_t position = 0; position < vertices.size(); ++position)
+public:
+  Averaging(const ContourMesh& mesh, PointList& displacements)
+    : Mesh(mesh)
+    , Displacements(displacements)
+    , Known(mesh.NumberOfPoints())
   {
-    const int vertex = vertices[position];
+  }
+
+  // One pass. A vertex that no displacement has reached yet does not count as one that wants to
+  // rest: only known neighbours take part.
+  void Average(const std::vector<int>& vertices)
+  {
+    this->Averages.resize(vertices.size());
+    for (std::size_t position = 0; position < vertices.size(); ++position)
+    {
+      this->Averages[position] = this->AverageAround(vertices[position]);
+    }
+    for (std::size_t position = 0; position < vertices.size(); ++position)
+    {
+      const int vertex = vertices[position];
+      this->Displacements.row(vertex) = this->Averages[position].head<3>();
+      this->Known[vertex] = this->Averages[position][3] > 0;
+    }
+  }
+
+  void SetKnown(int vertex) { this->Known[vertex] = 1; }
+
+private:
+  // The mean of the known ones around a vertex, itself among them, and their number.
+  Eigen::RowVector4d AverageAround(int vertex) const
+  {
     Eigen::RowVector3d sum = Eigen::RowVector3d::Zero();
     int count = 0;
     const auto add = [&](int member)
     {
-      if (known[member])
+      if (this->Known[member])
       {
-        sum += displacements.row(member);
+        sum += this->Displacements.row(member);
         ++count;
       }
     };
     add(vertex);
-    for (int neighbour : mesh.Neighbours[vertex])
+    for (int neighbour : this->Mesh.Neighbours[vertex])
     {
       add(neighbour);
     }
-    reached[position] = count > 0;
-    averages[position] = count > 0 ? Eigen::RowVector3d(sum / count) : sum;
+    Eigen::RowVector4d average;
+    average << sum / std::max(1, count), count;
+    return average;
   }
-  for (std::size_t position = 0; position < vertices.size(); ++position)
-  {
-    displacements.row(vertices[position]) = averages[position];
-    known[vertices[position]] = reached[position];
-  }
-}
+
+  const ContourMesh& Mesh;
+  PointList& Displacements;
+  std::vector<char> Known;
+  std::vector<Eigen::RowVector4d> Averages;
+};
 
 } // namespace
 
 void DiffuseDisplacements(const ContourMesh& mesh, const DiffusionSettings& settings,
   CorrespondenceField& field)
 {
+  Averaging averaging(mesh, field.Displacements);
   std::vector<int> solitary;
   std::vector<int> all(mesh.NumberOfPoints());
-  std::vector<char> known(mesh.NumberOfPoints());
   for (int vertex = 0; vertex < mesh.NumberOfPoints(); ++vertex)
   {
     all[vertex] = vertex;
-    known[vertex] = field.States[vertex] != VertexState::Solitary;
-    if (!known[vertex])
+    if (field.States[vertex] == VertexState::Solitary)
     {
       solitary.push_back(vertex);
+    }
+    else
+    {
+      averaging.SetKnown(vertex);
     }
   }
   for (int pass = 0; pass < settings.Iterations && !solitary.empty(); ++pass)
   {
-    AverageOnce(mesh, solitary, field.Displacements, known);
+    averaging.Average(solitary);
   }
   for (int pass = 0; pass < settings.SmoothingIterations; ++pass)
   {
-    AverageOnce(mesh, all, field.Displacements, known);
+    averaging.Average(all);
   }
 }
 

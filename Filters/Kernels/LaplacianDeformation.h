@@ -1,30 +1,19 @@
 /**
- * The deformation step (paper section 3.6, Eq. 4-8): minimises E_L + lambda_p E_p + lambda_u E_u.
+ * The deformation step: solves the system of DeformationSystem for the motion of all vertices, in
+ * three coordinates at once.
  *
- * On a four-valent mesh the three quadratic forms are combinations of one operator, the uniform
- * Laplacian L = I - A / 4, which is symmetric there: E_L gives L^2, E_u gives 4 L (each edge lies
- * on exactly one contour), E_p a diagonal. So the normal equations (L^2 + 4 lambda_u L + lambda_p
- * W) x = b need no matrix at all. They are solved for the step x, in three coordinates at once, by
- * conjugate gradients; a sparse Cholesky factorisation takes over in the case that these do not
- * converge.
+ * By conjugate gradients, which need no matrix and about as many iterations for any number of
+ * vertices; a sparse Cholesky factorisation takes over where they do not converge.
  */
 #ifndef FlipFreeLaplacianDeformation_h
 #define FlipFreeLaplacianDeformation_h
 
-#include "ContourMesh.h"
+#include "DeformationSystem.h"
+
+#include <memory>
 
 namespace FlipFree
 {
-
-struct DeformationSettings
-{
-  double PositionWeight = 0.3; ///< lambda_p
-  double UniformWeight = 1.0;  ///< lambda_u
-
-  /// How much of the present Laplacian is given up: 0 keeps the shape (Eq. 5), in which case the
-  /// energy is inertia and noise never leaves; 1 minimises |L(u')|^2, which smooths and shrinks.
-  double Fairing = 0;
-};
 
 struct DeformationReport
 {
@@ -32,11 +21,37 @@ struct DeformationReport
   bool Factorised = false; ///< conjugate gradients gave up
 };
 
-/// The displacements that minimise the energy when every vertex i is drawn by `targets` (target
-/// minus point), weighted by its length over the mean length (Eq. 7). `start` warms up the solver
-/// and takes the result.
-DeformationReport SolveDeformation(const ContourMesh& mesh, const PointList& points,
-  const PointList& targets, const DeformationSettings& settings, PointList& start);
+/// The solver for one mesh, which must outlive it. It keeps its memory and the analysis of the
+/// matrix's pattern from step to step.
+class DeformationSolver
+{
+public:
+  explicit DeformationSolver(const ContourMesh& mesh);
+  ~DeformationSolver();
+
+  const ContourMesh& GetMesh() const { return this->Mesh; }
+
+  /// The displacements that minimise the energy when every vertex i is drawn by `targets` (target
+  /// minus point). `start` warms up the solver and takes the result.
+  DeformationReport Solve(const PointList& points, const PointList& targets,
+    const DeformationSettings& settings, PointList& start);
+
+private:
+  struct Factorisation;
+
+  bool IterateToSolution(double uniformWeight, int& iterations);
+  bool Factorise(double uniformWeight, PointList& solution);
+
+  const ContourMesh& Mesh;
+  Eigen::VectorXd Diagonal; ///< lambda_p W
+  VertexField Right;
+  VertexField Solution;
+  VertexField Residual;
+  VertexField Direction;
+  VertexField Inner;
+  VertexField Image;
+  std::unique_ptr<Factorisation> Factor; ///< made when first needed
+};
 
 } // namespace FlipFree
 

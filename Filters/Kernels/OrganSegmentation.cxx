@@ -239,6 +239,7 @@ private:
     {
       guard = std::make_unique<EmbeddingGuard>(this->Surface.Mesh);
     }
+    DeformationSolver solver(this->Surface.Mesh);
     const bool finest = level + 1 == this->Settings.Levels;
     std::vector<TargetReport> reports;
     this->Surface.StopReason = "iteration limit";
@@ -249,7 +250,7 @@ private:
       {
         return;
       }
-      reports.push_back(this->IterateOnce(guard.get(), finest, part));
+      reports.push_back(this->IterateOnce(solver, guard.get(), finest, part));
       if (this->IsLevelDone(reports))
       {
         return;
@@ -284,7 +285,8 @@ private:
     return false;
   }
 
-  TargetReport IterateOnce(const EmbeddingGuard* guard, bool finest, double part)
+  TargetReport IterateOnce(DeformationSolver& solver, const EmbeddingGuard* guard, bool finest,
+    double part)
   {
     IterationRecord record;
     record.Iteration = static_cast<int>(this->Surface.Iterations.size()) + 1;
@@ -303,8 +305,8 @@ private:
     record.SearchSeconds = watch.Lap();
 
     const Monitor proceed = [this, part](double) { return this->Proceed(this->Level, part); };
-    record.Step = DeformOnce(this->Surface.Mesh, guard, this->Settings.Step, this->Parallel,
-      proceed, this->Surface.Field, this->Surface.Points);
+    record.Step = DeformOnce(solver, guard, this->Settings.Step, this->Parallel, proceed,
+      this->Surface.Field, this->Surface.Points);
     this->Surface.Iterations.push_back(record);
     this->Observe(this->Surface.Mesh, this->Surface.Points, this->Surface.Field, record);
     return record.Targets;

@@ -4,7 +4,9 @@
 #include "SurfaceTopology.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <optional>
 #include <stdexcept>
 #include <vector>
 
@@ -44,8 +46,10 @@ struct Samples
       const Eigen::RowVector3d a = points.row(triangles(triangle, 0));
       const Eigen::RowVector3d b = points.row(triangles(triangle, 1));
       const Eigen::RowVector3d c = points.row(triangles(triangle, 2));
-      const double longest = std::max({ (b - a).norm(), (c - b).norm(), (a - c).norm() });
-      const double divisions = std::max(1.0, std::ceil(longest / spacing));
+      // From the centroid of a patch to its neighbour's it is two thirds of a median.
+      const double step =
+        std::max({ (b + c - 2 * a).norm(), (c + a - 2 * b).norm(), (a + b - 2 * c).norm() }) / 3;
+      const double divisions = std::max(1.0, std::ceil(step / spacing));
       total += divisions * divisions;
       if (!(total <= MaximumNumberOfSamples))
       {
@@ -84,20 +88,35 @@ struct Samples
   }
 };
 
+// The least distance up to which lies at least that part of the area. Leaves the list in another
+// order.
 double WeightedPercentile(std::vector<std::pair<double, double>>& distancesAndAreas,
   double fraction, double total)
 {
-  std::sort(distancesAndAreas.begin(), distancesAndAreas.end());
-  double sum = 0;
-  for (const auto& [distance, area] : distancesAndAreas)
+  // What lies before `first` is nearer, and has the area `before`.
+  auto first = distancesAndAreas.begin();
+  auto last = distancesAndAreas.end();
+  double before = 0;
+  while (last - first > 1)
   {
-    sum += area;
-    if (sum >= fraction * total)
+    const auto middle = first + (last - first) / 2;
+    std::nth_element(first, middle, last);
+    double area = before;
+    for (auto part = first; part != middle; ++part)
     {
-      return distance;
+      area += part->second;
+    }
+    if (area >= fraction * total)
+    {
+      last = middle;
+    }
+    else
+    {
+      first = middle;
+      before = area;
     }
   }
-  return distancesAndAreas.back().first;
+  return first->first;
 }
 
 // Runs body over [0, size) block by block and asks the monitor in between.
@@ -132,13 +151,13 @@ bool MeasureDirected(const PointList& points, const TriangleList& triangles, con
   std::vector<std::pair<double, double>> distancesAndAreas(samples.Offsets.back());
   const auto measureTriangles = [&](std::ptrdiff_t first, std::ptrdiff_t last)
   {
+    int likely = -1;
     for (std::ptrdiff_t triangle = first; triangle < last; ++triangle)
     {
       const Eigen::Vector3d a = points.row(triangles(triangle, 0));
       const Eigen::Vector3d ab = points.row(triangles(triangle, 1)).transpose() - a;
       const Eigen::Vector3d ac = points.row(triangles(triangle, 2)).transpose() - a;
       std::size_t sample = samples.Offsets[triangle];
-      int likely = -1;
       samples.Visit(triangle,
         [&](double b, double c)
         {
@@ -154,9 +173,11 @@ bool MeasureDirected(const PointList& points, const TriangleList& triangles, con
   std::vector<double> vertexDistances(vertices.size());
   const auto measureVertices = [&](std::ptrdiff_t first, std::ptrdiff_t last)
   {
+    int likely = -1;
     for (std::ptrdiff_t vertex = first; vertex < last; ++vertex)
     {
-      const ClosestTriangle closest = finder.Find(points.row(vertices[vertex]));
+      const ClosestTriangle closest = finder.Find(points.row(vertices[vertex]), likely);
+      likely = closest.Triangle;
       vertexDistances[vertex] = std::sqrt(closest.SquaredDistance);
     }
   };
@@ -175,11 +196,11 @@ bool MeasureDirected(const PointList& points, const TriangleList& triangles, con
     result.Area += area;
     result.Sum += area * distance;
     result.SumOfSquares += area * distance * distance;
+    result.Greatest = std::max(result.Greatest, distance);
   }
   result.Percentile95 = WeightedPercentile(distancesAndAreas, 0.95, result.Area);
-  // The list is in order now, and its last sample is the farthest one.
-  result.Greatest = std::max(distancesAndAreas.back().first,
-    *std::max_element(vertexDistances.begin(), vertexDistances.end()));
+  result.Greatest =
+    std::max(result.Greatest, *std::max_element(vertexDistances.begin(), vertexDistances.end()));
   return true;
 }
 
@@ -199,15 +220,23 @@ SurfaceDistance MeasureSurfaceDistance(const PointList& firstPoints,
   RequireValidFaces(secondPoints, FacesOf(secondTriangles), "the second surface");
   const Samples firstSamples(firstPoints, firstTriangles, sampleSpacing, "the first surface");
   const Samples secondSamples(secondPoints, secondTriangles, sampleSpacing, "the second surface");
-  const ClosestTriangleFinder first(firstPoints, firstTriangles);
-  const ClosestTriangleFinder second(secondPoints, secondTriangles);
+  std::array<std::optional<ClosestTriangleFinder>, 2> finders;
+  parallelFor(0, 2,
+    [&](std::ptrdiff_t begin, std::ptrdiff_t end)
+    {
+      for (std::ptrdiff_t surface = begin; surface < end; ++surface)
+      {
+        finders[surface].emplace(surface == 0 ? firstPoints : secondPoints,
+          surface == 0 ? firstTriangles : secondTriangles);
+      }
+    });
 
   SurfaceDistance result;
   DirectedDistances there;
   DirectedDistances back;
-  result.Complete = MeasureDirected(firstPoints, firstTriangles, firstSamples, second, parallelFor,
-                      PartOf(monitor, 0, 0.5), there) &&
-    MeasureDirected(secondPoints, secondTriangles, secondSamples, first, parallelFor,
+  result.Complete = MeasureDirected(firstPoints, firstTriangles, firstSamples, *finders[1],
+                      parallelFor, PartOf(monitor, 0, 0.5), there) &&
+    MeasureDirected(secondPoints, secondTriangles, secondSamples, *finders[0], parallelFor,
       PartOf(monitor, 0.5, 1), back);
   if (result.Complete)
   {

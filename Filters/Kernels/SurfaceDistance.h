@@ -27,9 +27,9 @@ struct SurfaceDistance
   bool Complete = false;
 };
 
-/// Triangles with sides longer than sampleSpacing (mm) are sampled at more than their centroid: on
-/// a lattice of that spacing. Throws std::invalid_argument when a surface has no area or is not
-/// valid (RequireValidFaces), or the spacing is not positive.
+/// Small triangles are sampled at their centroid, others on a lattice: neighbouring samples of one
+/// are at most sampleSpacing (mm) apart. Throws std::invalid_argument when a surface has no area or
+/// is not valid (RequireValidFaces), or the spacing is not positive.
 SurfaceDistance MeasureSurfaceDistance(const PointList& firstPoints,
   const TriangleList& firstTriangles, const PointList& secondPoints,
   const TriangleList& secondTriangles, double sampleSpacing = 1.0,

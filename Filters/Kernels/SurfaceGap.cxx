@@ -1,6 +1,7 @@
 #include "SurfaceGap.h"
 
 #include "ClosestTriangle.h"
+#include "TriangleTree.h"
 
 #include <algorithm>
 #include <atomic>
@@ -56,11 +57,12 @@ Corners CornersOf(const PointList& points, const TriangleList& triangles, Eigen:
 
 double SquaredDistanceOfTriangles(const Corners& one, const Corners& two)
 {
+  const TriangleForDistance first(one[0], one[1], one[2]);
+  const TriangleForDistance second(two[0], two[1], two[2]);
   double least = std::numeric_limits<double>::infinity();
   for (int i = 0; i < 3; ++i)
   {
-    least = std::min({ least, SquaredDistanceToTriangle(one[i], two[0], two[1], two[2]),
-      SquaredDistanceToTriangle(two[i], one[0], one[1], one[2]) });
+    least = std::min({ least, second.SquaredDistance(one[i]), first.SquaredDistance(two[i]) });
     for (int j = 0; j < 3; ++j)
     {
       least =

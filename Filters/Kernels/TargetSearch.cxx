@@ -3,6 +3,7 @@
 #include "SurfaceNormals.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace FlipFree
@@ -11,14 +12,34 @@ namespace
 {
 
 // Fewer neighbours say nothing about what is usual.
-constexpr std::size_t LeastRing = 4;
+constexpr int LeastRing = 4;
 
-double TakeMedian(std::vector<double>& values)
+// The distances of the matched vertices around one, its neighbours and theirs.
+class Ring
 {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
+public:
+  void Clear() { this->Size = 0; }
+  void Add(double distance) { this->Distances[this->Size++] = distance; }
+  int GetSize() const { return this->Size; }
+
+  double TakeMedian()
+  {
+    double* const middle = this->Distances.data() + this->Size / 2;
+    std::nth_element(this->Distances.data(), middle, this->Distances.data() + this->Size);
+    return *middle;
+  }
+  void ReplaceByDeviationsFrom(double center)
+  {
+    for (int entry = 0; entry < this->Size; ++entry)
+    {
+      this->Distances[entry] = std::abs(this->Distances[entry] - center);
+    }
+  }
+
+private:
+  std::array<double, 20> Distances; // four neighbours, and at most four of each
+  int Size = 0;
+};
 
 TargetReport Describe(const CorrespondenceField& field)
 {
@@ -42,25 +63,20 @@ TargetReport Describe(const CorrespondenceField& field)
 } // namespace
 
 void RejectOutliers(const ContourMesh& mesh, const PointList& normals, double deviations,
-  double allowance, CorrespondenceField& field)
+  double allowance, const ParallelFor& parallelFor, CorrespondenceField& field)
 {
   const Eigen::VectorXd distances = field.Displacements.cwiseProduct(normals).rowwise().sum();
   const std::vector<VertexState> states = field.States;
-  std::vector<double> ring;
-  const auto add = [&](int vertex)
+  const auto isOutlier = [&](int vertex, Ring& ring)
   {
-    if (states[vertex] != VertexState::Solitary)
+    const auto add = [&](int member)
     {
-      ring.push_back(distances[vertex]);
-    }
-  };
-  for (int vertex = 0; vertex < mesh.NumberOfPoints(); ++vertex)
-  {
-    if (states[vertex] == VertexState::Solitary)
-    {
-      continue;
-    }
-    ring.clear();
+      if (states[member] != VertexState::Solitary)
+      {
+        ring.Add(distances[member]);
+      }
+    };
+    ring.Clear();
     for (int neighbour : mesh.Neighbours[vertex])
     {
       add(neighbour);
@@ -72,22 +88,28 @@ void RejectOutliers(const ContourMesh& mesh, const PointList& normals, double de
         }
       }
     }
-    if (ring.size() < LeastRing)
+    if (ring.GetSize() < LeastRing)
     {
-      continue;
+      return false;
     }
-    const double median = TakeMedian(ring);
-    for (double& distance : ring)
+    const double median = ring.TakeMedian();
+    ring.ReplaceByDeviationsFrom(median);
+    const double spread = 1.4826 * ring.TakeMedian();
+    return std::abs(distances[vertex] - median) > deviations * spread + allowance;
+  };
+  parallelFor(0, mesh.NumberOfPoints(),
+    [&](std::ptrdiff_t first, std::ptrdiff_t last)
     {
-      distance = std::abs(distance - median);
-    }
-    const double spread = 1.4826 * TakeMedian(ring);
-    if (std::abs(distances[vertex] - median) > deviations * spread + allowance)
-    {
-      field.States[vertex] = VertexState::Solitary;
-      field.Displacements.row(vertex).setZero();
-    }
-  }
+      Ring ring;
+      for (int vertex = static_cast<int>(first); vertex < last; ++vertex)
+      {
+        if (states[vertex] != VertexState::Solitary && isOutlier(vertex, ring))
+        {
+          field.States[vertex] = VertexState::Solitary;
+          field.Displacements.row(vertex).setZero();
+        }
+      }
+    });
 }
 
 void LimitDisplacements(double limit, CorrespondenceField& field)
@@ -112,7 +134,7 @@ CorrespondenceField FindTargets(const ContourMesh& mesh, const PointList& points
   if (settings.OutlierDeviations > 0)
   {
     const double voxel = foreground.GetGeometry().Spacing.maxCoeff();
-    RejectOutliers(mesh, normals, settings.OutlierDeviations, voxel, field);
+    RejectOutliers(mesh, normals, settings.OutlierDeviations, voxel, parallelFor, field);
   }
   report = Describe(field);
   if (settings.MaximumDisplacement > 0)

@@ -36,7 +36,7 @@ struct TargetReport
 /// two-ring: beyond `deviations` robust standard deviations plus `allowance` millimetres from the
 /// median.
 void RejectOutliers(const ContourMesh& mesh, const PointList& normals, double deviations,
-  double allowance, CorrespondenceField& field);
+  double allowance, const ParallelFor& parallelFor, CorrespondenceField& field);
 
 /// Shortens displacements to at most `limit` millimetres.
 void LimitDisplacements(double limit, CorrespondenceField& field);

@@ -42,7 +42,8 @@ int vtkFlipFreeDeform::RequestData(vtkInformation*, vtkInformationVector** input
     {
       guard = std::make_unique<FlipFree::EmbeddingGuard>(surface.Mesh);
     }
-    const FlipFree::DeformationStepReport report = FlipFree::DeformOnce(surface.Mesh, guard.get(),
+    FlipFree::DeformationSolver solver(surface.Mesh);
+    const FlipFree::DeformationStepReport report = FlipFree::DeformOnce(solver, guard.get(),
       settings, FlipFree::SMPFor, FlipFree::MonitorOf(this), field, surface.Points);
     if (FlipFree::IsAborted(this))
     {

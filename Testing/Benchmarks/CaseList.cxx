@@ -7,7 +7,7 @@
 #include "vtkMedicalImageReader.h"
 #include "vtkNew.h"
 
-#include <sys/resource.h>
+#include <malloc.h>
 
 #include <fstream>
 #include <random>
@@ -83,9 +83,30 @@ std::vector<RandomSeed> RandomSeeds(vtkImageData* labels, int label, double radi
   return seeds;
 }
 
+// From the system's description of this process: bytes of a line that is given in kilobytes.
+static double StatusLine(const std::string& name)
+{
+  std::ifstream status("/proc/self/status");
+  for (std::string word; status >> word;)
+  {
+    if (word == name + ":")
+    {
+      double kilobytes = 0;
+      status >> kilobytes;
+      return 1024 * kilobytes;
+    }
+  }
+  return 0;
+}
+
 double PeakMemory()
 {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  return 1024.0 * static_cast<double>(usage.ru_maxrss);
+  return StatusLine("VmHWM");
+}
+
+double ResetPeakMemory()
+{
+  malloc_trim(0);
+  std::ofstream("/proc/self/clear_refs") << "5";
+  return StatusLine("VmRSS");
 }

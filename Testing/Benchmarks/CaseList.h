@@ -38,7 +38,11 @@ struct RandomSeed
 /// twice.
 std::vector<RandomSeed> RandomSeeds(vtkImageData* labels, int label, double radius, int count);
 
-/// The greatest resident size of this process so far, in bytes.
+/// The greatest resident size of this process, in bytes, so far or since ResetPeakMemory.
 double PeakMemory();
+
+/// Gives free memory back to the system, forgets what the greatest size was, and returns the size
+/// now.
+double ResetPeakMemory();
 
 #endif

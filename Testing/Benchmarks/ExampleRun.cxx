@@ -1,9 +1,9 @@
 #include "ExampleRun.h"
 
-#include "AbdomenPhantom.h"
 #include "AnisotropicDiffusion.h"
 #include "FlipAvoidance.h"
 #include "OrganSegmentation.h"
+#include "PhantomScan.h"
 #include "QuadSphere.h"
 
 #include <algorithm>
@@ -15,35 +15,14 @@ namespace
 {
 
 constexpr int FirstResolution = 8;
-constexpr int Levels = 4;
+constexpr int Levels = 5;
 constexpr int IterationsBefore = 3;
-constexpr double Reach = 250;
 
-ImageView<std::int16_t> ScanPhantom(const Phantom& phantom, std::vector<std::int16_t>& voxels)
+void MakeImages(const PhantomScan& scan, ExampleRun& run)
 {
-  ImageGeometry geometry;
-  geometry.Dimensions = { { 220, 170, 90 } };
-  geometry.Spacing = { 1.5, 1.5, 3 };
-  voxels.resize(geometry.NumberOfVoxels());
-  std::vector<std::uint8_t> labels(voxels.size());
-  SamplingOptions options;
-  options.NoiseDeviation = 12;
-  options.NoiseCorrelation = 0.3;
-  options.Seed = 1;
-  SampleTissues(phantom.Tissues, geometry, options, voxels.data(), labels.data(), SMPFor);
-  return { voxels.data(), geometry };
-}
-
-void MakeImages(ExampleRun& run)
-{
-  const Phantom phantom = MakeAbdomenPhantom({ 330, 255, 270 });
-  std::vector<std::int16_t> voxels;
-  const ImageView<std::int16_t> scan = ScanPhantom(phantom, voxels);
-  const auto liver = std::find_if(phantom.Seeds.begin(), phantom.Seeds.end(),
-    [](const PhantomSeed& seed)
-    { return seed.Label == static_cast<std::uint8_t>(AbdomenLabel::Liver); });
-  run.Seed = { GridToPhysical(scan.Geometry, liver->Start.Center), liver->Start.Radius };
-  run.Grey = CropToFloat(scan, ReachableExtent(scan.Geometry, run.Seed.Center, Reach), SMPFor);
+  run.Seed = scan.Seed;
+  run.Grey = CropToFloat(ImageView<std::int16_t>{ scan.Voxels.data(), scan.Geometry },
+    ReachableExtent(scan.Geometry, run.Seed.Center, OrganReach), SMPFor);
   run.Noise = NoiseDeviation(run.Grey.View(), run.Seed);
   run.Smooth = run.Grey;
   AnisotropicDiffusionSettings diffusion;
@@ -54,7 +33,6 @@ void MakeImages(ExampleRun& run)
 
 void MakeFeatures(ExampleRun& run)
 {
-  run.FeatureSettings.Leaks.OpeningRadius = 6;
   for (std::size_t voxel : VoxelsInSphere(run.Smooth.Geometry, run.Seed))
   {
     run.SeedValues.push_back(run.Smooth.Voxels[voxel]);
@@ -64,31 +42,17 @@ void MakeFeatures(ExampleRun& run)
     run.Foreground);
 }
 
-void MakeSurfaces(ExampleRun& run)
+void MakeSurfaces(OrganSegmentationSettings settings, ExampleRun& run)
 {
-  const double voxel = run.Smooth.Geometry.Spacing.maxCoeff();
-  CorrespondenceSettings& correspondence = run.Search.Correspondence;
-  correspondence.SearchDistance = std::clamp(1.6 * run.Seed.Radius, 15.0, 60.0);
-  correspondence.RunLength = 2;
-  correspondence.ImageEndDistance = 12;
-  correspondence.EdgeWindow = 3;
-  correspondence.Ramp = run.Model.Ramp;
-  run.Search.MaximumDisplacement = 8 * voxel;
-
-  OrganSegmentationSettings settings;
   settings.Levels = Levels;
-  settings.DistanceTolerance = 0.1 * voxel;
-  settings.ChangeTolerance = 0.02 * voxel;
   settings.Reestimate = false; // the benchmarks have the seed's model
-  settings.Feature = run.FeatureSettings;
-  settings.Targets = run.Search;
-  settings.Step = run.Step;
   const QuadSphere sphere = MakeQuadSphere(FirstResolution, run.Seed.Center, run.Seed.Radius,
     QuadSphereSpacing::Equiangular);
   std::map<int, int> iterations;
-  SegmentOrgan(run.Smooth.View(), run.Noise, run.Seed,
+  SegmentOrgan(
+    run.Smooth.View(), run.Noise, run.Seed,
     BuildContourMesh(static_cast<int>(sphere.Points.rows()), sphere.Faces), sphere.Points, settings,
-    SMPFor, NeverStop,
+    SMPFor, [&iterations](double) { return iterations[Levels - 1] < IterationsBefore; },
     [&](const ContourMesh& mesh, const PointList& points, const CorrespondenceField&,
       const IterationRecord& record)
     {
@@ -109,8 +73,8 @@ void Prepare(const ExampleRun& run, SurfaceOnItsWay& surface)
   AvoidFlips(surface.Mesh, surface.Points, run.Step.FlipThreshold, surface.Wanted);
   DiffuseDisplacements(surface.Mesh, run.Step.Propagation, surface.Wanted);
   surface.Motion = surface.Wanted.Displacements;
-  SolveDeformation(surface.Mesh, surface.Points, surface.Wanted.Displacements, run.Step.Energy,
-    surface.Motion);
+  DeformationSolver(surface.Mesh)
+    .Solve(surface.Points, surface.Wanted.Displacements, run.Step.Energy, surface.Motion);
 }
 
 } // namespace
@@ -120,9 +84,15 @@ const ExampleRun& TheExampleRun()
   static const ExampleRun made = []
   {
     ExampleRun run;
-    MakeImages(run);
+    const PhantomScan scan = ScanAbdomen({ { 220, 170, 90 } }, { 1.5, 1.5, 3 }, 1, SMPFor);
+    const OrganSegmentationSettings settings = OrganSettings(scan);
+    run.FeatureSettings = settings.Feature;
+    run.Search = settings.Targets;
+    run.Step = settings.Step;
+    MakeImages(scan, run);
     MakeFeatures(run);
-    MakeSurfaces(run);
+    run.Search.Correspondence.Ramp = run.Model.Ramp;
+    MakeSurfaces(settings, run);
     for (auto& [n, surface] : run.Surfaces)
     {
       Prepare(run, surface);

@@ -41,7 +41,7 @@ struct ExampleRun
   BitMask Foreground; ///< where the feature is above its threshold
   TargetSettings Search;
   DeformationStepSettings Step;
-  std::map<int, SurfaceOnItsWay> Surfaces; ///< by vertices along a side: 8, 16, 32, 64
+  std::map<int, SurfaceOnItsWay> Surfaces; ///< by vertices along a side: 8 to 128
 };
 
 /// Made when it is first asked for, with the settings that vtkFlipFreeSegmentation has by default.
@@ -57,14 +57,14 @@ void ReportTimePer(const char* item, double items, benchmark::State& state);
 /// All resolutions, one thread.
 inline void Resolutions(benchmark::internal::Benchmark* benchmark)
 {
-  benchmark->ArgName("n")->RangeMultiplier(2)->Range(8, 64)->Unit(benchmark::kMillisecond);
+  benchmark->ArgName("n")->RangeMultiplier(2)->Range(8, 128)->Unit(benchmark::kMillisecond);
 }
 
 /// All resolutions, with one and with two threads, timed by the clock on the wall.
 inline void ResolutionsAndThreads(benchmark::internal::Benchmark* benchmark)
 {
   benchmark->ArgNames({ "n", "threads" })
-    ->ArgsProduct({ { 8, 16, 32, 64 }, { 1, 2 } })
+    ->ArgsProduct({ { 8, 16, 32, 64, 128 }, { 1, 2 } })
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime();
 }

@@ -8,6 +8,8 @@
 // With --seeds N each row is run from N random seeds in the organ, at least their radius away from
 // its border, and the spread of the Dice score is printed.
 #include "CaseList.h"
+#include "SegmentationRun.h"
+#include "Statistics.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkFlipFreeSegmentation.h"
@@ -28,7 +30,6 @@
 #include <functional>
 #include <iostream>
 #include <map>
-#include <numeric>
 #include <vector>
 
 namespace
@@ -96,17 +97,6 @@ void Configure(const Options& options, vtkFlipFreeSegmentation* filter)
   }
 }
 
-double Median(std::vector<double> values)
-{
-  if (values.empty())
-  {
-    return 0;
-  }
-  std::sort(values.begin(), values.end());
-  const std::size_t middle = values.size() / 2;
-  return values.size() % 2 ? values[middle] : 0.5 * (values[middle - 1] + values[middle]);
-}
-
 double Dice(vtkFlipFreeSegmentation* filter, vtkImageData* reference, int label)
 {
   vtkNew<vtkSegmentationMetrics> metrics;
@@ -145,25 +135,14 @@ double MeasureRow(const Case& row, const Options& options)
   vtkNew<vtkSurfaceValidity> validity;
   validity->SetInputData(filter->GetSurface());
   validity->Update();
-  vtkTable* convergence = filter->GetConvergence();
-  const auto sum = [convergence](const char* name)
-  {
-    double total = 0;
-    for (vtkIdType i = 0; i < convergence->GetNumberOfRows(); ++i)
-    {
-      total += convergence->GetValueByName(i, name).ToDouble();
-    }
-    return total;
-  };
-  const double* stages = filter->GetStageSeconds();
-  std::printf(
-    "| %-26s | %.3f | %.3f | %5.2f | %6.2f | %+5.2f | %3lld | %4.2f | %4.2f | %4.2f %4.2f "
-    "%4.2f %4.2f | %4.2f %4.2f %4.2f %4.2f | %d | %6.0f | %s |\n",
+  const StageSeconds stages = StageSecondsOf(filter);
+  std::printf("| %-26s | %.3f | %.3f | %5.2f | %6.2f | %+5.2f | %3d | %4.2f | %4.2f | %4.2f %4.2f "
+              "%4.2f %4.2f | %4.2f %4.2f %4.2f %4.2f | %d | %6.0f | %s |\n",
     row.Name.c_str(), metrics->GetDice(), metrics->GetJaccard(), metrics->GetASD(),
-    metrics->GetHD95(), metrics->GetRelativeVolumeDifference(), convergence->GetNumberOfRows(),
-    read - begin, end - read, stages[0], stages[1], stages[2], stages[3], sum("SearchSeconds"),
-    sum("FlipSeconds"), sum("SolveSeconds"), sum("GuardSeconds"),
-    filter->GetNumberOfSelfIntersections(), sum("Guarded"), filter->GetStopReason());
+    metrics->GetHD95(), metrics->GetRelativeVolumeDifference(), stages.Iterations, read - begin,
+    end - read, stages.Smoothing, stages.Feature, stages.Deformation, stages.Labels, stages.Search,
+    stages.Flips, stages.Solve, stages.Guard, filter->GetNumberOfSelfIntersections(),
+    SumOfColumn(filter->GetConvergence(), "Guarded"), filter->GetStopReason());
   std::fflush(stdout);
   if (!options.Surfaces.empty())
   {

@@ -4,6 +4,7 @@
 #include "AnisotropicDiffusion.h"
 #include "BallMorphology.h"
 #include "DistanceTransform.h"
+#include "VoxelOverlap.h"
 
 #include <algorithm>
 
@@ -120,6 +121,34 @@ void Connection(benchmark::State& state)
   ReportTimePer("voxel", static_cast<double>(run.Smooth.Voxels.size()), state);
 }
 
+void ModelRefit(benchmark::State& state)
+{
+  const ExampleRun& run = TheExampleRun();
+  const SurfaceOnItsWay& surface = run.Surfaces.at(32);
+  const ParallelFor parallelFor = ThreadedFor(state.range(0));
+  for (auto _ : state)
+  {
+    IntensityModel model = run.Model;
+    RefitToSurface(run.Smooth.View(), surface.Points, surface.Mesh.Triangles, run.Noise,
+      run.FeatureSettings.Intensity, parallelFor, NeverStop, model);
+    benchmark::ClobberMemory();
+  }
+}
+
+void Overlap(benchmark::State& state)
+{
+  const ExampleRun& run = TheExampleRun();
+  const ParallelFor parallelFor = ThreadedFor(state.range(0));
+  std::vector<unsigned char> mask(run.Smooth.Voxels.size(), 0);
+  run.Foreground.ForEach([&mask](std::size_t voxel) { mask[voxel] = 1; });
+  const ImageView<unsigned char> view{ mask.data(), run.Smooth.Geometry };
+  for (auto _ : state)
+  {
+    benchmark::DoNotOptimize(MeasureOverlap(view, view, parallelFor));
+  }
+  ReportTimePer("voxel", static_cast<double>(mask.size()), state);
+}
+
 BENCHMARK_CAPTURE(Diffusion, Faces, DiffusionEquation::Faces)->Apply(Threads);
 BENCHMARK_CAPTURE(Diffusion, Gradient, DiffusionEquation::Gradient)->Apply(Threads);
 BENCHMARK_CAPTURE(Diffusion, Curvature, DiffusionEquation::Curvature)->Apply(Threads);
@@ -129,6 +158,8 @@ BENCHMARK(LookUp)->Unit(benchmark::kMillisecond);
 BENCHMARK(Distances)->Apply(Threads);
 BENCHMARK(Opening)->Apply(Threads);
 BENCHMARK(Foreground)->Apply(Threads);
+BENCHMARK(ModelRefit)->Apply(Threads);
+BENCHMARK(Overlap)->Apply(Threads);
 BENCHMARK(Connection)->Unit(benchmark::kMillisecond);
 
 } // namespace

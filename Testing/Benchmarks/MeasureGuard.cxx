@@ -5,6 +5,7 @@
 #include "EmbeddingGuard.h"
 #include "MotionCertificate.h"
 #include "RandomMotions.h"
+#include "Statistics.h"
 #include "TriangleTree.h"
 
 #include <CLI/CLI.hpp>
@@ -121,13 +122,11 @@ void MeasureGrowth(int greatest)
     const double grow = limit(expansion.Motion());
     std::printf("| %d | %td | %.2f | %.2f |\n", n,
       static_cast<std::ptrdiff_t>(expansion.Points().rows()), 1e3 * step, 1e3 * grow);
-    sizes.push_back(std::log(static_cast<double>(expansion.Points().rows())));
-    times.push_back(std::log(step));
+    sizes.push_back(static_cast<double>(expansion.Points().rows()));
+    times.push_back(step);
   }
-  const Eigen::Map<const Eigen::ArrayXd> x(sizes.data(), static_cast<Eigen::Index>(sizes.size()));
-  const Eigen::Map<const Eigen::ArrayXd> y(times.data(), static_cast<Eigen::Index>(times.size()));
-  const double exponent = ((x - x.mean()) * (y - y.mean())).sum() / (x - x.mean()).square().sum();
-  std::printf("the step's time grows with the number of vertices to the power of %.2f\n", exponent);
+  std::printf("the step's time grows with the number of vertices to the power of %.2f\n",
+    FittedExponent(sizes, times));
 }
 
 void CompareWithSweptBoxes(int n)

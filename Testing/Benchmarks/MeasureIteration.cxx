@@ -46,6 +46,23 @@ void Search(benchmark::State& state)
   ReportTimePerVertex(surface, state);
 }
 
+void Outliers(benchmark::State& state)
+{
+  const ExampleRun& run = TheExampleRun();
+  const SurfaceOnItsWay& surface = SurfaceOf(state);
+  const ParallelFor parallelFor = ThreadedFor(state.range(1));
+  const PointList normals = VertexNormals(surface.Mesh, surface.Points, run.Search.NormalSmoothing);
+  const CorrespondenceField found = FindCorrespondences(surface.Points, normals, run.Foreground,
+    run.Smooth.View(), run.Search.Correspondence, parallelFor);
+  for (auto _ : state)
+  {
+    CorrespondenceField field = found;
+    RejectOutliers(surface.Mesh, normals, run.Search.OutlierDeviations, 3, parallelFor, field);
+    benchmark::ClobberMemory();
+  }
+  ReportTimePerVertex(surface, state);
+}
+
 void Flips(benchmark::State& state)
 {
   const SurfaceOnItsWay& surface = SurfaceOf(state);
@@ -78,13 +95,15 @@ void Propagation(benchmark::State& state)
 void Solve(benchmark::State& state)
 {
   const SurfaceOnItsWay& surface = SurfaceOf(state);
+  DeformationSolver solver(surface.Mesh);
   int iterations = 0;
   for (auto _ : state)
   {
     PointList motion = surface.Wanted.Displacements;
-    iterations = SolveDeformation(surface.Mesh, surface.Points, surface.Wanted.Displacements,
-      TheExampleRun().Step.Energy, motion)
-                   .Iterations;
+    iterations =
+      solver
+        .Solve(surface.Points, surface.Wanted.Displacements, TheExampleRun().Step.Energy, motion)
+        .Iterations;
     benchmark::ClobberMemory();
   }
   ReportTimePerVertex(surface, state);
@@ -113,13 +132,14 @@ void WholeIteration(benchmark::State& state)
   const SurfaceOnItsWay& surface = SurfaceOf(state);
   const ParallelFor parallelFor = ThreadedFor(state.range(1));
   const EmbeddingGuard guard(surface.Mesh);
+  DeformationSolver solver(surface.Mesh);
   for (auto _ : state)
   {
     PointList points = surface.Points;
     TargetReport report;
     CorrespondenceField field = FindTargets(surface.Mesh, points, run.Foreground, run.Smooth.View(),
       run.Search, parallelFor, report);
-    DeformOnce(surface.Mesh, &guard, run.Step, parallelFor, NeverStop, field, points);
+    DeformOnce(solver, &guard, run.Step, parallelFor, NeverStop, field, points);
     benchmark::ClobberMemory();
   }
   ReportTimePerVertex(surface, state);
@@ -127,6 +147,7 @@ void WholeIteration(benchmark::State& state)
 
 BENCHMARK(Normals)->Apply(Resolutions);
 BENCHMARK(Search)->Apply(ResolutionsAndThreads);
+BENCHMARK(Outliers)->Apply(ResolutionsAndThreads);
 BENCHMARK(Flips)->Apply(Resolutions);
 BENCHMARK(Propagation)->Apply(Resolutions);
 BENCHMARK(Solve)->Apply(Resolutions);

@@ -1,8 +1,11 @@
 // What is made of a surface at the end, or at the next level: its check, its voxels, its
-// refinement.
+// refinement, its measures.
 #include "ExampleRun.h"
 
 #include "SelfIntersection.h"
+#include "SurfaceDistance.h"
+#include "SurfaceGap.h"
+#include "SurfaceQuality.h"
 #include "SurfaceRefinement.h"
 #include "SurfaceVoxelisation.h"
 
@@ -52,9 +55,58 @@ void Refinement(benchmark::State& state)
   ReportTimePer("vertex", surface.Mesh.NumberOfPoints(), state);
 }
 
+// The surface against itself as it will be after the next step.
+void Distances(benchmark::State& state)
+{
+  const SurfaceOnItsWay& surface = SurfaceOf(state);
+  const PointList moved = surface.Points + surface.Motion;
+  const ParallelFor parallelFor = ThreadedFor(state.range(1));
+  for (auto _ : state)
+  {
+    benchmark::DoNotOptimize(MeasureSurfaceDistance(surface.Points, surface.Mesh.Triangles, moved,
+      surface.Mesh.Triangles, 1, parallelFor));
+  }
+  ReportTimePer("vertex", surface.Mesh.NumberOfPoints(), state);
+}
+
+void Quality(benchmark::State& state)
+{
+  const SurfaceOnItsWay& surface = SurfaceOf(state);
+  for (auto _ : state)
+  {
+    benchmark::DoNotOptimize(MeasureQuality(surface.Points, surface.Mesh.Faces));
+  }
+  ReportTimePer("vertex", surface.Mesh.NumberOfPoints(), state);
+}
+
+void LeastGap(benchmark::State& state)
+{
+  const SurfaceOnItsWay& surface = SurfaceOf(state);
+  const ParallelFor parallelFor = ThreadedFor(state.range(1));
+  for (auto _ : state)
+  {
+    benchmark::DoNotOptimize(MeasureLeastGap(surface.Points, surface.Mesh.Triangles, parallelFor));
+  }
+  ReportTimePer("vertex", surface.Mesh.NumberOfPoints(), state);
+}
+
+void Connectivity(benchmark::State& state)
+{
+  const SurfaceOnItsWay& surface = SurfaceOf(state);
+  for (auto _ : state)
+  {
+    benchmark::DoNotOptimize(BuildContourMesh(surface.Mesh.NumberOfPoints(), surface.Mesh.Faces));
+  }
+  ReportTimePer("vertex", surface.Mesh.NumberOfPoints(), state);
+}
+
+BENCHMARK(Connectivity)->Apply(Resolutions);
 BENCHMARK(SelfIntersections)->Apply(Resolutions);
 BENCHMARK(Voxelisation)->Apply(ResolutionsAndThreads);
 BENCHMARK(Refinement)->Apply(ResolutionsAndThreads);
+BENCHMARK(Distances)->Name("SurfaceDistances")->Apply(ResolutionsAndThreads);
+BENCHMARK(Quality)->Name("SurfaceQuality")->Apply(Resolutions);
+BENCHMARK(LeastGap)->Apply(ResolutionsAndThreads);
 
 } // namespace
 } // namespace FlipFree

@@ -120,7 +120,8 @@ struct Case
   }
   DeformationReport Solve(const DeformationSettings& settings, PointList& motion) const
   {
-    return SolveDeformation(this->Sphere.Mesh, this->Points, this->Targets, settings, motion);
+    return DeformationSolver(this->Sphere.Mesh)
+      .Solve(this->Points, this->Targets, settings, motion);
   }
   PointList Solve(const DeformationSettings& settings) const
   {
@@ -245,6 +246,24 @@ TEST(LaplacianDeformation, FactorisesWhereIterationsDoNotConverge)
   const DeformationReport report = example.Solve(settings, motion);
   EXPECT_TRUE(report.Factorised);
   EXPECT_LT(Difference(motion, example.Expected(settings)), 1e-2);
+}
+
+// The analysis of the pattern is kept, whatever the weights are the next time.
+TEST(LaplacianDeformation, ASolverThatIsUsedAgainGivesTheSame)
+{
+  const Case example(12, 5);
+  DeformationSolver solver(example.Sphere.Mesh);
+  for (const DeformationSettings& settings : { DeformationSettings{ 1e-6, 0, 0 },
+         DeformationSettings{ 0.3, 1, 0.2 }, DeformationSettings{ 1e-6, 0.0001, 0 } })
+  {
+    PointList motion = PointList::Zero(example.Points.rows(), 3);
+    const DeformationReport report =
+      solver.Solve(example.Points, example.Targets, settings, motion);
+    PointList anew = PointList::Zero(example.Points.rows(), 3);
+    EXPECT_EQ(example.Solve(settings, anew).Factorised, report.Factorised);
+    EXPECT_EQ(motion, anew);
+    EXPECT_EQ(report.Factorised, settings.PositionWeight < 0.1);
+  }
 }
 
 TEST(LaplacianDeformation, CollapsedEdgesDoNoHarm)

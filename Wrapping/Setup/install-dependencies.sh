@@ -42,6 +42,7 @@ test_packages=(
   libgtest-dev
   mypy
   tetgen
+  valgrind
   zsh
 )
 

@@ -1,0 +1,65 @@
+// A small segmentation that is the same each time, on one thread and by the kernels alone, for
+// callgrind to count its instructions. Prints what came out, so that a count can be told to be that
+// of the same work.
+#include "PhantomScan.h"
+
+#include "AnisotropicDiffusion.h"
+#include "OrganSegmentation.h"
+#include "QuadSphere.h"
+#include "SurfaceDistance.h"
+#include "SurfaceVoxelisation.h"
+#include "VoxelOverlap.h"
+
+#include <cstdio>
+
+using namespace FlipFree;
+
+int main()
+{
+  // A cube, since it is soon painted.
+  const PhantomScan scan =
+    ScanPhantom(MakePlainPhantom(PlainShape::Cube, { 192, 192, 192 }, 160, 100), 1,
+      { { 80, 80, 60 } }, { 2.4, 2.4, 3.2 }, SerialFor);
+  FloatImage image = CropToFloat(ImageView<std::int16_t>{ scan.Voxels.data(), scan.Geometry },
+    ReachableExtent(scan.Geometry, scan.Seed.Center, OrganReach), SerialFor);
+  const double noise = NoiseDeviation(image.View(), scan.Seed);
+  AnisotropicDiffusionSettings diffusion;
+  diffusion.Contrast = ContrastOfNoise(noise);
+  DiffuseAnisotropically(image.Voxels, image.Geometry, diffusion, SerialFor, NeverStop);
+
+  OrganSegmentationSettings settings = OrganSettings(scan);
+  settings.Levels = 2;
+  settings.MaximumIterations = 5;
+  settings.ChangeTolerance = -1; // as many iterations, whatever the last digits are
+  settings.DistanceTolerance = 0;
+  const QuadSphere sphere =
+    MakeQuadSphere(8, scan.Seed.Center, scan.Seed.Radius, QuadSphereSpacing::Equiangular);
+  const ContourMesh mesh = BuildContourMesh(static_cast<int>(sphere.Points.rows()), sphere.Faces);
+  PointList before;
+  const OrganSurface organ = SegmentOrgan(image.View(), noise, scan.Seed, mesh, sphere.Points,
+    settings, SerialFor, NeverStop,
+    [&before](const ContourMesh&, const PointList& points, const CorrespondenceField&,
+      const IterationRecord& record)
+    {
+      if (record.Iteration == 6)
+      {
+        before = points;
+      }
+    });
+
+  std::vector<unsigned char> labels(scan.Geometry.NumberOfVoxels(), 0);
+  FillRuns(VoxeliseSurface(organ.Points, organ.Mesh.Triangles, scan.Geometry, SerialFor),
+    static_cast<unsigned char>(1), scan.Geometry, labels.data());
+  std::vector<unsigned char> truth(scan.Labels.size());
+  for (std::size_t voxel = 0; voxel < truth.size(); ++voxel)
+  {
+    truth[voxel] = scan.Labels[voxel] == scan.Label;
+  }
+  const VoxelOverlap overlap =
+    MeasureOverlap({ labels.data(), scan.Geometry }, { truth.data(), scan.Geometry }, SerialFor);
+  const SurfaceDistance distance =
+    MeasureSurfaceDistance(organ.Points, organ.Mesh.Triangles, before, organ.Mesh.Triangles, 2);
+  std::printf("%zu iterations, Dice %.2f, %.1f mm between\n", organ.Iterations.size(),
+    overlap.Dice(), distance.Average);
+  return 0;
+}

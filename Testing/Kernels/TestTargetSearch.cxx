@@ -1,0 +1,134 @@
+#include "TargetSearch.h"
+
+#include "RandomMotions.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+using namespace FlipFree;
+
+namespace
+{
+
+// Along the normals, so that a displacement is told by one number; every seventh vertex is solitary
+// and every eleventh far off.
+struct Example
+{
+  explicit Example(int n)
+    : Sphere(n)
+  {
+    std::mt19937 random(7);
+    std::normal_distribution<double> noise(2, 0.3);
+    this->Normals = this->Sphere.Points().rowwise() - Eigen::RowVector3d(10, -20, 30);
+    this->Normals.rowwise().normalize();
+    const int size = this->Sphere.Mesh.NumberOfPoints();
+    this->Field.Displacements = PointList::Zero(size, 3);
+    this->Field.States.assign(size, VertexState::Solitary);
+    for (int vertex = 0; vertex < size; ++vertex)
+    {
+      const double distance = noise(random) + (vertex % 11 == 0 ? 12 : 0);
+      if (vertex % 7 != 3)
+      {
+        this->Field.Displacements.row(vertex) = distance * this->Normals.row(vertex);
+        this->Field.States[vertex] = VertexState::Matched;
+      }
+    }
+  }
+
+  TestSphere Sphere;
+  PointList Normals;
+  CorrespondenceField Field;
+};
+
+double MedianOf(std::vector<double> values)
+{
+  std::sort(values.begin(), values.end());
+  return values[values.size() / 2];
+}
+
+// Threads in name: the range is cut into single vertices, the last first.
+void BackwardsFor(std::ptrdiff_t begin, std::ptrdiff_t end, const RangeBody& body)
+{
+  while (end > begin)
+  {
+    --end;
+    body(end, end + 1);
+  }
+}
+
+} // namespace
+
+TEST(TargetSearch, RejectsWhatIsUnlikeTheTwoRing)
+{
+  const Example example(8);
+  const ContourMesh& mesh = example.Sphere.Mesh;
+  const Eigen::VectorXd distances =
+    example.Field.Displacements.cwiseProduct(example.Normals).rowwise().sum();
+  CorrespondenceField field = example.Field;
+  RejectOutliers(mesh, example.Normals, 3, 1, SerialFor, field);
+  int rejected = 0;
+  for (int vertex = 0; vertex < mesh.NumberOfPoints(); ++vertex)
+  {
+    // As often as there are ways to a vertex of one or two edges, so often it counts.
+    std::vector<double> ring;
+    for (int first : mesh.Neighbours[vertex])
+    {
+      for (int member : { first, mesh.Neighbours[first][0], mesh.Neighbours[first][1],
+             mesh.Neighbours[first][2], mesh.Neighbours[first][3] })
+      {
+        if (member != vertex && example.Field.States[member] == VertexState::Matched)
+        {
+          ring.push_back(distances[member]);
+        }
+      }
+    }
+    const double median = MedianOf(ring);
+    for (double& distance : ring)
+    {
+      distance = std::abs(distance - median);
+    }
+    const bool isUnlike = std::abs(distances[vertex] - median) > 3 * 1.4826 * MedianOf(ring) + 1;
+    const bool wasMatched = example.Field.States[vertex] == VertexState::Matched;
+    EXPECT_EQ(field.States[vertex] == VertexState::Matched, wasMatched && !isUnlike) << vertex;
+    EXPECT_EQ(field.Displacements.row(vertex).isZero(0), !wasMatched || isUnlike) << vertex;
+    rejected += static_cast<int>(wasMatched && isUnlike);
+  }
+  EXPECT_GT(rejected, 10);
+  EXPECT_LT(rejected, 60);
+}
+
+TEST(TargetSearch, HowTheRangeIsCutDoesNotMatter)
+{
+  const Example example(8);
+  CorrespondenceField one = example.Field;
+  CorrespondenceField other = example.Field;
+  RejectOutliers(example.Sphere.Mesh, example.Normals, 3, 1, SerialFor, one);
+  RejectOutliers(example.Sphere.Mesh, example.Normals, 3, 1, BackwardsFor, other);
+  EXPECT_EQ(one.Displacements, other.Displacements);
+  EXPECT_EQ(one.States, other.States);
+}
+
+TEST(TargetSearch, FewNeighboursRejectNothing)
+{
+  Example example(4);
+  std::fill(example.Field.States.begin(), example.Field.States.end(), VertexState::Solitary);
+  example.Field.States[0] = VertexState::Matched;
+  example.Field.Displacements.row(0) = 50 * example.Normals.row(0);
+  RejectOutliers(example.Sphere.Mesh, example.Normals, 3, 1, SerialFor, example.Field);
+  EXPECT_EQ(example.Field.States[0], VertexState::Matched);
+}
+
+TEST(TargetSearch, LimitsLengthsAndKeepsDirections)
+{
+  const Example example(4);
+  CorrespondenceField field = example.Field;
+  LimitDisplacements(2, field);
+  for (Eigen::Index vertex = 0; vertex < field.Displacements.rows(); ++vertex)
+  {
+    const double before = example.Field.Displacements.row(vertex).norm();
+    EXPECT_NEAR(field.Displacements.row(vertex).norm(), std::min(before, 2.0), 1e-12);
+    EXPECT_NEAR(field.Displacements.row(vertex).dot(example.Field.Displacements.row(vertex)),
+      before * std::min(before, 2.0), 1e-12);
+  }
+}
