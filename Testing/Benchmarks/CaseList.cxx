@@ -7,8 +7,6 @@
 #include "vtkMedicalImageReader.h"
 #include "vtkNew.h"
 
-#include <sys/resource.h>
-
 #include <fstream>
 #include <random>
 #include <sstream>
@@ -85,7 +83,13 @@ std::vector<RandomSeed> RandomSeeds(vtkImageData* labels, int label, double radi
 
 double PeakMemory()
 {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  return 1024.0 * static_cast<double>(usage.ru_maxrss);
+  // What getrusage tells is at least the size that the process's parent had when it began.
+  std::ifstream status("/proc/self/status");
+  std::string word;
+  double kilobytes = 0;
+  while (status >> word && word != "VmHWM:")
+  {
+  }
+  status >> kilobytes;
+  return 1024 * kilobytes;
 }
