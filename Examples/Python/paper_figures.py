@@ -428,7 +428,7 @@ def figure_4(path, folder):
 def method_view(case, plane, truth, surface, caption):
     """What a method found, on the slice through the seed, against the reference."""
     return slice_of(case, plane, [(truth, scene.BLUE, 3.5), (surface, scene.YELLOW, 1.8)],
-                    [("the reference", scene.BLUE), (caption, scene.YELLOW)], truth, 1.6)
+                    [("the reference", scene.BLUE), (caption, scene.YELLOW)], truth, 1.25)
 
 
 def baseline(case, name, **parameters):
@@ -459,7 +459,7 @@ def figure_5(path, folder):
     truth = truth_of(case)
     seed = quad_sphere(16, case.seed, case.radius)
     views = [slice_of(case, scene.AXIAL, [(seed, scene.YELLOW, 2.2)], f"a  {case.name}: the seed",
-                      truth, 1.6)]
+                      truth, 1.25)]
     surfaces = []
     for letter, name, parameters in (("b", "defaults", {}), ("c", "published",
                                                              {"preset": "published"})):
