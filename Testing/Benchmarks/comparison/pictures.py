@@ -52,7 +52,7 @@ def chart(path, rows, methods):
 
 def convergence(path, results, cases, methods):
     """As Fig. 4 of the paper, for the first liver and the first spleen."""
-    if not any(method.key == "flipfree" for method in methods):
+    if not any(case.organ in ("liver", "spleen") for case in cases) or methods[0].key != "flipfree":
         return
     figure, panel = pyplot.subplots(figsize=(6.5, 4), layout="constrained")
     for organ, colour in (("liver", OURS), ("spleen", THEIRS)):

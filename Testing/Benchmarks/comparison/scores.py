@@ -111,3 +111,10 @@ def score_all(results, cases, methods):
         table.writerows({key: f"{value:.4g}" if isinstance(value, float) else value for key, value in row.items()}
                         for row in rows)
     return rows
+
+
+def read_scores(results):
+    """What score_all wrote, to its four digits."""
+    with open(os.path.join(results, "scores.csv"), encoding="utf-8") as file:
+        return [{key: value if key in ("case", "organ", "method") else float(value) for key, value in row.items()}
+                for row in csv.DictReader(file)]
