@@ -425,36 +425,65 @@ def figure_4(path, folder):
     draw(path, [[view]], size=560)
 
 
+def method_view(case, plane, truth, surface, caption):
+    """What a method found, on the slice through the seed, against the reference."""
+    return slice_of(case, plane, [(truth, scene.BLUE, 3.5), (surface, scene.YELLOW, 1.8)],
+                    [("the reference", scene.BLUE), (caption, scene.YELLOW)], truth, 1.25)
+
+
+def baseline(case, name, **parameters):
+    """What one of the methods finds that FlipFree is compared with."""
+    method = getattr(flipfree, name)()
+    method.SetInputData(case.image)
+    method.SetSeedCenter(case.seed)
+    method.SetSeedRadius(case.radius)
+    for key, value in parameters.items():
+        getattr(method, f"Set{key}")(value)
+    flipfree.update(method)
+    return method
+
+
+def in_seed_slice(case, labels):
+    """Dice where a method looked at one slice alone."""
+    index = [0.0] * 3
+    labels.TransformPhysicalPointToContinuousIndex(case.seed, index)
+    found, truth = (vtk_to_numpy(image.GetPointData().GetScalars()).reshape(
+        image.GetDimensions()[::-1])[round(index[2])] for image in (labels, case.truth))
+    found, truth = found != 0, truth == case.label
+    return 2 * (found & truth).sum() / (found.sum() + truth.sum())
+
+
 def figure_5(path, folder):
-    """A liver: the seed, the segmentation against the reference, and the paper's own method."""
+    """A liver: the seed, FlipFree by defaults and as published, and the methods of the paper."""
     case = liver(folder)
     truth = truth_of(case)
-    found = segment(case)
-    published = segment(case, preset="published")
     seed = quad_sphere(16, case.seed, case.radius)
-    legend = [("the reference", scene.BLUE)]
-    for name, organ in (("defaults", found), ("published", published)):
+    views = [slice_of(case, scene.AXIAL, [(seed, scene.YELLOW, 2.2)], f"a  {case.name}: the seed",
+                      truth, 1.25)]
+    surfaces = []
+    for letter, name, parameters in (("b", "defaults", {}), ("c", "published",
+                                                             {"preset": "published"})):
+        organ = segment(case, **parameters)
         scores = flipfree.evaluate(organ.label_map, case.truth, reference_label=case.label)
         print(f"{case.name}, {name}: Dice {scores.dice:.3f}, mean distance {scores.asd:.2f} mm, "
               f"{organ.self_intersections} self-intersections")
-    bounds = truth.GetBounds()
-    draw(path, [
-        [slice_of(case, scene.AXIAL, [(seed, scene.YELLOW, 2.2)],
-                  f"a  {case.name}: the seed", truth, 1.6),
-         slice_of(case, scene.AXIAL, [(truth, scene.BLUE, 3.5), (found.surface, scene.YELLOW, 1.8)],
-                  [*legend, ("b  FlipFree, defaults", scene.YELLOW)], truth, 1.6),
-         slice_of(case, scene.AXIAL,
-                  [(truth, scene.BLUE, 3.5), (published.surface, scene.YELLOW, 1.8)],
-                  [*legend, ("c  as published", scene.YELLOW)], truth, 1.6)],
-        [slice_of(case, scene.CORONAL,
-                  [(truth, scene.BLUE, 3.5), (found.surface, scene.YELLOW, 1.8)],
-                  [*legend, ("d  FlipFree, defaults, coronal", scene.YELLOW)], truth, 1.6),
-         scene.space_view([defect_actor(found.surface)],
-                          f"e  defaults: {found.self_intersections} self-intersections",
-                          zoom=1.1, bounds=bounds),
-         scene.space_view([defect_actor(published.surface)],
-                          f"f  published: {published.self_intersections} self-intersections",
-                          zoom=1.1)]])
+        views.append(method_view(case, scene.AXIAL, truth, organ.surface,
+                                 f"{letter}  FlipFree, {name}: Dice {scores.dice:.2f}"))
+        surfaces.append(scene.space_view(
+            [defect_actor(organ.surface)],
+            f"{'gh'[len(surfaces)]}  {name}: {organ.self_intersections} self-intersections",
+            zoom=1.1, bounds=None if surfaces else truth.GetBounds()))
+    for letter, name, title in (("d", "vtkLevelSetSegmentation", "level set"),
+                                ("e", "vtkGraphCutSegmentation", "graph cut"),
+                                ("f", "vtkGVFSnake", "GVF snake")):
+        method = baseline(case, name)
+        dice = (in_seed_slice(case, method.GetLabelMap()) if name == "vtkGVFSnake" else
+                flipfree.evaluate(method.GetLabelMap(), case.truth,
+                                  reference_label=case.label).dice)
+        print(f"{case.name}, {title}: Dice {dice:.3f}")
+        views.append(method_view(case, scene.AXIAL, truth, method.GetSurface(),
+                                 f"{letter}  {title}: Dice {dice:.2f}"))
+    draw(path, [views[:4], [*views[4:], *surfaces]], size=400)
 
 
 def figure_6(path, folder):

@@ -105,11 +105,14 @@ def contour_actor(surface, centre, plane, colour=YELLOW, width=2.2):
     cutting = vtkPlane()
     cutting.SetOrigin(centre)
     cutting.SetNormal(normal)
-    cutter = vtkCutter()
-    cutter.SetInputData(surface)
-    cutter.SetCutFunction(cutting)
     lines = vtkStripper()  # joined, so that there are no gaps between their ends
-    lines.SetInputConnection(cutter.GetOutputPort())
+    if surface.GetNumberOfPolys():
+        cutter = vtkCutter()
+        cutter.SetInputData(surface)
+        cutter.SetCutFunction(cutting)
+        lines.SetInputConnection(cutter.GetOutputPort())
+    else:  # an outline of that slice already
+        lines.SetInputData(surface)
     mapper = vtkPolyDataMapper()
     mapper.SetInputConnection(lines.GetOutputPort())
     mapper.ScalarVisibilityOff()

@@ -18,7 +18,8 @@ struct BaselineTask
   SeedSphere Seed;
 };
 
-/// Either a field, positive inside the organ, on the region's grid, or a closed surface.
+/// Either a field, positive inside the organ, on the region's grid; or a closed surface; or, of
+/// methods that look at one plane, such a field and its outline there: points without triangles.
 struct BaselineResult
 {
   std::vector<float> Field;

@@ -11,10 +11,12 @@
 #include "SurfaceTopology.h"
 #include "SurfaceVoxelisation.h"
 
+#include "vtkCellArray.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <algorithm>
@@ -41,6 +43,17 @@ double ReachOf(double reach, double seedRadius)
 {
   return reach > 0 ? reach
                    : std::max(LeastReach, std::min(GreatestReach, ReachInRadii * seedRadius));
+}
+
+vtkSmartPointer<vtkCellArray> ClosedLine(vtkIdType size)
+{
+  auto line = vtkSmartPointer<vtkCellArray>::New();
+  line->InsertNextCell(static_cast<int>(size + 1));
+  for (vtkIdType i = 0; i <= size; ++i)
+  {
+    line->InsertCellPoint(i % size);
+  }
+  return line;
 }
 
 } // namespace
@@ -186,9 +199,12 @@ void vtkBaselineSegmentation::Execute(vtkImageData* image, vtkPolyData* surface,
   {
     const FlipFree::ImageView<float> field{ result.Field.data(), task.Region.Geometry };
     runs = FlipFree::RunsOfField(field, { { extent[0], extent[2], extent[4] } });
-    FlipFree::FieldSurface contour = FlipFree::SurfaceOfField(field);
-    result.Points = std::move(contour.Points);
-    result.Triangles = std::move(contour.Triangles);
+    if (result.Points.rows() == 0)
+    {
+      FlipFree::FieldSurface contour = FlipFree::SurfaceOfField(field);
+      result.Points = std::move(contour.Points);
+      result.Triangles = std::move(contour.Triangles);
+    }
   }
   if (runs.empty())
   {
@@ -196,7 +212,14 @@ void vtkBaselineSegmentation::Execute(vtkImageData* image, vtkPolyData* surface,
                                 "that it lies in the organ, or enlarge it");
   }
   surface->SetPoints(FlipFree::MakePoints(result.Points));
-  surface->SetPolys(FlipFree::MakePolys(FlipFree::FacesOf(result.Triangles)));
+  if (result.Triangles.rows() > 0)
+  {
+    surface->SetPolys(FlipFree::MakePolys(FlipFree::FacesOf(result.Triangles)));
+  }
+  else
+  {
+    surface->SetLines(ClosedLine(surface->GetNumberOfPoints()));
+  }
   FlipFree::MakeLabelMap(runs, static_cast<unsigned char>(this->LabelValue), image, labels);
   this->NumberOfIterations = result.Iterations;
   this->UpdateProgress(1);

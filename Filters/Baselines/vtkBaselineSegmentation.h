@@ -4,13 +4,14 @@
  *
  * From the same seed sphere as vtkFlipFreeSegmentation, on the same part of the image, smoothed by
  * the same anisotropic diffusion (vtkSeedRegionDiffusion), to the same two outputs. Each method is
- * a subclass: vtkRegionGrowing, vtkLevelSetSegmentation, vtkGraphCutSegmentation.
+ * a subclass: vtkRegionGrowing, vtkLevelSetSegmentation, vtkGraphCutSegmentation,
+ * vtkSimplexMeshSegmentation and vtkGVFSnake.
  *
  * Input port 0: vtkImageData with one scalar component of any type; coordinates are the image's
  * physical millimetres, the direction matrix is honoured.
  *
  * Output port 0: vtkPolyData, the surface: triangles, closed; where the organ reaches the image's
- * end, closed there. Not of a known topology, unlike that of vtkFlipFreeSegmentation.
+ * end, closed there. Mostly not of a known topology, unlike that of vtkFlipFreeSegmentation.
  * Output port 1: vtkImageData, unsigned char `Labels` of the input's geometry: LabelValue inside.
  *
  * Errors: no scalars, several components, an empty image, voxels that are not finite within Reach,

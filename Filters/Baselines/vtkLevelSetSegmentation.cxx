@@ -1,6 +1,7 @@
 #include "vtkLevelSetSegmentation.h"
 
 #include "BaselineTask.h"
+#include "IntensityInterval.h"
 #include "ItkRegion.h"
 #include "SeedStatistics.h"
 #include "SettlingLevelSet.h"
@@ -15,7 +16,6 @@
 #include "itkThresholdSegmentationLevelSetImageFilter.h"
 
 #include <algorithm>
-#include <cmath>
 
 vtkStandardNewMacro(vtkLevelSetSegmentation);
 
@@ -58,18 +58,12 @@ ItkImage::Pointer SphereFunction(const FlipFree::BaselineTask& task)
   return image;
 }
 
-// 1 at the middle of the interval, 0 at its ends, -1 at as far again and beyond. Bounded, since the
-// time step would follow the greatest speed: that of air beside bone.
 ItkImage::Pointer ThresholdSpeed(const FlipFree::BaselineTask& task, double width)
 {
-  const FlipFree::SeedStatistics seed = FlipFree::StatisticsOf(task.Region.Voxels.data(),
-    FlipFree::VoxelsInSphere(task.Region.Geometry, task.Seed));
-  // Of a seed of one value any other is background.
-  const double half = std::max(width * seed.Deviation, 1e-6 * (1 + std::abs(seed.Mean)));
+  const FlipFree::IntensityInterval interval = FlipFree::IntervalOf(task, width);
   auto image = FlipFree::NewItkImage(task.Region.Geometry);
   std::transform(task.Region.Voxels.begin(), task.Region.Voxels.end(), image->GetBufferPointer(),
-    [&](float value)
-    { return static_cast<float>(std::max(-1.0, 1 - std::abs(value - seed.Mean) / half)); });
+    [&interval](float value) { return static_cast<float>(interval.Speed(value)); });
   return image;
 }
 

@@ -5,9 +5,11 @@
 #define FlipFreeBaselineMethods_h
 
 #include "vtkBaselineSegmentation.h"
+#include "vtkGVFSnake.h"
 #include "vtkGraphCutSegmentation.h"
 #include "vtkLevelSetSegmentation.h"
 #include "vtkRegionGrowing.h"
+#include "vtkSimplexMeshSegmentation.h"
 
 #include "vtkSmartPointer.h"
 
@@ -25,7 +27,8 @@ struct BaselineMethod
 {
   std::string Name;
   std::function<vtkSmartPointer<vtkBaselineSegmentation>()> Make;
-  double Dice; ///< a little below what it reaches on the phantom's liver
+  double Dice;        ///< a little below what it reaches on the phantom's organ
+  bool Plane = false; ///< outlines one slice in place of a volume, and is scored there
 };
 
 inline void PrintTo(const BaselineMethod& method, std::ostream* stream)
@@ -51,7 +54,8 @@ vtkSmartPointer<vtkBaselineSegmentation> MakeGraphCut()
   return filter;
 }
 
-inline std::vector<BaselineMethod> BaselineMethods()
+/// Those that segment a volume.
+inline std::vector<BaselineMethod> VolumeMethods()
 {
   return {
     { "RegionGrowing", []() { return vtkSmartPointer<vtkRegionGrowing>::New(); }, 0.88 },
@@ -59,7 +63,16 @@ inline std::vector<BaselineMethod> BaselineMethods()
     { "VolumeGraphCut", MakeGraphCut<vtkGraphCutSegmentation::VOLUME>, 0.85 },
     { "ThresholdLevelSet", MakeLevelSet<vtkLevelSetSegmentation::THRESHOLD>, 0.85 },
     { "GeodesicLevelSet", MakeLevelSet<vtkLevelSetSegmentation::GEODESIC>, 0.8 },
+    { "SimplexMesh", []() { return vtkSmartPointer<vtkSimplexMeshSegmentation>::New(); }, 0.6 },
   };
+}
+
+inline std::vector<BaselineMethod> BaselineMethods()
+{
+  std::vector<BaselineMethod> methods = VolumeMethods();
+  methods.push_back(
+    { "GVFSnake", []() { return vtkSmartPointer<vtkGVFSnake>::New(); }, 0.5, true });
+  return methods;
 }
 
 inline std::string NameOf(const testing::TestParamInfo<BaselineMethod>& method)

@@ -32,7 +32,7 @@ protected:
   void ExpectSegmentation()
   {
     EXPECT_EQ(ErrorOfUpdate(this->Filter), "0 errors");
-    EXPECT_GT(this->Filter->GetSurface()->GetNumberOfPolys(), 0);
+    EXPECT_GT(this->Filter->GetSurface()->GetNumberOfCells(), 0);
     EXPECT_EQ(this->Filter->GetLabelMap()->GetNumberOfPoints(), 32 * 32 * 32);
   }
 

@@ -101,6 +101,7 @@ static double StatusLine(const std::string& name)
 
 double PeakMemory()
 {
+  // What getrusage tells is at least the size that the process's parent had when it began.
   return StatusLine("VmHWM");
 }
 

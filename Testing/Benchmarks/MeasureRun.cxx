@@ -212,7 +212,9 @@ void MeasureTraffic(const Subject& subject, int runs, int threads)
   const double scalar = subject.Image->GetPointData()->GetScalars()->GetDataTypeSize();
   const double label = subject.Reference->GetPointData()->GetScalars()->GetDataTypeSize();
   AnisotropicDiffusionSettings diffusion;
-  diffusion.Contrast = ContrastOfNoise(NoiseDeviation(region.View(), subject.Seed));
+  diffusion.Contrast = ContrastOfNoise(NoiseDeviation(region.View(), subject.Seed), region.Geometry,
+    diffusion.Equation);
+  std::vector<float> smooth(region.Voxels.size());
   const LabelMask mask = MaskOf(subject.Reference, subject.Label, "the reference");
   vtkNew<vtkImageData> labelMap;
 
@@ -220,7 +222,11 @@ void MeasureTraffic(const Subject& subject, int runs, int threads)
     { "region: scalars to floats", inRegion * (scalar + 4),
       [&] { region = GreyRegionOf(subject.Image, extent); }, {} },
     { "prefilter: in and out once per step", inRegion * 8 * diffusion.Iterations,
-      [&] { DiffuseAnisotropically(region.Voxels, region.Geometry, diffusion, SMPFor, NeverStop); },
+      [&]
+      {
+        DiffuseAnisotropically(ReaderOf(region.View()), region.Geometry, diffusion, SMPFor,
+          NeverStop, smooth.data());
+      },
       {} },
     { "threshold: floats to bits", inRegion * (4 + 1.0 / 8),
       [&]

@@ -24,8 +24,10 @@ int main()
     ReachableExtent(scan.Geometry, scan.Seed.Center, OrganReach), SerialFor);
   const double noise = NoiseDeviation(image.View(), scan.Seed);
   AnisotropicDiffusionSettings diffusion;
-  diffusion.Contrast = ContrastOfNoise(noise);
-  DiffuseAnisotropically(image.Voxels, image.Geometry, diffusion, SerialFor, NeverStop);
+  diffusion.Contrast = ContrastOfNoise(noise, image.Geometry, diffusion.Equation);
+  std::vector<float> smooth(image.Voxels.size());
+  DiffuseAnisotropically(ReaderOf(image.View()), image.Geometry, diffusion, SerialFor, NeverStop,
+    smooth.data());
 
   OrganSegmentationSettings settings = OrganSettings(scan);
   settings.Levels = 2;
@@ -36,8 +38,8 @@ int main()
     MakeQuadSphere(8, scan.Seed.Center, scan.Seed.Radius, QuadSphereSpacing::Equiangular);
   const ContourMesh mesh = BuildContourMesh(static_cast<int>(sphere.Points.rows()), sphere.Faces);
   PointList before;
-  const OrganSurface organ = SegmentOrgan(image.View(), noise, scan.Seed, mesh, sphere.Points,
-    settings, SerialFor, NeverStop,
+  const OrganSurface organ = SegmentOrgan({ smooth.data(), image.Geometry }, noise, scan.Seed, mesh,
+    sphere.Points, settings, SerialFor, NeverStop,
     [&before](const ContourMesh&, const PointList& points, const CorrespondenceField&,
       const IterationRecord& record)
     {

@@ -41,6 +41,8 @@ test_packages=(
   libcgal-dev
   libgtest-dev
   mypy
+  # For the benchmarks' charts alone.
+  python3-matplotlib
   tetgen
   valgrind
   zsh

@@ -1,0 +1,302 @@
+#include "vtkGVFSnake.h"
+
+#include "BaselineTask.h"
+#include "ItkRegion.h"
+#include "PlaneSnake.h"
+#include "SeedStatistics.h"
+
+#include "ImageInterpolation.h"
+#include "PropertyCheck.h"
+
+#include "vtkObjectFactory.h"
+
+#include "itkCovariantVector.h"
+#include "itkGradientMagnitudeRecursiveGaussianImageFilter.h"
+#include "itkGradientVectorFlowImageFilter.h"
+
+#include <algorithm>
+#include <cmath>
+
+vtkStandardNewMacro(vtkGVFSnake);
+
+namespace
+{
+
+using PlaneImage = itk::Image<float, 2>;
+using FlowImage = itk::Image<itk::CovariantVector<float, 2>, 2>;
+using MagnitudeFilter = itk::GradientMagnitudeRecursiveGaussianImageFilter<PlaneImage, PlaneImage>;
+
+// Shares of the progress.
+constexpr double FlowBegins = 0.1;
+constexpr double FlowEnds = 0.6;
+
+// ITK's filter with another time step: its own, a quarter of the inverse smoothness, is just stable
+// where there are no edges, and blows up where there are. It also can be stopped, and reports its
+// progress.
+class FlowFilter : public itk::GradientVectorFlowImageFilter<FlowImage, FlowImage>
+{
+public:
+  using Self = FlowFilter;
+  using Superclass = itk::GradientVectorFlowImageFilter<FlowImage, FlowImage>;
+  using Pointer = itk::SmartPointer<Self>;
+  itkNewMacro(Self);
+
+protected:
+  FlowFilter() = default;
+  ~FlowFilter() override = default;
+
+  void GenerateData() override
+  {
+    this->AllocateOutputs();
+    this->InitInterImage();
+    for (int i = 0; i < this->GetIterationNum() && !this->GetAbortGenerateData(); ++i)
+    {
+      this->UpdatePixels();
+      this->UpdateInterImage();
+      this->UpdateProgress(static_cast<float>(i) / static_cast<float>(this->GetIterationNum()));
+    }
+  }
+};
+
+// The slice through the seed's centre, on square pixels: ITK's flow takes steps in x and y as
+// equal.
+struct SeedSlice
+{
+  explicit SeedSlice(const FlipFree::BaselineTask& task)
+    : Region(task.Region.Geometry)
+    , Pixel(Region.Spacing.head<2>().minCoeff())
+    , Center(Region.ToIndex(task.Seed.Center))
+  {
+    this->K = std::max(0,
+      std::min(this->Region.Dimensions[2] - 1, static_cast<int>(std::lround(this->Center[2]))));
+    for (int axis = 0; axis < 2; ++axis)
+    {
+      this->Size[axis] = 1 +
+        static_cast<int>(std::lround(
+          (this->Region.Dimensions[axis] - 1) * this->Region.Spacing[axis] / this->Pixel));
+    }
+  }
+
+  Eigen::Vector3d ToIndex(double x, double y) const
+  {
+    return { x * this->Pixel / this->Region.Spacing[0], y * this->Pixel / this->Region.Spacing[1],
+      static_cast<double>(this->K) };
+  }
+  Eigen::Vector2d ToPixel(const Eigen::Vector3d& index) const
+  {
+    return index.head<2>().cwiseProduct(this->Region.Spacing.head<2>()) / this->Pixel;
+  }
+
+  FlipFree::ImageGeometry Region;
+  double Pixel; // millimetres
+  Eigen::Vector3d Center;
+  int K = 0;
+  std::array<int, 2> Size{};
+};
+
+PlaneImage::Pointer SampleSlice(const FlipFree::BaselineTask& task, const SeedSlice& slice)
+{
+  auto image = PlaneImage::New();
+  PlaneImage::SizeType size;
+  size[0] = static_cast<itk::SizeValueType>(slice.Size[0]);
+  size[1] = static_cast<itk::SizeValueType>(slice.Size[1]);
+  image->SetRegions(size);
+  PlaneImage::SpacingType spacing;
+  spacing.Fill(slice.Pixel);
+  image->SetSpacing(spacing);
+  image->Allocate();
+  float* value = image->GetBufferPointer();
+  for (int y = 0; y < slice.Size[1]; ++y)
+  {
+    for (int x = 0; x < slice.Size[0]; ++x)
+    {
+      *value++ =
+        static_cast<float>(FlipFree::InterpolateClamped(task.Region.View(), slice.ToIndex(x, y)));
+    }
+  }
+  return image;
+}
+
+// The pixels within the seed's cross-section, of which there is one at least.
+std::vector<std::size_t> PixelsInSeed(const SeedSlice& slice, double radius)
+{
+  const Eigen::Vector2d center = slice.ToPixel(slice.Center);
+  std::vector<std::size_t> pixels;
+  for (int y = 0; y < slice.Size[1]; ++y)
+  {
+    for (int x = 0; x < slice.Size[0]; ++x)
+    {
+      if ((Eigen::Vector2d(x, y) - center).norm() * slice.Pixel <= radius)
+      {
+        pixels.push_back(x + static_cast<std::size_t>(slice.Size[0]) * y);
+      }
+    }
+  }
+  if (pixels.empty())
+  {
+    const Eigen::Array2d last(slice.Size[0] - 1, slice.Size[1] - 1);
+    const Eigen::Array2d nearest = center.array().round().max(0).min(last);
+    pixels.push_back(static_cast<std::size_t>(nearest[0] + slice.Size[0] * nearest[1]));
+  }
+  return pixels;
+}
+
+// 0 in flat parts of the image, a half where the gradient is `contrast` times the seed's mean, 1 at
+// strong edges. Null if the monitor stopped it.
+PlaneImage::Pointer EdgeMap(const PlaneImage::Pointer& image,
+  const std::vector<std::size_t>& seedPixels, double sigma, double contrast,
+  const FlipFree::Monitor& monitor)
+{
+  auto gradient = MagnitudeFilter::New();
+  gradient->SetInput(image);
+  gradient->SetSigma(sigma);
+  if (!FlipFree::UpdateMonitored<MagnitudeFilter>(gradient,
+        FlipFree::ReportedProgress<MagnitudeFilter>, monitor))
+  {
+    return nullptr;
+  }
+  PlaneImage::Pointer map = gradient->GetOutput();
+  map->DisconnectPipeline();
+  float* const begin = map->GetBufferPointer();
+  const double scale = std::max(contrast * FlipFree::StatisticsOf(begin, seedPixels).Mean, 1e-30);
+  std::transform(begin, begin + map->GetBufferedRegion().GetNumberOfPixels(), begin,
+    [scale](float value)
+    {
+      const double squared = (value / scale) * (value / scale);
+      return static_cast<float>(1 - 1 / (1 + squared * squared * squared * squared));
+    });
+  return map;
+}
+
+// Central differences, per pixel.
+FlowImage::Pointer GradientOf(const PlaneImage::Pointer& edges)
+{
+  auto gradient = FlowImage::New();
+  gradient->SetRegions(edges->GetBufferedRegion());
+  gradient->Allocate();
+  const auto width = static_cast<std::ptrdiff_t>(edges->GetBufferedRegion().GetSize()[0]);
+  const auto height = static_cast<std::ptrdiff_t>(edges->GetBufferedRegion().GetSize()[1]);
+  const float* const value = edges->GetBufferPointer();
+  auto* vector = gradient->GetBufferPointer();
+  for (std::ptrdiff_t y = 0; y < height; ++y)
+  {
+    for (std::ptrdiff_t x = 0; x < width; ++x, ++vector)
+    {
+      const auto at = [&](std::ptrdiff_t i, std::ptrdiff_t j)
+      {
+        return value[std::max<std::ptrdiff_t>(0, std::min(i, width - 1)) +
+          width * std::max<std::ptrdiff_t>(0, std::min(j, height - 1))];
+      };
+      (*vector)[0] = (at(x + 1, y) - at(x - 1, y)) / 2;
+      (*vector)[1] = (at(x, y + 1) - at(x, y - 1)) / 2;
+    }
+  }
+  return gradient;
+}
+
+// Half of what keeps all modes of the explicit scheme from growing.
+double StableTimeStep(const FlowImage& gradient, double smoothness)
+{
+  const auto* begin = gradient.GetBufferPointer();
+  double greatest = 0;
+  std::for_each(begin, begin + gradient.GetBufferedRegion().GetNumberOfPixels(),
+    [&greatest](const auto& vector)
+    { greatest = std::max(greatest, static_cast<double>(vector.GetSquaredNorm())); });
+  return 1 / (greatest + 8 * smoothness);
+}
+
+// Unit vectors towards the edges. False if the monitor stopped it.
+bool FindFlow(const PlaneImage::Pointer& edges, double smoothness, int iterations,
+  const FlipFree::Monitor& monitor, FlipFree::PlaneField& field)
+{
+  const FlowImage::Pointer gradient = GradientOf(edges);
+  auto flow = FlowFilter::New();
+  flow->SetInput(gradient);
+  flow->SetNoiseLevel(smoothness);
+  flow->SetTimeStep(StableTimeStep(*gradient, smoothness));
+  flow->SetIterationNum(iterations);
+  if (!FlipFree::UpdateMonitored<FlowFilter>(flow, FlipFree::ReportedProgress<FlowFilter>, monitor))
+  {
+    return false;
+  }
+  const auto* force = flow->GetOutput()->GetBufferPointer();
+  for (Eigen::Vector2d& vector : field.Forces)
+  {
+    vector = Eigen::Vector2d((*force)[0], (*force)[1]).stableNormalized();
+    ++force;
+  }
+  return true;
+}
+
+} // namespace
+
+bool vtkGVFSnake::Segment(const FlipFree::BaselineTask& task,
+  const std::function<bool(double)>& monitor, FlipFree::BaselineResult& result)
+{
+  const SeedSlice slice(task);
+  // The sphere's centre may lie between two slices.
+  const double aside = (slice.Center[2] - slice.K) * slice.Region.Spacing[2];
+  const double radius = std::sqrt(
+    std::max(slice.Pixel * slice.Pixel, task.Seed.Radius * task.Seed.Radius - aside * aside));
+  const PlaneImage::Pointer edges = EdgeMap(SampleSlice(task, slice), PixelsInSeed(slice, radius),
+    this->EdgeSigma, this->EdgeContrast, FlipFree::PartOf(monitor, 0, FlowBegins));
+  FlipFree::PlaneField field{ slice.Size[0], slice.Size[1],
+    std::vector<Eigen::Vector2d>(static_cast<std::size_t>(slice.Size[0]) * slice.Size[1]) };
+  FlipFree::SnakeSettings settings;
+  settings.Elasticity = this->Elasticity;
+  settings.Rigidity = this->Rigidity;
+  settings.Force = this->FlowWeight;
+  settings.Pressure = this->Pressure;
+  settings.MaximumIterations = this->MaximumIterations;
+  settings.AreaTolerance = this->AreaTolerance;
+  FlipFree::Outline outline =
+    FlipFree::MakeCircle(slice.ToPixel(slice.Center), radius / slice.Pixel);
+  if (!edges ||
+    !FindFlow(edges, this->FlowSmoothness, this->FlowIterations,
+      FlipFree::PartOf(monitor, FlowBegins, FlowEnds), field) ||
+    !FlipFree::MoveSnake(field, settings, FlipFree::PartOf(monitor, FlowEnds, 1), outline,
+      result.Iterations))
+  {
+    return false;
+  }
+
+  result.Field.assign(task.Region.Voxels.size(), -1);
+  result.Points.resize(outline.rows(), 3);
+  for (Eigen::Index i = 0; i < outline.rows(); ++i)
+  {
+    const Eigen::Vector3d index = slice.ToIndex(outline(i, 0), outline(i, 1));
+    result.Points.row(i) = slice.Region.ToPhysical(index);
+    outline.row(i) = index.head<2>(); // from here on in voxels
+  }
+  const std::vector<unsigned char> mask =
+    FlipFree::FillOutline(outline, slice.Region.Dimensions[0], slice.Region.Dimensions[1]);
+  std::transform(mask.begin(), mask.end(),
+    result.Field.begin() + static_cast<std::ptrdiff_t>(slice.Region.Offset(0, 0, slice.K)),
+    [](unsigned char inside) { return inside ? 1.0F : -1.0F; });
+  return true;
+}
+
+void vtkGVFSnake::RequireProperties()
+{
+  this->Superclass::RequireProperties();
+  FlipFree::RequireNumbers(
+    { { "EdgeSigma", this->EdgeSigma }, { "EdgeContrast", this->EdgeContrast },
+      { "FlowSmoothness", this->FlowSmoothness }, { "Elasticity", this->Elasticity },
+      { "Rigidity", this->Rigidity }, { "FlowWeight", this->FlowWeight },
+      { "Pressure", this->Pressure }, { "AreaTolerance", this->AreaTolerance } });
+}
+
+void vtkGVFSnake::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "EdgeSigma: " << this->EdgeSigma << "\n";
+  os << indent << "EdgeContrast: " << this->EdgeContrast << "\n";
+  os << indent << "FlowSmoothness: " << this->FlowSmoothness << "\n";
+  os << indent << "FlowIterations: " << this->FlowIterations << "\n";
+  os << indent << "Elasticity: " << this->Elasticity << "\n";
+  os << indent << "Rigidity: " << this->Rigidity << "\n";
+  os << indent << "FlowWeight: " << this->FlowWeight << "\n";
+  os << indent << "Pressure: " << this->Pressure << "\n";
+  os << indent << "MaximumIterations: " << this->MaximumIterations << "\n";
+  os << indent << "AreaTolerance: " << this->AreaTolerance << "\n";
+}

@@ -1,0 +1,86 @@
+#include "vtkSimplexMeshSegmentation.h"
+
+#include "BaselineTask.h"
+#include "IntensityInterval.h"
+#include "ItkRegion.h"
+#include "SimplexBalloon.h"
+
+#include "ImageInterpolation.h"
+#include "PropertyCheck.h"
+#include "VoxelTraversal.h"
+
+#include "vtkObjectFactory.h"
+
+vtkStandardNewMacro(vtkSimplexMeshSegmentation);
+
+namespace
+{
+
+// The balloon force in space. It owns what it reads: after an abort the mesh moves on for a moment.
+FlipFree::SimplexBalloon::Force BalloonForce(const FlipFree::BaselineTask& task, double width,
+  double step)
+{
+  const FlipFree::IntensityInterval interval = FlipFree::IntervalOf(task, width);
+  const FlipFree::VoxelGrid grid(task.Region.Geometry);
+  const auto voxels = std::make_shared<const std::vector<float>>(task.Region.Voxels);
+  return [interval, grid, voxels, step](const Eigen::Vector3d& point)
+  {
+    const auto speed = [&interval](float value) { return interval.Speed(value); };
+    const Eigen::Vector3d index = grid.ToIndex(point);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      if (index[axis] < -0.5 || index[axis] > grid.Geometry.Dimensions[axis] - 0.5)
+      {
+        return -step;
+      }
+    }
+    return step *
+      FlipFree::InterpolateClamped(FlipFree::ImageView<float>{ voxels->data(), grid.Geometry },
+        index, speed);
+  };
+}
+
+} // namespace
+
+bool vtkSimplexMeshSegmentation::Segment(const FlipFree::BaselineTask& task,
+  const std::function<bool(double)>& monitor, FlipFree::BaselineResult& result)
+{
+  const FlipFree::SimplexMesh start =
+    FlipFree::MakeSimplexSphere(this->Resolution, task.Seed.Center, task.Seed.Radius);
+  auto filter = FlipFree::SimplexBalloon::New();
+  filter->SetStart(start);
+  filter->SetForce(BalloonForce(task, this->IntensityWidth, this->BalloonStep));
+  filter->SetAlpha(this->Stiffness);
+  filter->SetRigidity(static_cast<unsigned int>(this->Rigidity));
+  filter->SetIterations(this->MaximumIterations);
+  filter->SetVolumeTolerance(this->VolumeTolerance);
+  if (!FlipFree::UpdateMonitored<FlipFree::SimplexBalloon>(filter,
+        FlipFree::ReportedProgress<FlipFree::SimplexBalloon>, monitor))
+  {
+    return false;
+  }
+  result.Points = filter->GetSurfacePoints();
+  result.Triangles = start.Triangles;
+  result.Iterations = filter->GetElapsedIterations();
+  return true;
+}
+
+void vtkSimplexMeshSegmentation::RequireProperties()
+{
+  this->Superclass::RequireProperties();
+  FlipFree::RequireNumbers(
+    { { "IntensityWidth", this->IntensityWidth }, { "BalloonStep", this->BalloonStep },
+      { "Stiffness", this->Stiffness }, { "VolumeTolerance", this->VolumeTolerance } });
+}
+
+void vtkSimplexMeshSegmentation::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Resolution: " << this->Resolution << "\n";
+  os << indent << "IntensityWidth: " << this->IntensityWidth << "\n";
+  os << indent << "BalloonStep: " << this->BalloonStep << "\n";
+  os << indent << "Stiffness: " << this->Stiffness << "\n";
+  os << indent << "Rigidity: " << this->Rigidity << "\n";
+  os << indent << "MaximumIterations: " << this->MaximumIterations << "\n";
+  os << indent << "VolumeTolerance: " << this->VolumeTolerance << "\n";
+}

@@ -1,0 +1,114 @@
+/**
+ * @class   vtkSimplexMeshSegmentation
+ * @brief   segments an organ by a simplex mesh that is blown up from the seed sphere
+ *
+ * A deformable simplex mesh (itk::DeformableSimplexMesh3DFilter): a surface each of whose vertices
+ * has three neighbours. A balloon force moves the vertices along their normals, outward where the
+ * intensity is within IntensityWidth standard deviations of the seed's mean and inward elsewhere;
+ * internal forces keep the vertices spread evenly and the surface smooth. The motion stops when the
+ * volume has settled, or after MaximumIterations.
+ *
+ * Nothing keeps the surface from folding or passing through itself, which is what simplex meshes of
+ * this kind do at necks and in leaks.
+ *
+ * Ports, errors and the common properties are those of vtkBaselineSegmentation. The surface has the
+ * sphere's topology: the mesh's faces, cut into triangles.
+ *
+ * Source: H. Delingette, General object reconstruction based on simplex meshes (1999); T. Boettger
+ * et al., Implementation of a 3D simplex mesh segmentation in ITK (2007); the balloon force: L.
+ * Cohen, On active contour models and balloons (1991).
+ */
+#ifndef vtkSimplexMeshSegmentation_h
+#define vtkSimplexMeshSegmentation_h
+
+#include "vtkBaselineSegmentation.h"
+
+class FLIPFREEBASELINES_EXPORT vtkSimplexMeshSegmentation : public vtkBaselineSegmentation
+{
+public:
+  static vtkSimplexMeshSegmentation* New();
+  vtkTypeMacro(vtkSimplexMeshSegmentation, vtkBaselineSegmentation);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * Resolution n of the mesh: 12 n^2 - 4 vertices. Default 12 (1,724); 2 to 128.
+   */
+  vtkSetClampMacro(Resolution, int, 2, 128);
+  vtkGetMacro(Resolution, int);
+  ///@}
+
+  ///@{
+  /**
+   * Half the width of the interval of intensities in which the surface grows, in standard
+   * deviations of the seed's smoothed intensities. Default 6; 0.1 to 100.
+   */
+  vtkSetClampMacro(IntensityWidth, double, 0.1, 100);
+  vtkGetMacro(IntensityWidth, double);
+  ///@}
+
+  ///@{
+  /**
+   * Greatest step of a vertex by the balloon force, in millimetres per iteration. Default 0.25;
+   * 0.001 to 10.
+   */
+  vtkSetClampMacro(BalloonStep, double, 0.001, 10);
+  vtkGetMacro(BalloonStep, double);
+  ///@}
+
+  ///@{
+  /**
+   * Weight of the internal forces. Default 0.5; 0 to 1, more is stiffer.
+   */
+  vtkSetClampMacro(Stiffness, double, 0, 1);
+  vtkGetMacro(Stiffness, double);
+  ///@}
+
+  ///@{
+  /**
+   * Radius of the neighbourhood to whose mean curvature a vertex is drawn, in edges beyond the
+   * first. Default 2; 0 to 10.
+   */
+  vtkSetClampMacro(Rigidity, int, 0, 10);
+  vtkGetMacro(Rigidity, int);
+  ///@}
+
+  ///@{
+  /**
+   * Greatest number of iterations. Default 1000; 1 to 1e6.
+   */
+  vtkSetClampMacro(MaximumIterations, int, 1, 1000000);
+  vtkGetMacro(MaximumIterations, int);
+  ///@}
+
+  ///@{
+  /**
+   * The motion stops when the volume has changed by less than this fraction over 25 iterations.
+   * Default 0.001; 0 (never) to 1.
+   */
+  vtkSetClampMacro(VolumeTolerance, double, 0, 1);
+  vtkGetMacro(VolumeTolerance, double);
+  ///@}
+
+protected:
+  vtkSimplexMeshSegmentation() = default;
+  ~vtkSimplexMeshSegmentation() override = default;
+
+  bool Segment(const FlipFree::BaselineTask& task, const std::function<bool(double)>& monitor,
+    FlipFree::BaselineResult& result) override;
+  void RequireProperties() override;
+
+  int Resolution = 12;
+  double IntensityWidth = 6;
+  double BalloonStep = 0.25;
+  double Stiffness = 0.5;
+  int Rigidity = 2;
+  int MaximumIterations = 1000;
+  double VolumeTolerance = 0.001;
+
+private:
+  vtkSimplexMeshSegmentation(const vtkSimplexMeshSegmentation&) = delete;
+  void operator=(const vtkSimplexMeshSegmentation&) = delete;
+};
+
+#endif

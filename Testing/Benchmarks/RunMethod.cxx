@@ -1,0 +1,189 @@
+// One segmentation by one of the compared methods, with its one setting, as a process of its own,
+// so that its time and memory can be measured from outside: reads the image, segments, and writes
+// what is asked for.
+//
+//   RunMethod METHOD IMAGE --seed X Y Z --radius R [--labels FILE] [--surface FILE.vtp]
+//             [--convergence FILE.csv] [--threads N]
+//
+// Prints the number of iterations, the seconds of reading, those of the segmentation, and the
+// greatest memory so far in MB.
+#include "CaseList.h"
+
+#include "vtkBaselineSegmentation.h"
+#include "vtkDelimitedTextWriter.h"
+#include "vtkFlipFreeSegmentation.h"
+#include "vtkGVFSnake.h"
+#include "vtkGraphCutSegmentation.h"
+#include "vtkImageData.h"
+#include "vtkLevelSetSegmentation.h"
+#include "vtkMedicalImageWriter.h"
+#include "vtkNew.h"
+#include "vtkPolyData.h"
+#include "vtkRegionGrowing.h"
+#include "vtkSMPTools.h"
+#include "vtkSimplexMeshSegmentation.h"
+#include "vtkTable.h"
+#include "vtkTimerLog.h"
+#include "vtkXMLPolyDataWriter.h"
+
+#include <CLI/CLI.hpp>
+
+#include <array>
+#include <cstdio>
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace
+{
+
+struct Options
+{
+  std::string Method;
+  std::string Image;
+  std::array<double, 3> Seed{};
+  double Radius = 0;
+  std::string Labels;
+  std::string Surface;
+  std::string Convergence;
+  int Threads = 0;
+};
+
+struct Run
+{
+  vtkSmartPointer<vtkAlgorithm> Filter;
+  std::function<int()> Iterations;
+};
+
+// Input and seed, which both kinds of filters take alike.
+template <typename TFilter>
+vtkSmartPointer<TFilter> Prepare(vtkImageData* image, const Options& options)
+{
+  auto filter = vtkSmartPointer<TFilter>::New();
+  filter->SetInputData(image);
+  filter->SetSeedCenter(options.Seed.data());
+  filter->SetSeedRadius(options.Radius);
+  return filter;
+}
+
+using Configure = std::function<Run(vtkImageData*, const Options&)>;
+
+Configure FlipFree(void (*preset)(vtkFlipFreeSegmentation*))
+{
+  return [preset](vtkImageData* image, const Options& options)
+  {
+    auto filter = Prepare<vtkFlipFreeSegmentation>(image, options);
+    preset(filter);
+    return Run{ filter,
+      [filter]() { return static_cast<int>(filter->GetConvergence()->GetNumberOfRows()); } };
+  };
+}
+
+template <typename TFilter>
+Configure Baseline(void (*mode)(TFilter*))
+{
+  return [mode](vtkImageData* image, const Options& options)
+  {
+    auto filter = Prepare<TFilter>(image, options);
+    mode(filter);
+    return Run{ filter, [filter]() { return filter->GetNumberOfIterations(); } };
+  };
+}
+
+const std::map<std::string, Configure>& Methods()
+{
+  static const std::map<std::string, Configure> methods = {
+    { "flipfree", FlipFree([](vtkFlipFreeSegmentation*) {}) },
+    { "published",
+      FlipFree([](vtkFlipFreeSegmentation* filter) { filter->UsePublishedParameters(); }) },
+    { "naive", FlipFree([](vtkFlipFreeSegmentation* filter) { filter->UseNaiveParameters(); }) },
+    { "level-set-threshold",
+      Baseline<vtkLevelSetSegmentation>(
+        [](vtkLevelSetSegmentation* filter) { filter->SetSpeedToThreshold(); }) },
+    { "level-set-geodesic",
+      Baseline<vtkLevelSetSegmentation>(
+        [](vtkLevelSetSegmentation* filter) { filter->SetSpeedToGeodesic(); }) },
+    { "graph-cut-slices",
+      Baseline<vtkGraphCutSegmentation>(
+        [](vtkGraphCutSegmentation* filter) { filter->SetModeToSlices(); }) },
+    { "graph-cut-volume",
+      Baseline<vtkGraphCutSegmentation>(
+        [](vtkGraphCutSegmentation* filter) { filter->SetModeToVolume(); }) },
+    { "region-growing", Baseline<vtkRegionGrowing>([](vtkRegionGrowing*) {}) },
+    { "simplex-mesh", Baseline<vtkSimplexMeshSegmentation>([](vtkSimplexMeshSegmentation*) {}) },
+    { "gvf-snake", Baseline<vtkGVFSnake>([](vtkGVFSnake*) {}) },
+  };
+  return methods;
+}
+
+std::vector<std::string> NamesOfMethods()
+{
+  std::vector<std::string> names;
+  for (const auto& method : Methods())
+  {
+    names.push_back(method.first);
+  }
+  return names;
+}
+
+void WriteResults(vtkAlgorithm* filter, const Options& options)
+{
+  if (!options.Labels.empty())
+  {
+    vtkNew<vtkMedicalImageWriter> writer;
+    writer->SetInputDataObject(filter->GetOutputDataObject(1));
+    writer->SetFileName(options.Labels.c_str());
+    writer->Write();
+  }
+  if (!options.Surface.empty())
+  {
+    vtkNew<vtkXMLPolyDataWriter> writer;
+    writer->SetInputDataObject(filter->GetOutputDataObject(0));
+    writer->SetFileName(options.Surface.c_str());
+    writer->Write();
+  }
+  if (!options.Convergence.empty() && filter->GetNumberOfOutputPorts() > 2)
+  {
+    vtkNew<vtkDelimitedTextWriter> writer;
+    writer->SetInputDataObject(filter->GetOutputDataObject(2));
+    writer->SetFileName(options.Convergence.c_str());
+    writer->Write();
+  }
+}
+
+} // namespace
+
+int main(int argc, char* argv[])
+{
+  Options options;
+  CLI::App app("Segments an organ by one of the methods that are compared.");
+  app.add_option("method", options.Method, "the method")
+    ->required()
+    ->check(CLI::IsMember(NamesOfMethods()));
+  app.add_option("image", options.Image, "the volume")->required();
+  app.add_option("--seed", options.Seed, "centre of the seed sphere, LPS mm")->required();
+  app.add_option("--radius", options.Radius, "its radius, mm")->required();
+  app.add_option("--labels", options.Labels, "file that takes the label map");
+  app.add_option("--surface", options.Surface, "file that takes the surface");
+  app.add_option("--convergence", options.Convergence, "file that takes FlipFree's iterations");
+  app.add_option("--threads", options.Threads, "number of threads");
+  CLI11_PARSE(app, argc, argv);
+  vtkSMPTools::Initialize(options.Threads);
+
+  const double begin = vtkTimerLog::GetUniversalTime();
+  const auto image = ReadVolume(options.Image);
+  const double read = vtkTimerLog::GetUniversalTime();
+  const Run run = Methods().at(options.Method)(image, options);
+  run.Filter->Update();
+  const double end = vtkTimerLog::GetUniversalTime();
+  auto* surface = vtkPolyData::SafeDownCast(run.Filter->GetOutputDataObject(0));
+  if (surface->GetNumberOfPoints() == 0)
+  {
+    return 1; // the filter has said why
+  }
+  std::printf("%d %.3f %.3f %.1f\n", run.Iterations(), read - begin, end - read,
+    PeakMemory() / 1e6);
+  WriteResults(run.Filter, options);
+  return 0;
+}

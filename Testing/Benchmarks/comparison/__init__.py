@@ -1,0 +1,1 @@
+"""What Testing/Benchmarks/table1 is made of."""

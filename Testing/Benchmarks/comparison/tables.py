@@ -1,0 +1,120 @@
+"""The results as Markdown."""
+
+import datetime
+import math
+import os
+import platform
+import statistics
+
+from .cases import ORGANS
+from .methods import METHODS
+
+MEDIANS = ("dice", "jaccard", "asd", "hd95", "segment_s", "wall_s", "cpu_s", "memory_mb")
+
+
+def median(values):
+    values = [value for value in values if not math.isnan(value)]
+    return statistics.median(values) if values else math.nan
+
+
+def spread(values):
+    """Mean and standard deviation, as the paper gives them."""
+    values = [value for value in values if not math.isnan(value)]
+    if not values:
+        return "-"
+    deviation = statistics.stdev(values) if len(values) > 1 else 0
+    digits = 2 if abs(statistics.mean(values)) < 100 else 0
+    return f"{statistics.mean(values):.{digits}f} ± {deviation:.{digits}f}"
+
+
+def cell(value, pattern):
+    return "-" if isinstance(value, float) and math.isnan(value) else format(value, pattern)
+
+
+def line(*cells):
+    return "| " + " | ".join(cells) + " |"
+
+
+def header(*names):
+    return [line(*names), "|" + "---|" * len(names)]
+
+
+def machine():
+    """Processor, number of its threads, and memory: what times depend on."""
+    name = platform.processor() or platform.machine()
+    with open("/proc/cpuinfo", encoding="utf-8") as file:
+        models = [text.split(":", maxsplit=1)[1].strip() for text in file if text.startswith("model name")]
+    memory = os.sysconf("SC_PAGE_SIZE") * os.sysconf("SC_PHYS_PAGES") / 2**30
+    return f"{models[0] if models else name}, {os.cpu_count()} threads, {memory:.0f} GiB"
+
+
+def of(rows, method, organ=None):
+    return [row for row in rows if row["method"] == method.key and row["scored"] and organ in (None, row["organ"])]
+
+
+def medians_of(rows):
+    return {name: median([row[name] for row in rows]) for name in MEDIANS}
+
+
+def paper_table(rows, methods):
+    """V, D, VO, K, T and T' as in Table 1 of the paper."""
+    lines = header("organ", "V, ml", "algorithm", "D, mm", "VO, %", "K", "T, s", "T', s")
+    for organ in ORGANS:
+        for number, method in enumerate(methods):
+            own = of(rows, method, organ)
+            if own:
+                seconds = [row["segment_s"] for row in own]
+                each = [row["segment_s"] / (1 if method.plane else row["slices"]) for row in own]
+                lines.append(line(f"{organ} ({len(own)})" if number == 0 else "",
+                                  spread([row["volume_ml"] for row in own]) if number == 0 else "", method.title,
+                                  spread([row["asd"] for row in own]), spread([100 * row["jaccard"] for row in own]),
+                                  spread([row["iterations"] for row in own]), spread(seconds), spread(each)))
+    return lines
+
+
+def median_table(rows, methods):
+    lines = header("algorithm", "Dice, liver", "spleen", "kidney", "all", "least", "ASD, mm, liver", "spleen", "kidney",
+                   "all", "HD95, mm", "surfaces that meet themselves", "process, s", "processor, s", "memory, MB",
+                   "times FlipFree's process", "times FlipFree's processor time")
+    for method in methods:
+        own = of(rows, method)
+        if own:
+            found = medians_of(own)
+            meeting = "-" if method.plane else f"{sum(row['self_intersections'] > 0 for row in own)} of {len(own)}"
+            # Of a case with its own, so that large and small organs count alike.
+            ratios = [median([row[name] / other[name] for row in own for other in of(rows, METHODS[0])
+                              if other["case"] == row["case"]]) for name in ("wall_s", "cpu_s")]
+            lines.append(line(method.title, *(cell(medians_of(of(rows, method, organ))["dice"], ".3f")
+                                              for organ in ORGANS), f"{found['dice']:.3f}",
+                              f"{min(row['dice'] for row in own):.3f}",
+                              *(cell(medians_of(of(rows, method, organ))["asd"], ".2f") for organ in ORGANS),
+                              cell(found["asd"], ".2f"),
+                              cell(found["hd95"], ".1f"), meeting, f"{found['wall_s']:.2f}", f"{found['cpu_s']:.2f}",
+                              f"{found['memory_mb']:.0f}", *(cell(ratio, ".1f") for ratio in ratios)))
+    return lines
+
+
+def case_table(rows, methods):
+    """Dice / ASD of every row."""
+    lines = header("case", *(method.title for method in methods))
+    for name in dict.fromkeys(row["case"] for row in rows):
+        cells = []
+        for method in methods:
+            own = [row for row in rows if (row["case"], row["method"]) == (name, method.key)]
+            cells.append("nothing" if not own or own[0]["failed"] else f"{own[0]['dice']:.3f} / {own[0]['asd']:.1f}")
+        lines.append(line(name, *cells))
+    return lines
+
+
+def write(results, rows, methods):
+    text = ["# Table 1", "", f"{datetime.date.today():%d %B %Y}; {machine()}.", "",
+            "V: reference volume; D: average symmetric surface distance; VO: volume overlap (Jaccard); K: iterations; "
+            "T: seconds of the segmentation, reading aside; T': the same per slice of the organ. Means and "
+            "standard deviations over the rows of cases.csv; the GVF snake has one slice, and is scored there.", "",
+            *paper_table(rows, methods), "", "## Medians", "",
+            "Over the same rows. Times and memory are those of the whole process, reading included, and of all rounds "
+            "the median; ratios are medians over the rows.", "",
+            *median_table(rows, methods), "", "## Every row", "", "Dice / ASD in mm.", "", *case_table(rows, methods),
+            ""]
+    with open(os.path.join(results, "table1.md"), "w", encoding="utf-8") as file:
+        file.write("\n".join(text))
