@@ -79,13 +79,18 @@ class Window(unittest.TestCase):
 
     def state(self):
         state = {"view": [0, 0], "points": -1, "radius": -1, "center": [0, 0, 0], "stop": "", "intersections": -1,
-                 "history": -1, "times": [0, 0], "visible": []}
+                 "placed": [0, 0, 0], "sized": [-1], "history": -1, "times": [0, 0], "visible": []}
         try:
             with open(self.note, encoding="utf-8") as file:
                 state.update(json.load(file))
         except FileNotFoundError:
             pass
         return state
+
+
+def is_near_seed(place):
+    """Beside the middle of the slices, where the pointer is."""
+    return math.dist(place, (99.75, 83.75, 167)) < 14
 
 
 class Session(Window):
@@ -125,14 +130,22 @@ class Session(Window):
         """Into the liver; gives the default that it had."""
         self.add_filter("flip")
         self.desk.move(MIDDLE[0] + 1, MIDDLE[1])
-        self.desk.key("p")
         self.wait_for_state(radius=lambda radius: radius > 0, center=[164.25, 126.75, 133.5])  # the image's middle
         default = self.state()
+        # Again, should the sphere not have been ready yet.
+        self.wait_for(lambda: self.press_until("p", lambda: is_near_seed(self.state()["placed"])), "the sphere's place")
         # The right button scales the sphere.
         self.desk.drag((MIDDLE[0] + 8, MIDDLE[1] - 8), (MIDDLE[0] + 8, MIDDLE[1] - 38), number=3)
+        self.wait_for_state(sized=lambda sized: sized[0] > default["radius"] + 3, placed=is_near_seed, points=0)
         self.keep_picture("placed")
-        self.wait_for_state(points=0)
         return default
+
+    def press_until(self, key, condition, seconds=5):
+        self.desk.key(key)
+        end = time.monotonic() + seconds
+        while not condition() and time.monotonic() < end:
+            time.sleep(0.3)
+        return condition()
 
     def apply(self):
         self.desk.key("a", "Alt_L")
@@ -142,7 +155,7 @@ class Session(Window):
         self.apply()
         self.wait_for_state(
             points=6144, stop="at rest", intersections=0, visible=["Axial", "Coronal", "FlipFreeSegmentation1"],
-            center=lambda center: math.dist(center, (99.75, 83.75, 167)) < 8,
+            center=is_near_seed,
             radius=lambda radius: default["radius"] + 3 < radius < 45)
         self.keep_picture("applied")
 

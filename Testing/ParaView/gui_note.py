@@ -21,6 +21,7 @@ def write(view):
     if organ is not None:
         organ.UpdatePropertyInformation()
         state.update({
+            "placed": in_panel(organ, "SeedCenter"), "sized": in_panel(organ, "SeedRadius"),
             "center": list(organ.SeedCenter), "radius": organ.SeedRadius, "stop": organ.StopReason,
             "intersections": organ.NumberOfSelfIntersections,
             "points": organ.GetDataInformation().GetNumberOfPoints(),
@@ -31,6 +32,12 @@ def write(view):
     with open(NOTE + ".part", "w", encoding="utf-8") as file:
         json.dump(state, file)
     os.rename(NOTE + ".part", NOTE)
+
+
+def in_panel(organ, name):
+    """What the panel shows, applied or not."""
+    item = organ.SMProxy.GetProperty(name)
+    return [item.GetUncheckedElement(index) for index in range(item.GetNumberOfUncheckedElements())]
 
 
 def shown(view, source, port):
