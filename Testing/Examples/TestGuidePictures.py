@@ -1,4 +1,4 @@
-"""The pictures of the guide: each is drawn, and the overlaps printed with them are what the guide says of them.
+"""The pictures of the guide: each is drawn, with good settings agreeing better than bad ones.
 
   TestGuidePictures.py EXAMPLES FOLDER
 """

@@ -1,6 +1,6 @@
 """Sessions at ParaView's window: the filter from the quick launch, the sphere placed and sized by mouse and keyboard,
-Apply, undo, and the iterations as frames; and the ready trace of Examples/ParaView, loaded. Pictures, of failures too, are
-left in the folder FLIPFREE_GUI_PICTURES, if that is set."""
+Apply, undo, and the iterations as frames; and the ready trace of Examples/ParaView, loaded. Pictures, of failures too,
+are left in the folder FLIPFREE_GUI_PICTURES, if that is set."""
 
 import json
 import math

@@ -17,8 +17,8 @@ GROUPS = ("sources", "filters", "writers")
 
 def modules():
     """Of the plugin; without ITK it has fewer."""
-    return {re.match(r"libFlipFree(\w+)\.so", os.path.basename(library)).group(1)
-            for library in glob.glob(os.path.join(os.environ["FLIPFREE_BUILD"], "**", "libFlipFree*.so"), recursive=True)}
+    libraries = glob.glob(os.path.join(os.environ["FLIPFREE_BUILD"], "**", "libFlipFree*.so"), recursive=True)
+    return {re.match(r"libFlipFree(\w+)\.so", os.path.basename(library)).group(1) for library in libraries}
 
 
 def descriptions():
