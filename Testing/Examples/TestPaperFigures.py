@@ -46,7 +46,7 @@ class TestPaperFigures(unittest.TestCase):
             self.assertRegex(self.drawn.stdout, pattern)
 
     @unittest.skipUnless(os.path.exists(os.path.join(DATA, "cases.csv")),
-                         f"'{DATA}' has no cases.csv; FLIPFREE_DATA_DIR names the folder of volumes")
+                         f"'{DATA}' has no cases.csv; FLIPFREE_DATA_DIR names the folder of it")
     def test_of_real_volumes(self):
         folder = os.path.join(FOLDER, "real")
         process = draw(folder, "--data", DATA, "--only", "5", "--only", "6", "--scale", "0.5")

@@ -1,5 +1,6 @@
 """Progress is seen, by the filter's observers and by ParaView, and an abort stops a segmentation at its next report,
-with empty outputs and a reason. ParaView 5.11 has no abort of its own: the button beside its progress bar stays disabled."""
+with empty outputs and a reason. ParaView 5.11 has no abort of its own: the button beside its progress bar stays
+disabled."""
 
 import time
 

@@ -1,5 +1,5 @@
-"""In ParaView's window, for TestGui.py: after each drawing of a view, a note of its size and of what the segmentation is
-by then, in the file FLIPFREE_GUI_NOTE."""
+"""In ParaView's window, for TestGui.py: after each drawing of a view, a note of its size and of what the segmentation
+is by then, in the file FLIPFREE_GUI_NOTE."""
 
 import json
 import os

@@ -12,7 +12,7 @@ from example import RADIUS, SEED, image, liver, needs_files, start_python
 
 ENDLESS = {"maximum_iterations": 100000, "change_tolerance": -1, "distance_tolerance": 0}
 
-# For programs that get Ctrl-C in the midst of it, however busy the machine: they send it themselves.
+# For programs that get Ctrl-C in the midst of it, however busy the machine is: from themselves.
 INTERRUPT_AT_50 = """
 import os, signal
 told = []
