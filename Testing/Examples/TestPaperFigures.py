@@ -13,24 +13,29 @@ import unittest
 EXAMPLES, FOLDER = sys.argv[1:3]
 
 
-def draw(*arguments):
+DATA = os.environ.get("FLIPFREE_DATA_DIR", "")
+
+
+def draw(folder, *arguments):
     return subprocess.run([sys.executable, os.path.join(EXAMPLES, "Python", "paper_figures.py"),
-                           FOLDER, *arguments], stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
-                          stderr=subprocess.PIPE, text=True, timeout=1200)
+                           folder, *arguments], stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+                          stderr=subprocess.PIPE, text=True)
 
 
 class TestPaperFigures(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         shutil.rmtree(FOLDER, ignore_errors=True)
-        cls.drawn = draw("--scale", "0.72")  # once, since the level set takes its time
+        cls.drawn = draw(FOLDER, "--scale", "0.72")
+
+    def assert_pictures(self, folder, numbers):
+        for number in numbers:
+            # An empty view compresses to next to nothing.
+            self.assertGreater(os.path.getsize(os.path.join(folder, f"figure-{number}.png")), 12000)
 
     def test_all_figures(self):
-        process = self.drawn
-        self.assertEqual((process.returncode, process.stderr), (0, ""))
-        for number in range(1, 7):
-            # An empty view compresses to next to nothing.
-            self.assertGreater(os.path.getsize(os.path.join(FOLDER, f"figure-{number}.png")), 12000)
+        self.assertEqual((self.drawn.returncode, self.drawn.stderr), (0, ""))
+        self.assert_pictures(FOLDER, range(1, 7))
         for pattern in (r"naive, 4 iterations: [1-9]\d\d+ self-intersections",
                         r"naive, steps of 1 mm, 100 iterations: [1-9]\d\d+ self-intersections",
                         r"d  FlipFree: 0 self-intersections",
@@ -38,13 +43,27 @@ class TestPaperFigures(unittest.TestCase):
                         r"liver \(phantom\), published: Dice 0\.\d+, .* [1-9]\d+ self-intersections",
                         r"spleen \(phantom\): Dice 0\.9\d+, .* 0 self-intersections",
                         r"vessel \(phantom\): Dice 0\.[89]\d+, .* 0 self-intersections"):
+            self.assertRegex(self.drawn.stdout, pattern)
+
+    @unittest.skipUnless(os.path.exists(os.path.join(DATA, "cases.csv")),
+                         f"'{DATA}' has no cases.csv; FLIPFREE_DATA_DIR names the folder of it")
+    def test_of_real_volumes(self):
+        folder = os.path.join(FOLDER, "real")
+        process = draw(folder, "--data", DATA, "--only", "5", "--only", "6", "--scale", "0.5")
+        self.assertEqual((process.returncode, process.stderr), (0, ""))
+        self.assert_pictures(folder, (5, 6))
+        self.assertNotIn("phantom", process.stdout)
+        for pattern in (r"liver, defaults: Dice 0\.9\d+, .* 0 self-intersections",
+                        r"spleen: Dice 0\.[89]\d+, .* 0 self-intersections"):
             self.assertRegex(process.stdout, pattern)
 
     def test_the_gallery_quotes_the_numbers(self):
         """Those of the figures that change first."""
         with open(os.path.join(EXAMPLES, "Gallery", "README.md"), encoding="utf-8") as file:
             gallery = file.read()
-        for count in re.findall(r"naive.*: (\d+) self", self.drawn.stdout):
+        counts = re.findall(r"naive.*: (\d+) self", self.drawn.stdout)
+        self.assertEqual(len(counts), 2)
+        for count in counts:
             self.assertIn(f"{int(count):,}", gallery)
         [dice] = re.findall(r"defaults: Dice (0\.\d+)", self.drawn.stdout)
         self.assertIn(f"Dice {dice}", gallery)
@@ -53,7 +72,7 @@ class TestPaperFigures(unittest.TestCase):
             self.assertRegex(gallery, rf"{method}[^.]*Dice {dice}")
 
     def test_a_folder_without_table_is_refused(self):
-        process = draw("--data", FOLDER)
+        process = draw(FOLDER, "--data", FOLDER)
         self.assertEqual(process.returncode, 2)
         self.assertIn("there is no cases.csv in", process.stderr)
 

@@ -36,6 +36,13 @@ STAGES = {
     "overlap": "MeasureOverlap",
     "surface distance": "MeasureSurfaceDistance",
 }
+# Stages that choose their vectors' width by the machine.
+VECTORISED = {"prefilter"}
+
+
+def has_avx2() -> bool:
+    """Whether this machine has the vectors with which the record was made."""
+    return " avx2 " in Path("/proc/cpuinfo").read_text()
 
 
 def count(program: str) -> dict[str, int]:
@@ -89,6 +96,9 @@ def main() -> int:
     failed = []
     print(f"{'stage':24}{'million':>12}{'on record':>12}{'ratio':>8}")
     for stage, number in counts.items():
+        if stage in VECTORISED and not has_avx2():
+            print(f"{stage:24}{number / 1e6:12.1f}  not compared: this machine has no AVX2")
+            continue
         if stage not in expected:
             sys.exit(f"{stage} is not on record in {reference}; renew it: --renew")
         ratio = number / expected[stage]

@@ -1,7 +1,8 @@
 """Packs the build tree as a Debian package, reads its control fields and contents by dpkg-deb,
 unpacks it elsewhere, and works from there in the shell, in Python and in C++.
 
-  TestDebianPackage.py BUILD_TREE SOURCE_TREE WORK_FOLDER VTK_DIR CXX_COMPILER VERSION
+  TestDebianPackage.py BUILD_TREE SOURCE_TREE WORK_FOLDER PYTHON_DESTINATION VTK_DIR CXX_COMPILER \
+      VERSION
 """
 
 import os
@@ -11,8 +12,8 @@ import subprocess
 import sys
 import unittest
 
-BUILD, SOURCE, WORK, VTK, COMPILER, VERSION = sys.argv[1:7]
-LIBRARIES = ("Evaluation", "Imaging", "Phantoms", "Segmentation")
+BUILD, SOURCE, WORK, PYTHON, VTK, COMPILER, VERSION = sys.argv[1:8]
+LIBRARIES = ("Baselines", "Evaluation", "Imaging", "Phantoms", "Segmentation")
 
 
 def run(*arguments, **options):
@@ -75,7 +76,7 @@ class TestDebianPackage(unittest.TestCase):
                      "usr/include/flipfree/vtkFlipFreeSegmentation.h",
                      "usr/lib/cmake/FlipFree/FlipFreeConfig.cmake",
                      "usr/lib/cmake/FlipFree/FlipFreeConfigVersion.cmake",
-                     "usr/lib/python3.11/dist-packages/flipfree/__init__.py",
+                     f"usr/{PYTHON}/flipfree/__init__.py",
                      "usr/share/bash-completion/completions/flipfree",
                      "usr/share/doc/flipfree/CHANGELOG.md",
                      "usr/share/doc/flipfree/README.md",
@@ -114,7 +115,7 @@ class TestDebianPackage(unittest.TestCase):
         """In the shell, in Python and in C++, as the readme says."""
         run(sys.executable, os.path.join(os.path.dirname(__file__), "TestReadme.py"),
             os.path.join(self.tree, "usr/share/doc/flipfree/README.md"),
-            os.path.join(self.tree, "usr"), VTK, COMPILER)
+            os.path.join(self.tree, "usr"), PYTHON, VTK, COMPILER)
 
 
 if __name__ == "__main__":

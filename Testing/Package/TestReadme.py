@@ -1,6 +1,6 @@
 """Follows the readme's first segmentation in the shell, in C++ and in Python, on an installed package.
 
-  TestReadme.py README PREFIX VTK_DIR CXX_COMPILER
+  TestReadme.py README PREFIX PYTHON_DESTINATION VTK_DIR CXX_COMPILER
 """
 
 import os
@@ -42,11 +42,11 @@ def write(folder, name, text):
         file.write(text)
 
 
-def main(readme, prefix, vtk, compiler):
+def main(readme, prefix, python, vtk, compiler):
     with open(readme, encoding="utf-8") as file:
         text = file.read()
     environment = dict(os.environ, PATH=os.path.join(prefix, "bin") + ":" + os.environ["PATH"],
-                       PYTHONPATH=os.path.join(prefix, "lib", "python3.11", "dist-packages"),
+                       PYTHONPATH=os.path.join(prefix, python),
                        CMAKE_PREFIX_PATH=prefix, CXX=compiler)
     with tempfile.TemporaryDirectory(prefix="flipfree-readme-") as folder:
         output = run(["bash", "-e", "-c", block(text, "### Shell", "sh")], folder, environment)

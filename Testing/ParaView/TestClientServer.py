@@ -3,12 +3,20 @@
 import os
 import socket
 import subprocess
+import threading
 
 import session
 from paraview import servermanager, simple
 from session import column, fetch, points, voxels
 
 PVSERVER = os.path.join(os.environ["FLIPFREE_BUILD"] + "-prefix", "usr", "bin", "pvserver")
+
+# The server tells a client of each report, of which it else passes over those within a tenth of a second of the last.
+TELL_ALL = """
+from paraview.servermanager import vtkProcessModule
+handler = vtkProcessModule.GetProcessModule().GetSession().GetProgressHandler()
+handler.SetProgressInterval(handler.GetProgressIntervalMinValue())
+"""
 
 
 def free_port():
@@ -17,43 +25,82 @@ def free_port():
         return probe.getsockname()[1]
 
 
+class Server:
+    """A pvserver, of which a thread reads what it says, to its end."""
+
+    def __init__(self):
+        self.port = free_port()
+        self.said = []
+        self.turned = threading.Event()  # ready, or at its end
+        self.process = subprocess.Popen([PVSERVER, f"--server-port={self.port}", "--force-offscreen-rendering"],
+                                        stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                                        text=True)
+        self.reader = threading.Thread(target=self.read, daemon=True)
+        self.reader.start()
+
+    def read(self):
+        with self.process.stdout as output:
+            for line in output:
+                self.said.append(line)
+                if "Accepting connection" in line:
+                    self.turned.set()
+        self.turned.set()
+
+    def is_ready(self, seconds):
+        return self.turned.wait(seconds) and self.process.poll() is None and "Accepting connection" in self.text()
+
+    def text(self):
+        return "".join(self.said)
+
+    def stop(self):
+        self.process.terminate()
+        self.process.wait(20)
+        self.reader.join(20)
+
+
 class ClientServer(session.SessionTest):
+    @classmethod
+    def setUpClass(cls):
+        alone = session.segmentation(session.abdomen(), Resolution=16)
+        cls.expected = [points(fetch(alone)), voxels(fetch(alone, 1)), column(fetch(alone, 2), "MeanDistance")]
+
+        server = Server()
+        if not server.is_ready(120):
+            server.stop()
+            raise AssertionError(f"pvserver does not answer; it said: {server.text()}")
+        simple.Connect("127.0.0.1", server.port)
+        # From here on it ends with this process, which would complain if it ended before.
+        plugins = servermanager.vtkSMProxyManager.GetProxyManager().GetPluginManager()
+        if not plugins.FulfillPluginRequirements(servermanager.ActiveConnection.Session, True):
+            raise AssertionError(f"the server has another set of plugins; it said: {server.text()}")
+
     def setUp(self):
         super().setUp()
-        self.port = free_port()
-        self.server = subprocess.Popen([PVSERVER, f"--server-port={self.port}", "--force-offscreen-rendering"],
-                                       stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
-                                       text=True)
-        self.addCleanup(self.stop_server)
-        for line in self.server.stdout:
-            if "Accepting connection" in line:
-                break
-
-    def stop_server(self):
-        """Connected, it ends with this process, which would complain if it ended before."""
-        if not servermanager.ActiveConnection.IsRemote():
-            self.server.terminate()
-            self.server.wait(20)
-        self.server.stdout.close()
+        self.assertTrue(servermanager.ActiveConnection.IsRemote())
 
     def test_same_surface_as_without_a_server(self):
-        alone = session.segmentation(session.abdomen(), Resolution=16)
-        expected = [points(fetch(alone)), voxels(fetch(alone, 1)), column(fetch(alone, 2), "MeanDistance")]
-
-        simple.Connect("127.0.0.1", self.port)
-        self.assertTrue(servermanager.ActiveConnection.IsRemote())
-        plugins = servermanager.vtkSMProxyManager.GetProxyManager().GetPluginManager()
-        self.assertTrue(plugins.FulfillPluginRequirements(servermanager.ActiveConnection.Session, True))
         remote = session.segmentation(session.abdomen(), Resolution=16, KeepHistory=1)
         self.assertIsNone(remote.GetClientSideObject())  # it is the server's
         remote.UpdatePipeline(1000)
-        self.assert_same(points(servermanager.Fetch(remote)), expected[0])
-        self.assert_same(voxels(servermanager.Fetch(remote, idx=1)), expected[1])
-        self.assert_same(column(servermanager.Fetch(remote, idx=2), "MeanDistance"), expected[2])
+        self.assert_same(points(servermanager.Fetch(remote)), self.expected[0])
+        self.assert_same(voxels(servermanager.Fetch(remote, idx=1)), self.expected[1])
+        self.assert_same(column(servermanager.Fetch(remote, idx=2), "MeanDistance"), self.expected[2])
         remote.UpdatePipelineInformation()
-        self.assertEqual(list(remote.TimestepValues), list(range(1, len(expected[2]) + 1)))
+        self.assertEqual(list(remote.TimestepValues), list(range(1, len(self.expected[2]) + 1)))
         remote.UpdatePropertyInformation()
         self.assertEqual([remote.StopReason, remote.NumberOfSelfIntersections], ["at rest", 0])
+
+    def test_progress_reaches_the_client(self):
+        simple.ProgrammableSource(Script=TELL_ALL).UpdatePipeline()
+        image = session.abdomen()
+        image.UpdatePipeline()
+        remote = session.segmentation(image)
+        progress = session.Progress("vtkFlipFreeSegmentation")
+        self.addCleanup(progress.remove)
+        remote.UpdatePipeline()
+        self.assertGreater(len(progress.told), 10)
+        self.assertEqual(progress.told, sorted(progress.told))
+        self.assertEqual(progress.told[-1], 100)
 
 
 if __name__ == "__main__":

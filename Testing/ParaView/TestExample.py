@@ -1,19 +1,21 @@
-"""The ready example runs on a volume of one's own, draws what it says, and leaves a state that restores."""
+"""The ready example runs on a volume of one's own, draws what it says, and leaves a state that restores, as the ready
+state does. TestGui.py loads the example as a state."""
 
 import os
+import re
 import subprocess
 
 import session
 from paraview import simple
 from session import fetch
 
-SOURCE = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..")
+EXAMPLES = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "Examples", "ParaView")
 PVBATCH = os.path.join(os.environ["FLIPFREE_BUILD"] + "-prefix", "usr", "bin", "pvbatch")
 
 
 class Example(session.SessionTest):
     def run_example(self, *arguments):
-        script = os.path.join(SOURCE, "Examples", "ParaView", "segment-organ.py")
+        script = os.path.join(EXAMPLES, "segment-organ.py")
         return subprocess.run([PVBATCH, script, *map(str, arguments)], stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
                               stderr=subprocess.STDOUT, text=True, timeout=200)
 
@@ -30,13 +32,39 @@ class Example(session.SessionTest):
         self.assertTrue(any(red > 1.3 * blue and red > 150 for red, green, blue in colors))  # the organ
         self.assertIn((255, 255, 255), colors)  # the chart
 
+        organ = self.load(state)
+        self.assertEqual([*organ.SeedCenter, organ.SeedRadius], [*session.SEED, session.RADIUS])
+        self.assertEqual(fetch(organ).GetNumberOfPoints(), 6144)
+
+    def load(self, state):
+        """The segmentation in it."""
         simple.ResetSession()
         simple.LoadState(state)
         self.addCleanup(lambda: [simple.Delete(view) for view in simple.GetViews()])
-        organ = simple.FindSource("Organ")
-        self.assertEqual([*organ.SeedCenter, organ.SeedRadius], [*session.SEED, session.RADIUS])
-        self.assertEqual(fetch(organ).GetNumberOfPoints(), 6144)
         self.assertIsNotNone(simple.FindSource("Axial"))
+        return simple.FindSource("Organ")
+
+    def test_ready_state(self):
+        state = os.path.join(EXAMPLES, "segment-organ.pvsm")
+        organ = self.load(state)
+        self.assertEqual([*organ.SeedCenter, organ.SeedRadius], [*session.SEED, session.RADIUS])
+        surface = fetch(organ)
+        organ.UpdatePropertyInformation()
+        self.assertEqual([organ.StopReason, organ.NumberOfSelfIntersections], ["at rest", 0])
+        by_hand = session.segmentation(session.abdomen())
+        self.assert_same(session.points(surface), session.points(fetch(by_hand)))
+        for view in simple.GetViews():
+            simple.Render(view)
+        views = {view.GetXMLName(): view for view in simple.GetViews()}
+        self.assertEqual(sorted(views), ["RenderView", "XYChartView"])
+        shown = simple.GetDisplayProperties(simple.OutputPort(organ, 0), views["RenderView"])
+        self.assertEqual([shown.Visibility, shown.Representation], [1, "Surface With Edges"])
+
+    def test_ready_state_names_no_file(self):
+        with open(os.path.join(EXAMPLES, "segment-organ.pvsm"), encoding="utf-8") as file:
+            text = file.read()
+        self.assertIn('version="5.11.0"', text[:200])
+        self.assertEqual(re.findall(r'value="(?:/[^"/]|file:)[^"]*"', text), [])
 
     def test_says_what_is_missing(self):
         result = self.run_example("ct.nii.gz")

@@ -10,7 +10,24 @@ import session
 from paraview import servermanager
 
 PLUGIN = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "Wrapping", "ParaView", "Plugin")
+# Modules that are described in a file of another name than theirs.
+MODULES = {"Stages": "Segmentation"}
 GROUPS = ("sources", "filters", "writers")
+
+
+def modules():
+    """Of the plugin; without ITK it has fewer."""
+    libraries = glob.glob(os.path.join(os.environ["FLIPFREE_BUILD"], "**", "libFlipFree*.so"), recursive=True)
+    return {re.match(r"libFlipFree(\w+)\.so", os.path.basename(library)).group(1) for library in libraries}
+
+
+def descriptions():
+    """The XML files of those modules."""
+    there = modules()
+    for file in glob.glob(os.path.join(PLUGIN, "*.xml")):
+        name = os.path.splitext(os.path.basename(file))[0]
+        if MODULES.get(name, name) in there:
+            yield file
 
 
 def proxies():
@@ -69,9 +86,9 @@ def other_values(item):
 class Proxies(session.SessionTest):
     def test_all_are_there(self):
         written = [(group.get("name"), proxy.get("name"))
-                   for file in glob.glob(os.path.join(PLUGIN, "*.xml"))
+                   for file in descriptions()
                    for group in ElementTree.parse(file).getroot() for proxy in group]
-        self.assertGreater(len(written), 10)
+        self.assertIn(("filters", "FlipFreeSegmentation"), written)
         self.assertEqual(sorted(proxies()), sorted(written))
 
     def test_each_property_reaches_the_filter(self):
@@ -94,7 +111,7 @@ class Proxies(session.SessionTest):
                             self.assertEqual([kind(word) for word in after[:len(values)]], values)
                         self.assertEqual(elements(item), values)
                         checked += 1
-        self.assertGreater(checked, 100)
+        self.assertGreater(checked, 80)
 
     def test_ports_have_names(self):
         ports = {"FlipFreeSegmentation": ["Surface", "Label map", "Convergence"],

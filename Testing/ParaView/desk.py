@@ -16,6 +16,12 @@ class WindowAttributes(ctypes.Structure):
                 ("rest", ctypes.c_byte * 64)]
 
 
+@ctypes.CFUNCTYPE(ctypes.c_int, ctypes.c_void_p, ctypes.c_void_p)
+def go_on(_display, _error):
+    """A window may be gone by the time it is asked for its size; X11's own handler would end the program."""
+    return 0
+
+
 class Desk:
     def __init__(self):
         self.x11 = ctypes.CDLL("libX11.so.6")
@@ -23,6 +29,7 @@ class Desk:
         self.x11.XOpenDisplay.restype = ctypes.c_void_p
         self.x11.XDefaultRootWindow.restype = ctypes.c_ulong
         self.x11.XStringToKeysym.restype = ctypes.c_ulong
+        self.x11.XSetErrorHandler(go_on)
         self.display = ctypes.c_void_p(self.x11.XOpenDisplay(None))
         if not self.display:
             raise RuntimeError("No X11 display " + os.environ.get("DISPLAY", "(DISPLAY is not set)"))
@@ -36,8 +43,8 @@ class Desk:
         found = []
         for index in range(count.value):
             shape = WindowAttributes()
-            self.x11.XGetWindowAttributes(self.display, ctypes.c_ulong(children[index]), ctypes.byref(shape))
-            if shape.map_state == 2:
+            known = self.x11.XGetWindowAttributes(self.display, ctypes.c_ulong(children[index]), ctypes.byref(shape))
+            if known and shape.map_state == 2:
                 found.append((shape.width, shape.height, children[index]))
         if count.value:
             self.x11.XFree(children)

@@ -45,6 +45,25 @@ def column(table, name):
     return vtk_to_numpy(table.GetColumnByName(name)).copy()
 
 
+class Progress:
+    """What ParaView's progress bar is told of a filter, in percent."""
+
+    def __init__(self, filter_class):
+        self.told = []
+        self.handler = servermanager.ActiveConnection.Session.GetProgressHandler()
+        self.handler.SetProgressInterval(self.handler.GetProgressIntervalMinValue())
+        self.filter_class = filter_class
+        self.tag = self.handler.AddObserver("ProgressEvent", self.note)
+
+    def note(self, *_):
+        if self.handler.GetLastProgressText() == self.filter_class:
+            self.told.append(self.handler.GetLastProgress())
+
+    def remove(self):
+        self.handler.RemoveObserver(self.tag)
+        self.handler.SetProgressInterval(0.1)  # ParaView's own
+
+
 class SessionTest(unittest.TestCase):
     """Each test starts with an empty pipeline and has a folder of its own."""
 

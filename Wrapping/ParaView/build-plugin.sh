@@ -27,9 +27,20 @@ mkdir -p "$folder"
 folder=$(cd -P "$folder" && pwd)
 
 options=("$@")
-if [[ " $* " != *" -DParaView_DIR="* ]]; then
+gets_paraview=true
+for option in "$@"; do
+  if [[ $option == -DParaView_DIR[:=]* ]]; then
+    gets_paraview=false
+  fi
+done
+if $gets_paraview; then
   "$root/Wrapping/Setup/install-paraview.sh" "$folder-prefix"
   config=$(find "$folder-prefix/usr/lib" -name paraview-config.cmake -print -quit)
+  if [[ -z $config ]]; then
+    echo "There is no paraview-config.cmake in $folder-prefix/usr/lib, although ParaView was unpacked there; remove" \
+      "$folder-prefix and try again." >&2
+    exit 1
+  fi
   options+=("-DParaView_DIR=$(dirname "$config")")
 fi
 
@@ -38,6 +49,6 @@ cmake --build "$folder" --parallel "${FLIPFREE_JOBS:-$(nproc)}"
 
 plugin=$(find "$folder" -name FlipFree.so -print -quit)
 echo "The plugin is $plugin."
-if [[ -d $folder-prefix ]]; then
+if $gets_paraview; then
   echo "Start ParaView with it: FLIPFREE_BUILD=$folder $here/with-paraview.sh paraview"
 fi

@@ -37,6 +37,16 @@ export LD_LIBRARY_PATH=$libraries${LD_LIBRARY_PATH:+:$LD_LIBRARY_PATH}
 export PYTHONPATH=$prefix/usr/lib/python3/dist-packages${PYTHONPATH:+:$PYTHONPATH}
 export PV_PLUGIN_PATH=${plugin%/*}${PV_PLUGIN_PATH:+:$PV_PLUGIN_PATH}
 
+# The plugin's folder is named after the ParaView that it was built for. Asked is the server, which wants no display.
+built_for=$(sed -n 's,.*/paraview-\([0-9.]*\)/plugins/.*,\1,p' <<<"$plugin")
+started=$("$prefix/usr/bin/pvserver" --version 2>/dev/null | sed -n 's/^paraview version //p' || true)
+if [[ $started. != "$built_for".* ]]; then
+  echo "The plugin $plugin was built for ParaView ${built_for:-of an unknown version}, and $prefix holds ParaView" \
+    "${started:-of an unknown version}: it would not load. Remove $prefix and build the plugin again," \
+    "by Wrapping/ParaView/build-plugin.sh $build." >&2
+  exit 1
+fi
+
 if [[ -z ${DISPLAY:-} ]]; then
   export LIBGL_ALWAYS_SOFTWARE=1
   exec xvfb-run --auto-servernum --server-args="-screen 0 1280x1024x24 -noreset" "$program" "$@"

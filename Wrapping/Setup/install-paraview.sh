@@ -30,7 +30,24 @@ packages=(paraview paraview-dev python3-paraview)
 
 mkdir -p "$folder"
 folder=$(cd -P "$folder" && pwd)
-if [[ -f $folder/complete ]]; then
+as_root=()
+if ((EUID != 0)); then
+  as_root=(sudo)
+fi
+
+# What ParaView's programs depend on, as its package says. Where all of it is there, nothing is asked of the network.
+satisfy() {
+  local plan
+  if plan=$(apt-get satisfy --simulate --no-install-recommends "$1" 2>&1) && ! grep --quiet '^Inst ' <<<"$plan"; then
+    return
+  fi
+  "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive \
+    apt-get satisfy --quiet --yes --no-install-recommends -o DPkg::Lock::Timeout=600 "$1"
+}
+
+# A folder that was kept elsewhere, as a cache, may be on a machine without what ParaView needs.
+if [[ -f $folder/complete && -f $folder/depends ]]; then
+  satisfy "$(<"$folder/depends")"
   echo "ParaView is there: $(cat "$folder/complete"), in $folder."
   exit 0
 fi
@@ -47,13 +64,8 @@ echo "Downloading: ${packages[*]}"
 # As the user who asks: apt's own would not get into a private folder.
 (cd "$downloads" && apt-get --quiet=2 -o APT::Sandbox::User="$(id -un)" download "${packages[@]}")
 
-as_root=()
-if ((EUID != 0)); then
-  as_root=(sudo)
-fi
-"${as_root[@]}" env DEBIAN_FRONTEND=noninteractive \
-  apt-get satisfy --quiet --yes --no-install-recommends -o DPkg::Lock::Timeout=600 \
-  "$(dpkg-deb --field "$downloads"/paraview_*.deb Depends)"
+dpkg-deb --field "$downloads"/paraview_*.deb Depends >"$folder/depends"
+satisfy "$(<"$folder/depends")"
 
 for archive in "$downloads"/*.deb; do
   dpkg-deb --extract "$archive" "$folder"
