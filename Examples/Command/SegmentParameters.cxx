@@ -101,6 +101,10 @@ void SegmentParameters::AddOptions(CLI::App& command)
     "Keep the surface from meeting itself (default: on); without, nothing is promised",
     &Filter::SetGuard);
 
+  this->Add(command, Finer, "--diffusion-equation", "N",
+    "How edges are kept: 0 by differences across faces, 1 and 2 by ITK's gradient and curvature "
+    "equations",
+    &Filter::GetDiffusionEquation, &Filter::SetDiffusionEquation);
   this->Add(command, Finer, "--threshold,--feature-threshold", "G",
     "Gamma of Eq. 2, 0 to 1; 0: from the foreground's mass", &Filter::GetFeatureThreshold,
     &Filter::SetFeatureThreshold);
