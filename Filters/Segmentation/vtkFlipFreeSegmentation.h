@@ -27,8 +27,9 @@
  * Errors: no scalars, several components, an empty image, voxels that are not finite near the seed,
  * a seed outside the image, a radius below a voxel, a seed without contrast to its surroundings, a
  * start surface that is open, not four-valent or self-intersecting. Each is reported once; the
- * outputs are then empty. Warnings, with a result all the same: a seed sphere that reaches beyond the
- * image, no boundary found, a surface that could not be refined or that has got to the end of Reach.
+ * outputs are then empty. Warnings, with a result all the same: a seed sphere that reaches beyond
+ * the image, no boundary found, a surface that could not be refined or that has got to the end of
+ * Reach.
  *
  * Source: the paper, Algorithm 1 and sections 3.1 to 3.6; remedies beyond it carry their own
  * switch.
