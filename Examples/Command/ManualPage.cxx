@@ -129,8 +129,8 @@ std::string ManualPage(const std::vector<CommandEntry>& table, const std::string
 {
   const CommandEntry& program = table.front();
   std::ostringstream page;
-  page << ".TH FLIPFREE 1 \"\" \"" << Roff(version) << "\" \"User Commands\"\n"
-       << ".SH NAME\n"
+  page << R"(.TH FLIPFREE 1 "" ")" << Roff(version) << R"(" "User Commands")"
+       << "\n.SH NAME\n"
        << program.Name << " \\- segment soft organs in CT and MR volumes\n"
        << ".SH SYNOPSIS\n";
   for (std::size_t command = 1; command < table.size(); ++command)
