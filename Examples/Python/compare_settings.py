@@ -14,7 +14,6 @@ import time
 import flipfree
 import inputs
 import scene
-from vtkmodules.vtkCommonCore import vtkLookupTable
 
 SETTINGS = {
     "with the guard": {"guard": True},
@@ -55,21 +54,7 @@ def with_defects(organ):
     validity = flipfree.vtkSurfaceValidity()
     validity.SetInputData(organ.surface)
     validity.Update()
-    surface = validity.GetOutput()
-    colours = vtkLookupTable()
-    colours.SetNumberOfTableValues(2)
-    colours.SetTableValue(0, 0.78, 0.74, 0.68, 1)
-    colours.SetTableValue(1, 0.90, 0.10, 0.10, 1)
-    actor = scene.surface_actor(surface, edges=True)
-    mapper = actor.GetMapper()
-    mapper.ScalarVisibilityOn()
-    mapper.SetScalarModeToUseCellFieldData()
-    mapper.SelectColorArray("Defects")
-    mapper.SetLookupTable(colours)
-    mapper.SetColorModeToMapScalars()
-    mapper.SetScalarRange(0, validity.SELF_INTERSECTING)
-    actor.GetProperty().SetEdgeColor(0.35, 0.33, 0.30)
-    return actor
+    return scene.defect_actor(validity.GetOutput(), (0.78, 0.74, 0.68), validity.SELF_INTERSECTING)
 
 
 if arguments.picture:

@@ -20,7 +20,7 @@ import numpy as np
 import scene
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkChartsCore import vtkAxis, vtkChart, vtkChartXY
-from vtkmodules.vtkCommonCore import vtkLookupTable, vtkPoints
+from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkImageData, vtkPolyData, vtkTable
 from vtkmodules.vtkFiltersCore import vtkGlyph3D, vtkWindowedSincPolyDataFilter
 from vtkmodules.vtkFiltersGeneral import vtkDiscreteFlyingEdges3D
@@ -32,7 +32,6 @@ from vtkmodules.vtkRenderingCore import vtkRenderer
 SAND = (0.95, 0.90, 0.80)
 PATTERN_BLUE = (0.25, 0.45, 0.68)
 GREEN = (0.45, 0.75, 0.50)
-RED = (0.90, 0.10, 0.10)
 FROM_ABOVE = (-2, -3, 3.5)  # into the cup
 
 
@@ -192,20 +191,7 @@ def defect_actor(surface):
     validity = flipfree.vtkSurfaceValidity()
     validity.SetInputData(surface)
     flipfree.update(validity)
-    colours = vtkLookupTable()
-    colours.SetNumberOfTableValues(2)
-    colours.SetTableValue(0, *SAND, 1)
-    colours.SetTableValue(1, *RED, 1)
-    actor = scene.surface_actor(validity.GetOutput(), edges=True)
-    mapper = actor.GetMapper()
-    mapper.ScalarVisibilityOn()
-    mapper.SetScalarModeToUseCellFieldData()
-    mapper.SelectColorArray("Defects")
-    mapper.SetLookupTable(colours)
-    mapper.SetColorModeToMapScalars()
-    mapper.SetScalarRange(0, validity.SELF_INTERSECTING)
-    actor.GetProperty().SetEdgeColor(0.35, 0.33, 0.30)
-    return actor
+    return scene.defect_actor(validity.GetOutput(), SAND, validity.SELF_INTERSECTING)
 
 
 def truth_of(case):
@@ -374,7 +360,7 @@ def figure_3(path, _):
         count = organ.self_intersections
         print(f"{caption}: {count} self-intersections")
         views.append(scene.space_view([defect_actor(organ.surface)],
-                                      [(f"{count} self-intersections", RED if count else GREEN),
+                                      [(f"{count} self-intersections", scene.RED if count else GREEN),
                                        (caption, (0.92, 0.92, 0.92))], FROM_ABOVE))
     draw(path, [views], size=420)
 

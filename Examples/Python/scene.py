@@ -7,6 +7,7 @@ the left, the back at the bottom of an axial slice, the head at the top of a cor
 # To import these is to choose the classes that draw.
 import vtkmodules.vtkRenderingFreeType  # noqa: F401
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
+from vtkmodules.vtkCommonCore import vtkLookupTable
 from vtkmodules.vtkCommonDataModel import vtkPlane
 from vtkmodules.vtkFiltersCore import (
     vtkCutter,
@@ -30,6 +31,7 @@ from vtkmodules.vtkRenderingCore import (
 INK = (0.045, 0.05, 0.06)
 FRAME = (0.2, 0.21, 0.24)
 LIVER = (0.86, 0.42, 0.33)
+RED = (0.90, 0.10, 0.10)
 YELLOW = (1.0, 0.76, 0.2)
 BLUE = (0.35, 0.65, 1.0)
 FINER = 2  # drawn so many times as large and scaled down, for smooth lines
@@ -62,6 +64,24 @@ def surface_actor(surface, colour=LIVER, opacity=1.0, edges=False):
         look.EdgeVisibilityOn()
         look.SetEdgeColor([0.5 * part for part in colour])
         look.SetLineWidth(1.2 * FINER / 2)
+    return actor
+
+
+def defect_actor(surface, colour, mark):
+    """A surface with its edges, of which vtkSurfaceValidity has marked faces: these are red."""
+    colours = vtkLookupTable()
+    colours.SetNumberOfTableValues(2)
+    colours.SetTableValue(0, *colour, 1)
+    colours.SetTableValue(1, *RED, 1)
+    actor = surface_actor(surface, edges=True)
+    mapper = actor.GetMapper()
+    mapper.ScalarVisibilityOn()
+    mapper.SetScalarModeToUseCellFieldData()
+    mapper.SelectColorArray("Defects")
+    mapper.SetLookupTable(colours)
+    mapper.SetColorModeToMapScalars()
+    mapper.SetScalarRange(0, mark)
+    actor.GetProperty().SetEdgeColor(0.35, 0.33, 0.30)
     return actor
 
 
