@@ -31,7 +31,7 @@ cmake --build --preset release --target flipfree --parallel "$(nproc)"
 # The picture needs a display; a virtual one serves wherever this runs.
 flipfree()
 {
-  LIBGL_ALWAYS_SOFTWARE=1 xvfb-run --auto-servernum --server-args="-screen 0 1280x1024x24" \
+  LIBGL_ALWAYS_SOFTWARE=1 xvfb-run --auto-servernum --server-args="-screen 0 1280x1024x24 -noreset" \
     "$root/build/release/bin/flipfree" "$@"
 }
 

@@ -41,9 +41,11 @@ build()
   cmake --build --preset "$1" --parallel "$jobs"
 }
 
+# The display must not start afresh whenever the last window closes (-noreset): a test that opens one at
+# that very moment would be thrown out.
 run_tests()
 {
-  LIBGL_ALWAYS_SOFTWARE=1 xvfb-run --auto-servernum --server-args="-screen 0 1280x1024x24" \
+  LIBGL_ALWAYS_SOFTWARE=1 xvfb-run --auto-servernum --server-args="-screen 0 1280x1024x24 -noreset" \
     ctest --preset "$1" --parallel "$jobs"
 }
 

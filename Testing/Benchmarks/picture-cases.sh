@@ -16,7 +16,7 @@ mkdir -p "$results"
 
 flipfree()
 {
-  LIBGL_ALWAYS_SOFTWARE=1 xvfb-run --auto-servernum --server-args="-screen 0 1280x1024x24" \
+  LIBGL_ALWAYS_SOFTWARE=1 xvfb-run --auto-servernum --server-args="-screen 0 1280x1024x24 -noreset" \
     "$program" "$@"
 }
 

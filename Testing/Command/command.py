@@ -26,7 +26,7 @@ def without_leak_check():
 
 def with_display(*arguments):
     """The same, with a display where the machine has none."""
-    display = [] if os.environ.get("DISPLAY") else ["xvfb-run", "-a"]
+    display = [] if os.environ.get("DISPLAY") else ["xvfb-run", "-a", "-s", "-screen 0 1280x1024x24 -noreset"]
     # Graphics drivers leak, and are unloaded before their leaks could be told from ours.
     return subprocess.run([*display, PROGRAM, *map(str, arguments)], timeout=120,
                           env=without_leak_check(),

@@ -28,7 +28,7 @@ if ctest --test-dir "$build" -R "$tests" -N | grep -q '^Total Tests: 0'; then
   echo "There is no image test of the name '${2:-}' in $build." >&2
   exit 1
 fi
-LIBGL_ALWAYS_SOFTWARE=1 xvfb-run --auto-servernum --server-args="-screen 0 1280x1024x24" \
+LIBGL_ALWAYS_SOFTWARE=1 xvfb-run --auto-servernum --server-args="-screen 0 1280x1024x24 -noreset" \
   ctest --test-dir "$build" -R "$tests" || true
 
 shopt -s nullglob
