@@ -40,6 +40,10 @@ constexpr double LeastScale = 1.0 / 64;
 // is long is held back as a whole, instead of being sheared where the scale changes.
 constexpr double GreatestShear = 0.25;
 
+// A motion is short when it takes the vertices this far on average, in mean edge lengths: then few
+// pairs are near enough to meet wherever their vertices are held on their ways.
+constexpr double ShortMotion = 0.5;
+
 std::vector<std::array<int, 3>> ListCorners(const FaceList& faces)
 {
   std::vector<std::array<int, 3>> corners;
@@ -148,6 +152,7 @@ struct EmbeddingGuard::Attempt
     , Wanted(displacements)
     , Scales(points.rows(), 1.0)
     , ShearSteps(points.rows(), -1.0)
+    , IsChanged(points.rows(), 0)
     , SafeUntil(points.rows())
     , IsDoubtful(points.rows())
     , Rough(points.rows(), points.row(0))
@@ -213,26 +218,21 @@ struct EmbeddingGuard::Attempt
   std::vector<double> Scales;
   // By how much a vertex's scale may exceed its neighbours'; negative until it is asked for.
   std::vector<double> ShearSteps;
+  std::vector<char> IsChanged; // while scales are lowered; per vertex
   // The part of the motion that the present pass has found certain.
   std::vector<std::atomic<double>> SafeUntil;
   // Parts were found not to be apart at the start, or vertices held back before that was looked at.
   std::atomic<bool> IsStartInDoubt{ false };
   std::vector<std::atomic<char>> IsDoubtful; // per vertex
 
-  // Takes over the present path of a vertex.
-  void UpdateBounds(const Motion& motion, int vertex)
-  {
-    this->Rough.Update(motion, vertex);
-    this->VertexBoxes[vertex] = MotionBox(motion, vertex, this->Gap.Wanted / 2);
-  }
-
   // Vertices whose path changed since a part of the test was last run.
   RoughMotion Rough;
   ChangedVertices ChangedForCorners;
   ChangedVertices ChangedForPairs;
 
-  std::vector<MotionBox> VertexBoxes;
-  std::vector<MotionBox> Boxes; // of the tree's nodes
+  bool IsShort = false;
+  std::vector<MotionBox> VertexBoxes; // of a motion that is not short
+  SpareMemory Spare;
 };
 
 EmbeddingGuard::EmbeddingGuard(const ContourMesh& mesh)
@@ -274,7 +274,7 @@ GuardReport EmbeddingGuard::Limit(const PointList& points, PointList& displaceme
   attempt.Gap.Resolution = RelativeResolution * (points.cwiseAbs().maxCoeff() + greatest);
   attempt.Gap.Wanted = std::max(RelativeGap * attempt.EdgeLength, 2 * attempt.Gap.Resolution);
 
-  this->ExchangeSpareBoxes(attempt);
+  this->ExchangeSpareMemory(attempt);
   while (true)
   {
     ++report.Passes;
@@ -289,7 +289,7 @@ GuardReport EmbeddingGuard::Limit(const PointList& points, PointList& displaceme
     }
     this->ScaleBack(attempt);
   }
-  this->ExchangeSpareBoxes(attempt);
+  this->ExchangeSpareMemory(attempt);
 
   for (Eigen::Index vertex = 0; vertex < points.rows(); ++vertex)
   {
@@ -420,50 +420,8 @@ bool EmbeddingGuard::TestPairs(Attempt& attempt, const ParallelFor& parallelFor)
 {
   const Motion motion = attempt.Path();
   ChangedVertices& changed = attempt.ChangedForPairs;
-  std::vector<MotionBox>& boxes = attempt.Boxes;
-  const auto boxOf = [&](int triangle)
-  {
-    MotionBox box = attempt.VertexBoxes[this->Triangles(triangle, 0)];
-    box.Merge(attempt.VertexBoxes[this->Triangles(triangle, 1)]);
-    box.Merge(attempt.VertexBoxes[this->Triangles(triangle, 2)]);
-    return box;
-  };
-  const auto meet = [&boxes](int node, int other)
-  { return !boxes[node].StaysApartFrom(boxes[other]); };
-  std::atomic<bool> isClean{ true };
-  const auto test = [&](int first, int second)
-  {
-    const std::array<int, 3> one = this->Triangle(first);
-    const std::array<int, 3> two = this->Triangle(second);
-    const QuickProof proof = ProveApart(attempt.Rough, one, two, attempt.Gap.Wanted);
-    if (proof == QuickProof::ApartThroughout)
-    {
-      return;
-    }
-    const double enough = attempt.EnoughFor(one, two);
-    if (enough <= 0 && proof == QuickProof::ApartAtStart)
-    {
-      return;
-    }
-    const double until = ApartUntil(motion, one, two, attempt.Gap, enough);
-    if (!(until >= 1))
-    {
-      attempt.Blame(one, two, until);
-      isClean = false;
-    }
-  };
   if (changed.AreAll)
   {
-    attempt.VertexBoxes.resize(this->Neighbours.size());
-    parallelFor(0, motion.From.rows(),
-      [&](std::ptrdiff_t first, std::ptrdiff_t last)
-      {
-        for (std::ptrdiff_t vertex = first; vertex < last; ++vertex)
-        {
-          attempt.UpdateBounds(motion, static_cast<int>(vertex));
-        }
-      });
-    this->Tree.Refit(boxes, boxOf, parallelFor);
     // Corners have held these back; where nothing moves, nothing is asked about the start.
     for (std::size_t vertex = 0; vertex < attempt.Scales.size(); ++vertex)
     {
@@ -473,23 +431,166 @@ bool EmbeddingGuard::TestPairs(Attempt& attempt, const ParallelFor& parallelFor)
         attempt.IsDoubtful[vertex] = 1;
       }
     }
+    attempt.IsShort =
+      (motion.To - motion.From).rowwise().norm().mean() <= ShortMotion * attempt.EdgeLength;
+    parallelFor(0, motion.From.rows(),
+      [&](std::ptrdiff_t first, std::ptrdiff_t last)
+      {
+        for (std::ptrdiff_t vertex = first; vertex < last; ++vertex)
+        {
+          attempt.Rough.Update(motion, static_cast<int>(vertex));
+        }
+      });
+  }
+  std::vector<int> triangles; // that changed, unless all did
+  for (int vertex : changed.Vertices)
+  {
+    attempt.Rough.Update(motion, vertex);
+    this->TrianglesAt.ForEachAt(vertex, [&](int triangle) { triangles.push_back(triangle); });
+  }
+  bool isClean = attempt.IsShort ? this->TestPairsOfShortMotion(attempt, triangles, parallelFor)
+                                 : this->TestPairsOfLongMotion(attempt, triangles, parallelFor);
+  isClean = this->TestPairsWithoutStrangers(attempt, parallelFor) && isClean;
+  changed.Clear();
+  return isClean;
+}
+
+bool EmbeddingGuard::TestPairsOfShortMotion(Attempt& attempt, const std::vector<int>& triangles,
+  const ParallelFor& parallelFor) const
+{
+  std::atomic<bool> isClean{ true };
+  if (attempt.ChangedForPairs.AreAll)
+  {
+    const float margin = static_cast<float>(attempt.Gap.Wanted / 2 * (1 + 1e-6));
+    std::vector<SweptBox>& boxes = attempt.Spare.SweptBoxes;
+    this->Tree.Refit(
+      boxes,
+      [&](int triangle) { return SweptBox(attempt.Rough, this->Triangle(triangle), margin); },
+      parallelFor);
+    const auto meet = [&boxes](int node, int other)
+    { return !boxes[node].IsApartFrom(boxes[other]); };
+    // As many parts for any number of threads.
+    constexpr int parts = 64;
+    const auto firstNode = [this](std::ptrdiff_t part)
+    { return static_cast<int>(this->Tree.NumberOfNodes() * part / parts); };
+    std::vector<std::vector<TrianglePair>>& unsettled = attempt.Spare.Unsettled;
+    unsettled.resize(parts);
+    parallelFor(0, parts,
+      [&](std::ptrdiff_t firstPart, std::ptrdiff_t lastPart)
+      {
+        for (std::ptrdiff_t part = firstPart; part < lastPart; ++part)
+        {
+          unsettled[part].clear();
+          const auto test = [&](int one, int two)
+          {
+            const PairTest result = this->TestPair(attempt, { one, two });
+            if (result != PairTest::Settled)
+            {
+              unsettled[part].emplace_back(one, two);
+            }
+            if (result == PairTest::Failed)
+            {
+              isClean = false;
+            }
+          };
+          this->Tree.VisitPairsBelow(this->Strangers, firstNode(part), firstNode(part + 1), meet,
+            test);
+        }
+      });
+    return isClean;
+  }
+  std::vector<char> isChanged(this->Triangles.rows(), 0);
+  for (int triangle : triangles)
+  {
+    isChanged[triangle] = 1;
+  }
+  ForEach(attempt.Spare.Unsettled, parallelFor,
+    [&](const std::vector<TrianglePair>& pairs)
+    {
+      for (const TrianglePair& pair : pairs)
+      {
+        if ((isChanged[pair.first] || isChanged[pair.second]) &&
+          this->TestPair(attempt, pair) == PairTest::Failed)
+        {
+          isClean = false;
+        }
+      }
+    });
+  return isClean;
+}
+
+bool EmbeddingGuard::TestPairsOfLongMotion(Attempt& attempt, const std::vector<int>& triangles,
+  const ParallelFor& parallelFor) const
+{
+  const Motion motion = attempt.Path();
+  const double margin = attempt.Gap.Wanted / 2;
+  std::vector<MotionBox>& vertexBoxes = attempt.VertexBoxes;
+  std::vector<MotionBox>& boxes = attempt.Spare.MotionBoxes;
+  const auto boxOf = [&](int triangle)
+  {
+    MotionBox box = vertexBoxes[this->Triangles(triangle, 0)];
+    box.Merge(vertexBoxes[this->Triangles(triangle, 1)]);
+    box.Merge(vertexBoxes[this->Triangles(triangle, 2)]);
+    return box;
+  };
+  const auto meet = [&boxes](int node, int other)
+  { return !boxes[node].StaysApartFrom(boxes[other]); };
+  std::atomic<bool> isClean{ true };
+  const auto test = [&](int one, int two)
+  {
+    if (this->TestPair(attempt, { one, two }) == PairTest::Failed)
+    {
+      isClean = false;
+    }
+  };
+  if (attempt.ChangedForPairs.AreAll)
+  {
+    vertexBoxes.resize(motion.From.rows());
+    parallelFor(0, motion.From.rows(),
+      [&](std::ptrdiff_t first, std::ptrdiff_t last)
+      {
+        for (std::ptrdiff_t vertex = first; vertex < last; ++vertex)
+        {
+          vertexBoxes[vertex] = MotionBox(motion, static_cast<int>(vertex), margin);
+        }
+      });
+    this->Tree.Refit(boxes, boxOf, parallelFor);
     this->Tree.VisitPairsBelow(this->Strangers, meet, test, parallelFor);
   }
   else
   {
-    std::vector<int> triangles;
-    for (int vertex : changed.Vertices)
+    for (int vertex : attempt.ChangedForPairs.Vertices)
     {
-      attempt.UpdateBounds(motion, vertex);
-      this->TrianglesAt.ForEachAt(vertex, [&](int triangle) { triangles.push_back(triangle); });
+      vertexBoxes[vertex] = MotionBox(motion, vertex, margin);
     }
     const TriangleTree::NodeSet nodes = this->Tree.NodesAbove(triangles);
     this->Tree.RefitSome(boxes, boxOf, nodes, parallelFor);
     this->Tree.VisitSomePairsBelow(this->Strangers, nodes, meet, test, parallelFor);
   }
-  isClean = this->TestPairsWithoutStrangers(attempt, parallelFor) && isClean;
-  changed.Clear();
   return isClean;
+}
+
+EmbeddingGuard::PairTest EmbeddingGuard::TestPair(Attempt& attempt, const TrianglePair& pair) const
+{
+  const std::array<int, 3> one = this->Triangle(pair.first);
+  const std::array<int, 3> two = this->Triangle(pair.second);
+  const QuickProof proof = ProveApart(attempt.Rough, one, two, attempt.Gap.Wanted);
+  if (proof >= QuickProof::ApartThroughout)
+  {
+    return proof == QuickProof::ApartOnAnyPart ? PairTest::Settled : PairTest::Passed;
+  }
+  const double enough = attempt.EnoughFor(one, two);
+  if (enough <= 0 && proof == QuickProof::ApartAtStart)
+  {
+    return PairTest::Passed;
+  }
+  const double until = ApartUntil(attempt.Path(), one, two, attempt.Gap, enough);
+  if (until >= 1)
+  {
+    return PairTest::Passed;
+  }
+  attempt.Blame(one, two, until);
+  return PairTest::Failed;
 }
 
 bool EmbeddingGuard::TestPairsWithoutStrangers(Attempt& attempt,
@@ -517,29 +618,42 @@ bool EmbeddingGuard::TestPairsWithoutStrangers(Attempt& attempt,
   return isClean;
 }
 
-void EmbeddingGuard::ExchangeSpareBoxes(Attempt& attempt) const
+void EmbeddingGuard::ExchangeSpareMemory(Attempt& attempt) const
 {
   const std::lock_guard<std::mutex> lock(this->SpareMutex);
-  attempt.Boxes.swap(this->SpareBoxes);
+  std::swap(attempt.Spare, this->Spare);
 }
 
 void EmbeddingGuard::ScaleBack(Attempt& attempt) const
 {
-  std::vector<char> changed(attempt.SafeUntil.size(), 0);
   const double shear = GreatestShear * attempt.EdgeLength;
+  // What is changed at first changes what is near.
+  std::vector<char>& isChanged = attempt.IsChanged;
   std::vector<int> queue;
-  for (std::size_t vertex = 0; vertex < attempt.SafeUntil.size(); ++vertex)
+  std::vector<int> changed;
+  const auto change = [&](int vertex, double scale)
   {
-    double& scale = attempt.Scales[vertex];
-    const double until = attempt.SafeUntil[vertex];
-    if (until < 1 && scale > 0)
+    attempt.Scales[vertex] = scale;
+    queue.push_back(vertex);
+    if (!isChanged[vertex])
     {
-      scale *= std::max(LeastPart, std::min(GreatestPart, SafetyFactor * until));
-      scale = scale < LeastScale ? 0 : scale;
-      changed[vertex] = 1;
-      queue.push_back(static_cast<int>(vertex));
+      isChanged[vertex] = 1;
+      changed.push_back(vertex);
     }
-    attempt.SafeUntil[vertex] = 1;
+  };
+  for (int vertex = 0; vertex < static_cast<int>(attempt.SafeUntil.size()); ++vertex)
+  {
+    const double until = attempt.SafeUntil[vertex].load(std::memory_order_relaxed);
+    if (until < 1)
+    {
+      const double scale =
+        attempt.Scales[vertex] * std::max(LeastPart, std::min(GreatestPart, SafetyFactor * until));
+      if (attempt.Scales[vertex] > 0)
+      {
+        change(vertex, scale < LeastScale ? 0 : scale);
+      }
+      attempt.SafeUntil[vertex].store(1, std::memory_order_relaxed);
+    }
   }
   for (std::size_t head = 0; head < queue.size(); ++head)
   {
@@ -554,21 +668,17 @@ void EmbeddingGuard::ScaleBack(Attempt& attempt) const
       const double limit = scale + step;
       if (attempt.Scales[neighbour] > limit)
       {
-        attempt.Scales[neighbour] = limit;
-        changed[neighbour] = 1;
-        queue.push_back(neighbour);
+        change(neighbour, limit);
       }
     }
   }
-  for (std::size_t vertex = 0; vertex < changed.size(); ++vertex)
+  for (int vertex : changed)
   {
-    if (changed[vertex])
-    {
-      attempt.Scaled.row(vertex) = attempt.Scales[vertex] * attempt.Wanted.row(vertex);
-      attempt.To.row(vertex) = attempt.From.row(vertex) + attempt.Scaled.row(vertex);
-      attempt.ChangedForCorners.Add(static_cast<int>(vertex));
-      attempt.ChangedForPairs.Add(static_cast<int>(vertex));
-    }
+    isChanged[vertex] = 0;
+    attempt.Scaled.row(vertex) = attempt.Scales[vertex] * attempt.Wanted.row(vertex);
+    attempt.To.row(vertex) = attempt.From.row(vertex) + attempt.Scaled.row(vertex);
+    attempt.ChangedForCorners.Add(vertex);
+    attempt.ChangedForPairs.Add(vertex);
   }
 }
 

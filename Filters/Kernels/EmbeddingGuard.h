@@ -13,6 +13,7 @@
 #include "MotionBox.h"
 #include "MotionCertificate.h"
 #include "StrangerPairs.h"
+#include "SweptBox.h"
 #include "TriangleTree.h"
 #include "VertexIncidence.h"
 
@@ -51,7 +52,14 @@ public:
 
 private:
   using Corner = std::array<int, 3>; // before, vertex, after
+  using TrianglePair = std::pair<int, int>;
   struct Attempt;
+  struct SpareMemory
+  {
+    std::vector<MotionBox> MotionBoxes; // of the tree's nodes
+    std::vector<SweptBox> SweptBoxes;
+    std::vector<std::vector<TrianglePair>> Unsettled;
+  };
 
   void RequireFinite(const PointList& points, const char* what, double greatest) const;
   void RequireEmbeddedNear(const PointList& points, const std::vector<char>& vertices,
@@ -64,9 +72,25 @@ private:
   bool TestPairsWithoutStrangers(Attempt& attempt, const ParallelFor& parallelFor) const;
   bool TestPairs(Attempt& attempt, const ParallelFor& parallelFor) const;
 
+  // Pairs that stay apart wherever on their ways their vertices are held are settled: only the
+  // others are tested again when the motion has been scaled back. That is most pairs of a short
+  // motion. Of a long one it is few, and boxes that move along leave fewer pairs to be tested.
+  bool TestPairsOfShortMotion(Attempt& attempt, const std::vector<int>& triangles,
+    const ParallelFor& parallelFor) const;
+  bool TestPairsOfLongMotion(Attempt& attempt, const std::vector<int>& triangles,
+    const ParallelFor& parallelFor) const;
+
+  enum class PairTest
+  {
+    Failed,
+    Passed,
+    Settled
+  };
+  PairTest TestPair(Attempt& attempt, const TrianglePair& pair) const;
+
   void ScaleBack(Attempt& attempt) const;
 
-  void ExchangeSpareBoxes(Attempt& attempt) const;
+  void ExchangeSpareMemory(Attempt& attempt) const;
 
   std::array<int, 3> Triangle(int index) const
   {
@@ -86,7 +110,7 @@ private:
   // The greatest of a call's memory is kept for the next one; a second call at the same time does
   // without.
   mutable std::mutex SpareMutex;
-  mutable std::vector<MotionBox> SpareBoxes;
+  mutable SpareMemory Spare;
 };
 
 } // namespace FlipFree

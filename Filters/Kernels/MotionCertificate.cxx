@@ -142,8 +142,9 @@ double Advance(const Motion& motion, const std::array<int, A>& one, const std::a
 // coordinate is wrong by u G from its conversion and u E from being made relative; the products and
 // sums of a projection add 3 u E |d|, and a difference of two projections 2 u E |d|: together less
 // than (2 G + 10 E) u |d|, for which (4 G + 32 E) u |d| is taken. Of the direction nothing is
-// assumed but that it is the same at both ends. Numbers so small that they may underflow, or so
-// large that they may overflow, prove nothing.
+// assumed but that it is the same at both ends. Where one end is compared with the other, the way S
+// from origin to origin adds less than (2 G + 6 S) u |d|, and a last sum u S |d|. Numbers so small
+// that they may underflow, or so large that they may overflow, prove nothing.
 class DirectionTest
 {
 public:
@@ -174,15 +175,18 @@ public:
       this->Extent[end] = relative.head<3>().maxCoeff();
       this->Error[end] = Unit * (4 * greatest[3] + 32 * this->Extent[end]);
     }
+    this->Way = motion.Ends[1][one[0]] - motion.Ends[0][one[0]];
+    this->ErrorBetween =
+      this->Error[0] + this->Error[1] + 32 * Unit * this->Way.head<3>().abs().maxCoeff();
   }
 
   // Tries the normals of both triangles, across which sheets that lie on each other are apart, the
   // line between their centres, the perpendiculars of their edges.
-  bool FindsProof()
+  QuickProof Find()
   {
     if (!(this->Extent[0] < Huge && this->Extent[1] < Huge))
     {
-      return false;
+      return QuickProof::None;
     }
     const auto a = [this](int i) -> Lanes { return this->One[0][i] + this->One[1][i]; };
     const auto b = [this](int i) -> Lanes { return this->Two[0][i] + this->Two[1][i]; };
@@ -190,9 +194,10 @@ public:
     const Lanes v[3] = { b(1) - b(0), b(2) - b(1), b(0) - b(2) };
     const Lanes across = Cross(u[0], u[1]);
     const Lanes between = a(0) + a(1) + a(2) - b(0) - b(1) - b(2);
-    if (this->IsProof(Transposed(across, Cross(v[0], v[1]), between, Cross(u[0], v[0]))))
+    this->Try(Transposed(across, Cross(v[0], v[1]), between, Cross(u[0], v[0])));
+    if (this->Found >= QuickProof::ApartThroughout)
     {
-      return true;
+      return this->Found;
     }
     const Eigen::Matrix4f others = Transposed(v[0], v[1], v[2], across);
     for (const Lanes& edge : u)
@@ -204,16 +209,14 @@ public:
         const int last = axis > 0 ? axis - 1 : 2;
         directions.col(axis) = edge[next] * others.col(last) - edge[last] * others.col(next);
       }
-      if (this->IsProof(directions))
+      this->Try(directions);
+      if (this->Found >= QuickProof::ApartThroughout)
       {
-        return true;
+        break;
       }
     }
-    return false;
+    return this->Found;
   }
-
-  // Has any of the directions that were tried shown the gap at the start?
-  bool StartsApart() const { return this->IsApartAtStart; }
 
 private:
   static constexpr float Tiny = 1e-30F;
@@ -234,7 +237,7 @@ private:
     return rows;
   }
 
-  bool IsProof(const Eigen::Matrix4f& directions)
+  void Try(const Eigen::Matrix4f& directions)
   {
     const Lanes x = directions.col(0);
     const Lanes y = directions.col(1);
@@ -242,35 +245,50 @@ private:
     const Lanes square = x * x + y * y + z * z;
     const Lanes wanted = this->Gap * square.sqrt();
     const Lanes sum = x.abs() + y.abs() + z.abs();
+    Lanes low[2][2];
+    Lanes high[2][2];
     Lanes above[2];
     Lanes below[2];
     for (int end = 0; end < 2; ++end)
     {
-      Lanes low[2];
-      Lanes high[2];
       for (int side = 0; side < 2; ++side)
       {
         const Lanes* const vertices = side == 0 ? this->One[end] : this->Two[end];
         const Lanes p = vertices[0][0] * x + vertices[0][1] * y + vertices[0][2] * z;
         const Lanes q = vertices[1][0] * x + vertices[1][1] * y + vertices[1][2] * z;
         const Lanes r = vertices[2][0] * x + vertices[2][1] * y + vertices[2][2] * z;
-        low[side] = p.min(q).min(r);
-        high[side] = p.max(q).max(r);
+        low[end][side] = p.min(q).min(r);
+        high[end][side] = p.max(q).max(r);
       }
       const Lanes apart = wanted + this->Error[end] * sum;
-      above[end] = low[0] - high[1] - apart;
-      below[end] = low[1] - high[0] - apart;
+      above[end] = low[end][0] - high[end][1] - apart;
+      below[end] = low[end][1] - high[end][0] - apart;
     }
     // Numbers that may have underflown make one of these conditions fail.
     const float least = std::min(this->Error[0], this->Error[1]);
     const Lanes sound = (square - Tiny).min(least * sum - Tiny);
-    const auto holds = [](const Lanes& condition) { return condition.maxCoeff() >= 0; };
-    if (holds(above[0].min(above[1]).max(below[0].min(below[1])).min(sound)))
+    const auto holds = [&sound](const Lanes& condition)
+    { return condition.min(sound).maxCoeff() >= 0; };
+    const auto raise = [this](QuickProof proof) { this->Found = std::max(this->Found, proof); };
+    if (holds(above[0].min(above[1]).max(below[0].min(below[1]))))
     {
-      return true;
+      const Lanes way = this->Way[0] * x + this->Way[1] * y + this->Way[2] * z;
+      Lanes lowest[2];
+      Lanes highest[2];
+      for (int side = 0; side < 2; ++side)
+      {
+        lowest[side] = low[0][side].min(low[1][side] + way);
+        highest[side] = high[0][side].max(high[1][side] + way);
+      }
+      const Lanes apart = wanted + this->ErrorBetween * sum;
+      raise(holds((lowest[0] - highest[1]).max(lowest[1] - highest[0]) - apart)
+          ? QuickProof::ApartOnAnyPart
+          : QuickProof::ApartThroughout);
     }
-    this->IsApartAtStart = this->IsApartAtStart || holds(above[0].max(below[0]).min(sound));
-    return false;
+    else if (this->Found == QuickProof::None && holds(above[0].max(below[0])))
+    {
+      raise(QuickProof::ApartAtStart);
+    }
   }
 
   float Gap;
@@ -278,7 +296,9 @@ private:
   float Error[2];
   Lanes One[2][3];
   Lanes Two[2][3];
-  bool IsApartAtStart = false;
+  Lanes Way; // from end to end, of what positions are relative to
+  float ErrorBetween;
+  QuickProof Found = QuickProof::None;
 };
 
 // Most corners turn so little that no square root and no division is needed to see it: the
@@ -396,10 +416,7 @@ void RoughMotion::Update(const Motion& motion, int vertex)
 QuickProof ProveApart(const RoughMotion& motion, const std::array<int, 3>& one,
   const std::array<int, 3>& two, double gap)
 {
-  DirectionTest test(motion, one, two, gap);
-  return test.FindsProof() ? QuickProof::ApartThroughout
-    : test.StartsApart()   ? QuickProof::ApartAtStart
-                           : QuickProof::None;
+  return DirectionTest(motion, one, two, gap).Find();
 }
 
 } // namespace FlipFree

@@ -69,12 +69,14 @@ struct RoughMotion
   Eigen::Vector3d Origin;
 };
 
-/// Of two triangles, what the few directions that are quickly tried can prove of a gap.
+/// Of two triangles, what the few directions that are quickly tried can prove of a gap; each proof
+/// includes those before it.
 enum class QuickProof
 {
   None,
   ApartAtStart,
-  ApartThroughout
+  ApartThroughout,
+  ApartOnAnyPart ///< also when each vertex is only let go a part of its way
 };
 QuickProof ProveApart(const RoughMotion& motion, const std::array<int, 3>& one,
   const std::array<int, 3>& two, double gap);

@@ -114,6 +114,11 @@ public:
   void VisitPairsBelow(const NodePartners& front, const Meet& meet, const Visit& visit,
     const ParallelFor& parallelFor) const;
 
+  /// Only the pairs of these nodes, to but not including the last, with later ones; in this thread.
+  template <typename Meet, typename Visit>
+  void VisitPairsBelow(const NodePartners& front, int firstNode, int lastNode, const Meet& meet,
+    const Visit& visit) const;
+
   /// Only those of which a triangle is in the set.
   template <typename Meet, typename Visit>
   void VisitSomePairsBelow(const NodePartners& front, const NodeSet& nodes, const Meet& meet,
@@ -342,23 +347,29 @@ void TriangleTree::VisitPairsBelow(const NodePair& pair, const Meet& meet, const
 }
 
 template <typename Meet, typename Visit>
+void TriangleTree::VisitPairsBelow(const NodePartners& front, int firstNode, int lastNode,
+  const Meet& meet, const Visit& visit) const
+{
+  for (int node = firstNode; node < lastNode; ++node)
+  {
+    for (int index = front.Middle[node]; index < front.Begin[node + 1]; ++index)
+    {
+      const int other = front.Others[index];
+      if (meet(node, other))
+      {
+        this->VisitPairsBelow(NodePair(node, other), meet, visit);
+      }
+    }
+  }
+}
+
+template <typename Meet, typename Visit>
 void TriangleTree::VisitPairsBelow(const NodePartners& front, const Meet& meet, const Visit& visit,
   const ParallelFor& parallelFor) const
 {
   parallelFor(0, this->NumberOfNodes(),
-    [&](std::ptrdiff_t first, std::ptrdiff_t last)
-    {
-      for (int node = static_cast<int>(first); node < last; ++node)
-      {
-        for (int index = front.Middle[node]; index < front.Begin[node + 1]; ++index)
-        {
-          const int other = front.Others[index];
-          if (meet(node, other))
-          {
-            this->VisitPairsBelow(NodePair(node, other), meet, visit);
-          }
-        }
-      }
+    [&](std::ptrdiff_t first, std::ptrdiff_t last) {
+      this->VisitPairsBelow(front, static_cast<int>(first), static_cast<int>(last), meet, visit);
     });
 }
 
