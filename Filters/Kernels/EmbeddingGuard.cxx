@@ -655,10 +655,11 @@ void EmbeddingGuard::ScaleBack(Attempt& attempt) const
       attempt.SafeUntil[vertex].store(1, std::memory_order_relaxed);
     }
   }
-  for (std::size_t head = 0; head < queue.size(); ++head)
+  for (std::size_t head = 0; head < queue.size();)
   {
-    const double scale = attempt.Scales[queue[head]];
-    for (int neighbour : this->Neighbours[queue[head]])
+    const int vertex = queue[head++];
+    const double scale = attempt.Scales[vertex];
+    for (int neighbour : this->Neighbours[vertex])
     {
       double& step = attempt.ShearSteps[neighbour];
       if (step < 0)
