@@ -30,9 +30,16 @@ double SquaredDistanceToSide(const Eigen::Vector3d& from, const Eigen::Vector3d&
   return (from - t * side).squaredNorm();
 }
 
-// Sorts the range so that every whole run of `capacity` elements lies together in space, and within
-// it every whole run of a fourth of that. Halves along the longest extent.
-void Arrange(const PointList& centers, int capacity, int* first, int* last)
+// The centre of a triangle, times three.
+struct Center
+{
+  std::array<float, 3> Position;
+  int Triangle;
+};
+
+// Sorts the range so that every whole run of `capacity` elements lies together in
+// space, and within it every whole run of a fourth of that. Halves along the longest extent.
+void Arrange(int capacity, Center* first, Center* last)
 {
   const auto size = static_cast<int>(last - first);
   while (capacity >= size && capacity > Width)
@@ -44,21 +51,54 @@ void Arrange(const PointList& centers, int capacity, int* first, int* last)
   {
     return;
   }
-  Eigen::RowVector3d low = centers.row(*first);
-  Eigen::RowVector3d high = low;
-  for (const int* element = first; element != last; ++element)
+  std::array<float, 3> low = first->Position;
+  std::array<float, 3> high = first->Position;
+  for (const Center* center = first; center != last; ++center)
   {
-    low = low.cwiseMin(centers.row(*element));
-    high = high.cwiseMax(centers.row(*element));
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      low[axis] = std::min(low[axis], center->Position[axis]);
+      high[axis] = std::max(high[axis], center->Position[axis]);
+    }
   }
-  Eigen::Index axis = 0;
-  (high - low).maxCoeff(&axis);
-  int* const middle = first + runs / 2 * capacity;
+  int axis = high[1] - low[1] > high[0] - low[0] ? 1 : 0;
+  axis = high[2] - low[2] > high[axis] - low[axis] ? 2 : axis;
+  Center* const middle = first + runs / 2 * capacity;
   std::nth_element(first, middle, last,
-    [&](int one, int other)
-    { return std::pair(centers(one, axis), one) < std::pair(centers(other, axis), other); });
-  Arrange(centers, capacity, first, middle);
-  Arrange(centers, capacity, middle, last);
+    [axis](const Center& one, const Center& other)
+    {
+      const float a = one.Position[axis];
+      const float b = other.Position[axis];
+      return a < b || (a == b && one.Triangle < other.Triangle);
+    });
+  Arrange(capacity, first, middle);
+  Arrange(capacity, middle, last);
+}
+
+// The triangles in an order in which those that follow each other lie close together.
+std::vector<int> CoherentOrder(const PointList& points, const TriangleList& triangles,
+  const Eigen::Vector3d& middle)
+{
+  std::vector<Center> centers(triangles.rows());
+  for (Eigen::Index triangle = 0; triangle < triangles.rows(); ++triangle)
+  {
+    const Eigen::RowVector3f position =
+      (points.row(triangles(triangle, 0)) + points.row(triangles(triangle, 1)) +
+        points.row(triangles(triangle, 2)) - 3 * middle.transpose())
+        .cast<float>();
+    centers[triangle] = { { { position[0], position[1], position[2] } },
+      static_cast<int>(triangle) };
+  }
+  int capacity = Width;
+  while (capacity < triangles.rows())
+  {
+    capacity *= Width;
+  }
+  Arrange(capacity, centers.data(), centers.data() + centers.size());
+  std::vector<int> order(centers.size());
+  std::transform(centers.begin(), centers.end(), order.begin(),
+    [](const Center& center) { return center.Triangle; });
+  return order;
 }
 
 } // namespace
@@ -69,8 +109,6 @@ TriangleForDistance::TriangleForDistance(const Eigen::Vector3d& a, const Eigen::
   , AB(b - a)
   , AC(c - a)
   , Normal(AB.cross(AC))
-  , TowardB(AC.cross(Normal))
-  , TowardC(Normal.cross(AB))
   , SquaredArea(Normal.squaredNorm())
   , InverseSquaredAB(InverseOrZero(AB.squaredNorm()))
   , InverseSquaredAC(InverseOrZero(AC.squaredNorm()))
@@ -86,8 +124,8 @@ TriangleForDistance::TriangleForDistance(const Eigen::Vector3d& a, const Eigen::
 double TriangleForDistance::SquaredDistance(const Eigen::Vector3d& point) const
 {
   const Eigen::Vector3d from = point - this->A;
-  const double weightOfB = this->TowardB.dot(from);
-  const double weightOfC = this->TowardC.dot(from);
+  const double weightOfB = this->TowardB().dot(from);
+  const double weightOfC = this->TowardC().dot(from);
   const double weightOfA = this->SquaredArea - weightOfB - weightOfC;
   const bool isNeedle = this->SquaredArea == 0;
   if (!isNeedle && weightOfA >= 0 && weightOfB >= 0 && weightOfC >= 0)
@@ -112,6 +150,67 @@ double TriangleForDistance::SquaredDistance(const Eigen::Vector3d& point) const
   return least;
 }
 
+// The same steps as for one point, but for all at once and without branches: whether the closest
+// point lies inside is asked at the end, and a side that a point is not beyond does no harm.
+void TriangleForDistance::LowerToSquaredDistances(const PointPacket& points,
+  PointPacket::Values& least) const
+{
+  const double originX = this->A.x(), originY = this->A.y(), originZ = this->A.z();
+  const double normalX = this->Normal.x(), normalY = this->Normal.y(), normalZ = this->Normal.z();
+  const Eigen::Vector3d towardB = this->TowardB();
+  const Eigen::Vector3d towardC = this->TowardC();
+  const double bX = towardB.x(), bY = towardB.y(), bZ = towardB.z();
+  const double cX = towardC.x(), cY = towardC.y(), cZ = towardC.z();
+  const double abX = this->AB.x(), abY = this->AB.y(), abZ = this->AB.z();
+  const double acX = this->AC.x(), acY = this->AC.y(), acZ = this->AC.z();
+  const double bcX = acX - abX, bcY = acY - abY, bcZ = acZ - abZ;
+  const double inverseAB = this->InverseSquaredAB;
+  const double inverseAC = this->InverseSquaredAC;
+  const double inverseBC = this->InverseSquaredBC;
+  const double squaredArea = this->SquaredArea;
+  const double inverseArea = InverseOrZero(squaredArea);
+  const double most = squaredArea == 0 ? -1 : squaredArea; // a needle has no inside
+  const double* const xs = points.X.data();
+  const double* const ys = points.Y.data();
+  const double* const zs = points.Z.data();
+  PointPacket::Values distances;
+  for (int lane = 0; lane < PointPacket::Size; ++lane)
+  {
+    const double x = xs[lane] - originX;
+    const double y = ys[lane] - originY;
+    const double z = zs[lane] - originZ;
+    const double b = bX * x + bY * y + bZ * z;
+    const double c = cX * x + cY * y + cZ * z;
+    const double a = squaredArea - b - c;
+    const double height = normalX * x + normalY * y + normalZ * z;
+    const auto toSide =
+      [](double px, double py, double pz, double sx, double sy, double sz, double inverse)
+    {
+      const double along = (sx * px + sy * py + sz * pz) * inverse;
+      const double above = along > 0 ? along : 0;
+      const double t = above < 1 ? above : 1;
+      const double dx = px - t * sx;
+      const double dy = py - t * sy;
+      const double dz = pz - t * sz;
+      return dx * dx + dy * dy + dz * dz;
+    };
+    const double toAB = toSide(x, y, z, abX, abY, abZ, inverseAB);
+    const double toAC = toSide(x, y, z, acX, acY, acZ, inverseAC);
+    const double toBC = toSide(x - abX, y - abY, z - abZ, bcX, bcY, bcZ, inverseBC);
+    const double toTwo = toAB < toAC ? toAB : toAC;
+    const double toSides = toTwo < toBC ? toTwo : toBC;
+    const double leastOfTwo = a < b ? a : b;
+    const double leastOfThree = leastOfTwo < c ? leastOfTwo : c;
+    const double inside = leastOfThree < most ? leastOfThree : most;
+    const double toInside = height * height * inverseArea;
+    distances[lane] = inside < 0 ? toSides : toInside;
+  }
+  for (int lane = 0; lane < PointPacket::Size; ++lane)
+  {
+    least[lane] = std::min(least[lane], distances[lane]);
+  }
+}
+
 double SquaredDistanceToTriangle(const Eigen::Vector3d& point, const Eigen::Vector3d& a,
   const Eigen::Vector3d& b, const Eigen::Vector3d& c)
 {
@@ -119,26 +218,23 @@ double SquaredDistanceToTriangle(const Eigen::Vector3d& point, const Eigen::Vect
 }
 
 ClosestTriangleFinder::ClosestTriangleFinder(const PointList& points, const TriangleList& triangles)
-  : Order(triangles.rows())
 {
-  PointList centers(triangles.rows(), 3);
-  this->Shapes.reserve(triangles.rows());
-  for (Eigen::Index triangle = 0; triangle < triangles.rows(); ++triangle)
+  Eigen::RowVector3d low = points.row(triangles(0, 0));
+  Eigen::RowVector3d high = low;
+  for (Eigen::Index corner = 0; corner < triangles.size(); ++corner)
   {
-    const Eigen::Vector3d a = points.row(triangles(triangle, 0));
-    const Eigen::Vector3d b = points.row(triangles(triangle, 1));
-    const Eigen::Vector3d c = points.row(triangles(triangle, 2));
-    centers.row(triangle) = (a + b + c) / 3;
-    this->Shapes.emplace_back(a, b, c);
+    low = low.cwiseMin(points.row(triangles.data()[corner]));
+    high = high.cwiseMax(points.row(triangles.data()[corner]));
   }
-  int capacity = Width;
-  while (capacity < triangles.rows())
+  this->Middle = 0.5 * (low + high);
+  this->Extent = (high - low).maxCoeff() / 2;
+  this->Order = CoherentOrder(points, triangles, this->Middle);
+  this->Shapes.reserve(this->Order.size());
+  for (const int triangle : this->Order)
   {
-    capacity *= Width;
+    this->Shapes.emplace_back(points.row(triangles(triangle, 0)),
+      points.row(triangles(triangle, 1)), points.row(triangles(triangle, 2)));
   }
-  std::iota(this->Order.begin(), this->Order.end(), 0);
-  Arrange(centers, capacity, this->Order.data(), this->Order.data() + this->Order.size());
-  this->Middle = 0.5 * (centers.colwise().minCoeff() + centers.colwise().maxCoeff());
   this->MakeLeaves(points, triangles);
   this->MakeNodesAbove();
 }
@@ -149,15 +245,11 @@ void ClosestTriangleFinder::MakeLeaves(const PointList& points, const TriangleLi
   Node empty;
   empty.Low.fill(Eigen::Array4f::Constant(infinity));
   empty.High.fill(Eigen::Array4f::Constant(-infinity));
-  this->Nodes.assign((this->Order.size() + Width - 1) / Width, empty);
+  const std::size_t leaves = (this->Order.size() + Width - 1) / Width;
+  this->Nodes.reserve(leaves + leaves / (Width - 1) + 32); // those above too
+  this->Nodes.assign(leaves, empty);
   this->Levels = { 0 };
-  double extent = 0;
-  for (Eigen::Index corner = 0; corner < triangles.size(); ++corner)
-  {
-    extent = std::max(extent,
-      (points.row(triangles.data()[corner]).transpose() - this->Middle).cwiseAbs().maxCoeff());
-  }
-  const auto margin = static_cast<float>(Rounding * extent);
+  const auto margin = static_cast<float>(Rounding * this->Extent);
   for (std::size_t place = 0; place < this->Order.size(); ++place)
   {
     Node& node = this->Nodes[place / Width];
@@ -204,7 +296,8 @@ void ClosestTriangleFinder::MakeNodesAbove()
   }
 }
 
-ClosestTriangle ClosestTriangleFinder::Find(const Eigen::Vector3d& point, int likelyTriangle) const
+void ClosestTriangleFinder::FindSquaredDistances(const PointPacket& points, int& hint,
+  PointPacket::Values& squaredDistances) const
 {
   struct Entry
   {
@@ -212,22 +305,46 @@ ClosestTriangle ClosestTriangleFinder::Find(const Eigen::Vector3d& point, int li
     int Level;
     int Index; // within the level
   };
-  ClosestTriangle closest;
-  float bound = std::numeric_limits<float>::infinity();
-  const auto visit = [&](int triangle)
+  using Lanes = Eigen::Array<float, PointPacket::Size, 1>;
+  squaredDistances.fill(std::numeric_limits<double>::infinity());
+  // Of the points one by one, and of all of them: what is farther need not be looked at.
+  Lanes bounds;
+  float bound = 0;
+  const auto visit = [&](int place)
   {
-    const double squaredDistance = this->Shapes[triangle].SquaredDistance(point);
-    if (squaredDistance < closest.SquaredDistance)
-    {
-      closest = { triangle, squaredDistance };
-      bound = std::min(bound, static_cast<float>(squaredDistance) * Slack);
-    }
+    const double before = squaredDistances[0];
+    this->Shapes[place].LowerToSquaredDistances(points, squaredDistances);
+    hint = squaredDistances[0] < before ? place : hint;
+    bounds = Slack *
+      Eigen::Map<const Eigen::Array<double, PointPacket::Size, 1>>(squaredDistances.data())
+        .template cast<float>();
+    bound = bounds.maxCoeff();
   };
-  if (likelyTriangle >= 0)
+  visit(hint);
+  std::array<Lanes, 3> lanes;
+  const std::array<const double*, 3> coordinates{ { points.X.data(), points.Y.data(),
+    points.Z.data() } };
+  Eigen::Array3f low;
+  Eigen::Array3f high;
+  for (int axis = 0; axis < 3; ++axis)
   {
-    visit(likelyTriangle);
+    lanes[axis] = (Eigen::Map<const Eigen::Array<double, PointPacket::Size, 1>>(coordinates[axis]) -
+      this->Middle[axis])
+                    .template cast<float>();
+    low[axis] = lanes[axis].minCoeff();
+    high[axis] = lanes[axis].maxCoeff();
   }
-  const Eigen::Vector3f place = (point - this->Middle).cast<float>();
+  const auto isNearAPoint = [&](const Node& node, int lane)
+  {
+    Lanes sum = Lanes::Zero();
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const Lanes outside =
+        (node.Low[axis][lane] - lanes[axis]).max(lanes[axis] - node.High[axis][lane]).max(0.0F);
+      sum += outside * outside;
+    }
+    return (sum <= bounds).any();
+  };
   // Each of at most 16 levels leaves at most three nodes waiting.
   std::array<Entry, 64> waiting;
   int size = 0;
@@ -239,8 +356,8 @@ ClosestTriangle ClosestTriangleFinder::Find(const Eigen::Vector3d& point, int li
     {
       continue;
     }
-    const Eigen::Array4f distances =
-      this->Nodes[this->Levels[entry.Level] + entry.Index].SquaredDistances(place);
+    const Node& node = this->Nodes[this->Levels[entry.Level] + entry.Index];
+    const Eigen::Array4f distances = node.SquaredDistancesTo(low, high);
     // How many triangles, or nodes of the level below, there are.
     const int count = entry.Level == 0 ? static_cast<int>(this->Order.size())
                                        : this->Levels[entry.Level] - this->Levels[entry.Level - 1];
@@ -254,7 +371,10 @@ ClosestTriangle ClosestTriangleFinder::Find(const Eigen::Vector3d& point, int li
       }
       if (entry.Level == 0)
       {
-        visit(this->Order[next.Index]);
+        if (isNearAPoint(node, lane))
+        {
+          visit(next.Index);
+        }
         continue;
       }
       // The nearest on top.
@@ -266,7 +386,6 @@ ClosestTriangle ClosestTriangleFinder::Find(const Eigen::Vector3d& point, int li
       waiting[slot] = next;
     }
   }
-  return closest;
 }
 
 } // namespace FlipFree

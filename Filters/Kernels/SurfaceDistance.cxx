@@ -32,36 +32,47 @@ struct DirectedDistances
 // sides make, each patch sampled at its centroid.
 struct Samples
 {
-  std::vector<std::size_t> Offsets{ 0 };
+  std::vector<std::size_t> Offsets;
   std::vector<int> Divisions;
   std::vector<double> PatchAreas; // per triangle
 
   Samples(const PointList& points, const TriangleList& triangles, double spacing,
-    const std::string& name)
+    const std::string& name, const ParallelFor& parallelFor)
+    : Offsets(triangles.rows() + 1, 0)
+    , Divisions(triangles.rows())
+    , PatchAreas(triangles.rows())
   {
-    double total = 0;
+    parallelFor(0, triangles.rows(),
+      [&](std::ptrdiff_t first, std::ptrdiff_t last)
+      {
+        for (std::ptrdiff_t triangle = first; triangle < last; ++triangle)
+        {
+          const Eigen::RowVector3d a = points.row(triangles(triangle, 0));
+          const Eigen::RowVector3d b = points.row(triangles(triangle, 1));
+          const Eigen::RowVector3d c = points.row(triangles(triangle, 2));
+          // From the centroid of a patch to its neighbour's it is two thirds of a median.
+          const double step = std::sqrt(std::max({ (b + c - 2 * a).squaredNorm(),
+                                (c + a - 2 * b).squaredNorm(), (a + b - 2 * c).squaredNorm() })) /
+            3;
+          const double divisions = std::max(1.0, std::ceil(step / spacing));
+          this->Divisions[triangle] =
+            static_cast<int>(std::min(divisions, std::sqrt(2 * MaximumNumberOfSamples)));
+          this->PatchAreas[triangle] = (b - a).cross(c - a).norm() / 2 / (divisions * divisions);
+        }
+      });
     double area = 0;
     for (Eigen::Index triangle = 0; triangle < triangles.rows(); ++triangle)
     {
-      const Eigen::RowVector3d a = points.row(triangles(triangle, 0));
-      const Eigen::RowVector3d b = points.row(triangles(triangle, 1));
-      const Eigen::RowVector3d c = points.row(triangles(triangle, 2));
-      // From the centroid of a patch to its neighbour's it is two thirds of a median.
-      const double step =
-        std::max({ (b + c - 2 * a).norm(), (c + a - 2 * b).norm(), (a + b - 2 * c).norm() }) / 3;
-      const double divisions = std::max(1.0, std::ceil(step / spacing));
-      total += divisions * divisions;
-      if (!(total <= MaximumNumberOfSamples))
+      const std::size_t divisions = this->Divisions[triangle];
+      const std::size_t patches = divisions * divisions;
+      this->Offsets[triangle + 1] = this->Offsets[triangle] + patches;
+      area += this->PatchAreas[triangle] * static_cast<double>(patches);
+      if (this->Offsets[triangle + 1] > MaximumNumberOfSamples)
       {
         throw std::invalid_argument(name +
           " would need more than a hundred million samples; "
           "choose a greater sample spacing");
       }
-      const double patch = (b - a).cross(c - a).norm() / 2 / (divisions * divisions);
-      area += patch * divisions * divisions;
-      this->Divisions.push_back(static_cast<int>(divisions));
-      this->PatchAreas.push_back(patch);
-      this->Offsets.push_back(static_cast<std::size_t>(total));
     }
     if (!(area > 0))
     {
@@ -86,6 +97,58 @@ struct Samples
       }
     }
   }
+
+  // The sample of the patch in a corner of a triangle, which Visit visits first, last, or as the
+  // last one of the first row.
+  std::size_t AtCorner(Eigen::Index triangle, int corner) const
+  {
+    const std::size_t n = this->Divisions[triangle];
+    return this->Offsets[triangle] + (corner == 0 ? 0 : corner == 1 ? n * n - 1 : 2 * (n - 1));
+  }
+};
+
+// Collects points, each with the place for its distance, and measures them a packet at a time.
+class PacketOfSamples
+{
+public:
+  explicit PacketOfSamples(const ClosestTriangleFinder& finder)
+    : Finder(finder)
+  {
+  }
+  void Add(const Eigen::Vector3d& point, double& distance)
+  {
+    this->Points.Set(this->Size, point);
+    this->Distances[this->Size] = &distance;
+    if (++this->Size == PointPacket::Size)
+    {
+      this->Measure();
+    }
+  }
+  void Measure()
+  {
+    if (this->Size == 0)
+    {
+      return;
+    }
+    for (int lane = this->Size; lane < PointPacket::Size; ++lane)
+    {
+      this->Points.Copy(0, lane);
+    }
+    PointPacket::Values squaredDistances;
+    this->Finder.FindSquaredDistances(this->Points, this->Hint, squaredDistances);
+    for (int lane = 0; lane < this->Size; ++lane)
+    {
+      *this->Distances[lane] = std::sqrt(squaredDistances[lane]);
+    }
+    this->Size = 0;
+  }
+
+private:
+  const ClosestTriangleFinder& Finder;
+  PointPacket Points;
+  std::array<double*, PointPacket::Size> Distances;
+  int Size = 0;
+  int Hint = 0;
 };
 
 // The least distance up to which lies at least that part of the area. Leaves the list in another
@@ -135,73 +198,110 @@ bool ForInBlocks(std::size_t size, std::size_t blockSize, const ParallelFor& par
   return true;
 }
 
-// The vertices of a surface that its triangles use.
-std::vector<int> UsedVertices(const TriangleList& triangles)
+struct Surface
 {
-  std::vector<int> vertices(triangles.data(), triangles.data() + triangles.size());
-  std::sort(vertices.begin(), vertices.end());
-  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
-  return vertices;
-}
+  const PointList& Points;
+  const TriangleList& Triangles;
+  Samples Patches;
+  std::vector<double> Distances; // of the samples to the other surface
+};
 
-bool MeasureDirected(const PointList& points, const TriangleList& triangles, const Samples& samples,
-  const ClosestTriangleFinder& finder, const ParallelFor& parallelFor, const Monitor& monitor,
-  DirectedDistances& result)
+// False when stopped. In the finder's order, those that make a packet lie close together.
+bool MeasureSamples(Surface& surface, const std::vector<int>& order,
+  const ClosestTriangleFinder& other, const ParallelFor& parallelFor, const Monitor& monitor)
 {
-  std::vector<std::pair<double, double>> distancesAndAreas(samples.Offsets.back());
+  surface.Distances.resize(surface.Patches.Offsets.back());
   const auto measureTriangles = [&](std::ptrdiff_t first, std::ptrdiff_t last)
   {
-    int likely = -1;
-    for (std::ptrdiff_t triangle = first; triangle < last; ++triangle)
+    PacketOfSamples packet(other);
+    for (std::ptrdiff_t place = first; place < last; ++place)
     {
-      const Eigen::Vector3d a = points.row(triangles(triangle, 0));
-      const Eigen::Vector3d ab = points.row(triangles(triangle, 1)).transpose() - a;
-      const Eigen::Vector3d ac = points.row(triangles(triangle, 2)).transpose() - a;
-      std::size_t sample = samples.Offsets[triangle];
-      samples.Visit(triangle,
-        [&](double b, double c)
-        {
-          const ClosestTriangle closest = finder.Find(a + b * ab + c * ac, likely);
-          likely = closest.Triangle;
-          distancesAndAreas[sample++] = { std::sqrt(closest.SquaredDistance),
-            samples.PatchAreas[triangle] };
-        });
+      const int triangle = order[place];
+      const int* const corners = surface.Triangles.row(triangle).data();
+      const Eigen::Vector3d a = surface.Points.row(corners[0]);
+      const Eigen::Vector3d ab = surface.Points.row(corners[1]).transpose() - a;
+      const Eigen::Vector3d ac = surface.Points.row(corners[2]).transpose() - a;
+      double* distance = surface.Distances.data() + surface.Patches.Offsets[triangle];
+      surface.Patches.Visit(triangle,
+        [&](double b, double c) { packet.Add(a + b * ab + c * ac, *distance++); });
     }
+    packet.Measure();
   };
-  // The distance can be greatest at a vertex; being points, vertices have no area.
-  const std::vector<int> vertices = UsedVertices(triangles);
-  std::vector<double> vertexDistances(vertices.size());
-  const auto measureVertices = [&](std::ptrdiff_t first, std::ptrdiff_t last)
-  {
-    int likely = -1;
-    for (std::ptrdiff_t vertex = first; vertex < last; ++vertex)
-    {
-      const ClosestTriangle closest = finder.Find(points.row(vertices[vertex]), likely);
-      likely = closest.Triangle;
-      vertexDistances[vertex] = std::sqrt(closest.SquaredDistance);
-    }
-  };
-  const std::size_t numberOfTriangles = triangles.rows();
-  const std::size_t samplesPerTriangle = samples.Offsets.back() / numberOfTriangles;
+  const std::size_t samplesPerTriangle = surface.Distances.size() / order.size();
   const std::size_t trianglesPerBlock = std::max<std::size_t>(1, BlockSize / samplesPerTriangle);
-  if (!ForInBlocks(numberOfTriangles, trianglesPerBlock, parallelFor, PartOf(monitor, 0, 0.8),
-        measureTriangles) ||
-    !ForInBlocks(vertices.size(), BlockSize, parallelFor, PartOf(monitor, 0.8, 1), measureVertices))
+  return ForInBlocks(order.size(), trianglesPerBlock, parallelFor, monitor, measureTriangles);
+}
+
+// The greatest distance of a vertex, if it is greater than `greatest`, that of the samples. A
+// vertex cannot be farther than a sample by more than it lies from that sample, which leaves few to
+// measure.
+double GreatestWithVertices(const Surface& surface, const ClosestTriangleFinder& other,
+  double greatest)
+{
+  enum : char
   {
-    return false;
+    Unused,
+    Candidate,
+    TooNear
+  };
+  const TriangleList& triangles = surface.Triangles;
+  std::vector<char> states(surface.Points.rows(), Unused);
+  for (Eigen::Index triangle = 0; triangle < triangles.rows(); ++triangle)
+  {
+    for (int corner = 0; corner < 3; ++corner)
+    {
+      const auto point = [&](int which)
+      { return surface.Points.row(triangles(triangle, (corner + which) % 3)); };
+      const double toSample = ((point(1) - point(0)) + (point(2) - point(0))).squaredNorm() /
+        (9.0 * surface.Patches.Divisions[triangle] * surface.Patches.Divisions[triangle]);
+      const double lacking =
+        (1 - 1e-9) * greatest - surface.Distances[surface.Patches.AtCorner(triangle, corner)];
+      char& state = states[triangles(triangle, corner)];
+      state =
+        state == TooNear || (lacking > 0 && lacking * lacking > toSample) ? TooNear : Candidate;
+    }
   }
-  // One thread sums, in a fixed order: the bits do not depend on the number of threads.
-  for (const auto& [distance, area] : distancesAndAreas)
+  std::vector<double> distances;
+  distances.reserve(states.size()); // the packet refers to them
+  PacketOfSamples packet(other);
+  for (std::size_t vertex = 0; vertex < states.size(); ++vertex)
   {
-    result.Area += area;
-    result.Sum += area * distance;
-    result.SumOfSquares += area * distance * distance;
-    result.Greatest = std::max(result.Greatest, distance);
+    if (states[vertex] == Candidate)
+    {
+      packet.Add(surface.Points.row(static_cast<Eigen::Index>(vertex)), distances.emplace_back(0));
+    }
+  }
+  packet.Measure();
+  for (const double distance : distances)
+  {
+    greatest = std::max(greatest, distance);
+  }
+  return greatest;
+}
+
+// One thread sums, in a fixed order: the bits do not depend on the number of threads.
+DirectedDistances Summarise(const Surface& surface, const ClosestTriangleFinder& other)
+{
+  DirectedDistances result;
+  std::vector<std::pair<double, double>> distancesAndAreas;
+  distancesAndAreas.reserve(surface.Distances.size());
+  for (Eigen::Index triangle = 0; triangle < surface.Triangles.rows(); ++triangle)
+  {
+    const double area = surface.Patches.PatchAreas[triangle];
+    for (std::size_t sample = surface.Patches.Offsets[triangle];
+         sample < surface.Patches.Offsets[triangle + 1]; ++sample)
+    {
+      const double distance = surface.Distances[sample];
+      distancesAndAreas.emplace_back(distance, area);
+      result.Area += area;
+      result.Sum += area * distance;
+      result.SumOfSquares += area * distance * distance;
+      result.Greatest = std::max(result.Greatest, distance);
+    }
   }
   result.Percentile95 = WeightedPercentile(distancesAndAreas, 0.95, result.Area);
-  result.Greatest =
-    std::max(result.Greatest, *std::max_element(vertexDistances.begin(), vertexDistances.end()));
-  return true;
+  result.Greatest = GreatestWithVertices(surface, other, result.Greatest);
+  return result;
 }
 
 } // namespace
@@ -218,28 +318,39 @@ SurfaceDistance MeasureSurfaceDistance(const PointList& firstPoints,
   }
   RequireValidFaces(firstPoints, FacesOf(firstTriangles), "the first surface");
   RequireValidFaces(secondPoints, FacesOf(secondTriangles), "the second surface");
-  const Samples firstSamples(firstPoints, firstTriangles, sampleSpacing, "the first surface");
-  const Samples secondSamples(secondPoints, secondTriangles, sampleSpacing, "the second surface");
-  std::array<std::optional<ClosestTriangleFinder>, 2> finders;
-  parallelFor(0, 2,
-    [&](std::ptrdiff_t begin, std::ptrdiff_t end)
-    {
-      for (std::ptrdiff_t surface = begin; surface < end; ++surface)
+  std::array<Surface, 2> surfaces{ {
+    { firstPoints, firstTriangles,
+      Samples(firstPoints, firstTriangles, sampleSpacing, "the first surface", parallelFor), {} },
+    { secondPoints, secondTriangles,
+      Samples(secondPoints, secondTriangles, sampleSpacing, "the second surface", parallelFor),
+      {} },
+  } };
+  const auto forBoth = [&parallelFor](const std::function<void(std::ptrdiff_t)>& body)
+  {
+    parallelFor(0, 2,
+      [&body](std::ptrdiff_t begin, std::ptrdiff_t end)
       {
-        finders[surface].emplace(surface == 0 ? firstPoints : secondPoints,
-          surface == 0 ? firstTriangles : secondTriangles);
-      }
-    });
+        for (std::ptrdiff_t surface = begin; surface < end; ++surface)
+        {
+          body(surface);
+        }
+      });
+  };
+  std::array<std::optional<ClosestTriangleFinder>, 2> finders;
+  forBoth([&](std::ptrdiff_t surface)
+    { finders[surface].emplace(surfaces[surface].Points, surfaces[surface].Triangles); });
 
   SurfaceDistance result;
-  DirectedDistances there;
-  DirectedDistances back;
-  result.Complete = MeasureDirected(firstPoints, firstTriangles, firstSamples, *finders[1],
-                      parallelFor, PartOf(monitor, 0, 0.5), there) &&
-    MeasureDirected(secondPoints, secondTriangles, secondSamples, *finders[0], parallelFor,
-      PartOf(monitor, 0.5, 1), back);
+  result.Complete = MeasureSamples(surfaces[0], finders[0]->GetOrder(), *finders[1], parallelFor,
+                      PartOf(monitor, 0, 0.5)) &&
+    MeasureSamples(surfaces[1], finders[1]->GetOrder(), *finders[0], parallelFor,
+      PartOf(monitor, 0.5, 1));
   if (result.Complete)
   {
+    std::array<DirectedDistances, 2> directed;
+    forBoth([&](std::ptrdiff_t surface)
+      { directed[surface] = Summarise(surfaces[surface], *finders[1 - surface]); });
+    const auto& [there, back] = directed;
     const double area = there.Area + back.Area;
     result.Average = (there.Sum + back.Sum) / area;
     result.RootMeanSquare = std::sqrt((there.SumOfSquares + back.SumOfSquares) / area);

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 #include <random>
 
@@ -19,6 +20,19 @@ SurfaceDistance Measure(const Surface& first, const Surface& second, double spac
     spacing);
 }
 
+double BruteForceSquaredDistance(const Eigen::Vector3d& point, const Surface& surface)
+{
+  double least = std::numeric_limits<double>::infinity();
+  for (Eigen::Index triangle = 0; triangle < surface.Triangles.rows(); ++triangle)
+  {
+    least = std::min(least,
+      SquaredDistanceToTriangle(point, surface.Points.row(surface.Triangles(triangle, 0)),
+        surface.Points.row(surface.Triangles(triangle, 1)),
+        surface.Points.row(surface.Triangles(triangle, 2))));
+  }
+  return least;
+}
+
 } // namespace
 
 TEST(ClosestTriangle, FindsWhatBruteForceFinds)
@@ -27,23 +41,79 @@ TEST(ClosestTriangle, FindsWhatBruteForceFinds)
   const ClosestTriangleFinder finder(potato.Points, potato.Triangles);
   std::mt19937 random(1);
   std::uniform_real_distribution<double> coordinate(-20, 25);
-  int likely = -1;
+  int hint = 0;
   for (int query = 0; query < 500; ++query)
   {
-    const Eigen::Vector3d point(coordinate(random), coordinate(random), coordinate(random));
-    double expected = std::numeric_limits<double>::infinity();
-    for (Eigen::Index triangle = 0; triangle < potato.Triangles.rows(); ++triangle)
+    // Points that have nothing to do with each other, or lie close together.
+    const double spread = query % 4 == 0 ? 1 : 0.02 * (query % 4);
+    const Eigen::Vector3d center(coordinate(random), coordinate(random), coordinate(random));
+    PointPacket points;
+    PointPacket::Values expected;
+    for (int lane = 0; lane < PointPacket::Size; ++lane)
     {
-      expected = std::min(expected,
-        SquaredDistanceToTriangle(point, potato.Points.row(potato.Triangles(triangle, 0)),
-          potato.Points.row(potato.Triangles(triangle, 1)),
-          potato.Points.row(potato.Triangles(triangle, 2))));
+      const Eigen::Vector3d other(coordinate(random), coordinate(random), coordinate(random));
+      const Eigen::Vector3d point = center + spread * (other - center);
+      points.Set(lane, point);
+      expected[lane] = BruteForceSquaredDistance(point, potato);
     }
-    EXPECT_EQ(finder.Find(point).SquaredDistance, expected);
+    PointPacket::Values found;
+    int start = 0;
+    finder.FindSquaredDistances(points, start, found);
+    for (int lane = 0; lane < PointPacket::Size; ++lane)
+    {
+      EXPECT_NEAR(found[lane], expected[lane], 1e-12 * expected[lane]);
+    }
     // A hint, good or bad, changes nothing.
-    const auto closest = finder.Find(point, likely);
-    EXPECT_EQ(closest.SquaredDistance, expected);
-    likely = closest.Triangle;
+    for (int bad = 0; bad < 2; ++bad)
+    {
+      PointPacket::Values again;
+      hint = bad ? query % static_cast<int>(potato.Triangles.rows()) : hint;
+      finder.FindSquaredDistances(points, hint, again);
+      EXPECT_EQ(again, found);
+    }
+  }
+}
+
+TEST(ClosestTriangle, OrderNamesEveryTriangleOnce)
+{
+  const Surface potato = Potato(9, { 1, 2, 3 }, 10);
+  std::vector<int> order = ClosestTriangleFinder(potato.Points, potato.Triangles).GetOrder();
+  std::sort(order.begin(), order.end());
+  ASSERT_EQ(order.size(), static_cast<std::size_t>(potato.Triangles.rows()));
+  for (std::size_t place = 0; place < order.size(); ++place)
+  {
+    EXPECT_EQ(order[place], static_cast<int>(place));
+  }
+}
+
+// Triangles of any shape: of a packet, each point gets the distance that it gets alone.
+TEST(ClosestTriangle, ManyDistancesAtOnceAreThoseOneByOne)
+{
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> coordinate(-1, 1);
+  const auto randomPoint = [&]
+  { return Eigen::Vector3d(coordinate(random), coordinate(random), coordinate(random)); };
+  for (int trial = 0; trial < 400; ++trial)
+  {
+    const Eigen::Vector3d a = randomPoint();
+    const Eigen::Vector3d b = trial % 8 == 4 ? a : randomPoint();
+    const Eigen::Vector3d c = trial % 4 == 0 ? Eigen::Vector3d(0.3 * a + 0.7 * b) : randomPoint();
+    const TriangleForDistance triangle(a, b, c);
+    PointPacket points;
+    PointPacket::Values expected;
+    PointPacket::Values least;
+    for (int lane = 0; lane < PointPacket::Size; ++lane)
+    {
+      const Eigen::Vector3d point = 2 * randomPoint();
+      points.Set(lane, point);
+      least[lane] = lane % 3 == 0 ? 0.01 : std::numeric_limits<double>::infinity();
+      expected[lane] = std::min(least[lane], triangle.SquaredDistance(point));
+    }
+    triangle.LowerToSquaredDistances(points, least);
+    for (int lane = 0; lane < PointPacket::Size; ++lane)
+    {
+      EXPECT_NEAR(least[lane], expected[lane], 1e-13) << trial;
+    }
   }
 }
 
@@ -73,6 +143,46 @@ TEST(ClosestTriangle, DistanceToATriangleIsTheLeastOverItsPoints)
     const double distance = std::sqrt(SquaredDistanceToTriangle(point, a, b, c));
     EXPECT_LE(distance, least + 1e-12);
     EXPECT_GT(distance, least - 2.0 * std::sqrt(12.0) / n);
+  }
+}
+
+// One sample per triangle, its centroid; the greatest distance is that of all vertices too, not
+// only of those that it cannot do without.
+TEST(SurfaceDistance, IsWhatBruteForceFinds)
+{
+  for (const double radius : { 8.0, 10.0, 14.0 })
+  {
+    const std::array<Surface, 2> surfaces{ { Potato(7, { 1, 2, 3 }, 10),
+      Sphere(6, { 2, 2, 2 }, radius) } };
+    double area = 0;
+    double sum = 0;
+    double sumOfSquares = 0;
+    double greatest = 0;
+    for (int side = 0; side < 2; ++side)
+    {
+      const Surface& surface = surfaces[side];
+      const Surface& other = surfaces[1 - side];
+      for (Eigen::Index triangle = 0; triangle < surface.Triangles.rows(); ++triangle)
+      {
+        const Eigen::Vector3d a = surface.Points.row(surface.Triangles(triangle, 0));
+        const Eigen::Vector3d b = surface.Points.row(surface.Triangles(triangle, 1));
+        const Eigen::Vector3d c = surface.Points.row(surface.Triangles(triangle, 2));
+        const double patch = (b - a).cross(c - a).norm() / 2;
+        const double distance = std::sqrt(BruteForceSquaredDistance((a + b + c) / 3, other));
+        area += patch;
+        sum += patch * distance;
+        sumOfSquares += patch * distance * distance;
+        for (const Eigen::Vector3d& point : { a, b, c })
+        {
+          greatest =
+            std::max({ greatest, distance, std::sqrt(BruteForceSquaredDistance(point, other)) });
+        }
+      }
+    }
+    const SurfaceDistance distance = Measure(surfaces[0], surfaces[1], 100);
+    EXPECT_NEAR(distance.Average, sum / area, 1e-12);
+    EXPECT_NEAR(distance.RootMeanSquare, std::sqrt(sumOfSquares / area), 1e-12);
+    EXPECT_NEAR(distance.Hausdorff, greatest, 1e-12);
   }
 }
 
