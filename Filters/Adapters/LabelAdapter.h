@@ -17,6 +17,8 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <cstdlib>
+#include <new>
 #include <stdexcept>
 #include <string>
 #include <type_traits>
@@ -57,22 +59,36 @@ inline LabelMask MaskOf(vtkImageData* image, int label, const std::string& name)
   std::atomic<std::ptrdiff_t> firstBad{ size };
   const auto select = [&](const auto* values)
   {
+    using Value = std::decay_t<decltype(*values)>;
+    // Compared in their own type, many at once; a label that this type does not have is nowhere.
+    const auto sought = static_cast<Value>(label);
+    const bool exists = label < 0 || static_cast<double>(sought) == label;
     SMPFor(0, size,
       [&](std::ptrdiff_t first, std::ptrdiff_t last)
       {
-        std::ptrdiff_t bad = size;
-        for (std::ptrdiff_t voxel = first; voxel < last; ++voxel)
+        unsigned char* const inside = mask.Voxels.data();
+        if constexpr (std::is_floating_point_v<Value>)
         {
-          const auto value = static_cast<double>(values[voxel]);
-          if constexpr (std::is_floating_point_v<std::decay_t<decltype(values[voxel])>>)
+          const Value* const bad = std::find_if(values + first, values + last,
+            [](Value value) { return !std::isfinite(value); });
+          for (std::ptrdiff_t known = firstBad; bad != values + last && bad - values < known;)
           {
-            bad = std::isfinite(value) ? bad : std::min(bad, voxel);
+            firstBad.compare_exchange_weak(known, bad - values);
           }
-          mask.Voxels[voxel] = label < 0 ? value != 0 : value == label;
         }
-        for (std::ptrdiff_t known = firstBad; bad < known;)
+        if (label < 0)
         {
-          firstBad.compare_exchange_weak(known, bad);
+          for (std::ptrdiff_t voxel = first; voxel < last; ++voxel)
+          {
+            inside[voxel] = values[voxel] != Value(0);
+          }
+        }
+        else if (exists)
+        {
+          for (std::ptrdiff_t voxel = first; voxel < last; ++voxel)
+          {
+            inside[voxel] = values[voxel] == sought;
+          }
         }
       });
   };
@@ -95,11 +111,19 @@ inline LabelMask MaskOf(vtkImageData* image, int label, const std::string& name)
 inline void MakeLabelMap(const std::vector<VoxelRun>& runs, unsigned char label,
   vtkImageData* image, vtkImageData* labelMap)
 {
+  // The system hands out large memory cleared, and that of a page only once it is touched: most of
+  // a volume never is.
+  const auto size = static_cast<std::size_t>(image->GetNumberOfPoints());
+  auto* const voxels = static_cast<unsigned char*>(std::calloc(std::max<std::size_t>(size, 1), 1));
+  if (!voxels)
+  {
+    throw std::bad_alloc();
+  }
   vtkNew<vtkUnsignedCharArray> labels;
   labels->SetName("Labels");
-  labels->SetNumberOfValues(image->GetNumberOfPoints());
-  labels->FillValue(0);
-  FillRuns(runs, label, GeometryOf(image), labels->GetPointer(0));
+  labels->SetArray(voxels, image->GetNumberOfPoints(), 0,
+    vtkUnsignedCharArray::VTK_DATA_ARRAY_FREE);
+  FillRuns(runs, label, GeometryOf(image), voxels);
   labelMap->CopyStructure(image);
   labelMap->GetPointData()->SetScalars(labels);
 }

@@ -99,6 +99,37 @@ TEST(LabelSurface, OfABlockIsClosedAndLiesHalfwayToItsNeighbours)
   }
 }
 
+// Each type compares in its own way; what is asked for may lie beyond what it can hold.
+TEST(LabelMask, IsThatOfComparingNumbersInAnyType)
+{
+  for (const int type : { VTK_CHAR, VTK_SIGNED_CHAR, VTK_UNSIGNED_CHAR, VTK_SHORT,
+         VTK_UNSIGNED_SHORT, VTK_INT, VTK_UNSIGNED_INT, VTK_LONG_LONG, VTK_FLOAT, VTK_DOUBLE })
+  {
+    vtkNew<vtkImageData> image;
+    image->SetDimensions(37, 11, 5);
+    image->AllocateScalars(type, 1);
+    vtkDataArray* scalars = image->GetPointData()->GetScalars();
+    for (vtkIdType voxel = 0; voxel < image->GetNumberOfPoints(); ++voxel)
+    {
+      scalars->SetTuple1(voxel, static_cast<double>(voxel * 7919 % 251 % 128));
+    }
+    if (type == VTK_FLOAT || type == VTK_DOUBLE)
+    {
+      scalars->SetTuple1(3, 5.5);
+    }
+    for (const int label : { -1, 0, 5, 127, 128, 256, 261, 65541, 1 << 30 })
+    {
+      const LabelMask mask = MaskOf(image, label, "the labels");
+      for (vtkIdType voxel = 0; voxel < image->GetNumberOfPoints(); ++voxel)
+      {
+        const double value = scalars->GetTuple1(voxel);
+        ASSERT_EQ(mask.Voxels[voxel], label < 0 ? value != 0 : value == label)
+          << image->GetScalarTypeAsString() << " label " << label << " voxel " << voxel;
+      }
+    }
+  }
+}
+
 TEST(SegmentationMetrics, AgreesWithItselfPerfectly)
 {
   const auto reference = LabelMapOf(Potato(12, Center, 15), Grid());

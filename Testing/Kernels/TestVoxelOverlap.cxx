@@ -65,6 +65,33 @@ TEST(VoxelOverlap, VolumeDifferenceIsSignedAndTheRestIsSymmetric)
     there.Intersection);
 }
 
+TEST(VoxelOverlap, CountsWhatOneByOneCounts)
+{
+  Mask one(Box({ 2, 2, 2 }, { 12, 12, 12 }), UnitGrid());
+  Mask two = one;
+  // All inside, so that no count is greater; then any mixture, with any value for inside.
+  for (unsigned trial = 0; trial < 4; ++trial)
+  {
+    std::size_t counts[3] = { 0, 0, 0 };
+    for (std::size_t voxel = 0; voxel < one.Voxels.size(); ++voxel)
+    {
+      const auto hash = static_cast<unsigned>(voxel * 2654435761U) >> 16U;
+      one.Voxels[voxel] = trial == 0 ? 255 : hash % (trial + 1);
+      two.Voxels[voxel] = trial == 0 ? 1 : hash / 7 % (trial + 1);
+      counts[0] += one.Voxels[voxel] != 0;
+      counts[1] += two.Voxels[voxel] != 0;
+      counts[2] += one.Voxels[voxel] != 0 && two.Voxels[voxel] != 0;
+    }
+    for (const ParallelFor& parallelFor : { ParallelFor(SerialFor), ParallelFor(ScatteredFor) })
+    {
+      const VoxelOverlap overlap = MeasureOverlap(one.View(), two.View(), parallelFor);
+      EXPECT_EQ(overlap.Segmentation, counts[0]);
+      EXPECT_EQ(overlap.Reference, counts[1]);
+      EXPECT_EQ(overlap.Intersection, counts[2]);
+    }
+  }
+}
+
 TEST(VoxelOverlap, RefusesEmptyMasksAndOtherGrids)
 {
   const Mask mask(Box({ 2, 2, 2 }, { 12, 12, 12 }), UnitGrid());
