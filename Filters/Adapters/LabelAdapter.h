@@ -66,7 +66,10 @@ inline LabelMask MaskOf(vtkImageData* image, int label, const std::string& name)
     SMPFor(0, size,
       [&](std::ptrdiff_t first, std::ptrdiff_t last)
       {
+        // A byte written might be any of what is captured, so far as a compiler knows.
         unsigned char* const inside = mask.Voxels.data();
+        const Value* const from = values;
+        const Value wanted = sought;
         if constexpr (std::is_floating_point_v<Value>)
         {
           const Value* const bad = std::find_if(values + first, values + last,
@@ -80,14 +83,14 @@ inline LabelMask MaskOf(vtkImageData* image, int label, const std::string& name)
         {
           for (std::ptrdiff_t voxel = first; voxel < last; ++voxel)
           {
-            inside[voxel] = values[voxel] != Value(0);
+            inside[voxel] = from[voxel] != Value(0);
           }
         }
         else if (exists)
         {
           for (std::ptrdiff_t voxel = first; voxel < last; ++voxel)
           {
-            inside[voxel] = values[voxel] == sought;
+            inside[voxel] = from[voxel] == wanted;
           }
         }
       });
