@@ -13,9 +13,11 @@
 
 #include "itkGeodesicActiveContourLevelSetImageFilter.h"
 #include "itkGradientMagnitudeRecursiveGaussianImageFilter.h"
+#include "itkReinitializeLevelSetImageFilter.h"
 #include "itkThresholdSegmentationLevelSetImageFilter.h"
 
 #include <algorithm>
+#include <functional>
 
 vtkStandardNewMacro(vtkLevelSetSegmentation);
 
@@ -28,11 +30,13 @@ using ThresholdFilter = FlipFree::SettlingLevelSet<
 using GeodesicFilter = FlipFree::SettlingLevelSet<
   itk::GeodesicActiveContourLevelSetImageFilter<ItkImage, ItkImage, float>>;
 using GradientFilter = itk::GradientMagnitudeRecursiveGaussianImageFilter<ItkImage, ItkImage>;
+using DistanceFilter = itk::ReinitializeLevelSetImageFilter<ItkImage>;
 
 constexpr double CurvatureOfThreshold = 2;
 constexpr double CurvatureOfGeodesic = 0.5;
-// Share of the progress.
+// Shares of the progress.
 constexpr double EdgesEnd = 0.1;
+constexpr double EvolutionEnds = 0.95;
 
 // Negative inside the seed sphere.
 ItkImage::Pointer SphereFunction(const FlipFree::BaselineTask& task)
@@ -97,6 +101,30 @@ ItkImage::Pointer EdgePotential(const FlipFree::BaselineTask& task, double sigma
   return image;
 }
 
+// Moves the front outward. What the level set function holds is no distance: it counts the least
+// spacing for a voxel on any axis, and stops at four of them. False if the monitor stopped it.
+bool MoveOutward(ItkImage::Pointer& level, double width, const FlipFree::Monitor& monitor)
+{
+  const auto& spacing = level->GetSpacing();
+  const double known = width + *std::max_element(spacing.Begin(), spacing.End());
+  auto filter = DistanceFilter::New();
+  filter->SetInput(level);
+  filter->NarrowBandingOn();
+  filter->SetOutputNarrowBandwidth(2 * known); // to either side
+  if (!FlipFree::UpdateMonitored<DistanceFilter>(filter, FlipFree::ReportedProgress<DistanceFilter>,
+        monitor))
+  {
+    return false;
+  }
+  level = filter->GetOutput();
+  level->DisconnectPipeline();
+  float* const begin = level->GetBufferPointer();
+  std::transform(begin, begin + level->GetBufferedRegion().GetNumberOfPixels(), begin,
+    [=](double distance)
+    { return static_cast<float>(std::max(-known, std::min(known, distance)) - width); });
+  return true;
+}
+
 // Runs the level set and takes its result over. False if the monitor stopped it.
 template <typename TFilter>
 bool Evolve(const FlipFree::BaselineTask& task, TFilter* filter, double rimWidth,
@@ -110,16 +138,20 @@ bool Evolve(const FlipFree::BaselineTask& task, TFilter* filter, double rimWidth
     return static_cast<double>(running->GetElapsedIterations()) /
       static_cast<double>(running->GetNumberOfIterations());
   };
-  if (!FlipFree::UpdateMonitored<TFilter>(filter, progress, monitor))
+  if (!FlipFree::UpdateMonitored<TFilter>(filter, progress,
+        FlipFree::PartOf(monitor, 0, EvolutionEnds)))
   {
     return false;
   }
-  const float* level = filter->GetOutput()->GetBufferPointer();
-  // The level set function is a distance in voxels of the least spacing, near the front.
-  const float rim = static_cast<float>(rimWidth / task.Region.Geometry.Spacing.minCoeff());
+  ItkImage::Pointer level = filter->GetOutput();
+  level->DisconnectPipeline();
+  if (rimWidth > 0 && !MoveOutward(level, rimWidth, FlipFree::PartOf(monitor, EvolutionEnds, 1)))
+  {
+    return false;
+  }
+  const float* const value = level->GetBufferPointer();
   result.Field.resize(task.Region.Voxels.size());
-  std::transform(level, level + result.Field.size(), result.Field.begin(),
-    [rim](float value) { return rim - value; });
+  std::transform(value, value + result.Field.size(), result.Field.begin(), std::negate<>());
   result.Iterations = static_cast<int>(filter->GetElapsedIterations());
   return true;
 }
