@@ -6,6 +6,7 @@
 #include "GreyImageAdapter.h"
 #include "ItkVtkBridge.h"
 #include "MonitoredDiffusion.h"
+#include "PropertyCheck.h"
 #include "VolumeHeader.h"
 
 #include "vtkDataArray.h"
@@ -247,6 +248,9 @@ int vtkAnisotropicDiffusionPrefilter::RequestData(vtkInformation*,
   output->Initialize();
   try
   {
+    FlipFree::RequireNumbers({ { "TimeStep", this->TimeStep },
+      { "Conductance", this->Conductance }, { "GradientScale", this->GradientScale },
+      { "ScaleRadius", this->ScaleRadius } });
     FlipFree::RequireGreyImage(input, InputName);
     const Extent region = ChooseRegion(this->VOI, ExtentOf(input));
     if (region.IsEmpty())

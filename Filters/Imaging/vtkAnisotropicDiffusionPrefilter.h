@@ -23,8 +23,8 @@
  *
  * Errors: no or empty image, no scalars, several components, scalars of bits, a spacing that is not
  * positive, NaN or infinite voxels, a VOI or a sphere without a voxel of the image, a TimeStep that
- * is not stable. Progress is reported and an
- * abort obeyed within an iteration.
+ * is not stable, a property that is not a number. Each is reported once; the output is then empty.
+ * It is empty without an error after an abort, which is obeyed within an iteration.
  *
  * Source: ITK's itk::CurvatureAnisotropicDiffusionImageFilter (R. Whitaker and X. Xue,
  * Variable-conductance, level-set curvature for image denoising, ICIP 2001) and
@@ -92,7 +92,8 @@ public:
   ///@{
   /**
    * The gradient magnitude that counts as one, in grey values per millimetre. 0 (default) means the
-   * root mean square over the voxels of the scale sphere.
+   * root mean square over the voxels of the scale sphere; if that is 0 too, all of one grey value,
+   * nothing is smoothed.
    */
   vtkSetClampMacro(GradientScale, double, 0, 1e30);
   vtkGetMacro(GradientScale, double);
@@ -100,8 +101,8 @@ public:
 
   ///@{
   /**
-   * The sphere that gives the gradient scale and `NoiseDeviation`: centre and radius in
-   * millimetres. A radius of 0 (default) means the whole VOI for the scale, which only then depends
+   * The sphere that gives the gradient scale and `NoiseDeviation`: centre (default 0, 0, 0) and
+   * radius in millimetres. A radius of 0 (default) means the whole VOI for the scale, which only then depends
    * on it, and no `NoiseDeviation`.
    */
   vtkSetVector3Macro(ScaleCenter, double);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cmath>
 
 namespace FlipFree
@@ -14,8 +15,8 @@ namespace
 // The greatest parts that the image is cut into: what a core works on, a few slices after each
 // iteration, is to fit into its second cache. What is around a part is computed twice.
 constexpr std::array<int, 3> PartSize{ { 320, 32, 64 } };
-// Parts between two questions to the monitor: some ten milliseconds.
-constexpr std::ptrdiff_t PartsAtOnce = 32;
+// Seconds between two questions to the monitor.
+constexpr double Interval = 0.04;
 
 DiffusionCoefficients CoefficientsOf(const AnisotropicDiffusionSettings& settings,
   const Eigen::Vector3d& spacing)
@@ -236,6 +237,32 @@ private:
   std::vector<float> RowFlux;
 };
 
+// How many parts to do between two questions: equation, machine and threads decide how long one
+// takes.
+class Pace
+{
+public:
+  std::ptrdiff_t PartsAtOnce() const { return this->Parts; }
+  void Begin() { this->Began = Clock::now(); }
+  void End()
+  {
+    const double seconds = std::chrono::duration<double>(Clock::now() - this->Began).count();
+    if (seconds > Interval)
+    {
+      this->Parts = std::max<std::ptrdiff_t>(1, this->Parts / 2);
+    }
+    else if (seconds < Interval / 2)
+    {
+      this->Parts *= 2;
+    }
+  }
+
+private:
+  using Clock = std::chrono::steady_clock;
+  std::ptrdiff_t Parts = 2;
+  Clock::time_point Began;
+};
+
 } // namespace
 
 bool DiffuseBox(const VoxelReader& read, const ImageGeometry& geometry,
@@ -248,13 +275,16 @@ bool DiffuseBox(const VoxelReader& read, const ImageGeometry& geometry,
     parts[axis] = (box.Size(axis) + PartSize[axis] - 1) / PartSize[axis];
   }
   const std::ptrdiff_t count = parts[0] * parts[1] * parts[2];
-  for (std::ptrdiff_t begin = 0; begin < count; begin += PartsAtOnce)
+  Pace pace;
+  for (std::ptrdiff_t begin = 0, end = 0; begin < count; begin = end)
   {
     if (!monitor(static_cast<double>(begin) / static_cast<double>(count)))
     {
       return false;
     }
-    parallelFor(begin, std::min(count, begin + PartsAtOnce),
+    end = std::min(count, begin + pace.PartsAtOnce());
+    pace.Begin();
+    parallelFor(begin, end,
       [&](std::ptrdiff_t first, std::ptrdiff_t last)
       {
         Cascade cascade(read, geometry, settings, out);
@@ -273,6 +303,7 @@ bool DiffuseBox(const VoxelReader& read, const ImageGeometry& geometry,
           cascade.Run(cut);
         }
       });
+    pace.End();
   }
   return true;
 }

@@ -1,5 +1,6 @@
 #include "DiffusionRows.h"
 
+#include <cmath>
 #include <cstdint>
 #include <cstring>
 

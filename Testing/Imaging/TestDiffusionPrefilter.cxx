@@ -297,6 +297,39 @@ TEST_P(TestDiffusionEquations, OwnKernelAgreesWithItk)
   }
 }
 
+// As thin as a voxel on some axes.
+TEST_P(TestDiffusionEquations, ThinImagesAgreeWithOwnKernel)
+{
+  const std::array<std::array<int, 3>, 6> sizes{ { { { 1, 20, 15 } }, { { 20, 1, 15 } },
+    { { 20, 15, 1 } }, { { 20, 1, 1 } }, { { 2, 2, 2 } }, { { 1, 1, 1 } } } };
+  for (const auto& size : sizes)
+  {
+    auto image = NoisyStep(size[0], size[1], size[2], 20);
+    vtkNew<vtkAnisotropicDiffusionPrefilter> filter;
+    filter->SetInputData(image);
+    filter->SetEquation(GetParam());
+    filter->SetGradientScale(20);
+    filter->Update();
+    ExampleImages::ExpectSameGeometry(filter->GetOutput(), image, 0);
+    const auto* smoothed = static_cast<float*>(filter->GetOutput()->GetScalarPointer());
+
+    const auto grey = FlipFree::ViewOf<short>(image);
+    const FlipFree::AnisotropicDiffusionSettings settings{ 5, 20,
+      GetParam() == vtkAnisotropicDiffusionPrefilter::CURVATURE
+        ? FlipFree::DiffusionEquation::Curvature
+        : FlipFree::DiffusionEquation::Gradient,
+      0 };
+    std::vector<float> own(grey.Geometry.NumberOfVoxels());
+    FlipFree::DiffuseAnisotropically(FlipFree::ReaderOf(grey), grey.Geometry, settings,
+      FlipFree::SMPFor, FlipFree::NeverStop, own.data());
+    for (std::size_t voxel = 0; voxel < own.size(); ++voxel)
+    {
+      ASSERT_NEAR(smoothed[voxel], own[voxel], 2e-4)
+        << size[0] << " x " << size[1] << " x " << size[2] << ", voxel " << voxel;
+    }
+  }
+}
+
 TEST_P(TestDiffusionEquations, SameBitsForAnyNumberOfThreads)
 {
   auto image = NoisyStep(21, 26, 15, 20);
@@ -515,6 +548,17 @@ TEST(TestDiffusionPrefilter, BadInputIsRefusedWithOneError)
   image = NoisyStep(12, 10, 8, 25);
   refuse(image, "VOI", [](auto* filter) { filter->SetVOI(100, 110, 0, 9, 0, 7); });
   refuse(image, "TimeStep", [](auto* filter) { filter->SetTimeStep(0.06); });
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  refuse(image, "the property TimeStep", [=](auto* filter) { filter->SetTimeStep(nan); });
+  refuse(image, "the property Conductance", [=](auto* filter) { filter->SetConductance(nan); });
+  refuse(image, "the property GradientScale", [=](auto* filter) { filter->SetGradientScale(nan); });
+  refuse(image, "the property ScaleRadius", [=](auto* filter) { filter->SetScaleRadius(nan); });
+  refuse(image, "scale sphere",
+    [=](auto* filter)
+    {
+      filter->SetScaleCenter(nan, 0, 0);
+      filter->SetScaleRadius(10);
+    });
   refuse(image, "scale sphere",
     [](auto* filter)
     {
