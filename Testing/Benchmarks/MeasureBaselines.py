@@ -17,13 +17,6 @@ METHODS = ("vtkRegionGrowing", "vtkLevelSetSegmentation", "vtkGraphCutSegmentati
 ORGANS = ("liver", "spleen", "kidney")
 
 
-def read(path):
-    reader = flipfree.vtkMedicalImageReader()
-    reader.SetFileName(path)
-    flipfree.update(reader)
-    return reader.GetOutput()
-
-
 def segment(name, image, row, parameters):
     """One row by one method: its scores, iterations and seconds, reading aside."""
     method = getattr(flipfree, name)()
@@ -51,8 +44,8 @@ def main():
     print("| method | case | Dice | ASD mm | iterations | seconds |\n|---|---|---|---|---|---|")
     scores = {}
     for row in rows:
-        image = read(os.path.join(options.data, row["image"]))
-        reference = read(os.path.join(options.data, row["labels"]))
+        image = flipfree.read_image(os.path.join(options.data, row["image"]))
+        reference = flipfree.read_image(os.path.join(options.data, row["labels"]))
         for name in options.method:
             method, seconds = segment(name, image, row, options.set)
             result = flipfree.evaluate(method.GetLabelMap(), reference, reference_label=int(row["label_id"]))

@@ -6,7 +6,8 @@
 //             [--convergence FILE.csv] [--threads N]
 //
 // Prints the number of iterations, the seconds of reading, those of the segmentation, and the
-// greatest memory so far in MB.
+// greatest memory so far in MB. Ends with 1 if the method found nothing, and with 2 if that is not
+// the method's fault: an image that cannot be read, results that cannot be written.
 #include "CaseList.h"
 
 #include "vtkBaselineSegmentation.h"
@@ -32,11 +33,15 @@
 #include <cstdio>
 #include <functional>
 #include <map>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
 namespace
 {
+
+constexpr int NothingFound = 1;
+constexpr int NotTheMethodsFault = 2;
 
 struct Options
 {
@@ -127,34 +132,64 @@ std::vector<std::string> NamesOfMethods()
   return names;
 }
 
+template <typename TWriter>
+void Write(vtkDataObject* result, const std::string& file)
+{
+  vtkNew<TWriter> writer;
+  writer->SetInputDataObject(result);
+  writer->SetFileName(file.c_str());
+  if (writer->Write() == 0)
+  {
+    throw std::runtime_error(
+      file + " cannot be written; is there room, and a folder of that name?");
+  }
+}
+
 void WriteResults(vtkAlgorithm* filter, const Options& options)
 {
   if (!options.Labels.empty())
   {
-    vtkNew<vtkMedicalImageWriter> writer;
-    writer->SetInputDataObject(filter->GetOutputDataObject(1));
-    writer->SetFileName(options.Labels.c_str());
-    writer->Write();
+    Write<vtkMedicalImageWriter>(filter->GetOutputDataObject(1), options.Labels);
   }
   if (!options.Surface.empty())
   {
-    vtkNew<vtkXMLPolyDataWriter> writer;
-    writer->SetInputDataObject(filter->GetOutputDataObject(0));
-    writer->SetFileName(options.Surface.c_str());
-    writer->Write();
+    Write<vtkXMLPolyDataWriter>(filter->GetOutputDataObject(0), options.Surface);
   }
   if (!options.Convergence.empty() && filter->GetNumberOfOutputPorts() > 2)
   {
-    vtkNew<vtkDelimitedTextWriter> writer;
-    writer->SetInputDataObject(filter->GetOutputDataObject(2));
-    writer->SetFileName(options.Convergence.c_str());
-    writer->Write();
+    Write<vtkDelimitedTextWriter>(filter->GetOutputDataObject(2), options.Convergence);
   }
+}
+
+// Returns what the program ends with.
+int Segment(const Options& options)
+{
+  vtkSMPTools::Initialize(options.Threads);
+  const double begin = vtkTimerLog::GetUniversalTime();
+  const auto image = ReadVolume(options.Image);
+  if (image->GetNumberOfPoints() == 0)
+  {
+    return NotTheMethodsFault; // the reader has said why
+  }
+  const double read = vtkTimerLog::GetUniversalTime();
+  const Run run = Methods().at(options.Method)(image, options);
+  run.Filter->Update();
+  const double end = vtkTimerLog::GetUniversalTime();
+  auto* surface = vtkPolyData::SafeDownCast(run.Filter->GetOutputDataObject(0));
+  if (surface->GetNumberOfPoints() == 0)
+  {
+    return NothingFound; // the filter has said why
+  }
+  std::printf("%d %.3f %.3f %.1f\n", run.Iterations(), read - begin, end - read,
+    PeakMemory() / 1e6);
+  WriteResults(run.Filter, options);
+  return 0;
 }
 
 } // namespace
 
 int main(int argc, char* argv[])
+try
 {
   Options options;
   CLI::App app("Segments an organ by one of the methods that are compared.");
@@ -169,21 +204,10 @@ int main(int argc, char* argv[])
   app.add_option("--convergence", options.Convergence, "file that takes FlipFree's iterations");
   app.add_option("--threads", options.Threads, "number of threads");
   CLI11_PARSE(app, argc, argv);
-  vtkSMPTools::Initialize(options.Threads);
-
-  const double begin = vtkTimerLog::GetUniversalTime();
-  const auto image = ReadVolume(options.Image);
-  const double read = vtkTimerLog::GetUniversalTime();
-  const Run run = Methods().at(options.Method)(image, options);
-  run.Filter->Update();
-  const double end = vtkTimerLog::GetUniversalTime();
-  auto* surface = vtkPolyData::SafeDownCast(run.Filter->GetOutputDataObject(0));
-  if (surface->GetNumberOfPoints() == 0)
-  {
-    return 1; // the filter has said why
-  }
-  std::printf("%d %.3f %.3f %.1f\n", run.Iterations(), read - begin, end - read,
-    PeakMemory() / 1e6);
-  WriteResults(run.Filter, options);
-  return 0;
+  return Segment(options);
+}
+catch (const std::exception& error)
+{
+  std::fprintf(stderr, "RunMethod: %s\n", error.what());
+  return NotTheMethodsFault;
 }

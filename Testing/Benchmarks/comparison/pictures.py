@@ -56,13 +56,15 @@ def convergence(path, results, cases, methods):
         return
     figure, panel = pyplot.subplots(figsize=(6.5, 4), layout="constrained")
     for organ, colour in (("liver", OURS), ("spleen", THEIRS)):
-        case = next((case for case in cases if case.organ == organ), None)
-        if case:
-            with open(os.path.join(results, case.name, "flipfree.csv"), encoding="utf-8") as file:
+        table = next((path for path in (runs.output(results, case, methods[0], ".csv")
+                                        for case in cases if case.organ == organ) if os.path.exists(path)), None)
+        if table:
+            with open(table, encoding="utf-8") as file:
                 steps = list(csv.DictReader(file))
             distances = np.array([float(step["MeanDistance"]) for step in steps])
             levels = np.array([int(step["Level"]) for step in steps])
-            panel.plot(range(1, len(steps) + 1), distances, color=colour, label=case.name)
+            panel.plot(range(1, len(steps) + 1), distances, color=colour,
+                       label=os.path.basename(os.path.dirname(table)))
             begins = np.flatnonzero(np.diff(levels)) + 1
             panel.plot(begins + 1, distances[begins], "o", color=colour, markersize=5)
     panel.set_xlabel("iteration")

@@ -29,8 +29,11 @@ def run(program, case, method, results):
     wall = time.perf_counter() - begin
     if os.WIFSIGNALED(status):
         raise SystemExit(f"{' '.join(command)} ended by signal {os.WTERMSIG(status)}")
-    failed = os.waitstatus_to_exitcode(status) != 0
-    iterations, read, segment, memory = (0, 0, 0, "nan") if failed else printed
+    code = os.waitstatus_to_exitcode(status)
+    if code not in (0, 1):  # 1: the method found nothing, which counts as its result
+        raise SystemExit(f"{' '.join(command)} ended with {code}")
+    failed = code == 1
+    iterations, read, segment, memory = ["nan"] * 4 if failed else printed
     return {"case": case.name, "method": method.key, "failed": int(failed), "iterations": iterations, "read_s": read,
             "segment_s": segment, "wall_s": f"{wall:.3f}", "cpu_s": f"{usage.ru_utime + usage.ru_stime:.3f}",
             "memory_mb": memory}

@@ -19,6 +19,12 @@ MEASURES = ("dice", "jaccard", "asd", "hd95", "self_intersections", "iterations"
 FIELDS = ("case", "organ", "scored", "method", "volume_ml", "slices", "failed", *MEASURES)
 
 
+def median(values):
+    """Of those that are numbers."""
+    values = [value for value in values if not math.isnan(value)]
+    return statistics.median(values) if values else math.nan
+
+
 def read_surface(path):
     reader = vtkXMLPolyDataReader()
     reader.SetFileName(path)
@@ -82,7 +88,7 @@ def score(results, case, method, reference):
 
 
 def median_times(records):
-    return {name: statistics.median(float(record[name]) for record in records)
+    return {name: median([float(record[name]) for record in records])
             for name in ("iterations", "segment_s", "wall_s", "cpu_s", "memory_mb")}
 
 

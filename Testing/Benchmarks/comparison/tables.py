@@ -8,13 +8,9 @@ import statistics
 
 from .cases import ORGANS
 from .methods import METHODS
+from .scores import median
 
 MEDIANS = ("dice", "jaccard", "asd", "hd95", "segment_s", "wall_s", "cpu_s", "memory_mb")
-
-
-def median(values):
-    values = [value for value in values if not math.isnan(value)]
-    return statistics.median(values) if values else math.nan
 
 
 def spread(values):
@@ -90,19 +86,22 @@ def median_table(rows, methods):
                               *(cell(medians_of(of(rows, method, organ))["asd"], ".2f") for organ in ORGANS),
                               cell(found["asd"], ".2f"),
                               cell(found["hd95"], ".1f"), meeting, f"{found['wall_s']:.2f}", f"{found['cpu_s']:.2f}",
-                              f"{found['memory_mb']:.0f}", *(cell(ratio, ".1f") for ratio in ratios)))
+                              cell(found["memory_mb"], ".0f"), *(cell(ratio, ".1f") for ratio in ratios)))
     return lines
+
+
+def case_cell(row):
+    if row is None:
+        return "-"  # not run
+    return "nothing" if row["failed"] else f"{row['dice']:.3f} / {row['asd']:.1f}"
 
 
 def case_table(rows, methods):
     """Dice / ASD of every row."""
     lines = header("case", *(method.title for method in methods))
     for name in dict.fromkeys(row["case"] for row in rows):
-        cells = []
-        for method in methods:
-            own = [row for row in rows if (row["case"], row["method"]) == (name, method.key)]
-            cells.append("nothing" if not own or own[0]["failed"] else f"{own[0]['dice']:.3f} / {own[0]['asd']:.1f}")
-        lines.append(line(name, *cells))
+        own = {row["method"]: row for row in rows if row["case"] == name}
+        lines.append(line(name, *(case_cell(own.get(method.key)) for method in methods)))
     return lines
 
 
@@ -110,11 +109,12 @@ def write(results, rows, methods):
     text = ["# Table 1", "", f"{datetime.date.today():%d %B %Y}; {machine()}.", "",
             "V: reference volume; D: average symmetric surface distance; VO: volume overlap (Jaccard); K: iterations; "
             "T: seconds of the segmentation, reading aside; T': the same per slice of the organ. Means and "
-            "standard deviations over the rows of cases.csv; the GVF snake has one slice, and is scored there.", "",
+            "standard deviations over the livers, spleens and kidneys of cases.csv; the GVF snake has one slice, and is "
+            "scored there. Where a method found nothing, its VO is 0, and D, K and T are of the other rows.", "",
             *paper_table(rows, methods), "", "## Medians", "",
             "Over the same rows. Times and memory are those of the whole process, reading included, and of all rounds "
-            "the median; ratios are medians over the rows.", "",
-            *median_table(rows, methods), "", "## Every row", "", "Dice / ASD in mm.", "", *case_table(rows, methods),
+            "the median, but memory is the greatest before the results are written; ratios are medians over the rows.", "",
+            *median_table(rows, methods), "", "## Every row", "", "Dice / ASD in mm; -: not run.", "", *case_table(rows, methods),
             ""]
     with open(os.path.join(results, "table1.md"), "w", encoding="utf-8") as file:
         file.write("\n".join(text))

@@ -1,0 +1,79 @@
+"""What Table 1 makes of runs: of those that found nothing, that were not made, and that broke down."""
+
+import math
+import os
+import stat
+import tempfile
+import unittest
+
+from comparison import cases, methods, runs, scores, tables
+
+FLIPFREE, SNAKE = methods.METHODS[0], methods.METHODS[-1]
+
+
+def row(case, method, dice, **others):
+    """A row of scores.csv; nothing was found where `dice` is zero."""
+    number = math.nan if dice == 0 else 1.0
+    return {"case": case, "organ": "kidney", "scored": 1, "method": method.key, "volume_ml": 100.0, "slices": 10,
+            "failed": int(dice == 0), "dice": dice, "jaccard": dice / (2 - dice), "asd": number, "hd95": number,
+            "self_intersections": 0.0, "iterations": number, "segment_s": number, "wall_s": 2.0, "cpu_s": 2.0,
+            "memory_mb": number, **others}
+
+
+class Tables(unittest.TestCase):
+    def setUp(self):
+        self.rows = [row("left", FLIPFREE, 0.9), row("right", FLIPFREE, 0.8),
+                     row("left", SNAKE, 0.7, segment_s=4.0, iterations=100.0), row("right", SNAKE, 0)]
+
+    def test_what_was_not_run_did_not_find_nothing(self):
+        lines = tables.case_table(self.rows[1:], [FLIPFREE, SNAKE])
+        self.assertEqual(lines[2:], ["| right | 0.800 / 1.0 | nothing |", "| left | - | 0.700 / 1.0 |"])
+
+    def test_nothing_found_counts_as_no_overlap_and_has_no_seconds(self):
+        line = tables.paper_table(self.rows, [FLIPFREE, SNAKE])[-1].split(" | ")
+        distance, overlap, iterations, seconds = line[3:7]
+        self.assertEqual((distance, iterations, seconds), ("1.00 ± 0.00", "100 ± 0", "4.00 ± 0.00"))
+        self.assertEqual(overlap, tables.spread([70 / 1.3, 0]))
+
+    def test_medians_are_of_all_rows(self):
+        line = tables.median_table(self.rows, [FLIPFREE, SNAKE])[-1].strip("| ").split(" | ")
+        self.assertEqual(line[1:6], ["-", "-", "0.350", "0.350", "0.000"])
+        self.assertEqual(line[-2:], ["1.0", "1.0"])
+
+    def test_median_times_leave_out_what_is_no_number(self):
+        record = {"wall_s": "3", "cpu_s": "2"}
+        missing = {name: "nan" for name in ("iterations", "segment_s", "memory_mb")}
+        found = {name: "5" for name in missing}
+        times = scores.median_times([{**record, **missing}, {**record, **found}, {**record, **found}])
+        self.assertEqual(times["segment_s"], 5)
+        self.assertTrue(math.isnan(scores.median_times([{**record, **missing}])["segment_s"]))
+        self.assertEqual(scores.median_times([{**record, **missing}])["wall_s"], 3)
+
+
+class Runs(unittest.TestCase):
+    def run_program(self, script):
+        with tempfile.TemporaryDirectory() as folder:
+            program = os.path.join(folder, "program")
+            with open(program, "w", encoding="utf-8") as file:
+                file.write("#!/bin/sh\n" + script)
+            os.chmod(program, os.stat(program).st_mode | stat.S_IXUSR)
+            case = cases.Case("case", "liver", "image", "labels", 1, (0, 0, 0), 5)
+            return runs.run(program, case, FLIPFREE, folder)
+
+    def test_what_is_printed_is_recorded(self):
+        record = self.run_program("echo 12 0.5 1.25 99.5")
+        self.assertEqual((record["failed"], record["iterations"], record["segment_s"]), (0, "12", "1.25"))
+
+    def test_nothing_found_is_a_result(self):
+        record = self.run_program("exit 1")
+        self.assertEqual((record["failed"], record["iterations"], record["segment_s"]), (1, "nan", "nan"))
+        self.assertGreater(float(record["wall_s"]), 0)
+
+    def test_what_is_not_the_methods_fault_is_none(self):
+        for script, message in (("exit 2", "ended with 2"), ("kill -SEGV $$", "ended by signal 11")):
+            with self.assertRaisesRegex(SystemExit, message):
+                self.run_program(script)
+
+
+if __name__ == "__main__":
+    unittest.main()
