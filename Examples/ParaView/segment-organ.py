@@ -11,8 +11,11 @@ VOLUME is a NIfTI, NRRD or MetaImage file or a folder of DICOM files; X Y Z and 
 
 import argparse
 import os
+import re
+import sys
 
 from paraview.simple import *
+from vtkmodules.vtkCommonCore import vtkLogger
 
 # Of the built-in abdomen's liver.
 SEED = [99.75, 83.75, 167, 28]
@@ -38,6 +41,28 @@ def open_image(volume):
     if os.path.isdir(volume):
         return DICOMSeriesReader(registrationName="CT", FileName=volume)
     return MedicalImageReader(registrationName="CT", FileName=volume)
+
+
+def update(source):
+    """Ends the script, with what the source's filter says in one line, where that fails."""
+    errors = []
+
+    def keep(_filter, _event, text):
+        errors.append(text)
+
+    keep.CallDataType = "string0"  # how VTK is asked for the text
+    algorithm = source.GetClientSideObject()  # none where the server is another process
+    if algorithm:
+        for observed in (algorithm, algorithm.GetExecutive()):
+            observed.AddObserver("ErrorEvent", keep)
+        algorithm.Modified()
+        algorithm.Update()
+    if not errors:
+        source.UpdatePipeline()
+    if errors or source.GetDataInformation().GetNumberOfPoints() == 0:
+        # Without the place in the source and the object's address, which VTK puts in front.
+        text = re.sub(r"\A\w+: In .*, line \d+\n\w+ \(\w+\): ", "", (errors or ["there is no result"])[0])
+        sys.exit("segment-organ.py: " + " ".join(text.split()))
 
 
 def show_slices(image, center, view):
@@ -83,10 +108,13 @@ def main():
     arguments = parse_arguments()
     seed = arguments.seed or SEED
 
+    verbosity = vtkLogger.GetCurrentVerbosityCutoff()
+    vtkLogger.SetStderrVerbosity(vtkLogger.VERBOSITY_OFF)  # what a reader complains of at once, it tells again below
     image = open_image(arguments.volume)
-    image.UpdatePipeline()
+    vtkLogger.SetStderrVerbosity(verbosity)
+    update(image)
     organ = FlipFreeSegmentation(registrationName="Organ", Input=image, SeedCenter=seed[:3], SeedRadius=seed[3])
-    organ.UpdatePipeline()
+    update(organ)
     organ.UpdatePropertyInformation()
     print(f"{organ.GetDataInformation().GetNumberOfPoints()} vertices, "
           f"{organ.NumberOfSelfIntersections} self-intersections; stopped: {organ.StopReason}")

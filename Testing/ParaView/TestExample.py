@@ -71,6 +71,20 @@ class Example(session.SessionTest):
         self.assertEqual(result.returncode, 2, result.stdout)
         self.assertIn("after the volume, give its seed", result.stdout)
 
+    def test_says_what_is_wrong_in_one_line(self):
+        broken, volume = self.file("broken.nii.gz"), self.file("ct.nii.gz")
+        with open(broken, "w", encoding="utf-8") as file:
+            file.write("no image")
+        simple.SaveData(volume, proxy=session.abdomen())
+        for name, seed, words in ((self.file("none.nii.gz"), session.SEED, "none.nii.gz"),
+                                  (broken, session.SEED, "broken.nii.gz"),
+                                  (volume, (9999, 0, 0), "outside the image")):
+            with self.subTest(name=name):
+                result = self.run_example(name, *seed, session.RADIUS)
+                self.assertEqual(result.returncode, 1, result.stdout)
+                self.assertRegex(result.stdout, r"\Asegment-organ.py: .*\n\Z")
+                self.assertIn(words, result.stdout)
+
 
 if __name__ == "__main__":
     session.main()
