@@ -95,11 +95,38 @@ class TestDebianPackage(unittest.TestCase):
         for line in run("dpkg-deb", "--contents", self.package).splitlines():
             self.assertRegex(line, r"^(-rw-r--r--|-rwxr-xr-x|drwxr-xr-x|lrwxrwxrwx) root/root ")
 
-    def test_it_tells_the_linker(self):
-        control = os.path.join(WORK, "control")
+    def control_file(self, name):
+        control = os.path.join(WORK, f"control for {self.id()}")
         run("dpkg-deb", "--control", self.package, control)
-        with open(os.path.join(control, "triggers"), encoding="utf-8") as file:
+        return os.path.join(control, name)
+
+    def test_it_tells_the_linker(self):
+        with open(self.control_file("triggers"), encoding="utf-8") as file:
             self.assertIn("ldconfig", file.read())
+
+    def test_what_python_compiled_goes_with_it(self):
+        tree = os.path.join(WORK, "installed here")
+        run("dpkg-deb", "--extract", self.package, tree)
+        modules, examples = (os.path.join(tree, folder) for folder in
+                             (f"usr/{PYTHON}/flipfree", "usr/share/doc/flipfree/Examples/Python"))
+        others = os.path.join(tree, f"usr/{PYTHON}/__pycache__")
+        os.mkdir(others)
+        run(sys.executable, "-m", "compileall", "-q", modules, examples)
+        self.assertTrue(os.path.isdir(os.path.join(modules, "__pycache__")))
+
+        # In place of dpkg, one that has the package in this tree.
+        programs = os.path.join(WORK, "programs")
+        os.mkdir(programs)
+        dpkg = os.path.join(programs, "dpkg")
+        with open(dpkg, "w", encoding="utf-8") as file:
+            file.write('#!/bin/sh\n[ "$1 $2" = "-L flipfree" ] || exit 2\ncat "$0.list"\n')
+        os.chmod(dpkg, 0o755)
+        with open(dpkg + ".list", "w", encoding="utf-8") as file:
+            file.writelines(os.path.join(tree, name) + "\n" for name in sorted(self.files))
+        run(self.control_file("prerm"), "remove",
+            env={**os.environ, "PATH": programs + ":" + os.environ["PATH"]})
+        left = [folder for folder, _, _ in os.walk(tree) if folder.endswith("__pycache__")]
+        self.assertEqual(left, [others])  # of another package
 
     def test_programs_are_stripped_and_name_no_place(self):
         for file in self.files:

@@ -52,5 +52,6 @@ assert ball.self_intersections == 0, ball
   test -s /usr/share/man/man1/flipfree.1.gz
 '
 inside apt-get purge --quiet --yes flipfree
-inside /bin/sh -c '! test -e /usr/bin/flipfree && ! test -e /usr/lib/cmake/FlipFree'
+inside /bin/sh -c '! test -e /usr/bin/flipfree && ! test -e /usr/lib/cmake/FlipFree &&
+  ! test -e /usr/share/doc/flipfree && ! ls -d /usr/lib/python3*/dist-packages/flipfree 2>/dev/null'
 echo "Installed, used and removed, as it should be."
