@@ -1,5 +1,7 @@
 #include "Inputs.h"
 
+#include "Display.h"
+
 #include <vtkMedicalImageReader.h>
 #include <vtkNew.h>
 #include <vtkPhantomSource.h>
@@ -12,11 +14,18 @@
 namespace
 {
 
+std::string UsageOf(const char* program)
+{
+  return std::string("Usage: ") + program +
+    " [FILE --seed X Y Z --radius R] [--picture PNG] [--start STL]\n"
+    "FILE may be a folder of DICOM files; without it, the built-in phantom serves.\n"
+    "The seed sphere lies in the organ: its centre and radius in millimetres, LPS.\n"
+    "--picture draws what came out; --start is for StartFromAnotherSurface.\n";
+}
+
 [[noreturn]] void Refuse(const char* program, const std::string& why)
 {
-  std::cerr << why << "\nUsage: " << program
-            << " [FILE --seed X Y Z --radius R] [--picture PNG] [--start STL]\n"
-               "FILE may be a folder of DICOM files; without it, the built-in phantom serves.\n";
+  std::cerr << why << "\n" << UsageOf(program);
   std::exit(2);
 }
 
@@ -56,6 +65,11 @@ Inputs ReadInputs(int argc, char* argv[])
   {
     for (std::size_t i = 0; i < words.size(); ++i)
     {
+      if (words[i] == "--help" || words[i] == "-h")
+      {
+        std::cout << UsageOf(argv[0]);
+        std::exit(0);
+      }
       if (words[i] == "--seed")
       {
         hasSeed = true;
@@ -89,6 +103,10 @@ Inputs ReadInputs(int argc, char* argv[])
   catch (const std::logic_error&) // of std::stod and at
   {
     Refuse(argv[0], "An option lacks its value, or it is no number.");
+  }
+  if (!inputs.Picture.empty())
+  {
+    RequireDisplay();
   }
   if (file.empty())
   {

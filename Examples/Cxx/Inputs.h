@@ -20,7 +20,7 @@ struct Inputs
 };
 
 /// Reads `[FILE --seed X Y Z --radius R] [--picture PNG] [--start STL]`; ends the program, saying
-/// why, where that will not do.
+/// why, where that will not do, and with the usage for --help.
 Inputs ReadInputs(int argc, char* argv[]);
 
 #endif

@@ -8,6 +8,7 @@
  * grows from it. Drag beside it to turn the view; q ends. With --picture, the program plays the
  * user itself: it drags the sphere with the mouse, waits until the surface is at rest, and ends.
  */
+#include "Display.h"
 #include "Growth.h"
 #include "Inputs.h"
 #include "Scene.h"
@@ -250,6 +251,7 @@ void Save(vtkRenderWindow* window, const std::string& name)
 int main(int argc, char* argv[])
 {
   const Inputs inputs = ReadInputs(argc, argv);
+  RequireDisplay();
   LiveWindow live(inputs);
   if (inputs.Picture.empty())
   {

@@ -5,6 +5,7 @@
  *   SeveralOrgans
  *   SeveralOrgans --picture organs.png --labels organs.nii.gz
  */
+#include "Display.h"
 #include "Scene.h"
 
 #include <vtkBoundingBox.h>
@@ -46,12 +47,23 @@ Files ReadFiles(int argc, char* argv[])
   for (int i = 1; i < argc; i += 2)
   {
     const std::string option = argv[i];
+    const std::string usage =
+      std::string("Usage: ") + argv[0] + " [--picture PNG] [--labels FILE]\n";
+    if (option == "--help" || option == "-h")
+    {
+      std::cout << usage;
+      std::exit(0);
+    }
     if ((option != "--picture" && option != "--labels") || i + 1 == argc)
     {
-      std::cerr << "Usage: " << argv[0] << " [--picture PNG] [--labels FILE]\n";
+      std::cerr << usage;
       std::exit(2);
     }
     (option == "--picture" ? files.Picture : files.Labels) = argv[i + 1];
+  }
+  if (!files.Picture.empty())
+  {
+    RequireDisplay();
   }
   return files;
 }
