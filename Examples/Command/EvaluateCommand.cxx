@@ -104,7 +104,7 @@ void Measure(vtkSegmentationMetrics* metrics, const Evaluation& evaluation)
     {
       message = Replaced(message, port, "'" + evaluation.Reference + "'");
     }
-    throw Failure(message);
+    throw Failure(WithOptionNames(message));
   }
 }
 

@@ -19,6 +19,8 @@
 #include <cmath>
 #include <cstdlib>
 #include <new>
+#include <set>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <type_traits>
@@ -107,6 +109,50 @@ inline LabelMask MaskOf(vtkImageData* image, int label, const std::string& name)
       " is not a finite number; a label map holds whole numbers");
   }
   return mask;
+}
+
+/// The labels other than 0, ascending, of an image that has passed MaskOf().
+inline std::set<double> LabelsOf(vtkImageData* image)
+{
+  std::set<double> labels;
+  vtkDataArray* scalars = image->GetPointData()->GetScalars();
+  const auto collect = [&](const auto* values)
+  {
+    double last = 0; // neighbours mostly have the same
+    for (vtkIdType voxel = 0; voxel < scalars->GetNumberOfTuples(); ++voxel)
+    {
+      const auto value = static_cast<double>(values[voxel]);
+      if (value != last && value != 0)
+      {
+        labels.insert(value);
+      }
+      last = value;
+    }
+  };
+  switch (scalars->GetDataType())
+  {
+    vtkTemplateMacro(collect(static_cast<const VTK_TT*>(scalars->GetVoidPointer(0))));
+    default:
+      break; // MaskOf has refused it
+  }
+  return labels;
+}
+
+/// "1, 2, 6", and of many the first twenty.
+inline std::string TextOf(const std::set<double>& labels)
+{
+  constexpr std::size_t most = 20;
+  std::ostringstream text;
+  std::size_t count = 0;
+  for (auto label = labels.begin(); label != labels.end() && count < most; ++label, ++count)
+  {
+    text << (count > 0 ? ", " : "") << *label;
+  }
+  if (labels.size() > most)
+  {
+    text << " and " << labels.size() - most << " more";
+  }
+  return text.str();
 }
 
 /// Makes `labelMap` a label map with the geometry of `image`: scalars `Labels`, unsigned char, the

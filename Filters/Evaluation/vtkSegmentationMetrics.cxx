@@ -16,7 +16,11 @@
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkTable.h"
 
+#include <algorithm>
 #include <limits>
+#include <set>
+#include <stdexcept>
+#include <string>
 
 vtkStandardNewMacro(vtkSegmentationMetrics);
 
@@ -39,6 +43,20 @@ FlipFree::LabelMask Voxelise(const FlipFree::PolygonalSurface& surface,
   mask.Voxels.resize(geometry.NumberOfVoxels());
   FlipFree::FillRuns<unsigned char>(runs, 1, geometry, mask.Voxels.data());
   return mask;
+}
+
+// Throws where none of the image's voxels has the label, and says which there are.
+void RequireLabel(const FlipFree::LabelMask& mask, vtkImageData* image, const std::string& name,
+  const std::string& property, int label)
+{
+  if (label < 0 || std::find(mask.Voxels.begin(), mask.Voxels.end(), 1) != mask.Voxels.end())
+  {
+    return;
+  }
+  const std::set<double> labels = FlipFree::LabelsOf(image);
+  throw std::invalid_argument(name + " is empty: no voxel has the label " + std::to_string(label) +
+    (labels.empty() ? ", all are 0"
+                    : "; set " + property + " to one of " + FlipFree::TextOf(labels)));
 }
 
 double Millilitres(std::size_t numberOfVoxels, const FlipFree::ImageGeometry& geometry)
@@ -119,11 +137,30 @@ int vtkSegmentationMetrics::RequestData(vtkInformation*, vtkInformationVector** 
   return 1;
 }
 
+void vtkSegmentationMetrics::WarnOfLabels(vtkDataObject* input, vtkImageData* reference)
+{
+  vtkImageData* segmentation = vtkImageData::SafeDownCast(input);
+  if (this->ReferenceLabel >= 0 ||
+    (segmentation && this->SegmentationLabel < 0 && FlipFree::LabelsOf(segmentation).size() > 1))
+  {
+    return;
+  }
+  const std::set<double> labels = FlipFree::LabelsOf(reference);
+  if (labels.size() > 1)
+  {
+    vtkWarningMacro("The reference (port 1) has the labels "
+      << FlipFree::TextOf(labels)
+      << ", the segmentation but one organ: it is compared with all of them together; to compare "
+         "it with one, set ReferenceLabel.");
+  }
+}
+
 bool vtkSegmentationMetrics::Measure(vtkDataObject* input, vtkImageData* referenceImage)
 {
   using namespace FlipFree;
   const LabelMask reference =
     MaskOf(referenceImage, this->ReferenceLabel, "the reference on port 1");
+  RequireLabel(reference, referenceImage, "the reference", "ReferenceLabel", this->ReferenceLabel);
   vtkPolyData* polyData = vtkPolyData::SafeDownCast(input);
   PolygonalSurface mesh;
   LabelMask segmentation;
@@ -134,9 +171,12 @@ bool vtkSegmentationMetrics::Measure(vtkDataObject* input, vtkImageData* referen
   }
   else
   {
-    segmentation = MaskOf(vtkImageData::SafeDownCast(input), this->SegmentationLabel,
-      "the segmentation on port 0");
+    vtkImageData* labels = vtkImageData::SafeDownCast(input);
+    segmentation = MaskOf(labels, this->SegmentationLabel, "the segmentation on port 0");
+    RequireLabel(segmentation, labels, "the segmentation", "SegmentationLabel",
+      this->SegmentationLabel);
   }
+  this->WarnOfLabels(input, referenceImage);
   const VoxelOverlap overlap = MeasureOverlap(segmentation.View(), reference.View(), SMPFor);
   this->Dice = overlap.Dice();
   this->Jaccard = overlap.Jaccard();

@@ -35,7 +35,8 @@
  * Errors, with an empty table and measures that are not a number: an empty mask on either port,
  * label maps of different geometry, a label map without scalars, with several components, of bits,
  * or with a spacing that is not positive, a surface that is empty, open or not finite, or encloses
- * no voxel centre of the reference.
+ * no voxel centre of the reference. A warning, with measures all the same: a reference of several
+ * labels of which none was chosen, while the segmentation has but one.
  *
  * Definitions: L. Maier-Hein et al., Metrics reloaded, Nature Methods 21 (2024), but with
  * area-weighted samples instead of boundary voxels.
@@ -162,6 +163,7 @@ private:
 
   void ForgetMeasures();
   bool Measure(vtkDataObject* input, vtkImageData* referenceImage);
+  void WarnOfLabels(vtkDataObject* input, vtkImageData* reference);
   void FillTable(vtkTable* table) const;
 };
 

@@ -123,6 +123,15 @@ class TestWorkflow(command.CommandTest):
         self.assert_succeeds(both)
         self.assertEqual(both.stdout, one.stdout)
         self.assertGreater(command.dice_of(both.stdout), 0.8)
+        self.assertEqual(both.stderr, "")
+        none = command.run("evaluate", self.result("liver.nrrd"), self.result("abdomen-truth.nii.gz"))
+        self.assertEqual(none.returncode, 0)
+        self.assertRegex(none.stderr, r"\Aflipfree: warning: The reference has the labels 1, 2, 3, .*"
+                                      r"set --reference-label\.\n\Z")
+        wrong = command.run("evaluate", self.result("liver.nrrd"), self.result("abdomen-truth.nii.gz"),
+                            "--reference-label", 99)
+        self.assertEqual(wrong.returncode, 1)
+        self.assertRegex(wrong.stderr, "the label 99; set --reference-label to one of 1, 2, 3")
 
     def test_scores_as_csv(self):
         process = command.run("evaluate", self.truth, self.truth, "--csv",

@@ -366,6 +366,39 @@ TEST(SegmentationMetrics, MoveOnToImagesOfAnotherSize)
   }
 }
 
+TEST(SegmentationMetrics, WarnOfAReferenceOfSeveralLabels)
+{
+  const auto one = LabelMapOf(Sphere(6, Center, 9), Grid());
+  const auto several = LabelMapOf(Sphere(6, Center, 10), Grid());
+  for (int label = 2; label < 30; ++label)
+  {
+    several->GetPointData()->GetScalars()->SetComponent(label, 0, label);
+  }
+  vtkNew<vtkSegmentationMetrics> metrics;
+  std::vector<std::string> warnings;
+  vtkNew<vtkCallbackCommand> collect;
+  collect->SetClientData(&warnings);
+  collect->SetCallback([](vtkObject*, unsigned long, void* client, void* text)
+    { static_cast<std::vector<std::string>*>(client)->emplace_back(static_cast<char*>(text)); });
+  metrics->AddObserver(vtkCommand::WarningEvent, collect);
+  metrics->SetInputData(one);
+  metrics->SetReferenceData(several);
+  metrics->Update();
+  ASSERT_EQ(warnings.size(), 1U);
+  for (const char* part : { "labels 1, 2, 3, ", ", 20 and 9 more", "set ReferenceLabel" })
+  {
+    EXPECT_NE(warnings[0].find(part), std::string::npos) << warnings[0];
+  }
+  metrics->SetReferenceLabel(1);
+  metrics->Update();
+  metrics->SetReferenceLabel(-1);
+  metrics->SetInputData(several); // both of the same kind
+  metrics->Update();
+  metrics->SetReferenceData(one);
+  metrics->Update();
+  EXPECT_EQ(warnings.size(), 1U);
+}
+
 class SegmentationMetricsRefuse : public testing::Test
 {
 protected:
@@ -395,10 +428,12 @@ protected:
 TEST_F(SegmentationMetricsRefuse, EmptyMasks)
 {
   this->Metrics->SetReferenceLabel(9);
-  this->ExpectError(this->Segmentation, this->Reference, "the reference is empty");
+  this->ExpectError(this->Segmentation, this->Reference,
+    "the reference is empty: no voxel has the label 9; set ReferenceLabel to one of 1");
   this->Metrics->SetReferenceLabel(1);
   this->Metrics->SetSegmentationLabel(9);
-  this->ExpectError(this->Segmentation, this->Reference, "the segmentation is empty");
+  this->ExpectError(this->Segmentation, this->Reference,
+    "the segmentation is empty: no voxel has the label 9; set SegmentationLabel to one of 1");
   this->Metrics->SetSegmentationLabel(1);
   this->Metrics->Update();
   EXPECT_GT(this->Metrics->GetDice(), 0.8);

@@ -97,6 +97,12 @@ class Evaluation(unittest.TestCase):
             self.assertTrue(math.isclose(scores.asd, expected.asd, rel_tol=1e-5))
             self.assertEqual(scores.dice, expected.dice)
 
+    def test_says_which_labels_there_are(self):
+        with self.assertWarnsRegex(flipfree.FlipFreeWarning, r"^The reference has the labels 1, 2, .*reference_label\.$"):
+            flipfree.evaluate(liver(), truth())
+        with self.assertRaisesRegex(flipfree.EvaluationError, r"label 99; set reference_label to one of 1, 2, "):
+            flipfree.evaluate(liver(), truth(), reference_label=99)
+
     def test_takes_surfaces(self):
         expected = flipfree.evaluate(liver().label_map, truth(), reference_label=LIVER)
         self.assertEqual(flipfree.evaluate(liver().surface, truth(), reference_label=LIVER,
