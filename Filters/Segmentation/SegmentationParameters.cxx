@@ -95,6 +95,19 @@ bool ReachesEndOf(const ImageGeometry& region, const ImageGeometry& image, const
   return false;
 }
 
+double FractionAtEndOf(const ImageGeometry& image, const PointList& points)
+{
+  const Eigen::Array3d last(image.Dimensions[0] - 1, image.Dimensions[1] - 1,
+    image.Dimensions[2] - 1);
+  Eigen::Index count = 0;
+  for (Eigen::Index vertex = 0; vertex < points.rows(); ++vertex)
+  {
+    const Eigen::Array3d index = image.ToIndex(points.row(vertex).transpose());
+    count += (index < 0.5).any() || (index > last - 0.5).any();
+  }
+  return static_cast<double>(count) / static_cast<double>(points.rows());
+}
+
 AnisotropicDiffusionSettings DiffusionSettingsOf(vtkFlipFreeSegmentation* filter, double noise,
   const ImageGeometry& geometry)
 {

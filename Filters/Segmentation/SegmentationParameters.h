@@ -29,6 +29,9 @@ double ReachOf(vtkFlipFreeSegmentation* filter);
 /// Does a surface touch the end of the region where the image goes on?
 bool ReachesEndOf(const ImageGeometry& region, const ImageGeometry& image, const PointList& points);
 
+/// The fraction of the points that lie in the image's outermost voxels.
+double FractionAtEndOf(const ImageGeometry& image, const PointList& points);
+
 AnisotropicDiffusionSettings DiffusionSettingsOf(vtkFlipFreeSegmentation* filter, double noise,
   const ImageGeometry& geometry);
 

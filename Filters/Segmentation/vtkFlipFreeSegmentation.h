@@ -28,8 +28,9 @@
  * a seed outside the image, a radius below a voxel, a seed without contrast to its surroundings, a
  * start surface that is open, not four-valent or self-intersecting. Each is reported once; the
  * outputs are then empty. Warnings, with a result all the same: a seed sphere that reaches beyond
- * the image, no boundary found, a surface that could not be refined or that has got to the end of
- * Reach.
+ * the image, no boundary found, a surface that could not be refined or has got to the end of Reach;
+ * and, of one grown from the seed with the guard, no boundary for more than a tenth of it, or more
+ * than a quarter of it at the image's end: the seed may lie in air.
  *
  * Source: the paper, Algorithm 1 and sections 3.1 to 3.6; remedies beyond it carry their own
  * switch.
@@ -535,6 +536,7 @@ private:
   void PublishHistory(vtkInformation* info, bool isKnown) const;
   void WarnOf(const FlipFree::OrganSurface& organ, const FlipFree::ImageGeometry& region,
     const FlipFree::ImageGeometry& image);
+  void WarnOfSeed(const FlipFree::OrganSurface& organ, const FlipFree::ImageGeometry& image);
   void Deliver(vtkInformationVector* outputs);
 
   std::unique_ptr<Result> Cache;

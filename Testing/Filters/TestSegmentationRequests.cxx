@@ -5,6 +5,7 @@
 #include "vtkCallbackCommand.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
+#include "vtkPhantomSource.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkSMPTools.h"
@@ -15,6 +16,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <random>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -318,6 +321,64 @@ TEST_F(SegmentationRequests, ASurfaceThatReachesTheEndOfItsRegionWarns)
   this->Filter->Update();
   ASSERT_EQ(warnings.size(), 1u);
   EXPECT_NE(warnings[0].find("raise Reach"), std::string::npos) << warnings[0];
+}
+
+// A body of 40 in air, with the noise of a CT or without, and seeds beside it.
+TEST_F(SegmentationRequests, ASeedInAirWarns)
+{
+  for (const double noise : { 0.0, 20.0 })
+  {
+    std::mt19937 random(1);
+    std::normal_distribution<double> normal(0, 1);
+    vtkNew<vtkImageData> image;
+    image->SetDimensions(50, 50, 40);
+    image->SetSpacing(2, 2, 2);
+    image->AllocateScalars(VTK_SHORT, 1);
+    auto* voxels = static_cast<short*>(image->GetScalarPointer());
+    for (vtkIdType voxel = 0; voxel < image->GetNumberOfPoints(); ++voxel)
+    {
+      double point[3];
+      image->GetPoint(voxel, point);
+      const bool body = std::hypot(point[0] - 50, point[1] - 50) < 30;
+      voxels[voxel] =
+        static_cast<short>((body ? 40 : -1000) + (body ? 10 : noise) * normal(random));
+    }
+    this->Filter->SetInputData(image);
+    std::vector<std::string> warnings;
+    KeepWarnings(this->Filter, warnings);
+    for (const double place : { 10.0, 90.0 })
+    {
+      warnings.clear();
+      this->Filter->SetSeedCenter(place, place, 40);
+      this->Filter->SetSeedRadius(7);
+      this->Filter->Update();
+      ASSERT_EQ(warnings.size(), 1u) << noise << ", " << place;
+      EXPECT_NE(warnings[0].find("not in air, or move SeedCenter"), std::string::npos)
+        << warnings[0];
+    }
+    this->Filter->RemoveAllObservers();
+  }
+}
+
+// Between an object and the image's end, where some vertices find the object's boundary from
+// without.
+TEST_F(SegmentationRequests, ASurfaceThatFindsNoBoundaryInPlacesWarns)
+{
+  vtkNew<vtkPhantomSource> phantom;
+  phantom->SetShapeToSphere();
+  phantom->Update();
+  double bounds[6];
+  phantom->GetOutput()->GetBounds(bounds);
+  std::vector<std::string> warnings;
+  KeepWarnings(this->Filter, warnings);
+  this->Filter->SetInputData(phantom->GetOutput());
+  this->Filter->SetSeedCenter(0.8 * bounds[0] + 0.2 * bounds[1], 0.8 * bounds[2] + 0.2 * bounds[3],
+    0.8 * bounds[4] + 0.2 * bounds[5]);
+  this->Filter->SetSeedRadius(5);
+  this->Filter->Update();
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_NE(warnings[0].find("% of the surface found no boundary"), std::string::npos)
+    << warnings[0];
 }
 
 TEST_F(SegmentationRequests, FlipsAreCountedWhetherAvoidedOrNot)
