@@ -1,5 +1,6 @@
 """What goes wrong is an exception with VTK's message, or a warning, and nothing is printed."""
 
+import math
 import os
 import pickle
 import subprocess
@@ -33,7 +34,7 @@ class Failures(unittest.TestCase):
                     spacing=(1, 1, 1))
 
     def test_start_that_will_not_do(self):
-        self.refuse(flipfree.SegmentationError, "start surface on port 1", image(), SEED, RADIUS,
+        self.refuse(flipfree.SegmentationError, "the start surface ", image(), SEED, RADIUS,
                     start=vtkPolyData())
         self.refuse(TypeError, "^start: a vtkPolyData", image(), SEED, RADIUS, start="sphere")
 
@@ -47,7 +48,7 @@ class Failures(unittest.TestCase):
                 (TypeError, "^levels: 'two' will not do", {"levels": "two"}),
                 (TypeError, "^guard: True or False is needed, not 'no'$", {"guard": "no"}),
                 (TypeError, "^start_center_offset: 3 will not do", {"start_center_offset": 3}),
-                (flipfree.SegmentationError, "ChangeTolerance is not a number",
+                (flipfree.SegmentationError, "change_tolerance is not a number",
                  {"change_tolerance": float("nan")}),
                 (ValueError, "^preset: 'fast' does not exist; there are d", {"preset": "fast"}),
                 (TypeError, "^progress: a function", {"progress": 5})):
@@ -132,8 +133,19 @@ class Warnings(unittest.TestCase):
             warnings.simplefilter("always")
             flipfree.segment(image(), SEED, RADIUS, reach=30)
         self.assertEqual([warning.category for warning in caught], [flipfree.FlipFreeWarning])
-        self.assertRegex(str(caught[0].message), r"^The surface has got to the end.*raise Reach\.$")
+        self.assertRegex(str(caught[0].message), r"^The surface has got to the end.*raise reach\.$")
         self.assertEqual(caught[0].filename, __file__)
+
+    def test_names_what_the_caller_wrote(self):
+        with warnings.catch_warnings(record=True) as caught:
+            warnings.simplefilter("always")
+            flipfree.segment(image(), SEED, 500, maximum_iterations=0)
+        self.assertRegex(str(caught[0].message), r"lower radius or move seed\.$")
+        for keywords, words in (({"radius": 1e-5}, "seed's radius of 1e-05 mm is below a voxel of the image ("),
+                                ({"search_distance": math.nan}, "the property search_distance is not a number")):
+            with self.subTest(keywords), self.assertRaises(flipfree.SegmentationError) as caught:
+                flipfree.segment(image(), **{"seed": SEED, "radius": RADIUS, **keywords})
+            self.assertIn(words, str(caught.exception))
 
     def test_can_be_an_error(self):
         with warnings.catch_warnings():

@@ -11,7 +11,7 @@ from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkImageData, vtkPolyDa
 from ._arrays import image_from_array
 from ._errors import EvaluationError
 from ._files import read_image
-from ._parameters import described, parameters_of, set_parameters, signature_with
+from ._parameters import described, names_of, parameters_of, set_parameters, signature_with
 from ._segmentation import Segmentation
 from ._update import update
 from .FlipFreeEvaluation import vtkSegmentationMetrics
@@ -74,7 +74,7 @@ def evaluate(
     set_parameters("evaluate", algorithm, PARAMETERS, parameters)
     algorithm.SetInputDataObject(compared)
     algorithm.SetReferenceData(reference)
-    update(algorithm, EvaluationError)
+    update(algorithm, EvaluationError, names=names_of(PARAMETERS))
     row = algorithm.GetOutput()
     return Scores(*(_value(row, column) for column in range(len(fields(Scores)))))
 

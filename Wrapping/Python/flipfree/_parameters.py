@@ -97,6 +97,11 @@ def described(parameters: Mapping[str, Parameter]) -> str:
     )
 
 
+def names_of(parameters: Mapping[str, Parameter]) -> dict[str, str]:
+    """What Python calls the properties."""
+    return {parameter.property: name for name, parameter in parameters.items()}
+
+
 def floats(name: str, values: Any, count: int) -> list[float]:
     """So many numbers, or an error that says which argument needs them."""
     try:

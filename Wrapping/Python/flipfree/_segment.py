@@ -15,6 +15,7 @@ from ._parameters import (
     Parameter,
     described,
     floats,
+    names_of,
     parameters_of,
     set_parameters,
     signature_with,
@@ -32,6 +33,7 @@ if TYPE_CHECKING:
 
 PARAMETERS = parameters_of(vtkFlipFreeSegmentation, without=("seed_center", "seed_radius"))
 RADIUS = Parameter("radius", "SeedRadius", float, "")
+NAMES = {**names_of(PARAMETERS), "SeedCenter": "seed", "SeedRadius": "radius"}
 
 
 def segment(
@@ -97,7 +99,7 @@ def segment(
         algorithm.SetStartData(_surface_of(start))
     algorithm.SetInputData(_image_of(image, spacing, origin, direction, progress))
     with progress_of(progress, "segmenting") as tell:
-        update(algorithm, SegmentationError, tell)
+        update(algorithm, SegmentationError, tell, names=NAMES)
     return Segmentation(
         surface=algorithm.GetSurface(),
         label_map=algorithm.GetLabelMap(),

@@ -11,7 +11,7 @@ from __future__ import annotations
 import re
 import sys
 import warnings
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 from typing import Any
 
@@ -28,12 +28,14 @@ def update(
     failure: type[FlipFreeError] = FlipFreeError,
     progress: Progress | None = None,
     run: Callable[[], Any] | None = None,
+    names: Mapping[str, str] | None = None,
 ) -> None:
     """Updates a filter, and raises `failure` with VTK's message where it reports an error.
 
     What segment() does for the whole method, for filters that are put together by hand. It listens
     to this one alone: of a pipeline, update each filter that may fail. Where it is no Update() that
-    is wanted, `run` is called instead.
+    is wanted, `run` is called instead. Functions whose arguments are properties of the filter give the
+    `names` of the arguments, by property, for its messages; ports have none there.
 
     Progress is told fractions from 0 to 1. An exception that it raises aborts the algorithm and is
     raised again, and so is the KeyboardInterrupt of Ctrl-C, or what else the program's own handler
@@ -54,11 +56,11 @@ def update(
     if listener.exception is not None:
         raise listener.exception
     for text in listener.warnings:
-        warnings.warn(text, FlipFreeWarning, stacklevel=_level_of_caller())
+        warnings.warn(_with_names(text, names), FlipFreeWarning, stacklevel=_level_of_caller())
     # The pipeline complains as well, but only that its algorithm did.
     errors = listener.errors + listener.pipeline_errors
     if errors:
-        raise failure(errors[0])
+        raise failure(_with_names(errors[0], names))
 
 
 class _Listener:
@@ -120,6 +122,18 @@ def _message_in(text: str) -> str:
     'No file: (none).'
     """
     return re.sub(r"\A\w+: In .*, line \d+\n\w+ \(\w+\): ", "", text).strip()
+
+
+def _with_names(text: str, names: Mapping[str, str] | None) -> str:
+    """As whoever called the function spelt what the message is about.
+
+    >>> _with_names("the image on port 0 ends here; raise Reach", {"Reach": "reach"})
+    'the image ends here; raise reach'
+    """
+    if not names:
+        return text
+    text = re.sub(r" on port \d\b| \(port \d\)", "", text)
+    return re.sub(rf"\b({'|'.join(names)})\b", lambda name: names[name.group()], text)
 
 
 @contextmanager
