@@ -62,7 +62,7 @@ public:
 
   ///@{
   /**
-   * Weight of the mean curvature, in voxels of the least spacing, against the speed, which is 1 at
+   * Weight of the mean curvature, in millimetres, against the speed, which is 1 at
    * most. Default 0: what suits the speed best, 2 for THRESHOLD and 0.5 for GEODESIC; 0 to 100.
    */
   vtkSetClampMacro(CurvatureScaling, double, 0, 100);
@@ -98,7 +98,7 @@ public:
   ///@{
   /**
    * How far the final front is moved outward, in millimetres, since voxels that organ and neighbour
-   * share count as background. Default 1.2; 0 to 3. THRESHOLD only.
+   * share count as background. Default 1.8; 0 (not at all) to 3. THRESHOLD only.
    */
   vtkSetClampMacro(RimWidth, double, 0, 3);
   vtkGetMacro(RimWidth, double);
@@ -136,7 +136,7 @@ protected:
   double AdvectionScaling = 5;
   double EdgeSigma = 1.5;
   double EdgeContrast = 3;
-  double RimWidth = 1.2;
+  double RimWidth = 1.8;
   int MaximumIterations = 1500;
   double VolumeTolerance = 0.0005;
 

@@ -248,9 +248,8 @@ int vtkAnisotropicDiffusionPrefilter::RequestData(vtkInformation*,
   output->Initialize();
   try
   {
-    FlipFree::RequireNumbers({ { "TimeStep", this->TimeStep },
-      { "Conductance", this->Conductance }, { "GradientScale", this->GradientScale },
-      { "ScaleRadius", this->ScaleRadius } });
+    FlipFree::RequireNumbers({ { "TimeStep", this->TimeStep }, { "Conductance", this->Conductance },
+      { "GradientScale", this->GradientScale }, { "ScaleRadius", this->ScaleRadius } });
     FlipFree::RequireGreyImage(input, InputName);
     const Extent region = ChooseRegion(this->VOI, ExtentOf(input));
     if (region.IsEmpty())

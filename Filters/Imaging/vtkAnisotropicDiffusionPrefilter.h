@@ -102,8 +102,8 @@ public:
   ///@{
   /**
    * The sphere that gives the gradient scale and `NoiseDeviation`: centre (default 0, 0, 0) and
-   * radius in millimetres. A radius of 0 (default) means the whole VOI for the scale, which only then depends
-   * on it, and no `NoiseDeviation`.
+   * radius in millimetres. A radius of 0 (default) means the whole VOI for the scale, which only
+   * then depends on it, and no `NoiseDeviation`.
    */
   vtkSetVector3Macro(ScaleCenter, double);
   vtkGetVector3Macro(ScaleCenter, double);

@@ -362,20 +362,21 @@ TEST_F(SegmentationRequests, ASeedInAirWarns)
 
 // Between an object and the image's end, where some vertices find the object's boundary from
 // without.
-TEST_F(SegmentationRequests, ASurfaceThatFindsNoBoundaryInPlacesWarns)
+TEST(SegmentationWarnings, ASurfaceThatFindsNoBoundaryInPlacesWarns)
 {
   vtkNew<vtkPhantomSource> phantom;
   phantom->SetShapeToSphere();
   phantom->Update();
   double bounds[6];
   phantom->GetOutput()->GetBounds(bounds);
+  vtkNew<vtkFlipFreeSegmentation> filter;
   std::vector<std::string> warnings;
-  KeepWarnings(this->Filter, warnings);
-  this->Filter->SetInputData(phantom->GetOutput());
-  this->Filter->SetSeedCenter(0.8 * bounds[0] + 0.2 * bounds[1], 0.8 * bounds[2] + 0.2 * bounds[3],
+  KeepWarnings(filter, warnings);
+  filter->SetInputData(phantom->GetOutput());
+  filter->SetSeedCenter(0.8 * bounds[0] + 0.2 * bounds[1], 0.8 * bounds[2] + 0.2 * bounds[3],
     0.8 * bounds[4] + 0.2 * bounds[5]);
-  this->Filter->SetSeedRadius(5);
-  this->Filter->Update();
+  filter->SetSeedRadius(5);
+  filter->Update();
   ASSERT_EQ(warnings.size(), 1u);
   EXPECT_NE(warnings[0].find("% of the surface found no boundary"), std::string::npos)
     << warnings[0];
