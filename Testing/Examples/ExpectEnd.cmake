@@ -1,16 +1,7 @@
 # Runs a program that is to end at once: with STATUS, having printed what OUTPUT and ERRORS say.
 #
 #   cmake -DSTATUS=<number> -DOUTPUT=<regex> -DERRORS=<regex> -P ExpectEnd.cmake -- <command...>
-set(command)
-set(is_command FALSE)
-math(EXPR last "${CMAKE_ARGC} - 1")
-foreach (index RANGE ${last})
-  if (is_command)
-    list(APPEND command "${CMAKE_ARGV${index}}")
-  elseif (CMAKE_ARGV${index} STREQUAL "--")
-    set(is_command TRUE)
-  endif ()
-endforeach ()
+include("${CMAKE_CURRENT_LIST_DIR}/ReadCommand.cmake")
 
 execute_process(COMMAND ${command}
   RESULT_VARIABLE status OUTPUT_VARIABLE output ERROR_VARIABLE errors)

@@ -2,16 +2,7 @@
 # and to leave a picture that shows something.
 #
 #   cmake -DPICTURE=<file> -DPATTERN=<regex> -P RunExample.cmake -- <command...>
-set(command)
-set(is_command FALSE)
-math(EXPR last "${CMAKE_ARGC} - 1")
-foreach (index RANGE ${last})
-  if (is_command)
-    list(APPEND command "${CMAKE_ARGV${index}}")
-  elseif (CMAKE_ARGV${index} STREQUAL "--")
-    set(is_command TRUE)
-  endif ()
-endforeach ()
+include("${CMAKE_CURRENT_LIST_DIR}/ReadCommand.cmake")
 
 get_filename_component(folder "${PICTURE}" DIRECTORY)
 file(MAKE_DIRECTORY "${folder}")
