@@ -1,6 +1,7 @@
 #include "vtkGVFSnake.h"
 
 #include "BaselineTask.h"
+#include "GaussianWidth.h"
 #include "ItkRegion.h"
 #include "PlaneSnake.h"
 #include "SeedStatistics.h"
@@ -233,6 +234,7 @@ bool FindFlow(const PlaneImage::Pointer& edges, double smoothness, int iteration
 bool vtkGVFSnake::Segment(const FlipFree::BaselineTask& task,
   const std::function<bool(double)>& monitor, FlipFree::BaselineResult& result)
 {
+  FlipFree::RequireGaussianWidth(task.Region.Geometry, 2);
   const SeedSlice slice(task);
   // The sphere's centre may lie between two slices.
   const double aside = (slice.Center[2] - slice.K) * slice.Region.Spacing[2];

@@ -9,9 +9,9 @@
  * edge is where the image's gradient is well above the seed's mean gradient; weaker ones count
  * little. The motion stops when the area has settled, or after MaximumIterations.
  *
- * Errors and the common properties are those of vtkBaselineSegmentation. The outputs differ in that
- * they are of one slice: output port 0 is the curve, one closed polyline (lines, no polygons); in
- * the label map all other slices are empty.
+ * Errors and the common properties are those of vtkBaselineSegmentation; a slice of fewer than four
+ * voxels along an axis is refused. The outputs are of one slice: output port 0 is the curve, one
+ * closed polyline (lines, no polygons); in the label map all other slices are empty.
  *
  * Source: C. Xu and J. Prince, Snakes, shapes, and gradient vector flow (1998).
  */

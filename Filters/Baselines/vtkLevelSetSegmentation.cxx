@@ -1,6 +1,7 @@
 #include "vtkLevelSetSegmentation.h"
 
 #include "BaselineTask.h"
+#include "GaussianWidth.h"
 #include "IntensityInterval.h"
 #include "ItkRegion.h"
 #include "SeedStatistics.h"
@@ -181,6 +182,7 @@ bool vtkLevelSetSegmentation::Segment(const FlipFree::BaselineTask& task,
     filter->GetSegmentationFunction()->SetSpeedImage(speed);
     return Evolve<ThresholdFilter>(task, filter, this->RimWidth, monitor, result);
   }
+  FlipFree::RequireGaussianWidth(task.Region.Geometry, 3);
   auto potential = EdgePotential(task, this->EdgeSigma, this->EdgeContrast,
     FlipFree::PartOf(monitor, 0, EdgesEnd));
   if (!potential)

@@ -13,8 +13,8 @@
  * In both, curvature smooths the front. The evolution stops when the volume has settled, or after
  * MaximumIterations.
  *
- * Ports, errors and the common properties are those of vtkBaselineSegmentation. The surface is the
- * zero level set, located below a voxel.
+ * Ports, errors and the common properties are those of vtkBaselineSegmentation; GEODESIC refuses
+ * fewer than four voxels along an axis. The surface is the zero level set, located below a voxel.
  *
  * Source: P. Yushkevich et al., User-guided 3D active contour segmentation of anatomical structures
  * (2006); V. Caselles, R. Kimmel and G. Sapiro, Geodesic active contours (1997); R. Whitaker, A

@@ -5,7 +5,9 @@
 #include "BadInput.h"
 #include "FilterErrors.h"
 
+#include "vtkDataArray.h"
 #include "vtkImageData.h"
+#include "vtkPointData.h"
 #include "vtkPolyData.h"
 
 using namespace FlipFree;
@@ -110,6 +112,26 @@ TEST_P(BaselineRefuses, ASeedBetweenTheVoxels)
   this->Filter->SetSeedCenter(45, 45, 139.5);
   this->Filter->SetSeedRadius(3.5);
   ExpectRefusal(this->Filter, { "no voxel centre", "seed sphere", "enlarge" });
+}
+
+// A message of ITK's would say neither.
+TEST_P(BaselineRefuses, ThinImagesByAWordOfItsOwn)
+{
+  const auto thin = SphereImage();
+  thin->SetExtent(14, 16, 0, 31, 0, 31);
+  thin->AllocateScalars(VTK_SHORT, 1);
+  thin->GetPointData()->GetScalars()->Fill(100);
+  thin->SetScalarComponentFromDouble(15, 0, 0, 0, 0);
+  this->Filter->SetInputData(thin);
+  const std::string message = ErrorOfUpdate(this->Filter);
+  EXPECT_EQ(message.find("ITK"), std::string::npos) << message;
+  if (GetParam().Name == "GVFSnake" || GetParam().Name == "GeodesicLevelSet")
+  {
+    for (const char* part : { "only 3 voxels of the image on port 0", "axis 0", "raise Reach" })
+    {
+      EXPECT_NE(message.find(part), std::string::npos) << message;
+    }
+  }
 }
 
 TEST_P(BaselineRefuses, PropertiesThatAreNotNumbers)
