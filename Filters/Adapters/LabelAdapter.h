@@ -18,6 +18,7 @@
 #include <atomic>
 #include <cmath>
 #include <cstdlib>
+#include <mutex>
 #include <new>
 #include <set>
 #include <sstream>
@@ -115,19 +116,27 @@ inline LabelMask MaskOf(vtkImageData* image, int label, const std::string& name)
 inline std::set<double> LabelsOf(vtkImageData* image)
 {
   std::set<double> labels;
+  std::mutex mutex;
   vtkDataArray* scalars = image->GetPointData()->GetScalars();
   const auto collect = [&](const auto* values)
   {
-    double last = 0; // neighbours mostly have the same
-    for (vtkIdType voxel = 0; voxel < scalars->GetNumberOfTuples(); ++voxel)
-    {
-      const auto value = static_cast<double>(values[voxel]);
-      if (value != last && value != 0)
+    using Value = std::decay_t<decltype(*values)>;
+    SMPFor(0, scalars->GetNumberOfTuples(),
+      [&](std::ptrdiff_t first, std::ptrdiff_t last)
       {
-        labels.insert(value);
-      }
-      last = value;
-    }
+        std::set<double> found;
+        Value latest = 0; // neighbours mostly have the same
+        for (std::ptrdiff_t voxel = first; voxel < last; ++voxel)
+        {
+          if (values[voxel] != latest && values[voxel] != Value(0))
+          {
+            latest = values[voxel];
+            found.insert(static_cast<double>(latest));
+          }
+        }
+        const std::lock_guard<std::mutex> lock(mutex);
+        labels.insert(found.begin(), found.end());
+      });
   };
   switch (scalars->GetDataType())
   {
