@@ -33,12 +33,14 @@ void BitMask::InsertRun(int begin, int end, int j, int k)
 
 void BitMask::Complement()
 {
-  std::ptrdiff_t inRow = 0;
-  for (Word& word : this->Words)
+  for (std::size_t row = 0; row < this->Words.size(); row += this->WordsPerRow)
   {
-    ++inRow;
-    word = ~word & (inRow == this->WordsPerRow ? this->LastWord : ~Word(0));
-    inRow %= this->WordsPerRow;
+    const std::size_t last = row + this->WordsPerRow - 1;
+    for (std::size_t word = row; word <= last; ++word)
+    {
+      this->Words[word] = ~this->Words[word];
+    }
+    this->Words[last] &= this->LastWord;
   }
 }
 

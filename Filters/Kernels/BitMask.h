@@ -96,6 +96,25 @@ private:
   std::vector<Word> Words;
 };
 
+/// What is to become a word's bits, the first voxel's first: 0 or 1 each.
+using MaskBytes = std::array<unsigned char, BitMask::BitsOfWord>;
+
+/// Eight bytes at a time: a product moves the lowest bit of each to the top.
+inline BitMask::Word WordOf(const MaskBytes& bytes)
+{
+  BitMask::Word word = 0;
+  for (int first = 0; first < BitMask::BitsOfWord; first += 8)
+  {
+    BitMask::Word part = 0;
+    for (int byte = 0; byte < 8; ++byte)
+    {
+      part |= BitMask::Word(bytes[first + byte]) << (8 * byte);
+    }
+    word |= part * 0x0102040810204080U >> 56U << first;
+  }
+  return word;
+}
+
 /// The voxels of an image for whose value `holds` is true.
 template <typename T, typename Predicate>
 BitMask VoxelsWhere(const ImageView<T>& image, const Predicate& holds,
@@ -106,16 +125,32 @@ BitMask VoxelsWhere(const ImageView<T>& image, const Predicate& holds,
   parallelFor(0, size[2],
     [&](std::ptrdiff_t first, std::ptrdiff_t last)
     {
+      MaskBytes bytes;
       for (std::ptrdiff_t k = first; k < last; ++k)
       {
         for (int j = 0; j < size[1]; ++j)
         {
-          const T* const voxels = image.Data + image.Geometry.Offset(0, j, static_cast<int>(k));
-          BitMask::Word* const row = mask.Row(j, k);
-          for (int i = 0; i < size[0]; ++i)
+          const T* voxels = image.Data + image.Geometry.Offset(0, j, static_cast<int>(k));
+          BitMask::Word* row = mask.Row(j, k);
+          int rest = size[0];
+          for (; rest >= BitMask::BitsOfWord; rest -= BitMask::BitsOfWord)
           {
-            row[i / BitMask::BitsOfWord] |= BitMask::Word(holds(voxels[i]) ? 1 : 0)
-              << (i % BitMask::BitsOfWord);
+            // A loop of constant length, for the sake of vectors.
+            for (int bit = 0; bit < BitMask::BitsOfWord; ++bit)
+            {
+              bytes[bit] = holds(voxels[bit]) ? 1 : 0;
+            }
+            *row++ = WordOf(bytes);
+            voxels += BitMask::BitsOfWord;
+          }
+          if (rest > 0)
+          {
+            bytes.fill(0);
+            for (int bit = 0; bit < rest; ++bit)
+            {
+              bytes[bit] = holds(voxels[bit]) ? 1 : 0;
+            }
+            *row = WordOf(bytes);
           }
         }
       }

@@ -71,13 +71,23 @@ std::vector<double> SmoothHistogram(const ImageView<float>& image, const BitMask
 
 } // namespace
 
-float IntensityModel::operator()(float z) const
+std::size_t IntensityModel::PlaceOf(float z) const
 {
   const float place = (z - this->Begin) / this->Step + 0.5F; // so that cutting rounds
   const float last = static_cast<float>(this->Table.size() - 1);
   // Written so that a value that is not a number falls to the table's beginning.
   const float clamped = place > 0 ? std::min(place, last) : 0;
-  return this->Table[static_cast<std::size_t>(clamped)];
+  return static_cast<std::size_t>(clamped);
+}
+
+GreyIntervals IntensityModel::Foreground() const
+{
+  std::vector<bool> isForeground;
+  for (const float feature : this->Table)
+  {
+    isForeground.push_back(feature >= this->Threshold);
+  }
+  return GreyIntervals::WherePlaceIs(isForeground, [this](float z) { return this->PlaceOf(z); });
 }
 
 IntensityModel IntensityModel::FromSeed(const std::vector<float>& values, double noise,

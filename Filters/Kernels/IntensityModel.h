@@ -7,6 +7,7 @@
 
 #include "BitMask.h"
 #include "GaussianMixture.h"
+#include "GreyIntervals.h"
 #include "SeedRegion.h"
 
 namespace FlipFree
@@ -61,7 +62,10 @@ public:
   EdgeRamp Ramp;
 
   /// The feature of a grey value, in [0, 1]; tabulated.
-  float operator()(float z) const;
+  float operator()(float z) const { return this->Table[this->PlaceOf(z)]; }
+
+  /// The grey values whose feature is at or above the threshold.
+  GreyIntervals Foreground() const;
 
   /// Fits the mixture to the seed's values.
   static IntensityModel FromSeed(const std::vector<float>& values, double noise,
@@ -73,6 +77,8 @@ public:
     double noise, const IntensitySettings& settings);
 
 private:
+  std::size_t PlaceOf(float z) const;
+
   float Begin = 0;
   float Step = 1;
   std::vector<float> Table;

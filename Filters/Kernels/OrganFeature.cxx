@@ -79,8 +79,8 @@ bool FindForeground(const ImageView<float>& smooth, const IntensityModel& model,
   {
     return false;
   }
-  foreground = VoxelsWhere(
-    smooth, [&model](float z) { return model(z) >= model.Threshold; }, parallelFor);
+  foreground = VoxelsIn(model.Foreground(), smooth,
+    { { { 0, 0, 0 } }, smooth.Geometry.Dimensions }, parallelFor);
   return !settings.ControlLeaks ||
     ControlLeaks(foreground, seed, settings.Leaks, parallelFor, PartOf(monitor, 0.1, 1));
 }
@@ -94,27 +94,8 @@ bool FindForegroundInBox(const ImageView<float>& smooth, const VoxelBox& box,
     return false;
   }
   const auto [i, j, k] = box.Begin;
-  const ImageGeometry geometry =
-    CropGeometry(smooth.Geometry, { { i, box.End[0] - 1, j, box.End[1] - 1, k, box.End[2] - 1 } });
-  BitMask part(geometry);
-  parallelFor(0, geometry.Dimensions[2],
-    [&, first = box.Begin](std::ptrdiff_t begin, std::ptrdiff_t end)
-    {
-      for (int slice = static_cast<int>(begin); slice < end; ++slice)
-      {
-        for (int row = 0; row < geometry.Dimensions[1]; ++row)
-        {
-          const float* const voxels = &smooth(first[0], first[1] + row, first[2] + slice);
-          BitMask::Word* const bits = part.Row(row, slice);
-          for (int place = 0; place < geometry.Dimensions[0]; ++place)
-          {
-            bits[place / BitMask::BitsOfWord] |=
-              BitMask::Word(model(voxels[place]) >= model.Threshold ? 1 : 0)
-              << (place % BitMask::BitsOfWord);
-          }
-        }
-      }
-    });
+  BitMask part = VoxelsIn(model.Foreground(), smooth, box, parallelFor);
+  const ImageGeometry geometry = part.GetGeometry();
   // As the whole image finds them, so that its rounding decides.
   std::vector<std::size_t> sources;
   for (const std::size_t voxel : VoxelsInSphere(smooth.Geometry, seed))

@@ -1,0 +1,53 @@
+/**
+ * A set of grey values that is made of few intervals, so that whether a voxel's is one of them is
+ * found by comparisons, many voxels at a time, instead of being looked up.
+ */
+#ifndef FlipFreeGreyIntervals_h
+#define FlipFreeGreyIntervals_h
+
+#include "BitMask.h"
+
+#include <functional>
+
+namespace FlipFree
+{
+
+class GreyIntervals
+{
+public:
+  /// Whether the lowest values, and those that are not numbers, are in the set; and where, as
+  /// values rise, this changes: `borders`, ascending, each of which counts to what is above it.
+  GreyIntervals(bool lowest, std::vector<float> borders);
+
+  /// The values z for which `isIn[place(z)]`, where `place` does not fall as z rises, and is 0 for
+  /// what is not a number: the very same floats, whatever rounding `place` does.
+  static GreyIntervals WherePlaceIs(const std::vector<bool>& isIn,
+    const std::function<std::size_t(float)>& place);
+
+  bool operator()(float z) const
+  {
+    bool isIn = this->Lowest;
+    for (const float border : this->Borders)
+    {
+      isIn = isIn != (z >= border);
+    }
+    return isIn;
+  }
+
+  const std::vector<float>& GetBorders() const { return this->Borders; }
+
+  /// Inserts those of a row's first voxels whose values are in the set.
+  void MarkRow(const float* voxels, int size, BitMask::Word* row) const;
+
+private:
+  bool Lowest;
+  std::vector<float> Borders;
+};
+
+/// The voxels of a part of an image, a box of it, whose values are in the set.
+BitMask VoxelsIn(const GreyIntervals& values, const ImageView<float>& image, const VoxelBox& box,
+  const ParallelFor& parallelFor);
+
+} // namespace FlipFree
+
+#endif
