@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 
 namespace FlipFree
@@ -52,51 +53,213 @@ std::map<int, std::vector<BallRow>> RowsOfBall(double radius, const ImageGeometr
     {
       const double width = slice - j * j * spacing[1] * spacing[1];
       const double halfWidth = std::sqrt(std::max(0.0, width)) / spacing[0];
-      rows[static_cast<int>(std::min(halfWidth, greatestWidth))].push_back({ j, k });
+      // What reaches from one end of the grid beyond the other would find nothing.
+      if (std::abs(j) < geometry.Dimensions[1] && std::abs(k) < geometry.Dimensions[2])
+      {
+        rows[static_cast<int>(std::min(halfWidth, greatestWidth))].push_back({ j, k });
+      }
     }
   }
   return rows;
 }
 
-// Sets the bits of a row that are `step` places before or behind one that is set.
-void SpreadRow(const BitMask::Word* from, std::ptrdiff_t size, int step, BitMask::Word* to)
+using Word = BitMask::Word;
+
+// Rows of words that are read as one vector, where there are enough.
+constexpr std::ptrdiff_t Block = 4;
+
+// The rows of a part of a mask, and empty ones around them, so that a row has neighbours as far as
+// the ball reaches, and they are where the mask's size alone says.
+class Surroundings
 {
-  const std::ptrdiff_t words = step / BitMask::BitsOfWord;
-  const int bits = step % BitMask::BitsOfWord;
-  const int rest = BitMask::BitsOfWord - 1 - bits; // shifted in two steps, since bits may be zero
-  for (std::ptrdiff_t word = words; word < size; ++word)
+public:
+  // Of what can reach into the box.
+  Surroundings(const BitMask& mask, bool holes, const VoxelBox& box,
+    const std::map<int, std::vector<BallRow>>& ball, const ParallelFor& parallelFor)
+    : BeginJ(box.Begin[1])
+    , BeginK(box.Begin[2])
+    , EndK(box.End[2])
   {
-    to[word] |= from[word - words] << bits;
-    to[word - words] |= from[word] >> bits;
+    const auto& size = mask.GetGeometry().Dimensions;
+    for (const auto& rows : ball)
+    {
+      for (const BallRow& row : rows.second)
+      {
+        this->BeginJ = std::min(this->BeginJ, box.Begin[1] + row.J);
+        this->BeginK = std::min(this->BeginK, box.Begin[2] + row.K);
+        this->EndK = std::max(this->EndK, box.End[2] + row.K);
+      }
+    }
+    const int width = ball.rbegin()->first;
+    this->BeginWord = std::max(0, box.Begin[0] - width) / BitMask::BitsOfWord;
+    const int lastWord = (std::min(size[0], box.End[0] + width) - 1) / BitMask::BitsOfWord;
+    this->WordsOfRow = lastWord + 1 - this->BeginWord;
+    this->RowsOfSlice = box.End[1] + (box.Begin[1] - this->BeginJ) - this->BeginJ;
+    this->Words.resize(this->WordsOfRow * this->RowsOfSlice * (this->EndK - this->BeginK), 0);
+    const Word last = lastWord + 1 == mask.GetWordsPerRow() ? mask.GetLastWord() : ~Word(0);
+    parallelFor(std::max(0, this->BeginK), std::min(size[2], this->EndK),
+      [&](std::ptrdiff_t first, std::ptrdiff_t end)
+      {
+        const std::ptrdiff_t endJ = std::min<std::ptrdiff_t>(size[1], this->BeginJ + this->RowsOfSlice);
+        for (std::ptrdiff_t k = first; k < end; ++k)
+        {
+          for (std::ptrdiff_t j = std::max(0, this->BeginJ); j < endJ; ++j)
+          {
+            Word* const row = this->Row(j, k);
+            const Word* const from = mask.Row(j, k) + this->BeginWord;
+            for (std::ptrdiff_t word = 0; word < this->WordsOfRow; ++word)
+            {
+              row[word] = holes ? ~from[word] : from[word];
+            }
+            row[this->WordsOfRow - 1] &= last;
+          }
+        }
+      });
   }
-  for (std::ptrdiff_t word = words + 1; word < size; ++word)
+
+  int GetBeginWord() const { return this->BeginWord; }
+  std::ptrdiff_t GetWordsOfRow() const { return this->WordsOfRow; }
+
+  Word* Row(std::ptrdiff_t j, std::ptrdiff_t k)
   {
-    to[word] |= from[word - words - 1] >> rest >> 1;
-    to[word - words - 1] |= from[word] << rest << 1;
+    return this->Words.data() + this->Offset({ static_cast<int>(j - this->BeginJ), static_cast<int>(k - this->BeginK) });
+  }
+  // From a row to another.
+  std::ptrdiff_t Offset(const BallRow& row) const
+  {
+    return this->WordsOfRow * (row.J + this->RowsOfSlice * row.K);
+  }
+
+  // Grows every row by some voxels to both sides. What grows beyond the mask does no harm: it would
+  // come back to where its row has been already.
+  void Grow(int width, const ParallelFor& parallelFor)
+  {
+    const std::ptrdiff_t rows = static_cast<std::ptrdiff_t>(this->Words.size()) / this->WordsOfRow;
+    parallelFor(0, rows,
+      [&](std::ptrdiff_t first, std::ptrdiff_t last)
+      {
+        for (std::ptrdiff_t row = first; row < last; ++row)
+        {
+          this->GrowRow(this->Words.data() + row * this->WordsOfRow, width);
+        }
+      });
+  }
+
+private:
+  // By doubling, less than a word at a time.
+  void GrowRow(Word* row, int width) const
+  {
+    for (int done = 0; done < width;)
+    {
+      const int step = std::min({ width - done, done + 1, BitMask::BitsOfWord - 1 });
+      const int rest = BitMask::BitsOfWord - step;
+      Word before = 0;
+      Word bits = row[0];
+      for (std::ptrdiff_t word = 0; word < this->WordsOfRow; ++word)
+      {
+        const Word behind = word + 1 < this->WordsOfRow ? row[word + 1] : 0;
+        row[word] = bits | bits << step | before >> rest | bits >> step | behind << rest;
+        before = bits;
+        bits = behind;
+      }
+      done += step;
+    }
+  }
+
+  int BeginWord = 0;
+  std::ptrdiff_t WordsOfRow = 0;
+  int BeginJ;
+  std::ptrdiff_t RowsOfSlice = 0;
+  int BeginK;
+  int EndK;
+  std::vector<Word> Words;
+};
+
+// Adds words of several rows, of a number that the compiler knows.
+template <std::ptrdiff_t size>
+void MergeWords(const Word* center, const std::vector<std::ptrdiff_t>& rows, Word* to)
+{
+  std::array<Word, size> sum;
+  std::copy_n(to, size, sum.begin());
+  for (const std::ptrdiff_t row : rows)
+  {
+    const Word* const from = center + row;
+    for (std::ptrdiff_t word = 0; word < size; ++word)
+    {
+      sum[word] |= from[word];
+    }
+  }
+  std::copy_n(sum.begin(), size, to);
+}
+
+void MergeRows(const Word* center, const std::vector<std::ptrdiff_t>& rows, std::ptrdiff_t size,
+  Word* to)
+{
+  std::ptrdiff_t word = 0;
+  for (; word + Block <= size; word += Block)
+  {
+    MergeWords<Block>(center + word, rows, to + word);
+  }
+  for (; word < size; ++word)
+  {
+    MergeWords<1>(center + word, rows, to + word);
   }
 }
 
-// Grows a row by `width` voxels to both sides, by doubling.
-void GrowRow(BitMask::Word* row, std::ptrdiff_t size, int width, BitMask::Word last,
-  std::vector<BitMask::Word>& scratch)
+// All within the ball of the mask, or of its holes, as far as it lies in the box. False if the
+// monitor stopped it.
+bool GrowByRows(const BitMask& mask, bool holes, const VoxelBox& box,
+  const std::map<int, std::vector<BallRow>>& ball, const ParallelFor& parallelFor,
+  const Monitor& monitor, BitMask& grown)
 {
-  for (int done = 0; done < width;)
+  const double passes = 2.0 * static_cast<double>(ball.size());
+  double pass = 0;
+  if (!monitor(pass++ / passes))
   {
-    const int step = std::min(width - done, done + 1);
-    scratch.assign(row, row + size);
-    SpreadRow(scratch.data(), size, step, row);
-    done += step;
+    return false;
   }
-  row[size - 1] &= last;
+  Surroundings source(mask, holes, box, ball, parallelFor);
+  grown = BitMask(mask.GetGeometry());
+  int grownBy = 0;
+  for (const auto& [width, rows] : ball)
+  {
+    if (pass > 1 && !monitor(pass++ / passes))
+    {
+      return false;
+    }
+    source.Grow(width - grownBy, parallelFor);
+    grownBy = width;
+    if (!monitor(pass++ / passes))
+    {
+      return false;
+    }
+    std::vector<std::ptrdiff_t> offsets;
+    std::transform(rows.begin(), rows.end(), std::back_inserter(offsets),
+      [&source](const BallRow& row) { return source.Offset(row); });
+    parallelFor(box.Begin[2], box.End[2],
+      [&](std::ptrdiff_t first, std::ptrdiff_t last)
+      {
+        for (std::ptrdiff_t k = first; k < last; ++k)
+        {
+          for (std::ptrdiff_t j = box.Begin[1]; j < box.End[1]; ++j)
+          {
+            MergeRows(source.Row(j, k), offsets, source.GetWordsOfRow(),
+              grown.Row(j, k) + source.GetBeginWord());
+          }
+        }
+      });
+  }
+  return true;
 }
 
-// A function of its own, so that the compiler knows that nothing else changes, and vectorises.
-void MergeRow(const BitMask::Word* from, std::ptrdiff_t size, BitMask::Word* __restrict to)
+// A mask that was stopped at has neither voxels nor a grid.
+bool KeepIf(bool done, BitMask& mask)
 {
-  for (std::ptrdiff_t word = 0; word < size; ++word)
+  if (!done)
   {
-    to[word] |= from[word];
+    mask = BitMask();
   }
+  return done;
 }
 
 bool DilateByDistance(BitMask& mask, double radius, const ParallelFor& parallelFor,
@@ -127,81 +290,54 @@ bool Dilate(BitMask& mask, double radius, const ParallelFor& parallelFor, const 
   {
     return true;
   }
-  const auto rowsOfWidth = RowsOfBall(radius, geometry);
-  if (rowsOfWidth.empty())
+  const auto ball = RowsOfBall(radius, geometry);
+  if (ball.empty())
   {
     return DilateByDistance(mask, radius, parallelFor, monitor);
   }
-  const auto& size = geometry.Dimensions;
-  const std::ptrdiff_t words = mask.GetWordsPerRow();
-  BitMask source = std::move(mask);
-  mask = BitMask();
-  BitMask grown(geometry);
-  std::vector<char> occupied(size[1] * static_cast<std::size_t>(size[2])); // per row of the source
-  int grownBy = 0;
-  const double passes = 2.0 * static_cast<double>(rowsOfWidth.size());
-  double pass = 0;
-  for (const auto& [width, rows] : rowsOfWidth)
+  VoxelBox box = mask.Bounds();
+  if (box.IsEmpty())
   {
-    if (!monitor(pass++ / passes))
-    {
-      return false;
-    }
-    parallelFor(0, static_cast<std::ptrdiff_t>(occupied.size()),
-      [&, more = width - grownBy](std::ptrdiff_t first, std::ptrdiff_t last)
-      {
-        std::vector<BitMask::Word> scratch;
-        for (std::ptrdiff_t row = first; row < last; ++row)
-        {
-          BitMask::Word* const begin = source.GetWords().data() + row * words;
-          occupied[row] =
-            std::any_of(begin, begin + words, [](BitMask::Word word) { return word != 0; });
-          if (occupied[row])
-          {
-            GrowRow(begin, words, more, source.GetLastWord(), scratch);
-          }
-        }
-      });
-    grownBy = width;
-    if (!monitor(pass++ / passes))
-    {
-      return false;
-    }
-    parallelFor(0, size[2],
-      [&, list = &rows](std::ptrdiff_t first, std::ptrdiff_t last)
-      {
-        for (std::ptrdiff_t k = first; k < last; ++k)
-        {
-          for (std::ptrdiff_t j = 0; j < size[1]; ++j)
-          {
-            BitMask::Word* const target = grown.Row(j, k);
-            for (const BallRow& part : *list)
-            {
-              const std::ptrdiff_t fromJ = j + part.J;
-              const std::ptrdiff_t fromK = k + part.K;
-              if (fromJ >= 0 && fromJ < size[1] && fromK >= 0 && fromK < size[2] &&
-                occupied[fromK * size[1] + fromJ])
-              {
-                MergeRow(source.Row(fromJ, fromK), words, target);
-              }
-            }
-          }
-        }
-      });
+    return KeepIf(monitor(0), mask);
   }
+  const Eigen::Vector3d reach = radius * Slack / geometry.Spacing.array();
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const int size = geometry.Dimensions[axis];
+    const int voxels = static_cast<int>(std::min<double>(size, std::floor(reach[axis])));
+    box.Begin[axis] = std::max(0, box.Begin[axis] - voxels);
+    box.End[axis] = std::min(size, box.End[axis] + voxels);
+  }
+  BitMask grown;
+  const bool done = GrowByRows(mask, false, box, ball, parallelFor, monitor, grown);
   mask = std::move(grown);
-  return true;
+  mask.CutRows();
+  return KeepIf(done, mask);
 }
 
 bool Erode(BitMask& mask, double radius, const ParallelFor& parallelFor, const Monitor& monitor)
 {
-  mask.Complement();
-  if (!Dilate(mask, radius, parallelFor, monitor))
+  const ImageGeometry geometry = mask.GetGeometry();
+  const auto ball = RowsOfBall(radius, geometry);
+  if (geometry.NumberOfVoxels() == 0 || ball.empty())
   {
-    return false;
+    mask.Complement();
+    if (!Dilate(mask, radius, parallelFor, monitor))
+    {
+      return false;
+    }
+    mask.Complement();
+    return true;
   }
-  mask.Complement();
-  return true;
+  const VoxelBox box = mask.Bounds();
+  if (box.IsEmpty())
+  {
+    return KeepIf(monitor(0), mask);
+  }
+  BitMask grown;
+  const bool done = GrowByRows(mask, true, box, ball, parallelFor, monitor, grown);
+  mask.Remove(grown);
+  return KeepIf(done, mask);
 }
 
 } // namespace FlipFree

@@ -33,14 +33,18 @@ void BitMask::InsertRun(int begin, int end, int j, int k)
 
 void BitMask::Complement()
 {
-  for (std::size_t row = 0; row < this->Words.size(); row += this->WordsPerRow)
+  for (Word& word : this->Words)
   {
-    const std::size_t last = row + this->WordsPerRow - 1;
-    for (std::size_t word = row; word <= last; ++word)
-    {
-      this->Words[word] = ~this->Words[word];
-    }
-    this->Words[last] &= this->LastWord;
+    word = ~word;
+  }
+  this->CutRows();
+}
+
+void BitMask::CutRows()
+{
+  for (std::size_t end = this->WordsPerRow; end <= this->Words.size(); end += this->WordsPerRow)
+  {
+    this->Words[end - 1] &= this->LastWord;
   }
 }
 

@@ -8,6 +8,7 @@
 #include "KernelTypes.h"
 #include "VoxelBox.h"
 
+#include <bitset>
 #include <vector>
 
 namespace FlipFree
@@ -53,6 +54,8 @@ public:
   Word GetLastWord() const { return this->LastWord; }
 
   void Complement();
+  /// Sets the bits after the ends of the rows to zero.
+  void CutRows();
   /// Takes out all voxels of another set, which must be on the same grid.
   void Remove(const BitMask& other);
 
@@ -82,6 +85,35 @@ public:
     }
   }
 
+  /// Calls visit(begin, end, j, k) for runs of voxels (i, j, k) of the set, begin <= i < end, in
+  /// slices first <= k < last, in the order of the voxels. What goes on in the next word of a row is
+  /// a run of its own.
+  template <typename Visit>
+  void ForEachRun(std::ptrdiff_t first, std::ptrdiff_t last, const Visit& visit) const
+  {
+    for (auto k = static_cast<int>(first); k < last; ++k)
+    {
+      for (int j = 0; j < this->Geometry.Dimensions[1]; ++j)
+      {
+        const Word* const row = this->Row(j, k);
+        for (int word = 0; word < this->WordsPerRow; ++word)
+        {
+          Word bits = row[word];
+          for (int i = word * BitsOfWord; bits != 0;)
+          {
+            const int zeros = TrailingZeros(bits);
+            i += zeros;
+            bits >>= zeros;
+            const int ones = ~bits == 0 ? BitsOfWord : TrailingZeros(~bits);
+            visit(i, i + ones, j, k);
+            i += ones;
+            bits = ones == BitsOfWord ? 0 : bits >> ones;
+          }
+        }
+      }
+    }
+  }
+
   /// The same voxels of grids of the same size.
   friend bool operator==(const BitMask& a, const BitMask& b)
   {
@@ -90,6 +122,16 @@ public:
   friend bool operator!=(const BitMask& a, const BitMask& b) { return !(a == b); }
 
 private:
+  // Of a word that is not zero.
+  static int TrailingZeros(Word bits)
+  {
+#if defined(__GNUC__)
+    return __builtin_ctzll(bits);
+#else
+    return static_cast<int>(std::bitset<BitsOfWord>((bits & (0 - bits)) - 1).count());
+#endif
+  }
+
   ImageGeometry Geometry;
   std::ptrdiff_t WordsPerRow = 0;
   Word LastWord = 0;

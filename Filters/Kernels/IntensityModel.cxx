@@ -1,13 +1,16 @@
 #include "IntensityModel.h"
 
 #include "BallMorphology.h"
+#include "FloatOrder.h"
 
 #include <Eigen/Dense>
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
+#include <functional>
 #include <limits>
+#include <mutex>
+#include <numeric>
 
 namespace FlipFree
 {
@@ -38,17 +41,56 @@ struct Bins
 
   int operator()(double z) const
   {
-    const double bin = std::floor((z - this->Begin) / this->Width);
-    return static_cast<int>(std::max(0.0, std::min(bin, NumberOfBins - 1.0)));
+    const double place = (z - this->Begin) / this->Width;
+    return static_cast<int>(std::max(0.0, std::min(place, NumberOfBins - 1.0)));
   }
 };
 
-std::vector<double> SmoothHistogram(const ImageView<float>& image, const BitMask& mask,
-  const Bins& bins, double deviation)
+// How many of the image's voxels in the mask, of a part that begins at the voxel `first`, are of
+// which kind: kindOf(value) is one of `kinds`, or one more for what is not counted.
+template <typename KindOf>
+std::vector<std::uint32_t> CountKinds(const ImageView<float>& image,
+  const std::array<int, 3>& first, const BitMask& mask, std::size_t kinds,
+  const ParallelFor& parallelFor, const KindOf& kindOf)
 {
+  std::vector<std::uint32_t> counts(kinds + 1, 0);
+  std::mutex mutex;
+  parallelFor(0, mask.GetGeometry().Dimensions[2],
+    [&](std::ptrdiff_t begin, std::ptrdiff_t end)
+    {
+      std::vector<std::uint32_t> own(kinds + 1, 0);
+      mask.ForEachRun(begin, end,
+        [&](int left, int right, int j, int k)
+        {
+          // In two loops, so that the first is done by vectors.
+          std::array<std::uint32_t, BitMask::BitsOfWord> places;
+          const float* const values = &image(first[0] + left, first[1] + j, first[2] + k);
+          for (int voxel = 0; voxel < right - left; ++voxel)
+          {
+            places[voxel] = static_cast<std::uint32_t>(kindOf(values[voxel]));
+          }
+          for (int voxel = 0; voxel < right - left; ++voxel)
+          {
+            ++own[places[voxel]];
+          }
+        });
+      const std::lock_guard<std::mutex> lock(mutex);
+      std::transform(own.begin(), own.end(), counts.begin(), counts.begin(), std::plus<>());
+    });
+  return counts;
+}
+
+std::vector<double> SmoothHistogram(const ImageView<float>& image, const std::array<int, 3>& first,
+  const BitMask& mask, const Bins& bins, double deviation, const ParallelFor& parallelFor)
+{
+  const std::vector<std::uint32_t> counts =
+    CountKinds(image, first, mask, NumberOfBins, parallelFor, bins);
+  const double size = std::accumulate(counts.begin(), counts.end(), 0.0);
   std::vector<double> histogram(NumberOfBins, 0.0);
-  const auto size = static_cast<double>(mask.Count());
-  mask.ForEach([&](std::size_t voxel) { histogram[bins(image.Data[voxel])] += 1 / size; });
+  for (int bin = 0; bin < NumberOfBins && size > 0; ++bin)
+  {
+    histogram[bin] = counts[bin] / size;
+  }
   const double s = deviation / bins.Width;
   const int reach = static_cast<int>(3 * s) + 1;
   std::vector<double> smooth(NumberOfBins, 0.0);
@@ -125,14 +167,17 @@ IntensityModel IntensityModel::FromSeed(const std::vector<float>& values, double
   return model;
 }
 
-void IntensityModel::Reestimate(const ImageView<float>& image, const BitMask& inside,
-  const BitMask& outside, double noise, const IntensitySettings& settings)
+void IntensityModel::Reestimate(const ImageView<float>& image, const std::array<int, 3>& first,
+  const BitMask& inside, const BitMask& outside, double noise, const IntensitySettings& settings,
+  const ParallelFor& parallelFor)
 {
   const double unit = UsableNoise(noise, this->Mixture);
-  const float median = MedianOf(image, inside);
+  const float median = MedianOf(image, first, inside, parallelFor);
   const Bins bins{ median - HalfRange * unit, 2 * HalfRange * unit / NumberOfBins };
-  const std::vector<double> foreground = SmoothHistogram(image, inside, bins, Bandwidth * unit);
-  const std::vector<double> background = SmoothHistogram(image, outside, bins, Bandwidth * unit);
+  const std::vector<double> foreground =
+    SmoothHistogram(image, first, inside, bins, Bandwidth * unit, parallelFor);
+  const std::vector<double> background =
+    SmoothHistogram(image, first, outside, bins, Bandwidth * unit, parallelFor);
 
   std::vector<float> odds(NumberOfBins);
   for (int bin = 0; bin < NumberOfBins; ++bin)
@@ -142,11 +187,11 @@ void IntensityModel::Reestimate(const ImageView<float>& image, const BitMask& in
     odds[bin] = static_cast<float>(f / (f + b));
   }
   constexpr float even = 0.5F;
-  int first = bins(median);
-  int last = first;
-  while (first > 0 && odds[first - 1] > even)
+  int least = bins(median);
+  int last = least;
+  while (least > 0 && odds[least - 1] > even)
   {
-    --first;
+    --least;
   }
   while (last + 1 < NumberOfBins && odds[last + 1] > even)
   {
@@ -154,7 +199,7 @@ void IntensityModel::Reestimate(const ImageView<float>& image, const BitMask& in
   }
   // One empty entry at either end, for all that lies beyond.
   this->Table.assign(NumberOfBins + 2, 0.0F);
-  std::copy(odds.begin() + first, odds.begin() + last + 1, this->Table.begin() + first + 1);
+  std::copy(odds.begin() + least, odds.begin() + last + 1, this->Table.begin() + least + 1);
   this->Threshold = settings.Threshold > 0 ? settings.Threshold : even;
   this->Table[bins(median) + 1] =
     std::max(this->Table[bins(median) + 1], static_cast<float>(this->Threshold));
@@ -162,19 +207,13 @@ void IntensityModel::Reestimate(const ImageView<float>& image, const BitMask& in
   this->Begin = static_cast<float>(bins.Begin - 0.5 * bins.Width);
 }
 
-float MedianOf(const ImageView<float>& image, const BitMask& mask)
+float MedianOf(const ImageView<float>& image, const std::array<int, 3>& first, const BitMask& mask,
+  const ParallelFor& parallelFor)
 {
   // Floats as whole numbers of the same order; found by their upper half, then by their lower.
-  const auto keyOf = [&image](std::size_t voxel)
-  {
-    std::uint32_t bits = 0;
-    std::memcpy(&bits, image.Data + voxel, sizeof bits);
-    return bits >> 31U ? ~bits : bits | 0x80000000U;
-  };
   constexpr std::size_t halves = 0x10000;
   std::size_t rank = mask.Count() / 2;
-  std::vector<std::size_t> counts(halves, 0);
-  const auto take = [&counts, &rank]
+  const auto take = [&rank](const std::vector<std::uint32_t>& counts)
   {
     std::uint32_t half = 0;
     while (half + 1 < halves && rank >= counts[half])
@@ -183,20 +222,15 @@ float MedianOf(const ImageView<float>& image, const BitMask& mask)
     }
     return half;
   };
-  mask.ForEach([&](std::size_t voxel) { ++counts[keyOf(voxel) >> 16U]; });
-  const std::uint32_t upper = take();
-  counts.assign(halves, 0);
-  mask.ForEach(
-    [&](std::size_t voxel)
+  const std::uint32_t upper = take(CountKinds(image, first, mask, halves, parallelFor,
+    [](float value) { return OrderOf(value) >> 16U; }));
+  const std::uint32_t lower = take(CountKinds(image, first, mask, halves, parallelFor,
+    [upper](float value)
     {
-      const std::uint32_t key = keyOf(voxel);
-      counts[key & 0xffffU] += key >> 16U == upper;
-    });
-  const std::uint32_t key = upper << 16U | take();
-  const std::uint32_t bits = key >> 31U ? key & 0x7fffffffU : ~key;
-  float median = 0;
-  std::memcpy(&median, &bits, sizeof bits);
-  return median;
+      const std::uint32_t order = OrderOf(value);
+      return order >> 16U == upper ? order & 0xffffU : halves;
+    }));
+  return FloatOf(upper << 16U | lower);
 }
 
 bool MakeInsideAndShell(const IntensitySettings& settings, const ParallelFor& parallelFor,

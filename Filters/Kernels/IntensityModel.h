@@ -72,9 +72,11 @@ public:
     const IntensitySettings& settings);
 
   /// Replaces the feature by the odds of the grey values `inside` against those `outside`, within
-  /// the one interval about the median inside in which they favour it. Mixture and ramp stay.
-  void Reestimate(const ImageView<float>& image, const BitMask& inside, const BitMask& outside,
-    double noise, const IntensitySettings& settings);
+  /// the one interval about the median inside in which they favour it. Mixture and ramp stay. The
+  /// masks are of a part of the image, which begins at the voxel `first`.
+  void Reestimate(const ImageView<float>& image, const std::array<int, 3>& first,
+    const BitMask& inside, const BitMask& outside, double noise, const IntensitySettings& settings,
+    const ParallelFor& parallelFor);
 
 private:
   std::size_t PlaceOf(float z) const;
@@ -85,8 +87,10 @@ private:
 };
 
 /// The median of the image's voxels in the mask, which must hold one: of an even number the upper
-/// one. Sorts nothing and copies nothing.
-float MedianOf(const ImageView<float>& image, const BitMask& mask);
+/// one. Sorts nothing and copies nothing. The mask is of a part of the image, which begins at the
+/// voxel `first`.
+float MedianOf(const ImageView<float>& image, const std::array<int, 3>& first, const BitMask& mask,
+  const ParallelFor& parallelFor);
 
 /// Cuts `inside`, the voxels inside a surface, down to those well inside, and gives the shell
 /// around the surface. Returns false if the monitor, asked before each pass over the masks, stopped

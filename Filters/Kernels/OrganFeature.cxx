@@ -17,6 +17,32 @@ constexpr std::size_t LeastSample = 200;
 // A region with a smaller part of background than this has no contrast.
 constexpr double LeastBackground = 1e-3;
 
+// All voxels within millimetres along the axes of the runs, and one more, which is not in them.
+VoxelBox BoxAround(const std::vector<VoxelRun>& runs, const ImageGeometry& geometry, double reach)
+{
+  VoxelBox box{ geometry.Dimensions, { { 0, 0, 0 } } };
+  const auto include = [&box](int axis, int begin, int end)
+  {
+    box.Begin[axis] = std::min(box.Begin[axis], begin);
+    box.End[axis] = std::max(box.End[axis], end);
+  };
+  for (const VoxelRun& run : runs)
+  {
+    include(0, run.Begin, run.End);
+    include(1, run.J, run.J + 1);
+    include(2, run.K, run.K + 1);
+  }
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const int size = geometry.Dimensions[axis];
+    const double voxels = std::ceil(reach / geometry.Spacing[axis] * (1 + 1e-6)) + 1;
+    const int margin = static_cast<int>(std::min<double>(size, voxels));
+    box.Begin[axis] = std::max(0, box.Begin[axis] - margin);
+    box.End[axis] = std::min(size, box.End[axis] + margin);
+  }
+  return box.IsEmpty() ? VoxelBox{ { { 0, 0, 0 } }, { { 1, 1, 1 } } } : box;
+}
+
 } // namespace
 
 IntensityModel FitToSeed(const ImageView<float>& smooth, const SeedSphere& seed, double noise,
@@ -52,11 +78,16 @@ bool RefitToSurface(const ImageView<float>& smooth, const PointList& points,
     stopped = stopped || !monitor(fraction);
     return !stopped;
   };
-  BitMask inside(smooth.Geometry);
-  for (const VoxelRun& run :
-    VoxeliseSurface(points, triangles, smooth.Geometry, parallelFor, PartOf(proceed, 0, 0.2)))
+  // In the index space of the whole, so that its rounding decides; the rest in a box.
+  const std::vector<VoxelRun> runs =
+    VoxeliseSurface(points, triangles, smooth.Geometry, parallelFor, PartOf(proceed, 0, 0.2));
+  const VoxelBox box = BoxAround(runs, smooth.Geometry, settings.ShellEnd);
+  const auto [i, j, k] = box.Begin;
+  BitMask inside(
+    CropGeometry(smooth.Geometry, { { i, box.End[0] - 1, j, box.End[1] - 1, k, box.End[2] - 1 } }));
+  for (const VoxelRun& run : runs)
   {
-    inside.InsertRun(run.Begin, run.End, run.J, run.K);
+    inside.InsertRun(run.Begin - i, run.End - i, run.J - j, run.K - k);
   }
   BitMask shell;
   if (!MakeInsideAndShell(settings, parallelFor, PartOf(proceed, 0.2, 0.9), inside, shell) ||
@@ -66,7 +97,7 @@ bool RefitToSurface(const ImageView<float>& smooth, const PointList& points,
   }
   if (inside.Count() > LeastSample)
   {
-    model.Reestimate(smooth, inside, shell, noise, settings);
+    model.Reestimate(smooth, box.Begin, inside, shell, noise, settings, parallelFor);
   }
   return true;
 }

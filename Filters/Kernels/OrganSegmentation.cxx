@@ -146,26 +146,50 @@ private:
     return margin;
   }
 
-  // What has been made, and more of it on the sides that the foreground has come near.
-  VoxelBox Grown() const
+  // The box that was searched, and more of it on the sides that the foreground has come near.
+  VoxelBox Grown(const VoxelBox& searched, const VoxelBox& bounds) const
   {
-    const VoxelBox made = this->Region->GetMade();
-    const VoxelBox bounds = this->Foreground.Bounds();
     const std::array<int, 3> margin = this->Margin();
-    VoxelBox box = made;
+    VoxelBox box = searched;
     for (int axis = 0; axis < 3 && !bounds.IsEmpty(); ++axis)
     {
       const int size = this->Smooth.Geometry.Dimensions[axis];
-      const int step = std::max(margin[axis], static_cast<int>(GrowthOfBox * made.Size(axis)));
-      if (made.Begin[axis] > 0 && bounds.Begin[axis] - margin[axis] < made.Begin[axis])
+      const int step = std::max(margin[axis], static_cast<int>(GrowthOfBox * searched.Size(axis)));
+      if (searched.Begin[axis] > 0 && bounds.Begin[axis] - margin[axis] < searched.Begin[axis])
       {
-        box.Begin[axis] = std::max(0, made.Begin[axis] - step);
+        box.Begin[axis] = std::max(0, searched.Begin[axis] - step);
       }
-      if (made.End[axis] < size && bounds.End[axis] + margin[axis] > made.End[axis])
+      if (searched.End[axis] < size && bounds.End[axis] + margin[axis] > searched.End[axis])
       {
-        box.End[axis] = std::min(size, made.End[axis] + step);
+        box.End[axis] = std::min(size, searched.End[axis] + step);
       }
     }
+    box.Begin[0] -= box.Begin[0] % BitMask::BitsOfWord;
+    return box;
+  }
+
+  // Where the foreground is looked for first: of what has been made, where it was before, with a
+  // little more than the margin that it must keep.
+  VoxelBox FirstSearched() const
+  {
+    const VoxelBox made = this->Region->GetMade();
+    if (this->Bounds.IsEmpty())
+    {
+      return made;
+    }
+    const std::array<int, 3> margin = this->Margin();
+    const Extent seed =
+      ReachableExtent(this->Smooth.Geometry, this->Seed.Center, this->Seed.Radius);
+    VoxelBox box;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const int more = margin[axis] + margin[axis] / 2;
+      box.Begin[axis] = std::max(made.Begin[axis],
+        std::min(seed[2 * axis], this->Bounds.Begin[axis] - more));
+      box.End[axis] = std::min(made.End[axis],
+        std::max(seed[2 * axis + 1] + 1, this->Bounds.End[axis] + more));
+    }
+    box.Begin[0] -= box.Begin[0] % BitMask::BitsOfWord;
     return box;
   }
 
@@ -178,18 +202,21 @@ private:
         proceed, this->Foreground);
       return;
     }
+    VoxelBox searched = this->FirstSearched();
     do
     {
-      if (!FindForegroundInBox(this->Smooth, this->Region->GetMade(), this->Model, this->Seed,
+      if (!FindForegroundInBox(this->Smooth, searched, this->Model, this->Seed,
             this->Settings.Feature.Leaks, this->Parallel, proceed, this->Foreground))
       {
         return;
       }
-      const VoxelBox grown = this->Grown();
-      if (this->Region->GetMade().Holds(grown))
+      this->Bounds = this->Foreground.Bounds();
+      const VoxelBox grown = this->Grown(searched, this->Bounds);
+      if (searched.Holds(grown))
       {
         return;
       }
+      searched = grown;
       this->Foreground = BitMask(); // what follows has need of the memory
       if (!this->Make(grown))
       {
@@ -324,6 +351,7 @@ private:
 
   IntensityModel Model;
   BitMask Foreground;
+  VoxelBox Bounds; // of the foreground; empty where it is not known
   int Level = 0;
   bool Stopped = false;
 };
