@@ -100,7 +100,8 @@ public:
     parallelFor(std::max(0, this->BeginK), std::min(size[2], this->EndK),
       [&](std::ptrdiff_t first, std::ptrdiff_t end)
       {
-        const std::ptrdiff_t endJ = std::min<std::ptrdiff_t>(size[1], this->BeginJ + this->RowsOfSlice);
+        const std::ptrdiff_t endJ =
+          std::min<std::ptrdiff_t>(size[1], this->BeginJ + this->RowsOfSlice);
         for (std::ptrdiff_t k = first; k < end; ++k)
         {
           for (std::ptrdiff_t j = std::max(0, this->BeginJ); j < endJ; ++j)
@@ -122,7 +123,8 @@ public:
 
   Word* Row(std::ptrdiff_t j, std::ptrdiff_t k)
   {
-    return this->Words.data() + this->Offset({ static_cast<int>(j - this->BeginJ), static_cast<int>(k - this->BeginK) });
+    return this->Words.data() +
+      this->Offset({ static_cast<int>(j - this->BeginJ), static_cast<int>(k - this->BeginK) });
   }
   // From a row to another.
   std::ptrdiff_t Offset(const BallRow& row) const
@@ -252,14 +254,11 @@ bool GrowByRows(const BitMask& mask, bool holes, const VoxelBox& box,
   return true;
 }
 
-// A mask that was stopped at has neither voxels nor a grid.
-bool KeepIf(bool done, BitMask& mask)
+// A mask that the monitor has stopped has neither voxels nor a grid.
+bool Stop(BitMask& mask)
 {
-  if (!done)
-  {
-    mask = BitMask();
-  }
-  return done;
+  mask = BitMask();
+  return false;
 }
 
 bool DilateByDistance(BitMask& mask, double radius, const ParallelFor& parallelFor,
@@ -271,8 +270,7 @@ bool DilateByDistance(BitMask& mask, double radius, const ParallelFor& parallelF
   const std::vector<float> distance = SquaredDistance(bytes, geometry, 1, parallelFor, monitor);
   if (distance.empty() || !monitor(0.9))
   {
-    mask = BitMask();
-    return false;
+    return Stop(mask);
   }
   const float limit = static_cast<float>(radius * radius * Slack);
   mask = VoxelsWhere(
@@ -298,7 +296,7 @@ bool Dilate(BitMask& mask, double radius, const ParallelFor& parallelFor, const 
   VoxelBox box = mask.Bounds();
   if (box.IsEmpty())
   {
-    return KeepIf(monitor(0), mask);
+    return monitor(0) || Stop(mask);
   }
   const Eigen::Vector3d reach = radius * Slack / geometry.Spacing.array();
   for (int axis = 0; axis < 3; ++axis)
@@ -309,10 +307,13 @@ bool Dilate(BitMask& mask, double radius, const ParallelFor& parallelFor, const 
     box.End[axis] = std::min(size, box.End[axis] + voxels);
   }
   BitMask grown;
-  const bool done = GrowByRows(mask, false, box, ball, parallelFor, monitor, grown);
+  if (!GrowByRows(mask, false, box, ball, parallelFor, monitor, grown))
+  {
+    return Stop(mask);
+  }
   mask = std::move(grown);
   mask.CutRows();
-  return KeepIf(done, mask);
+  return true;
 }
 
 bool Erode(BitMask& mask, double radius, const ParallelFor& parallelFor, const Monitor& monitor)
@@ -332,12 +333,15 @@ bool Erode(BitMask& mask, double radius, const ParallelFor& parallelFor, const M
   const VoxelBox box = mask.Bounds();
   if (box.IsEmpty())
   {
-    return KeepIf(monitor(0), mask);
+    return monitor(0) || Stop(mask);
   }
   BitMask grown;
-  const bool done = GrowByRows(mask, true, box, ball, parallelFor, monitor, grown);
+  if (!GrowByRows(mask, true, box, ball, parallelFor, monitor, grown))
+  {
+    return Stop(mask);
+  }
   mask.Remove(grown);
-  return KeepIf(done, mask);
+  return true;
 }
 
 } // namespace FlipFree

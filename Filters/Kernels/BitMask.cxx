@@ -42,9 +42,9 @@ void BitMask::Complement()
 
 void BitMask::CutRows()
 {
-  for (std::size_t end = this->WordsPerRow; end <= this->Words.size(); end += this->WordsPerRow)
+  for (std::size_t row = 0; row < this->Words.size(); row += this->WordsPerRow)
   {
-    this->Words[end - 1] &= this->LastWord;
+    this->Words[row + this->WordsPerRow - 1] &= this->LastWord;
   }
 }
 

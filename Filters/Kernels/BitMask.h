@@ -86,8 +86,8 @@ public:
   }
 
   /// Calls visit(begin, end, j, k) for runs of voxels (i, j, k) of the set, begin <= i < end, in
-  /// slices first <= k < last, in the order of the voxels. What goes on in the next word of a row is
-  /// a run of its own.
+  /// slices first <= k < last, in the order of the voxels. What goes on in the next word of a row
+  /// is a run of its own.
   template <typename Visit>
   void ForEachRun(std::ptrdiff_t first, std::ptrdiff_t last, const Visit& visit) const
   {

@@ -110,8 +110,8 @@ bool FindForeground(const ImageView<float>& smooth, const IntensityModel& model,
   {
     return false;
   }
-  foreground = VoxelsIn(model.Foreground(), smooth,
-    { { { 0, 0, 0 } }, smooth.Geometry.Dimensions }, parallelFor);
+  foreground = VoxelsIn(model.Foreground(), smooth, { { { 0, 0, 0 } }, smooth.Geometry.Dimensions },
+    parallelFor);
   return !settings.ControlLeaks ||
     ControlLeaks(foreground, seed, settings.Leaks, parallelFor, PartOf(monitor, 0.1, 1));
 }

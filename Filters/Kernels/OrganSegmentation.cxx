@@ -184,10 +184,10 @@ private:
     for (int axis = 0; axis < 3; ++axis)
     {
       const int more = margin[axis] + margin[axis] / 2;
-      box.Begin[axis] = std::max(made.Begin[axis],
-        std::min(seed[2 * axis], this->Bounds.Begin[axis] - more));
-      box.End[axis] = std::min(made.End[axis],
-        std::max(seed[2 * axis + 1] + 1, this->Bounds.End[axis] + more));
+      box.Begin[axis] =
+        std::max(made.Begin[axis], std::min(seed[2 * axis], this->Bounds.Begin[axis] - more));
+      box.End[axis] =
+        std::min(made.End[axis], std::max(seed[2 * axis + 1] + 1, this->Bounds.End[axis] + more));
     }
     box.Begin[0] -= box.Begin[0] % BitMask::BitsOfWord;
     return box;

@@ -1,4 +1,5 @@
 #include "BallMorphology.h"
+#include "DistanceTransform.h"
 #include "ExampleMasks.h"
 #include "ExampleSurfaces.h"
 
@@ -84,6 +85,51 @@ TEST(BallMorphology, LargeBallsByDistanceAreTheSame)
     const double y = 0.01 * (j - 3000);
     ASSERT_EQ(grown(1, j, 0), y * y <= radius * radius) << j;
     ASSERT_EQ(grown(0, j, 1), y * y + 2 <= radius * radius) << j;
+  }
+}
+
+// Boxes of voxels with room around them, at the grid's sides too, beside the distance transform.
+TEST(BallMorphology, SolidsInALargeGridAreAsByDistance)
+{
+  std::mt19937 random(7);
+  const ImageGeometry geometry = Grid({ { 330, 31, 23 } }, { 0.7, 1.1, 1.9 });
+  const auto within = [&random](int size) { return static_cast<int>(random() % size); };
+  for (int repetition = 0; repetition < 12; ++repetition)
+  {
+    BitMask solids(geometry);
+    for (int solid = 0; solid < 1 + repetition % 3; ++solid)
+    {
+      const std::array<int, 3> first{ { within(330), within(31), within(23) } };
+      const int end = std::min(330, first[0] + 1 + within(90));
+      for (int k = first[2]; k < std::min(23, first[2] + 6); ++k)
+      {
+        for (int j = first[1]; j < std::min(31, first[1] + 9); ++j)
+        {
+          solids.InsertRun(first[0], end, j, k);
+        }
+      }
+    }
+    const std::vector<unsigned char> bytes = BytesOf(solids);
+    for (const double radius : { 0.3, 1.5, 2.2, 4.0, 12.0 })
+    {
+      for (const unsigned char value : { 0, 1 })
+      {
+        const std::vector<float> square =
+          SquaredDistance(bytes, geometry, value, SerialFor, NeverStop);
+        BitMask grown = solids;
+        ASSERT_TRUE(Grow(grown, radius, value, ScatteredFor));
+        const auto limit = static_cast<float>(radius * radius * (1 + 1e-6));
+        const BitMask near = VoxelsWhere(
+          ImageView<float>{ square.data(), geometry },
+          [limit](float distance) { return distance <= limit; }, SerialFor);
+        BitMask expected = near;
+        if (!value)
+        {
+          expected.Complement();
+        }
+        ASSERT_EQ(grown, expected) << radius << " mm, value " << int(value);
+      }
+    }
   }
 }
 

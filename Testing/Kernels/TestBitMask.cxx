@@ -47,6 +47,54 @@ TEST(BitMask, VisitsInTheOrderOfTheVoxels)
   }
 }
 
+TEST(BitMask, RunsAreOfAllVoxelsInTheirOrder)
+{
+  std::mt19937 random(4);
+  for (const ImageGeometry& geometry : ExampleGrids())
+  {
+    for (const double part : { 0.0, 0.1, 0.5, 0.97, 1.0 })
+    {
+      const BitMask mask = BitsOf(RandomMask(geometry, part, random), geometry);
+      std::vector<std::size_t> expected;
+      mask.ForEach([&expected](std::size_t voxel) { expected.push_back(voxel); });
+      std::vector<std::size_t> visited;
+      const int middle = geometry.Dimensions[2] / 2;
+      for (const auto& [first, last] :
+        { std::pair(0, middle), std::pair(middle, geometry.Dimensions[2]) })
+      {
+        mask.ForEachRun(first, last,
+          [&](int begin, int end, int j, int k)
+          {
+            ASSERT_LT(begin, end);
+            ASSERT_TRUE(first <= k && k < last);
+            ASSERT_EQ(begin / BitMask::BitsOfWord, (end - 1) / BitMask::BitsOfWord);
+            for (int i = begin; i < end; ++i)
+            {
+              visited.push_back(geometry.Offset(i, j, k));
+            }
+          });
+      }
+      ASSERT_EQ(visited, expected);
+    }
+  }
+}
+
+TEST(BitMask, BytesBecomeBits)
+{
+  std::mt19937 random(5);
+  for (int repetition = 0; repetition < 1000; ++repetition)
+  {
+    MaskBytes bytes{};
+    BitMask::Word expected = 0;
+    for (int bit = 0; bit < BitMask::BitsOfWord; ++bit)
+    {
+      bytes[bit] = random() % 2;
+      expected |= BitMask::Word(bytes[bit]) << bit;
+    }
+    ASSERT_EQ(WordOf(bytes), expected);
+  }
+}
+
 TEST(BitMask, RunsOfEveryPlaceAndLength)
 {
   const ImageGeometry geometry = Grid({ { 130, 2, 2 } }, { 1, 1, 1 });
@@ -63,6 +111,26 @@ TEST(BitMask, RunsOfEveryPlaceAndLength)
       }
       ASSERT_EQ(run, expected) << begin << " to " << end;
     }
+  }
+}
+
+TEST(BitMask, RowsAreCutAtTheirEnds)
+{
+  std::mt19937 random(6);
+  for (const ImageGeometry& geometry : ExampleGrids())
+  {
+    const BitMask mask = BitsOf(RandomMask(geometry, 0.5, random), geometry);
+    BitMask beyond = mask;
+    for (int k = 0; k < geometry.Dimensions[2]; ++k)
+    {
+      for (int j = 0; j < geometry.Dimensions[1]; ++j)
+      {
+        beyond.Row(j, k)[mask.GetWordsPerRow() - 1] |= ~mask.GetLastWord();
+      }
+    }
+    EXPECT_EQ(beyond == mask, mask.GetLastWord() == ~BitMask::Word(0));
+    beyond.CutRows();
+    EXPECT_EQ(beyond, mask);
   }
 }
 

@@ -4,6 +4,7 @@
 #include "ExampleMasks.h"
 #include "ExampleSurfaces.h"
 #include "OrganFeature.h"
+#include "SurfaceVoxelisation.h"
 
 #include <gtest/gtest.h>
 
@@ -148,6 +149,41 @@ TEST_F(OrganFeatureStops, RefitAndLeavesTheModel)
   EXPECT_GE(asked, 3 * 3 + 2);
 }
 
+// The masks of the whole image in place of those of a box around the surface.
+TEST_F(OrganFeatureStops, RefitIsThatOfTheWholeImage)
+{
+  for (const double reach : { 0.5, 3.0, 12.0, 100.0 })
+  {
+    IntensitySettings settings;
+    settings.ShellBegin = 0.4 * reach;
+    settings.ShellEnd = reach;
+    const Surface surface = Sphere(6, this->Seed.Center + Eigen::Vector3d(1, 2, -1), 7);
+    const IntensityModel start = FitToSeed(this->Image.View(), this->Seed, 6, settings);
+    IntensityModel model = start;
+    ASSERT_TRUE(RefitToSurface(this->Image.View(), surface.Points, surface.Triangles, 6, settings,
+      ScatteredFor, NeverStop, model));
+    BitMask inside(this->Image.Geometry);
+    for (const VoxelRun& run :
+      VoxeliseSurface(surface.Points, surface.Triangles, this->Image.Geometry))
+    {
+      inside.InsertRun(run.Begin, run.End, run.J, run.K);
+    }
+    BitMask shell;
+    ASSERT_TRUE(MakeInsideAndShell(settings, SerialFor, NeverStop, inside, shell));
+    IntensityModel expected = start;
+    expected.Reestimate(this->Image.View(), { { 0, 0, 0 } }, inside, shell, 6, settings, SerialFor);
+    EXPECT_EQ(model.Threshold, expected.Threshold);
+    int differing = 0;
+    for (int step = -1000; step <= 4000; ++step)
+    {
+      const float z = 0.05F * static_cast<float>(step);
+      ASSERT_EQ(model(z), expected(z)) << z;
+      differing += model(z) != start(z);
+    }
+    EXPECT_GT(differing, 100);
+  }
+}
+
 TEST_F(OrganFeatureStops, Foreground)
 {
   OrganFeatureSettings settings;
@@ -202,7 +238,8 @@ TEST_F(OrganFeatureStops, MedianIsThatOfTheSortedValues)
       }
     }
     std::sort(values.begin(), values.end());
-    EXPECT_EQ(MedianOf(this->Image.View(), BitsOf(bytes, this->Image.Geometry)),
+    EXPECT_EQ(MedianOf(this->Image.View(), { { 0, 0, 0 } }, BitsOf(bytes, this->Image.Geometry),
+                ScatteredFor),
       values[values.size() / 2]);
   }
 }

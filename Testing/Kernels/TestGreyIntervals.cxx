@@ -1,0 +1,188 @@
+#include "ExampleMasks.h"
+#include "ExampleSurfaces.h"
+#include "FloatOrder.h"
+#include "GreyIntervals.h"
+#include "IntensityModel.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+using namespace FlipFree;
+
+namespace
+{
+
+constexpr float Infinity = std::numeric_limits<float>::infinity();
+
+// Floats of any bits: of every magnitude, infinite ones, and what is not a number.
+std::vector<float> AnyFloats(std::size_t count, std::mt19937& random)
+{
+  std::vector<float> values{ 0.0F, -0.0F, Infinity, -Infinity,
+    std::numeric_limits<float>::quiet_NaN(), -std::numeric_limits<float>::quiet_NaN(),
+    std::numeric_limits<float>::denorm_min(), std::numeric_limits<float>::max() };
+  while (values.size() < count)
+  {
+    const std::uint32_t bits = static_cast<std::uint32_t>(random());
+    float value = 0;
+    std::memcpy(&value, &bits, sizeof value);
+    values.push_back(value);
+  }
+  return values;
+}
+
+// At the borders, their neighbours, random floats about them, and any others.
+void ExpectForegroundIsByThreshold(const IntensityModel& model, std::mt19937& random)
+{
+  const GreyIntervals foreground = model.Foreground();
+  std::vector<float> values = AnyFloats(20000, random);
+  for (const float border : foreground.GetBorders())
+  {
+    EXPECT_NE(foreground(border), foreground(std::nextafter(border, -Infinity)));
+    values.insert(values.end(),
+      { border, std::nextafter(border, Infinity), std::nextafter(border, -Infinity) });
+  }
+  std::uniform_real_distribution<float> uniform(-100, 300);
+  std::generate_n(std::back_inserter(values), 100000, [&] { return uniform(random); });
+  for (const float z : values)
+  {
+    ASSERT_EQ(foreground(z), model(z) >= model.Threshold) << z;
+  }
+}
+
+GreyIntervals SomeIntervals(int borders, std::mt19937& random)
+{
+  std::uniform_real_distribution<float> uniform(0, 1);
+  std::vector<float> values(borders);
+  std::generate(values.begin(), values.end(), [&] { return uniform(random); });
+  std::sort(values.begin(), values.end());
+  return { random() % 2 == 0, values };
+}
+
+} // namespace
+
+TEST(FloatOrder, AscendsWithTheValue)
+{
+  std::mt19937 random(1);
+  std::vector<float> values = AnyFloats(20000, random);
+  values.erase(std::remove_if(values.begin(), values.end(), [](float z) { return std::isnan(z); }),
+    values.end());
+  for (std::size_t at = 0; at < values.size(); ++at)
+  {
+    const float a = values[at];
+    const float b = values[(at + 1) % values.size()];
+    ASSERT_EQ(FloatOf(OrderOf(a)), a);
+    ASSERT_EQ(OrderOf(a) < OrderOf(b), a < b || (a == b && std::signbit(a) && !std::signbit(b)))
+      << a << ' ' << b;
+  }
+  EXPECT_EQ(OrderOf(1.0F) + 1, OrderOf(std::nextafter(1.0F, 2.0F)));
+  EXPECT_EQ(OrderOf(-1.0F) + 1, OrderOf(std::nextafter(-1.0F, 2.0F)));
+}
+
+TEST(GreyIntervals, ForegroundOfAModelIsWhatReachesItsThreshold)
+{
+  std::mt19937 random(2);
+  std::normal_distribution<float> liver(100, 6);
+  std::normal_distribution<float> vessel(160, 8);
+  std::vector<float> values(6000);
+  for (std::size_t at = 0; at < values.size(); ++at)
+  {
+    values[at] = at % 3 == 0 ? vessel(random) : liver(random);
+  }
+  std::size_t most = 0;
+  for (const double threshold : { 0.0, 1e-12, 0.02, 0.3, 0.999, 1.0, 1.5 })
+  {
+    IntensitySettings settings;
+    settings.Threshold = threshold;
+    const IntensityModel model = IntensityModel::FromSeed(values, 3, settings);
+    ExpectForegroundIsByThreshold(model, random);
+    most = std::max(most, model.Foreground().GetBorders().size());
+  }
+  EXPECT_GE(most, 4U); // two grey values apart
+}
+
+TEST(GreyIntervals, ForegroundOfAModelAfterReestimation)
+{
+  std::mt19937 random(3);
+  const ImageGeometry geometry = Grid({ { 70, 20, 10 } }, { 1, 1, 1 });
+  std::vector<unsigned char> inside = RandomMask(geometry, 0.4, random);
+  std::vector<unsigned char> outside = inside;
+  std::vector<float> voxels(inside.size());
+  std::normal_distribution<float> noise(0, 5);
+  for (std::size_t voxel = 0; voxel < voxels.size(); ++voxel)
+  {
+    voxels[voxel] = (inside[voxel] ? 100.0F : 80.0F) + noise(random);
+    outside[voxel] = 1 - inside[voxel];
+  }
+  for (const double threshold : { 0.0, 0.2, 0.6, 0.9 })
+  {
+    IntensitySettings settings;
+    IntensityModel model = IntensityModel::FromSeed({ 95, 98, 100, 100, 101, 104 }, 5, settings);
+    settings.Threshold = threshold;
+    model.Reestimate({ voxels.data(), geometry }, { { 0, 0, 0 } }, BitsOf(inside, geometry),
+      BitsOf(outside, geometry), 5, settings, SerialFor);
+    ExpectForegroundIsByThreshold(model, random);
+    EXPECT_GE(model.Foreground().GetBorders().size(), 2U);
+  }
+}
+
+TEST(GreyIntervals, MarksWhatIsInThem)
+{
+  std::mt19937 random(4);
+  std::uniform_real_distribution<float> uniform(0, 1);
+  for (int repetition = 0; repetition < 400; ++repetition)
+  {
+    const GreyIntervals intervals = SomeIntervals(repetition % 7, random);
+    const int size = 1 + static_cast<int>(random() % 200);
+    std::vector<float> voxels(size);
+    std::generate(voxels.begin(), voxels.end(), [&] { return uniform(random); });
+    voxels[random() % size] = std::numeric_limits<float>::quiet_NaN();
+    if (!intervals.GetBorders().empty())
+    {
+      voxels[random() % size] = intervals.GetBorders().front();
+    }
+    // A word more, which must stay as it is.
+    std::vector<BitMask::Word> row((size + 63) / 64 + 1, 0);
+    intervals.MarkRow(voxels.data(), size, row.data());
+    for (int voxel = 0; voxel < 64 * static_cast<int>(row.size()); ++voxel)
+    {
+      ASSERT_EQ((row[voxel / 64] >> (voxel % 64) & 1U) != 0,
+        voxel < size && intervals(voxels[voxel]));
+    }
+  }
+}
+
+TEST(GreyIntervals, VoxelsOfABox)
+{
+  std::mt19937 random(5);
+  std::uniform_real_distribution<float> uniform(0, 1);
+  const ImageGeometry geometry = Grid({ { 150, 11, 9 } }, { 1, 2, 3 });
+  std::vector<float> voxels(geometry.NumberOfVoxels());
+  std::generate(voxels.begin(), voxels.end(), [&] { return uniform(random); });
+  const ImageView<float> image{ voxels.data(), geometry };
+  for (const VoxelBox& box : { VoxelBox{ { { 0, 0, 0 } }, geometry.Dimensions },
+         VoxelBox{ { { 64, 2, 3 } }, { { 141, 10, 9 } } },
+         VoxelBox{ { { 5, 0, 8 } }, { { 6, 1, 9 } } } })
+  {
+    const GreyIntervals intervals = SomeIntervals(3, random);
+    const BitMask mask = VoxelsIn(intervals, image, box, SerialFor);
+    EXPECT_EQ(mask, VoxelsIn(intervals, image, box, ScatteredFor));
+    ASSERT_EQ(mask.GetGeometry().Dimensions,
+      (std::array<int, 3>{ { box.Size(0), box.Size(1), box.Size(2) } }));
+    EXPECT_EQ(mask.GetGeometry().Origin,
+      geometry.ToPhysical(Eigen::Vector3d(box.Begin[0], box.Begin[1], box.Begin[2])));
+    for (int k = 0; k < box.Size(2); ++k)
+    {
+      for (int j = 0; j < box.Size(1); ++j)
+      {
+        for (int i = 0; i < box.Size(0); ++i)
+        {
+          ASSERT_EQ(mask(i, j, k),
+            intervals(image(box.Begin[0] + i, box.Begin[1] + j, box.Begin[2] + k)));
+        }
+      }
+    }
+  }
+}
