@@ -119,9 +119,9 @@ inline Extent WholeExtent(const ImageGeometry& geometry)
     geometry.Dimensions[2] - 1 } };
 }
 
-inline void RequireFinite(const FloatImage& image, const std::string& name)
+inline void RequireFinite(const ImageView<float>& image, const std::string& name)
 {
-  RequireFiniteRegion(image.View(), WholeExtent(image.Geometry), name);
+  RequireFiniteRegion(image, WholeExtent(image.Geometry), name);
 }
 
 /// The same of a part of the image, which has passed RequireGreyImage. Whole numbers are not looked
@@ -139,27 +139,41 @@ inline void RequireFinite(vtkImageData* image, const Extent& extent, const std::
   }
 }
 
-/// A part of the image as floats. The image has passed RequireGreyImage.
-inline FloatImage GreyRegionOf(vtkImageData* image, const Extent& extent)
+/// A part of the image as floats, in memory that is used again. The image has passed
+/// RequireGreyImage.
+inline void GreyRegionOf(vtkImageData* image, const Extent& extent, FloatImage& region)
 {
   const ImageGeometry geometry = GeometryOf(image);
-  FloatImage region;
-  void* voxels = image->GetPointData()->GetScalars()->GetVoidPointer(0);
+  const void* voxels = image->GetPointData()->GetScalars()->GetVoidPointer(0);
   switch (image->GetPointData()->GetScalars()->GetDataType())
   {
-    vtkTemplateMacro(region = CropToFloat<VTK_TT>({ static_cast<const VTK_TT*>(voxels), geometry },
-                       extent, SMPFor));
+    vtkTemplateMacro(CropToFloat<VTK_TT>({ static_cast<const VTK_TT*>(voxels), geometry }, extent,
+      SMPFor, region));
     default:
       RefuseScalarType(image->GetPointData()->GetScalars(), "the image");
   }
-  return region;
+}
+
+/// The whole image as floats: its own where it has floats, and else those of `copy`, which must
+/// outlive the view. The image has passed RequireGreyImage.
+inline ImageView<float> GreyViewOf(vtkImageData* image, FloatImage& copy)
+{
+  const ImageGeometry geometry = GeometryOf(image);
+  if (image->GetPointData()->GetScalars()->GetDataType() == VTK_FLOAT)
+  {
+    const void* const voxels = image->GetPointData()->GetScalars()->GetVoidPointer(0);
+    return { static_cast<const float*>(voxels), geometry };
+  }
+  GreyRegionOf(image, WholeExtent(geometry), copy);
+  return copy.View();
 }
 
 /// The noise in the seed sphere.
 inline double NoiseOf(vtkImageData* image, const SeedSphere& seed)
 {
-  return NoiseDeviation(
-    GreyRegionOf(image, ReachableExtent(GeometryOf(image), seed.Center, seed.Radius)).View(), seed);
+  FloatImage region;
+  GreyRegionOf(image, ReachableExtent(GeometryOf(image), seed.Center, seed.Radius), region);
+  return NoiseDeviation(region.View(), seed);
 }
 
 /// The voxels of a part of the image, which has passed RequireGreyImage and outlives the reader.

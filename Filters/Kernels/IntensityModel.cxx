@@ -212,7 +212,9 @@ float MedianOf(const ImageView<float>& image, const std::array<int, 3>& first, c
 {
   // Floats as whole numbers of the same order; found by their upper half, then by their lower.
   constexpr std::size_t halves = 0x10000;
-  std::size_t rank = mask.Count() / 2;
+  const std::vector<std::uint32_t> uppers = CountKinds(image, first, mask, halves, parallelFor,
+    [](float value) { return OrderOf(value) >> 16U; });
+  std::size_t rank = std::accumulate(uppers.begin(), uppers.end(), std::size_t(0)) / 2;
   const auto take = [&rank](const std::vector<std::uint32_t>& counts)
   {
     std::uint32_t half = 0;
@@ -222,8 +224,7 @@ float MedianOf(const ImageView<float>& image, const std::array<int, 3>& first, c
     }
     return half;
   };
-  const std::uint32_t upper = take(CountKinds(image, first, mask, halves, parallelFor,
-    [](float value) { return OrderOf(value) >> 16U; }));
+  const std::uint32_t upper = take(uppers);
   const std::uint32_t lower = take(CountKinds(image, first, mask, halves, parallelFor,
     [upper](float value)
     {

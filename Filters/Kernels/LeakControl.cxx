@@ -35,6 +35,10 @@ bool HoldsOne(const BitMask& mask, const std::vector<std::size_t>& voxels)
 // All of the runs of ones in `mask` that hold a one of `bits`, by doubling.
 Word FillRuns(Word bits, Word mask)
 {
+  if (~mask == 0)
+  {
+    return bits == 0 ? 0 : mask;
+  }
   Word up = bits & mask;
   Word down = up;
   Word throughUp = mask;
@@ -161,19 +165,14 @@ bool ControlLeaks(BitMask& mask, const std::vector<std::size_t>& sources,
     {
       return false;
     }
-    if (!HoldsOne(mask, sources))
-    {
-      mask = std::move(closed);
-    }
-    else
+    if (HoldsOne(mask, sources))
     {
       closed = BitMask();
-      if (!KeepConnected(mask, sources, PartOf(monitor, 0.6, 0.7)) ||
-        !Dilate(mask, settings.OpeningRadius, parallelFor, PartOf(monitor, 0.7, 0.9)))
-      {
-        return false;
-      }
+      // Afterwards all still hangs together with the seed, since balls do.
+      return KeepConnected(mask, sources, PartOf(monitor, 0.6, 0.7)) &&
+        Dilate(mask, settings.OpeningRadius, parallelFor, PartOf(monitor, 0.7, 1));
     }
+    mask = std::move(closed);
   }
   return KeepConnected(mask, sources, PartOf(monitor, 0.9, 1));
 }

@@ -37,11 +37,11 @@ Extent ReachableExtent(const ImageGeometry& geometry, const Eigen::Vector3d& cen
 /// The geometry of that part of the image.
 ImageGeometry CropGeometry(const ImageGeometry& geometry, const Extent& extent);
 
+/// A part of the image as floats. The memory that `region` has is used again.
 template <typename T>
-FloatImage CropToFloat(const ImageView<T>& image, const Extent& extent,
-  const ParallelFor& parallelFor)
+void CropToFloat(const ImageView<T>& image, const Extent& extent, const ParallelFor& parallelFor,
+  FloatImage& region)
 {
-  FloatImage region;
   region.Geometry = CropGeometry(image.Geometry, extent);
   region.Voxels.resize(region.Geometry.NumberOfVoxels());
   parallelFor(0, region.Geometry.Dimensions[2],
@@ -60,7 +60,6 @@ FloatImage CropToFloat(const ImageView<T>& image, const Extent& extent,
         }
       }
     });
-  return region;
 }
 
 /// Whether the image, to the rims of its outermost voxels, holds the whole sphere.

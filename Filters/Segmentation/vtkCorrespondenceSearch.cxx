@@ -71,8 +71,8 @@ int vtkCorrespondenceSearch::RequestData(vtkInformation*, vtkInformationVector**
     const FlipFree::DeformableSurface surface =
       FlipFree::DeformableSurfaceOf(input, "the surface on port 0", false);
     FlipFree::RequireGreyImage(featureImage, "the feature on port 1");
-    const FlipFree::FloatImage feature = FlipFree::GreyRegionOf(featureImage,
-      FlipFree::WholeExtent(FlipFree::GeometryOf(featureImage)));
+    FlipFree::FloatImage copyOfFeature;
+    const FlipFree::ImageView<float> feature = FlipFree::GreyViewOf(featureImage, copyOfFeature);
     FlipFree::RequireFinite(feature, "the feature on port 1");
     const std::vector<double> given =
       FlipFree::FieldValues("FeatureThreshold", 1, false, featureImage, "the feature on port 1");
@@ -80,13 +80,13 @@ int vtkCorrespondenceSearch::RequestData(vtkInformation*, vtkInformationVector**
       : !given.empty() && given.front() > 0      ? given.front()
                                                  : 0.5;
     const FlipFree::BitMask foreground = FlipFree::VoxelsWhere(
-      feature.View(), [threshold](float value) { return value >= threshold; }, FlipFree::SMPFor);
-    FlipFree::FloatImage edges;
+      feature, [threshold](float value) { return value >= threshold; }, FlipFree::SMPFor);
+    FlipFree::FloatImage copyOfEdges;
+    FlipFree::ImageView<float> edges;
     if (this->EdgeWindow > 0)
     {
       FlipFree::RequireGreyImage(edgeImage, "the edge image on port 2");
-      edges =
-        FlipFree::GreyRegionOf(edgeImage, FlipFree::WholeExtent(FlipFree::GeometryOf(edgeImage)));
+      edges = FlipFree::GreyViewOf(edgeImage, copyOfEdges);
       FlipFree::RequireFinite(edges, "the edge image on port 2");
       FlipFree::RequireSameGeometry(edges.Geometry, feature.Geometry, "the edge image on port 2",
         "the feature on port 1");
@@ -111,7 +111,7 @@ int vtkCorrespondenceSearch::RequestData(vtkInformation*, vtkInformationVector**
 
     FlipFree::TargetReport report;
     const FlipFree::CorrespondenceField field = FlipFree::FindTargets(surface.Mesh, surface.Points,
-      foreground, edges.View(), settings, FlipFree::SMPFor, report);
+      foreground, edges, settings, FlipFree::SMPFor, report);
     output->ShallowCopy(input);
     FlipFree::AttachField(field, output);
     FlipFree::AddFieldValues("MeanDistance", { report.MeanDistance }, output);

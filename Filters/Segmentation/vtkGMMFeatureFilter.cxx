@@ -74,16 +74,14 @@ int vtkGMMFeatureFilter::RequestData(vtkInformation*, vtkInformationVector** inp
     FlipFree::RequireGreyImage(image, "the image on port 0");
     const FlipFree::ImageGeometry geometry = FlipFree::GeometryOf(image);
     FlipFree::RequireSeed(geometry, seed, "the image on port 0");
-    const FlipFree::FloatImage smooth =
-      FlipFree::GreyRegionOf(image, FlipFree::WholeExtent(geometry));
+    FlipFree::FloatImage copy;
+    const FlipFree::ImageView<float> smooth = FlipFree::GreyViewOf(image, copy);
     FlipFree::RequireFinite(smooth, "the image on port 0");
     const std::vector<double> given =
       FlipFree::FieldValues("NoiseDeviation", 1, false, image, "the image on port 0");
-    const double noise =
-      given.empty() ? FlipFree::NoiseDeviation(smooth.View(), seed) : given.front();
+    const double noise = given.empty() ? FlipFree::NoiseDeviation(smooth, seed) : given.front();
 
-    FlipFree::IntensityModel model =
-      FlipFree::FitToSeed(smooth.View(), seed, noise, settings.Intensity);
+    FlipFree::IntensityModel model = FlipFree::FitToSeed(smooth, seed, noise, settings.Intensity);
     const FlipFree::Monitor whole = FlipFree::MonitorOf(this);
     bool proceed = whole(0.1);
     if (proceed && surface)
@@ -92,12 +90,12 @@ int vtkGMMFeatureFilter::RequestData(vtkInformation*, vtkInformationVector** inp
         FlipFree::SurfaceOf(surface, "the surface on port 1");
       FlipFree::RequireClosed(static_cast<int>(inside.Points.rows()), inside.Triangles,
         "the surface on port 1");
-      proceed = FlipFree::RefitToSurface(smooth.View(), inside.Points, inside.Triangles, noise,
+      proceed = FlipFree::RefitToSurface(smooth, inside.Points, inside.Triangles, noise,
         settings.Intensity, FlipFree::SMPFor, FlipFree::PartOf(whole, 0.1, 0.4), model);
     }
     FlipFree::BitMask foreground;
     if (!proceed ||
-      !FlipFree::FindForeground(smooth.View(), model, seed, settings, FlipFree::SMPFor,
+      !FlipFree::FindForeground(smooth, model, seed, settings, FlipFree::SMPFor,
         FlipFree::PartOf(whole, 0.4, 1), foreground))
     {
       return 1; // aborted
@@ -107,7 +105,7 @@ int vtkGMMFeatureFilter::RequestData(vtkInformation*, vtkInformationVector** inp
       FlipFree::RequireContrast(foreground);
     }
     const std::vector<float> feature =
-      FlipFree::MakeFeature(smooth.View(), model, foreground, FlipFree::SMPFor);
+      FlipFree::MakeFeature(smooth, model, foreground, FlipFree::SMPFor);
 
     output->CopyStructure(image);
     FlipFree::SetFloatScalars("Feature", feature, output);

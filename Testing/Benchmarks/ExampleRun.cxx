@@ -21,8 +21,8 @@ constexpr int IterationsBefore = 3;
 void MakeImages(const PhantomScan& scan, ExampleRun& run)
 {
   run.Seed = scan.Seed;
-  run.Grey = CropToFloat(ImageView<std::int16_t>{ scan.Voxels.data(), scan.Geometry },
-    ReachableExtent(scan.Geometry, run.Seed.Center, OrganReach), SMPFor);
+  CropToFloat(ImageView<std::int16_t>{ scan.Voxels.data(), scan.Geometry },
+    ReachableExtent(scan.Geometry, run.Seed.Center, OrganReach), SMPFor, run.Grey);
   run.Noise = NoiseDeviation(run.Grey.View(), run.Seed);
   run.Smooth = run.Grey;
   AnisotropicDiffusionSettings diffusion;

@@ -16,9 +16,9 @@
 #include "Statistics.h"
 
 #include "AnisotropicDiffusion.h"
-#include "BitMask.h"
 #include "ExecutionAdapter.h"
 #include "GreyImageAdapter.h"
+#include "GreyIntervals.h"
 #include "LabelAdapter.h"
 #include "Stopwatch.h"
 #include "VoxelOverlap.h"
@@ -206,7 +206,8 @@ void MeasureTraffic(const Subject& subject, int runs, int threads)
 {
   const Extent extent = RegionOf(subject);
   const ImageGeometry geometry = GeometryOf(subject.Image);
-  FloatImage region = GreyRegionOf(subject.Image, extent);
+  FloatImage region;
+  GreyRegionOf(subject.Image, extent, region);
   const auto inRegion = static_cast<double>(region.Voxels.size());
   const auto inImage = static_cast<double>(geometry.NumberOfVoxels());
   const double scalar = subject.Image->GetPointData()->GetScalars()->GetDataTypeSize();
@@ -220,7 +221,7 @@ void MeasureTraffic(const Subject& subject, int runs, int threads)
 
   std::vector<Traffic> stages = {
     { "region: scalars to floats", inRegion * (scalar + 4),
-      [&] { region = GreyRegionOf(subject.Image, extent); }, {} },
+      [&] { GreyRegionOf(subject.Image, extent, region); }, {} },
     { "prefilter: in and out once per step", inRegion * 8 * diffusion.Iterations,
       [&]
       {
@@ -231,8 +232,8 @@ void MeasureTraffic(const Subject& subject, int runs, int threads)
     { "threshold: floats to bits", inRegion * (4 + 1.0 / 8),
       [&]
       {
-        VoxelsWhere(
-          region.View(), [](float z) { return z >= 100; }, SMPFor);
+        VoxelsIn({ false, { 100, 200 } }, region.View(),
+          { { { 0, 0, 0 } }, region.Geometry.Dimensions }, SMPFor);
       },
       {} },
     { "label map: filled", inImage, [&] { MakeLabelMap({}, 1, subject.Image, labelMap); }, {} },

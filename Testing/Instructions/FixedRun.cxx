@@ -20,8 +20,9 @@ int main()
   const PhantomScan scan =
     ScanPhantom(MakePlainPhantom(PlainShape::Cube, { 192, 192, 192 }, 160, 100), 1,
       { { 80, 80, 60 } }, { 2.4, 2.4, 3.2 }, SerialFor);
-  FloatImage image = CropToFloat(ImageView<std::int16_t>{ scan.Voxels.data(), scan.Geometry },
-    ReachableExtent(scan.Geometry, scan.Seed.Center, OrganReach), SerialFor);
+  FloatImage image;
+  CropToFloat(ImageView<std::int16_t>{ scan.Voxels.data(), scan.Geometry },
+    ReachableExtent(scan.Geometry, scan.Seed.Center, OrganReach), SerialFor, image);
   const double noise = NoiseDeviation(image.View(), scan.Seed);
   AnisotropicDiffusionSettings diffusion;
   diffusion.Contrast = ContrastOfNoise(noise, image.Geometry, diffusion.Equation);

@@ -1,3 +1,4 @@
+#include "BallMorphology.h"
 #include "ExampleMasks.h"
 #include "ExampleSurfaces.h"
 #include "LeakControl.h"
@@ -125,6 +126,48 @@ TEST(LeakControl, CutsAThinBridgeAndKeepsTheSeedsSide)
   BitMask open = BitsOf(mask, geometry);
   ASSERT_TRUE(ControlLeaks(open, { { 12, 12, 12 }, 3 }, { 0, 0 }, SerialFor, NeverStop));
   EXPECT_EQ(BytesOf(open), mask);
+}
+
+// All by itself, and once more asked what hangs together with the seed.
+TEST(LeakControl, IsClosingOpeningAndConnectionOneAfterTheOther)
+{
+  const ImageGeometry geometry = Grid({ { 140, 40, 30 } }, { 0.7, 0.9, 1.5 });
+  const SeedSphere seed{ { 50, 18, 22 }, 4 };
+  const std::vector<std::size_t> sources = VoxelsInSphere(geometry, seed);
+  std::mt19937 random(8);
+  std::size_t cut = 0;
+  for (int repetition = 0; repetition < 20; ++repetition)
+  {
+    BitMask mask(geometry);
+    for (int blob = 0; blob < 40; ++blob)
+    {
+      const auto place = [&](int size) { return static_cast<int>(random() % (size - 10)); };
+      const std::array<int, 3> first = blob == 0
+        ? std::array<int, 3>{ { 66, 14, 10 } }
+        : std::array<int, 3>{ { place(140), place(40), place(30) } };
+      for (int k = first[2]; k < first[2] + 9; ++k)
+      {
+        for (int j = first[1]; j < first[1] + 10; ++j)
+        {
+          mask.InsertRun(first[0], std::min(140, first[0] + 5 + blob % 14), j, k);
+        }
+      }
+    }
+    const LeakControlSettings settings{ 1.0, 3.0 };
+    BitMask expected = mask;
+    ASSERT_TRUE(Dilate(expected, settings.ClosingRadius, SerialFor, NeverStop));
+    ASSERT_TRUE(Erode(expected, settings.ClosingRadius, SerialFor, NeverStop));
+    ASSERT_TRUE(Erode(expected, settings.OpeningRadius, SerialFor, NeverStop));
+    const std::size_t before = expected.Count();
+    ASSERT_TRUE(KeepConnected(expected, sources, NeverStop));
+    cut += before - expected.Count();
+    ASSERT_GT(expected.Count(), 0U);
+    ASSERT_TRUE(Dilate(expected, settings.OpeningRadius, SerialFor, NeverStop));
+    ASSERT_TRUE(KeepConnected(expected, sources, NeverStop));
+    ASSERT_TRUE(ControlLeaks(mask, seed, settings, ScatteredFor, NeverStop));
+    ASSERT_EQ(mask, expected);
+  }
+  EXPECT_GT(cut, 0U);
 }
 
 TEST(LeakControl, AnOpeningThatLeavesNothingIsNotApplied)

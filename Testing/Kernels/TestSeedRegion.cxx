@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <random>
 
 using namespace FlipFree;
@@ -42,6 +43,37 @@ ImageGeometry GridAround(const Eigen::Vector3d& center, const Eigen::Matrix3d& d
 const Eigen::Vector3d Center(-30, 20, 150);
 
 } // namespace
+
+TEST(SeedRegion, PartsAsFloatsAreInTheirPlaces)
+{
+  const ImageGeometry geometry = GridAround(Center, ObliqueRotation());
+  std::vector<short> voxels(geometry.NumberOfVoxels());
+  std::mt19937 random(9);
+  std::generate(voxels.begin(), voxels.end(), [&] { return static_cast<short>(random()); });
+  const ImageView<short> image{ voxels.data(), geometry };
+  FloatImage region; // used again, larger and smaller
+  for (const Extent& extent : { Extent{ { 3, 9, 4, 4, 0, 20 } }, Extent{ { 0, 33, 0, 29, 0, 20 } },
+         Extent{ { 33, 33, 2, 29, 7, 8 } } })
+  {
+    CropToFloat(image, extent, ScatteredFor, region);
+    ASSERT_EQ(region.Voxels.size(), region.Geometry.NumberOfVoxels());
+    for (int k = extent[4]; k <= extent[5]; ++k)
+    {
+      for (int j = extent[2]; j <= extent[3]; ++j)
+      {
+        for (int i = extent[0]; i <= extent[1]; ++i)
+        {
+          const Eigen::Vector3d index(i - extent[0], j - extent[2], k - extent[4]);
+          ASSERT_EQ(region.View()(i - extent[0], j - extent[2], k - extent[4]), image(i, j, k));
+          ASSERT_NEAR(
+            (region.Geometry.ToPhysical(index) - geometry.ToPhysical(Eigen::Vector3d(i, j, k)))
+              .norm(),
+            0, 1e-9);
+        }
+      }
+    }
+  }
+}
 
 TEST(SeedRegion, SphereHoldsTheVoxelsThatBruteForceFinds)
 {
