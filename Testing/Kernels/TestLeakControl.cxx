@@ -149,7 +149,8 @@ TEST(LeakControl, IsClosingOpeningAndConnectionOneAfterTheOther)
       {
         for (int j = first[1]; j < first[1] + 10; ++j)
         {
-          mask.InsertRun(first[0], std::min(140, first[0] + 5 + blob % 14), j, k);
+          mask.InsertRun(first[0], std::min(140, first[0] + (blob == 0 ? 20 : 5 + blob % 14)), j,
+            k);
         }
       }
     }
