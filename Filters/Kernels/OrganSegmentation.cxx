@@ -168,8 +168,8 @@ private:
     return box;
   }
 
-  // Where the foreground is looked for first: of what has been made, where it was before, with a
-  // little more than the margin that it must keep.
+  // Where the foreground is looked for first: of what has been made, where it was before, and the
+  // seed, with a little more than the margin that it must keep.
   VoxelBox FirstSearched() const
   {
     const VoxelBox made = this->Region->GetMade();
@@ -184,10 +184,10 @@ private:
     for (int axis = 0; axis < 3; ++axis)
     {
       const int more = margin[axis] + margin[axis] / 2;
-      box.Begin[axis] =
-        std::max(made.Begin[axis], std::min(seed[2 * axis], this->Bounds.Begin[axis] - more));
-      box.End[axis] =
-        std::min(made.End[axis], std::max(seed[2 * axis + 1] + 1, this->Bounds.End[axis] + more));
+      const int begin = std::min(seed[2 * axis], this->Bounds.Begin[axis]);
+      const int end = std::max(seed[2 * axis + 1] + 1, this->Bounds.End[axis]);
+      box.Begin[axis] = std::max(made.Begin[axis], begin - more);
+      box.End[axis] = std::min(made.End[axis], end + more);
     }
     box.Begin[0] -= box.Begin[0] % BitMask::BitsOfWord;
     return box;
