@@ -18,6 +18,8 @@
 #include <atomic>
 #include <cmath>
 #include <cstdlib>
+#include <cstring>
+#include <memory>
 #include <mutex>
 #include <new>
 #include <set>
@@ -32,10 +34,21 @@ namespace FlipFree
 
 struct LabelMask
 {
-  std::vector<unsigned char> Voxels; ///< 1 inside, 0 outside
-  ImageGeometry Geometry;
+  /// The voxels are as yet anything: to be written by the threads that read them later.
+  explicit LabelMask(const ImageGeometry& geometry)
+    : Voxels(new unsigned char[geometry.NumberOfVoxels()])
+    , Geometry(geometry)
+  {
+  }
 
-  ImageView<unsigned char> View() const { return { this->Voxels.data(), this->Geometry }; }
+  ImageView<unsigned char> View() const { return { this->Voxels.get(), this->Geometry }; }
+  bool IsEmpty() const
+  {
+    return std::memchr(this->Voxels.get(), 1, this->Geometry.NumberOfVoxels()) == nullptr;
+  }
+
+  std::unique_ptr<unsigned char[]> Voxels; ///< 1 inside, 0 outside
+  ImageGeometry Geometry;
 };
 
 /// The voxels with a label, or all that are not 0 for a negative one. Throws std::invalid_argument,
@@ -55,10 +68,8 @@ inline LabelMask MaskOf(vtkImageData* image, int label, const std::string& name)
       name + " has no scalars of one component per voxel; make its label array the active scalars");
   }
   RequireProperGrid(image, name);
-  LabelMask mask;
-  mask.Geometry = GeometryOf(image);
-  mask.Voxels.resize(mask.Geometry.NumberOfVoxels());
-  const auto size = static_cast<std::ptrdiff_t>(mask.Voxels.size());
+  LabelMask mask(GeometryOf(image));
+  const auto size = static_cast<std::ptrdiff_t>(mask.Geometry.NumberOfVoxels());
   std::atomic<std::ptrdiff_t> firstBad{ size };
   const auto select = [&](const auto* values)
   {
@@ -70,7 +81,7 @@ inline LabelMask MaskOf(vtkImageData* image, int label, const std::string& name)
       [&](std::ptrdiff_t first, std::ptrdiff_t last)
       {
         // A byte written might be any of what is captured, so far as a compiler knows.
-        unsigned char* const inside = mask.Voxels.data();
+        unsigned char* const inside = mask.Voxels.get();
         const Value* const from = values;
         const Value wanted = sought;
         if constexpr (std::is_floating_point_v<Value>)
@@ -89,11 +100,11 @@ inline LabelMask MaskOf(vtkImageData* image, int label, const std::string& name)
             inside[voxel] = from[voxel] != Value(0);
           }
         }
-        else if (exists)
+        else
         {
           for (std::ptrdiff_t voxel = first; voxel < last; ++voxel)
           {
-            inside[voxel] = from[voxel] == wanted;
+            inside[voxel] = from[voxel] == wanted && exists;
           }
         }
       });

@@ -28,7 +28,7 @@ vtkSmartPointer<vtkImageData> CropAndPad(const LabelMask& mask)
   {
     for (int j = 0; j < size[1]; ++j)
     {
-      const unsigned char* const row = mask.Voxels.data() + mask.Geometry.Offset(0, j, k);
+      const unsigned char* const row = mask.Voxels.get() + mask.Geometry.Offset(0, j, k);
       const unsigned char* const end = row + size[0];
       const void* const found = std::memchr(row, 1, size[0]);
       if (found)
@@ -50,7 +50,7 @@ vtkSmartPointer<vtkImageData> CropAndPad(const LabelMask& mask)
   {
     for (int j = low[1]; j <= high[1]; ++j)
     {
-      const unsigned char* row = mask.Voxels.data() + mask.Geometry.Offset(low[0], j, k);
+      const unsigned char* row = mask.Voxels.get() + mask.Geometry.Offset(low[0], j, k);
       std::copy_n(row, high[0] - low[0] + 1,
         static_cast<unsigned char*>(image->GetScalarPointer(low[0], j, k)));
     }

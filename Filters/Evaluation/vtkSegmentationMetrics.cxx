@@ -38,10 +38,9 @@ FlipFree::LabelMask Voxelise(const FlipFree::PolygonalSurface& surface,
       "the segmentation on port 0, a surface, encloses no voxel centre of the reference on port 1; "
       "check that both are in the same physical coordinates");
   }
-  FlipFree::LabelMask mask;
-  mask.Geometry = geometry;
-  mask.Voxels.resize(geometry.NumberOfVoxels());
-  FlipFree::FillRuns<unsigned char>(runs, 1, geometry, mask.Voxels.data());
+  FlipFree::LabelMask mask(geometry);
+  std::fill_n(mask.Voxels.get(), geometry.NumberOfVoxels(), static_cast<unsigned char>(0));
+  FlipFree::FillRuns<unsigned char>(runs, 1, geometry, mask.Voxels.get());
   return mask;
 }
 
@@ -49,7 +48,7 @@ FlipFree::LabelMask Voxelise(const FlipFree::PolygonalSurface& surface,
 void RequireLabel(const FlipFree::LabelMask& mask, vtkImageData* image, const std::string& name,
   const std::string& property, int label)
 {
-  if (label < 0 || std::find(mask.Voxels.begin(), mask.Voxels.end(), 1) != mask.Voxels.end())
+  if (label < 0 || !mask.IsEmpty())
   {
     return;
   }
@@ -163,16 +162,16 @@ bool vtkSegmentationMetrics::Measure(vtkDataObject* input, vtkImageData* referen
   RequireLabel(reference, referenceImage, "the reference", "ReferenceLabel", this->ReferenceLabel);
   vtkPolyData* polyData = vtkPolyData::SafeDownCast(input);
   PolygonalSurface mesh;
-  LabelMask segmentation;
   if (polyData)
   {
     mesh = SurfaceOf(polyData, "the segmentation on port 0");
-    segmentation = Voxelise(mesh, reference.Geometry);
   }
-  else
+  vtkImageData* labels = vtkImageData::SafeDownCast(input);
+  const LabelMask segmentation = polyData
+    ? Voxelise(mesh, reference.Geometry)
+    : MaskOf(labels, this->SegmentationLabel, "the segmentation on port 0");
+  if (labels)
   {
-    vtkImageData* labels = vtkImageData::SafeDownCast(input);
-    segmentation = MaskOf(labels, this->SegmentationLabel, "the segmentation on port 0");
     RequireLabel(segmentation, labels, "the segmentation", "SegmentationLabel",
       this->SegmentationLabel);
   }

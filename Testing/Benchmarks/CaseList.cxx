@@ -51,8 +51,10 @@ vtkSmartPointer<vtkImageData> ReadVolume(const std::string& file)
 std::vector<RandomSeed> RandomSeeds(vtkImageData* labels, int label, double radius, int count)
 {
   const FlipFree::LabelMask mask = FlipFree::MaskOf(labels, label, "the reference");
-  const std::vector<float> depth = FlipFree::SquaredDistance(mask.Voxels, mask.Geometry, 0,
-    FlipFree::SerialFor, FlipFree::NeverStop);
+  const std::vector<unsigned char> voxels(mask.Voxels.get(),
+    mask.Voxels.get() + mask.Geometry.NumberOfVoxels());
+  const std::vector<float> depth =
+    FlipFree::SquaredDistance(voxels, mask.Geometry, 0, FlipFree::SerialFor, FlipFree::NeverStop);
   std::mt19937 random(20240607);
   std::vector<RandomSeed> seeds;
   for (int halving = 0; halving < 3 && seeds.empty(); ++halving, radius /= 2)

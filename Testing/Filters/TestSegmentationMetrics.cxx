@@ -64,12 +64,14 @@ TEST(LabelSurface, OfABlockIsClosedAndLiesHalfwayToItsNeighbours)
 {
   for (const auto& [name, direction] : ExampleDirections())
   {
-    LabelMask mask;
-    mask.Geometry.Dimensions = { { 7, 6, 5 } };
-    mask.Geometry.Spacing = { 1, 2, 3 };
-    mask.Geometry.Direction = direction;
-    mask.Geometry.Origin = { 100, -50, 20 };
-    mask.Voxels.assign(mask.Geometry.NumberOfVoxels(), 0);
+    ImageGeometry geometry;
+    geometry.Dimensions = { { 7, 6, 5 } };
+    geometry.Spacing = { 1, 2, 3 };
+    geometry.Direction = direction;
+    geometry.Origin = { 100, -50, 20 };
+    LabelMask mask(geometry);
+    std::fill_n(mask.Voxels.get(), geometry.NumberOfVoxels(), static_cast<unsigned char>(0));
+    EXPECT_TRUE(mask.IsEmpty());
     for (int k = 0; k < 2; ++k) // touches the image's border
     {
       for (int j = 1; j < 4; ++j)
@@ -80,6 +82,7 @@ TEST(LabelSurface, OfABlockIsClosedAndLiesHalfwayToItsNeighbours)
         }
       }
     }
+    EXPECT_FALSE(mask.IsEmpty());
     const LabelSurface surface = SurfaceOf(mask);
     EXPECT_NO_THROW(
       RequireClosed(static_cast<int>(surface.Points.rows()), surface.Triangles, "it"));
