@@ -5,6 +5,7 @@
 #ifndef FlipFreeLabelAdapter_h
 #define FlipFreeLabelAdapter_h
 
+#include "BitMask.h"
 #include "ExecutionAdapter.h"
 #include "ImageAdapter.h"
 #include "SurfaceVoxelisation.h"
@@ -18,8 +19,6 @@
 #include <atomic>
 #include <cmath>
 #include <cstdlib>
-#include <cstring>
-#include <memory>
 #include <mutex>
 #include <new>
 #include <set>
@@ -32,29 +31,28 @@
 namespace FlipFree
 {
 
-struct LabelMask
+/// The first of the values that is not a finite number; behind the last where all are.
+template <typename Value>
+vtkIdType FirstNotFinite(const Value* values, vtkIdType size)
 {
-  /// The voxels are as yet anything: to be written by the threads that read them later.
-  explicit LabelMask(const ImageGeometry& geometry)
-    : Voxels(new unsigned char[geometry.NumberOfVoxels()])
-    , Geometry(geometry)
-  {
-  }
-
-  ImageView<unsigned char> View() const { return { this->Voxels.get(), this->Geometry }; }
-  bool IsEmpty() const
-  {
-    return std::memchr(this->Voxels.get(), 1, this->Geometry.NumberOfVoxels()) == nullptr;
-  }
-
-  std::unique_ptr<unsigned char[]> Voxels; ///< 1 inside, 0 outside
-  ImageGeometry Geometry;
-};
+  std::atomic<vtkIdType> firstBad{ size };
+  SMPFor(0, size,
+    [&](std::ptrdiff_t first, std::ptrdiff_t last)
+    {
+      const Value* const bad = std::find_if(values + first, values + last,
+        [](Value value) { return !std::isfinite(value); });
+      for (vtkIdType known = firstBad; bad != values + last && bad - values < known;)
+      {
+        firstBad.compare_exchange_weak(known, bad - values);
+      }
+    });
+  return firstBad;
+}
 
 /// The voxels with a label, or all that are not 0 for a negative one. Throws std::invalid_argument,
 /// naming the image by `name`, when it has no voxels or no proper grid, no scalars of one
 /// component, scalars of bits, or a voxel that is not a finite number.
-inline LabelMask MaskOf(vtkImageData* image, int label, const std::string& name)
+inline BitMask MaskOf(vtkImageData* image, int label, const std::string& name)
 {
   vtkDataArray* scalars = image->GetPointData()->GetScalars();
   if (image->GetNumberOfPoints() == 0)
@@ -68,57 +66,44 @@ inline LabelMask MaskOf(vtkImageData* image, int label, const std::string& name)
       name + " has no scalars of one component per voxel; make its label array the active scalars");
   }
   RequireProperGrid(image, name);
-  LabelMask mask(GeometryOf(image));
-  const auto size = static_cast<std::ptrdiff_t>(mask.Geometry.NumberOfVoxels());
-  std::atomic<std::ptrdiff_t> firstBad{ size };
+  const ImageGeometry geometry = GeometryOf(image);
+  const vtkIdType size = scalars->GetNumberOfTuples();
+  BitMask mask;
   const auto select = [&](const auto* values)
   {
     using Value = std::decay_t<decltype(*values)>;
+    if constexpr (std::is_floating_point_v<Value>)
+    {
+      const vtkIdType bad = FirstNotFinite(values, size);
+      if (bad < size)
+      {
+        throw std::invalid_argument("voxel " + std::to_string(bad) + " of " + name +
+          " is not a finite number; a label map holds whole numbers");
+      }
+    }
+    const ImageView<Value> view{ values, geometry };
     // Compared in their own type, many at once; a label that this type does not have is nowhere.
     const auto sought = static_cast<Value>(label);
-    const bool exists = label < 0 || static_cast<double>(sought) == label;
-    SMPFor(0, size,
-      [&](std::ptrdiff_t first, std::ptrdiff_t last)
-      {
-        // A byte written might be any of what is captured, so far as a compiler knows.
-        unsigned char* const inside = mask.Voxels.get();
-        const Value* const from = values;
-        const Value wanted = sought;
-        if constexpr (std::is_floating_point_v<Value>)
-        {
-          const Value* const bad = std::find_if(values + first, values + last,
-            [](Value value) { return !std::isfinite(value); });
-          for (std::ptrdiff_t known = firstBad; bad != values + last && bad - values < known;)
-          {
-            firstBad.compare_exchange_weak(known, bad - values);
-          }
-        }
-        if (label < 0)
-        {
-          for (std::ptrdiff_t voxel = first; voxel < last; ++voxel)
-          {
-            inside[voxel] = from[voxel] != Value(0);
-          }
-        }
-        else
-        {
-          for (std::ptrdiff_t voxel = first; voxel < last; ++voxel)
-          {
-            inside[voxel] = from[voxel] == wanted && exists;
-          }
-        }
-      });
+    if (label < 0)
+    {
+      mask = VoxelsWhere(
+        view, [](Value value) { return value != Value(0); }, SMPFor);
+    }
+    else if (static_cast<double>(sought) == label)
+    {
+      mask = VoxelsWhere(
+        view, [sought](Value value) { return value == sought; }, SMPFor);
+    }
+    else
+    {
+      mask = BitMask(geometry);
+    }
   };
   switch (scalars->GetDataType())
   {
     vtkTemplateMacro(select(static_cast<const VTK_TT*>(scalars->GetVoidPointer(0))));
     default:
       RefuseScalarType(scalars, name);
-  }
-  if (firstBad < size)
-  {
-    throw std::invalid_argument("voxel " + std::to_string(firstBad) + " of " + name +
-      " is not a finite number; a label map holds whole numbers");
   }
   return mask;
 }

@@ -9,8 +9,6 @@
 #include "vtkWindowedSincPolyDataFilter.h"
 
 #include <algorithm>
-#include <cstring>
-#include <iterator>
 
 namespace FlipFree
 {
@@ -19,48 +17,26 @@ namespace
 
 // The part of the mask that is not empty, with a rim of zeros that closes the surface. Its points
 // are the mask's voxel indices.
-vtkSmartPointer<vtkImageData> CropAndPad(const LabelMask& mask)
+vtkSmartPointer<vtkImageData> CropAndPad(const BitMask& mask)
 {
-  const auto& size = mask.Geometry.Dimensions;
-  Eigen::Array3i low(size[0], size[1], size[2]);
-  Eigen::Array3i high(-1, -1, -1);
-  for (int k = 0; k < size[2]; ++k)
-  {
-    for (int j = 0; j < size[1]; ++j)
-    {
-      const unsigned char* const row = mask.Voxels.get() + mask.Geometry.Offset(0, j, k);
-      const unsigned char* const end = row + size[0];
-      const void* const found = std::memchr(row, 1, size[0]);
-      if (found)
-      {
-        const auto first = static_cast<int>(static_cast<const unsigned char*>(found) - row);
-        const auto last = static_cast<int>(
-          std::find(std::reverse_iterator(end), std::reverse_iterator(row), 1).base() - row - 1);
-        low = low.min(Eigen::Array3i(first, j, k));
-        high = high.max(Eigen::Array3i(last, j, k));
-      }
-    }
-  }
+  const auto [low, end] = mask.Bounds();
   auto image = vtkSmartPointer<vtkImageData>::New();
-  image->SetExtent(low[0] - 1, high[0] + 1, low[1] - 1, high[1] + 1, low[2] - 1, high[2] + 1);
+  image->SetExtent(low[0] - 1, end[0], low[1] - 1, end[1], low[2] - 1, end[2]);
   image->AllocateScalars(VTK_UNSIGNED_CHAR, 1);
-  auto* padded = static_cast<unsigned char*>(image->GetScalarPointer());
-  std::fill_n(padded, image->GetNumberOfPoints(), 0);
-  for (int k = low[2]; k <= high[2]; ++k)
-  {
-    for (int j = low[1]; j <= high[1]; ++j)
+  auto* const padded = static_cast<unsigned char*>(image->GetScalarPointer());
+  std::fill_n(padded, image->GetNumberOfPoints(), static_cast<unsigned char>(0));
+  mask.ForEachRun(low[2], end[2],
+    [&image](int first, int last, int j, int k)
     {
-      const unsigned char* row = mask.Voxels.get() + mask.Geometry.Offset(low[0], j, k);
-      std::copy_n(row, high[0] - low[0] + 1,
-        static_cast<unsigned char*>(image->GetScalarPointer(low[0], j, k)));
-    }
-  }
+      std::fill_n(static_cast<unsigned char*>(image->GetScalarPointer(first, j, k)), last - first,
+        static_cast<unsigned char>(1));
+    });
   return image;
 }
 
 } // namespace
 
-LabelSurface SurfaceOf(const LabelMask& mask, int smoothingIterations)
+LabelSurface SurfaceOf(const BitMask& mask, int smoothingIterations)
 {
   vtkNew<vtkDiscreteFlyingEdges3D> contour;
   contour->SetInputData(CropAndPad(mask));
@@ -89,9 +65,10 @@ LabelSurface SurfaceOf(const LabelMask& mask, int smoothingIterations)
   LabelSurface surface;
   surface.Points = CopyPoints(contours);
   surface.Triangles = Triangulate(CopyPolys(contours));
-  const Eigen::Matrix3d toPhysical = mask.Geometry.Direction * mask.Geometry.Spacing.asDiagonal();
+  const ImageGeometry& geometry = mask.GetGeometry();
+  const Eigen::Matrix3d toPhysical = geometry.Direction * geometry.Spacing.asDiagonal();
   surface.Points =
-    ((surface.Points * toPhysical.transpose()).rowwise() + mask.Geometry.Origin.transpose()).eval();
+    ((surface.Points * toPhysical.transpose()).rowwise() + geometry.Origin.transpose()).eval();
   if (toPhysical.determinant() < 0)
   {
     surface.Triangles.col(1).swap(surface.Triangles.col(2));

@@ -27,7 +27,7 @@ vtkStandardNewMacro(vtkSegmentationMetrics);
 namespace
 {
 
-FlipFree::LabelMask Voxelise(const FlipFree::PolygonalSurface& surface,
+FlipFree::BitMask Voxelise(const FlipFree::PolygonalSurface& surface,
   const FlipFree::ImageGeometry& geometry)
 {
   const auto runs =
@@ -38,17 +38,19 @@ FlipFree::LabelMask Voxelise(const FlipFree::PolygonalSurface& surface,
       "the segmentation on port 0, a surface, encloses no voxel centre of the reference on port 1; "
       "check that both are in the same physical coordinates");
   }
-  FlipFree::LabelMask mask(geometry);
-  std::fill_n(mask.Voxels.get(), geometry.NumberOfVoxels(), static_cast<unsigned char>(0));
-  FlipFree::FillRuns<unsigned char>(runs, 1, geometry, mask.Voxels.get());
+  FlipFree::BitMask mask(geometry);
+  for (const FlipFree::VoxelRun& run : runs)
+  {
+    mask.InsertRun(run.Begin, run.End, run.J, run.K);
+  }
   return mask;
 }
 
 // Throws where none of the image's voxels has the label, and says which there are.
-void RequireLabel(const FlipFree::LabelMask& mask, vtkImageData* image, const std::string& name,
+void RequireLabel(const FlipFree::BitMask& mask, vtkImageData* image, const std::string& name,
   const std::string& property, int label)
 {
-  if (label < 0 || !mask.IsEmpty())
+  if (label < 0 || !mask.Bounds().IsEmpty())
   {
     return;
   }
@@ -157,8 +159,7 @@ void vtkSegmentationMetrics::WarnOfLabels(vtkDataObject* input, vtkImageData* re
 bool vtkSegmentationMetrics::Measure(vtkDataObject* input, vtkImageData* referenceImage)
 {
   using namespace FlipFree;
-  const LabelMask reference =
-    MaskOf(referenceImage, this->ReferenceLabel, "the reference on port 1");
+  const BitMask reference = MaskOf(referenceImage, this->ReferenceLabel, "the reference on port 1");
   RequireLabel(reference, referenceImage, "the reference", "ReferenceLabel", this->ReferenceLabel);
   vtkPolyData* polyData = vtkPolyData::SafeDownCast(input);
   PolygonalSurface mesh;
@@ -167,8 +168,8 @@ bool vtkSegmentationMetrics::Measure(vtkDataObject* input, vtkImageData* referen
     mesh = SurfaceOf(polyData, "the segmentation on port 0");
   }
   vtkImageData* labels = vtkImageData::SafeDownCast(input);
-  const LabelMask segmentation = polyData
-    ? Voxelise(mesh, reference.Geometry)
+  const BitMask segmentation = polyData
+    ? Voxelise(mesh, reference.GetGeometry())
     : MaskOf(labels, this->SegmentationLabel, "the segmentation on port 0");
   if (labels)
   {
@@ -176,12 +177,12 @@ bool vtkSegmentationMetrics::Measure(vtkDataObject* input, vtkImageData* referen
       this->SegmentationLabel);
   }
   this->WarnOfLabels(input, referenceImage);
-  const VoxelOverlap overlap = MeasureOverlap(segmentation.View(), reference.View(), SMPFor);
+  const VoxelOverlap overlap = MeasureOverlap(segmentation, reference, SMPFor);
   this->Dice = overlap.Dice();
   this->Jaccard = overlap.Jaccard();
   this->RelativeVolumeDifference = overlap.RelativeVolumeDifference();
-  this->SegmentationVolume = Millilitres(overlap.Segmentation, reference.Geometry);
-  this->ReferenceVolume = Millilitres(overlap.Reference, reference.Geometry);
+  this->SegmentationVolume = Millilitres(overlap.Segmentation, reference.GetGeometry());
+  this->ReferenceVolume = Millilitres(overlap.Reference, reference.GetGeometry());
   this->OverlapOf = polyData ? "voxelised mesh" : "label map";
 
   const bool isMeshMeasured = polyData && !this->ScoreVoxelisation;

@@ -2,18 +2,14 @@
 
 #include "MessageText.h"
 
-#include <algorithm>
 #include <atomic>
+#include <bitset>
 #include <stdexcept>
 
 namespace FlipFree
 {
 namespace
 {
-
-// As many voxels as a byte can count, less what vectors of any length would leave over: counts of
-// bytes are added up many at once.
-constexpr std::ptrdiff_t CountableByByte = 192;
 
 [[noreturn]] void RefuseGeometry(const std::string& what, const Eigen::MatrixXd& ofOne,
   const std::string& one, const Eigen::MatrixXd& ofOther, const std::string& other)
@@ -62,35 +58,30 @@ void RequireSameGeometry(const ImageGeometry& one, const ImageGeometry& other,
   }
 }
 
-VoxelOverlap MeasureOverlap(const ImageView<unsigned char>& segmentation,
-  const ImageView<unsigned char>& reference, const ParallelFor& parallelFor)
+VoxelOverlap MeasureOverlap(const BitMask& segmentation, const BitMask& reference,
+  const ParallelFor& parallelFor)
 {
-  RequireSameGeometry(segmentation.Geometry, reference.Geometry, "the segmentation",
+  RequireSameGeometry(segmentation.GetGeometry(), reference.GetGeometry(), "the segmentation",
     "the reference");
   std::atomic<std::size_t> inSegmentation{ 0 };
   std::atomic<std::size_t> inReference{ 0 };
   std::atomic<std::size_t> inBoth{ 0 };
-  parallelFor(0, static_cast<std::ptrdiff_t>(reference.Geometry.NumberOfVoxels()),
+  const auto count = [](BitMask::Word word)
+  { return std::bitset<BitMask::BitsOfWord>(word).count(); };
+  parallelFor(0, static_cast<std::ptrdiff_t>(reference.GetWords().size()),
     [&](std::ptrdiff_t first, std::ptrdiff_t last)
     {
       VoxelOverlap part;
-      for (std::ptrdiff_t begin = first; begin < last; begin += CountableByByte)
+      for (std::ptrdiff_t word = first; word < last; ++word)
       {
-        const std::ptrdiff_t end = std::min(begin + CountableByByte, last);
-        unsigned char a = 0;
-        unsigned char b = 0;
-        unsigned char both = 0;
-        for (std::ptrdiff_t voxel = begin; voxel < end; ++voxel)
+        const BitMask::Word a = segmentation.GetWords()[word];
+        const BitMask::Word b = reference.GetWords()[word];
+        if ((a | b) != 0) // as few are
         {
-          const auto inA = static_cast<unsigned char>(segmentation.Data[voxel] != 0);
-          const auto inB = static_cast<unsigned char>(reference.Data[voxel] != 0);
-          a += inA;
-          b += inB;
-          both += inA & inB;
+          part.Segmentation += count(a);
+          part.Reference += count(b);
+          part.Intersection += count(a & b);
         }
-        part.Segmentation += a;
-        part.Reference += b;
-        part.Intersection += both;
       }
       inSegmentation += part.Segmentation;
       inReference += part.Reference;

@@ -5,6 +5,7 @@
 #ifndef FlipFreeVoxelOverlap_h
 #define FlipFreeVoxelOverlap_h
 
+#include "BitMask.h"
 #include "KernelTypes.h"
 
 #include <string>
@@ -31,10 +32,10 @@ struct VoxelOverlap
   }
 };
 
-/// Compares two masks, inside where not zero. Throws std::invalid_argument when their dimensions
+/// Compares two masks. Throws std::invalid_argument when their dimensions
 /// differ, their voxels do not lie in the same places, or a mask is empty.
-VoxelOverlap MeasureOverlap(const ImageView<unsigned char>& segmentation,
-  const ImageView<unsigned char>& reference, const ParallelFor& parallelFor = SerialFor);
+VoxelOverlap MeasureOverlap(const BitMask& segmentation, const BitMask& reference,
+  const ParallelFor& parallelFor = SerialFor);
 
 /// Throws std::invalid_argument, saying what differs between the two named so, unless the grids
 /// have the same dimensions and each voxel lies within a hundredth of a voxel of its counterpart.

@@ -50,11 +50,12 @@ vtkSmartPointer<vtkImageData> ReadVolume(const std::string& file)
 
 std::vector<RandomSeed> RandomSeeds(vtkImageData* labels, int label, double radius, int count)
 {
-  const FlipFree::LabelMask mask = FlipFree::MaskOf(labels, label, "the reference");
-  const std::vector<unsigned char> voxels(mask.Voxels.get(),
-    mask.Voxels.get() + mask.Geometry.NumberOfVoxels());
+  const FlipFree::BitMask mask = FlipFree::MaskOf(labels, label, "the reference");
+  const FlipFree::ImageGeometry& geometry = mask.GetGeometry();
+  std::vector<unsigned char> voxels(geometry.NumberOfVoxels(), 0);
+  mask.ForEach([&voxels](std::size_t voxel) { voxels[voxel] = 1; });
   const std::vector<float> depth =
-    FlipFree::SquaredDistance(voxels, mask.Geometry, 0, FlipFree::SerialFor, FlipFree::NeverStop);
+    FlipFree::SquaredDistance(voxels, geometry, 0, FlipFree::SerialFor, FlipFree::NeverStop);
   std::mt19937 random(20240607);
   std::vector<RandomSeed> seeds;
   for (int halving = 0; halving < 3 && seeds.empty(); ++halving, radius /= 2)
@@ -62,7 +63,7 @@ std::vector<RandomSeed> RandomSeeds(vtkImageData* labels, int label, double radi
     std::vector<std::size_t> candidates;
     for (std::size_t voxel = 0; voxel < depth.size(); ++voxel)
     {
-      if (mask.Voxels[voxel] && depth[voxel] >= radius * radius)
+      if (voxels[voxel] && depth[voxel] >= radius * radius)
       {
         candidates.push_back(voxel);
       }
@@ -74,11 +75,11 @@ std::vector<RandomSeed> RandomSeeds(vtkImageData* labels, int label, double radi
     for (int seed = 0; seed < count; ++seed)
     {
       const std::size_t voxel = candidates[random() % candidates.size()];
-      const std::size_t row = mask.Geometry.Dimensions[0];
-      const std::size_t rows = mask.Geometry.Dimensions[1];
+      const std::size_t row = geometry.Dimensions[0];
+      const std::size_t rows = geometry.Dimensions[1];
       const Eigen::Matrix<std::size_t, 3, 1> index(voxel % row, voxel / row % rows,
         voxel / row / rows);
-      const Eigen::Vector3d center = mask.Geometry.ToPhysical(index.cast<double>());
+      const Eigen::Vector3d center = geometry.ToPhysical(index.cast<double>());
       seeds.push_back({ { { center[0], center[1], center[2] } }, radius });
     }
   }

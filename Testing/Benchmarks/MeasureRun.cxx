@@ -216,7 +216,7 @@ void MeasureTraffic(const Subject& subject, int runs, int threads)
   diffusion.Contrast = ContrastOfNoise(NoiseDeviation(region.View(), subject.Seed), region.Geometry,
     diffusion.Equation);
   std::vector<float> smooth(region.Voxels.size());
-  const LabelMask mask = MaskOf(subject.Reference, subject.Label, "the reference");
+  const BitMask mask = MaskOf(subject.Reference, subject.Label, "the reference");
   vtkNew<vtkImageData> labelMap;
 
   std::vector<Traffic> stages = {
@@ -237,10 +237,10 @@ void MeasureTraffic(const Subject& subject, int runs, int threads)
       },
       {} },
     { "label map: filled", inImage, [&] { MakeLabelMap({}, 1, subject.Image, labelMap); }, {} },
-    { "scores: a label to a mask", inImage * (label + 1),
+    { "scores: a label to a mask", inImage * (label + 1.0 / 8),
       [&] { MaskOf(subject.Reference, subject.Label, "the reference"); }, {} },
-    { "scores: overlap of two masks", inImage * 2,
-      [&] { MeasureOverlap(mask.View(), mask.View(), SMPFor); }, {} },
+    { "scores: overlap of two masks", inImage * 2 / 8, [&] { MeasureOverlap(mask, mask, SMPFor); },
+      {} },
   };
   std::vector<double> bandwidths;
   for (int run = 0; run < runs; ++run)

@@ -13,12 +13,12 @@
 #include "vtkPointData.h"
 #include "vtkSMPTools.h"
 #include "vtkShortArray.h"
+#include "vtkStructuredData.h"
 #include "vtkTable.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -70,27 +70,24 @@ TEST(LabelSurface, OfABlockIsClosedAndLiesHalfwayToItsNeighbours)
     geometry.Spacing = { 1, 2, 3 };
     geometry.Direction = direction;
     geometry.Origin = { 100, -50, 20 };
-    LabelMask mask(geometry);
-    std::fill_n(mask.Voxels.get(), geometry.NumberOfVoxels(), static_cast<unsigned char>(0));
-    EXPECT_TRUE(mask.IsEmpty());
+    BitMask mask(geometry);
     for (int k = 0; k < 2; ++k) // touches the image's border
     {
       for (int j = 1; j < 4; ++j)
       {
         for (int i = 3; i < 7; ++i)
         {
-          mask.Voxels[mask.Geometry.Offset(i, j, k)] = 1;
+          mask.Insert(i, j, k);
         }
       }
     }
-    EXPECT_FALSE(mask.IsEmpty());
     const LabelSurface surface = SurfaceOf(mask);
     EXPECT_NO_THROW(
       RequireClosed(static_cast<int>(surface.Points.rows()), surface.Triangles, "it"));
     double greatest = 0;
     for (Eigen::Index point = 0; point < surface.Points.rows(); ++point)
     {
-      const Eigen::Vector3d index = mask.Geometry.ToIndex(surface.Points.row(point));
+      const Eigen::Vector3d index = geometry.ToIndex(surface.Points.row(point));
       const Eigen::Vector3d outside =
         (index - Eigen::Vector3d(4.5, 2, 0.5)).cwiseAbs() - Eigen::Vector3d(2, 1.5, 1);
       greatest = std::max(greatest, std::abs(outside.maxCoeff()));
@@ -104,7 +101,7 @@ TEST(LabelSurface, OfABlockIsClosedAndLiesHalfwayToItsNeighbours)
 }
 
 // Each type compares in its own way; what is asked for may lie beyond what it can hold.
-TEST(LabelMask, IsThatOfComparingNumbersInAnyType)
+TEST(MaskOf, IsThatOfComparingNumbersInAnyType)
 {
   for (const int type : { VTK_CHAR, VTK_SIGNED_CHAR, VTK_UNSIGNED_CHAR, VTK_SHORT,
          VTK_UNSIGNED_SHORT, VTK_INT, VTK_UNSIGNED_INT, VTK_LONG_LONG, VTK_FLOAT, VTK_DOUBLE })
@@ -123,11 +120,13 @@ TEST(LabelMask, IsThatOfComparingNumbersInAnyType)
     }
     for (const int label : { -1, 0, 5, 127, 128, 256, 261, 65541, 1 << 30 })
     {
-      const LabelMask mask = MaskOf(image, label, "the labels");
+      const BitMask mask = MaskOf(image, label, "the labels");
       for (vtkIdType voxel = 0; voxel < image->GetNumberOfPoints(); ++voxel)
       {
         const double value = scalars->GetTuple1(voxel);
-        ASSERT_EQ(mask.Voxels[voxel], label < 0 ? value != 0 : value == label)
+        int place[3];
+        vtkStructuredData::ComputePointStructuredCoords(voxel, image->GetDimensions(), place);
+        ASSERT_EQ(mask(place[0], place[1], place[2]), label < 0 ? value != 0 : value == label)
           << image->GetScalarTypeAsString() << " label " << label << " voxel " << voxel;
       }
     }

@@ -53,13 +53,14 @@ int main()
   std::vector<unsigned char> labels(scan.Geometry.NumberOfVoxels(), 0);
   FillRuns(VoxeliseSurface(organ.Points, organ.Mesh.Triangles, scan.Geometry, SerialFor),
     static_cast<unsigned char>(1), scan.Geometry, labels.data());
-  std::vector<unsigned char> truth(scan.Labels.size());
-  for (std::size_t voxel = 0; voxel < truth.size(); ++voxel)
+  const auto maskOf = [&scan](const std::vector<unsigned char>& voxels, unsigned char label)
   {
-    truth[voxel] = scan.Labels[voxel] == scan.Label;
-  }
+    return VoxelsWhere(
+      ImageView<unsigned char>{ voxels.data(), scan.Geometry },
+      [label](unsigned char value) { return value == label; }, SerialFor);
+  };
   const VoxelOverlap overlap =
-    MeasureOverlap({ labels.data(), scan.Geometry }, { truth.data(), scan.Geometry }, SerialFor);
+    MeasureOverlap(maskOf(labels, 1), maskOf(scan.Labels, scan.Label), SerialFor);
   const SurfaceDistance distance =
     MeasureSurfaceDistance(organ.Points, organ.Mesh.Triangles, before, organ.Mesh.Triangles, 2);
   std::printf("%zu iterations, Dice %.2f, %.1f mm between\n", organ.Iterations.size(),

@@ -22,7 +22,12 @@ struct Mask
     FillRuns<unsigned char>(VoxeliseSurface(surface.Points, surface.Triangles, grid), 3, grid,
       this->Voxels.data());
   }
-  ImageView<unsigned char> View() const { return { this->Voxels.data(), this->Grid }; }
+  operator BitMask() const
+  {
+    return VoxelsWhere(
+      ImageView<unsigned char>{ this->Voxels.data(), this->Grid },
+      [](unsigned char value) { return value != 0; }, SerialFor);
+  }
 };
 
 ImageGeometry UnitGrid()
@@ -40,7 +45,7 @@ TEST(VoxelOverlap, OfShiftedCubesIsClosedForm)
   for (int shift = 0; shift <= 10; ++shift)
   {
     const Mask shifted(Box({ 2.0 + shift, 2, 2 }, { 12.0 + shift, 12, 12 }), UnitGrid());
-    const VoxelOverlap overlap = MeasureOverlap(shifted.View(), reference.View());
+    const VoxelOverlap overlap = MeasureOverlap(shifted, reference);
     EXPECT_EQ(overlap.Segmentation, 1000u);
     EXPECT_EQ(overlap.Reference, 1000u);
     EXPECT_EQ(overlap.Intersection, 1000u - 100u * shift);
@@ -54,15 +59,14 @@ TEST(VoxelOverlap, VolumeDifferenceIsSignedAndTheRestIsSymmetric)
 {
   const Mask reference(Box({ 2, 2, 2 }, { 12, 12, 12 }), UnitGrid());
   const Mask smaller(Box({ 2, 2, 2 }, { 12, 12, 7 }), UnitGrid());
-  const VoxelOverlap there = MeasureOverlap(smaller.View(), reference.View());
-  const VoxelOverlap back = MeasureOverlap(reference.View(), smaller.View());
+  const VoxelOverlap there = MeasureOverlap(smaller, reference);
+  const VoxelOverlap back = MeasureOverlap(reference, smaller);
   EXPECT_DOUBLE_EQ(there.RelativeVolumeDifference(), -0.5);
   EXPECT_DOUBLE_EQ(back.RelativeVolumeDifference(), 1);
   EXPECT_DOUBLE_EQ(there.Dice(), 2.0 / 3);
   EXPECT_EQ(there.Dice(), back.Dice());
   EXPECT_EQ(there.Jaccard(), back.Jaccard());
-  EXPECT_EQ(MeasureOverlap(smaller.View(), reference.View(), ScatteredFor).Intersection,
-    there.Intersection);
+  EXPECT_EQ(MeasureOverlap(smaller, reference, ScatteredFor).Intersection, there.Intersection);
 }
 
 TEST(VoxelOverlap, CountsWhatOneByOneCounts)
@@ -84,7 +88,7 @@ TEST(VoxelOverlap, CountsWhatOneByOneCounts)
     }
     for (const ParallelFor& parallelFor : { ParallelFor(SerialFor), ParallelFor(ScatteredFor) })
     {
-      const VoxelOverlap overlap = MeasureOverlap(one.View(), two.View(), parallelFor);
+      const VoxelOverlap overlap = MeasureOverlap(one, two, parallelFor);
       EXPECT_EQ(overlap.Segmentation, counts[0]);
       EXPECT_EQ(overlap.Reference, counts[1]);
       EXPECT_EQ(overlap.Intersection, counts[2]);
@@ -98,7 +102,7 @@ TEST(VoxelOverlap, RefusesEmptyMasksAndOtherGrids)
   Mask empty = mask;
   empty.Voxels.assign(empty.Voxels.size(), 0);
   const auto errorOf = [](const Mask& segmentation, const Mask& reference)
-  { return ErrorOf([&] { MeasureOverlap(segmentation.View(), reference.View()); }); };
+  { return ErrorOf([&] { MeasureOverlap(segmentation, reference); }); };
   EXPECT_EQ(errorOf(mask, empty).find("the reference is empty"), 0u) << errorOf(mask, empty);
   EXPECT_EQ(errorOf(empty, mask).find("the segmentation is empty"), 0u);
 
