@@ -132,8 +132,9 @@ def _with_names(text: str, names: Mapping[str, str] | None) -> str:
     """
     if not names:
         return text
+    spelt: Mapping[str, str] = names
     text = re.sub(r" on port \d\b| \(port \d\)", "", text)
-    return re.sub(rf"\b({'|'.join(names)})\b", lambda name: names[name.group()], text)
+    return re.sub(rf"\b({'|'.join(spelt)})\b", lambda name: spelt[name.group()], text)
 
 
 @contextmanager
