@@ -42,7 +42,7 @@ constexpr double GreatestShear = 0.25;
 
 // A motion is short when it takes the vertices this far on average, in mean edge lengths: then few
 // pairs are near enough to meet wherever their vertices are held on their ways.
-constexpr double ShortMotion = 0.5;
+constexpr double ShortMotion = 0.3;
 
 std::vector<std::array<int, 3>> ListCorners(const FaceList& faces)
 {
