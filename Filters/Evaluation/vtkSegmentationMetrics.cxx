@@ -140,14 +140,15 @@ int vtkSegmentationMetrics::RequestData(vtkInformation*, vtkInformationVector** 
 
 void vtkSegmentationMetrics::WarnOfLabels(vtkDataObject* input, vtkImageData* reference)
 {
-  vtkImageData* segmentation = vtkImageData::SafeDownCast(input);
-  if (this->ReferenceLabel >= 0 ||
-    (segmentation && this->SegmentationLabel < 0 && FlipFree::LabelsOf(segmentation).size() > 1))
+  if (this->ReferenceLabel >= 0)
   {
     return;
   }
+  // Mostly there is but one, and the segmentation need not be looked through.
   const std::set<double> labels = FlipFree::LabelsOf(reference);
-  if (labels.size() > 1)
+  vtkImageData* segmentation = vtkImageData::SafeDownCast(input);
+  if (labels.size() > 1 &&
+    !(segmentation && this->SegmentationLabel < 0 && FlipFree::LabelsOf(segmentation).size() > 1))
   {
     vtkWarningMacro("The reference (port 1) has the labels "
       << FlipFree::TextOf(labels)

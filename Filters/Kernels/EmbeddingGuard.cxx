@@ -199,6 +199,7 @@ struct EmbeddingGuard::Attempt
   template <std::size_t A, std::size_t B>
   void Blame(const std::array<int, A>& one, const std::array<int, B>& two, double until)
   {
+    this->PairsAreClean = false;
     if (until < 0)
     {
       this->IsStartInDoubt = true;
@@ -221,6 +222,7 @@ struct EmbeddingGuard::Attempt
   std::vector<char> IsChanged; // while scales are lowered; per vertex
   // The part of the motion that the present pass has found certain.
   std::vector<std::atomic<double>> SafeUntil;
+  std::atomic<bool> PairsAreClean{ true }; // in the present pass
   // Parts were found not to be apart at the start, or vertices held back before that was looked at.
   std::atomic<bool> IsStartInDoubt{ false };
   std::vector<std::atomic<char>> IsDoubtful; // per vertex
@@ -448,17 +450,23 @@ bool EmbeddingGuard::TestPairs(Attempt& attempt, const ParallelFor& parallelFor)
     attempt.Rough.Update(motion, vertex);
     this->TrianglesAt.ForEachAt(vertex, [&](int triangle) { triangles.push_back(triangle); });
   }
-  bool isClean = attempt.IsShort ? this->TestPairsOfShortMotion(attempt, triangles, parallelFor)
-                                 : this->TestPairsOfLongMotion(attempt, triangles, parallelFor);
-  isClean = this->TestPairsWithoutStrangers(attempt, parallelFor) && isClean;
+  attempt.PairsAreClean = true;
+  if (attempt.IsShort)
+  {
+    this->TestPairsOfShortMotion(attempt, triangles, parallelFor);
+  }
+  else
+  {
+    this->TestPairsOfLongMotion(attempt, triangles, parallelFor);
+  }
+  this->TestPairsWithoutStrangers(attempt, parallelFor);
   changed.Clear();
-  return isClean;
+  return attempt.PairsAreClean;
 }
 
-bool EmbeddingGuard::TestPairsOfShortMotion(Attempt& attempt, const std::vector<int>& triangles,
+void EmbeddingGuard::TestPairsOfShortMotion(Attempt& attempt, const std::vector<int>& triangles,
   const ParallelFor& parallelFor) const
 {
-  std::atomic<bool> isClean{ true };
   if (attempt.ChangedForPairs.AreAll)
   {
     const float margin = static_cast<float>(attempt.Gap.Wanted / 2 * (1 + 1e-6));
@@ -483,21 +491,16 @@ bool EmbeddingGuard::TestPairsOfShortMotion(Attempt& attempt, const std::vector<
           unsettled[part].clear();
           const auto test = [&](int one, int two)
           {
-            const PairTest result = this->TestPair(attempt, { one, two });
-            if (result != PairTest::Settled)
+            if (!this->Settle(attempt, { one, two }))
             {
               unsettled[part].emplace_back(one, two);
-            }
-            if (result == PairTest::Failed)
-            {
-              isClean = false;
             }
           };
           this->Tree.VisitPairsBelow(this->Strangers, firstNode(part), firstNode(part + 1), meet,
             test);
         }
       });
-    return isClean;
+    return;
   }
   std::vector<char> isChanged(this->Triangles.rows(), 0);
   for (int triangle : triangles)
@@ -509,17 +512,15 @@ bool EmbeddingGuard::TestPairsOfShortMotion(Attempt& attempt, const std::vector<
     {
       for (const TrianglePair& pair : pairs)
       {
-        if ((isChanged[pair.first] || isChanged[pair.second]) &&
-          this->TestPair(attempt, pair) == PairTest::Failed)
+        if (isChanged[pair.first] || isChanged[pair.second])
         {
-          isClean = false;
+          this->Settle(attempt, pair);
         }
       }
     });
-  return isClean;
 }
 
-bool EmbeddingGuard::TestPairsOfLongMotion(Attempt& attempt, const std::vector<int>& triangles,
+void EmbeddingGuard::TestPairsOfLongMotion(Attempt& attempt, const std::vector<int>& triangles,
   const ParallelFor& parallelFor) const
 {
   const Motion motion = attempt.Path();
@@ -535,14 +536,7 @@ bool EmbeddingGuard::TestPairsOfLongMotion(Attempt& attempt, const std::vector<i
   };
   const auto meet = [&boxes](int node, int other)
   { return !boxes[node].StaysApartFrom(boxes[other]); };
-  std::atomic<bool> isClean{ true };
-  const auto test = [&](int one, int two)
-  {
-    if (this->TestPair(attempt, { one, two }) == PairTest::Failed)
-    {
-      isClean = false;
-    }
-  };
+  const auto test = [&](int one, int two) { this->Settle(attempt, { one, two }); };
   if (attempt.ChangedForPairs.AreAll)
   {
     vertexBoxes.resize(motion.From.rows());
@@ -567,38 +561,34 @@ bool EmbeddingGuard::TestPairsOfLongMotion(Attempt& attempt, const std::vector<i
     this->Tree.RefitSome(boxes, boxOf, nodes, parallelFor);
     this->Tree.VisitSomePairsBelow(this->Strangers, nodes, meet, test, parallelFor);
   }
-  return isClean;
 }
 
-EmbeddingGuard::PairTest EmbeddingGuard::TestPair(Attempt& attempt, const TrianglePair& pair) const
+bool EmbeddingGuard::Settle(Attempt& attempt, const TrianglePair& pair) const
 {
   const std::array<int, 3> one = this->Triangle(pair.first);
   const std::array<int, 3> two = this->Triangle(pair.second);
   const QuickProof proof = ProveApart(attempt.Rough, one, two, attempt.Gap.Wanted);
   if (proof >= QuickProof::ApartThroughout)
   {
-    return proof == QuickProof::ApartOnAnyPart ? PairTest::Settled : PairTest::Passed;
+    return proof == QuickProof::ApartOnAnyPart;
   }
   const double enough = attempt.EnoughFor(one, two);
-  if (enough <= 0 && proof == QuickProof::ApartAtStart)
+  if (enough > 0 || proof != QuickProof::ApartAtStart)
   {
-    return PairTest::Passed;
+    const double until = ApartUntil(attempt.Path(), one, two, attempt.Gap, enough);
+    if (!(until >= 1))
+    {
+      attempt.Blame(one, two, until);
+    }
   }
-  const double until = ApartUntil(attempt.Path(), one, two, attempt.Gap, enough);
-  if (until >= 1)
-  {
-    return PairTest::Passed;
-  }
-  attempt.Blame(one, two, until);
-  return PairTest::Failed;
+  return false;
 }
 
-bool EmbeddingGuard::TestPairsWithoutStrangers(Attempt& attempt,
+void EmbeddingGuard::TestPairsWithoutStrangers(Attempt& attempt,
   const ParallelFor& parallelFor) const
 {
   const Motion motion = attempt.Path();
   const std::vector<char>& changed = attempt.ChangedForPairs.Contains;
-  std::atomic<bool> isClean{ true };
   const auto test = [&](const auto& one, const auto& two)
   {
     if (AnyOf(changed, one) || AnyOf(changed, two))
@@ -607,7 +597,6 @@ bool EmbeddingGuard::TestPairsWithoutStrangers(Attempt& attempt,
       if (!(until >= 1))
       {
         attempt.Blame(one, two, until);
-        isClean = false;
       }
     }
   };
@@ -615,7 +604,6 @@ bool EmbeddingGuard::TestPairsWithoutStrangers(Attempt& attempt,
     [&](const FeaturePairs::VertexFace& pair) { test(pair.Vertex, pair.Face); });
   ForEach(this->WithoutStrangers.EdgeEdges, parallelFor,
     [&](const FeaturePairs::EdgeEdge& pair) { test(pair.One, pair.Two); });
-  return isClean;
 }
 
 void EmbeddingGuard::ExchangeSpareMemory(Attempt& attempt) const
@@ -646,10 +634,10 @@ void EmbeddingGuard::ScaleBack(Attempt& attempt) const
     const double until = attempt.SafeUntil[vertex].load(std::memory_order_relaxed);
     if (until < 1)
     {
-      const double scale =
-        attempt.Scales[vertex] * std::max(LeastPart, std::min(GreatestPart, SafetyFactor * until));
       if (attempt.Scales[vertex] > 0)
       {
+        const double scale = attempt.Scales[vertex] *
+          std::max(LeastPart, std::min(GreatestPart, SafetyFactor * until));
         change(vertex, scale < LeastScale ? 0 : scale);
       }
       attempt.SafeUntil[vertex].store(1, std::memory_order_relaxed);

@@ -69,24 +69,20 @@ private:
   // The parts of a pass. Each tests what changed since it was run last, lowers the limits of the
   // vertices of what fails, and tells whether nothing did.
   bool TestCorners(Attempt& attempt, const ParallelFor& parallelFor) const;
-  bool TestPairsWithoutStrangers(Attempt& attempt, const ParallelFor& parallelFor) const;
   bool TestPairs(Attempt& attempt, const ParallelFor& parallelFor) const;
+
+  // The parts of TestPairs.
+  void TestPairsWithoutStrangers(Attempt& attempt, const ParallelFor& parallelFor) const;
 
   // Pairs that stay apart wherever on their ways their vertices are held are settled: only the
   // others are tested again when the motion has been scaled back. That is most pairs of a short
   // motion. Of a long one it is few, and boxes that move along leave fewer pairs to be tested.
-  bool TestPairsOfShortMotion(Attempt& attempt, const std::vector<int>& triangles,
+  void TestPairsOfShortMotion(Attempt& attempt, const std::vector<int>& triangles,
     const ParallelFor& parallelFor) const;
-  bool TestPairsOfLongMotion(Attempt& attempt, const std::vector<int>& triangles,
+  void TestPairsOfLongMotion(Attempt& attempt, const std::vector<int>& triangles,
     const ParallelFor& parallelFor) const;
-
-  enum class PairTest
-  {
-    Failed,
-    Passed,
-    Settled
-  };
-  PairTest TestPair(Attempt& attempt, const TrianglePair& pair) const;
+  // Tests a pair, and tells whether that is settled.
+  bool Settle(Attempt& attempt, const TrianglePair& pair) const;
 
   void ScaleBack(Attempt& attempt) const;
 

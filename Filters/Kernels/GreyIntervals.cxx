@@ -85,9 +85,7 @@ void GreyIntervals::MarkRow(const float* voxels, int size, BitMask::Word* row) c
 BitMask VoxelsIn(const GreyIntervals& values, const ImageView<float>& image, const VoxelBox& box,
   const ParallelFor& parallelFor)
 {
-  const auto [i, j, k] = box.Begin;
-  BitMask mask(
-    CropGeometry(image.Geometry, { { i, box.End[0] - 1, j, box.End[1] - 1, k, box.End[2] - 1 } }));
+  BitMask mask(CropGeometry(image.Geometry, box));
   parallelFor(0, box.Size(2),
     [&, begin = box.Begin](std::ptrdiff_t first, std::ptrdiff_t last)
     {

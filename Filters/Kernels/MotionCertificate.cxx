@@ -269,7 +269,6 @@ private:
     const Lanes sound = (square - Tiny).min(least * sum - Tiny);
     const auto holds = [&sound](const Lanes& condition)
     { return condition.min(sound).maxCoeff() >= 0; };
-    const auto raise = [this](QuickProof proof) { this->Found = std::max(this->Found, proof); };
     if (holds(above[0].min(above[1]).max(below[0].min(below[1]))))
     {
       const Lanes way = this->Way[0] * x + this->Way[1] * y + this->Way[2] * z;
@@ -281,13 +280,13 @@ private:
         highest[side] = high[0][side].max(high[1][side] + way);
       }
       const Lanes apart = wanted + this->ErrorBetween * sum;
-      raise(holds((lowest[0] - highest[1]).max(lowest[1] - highest[0]) - apart)
-          ? QuickProof::ApartOnAnyPart
-          : QuickProof::ApartThroughout);
+      this->Found = holds((lowest[0] - highest[1]).max(lowest[1] - highest[0]) - apart)
+        ? QuickProof::ApartOnAnyPart
+        : QuickProof::ApartThroughout;
     }
-    else if (this->Found == QuickProof::None && holds(above[0].max(below[0])))
+    else if (holds(above[0].max(below[0])))
     {
-      raise(QuickProof::ApartAtStart);
+      this->Found = QuickProof::ApartAtStart;
     }
   }
 

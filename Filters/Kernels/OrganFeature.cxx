@@ -83,8 +83,7 @@ bool RefitToSurface(const ImageView<float>& smooth, const PointList& points,
     VoxeliseSurface(points, triangles, smooth.Geometry, parallelFor, PartOf(proceed, 0, 0.2));
   const VoxelBox box = BoxAround(runs, smooth.Geometry, settings.ShellEnd);
   const auto [i, j, k] = box.Begin;
-  BitMask inside(
-    CropGeometry(smooth.Geometry, { { i, box.End[0] - 1, j, box.End[1] - 1, k, box.End[2] - 1 } }));
+  BitMask inside(CropGeometry(smooth.Geometry, box));
   for (const VoxelRun& run : runs)
   {
     inside.InsertRun(run.Begin - i, run.End - i, run.J - j, run.K - k);

@@ -22,6 +22,12 @@ constexpr double Growth = 0.01;
 constexpr double FirstReach = 3;
 constexpr double GrowthOfBox = 0.25;
 
+// Widens a box until its rows begin with a whole word of a mask.
+void BeginWithWord(VoxelBox& box)
+{
+  box.Begin[0] -= box.Begin[0] % BitMask::BitsOfWord;
+}
+
 class Run
 {
 public:
@@ -89,7 +95,7 @@ private:
       box.Begin[axis] = std::max(0, box.Begin[axis]);
       box.End[axis] = std::min(this->Smooth.Geometry.Dimensions[axis], box.End[axis]);
     }
-    box.Begin[0] -= box.Begin[0] % BitMask::BitsOfWord;
+    BeginWithWord(box);
     const bool made =
       this->Region->Make(box, [this](double) { return this->Proceed(this->Level, 0); });
     this->Surface.SmoothingSeconds += watch.Lap();
@@ -164,7 +170,7 @@ private:
         box.End[axis] = std::min(size, searched.End[axis] + step);
       }
     }
-    box.Begin[0] -= box.Begin[0] % BitMask::BitsOfWord;
+    BeginWithWord(box);
     return box;
   }
 
@@ -189,7 +195,7 @@ private:
       box.Begin[axis] = std::max(made.Begin[axis], begin - more);
       box.End[axis] = std::min(made.End[axis], end + more);
     }
-    box.Begin[0] -= box.Begin[0] % BitMask::BitsOfWord;
+    BeginWithWord(box);
     return box;
   }
 

@@ -33,6 +33,13 @@ ImageGeometry CropGeometry(const ImageGeometry& geometry, const Extent& extent)
   return result;
 }
 
+ImageGeometry CropGeometry(const ImageGeometry& geometry, const VoxelBox& box)
+{
+  return CropGeometry(geometry,
+    Extent{ { box.Begin[0], box.End[0] - 1, box.Begin[1], box.End[1] - 1, box.Begin[2],
+      box.End[2] - 1 } });
+}
+
 bool ContainsSphere(const ImageGeometry& geometry, const SeedSphere& seed)
 {
   const Eigen::Vector3d index = geometry.ToIndex(seed.Center);

@@ -6,6 +6,7 @@
 #define FlipFreeSeedRegion_h
 
 #include "KernelTypes.h"
+#include "VoxelBox.h"
 
 #include <vector>
 
@@ -36,6 +37,7 @@ Extent ReachableExtent(const ImageGeometry& geometry, const Eigen::Vector3d& cen
 
 /// The geometry of that part of the image.
 ImageGeometry CropGeometry(const ImageGeometry& geometry, const Extent& extent);
+ImageGeometry CropGeometry(const ImageGeometry& geometry, const VoxelBox& box);
 
 /// A part of the image as floats. The memory that `region` has is used again.
 template <typename T>

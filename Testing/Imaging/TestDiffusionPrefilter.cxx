@@ -48,6 +48,13 @@ vtkSmartPointer<vtkImageData> NoisyStep(int nx, int ny, int nz, double noise)
   return image;
 }
 
+FlipFree::DiffusionEquation EquationOf(int property)
+{
+  return property == vtkAnisotropicDiffusionPrefilter::CURVATURE
+    ? FlipFree::DiffusionEquation::Curvature
+    : FlipFree::DiffusionEquation::Gradient;
+}
+
 void SetScaleSphere(vtkAnisotropicDiffusionPrefilter* filter, vtkImageData* image, double i,
   double j, double k, double radius)
 {
@@ -261,10 +268,7 @@ TEST_P(TestDiffusionEquations, OwnKernelAgreesWithItk)
 
     const auto grey = FlipFree::ViewOf<short>(image);
     const FlipFree::AnisotropicDiffusionSettings settings{ iterations, contrast,
-      GetParam() == vtkAnisotropicDiffusionPrefilter::CURVATURE
-        ? FlipFree::DiffusionEquation::Curvature
-        : FlipFree::DiffusionEquation::Gradient,
-      0 };
+      EquationOf(GetParam()), 0 };
     std::vector<float> whole(grey.Geometry.NumberOfVoxels());
     FlipFree::DiffuseAnisotropically(FlipFree::ReaderOf(grey), grey.Geometry, settings,
       FlipFree::SMPFor, FlipFree::NeverStop, whole.data());
@@ -314,11 +318,7 @@ TEST_P(TestDiffusionEquations, ThinImagesAgreeWithOwnKernel)
     const auto* smoothed = static_cast<float*>(filter->GetOutput()->GetScalarPointer());
 
     const auto grey = FlipFree::ViewOf<short>(image);
-    const FlipFree::AnisotropicDiffusionSettings settings{ 5, 20,
-      GetParam() == vtkAnisotropicDiffusionPrefilter::CURVATURE
-        ? FlipFree::DiffusionEquation::Curvature
-        : FlipFree::DiffusionEquation::Gradient,
-      0 };
+    const FlipFree::AnisotropicDiffusionSettings settings{ 5, 20, EquationOf(GetParam()), 0 };
     std::vector<float> own(grey.Geometry.NumberOfVoxels());
     FlipFree::DiffuseAnisotropically(FlipFree::ReaderOf(grey), grey.Geometry, settings,
       FlipFree::SMPFor, FlipFree::NeverStop, own.data());

@@ -19,6 +19,14 @@ PointList RandomPoints(Eigen::Index count, std::mt19937& random)
   return WhiteNoise(count, 1.0, random);
 }
 
+Eigen::Matrix3d RandomRotation(std::mt19937& random)
+{
+  return Eigen::Quaterniond(RandomPoints(1, random)(0, 0), RandomPoints(1, random)(0, 0),
+    RandomPoints(1, random)(0, 0), RandomPoints(1, random)(0, 0))
+    .normalized()
+    .toRotationMatrix();
+}
+
 template <std::size_t N>
 std::array<Vector3d, N> Take(const PointList& points, int first)
 {
@@ -261,10 +269,7 @@ TEST(MotionCertificate, QuickProofsAllowForRounding)
     for (int repeat = 0; repeat < 2000; ++repeat)
     {
       // Parallel triangles that are 1 apart along a random direction, over each other.
-      const Eigen::Matrix3d turn = Eigen::Quaterniond(RandomPoints(1, random)(0, 0),
-        RandomPoints(1, random)(0, 0), RandomPoints(1, random)(0, 0), RandomPoints(1, random)(0, 0))
-                                     .normalized()
-                                     .toRotationMatrix();
+      const Eigen::Matrix3d turn = RandomRotation(random);
       PointList from(6, 3);
       from << -9, -9, 1, 9, -9, 1, 0, 9, 1, -9, 9, 0, 9, 9, 0, 0, -9, 0;
       from.leftCols(2) += RandomPoints(6, random).leftCols(2);
@@ -468,10 +473,7 @@ TEST(MotionCertificate, QuickProofsOfAnyPartAllowForRounding)
   {
     for (int repeat = 0; repeat < 2000; ++repeat)
     {
-      const Eigen::Matrix3d turn = Eigen::Quaterniond(RandomPoints(1, random)(0, 0),
-        RandomPoints(1, random)(0, 0), RandomPoints(1, random)(0, 0), RandomPoints(1, random)(0, 0))
-                                     .normalized()
-                                     .toRotationMatrix();
+      const Eigen::Matrix3d turn = RandomRotation(random);
       PointList from(6, 3);
       from << -9, -9, 2, 9, -9, 2, 0, 9, 2, -9, 9, 0, 9, 9, 0, 0, -9, 0;
       from.leftCols(2) += RandomPoints(6, random).leftCols(2);
