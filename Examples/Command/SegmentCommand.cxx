@@ -234,7 +234,7 @@ void Segment(const Segmentation& segmentation)
   {
     throw Failure("'" + segmentation.Input +
       "': no boundary of the organ was found. Check that the seed and its radius lie within the "
-      "organ, lower --threshold, or raise --search-distance.");
+      "organ, raise --search-distance, or raise --foreground-mass.");
   }
   WriteResults(filter, image, segmentation, outputs);
   if (filter->GetNumberOfSelfIntersections() > 0)
@@ -261,9 +261,9 @@ const char* const Footer =
   "  flipfree segment dicom/ --series 1.2.840.1 --seed 90 20 -640 --radius 12 -o kidney.vtp\n"
   "  flipfree segment ct.nii.gz --seed 83 -154 321 --radius 26 --preset naive -o flips.ply\n"
   "\n"
-  "The seed is the centre of a sphere within the organ, its radius about half of what has room\n"
-  "there or more: the voxels in it tell what the organ looks like, and the surface starts from "
-  "it.\n";
+  "The seed is the centre of a sphere within the organ, with at least half the radius of the\n"
+  "largest one that fits there: its voxels tell what the organ looks like, and the surface starts\n"
+  "from it.\n";
 
 void AddFiles(CLI::App* command, Segmentation& segmentation)
 {

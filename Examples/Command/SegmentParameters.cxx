@@ -69,9 +69,8 @@ void SegmentParameters::AddOptions(CLI::App& command)
   command
     .add_option("--preset", this->Preset,
       "Which values the parameters start from: 'default', 'published' (the paper's own method: one "
-      "level, no leak control, no guard) or 'naive' (without flip avoidance, too); both give "
-      "surfaces "
-      "that intersect themselves. Options below change them further")
+      "level, no leak control, no guard) or 'naive' (without flip avoidance, too); both may give "
+      "surfaces that intersect themselves. Options below change them further")
     ->type_name("NAME")
     ->check(CLI::IsMember({ "default", "published", "naive" }))
     ->capture_default_str()

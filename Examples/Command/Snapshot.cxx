@@ -6,6 +6,7 @@
 #include "vtkActor.h"
 #include "vtkBoundingBox.h"
 #include "vtkCamera.h"
+#include "vtkCoordinate.h"
 #include "vtkCutter.h"
 #include "vtkDataArray.h"
 #include "vtkImageActor.h"
@@ -30,6 +31,8 @@
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkStripper.h"
+#include "vtkTextActor.h"
+#include "vtkTextProperty.h"
 #include "vtkTriangleFilter.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkWindowToImageFilter.h"
@@ -56,6 +59,7 @@ constexpr double Gap = 3.0 / Size; // between the views
 constexpr double Ink[3] = { 0.045, 0.05, 0.06 };
 constexpr double Frame[3] = { 0.16, 0.17, 0.2 };
 constexpr double ContourColour[3] = { 1.0, 0.76, 0.2 };
+constexpr double LetterColour[3] = { 0.85, 0.86, 0.88 };
 constexpr double OrganColour[3] = { 0.86, 0.42, 0.33 };
 
 /// How a slice is looked at; the viewer is where `Right` x `Up` points.
@@ -64,11 +68,13 @@ struct View
   Vector Right;
   Vector Up;
   std::array<double, 2> Corner; // lower left, in fractions of the picture
+  const char* LeftLetter;       // the patient's side there, as radiologists mark it
+  const char* TopLetter;
 };
 
-const View Axial{ { { 1, 0, 0 } }, { { 0, -1, 0 } }, { { 0, 0.5 } } };
-const View Sagittal{ { { 0, 1, 0 } }, { { 0, 0, 1 } }, { { 0.5, 0.5 } } };
-const View Coronal{ { { 1, 0, 0 } }, { { 0, 0, 1 } }, { { 0, 0 } } };
+const View Axial{ { { 1, 0, 0 } }, { { 0, -1, 0 } }, { { 0, 0.5 } }, "R", "A" };
+const View Sagittal{ { { 0, 1, 0 } }, { { 0, 0, 1 } }, { { 0.5, 0.5 } }, "A", "S" };
+const View Coronal{ { { 1, 0, 0 } }, { { 0, 0, 1 } }, { { 0, 0 } }, "R", "S" };
 
 /// What the slices show: a cube around the surface, moved into the image as far as it can be.
 struct Region
@@ -226,6 +232,20 @@ void AddContour(vtkRenderer* renderer, vtkPolyData* contour, const double* towar
   renderer->AddActor(actor);
 }
 
+void AddLetter(vtkRenderer* renderer, const char* letter, double x, double y)
+{
+  vtkNew<vtkTextActor> text;
+  text->SetInput(letter);
+  text->GetPositionCoordinate()->SetCoordinateSystemToNormalizedViewport();
+  text->SetPosition(x, y);
+  vtkTextProperty* property = text->GetTextProperty();
+  property->SetFontSize(18 * Finer);
+  property->SetColor(LetterColour[0], LetterColour[1], LetterColour[2]);
+  property->SetJustificationToCentered();
+  property->SetVerticalJustificationToCentered();
+  renderer->AddViewProp(text);
+}
+
 void AddSlice(vtkRenderWindow* window, const View& view, vtkImageData* image, vtkPolyData* surface,
   const Region& region)
 {
@@ -257,6 +277,8 @@ void AddSlice(vtkRenderWindow* window, const View& view, vtkImageData* image, vt
     AddContour(renderer, lines->GetOutput(), front, layer == 1 ? Ink : ContourColour,
       layer == 1 ? 14 : 8);
   }
+  AddLetter(renderer, view.LeftLetter, 0.035, 0.5);
+  AddLetter(renderer, view.TopLetter, 0.5, 0.965);
 
   vtkCamera* camera = renderer->GetActiveCamera();
   camera->SetFocalPoint(region.Middle.data());

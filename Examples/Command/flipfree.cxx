@@ -25,7 +25,7 @@ namespace
 
 using namespace Command;
 
-const char* const Description = "Segments soft organs (liver, spleen, kidney, a vein) in CT and MR "
+const char* const Description = "Segments soft organs (liver, spleen, kidney) in CT and MR "
                                 "volumes, from one sphere in the "
                                 "organ to a surface that is closed and does not meet itself.";
 

@@ -61,9 +61,10 @@ std::vector<Vertex> NumberNodes(const BitMask& candidates, Vertex& count)
   return nodes;
 }
 
-void BuildGraph(const ImageView<float>& image, const std::vector<float>& logOdds,
+// False if the monitor, asked before each plane, stopped it.
+bool BuildGraph(const ImageView<float>& image, const std::vector<float>& logOdds,
   const BitMask& seeds, const MinimumCutSettings& settings, const std::vector<Vertex>& nodes,
-  GridGraph& graph)
+  const Monitor& monitor, GridGraph& graph)
 {
   const ImageGeometry& geometry = image.Geometry;
   const auto& size = geometry.Dimensions;
@@ -79,6 +80,10 @@ void BuildGraph(const ImageView<float>& image, const std::vector<float>& logOdds
     geometry.Offset(0, 0, 1) } };
   for (int k = 0; k < size[2]; ++k)
   {
+    if (!monitor(0))
+    {
+      return false;
+    }
     for (int j = 0; j < size[1]; ++j)
     {
       for (int i = 0; i < size[0]; ++i)
@@ -119,6 +124,7 @@ void BuildGraph(const ImageView<float>& image, const std::vector<float>& logOdds
   {
     graph.Hang(node, preferences[node]);
   }
+  return true;
 }
 
 } // namespace
@@ -131,7 +137,10 @@ bool FindMinimumCut(const ImageView<float>& image, const std::vector<float>& log
   std::vector<Vertex> nodes = NumberNodes(candidates, count);
   Heart heart(monitor, count);
   GridGraph graph(count, [&heart]() { heart.Beat(); });
-  BuildGraph(image, logOdds, seeds, settings, nodes, graph);
+  if (!BuildGraph(image, logOdds, seeds, settings, nodes, monitor, graph))
+  {
+    return false;
+  }
   nodes = std::vector<Vertex>();
 
   const std::size_t size = num_vertices(graph);

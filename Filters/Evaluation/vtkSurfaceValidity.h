@@ -5,7 +5,7 @@
  * Passes a surface of polygons through, marks its offending cells, and counts what is wrong. A
  * surface is valid when it is closed (every edge on two faces that are oriented alike), does not
  * intersect itself, and has no flipped corner. Polygons are cut into triangles from their first
- * vertex; self- intersections are pairs of these triangles that have more in common than a shared
+ * vertex; self-intersections are pairs of these triangles that have more in common than a shared
  * vertex or edge, decided exactly. The surface may be open, of any genus, and wrong in every way
  * that is counted.
  *

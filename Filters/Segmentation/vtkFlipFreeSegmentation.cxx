@@ -302,8 +302,8 @@ void vtkFlipFreeSegmentation::WarnOf(const FlipFree::OrganSurface& organ,
   {
     vtkWarningMacro(
       "No vertex found the organ's boundary, so the surface is not the organ's; check "
-      "that the seed lies in the organ, or lower FeatureThreshold, or raise "
-      "SearchDistance.");
+      "that the seed lies in the organ, or raise SearchDistance, or raise "
+      "ForegroundMass.");
   }
   if (this->StopReason == "the coarse surface could not be refined")
   {

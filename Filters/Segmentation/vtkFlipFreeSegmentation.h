@@ -106,8 +106,9 @@ public:
 
   ///@{
   /**
-   * Radius of the seed sphere, in millimetres. Default 10; about half the organ's half thickness or
-   * more is good. The lengths below that are given in seed radii follow it.
+   * Radius of the seed sphere, in millimetres. Default 10; at least half the radius of the largest
+   * sphere that fits into the organ there is good. The lengths below that are given in seed radii
+   * follow it.
    */
   vtkSetClampMacro(SeedRadius, double, 1e-6, 1e6);
   vtkGetMacro(SeedRadius, double);

@@ -15,7 +15,6 @@
 #include "vtkSurfaceToLabelMap.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <vector>
 
@@ -122,10 +121,13 @@ struct AbortAt
       [](vtkObject* caller, unsigned long, void* client, void* now)
       {
         auto* self = static_cast<AbortAt*>(client);
-        if (!self->Done && *static_cast<double*>(now) >= self->Progress)
+        if (self->Done)
+        {
+          ++self->ReportsSince;
+        }
+        else if (*static_cast<double*>(now) >= self->Progress)
         {
           self->Done = true;
-          self->When = std::chrono::steady_clock::now();
           vtkAlgorithm::SafeDownCast(caller)->SetAbortExecute(1);
         }
       });
@@ -134,7 +136,7 @@ struct AbortAt
 
   double Progress;
   bool Done = false;
-  std::chrono::steady_clock::time_point When;
+  int ReportsSince = 0;
 };
 
 } // namespace
@@ -251,20 +253,18 @@ TEST_P(BaselineSegmentation, GeometryIsTheInputs)
   EXPECT_LE(differ, expected.size() / 500);
 }
 
-TEST_P(BaselineSegmentation, AbortLeavesNothingAndDoesNotWait)
+TEST_P(BaselineSegmentation, AbortLeavesNothingAndEndsTheWork)
 {
   for (const double progress : { 0.05, 0.3 })
   {
     AbortAt abort(this->Filter, progress);
     this->Filter->Modified();
     this->Filter->Update();
-    const auto end = std::chrono::steady_clock::now();
     this->Filter->RemoveAllObservers();
     ASSERT_TRUE(abort.Done);
     EXPECT_EQ(this->Filter->GetSurface()->GetNumberOfPoints(), 0);
     EXPECT_EQ(this->Filter->GetLabelMap()->GetNumberOfPoints(), 0);
-    // 100 ms on a machine that is not busy.
-    EXPECT_LT(std::chrono::duration<double>(end - abort.When).count(), 1);
+    EXPECT_LE(abort.ReportsSince, 1); // what was on its way already
   }
   this->Filter->Modified();
   this->Filter->Update();

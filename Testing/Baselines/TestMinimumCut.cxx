@@ -171,18 +171,22 @@ TEST(MinimumCut, StopsAndLeavesTheMaskAsItWas)
   BitMask seeds(image.Geometry);
   seeds.Insert(20, 20, 20);
   BitMask organ;
-  int asked = 0;
-  double last = 0;
-  EXPECT_FALSE(FindMinimumCut(
-    image.View(), odds, candidates, seeds, { 1, 1 },
-    [&](double fraction)
-    {
-      EXPECT_GE(fraction, last);
-      EXPECT_LT(fraction, 1);
-      last = fraction;
-      return ++asked < 3;
-    },
-    organ));
-  EXPECT_EQ(asked, 3);
-  EXPECT_TRUE(organ.GetWords().empty());
+  for (const int stop : { 3, 43 }) // while the graph is built, plane by plane, and while it is cut
+  {
+    int asked = 0;
+    double last = 0;
+    EXPECT_FALSE(FindMinimumCut(
+      image.View(), odds, candidates, seeds, { 1, 1 },
+      [&](double fraction)
+      {
+        EXPECT_GE(fraction, last);
+        EXPECT_LT(fraction, 1);
+        last = fraction;
+        return ++asked < stop;
+      },
+      organ));
+    EXPECT_EQ(asked, stop);
+    EXPECT_EQ(last > 0, stop > image.Geometry.Dimensions[2]);
+    EXPECT_TRUE(organ.GetWords().empty());
+  }
 }

@@ -191,15 +191,24 @@ class TestWorkflow(command.CommandTest):
         self.assertEqual(data[:8], b"\x89PNG\r\n\x1a\n")
         self.assertEqual(struct.unpack(">2I", data[16:24]), (1200, 1200))
         pixels = self.pixels(data)
-        # The contour's colour in each of the slices, the organ's in the fourth view.
+        # The contour's colour in each of the slices, with letters for the sides on the left and at the top; the
+        # organ's in the fourth view.
         for name, rows, columns in (("axial", (0, 600), (0, 600)), ("sagittal", (0, 600), (600, 1200)),
                                     ("coronal", (600, 1200), (0, 600))):
             self.assertGreater(self.count(pixels, rows, columns, self.is_contour), 300, name)
+            middle, center = sum(rows) // 2, sum(columns) // 2
+            for side, place in (("left", ((middle - 20, middle + 20), (columns[0] + 2, columns[0] + 40))),
+                                ("top", ((rows[0] + 2, rows[0] + 40), (center - 20, center + 20)))):
+                self.assertGreater(self.count(pixels, *place, self.is_letter), 15, f"{name}, {side}")
         self.assertGreater(self.count(pixels, (600, 1200), (600, 1200), self.is_organ), 20000)
 
     @staticmethod
     def is_contour(r, g, b):
         return r > 200 and 140 < g < 220 and b < 100
+
+    @staticmethod
+    def is_letter(r, g, b):
+        return min(r, g, b) > 200
 
     @staticmethod
     def is_organ(r, g, b):

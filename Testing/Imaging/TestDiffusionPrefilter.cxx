@@ -18,7 +18,6 @@
 #include "itkCurvatureAnisotropicDiffusionImageFilter.h"
 #include "itkGradientAnisotropicDiffusionImageFilter.h"
 
-#include <chrono>
 #include <cmath>
 #include <limits>
 #include <random>
@@ -583,13 +582,12 @@ TEST(TestDiffusionPrefilter, BadInputIsRefusedWithOneError)
   }
 }
 
-TEST(TestDiffusionPrefilter, AbortMidwayIsQuick)
+TEST(TestDiffusionPrefilter, AbortMidwayEndsTheWork)
 {
-  using Clock = std::chrono::steady_clock;
   struct Observer
   {
-    Clock::time_point Asked;
     int Calls = 0;
+    int CallsSince = 0;
     double Last = 0;
     void Progress(vtkObject* caller, unsigned long, void* data)
     {
@@ -598,10 +596,13 @@ TEST(TestDiffusionPrefilter, AbortMidwayIsQuick)
       this->Last = done;
       ++this->Calls;
       auto* filter = vtkAlgorithm::SafeDownCast(caller);
-      if (done > 0.02 && !filter->GetAbortExecute())
+      if (filter->GetAbortExecute())
+      {
+        ++this->CallsSince;
+      }
+      else if (done > 0.02)
       {
         filter->SetAbortExecute(1);
-        this->Asked = Clock::now();
       }
     }
   } observer;
@@ -613,11 +614,9 @@ TEST(TestDiffusionPrefilter, AbortMidwayIsQuick)
   filter->SetGradientScale(5);
   filter->AddObserver(vtkCommand::ProgressEvent, &observer, &Observer::Progress);
   filter->Update();
-  const std::chrono::duration<double> delay = Clock::now() - observer.Asked;
-  RecordProperty("SecondsFromAbortToEnd", std::to_string(delay.count()));
   EXPECT_GT(observer.Calls, 3);
-  EXPECT_LT(observer.Last, 0.2); // all of it takes some ten seconds
-  EXPECT_LT(delay.count(), 0.4); // 0.1 on a machine that has nothing else to do
+  EXPECT_LT(observer.Last, 0.2);
+  EXPECT_LE(observer.CallsSince, 1); // what was on its way already
   EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0);
   EXPECT_EQ(errors.Count(), 0);
 }

@@ -25,6 +25,7 @@ if (FLIPFREE_BUILD_COMMAND)
     IOPLY
     IOXML
     RenderingCore
+    RenderingFreeType
     RenderingOpenGL2)
 endif ()
 if (FLIPFREE_BUILD_BENCHMARKS)
