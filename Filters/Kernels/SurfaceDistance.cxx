@@ -8,6 +8,8 @@
 #include <cmath>
 #include <optional>
 #include <stdexcept>
+#include <string>
+#include <utility>
 #include <vector>
 
 namespace FlipFree
@@ -15,9 +17,11 @@ namespace FlipFree
 namespace
 {
 
-// The monitor is asked between blocks of about this many samples: a few hundredths of a second.
+// The monitor is asked between blocks of this many samples: a few hundredths of a second.
 constexpr std::size_t BlockSize = 1 << 14;
 constexpr double MaximumNumberOfSamples = 1e8;
+// Of the progress of one surface; the rest is for what sums up.
+constexpr double ShareOfSamples = 0.9;
 
 struct DirectedDistances
 {
@@ -80,20 +84,30 @@ struct Samples
     }
   }
 
-  // Calls visit(barycentric b, barycentric c) for each sample of a triangle.
+  std::size_t Size() const { return this->Offsets.back(); }
+  std::size_t SizeOf(Eigen::Index triangle) const
+  {
+    return this->Offsets[triangle + 1] - this->Offsets[triangle];
+  }
+
+  // Calls visit(barycentric b, barycentric c) for the samples first to last - 1 of a triangle.
   template <typename Visitor>
-  void Visit(Eigen::Index triangle, Visitor&& visit) const
+  void Visit(Eigen::Index triangle, std::size_t first, std::size_t last, Visitor&& visit) const
   {
     const int n = this->Divisions[triangle];
-    for (int i = 0; i < n; ++i)
+    // Row i has 2 (n - i) - 1 samples, which leaves the square of n - i for it and those behind.
+    const auto squared = static_cast<double>(this->SizeOf(triangle) - first);
+    int i = n - static_cast<int>(std::ceil(std::sqrt(squared)));
+    int inRow = static_cast<int>(first) - i * (2 * n - i);
+    for (std::size_t sample = first; sample < last; ++sample)
     {
-      for (int j = 0; i + j < n; ++j)
+      const int j = inRow / 2;
+      const double inPatch = inRow % 2 == 0 ? 1.0 / 3 : 2.0 / 3;
+      visit((i + inPatch) / n, (j + inPatch) / n);
+      if (++inRow == 2 * (n - i) - 1)
       {
-        visit((i + 1.0 / 3) / n, (j + 1.0 / 3) / n);
-        if (i + j + 1 < n)
-        {
-          visit((i + 2.0 / 3) / n, (j + 2.0 / 3) / n);
-        }
+        inRow = 0;
+        ++i;
       }
     }
   }
@@ -151,49 +165,18 @@ private:
   int Hint = 0;
 };
 
-// The least distance up to which lies at least that part of the area. Leaves the list in another
-// order.
-double WeightedPercentile(std::vector<std::pair<double, double>>& distancesAndAreas,
-  double fraction, double total)
+// Runs body over [0, size) block by block and asks the monitor in between; false when stopped.
+bool ForInBlocks(std::size_t size, const ParallelFor& parallelFor, const Monitor& monitor,
+  const RangeBody& body)
 {
-  // What lies before `first` is nearer, and has the area `before`.
-  auto first = distancesAndAreas.begin();
-  auto last = distancesAndAreas.end();
-  double before = 0;
-  while (last - first > 1)
+  for (std::size_t begin = 0; begin < size; begin += BlockSize)
   {
-    const auto middle = first + (last - first) / 2;
-    std::nth_element(first, middle, last);
-    double area = before;
-    for (auto part = first; part != middle; ++part)
-    {
-      area += part->second;
-    }
-    if (area >= fraction * total)
-    {
-      last = middle;
-    }
-    else
-    {
-      first = middle;
-      before = area;
-    }
-  }
-  return first->first;
-}
-
-// Runs body over [0, size) block by block and asks the monitor in between.
-bool ForInBlocks(std::size_t size, std::size_t blockSize, const ParallelFor& parallelFor,
-  const Monitor& monitor, const RangeBody& body)
-{
-  for (std::size_t begin = 0; begin < size; begin += blockSize)
-  {
-    if (!monitor(static_cast<double>(begin) / size))
+    if (!monitor(static_cast<double>(begin) / static_cast<double>(size)))
     {
       return false;
     }
     parallelFor(static_cast<std::ptrdiff_t>(begin),
-      static_cast<std::ptrdiff_t>(std::min(size, begin + blockSize)), body);
+      static_cast<std::ptrdiff_t>(std::min(size, begin + BlockSize)), body);
   }
   return true;
 }
@@ -210,33 +193,121 @@ struct Surface
 bool MeasureSamples(Surface& surface, const std::vector<int>& order,
   const ClosestTriangleFinder& other, const ParallelFor& parallelFor, const Monitor& monitor)
 {
-  surface.Distances.resize(surface.Patches.Offsets.back());
-  const auto measureTriangles = [&](std::ptrdiff_t first, std::ptrdiff_t last)
+  const Samples& patches = surface.Patches;
+  surface.Distances.resize(patches.Size());
+  // How many samples lie before each triangle, in this order.
+  std::vector<std::size_t> before(order.size() + 1, 0);
+  for (std::size_t place = 0; place < order.size(); ++place)
+  {
+    before[place + 1] = before[place] + patches.SizeOf(order[place]);
+  }
+  // Cut by samples: a single triangle may have millions.
+  const auto measure = [&](std::ptrdiff_t begin, std::ptrdiff_t end)
   {
     PacketOfSamples packet(other);
-    for (std::ptrdiff_t place = first; place < last; ++place)
+    auto first = static_cast<std::size_t>(begin);
+    const auto last = static_cast<std::size_t>(end);
+    std::size_t place = std::upper_bound(before.begin(), before.end(), first) - before.begin() - 1;
+    for (; first < last; ++place)
     {
       const int triangle = order[place];
       const int* const corners = surface.Triangles.row(triangle).data();
       const Eigen::Vector3d a = surface.Points.row(corners[0]);
       const Eigen::Vector3d ab = surface.Points.row(corners[1]).transpose() - a;
       const Eigen::Vector3d ac = surface.Points.row(corners[2]).transpose() - a;
-      double* distance = surface.Distances.data() + surface.Patches.Offsets[triangle];
-      surface.Patches.Visit(triangle,
+      const std::size_t next = std::min(last, before[place + 1]);
+      double* distance =
+        surface.Distances.data() + patches.Offsets[triangle] + (first - before[place]);
+      patches.Visit(triangle, first - before[place], next - before[place],
         [&](double b, double c) { packet.Add(a + b * ab + c * ac, *distance++); });
+      first = next;
     }
     packet.Measure();
   };
-  const std::size_t samplesPerTriangle = surface.Distances.size() / order.size();
-  const std::size_t trianglesPerBlock = std::max<std::size_t>(1, BlockSize / samplesPerTriangle);
-  return ForInBlocks(order.size(), trianglesPerBlock, parallelFor, monitor, measureTriangles);
+  return ForInBlocks(patches.Size(), parallelFor, monitor, measure);
 }
 
-// The greatest distance of a vertex, if it is greater than `greatest`, that of the samples. A
-// vertex cannot be farther than a sample by more than it lies from that sample, which leaves few to
-// measure.
-double GreatestWithVertices(const Surface& surface, const ClosestTriangleFinder& other,
-  double greatest)
+struct Part
+{
+  double Distance;
+  double Area;
+
+  bool operator<(const Part& other) const
+  {
+    return this->Distance != other.Distance ? this->Distance < other.Distance
+                                            : this->Area < other.Area;
+  }
+};
+
+// Sums over the samples, and lists them; false when stopped. One thread sums, in a fixed order: the
+// bits do not depend on the number of threads.
+bool SumUp(const Surface& surface, const Monitor& monitor, DirectedDistances& result,
+  std::vector<Part>& parts)
+{
+  parts.reserve(surface.Distances.size());
+  Eigen::Index triangle = 0;
+  return ForInBlocks(surface.Distances.size(), SerialFor, monitor,
+    [&](std::ptrdiff_t first, std::ptrdiff_t last)
+    {
+      for (auto sample = static_cast<std::size_t>(first); sample < static_cast<std::size_t>(last);
+           ++sample)
+      {
+        while (sample >= surface.Patches.Offsets[triangle + 1])
+        {
+          ++triangle;
+        }
+        const double area = surface.Patches.PatchAreas[triangle];
+        const double distance = surface.Distances[sample];
+        parts.push_back({ distance, area });
+        result.Area += area;
+        result.Sum += area * distance;
+        result.SumOfSquares += area * distance * distance;
+        result.Greatest = std::max(result.Greatest, distance);
+      }
+    });
+}
+
+// Finds the least distance up to which lies at least that fraction of the area; false when stopped.
+// Leaves the list in another order.
+bool FindPercentile(std::vector<Part>& parts, double fraction, double total, const Monitor& monitor,
+  double& percentile)
+{
+  // What lies before `first` is nearer, and has the area `before`.
+  auto first = parts.begin();
+  auto last = parts.end();
+  double before = 0;
+  while (last - first > 1)
+  {
+    // Each pass halves what is left.
+    if (!monitor(1 - static_cast<double>(last - first) / static_cast<double>(parts.size())))
+    {
+      return false;
+    }
+    const auto middle = first + (last - first) / 2;
+    std::nth_element(first, middle, last);
+    double area = before;
+    for (auto part = first; part != middle; ++part)
+    {
+      area += part->Area;
+    }
+    if (area >= fraction * total)
+    {
+      last = middle;
+    }
+    else
+    {
+      first = middle;
+      before = area;
+    }
+  }
+  percentile = first->Distance;
+  return true;
+}
+
+// The vertices that may be farther than `greatest`, the greatest distance of a sample. None can be
+// farther than a sample by more than it lies from that sample, which leaves few, unless the
+// surfaces coincide.
+std::vector<int> CandidateVertices(const Surface& surface, double greatest)
 {
   enum : char
   {
@@ -244,6 +315,8 @@ double GreatestWithVertices(const Surface& surface, const ClosestTriangleFinder&
     Candidate,
     TooNear
   };
+  // A little less, since distances are rounded: what comes close is measured.
+  const double within = (1 - 1e-9) * greatest;
   const TriangleList& triangles = surface.Triangles;
   std::vector<char> states(surface.Points.rows(), Unused);
   for (Eigen::Index triangle = 0; triangle < triangles.rows(); ++triangle)
@@ -254,54 +327,70 @@ double GreatestWithVertices(const Surface& surface, const ClosestTriangleFinder&
       { return surface.Points.row(triangles(triangle, (corner + which) % 3)); };
       const double toSample = ((point(1) - point(0)) + (point(2) - point(0))).squaredNorm() /
         (9.0 * surface.Patches.Divisions[triangle] * surface.Patches.Divisions[triangle]);
-      const double lacking =
-        (1 - 1e-9) * greatest - surface.Distances[surface.Patches.AtCorner(triangle, corner)];
+      const double lacking = within - surface.Distances[surface.Patches.AtCorner(triangle, corner)];
       char& state = states[triangles(triangle, corner)];
       state =
         state == TooNear || (lacking > 0 && lacking * lacking > toSample) ? TooNear : Candidate;
     }
   }
-  std::vector<double> distances;
-  distances.reserve(states.size()); // the packet refers to them
-  PacketOfSamples packet(other);
+  std::vector<int> candidates;
   for (std::size_t vertex = 0; vertex < states.size(); ++vertex)
   {
     if (states[vertex] == Candidate)
     {
-      packet.Add(surface.Points.row(static_cast<Eigen::Index>(vertex)), distances.emplace_back(0));
+      candidates.push_back(static_cast<int>(vertex));
     }
   }
-  packet.Measure();
+  return candidates;
+}
+
+// Raises the greatest distance to that of a vertex, if there is a greater one; false when stopped.
+bool RaiseToVertices(const Surface& surface, const ClosestTriangleFinder& other,
+  const ParallelFor& parallelFor, const Monitor& monitor, double& greatest)
+{
+  const std::vector<int> candidates = CandidateVertices(surface, greatest);
+  std::vector<double> distances(candidates.size());
+  const bool complete = ForInBlocks(candidates.size(), parallelFor, monitor,
+    [&](std::ptrdiff_t first, std::ptrdiff_t last)
+    {
+      PacketOfSamples packet(other);
+      for (std::ptrdiff_t candidate = first; candidate < last; ++candidate)
+      {
+        packet.Add(surface.Points.row(candidates[candidate]), distances[candidate]);
+      }
+      packet.Measure();
+    });
   for (const double distance : distances)
   {
     greatest = std::max(greatest, distance);
   }
-  return greatest;
+  return complete;
 }
 
-// One thread sums, in a fixed order: the bits do not depend on the number of threads.
-DirectedDistances Summarise(const Surface& surface, const ClosestTriangleFinder& other)
+// One surface after the other, each with its lists, which would need much memory at once. False
+// when stopped.
+bool MeasureDirected(Surface surface, const std::vector<int>& order,
+  const ClosestTriangleFinder& other, const ParallelFor& parallelFor, const Monitor& monitor,
+  DirectedDistances& result)
 {
-  DirectedDistances result;
-  std::vector<std::pair<double, double>> distancesAndAreas;
-  distancesAndAreas.reserve(surface.Distances.size());
-  for (Eigen::Index triangle = 0; triangle < surface.Triangles.rows(); ++triangle)
+  const auto share = [&monitor](double first, double last)
   {
-    const double area = surface.Patches.PatchAreas[triangle];
-    for (std::size_t sample = surface.Patches.Offsets[triangle];
-         sample < surface.Patches.Offsets[triangle + 1]; ++sample)
+    return PartOf(monitor, ShareOfSamples + (1 - ShareOfSamples) * first,
+      ShareOfSamples + (1 - ShareOfSamples) * last);
+  };
+  if (!MeasureSamples(surface, order, other, parallelFor, PartOf(monitor, 0, ShareOfSamples)))
+  {
+    return false;
+  }
+  {
+    std::vector<Part> parts;
+    if (!SumUp(surface, share(0, 0.2), result, parts) ||
+      !FindPercentile(parts, 0.95, result.Area, share(0.2, 0.5), result.Percentile95))
     {
-      const double distance = surface.Distances[sample];
-      distancesAndAreas.emplace_back(distance, area);
-      result.Area += area;
-      result.Sum += area * distance;
-      result.SumOfSquares += area * distance * distance;
-      result.Greatest = std::max(result.Greatest, distance);
+      return false;
     }
   }
-  result.Percentile95 = WeightedPercentile(distancesAndAreas, 0.95, result.Area);
-  result.Greatest = GreatestWithVertices(surface, other, result.Greatest);
-  return result;
+  return RaiseToVertices(surface, other, parallelFor, share(0.5, 1), result.Greatest);
 }
 
 } // namespace
@@ -341,15 +430,13 @@ SurfaceDistance MeasureSurfaceDistance(const PointList& firstPoints,
     { finders[surface].emplace(surfaces[surface].Points, surfaces[surface].Triangles); });
 
   SurfaceDistance result;
-  result.Complete = MeasureSamples(surfaces[0], finders[0]->GetOrder(), *finders[1], parallelFor,
-                      PartOf(monitor, 0, 0.5)) &&
-    MeasureSamples(surfaces[1], finders[1]->GetOrder(), *finders[0], parallelFor,
-      PartOf(monitor, 0.5, 1));
+  std::array<DirectedDistances, 2> directed;
+  result.Complete = MeasureDirected(std::move(surfaces[0]), finders[0]->GetOrder(), *finders[1],
+                      parallelFor, PartOf(monitor, 0, 0.5), directed[0]) &&
+    MeasureDirected(std::move(surfaces[1]), finders[1]->GetOrder(), *finders[0], parallelFor,
+      PartOf(monitor, 0.5, 1), directed[1]);
   if (result.Complete)
   {
-    std::array<DirectedDistances, 2> directed;
-    forBoth([&](std::ptrdiff_t surface)
-      { directed[surface] = Summarise(surfaces[surface], *finders[1 - surface]); });
     const auto& [there, back] = directed;
     const double area = there.Area + back.Area;
     result.Average = (there.Sum + back.Sum) / area;

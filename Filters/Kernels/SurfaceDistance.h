@@ -28,8 +28,9 @@ struct SurfaceDistance
 };
 
 /// Small triangles are sampled at their centroid, others on a lattice: neighbouring samples of one
-/// are at most sampleSpacing (mm) apart. Throws std::invalid_argument when a surface has no area or
-/// is not valid (RequireValidFaces), or the spacing is not positive.
+/// are at most sampleSpacing (mm) apart. Throws std::invalid_argument when a surface has no area,
+/// is not valid (RequireValidFaces), or would need more than a hundred million samples, or when the
+/// spacing is not positive.
 SurfaceDistance MeasureSurfaceDistance(const PointList& firstPoints,
   const TriangleList& firstTriangles, const PointList& secondPoints,
   const TriangleList& secondTriangles, double sampleSpacing = 1.0,

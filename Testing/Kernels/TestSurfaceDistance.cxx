@@ -146,43 +146,99 @@ TEST(ClosestTriangle, DistanceToATriangleIsTheLeastOverItsPoints)
   }
 }
 
+namespace
+{
+
+// The centroids of the patches that a triangle is cut into, as the header says.
+std::vector<Eigen::Vector3d> SamplesOf(const Eigen::Vector3d& a, const Eigen::Vector3d& b,
+  const Eigen::Vector3d& c, double spacing)
+{
+  double median = 0;
+  for (const Eigen::Vector3d& side : { Eigen::Vector3d(b + c - 2 * a),
+         Eigen::Vector3d(c + a - 2 * b), Eigen::Vector3d(a + b - 2 * c) })
+  {
+    median = std::max(median, side.norm() / 2);
+  }
+  const int n = std::max(1, static_cast<int>(std::ceil(2 * median / 3 / spacing)));
+  const auto node = [&](int i, int j) -> Eigen::Vector3d
+  { return a + (b - a) * i / n + (c - a) * j / n; };
+  std::vector<Eigen::Vector3d> samples;
+  for (int i = 0; i < n; ++i)
+  {
+    for (int j = 0; i + j < n; ++j)
+    {
+      samples.emplace_back((node(i, j) + node(i + 1, j) + node(i, j + 1)) / 3);
+      if (i + j + 1 < n)
+      {
+        samples.emplace_back((node(i + 1, j + 1) + node(i + 1, j) + node(i, j + 1)) / 3);
+      }
+    }
+  }
+  return samples;
+}
+
+void ExpectWhatBruteForceFinds(const std::array<Surface, 2>& surfaces, double spacing)
+{
+  double area = 0;
+  double sum = 0;
+  double sumOfSquares = 0;
+  double greatest = 0;
+  for (int side = 0; side < 2; ++side)
+  {
+    const Surface& surface = surfaces[side];
+    const auto distanceOf = [&other = surfaces[1 - side]](const Eigen::Vector3d& point)
+    { return std::sqrt(BruteForceSquaredDistance(point, other)); };
+    for (Eigen::Index triangle = 0; triangle < surface.Triangles.rows(); ++triangle)
+    {
+      const Eigen::Vector3d a = surface.Points.row(surface.Triangles(triangle, 0));
+      const Eigen::Vector3d b = surface.Points.row(surface.Triangles(triangle, 1));
+      const Eigen::Vector3d c = surface.Points.row(surface.Triangles(triangle, 2));
+      const std::vector<Eigen::Vector3d> samples = SamplesOf(a, b, c, spacing);
+      const double patch = (b - a).cross(c - a).norm() / 2 / static_cast<double>(samples.size());
+      for (const Eigen::Vector3d& sample : samples)
+      {
+        const double distance = distanceOf(sample);
+        area += patch;
+        sum += patch * distance;
+        sumOfSquares += patch * distance * distance;
+        greatest = std::max(greatest, distance);
+      }
+      for (const Eigen::Vector3d& vertex : { a, b, c })
+      {
+        greatest = std::max(greatest, distanceOf(vertex));
+      }
+    }
+  }
+  const SurfaceDistance distance = Measure(surfaces[0], surfaces[1], spacing);
+  EXPECT_NEAR(distance.Average, sum / area, 1e-11);
+  EXPECT_NEAR(distance.RootMeanSquare, std::sqrt(sumOfSquares / area), 1e-11);
+  EXPECT_NEAR(distance.Hausdorff, greatest, 1e-12);
+}
+
+} // namespace
+
 // One sample per triangle, its centroid; the greatest distance is that of all vertices too, not
 // only of those that it cannot do without.
 TEST(SurfaceDistance, IsWhatBruteForceFinds)
 {
   for (const double radius : { 8.0, 10.0, 14.0 })
   {
-    const std::array<Surface, 2> surfaces{ { Potato(7, { 1, 2, 3 }, 10),
-      Sphere(6, { 2, 2, 2 }, radius) } };
-    double area = 0;
-    double sum = 0;
-    double sumOfSquares = 0;
-    double greatest = 0;
-    for (int side = 0; side < 2; ++side)
+    ExpectWhatBruteForceFinds({ { Potato(7, { 1, 2, 3 }, 10), Sphere(6, { 2, 2, 2 }, radius) } },
+      100);
+  }
+}
+
+// Many samples per triangle, of which those in its corners tell which vertices may be the farthest.
+TEST(SurfaceDistance, OfManySamplesIsWhatBruteForceFinds)
+{
+  for (const double radius : { 2.5, 3.0, 4.2 })
+  {
+    for (const double spacing : { 0.5, 0.1 })
     {
-      const Surface& surface = surfaces[side];
-      const Surface& other = surfaces[1 - side];
-      for (Eigen::Index triangle = 0; triangle < surface.Triangles.rows(); ++triangle)
-      {
-        const Eigen::Vector3d a = surface.Points.row(surface.Triangles(triangle, 0));
-        const Eigen::Vector3d b = surface.Points.row(surface.Triangles(triangle, 1));
-        const Eigen::Vector3d c = surface.Points.row(surface.Triangles(triangle, 2));
-        const double patch = (b - a).cross(c - a).norm() / 2;
-        const double distance = std::sqrt(BruteForceSquaredDistance((a + b + c) / 3, other));
-        area += patch;
-        sum += patch * distance;
-        sumOfSquares += patch * distance * distance;
-        for (const Eigen::Vector3d& point : { a, b, c })
-        {
-          greatest =
-            std::max({ greatest, distance, std::sqrt(BruteForceSquaredDistance(point, other)) });
-        }
-      }
+      SCOPED_TRACE(testing::Message() << "radius " << radius << ", spacing " << spacing);
+      ExpectWhatBruteForceFinds(
+        { { Potato(4, { 1, 2, 3 }, 3), Sphere(3, { 1.3, 2, 2.7 }, radius) } }, spacing);
     }
-    const SurfaceDistance distance = Measure(surfaces[0], surfaces[1], 100);
-    EXPECT_NEAR(distance.Average, sum / area, 1e-12);
-    EXPECT_NEAR(distance.RootMeanSquare, std::sqrt(sumOfSquares / area), 1e-12);
-    EXPECT_NEAR(distance.Hausdorff, greatest, 1e-12);
   }
 }
 
@@ -371,6 +427,69 @@ TEST(SurfaceDistance, ThreadsAndTheMonitor)
   const SurfaceDistance stopped = MeasureSurfaceDistance(first.Points, first.Triangles,
     second.Points, second.Triangles, 1, SerialFor, [](double) { return false; });
   EXPECT_FALSE(stopped.Complete);
+}
+
+// A block is a number of samples, however few triangles they are on.
+TEST(SurfaceDistance, AsksTheMonitorWithinATriangle)
+{
+  const Surface box = Box({ 0, 0, 0 }, { 20, 20, 20 });
+  const Surface other = Box({ 1, 1, 1 }, { 19, 19, 19 });
+  const double spacing = 0.08;
+  int asked = 0;
+  const Monitor count = [&asked](double)
+  {
+    ++asked;
+    return true;
+  };
+  const SurfaceDistance distance = MeasureSurfaceDistance(box.Points, box.Triangles, other.Points,
+    other.Triangles, spacing, ScatteredFor, count);
+  // Patches have sides of about the spacing.
+  EXPECT_GT(asked, 6 * (20 * 20 + 18 * 18) / (spacing * spacing) / (1 << 14));
+  const SurfaceDistance serial = Measure(box, other, spacing);
+  EXPECT_EQ(distance.Average, serial.Average);
+  EXPECT_EQ(distance.RootMeanSquare, serial.RootMeanSquare);
+  EXPECT_EQ(distance.Hausdorff95, serial.Hausdorff95);
+  EXPECT_EQ(distance.Hausdorff, serial.Hausdorff);
+}
+
+TEST(SurfaceDistance, StopsWheneverTheMonitorSaysSo)
+{
+  const Surface potato = Potato(9, { 0, 0, 0 }, 20);
+  const Surface sphere = Sphere(9, { 2, 1, 0 }, 21);
+  bool isComplete = false;
+  int last = 0;
+  for (; !isComplete; ++last)
+  {
+    int asked = 0;
+    isComplete = MeasureSurfaceDistance(potato.Points, potato.Triangles, sphere.Points,
+      sphere.Triangles, 1, SerialFor,
+      [&](double) {
+        return asked++ < last;
+      }).Complete;
+    EXPECT_EQ(asked, isComplete ? last : last + 1);
+  }
+  EXPECT_GT(last, 20); // not between samples alone
+}
+
+// Where surfaces coincide, no vertex can be left out: measuring them takes as long as the samples.
+TEST(SurfaceDistance, OfASurfaceToItselfStopsNearTheEnd)
+{
+  const Surface sphere = Sphere(60, { 0, 0, 0 }, 20);
+  ASSERT_GT(sphere.Points.rows(), 1 << 14);
+  for (const double stop : { 0.455, 0.48, 0.955, 0.98 })
+  {
+    double last = 0;
+    const SurfaceDistance distance = MeasureSurfaceDistance(sphere.Points, sphere.Triangles,
+      sphere.Points, sphere.Triangles, 1, SerialFor,
+      [&](double fraction)
+      {
+        last = fraction;
+        return fraction < stop;
+      });
+    EXPECT_FALSE(distance.Complete);
+    EXPECT_GE(last, stop);
+    EXPECT_LT(last, stop + 0.02);
+  }
 }
 
 TEST(SurfaceDistance, RefusesBadInput)
