@@ -1,10 +1,12 @@
 #include "SurfaceVoxelisation.h"
 
+#include "MessageText.h"
 #include "SurfaceTopology.h"
 
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <string>
 #include <utility>
 
 namespace FlipFree
@@ -42,6 +44,27 @@ PointList IndexCoordinates(const PointList& points, const ImageGeometry& geometr
   }
   const Eigen::Matrix3d toIndex = toPhysical.inverse();
   return (points.rowwise() - geometry.Origin.transpose()) * toIndex.transpose();
+}
+
+// Throws where a point of the surface lies so far from the image that no double tells one voxel
+// there from the next, and differences overflow. Other points do not matter.
+void RequireNear(const PointList& index, const PointList& points, const TriangleList& triangles)
+{
+  constexpr double farthest = 1e15;
+  if ((index.array().abs() <= farthest).all())
+  {
+    return;
+  }
+  for (Eigen::Index corner = 0; corner < triangles.size(); ++corner)
+  {
+    const int point = triangles.data()[corner];
+    if (!(index.row(point).array().abs() <= farthest).all())
+    {
+      throw std::invalid_argument("point " + std::to_string(point) + " of the surface, at " +
+        TextOf(points.row(point)) +
+        " mm, lies more than 1e15 voxels away from the image; remove or repair it");
+    }
+  }
 }
 
 // For each plane of voxels, the triangles that it cuts.
@@ -165,6 +188,7 @@ std::vector<VoxelRun> VoxeliseSurface(const PointList& points, const TriangleLis
   RequireValidFaces(points, FacesOf(triangles), "the surface");
   RequireClosed(static_cast<int>(points.rows()), triangles, "the surface");
   const PointList index = IndexCoordinates(points, geometry);
+  RequireNear(index, points, triangles);
   const int numberOfPlanes = geometry.Dimensions[2];
   const PlaneTriangles planes(index, triangles, numberOfPlanes);
   if (!monitor(0.5))

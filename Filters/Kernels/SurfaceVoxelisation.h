@@ -33,7 +33,8 @@ struct VoxelRun
 /// The voxels of the image inside the surface, as maximal runs ordered by K, J, Begin: memory
 /// follows the organ's surface, not the image. Empty when the surface holds no voxel centre, or
 /// when the monitor stops it. Throws std::invalid_argument when the surface is not closed and
-/// consistently oriented (either way round), a point is not finite, or the geometry is singular.
+/// consistently oriented (either way round), a point is not finite or lies more than 1e15 voxels
+/// away from the image, or the geometry is singular.
 std::vector<VoxelRun> VoxeliseSurface(const PointList& points, const TriangleList& triangles,
   const ImageGeometry& geometry, const ParallelFor& parallelFor = SerialFor,
   const Monitor& monitor = NeverStop);

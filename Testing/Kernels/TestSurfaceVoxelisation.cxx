@@ -205,6 +205,26 @@ TEST(SurfaceVoxelisation, ThreadsAndTheMonitor)
     }).empty());
 }
 
+// Finite, but in the image's frame not, or so far that differences overflow.
+TEST(SurfaceVoxelisation, RefusesPointsBeyondAnyImage)
+{
+  ImageGeometry grid;
+  grid.Dimensions = { { 5, 5, 5 } };
+  grid.Direction = Eigen::AngleAxisd(std::atan(1.0), Eigen::Vector3d::UnitX()).toRotationMatrix();
+  for (const double far : { 1.6e308, -1.6e308, 1e200, 1e16 })
+  {
+    Surface box = Box({ 1, 1, 1 }, { 3, 3, 3 });
+    box.Points.row(6) << 0, far, far;
+    const std::string error = ErrorOf([&] { VoxeliseSurface(box.Points, box.Triangles, grid); });
+    EXPECT_EQ(error.find("point 6 of the surface, at (0, "), 0U) << error;
+    // It does not matter where no triangle uses it.
+    Surface whole = Box({ 1, 1, 1 }, { 3, 3, 3 });
+    whole.Points.conservativeResize(9, 3);
+    whole.Points.row(8) = box.Points.row(6);
+    EXPECT_FALSE(VoxeliseSurface(whole.Points, whole.Triangles, grid).empty());
+  }
+}
+
 TEST(SurfaceVoxelisation, RefusesBadInput)
 {
   const Surface box = Box({ 1, 1, 1 }, { 3, 3, 3 });
