@@ -1,7 +1,6 @@
 #include "BitMask.h"
 
 #include <algorithm>
-#include <bitset>
 
 namespace FlipFree
 {
@@ -61,7 +60,7 @@ std::size_t BitMask::Count() const
   std::size_t count = 0;
   for (Word word : this->Words)
   {
-    count += std::bitset<BitsOfWord>(word).count();
+    count += CountBits(word);
   }
   return count;
 }

@@ -19,6 +19,8 @@ class BitMask
 public:
   using Word = std::uint64_t;
   static constexpr int BitsOfWord = 64;
+  /// How many of a word's bits are set.
+  static std::size_t CountBits(Word word) { return std::bitset<BitsOfWord>(word).count(); }
 
   BitMask() = default;
   /// No voxel is in the set.
@@ -128,7 +130,7 @@ private:
 #if defined(__GNUC__)
     return __builtin_ctzll(bits);
 #else
-    return static_cast<int>(std::bitset<BitsOfWord>((bits & (0 - bits)) - 1).count());
+    return static_cast<int>(CountBits((bits & (0 - bits)) - 1));
 #endif
   }
 

@@ -3,7 +3,6 @@
 #include "MessageText.h"
 
 #include <atomic>
-#include <bitset>
 #include <stdexcept>
 
 namespace FlipFree
@@ -66,8 +65,6 @@ VoxelOverlap MeasureOverlap(const BitMask& segmentation, const BitMask& referenc
   std::atomic<std::size_t> inSegmentation{ 0 };
   std::atomic<std::size_t> inReference{ 0 };
   std::atomic<std::size_t> inBoth{ 0 };
-  const auto count = [](BitMask::Word word)
-  { return std::bitset<BitMask::BitsOfWord>(word).count(); };
   parallelFor(0, static_cast<std::ptrdiff_t>(reference.GetWords().size()),
     [&](std::ptrdiff_t first, std::ptrdiff_t last)
     {
@@ -78,9 +75,9 @@ VoxelOverlap MeasureOverlap(const BitMask& segmentation, const BitMask& referenc
         const BitMask::Word b = reference.GetWords()[word];
         if ((a | b) != 0) // as few are
         {
-          part.Segmentation += count(a);
-          part.Reference += count(b);
-          part.Intersection += count(a & b);
+          part.Segmentation += BitMask::CountBits(a);
+          part.Reference += BitMask::CountBits(b);
+          part.Intersection += BitMask::CountBits(a & b);
         }
       }
       inSegmentation += part.Segmentation;
@@ -91,7 +88,7 @@ VoxelOverlap MeasureOverlap(const BitMask& segmentation, const BitMask& referenc
   {
     throw std::invalid_argument(
       std::string(inReference == 0 ? "the reference" : "the segmentation") +
-      " is empty: none of its voxels has the label asked for; check the label value");
+      " is empty: no voxel is inside; check that it is the label map that was meant");
   }
   return { inSegmentation, inReference, inBoth };
 }
