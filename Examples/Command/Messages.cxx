@@ -179,9 +179,9 @@ std::string WithOptionNames(std::string text)
     { "ForegroundMass", "--foreground-mass" }, { "NoiseWidening", "--noise-widening" },
     { "SearchDistance", "--search-distance" }, { "MaximumDisplacement", "--maximum-displacement" },
     { "raise Reach", "raise --reach" }, { "lower Levels", "lower --levels" },
-    { " (port 1) has the labels", " has the labels" },
-    { "SegmentationLabel", "--segmentation-label" }, { "ReferenceLabel", "--reference-label" },
-    { "lower SeedRadius", "lower --radius" }, { "move SeedCenter", "move --seed" } };
+    { " (port 1) has the ", " has the " }, { "SegmentationLabel", "--segmentation-label" },
+    { "ReferenceLabel", "--reference-label" }, { "lower SeedRadius", "lower --radius" },
+    { "move SeedCenter", "move --seed" } };
   for (const auto& name : names)
   {
     text = Replaced(text, name.first, name.second);

@@ -18,7 +18,10 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <cstdint>
 #include <cstdlib>
+#include <iterator>
+#include <limits>
 #include <mutex>
 #include <new>
 #include <set>
@@ -108,10 +111,68 @@ inline BitMask MaskOf(vtkImageData* image, int label, const std::string& name)
   return mask;
 }
 
-/// The labels other than 0, ascending, of an image that has passed MaskOf().
-inline std::set<double> LabelsOf(vtkImageData* image)
+/// The lowest few of the values inserted, however many there are: the same in whatever order, and
+/// through whatever parts, they get here.
+class LowestValues
 {
-  std::set<double> labels;
+public:
+  explicit LowestValues(std::size_t most)
+    : Most(most)
+  {
+  }
+  void Insert(double value)
+  {
+    if (this->Values.size() == this->Most && value > *this->Values.rbegin())
+    {
+      this->More = true;
+      return;
+    }
+    this->Values.insert(value);
+    if (this->Values.size() > this->Most)
+    {
+      this->Values.erase(std::prev(this->Values.end()));
+      this->More = true;
+    }
+  }
+  void Insert(const LowestValues& others)
+  {
+    for (const double value : others.Values)
+    {
+      this->Insert(value);
+    }
+    this->More = this->More || others.More;
+  }
+
+  const std::set<double>& Get() const { return this->Values; } ///< ascending
+  bool AreThereMore() const { return this->More; }
+
+private:
+  std::set<double> Values;
+  std::size_t Most;
+  bool More = false;
+};
+
+/// The values of a label map's voxels. Those that can be asked for are apart from others, of which
+/// an image that is no label map, a scan or a map of probabilities, has many.
+struct LabelValues
+{
+  LowestValues Labels{ 20 }; ///< whole numbers from 1 to the greatest int
+  LowestValues Others{ 3 };  ///< neither such a number nor 0
+
+  void Insert(double value)
+  {
+    const bool isLabel =
+      value >= 1 && value <= std::numeric_limits<int>::max() && value == std::floor(value);
+    (isLabel ? this->Labels : this->Others).Insert(value);
+  }
+  /// Whether there are two values or more besides 0.
+  bool AreSeveral() const { return this->Labels.Get().size() + this->Others.Get().size() > 1; }
+};
+
+/// Of an image that has passed MaskOf().
+inline LabelValues LabelsOf(vtkImageData* image)
+{
+  LabelValues labels;
   std::mutex mutex;
   vtkDataArray* scalars = image->GetPointData()->GetScalars();
   const auto collect = [&](const auto* values)
@@ -120,18 +181,19 @@ inline std::set<double> LabelsOf(vtkImageData* image)
     SMPFor(0, scalars->GetNumberOfTuples(),
       [&](std::ptrdiff_t first, std::ptrdiff_t last)
       {
-        std::set<double> found;
+        LabelValues found;
         Value latest = 0; // neighbours mostly have the same
         for (std::ptrdiff_t voxel = first; voxel < last; ++voxel)
         {
           if (values[voxel] != latest && values[voxel] != Value(0))
           {
             latest = values[voxel];
-            found.insert(static_cast<double>(latest));
+            found.Insert(static_cast<double>(latest));
           }
         }
         const std::lock_guard<std::mutex> lock(mutex);
-        labels.insert(found.begin(), found.end());
+        labels.Labels.Insert(found.Labels);
+        labels.Others.Insert(found.Others);
       });
   };
   switch (scalars->GetDataType())
@@ -143,20 +205,23 @@ inline std::set<double> LabelsOf(vtkImageData* image)
   return labels;
 }
 
-/// "1, 2, 6", and of many the first twenty.
-inline std::string TextOf(const std::set<double>& labels)
+/// "1, 2, 6", with "and more" behind where there are. Whole numbers have all their digits.
+inline std::string TextOf(const LowestValues& values)
 {
-  constexpr std::size_t most = 20;
   std::ostringstream text;
-  std::size_t count = 0;
-  for (auto label = labels.begin(); label != labels.end() && count < most; ++label, ++count)
+  for (const double value : values.Get())
   {
-    text << (count > 0 ? ", " : "") << *label;
+    text << (value == *values.Get().begin() ? "" : ", ");
+    if (value == std::floor(value) && std::abs(value) < 1e15)
+    {
+      text << static_cast<std::int64_t>(value);
+    }
+    else
+    {
+      text << value;
+    }
   }
-  if (labels.size() > most)
-  {
-    text << " and " << labels.size() - most << " more";
-  }
+  text << (values.AreThereMore() ? " and more" : "");
   return text.str();
 }
 

@@ -18,7 +18,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <set>
 #include <stdexcept>
 #include <string>
 
@@ -54,10 +53,22 @@ void RequireLabel(const FlipFree::BitMask& mask, vtkImageData* image, const std:
   {
     return;
   }
-  const std::set<double> labels = FlipFree::LabelsOf(image);
-  throw std::invalid_argument(name + " is empty: no voxel has the label " + std::to_string(label) +
-    (labels.empty() ? ", all are 0"
-                    : "; set " + property + " to one of " + FlipFree::TextOf(labels)));
+  const FlipFree::LabelValues values = FlipFree::LabelsOf(image);
+  const std::string labels = FlipFree::TextOf(values.Labels);
+  const std::string others = FlipFree::TextOf(values.Others);
+  std::string message = name + " is empty: no voxel has the label " + std::to_string(label);
+  if (!labels.empty())
+  {
+    message += "; set " + property + " to one of " + labels +
+      (others.empty() ? "" : ", if it is a label map: it holds " + others + ", too");
+  }
+  else
+  {
+    message += others.empty() ? ", all are 0"
+                              : "; it is no label map: it holds " + others +
+        ", where a label map holds whole numbers from 0 up";
+  }
+  throw std::invalid_argument(message);
 }
 
 double Millilitres(std::size_t numberOfVoxels, const FlipFree::ImageGeometry& geometry)
@@ -145,15 +156,28 @@ void vtkSegmentationMetrics::WarnOfLabels(vtkDataObject* input, vtkImageData* re
     return;
   }
   // Mostly there is but one, and the segmentation need not be looked through.
-  const std::set<double> labels = FlipFree::LabelsOf(reference);
+  const FlipFree::LabelValues values = FlipFree::LabelsOf(reference);
   vtkImageData* segmentation = vtkImageData::SafeDownCast(input);
-  if (labels.size() > 1 &&
-    !(segmentation && this->SegmentationLabel < 0 && FlipFree::LabelsOf(segmentation).size() > 1))
+  if (!values.AreSeveral() ||
+    (segmentation && this->SegmentationLabel < 0 && FlipFree::LabelsOf(segmentation).AreSeveral()))
+  {
+    return;
+  }
+  const std::string labels = FlipFree::TextOf(values.Labels);
+  const std::string others = FlipFree::TextOf(values.Others);
+  if (others.empty())
   {
     vtkWarningMacro("The reference (port 1) has the labels "
-      << FlipFree::TextOf(labels)
+      << labels
       << ", the segmentation but one organ: it is compared with all of them together; to compare "
          "it with one, set ReferenceLabel.");
+  }
+  else
+  {
+    vtkWarningMacro("The reference (port 1) has the values "
+      << others
+      << ", which no label map has: all that are not 0 count as inside; give it a label map"
+      << (labels.empty() ? "" : ", or set ReferenceLabel to one of " + labels) << ".");
   }
 }
 
@@ -177,8 +201,8 @@ bool vtkSegmentationMetrics::Measure(vtkDataObject* input, vtkImageData* referen
     RequireLabel(segmentation, labels, "the segmentation", "SegmentationLabel",
       this->SegmentationLabel);
   }
-  this->WarnOfLabels(input, referenceImage);
   const VoxelOverlap overlap = MeasureOverlap(segmentation, reference, SMPFor);
+  this->WarnOfLabels(input, referenceImage); // after the errors: one of them is enough
   this->Dice = overlap.Dice();
   this->Jaccard = overlap.Jaccard();
   this->RelativeVolumeDifference = overlap.RelativeVolumeDifference();

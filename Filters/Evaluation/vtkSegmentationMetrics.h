@@ -35,8 +35,9 @@
  * Errors, with an empty table and measures that are not a number: an empty mask on either port,
  * label maps of different geometry, a label map without scalars, with several components, of bits,
  * or with a spacing that is not positive, a surface that is empty, open or not finite, or encloses
- * no voxel centre of the reference. A warning, with measures all the same: a reference of several
- * labels of which none was chosen, while the segmentation has but one.
+ * no voxel centre of the reference, a surface that would need more than a hundred million samples
+ * (raise SampleSpacing). A warning, with measures all the same: a reference of several labels, or
+ * of values that no label map has, of which none was chosen, while the segmentation has but one.
  *
  * Definitions: L. Maier-Hein et al., Metrics reloaded, Nature Methods 21 (2024), but with
  * area-weighted samples instead of boundary voxels.

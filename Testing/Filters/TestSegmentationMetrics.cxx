@@ -107,7 +107,7 @@ TEST(MaskOf, IsThatOfComparingNumbersInAnyType)
          VTK_UNSIGNED_SHORT, VTK_INT, VTK_UNSIGNED_INT, VTK_LONG_LONG, VTK_FLOAT, VTK_DOUBLE })
   {
     vtkNew<vtkImageData> image;
-    image->SetDimensions(37, 11, 5);
+    image->SetDimensions(137, 11, 5); // two whole words to a row, and a part of one
     image->AllocateScalars(type, 1);
     vtkDataArray* scalars = image->GetPointData()->GetScalars();
     for (vtkIdType voxel = 0; voxel < image->GetNumberOfPoints(); ++voxel)
@@ -131,6 +131,92 @@ TEST(MaskOf, IsThatOfComparingNumbersInAnyType)
       }
     }
   }
+}
+
+namespace
+{
+
+// Calls body with VTK's threads as each of its backends makes them.
+template <typename Body>
+void WithEachBackend(const Body& body)
+{
+  for (const char* backend : { "Sequential", "STDThread", "TBB" })
+  {
+    SCOPED_TRACE(backend);
+    vtkSMPTools::LocalScope(vtkSMPTools::Config{ 2, backend, false }, body);
+  }
+}
+
+// As the first voxels of the slices, one each in turn; the others are 0.
+vtkSmartPointer<vtkImageData> ImageOfValues(int type, const std::vector<double>& values)
+{
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(20, 20, 40);
+  image->AllocateScalars(type, 1);
+  vtkDataArray* scalars = image->GetPointData()->GetScalars();
+  scalars->Fill(0);
+  for (std::size_t place = 0; place < values.size(); ++place)
+  {
+    scalars->SetTuple1(static_cast<vtkIdType>(400 * (place % 40) + 2 * (place / 40)),
+      values[place]);
+  }
+  return image;
+}
+
+std::vector<double> Downwards(double from, double to)
+{
+  std::vector<double> values;
+  for (double value = from; value >= to; --value)
+  {
+    values.push_back(value);
+  }
+  return values;
+}
+
+} // namespace
+
+TEST(LabelsOf, AreTheLowestOfAllSlices)
+{
+  const auto labelsOf = [](const std::vector<double>& values)
+  { return TextOf(LabelsOf(ImageOfValues(VTK_SHORT, values)).Labels); };
+  const std::string twenty =
+    "1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20";
+  WithEachBackend(
+    [&]
+    {
+      EXPECT_EQ(labelsOf({}), "");
+      EXPECT_EQ(labelsOf({ 6, 2, 6, 2, 1 }), "1, 2, 6");
+      EXPECT_EQ(labelsOf(Downwards(20, 1)), twenty);
+      EXPECT_EQ(labelsOf(Downwards(21, 1)), twenty + " and more");
+      EXPECT_EQ(labelsOf(Downwards(300, 1)), twenty + " and more");
+    });
+}
+
+TEST(LabelsOf, AreWholeNumbersFromOneWithAllTheirDigits)
+{
+  const LabelValues values = LabelsOf(
+    ImageOfValues(VTK_DOUBLE, { 614454277, 0.5, 312782546, -5, 2147483647, 3e9, 312782546 }));
+  EXPECT_EQ(TextOf(values.Labels), "312782546, 614454277, 2147483647");
+  EXPECT_EQ(TextOf(values.Others), "-5, 0.5, 3000000000");
+  EXPECT_TRUE(values.AreSeveral());
+  EXPECT_FALSE(LabelsOf(ImageOfValues(VTK_DOUBLE, { -5, -5 })).AreSeveral());
+  EXPECT_TRUE(LabelsOf(ImageOfValues(VTK_DOUBLE, { -5, 7 })).AreSeveral());
+}
+
+TEST(LabelsOf, AreFewWhereEveryVoxelHasItsOwn)
+{
+  std::vector<double> values;
+  for (int step = 8000; step > 0; --step)
+  {
+    values.push_back(step / 8000.0);
+  }
+  WithEachBackend(
+    [&]
+    {
+      const LabelValues found = LabelsOf(ImageOfValues(VTK_DOUBLE, values));
+      EXPECT_EQ(TextOf(found.Labels), "1");
+      EXPECT_EQ(TextOf(found.Others), "0.000125, 0.00025, 0.000375 and more");
+    });
 }
 
 TEST(SegmentationMetrics, AgreesWithItselfPerfectly)
@@ -369,6 +455,20 @@ TEST(SegmentationMetrics, MoveOnToImagesOfAnotherSize)
   }
 }
 
+namespace
+{
+
+void CollectWarnings(vtkObject* object, std::vector<std::string>& warnings)
+{
+  vtkNew<vtkCallbackCommand> collect;
+  collect->SetClientData(&warnings);
+  collect->SetCallback([](vtkObject*, unsigned long, void* client, void* text)
+    { static_cast<std::vector<std::string>*>(client)->emplace_back(static_cast<char*>(text)); });
+  object->AddObserver(vtkCommand::WarningEvent, collect);
+}
+
+} // namespace
+
 TEST(SegmentationMetrics, WarnOfAReferenceOfSeveralLabels)
 {
   const auto one = LabelMapOf(Sphere(6, Center, 9), Grid());
@@ -379,16 +479,12 @@ TEST(SegmentationMetrics, WarnOfAReferenceOfSeveralLabels)
   }
   vtkNew<vtkSegmentationMetrics> metrics;
   std::vector<std::string> warnings;
-  vtkNew<vtkCallbackCommand> collect;
-  collect->SetClientData(&warnings);
-  collect->SetCallback([](vtkObject*, unsigned long, void* client, void* text)
-    { static_cast<std::vector<std::string>*>(client)->emplace_back(static_cast<char*>(text)); });
-  metrics->AddObserver(vtkCommand::WarningEvent, collect);
+  CollectWarnings(metrics, warnings);
   metrics->SetInputData(one);
   metrics->SetReferenceData(several);
   metrics->Update();
   ASSERT_EQ(warnings.size(), 1U);
-  for (const char* part : { "labels 1, 2, 3, ", ", 20 and 9 more", "set ReferenceLabel" })
+  for (const char* part : { "labels 1, 2, 3, ", ", 20 and more", "set ReferenceLabel" })
   {
     EXPECT_NE(warnings[0].find(part), std::string::npos) << warnings[0];
   }
@@ -400,6 +496,25 @@ TEST(SegmentationMetrics, WarnOfAReferenceOfSeveralLabels)
   metrics->SetReferenceData(one);
   metrics->Update();
   EXPECT_EQ(warnings.size(), 1U);
+}
+
+TEST(SegmentationMetrics, WarnOfAReferenceThatIsNoLabelMap)
+{
+  const auto one = LabelMapOf(Sphere(6, Center, 9), Grid());
+  const auto scan = LabelMapOf(Sphere(6, Center, 10), Grid(), -1000);
+  scan->GetPointData()->GetScalars()->SetComponent(5, 0, 40);
+  vtkNew<vtkSegmentationMetrics> metrics;
+  std::vector<std::string> warnings;
+  CollectWarnings(metrics, warnings);
+  metrics->SetInputData(one);
+  metrics->SetReferenceData(scan);
+  metrics->Update();
+  ASSERT_EQ(warnings.size(), 1U);
+  EXPECT_NE(warnings[0].find(
+              "the values -1000, which no label map has: all that are not 0 count as "
+              "inside; give it a label map, or set ReferenceLabel to one of 40."),
+    std::string::npos)
+    << warnings[0];
 }
 
 class SegmentationMetricsRefuse : public testing::Test
@@ -440,6 +555,37 @@ TEST_F(SegmentationMetricsRefuse, EmptyMasks)
   this->Metrics->SetSegmentationLabel(1);
   this->Metrics->Update();
   EXPECT_GT(this->Metrics->GetDice(), 0.8);
+  this->Metrics->SetSegmentationLabel(-1);
+  this->Segmentation->GetPointData()->GetScalars()->Fill(0);
+  this->Segmentation->Modified();
+  this->ExpectError(this->Segmentation, this->Reference,
+    "the segmentation is empty: no voxel is inside; ");
+}
+
+TEST_F(SegmentationMetricsRefuse, LabelsOfWhatIsNoLabelMap)
+{
+  this->Metrics->SetReferenceLabel(9);
+  const std::string none = "the reference is empty: no voxel has the label 9";
+  vtkDataArray* voxels = this->Reference->GetPointData()->GetScalars();
+  voxels->Fill(0);
+  this->ExpectError(this->Segmentation, this->Reference, none + ", all are 0");
+  voxels->Fill(-1000);
+  voxels->SetComponent(7, 0, -990);
+  this->ExpectError(this->Segmentation, this->Reference,
+    none + "; it is no label map: it holds -1000, -990, where a label map holds whole numbers");
+  voxels->SetComponent(8, 0, 40);
+  this->ExpectError(this->Segmentation, this->Reference,
+    none + "; set ReferenceLabel to one of 40, if it is a label map: it holds -1000, -990, too");
+}
+
+TEST_F(SegmentationMetricsRefuse, OtherGeometriesWithoutAWarning)
+{
+  std::vector<std::string> warnings;
+  CollectWarnings(this->Metrics, warnings);
+  this->Reference->GetPointData()->GetScalars()->SetComponent(0, 0, 2);
+  this->Segmentation->SetOrigin(0, 0, 0);
+  this->ExpectError(this->Segmentation, this->Reference, "origins");
+  EXPECT_TRUE(warnings.empty()) << warnings[0];
 }
 
 TEST_F(SegmentationMetricsRefuse, OtherGeometriesNamingThePorts)
