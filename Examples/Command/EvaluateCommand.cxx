@@ -95,7 +95,8 @@ void Measure(vtkSegmentationMetrics* metrics, const Evaluation& evaluation)
   }
   catch (const Failure& failure)
   {
-    std::string message = failure.what();
+    // The files' names last: they may hold what is replaced.
+    std::string message = WithOptionNames(failure.what());
     for (const char* port : { "the segmentation (port 0)", "the segmentation on port 0" })
     {
       message = Replaced(message, port, "'" + evaluation.Segmentation + "'");
@@ -104,7 +105,7 @@ void Measure(vtkSegmentationMetrics* metrics, const Evaluation& evaluation)
     {
       message = Replaced(message, port, "'" + evaluation.Reference + "'");
     }
-    throw Failure(WithOptionNames(message));
+    throw Failure(message);
   }
 }
 

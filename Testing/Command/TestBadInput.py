@@ -181,6 +181,14 @@ class TestBadInput(command.CommandTest):
             with self.subTest(arguments=arguments):
                 process = command.run("evaluate", *arguments, "--csv", self.result("out.csv"))
                 self.assert_refused(process, 1, *patterns)
+        # Named as the filter's properties are, and still named as they are.
+        for name in ("SegmentationLabel.nii.gz", "ReferenceLabel.nii.gz"):
+            path = os.path.join(other, name)
+            shutil.copy(cube, path)
+            process = command.run("evaluate", path, self.truth)
+            self.assert_refused(process, 1, "'" + path + "'")
+            process = command.run("evaluate", self.truth, path)
+            self.assert_refused(process, 1, "'" + path + "'")
         process = command.run("evaluate", self.truth, self.truth, "--csv", self.result("out.txt"))
         self.assert_refused(process, 2, "--csv")
 
