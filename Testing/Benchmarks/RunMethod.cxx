@@ -7,11 +7,15 @@
 //
 // Prints the number of iterations, the seconds of reading, those of the segmentation, and the
 // greatest memory so far in MB. Ends with 1 if the method found nothing, and with 2 if that is not
-// the method's fault: an image that cannot be read, results that cannot be written.
+// the method's fault: an image that cannot be read, a seed outside it, memory that does not
+// suffice, results that cannot be written.
 #include "CaseList.h"
 
 #include "vtkBaselineSegmentation.h"
+#include "vtkCallbackCommand.h"
 #include "vtkDelimitedTextWriter.h"
+#include "vtkErrorCode.h"
+#include "vtkExecutive.h"
 #include "vtkFlipFreeSegmentation.h"
 #include "vtkGVFSnake.h"
 #include "vtkGraphCutSegmentation.h"
@@ -138,7 +142,8 @@ void Write(vtkDataObject* result, const std::string& file)
   vtkNew<TWriter> writer;
   writer->SetInputDataObject(result);
   writer->SetFileName(file.c_str());
-  if (writer->Write() == 0)
+  // The writers of VTK's own formats return 1 whatever happened.
+  if (writer->Write() == 0 || writer->GetErrorCode() != vtkErrorCode::NoError)
   {
     throw std::runtime_error(
       file + " cannot be written; is there room, and a folder of that name?");
@@ -161,6 +166,38 @@ void WriteResults(vtkAlgorithm* filter, const Options& options)
   }
 }
 
+// Updates, prints the errors that the filter and its executive report, and returns them.
+std::vector<std::string> ErrorsOfUpdate(vtkAlgorithm* filter)
+{
+  std::vector<std::string> errors;
+  vtkNew<vtkCallbackCommand> collect;
+  collect->SetClientData(&errors);
+  collect->SetCallback(
+    [](vtkObject*, unsigned long, void* client, void* message)
+    {
+      static_cast<std::vector<std::string>*>(client)->emplace_back(
+        static_cast<const char*>(message));
+      std::fputs(static_cast<const char*>(message), stderr);
+    });
+  filter->AddObserver(vtkCommand::ErrorEvent, collect);
+  filter->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, collect);
+  filter->Update();
+  filter->RemoveObserver(collect);
+  filter->GetExecutive()->RemoveObserver(collect);
+  return errors;
+}
+
+// Whether it is what the method makes of the image that there is no surface, in the words of the
+// baselines or of FlipFree. The executive's errors follow those of the filter, and only say that
+// there was one.
+bool IsTheMethodsVerdict(const std::vector<std::string>& errors)
+{
+  const auto says = [&errors](const char* text)
+  { return errors.front().find(text) != std::string::npos; };
+  return errors.empty() || says("No segmentation: nothing was found") ||
+    says("No segmentation: the seed has no contrast to its surroundings");
+}
+
 // Returns what the program ends with.
 int Segment(const Options& options)
 {
@@ -173,12 +210,12 @@ int Segment(const Options& options)
   }
   const double read = vtkTimerLog::GetUniversalTime();
   const Run run = Methods().at(options.Method)(image, options);
-  run.Filter->Update();
+  const std::vector<std::string> errors = ErrorsOfUpdate(run.Filter);
   const double end = vtkTimerLog::GetUniversalTime();
   auto* surface = vtkPolyData::SafeDownCast(run.Filter->GetOutputDataObject(0));
   if (surface->GetNumberOfPoints() == 0)
   {
-    return NothingFound; // the filter has said why
+    return IsTheMethodsVerdict(errors) ? NothingFound : NotTheMethodsFault;
   }
   std::printf("%d %.3f %.3f %.1f\n", run.Iterations(), read - begin, end - read,
     PeakMemory() / 1e6);

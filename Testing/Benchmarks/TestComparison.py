@@ -3,6 +3,7 @@
 import math
 import os
 import stat
+import subprocess
 import tempfile
 import unittest
 
@@ -51,8 +52,12 @@ class Tables(unittest.TestCase):
 
 
 class Runs(unittest.TestCase):
-    def run_program(self, script):
+    def run_program(self, script, files=()):
         with tempfile.TemporaryDirectory() as folder:
+            os.mkdir(os.path.join(folder, "case"))
+            for name in files:
+                with open(os.path.join(folder, "case", name), "w", encoding="utf-8"):
+                    pass
             program = os.path.join(folder, "program")
             with open(program, "w", encoding="utf-8") as file:
                 file.write("#!/bin/sh\n" + script)
@@ -73,6 +78,68 @@ class Runs(unittest.TestCase):
         for script, message in (("exit 2", "ended with 2"), ("kill -SEGV $$", "ended by signal 11")):
             with self.assertRaisesRegex(SystemExit, message):
                 self.run_program(script)
+
+    def test_results_of_an_earlier_round_are_not_those_of_this_one(self):
+        names = [FLIPFREE.key + end for end in (".mha", ".vtp", ".csv")]
+        lines = [f'[ -e "$(dirname "$0")/case/{name}" ] && exit 2' for name in names]
+        self.run_program("\n".join([*lines, "exit 1"]), names)
+
+
+class RunMethod(unittest.TestCase):
+    """The program itself, on a box of 40 x 40 x 40 mm at 100 in 64 x 64 x 64 mm of 0 (or all of it at 100)."""
+
+    PROGRAM = os.environ["FLIPFREE_RUN_METHOD"]
+
+    @classmethod
+    def setUpClass(cls):
+        folder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(folder.cleanup)
+        cls.folder = folder.name
+        cls.box = cls.write("box.mha", lambda *voxel: all(6 <= index < 26 for index in voxel))
+        cls.uniform = cls.write("uniform.mha", lambda *voxel: True)
+
+    @classmethod
+    def write(cls, name, is_inside):
+        path = os.path.join(cls.folder, name)
+        header = ("ObjectType = Image\nNDims = 3\nDimSize = 32 32 32\nElementSpacing = 2 2 2\n"
+                  "ElementType = MET_UCHAR\nElementDataFile = LOCAL\n")
+        with open(path, "wb") as file:
+            file.write(header.encode())
+            file.write(bytes(100 if is_inside(x, y, z) else 0
+                             for z in range(32) for y in range(32) for x in range(32)))
+        return path
+
+    def status(self, method, image, *options, seed=(32, 32, 32)):
+        return subprocess.run([self.PROGRAM, method, image, "--seed", *map(str, seed), "--radius", "8", *options],
+                              stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, check=False)
+
+    def test_ends_well_with_its_results_written(self):
+        for method in (FLIPFREE.key, "region-growing"):
+            paths = [os.path.join(self.folder, method + end) for end in (".mha", ".vtp")]
+            process = self.status(method, self.box, "--labels", paths[0], "--surface", paths[1])
+            self.assertEqual(process.returncode, 0, process.stderr)
+            self.assertEqual(len(process.stdout.split()), 4)
+            self.assertTrue(all(os.path.getsize(path) > 100 for path in paths))
+
+    def test_nothing_found_is_the_methods_verdict(self):
+        process = self.status(FLIPFREE.key, self.uniform)
+        self.assertEqual(process.returncode, 1, process.stderr)
+        self.assertIn("no contrast", process.stderr)
+
+    def test_a_seed_outside_the_image_is_not(self):
+        for method in methods.METHODS:
+            process = self.status(method.key, self.box, seed=(500, 32, 32))
+            self.assertEqual(process.returncode, 2, process.stderr)
+            self.assertIn("lies outside", process.stderr)
+
+    def test_neither_is_an_image_that_cannot_be_read(self):
+        self.assertEqual(self.status(FLIPFREE.key, os.path.join(self.folder, "none.mha")).returncode, 2)
+
+    def test_neither_are_results_that_cannot_be_written(self):
+        for option in ("--labels", "--surface"):
+            process = self.status("region-growing", self.box, option, os.path.join(self.folder, "none", "file.vtp"))
+            self.assertEqual(process.returncode, 2, process.stderr)
+            self.assertIn("cannot be written", process.stderr)
 
 
 if __name__ == "__main__":

@@ -15,9 +15,13 @@ def output(results, case, method, end):
 def run(program, case, method, results):
     """One process: what it prints, its seconds from start to end, its processor seconds."""
     os.makedirs(os.path.join(results, case.name), exist_ok=True)
+    outputs = {option: output(results, case, method, end)
+               for option, end in (("--labels", ".mha"), ("--surface", ".vtp"), ("--convergence", ".csv"))}
+    for path in outputs.values():  # of an earlier round: what is there afterwards is of this process
+        if os.path.exists(path):
+            os.remove(path)
     command = [program, method.key, case.image, "--seed", *map(str, case.seed), "--radius", str(case.radius),
-               "--labels", output(results, case, method, ".mha"), "--surface", output(results, case, method, ".vtp"),
-               "--convergence", output(results, case, method, ".csv")]
+               *(argument for option in outputs.items() for argument in option)]
     reading, writing = os.pipe()
     begin = time.perf_counter()
     child = os.posix_spawn(program, command, os.environ,
