@@ -21,6 +21,12 @@ inline void SMPFor(std::ptrdiff_t begin, std::ptrdiff_t end, const RangeBody& bo
     [&body](vtkIdType first, vtkIdType last) { body(first, last); });
 }
 
+/// How many threads SMPFor has.
+inline int NumberOfThreads()
+{
+  return vtkSMPTools::GetEstimatedNumberOfThreads();
+}
+
 inline bool IsAborted(vtkAlgorithm* algorithm)
 {
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 20220827)

@@ -193,8 +193,9 @@ inline VoxelReader GreyReaderOf(vtkImageData* image, const Extent& extent)
 /// Smooths a part of the image, which is not copied before. Returns false if the monitor stopped
 /// it.
 inline bool SmoothRegionOf(vtkImageData* image, const Extent& extent,
-  const AnisotropicDiffusionSettings& settings, const Monitor& monitor, FloatImage& region)
+  AnisotropicDiffusionSettings settings, const Monitor& monitor, FloatImage& region)
 {
+  settings.Threads = NumberOfThreads();
   region.Geometry = CropGeometry(GeometryOf(image), extent);
   region.Voxels.resize(region.Geometry.NumberOfVoxels());
   return DiffuseAnisotropically(GreyReaderOf(image, extent), region.Geometry, settings, SMPFor,

@@ -1,5 +1,6 @@
 #include "SegmentationParameters.h"
 
+#include "ExecutionAdapter.h"
 #include "PropertyCheck.h"
 
 #include "vtkFlipFreeSegmentation.h"
@@ -115,6 +116,7 @@ AnisotropicDiffusionSettings DiffusionSettingsOf(vtkFlipFreeSegmentation* filter
   settings.Iterations = filter->GetDiffusionIterations();
   settings.Equation = static_cast<DiffusionEquation>(filter->GetDiffusionEquation());
   settings.Contrast = ContrastOfNoise(noise, geometry, settings.Equation);
+  settings.Threads = NumberOfThreads();
   return settings;
 }
 
