@@ -12,12 +12,11 @@ namespace FlipFree
 namespace
 {
 
-// Fewer voxels do not make a histogram.
-constexpr std::size_t LeastSample = 200;
 // A region with a smaller part of background than this has no contrast.
 constexpr double LeastBackground = 1e-3;
 
-// All voxels within millimetres along the axes of the runs, and one more, which is not in them.
+// All voxels within millimetres along the axes of the runs, of which there is one at least, and one
+// more, which is not in them.
 VoxelBox BoxAround(const std::vector<VoxelRun>& runs, const ImageGeometry& geometry, double reach)
 {
   VoxelBox box{ geometry.Dimensions, { { 0, 0, 0 } } };
@@ -40,7 +39,7 @@ VoxelBox BoxAround(const std::vector<VoxelRun>& runs, const ImageGeometry& geome
     box.Begin[axis] = std::max(0, box.Begin[axis] - margin);
     box.End[axis] = std::min(size, box.End[axis] + margin);
   }
-  return box.IsEmpty() ? VoxelBox{ { { 0, 0, 0 } }, { { 1, 1, 1 } } } : box;
+  return box;
 }
 
 } // namespace
@@ -67,7 +66,7 @@ IntensityModel FitToSeed(const ImageView<float>& smooth, const SeedSphere& seed,
   return IntensityModel::FromSeed(values, noise, settings);
 }
 
-bool RefitToSurface(const ImageView<float>& smooth, const PointList& points,
+Refit RefitToSurface(const ImageView<float>& smooth, const PointList& points,
   const TriangleList& triangles, double noise, const IntensitySettings& settings,
   const ParallelFor& parallelFor, const Monitor& monitor, IntensityModel& model)
 {
@@ -81,6 +80,10 @@ bool RefitToSurface(const ImageView<float>& smooth, const PointList& points,
   // In the index space of the whole, so that its rounding decides; the rest in a box.
   const std::vector<VoxelRun> runs =
     VoxeliseSurface(points, triangles, smooth.Geometry, parallelFor, PartOf(proceed, 0, 0.2));
+  if (runs.empty())
+  {
+    return stopped ? Refit::Stopped : Refit::NothingInside;
+  }
   const VoxelBox box = BoxAround(runs, smooth.Geometry, settings.ShellEnd);
   const auto [i, j, k] = box.Begin;
   BitMask inside(CropGeometry(smooth.Geometry, box));
@@ -92,13 +95,14 @@ bool RefitToSurface(const ImageView<float>& smooth, const PointList& points,
   if (!MakeInsideAndShell(settings, parallelFor, PartOf(proceed, 0.2, 0.9), inside, shell) ||
     !proceed(0.9))
   {
-    return false;
+    return Refit::Stopped;
   }
-  if (inside.Count() > LeastSample)
+  if (inside.Count() <= LeastRefitSample)
   {
-    model.Reestimate(smooth, box.Begin, inside, shell, noise, settings, parallelFor);
+    return Refit::TooFewInside;
   }
-  return true;
+  model.Reestimate(smooth, box.Begin, inside, shell, noise, settings, parallelFor);
+  return Refit::Done;
 }
 
 bool FindForeground(const ImageView<float>& smooth, const IntensityModel& model,

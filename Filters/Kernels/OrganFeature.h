@@ -53,9 +53,20 @@ void RequireContrast(const BitMask& foreground);
 IntensityModel FitToSeed(const ImageView<float>& smooth, const SeedSphere& seed, double noise,
   const IntensitySettings& settings);
 
-/// Fits it again to the inside of a closed surface, if that holds enough voxels. Returns false if
-/// the monitor, asked before each pass over the image, stopped it; the model is then as it was.
-bool RefitToSurface(const ImageView<float>& smooth, const PointList& points,
+enum class Refit
+{
+  Done,
+  NothingInside, ///< no voxel's centre lies within the surface
+  TooFewInside,  ///< LeastRefitSample or fewer lie more than InnerMargin inside it
+  Stopped        ///< by the monitor
+};
+
+/// As many voxels or fewer do not make a histogram.
+constexpr std::size_t LeastRefitSample = 200;
+
+/// Fits it again to the inside of a closed surface. The monitor is asked before each pass over the
+/// image. Unless it is done, the model is as it was.
+Refit RefitToSurface(const ImageView<float>& smooth, const PointList& points,
   const TriangleList& triangles, double noise, const IntensitySettings& settings,
   const ParallelFor& parallelFor, const Monitor& monitor, IntensityModel& model);
 

@@ -13,6 +13,8 @@
 #include "vtkPolyData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
+#include <stdexcept>
+
 vtkStandardNewMacro(vtkGMMFeatureFilter);
 
 vtkGMMFeatureFilter::vtkGMMFeatureFilter()
@@ -84,14 +86,29 @@ int vtkGMMFeatureFilter::RequestData(vtkInformation*, vtkInformationVector** inp
     FlipFree::IntensityModel model = FlipFree::FitToSeed(smooth, seed, noise, settings.Intensity);
     const FlipFree::Monitor whole = FlipFree::MonitorOf(this);
     bool proceed = whole(0.1);
+    FlipFree::Refit refit = FlipFree::Refit::TooFewInside; // of no surface
     if (proceed && surface)
     {
       const FlipFree::PolygonalSurface inside =
         FlipFree::SurfaceOf(surface, "the surface on port 1");
       FlipFree::RequireClosed(static_cast<int>(inside.Points.rows()), inside.Triangles,
         "the surface on port 1");
-      proceed = FlipFree::RefitToSurface(smooth, inside.Points, inside.Triangles, noise,
+      refit = FlipFree::RefitToSurface(smooth, inside.Points, inside.Triangles, noise,
         settings.Intensity, FlipFree::SMPFor, FlipFree::PartOf(whole, 0.1, 0.4), model);
+      proceed = refit != FlipFree::Refit::Stopped;
+      if (refit == FlipFree::Refit::NothingInside)
+      {
+        throw std::invalid_argument("the surface on port 1 holds no voxel of the image on port 0; "
+                                    "check that both are in the same physical coordinates");
+      }
+      if (refit == FlipFree::Refit::TooFewInside)
+      {
+        vtkWarningMacro("The surface on port 1 has no more than "
+          << FlipFree::LeastRefitSample << " voxels that are more than "
+          << settings.Intensity.InnerMargin
+          << " mm inside, too few to model the organ, so the feature is that of the seed; enlarge "
+             "the surface, or disconnect it.");
+      }
     }
     FlipFree::BitMask foreground;
     if (!proceed ||
@@ -100,7 +117,7 @@ int vtkGMMFeatureFilter::RequestData(vtkInformation*, vtkInformationVector** inp
     {
       return 1; // aborted
     }
-    if (!surface)
+    if (refit != FlipFree::Refit::Done)
     {
       FlipFree::RequireContrast(foreground);
     }

@@ -6,7 +6,7 @@
  * paper), fitted by expectation maximisation; the Bayesian information criterion chooses the number
  * of components. The feature of a voxel is g(z) over its greatest value. With a surface on port 1
  * the feature is instead the odds of the intensities inside the surface against those of a shell
- * around it, in [0, 1] with threshold 1/2.
+ * around it, in [0, 1] with threshold 1/2; the outermost 2 mm inside model neither.
  *
  * Leak control (beyond the paper) closes the foreground, opens it, and keeps what hangs together
  * with the seed, so that thin bridges to neighbours do not leak. Voxels that it takes away get half
@@ -20,8 +20,10 @@
  * per component, grey values), `EdgeRamp` (3 values: low, high, width, by which
  * vtkCorrespondenceSearch reads edges).
  *
- * Errors: as vtkSeedRegionDiffusion; an open surface; a seed that holds no voxel, or, without a
- * surface, has no contrast to its surroundings; a `NoiseDeviation` that is not one finite number.
+ * Errors: as vtkSeedRegionDiffusion; a surface that is open, or holds no voxel of the image; a seed
+ * that holds no voxel, or, unless a surface takes its place, has no contrast to its surroundings; a
+ * `NoiseDeviation` that is not one finite number. Warning: of a surface with 200 voxels or fewer
+ * more than 2 mm inside, too few to model the organ, the feature is that of the seed.
  * Progress is reported and an abort obeyed between passes over the image; the output is then empty.
  */
 #ifndef vtkGMMFeatureFilter_h

@@ -1,5 +1,6 @@
 // What a pipeline may ask of the segmentation beside the surface: its history as time steps, an end
 // before the end, and the same bits from any number of threads.
+#include "FilterErrors.h"
 #include "PhantomCases.h"
 
 #include "vtkCallbackCommand.h"
@@ -25,6 +26,7 @@
 namespace
 {
 
+using FlipFree::KeepWarnings;
 using Pipeline = vtkStreamingDemandDrivenPipeline;
 
 std::vector<double> PointsOf(vtkPolyData* surface)
@@ -284,21 +286,6 @@ TEST_F(SegmentationRequests, LevelsAreLeftOutThatWouldBeginTooCoarse)
   EXPECT_EQ(this->Filter->GetConvergence()->GetValueByName(0, "Vertices").ToInt(), 6 * 2 * 2);
   EXPECT_EQ(this->Filter->GetSurface()->GetNumberOfPoints(), 6 * 8 * 8);
 }
-
-namespace
-{
-
-// Keeps the words of all warnings to come.
-void KeepWarnings(vtkObject* object, std::vector<std::string>& warnings)
-{
-  vtkNew<vtkCallbackCommand> keep;
-  keep->SetClientData(&warnings);
-  keep->SetCallback([](vtkObject*, unsigned long, void* list, void* text)
-    { static_cast<std::vector<std::string>*>(list)->emplace_back(static_cast<char*>(text)); });
-  object->AddObserver(vtkCommand::WarningEvent, keep);
-}
-
-} // namespace
 
 TEST_F(SegmentationRequests, ASeedThatReachesBeyondTheImageWarns)
 {
