@@ -1,10 +1,11 @@
 #include "OrganFeature.h"
 
+#include "BallMorphology.h"
+#include "FloatOrder.h"
 #include "SurfaceVoxelisation.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 
 namespace FlipFree
@@ -171,12 +172,7 @@ std::vector<float> MakeFeature(const ImageView<float>& smooth, const IntensityMo
   const BitMask& foreground, const ParallelFor& parallelFor)
 {
   const auto& size = smooth.Geometry.Dimensions;
-  auto threshold = static_cast<float>(model.Threshold);
-  if (threshold < model.Threshold)
-  {
-    // Rounded towards the foreground, so that a voxel at the threshold stays above it as a double.
-    threshold = std::nextafter(threshold, std::numeric_limits<float>::infinity());
-  }
+  const float threshold = LeastFloatFrom(model.Threshold);
   const float below = 0.5F * threshold;
   std::vector<float> feature(smooth.Geometry.NumberOfVoxels());
   parallelFor(0, size[2],
