@@ -5,8 +5,10 @@
 #include "SurfaceVoxelisation.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <stdexcept>
+#include <string>
 
 namespace FlipFree
 {
@@ -32,15 +34,12 @@ VoxelBox BoxAround(const std::vector<VoxelRun>& runs, const ImageGeometry& geome
     include(1, run.J, run.J + 1);
     include(2, run.K, run.K + 1);
   }
-  for (int axis = 0; axis < 3; ++axis)
+  std::array<int, 3> voxels = BallReach(reach, geometry);
+  for (int& more : voxels)
   {
-    const int size = geometry.Dimensions[axis];
-    const double voxels = std::ceil(reach / geometry.Spacing[axis] * (1 + 1e-6)) + 1;
-    const int margin = static_cast<int>(std::min<double>(size, voxels));
-    box.Begin[axis] = std::max(0, box.Begin[axis] - margin);
-    box.End[axis] = std::min(size, box.End[axis] + margin);
+    ++more;
   }
-  return box;
+  return box.Widened(voxels, { { { 0, 0, 0 } }, geometry.Dimensions });
 }
 
 } // namespace
@@ -124,11 +123,21 @@ bool FindForegroundInBox(const ImageView<float>& smooth, const VoxelBox& box,
   const IntensityModel& model, const SeedSphere& seed, const LeakControlSettings& leaks,
   const ParallelFor& parallelFor, const Monitor& monitor, BitMask& foreground)
 {
+  const auto [i, j, k] = box.Begin;
+  if (i % BitMask::BitsOfWord != 0)
+  {
+    throw std::invalid_argument("a box in which foreground is looked for must begin at a multiple of " +
+      std::to_string(BitMask::BitsOfWord) + " along x, and not at " + std::to_string(i));
+  }
+  if (!VoxelBox{ { { 0, 0, 0 } }, smooth.Geometry.Dimensions }.Holds(box))
+  {
+    throw std::invalid_argument(
+      "a box in which foreground is looked for must lie in the image; cut it off there");
+  }
   if (!monitor(0))
   {
     return false;
   }
-  const auto [i, j, k] = box.Begin;
   BitMask part = VoxelsIn(model.Foreground(), smooth, box, parallelFor);
   const ImageGeometry geometry = part.GetGeometry();
   // As the whole image finds them, so that its rounding decides.
@@ -137,8 +146,14 @@ bool FindForegroundInBox(const ImageView<float>& smooth, const VoxelBox& box,
   {
     const auto& size = smooth.Geometry.Dimensions;
     const std::size_t row = voxel / size[0];
-    sources.push_back(geometry.Offset(static_cast<int>(voxel % size[0]) - i,
-      static_cast<int>(row % size[1]) - j, static_cast<int>(row / size[1]) - k));
+    const std::array<int, 3> index{ { static_cast<int>(voxel % size[0]) - i,
+      static_cast<int>(row % size[1]) - j, static_cast<int>(row / size[1]) - k } };
+    if (!geometry.Contains(index[0], index[1], index[2]))
+    {
+      throw std::invalid_argument(
+        "a box in which foreground is looked for must hold the seed sphere; widen it");
+    }
+    sources.push_back(geometry.Offset(index[0], index[1], index[2]));
   }
   if (!ControlLeaks(part, sources, leaks, parallelFor, PartOf(monitor, 0.1, 1)))
   {
@@ -158,12 +173,12 @@ bool FindForegroundInBox(const ImageView<float>& smooth, const VoxelBox& box,
 
 std::array<int, 3> ForegroundMargin(const ImageGeometry& geometry, const LeakControlSettings& leaks)
 {
+  const std::array<int, 3> closing = BallReach(leaks.ClosingRadius, geometry);
+  const std::array<int, 3> opening = BallReach(leaks.OpeningRadius, geometry);
   std::array<int, 3> margin{};
   for (int axis = 0; axis < 3; ++axis)
   {
-    const auto voxels = [&](double radius)
-    { return static_cast<int>(std::ceil(radius / geometry.Spacing[axis] * (1 + 1e-6))); };
-    margin[axis] = 2 * voxels(leaks.ClosingRadius) + voxels(leaks.OpeningRadius) + 1;
+    margin[axis] = 2 * closing[axis] + opening[axis] + 1;
   }
   return margin;
 }

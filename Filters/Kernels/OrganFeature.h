@@ -24,10 +24,11 @@ bool FindForeground(const ImageView<float>& smooth, const IntensityModel& model,
   const SeedSphere& seed, const OrganFeatureSettings& settings, const ParallelFor& parallelFor,
   const Monitor& monitor, BitMask& foreground);
 
-/// The same, looked for in a box of the image alone, in which the seed sphere lies; a box that
-/// begins at a multiple of BitMask::BitsOfWord along x. Voxels of the box that are nearer to its
-/// sides than ForegroundMargin() may be wrong; where none of those farther in than the margin is
-/// missing, see there, the foreground is that of the whole image.
+/// The same, looked for in a box of the image alone. Voxels that are nearer to the box's sides than
+/// ForegroundMargin() may be wrong. If all voxels found keep that margin from the sides that are not
+/// the image's own, the result is that of the whole image. Throws std::invalid_argument unless the
+/// box lies in the image, holds the seed sphere's voxels, and begins at a multiple of
+/// BitMask::BitsOfWord along x.
 bool FindForegroundInBox(const ImageView<float>& smooth, const VoxelBox& box,
   const IntensityModel& model, const SeedSphere& seed, const LeakControlSettings& leaks,
   const ParallelFor& parallelFor, const Monitor& monitor, BitMask& foreground);
