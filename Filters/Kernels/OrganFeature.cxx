@@ -126,7 +126,8 @@ bool FindForegroundInBox(const ImageView<float>& smooth, const VoxelBox& box,
   const auto [i, j, k] = box.Begin;
   if (i % BitMask::BitsOfWord != 0)
   {
-    throw std::invalid_argument("a box in which foreground is looked for must begin at a multiple of " +
+    throw std::invalid_argument(
+      "a box in which foreground is looked for must begin at a multiple of " +
       std::to_string(BitMask::BitsOfWord) + " along x, and not at " + std::to_string(i));
   }
   if (!VoxelBox{ { { 0, 0, 0 } }, smooth.Geometry.Dimensions }.Holds(box))

@@ -25,9 +25,9 @@ bool FindForeground(const ImageView<float>& smooth, const IntensityModel& model,
   const Monitor& monitor, BitMask& foreground);
 
 /// The same, looked for in a box of the image alone. Voxels that are nearer to the box's sides than
-/// ForegroundMargin() may be wrong. If all voxels found keep that margin from the sides that are not
-/// the image's own, the result is that of the whole image. Throws std::invalid_argument unless the
-/// box lies in the image, holds the seed sphere's voxels, and begins at a multiple of
+/// ForegroundMargin() may be wrong. If all voxels found keep that margin from the sides that are
+/// not the image's own, the result is that of the whole image. Throws std::invalid_argument unless
+/// the box lies in the image, holds the seed sphere's voxels, and begins at a multiple of
 /// BitMask::BitsOfWord along x.
 bool FindForegroundInBox(const ImageView<float>& smooth, const VoxelBox& box,
   const IntensityModel& model, const SeedSphere& seed, const LeakControlSettings& leaks,

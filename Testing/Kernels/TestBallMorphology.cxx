@@ -62,7 +62,8 @@ TEST(BallMorphology, ReachesAsFarAsABallGrows)
     for (const double radius : { 0.0, 0.65, 1.0, 2.0, 3.3 })
     {
       ImageGeometry geometry = small;
-      const std::array<int, 3> reach = BallReach(radius, Grid({ { 999, 999, 999 } }, small.Spacing));
+      const std::array<int, 3> reach =
+        BallReach(radius, Grid({ { 999, 999, 999 } }, small.Spacing));
       for (int axis = 0; axis < 3; ++axis)
       {
         geometry.Dimensions[axis] = 2 * reach[axis] + 3;
