@@ -155,8 +155,7 @@ TEST(LevelSet, HasARimUpToTheImagesEnd)
   {
     filter->SetRimWidth(width);
     filter->Update();
-    const auto* labels =
-      static_cast<unsigned char*>(filter->GetLabelMap()->GetScalarPointer());
+    const auto* labels = static_cast<unsigned char*>(filter->GetLabelMap()->GetScalarPointer());
     int atEnd = 0;
     for (vtkIdType voxel = 0; voxel < image->GetNumberOfPoints(); ++voxel)
     {

@@ -50,11 +50,17 @@ struct Scene
     this->StartPoints = sphere.Points;
   }
 
-  OrganSurface FromWhole() const
+  std::vector<float> Smooth() const
   {
     std::vector<float> smooth(this->Image.Voxels.size());
     DiffuseAnisotropically(ReaderOf(this->Image.View()), this->Image.Geometry, this->Diffusion,
       SerialFor, NeverStop, smooth.data());
+    return smooth;
+  }
+
+  OrganSurface FromWhole() const
+  {
+    const std::vector<float> smooth = this->Smooth();
     return SegmentOrgan({ smooth.data(), this->Image.Geometry }, Noise, this->Seed, this->Start,
       this->StartPoints, this->Settings, SerialFor, NeverStop, IgnoreIteration);
   }
@@ -93,9 +99,10 @@ VoxelBox ExpectRegionGivesTheSurfaceOfTheWhole(const Scene& scene)
   const OrganSurface part = scene.FromRegion(made);
   const OrganSurface whole = scene.FromWhole();
   EXPECT_EQ(part.StopReason, whole.StopReason);
-  EXPECT_EQ(part.Points, whole.Points);
   EXPECT_EQ(part.Field.States, whole.Field.States);
-  EXPECT_EQ(part.Field.Displacements, whole.Field.Displacements);
+  const bool asMany = part.Points.rows() == whole.Points.rows();
+  EXPECT_TRUE(asMany && part.Points == whole.Points);
+  EXPECT_TRUE(asMany && part.Field.Displacements == whole.Field.Displacements);
   EXPECT_EQ(part.Iterations.size(), whole.Iterations.size());
   for (std::size_t row = 0; row < std::min(part.Iterations.size(), whole.Iterations.size()); ++row)
   {
@@ -107,11 +114,6 @@ VoxelBox ExpectRegionGivesTheSurfaceOfTheWhole(const Scene& scene)
   }
   EXPECT_EQ(whole.SelfIntersections, 0);
   return made;
-}
-
-double Length(const OrganSurface& organ)
-{
-  return organ.Points.col(0).maxCoeff() - organ.Points.col(0).minCoeff();
 }
 
 } // namespace
@@ -135,7 +137,7 @@ TEST(OrganSegmentation, OfALongOrganFarAlongTheRows)
       scene.Settings.Feature.Leaks = leaks;
       const VoxelBox made = ExpectRegionGivesTheSurfaceOfTheWhole(scene);
       EXPECT_EQ(made.Begin[0], 64);
-      EXPECT_LT(made.End[0], 240);
+      EXPECT_LT(made.End[0], 250);
       EXPECT_GT(made.Size(0), 3 * 2 * 7 + 50);
     }
   }
@@ -163,26 +165,46 @@ TEST(OrganSegmentation, OfAnOrganAtWhoseRimTheSeedLies)
   EXPECT_LT(made.End[0], 190);
 }
 
-// It grows brighter along its length, so that at each level more of it is like what is inside the
-// surface: more than what was searched before.
+// It grows brighter along its length. The seed knows little of that; the start surface, which
+// hardly moves, holds most of it, so that the second level finds far more than was searched before.
 TEST(OrganSegmentation, OfAnOrganThatWidensWhenItsIntensitiesAreKnown)
 {
-  Scene scene(Grid({ { 230, 50, 50 } }, { 1, 1, 1 }), { { 100, 25, 25 }, 8 },
-    [](const Eigen::Vector3d& point)
+  const Eigen::Vector3d center(140, 25, 25);
+  Scene scene(Grid({ { 270, 50, 50 } }, { 1, 1, 1 }), { center, 5 },
+    [&](const Eigen::Vector3d& point)
     {
       const double from = std::hypot(point.y() - 25, point.z() - 25);
-      const bool inside = from < 14 && point.x() > 80 && point.x() < 190;
-      return inside ? 100 + 0.3 * (point.x() - 100) : 0.0;
+      const bool inside = from < 14 && std::abs(point.x() - center.x()) < 52;
+      return inside ? 100 + 0.5 * (point.x() - center.x()) : 0.0;
     });
-  scene.Settings.Levels = 1;
-  const double first = Length(scene.FromWhole());
   scene.Settings.Levels = 2;
-  const double second = Length(scene.FromWhole());
-  EXPECT_GT(second, first + 6);
-  scene.Settings.Levels = 3;
+  scene.Settings.MaximumIterations = 1;
+  scene.Settings.Targets.MaximumDisplacement = 0.5;
+  scene.Settings.Feature.Intensity.NoiseWidening = 0;
+  for (Eigen::Index vertex = 0; vertex < scene.StartPoints.rows(); ++vertex)
+  {
+    const Eigen::Array3d from = scene.StartPoints.row(vertex).transpose() - center;
+    scene.StartPoints.row(vertex) = center + (from * Eigen::Array3d(9.6, 2.4, 2.4)).matrix();
+  }
+  const std::vector<float> voxels = scene.Smooth();
+  const ImageView<float> smooth{ voxels.data(), scene.Image.Geometry };
+  IntensityModel model = FitToSeed(smooth, scene.Seed, Noise, scene.Settings.Feature.Intensity);
+  const auto lengthOfForeground = [&]
+  {
+    BitMask foreground;
+    FindForeground(smooth, model, scene.Seed, scene.Settings.Feature, SerialFor, NeverStop,
+      foreground);
+    return foreground.Bounds().Size(0);
+  };
+  const int first = lengthOfForeground();
+  ASSERT_EQ(RefitToSurface(smooth, scene.StartPoints, scene.Start.Triangles, Noise,
+              scene.Settings.Feature.Intensity, SerialFor, NeverStop, model),
+    Refit::Done);
+  EXPECT_GT(lengthOfForeground(), first + 40);
+
   const VoxelBox made = ExpectRegionGivesTheSurfaceOfTheWhole(scene);
   EXPECT_EQ(made.Begin[0], 64);
-  EXPECT_LT(made.End[0], 230);
+  EXPECT_LT(made.End[0], 270);
 }
 
 TEST(OrganSegmentation, OfOneSlice)

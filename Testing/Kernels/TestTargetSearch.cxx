@@ -136,7 +136,8 @@ TEST(TargetSearch, OutliersAreNotWithoutBoundary)
   }
   const std::vector<float> edges(geometry.NumberOfVoxels(), 0);
   TargetSettings settings;
-  settings.Correspondence.SearchDistance = 12;
+  settings.Correspondence.SearchDistance = 16;
+  settings.Correspondence.RunVoxels = 1;
   settings.Correspondence.EdgeWindow = 0;
   settings.OutlierDeviations = 0;
   const auto search = [&]
