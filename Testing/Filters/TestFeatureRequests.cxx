@@ -5,7 +5,7 @@
 #include "BadInput.h"
 #include "FilterErrors.h"
 
-#include "vtkImageCast.h"
+#include "vtkImageData.h"
 #include "vtkTimerLog.h"
 
 using namespace FlipFree;
@@ -91,16 +91,18 @@ TEST_F(FeatureRequests, ProgressIsReportedAllAlong)
 // converted.
 TEST_F(FeatureRequests, AnAbortAtAnyReportLeavesNothing)
 {
-  vtkNew<vtkImageCast> shorts;
-  shorts->SetInputDataObject(this->Filter->GetInputDataObject(0, 0));
-  shorts->SetOutputScalarTypeToShort();
-  shorts->Update();
+  auto* const image = vtkImageData::SafeDownCast(this->Filter->GetInputDataObject(0, 0));
+  vtkNew<vtkImageData> floats;
+  floats->CopyStructure(image);
+  floats->AllocateScalars(VTK_FLOAT, 1);
+  floats->CopyAndCastFrom(image, image->GetExtent());
+  vtkNew<vtkImageData> shorts;
+  shorts->CopyStructure(image);
+  shorts->AllocateScalars(VTK_SHORT, 1);
+  shorts->CopyAndCastFrom(image, image->GetExtent());
   for (const bool leakControl : { true, false })
   {
-    if (!leakControl)
-    {
-      this->Filter->SetInputData(shorts->GetOutput());
-    }
+    this->Filter->SetInputData(leakControl ? floats.Get() : shorts.Get());
     this->Filter->SetLeakControl(leakControl);
     const Watch all(this->Filter, 2);
     this->Filter->Update();
