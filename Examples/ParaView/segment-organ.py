@@ -15,7 +15,7 @@ import re
 import sys
 
 from paraview.simple import *
-from vtkmodules.vtkCommonCore import vtkLogger
+from vtkmodules.vtkCommonCore import vtkObject
 
 # Of the built-in abdomen's liver.
 SEED = [99.75, 83.75, 167, 28]
@@ -53,10 +53,12 @@ def update(source):
     keep.CallDataType = "string0"  # how VTK is asked for the text
     algorithm = source.GetClientSideObject()  # none where the server is another process
     if algorithm:
-        for observed in (algorithm, algorithm.GetExecutive()):
-            observed.AddObserver("ErrorEvent", keep)
+        observed = [(speaker, speaker.AddObserver("ErrorEvent", keep))
+                    for speaker in (algorithm, algorithm.GetExecutive())]
         algorithm.Modified()
         algorithm.Update()
+        for speaker, observer in observed:  # or they would keep what is said later from being shown
+            speaker.RemoveObserver(observer)
     if not errors:
         source.UpdatePipeline()
     if errors or source.GetDataInformation().GetNumberOfPoints() == 0:
@@ -108,10 +110,12 @@ def main():
     arguments = parse_arguments()
     seed = arguments.seed or SEED
 
-    verbosity = vtkLogger.GetCurrentVerbosityCutoff()
-    vtkLogger.SetStderrVerbosity(vtkLogger.VERBOSITY_OFF)  # what a reader complains of at once, it tells again below
-    image = open_image(arguments.volume)
-    vtkLogger.SetStderrVerbosity(verbosity)
+    shown = vtkObject.GetGlobalWarningDisplay()
+    vtkObject.SetGlobalWarningDisplay(0)  # what a reader complains of at once, it tells again below
+    try:
+        image = open_image(arguments.volume)
+    finally:
+        vtkObject.SetGlobalWarningDisplay(shown)
     update(image)
     organ = FlipFreeSegmentation(registrationName="Organ", Input=image, SeedCenter=seed[:3], SeedRadius=seed[3])
     update(organ)

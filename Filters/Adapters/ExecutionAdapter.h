@@ -11,6 +11,8 @@
 #include "vtkSMPTools.h"
 #include "vtkVersionMacros.h"
 
+#include <algorithm>
+
 namespace FlipFree
 {
 
@@ -19,6 +21,32 @@ inline void SMPFor(std::ptrdiff_t begin, std::ptrdiff_t end, const RangeBody& bo
 {
   vtkSMPTools::For(static_cast<vtkIdType>(begin), static_cast<vtkIdType>(end),
     [&body](vtkIdType first, vtkIdType last) { body(first, last); });
+}
+
+/// How many threads SMPFor has.
+inline int NumberOfThreads()
+{
+  return vtkSMPTools::GetEstimatedNumberOfThreads();
+}
+
+/// Runs body(first, last) over parts of the slices [begin, end) of an image by VTK's threads, a few
+/// slices at a time: some ten milliseconds of work that is done once for each voxel. The monitor is
+/// asked before each time. Returns false if it stopped it.
+inline bool SMPForSlices(std::ptrdiff_t begin, std::ptrdiff_t end, std::ptrdiff_t voxelsOfSlice,
+  const Monitor& monitor, const RangeBody& body)
+{
+  constexpr std::ptrdiff_t voxelsAtOnce = 1 << 22;
+  const std::ptrdiff_t atOnce = std::max<std::ptrdiff_t>(NumberOfThreads(),
+    voxelsAtOnce / std::max<std::ptrdiff_t>(1, voxelsOfSlice));
+  for (std::ptrdiff_t first = begin; first < end; first += atOnce)
+  {
+    if (!monitor(static_cast<double>(first - begin) / static_cast<double>(end - begin)))
+    {
+      return false;
+    }
+    SMPFor(first, std::min(end, first + atOnce), body);
+  }
+  return true;
 }
 
 inline bool IsAborted(vtkAlgorithm* algorithm)

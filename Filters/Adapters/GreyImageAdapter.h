@@ -7,6 +7,7 @@
 
 #include "AnisotropicDiffusion.h"
 #include "ExecutionAdapter.h"
+#include "FiniteVoxels.h"
 #include "ImageAdapter.h"
 #include "MessageText.h"
 #include "SeedRegion.h"
@@ -15,11 +16,9 @@
 #include "vtkPointData.h"
 #include "vtkSetGet.h"
 
-#include <cmath>
 #include <sstream>
 #include <stdexcept>
 #include <string>
-#include <type_traits>
 
 namespace FlipFree
 {
@@ -83,57 +82,19 @@ inline void RequireSeed(const ImageGeometry& geometry, const SeedSphere& seed,
   }
 }
 
-[[noreturn]] inline void RefuseVoxel(const ImageGeometry& geometry, int i, int j, int k,
-  const std::string& name)
-{
-  throw std::invalid_argument("a voxel of " + name + ", at " +
-    TextOf(geometry.ToPhysical(Eigen::Vector3d(i, j, k))) +
-    " mm, is not a finite number; replace such voxels first");
-}
-
-/// Throws std::invalid_argument, naming the first bad voxel, unless all are finite as floats.
-template <typename T>
-void RequireFiniteRegion(const ImageView<T>& image, const Extent& extent, const std::string& name)
-{
-  if constexpr (std::is_floating_point_v<T>)
-  {
-    for (int k = extent[4]; k <= extent[5]; ++k)
-    {
-      for (int j = extent[2]; j <= extent[3]; ++j)
-      {
-        for (int i = extent[0]; i <= extent[1]; ++i)
-        {
-          if (!std::isfinite(static_cast<float>(image(i, j, k))))
-          {
-            RefuseVoxel(image.Geometry, i, j, k, name);
-          }
-        }
-      }
-    }
-  }
-}
-
-inline Extent WholeExtent(const ImageGeometry& geometry)
-{
-  return { { 0, geometry.Dimensions[0] - 1, 0, geometry.Dimensions[1] - 1, 0,
-    geometry.Dimensions[2] - 1 } };
-}
-
-inline void RequireFinite(const ImageView<float>& image, const std::string& name)
-{
-  RequireFiniteRegion(image, WholeExtent(image.Geometry), name);
-}
-
-/// The same of a part of the image, which has passed RequireGreyImage. Whole numbers are not looked
-/// at.
-inline void RequireFinite(vtkImageData* image, const Extent& extent, const std::string& name)
+/// Throws std::invalid_argument, naming the first bad voxel, unless all of a part of the image,
+/// which has passed RequireGreyImage, are finite as floats. Whole numbers are not looked at.
+/// Returns false if the monitor, asked every few slices, stopped it.
+inline bool RequireFinite(vtkImageData* image, const Extent& extent, const std::string& name,
+  const Monitor& monitor = NeverStop)
 {
   const ImageGeometry geometry = GeometryOf(image);
   const void* voxels = image->GetPointData()->GetScalars()->GetVoidPointer(0);
   switch (image->GetPointData()->GetScalars()->GetDataType())
   {
-    vtkTemplateMacro(
-      RequireFiniteRegion<VTK_TT>({ static_cast<const VTK_TT*>(voxels), geometry }, extent, name));
+    vtkTemplateMacro(return RequireFiniteAs<float>(
+      ImageView<VTK_TT>{ static_cast<const VTK_TT*>(voxels), geometry }, extent, name,
+      "replace such voxels first", monitor));
     default:
       RefuseScalarType(image->GetPointData()->GetScalars(), name);
   }
@@ -193,8 +154,9 @@ inline VoxelReader GreyReaderOf(vtkImageData* image, const Extent& extent)
 /// Smooths a part of the image, which is not copied before. Returns false if the monitor stopped
 /// it.
 inline bool SmoothRegionOf(vtkImageData* image, const Extent& extent,
-  const AnisotropicDiffusionSettings& settings, const Monitor& monitor, FloatImage& region)
+  AnisotropicDiffusionSettings settings, const Monitor& monitor, FloatImage& region)
 {
+  settings.Threads = NumberOfThreads();
   region.Geometry = CropGeometry(GeometryOf(image), extent);
   region.Voxels.resize(region.Geometry.NumberOfVoxels());
   return DiffuseAnisotropically(GreyReaderOf(image, extent), region.Geometry, settings, SMPFor,

@@ -7,6 +7,7 @@
 
 #include "BitMask.h"
 #include "ExecutionAdapter.h"
+#include "FiniteVoxels.h"
 #include "ImageAdapter.h"
 #include "SurfaceVoxelisation.h"
 
@@ -16,7 +17,6 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
@@ -33,24 +33,6 @@
 
 namespace FlipFree
 {
-
-/// The first of the values that is not a finite number; behind the last where all are.
-template <typename Value>
-vtkIdType FirstNotFinite(const Value* values, vtkIdType size)
-{
-  std::atomic<vtkIdType> firstBad{ size };
-  SMPFor(0, size,
-    [&](std::ptrdiff_t first, std::ptrdiff_t last)
-    {
-      const Value* const bad = std::find_if(values + first, values + last,
-        [](Value value) { return !std::isfinite(value); });
-      for (vtkIdType known = firstBad; bad != values + last && bad - values < known;)
-      {
-        firstBad.compare_exchange_weak(known, bad - values);
-      }
-    });
-  return firstBad;
-}
 
 /// The voxels with a label, or all that are not 0 for a negative one. Throws std::invalid_argument,
 /// naming the image by `name`, when it has no voxels or no proper grid, no scalars of one
@@ -70,21 +52,13 @@ inline BitMask MaskOf(vtkImageData* image, int label, const std::string& name)
   }
   RequireProperGrid(image, name);
   const ImageGeometry geometry = GeometryOf(image);
-  const vtkIdType size = scalars->GetNumberOfTuples();
   BitMask mask;
   const auto select = [&](const auto* values)
   {
     using Value = std::decay_t<decltype(*values)>;
-    if constexpr (std::is_floating_point_v<Value>)
-    {
-      const vtkIdType bad = FirstNotFinite(values, size);
-      if (bad < size)
-      {
-        throw std::invalid_argument("voxel " + std::to_string(bad) + " of " + name +
-          " is not a finite number; a label map holds whole numbers");
-      }
-    }
     const ImageView<Value> view{ values, geometry };
+    RequireFiniteAs<Value>(view, WholeExtent(geometry), name, "a label map holds whole numbers",
+      NeverStop);
     // Compared in their own type, many at once; a label that this type does not have is nowhere.
     const auto sought = static_cast<Value>(label);
     if (label < 0)

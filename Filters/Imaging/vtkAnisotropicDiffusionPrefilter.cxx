@@ -20,8 +20,11 @@
 #include "itkGradientAnisotropicDiffusionImageFilter.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <numeric>
 #include <stdexcept>
+#include <vector>
 
 vtkStandardNewMacro(vtkAnisotropicDiffusionPrefilter);
 
@@ -31,6 +34,9 @@ namespace
 using ItkImage = itk::Image<float, 3>;
 
 constexpr const char* InputName = "the image on port 0";
+// Of the progress: what comes before is short.
+constexpr double ScaleEnds = 0.03;
+constexpr double DiffusionBegins = 0.05;
 
 struct Extent
 {
@@ -77,27 +83,48 @@ Extent ChooseRegion(const int voi[6], const Extent& whole)
   return wanted.IsEmpty() ? whole : wanted.Clipped(whole);
 }
 
-/// The region as an image of its own, in float.
-void CopyRegion(vtkImageData* image, Extent region, vtkImageData* copy)
+/// As indices that count from the image's first voxel.
+FlipFree::Extent WithinImage(const Extent& extent, vtkImageData* image)
 {
+  FlipFree::Extent result{};
+  for (int side = 0; side < 6; ++side)
+  {
+    result[side] = extent.Bounds[side] - image->GetExtent()[side / 2 * 2];
+  }
+  return result;
+}
+
+/// The region as an image of its own, in float. False if the monitor said stop; the copy is then
+/// worthless.
+bool CopyRegion(vtkImageData* image, Extent region, const FlipFree::Monitor& monitor,
+  vtkImageData* copy)
+{
+  const FlipFree::Extent extent = WithinImage(region, image);
+  if (!FlipFree::RequireFinite(image, extent, InputName, FlipFree::PartOf(monitor, 0, 0.3)))
+  {
+    return false;
+  }
   copy->SetExtent(region.Bounds);
   copy->SetOrigin(image->GetOrigin());
   copy->SetSpacing(image->GetSpacing());
   copy->SetDirectionMatrix(image->GetDirectionMatrix());
   copy->AllocateScalars(VTK_FLOAT, 1);
-  copy->CopyAndCastFrom(image, region.Bounds);
-
-  const float* voxels = static_cast<const float*>(copy->GetScalarPointer());
-  const float* end = voxels + copy->GetNumberOfPoints();
-  const float* bad = std::find_if(voxels, end, [](float value) { return !std::isfinite(value); });
-  if (bad != end)
-  {
-    double point[3];
-    copy->GetPoint(bad - voxels, point);
-    throw std::invalid_argument(std::string(InputName) +
-      " has a voxel that is NaN, infinite or beyond the range of float at " +
-      FlipFree::TextOf(Eigen::Vector3d(point)) + " mm; replace such voxels by a grey value");
-  }
+  const FlipFree::ImageGeometry geometry = FlipFree::GeometryOf(copy);
+  const FlipFree::VoxelReader read = FlipFree::GreyReaderOf(image, extent);
+  auto* const voxels = static_cast<float*>(copy->GetScalarPointer());
+  const auto& size = geometry.Dimensions;
+  return FlipFree::SMPForSlices(0, size[2], static_cast<std::ptrdiff_t>(size[0]) * size[1],
+    FlipFree::PartOf(monitor, 0.3, 1),
+    [&](std::ptrdiff_t first, std::ptrdiff_t last)
+    {
+      for (int k = static_cast<int>(first); k < last; ++k)
+      {
+        for (int j = 0; j < size[1]; ++j)
+        {
+          read(0, size[0], j, k, voxels + geometry.Offset(0, j, k));
+        }
+      }
+    });
 }
 
 /// The voxels of the image that may lie in the sphere.
@@ -132,51 +159,129 @@ double NoiseOfSphere(vtkImageData* image, const FlipFree::SeedSphere& sphere)
   return FlipFree::NoiseOf(image, sphere);
 }
 
-/// Root mean square of the gradient's magnitude over the voxels of the box within the radius of the
-/// centre; by central differences that see no gradient across the image's border, as ITK's do.
-double GradientScaleOf(vtkImageData* image, const Extent& box, const Eigen::Vector3d& center,
-  double radius)
+/// Measures the gradient's magnitude in slices of a box of the image, at the voxels within the
+/// radius of the centre, which is infinite for all: by central differences that see no gradient
+/// across the image's border, as ITK's do.
+class GradientMeasure
 {
-  vtkNew<vtkImageData> local;
-  const Extent frame = box.Grown(1).Clipped(ExtentOf(image));
-  CopyRegion(image, frame, local);
-  const auto* voxels = static_cast<const float*>(local->GetScalarPointer());
-  const auto valueAt = [&](const int index[3])
-  { return static_cast<double>(voxels[local->ComputePointId(const_cast<int*>(index))]); };
-
-  double sum = 0;
-  vtkIdType count = 0;
-  int index[3];
-  for (index[2] = box.Bounds[4]; index[2] <= box.Bounds[5]; ++index[2])
+public:
+  GradientMeasure(vtkImageData* image, const Extent& box, const Eigen::Vector3d& center,
+    double radius)
+    : Image(image)
+    , Box(box)
+    , Frame(box.Grown(1).Clipped(ExtentOf(image)))
+    , Read(FlipFree::GreyReaderOf(image, WithinImage(this->Frame, image)))
+    , Center(center)
+    , Radius(radius)
   {
-    for (index[1] = box.Bounds[2]; index[1] <= box.Bounds[3]; ++index[1])
+  }
+
+  /// The voxels that are read.
+  const Extent& GetFrame() const { return this->Frame; }
+
+  /// Of a slice, the sum of the squared magnitudes and the number of voxels.
+  void Add(int k, double& sum, vtkIdType& count) const
+  {
+    const int* const box = this->Box.Bounds;
+    const int* const frame = this->Frame.Bounds;
+    const std::size_t width = frame[1] - frame[0] + 1;
+    // The rows around one: it, those before and behind it in its slice, and in the next slices.
+    std::array<std::vector<float>, 5> rows;
+    rows.fill(std::vector<float>(width));
+    for (int j = box[2]; j <= box[3]; ++j)
     {
-      for (index[0] = box.Bounds[0]; index[0] <= box.Bounds[1]; ++index[0])
+      this->ReadRow(j, k, rows[0]);
+      this->ReadRow(std::max(j - 1, frame[2]), k, rows[1]);
+      this->ReadRow(std::min(j + 1, frame[3]), k, rows[2]);
+      this->ReadRow(j, std::max(k - 1, frame[4]), rows[3]);
+      this->ReadRow(j, std::min(k + 1, frame[5]), rows[4]);
+      for (int i = box[0]; i <= box[1]; ++i)
       {
-        Eigen::Vector3d point;
-        local->TransformIndexToPhysicalPoint(index, point.data());
-        if ((point - center).squaredNorm() > radius * radius)
+        if (!this->IsNear(i, j, k))
         {
           continue;
         }
-        for (int axis = 0; axis < 3; ++axis)
-        {
-          int before[3] = { index[0], index[1], index[2] };
-          int after[3] = { index[0], index[1], index[2] };
-          before[axis] = std::max(before[axis] - 1, frame.Bounds[2 * axis]);
-          after[axis] = std::min(after[axis] + 1, frame.Bounds[2 * axis + 1]);
-          const double slope = (valueAt(after) - valueAt(before)) / (2 * local->GetSpacing()[axis]);
-          sum += slope * slope;
-        }
+        const int at = i - frame[0];
+        const int before = std::max(i - 1, frame[0]) - frame[0];
+        const int after = std::min(i + 1, frame[1]) - frame[0];
+        sum += this->Square(0, rows[0][before], rows[0][after]);
+        sum += this->Square(1, rows[1][at], rows[2][at]);
+        sum += this->Square(2, rows[3][at], rows[4][at]);
         ++count;
       }
     }
   }
+
+private:
+  void ReadRow(int j, int k, std::vector<float>& row) const
+  {
+    const int* const frame = this->Frame.Bounds;
+    this->Read(0, static_cast<int>(row.size()), j - frame[2], k - frame[4], row.data());
+  }
+
+  bool IsNear(int i, int j, int k) const
+  {
+    if (std::isinf(this->Radius))
+    {
+      return true;
+    }
+    Eigen::Vector3d point;
+    this->Image->TransformIndexToPhysicalPoint(i, j, k, point.data());
+    return (point - this->Center).squaredNorm() <= this->Radius * this->Radius;
+  }
+
+  double Square(int axis, double before, double after) const
+  {
+    const double slope = (after - before) / (2 * this->Spacing[axis]);
+    return slope * slope;
+  }
+
+  vtkImageData* Image;
+  Extent Box;
+  Extent Frame;
+  FlipFree::VoxelReader Read;
+  Eigen::Vector3d Center;
+  double Radius;
+  Eigen::Vector3d Spacing = Eigen::Vector3d(Image->GetSpacing());
+};
+
+/// Root mean square of the gradient's magnitude over the voxels of the box within the radius of the
+/// centre. False if the monitor said stop.
+bool MeasureGradientScale(vtkImageData* image, const Extent& box, const Eigen::Vector3d& center,
+  double radius, const FlipFree::Monitor& monitor, double& scale)
+{
+  const GradientMeasure measure(image, box, center, radius);
+  if (!FlipFree::RequireFinite(image, WithinImage(measure.GetFrame(), image), InputName,
+        FlipFree::PartOf(monitor, 0, 0.2)))
+  {
+    return false;
+  }
+  // By slices, which are summed in their order, whatever thread had them.
+  const int begin = box.Bounds[4];
+  const int depth = box.Bounds[5] - begin + 1;
+  std::vector<double> sums(std::max(0, depth), 0.0);
+  std::vector<vtkIdType> counts(sums.size(), 0);
+  const auto add = [&](std::ptrdiff_t first, std::ptrdiff_t last)
+  {
+    for (std::ptrdiff_t slice = first; slice < last; ++slice)
+    {
+      measure.Add(begin + static_cast<int>(slice), sums[slice], counts[slice]);
+    }
+  };
+  const std::ptrdiff_t voxelsOfSlice =
+    static_cast<std::ptrdiff_t>(box.Bounds[1] - box.Bounds[0] + 1) *
+    (box.Bounds[3] - box.Bounds[2] + 1);
+  if (!FlipFree::SMPForSlices(0, depth, voxelsOfSlice, FlipFree::PartOf(monitor, 0.2, 1), add))
+  {
+    return false;
+  }
+  const vtkIdType count = std::accumulate(counts.begin(), counts.end(), vtkIdType(0));
   if (count == 0)
   {
     RefuseEmptySphere();
   }
-  return std::sqrt(sum / static_cast<double>(count));
+  scale = std::sqrt(std::accumulate(sums.begin(), sums.end(), 0.0) / static_cast<double>(count));
+  return true;
 }
 
 /// Diffuses the image in place. False if the monitor said stop; the image is then worthless.
@@ -269,30 +374,28 @@ int vtkAnisotropicDiffusionPrefilter::RequestData(vtkInformation*,
 
     const FlipFree::SeedSphere sphere{ Eigen::Vector3d(this->ScaleCenter), this->ScaleRadius };
     const double noise = this->ScaleRadius > 0 ? NoiseOfSphere(input, sphere) : 0;
-    if (this->GradientScale > 0)
+    const FlipFree::Monitor monitor = FlipFree::MonitorOf(this);
+    const bool ofSphere = this->ScaleRadius > 0;
+    double scale = this->GradientScale;
+    const bool proceed =
+      (scale > 0 ||
+        MeasureGradientScale(input, ofSphere ? BoxOfSphere(input, sphere) : region, sphere.Center,
+          ofSphere ? sphere.Radius : HUGE_VAL, FlipFree::PartOf(monitor, 0, ScaleEnds), scale)) &&
+      CopyRegion(input, region, FlipFree::PartOf(monitor, ScaleEnds, DiffusionBegins), output);
+    if (proceed)
     {
-      this->GradientScaleUsed = this->GradientScale;
+      this->GradientScaleUsed = scale;
     }
-    else if (this->ScaleRadius > 0)
-    {
-      this->GradientScaleUsed =
-        GradientScaleOf(input, BoxOfSphere(input, sphere), sphere.Center, sphere.Radius);
-    }
-    else
-    {
-      this->GradientScaleUsed = GradientScaleOf(input, region, sphere.Center, HUGE_VAL);
-    }
-
-    CopyRegion(input, region, output);
     const auto diffuse = this->Equation == CURVATURE
       ? Diffuse<itk::CurvatureAnisotropicDiffusionImageFilter<ItkImage, ItkImage>>
       : Diffuse<itk::GradientAnisotropicDiffusionImageFilter<ItkImage, ItkImage>>;
-    if (this->NumberOfIterations > 0 && this->GradientScaleUsed > 0 &&
-      !diffuse(output, this->NumberOfIterations, this->TimeStepUsed, this->Conductance,
-        this->GradientScaleUsed, FlipFree::MonitorOf(this)))
+    if (!proceed ||
+      (this->NumberOfIterations > 0 && scale > 0 &&
+        !diffuse(output, this->NumberOfIterations, this->TimeStepUsed, this->Conductance, scale,
+          FlipFree::PartOf(monitor, DiffusionBegins, 1))))
     {
       output->Initialize();
-      return 1;
+      return 1; // aborted
     }
     if (this->ScaleRadius > 0)
     {

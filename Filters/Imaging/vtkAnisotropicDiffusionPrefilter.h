@@ -24,7 +24,8 @@
  * Errors: no or empty image, no scalars, several components, scalars of bits, a spacing that is not
  * positive, NaN or infinite voxels, a VOI or a sphere without a voxel of the image, a TimeStep that
  * is not stable, a property that is not a number. Each is reported once; the output is then empty.
- * It is empty without an error after an abort, which is obeyed within an iteration.
+ * It is empty without an error after an abort, which is obeyed every few slices while the scale is
+ * measured, and then within an iteration.
  *
  * Source: ITK's itk::CurvatureAnisotropicDiffusionImageFilter (R. Whitaker and X. Xue,
  * Variable-conductance, level-set curvature for image denoising, ICIP 2001) and

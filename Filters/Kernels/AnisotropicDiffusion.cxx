@@ -6,6 +6,7 @@
 #include <array>
 #include <chrono>
 #include <cmath>
+#include <thread>
 
 namespace FlipFree
 {
@@ -237,11 +238,22 @@ private:
   std::vector<float> RowFlux;
 };
 
-// How many parts to do between two questions: equation, machine and threads decide how long one
-// takes.
+// How many parts to do between two questions: equation and machine decide how long one takes. As
+// many parts as there are threads take as long as one part, so that fewer would not be done sooner,
+// but leave threads without work.
 class Pace
 {
 public:
+  explicit Pace(int threads)
+    : Least(threads)
+  {
+    if (threads <= 0)
+    {
+      this->Least = std::max(1U, std::thread::hardware_concurrency());
+    }
+    this->Parts = this->Least;
+  }
+
   std::ptrdiff_t PartsAtOnce() const { return this->Parts; }
   void Begin() { this->Began = Clock::now(); }
   void End()
@@ -249,7 +261,7 @@ public:
     const double seconds = std::chrono::duration<double>(Clock::now() - this->Began).count();
     if (seconds > Interval)
     {
-      this->Parts = std::max<std::ptrdiff_t>(1, this->Parts / 2);
+      this->Parts = std::max(this->Least, this->Parts / 2);
     }
     else if (seconds < Interval / 2)
     {
@@ -259,7 +271,8 @@ public:
 
 private:
   using Clock = std::chrono::steady_clock;
-  std::ptrdiff_t Parts = 2;
+  std::ptrdiff_t Least;
+  std::ptrdiff_t Parts = 0;
   Clock::time_point Began;
 };
 
@@ -275,7 +288,7 @@ bool DiffuseBox(const VoxelReader& read, const ImageGeometry& geometry,
     parts[axis] = (box.Size(axis) + PartSize[axis] - 1) / PartSize[axis];
   }
   const std::ptrdiff_t count = parts[0] * parts[1] * parts[2];
-  Pace pace;
+  Pace pace(settings.Threads);
   for (std::ptrdiff_t begin = 0, end = 0; begin < count; begin = end)
   {
     if (!monitor(static_cast<double>(begin) / static_cast<double>(count)))

@@ -55,6 +55,11 @@ struct AnisotropicDiffusionSettings
   /// TimeStep / spacing of their second difference. Zero: the greatest that ITK calls stable, a
   /// sixteenth of the least spacing. The step of Faces is the greatest stable one.
   double TimeStep = 0;
+
+  /// How many threads the ParallelFor has. So many parts of the image, each of some milliseconds,
+  /// are done at least between two questions to the monitor, or threads would have nothing to do.
+  /// Zero: as many as the machine has. Has no part in the result.
+  int Threads = 0;
 };
 
 /// Copies the voxels (begin, j, k) to (end - 1, j, k) of an image, as floats. Called by several

@@ -281,6 +281,17 @@ bool DilateByDistance(BitMask& mask, double radius, const ParallelFor& parallelF
 
 } // namespace
 
+std::array<int, 3> BallReach(double radius, const ImageGeometry& geometry)
+{
+  std::array<int, 3> voxels{};
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    voxels[axis] = static_cast<int>(
+      std::min<double>(geometry.Dimensions[axis], radius * Slack / geometry.Spacing[axis]));
+  }
+  return voxels;
+}
+
 bool Dilate(BitMask& mask, double radius, const ParallelFor& parallelFor, const Monitor& monitor)
 {
   const ImageGeometry geometry = mask.GetGeometry();
@@ -298,14 +309,7 @@ bool Dilate(BitMask& mask, double radius, const ParallelFor& parallelFor, const 
   {
     return monitor(0) || Stop(mask);
   }
-  const Eigen::Vector3d reach = radius * Slack / geometry.Spacing.array();
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    const int size = geometry.Dimensions[axis];
-    const int voxels = static_cast<int>(std::min<double>(size, std::floor(reach[axis])));
-    box.Begin[axis] = std::max(0, box.Begin[axis] - voxels);
-    box.End[axis] = std::min(size, box.End[axis] + voxels);
-  }
+  box = box.Widened(BallReach(radius, geometry), { { { 0, 0, 0 } }, geometry.Dimensions });
   BitMask grown;
   if (!GrowByRows(mask, false, box, ball, parallelFor, monitor, grown))
   {

@@ -12,6 +12,10 @@
 namespace FlipFree
 {
 
+/// How many voxels a ball reaches along each axis from the centre of one, at most as many as the
+/// grid has. A voxel whose centre is on the ball's surface belongs to it, whatever the rounding.
+std::array<int, 3> BallReach(double radius, const ImageGeometry& geometry);
+
 /// Adds all voxels within `radius` millimetres of the mask. Returns false if the monitor, asked
 /// before each pass over the mask, stopped it; the mask then has neither voxels nor a grid.
 bool Dilate(BitMask& mask, double radius, const ParallelFor& parallelFor, const Monitor& monitor);

@@ -1,6 +1,8 @@
 /**
- * A set of grey values that is made of few intervals, so that whether a voxel's is one of them is
- * found by comparisons, many voxels at a time, instead of being looked up.
+ * A set of grey values that is made of intervals, so that whether a voxel's is one of them is found
+ * by comparisons, many voxels at a time, instead of being looked up. There is one comparison for
+ * every border: of many intervals, beyond some ten, it is right all the same, but slower than
+ * looking up.
  */
 #ifndef FlipFreeGreyIntervals_h
 #define FlipFreeGreyIntervals_h
@@ -16,7 +18,8 @@ class GreyIntervals
 {
 public:
   /// Whether the lowest values, and those that are not numbers, are in the set; and where, as
-  /// values rise, this changes: `borders`, ascending, each of which counts to what is above it.
+  /// values rise, this changes: `borders`, ascending, each of which counts to what is above it. Two
+  /// that are equal change nothing.
   GreyIntervals(bool lowest, std::vector<float> borders);
 
   /// The values z for which `isIn[place(z)]`, where `place` does not fall as z rises, and is 0 for

@@ -202,7 +202,7 @@ void IntensityModel::Reestimate(const ImageView<float>& image, const std::array<
   std::copy(odds.begin() + least, odds.begin() + last + 1, this->Table.begin() + least + 1);
   this->Threshold = settings.Threshold > 0 ? settings.Threshold : even;
   this->Table[bins(median) + 1] =
-    std::max(this->Table[bins(median) + 1], static_cast<float>(this->Threshold));
+    std::max(this->Table[bins(median) + 1], LeastFloatFrom(this->Threshold));
   this->Step = static_cast<float>(bins.Width);
   this->Begin = static_cast<float>(bins.Begin - 0.5 * bins.Width);
 }

@@ -1,23 +1,25 @@
 #include "OrganFeature.h"
 
+#include "BallMorphology.h"
+#include "FloatOrder.h"
 #include "SurfaceVoxelisation.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <limits>
 #include <stdexcept>
+#include <string>
 
 namespace FlipFree
 {
 namespace
 {
 
-// Fewer voxels do not make a histogram.
-constexpr std::size_t LeastSample = 200;
 // A region with a smaller part of background than this has no contrast.
 constexpr double LeastBackground = 1e-3;
 
-// All voxels within millimetres along the axes of the runs, and one more, which is not in them.
+// All voxels within millimetres along the axes of the runs, of which there is one at least, and one
+// more, which is not in them.
 VoxelBox BoxAround(const std::vector<VoxelRun>& runs, const ImageGeometry& geometry, double reach)
 {
   VoxelBox box{ geometry.Dimensions, { { 0, 0, 0 } } };
@@ -32,15 +34,12 @@ VoxelBox BoxAround(const std::vector<VoxelRun>& runs, const ImageGeometry& geome
     include(1, run.J, run.J + 1);
     include(2, run.K, run.K + 1);
   }
-  for (int axis = 0; axis < 3; ++axis)
+  std::array<int, 3> voxels = BallReach(reach, geometry);
+  for (int& more : voxels)
   {
-    const int size = geometry.Dimensions[axis];
-    const double voxels = std::ceil(reach / geometry.Spacing[axis] * (1 + 1e-6)) + 1;
-    const int margin = static_cast<int>(std::min<double>(size, voxels));
-    box.Begin[axis] = std::max(0, box.Begin[axis] - margin);
-    box.End[axis] = std::min(size, box.End[axis] + margin);
+    ++more;
   }
-  return box.IsEmpty() ? VoxelBox{ { { 0, 0, 0 } }, { { 1, 1, 1 } } } : box;
+  return box.Widened(voxels, { { { 0, 0, 0 } }, geometry.Dimensions });
 }
 
 } // namespace
@@ -67,7 +66,7 @@ IntensityModel FitToSeed(const ImageView<float>& smooth, const SeedSphere& seed,
   return IntensityModel::FromSeed(values, noise, settings);
 }
 
-bool RefitToSurface(const ImageView<float>& smooth, const PointList& points,
+Refit RefitToSurface(const ImageView<float>& smooth, const PointList& points,
   const TriangleList& triangles, double noise, const IntensitySettings& settings,
   const ParallelFor& parallelFor, const Monitor& monitor, IntensityModel& model)
 {
@@ -81,6 +80,10 @@ bool RefitToSurface(const ImageView<float>& smooth, const PointList& points,
   // In the index space of the whole, so that its rounding decides; the rest in a box.
   const std::vector<VoxelRun> runs =
     VoxeliseSurface(points, triangles, smooth.Geometry, parallelFor, PartOf(proceed, 0, 0.2));
+  if (runs.empty())
+  {
+    return stopped ? Refit::Stopped : Refit::NothingInside;
+  }
   const VoxelBox box = BoxAround(runs, smooth.Geometry, settings.ShellEnd);
   const auto [i, j, k] = box.Begin;
   BitMask inside(CropGeometry(smooth.Geometry, box));
@@ -92,13 +95,14 @@ bool RefitToSurface(const ImageView<float>& smooth, const PointList& points,
   if (!MakeInsideAndShell(settings, parallelFor, PartOf(proceed, 0.2, 0.9), inside, shell) ||
     !proceed(0.9))
   {
-    return false;
+    return Refit::Stopped;
   }
-  if (inside.Count() > LeastSample)
+  if (inside.Count() <= LeastRefitSample)
   {
-    model.Reestimate(smooth, box.Begin, inside, shell, noise, settings, parallelFor);
+    return Refit::TooFewInside;
   }
-  return true;
+  model.Reestimate(smooth, box.Begin, inside, shell, noise, settings, parallelFor);
+  return Refit::Done;
 }
 
 bool FindForeground(const ImageView<float>& smooth, const IntensityModel& model,
@@ -119,11 +123,22 @@ bool FindForegroundInBox(const ImageView<float>& smooth, const VoxelBox& box,
   const IntensityModel& model, const SeedSphere& seed, const LeakControlSettings& leaks,
   const ParallelFor& parallelFor, const Monitor& monitor, BitMask& foreground)
 {
+  const auto [i, j, k] = box.Begin;
+  if (i % BitMask::BitsOfWord != 0)
+  {
+    throw std::invalid_argument(
+      "a box in which foreground is looked for must begin at a multiple of " +
+      std::to_string(BitMask::BitsOfWord) + " along x, and not at " + std::to_string(i));
+  }
+  if (!VoxelBox{ { { 0, 0, 0 } }, smooth.Geometry.Dimensions }.Holds(box))
+  {
+    throw std::invalid_argument(
+      "a box in which foreground is looked for must lie in the image; cut it off there");
+  }
   if (!monitor(0))
   {
     return false;
   }
-  const auto [i, j, k] = box.Begin;
   BitMask part = VoxelsIn(model.Foreground(), smooth, box, parallelFor);
   const ImageGeometry geometry = part.GetGeometry();
   // As the whole image finds them, so that its rounding decides.
@@ -132,8 +147,14 @@ bool FindForegroundInBox(const ImageView<float>& smooth, const VoxelBox& box,
   {
     const auto& size = smooth.Geometry.Dimensions;
     const std::size_t row = voxel / size[0];
-    sources.push_back(geometry.Offset(static_cast<int>(voxel % size[0]) - i,
-      static_cast<int>(row % size[1]) - j, static_cast<int>(row / size[1]) - k));
+    const std::array<int, 3> index{ { static_cast<int>(voxel % size[0]) - i,
+      static_cast<int>(row % size[1]) - j, static_cast<int>(row / size[1]) - k } };
+    if (!geometry.Contains(index[0], index[1], index[2]))
+    {
+      throw std::invalid_argument(
+        "a box in which foreground is looked for must hold the seed sphere; widen it");
+    }
+    sources.push_back(geometry.Offset(index[0], index[1], index[2]));
   }
   if (!ControlLeaks(part, sources, leaks, parallelFor, PartOf(monitor, 0.1, 1)))
   {
@@ -153,12 +174,12 @@ bool FindForegroundInBox(const ImageView<float>& smooth, const VoxelBox& box,
 
 std::array<int, 3> ForegroundMargin(const ImageGeometry& geometry, const LeakControlSettings& leaks)
 {
+  const std::array<int, 3> closing = BallReach(leaks.ClosingRadius, geometry);
+  const std::array<int, 3> opening = BallReach(leaks.OpeningRadius, geometry);
   std::array<int, 3> margin{};
   for (int axis = 0; axis < 3; ++axis)
   {
-    const auto voxels = [&](double radius)
-    { return static_cast<int>(std::ceil(radius / geometry.Spacing[axis] * (1 + 1e-6))); };
-    margin[axis] = 2 * voxels(leaks.ClosingRadius) + voxels(leaks.OpeningRadius) + 1;
+    margin[axis] = 2 * closing[axis] + opening[axis] + 1;
   }
   return margin;
 }
@@ -167,12 +188,7 @@ std::vector<float> MakeFeature(const ImageView<float>& smooth, const IntensityMo
   const BitMask& foreground, const ParallelFor& parallelFor)
 {
   const auto& size = smooth.Geometry.Dimensions;
-  auto threshold = static_cast<float>(model.Threshold);
-  if (threshold < model.Threshold)
-  {
-    // Rounded towards the foreground, so that a voxel at the threshold stays above it as a double.
-    threshold = std::nextafter(threshold, std::numeric_limits<float>::infinity());
-  }
+  const float threshold = LeastFloatFrom(model.Threshold);
   const float below = 0.5F * threshold;
   std::vector<float> feature(smooth.Geometry.NumberOfVoxels());
   parallelFor(0, size[2],

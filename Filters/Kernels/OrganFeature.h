@@ -24,10 +24,11 @@ bool FindForeground(const ImageView<float>& smooth, const IntensityModel& model,
   const SeedSphere& seed, const OrganFeatureSettings& settings, const ParallelFor& parallelFor,
   const Monitor& monitor, BitMask& foreground);
 
-/// The same, looked for in a box of the image alone, in which the seed sphere lies; a box that
-/// begins at a multiple of BitMask::BitsOfWord along x. Voxels of the box that are nearer to its
-/// sides than ForegroundMargin() may be wrong; where none of those farther in than the margin is
-/// missing, see there, the foreground is that of the whole image.
+/// The same, looked for in a box of the image alone. Voxels that are nearer to the box's sides than
+/// ForegroundMargin() may be wrong. If all voxels found keep that margin from the sides that are
+/// not the image's own, the result is that of the whole image. Throws std::invalid_argument unless
+/// the box lies in the image, holds the seed sphere's voxels, and begins at a multiple of
+/// BitMask::BitsOfWord along x.
 bool FindForegroundInBox(const ImageView<float>& smooth, const VoxelBox& box,
   const IntensityModel& model, const SeedSphere& seed, const LeakControlSettings& leaks,
   const ParallelFor& parallelFor, const Monitor& monitor, BitMask& foreground);
@@ -53,9 +54,20 @@ void RequireContrast(const BitMask& foreground);
 IntensityModel FitToSeed(const ImageView<float>& smooth, const SeedSphere& seed, double noise,
   const IntensitySettings& settings);
 
-/// Fits it again to the inside of a closed surface, if that holds enough voxels. Returns false if
-/// the monitor, asked before each pass over the image, stopped it; the model is then as it was.
-bool RefitToSurface(const ImageView<float>& smooth, const PointList& points,
+enum class Refit
+{
+  Done,
+  NothingInside, ///< no voxel's centre lies within the surface
+  TooFewInside,  ///< LeastRefitSample or fewer lie more than InnerMargin inside it
+  Stopped        ///< by the monitor
+};
+
+/// As many voxels or fewer do not make a histogram.
+constexpr std::size_t LeastRefitSample = 200;
+
+/// Fits it again to the inside of a closed surface. The monitor is asked before each pass over the
+/// image. Unless it is done, the model is as it was.
+Refit RefitToSurface(const ImageView<float>& smooth, const PointList& points,
   const TriangleList& triangles, double noise, const IntensitySettings& settings,
   const ParallelFor& parallelFor, const Monitor& monitor, IntensityModel& model);
 

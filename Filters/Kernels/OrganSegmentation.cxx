@@ -183,18 +183,17 @@ private:
     {
       return made;
     }
-    const std::array<int, 3> margin = this->Margin();
+    std::array<int, 3> margin = this->Margin();
     const Extent seed =
       ReachableExtent(this->Smooth.Geometry, this->Seed.Center, this->Seed.Radius);
-    VoxelBox box;
+    VoxelBox box = this->Bounds;
     for (int axis = 0; axis < 3; ++axis)
     {
-      const int more = margin[axis] + margin[axis] / 2;
-      const int begin = std::min(seed[2 * axis], this->Bounds.Begin[axis]);
-      const int end = std::max(seed[2 * axis + 1] + 1, this->Bounds.End[axis]);
-      box.Begin[axis] = std::max(made.Begin[axis], begin - more);
-      box.End[axis] = std::min(made.End[axis], end + more);
+      margin[axis] += margin[axis] / 2;
+      box.Begin[axis] = std::min(seed[2 * axis], box.Begin[axis]);
+      box.End[axis] = std::max(seed[2 * axis + 1] + 1, box.End[axis]);
     }
+    box = box.Widened(margin, made);
     BeginWithWord(box);
     return box;
   }

@@ -131,12 +131,15 @@ CorrespondenceField FindTargets(const ContourMesh& mesh, const PointList& points
   const PointList normals = VertexNormals(mesh, points, settings.NormalSmoothing);
   CorrespondenceField field =
     FindCorrespondences(points, normals, foreground, edges, settings.Correspondence, parallelFor);
+  const auto withoutBoundary =
+    std::count(field.States.begin(), field.States.end(), VertexState::Solitary);
   if (settings.OutlierDeviations > 0)
   {
     const double voxel = foreground.GetGeometry().Spacing.maxCoeff();
     RejectOutliers(mesh, normals, settings.OutlierDeviations, voxel, parallelFor, field);
   }
   report = Describe(field);
+  report.WithoutBoundary = static_cast<int>(withoutBoundary);
   if (settings.MaximumDisplacement > 0)
   {
     LimitDisplacements(settings.MaximumDisplacement, field);

@@ -30,6 +30,7 @@ struct TargetReport
   double MeanDistance = 0; ///< mm, over the matched vertices, before displacements are limited
   int Matched = 0;
   int Solitary = 0;
+  int WithoutBoundary = 0; ///< of these, the ones whose search found none; the others were outliers
 };
 
 /// Makes the vertices solitary whose displacement along the normal is unlike those of their

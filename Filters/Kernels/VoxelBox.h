@@ -4,6 +4,7 @@
 #ifndef FlipFreeVoxelBox_h
 #define FlipFreeVoxelBox_h
 
+#include <algorithm>
 #include <array>
 
 namespace FlipFree
@@ -25,6 +26,17 @@ struct VoxelBox
       holds = holds && this->Begin[axis] <= other.Begin[axis] && other.End[axis] <= this->End[axis];
     }
     return holds || other.IsEmpty();
+  }
+  /// So many voxels more on either side of each axis, but none beyond the limits.
+  VoxelBox Widened(const std::array<int, 3>& voxels, const VoxelBox& limits) const
+  {
+    VoxelBox result;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      result.Begin[axis] = std::max(limits.Begin[axis], this->Begin[axis] - voxels[axis]);
+      result.End[axis] = std::min(limits.End[axis], this->End[axis] + voxels[axis]);
+    }
+    return result;
   }
   friend bool operator==(const VoxelBox& a, const VoxelBox& b)
   {

@@ -1,5 +1,6 @@
 #include "SegmentationParameters.h"
 
+#include "ExecutionAdapter.h"
 #include "PropertyCheck.h"
 
 #include "vtkFlipFreeSegmentation.h"
@@ -16,6 +17,7 @@ constexpr int LeastResolution = 2;
 constexpr double LeastReach = 100;
 constexpr double GreatestReach = 250;
 constexpr double ReachInRadii = 10;
+constexpr double UsualSearchInRadii = 1.6; // SearchScale by default
 constexpr double LeastSearch = 15;
 constexpr double GreatestSearch = 60;
 constexpr double LeastOpening = 2.5;
@@ -26,6 +28,18 @@ constexpr double MostVoxelsOfEdgeWindow = 1.5;
 double Clamp(double value, double least, double greatest)
 {
   return std::max(least, std::min(greatest, value));
+}
+
+double SearchDistanceBy(double scale, double radius)
+{
+  return Clamp(scale * radius, LeastSearch, GreatestSearch);
+}
+
+double SearchDistanceOf(vtkFlipFreeSegmentation* filter)
+{
+  return filter->GetSearchDistance() > 0
+    ? filter->GetSearchDistance()
+    : SearchDistanceBy(filter->GetSearchScale(), filter->GetSeedRadius());
 }
 
 } // namespace
@@ -95,17 +109,31 @@ bool ReachesEndOf(const ImageGeometry& region, const ImageGeometry& image, const
   return false;
 }
 
-double FractionAtEndOf(const ImageGeometry& image, const PointList& points)
+double FractionAtEndsOf(const ImageGeometry& image, const PointList& points)
 {
   const Eigen::Array3d last(image.Dimensions[0] - 1, image.Dimensions[1] - 1,
     image.Dimensions[2] - 1);
-  Eigen::Index count = 0;
+  // At the ends of each axis, and at those of each of the two others.
+  Eigen::Array3i ofAxis = Eigen::Array3i::Zero();
+  Eigen::Array3i ofOthers = Eigen::Array3i::Zero();
   for (Eigen::Index vertex = 0; vertex < points.rows(); ++vertex)
   {
     const Eigen::Array3d index = image.ToIndex(points.row(vertex).transpose());
-    count += (index < 0.5).any() || (index > last - 0.5).any();
+    const Eigen::Array<bool, 3, 1> atEnd = index < 0.5 || index > last - 0.5;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      ofAxis[axis] += atEnd[axis];
+      ofOthers[axis] += atEnd[(axis + 1) % 3] || atEnd[(axis + 2) % 3];
+    }
   }
-  return static_cast<double>(count) / static_cast<double>(points.rows());
+  Eigen::Index most = 0;
+  ofAxis.maxCoeff(&most);
+  return ofOthers[most] / static_cast<double>(points.rows());
+}
+
+bool SearchesFar(vtkFlipFreeSegmentation* filter)
+{
+  return SearchDistanceOf(filter) >= SearchDistanceBy(UsualSearchInRadii, filter->GetSeedRadius());
 }
 
 AnisotropicDiffusionSettings DiffusionSettingsOf(vtkFlipFreeSegmentation* filter, double noise,
@@ -115,6 +143,7 @@ AnisotropicDiffusionSettings DiffusionSettingsOf(vtkFlipFreeSegmentation* filter
   settings.Iterations = filter->GetDiffusionIterations();
   settings.Equation = static_cast<DiffusionEquation>(filter->GetDiffusionEquation());
   settings.Contrast = ContrastOfNoise(noise, geometry, settings.Equation);
+  settings.Threads = NumberOfThreads();
   return settings;
 }
 
@@ -144,9 +173,7 @@ OrganSegmentationSettings SettingsOf(vtkFlipFreeSegmentation* filter, const Imag
       MostVoxelsOpened * voxel);
 
   CorrespondenceSettings& search = settings.Targets.Correspondence;
-  search.SearchDistance = filter->GetSearchDistance() > 0
-    ? filter->GetSearchDistance()
-    : Clamp(filter->GetSearchScale() * radius, LeastSearch, GreatestSearch);
+  search.SearchDistance = SearchDistanceOf(filter);
   search.RunLength = filter->GetRunLength();
   search.RunVoxels = filter->GetRunVoxels();
   search.SearchInward = filter->GetSearchInward();

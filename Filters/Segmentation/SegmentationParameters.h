@@ -29,8 +29,13 @@ double ReachOf(vtkFlipFreeSegmentation* filter);
 /// Does a surface touch the end of the region where the image goes on?
 bool ReachesEndOf(const ImageGeometry& region, const ImageGeometry& image, const PointList& points);
 
-/// The fraction of the points that lie in the image's outermost voxels.
-double FractionAtEndOf(const ImageGeometry& image, const PointList& points);
+/// The fraction of the points that lie in the image's outermost voxels along any axis but the one
+/// at whose ends lie most of them: what is thick along one axis alone, as a stack of few slices or
+/// a slab that cuts an organ off above and below, is no sign that a surface has run away.
+double FractionAtEndsOf(const ImageGeometry& image, const PointList& points);
+
+/// Is a search line as long as by default, or longer?
+bool SearchesFar(vtkFlipFreeSegmentation* filter);
 
 AnisotropicDiffusionSettings DiffusionSettingsOf(vtkFlipFreeSegmentation* filter, double noise,
   const ImageGeometry& geometry);

@@ -71,9 +71,10 @@ int vtkCorrespondenceSearch::RequestData(vtkInformation*, vtkInformationVector**
     const FlipFree::DeformableSurface surface =
       FlipFree::DeformableSurfaceOf(input, "the surface on port 0", false);
     FlipFree::RequireGreyImage(featureImage, "the feature on port 1");
+    FlipFree::RequireFinite(featureImage, FlipFree::WholeExtent(FlipFree::GeometryOf(featureImage)),
+      "the feature on port 1");
     FlipFree::FloatImage copyOfFeature;
     const FlipFree::ImageView<float> feature = FlipFree::GreyViewOf(featureImage, copyOfFeature);
-    FlipFree::RequireFinite(feature, "the feature on port 1");
     const std::vector<double> given =
       FlipFree::FieldValues("FeatureThreshold", 1, false, featureImage, "the feature on port 1");
     const double threshold = this->Threshold > 0 ? this->Threshold
@@ -86,8 +87,9 @@ int vtkCorrespondenceSearch::RequestData(vtkInformation*, vtkInformationVector**
     if (this->EdgeWindow > 0)
     {
       FlipFree::RequireGreyImage(edgeImage, "the edge image on port 2");
+      FlipFree::RequireFinite(edgeImage, FlipFree::WholeExtent(FlipFree::GeometryOf(edgeImage)),
+        "the edge image on port 2");
       edges = FlipFree::GreyViewOf(edgeImage, copyOfEdges);
-      FlipFree::RequireFinite(edges, "the edge image on port 2");
       FlipFree::RequireSameGeometry(edges.Geometry, feature.Geometry, "the edge image on port 2",
         "the feature on port 1");
     }

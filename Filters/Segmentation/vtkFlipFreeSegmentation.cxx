@@ -322,37 +322,38 @@ void vtkFlipFreeSegmentation::WarnOf(const FlipFree::OrganSurface& organ,
 }
 
 // Of a seed in air, or in anything that is no organ, comes a surface all the same. On organs less
-// than a twentieth of the vertices find no boundary; and at the end of the image lies less than a
-// fifth, even where it cuts a liver off. What starts elsewhere than at the seed, or folds
-// unguarded, may leave out more.
+// than a twentieth of the vertices find no boundary; and at the ends of the image along two axes
+// lies hardly any, even where a slab cuts a liver off above and below. What starts elsewhere than
+// at the seed, or folds unguarded, or searches less far, may leave out more.
 void vtkFlipFreeSegmentation::WarnOfSeed(const FlipFree::OrganSurface& organ,
   const FlipFree::ImageGeometry& image)
 {
   constexpr double mostWithoutBoundary = 0.1;
-  constexpr double mostAtEnd = 0.25;
+  constexpr double mostAtEnds = 0.25;
   const bool startsAtSeed = this->GetNumberOfInputConnections(1) == 0 && this->StartScale == 1 &&
     Eigen::Vector3d(this->StartCenterOffset).isZero();
   if (!startsAtSeed || !this->Guard || organ.Iterations.empty())
   {
     return;
   }
-  const double without =
-    static_cast<double>(organ.Iterations.back().Targets.Solitary) / organ.Mesh.NumberOfPoints();
-  const double atEnd = FlipFree::FractionAtEndOf(image, organ.Points);
+  const double without = static_cast<double>(organ.Iterations.back().Targets.WithoutBoundary) /
+    organ.Mesh.NumberOfPoints();
+  const double atEnds = FlipFree::FractionAtEndsOf(image, organ.Points);
   const auto percent = [](double fraction) { return std::lround(100 * fraction); };
-  if (without > mostWithoutBoundary)
+  if (without > mostWithoutBoundary && FlipFree::SearchesFar(this))
   {
     vtkWarningMacro(<< percent(without)
                     << " % of the surface found no boundary, so it may not be an organ's; check "
                        "that the seed sphere lies within the organ and not in air, or move "
                        "SeedCenter.");
   }
-  else if (atEnd > mostAtEnd)
+  else if (atEnds > mostAtEnds)
   {
-    vtkWarningMacro(<< percent(atEnd)
-                    << " % of the surface lies at the image's end, so it may be that of what "
-                       "surrounds the organ; check that the seed sphere lies within the organ and "
-                       "not in air, or move SeedCenter.");
+    vtkWarningMacro(
+      << percent(atEnds)
+      << " % of the surface lies at the image's ends along two axes, so it may be that "
+         "of what surrounds the organ; check that the seed sphere lies within the organ and "
+         "not in air, or move SeedCenter.");
   }
 }
 

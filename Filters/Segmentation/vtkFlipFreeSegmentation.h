@@ -29,8 +29,9 @@
  * start surface that is open, not four-valent or self-intersecting. Each is reported once; the
  * outputs are then empty. Warnings, with a result all the same: a seed sphere that reaches beyond
  * the image, no boundary found, a surface that could not be refined or has got to the end of Reach;
- * and, of one grown from the seed with the guard, no boundary for more than a tenth of it, or more
- * than a quarter of it at the image's end: the seed may lie in air.
+ * and, of one grown from the seed with the guard, no boundary for more than a tenth of it (unless
+ * search lines are shorter than by default), or more than a quarter of it at the image's ends along
+ * two axes: the seed may lie in air.
  *
  * Source: the paper, Algorithm 1 and sections 3.1 to 3.6; remedies beyond it carry their own
  * switch.

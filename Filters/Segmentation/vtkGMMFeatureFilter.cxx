@@ -13,6 +13,8 @@
 #include "vtkPolyData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
+#include <stdexcept>
+
 vtkStandardNewMacro(vtkGMMFeatureFilter);
 
 vtkGMMFeatureFilter::vtkGMMFeatureFilter()
@@ -74,38 +76,66 @@ int vtkGMMFeatureFilter::RequestData(vtkInformation*, vtkInformationVector** inp
     FlipFree::RequireGreyImage(image, "the image on port 0");
     const FlipFree::ImageGeometry geometry = FlipFree::GeometryOf(image);
     FlipFree::RequireSeed(geometry, seed, "the image on port 0");
-    FlipFree::FloatImage copy;
-    const FlipFree::ImageView<float> smooth = FlipFree::GreyViewOf(image, copy);
-    FlipFree::RequireFinite(smooth, "the image on port 0");
     const std::vector<double> given =
       FlipFree::FieldValues("NoiseDeviation", 1, false, image, "the image on port 0");
-    const double noise = given.empty() ? FlipFree::NoiseDeviation(smooth, seed) : given.front();
-
-    FlipFree::IntensityModel model = FlipFree::FitToSeed(smooth, seed, noise, settings.Intensity);
     const FlipFree::Monitor whole = FlipFree::MonitorOf(this);
+    if (!FlipFree::RequireFinite(image, FlipFree::WholeExtent(geometry), "the image on port 0",
+          FlipFree::PartOf(whole, 0, 0.05)) ||
+      !whole(0.05))
+    {
+      return 1; // aborted
+    }
+    FlipFree::FloatImage copy;
+    const FlipFree::ImageView<float> smooth = FlipFree::GreyViewOf(image, copy);
+    if (!whole(0.08))
+    {
+      return 1;
+    }
+    const double noise = given.empty() ? FlipFree::NoiseDeviation(smooth, seed) : given.front();
+    FlipFree::IntensityModel model = FlipFree::FitToSeed(smooth, seed, noise, settings.Intensity);
     bool proceed = whole(0.1);
+    FlipFree::Refit refit = FlipFree::Refit::TooFewInside; // of no surface
     if (proceed && surface)
     {
       const FlipFree::PolygonalSurface inside =
         FlipFree::SurfaceOf(surface, "the surface on port 1");
       FlipFree::RequireClosed(static_cast<int>(inside.Points.rows()), inside.Triangles,
         "the surface on port 1");
-      proceed = FlipFree::RefitToSurface(smooth, inside.Points, inside.Triangles, noise,
+      refit = FlipFree::RefitToSurface(smooth, inside.Points, inside.Triangles, noise,
         settings.Intensity, FlipFree::SMPFor, FlipFree::PartOf(whole, 0.1, 0.4), model);
+      proceed = refit != FlipFree::Refit::Stopped;
+      if (refit == FlipFree::Refit::NothingInside)
+      {
+        throw std::invalid_argument("the surface on port 1 holds no voxel of the image on port 0; "
+                                    "check that both are in the same physical coordinates");
+      }
+      if (refit == FlipFree::Refit::TooFewInside)
+      {
+        vtkWarningMacro("The surface on port 1 has no more than "
+          << FlipFree::LeastRefitSample << " voxels that are more than "
+          << settings.Intensity.InnerMargin
+          << " mm inside, too few to model the organ, so the feature is that of the seed; enlarge "
+             "the surface, or disconnect it.");
+      }
     }
     FlipFree::BitMask foreground;
     if (!proceed ||
       !FlipFree::FindForeground(smooth, model, seed, settings, FlipFree::SMPFor,
-        FlipFree::PartOf(whole, 0.4, 1), foreground))
+        FlipFree::PartOf(whole, 0.4, 0.9), foreground) ||
+      !whole(0.9))
     {
-      return 1; // aborted
+      return 1;
     }
-    if (!surface)
+    if (refit != FlipFree::Refit::Done)
     {
       FlipFree::RequireContrast(foreground);
     }
     const std::vector<float> feature =
       FlipFree::MakeFeature(smooth, model, foreground, FlipFree::SMPFor);
+    if (!whole(0.97))
+    {
+      return 1;
+    }
 
     output->CopyStructure(image);
     FlipFree::SetFloatScalars("Feature", feature, output);

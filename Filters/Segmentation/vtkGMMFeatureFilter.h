@@ -6,7 +6,7 @@
  * paper), fitted by expectation maximisation; the Bayesian information criterion chooses the number
  * of components. The feature of a voxel is g(z) over its greatest value. With a surface on port 1
  * the feature is instead the odds of the intensities inside the surface against those of a shell
- * around it, in [0, 1] with threshold 1/2.
+ * around it, in [0, 1] with threshold 1/2; the outermost 2 mm inside model neither.
  *
  * Leak control (beyond the paper) closes the foreground, opens it, and keeps what hangs together
  * with the seed, so that thin bridges to neighbours do not leak. Voxels that it takes away get half
@@ -20,9 +20,12 @@
  * per component, grey values), `EdgeRamp` (3 values: low, high, width, by which
  * vtkCorrespondenceSearch reads edges).
  *
- * Errors: as vtkSeedRegionDiffusion; an open surface; a seed that holds no voxel, or, without a
- * surface, has no contrast to its surroundings; a `NoiseDeviation` that is not one finite number.
- * Progress is reported and an abort obeyed between passes over the image; the output is then empty.
+ * Errors: as vtkSeedRegionDiffusion; a surface that is open, or holds no voxel of the image; a seed
+ * that holds no voxel, or, unless a surface takes its place, has no contrast to its surroundings; a
+ * `NoiseDeviation` that is not one finite number; a property that is NaN. Warning: of a surface
+ * with 200 voxels or fewer more than 2 mm inside, too few to model the organ, the feature is that
+ * of the seed. Progress is reported and an abort obeyed between passes over the image; the output
+ * is then empty.
  */
 #ifndef vtkGMMFeatureFilter_h
 #define vtkGMMFeatureFilter_h
@@ -57,7 +60,7 @@ public:
 
   ///@{
   /**
-   * Radius of the seed sphere, in millimetres. Default 10.
+   * Radius of the seed sphere, in millimetres. Default 10; 1e-6 to 1e6, and a voxel at least.
    */
   vtkSetClampMacro(SeedRadius, double, 1e-6, 1e6);
   vtkGetMacro(SeedRadius, double);
@@ -82,7 +85,7 @@ public:
   ///@{
   /**
    * Standard deviations of the noise that are added, in squares, to each component's deviation.
-   * Default 1.
+   * Default 1; 0 to 100.
    */
   vtkSetClampMacro(NoiseWidening, double, 0, 100);
   vtkGetMacro(NoiseWidening, double);
@@ -90,8 +93,8 @@ public:
 
   ///@{
   /**
-   * Mass of the mixture that the threshold keeps. Default 0.95; counts where FeatureThreshold is
-   * zero.
+   * Mass of the mixture that the threshold keeps. Default 0.95; 0.01 to 0.99999. Counts where
+   * FeatureThreshold is zero.
    */
   vtkSetClampMacro(ForegroundMass, double, 0.01, 0.99999);
   vtkGetMacro(ForegroundMass, double);
@@ -116,7 +119,8 @@ public:
 
   ///@{
   /**
-   * Radii of the closing and of the opening, in millimetres. Defaults 1.5 and 4.
+   * Radii of the closing and of the opening, in millimetres. Defaults 1.5 and 4; 0, which does
+   * nothing, to 1000.
    */
   vtkSetClampMacro(ClosingRadius, double, 0, 1000);
   vtkGetMacro(ClosingRadius, double);

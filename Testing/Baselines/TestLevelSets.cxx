@@ -1,6 +1,8 @@
-// The rim of the level set: so many millimetres at any spacing.
+// The rim of the level set: so many millimetres at any spacing, and up to the image's end; and an
+// abort while it is made.
 #include "vtkLevelSetSegmentation.h"
 
+#include "vtkCommand.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
@@ -84,6 +86,92 @@ TEST_P(LevelSetRim, IsSoManyMillimetres)
   }
 }
 
+// The front has settled then, and is being moved.
+TEST_P(LevelSetRim, AnAbortWhileItIsMadeLeavesNothing)
+{
+  constexpr double settled = 0.1 + 0.95 * (0.95 - 0.1); // the filter's shares of the progress
+  struct Abort
+  {
+    bool Done = false;
+    double Last = 0;
+    void Look(vtkObject* caller, unsigned long, void* now)
+    {
+      this->Last = *static_cast<double*>(now);
+      if (!this->Done && this->Last >= settled - 1e-9)
+      {
+        this->Done = true;
+        vtkAlgorithm::SafeDownCast(caller)->SetAbortExecute(1);
+      }
+    }
+  };
+  for (const double width : { 0.0, 1.2 })
+  {
+    Abort abort;
+    this->Filter->SetRimWidth(width);
+    const unsigned long tag =
+      this->Filter->AddObserver(vtkCommand::ProgressEvent, &abort, &Abort::Look);
+    this->Filter->Update();
+    this->Filter->RemoveObserver(tag);
+    // Without a rim there is nothing to be told of between the front and the end.
+    EXPECT_EQ(this->Filter->GetSurface()->GetNumberOfPoints() == 0, width > 0) << width;
+    EXPECT_EQ(this->Filter->GetLabelMap()->GetNumberOfPoints() == 0, width > 0) << width;
+    EXPECT_TRUE(abort.Done);
+    EXPECT_LT(abort.Last, width > 0 ? 0.95 : 1.01);
+  }
+  this->Filter->Modified();
+  this->Filter->Update();
+  EXPECT_GT(this->Filter->GetSurface()->GetNumberOfPoints(), 0);
+}
+
 INSTANTIATE_TEST_SUITE_P(Baselines, LevelSetRim,
   testing::Values(Grid{ { 0.3, 0.3, 0.3 }, 6 }, Grid{ { 0.7, 0.7, 2 }, 12 },
     Grid{ { 2, 2, 2 }, 20 }));
+
+// Cut off by the image: the rim is as wide up to its end.
+TEST(LevelSet, HasARimUpToTheImagesEnd)
+{
+  constexpr double ball = 10;
+  vtkNew<vtkImageData> image;
+  image->SetExtent(-16, 4, -16, 16, -16, 16);
+  image->AllocateScalars(VTK_SHORT, 1);
+  const auto distanceOf = [&image](vtkIdType voxel)
+  {
+    double point[3];
+    image->GetPoint(voxel, point);
+    return std::hypot(point[0], point[1], point[2]);
+  };
+  auto* voxels = static_cast<short*>(image->GetScalarPointer());
+  for (vtkIdType voxel = 0; voxel < image->GetNumberOfPoints(); ++voxel)
+  {
+    voxels[voxel] = distanceOf(voxel) < ball ? 100 : -100;
+  }
+  vtkNew<vtkLevelSetSegmentation> filter;
+  filter->SetInputData(image);
+  filter->SetSeedCenter(-3, 0, 0);
+  filter->SetSeedRadius(5);
+  filter->SetDiffusionIterations(0);
+  filter->SetCurvatureScaling(0.5);
+  for (const double width : { 0.0, 1.2, 3.0 })
+  {
+    filter->SetRimWidth(width);
+    filter->Update();
+    const auto* labels = static_cast<unsigned char*>(filter->GetLabelMap()->GetScalarPointer());
+    int atEnd = 0;
+    for (vtkIdType voxel = 0; voxel < image->GetNumberOfPoints(); ++voxel)
+    {
+      const double distance = distanceOf(voxel);
+      if (std::abs(distance - ball - width) > 1.5)
+      {
+        ASSERT_EQ(labels[voxel] != 0, distance < ball + width) << width << ", voxel " << voxel;
+      }
+      atEnd += image->GetPoint(voxel)[0] == 4 && labels[voxel] != 0;
+    }
+    const double square = (ball + width) * (ball + width) - 16;
+    EXPECT_NEAR(atEnd, 3.14159 * square, 0.2 * 3.14159 * square) << width;
+    double bounds[6];
+    filter->GetSurface()->GetBounds(bounds);
+    EXPECT_NEAR(bounds[0], -ball - width, 1);
+    EXPECT_GE(bounds[1], 4); // closed there
+    EXPECT_LE(bounds[1], 5);
+  }
+}

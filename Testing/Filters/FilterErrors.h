@@ -56,6 +56,16 @@ private:
   }
 };
 
+/// Keeps the words of all warnings to come, instead of printing them.
+inline void KeepWarnings(vtkObject* object, std::vector<std::string>& warnings)
+{
+  vtkNew<vtkCallbackCommand> keep;
+  keep->SetClientData(&warnings);
+  keep->SetCallback([](vtkObject*, unsigned long, void* list, void* text)
+    { static_cast<std::vector<std::string>*>(list)->emplace_back(static_cast<char*>(text)); });
+  object->AddObserver(vtkCommand::WarningEvent, keep);
+}
+
 /// Updates an algorithm and gives the only error that it reports itself, or how many it reported.
 inline std::string ErrorOfUpdate(vtkAlgorithm* algorithm)
 {

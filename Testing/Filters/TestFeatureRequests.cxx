@@ -5,6 +5,7 @@
 #include "BadInput.h"
 #include "FilterErrors.h"
 
+#include "vtkImageData.h"
 #include "vtkTimerLog.h"
 
 using namespace FlipFree;
@@ -28,6 +29,7 @@ public:
   Watch(const Watch&) = delete;
   void operator=(const Watch&) = delete;
 
+  int AbortAtReport = 0; ///< counted from 1; 0: at none
   int Reports = 0;
   int ReportsAfterAbort = -1; ///< -1: not aborted
   double Time = 0;            ///< of the abort
@@ -42,7 +44,7 @@ private:
     {
       ++this->ReportsAfterAbort;
     }
-    else if (now >= this->AbortAt)
+    else if (now >= this->AbortAt || this->Reports == this->AbortAtReport)
     {
       this->ReportsAfterAbort = 0;
       this->Time = vtkTimerLog::GetUniversalTime();
@@ -82,6 +84,42 @@ TEST_F(FeatureRequests, ProgressIsReportedAllAlong)
   EXPECT_EQ(ErrorOfUpdate(this->Filter), "0 errors");
   EXPECT_GT(watch.Reports, 20);
   EXPECT_EQ(this->Filter->GetOutput()->GetNumberOfPoints(), 96 * 96 * 96);
+}
+
+// From the first question, before the voxels are looked at, to the last, before the output is
+// filled: with leak control and without, of the image's own floats and of shorts that are
+// converted.
+TEST_F(FeatureRequests, AnAbortAtAnyReportLeavesNothing)
+{
+  auto* const image = vtkImageData::SafeDownCast(this->Filter->GetInputDataObject(0, 0));
+  vtkNew<vtkImageData> floats;
+  floats->CopyStructure(image);
+  floats->AllocateScalars(VTK_FLOAT, 1);
+  floats->CopyAndCastFrom(image, image->GetExtent());
+  vtkNew<vtkImageData> shorts;
+  shorts->CopyStructure(image);
+  shorts->AllocateScalars(VTK_SHORT, 1);
+  shorts->CopyAndCastFrom(image, image->GetExtent());
+  for (const bool leakControl : { true, false })
+  {
+    this->Filter->SetInputData(leakControl ? floats.Get() : shorts.Get());
+    this->Filter->SetLeakControl(leakControl);
+    const Watch all(this->Filter, 2);
+    this->Filter->Update();
+    this->Filter->RemoveAllObservers();
+    EXPECT_EQ(this->Filter->GetOutput()->GetNumberOfPoints(), 96 * 96 * 96);
+    ASSERT_GT(all.Reports, 10);
+    for (int report = 1; report < all.Reports; ++report) // the last is VTK's own, of the end
+    {
+      this->Filter->Modified();
+      Watch watch(this->Filter, 2);
+      watch.AbortAtReport = report;
+      this->Filter->Update();
+      this->Filter->RemoveAllObservers();
+      EXPECT_TRUE(IsEmpty(this->Filter->GetOutput())) << "report " << report;
+      EXPECT_LE(watch.ReportsAfterAbort, 1) << "report " << report;
+    }
+  }
 }
 
 TEST_F(FeatureRequests, AbortEndsSoonAndLeavesNothing)

@@ -1,5 +1,6 @@
 // What a pipeline may ask of the segmentation beside the surface: its history as time steps, an end
 // before the end, and the same bits from any number of threads.
+#include "FilterErrors.h"
 #include "PhantomCases.h"
 
 #include "vtkCallbackCommand.h"
@@ -16,15 +17,18 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace
 {
 
+using FlipFree::KeepWarnings;
 using Pipeline = vtkStreamingDemandDrivenPipeline;
 
 std::vector<double> PointsOf(vtkPolyData* surface)
@@ -285,21 +289,6 @@ TEST_F(SegmentationRequests, LevelsAreLeftOutThatWouldBeginTooCoarse)
   EXPECT_EQ(this->Filter->GetSurface()->GetNumberOfPoints(), 6 * 8 * 8);
 }
 
-namespace
-{
-
-// Keeps the words of all warnings to come.
-void KeepWarnings(vtkObject* object, std::vector<std::string>& warnings)
-{
-  vtkNew<vtkCallbackCommand> keep;
-  keep->SetClientData(&warnings);
-  keep->SetCallback([](vtkObject*, unsigned long, void* list, void* text)
-    { static_cast<std::vector<std::string>*>(list)->emplace_back(static_cast<char*>(text)); });
-  object->AddObserver(vtkCommand::WarningEvent, keep);
-}
-
-} // namespace
-
 TEST_F(SegmentationRequests, ASeedThatReachesBeyondTheImageWarns)
 {
   std::vector<std::string> warnings;
@@ -380,6 +369,97 @@ TEST(SegmentationWarnings, ASurfaceThatFindsNoBoundaryInPlacesWarns)
   ASSERT_EQ(warnings.size(), 1u);
   EXPECT_NE(warnings[0].find("% of the surface found no boundary"), std::string::npos)
     << warnings[0];
+}
+
+namespace
+{
+
+bool WarnsOfAir(const std::vector<std::string>& warnings)
+{
+  return std::any_of(warnings.begin(), warnings.end(),
+    [](const std::string& warning) { return warning.find("in air") != std::string::npos; });
+}
+
+// A cylinder of 100 and so many millimetres along the third axis, with noise, between 0.
+vtkSmartPointer<vtkImageData> CylinderImage(double radius, int slices, double thickness)
+{
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(60, 60, slices);
+  image->SetSpacing(2, 2, thickness);
+  image->AllocateScalars(VTK_SHORT, 1);
+  auto* voxels = static_cast<short*>(image->GetScalarPointer());
+  std::mt19937 random(1);
+  std::normal_distribution<double> normal(0, 8);
+  for (vtkIdType voxel = 0; voxel < image->GetNumberOfPoints(); ++voxel)
+  {
+    double point[3];
+    image->GetPoint(voxel, point);
+    const bool inside = std::hypot(point[0] - 59, point[1] - 59) < radius;
+    voxels[voxel] = static_cast<short>((inside ? 100 : 0) + normal(random));
+  }
+  return image;
+}
+
+} // namespace
+
+// More than a quarter of the surface lies where the image's end cuts the organ off.
+TEST(SegmentationWarnings, AnOrganThatASlabCutsOffIsNotTakenForAir)
+{
+  vtkNew<vtkFlipFreeSegmentation> filter;
+  std::vector<std::string> warnings;
+  KeepWarnings(filter, warnings);
+  filter->SetInputData(CylinderImage(30, 20, 2));
+  filter->SetSeedCenter(59, 59, 19);
+  filter->SetSeedRadius(12);
+  filter->Update();
+  vtkPolyData* surface = filter->GetSurface();
+  int atEnds = 0;
+  for (vtkIdType vertex = 0; vertex < surface->GetNumberOfPoints(); ++vertex)
+  {
+    const double z = surface->GetPoint(vertex)[2];
+    atEnds += z < 1 || z > 37;
+  }
+  EXPECT_GT(4 * atEnds, surface->GetNumberOfPoints());
+  EXPECT_FALSE(WarnsOfAir(warnings)) << warnings[0];
+}
+
+TEST(SegmentationWarnings, AThinStackIsNotTakenForAir)
+{
+  for (const int slices : { 1, 2 })
+  {
+    vtkNew<vtkFlipFreeSegmentation> filter;
+    std::vector<std::string> warnings;
+    KeepWarnings(filter, warnings);
+    filter->SetInputData(CylinderImage(30, slices, 5));
+    filter->SetSeedCenter(59, 59, 2.5 * (slices - 1));
+    filter->SetSeedRadius(12);
+    filter->Update();
+    EXPECT_GT(filter->GetSurface()->GetNumberOfPoints(), 0);
+    EXPECT_FALSE(WarnsOfAir(warnings)) << slices << " slices";
+  }
+}
+
+// Whatever makes vertices of a good seed solitary.
+TEST_F(SegmentationRequests, AShortSearchOrManyOutliersAreNotTakenForAir)
+{
+  const std::vector<std::pair<double, double>> cases{ { 2, 3 }, { 4, 3 }, { 6, 3 }, { 0, 0.5 },
+    { 0, 0.01 } };
+  int solitary = 0;
+  for (const auto& [distance, deviations] : cases)
+  {
+    std::vector<std::string> warnings;
+    KeepWarnings(this->Filter, warnings);
+    this->Filter->SetSearchDistance(distance);
+    this->Filter->SetOutlierDeviations(deviations);
+    this->Filter->Update();
+    EXPECT_FALSE(WarnsOfAir(warnings)) << distance << " mm, " << deviations << " deviations";
+    vtkTable* convergence = this->Filter->GetConvergence();
+    const vtkIdType last = convergence->GetNumberOfRows() - 1;
+    solitary += 10 * convergence->GetValueByName(last, "Solitary").ToInt() >
+      convergence->GetValueByName(last, "Vertices").ToInt();
+    this->Filter->RemoveAllObservers();
+  }
+  EXPECT_GT(solitary, 0);
 }
 
 TEST_F(SegmentationRequests, FlipsAreCountedWhetherAvoidedOrNot)

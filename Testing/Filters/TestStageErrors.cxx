@@ -187,6 +187,45 @@ TEST_F(FeatureFilterRefuses, ASurfaceThatIsNone)
   ExpectRefusal(this->Filter, { "point 7 of the surface on port 1", "repair" });
 }
 
+TEST_F(FeatureFilterRefuses, ASurfaceElsewhere)
+{
+  const auto moved = StartSphere(20);
+  for (vtkIdType point = 0; point < moved->GetNumberOfPoints(); ++point)
+  {
+    double place[3];
+    moved->GetPoint(point, place);
+    moved->GetPoints()->SetPoint(point, -place[0], -place[1], place[2]); // as in another frame
+  }
+  this->Filter->SetSurfaceData(moved);
+  ExpectRefusal(this->Filter,
+    { "the surface on port 1 holds no voxel of the image on port 0", "physical coordinates" });
+}
+
+// It has no part in the feature, and a warning says so.
+TEST_F(FeatureFilterRefuses, ButNotASurfaceOfFewVoxels)
+{
+  this->Filter->Update();
+  vtkNew<vtkImageData> ofSeed;
+  ofSeed->DeepCopy(this->Filter->GetOutput());
+  std::vector<std::string> warnings;
+  KeepWarnings(this->Filter, warnings);
+  this->Filter->SetSurfaceData(StartSphere(10));
+  this->Filter->Update();
+  ASSERT_EQ(warnings.size(), 1U);
+  EXPECT_NE(warnings[0].find("surface on port 1 has no more than 200 voxels"), std::string::npos)
+    << warnings[0];
+  vtkDataArray* const expected = ofSeed->GetPointData()->GetScalars();
+  vtkDataArray* const feature = this->Filter->GetOutput()->GetPointData()->GetScalars();
+  ASSERT_EQ(feature->GetNumberOfTuples(), expected->GetNumberOfTuples());
+  for (vtkIdType voxel = 0; voxel < feature->GetNumberOfTuples(); ++voxel)
+  {
+    ASSERT_EQ(feature->GetTuple1(voxel), expected->GetTuple1(voxel));
+  }
+  // Nor does it hide that the seed has no contrast.
+  this->Filter->SetInputData(ImageOfType(VTK_SHORT));
+  ExpectRefusal(this->Filter, { "no contrast" });
+}
+
 TEST_F(FeatureFilterRefuses, NoiseThatIsNoNumber)
 {
   for (const auto& noise : { std::vector<double>{ NotANumber }, { -1 }, { 1, 2 }, {} })

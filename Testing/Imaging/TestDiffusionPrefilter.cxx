@@ -18,6 +18,8 @@
 #include "itkCurvatureAnisotropicDiffusionImageFilter.h"
 #include "itkGradientAnisotropicDiffusionImageFilter.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <random>
@@ -414,6 +416,58 @@ TEST(TestDiffusionPrefilter, GradientScaleOfARampIsItsSlope)
   EXPECT_DOUBLE_EQ(filter->GetTimeStepUsed(), 0.5 / 16);
 }
 
+// By default, over all of the VOI, whose rim has neighbours in the image.
+TEST(TestDiffusionPrefilter, GradientScaleOfTheRegionCountsItsVoxels)
+{
+  for (const int type : { VTK_SHORT, VTK_FLOAT })
+  {
+    auto step = NoisyStep(21, 26, 15, 20);
+    auto image = vtkSmartPointer<vtkImageData>::New();
+    image->CopyStructure(step);
+    image->SetExtent(-3, 17, 10, 35, 2, 16);
+    image->AllocateScalars(type, 1);
+    for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
+    {
+      image->GetPointData()->GetScalars()->SetTuple1(i,
+        step->GetPointData()->GetScalars()->GetTuple1(i));
+    }
+    for (const auto& voi : { std::array<int, 6>{ { -3, 17, 10, 35, 2, 16 } },
+           std::array<int, 6>{ { 0, 17, 12, 12, 5, 9 } } })
+    {
+      double sum = 0;
+      int count = 0;
+      for (int k = voi[4]; k <= voi[5]; ++k)
+      {
+        for (int j = voi[2]; j <= voi[3]; ++j)
+        {
+          for (int i = voi[0]; i <= voi[1]; ++i)
+          {
+            const std::array<int, 3> index{ { i, j, k } };
+            for (int axis = 0; axis < 3; ++axis)
+            {
+              std::array<int, 3> before = index;
+              std::array<int, 3> after = index;
+              before[axis] = std::max(before[axis] - 1, image->GetExtent()[2 * axis]);
+              after[axis] = std::min(after[axis] + 1, image->GetExtent()[2 * axis + 1]);
+              const double difference =
+                image->GetScalarComponentAsDouble(after[0], after[1], after[2], 0) -
+                image->GetScalarComponentAsDouble(before[0], before[1], before[2], 0);
+              sum += std::pow(difference / (2 * image->GetSpacing()[axis]), 2);
+            }
+            ++count;
+          }
+        }
+      }
+      vtkNew<vtkAnisotropicDiffusionPrefilter> filter;
+      filter->SetInputData(image);
+      filter->SetVOI(voi.data());
+      filter->Update();
+      const double expected = std::sqrt(sum / count);
+      EXPECT_NEAR(filter->GetGradientScaleUsed(), expected, 1e-12 * expected);
+    }
+  }
+}
+
 // The grid of a gantry tilted by 40 degrees. A voxel of the sphere's far end, along the shear,
 // makes all the difference.
 TEST(TestDiffusionPrefilter, GradientScaleOfAShearedGridCountsTheWholeSphere)
@@ -578,7 +632,44 @@ TEST(TestDiffusionPrefilter, BadInputIsRefusedWithOneError)
     { std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(), 1e300 })
   {
     broken->SetScalarComponentFromDouble(3, 2, 1, 0, value);
-    refuse(broken, "NaN, infinite");
+    refuse(broken, "is not a finite number in the range of float; replace such voxels first");
+  }
+}
+
+// At the first report nothing has been looked at: not the voxels' finiteness, not their gradients.
+TEST(TestDiffusionPrefilter, AnAbortAtAnyReportLeavesNothing)
+{
+  struct Observer
+  {
+    int AbortAt = 0;
+    int Reports = 0;
+    void Progress(vtkObject* caller, unsigned long, void*)
+    {
+      if (++this->Reports == this->AbortAt)
+      {
+        vtkAlgorithm::SafeDownCast(caller)->SetAbortExecute(1);
+      }
+    }
+  };
+  auto image = NoisyStep(12, 10, 8, 25);
+  const auto abortAt = [&image](int report)
+  {
+    Observer observer;
+    observer.AbortAt = report;
+    vtkNew<vtkAnisotropicDiffusionPrefilter> filter;
+    ExampleImages::Errors errors(filter);
+    filter->SetInputData(image);
+    filter->AddObserver(vtkCommand::ProgressEvent, &observer, &Observer::Progress);
+    filter->Update();
+    EXPECT_EQ(errors.Count(), 0);
+    EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints() == 0, report > 0) << "report " << report;
+    EXPECT_EQ(filter->GetGradientScaleUsed() == 0, report > 0 && report < 4) << report;
+    return observer.Reports;
+  };
+  ASSERT_GE(abortAt(0), 5);
+  for (int report = 1; report <= 4; ++report) // before there is a copy that ITK works on
+  {
+    abortAt(report);
   }
 }
 
@@ -600,7 +691,7 @@ TEST(TestDiffusionPrefilter, AbortMidwayEndsTheWork)
       {
         ++this->CallsSince;
       }
-      else if (done > 0.02)
+      else if (done > 0.07) // after the preparations
       {
         filter->SetAbortExecute(1);
       }

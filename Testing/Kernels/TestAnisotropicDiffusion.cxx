@@ -472,8 +472,9 @@ TEST(AnisotropicDiffusion, StopsWhenTold)
   EXPECT_LT(fractions.back(), 1);
 }
 
-// However long a part of the image takes.
-TEST(AnisotropicDiffusion, AsksAfterEverySlowPart)
+// However long a part of the image takes: after every one that a single thread has done, and never
+// after fewer than there are threads, which take as long as one.
+TEST(AnisotropicDiffusion, AsksAfterAsManySlowPartsAsThereAreThreads)
 {
   const ImageGeometry geometry = Grid({ { 24, 320, 8 } }, { 1, 1, 1 }); // ten parts
   const std::vector<float> voxels = NoisyStep(geometry, 5);
@@ -482,16 +483,54 @@ TEST(AnisotropicDiffusion, AsksAfterEverySlowPart)
   {
     if (j % 32 == 16 && k == 0)
     {
-      std::this_thread::sleep_for(std::chrono::milliseconds(60));
+      std::this_thread::sleep_for(std::chrono::milliseconds(25));
     }
     read(begin, end, j, k, to);
   };
-  std::vector<float> out(voxels.size());
-  int questions = 0;
-  const auto count = [&questions](double) { return ++questions > 0; };
-  EXPECT_TRUE(DiffuseAnisotropically(slow, geometry, { 1, 15 }, SerialFor, count, out.data()));
-  EXPECT_GE(questions, 8);
-  EXPECT_EQ(out, Diffused(voxels, geometry, { 1, 15 }));
+  AnisotropicDiffusionSettings settings{ 1, 15 };
+  const std::vector<float> expected = Diffused(voxels, geometry, settings);
+  const std::vector<std::pair<int, std::vector<std::ptrdiff_t>>> cases{
+    { 1, std::vector<std::ptrdiff_t>(10, 1) }, { 3, { 3, 3, 3, 1 } }, { 4, { 4, 4, 2 } },
+    { 16, { 10 } }
+  };
+  for (const auto& [threads, waves] : cases)
+  {
+    settings.Threads = threads;
+    std::vector<std::ptrdiff_t> atOnce;
+    const auto record = [&atOnce](std::ptrdiff_t begin, std::ptrdiff_t end, const RangeBody& body)
+    {
+      atOnce.push_back(end - begin);
+      SerialFor(begin, end, body);
+    };
+    std::size_t questions = 0;
+    const auto count = [&questions](double) { return ++questions > 0; };
+    std::vector<float> out(voxels.size());
+    EXPECT_TRUE(DiffuseBox(slow, geometry, settings, { { { 0, 0, 0 } }, geometry.Dimensions },
+      record, count, out.data()));
+    EXPECT_EQ(atOnce, waves) << threads << " threads";
+    EXPECT_EQ(questions, waves.size());
+    EXPECT_EQ(out, expected);
+  }
+}
+
+// Unless it is told, as many threads as the machine has.
+TEST(AnisotropicDiffusion, GivesEveryThreadAPart)
+{
+  const ImageGeometry geometry = Grid({ { 2, 32 * 300, 1 } }, { 1, 1, 1 });
+  const std::vector<float> voxels = NoisyStep(geometry, 5);
+  std::vector<std::ptrdiff_t> atOnce;
+  Diffused(voxels, geometry, { 1, 15 },
+    [&atOnce](std::ptrdiff_t begin, std::ptrdiff_t end, const RangeBody& body)
+    {
+      atOnce.push_back(end - begin);
+      SerialFor(begin, end, body);
+    });
+  ASSERT_GT(atOnce.size(), 0U);
+  atOnce.pop_back(); // the rest
+  for (const std::ptrdiff_t parts : atOnce)
+  {
+    EXPECT_GE(parts, std::max(1U, std::thread::hardware_concurrency()));
+  }
 }
 
 TEST(AnisotropicDiffusion, ContrastLiesAboveTheNoise)

@@ -55,6 +55,31 @@ TEST(BallMorphology, GrowsAndShrinksByABallInMillimetres)
   }
 }
 
+TEST(BallMorphology, ReachesAsFarAsABallGrows)
+{
+  for (const ImageGeometry& small : ExampleGrids())
+  {
+    for (const double radius : { 0.0, 0.65, 1.0, 2.0, 3.3 })
+    {
+      ImageGeometry geometry = small;
+      const std::array<int, 3> reach =
+        BallReach(radius, Grid({ { 999, 999, 999 } }, small.Spacing));
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        geometry.Dimensions[axis] = 2 * reach[axis] + 3;
+        EXPECT_EQ(BallReach(radius, geometry)[axis], reach[axis]);
+        EXPECT_LE(BallReach(1e30, small)[axis], small.Dimensions[axis]);
+      }
+      BitMask ball(geometry);
+      ball.Insert(reach[0] + 1, reach[1] + 1, reach[2] + 1);
+      ASSERT_TRUE(Dilate(ball, radius, SerialFor, NeverStop));
+      EXPECT_EQ(ball.Bounds(),
+        (VoxelBox{ { { 1, 1, 1 } },
+          { { 2 * reach[0] + 2, 2 * reach[1] + 2, 2 * reach[2] + 2 } } }));
+    }
+  }
+}
+
 TEST(BallMorphology, UniformMasksStay)
 {
   const ImageGeometry geometry = Grid({ { 6, 5, 4 } }, { 1, 2, 3 });

@@ -8,7 +8,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
+#include <iterator>
 #include <limits>
+#include <random>
 
 using namespace FlipFree;
 
@@ -73,12 +76,29 @@ TEST(FloatOrder, AscendsWithTheValue)
   {
     const float a = values[at];
     const float b = values[(at + 1) % values.size()];
-    ASSERT_EQ(FloatOf(OrderOf(a)), a);
+    const float back = FloatOf(OrderOf(a));
+    ASSERT_EQ(std::memcmp(&back, &a, sizeof a), 0) << a;
     ASSERT_EQ(OrderOf(a) < OrderOf(b), a < b || (a == b && std::signbit(a) && !std::signbit(b)))
       << a << ' ' << b;
   }
   EXPECT_EQ(OrderOf(1.0F) + 1, OrderOf(std::nextafter(1.0F, 2.0F)));
   EXPECT_EQ(OrderOf(-1.0F) + 1, OrderOf(std::nextafter(-1.0F, 2.0F)));
+  EXPECT_EQ(OrderOf(-0.0F) + 1, OrderOf(0.0F));
+}
+
+TEST(FloatOrder, RoundsUp)
+{
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  for (int repetition = 0; repetition < 1000; ++repetition)
+  {
+    const double number = uniform(random);
+    const float up = LeastFloatFrom(number);
+    ASSERT_GE(up, number);
+    ASSERT_LT(std::nextafter(up, -Infinity), number);
+  }
+  EXPECT_GE(LeastFloatFrom(0.7), 0.7); // which the nearest is below
+  EXPECT_EQ(LeastFloatFrom(0.5), 0.5F);
 }
 
 TEST(GreyIntervals, ForegroundOfAModelIsWhatReachesItsThreshold)
@@ -125,6 +145,59 @@ TEST(GreyIntervals, ForegroundOfAModelAfterReestimation)
       BitsOf(outside, geometry), 5, settings, SerialFor);
     ExpectForegroundIsByThreshold(model, random);
     EXPECT_GE(model.Foreground().GetBorders().size(), 2U);
+  }
+}
+
+// A value that is no more likely inside than outside is foreground all the same if it is the median
+// inside, whatever float is next to the threshold.
+TEST(GreyIntervals, ForegroundAfterReestimationHoldsTheMedian)
+{
+  std::mt19937 random(6);
+  const ImageGeometry geometry = Grid({ { 70, 20, 10 } }, { 1, 1, 1 });
+  const std::vector<unsigned char> inside = RandomMask(geometry, 0.4, random);
+  BitMask outside = BitsOf(inside, geometry);
+  outside.Complement();
+  std::vector<float> voxels(inside.size());
+  std::normal_distribution<float> normal(100, 5);
+  std::generate(voxels.begin(), voxels.end(), [&] { return normal(random); });
+  const ImageView<float> image{ voxels.data(), geometry };
+  const float median = MedianOf(image, { { 0, 0, 0 } }, BitsOf(inside, geometry), SerialFor);
+  for (const double threshold : { 0.7, 0.75, 0.8, 0.9, 0.95 })
+  {
+    IntensitySettings settings;
+    IntensityModel model = IntensityModel::FromSeed({ 95, 98, 100, 100, 101, 104 }, 5, settings);
+    settings.Threshold = threshold;
+    model.Reestimate(image, { { 0, 0, 0 } }, BitsOf(inside, geometry), outside, 5, settings,
+      SerialFor);
+    EXPECT_TRUE(model.Foreground()(median)) << threshold;
+    EXPECT_GE(model(median), threshold);
+    EXPECT_FALSE(model.Foreground()(median + 10)) << threshold;
+  }
+}
+
+TEST(GreyIntervals, EqualBordersChangeNothing)
+{
+  for (const bool lowest : { false, true })
+  {
+    const GreyIntervals none(lowest, { 0.5F, 0.5F });
+    const GreyIntervals one(lowest, { 0.25F, 0.5F, 0.5F });
+    std::vector<float> voxels(130);
+    std::vector<BitMask::Word> rows(6, 0);
+    for (std::size_t voxel = 0; voxel < voxels.size(); ++voxel)
+    {
+      voxels[voxel] = std::array<float, 5>{ { 0, 0.25F, 0.3F, 0.5F, 0.7F } }[voxel % 5];
+    }
+    none.MarkRow(voxels.data(), 130, rows.data());
+    one.MarkRow(voxels.data(), 130, rows.data() + 3);
+    for (std::size_t voxel = 0; voxel < voxels.size(); ++voxel)
+    {
+      const auto isMarked = [&](std::size_t row)
+      { return (rows[row + voxel / 64] >> (voxel % 64) & 1U) != 0; };
+      ASSERT_EQ(none(voxels[voxel]), lowest);
+      ASSERT_EQ(isMarked(0), lowest);
+      ASSERT_EQ(one(voxels[voxel]), lowest != (voxels[voxel] >= 0.25F));
+      ASSERT_EQ(isMarked(3), one(voxels[voxel]));
+    }
   }
 }
 

@@ -59,6 +59,17 @@ int ExpectStopsWheneverAsked(Work&& work)
   return never.Asked;
 }
 
+/// The feature of many grey values.
+std::vector<float> TableOf(const IntensityModel& model)
+{
+  std::vector<float> table;
+  for (int z = -50; z <= 200; ++z)
+  {
+    table.push_back(model(static_cast<float>(z)));
+  }
+  return table;
+}
+
 /// A bright ball of 9 mm on noise, and a seed in it.
 class OrganFeatureStops : public testing::Test
 {
@@ -128,25 +139,42 @@ TEST_F(OrganFeatureStops, RefitAndLeavesTheModel)
   const Surface surface = Sphere(6, this->Seed.Center, 8);
   const IntensitySettings settings;
   const IntensityModel start = FitToSeed(this->Image.View(), this->Seed, 6, settings);
-  const auto tableOf = [](const IntensityModel& model)
-  {
-    std::vector<float> table;
-    for (int z = -50; z <= 200; ++z)
-    {
-      table.push_back(model(static_cast<float>(z)));
-    }
-    return table;
-  };
   const int asked = ExpectStopsWheneverAsked(
     [&](const Monitor& monitor)
     {
       IntensityModel model = start;
-      const bool done = RefitToSurface(this->Image.View(), surface.Points, surface.Triangles, 6,
+      const Refit refit = RefitToSurface(this->Image.View(), surface.Points, surface.Triangles, 6,
         settings, SerialFor, monitor, model);
-      EXPECT_EQ(tableOf(model) == tableOf(start), !done);
-      return done;
+      EXPECT_EQ(refit, TableOf(model) == TableOf(start) ? Refit::Stopped : Refit::Done);
+      return refit == Refit::Done;
     });
   EXPECT_GE(asked, 3 * 3 + 2);
+}
+
+// Beyond the image, between four voxels, and with few voxels that are far enough from the surface:
+// the model stays. The innermost voxels of a sphere lie as far inside it as its radius less
+// InnerMargin.
+TEST_F(OrganFeatureStops, RefitSaysWhatItDidNotDo)
+{
+  const IntensitySettings settings;
+  const IntensityModel start = FitToSeed(this->Image.View(), this->Seed, 6, settings);
+  const auto refit = [&](const Eigen::Vector3d& center, double radius, const Monitor& monitor)
+  {
+    const Surface surface = Sphere(6, center, radius);
+    IntensityModel model = start;
+    const Refit result = RefitToSurface(this->Image.View(), surface.Points, surface.Triangles, 6,
+      settings, SerialFor, monitor, model);
+    EXPECT_EQ(TableOf(model) == TableOf(start), result != Refit::Done);
+    EXPECT_EQ(model.Threshold == start.Threshold, result != Refit::Done);
+    return result;
+  };
+  EXPECT_EQ(refit({ 1015, 15, 14 }, 8, NeverStop), Refit::NothingInside);
+  EXPECT_EQ(refit({ 15.5, 15.6, 14.25 }, 0.3, NeverStop), Refit::NothingInside);
+  EXPECT_EQ(refit({ 1015, 15, 14 }, 8, [](double) { return false; }), Refit::Stopped);
+  // Of 1.8 mm^3 each: some 80 voxels, and some 500.
+  EXPECT_EQ(refit(this->Seed.Center, 5.3, NeverStop), Refit::TooFewInside);
+  EXPECT_EQ(refit(this->Seed.Center, 1.9, NeverStop), Refit::TooFewInside); // none at all
+  EXPECT_EQ(refit(this->Seed.Center, 8, NeverStop), Refit::Done);
 }
 
 // The masks of the whole image in place of those of a box around the surface.
@@ -160,8 +188,9 @@ TEST_F(OrganFeatureStops, RefitIsThatOfTheWholeImage)
     const Surface surface = Sphere(6, this->Seed.Center + Eigen::Vector3d(1, 2, -1), 7);
     const IntensityModel start = FitToSeed(this->Image.View(), this->Seed, 6, settings);
     IntensityModel model = start;
-    ASSERT_TRUE(RefitToSurface(this->Image.View(), surface.Points, surface.Triangles, 6, settings,
-      ScatteredFor, NeverStop, model));
+    ASSERT_EQ(RefitToSurface(this->Image.View(), surface.Points, surface.Triangles, 6, settings,
+                ScatteredFor, NeverStop, model),
+      Refit::Done);
     BitMask inside(this->Image.Geometry);
     for (const VoxelRun& run :
       VoxeliseSurface(surface.Points, surface.Triangles, this->Image.Geometry))

@@ -109,6 +109,36 @@ TEST(SmoothRegion, StopsWhenTold)
     region.Make({ { { 0, 10, 10 } }, { { 80, 30, 25 } } }, [](double) { return false; }));
 }
 
+TEST(SmoothRegion, ForegroundIsNotLookedForInBoxesThatCannotHoldIt)
+{
+  const ImageGeometry geometry = Grid();
+  const std::vector<float> voxels = Noise(geometry);
+  const ImageView<float> image{ voxels.data(), geometry };
+  const SeedSphere seed{ geometry.ToPhysical(Eigen::Vector3d(75, 20, 18)), 5 };
+  const IntensityModel model = FitToSeed(image, seed, 20, {});
+  const auto errorOf = [&](const VoxelBox& box)
+  {
+    return ErrorOf(
+      [&]
+      {
+        BitMask found;
+        FindForegroundInBox(image, box, model, seed, { 1, 1 }, SerialFor, NeverStop, found);
+      });
+  };
+  EXPECT_EQ(errorOf({ { { 64, 10, 10 } }, { { 100, 35, 30 } } }), "");
+  EXPECT_NE(errorOf({ { { 60, 10, 10 } }, { { 100, 35, 30 } } }).find("multiple of 64"),
+    std::string::npos);
+  EXPECT_NE(errorOf({ { { 64, 10, 10 } }, { { 100, 42, 30 } } }).find("lie in the image"),
+    std::string::npos);
+  for (const VoxelBox& box : { VoxelBox{ { { 128, 10, 10 } }, { { 150, 35, 30 } } },
+         VoxelBox{ { { 64, 10, 10 } }, { { 80, 35, 30 } } },
+         VoxelBox{ { { 64, 16, 10 } }, { { 100, 35, 30 } } },
+         VoxelBox{ { { 64, 10, 10 } }, { { 100, 35, 19 } } } })
+  {
+    EXPECT_NE(errorOf(box).find("hold the seed sphere"), std::string::npos);
+  }
+}
+
 // Blobs of grey values about the seed's, with bridges between them: what a box says of the
 // foreground holds as far as its margin promises.
 TEST(SmoothRegion, ForegroundOfABoxIsThatOfTheWhole)

@@ -109,6 +109,54 @@ TEST(TargetSearch, HowTheRangeIsCutDoesNotMatter)
   EXPECT_EQ(one.States, other.States);
 }
 
+// A box around a sphere, whose corners are farther away than a search line is long, and whose rough
+// sides make outliers: these count as solitary, but have a boundary.
+TEST(TargetSearch, OutliersAreNotWithoutBoundary)
+{
+  const TestSphere sphere(8);
+  ImageGeometry geometry;
+  geometry.Dimensions = { { 41, 41, 41 } };
+  geometry.Spacing = { 2, 2, 2 };
+  geometry.Origin = Eigen::Vector3d(10, -20, 30) - Eigen::Vector3d::Constant(40); // the sphere's
+  BitMask foreground(geometry);
+  std::mt19937 random(2);
+  for (int k = 0; k < 41; ++k)
+  {
+    for (int j = 0; j < 41; ++j)
+    {
+      for (int i = 0; i < 41; ++i)
+      {
+        const int from = std::max({ std::abs(i - 20), std::abs(j - 20), std::abs(k - 20) });
+        if (from < 14 || (from < 16 && random() % 2 == 0))
+        {
+          foreground.Insert(i, j, k);
+        }
+      }
+    }
+  }
+  const std::vector<float> edges(geometry.NumberOfVoxels(), 0);
+  TargetSettings settings;
+  settings.Correspondence.SearchDistance = 16;
+  settings.Correspondence.RunVoxels = 1;
+  settings.Correspondence.EdgeWindow = 0;
+  settings.OutlierDeviations = 0;
+  const auto search = [&]
+  {
+    TargetReport report;
+    FindTargets(sphere.Mesh, sphere.Points(), foreground, { edges.data(), geometry }, settings,
+      SerialFor, report);
+    return report;
+  };
+  const TargetReport all = search();
+  EXPECT_GT(all.Solitary, 0);
+  EXPECT_GT(all.Matched, all.Solitary);
+  EXPECT_EQ(all.WithoutBoundary, all.Solitary);
+  settings.OutlierDeviations = 1e-6;
+  const TargetReport some = search();
+  EXPECT_EQ(some.WithoutBoundary, all.Solitary);
+  EXPECT_GT(some.Solitary, all.Solitary);
+}
+
 TEST(TargetSearch, FewNeighboursRejectNothing)
 {
   Example example(4);
