@@ -37,29 +37,34 @@ public:
   /// Scales displacements down, where and as little as it must, until it is certain that on the
   /// straight way from points to points + displacements no two triangles meet but in the vertex or
   /// edge they share, and no normal of a triangle or of a corner of a face turns by 90 degrees or
-  /// more. Triangles without a common vertex keep a distance of a thousandth of the mean edge
-  /// length, or the one they start with if that is less; corners that have no normal at the start
-  /// are not judged. Where the motion is long, a vertex that is held back holds its neighbours,
-  /// too. `monitor` is asked between passes; when it returns false, the displacements become zero.
-  /// Throws std::invalid_argument when a number is not finite, or where a motion cannot be
-  /// certified because the points are not embedded.
+  /// more. Both have one row per vertex, in millimetres; a displacement of more than a hundred
+  /// times the surface's extent is cut to that first. Triangles without a common vertex keep a
+  /// distance of a thousandth of the mean edge length, or the one they start with if that is less;
+  /// corners that have no normal at the start are not judged. Where the motion is long, a vertex
+  /// that is held back holds its neighbours, too. `monitor` is asked between passes; when it
+  /// returns false, the displacements become zero. Throws std::invalid_argument when there is
+  /// another number of rows, when a number is not finite or a coordinate beyond 1e30 mm, or where a
+  /// motion cannot be certified because the points are not embedded.
   GuardReport Limit(const PointList& points, PointList& displacements,
     const ParallelFor& parallelFor, const Monitor& monitor) const;
 
   /// Throws std::invalid_argument, naming the first pair of triangles, when the surface intersects
-  /// itself at these points or one of them is not finite.
+  /// itself at these points, and, as above, for points that it cannot compute with.
   void RequireEmbedded(const PointList& points, const ParallelFor& parallelFor) const;
 
 private:
   using Corner = std::array<int, 3>; // before, vertex, after
   using TrianglePair = std::pair<int, int>;
   struct Attempt;
-  struct SpareMemory
+  // What pairs are tested with: boxes of the tree's nodes, and what a short motion leaves
+  // unsettled.
+  struct PairMemory
   {
-    std::vector<MotionBox> MotionBoxes; // of the tree's nodes
+    std::vector<MotionBox> MotionBoxes;
     std::vector<SweptBox> SweptBoxes;
     std::vector<std::vector<TrianglePair>> Unsettled;
   };
+  class MemoryLoan;
 
   void RequireFinite(const PointList& points, const char* what, double greatest) const;
   void RequireEmbeddedNear(const PointList& points, const std::vector<char>& vertices,
@@ -86,8 +91,6 @@ private:
 
   void ScaleBack(Attempt& attempt) const;
 
-  void ExchangeSpareMemory(Attempt& attempt) const;
-
   std::array<int, 3> Triangle(int index) const
   {
     return { { this->Triangles(index, 0), this->Triangles(index, 1), this->Triangles(index, 2) } };
@@ -103,10 +106,10 @@ private:
   TriangleTree Tree;
   TriangleTree::NodePartners Strangers;
 
-  // The greatest of a call's memory is kept for the next one; a second call at the same time does
-  // without.
+  // The memory of a call, for the next one. A second call at the same time does without; of both,
+  // the memory of the one that ends last is kept.
   mutable std::mutex SpareMutex;
-  mutable SpareMemory Spare;
+  mutable PairMemory Spare;
 };
 
 } // namespace FlipFree

@@ -143,8 +143,10 @@ double Advance(const Motion& motion, const std::array<int, A>& one, const std::a
 // sums of a projection add 3 u E |d|, and a difference of two projections 2 u E |d|: together less
 // than (2 G + 10 E) u |d|, for which (4 G + 32 E) u |d| is taken. Of the direction nothing is
 // assumed but that it is the same at both ends. Where one end is compared with the other, the way S
-// from origin to origin adds less than (2 G + 6 S) u |d|, and a last sum u S |d|. Numbers so small
-// that they may underflow, or so large that they may overflow, prove nothing.
+// from origin to origin adds less than (2 G + 6 S) u |d|, and a last sum u S |d|. (That is plain
+// but generous: a proof that hangs on rounding has its way nearly across the direction, where S
+// adds at most 2.5 u S |d|, which the 4 G of both ends cover; no test can tell that S is there.)
+// Numbers so small that they may underflow, or so large that they may overflow, prove nothing.
 class DirectionTest
 {
 public:

@@ -10,6 +10,7 @@
 
 #include "MotionCertificate.h"
 
+#include <algorithm>
 #include <array>
 #include <limits>
 
@@ -35,8 +36,9 @@ public:
         high = high.max(points[vertex]);
       }
     }
-    // The fourth lane holds the greatest coordinate: their rounding is relative to that.
-    const float outwards = margin + high[3] * Rounding;
+    // The fourth lane holds the greatest coordinate: their rounding is relative to that. Where
+    // numbers underflow it is not, but far below the least margin.
+    const float outwards = std::max(margin, LeastMargin) + high[3] * Rounding;
     this->Low = low - outwards;
     this->High = high + outwards;
     this->Low[3] = 0;
@@ -59,6 +61,7 @@ private:
   using Lanes = Eigen::Array4f;
   // Of the conversion, of the margin, of the sum.
   static constexpr float Rounding = 4 * std::numeric_limits<float>::epsilon();
+  static constexpr float LeastMargin = 1e-30F;
 
   Lanes Low;
   Lanes High;

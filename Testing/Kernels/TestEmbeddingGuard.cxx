@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <map>
 #include <numeric>
 #include <stdexcept>
 #include <thread>
@@ -88,6 +89,49 @@ double LeastGap(const ContourMesh& mesh, const PointList& points)
   }
   return least;
 }
+
+double MeanEdgeLength(const ContourMesh& mesh, const PointList& points)
+{
+  double sum = 0;
+  for (std::size_t vertex = 0; vertex < mesh.Neighbours.size(); ++vertex)
+  {
+    for (int neighbour : mesh.Neighbours[vertex])
+    {
+      sum += (points.row(vertex) - points.row(neighbour)).norm();
+    }
+  }
+  return sum / (4.0 * mesh.Neighbours.size());
+}
+
+// Two sheets that all but lie on each other, across the third axis, and do not mirror each other.
+struct ThinShape
+{
+  ThinShape()
+    : Sphere(12)
+  {
+    const Eigen::Matrix3d turn =
+      Eigen::AngleAxisd(0.7, Eigen::Vector3d(3, 1, 2).normalized()).toRotationMatrix();
+    this->Points = Outward(this->Sphere) * turn.transpose();
+    this->Height = this->Points.col(2) / 25;
+    this->Points.col(2).setZero();
+    this->EdgeLength = MeanEdgeLength(this->Sphere.Mesh, this->Points);
+    this->Points.col(2) = 0.025 * this->EdgeLength * this->Height;
+  }
+  // All go along the thin axis, on average by less than a third of an edge, but for one vertex of
+  // the leading sheet, which goes back through the trailing one.
+  PointList MotionAgainst(int vertex) const
+  {
+    PointList motion = PointList::Zero(this->Points.rows(), 3);
+    motion.col(2).setConstant(0.2 * this->EdgeLength);
+    motion(vertex, 2) *= -1;
+    return motion;
+  }
+
+  TestSphere Sphere;
+  PointList Points;
+  Eigen::VectorXd Height; // -1 to 1
+  double EdgeLength = 0;
+};
 
 void Thirds(std::ptrdiff_t begin, std::ptrdiff_t end, const RangeBody& body)
 {
@@ -255,15 +299,7 @@ TEST(EmbeddingGuard, KeepsTheGap)
   std::mt19937 random(5);
   const TestSphere sphere(3);
   const EmbeddingGuard guard(sphere.Mesh);
-  double edge = 0;
-  for (std::size_t vertex = 0; vertex < sphere.Mesh.Neighbours.size(); ++vertex)
-  {
-    for (int neighbour : sphere.Mesh.Neighbours[vertex])
-    {
-      edge += (sphere.Points().row(vertex) - sphere.Points().row(neighbour)).norm() /
-        (4.0 * sphere.Mesh.NumberOfPoints());
-    }
-  }
+  const double edge = MeanEdgeLength(sphere.Mesh, sphere.Points());
   ASSERT_GT(LeastGap(sphere.Mesh, sphere.Points()), 0.1 * edge);
   for (int kind = 0; kind < NumberOfAdverseMotions; ++kind)
   {
@@ -307,6 +343,61 @@ TEST(EmbeddingGuard, ThinSurfaces)
   }
 }
 
+// Pairs that move together are apart throughout, until one of the two is held back: they must be
+// tested again then, whichever it is.
+TEST(EmbeddingGuard, WhatMovesTogetherIsTestedAgain)
+{
+  const ThinShape shape;
+  const EmbeddingGuard guard(shape.Sphere.Mesh);
+  int tries = 0;
+  for (int vertex = 0; vertex < shape.Points.rows(); vertex += 10)
+  {
+    if (shape.Height[vertex] < 0.5)
+    {
+      continue;
+    }
+    ++tries;
+    const PointList motion = shape.MotionAgainst(vertex);
+    PointList displacements = motion;
+    const GuardReport report = guard.Limit(shape.Points, displacements, SerialFor, NeverStop);
+    EXPECT_GT(report.Passes, 1);
+    int heldOfTrailing = 0;
+    for (int other = 0; other < shape.Points.rows(); ++other)
+    {
+      heldOfTrailing +=
+        shape.Height[other] < -0.5 && displacements(other, 2) < motion(other, 2) ? 1 : 0;
+    }
+    EXPECT_GT(heldOfTrailing, 0);
+    ExpectValidAllTheWay(shape.Sphere.Mesh, shape.Points, displacements);
+    ASSERT_FALSE(::testing::Test::HasFailure()) << "vertex " << vertex;
+  }
+  EXPECT_GT(tries, 10);
+}
+
+// Where the motion is short, every pass hands out the list of what the first one left unsettled;
+// where it is long, there is no such list.
+TEST(EmbeddingGuard, OnlyShortMotionsAreTestedAgainFromAList)
+{
+  constexpr std::ptrdiff_t parts = 64; // for any number of threads
+  const ThinShape shape;
+  const EmbeddingGuard guard(shape.Sphere.Mesh);
+  int vertex = 0;
+  shape.Height.maxCoeff(&vertex);
+  for (double times : { 1.0, 4.0 })
+  {
+    std::map<std::ptrdiff_t, int> calls; // by the length of the range
+    const ParallelFor count = [&](std::ptrdiff_t begin, std::ptrdiff_t end, const RangeBody& body)
+    {
+      ++calls[end - begin];
+      SerialFor(begin, end, body);
+    };
+    PointList displacements = times * shape.MotionAgainst(vertex);
+    const GuardReport report = guard.Limit(shape.Points, displacements, count, NeverStop);
+    EXPECT_GT(report.Passes, 1);
+    EXPECT_EQ(calls[parts], times < 2 ? report.Passes : 0);
+  }
+}
+
 TEST(EmbeddingGuard, HoldsBackOnlyNearTheTrouble)
 {
   const TestSphere sphere(16);
@@ -344,6 +435,29 @@ TEST(EmbeddingGuard, StoppedFromOutsideItLeavesNoMotion)
   EmbeddingGuard(sphere.Mesh)
     .Limit(sphere.Points(), displacements, SerialFor, [](double) { return false; });
   EXPECT_TRUE(displacements.isZero(0));
+}
+
+// Whatever was left half done is nothing to the next call.
+TEST(EmbeddingGuard, WorksAfterACallThatWasBrokenOff)
+{
+  const ThinShape shape;
+  const ContourMesh& mesh = shape.Sphere.Mesh;
+  const EmbeddingGuard used(mesh);
+  int vertex = 0;
+  shape.Height.maxCoeff(&vertex);
+  for (double times : { 1.0, 4.0 })
+  {
+    const auto limit = [&](const EmbeddingGuard& guard, const Monitor& monitor)
+    {
+      PointList displacements = times * shape.MotionAgainst(vertex);
+      guard.Limit(shape.Points, displacements, SerialFor, monitor);
+      return displacements;
+    };
+    const Monitor fail = [](double) -> bool { throw std::runtime_error("broken off"); };
+    EXPECT_THROW(limit(used, fail), std::runtime_error);
+    EXPECT_TRUE(limit(used, [](double) { return false; }).isZero(0));
+    EXPECT_EQ(limit(used, NeverStop), limit(EmbeddingGuard(mesh), NeverStop));
+  }
 }
 
 TEST(EmbeddingGuard, RefusesWhatIsNotFinite)

@@ -1,4 +1,5 @@
 #include "ClosestDirection.h"
+#include "MotionBox.h"
 #include "MotionCertificate.h"
 #include "RandomMotions.h"
 #include "SweptBox.h"
@@ -490,6 +491,40 @@ TEST(MotionCertificate, QuickProofsOfAnyPartAllowForRounding)
   }
 }
 
+// Triangles that are 1 apart and slide far within their planes: so are their ways, which no tilted
+// direction can tell from those of triangles that stay where they are.
+TEST(MotionCertificate, QuickProofsOfLongSlidesAllowForRounding)
+{
+  std::mt19937 random(8);
+  std::uniform_real_distribution<double> angle(0, 6.28);
+  const std::array<int, 3> one{ { 0, 1, 2 } };
+  const std::array<int, 3> two{ { 3, 4, 5 } };
+  for (double slide : { 10.0, 1e3, 1e4 })
+  {
+    int proven = 0;
+    for (int repeat = 0; repeat < 2000; ++repeat)
+    {
+      const Eigen::Matrix3d turn = RandomRotation(random);
+      PointList from(6, 3);
+      from << -9, -9, 1, 9, -9, 1, 0, 9, 1, -9, 9, 0, 9, 9, 0, 0, -9, 0;
+      from.leftCols(2) += RandomPoints(6, random).leftCols(2);
+      const double towards = angle(random);
+      PointList to = from.rowwise() +
+        Eigen::RowVector3d(slide * std::cos(towards), slide * std::sin(towards), 0);
+      from = from * turn.transpose();
+      to = to * turn.transpose();
+      const RoughMotion rough = Rough({ from, to }, Vector3d::Zero());
+      const double gap = 1 + 1e-12 + 1e-15 * slide;
+      EXPECT_EQ(ProveApart(rough, one, two, gap), QuickProof::None) << slide;
+      proven += ProveApart(rough, one, two, 0.9) == QuickProof::ApartOnAnyPart ? 1 : 0;
+    }
+    if (slide < 1e4)
+    {
+      EXPECT_EQ(proven, 2000) << slide;
+    }
+  }
+}
+
 // Boxes with margins are apart when their contents are by more than the margins, never by less.
 TEST(SweptBox, HoldsAllThatIsPassed)
 {
@@ -544,4 +579,61 @@ TEST(SweptBox, HoldsAllThatIsPassed)
   }
   EXPECT_GT(apart, 1000);
   EXPECT_EQ(notMerged, 0);
+}
+
+// Boxes of what is too near, in numbers so small that their rounding is no longer relative to them.
+TEST(MotionBoxes, HoldWhatUnderflows)
+{
+  std::mt19937 random(9);
+  const std::array<int, 3> one{ { 0, 1, 2 } };
+  const std::array<int, 3> two{ { 3, 4, 5 } };
+  int apart = 0;
+  for (double size : { 1e-20, 1e-36, 1e-40, 1e-42, 1e-44 })
+  {
+    for (int repeat = 0; repeat < 1000; ++repeat)
+    {
+      PointList points = 0.3 * RandomPoints(6, random);
+      points.bottomRows(3).rowwise() += Eigen::RowVector3d(1, 0, 0);
+      points *= size;
+      const double gap = points.col(0).tail(3).minCoeff() - points.col(0).head(3).maxCoeff();
+      if (gap <= 0.1 * size)
+      {
+        continue;
+      }
+      const Motion motion{ points, points };
+      const auto check = [&](double distance, bool mayBeApart)
+      {
+        const float margin = static_cast<float>(distance / 2);
+        const RoughMotion rough = Rough(motion, Vector3d::Zero());
+        const bool sweptApart =
+          SweptBox(rough, one, margin).IsApartFrom(SweptBox(rough, two, margin));
+        const auto boxOf = [&](const std::array<int, 3>& triangle)
+        {
+          MotionBox box(motion, triangle[0], distance / 2);
+          box.Merge(MotionBox(motion, triangle[1], distance / 2));
+          box.Merge(MotionBox(motion, triangle[2], distance / 2));
+          return box;
+        };
+        const bool movingApart = boxOf(one).StaysApartFrom(boxOf(two));
+        if (!mayBeApart)
+        {
+          EXPECT_FALSE(sweptApart) << size;
+          EXPECT_FALSE(movingApart) << size;
+        }
+        apart += sweptApart && movingApart ? 1 : 0;
+      };
+      // Along the other axes they overlap, or the first one would not decide.
+      const auto overlap = [&](int axis)
+      {
+        return points.col(axis).head(3).minCoeff() <= points.col(axis).tail(3).maxCoeff() &&
+          points.col(axis).tail(3).minCoeff() <= points.col(axis).head(3).maxCoeff();
+      };
+      if (overlap(1) && overlap(2))
+      {
+        check(gap * (1 + 1e-6), false);
+        check(0.9 * gap, true);
+      }
+    }
+  }
+  EXPECT_GT(apart, 100);
 }

@@ -75,6 +75,16 @@ TEST(TriangleTree, VisitsSomePairsLikeBruteForce)
         visited.clear();
         tree.VisitPairsBelow(front, always, visit, SerialFor);
         EXPECT_EQ(visited, expected);
+        // In parts, some of them empty where there are few nodes.
+        visited.clear();
+        constexpr int parts = 64;
+        for (int part = 0; part < parts; ++part)
+        {
+          const int nodes = tree.NumberOfNodes();
+          tree.VisitPairsBelow(front, nodes * part / parts, nodes * (part + 1) / parts, always,
+            visit);
+        }
+        EXPECT_EQ(visited, expected);
       }
     }
   }
