@@ -155,10 +155,11 @@ vtkSmartPointer<vtkImageData> ImageOfValues(int type, const std::vector<double>&
   image->AllocateScalars(type, 1);
   vtkDataArray* scalars = image->GetPointData()->GetScalars();
   scalars->Fill(0);
-  for (std::size_t place = 0; place < values.size(); ++place)
+  vtkIdType place = 0;
+  for (const double value : values)
   {
-    scalars->SetTuple1(static_cast<vtkIdType>(400 * (place % 40) + 2 * (place / 40)),
-      values[place]);
+    scalars->SetTuple1(400 * (place % 40) + 2 * (place / 40), value);
+    ++place;
   }
   return image;
 }
