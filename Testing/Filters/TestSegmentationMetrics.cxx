@@ -617,7 +617,8 @@ TEST_F(SegmentationMetricsRefuse, LabelMapsThatAreNone)
   undefined->GetPointData()->GetScalars()->Fill(1);
   undefined->GetPointData()->GetScalars()->SetComponent(77, 0,
     std::numeric_limits<double>::quiet_NaN());
-  this->ExpectError(undefined, this->Reference, "voxel 77 of the segmentation on port 0");
+  this->ExpectError(undefined, this->Reference,
+    "a voxel of the segmentation on port 0, at (-42.5, -8.2, 120.75) mm");
 }
 
 TEST_F(SegmentationMetricsRefuse, LabelMapsOfBits)
