@@ -251,8 +251,8 @@ void Segment(const Segmentation& segmentation)
 
 const char* const Footer =
   "Results are written once all of them are there, or none is. The picture of --snapshot shows an\n"
-  "axial, a sagittal and a coronal slice with the contour, and the surface; it needs a display\n"
-  "(xvfb-run gives one to machines that have none).\n"
+  "axial, a sagittal and a coronal slice through the surface's centre with the contour, and the\n"
+  "surface; it needs a display (xvfb-run gives one to machines that have none).\n"
   "\n"
   "Examples:\n"
   "  flipfree segment ct.nii.gz --seed 83 -154 321 --radius 26 -o liver.vtp\n"

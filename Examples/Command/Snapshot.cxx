@@ -241,6 +241,8 @@ void AddLetter(vtkRenderer* renderer, const char* letter, double x, double y)
   vtkTextProperty* property = text->GetTextProperty();
   property->SetFontSize(18 * Finer);
   property->SetColor(LetterColour[0], LetterColour[1], LetterColour[2]);
+  property->ShadowOn(); // tells it from bright tissue
+  property->SetShadowOffset(Finer, -Finer);
   property->SetJustificationToCentered();
   property->SetVerticalJustificationToCentered();
   renderer->AddViewProp(text);

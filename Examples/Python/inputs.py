@@ -3,6 +3,7 @@
 import argparse
 
 import flipfree
+import scene
 
 
 def phantom():
@@ -33,6 +34,8 @@ def parse(description, parser=None):
         parser.error("an image needs --seed X Y Z and --radius R")
     if not arguments.image and (arguments.seed or arguments.radius):
         parser.error("--seed and --radius go with an image; the phantom has a seed of its own")
+    if arguments.picture:
+        scene.require_display()  # before anything is segmented
     return arguments
 
 

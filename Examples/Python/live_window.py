@@ -40,6 +40,7 @@ class LiveWindow:
         self.space.AddViewProp(self.words)
         self.planes = {scene.AXIAL: scene.slice_view([], image, scene.AXIAL, margin=1.05),
                        scene.CORONAL: scene.slice_view([], image, scene.CORONAL, margin=1.05)}
+        scene.require_display()
         self.window = vtkRenderWindow()
         self.window.SetWindowName("FlipFree")
         self.window.SetMultiSamples(0)

@@ -4,6 +4,8 @@ A picture is a row of views. Slices are shown as radiologists look at them: the 
 the left, the back at the bottom of an axial slice, the head at the top of a coronal one.
 """
 
+import ctypes
+
 # To import these is to choose the classes that draw.
 import vtkmodules.vtkRenderingFreeType  # noqa: F401
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
@@ -189,8 +191,21 @@ def space_view(actors, caption="", towards=(-0.35, -1, 0.3), zoom=1.2, bounds=No
     return renderer
 
 
+def require_display():
+    """Ends the program with a word where VTK would end it without: on X11 that has no display."""
+    if vtkRenderWindow().GetClassName() != "vtkXOpenGLRenderWindow":
+        return
+    x11 = ctypes.CDLL("libX11.so.6")
+    x11.XOpenDisplay.restype = ctypes.c_void_p
+    display = x11.XOpenDisplay(None)
+    if not display:
+        raise SystemExit("There is no display to draw with: start the program by 'xvfb-run -a ...'.")
+    x11.XCloseDisplay(ctypes.c_void_p(display))
+
+
 def write_picture(path, rows, size=480):
     """Draws rows of views, each a square of so many pixels, and writes them as PNG."""
+    require_display()
     columns = max(len(row) for row in rows)
     window = vtkRenderWindow()
     window.SetOffScreenRendering(1)

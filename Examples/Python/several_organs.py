@@ -20,6 +20,8 @@ parser.add_argument("--organ", nargs=5, action="append", metavar=("NAME", "X", "
 parser.add_argument("--labels", help="file for the label map of all organs: 1, 2, 3, ...")
 parser.add_argument("--picture", help="PNG to draw the result into")
 arguments = parser.parse_args()
+if arguments.picture:
+    scene.require_display()  # before anything is segmented
 
 if arguments.image:
     if not arguments.organ:

@@ -18,7 +18,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <cstdlib>
 #include <iterator>
 #include <limits>
@@ -179,21 +178,14 @@ inline LabelValues LabelsOf(vtkImageData* image)
   return labels;
 }
 
-/// "1, 2, 6", with "and more" behind where there are. Whole numbers have all their digits.
+/// "1, 2, 6", with "and more" behind where there are. All digits that tell them apart.
 inline std::string TextOf(const LowestValues& values)
 {
   std::ostringstream text;
+  text.precision(15);
   for (const double value : values.Get())
   {
-    text << (value == *values.Get().begin() ? "" : ", ");
-    if (value == std::floor(value) && std::abs(value) < 1e15)
-    {
-      text << static_cast<std::int64_t>(value);
-    }
-    else
-    {
-      text << value;
-    }
+    text << (value == *values.Get().begin() ? "" : ", ") << value;
   }
   text << (values.AreThereMore() ? " and more" : "");
   return text.str();

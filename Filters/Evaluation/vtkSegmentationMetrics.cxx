@@ -64,9 +64,9 @@ void RequireLabel(const FlipFree::BitMask& mask, vtkImageData* image, const std:
   }
   else
   {
-    message += others.empty() ? ", all are 0"
+    message += others.empty() ? ", all are 0; check that it is the label map that was meant"
                               : "; it is no label map: it holds " + others +
-        ", where a label map holds whole numbers from 0 up";
+        ", where a label map holds whole numbers from 0 up; give it a label map";
   }
   throw std::invalid_argument(message);
 }
@@ -202,7 +202,6 @@ bool vtkSegmentationMetrics::Measure(vtkDataObject* input, vtkImageData* referen
       this->SegmentationLabel);
   }
   const VoxelOverlap overlap = MeasureOverlap(segmentation, reference, SMPFor);
-  this->WarnOfLabels(input, referenceImage); // after the errors: one of them is enough
   this->Dice = overlap.Dice();
   this->Jaccard = overlap.Jaccard();
   this->RelativeVolumeDifference = overlap.RelativeVolumeDifference();
@@ -222,6 +221,10 @@ bool vtkSegmentationMetrics::Measure(vtkDataObject* input, vtkImageData* referen
   this->RMS = distance.RootMeanSquare;
   this->HD95 = distance.Hausdorff95;
   this->HD = distance.Hausdorff;
+  if (distance.Complete)
+  {
+    this->WarnOfLabels(input, referenceImage); // after all errors: one of them is enough
+  }
   return distance.Complete;
 }
 

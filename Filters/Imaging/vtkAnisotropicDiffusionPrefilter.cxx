@@ -180,8 +180,10 @@ public:
   const Extent& GetFrame() const { return this->Frame; }
 
   /// Of a slice, the sum of the squared magnitudes and the number of voxels.
-  void Add(int k, double& sum, vtkIdType& count) const
+  void Measure(int k, double& sumOfSlice, vtkIdType& countOfSlice) const
   {
+    double sum = 0; // neighbouring slices' results share a line of the cache
+    vtkIdType count = 0;
     const int* const box = this->Box.Bounds;
     const int* const frame = this->Frame.Bounds;
     const std::size_t width = frame[1] - frame[0] + 1;
@@ -210,6 +212,8 @@ public:
         ++count;
       }
     }
+    sumOfSlice = sum;
+    countOfSlice = count;
   }
 
 private:
@@ -261,17 +265,18 @@ bool MeasureGradientScale(vtkImageData* image, const Extent& box, const Eigen::V
   const int depth = box.Bounds[5] - begin + 1;
   std::vector<double> sums(std::max(0, depth), 0.0);
   std::vector<vtkIdType> counts(sums.size(), 0);
-  const auto add = [&](std::ptrdiff_t first, std::ptrdiff_t last)
+  const auto measureSlices = [&](std::ptrdiff_t first, std::ptrdiff_t last)
   {
     for (std::ptrdiff_t slice = first; slice < last; ++slice)
     {
-      measure.Add(begin + static_cast<int>(slice), sums[slice], counts[slice]);
+      measure.Measure(begin + static_cast<int>(slice), sums[slice], counts[slice]);
     }
   };
   const std::ptrdiff_t voxelsOfSlice =
     static_cast<std::ptrdiff_t>(box.Bounds[1] - box.Bounds[0] + 1) *
     (box.Bounds[3] - box.Bounds[2] + 1);
-  if (!FlipFree::SMPForSlices(0, depth, voxelsOfSlice, FlipFree::PartOf(monitor, 0.2, 1), add))
+  if (!FlipFree::SMPForSlices(0, depth, voxelsOfSlice, FlipFree::PartOf(monitor, 0.2, 1),
+        measureSlices))
   {
     return false;
   }

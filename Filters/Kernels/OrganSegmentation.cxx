@@ -87,7 +87,7 @@ private:
 
   // Makes the smoothed image in a box, cut off where the image ends, and lets it begin with a whole
   // word of a mask.
-  bool Make(VoxelBox box)
+  bool Make(VoxelBox box, const Monitor& proceed)
   {
     Stopwatch watch;
     for (int axis = 0; axis < 3; ++axis)
@@ -96,8 +96,7 @@ private:
       box.End[axis] = std::min(this->Smooth.Geometry.Dimensions[axis], box.End[axis]);
     }
     BeginWithWord(box);
-    const bool made =
-      this->Region->Make(box, [this](double) { return this->Proceed(this->Level, 0); });
+    const bool made = this->Region->Make(box, proceed);
     this->Surface.SmoothingSeconds += watch.Lap();
     return made;
   }
@@ -108,12 +107,14 @@ private:
     {
       return true;
     }
+    const Monitor proceed = [this](double) { return this->Proceed(0, 0); };
     if (!this->Settings.Feature.ControlLeaks)
     {
-      return this->Make({ { { 0, 0, 0 } }, this->Smooth.Geometry.Dimensions });
+      return this->Make({ { { 0, 0, 0 } }, this->Smooth.Geometry.Dimensions }, proceed);
     }
     return this->Make(this->BoxAround(this->Seed.Center.transpose(), FirstReach * this->Seed.Radius,
-      ForegroundMargin(this->Smooth.Geometry, this->Settings.Feature.Leaks)));
+                        ForegroundMargin(this->Smooth.Geometry, this->Settings.Feature.Leaks)),
+      proceed);
   }
 
   // All within millimetres of the points, and some voxels more.
@@ -223,7 +224,7 @@ private:
       }
       searched = grown;
       this->Foreground = BitMask(); // what follows has need of the memory
-      if (!this->Make(grown))
+      if (!this->Make(grown, proceed))
       {
         return;
       }
@@ -250,7 +251,8 @@ private:
       this->Foreground = BitMask(); // what follows has need of the memory
       if (this->Region &&
         !this->Make(this->BoxAround(this->Surface.Points, this->Settings.Feature.Intensity.ShellEnd,
-          { { 2, 2, 2 } })))
+                      { { 2, 2, 2 } }),
+          proceed))
       {
         this->Surface.StopReason = "aborted";
         return false;

@@ -313,7 +313,9 @@ void vtkFlipFreeSegmentation::WarnOf(const FlipFree::OrganSurface& organ,
   if (FlipFree::ReachesEndOf(region, image, organ.Points))
   {
     vtkWarningMacro("The surface has got to the end of what it may reach, "
-      << FlipFree::ReachOf(this) << " mm from the seed's centre, and is cut there; raise Reach.");
+      << FlipFree::ReachOf(this)
+      << " mm from the seed's centre, and is cut there: it may have leaked, or the seed may lie in "
+         "air; look at it, and raise Reach where the organ is that large.");
   }
   else if (this->StopReason != "no boundary found")
   {

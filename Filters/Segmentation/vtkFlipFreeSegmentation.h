@@ -279,7 +279,7 @@ public:
   ///@{
   /**
    * Fit the intensities again at each level, now to the inside of the growing surface and against a
-   * shell around it. Default on.
+   * shell around it; not while no more than 200 voxels lie more than 2 mm inside it. Default on.
    */
   vtkSetMacro(Reestimate, bool);
   vtkGetMacro(Reestimate, bool);

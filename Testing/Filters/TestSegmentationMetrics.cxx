@@ -456,20 +456,6 @@ TEST(SegmentationMetrics, MoveOnToImagesOfAnotherSize)
   }
 }
 
-namespace
-{
-
-void CollectWarnings(vtkObject* object, std::vector<std::string>& warnings)
-{
-  vtkNew<vtkCallbackCommand> collect;
-  collect->SetClientData(&warnings);
-  collect->SetCallback([](vtkObject*, unsigned long, void* client, void* text)
-    { static_cast<std::vector<std::string>*>(client)->emplace_back(static_cast<char*>(text)); });
-  object->AddObserver(vtkCommand::WarningEvent, collect);
-}
-
-} // namespace
-
 TEST(SegmentationMetrics, WarnOfAReferenceOfSeveralLabels)
 {
   const auto one = LabelMapOf(Sphere(6, Center, 9), Grid());
@@ -480,7 +466,7 @@ TEST(SegmentationMetrics, WarnOfAReferenceOfSeveralLabels)
   }
   vtkNew<vtkSegmentationMetrics> metrics;
   std::vector<std::string> warnings;
-  CollectWarnings(metrics, warnings);
+  FlipFree::KeepWarnings(metrics, warnings);
   metrics->SetInputData(one);
   metrics->SetReferenceData(several);
   metrics->Update();
@@ -506,7 +492,7 @@ TEST(SegmentationMetrics, WarnOfAReferenceThatIsNoLabelMap)
   scan->GetPointData()->GetScalars()->SetComponent(5, 0, 40);
   vtkNew<vtkSegmentationMetrics> metrics;
   std::vector<std::string> warnings;
-  CollectWarnings(metrics, warnings);
+  FlipFree::KeepWarnings(metrics, warnings);
   metrics->SetInputData(one);
   metrics->SetReferenceData(scan);
   metrics->Update();
@@ -582,7 +568,7 @@ TEST_F(SegmentationMetricsRefuse, LabelsOfWhatIsNoLabelMap)
 TEST_F(SegmentationMetricsRefuse, OtherGeometriesWithoutAWarning)
 {
   std::vector<std::string> warnings;
-  CollectWarnings(this->Metrics, warnings);
+  FlipFree::KeepWarnings(this->Metrics, warnings);
   this->Reference->GetPointData()->GetScalars()->SetComponent(0, 0, 2);
   this->Segmentation->SetOrigin(0, 0, 0);
   this->ExpectError(this->Segmentation, this->Reference, "origins");

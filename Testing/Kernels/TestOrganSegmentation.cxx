@@ -96,7 +96,14 @@ private:
 VoxelBox ExpectRegionGivesTheSurfaceOfTheWhole(const Scene& scene)
 {
   VoxelBox made;
-  const OrganSurface part = scene.FromRegion(made);
+  double last = 0;
+  const OrganSurface part = scene.FromRegion(made,
+    [&last](double fraction)
+    {
+      EXPECT_GE(fraction, last);
+      last = fraction;
+      return true;
+    });
   const OrganSurface whole = scene.FromWhole();
   EXPECT_EQ(part.StopReason, whole.StopReason);
   EXPECT_EQ(part.Field.States, whole.Field.States);

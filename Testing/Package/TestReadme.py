@@ -61,7 +61,7 @@ def main(readme, prefix, python, vtk, compiler):
         expect(r"^at rest \(6144, 3\) [0-9]+ voxels\n0\.9[3-9]",
                run([sys.executable, "-c", layer], folder, environment))
         expect("^at rest 6144\n$", run([sys.executable, "-c", filters], folder, environment))
-        lines = block(text, "### Python", "sh").replace("python3", sys.executable)
+        lines = block(text, "### Python", "sh").replace("/usr/bin/python3", sys.executable)
         expect(r"6144 vertices, 0 self.*\nScores\(dice=0\.9[3-9]",
                run(["bash", "-e", "-c", lines], folder, environment))
 

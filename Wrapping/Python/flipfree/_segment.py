@@ -53,7 +53,8 @@ def segment(
 
     The seed sphere, centre (x, y, z) and radius in millimetres, should lie within the organ, with
     at least half the radius of the largest one that fits there: its voxels tell what the organ
-    looks like, and the surface starts from it. Coordinates are the image's physical ones, LPS for files.
+    looks like, and the surface starts from it. Coordinates are the image's physical ones, LPS for
+    files.
 
     image
         A vtkImageData; the name of a file, or of a folder of DICOM files; or an array of voxels
