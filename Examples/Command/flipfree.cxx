@@ -11,6 +11,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -55,11 +56,20 @@ std::string HelpFor(const CLI::App& program)
 /// only misses a right one.
 std::string MessageOf(const CLI::ParseError& error, const CLI::App& program)
 {
-  const std::vector<std::string> unknown = program.remaining();
-  if (program.get_subcommands().empty() && !unknown.empty())
+  const std::vector<CLI::App*> subcommands = program.get_subcommands();
+  const std::vector<std::string> unknown =
+    subcommands.empty() ? program.remaining() : subcommands.front()->remaining();
+  // What follows an unknown option may be its value.
+  const auto option = std::find_if(unknown.begin(), unknown.end(),
+    [](const std::string& word) { return word.rfind('-', 0) == 0; });
+  if (option != unknown.end())
   {
-    const bool isOption = unknown.front().rfind('-', 0) == 0;
-    return (isOption ? "There is no option '" : "There is no subcommand '") + unknown.front() + "'";
+    return "There is no option '" + *option + "'";
+  }
+  if (!unknown.empty())
+  {
+    return subcommands.empty() ? "There is no subcommand '" + unknown.front() + "'"
+                               : "There is no use for '" + unknown.front() + "'";
   }
   return error.what();
 }

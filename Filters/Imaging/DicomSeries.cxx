@@ -176,7 +176,7 @@ std::vector<std::string> DicomFilesIn(const std::string& folder)
   {
     throw ImageFileError(vtkErrorCode::FileNotFoundError,
       "The folder '" + folder + "' holds no DICOM image. Give the folder that directly holds the " +
-        "files of the series.");
+        "files of the series; of a volume in another format, the file itself.");
   }
   std::sort(files.begin(), files.end());
   return files;

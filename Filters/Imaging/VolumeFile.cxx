@@ -63,7 +63,7 @@ ImageFileError WhyNotReadable(const std::string& name)
   {
     return { vtkErrorCode::FileFormatError,
       "'" + name + "' does not begin as the format of its ending does: the file is empty, " +
-        "truncated or damaged. Get it anew." };
+        "truncated, damaged, or of another format. Get it anew, or give it its own ending." };
   }
   return { vtkErrorCode::UnrecognizedFileTypeError,
     "The format of '" + name + "' is unknown. Known are NIfTI (.nii, .nii.gz), NRRD (.nrrd, " +

@@ -19,6 +19,10 @@ class TestBadInput(command.CommandTest):
     def test_mistyped_subcommand(self):
         self.assert_refused(command.run("segmant", self.volume), 2, "subcommand 'segmant'", "flipfree --help")
         self.assert_refused(command.run("--foo"), 2, "option '--foo'", "flipfree --help")
+        self.assert_refused(self.segment(*self.seed, *self.output(), "--resolutoin", 5), 2,
+                            "no option '--resolutoin'", "segment --help")
+        self.assert_refused(self.segment(*self.seed, *self.output(), "another.nii.gz"), 2,
+                            "no use for 'another.nii.gz'", "segment --help")
 
     def test_missing_file(self):
         self.assert_refused(self.segment(*self.seed, *self.output(), volume="/nowhere/ct.nii.gz"),
