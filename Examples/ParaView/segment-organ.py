@@ -15,7 +15,7 @@ import re
 import sys
 
 from paraview.simple import *
-from vtkmodules.vtkCommonCore import vtkObject
+from vtkmodules.vtkCommonCore import vtkLogger
 
 # Of the built-in abdomen's liver.
 SEED = [99.75, 83.75, 167, 28]
@@ -110,12 +110,10 @@ def main():
     arguments = parse_arguments()
     seed = arguments.seed or SEED
 
-    shown = vtkObject.GetGlobalWarningDisplay()
-    vtkObject.SetGlobalWarningDisplay(0)  # what a reader complains of at once, it tells again below
-    try:
-        image = open_image(arguments.volume)
-    finally:
-        vtkObject.SetGlobalWarningDisplay(shown)
+    verbosity = vtkLogger.GetCurrentVerbosityCutoff()
+    vtkLogger.SetStderrVerbosity(vtkLogger.VERBOSITY_OFF)  # what a reader complains of at once, it tells again below
+    image = open_image(arguments.volume)
+    vtkLogger.SetStderrVerbosity(verbosity)
     update(image)
     organ = FlipFreeSegmentation(registrationName="Organ", Input=image, SeedCenter=seed[:3], SeedRadius=seed[3])
     update(organ)
