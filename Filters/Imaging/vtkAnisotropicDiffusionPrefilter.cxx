@@ -132,10 +132,11 @@ Extent BoxOfSphere(vtkImageData* image, const FlipFree::SeedSphere& sphere)
 {
   const FlipFree::Extent reached =
     FlipFree::ReachableExtent(FlipFree::GeometryOf(image), sphere.Center, sphere.Radius);
-  Extent box = ExtentOf(image);
+  const Extent whole = ExtentOf(image);
+  Extent box = whole;
   for (int side = 0; side < 6; ++side)
   {
-    box.Bounds[side] = box.Bounds[side / 2 * 2] + reached[side];
+    box.Bounds[side] = whole.Bounds[side / 2 * 2] + reached[side];
   }
   return box;
 }
