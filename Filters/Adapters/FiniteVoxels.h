@@ -67,8 +67,9 @@ bool RequireFiniteAs(const ImageView<T>& image, const Extent& extent, const std:
     if (firstBad != none)
     {
       const std::ptrdiff_t row = firstBad / columns;
+      const std::ptrdiff_t slice = row / rows;
       const Eigen::Vector3d index(extent[0] + static_cast<double>(firstBad % columns),
-        extent[2] + static_cast<double>(row % rows), extent[4] + static_cast<double>(row / rows));
+        extent[2] + static_cast<double>(row % rows), extent[4] + static_cast<double>(slice));
       throw std::invalid_argument("a voxel of " + name + ", at " +
         TextOf(image.Geometry.ToPhysical(index)) + " mm, is not a finite number" +
         (std::is_same_v<Number, T> ? "; " : " in the range of float; ") + remedy);
