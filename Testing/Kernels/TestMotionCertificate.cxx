@@ -20,6 +20,15 @@ PointList RandomPoints(Eigen::Index count, std::mt19937& random)
   return WhiteNoise(count, 1.0, random);
 }
 
+// Two parallel triangles that are 1 apart along z, over each other.
+PointList SheetsOneApart(std::mt19937& random)
+{
+  PointList sheets(6, 3);
+  sheets << -9, -9, 1, 9, -9, 1, 0, 9, 1, -9, 9, 0, 9, 9, 0, 0, -9, 0;
+  sheets.leftCols(2) += RandomPoints(6, random).leftCols(2);
+  return sheets;
+}
+
 Eigen::Matrix3d RandomRotation(std::mt19937& random)
 {
   return Eigen::Quaterniond(RandomPoints(1, random)(0, 0), RandomPoints(1, random)(0, 0),
@@ -271,9 +280,7 @@ TEST(MotionCertificate, QuickProofsAllowForRounding)
     {
       // Parallel triangles that are 1 apart along a random direction, over each other.
       const Eigen::Matrix3d turn = RandomRotation(random);
-      PointList from(6, 3);
-      from << -9, -9, 1, 9, -9, 1, 0, 9, 1, -9, 9, 0, 9, 9, 0, 0, -9, 0;
-      from.leftCols(2) += RandomPoints(6, random).leftCols(2);
+      PointList from = SheetsOneApart(random);
       from = (from * turn.transpose()).rowwise() + far * RandomPoints(1, random).row(0);
       const PointList to = from.rowwise() + 5 * RandomPoints(1, random).row(0);
       const RoughMotion rough = Rough({ from, to }, Vector3d::Zero());
@@ -505,9 +512,7 @@ TEST(MotionCertificate, QuickProofsOfLongSlidesAllowForRounding)
     for (int repeat = 0; repeat < 2000; ++repeat)
     {
       const Eigen::Matrix3d turn = RandomRotation(random);
-      PointList from(6, 3);
-      from << -9, -9, 1, 9, -9, 1, 0, 9, 1, -9, 9, 0, 9, 9, 0, 0, -9, 0;
-      from.leftCols(2) += RandomPoints(6, random).leftCols(2);
+      PointList from = SheetsOneApart(random);
       const double towards = angle(random);
       PointList to = from.rowwise() +
         Eigen::RowVector3d(slide * std::cos(towards), slide * std::sin(towards), 0);

@@ -20,6 +20,14 @@ SurfaceDistance Measure(const Surface& first, const Surface& second, double spac
     spacing);
 }
 
+void ExpectSameBits(const SurfaceDistance& one, const SurfaceDistance& two)
+{
+  EXPECT_EQ(one.Average, two.Average);
+  EXPECT_EQ(one.RootMeanSquare, two.RootMeanSquare);
+  EXPECT_EQ(one.Hausdorff95, two.Hausdorff95);
+  EXPECT_EQ(one.Hausdorff, two.Hausdorff);
+}
+
 double BruteForceSquaredDistance(const Eigen::Vector3d& point, const Surface& surface)
 {
   double least = std::numeric_limits<double>::infinity();
@@ -328,10 +336,7 @@ TEST(SurfaceDistance, IsSymmetricBitForBit)
   const Surface second = Sphere(9, { 2, 1, 0 }, 21);
   const SurfaceDistance there = Measure(first, second);
   const SurfaceDistance back = Measure(second, first);
-  EXPECT_EQ(there.Average, back.Average);
-  EXPECT_EQ(there.RootMeanSquare, back.RootMeanSquare);
-  EXPECT_EQ(there.Hausdorff95, back.Hausdorff95);
-  EXPECT_EQ(there.Hausdorff, back.Hausdorff);
+  ExpectSameBits(there, back);
   EXPECT_LT(there.Average, there.RootMeanSquare);
   EXPECT_LT(there.RootMeanSquare, there.Hausdorff95);
   EXPECT_LT(there.Hausdorff95, there.Hausdorff);
@@ -420,10 +425,7 @@ TEST(SurfaceDistance, ThreadsAndTheMonitor)
       return true;
     });
   EXPECT_GT(last, 0);
-  EXPECT_EQ(serial.Average, scattered.Average);
-  EXPECT_EQ(serial.RootMeanSquare, scattered.RootMeanSquare);
-  EXPECT_EQ(serial.Hausdorff95, scattered.Hausdorff95);
-  EXPECT_EQ(serial.Hausdorff, scattered.Hausdorff);
+  ExpectSameBits(serial, scattered);
   const SurfaceDistance stopped = MeasureSurfaceDistance(first.Points, first.Triangles,
     second.Points, second.Triangles, 1, SerialFor, [](double) { return false; });
   EXPECT_FALSE(stopped.Complete);
@@ -446,10 +448,7 @@ TEST(SurfaceDistance, AsksTheMonitorWithinATriangle)
   // Patches have sides of about the spacing.
   EXPECT_GT(asked, 6 * (20 * 20 + 18 * 18) / (spacing * spacing) / (1 << 14));
   const SurfaceDistance serial = Measure(box, other, spacing);
-  EXPECT_EQ(distance.Average, serial.Average);
-  EXPECT_EQ(distance.RootMeanSquare, serial.RootMeanSquare);
-  EXPECT_EQ(distance.Hausdorff95, serial.Hausdorff95);
-  EXPECT_EQ(distance.Hausdorff, serial.Hausdorff);
+  ExpectSameBits(distance, serial);
 }
 
 TEST(SurfaceDistance, StopsWheneverTheMonitorSaysSo)
