@@ -40,7 +40,8 @@ class TestGuide(unittest.TestCase):
 
     def test_all_kernels_have_their_stage(self):
         names = {os.path.splitext(os.path.basename(path))[0]
-                 for path in glob.glob(os.path.join(SOURCE, "Filters", "Kernels", "*.h"))}
+                 for path in glob.glob(os.path.join(SOURCE, "Filters", "Kernels", "**", "*.h"),
+                                   recursive=True)}
         page = text_of("Examples", "Guide", "architecture.md")
         table = page[page.index("## Kernels by stage"):page.index("## The guarantee")]
         named = set(re.findall(r"`([A-Z]\w+)`", table))
