@@ -12,9 +12,9 @@ namespace
 {
 
 constexpr int Levels = 3;
-constexpr int FirstResolution = 8; // vertices along the side of the cube, doubled level by level
-constexpr int MostIterations = 40; // at each level
-constexpr int Span = 5;            // iterations over which a level has to get on
+constexpr int FirstResolution = 8;    // vertices along the side of the cube, doubled level by level
+constexpr int MaximumIterations = 40; // at each level
+constexpr int Span = 5;               // iterations over which a level has to get on
 
 /// A filter's output changes with its next update; this one stays.
 vtkSmartPointer<vtkPolyData> Detached(vtkPolyData* surface)
@@ -53,7 +53,7 @@ Growth::Growth(vtkImageData* image, const std::array<double, 3>& seed, double ra
   // From each vertex along its normal to the boundary of the foreground.
   this->Search->SetFeatureConnection(this->Feature->GetOutputPort());
   this->Search->SetEdgeConnection(this->Smooth->GetOutputPort());
-  this->Search->SetImageEndDistance(12);
+  this->Search->SetImageBoundaryDistance(12);
   this->Search->SetMaximumDisplacement(8);
 
   // Towards these targets, but never so that a face flips or the surface meets itself.
@@ -95,7 +95,7 @@ bool Growth::Step()
 bool Growth::IsLevelDone() const
 {
   const std::size_t done = this->Distances.size();
-  return this->Level < 0 || done == MostIterations ||
+  return this->Level < 0 || done == MaximumIterations ||
     (done > Span && this->Distances[done - 1 - Span] - this->Distances.back() < 0.02 * this->Voxel);
 }
 
@@ -114,7 +114,7 @@ bool Growth::NextLevel()
   }
   if (this->Level == Levels - 1)
   {
-    // The last millimetre: to the strongest edge.
+    // The last millimeter: to the strongest edge.
     this->Search->SetEdgeWindow(std::min(3.0, 1.5 * this->Voxel));
   }
   this->Feature->Update();

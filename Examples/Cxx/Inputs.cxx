@@ -19,7 +19,7 @@ std::string UsageOf(const char* program)
   return std::string("Usage: ") + program +
     " [FILE --seed X Y Z --radius R] [--picture PNG] [--start STL]\n"
     "FILE may be a folder of DICOM files; without it, the built-in phantom serves.\n"
-    "The seed sphere lies in the organ: its centre and radius in millimetres, LPS.\n"
+    "The seed sphere lies in the organ: its center and radius in millimeters, LPS.\n"
     "--picture draws what came out; --start is for StartFromAnotherSurface.\n";
 }
 

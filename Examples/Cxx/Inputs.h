@@ -13,7 +13,7 @@
 struct Inputs
 {
   vtkSmartPointer<vtkImageData> Image;
-  std::array<double, 3> Seed{}; // within the organ, LPS millimetres
+  std::array<double, 3> Seed{}; // within the organ, LPS millimeters
   double Radius = 0;
   std::string Picture; // to draw, if any
   std::string Start;   // STL file of another surface to start from, if any

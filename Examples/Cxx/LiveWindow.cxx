@@ -38,7 +38,7 @@ namespace
 
 constexpr int Milliseconds = 30; // between iterations, in which the window listens to the mouse
 
-/// Three views: space with the sphere, and two slices through its centre.
+/// Three views: space with the sphere, and two slices through its center.
 class LiveWindow
 {
 public:
@@ -177,15 +177,15 @@ void LiveWindow::ShowSlices()
     shown.first->RemoveActor(shown.second);
   }
   this->Shown.clear();
-  Scene::Vector centre;
-  this->Sphere->GetCenter(centre.data());
+  Scene::Vector center;
+  this->Sphere->GetCenter(center.data());
   for (int view = 0; view < 2; ++view)
   {
-    const auto picture = Scene::SliceActor(this->Image, centre, *Planes[view], 200);
+    const auto picture = Scene::SliceActor(this->Image, center, *Planes[view], 200);
     this->Shown.emplace_back(this->Slices[view], picture);
     this->Shown.emplace_back(this->Space, picture);
     this->Shown.emplace_back(this->Slices[view],
-      Scene::ContourActor(this->Surface, centre, *Planes[view], Scene::Yellow, 2));
+      Scene::ContourActor(this->Surface, center, *Planes[view], Scene::Yellow, 2));
   }
   for (const auto& shown : this->Shown)
   {
@@ -197,9 +197,9 @@ void LiveWindow::ShowSlices()
 /// How far the sphere is from a point.
 double DistanceFrom(const double point[3], LiveWindow& live)
 {
-  double centre[3];
-  live.GetSphere()->GetCenter(centre);
-  return std::sqrt(vtkMath::Distance2BetweenPoints(point, centre));
+  double center[3];
+  live.GetSphere()->GetCenter(center);
+  return std::sqrt(vtkMath::Distance2BetweenPoints(point, center));
 }
 
 /// Drags the sphere out of the organ and back with the mouse, and waits.

@@ -7,7 +7,7 @@
  *   tetgen -pqY organ.off
  *
  * The surface needs no repair. What is left to see to is the file format: STL keeps single
- * precision only, and no neighbourhoods, so the file is read back and checked as a printer's
+ * precision only, and no neighborhoods, so the file is read back and checked as a printer's
  * program will see it.
  */
 #include "Inputs.h"
@@ -51,7 +51,7 @@ vtkSmartPointer<vtkPolyData> TrianglesOf(vtkPolyData* surface)
   return mesh;
 }
 
-/// Binary STL, in millimetres, which is what printing programs take the numbers for.
+/// Binary STL, in millimeters, which is what printing programs take the numbers for.
 void WriteSTL(vtkPolyData* triangles, const char* name)
 {
   vtkNew<vtkSTLWriter> writer;

@@ -37,16 +37,16 @@ Vector NormalOf(const Plane& plane)
   return normal;
 }
 
-Vector CentreOf(const double bounds[6])
+Vector CenterOf(const double bounds[6])
 {
   return { (bounds[0] + bounds[1]) / 2, (bounds[2] + bounds[3]) / 2, (bounds[4] + bounds[5]) / 2 };
 }
 
-/// The corner of the bounds' box, in the plane through the centre, at the ends of both directions.
-Vector CornerOf(const double bounds[6], const Vector& centre, const Plane& plane, bool isRight,
+/// The corner of the bounds' box, in the plane through the center, at the ends of both directions.
+Vector CornerOf(const double bounds[6], const Vector& center, const Plane& plane, bool isRight,
   bool isUp)
 {
-  Vector corner = centre;
+  Vector corner = center;
   for (int axis = 0; axis < 3; ++axis)
   {
     if (plane.Right[axis] != 0)
@@ -78,7 +78,7 @@ vtkSmartPointer<vtkRenderer> MakeView(const Actors& actors, const std::string& c
 
 } // namespace
 
-vtkSmartPointer<vtkActor> SurfaceActor(vtkPolyData* surface, const double colour[3])
+vtkSmartPointer<vtkActor> SurfaceActor(vtkPolyData* surface, const double color[3])
 {
   vtkNew<vtkPolyDataNormals> normals;
   normals->SetInputData(surface);
@@ -90,36 +90,36 @@ vtkSmartPointer<vtkActor> SurfaceActor(vtkPolyData* surface, const double colour
   auto actor = vtkSmartPointer<vtkActor>::New();
   actor->SetMapper(mapper);
   vtkProperty* look = actor->GetProperty();
-  look->SetColor(colour[0], colour[1], colour[2]);
+  look->SetColor(color[0], color[1], color[2]);
   look->SetInterpolationToPhong();
   look->SetAmbient(0.1);
   look->SetDiffuse(0.85);
   look->SetSpecular(0.2);
   look->SetSpecularPower(25);
   look->EdgeVisibilityOn();
-  look->SetEdgeColor(colour[0] / 2, colour[1] / 2, colour[2] / 2);
+  look->SetEdgeColor(color[0] / 2, color[1] / 2, color[2] / 2);
   return actor;
 }
 
-vtkSmartPointer<vtkActor> SliceActor(vtkImageData* image, const Vector& centre, const Plane& plane,
+vtkSmartPointer<vtkActor> SliceActor(vtkImageData* image, const Vector& center, const Plane& plane,
   int samples)
 {
   const double* bounds = image->GetBounds();
   vtkNew<vtkPlaneSource> grid;
-  grid->SetOrigin(CornerOf(bounds, centre, plane, false, false).data());
-  grid->SetPoint1(CornerOf(bounds, centre, plane, true, false).data());
-  grid->SetPoint2(CornerOf(bounds, centre, plane, false, true).data());
+  grid->SetOrigin(CornerOf(bounds, center, plane, false, false).data());
+  grid->SetPoint1(CornerOf(bounds, center, plane, true, false).data());
+  grid->SetPoint2(CornerOf(bounds, center, plane, false, true).data());
   grid->SetResolution(samples, samples);
   vtkNew<vtkProbeFilter> probe; // knows direction matrices
   probe->SetInputConnection(grid->GetOutputPort());
   probe->SetSourceData(image);
-  vtkNew<vtkLookupTable> grey;
-  grey->SetSaturationRange(0, 0);
-  grey->SetValueRange(0, 1);
-  grey->SetRampToLinear();
+  vtkNew<vtkLookupTable> gray;
+  gray->SetSaturationRange(0, 0);
+  gray->SetValueRange(0, 1);
+  gray->SetRampToLinear();
   vtkNew<vtkPolyDataMapper> mapper;
   mapper->SetInputConnection(probe->GetOutputPort());
-  mapper->SetLookupTable(grey);
+  mapper->SetLookupTable(gray);
   mapper->SetScalarRange(-150, 250);
   mapper->InterpolateScalarsBeforeMappingOn();
   auto actor = vtkSmartPointer<vtkActor>::New();
@@ -128,12 +128,12 @@ vtkSmartPointer<vtkActor> SliceActor(vtkImageData* image, const Vector& centre, 
   return actor;
 }
 
-vtkSmartPointer<vtkActor> ContourActor(vtkPolyData* surface, const Vector& centre,
-  const Plane& plane, const double colour[3], double width)
+vtkSmartPointer<vtkActor> ContourActor(vtkPolyData* surface, const Vector& center,
+  const Plane& plane, const double color[3], double width)
 {
   Vector normal = NormalOf(plane);
   vtkNew<vtkPlane> cutting;
-  cutting->SetOrigin(centre.data());
+  cutting->SetOrigin(center.data());
   cutting->SetNormal(normal.data());
   vtkNew<vtkCutter> cutter;
   cutter->SetInputData(surface);
@@ -146,7 +146,7 @@ vtkSmartPointer<vtkActor> ContourActor(vtkPolyData* surface, const Vector& centr
   auto actor = vtkSmartPointer<vtkActor>::New();
   actor->SetMapper(mapper);
   actor->SetPosition(normal.data()); // in front of the slice
-  actor->GetProperty()->SetColor(colour[0], colour[1], colour[2]);
+  actor->GetProperty()->SetColor(color[0], color[1], color[2]);
   actor->GetProperty()->LightingOff();
   actor->GetProperty()->SetLineWidth(static_cast<float>(width));
   return actor;
@@ -169,15 +169,15 @@ vtkSmartPointer<vtkRenderer> SliceView(const Actors& actors, const double bounds
   const Plane& plane, const std::string& caption, double margin)
 {
   auto renderer = MakeView(actors, caption);
-  const Vector centre = CentreOf(bounds);
+  const Vector center = CenterOf(bounds);
   const Vector normal = NormalOf(plane);
   const double side =
     std::max({ bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4] });
   vtkCamera* camera = renderer->GetActiveCamera();
   camera->ParallelProjectionOn();
-  camera->SetFocalPoint(centre.data());
-  camera->SetPosition(centre[0] + 1000 * normal[0], centre[1] + 1000 * normal[1],
-    centre[2] + 1000 * normal[2]);
+  camera->SetFocalPoint(center.data());
+  camera->SetPosition(center[0] + 1000 * normal[0], center[1] + 1000 * normal[1],
+    center[2] + 1000 * normal[2]);
   camera->SetViewUp(plane.Up.data());
   camera->SetParallelScale(margin * side / 2);
   renderer->ResetCameraClippingRange();

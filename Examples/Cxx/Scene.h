@@ -39,15 +39,15 @@ const Plane Axial{ { 1, 0, 0 }, { 0, -1, 0 } };
 const Plane Coronal{ { 1, 0, 0 }, { 0, 0, 1 } };
 
 /// A surface with the edges of its mesh.
-vtkSmartPointer<vtkActor> SurfaceActor(vtkPolyData* surface, const double colour[3] = Liver);
+vtkSmartPointer<vtkActor> SurfaceActor(vtkPolyData* surface, const double color[3] = Liver);
 
-/// A slice through a point, over the whole image, in the grey values of an abdomen's CT.
-vtkSmartPointer<vtkActor> SliceActor(vtkImageData* image, const Vector& centre, const Plane& plane,
+/// A slice through a point, over the whole image, in the gray values of an abdomen's CT.
+vtkSmartPointer<vtkActor> SliceActor(vtkImageData* image, const Vector& center, const Plane& plane,
   int samples = 500);
 
 /// Where a surface crosses the slice through a point.
-vtkSmartPointer<vtkActor> ContourActor(vtkPolyData* surface, const Vector& centre,
-  const Plane& plane, const double colour[3] = Yellow, double width = 4);
+vtkSmartPointer<vtkActor> ContourActor(vtkPolyData* surface, const Vector& center,
+  const Plane& plane, const double color[3] = Yellow, double width = 4);
 
 /// Words at the lower left.
 vtkSmartPointer<vtkTextActor> TextActor(const std::string& words, int size = 30);

@@ -31,7 +31,7 @@ struct Organ
 {
   const char* Name;
   int Label; // in the phantom's truth
-  double Colour[3];
+  double Color[3];
   vtkSmartPointer<vtkPolyData> Surface;
 };
 
@@ -94,15 +94,15 @@ vtkIdType Merge(vtkImageData* organ, vtkImageData* all)
 void Draw(const std::string& file, vtkImageData* image, const std::vector<Organ>& organs)
 {
   const Scene::Plane& plane = Scene::Axial;
-  Scene::Vector centre;
-  organs.front().Surface->GetCenter(centre.data());
-  Scene::Actors slice = { Scene::SliceActor(image, centre, plane) };
+  Scene::Vector center;
+  organs.front().Surface->GetCenter(center.data());
+  Scene::Actors slice = { Scene::SliceActor(image, center, plane) };
   Scene::Actors surfaces;
   vtkBoundingBox box;
   for (const Organ& organ : organs)
   {
-    slice.push_back(Scene::ContourActor(organ.Surface, centre, plane, organ.Colour));
-    surfaces.push_back(Scene::SurfaceActor(organ.Surface, organ.Colour));
+    slice.push_back(Scene::ContourActor(organ.Surface, center, plane, organ.Color));
+    surfaces.push_back(Scene::SurfaceActor(organ.Surface, organ.Color));
     box.AddBounds(organ.Surface->GetBounds());
   }
   double bounds[6];

@@ -3,9 +3,9 @@
  *
  *   StartFromAnotherSurface --start atlas.stl ct.nii.gz --seed 83 -154 321 --radius 26
  *
- * The method needs four neighbours at every vertex. The mesh whose vertices are the midpoints of
+ * The method needs four neighbors at every vertex. The mesh whose vertices are the midpoints of
  * another one's edges has them everywhere: each edge lies on two faces, and in each of them it has
- * a neighbour on either side. Without --start, an ellipsoid serves as the other mesh.
+ * a neighbor on either side. Without --start, an ellipsoid serves as the other mesh.
  */
 #include "Inputs.h"
 #include "Scene.h"

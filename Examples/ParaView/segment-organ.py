@@ -6,7 +6,7 @@ a volume of one's own:
 
     pvbatch segment-organ.py [VOLUME X Y Z RADIUS] [-o PICTURE.png] [--state STATE.pvsm]
 
-VOLUME is a NIfTI, NRRD or MetaImage file or a folder of DICOM files; X Y Z and RADIUS are the seed in millimetres.
+VOLUME is a NIfTI, NRRD or MetaImage file or a folder of DICOM files; X Y Z and RADIUS are the seed in millimeters.
 """
 
 import argparse
@@ -19,19 +19,19 @@ from vtkmodules.vtkCommonCore import vtkLogger
 
 # Of the built-in abdomen's liver.
 SEED = [99.75, 83.75, 167, 28]
-# The grey values that are drawn black and white: soft tissue of a CT. None takes the image's whole range.
+# The gray values that are drawn black and white: soft tissue of a CT. None takes the image's whole range.
 WINDOW = [-110, 240]
 
 
 def parse_arguments():
     parser = argparse.ArgumentParser(description="Segments one organ and shows it on slices.")
     parser.add_argument("volume", nargs="?")
-    parser.add_argument("seed", nargs="*", type=float, help="X Y Z RADIUS, in millimetres")
+    parser.add_argument("seed", nargs="*", type=float, help="X Y Z RADIUS, in millimeters")
     parser.add_argument("-o", "--output", metavar="PICTURE.png")
     parser.add_argument("--state", metavar="STATE.pvsm")
     arguments = parser.parse_args()
     if arguments.volume and len(arguments.seed) != 4:
-        parser.error("after the volume, give its seed: X Y Z RADIUS, in millimetres")
+        parser.error("after the volume, give its seed: X Y Z RADIUS, in millimeters")
     return arguments
 
 
@@ -68,7 +68,7 @@ def update(source):
 
 
 def show_slices(image, center, view):
-    """The coronal and the axial plane through the seed, in grey."""
+    """The coronal and the axial plane through the seed, in gray."""
     name = image.PointData[0].GetName()
     for plane, normal in (("Coronal", [0, 1, 0]), ("Axial", [0, 0, 1])):
         cut = Slice(registrationName=plane, Input=image)

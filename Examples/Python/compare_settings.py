@@ -19,7 +19,7 @@ SETTINGS = {
     "with the guard": {"guard": True},
     "without": {"guard": False},
 }
-COLOURS = [scene.YELLOW, scene.BLUE]
+COLORS = [scene.YELLOW, scene.BLUE]
 
 parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
 parser.add_argument("--truth", help="label map to compare with")
@@ -61,12 +61,12 @@ if arguments.picture:
     slices = []
     for plane in (scene.AXIAL, scene.CORONAL):
         actors = [scene.slice_actor(image, seed, plane)]
-        for (name, organ), colour in zip(organs.items(), COLOURS):
+        for (name, organ), color in zip(organs.items(), COLORS):
             # The first one is the wider, so that it is to be seen where they agree.
             width = 4 if name == next(iter(organs)) else 1.6
-            actors.append(scene.contour_actor(organ.surface, seed, plane, colour, width))
+            actors.append(scene.contour_actor(organ.surface, seed, plane, color, width))
         shown = next(iter(organs.values())).surface
-        slices.append(scene.slice_view(actors, shown, plane, list(zip(organs, COLOURS))))
+        slices.append(scene.slice_view(actors, shown, plane, list(zip(organs, COLORS))))
     surfaces = [scene.space_view([with_defects(organ)],
                                  f"{name}: {organ.self_intersections} self-intersections", zoom=1.1)
                 for name, organ in organs.items()]

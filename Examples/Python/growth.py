@@ -51,7 +51,7 @@ class Growth:
         self.search = flipfree.vtkCorrespondenceSearch()
         self.search.SetFeatureConnection(self.feature.GetOutputPort())
         self.search.SetEdgeConnection(self.smooth.GetOutputPort())
-        self.search.SetImageEndDistance(12)
+        self.search.SetImageBoundaryDistance(12)
         self.search.SetMaximumDisplacement(8)
 
         # Towards these targets, but never so that a face flips or the surface meets itself.
@@ -101,7 +101,7 @@ class Growth:
             # By now the surface knows the organ better than the seed did.
             self.feature.SetSurfaceData(self.surface)
         if self.level == len(RESOLUTIONS) - 1:
-            # The last millimetre: to the strongest edge.
+            # The last millimeter: to the strongest edge.
             self.search.SetEdgeWindow(min(3, 1.5 * self.voxel))
         flipfree.update(self.feature)
 

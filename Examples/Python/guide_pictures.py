@@ -21,7 +21,7 @@ PHANTOM = inputs.phantom()
 LIVER, SPLEEN, KIDNEY = PHANTOM.LIVER, PHANTOM.SPLEEN, PHANTOM.RIGHT_KIDNEY
 
 # By picture: the organ, the plane of the slices, and a caption and parameters for each view; the
-# seed is moved by `move`, in millimetres, and its radius multiplied by `scale`.
+# seed is moved by `move`, in millimeters, and its radius multiplied by `scale`.
 PICTURES = {
     "seed": (LIVER, scene.AXIAL, [
         ("deep in the organ", {}),
@@ -34,9 +34,9 @@ PICTURES = {
         ("foreground_mass=0.9", {"diffusion_iterations": 0, "foreground_mass": 0.9}),
         ("smoothed", {})]),
     "mass": (LIVER, scene.CORONAL, [
-        ("foreground_mass=0.5", {"foreground_mass": 0.5, "reestimate": False}),
-        ("foreground_mass=0.95", {"foreground_mass": 0.95, "reestimate": False}),
-        ("foreground_mass=0.999", {"foreground_mass": 0.999, "reestimate": False})]),
+        ("foreground_mass=0.5", {"foreground_mass": 0.5, "reestimate_intensities": False}),
+        ("foreground_mass=0.95", {"foreground_mass": 0.95, "reestimate_intensities": False}),
+        ("foreground_mass=0.999", {"foreground_mass": 0.999, "reestimate_intensities": False})]),
     "search": (LIVER, scene.CORONAL, [
         ("search_distance=5", {"search_distance": 5}),
         ("0: 1.6 radii, the default", {}),
@@ -78,16 +78,16 @@ def segment(label, move=(0, 0, 0), scale=1, **parameters):
 
 def draw_slices(path, label, plane, views):
     truth = truth_of(label)
-    centre, _ = inputs.seed_in(PHANTOM, label)
+    center, _ = inputs.seed_in(PHANTOM, label)
     row = []
     for caption, parameters in views:
         seed, organ, dice = segment(label, **parameters)
         print(f"{path.stem}: {caption}: Dice {dice:.2f}")
-        actors = [scene.slice_actor(PHANTOM.GetOutput(), centre, plane),
-                  scene.contour_actor(truth, centre, plane, scene.BLUE, 3.2),
-                  scene.contour_actor(organ.surface, centre, plane, scene.YELLOW, 1.6)]
+        actors = [scene.slice_actor(PHANTOM.GetOutput(), center, plane),
+                  scene.contour_actor(truth, center, plane, scene.BLUE, 3.2),
+                  scene.contour_actor(organ.surface, center, plane, scene.YELLOW, 1.6)]
         if path.stem == "seed":
-            actors.append(scene.contour_actor(seed, centre, plane, (1, 1, 1), 1.2))
+            actors.append(scene.contour_actor(seed, center, plane, (1, 1, 1), 1.2))
         row.append(scene.slice_view(actors, truth, plane, f"{caption}: Dice {dice:.2f}"))
     scene.write_picture(path, [row], size=340)
 

@@ -15,7 +15,7 @@ def phantom():
 
 
 def seed_in(source, label):
-    """Centre and radius of a ball deep inside an organ of the phantom."""
+    """Center and radius of a ball deep inside an organ of the phantom."""
     seed = [0.0] * 4
     source.GetSeed(label, seed)
     return seed[:3], seed[3]
@@ -26,7 +26,7 @@ def parse(description, parser=None):
     parser = parser or argparse.ArgumentParser(description=description.splitlines()[0])
     parser.add_argument("image", nargs="?", help="file or DICOM folder (default: the phantom)")
     parser.add_argument("--seed", nargs=3, type=float, metavar=("X", "Y", "Z"),
-                        help="centre of a sphere within the organ, LPS mm")
+                        help="center of a sphere within the organ, LPS mm")
     parser.add_argument("--radius", type=float, help="its radius, mm")
     parser.add_argument("--picture", help="PNG to draw the result into")
     arguments = parser.parse_args()
@@ -40,7 +40,7 @@ def parse(description, parser=None):
 
 
 def image_and_seed(arguments, label=flipfree.vtkPhantomSource.LIVER):
-    """The image, and centre and radius of the seed."""
+    """The image, and center and radius of the seed."""
     if arguments.image:
         return flipfree.read_image(arguments.image), arguments.seed, arguments.radius
     source = phantom()

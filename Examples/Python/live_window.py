@@ -26,7 +26,7 @@ MILLISECONDS = 30  # between two iterations, in which the window listens to the 
 
 
 class LiveWindow:
-    """Three views: space with the sphere, and two slices through its centre."""
+    """Three views: space with the sphere, and two slices through its center."""
 
     def __init__(self, image, seed, radius):
         self.image = image
@@ -86,11 +86,11 @@ class LiveWindow:
         return widget
 
     def seed(self):
-        """Centre and radius of the sphere, where it is now."""
-        centre = [0.0] * 3
+        """Center and radius of the sphere, where it is now."""
+        center = [0.0] * 3
         sphere = self.widget.GetRepresentation()
-        sphere.GetCenter(centre)
-        return centre, sphere.GetRadius()
+        sphere.GetCenter(center)
+        return center, sphere.GetRadius()
 
     def stop(self):
         """Nothing grows while the sphere is dragged."""
@@ -122,14 +122,14 @@ class LiveWindow:
         self.words.SetInput(words)
 
     def show_slices(self):
-        """Moves all slices to the sphere's centre."""
+        """Moves all slices to the sphere's center."""
         for renderer, actor in self.slices:
             renderer.RemoveActor(actor)
         self.slices = []
-        centre, _ = self.seed()
+        center, _ = self.seed()
         for plane, renderer in self.planes.items():
-            picture = scene.slice_actor(self.image, centre, plane, samples=200)
-            contour = scene.contour_actor(self.surface, centre, plane, width=1)
+            picture = scene.slice_actor(self.image, center, plane, samples=200)
+            contour = scene.contour_actor(self.surface, center, plane, width=1)
             for view, actor in ((renderer, picture), (self.space, picture), (renderer, contour)):
                 view.AddActor(actor)
                 self.slices.append((view, actor))

@@ -87,9 +87,9 @@ def tube(folder=None):
     """The phantom's vessel is thin: vertices must be free to spread unevenly along it."""
     source = flipfree.vtkPhantomSource
     return real_case(folder, "role", "tubular") or phantom_case(
-        "vessel", source.VESSEL, source.OBJECT, reestimate=False, leak_control=False,
+        "vessel", source.VESSEL, source.OBJECT, reestimate_intensities=False, leak_control=False,
         maximum_iterations=150, diffusion_iterations=0, resolution=64, levels=5,
-        maximum_displacement=0, outlier_deviations=0, position_weight=1, uniform_weight=0.01,
+        maximum_displacement=0, outlier_standard_deviations=0, position_weight=1, uniform_weight=0.01,
         fairing=0.2)
 
 
@@ -103,7 +103,7 @@ def enclosed(shape, noise=True):
     source.SetShape(shape)
     source.GenerateSurfaceOn()
     if not noise:
-        source.SetNoiseDeviation(0)
+        source.SetNoiseStandardDeviation(0)
         source.PartialVolumeOff()
     source.Update()
     seed, radius = inputs.seed_in(source, source.OBJECT)
@@ -111,14 +111,14 @@ def enclosed(shape, noise=True):
     source.GetEnclosingSphere(sphere)
     start = {"start_center_offset": [a - b for a, b in zip(sphere, seed)],
              "start_scale": sphere[3] / radius, "search_distance": 2 * sphere[3],
-             "reestimate": False, "leak_control": False, "maximum_iterations": 100}
+             "reestimate_intensities": False, "leak_control": False, "maximum_iterations": 100}
     return source, seed, radius, start
 
 
-def quad_sphere(resolution, centre=(0, 0, 0), radius=1.0, cube=False):
+def quad_sphere(resolution, center=(0, 0, 0), radius=1.0, cube=False):
     source = flipfree.vtkQuadSphereSource()
     source.SetResolution(resolution)
-    source.SetCenter(centre)
+    source.SetCenter(center)
     source.SetRadius(radius)
     if cube:
         source.SetSpacingToCube()
@@ -148,7 +148,7 @@ def with_checkerboard(surface, resolution, levels):
 
 
 def checkerboard_actors(surface, pattern):
-    """Each face cut into one quad per corner in the corner's colour, so that fields are sharp."""
+    """Each face cut into one quad per corner in the corner's color, so that fields are sharp."""
     points = vtkPoints()
     quads = {0: vtkCellArray(), 1: vtkCellArray()}
     coordinates = vtk_to_numpy(surface.GetPoints().GetData())
@@ -157,27 +157,27 @@ def checkerboard_actors(surface, pattern):
         corners = [ids.GetId(corner) for corner in range(ids.GetNumberOfIds())]
         places = coordinates[corners]
         middles = (places + np.roll(places, -1, axis=0)) / 2
-        centre = points.InsertNextPoint(places.mean(axis=0))
+        center = points.InsertNextPoint(places.mean(axis=0))
         at = [points.InsertNextPoint(place) for place in places]
         between = [points.InsertNextPoint(middle) for middle in middles]
         for corner, vertex in enumerate(corners):
             cells = quads[int(pattern[vertex] > 0)]
             cells.InsertNextCell(4)
-            for point in (centre, between[corner - 1], at[corner], between[corner]):
+            for point in (center, between[corner - 1], at[corner], between[corner]):
                 cells.InsertCellPoint(point)
     actors = []
-    for value, colour in ((0, SAND), (1, PATTERN_BLUE)):
+    for value, color in ((0, SAND), (1, PATTERN_BLUE)):
         fields = vtkPolyData()
         fields.SetPoints(points)
         fields.SetPolys(quads[value])
-        actor = scene.surface_actor(fields, colour)
+        actor = scene.surface_actor(fields, color)
         actor.GetProperty().SetSpecular(0)
         actors.append(actor)
     return [*actors, line_actor(surface)]
 
 
-def line_actor(surface, colour=(0.2, 0.2, 0.2)):
-    actor = scene.surface_actor(surface, colour)
+def line_actor(surface, color=(0.2, 0.2, 0.2)):
+    actor = scene.surface_actor(surface, color)
     actor.GetMapper().SetResolveCoincidentTopologyToPolygonOffset()
     actor.GetMapper().SetRelativeCoincidentTopologyLineOffsetParameters(-2, -8)
     actor.GetProperty().SetRepresentationToWireframe()
@@ -209,7 +209,7 @@ def truth_of(case):
 
 
 def window_of(image):
-    """Grey values to show: the abdomen's for a CT, nearly all for other volumes."""
+    """Gray values to show: the abdomen's for a CT, nearly all for other volumes."""
     values = vtk_to_numpy(image.GetPointData().GetScalars())
     if values.min() < -100:
         return -150, 250
@@ -217,10 +217,10 @@ def window_of(image):
 
 
 def slice_of(case, plane, surfaces, caption, around, margin=1.4):
-    """A slice through the seed with contours, in their colours."""
+    """A slice through the seed with contours, in their colors."""
     actors = [scene.slice_actor(case.image, case.seed, plane, window_of(case.image))]
-    for surface, colour, width in surfaces:
-        actors.append(scene.contour_actor(surface, case.seed, plane, colour, width))
+    for surface, color, width in surfaces:
+        actors.append(scene.contour_actor(surface, case.seed, plane, color, width))
     return scene.slice_view(actors, around, plane, caption, margin)
 
 
@@ -297,8 +297,8 @@ def figure_2(path, _):
         actors = [scene.contour_actor(surface, middle, plane, scene.YELLOW, 1.6)]
         place = vtk_to_numpy(surface.GetPoints().GetData())
         row = (np.abs(points[:, 1] - middle[1]) < 0.5)
-        for which, colour in ((row & solitary, scene.BLUE), (row & ~solitary, scene.YELLOW)):
-            actors.append(glyph_actor(place[which], vtkSphereSource(), colour, 1.6))
+        for which, color in ((row & solitary, scene.BLUE), (row & ~solitary, scene.YELLOW)):
+            actors.append(glyph_actor(place[which], vtkSphereSource(), color, 1.6))
         if arrows:
             which = row & (np.abs(wanted).max(axis=1) > 1)
             actors.append(glyph_actor(points[which], vtkArrowSource(), (0.6, 0.6, 0.6), 1,
@@ -312,7 +312,7 @@ def figure_2(path, _):
         view(deform.GetOutput(), "d  targets of b, propagated")]], size=400)
 
 
-def glyph_actor(places, shape, colour, size, vectors=None):
+def glyph_actor(places, shape, color, size, vectors=None):
     """Dots, or arrows where there are vectors."""
     data = vtkPolyData()
     points = vtkPoints()
@@ -332,7 +332,7 @@ def glyph_actor(places, shape, colour, size, vectors=None):
     glyphs.SetSourceConnection(shape.GetOutputPort())
     glyphs.SetScaleFactor(size)
     glyphs.Update()
-    actor = scene.surface_actor(glyphs.GetOutput(), colour)
+    actor = scene.surface_actor(glyphs.GetOutput(), color)
     actor.GetProperty().LightingOff()
     actor.SetPosition(0, -1.5, 0)  # in front of the line
     return actor
@@ -344,8 +344,8 @@ def figure_3(path, _):
     # Off the grid's symmetry, where the last digit decides between two voxels.
     start["start_center_offset"] = [part + extra for part, extra in
                                     zip(start["start_center_offset"], (0.3, 0.2, 0.1))]
-    centre = [a + b for a, b in zip(seed, start["start_center_offset"])]
-    sphere = scene.surface_actor(quad_sphere(32, centre, radius * start["start_scale"]),
+    center = [a + b for a, b in zip(seed, start["start_center_offset"])]
+    sphere = scene.surface_actor(quad_sphere(32, center, radius * start["start_scale"]),
                                  scene.BLUE, 0.35, edges=True)
     views = [scene.space_view([scene.surface_actor(volume.GetSurface(), GREEN), sphere],
                               "a  the volume and the sphere", FROM_ABOVE)]
@@ -383,7 +383,7 @@ def figure_4(path, folder):
             text.SetColor(ink)
             text.BoldOff()
     levels = vtk_to_numpy(table.GetColumnByName("Level"))
-    for level, colour in zip(np.unique(levels), (scene.BLUE, scene.YELLOW, scene.LIVER) * 2):
+    for level, color in zip(np.unique(levels), (scene.BLUE, scene.YELLOW, scene.LIVER) * 2):
         rows = vtkTable()
         for name in ("Iteration", "MeanDistance"):
             values = vtk_to_numpy(table.GetColumnByName(name))[levels == level].astype(float)
@@ -392,7 +392,7 @@ def figure_4(path, folder):
             rows.AddColumn(column)
         curve = chart.AddPlot(vtkChart.LINE)
         curve.SetInputData(rows, 0, 1)
-        curve.GetPen().SetColorF(*colour)
+        curve.GetPen().SetColorF(*color)
         curve.SetWidth(2.5 * scene.FINER)
         curve.SetLabel(f"level {level + 1}")
     chart.SetShowLegend(True)

@@ -4,7 +4,7 @@
     python3 save_for_printing.py ct.nii.gz --seed 83 -154 321 --radius 26 --folder liver-files
 
 The surface needs no repair. What is left to see to is the file format: STL keeps single precision
-only, and no neighbourhoods, so the file is read back and checked as a printer's program will see
+only, and no neighborhoods, so the file is read back and checked as a printer's program will see
 it.
 """
 
@@ -27,7 +27,7 @@ from vtkmodules.vtkIOGeometry import vtkSTLReader, vtkSTLWriter
 
 
 def write_stl(surface, name):
-    """Binary STL, in millimetres, which is what printing programs take the numbers for."""
+    """Binary STL, in millimeters, which is what printing programs take the numbers for."""
     writer = vtkSTLWriter()
     writer.SetInputData(scene.triangles_of(surface))
     writer.SetFileName(name)
@@ -76,10 +76,10 @@ def grid_of(nodes, corners):
     return grid
 
 
-def cut_open(grid, centre):
+def cut_open(grid, center):
     """The tetrahedra behind a coronal plane, whole ones, and what one sees of them."""
     plane = vtkPlane()
-    plane.SetOrigin(centre)
+    plane.SetOrigin(center)
     plane.SetNormal(0, -1, 0)
     behind = vtkExtractGeometry()
     behind.SetInputData(grid)

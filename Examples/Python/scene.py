@@ -43,7 +43,7 @@ AXIAL = ((1, 0, 0), (0, -1, 0))
 CORONAL = ((1, 0, 0), (0, 0, 1))
 
 
-def surface_actor(surface, colour=LIVER, opacity=1.0, edges=False):
+def surface_actor(surface, color=LIVER, opacity=1.0, edges=False):
     """A surface with smooth shading, with the mesh's own edges on demand."""
     normals = vtkPolyDataNormals()
     normals.SetInputData(surface)
@@ -55,7 +55,7 @@ def surface_actor(surface, colour=LIVER, opacity=1.0, edges=False):
     actor = vtkActor()
     actor.SetMapper(mapper)
     look = actor.GetProperty()
-    look.SetColor(colour)
+    look.SetColor(color)
     look.SetOpacity(opacity)
     look.SetInterpolationToPhong()
     look.SetAmbient(0.1)
@@ -64,36 +64,36 @@ def surface_actor(surface, colour=LIVER, opacity=1.0, edges=False):
     look.SetSpecularPower(25)
     if edges:
         look.EdgeVisibilityOn()
-        look.SetEdgeColor([0.5 * part for part in colour])
+        look.SetEdgeColor([0.5 * part for part in color])
         look.SetLineWidth(1.2 * FINER / 2)
     return actor
 
 
-def defect_actor(surface, colour, mark):
+def defect_actor(surface, color, mark):
     """A surface with its edges, of which vtkSurfaceValidity has marked faces: these are red."""
-    colours = vtkLookupTable()
-    colours.SetNumberOfTableValues(2)
-    colours.SetTableValue(0, *colour, 1)
-    colours.SetTableValue(1, *RED, 1)
+    colors = vtkLookupTable()
+    colors.SetNumberOfTableValues(2)
+    colors.SetTableValue(0, *color, 1)
+    colors.SetTableValue(1, *RED, 1)
     actor = surface_actor(surface, edges=True)
     mapper = actor.GetMapper()
     mapper.ScalarVisibilityOn()
     mapper.SetScalarModeToUseCellFieldData()
     mapper.SelectColorArray("Defects")
-    mapper.SetLookupTable(colours)
+    mapper.SetLookupTable(colors)
     mapper.SetColorModeToMapScalars()
     mapper.SetScalarRange(0, mark)
     actor.GetProperty().SetEdgeColor(0.35, 0.33, 0.30)
     return actor
 
 
-def slice_actor(image, centre, plane, window=(-150, 250), samples=500):
-    """A slice through a point in grey values, over the whole image, by default the abdomen's."""
+def slice_actor(image, center, plane, window=(-150, 250), samples=500):
+    """A slice through a point in gray values, over the whole image, by default the abdomen's."""
     right, up = plane
     bounds = image.GetBounds()
     corners = []
-    for x, y in ((0, 0), (1, 0), (0, 1)):  # of the image's box, in the plane through the centre
-        corner = list(centre)
+    for x, y in ((0, 0), (1, 0), (0, 1)):  # of the image's box, in the plane through the center
+        corner = list(center)
         for direction, end in ((right, x), (up, y)):
             axis = [abs(part) for part in direction].index(1)
             upper = (direction[axis] > 0) == bool(end)
@@ -111,21 +111,21 @@ def slice_actor(image, centre, plane, window=(-150, 250), samples=500):
     mapper.SetInputConnection(probe.GetOutputPort())
     mapper.SetScalarRange(window)
     mapper.InterpolateScalarsBeforeMappingOn()
-    grey = mapper.GetLookupTable()
-    grey.SetSaturationRange(0, 0)
-    grey.SetValueRange(0, 1)
-    grey.SetRampToLinear()
+    gray = mapper.GetLookupTable()
+    gray.SetSaturationRange(0, 0)
+    gray.SetValueRange(0, 1)
+    gray.SetRampToLinear()
     actor = vtkActor()
     actor.SetMapper(mapper)
     actor.GetProperty().LightingOff()
     return actor
 
 
-def contour_actor(surface, centre, plane, colour=YELLOW, width=2.2):
+def contour_actor(surface, center, plane, color=YELLOW, width=2.2):
     """Where a surface crosses the slice through a point."""
     normal = _cross(*plane)
     cutting = vtkPlane()
-    cutting.SetOrigin(centre)
+    cutting.SetOrigin(center)
     cutting.SetNormal(normal)
     lines = vtkStripper()  # joined, so that there are no gaps between their ends
     if surface.GetNumberOfPolys():
@@ -141,34 +141,34 @@ def contour_actor(surface, centre, plane, colour=YELLOW, width=2.2):
     actor = vtkActor()
     actor.SetMapper(mapper)
     actor.SetPosition(normal)  # in front of the slice
-    actor.GetProperty().SetColor(colour)
+    actor.GetProperty().SetColor(color)
     actor.GetProperty().LightingOff()
     actor.GetProperty().SetLineWidth(width * FINER)
     return actor
 
 
-def text_actor(words, colour=(0.92, 0.92, 0.92), size=15):
+def text_actor(words, color=(0.92, 0.92, 0.92), size=15):
     """Words on a dark ground, at the lower left."""
     text = vtkTextActor()
     text.SetInput(words)
     text.SetPosition(10, 10)
     look = text.GetTextProperty()
     look.SetFontSize(size)
-    look.SetColor(colour)
+    look.SetColor(color)
     look.SetBackgroundColor(INK)
     look.SetBackgroundOpacity(0.6)
     return text
 
 
 def slice_view(actors, surface, plane, caption="", margin=1.4):
-    """A view onto a slice, centred on a surface and wider than it by a factor."""
-    centre = surface.GetCenter()
+    """A view onto a slice, centered on a surface and wider than it by a factor."""
+    center = surface.GetCenter()
     side = margin * max(high - low for low, high in zip(*[iter(surface.GetBounds())] * 2))
     renderer = _renderer(actors, caption)
     camera = renderer.GetActiveCamera()
     camera.ParallelProjectionOn()
-    camera.SetFocalPoint(centre)
-    camera.SetPosition([c + 1000 * n for c, n in zip(centre, _cross(*plane))])
+    camera.SetFocalPoint(center)
+    camera.SetPosition([c + 1000 * n for c, n in zip(center, _cross(*plane))])
     camera.SetViewUp(plane[1])
     camera.SetParallelScale(side / 2)
     renderer.ResetCameraClippingRange()
@@ -248,11 +248,11 @@ def _renderer(actors, caption):
     renderer.SetBackground(INK)
     for actor in actors:
         renderer.AddActor(actor)
-    # One line, or several in colours of their own, from the bottom upwards.
+    # One line, or several in colors of their own, from the bottom upwards.
     lines = [(caption, (0.92, 0.92, 0.92))] if isinstance(caption, str) else caption
-    for number, (words, colour) in enumerate(lines):
+    for number, (words, color) in enumerate(lines):
         if words:
-            text = text_actor(words, colour, 15 * FINER)
+            text = text_actor(words, color, 15 * FINER)
             text.SetPosition(10 * FINER, (10 + 22 * number) * FINER)
             renderer.AddViewProp(text)
     return renderer

@@ -11,7 +11,7 @@ import inputs
 import scene
 from vtkmodules.vtkCommonDataModel import vtkBoundingBox
 
-COLOURS = [(0.86, 0.42, 0.33), (0.72, 0.48, 0.80), (0.95, 0.72, 0.30), (0.95, 0.90, 0.45),
+COLORS = [(0.86, 0.42, 0.33), (0.72, 0.48, 0.80), (0.95, 0.72, 0.30), (0.95, 0.90, 0.45),
            (0.45, 0.75, 0.50), (0.40, 0.60, 0.85)]
 
 parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
@@ -54,21 +54,21 @@ if arguments.labels:
     flipfree.write_image(label_map, arguments.labels)
 
 if arguments.picture:
-    centre = next(iter(organs.values())).surface.GetCenter()
-    axial = [scene.slice_actor(image, centre, scene.AXIAL)]
+    center = next(iter(organs.values())).surface.GetCenter()
+    axial = [scene.slice_actor(image, center, scene.AXIAL)]
     surfaces = []
-    for organ, colour in zip(organs.values(), COLOURS):
-        axial.append(scene.contour_actor(organ.surface, centre, scene.AXIAL, colour))
-        surfaces.append(scene.surface_actor(organ.surface, colour))
+    for organ, color in zip(organs.values(), COLORS):
+        axial.append(scene.contour_actor(organ.surface, center, scene.AXIAL, color))
+        surfaces.append(scene.surface_actor(organ.surface, color))
     # The spine behind the organs tells where they lie.
     back = max(organ.surface.GetBounds()[3] for organ in organs.values())
-    spine = scene.slice_actor(image, [centre[0], back, centre[2]], scene.CORONAL)
+    spine = scene.slice_actor(image, [center[0], back, center[2]], scene.CORONAL)
     box = vtkBoundingBox()
     for organ in organs.values():
         box.AddBounds(organ.surface.GetBounds())
     bounds = [0.0] * 6
     box.GetBounds(bounds)
-    legend = list(zip(organs, COLOURS))[::-1]
+    legend = list(zip(organs, COLORS))[::-1]
     scene.write_picture(arguments.picture, [[
         scene.slice_view(axial, image, scene.AXIAL, legend, margin=1.02),
         scene.space_view([spine, *surfaces], "from the front", zoom=1.2, bounds=bounds),

@@ -2,9 +2,9 @@
 
     python3 start_from_another_surface.py --start atlas.stl ct.nii.gz --seed 83 -154 321 --radius 26
 
-The method needs four neighbours at every vertex. The mesh whose vertices are the midpoints of
+The method needs four neighbors at every vertex. The mesh whose vertices are the midpoints of
 another one's edges has them everywhere: each edge lies on two faces, and in each of them it has a
-neighbour on either side. Without --start, an ellipsoid serves as the other mesh.
+neighbor on either side. Without --start, an ellipsoid serves as the other mesh.
 """
 
 import argparse
@@ -43,7 +43,7 @@ def midpoint_mesh(surface):
     for cell in range(surface.GetNumberOfCells()):
         ids = surface.GetCell(cell).GetPointIds()
         corners = [ids.GetId(i) for i in range(ids.GetNumberOfIds())]
-        # Corner b between its neighbours a and c, all the way round.
+        # Corner b between its neighbors a and c, all the way round.
         triples = list(zip(corners[-1:] + corners[:-1], corners, corners[1:] + corners[:1]))
         add([midpoint(b, c) for _, b, c in triples])
         for a, b, c in triples:
@@ -81,7 +81,7 @@ def read_stl(name):
     return clean.GetOutput()
 
 
-def ellipsoid(centre, radii):
+def ellipsoid(center, radii):
     """A mesh like any other, from a refined icosahedron: five or six triangles at its vertices."""
     solid = vtkPlatonicSolidSource()
     solid.SetSolidTypeToIcosahedron()
@@ -92,7 +92,7 @@ def ellipsoid(centre, radii):
     surface = fine.GetOutput()
     points = vtk_to_numpy(surface.GetPoints().GetData())  # a view
     points /= numpy.linalg.norm(points, axis=1, keepdims=True)
-    points[:] = centre + points * radii
+    points[:] = center + points * radii
     return surface
 
 

@@ -5,11 +5,11 @@
 #ifndef FlipFreeContourMeshAdapter_h
 #define FlipFreeContourMeshAdapter_h
 
-#include "ContourMesh.h"
-#include "Correspondence.h"
+#include "Deformation/Correspondence.h"
+#include "Geometry/SelfIntersection.h"
+#include "Mesh/ContourMesh.h"
 #include "MeshAdapter.h"
 #include "MessageText.h"
-#include "SelfIntersection.h"
 #include "SurfaceAdapter.h"
 
 #include "vtkDoubleArray.h"
@@ -32,7 +32,7 @@ struct DeformableSurface
 };
 
 /// Throws std::invalid_argument, naming the surface by `name`, when it is not a closed mesh with
-/// four neighbours at every vertex, or, if asked, intersects itself or is inside out.
+/// four neighbors at every vertex, or, if asked, intersects itself or is inside out.
 inline DeformableSurface DeformableSurfaceOf(vtkPolyData* data, const std::string& name,
   bool requireEmbedded)
 {

@@ -6,8 +6,8 @@
 #define FlipFreeFiniteVoxels_h
 
 #include "ExecutionAdapter.h"
+#include "Image/SeedRegion.h"
 #include "MessageText.h"
-#include "SeedRegion.h"
 
 #include <algorithm>
 #include <atomic>

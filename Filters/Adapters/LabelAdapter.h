@@ -5,11 +5,11 @@
 #ifndef FlipFreeLabelAdapter_h
 #define FlipFreeLabelAdapter_h
 
-#include "BitMask.h"
 #include "ExecutionAdapter.h"
 #include "FiniteVoxels.h"
+#include "Image/BitMask.h"
 #include "ImageAdapter.h"
-#include "SurfaceVoxelisation.h"
+#include "Mesh/SurfaceVoxelization.h"
 
 #include "vtkDataArray.h"
 #include "vtkNew.h"
@@ -155,7 +155,7 @@ inline LabelValues LabelsOf(vtkImageData* image)
       [&](std::ptrdiff_t first, std::ptrdiff_t last)
       {
         LabelValues found;
-        Value latest = 0; // neighbours mostly have the same
+        Value latest = 0; // neighbors mostly have the same
         for (std::ptrdiff_t voxel = first; voxel < last; ++voxel)
         {
           if (values[voxel] != latest && values[voxel] != Value(0))

@@ -6,7 +6,7 @@
 #ifndef FlipFreeMeshAdapter_h
 #define FlipFreeMeshAdapter_h
 
-#include "ContourMesh.h"
+#include "Mesh/ContourMesh.h"
 
 #include "vtkCellArray.h"
 #include "vtkDoubleArray.h"

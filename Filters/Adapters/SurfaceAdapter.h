@@ -5,8 +5,8 @@
 #ifndef FlipFreeSurfaceAdapter_h
 #define FlipFreeSurfaceAdapter_h
 
+#include "Mesh/SurfaceTopology.h"
 #include "MeshAdapter.h"
-#include "SurfaceTopology.h"
 
 #include <stdexcept>
 #include <string>

@@ -4,7 +4,7 @@
 #ifndef FlipFreeBaselineTask_h
 #define FlipFreeBaselineTask_h
 
-#include "SeedRegion.h"
+#include "Image/SeedRegion.h"
 
 #include <vector>
 

@@ -1,7 +1,7 @@
 #include "FieldSurface.h"
 
+#include "Mesh/SurfaceTopology.h"
 #include "MeshAdapter.h"
-#include "SurfaceTopology.h"
 
 #include "vtkFloatArray.h"
 #include "vtkFlyingEdges3D.h"
@@ -36,7 +36,7 @@ Box PositiveBox(const ImageView<float>& field)
 }
 
 // The box and a rim of one voxel, which closes the surface where the grid ends. Points are indices.
-// No value is zero: a contour through voxel centres would have triangles without area.
+// No value is zero: a contour through voxel centers would have triangles without area.
 vtkSmartPointer<vtkImageData> CropAndPad(const ImageView<float>& field, const Box& box)
 {
   auto image = vtkSmartPointer<vtkImageData>::New();

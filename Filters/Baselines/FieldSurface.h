@@ -4,8 +4,8 @@
 #ifndef FlipFreeFieldSurface_h
 #define FlipFreeFieldSurface_h
 
-#include "BitMask.h"
-#include "SurfaceVoxelisation.h"
+#include "Image/BitMask.h"
+#include "Mesh/SurfaceVoxelization.h"
 
 namespace FlipFree
 {
@@ -17,7 +17,7 @@ struct FieldSurface
 };
 
 /// The closed surface on which a field changes its sign, by VTK's flying edges, in physical
-/// millimetres under any direction matrix, counter-clockwise seen from where it is negative. Beyond
+/// millimeters under any direction matrix, counter-clockwise seen from where it is negative. Beyond
 /// the grid it is taken as negative. Empty where it is positive nowhere.
 FieldSurface SurfaceOfField(const ImageView<float>& field);
 

@@ -1,6 +1,6 @@
 /**
  * Private to the module: a graph as Boost.Graph wants it for maximum flows, whose nodes are voxels
- * with up to six neighbours and one terminal each. Boost's own graph types take several times the
+ * with up to six neighbors and one terminal each. Boost's own graph types take several times the
  * memory, since they cannot know this.
  */
 #ifndef FlipFreeGridGraph_h
@@ -21,7 +21,7 @@
 namespace FlipFree
 {
 
-/// Node n has eight slots for edges: 0 to 5 lead to its neighbours, opposite ones side by side; 6
+/// Node n has eight slots for edges: 0 to 5 lead to its neighbors, opposite ones side by side; 6
 /// leads to its terminal, and 7 is the edge back, which is the terminal's.
 class GridGraph
 {
@@ -42,22 +42,22 @@ public:
   /// All nodes hang on the sink, no edge has a capacity. `beat` is called now and then; it may
   /// throw.
   GridGraph(Vertex nodes, std::function<void()> beat)
-    : Neighbours(nodes, { { None, None, None, None, None, None } })
+    : Neighbors(nodes, { { None, None, None, None, None, None } })
     , Capacities(nodes * Slots, 0)
     , HangsOnSource(nodes, false)
     , Beat(std::move(beat))
   {
   }
 
-  Vertex NumberOfNodes() const { return static_cast<Vertex>(this->Neighbours.size()); }
+  Vertex NumberOfNodes() const { return static_cast<Vertex>(this->Neighbors.size()); }
   Vertex Source() const { return this->NumberOfNodes(); }
   Vertex Sink() const { return this->NumberOfNodes() + 1; }
 
   /// Joins two nodes, both ways; `slot` is 0, 2 or 4.
   void Join(Vertex a, Vertex b, int slot, float capacity)
   {
-    this->Neighbours[a][slot] = b;
-    this->Neighbours[b][slot + 1] = a;
+    this->Neighbors[a][slot] = b;
+    this->Neighbors[b][slot + 1] = a;
     this->Capacities[a * Slots + slot] = capacity;
     this->Capacities[b * Slots + slot + 1] = capacity;
   }
@@ -82,20 +82,20 @@ public:
   {
     const auto node = static_cast<Vertex>(edge.Slot / Slots);
     const std::uint64_t slot = edge.Slot % Slots;
-    return slot < ToTerminal ? this->Neighbours[node][slot]
+    return slot < ToTerminal ? this->Neighbors[node][slot]
                              : (slot == ToTerminal ? this->TerminalOf(node) : node);
   }
   Edge ReverseOf(Edge edge) const
   {
     const std::uint64_t slot = edge.Slot % Slots;
     return slot < ToTerminal
-      ? Edge{ this->Neighbours[edge.Slot / Slots][slot] * Slots + (slot ^ 1U) }
+      ? Edge{ this->Neighbors[edge.Slot / Slots][slot] * Slots + (slot ^ 1U) }
       : Edge{ edge.Slot ^ 1U };
   }
   bool Exists(Edge edge) const
   {
     const std::uint64_t slot = edge.Slot % Slots;
-    return slot >= ToTerminal || this->Neighbours[edge.Slot / Slots][slot] != None;
+    return slot >= ToTerminal || this->Neighbors[edge.Slot / Slots][slot] != None;
   }
   float& Capacity(Edge edge) { return this->Capacities[edge.Slot]; }
   void KeepBeating() const { this->Beat(); }
@@ -162,7 +162,7 @@ private:
     return { EdgeIterator(this, of, begin, end, step), EdgeIterator(this, of, end, end, step) };
   }
 
-  std::vector<std::array<Vertex, 6>> Neighbours;
+  std::vector<std::array<Vertex, 6>> Neighbors;
   std::vector<float> Capacities;
   std::vector<bool> HangsOnSource;
   std::function<void()> Beat;

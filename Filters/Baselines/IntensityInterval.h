@@ -1,5 +1,5 @@
 /**
- * Private to the module: how fast a front grows or shrinks where it meets a grey value.
+ * Private to the module: how fast a front grows or shrinks where it meets a gray value.
  */
 #ifndef FlipFreeIntensityInterval_h
 #define FlipFreeIntensityInterval_h
@@ -32,7 +32,8 @@ inline IntensityInterval IntervalOf(const BaselineTask& task, double deviations)
   const SeedStatistics seed =
     StatisticsOf(task.Region.Voxels.data(), VoxelsInSphere(task.Region.Geometry, task.Seed));
   // Of a seed of one value any other is background.
-  return { seed.Mean, std::max(deviations * seed.Deviation, 1e-6 * (1 + std::abs(seed.Mean))) };
+  return { seed.Mean,
+    std::max(deviations * seed.StandardDeviation, 1e-6 * (1 + std::abs(seed.Mean))) };
 }
 
 } // namespace FlipFree

@@ -1,6 +1,6 @@
 #include "IntensityOdds.h"
 
-#include "OrganFeature.h"
+#include "Intensity/OrganFeature.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,7 +13,7 @@ namespace
 constexpr std::size_t Samples = 200000;
 constexpr int Bins = 4096;
 // Values further from the seed's mixture have no chance, and need no model.
-constexpr double Deviations = 10;
+constexpr double StandardDeviations = 10;
 
 struct Range
 {
@@ -26,8 +26,10 @@ Range SupportOf(const GaussianMixture& mixture)
   Range range{ HUGE_VAL, -HUGE_VAL };
   for (const Gaussian& component : mixture.Components)
   {
-    range.Begin = std::min(range.Begin, component.Mean - Deviations * component.Deviation);
-    range.End = std::max(range.End, component.Mean + Deviations * component.Deviation);
+    range.Begin =
+      std::min(range.Begin, component.Mean - StandardDeviations * component.StandardDeviation);
+    range.End =
+      std::max(range.End, component.Mean + StandardDeviations * component.StandardDeviation);
   }
   return range;
 }
@@ -69,7 +71,7 @@ std::vector<float> LogOddsOf(const BaselineTask& task, double noiseWidening,
     const double value = range.Begin + (bin + 0.5) * width;
     const double odds =
       std::log(std::max(organ.Density(value), 1e-300) / std::max(around.Density(value), 1e-300));
-    table[bin] = std::max(-GreatestLogOdds, std::min(GreatestLogOdds, static_cast<float>(odds)));
+    table[bin] = std::max(-MaximumLogOdds, std::min(MaximumLogOdds, static_cast<float>(odds)));
   }
   std::vector<float> result(task.Region.Voxels.size());
   parallelFor(0, static_cast<std::ptrdiff_t>(result.size()),
@@ -79,7 +81,7 @@ std::vector<float> LogOddsOf(const BaselineTask& task, double noiseWidening,
       {
         const double bin = std::floor((task.Region.Voxels[voxel] - range.Begin) / width);
         result[voxel] =
-          bin >= 0 && bin < Bins ? table[static_cast<std::size_t>(bin)] : -GreatestLogOdds;
+          bin >= 0 && bin < Bins ? table[static_cast<std::size_t>(bin)] : -MaximumLogOdds;
       }
     });
   return result;

@@ -1,5 +1,5 @@
 /**
- * Private to the module: how much likelier a grey value is in the organ than around it.
+ * Private to the module: how much likelier a gray value is in the organ than around it.
  */
 #ifndef FlipFreeIntensityOdds_h
 #define FlipFreeIntensityOdds_h
@@ -10,10 +10,10 @@ namespace FlipFree
 {
 
 /// Beyond that, a voxel is as good as decided.
-constexpr float GreatestLogOdds = 5;
+constexpr float MaximumLogOdds = 5;
 
 /// The natural logarithm of the odds of each voxel of the region, between plus and minus
-/// GreatestLogOdds: a mixture of Gaussians of the seed sphere, widened by `noiseWidening`
+/// MaximumLogOdds: a mixture of Gaussians of the seed sphere, widened by `noiseWidening`
 /// deviations of the noise, against one of the whole region's values of similar size.
 std::vector<float> LogOddsOf(const BaselineTask& task, double noiseWidening,
   const ParallelFor& parallelFor);

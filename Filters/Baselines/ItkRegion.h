@@ -5,7 +5,7 @@
 #define FlipFreeItkRegion_h
 
 #include "BackgroundTask.h"
-#include "SeedRegion.h"
+#include "Image/SeedRegion.h"
 
 #include "itkCommand.h"
 #include "itkImage.h"

@@ -6,7 +6,7 @@
 #define FlipFreeLeakSettings_h
 
 #include "BaselineTask.h"
-#include "LeakControl.h"
+#include "Intensity/LeakControl.h"
 
 #include <algorithm>
 

@@ -15,7 +15,7 @@ namespace
 
 using Vertex = GridGraph::Vertex;
 
-// More than all that a node's edges to its neighbours can carry.
+// More than all that a node's edges to its neighbors can carry.
 constexpr float Certain = 1e6F;
 
 constexpr std::size_t CallsPerBeat = 4096;

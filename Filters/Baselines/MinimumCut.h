@@ -7,7 +7,7 @@
 #ifndef FlipFreeMinimumCut_h
 #define FlipFreeMinimumCut_h
 
-#include "BitMask.h"
+#include "Image/BitMask.h"
 
 #include <vector>
 
@@ -16,18 +16,18 @@ namespace FlipFree
 
 struct MinimumCutSettings
 {
-  /// Weight of the boundary, in millimetres: what a boundary of one square millimetre costs in flat
-  /// parts of the image, in log odds over one cubic millimetre.
+  /// Weight of the boundary, in millimeters: what a boundary of one square millimeter costs in flat
+  /// parts of the image, in log odds over one cubic millimeter.
   double Smoothness = 2;
 
-  /// Difference of neighbouring grey values at which a boundary costs exp(-1/2) of that.
+  /// Difference of neighboring gray values at which a boundary costs exp(-1/2) of that.
   double EdgeContrast = 10;
 };
 
-/// Minimises, over all sets of voxels between `seeds` and `candidates`, the sum of
+/// Minimizes, over all sets of voxels between `seeds` and `candidates`, the sum of
 ///  - minus the log odds of the voxels in the set, times the voxel's volume, and
 ///  - Smoothness times the area of the faces between the set and the rest, times
-///    exp(-(difference of the grey values)^2 / (2 EdgeContrast^2)).
+///    exp(-(difference of the gray values)^2 / (2 EdgeContrast^2)).
 /// Grid's end costs nothing. Memory goes by the candidates: about 80 bytes for each. Returns false
 /// if the monitor stopped it; `organ` is then as it was.
 bool FindMinimumCut(const ImageView<float>& image, const std::vector<float>& logOdds,

@@ -12,7 +12,7 @@ namespace
 {
 
 constexpr double CornerDistance = 1.5; // in pixels
-constexpr int LeastCorners = 8;
+constexpr int MinimumCorners = 8;
 constexpr int ResamplingInterval = 5;
 constexpr int AreaInterval = 25;
 
@@ -30,7 +30,7 @@ double LengthOf(const Outline& outline)
 Outline Resample(const Outline& outline)
 {
   const double length = LengthOf(outline);
-  const auto size = std::max<Eigen::Index>(LeastCorners, std::llround(length / CornerDistance));
+  const auto size = std::max<Eigen::Index>(MinimumCorners, std::llround(length / CornerDistance));
   Outline result(size, 2);
   Eigen::Index from = 0;
   double begin = 0; // of the edge, along the curve
@@ -54,7 +54,7 @@ Outline Resample(const Outline& outline)
 // The implicit part of a step: identity, tension and bending of a closed curve.
 using Solver = Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>;
 
-void Factorise(Eigen::Index size, const SnakeSettings& settings, Solver& solver)
+void Factorize(Eigen::Index size, const SnakeSettings& settings, Solver& solver)
 {
   const double a = settings.Elasticity;
   const double b = settings.Rigidity;
@@ -123,7 +123,7 @@ bool MoveSnake(const PlaneField& field, const SnakeSettings& settings, const Mon
       outline = Resample(outline);
       if (solver.rows() != outline.rows())
       {
-        Factorise(outline.rows(), settings, solver);
+        Factorize(outline.rows(), settings, solver);
       }
     }
     const Outline moved = outline + ForcesOn(outline, field, settings);
@@ -160,7 +160,7 @@ Outline MakeCircle(const Eigen::Vector2d& center, double radius)
 {
   const double turn = 2 * std::acos(-1);
   const auto size =
-    std::max<Eigen::Index>(LeastCorners, std::llround(turn * radius / CornerDistance));
+    std::max<Eigen::Index>(MinimumCorners, std::llround(turn * radius / CornerDistance));
   Outline outline(size, 2);
   for (Eigen::Index i = 0; i < size; ++i)
   {
@@ -175,7 +175,7 @@ std::vector<unsigned char> FillOutline(const Outline& outline, int width, int he
   std::vector<unsigned char> mask(static_cast<std::size_t>(width) * height, 0);
   for (int j = 0; j < height; ++j)
   {
-    std::vector<std::pair<double, int>> crossings; // of the row's centre line, and which way
+    std::vector<std::pair<double, int>> crossings; // of the row's center line, and which way
     for (Eigen::Index i = 0; i < outline.rows(); ++i)
     {
       const auto from = outline.row(i);

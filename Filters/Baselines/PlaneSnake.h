@@ -12,7 +12,7 @@
 namespace FlipFree
 {
 
-/// One row per corner of a closed polygon: x, y in pixels, whose centres have whole numbers.
+/// One row per corner of a closed polygon: x, y in pixels, whose centers have whole numbers.
 using Outline = Eigen::Matrix<double, Eigen::Dynamic, 2, Eigen::RowMajor>;
 
 /// A force per pixel, x fastest.
@@ -48,7 +48,7 @@ double SignedArea(const Outline& outline);
 /// A circle, counter-clockwise.
 Outline MakeCircle(const Eigen::Vector2d& center, double radius);
 
-/// 1 for the pixels whose centres the outline winds around, 0 for others; x fastest.
+/// 1 for the pixels whose centers the outline winds around, 0 for others; x fastest.
 std::vector<unsigned char> FillOutline(const Outline& outline, int width, int height);
 
 } // namespace FlipFree

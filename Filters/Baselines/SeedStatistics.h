@@ -15,7 +15,7 @@ namespace FlipFree
 struct SeedStatistics
 {
   double Mean = 0;
-  double Deviation = 0;
+  double StandardDeviation = 0;
 };
 
 /// Over the voxels with the given offsets, of which there is one at least.

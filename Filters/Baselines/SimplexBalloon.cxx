@@ -47,7 +47,7 @@ void SimplexBalloon::ComputeGeometry()
   Superclass::ComputeGeometry();
   for (auto vertex = this->m_Data->Begin(); vertex != this->m_Data->End(); ++vertex)
   {
-    // Where neighbours lie on a line, or by rounding the sine exceeds one.
+    // Where neighbors lie on a line, or by rounding the sine exceeds one.
     itk::SimplexMeshGeometry* data = vertex.Value();
     data->phi = std::isfinite(data->phi) ? data->phi : 0;
     data->meanCurvature = std::isfinite(data->meanCurvature) ? data->meanCurvature : 0;

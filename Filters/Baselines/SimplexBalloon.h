@@ -20,7 +20,7 @@ using ItkSimplexMesh =
   itk::SimplexMesh<double, 3, itk::DefaultDynamicMeshTraits<double, 3, 3, double, double, double>>;
 
 /// The base class moves the vertices and spreads them along the surface. Three things are added:
-///  - the force outward is a function of space, in millimetres, where ITK's reads a gradient image
+///  - the force outward is a function of space, in millimeters, where ITK's reads a gradient image
 ///    in voxels of a grid at the origin;
 ///  - the force that keeps the shape smooth: ITK 5.2 computes its reference from the vertex's own
 ///    simplex angle, so that it is always zero; here it is that of the mean angle around, as
@@ -36,7 +36,7 @@ public:
   itkNewMacro(Self);
 
   void SetStart(const SimplexMesh& mesh);
-  /// The step along the outward normal, in millimetres, per iteration.
+  /// The step along the outward normal, in millimeters, per iteration.
   void SetForce(Force force) { this->Outward = std::move(force); }
   /// Stops when the volume inside has changed by less than this fraction over 25 iterations; zero:
   /// never.

@@ -1,7 +1,7 @@
 #include "SimplexSphere.h"
 
-#include "ContourMesh.h"
-#include "QuadSphere.h"
+#include "Mesh/ContourMesh.h"
+#include "Mesh/QuadSphere.h"
 
 #include <map>
 #include <utility>

@@ -1,5 +1,5 @@
 /**
- * Private to the module: simplex meshes, whose vertices have three neighbours each, as the duals of
+ * Private to the module: simplex meshes, whose vertices have three neighbors each, as the duals of
  * triangulated surfaces.
  */
 #ifndef FlipFreeSimplexSphere_h

@@ -1,7 +1,7 @@
 #include "SliceCut.h"
 
-#include "BallMorphology.h"
-#include "LeakControl.h"
+#include "Image/BallMorphology.h"
+#include "Intensity/LeakControl.h"
 
 #include <algorithm>
 #include <cmath>

@@ -10,8 +10,8 @@
 namespace FlipFree
 {
 
-/// Cuts the plane k through the seed's centre, then the ones above and below until one is empty.
-/// `margin` millimetres inside the outline of the slice before, voxels with favourable odds are
+/// Cuts the plane k through the seed's center, then the ones above and below until one is empty.
+/// `margin` millimeters inside the outline of the slice before, voxels with favorable odds are
 /// organ; as far outside of it, all are background. Counts the slices. Returns false if the monitor
 /// stopped it.
 bool CutSliceBySlice(const BaselineTask& task, const std::vector<float>& logOdds,

@@ -4,12 +4,12 @@
 #include "FieldSurface.h"
 
 #include "ExecutionAdapter.h"
-#include "GreyImageAdapter.h"
+#include "GrayImageAdapter.h"
 #include "LabelAdapter.h"
+#include "Mesh/SurfaceTopology.h"
+#include "Mesh/SurfaceVoxelization.h"
 #include "MeshAdapter.h"
 #include "PropertyCheck.h"
-#include "SurfaceTopology.h"
-#include "SurfaceVoxelisation.h"
 
 #include "vtkCellArray.h"
 #include "vtkImageData.h"
@@ -32,8 +32,8 @@ constexpr const char* InputName = "the image on port 0";
 
 // As vtkFlipFreeSegmentation has them.
 constexpr double ReachInRadii = 10;
-constexpr double LeastReach = 100;
-constexpr double GreatestReach = 250;
+constexpr double MinimumReach = 100;
+constexpr double MaximumReach = 250;
 
 // Shares of the progress.
 constexpr double MethodBegins = 0.1;
@@ -42,7 +42,7 @@ constexpr double MethodEnds = 0.95;
 double ReachOf(double reach, double seedRadius)
 {
   return reach > 0 ? reach
-                   : std::max(LeastReach, std::min(GreatestReach, ReachInRadii * seedRadius));
+                   : std::max(MinimumReach, std::min(MaximumReach, ReachInRadii * seedRadius));
 }
 
 vtkSmartPointer<vtkCellArray> ClosedLine(vtkIdType size)
@@ -164,7 +164,7 @@ void vtkBaselineSegmentation::Execute(vtkImageData* image, vtkPolyData* surface,
   vtkImageData* labels)
 {
   this->RequireProperties();
-  FlipFree::RequireGreyImage(image, InputName);
+  FlipFree::RequireGrayImage(image, InputName);
   const FlipFree::ImageGeometry geometry = FlipFree::GeometryOf(image);
   FlipFree::BaselineTask task;
   task.Seed = { Eigen::Vector3d(this->SeedCenter), this->SeedRadius };
@@ -175,7 +175,7 @@ void vtkBaselineSegmentation::Execute(vtkImageData* image, vtkPolyData* surface,
   FlipFree::RequireFinite(image, extent, InputName);
   if (FlipFree::VoxelsInSphere(FlipFree::CropGeometry(geometry, extent), task.Seed).empty())
   {
-    throw std::invalid_argument("no voxel centre of " + std::string(InputName) +
+    throw std::invalid_argument("no voxel center of " + std::string(InputName) +
       " lies in the seed sphere; enlarge it, or move it onto one");
   }
   task.Noise = FlipFree::NoiseOf(image, task.Seed);
@@ -193,7 +193,7 @@ void vtkBaselineSegmentation::Execute(vtkImageData* image, vtkPolyData* surface,
   std::vector<FlipFree::VoxelRun> runs;
   if (result.Field.empty())
   {
-    runs = FlipFree::VoxeliseSurface(result.Points, result.Triangles, geometry, FlipFree::SMPFor);
+    runs = FlipFree::VoxelizeSurface(result.Points, result.Triangles, geometry, FlipFree::SMPFor);
   }
   else
   {

@@ -8,7 +8,7 @@
  * vtkSimplexMeshSegmentation and vtkGVFSnake.
  *
  * Input port 0: vtkImageData with one scalar component of any type; coordinates are the image's
- * physical millimetres, the direction matrix is honoured.
+ * physical millimeters, the direction matrix is honored.
  *
  * Output port 0: vtkPolyData, the surface: triangles, closed; where the organ reaches the image's
  * end, closed there. Mostly not of a known topology, unlike that of vtkFlipFreeSegmentation.
@@ -58,7 +58,7 @@ public:
 
   ///@{
   /**
-   * Centre of the seed sphere, in millimetres. Default (0, 0, 0). The sphere should lie within the
+   * Center of the seed sphere, in millimeters. Default (0, 0, 0). The sphere should lie within the
    * organ; its voxels model the organ's intensities, and the segmentation starts from it.
    */
   vtkSetVector3Macro(SeedCenter, double);
@@ -67,7 +67,7 @@ public:
 
   ///@{
   /**
-   * Radius of the seed sphere, in millimetres. Default 10; a voxel or more.
+   * Radius of the seed sphere, in millimeters. Default 10; a voxel or more.
    */
   vtkSetClampMacro(SeedRadius, double, 1e-6, 1e6);
   vtkGetMacro(SeedRadius, double);
@@ -83,7 +83,7 @@ public:
 
   ///@{
   /**
-   * Half the edge length of the box around the seed's centre that can be reached, in millimetres;
+   * Half the edge length of the box around the seed's center that can be reached, in millimeters;
    * nothing beyond it is looked at. Default 0: ten seed radii, but 100 at least and 250 at most, as
    * in vtkFlipFreeSegmentation. 0 to 1e6.
    */

@@ -6,7 +6,7 @@
 #include "PlaneSnake.h"
 #include "SeedStatistics.h"
 
-#include "ImageInterpolation.h"
+#include "Image/ImageInterpolation.h"
 #include "PropertyCheck.h"
 
 #include "vtkObjectFactory.h"
@@ -59,7 +59,7 @@ protected:
   }
 };
 
-// The slice through the seed's centre, on square pixels: ITK's flow takes steps in x and y as
+// The slice through the seed's center, on square pixels: ITK's flow takes steps in x and y as
 // equal.
 struct SeedSlice
 {
@@ -89,7 +89,7 @@ struct SeedSlice
   }
 
   FlipFree::ImageGeometry Region;
-  double Pixel; // millimetres
+  double Pixel; // millimeters
   Eigen::Vector3d Center;
   int K = 0;
   std::array<int, 2> Size{};
@@ -236,7 +236,7 @@ bool vtkGVFSnake::Segment(const FlipFree::BaselineTask& task,
 {
   FlipFree::RequireGaussianWidth(task.Region.Geometry, 2);
   const SeedSlice slice(task);
-  // The sphere's centre may lie between two slices.
+  // The sphere's center may lie between two slices.
   const double aside = (slice.Center[2] - slice.K) * slice.Region.Spacing[2];
   const double radius = std::sqrt(
     std::max(slice.Pixel * slice.Pixel, task.Seed.Radius * task.Seed.Radius - aside * aside));

@@ -2,7 +2,7 @@
  * @class   vtkGVFSnake
  * @brief   outlines an organ in one slice by a snake in a gradient vector flow
  *
- * In the slice (a plane of the image's first two axes) through the centre of the seed sphere, a
+ * In the slice (a plane of the image's first two axes) through the center of the seed sphere, a
  * closed curve moves from the sphere's cross-section to the organ's edge. The force on it is the
  * gradient vector flow of an edge map (itk::GradientVectorFlowImageFilter), scaled to length one:
  * the edges' gradients, diffused far into regions without edges. Tension keeps the curve smooth. An
@@ -29,7 +29,7 @@ public:
 
   ///@{
   /**
-   * Standard deviation of the Gaussian with which the gradient is measured, in millimetres. Default
+   * Standard deviation of the Gaussian with which the gradient is measured, in millimeters. Default
    * 1.5; 0.01 to 100.
    */
   vtkSetClampMacro(EdgeSigma, double, 0.01, 100);

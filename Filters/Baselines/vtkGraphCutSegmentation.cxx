@@ -7,8 +7,8 @@
 #include "MinimumCut.h"
 #include "SliceCut.h"
 
-#include "BallMorphology.h"
 #include "ExecutionAdapter.h"
+#include "Image/BallMorphology.h"
 #include "PropertyCheck.h"
 
 #include "vtkObjectFactory.h"
@@ -22,7 +22,7 @@ namespace
 
 // Voxels of worse odds are background for certain.
 constexpr float WorstLogOdds = -4;
-// Candidates hang together across what is thinner than that, in millimetres.
+// Candidates hang together across what is thinner than that, in millimeters.
 constexpr double Bridge = 1.5;
 constexpr double SmoothnessOfSlices = 20;
 constexpr double SmoothnessOfVolume = 10;
@@ -43,7 +43,7 @@ FlipFree::BitMask MaskOfVoxels(const std::vector<std::size_t>& voxels,
   return mask;
 }
 
-// What may be organ: favourable voxels that hang together with the seed, and all around them whose
+// What may be organ: favorable voxels that hang together with the seed, and all around them whose
 // odds are not hopeless. False if the monitor stopped it.
 bool FindCandidates(const FlipFree::ImageView<float>& logOdds,
   const std::vector<std::size_t>& seedVoxels, const FlipFree::Monitor& monitor,

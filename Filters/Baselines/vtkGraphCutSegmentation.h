@@ -9,11 +9,11 @@
  *  - boundary: the area of the organ's surface, which costs less where intensities jump.
  * The seed sphere is organ for certain. Voxels whose odds are hopeless, and those that do not hang
  * together with the seed, are background for certain; that keeps the graph small. The mixture of a
- * smoothed sphere is too narrow for voxels that organ and neighbour share, so that the cut is too
+ * smoothed sphere is too narrow for voxels that organ and neighbor share, so that the cut is too
  * small by about a voxel: a rim is added to it.
  *
  * Mode VOLUME cuts the reachable region at once. Mode SLICES (default), the one of the paper, cuts
- * slice by slice (planes of the image's first two axes), from the one through the seed's centre on
+ * slice by slice (planes of the image's first two axes), from the one through the seed's center on
  * to both sides: what lies well inside the slice before is organ for certain in the next, and what
  * lies well outside is background.
  *
@@ -57,8 +57,8 @@ public:
 
   ///@{
   /**
-   * Deviations of the image's noise by which the seed's mixture is widened, added in squares.
-   * Default 1; 0 to 100.
+   * Standard deviations of the image's noise by which the seed's mixture is widened, added in
+   * squares. Default 1; 0 to 100.
    */
   vtkSetClampMacro(NoiseWidening, double, 0, 100);
   vtkGetMacro(NoiseWidening, double);
@@ -66,8 +66,8 @@ public:
 
   ///@{
   /**
-   * Weight of the boundary, in millimetres: what a square millimetre of it costs in flat parts of
-   * the image, in natural logarithms of odds over a cubic millimetre. Default 0: what suits the
+   * Weight of the boundary, in millimeters: what a square millimeter of it costs in flat parts of
+   * the image, in natural logarithms of odds over a cubic millimeter. Default 0: what suits the
    * mode best, 20 for SLICES and 10 for VOLUME; 0 to 1000.
    */
   vtkSetClampMacro(Smoothness, double, 0, 1000);
@@ -76,7 +76,7 @@ public:
 
   ///@{
   /**
-   * Difference of neighbouring voxels that makes the boundary between them cheap (exp(-1/2)), in
+   * Difference of neighboring voxels that makes the boundary between them cheap (exp(-1/2)), in
    * standard deviations of the noise. Default 1; 0.01 to 1000.
    */
   vtkSetClampMacro(EdgeContrast, double, 0.01, 1000);
@@ -85,7 +85,7 @@ public:
 
   ///@{
   /**
-   * How far the outline moves from slice to slice, in millimetres: so far inside that of the slice
+   * How far the outline moves from slice to slice, in millimeters: so far inside that of the slice
    * before, voxels that look like organ are organ; so far outside, all are background. Default 6;
    * 0.1 to 1000. SLICES only.
    */
@@ -95,7 +95,7 @@ public:
 
   ///@{
   /**
-   * Radius of the ball of the closing after the cut, which fills vessels, in millimetres; used up
+   * Radius of the ball of the closing after the cut, which fills vessels, in millimeters; used up
    * to two voxels. Default 1.5; 0 (none) to 100.
    */
   vtkSetClampMacro(ClosingRadius, double, 0, 100);
@@ -114,7 +114,7 @@ public:
 
   ///@{
   /**
-   * Width of the rim that is added to the cut, in millimetres; where voxels are wider, none is.
+   * Width of the rim that is added to the cut, in millimeters; where voxels are wider, none is.
    * Default 1.3; 0 (none) to 100.
    */
   vtkSetClampMacro(RimWidth, double, 0, 100);

@@ -62,7 +62,7 @@ public:
 
   ///@{
   /**
-   * Weight of the mean curvature, in millimetres, against the speed, which is 1 at
+   * Weight of the mean curvature, in millimeters, against the speed, which is 1 at
    * most. Default 0: what suits the speed best, 2 for THRESHOLD and 0.5 for GEODESIC; 0 to 100.
    */
   vtkSetClampMacro(CurvatureScaling, double, 0, 100);
@@ -79,7 +79,7 @@ public:
 
   ///@{
   /**
-   * Standard deviation of the Gaussian with which the gradient is measured, in millimetres. Default
+   * Standard deviation of the Gaussian with which the gradient is measured, in millimeters. Default
    * 1.5; 0.01 to 100. GEODESIC only.
    */
   vtkSetClampMacro(EdgeSigma, double, 0.01, 100);
@@ -97,7 +97,7 @@ public:
 
   ///@{
   /**
-   * How far the final front is moved outward, in millimetres, since voxels that organ and neighbour
+   * How far the final front is moved outward, in millimeters, since voxels that organ and neighbor
    * share count as background. Default 1.8; 0 (not at all) to 3. THRESHOLD only.
    */
   vtkSetClampMacro(RimWidth, double, 0, 3);

@@ -23,7 +23,7 @@ namespace
 using ItkMask = itk::Image<unsigned char, 3>;
 using Filter = itk::ConfidenceConnectedImageFilter<FlipFree::ItkImage, ItkMask>;
 
-constexpr double SeedDeviations = 2; // more is a vessel, or noise
+constexpr double SeedStandardDeviations = 2; // more is a vessel, or noise
 constexpr double GrowingEnds = 0.7;
 
 // ITK widens the interval until it holds all the seeds, so outliers of the sphere are none.
@@ -33,7 +33,8 @@ void AddSeeds(const FlipFree::BaselineTask& task, FlipFree::ItkImage* image, Fil
   const FlipFree::SeedStatistics seed = FlipFree::StatisticsOf(task.Region.Voxels.data(), voxels);
   for (const std::size_t voxel : voxels)
   {
-    if (std::abs(task.Region.Voxels[voxel] - seed.Mean) <= SeedDeviations * seed.Deviation + 1e-6)
+    if (std::abs(task.Region.Voxels[voxel] - seed.Mean) <=
+      SeedStandardDeviations * seed.StandardDeviation + 1e-6)
     {
       filter->AddSeed(image->ComputeIndex(static_cast<itk::OffsetValueType>(voxel)));
     }

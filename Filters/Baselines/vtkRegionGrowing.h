@@ -45,7 +45,7 @@ public:
 
   ///@{
   /**
-   * Radius of the ball of the closing, in millimetres; used up to two voxels. Default 1.5; 0 (none)
+   * Radius of the ball of the closing, in millimeters; used up to two voxels. Default 1.5; 0 (none)
    * to 100.
    */
   vtkSetClampMacro(ClosingRadius, double, 0, 100);

@@ -5,9 +5,9 @@
 #include "ItkRegion.h"
 #include "SimplexBalloon.h"
 
-#include "ImageInterpolation.h"
+#include "Image/ImageInterpolation.h"
+#include "Image/VoxelTraversal.h"
 #include "PropertyCheck.h"
-#include "VoxelTraversal.h"
 
 #include "vtkObjectFactory.h"
 

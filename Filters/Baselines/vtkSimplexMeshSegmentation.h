@@ -3,7 +3,7 @@
  * @brief   segments an organ by a simplex mesh that is blown up from the seed sphere
  *
  * A deformable simplex mesh (itk::DeformableSimplexMesh3DFilter): a surface each of whose vertices
- * has three neighbours. A balloon force moves the vertices along their normals, outward where the
+ * has three neighbors. A balloon force moves the vertices along their normals, outward where the
  * intensity is within IntensityWidth standard deviations of the seed's mean and inward elsewhere;
  * internal forces keep the vertices spread evenly and the surface smooth. The motion stops when the
  * volume has settled, or after MaximumIterations.
@@ -49,7 +49,7 @@ public:
 
   ///@{
   /**
-   * Greatest step of a vertex by the balloon force, in millimetres per iteration. Default 0.25;
+   * Greatest step of a vertex by the balloon force, in millimeters per iteration. Default 0.25;
    * 0.001 to 10.
    */
   vtkSetClampMacro(BalloonStep, double, 0.001, 10);
@@ -66,7 +66,7 @@ public:
 
   ///@{
   /**
-   * Radius of the neighbourhood to whose mean curvature a vertex is drawn, in edges beyond the
+   * Radius of the neighborhood to whose mean curvature a vertex is drawn, in edges beyond the
    * first. Default 2; 0 to 10.
    */
   vtkSetClampMacro(Rigidity, int, 0, 10);

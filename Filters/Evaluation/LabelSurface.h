@@ -16,7 +16,7 @@ struct LabelSurface
 };
 
 /// The closed surface half-way between the voxels inside the mask and those outside, in physical
-/// millimetres under any direction matrix, counter-clockwise seen from outside. Beyond the image is
+/// millimeters under any direction matrix, counter-clockwise seen from outside. Beyond the image is
 /// outside. The mask must not be empty. Iterations of windowed sinc smoothing take the steps away.
 LabelSurface SurfaceOf(const BitMask& mask, int smoothingIterations = 0);
 

@@ -2,11 +2,11 @@
 
 #include "ExecutionAdapter.h"
 #include "LabelSurface.h"
+#include "Measures/SurfaceDistance.h"
+#include "Measures/VoxelOverlap.h"
+#include "Mesh/SurfaceVoxelization.h"
 #include "SurfaceAdapter.h"
-#include "SurfaceDistance.h"
-#include "SurfaceVoxelisation.h"
 #include "TableAdapter.h"
-#include "VoxelOverlap.h"
 
 #include "vtkImageData.h"
 #include "vtkInformation.h"
@@ -26,15 +26,15 @@ vtkStandardNewMacro(vtkSegmentationMetrics);
 namespace
 {
 
-FlipFree::BitMask Voxelise(const FlipFree::PolygonalSurface& surface,
+FlipFree::BitMask Voxelize(const FlipFree::PolygonalSurface& surface,
   const FlipFree::ImageGeometry& geometry)
 {
   const auto runs =
-    FlipFree::VoxeliseSurface(surface.Points, surface.Triangles, geometry, FlipFree::SMPFor);
+    FlipFree::VoxelizeSurface(surface.Points, surface.Triangles, geometry, FlipFree::SMPFor);
   if (runs.empty())
   {
     throw std::invalid_argument(
-      "the segmentation on port 0, a surface, encloses no voxel centre of the reference on port 1; "
+      "the segmentation on port 0, a surface, encloses no voxel center of the reference on port 1; "
       "check that both are in the same physical coordinates");
   }
   FlipFree::BitMask mask(geometry);
@@ -194,7 +194,7 @@ bool vtkSegmentationMetrics::Measure(vtkDataObject* input, vtkImageData* referen
   }
   vtkImageData* labels = vtkImageData::SafeDownCast(input);
   const BitMask segmentation = polyData
-    ? Voxelise(mesh, reference.GetGeometry())
+    ? Voxelize(mesh, reference.GetGeometry())
     : MaskOf(labels, this->SegmentationLabel, "the segmentation on port 0");
   if (labels)
   {
@@ -207,9 +207,9 @@ bool vtkSegmentationMetrics::Measure(vtkDataObject* input, vtkImageData* referen
   this->RelativeVolumeDifference = overlap.RelativeVolumeDifference();
   this->SegmentationVolume = Millilitres(overlap.Segmentation, reference.GetGeometry());
   this->ReferenceVolume = Millilitres(overlap.Reference, reference.GetGeometry());
-  this->OverlapOf = polyData ? "voxelised mesh" : "label map";
+  this->OverlapOf = polyData ? "voxelized mesh" : "label map";
 
-  const bool isMeshMeasured = polyData && !this->ScoreVoxelisation;
+  const bool isMeshMeasured = polyData && !this->ScoreVoxelization;
   this->DistanceOf = isMeshMeasured ? "mesh" : "surface of " + this->OverlapOf;
   const LabelSurface surface = isMeshMeasured ? LabelSurface{ mesh.Points, mesh.Triangles }
                                               : SurfaceOf(segmentation, this->LabelSmoothing);
@@ -259,7 +259,7 @@ void vtkSegmentationMetrics::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ReferenceLabel: " << this->ReferenceLabel << "\n";
   os << indent << "SampleSpacing: " << this->SampleSpacing << "\n";
   os << indent << "LabelSmoothing: " << this->LabelSmoothing << "\n";
-  os << indent << "ScoreVoxelisation: " << this->ScoreVoxelisation << "\n";
+  os << indent << "ScoreVoxelization: " << this->ScoreVoxelization << "\n";
   os << indent << "Dice: " << this->Dice << "\n";
   os << indent << "Jaccard: " << this->Jaccard << "\n";
   os << indent << "RelativeVolumeDifference: " << this->RelativeVolumeDifference << "\n";

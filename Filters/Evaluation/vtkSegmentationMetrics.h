@@ -6,7 +6,7 @@
  *  - overlap of the voxels: Dice 2 |A and B| / (|A| + |B|), Jaccard |A and B| / |A or B| (the
  * paper's "volume overlap"), and the relative volume difference (|A| - |B|) / |B|, negative where
  * the segmentation A is smaller than the reference B;
- *  - distance of the surfaces in millimetres, from area-weighted samples of both surfaces to the
+ *  - distance of the surfaces in millimeters, from area-weighted samples of both surfaces to the
  *    closest point of the other one: the average (ASD) and the root mean square (RMS) over the
  * pooled samples, the 95th percentile (HD95, the greater one of the two directions) and the
  * greatest (HD).
@@ -15,10 +15,10 @@
  * take part: between spheres 3 mm apart on voxels of 1.2 x 1.2 x 3 mm ASD comes out as 2.7 mm, and
  * between a sphere and its own voxels as 0.3 mm. That is what other programs measure.
  * LabelSmoothing takes the steps away, for more exact numbers (2.9 and 0.15 mm) of shapes that are
- * smooth. A segmentation that is a surface is voxelised on the reference's grid for the overlap, as
+ * smooth. A segmentation that is a surface is voxelized on the reference's grid for the overlap, as
  * by vtkSurfaceToLabelMap, and measured as it is for the distances, or as the surface of its voxels
- * if ScoreVoxelisation is on. The table says which was done. Voxel spacing and direction matrices
- * are honoured; moving both inputs together changes nothing.
+ * if ScoreVoxelization is on. The table says which was done. Voxel spacing and direction matrices
+ * are honored; moving both inputs together changes nothing.
  *
  * Input port 0: the segmentation, a vtkImageData (label map, scalars of one component of any type)
  * or a vtkPolyData (closed surface of polygons, in the reference's physical coordinates).
@@ -29,13 +29,13 @@
  *
  * Output port 0: vtkTable with one row and the columns Dice, Jaccard, RelativeVolumeDifference
  * (fractions), ASD, RMS, HD95, HD (mm), SegmentationVolume, ReferenceVolume (ml, of the voxels),
- * all double, and two strings: OverlapOf, "label map" or "voxelised mesh", and DistanceOf, "surface
- * of label map", "mesh" or "surface of voxelised mesh".
+ * all double, and two strings: OverlapOf, "label map" or "voxelized mesh", and DistanceOf, "surface
+ * of label map", "mesh" or "surface of voxelized mesh".
  *
  * Errors, with an empty table and measures that are not a number: an empty mask on either port,
  * label maps of different geometry, a label map without scalars, with several components, of bits,
  * or with a spacing that is not positive, a surface that is empty, open or not finite, or encloses
- * no voxel centre of the reference, a surface that would need more than a hundred million samples
+ * no voxel center of the reference, a surface that would need more than a hundred million samples
  * (raise SampleSpacing). A warning, with measures all the same: a reference of several labels, or
  * of values that no label map has, of which none was chosen, while the segmentation has but one.
  *
@@ -87,7 +87,7 @@ public:
 
   ///@{
   /**
-   * Greatest distance in mm between neighbouring samples of a surface; triangles smaller than this
+   * Greatest distance in mm between neighboring samples of a surface; triangles smaller than this
    * have one. Default 1; 0.001 to 1000.
    */
   vtkSetClampMacro(SampleSpacing, double, 0.001, 1000);
@@ -106,12 +106,12 @@ public:
 
   ///@{
   /**
-   * Whether distances are those of the voxelised surface, to compare a surface on equal terms with
+   * Whether distances are those of the voxelized surface, to compare a surface on equal terms with
    * segmentations that are label maps. Default off: the surface itself is measured.
    */
-  vtkSetMacro(ScoreVoxelisation, bool);
-  vtkGetMacro(ScoreVoxelisation, bool);
-  vtkBooleanMacro(ScoreVoxelisation, bool);
+  vtkSetMacro(ScoreVoxelization, bool);
+  vtkGetMacro(ScoreVoxelization, bool);
+  vtkBooleanMacro(ScoreVoxelization, bool);
   ///@}
 
   ///@{
@@ -144,7 +144,7 @@ protected:
   int ReferenceLabel = -1;
   double SampleSpacing = 1;
   int LabelSmoothing = 0;
-  bool ScoreVoxelisation = false;
+  bool ScoreVoxelization = false;
 
   double Dice;
   double Jaccard;

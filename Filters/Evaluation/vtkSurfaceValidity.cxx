@@ -1,8 +1,8 @@
 #include "vtkSurfaceValidity.h"
 
 #include "ExecutionAdapter.h"
+#include "Measures/SurfaceValidity.h"
 #include "SurfaceAdapter.h"
-#include "SurfaceValidity.h"
 #include "TableAdapter.h"
 
 #include "vtkCellData.h"
@@ -52,10 +52,10 @@ void FillTable(vtkTable* table, const FlipFree::SurfaceValidity& validity)
   AddColumn(table, "BoundaryEdges", quality.Topology.BoundaryEdges);
   AddColumn(table, "NonManifoldEdges", quality.Topology.NonManifoldEdges);
   AddColumn(table, "MisorientedEdges", quality.Topology.MisorientedEdges);
-  AddColumn(table, "LeastScaledJacobian", quality.LeastScaledJacobian);
+  AddColumn(table, "MinimumScaledJacobian", quality.MinimumScaledJacobian);
   AddColumn(table, "FirstPercentileScaledJacobian", quality.FirstPercentileScaledJacobian);
-  AddColumn(table, "LeastDihedralAngle", quality.LeastDihedralAngle);
-  AddColumn(table, "LeastGap", validity.LeastGap);
+  AddColumn(table, "MinimumDihedralAngle", quality.MinimumDihedralAngle);
+  AddColumn(table, "MinimumGap", validity.MinimumGap);
   AddColumn(table, "EdgeLengthVariation", quality.EdgeLengthVariation);
 }
 

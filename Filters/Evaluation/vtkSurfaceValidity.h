@@ -23,10 +23,10 @@
  *
  * Output port 1: vtkTable with one row (GetMeasures) and the columns Valid (0 or 1),
  * SelfIntersections (pairs of triangles), FlippedCorners (-1 without a reference), EulerNumber,
- * BoundaryEdges, NonManifoldEdges, MisorientedEdges, all int; LeastScaledJacobian,
- * FirstPercentileScaledJacobian, LeastDihedralAngle (degrees, 180 is flat), LeastGap (mm, between
- * triangles that share no vertex; 0 where there are self-intersections) and EdgeLengthVariation
- * (standard deviation over mean), double.
+ * BoundaryEdges, NonManifoldEdges, MisorientedEdges, all int; MinimumScaledJacobian,
+ * FirstPercentileScaledJacobian, MinimumDihedralAngle (degrees, 180 is flat), MinimumGap (mm,
+ * between triangles that share no vertex; 0 where there are self-intersections) and
+ * EdgeLengthVariation (standard deviation over mean), double.
  *
  * Errors, with empty outputs: a surface without points or polygons, with triangle strips, or with a
  * coordinate that is not finite; a reference with other polygons.

@@ -24,7 +24,7 @@ struct DicomSeries
   std::string UID;
   std::string Description;
   std::vector<DicomSlice> Slices;
-  /// Why the series cannot be a volume, if one of its files told so: colours, several components.
+  /// Why the series cannot be a volume, if one of its files told so: colors, several components.
   std::string Problem;
 };
 

@@ -110,7 +110,7 @@ void WriteByItk(const std::string& name, const VolumeHeader& header, const void*
 
 /// The greatest distance between the places that two grids give to a voxel. It is reached in a
 /// corner.
-double GreatestShift(const ImageGeometry& a, const ImageGeometry& b)
+double MaximumShift(const ImageGeometry& a, const ImageGeometry& b)
 {
   double greatest = 0;
   for (int corner = 0; corner < 8; ++corner)
@@ -199,7 +199,7 @@ void RequireSame(const Volume& found, const std::string& destination, const Volu
       vtkImageScalarTypeNameMacro(header.ScalarType) +
       ". Use another format, or convert the voxels.");
   }
-  const double shift = GreatestShift(found.Header.Geometry, header.Geometry);
+  const double shift = MaximumShift(found.Header.Geometry, header.Geometry);
   if (shift > 0.01 * header.Geometry.Spacing.minCoeff())
   {
     std::ostringstream why;

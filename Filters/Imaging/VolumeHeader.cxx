@@ -74,8 +74,8 @@ void RequireOneVolume(const itk::ImageIOBase* io, const std::string& name)
   {
     throw ImageFileError(vtkErrorCode::FileFormatError,
       "'" + name + "' has " + std::to_string(io->GetNumberOfComponents()) +
-        " components per voxel, where one is wanted. Extract one component, or convert colours " +
-        "to grey.");
+        " components per voxel, where one is wanted. Extract one component, or convert colors " +
+        "to gray.");
   }
 }
 

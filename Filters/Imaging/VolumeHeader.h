@@ -26,7 +26,7 @@ struct ImageFileError : std::runtime_error
   unsigned long Code;
 };
 
-/// The grid in LPS millimetres and the type of a voxel, one of VTK_SHORT and so on.
+/// The grid in LPS millimeters and the type of a voxel, one of VTK_SHORT and so on.
 struct VolumeHeader
 {
   ImageGeometry Geometry;

@@ -3,7 +3,7 @@
 #include "BackgroundTask.h"
 #include "ExecutionAdapter.h"
 #include "FieldData.h"
-#include "GreyImageAdapter.h"
+#include "GrayImageAdapter.h"
 #include "ItkVtkBridge.h"
 #include "MonitoredDiffusion.h"
 #include "PropertyCheck.h"
@@ -110,7 +110,7 @@ bool CopyRegion(vtkImageData* image, Extent region, const FlipFree::Monitor& mon
   copy->SetDirectionMatrix(image->GetDirectionMatrix());
   copy->AllocateScalars(VTK_FLOAT, 1);
   const FlipFree::ImageGeometry geometry = FlipFree::GeometryOf(copy);
-  const FlipFree::VoxelReader read = FlipFree::GreyReaderOf(image, extent);
+  const FlipFree::VoxelReader read = FlipFree::GrayReaderOf(image, extent);
   auto* const voxels = static_cast<float*>(copy->GetScalarPointer());
   const auto& size = geometry.Dimensions;
   return FlipFree::SMPForSlices(0, size[2], static_cast<std::ptrdiff_t>(size[0]) * size[1],
@@ -161,7 +161,7 @@ double NoiseOfSphere(vtkImageData* image, const FlipFree::SeedSphere& sphere)
 }
 
 /// Measures the gradient's magnitude in slices of a box of the image, at the voxels within the
-/// radius of the centre, which is infinite for all: by central differences that see no gradient
+/// radius of the center, which is infinite for all: by central differences that see no gradient
 /// across the image's border, as ITK's do.
 class GradientMeasure
 {
@@ -171,7 +171,7 @@ public:
     : Image(image)
     , Box(box)
     , Frame(box.Grown(1).Clipped(ExtentOf(image)))
-    , Read(FlipFree::GreyReaderOf(image, WithinImage(this->Frame, image)))
+    , Read(FlipFree::GrayReaderOf(image, WithinImage(this->Frame, image)))
     , Center(center)
     , Radius(radius)
   {
@@ -183,7 +183,7 @@ public:
   /// Of a slice, the sum of the squared magnitudes and the number of voxels.
   void Measure(int k, double& sumOfSlice, vtkIdType& countOfSlice) const
   {
-    double sum = 0; // neighbouring slices' results share a line of the cache
+    double sum = 0; // neighboring slices' results share a line of the cache
     vtkIdType count = 0;
     const int* const box = this->Box.Bounds;
     const int* const frame = this->Frame.Bounds;
@@ -251,7 +251,7 @@ private:
 };
 
 /// Root mean square of the gradient's magnitude over the voxels of the box within the radius of the
-/// centre. False if the monitor said stop.
+/// center. False if the monitor said stop.
 bool MeasureGradientScale(vtkImageData* image, const Extent& box, const Eigen::Vector3d& center,
   double radius, const FlipFree::Monitor& monitor, double& scale)
 {
@@ -361,7 +361,7 @@ int vtkAnisotropicDiffusionPrefilter::RequestData(vtkInformation*,
   {
     FlipFree::RequireNumbers({ { "TimeStep", this->TimeStep }, { "Conductance", this->Conductance },
       { "GradientScale", this->GradientScale }, { "ScaleRadius", this->ScaleRadius } });
-    FlipFree::RequireGreyImage(input, InputName);
+    FlipFree::RequireGrayImage(input, InputName);
     const Extent region = ChooseRegion(this->VOI, ExtentOf(input));
     if (region.IsEmpty())
     {
@@ -405,7 +405,7 @@ int vtkAnisotropicDiffusionPrefilter::RequestData(vtkInformation*,
     }
     if (this->ScaleRadius > 0)
     {
-      FlipFree::AddFieldValues("NoiseDeviation", { noise }, output);
+      FlipFree::AddFieldValues("NoiseStandardDeviation", { noise }, output);
     }
     return 1;
   }

@@ -11,15 +11,15 @@
  * and on the sphere, and on nothing else.
  *
  * Conduction falls off as exp(-(|gradient| / (Conductance * GradientScale))^2 / 2). As ITK counts
- * time, one step moves grey values along an axis by TimeStep / spacing of their second difference.
+ * time, one step moves gray values along an axis by TimeStep / spacing of their second difference.
  *
  * Gradients are measured along the grid's axes, as ITK does it: where these are not at right angles
  * (a tilted gantry's), the smoothing is sheared with the grid.
  *
  * Input port 0: vtkImageData with one component of finite scalars. Output port 0: vtkImageData, the
- * VOI with the input's indices and geometry; scalars float. Field data `NoiseDeviation` (one
- * double, grey values), only if there is a scale sphere: the noise found in it before smoothing, as
- * by vtkSeedRegionDiffusion, for vtkGMMFeatureFilter.
+ * VOI with the input's indices and geometry; scalars float. Field data `NoiseStandardDeviation`
+ * (one double, gray values), only if there is a scale sphere: the noise found in it before
+ * smoothing, as by vtkSeedRegionDiffusion, for vtkGMMFeatureFilter.
  *
  * Errors: no or empty image, no scalars, several components, scalars of bits, a spacing that is not
  * positive, NaN or infinite voxels, a VOI or a sphere without a voxel of the image, a TimeStep that
@@ -92,8 +92,8 @@ public:
 
   ///@{
   /**
-   * The gradient magnitude that counts as one, in grey values per millimetre. 0 (default) means the
-   * root mean square over the voxels of the scale sphere; if that is 0 too, all of one grey value,
+   * The gradient magnitude that counts as one, in gray values per millimeter. 0 (default) means the
+   * root mean square over the voxels of the scale sphere; if that is 0 too, all of one gray value,
    * nothing is smoothed.
    */
   vtkSetClampMacro(GradientScale, double, 0, 1e30);
@@ -102,9 +102,9 @@ public:
 
   ///@{
   /**
-   * The sphere that gives the gradient scale and `NoiseDeviation`: centre (default 0, 0, 0) and
-   * radius in millimetres. A radius of 0 (default) means the whole VOI for the scale, which only
-   * then depends on it, and no `NoiseDeviation`.
+   * The sphere that gives the gradient scale and `NoiseStandardDeviation`: center (default 0, 0, 0)
+   * and radius in millimeters. A radius of 0 (default) means the whole VOI for the scale, which
+   * only then depends on it, and no `NoiseStandardDeviation`.
    */
   vtkSetVector3Macro(ScaleCenter, double);
   vtkGetVector3Macro(ScaleCenter, double);

@@ -4,7 +4,7 @@
  *
  * Reads a volume from a NIfTI (.nii, .nii.gz), NRRD (.nrrd, .nhdr) or MetaImage (.mha, .mhd) file,
  * or from a folder of DICOM files. Origin, spacing and direction matrix are those that ITK gives:
- * physical coordinates are LPS (x to the patient's left, y to the back, z to the head) millimetres;
+ * physical coordinates are LPS (x to the patient's left, y to the back, z to the head) millimeters;
  * NIfTI's RAS is turned into them. The type of the voxels stays the file's, after its own rescale
  * slope. Of a NIfTI file, ITK gives NaN and infinite voxels as 0.
  *

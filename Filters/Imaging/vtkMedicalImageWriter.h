@@ -2,11 +2,11 @@
  * @class   vtkMedicalImageWriter
  * @brief   writes a medical image with its orientation, by ITK
  *
- * Writes a label map or a grey volume in the format that the name's ending stands for: NIfTI (.nii,
+ * Writes a label map or a gray volume in the format that the name's ending stands for: NIfTI (.nii,
  * .nii.gz), NRRD (.nrrd) or MetaImage (.mha, .mhd with its voxels beside it). Origin, spacing,
  * direction matrix and the type of the voxels are kept, so that vtkMedicalImageReader gives the
  * same image back; NIfTI holds its geometry in single precision. Coordinates are taken as LPS
- * millimetres.
+ * millimeters.
  *
  * The image is written beside its destination, read back and compared, and only then renamed: there
  * is either the whole file or, after an error or an abort, none of it, and a former file of that

@@ -17,7 +17,7 @@
 namespace FlipFree
 {
 
-/// One row per point: x, y, z in millimetres.
+/// One row per point: x, y, z in millimeters.
 using PointList = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>;
 
 /// One row per triangle: the indices of its three points, counter-clockwise seen from outside.
@@ -25,7 +25,7 @@ using TriangleList = Eigen::Matrix<int, Eigen::Dynamic, 3, Eigen::RowMajor>;
 
 /// A voxel grid in physical space. `Direction` holds the grid's unit axes in its columns; it may be
 /// permuted, oblique, left-handed, or sheared (axes not at right angles: tilted gantries).
-/// `Origin` is the centre of voxel (0, 0, 0).
+/// `Origin` is the center of voxel (0, 0, 0).
 struct ImageGeometry
 {
   std::array<int, 3> Dimensions{ { 0, 0, 0 } };
@@ -49,7 +49,7 @@ struct ImageGeometry
   {
     return (radius * this->Direction.inverse().rowwise().norm()).cwiseQuotient(this->Spacing);
   }
-  /// In cubic millimetres.
+  /// In cubic millimeters.
   double VoxelVolume() const
   {
     return std::abs(this->Spacing.prod() * this->Direction.determinant());

@@ -4,7 +4,7 @@
 #ifndef PhantomSurface_h
 #define PhantomSurface_h
 
-#include "Phantom.h"
+#include "Phantom/Phantom.h"
 
 #include "vtkSmartPointer.h"
 
@@ -13,7 +13,7 @@ class vtkPolyData;
 namespace FlipFree
 {
 
-/// Triangles whose points lie on the surface of the shape within `ball`, both in millimetres along
+/// Triangles whose points lie on the surface of the shape within `ball`, both in millimeters along
 /// the grid's axes; in physical coordinates, counter-clockwise seen from outside. Their edges are
 /// about a sixty-fourth of the ball's radius long.
 vtkSmartPointer<vtkPolyData> MakePhantomSurface(const ImplicitShape& shape, const Ball& ball,

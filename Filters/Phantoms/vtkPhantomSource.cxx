@@ -1,9 +1,9 @@
 #include "vtkPhantomSource.h"
 
-#include "AbdomenPhantom.h"
 #include "ExecutionAdapter.h"
 #include "ImageAdapter.h"
-#include "Phantom.h"
+#include "Phantom/AbdomenPhantom.h"
+#include "Phantom/Phantom.h"
 #include "PhantomSurface.h"
 
 #include "vtkDataObject.h"
@@ -194,7 +194,7 @@ int vtkPhantomSource::RequestData(vtkInformation*, vtkInformationVector**,
     const FlipFree::Phantom phantom = MakePhantom(this, geometry);
     FlipFree::SamplingOptions options;
     options.PartialVolume = this->PartialVolume;
-    options.NoiseDeviation = this->NoiseDeviation;
+    options.NoiseStandardDeviation = this->NoiseStandardDeviation;
     options.NoiseCorrelation = this->NoiseCorrelation;
     options.Seed = static_cast<std::uint64_t>(this->RandomSeed);
     short* intensities = AttachScalars<vtkShortArray>(image, geometry, "Intensity");
@@ -240,7 +240,7 @@ void vtkPhantomSource::PrintSelf(ostream& os, vtkIndent indent)
   os << "\n";
   os << indent << "Foreground: " << this->Foreground << "\n";
   os << indent << "Background: " << this->Background << "\n";
-  os << indent << "NoiseDeviation: " << this->NoiseDeviation << "\n";
+  os << indent << "NoiseStandardDeviation: " << this->NoiseStandardDeviation << "\n";
   os << indent << "NoiseCorrelation: " << this->NoiseCorrelation << "\n";
   os << indent << "RandomSeed: " << this->RandomSeed << "\n";
   os << indent << "NumberOfLesions: " << this->NumberOfLesions << "\n";

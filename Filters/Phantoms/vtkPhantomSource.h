@@ -2,14 +2,14 @@
  * @class   vtkPhantomSource
  * @brief   synthetic volumes whose segmentation is known exactly
  *
- * Makes a grey volume and the label map that is its truth. The plain shapes are one object of
+ * Makes a gray volume and the label map that is its truth. The plain shapes are one object of
  * intensity Foreground in a Background: a sphere and a cube, the concave cup and the U-shaped tube
  * of Fig. 1 of the paper, and a thin curved vessel. ABDOMEN is a schematic CT of the
  * upper abdomen in the portal phase, in Hounsfield units: body wall with ribs and spine, lungs,
  * heart, liver with its vessels, spleen, kidneys, stomach, bowel and great vessels, with uneven
- * tissue, partial volume and noise. As in patients, organs touch neighbours of similar intensity.
+ * tissue, partial volume and noise. As in patients, organs touch neighbors of similar intensity.
  *
- * Shapes are sized in proportion to the grid, lie at its centre, and are aligned with its axes: a
+ * Shapes are sized in proportion to the grid, lie at its center, and are aligned with its axes: a
  * Direction turns the phantom with the grid and leaves every voxel's value as it was. For the
  * abdomen the first axis points to the patient's left, the second to the back, the third to the
  * head; with the identity as Direction that is the LPS frame of DICOM and ITK.
@@ -20,7 +20,7 @@
  *  - `Intensity`, short: HU for the abdomen.
  *
  * Output port 1: vtkImageData of the same geometry with the point scalars
- *  - `Labels`, unsigned char: what lies at the voxel's centre; 0 nothing in particular, 1 the
+ *  - `Labels`, unsigned char: what lies at the voxel's center; 0 nothing in particular, 1 the
  *    object of a plain shape, for the abdomen one of OrganLabel.
  *
  * Output port 2: vtkPolyData, the surface of a plain shape as triangles whose points lie exactly on
@@ -28,8 +28,8 @@
  *
  * Errors: a dimension below 1, more than 2^31 - 1 voxels, a spacing that is not positive, a
  * Direction that cannot be inverted, intensities outside the range of short, a negative
- * NoiseDeviation, a NoiseCorrelation outside 0 to 0.7. They are reported once and leave the outputs
- * empty.
+ * NoiseStandardDeviation, a NoiseCorrelation outside 0 to 0.7. They are reported once and leave the
+ * outputs empty.
  */
 #ifndef vtkPhantomSource_h
 #define vtkPhantomSource_h
@@ -114,7 +114,7 @@ public:
 
   ///@{
   /**
-   * Distance of voxel centres along each axis in millimetres. Default (0, 0, 0): as suits the
+   * Distance of voxel centers along each axis in millimeters. Default (0, 0, 0): as suits the
    * shape, 1 x 1 x 1 or, for the abdomen, 1.5 x 1.5 x 3.
    */
   vtkSetVector3Macro(Spacing, double);
@@ -123,7 +123,7 @@ public:
 
   ///@{
   /**
-   * Centre of the first voxel in physical millimetres. Default (0, 0, 0).
+   * Center of the first voxel in physical millimeters. Default (0, 0, 0).
    */
   vtkSetVector3Macro(Origin, double);
   vtkGetVector3Macro(Origin, double);
@@ -156,13 +156,13 @@ public:
   /**
    * Standard deviation of the Gaussian noise, in units of intensity. Default 12; 0 or more.
    */
-  vtkSetMacro(NoiseDeviation, double);
-  vtkGetMacro(NoiseDeviation, double);
+  vtkSetMacro(NoiseStandardDeviation, double);
+  vtkGetMacro(NoiseStandardDeviation, double);
   ///@}
 
   ///@{
   /**
-   * Correlation of the noise of direct neighbours within a slice, such as a CT's reconstruction
+   * Correlation of the noise of direct neighbors within a slice, such as a CT's reconstruction
    * leaves it; slices are independent. Default 0.3; 0 (white noise) to 0.7.
    */
   vtkSetMacro(NoiseCorrelation, double);
@@ -189,7 +189,7 @@ public:
   ///@{
   /**
    * Whether a voxel on a border gets the mean over its volume (by up to 4 x 4 x 4 samples) or the
-   * intensity at its centre. The labels are always those at the centres. Default on.
+   * intensity at its center. The labels are always those at the centers. Default on.
    */
   vtkSetMacro(PartialVolume, bool);
   vtkGetMacro(PartialVolume, bool);
@@ -206,7 +206,7 @@ public:
   ///@}
 
   /**
-   * A place to start a segmentation from: the centre (physical millimetres) and radius (mm) of a
+   * A place to start a segmentation from: the center (physical millimeters) and radius (mm) of a
    * ball deep inside the organ of the given label; the radius is at most 0.7 times the distance to
    * the organ's border. True if there is such an organ and the grid holds its seed. Needs no
    * update.
@@ -214,7 +214,7 @@ public:
   bool GetSeed(int label, double seed[4]);
 
   /**
-   * Centre and radius of a ball that holds the whole object of a plain shape with some clearance,
+   * Center and radius of a ball that holds the whole object of a plain shape with some clearance,
    * to start from outside. False for the abdomen. Needs no update.
    */
   bool GetEnclosingSphere(double sphere[4]);
@@ -244,7 +244,7 @@ protected:
   double Direction[9] = { 1, 0, 0, 0, 1, 0, 0, 0, 1 };
   double Foreground = 100;
   double Background = 0;
-  double NoiseDeviation = 12;
+  double NoiseStandardDeviation = 12;
   double NoiseCorrelation = 0.3;
   int RandomSeed = 1;
   int NumberOfLesions = 0;

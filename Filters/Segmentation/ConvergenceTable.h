@@ -4,7 +4,7 @@
 #ifndef FlipFreeConvergenceTable_h
 #define FlipFreeConvergenceTable_h
 
-#include "OrganSegmentation.h"
+#include "Deformation/OrganSegmentation.h"
 
 #include <vector>
 

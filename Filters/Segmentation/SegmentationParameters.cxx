@@ -13,17 +13,17 @@ namespace
 {
 
 // Lengths beyond these help on no organ, whatever the seed.
-constexpr int LeastResolution = 2;
-constexpr double LeastReach = 100;
-constexpr double GreatestReach = 250;
+constexpr int MinimumResolution = 2;
+constexpr double MinimumReach = 100;
+constexpr double MaximumReach = 250;
 constexpr double ReachInRadii = 10;
 constexpr double UsualSearchInRadii = 1.6; // SearchScale by default
-constexpr double LeastSearch = 15;
-constexpr double GreatestSearch = 60;
-constexpr double LeastOpening = 2.5;
-constexpr double GreatestOpening = 6;
-constexpr double MostVoxelsOpened = 2;
-constexpr double MostVoxelsOfEdgeWindow = 1.5;
+constexpr double MinimumSearch = 15;
+constexpr double MaximumSearch = 60;
+constexpr double MinimumOpening = 2.5;
+constexpr double MaximumOpening = 6;
+constexpr double MaximumVoxelsOpened = 2;
+constexpr double MaximumVoxelsOfEdgeWindow = 1.5;
 
 double Clamp(double value, double least, double greatest)
 {
@@ -32,7 +32,7 @@ double Clamp(double value, double least, double greatest)
 
 double SearchDistanceBy(double scale, double radius)
 {
-  return Clamp(scale * radius, LeastSearch, GreatestSearch);
+  return Clamp(scale * radius, MinimumSearch, MaximumSearch);
 }
 
 double SearchDistanceOf(vtkFlipFreeSegmentation* filter)
@@ -57,8 +57,8 @@ void RequireParameters(vtkFlipFreeSegmentation* filter)
     { "ClosingRadius", filter->GetClosingRadius() }, { "OpeningScale", filter->GetOpeningScale() },
     { "SearchScale", filter->GetSearchScale() }, { "SearchDistance", filter->GetSearchDistance() },
     { "RunLength", filter->GetRunLength() }, { "EdgeWindow", filter->GetEdgeWindow() },
-    { "ImageEndDistance", filter->GetImageEndDistance() },
-    { "OutlierDeviations", filter->GetOutlierDeviations() },
+    { "ImageBoundaryDistance", filter->GetImageBoundaryDistance() },
+    { "OutlierStandardDeviations", filter->GetOutlierStandardDeviations() },
     { "MaximumDisplacement", filter->GetMaximumDisplacement() },
     { "FlipThreshold", filter->GetFlipThreshold() },
     { "PositionWeight", filter->GetPositionWeight() },
@@ -69,7 +69,7 @@ void RequireParameters(vtkFlipFreeSegmentation* filter)
 int LevelsOf(vtkFlipFreeSegmentation* filter)
 {
   int levels = filter->GetLevels();
-  while (levels > 1 && filter->GetResolution() >> (levels - 1) < LeastResolution)
+  while (levels > 1 && filter->GetResolution() >> (levels - 1) < MinimumResolution)
   {
     --levels;
   }
@@ -85,7 +85,7 @@ double ReachOf(vtkFlipFreeSegmentation* filter)
 {
   return filter->GetReach() > 0
     ? filter->GetReach()
-    : Clamp(ReachInRadii * filter->GetSeedRadius(), LeastReach, GreatestReach);
+    : Clamp(ReachInRadii * filter->GetSeedRadius(), MinimumReach, MaximumReach);
 }
 
 bool ReachesEndOf(const ImageGeometry& region, const ImageGeometry& image, const PointList& points)
@@ -156,7 +156,7 @@ OrganSegmentationSettings SettingsOf(vtkFlipFreeSegmentation* filter, const Imag
   settings.MaximumIterations = filter->GetMaximumIterations();
   settings.DistanceTolerance = voxel * filter->GetDistanceTolerance();
   settings.ChangeTolerance = voxel * filter->GetChangeTolerance();
-  settings.Reestimate = filter->GetReestimate();
+  settings.ReestimateIntensities = filter->GetReestimateIntensities();
   settings.Guard = filter->GetGuard();
 
   IntensitySettings& intensity = settings.Feature.Intensity;
@@ -167,20 +167,20 @@ OrganSegmentationSettings SettingsOf(vtkFlipFreeSegmentation* filter, const Imag
   intensity.Threshold = filter->GetFeatureThreshold();
   settings.Feature.ControlLeaks = filter->GetLeakControl();
   settings.Feature.Leaks.ClosingRadius =
-    std::min(filter->GetClosingRadius(), MostVoxelsOpened * voxel);
+    std::min(filter->GetClosingRadius(), MaximumVoxelsOpened * voxel);
   settings.Feature.Leaks.OpeningRadius =
-    std::min(Clamp(filter->GetOpeningScale() * radius, LeastOpening, GreatestOpening),
-      MostVoxelsOpened * voxel);
+    std::min(Clamp(filter->GetOpeningScale() * radius, MinimumOpening, MaximumOpening),
+      MaximumVoxelsOpened * voxel);
 
   CorrespondenceSettings& search = settings.Targets.Correspondence;
   search.SearchDistance = SearchDistanceOf(filter);
   search.RunLength = filter->GetRunLength();
   search.RunVoxels = filter->GetRunVoxels();
   search.SearchInward = filter->GetSearchInward();
-  search.ImageEndDistance = filter->GetImageEndDistance();
-  search.EdgeWindow = std::min(filter->GetEdgeWindow(), MostVoxelsOfEdgeWindow * voxel);
-  settings.Targets.NormalSmoothing = filter->GetNormalSmoothing();
-  settings.Targets.OutlierDeviations = filter->GetOutlierDeviations();
+  search.ImageBoundaryDistance = filter->GetImageBoundaryDistance();
+  search.EdgeWindow = std::min(filter->GetEdgeWindow(), MaximumVoxelsOfEdgeWindow * voxel);
+  settings.Targets.NormalSmoothingIterations = filter->GetNormalSmoothingIterations();
+  settings.Targets.OutlierStandardDeviations = filter->GetOutlierStandardDeviations();
   settings.Targets.MaximumDisplacement = voxel * filter->GetMaximumDisplacement();
 
   settings.Step.AvoidFlips = filter->GetAvoidFlips();

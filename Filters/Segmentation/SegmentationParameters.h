@@ -1,13 +1,13 @@
 /**
  * Private to the module: the parameters of vtkFlipFreeSegmentation, given in seed radii and voxels,
- * as the lengths in millimetres that the kernels take. The stages chained by hand get the same
+ * as the lengths in millimeters that the kernels take. The stages chained by hand get the same
  * ones.
  */
 #ifndef FlipFreeSegmentationParameters_h
 #define FlipFreeSegmentationParameters_h
 
-#include "AnisotropicDiffusion.h"
-#include "OrganSegmentation.h"
+#include "Deformation/OrganSegmentation.h"
+#include "Image/AnisotropicDiffusion.h"
 
 class vtkFlipFreeSegmentation;
 
@@ -23,7 +23,7 @@ int LevelsOf(vtkFlipFreeSegmentation* filter);
 /// n of the first level.
 int FirstResolution(vtkFlipFreeSegmentation* filter);
 
-/// How far from the seed's centre the surface may get, in millimetres.
+/// How far from the seed's center the surface may get, in millimeters.
 double ReachOf(vtkFlipFreeSegmentation* filter);
 
 /// Does a surface touch the end of the region where the image goes on?

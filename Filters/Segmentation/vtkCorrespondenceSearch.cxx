@@ -1,11 +1,11 @@
 #include "vtkCorrespondenceSearch.h"
 
 #include "ContourMeshAdapter.h"
+#include "Deformation/TargetSearch.h"
 #include "FieldData.h"
-#include "GreyImageAdapter.h"
+#include "GrayImageAdapter.h"
+#include "Measures/VoxelOverlap.h"
 #include "PropertyCheck.h"
-#include "TargetSearch.h"
-#include "VoxelOverlap.h"
 
 #include "vtkImageData.h"
 #include "vtkInformation.h"
@@ -63,18 +63,18 @@ int vtkCorrespondenceSearch::RequestData(vtkInformation*, vtkInformationVector**
   output->Initialize();
   try
   {
-    FlipFree::RequireNumbers(
-      { { "Threshold", this->Threshold }, { "SearchDistance", this->SearchDistance },
-        { "RunLength", this->RunLength }, { "ImageEndDistance", this->ImageEndDistance },
-        { "EdgeWindow", this->EdgeWindow }, { "OutlierDeviations", this->OutlierDeviations },
-        { "MaximumDisplacement", this->MaximumDisplacement } });
+    FlipFree::RequireNumbers({ { "Threshold", this->Threshold },
+      { "SearchDistance", this->SearchDistance }, { "RunLength", this->RunLength },
+      { "ImageBoundaryDistance", this->ImageBoundaryDistance }, { "EdgeWindow", this->EdgeWindow },
+      { "OutlierStandardDeviations", this->OutlierStandardDeviations },
+      { "MaximumDisplacement", this->MaximumDisplacement } });
     const FlipFree::DeformableSurface surface =
       FlipFree::DeformableSurfaceOf(input, "the surface on port 0", false);
-    FlipFree::RequireGreyImage(featureImage, "the feature on port 1");
+    FlipFree::RequireGrayImage(featureImage, "the feature on port 1");
     FlipFree::RequireFinite(featureImage, FlipFree::WholeExtent(FlipFree::GeometryOf(featureImage)),
       "the feature on port 1");
     FlipFree::FloatImage copyOfFeature;
-    const FlipFree::ImageView<float> feature = FlipFree::GreyViewOf(featureImage, copyOfFeature);
+    const FlipFree::ImageView<float> feature = FlipFree::GrayViewOf(featureImage, copyOfFeature);
     const std::vector<double> given =
       FlipFree::FieldValues("FeatureThreshold", 1, false, featureImage, "the feature on port 1");
     const double threshold = this->Threshold > 0 ? this->Threshold
@@ -86,10 +86,10 @@ int vtkCorrespondenceSearch::RequestData(vtkInformation*, vtkInformationVector**
     FlipFree::ImageView<float> edges;
     if (this->EdgeWindow > 0)
     {
-      FlipFree::RequireGreyImage(edgeImage, "the edge image on port 2");
+      FlipFree::RequireGrayImage(edgeImage, "the edge image on port 2");
       FlipFree::RequireFinite(edgeImage, FlipFree::WholeExtent(FlipFree::GeometryOf(edgeImage)),
         "the edge image on port 2");
-      edges = FlipFree::GreyViewOf(edgeImage, copyOfEdges);
+      edges = FlipFree::GrayViewOf(edgeImage, copyOfEdges);
       FlipFree::RequireSameGeometry(edges.Geometry, feature.Geometry, "the edge image on port 2",
         "the feature on port 1");
     }
@@ -105,10 +105,10 @@ int vtkCorrespondenceSearch::RequestData(vtkInformation*, vtkInformationVector**
     settings.Correspondence.RunLength = this->RunLength;
     settings.Correspondence.RunVoxels = this->RunVoxels;
     settings.Correspondence.SearchInward = this->SearchInward;
-    settings.Correspondence.ImageEndDistance = this->ImageEndDistance;
+    settings.Correspondence.ImageBoundaryDistance = this->ImageBoundaryDistance;
     settings.Correspondence.EdgeWindow = this->EdgeWindow;
-    settings.NormalSmoothing = this->NormalSmoothing;
-    settings.OutlierDeviations = this->OutlierDeviations;
+    settings.NormalSmoothingIterations = this->NormalSmoothingIterations;
+    settings.OutlierStandardDeviations = this->OutlierStandardDeviations;
     settings.MaximumDisplacement = this->MaximumDisplacement * feature.Geometry.Spacing.maxCoeff();
 
     FlipFree::TargetReport report;
@@ -135,9 +135,9 @@ void vtkCorrespondenceSearch::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "RunLength: " << this->RunLength << "\n";
   os << indent << "RunVoxels: " << this->RunVoxels << "\n";
   os << indent << "SearchInward: " << this->SearchInward << "\n";
-  os << indent << "ImageEndDistance: " << this->ImageEndDistance << "\n";
+  os << indent << "ImageBoundaryDistance: " << this->ImageBoundaryDistance << "\n";
   os << indent << "EdgeWindow: " << this->EdgeWindow << "\n";
-  os << indent << "NormalSmoothing: " << this->NormalSmoothing << "\n";
-  os << indent << "OutlierDeviations: " << this->OutlierDeviations << "\n";
+  os << indent << "NormalSmoothingIterations: " << this->NormalSmoothingIterations << "\n";
+  os << indent << "OutlierStandardDeviations: " << this->OutlierStandardDeviations << "\n";
   os << indent << "MaximumDisplacement: " << this->MaximumDisplacement << "\n";
 }

@@ -7,7 +7,7 @@
  * target is the point where the line enters that run. A vertex that finds none is solitary. Lines
  * are walked voxel by voxel, exactly, under any direction matrix.
  *
- * Input port 0: vtkPolyData, closed, with four neighbours at every vertex.
+ * Input port 0: vtkPolyData, closed, with four neighbors at every vertex.
  * Input port 1: vtkImageData, the feature: one scalar component, 0 to 1 (SetFeatureConnection).
  * Input port 2, optional: vtkImageData, the smoothed image of the same grid, in whose edges the
  * target is refined (SetEdgeConnection); needed if EdgeWindow is not zero. Output port 0: the
@@ -61,7 +61,7 @@ public:
 
   ///@{
   /**
-   * Greatest length of a line, in millimetres. Default 40.
+   * Greatest length of a line, in millimeters. Default 40.
    */
   vtkSetClampMacro(SearchDistance, double, 0, 1e6);
   vtkGetMacro(SearchDistance, double);
@@ -69,7 +69,7 @@ public:
 
   ///@{
   /**
-   * Length of the run, in millimetres. Default 2; zero counts RunVoxels instead.
+   * Length of the run, in millimeters. Default 2; zero counts RunVoxels instead.
    */
   vtkSetClampMacro(RunLength, double, 0, 1000);
   vtkGetMacro(RunLength, double);
@@ -94,17 +94,17 @@ public:
 
   ///@{
   /**
-   * A vertex this near the image's end, in millimetres, takes it for its target. Default 0:
+   * A vertex this near the image's end, in millimeters, takes it for its target. Default 0:
    * solitary.
    */
-  vtkSetClampMacro(ImageEndDistance, double, 0, 1e6);
-  vtkGetMacro(ImageEndDistance, double);
+  vtkSetClampMacro(ImageBoundaryDistance, double, 0, 1e6);
+  vtkGetMacro(ImageBoundaryDistance, double);
   ///@}
 
   ///@{
   /**
-   * Deviation in millimetres of the window in which the target moves to the strongest edge. Default
-   * 0: it stays on the voxel's face.
+   * Standard deviation in millimeters of the window in which the target moves to the strongest
+   * edge. Default 0: it stays on the voxel's face.
    */
   vtkSetClampMacro(EdgeWindow, double, 0, 1000);
   vtkGetMacro(EdgeWindow, double);
@@ -112,10 +112,10 @@ public:
 
   ///@{
   /**
-   * Passes of averaging over neighbours that the normals get. Default 2.
+   * Passes of averaging over neighbors that the normals get. Default 2.
    */
-  vtkSetClampMacro(NormalSmoothing, int, 0, 1000);
-  vtkGetMacro(NormalSmoothing, int);
+  vtkSetClampMacro(NormalSmoothingIterations, int, 0, 1000);
+  vtkGetMacro(NormalSmoothingIterations, int);
   ///@}
 
   ///@{
@@ -123,8 +123,8 @@ public:
    * Targets farther from those of the two-ring than this many robust deviations plus a voxel are
    * dropped. Default 3; zero keeps all.
    */
-  vtkSetClampMacro(OutlierDeviations, double, 0, 1e6);
-  vtkGetMacro(OutlierDeviations, double);
+  vtkSetClampMacro(OutlierStandardDeviations, double, 0, 1e6);
+  vtkGetMacro(OutlierStandardDeviations, double);
   ///@}
 
   ///@{
@@ -149,10 +149,10 @@ protected:
   double RunLength = 2;
   int RunVoxels = 4;
   bool SearchInward = true;
-  double ImageEndDistance = 0;
+  double ImageBoundaryDistance = 0;
   double EdgeWindow = 0;
-  int NormalSmoothing = 2;
-  double OutlierDeviations = 3;
+  int NormalSmoothingIterations = 2;
+  double OutlierStandardDeviations = 3;
   double MaximumDisplacement = 0;
 
 private:

@@ -1,7 +1,7 @@
 #include "vtkFlipFreeDeform.h"
 
 #include "ContourMeshAdapter.h"
-#include "DeformationStep.h"
+#include "Deformation/DeformationStep.h"
 #include "ExecutionAdapter.h"
 #include "FieldData.h"
 #include "PropertyCheck.h"

@@ -8,7 +8,7 @@
  * what would make the surface meet itself or turn a face, so that an embedded input gives an
  * embedded output.
  *
- * Input port 0: vtkPolyData, closed, four neighbours at every vertex, with the point arrays
+ * Input port 0: vtkPolyData, closed, four neighbors at every vertex, with the point arrays
  * `Displacement` (3 doubles, mm) and `Correspondence` (unsigned char) of vtkCorrespondenceSearch.
  * Output port 0: the moved surface; both arrays as flip avoidance and propagation left them. Field
  * data, one double each: `FlippingVertices` (before avoidance) and `GuardedVertices` (held back).

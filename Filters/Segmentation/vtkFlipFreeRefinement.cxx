@@ -2,7 +2,7 @@
 
 #include "ContourMeshAdapter.h"
 #include "ExecutionAdapter.h"
-#include "SurfaceRefinement.h"
+#include "Guard/SurfaceRefinement.h"
 
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"

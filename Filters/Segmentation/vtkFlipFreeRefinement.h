@@ -2,12 +2,12 @@
  * @class   vtkFlipFreeRefinement
  * @brief   a surface of four times as many vertices, for working from coarse to fine
  *
- * Refines a closed mesh with four neighbours at every vertex into one of the same kind (D. Doo and
+ * Refines a closed mesh with four neighbors at every vertex into one of the same kind (D. Doo and
  * M. Sabin, 1978): the sphere of resolution n becomes that of 2 n. With Check on, the refined
  * surface is embedded when the input is: where it would intersect itself, it is pulled towards the
  * old vertices, and if need be the old surface is smoothed first.
  *
- * Input port 0: vtkPolyData, closed, four neighbours at every vertex.
+ * Input port 0: vtkPolyData, closed, four neighbors at every vertex.
  * Output port 0: the refined surface, without arrays.
  *
  * Errors: a surface that is open, not four-valent, or, with Check on, self-intersecting or

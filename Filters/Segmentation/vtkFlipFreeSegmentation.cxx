@@ -3,14 +3,14 @@
 #include "ContourMeshAdapter.h"
 #include "ConvergenceTable.h"
 #include "ExecutionAdapter.h"
-#include "GreyImageAdapter.h"
+#include "GrayImageAdapter.h"
 #include "LabelAdapter.h"
 #include "SegmentationParameters.h"
 
-#include "OrganSegmentation.h"
-#include "QuadSphere.h"
+#include "Deformation/OrganSegmentation.h"
+#include "Mesh/QuadSphere.h"
+#include "Mesh/SurfaceVoxelization.h"
 #include "Stopwatch.h"
-#include "SurfaceVoxelisation.h"
 
 #include "vtkImageData.h"
 #include "vtkInformation.h"
@@ -200,7 +200,7 @@ void vtkFlipFreeSegmentation::Execute(vtkImageData* image, vtkPolyData* start)
 
   const FlipFree::SeedSphere seed{ Eigen::Vector3d(this->SeedCenter), this->SeedRadius };
   FlipFree::RequireParameters(this);
-  FlipFree::RequireGreyImage(image, "the image on port 0");
+  FlipFree::RequireGrayImage(image, "the image on port 0");
   const FlipFree::ImageGeometry geometry = FlipFree::GeometryOf(image);
   FlipFree::RequireSeed(geometry, seed, "the image on port 0");
   FlipFree::DeformableSurface surface;
@@ -223,7 +223,7 @@ void vtkFlipFreeSegmentation::Execute(vtkImageData* image, vtkPolyData* start)
   FlipFree::RequireFinite(image, extent, "the image on port 0");
   const double noise = FlipFree::NoiseOf(image, seed);
   const FlipFree::ImageGeometry region = FlipFree::CropGeometry(geometry, extent);
-  auto smooth = std::make_unique<FlipFree::SmoothRegion>(FlipFree::GreyReaderOf(image, extent),
+  auto smooth = std::make_unique<FlipFree::SmoothRegion>(FlipFree::GrayReaderOf(image, extent),
     region, FlipFree::DiffusionSettingsOf(this, noise, region), FlipFree::SMPFor);
   const double before = watch.Lap();
 
@@ -264,7 +264,7 @@ void vtkFlipFreeSegmentation::Execute(vtkImageData* image, vtkPolyData* start)
 
   smooth.reset(); // the label map takes its place
   FlipFree::MakeLabelMap(
-    FlipFree::VoxeliseSurface(organ.Points, organ.Mesh.Triangles, geometry, FlipFree::SMPFor),
+    FlipFree::VoxelizeSurface(organ.Points, organ.Mesh.Triangles, geometry, FlipFree::SMPFor),
     static_cast<unsigned char>(this->LabelValue), image, this->Cache->Labels);
   this->StageSeconds[3] = watch.Lap();
   this->UpdateProgress(1);
@@ -314,7 +314,7 @@ void vtkFlipFreeSegmentation::WarnOf(const FlipFree::OrganSurface& organ,
   {
     vtkWarningMacro("The surface has got to the end of what it may reach, "
       << FlipFree::ReachOf(this)
-      << " mm from the seed's centre, and is cut there: it may have leaked, or the seed may lie in "
+      << " mm from the seed's center, and is cut there: it may have leaked, or the seed may lie in "
          "air; look at it, and raise Reach where the organ is that large.");
   }
   else if (this->StopReason != "no boundary found")
@@ -330,8 +330,8 @@ void vtkFlipFreeSegmentation::WarnOf(const FlipFree::OrganSurface& organ,
 void vtkFlipFreeSegmentation::WarnOfSeed(const FlipFree::OrganSurface& organ,
   const FlipFree::ImageGeometry& image)
 {
-  constexpr double mostWithoutBoundary = 0.1;
-  constexpr double mostAtEnds = 0.25;
+  constexpr double maximumWithoutBoundary = 0.1;
+  constexpr double maximumAtEnds = 0.25;
   const bool startsAtSeed = this->GetNumberOfInputConnections(1) == 0 && this->StartScale == 1 &&
     Eigen::Vector3d(this->StartCenterOffset).isZero();
   if (!startsAtSeed || !this->Guard || organ.Iterations.empty())
@@ -342,14 +342,14 @@ void vtkFlipFreeSegmentation::WarnOfSeed(const FlipFree::OrganSurface& organ,
     organ.Mesh.NumberOfPoints();
   const double atEnds = FlipFree::FractionAtEndsOf(image, organ.Points);
   const auto percent = [](double fraction) { return std::lround(100 * fraction); };
-  if (without > mostWithoutBoundary && FlipFree::SearchesFar(this))
+  if (without > maximumWithoutBoundary && FlipFree::SearchesFar(this))
   {
     vtkWarningMacro(<< percent(without)
                     << " % of the surface found no boundary, so it may not be an organ's; check "
                        "that the seed sphere lies within the organ and not in air, or move "
                        "SeedCenter.");
   }
-  else if (atEnds > mostAtEnds)
+  else if (atEnds > maximumAtEnds)
   {
     vtkWarningMacro(
       << percent(atEnds)

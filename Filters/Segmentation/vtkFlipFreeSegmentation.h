@@ -13,9 +13,9 @@
  * vtkGMMFeatureFilter, vtkCorrespondenceSearch, vtkFlipFreeDeform, vtkFlipFreeRefinement.
  *
  * Input port 0: vtkImageData with one scalar component of any type; coordinates are the image's
- * physical millimetres, the direction matrix is honoured.
+ * physical millimeters, the direction matrix is honored.
  * Input port 1, optional: vtkPolyData, the surface to start from in place of the sphere: closed,
- * four neighbours at every vertex, embedded. It is refined like the sphere.
+ * four neighbors at every vertex, embedded. It is refined like the sphere.
  *
  * Output port 0: vtkPolyData, the surface, with the point arrays `Displacement` (3 doubles, mm; the
  * last one wanted) and `Correspondence` (unsigned char; 0 solitary, 1 matched, 2 flipping).
@@ -98,7 +98,7 @@ public:
 
   ///@{
   /**
-   * Centre of the seed sphere, in millimetres. Default (0, 0, 0). The sphere should lie within the
+   * Center of the seed sphere, in millimeters. Default (0, 0, 0). The sphere should lie within the
    * organ; its voxels model the organ's intensities, and the surface starts from it.
    */
   vtkSetVector3Macro(SeedCenter, double);
@@ -107,7 +107,7 @@ public:
 
   ///@{
   /**
-   * Radius of the seed sphere, in millimetres. Default 10; at least half the radius of the largest
+   * Radius of the seed sphere, in millimeters. Default 10; at least half the radius of the largest
    * sphere that fits into the organ there is good. The lengths below that are given in seed radii
    * follow it.
    */
@@ -127,7 +127,7 @@ public:
 
   ///@{
   /**
-   * Centre of the mesh's first sphere relative to the seed's centre, in millimetres. Default zero.
+   * Center of the mesh's first sphere relative to the seed's center, in millimeters. Default zero.
    */
   vtkSetVector3Macro(StartCenterOffset, double);
   vtkGetVector3Macro(StartCenterOffset, double);
@@ -179,7 +179,7 @@ public:
 
   ///@{
   /**
-   * How far from the seed's centre, in millimetres, the surface may get; only this box of the image
+   * How far from the seed's center, in millimeters, the surface may get; only this box of the image
    * is touched. Default 0: ten seed radii, at least 100 and at most 250.
    */
   vtkSetClampMacro(Reach, double, 0, 1e6);
@@ -252,7 +252,7 @@ public:
   ///@{
   /**
    * Close and open the foreground by balls and keep the seed's component, so that thin bridges to
-   * neighbours do not leak. Default on.
+   * neighbors do not leak. Default on.
    */
   vtkSetMacro(LeakControl, bool);
   vtkGetMacro(LeakControl, bool);
@@ -261,7 +261,7 @@ public:
 
   ///@{
   /**
-   * Radius of the closing, in millimetres. Default 1.5; at most two voxels are used.
+   * Radius of the closing, in millimeters. Default 1.5; at most two voxels are used.
    */
   vtkSetClampMacro(ClosingRadius, double, 0, 1000);
   vtkGetMacro(ClosingRadius, double);
@@ -281,9 +281,9 @@ public:
    * Fit the intensities again at each level, now to the inside of the growing surface and against a
    * shell around it; not while no more than 200 voxels lie more than 2 mm inside it. Default on.
    */
-  vtkSetMacro(Reestimate, bool);
-  vtkGetMacro(Reestimate, bool);
-  vtkBooleanMacro(Reestimate, bool);
+  vtkSetMacro(ReestimateIntensities, bool);
+  vtkGetMacro(ReestimateIntensities, bool);
+  vtkBooleanMacro(ReestimateIntensities, bool);
   ///@}
 
   ///@{
@@ -296,7 +296,7 @@ public:
 
   ///@{
   /**
-   * Greatest length of a search line in millimetres; default 0: by SearchScale.
+   * Greatest length of a search line in millimeters; default 0: by SearchScale.
    */
   vtkSetClampMacro(SearchDistance, double, 0, 1e6);
   vtkGetMacro(SearchDistance, double);
@@ -304,7 +304,7 @@ public:
 
   ///@{
   /**
-   * Length of the run of voxels beyond the boundary (Eq. 2), in millimetres. Default 2. Zero: the
+   * Length of the run of voxels beyond the boundary (Eq. 2), in millimeters. Default 2. Zero: the
    * run has RunVoxels voxels.
    */
   vtkSetClampMacro(RunLength, double, 0, 1000);
@@ -331,8 +331,9 @@ public:
 
   ///@{
   /**
-   * Deviation of the Gaussian window, in millimetres, in which a target moves to the strongest
-   * edge; at the finest level, at most 1.5 voxels. Default 3; zero leaves it on the voxel's face.
+   * Standard deviation of the Gaussian window, in millimeters, in which a target moves to the
+   * strongest edge; at the finest level, at most 1.5 voxels. Default 3; zero leaves it on the
+   * voxel's face.
    */
   vtkSetClampMacro(EdgeWindow, double, 0, 1000);
   vtkGetMacro(EdgeWindow, double);
@@ -340,19 +341,19 @@ public:
 
   ///@{
   /**
-   * A vertex this near the image's end, in millimetres, takes the end for its target. Default 12;
+   * A vertex this near the image's end, in millimeters, takes the end for its target. Default 12;
    * at zero it is solitary.
    */
-  vtkSetClampMacro(ImageEndDistance, double, 0, 1e6);
-  vtkGetMacro(ImageEndDistance, double);
+  vtkSetClampMacro(ImageBoundaryDistance, double, 0, 1e6);
+  vtkGetMacro(ImageBoundaryDistance, double);
   ///@}
 
   ///@{
   /**
-   * Passes of averaging over neighbours that the normals get before the search. Default 2.
+   * Passes of averaging over neighbors that the normals get before the search. Default 2.
    */
-  vtkSetClampMacro(NormalSmoothing, int, 0, 1000);
-  vtkGetMacro(NormalSmoothing, int);
+  vtkSetClampMacro(NormalSmoothingIterations, int, 0, 1000);
+  vtkGetMacro(NormalSmoothingIterations, int);
   ///@}
 
   ///@{
@@ -360,8 +361,8 @@ public:
    * Targets farther from those of the two-ring than this many deviations (robust, plus a voxel) are
    * dropped. Default 3; zero keeps all.
    */
-  vtkSetClampMacro(OutlierDeviations, double, 0, 1e6);
-  vtkGetMacro(OutlierDeviations, double);
+  vtkSetClampMacro(OutlierStandardDeviations, double, 0, 1e6);
+  vtkGetMacro(OutlierStandardDeviations, double);
   ///@}
 
   ///@{
@@ -417,7 +418,7 @@ public:
   ///@{
   /**
    * How much of the present Laplacian is given up in each iteration: 0 (default) is Eq. 5, which
-   * keeps the shape; 1 minimises the new Laplacian, which smooths and shrinks.
+   * keeps the shape; 1 minimizes the new Laplacian, which smooths and shrinks.
    */
   vtkSetClampMacro(Fairing, double, 0, 1);
   vtkGetMacro(Fairing, double);
@@ -505,16 +506,16 @@ protected:
   bool LeakControl = true;
   double ClosingRadius = 1.5;
   double OpeningScale = 0.4;
-  bool Reestimate = true;
+  bool ReestimateIntensities = true;
   double SearchScale = 1.6;
   double SearchDistance = 0;
   double RunLength = 2;
   int RunVoxels = 4;
   bool SearchInward = true;
   double EdgeWindow = 3;
-  double ImageEndDistance = 12;
-  int NormalSmoothing = 2;
-  double OutlierDeviations = 3;
+  double ImageBoundaryDistance = 12;
+  int NormalSmoothingIterations = 2;
+  double OutlierStandardDeviations = 3;
   double MaximumDisplacement = 8;
   bool AvoidFlips = true;
   double FlipThreshold = 0.3;

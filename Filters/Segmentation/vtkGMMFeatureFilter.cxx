@@ -1,8 +1,8 @@
 #include "vtkGMMFeatureFilter.h"
 
 #include "FieldData.h"
-#include "GreyImageAdapter.h"
-#include "OrganFeature.h"
+#include "GrayImageAdapter.h"
+#include "Intensity/OrganFeature.h"
 #include "PropertyCheck.h"
 #include "SurfaceAdapter.h"
 
@@ -73,11 +73,11 @@ int vtkGMMFeatureFilter::RequestData(vtkInformation*, vtkInformationVector** inp
       { "NoiseWidening", this->NoiseWidening }, { "ForegroundMass", this->ForegroundMass },
       { "FeatureThreshold", this->FeatureThreshold }, { "ClosingRadius", this->ClosingRadius },
       { "OpeningRadius", this->OpeningRadius } });
-    FlipFree::RequireGreyImage(image, "the image on port 0");
+    FlipFree::RequireGrayImage(image, "the image on port 0");
     const FlipFree::ImageGeometry geometry = FlipFree::GeometryOf(image);
     FlipFree::RequireSeed(geometry, seed, "the image on port 0");
     const std::vector<double> given =
-      FlipFree::FieldValues("NoiseDeviation", 1, false, image, "the image on port 0");
+      FlipFree::FieldValues("NoiseStandardDeviation", 1, false, image, "the image on port 0");
     const FlipFree::Monitor whole = FlipFree::MonitorOf(this);
     if (!FlipFree::RequireFinite(image, FlipFree::WholeExtent(geometry), "the image on port 0",
           FlipFree::PartOf(whole, 0, 0.05)) ||
@@ -86,12 +86,13 @@ int vtkGMMFeatureFilter::RequestData(vtkInformation*, vtkInformationVector** inp
       return 1; // aborted
     }
     FlipFree::FloatImage copy;
-    const FlipFree::ImageView<float> smooth = FlipFree::GreyViewOf(image, copy);
+    const FlipFree::ImageView<float> smooth = FlipFree::GrayViewOf(image, copy);
     if (!whole(0.08))
     {
       return 1;
     }
-    const double noise = given.empty() ? FlipFree::NoiseDeviation(smooth, seed) : given.front();
+    const double noise =
+      given.empty() ? FlipFree::NoiseStandardDeviation(smooth, seed) : given.front();
     FlipFree::IntensityModel model = FlipFree::FitToSeed(smooth, seed, noise, settings.Intensity);
     bool proceed = whole(0.1);
     FlipFree::Refit refit = FlipFree::Refit::TooFewInside; // of no surface
@@ -112,7 +113,7 @@ int vtkGMMFeatureFilter::RequestData(vtkInformation*, vtkInformationVector** inp
       if (refit == FlipFree::Refit::TooFewInside)
       {
         vtkWarningMacro("The surface on port 1 has no more than "
-          << FlipFree::LeastRefitSample << " voxels that are more than "
+          << FlipFree::MinimumRefitSample << " voxels that are more than "
           << settings.Intensity.InnerMargin
           << " mm inside, too few to model the organ, so the feature is that of the seed; enlarge "
              "the surface, or disconnect it.");
@@ -146,12 +147,12 @@ int vtkGMMFeatureFilter::RequestData(vtkInformation*, vtkInformationVector** inp
     {
       weights.push_back(component.Weight);
       means.push_back(component.Mean);
-      deviations.push_back(component.Deviation);
+      deviations.push_back(component.StandardDeviation);
     }
     FlipFree::AddFieldValues("FeatureThreshold", { model.Threshold }, output);
     FlipFree::AddFieldValues("MixtureWeights", weights, output);
     FlipFree::AddFieldValues("MixtureMeans", means, output);
-    FlipFree::AddFieldValues("MixtureDeviations", deviations, output);
+    FlipFree::AddFieldValues("MixtureStandardDeviations", deviations, output);
     FlipFree::AddFieldValues("EdgeRamp", { model.Ramp.Low, model.Ramp.High, model.Ramp.Width },
       output);
   }

@@ -3,29 +3,29 @@
  * @brief   how well each voxel fits the organ: a Gaussian mixture of the seed's intensities
  *
  * Models the intensities of the seed sphere by a mixture of Gaussians (section 3.2 and Eq. 1 of the
- * paper), fitted by expectation maximisation; the Bayesian information criterion chooses the number
+ * paper), fitted by expectation maximization; the Bayesian information criterion chooses the number
  * of components. The feature of a voxel is g(z) over its greatest value. With a surface on port 1
  * the feature is instead the odds of the intensities inside the surface against those of a shell
  * around it, in [0, 1] with threshold 1/2; the outermost 2 mm inside model neither.
  *
  * Leak control (beyond the paper) closes the foreground, opens it, and keeps what hangs together
- * with the seed, so that thin bridges to neighbours do not leak. Voxels that it takes away get half
+ * with the seed, so that thin bridges to neighbors do not leak. Voxels that it takes away get half
  * the threshold, voxels that it fills in the threshold.
  *
- * Input port 0: vtkImageData, one scalar component, smoothed. Field data `NoiseDeviation` of
- * vtkSeedRegionDiffusion is used where present; else the noise is measured in the seed.
- * Input port 1, optional: vtkPolyData, a closed surface within the organ (SetSurfaceConnection).
- * Output port 0: vtkImageData of the input's geometry, float scalars `Feature`, 0 to 1. Field data,
- * doubles: `FeatureThreshold` (1 value), `MixtureWeights`, `MixtureMeans`, `MixtureDeviations` (one
- * per component, grey values), `EdgeRamp` (3 values: low, high, width, by which
- * vtkCorrespondenceSearch reads edges).
+ * Input port 0: vtkImageData, one scalar component, smoothed. Field data `NoiseStandardDeviation`
+ * of vtkSeedRegionDiffusion is used where present; else the noise is measured in the seed. Input
+ * port 1, optional: vtkPolyData, a closed surface within the organ (SetSurfaceConnection). Output
+ * port 0: vtkImageData of the input's geometry, float scalars `Feature`, 0 to 1. Field data,
+ * doubles: `FeatureThreshold` (1 value), `MixtureWeights`, `MixtureMeans`,
+ * `MixtureStandardDeviations` (one per component, gray values), `EdgeRamp` (3 values: low, high,
+ * width, by which vtkCorrespondenceSearch reads edges).
  *
  * Errors: as vtkSeedRegionDiffusion; a surface that is open, or holds no voxel of the image; a seed
  * that holds no voxel, or, unless a surface takes its place, has no contrast to its surroundings; a
- * `NoiseDeviation` that is not one finite number; a property that is NaN. Warning: of a surface
- * with 200 voxels or fewer more than 2 mm inside, too few to model the organ, the feature is that
- * of the seed. Progress is reported and an abort obeyed between passes over the image; the output
- * is then empty.
+ * `NoiseStandardDeviation` that is not one finite number; a property that is NaN. Warning: of a
+ * surface with 200 voxels or fewer more than 2 mm inside, too few to model the organ, the feature
+ * is that of the seed. Progress is reported and an abort obeyed between passes over the image; the
+ * output is then empty.
  */
 #ifndef vtkGMMFeatureFilter_h
 #define vtkGMMFeatureFilter_h
@@ -52,7 +52,7 @@ public:
 
   ///@{
   /**
-   * Centre of the seed sphere, in millimetres. Default (0, 0, 0).
+   * Center of the seed sphere, in millimeters. Default (0, 0, 0).
    */
   vtkSetVector3Macro(SeedCenter, double);
   vtkGetVector3Macro(SeedCenter, double);
@@ -60,7 +60,7 @@ public:
 
   ///@{
   /**
-   * Radius of the seed sphere, in millimetres. Default 10; 1e-6 to 1e6, and a voxel at least.
+   * Radius of the seed sphere, in millimeters. Default 10; 1e-6 to 1e6, and a voxel at least.
    */
   vtkSetClampMacro(SeedRadius, double, 1e-6, 1e6);
   vtkGetMacro(SeedRadius, double);
@@ -119,7 +119,7 @@ public:
 
   ///@{
   /**
-   * Radii of the closing and of the opening, in millimetres. Defaults 1.5 and 4; 0, which does
+   * Radii of the closing and of the opening, in millimeters. Defaults 1.5 and 4; 0, which does
    * nothing, to 1000.
    */
   vtkSetClampMacro(ClosingRadius, double, 0, 1000);

@@ -1,8 +1,8 @@
 #include "vtkQuadSphereSource.h"
 
+#include "Mesh/QuadSphere.h"
 #include "MeshAdapter.h"
 #include "MessageText.h"
-#include "QuadSphere.h"
 
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -29,7 +29,7 @@ int vtkQuadSphereSource::RequestData(vtkInformation*, vtkInformationVector**,
   {
     vtkErrorMacro("No sphere: Center " << FlipFree::TextOf(Eigen::Vector3d(this->Center))
                                        << " and Radius (" << this->Radius
-                                       << ") must be finite numbers; set them, in millimetres.");
+                                       << ") must be finite numbers; set them, in millimeters.");
     return 0;
   }
   vtkPolyData* output = vtkPolyData::GetData(outputVector);

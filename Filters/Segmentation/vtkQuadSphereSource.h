@@ -3,8 +3,8 @@
  * @brief   the quadrilateral sphere from which a segmentation starts
  *
  * Makes the mesh of section 3.1 of the paper: a cube with Resolution x Resolution vertices at the
- * cell centres of each side, projected onto a sphere. It has 6 n^2 vertices, each with exactly four
- * neighbours and on exactly two closed contours; 6 n^2 - 6 quads; and 8 triangles, one where three
+ * cell centers of each side, projected onto a sphere. It has 6 n^2 vertices, each with exactly four
+ * neighbors and on exactly two closed contours; 6 n^2 - 6 quads; and 8 triangles, one where three
  * sides meet. Faces are counter-clockwise seen from outside.
  *
  * Output port 0: vtkPolyData with the point array
@@ -39,7 +39,7 @@ public:
 
   ///@{
   /**
-   * Centre of the sphere in millimetres (physical coordinates of the image it will segment).
+   * Center of the sphere in millimeters (physical coordinates of the image it will segment).
    * Default (0, 0, 0).
    */
   vtkSetVector3Macro(Center, double);
@@ -48,7 +48,7 @@ public:
 
   ///@{
   /**
-   * Radius of the sphere in millimetres; for CUBE half the edge length. Default 1; positive.
+   * Radius of the sphere in millimeters; for CUBE half the edge length. Default 1; positive.
    */
   vtkSetClampMacro(Radius, double, 1e-9, 1e9);
   vtkGetMacro(Radius, double);

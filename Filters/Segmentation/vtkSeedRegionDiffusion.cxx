@@ -1,7 +1,7 @@
 #include "vtkSeedRegionDiffusion.h"
 
 #include "FieldData.h"
-#include "GreyImageAdapter.h"
+#include "GrayImageAdapter.h"
 #include "PropertyCheck.h"
 
 #include "vtkImageData.h"
@@ -75,7 +75,7 @@ int vtkSeedRegionDiffusion::RequestData(vtkInformation*, vtkInformationVector** 
   try
   {
     FlipFree::RequireNumbers({ { "Reach", this->Reach } });
-    FlipFree::RequireGreyImage(image, "the image on port 0");
+    FlipFree::RequireGrayImage(image, "the image on port 0");
     const FlipFree::ImageGeometry geometry = FlipFree::GeometryOf(image);
     FlipFree::RequireSeed(geometry, seed, "the image on port 0");
     const FlipFree::Extent extent = FlipFree::ReachableExtent(geometry, seed.Center, this->Reach);
@@ -96,7 +96,7 @@ int vtkSeedRegionDiffusion::RequestData(vtkInformation*, vtkInformationVector** 
     output->SetOrigin(image->GetOrigin());
     output->SetDirectionMatrix(image->GetDirectionMatrix());
     FlipFree::SetFloatScalars("Intensity", region.Voxels, output);
-    FlipFree::AddFieldValues("NoiseDeviation", { noise }, output);
+    FlipFree::AddFieldValues("NoiseStandardDeviation", { noise }, output);
   }
   catch (const std::exception& error)
   {

@@ -8,8 +8,8 @@
  *
  * Input port 0: vtkImageData with one scalar component of any type.
  * Output port 0: vtkImageData of the box, float; its extent, origin and direction keep every voxel
- * in its place. Field data `NoiseDeviation` (one double, grey values): the noise found before
- * smoothing.
+ * in its place. Field data `NoiseStandardDeviation` (one double, gray values): the noise found
+ * before smoothing.
  *
  * Errors: an image without scalars or with several components, voxels that are not finite, a seed
  * outside the image or smaller than a voxel.
@@ -29,7 +29,7 @@ public:
 
   ///@{
   /**
-   * Centre of the seed sphere, in millimetres. Default (0, 0, 0).
+   * Center of the seed sphere, in millimeters. Default (0, 0, 0).
    */
   vtkSetVector3Macro(SeedCenter, double);
   vtkGetVector3Macro(SeedCenter, double);
@@ -37,7 +37,7 @@ public:
 
   ///@{
   /**
-   * Radius of the seed sphere, in millimetres. Default 10; a voxel or more.
+   * Radius of the seed sphere, in millimeters. Default 10; a voxel or more.
    */
   vtkSetClampMacro(SeedRadius, double, 1e-6, 1e6);
   vtkGetMacro(SeedRadius, double);
@@ -45,7 +45,7 @@ public:
 
   ///@{
   /**
-   * Half the edge length of the box around the seed's centre, in millimetres. Default 100.
+   * Half the edge length of the box around the seed's center, in millimeters. Default 100.
    */
   vtkSetClampMacro(Reach, double, 1e-6, 1e6);
   vtkGetMacro(Reach, double);

@@ -2,8 +2,8 @@
 
 #include "ExecutionAdapter.h"
 #include "LabelAdapter.h"
+#include "Mesh/SurfaceVoxelization.h"
 #include "SurfaceAdapter.h"
-#include "SurfaceVoxelisation.h"
 
 #include "vtkDataObject.h"
 #include "vtkImageData.h"
@@ -65,7 +65,7 @@ int vtkSurfaceToLabelMap::RequestData(vtkInformation*, vtkInformationVector** in
     FlipFree::RequireProperGrid(reference, "the reference image on port 1");
     const FlipFree::PolygonalSurface surface =
       FlipFree::SurfaceOf(vtkPolyData::GetData(inputVector[0]), "the surface on port 0");
-    const auto runs = FlipFree::VoxeliseSurface(surface.Points, surface.Triangles,
+    const auto runs = FlipFree::VoxelizeSurface(surface.Points, surface.Triangles,
       FlipFree::GeometryOf(reference), FlipFree::SMPFor, FlipFree::MonitorOf(this));
     if (FlipFree::IsAborted(this))
     {

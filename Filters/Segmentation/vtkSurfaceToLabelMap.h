@@ -2,15 +2,15 @@
  * @class   vtkSurfaceToLabelMap
  * @brief   the voxels inside a closed surface, as a label map
  *
- * Writes LabelValue into every voxel whose centre is inside the surface and 0 into all others. The
+ * Writes LabelValue into every voxel whose center is inside the surface and 0 into all others. The
  * label map has the extent, origin, spacing and direction of a reference image, be its axes
  * permuted, oblique or left-handed: the surface is brought into the image's index space and
  * converted row by row, exactly to rounding. Of two surfaces that share a wall, each voxel belongs
- * to exactly one, even where the wall runs through voxel centres. Where a self-intersecting surface
+ * to exactly one, even where the wall runs through voxel centers. Where a self-intersecting surface
  * overlaps itself, the overlap is inside. What lies beyond the image is cut off.
  *
  * Input port 0: vtkPolyData, the surface: polygons, closed, all oriented alike (outwards or
- * inwards). Coordinates are the physical millimetres of the image.
+ * inwards). Coordinates are the physical millimeters of the image.
  *
  * Input port 1: vtkImageData, the reference image (SetReferenceImageData or
  * SetReferenceImageConnection). Only its geometry is used; it need not have scalars.

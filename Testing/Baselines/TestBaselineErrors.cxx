@@ -111,7 +111,7 @@ TEST_P(BaselineRefuses, ASeedBetweenTheVoxels)
   this->Filter->SetInputData(image);
   this->Filter->SetSeedCenter(45, 45, 139.5);
   this->Filter->SetSeedRadius(3.5);
-  ExpectRefusal(this->Filter, { "no voxel centre", "seed sphere", "enlarge" });
+  ExpectRefusal(this->Filter, { "no voxel center", "seed sphere", "enlarge" });
 }
 
 // A message of ITK's would say neither.
@@ -140,7 +140,7 @@ TEST_P(BaselineRefuses, PropertiesThatAreNotNumbers)
   ExpectRefusal(this->Filter, { "the property Reach", "NaN", "set it" });
 }
 
-// The slice through the sphere's centre: what the snake outlines, it needs no others for.
+// The slice through the sphere's center: what the snake outlines, it needs no others for.
 TEST(SnakeAccepts, AnImageOfOneSlice)
 {
   const auto sphere = SphereImage();

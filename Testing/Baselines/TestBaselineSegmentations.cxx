@@ -162,7 +162,7 @@ TEST_P(BaselineSegmentation, FindsThePhantomsOrgan)
     [](unsigned char value) { return value == 0 || value == 7; }));
 }
 
-TEST_P(BaselineSurface, IsClosedAndHoldsTheLabelledVoxels)
+TEST_P(BaselineSurface, IsClosedAndHoldsTheLabeledVoxels)
 {
   this->Filter->Update();
   for (const char* defect : { "BoundaryEdges", "MisorientedEdges" })
@@ -177,7 +177,7 @@ TEST_P(BaselineSurface, IsClosedAndHoldsTheLabelledVoxels)
   EXPECT_GE(Dice(voxels->GetOutput(), this->Filter->GetLabelMap(), 1), 0.999);
 }
 
-TEST_P(BaselineSurface, HoldsTheLabelledVoxelsInAnyFrame)
+TEST_P(BaselineSurface, HoldsTheLabeledVoxelsInAnyFrame)
 {
   this->MoveImage();
   this->Filter->Update();

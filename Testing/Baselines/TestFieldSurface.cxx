@@ -2,8 +2,8 @@
 // where the grid ends.
 #include "FieldSurface.h"
 
-#include "SeedRegion.h"
-#include "SurfaceTopology.h"
+#include "Image/SeedRegion.h"
+#include "Mesh/SurfaceTopology.h"
 
 #include <gtest/gtest.h>
 

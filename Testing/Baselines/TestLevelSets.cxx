@@ -1,4 +1,4 @@
-// The rim of the level set: so many millimetres at any spacing, and up to the image's end; and an
+// The rim of the level set: so many millimeters at any spacing, and up to the image's end; and an
 // abort while it is made.
 #include "vtkLevelSetSegmentation.h"
 
@@ -18,7 +18,7 @@ namespace
 struct Grid
 {
   double Spacing[3];
-  double Ball; // radius in millimetres
+  double Ball; // radius in millimeters
 };
 
 void PrintTo(const Grid& grid, std::ostream* stream)
@@ -29,7 +29,7 @@ void PrintTo(const Grid& grid, std::ostream* stream)
 class LevelSetRim : public testing::TestWithParam<Grid>
 {
 protected:
-  // A ball of 100 in -100, whose centre is the origin.
+  // A ball of 100 in -100, whose center is the origin.
   void SetUp() override
   {
     vtkNew<vtkImageData> image;
@@ -74,7 +74,7 @@ protected:
 
 } // namespace
 
-TEST_P(LevelSetRim, IsSoManyMillimetres)
+TEST_P(LevelSetRim, IsSoManyMillimeters)
 {
   const double* spacing = GetParam().Spacing;
   const double voxel = std::cbrt(spacing[0] * spacing[1] * spacing[2]);

@@ -1,6 +1,6 @@
 // The minimum cut against all cuts that there are, on grids that are small enough.
+#include "Image/SeedRegion.h"
 #include "MinimumCut.h"
-#include "SeedRegion.h"
 
 #include <gtest/gtest.h>
 
@@ -46,7 +46,7 @@ Problem RandomProblem(unsigned int number)
   return problem;
 }
 
-// What the header says is minimised, but for the voxels' volume as a common factor.
+// What the header says is minimized, but for the voxels' volume as a common factor.
 double EnergyOf(const Problem& problem, const std::function<bool(int, int, int)>& inside)
 {
   const ImageView<float> image = problem.Image.View();
@@ -78,7 +78,7 @@ double EnergyOf(const Problem& problem, const std::function<bool(int, int, int)>
   return energy;
 }
 
-double LeastEnergy(const Problem& problem)
+double MinimumEnergy(const Problem& problem)
 {
   const ImageGeometry& geometry = problem.Image.Geometry;
   double least = HUGE_VAL;
@@ -116,7 +116,7 @@ TEST(MinimumCut, IsTheBestOfAllCuts)
     EXPECT_TRUE(organ(0, 0, 0));
     EXPECT_FALSE(organ(2, 1, static_cast<int>(number % 2)));
     const auto inside = [&organ](int i, int j, int k) { return organ(i, j, k); };
-    EXPECT_NEAR(EnergyOf(problem, inside), LeastEnergy(problem), 1e-4) << "problem " << number;
+    EXPECT_NEAR(EnergyOf(problem, inside), MinimumEnergy(problem), 1e-4) << "problem " << number;
     mixed += organ.Count() > 1 && organ.Count() < 11;
   }
   EXPECT_GT(mixed, 20); // or all of them would be trivial

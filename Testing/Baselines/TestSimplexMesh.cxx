@@ -3,7 +3,7 @@
 #include "SimplexBalloon.h"
 #include "SimplexSphere.h"
 
-#include "SurfaceTopology.h"
+#include "Mesh/SurfaceTopology.h"
 
 #include <gtest/gtest.h>
 
@@ -50,7 +50,7 @@ SimplexBalloon::Force TowardsBall(const Eigen::Vector3d& center, double radius)
 
 } // namespace
 
-TEST(SimplexMesh, EveryVertexHasThreeNeighboursAroundTheOutwardNormal)
+TEST(SimplexMesh, EveryVertexHasThreeNeighborsAroundTheOutwardNormal)
 {
   for (const int n : { 1, 2, 9 })
   {

@@ -1,6 +1,6 @@
 #include "CaseList.h"
 
-#include "DistanceTransform.h"
+#include "Image/DistanceTransform.h"
 #include "ImageAdapter.h"
 #include "LabelAdapter.h"
 

@@ -33,7 +33,7 @@ struct RandomSeed
   double Radius = 0;
 };
 
-/// Voxel centres of the organ that lie at least `radius` millimetres from its border, chosen at
+/// Voxel centers of the organ that lie at least `radius` millimeters from its border, chosen at
 /// random but the same each time. Where fewer exist than asked for, the radius is halved, at most
 /// twice.
 std::vector<RandomSeed> RandomSeeds(vtkImageData* labels, int label, double radius, int count);

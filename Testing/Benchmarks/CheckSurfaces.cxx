@@ -3,7 +3,7 @@
 //
 //   CheckSurfaces surface.vtp ...
 #include "FindWithCGAL.h"
-#include "SelfIntersection.h"
+#include "Geometry/SelfIntersection.h"
 #include "SurfaceAdapter.h"
 
 #include "vtkNew.h"

@@ -1,10 +1,10 @@
 #include "ExampleRun.h"
 
-#include "AnisotropicDiffusion.h"
-#include "FlipAvoidance.h"
-#include "OrganSegmentation.h"
+#include "Deformation/FlipAvoidance.h"
+#include "Deformation/OrganSegmentation.h"
+#include "Image/AnisotropicDiffusion.h"
+#include "Mesh/QuadSphere.h"
 #include "PhantomScan.h"
-#include "QuadSphere.h"
 
 #include <algorithm>
 #include <string>
@@ -22,12 +22,12 @@ void MakeImages(const PhantomScan& scan, ExampleRun& run)
 {
   run.Seed = scan.Seed;
   CropToFloat(ImageView<std::int16_t>{ scan.Voxels.data(), scan.Geometry },
-    ReachableExtent(scan.Geometry, run.Seed.Center, OrganReach), SMPFor, run.Grey);
-  run.Noise = NoiseDeviation(run.Grey.View(), run.Seed);
-  run.Smooth = run.Grey;
+    ReachableExtent(scan.Geometry, run.Seed.Center, OrganReach), SMPFor, run.Gray);
+  run.Noise = NoiseStandardDeviation(run.Gray.View(), run.Seed);
+  run.Smooth = run.Gray;
   AnisotropicDiffusionSettings diffusion;
-  diffusion.Contrast = ContrastOfNoise(run.Noise, run.Grey.Geometry, diffusion.Equation);
-  DiffuseAnisotropically(ReaderOf(run.Grey.View()), run.Grey.Geometry, diffusion, SMPFor, NeverStop,
+  diffusion.Contrast = ContrastOfNoise(run.Noise, run.Gray.Geometry, diffusion.Equation);
+  DiffuseAnisotropically(ReaderOf(run.Gray.View()), run.Gray.Geometry, diffusion, SMPFor, NeverStop,
     run.Smooth.Voxels.data());
 }
 
@@ -45,7 +45,7 @@ void MakeFeatures(ExampleRun& run)
 void MakeSurfaces(OrganSegmentationSettings settings, ExampleRun& run)
 {
   settings.Levels = Levels;
-  settings.Reestimate = false; // the benchmarks have the seed's model
+  settings.ReestimateIntensities = false; // the benchmarks have the seed's model
   const QuadSphere sphere = MakeQuadSphere(FirstResolution, run.Seed.Center, run.Seed.Radius,
     QuadSphereSpacing::Equiangular);
   std::map<int, int> iterations;

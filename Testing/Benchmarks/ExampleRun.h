@@ -5,10 +5,10 @@
 #ifndef ExampleRun_h
 #define ExampleRun_h
 
-#include "DeformationStep.h"
+#include "Deformation/DeformationStep.h"
+#include "Deformation/TargetSearch.h"
 #include "ExecutionAdapter.h"
-#include "OrganFeature.h"
-#include "TargetSearch.h"
+#include "Intensity/OrganFeature.h"
 
 #include <benchmark/benchmark.h>
 
@@ -31,7 +31,7 @@ struct SurfaceOnItsWay
 
 struct ExampleRun
 {
-  FloatImage Grey;   ///< the reachable region, as it is scanned
+  FloatImage Gray;   ///< the reachable region, as it is scanned
   FloatImage Smooth; ///< and smoothed
   double Noise = 0;
   SeedSphere Seed;

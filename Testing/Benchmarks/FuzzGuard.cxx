@@ -2,9 +2,9 @@
 // left of them. Prints, per kind of motion, what is wrong with the surfaces it let through (nothing
 // should be), as our own test and CGAL's count it, and exits with an error if anything is.
 #include "AdverseMotions.h"
-#include "EmbeddingGuard.h"
 #include "FindWithCGAL.h"
-#include "SelfIntersection.h"
+#include "Geometry/SelfIntersection.h"
+#include "Guard/EmbeddingGuard.h"
 
 #include <CLI/CLI.hpp>
 

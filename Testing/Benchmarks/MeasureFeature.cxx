@@ -1,10 +1,10 @@
 // What is done on voxels: smoothing, the intensity model, leak control.
 #include "ExampleRun.h"
 
-#include "AnisotropicDiffusion.h"
-#include "BallMorphology.h"
-#include "DistanceTransform.h"
-#include "VoxelOverlap.h"
+#include "Image/AnisotropicDiffusion.h"
+#include "Image/BallMorphology.h"
+#include "Image/DistanceTransform.h"
+#include "Measures/VoxelOverlap.h"
 
 #include <algorithm>
 
@@ -19,15 +19,15 @@ void Diffusion(benchmark::State& state, DiffusionEquation equation)
   const ParallelFor parallelFor = ThreadedFor(state.range(0));
   AnisotropicDiffusionSettings settings;
   settings.Equation = equation;
-  settings.Contrast = ContrastOfNoise(run.Noise, run.Grey.Geometry, equation);
-  std::vector<float> smooth(run.Grey.Voxels.size());
+  settings.Contrast = ContrastOfNoise(run.Noise, run.Gray.Geometry, equation);
+  std::vector<float> smooth(run.Gray.Voxels.size());
   for (auto _ : state)
   {
-    DiffuseAnisotropically(ReaderOf(run.Grey.View()), run.Grey.Geometry, settings, parallelFor,
+    DiffuseAnisotropically(ReaderOf(run.Gray.View()), run.Gray.Geometry, settings, parallelFor,
       NeverStop, smooth.data());
     benchmark::ClobberMemory();
   }
-  ReportTimePer("voxel and step", static_cast<double>(run.Grey.Voxels.size()) * settings.Iterations,
+  ReportTimePer("voxel and step", static_cast<double>(run.Gray.Voxels.size()) * settings.Iterations,
     state);
 }
 
@@ -60,7 +60,7 @@ void LookUp(benchmark::State& state)
   for (auto _ : state)
   {
     std::transform(run.Smooth.Voxels.begin(), run.Smooth.Voxels.end(), feature.begin(),
-      [&run](float grey) { return run.Model(grey); });
+      [&run](float gray) { return run.Model(gray); });
     benchmark::ClobberMemory();
   }
   ReportTimePer("voxel", static_cast<double>(feature.size()), state);

@@ -2,11 +2,11 @@
 // to 128, with the exponent by which the time grows with the number of vertices; and the same
 // expansion with the boxes that triangles sweep in place of boxes that move, whose time is all in
 // pairs that merely move alike.
-#include "EmbeddingGuard.h"
-#include "MotionCertificate.h"
+#include "Geometry/TriangleTree.h"
+#include "Guard/EmbeddingGuard.h"
+#include "Guard/MotionCertificate.h"
 #include "RandomMotions.h"
 #include "Statistics.h"
-#include "TriangleTree.h"
 
 #include <CLI/CLI.hpp>
 

@@ -1,8 +1,8 @@
 // The stages of one iteration, and the whole of it.
 #include "ExampleRun.h"
 
-#include "FlipAvoidance.h"
-#include "SurfaceNormals.h"
+#include "Deformation/FlipAvoidance.h"
+#include "Mesh/SurfaceNormals.h"
 
 #include <algorithm>
 
@@ -26,8 +26,8 @@ void Normals(benchmark::State& state)
   const SurfaceOnItsWay& surface = SurfaceOf(state);
   for (auto _ : state)
   {
-    benchmark::DoNotOptimize(
-      VertexNormals(surface.Mesh, surface.Points, TheExampleRun().Search.NormalSmoothing));
+    benchmark::DoNotOptimize(VertexNormals(surface.Mesh, surface.Points,
+      TheExampleRun().Search.NormalSmoothingIterations));
   }
   ReportTimePerVertex(surface, state);
 }
@@ -51,13 +51,15 @@ void Outliers(benchmark::State& state)
   const ExampleRun& run = TheExampleRun();
   const SurfaceOnItsWay& surface = SurfaceOf(state);
   const ParallelFor parallelFor = ThreadedFor(state.range(1));
-  const PointList normals = VertexNormals(surface.Mesh, surface.Points, run.Search.NormalSmoothing);
+  const PointList normals =
+    VertexNormals(surface.Mesh, surface.Points, run.Search.NormalSmoothingIterations);
   const CorrespondenceField found = FindCorrespondences(surface.Points, normals, run.Foreground,
     run.Smooth.View(), run.Search.Correspondence, parallelFor);
   for (auto _ : state)
   {
     CorrespondenceField field = found;
-    RejectOutliers(surface.Mesh, normals, run.Search.OutlierDeviations, 3, parallelFor, field);
+    RejectOutliers(surface.Mesh, normals, run.Search.OutlierStandardDeviations, 3, parallelFor,
+      field);
     benchmark::ClobberMemory();
   }
   ReportTimePerVertex(surface, state);

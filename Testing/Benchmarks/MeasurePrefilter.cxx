@@ -7,8 +7,8 @@
 //   MeasurePrefilter [--size N] [--iterations N] [--repetitions N] [--threads N]
 #include "MemoryBandwidth.h"
 
-#include "AnisotropicDiffusion.h"
 #include "ExecutionAdapter.h"
+#include "Image/AnisotropicDiffusion.h"
 #include "ImageAdapter.h"
 #include "Stopwatch.h"
 
@@ -81,10 +81,10 @@ void RunItk(vtkImageData* image, const Options& options, Method& method)
 
 void RunKernel(vtkImageData* image, const Options& options, Method& method)
 {
-  const FlipFree::ImageView<short> grey = FlipFree::ViewOf<short>(image);
-  method.Result.resize(grey.Geometry.NumberOfVoxels());
+  const FlipFree::ImageView<short> gray = FlipFree::ViewOf<short>(image);
+  method.Result.resize(gray.Geometry.NumberOfVoxels());
   FlipFree::Stopwatch watch;
-  FlipFree::DiffuseAnisotropically(FlipFree::ReaderOf(grey), grey.Geometry,
+  FlipFree::DiffuseAnisotropically(FlipFree::ReaderOf(gray), gray.Geometry,
     { options.Iterations, Contrast, method.Kind, 0 }, FlipFree::SMPFor, FlipFree::NeverStop,
     method.Result.data());
   method.Seconds.push_back(watch.Lap());
@@ -96,7 +96,7 @@ double MedianOf(std::vector<double> values)
   return values[values.size() / 2];
 }
 
-double GreatestDifference(const std::vector<float>& a, const std::vector<float>& b)
+double MaximumDifference(const std::vector<float>& a, const std::vector<float>& b)
 {
   double greatest = 0;
   for (std::size_t voxel = 0; voxel < a.size(); ++voxel)
@@ -128,7 +128,7 @@ void Print(const std::vector<Method>& methods, double bandwidth, const Options& 
     else
     {
       std::printf("%.0f | %.1e | ", MedianOf(itk->Seconds) / MedianOf(method.Seconds),
-        GreatestDifference(method.Result, itk->Result));
+        MaximumDifference(method.Result, itk->Result));
     }
     std::printf("%.1f | %.2f |\n", perVoxel / onePass,
       perVoxel / (perIteration * options.Iterations));

@@ -15,13 +15,13 @@
 #include "SegmentationRun.h"
 #include "Statistics.h"
 
-#include "AnisotropicDiffusion.h"
 #include "ExecutionAdapter.h"
-#include "GreyImageAdapter.h"
-#include "GreyIntervals.h"
+#include "GrayImageAdapter.h"
+#include "Image/AnisotropicDiffusion.h"
+#include "Image/GrayIntervals.h"
 #include "LabelAdapter.h"
+#include "Measures/VoxelOverlap.h"
 #include "Stopwatch.h"
-#include "VoxelOverlap.h"
 
 #include "vtkFlipFreeSegmentation.h"
 #include "vtkNew.h"
@@ -207,21 +207,21 @@ void MeasureTraffic(const Subject& subject, int runs, int threads)
   const Extent extent = RegionOf(subject);
   const ImageGeometry geometry = GeometryOf(subject.Image);
   FloatImage region;
-  GreyRegionOf(subject.Image, extent, region);
+  GrayRegionOf(subject.Image, extent, region);
   const auto inRegion = static_cast<double>(region.Voxels.size());
   const auto inImage = static_cast<double>(geometry.NumberOfVoxels());
   const double scalar = subject.Image->GetPointData()->GetScalars()->GetDataTypeSize();
   const double label = subject.Reference->GetPointData()->GetScalars()->GetDataTypeSize();
   AnisotropicDiffusionSettings diffusion;
-  diffusion.Contrast = ContrastOfNoise(NoiseDeviation(region.View(), subject.Seed), region.Geometry,
-    diffusion.Equation);
+  diffusion.Contrast = ContrastOfNoise(NoiseStandardDeviation(region.View(), subject.Seed),
+    region.Geometry, diffusion.Equation);
   std::vector<float> smooth(region.Voxels.size());
   const BitMask mask = MaskOf(subject.Reference, subject.Label, "the reference");
   vtkNew<vtkImageData> labelMap;
 
   std::vector<Traffic> stages = {
     { "region: scalars to floats", inRegion * (scalar + 4),
-      [&] { GreyRegionOf(subject.Image, extent, region); }, {} },
+      [&] { GrayRegionOf(subject.Image, extent, region); }, {} },
     { "prefilter: in and out once per step", inRegion * 8 * diffusion.Iterations,
       [&]
       {

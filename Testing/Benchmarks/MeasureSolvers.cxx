@@ -1,7 +1,7 @@
 // Compares the solvers that the deformation step could use, on its real systems: our conjugate
-// gradients, Eigen's sparse Cholesky factorisations, and CHOLMOD's where it is installed (with
-// whatever BLAS the machine gives it). One thread, three right-hand sides; medians. Factorisations
-// get their matrix assembled and its pattern analysed for nothing.
+// gradients, Eigen's sparse Cholesky factorizations, and CHOLMOD's where it is installed (with
+// whatever BLAS the machine gives it). One thread, three right-hand sides; medians. Factorizations
+// get their matrix assembled and its pattern analyzed for nothing.
 //
 //   MeasureSolvers [--greatest N] [--runs N]
 #include "ExampleRun.h"
@@ -23,7 +23,7 @@ using namespace FlipFree;
 namespace
 {
 
-// Factorisations of large systems take seconds; two of them tell enough.
+// Factorizations of large systems take seconds; two of them tell enough.
 constexpr double LongEnough = 3;
 
 template <typename Call>
@@ -68,7 +68,7 @@ public:
       },
       runs);
     std::printf("| %.2f, %d iterations%s ", 1e3 * seconds, report.Iterations,
-      report.Factorised ? ", then factorised" : "");
+      report.Factorized ? ", then factorized" : "");
 
     Eigen::VectorXd diagonal;
     FindPositionWeights(targets, example.Settings.PositionWeight, diagonal);
@@ -92,13 +92,13 @@ public:
         motion = solver.solve(this->Right);
       },
       this->Runs);
-    this->GreatestDifference = std::max(this->GreatestDifference,
+    this->MaximumDifference = std::max(this->MaximumDifference,
       (motion - this->Motion).cwiseAbs().maxCoeff() / this->Motion.cwiseAbs().maxCoeff());
     std::printf("| %.2f (%.0f) ", 1e3 * seconds, 1e3 * analysis);
     std::fflush(stdout);
   }
 
-  double GreatestDifference = 0; ///< between conjugate gradients and the factorisations
+  double MaximumDifference = 0; ///< between conjugate gradients and the factorizations
 
 private:
   const ContourMesh& Mesh;
@@ -120,7 +120,7 @@ int main(int argc, char* argv[])
   app.add_option("--runs", runs, "of which medians are printed")->capture_default_str();
   CLI11_PARSE(app, argc, argv);
 
-  std::puts("milliseconds; of factorisations in brackets the analysis, once per topology");
+  std::puts("milliseconds; of factorizations in brackets the analysis, once per topology");
 #ifndef FLIPFREE_HAS_CHOLMOD
   std::puts(
     "CHOLMOD is not installed (Debian: libsuitesparse-dev), or was not when this was built");
@@ -155,7 +155,7 @@ int main(int argc, char* argv[])
       comparison.Measure<Eigen::CholmodSimplicialLDLT<Matrix>>();
       comparison.Measure<Eigen::CholmodSupernodalLLT<Matrix>>();
 #endif
-      std::printf("| %.0e |\n", comparison.GreatestDifference);
+      std::printf("| %.0e |\n", comparison.MaximumDifference);
       std::fflush(stdout);
     }
   }

@@ -2,12 +2,12 @@
 // refinement, its measures.
 #include "ExampleRun.h"
 
-#include "SelfIntersection.h"
-#include "SurfaceDistance.h"
-#include "SurfaceGap.h"
-#include "SurfaceQuality.h"
-#include "SurfaceRefinement.h"
-#include "SurfaceVoxelisation.h"
+#include "Geometry/SelfIntersection.h"
+#include "Geometry/SurfaceGap.h"
+#include "Guard/SurfaceRefinement.h"
+#include "Measures/SurfaceDistance.h"
+#include "Measures/SurfaceQuality.h"
+#include "Mesh/SurfaceVoxelization.h"
 
 namespace FlipFree
 {
@@ -29,7 +29,7 @@ void SelfIntersections(benchmark::State& state)
   ReportTimePer("vertex", surface.Mesh.NumberOfPoints(), state);
 }
 
-void Voxelisation(benchmark::State& state)
+void Voxelization(benchmark::State& state)
 {
   const SurfaceOnItsWay& surface = SurfaceOf(state);
   const ImageGeometry& geometry = TheExampleRun().Smooth.Geometry;
@@ -37,7 +37,7 @@ void Voxelisation(benchmark::State& state)
   std::vector<VoxelRun> runs;
   for (auto _ : state)
   {
-    runs = VoxeliseSurface(surface.Points, surface.Mesh.Triangles, geometry, parallelFor);
+    runs = VoxelizeSurface(surface.Points, surface.Mesh.Triangles, geometry, parallelFor);
     benchmark::ClobberMemory();
   }
   ReportTimePer("voxel", static_cast<double>(CountVoxels(runs)), state);
@@ -79,13 +79,14 @@ void Quality(benchmark::State& state)
   ReportTimePer("vertex", surface.Mesh.NumberOfPoints(), state);
 }
 
-void LeastGap(benchmark::State& state)
+void MinimumGap(benchmark::State& state)
 {
   const SurfaceOnItsWay& surface = SurfaceOf(state);
   const ParallelFor parallelFor = ThreadedFor(state.range(1));
   for (auto _ : state)
   {
-    benchmark::DoNotOptimize(MeasureLeastGap(surface.Points, surface.Mesh.Triangles, parallelFor));
+    benchmark::DoNotOptimize(
+      MeasureMinimumGap(surface.Points, surface.Mesh.Triangles, parallelFor));
   }
   ReportTimePer("vertex", surface.Mesh.NumberOfPoints(), state);
 }
@@ -102,11 +103,11 @@ void Connectivity(benchmark::State& state)
 
 BENCHMARK(Connectivity)->Apply(Resolutions);
 BENCHMARK(SelfIntersections)->Apply(Resolutions);
-BENCHMARK(Voxelisation)->Apply(ResolutionsAndThreads);
+BENCHMARK(Voxelization)->Apply(ResolutionsAndThreads);
 BENCHMARK(Refinement)->Apply(ResolutionsAndThreads);
 BENCHMARK(Distances)->Name("SurfaceDistances")->Apply(ResolutionsAndThreads);
 BENCHMARK(Quality)->Name("SurfaceQuality")->Apply(Resolutions);
-BENCHMARK(LeastGap)->Apply(ResolutionsAndThreads);
+BENCHMARK(MinimumGap)->Apply(ResolutionsAndThreads);
 
 } // namespace
 } // namespace FlipFree

@@ -19,7 +19,7 @@ namespace FlipFree
 namespace Detail
 {
 
-// A function of its own with arrays that do not overlap, so that the compiler vectorises.
+// A function of its own with arrays that do not overlap, so that the compiler vectorizes.
 inline void Triad(const float* __restrict b, const float* __restrict c, std::size_t size,
   float* __restrict a)
 {

@@ -234,7 +234,7 @@ try
     ->required()
     ->check(CLI::IsMember(NamesOfMethods()));
   app.add_option("image", options.Image, "the volume")->required();
-  app.add_option("--seed", options.Seed, "centre of the seed sphere, LPS mm")->required();
+  app.add_option("--seed", options.Seed, "center of the seed sphere, LPS mm")->required();
   app.add_option("--radius", options.Radius, "its radius, mm")->required();
   app.add_option("--labels", options.Labels, "file that takes the label map");
   app.add_option("--surface", options.Surface, "file that takes the surface");

@@ -23,7 +23,7 @@ class TestHelp(unittest.TestCase):
 
     def test_segment(self):
         text = self.help_of("segment")
-        for word in ("--seed ", "--seed-voxel", "--radius", "LPS", "millimetres", ".vtp", ".nii.gz",
+        for word in ("--seed ", "--seed-voxel", "--radius", "LPS", "millimeters", ".vtp", ".nii.gz",
                      "--preset", "published", "naive", "--threads", "--series", "Examples:"):
             self.assertIn(word, text)
         self.assertRegex(text, r"--resolution N [^\[]*\[32\]")  # the filter's own default

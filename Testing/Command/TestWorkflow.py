@@ -191,7 +191,7 @@ class TestWorkflow(command.CommandTest):
         self.assertEqual(data[:8], b"\x89PNG\r\n\x1a\n")
         self.assertEqual(struct.unpack(">2I", data[16:24]), (1200, 1200))
         pixels = self.pixels(data)
-        # The contour's colour in each of the slices, with letters for the sides on the left and at the top; the
+        # The contour's color in each of the slices, with letters for the sides on the left and at the top; the
         # organ's in the fourth view.
         for name, rows, columns in (("axial", (0, 600), (0, 600)), ("sagittal", (0, 600), (600, 1200)),
                                     ("coronal", (600, 1200), (0, 600))):

@@ -7,8 +7,8 @@
 #include "../Kernels/ExampleSurfaces.h"
 
 #include "ImageAdapter.h"
+#include "Mesh/SurfaceTopology.h"
 #include "MeshAdapter.h"
-#include "SurfaceTopology.h"
 
 #include "vtkImageData.h"
 #include "vtkNew.h"
@@ -30,7 +30,7 @@ inline vtkSmartPointer<vtkPolyData> PolyDataOf(const Surface& surface)
   return PolyDataOf(surface.Points, FacesOf(surface.Triangles));
 }
 
-/// An image without scalars, centred on a point, whose extent does not start at 0.
+/// An image without scalars, centered on a point, whose extent does not start at 0.
 inline vtkSmartPointer<vtkImageData> ImageAround(const Eigen::Vector3d& center,
   const std::array<int, 3>& dimensions, const Eigen::Vector3d& spacing,
   const Eigen::Matrix3d& direction)

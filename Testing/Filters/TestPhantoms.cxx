@@ -63,7 +63,7 @@ double SignedVolume(vtkPolyData* surface)
   return volume;
 }
 
-// Every voxel whose centre lies in the ball has the label.
+// Every voxel whose center lies in the ball has the label.
 void ExpectBallInside(vtkImageData* labels, const double ball[4], int label)
 {
   int inside = 0;
@@ -140,7 +140,7 @@ TEST(PhantomSource, IntensitiesAreForegroundAndBackgroundWithTheNoiseAsked)
   vtkNew<vtkPhantomSource> source;
   source->SetForeground(150);
   source->SetBackground(-40);
-  source->SetNoiseDeviation(25);
+  source->SetNoiseStandardDeviation(25);
   source->PartialVolumeOff();
   source->Update();
   const std::vector<double> intensities = Values(source->GetOutput());
@@ -374,7 +374,7 @@ TEST(PhantomSource, RefusesBadInputOneByOne)
     });
   refuse("Foreground", [=](auto* source) { source->SetForeground(nan); });
   refuse("Background", [](auto* source) { source->SetBackground(1e6); });
-  refuse("deviation of the noise", [](auto* source) { source->SetNoiseDeviation(-1); });
+  refuse("deviation of the noise", [](auto* source) { source->SetNoiseStandardDeviation(-1); });
   refuse("correlation", [](auto* source) { source->SetNoiseCorrelation(0.9); });
 }
 

@@ -74,7 +74,7 @@ vtkSmartPointer<vtkPolyData> ChainByHand(vtkImageData* image, const double seed[
   search->SetFeatureConnection(feature->GetOutputPort());
   search->SetEdgeConnection(smooth->GetOutputPort());
   search->SetSearchDistance(lengths.Search);
-  search->SetImageEndDistance(12);
+  search->SetImageBoundaryDistance(12);
   search->SetMaximumDisplacement(8);
   vtkNew<vtkFlipFreeDeform> deform;
   deform->SetInputConnection(search->GetOutputPort());

@@ -173,7 +173,7 @@ TEST_F(SegmentationRefuses, ASeedBetweenTheVoxels)
   this->Filter->SetInputDataObject(image);
   this->Filter->SetSeedCenter(45, 45, 139.5);
   this->Filter->SetSeedRadius(3.5);
-  ExpectRefusal(this->Filter, { "no voxel centre", "seed sphere", "enlarge" });
+  ExpectRefusal(this->Filter, { "no voxel center", "seed sphere", "enlarge" });
 }
 
 TEST_F(SegmentationRefuses, NoContrast)
@@ -186,7 +186,7 @@ TEST_F(SegmentationRefuses, ButNotASeedOfOneValueWithContrast)
   vtkNew<vtkPhantomSource> phantom;
   phantom->SetDimensions(32, 32, 32);
   phantom->SetSpacing(3, 3, 3);
-  phantom->SetNoiseDeviation(0);
+  phantom->SetNoiseStandardDeviation(0);
   this->Filter->SetInputConnection(phantom->GetOutputPort());
   this->ExpectSegmentation();
 }
@@ -221,7 +221,7 @@ TEST_F(SegmentationRefuses, AnOpenStart)
 TEST_F(SegmentationRefuses, AStartThatIsNotFourValent)
 {
   this->ExpectStartRefused(TriangulatedBox(),
-    { "the start surface on port 1", "vertex 0", "four neighbours" });
+    { "the start surface on port 1", "vertex 0", "four neighbors" });
 }
 
 TEST_F(SegmentationRefuses, ASelfIntersectingStart)

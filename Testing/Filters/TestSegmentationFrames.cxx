@@ -166,7 +166,7 @@ TEST_P(SegmentationFrames, SameSurfaceUpToTheMotion)
     motion->TransformPoint(expected->GetPoint(vertex), b);
     farthest = std::max(farthest, std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]));
   }
-  // In millimetres. Where the voxels lie in space is the same to rounding however they are stored;
+  // In millimeters. Where the voxels lie in space is the same to rounding however they are stored;
   // in a turned frame the equations are solved to a relative residual of 1e-6 along other axes.
   EXPECT_LE(farthest, GetParam().Angle == 0 ? 1e-9 : 1e-3);
 }

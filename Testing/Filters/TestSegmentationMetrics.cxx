@@ -3,7 +3,7 @@
 #include "../../Filters/Evaluation/LabelSurface.h"
 #include "ExamplePolyData.h"
 #include "FilterErrors.h"
-#include "SurfaceVoxelisation.h"
+#include "Mesh/SurfaceVoxelization.h"
 
 #include "vtkBitArray.h"
 #include "vtkCallbackCommand.h"
@@ -39,7 +39,7 @@ vtkSmartPointer<vtkImageData> LabelMapOf(const Surface& surface, vtkImageData* g
   labels->SetNumberOfValues(image->GetNumberOfPoints());
   labels->FillValue(0);
   const ImageGeometry geometry = GeometryOf(image);
-  FillRuns<short>(VoxeliseSurface(surface.Points, surface.Triangles, geometry), label, geometry,
+  FillRuns<short>(VoxelizeSurface(surface.Points, surface.Triangles, geometry), label, geometry,
     labels->GetPointer(0));
   image->GetPointData()->SetScalars(labels);
   return image;
@@ -61,7 +61,7 @@ vtkSmartPointer<vtkSegmentationMetrics> Scores(vtkDataObject* segmentation, vtkI
 
 } // namespace
 
-TEST(LabelSurface, OfABlockIsClosedAndLiesHalfwayToItsNeighbours)
+TEST(LabelSurface, OfABlockIsClosedAndLiesHalfwayToItsNeighbors)
 {
   for (const auto& [name, direction] : ExampleDirections())
   {
@@ -273,17 +273,17 @@ TEST(SegmentationMetrics, OfConcentricSpheresAreTheDifferenceOfRadii)
   EXPECT_NEAR(ofMesh->GetASD(), 3, 0.15);
   EXPECT_EQ(ofMesh->GetDice(), ofLabels->GetDice());
   EXPECT_EQ(ofMesh->GetSegmentationVolume(), ofLabels->GetSegmentationVolume());
-  EXPECT_EQ(ofMesh->GetOverlapOf(), "voxelised mesh");
+  EXPECT_EQ(ofMesh->GetOverlapOf(), "voxelized mesh");
   EXPECT_EQ(ofMesh->GetDistanceOf(), "mesh");
   ofMesh->SetLabelSmoothing(20);
   ofMesh->Update();
   EXPECT_NEAR(ofMesh->GetASD(), 3, 0.05);
 
-  ofMesh->ScoreVoxelisationOn();
+  ofMesh->ScoreVoxelizationOn();
   ofMesh->Update();
   EXPECT_EQ(ofMesh->GetASD(), ofLabels->GetASD());
   EXPECT_EQ(ofMesh->GetHD(), ofLabels->GetHD());
-  EXPECT_EQ(ofMesh->GetDistanceOf(), "surface of voxelised mesh");
+  EXPECT_EQ(ofMesh->GetDistanceOf(), "surface of voxelized mesh");
 }
 
 TEST(SegmentationMetrics, AreSymmetricButForTheVolumeDifference)
@@ -310,7 +310,7 @@ TEST(SegmentationMetrics, AreTheSameInAnyFrame)
   const auto expected = Scores(LabelMapOf(potato, Grid()), LabelMapOf(sphere, Grid()));
   for (const auto& [name, direction] : ExampleDirections())
   {
-    // Everything turns about the centre, so that the voxels stay the same.
+    // Everything turns about the center, so that the voxels stay the same.
     const Eigen::Vector3d shift = Center - direction * Center;
     const auto reference = LabelMapOf(Moved(sphere, direction, shift), Grid(direction));
     const auto metrics =
@@ -394,7 +394,7 @@ TEST(SegmentationMetrics, FillTheTable)
   EXPECT_EQ(table->GetValueByName(0, "SegmentationVolume").ToDouble(),
     metrics->GetSegmentationVolume());
   EXPECT_EQ(table->GetValueByName(0, "ReferenceVolume").ToDouble(), metrics->GetReferenceVolume());
-  EXPECT_EQ(table->GetValueByName(0, "OverlapOf").ToString(), "voxelised mesh");
+  EXPECT_EQ(table->GetValueByName(0, "OverlapOf").ToString(), "voxelized mesh");
   EXPECT_EQ(table->GetValueByName(0, "DistanceOf").ToString(), "mesh");
 }
 
@@ -595,9 +595,9 @@ TEST_F(SegmentationMetricsRefuse, LabelMapsThatAreNone)
   this->ExpectError(this->Segmentation, empty, "the reference on port 1 has no voxels");
   this->ExpectError(Grid(), this->Reference, "the segmentation on port 0 has no scalars");
   this->ExpectError(this->Segmentation, Grid(), "the reference on port 1 has no scalars");
-  const auto coloured = Grid();
-  coloured->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
-  this->ExpectError(coloured, this->Reference, "one component");
+  const auto colored = Grid();
+  colored->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
+  this->ExpectError(colored, this->Reference, "one component");
   const auto undefined = Grid();
   undefined->AllocateScalars(VTK_FLOAT, 1);
   undefined->GetPointData()->GetScalars()->Fill(1);
@@ -643,7 +643,7 @@ TEST_F(SegmentationMetricsRefuse, SurfacesThatAreNone)
   open->SetPolys(polys);
   this->ExpectError(open, this->Reference, "not closed");
   this->ExpectError(PolyDataOf(Sphere(6, { 0, 0, 0 }, 9)), this->Reference,
-    "encloses no voxel centre");
+    "encloses no voxel center");
 }
 
 TEST_F(SegmentationMetricsRefuse, NoInputAndTheWrongType)

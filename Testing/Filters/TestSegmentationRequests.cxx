@@ -154,7 +154,7 @@ TEST_F(SegmentationRequests, HistoryReachesThroughOtherFilters)
   EXPECT_NE(third, first);
   triangles->UpdateTimeStep(1);
   EXPECT_EQ(PointsOf(triangles->GetOutput()), first);
-  // Colours by correspondence in every frame.
+  // Colors by correspondence in every frame.
   EXPECT_TRUE(triangles->GetOutput()->GetPointData()->HasArray("Correspondence"));
 }
 
@@ -268,7 +268,7 @@ TEST_F(SegmentationRequests, PresetsSetAllParametersOfTheMethod)
   changed->SetOpeningScale(7);
   changed->SetSearchScale(7);
   changed->SetRunVoxels(7);
-  changed->SetNormalSmoothing(7);
+  changed->SetNormalSmoothingIterations(7);
   changed->SetPropagationIterations(7);
   changed->SetPositionWeight(7);
   changed->SetUniformWeight(7);
@@ -380,7 +380,7 @@ bool WarnsOfAir(const std::vector<std::string>& warnings)
     [](const std::string& warning) { return warning.find("in air") != std::string::npos; });
 }
 
-// A cylinder of 100 and so many millimetres along the third axis, with noise, between 0.
+// A cylinder of 100 and so many millimeters along the third axis, with noise, between 0.
 vtkSmartPointer<vtkImageData> CylinderImage(double radius, int slices, double thickness)
 {
   auto image = vtkSmartPointer<vtkImageData>::New();
@@ -450,7 +450,7 @@ TEST_F(SegmentationRequests, AShortSearchOrManyOutliersAreNotTakenForAir)
     std::vector<std::string> warnings;
     KeepWarnings(this->Filter, warnings);
     this->Filter->SetSearchDistance(distance);
-    this->Filter->SetOutlierDeviations(deviations);
+    this->Filter->SetOutlierStandardDeviations(deviations);
     this->Filter->Update();
     EXPECT_FALSE(WarnsOfAir(warnings)) << distance << " mm, " << deviations << " deviations";
     vtkTable* convergence = this->Filter->GetConvergence();

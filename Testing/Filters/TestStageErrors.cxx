@@ -231,9 +231,9 @@ TEST_F(FeatureFilterRefuses, NoiseThatIsNoNumber)
   for (const auto& noise : { std::vector<double>{ NotANumber }, { -1 }, { 1, 2 }, {} })
   {
     const auto image = SphereImage();
-    AddFieldArray("NoiseDeviation", noise, image);
+    AddFieldArray("NoiseStandardDeviation", noise, image);
     this->Filter->SetInputData(image);
-    ExpectRefusal(this->Filter, { "NoiseDeviation of the image on port 0", "remove it" });
+    ExpectRefusal(this->Filter, { "NoiseStandardDeviation of the image on port 0", "remove it" });
   }
 }
 

@@ -58,8 +58,8 @@ TEST(SurfaceValidityFilter, PassesAValidSurfaceThrough)
   EXPECT_EQ(Measure(validity, "BoundaryEdges"), 0);
   EXPECT_EQ(Measure(validity, "NonManifoldEdges"), 0);
   EXPECT_EQ(Measure(validity, "MisorientedEdges"), 0);
-  EXPECT_GT(Measure(validity, "LeastDihedralAngle"), 60);
-  EXPECT_GT(Measure(validity, "LeastGap"), 0);
+  EXPECT_GT(Measure(validity, "MinimumDihedralAngle"), 60);
+  EXPECT_GT(Measure(validity, "MinimumGap"), 0);
   EXPECT_GT(Measure(validity, "EdgeLengthVariation"), 0);
   for (vtkIdType cell = 0; cell < surface->GetNumberOfCells(); ++cell)
   {
@@ -88,7 +88,7 @@ TEST(SurfaceValidityFilter, ScaledJacobianIsVerdicts)
     EXPECT_NEAR(jacobians->GetTuple1(cell), expected->GetTuple1(cell), 1e-12);
     least = std::min(least, expected->GetTuple1(cell));
   }
-  EXPECT_NEAR(Measure(validity, "LeastScaledJacobian"), least, 1e-12);
+  EXPECT_NEAR(Measure(validity, "MinimumScaledJacobian"), least, 1e-12);
   EXPECT_GE(Measure(validity, "FirstPercentileScaledJacobian"), least);
 }
 
@@ -131,7 +131,7 @@ TEST(SurfaceValidityFilter, MarksSelfIntersectionsAndHolesBesideOtherCells)
   validity->SetInputData(surface);
   validity->Update();
   EXPECT_GT(Measure(validity, "SelfIntersections"), 0);
-  EXPECT_EQ(Measure(validity, "LeastGap"), 0);
+  EXPECT_EQ(Measure(validity, "MinimumGap"), 0);
   EXPECT_EQ(Defects(validity)->GetNumberOfValues(), surface->GetNumberOfCells());
   EXPECT_EQ(Defects(validity)->GetValue(0), 0) << "the line";
   int marked = 0;

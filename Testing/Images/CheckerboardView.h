@@ -19,22 +19,22 @@
 namespace ImageTest
 {
 
-/// Cuts each face into one quad per corner, coloured by the corner's value in the array
+/// Cuts each face into one quad per corner, colored by the corner's value in the array
 /// Checkerboard: the fields' borders then run midway between vertices, sharp.
 inline vtkSmartPointer<vtkPolyData> CheckerboardOf(vtkPolyData* mesh)
 {
   vtkDataArray* checkerboard = mesh->GetPointData()->GetArray("Checkerboard");
   vtkNew<vtkPoints> points;
   vtkNew<vtkCellArray> quads;
-  vtkNew<vtkUnsignedCharArray> colours;
-  colours->SetNumberOfComponents(3);
+  vtkNew<vtkUnsignedCharArray> colors;
+  colors->SetNumberOfComponents(3);
   for (vtkIdType face = 0; face < mesh->GetNumberOfPolys(); ++face)
   {
     vtkIdType size = 0;
     const vtkIdType* corners = nullptr;
     mesh->GetPolys()->GetCellAtId(face, size, corners);
-    // Centre, then per corner the corner itself and the middle of the edge that follows it.
-    const vtkIdType centre = points->InsertNextPoint(0, 0, 0);
+    // Center, then per corner the corner itself and the middle of the edge that follows it.
+    const vtkIdType center = points->InsertNextPoint(0, 0, 0);
     double sum[3] = { 0, 0, 0 };
     for (vtkIdType corner = 0; corner < size; ++corner)
     {
@@ -50,24 +50,24 @@ inline vtkSmartPointer<vtkPolyData> CheckerboardOf(vtkPolyData* mesh)
         sum[axis] += here[axis] / static_cast<double>(size);
       }
     }
-    points->SetPoint(centre, sum);
+    points->SetPoint(center, sum);
     for (vtkIdType corner = 0; corner < size; ++corner)
     {
       const vtkIdType before = (corner + size - 1) % size;
       quads->InsertNextCell(
-        { centre, centre + 2 * before + 2, centre + 2 * corner + 1, centre + 2 * corner + 2 });
-      const Colour& colour = checkerboard->GetTuple1(corners[corner]) > 0 ? Blue : Sand;
-      colours->InsertNextTuple3(255 * colour[0], 255 * colour[1], 255 * colour[2]);
+        { center, center + 2 * before + 2, center + 2 * corner + 1, center + 2 * corner + 2 });
+      const Color& color = checkerboard->GetTuple1(corners[corner]) > 0 ? Blue : Sand;
+      colors->InsertNextTuple3(255 * color[0], 255 * color[1], 255 * color[2]);
     }
   }
   auto result = vtkSmartPointer<vtkPolyData>::New();
   result->SetPoints(points);
   result->SetPolys(quads);
-  result->GetCellData()->SetScalars(colours);
+  result->GetCellData()->SetScalars(colors);
   return result;
 }
 
-/// The mesh's faces in the colours of its checkerboard, and its edges as lines.
+/// The mesh's faces in the colors of its checkerboard, and its edges as lines.
 inline void AddCheckerboard(vtkRenderer* view, vtkPolyData* mesh)
 {
   AddSurface(view, CheckerboardOf(mesh), White)->GetMapper()->ScalarVisibilityOn();

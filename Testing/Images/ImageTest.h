@@ -1,6 +1,6 @@
 /**
  * What image tests share: a small picture without anything that depends on the machine (no
- * multisampling, and text only where a picture means nothing without), a few colours, surfaces in
+ * multisampling, and text only where a picture means nothing without), a few colors, surfaces in
  * them, and the comparison with the baseline. Pictures are drawn finer and scaled down, so that
  * their lines are smooth.
  */
@@ -34,13 +34,13 @@
 namespace ImageTest
 {
 
-using Colour = std::array<double, 3>;
+using Color = std::array<double, 3>;
 
-constexpr Colour White{ { 1, 1, 1 } };
-constexpr Colour Ink{ { 0.16, 0.20, 0.26 } };
-constexpr Colour Sand{ { 0.97, 0.92, 0.82 } };
-constexpr Colour Blue{ { 0.22, 0.45, 0.69 } };
-constexpr Colour Red{ { 0.80, 0.29, 0.22 } };
+constexpr Color White{ { 1, 1, 1 } };
+constexpr Color Ink{ { 0.16, 0.20, 0.26 } };
+constexpr Color Sand{ { 0.97, 0.92, 0.82 } };
+constexpr Color Blue{ { 0.22, 0.45, 0.69 } };
+constexpr Color Red{ { 0.80, 0.29, 0.22 } };
 
 constexpr int Finer = 3; // drawn so many times as large
 
@@ -98,9 +98,9 @@ inline void Fit(vtkRenderer* view, vtkPolyData* surface)
   view->ResetCameraClippingRange();
 }
 
-/// A surface in one colour; facets are shaded flat, to be seen as they are.
+/// A surface in one color; facets are shaded flat, to be seen as they are.
 inline vtkSmartPointer<vtkActor> AddSurface(vtkRenderer* view, vtkPolyData* surface,
-  const Colour& colour)
+  const Color& color)
 {
   vtkNew<vtkPolyDataMapper> mapper;
   mapper->SetInputData(surface);
@@ -108,7 +108,7 @@ inline vtkSmartPointer<vtkActor> AddSurface(vtkRenderer* view, vtkPolyData* surf
   auto actor = vtkSmartPointer<vtkActor>::New();
   actor->SetMapper(mapper);
   vtkProperty* property = actor->GetProperty();
-  property->SetColor(colour[0], colour[1], colour[2]);
+  property->SetColor(color[0], color[1], color[2]);
   property->SetInterpolationToFlat();
   property->SetAmbient(0.6);
   property->SetDiffuse(0.5);
@@ -116,24 +116,24 @@ inline vtkSmartPointer<vtkActor> AddSurface(vtkRenderer* view, vtkPolyData* surf
   return actor;
 }
 
-/// A surface in one colour as an object in the light: its shape counts, not its facets.
-inline void AddSmoothSurface(vtkRenderer* view, vtkPolyData* surface, const Colour& colour)
+/// A surface in one color as an object in the light: its shape counts, not its facets.
+inline void AddSmoothSurface(vtkRenderer* view, vtkPolyData* surface, const Color& color)
 {
   vtkNew<vtkPolyDataNormals> normals;
   normals->SetInputData(surface);
   normals->SplittingOff();
   normals->Update();
-  vtkProperty* property = AddSurface(view, normals->GetOutput(), colour)->GetProperty();
+  vtkProperty* property = AddSurface(view, normals->GetOutput(), color)->GetProperty();
   property->SetInterpolationToPhong();
   property->SetAmbient(0.1);
   property->SetDiffuse(0.9);
 }
 
-/// The edges of a surface, in one colour whatever the light; they may be drawn over its faces.
+/// The edges of a surface, in one color whatever the light; they may be drawn over its faces.
 inline vtkSmartPointer<vtkActor> AddLines(vtkRenderer* view, vtkPolyData* surface,
-  const Colour& colour)
+  const Color& color)
 {
-  const auto actor = AddSurface(view, surface, colour);
+  const auto actor = AddSurface(view, surface, color);
   // Nearer to the eye than the faces they lie in.
   vtkMapper::SetResolveCoincidentTopologyToPolygonOffset();
   actor->GetMapper()->SetRelativeCoincidentTopologyLineOffsetParameters(-2, -8);

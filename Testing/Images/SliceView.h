@@ -17,9 +17,9 @@
 namespace ImageTest
 {
 
-constexpr Colour Night{ { 0.05, 0.05, 0.07 } };
-constexpr Colour Amber{ { 1.00, 0.70, 0.10 } };
-constexpr Colour Cyan{ { 0.25, 0.80, 0.95 } };
+constexpr Color Night{ { 0.05, 0.05, 0.07 } };
+constexpr Color Amber{ { 1.00, 0.70, 0.10 } };
+constexpr Color Cyan{ { 0.25, 0.80, 0.95 } };
 
 /// A slice of an image whose axes are those of LPS, seen from the feet, the patient's left, or the
 /// front: so that the front, or else the head, is up, and the patient's right on the left.
@@ -42,7 +42,7 @@ public:
     }
   }
 
-  /// The slice in grey, and the camera on the whole of it, `height` millimetres high.
+  /// The slice in gray, and the camera on the whole of it, `height` millimeters high.
   void Show(vtkImageData* image, double low, double high, double height)
   {
     image->TransformIndexToPhysicalPoint(this->Voxel.data(), this->Point.data());
@@ -60,7 +60,7 @@ public:
   }
 
   /// Where a surface meets the slice.
-  void AddContour(vtkPolyData* surface, const Colour& colour, float width)
+  void AddContour(vtkPolyData* surface, const Color& color, float width)
   {
     vtkNew<vtkPlane> plane;
     plane->SetOrigin(this->Point.data());
@@ -71,7 +71,7 @@ public:
     vtkNew<vtkStripper> lines; // whole, so that there are no gaps at the ends of segments
     lines->SetInputConnection(cut->GetOutputPort());
     lines->Update();
-    const auto actor = AddSurface(this->View, lines->GetOutput(), colour);
+    const auto actor = AddSurface(this->View, lines->GetOutput(), color);
     actor->GetProperty()->LightingOff();
     actor->GetProperty()->SetLineWidth(Finer * width);
     ++this->Contours; // each in front of the last

@@ -1,5 +1,5 @@
 // Fig. 4 of the paper: the mean distance from the vertices to their targets falls from iteration to
-// iteration, here for the liver of the abdomen phantom. Each level of refinement has its colour.
+// iteration, here for the liver of the abdomen phantom. Each level of refinement has its color.
 #include "ImageTest.h"
 #include "PhantomCases.h"
 
@@ -64,12 +64,12 @@ int TestConvergenceChart(int argc, char* argv[])
   vtkNew<vtkChartXY> chart;
   Label(chart->GetAxis(vtkAxis::BOTTOM), "Iteration");
   Label(chart->GetAxis(vtkAxis::LEFT), "Mean distance to targets (mm)");
-  const ImageTest::Colour colours[] = { ImageTest::Ink, ImageTest::Blue, ImageTest::Red };
+  const ImageTest::Color colors[] = { ImageTest::Ink, ImageTest::Blue, ImageTest::Red };
   for (int level = 0; level < segmentation->GetLevels(); ++level)
   {
     vtkPlot* curve = chart->AddPlot(vtkChart::LINE);
     curve->SetInputData(LevelOf(segmentation->GetConvergence(), level), 0, 1);
-    curve->GetPen()->SetColorF(colours[level][0], colours[level][1], colours[level][2]);
+    curve->GetPen()->SetColorF(colors[level][0], colors[level][1], colors[level][2]);
     curve->SetWidth(3);
     curve->SetLabel("Level " + std::to_string(level + 1));
   }

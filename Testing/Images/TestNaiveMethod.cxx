@@ -20,16 +20,16 @@ vtkSmartPointer<vtkPolyData> WithDefectsMarked(vtkFlipFreeSegmentation* segmenta
   validity->Update();
   vtkSmartPointer<vtkPolyData> surface = validity->GetOutput();
   vtkDataArray* defects = surface->GetCellData()->GetArray("Defects");
-  vtkNew<vtkUnsignedCharArray> colours;
-  colours->SetNumberOfComponents(3);
+  vtkNew<vtkUnsignedCharArray> colors;
+  colors->SetNumberOfComponents(3);
   for (vtkIdType cell = 0; cell < surface->GetNumberOfCells(); ++cell)
   {
     const bool intersects =
       (static_cast<int>(defects->GetTuple1(cell)) & vtkSurfaceValidity::SELF_INTERSECTING) != 0;
-    const ImageTest::Colour& colour = intersects ? ImageTest::Red : ImageTest::Sand;
-    colours->InsertNextTuple3(255 * colour[0], 255 * colour[1], 255 * colour[2]);
+    const ImageTest::Color& color = intersects ? ImageTest::Red : ImageTest::Sand;
+    colors->InsertNextTuple3(255 * color[0], 255 * color[1], 255 * color[2]);
   }
-  surface->GetCellData()->SetScalars(colours);
+  surface->GetCellData()->SetScalars(colors);
   return surface;
 }
 
@@ -43,7 +43,7 @@ int TestNaiveMethod(int argc, char* argv[])
     vtkNew<vtkPhantomSource> phantom;
     vtkNew<vtkFlipFreeSegmentation> segmentation;
     FlipFree::SegmentCup(segmentation, phantom);
-    phantom->SetNoiseDeviation(0);
+    phantom->SetNoiseStandardDeviation(0);
     phantom->PartialVolumeOff();
     // Off the grid's symmetry, where the last digit decides between two voxels.
     double* offset = segmentation->GetStartCenterOffset();

@@ -136,7 +136,7 @@ TEST_P(TestDicomDirections, EveryVoxelIsWhereItWas)
   ASSERT_EQ(back->GetNumberOfPoints(), image->GetNumberOfPoints());
   EXPECT_EQ(back->GetScalarType(), VTK_SHORT);
   // Slices are stacked right-handed, so that a left-handed image comes back with its third axis
-  // reversed; what must not change is the place of each grey value.
+  // reversed; what must not change is the place of each gray value.
   double point[3];
   for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
   {

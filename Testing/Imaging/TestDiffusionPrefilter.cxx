@@ -3,8 +3,8 @@
 #include "vtkGMMFeatureFilter.h"
 #include "vtkSeedRegionDiffusion.h"
 
-#include "AnisotropicDiffusion.h"
 #include "ExecutionAdapter.h"
+#include "Image/AnisotropicDiffusion.h"
 #include "ImageAdapter.h"
 #include "ItkVtkBridge.h"
 
@@ -73,7 +73,7 @@ float At(vtkImageData* image, int i, int j, int k)
 struct Moments
 {
   double Mean = 0;
-  double Deviation = 0;
+  double StandardDeviation = 0;
 };
 
 /// Over the voxels with first <= i <= last and two or more voxels away from the other borders.
@@ -148,8 +148,8 @@ TEST_P(TestDiffusionEquations, NoiseGoesAndTheEdgeStays)
 
   const Moments before = MomentsOf(image, 2, 17);
   const Moments after = MomentsOf(output, 2, 17);
-  EXPECT_NEAR(before.Deviation, 5, 0.2);
-  EXPECT_LT(after.Deviation, 0.6 * before.Deviation);
+  EXPECT_NEAR(before.StandardDeviation, 5, 0.2);
+  EXPECT_LT(after.StandardDeviation, 0.6 * before.StandardDeviation);
   EXPECT_NEAR(after.Mean, before.Mean, 0.2);
   // The two layers that touch at the edge are still a hundred apart, but for a few percent.
   EXPECT_GT(MomentsOf(output, 20, 20).Mean - MomentsOf(output, 19, 19).Mean, 95);
@@ -267,26 +267,26 @@ TEST_P(TestDiffusionEquations, OwnKernelAgreesWithItk)
     filter->Update();
     const auto* expected = static_cast<float*>(filter->GetOutput()->GetScalarPointer());
 
-    const auto grey = FlipFree::ViewOf<short>(image);
+    const auto gray = FlipFree::ViewOf<short>(image);
     const FlipFree::AnisotropicDiffusionSettings settings{ iterations, contrast,
       EquationOf(GetParam()), 0 };
-    std::vector<float> whole(grey.Geometry.NumberOfVoxels());
-    FlipFree::DiffuseAnisotropically(FlipFree::ReaderOf(grey), grey.Geometry, settings,
+    std::vector<float> whole(gray.Geometry.NumberOfVoxels());
+    FlipFree::DiffuseAnisotropically(FlipFree::ReaderOf(gray), gray.Geometry, settings,
       FlipFree::SMPFor, FlipFree::NeverStop, whole.data());
     double difference = 0;
     double change = 0;
     for (std::size_t voxel = 0; voxel < whole.size(); ++voxel)
     {
       difference = std::max(difference, std::abs(1.0 * whole[voxel] - expected[voxel]));
-      change = std::max(change, std::abs(1.0 * grey.Data[voxel] - expected[voxel]));
+      change = std::max(change, std::abs(1.0 * gray.Data[voxel] - expected[voxel]));
     }
     EXPECT_LT(difference, 1.5e-4); // ten units in the last place of a float about 150
     EXPECT_GT(change, 1);
-    RecordProperty("GreatestDifference", std::to_string(difference));
+    RecordProperty("MaximumDifference", std::to_string(difference));
 
     const FlipFree::VoxelBox box{ { { 3, 7, 9 } }, { { 30, 21, 20 } } };
     std::vector<float> part(whole.size());
-    FlipFree::DiffuseBox(FlipFree::ReaderOf(grey), grey.Geometry, settings, box, FlipFree::SMPFor,
+    FlipFree::DiffuseBox(FlipFree::ReaderOf(gray), gray.Geometry, settings, box, FlipFree::SMPFor,
       FlipFree::NeverStop, part.data());
     for (int k = box.Begin[2]; k < box.End[2]; ++k)
     {
@@ -294,7 +294,7 @@ TEST_P(TestDiffusionEquations, OwnKernelAgreesWithItk)
       {
         for (int i = box.Begin[0]; i < box.End[0]; ++i)
         {
-          const std::size_t voxel = grey.Geometry.Offset(i, j, k);
+          const std::size_t voxel = gray.Geometry.Offset(i, j, k);
           ASSERT_EQ(part[voxel], whole[voxel]);
         }
       }
@@ -318,10 +318,10 @@ TEST_P(TestDiffusionEquations, ThinImagesAgreeWithOwnKernel)
     ExampleImages::ExpectSameGeometry(filter->GetOutput(), image, 0);
     const auto* smoothed = static_cast<float*>(filter->GetOutput()->GetScalarPointer());
 
-    const auto grey = FlipFree::ViewOf<short>(image);
+    const auto gray = FlipFree::ViewOf<short>(image);
     const FlipFree::AnisotropicDiffusionSettings settings{ 5, 20, EquationOf(GetParam()), 0 };
-    std::vector<float> own(grey.Geometry.NumberOfVoxels());
-    FlipFree::DiffuseAnisotropically(FlipFree::ReaderOf(grey), grey.Geometry, settings,
+    std::vector<float> own(gray.Geometry.NumberOfVoxels());
+    FlipFree::DiffuseAnisotropically(FlipFree::ReaderOf(gray), gray.Geometry, settings,
       FlipFree::SMPFor, FlipFree::NeverStop, own.data());
     for (std::size_t voxel = 0; voxel < own.size(); ++voxel)
     {
@@ -390,7 +390,7 @@ TEST(TestDiffusionPrefilter, GradientEquationConservesTheMean)
   filter->SetConductance(3);
   filter->Update();
   EXPECT_NEAR(MeanOf(filter->GetOutput()), MeanOf(image), 1e-3);
-  EXPECT_LT(MomentsOf(filter->GetOutput(), 2, 12).Deviation, 15);
+  EXPECT_LT(MomentsOf(filter->GetOutput(), 2, 12).StandardDeviation, 15);
 }
 
 TEST(TestDiffusionPrefilter, GradientScaleOfARampIsItsSlope)
@@ -416,7 +416,7 @@ TEST(TestDiffusionPrefilter, GradientScaleOfARampIsItsSlope)
   EXPECT_DOUBLE_EQ(filter->GetTimeStepUsed(), 0.5 / 16);
 }
 
-// By default, over all of the VOI, whose rim has neighbours in the image.
+// By default, over all of the VOI, whose rim has neighbors in the image.
 TEST(TestDiffusionPrefilter, GradientScaleOfTheRegionCountsItsVoxels)
 {
   for (const int type : { VTK_SHORT, VTK_FLOAT })
@@ -509,7 +509,7 @@ TEST(TestDiffusionPrefilter, GradientScaleOfAShearedGridCountsTheWholeSphere)
   EXPECT_NEAR(filter->GetGradientScaleUsed(), std::sqrt(sum / count), 1e-6);
 }
 
-TEST(TestDiffusionPrefilter, FeatureIsModelledWithTheNoiseBeforeSmoothing)
+TEST(TestDiffusionPrefilter, FeatureIsModeledWithTheNoiseBeforeSmoothing)
 {
   auto image = NoisyStep(40, 30, 20, 5);
   double center[3];
@@ -517,7 +517,7 @@ TEST(TestDiffusionPrefilter, FeatureIsModelledWithTheNoiseBeforeSmoothing)
   const double radius = 6.03;
   const auto noiseOf = [](vtkImageData* smooth)
   {
-    vtkDataArray* noise = smooth->GetFieldData()->GetArray("NoiseDeviation");
+    vtkDataArray* noise = smooth->GetFieldData()->GetArray("NoiseStandardDeviation");
     return noise && noise->GetNumberOfValues() == 1 ? noise->GetTuple1(0) : -1;
   };
   vtkNew<vtkAnisotropicDiffusionPrefilter> smooth;
@@ -545,7 +545,7 @@ TEST(TestDiffusionPrefilter, FeatureIsModelledWithTheNoiseBeforeSmoothing)
   const auto narrowest = [&feature]()
   {
     double range[2];
-    feature->GetOutput()->GetFieldData()->GetArray("MixtureDeviations")->GetRange(range);
+    feature->GetOutput()->GetFieldData()->GetArray("MixtureStandardDeviations")->GetRange(range);
     return range[0];
   };
   EXPECT_GE(narrowest(), noise);

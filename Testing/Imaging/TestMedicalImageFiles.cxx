@@ -392,7 +392,7 @@ TEST(TestMedicalImageFiles, WhatIsNoVolume)
   refuse("dimension: 4\nsizes: 3 4 5 6\nkinds: vector domain domain domain", 360,
     { "3 components", "Extract" });
   refuse("dimension: 4\nsizes: 3 4 5 6\nkinds: RGB-color domain domain domain", 360,
-    { "3 components", "grey" });
+    { "3 components", "gray" });
   refuse("dimension: 3\nsizes: 4 5 6\nspace: left-posterior-superior\nspace directions: (1,0,0) "
          "(1,0,0) (0,0,1)\nspace origin: (0,0,0)",
     120, { "image.nrrd", "determinant" });

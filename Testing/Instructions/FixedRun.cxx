@@ -3,12 +3,12 @@
 // of the same work.
 #include "PhantomScan.h"
 
-#include "AnisotropicDiffusion.h"
-#include "OrganSegmentation.h"
-#include "QuadSphere.h"
-#include "SurfaceDistance.h"
-#include "SurfaceVoxelisation.h"
-#include "VoxelOverlap.h"
+#include "Deformation/OrganSegmentation.h"
+#include "Image/AnisotropicDiffusion.h"
+#include "Measures/SurfaceDistance.h"
+#include "Measures/VoxelOverlap.h"
+#include "Mesh/QuadSphere.h"
+#include "Mesh/SurfaceVoxelization.h"
 
 #include <cstdio>
 
@@ -23,7 +23,7 @@ int main()
   FloatImage image;
   CropToFloat(ImageView<std::int16_t>{ scan.Voxels.data(), scan.Geometry },
     ReachableExtent(scan.Geometry, scan.Seed.Center, OrganReach), SerialFor, image);
-  const double noise = NoiseDeviation(image.View(), scan.Seed);
+  const double noise = NoiseStandardDeviation(image.View(), scan.Seed);
   AnisotropicDiffusionSettings diffusion;
   diffusion.Contrast = ContrastOfNoise(noise, image.Geometry, diffusion.Equation);
   std::vector<float> smooth(image.Voxels.size());
@@ -51,7 +51,7 @@ int main()
     });
 
   std::vector<unsigned char> labels(scan.Geometry.NumberOfVoxels(), 0);
-  FillRuns(VoxeliseSurface(organ.Points, organ.Mesh.Triangles, scan.Geometry, SerialFor),
+  FillRuns(VoxelizeSurface(organ.Points, organ.Mesh.Triangles, scan.Geometry, SerialFor),
     static_cast<unsigned char>(1), scan.Geometry, labels.data());
   const auto maskOf = [&scan](const std::vector<unsigned char>& voxels, unsigned char label)
   {

@@ -32,12 +32,12 @@ STAGES = {
     "guard": "EmbeddingGuard::Limit",
     "refinement": "RefineSurface",
     "last check": "CountSelfIntersections",
-    "voxels of the surface": "VoxeliseSurface",
+    "voxels of the surface": "VoxelizeSurface",
     "overlap": "MeasureOverlap",
     "surface distance": "MeasureSurfaceDistance",
 }
 # Stages that choose their vectors' width by the machine.
-VECTORISED = {"prefilter"}
+VECTORIZED = {"prefilter"}
 
 
 def has_avx2() -> bool:
@@ -96,7 +96,7 @@ def main() -> int:
     failed = []
     print(f"{'stage':24}{'million':>12}{'on record':>12}{'ratio':>8}")
     for stage, number in counts.items():
-        if stage in VECTORISED and not has_avx2():
+        if stage in VECTORIZED and not has_avx2():
             print(f"{stage:24}{number / 1e6:12.1f}  not compared: this machine has no AVX2")
             continue
         if stage not in expected:

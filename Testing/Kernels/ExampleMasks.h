@@ -5,7 +5,7 @@
 #ifndef ExampleMasks_h
 #define ExampleMasks_h
 
-#include "BitMask.h"
+#include "Image/BitMask.h"
 
 #include <random>
 #include <vector>

@@ -4,8 +4,8 @@
 #ifndef FlipFreeExampleSurfaces_h
 #define FlipFreeExampleSurfaces_h
 
-#include "ContourMesh.h"
-#include "QuadSphere.h"
+#include "Mesh/ContourMesh.h"
+#include "Mesh/QuadSphere.h"
 
 #include <cmath>
 #include <stdexcept>

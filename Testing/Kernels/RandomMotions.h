@@ -4,7 +4,7 @@
 #ifndef FlipFreeRandomMotions_h
 #define FlipFreeRandomMotions_h
 
-#include "QuadSphere.h"
+#include "Mesh/QuadSphere.h"
 
 #include <cmath>
 #include <random>

@@ -1,4 +1,4 @@
-#include "AbdomenPhantom.h"
+#include "Phantom/AbdomenPhantom.h"
 
 #include <gtest/gtest.h>
 
@@ -76,7 +76,7 @@ Vector3d LocalOf(const ImageGeometry& grid, std::size_t offset)
   return local;
 }
 
-// Sizes of a label's components; voxels are neighbours if they share at least `shared` coordinates
+// Sizes of a label's components; voxels are neighbors if they share at least `shared` coordinates
 // (2: faces only, 0: corners too).
 std::vector<std::size_t> Components(const Volume& volume, std::uint8_t label, int shared)
 {
@@ -125,7 +125,7 @@ std::vector<std::size_t> Components(const Volume& volume, std::uint8_t label, in
   return sizes;
 }
 
-// Pairs of face neighbours with the two labels.
+// Pairs of face neighbors with the two labels.
 int CountContacts(const Volume& volume, AbdomenLabel one, AbdomenLabel other)
 {
   int contacts = 0;
@@ -187,7 +187,7 @@ TEST(AbdomenPhantom, EveryOrganIsInOnePiece)
   }
 }
 
-TEST(AbdomenPhantom, HasTheNeighboursThatMakeRealOrgansHard)
+TEST(AbdomenPhantom, HasTheNeighborsThatMakeRealOrgansHard)
 {
   const Volume& volume = DefaultVolume();
   EXPECT_GT(CountContacts(volume, AbdomenLabel::Liver, AbdomenLabel::RightKidney), 200);
@@ -196,7 +196,7 @@ TEST(AbdomenPhantom, HasTheNeighboursThatMakeRealOrgansHard)
   EXPECT_GT(CountContacts(volume, AbdomenLabel::Spleen, AbdomenLabel::Stomach), 100);
   EXPECT_GT(CountContacts(volume, AbdomenLabel::Spleen, AbdomenLabel::LeftKidney), 100);
 
-  // Unlabelled neighbours: diaphragm and bowel some 20 to 60 HU below the liver, bone within 15 mm.
+  // Unlabeled neighbors: diaphragm and bowel some 20 to 60 HU below the liver, bone within 15 mm.
   int similar = 0;
   int fat = 0;
   int bone = 0;
@@ -377,7 +377,7 @@ TEST(AbdomenPhantom, IsCutInAnyOrderIntoTheSameBits)
 {
   const ImageGeometry grid = AbdomenGrid(3);
   SamplingOptions options;
-  options.NoiseDeviation = 12;
+  options.NoiseStandardDeviation = 12;
   options.NoiseCorrelation = 0.3;
   const Volume forward = Sample(grid, {}, options);
   Volume backward{ grid, {}, {} };

@@ -1,6 +1,6 @@
 #include "FindWithCGAL.h"
+#include "Geometry/SelfIntersection.h"
 #include "RandomMotions.h"
-#include "SelfIntersection.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
-#include "AnisotropicDiffusion.h"
-#include "DiffusionRows.h"
 #include "ExampleSurfaces.h"
+#include "Image/AnisotropicDiffusion.h"
+#include "Image/DiffusionRows.h"
 
 #include <gtest/gtest.h>
 
@@ -68,7 +68,7 @@ double Mean(const std::vector<float>& voxels)
   return std::accumulate(voxels.begin(), voxels.end(), 0.0) / static_cast<double>(voxels.size());
 }
 
-double Deviation(const std::vector<float>& voxels)
+double StandardDeviation(const std::vector<float>& voxels)
 {
   const double mean = Mean(voxels);
   double sum = 0;
@@ -79,7 +79,7 @@ double Deviation(const std::vector<float>& voxels)
   return std::sqrt(sum / static_cast<double>(voxels.size()));
 }
 
-double GreatestDifference(const std::vector<float>& a, const std::vector<float>& b)
+double MaximumDifference(const std::vector<float>& a, const std::vector<float>& b)
 {
   double greatest = a.size() == b.size() ? 0 : HUGE_VAL;
   for (std::size_t voxel = 0; voxel < std::min(a.size(), b.size()); ++voxel)
@@ -224,14 +224,14 @@ TEST(AnisotropicDiffusion, IsThePlainOne)
             continue; // where it has flattened the image, the input's last bit decides
           }
           const std::vector<float> plain = PlainDiffusion(voxels, geometry, settings).Run();
-          ASSERT_LT(GreatestDifference(Diffused(voxels, geometry, settings), plain), 5e-4)
+          ASSERT_LT(MaximumDifference(Diffused(voxels, geometry, settings), plain), 5e-4)
             << "equation " << static_cast<int>(equation) << ", " << iterations << " iterations";
           settings.TimeStep = 0.3 * geometry.Spacing.minCoeff() / 16;
           if (equation != Equation::Faces && iterations > 0 && voxels.size() > 1)
           {
             const std::vector<float> slow = PlainDiffusion(voxels, geometry, settings).Run();
-            ASSERT_LT(GreatestDifference(Diffused(voxels, geometry, settings), slow), 5e-4);
-            difference = std::max(difference, GreatestDifference(slow, plain));
+            ASSERT_LT(MaximumDifference(Diffused(voxels, geometry, settings), slow), 5e-4);
+            difference = std::max(difference, MaximumDifference(slow, plain));
           }
         }
       }
@@ -287,14 +287,14 @@ TEST(AnisotropicDiffusion, SmoothsNoiseAndKeepsEdges)
     {
       (voxel % 24 < 12 ? left : right).push_back(smooth[voxel]);
     }
-    EXPECT_LT(Deviation(left), 2.5);
-    EXPECT_LT(Deviation(right), 2.5);
+    EXPECT_LT(StandardDeviation(left), 2.5);
+    EXPECT_LT(StandardDeviation(right), 2.5);
     EXPECT_GT(Mean(right) - Mean(left), 95);
   }
 
   // With a contrast above the step it goes, too.
   const std::vector<float> flat = Diffused(NoisyStep(geometry, 5), geometry, 2000, 1e4);
-  EXPECT_LT(Deviation(flat), 2);
+  EXPECT_LT(StandardDeviation(flat), 2);
 }
 
 // Small differences diffuse linearly: along x alone, by the known factor of a cosine per step,

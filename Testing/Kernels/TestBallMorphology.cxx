@@ -1,7 +1,7 @@
-#include "BallMorphology.h"
-#include "DistanceTransform.h"
 #include "ExampleMasks.h"
 #include "ExampleSurfaces.h"
+#include "Image/BallMorphology.h"
+#include "Image/DistanceTransform.h"
 
 #include <gtest/gtest.h>
 
@@ -20,7 +20,7 @@ bool Grow(BitMask& mask, double radius, unsigned char value, const ParallelFor& 
 
 } // namespace
 
-TEST(BallMorphology, GrowsAndShrinksByABallInMillimetres)
+TEST(BallMorphology, GrowsAndShrinksByABallInMillimeters)
 {
   std::mt19937 random(2);
   for (const ImageGeometry& geometry : ExampleGrids())
@@ -41,7 +41,7 @@ TEST(BallMorphology, GrowsAndShrinksByABallInMillimetres)
           {
             for (int i = 0; i < geometry.Dimensions[0]; ++i)
             {
-              // A ball that ends exactly at a voxel's centre holds it.
+              // A ball that ends exactly at a voxel's center holds it.
               const double square =
                 SquareToNearest(mask, geometry, value, { i + 0.0, j + 0.0, k + 0.0 });
               const bool within = std::sqrt(square) <= radius + 1e-6;

@@ -1,5 +1,5 @@
-#include "ContourMesh.h"
-#include "QuadSphere.h"
+#include "Mesh/ContourMesh.h"
+#include "Mesh/QuadSphere.h"
 
 #include <gtest/gtest.h>
 

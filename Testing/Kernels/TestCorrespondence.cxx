@@ -1,4 +1,4 @@
-#include "Correspondence.h"
+#include "Deformation/Correspondence.h"
 #include "ExampleSurfaces.h"
 
 #include <gtest/gtest.h>
@@ -215,7 +215,7 @@ TEST(Correspondence, RunsInVoxelsJumpGapsThatAreShorter)
 }
 
 // A gap of exactly the length counts, whichever way its ends are rounded.
-TEST(Correspondence, RunsInMillimetresDoNotDependOnTheVoxels)
+TEST(Correspondence, RunsInMillimetersDoNotDependOnTheVoxels)
 {
   for (double spacing : { 0.1, 0.3, 0.7, 1.1, 2.9 })
   {
@@ -255,14 +255,14 @@ TEST(Correspondence, TheImagesEndIsATargetOnlyOnDemandAndNearby)
   const TestImage image = Row("..########");
   CorrespondenceSettings settings = RunOf(3);
   ExpectSolitary(Search(image, { 5, 0, 0 }, AlongX, settings));
-  settings.ImageEndDistance = 4.4;
+  settings.ImageBoundaryDistance = 4.4;
   ExpectSolitary(Search(image, { 5, 0, 0 }, AlongX, settings));
-  settings.ImageEndDistance = 4.6;
+  settings.ImageBoundaryDistance = 4.6;
   ExpectFound(Search(image, { 5, 0, 0 }, AlongX, settings), 4.5);
   // A run that the end cuts short begins where it begins.
   const TestImage cut = Row("..######..");
   ExpectFound(Search(cut, { 5, 0, 0 }, AlongX, settings), 2.5);
-  settings.ImageEndDistance = 0;
+  settings.ImageBoundaryDistance = 0;
   ExpectSolitary(Search(cut, { 5, 0, 0 }, AlongX, settings));
 }
 
@@ -290,7 +290,7 @@ TEST(Correspondence, EdgeWindowFindsTheAnalyticEdge)
   const auto blurred = [&](const Eigen::Vector3d& index)
   { return 50 + 50 * std::erf((edge - index[0]) / 1.5); };
   const ImageGeometry geometry = Grid(30, 3, 3, { 1, 1, 1 });
-  const TestImage grey(geometry, blurred);
+  const TestImage gray(geometry, blurred);
   // A threshold that is off by more than a voxel.
   const TestImage feature(geometry,
     [&](const Eigen::Vector3d& index) { return blurred(index) > 93; });
@@ -299,8 +299,8 @@ TEST(Correspondence, EdgeWindowFindsTheAnalyticEdge)
   const double crude = Search(feature, inside, AlongX, settings).Distance;
   EXPECT_GT(std::abs(6 + crude - edge), 0.7);
   settings.EdgeWindow = 3;
-  EXPECT_NEAR(6 + Search(feature, inside, AlongX, settings, &grey).Distance, edge, 0.5);
-  EXPECT_NEAR(20 + Search(feature, { 20, 1, 1 }, AlongX, settings, &grey).Distance, edge, 0.5);
+  EXPECT_NEAR(6 + Search(feature, inside, AlongX, settings, &gray).Distance, edge, 0.5);
+  EXPECT_NEAR(20 + Search(feature, { 20, 1, 1 }, AlongX, settings, &gray).Distance, edge, 0.5);
   // Only edges that fall outward count; with none the target stays on the voxel's face.
   const TestImage rising(geometry, [&](const Eigen::Vector3d& index) { return -blurred(index); });
   EXPECT_NEAR(Search(feature, inside, AlongX, settings, &rising).Distance, crude, 1e-12);

@@ -1,4 +1,4 @@
-#include "DisplacementDiffusion.h"
+#include "Deformation/DisplacementDiffusion.h"
 #include "RandomMotions.h"
 
 #include <gtest/gtest.h>
@@ -46,12 +46,12 @@ TEST(DisplacementDiffusion, OneMatchedVertexReachesAsFarAsThePassesGo)
   std::vector<int> front{ 17 };
   for (std::size_t at = 0; at < front.size(); ++at)
   {
-    for (int neighbour : sphere.Mesh.Neighbours[front[at]])
+    for (int neighbor : sphere.Mesh.Neighbors[front[at]])
     {
-      if (ring[neighbour] < 0)
+      if (ring[neighbor] < 0)
       {
-        ring[neighbour] = ring[front[at]] + 1;
-        front.push_back(neighbour);
+        ring[neighbor] = ring[front[at]] + 1;
+        front.push_back(neighbor);
       }
     }
   }
@@ -106,7 +106,7 @@ TEST(DisplacementDiffusion, AveragesStayWithinWhatIsGiven)
     (field.Displacements.rowwise() - field.Displacements.colwise().mean()).norm());
 }
 
-// After many passes each solitary vertex is the mean of itself and its neighbours: the discrete
+// After many passes each solitary vertex is the mean of itself and its neighbors: the discrete
 // harmonic field, here by a direct solution.
 TEST(DisplacementDiffusion, ConvergesToTheHarmonicField)
 {
@@ -126,9 +126,9 @@ TEST(DisplacementDiffusion, ConvergesToTheHarmonicField)
     }
     else
     {
-      for (int neighbour : sphere.Mesh.Neighbours[vertex])
+      for (int neighbor : sphere.Mesh.Neighbors[vertex])
       {
-        matrix(vertex, neighbour) = -0.25;
+        matrix(vertex, neighbor) = -0.25;
       }
     }
   }

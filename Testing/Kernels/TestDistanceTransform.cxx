@@ -1,6 +1,6 @@
-#include "DistanceTransform.h"
 #include "ExampleMasks.h"
 #include "ExampleSurfaces.h"
+#include "Image/DistanceTransform.h"
 
 #include <gtest/gtest.h>
 

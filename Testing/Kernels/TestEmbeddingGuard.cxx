@@ -1,8 +1,8 @@
 #include "AdverseMotions.h"
-#include "ClosestDirection.h"
-#include "EmbeddingGuard.h"
+#include "Geometry/ClosestDirection.h"
+#include "Geometry/SelfIntersection.h"
+#include "Guard/EmbeddingGuard.h"
 #include "RandomMotions.h"
-#include "SelfIntersection.h"
 
 #include <gtest/gtest.h>
 
@@ -45,7 +45,7 @@ void ExpectValidAllTheWay(const ContourMesh& mesh, const PointList& before,
 }
 
 // The least distance of a vertex and a triangle without it, and of two edges without common vertex.
-double LeastGap(const ContourMesh& mesh, const PointList& points)
+double MinimumGap(const ContourMesh& mesh, const PointList& points)
 {
   using Eigen::Vector3d;
   const auto at = [&](int vertex) -> Vector3d { return points.row(vertex); };
@@ -93,14 +93,14 @@ double LeastGap(const ContourMesh& mesh, const PointList& points)
 double MeanEdgeLength(const ContourMesh& mesh, const PointList& points)
 {
   double sum = 0;
-  for (std::size_t vertex = 0; vertex < mesh.Neighbours.size(); ++vertex)
+  for (std::size_t vertex = 0; vertex < mesh.Neighbors.size(); ++vertex)
   {
-    for (int neighbour : mesh.Neighbours[vertex])
+    for (int neighbor : mesh.Neighbors[vertex])
     {
-      sum += (points.row(vertex) - points.row(neighbour)).norm();
+      sum += (points.row(vertex) - points.row(neighbor)).norm();
     }
   }
-  return sum / (4.0 * mesh.Neighbours.size());
+  return sum / (4.0 * mesh.Neighbors.size());
 }
 
 // Two sheets that all but lie on each other, across the third axis, and do not mirror each other.
@@ -230,7 +230,7 @@ TEST(EmbeddingGuard, AdverseMotionsAreValidAllTheWay)
   }
 }
 
-// With as few vertices as this, most triangles are neighbours, or all.
+// With as few vertices as this, most triangles are neighbors, or all.
 TEST(EmbeddingGuard, SmallToriEndEmbedded)
 {
   std::mt19937 random(9);
@@ -300,12 +300,12 @@ TEST(EmbeddingGuard, KeepsTheGap)
   const TestSphere sphere(3);
   const EmbeddingGuard guard(sphere.Mesh);
   const double edge = MeanEdgeLength(sphere.Mesh, sphere.Points());
-  ASSERT_GT(LeastGap(sphere.Mesh, sphere.Points()), 0.1 * edge);
+  ASSERT_GT(MinimumGap(sphere.Mesh, sphere.Points()), 0.1 * edge);
   for (int kind = 0; kind < NumberOfAdverseMotions; ++kind)
   {
     PointList displacements = AdverseMotion(kind, sphere.EdgeLength, sphere.Points(), random);
     guard.Limit(sphere.Points(), displacements, SerialFor, NeverStop);
-    EXPECT_GE(LeastGap(sphere.Mesh, sphere.Points() + displacements), 0.999e-3 * edge)
+    EXPECT_GE(MinimumGap(sphere.Mesh, sphere.Points() + displacements), 0.999e-3 * edge)
       << "kind " << kind;
   }
 }

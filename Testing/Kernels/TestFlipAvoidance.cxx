@@ -1,4 +1,4 @@
-#include "FlipAvoidance.h"
+#include "Deformation/FlipAvoidance.h"
 #include "RandomMotions.h"
 
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@ struct Ring
   explicit Ring(int size)
     : Points(size, 3)
   {
-    this->Mesh.Neighbours.resize(size);
+    this->Mesh.Neighbors.resize(size);
     this->Mesh.Contours.resize(1);
     for (int vertex = 0; vertex < size; ++vertex)
     {
@@ -181,7 +181,7 @@ TEST(FlipAvoidance, TwoRunsKeepOneEach)
 TEST(FlipAvoidance, AContourThatFlipsAsAWholeKeepsOne)
 {
   Ring ring(10);
-  ring.Field.Displacements = -2 * ring.Points; // through the centre: all edges reverse
+  ring.Field.Displacements = -2 * ring.Points; // through the center: all edges reverse
   EXPECT_EQ(DetectFlips(ring.Mesh, ring.Points, 0.3, ring.Field), 10);
   EXPECT_EQ(AvoidFlips(ring.Mesh, ring.Points, 0.3, ring.Field), 9);
   EXPECT_EQ(ring.With(VertexState::Matched).size(), 1u);

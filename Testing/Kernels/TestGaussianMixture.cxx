@@ -1,4 +1,4 @@
-#include "GaussianMixture.h"
+#include "Intensity/GaussianMixture.h"
 
 #include <gtest/gtest.h>
 
@@ -27,7 +27,7 @@ std::vector<float> Sample(const std::vector<Gaussian>& components, int count, un
       choice -= components[at++].Weight;
     }
     values.push_back(
-      static_cast<float>(components[at].Mean + components[at].Deviation * normal(random)));
+      static_cast<float>(components[at].Mean + components[at].StandardDeviation * normal(random)));
   }
   return values;
 }
@@ -64,8 +64,9 @@ TEST(GaussianMixture, RecoversKnownMixturesAndTheirNumber)
     for (std::size_t at = 0; at < fitted.size(); ++at)
     {
       EXPECT_NEAR(fitted[at].Weight, expected[at].Weight, 0.03);
-      EXPECT_NEAR(fitted[at].Mean, expected[at].Mean, 0.1 * expected[at].Deviation);
-      EXPECT_NEAR(fitted[at].Deviation, expected[at].Deviation, 0.1 * expected[at].Deviation);
+      EXPECT_NEAR(fitted[at].Mean, expected[at].Mean, 0.1 * expected[at].StandardDeviation);
+      EXPECT_NEAR(fitted[at].StandardDeviation, expected[at].StandardDeviation,
+        0.1 * expected[at].StandardDeviation);
     }
   }
 }
@@ -100,17 +101,17 @@ TEST(GaussianMixture, DoesNotDependOnUnitOrOrigin)
       // What single precision leaves of values far from zero.
       const double grain = 1e-6 * (std::abs(shift) + 1) / factor;
       const std::vector<Gaussian> moved = Fitted(other, MixtureSettings());
-      if (grain > 0.01 * example[0].Deviation)
+      if (grain > 0.01 * example[0].StandardDeviation)
       {
         continue;
       }
       ASSERT_EQ(moved.size(), fitted.size()) << factor << " " << shift;
       for (std::size_t at = 0; at < fitted.size(); ++at)
       {
-        const double tolerance = 0.01 * fitted[at].Deviation;
+        const double tolerance = 0.01 * fitted[at].StandardDeviation;
         EXPECT_NEAR(moved[at].Weight, fitted[at].Weight, 0.01);
         EXPECT_NEAR((moved[at].Mean - shift) / factor, fitted[at].Mean, tolerance);
-        EXPECT_NEAR(moved[at].Deviation / factor, fitted[at].Deviation, tolerance);
+        EXPECT_NEAR(moved[at].StandardDeviation / factor, fitted[at].StandardDeviation, tolerance);
       }
     }
   }
@@ -131,7 +132,8 @@ TEST(GaussianMixture, IntegersDoNotCollapse)
       ASSERT_EQ(fitted.size(), 1u) << deviation << " " << unit;
       EXPECT_NEAR(fitted[0].Mean, 100 * unit, 0.1 * unit);
       const double expected = std::sqrt(deviation * deviation + 1.0 / 12);
-      EXPECT_NEAR(fitted[0].Deviation, unit * std::max(1.0, expected), 0.1 * unit * deviation);
+      EXPECT_NEAR(fitted[0].StandardDeviation, unit * std::max(1.0, expected),
+        0.1 * unit * deviation);
     }
   }
 }
@@ -146,8 +148,8 @@ TEST(GaussianMixture, ConstantsDoNotCollapse)
     EXPECT_NEAR(only.Mean, value, 1e-4 * (1 + std::abs(value)));
     EXPECT_EQ(only.Weight, 1);
     // Rounding does not leave it, a quarter more does.
-    EXPECT_GT(only.Deviation, 1e-4 * std::abs(value));
-    EXPECT_TRUE(value == 0 || only.Deviation < 0.05 * std::abs(value));
+    EXPECT_GT(only.StandardDeviation, 1e-4 * std::abs(value));
+    EXPECT_TRUE(value == 0 || only.StandardDeviation < 0.05 * std::abs(value));
     EXPECT_TRUE(std::isfinite(mixture.Mode()) && mixture.Mode() > 0);
   }
   EXPECT_EQ(FitGaussianMixture({ 7.0F }, MixtureSettings()).Components.size(), 1u);
@@ -163,7 +165,7 @@ TEST(GaussianMixture, TinyComponentsArePruned)
   ASSERT_EQ(pruned.size(), 1u);
   EXPECT_EQ(pruned[0].Weight, 1);
   EXPECT_NEAR(pruned[0].Mean, 100, 1);
-  EXPECT_NEAR(pruned[0].Deviation, 8, 0.8);
+  EXPECT_NEAR(pruned[0].StandardDeviation, 8, 0.8);
   // The heaviest stays however high the bar.
   settings.MinimumWeight = 2;
   EXPECT_EQ(FitGaussianMixture(values, settings).Components.size(), 1u);

@@ -1,4 +1,4 @@
-#include "ImageInterpolation.h"
+#include "Image/ImageInterpolation.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "LaplacianDeformation.h"
+#include "Deformation/LaplacianDeformation.h"
 #include "RandomMotions.h"
 
 #include <gtest/gtest.h>
@@ -27,9 +27,9 @@ public:
     {
       Eigen::RowVectorXd row = Eigen::RowVectorXd::Zero(this->Size);
       row[vertex] = 1;
-      for (int neighbour : this->Mesh.Neighbours[vertex])
+      for (int neighbor : this->Mesh.Neighbors[vertex])
       {
-        row[neighbour] -= 0.25;
+        row[neighbor] -= 0.25;
       }
       this->Add(1, row, (1 - fairing) * row * this->Points);
     }
@@ -74,7 +74,7 @@ public:
   }
 
   /// u' - u.
-  PointList Minimise() const
+  PointList Minimize() const
   {
     const auto count = static_cast<Eigen::Index>(this->Rows.size());
     Eigen::MatrixXd matrix(count, this->Size);
@@ -135,7 +135,7 @@ struct Case
     energy.AddLaplacians(settings.Fairing);
     energy.AddPositions(settings.PositionWeight, this->Targets);
     energy.AddEdges(settings.UniformWeight);
-    return energy.Minimise();
+    return energy.Minimize();
   }
 
   TestSphere Sphere;
@@ -150,7 +150,7 @@ double Difference(const PointList& one, const PointList& other)
 
 } // namespace
 
-TEST(LaplacianDeformation, MinimisesThePapersEnergy)
+TEST(LaplacianDeformation, MinimizesThePapersEnergy)
 {
   for (int n : { 1, 2, 5 })
   {
@@ -164,7 +164,7 @@ TEST(LaplacianDeformation, MinimisesThePapersEnergy)
           const DeformationSettings settings{ position, uniform, fairing };
           PointList motion = PointList::Zero(example.Points.rows(), 3);
           const DeformationReport report = example.Solve(settings, motion);
-          EXPECT_FALSE(report.Factorised);
+          EXPECT_FALSE(report.Factorized);
           EXPECT_LT(Difference(motion, example.Expected(settings)), 1e-5)
             << "n " << n << " weights " << position << " " << uniform << " " << fairing;
         }
@@ -218,7 +218,7 @@ TEST(LaplacianDeformation, ACoordinateWithoutForceComesToRest)
   example.Targets.leftCols(2).setZero();
   PointList motion = PointList::Ones(example.Points.rows(), 3);
   const DeformationReport report = example.Solve({ 0.3, 0, 0 }, motion);
-  EXPECT_FALSE(report.Factorised);
+  EXPECT_FALSE(report.Factorized);
   EXPECT_LT(motion.leftCols(2).cwiseAbs().maxCoeff(), 1e-5 * motion.cwiseAbs().maxCoeff());
 }
 
@@ -237,14 +237,14 @@ TEST(LaplacianDeformation, MovesWithTheMesh)
   EXPECT_LT(Difference(example.Solve(settings), still * turn), 1e-5);
 }
 
-// Weights so small that conjugate gradients would need too long: the factorisation takes over.
-TEST(LaplacianDeformation, FactorisesWhereIterationsDoNotConverge)
+// Weights so small that conjugate gradients would need too long: the factorization takes over.
+TEST(LaplacianDeformation, FactorizesWhereIterationsDoNotConverge)
 {
   const Case example(12, 5);
   const DeformationSettings settings{ 1e-6, 0, 0 };
   PointList motion = PointList::Zero(example.Points.rows(), 3);
   const DeformationReport report = example.Solve(settings, motion);
-  EXPECT_TRUE(report.Factorised);
+  EXPECT_TRUE(report.Factorized);
   EXPECT_LT(Difference(motion, example.Expected(settings)), 1e-2);
 }
 
@@ -260,15 +260,15 @@ TEST(LaplacianDeformation, ASolverThatIsUsedAgainGivesTheSame)
     const DeformationReport report =
       solver.Solve(example.Points, example.Targets, settings, motion);
     PointList anew = PointList::Zero(example.Points.rows(), 3);
-    EXPECT_EQ(example.Solve(settings, anew).Factorised, report.Factorised);
+    EXPECT_EQ(example.Solve(settings, anew).Factorized, report.Factorized);
     EXPECT_EQ(motion, anew);
-    EXPECT_EQ(report.Factorised, settings.PositionWeight < 0.1);
+    EXPECT_EQ(report.Factorized, settings.PositionWeight < 0.1);
   }
 }
 
 TEST(LaplacianDeformation, CollapsedEdgesDoNoHarm)
 {
   Case example(4);
-  example.Points.row(example.Sphere.Mesh.Neighbours[3][0]) = example.Points.row(3);
+  example.Points.row(example.Sphere.Mesh.Neighbors[3][0]) = example.Points.row(3);
   EXPECT_TRUE(example.Solve({ 0.3, 1, 0 }).allFinite());
 }

@@ -1,7 +1,7 @@
-#include "BallMorphology.h"
 #include "ExampleMasks.h"
 #include "ExampleSurfaces.h"
-#include "LeakControl.h"
+#include "Image/BallMorphology.h"
+#include "Intensity/LeakControl.h"
 
 #include <gtest/gtest.h>
 

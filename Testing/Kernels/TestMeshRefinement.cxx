@@ -1,6 +1,6 @@
-#include "MeshRefinement.h"
+#include "Geometry/SelfIntersection.h"
+#include "Mesh/MeshRefinement.h"
 #include "RandomMotions.h"
-#include "SelfIntersection.h"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@ using namespace FlipFree;
 namespace
 {
 
-// A torus of quads: sides x sides vertices, four neighbours each.
+// A torus of quads: sides x sides vertices, four neighbors each.
 struct Torus
 {
   explicit Torus(int sides)

@@ -1,9 +1,9 @@
-#include "ClosestDirection.h"
-#include "MotionBox.h"
-#include "MotionCertificate.h"
+#include "Geometry/ClosestDirection.h"
+#include "Geometry/TriangleIntersection.h"
+#include "Guard/MotionBox.h"
+#include "Guard/MotionCertificate.h"
+#include "Guard/SweptBox.h"
 #include "RandomMotions.h"
-#include "SweptBox.h"
-#include "TriangleIntersection.h"
 
 #include <gtest/gtest.h>
 
@@ -101,7 +101,7 @@ void CompareDistances(std::mt19937& random)
 }
 
 // The least distance of two triangles, zero where they intersect, at sampled times.
-double LeastDistance(const PointList& from, const PointList& to, double until)
+double MinimumDistance(const PointList& from, const PointList& to, double until)
 {
   TriangleList triangles(2, 3);
   triangles << 0, 1, 2, 3, 4, 5;
@@ -174,8 +174,8 @@ TEST(MotionCertificate, TrianglesStayApart)
     const PointList to =
       (from + 0.5 * (1 + repeat % 3) * RandomPoints(6, random)).rowwise() + 10 * shared;
     const Motion motion{ from, to };
-    const double start = LeastDistance(from, to, 0);
-    const double least = LeastDistance(from, to, 1);
+    const double start = MinimumDistance(from, to, 0);
+    const double least = MinimumDistance(from, to, 1);
     const double until = ApartUntil(motion, one, two, gap);
     if (until >= 1)
     {
@@ -188,10 +188,11 @@ TEST(MotionCertificate, TrianglesStayApart)
       EXPECT_LE(least, 2 * gap.Wanted);
       // What is proven holds, and it is most of what there is.
       EXPECT_EQ(until < 0, start < gap.Resolution);
-      EXPECT_GE(LeastDistance(from, to, std::max(0.0, until)), 0.999 * std::min(start, gap.Wanted));
+      EXPECT_GE(MinimumDistance(from, to, std::max(0.0, until)),
+        0.999 * std::min(start, gap.Wanted));
       if (start > 2 * gap.Wanted)
       {
-        EXPECT_LE(LeastDistance(from, to, until + 0.15), 2 * gap.Wanted);
+        EXPECT_LE(MinimumDistance(from, to, until + 0.15), 2 * gap.Wanted);
       }
     }
   }
@@ -243,11 +244,11 @@ TEST(MotionCertificate, QuickProofsHold)
         case QuickProof::ApartThroughout:
         case QuickProof::ApartOnAnyPart:
           ++proven;
-          EXPECT_GE(LeastDistance(from, to, 1), (1 - 1e-9) * gap.Wanted);
+          EXPECT_GE(MinimumDistance(from, to, 1), (1 - 1e-9) * gap.Wanted);
           break;
         case QuickProof::ApartAtStart:
           ++provenAtStart;
-          EXPECT_GE(LeastDistance(from, to, 0), (1 - 1e-9) * gap.Wanted);
+          EXPECT_GE(MinimumDistance(from, to, 0), (1 - 1e-9) * gap.Wanted);
           break;
         case QuickProof::None:
           break;

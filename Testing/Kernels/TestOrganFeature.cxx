@@ -1,10 +1,10 @@
 // The feature image and its parts: what they do when they are stopped.
-#include "BallMorphology.h"
-#include "DistanceTransform.h"
 #include "ExampleMasks.h"
 #include "ExampleSurfaces.h"
-#include "OrganFeature.h"
-#include "SurfaceVoxelisation.h"
+#include "Image/BallMorphology.h"
+#include "Image/DistanceTransform.h"
+#include "Intensity/OrganFeature.h"
+#include "Mesh/SurfaceVoxelization.h"
 
 #include <gtest/gtest.h>
 
@@ -59,7 +59,7 @@ int ExpectStopsWheneverAsked(Work&& work)
   return never.Asked;
 }
 
-/// The feature of many grey values.
+/// The feature of many gray values.
 std::vector<float> TableOf(const IntensityModel& model)
 {
   std::vector<float> table;
@@ -193,7 +193,7 @@ TEST_F(OrganFeatureStops, RefitIsThatOfTheWholeImage)
       Refit::Done);
     BitMask inside(this->Image.Geometry);
     for (const VoxelRun& run :
-      VoxeliseSurface(surface.Points, surface.Triangles, this->Image.Geometry))
+      VoxelizeSurface(surface.Points, surface.Triangles, this->Image.Geometry))
     {
       inside.InsertRun(run.Begin, run.End, run.J, run.K);
     }

@@ -1,8 +1,8 @@
 // The whole method on a region that is smoothed where it is asked for, against the same on one that
 // has been smoothed before: the same surface, bit for bit, and nothing read that was not smoothed.
+#include "Deformation/OrganSegmentation.h"
 #include "ExampleMasks.h"
 #include "ExampleSurfaces.h"
-#include "OrganSegmentation.h"
 
 #include <gtest/gtest.h>
 
@@ -22,9 +22,9 @@ constexpr double Noise = 4;
 // An organ in the dark, and where its surface starts from.
 struct Scene
 {
-  /// `grey` of a point, in millimetres, to which noise is added.
+  /// `gray` of a point, in millimeters, to which noise is added.
   Scene(const ImageGeometry& geometry, const SeedSphere& seed,
-    const std::function<double(const Eigen::Vector3d&)>& grey)
+    const std::function<double(const Eigen::Vector3d&)>& gray)
     : Seed(seed)
   {
     this->Image.Geometry = geometry;
@@ -36,7 +36,7 @@ struct Scene
       {
         for (int i = 0; i < geometry.Dimensions[0]; ++i)
         {
-          const double level = grey(geometry.ToPhysical(Eigen::Vector3d(i, j, k)));
+          const double level = gray(geometry.ToPhysical(Eigen::Vector3d(i, j, k)));
           this->Image.Voxels.push_back(static_cast<float>(level + normal(random)));
         }
       }
@@ -219,7 +219,7 @@ TEST(OrganSegmentation, OfOneSlice)
   Scene scene(Grid({ { 150, 60, 1 } }, { 1, 1, 3 }), { { 90, 30, 0 }, 6 },
     [](const Eigen::Vector3d& point)
     { return std::hypot(0.5 * (point.x() - 90), point.y() - 30) < 14 ? 100.0 : 0.0; });
-  scene.Settings.Targets.Correspondence.ImageEndDistance = 12;
+  scene.Settings.Targets.Correspondence.ImageBoundaryDistance = 12;
   const VoxelBox made = ExpectRegionGivesTheSurfaceOfTheWhole(scene);
   EXPECT_EQ(made.Size(2), 1);
   EXPECT_LT(made.End[0], 150);

@@ -1,5 +1,5 @@
-#include "Phantom.h"
-#include "VoxelNoise.h"
+#include "Phantom/Phantom.h"
+#include "Phantom/VoxelNoise.h"
 
 #include <gtest/gtest.h>
 
@@ -90,7 +90,7 @@ double LabelVolume(const Volume& volume, const ImageGeometry& grid)
 }
 
 // Contrast 1000, so that rounding to integers does not matter.
-double GreyVolume(const Volume& volume, const ImageGeometry& grid)
+double GrayVolume(const Volume& volume, const ImageGeometry& grid)
 {
   return std::accumulate(volume.Intensities.begin(), volume.Intensities.end(), 0.0) / 1000 *
     grid.Spacing.prod();
@@ -208,7 +208,7 @@ TEST(ImplicitShape, RefusesSizesThatMakeNoSolid)
   EXPECT_THROW(SmoothUnite({ MakeSphere(Vector3d::Zero(), 1) }, 0), std::invalid_argument);
 }
 
-TEST(VoxelNoise, HasMeanDeviationAndCorrelationAsked)
+TEST(VoxelNoise, HasMeanStandardDeviationAndCorrelationAsked)
 {
   const std::array<int, 3> size = { { 200, 150, 20 } };
   for (double correlation : { 0.0, 0.3, 0.7 })
@@ -217,7 +217,7 @@ TEST(VoxelNoise, HasMeanDeviationAndCorrelationAsked)
     AddNoise(3, 12, correlation, { { -7, 4, 90 } }, size, noise.data());
     double sum = 0;
     double squares = 0;
-    Vector3d neighbours = Vector3d::Zero();
+    Vector3d neighbors = Vector3d::Zero();
     Vector3d pairs = Vector3d::Zero();
     const std::array<std::size_t, 3> stride = { { 1, 200, 200 * 150 } };
     for (int k = 0; k < size[2]; ++k)
@@ -235,7 +235,7 @@ TEST(VoxelNoise, HasMeanDeviationAndCorrelationAsked)
           {
             if (index[axis] + 1 < size[axis])
             {
-              neighbours[axis] += value * (noise[at + stride[axis]] - 5);
+              neighbors[axis] += value * (noise[at + stride[axis]] - 5);
               pairs[axis] += 144;
             }
           }
@@ -245,9 +245,9 @@ TEST(VoxelNoise, HasMeanDeviationAndCorrelationAsked)
     const double count = static_cast<double>(noise.size());
     EXPECT_NEAR(sum / count, 0, 0.1) << correlation;
     EXPECT_NEAR(std::sqrt(squares / count), 12, 0.1) << correlation;
-    EXPECT_NEAR(neighbours[0] / pairs[0], correlation, 0.01);
-    EXPECT_NEAR(neighbours[1] / pairs[1], correlation, 0.01);
-    EXPECT_NEAR(neighbours[2] / pairs[2], 0, 0.01);
+    EXPECT_NEAR(neighbors[0] / pairs[0], correlation, 0.01);
+    EXPECT_NEAR(neighbors[1] / pairs[1], correlation, 0.01);
+    EXPECT_NEAR(neighbors[2] / pairs[2], 0, 0.01);
   }
 }
 
@@ -269,7 +269,7 @@ TEST(VoxelNoise, DependsOnPlaceNotOnTheBoxThatIsAsked)
   EXPECT_NE(part, other);
 }
 
-TEST(VoxelNoise, SmoothFieldHasUnitDeviationAndNoSteps)
+TEST(VoxelNoise, SmoothFieldHasUnitStandardDeviationAndNoSteps)
 {
   const SmoothField field(5, 4, { 200, 200, 200 });
   double sum = 0;
@@ -297,7 +297,7 @@ TEST(VoxelNoise, SmoothFieldHasUnitDeviationAndNoSteps)
   EXPECT_TRUE(std::isfinite(field({ 1e4, -1e4, 0 })));
 }
 
-TEST(VoxelNoise, RefusesWhatIsNoDeviationOrCorrelation)
+TEST(VoxelNoise, RefusesWhatIsNoStandardDeviationOrCorrelation)
 {
   EXPECT_THROW(RequireNoise(-1, 0), std::invalid_argument);
   EXPECT_THROW(RequireNoise(std::nan(""), 0), std::invalid_argument);
@@ -312,7 +312,7 @@ TEST_P(PlainPhantom, VolumeIsThatOfTheClosedForm)
   const Phantom phantom = MakePlainPhantom(GetParam(), GridExtent(grid), 1000, 0);
   const Volume volume = Sample(phantom, grid);
   const double expected = ClosedFormVolume(GetParam());
-  EXPECT_NEAR(GreyVolume(volume, grid) / expected, 1, 0.002);
+  EXPECT_NEAR(GrayVolume(volume, grid) / expected, 1, 0.002);
   EXPECT_NEAR(LabelVolume(volume, grid) / expected, 1, 0.01);
 }
 
@@ -324,7 +324,7 @@ TEST_P(PlainPhantom, ScalesWithTheGrid)
   const Phantom phantom = MakePlainPhantom(GetParam(), GridExtent(grid), 1000, 0);
   const Volume volume = Sample(phantom, grid);
   const double expected = ClosedFormVolume(GetParam()) * std::pow(60.0 / 96, 3);
-  EXPECT_NEAR(GreyVolume(volume, grid) / expected, 1, 0.01);
+  EXPECT_NEAR(GrayVolume(volume, grid) / expected, 1, 0.01);
 }
 
 // Brute force: the same rule voxel by voxel, without the hierarchy.
@@ -400,7 +400,7 @@ TEST_P(PlainPhantom, IsCutInAnyOrderIntoTheSameBits)
   const ImageGeometry grid = Grid(70, 1);
   const Phantom phantom = MakePlainPhantom(GetParam(), GridExtent(grid), 100, 0);
   SamplingOptions options;
-  options.NoiseDeviation = 20;
+  options.NoiseStandardDeviation = 20;
   options.NoiseCorrelation = 0.3;
   const Volume forward = Sample(phantom, grid, options);
   const Volume backward = Sample(phantom, grid, options,

@@ -1,5 +1,5 @@
 #include "ExampleSurfaces.h"
-#include "SeedRegion.h"
+#include "Image/SeedRegion.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
+#include "Geometry/SelfIntersection.h"
+#include "Geometry/TriangleIntersection.h"
 #include "RandomMotions.h"
-#include "SelfIntersection.h"
-#include "TriangleIntersection.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 #include "ExampleSurfaces.h"
-#include "OrganFeature.h"
-#include "SmoothRegion.h"
+#include "Image/SmoothRegion.h"
+#include "Intensity/OrganFeature.h"
 
 #include <gtest/gtest.h>
 
@@ -139,7 +139,7 @@ TEST(SmoothRegion, ForegroundIsNotLookedForInBoxesThatCannotHoldIt)
   }
 }
 
-// Blobs of grey values about the seed's, with bridges between them: what a box says of the
+// Blobs of gray values about the seed's, with bridges between them: what a box says of the
 // foreground holds as far as its margin promises.
 TEST(SmoothRegion, ForegroundOfABoxIsThatOfTheWhole)
 {

@@ -1,5 +1,5 @@
+#include "Guard/StrangerPairs.h"
 #include "RandomMotions.h"
-#include "StrangerPairs.h"
 
 #include <gtest/gtest.h>
 

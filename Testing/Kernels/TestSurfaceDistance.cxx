@@ -1,7 +1,7 @@
-#include "SurfaceDistance.h"
+#include "Measures/SurfaceDistance.h"
 
-#include "ClosestTriangle.h"
 #include "ExampleSurfaces.h"
+#include "Geometry/ClosestTriangle.h"
 
 #include <gtest/gtest.h>
 

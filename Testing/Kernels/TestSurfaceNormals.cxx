@@ -1,5 +1,5 @@
+#include "Mesh/SurfaceNormals.h"
 #include "RandomMotions.h"
-#include "SurfaceNormals.h"
 
 #include <gtest/gtest.h>
 
@@ -51,7 +51,7 @@ TEST(SurfaceNormals, SmoothingCalmsThem)
   }
 }
 
-TEST(SurfaceNormals, WithoutAreaTakeTheNeighboursOrZ)
+TEST(SurfaceNormals, WithoutAreaTakeTheNeighborsOrZ)
 {
   const TestSphere sphere(6);
   // One vertex and its surroundings in one point.

@@ -1,4 +1,4 @@
-#include "SurfaceQuality.h"
+#include "Measures/SurfaceQuality.h"
 
 #include "ExampleSurfaces.h"
 
@@ -32,7 +32,7 @@ double ScaledJacobianOf(std::initializer_list<Eigen::Vector3d> polygon)
   face.Connectivity.resize(polygon.size());
   std::iota(face.Connectivity.begin(), face.Connectivity.end(), 0);
   face.Offsets.push_back(static_cast<int>(polygon.size()));
-  return MeasureQuality(MakePoints(polygon), face).LeastScaledJacobian;
+  return MeasureQuality(MakePoints(polygon), face).MinimumScaledJacobian;
 }
 
 FaceList Polygons(const std::vector<std::vector<int>>& polygons)
@@ -104,7 +104,7 @@ TEST(SurfaceQuality, FirstPercentileLeavesOneFaceInAHundredBelow)
       std::count_if(all.begin(), all.end(), [=](double value) { return value <= percentile; });
     EXPECT_LT(100 * below, count);
     EXPECT_GE(100 * upTo, count);
-    EXPECT_EQ(quality.LeastScaledJacobian, *std::min_element(all.begin(), all.end()));
+    EXPECT_EQ(quality.MinimumScaledJacobian, *std::min_element(all.begin(), all.end()));
   }
 }
 
@@ -115,8 +115,8 @@ TEST(SurfaceQuality, OfABoxOfQuads)
   EXPECT_EQ(quality.Topology.EulerNumber(), 2);
   EXPECT_EQ(quality.Topology.Edges, 12);
   EXPECT_EQ(quality.Topology.BoundaryEdges, 0);
-  EXPECT_NEAR(quality.LeastScaledJacobian, 1, 1e-15);
-  EXPECT_NEAR(quality.LeastDihedralAngle, 90, 1e-12);
+  EXPECT_NEAR(quality.MinimumScaledJacobian, 1, 1e-15);
+  EXPECT_NEAR(quality.MinimumDihedralAngle, 90, 1e-12);
   EXPECT_NEAR(quality.EdgeLengthVariation, 0, 1e-15);
 
   // Edges of 1, 2 and 3, four of each.
@@ -135,7 +135,7 @@ TEST(SurfaceQuality, DihedralAngleOfAHinge)
       const PointList points = MakePoints({ { 0, 0, 0 }, { 0, 1, 0 }, { 1, 0.5, 0 },
         { std::cos(angle), 0.5, sign * std::sin(angle) } });
       const FaceList faces = Polygons({ { 0, 2, 1 }, { 0, 1, 3 } });
-      EXPECT_NEAR(MeasureQuality(points, faces).LeastDihedralAngle, degrees, 1e-9);
+      EXPECT_NEAR(MeasureQuality(points, faces).MinimumDihedralAngle, degrees, 1e-9);
     }
   }
 }

@@ -1,11 +1,11 @@
 // From a coarse surface that the guard has just been able to keep embedded to a finer one.
 #include "AdverseMotions.h"
-#include "EmbeddingGuard.h"
+#include "Geometry/SelfIntersection.h"
+#include "Geometry/SurfaceGap.h"
+#include "Guard/EmbeddingGuard.h"
+#include "Guard/SurfaceRefinement.h"
+#include "Mesh/SurfaceNormals.h"
 #include "RandomMotions.h"
-#include "SelfIntersection.h"
-#include "SurfaceGap.h"
-#include "SurfaceNormals.h"
-#include "SurfaceRefinement.h"
 
 #include <gtest/gtest.h>
 
@@ -54,7 +54,7 @@ TEST(SurfaceRefinement, CrumpledSurfacesStayEmbeddedAndKeepAGap)
     EXPECT_EQ(refined.Mesh.NumberOfPoints(), 4 * sphere.Mesh.NumberOfPoints());
     EXPECT_EQ(CountSelfIntersections(refined.Points, refined.Mesh.Triangles), 0)
       << AdverseMotionNames[kind];
-    EXPECT_GE(MeasureLeastGap(refined.Points, refined.Mesh.Triangles),
+    EXPECT_GE(MeasureMinimumGap(refined.Points, refined.Mesh.Triangles),
       0.999e-4 * MeanEdgeLength(sphere.Mesh, points))
       << AdverseMotionNames[kind];
   }

@@ -1,7 +1,7 @@
-#include "SurfaceValidity.h"
+#include "Measures/SurfaceValidity.h"
 
 #include "ExampleSurfaces.h"
-#include "SurfaceGap.h"
+#include "Geometry/SurfaceGap.h"
 
 #include <gtest/gtest.h>
 
@@ -24,9 +24,9 @@ Surface Joined(const Surface& first, const Surface& second)
   return both;
 }
 
-double LeastGapOf(const Surface& surface)
+double MinimumGapOf(const Surface& surface)
 {
-  return MeasureLeastGap(surface.Points, surface.Triangles, ScatteredFor);
+  return MeasureMinimumGap(surface.Points, surface.Triangles, ScatteredFor);
 }
 
 SurfaceValidity ValidityOf(const Surface& surface, const PointList* reference = nullptr)
@@ -40,9 +40,9 @@ TEST(SurfaceGap, BetweenBoxesIsClosedForm)
 {
   const Surface box = Box({ 0, 0, 0 }, { 4, 4, 4 });
   // Face to face, edge to edge, corner to corner.
-  EXPECT_NEAR(LeastGapOf(Joined(box, Box({ 4.5, 1, 1 }, { 8, 3, 3 }))), 0.5, 1e-14);
-  EXPECT_NEAR(LeastGapOf(Joined(box, Box({ 4.3, 4.4, 1 }, { 8, 8, 3 }))), 0.5, 1e-14);
-  EXPECT_NEAR(LeastGapOf(Joined(box, Box({ 4.2, 4.3, 4.6 }, { 8, 8, 8 }))), 0.7, 1e-14);
+  EXPECT_NEAR(MinimumGapOf(Joined(box, Box({ 4.5, 1, 1 }, { 8, 3, 3 }))), 0.5, 1e-14);
+  EXPECT_NEAR(MinimumGapOf(Joined(box, Box({ 4.3, 4.4, 1 }, { 8, 8, 3 }))), 0.5, 1e-14);
+  EXPECT_NEAR(MinimumGapOf(Joined(box, Box({ 4.2, 4.3, 4.6 }, { 8, 8, 8 }))), 0.7, 1e-14);
   // Two edges that cross at a distance, every vertex far away.
   const Eigen::Matrix3d quarterTurn =
     Eigen::AngleAxisd(2 * std::atan(1.0), Eigen::Vector3d::UnitZ()).toRotationMatrix();
@@ -50,7 +50,7 @@ TEST(SurfaceGap, BetweenBoxesIsClosedForm)
     Eigen::AngleAxisd(std::atan(1.0), Eigen::Vector3d::UnitX()).toRotationMatrix(), { 0, 0, 0 });
   const double top = std::sqrt(2.0);
   const Surface crossing = Moved(ridge, quarterTurn, { 0, 0, 2 * top + 0.25 });
-  EXPECT_NEAR(LeastGapOf(Joined(ridge, crossing)), 0.25, 1e-14);
+  EXPECT_NEAR(MinimumGapOf(Joined(ridge, crossing)), 0.25, 1e-14);
 }
 
 TEST(SurfaceGap, PairsNearerThanTheLeastGapAreNone)
@@ -59,7 +59,7 @@ TEST(SurfaceGap, PairsNearerThanTheLeastGapAreNone)
   const TriangleTree tree(potato.Points, potato.Triangles);
   const auto nearerThan = [&](double gap)
   { return FindPairsNearerThan(gap, tree, potato.Points, potato.Triangles, ScatteredFor); };
-  const double least = LeastGapOf(potato);
+  const double least = MinimumGapOf(potato);
   EXPECT_TRUE(nearerThan((1 - 1e-9) * least).empty());
   EXPECT_GE(nearerThan((1 + 1e-9) * least).size(), 1U);
 
@@ -120,7 +120,7 @@ TEST(SurfaceGap, IsTheLeastOverManySamples)
       }
     }
   }
-  const double gap = LeastGapOf(potato);
+  const double gap = MinimumGapOf(potato);
   EXPECT_LE(gap, least + 1e-12);
   EXPECT_GT(gap, 0.8 * least);
 }
@@ -132,7 +132,7 @@ TEST(SurfaceGap, IsInfiniteWhereAllTrianglesShareVertices)
   tetrahedron.Points << 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1;
   tetrahedron.Triangles.resize(4, 3);
   tetrahedron.Triangles << 0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3;
-  EXPECT_EQ(LeastGapOf(tetrahedron), std::numeric_limits<double>::infinity());
+  EXPECT_EQ(MinimumGapOf(tetrahedron), std::numeric_limits<double>::infinity());
 }
 
 TEST(SurfaceValidity, OfASphereIsPerfect)
@@ -142,7 +142,7 @@ TEST(SurfaceValidity, OfASphereIsPerfect)
   EXPECT_TRUE(validity.IsValid());
   EXPECT_TRUE(validity.Complete);
   EXPECT_EQ(validity.FlippedCorners, 0);
-  EXPECT_GT(validity.LeastGap, 0);
+  EXPECT_GT(validity.MinimumGap, 0);
   EXPECT_EQ(std::count(validity.Defects.begin(), validity.Defects.end(), 0),
     sphere.Triangles.rows());
 }
@@ -154,7 +154,7 @@ TEST(SurfaceValidity, MarksWhatIntersects)
   const SurfaceValidity validity = ValidityOf(Joined(box, Box({ -1, 1, 2 }, { 5, 1.2, 2.2 })));
   EXPECT_FALSE(validity.IsValid());
   EXPECT_GT(validity.SelfIntersections, 0);
-  EXPECT_EQ(validity.LeastGap, 0);
+  EXPECT_EQ(validity.MinimumGap, 0);
   EXPECT_EQ(validity.FlippedCorners, -1);
   for (Eigen::Index triangle = 0; triangle < 12; ++triangle)
   {

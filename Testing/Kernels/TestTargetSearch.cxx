@@ -1,4 +1,4 @@
-#include "TargetSearch.h"
+#include "Deformation/TargetSearch.h"
 
 #include "RandomMotions.h"
 
@@ -72,10 +72,10 @@ TEST(TargetSearch, RejectsWhatIsUnlikeTheTwoRing)
   {
     // As often as there are ways to a vertex of one or two edges, so often it counts.
     std::vector<double> ring;
-    for (int first : mesh.Neighbours[vertex])
+    for (int first : mesh.Neighbors[vertex])
     {
-      for (int member : { first, mesh.Neighbours[first][0], mesh.Neighbours[first][1],
-             mesh.Neighbours[first][2], mesh.Neighbours[first][3] })
+      for (int member : { first, mesh.Neighbors[first][0], mesh.Neighbors[first][1],
+             mesh.Neighbors[first][2], mesh.Neighbors[first][3] })
       {
         if (member != vertex && example.Field.States[member] == VertexState::Matched)
         {
@@ -139,7 +139,7 @@ TEST(TargetSearch, OutliersAreNotWithoutBoundary)
   settings.Correspondence.SearchDistance = 16;
   settings.Correspondence.RunVoxels = 1;
   settings.Correspondence.EdgeWindow = 0;
-  settings.OutlierDeviations = 0;
+  settings.OutlierStandardDeviations = 0;
   const auto search = [&]
   {
     TargetReport report;
@@ -151,13 +151,13 @@ TEST(TargetSearch, OutliersAreNotWithoutBoundary)
   EXPECT_GT(all.Solitary, 0);
   EXPECT_GT(all.Matched, all.Solitary);
   EXPECT_EQ(all.WithoutBoundary, all.Solitary);
-  settings.OutlierDeviations = 1e-6;
+  settings.OutlierStandardDeviations = 1e-6;
   const TargetReport some = search();
   EXPECT_EQ(some.WithoutBoundary, all.Solitary);
   EXPECT_GT(some.Solitary, all.Solitary);
 }
 
-TEST(TargetSearch, FewNeighboursRejectNothing)
+TEST(TargetSearch, FewNeighborsRejectNothing)
 {
   Example example(4);
   std::fill(example.Field.States.begin(), example.Field.States.end(), VertexState::Solitary);

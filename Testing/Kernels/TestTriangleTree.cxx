@@ -1,5 +1,5 @@
+#include "Geometry/TriangleTree.h"
 #include "RandomMotions.h"
-#include "TriangleTree.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
-#include "VoxelOverlap.h"
+#include "Measures/VoxelOverlap.h"
 
 #include "ExampleSurfaces.h"
-#include "SurfaceVoxelisation.h"
+#include "Mesh/SurfaceVoxelization.h"
 
 #include <gtest/gtest.h>
 
@@ -19,7 +19,7 @@ struct Mask
     : Grid(grid)
     , Voxels(grid.NumberOfVoxels(), 0)
   {
-    FillRuns<unsigned char>(VoxeliseSurface(surface.Points, surface.Triangles, grid), 3, grid,
+    FillRuns<unsigned char>(VoxelizeSurface(surface.Points, surface.Triangles, grid), 3, grid,
       this->Voxels.data());
   }
   operator BitMask() const

@@ -1,5 +1,5 @@
 #include "ExampleSurfaces.h"
-#include "VoxelTraversal.h"
+#include "Image/VoxelTraversal.h"
 
 #include <gtest/gtest.h>
 

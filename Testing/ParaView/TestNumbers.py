@@ -84,7 +84,7 @@ class Stages(session.SessionTest):
         surface = simple.QuadSphere(Center=seed["SeedCenter"], Radius=seed["SeedRadius"], Resolution=16)
         for _ in range(2):
             targets = simple.FlipFreeStage3Correspondence(Input=surface, Feature=feature, EdgeImage=smooth,
-                SearchDistance=24, ImageEndDistance=12, MaximumDisplacement=8, EdgeWindow=1.5)
+                SearchDistance=24, ImageBoundaryDistance=12, MaximumDisplacement=8, EdgeWindow=1.5)
             surface = simple.FlipFreeStage4Deformation(Input=targets)
         self.assert_same(points(fetch(surface)), expected)
         self.assertGreater(numpy.linalg.norm(expected - seed["SeedCenter"], axis=1).min(), 20)

@@ -106,7 +106,7 @@ class Evaluation(unittest.TestCase):
     def test_takes_surfaces(self):
         expected = flipfree.evaluate(liver().label_map, truth(), reference_label=LIVER)
         self.assertEqual(flipfree.evaluate(liver().surface, truth(), reference_label=LIVER,
-                                           score_voxelisation=True).asd, expected.asd)
+                                           score_voxelization=True).asd, expected.asd)
 
 
 if __name__ == "__main__":

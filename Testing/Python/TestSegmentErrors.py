@@ -25,7 +25,7 @@ class Failures(unittest.TestCase):
 
     def test_seed_outside(self):
         self.refuse(flipfree.SegmentationError,
-                    r"^No segmentation: the seed's centre \(-50, 0, 0\) mm lies outside .*\.$",
+                    r"^No segmentation: the seed's center \(-50, 0, 0\) mm lies outside .*\.$",
                     image(), (-50, 0, 0), RADIUS)
 
     def test_empty_image(self):

@@ -78,14 +78,14 @@ class Names(unittest.TestCase):
                     self.assertEqual(node.bases[0].id, getattr(library, name).__base__.__name__)
                     self.assertGreater(len(ast.get_docstring(node)), 200)
 
-    def test_functions_have_their_parameters_spelt_out(self):
+    def test_functions_have_their_parameters_spelled_out(self):
         for function, last in ((flipfree.segment, "keep_history"),
-                               (flipfree.evaluate, "score_voxelisation")):
+                               (flipfree.evaluate, "score_voxelization")):
             stub = PACKAGE / (function.__module__.rpartition(".")[2] + ".pyi")
             node = defined_in(ast.parse(stub.read_text(encoding="utf-8")).body)[function.__name__]
-            spelt = [argument.arg for argument in node.args.args + node.args.kwonlyargs]
-            self.assertEqual(spelt, list(inspect.signature(function).parameters))
-            self.assertEqual(spelt[-1], last)
+            spelled = [argument.arg for argument in node.args.args + node.args.kwonlyargs]
+            self.assertEqual(spelled, list(inspect.signature(function).parameters))
+            self.assertEqual(spelled[-1], last)
 
     def test_package_says_that_it_has_types(self):
         self.assertTrue((PACKAGE / "py.typed").exists())

@@ -45,7 +45,7 @@ inline void StartOutside(vtkFlipFreeSegmentation* filter, vtkPhantomSource* phan
   filter->SetStartCenterOffset(sphere[0] - seed[0], sphere[1] - seed[1], sphere[2] - seed[2]);
   filter->SetStartScale(sphere[3] / seed[3]);
   filter->SetSearchDistance(2 * sphere[3]);
-  filter->ReestimateOff();
+  filter->ReestimateIntensitiesOff();
   filter->LeakControlOff();
   filter->SetMaximumIterations(100);
 }
@@ -83,14 +83,14 @@ inline void SegmentVessel(vtkFlipFreeSegmentation* filter, vtkPhantomSource* pha
 {
   phantom->SetShapeToVessel();
   StartInside(filter, phantom, vtkPhantomSource::OBJECT);
-  filter->ReestimateOff();
+  filter->ReestimateIntensitiesOff();
   filter->LeakControlOff();
   filter->SetMaximumIterations(150);
   filter->SetDiffusionIterations(0);
   filter->SetResolution(64);
   filter->SetLevels(5);
   filter->SetMaximumDisplacement(0);
-  filter->SetOutlierDeviations(0);
+  filter->SetOutlierStandardDeviations(0);
   filter->SetPositionWeight(1);
   filter->SetUniformWeight(0.01);
   filter->SetFairing(0.2);

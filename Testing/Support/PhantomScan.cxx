@@ -1,6 +1,6 @@
 #include "PhantomScan.h"
 
-#include "AbdomenPhantom.h"
+#include "Phantom/AbdomenPhantom.h"
 
 #include <algorithm>
 
@@ -18,7 +18,7 @@ PhantomScan ScanPhantom(const Phantom& phantom, std::uint8_t label,
   scan.Voxels.resize(scan.Geometry.NumberOfVoxels());
   scan.Labels.resize(scan.Geometry.NumberOfVoxels());
   SamplingOptions options;
-  options.NoiseDeviation = 12;
+  options.NoiseStandardDeviation = 12;
   options.NoiseCorrelation = 0.3;
   options.Seed = 1;
   SampleTissues(phantom.Tissues, scan.Geometry, options, scan.Voxels.data(), scan.Labels.data(),
@@ -46,7 +46,7 @@ OrganSegmentationSettings OrganSettings(const PhantomScan& scan)
   CorrespondenceSettings& search = settings.Targets.Correspondence;
   search.SearchDistance = std::clamp(1.6 * scan.Seed.Radius, 15.0, 60.0);
   search.RunLength = 2;
-  search.ImageEndDistance = 12;
+  search.ImageBoundaryDistance = 12;
   search.EdgeWindow = 3;
   settings.Targets.MaximumDisplacement = 8 * voxel;
   return settings;

@@ -5,8 +5,8 @@
 #ifndef PhantomScan_h
 #define PhantomScan_h
 
-#include "OrganSegmentation.h"
-#include "Phantom.h"
+#include "Deformation/OrganSegmentation.h"
+#include "Phantom/Phantom.h"
 
 #include <cstdint>
 #include <vector>
@@ -33,7 +33,7 @@ PhantomScan ScanPhantom(const Phantom& phantom, std::uint8_t label,
 PhantomScan ScanAbdomen(const std::array<int, 3>& dimensions, const Eigen::Vector3d& spacing,
   double scale, const ParallelFor& parallelFor);
 
-/// How far the surface may get from the seed, in millimetres.
+/// How far the surface may get from the seed, in millimeters.
 constexpr double OrganReach = 250;
 
 OrganSegmentationSettings OrganSettings(const PhantomScan& scan);

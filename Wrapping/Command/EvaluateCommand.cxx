@@ -35,7 +35,7 @@ struct Evaluation
   int SegmentationLabel = -1;
   int ReferenceLabel = -1;
   std::string Csv;
-  bool Voxelise = false;
+  bool Voxelize = false;
   bool Quiet = false;
 };
 
@@ -126,7 +126,7 @@ void Evaluate(const Evaluation& evaluation)
   vtkNew<vtkSegmentationMetrics> metrics;
   metrics->SetSegmentationLabel(labelOr(evaluation.SegmentationLabel));
   metrics->SetReferenceLabel(labelOr(evaluation.ReferenceLabel));
-  metrics->SetScoreVoxelisation(evaluation.Voxelise);
+  metrics->SetScoreVoxelization(evaluation.Voxelize);
   vtkSmartPointer<vtkPolyData> surface;
   if (HasEnding(evaluation.Segmentation, SurfaceEndings()))
   {
@@ -160,7 +160,7 @@ void Evaluate(const Evaluation& evaluation)
 const char* const Footer =
   "A segmentation is a label map (.nii .nii.gz .nrrd .nhdr .mha .mhd) on the reference's grid, or "
   "a\n"
-  "closed surface (.vtp .stl .ply .obj) in LPS millimetres. A surface is voxelised for the "
+  "closed surface (.vtp .stl .ply .obj) in LPS millimeters. A surface is voxelized for the "
   "overlap\n"
   "and measured as it is for the distances.\n"
   "\n"
@@ -195,7 +195,7 @@ void AddEvaluateCommand(CLI::App& program)
     ->check(CLI::NonNegativeNumber);
   command->add_option("--csv", evaluation->Csv, "Also write the measures into this file")
     ->type_name("FILE");
-  command->add_flag("--voxelise", evaluation->Voxelise,
+  command->add_flag("--voxelize", evaluation->Voxelize,
     "Measure the distances of a surface's voxels, to compare it with label maps on equal terms");
   command->add_flag("-q,--quiet", evaluation->Quiet, "Print nothing but errors and warnings");
   command->footer(Footer);

@@ -91,7 +91,7 @@ void PrintSeeds(vtkPhantomSource* source)
     // The object is in reach of the search lines; the surface does not hold it alone until the end,
     // so that intensities are not to be fitted again on the way.
     std::printf("object, from outside: --seed %.2f %.2f %.2f --radius %.2f --start-scale %.3f "
-                "--start-offset %.2f %.2f %.2f --search-distance %.0f --no-reestimate "
+                "--start-offset %.2f %.2f %.2f --search-distance %.0f --no-reestimate-intensities "
                 "--no-leak-control --iterations 100 --levels 4\n",
       seed[0], seed[1], seed[2], seed[3], around[3] / seed[3], around[0] - seed[0],
       around[1] - seed[1], around[2] - seed[2], 2 * around[3]);
@@ -125,21 +125,21 @@ void Make(const Phantom& phantom)
   }
   MakeFolder(phantom.Folder);
   const std::string stem = (std::filesystem::path(phantom.Folder) / phantom.Name).string();
-  const std::string grey = stem + ".nii.gz";
+  const std::string gray = stem + ".nii.gz";
   const std::string truth = stem + "-truth.nii.gz";
   OutputFiles outputs;
-  outputs.Announce(grey);
+  outputs.Announce(gray);
   outputs.Announce(truth);
 
   vtkNew<vtkPhantomSource> source;
   source->SetShape(shape->second);
   source->SetDimensions(phantom.Dimensions[0], phantom.Dimensions[1], phantom.Dimensions[2]);
   source->SetSpacing(phantom.Spacing[0], phantom.Spacing[1], phantom.Spacing[2]);
-  source->SetNoiseDeviation(phantom.Noise);
+  source->SetNoiseStandardDeviation(phantom.Noise);
   source->SetRandomSeed(phantom.RandomSeed);
   source->SetNumberOfLesions(phantom.Lesions);
   Run(source, "drawing");
-  outputs.Write(grey, [&](const std::string& name) { WriteVolume(name, source->GetOutput()); });
+  outputs.Write(gray, [&](const std::string& name) { WriteVolume(name, source->GetOutput()); });
   outputs.Write(truth, [&](const std::string& name) { WriteVolume(name, source->GetLabelMap()); });
   outputs.Commit();
   if (!phantom.Quiet)

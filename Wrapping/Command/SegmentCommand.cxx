@@ -65,12 +65,12 @@ void RequireSense(const Segmentation& segmentation)
   {
     if (!vtkMath::IsFinite(coordinate))
     {
-      throw WrongUsage("--seed: a coordinate is not a finite number. Give three in millimetres.");
+      throw WrongUsage("--seed: a coordinate is not a finite number. Give three in millimeters.");
     }
   }
   if (!(segmentation.Radius > 0) || !vtkMath::IsFinite(segmentation.Radius))
   {
-    throw WrongUsage("--radius must be a number of millimetres above 0, such that the sphere lies "
+    throw WrongUsage("--radius must be a number of millimeters above 0, such that the sphere lies "
                      "within the organ.");
   }
   if (segmentation.Surface.empty() && segmentation.Labels.empty() &&
@@ -109,7 +109,7 @@ void AnnounceOutputs(const Segmentation& segmentation, OutputFiles& outputs)
   }
 }
 
-/// The seed in millimetres, which must lie in the volume.
+/// The seed in millimeters, which must lie in the volume.
 Point SeedIn(vtkImageData* image, const Segmentation& segmentation)
 {
   Point seed;
@@ -133,10 +133,10 @@ Point SeedIn(vtkImageData* image, const Segmentation& segmentation)
   {
     if (!(index[axis] >= extent[2 * axis] - 0.5 && index[axis] <= extent[2 * axis + 1] + 0.5))
     {
-      const double centre[3] = { 0.5 * (extent[0] + extent[1]), 0.5 * (extent[2] + extent[3]),
+      const double center[3] = { 0.5 * (extent[0] + extent[1]), 0.5 * (extent[2] + extent[3]),
         0.5 * (extent[4] + extent[5]) };
       double middle[3];
-      image->TransformContinuousIndexToPhysicalPoint(centre, middle);
+      image->TransformContinuousIndexToPhysicalPoint(center, middle);
       char place[256];
       std::snprintf(place, sizeof(place),
         "which has %d x %d x %d voxels around (%g, %g, %g) mm. Coordinates are LPS: a viewer that "
@@ -251,7 +251,7 @@ void Segment(const Segmentation& segmentation)
 
 const char* const Footer =
   "Results are written once all of them are there, or none is. The picture of --snapshot shows an\n"
-  "axial, a sagittal and a coronal slice through the surface's centre with the contour, and the\n"
+  "axial, a sagittal and a coronal slice through the surface's center with the contour, and the\n"
   "surface; it needs a display (xvfb-run gives one to machines that have none).\n"
   "\n"
   "Examples:\n"
@@ -261,7 +261,7 @@ const char* const Footer =
   "  flipfree segment dicom/ --series 1.2.840.1 --seed 90 20 -640 --radius 12 -o kidney.vtp\n"
   "  flipfree segment ct.nii.gz --seed 83 -154 321 --radius 26 --preset naive -o flips.ply\n"
   "\n"
-  "The seed is the centre of a sphere within the organ, with at least half the radius of the\n"
+  "The seed is the center of a sphere within the organ, with at least half the radius of the\n"
   "largest one that fits there: its voxels tell what the organ looks like, and the surface starts\n"
   "from it.\n";
 
@@ -275,7 +275,7 @@ void AddFiles(CLI::App* command, Segmentation& segmentation)
     ->add_option("--series", segmentation.SeriesUID,
       "Series Instance UID, where the folder holds several; by default, the one with most files")
     ->type_name("UID");
-  command->add_option("--seed", segmentation.Seed, "Centre of the seed sphere, in LPS millimetres")
+  command->add_option("--seed", segmentation.Seed, "Center of the seed sphere, in LPS millimeters")
     ->type_name("X Y Z")
     ->expected(3);
   command
@@ -283,7 +283,7 @@ void AddFiles(CLI::App* command, Segmentation& segmentation)
       "The same, as indices of a voxel that count from 0")
     ->type_name("I J K")
     ->expected(3);
-  command->add_option("--radius", segmentation.Radius, "Radius of the seed sphere, in millimetres")
+  command->add_option("--radius", segmentation.Radius, "Radius of the seed sphere, in millimeters")
     ->type_name("MM")
     ->required();
   command->add_option("-o,--output", segmentation.Surface, "Surface (.vtp .stl .ply .obj)")

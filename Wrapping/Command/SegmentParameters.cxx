@@ -95,7 +95,7 @@ void SegmentParameters::AddOptions(CLI::App& command)
     "Mass of the mixture that counts as the organ", &Filter::GetForegroundMass,
     &Filter::SetForegroundMass);
   this->AddSwitch(command, General, "leak-control",
-    "Cut thin bridges from the organ to its neighbours (default: on)", &Filter::SetLeakControl);
+    "Cut thin bridges from the organ to its neighbors (default: on)", &Filter::SetLeakControl);
   this->AddSwitch(command, General, "guard",
     "Keep the surface from meeting itself (default: on); without, nothing is promised",
     &Filter::SetGuard);
@@ -121,8 +121,9 @@ void SegmentParameters::AddOptions(CLI::App& command)
   this->Add(command, Finer, "--opening,--opening-scale", "F",
     "Radius of the opening of the foreground, in seed radii", &Filter::GetOpeningScale,
     &Filter::SetOpeningScale);
-  this->AddSwitch(command, Finer, "reestimate",
-    "Fit the intensities again inside the growing surface (default: on)", &Filter::SetReestimate);
+  this->AddSwitch(command, Finer, "reestimate-intensities",
+    "Fit the intensities again inside the growing surface (default: on)",
+    &Filter::SetReestimateIntensities);
   this->Add(command, Finer, "--run-length", "MM",
     "Length beyond the boundary that must be background; 0: by --run-voxels", &Filter::GetRunLength,
     &Filter::SetRunLength);
@@ -131,20 +132,20 @@ void SegmentParameters::AddOptions(CLI::App& command)
   this->AddSwitch(command, Finer, "search-inward",
     "Vertices in the background look inward for the organ (default: on)", &Filter::SetSearchInward);
   this->Add(command, Finer, "--search-scale", "F",
-    "Length of the search lines in seed radii, where it is not given in millimetres",
+    "Length of the search lines in seed radii, where it is not given in millimeters",
     &Filter::GetSearchScale, &Filter::SetSearchScale);
-  this->Add(command, Finer, "--image-end-distance", "MM",
+  this->Add(command, Finer, "--image-boundary-distance", "MM",
     "How near the end of the volume a vertex takes the end for its target; 0: it has none",
-    &Filter::GetImageEndDistance, &Filter::SetImageEndDistance);
+    &Filter::GetImageBoundaryDistance, &Filter::SetImageBoundaryDistance);
   this->Add(command, Finer, "--edge-window", "MM",
     "Window in which targets move to the strongest edge", &Filter::GetEdgeWindow,
     &Filter::SetEdgeWindow);
-  this->Add(command, Finer, "--normal-smoothing", "N",
-    "Passes of averaging that the surface's normals get", &Filter::GetNormalSmoothing,
-    &Filter::SetNormalSmoothing);
-  this->Add(command, Finer, "--outlier-deviations", "F",
-    "Deviations beyond which a target is dropped; 0: none is", &Filter::GetOutlierDeviations,
-    &Filter::SetOutlierDeviations);
+  this->Add(command, Finer, "--normal-smoothing-iterations", "N",
+    "Passes of averaging that the surface's normals get", &Filter::GetNormalSmoothingIterations,
+    &Filter::SetNormalSmoothingIterations);
+  this->Add(command, Finer, "--outlier-standard-deviations", "F",
+    "Standard deviations beyond which a target is dropped; 0: none is",
+    &Filter::GetOutlierStandardDeviations, &Filter::SetOutlierStandardDeviations);
   this->Add(command, Finer, "--maximum-displacement", "VOXELS",
     "Greatest displacement in one iteration", &Filter::GetMaximumDisplacement,
     &Filter::SetMaximumDisplacement);
@@ -171,7 +172,7 @@ void SegmentParameters::AddOptions(CLI::App& command)
     &Filter::GetStartScale, &Filter::SetStartScale);
   command
     .add_option("--start-offset,--start-center-offset", this->StartOffset,
-      "Centre of the first sphere from the seed's, in mm, to start elsewhere than in the seed")
+      "Center of the first sphere from the seed's, in mm, to start elsewhere than in the seed")
     ->type_name("X Y Z")
     ->expected(3)
     ->default_str("0 0 0")

@@ -58,9 +58,9 @@ constexpr int Finer = 3;           // drawn so many times as large, for smooth l
 constexpr double Gap = 3.0 / Size; // between the views
 constexpr double Ink[3] = { 0.045, 0.05, 0.06 };
 constexpr double Frame[3] = { 0.16, 0.17, 0.2 };
-constexpr double ContourColour[3] = { 1.0, 0.76, 0.2 };
-constexpr double LetterColour[3] = { 0.85, 0.86, 0.88 };
-constexpr double OrganColour[3] = { 0.86, 0.42, 0.33 };
+constexpr double ContourColor[3] = { 1.0, 0.76, 0.2 };
+constexpr double LetterColor[3] = { 0.85, 0.86, 0.88 };
+constexpr double OrganColor[3] = { 0.86, 0.42, 0.33 };
 
 /// How a slice is looked at; the viewer is where `Right` x `Up` points.
 struct View
@@ -79,7 +79,7 @@ const View Coronal{ { { 1, 0, 0 } }, { { 0, 0, 1 } }, { { 0, 0 } }, "R", "S" };
 /// What the slices show: a cube around the surface, moved into the image as far as it can be.
 struct Region
 {
-  Vector Centre; // of the surface
+  Vector Center; // of the surface
   Vector Middle; // of what is shown
   double Side;
   double Window[2];
@@ -141,20 +141,20 @@ Region ChooseRegion(vtkImageData* image, vtkPolyData* surface)
   Region region;
   vtkBoundingBox organ(surface->GetBounds());
   const vtkBoundingBox whole = BoundsOf(image);
-  organ.GetCenter(region.Centre.data());
+  organ.GetCenter(region.Center.data());
   region.Side = std::min(std::max(1.8 * organ.GetMaxLength(), 60.0), 1.02 * whole.GetMaxLength());
   for (int axis = 0; axis < 3; ++axis)
   {
     const double low = whole.GetBound(2 * axis) + region.Side / 2;
     const double high = whole.GetBound(2 * axis + 1) - region.Side / 2;
     region.Middle[axis] =
-      low < high ? std::clamp(region.Centre[axis], low, high) : (low + high) / 2;
+      low < high ? std::clamp(region.Center[axis], low, high) : (low + high) / 2;
   }
   ChooseWindow(image, region.Window);
   return region;
 }
 
-/// The view's axes as the columns of a matrix, the surface's centre as its origin.
+/// The view's axes as the columns of a matrix, the surface's center as its origin.
 void AxesOf(const View& view, const Region& region, vtkMatrix4x4* axes)
 {
   Vector normal;
@@ -164,7 +164,7 @@ void AxesOf(const View& view, const Region& region, vtkMatrix4x4* axes)
     axes->SetElement(row, 0, view.Right[row]);
     axes->SetElement(row, 1, view.Up[row]);
     axes->SetElement(row, 2, normal[row]);
-    axes->SetElement(row, 3, region.Centre[row]);
+    axes->SetElement(row, 3, region.Center[row]);
   }
 }
 
@@ -184,8 +184,8 @@ vtkSmartPointer<vtkImageData> SliceOf(vtkImageData* image, vtkMatrix4x4* axes, c
   double shift[2] = { 0, 0 };
   for (int row = 0; row < 3; ++row)
   {
-    shift[0] += axes->GetElement(row, 0) * (region.Middle[row] - region.Centre[row]);
-    shift[1] += axes->GetElement(row, 1) * (region.Middle[row] - region.Centre[row]);
+    shift[0] += axes->GetElement(row, 0) * (region.Middle[row] - region.Center[row]);
+    shift[1] += axes->GetElement(row, 1) * (region.Middle[row] - region.Center[row]);
   }
   const double pixel = region.Side / ViewSize;
   vtkNew<vtkImageReslice> reslice;
@@ -218,7 +218,7 @@ vtkSmartPointer<vtkRenderer> AddRenderer(vtkRenderWindow* window,
 }
 
 void AddContour(vtkRenderer* renderer, vtkPolyData* contour, const double* towardsViewer,
-  const double colour[3], double width)
+  const double color[3], double width)
 {
   vtkNew<vtkPolyDataMapper> mapper;
   mapper->SetInputData(contour);
@@ -226,7 +226,7 @@ void AddContour(vtkRenderer* renderer, vtkPolyData* contour, const double* towar
   vtkNew<vtkActor> actor;
   actor->SetMapper(mapper);
   actor->SetPosition(towardsViewer[0], towardsViewer[1], towardsViewer[2]);
-  actor->GetProperty()->SetColor(colour[0], colour[1], colour[2]);
+  actor->GetProperty()->SetColor(color[0], color[1], color[2]);
   actor->GetProperty()->LightingOff();
   actor->GetProperty()->SetLineWidth(static_cast<float>(width));
   renderer->AddActor(actor);
@@ -240,7 +240,7 @@ void AddLetter(vtkRenderer* renderer, const char* letter, double x, double y)
   text->SetPosition(x, y);
   vtkTextProperty* property = text->GetTextProperty();
   property->SetFontSize(18 * Finer);
-  property->SetColor(LetterColour[0], LetterColour[1], LetterColour[2]);
+  property->SetColor(LetterColor[0], LetterColor[1], LetterColor[2]);
   property->ShadowOn(); // tells it from bright tissue
   property->SetShadowOffset(Finer, -Finer);
   property->SetJustificationToCentered();
@@ -265,7 +265,7 @@ void AddSlice(vtkRenderWindow* window, const View& view, vtkImageData* image, vt
   renderer->AddActor(slice);
 
   vtkNew<vtkPlane> plane;
-  plane->SetOrigin(region.Centre.data());
+  plane->SetOrigin(region.Center.data());
   plane->SetNormal(normal.data());
   vtkNew<vtkCutter> cut;
   cut->SetInputData(surface);
@@ -276,7 +276,7 @@ void AddSlice(vtkRenderWindow* window, const View& view, vtkImageData* image, vt
   for (int layer = 1; layer <= 2; ++layer) // a dark rim tells the line from bright tissue
   {
     const double front[3] = { layer * normal[0], layer * normal[1], layer * normal[2] };
-    AddContour(renderer, lines->GetOutput(), front, layer == 1 ? Ink : ContourColour,
+    AddContour(renderer, lines->GetOutput(), front, layer == 1 ? Ink : ContourColor,
       layer == 1 ? 14 : 8);
   }
   AddLetter(renderer, view.LeftLetter, 0.035, 0.5);
@@ -304,7 +304,7 @@ void AddSurface(vtkRenderWindow* window, vtkPolyData* surface)
   vtkNew<vtkActor> actor;
   actor->SetMapper(mapper);
   vtkProperty* property = actor->GetProperty();
-  property->SetColor(OrganColour[0], OrganColour[1], OrganColour[2]);
+  property->SetColor(OrganColor[0], OrganColor[1], OrganColor[2]);
   property->SetInterpolationToPhong();
   property->SetAmbient(0.08);
   property->SetDiffuse(0.85);

@@ -1,5 +1,5 @@
 /**
- * Surfaces in files, by their ending. Coordinates are LPS millimetres in every format, as they are.
+ * Surfaces in files, by their ending. Coordinates are LPS millimeters in every format, as they are.
  */
 #ifndef FlipFreeCommandSurfaceFile_h
 #define FlipFreeCommandSurfaceFile_h

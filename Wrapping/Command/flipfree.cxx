@@ -37,7 +37,7 @@ const char* const Footer =
   "  flipfree evaluate liver.vtp try/abdomen-truth.nii.gz --reference-label 6\n"
   "\n"
   "Each subcommand has its own --help, with units, defaults and examples. Coordinates are LPS\n"
-  "millimetres: x to the patient's left, y to the back, z to the head. A viewer that shows RAS,\n"
+  "millimeters: x to the patient's left, y to the back, z to the head. A viewer that shows RAS,\n"
   "such as 3D Slicer, has the signs of x and y the other way round.\n"
   "Exit status: 0 success, 1 the work failed, 2 wrong usage, 130 interrupted.\n";
 

@@ -5,7 +5,7 @@
 A module of wrapped classes is described by what its docstrings say, in which VTK's wrapping gives
 the types; later versions of VTK do the same for vtkmodules. For a module in Python, the stub is its
 source with the signatures that its functions have once it has been imported: there the keywords
-that are a filter's properties are spelt out.
+that are a filter's properties are spelled out.
 """
 
 import ast

@@ -1,7 +1,7 @@
-#include "Correspondence.h"
+#include "Deformation/Correspondence.h"
 
-#include "ImageInterpolation.h"
-#include "VoxelTraversal.h"
+#include "Image/ImageInterpolation.h"
+#include "Image/VoxelTraversal.h"
 
 #include <algorithm>
 
@@ -75,7 +75,8 @@ private:
       if (!wanted && !walk.IsInside())
       {
         distance = run > 0 ? entry : walk.GetEntry();
-        return this->Settings.ImageEndDistance > 0 && distance <= this->Settings.ImageEndDistance;
+        return this->Settings.ImageBoundaryDistance > 0 &&
+          distance <= this->Settings.ImageBoundaryDistance;
       }
       if (this->IsForeground(walk) != wanted)
       {
@@ -99,7 +100,7 @@ private:
     return false;
   }
 
-  // The place of the greatest change of the grey values along the line, weighed by its nearness to
+  // The place of the greatest change of the gray values along the line, weighed by its nearness to
   // the crossing.
   double StrongestEdge(const Eigen::Vector3d& point, const Eigen::Vector3d& normal,
     double crossing) const

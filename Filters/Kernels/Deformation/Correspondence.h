@@ -5,9 +5,9 @@
 #ifndef FlipFreeCorrespondence_h
 #define FlipFreeCorrespondence_h
 
-#include "BitMask.h"
-#include "ContourMesh.h"
-#include "IntensityModel.h"
+#include "Image/BitMask.h"
+#include "Image/EdgeRamp.h"
+#include "Mesh/ContourMesh.h"
 
 namespace FlipFree
 {
@@ -17,31 +17,31 @@ enum class VertexState : unsigned char
 {
   Solitary = 0, ///< no target
   Matched = 1,  ///< has a target
-  Flipping = 2  ///< has a target that may not be reached together with its neighbours'
+  Flipping = 2  ///< has a target that may not be reached together with its neighbors'
 };
 
 struct CorrespondenceSettings
 {
-  /// Greatest length of a search line, in millimetres.
+  /// Greatest length of a search line, in millimeters.
   double SearchDistance = 40;
 
   /// Length of the run of consecutive voxels on the other side: in voxels (N + 1), or, if the other
-  /// one is positive, in millimetres.
+  /// one is positive, in millimeters.
   int RunVoxels = 4;
   double RunLength = 0;
 
   /// A vertex in the background looks inward for the foreground. Off: Eq. 2 read literally.
   bool SearchInward = true;
 
-  /// A vertex this near to the image's end, in millimetres along its line, takes the end for its
+  /// A vertex this near to the image's end, in millimeters along its line, takes the end for its
   /// target: an organ that the image cuts has its boundary there. Zero: it is solitary.
-  double ImageEndDistance = 0;
+  double ImageBoundaryDistance = 0;
 
-  /// Where the strongest edge is looked for around the crossing: the deviation, in millimetres, of
+  /// Where the strongest edge is looked for around the crossing: the deviation, in millimeters, of
   /// the Gaussian window that weighs it. Zero leaves the target on the voxel's face.
   double EdgeWindow = 0;
 
-  /// How grey values are read there; edges count where it falls outward.
+  /// How gray values are read there; edges count where it falls outward.
   EdgeRamp Ramp;
 };
 
@@ -52,7 +52,7 @@ struct CorrespondenceField
 };
 
 /// Searches all vertices. `normals` are unit vectors; `foreground` are the voxels whose feature is
-/// at or above its threshold (Gamma); `edges` is the grey image in which the target is refined (may
+/// at or above its threshold (Gamma); `edges` is the gray image in which the target is refined (may
 /// be the null view if EdgeWindow is zero), on the same grid.
 CorrespondenceField FindCorrespondences(const PointList& points, const PointList& normals,
   const BitMask& foreground, const ImageView<float>& edges, const CorrespondenceSettings& settings,

@@ -1,6 +1,6 @@
-#include "DeformationStep.h"
+#include "Deformation/DeformationStep.h"
 
-#include "FlipAvoidance.h"
+#include "Deformation/FlipAvoidance.h"
 #include "Stopwatch.h"
 
 #include <algorithm>

@@ -5,9 +5,9 @@
 #ifndef FlipFreeDeformationStep_h
 #define FlipFreeDeformationStep_h
 
-#include "DisplacementDiffusion.h"
-#include "EmbeddingGuard.h"
-#include "LaplacianDeformation.h"
+#include "Deformation/DisplacementDiffusion.h"
+#include "Deformation/LaplacianDeformation.h"
+#include "Guard/EmbeddingGuard.h"
 
 namespace FlipFree
 {

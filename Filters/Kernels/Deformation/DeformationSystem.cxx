@@ -1,4 +1,4 @@
-#include "DeformationSystem.h"
+#include "Deformation/DeformationSystem.h"
 
 #include <vector>
 
@@ -46,7 +46,7 @@ void ApplyLaplacian(const ContourMesh& mesh, const VertexField& field, VertexFie
 {
   for (int vertex = 0; vertex < mesh.NumberOfPoints(); ++vertex)
   {
-    const auto& ring = mesh.Neighbours[vertex];
+    const auto& ring = mesh.Neighbors[vertex];
     result.col(vertex) = field.col(vertex) -
       0.25 * (field.col(ring[0]) + field.col(ring[1]) + field.col(ring[2]) + field.col(ring[3]));
   }
@@ -90,9 +90,9 @@ Eigen::SparseMatrix<double> AssembleSystem(const ContourMesh& mesh, double unifo
   for (int vertex = 0; vertex < size; ++vertex)
   {
     entries.emplace_back(vertex, vertex, 1.0);
-    for (int neighbour : mesh.Neighbours[vertex])
+    for (int neighbor : mesh.Neighbors[vertex])
     {
-      entries.emplace_back(vertex, neighbour, -0.25);
+      entries.emplace_back(vertex, neighbor, -0.25);
     }
   }
   Eigen::SparseMatrix<double> laplacian(size, size);

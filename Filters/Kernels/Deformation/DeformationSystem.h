@@ -1,5 +1,5 @@
 /**
- * The linear system of the deformation step (paper section 3.6, Eq. 4-8), which minimises
+ * The linear system of the deformation step (paper section 3.6, Eq. 4-8), which minimizes
  * E_L + lambda_p E_p + lambda_u E_u.
  *
  * On a four-valent mesh the three quadratic forms are combinations of one operator, the uniform
@@ -10,7 +10,7 @@
 #ifndef FlipFreeDeformationSystem_h
 #define FlipFreeDeformationSystem_h
 
-#include "ContourMesh.h"
+#include "Mesh/ContourMesh.h"
 
 #include <Eigen/SparseCore>
 
@@ -23,7 +23,7 @@ struct DeformationSettings
   double UniformWeight = 1.0;  ///< lambda_u
 
   /// How much of the present Laplacian is given up: 0 keeps the shape (Eq. 5), in which case the
-  /// energy is inertia and noise never leaves; 1 minimises |L(u')|^2, which smooths and shrinks.
+  /// energy is inertia and noise never leaves; 1 minimizes |L(u')|^2, which smooths and shrinks.
   double Fairing = 0;
 };
 

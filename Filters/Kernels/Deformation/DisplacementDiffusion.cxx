@@ -1,4 +1,4 @@
-#include "DisplacementDiffusion.h"
+#include "Deformation/DisplacementDiffusion.h"
 
 #include <algorithm>
 #include <vector>
@@ -19,7 +19,7 @@ public:
   }
 
   // One pass. A vertex that no displacement has reached yet does not count as one that wants to
-  // rest: only known neighbours take part.
+  // rest: only known neighbors take part.
   void Average(const std::vector<int>& vertices)
   {
     this->Averages.resize(vertices.size());
@@ -52,9 +52,9 @@ private:
       }
     };
     add(vertex);
-    for (int neighbour : this->Mesh.Neighbours[vertex])
+    for (int neighbor : this->Mesh.Neighbors[vertex])
     {
-      add(neighbour);
+      add(neighbor);
     }
     Eigen::RowVector4d average;
     average << sum / std::max(1, count), count;

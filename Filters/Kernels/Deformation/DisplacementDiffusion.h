@@ -5,14 +5,14 @@
 #ifndef FlipFreeDisplacementDiffusion_h
 #define FlipFreeDisplacementDiffusion_h
 
-#include "Correspondence.h"
+#include "Deformation/Correspondence.h"
 
 namespace FlipFree
 {
 
 struct DiffusionSettings
 {
-  /// Passes of averaging by which solitary vertices take over their neighbours' displacements.
+  /// Passes of averaging by which solitary vertices take over their neighbors' displacements.
   int Iterations = 40;
 
   /// Passes in which the matched vertices are averaged too, which calms the whole field.

@@ -1,4 +1,4 @@
-#include "FlipAvoidance.h"
+#include "Deformation/FlipAvoidance.h"
 
 namespace FlipFree
 {

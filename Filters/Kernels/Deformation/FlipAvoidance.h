@@ -4,7 +4,7 @@
 #ifndef FlipFreeFlipAvoidance_h
 #define FlipFreeFlipAvoidance_h
 
-#include "Correspondence.h"
+#include "Deformation/Correspondence.h"
 
 namespace FlipFree
 {

@@ -1,4 +1,4 @@
-#include "LaplacianDeformation.h"
+#include "Deformation/LaplacianDeformation.h"
 
 #include <Eigen/SparseCholesky>
 
@@ -12,7 +12,7 @@ constexpr int MaximumIterations = 400;
 
 } // namespace
 
-struct DeformationSolver::Factorisation
+struct DeformationSolver::Factorization
 {
   Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> Cholesky;
 };
@@ -38,7 +38,7 @@ bool DeformationSolver::IterateToSolution(double uniformWeight, int& iterations)
   const double shift = 4 * uniformWeight;
   const auto add = [&](const VertexField& field, int vertex)
   {
-    const auto& ring = this->Mesh.Neighbours[vertex];
+    const auto& ring = this->Mesh.Neighbors[vertex];
     return (field.col(ring[0]) + field.col(ring[1])) + (field.col(ring[2]) + field.col(ring[3]));
   };
   // Image = (L^2 + 4 lambda_u L + lambda_p W) x, by way of Inner = (L + 4 lambda_u) x.
@@ -104,13 +104,13 @@ bool DeformationSolver::IterateToSolution(double uniformWeight, int& iterations)
   return false;
 }
 
-bool DeformationSolver::Factorise(double uniformWeight, PointList& solution)
+bool DeformationSolver::Factorize(double uniformWeight, PointList& solution)
 {
   const Eigen::SparseMatrix<double> matrix =
     AssembleSystem(this->Mesh, uniformWeight, this->Diagonal);
   if (!this->Factor)
   {
-    this->Factor = std::make_unique<Factorisation>();
+    this->Factor = std::make_unique<Factorization>();
     this->Factor->Cholesky.analyzePattern(matrix);
   }
   this->Factor->Cholesky.factorize(matrix);
@@ -136,8 +136,8 @@ DeformationReport DeformationSolver::Solve(const PointList& points, const PointL
     start = this->Solution.topRows<3>().transpose();
     return report;
   }
-  report.Factorised = true;
-  this->Factorise(settings.UniformWeight, start); // or the start stays as it is
+  report.Factorized = true;
+  this->Factorize(settings.UniformWeight, start); // or the start stays as it is
   return report;
 }
 

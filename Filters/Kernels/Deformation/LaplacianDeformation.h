@@ -3,12 +3,12 @@
  * three coordinates at once.
  *
  * By conjugate gradients, which need no matrix and about as many iterations for any number of
- * vertices; a sparse Cholesky factorisation takes over where they do not converge.
+ * vertices; a sparse Cholesky factorization takes over where they do not converge.
  */
 #ifndef FlipFreeLaplacianDeformation_h
 #define FlipFreeLaplacianDeformation_h
 
-#include "DeformationSystem.h"
+#include "Deformation/DeformationSystem.h"
 
 #include <memory>
 
@@ -18,7 +18,7 @@ namespace FlipFree
 struct DeformationReport
 {
   int Iterations = 0;
-  bool Factorised = false; ///< conjugate gradients gave up
+  bool Factorized = false; ///< conjugate gradients gave up
 };
 
 /// The solver for one mesh, which must outlive it. It keeps its memory and the analysis of the
@@ -31,16 +31,16 @@ public:
 
   const ContourMesh& GetMesh() const { return this->Mesh; }
 
-  /// The displacements that minimise the energy when every vertex i is drawn by `targets` (target
+  /// The displacements that minimize the energy when every vertex i is drawn by `targets` (target
   /// minus point). `start` warms up the solver and takes the result.
   DeformationReport Solve(const PointList& points, const PointList& targets,
     const DeformationSettings& settings, PointList& start);
 
 private:
-  struct Factorisation;
+  struct Factorization;
 
   bool IterateToSolution(double uniformWeight, int& iterations);
-  bool Factorise(double uniformWeight, PointList& solution);
+  bool Factorize(double uniformWeight, PointList& solution);
 
   const ContourMesh& Mesh;
   Eigen::VectorXd Diagonal; ///< lambda_p W
@@ -50,7 +50,7 @@ private:
   VertexField Direction;
   VertexField Inner;
   VertexField Image;
-  std::unique_ptr<Factorisation> Factor; ///< made when first needed
+  std::unique_ptr<Factorization> Factor; ///< made when first needed
 };
 
 } // namespace FlipFree

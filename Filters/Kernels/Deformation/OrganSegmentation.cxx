@@ -1,8 +1,8 @@
-#include "OrganSegmentation.h"
+#include "Deformation/OrganSegmentation.h"
 
-#include "SelfIntersection.h"
+#include "Geometry/SelfIntersection.h"
+#include "Guard/SurfaceRefinement.h"
 #include "Stopwatch.h"
-#include "SurfaceRefinement.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,7 +17,7 @@ constexpr std::size_t ChangeSpan = 5;
 // A surface that still finds new parts of the boundary is not at rest, though its mean distance to
 // what it has found may grow: by this part of its vertices.
 constexpr double Growth = 0.01;
-// What is smoothed before anything is known of the organ, in seed radii around the seed's centre,
+// What is smoothed before anything is known of the organ, in seed radii around the seed's center,
 // and by how much of its size it grows where the organ goes on.
 constexpr double FirstReach = 3;
 constexpr double GrowthOfBox = 0.25;
@@ -117,7 +117,7 @@ private:
       proceed);
   }
 
-  // All within millimetres of the points, and some voxels more.
+  // All within millimeters of the points, and some voxels more.
   VoxelBox BoxAround(const PointList& points, double reach, const std::array<int, 3>& margin) const
   {
     const ImageGeometry& geometry = this->Smooth.Geometry;
@@ -139,7 +139,7 @@ private:
   }
 
   // How far from the sides of what has been made the foreground must stay, in voxels: for its own
-  // sake, and for the grey values that the search reads around its rim.
+  // sake, and for the gray values that the search reads around its rim.
   std::array<int, 3> Margin() const
   {
     const ImageGeometry& geometry = this->Smooth.Geometry;
@@ -244,7 +244,7 @@ private:
     }
     this->Surface.Mesh = std::move(refined.Mesh);
     this->Surface.Points = std::move(refined.Points);
-    if (this->Settings.Reestimate)
+    if (this->Settings.ReestimateIntensities)
     {
       Stopwatch watch;
       const double smoothing = this->Surface.SmoothingSeconds;

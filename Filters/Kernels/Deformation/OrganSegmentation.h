@@ -5,10 +5,10 @@
 #ifndef FlipFreeOrganSegmentation_h
 #define FlipFreeOrganSegmentation_h
 
-#include "DeformationStep.h"
-#include "OrganFeature.h"
-#include "SmoothRegion.h"
-#include "TargetSearch.h"
+#include "Deformation/DeformationStep.h"
+#include "Deformation/TargetSearch.h"
+#include "Image/SmoothRegion.h"
+#include "Intensity/OrganFeature.h"
 
 #include <string>
 
@@ -21,11 +21,11 @@ struct OrganSegmentationSettings
   int MaximumIterations = 40; ///< per level
 
   /// A level ends when the mean distance to the targets is below DistanceTolerance, or fell by less
-  /// than ChangeTolerance over five iterations; both in millimetres.
+  /// than ChangeTolerance over five iterations; both in millimeters.
   double DistanceTolerance = 0.1;
   double ChangeTolerance = 0.02;
 
-  bool Reestimate = true; ///< the intensities, at each level after the first
+  bool ReestimateIntensities = true; ///< the intensities, at each level after the first
   bool Guard = true;
 
   OrganFeatureSettings Feature;

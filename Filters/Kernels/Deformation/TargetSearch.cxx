@@ -1,6 +1,6 @@
-#include "TargetSearch.h"
+#include "Deformation/TargetSearch.h"
 
-#include "SurfaceNormals.h"
+#include "Mesh/SurfaceNormals.h"
 
 #include <algorithm>
 #include <array>
@@ -11,10 +11,10 @@ namespace FlipFree
 namespace
 {
 
-// Fewer neighbours say nothing about what is usual.
-constexpr int LeastRing = 4;
+// Fewer neighbors say nothing about what is usual.
+constexpr int MinimumRing = 4;
 
-// The distances of the matched vertices around one, its neighbours and theirs.
+// The distances of the matched vertices around one, its neighbors and theirs.
 class Ring
 {
 public:
@@ -37,7 +37,7 @@ public:
   }
 
 private:
-  std::array<double, 20> Distances; // four neighbours, and at most four of each
+  std::array<double, 20> Distances; // four neighbors, and at most four of each
   int Size = 0;
 };
 
@@ -77,10 +77,10 @@ void RejectOutliers(const ContourMesh& mesh, const PointList& normals, double de
       }
     };
     ring.Clear();
-    for (int neighbour : mesh.Neighbours[vertex])
+    for (int neighbor : mesh.Neighbors[vertex])
     {
-      add(neighbour);
-      for (int next : mesh.Neighbours[neighbour])
+      add(neighbor);
+      for (int next : mesh.Neighbors[neighbor])
       {
         if (next != vertex)
         {
@@ -88,7 +88,7 @@ void RejectOutliers(const ContourMesh& mesh, const PointList& normals, double de
         }
       }
     }
-    if (ring.GetSize() < LeastRing)
+    if (ring.GetSize() < MinimumRing)
     {
       return false;
     }
@@ -128,15 +128,15 @@ CorrespondenceField FindTargets(const ContourMesh& mesh, const PointList& points
   const BitMask& foreground, const ImageView<float>& edges, const TargetSettings& settings,
   const ParallelFor& parallelFor, TargetReport& report)
 {
-  const PointList normals = VertexNormals(mesh, points, settings.NormalSmoothing);
+  const PointList normals = VertexNormals(mesh, points, settings.NormalSmoothingIterations);
   CorrespondenceField field =
     FindCorrespondences(points, normals, foreground, edges, settings.Correspondence, parallelFor);
   const auto withoutBoundary =
     std::count(field.States.begin(), field.States.end(), VertexState::Solitary);
-  if (settings.OutlierDeviations > 0)
+  if (settings.OutlierStandardDeviations > 0)
   {
     const double voxel = foreground.GetGeometry().Spacing.maxCoeff();
-    RejectOutliers(mesh, normals, settings.OutlierDeviations, voxel, parallelFor, field);
+    RejectOutliers(mesh, normals, settings.OutlierStandardDeviations, voxel, parallelFor, field);
   }
   report = Describe(field);
   report.WithoutBoundary = static_cast<int>(withoutBoundary);

@@ -5,7 +5,7 @@
 #ifndef FlipFreeTargetSearch_h
 #define FlipFreeTargetSearch_h
 
-#include "Correspondence.h"
+#include "Deformation/Correspondence.h"
 
 namespace FlipFree
 {
@@ -14,14 +14,14 @@ struct TargetSettings
 {
   CorrespondenceSettings Correspondence;
 
-  /// Passes of averaging over neighbours that the normals get.
-  int NormalSmoothing = 2;
+  /// Passes of averaging over neighbors that the normals get.
+  int NormalSmoothingIterations = 2;
 
   /// Targets farther from the two-ring's median than this many robust deviations, plus a voxel, are
   /// dropped; zero keeps all.
-  double OutlierDeviations = 3;
+  double OutlierStandardDeviations = 3;
 
-  /// Greatest displacement in millimetres; zero does not limit it.
+  /// Greatest displacement in millimeters; zero does not limit it.
   double MaximumDisplacement = 0;
 };
 
@@ -34,12 +34,12 @@ struct TargetReport
 };
 
 /// Makes the vertices solitary whose displacement along the normal is unlike those of their
-/// two-ring: beyond `deviations` robust standard deviations plus `allowance` millimetres from the
+/// two-ring: beyond `deviations` robust standard deviations plus `allowance` millimeters from the
 /// median.
 void RejectOutliers(const ContourMesh& mesh, const PointList& normals, double deviations,
   double allowance, const ParallelFor& parallelFor, CorrespondenceField& field);
 
-/// Shortens displacements to at most `limit` millimetres.
+/// Shortens displacements to at most `limit` millimeters.
 void LimitDisplacements(double limit, CorrespondenceField& field);
 
 CorrespondenceField FindTargets(const ContourMesh& mesh, const PointList& points,

@@ -1,4 +1,4 @@
-#include "ClosestDirection.h"
+#include "Geometry/ClosestDirection.h"
 
 #include <algorithm>
 #include <limits>

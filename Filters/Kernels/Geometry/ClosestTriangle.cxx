@@ -1,4 +1,4 @@
-#include "ClosestTriangle.h"
+#include "Geometry/ClosestTriangle.h"
 
 #include <algorithm>
 #include <cmath>
@@ -30,7 +30,7 @@ double SquaredDistanceToSide(const Eigen::Vector3d& from, const Eigen::Vector3d&
   return (from - t * side).squaredNorm();
 }
 
-// The centre of a triangle, times three.
+// The center of a triangle, times three.
 struct Center
 {
   std::array<float, 3> Position;
@@ -199,9 +199,9 @@ void TriangleForDistance::LowerToSquaredDistances(const PointPacket& points,
     const double toBC = toSide(x - abX, y - abY, z - abZ, bcX, bcY, bcZ, inverseBC);
     const double toTwo = toAB < toAC ? toAB : toAC;
     const double toSides = toTwo < toBC ? toTwo : toBC;
-    const double leastOfTwo = a < b ? a : b;
-    const double leastOfThree = leastOfTwo < c ? leastOfTwo : c;
-    const double inside = leastOfThree < most ? leastOfThree : most;
+    const double minimumOfTwo = a < b ? a : b;
+    const double minimumOfThree = minimumOfTwo < c ? minimumOfTwo : c;
+    const double inside = minimumOfThree < most ? minimumOfThree : most;
     const double toInside = height * height * inverseArea;
     distances[lane] = inside < 0 ? toSides : toInside;
   }

@@ -1,6 +1,6 @@
 // This file is compiled without contraction to fused multiply-add: the error terms below are those
 // of separately rounded operations.
-#include "ExactPredicates.h"
+#include "Geometry/ExactPredicates.h"
 
 #include <cmath>
 #include <limits>

@@ -1,6 +1,6 @@
-#include "SelfIntersection.h"
+#include "Geometry/SelfIntersection.h"
 
-#include "TriangleIntersection.h"
+#include "Geometry/TriangleIntersection.h"
 
 #include <algorithm>
 

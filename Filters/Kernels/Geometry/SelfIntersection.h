@@ -5,13 +5,13 @@
 #ifndef FlipFreeSelfIntersection_h
 #define FlipFreeSelfIntersection_h
 
-#include "TriangleTree.h"
+#include "Geometry/TriangleTree.h"
 
 namespace FlipFree
 {
 
 /// The pairs, each with the lesser index first, sorted. Points must be finite. Triangles without
-/// area do not hide: they are reported together with their neighbours.
+/// area do not hide: they are reported together with their neighbors.
 std::vector<std::pair<int, int>> FindSelfIntersections(const PointList& points,
   const TriangleList& triangles);
 

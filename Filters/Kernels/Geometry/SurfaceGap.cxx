@@ -1,7 +1,7 @@
-#include "SurfaceGap.h"
+#include "Geometry/SurfaceGap.h"
 
-#include "ClosestTriangle.h"
-#include "TriangleTree.h"
+#include "Geometry/ClosestTriangle.h"
+#include "Geometry/TriangleTree.h"
 
 #include <algorithm>
 #include <atomic>
@@ -86,7 +86,7 @@ bool ShareVertex(const TriangleList& triangles, Eigen::Index one, Eigen::Index t
 
 } // namespace
 
-double MeasureLeastGap(const PointList& points, const TriangleList& triangles,
+double MeasureMinimumGap(const PointList& points, const TriangleList& triangles,
   const ParallelFor& parallelFor)
 {
   const TriangleTree tree(points, triangles);

@@ -4,7 +4,7 @@
 #ifndef FlipFreeSurfaceGap_h
 #define FlipFreeSurfaceGap_h
 
-#include "TriangleTree.h"
+#include "Geometry/TriangleTree.h"
 
 namespace FlipFree
 {
@@ -12,7 +12,7 @@ namespace FlipFree
 /// The least distance (mm) between two triangles that share no vertex; infinite when all do. The
 /// surface must be valid (RequireValidFaces) and must not intersect itself: the distance is taken
 /// between vertices and triangles and between edges, which is right for triangles that are apart.
-double MeasureLeastGap(const PointList& points, const TriangleList& triangles,
+double MeasureMinimumGap(const PointList& points, const TriangleList& triangles,
   const ParallelFor& parallelFor = SerialFor);
 
 /// The pairs of triangles that share no vertex and are nearer to each other than `gap` (mm), of a

@@ -1,7 +1,7 @@
-#include "TriangleIntersection.h"
+#include "Geometry/TriangleIntersection.h"
 
-#include "ExactPredicates.h"
-#include "TriangleTree.h"
+#include "Geometry/ExactPredicates.h"
+#include "Geometry/TriangleTree.h"
 
 #include <array>
 
@@ -134,7 +134,7 @@ bool SeparateIntersect(const Triangle& one, const Triangle& two)
 
 // Both triangles have their common vertex first. A ray from there that stays in both leaves one of
 // them through the opposite edge.
-bool VertexNeighboursIntersect(const Triangle& one, const Triangle& two)
+bool VertexNeighborsIntersect(const Triangle& one, const Triangle& two)
 {
   const int sideOne = Orientation3D(one[0], one[1], one[2], two[1]);
   const int sideTwo = Orientation3D(one[0], one[1], one[2], two[2]);
@@ -153,7 +153,7 @@ bool VertexNeighboursIntersect(const Triangle& one, const Triangle& two)
 }
 
 // Both triangles have their common edge first.
-bool EdgeNeighboursIntersect(const Triangle& one, const Triangle& two)
+bool EdgeNeighborsIntersect(const Triangle& one, const Triangle& two)
 {
   if (Orientation3D(one[0], one[1], one[2], two[2]) != 0)
   {
@@ -215,9 +215,9 @@ bool TrianglesIntersect(const PointList& points, const TriangleList& triangles, 
     case 0:
       return SeparateIntersect(pointsOne, pointsTwo);
     case 1:
-      return VertexNeighboursIntersect(pointsOne, pointsTwo);
+      return VertexNeighborsIntersect(pointsOne, pointsTwo);
     case 2:
-      return EdgeNeighboursIntersect(pointsOne, pointsTwo);
+      return EdgeNeighborsIntersect(pointsOne, pointsTwo);
     default:
       return true;
   }

@@ -1,4 +1,4 @@
-#include "TriangleTree.h"
+#include "Geometry/TriangleTree.h"
 
 #include <algorithm>
 #include <numeric>
@@ -22,12 +22,12 @@ Eigen::VectorXi EdgeDistances(const VertexGraph& graph, int start)
   distances[start] = 0;
   for (std::size_t head = 0; head < queue.size(); ++head)
   {
-    for (int neighbour : graph[queue[head]])
+    for (int neighbor : graph[queue[head]])
     {
-      if (distances[neighbour] == unreached)
+      if (distances[neighbor] == unreached)
       {
-        distances[neighbour] = distances[queue[head]] + 1;
-        queue.push_back(neighbour);
+        distances[neighbor] = distances[queue[head]] + 1;
+        queue.push_back(neighbor);
       }
     }
   }
@@ -156,7 +156,7 @@ std::vector<TriangleTree::NodePair> TriangleTree::PairsOfStrangers(const PointLi
   std::vector<NodePair> front;
   if (!this->Nodes.empty())
   {
-    // Neighbours have a point of the layout in common, so their boxes touch.
+    // Neighbors have a point of the layout in common, so their boxes touch.
     this->CollectStrangers(NodePair(0, 0), this->RefitBoxes(layout, triangles), triangles, front);
   }
   return front;
@@ -220,25 +220,25 @@ bool TriangleTree::CollectStrangers(const NodePair& pair, const std::vector<Tria
     return ShareVertex(triangles.row(this->Nodes[pair.first].Triangle).data(),
       triangles.row(this->Nodes[pair.second].Triangle).data());
   }
-  bool areNeighbours = false;
+  bool areNeighbors = false;
   std::vector<NodePair> strangers;
   this->Expand(pair,
     [&](const NodePair& child)
     {
       if (this->CollectStrangers(child, boxes, triangles, front))
       {
-        areNeighbours = true;
+        areNeighbors = true;
       }
       else
       {
         strangers.push_back(child);
       }
     });
-  if (areNeighbours)
+  if (areNeighbors)
   {
     front.insert(front.end(), strangers.begin(), strangers.end());
   }
-  return areNeighbours;
+  return areNeighbors;
 }
 
 std::vector<TriangleBox> TriangleTree::RefitBoxes(const PointList& points,

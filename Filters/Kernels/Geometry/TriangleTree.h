@@ -49,8 +49,8 @@ struct TriangleBox
 class TriangleTree
 {
 public:
-  /// Splits at the median of the triangles' centres, along the longest extent of `layout`: the
-  /// positions that the mesh has at first, or any others in which neighbours lie close together.
+  /// Splits at the median of the triangles' centers, along the longest extent of `layout`: the
+  /// positions that the mesh has at first, or any others in which neighbors lie close together.
   TriangleTree(const PointList& layout, const TriangleList& triangles);
 
   /// A layout for when no positions are known yet: differences of edge distances to three pairs of
@@ -92,7 +92,7 @@ public:
   using NodePair = std::pair<int, int>;
 
   /// Pairs of nodes that together stand for every pair of triangles without a common vertex, once,
-  /// and for no other. It spares a traversal the neighbours, which always meet.
+  /// and for no other. It spares a traversal the neighbors, which always meet.
   std::vector<NodePair> PairsOfStrangers(const PointList& layout,
     const TriangleList& triangles) const;
 
@@ -157,7 +157,7 @@ private:
 
   void Split(const PointList& centers, int* first, int* last);
 
-  // True when some triangles below the two nodes are neighbours; then the pairs of strangers below
+  // True when some triangles below the two nodes are neighbors; then the pairs of strangers below
   // them are in the front.
   bool CollectStrangers(const NodePair& pair, const std::vector<TriangleBox>& boxes,
     const TriangleList& triangles, std::vector<NodePair>& front) const;

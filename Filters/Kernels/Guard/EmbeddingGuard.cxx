@@ -1,6 +1,6 @@
-#include "EmbeddingGuard.h"
+#include "Guard/EmbeddingGuard.h"
 
-#include "TriangleIntersection.h"
+#include "Geometry/TriangleIntersection.h"
 
 #include <algorithm>
 #include <atomic>
@@ -19,26 +19,26 @@ constexpr double RelativeGap = 1e-3;
 // Of the greatest coordinate: well above the rounding errors of positions and distances.
 constexpr double RelativeResolution = 1e-12;
 
-// In millimetres; boxes of motions are kept in single precision.
-constexpr double GreatestPosition = 1e30;
+// In millimeters; boxes of motions are kept in single precision.
+constexpr double MaximumPosition = 1e30;
 
 // Longer displacements, in units of the surface's extent, are cut first: they are errors of the
 // caller, and the rounding errors of their ends must not spoil the rest.
-constexpr double GreatestDisplacement = 100;
+constexpr double MaximumDisplacement = 100;
 
 // What fails keeps this part of the motion that was certain: the more must be taken off, the sooner
 // it is done. But it keeps no more than the greatest part of its motion, and no less than the
 // least: a vertex that others push into may well be able to move once they are held back.
 constexpr double SafetyFactor = 0.9;
-constexpr double GreatestPart = 0.5;
-constexpr double LeastPart = 0.12;
+constexpr double MaximumPart = 0.5;
+constexpr double MinimumPart = 0.12;
 
 // Below this fraction of its displacement a vertex is not moved at all.
-constexpr double LeastScale = 1.0 / 64;
+constexpr double MinimumScale = 1.0 / 64;
 
-// By how much farther a neighbour's scale may carry it, in mean edge lengths: a region whose motion
+// By how much farther a neighbor's scale may carry it, in mean edge lengths: a region whose motion
 // is long is held back as a whole, instead of being sheared where the scale changes.
-constexpr double GreatestShear = 0.25;
+constexpr double MaximumShear = 0.25;
 
 // A motion is short when it takes the vertices no farther than this on average, in mean edge
 // lengths: then few pairs are near enough to meet wherever their vertices are held on their ways.
@@ -190,10 +190,10 @@ struct EmbeddingGuard::Attempt
       }
     }
     // A motion that ends sooner, or later, than at these times is cut to the same part.
-    constexpr double last = GreatestPart / SafetyFactor;
-    return latest < 0 || latest >= 1       ? 1.0
-      : latest * SafetyFactor <= LeastPart ? 0.0
-                                           : std::min(latest, last);
+    constexpr double last = MaximumPart / SafetyFactor;
+    return latest < 0 || latest >= 1         ? 1.0
+      : latest * SafetyFactor <= MinimumPart ? 0.0
+                                             : std::min(latest, last);
   }
 
   // These two parts are not known to be apart for longer than that; not even at the start when it
@@ -219,7 +219,7 @@ struct EmbeddingGuard::Attempt
   double EdgeLength = 0; // mean
   MotionGap Gap;
   std::vector<double> Scales;
-  // By how much a vertex's scale may exceed its neighbours'; negative until it is asked for.
+  // By how much a vertex's scale may exceed its neighbors'; negative until it is asked for.
   std::vector<double> ShearSteps;
   std::vector<char> IsChanged; // while scales are lowered; per vertex
   // The part of the motion that the present pass has found certain.
@@ -265,7 +265,7 @@ private:
 };
 
 EmbeddingGuard::EmbeddingGuard(const ContourMesh& mesh)
-  : Neighbours(mesh.Neighbours)
+  : Neighbors(mesh.Neighbors)
   , Triangles(mesh.Triangles)
   , Corners(ListCorners(mesh.Faces))
   , CornersAt(mesh.NumberOfPoints(), static_cast<int>(this->Corners.size()),
@@ -282,13 +282,13 @@ EmbeddingGuard::EmbeddingGuard(const ContourMesh& mesh)
 GuardReport EmbeddingGuard::Limit(const PointList& points, PointList& displacements,
   const ParallelFor& parallelFor, const Monitor& monitor) const
 {
-  this->RequireFinite(points, "position", GreatestPosition);
+  this->RequireFinite(points, "position", MaximumPosition);
   this->RequireFinite(displacements, "displacement", std::numeric_limits<double>::max());
 
   Attempt attempt(points, displacements);
   GuardReport report;
   const double extent = (points.colwise().maxCoeff() - points.colwise().minCoeff()).norm();
-  const double greatest = GreatestDisplacement * extent;
+  const double greatest = MaximumDisplacement * extent;
   for (Eigen::Index vertex = 0; vertex < points.rows(); ++vertex)
   {
     const double length = displacements.row(vertex).lpNorm<Eigen::Infinity>();
@@ -335,16 +335,16 @@ GuardReport EmbeddingGuard::Limit(const PointList& points, PointList& displaceme
 
 void EmbeddingGuard::RequireEmbedded(const PointList& points, const ParallelFor& parallelFor) const
 {
-  this->RequireFinite(points, "position", GreatestPosition);
+  this->RequireFinite(points, "position", MaximumPosition);
   this->RequireEmbeddedNear(points, std::vector<char>(points.rows(), 1), parallelFor);
 }
 
 void EmbeddingGuard::RequireFinite(const PointList& points, const char* what, double greatest) const
 {
-  if (points.rows() != static_cast<Eigen::Index>(this->Neighbours.size()))
+  if (points.rows() != static_cast<Eigen::Index>(this->Neighbors.size()))
   {
     throw std::invalid_argument("The guard was made for a mesh of " +
-      std::to_string(this->Neighbours.size()) + " vertices and got one " + what + " for each of " +
+      std::to_string(this->Neighbors.size()) + " vertices and got one " + what + " for each of " +
       std::to_string(points.rows()));
   }
   for (Eigen::Index vertex = 0; vertex < points.rows(); ++vertex)
@@ -396,14 +396,14 @@ void EmbeddingGuard::RequireEmbeddedNear(const PointList& points, const std::vec
 double EmbeddingGuard::MeanEdgeLength(const PointList& points) const
 {
   double sum = 0;
-  for (std::size_t vertex = 0; vertex < this->Neighbours.size(); ++vertex)
+  for (std::size_t vertex = 0; vertex < this->Neighbors.size(); ++vertex)
   {
-    for (int neighbour : this->Neighbours[vertex])
+    for (int neighbor : this->Neighbors[vertex])
     {
-      sum += (points.row(vertex) - points.row(neighbour)).norm();
+      sum += (points.row(vertex) - points.row(neighbor)).norm();
     }
   }
-  return sum / (4.0 * this->Neighbours.size());
+  return sum / (4.0 * this->Neighbors.size());
 }
 
 bool EmbeddingGuard::TestCorners(Attempt& attempt, const ParallelFor& parallelFor) const
@@ -634,7 +634,7 @@ void EmbeddingGuard::TestPairsWithoutStrangers(Attempt& attempt,
 
 void EmbeddingGuard::ScaleBack(Attempt& attempt) const
 {
-  const double shear = GreatestShear * attempt.EdgeLength;
+  const double shear = MaximumShear * attempt.EdgeLength;
   // What is changed at first changes what is near.
   std::vector<char>& isChanged = attempt.IsChanged;
   std::vector<int> queue;
@@ -657,8 +657,8 @@ void EmbeddingGuard::ScaleBack(Attempt& attempt) const
       if (attempt.Scales[vertex] > 0)
       {
         const double scale = attempt.Scales[vertex] *
-          std::max(LeastPart, std::min(GreatestPart, SafetyFactor * until));
-        change(vertex, scale < LeastScale ? 0 : scale);
+          std::max(MinimumPart, std::min(MaximumPart, SafetyFactor * until));
+        change(vertex, scale < MinimumScale ? 0 : scale);
       }
       attempt.SafeUntil[vertex].store(1, std::memory_order_relaxed);
     }
@@ -667,17 +667,17 @@ void EmbeddingGuard::ScaleBack(Attempt& attempt) const
   {
     const int vertex = queue[head++];
     const double scale = attempt.Scales[vertex];
-    for (int neighbour : this->Neighbours[vertex])
+    for (int neighbor : this->Neighbors[vertex])
     {
-      double& step = attempt.ShearSteps[neighbour];
+      double& step = attempt.ShearSteps[neighbor];
       if (step < 0)
       {
-        step = shear / attempt.Wanted.row(neighbour).norm();
+        step = shear / attempt.Wanted.row(neighbor).norm();
       }
       const double limit = scale + step;
-      if (attempt.Scales[neighbour] > limit)
+      if (attempt.Scales[neighbor] > limit)
       {
-        change(neighbour, limit);
+        change(neighbor, limit);
       }
     }
   }

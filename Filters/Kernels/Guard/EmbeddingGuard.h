@@ -9,13 +9,13 @@
 #ifndef FlipFreeEmbeddingGuard_h
 #define FlipFreeEmbeddingGuard_h
 
-#include "ContourMesh.h"
-#include "MotionBox.h"
-#include "MotionCertificate.h"
-#include "StrangerPairs.h"
-#include "SweptBox.h"
-#include "TriangleTree.h"
-#include "VertexIncidence.h"
+#include "Geometry/TriangleTree.h"
+#include "Guard/MotionBox.h"
+#include "Guard/MotionCertificate.h"
+#include "Guard/StrangerPairs.h"
+#include "Guard/SweptBox.h"
+#include "Mesh/ContourMesh.h"
+#include "Mesh/VertexIncidence.h"
 
 #include <mutex>
 
@@ -37,11 +37,11 @@ public:
   /// Scales displacements down, where and as little as it must, until it is certain that on the
   /// straight way from points to points + displacements no two triangles meet but in the vertex or
   /// edge they share, and no normal of a triangle or of a corner of a face turns by 90 degrees or
-  /// more. Both have one row per vertex, in millimetres; a displacement of more than a hundred
+  /// more. Both have one row per vertex, in millimeters; a displacement of more than a hundred
   /// times the surface's extent is cut to that first. Triangles without a common vertex keep a
   /// distance of a thousandth of the mean edge length, or the one they start with if that is less;
   /// corners that have no normal at the start are not judged. Where the motion is long, a vertex
-  /// that is held back holds its neighbours, too. `monitor` is asked between passes; when it
+  /// that is held back holds its neighbors, too. `monitor` is asked between passes; when it
   /// returns false, the displacements become zero. Throws std::invalid_argument when there is
   /// another number of rows, when a number is not finite or a coordinate beyond 1e30 mm, or where a
   /// motion cannot be certified because the points are not embedded.
@@ -96,7 +96,7 @@ private:
     return { { this->Triangles(index, 0), this->Triangles(index, 1), this->Triangles(index, 2) } };
   }
 
-  std::vector<std::array<int, 4>> Neighbours;
+  std::vector<std::array<int, 4>> Neighbors;
   TriangleList Triangles;
   std::vector<Corner> Corners;
   VertexIncidence CornersAt;

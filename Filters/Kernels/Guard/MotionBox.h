@@ -8,7 +8,7 @@
 #ifndef FlipFreeMotionBox_h
 #define FlipFreeMotionBox_h
 
-#include "MotionCertificate.h"
+#include "Guard/MotionCertificate.h"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
-#include "MotionCertificate.h"
+#include "Guard/MotionCertificate.h"
 
-#include "ClosestDirection.h"
+#include "Geometry/ClosestDirection.h"
 
 #include <Eigen/Geometry>
 
@@ -16,7 +16,7 @@ namespace
 using Eigen::Vector3d;
 
 // Advances shorter than this fraction of the motion are given up: the parts are about to touch.
-constexpr double LeastAdvance = 0.01;
+constexpr double MinimumAdvance = 0.01;
 
 // Parts that are nearer than the wanted gap keep their distance, up to this fraction; without it,
 // rounding would refuse every motion.
@@ -127,7 +127,7 @@ double Advance(const Motion& motion, const std::array<int, A>& one, const std::a
       return time;
     }
     time += advance;
-    if (advance <= LeastAdvance || (time >= enough && time < 1))
+    if (advance <= MinimumAdvance || (time >= enough && time < 1))
     {
       return time;
     }
@@ -183,7 +183,7 @@ public:
   }
 
   // Tries the normals of both triangles, across which sheets that lie on each other are apart, the
-  // line between their centres, the perpendiculars of their edges.
+  // line between their centers, the perpendiculars of their edges.
   QuickProof Find()
   {
     if (!(this->Extent[0] < Huge && this->Extent[1] < Huge))

@@ -30,7 +30,7 @@ struct Motion
   bool IsAtRest(int vertex) const { return this->From.row(vertex) == this->To.row(vertex); }
 };
 
-/// The distance that is to be kept, in millimetres. Where parts are nearer than `Wanted` at the
+/// The distance that is to be kept, in millimeters. Where parts are nearer than `Wanted` at the
 /// start, they may not come nearer; nearer than `Resolution`, the size of rounding errors, they may
 /// not move at all.
 struct MotionGap

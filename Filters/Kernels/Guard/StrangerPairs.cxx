@@ -1,4 +1,4 @@
-#include "StrangerPairs.h"
+#include "Guard/StrangerPairs.h"
 
 #include <algorithm>
 #include <iterator>
@@ -32,31 +32,31 @@ IndexLists ListStars(int numberOfPoints, const TriangleList& triangles)
 }
 
 // The triangles that are not strange to each triangle, itself included.
-IndexLists ListNeighbours(const TriangleList& triangles, const IndexLists& stars)
+IndexLists ListNeighbors(const TriangleList& triangles, const IndexLists& stars)
 {
-  IndexLists neighbours(triangles.rows());
+  IndexLists neighbors(triangles.rows());
   for (int triangle = 0; triangle < triangles.rows(); ++triangle)
   {
-    neighbours[triangle].reserve(24);
+    neighbors[triangle].reserve(24);
     for (int corner = 0; corner < 3; ++corner)
     {
       const std::vector<int>& star = stars[triangles(triangle, corner)];
-      neighbours[triangle].insert(neighbours[triangle].end(), star.begin(), star.end());
+      neighbors[triangle].insert(neighbors[triangle].end(), star.begin(), star.end());
     }
-    SortUnique(neighbours[triangle]);
+    SortUnique(neighbors[triangle]);
   }
-  return neighbours;
+  return neighbors;
 }
 
-// A vertex and a triangle are without strangers if all triangles around the vertex are neighbours
+// A vertex and a triangle are without strangers if all triangles around the vertex are neighbors
 // of the triangle.
 void AppendVertexFaces(const TriangleList& triangles, const IndexLists& stars,
-  const std::vector<int>& neighbours, const std::array<int, 3>& face, FeaturePairs& pairs)
+  const std::vector<int>& neighbors, const std::array<int, 3>& face, FeaturePairs& pairs)
 {
   std::vector<int> vertices;
-  for (int neighbour : neighbours)
+  for (int neighbor : neighbors)
   {
-    const int* const corners = triangles.row(neighbour).data();
+    const int* const corners = triangles.row(neighbor).data();
     vertices.insert(vertices.end(), corners, corners + 3);
   }
   SortUnique(vertices);
@@ -64,25 +64,25 @@ void AppendVertexFaces(const TriangleList& triangles, const IndexLists& stars,
   {
     const std::vector<int>& star = stars[vertex];
     if (std::find(face.begin(), face.end(), vertex) == face.end() &&
-      std::includes(neighbours.begin(), neighbours.end(), star.begin(), star.end()))
+      std::includes(neighbors.begin(), neighbors.end(), star.begin(), star.end()))
     {
       pairs.VertexFaces.push_back({ { { vertex } }, face });
     }
   }
 }
 
-// Two edges are without strangers if both triangles at the second are neighbours of both triangles
+// Two edges are without strangers if both triangles at the second are neighbors of both triangles
 // at the first.
-void AppendEdgeEdges(const TriangleList& triangles, const std::vector<int>& commonNeighbours,
+void AppendEdgeEdges(const TriangleList& triangles, const std::vector<int>& commonNeighbors,
   const std::array<int, 2>& edge, FeaturePairs& pairs)
 {
   std::vector<std::array<int, 2>> others;
-  for (int neighbour : commonNeighbours)
+  for (int neighbor : commonNeighbors)
   {
     for (int corner = 0; corner < 3; ++corner)
     {
-      const int a = triangles(neighbour, corner);
-      const int b = triangles(neighbour, (corner + 1) % 3);
+      const int a = triangles(neighbor, corner);
+      const int b = triangles(neighbor, (corner + 1) % 3);
       const std::array<int, 2> other{ { std::min(a, b), std::max(a, b) } };
       // Every pair once.
       if (edge < other && other[0] != edge[0] && other[0] != edge[1] && other[1] != edge[0] &&
@@ -107,14 +107,14 @@ void AppendEdgeEdges(const TriangleList& triangles, const std::vector<int>& comm
 FeaturePairs ListPairsWithoutStrangers(int numberOfPoints, const TriangleList& triangles)
 {
   const IndexLists stars = ListStars(numberOfPoints, triangles);
-  const IndexLists neighbours = ListNeighbours(triangles, stars);
+  const IndexLists neighbors = ListNeighbors(triangles, stars);
   FeaturePairs pairs;
   std::vector<int> common;
   for (int triangle = 0; triangle < triangles.rows(); ++triangle)
   {
     const std::array<int, 3> face{ { triangles(triangle, 0), triangles(triangle, 1),
       triangles(triangle, 2) } };
-    AppendVertexFaces(triangles, stars, neighbours[triangle], face, pairs);
+    AppendVertexFaces(triangles, stars, neighbors[triangle], face, pairs);
     for (int corner = 0; corner < 3; ++corner)
     {
       const int a = face[corner];
@@ -125,8 +125,8 @@ FeaturePairs ListPairsWithoutStrangers(int numberOfPoints, const TriangleList& t
         if (other > triangle && std::binary_search(atOtherEnd.begin(), atOtherEnd.end(), other))
         {
           common.clear();
-          std::set_intersection(neighbours[triangle].begin(), neighbours[triangle].end(),
-            neighbours[other].begin(), neighbours[other].end(), std::back_inserter(common));
+          std::set_intersection(neighbors[triangle].begin(), neighbors[triangle].end(),
+            neighbors[other].begin(), neighbors[other].end(), std::back_inserter(common));
           AppendEdgeEdges(triangles, common, { { std::min(a, b), std::max(a, b) } }, pairs);
         }
       }

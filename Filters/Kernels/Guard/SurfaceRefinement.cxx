@@ -1,10 +1,10 @@
-#include "SurfaceRefinement.h"
+#include "Guard/SurfaceRefinement.h"
 
-#include "EmbeddingGuard.h"
-#include "MeshRefinement.h"
-#include "SelfIntersection.h"
-#include "SurfaceGap.h"
-#include "SurfaceNormals.h"
+#include "Geometry/SelfIntersection.h"
+#include "Geometry/SurfaceGap.h"
+#include "Guard/EmbeddingGuard.h"
+#include "Mesh/MeshRefinement.h"
+#include "Mesh/SurfaceNormals.h"
 
 #include <set>
 #include <vector>
@@ -14,12 +14,12 @@ namespace FlipFree
 namespace
 {
 
-constexpr int MostAttempts = 9;
-constexpr int MostRelaxations = 30;
+constexpr int MaximumAttempts = 9;
+constexpr int MaximumRelaxations = 30;
 // That the refined surface keeps from itself, relative to the mean edge length of the old one: as
 // volume meshers like it.
 constexpr double RelativeGap = 1e-4;
-// Of the way of a vertex to the mean of its neighbours.
+// Of the way of a vertex to the mean of its neighbors.
 constexpr double Relaxation = 0.5;
 
 // Smooths the surface at some vertices.
@@ -29,7 +29,7 @@ void RelaxOnce(const ContourMesh& mesh, const EmbeddingGuard& guard, const std::
   PointList motion = PointList::Zero(points.rows(), 3);
   for (int vertex : vertices)
   {
-    const auto& ring = mesh.Neighbours[vertex];
+    const auto& ring = mesh.Neighbors[vertex];
     motion.row(vertex) = Relaxation *
       (0.25 *
           (points.row(ring[0]) + points.row(ring[1]) + points.row(ring[2]) + points.row(ring[3])) -
@@ -47,7 +47,7 @@ bool RefineEmbedded(const ContourMesh& mesh, const PointList& points, const Refi
   RefinedSurface& refined, std::set<int>& involved)
 {
   Eigen::VectorXd reach = Eigen::VectorXd::Ones(points.rows());
-  for (int attempt = 0; attempt < MostAttempts; ++attempt)
+  for (int attempt = 0; attempt < MaximumAttempts; ++attempt)
   {
     if (!monitor(0))
     {
@@ -72,7 +72,7 @@ bool RefineEmbedded(const ContourMesh& mesh, const PointList& points, const Refi
         {
           const int parent = faces.Parents[refined.Mesh.Triangles(triangle, corner)];
           involved.insert(parent);
-          involved.insert(mesh.Neighbours[parent].begin(), mesh.Neighbours[parent].end());
+          involved.insert(mesh.Neighbors[parent].begin(), mesh.Neighbors[parent].end());
         }
       }
     }
@@ -92,11 +92,11 @@ void AddRings(const ContourMesh& mesh, int rings, std::set<int>& vertices)
     std::vector<int> next;
     for (int vertex : rim)
     {
-      for (int neighbour : mesh.Neighbours[vertex])
+      for (int neighbor : mesh.Neighbors[vertex])
       {
-        if (vertices.insert(neighbour).second)
+        if (vertices.insert(neighbor).second)
         {
-          next.push_back(neighbour);
+          next.push_back(neighbor);
         }
       }
     }
@@ -125,10 +125,10 @@ RefinedSurface RefineSurface(const ContourMesh& mesh, const PointList& points, b
   std::set<int> involved;
   // Asked at each attempt, of which some are made before and after each relaxation.
   const Monitor proceed = [&](double)
-  { return monitor(static_cast<double>(refined.Relaxations) / MostRelaxations); };
+  { return monitor(static_cast<double>(refined.Relaxations) / MaximumRelaxations); };
   while (!RefineEmbedded(mesh, coarse, faces, tree, gap, parallelFor, proceed, refined, involved))
   {
-    if (refined.Relaxations == MostRelaxations || !proceed(0))
+    if (refined.Relaxations == MaximumRelaxations || !proceed(0))
     {
       return refined;
     }

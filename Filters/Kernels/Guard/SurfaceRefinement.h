@@ -5,7 +5,7 @@
 #ifndef FlipFreeSurfaceRefinement_h
 #define FlipFreeSurfaceRefinement_h
 
-#include "ContourMesh.h"
+#include "Mesh/ContourMesh.h"
 
 namespace FlipFree
 {

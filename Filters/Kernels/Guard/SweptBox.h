@@ -8,7 +8,7 @@
 #ifndef FlipFreeSweptBox_h
 #define FlipFreeSweptBox_h
 
-#include "MotionCertificate.h"
+#include "Guard/MotionCertificate.h"
 
 #include <algorithm>
 #include <array>
@@ -38,7 +38,7 @@ public:
     }
     // The fourth lane holds the greatest coordinate: their rounding is relative to that. Where
     // numbers underflow it is not, but far below the least margin.
-    const float outwards = std::max(margin, LeastMargin) + high[3] * Rounding;
+    const float outwards = std::max(margin, MinimumMargin) + high[3] * Rounding;
     this->Low = low - outwards;
     this->High = high + outwards;
     this->Low[3] = 0;
@@ -61,7 +61,7 @@ private:
   using Lanes = Eigen::Array4f;
   // Of the conversion, of the margin, of the sum.
   static constexpr float Rounding = 4 * std::numeric_limits<float>::epsilon();
-  static constexpr float LeastMargin = 1e-30F;
+  static constexpr float MinimumMargin = 1e-30F;
 
   Lanes Low;
   Lanes High;

@@ -1,6 +1,6 @@
-#include "AnisotropicDiffusion.h"
+#include "Image/AnisotropicDiffusion.h"
 
-#include "DiffusionRows.h"
+#include "Image/DiffusionRows.h"
 
 #include <algorithm>
 #include <array>
@@ -162,7 +162,7 @@ private:
       this->RowAt(level, columns.Begin - 1, rows.End, k));
   }
 
-  // The neighbours along each axis.
+  // The neighbors along each axis.
   VoxelRows RowsAround(int level, int i, int j, int k)
   {
     const float* const voxels = this->RowAt(level, i, j, k);
@@ -173,7 +173,7 @@ private:
     return rows;
   }
 
-  // The voxels of a row and their neighbours along the two axes other than `axis`.
+  // The voxels of a row and their neighbors along the two axes other than `axis`.
   FaceRows::Side SideOf(int level, int axis, int i, int j, int k)
   {
     const VoxelRows rows = this->RowsAround(level, i, j, k);
@@ -347,13 +347,13 @@ bool DiffuseAnisotropically(const VoxelReader& read, const ImageGeometry& geomet
   return true;
 }
 
-double ContrastOfNoise(double noiseDeviation, const ImageGeometry& geometry,
+double ContrastOfNoise(double noiseStandardDeviation, const ImageGeometry& geometry,
   DiffusionEquation equation)
 {
-  // Differences of neighbours scatter by sqrt(2) of the noise; twice that is an edge. An image
+  // Differences of neighbors scatter by sqrt(2) of the noise; twice that is an edge. An image
   // without noise has nothing to smooth.
   constexpr double factor = 2;
-  const double difference = std::max(1e-3, factor * std::sqrt(2.0) * noiseDeviation);
+  const double difference = std::max(1e-3, factor * std::sqrt(2.0) * noiseStandardDeviation);
   if (equation == DiffusionEquation::Faces)
   {
     return difference;
@@ -361,7 +361,8 @@ double ContrastOfNoise(double noiseDeviation, const ImageGeometry& geometry,
   // So do gradients, by differences over two voxels; ITK takes those of the whole image.
   const double least = 1e-3 / geometry.Spacing.minCoeff();
   return std::max(least,
-    factor * noiseDeviation * std::sqrt(0.5 * geometry.Spacing.array().square().inverse().sum()));
+    factor * noiseStandardDeviation *
+      std::sqrt(0.5 * geometry.Spacing.array().square().inverse().sum()));
 }
 
 } // namespace FlipFree

@@ -1,7 +1,7 @@
 /**
  * Edge-preserving smoothing (paper section 3.2): the anisotropic diffusion of P. Perona and J.
  * Malik (Scale-space and edge detection using anisotropic diffusion, 1990) with physical spacing,
- * in three forms. Grey values flow between neighbours along the grid's axes: the diffusion is the
+ * in three forms. Gray values flow between neighbors along the grid's axes: the diffusion is the
  * same in all directions where the axes are at right angles, whichever way they point. On a sheared
  * grid (a tilted gantry's) the angle between the axes is not taken into account, so that the
  * smoothing is sheared with the grid; it is as stable, and keeps edges all the same.
@@ -16,8 +16,8 @@
 #ifndef FlipFreeAnisotropicDiffusion_h
 #define FlipFreeAnisotropicDiffusion_h
 
+#include "Image/VoxelBox.h"
 #include "KernelTypes.h"
-#include "VoxelBox.h"
 
 #include <vector>
 
@@ -44,14 +44,14 @@ struct AnisotropicDiffusionSettings
 {
   int Iterations = 5;
 
-  /// Differences between neighbouring voxels, in grey values, well above it are edges and are kept.
-  /// Of Gradient and Curvature: gradients, in grey values per millimetre; of ITK's filters it is
+  /// Differences between neighboring voxels, in gray values, well above it are edges and are kept.
+  /// Of Gradient and Curvature: gradients, in gray values per millimeter; of ITK's filters it is
   /// the conductance parameter times the average gradient magnitude.
   double Contrast = 20;
 
   DiffusionEquation Equation = DiffusionEquation::Faces;
 
-  /// Of Gradient and Curvature, as ITK counts time: a step moves grey values along an axis by
+  /// Of Gradient and Curvature, as ITK counts time: a step moves gray values along an axis by
   /// TimeStep / spacing of their second difference. Zero: the greatest that ITK calls stable, a
   /// sixteenth of the least spacing. The step of Faces is the greatest stable one.
   double TimeStep = 0;
@@ -98,7 +98,7 @@ bool DiffuseBox(const VoxelReader& read, const ImageGeometry& geometry,
 constexpr int DiffusionIterationsAtOnce = 10;
 
 /// The contrast that keeps edges above the image's noise, of the given standard deviation.
-double ContrastOfNoise(double noiseDeviation, const ImageGeometry& geometry,
+double ContrastOfNoise(double noiseStandardDeviation, const ImageGeometry& geometry,
   DiffusionEquation equation);
 
 } // namespace FlipFree

@@ -1,6 +1,6 @@
-#include "BallMorphology.h"
+#include "Image/BallMorphology.h"
 
-#include "DistanceTransform.h"
+#include "Image/DistanceTransform.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,11 +14,11 @@ namespace
 
 // A ball of more rows is left to the distance transform, whose time does not depend on the radius,
 // and is about that of so many rows.
-constexpr double MostRows = 1000;
-// A voxel whose centre is on the ball's surface belongs to it, whatever the rounding.
+constexpr double MaximumRows = 1000;
+// A voxel whose center is on the ball's surface belongs to it, whatever the rounding.
 constexpr double Slack = 1 + 1e-6;
 
-// One row of voxels of the ball: its place relative to the centre's row.
+// One row of voxels of the ball: its place relative to the center's row.
 struct BallRow
 {
   int J = 0;
@@ -29,11 +29,11 @@ struct BallRow
 std::map<int, std::vector<BallRow>> RowsOfBall(double radius, const ImageGeometry& geometry)
 {
   const Eigen::Vector3d& spacing = geometry.Spacing;
-  const double greatestWidth = geometry.Dimensions[0]; // more would not matter
+  const double maximumWidth = geometry.Dimensions[0]; // more would not matter
   std::map<int, std::vector<BallRow>> rows;
   const double square = radius * radius * Slack;
   const double slices = 2 * std::floor(std::sqrt(square) / spacing[2]) + 1;
-  if (slices > MostRows)
+  if (slices > MaximumRows)
   {
     return rows;
   }
@@ -44,7 +44,7 @@ std::map<int, std::vector<BallRow>> RowsOfBall(double radius, const ImageGeometr
     const double slice = square - k * k * spacing[2] * spacing[2];
     const double halfHeight = std::floor(std::sqrt(std::max(0.0, slice)) / spacing[1]);
     count += 2 * halfHeight + 1;
-    if (count > MostRows)
+    if (count > MaximumRows)
     {
       return {};
     }
@@ -56,7 +56,7 @@ std::map<int, std::vector<BallRow>> RowsOfBall(double radius, const ImageGeometr
       // What reaches from one end of the grid beyond the other would find nothing.
       if (std::abs(j) < geometry.Dimensions[1] && std::abs(k) < geometry.Dimensions[2])
       {
-        rows[static_cast<int>(std::min(halfWidth, greatestWidth))].push_back({ j, k });
+        rows[static_cast<int>(std::min(halfWidth, maximumWidth))].push_back({ j, k });
       }
     }
   }
@@ -68,7 +68,7 @@ using Word = BitMask::Word;
 // Rows of words that are read as one vector, where there are enough.
 constexpr std::ptrdiff_t Block = 4;
 
-// The rows of a part of a mask, and empty ones around them, so that a row has neighbours as far as
+// The rows of a part of a mask, and empty ones around them, so that a row has neighbors as far as
 // the ball reaches, and they are where the mask's size alone says.
 class Surroundings
 {

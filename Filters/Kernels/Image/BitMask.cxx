@@ -1,4 +1,4 @@
-#include "BitMask.h"
+#include "Image/BitMask.h"
 
 #include <algorithm>
 

@@ -5,8 +5,8 @@
 #ifndef FlipFreeBitMask_h
 #define FlipFreeBitMask_h
 
+#include "Image/VoxelBox.h"
 #include "KernelTypes.h"
-#include "VoxelBox.h"
 
 #include <bitset>
 #include <vector>

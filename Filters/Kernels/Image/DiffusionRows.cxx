@@ -1,4 +1,4 @@
-#include "DiffusionRows.h"
+#include "Image/DiffusionRows.h"
 
 #include <cmath>
 #include <cstdint>

@@ -3,13 +3,13 @@
  * has. Each voxel gets the same bits whichever they are, and whatever row it is part of: nothing is
  * contracted, reordered or approximated by what differs between machines.
  *
- * All equations move grey values across the faces between voxels. The flux through a face is made
+ * All equations move gray values across the faces between voxels. The flux through a face is made
  * once and counted on both of its sides.
  */
 #ifndef FlipFreeDiffusionRows_h
 #define FlipFreeDiffusionRows_h
 
-#include "AnisotropicDiffusion.h"
+#include "Image/AnisotropicDiffusion.h"
 
 #include <array>
 
@@ -26,7 +26,7 @@ struct DiffusionCoefficients
 };
 
 /// The faces across an axis between two rows of voxels: the voxels on both sides, and their
-/// neighbours along the two other axes, `Others`.
+/// neighbors along the two other axes, `Others`.
 struct FaceRows
 {
   struct Side
@@ -41,7 +41,7 @@ struct FaceRows
   Side Far;
 };
 
-/// A row of voxels, its neighbours along each axis, and the fluxes through the faces to them.
+/// A row of voxels, its neighbors along each axis, and the fluxes through the faces to them.
 struct VoxelRows
 {
   const float* Voxels;

@@ -1,4 +1,4 @@
-#include "DistanceTransform.h"
+#include "Image/DistanceTransform.h"
 
 #include <limits>
 

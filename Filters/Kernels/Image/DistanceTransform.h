@@ -15,7 +15,7 @@
 namespace FlipFree
 {
 
-/// Squared distance, in square millimetres, from each voxel centre to the nearest voxel centre of
+/// Squared distance, in square millimeters, from each voxel center to the nearest voxel center of
 /// the mask whose value is `target` (0 or 1); a large number where there is none. Empty if the
 /// monitor, asked before each of two passes over the mask, stopped it.
 std::vector<float> SquaredDistance(const std::vector<unsigned char>& mask,

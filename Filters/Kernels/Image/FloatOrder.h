@@ -1,6 +1,6 @@
 /**
  * Floats as whole numbers of the same order, to count them, or to halve a range of them until two
- * neighbours are left; and the float next to a double.
+ * neighbors are left; and the float next to a double.
  */
 #ifndef FlipFreeFloatOrder_h
 #define FlipFreeFloatOrder_h
@@ -32,7 +32,7 @@ inline float FloatOf(std::uint32_t order)
 }
 
 /// The least float that is not below the number, so that it is not below it as a double either.
-inline float LeastFloatFrom(double number)
+inline float MinimumFloatFrom(double number)
 {
   const auto nearest = static_cast<float>(number);
   return nearest < number ? std::nextafter(nearest, std::numeric_limits<float>::infinity())

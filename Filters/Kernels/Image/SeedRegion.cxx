@@ -1,4 +1,4 @@
-#include "SeedRegion.h"
+#include "Image/SeedRegion.h"
 
 #include <algorithm>
 #include <cmath>
@@ -78,7 +78,7 @@ std::vector<std::size_t> VoxelsInSphere(const ImageGeometry& geometry, const See
 namespace
 {
 
-// The median absolute difference of neighbours along an axis, both among the voxels; negative
+// The median absolute difference of neighbors along an axis, both among the voxels; negative
 // without any.
 double MedianDifference(const ImageView<float>& image, const std::vector<std::size_t>& voxels,
   int axis)
@@ -107,7 +107,7 @@ double MedianDifference(const ImageView<float>& image, const std::vector<std::si
 
 } // namespace
 
-double NoiseDeviation(const ImageView<float>& image, const SeedSphere& seed)
+double NoiseStandardDeviation(const ImageView<float>& image, const SeedSphere& seed)
 {
   const std::vector<std::size_t> voxels = VoxelsInSphere(image.Geometry, seed);
   const double finest = image.Geometry.Spacing.minCoeff();

@@ -5,8 +5,8 @@
 #ifndef FlipFreeSeedRegion_h
 #define FlipFreeSeedRegion_h
 
+#include "Image/VoxelBox.h"
 #include "KernelTypes.h"
-#include "VoxelBox.h"
 
 #include <vector>
 
@@ -15,11 +15,11 @@ namespace FlipFree
 
 struct SeedSphere
 {
-  Eigen::Vector3d Center = Eigen::Vector3d::Zero(); ///< millimetres
-  double Radius = 10;                               ///< millimetres
+  Eigen::Vector3d Center = Eigen::Vector3d::Zero(); ///< millimeters
+  double Radius = 10;                               ///< millimeters
 };
 
-/// Grey values or features on a grid of their own.
+/// Gray values or features on a grid of their own.
 struct FloatImage
 {
   ImageGeometry Geometry;
@@ -31,7 +31,7 @@ struct FloatImage
 /// First and last voxel on each axis.
 using Extent = std::array<int, 6>;
 
-/// The box of voxels that holds all within `reach` millimetres of a point, whatever the angles
+/// The box of voxels that holds all within `reach` millimeters of a point, whatever the angles
 /// between the image's axes. Never empty: of a point outside it holds the rim that is next to it.
 Extent ReachableExtent(const ImageGeometry& geometry, const Eigen::Vector3d& center, double reach);
 
@@ -67,14 +67,14 @@ void CropToFloat(const ImageView<T>& image, const Extent& extent, const Parallel
 /// Whether the image, to the rims of its outermost voxels, holds the whole sphere.
 bool ContainsSphere(const ImageGeometry& geometry, const SeedSphere& seed);
 
-/// Offsets of the voxels whose centres lie in the sphere, ascending.
+/// Offsets of the voxels whose centers lie in the sphere, ascending.
 std::vector<std::size_t> VoxelsInSphere(const ImageGeometry& geometry, const SeedSphere& seed);
 
-/// The standard deviation of the noise: from the median absolute difference of neighbours within
-/// the sphere, which structures larger than a voxel hardly touch. Not negative. Neighbours are
+/// The standard deviation of the noise: from the median absolute difference of neighbors within
+/// the sphere, which structures larger than a voxel hardly touch. Not negative. Neighbors are
 /// those along the finest axis; of several as fine the one with the least differences counts, since
 /// structure can only add to them, and the order in which axes are stored does not matter.
-double NoiseDeviation(const ImageView<float>& image, const SeedSphere& seed);
+double NoiseStandardDeviation(const ImageView<float>& image, const SeedSphere& seed);
 
 } // namespace FlipFree
 

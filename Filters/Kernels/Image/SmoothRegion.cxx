@@ -1,4 +1,4 @@
-#include "SmoothRegion.h"
+#include "Image/SmoothRegion.h"
 
 #include <algorithm>
 

@@ -6,7 +6,7 @@
 #ifndef FlipFreeSmoothRegion_h
 #define FlipFreeSmoothRegion_h
 
-#include "AnisotropicDiffusion.h"
+#include "Image/AnisotropicDiffusion.h"
 
 #include <memory>
 

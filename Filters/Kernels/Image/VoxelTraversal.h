@@ -77,7 +77,7 @@ public:
     return true;
   }
 
-  /// Distance from the start, in millimetres, at which the line entered and will leave the voxel.
+  /// Distance from the start, in millimeters, at which the line entered and will leave the voxel.
   double GetEntry() const { return this->Entry; }
   double GetExit() const
   {

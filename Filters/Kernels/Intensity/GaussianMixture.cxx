@@ -1,4 +1,4 @@
-#include "GaussianMixture.h"
+#include "Intensity/GaussianMixture.h"
 
 #include <Eigen/Dense>
 
@@ -17,19 +17,19 @@ constexpr int MaximumIterations = 200;
 
 struct Histogram
 {
-  Eigen::ArrayXd Centres;
+  Eigen::ArrayXd Centers;
   Eigen::ArrayXd Counts;
-  double Grain = 1; ///< the unit of MixtureSettings::MinimumDeviation
+  double Grain = 1; ///< the unit of MixtureSettings::MinimumStandardDeviation
 };
 
 double GaussianDensity(const Gaussian& component, double z)
 {
-  const double x = (z - component.Mean) / component.Deviation;
+  const double x = (z - component.Mean) / component.StandardDeviation;
   return component.Weight * std::exp(-0.5 * x * x) /
-    (component.Deviation * std::sqrt(2 * EIGEN_PI));
+    (component.StandardDeviation * std::sqrt(2 * EIGEN_PI));
 }
 
-// The typical difference between a grey value and the next greater one that occurs: 1 for integers,
+// The typical difference between a gray value and the next greater one that occurs: 1 for integers,
 // almost nothing for what has been filtered.
 double TypicalStep(const std::vector<float>& values)
 {
@@ -58,7 +58,7 @@ double TypicalStep(const std::vector<float>& values)
   return *middle;
 }
 
-// No unit of grey values is presumed: images may be in Hounsfield units or between 0 and 1.
+// No unit of gray values is presumed: images may be in Hounsfield units or between 0 and 1.
 double GrainOf(const std::vector<float>& values, double low, double high)
 {
   const double magnitude = std::max(std::abs(low), std::abs(high));
@@ -88,7 +88,7 @@ Histogram MakeHistogram(std::vector<float> values)
 
   Histogram histogram;
   histogram.Grain = GrainOf(values, low, high);
-  histogram.Centres =
+  histogram.Centers =
     begin + width * (Eigen::ArrayXd::LinSpaced(NumberOfBins, 0, NumberOfBins - 1) + 0.5);
   histogram.Counts = Eigen::ArrayXd::Zero(NumberOfBins);
   for (float value : values)
@@ -100,11 +100,12 @@ Histogram MakeHistogram(std::vector<float> values)
 }
 
 // Means at the quantiles: deterministic, and no component starts where there is no data.
-std::vector<Gaussian> StartOf(const Histogram& histogram, int components, double minimumDeviation)
+std::vector<Gaussian> StartOf(const Histogram& histogram, int components,
+  double minimumStandardDeviation)
 {
   const double total = histogram.Counts.sum();
-  const double mean = (histogram.Counts * histogram.Centres).sum() / total;
-  const double variance = (histogram.Counts * (histogram.Centres - mean).square()).sum() / total;
+  const double mean = (histogram.Counts * histogram.Centers).sum() / total;
+  const double variance = (histogram.Counts * (histogram.Centers - mean).square()).sum() / total;
   std::vector<Gaussian> start(components);
   for (int component = 0; component < components; ++component)
   {
@@ -116,14 +117,15 @@ std::vector<Gaussian> StartOf(const Histogram& histogram, int components, double
       sum += histogram.Counts[bin++];
     }
     start[component].Weight = 1.0 / components;
-    start[component].Mean = histogram.Centres[bin];
-    start[component].Deviation = std::max(minimumDeviation, std::sqrt(variance) / components);
+    start[component].Mean = histogram.Centers[bin];
+    start[component].StandardDeviation =
+      std::max(minimumStandardDeviation, std::sqrt(variance) / components);
   }
   return start;
 }
 
-// One step of expectation maximisation; returns the log-likelihood before it.
-double ImproveOnce(const Histogram& histogram, double minimumDeviation,
+// One step of expectation maximization; returns the log-likelihood before it.
+double ImproveOnce(const Histogram& histogram, double minimumStandardDeviation,
   std::vector<Gaussian>& mixture)
 {
   const int size = static_cast<int>(mixture.size());
@@ -132,7 +134,7 @@ double ImproveOnce(const Histogram& histogram, double minimumDeviation,
   {
     for (int bin = 0; bin < NumberOfBins; ++bin)
     {
-      share(bin, component) = GaussianDensity(mixture[component], histogram.Centres[bin]);
+      share(bin, component) = GaussianDensity(mixture[component], histogram.Centers[bin]);
     }
   }
   const Eigen::ArrayXd density = share.rowwise().sum().max(std::numeric_limits<double>::min());
@@ -147,20 +149,22 @@ double ImproveOnce(const Histogram& histogram, double minimumDeviation,
       mixture[component].Weight = 0;
       continue;
     }
-    const double mean = (count * histogram.Centres).sum() / mass;
-    const double variance = (count * (histogram.Centres - mean).square()).sum() / mass;
-    mixture[component] = { mass / total, mean, std::max(minimumDeviation, std::sqrt(variance)) };
+    const double mean = (count * histogram.Centers).sum() / mass;
+    const double variance = (count * (histogram.Centers - mean).square()).sum() / mass;
+    mixture[component] = { mass / total, mean,
+      std::max(minimumStandardDeviation, std::sqrt(variance)) };
   }
   return likelihood;
 }
 
-double Fit(const Histogram& histogram, double minimumDeviation, std::vector<Gaussian>& mixture)
+double Fit(const Histogram& histogram, double minimumStandardDeviation,
+  std::vector<Gaussian>& mixture)
 {
   const double observations = histogram.Counts.sum();
   double likelihood = -std::numeric_limits<double>::infinity();
   for (int iteration = 0; iteration < MaximumIterations; ++iteration)
   {
-    const double next = ImproveOnce(histogram, minimumDeviation, mixture);
+    const double next = ImproveOnce(histogram, minimumStandardDeviation, mixture);
     const bool settled = next - likelihood < 1e-7 * observations;
     likelihood = next;
     if (settled)
@@ -230,8 +234,8 @@ double GaussianMixture::ThresholdForMass(double mass) const
   double high = -low;
   for (const Gaussian& component : this->Components)
   {
-    low = std::min(low, component.Mean - 5 * component.Deviation);
-    high = std::max(high, component.Mean + 5 * component.Deviation);
+    low = std::min(low, component.Mean - 5 * component.StandardDeviation);
+    high = std::max(high, component.Mean + 5 * component.StandardDeviation);
   }
   const int samples = 4096;
   std::vector<double> densities(samples);
@@ -263,21 +267,21 @@ GaussianMixture FitGaussianMixture(const std::vector<float>& values,
       "there are no voxels to fit the foreground's mixture to; enlarge the seed");
   }
   const Histogram histogram = MakeHistogram(values);
-  const double leastDeviation = settings.MinimumDeviation * histogram.Grain;
+  const double minimumStandardDeviation = settings.MinimumStandardDeviation * histogram.Grain;
   const double observations = std::max(2.0, values.size() / settings.Correlation);
   const double scale = observations / static_cast<double>(values.size());
 
   GaussianMixture best;
-  double leastCriterion = std::numeric_limits<double>::infinity();
+  double minimumCriterion = std::numeric_limits<double>::infinity();
   for (int components = 1; components <= settings.MaximumComponents; ++components)
   {
-    std::vector<Gaussian> mixture = StartOf(histogram, components, leastDeviation);
-    const double likelihood = Fit(histogram, leastDeviation, mixture);
+    std::vector<Gaussian> mixture = StartOf(histogram, components, minimumStandardDeviation);
+    const double likelihood = Fit(histogram, minimumStandardDeviation, mixture);
     const int parameters = 3 * components - 1;
     const double criterion = parameters * std::log(observations) - 2 * scale * likelihood;
-    if (criterion < leastCriterion)
+    if (criterion < minimumCriterion)
     {
-      leastCriterion = criterion;
+      minimumCriterion = criterion;
       best.Components = mixture;
     }
   }

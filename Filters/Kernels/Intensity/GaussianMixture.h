@@ -1,6 +1,6 @@
 /**
  * The intensity model of the foreground (paper section 3.2, Eq. 1): a mixture of Gaussians in one
- * dimension, fitted by expectation maximisation on a histogram, so that the cost does not depend on
+ * dimension, fitted by expectation maximization on a histogram, so that the cost does not depend on
  * the number of voxels.
  */
 #ifndef FlipFreeGaussianMixture_h
@@ -15,7 +15,7 @@ struct Gaussian
 {
   double Weight = 1;
   double Mean = 0;
-  double Deviation = 1;
+  double StandardDeviation = 1;
 };
 
 class GaussianMixture
@@ -38,13 +38,13 @@ struct MixtureSettings
   /// Greatest number of components; the Bayesian information criterion chooses.
   int MaximumComponents = 3;
 
-  /// Neighbouring voxels are correlated: that many of them count as one observation.
+  /// Neighboring voxels are correlated: that many of them count as one observation.
   double Correlation = 27;
 
   /// Least deviation of a component: integer intensities would collapse otherwise. In steps of the
-  /// grey values, or in 64ths of their spread (2nd to 98th percentile) where that is more; of
+  /// gray values, or in 64ths of their spread (2nd to 98th percentile) where that is more; of
   /// values that are all the same in hundredths of their magnitude.
-  double MinimumDeviation = 1;
+  double MinimumStandardDeviation = 1;
 
   /// Components of less weight (vessels, noise) are dropped. The heaviest always stays.
   double MinimumWeight = 0.15;

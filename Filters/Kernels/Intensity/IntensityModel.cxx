@@ -1,7 +1,7 @@
-#include "IntensityModel.h"
+#include "Intensity/IntensityModel.h"
 
-#include "BallMorphology.h"
-#include "FloatOrder.h"
+#include "Image/BallMorphology.h"
+#include "Image/FloatOrder.h"
 
 #include <Eigen/Dense>
 
@@ -21,15 +21,15 @@ namespace
 constexpr double HalfRange = 30;
 constexpr int NumberOfBins = 600;
 constexpr double Bandwidth = 0.4;
-constexpr double LeastDensity = 1e-6;
+constexpr double MinimumDensity = 1e-6;
 
-// Grey images without noise (phantoms) still need bins of some width.
+// Gray images without noise (phantoms) still need bins of some width.
 double UsableNoise(double noise, const GaussianMixture& mixture)
 {
   double deviation = noise;
   for (const Gaussian& component : mixture.Components)
   {
-    deviation = std::max(deviation, 0.1 * component.Deviation);
+    deviation = std::max(deviation, 0.1 * component.StandardDeviation);
   }
   return deviation;
 }
@@ -122,14 +122,14 @@ std::size_t IntensityModel::PlaceOf(float z) const
   return static_cast<std::size_t>(clamped);
 }
 
-GreyIntervals IntensityModel::Foreground() const
+GrayIntervals IntensityModel::Foreground() const
 {
   std::vector<bool> isForeground;
   for (const float feature : this->Table)
   {
     isForeground.push_back(feature >= this->Threshold);
   }
-  return GreyIntervals::WherePlaceIs(isForeground, [this](float z) { return this->PlaceOf(z); });
+  return GrayIntervals::WherePlaceIs(isForeground, [this](float z) { return this->PlaceOf(z); });
 }
 
 IntensityModel IntensityModel::FromSeed(const std::vector<float>& values, double noise,
@@ -143,9 +143,10 @@ IntensityModel IntensityModel::FromSeed(const std::vector<float>& values, double
   model.Ramp.High = high;
   for (Gaussian& component : model.Mixture.Components)
   {
-    component.Deviation = std::hypot(component.Deviation, settings.NoiseWidening * noise);
-    low = std::min(low, component.Mean - 8 * component.Deviation);
-    high = std::max(high, component.Mean + 8 * component.Deviation);
+    component.StandardDeviation =
+      std::hypot(component.StandardDeviation, settings.NoiseWidening * noise);
+    low = std::min(low, component.Mean - 8 * component.StandardDeviation);
+    high = std::max(high, component.Mean + 8 * component.StandardDeviation);
     model.Ramp.Low = std::min(model.Ramp.Low, component.Mean);
     model.Ramp.High = std::max(model.Ramp.High, component.Mean);
   }
@@ -182,8 +183,8 @@ void IntensityModel::Reestimate(const ImageView<float>& image, const std::array<
   std::vector<float> odds(NumberOfBins);
   for (int bin = 0; bin < NumberOfBins; ++bin)
   {
-    const double f = foreground[bin] + LeastDensity;
-    const double b = settings.BackgroundRatio * (background[bin] + 2 * LeastDensity);
+    const double f = foreground[bin] + MinimumDensity;
+    const double b = settings.BackgroundRatio * (background[bin] + 2 * MinimumDensity);
     odds[bin] = static_cast<float>(f / (f + b));
   }
   constexpr float even = 0.5F;
@@ -202,7 +203,7 @@ void IntensityModel::Reestimate(const ImageView<float>& image, const std::array<
   std::copy(odds.begin() + least, odds.begin() + last + 1, this->Table.begin() + least + 1);
   this->Threshold = settings.Threshold > 0 ? settings.Threshold : even;
   this->Table[bins(median) + 1] =
-    std::max(this->Table[bins(median) + 1], LeastFloatFrom(this->Threshold));
+    std::max(this->Table[bins(median) + 1], MinimumFloatFrom(this->Threshold));
   this->Step = static_cast<float>(bins.Width);
   this->Begin = static_cast<float>(bins.Begin - 0.5 * bins.Width);
 }

@@ -1,14 +1,15 @@
 /**
- * How well a grey value fits the organ: first from the seed sphere's mixture (paper section 3.2),
+ * How well a gray value fits the organ: first from the seed sphere's mixture (paper section 3.2),
  * and once there is a surface, from the values inside it against those of a shell around it.
  */
 #ifndef FlipFreeIntensityModel_h
 #define FlipFreeIntensityModel_h
 
-#include "BitMask.h"
-#include "GaussianMixture.h"
-#include "GreyIntervals.h"
-#include "SeedRegion.h"
+#include "Image/BitMask.h"
+#include "Image/EdgeRamp.h"
+#include "Image/GrayIntervals.h"
+#include "Image/SeedRegion.h"
+#include "Intensity/GaussianMixture.h"
 
 namespace FlipFree
 {
@@ -17,7 +18,7 @@ struct IntensitySettings
 {
   MixtureSettings Mixture;
 
-  /// Deviations of the noise by which the mixture is widened, added in squares.
+  /// Standard deviations of the noise by which the mixture is widened, added in squares.
   double NoiseWidening = 1;
 
   /// Mass of the foreground above the threshold; counts if Threshold is zero.
@@ -30,28 +31,13 @@ struct IntensitySettings
   double BackgroundRatio = 0.5;
 
   /// The shell around the surface that models the background, and the margin inside it that does
-  /// not model the foreground, in millimetres.
+  /// not model the foreground, in millimeters.
   double ShellBegin = 1.5;
   double ShellEnd = 12;
   double InnerMargin = 2;
 
   /// Half width of the ramp by which edges are located, in deviations of the noise.
   double EdgeRamp = 20;
-};
-
-/// Grey values in which the organ's boundary is located: 1 between Low and High, falling to 0
-/// within Width outside of them, so that all that is unlike the organ looks alike.
-struct EdgeRamp
-{
-  double Low = 0;
-  double High = 0;
-  double Width = 0; ///< zero: the grey values themselves
-
-  double operator()(double z) const
-  {
-    const double outside = z < this->Low ? this->Low - z : (z > this->High ? z - this->High : 0);
-    return outside < this->Width ? 1 - outside / this->Width : 0;
-  }
 };
 
 class IntensityModel
@@ -61,18 +47,18 @@ public:
   double Threshold = 0.5; ///< of the feature (Gamma)
   EdgeRamp Ramp;
 
-  /// The feature of a grey value, in [0, 1]; tabulated.
+  /// The feature of a gray value, in [0, 1]; tabulated.
   float operator()(float z) const { return this->Table[this->PlaceOf(z)]; }
 
-  /// The grey values whose feature is at or above the threshold.
-  GreyIntervals Foreground() const;
+  /// The gray values whose feature is at or above the threshold.
+  GrayIntervals Foreground() const;
 
   /// Fits the mixture to the seed's values.
   static IntensityModel FromSeed(const std::vector<float>& values, double noise,
     const IntensitySettings& settings);
 
-  /// Replaces the feature by the odds of the grey values `inside` against those `outside`, within
-  /// the one interval about the median inside in which they favour it. Mixture and ramp stay. The
+  /// Replaces the feature by the odds of the gray values `inside` against those `outside`, within
+  /// the one interval about the median inside in which they favor it. Mixture and ramp stay. The
   /// masks are of a part of the image, which begins at the voxel `first`.
   void Reestimate(const ImageView<float>& image, const std::array<int, 3>& first,
     const BitMask& inside, const BitMask& outside, double noise, const IntensitySettings& settings,

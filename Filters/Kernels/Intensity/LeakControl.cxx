@@ -1,6 +1,6 @@
-#include "LeakControl.h"
+#include "Intensity/LeakControl.h"
 
-#include "BallMorphology.h"
+#include "Image/BallMorphology.h"
 
 #include <algorithm>
 

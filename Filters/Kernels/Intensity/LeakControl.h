@@ -1,12 +1,12 @@
 /**
- * Keeps the foreground from leaking into neighbours: thin bridges are cut by an opening, and only
- * what hangs together with the seed stays. All lengths are millimetres.
+ * Keeps the foreground from leaking into neighbors: thin bridges are cut by an opening, and only
+ * what hangs together with the seed stays. All lengths are millimeters.
  */
 #ifndef FlipFreeLeakControl_h
 #define FlipFreeLeakControl_h
 
-#include "BitMask.h"
-#include "SeedRegion.h"
+#include "Image/BitMask.h"
+#include "Image/SeedRegion.h"
 
 namespace FlipFree
 {

@@ -1,8 +1,8 @@
-#include "OrganFeature.h"
+#include "Intensity/OrganFeature.h"
 
-#include "BallMorphology.h"
-#include "FloatOrder.h"
-#include "SurfaceVoxelisation.h"
+#include "Image/BallMorphology.h"
+#include "Image/FloatOrder.h"
+#include "Mesh/SurfaceVoxelization.h"
 
 #include <algorithm>
 #include <array>
@@ -16,9 +16,9 @@ namespace
 {
 
 // A region with a smaller part of background than this has no contrast.
-constexpr double LeastBackground = 1e-3;
+constexpr double MinimumBackground = 1e-3;
 
-// All voxels within millimetres along the axes of the runs, of which there is one at least, and one
+// All voxels within millimeters along the axes of the runs, of which there is one at least, and one
 // more, which is not in them.
 VoxelBox BoxAround(const std::vector<VoxelRun>& runs, const ImageGeometry& geometry, double reach)
 {
@@ -60,8 +60,8 @@ IntensityModel FitToSeed(const ImageView<float>& smooth, const SeedSphere& seed,
   if (values.empty())
   {
     throw std::invalid_argument(
-      "no voxel centre lies in the seed sphere; enlarge its radius beyond "
-      "a voxel, or move its centre into the image");
+      "no voxel center lies in the seed sphere; enlarge its radius beyond "
+      "a voxel, or move its center into the image");
   }
   return IntensityModel::FromSeed(values, noise, settings);
 }
@@ -79,7 +79,7 @@ Refit RefitToSurface(const ImageView<float>& smooth, const PointList& points,
   };
   // In the index space of the whole, so that its rounding decides; the rest in a box.
   const std::vector<VoxelRun> runs =
-    VoxeliseSurface(points, triangles, smooth.Geometry, parallelFor, PartOf(proceed, 0, 0.2));
+    VoxelizeSurface(points, triangles, smooth.Geometry, parallelFor, PartOf(proceed, 0, 0.2));
   if (runs.empty())
   {
     return stopped ? Refit::Stopped : Refit::NothingInside;
@@ -97,7 +97,7 @@ Refit RefitToSurface(const ImageView<float>& smooth, const PointList& points,
   {
     return Refit::Stopped;
   }
-  if (inside.Count() <= LeastRefitSample)
+  if (inside.Count() <= MinimumRefitSample)
   {
     return Refit::TooFewInside;
   }
@@ -188,7 +188,7 @@ std::vector<float> MakeFeature(const ImageView<float>& smooth, const IntensityMo
   const BitMask& foreground, const ParallelFor& parallelFor)
 {
   const auto& size = smooth.Geometry.Dimensions;
-  const float threshold = LeastFloatFrom(model.Threshold);
+  const float threshold = MinimumFloatFrom(model.Threshold);
   const float below = 0.5F * threshold;
   std::vector<float> feature(smooth.Geometry.NumberOfVoxels());
   parallelFor(0, size[2],
@@ -215,7 +215,7 @@ void RequireContrast(const BitMask& foreground)
 {
   const std::size_t size = foreground.GetGeometry().NumberOfVoxels();
   const std::size_t background = size - foreground.Count();
-  if (static_cast<double>(background) < LeastBackground * static_cast<double>(size))
+  if (static_cast<double>(background) < MinimumBackground * static_cast<double>(size))
   {
     throw std::invalid_argument("the seed has no contrast to its surroundings: of the " +
       std::to_string(size) + " voxels within reach only " + std::to_string(background) +

@@ -4,8 +4,8 @@
 #ifndef FlipFreeOrganFeature_h
 #define FlipFreeOrganFeature_h
 
-#include "IntensityModel.h"
-#include "LeakControl.h"
+#include "Intensity/IntensityModel.h"
+#include "Intensity/LeakControl.h"
 
 namespace FlipFree
 {
@@ -57,13 +57,13 @@ IntensityModel FitToSeed(const ImageView<float>& smooth, const SeedSphere& seed,
 enum class Refit
 {
   Done,
-  NothingInside, ///< no voxel's centre lies within the surface
-  TooFewInside,  ///< LeastRefitSample or fewer lie more than InnerMargin inside it
+  NothingInside, ///< no voxel's center lies within the surface
+  TooFewInside,  ///< MinimumRefitSample or fewer lie more than InnerMargin inside it
   Stopped        ///< by the monitor
 };
 
 /// As many voxels or fewer do not make a histogram.
-constexpr std::size_t LeastRefitSample = 200;
+constexpr std::size_t MinimumRefitSample = 200;
 
 /// Fits it again to the inside of a closed surface. The monitor is asked before each pass over the
 /// image. Unless it is done, the model is as it was.

@@ -1,7 +1,7 @@
-#include "SurfaceDistance.h"
+#include "Measures/SurfaceDistance.h"
 
-#include "ClosestTriangle.h"
-#include "SurfaceTopology.h"
+#include "Geometry/ClosestTriangle.h"
+#include "Mesh/SurfaceTopology.h"
 
 #include <algorithm>
 #include <array>
@@ -54,7 +54,7 @@ struct Samples
           const Eigen::RowVector3d a = points.row(triangles(triangle, 0));
           const Eigen::RowVector3d b = points.row(triangles(triangle, 1));
           const Eigen::RowVector3d c = points.row(triangles(triangle, 2));
-          // From the centroid of a patch to its neighbour's it is two thirds of a median.
+          // From the centroid of a patch to its neighbor's it is two thirds of a median.
           const double step = std::sqrt(std::max({ (b + c - 2 * a).squaredNorm(),
                                 (c + a - 2 * b).squaredNorm(), (a + b - 2 * c).squaredNorm() })) /
             3;

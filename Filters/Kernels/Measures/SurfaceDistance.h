@@ -4,7 +4,7 @@
  * Both surfaces are sampled evenly, each sample standing for a patch of area; its distance is the
  * exact one to the other surface's triangles. Average and root mean square run over the pooled
  * samples of both surfaces, so that neither surface's number of triangles matters, and swapping the
- * two changes nothing. Spacing plays no role: coordinates are millimetres already.
+ * two changes nothing. Spacing plays no role: coordinates are millimeters already.
  */
 #ifndef FlipFreeSurfaceDistance_h
 #define FlipFreeSurfaceDistance_h
@@ -14,7 +14,7 @@
 namespace FlipFree
 {
 
-/// All in millimetres.
+/// All in millimeters.
 struct SurfaceDistance
 {
   double Average = 0;        ///< average symmetric surface distance (ASD)
@@ -27,7 +27,7 @@ struct SurfaceDistance
   bool Complete = false;
 };
 
-/// Small triangles are sampled at their centroid, others on a lattice: neighbouring samples of one
+/// Small triangles are sampled at their centroid, others on a lattice: neighboring samples of one
 /// are at most sampleSpacing (mm) apart. Throws std::invalid_argument when a surface has no area,
 /// is not valid (RequireValidFaces), or would need more than a hundred million samples, or when the
 /// spacing is not positive.

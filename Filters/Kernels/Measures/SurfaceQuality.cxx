@@ -1,4 +1,4 @@
-#include "SurfaceQuality.h"
+#include "Measures/SurfaceQuality.h"
 
 #include <algorithm>
 #include <cmath>
@@ -76,7 +76,7 @@ double DihedralAngle(const PointList& points, const TriangleList& triangles,
   return 180 - turn * 180 / Pi;
 }
 
-double LeastDihedralAngle(const PointList& points, const FaceList& faces)
+double MinimumDihedralAngle(const PointList& points, const FaceList& faces)
 {
   const TriangleList triangles = Triangulate(faces);
   double least = 180;
@@ -116,9 +116,9 @@ SurfaceQuality MeasureQuality(const PointList& points, const FaceList& faces)
   }
   std::vector<double> sorted = quality.ScaledJacobians;
   std::sort(sorted.begin(), sorted.end());
-  quality.LeastScaledJacobian = sorted.front();
+  quality.MinimumScaledJacobian = sorted.front();
   quality.FirstPercentileScaledJacobian = sorted[(sorted.size() + 99) / 100 - 1];
-  quality.LeastDihedralAngle = LeastDihedralAngle(points, faces);
+  quality.MinimumDihedralAngle = MinimumDihedralAngle(points, faces);
   quality.EdgeLengthVariation = EdgeLengthVariation(points, edges);
   return quality;
 }

@@ -5,7 +5,7 @@
 #ifndef FlipFreeSurfaceQuality_h
 #define FlipFreeSurfaceQuality_h
 
-#include "SurfaceTopology.h"
+#include "Mesh/SurfaceTopology.h"
 
 namespace FlipFree
 {
@@ -18,12 +18,12 @@ struct SurfaceQuality
   /// polygon's, with the sign of its turn about the face's mean normal. 1 for a square or an
   /// equilateral triangle, 0 for a degenerate face, negative for a concave or twisted quad.
   std::vector<double> ScaledJacobians;
-  double LeastScaledJacobian = 0;
+  double MinimumScaledJacobian = 0;
   double FirstPercentileScaledJacobian = 0; ///< that one face in a hundred does not exceed
 
   /// In degrees, between two triangles that share an edge, diagonals of polygons included: 180
   /// where flat, 0 where folded back. Edges that are not on two faces oriented alike do not count.
-  double LeastDihedralAngle = 180;
+  double MinimumDihedralAngle = 180;
 
   /// Standard deviation of the edges' lengths over their mean.
   double EdgeLengthVariation = 0;

@@ -1,7 +1,7 @@
-#include "SurfaceValidity.h"
+#include "Measures/SurfaceValidity.h"
 
-#include "SelfIntersection.h"
-#include "SurfaceGap.h"
+#include "Geometry/SelfIntersection.h"
+#include "Geometry/SurfaceGap.h"
 
 #include <algorithm>
 #include <numeric>
@@ -104,7 +104,7 @@ SurfaceValidity MeasureValidity(const PointList& points, const FaceList& faces,
   }
   if (validity.SelfIntersections == 0)
   {
-    validity.LeastGap = MeasureLeastGap(points, triangles, parallelFor);
+    validity.MinimumGap = MeasureMinimumGap(points, triangles, parallelFor);
   }
   validity.Complete = monitor(1);
   return validity;

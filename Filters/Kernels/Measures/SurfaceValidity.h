@@ -5,7 +5,7 @@
 #ifndef FlipFreeSurfaceValidity_h
 #define FlipFreeSurfaceValidity_h
 
-#include "SurfaceQuality.h"
+#include "Measures/SurfaceQuality.h"
 
 namespace FlipFree
 {
@@ -25,7 +25,7 @@ struct SurfaceValidity
   std::vector<unsigned char> Defects; ///< per face
   int SelfIntersections = 0;          ///< pairs of triangles
   int FlippedCorners = -1;            ///< -1 without a reference
-  double LeastGap = 0;                ///< 0 where there are self-intersections
+  double MinimumGap = 0;              ///< 0 where there are self-intersections
   /// False when the monitor stopped the measurement; the numbers are then meaningless.
   bool Complete = false;
 

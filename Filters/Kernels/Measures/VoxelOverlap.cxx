@@ -1,4 +1,4 @@
-#include "VoxelOverlap.h"
+#include "Measures/VoxelOverlap.h"
 
 #include "MessageText.h"
 

@@ -5,7 +5,7 @@
 #ifndef FlipFreeVoxelOverlap_h
 #define FlipFreeVoxelOverlap_h
 
-#include "BitMask.h"
+#include "Image/BitMask.h"
 #include "KernelTypes.h"
 
 #include <string>

@@ -1,4 +1,4 @@
-#include "ContourMesh.h"
+#include "Mesh/ContourMesh.h"
 
 #include <stdexcept>
 
@@ -19,10 +19,10 @@ struct Corner
 {
   throw std::invalid_argument(what +
     "; FlipFree deforms closed, consistently oriented meshes in which every vertex has four "
-    "neighbours (the edge midpoints of any closed mesh form one)");
+    "neighbors (the edge midpoints of any closed mesh form one)");
 }
 
-std::array<int, 4> CyclicNeighbours(int vertex, const std::vector<Corner>& corners)
+std::array<int, 4> CyclicNeighbors(int vertex, const std::vector<Corner>& corners)
 {
   if (corners.size() != 4)
   {
@@ -30,19 +30,19 @@ std::array<int, 4> CyclicNeighbours(int vertex, const std::vector<Corner>& corne
       std::to_string(corners.size()) + " faces instead of 4");
   }
   std::array<int, 4> ring{};
-  int neighbour = corners[0].After;
+  int neighbor = corners[0].After;
   for (int slot = 0; slot < 4; ++slot)
   {
-    ring[slot] = neighbour;
+    ring[slot] = neighbor;
     int next = -1;
     for (const Corner& corner : corners)
     {
-      if (corner.After == neighbour)
+      if (corner.After == neighbor)
       {
         if (next >= 0)
         {
           Refuse("the edge from vertex " + std::to_string(vertex) + " to vertex " +
-            std::to_string(neighbour) + " is used twice in the same direction");
+            std::to_string(neighbor) + " is used twice in the same direction");
         }
         next = corner.Before;
       }
@@ -50,9 +50,9 @@ std::array<int, 4> CyclicNeighbours(int vertex, const std::vector<Corner>& corne
     if (next < 0)
     {
       Refuse("the mesh is open at the edge between vertices " + std::to_string(vertex) + " and " +
-        std::to_string(neighbour));
+        std::to_string(neighbor));
     }
-    neighbour = next;
+    neighbor = next;
   }
   for (int slot = 0; slot < 4; ++slot)
   {
@@ -60,22 +60,22 @@ std::array<int, 4> CyclicNeighbours(int vertex, const std::vector<Corner>& corne
     {
       if (ring[slot] == ring[other])
       {
-        Refuse("vertex " + std::to_string(vertex) + " has fewer than four different neighbours");
+        Refuse("vertex " + std::to_string(vertex) + " has fewer than four different neighbors");
       }
     }
   }
-  if (neighbour != ring[0])
+  if (neighbor != ring[0])
   {
     Refuse("the faces around vertex " + std::to_string(vertex) + " do not form one ring");
   }
   return ring;
 }
 
-int SlotOf(const std::array<int, 4>& ring, int neighbour)
+int SlotOf(const std::array<int, 4>& ring, int neighbor)
 {
   for (int slot = 0; slot < 4; ++slot)
   {
-    if (ring[slot] == neighbour)
+    if (ring[slot] == neighbor)
     {
       return slot;
     }
@@ -83,12 +83,12 @@ int SlotOf(const std::array<int, 4>& ring, int neighbour)
   return -1;
 }
 
-std::vector<std::vector<int>> TraceContours(const std::vector<std::array<int, 4>>& neighbours)
+std::vector<std::vector<int>> TraceContours(const std::vector<std::array<int, 4>>& neighbors)
 {
   std::vector<std::vector<int>> contours;
   // Two strands cross at a vertex: slots 0-2 and 1-3.
-  std::vector<std::array<bool, 2>> visited(neighbours.size(), { { false, false } });
-  for (std::size_t start = 0; start < neighbours.size(); ++start)
+  std::vector<std::array<bool, 2>> visited(neighbors.size(), { { false, false } });
+  for (std::size_t start = 0; start < neighbors.size(); ++start)
   {
     for (int strand = 0; strand < 2; ++strand)
     {
@@ -103,8 +103,8 @@ std::vector<std::vector<int>> TraceContours(const std::vector<std::array<int, 4>
       {
         visited[vertex][leaveBy % 2] = true;
         contour.push_back(vertex);
-        const int next = neighbours[vertex][leaveBy];
-        leaveBy = (SlotOf(neighbours[next], vertex) + 2) % 4;
+        const int next = neighbors[vertex][leaveBy];
+        leaveBy = (SlotOf(neighbors[next], vertex) + 2) % 4;
         vertex = next;
       }
       contours.push_back(std::move(contour));
@@ -167,12 +167,12 @@ ContourMesh BuildContourMesh(int numberOfPoints, const FaceList& faces)
 
   ContourMesh mesh;
   mesh.Faces = faces;
-  mesh.Neighbours.resize(numberOfPoints);
+  mesh.Neighbors.resize(numberOfPoints);
   for (int vertex = 0; vertex < numberOfPoints; ++vertex)
   {
-    mesh.Neighbours[vertex] = CyclicNeighbours(vertex, corners[vertex]);
+    mesh.Neighbors[vertex] = CyclicNeighbors(vertex, corners[vertex]);
   }
-  mesh.Contours = TraceContours(mesh.Neighbours);
+  mesh.Contours = TraceContours(mesh.Neighbors);
   mesh.Triangles = Triangulate(faces);
   return mesh;
 }

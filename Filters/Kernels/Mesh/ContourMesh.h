@@ -1,5 +1,5 @@
 /**
- * The connectivity of a closed mesh whose vertices all have four neighbours, and its contours.
+ * The connectivity of a closed mesh whose vertices all have four neighbors, and its contours.
  *
  * Where four edges meet, a contour goes straight on: it leaves along the edge opposite to the one
  * it came by. The contours therefore follow from the faces alone; every vertex lies on two of them
@@ -34,16 +34,16 @@ struct FaceList
 };
 
 /// Cuts every polygon into triangles that share its first vertex: the one fixed triangulation by
-/// which surfaces are certified, measured and voxelised.
+/// which surfaces are certified, measured and voxelized.
 TriangleList Triangulate(const FaceList& faces);
 
 struct ContourMesh
 {
   FaceList Faces;
 
-  /// The neighbours of each vertex, counter-clockwise seen from outside. Entries 0 and 2 belong to
+  /// The neighbors of each vertex, counter-clockwise seen from outside. Entries 0 and 2 belong to
   /// one contour, 1 and 3 to the other.
-  std::vector<std::array<int, 4>> Neighbours;
+  std::vector<std::array<int, 4>> Neighbors;
 
   /// Each contour once, as the cyclic sequence of its vertices.
   std::vector<std::vector<int>> Contours;
@@ -51,14 +51,14 @@ struct ContourMesh
   /// The certified surface: the faces, each quad cut along one fixed diagonal.
   TriangleList Triangles;
 
-  int NumberOfPoints() const { return static_cast<int>(this->Neighbours.size()); }
+  int NumberOfPoints() const { return static_cast<int>(this->Neighbors.size()); }
 
   /// Euler number V - E + F; 2 for a sphere.
   int EulerNumber() const;
 };
 
 /// Builds the connectivity. Throws std::invalid_argument, naming the first bad vertex or face, when
-/// the mesh is not closed and oriented, or a vertex has not exactly four neighbours.
+/// the mesh is not closed and oriented, or a vertex has not exactly four neighbors.
 ContourMesh BuildContourMesh(int numberOfPoints, const FaceList& faces);
 
 } // namespace FlipFree

@@ -1,4 +1,4 @@
-#include "MeshRefinement.h"
+#include "Mesh/MeshRefinement.h"
 
 #include <cmath>
 
@@ -22,7 +22,7 @@ struct CornerLinks
         const int next = mesh.Faces.Face(face)[(corner + 1) % size];
         for (int slot = 0; slot < 4; ++slot)
         {
-          if (mesh.Neighbours[vertex][slot] == next)
+          if (mesh.Neighbors[vertex][slot] == next)
           {
             this->CornerAt[vertex][slot] = mesh.Faces.Offsets[face] + corner;
           }
@@ -31,8 +31,8 @@ struct CornerLinks
     }
   }
 
-  // Per vertex and neighbour slot: the corner of the face to the left of the edge to that
-  // neighbour.
+  // Per vertex and neighbor slot: the corner of the face to the left of the edge to that
+  // neighbor.
   std::vector<std::array<int, 4>> CornerAt;
 };
 
@@ -94,13 +94,13 @@ RefinedMesh RefineFaces(const ContourMesh& mesh)
   {
     for (int slot = 0; slot < 4; ++slot)
     {
-      const int other = mesh.Neighbours[vertex][slot];
+      const int other = mesh.Neighbors[vertex][slot];
       if (other < vertex)
       {
         continue;
       }
       int back = 0;
-      while (mesh.Neighbours[other][back] != vertex)
+      while (mesh.Neighbors[other][back] != vertex)
       {
         ++back;
       }

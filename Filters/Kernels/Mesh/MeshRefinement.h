@@ -1,13 +1,13 @@
 /**
  * Refinement of a four-valent mesh into one of four times as many vertices, for working from coarse
- * to fine: the scheme of D. Doo and M. Sabin (Behaviour of recursive division surfaces near
+ * to fine: the scheme of D. Doo and M. Sabin (Behavior of recursive division surfaces near
  * extraordinary points, 1978). Every corner of every face becomes a vertex, and each of these has
- * four neighbours again; the sphere of resolution n becomes that of 2 n.
+ * four neighbors again; the sphere of resolution n becomes that of 2 n.
  */
 #ifndef FlipFreeMeshRefinement_h
 #define FlipFreeMeshRefinement_h
 
-#include "ContourMesh.h"
+#include "Mesh/ContourMesh.h"
 
 namespace FlipFree
 {

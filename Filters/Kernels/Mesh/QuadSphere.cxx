@@ -1,4 +1,4 @@
-#include "QuadSphere.h"
+#include "Mesh/QuadSphere.h"
 
 #include <algorithm>
 #include <cmath>
@@ -22,7 +22,7 @@ struct SideGrid
   }
 };
 
-// Appends the face in the order that makes its normal point away from the centre.
+// Appends the face in the order that makes its normal point away from the center.
 void AppendOutward(FaceList& faces, const PointList& cube, std::vector<int> face)
 {
   const Eigen::Vector3d a = cube.row(face[0]);

@@ -1,11 +1,11 @@
 /**
  * The paper's starting mesh (section 3.1, Fig. 1a, b): the surface of a cube with n x n vertices at
- * the cell centres of each side, kept as a cube or projected onto a sphere.
+ * the cell centers of each side, kept as a cube or projected onto a sphere.
  */
 #ifndef FlipFreeQuadSphere_h
 #define FlipFreeQuadSphere_h
 
-#include "ContourMesh.h"
+#include "Mesh/ContourMesh.h"
 
 namespace FlipFree
 {

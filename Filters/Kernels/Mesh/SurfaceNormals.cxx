@@ -1,4 +1,4 @@
-#include "SurfaceNormals.h"
+#include "Mesh/SurfaceNormals.h"
 
 namespace FlipFree
 {
@@ -17,14 +17,14 @@ void NormalizeRows(PointList& vectors)
   }
 }
 
-PointList AddNeighbours(const ContourMesh& mesh, const PointList& field)
+PointList AddNeighbors(const ContourMesh& mesh, const PointList& field)
 {
   PointList sum = field;
   for (int vertex = 0; vertex < mesh.NumberOfPoints(); ++vertex)
   {
-    for (int neighbour : mesh.Neighbours[vertex])
+    for (int neighbor : mesh.Neighbors[vertex])
     {
-      sum.row(vertex) += field.row(neighbour);
+      sum.row(vertex) += field.row(neighbor);
     }
   }
   return sum;
@@ -50,12 +50,12 @@ PointList VertexNormals(const ContourMesh& mesh, const PointList& points, int sm
   NormalizeRows(normals);
   for (int pass = 0; pass < smoothing; ++pass)
   {
-    normals = AddNeighbours(mesh, normals);
+    normals = AddNeighbors(mesh, normals);
     NormalizeRows(normals);
   }
   if ((normals.rowwise().squaredNorm().array() == 0).any())
   {
-    const PointList sum = AddNeighbours(mesh, normals);
+    const PointList sum = AddNeighbors(mesh, normals);
     for (Eigen::Index vertex = 0; vertex < normals.rows(); ++vertex)
     {
       if (normals.row(vertex).isZero(0))
@@ -74,9 +74,9 @@ double MeanEdgeLength(const ContourMesh& mesh, const PointList& points)
   double sum = 0;
   for (int vertex = 0; vertex < mesh.NumberOfPoints(); ++vertex)
   {
-    for (int neighbour : mesh.Neighbours[vertex])
+    for (int neighbor : mesh.Neighbors[vertex])
     {
-      sum += (points.row(vertex) - points.row(neighbour)).norm();
+      sum += (points.row(vertex) - points.row(neighbor)).norm();
     }
   }
   return sum / (4.0 * mesh.NumberOfPoints());

@@ -1,4 +1,4 @@
-#include "SurfaceTopology.h"
+#include "Mesh/SurfaceTopology.h"
 
 #include <algorithm>
 #include <sstream>

@@ -5,7 +5,7 @@
 #ifndef FlipFreeSurfaceTopology_h
 #define FlipFreeSurfaceTopology_h
 
-#include "ContourMesh.h"
+#include "Mesh/ContourMesh.h"
 
 #include <string>
 #include <vector>

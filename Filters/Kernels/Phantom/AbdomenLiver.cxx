@@ -1,6 +1,6 @@
-#include "AbdomenParts.h"
+#include "Phantom/AbdomenParts.h"
 
-#include "VoxelNoise.h"
+#include "Phantom/VoxelNoise.h"
 
 #include <cmath>
 

@@ -1,4 +1,4 @@
-#include "AbdomenParts.h"
+#include "Phantom/AbdomenParts.h"
 
 #include <cmath>
 

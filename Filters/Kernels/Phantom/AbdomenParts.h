@@ -1,12 +1,12 @@
 /**
- * The parts from which the abdomen phantom is put together, in millimetres around the middle of the
+ * The parts from which the abdomen phantom is put together, in millimeters around the middle of the
  * body: x to the patient's left, y to the back, z to the head. Parts are added from the outside in;
  * what is added later hides what was there.
  */
 #ifndef FlipFreeAbdomenParts_h
 #define FlipFreeAbdomenParts_h
 
-#include "AbdomenPhantom.h"
+#include "Phantom/AbdomenPhantom.h"
 
 namespace FlipFree
 {

@@ -1,6 +1,6 @@
-#include "AbdomenPhantom.h"
+#include "Phantom/AbdomenPhantom.h"
 
-#include "AbdomenParts.h"
+#include "Phantom/AbdomenParts.h"
 
 #include <cmath>
 

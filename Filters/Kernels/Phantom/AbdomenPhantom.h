@@ -2,13 +2,13 @@
  * A schematic upper abdomen as a contrast-enhanced CT in the portal phase shows it, in HU: body
  * wall with fat, muscle, ribs and spine; lungs, heart and the domes of the diaphragm; liver with
  * its vessels, spleen, kidneys, stomach, pancreas, bowel and the great vessels. It has what makes
- * real organs hard: neighbours that touch with little or no contrast, a far left lobe behind a
+ * real organs hard: neighbors that touch with little or no contrast, a far left lobe behind a
  * neck, a concave visceral side, bright ribs nearby, uneven tissue.
  */
 #ifndef FlipFreeAbdomenPhantom_h
 #define FlipFreeAbdomenPhantom_h
 
-#include "Phantom.h"
+#include "Phantom/Phantom.h"
 
 namespace FlipFree
 {

@@ -1,4 +1,4 @@
-#include "ImplicitShape.h"
+#include "Phantom/ImplicitShape.h"
 
 #include <algorithm>
 #include <cmath>
@@ -142,7 +142,7 @@ ImplicitShape MakeTube(const std::vector<Vector3d>& centerline, const std::vecto
     throw std::invalid_argument("a tube needs two points or more and one radius for each, not " +
       std::to_string(centerline.size()) + " points and " + std::to_string(radii.size()) + " radii");
   }
-  const std::size_t mostPieces = 6;
+  const std::size_t maximumPieces = 6;
   std::vector<TubeRun> runs;
   std::vector<TubePiece> pieces;
   for (std::size_t i = 0; i + 1 < centerline.size(); ++i)
@@ -154,7 +154,7 @@ ImplicitShape MakeTube(const std::vector<Vector3d>& centerline, const std::vecto
     const double slope = taper / along.norm();
     pieces.push_back({ centerline[i], along, 1 / along.squaredNorm(), radii[i], taper,
       std::sqrt(1 + slope * slope) });
-    if (pieces.size() == mostPieces || i + 2 == centerline.size())
+    if (pieces.size() == maximumPieces || i + 2 == centerline.size())
     {
       runs.push_back(MakeTubeRun(std::move(pieces)));
       pieces.clear();

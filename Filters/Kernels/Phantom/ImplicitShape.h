@@ -18,7 +18,7 @@
 namespace FlipFree
 {
 
-/// Millimetres in, millimetres out.
+/// Millimeters in, millimeters out.
 using ImplicitShape = std::function<double(const Eigen::Vector3d& point)>;
 
 /// Exact distance.
@@ -29,7 +29,7 @@ ImplicitShape MakeBox(const Eigen::Vector3d& center, const Eigen::Vector3d& half
   double rounding = 0);
 
 /// An ellipsoid whose axes are the columns of `axes`; the value is exact on the surface and at the
-/// centre, elsewhere a lower bound.
+/// center, elsewhere a lower bound.
 ImplicitShape MakeEllipsoid(const Eigen::Vector3d& center, const Eigen::Vector3d& radii,
   const Eigen::Matrix3d& axes = Eigen::Matrix3d::Identity());
 

@@ -1,4 +1,4 @@
-#include "Phantom.h"
+#include "Phantom/Phantom.h"
 
 #include <algorithm>
 #include <cmath>
@@ -32,7 +32,7 @@ PlainObject MakePlainCube(double unit)
     26 * unit * std::sqrt(3.0) };
 }
 
-// The ball touches the bottom and the rim: their distances from its centre, `up` above that of the
+// The ball touches the bottom and the rim: their distances from its center, `up` above that of the
 // half sphere, are up + radius + halfWall and hypot(radius, height - up) + halfWall.
 PlainObject MakePlainCup(double unit)
 {

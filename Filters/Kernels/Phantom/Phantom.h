@@ -5,7 +5,7 @@
 #ifndef FlipFreePhantom_h
 #define FlipFreePhantom_h
 
-#include "ShapeVolume.h"
+#include "Phantom/ShapeVolume.h"
 
 #include <optional>
 
@@ -25,7 +25,7 @@ struct PhantomSeed
   Ball Start;
 };
 
-/// Positions as in TissueStack: millimetres along the grid's axes around its centre.
+/// Positions as in TissueStack: millimeters along the grid's axes around its center.
 struct Phantom
 {
   TissueStack Tissues;

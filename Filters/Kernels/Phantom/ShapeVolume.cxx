@@ -1,6 +1,6 @@
-#include "ShapeVolume.h"
+#include "Phantom/ShapeVolume.h"
 
-#include "VoxelNoise.h"
+#include "Phantom/VoxelNoise.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,7 +19,7 @@ using Index = std::array<int, 3>;
 
 // A block of voxels that one thread paints on its own.
 constexpr Index BrickSize = { { 32, 32, 8 } };
-constexpr int MostSamples = 4;
+constexpr int MaximumSamples = 4;
 
 struct VoxelBox
 {
@@ -70,8 +70,9 @@ public:
       this->Middle[axis] = 0.5 * (geometry.Dimensions[axis] - 1);
       // As many along the longest edge as anywhere, so that sub-voxels come out about cubic.
       const double edge = this->Spacing[axis] / this->Spacing.maxCoeff();
-      this->Samples[axis] =
-        options.PartialVolume ? std::max(2, static_cast<int>(std::lround(MostSamples * edge))) : 1;
+      this->Samples[axis] = options.PartialVolume
+        ? std::max(2, static_cast<int>(std::lround(MaximumSamples * edge)))
+        : 1;
     }
   }
 
@@ -227,7 +228,7 @@ private:
     return this->Stack.ToDrawing ? this->Stack.ToDrawing(point) : point;
   }
 
-  // How far, in the drawing, the outermost samples of a box lie from its centre.
+  // How far, in the drawing, the outermost samples of a box lie from its center.
   double ReachOf(const VoxelBox& box) const
   {
     Vector3d span;
@@ -326,7 +327,7 @@ bool SampleTissues(const TissueStack& stack, const ImageGeometry& geometry,
   const ParallelFor& parallelFor, const Monitor& monitor)
 {
   RequireGrid(geometry);
-  RequireNoise(options.NoiseDeviation, options.NoiseCorrelation);
+  RequireNoise(options.NoiseStandardDeviation, options.NoiseCorrelation);
   const SmoothField field(~options.Seed, stack.FieldCell, GridExtent(geometry));
   Index bricks;
   for (int axis = 0; axis < 3; ++axis)
@@ -345,8 +346,8 @@ bool SampleTissues(const TissueStack& stack, const ImageGeometry& geometry,
     }
     BrickPainter painter(stack, geometry, options, field, box);
     painter.Paint();
-    AddNoise(options.Seed, options.NoiseDeviation, options.NoiseCorrelation, box.First, box.Size,
-      painter.GetIntensities().data());
+    AddNoise(options.Seed, options.NoiseStandardDeviation, options.NoiseCorrelation, box.First,
+      box.Size, painter.GetIntensities().data());
     for (int row = 0; row < box.Size[1] * box.Size[2]; ++row)
     {
       const std::size_t from = static_cast<std::size_t>(row) * box.Size[0];

@@ -1,4 +1,4 @@
-#include "VoxelNoise.h"
+#include "Phantom/VoxelNoise.h"
 
 #include <algorithm>
 #include <cmath>
@@ -64,7 +64,7 @@ void RequireNoise(double deviation, double correlation)
   }
   if (!(correlation >= 0 && correlation <= 0.7))
   {
-    throw std::invalid_argument("the noise's correlation between neighbours must lie between 0 and "
+    throw std::invalid_argument("the noise's correlation between neighbors must lie between 0 and "
                                 "0.7, not " +
       std::to_string(correlation));
   }
@@ -77,7 +77,7 @@ void AddNoise(std::uint64_t seed, double deviation, double correlation,
   {
     return;
   }
-  // White noise under the separable weights (side, 1, side): neighbours then have the correlation
+  // White noise under the separable weights (side, 1, side): neighbors then have the correlation
   // 2 side / (1 + 2 side^2), solved here for side.
   const double side =
     correlation == 0 ? 0 : (1 - std::sqrt(1 - 2 * correlation * correlation)) / (2 * correlation);

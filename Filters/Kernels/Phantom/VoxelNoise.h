@@ -27,8 +27,8 @@ double PositionNormal(std::uint64_t seed, int i, int j, int k);
 void RequireNoise(double deviation, double correlation);
 
 /// Adds to each voxel of a box, x fastest, a normal number of mean 0 and the given deviation. As
-/// the reconstruction kernel of a CT does it, the noise of neighbours within a slice is correlated:
-/// `correlation`, in [0, 0.7], is that of direct neighbours; slices are independent. `first` is the
+/// the reconstruction kernel of a CT does it, the noise of neighbors within a slice is correlated:
+/// `correlation`, in [0, 0.7], is that of direct neighbors; slices are independent. `first` is the
 /// index of the box's first voxel in the volume.
 void AddNoise(std::uint64_t seed, double deviation, double correlation,
   const std::array<int, 3>& first, const std::array<int, 3>& size, float* values);

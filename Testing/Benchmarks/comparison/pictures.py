@@ -35,9 +35,9 @@ def chart(path, rows, methods):
                                              ("cpu_s", "processor time of the process, s"))):
         for height, method in enumerate(shown):
             values = [row[name] for row in tables.of(rows, method)]
-            colour = OURS if method.ours else THEIRS
-            panel.plot(values, [height] * len(values), "o", color=colour, alpha=0.35, markersize=5, linewidth=0)
-            panel.plot(tables.median(values), height, "|", color=colour, markersize=20, markeredgewidth=3)
+            color = OURS if method.ours else THEIRS
+            panel.plot(values, [height] * len(values), "o", color=color, alpha=0.35, markersize=5, linewidth=0)
+            panel.plot(tables.median(values), height, "|", color=color, markersize=20, markeredgewidth=3)
         panel.set_xlabel(title)
         panel.grid(axis="x", color="#dddddd")
         panel.set_axisbelow(True)
@@ -55,7 +55,7 @@ def convergence(path, results, cases, methods):
     if not any(case.organ in ("liver", "spleen") for case in cases) or methods[0].key != "flipfree":
         return
     figure, panel = pyplot.subplots(figsize=(6.5, 4), layout="constrained")
-    for organ, colour in (("liver", OURS), ("spleen", THEIRS)):
+    for organ, color in (("liver", OURS), ("spleen", THEIRS)):
         table = next((path for path in (runs.output(results, case, methods[0], ".csv")
                                         for case in cases if case.organ == organ) if os.path.exists(path)), None)
         if table:
@@ -63,10 +63,10 @@ def convergence(path, results, cases, methods):
                 steps = list(csv.DictReader(file))
             distances = np.array([float(step["MeanDistance"]) for step in steps])
             levels = np.array([int(step["Level"]) for step in steps])
-            panel.plot(range(1, len(steps) + 1), distances, color=colour,
+            panel.plot(range(1, len(steps) + 1), distances, color=color,
                        label=os.path.basename(os.path.dirname(table)))
             begins = np.flatnonzero(np.diff(levels)) + 1
-            panel.plot(begins + 1, distances[begins], "o", color=colour, markersize=5)
+            panel.plot(begins + 1, distances[begins], "o", color=color, markersize=5)
     panel.set_xlabel("iteration")
     panel.set_ylabel("mean distance to the targets, mm")
     panel.set_ylim(bottom=0)

@@ -28,7 +28,7 @@ def image_from_array(
 ) -> vtkImageData:
     """An image of the voxels array[k, j, i].
 
-    Spacing (mm), origin (mm, of the centre of the first voxel) and direction (3 x 3, the axes as
+    Spacing (mm), origin (mm, of the center of the first voxel) and direction (3 x 3, the axes as
     columns; default the identity) are as SimpleITK, nibabel and pydicom users know them, in LPS
     coordinates. Where VTK knows the array's type, its voxels lie one behind the other and may be
     written to, the image shares its memory; otherwise it has a copy.

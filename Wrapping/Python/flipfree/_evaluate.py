@@ -38,9 +38,9 @@ class Scores:
     segmentation_volume: float
     reference_volume: float
     overlap_of: str
-    """'label map' or 'voxelised mesh'"""
+    """'label map' or 'voxelized mesh'"""
     distance_of: str
-    """'surface of label map', 'mesh' or 'surface of voxelised mesh'"""
+    """'surface of label map', 'mesh' or 'surface of voxelized mesh'"""
 
 
 def evaluate(

@@ -19,7 +19,7 @@ def read_image(
     """Reads a NIfTI, NRRD or MetaImage file, or a folder of DICOM files.
 
     A folder may hold several DICOM series; `series` is the Series Instance UID of the one to read,
-    by default the one of most files. Coordinates are LPS millimetres.
+    by default the one of most files. Coordinates are LPS millimeters.
 
     >>> import flipfree
     >>> flipfree.read_image("nowhere.nii.gz")
@@ -36,7 +36,7 @@ def read_image(
 
 
 def write_image(image: vtkImageData, path: PathName) -> None:
-    """Writes a label map or a grey image: NIfTI (.nii, .nii.gz), NRRD (.nrrd), MetaImage (.mha).
+    """Writes a label map or a gray image: NIfTI (.nii, .nii.gz), NRRD (.nrrd), MetaImage (.mha).
 
     There is either the whole file afterwards or, after an error, none of it.
 

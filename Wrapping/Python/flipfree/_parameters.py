@@ -74,10 +74,10 @@ def set_parameters(
 def signature_with(
     function: Any, algorithm: vtkAlgorithm, parameters: Mapping[str, Parameter]
 ) -> inspect.Signature:
-    """The function's signature with its **parameters spelt out, defaults included."""
+    """The function's signature with its **parameters spelled out, defaults included."""
     signature = inspect.signature(function)
     own = [p for p in signature.parameters.values() if p.kind is not p.VAR_KEYWORD]
-    spelt = [
+    spelled = [
         inspect.Parameter(
             parameter.name,
             inspect.Parameter.KEYWORD_ONLY,
@@ -86,7 +86,7 @@ def signature_with(
         )
         for parameter in parameters.values()
     ]
-    return signature.replace(parameters=own + spelt)
+    return signature.replace(parameters=own + spelled)
 
 
 def described(parameters: Mapping[str, Parameter]) -> str:

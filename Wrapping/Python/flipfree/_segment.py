@@ -51,7 +51,7 @@ def segment(
 ) -> Segmentation:
     """Segments the organ in which a sphere lies.
 
-    The seed sphere, centre (x, y, z) and radius in millimetres, should lie within the organ, with
+    The seed sphere, center (x, y, z) and radius in millimeters, should lie within the organ, with
     at least half the radius of the largest one that fits there: its voxels tell what the organ
     looks like, and the surface starts from it. Coordinates are the image's physical ones, LPS for
     files.
@@ -61,7 +61,7 @@ def segment(
         array[k, j, i], together with its spacing (mm) and, where they are not zero and the
         identity, its origin (mm) and direction (3 x 3, the axes as columns).
     start
-        A surface to start from in place of the sphere: closed, with four neighbours at every
+        A surface to start from in place of the sphere: closed, with four neighbors at every
         vertex, without self-intersections.
     preset
         What the parameters below are otherwise: 'default', 'published' (the paper's own method) or
@@ -86,7 +86,7 @@ def segment(
     >>> flipfree.segment(phantom.GetOutput(), seed=(-50, 0, 0), radius=28)
     Traceback (most recent call last):
       ...
-    flipfree.SegmentationError: No segmentation: the seed's centre (-50, 0, 0) mm lies outside ...
+    flipfree.SegmentationError: No segmentation: the seed's center (-50, 0, 0) mm lies outside ...
     >>> flipfree.segment(phantom.GetOutput(), seed=(99.75, 83.75, 167), radius=28, level=2)
     Traceback (most recent call last):
       ...

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, repr=False)
 class Segmentation:
-    """An organ. Coordinates are the image's physical millimetres."""
+    """An organ. Coordinates are the image's physical millimeters."""
 
     surface: vtkPolyData
     """Closed, with the point arrays `Displacement` and `Correspondence`."""

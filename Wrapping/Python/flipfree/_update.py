@@ -125,16 +125,16 @@ def _message_in(text: str) -> str:
 
 
 def _with_names(text: str, names: Mapping[str, str] | None) -> str:
-    """As whoever called the function spelt what the message is about.
+    """As whoever called the function spelled what the message is about.
 
     >>> _with_names("the image on port 0 ends here; raise Reach", {"Reach": "reach"})
     'the image ends here; raise reach'
     """
     if not names:
         return text
-    spelt: Mapping[str, str] = names
+    spelled: Mapping[str, str] = names
     text = re.sub(r" on port \d\b| \(port \d\)", "", text)
-    return re.sub(rf"\b({'|'.join(spelt)})\b", lambda name: spelt[name.group()], text)
+    return re.sub(rf"\b({'|'.join(spelled)})\b", lambda name: spelled[name.group()], text)
 
 
 @contextmanager

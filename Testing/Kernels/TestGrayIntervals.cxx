@@ -1,8 +1,8 @@
 #include "ExampleMasks.h"
 #include "ExampleSurfaces.h"
-#include "FloatOrder.h"
-#include "GreyIntervals.h"
-#include "IntensityModel.h"
+#include "Image/FloatOrder.h"
+#include "Image/GrayIntervals.h"
+#include "Intensity/IntensityModel.h"
 
 #include <gtest/gtest.h>
 
@@ -36,10 +36,10 @@ std::vector<float> AnyFloats(std::size_t count, std::mt19937& random)
   return values;
 }
 
-// At the borders, their neighbours, random floats about them, and any others.
+// At the borders, their neighbors, random floats about them, and any others.
 void ExpectForegroundIsByThreshold(const IntensityModel& model, std::mt19937& random)
 {
-  const GreyIntervals foreground = model.Foreground();
+  const GrayIntervals foreground = model.Foreground();
   std::vector<float> values = AnyFloats(20000, random);
   for (const float border : foreground.GetBorders())
   {
@@ -55,7 +55,7 @@ void ExpectForegroundIsByThreshold(const IntensityModel& model, std::mt19937& ra
   }
 }
 
-GreyIntervals SomeIntervals(int borders, std::mt19937& random)
+GrayIntervals SomeIntervals(int borders, std::mt19937& random)
 {
   std::uniform_real_distribution<float> uniform(0, 1);
   std::vector<float> values(borders);
@@ -93,15 +93,15 @@ TEST(FloatOrder, RoundsUp)
   for (int repetition = 0; repetition < 1000; ++repetition)
   {
     const double number = uniform(random);
-    const float up = LeastFloatFrom(number);
+    const float up = MinimumFloatFrom(number);
     ASSERT_GE(up, number);
     ASSERT_LT(std::nextafter(up, -Infinity), number);
   }
-  EXPECT_GE(LeastFloatFrom(0.7), 0.7); // which the nearest is below
-  EXPECT_EQ(LeastFloatFrom(0.5), 0.5F);
+  EXPECT_GE(MinimumFloatFrom(0.7), 0.7); // which the nearest is below
+  EXPECT_EQ(MinimumFloatFrom(0.5), 0.5F);
 }
 
-TEST(GreyIntervals, ForegroundOfAModelIsWhatReachesItsThreshold)
+TEST(GrayIntervals, ForegroundOfAModelIsWhatReachesItsThreshold)
 {
   std::mt19937 random(2);
   std::normal_distribution<float> liver(100, 6);
@@ -120,10 +120,10 @@ TEST(GreyIntervals, ForegroundOfAModelIsWhatReachesItsThreshold)
     ExpectForegroundIsByThreshold(model, random);
     most = std::max(most, model.Foreground().GetBorders().size());
   }
-  EXPECT_GE(most, 4U); // two grey values apart
+  EXPECT_GE(most, 4U); // two gray values apart
 }
 
-TEST(GreyIntervals, ForegroundOfAModelAfterReestimation)
+TEST(GrayIntervals, ForegroundOfAModelAfterReestimation)
 {
   std::mt19937 random(3);
   const ImageGeometry geometry = Grid({ { 70, 20, 10 } }, { 1, 1, 1 });
@@ -150,7 +150,7 @@ TEST(GreyIntervals, ForegroundOfAModelAfterReestimation)
 
 // A value that is no more likely inside than outside is foreground all the same if it is the median
 // inside, whatever float is next to the threshold.
-TEST(GreyIntervals, ForegroundAfterReestimationHoldsTheMedian)
+TEST(GrayIntervals, ForegroundAfterReestimationHoldsTheMedian)
 {
   std::mt19937 random(6);
   const ImageGeometry geometry = Grid({ { 70, 20, 10 } }, { 1, 1, 1 });
@@ -175,12 +175,12 @@ TEST(GreyIntervals, ForegroundAfterReestimationHoldsTheMedian)
   }
 }
 
-TEST(GreyIntervals, EqualBordersChangeNothing)
+TEST(GrayIntervals, EqualBordersChangeNothing)
 {
   for (const bool lowest : { false, true })
   {
-    const GreyIntervals none(lowest, { 0.5F, 0.5F });
-    const GreyIntervals one(lowest, { 0.25F, 0.5F, 0.5F });
+    const GrayIntervals none(lowest, { 0.5F, 0.5F });
+    const GrayIntervals one(lowest, { 0.25F, 0.5F, 0.5F });
     std::vector<float> voxels(130);
     std::vector<BitMask::Word> rows(6, 0);
     for (std::size_t voxel = 0; voxel < voxels.size(); ++voxel)
@@ -201,13 +201,13 @@ TEST(GreyIntervals, EqualBordersChangeNothing)
   }
 }
 
-TEST(GreyIntervals, MarksWhatIsInThem)
+TEST(GrayIntervals, MarksWhatIsInThem)
 {
   std::mt19937 random(4);
   std::uniform_real_distribution<float> uniform(0, 1);
   for (int repetition = 0; repetition < 400; ++repetition)
   {
-    const GreyIntervals intervals = SomeIntervals(repetition % 7, random);
+    const GrayIntervals intervals = SomeIntervals(repetition % 7, random);
     const int size = 1 + static_cast<int>(random() % 200);
     std::vector<float> voxels(size);
     std::generate(voxels.begin(), voxels.end(), [&] { return uniform(random); });
@@ -227,7 +227,7 @@ TEST(GreyIntervals, MarksWhatIsInThem)
   }
 }
 
-TEST(GreyIntervals, VoxelsOfABox)
+TEST(GrayIntervals, VoxelsOfABox)
 {
   std::mt19937 random(5);
   std::uniform_real_distribution<float> uniform(0, 1);
@@ -239,7 +239,7 @@ TEST(GreyIntervals, VoxelsOfABox)
          VoxelBox{ { { 64, 2, 3 } }, { { 141, 10, 9 } } },
          VoxelBox{ { { 5, 0, 8 } }, { { 6, 1, 9 } } } })
   {
-    const GreyIntervals intervals = SomeIntervals(3, random);
+    const GrayIntervals intervals = SomeIntervals(3, random);
     const BitMask mask = VoxelsIn(intervals, image, box, SerialFor);
     EXPECT_EQ(mask, VoxelsIn(intervals, image, box, ScatteredFor));
     ASSERT_EQ(mask.GetGeometry().Dimensions,

@@ -1,7 +1,7 @@
-#include "GreyIntervals.h"
+#include "Image/GrayIntervals.h"
 
-#include "FloatOrder.h"
-#include "SeedRegion.h"
+#include "Image/FloatOrder.h"
+#include "Image/SeedRegion.h"
 
 #include <algorithm>
 #include <limits>
@@ -22,13 +22,13 @@ void Toggle(const float* voxels, float border, MaskBytes& bytes)
 
 } // namespace
 
-GreyIntervals::GreyIntervals(bool lowest, std::vector<float> borders)
+GrayIntervals::GrayIntervals(bool lowest, std::vector<float> borders)
   : Lowest(lowest)
   , Borders(std::move(borders))
 {
 }
 
-GreyIntervals GreyIntervals::WherePlaceIs(const std::vector<bool>& isIn,
+GrayIntervals GrayIntervals::WherePlaceIs(const std::vector<bool>& isIn,
   const std::function<std::size_t(float)>& place)
 {
   constexpr float infinity = std::numeric_limits<float>::infinity();
@@ -59,7 +59,7 @@ GreyIntervals GreyIntervals::WherePlaceIs(const std::vector<bool>& isIn,
   return { !isIn.empty() && isIn.front(), std::move(borders) };
 }
 
-void GreyIntervals::MarkRow(const float* voxels, int size, BitMask::Word* row) const
+void GrayIntervals::MarkRow(const float* voxels, int size, BitMask::Word* row) const
 {
   const unsigned char lowest = this->Lowest ? 1 : 0;
   MaskBytes bytes{};
@@ -82,7 +82,7 @@ void GreyIntervals::MarkRow(const float* voxels, int size, BitMask::Word* row) c
   }
 }
 
-BitMask VoxelsIn(const GreyIntervals& values, const ImageView<float>& image, const VoxelBox& box,
+BitMask VoxelsIn(const GrayIntervals& values, const ImageView<float>& image, const VoxelBox& box,
   const ParallelFor& parallelFor)
 {
   BitMask mask(CropGeometry(image.Geometry, box));

@@ -1,30 +1,30 @@
 /**
- * A set of grey values that is made of intervals, so that whether a voxel's is one of them is found
+ * A set of gray values that is made of intervals, so that whether a voxel's is one of them is found
  * by comparisons, many voxels at a time, instead of being looked up. There is one comparison for
  * every border: of many intervals, beyond some ten, it is right all the same, but slower than
  * looking up.
  */
-#ifndef FlipFreeGreyIntervals_h
-#define FlipFreeGreyIntervals_h
+#ifndef FlipFreeGrayIntervals_h
+#define FlipFreeGrayIntervals_h
 
-#include "BitMask.h"
+#include "Image/BitMask.h"
 
 #include <functional>
 
 namespace FlipFree
 {
 
-class GreyIntervals
+class GrayIntervals
 {
 public:
   /// Whether the lowest values, and those that are not numbers, are in the set; and where, as
   /// values rise, this changes: `borders`, ascending, each of which counts to what is above it. Two
   /// that are equal change nothing.
-  GreyIntervals(bool lowest, std::vector<float> borders);
+  GrayIntervals(bool lowest, std::vector<float> borders);
 
   /// The values z for which `isIn[place(z)]`, where `place` does not fall as z rises, and is 0 for
   /// what is not a number: the very same floats, whatever rounding `place` does.
-  static GreyIntervals WherePlaceIs(const std::vector<bool>& isIn,
+  static GrayIntervals WherePlaceIs(const std::vector<bool>& isIn,
     const std::function<std::size_t(float)>& place);
 
   bool operator()(float z) const
@@ -48,7 +48,7 @@ private:
 };
 
 /// The voxels of a part of an image, a box of it, whose values are in the set.
-BitMask VoxelsIn(const GreyIntervals& values, const ImageView<float>& image, const VoxelBox& box,
+BitMask VoxelsIn(const GrayIntervals& values, const ImageView<float>& image, const VoxelBox& box,
   const ParallelFor& parallelFor);
 
 } // namespace FlipFree

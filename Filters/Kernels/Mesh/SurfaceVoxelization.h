@@ -1,7 +1,7 @@
 /**
  * The voxels inside a closed surface, by scan conversion in the image's index space.
  *
- * A voxel is inside if its centre is: if the surface winds around it (a non-zero winding number, so
+ * A voxel is inside if its center is: if the surface winds around it (a non-zero winding number, so
  * that where a self-intersecting surface overlaps itself, the overlap is inside). Working in index
  * space makes the result exact for any origin, spacing and direction matrix.
  *
@@ -11,8 +11,8 @@
  * points alone: adjoining triangles never count a crossing twice or not at all, and of two organs
  * that share a wall each voxel belongs to exactly one.
  */
-#ifndef FlipFreeSurfaceVoxelisation_h
-#define FlipFreeSurfaceVoxelisation_h
+#ifndef FlipFreeSurfaceVoxelization_h
+#define FlipFreeSurfaceVoxelization_h
 
 #include "KernelTypes.h"
 
@@ -31,11 +31,11 @@ struct VoxelRun
 };
 
 /// The voxels of the image inside the surface, as maximal runs ordered by K, J, Begin: memory
-/// follows the organ's surface, not the image. Empty when the surface holds no voxel centre, or
+/// follows the organ's surface, not the image. Empty when the surface holds no voxel center, or
 /// when the monitor stops it. Throws std::invalid_argument when the surface is not closed and
 /// consistently oriented (either way round), a point is not finite or lies more than 1e15 voxels
 /// away from the image, or the geometry is singular.
-std::vector<VoxelRun> VoxeliseSurface(const PointList& points, const TriangleList& triangles,
+std::vector<VoxelRun> VoxelizeSurface(const PointList& points, const TriangleList& triangles,
   const ImageGeometry& geometry, const ParallelFor& parallelFor = SerialFor,
   const Monitor& monitor = NeverStop);
 

@@ -1,4 +1,4 @@
-#include "SurfaceVoxelisation.h"
+#include "Mesh/SurfaceVoxelization.h"
 
 #include "ExampleSurfaces.h"
 
@@ -25,17 +25,17 @@ ImageGeometry Grid(std::array<int, 3> dimensions, const Eigen::Vector3d& spacing
   return grid;
 }
 
-std::vector<unsigned char> Voxelise(const Surface& surface, const ImageGeometry& grid)
+std::vector<unsigned char> Voxelize(const Surface& surface, const ImageGeometry& grid)
 {
   std::vector<unsigned char> voxels(grid.NumberOfVoxels(), 0);
-  FillRuns<unsigned char>(VoxeliseSurface(surface.Points, surface.Triangles, grid), 1, grid,
+  FillRuns<unsigned char>(VoxelizeSurface(surface.Points, surface.Triangles, grid), 1, grid,
     voxels.data());
   return voxels;
 }
 
 } // namespace
 
-TEST(SurfaceVoxelisation, IsTheWindingNumberUnderAnyDirectionAndSpacing)
+TEST(SurfaceVoxelization, IsTheWindingNumberUnderAnyDirectionAndSpacing)
 {
   const Eigen::Vector3d center(12.3, -45.6, 7.8);
   const Surface potato = Potato(6, center, 10);
@@ -43,7 +43,7 @@ TEST(SurfaceVoxelisation, IsTheWindingNumberUnderAnyDirectionAndSpacing)
   {
     const ImageGeometry grid =
       Grid({ 26, 23, 11 }, { 1.1, 1.31, 2.7 }, direction, center + Eigen::Vector3d(0.4, 0.3, 0.2));
-    const auto voxels = Voxelise(potato, grid);
+    const auto voxels = Voxelize(potato, grid);
     int inside = 0;
     for (int k = 0; k < grid.Dimensions[2]; ++k)
     {
@@ -63,22 +63,22 @@ TEST(SurfaceVoxelisation, IsTheWindingNumberUnderAnyDirectionAndSpacing)
   }
 }
 
-TEST(SurfaceVoxelisation, VoxelsWeighWhatTheSurfaceEncloses)
+TEST(SurfaceVoxelization, VoxelsWeighWhatTheSurfaceEncloses)
 {
   const Surface potato = Potato(32, { 1, 2, 3 }, 40);
   for (const auto& [name, direction] : ExampleDirections())
   {
     const ImageGeometry grid = Grid({ 160, 150, 80 }, { 0.9, 1.0, 1.9 }, direction, { 1, 2, 3 });
-    const auto runs = VoxeliseSurface(potato.Points, potato.Triangles, grid);
+    const auto runs = VoxelizeSurface(potato.Points, potato.Triangles, grid);
     const double volume = CountVoxels(runs) * grid.Spacing.prod();
     // The error is that of a Monte Carlo sum over the voxels on the surface.
     EXPECT_NEAR(volume / EnclosedVolume(potato), 1, 1e-3) << name;
   }
 }
 
-TEST(SurfaceVoxelisation, OrgansThatShareWallsShareNoVoxel)
+TEST(SurfaceVoxelization, OrgansThatShareWallsShareNoVoxel)
 {
-  // Walls exactly on voxel centres, in the orders of vertices that two separate meshes have.
+  // Walls exactly on voxel centers, in the orders of vertices that two separate meshes have.
   ImageGeometry grid;
   grid.Dimensions = { { 10, 9, 8 } };
   std::vector<int> count(grid.NumberOfVoxels(), 0);
@@ -87,7 +87,7 @@ TEST(SurfaceVoxelisation, OrgansThatShareWallsShareNoVoxel)
     const Eigen::Vector3d low(part & 1 ? 4 : 1, part & 2 ? 5 : 1, part & 4 ? 3 : 1);
     const Eigen::Vector3d high(part & 1 ? 8 : 4, part & 2 ? 7 : 5, part & 4 ? 6 : 3);
     const Surface box = Box(low, high);
-    const auto runs = VoxeliseSurface(box.Points, box.Triangles, grid);
+    const auto runs = VoxelizeSurface(box.Points, box.Triangles, grid);
     EXPECT_EQ(CountVoxels(runs), (high - low).prod());
     for (const VoxelRun& run : runs)
     {
@@ -110,9 +110,9 @@ TEST(SurfaceVoxelisation, OrgansThatShareWallsShareNoVoxel)
   }
 }
 
-TEST(SurfaceVoxelisation, EveryVertexOnAVoxelCentreLeavesNoHole)
+TEST(SurfaceVoxelization, EveryVertexOnAVoxelCenterLeavesNoHole)
 {
-  // An octahedron whose vertices and edges run through voxel centres.
+  // An octahedron whose vertices and edges run through voxel centers.
   Surface octahedron;
   octahedron.Points.resize(6, 3);
   octahedron.Points << 9, 5, 5, 1, 5, 5, 5, 9, 5, 5, 1, 5, 5, 5, 9, 5, 5, 1;
@@ -120,7 +120,7 @@ TEST(SurfaceVoxelisation, EveryVertexOnAVoxelCentreLeavesNoHole)
   octahedron.Triangles << 0, 2, 4, 2, 1, 4, 1, 3, 4, 3, 0, 4, 2, 0, 5, 1, 2, 5, 3, 1, 5, 0, 3, 5;
   ImageGeometry grid;
   grid.Dimensions = { { 11, 11, 11 } };
-  const auto voxels = Voxelise(octahedron, grid);
+  const auto voxels = Voxelize(octahedron, grid);
   for (int k = 0; k < 11; ++k)
   {
     for (int j = 0; j < 11; ++j)
@@ -137,16 +137,16 @@ TEST(SurfaceVoxelisation, EveryVertexOnAVoxelCentreLeavesNoHole)
   }
 }
 
-TEST(SurfaceVoxelisation, AnImageCutsOffWhatLiesBeyondIt)
+TEST(SurfaceVoxelization, AnImageCutsOffWhatLiesBeyondIt)
 {
   const Surface sphere = Sphere(8, { 0, 0, 0 }, 10);
   const ImageGeometry whole =
     Grid({ 30, 31, 32 }, { 0.8, 0.9, 0.7 }, ObliqueRotation(), { 0.01, 0.02, 0.03 });
-  const auto voxels = Voxelise(sphere, whole);
+  const auto voxels = Voxelize(sphere, whole);
   ImageGeometry part = whole;
   part.Dimensions = { { 9, 10, 11 } };
   part.Origin = whole.ToPhysical({ 12, 13, 14 });
-  const auto cut = Voxelise(sphere, part);
+  const auto cut = Voxelize(sphere, part);
   for (int k = 0; k < 11; ++k)
   {
     for (int j = 0; j < 10; ++j)
@@ -158,18 +158,18 @@ TEST(SurfaceVoxelisation, AnImageCutsOffWhatLiesBeyondIt)
     }
   }
   part.Origin = Eigen::Vector3d(100, 0, 0);
-  EXPECT_TRUE(VoxeliseSurface(sphere.Points, sphere.Triangles, part).empty());
+  EXPECT_TRUE(VoxelizeSurface(sphere.Points, sphere.Triangles, part).empty());
 }
 
-TEST(SurfaceVoxelisation, OrientationAndOverlapDoNotMatter)
+TEST(SurfaceVoxelization, OrientationAndOverlapDoNotMatter)
 {
   const ImageGeometry grid = Grid({ 25, 25, 25 }, { 1, 1, 1 }, ObliqueRotation(), { 3, 0, 0 });
   Surface sphere = Sphere(6, { 0, 0, 0 }, 7);
   const Surface other = Sphere(6, { 6, 0, 0 }, 5);
-  const auto voxels = Voxelise(sphere, grid);
-  const auto otherVoxels = Voxelise(other, grid);
+  const auto voxels = Voxelize(sphere, grid);
+  const auto otherVoxels = Voxelize(other, grid);
   sphere.Triangles.col(0).swap(sphere.Triangles.col(1));
-  EXPECT_EQ(Voxelise(sphere, grid), voxels);
+  EXPECT_EQ(Voxelize(sphere, grid), voxels);
   sphere.Triangles.col(0).swap(sphere.Triangles.col(1));
 
   Surface both;
@@ -183,30 +183,30 @@ TEST(SurfaceVoxelisation, OrientationAndOverlapDoNotMatter)
   {
     expected[voxel] |= otherVoxels[voxel];
   }
-  EXPECT_EQ(Voxelise(both, grid), expected);
+  EXPECT_EQ(Voxelize(both, grid), expected);
 }
 
-TEST(SurfaceVoxelisation, ThreadsAndTheMonitor)
+TEST(SurfaceVoxelization, ThreadsAndTheMonitor)
 {
   const Surface potato = Potato(8, { 0, 0, 0 }, 10);
   const ImageGeometry grid =
     Grid({ 40, 41, 42 }, { 0.7, 0.8, 0.9 }, ObliqueRotation(), { 0, 0, 0 });
-  const auto serial = VoxeliseSurface(potato.Points, potato.Triangles, grid);
-  const auto scattered = VoxeliseSurface(potato.Points, potato.Triangles, grid, ScatteredFor);
+  const auto serial = VoxelizeSurface(potato.Points, potato.Triangles, grid);
+  const auto scattered = VoxelizeSurface(potato.Points, potato.Triangles, grid, ScatteredFor);
   ASSERT_EQ(serial.size(), scattered.size());
   for (std::size_t run = 0; run < serial.size(); ++run)
   {
     EXPECT_EQ(serial[run].Begin, scattered[run].Begin);
     EXPECT_EQ(serial[run].End, scattered[run].End);
   }
-  EXPECT_TRUE(VoxeliseSurface(potato.Points, potato.Triangles, grid, SerialFor,
+  EXPECT_TRUE(VoxelizeSurface(potato.Points, potato.Triangles, grid, SerialFor,
     [](double) {
       return false;
     }).empty());
 }
 
 // Finite, but in the image's frame not, or so far that differences overflow.
-TEST(SurfaceVoxelisation, RefusesPointsBeyondAnyImage)
+TEST(SurfaceVoxelization, RefusesPointsBeyondAnyImage)
 {
   ImageGeometry grid;
   grid.Dimensions = { { 5, 5, 5 } };
@@ -215,23 +215,23 @@ TEST(SurfaceVoxelisation, RefusesPointsBeyondAnyImage)
   {
     Surface box = Box({ 1, 1, 1 }, { 3, 3, 3 });
     box.Points.row(6) << 0, far, far;
-    const std::string error = ErrorOf([&] { VoxeliseSurface(box.Points, box.Triangles, grid); });
+    const std::string error = ErrorOf([&] { VoxelizeSurface(box.Points, box.Triangles, grid); });
     EXPECT_EQ(error.find("point 6 of the surface, at (0, "), 0U) << error;
     // It does not matter where no triangle uses it.
     Surface whole = Box({ 1, 1, 1 }, { 3, 3, 3 });
     whole.Points.conservativeResize(9, 3);
     whole.Points.row(8) = box.Points.row(6);
-    EXPECT_FALSE(VoxeliseSurface(whole.Points, whole.Triangles, grid).empty());
+    EXPECT_FALSE(VoxelizeSurface(whole.Points, whole.Triangles, grid).empty());
   }
 }
 
-TEST(SurfaceVoxelisation, RefusesBadInput)
+TEST(SurfaceVoxelization, RefusesBadInput)
 {
   const Surface box = Box({ 1, 1, 1 }, { 3, 3, 3 });
   ImageGeometry grid;
   grid.Dimensions = { { 5, 5, 5 } };
   const auto errorOf = [](const Surface& surface, const ImageGeometry& geometry)
-  { return ErrorOf([&] { VoxeliseSurface(surface.Points, surface.Triangles, geometry); }); };
+  { return ErrorOf([&] { VoxelizeSurface(surface.Points, surface.Triangles, geometry); }); };
   using testing::PrintToString;
   EXPECT_EQ(errorOf(box, grid), "");
 

@@ -1,16 +1,16 @@
 /**
- * Private to the modules, never installed: a vtkImageData of any scalar type as the grey image that
+ * Private to the modules, never installed: a vtkImageData of any scalar type as the gray image that
  * kernels smooth and search, with the checks that all filters make of it.
  */
-#ifndef FlipFreeGreyImageAdapter_h
-#define FlipFreeGreyImageAdapter_h
+#ifndef FlipFreeGrayImageAdapter_h
+#define FlipFreeGrayImageAdapter_h
 
-#include "AnisotropicDiffusion.h"
 #include "ExecutionAdapter.h"
 #include "FiniteVoxels.h"
+#include "Image/AnisotropicDiffusion.h"
+#include "Image/SeedRegion.h"
 #include "ImageAdapter.h"
 #include "MessageText.h"
-#include "SeedRegion.h"
 
 #include "vtkDataArray.h"
 #include "vtkPointData.h"
@@ -25,7 +25,7 @@ namespace FlipFree
 
 /// Throws std::invalid_argument, naming the image by `name`, unless it has voxels on a proper grid,
 /// and scalars of one component for each of them.
-inline void RequireGreyImage(vtkImageData* image, const std::string& name)
+inline void RequireGrayImage(vtkImageData* image, const std::string& name)
 {
   if (!image || image->GetNumberOfPoints() == 0)
   {
@@ -55,7 +55,7 @@ inline void RequireGreyImage(vtkImageData* image, const std::string& name)
   RequireProperGrid(image, name);
 }
 
-/// Throws std::invalid_argument unless the centre lies within the image and the radius is a voxel
+/// Throws std::invalid_argument unless the center lies within the image and the radius is a voxel
 /// or more.
 inline void RequireSeed(const ImageGeometry& geometry, const SeedSphere& seed,
   const std::string& name)
@@ -68,7 +68,7 @@ inline void RequireSeed(const ImageGeometry& geometry, const SeedSphere& seed,
       const Eigen::Vector3d first = geometry.ToPhysical(Eigen::Vector3d::Zero());
       const Eigen::Vector3d last = geometry.ToPhysical(Eigen::Vector3d(geometry.Dimensions[0] - 1,
         geometry.Dimensions[1] - 1, geometry.Dimensions[2] - 1));
-      throw std::invalid_argument("the seed's centre " + TextOf(seed.Center) + " mm lies outside " +
+      throw std::invalid_argument("the seed's center " + TextOf(seed.Center) + " mm lies outside " +
         name + ", which reaches from " + TextOf(first) + " to " + TextOf(last) +
         " mm; give it in the image's physical coordinates");
     }
@@ -83,7 +83,7 @@ inline void RequireSeed(const ImageGeometry& geometry, const SeedSphere& seed,
 }
 
 /// Throws std::invalid_argument, naming the first bad voxel, unless all of a part of the image,
-/// which has passed RequireGreyImage, are finite as floats. Whole numbers are not looked at.
+/// which has passed RequireGrayImage, are finite as floats. Whole numbers are not looked at.
 /// Returns false if the monitor, asked every few slices, stopped it.
 inline bool RequireFinite(vtkImageData* image, const Extent& extent, const std::string& name,
   const Monitor& monitor = NeverStop)
@@ -101,8 +101,8 @@ inline bool RequireFinite(vtkImageData* image, const Extent& extent, const std::
 }
 
 /// A part of the image as floats, in memory that is used again. The image has passed
-/// RequireGreyImage.
-inline void GreyRegionOf(vtkImageData* image, const Extent& extent, FloatImage& region)
+/// RequireGrayImage.
+inline void GrayRegionOf(vtkImageData* image, const Extent& extent, FloatImage& region)
 {
   const ImageGeometry geometry = GeometryOf(image);
   const void* voxels = image->GetPointData()->GetScalars()->GetVoidPointer(0);
@@ -116,8 +116,8 @@ inline void GreyRegionOf(vtkImageData* image, const Extent& extent, FloatImage& 
 }
 
 /// The whole image as floats: its own where it has floats, and else those of `copy`, which must
-/// outlive the view. The image has passed RequireGreyImage.
-inline ImageView<float> GreyViewOf(vtkImageData* image, FloatImage& copy)
+/// outlive the view. The image has passed RequireGrayImage.
+inline ImageView<float> GrayViewOf(vtkImageData* image, FloatImage& copy)
 {
   const ImageGeometry geometry = GeometryOf(image);
   if (image->GetPointData()->GetScalars()->GetDataType() == VTK_FLOAT)
@@ -125,7 +125,7 @@ inline ImageView<float> GreyViewOf(vtkImageData* image, FloatImage& copy)
     const void* const voxels = image->GetPointData()->GetScalars()->GetVoidPointer(0);
     return { static_cast<const float*>(voxels), geometry };
   }
-  GreyRegionOf(image, WholeExtent(geometry), copy);
+  GrayRegionOf(image, WholeExtent(geometry), copy);
   return copy.View();
 }
 
@@ -133,12 +133,12 @@ inline ImageView<float> GreyViewOf(vtkImageData* image, FloatImage& copy)
 inline double NoiseOf(vtkImageData* image, const SeedSphere& seed)
 {
   FloatImage region;
-  GreyRegionOf(image, ReachableExtent(GeometryOf(image), seed.Center, seed.Radius), region);
-  return NoiseDeviation(region.View(), seed);
+  GrayRegionOf(image, ReachableExtent(GeometryOf(image), seed.Center, seed.Radius), region);
+  return NoiseStandardDeviation(region.View(), seed);
 }
 
-/// The voxels of a part of the image, which has passed RequireGreyImage and outlives the reader.
-inline VoxelReader GreyReaderOf(vtkImageData* image, const Extent& extent)
+/// The voxels of a part of the image, which has passed RequireGrayImage and outlives the reader.
+inline VoxelReader GrayReaderOf(vtkImageData* image, const Extent& extent)
 {
   const ImageGeometry geometry = GeometryOf(image);
   const void* voxels = image->GetPointData()->GetScalars()->GetVoidPointer(0);
@@ -159,7 +159,7 @@ inline bool SmoothRegionOf(vtkImageData* image, const Extent& extent,
   settings.Threads = NumberOfThreads();
   region.Geometry = CropGeometry(GeometryOf(image), extent);
   region.Voxels.resize(region.Geometry.NumberOfVoxels());
-  return DiffuseAnisotropically(GreyReaderOf(image, extent), region.Geometry, settings, SMPFor,
+  return DiffuseAnisotropically(GrayReaderOf(image, extent), region.Geometry, settings, SMPFor,
     monitor, region.Voxels.data());
 }
 

@@ -1,7 +1,7 @@
-#include "SurfaceVoxelisation.h"
+#include "Mesh/SurfaceVoxelization.h"
 
+#include "Mesh/SurfaceTopology.h"
 #include "MessageText.h"
-#include "SurfaceTopology.h"
 
 #include <algorithm>
 #include <cmath>
@@ -182,7 +182,7 @@ void AppendRuns(const std::vector<RowCrossing>& crossings, int k, int rowLength,
 
 } // namespace
 
-std::vector<VoxelRun> VoxeliseSurface(const PointList& points, const TriangleList& triangles,
+std::vector<VoxelRun> VoxelizeSurface(const PointList& points, const TriangleList& triangles,
   const ImageGeometry& geometry, const ParallelFor& parallelFor, const Monitor& monitor)
 {
   RequireValidFaces(points, FacesOf(triangles), "the surface");

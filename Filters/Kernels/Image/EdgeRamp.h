@@ -1,0 +1,27 @@
+/**
+ * Which gray values count as the edge of an organ, when a boundary is located below a voxel.
+ */
+#ifndef FlipFreeEdgeRamp_h
+#define FlipFreeEdgeRamp_h
+
+namespace FlipFree
+{
+
+/// Gray values in which the organ's boundary is located: 1 between Low and High, falling to 0
+/// within Width outside of them, so that all that is unlike the organ looks alike.
+struct EdgeRamp
+{
+  double Low = 0;
+  double High = 0;
+  double Width = 0; ///< zero: the gray values themselves
+
+  double operator()(double z) const
+  {
+    const double outside = z < this->Low ? this->Low - z : (z > this->High ? z - this->High : 0);
+    return outside < this->Width ? 1 - outside / this->Width : 0;
+  }
+};
+
+} // namespace FlipFree
+
+#endif
