@@ -57,7 +57,7 @@ int main(int argc, char* argv[])
   std::cout << "\n"
             << surface->GetNumberOfPoints() << " vertices, "
             << segmentation->GetNumberOfSelfIntersections() << " self-intersections, "
-            << segmentation->GetStopReason() << " after "
+            << segmentation->GetStopReasonAsString() << " after "
             << segmentation->GetConvergence()->GetNumberOfRows() << " iterations\n";
 
   if (!inputs.Picture.empty())

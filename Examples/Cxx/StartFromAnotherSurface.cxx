@@ -175,7 +175,7 @@ int main(int argc, char* argv[])
             << start->GetNumberOfPoints() << " midpoints\n"
             << organ->GetNumberOfPoints() << " vertices, "
             << segmentation->GetNumberOfSelfIntersections() << " self-intersections, "
-            << segmentation->GetStopReason() << "\n";
+            << segmentation->GetStopReasonAsString() << "\n";
 
   if (!inputs.Picture.empty())
   {

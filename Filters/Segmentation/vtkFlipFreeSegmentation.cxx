@@ -32,6 +32,9 @@
 
 vtkStandardNewMacro(vtkFlipFreeSegmentation);
 
+static_assert(vtkFlipFreeSegmentation::ABORTED == static_cast<int>(FlipFree::StopReason::Aborted),
+  "the public enumeration follows the kernel's");
+
 // The outputs of the last run, from which any iteration can be delivered again.
 struct vtkFlipFreeSegmentation::Result
 {
@@ -49,6 +52,11 @@ vtkFlipFreeSegmentation::vtkFlipFreeSegmentation()
 }
 
 vtkFlipFreeSegmentation::~vtkFlipFreeSegmentation() = default;
+
+const char* vtkFlipFreeSegmentation::GetStopReasonAsString() const
+{
+  return FlipFree::ToString(static_cast<FlipFree::StopReason>(this->StopReason));
+}
 
 void vtkFlipFreeSegmentation::SetInputData(vtkImageData* image)
 {
@@ -178,14 +186,14 @@ int vtkFlipFreeSegmentation::RequestData(vtkInformationVector** inputs,
       this->Cache = std::make_unique<Result>();
       this->Deliver(outputs);
       this->Cache.reset();
-      this->StopReason.clear();
+      this->StopReason = NOT_RUN;
       vtkErrorMacro("No segmentation: " << error.what() << ".");
       return 0;
     }
     this->Cache->Time.Modified();
   }
   this->Deliver(outputs);
-  if (!this->KeepHistory || this->StopReason == "aborted")
+  if (!this->KeepHistory || this->StopReason == ABORTED)
   {
     this->Cache.reset();
   }
@@ -194,7 +202,7 @@ int vtkFlipFreeSegmentation::RequestData(vtkInformationVector** inputs,
 
 void vtkFlipFreeSegmentation::Execute(vtkImageData* image, vtkPolyData* start)
 {
-  this->StopReason.clear();
+  this->StopReason = NOT_RUN;
   this->NumberOfSelfIntersections = -1;
   std::fill_n(this->StageSeconds, 4, 0.0);
 
@@ -243,9 +251,9 @@ void vtkFlipFreeSegmentation::Execute(vtkImageData* image, vtkPolyData* start)
   this->StageSeconds[0] = before + organ.SmoothingSeconds;
   this->StageSeconds[1] = organ.FeatureSeconds;
   this->StageSeconds[2] = watch.Lap() - organ.SmoothingSeconds - organ.FeatureSeconds;
-  this->StopReason = organ.StopReason;
+  this->StopReason = static_cast<int>(organ.Reason);
   FlipFree::FillConvergenceTable(organ.Iterations, this->Cache->Convergence);
-  if (organ.StopReason == "aborted")
+  if (this->StopReason == ABORTED)
   {
     this->Cache->History.clear();
     return;
@@ -298,14 +306,14 @@ void vtkFlipFreeSegmentation::WarnOf(const FlipFree::OrganSurface& organ,
                                              "the organ, so lower SeedRadius or move "
                                              "SeedCenter.");
   }
-  if (this->StopReason == "no boundary found")
+  if (this->StopReason == NO_BOUNDARY_FOUND)
   {
     vtkWarningMacro(
       "No vertex found the organ's boundary, so the surface is not the organ's; check "
       "that the seed lies in the organ, or raise SearchDistance, or raise "
       "ForegroundMass.");
   }
-  if (this->StopReason == "the coarse surface could not be refined")
+  if (this->StopReason == NOT_REFINED)
   {
     vtkWarningMacro("The surface could not be refined without intersecting itself, so it has "
       << organ.Mesh.NumberOfPoints() << " vertices only; lower Levels to start from a finer one.");
@@ -317,7 +325,7 @@ void vtkFlipFreeSegmentation::WarnOf(const FlipFree::OrganSurface& organ,
       << " mm from the seed's center, and is cut there: it may have leaked, or the seed may lie in "
          "air; look at it, and raise Reach where the organ is that large.");
   }
-  else if (this->StopReason != "no boundary found")
+  else if (this->StopReason != NO_BOUNDARY_FOUND)
   {
     this->WarnOfSeed(organ, image);
   }

@@ -453,12 +453,28 @@ public:
   ///@}
 
   /**
-   * Why the last level ended, after Update(): "distance below tolerance", "at rest", "iteration
-   * limit", "no boundary found" (by any vertex), "the coarse surface could not be refined" (without
-   * intersecting itself; the surface is then that of a coarser level), or "aborted" (surface and
-   * label map are then empty); empty before.
+   * Why a segmentation ended.
    */
-  const char* GetStopReason() const { return this->StopReason.c_str(); }
+  enum StopReasons
+  {
+    NOT_RUN = 0,                  ///< no Update() yet, or the last one failed
+    DISTANCE_BELOW_TOLERANCE = 1, ///< of the mean distance to the targets
+    AT_REST = 2,                  ///< the mean distance no longer falls
+    ITERATION_LIMIT = 3,
+    NO_BOUNDARY_FOUND = 4, ///< by any vertex
+    NOT_REFINED = 5, ///< the surface is that of a coarser level; its refinement intersects itself
+    ABORTED = 6      ///< surface and label map are empty
+  };
+
+  ///@{
+  /**
+   * Why the last level ended, after Update(): one of StopReasons, or the same in words: "distance
+   * below tolerance", "at rest", "iteration limit", "no boundary found", "the coarse surface could
+   * not be refined", "aborted"; empty for NOT_RUN.
+   */
+  vtkGetMacro(StopReason, int);
+  const char* GetStopReasonAsString() const;
+  ///@}
 
   /**
    * Self-intersecting pairs of triangles of the result, counted exactly and independently of the
@@ -527,7 +543,7 @@ protected:
   int LabelValue = 1;
   bool KeepHistory = false;
 
-  std::string StopReason;
+  int StopReason = NOT_RUN;
   int NumberOfSelfIntersections = -1;
   double StageSeconds[4] = { 0, 0, 0, 0 };
 

@@ -113,6 +113,6 @@ void vtkFlipFreeSegmentation::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Guard: " << this->Guard << "\n";
   os << indent << "LabelValue: " << this->LabelValue << "\n";
   os << indent << "KeepHistory: " << this->KeepHistory << "\n";
-  os << indent << "StopReason: " << this->StopReason << "\n";
+  os << indent << "StopReason: " << this->GetStopReasonAsString() << "\n";
   os << indent << "NumberOfSelfIntersections: " << this->NumberOfSelfIntersections << "\n";
 }

@@ -142,7 +142,7 @@ double MeasureRow(const Case& row, const Options& options)
     metrics->GetHD95(), metrics->GetRelativeVolumeDifference(), stages.Iterations, read - begin,
     end - read, stages.Smoothing, stages.Feature, stages.Deformation, stages.Labels, stages.Search,
     stages.Flips, stages.Solve, stages.Guard, filter->GetNumberOfSelfIntersections(),
-    SumOfColumn(filter->GetConvergence(), "Guarded"), filter->GetStopReason());
+    SumOfColumn(filter->GetConvergence(), "Guarded"), filter->GetStopReasonAsString());
   std::fflush(stdout);
   if (!options.Surfaces.empty())
   {

@@ -41,7 +41,7 @@ protected:
     EXPECT_EQ(this->Filter->GetLabelMap()->GetNumberOfPoints(), 32 * 32 * 32);
     EXPECT_GT(this->Filter->GetConvergence()->GetNumberOfRows(), 0);
     EXPECT_EQ(this->Filter->GetNumberOfSelfIntersections(), 0);
-    EXPECT_STRNE(this->Filter->GetStopReason(), "no boundary found");
+    EXPECT_NE(this->Filter->GetStopReason(), vtkFlipFreeSegmentation::NO_BOUNDARY_FOUND);
   }
 
   vtkNew<vtkFlipFreeSegmentation> Filter;
@@ -259,7 +259,7 @@ TEST_F(SegmentationRefuses, AndForgetsTheFormerResult)
     this->Filter->SetSeedCenter(-1000, 0, 0);
     ExpectRefusal(this->Filter, { "outside the image" });
     EXPECT_EQ(this->Filter->GetNumberOfSelfIntersections(), -1);
-    EXPECT_STREQ(this->Filter->GetStopReason(), "");
+    EXPECT_EQ(this->Filter->GetStopReason(), vtkFlipFreeSegmentation::NOT_RUN);
   }
 }
 
@@ -279,5 +279,5 @@ TEST_F(SegmentationRefuses, ButNotAStartThatSeesNoBoundary)
   this->Filter->SetStartData(start);
   this->Filter->SetSearchDistance(3);
   EXPECT_EQ(ErrorOfUpdate(this->Filter), "0 errors");
-  EXPECT_STREQ(this->Filter->GetStopReason(), "no boundary found");
+  EXPECT_EQ(this->Filter->GetStopReason(), vtkFlipFreeSegmentation::NO_BOUNDARY_FOUND);
 }

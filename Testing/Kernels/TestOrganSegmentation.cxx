@@ -105,7 +105,7 @@ VoxelBox ExpectRegionGivesTheSurfaceOfTheWhole(const Scene& scene)
       return true;
     });
   const OrganSurface whole = scene.FromWhole();
-  EXPECT_EQ(part.StopReason, whole.StopReason);
+  EXPECT_EQ(part.Reason, whole.Reason);
   EXPECT_EQ(part.Field.States, whole.Field.States);
   const bool asMany = part.Points.rows() == whole.Points.rows();
   EXPECT_TRUE(asMany && part.Points == whole.Points);
@@ -246,13 +246,13 @@ TEST(OrganSegmentation, StopsWheneverItIsTold)
   VoxelBox made;
   int questions = 0;
   const auto count = [&questions](double) { return ++questions > 0; };
-  EXPECT_NE(scene.FromRegion(made, count).StopReason, "aborted");
+  EXPECT_NE(scene.FromRegion(made, count).Reason, StopReason::Aborted);
   ASSERT_GT(questions, 20);
   for (int stop = 1; stop <= questions; stop += 3)
   {
     int asked = 0;
     const OrganSurface organ = scene.FromRegion(made, [&](double) { return ++asked < stop; });
-    EXPECT_EQ(organ.StopReason, "aborted") << stop;
+    EXPECT_EQ(organ.Reason, StopReason::Aborted) << stop;
     EXPECT_EQ(asked, stop);
   }
 }

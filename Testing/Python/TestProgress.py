@@ -95,7 +95,7 @@ organ.AddObserver("ProgressEvent", lambda *_: reports.append(organ.GetProgress()
 try:
     flipfree.update(organ, progress=tell)
 except KeyboardInterrupt:
-    print(len(reports), organ.GetStopReason())
+    print(len(reports), organ.GetStopReasonAsString())
 """)
         output, errors = process.communicate(timeout=200)
         self.assertRegex(output, r"^\d+ aborted\n$", errors)

@@ -37,7 +37,7 @@ class Output(unittest.TestCase):
         segmentation = filter_with_seed()
         segmentation.Update()
         numpy.testing.assert_array_equal(liver().points, points_of(segmentation.GetSurface()))
-        self.assertEqual(liver().stop_reason, segmentation.GetStopReason())
+        self.assertEqual(liver().stop_reason, segmentation.GetStopReasonAsString())
         self.assertEqual(liver().self_intersections, 0)
 
     def test_has_vtks_types(self):

@@ -165,7 +165,7 @@ void PrintSummary(vtkFlipFreeSegmentation* filter, const Segmentation& segmentat
   std::printf("%s: volume %.1f ml, %d iterations, %s, %d self-intersections; reading %.2f s, "
               "smoothing %.2f s, feature %.2f s, deformation %.2f s, label map %.2f s\n",
     segmentation.Input.c_str(), VolumeInMillilitres(filter->GetSurface()),
-    static_cast<int>(filter->GetConvergence()->GetNumberOfRows()), filter->GetStopReason(),
+    static_cast<int>(filter->GetConvergence()->GetNumberOfRows()), filter->GetStopReasonAsString(),
     filter->GetNumberOfSelfIntersections(), readingSeconds, seconds[0], seconds[1], seconds[2],
     seconds[3]);
   std::fflush(stdout);
@@ -230,7 +230,7 @@ void Segment(const Segmentation& segmentation)
     throw Failure("'" + segmentation.Input +
       "': no surface was found. Check that the seed and its radius lie within the organ.");
   }
-  if (std::string(filter->GetStopReason()) == "no boundary found")
+  if (filter->GetStopReason() == vtkFlipFreeSegmentation::NO_BOUNDARY_FOUND)
   {
     throw Failure("'" + segmentation.Input +
       "': no boundary of the organ was found. Check that the seed and its radius lie within the "

@@ -50,7 +50,7 @@ public:
   {
     if (!this->MakeAroundSeed())
     {
-      this->Surface.StopReason = "aborted";
+      this->Surface.Reason = StopReason::Aborted;
       return;
     }
     Stopwatch watch;
@@ -72,7 +72,7 @@ public:
       this->IterateLevel(level);
       if (this->Stopped)
       {
-        this->Surface.StopReason = "aborted";
+        this->Surface.Reason = StopReason::Aborted;
         return;
       }
     }
@@ -238,8 +238,7 @@ private:
       this->Settings.Guard, this->Parallel, proceed);
     if (!refined.Embedded)
     {
-      this->Surface.StopReason =
-        this->Stopped ? "aborted" : "the coarse surface could not be refined";
+      this->Surface.Reason = this->Stopped ? StopReason::Aborted : StopReason::NotRefined;
       return false;
     }
     this->Surface.Mesh = std::move(refined.Mesh);
@@ -254,7 +253,7 @@ private:
                       { { 2, 2, 2 } }),
           proceed))
       {
-        this->Surface.StopReason = "aborted";
+        this->Surface.Reason = StopReason::Aborted;
         return false;
       }
       RefitToSurface(this->Smooth, this->Surface.Points, this->Surface.Mesh.Triangles, this->Noise,
@@ -276,7 +275,7 @@ private:
     DeformationSolver solver(this->Surface.Mesh);
     const bool finest = level + 1 == this->Settings.Levels;
     std::vector<TargetReport> reports;
-    this->Surface.StopReason = "iteration limit";
+    this->Surface.Reason = StopReason::IterationLimit;
     for (int iteration = 0; iteration < this->Settings.MaximumIterations; ++iteration)
     {
       const double part = static_cast<double>(iteration) / this->Settings.MaximumIterations;
@@ -297,12 +296,12 @@ private:
     const TargetReport& now = reports.back();
     if (now.Matched == 0)
     {
-      this->Surface.StopReason = "no boundary found";
+      this->Surface.Reason = StopReason::NoBoundaryFound;
       return true;
     }
     if (now.MeanDistance < this->Settings.DistanceTolerance)
     {
-      this->Surface.StopReason = "distance below tolerance";
+      this->Surface.Reason = StopReason::DistanceBelowTolerance;
       return true;
     }
     if (this->Settings.ChangeTolerance < 0 || reports.size() <= ChangeSpan)
@@ -313,7 +312,7 @@ private:
     const bool grows = now.Matched - before.Matched > Growth * this->Surface.Mesh.NumberOfPoints();
     if (!grows && before.MeanDistance - now.MeanDistance < this->Settings.ChangeTolerance)
     {
-      this->Surface.StopReason = "at rest";
+      this->Surface.Reason = StopReason::AtRest;
       return true;
     }
     return false;
@@ -372,7 +371,7 @@ OrganSurface SegmentIn(const ImageView<float>& smooth, SmoothRegion* region, dou
   surface.Mesh = startMesh;
   surface.Points = startPoints;
   Run(smooth, region, noise, seed, settings, parallelFor, monitor, observer, surface).Execute();
-  if (surface.StopReason != "aborted")
+  if (surface.Reason != StopReason::Aborted)
   {
     surface.SelfIntersections = CountSelfIntersections(surface.Points, surface.Mesh.Triangles);
   }

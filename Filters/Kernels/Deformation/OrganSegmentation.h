@@ -6,11 +6,10 @@
 #define FlipFreeOrganSegmentation_h
 
 #include "Deformation/DeformationStep.h"
+#include "Deformation/StopReason.h"
 #include "Deformation/TargetSearch.h"
 #include "Image/SmoothRegion.h"
 #include "Intensity/OrganFeature.h"
-
-#include <string>
 
 namespace FlipFree
 {
@@ -50,7 +49,7 @@ struct OrganSurface
   PointList Points;
   CorrespondenceField Field; ///< of the last iteration
   std::vector<IterationRecord> Iterations;
-  std::string StopReason;
+  StopReason Reason = StopReason::NotRun;
   std::ptrdiff_t SelfIntersections = 0;
   double SmoothingSeconds = 0;
   double FeatureSeconds = 0;
@@ -69,7 +68,7 @@ OrganSurface SegmentOrgan(SmoothRegion& region, double noise, const SeedSphere& 
 
 /// `smooth` is the smoothed image of the reachable region, `noise` the deviation of the noise
 /// before smoothing. Throws std::invalid_argument for bad input; a stop by the monitor gives the
-/// surface reached and the reason "aborted".
+/// surface reached and StopReason::Aborted.
 OrganSurface SegmentOrgan(const ImageView<float>& smooth, double noise, const SeedSphere& seed,
   const ContourMesh& startMesh, const PointList& startPoints,
   const OrganSegmentationSettings& settings, const ParallelFor& parallelFor, const Monitor& monitor,

@@ -105,7 +105,7 @@ def segment(
         surface=algorithm.GetSurface(),
         label_map=algorithm.GetLabelMap(),
         convergence=algorithm.GetConvergence(),
-        stop_reason=algorithm.GetStopReason(),
+        stop_reason=algorithm.GetStopReasonAsString(),
         self_intersections=algorithm.GetNumberOfSelfIntersections(),
         history=_history_of(algorithm),
     )

@@ -27,7 +27,7 @@ class Segmentation:
     """A row per iteration; `iterations` has its columns as arrays."""
 
     stop_reason: str
-    """Such as 'at rest'; vtkFlipFreeSegmentation.GetStopReason() lists them."""
+    """Such as 'at rest'; vtkFlipFreeSegmentation.GetStopReasonAsString() lists them."""
 
     self_intersections: int
     """Self-intersecting pairs of triangles: 0, unless the guard was switched off."""

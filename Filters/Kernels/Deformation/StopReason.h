@@ -1,0 +1,46 @@
+/**
+ * Why a segmentation ended.
+ */
+#ifndef FlipFreeStopReason_h
+#define FlipFreeStopReason_h
+
+namespace FlipFree
+{
+
+enum class StopReason
+{
+  NotRun,                 ///< nothing has been segmented
+  DistanceBelowTolerance, ///< the mean distance to the targets is small enough
+  AtRest,                 ///< the mean distance no longer falls
+  IterationLimit,
+  NoBoundaryFound, ///< by any vertex
+  NotRefined,      ///< the coarse surface could not be refined without intersecting itself
+  Aborted
+};
+
+/// In words, such as "at rest"; empty for NotRun.
+inline const char* ToString(StopReason reason)
+{
+  switch (reason)
+  {
+    case StopReason::NotRun:
+      return "";
+    case StopReason::DistanceBelowTolerance:
+      return "distance below tolerance";
+    case StopReason::AtRest:
+      return "at rest";
+    case StopReason::IterationLimit:
+      return "iteration limit";
+    case StopReason::NoBoundaryFound:
+      return "no boundary found";
+    case StopReason::NotRefined:
+      return "the coarse surface could not be refined";
+    case StopReason::Aborted:
+      return "aborted";
+  }
+  return "";
+}
+
+} // namespace FlipFree
+
+#endif
