@@ -1,5 +1,6 @@
 #include "VolumeFileWriter.h"
 
+#include "AtomicFile.h"
 #include "BackgroundTask.h"
 #include "CompletenessCheck.h"
 #include "VolumeFile.h"
@@ -12,9 +13,7 @@
 
 #include <cmath>
 #include <cstring>
-#include <filesystem>
 #include <memory>
-#include <random>
 #include <sstream>
 #include <vector>
 
@@ -22,8 +21,6 @@ namespace FlipFree
 {
 namespace
 {
-
-namespace fs = std::filesystem;
 
 itk::ImageIOBase::Pointer FormatOf(const std::string& name)
 {
@@ -48,41 +45,6 @@ std::string CannotWrite(const std::string& name, const std::string& why)
 {
   return "'" + name + "' cannot be written: " + why;
 }
-
-/// A folder of its own beside the destination, so on the same disk; removed with all that is in it.
-class ScratchFolder
-{
-public:
-  explicit ScratchFolder(const fs::path& destination)
-  {
-    const fs::path parent = destination.has_parent_path() ? destination.parent_path() : ".";
-    std::random_device random;
-    std::error_code failure;
-    do
-    {
-      this->Path =
-        parent / ("." + destination.filename().string() + "." + std::to_string(random()) + ".part");
-    } while (!fs::create_directory(this->Path, failure) && !failure);
-    if (failure)
-    {
-      throw ImageFileError(vtkErrorCode::CannotOpenFileError,
-        CannotWrite(destination.string(),
-          "its folder '" + parent.string() + "' does not take files (" + failure.message() +
-            "). Create it, or check its " + "permissions and the space on the disk."));
-    }
-  }
-  ~ScratchFolder() { this->Remove(); }
-  ScratchFolder(const ScratchFolder&) = delete;
-  void operator=(const ScratchFolder&) = delete;
-
-  void Remove() const
-  {
-    std::error_code ignored;
-    fs::remove_all(this->Path, ignored);
-  }
-
-  fs::path Path;
-};
 
 void WriteByItk(const std::string& name, const VolumeHeader& header, const void* voxels,
   itk::ImageIOBase* io, bool compress)
@@ -232,30 +194,6 @@ void WriteAndCheck(const std::string& written, const std::string& destination,
   RequireSame(ReadBack(written, destination), destination, header, voxels);
 }
 
-/// Moves all files, the one that gives the image its name last: a .mhd names its voxels' file.
-void MoveOut(const fs::path& written, const fs::path& destination)
-{
-  std::error_code failure;
-  const fs::path folder = written.parent_path();
-  for (const auto& entry : fs::directory_iterator(folder))
-  {
-    if (entry.path() != written && !failure)
-    {
-      fs::rename(entry.path(), destination.parent_path() / entry.path().filename(), failure);
-    }
-  }
-  if (!failure)
-  {
-    fs::rename(written, destination, failure);
-  }
-  if (failure)
-  {
-    throw ImageFileError(vtkErrorCode::CannotOpenFileError,
-      CannotWrite(destination.string(),
-        failure.message() + ". Check whether something else of that name is in the way."));
-  }
-}
-
 } // namespace
 
 bool WriteVolumeFile(const std::string& name, const VolumeHeader& header,
@@ -265,27 +203,28 @@ bool WriteVolumeFile(const std::string& name, const VolumeHeader& header,
   RequireOrthogonalForNifti(name, header.Geometry);
   ComponentOf(header.ScalarType);
 
-  std::error_code ignored;
-  fs::path destination(name);
-  if (fs::is_symlink(destination, ignored))
+  try
   {
-    destination =
-      fs::weakly_canonical(destination, ignored); // what it points to is replaced, not it
+    const auto file = std::make_shared<AtomicFile>(name);
+    // The task shares the voxels and the temporary folder for as long as it needs them.
+    BackgroundTask write(
+      [=]()
+      {
+        WriteAndCheck(file->TemporaryName(), name, header, scalars->GetVoidPointer(0), compress);
+        file->Flush();
+      });
+    if (!write.Wait([&monitor]() { return monitor(0); }))
+    {
+      file->Discard(); // now, not when the task ends
+      return false;
+    }
+    file->Publish();
+    return true;
   }
-  const auto scratch = std::make_shared<ScratchFolder>(destination);
-  // Now, not when the task has let go of its share.
-  const std::unique_ptr<const ScratchFolder, void (*)(const ScratchFolder*)> removal(scratch.get(),
-    [](const ScratchFolder* folder) { folder->Remove(); });
-  const fs::path written = scratch->Path / destination.filename();
-  // The task has its share in the voxels and in the scratch folder, for as long as it needs them.
-  BackgroundTask write([=, share = scratch]()
-    { WriteAndCheck(written.string(), name, header, scalars->GetVoidPointer(0), compress); });
-  if (!write.Wait([&monitor]() { return monitor(0); }))
+  catch (const FileError& error)
   {
-    return false; // what the task goes on writing has no name any more
+    throw ImageFileError(vtkErrorCode::CannotOpenFileError, error.what());
   }
-  MoveOut(written, destination);
-  return true;
 }
 
 } // namespace FlipFree

@@ -103,7 +103,7 @@ class TestBadInput(command.CommandTest):
                                     option)
 
     def test_folder_that_takes_no_files(self):
-        for folder, reason in ((self.result("absent"), "Make it"), ("/proc", "take files")):
+        for folder, reason in ((self.result("absent"), "Create it"), ("/proc", "take files")):
             name = os.path.join(folder, "out.vtp")
             with self.subTest(folder=folder):
                 self.assert_refused(self.segment(*self.seed, "-o", name), 1, name, reason)

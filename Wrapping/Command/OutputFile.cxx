@@ -10,7 +10,6 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
-#include <random>
 
 namespace Command
 {
@@ -18,23 +17,6 @@ namespace
 {
 
 namespace fs = std::filesystem;
-
-/// What a name leads to, through symbolic links: the link stays, its target is replaced.
-fs::path Destination(const std::string& name)
-{
-  std::error_code ignored;
-  const fs::path path(name);
-  return fs::is_symlink(path, ignored) ? fs::weakly_canonical(path, ignored) : path;
-}
-
-/// In the same folder, hence on the same disk, and with the same ending.
-std::string TemporaryName(const fs::path& destination)
-{
-  static std::random_device random;
-  const std::string name =
-    ".flipfree-" + std::to_string(random()) + "-" + destination.filename().string();
-  return (destination.parent_path() / name).string();
-}
 
 bool SameFile(const std::string& a, const std::string& b)
 {
@@ -44,30 +26,17 @@ bool SameFile(const std::string& a, const std::string& b)
   return first == second || (fs::exists(first, ignored) && fs::equivalent(first, second, ignored));
 }
 
-void RequireFolderTakesFiles(const std::string& name)
+/// Does what works with a FlipFree::AtomicFile, whose errors become failures.
+template <typename Work>
+auto WithFile(const Work& work)
 {
-  const fs::path destination = Destination(name);
-  const fs::path folder = destination.has_parent_path() ? destination.parent_path() : ".";
-  std::error_code ignored;
-  if (!fs::is_directory(folder, ignored))
+  try
   {
-    throw Failure("'" + name + "' cannot be written: there is no folder '" + folder.string() +
-      "'. Make it first.");
+    return work();
   }
-  if (fs::is_directory(destination, ignored))
+  catch (const FlipFree::FileError& error)
   {
-    throw Failure(
-      "'" + name + "' cannot be written: it is a folder. Give the name of a file in it.");
-  }
-  const std::string probe = TemporaryName(destination);
-  const bool works = std::ofstream(probe).is_open();
-  const int reason = errno;
-  fs::remove(probe, ignored);
-  if (!works)
-  {
-    throw Failure("'" + name + "' cannot be written: its folder '" + folder.string() +
-      "' does not take files (" + std::strerror(reason) +
-      "). Check its permissions, or write elsewhere.");
+    throw Failure(error.what());
   }
 }
 
@@ -111,60 +80,38 @@ void OutputFiles::Announce(const std::string& name, const std::vector<std::strin
         "'" + name + "' is an input, which would be overwritten. Give the result another name.");
     }
   }
-  RequireFolderTakesFiles(name);
-  this->Files.push_back({ name, std::string() });
+  WithFile([&name]() { FlipFree::AtomicFile probe(name); });
 }
 
 void OutputFiles::Write(const std::string& name,
   const std::function<void(const std::string&)>& write)
 {
   StopIfInterrupted();
-  const auto file = std::find_if(this->Files.begin(), this->Files.end(),
-    [&name](const File& f) { return f.Name == name; });
-  if (file == this->Files.end())
-  {
-    throw std::logic_error("'" + name + "' was not announced");
-  }
-  file->Temporary = TemporaryName(Destination(name));
-  try
-  {
-    write(file->Temporary);
-  }
-  catch (const Failure& failure)
-  {
-    throw Failure(Replaced(failure.what(), file->Temporary, name));
-  }
+  WithFile(
+    [&]()
+    {
+      auto file = std::make_unique<FlipFree::AtomicFile>(name);
+      try
+      {
+        write(file->TemporaryName());
+      }
+      catch (const Failure& failure)
+      {
+        throw Failure(Replaced(failure.what(), file->TemporaryName(), name));
+      }
+      file->Flush();
+      this->Files.push_back(std::move(file));
+    });
 }
 
 void OutputFiles::Commit()
 {
   StopIfInterrupted();
-  for (File& file : this->Files)
+  for (const auto& file : this->Files)
   {
-    std::error_code failure;
-    if (!file.Temporary.empty())
-    {
-      fs::rename(file.Temporary, Destination(file.Name), failure);
-    }
-    if (failure)
-    {
-      throw Failure("'" + file.Name + "' cannot be written: " + failure.message() +
-        ". Check whether something else of that name is in the way.");
-    }
-    file.Temporary.clear();
+    WithFile([&file]() { file->Publish(); });
   }
-}
-
-OutputFiles::~OutputFiles()
-{
-  for (const File& file : this->Files)
-  {
-    std::error_code ignored;
-    if (!file.Temporary.empty())
-    {
-      fs::remove(file.Temporary, ignored);
-    }
-  }
+  this->Files.clear();
 }
 
 void WriteBytes(const std::string& name, const char* bytes, std::size_t count)

@@ -1,13 +1,15 @@
 /**
- * Files that the command leaves: never a part of one. Each is written under a temporary name in its
- * own folder; only once all of a run are there are they renamed, one after the other. So a run that
- * fails or is interrupted before leaves none of them. Should a renaming itself fail, files renamed
- * before it stay, and the message names the one that is missing.
+ * The files of one run: all of them are written before the first gets its name, so a run that fails
+ * or is interrupted leaves none. Should renaming itself fail, the files renamed before stay, and
+ * the message names the one that is missing.
  */
 #ifndef FlipFreeCommandOutputFile_h
 #define FlipFreeCommandOutputFile_h
 
+#include "AtomicFile.h"
+
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -24,29 +26,19 @@ void RequireEnding(const std::string& option, const std::string& name,
 class OutputFiles
 {
 public:
-  OutputFiles() = default;
-  ~OutputFiles();
-  OutputFiles(const OutputFiles&) = delete;
-  void operator=(const OutputFiles&) = delete;
-
-  /// Announces a file before the work is done: its folder must take files, and it may be none
+  /// Announces a file before the work is done: its folder must take files, and it must not be one
   /// of the `inputs`.
   void Announce(const std::string& name, const std::vector<std::string>& inputs = {});
 
   /// Lets `write` make the file under the temporary name that it is called with. Throws Failure.
   void Write(const std::string& name, const std::function<void(const std::string&)>& write);
 
-  /// Gives the files their names, in the order in which they were announced. Throws Failure at the
-  /// first that does not take its name; those before it are in place, those behind it are not made.
+  /// Gives the files their names, in the order in which they were written. Throws Failure at the
+  /// first that does not take its name.
   void Commit();
 
 private:
-  struct File
-  {
-    std::string Name;
-    std::string Temporary;
-  };
-  std::vector<File> Files;
+  std::vector<std::unique_ptr<FlipFree::AtomicFile>> Files;
 };
 
 /// Writes bytes into a file; throws Failure where they do not all arrive.
