@@ -22,7 +22,7 @@ struct Case
   double Radius = 0;
 };
 
-/// The rows of cases.csv; none where the file does not exist.
+/// The rows of a list such as cases.csv; none where the file does not exist.
 std::vector<Case> ReadCases(const std::string& file);
 
 vtkSmartPointer<vtkImageData> ReadVolume(const std::string& file);

@@ -1,9 +1,8 @@
-// Runs the default segmentation over every row of cases.csv, one setting for all, and prints a
-// table: accuracy against the reference label, iterations, seconds, stop reason, validity, peak
-// memory.
+// Runs the segmentation over every row of a list of cases, one setting for all, and prints a table:
+// accuracy against the reference label, iterations, seconds, stop reason, validity, peak memory.
 //
-//   MeasureCases [--data DIR] [--only TEXT] [--preset default|published|naive] [--seeds N]
-//                [--surfaces DIR] [--threads N] [--set Name=value ...]
+//   MeasureCases [--data DIR] [--cases FILE] [--only TEXT] [--preset default|published|naive]
+//                [--seeds N] [--surfaces DIR] [--threads N] [--set Name=value ...]
 //
 // With --seeds N each row is run from N random seeds in the organ, at least their radius away from
 // its border, and the spread of the Dice score is printed.
@@ -38,6 +37,7 @@ namespace
 struct Options
 {
   std::string Data = "../shared/data";
+  std::string Cases = "cases.csv"; ///< in that folder
   std::string Only;
   std::string Preset = "default";
   std::string Surfaces;
@@ -191,8 +191,9 @@ void MeasureSeeds(const Case& row, const Options& options)
 int main(int argc, char* argv[])
 {
   Options options;
-  CLI::App app("Measures the default segmentation over the rows of cases.csv.");
-  app.add_option("--data", options.Data, "folder with cases.csv")->capture_default_str();
+  CLI::App app("Measures the segmentation over the rows of a list of cases.");
+  app.add_option("--data", options.Data, "folder with volumes and lists")->capture_default_str();
+  app.add_option("--cases", options.Cases, "list of cases in that folder")->capture_default_str();
   app.add_option("--only", options.Only, "rows whose name contains this text");
   app.add_option("--preset", options.Preset, "default, published, or naive")
     ->check(CLI::IsMember({ "default", "published", "naive" }));
@@ -215,7 +216,14 @@ int main(int argc, char* argv[])
               "|---|---|---|---|---|---|---|---|---|---|---|---|---|---|");
   }
   std::map<std::string, std::vector<double>> scores;
-  for (const Case& row : ReadCases(options.Data + "/cases.csv"))
+  const std::vector<Case> cases = ReadCases(options.Data + "/" + options.Cases);
+  if (cases.empty())
+  {
+    std::fprintf(stderr, "MeasureCases: there is no case in %s/%s\n", options.Data.c_str(),
+      options.Cases.c_str());
+    return 1;
+  }
+  for (const Case& row : cases)
   {
     if (row.Name.find(options.Only) == std::string::npos)
     {

@@ -7,18 +7,33 @@ include(GoogleTest)
 set(FLIPFREE_DATA_DIR "${PROJECT_SOURCE_DIR}/../shared/data" CACHE PATH
   "Folder with real volumes and cases.csv; tests that need it are skipped where it is absent")
 
-# flipfree_add_unit_tests(<name> SOURCES <files> LIBRARIES <targets> [LABEL <label>])
-# One GoogleTest program; each of its cases becomes one test of CTest.
+# flipfree_add_unit_tests(<name> SOURCES <files> LIBRARIES <targets> [LABEL <label>] [LONG <patterns>])
+# One GoogleTest program; each of its cases becomes one test of CTest. With sanitizers, a process per case
+# would spend most of its time loading VTK, so a few processes share the cases; those whose names match the
+# patterns of LONG are left out, since they repeat at length what shorter ones do.
 function (flipfree_add_unit_tests name)
-  cmake_parse_arguments(PARSE_ARGV 1 _test "" "LABEL" "SOURCES;LIBRARIES")
+  cmake_parse_arguments(PARSE_ARGV 1 _test "" "LABEL" "SOURCES;LIBRARIES;LONG")
   add_executable(${name} ${_test_SOURCES})
   target_link_libraries(${name} PRIVATE ${_test_LIBRARIES} GTest::gtest GTest::gtest_main
     FlipFreeWarnings)
-  gtest_discover_tests(${name}
-    TEST_PREFIX "${name}."
-    DISCOVERY_TIMEOUT 60
-    PROPERTIES LABELS "${_test_LABEL}" TIMEOUT 600
-               ENVIRONMENT "FLIPFREE_DATA_DIR=${FLIPFREE_DATA_DIR}")
+  set(_test_environment "FLIPFREE_DATA_DIR=${FLIPFREE_DATA_DIR}")
+  if (NOT FLIPFREE_SANITIZERS)
+    gtest_discover_tests(${name}
+      TEST_PREFIX "${name}."
+      DISCOVERY_TIMEOUT 60
+      PROPERTIES LABELS "${_test_LABEL}" TIMEOUT 600 ENVIRONMENT "${_test_environment}")
+    return ()
+  endif ()
+  list(JOIN _test_LONG ":" _test_long)
+  set(_test_shards 4)
+  foreach (_test_shard RANGE 1 ${_test_shards})
+    math(EXPR _test_index "${_test_shard} - 1")
+    add_test(NAME "${name}.${_test_shard}" COMMAND ${name} "--gtest_filter=-${_test_long}")
+    set_tests_properties("${name}.${_test_shard}" PROPERTIES
+      LABELS "${_test_LABEL}"
+      TIMEOUT 1200
+      ENVIRONMENT "${_test_environment};GTEST_TOTAL_SHARDS=${_test_shards};GTEST_SHARD_INDEX=${_test_index}")
+  endforeach ()
 endfunction ()
 
 # flipfree_add_python_tests(<files>)
@@ -72,8 +87,6 @@ function (flipfree_add_image_tests name)
       LABELS images
       TIMEOUT 300
       FAIL_REGULAR_EXPRESSION "(\n|^)ERROR: ;ERR\\|;Failed Image Test;ImageNotFound"
-      ENVIRONMENT "FLIPFREE_DATA_DIR=${FLIPFREE_DATA_DIR}"
-      # Graphics drivers leak, and are unloaded before their leaks could be told from ours.
-      ENVIRONMENT_MODIFICATION "ASAN_OPTIONS=string_append::detect_leaks=0")
+      ENVIRONMENT "FLIPFREE_DATA_DIR=${FLIPFREE_DATA_DIR}")
   endforeach ()
 endfunction ()

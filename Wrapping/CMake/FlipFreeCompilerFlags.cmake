@@ -21,6 +21,11 @@ if (FLIPFREE_SANITIZERS)
   add_link_options("-fsanitize=${FLIPFREE_SANITIZERS}")
 endif ()
 
+# Only Filters is instrumented, in Filters/CMakeLists.txt; whoever links it needs gcov's run time.
+if (FLIPFREE_COVERAGE)
+  add_link_options(--coverage)
+endif ()
+
 if (FLIPFREE_USE_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
   find_program(FLIPFREE_CCACHE ccache)
   mark_as_advanced(FLIPFREE_CCACHE)

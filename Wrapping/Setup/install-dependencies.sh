@@ -37,7 +37,6 @@ test_packages=(
   clang-tidy
   doxygen
   groff-base
-  libbenchmark-dev
   libcgal-dev
   libgtest-dev
   mypy
