@@ -39,7 +39,7 @@ void FillConvergenceTable(const std::vector<IterationRecord>& records, vtkTable*
   count("Matched", [](const IterationRecord& r) { return r.Targets.Matched; });
   count("Solitary", [](const IterationRecord& r) { return r.Targets.Solitary; });
   count("Flipping", [](const IterationRecord& r) { return r.Step.Flipping; });
-  count("Guarded", [](const IterationRecord& r) { return r.Step.HeldBack; });
+  count("Guarded", [](const IterationRecord& r) { return r.Step.Guarded; });
   number("SearchSeconds", [](const IterationRecord& r) { return r.SearchSeconds; });
   number("FlipSeconds", [](const IterationRecord& r) { return r.Step.FlipSeconds; });
   number("SolveSeconds", [](const IterationRecord& r) { return r.Step.SolveSeconds; });

@@ -58,7 +58,7 @@ int vtkFlipFreeDeform::RequestData(vtkInformation*, vtkInformationVector** input
     output->GetCellData()->SetTangents(nullptr);
     FlipFree::AttachField(field, output);
     FlipFree::AddFieldValues("FlippingVertices", { static_cast<double>(report.Flipping) }, output);
-    FlipFree::AddFieldValues("GuardedVertices", { static_cast<double>(report.HeldBack) }, output);
+    FlipFree::AddFieldValues("GuardedVertices", { static_cast<double>(report.Guarded) }, output);
   }
   catch (const std::exception& error)
   {

@@ -4,7 +4,6 @@
 #include "PhantomScan.h"
 
 #include "Deformation/OrganSegmentation.h"
-#include "Image/AnisotropicDiffusion.h"
 #include "Measures/SurfaceDistance.h"
 #include "Measures/VoxelOverlap.h"
 #include "Mesh/QuadSphere.h"
@@ -26,9 +25,8 @@ int main()
   const double noise = NoiseStandardDeviation(image.View(), scan.Seed);
   AnisotropicDiffusionSettings diffusion;
   diffusion.Contrast = ContrastOfNoise(noise, image.Geometry, diffusion.Equation);
-  std::vector<float> smooth(image.Voxels.size());
-  DiffuseAnisotropically(ReaderOf(image.View()), image.Geometry, diffusion, SerialFor, NeverStop,
-    smooth.data());
+  SmoothRegion region(ReaderOf(image.View()), image.Geometry, diffusion, SerialFor);
+  region.Make({ { { 0, 0, 0 } }, image.Geometry.Dimensions }, NeverStop);
 
   OrganSegmentationSettings settings = OrganSettings(scan);
   settings.Levels = 2;
@@ -39,16 +37,16 @@ int main()
     MakeQuadSphere(8, scan.Seed.Center, scan.Seed.Radius, QuadSphereSpacing::Equiangular);
   const ContourMesh mesh = BuildContourMesh(static_cast<int>(sphere.Points.rows()), sphere.Faces);
   PointList before;
-  const OrganSurface organ = SegmentOrgan({ smooth.data(), image.Geometry }, noise, scan.Seed, mesh,
-    sphere.Points, settings, SerialFor, NeverStop,
-    [&before](const ContourMesh&, const PointList& points, const CorrespondenceField&,
-      const IterationRecord& record)
-    {
-      if (record.Iteration == 6)
+  const OrganSurface organ =
+    SegmentOrgan(region, noise, scan.Seed, mesh, sphere.Points, settings, SerialFor, NeverStop,
+      [&before](const ContourMesh&, const PointList& points, const CorrespondenceField&,
+        const IterationRecord& record)
       {
-        before = points;
-      }
-    });
+        if (record.Iteration == 6)
+        {
+          before = points;
+        }
+      });
 
   std::vector<unsigned char> labels(scan.Geometry.NumberOfVoxels(), 0);
   FillRuns(VoxelizeSurface(organ.Points, organ.Mesh.Triangles, scan.Geometry, SerialFor),

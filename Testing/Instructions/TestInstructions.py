@@ -19,9 +19,9 @@ MARGIN = 1.25
 
 # Stage, and the function whose calls it is, with all that is called from there.
 STAGES = {
-    "prefilter": "DiffuseAnisotropically",
+    "prefilter": "SmoothRegion::Make",
     "mixture": "FitToSeed",
-    "foreground": "FindForeground",
+    "foreground": "GrowingForeground::Update",
     "intensities again": "RefitToSurface",
     "normals": "VertexNormals",
     "correspondences": "FindCorrespondences",

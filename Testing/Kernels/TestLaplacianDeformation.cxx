@@ -1,4 +1,5 @@
 #include "Deformation/LaplacianDeformation.h"
+#include "Error.h"
 #include "RandomMotions.h"
 
 #include <gtest/gtest.h>
@@ -263,6 +264,27 @@ TEST(LaplacianDeformation, ASolverThatIsUsedAgainGivesTheSame)
     EXPECT_EQ(example.Solve(settings, anew).Factorized, report.Factorized);
     EXPECT_EQ(motion, anew);
     EXPECT_EQ(report.Factorized, settings.PositionWeight < 0.1);
+  }
+}
+
+// The squares overflow, so that neither iterations nor the factorization give a finite motion.
+TEST(LaplacianDeformation, RefusesWhatHasNoFiniteSolution)
+{
+  Case example(4);
+  example.Targets.row(7).setConstant(1e200);
+  try
+  {
+    example.Solve({ 0.3, 1, 0 });
+    FAIL() << "no error";
+  }
+  catch (const Error& error)
+  {
+    EXPECT_EQ(error.GetCode(), ErrorCode::SingularSystem);
+    const std::string text =
+      "the displacements, of up to 1e+200 mm, are too long to be computed with; limit them ";
+    EXPECT_EQ(error.what(), text + "(MaximumDisplacement)");
+    const auto asOption = [](const std::string& quantity) { return "--" + quantity; };
+    EXPECT_EQ(SpellQuantities(error.GetText(), asOption), text + "(--MaximumDisplacement)");
   }
 }
 

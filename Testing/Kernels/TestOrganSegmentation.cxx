@@ -60,9 +60,11 @@ struct Scene
 
   OrganSurface FromWhole() const
   {
-    const std::vector<float> smooth = this->Smooth();
-    return SegmentOrgan({ smooth.data(), this->Image.Geometry }, Noise, this->Seed, this->Start,
-      this->StartPoints, this->Settings, SerialFor, NeverStop, IgnoreIteration);
+    SmoothRegion region(ReaderOf(this->Image.View()), this->Image.Geometry, this->Diffusion,
+      SerialFor);
+    region.Make({ { { 0, 0, 0 } }, this->Image.Geometry.Dimensions }, NeverStop);
+    return SegmentOrgan(region, Noise, this->Seed, this->Start, this->StartPoints, this->Settings,
+      SerialFor, NeverStop, IgnoreIteration);
   }
 
   OrganSurface FromRegion(VoxelBox& made, const Monitor& monitor = NeverStop) const

@@ -6,9 +6,6 @@
 #include <algorithm>
 #include <vector>
 
-#include <sstream>
-#include <stdexcept>
-
 namespace FlipFree
 {
 
@@ -29,19 +26,12 @@ DeformationStepReport DeformOnce(DeformationSolver& solver, const EmbeddingGuard
   report.FlipSeconds = watch.Lap();
 
   PointList motion = field.Displacements;
-  solver.Solve(points, field.Displacements, settings.Energy, motion);
-  if (!motion.allFinite())
-  {
-    std::ostringstream message;
-    message << "the displacements, of up to " << field.Displacements.cwiseAbs().maxCoeff()
-            << " mm, are too long to be computed with; limit them (MaximumDisplacement)";
-    throw std::invalid_argument(message.str());
-  }
+  report.Solver = solver.Solve(points, field.Displacements, settings.Energy, motion);
   report.SolveSeconds = watch.Lap();
 
   if (guard != nullptr)
   {
-    report.HeldBack = guard->Limit(points, motion, parallelFor, monitor).HeldBack;
+    report.Guarded = guard->Limit(points, motion, parallelFor, monitor).HeldBack;
     report.GuardSeconds = watch.Lap();
   }
   points += motion;

@@ -1,6 +1,6 @@
 /**
  * What follows the search in each iteration (paper sections 3.4 to 3.6): flip avoidance,
- * propagation of displacements, the Laplacian deformation, and the guard of the embedding.
+ * propagation of displacements, Laplacian deformation, and the guard.
  */
 #ifndef FlipFreeDeformationStep_h
 #define FlipFreeDeformationStep_h
@@ -23,17 +23,18 @@ struct DeformationStepSettings
 struct DeformationStepReport
 {
   int Flipping = 0; ///< vertices whose targets would have flipped an edge
-  int HeldBack = 0; ///< vertices that the guard held back
+  int Guarded = 0;  ///< vertices that the guard held back
+  DeformationReport Solver;
   double FlipSeconds = 0;
   double SolveSeconds = 0;
   double GuardSeconds = 0;
 };
 
-/// Moves the points of the solver's mesh. The field is left with what came of it: its states say
-/// which vertices had a target, and which of these would have flipped an edge, whether that was
-/// avoided or not; its displacements what was wanted of every vertex after propagation. Without a
-/// guard (null) the solved motion is taken as it is. Throws std::invalid_argument when
-/// displacements are too long to be computed with.
+/// Moves the points of the solver's mesh. On return, the field's states say which vertices had a
+/// target and which of these would have flipped an edge, avoided or not; its displacements are
+/// those after propagation, which the solver was given. Without a guard (null) the solved motion is
+/// applied as it is. Throws Error when the system has no finite solution, or when the guard refuses
+/// the surface.
 DeformationStepReport DeformOnce(DeformationSolver& solver, const EmbeddingGuard* guard,
   const DeformationStepSettings& settings, const ParallelFor& parallelFor, const Monitor& monitor,
   CorrespondenceField& field, PointList& points);

@@ -1,6 +1,10 @@
 #include "Deformation/LaplacianDeformation.h"
 
+#include "Error.h"
+
 #include <Eigen/SparseCholesky>
+
+#include <sstream>
 
 namespace FlipFree
 {
@@ -119,7 +123,7 @@ bool DeformationSolver::Factorize(double uniformWeight, PointList& solution)
     return false;
   }
   solution = this->Factor->Cholesky.solve(PointList(this->Right.topRows<3>().transpose()));
-  return true;
+  return this->Factor->Cholesky.info() == Eigen::Success && solution.allFinite();
 }
 
 DeformationReport DeformationSolver::Solve(const PointList& points, const PointList& targets,
@@ -137,7 +141,13 @@ DeformationReport DeformationSolver::Solve(const PointList& points, const PointL
     return report;
   }
   report.Factorized = true;
-  this->Factorize(settings.UniformWeight, start); // or the start stays as it is
+  if (!this->Factorize(settings.UniformWeight, start))
+  {
+    std::ostringstream message;
+    message << "the displacements, of up to " << targets.cwiseAbs().maxCoeff()
+            << " mm, are too long to be computed with; limit them ({MaximumDisplacement})";
+    throw Error(ErrorCode::SingularSystem, message.str());
+  }
   return report;
 }
 

@@ -18,7 +18,7 @@ namespace FlipFree
 struct DeformationReport
 {
   int Iterations = 0;
-  bool Factorized = false; ///< conjugate gradients gave up
+  bool Factorized = false; ///< conjugate gradients did not converge
 };
 
 /// The solver for one mesh, which must outlive it. It keeps its memory and the analysis of the
@@ -31,8 +31,9 @@ public:
 
   const ContourMesh& GetMesh() const { return this->Mesh; }
 
-  /// The displacements that minimize the energy when every vertex i is drawn by `targets` (target
-  /// minus point). `start` warms up the solver and takes the result.
+  /// The displacements that minimize the energy, given every vertex's target minus its point.
+  /// `start` warms up the solver and takes the result. Throws Error (SingularSystem) when there is
+  /// no finite solution, as for displacements whose squares overflow.
   DeformationReport Solve(const PointList& points, const PointList& targets,
     const DeformationSettings& settings, PointList& start);
 
@@ -40,7 +41,7 @@ private:
   struct Factorization;
 
   bool IterateToSolution(double uniformWeight, int& iterations);
-  bool Factorize(double uniformWeight, PointList& solution);
+  bool Factorize(double uniformWeight, PointList& solution); ///< false: there is no solution
 
   const ContourMesh& Mesh;
   Eigen::VectorXd Diagonal; ///< lambda_p W

@@ -1,5 +1,5 @@
 /**
- * The paper's Algorithm 1, from coarse to fine: from a smoothed image and a start surface to the
+ * The paper's Algorithm 1, from coarse to fine: from an image, a seed and a start surface to the
  * organ's surface.
  */
 #ifndef FlipFreeOrganSegmentation_h
@@ -19,12 +19,12 @@ struct OrganSegmentationSettings
   int Levels = 3;
   int MaximumIterations = 40; ///< per level
 
-  /// A level ends when the mean distance to the targets is below DistanceTolerance, or fell by less
-  /// than ChangeTolerance over five iterations; both in millimeters.
+  /// In millimeters. A level ends when the mean distance to the targets is below DistanceTolerance,
+  /// or fell by less than ChangeTolerance over five iterations.
   double DistanceTolerance = 0.1;
   double ChangeTolerance = 0.02;
 
-  bool ReestimateIntensities = true; ///< the intensities, at each level after the first
+  bool ReestimateIntensities = true; ///< at each level after the first
   bool Guard = true;
 
   OrganFeatureSettings Feature;
@@ -55,21 +55,14 @@ struct OrganSurface
   double FeatureSeconds = 0;
 };
 
-/// Called after every iteration with the surface as it then is, and what was wanted of it.
+/// Called after every iteration with the surface, its last targets, and the iteration's record.
 using IterationObserver = std::function<void(const ContourMesh&, const PointList&,
   const CorrespondenceField&, const IterationRecord&)>;
 
-/// Smooths what it needs of the region, and no more: with leak control, a box that holds all that
-/// hangs together with the seed. Otherwise like the function below, and with the same result.
+/// Smooths the region as far as it needs to. `noise` is the standard deviation of the noise before
+/// smoothing. Throws Error for bad input; a stop by the monitor gives the surface reached so far
+/// and StopReason::Aborted.
 OrganSurface SegmentOrgan(SmoothRegion& region, double noise, const SeedSphere& seed,
-  const ContourMesh& startMesh, const PointList& startPoints,
-  const OrganSegmentationSettings& settings, const ParallelFor& parallelFor, const Monitor& monitor,
-  const IterationObserver& observer);
-
-/// `smooth` is the smoothed image of the reachable region, `noise` the deviation of the noise
-/// before smoothing. Throws std::invalid_argument for bad input; a stop by the monitor gives the
-/// surface reached and StopReason::Aborted.
-OrganSurface SegmentOrgan(const ImageView<float>& smooth, double noise, const SeedSphere& seed,
   const ContourMesh& startMesh, const PointList& startPoints,
   const OrganSegmentationSettings& settings, const ParallelFor& parallelFor, const Monitor& monitor,
   const IterationObserver& observer);

@@ -1,0 +1,167 @@
+#include "Intensity/GrowingForeground.h"
+
+#include "Stopwatch.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace FlipFree
+{
+namespace
+{
+
+// What is smoothed before anything is known of the organ, in seed radii around the seed's center.
+constexpr double FirstReach = 3;
+// By how much of its size the box grows on a side that the foreground has reached.
+constexpr double Growth = 0.25;
+
+// FindForegroundInBox wants rows to begin with a whole word of a mask.
+void BeginWithWord(VoxelBox& box)
+{
+  box.Begin[0] -= box.Begin[0] % BitMask::BitsOfWord;
+}
+
+// For leak control, and for the intensities that are read around the foreground's rim.
+std::array<int, 3> MarginOf(const ImageGeometry& geometry, const LeakControlSettings& leaks,
+  double rim)
+{
+  std::array<int, 3> margin = ForegroundMargin(geometry, leaks);
+  const Eigen::Vector3d voxels = geometry.IndexReach(rim + geometry.Spacing.minCoeff());
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    margin[axis] = std::max(margin[axis], static_cast<int>(std::ceil(voxels[axis])) + 2);
+  }
+  return margin;
+}
+
+} // namespace
+
+GrowingForeground::GrowingForeground(SmoothRegion& region, const SeedSphere& seed,
+  const OrganFeatureSettings& settings, double rim, const ParallelFor& parallelFor)
+  : Region(region)
+  , Geometry(region.View().Geometry)
+  , Whole{ { { 0, 0, 0 } }, this->Geometry.Dimensions }
+  , Seed(seed)
+  , Settings(settings)
+  , Parallel(parallelFor)
+  , Margin(MarginOf(this->Geometry, settings.Leaks, rim))
+{
+}
+
+bool GrowingForeground::Smooth(VoxelBox box, const Monitor& monitor)
+{
+  Stopwatch watch;
+  box = box.Widened({ { 0, 0, 0 } }, this->Whole);
+  BeginWithWord(box);
+  const bool made = this->Region.Make(box, monitor);
+  this->SmoothingSeconds += watch.Lap();
+  return made;
+}
+
+bool GrowingForeground::SmoothAroundSeed(const Monitor& monitor)
+{
+  return this->Smooth(this->Settings.ControlLeaks
+      ? this->BoxAround(this->Seed.Center.transpose(), FirstReach * this->Seed.Radius,
+          ForegroundMargin(this->Geometry, this->Settings.Leaks))
+      : this->Whole,
+    monitor);
+}
+
+bool GrowingForeground::SmoothAround(const PointList& points, double reach, const Monitor& monitor)
+{
+  return this->Smooth(this->BoxAround(points, reach, { { 2, 2, 2 } }), monitor);
+}
+
+VoxelBox GrowingForeground::BoxAround(const PointList& points, double reach,
+  const std::array<int, 3>& margin) const
+{
+  const Eigen::Vector3d voxels = this->Geometry.IndexReach(reach);
+  VoxelBox box{ this->Whole.End, this->Whole.Begin };
+  for (Eigen::Index point = 0; point < points.rows(); ++point)
+  {
+    const Eigen::Vector3d index = this->Geometry.ToIndex(points.row(point).transpose());
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const double last = this->Geometry.Dimensions[axis];
+      const double begin = std::floor(index[axis] - voxels[axis]) - margin[axis];
+      const double end = std::ceil(index[axis] + voxels[axis]) + margin[axis] + 1;
+      box.Begin[axis] = std::min(box.Begin[axis], static_cast<int>(std::clamp(begin, 0.0, last)));
+      box.End[axis] = std::max(box.End[axis], static_cast<int>(std::clamp(end, 0.0, last)));
+    }
+  }
+  return box;
+}
+
+// At first all that has been smoothed; later where the foreground was before, and the seed.
+VoxelBox GrowingForeground::FirstSearched() const
+{
+  const VoxelBox made = this->Region.GetMade();
+  if (this->Bounds.IsEmpty())
+  {
+    return made;
+  }
+  // A little more than the margin that the foreground must keep, so that it may grow a little.
+  std::array<int, 3> margin = this->Margin;
+  const Extent seed = ReachableExtent(this->Geometry, this->Seed.Center, this->Seed.Radius);
+  VoxelBox box = this->Bounds;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    margin[axis] += margin[axis] / 2;
+    box.Begin[axis] = std::min(seed[2 * axis], box.Begin[axis]);
+    box.End[axis] = std::max(seed[2 * axis + 1] + 1, box.End[axis]);
+  }
+  box = box.Widened(margin, made);
+  BeginWithWord(box);
+  return box;
+}
+
+// Widens the box on the sides that the foreground has come near.
+VoxelBox GrowingForeground::Grown(const VoxelBox& searched) const
+{
+  VoxelBox box = searched;
+  for (int axis = 0; axis < 3 && !this->Bounds.IsEmpty(); ++axis)
+  {
+    const int size = this->Geometry.Dimensions[axis];
+    const int margin = this->Margin[axis];
+    const int step = std::max(margin, static_cast<int>(Growth * searched.Size(axis)));
+    if (searched.Begin[axis] > 0 && this->Bounds.Begin[axis] - margin < searched.Begin[axis])
+    {
+      box.Begin[axis] = std::max(0, searched.Begin[axis] - step);
+    }
+    if (searched.End[axis]<size&& this->Bounds.End[axis] + margin> searched.End[axis])
+    {
+      box.End[axis] = std::min(size, searched.End[axis] + step);
+    }
+  }
+  BeginWithWord(box);
+  return box;
+}
+
+bool GrowingForeground::Update(const IntensityModel& model, const Monitor& monitor)
+{
+  if (!this->Settings.ControlLeaks)
+  {
+    return FindForeground(this->GetImage(), model, this->Seed, this->Settings, this->Parallel,
+      monitor, this->Mask);
+  }
+  VoxelBox searched = this->FirstSearched();
+  while (FindForegroundInBox(this->GetImage(), searched, model, this->Seed, this->Settings.Leaks,
+    this->Parallel, monitor, this->Mask))
+  {
+    this->Bounds = this->Mask.Bounds();
+    const VoxelBox grown = this->Grown(searched);
+    if (searched.Holds(grown))
+    {
+      return true;
+    }
+    searched = grown;
+    this->Clear(); // smoothing needs the memory
+    if (!this->Smooth(grown, monitor))
+    {
+      return false;
+    }
+  }
+  return false;
+}
+
+} // namespace FlipFree
