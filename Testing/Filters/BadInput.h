@@ -1,17 +1,23 @@
 /**
- * Good input for the stages of a segmentation, and ways to spoil it.
+ * The matrix of bad input: for each kind of port, everything that may be wrong with what is
+ * connected, and the words that the error must contain. Tests of filters run it over their ports.
  */
 #ifndef FlipFreeBadInput_h
 #define FlipFreeBadInput_h
 
 #include "ExamplePolyData.h"
+#include "FilterErrors.h"
 
+#include "vtkBitArray.h"
 #include "vtkCellArray.h"
+#include "vtkDoubleArray.h"
 #include "vtkPhantomSource.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 
 #include <limits>
+#include <string>
+#include <vector>
 
 namespace FlipFree
 {
@@ -45,17 +51,25 @@ inline vtkSmartPointer<vtkImageData> ImageOfType(int type, int components = 1)
   return image;
 }
 
-/// A voxel of the seed gets a value that only floating point numbers have.
+/// The sphere in floating point, with one voxel of the seed replaced.
 inline vtkSmartPointer<vtkImageData> ImageWith(double value)
 {
-  const auto sphere = SphereImage();
-  auto image = ImageOfType(VTK_DOUBLE);
-  for (vtkIdType voxel = 0; voxel < image->GetNumberOfPoints(); ++voxel)
-  {
-    image->GetPointData()->GetScalars()->SetTuple1(voxel,
-      sphere->GetPointData()->GetScalars()->GetTuple1(voxel));
-  }
+  const auto image = ImageOfType(VTK_DOUBLE);
+  image->GetPointData()->GetScalars()->DeepCopy(SphereImage()->GetPointData()->GetScalars());
   image->SetScalarComponentFromDouble(15, 16, 17, 0, value);
+  return image;
+}
+
+/// The sphere with other scalars.
+template <typename Array>
+vtkSmartPointer<vtkImageData> ImageWithArray(vtkIdType size)
+{
+  vtkNew<Array> scalars;
+  scalars->SetName("Intensities");
+  scalars->SetNumberOfValues(size);
+  scalars->Fill(1);
+  auto image = SphereImage();
+  image->GetPointData()->SetScalars(scalars);
   return image;
 }
 
@@ -94,12 +108,12 @@ inline vtkSmartPointer<vtkPolyData> SphereInsideOut()
   return sphere;
 }
 
-/// One vertex on the other side.
+/// One vertex moved to the opposite side.
 inline vtkSmartPointer<vtkPolyData> SelfIntersectingSphere()
 {
   auto sphere = StartSphere();
-  const Eigen::Vector3d opposite = 2 * ExampleCenter -
-    1.5 * (Eigen::Map<const Eigen::Vector3d>(sphere->GetPoint(5)) - ExampleCenter) - ExampleCenter;
+  const Eigen::Vector3d vertex(sphere->GetPoint(5));
+  const Eigen::Vector3d opposite = ExampleCenter - 1.5 * (vertex - ExampleCenter);
   sphere->GetPoints()->SetPoint(5, opposite.data());
   return sphere;
 }
@@ -115,6 +129,110 @@ inline vtkSmartPointer<vtkPolyData> SphereWithPointAt(double x)
 inline vtkSmartPointer<vtkPolyData> TriangulatedBox()
 {
   return PolyDataOf(Box({ 36, 36, 36 }, { 56, 56, 56 }));
+}
+
+template <typename Data>
+struct Bad
+{
+  std::string Name;
+  vtkSmartPointer<Data> Input;
+  std::vector<std::string> Words; ///< of the error, beside the name of the port
+};
+
+/// Images that no port for an image accepts.
+inline std::vector<Bad<vtkImageData>> BadImages()
+{
+  auto bare = vtkSmartPointer<vtkImageData>::New();
+  bare->SetDimensions(32, 32, 32);
+  std::vector<Bad<vtkImageData>> images{
+    { "no voxels", vtkSmartPointer<vtkImageData>::New(), { "no voxels", "connect" } },
+    { "no scalars", bare, { "no point scalars", "active" } },
+    { "too few scalars", ImageWithArray<vtkDoubleArray>(100), { "100 scalars for 32768 voxels" } },
+    { "bits", ImageWithArray<vtkBitArray>(32 * 32 * 32), { "are of type bit", "unsigned char" } },
+    { "several components", ImageOfType(VTK_SHORT, 3),
+      { "3 components", "vtkImageExtractComponents" } },
+  };
+  for (const double value : { NotANumber, Infinite, -Infinite })
+  {
+    images.push_back({ "voxel of " + std::to_string(value), ImageWith(value),
+      { "(45, 48, 51) mm", "not a finite number", "replace" } });
+  }
+  for (const double spacing : { 0.0, -3.0, NotANumber })
+  {
+    const auto image = SphereImage();
+    image->SetSpacing(3, spacing, 3);
+    images.push_back(
+      { "spacing of " + std::to_string(spacing), image, { "has a spacing of (3, ", "positive" } });
+  }
+  const auto flat = SphereImage();
+  flat->SetDirectionMatrix(1, 0, 0, 0, 1, 0, 0, 0, 0);
+  images.push_back({ "axes in a plane", flat, { "direction matrix", "inverted" } });
+  return images;
+}
+
+/// Surfaces that no port for a mesh of four-valent vertices accepts.
+inline std::vector<Bad<vtkPolyData>> BadSurfaces()
+{
+  const auto points = StartSphere();
+  points->SetPolys(nullptr);
+  const auto missing = StartSphere();
+  missing->GetPolys()->InsertNextCell({ 0, 1, 9999 });
+  return {
+    { "no points", vtkSmartPointer<vtkPolyData>::New(), { "no points", "connect" } },
+    { "points alone", points, { "no polygons" } },
+    { "open", OpenSphere(), { "vertex", "faces instead of 4", "closed" } },
+    { "not four-valent", TriangulatedBox(), { "vertex 0", "four neighbors" } },
+    { "not finite", SphereWithPointAt(NotANumber), { "point 7", "finite", "repair" } },
+    { "missing point", missing, { "point 9999", "repair" } },
+  };
+}
+
+/// Runs a column of the matrix: whatever is connected to this port is refused.
+template <typename Data>
+void ExpectRefused(const std::vector<Bad<Data>>& inputs, vtkAlgorithm* filter, int port,
+  const std::string& noun)
+{
+  for (const Bad<Data>& bad : inputs)
+  {
+    SCOPED_TRACE(bad.Name);
+    std::vector<std::string> words = bad.Words;
+    words.push_back(noun);
+    filter->SetInputDataObject(port, bad.Input);
+    ExpectRefusal(filter, words);
+  }
+}
+
+/// Seeds that no filter accepts. Leaves a bad one.
+template <typename Filter>
+void ExpectBadSeedsRefused(Filter* filter)
+{
+  filter->SetInputDataObject(0, SphereImage());
+  filter->SetSeedRadius(ExampleRadius);
+  filter->SetSeedCenter(46, 46, 94.6);
+  ExpectRefusal(filter,
+    { "(46, 46, 94.6) mm", "outside the image on port 0", "to (93, 93, 93) mm",
+      "physical coordinates" });
+  filter->SetSeedCenter(NotANumber, 46, 46);
+  ExpectRefusal(filter, { "nan", "outside the image on port 0" });
+  filter->SetSeedCenter(ExampleCenter.data());
+  for (const double radius : { 2.9, 0.0, -10.0, NotANumber })
+  {
+    filter->SetSeedRadius(radius);
+    filter->Modified(); // the minimum radius may be set already
+    ExpectRefusal(filter, { "radius", "below a voxel of the image on port 0 (3 mm)", "enlarge" });
+  }
+}
+
+/// A seed so small that it fits between two slices.
+template <typename Filter>
+void ExpectSeedBetweenSlicesRefused(Filter* filter)
+{
+  const auto image = SphereImage();
+  image->SetSpacing(3, 3, 9);
+  filter->SetInputDataObject(0, image);
+  filter->SetSeedCenter(45, 45, 139.5);
+  filter->SetSeedRadius(3.5);
+  ExpectRefusal(filter, { "no voxel center", "seed sphere", "enlarge" });
 }
 
 } // namespace FlipFree

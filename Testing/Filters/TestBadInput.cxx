@@ -1,0 +1,473 @@
+// Every filter of the method against the matrix of bad input, and what is wrong with the input of
+// one filter alone: a single error that says what, where, and what to do; and empty outputs.
+#include "vtkCorrespondenceSearch.h"
+#include "vtkFlipFreeDeform.h"
+#include "vtkFlipFreeRefinement.h"
+#include "vtkFlipFreeSegmentation.h"
+#include "vtkGMMFeatureFilter.h"
+#include "vtkQuadSphereSource.h"
+#include "vtkSeedRegionDiffusion.h"
+
+#include "BadInput.h"
+#include "MemoryLimit.h"
+
+#include "vtkFieldData.h"
+#include "vtkFloatArray.h"
+#include "vtkTable.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <functional>
+
+using namespace FlipFree;
+
+namespace
+{
+
+void AddFieldArray(const char* name, const std::vector<double>& values, vtkDataObject* data)
+{
+  vtkNew<vtkDoubleArray> array;
+  array->SetName(name);
+  for (const double value : values)
+  {
+    array->InsertNextValue(value);
+  }
+  data->GetFieldData()->AddArray(array);
+}
+
+// Each filter with good input.
+
+template <typename Filter>
+vtkSmartPointer<Filter> MakeSeeded()
+{
+  auto filter = vtkSmartPointer<Filter>::New();
+  filter->SetInputDataObject(0, SphereImage());
+  filter->SetSeedCenter(ExampleCenter.data());
+  filter->SetSeedRadius(ExampleRadius);
+  return filter;
+}
+
+vtkSmartPointer<vtkFlipFreeSegmentation> MakeSegmentation()
+{
+  auto filter = MakeSeeded<vtkFlipFreeSegmentation>();
+  filter->SetResolution(8);
+  filter->SetLevels(2);
+  return filter;
+}
+
+vtkSmartPointer<vtkCorrespondenceSearch> MakeSearch()
+{
+  const auto feature = SphereImage(); // as good as any: what counts is its threshold
+  AddFieldArray("FeatureThreshold", { 0.5 }, feature);
+  auto filter = vtkSmartPointer<vtkCorrespondenceSearch>::New();
+  filter->SetInputData(StartSphere());
+  filter->SetFeatureData(feature);
+  filter->SetEdgeData(SphereImage());
+  filter->SetEdgeWindow(3);
+  return filter;
+}
+
+template <typename DisplacementArray = vtkDoubleArray, typename StateArray = vtkUnsignedCharArray>
+vtkSmartPointer<vtkPolyData> SphereWithDisplacements(int components = 3, int stateComponents = 1,
+  vtkIdType size = 96)
+{
+  const auto sphere = StartSphere();
+  vtkNew<DisplacementArray> displacement;
+  displacement->SetName("Displacement");
+  displacement->SetNumberOfComponents(components);
+  displacement->SetNumberOfTuples(size);
+  displacement->Fill(0.1);
+  sphere->GetPointData()->AddArray(displacement);
+  vtkNew<StateArray> state;
+  state->SetName("Correspondence");
+  state->SetNumberOfComponents(stateComponents);
+  state->SetNumberOfTuples(size);
+  state->Fill(1);
+  sphere->GetPointData()->AddArray(state);
+  return sphere;
+}
+
+vtkSmartPointer<vtkFlipFreeDeform> MakeDeform()
+{
+  auto filter = vtkSmartPointer<vtkFlipFreeDeform>::New();
+  filter->SetInputData(SphereWithDisplacements());
+  return filter;
+}
+
+vtkSmartPointer<vtkFlipFreeRefinement> MakeRefinement()
+{
+  auto filter = vtkSmartPointer<vtkFlipFreeRefinement>::New();
+  filter->SetInputData(StartSphere());
+  return filter;
+}
+
+struct Port
+{
+  const char* Name;
+  std::function<vtkSmartPointer<vtkAlgorithm>()> Make;
+  int Index;
+  const char* Noun; ///< by which messages call it
+  vtkIdType Points; ///< of the first output, for good input
+  bool Optional = false;
+};
+
+void PrintTo(const Port& port, std::ostream* stream)
+{
+  *stream << port.Name;
+}
+
+std::string NameOf(const testing::TestParamInfo<Port>& port)
+{
+  return port.param.Name;
+}
+
+class AnyPort : public testing::TestWithParam<Port>
+{
+protected:
+  vtkSmartPointer<vtkAlgorithm> Filter = GetParam().Make();
+};
+using ImagePort = AnyPort;
+
+class SurfacePort : public AnyPort
+{
+};
+
+constexpr vtkIdType Voxels = 32 * 32 * 32;
+const Port ImagePorts[] = {
+  { "Diffusion", MakeSeeded<vtkSeedRegionDiffusion>, 0, "the image on port 0", Voxels },
+  { "Feature", MakeSeeded<vtkGMMFeatureFilter>, 0, "the image on port 0", Voxels },
+  { "SearchFeature", MakeSearch, 1, "the feature on port 1", 96 },
+  { "SearchEdges", MakeSearch, 2, "the edge image on port 2", 96, true },
+  { "Segmentation", MakeSegmentation, 0, "the image on port 0", 6 * 8 * 8 },
+};
+const Port SurfacePorts[] = {
+  { "Search", MakeSearch, 0, "the surface on port 0", 96 },
+  { "Deform", MakeDeform, 0, "the surface on port 0", 96 },
+  { "Refinement", MakeRefinement, 0, "the surface on port 0", 4 * 96 },
+  { "Segmentation", MakeSegmentation, 1, "the start surface on port 1", 6 * 8 * 8, true },
+};
+
+void ExpectGoodInputAccepted(vtkAlgorithm* filter, const Port& port)
+{
+  EXPECT_EQ(ErrorOfUpdate(filter), "0 errors");
+  EXPECT_EQ(filter->GetOutputDataObject(0)->GetNumberOfElements(vtkDataObject::POINT), port.Points);
+}
+
+void ExpectMissingOrOtherTypeRefused(vtkAlgorithm* filter, const Port& port, vtkDataObject* other)
+{
+  filter->SetInputDataObject(port.Index, other);
+  ExpectPipelineRefusal(filter, "port");
+  if (!port.Optional)
+  {
+    filter->SetInputDataObject(port.Index, nullptr);
+    ExpectPipelineRefusal(filter, "port " + std::to_string(port.Index));
+  }
+}
+
+} // namespace
+
+TEST_P(ImagePort, RefusesBadImagesAlone)
+{
+  ExpectGoodInputAccepted(this->Filter, GetParam());
+  ExpectRefused(BadImages(), this->Filter, GetParam().Index, GetParam().Noun);
+  ExpectMissingOrOtherTypeRefused(this->Filter, GetParam(), StartSphere());
+}
+
+TEST_P(SurfacePort, RefusesBadSurfacesAlone)
+{
+  ExpectGoodInputAccepted(this->Filter, GetParam());
+  ExpectRefused(BadSurfaces(), this->Filter, GetParam().Index, GetParam().Noun);
+  ExpectMissingOrOtherTypeRefused(this->Filter, GetParam(), SphereImage());
+}
+
+INSTANTIATE_TEST_SUITE_P(BadInput, ImagePort, testing::ValuesIn(ImagePorts), NameOf);
+INSTANTIATE_TEST_SUITE_P(BadInput, SurfacePort, testing::ValuesIn(SurfacePorts), NameOf);
+
+// Where the guard relies on it.
+TEST(BadInput, SurfacesThatAreNotEmbedded)
+{
+  const auto deform = MakeDeform();
+  const auto refinement = MakeRefinement();
+  const auto segmentation = MakeSegmentation();
+  const auto expect =
+    [](vtkPolyData* surface, vtkAlgorithm* filter, int port, const std::vector<std::string>& words)
+  {
+    surface->GetPointData()->ShallowCopy(SphereWithDisplacements()->GetPointData());
+    filter->SetInputDataObject(port, surface);
+    ExpectRefusal(filter, words);
+  };
+  const auto crossed = SelfIntersectingSphere();
+  expect(crossed, deform, 0, { "the surface on port 0", "intersects itself", "Guard" });
+  expect(crossed, refinement, 0, { "the surface on port 0", "intersects itself", "Check" });
+  expect(crossed, segmentation, 1,
+    { "the start surface on port 1", "intersects itself", "near (", "embedded" });
+  const auto turned = SphereInsideOut();
+  expect(turned, deform, 0, { "the surface on port 0", "inside out", "vtkReverseSense" });
+  expect(turned, refinement, 0, { "the surface on port 0", "inside out" });
+  expect(turned, segmentation, 1,
+    { "the start surface on port 1", "inside out", "vtkReverseSense" });
+
+  deform->GuardOff();
+  deform->SetInputDataObject(crossed);
+  EXPECT_EQ(ErrorOfUpdate(deform), "0 errors");
+}
+
+TEST(BadInput, Seeds)
+{
+  ExpectBadSeedsRefused(MakeSeeded<vtkSeedRegionDiffusion>().Get());
+  ExpectBadSeedsRefused(MakeSeeded<vtkGMMFeatureFilter>().Get());
+  const auto segmentation = MakeSegmentation();
+  ExpectBadSeedsRefused(segmentation.Get());
+  ExpectSeedBetweenSlicesRefused(segmentation.Get());
+}
+
+TEST(BadInput, PropertiesThatAreNotNumbers)
+{
+  const auto diffusion = MakeSeeded<vtkSeedRegionDiffusion>();
+  diffusion->SetReach(NotANumber);
+  ExpectRefusal(diffusion, { "the property Reach", "NaN", "set it" });
+  const auto feature = MakeSeeded<vtkGMMFeatureFilter>();
+  feature->SetForegroundMass(NotANumber);
+  ExpectRefusal(feature, { "the property ForegroundMass", "NaN", "set it" });
+  const auto search = MakeSearch();
+  search->SetSearchDistance(NotANumber);
+  ExpectRefusal(search, { "the property SearchDistance", "NaN", "set it" });
+  const auto deform = MakeDeform();
+  deform->SetUniformWeight(NotANumber);
+  ExpectRefusal(deform, { "the property UniformWeight", "NaN", "set it" });
+  const auto segmentation = MakeSegmentation();
+  segmentation->SetSearchDistance(NotANumber);
+  ExpectRefusal(segmentation, { "the property SearchDistance", "NaN", "set it" });
+  segmentation->SetSearchDistance(0);
+  segmentation->SetStartCenterOffset(0, NotANumber, 0);
+  ExpectRefusal(segmentation, { "the property StartCenterOffset", "NaN", "set it" });
+  vtkNew<vtkQuadSphereSource> sphere;
+  sphere->SetCenter(0, NotANumber, 0);
+  ExpectRefusal(sphere, { "Center (", "nan", "finite" });
+  sphere->SetCenter(0, 0, 0);
+  sphere->SetRadius(NotANumber);
+  ExpectRefusal(sphere, { "Radius (nan)", "finite" });
+  sphere->SetRadius(1);
+  EXPECT_EQ(ErrorOfUpdate(sphere), "0 errors");
+}
+
+TEST(BadInput, ImagesWithoutContrast)
+{
+  const auto feature = MakeSeeded<vtkGMMFeatureFilter>();
+  feature->SetInputData(ImageOfType(VTK_SHORT));
+  ExpectRefusal(feature, { "no contrast" });
+  feature->SetSurfaceData(StartSphere(10)); // of so few voxels that it has no part in the feature
+  ExpectRefusal(feature, { "no contrast" });
+  const auto segmentation = MakeSegmentation();
+  segmentation->SetInputDataObject(ImageOfType(VTK_FLOAT));
+  ExpectRefusal(segmentation, { "no contrast", "32768 voxels", "check" });
+}
+
+#ifdef FLIPFREE_CAN_LIMIT_MEMORY
+TEST(BadInput, SpheresBeyondTheMemory)
+{
+  vtkNew<vtkQuadSphereSource> source;
+  source->SetResolution(1024);
+  const MemoryLimit limit(32 << 20);
+  ExpectRefusal(source, { "No sphere: ", "lower Resolution (1024)" });
+}
+#endif
+
+TEST(BadInput, SurfacesOfTheFeature)
+{
+  const auto filter = MakeSeeded<vtkGMMFeatureFilter>();
+  filter->SetSurfaceData(StartSphere(20));
+  EXPECT_EQ(ErrorOfUpdate(filter), "0 errors");
+  const auto elsewhere = StartSphere(20);
+  for (vtkIdType point = 0; point < elsewhere->GetNumberOfPoints(); ++point)
+  {
+    const Eigen::Vector3d place(elsewhere->GetPoint(point));
+    elsewhere->GetPoints()->SetPoint(point, -place.x(), -place.y(), place.z()); // RAS for LPS
+  }
+  ExpectRefused<vtkPolyData>(
+    {
+      { "open", OpenSphere(), { "closed", "fill holes" } },
+      { "no points", vtkSmartPointer<vtkPolyData>::New(), { "has no points" } },
+      { "not finite", SphereWithPointAt(Infinite), { "point 7", "repair" } },
+      { "elsewhere", elsewhere,
+        { "holds no voxel of the image on port 0", "physical coordinates" } },
+    },
+    filter, 1, "the surface on port 1");
+}
+
+// It is left out, with a warning.
+TEST(BadInput, ASurfaceOfFewVoxelsChangesNoFeature)
+{
+  const auto filter = MakeSeeded<vtkGMMFeatureFilter>();
+  filter->Update();
+  vtkNew<vtkImageData> expected;
+  expected->DeepCopy(filter->GetOutput());
+  std::vector<std::string> warnings;
+  KeepWarnings(filter, warnings);
+  filter->SetSurfaceData(StartSphere(10));
+  filter->Update();
+  ASSERT_EQ(warnings.size(), 1U);
+  EXPECT_NE(warnings[0].find("surface on port 1 has no more than 200 voxels"), std::string::npos)
+    << warnings[0];
+  for (vtkIdType voxel = 0; voxel < Voxels; ++voxel)
+  {
+    ASSERT_EQ(filter->GetOutput()->GetPointData()->GetScalars()->GetTuple1(voxel),
+      expected->GetPointData()->GetScalars()->GetTuple1(voxel));
+  }
+}
+
+TEST(BadInput, FieldArrays)
+{
+  const auto feature = MakeSeeded<vtkGMMFeatureFilter>();
+  for (const auto& noise : { std::vector<double>{ NotANumber }, { -1 }, { 1, 2 }, {} })
+  {
+    const auto image = SphereImage();
+    AddFieldArray("NoiseStandardDeviation", noise, image);
+    feature->SetInputData(image);
+    ExpectRefusal(feature, { "NoiseStandardDeviation of the image on port 0", "remove it" });
+  }
+  const auto search = MakeSearch();
+  const auto expect = [&search](const char* name, const std::vector<double>& values)
+  {
+    const auto image = SphereImage();
+    AddFieldArray("FeatureThreshold", { 0.5 }, image);
+    AddFieldArray(name, values, image);
+    search->SetFeatureData(image);
+    ExpectRefusal(search, { std::string(name) + " of the feature on port 1", "remove it" });
+  };
+  for (const auto& threshold : { std::vector<double>{ NotANumber }, { 0.2, 0.3 }, { -0.5 } })
+  {
+    expect("FeatureThreshold", threshold);
+  }
+  for (const auto& ramp : { std::vector<double>{ 0, NotANumber, 1 }, { 0, 1 } })
+  {
+    expect("EdgeRamp", ramp);
+  }
+}
+
+TEST(BadInput, EdgesOfTheSearch)
+{
+  const auto filter = MakeSearch();
+  const auto moved = SphereImage();
+  moved->SetOrigin(1, 0, 0);
+  filter->SetEdgeData(moved);
+  ExpectRefusal(filter,
+    { "origins", "the edge image on port 2", "the feature on port 1", "resample" });
+  filter->SetEdgeData(nullptr);
+  ExpectRefusal(filter, { "the edge image on port 2", "no voxels", "connect" });
+  filter->SetEdgeWindow(0);
+  EXPECT_EQ(ErrorOfUpdate(filter), "0 errors");
+}
+
+TEST(BadInput, DisplacementsOfTheDeformation)
+{
+  const auto changed = [](const char* array, int tuple, int component, double value)
+  {
+    auto sphere = SphereWithDisplacements();
+    sphere->GetPointData()->GetArray(array)->SetComponent(tuple, component, value);
+    return sphere;
+  };
+  const auto without = [](const char* array)
+  {
+    auto sphere = SphereWithDisplacements();
+    sphere->GetPointData()->RemoveArray(array);
+    return sphere;
+  };
+  const std::vector<std::string> notFinite{ "Displacement of", "not finite at point 11",
+    "set it to zero" };
+  ExpectRefused<vtkPolyData>(
+    {
+      { "no states", without("Correspondence"), { "Correspondence", "vtkCorrespondenceSearch" } },
+      { "no displacements", without("Displacement"),
+        { "Displacement", "vtkCorrespondenceSearch" } },
+      { "float", SphereWithDisplacements<vtkFloatArray>(),
+        { "Displacement", "96 tuples of 3 x float" } },
+      { "in a plane", SphereWithDisplacements(2), { "Displacement", "96 tuples of 2 x double" } },
+      { "too few", SphereWithDisplacements(3, 1, 95),
+        { "Displacement", "95 tuples of 3 x double" } },
+      { "states of double", SphereWithDisplacements<vtkDoubleArray, vtkDoubleArray>(),
+        { "Correspondence", "96 tuples of 1 x double" } },
+      { "pairs of states", SphereWithDisplacements(3, 2),
+        { "Correspondence", "2 x unsigned char" } },
+      { "NaN", changed("Displacement", 11, 1, NotANumber), notFinite },
+      { "infinite", changed("Displacement", 11, 1, Infinite), notFinite },
+      { "unknown state", changed("Correspondence", 12, 0, 3),
+        { "Correspondence of", "value 3 at point 12", "0 for solitary" } },
+    },
+    MakeDeform(), 0, "the surface on port 0");
+}
+
+TEST(BadInput, DisplacementsTooLongToComputeWith)
+{
+  const auto filter = MakeDeform();
+  const auto sphere = SphereWithDisplacements();
+  sphere->GetPointData()->GetArray("Displacement")->Fill(1e300);
+  filter->SetInputData(sphere);
+  for (const bool guard : { true, false })
+  {
+    filter->SetGuard(guard);
+    ExpectRefusal(filter, { "displacements", "too long", "limit" });
+  }
+}
+
+TEST(GoodInput, ASurfaceThatNothingMovesRemains)
+{
+  const auto filter = MakeDeform();
+  const auto sphere = SphereWithDisplacements();
+  sphere->GetPointData()->GetArray("Displacement")->Fill(0);
+  sphere->GetPointData()->GetArray("Correspondence")->Fill(0);
+  filter->SetInputData(sphere);
+  filter->SetUniformWeight(0);
+  EXPECT_EQ(ErrorOfUpdate(filter), "0 errors");
+  EXPECT_LE((CopyPoints(filter->GetOutput()) - CopyPoints(sphere)).cwiseAbs().maxCoeff(), 1e-9);
+}
+
+TEST(GoodInput, NaNFarFromTheSeedAndSeedsOfOneValueAreSegmented)
+{
+  const auto filter = MakeSegmentation();
+  const auto image = ImageWith(0);
+  image->SetScalarComponentFromDouble(0, 0, 0, 0, NotANumber);
+  filter->SetInputDataObject(image);
+  filter->SetReach(40);
+  vtkNew<vtkPhantomSource> noiseless;
+  noiseless->SetDimensions(32, 32, 32);
+  noiseless->SetSpacing(3, 3, 3);
+  noiseless->SetNoiseStandardDeviation(0);
+  noiseless->Update();
+  for (vtkDataObject* good :
+    { static_cast<vtkDataObject*>(image), noiseless->GetOutputDataObject(0) })
+  {
+    filter->SetInputDataObject(good);
+    EXPECT_EQ(ErrorOfUpdate(filter), "0 errors");
+    EXPECT_EQ(filter->GetSurface()->GetNumberOfPoints(), 6 * 8 * 8);
+    EXPECT_EQ(filter->GetLabelMap()->GetNumberOfPoints(), Voxels);
+    EXPECT_GT(filter->GetConvergence()->GetNumberOfRows(), 0);
+    EXPECT_EQ(filter->GetNumberOfSelfIntersections(), 0);
+    EXPECT_NE(filter->GetStopReason(), vtkFlipFreeSegmentation::NO_BOUNDARY_FOUND);
+  }
+}
+
+TEST(BadInput, LeavesNothingOfTheFormerSegmentationAndCanBeMended)
+{
+  const auto filter = MakeSegmentation();
+  for (const bool history : { false, true })
+  {
+    filter->SetKeepHistory(history);
+    filter->SetSeedCenter(ExampleCenter.data());
+    EXPECT_EQ(ErrorOfUpdate(filter), "0 errors");
+    EXPECT_EQ(filter->GetNumberOfSelfIntersections(), 0);
+    filter->SetSeedCenter(-1000, 0, 0);
+    ExpectRefusal(filter, { "outside the image" });
+    EXPECT_EQ(filter->GetNumberOfSelfIntersections(), -1);
+    EXPECT_EQ(filter->GetStopReason(), vtkFlipFreeSegmentation::NOT_RUN);
+  }
+}
+
+// Nothing is wrong with it, but nothing is found either: the reason says so.
+TEST(GoodInput, AStartThatSeesNoBoundary)
+{
+  const auto filter = MakeSegmentation();
+  filter->SetStartData(StartSphere(2));
+  filter->SetSearchDistance(3);
+  EXPECT_EQ(ErrorOfUpdate(filter), "0 errors");
+  EXPECT_EQ(filter->GetStopReason(), vtkFlipFreeSegmentation::NO_BOUNDARY_FOUND);
+}
