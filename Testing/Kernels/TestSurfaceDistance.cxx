@@ -1,13 +1,14 @@
 #include "Measures/SurfaceDistance.h"
 
 #include "ExampleSurfaces.h"
-#include "Geometry/ClosestTriangle.h"
+#include "Geometry/ClosestDirection.h"
+#include "Geometry/DistanceQuery.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <limits>
-#include <random>
+#include <vector>
 
 using namespace FlipFree;
 
@@ -28,130 +29,75 @@ void ExpectSameBits(const SurfaceDistance& one, const SurfaceDistance& two)
   EXPECT_EQ(one.Hausdorff, two.Hausdorff);
 }
 
-double BruteForceSquaredDistance(const Eigen::Vector3d& point, const Surface& surface)
+double BruteForceDistance(const Eigen::Vector3d& point, const Surface& surface)
 {
   double least = std::numeric_limits<double>::infinity();
   for (Eigen::Index triangle = 0; triangle < surface.Triangles.rows(); ++triangle)
   {
+    const auto corner = [&](int which) -> Eigen::Vector3d
+    { return surface.Points.row(surface.Triangles(triangle, which)); };
     least = std::min(least,
-      SquaredDistanceToTriangle(point, surface.Points.row(surface.Triangles(triangle, 0)),
-        surface.Points.row(surface.Triangles(triangle, 1)),
-        surface.Points.row(surface.Triangles(triangle, 2))));
+      ClosestDirection(std::array<Eigen::Vector3d, 1>{ { point } },
+        std::array<Eigen::Vector3d, 3>{ { corner(0), corner(1), corner(2) } })
+        .norm());
   }
   return least;
 }
 
 } // namespace
 
-TEST(ClosestTriangle, FindsWhatBruteForceFinds)
+// Consecutive points that are close together or far apart, in any number; every fourth triangle of
+// the soup is a needle or a point.
+TEST(DistanceQuery, FindsWhatBruteForceFinds)
 {
-  const Surface potato = Potato(7, { 1, 2, 3 }, 10);
-  const ClosestTriangleFinder finder(potato.Points, potato.Triangles);
-  std::mt19937 random(1);
-  std::uniform_real_distribution<double> coordinate(-20, 25);
-  int hint = 0;
-  for (int query = 0; query < 500; ++query)
+  Surface soup;
+  soup.Points = 10 * PointList::Random(300, 3);
+  soup.Triangles.resize(100, 3);
+  for (int triangle = 0; triangle < 100; ++triangle)
   {
-    // Points that have nothing to do with each other, or lie close together.
-    const double spread = query % 4 == 0 ? 1 : 0.02 * (query % 4);
-    const Eigen::Vector3d center(coordinate(random), coordinate(random), coordinate(random));
-    PointPacket points;
-    PointPacket::Values expected;
-    for (int lane = 0; lane < PointPacket::Size; ++lane)
+    soup.Triangles.row(triangle) << 3 * triangle, 3 * triangle + 1, 3 * triangle + 2;
+    const auto corner = [&](int which) { return soup.Points.row(3 * triangle + which); };
+    if (triangle % 4 == 0)
     {
-      const Eigen::Vector3d other(coordinate(random), coordinate(random), coordinate(random));
-      const Eigen::Vector3d point = center + spread * (other - center);
-      points.Set(lane, point);
-      expected[lane] = BruteForceSquaredDistance(point, potato);
-    }
-    PointPacket::Values found;
-    int start = 0;
-    finder.FindSquaredDistances(points, start, found);
-    for (int lane = 0; lane < PointPacket::Size; ++lane)
-    {
-      EXPECT_NEAR(found[lane], expected[lane], 1e-12 * expected[lane]);
-    }
-    // A hint, good or bad, changes nothing.
-    for (int bad = 0; bad < 2; ++bad)
-    {
-      PointPacket::Values again;
-      hint = bad ? query % static_cast<int>(potato.Triangles.rows()) : hint;
-      finder.FindSquaredDistances(points, hint, again);
-      EXPECT_EQ(again, found);
+      corner(1) = triangle % 8 == 0 ? corner(0) : corner(1);
+      corner(2) = 0.3 * corner(0) + 0.7 * corner(1);
     }
   }
-}
-
-TEST(ClosestTriangle, OrderNamesEveryTriangleOnce)
-{
-  const Surface potato = Potato(9, { 1, 2, 3 }, 10);
-  std::vector<int> order = ClosestTriangleFinder(potato.Points, potato.Triangles).GetOrder();
-  std::sort(order.begin(), order.end());
-  ASSERT_EQ(order.size(), static_cast<std::size_t>(potato.Triangles.rows()));
-  for (std::size_t place = 0; place < order.size(); ++place)
+  for (const Surface& surface : { Potato(7, { 1, 2, 3 }, 10), soup })
   {
-    EXPECT_EQ(order[place], static_cast<int>(place));
-  }
-}
-
-// Triangles of any shape: of a packet, each point gets the distance that it gets alone.
-TEST(ClosestTriangle, ManyDistancesAtOnceAreThoseOneByOne)
-{
-  std::mt19937 random(3);
-  std::uniform_real_distribution<double> coordinate(-1, 1);
-  const auto randomPoint = [&]
-  { return Eigen::Vector3d(coordinate(random), coordinate(random), coordinate(random)); };
-  for (int trial = 0; trial < 400; ++trial)
-  {
-    const Eigen::Vector3d a = randomPoint();
-    const Eigen::Vector3d b = trial % 8 == 4 ? a : randomPoint();
-    const Eigen::Vector3d c = trial % 4 == 0 ? Eigen::Vector3d(0.3 * a + 0.7 * b) : randomPoint();
-    const TriangleForDistance triangle(a, b, c);
-    PointPacket points;
-    PointPacket::Values expected;
-    PointPacket::Values least;
-    for (int lane = 0; lane < PointPacket::Size; ++lane)
+    const DistanceQuery query(surface.Points, surface.Triangles);
+    for (const double spread : { 20.0, 0.4, 0.01 })
     {
-      const Eigen::Vector3d point = 2 * randomPoint();
-      points.Set(lane, point);
-      least[lane] = lane % 3 == 0 ? 0.01 : std::numeric_limits<double>::infinity();
-      expected[lane] = std::min(least[lane], triangle.SquaredDistance(point));
-    }
-    triangle.LowerToSquaredDistances(points, least);
-    for (int lane = 0; lane < PointPacket::Size; ++lane)
-    {
-      EXPECT_NEAR(least[lane], expected[lane], 1e-13) << trial;
-    }
-  }
-}
-
-TEST(ClosestTriangle, DistanceToATriangleIsTheLeastOverItsPoints)
-{
-  std::mt19937 random(2);
-  std::uniform_real_distribution<double> coordinate(-1, 1);
-  const auto randomPoint = [&]
-  { return Eigen::Vector3d(coordinate(random), coordinate(random), coordinate(random)); };
-  const int n = 200;
-  for (int trial = 0; trial < 200; ++trial)
-  {
-    const Eigen::Vector3d a = randomPoint();
-    // Every fourth triangle is a needle or a point.
-    const Eigen::Vector3d b = trial % 8 == 4 ? a : randomPoint();
-    const Eigen::Vector3d c = trial % 4 == 0 ? Eigen::Vector3d(0.3 * a + 0.7 * b) : randomPoint();
-    const Eigen::Vector3d point = 2 * randomPoint();
-    double least = std::numeric_limits<double>::infinity();
-    for (int i = 0; i <= n; ++i)
-    {
-      for (int j = 0; i + j <= n; ++j)
+      for (const int size : { 0, 1, 8, 300, 301 })
       {
-        const Eigen::Vector3d q = a + (b - a) * i / n + (c - a) * j / n;
-        least = std::min(least, (q - point).norm());
+        const PointList points =
+          (spread * PointList::Random(size, 3)).rowwise() + 15 * Eigen::RowVector3d::Random();
+        const Eigen::VectorXd distances = query.DistancesOf(points);
+        ASSERT_EQ(distances.size(), size);
+        for (int point = 0; point < size; ++point)
+        {
+          const double expected = BruteForceDistance(points.row(point), surface);
+          ASSERT_NEAR(distances[point], expected, 1e-12 * (1 + expected));
+          // However many points are asked about at once.
+          ASSERT_EQ(query.DistancesOf(points.row(point))[0], distances[point]);
+        }
       }
     }
-    const double distance = std::sqrt(SquaredDistanceToTriangle(point, a, b, c));
-    EXPECT_LE(distance, least + 1e-12);
-    EXPECT_GT(distance, least - 2.0 * std::sqrt(12.0) / n);
   }
+}
+
+TEST(DistanceQuery, SortingKeepsEveryTriangle)
+{
+  const Surface potato = Potato(9, { 1, 2, 3 }, 10);
+  const auto listOf = [](const TriangleList& triangles)
+  {
+    std::vector<std::array<int, 3>> list(triangles.rows());
+    Eigen::Map<TriangleList>(list.front().data(), triangles.rows(), 3) = triangles;
+    std::sort(list.begin(), list.end());
+    return list;
+  };
+  const TriangleList sorted = DistanceQuery(potato.Points, potato.Triangles).SortedTriangles();
+  EXPECT_EQ(listOf(sorted), listOf(potato.Triangles));
 }
 
 namespace
@@ -195,7 +141,7 @@ void ExpectWhatBruteForceFinds(const std::array<Surface, 2>& surfaces, double sp
   {
     const Surface& surface = surfaces[side];
     const auto distanceOf = [&other = surfaces[1 - side]](const Eigen::Vector3d& point)
-    { return std::sqrt(BruteForceSquaredDistance(point, other)); };
+    { return BruteForceDistance(point, other); };
     for (Eigen::Index triangle = 0; triangle < surface.Triangles.rows(); ++triangle)
     {
       const Eigen::Vector3d a = surface.Points.row(surface.Triangles(triangle, 0));
@@ -225,23 +171,13 @@ void ExpectWhatBruteForceFinds(const std::array<Surface, 2>& surfaces, double sp
 
 } // namespace
 
-// One sample per triangle, its centroid; the greatest distance is that of all vertices too, not
-// only of those that it cannot do without.
+// One sample per triangle or many; the maximum is that of all vertices too, although only few are
+// measured.
 TEST(SurfaceDistance, IsWhatBruteForceFinds)
-{
-  for (const double radius : { 8.0, 10.0, 14.0 })
-  {
-    ExpectWhatBruteForceFinds({ { Potato(7, { 1, 2, 3 }, 10), Sphere(6, { 2, 2, 2 }, radius) } },
-      100);
-  }
-}
-
-// Many samples per triangle, of which those in its corners tell which vertices may be the farthest.
-TEST(SurfaceDistance, OfManySamplesIsWhatBruteForceFinds)
 {
   for (const double radius : { 2.5, 3.0, 4.2 })
   {
-    for (const double spacing : { 0.5, 0.1 })
+    for (const double spacing : { 100.0, 0.5, 0.1 })
     {
       SCOPED_TRACE(testing::Message() << "radius " << radius << ", spacing " << spacing);
       ExpectWhatBruteForceFinds(
@@ -361,52 +297,28 @@ TEST(SurfaceDistance, IsTheSameInAnyFrame)
 
 TEST(SurfaceDistance, DoesNotDependOnHowASurfaceIsCutIntoTriangles)
 {
-  // One wall of the box is refined a thousandfold: a mean over vertices would drift towards it.
+  // One wall of the box is cut into a thousand triangles: a mean over vertices would drift to it.
   const Surface coarse = Box({ 0, 0, 0 }, { 20, 20, 20 });
   const Surface other = Box({ 0, 0, 0 }, { 20, 20, 24 });
+  const int n = 32;
   Surface fine = coarse;
-  for (int level = 0; level < 5; ++level)
+  const auto vertexAt = [](int i, int j) { return 8 + j * (n + 1) + i; };
+  fine.Points.conservativeResize(vertexAt(n, n) + 1, 3);
+  fine.Triangles.middleRows(2, 2) = coarse.Triangles.bottomRows(2); // instead of the wall
+  fine.Triangles.conservativeResize(10 + 2 * n * n, 3);
+  Eigen::Index row = 10;
+  for (int j = 0; j <= n; ++j)
   {
-    Surface next;
-    std::vector<Eigen::RowVector3d> points;
-    std::vector<Eigen::RowVector3i> triangles;
-    for (Eigen::Index vertex = 0; vertex < fine.Points.rows(); ++vertex)
+    for (int i = 0; i <= n; ++i)
     {
-      points.emplace_back(fine.Points.row(vertex));
-    }
-    for (Eigen::Index triangle = 0; triangle < fine.Triangles.rows(); ++triangle)
-    {
-      const Eigen::RowVector3i t = fine.Triangles.row(triangle);
-      const auto z = [&](int corner) { return fine.Points(t[corner], 2); };
-      if (z(0) < 20 || z(1) < 20 || z(2) < 20)
+      fine.Points.row(vertexAt(i, j)) << 20.0 * i / n, 20.0 * j / n, 20;
+      if (i < n && j < n)
       {
-        triangles.push_back(t);
-        continue;
+        fine.Triangles.row(row++) << vertexAt(i, j), vertexAt(i + 1, j), vertexAt(i + 1, j + 1);
+        fine.Triangles.row(row++) << vertexAt(i, j), vertexAt(i + 1, j + 1), vertexAt(i, j + 1);
       }
-      const int m = static_cast<int>(points.size());
-      for (int corner = 0; corner < 3; ++corner)
-      {
-        points.emplace_back(
-          (fine.Points.row(t[corner]) + fine.Points.row(t[(corner + 1) % 3])) / 2);
-      }
-      triangles.emplace_back(t[0], m, m + 2);
-      triangles.emplace_back(t[1], m + 1, m);
-      triangles.emplace_back(t[2], m + 2, m + 1);
-      triangles.emplace_back(m, m + 1, m + 2);
     }
-    next.Points.resize(points.size(), 3);
-    next.Triangles.resize(triangles.size(), 3);
-    for (std::size_t vertex = 0; vertex < points.size(); ++vertex)
-    {
-      next.Points.row(vertex) = points[vertex];
-    }
-    for (std::size_t triangle = 0; triangle < triangles.size(); ++triangle)
-    {
-      next.Triangles.row(triangle) = triangles[triangle];
-    }
-    fine = next;
   }
-  ASSERT_GT(fine.Triangles.rows(), 2000);
   EXPECT_NEAR(Measure(fine, other, 0.5).Average, Measure(coarse, other, 0.5).Average, 2e-3);
 }
 

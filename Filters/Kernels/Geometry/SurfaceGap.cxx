@@ -1,6 +1,6 @@
 #include "Geometry/SurfaceGap.h"
 
-#include "Geometry/ClosestTriangle.h"
+#include "Geometry/ClosestDirection.h"
 #include "Geometry/TriangleTree.h"
 
 #include <algorithm>
@@ -25,51 +25,12 @@ double SquaredDistanceOfBoxes(const TriangleBox& one, const TriangleBox& two)
   return sum;
 }
 
-// The distance of two segments is that of their lines' closest points, or else that of an end point
-// to the other segment; the end points are left to the distances of vertices and triangles.
-double SquaredDistanceOfEdges(const Eigen::Vector3d& a, const Eigen::Vector3d& b,
-  const Eigen::Vector3d& c, const Eigen::Vector3d& d)
-{
-  const Eigen::Vector3d ab = b - a;
-  const Eigen::Vector3d cd = d - c;
-  const Eigen::Vector3d normal = ab.cross(cd);
-  const double squaredNormal = normal.squaredNorm();
-  if (squaredNormal == 0)
-  {
-    return std::numeric_limits<double>::infinity();
-  }
-  const double s = (c - a).cross(cd).dot(normal) / squaredNormal;
-  const double t = (c - a).cross(ab).dot(normal) / squaredNormal;
-  if (!(s >= 0 && s <= 1 && t >= 0 && t <= 1))
-  {
-    return std::numeric_limits<double>::infinity();
-  }
-  return (a + s * ab - c - t * cd).squaredNorm();
-}
-
 using Corners = std::array<Eigen::Vector3d, 3>;
 
 Corners CornersOf(const PointList& points, const TriangleList& triangles, Eigen::Index triangle)
 {
   return { { points.row(triangles(triangle, 0)), points.row(triangles(triangle, 1)),
     points.row(triangles(triangle, 2)) } };
-}
-
-double SquaredDistanceOfTriangles(const Corners& one, const Corners& two)
-{
-  const TriangleForDistance first(one[0], one[1], one[2]);
-  const TriangleForDistance second(two[0], two[1], two[2]);
-  double least = std::numeric_limits<double>::infinity();
-  for (int i = 0; i < 3; ++i)
-  {
-    least = std::min({ least, second.SquaredDistance(one[i]), first.SquaredDistance(two[i]) });
-    for (int j = 0; j < 3; ++j)
-    {
-      least =
-        std::min(least, SquaredDistanceOfEdges(one[i], one[(i + 1) % 3], two[j], two[(j + 1) % 3]));
-    }
-  }
-  return least;
 }
 
 bool ShareVertex(const TriangleList& triangles, Eigen::Index one, Eigen::Index two)
@@ -110,7 +71,7 @@ double MeasureMinimumGap(const PointList& points, const TriangleList& triangles,
             if (other > triangle && !ShareVertex(triangles, triangle, other))
             {
               const double distance =
-                SquaredDistanceOfTriangles(corners, CornersOf(points, triangles, other));
+                ClosestDirection(corners, CornersOf(points, triangles, other)).squaredNorm();
               double present = least;
               while (distance < present && !least.compare_exchange_weak(present, distance))
               {
@@ -132,8 +93,8 @@ std::vector<std::pair<int, int>> FindPairsNearerThan(double gap, const TriangleT
     [&](int one, int two)
     {
       return !ShareVertex(triangles, one, two) &&
-        SquaredDistanceOfTriangles(CornersOf(points, triangles, one),
-          CornersOf(points, triangles, two)) < square;
+        ClosestDirection(CornersOf(points, triangles, one), CornersOf(points, triangles, two))
+          .squaredNorm() < square;
     },
     parallelFor);
 }

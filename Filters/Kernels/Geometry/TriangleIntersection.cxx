@@ -171,12 +171,6 @@ bool EdgeNeighborsIntersect(const Triangle& one, const Triangle& two)
 
 } // namespace
 
-bool SegmentMeetsTriangle(const double* p, const double* q, const double* a, const double* b,
-  const double* c)
-{
-  return SegmentMeets(p, q, { a, b, c });
-}
-
 bool TrianglesIntersect(const PointList& points, const TriangleList& triangles, int one, int two)
 {
   const int* const verticesOne = triangles.row(one).data();

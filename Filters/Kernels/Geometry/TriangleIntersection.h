@@ -14,11 +14,6 @@ namespace FlipFree
 /// they share a vertex or, if that is without area too, a bounding box with.
 bool TrianglesIntersect(const PointList& points, const TriangleList& triangles, int one, int two);
 
-/// True when the closed segment p q and the closed triangle a b c have a point in common. A
-/// triangle without area has none.
-bool SegmentMeetsTriangle(const double* p, const double* q, const double* a, const double* b,
-  const double* c);
-
 } // namespace FlipFree
 
 #endif
