@@ -2,6 +2,7 @@
 
 #include "BaselineTask.h"
 #include "GaussianWidth.h"
+#include "GradientVectorFlow.h"
 #include "ItkRegion.h"
 #include "PlaneSnake.h"
 #include "SeedStatistics.h"
@@ -11,9 +12,7 @@
 
 #include "vtkObjectFactory.h"
 
-#include "itkCovariantVector.h"
 #include "itkGradientMagnitudeRecursiveGaussianImageFilter.h"
-#include "itkGradientVectorFlowImageFilter.h"
 
 #include <algorithm>
 #include <cmath>
@@ -23,41 +22,12 @@ vtkStandardNewMacro(vtkGVFSnake);
 namespace
 {
 
-using PlaneImage = itk::Image<float, 2>;
-using FlowImage = itk::Image<itk::CovariantVector<float, 2>, 2>;
+using FlipFree::PlaneImage;
 using MagnitudeFilter = itk::GradientMagnitudeRecursiveGaussianImageFilter<PlaneImage, PlaneImage>;
 
 // Shares of the progress.
 constexpr double FlowBegins = 0.1;
 constexpr double FlowEnds = 0.6;
-
-// ITK's filter with another time step: its own, a quarter of the inverse smoothness, is just stable
-// where there are no edges, and blows up where there are. It also can be stopped, and reports its
-// progress.
-class FlowFilter : public itk::GradientVectorFlowImageFilter<FlowImage, FlowImage>
-{
-public:
-  using Self = FlowFilter;
-  using Superclass = itk::GradientVectorFlowImageFilter<FlowImage, FlowImage>;
-  using Pointer = itk::SmartPointer<Self>;
-  itkNewMacro(Self);
-
-protected:
-  FlowFilter() = default;
-  ~FlowFilter() override = default;
-
-  void GenerateData() override
-  {
-    this->AllocateOutputs();
-    this->InitInterImage();
-    for (int i = 0; i < this->GetIterationNum() && !this->GetAbortGenerateData(); ++i)
-    {
-      this->UpdatePixels();
-      this->UpdateInterImage();
-      this->UpdateProgress(static_cast<float>(i) / static_cast<float>(this->GetIterationNum()));
-    }
-  }
-};
 
 // The slice through the seed's center, on square pixels: ITK's flow takes steps in x and y as
 // equal.
@@ -169,66 +139,6 @@ PlaneImage::Pointer EdgeMap(const PlaneImage::Pointer& image,
   return map;
 }
 
-// Central differences, per pixel.
-FlowImage::Pointer GradientOf(const PlaneImage::Pointer& edges)
-{
-  auto gradient = FlowImage::New();
-  gradient->SetRegions(edges->GetBufferedRegion());
-  gradient->Allocate();
-  const auto width = static_cast<std::ptrdiff_t>(edges->GetBufferedRegion().GetSize()[0]);
-  const auto height = static_cast<std::ptrdiff_t>(edges->GetBufferedRegion().GetSize()[1]);
-  const float* const value = edges->GetBufferPointer();
-  auto* vector = gradient->GetBufferPointer();
-  for (std::ptrdiff_t y = 0; y < height; ++y)
-  {
-    for (std::ptrdiff_t x = 0; x < width; ++x, ++vector)
-    {
-      const auto at = [&](std::ptrdiff_t i, std::ptrdiff_t j)
-      {
-        return value[std::max<std::ptrdiff_t>(0, std::min(i, width - 1)) +
-          width * std::max<std::ptrdiff_t>(0, std::min(j, height - 1))];
-      };
-      (*vector)[0] = (at(x + 1, y) - at(x - 1, y)) / 2;
-      (*vector)[1] = (at(x, y + 1) - at(x, y - 1)) / 2;
-    }
-  }
-  return gradient;
-}
-
-// Half of what keeps all modes of the explicit scheme from growing.
-double StableTimeStep(const FlowImage& gradient, double smoothness)
-{
-  const auto* begin = gradient.GetBufferPointer();
-  double greatest = 0;
-  std::for_each(begin, begin + gradient.GetBufferedRegion().GetNumberOfPixels(),
-    [&greatest](const auto& vector)
-    { greatest = std::max(greatest, static_cast<double>(vector.GetSquaredNorm())); });
-  return 1 / (greatest + 8 * smoothness);
-}
-
-// Unit vectors towards the edges. False if the monitor stopped it.
-bool FindFlow(const PlaneImage::Pointer& edges, double smoothness, int iterations,
-  const FlipFree::Monitor& monitor, FlipFree::PlaneField& field)
-{
-  const FlowImage::Pointer gradient = GradientOf(edges);
-  auto flow = FlowFilter::New();
-  flow->SetInput(gradient);
-  flow->SetNoiseLevel(smoothness);
-  flow->SetTimeStep(StableTimeStep(*gradient, smoothness));
-  flow->SetIterationNum(iterations);
-  if (!FlipFree::UpdateMonitored<FlowFilter>(flow, FlipFree::ReportedProgress<FlowFilter>, monitor))
-  {
-    return false;
-  }
-  const auto* force = flow->GetOutput()->GetBufferPointer();
-  for (Eigen::Vector2d& vector : field.Forces)
-  {
-    vector = Eigen::Vector2d((*force)[0], (*force)[1]).stableNormalized();
-    ++force;
-  }
-  return true;
-}
-
 } // namespace
 
 bool vtkGVFSnake::Segment(const FlipFree::BaselineTask& task,
@@ -254,7 +164,7 @@ bool vtkGVFSnake::Segment(const FlipFree::BaselineTask& task,
   FlipFree::Outline outline =
     FlipFree::MakeCircle(slice.ToPixel(slice.Center), radius / slice.Pixel);
   if (!edges ||
-    !FindFlow(edges, this->FlowSmoothness, this->FlowIterations,
+    !FlipFree::FindVectorFlow(edges, this->FlowSmoothness, this->FlowIterations,
       FlipFree::PartOf(monitor, FlowBegins, FlowEnds), field) ||
     !FlipFree::MoveSnake(field, settings, FlipFree::PartOf(monitor, FlowEnds, 1), outline,
       result.Iterations))
