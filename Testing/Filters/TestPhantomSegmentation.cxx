@@ -46,6 +46,23 @@ protected:
     EXPECT_EQ(FlipFree::CountDefects("EulerNumber", surface), 2);
   }
 
+  /// The mean distance to the targets falls within each level.
+  void ExpectConverged()
+  {
+    vtkTable* table = this->Filter->GetConvergence();
+    const auto value = [table](vtkIdType row, const char* column)
+    { return table->GetValueByName(row, column).ToDouble(); };
+    double first = value(0, "MeanDistance");
+    for (vtkIdType row = 1; row < table->GetNumberOfRows(); ++row)
+    {
+      const bool begins = value(row, "Level") > value(row - 1, "Level");
+      const bool ends =
+        row + 1 == table->GetNumberOfRows() || value(row + 1, "Level") > value(row, "Level");
+      first = begins ? value(row, "MeanDistance") : first;
+      EXPECT_TRUE(!ends || begins || value(row, "MeanDistance") < first) << "iteration " << row;
+    }
+  }
+
   int FlippedCorners()
   {
     const auto surfaces = FlipFree::HistoryOf(this->Filter);
@@ -139,6 +156,7 @@ TEST_P(AbdomenSegmentation, OrganFromItsSeedWithDefaults)
   FlipFree::StartInside(this->Filter, this->Phantom, GetParam().Label);
   EXPECT_GE(this->Measure(this->Metrics, GetParam().Label), GetParam().Dice);
   EXPECT_LE(this->Metrics->GetASD(), GetParam().ASD);
+  this->ExpectConverged();
   this->ExpectValid(6144);
 }
 

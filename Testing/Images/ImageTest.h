@@ -1,8 +1,7 @@
 /**
- * What image tests share: a small picture without anything that depends on the machine (no
- * multisampling, and text only where a picture means nothing without), a few colors, surfaces in
- * them, and the comparison with the baseline. Pictures are drawn finer and scaled down, so that
- * their lines are smooth.
+ * Shared by the image tests: small pictures that do not depend on the machine (no multisampling, no
+ * text), a few colors, surfaces drawn in them, and the comparison with the baseline. Pictures are
+ * drawn at three times their size and scaled down, so that lines are smooth.
  */
 #ifndef FlipFreeImageTest_h
 #define FlipFreeImageTest_h
@@ -146,8 +145,7 @@ inline vtkSmartPointer<vtkActor> AddLines(vtkRenderer* view, vtkPolyData* surfac
 /// Compares what the window shows with the test's baseline; the test's exit status. Of VTK's report
 /// only the measurements are shown, not the driver's hundreds of extensions. The threshold is the
 /// sum over pixels of what differs more than a shift by a pixel explains, 1 being black for white.
-inline int Compare(vtkRenderWindow* window, int argc, char* argv[], double threshold = 0.15,
-  int finer = Finer)
+inline int Compare(vtkRenderWindow* window, int argc, char* argv[], double threshold = 0.15)
 {
   window->Render();
   vtkNew<vtkWindowToImageFilter> picture;
@@ -155,7 +153,7 @@ inline int Compare(vtkRenderWindow* window, int argc, char* argv[], double thres
   picture->ReadFrontBufferOff();
   vtkNew<vtkImageShrink3D> shrink;
   shrink->SetInputConnection(picture->GetOutputPort());
-  shrink->SetShrinkFactors(finer, finer, 1);
+  shrink->SetShrinkFactors(Finer, Finer, 1);
   shrink->MeanOn();
   vtkNew<vtkTesting> testing;
   testing->AddArguments(argc, argv);

@@ -33,17 +33,14 @@ if (FLIPFREE_BUILD_BENCHMARKS)
 endif ()
 if (BUILD_TESTING)
   list(APPEND _flipfree_vtk_components
-    ChartsCore
     CommonSystem
     FiltersVerdict
     ImagingCore
     InteractionStyle
-    RenderingContextOpenGL2
     RenderingFreeType
     RenderingOpenGL2
     TestingCore
-    TestingRendering
-    ViewsContext2D)
+    TestingRendering)
 endif ()
 if (FLIPFREE_WRAP_PYTHON)
   # VTK's wrapping must find the interpreter that imports the distribution's vtkmodules.
