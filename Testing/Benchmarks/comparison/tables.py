@@ -69,9 +69,9 @@ def paper_table(rows, methods):
 
 
 def median_table(rows, methods):
-    lines = header("algorithm", "Dice, liver", "spleen", "kidney", "all", "least", "ASD, mm, liver", "spleen", "kidney",
-                   "all", "HD95, mm", "surfaces that meet themselves", "segmentation, s", "process, s", "processor, s",
-                   "memory, MB", "times FlipFree's segmentation", "process", "processor time")
+    lines = header("algorithm", "Dice, liver", "spleen", "kidney", "all", "minimum", "ASD, mm, liver", "spleen", "kidney",
+                   "all", "HD95, mm", "self-intersecting surfaces", "segmentation, s", "process, s", "CPU, s",
+                   "memory, MB", "times FlipFree's segmentation", "process", "CPU")
     for method in methods:
         own = of(rows, method)
         if own:
