@@ -41,20 +41,14 @@ Growth::Growth(vtkImageData* image, const std::array<double, 3>& seed, double ra
   this->Smooth->SetInputData(image);
   this->Smooth->SetSeedCenter(seed.data());
   this->Smooth->SetSeedRadius(radius);
-  this->Smooth->SetReach(250);
 
   // How well each voxel fits the organ, from 0 to 1: first by the seed sphere's intensities.
   this->Feature->SetInputConnection(this->Smooth->GetOutputPort());
   this->Feature->SetSeedCenter(seed.data());
   this->Feature->SetSeedRadius(radius);
-  this->Feature->SetClosingRadius(std::min(1.5, 2 * this->Voxel));
-  this->Feature->SetOpeningRadius(std::min(6.0, 2 * this->Voxel));
 
   // From each vertex along its normal to the boundary of the foreground.
   this->Search->SetFeatureConnection(this->Feature->GetOutputPort());
-  this->Search->SetEdgeConnection(this->Smooth->GetOutputPort());
-  this->Search->SetImageBoundaryDistance(12);
-  this->Search->SetMaximumDisplacement(8);
 
   // Towards these targets, but never so that a face flips or the surface meets itself.
   this->Deform->SetInputConnection(this->Search->GetOutputPort());
@@ -115,7 +109,7 @@ bool Growth::NextLevel()
   if (this->Level == Levels - 1)
   {
     // The last millimeter: to the strongest edge.
-    this->Search->SetEdgeWindow(std::min(3.0, 1.5 * this->Voxel));
+    this->Search->SetEdgeConnection(this->Smooth->GetOutputPort());
   }
   this->Feature->Update();
   return this->Surface->GetNumberOfPoints() > 0 &&

@@ -37,22 +37,16 @@ class Growth:
         self.smooth.SetInputData(image)
         self.smooth.SetSeedCenter(seed)
         self.smooth.SetSeedRadius(radius)
-        self.smooth.SetReach(250)
 
         # How well each voxel fits the organ, from 0 to 1: first by the seed sphere's intensities.
         self.feature = flipfree.vtkGMMFeatureFilter()
         self.feature.SetInputConnection(self.smooth.GetOutputPort())
         self.feature.SetSeedCenter(seed)
         self.feature.SetSeedRadius(radius)
-        self.feature.SetClosingRadius(min(1.5, 2 * self.voxel))
-        self.feature.SetOpeningRadius(min(6, 2 * self.voxel))
 
         # From each vertex along its normal to the boundary of the foreground.
         self.search = flipfree.vtkCorrespondenceSearch()
         self.search.SetFeatureConnection(self.feature.GetOutputPort())
-        self.search.SetEdgeConnection(self.smooth.GetOutputPort())
-        self.search.SetImageBoundaryDistance(12)
-        self.search.SetMaximumDisplacement(8)
 
         # Towards these targets, but never so that a face flips or the surface meets itself.
         self.deform = flipfree.vtkFlipFreeDeform()
@@ -102,7 +96,7 @@ class Growth:
             self.feature.SetSurfaceData(self.surface)
         if self.level == len(RESOLUTIONS) - 1:
             # The last millimeter: to the strongest edge.
-            self.search.SetEdgeWindow(min(3, 1.5 * self.voxel))
+            self.search.SetEdgeConnection(self.smooth.GetOutputPort())
         flipfree.update(self.feature)
 
 

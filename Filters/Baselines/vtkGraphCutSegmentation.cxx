@@ -2,8 +2,8 @@
 
 #include "BaselineTask.h"
 #include "FieldSurface.h"
+#include "Intensity/LeakControl.h"
 #include "IntensityOdds.h"
-#include "LeakSettings.h"
 #include "MinimumCut.h"
 #include "SliceCut.h"
 
@@ -93,10 +93,9 @@ bool vtkGraphCutSegmentation::Segment(const FlipFree::BaselineTask& task,
     : FlipFree::CutSliceBySlice(task, logOdds, candidates, seeds, settings, this->SliceMargin,
         FlipFree::SMPFor, cutting, organ, result.Iterations);
   const FlipFree::Monitor rest = FlipFree::PartOf(monitor, CutEnds, 1);
-  if (!done ||
-    !FlipFree::ControlLeaks(organ, task.Seed,
-      FlipFree::LeakSettingsOf(task, this->ClosingRadius, this->OpeningScale), FlipFree::SMPFor,
-      rest) ||
+  const FlipFree::LeakControlRadii radii = FlipFree::RadiiOf(
+    { this->ClosingRadius, this->OpeningScale }, task.Seed.Radius, task.Region.Geometry);
+  if (!done || !FlipFree::ControlLeaks(organ, task.Seed, radii, FlipFree::SMPFor, rest) ||
     !FlipFree::Dilate(organ, this->RimWidth, FlipFree::SMPFor, rest))
   {
     return false;

@@ -2,8 +2,8 @@
 
 #include "BaselineTask.h"
 #include "FieldSurface.h"
+#include "Intensity/LeakControl.h"
 #include "ItkRegion.h"
-#include "LeakSettings.h"
 #include "SeedStatistics.h"
 
 #include "ExecutionAdapter.h"
@@ -62,8 +62,9 @@ bool vtkRegionGrowing::Segment(const FlipFree::BaselineTask& task,
     task.Region.Geometry };
   FlipFree::BitMask mask = FlipFree::VoxelsWhere(
     grown, [](unsigned char value) { return value != 0; }, FlipFree::SMPFor);
-  if (!FlipFree::ControlLeaks(mask, task.Seed,
-        FlipFree::LeakSettingsOf(task, this->ClosingRadius, this->OpeningScale), FlipFree::SMPFor,
+  const FlipFree::LeakControlRadii radii = FlipFree::RadiiOf(
+    { this->ClosingRadius, this->OpeningScale }, task.Seed.Radius, task.Region.Geometry);
+  if (!FlipFree::ControlLeaks(mask, task.Seed, radii, FlipFree::SMPFor,
         FlipFree::PartOf(monitor, GrowingEnds, 1)))
   {
     return false;

@@ -5,7 +5,7 @@
 #include "FieldData.h"
 #include "GrayImageAdapter.h"
 #include "Measures/VoxelOverlap.h"
-#include "PropertyCheck.h"
+#include "StageProperties.h"
 
 #include "vtkImageData.h"
 #include "vtkInformation.h"
@@ -16,9 +16,42 @@
 
 vtkStandardNewMacro(vtkCorrespondenceSearch);
 
+namespace
+{
+
+// Of a feature that does not say: search lines of 40 mm by default.
+constexpr double UsualSeedRadius = 25;
+
+} // namespace
+
+using Stage = vtkCorrespondenceSearch;
+
+#define PROPERTIES(P)                                                                              \
+  P(Threshold, double, Threshold, 0, 1)                                                            \
+  P(SearchDistance, double, Settings->Correspondence.SearchDistance, 0, 1e6)                       \
+  P(SearchScale, double, Settings->SearchScale, 0, 1e6)                                            \
+  P(RunLength, double, Settings->Correspondence.RunLength, 0, 1000)                                \
+  P(RunVoxels, int, Settings->Correspondence.RunVoxels, 1, 1000)                                   \
+  P(SearchInward, bool, Settings->Correspondence.SearchInward, false, true)                        \
+  P(EdgeWindow, double, Settings->Correspondence.EdgeWindow, 0, 1000)                              \
+  P(ImageBoundaryDistance, double, Settings->Correspondence.ImageBoundaryDistance, 0, 1e6)         \
+  P(NormalSmoothingIterations, int, Settings->NormalSmoothingIterations, 0, 1000)                  \
+  P(OutlierStandardDeviations, double, Settings->OutlierStandardDeviations, 0, 1e6)                \
+  P(MaximumDisplacement, double, Settings->MaximumDisplacement, 0, 1e6)
+
+PROPERTIES(FLIPFREE_DEFINE_PROPERTY)
+
 vtkCorrespondenceSearch::vtkCorrespondenceSearch()
+  : Settings(std::make_unique<FlipFree::TargetSettings>())
 {
   this->SetNumberOfInputPorts(3);
+}
+
+vtkCorrespondenceSearch::~vtkCorrespondenceSearch() = default;
+
+void vtkCorrespondenceSearch::RequireProperties() const
+{
+  FlipFree::RequireNumbers({ PROPERTIES(FLIPFREE_NAME_PROPERTY) });
 }
 
 void vtkCorrespondenceSearch::SetFeatureData(vtkImageData* feature)
@@ -63,11 +96,7 @@ int vtkCorrespondenceSearch::RequestData(vtkInformation*, vtkInformationVector**
   output->Initialize();
   try
   {
-    FlipFree::RequireNumbers({ { "Threshold", this->Threshold },
-      { "SearchDistance", this->SearchDistance }, { "RunLength", this->RunLength },
-      { "ImageBoundaryDistance", this->ImageBoundaryDistance }, { "EdgeWindow", this->EdgeWindow },
-      { "OutlierStandardDeviations", this->OutlierStandardDeviations },
-      { "MaximumDisplacement", this->MaximumDisplacement } });
+    this->RequireProperties();
     const FlipFree::DeformableSurface surface =
       FlipFree::DeformableSurfaceOf(input, "the surface on port 0", false);
     FlipFree::RequireGrayImage(featureImage, "the feature on port 1");
@@ -84,7 +113,7 @@ int vtkCorrespondenceSearch::RequestData(vtkInformation*, vtkInformationVector**
       feature, [threshold](float value) { return value >= threshold; }, FlipFree::SMPFor);
     FlipFree::FloatImage copyOfEdges;
     FlipFree::ImageView<float> edges;
-    if (this->EdgeWindow > 0)
+    if (edgeImage && this->Settings->Correspondence.EdgeWindow > 0)
     {
       FlipFree::RequireGrayImage(edgeImage, "the edge image on port 2");
       FlipFree::RequireFinite(edgeImage, FlipFree::WholeExtent(FlipFree::GeometryOf(edgeImage)),
@@ -94,26 +123,20 @@ int vtkCorrespondenceSearch::RequestData(vtkInformation*, vtkInformationVector**
         "the feature on port 1");
     }
 
-    FlipFree::TargetSettings settings;
+    const std::vector<double> radius =
+      FlipFree::FieldValues("SeedRadius", 1, false, featureImage, "the feature on port 1");
+    FlipFree::TargetSettings settings = *this->Settings;
     const std::vector<double> ramp =
       FlipFree::FieldValues("EdgeRamp", 3, true, featureImage, "the feature on port 1");
     if (ramp.size() == 3)
     {
       settings.Correspondence.Ramp = { ramp[0], ramp[1], ramp[2] };
     }
-    settings.Correspondence.SearchDistance = this->SearchDistance;
-    settings.Correspondence.RunLength = this->RunLength;
-    settings.Correspondence.RunVoxels = this->RunVoxels;
-    settings.Correspondence.SearchInward = this->SearchInward;
-    settings.Correspondence.ImageBoundaryDistance = this->ImageBoundaryDistance;
-    settings.Correspondence.EdgeWindow = this->EdgeWindow;
-    settings.NormalSmoothingIterations = this->NormalSmoothingIterations;
-    settings.OutlierStandardDeviations = this->OutlierStandardDeviations;
-    settings.MaximumDisplacement = this->MaximumDisplacement * feature.Geometry.Spacing.maxCoeff();
 
     FlipFree::TargetReport report;
-    const FlipFree::CorrespondenceField field = FlipFree::FindTargets(surface.Mesh, surface.Points,
-      foreground, edges, settings, FlipFree::SMPFor, report);
+    const FlipFree::CorrespondenceField field =
+      FlipFree::FindTargets(surface.Mesh, surface.Points, foreground, edges,
+        radius.empty() ? UsualSeedRadius : radius.front(), settings, FlipFree::SMPFor, report);
     output->ShallowCopy(input);
     FlipFree::AttachField(field, output);
     FlipFree::AddFieldValues("MeanDistance", { report.MeanDistance }, output);
@@ -130,14 +153,5 @@ int vtkCorrespondenceSearch::RequestData(vtkInformation*, vtkInformationVector**
 void vtkCorrespondenceSearch::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Threshold: " << this->Threshold << "\n";
-  os << indent << "SearchDistance: " << this->SearchDistance << "\n";
-  os << indent << "RunLength: " << this->RunLength << "\n";
-  os << indent << "RunVoxels: " << this->RunVoxels << "\n";
-  os << indent << "SearchInward: " << this->SearchInward << "\n";
-  os << indent << "ImageBoundaryDistance: " << this->ImageBoundaryDistance << "\n";
-  os << indent << "EdgeWindow: " << this->EdgeWindow << "\n";
-  os << indent << "NormalSmoothingIterations: " << this->NormalSmoothingIterations << "\n";
-  os << indent << "OutlierStandardDeviations: " << this->OutlierStandardDeviations << "\n";
-  os << indent << "MaximumDisplacement: " << this->MaximumDisplacement << "\n";
+  PROPERTIES(FLIPFREE_PRINT_PROPERTY)
 }

@@ -9,15 +9,17 @@
  *
  * Input port 0: vtkPolyData, closed, with four neighbors at every vertex.
  * Input port 1: vtkImageData, the feature: one scalar component, 0 to 1 (SetFeatureConnection).
+ * Its field data `FeatureThreshold` (1 double), `SeedRadius` (1 double, mm) and `EdgeRamp` (3
+ * doubles), as vtkGMMFeatureFilter attaches them, are used where present.
  * Input port 2, optional: vtkImageData, the smoothed image of the same grid, in whose edges the
- * target is refined (SetEdgeConnection); needed if EdgeWindow is not zero. Output port 0: the
+ * target is refined (SetEdgeConnection). Output port 0: the
  * surface with the point arrays `Displacement` (3 doubles, mm: target minus point; zero where
  * solitary) and `Correspondence` (unsigned char: 0 solitary, 1 matched). Field data `MeanDistance`
  * (1 double, mm): mean distance to the targets found, before they are limited.
  *
  * Errors: a surface that is open or not four-valent; images without scalars, with several
- * components or with voxels that are not finite; an edge image that is missing or has another grid
- * than the feature; `FeatureThreshold` or `EdgeRamp` of another size or not finite.
+ * components or with voxels that are not finite; an edge image of another grid than the
+ * feature; field data of another size or not finite; a property that is NaN.
  */
 #ifndef vtkCorrespondenceSearch_h
 #define vtkCorrespondenceSearch_h
@@ -25,7 +27,14 @@
 #include "FlipFreeSegmentationModule.h"
 #include "vtkPolyDataAlgorithm.h"
 
+#include <memory> // for std::unique_ptr
+
 class vtkImageData;
+
+namespace FlipFree
+{
+struct TargetSettings;
+}
 
 class FLIPFREESEGMENTATION_EXPORT vtkCorrespondenceSearch : public vtkPolyDataAlgorithm
 {
@@ -52,110 +61,120 @@ public:
 
   ///@{
   /**
-   * Gamma: features at or above it are foreground. Default 0: the feature's field data
-   * `FeatureThreshold`, or 0.5 without it.
+   * Gamma of Eq. 2, 0 to 1: features at or above it are foreground. Default 0: the feature's field
+   * data `FeatureThreshold`, or 0.5 without it.
    */
-  vtkSetClampMacro(Threshold, double, 0, 1);
-  vtkGetMacro(Threshold, double);
+  void SetThreshold(double value);
+  double GetThreshold() const;
   ///@}
 
   ///@{
   /**
-   * Greatest length of a line, in millimeters. Default 40.
+   * Length of the search lines, in millimeters. Default 0, 0 to 1e6; 0 derives it from SearchScale.
    */
-  vtkSetClampMacro(SearchDistance, double, 0, 1e6);
-  vtkGetMacro(SearchDistance, double);
+  void SetSearchDistance(double value);
+  double GetSearchDistance() const;
   ///@}
 
   ///@{
   /**
-   * Length of the run, in millimeters. Default 2; zero counts RunVoxels instead.
+   * Length of the search lines in seed radii, used between 15 and 60 mm. Default 1.6; 0 to 1e6.
+   * Counts if SearchDistance is 0. The radius is the feature's field data `SeedRadius`, or 25 mm
+   * without it.
    */
-  vtkSetClampMacro(RunLength, double, 0, 1000);
-  vtkGetMacro(RunLength, double);
+  void SetSearchScale(double value);
+  double GetSearchScale() const;
   ///@}
 
   ///@{
   /**
-   * Length of the run in voxels: the paper's N + 1. Default 4.
+   * Length of the run of voxels beyond the boundary (Eq. 2), in millimeters. Default 2, 0 to 1000;
+   * 0 counts RunVoxels instead.
    */
-  vtkSetClampMacro(RunVoxels, int, 1, 1000);
-  vtkGetMacro(RunVoxels, int);
+  void SetRunLength(double value);
+  double GetRunLength() const;
   ///@}
 
   ///@{
   /**
-   * Vertices in the background look inward. Default on; off is Eq. 2 read literally.
+   * Length of the run in voxels, the paper's N + 1. Default 4; 1 to 1000. Counts if RunLength is 0.
    */
-  vtkSetMacro(SearchInward, bool);
-  vtkGetMacro(SearchInward, bool);
+  void SetRunVoxels(int value);
+  int GetRunVoxels() const;
+  ///@}
+
+  ///@{
+  /**
+   * Vertices in the background look inward for the foreground. Default on; off reads Eq. 2
+   * literally.
+   */
+  void SetSearchInward(bool value);
+  bool GetSearchInward() const;
   vtkBooleanMacro(SearchInward, bool);
   ///@}
 
   ///@{
   /**
-   * A vertex this near the image's end, in millimeters, takes it for its target. Default 0:
-   * solitary.
+   * Standard deviation of the Gaussian window, in millimeters, in which a target moves to the
+   * strongest edge of the image on port 2. Default 3, 0 to 1000; at most 1.5 voxels are used. With
+   * 0, or without that image, targets stay on the faces of voxels.
    */
-  vtkSetClampMacro(ImageBoundaryDistance, double, 0, 1e6);
-  vtkGetMacro(ImageBoundaryDistance, double);
+  void SetEdgeWindow(double value);
+  double GetEdgeWindow() const;
   ///@}
 
   ///@{
   /**
-   * Standard deviation in millimeters of the window in which the target moves to the strongest
-   * edge. Default 0: it stays on the voxel's face.
+   * A vertex this near the image's boundary, in millimeters along its line, takes the boundary for
+   * its target. Default 12, 0 to 1e6; with 0 it is solitary.
    */
-  vtkSetClampMacro(EdgeWindow, double, 0, 1000);
-  vtkGetMacro(EdgeWindow, double);
+  void SetImageBoundaryDistance(double value);
+  double GetImageBoundaryDistance() const;
   ///@}
 
   ///@{
   /**
-   * Passes of averaging over neighbors that the normals get. Default 2.
+   * Passes that average the normals over neighbors before the search. Default 2; 0 to 1000.
    */
-  vtkSetClampMacro(NormalSmoothingIterations, int, 0, 1000);
-  vtkGetMacro(NormalSmoothingIterations, int);
+  void SetNormalSmoothingIterations(int value);
+  int GetNormalSmoothingIterations() const;
   ///@}
 
   ///@{
   /**
-   * Targets farther from those of the two-ring than this many robust deviations plus a voxel are
-   * dropped. Default 3; zero keeps all.
+   * Targets farther from the median of their two-ring than this many robust standard deviations,
+   * plus a voxel, are dropped. Default 3, 0 to 1e6; 0 keeps all.
    */
-  vtkSetClampMacro(OutlierStandardDeviations, double, 0, 1e6);
-  vtkGetMacro(OutlierStandardDeviations, double);
+  void SetOutlierStandardDeviations(double value);
+  double GetOutlierStandardDeviations() const;
   ///@}
 
   ///@{
   /**
-   * Greatest displacement, in voxels of the feature (of the greatest spacing). Default 0: not
-   * limited.
+   * Maximum displacement in one iteration, in voxels of the greatest spacing. Default 8, 0 to 1e6;
+   * 0 does not limit it.
    */
-  vtkSetClampMacro(MaximumDisplacement, double, 0, 1e6);
-  vtkGetMacro(MaximumDisplacement, double);
+  void SetMaximumDisplacement(double value);
+  double GetMaximumDisplacement() const;
   ///@}
 
 protected:
   vtkCorrespondenceSearch();
-  ~vtkCorrespondenceSearch() override = default;
+  ~vtkCorrespondenceSearch() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
   double Threshold = 0;
-  double SearchDistance = 40;
-  double RunLength = 2;
-  int RunVoxels = 4;
-  bool SearchInward = true;
-  double ImageBoundaryDistance = 0;
-  double EdgeWindow = 0;
-  int NormalSmoothingIterations = 2;
-  double OutlierStandardDeviations = 3;
-  double MaximumDisplacement = 0;
 
 private:
+  friend class vtkFlipFreeSegmentation; // takes the settings as a whole
+
+  void RequireProperties() const;
+
+  const std::unique_ptr<FlipFree::TargetSettings> Settings;
+
   vtkCorrespondenceSearch(const vtkCorrespondenceSearch&) = delete;
   void operator=(const vtkCorrespondenceSearch&) = delete;
 };

@@ -4,7 +4,7 @@
 #include "Deformation/DeformationStep.h"
 #include "ExecutionAdapter.h"
 #include "FieldData.h"
-#include "PropertyCheck.h"
+#include "StageProperties.h"
 
 #include "vtkCellData.h"
 #include "vtkObjectFactory.h"
@@ -15,36 +15,52 @@
 
 vtkStandardNewMacro(vtkFlipFreeDeform);
 
+using Stage = vtkFlipFreeDeform;
+
+#define PROPERTIES(P)                                                                              \
+  P(AvoidFlips, bool, Settings->AvoidFlips, false, true)                                           \
+  P(FlipThreshold, double, Settings->FlipThreshold, 0, 1)                                          \
+  P(PropagationIterations, int, Settings->Propagation.Iterations, 0, 100000)                       \
+  P(SmoothingIterations, int, Settings->Propagation.SmoothingIterations, 0, 100000)                \
+  P(PositionWeight, double, Settings->Energy.PositionWeight, 0, 1e6)                               \
+  P(UniformWeight, double, Settings->Energy.UniformWeight, 0, 1e6)                                 \
+  P(Fairing, double, Settings->Energy.Fairing, 0, 1)                                               \
+  P(Guard, bool, Settings->Guard, false, true)
+
+PROPERTIES(FLIPFREE_DEFINE_PROPERTY)
+
+vtkFlipFreeDeform::vtkFlipFreeDeform()
+  : Settings(std::make_unique<FlipFree::DeformationStepSettings>())
+{
+}
+
+vtkFlipFreeDeform::~vtkFlipFreeDeform() = default;
+
+void vtkFlipFreeDeform::RequireProperties() const
+{
+  FlipFree::RequireNumbers({ PROPERTIES(FLIPFREE_NAME_PROPERTY) });
+}
+
 int vtkFlipFreeDeform::RequestData(vtkInformation*, vtkInformationVector** inputVector,
   vtkInformationVector* outputVector)
 {
   vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   output->Initialize();
-  FlipFree::DeformationStepSettings settings;
-  settings.AvoidFlips = this->AvoidFlips;
-  settings.FlipThreshold = this->FlipThreshold;
-  settings.Propagation.Iterations = this->PropagationIterations;
-  settings.Propagation.SmoothingIterations = this->SmoothingIterations;
-  settings.Energy.PositionWeight = this->PositionWeight;
-  settings.Energy.UniformWeight = this->UniformWeight;
-  settings.Energy.Fairing = this->Fairing;
   try
   {
-    FlipFree::RequireNumbers(
-      { { "FlipThreshold", this->FlipThreshold }, { "PositionWeight", this->PositionWeight },
-        { "UniformWeight", this->UniformWeight }, { "Fairing", this->Fairing } });
+    this->RequireProperties();
     FlipFree::DeformableSurface surface =
-      FlipFree::DeformableSurfaceOf(input, "the surface on port 0", this->Guard);
+      FlipFree::DeformableSurfaceOf(input, "the surface on port 0", this->Settings->Guard);
     FlipFree::CorrespondenceField field = FlipFree::FieldOf(input, "the surface on port 0");
     std::unique_ptr<FlipFree::EmbeddingGuard> guard;
-    if (this->Guard)
+    if (this->Settings->Guard)
     {
       guard = std::make_unique<FlipFree::EmbeddingGuard>(surface.Mesh);
     }
     FlipFree::DeformationSolver solver(surface.Mesh);
     const FlipFree::DeformationStepReport report = FlipFree::DeformOnce(solver, guard.get(),
-      settings, FlipFree::SMPFor, FlipFree::MonitorOf(this), field, surface.Points);
+      *this->Settings, FlipFree::SMPFor, FlipFree::MonitorOf(this), field, surface.Points);
     if (FlipFree::IsAborted(this))
     {
       return 1;
@@ -72,12 +88,5 @@ int vtkFlipFreeDeform::RequestData(vtkInformation*, vtkInformationVector** input
 void vtkFlipFreeDeform::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "AvoidFlips: " << this->AvoidFlips << "\n";
-  os << indent << "FlipThreshold: " << this->FlipThreshold << "\n";
-  os << indent << "PropagationIterations: " << this->PropagationIterations << "\n";
-  os << indent << "SmoothingIterations: " << this->SmoothingIterations << "\n";
-  os << indent << "PositionWeight: " << this->PositionWeight << "\n";
-  os << indent << "UniformWeight: " << this->UniformWeight << "\n";
-  os << indent << "Fairing: " << this->Fairing << "\n";
-  os << indent << "Guard: " << this->Guard << "\n";
+  PROPERTIES(FLIPFREE_PRINT_PROPERTY)
 }

@@ -22,6 +22,13 @@
 #include "FlipFreeSegmentationModule.h"
 #include "vtkPolyDataAlgorithm.h"
 
+#include <memory> // for std::unique_ptr
+
+namespace FlipFree
+{
+struct DeformationStepSettings;
+}
+
 class FLIPFREESEGMENTATION_EXPORT vtkFlipFreeDeform : public vtkPolyDataAlgorithm
 {
 public:
@@ -31,86 +38,86 @@ public:
 
   ///@{
   /**
-   * Detect and avoid flips. Default on.
+   * Detect and avoid flips (sections 3.4 and 3.5). Default on; off only counts them.
    */
-  vtkSetMacro(AvoidFlips, bool);
-  vtkGetMacro(AvoidFlips, bool);
+  void SetAvoidFlips(bool value);
+  bool GetAvoidFlips() const;
   vtkBooleanMacro(AvoidFlips, bool);
   ///@}
 
   ///@{
   /**
-   * r of Eq. 3. Default 0.3; 0 to 1.
+   * r of Eq. 3: the least cosine of the angle by which an edge may turn. Default 0.3; 0 to 1.
    */
-  vtkSetClampMacro(FlipThreshold, double, 0, 1);
-  vtkGetMacro(FlipThreshold, double);
+  void SetFlipThreshold(double value);
+  double GetFlipThreshold() const;
   ///@}
 
   ///@{
   /**
-   * Passes of local averaging by which displacements reach solitary vertices. Default 40.
+   * Passes of local averaging that carry displacements to solitary vertices (section 3.6). Default
+   * 40; 0 to 100000.
    */
-  vtkSetClampMacro(PropagationIterations, int, 0, 100000);
-  vtkGetMacro(PropagationIterations, int);
+  void SetPropagationIterations(int value);
+  int GetPropagationIterations() const;
   ///@}
 
   ///@{
   /**
-   * Passes in which matched vertices are averaged too. Default 1.
+   * Passes that average matched vertices, too. Default 1; 0 to 100000.
    */
-  vtkSetClampMacro(SmoothingIterations, int, 0, 100000);
-  vtkGetMacro(SmoothingIterations, int);
+  void SetSmoothingIterations(int value);
+  int GetSmoothingIterations() const;
   ///@}
 
   ///@{
   /**
-   * lambda_p of Eq. 4. Default 0.3.
+   * Weight lambda_p of the positional energy (Eq. 7). Default 0.3; 0 to 1e6.
    */
-  vtkSetClampMacro(PositionWeight, double, 0, 1e6);
-  vtkGetMacro(PositionWeight, double);
+  void SetPositionWeight(double value);
+  double GetPositionWeight() const;
   ///@}
 
   ///@{
   /**
-   * lambda_u of Eq. 4. Default 1.
+   * Weight lambda_u of the energy of uniform vertex distribution (Eq. 8). Default 1; 0 to 1e6.
    */
-  vtkSetClampMacro(UniformWeight, double, 0, 1e6);
-  vtkGetMacro(UniformWeight, double);
+  void SetUniformWeight(double value);
+  double GetUniformWeight() const;
   ///@}
 
   ///@{
   /**
-   * How much of the present Laplacian is given up: 0 (default) is Eq. 5, 1 smooths and shrinks.
+   * Fraction of the present Laplacian that is given up in each iteration, 0 to 1. Default 0: Eq. 5,
+   * which keeps the shape; 1 minimizes the new Laplacian, which smooths and shrinks.
    */
-  vtkSetClampMacro(Fairing, double, 0, 1);
-  vtkGetMacro(Fairing, double);
+  void SetFairing(double value);
+  double GetFairing() const;
   ///@}
 
   ///@{
   /**
-   * Hold back what is not valid. Default on.
+   * Limit the motion so that the surface neither meets itself nor flips. Default on; off promises
+   * nothing.
    */
-  vtkSetMacro(Guard, bool);
-  vtkGetMacro(Guard, bool);
+  void SetGuard(bool value);
+  bool GetGuard() const;
   vtkBooleanMacro(Guard, bool);
   ///@}
 
 protected:
-  vtkFlipFreeDeform() = default;
-  ~vtkFlipFreeDeform() override = default;
+  vtkFlipFreeDeform();
+  ~vtkFlipFreeDeform() override;
 
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
-  bool AvoidFlips = true;
-  double FlipThreshold = 0.3;
-  int PropagationIterations = 40;
-  int SmoothingIterations = 1;
-  double PositionWeight = 0.3;
-  double UniformWeight = 1;
-  double Fairing = 0;
-  bool Guard = true;
-
 private:
+  friend class vtkFlipFreeSegmentation; // takes the settings as a whole
+
+  void RequireProperties() const;
+
+  const std::unique_ptr<FlipFree::DeformationStepSettings> Settings;
+
   vtkFlipFreeDeform(const vtkFlipFreeDeform&) = delete;
   void operator=(const vtkFlipFreeDeform&) = delete;
 };

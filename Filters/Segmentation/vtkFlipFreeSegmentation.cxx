@@ -5,19 +5,25 @@
 #include "ExecutionAdapter.h"
 #include "GrayImageAdapter.h"
 #include "LabelAdapter.h"
-#include "SegmentationParameters.h"
+#include "SegmentationWarnings.h"
+#include "StageProperties.h"
 
 #include "Deformation/OrganSegmentation.h"
+#include "Deformation/SegmentationSettings.h"
 #include "Mesh/QuadSphere.h"
 #include "Mesh/SurfaceVoxelization.h"
 #include "Stopwatch.h"
 
+#include "vtkCorrespondenceSearch.h"
+#include "vtkFlipFreeDeform.h"
+#include "vtkGMMFeatureFilter.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
+#include "vtkSeedRegionDiffusion.h"
 #include "vtkSmartPointer.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkTable.h"
@@ -45,7 +51,64 @@ struct vtkFlipFreeSegmentation::Result
   vtkTimeStamp Time;
 };
 
+using Stage = vtkFlipFreeSegmentation;
+
+#define PROPERTIES(P)                                                                              \
+  P(StartScale, double, StartScale, 1e-3, 1e3)                                                     \
+  P(Resolution, int, Schedule->Resolution, 2, 256)                                                 \
+  P(Levels, int, Schedule->Levels, 1, 6)                                                           \
+  P(MaximumIterations, int, Schedule->MaximumIterations, 0, 100000)                                \
+  P(DistanceTolerance, double, Schedule->DistanceTolerance, 0, 1e6)                                \
+  P(ChangeTolerance, double, Schedule->ChangeTolerance, -1e6, 1e6)
+
+PROPERTIES(FLIPFREE_DEFINE_PROPERTY)
+
+// Name, type, the stage, and its name there.
+#define FORWARDED_PROPERTIES(P)                                                                    \
+  P(Reach, double, Diffusion, Reach)                                                               \
+  P(DiffusionIterations, int, Diffusion, NumberOfIterations)                                       \
+  P(ForegroundMass, double, Feature, ForegroundMass)                                               \
+  P(LeakControl, bool, Feature, LeakControl)                                                       \
+  P(SearchDistance, double, Search, SearchDistance)                                                \
+  P(Guard, bool, Deform, Guard)
+
+#define DEFINE_FORWARDED_PROPERTY(Name, type, stage, NameThere)                                    \
+  void Stage::Set##Name(type value)                                                                \
+  {                                                                                                \
+    this->stage->Set##NameThere(value);                                                            \
+  }                                                                                                \
+  type Stage::Get##Name() const                                                                    \
+  {                                                                                                \
+    return this->stage->Get##NameThere();                                                          \
+  }
+
+FORWARDED_PROPERTIES(DEFINE_FORWARDED_PROPERTY)
+
+#define DEFINE_STAGE(Name, type)                                                                   \
+  void Stage::Set##Name(type* stage)                                                               \
+  {                                                                                                \
+    if (this->Name != stage)                                                                       \
+    {                                                                                              \
+      this->Name = stage ? vtkSmartPointer<type>(stage) : vtkSmartPointer<type>::New();            \
+      this->Modified();                                                                            \
+    }                                                                                              \
+  }                                                                                                \
+  type* Stage::Get##Name() const                                                                   \
+  {                                                                                                \
+    return this->Name;                                                                             \
+  }
+
+DEFINE_STAGE(Diffusion, vtkSeedRegionDiffusion)
+DEFINE_STAGE(Feature, vtkGMMFeatureFilter)
+DEFINE_STAGE(Search, vtkCorrespondenceSearch)
+DEFINE_STAGE(Deform, vtkFlipFreeDeform)
+
 vtkFlipFreeSegmentation::vtkFlipFreeSegmentation()
+  : Schedule(std::make_unique<FlipFree::ScheduleSettings>())
+  , Diffusion(vtkSmartPointer<vtkSeedRegionDiffusion>::New())
+  , Feature(vtkSmartPointer<vtkGMMFeatureFilter>::New())
+  , Search(vtkSmartPointer<vtkCorrespondenceSearch>::New())
+  , Deform(vtkSmartPointer<vtkFlipFreeDeform>::New())
 {
   this->SetNumberOfInputPorts(2);
   this->SetNumberOfOutputPorts(3);
@@ -56,6 +119,55 @@ vtkFlipFreeSegmentation::~vtkFlipFreeSegmentation() = default;
 const char* vtkFlipFreeSegmentation::GetStopReasonAsString() const
 {
   return FlipFree::ToString(static_cast<FlipFree::StopReason>(this->StopReason));
+}
+
+vtkMTimeType vtkFlipFreeSegmentation::GetMTime()
+{
+  return std::max({ this->Superclass::GetMTime(), this->Diffusion->GetMTime(),
+    this->Feature->GetMTime(), this->Search->GetMTime(), this->Deform->GetMTime() });
+}
+
+FlipFree::OrganSegmentationSettings vtkFlipFreeSegmentation::GetSettings() const
+{
+  return { *this->Schedule, *this->Diffusion->Settings, *this->Feature->Settings,
+    *this->Search->Settings, *this->Deform->Settings };
+}
+
+void vtkFlipFreeSegmentation::UseSettings(const FlipFree::OrganSegmentationSettings& settings)
+{
+  const double reach = this->GetReach();
+  *this->Schedule = settings.Schedule;
+  *this->Diffusion->Settings = settings.Smoothing;
+  *this->Feature->Settings = settings.Feature;
+  *this->Search->Settings = settings.Targets;
+  *this->Deform->Settings = settings.Step;
+  this->SetReach(reach);
+  this->Modified();
+}
+
+void vtkFlipFreeSegmentation::UseDefaultParameters()
+{
+  this->UseSettings({});
+}
+
+void vtkFlipFreeSegmentation::UsePublishedParameters()
+{
+  this->UseSettings(FlipFree::PublishedSettings());
+}
+
+void vtkFlipFreeSegmentation::UseNaiveParameters()
+{
+  this->UseSettings(FlipFree::NaiveSettings());
+}
+
+void vtkFlipFreeSegmentation::RequireProperties() const
+{
+  FlipFree::RequireNumbers({ PROPERTIES(FLIPFREE_NAME_PROPERTY){ "StartCenterOffset",
+    this->StartCenterOffset[0] + this->StartCenterOffset[1] + this->StartCenterOffset[2] } });
+  this->Diffusion->RequireProperties();
+  this->Feature->RequireProperties();
+  this->Search->RequireProperties();
+  this->Deform->RequireProperties();
 }
 
 void vtkFlipFreeSegmentation::SetInputData(vtkImageData* image)
@@ -207,47 +319,51 @@ void vtkFlipFreeSegmentation::Execute(vtkImageData* image, vtkPolyData* start)
   std::fill_n(this->StageSeconds, 4, 0.0);
 
   const FlipFree::SeedSphere seed{ Eigen::Vector3d(this->SeedCenter), this->SeedRadius };
-  FlipFree::RequireParameters(this);
+  this->RequireProperties();
+  const FlipFree::OrganSegmentationSettings settings = this->GetSettings();
   FlipFree::RequireGrayImage(image, "the image on port 0");
   const FlipFree::ImageGeometry geometry = FlipFree::GeometryOf(image);
   FlipFree::RequireSeed(geometry, seed, "the image on port 0");
   FlipFree::DeformableSurface surface;
   if (start)
   {
-    surface = FlipFree::DeformableSurfaceOf(start, "the start surface on port 1", this->Guard);
+    surface =
+      FlipFree::DeformableSurfaceOf(start, "the start surface on port 1", settings.Step.Guard);
   }
   else
   {
-    const FlipFree::QuadSphere sphere = FlipFree::MakeQuadSphere(FlipFree::FirstResolution(this),
-      seed.Center + Eigen::Vector3d(this->StartCenterOffset), this->StartScale * seed.Radius,
-      FlipFree::QuadSphereSpacing::Equiangular);
+    const FlipFree::QuadSphere sphere = FlipFree::MakeQuadSphere(
+      settings.Schedule.FirstResolution(), seed.Center + Eigen::Vector3d(this->StartCenterOffset),
+      this->StartScale * seed.Radius, FlipFree::QuadSphereSpacing::Equiangular);
     surface.Mesh = FlipFree::BuildContourMesh(static_cast<int>(sphere.Points.rows()), sphere.Faces);
     surface.Points = sphere.Points;
   }
 
   FlipFree::Stopwatch watch;
-  const FlipFree::Extent extent =
-    FlipFree::ReachableExtent(geometry, seed.Center, FlipFree::ReachOf(this));
+  const FlipFree::Extent extent = FlipFree::ReachableExtent(geometry, seed.Center,
+    FlipFree::ReachOf(settings.Smoothing, seed.Radius));
   FlipFree::RequireFinite(image, extent, "the image on port 0");
   const double noise = FlipFree::NoiseOf(image, seed);
   const FlipFree::ImageGeometry region = FlipFree::CropGeometry(geometry, extent);
+  FlipFree::AnisotropicDiffusionSettings diffusion =
+    FlipFree::DiffusionOf(settings.Smoothing, noise, region);
+  diffusion.Threads = FlipFree::NumberOfThreads();
   auto smooth = std::make_unique<FlipFree::SmoothRegion>(FlipFree::GrayReaderOf(image, extent),
-    region, FlipFree::DiffusionSettingsOf(this, noise, region), FlipFree::SMPFor);
+    region, diffusion, FlipFree::SMPFor);
   const double before = watch.Lap();
 
-  const FlipFree::OrganSurface organ =
-    FlipFree::SegmentOrgan(*smooth, noise, seed, surface.Mesh, surface.Points,
-      FlipFree::SettingsOf(this, region), FlipFree::SMPFor, FlipFree::MonitorOf(this, 0, 0.95),
-      [this](const FlipFree::ContourMesh& mesh, const FlipFree::PointList& points,
-        const FlipFree::CorrespondenceField& field, const FlipFree::IterationRecord&)
+  const FlipFree::OrganSurface organ = FlipFree::SegmentOrgan(*smooth, noise, seed, surface.Mesh,
+    surface.Points, settings, FlipFree::SMPFor, FlipFree::MonitorOf(this, 0, 0.95),
+    [this](const FlipFree::ContourMesh& mesh, const FlipFree::PointList& points,
+      const FlipFree::CorrespondenceField& field, const FlipFree::IterationRecord&)
+    {
+      if (this->KeepHistory)
       {
-        if (this->KeepHistory)
-        {
-          this->Cache->History.push_back(vtkSmartPointer<vtkPolyData>::New());
-          FlipFree::AttachMesh(mesh, points, this->Cache->History.back());
-          FlipFree::AttachField(field, this->Cache->History.back());
-        }
-      });
+        this->Cache->History.push_back(vtkSmartPointer<vtkPolyData>::New());
+        FlipFree::AttachMesh(mesh, points, this->Cache->History.back());
+        FlipFree::AttachField(field, this->Cache->History.back());
+      }
+    });
   this->StageSeconds[0] = before + organ.SmoothingSeconds;
   this->StageSeconds[1] = organ.FeatureSeconds;
   this->StageSeconds[2] = watch.Lap() - organ.SmoothingSeconds - organ.FeatureSeconds;
@@ -259,7 +375,7 @@ void vtkFlipFreeSegmentation::Execute(vtkImageData* image, vtkPolyData* start)
     return;
   }
   this->NumberOfSelfIntersections = static_cast<int>(organ.SelfIntersections);
-  if (this->Guard && organ.SelfIntersections > 0)
+  if (settings.Step.Guard && organ.SelfIntersections > 0)
   {
     throw std::logic_error("the surface intersects itself in " +
       std::to_string(organ.SelfIntersections) +
@@ -268,7 +384,13 @@ void vtkFlipFreeSegmentation::Execute(vtkImageData* image, vtkPolyData* start)
   }
   FlipFree::AttachMesh(organ.Mesh, organ.Points, this->Cache->Surface);
   FlipFree::AttachField(organ.Field, this->Cache->Surface);
-  this->WarnOf(organ, region, geometry);
+  const bool startsAtSeed =
+    !start && this->StartScale == 1 && Eigen::Vector3d(this->StartCenterOffset).isZero();
+  for (const std::string& warning :
+    FlipFree::WarningsOf(organ, region, geometry, seed, settings, startsAtSeed))
+  {
+    vtkWarningMacro(<< warning);
+  }
 
   smooth.reset(); // the label map takes its place
   FlipFree::MakeLabelMap(
@@ -284,7 +406,8 @@ void vtkFlipFreeSegmentation::PublishHistory(vtkInformation* info, bool isKnown)
   if (!isKnown)
   {
     // How many there will be is not known; this many at most.
-    const double range[2] = { 1, std::max(1.0, 1.0 * this->Levels * this->MaximumIterations) };
+    const double range[2] = { 1,
+      std::max(1.0, 1.0 * this->GetLevels() * this->GetMaximumIterations()) };
     info->Remove(Pipeline::TIME_STEPS());
     info->Set(Pipeline::TIME_RANGE(), range, 2);
     return;
@@ -294,77 +417,6 @@ void vtkFlipFreeSegmentation::PublishHistory(vtkInformation* info, bool isKnown)
   const double range[2] = { times.front(), times.back() };
   info->Set(Pipeline::TIME_STEPS(), times.data(), static_cast<int>(times.size()));
   info->Set(Pipeline::TIME_RANGE(), range, 2);
-}
-
-void vtkFlipFreeSegmentation::WarnOf(const FlipFree::OrganSurface& organ,
-  const FlipFree::ImageGeometry& region, const FlipFree::ImageGeometry& image)
-{
-  if (!FlipFree::ContainsSphere(image, { Eigen::Vector3d(this->SeedCenter), this->SeedRadius }))
-  {
-    vtkWarningMacro("The seed sphere of " << this->SeedRadius
-                                          << " mm reaches beyond the image; it should lie within "
-                                             "the organ, so lower SeedRadius or move "
-                                             "SeedCenter.");
-  }
-  if (this->StopReason == NO_BOUNDARY_FOUND)
-  {
-    vtkWarningMacro(
-      "No vertex found the organ's boundary, so the surface is not the organ's; check "
-      "that the seed lies in the organ, or raise SearchDistance, or raise "
-      "ForegroundMass.");
-  }
-  if (this->StopReason == NOT_REFINED)
-  {
-    vtkWarningMacro("The surface could not be refined without intersecting itself, so it has "
-      << organ.Mesh.NumberOfPoints() << " vertices only; lower Levels to start from a finer one.");
-  }
-  if (FlipFree::ReachesEndOf(region, image, organ.Points))
-  {
-    vtkWarningMacro("The surface has got to the end of what it may reach, "
-      << FlipFree::ReachOf(this)
-      << " mm from the seed's center, and is cut there: it may have leaked, or the seed may lie in "
-         "air; look at it, and raise Reach where the organ is that large.");
-  }
-  else if (this->StopReason != NO_BOUNDARY_FOUND)
-  {
-    this->WarnOfSeed(organ, image);
-  }
-}
-
-// Of a seed in air, or in anything that is no organ, comes a surface all the same. On organs less
-// than a twentieth of the vertices find no boundary; and at the ends of the image along two axes
-// lies hardly any, even where a slab cuts a liver off above and below. What starts elsewhere than
-// at the seed, or folds unguarded, or searches less far, may leave out more.
-void vtkFlipFreeSegmentation::WarnOfSeed(const FlipFree::OrganSurface& organ,
-  const FlipFree::ImageGeometry& image)
-{
-  constexpr double maximumWithoutBoundary = 0.1;
-  constexpr double maximumAtEnds = 0.25;
-  const bool startsAtSeed = this->GetNumberOfInputConnections(1) == 0 && this->StartScale == 1 &&
-    Eigen::Vector3d(this->StartCenterOffset).isZero();
-  if (!startsAtSeed || !this->Guard || organ.Iterations.empty())
-  {
-    return;
-  }
-  const double without = static_cast<double>(organ.Iterations.back().Targets.WithoutBoundary) /
-    organ.Mesh.NumberOfPoints();
-  const double atEnds = FlipFree::FractionAtEndsOf(image, organ.Points);
-  const auto percent = [](double fraction) { return std::lround(100 * fraction); };
-  if (without > maximumWithoutBoundary && FlipFree::SearchesFar(this))
-  {
-    vtkWarningMacro(<< percent(without)
-                    << " % of the surface found no boundary, so it may not be an organ's; check "
-                       "that the seed sphere lies within the organ and not in air, or move "
-                       "SeedCenter.");
-  }
-  else if (atEnds > maximumAtEnds)
-  {
-    vtkWarningMacro(
-      << percent(atEnds)
-      << " % of the surface lies at the image's ends along two axes, so it may be that "
-         "of what surrounds the organ; check that the seed sphere lies within the organ and "
-         "not in air, or move SeedCenter.");
-  }
 }
 
 void vtkFlipFreeSegmentation::Deliver(vtkInformationVector* outputs)
@@ -386,4 +438,26 @@ void vtkFlipFreeSegmentation::Deliver(vtkInformationVector* outputs)
   vtkPolyData::GetData(outputs, 0)->ShallowCopy(surface);
   vtkImageData::GetData(outputs, 1)->ShallowCopy(this->Cache->Labels);
   vtkTable::GetData(outputs, 2)->ShallowCopy(this->Cache->Convergence);
+}
+
+void vtkFlipFreeSegmentation::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "SeedCenter: (" << this->SeedCenter[0] << ", " << this->SeedCenter[1] << ", "
+     << this->SeedCenter[2] << ")\n";
+  os << indent << "SeedRadius: " << this->SeedRadius << "\n";
+  os << indent << "StartCenterOffset: (" << this->StartCenterOffset[0] << ", "
+     << this->StartCenterOffset[1] << ", " << this->StartCenterOffset[2] << ")\n";
+  os << indent << "LabelValue: " << this->LabelValue << "\n";
+  os << indent << "KeepHistory: " << this->KeepHistory << "\n";
+  PROPERTIES(FLIPFREE_PRINT_PROPERTY)
+  const std::pair<const char*, vtkObject*> stages[] = { { "Diffusion", this->Diffusion },
+    { "Feature", this->Feature }, { "Search", this->Search }, { "Deform", this->Deform } };
+  for (const auto& [name, stage] : stages)
+  {
+    os << indent << name << ":\n";
+    stage->PrintSelf(os, indent.GetNextIndent());
+  }
+  os << indent << "StopReason: " << this->GetStopReasonAsString() << "\n";
+  os << indent << "NumberOfSelfIntersections: " << this->NumberOfSelfIntersections << "\n";
 }

@@ -41,18 +41,23 @@
 
 #include "FlipFreeSegmentationModule.h"
 #include "vtkAlgorithm.h"
+#include "vtkSmartPointer.h" // for the stages
 
 #include <memory> // for std::unique_ptr
 #include <string> // for std::string
 
+class vtkCorrespondenceSearch;
+class vtkFlipFreeDeform;
+class vtkGMMFeatureFilter;
 class vtkImageData;
 class vtkPolyData;
+class vtkSeedRegionDiffusion;
 class vtkTable;
 
 namespace FlipFree
 {
-struct ImageGeometry;
-struct OrganSurface;
+struct OrganSegmentationSettings;
+struct ScheduleSettings;
 }
 
 class FLIPFREESEGMENTATION_EXPORT vtkFlipFreeSegmentation : public vtkAlgorithm
@@ -87,13 +92,30 @@ public:
 
   ///@{
   /**
-   * All parameters of the method at once, those of seed, start, outputs and Reach aside. Default:
-   * what segments best. Published: the paper's own method, one level, outward search by voxels, no
-   * leak control, no guard. Naive: as published, without flip avoidance (the paper's Fig. 3b).
+   * All parameters of the method at once, those of the stages included; seed, start, outputs and
+   * Reach stay. Default: what segments best. Published: the paper's own method, one level, outward
+   * search by voxels, no leak control, no guard. Naive: as published, without flip avoidance (the
+   * paper's Fig. 3b).
    */
   void UseDefaultParameters();
   void UsePublishedParameters();
   void UseNaiveParameters();
+  ///@}
+
+  ///@{
+  /**
+   * The stages, which own the parameters of their part of the method; changing one makes this
+   * filter execute again. Only their parameters count here, not their connections and seeds.
+   * Setting null sets a new stage with default parameters.
+   */
+  vtkSeedRegionDiffusion* GetDiffusion() const;
+  void SetDiffusion(vtkSeedRegionDiffusion* stage);
+  vtkGMMFeatureFilter* GetFeature() const;
+  void SetFeature(vtkGMMFeatureFilter* stage);
+  vtkCorrespondenceSearch* GetSearch() const;
+  void SetSearch(vtkCorrespondenceSearch* stage);
+  vtkFlipFreeDeform* GetDeform() const;
+  void SetDeform(vtkFlipFreeDeform* stage);
   ///@}
 
   ///@{
@@ -121,8 +143,8 @@ public:
    * other starts than the seed are possible, e.g. one that encloses the object, as in the paper's
    * Fig. 1.
    */
-  vtkSetClampMacro(StartScale, double, 1e-3, 1e3);
-  vtkGetMacro(StartScale, double);
+  void SetStartScale(double value);
+  double GetStartScale() const;
   ///@}
 
   ///@{
@@ -138,8 +160,8 @@ public:
    * Vertices along the edge of a side of the final mesh (n). Default 32: 6,144 vertices; 2 to 256.
    * As each level doubles them, it is rounded down to a multiple of 2^(Levels - 1).
    */
-  vtkSetClampMacro(Resolution, int, 2, 256);
-  vtkGetMacro(Resolution, int);
+  void SetResolution(int value);
+  int GetResolution() const;
   ///@}
 
   ///@{
@@ -147,290 +169,89 @@ public:
    * Number of levels from coarse to fine. Default 3; 1 to 6. Levels that would begin with fewer
    * than two vertices along an edge are left out.
    */
-  vtkSetClampMacro(Levels, int, 1, 6);
-  vtkGetMacro(Levels, int);
+  void SetLevels(int value);
+  int GetLevels() const;
   ///@}
 
   ///@{
   /**
-   * Most iterations at each level. Default 40.
+   * Maximum number of iterations at each level. Default 40; 0 to 100000.
    */
-  vtkSetClampMacro(MaximumIterations, int, 0, 100000);
-  vtkGetMacro(MaximumIterations, int);
+  void SetMaximumIterations(int value);
+  int GetMaximumIterations() const;
   ///@}
 
   ///@{
   /**
-   * A level ends when the mean distance to the targets falls below this, in voxels (of the greatest
-   * spacing). Default 0.1.
+   * A level ends when the mean distance to the targets falls below this, in voxels of the greatest
+   * spacing. Default 0.1; 0 to 1e6.
    */
-  vtkSetClampMacro(DistanceTolerance, double, 0, 1e6);
-  vtkGetMacro(DistanceTolerance, double);
+  void SetDistanceTolerance(double value);
+  double GetDistanceTolerance() const;
   ///@}
 
   ///@{
   /**
-   * A level ends when the mean distance fell by less than this over five iterations, in voxels.
-   * Default 0.02; a negative value never ends it.
+   * A level ends when the mean distance fell by less than this over five iterations, in voxels of
+   * the greatest spacing. Default 0.02; a negative value never ends it.
    */
-  vtkSetMacro(ChangeTolerance, double);
-  vtkGetMacro(ChangeTolerance, double);
+  void SetChangeTolerance(double value);
+  double GetChangeTolerance() const;
   ///@}
 
   ///@{
   /**
    * How far from the seed's center, in millimeters, the surface may get; only this box of the image
-   * is touched. Default 0: ten seed radii, at least 100 and at most 250.
+   * is read. Default 0: ten seed radii, at least 100 and at most 250 mm. Of GetDiffusion().
    */
-  vtkSetClampMacro(Reach, double, 0, 1e6);
-  vtkGetMacro(Reach, double);
+  void SetReach(double value);
+  double GetReach() const;
   ///@}
 
   ///@{
   /**
-   * Iterations of the anisotropic diffusion that smooths the image first (3.2). Default 5; zero for
-   * an image that is smooth already.
+   * Iterations of the anisotropic diffusion that smooths the image first (section 3.2). Default 5,
+   * 0 to 1000; 0 for an image that is smooth already. NumberOfIterations of GetDiffusion().
    */
-  vtkSetClampMacro(DiffusionIterations, int, 0, 1000);
-  vtkGetMacro(DiffusionIterations, int);
+  void SetDiffusionIterations(int value);
+  int GetDiffusionIterations() const;
   ///@}
 
   ///@{
   /**
-   * What keeps edges from being smoothed away, as Equation of vtkSeedRegionDiffusion: 0 (default),
-   * differences across the faces between voxels; 1 and 2, ITK's gradient and curvature equations.
+   * Mass of the mixture above the threshold Gamma of Eq. 2. Default 0.95; 0.01 to 0.99999. Of
+   * GetFeature().
    */
-  vtkSetClampMacro(DiffusionEquation, int, 0, 2);
-  vtkGetMacro(DiffusionEquation, int);
-  ///@}
-
-  ///@{
-  /**
-   * Greatest number of Gaussians of the mixture (Eq. 1). Default 3; 1 to 8.
-   */
-  vtkSetClampMacro(MaximumComponents, int, 1, 8);
-  vtkGetMacro(MaximumComponents, int);
-  ///@}
-
-  ///@{
-  /**
-   * Components of a smaller weight are taken out of the mixture: specks in the seed sphere are not
-   * the organ. Default 0.15; zero keeps all.
-   */
-  vtkSetClampMacro(MinimumComponentWeight, double, 0, 1);
-  vtkGetMacro(MinimumComponentWeight, double);
-  ///@}
-
-  ///@{
-  /**
-   * Mass of the foreground that its threshold keeps. Default 0.95; the threshold Gamma of Eq. 2
-   * follows from it, unless FeatureThreshold is set.
-   */
-  vtkSetClampMacro(ForegroundMass, double, 0.01, 0.99999);
-  vtkGetMacro(ForegroundMass, double);
-  ///@}
-
-  ///@{
-  /**
-   * Gamma of Eq. 2, relative to the mode of g: 0 to 1. Default 0: derived from ForegroundMass, and
-   * once intensities are estimated again, even odds of organ and background (0.5).
-   */
-  vtkSetClampMacro(FeatureThreshold, double, 0, 1);
-  vtkGetMacro(FeatureThreshold, double);
-  ///@}
-
-  ///@{
-  /**
-   * By how much of the image's noise the mixture's deviations are widened, since smoothed voxels of
-   * a small sphere vary less than those of the whole organ. Default 1 (standard deviations of the
-   * noise, added in squares); 0 leaves them.
-   */
-  vtkSetClampMacro(NoiseWidening, double, 0, 100);
-  vtkGetMacro(NoiseWidening, double);
+  void SetForegroundMass(double value);
+  double GetForegroundMass() const;
   ///@}
 
   ///@{
   /**
    * Close and open the foreground by balls and keep the seed's component, so that thin bridges to
-   * neighbors do not leak. Default on.
+   * neighbors do not leak. Default on. Of GetFeature().
    */
-  vtkSetMacro(LeakControl, bool);
-  vtkGetMacro(LeakControl, bool);
+  void SetLeakControl(bool value);
+  bool GetLeakControl() const;
   vtkBooleanMacro(LeakControl, bool);
   ///@}
 
   ///@{
   /**
-   * Radius of the closing, in millimeters. Default 1.5; at most two voxels are used.
+   * Length of the search lines, in millimeters. Default 0, 0 to 1e6; 0 derives it from the seed's
+   * radius. Of GetSearch().
    */
-  vtkSetClampMacro(ClosingRadius, double, 0, 1000);
-  vtkGetMacro(ClosingRadius, double);
+  void SetSearchDistance(double value);
+  double GetSearchDistance() const;
   ///@}
 
   ///@{
   /**
-   * Radius of the opening, in seed radii; used between 2.5 and 6 mm and up to two voxels. Default
-   * 0.4.
+   * Limit each motion so that the surface neither meets itself nor flips. Default on; off promises
+   * nothing. Of GetDeform().
    */
-  vtkSetClampMacro(OpeningScale, double, 0, 1000);
-  vtkGetMacro(OpeningScale, double);
-  ///@}
-
-  ///@{
-  /**
-   * Fit the intensities again at each level, now to the inside of the growing surface and against a
-   * shell around it; not while no more than 200 voxels lie more than 2 mm inside it. Default on.
-   */
-  vtkSetMacro(ReestimateIntensities, bool);
-  vtkGetMacro(ReestimateIntensities, bool);
-  vtkBooleanMacro(ReestimateIntensities, bool);
-  ///@}
-
-  ///@{
-  /**
-   * Greatest length of a search line, in seed radii; between 15 and 60 mm. Default 1.6.
-   */
-  vtkSetClampMacro(SearchScale, double, 0, 1e6);
-  vtkGetMacro(SearchScale, double);
-  ///@}
-
-  ///@{
-  /**
-   * Greatest length of a search line in millimeters; default 0: by SearchScale.
-   */
-  vtkSetClampMacro(SearchDistance, double, 0, 1e6);
-  vtkGetMacro(SearchDistance, double);
-  ///@}
-
-  ///@{
-  /**
-   * Length of the run of voxels beyond the boundary (Eq. 2), in millimeters. Default 2. Zero: the
-   * run has RunVoxels voxels.
-   */
-  vtkSetClampMacro(RunLength, double, 0, 1000);
-  vtkGetMacro(RunLength, double);
-  ///@}
-
-  ///@{
-  /**
-   * Length of the run in voxels, the paper's N + 1. Default 4; counts if RunLength is zero.
-   */
-  vtkSetClampMacro(RunVoxels, int, 1, 1000);
-  vtkGetMacro(RunVoxels, int);
-  ///@}
-
-  ///@{
-  /**
-   * Vertices in the background look inward for the foreground. Default on; off reads Eq. 2
-   * literally.
-   */
-  vtkSetMacro(SearchInward, bool);
-  vtkGetMacro(SearchInward, bool);
-  vtkBooleanMacro(SearchInward, bool);
-  ///@}
-
-  ///@{
-  /**
-   * Standard deviation of the Gaussian window, in millimeters, in which a target moves to the
-   * strongest edge; at the finest level, at most 1.5 voxels. Default 3; zero leaves it on the
-   * voxel's face.
-   */
-  vtkSetClampMacro(EdgeWindow, double, 0, 1000);
-  vtkGetMacro(EdgeWindow, double);
-  ///@}
-
-  ///@{
-  /**
-   * A vertex this near the image's end, in millimeters, takes the end for its target. Default 12;
-   * at zero it is solitary.
-   */
-  vtkSetClampMacro(ImageBoundaryDistance, double, 0, 1e6);
-  vtkGetMacro(ImageBoundaryDistance, double);
-  ///@}
-
-  ///@{
-  /**
-   * Passes of averaging over neighbors that the normals get before the search. Default 2.
-   */
-  vtkSetClampMacro(NormalSmoothingIterations, int, 0, 1000);
-  vtkGetMacro(NormalSmoothingIterations, int);
-  ///@}
-
-  ///@{
-  /**
-   * Targets farther from those of the two-ring than this many deviations (robust, plus a voxel) are
-   * dropped. Default 3; zero keeps all.
-   */
-  vtkSetClampMacro(OutlierStandardDeviations, double, 0, 1e6);
-  vtkGetMacro(OutlierStandardDeviations, double);
-  ///@}
-
-  ///@{
-  /**
-   * Greatest displacement wanted in one iteration, in voxels (of the greatest spacing). Default 8;
-   * zero does not limit it.
-   */
-  vtkSetClampMacro(MaximumDisplacement, double, 0, 1e6);
-  vtkGetMacro(MaximumDisplacement, double);
-  ///@}
-
-  ///@{
-  /**
-   * Avoid the flips that are detected (3.4, 3.5). Default on; off only counts them.
-   */
-  vtkSetMacro(AvoidFlips, bool);
-  vtkGetMacro(AvoidFlips, bool);
-  vtkBooleanMacro(AvoidFlips, bool);
-  ///@}
-
-  ///@{
-  /**
-   * r of Eq. 3. Default 0.3; 0 to 1.
-   */
-  vtkSetClampMacro(FlipThreshold, double, 0, 1);
-  vtkGetMacro(FlipThreshold, double);
-  ///@}
-
-  ///@{
-  /**
-   * Passes of local averaging by which displacements reach solitary vertices (3.6). Default 40.
-   */
-  vtkSetClampMacro(PropagationIterations, int, 0, 100000);
-  vtkGetMacro(PropagationIterations, int);
-  ///@}
-
-  ///@{
-  /**
-   * Weight lambda_p of the positional energy (Eq. 7). Default 0.3.
-   */
-  vtkSetClampMacro(PositionWeight, double, 0, 1e6);
-  vtkGetMacro(PositionWeight, double);
-  ///@}
-
-  ///@{
-  /**
-   * Weight lambda_u of the energy of uniform vertex distribution (Eq. 8). Default 1.
-   */
-  vtkSetClampMacro(UniformWeight, double, 0, 1e6);
-  vtkGetMacro(UniformWeight, double);
-  ///@}
-
-  ///@{
-  /**
-   * How much of the present Laplacian is given up in each iteration: 0 (default) is Eq. 5, which
-   * keeps the shape; 1 minimizes the new Laplacian, which smooths and shrinks.
-   */
-  vtkSetClampMacro(Fairing, double, 0, 1);
-  vtkGetMacro(Fairing, double);
-  ///@}
-
-  ///@{
-  /**
-   * Hold back what would make the surface meet itself or flip. Default on. Off, nothing is
-   * promised.
-   */
-  vtkSetMacro(Guard, bool);
-  vtkGetMacro(Guard, bool);
+  void SetGuard(bool value);
+  bool GetGuard() const;
   vtkBooleanMacro(Guard, bool);
   ///@}
 
@@ -489,6 +310,11 @@ public:
   vtkGetVector4Macro(StageSeconds, double);
   ///@}
 
+  /**
+   * The stages' modification times count.
+   */
+  vtkMTimeType GetMTime() override;
+
   vtkTypeBool ProcessRequest(vtkInformation*, vtkInformationVector**,
     vtkInformationVector*) override;
 
@@ -506,40 +332,6 @@ protected:
   double SeedRadius = 10;
   double StartScale = 1;
   double StartCenterOffset[3] = { 0, 0, 0 };
-  int Resolution = 32;
-  int Levels = 3;
-  int MaximumIterations = 40;
-  double DistanceTolerance = 0.1;
-  double ChangeTolerance = 0.02;
-  double Reach = 0;
-  int DiffusionIterations = 5;
-  int DiffusionEquation = 0;
-  int MaximumComponents = 3;
-  double MinimumComponentWeight = 0.15;
-  double ForegroundMass = 0.95;
-  double FeatureThreshold = 0;
-  double NoiseWidening = 1;
-  bool LeakControl = true;
-  double ClosingRadius = 1.5;
-  double OpeningScale = 0.4;
-  bool ReestimateIntensities = true;
-  double SearchScale = 1.6;
-  double SearchDistance = 0;
-  double RunLength = 2;
-  int RunVoxels = 4;
-  bool SearchInward = true;
-  double EdgeWindow = 3;
-  double ImageBoundaryDistance = 12;
-  int NormalSmoothingIterations = 2;
-  double OutlierStandardDeviations = 3;
-  double MaximumDisplacement = 8;
-  bool AvoidFlips = true;
-  double FlipThreshold = 0.3;
-  int PropagationIterations = 40;
-  double PositionWeight = 0.3;
-  double UniformWeight = 1;
-  double Fairing = 0;
-  bool Guard = true;
   int LabelValue = 1;
   bool KeepHistory = false;
 
@@ -550,14 +342,19 @@ protected:
 private:
   struct Result;
 
+  void RequireProperties() const;
+  FlipFree::OrganSegmentationSettings GetSettings() const;
+  void UseSettings(const FlipFree::OrganSegmentationSettings& settings);
   bool IsResultValid(vtkInformationVector** inputs) const;
   void Execute(vtkImageData* image, vtkPolyData* start);
   void PublishHistory(vtkInformation* info, bool isKnown) const;
-  void WarnOf(const FlipFree::OrganSurface& organ, const FlipFree::ImageGeometry& region,
-    const FlipFree::ImageGeometry& image);
-  void WarnOfSeed(const FlipFree::OrganSurface& organ, const FlipFree::ImageGeometry& image);
   void Deliver(vtkInformationVector* outputs);
 
+  const std::unique_ptr<FlipFree::ScheduleSettings> Schedule;
+  vtkSmartPointer<vtkSeedRegionDiffusion> Diffusion;
+  vtkSmartPointer<vtkGMMFeatureFilter> Feature;
+  vtkSmartPointer<vtkCorrespondenceSearch> Search;
+  vtkSmartPointer<vtkFlipFreeDeform> Deform;
   std::unique_ptr<Result> Cache;
 
   vtkFlipFreeSegmentation(const vtkFlipFreeSegmentation&) = delete;

@@ -3,7 +3,7 @@
 #include "FieldData.h"
 #include "GrayImageAdapter.h"
 #include "Intensity/OrganFeature.h"
-#include "PropertyCheck.h"
+#include "StageProperties.h"
 #include "SurfaceAdapter.h"
 
 #include "vtkImageData.h"
@@ -17,9 +17,32 @@
 
 vtkStandardNewMacro(vtkGMMFeatureFilter);
 
+using Stage = vtkGMMFeatureFilter;
+
+#define PROPERTIES(P)                                                                              \
+  P(MaximumComponents, int, Settings->Intensity.Mixture.MaximumComponents, 1, 8)                   \
+  P(MinimumComponentWeight, double, Settings->Intensity.Mixture.MinimumWeight, 0, 1)               \
+  P(NoiseWidening, double, Settings->Intensity.NoiseWidening, 0, 100)                              \
+  P(ForegroundMass, double, Settings->Intensity.ForegroundMass, 0.01, 0.99999)                     \
+  P(FeatureThreshold, double, Settings->Intensity.Threshold, 0, 1)                                 \
+  P(ReestimateIntensities, bool, Settings->ReestimateIntensities, false, true)                     \
+  P(LeakControl, bool, Settings->ControlLeaks, false, true)                                        \
+  P(ClosingRadius, double, Settings->Leaks.ClosingRadius, 0, 1000)                                 \
+  P(OpeningScale, double, Settings->Leaks.OpeningScale, 0, 1000)
+
+PROPERTIES(FLIPFREE_DEFINE_PROPERTY)
+
 vtkGMMFeatureFilter::vtkGMMFeatureFilter()
+  : Settings(std::make_unique<FlipFree::OrganFeatureSettings>())
 {
   this->SetNumberOfInputPorts(2);
+}
+
+vtkGMMFeatureFilter::~vtkGMMFeatureFilter() = default;
+
+void vtkGMMFeatureFilter::RequireProperties() const
+{
+  FlipFree::RequireNumbers({ PROPERTIES(FLIPFREE_NAME_PROPERTY) });
 }
 
 void vtkGMMFeatureFilter::SetSurfaceData(vtkPolyData* surface)
@@ -57,22 +80,11 @@ int vtkGMMFeatureFilter::RequestData(vtkInformation*, vtkInformationVector** inp
   vtkPolyData* surface = vtkPolyData::GetData(inputVector[1]);
   vtkImageData* output = vtkImageData::GetData(outputVector);
   const FlipFree::SeedSphere seed{ Eigen::Vector3d(this->SeedCenter), this->SeedRadius };
-  FlipFree::OrganFeatureSettings settings;
-  settings.Intensity.Mixture.MaximumComponents = this->MaximumComponents;
-  settings.Intensity.Mixture.MinimumWeight = this->MinimumComponentWeight;
-  settings.Intensity.NoiseWidening = this->NoiseWidening;
-  settings.Intensity.ForegroundMass = this->ForegroundMass;
-  settings.Intensity.Threshold = this->FeatureThreshold;
-  settings.ControlLeaks = this->LeakControl;
-  settings.Leaks.ClosingRadius = this->ClosingRadius;
-  settings.Leaks.OpeningRadius = this->OpeningRadius;
+  const FlipFree::OrganFeatureSettings& settings = *this->Settings;
   output->Initialize();
   try
   {
-    FlipFree::RequireNumbers({ { "MinimumComponentWeight", this->MinimumComponentWeight },
-      { "NoiseWidening", this->NoiseWidening }, { "ForegroundMass", this->ForegroundMass },
-      { "FeatureThreshold", this->FeatureThreshold }, { "ClosingRadius", this->ClosingRadius },
-      { "OpeningRadius", this->OpeningRadius } });
+    this->RequireProperties();
     FlipFree::RequireGrayImage(image, "the image on port 0");
     const FlipFree::ImageGeometry geometry = FlipFree::GeometryOf(image);
     FlipFree::RequireSeed(geometry, seed, "the image on port 0");
@@ -96,7 +108,7 @@ int vtkGMMFeatureFilter::RequestData(vtkInformation*, vtkInformationVector** inp
     FlipFree::IntensityModel model = FlipFree::FitToSeed(smooth, seed, noise, settings.Intensity);
     bool proceed = whole(0.1);
     FlipFree::Refit refit = FlipFree::Refit::TooFewInside; // of no surface
-    if (proceed && surface)
+    if (proceed && surface && settings.ReestimateIntensities)
     {
       const FlipFree::PolygonalSurface inside =
         FlipFree::SurfaceOf(surface, "the surface on port 1");
@@ -149,6 +161,7 @@ int vtkGMMFeatureFilter::RequestData(vtkInformation*, vtkInformationVector** inp
       means.push_back(component.Mean);
       deviations.push_back(component.StandardDeviation);
     }
+    FlipFree::AddFieldValues("SeedRadius", { seed.Radius }, output);
     FlipFree::AddFieldValues("FeatureThreshold", { model.Threshold }, output);
     FlipFree::AddFieldValues("MixtureWeights", weights, output);
     FlipFree::AddFieldValues("MixtureMeans", means, output);
@@ -171,12 +184,5 @@ void vtkGMMFeatureFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "SeedCenter: (" << this->SeedCenter[0] << ", " << this->SeedCenter[1] << ", "
      << this->SeedCenter[2] << ")\n";
   os << indent << "SeedRadius: " << this->SeedRadius << "\n";
-  os << indent << "MaximumComponents: " << this->MaximumComponents << "\n";
-  os << indent << "MinimumComponentWeight: " << this->MinimumComponentWeight << "\n";
-  os << indent << "NoiseWidening: " << this->NoiseWidening << "\n";
-  os << indent << "ForegroundMass: " << this->ForegroundMass << "\n";
-  os << indent << "FeatureThreshold: " << this->FeatureThreshold << "\n";
-  os << indent << "LeakControl: " << this->LeakControl << "\n";
-  os << indent << "ClosingRadius: " << this->ClosingRadius << "\n";
-  os << indent << "OpeningRadius: " << this->OpeningRadius << "\n";
+  PROPERTIES(FLIPFREE_PRINT_PROPERTY)
 }

@@ -16,9 +16,9 @@
  * of vtkSeedRegionDiffusion is used where present; else the noise is measured in the seed. Input
  * port 1, optional: vtkPolyData, a closed surface within the organ (SetSurfaceConnection). Output
  * port 0: vtkImageData of the input's geometry, float scalars `Feature`, 0 to 1. Field data,
- * doubles: `FeatureThreshold` (1 value), `MixtureWeights`, `MixtureMeans`,
- * `MixtureStandardDeviations` (one per component, gray values), `EdgeRamp` (3 values: low, high,
- * width, by which vtkCorrespondenceSearch reads edges).
+ * doubles: `FeatureThreshold` (1 value), `SeedRadius` (1 value, mm), `MixtureWeights`,
+ * `MixtureMeans`, `MixtureStandardDeviations` (one per component, gray values), `EdgeRamp` (3
+ * values: low, high, width, by which vtkCorrespondenceSearch reads edges).
  *
  * Errors: as vtkSeedRegionDiffusion; a surface that is open, or holds no voxel of the image; a seed
  * that holds no voxel, or, unless a surface takes its place, has no contrast to its surroundings; a
@@ -33,7 +33,14 @@
 #include "FlipFreeSegmentationModule.h"
 #include "vtkImageAlgorithm.h"
 
+#include <memory> // for std::unique_ptr
+
 class vtkPolyData;
+
+namespace FlipFree
+{
+struct OrganFeatureSettings;
+}
 
 class FLIPFREESEGMENTATION_EXPORT vtkGMMFeatureFilter : public vtkImageAlgorithm
 {
@@ -68,69 +75,90 @@ public:
 
   ///@{
   /**
-   * Greatest number of components. Default 3; 1 to 8.
+   * Maximum number of Gaussians of the mixture (Eq. 1). Default 3; 1 to 8.
    */
-  vtkSetClampMacro(MaximumComponents, int, 1, 8);
-  vtkGetMacro(MaximumComponents, int);
+  void SetMaximumComponents(int value);
+  int GetMaximumComponents() const;
   ///@}
 
   ///@{
   /**
-   * Components of less weight are dropped: vessels, stones, noise. Default 0.15; 0 to 1.
+   * Components of less weight are dropped: specks in the seed sphere are not the organ. Default
+   * 0.15, 0 to 1; 0 keeps all.
    */
-  vtkSetClampMacro(MinimumComponentWeight, double, 0, 1);
-  vtkGetMacro(MinimumComponentWeight, double);
+  void SetMinimumComponentWeight(double value);
+  double GetMinimumComponentWeight() const;
   ///@}
 
   ///@{
   /**
-   * Standard deviations of the noise that are added, in squares, to each component's deviation.
-   * Default 1; 0 to 100.
+   * By how many standard deviations of the image's noise each component is widened, added in
+   * squares: smoothed voxels of a small sphere vary less than those of the whole organ. Default 1,
+   * 0 to 100; 0 does not widen.
    */
-  vtkSetClampMacro(NoiseWidening, double, 0, 100);
-  vtkGetMacro(NoiseWidening, double);
+  void SetNoiseWidening(double value);
+  double GetNoiseWidening() const;
   ///@}
 
   ///@{
   /**
-   * Mass of the mixture that the threshold keeps. Default 0.95; 0.01 to 0.99999. Counts where
-   * FeatureThreshold is zero.
+   * Mass of the mixture above the threshold Gamma of Eq. 2. Default 0.95; 0.01 to 0.99999. Counts
+   * if FeatureThreshold is 0.
    */
-  vtkSetClampMacro(ForegroundMass, double, 0.01, 0.99999);
-  vtkGetMacro(ForegroundMass, double);
+  void SetForegroundMass(double value);
+  double GetForegroundMass() const;
   ///@}
 
   ///@{
   /**
-   * The threshold Gamma itself, 0 to 1. Default 0: by ForegroundMass.
+   * Gamma itself, relative to the mode of g, 0 to 1. Default 0: by ForegroundMass, and with a
+   * surface on port 1, even odds of organ and background (0.5).
    */
-  vtkSetClampMacro(FeatureThreshold, double, 0, 1);
-  vtkGetMacro(FeatureThreshold, double);
+  void SetFeatureThreshold(double value);
+  double GetFeatureThreshold() const;
   ///@}
 
   ///@{
   /**
-   * Close, open, and keep the seed's component. Default on.
+   * Fit the intensities again to the inside of the surface on port 1, against a shell around it.
+   * Default on; off ignores the surface.
    */
-  vtkSetMacro(LeakControl, bool);
-  vtkGetMacro(LeakControl, bool);
+  void SetReestimateIntensities(bool value);
+  bool GetReestimateIntensities() const;
+  vtkBooleanMacro(ReestimateIntensities, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Close and open the foreground by balls and keep the seed's component, so that thin bridges to
+   * neighbors do not leak. Default on.
+   */
+  void SetLeakControl(bool value);
+  bool GetLeakControl() const;
   vtkBooleanMacro(LeakControl, bool);
   ///@}
 
   ///@{
   /**
-   * Radii of the closing and of the opening, in millimeters. Defaults 1.5 and 4; 0, which does
-   * nothing, to 1000.
+   * Radius of the closing, in millimeters. Default 1.5, 0 to 1000; at most two voxels are used, and
+   * 0 does not close.
    */
-  vtkSetClampMacro(ClosingRadius, double, 0, 1000);
-  vtkGetMacro(ClosingRadius, double);
-  vtkSetClampMacro(OpeningRadius, double, 0, 1000);
-  vtkGetMacro(OpeningRadius, double);
+  void SetClosingRadius(double value);
+  double GetClosingRadius() const;
+  ///@}
+
+  ///@{
+  /**
+   * Radius of the opening, in seed radii; used between 2.5 and 6 mm and up to two voxels. Default
+   * 0.4, 0 to 1000; 0 does not open.
+   */
+  void SetOpeningScale(double value);
+  double GetOpeningScale() const;
   ///@}
 
 protected:
   vtkGMMFeatureFilter();
-  ~vtkGMMFeatureFilter() override = default;
+  ~vtkGMMFeatureFilter() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
@@ -139,16 +167,14 @@ protected:
 
   double SeedCenter[3] = { 0, 0, 0 };
   double SeedRadius = 10;
-  int MaximumComponents = 3;
-  double MinimumComponentWeight = 0.15;
-  double NoiseWidening = 1;
-  double ForegroundMass = 0.95;
-  double FeatureThreshold = 0;
-  bool LeakControl = true;
-  double ClosingRadius = 1.5;
-  double OpeningRadius = 4;
 
 private:
+  friend class vtkFlipFreeSegmentation; // takes the settings as a whole
+
+  void RequireProperties() const;
+
+  const std::unique_ptr<FlipFree::OrganFeatureSettings> Settings;
+
   vtkGMMFeatureFilter(const vtkGMMFeatureFilter&) = delete;
   void operator=(const vtkGMMFeatureFilter&) = delete;
 };

@@ -2,7 +2,8 @@
 
 #include "FieldData.h"
 #include "GrayImageAdapter.h"
-#include "PropertyCheck.h"
+#include "Image/SmoothRegion.h"
+#include "StageProperties.h"
 
 #include "vtkImageData.h"
 #include "vtkInformation.h"
@@ -37,6 +38,26 @@ FlipFree::ImageGeometry AnnouncedGeometry(vtkInformation* info, const int* exten
 
 } // namespace
 
+using Stage = vtkSeedRegionDiffusion;
+
+#define PROPERTIES(P)                                                                              \
+  P(Reach, double, Settings->Reach, 0, 1e6)                                                        \
+  P(NumberOfIterations, int, Settings->Iterations, 0, 1000)
+
+PROPERTIES(FLIPFREE_DEFINE_PROPERTY)
+
+vtkSeedRegionDiffusion::vtkSeedRegionDiffusion()
+  : Settings(std::make_unique<FlipFree::SmoothingSettings>())
+{
+}
+
+vtkSeedRegionDiffusion::~vtkSeedRegionDiffusion() = default;
+
+void vtkSeedRegionDiffusion::RequireProperties() const
+{
+  FlipFree::RequireNumbers({ PROPERTIES(FLIPFREE_NAME_PROPERTY) });
+}
+
 int vtkSeedRegionDiffusion::RequestInformation(vtkInformation*, vtkInformationVector** inputVector,
   vtkInformationVector* outputVector)
 {
@@ -51,7 +72,7 @@ int vtkSeedRegionDiffusion::RequestInformation(vtkInformation*, vtkInformationVe
   int extent[6];
   in->Get(Pipeline::WHOLE_EXTENT(), extent);
   const FlipFree::Extent box = FlipFree::ReachableExtent(AnnouncedGeometry(in, extent),
-    Eigen::Vector3d(this->SeedCenter), this->Reach);
+    Eigen::Vector3d(this->SeedCenter), FlipFree::ReachOf(*this->Settings, this->SeedRadius));
   const int region[6] = { extent[0] + box[0], extent[0] + box[1], extent[2] + box[2],
     extent[2] + box[3], extent[4] + box[4], extent[4] + box[5] };
   out->Set(Pipeline::WHOLE_EXTENT(), region, 6);
@@ -74,19 +95,18 @@ int vtkSeedRegionDiffusion::RequestData(vtkInformation*, vtkInformationVector** 
   const FlipFree::SeedSphere seed{ Eigen::Vector3d(this->SeedCenter), this->SeedRadius };
   try
   {
-    FlipFree::RequireNumbers({ { "Reach", this->Reach } });
+    this->RequireProperties();
     FlipFree::RequireGrayImage(image, "the image on port 0");
     const FlipFree::ImageGeometry geometry = FlipFree::GeometryOf(image);
     FlipFree::RequireSeed(geometry, seed, "the image on port 0");
-    const FlipFree::Extent extent = FlipFree::ReachableExtent(geometry, seed.Center, this->Reach);
+    const FlipFree::Extent extent = FlipFree::ReachableExtent(geometry, seed.Center,
+      FlipFree::ReachOf(*this->Settings, seed.Radius));
     FlipFree::RequireFinite(image, extent, "the image on port 0");
     const double noise = FlipFree::NoiseOf(image, seed);
-    FlipFree::AnisotropicDiffusionSettings settings;
-    settings.Iterations = this->NumberOfIterations;
-    settings.Equation = static_cast<FlipFree::DiffusionEquation>(this->Equation);
-    settings.Contrast = FlipFree::ContrastOfNoise(noise, geometry, settings.Equation);
     FlipFree::FloatImage region;
-    if (!FlipFree::SmoothRegionOf(image, extent, settings, FlipFree::MonitorOf(this), region))
+    if (!FlipFree::SmoothRegionOf(image, extent,
+          FlipFree::DiffusionOf(*this->Settings, noise, geometry), FlipFree::MonitorOf(this),
+          region))
     {
       output->Initialize();
       return 1;
@@ -113,7 +133,5 @@ void vtkSeedRegionDiffusion::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "SeedCenter: (" << this->SeedCenter[0] << ", " << this->SeedCenter[1] << ", "
      << this->SeedCenter[2] << ")\n";
   os << indent << "SeedRadius: " << this->SeedRadius << "\n";
-  os << indent << "Reach: " << this->Reach << "\n";
-  os << indent << "Equation: " << this->Equation << "\n";
-  os << indent << "NumberOfIterations: " << this->NumberOfIterations << "\n";
+  PROPERTIES(FLIPFREE_PRINT_PROPERTY)
 }

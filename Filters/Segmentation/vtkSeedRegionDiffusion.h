@@ -3,8 +3,9 @@
  * @brief   smooths the part of an image that a surface grown from the seed can reach
  *
  * Anisotropic diffusion (P. Perona and J. Malik, 1990; section 3.2 of the paper) with physical
- * spacing, on the box of voxels within Reach of the seed alone. Its scale, what counts as an edge,
- * is taken from the noise in the seed sphere, so that cropping the image elsewhere changes nothing.
+ * spacing, on the box of voxels within Reach of the seed. The contrast that counts as an edge is
+ * derived from the noise in the seed sphere, so cropping the image elsewhere changes nothing.
+ * vtkAnisotropicDiffusionPrefilter runs ITK's equations instead.
  *
  * Input port 0: vtkImageData with one scalar component of any type.
  * Output port 0: vtkImageData of the box, float; its extent, origin and direction keep every voxel
@@ -12,13 +13,20 @@
  * before smoothing.
  *
  * Errors: an image without scalars or with several components, voxels that are not finite, a seed
- * outside the image or smaller than a voxel.
+ * outside the image or smaller than a voxel, a property that is NaN.
  */
 #ifndef vtkSeedRegionDiffusion_h
 #define vtkSeedRegionDiffusion_h
 
 #include "FlipFreeSegmentationModule.h"
 #include "vtkImageAlgorithm.h"
+
+#include <memory> // for std::unique_ptr
+
+namespace FlipFree
+{
+struct SmoothingSettings;
+}
 
 class FLIPFREESEGMENTATION_EXPORT vtkSeedRegionDiffusion : public vtkImageAlgorithm
 {
@@ -37,7 +45,7 @@ public:
 
   ///@{
   /**
-   * Radius of the seed sphere, in millimeters. Default 10; a voxel or more.
+   * Radius of the seed sphere, in millimeters. Default 10; at least a voxel.
    */
   vtkSetClampMacro(SeedRadius, double, 1e-6, 1e6);
   vtkGetMacro(SeedRadius, double);
@@ -45,47 +53,24 @@ public:
 
   ///@{
   /**
-   * Half the edge length of the box around the seed's center, in millimeters. Default 100.
+   * How far from the seed's center, in millimeters, the surface may get; only this box of the image
+   * is read. Default 0: ten seed radii, at least 100 and at most 250 mm.
    */
-  vtkSetClampMacro(Reach, double, 1e-6, 1e6);
-  vtkGetMacro(Reach, double);
+  void SetReach(double value);
+  double GetReach() const;
   ///@}
 
   ///@{
   /**
-   * Number of explicit steps, each the greatest stable one. Default 5; zero only crops.
+   * Number of explicit steps, each the largest stable one. Default 5, 0 to 1000; 0 only crops.
    */
-  vtkSetClampMacro(NumberOfIterations, int, 0, 1000);
-  vtkGetMacro(NumberOfIterations, int);
-  ///@}
-
-  /**
-   * Values of Equation.
-   */
-  enum EquationType
-  {
-    FACES = 0,
-    GRADIENT = 1,
-    CURVATURE = 2
-  };
-
-  ///@{
-  /**
-   * What keeps edges. FACES (default): each face between two voxels conducts by the difference
-   * across it, which is fastest and smooths most. GRADIENT and CURVATURE: the equations of ITK's
-   * filters, with their numbers, and the noise's gradient for their scale;
-   * vtkAnisotropicDiffusionPrefilter runs ITK's own.
-   */
-  vtkSetClampMacro(Equation, int, FACES, CURVATURE);
-  vtkGetMacro(Equation, int);
-  void SetEquationToFaces() { this->SetEquation(FACES); }
-  void SetEquationToGradient() { this->SetEquation(GRADIENT); }
-  void SetEquationToCurvature() { this->SetEquation(CURVATURE); }
+  void SetNumberOfIterations(int value);
+  int GetNumberOfIterations() const;
   ///@}
 
 protected:
-  vtkSeedRegionDiffusion() = default;
-  ~vtkSeedRegionDiffusion() override = default;
+  vtkSeedRegionDiffusion();
+  ~vtkSeedRegionDiffusion() override;
 
   int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
@@ -93,11 +78,14 @@ protected:
 
   double SeedCenter[3] = { 0, 0, 0 };
   double SeedRadius = 10;
-  double Reach = 100;
-  int NumberOfIterations = 5;
-  int Equation = FACES;
 
 private:
+  friend class vtkFlipFreeSegmentation; // takes the settings as a whole
+
+  void RequireProperties() const;
+
+  const std::unique_ptr<FlipFree::SmoothingSettings> Settings;
+
   vtkSeedRegionDiffusion(const vtkSeedRegionDiffusion&) = delete;
   void operator=(const vtkSeedRegionDiffusion&) = delete;
 };

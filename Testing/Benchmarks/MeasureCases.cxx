@@ -10,8 +10,11 @@
 #include "SegmentationRun.h"
 #include "Statistics.h"
 
+#include "vtkCorrespondenceSearch.h"
 #include "vtkDoubleArray.h"
+#include "vtkFlipFreeDeform.h"
 #include "vtkFlipFreeSegmentation.h"
+#include "vtkGMMFeatureFilter.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
@@ -68,21 +71,22 @@ void SetParameter(const std::string& assignment, vtkFlipFreeSegmentation* filter
     { "ChangeTolerance", [&](double x) { filter->SetChangeTolerance(x); } },
     { "DiffusionIterations",
       [&](double x) { filter->SetDiffusionIterations(static_cast<int>(x)); } },
-    { "DiffusionEquation", [&](double x) { filter->SetDiffusionEquation(static_cast<int>(x)); } },
     { "ForegroundMass", [&](double x) { filter->SetForegroundMass(x); } },
-    { "NoiseWidening", [&](double x) { filter->SetNoiseWidening(x); } },
-    { "ClosingRadius", [&](double x) { filter->SetClosingRadius(x); } },
-    { "OpeningScale", [&](double x) { filter->SetOpeningScale(x); } },
-    { "SearchScale", [&](double x) { filter->SetSearchScale(x); } },
-    { "RunLength", [&](double x) { filter->SetRunLength(x); } },
-    { "EdgeWindow", [&](double x) { filter->SetEdgeWindow(x); } },
-    { "ImageBoundaryDistance", [&](double x) { filter->SetImageBoundaryDistance(x); } },
-    { "OutlierStandardDeviations", [&](double x) { filter->SetOutlierStandardDeviations(x); } },
-    { "MaximumDisplacement", [&](double x) { filter->SetMaximumDisplacement(x); } },
-    { "FlipThreshold", [&](double x) { filter->SetFlipThreshold(x); } },
-    { "PositionWeight", [&](double x) { filter->SetPositionWeight(x); } },
-    { "UniformWeight", [&](double x) { filter->SetUniformWeight(x); } },
-    { "Fairing", [&](double x) { filter->SetFairing(x); } },
+    { "NoiseWidening", [&](double x) { filter->GetFeature()->SetNoiseWidening(x); } },
+    { "ClosingRadius", [&](double x) { filter->GetFeature()->SetClosingRadius(x); } },
+    { "OpeningScale", [&](double x) { filter->GetFeature()->SetOpeningScale(x); } },
+    { "SearchScale", [&](double x) { filter->GetSearch()->SetSearchScale(x); } },
+    { "RunLength", [&](double x) { filter->GetSearch()->SetRunLength(x); } },
+    { "EdgeWindow", [&](double x) { filter->GetSearch()->SetEdgeWindow(x); } },
+    { "ImageBoundaryDistance",
+      [&](double x) { filter->GetSearch()->SetImageBoundaryDistance(x); } },
+    { "OutlierStandardDeviations",
+      [&](double x) { filter->GetSearch()->SetOutlierStandardDeviations(x); } },
+    { "MaximumDisplacement", [&](double x) { filter->GetSearch()->SetMaximumDisplacement(x); } },
+    { "FlipThreshold", [&](double x) { filter->GetDeform()->SetFlipThreshold(x); } },
+    { "PositionWeight", [&](double x) { filter->GetDeform()->SetPositionWeight(x); } },
+    { "UniformWeight", [&](double x) { filter->GetDeform()->SetUniformWeight(x); } },
+    { "Fairing", [&](double x) { filter->GetDeform()->SetFairing(x); } },
   };
   const std::size_t equals = assignment.find('=');
   setters.at(assignment.substr(0, equals))(std::stod(assignment.substr(equals + 1)));

@@ -9,6 +9,7 @@
 #include "PhantomCases.h"
 #include "SurfaceHistory.h"
 
+#include "vtkCorrespondenceSearch.h"
 #include "vtkFlipFreeSegmentation.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
@@ -80,7 +81,7 @@ void PrintPhantom(const char* name, const MakeCase& makeCase, int label, bool fr
     if (fromOutside && !filter->GetSearchInward())
     {
       // Read literally, Eq. 2 never gets to the object.
-      filter->SearchInwardOn();
+      filter->GetSearch()->SearchInwardOn();
       filter->SetSearchDistance(reach);
     }
     phantom->Update();

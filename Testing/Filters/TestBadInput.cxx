@@ -62,7 +62,6 @@ vtkSmartPointer<vtkCorrespondenceSearch> MakeSearch()
   filter->SetInputData(StartSphere());
   filter->SetFeatureData(feature);
   filter->SetEdgeData(SphereImage());
-  filter->SetEdgeWindow(3);
   return filter;
 }
 
@@ -234,12 +233,6 @@ TEST(BadInput, PropertiesThatAreNotNumbers)
   const auto deform = MakeDeform();
   deform->SetUniformWeight(NotANumber);
   ExpectRefusal(deform, { "the property UniformWeight", "NaN", "set it" });
-  const auto segmentation = MakeSegmentation();
-  segmentation->SetSearchDistance(NotANumber);
-  ExpectRefusal(segmentation, { "the property SearchDistance", "NaN", "set it" });
-  segmentation->SetSearchDistance(0);
-  segmentation->SetStartCenterOffset(0, NotANumber, 0);
-  ExpectRefusal(segmentation, { "the property StartCenterOffset", "NaN", "set it" });
   vtkNew<vtkQuadSphereSource> sphere;
   sphere->SetCenter(0, NotANumber, 0);
   ExpectRefusal(sphere, { "Center (", "nan", "finite" });
@@ -338,6 +331,10 @@ TEST(BadInput, FieldArrays)
   {
     expect("FeatureThreshold", threshold);
   }
+  for (const auto& radius : { std::vector<double>{ NotANumber }, { 10, 20 }, { -5 } })
+  {
+    expect("SeedRadius", radius);
+  }
   for (const auto& ramp : { std::vector<double>{ 0, NotANumber, 1 }, { 0, 1 } })
   {
     expect("EdgeRamp", ramp);
@@ -352,9 +349,10 @@ TEST(BadInput, EdgesOfTheSearch)
   filter->SetEdgeData(moved);
   ExpectRefusal(filter,
     { "origins", "the edge image on port 2", "the feature on port 1", "resample" });
-  filter->SetEdgeData(nullptr);
-  ExpectRefusal(filter, { "the edge image on port 2", "no voxels", "connect" });
   filter->SetEdgeWindow(0);
+  EXPECT_EQ(ErrorOfUpdate(filter), "0 errors");
+  filter->SetEdgeWindow(3);
+  filter->SetEdgeData(nullptr);
   EXPECT_EQ(ErrorOfUpdate(filter), "0 errors");
 }
 

@@ -17,32 +17,11 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-
 namespace
 {
 
 constexpr int Resolution = 16;
 constexpr int Levels = 2;
-
-// The composite's lengths, as its documentation gives them, for a seed of this radius and voxels of
-// this greatest spacing.
-struct Lengths
-{
-  Lengths(double radius, double voxel)
-    : Reach(std::clamp(10 * radius, 100.0, 250.0))
-    , Search(std::clamp(1.6 * radius, 15.0, 60.0))
-    , Opening(std::min(std::clamp(0.4 * radius, 2.5, 6.0), 2 * voxel))
-    , Closing(std::min(1.5, 2 * voxel))
-    , Window(std::min(3.0, 1.5 * voxel))
-  {
-  }
-  double Reach;
-  double Search;
-  double Opening;
-  double Closing;
-  double Window;
-};
 
 vtkSmartPointer<vtkPolyData> Detach(vtkPolyData* surface)
 {
@@ -55,27 +34,16 @@ vtkSmartPointer<vtkPolyData> Detach(vtkPolyData* surface)
 vtkSmartPointer<vtkPolyData> ChainByHand(vtkImageData* image, const double seed[4],
   vtkTable* convergence)
 {
-  double spacing[3];
-  image->GetSpacing(spacing);
-  const Lengths lengths(seed[3], *std::max_element(spacing, spacing + 3));
-
   vtkNew<vtkSeedRegionDiffusion> smooth;
   smooth->SetInputData(image);
   smooth->SetSeedCenter(seed);
   smooth->SetSeedRadius(seed[3]);
-  smooth->SetReach(lengths.Reach);
   vtkNew<vtkGMMFeatureFilter> feature;
   feature->SetInputConnection(smooth->GetOutputPort());
   feature->SetSeedCenter(seed);
   feature->SetSeedRadius(seed[3]);
-  feature->SetClosingRadius(lengths.Closing);
-  feature->SetOpeningRadius(lengths.Opening);
   vtkNew<vtkCorrespondenceSearch> search;
   search->SetFeatureConnection(feature->GetOutputPort());
-  search->SetEdgeConnection(smooth->GetOutputPort());
-  search->SetSearchDistance(lengths.Search);
-  search->SetImageBoundaryDistance(12);
-  search->SetMaximumDisplacement(8);
   vtkNew<vtkFlipFreeDeform> deform;
   deform->SetInputConnection(search->GetOutputPort());
   vtkNew<vtkFlipFreeRefinement> refine;
@@ -97,7 +65,7 @@ vtkSmartPointer<vtkPolyData> ChainByHand(vtkImageData* image, const double seed[
       surface = Detach(refine->GetOutput());
       feature->SetSurfaceData(surface);
     }
-    search->SetEdgeWindow(level + 1 == Levels ? lengths.Window : 0);
+    search->SetEdgeConnection(level + 1 == Levels ? smooth->GetOutputPort() : nullptr);
     search->SetInputData(surface);
     deform->Update();
     surface = Detach(deform->GetOutput());

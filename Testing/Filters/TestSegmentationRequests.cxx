@@ -244,41 +244,6 @@ TEST_F(SegmentationRequests, ThreadsDoNotChangeABit)
   EXPECT_GT(compared, 0);
 }
 
-TEST_F(SegmentationRequests, PresetsSetAllParametersOfTheMethod)
-{
-  const auto text = [](vtkFlipFreeSegmentation* filter)
-  {
-    std::ostringstream stream;
-    filter->PrintSelf(stream, vtkIndent());
-    const std::string all = stream.str();
-    return all.substr(all.find("Resolution"), all.find("LabelValue") - all.find("Resolution"));
-  };
-  vtkNew<vtkFlipFreeSegmentation> fresh;
-  vtkNew<vtkFlipFreeSegmentation> changed;
-  changed->SetResolution(7);
-  changed->SetMaximumIterations(3);
-  changed->SetDistanceTolerance(7);
-  changed->SetChangeTolerance(7);
-  changed->SetDiffusionIterations(7);
-  changed->SetMaximumComponents(7);
-  changed->SetMinimumComponentWeight(0.7);
-  changed->SetForegroundMass(0.7);
-  changed->SetFeatureThreshold(0.7);
-  changed->SetClosingRadius(7);
-  changed->SetOpeningScale(7);
-  changed->SetSearchScale(7);
-  changed->SetRunVoxels(7);
-  changed->SetNormalSmoothingIterations(7);
-  changed->SetPropagationIterations(7);
-  changed->SetPositionWeight(7);
-  changed->SetUniformWeight(7);
-  EXPECT_NE(text(changed), text(fresh));
-  changed->UseNaiveParameters();
-  EXPECT_NE(text(changed), text(fresh));
-  changed->UseDefaultParameters();
-  EXPECT_EQ(text(changed), text(fresh));
-}
-
 TEST_F(SegmentationRequests, LevelsAreLeftOutThatWouldBeginTooCoarse)
 {
   this->Filter->SetResolution(10);
@@ -450,7 +415,7 @@ TEST_F(SegmentationRequests, AShortSearchOrManyOutliersAreNotTakenForAir)
     std::vector<std::string> warnings;
     KeepWarnings(this->Filter, warnings);
     this->Filter->SetSearchDistance(distance);
-    this->Filter->SetOutlierStandardDeviations(deviations);
+    this->Filter->GetSearch()->SetOutlierStandardDeviations(deviations);
     this->Filter->Update();
     EXPECT_FALSE(WarnsOfAir(warnings)) << distance << " mm, " << deviations << " deviations";
     vtkTable* convergence = this->Filter->GetConvergence();
@@ -469,7 +434,7 @@ TEST_F(SegmentationRequests, FlipsAreCountedWhetherAvoidedOrNot)
   this->Filter->SetMaximumIterations(3);
   for (const bool avoid : { true, false })
   {
-    this->Filter->SetAvoidFlips(avoid);
+    this->Filter->GetDeform()->SetAvoidFlips(avoid);
     this->Filter->Update();
     vtkTable* convergence = this->Filter->GetConvergence();
     const vtkIdType last = convergence->GetNumberOfRows() - 1;

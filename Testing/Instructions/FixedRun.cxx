@@ -28,11 +28,11 @@ int main()
   SmoothRegion region(ReaderOf(image.View()), image.Geometry, diffusion, SerialFor);
   region.Make({ { { 0, 0, 0 } }, image.Geometry.Dimensions }, NeverStop);
 
-  OrganSegmentationSettings settings = OrganSettings(scan);
-  settings.Levels = 2;
-  settings.MaximumIterations = 5;
-  settings.ChangeTolerance = -1; // as many iterations, whatever the last digits are
-  settings.DistanceTolerance = 0;
+  OrganSegmentationSettings settings;
+  settings.Schedule.Levels = 2;
+  settings.Schedule.MaximumIterations = 5;
+  settings.Schedule.ChangeTolerance = -1; // as many iterations, whatever the last digits are
+  settings.Schedule.DistanceTolerance = 0;
   const QuadSphere sphere =
     MakeQuadSphere(8, scan.Seed.Center, scan.Seed.Radius, QuadSphereSpacing::Equiangular);
   const ContourMesh mesh = BuildContourMesh(static_cast<int>(sphere.Points.rows()), sphere.Faces);

@@ -74,18 +74,28 @@ Answer Search(const TestImage& image, const Eigen::Vector3d& point, const Eigen:
     field.Displacements.row(0).dot(normals.row(0)) };
 }
 
-CorrespondenceSettings RunOf(int voxels)
+// The search alone, without refinement at edges and at the image's end.
+CorrespondenceSettings PlainSearch(double distance)
 {
   CorrespondenceSettings settings;
+  settings.SearchDistance = distance;
+  settings.ImageBoundaryDistance = 0;
+  settings.EdgeWindow = 0;
+  return settings;
+}
+
+CorrespondenceSettings RunOf(int voxels)
+{
+  CorrespondenceSettings settings = PlainSearch(40);
+  settings.RunLength = 0;
   settings.RunVoxels = voxels;
   return settings;
 }
 
 CorrespondenceSettings RunOfLength(double length)
 {
-  CorrespondenceSettings settings;
+  CorrespondenceSettings settings = PlainSearch(100);
   settings.RunLength = length;
-  settings.SearchDistance = 100;
   return settings;
 }
 

@@ -154,18 +154,18 @@ TEST(LeakControl, IsClosingOpeningAndConnectionOneAfterTheOther)
         }
       }
     }
-    const LeakControlSettings settings{ 1.0, 3.0 };
+    const LeakControlRadii radii{ 1.0, 3.0 };
     BitMask expected = mask;
-    ASSERT_TRUE(Dilate(expected, settings.ClosingRadius, SerialFor, NeverStop));
-    ASSERT_TRUE(Erode(expected, settings.ClosingRadius, SerialFor, NeverStop));
-    ASSERT_TRUE(Erode(expected, settings.OpeningRadius, SerialFor, NeverStop));
+    ASSERT_TRUE(Dilate(expected, radii.Closing, SerialFor, NeverStop));
+    ASSERT_TRUE(Erode(expected, radii.Closing, SerialFor, NeverStop));
+    ASSERT_TRUE(Erode(expected, radii.Opening, SerialFor, NeverStop));
     const std::size_t before = expected.Count();
     ASSERT_TRUE(KeepConnected(expected, sources, NeverStop));
     cut += before - expected.Count();
     ASSERT_GT(expected.Count(), 0U);
-    ASSERT_TRUE(Dilate(expected, settings.OpeningRadius, SerialFor, NeverStop));
+    ASSERT_TRUE(Dilate(expected, radii.Opening, SerialFor, NeverStop));
     ASSERT_TRUE(KeepConnected(expected, sources, NeverStop));
-    ASSERT_TRUE(ControlLeaks(mask, seed, settings, ScatteredFor, NeverStop));
+    ASSERT_TRUE(ControlLeaks(mask, seed, radii, ScatteredFor, NeverStop));
     ASSERT_EQ(mask, expected);
   }
   EXPECT_GT(cut, 0U);

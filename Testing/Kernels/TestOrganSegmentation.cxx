@@ -41,9 +41,13 @@ struct Scene
         }
       }
     }
-    this->Settings.MaximumIterations = 12;
+    this->Settings.Schedule.MaximumIterations = 12;
     this->Settings.Feature.Leaks = { 0, 0 };
     this->Settings.Targets.Correspondence.SearchDistance = 25;
+    this->Settings.Targets.Correspondence.RunLength = 0;
+    this->Settings.Targets.Correspondence.ImageBoundaryDistance = 0;
+    this->Settings.Targets.Correspondence.EdgeWindow = 0;
+    this->Settings.Targets.MaximumDisplacement = 0;
     const QuadSphere sphere =
       MakeQuadSphere(4, seed.Center, seed.Radius, QuadSphereSpacing::Equiangular);
     this->Start = BuildContourMesh(static_cast<int>(sphere.Points.rows()), sphere.Faces);
@@ -141,7 +145,7 @@ TEST(OrganSegmentation, OfALongOrganFarAlongTheRows)
   {
     scene.Settings.Targets.Correspondence.EdgeWindow = window;
     for (const LeakControlSettings& leaks :
-      { LeakControlSettings{ 0, 0 }, LeakControlSettings{ 1.5, 3 } })
+      { LeakControlSettings{ 0, 0 }, LeakControlSettings{ 1.5, 3.0 / 7 } })
     {
       scene.Settings.Feature.Leaks = leaks;
       const VoxelBox made = ExpectRegionGivesTheSurfaceOfTheWhole(scene);
@@ -186,8 +190,8 @@ TEST(OrganSegmentation, OfAnOrganThatWidensWhenItsIntensitiesAreKnown)
       const bool inside = from < 14 && std::abs(point.x() - center.x()) < 52;
       return inside ? 100 + 0.5 * (point.x() - center.x()) : 0.0;
     });
-  scene.Settings.Levels = 2;
-  scene.Settings.MaximumIterations = 1;
+  scene.Settings.Schedule.Levels = 2;
+  scene.Settings.Schedule.MaximumIterations = 1;
   scene.Settings.Targets.MaximumDisplacement = 0.5;
   scene.Settings.Feature.Intensity.NoiseWidening = 0;
   for (Eigen::Index vertex = 0; vertex < scene.StartPoints.rows(); ++vertex)
@@ -243,8 +247,8 @@ TEST(OrganSegmentation, StopsWheneverItIsTold)
   Scene scene(Grid({ { 80, 40, 40 } }, { 1, 1, 1 }), { { 40, 20, 20 }, 6 },
     [](const Eigen::Vector3d& point)
     { return (point - Eigen::Vector3d(40, 20, 20)).norm() < 13 ? 100.0 : 0.0; });
-  scene.Settings.Levels = 2;
-  scene.Settings.MaximumIterations = 2;
+  scene.Settings.Schedule.Levels = 2;
+  scene.Settings.Schedule.MaximumIterations = 2;
   VoxelBox made;
   int questions = 0;
   const auto count = [&questions](double) { return ++questions > 0; };

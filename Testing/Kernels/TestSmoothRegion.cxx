@@ -146,8 +146,10 @@ TEST(SmoothRegion, ForegroundOfABoxIsThatOfTheWhole)
   const ImageGeometry geometry = Grid();
   const SeedSphere seed{ geometry.ToPhysical(Eigen::Vector3d(75, 20, 18)), 5 };
   OrganFeatureSettings settings;
-  settings.Leaks = { 0.9, 2.6 };
-  const std::array<int, 3> margin = ForegroundMargin(geometry, settings.Leaks);
+  settings.Leaks = { 0.9, 0.52 };
+  const LeakControlRadii radii = RadiiOf(settings.Leaks, seed.Radius, geometry);
+  ASSERT_NEAR(radii.Opening, 2.6, 1e-9);
+  const std::array<int, 3> margin = ForegroundMargin(geometry, radii);
   std::mt19937 random(4);
   std::uniform_real_distribution<double> uniform(0, 1);
   int held = 0;
@@ -194,8 +196,8 @@ TEST(SmoothRegion, ForegroundOfABoxIsThatOfTheWhole)
           [&](int i, int j, int k)
           { known[geometry.Offset(i, j, k)] = voxels[geometry.Offset(i, j, k)]; });
         BitMask found;
-        ASSERT_TRUE(FindForegroundInBox({ known.data(), geometry }, box, model, seed,
-          settings.Leaks, SerialFor, NeverStop, found));
+        ASSERT_TRUE(FindForegroundInBox({ known.data(), geometry }, box, model, seed, radii,
+          SerialFor, NeverStop, found));
         const VoxelBox inside = found.Bounds();
         for (int axis = 0; axis < 3; ++axis)
         {

@@ -137,13 +137,16 @@ TEST(TargetSearch, OutliersAreNotWithoutBoundary)
   const std::vector<float> edges(geometry.NumberOfVoxels(), 0);
   TargetSettings settings;
   settings.Correspondence.SearchDistance = 16;
+  settings.Correspondence.RunLength = 0;
   settings.Correspondence.RunVoxels = 1;
+  settings.Correspondence.ImageBoundaryDistance = 0;
   settings.Correspondence.EdgeWindow = 0;
+  settings.MaximumDisplacement = 0;
   settings.OutlierStandardDeviations = 0;
   const auto search = [&]
   {
     TargetReport report;
-    FindTargets(sphere.Mesh, sphere.Points(), foreground, { edges.data(), geometry }, settings,
+    FindTargets(sphere.Mesh, sphere.Points(), foreground, { edges.data(), geometry }, 10, settings,
       SerialFor, report);
     return report;
   };

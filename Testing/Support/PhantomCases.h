@@ -5,7 +5,10 @@
 #ifndef FlipFreePhantomCases_h
 #define FlipFreePhantomCases_h
 
+#include "vtkCorrespondenceSearch.h"
+#include "vtkFlipFreeDeform.h"
 #include "vtkFlipFreeSegmentation.h"
+#include "vtkGMMFeatureFilter.h"
 #include "vtkPhantomSource.h"
 
 #include "vtkNew.h"
@@ -45,7 +48,7 @@ inline void StartOutside(vtkFlipFreeSegmentation* filter, vtkPhantomSource* phan
   filter->SetStartCenterOffset(sphere[0] - seed[0], sphere[1] - seed[1], sphere[2] - seed[2]);
   filter->SetStartScale(sphere[3] / seed[3]);
   filter->SetSearchDistance(2 * sphere[3]);
-  filter->ReestimateIntensitiesOff();
+  filter->GetFeature()->ReestimateIntensitiesOff();
   filter->LeakControlOff();
   filter->SetMaximumIterations(100);
 }
@@ -72,9 +75,9 @@ inline void SegmentUTube(vtkFlipFreeSegmentation* filter, vtkPhantomSource* phan
   StartOutside(filter, phantom);
   filter->SetLevels(4);
   filter->SetDiffusionIterations(0);
-  filter->SetMaximumDisplacement(0);
-  filter->SetUniformWeight(0.1);
-  filter->SetFairing(1);
+  filter->GetSearch()->SetMaximumDisplacement(0);
+  filter->GetDeform()->SetUniformWeight(0.1);
+  filter->GetDeform()->SetFairing(1);
 }
 
 /// Grows along a tube: vertices must be free to spread unevenly, and targets at the surface's ends
@@ -83,17 +86,17 @@ inline void SegmentVessel(vtkFlipFreeSegmentation* filter, vtkPhantomSource* pha
 {
   phantom->SetShapeToVessel();
   StartInside(filter, phantom, vtkPhantomSource::OBJECT);
-  filter->ReestimateIntensitiesOff();
+  filter->GetFeature()->ReestimateIntensitiesOff();
   filter->LeakControlOff();
   filter->SetMaximumIterations(150);
   filter->SetDiffusionIterations(0);
   filter->SetResolution(64);
   filter->SetLevels(5);
-  filter->SetMaximumDisplacement(0);
-  filter->SetOutlierStandardDeviations(0);
-  filter->SetPositionWeight(1);
-  filter->SetUniformWeight(0.01);
-  filter->SetFairing(0.2);
+  filter->GetSearch()->SetMaximumDisplacement(0);
+  filter->GetSearch()->SetOutlierStandardDeviations(0);
+  filter->GetDeform()->SetPositionWeight(1);
+  filter->GetDeform()->SetUniformWeight(0.01);
+  filter->GetDeform()->SetFairing(0.2);
 }
 
 /// The paper's Fig. 3b: targets are taken as they are found.
@@ -102,7 +105,7 @@ inline void MakeNaive(vtkFlipFreeSegmentation* filter)
   const double reach = filter->GetSearchDistance();
   filter->UseNaiveParameters();
   filter->SetSearchDistance(reach);
-  filter->SearchInwardOn();
+  filter->GetSearch()->SearchInwardOn();
 }
 
 } // namespace FlipFree

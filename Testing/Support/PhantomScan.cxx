@@ -36,20 +36,4 @@ PhantomScan ScanAbdomen(const std::array<int, 3>& dimensions, const Eigen::Vecto
     static_cast<std::uint8_t>(AbdomenLabel::Liver), dimensions, spacing, parallelFor);
 }
 
-OrganSegmentationSettings OrganSettings(const PhantomScan& scan)
-{
-  const double voxel = scan.Geometry.Spacing.maxCoeff();
-  OrganSegmentationSettings settings;
-  settings.DistanceTolerance = 0.1 * voxel;
-  settings.ChangeTolerance = 0.02 * voxel;
-  settings.Feature.Leaks.OpeningRadius = std::min(6.0, 2 * voxel);
-  CorrespondenceSettings& search = settings.Targets.Correspondence;
-  search.SearchDistance = std::clamp(1.6 * scan.Seed.Radius, 15.0, 60.0);
-  search.RunLength = 2;
-  search.ImageBoundaryDistance = 12;
-  search.EdgeWindow = 3;
-  settings.Targets.MaximumDisplacement = 8 * voxel;
-  return settings;
-}
-
 } // namespace FlipFree

@@ -1,11 +1,10 @@
 /**
- * Scans of phantoms, with the noise of a CT, and the settings by which kernels segment their organ
- * as vtkFlipFreeSegmentation does by default.
+ * Scans of phantoms, with the noise of a CT.
  */
 #ifndef PhantomScan_h
 #define PhantomScan_h
 
-#include "Deformation/OrganSegmentation.h"
+#include "Image/SeedRegion.h"
 #include "Phantom/Phantom.h"
 
 #include <cstdint>
@@ -35,8 +34,6 @@ PhantomScan ScanAbdomen(const std::array<int, 3>& dimensions, const Eigen::Vecto
 
 /// How far the surface may get from the seed, in millimeters.
 constexpr double OrganReach = 250;
-
-OrganSegmentationSettings OrganSettings(const PhantomScan& scan);
 
 } // namespace FlipFree
 

@@ -2,11 +2,15 @@
 
 #include "Failure.h"
 
+#include "vtkCorrespondenceSearch.h"
+#include "vtkFlipFreeDeform.h"
 #include "vtkFlipFreeSegmentation.h"
+#include "vtkGMMFeatureFilter.h"
 
 #include <CLI/CLI.hpp>
 
 #include <sstream>
+#include <type_traits>
 
 namespace Command
 {
@@ -26,23 +30,38 @@ std::string TextOf(T value)
   return text.str();
 }
 
+// The stage, or without one the filter itself.
+template <typename Owner>
+Owner* OwnerOf(Filter* filter, Owner* (Filter::*stage)() const)
+{
+  if constexpr (std::is_same_v<Owner, Filter>)
+  {
+    return filter;
+  }
+  else
+  {
+    return (filter->*stage)();
+  }
+}
+
 } // namespace
 
 SegmentParameters::SegmentParameters() = default;
 SegmentParameters::~SegmentParameters() = default;
 
-template <typename T>
+template <typename T, typename Owner>
 void SegmentParameters::Add(CLI::App& command, const char* group, const std::string& option,
-  const std::string& unit, const std::string& description, T (Filter::*get)(),
-  void (Filter::*set)(T))
+  const std::string& unit, const std::string& description, T (Owner::*get)() const,
+  void (Owner::*set)(T), Owner* (Filter::*stage)() const)
 {
-  const auto keep = [this, option, get, set](const T& value)
+  const auto keep = [this, option, get, set, stage](const T& value)
   {
     this->Given.push_back(
       [=](Filter* filter)
       {
-        (filter->*set)(value);
-        const T taken = (filter->*get)();
+        Owner* const owner = OwnerOf(filter, stage);
+        (owner->*set)(value);
+        const T taken = (owner->*get)();
         if (taken != value)
         {
           throw WrongUsage(option.substr(0, option.find(',')) + ": " + TextOf(value) +
@@ -52,15 +71,16 @@ void SegmentParameters::Add(CLI::App& command, const char* group, const std::str
   };
   command.add_option_function<T>(option, keep, description)
     ->type_name(unit)
-    ->default_str(TextOf((this->Defaults->*get)()))
+    ->default_str(TextOf((OwnerOf<Owner>(this->Defaults, stage)->*get)()))
     ->group(group);
 }
 
+template <typename Owner>
 void SegmentParameters::AddSwitch(CLI::App& command, const char* group, const std::string& option,
-  const std::string& description, void (Filter::*set)(bool))
+  const std::string& description, void (Owner::*set)(bool), Owner* (Filter::*stage)() const)
 {
-  const auto keep = [this, set](std::int64_t count)
-  { this->Given.emplace_back([=](Filter* filter) { (filter->*set)(count > 0); }); };
+  const auto keep = [this, set, stage](std::int64_t count)
+  { this->Given.emplace_back([=](Filter* filter) { (OwnerOf(filter, stage)->*set)(count > 0); }); };
   command.add_flag_function("--" + option + ",!--no-" + option, keep, description)->group(group);
 }
 
@@ -100,69 +120,78 @@ void SegmentParameters::AddOptions(CLI::App& command)
     "Keep the surface from meeting itself (default: on); without, nothing is promised",
     &Filter::SetGuard);
 
-  this->Add(command, Finer, "--diffusion-equation", "N",
-    "How edges are kept: 0 by differences across faces, 1 and 2 by ITK's gradient and curvature "
-    "equations",
-    &Filter::GetDiffusionEquation, &Filter::SetDiffusionEquation);
   this->Add(command, Finer, "--threshold,--feature-threshold", "G",
-    "Gamma of Eq. 2, 0 to 1; 0: from the foreground's mass", &Filter::GetFeatureThreshold,
-    &Filter::SetFeatureThreshold);
+    "Gamma of Eq. 2, 0 to 1; 0: from the foreground's mass",
+    &vtkGMMFeatureFilter::GetFeatureThreshold, &vtkGMMFeatureFilter::SetFeatureThreshold,
+    &Filter::GetFeature);
   this->Add(command, Finer, "--components,--maximum-components", "N",
-    "Most Gaussians in the mixture", &Filter::GetMaximumComponents, &Filter::SetMaximumComponents);
+    "Most Gaussians in the mixture", &vtkGMMFeatureFilter::GetMaximumComponents,
+    &vtkGMMFeatureFilter::SetMaximumComponents, &Filter::GetFeature);
   this->Add(command, Finer, "--minimum-weight,--minimum-component-weight", "P",
-    "Weight below which a Gaussian is taken out of the mixture", &Filter::GetMinimumComponentWeight,
-    &Filter::SetMinimumComponentWeight);
+    "Weight below which a Gaussian is taken out of the mixture",
+    &vtkGMMFeatureFilter::GetMinimumComponentWeight,
+    &vtkGMMFeatureFilter::SetMinimumComponentWeight, &Filter::GetFeature);
   this->Add(command, Finer, "--noise-widening", "F",
     "Noise added to the mixture's deviations, in standard deviations of the volume's noise",
-    &Filter::GetNoiseWidening, &Filter::SetNoiseWidening);
+    &vtkGMMFeatureFilter::GetNoiseWidening, &vtkGMMFeatureFilter::SetNoiseWidening,
+    &Filter::GetFeature);
   this->Add(command, Finer, "--closing,--closing-radius", "MM",
-    "Radius of the closing of the foreground", &Filter::GetClosingRadius,
-    &Filter::SetClosingRadius);
+    "Radius of the closing of the foreground", &vtkGMMFeatureFilter::GetClosingRadius,
+    &vtkGMMFeatureFilter::SetClosingRadius, &Filter::GetFeature);
   this->Add(command, Finer, "--opening,--opening-scale", "F",
-    "Radius of the opening of the foreground, in seed radii", &Filter::GetOpeningScale,
-    &Filter::SetOpeningScale);
+    "Radius of the opening of the foreground, in seed radii", &vtkGMMFeatureFilter::GetOpeningScale,
+    &vtkGMMFeatureFilter::SetOpeningScale, &Filter::GetFeature);
   this->AddSwitch(command, Finer, "reestimate-intensities",
     "Fit the intensities again inside the growing surface (default: on)",
-    &Filter::SetReestimateIntensities);
+    &vtkGMMFeatureFilter::SetReestimateIntensities, &Filter::GetFeature);
   this->Add(command, Finer, "--run-length", "MM",
-    "Length beyond the boundary that must be background; 0: by --run-voxels", &Filter::GetRunLength,
-    &Filter::SetRunLength);
+    "Length beyond the boundary that must be background; 0: by --run-voxels",
+    &vtkCorrespondenceSearch::GetRunLength, &vtkCorrespondenceSearch::SetRunLength,
+    &Filter::GetSearch);
   this->Add(command, Finer, "--run-voxels", "N", "The same in voxels, the paper's N + 1",
-    &Filter::GetRunVoxels, &Filter::SetRunVoxels);
+    &vtkCorrespondenceSearch::GetRunVoxels, &vtkCorrespondenceSearch::SetRunVoxels,
+    &Filter::GetSearch);
   this->AddSwitch(command, Finer, "search-inward",
-    "Vertices in the background look inward for the organ (default: on)", &Filter::SetSearchInward);
+    "Vertices in the background look inward for the organ (default: on)",
+    &vtkCorrespondenceSearch::SetSearchInward, &Filter::GetSearch);
   this->Add(command, Finer, "--search-scale", "F",
     "Length of the search lines in seed radii, where it is not given in millimeters",
-    &Filter::GetSearchScale, &Filter::SetSearchScale);
+    &vtkCorrespondenceSearch::GetSearchScale, &vtkCorrespondenceSearch::SetSearchScale,
+    &Filter::GetSearch);
   this->Add(command, Finer, "--image-boundary-distance", "MM",
     "How near the end of the volume a vertex takes the end for its target; 0: it has none",
-    &Filter::GetImageBoundaryDistance, &Filter::SetImageBoundaryDistance);
+    &vtkCorrespondenceSearch::GetImageBoundaryDistance,
+    &vtkCorrespondenceSearch::SetImageBoundaryDistance, &Filter::GetSearch);
   this->Add(command, Finer, "--edge-window", "MM",
-    "Window in which targets move to the strongest edge", &Filter::GetEdgeWindow,
-    &Filter::SetEdgeWindow);
+    "Window in which targets move to the strongest edge", &vtkCorrespondenceSearch::GetEdgeWindow,
+    &vtkCorrespondenceSearch::SetEdgeWindow, &Filter::GetSearch);
   this->Add(command, Finer, "--normal-smoothing-iterations", "N",
-    "Passes of averaging that the surface's normals get", &Filter::GetNormalSmoothingIterations,
-    &Filter::SetNormalSmoothingIterations);
+    "Passes of averaging that the surface's normals get",
+    &vtkCorrespondenceSearch::GetNormalSmoothingIterations,
+    &vtkCorrespondenceSearch::SetNormalSmoothingIterations, &Filter::GetSearch);
   this->Add(command, Finer, "--outlier-standard-deviations", "F",
     "Standard deviations beyond which a target is dropped; 0: none is",
-    &Filter::GetOutlierStandardDeviations, &Filter::SetOutlierStandardDeviations);
+    &vtkCorrespondenceSearch::GetOutlierStandardDeviations,
+    &vtkCorrespondenceSearch::SetOutlierStandardDeviations, &Filter::GetSearch);
   this->Add(command, Finer, "--maximum-displacement", "VOXELS",
-    "Greatest displacement in one iteration", &Filter::GetMaximumDisplacement,
-    &Filter::SetMaximumDisplacement);
+    "Greatest displacement in one iteration", &vtkCorrespondenceSearch::GetMaximumDisplacement,
+    &vtkCorrespondenceSearch::SetMaximumDisplacement, &Filter::GetSearch);
   this->AddSwitch(command, Finer, "avoid-flips", "Detect and avoid flips (default: on)",
-    &Filter::SetAvoidFlips);
-  this->Add(command, Finer, "--flip-threshold", "R", "r of Eq. 3", &Filter::GetFlipThreshold,
-    &Filter::SetFlipThreshold);
+    &vtkFlipFreeDeform::SetAvoidFlips, &Filter::GetDeform);
+  this->Add(command, Finer, "--flip-threshold", "R", "r of Eq. 3",
+    &vtkFlipFreeDeform::GetFlipThreshold, &vtkFlipFreeDeform::SetFlipThreshold, &Filter::GetDeform);
   this->Add(command, Finer, "--propagation,--propagation-iterations", "N",
-    "Passes that carry displacements to solitary vertices", &Filter::GetPropagationIterations,
-    &Filter::SetPropagationIterations);
+    "Passes that carry displacements to solitary vertices",
+    &vtkFlipFreeDeform::GetPropagationIterations, &vtkFlipFreeDeform::SetPropagationIterations,
+    &Filter::GetDeform);
   this->Add(command, Finer, "--position-weight", "F", "lambda_p of Eq. 7",
-    &Filter::GetPositionWeight, &Filter::SetPositionWeight);
-  this->Add(command, Finer, "--uniform-weight", "F", "lambda_u of Eq. 8", &Filter::GetUniformWeight,
-    &Filter::SetUniformWeight);
+    &vtkFlipFreeDeform::GetPositionWeight, &vtkFlipFreeDeform::SetPositionWeight,
+    &Filter::GetDeform);
+  this->Add(command, Finer, "--uniform-weight", "F", "lambda_u of Eq. 8",
+    &vtkFlipFreeDeform::GetUniformWeight, &vtkFlipFreeDeform::SetUniformWeight, &Filter::GetDeform);
   this->Add(command, Finer, "--fairing", "F",
-    "From 0, the shape is kept (Eq. 5), to 1, it is smoothed", &Filter::GetFairing,
-    &Filter::SetFairing);
+    "From 0, the shape is kept (Eq. 5), to 1, it is smoothed", &vtkFlipFreeDeform::GetFairing,
+    &vtkFlipFreeDeform::SetFairing, &Filter::GetDeform);
   this->Add(command, Finer, "--distance-tolerance", "VOXELS", "Mean distance at which a level ends",
     &Filter::GetDistanceTolerance, &Filter::SetDistanceTolerance);
   this->Add(command, Finer, "--change-tolerance", "VOXELS",

@@ -33,12 +33,14 @@ public:
   void Apply(vtkFlipFreeSegmentation* filter) const;
 
 private:
-  template <typename T>
+  template <typename T, typename Owner>
   void Add(CLI::App& command, const char* group, const std::string& option, const std::string& unit,
-    const std::string& description, T (vtkFlipFreeSegmentation::*get)(),
-    void (vtkFlipFreeSegmentation::*set)(T));
+    const std::string& description, T (Owner::*get)() const, void (Owner::*set)(T),
+    Owner* (vtkFlipFreeSegmentation::*stage)() const = nullptr);
+  template <typename Owner>
   void AddSwitch(CLI::App& command, const char* group, const std::string& option,
-    const std::string& description, void (vtkFlipFreeSegmentation::*set)(bool));
+    const std::string& description, void (Owner::*set)(bool),
+    Owner* (vtkFlipFreeSegmentation::*stage)() const = nullptr);
 
   std::string Preset = "default";
   std::vector<double> StartOffset;

@@ -22,24 +22,24 @@ enum class VertexState : unsigned char
 
 struct CorrespondenceSettings
 {
-  /// Greatest length of a search line, in millimeters.
-  double SearchDistance = 40;
+  /// Length of the search lines, in millimeters. TargetSettings derives it where it is zero.
+  double SearchDistance = 0;
 
   /// Length of the run of consecutive voxels on the other side: in voxels (N + 1), or, if the other
   /// one is positive, in millimeters.
   int RunVoxels = 4;
-  double RunLength = 0;
+  double RunLength = 2;
 
   /// A vertex in the background looks inward for the foreground. Off: Eq. 2 read literally.
   bool SearchInward = true;
 
   /// A vertex this near to the image's end, in millimeters along its line, takes the end for its
   /// target: an organ that the image cuts has its boundary there. Zero: it is solitary.
-  double ImageBoundaryDistance = 0;
+  double ImageBoundaryDistance = 12;
 
   /// Where the strongest edge is looked for around the crossing: the deviation, in millimeters, of
   /// the Gaussian window that weighs it. Zero leaves the target on the voxel's face.
-  double EdgeWindow = 0;
+  double EdgeWindow = 3;
 
   /// How gray values are read there; edges count where it falls outward.
   EdgeRamp Ramp;

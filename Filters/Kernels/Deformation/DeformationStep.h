@@ -18,6 +18,7 @@ struct DeformationStepSettings
   double FlipThreshold = 0.3; ///< r of Eq. 3
   DiffusionSettings Propagation;
   DeformationSettings Energy;
+  bool Guard = true; ///< whether whoever calls DeformOnce() gives it a guard
 };
 
 struct DeformationStepReport

@@ -32,8 +32,10 @@ public:
     , Ask(monitor)
     , Observe(observer)
     , Surface(surface)
-    , Foreground(region, seed, settings.Feature, 2 * settings.Targets.Correspondence.EdgeWindow,
-        parallelFor)
+    , Levels(settings.Schedule.NumberOfLevels())
+    , Voxel(region.View().Geometry.Spacing.maxCoeff())
+    , Foreground(region, seed, settings.Feature,
+        2 * EdgeWindowOf(settings.Targets, region.View().Geometry), parallelFor)
   {
   }
 
@@ -48,7 +50,7 @@ private:
   // Remembers a stop, and does not ask again.
   bool Proceed(int level, double partOfLevel)
   {
-    this->Stopped = this->Stopped || !this->Ask((level + partOfLevel) / this->Settings.Levels);
+    this->Stopped = this->Stopped || !this->Ask((level + partOfLevel) / this->Levels);
     return !this->Stopped;
   }
 
@@ -59,7 +61,7 @@ private:
       return StopReason::Aborted;
     }
     StopReason reason = StopReason::NotRun;
-    for (this->Level = 0; this->Level < this->Settings.Levels && !this->Stopped; ++this->Level)
+    for (this->Level = 0; this->Level < this->Levels && !this->Stopped; ++this->Level)
     {
       if (this->Level > 0)
       {
@@ -68,7 +70,7 @@ private:
         {
           return this->Stopped ? StopReason::Aborted : StopReason::NotRefined;
         }
-        if (this->Settings.ReestimateIntensities && !this->FindForegroundOfSurface(proceed))
+        if (this->Settings.Feature.ReestimateIntensities && !this->FindForegroundOfSurface(proceed))
         {
           return StopReason::Aborted;
         }
@@ -116,7 +118,7 @@ private:
   bool Refine(const Monitor& proceed)
   {
     RefinedSurface refined = RefineSurface(this->Surface.Mesh, this->Surface.Points,
-      this->Settings.Guard, this->Parallel, proceed);
+      this->Settings.Step.Guard, this->Parallel, proceed);
     if (!refined.Embedded)
     {
       return false;
@@ -129,15 +131,16 @@ private:
   StopReason IterateLevel()
   {
     std::unique_ptr<EmbeddingGuard> guard;
-    if (this->Settings.Guard)
+    if (this->Settings.Step.Guard)
     {
       guard = std::make_unique<EmbeddingGuard>(this->Surface.Mesh);
     }
     DeformationSolver solver(this->Surface.Mesh);
     std::vector<TargetReport> reports;
-    for (int iteration = 0; iteration < this->Settings.MaximumIterations; ++iteration)
+    for (int iteration = 0; iteration < this->Settings.Schedule.MaximumIterations; ++iteration)
     {
-      const double part = static_cast<double>(iteration) / this->Settings.MaximumIterations;
+      const double part =
+        static_cast<double>(iteration) / this->Settings.Schedule.MaximumIterations;
       if (!this->Proceed(this->Level, part))
       {
         return StopReason::Aborted;
@@ -155,22 +158,24 @@ private:
   // NotRun: the level goes on.
   StopReason ReasonToStop(const std::vector<TargetReport>& reports) const
   {
+    const ScheduleSettings& schedule = this->Settings.Schedule;
     const TargetReport& now = reports.back();
     if (now.Matched == 0)
     {
       return StopReason::NoBoundaryFound;
     }
-    if (now.MeanDistance < this->Settings.DistanceTolerance)
+    if (now.MeanDistance < this->Voxel * schedule.DistanceTolerance)
     {
       return StopReason::DistanceBelowTolerance;
     }
-    if (this->Settings.ChangeTolerance < 0 || reports.size() <= ChangeSpan)
+    if (schedule.ChangeTolerance < 0 || reports.size() <= ChangeSpan)
     {
       return StopReason::NotRun;
     }
     const TargetReport& before = reports[reports.size() - 1 - ChangeSpan];
     const bool grows = now.Matched - before.Matched > Growth * this->Surface.Mesh.NumberOfPoints();
-    const bool rests = before.MeanDistance - now.MeanDistance < this->Settings.ChangeTolerance;
+    const bool rests =
+      before.MeanDistance - now.MeanDistance < this->Voxel * schedule.ChangeTolerance;
     return rests && !grows ? StopReason::AtRest : StopReason::NotRun;
   }
 
@@ -183,14 +188,14 @@ private:
 
     TargetSettings targets = this->Settings.Targets;
     targets.Correspondence.Ramp = this->Model.Ramp;
-    if (this->Level + 1 < this->Settings.Levels)
+    if (this->Level + 1 < this->Levels)
     {
       targets.Correspondence.EdgeWindow = 0;
     }
     Stopwatch watch;
     this->Surface.Field =
       FindTargets(this->Surface.Mesh, this->Surface.Points, this->Foreground.GetMask(),
-        this->Foreground.GetImage(), targets, this->Parallel, record.Targets);
+        this->Foreground.GetImage(), this->Seed.Radius, targets, this->Parallel, record.Targets);
     record.SearchSeconds = watch.Lap();
 
     const Monitor proceed = [this, part](double) { return this->Proceed(this->Level, part); };
@@ -209,6 +214,8 @@ private:
   const IterationObserver& Observe;
   OrganSurface& Surface;
 
+  const int Levels;
+  const double Voxel; // the greatest spacing
   GrowingForeground Foreground;
   IntensityModel Model;
   int Level = 0;

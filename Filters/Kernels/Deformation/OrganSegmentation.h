@@ -5,32 +5,11 @@
 #ifndef FlipFreeOrganSegmentation_h
 #define FlipFreeOrganSegmentation_h
 
-#include "Deformation/DeformationStep.h"
+#include "Deformation/SegmentationSettings.h"
 #include "Deformation/StopReason.h"
-#include "Deformation/TargetSearch.h"
-#include "Image/SmoothRegion.h"
-#include "Intensity/OrganFeature.h"
 
 namespace FlipFree
 {
-
-struct OrganSegmentationSettings
-{
-  int Levels = 3;
-  int MaximumIterations = 40; ///< per level
-
-  /// In millimeters. A level ends when the mean distance to the targets is below DistanceTolerance,
-  /// or fell by less than ChangeTolerance over five iterations.
-  double DistanceTolerance = 0.1;
-  double ChangeTolerance = 0.02;
-
-  bool ReestimateIntensities = true; ///< at each level after the first
-  bool Guard = true;
-
-  OrganFeatureSettings Feature;
-  TargetSettings Targets; ///< its EdgeWindow counts at the finest level
-  DeformationStepSettings Step;
-};
 
 /// One row of the convergence table.
 struct IterationRecord

@@ -124,25 +124,45 @@ void LimitDisplacements(double limit, CorrespondenceField& field)
   }
 }
 
-CorrespondenceField FindTargets(const ContourMesh& mesh, const PointList& points,
-  const BitMask& foreground, const ImageView<float>& edges, const TargetSettings& settings,
-  const ParallelFor& parallelFor, TargetReport& report)
+double SearchDistanceOf(const TargetSettings& settings, double seedRadius)
 {
+  constexpr double minimum = 15;
+  constexpr double maximum = 60;
+  const double given = settings.Correspondence.SearchDistance;
+  return given > 0 ? given
+                   : std::max(minimum, std::min(maximum, settings.SearchScale * seedRadius));
+}
+
+double EdgeWindowOf(const TargetSettings& settings, const ImageGeometry& geometry)
+{
+  constexpr double maximumInVoxels = 1.5;
+  return std::min(settings.Correspondence.EdgeWindow,
+    maximumInVoxels * geometry.Spacing.maxCoeff());
+}
+
+CorrespondenceField FindTargets(const ContourMesh& mesh, const PointList& points,
+  const BitMask& foreground, const ImageView<float>& edges, double seedRadius,
+  const TargetSettings& settings, const ParallelFor& parallelFor, TargetReport& report)
+{
+  const ImageGeometry& geometry = foreground.GetGeometry();
+  const double voxel = geometry.Spacing.maxCoeff();
+  CorrespondenceSettings search = settings.Correspondence;
+  search.SearchDistance = SearchDistanceOf(settings, seedRadius);
+  search.EdgeWindow = edges.Data ? EdgeWindowOf(settings, geometry) : 0;
   const PointList normals = VertexNormals(mesh, points, settings.NormalSmoothingIterations);
   CorrespondenceField field =
-    FindCorrespondences(points, normals, foreground, edges, settings.Correspondence, parallelFor);
+    FindCorrespondences(points, normals, foreground, edges, search, parallelFor);
   const auto withoutBoundary =
     std::count(field.States.begin(), field.States.end(), VertexState::Solitary);
   if (settings.OutlierStandardDeviations > 0)
   {
-    const double voxel = foreground.GetGeometry().Spacing.maxCoeff();
     RejectOutliers(mesh, normals, settings.OutlierStandardDeviations, voxel, parallelFor, field);
   }
   report = Describe(field);
   report.WithoutBoundary = static_cast<int>(withoutBoundary);
   if (settings.MaximumDisplacement > 0)
   {
-    LimitDisplacements(settings.MaximumDisplacement, field);
+    LimitDisplacements(voxel * settings.MaximumDisplacement, field);
   }
   return field;
 }

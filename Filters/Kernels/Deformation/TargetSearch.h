@@ -12,7 +12,11 @@ namespace FlipFree
 
 struct TargetSettings
 {
+  /// Its SearchDistance of zero means SearchScale; at most 1.5 voxels of its EdgeWindow are used.
   CorrespondenceSettings Correspondence;
+
+  /// Length of the search lines in seed radii, 15 to 60 mm; counts if the SearchDistance is zero.
+  double SearchScale = 1.6;
 
   /// Passes of averaging over neighbors that the normals get.
   int NormalSmoothingIterations = 2;
@@ -21,9 +25,15 @@ struct TargetSettings
   /// dropped; zero keeps all.
   double OutlierStandardDeviations = 3;
 
-  /// Greatest displacement in millimeters; zero does not limit it.
-  double MaximumDisplacement = 0;
+  /// Greatest displacement in voxels of the greatest spacing; zero does not limit it.
+  double MaximumDisplacement = 8;
 };
+
+/// The length of the search lines, in millimeters.
+double SearchDistanceOf(const TargetSettings& settings, double seedRadius);
+
+/// The width of the window in which targets are refined, in millimeters.
+double EdgeWindowOf(const TargetSettings& settings, const ImageGeometry& geometry);
 
 struct TargetReport
 {
@@ -42,9 +52,11 @@ void RejectOutliers(const ContourMesh& mesh, const PointList& normals, double de
 /// Shortens displacements to at most `limit` millimeters.
 void LimitDisplacements(double limit, CorrespondenceField& field);
 
+/// With no edges (the null view) targets stay on the faces of voxels. Lengths follow the seed's
+/// radius, in millimeters.
 CorrespondenceField FindTargets(const ContourMesh& mesh, const PointList& points,
-  const BitMask& foreground, const ImageView<float>& edges, const TargetSettings& settings,
-  const ParallelFor& parallelFor, TargetReport& report);
+  const BitMask& foreground, const ImageView<float>& edges, double seedRadius,
+  const TargetSettings& settings, const ParallelFor& parallelFor, TargetReport& report);
 
 } // namespace FlipFree
 

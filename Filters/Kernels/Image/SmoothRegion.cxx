@@ -5,6 +5,24 @@
 namespace FlipFree
 {
 
+double ReachOf(const SmoothingSettings& settings, double seedRadius)
+{
+  constexpr double radii = 10;
+  constexpr double minimum = 100;
+  constexpr double maximum = 250;
+  return settings.Reach > 0 ? settings.Reach
+                            : std::max(minimum, std::min(maximum, radii * seedRadius));
+}
+
+AnisotropicDiffusionSettings DiffusionOf(const SmoothingSettings& settings,
+  double noiseStandardDeviation, const ImageGeometry& geometry)
+{
+  AnisotropicDiffusionSettings diffusion;
+  diffusion.Iterations = settings.Iterations;
+  diffusion.Contrast = ContrastOfNoise(noiseStandardDeviation, geometry, diffusion.Equation);
+  return diffusion;
+}
+
 SmoothRegion::SmoothRegion(VoxelReader read, const ImageGeometry& geometry,
   const AnisotropicDiffusionSettings& settings, ParallelFor parallelFor)
   : Read(std::move(read))

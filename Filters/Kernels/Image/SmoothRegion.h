@@ -13,6 +13,23 @@
 namespace FlipFree
 {
 
+struct SmoothingSettings
+{
+  /// How far from the seed's center the surface may get, in millimeters; only this box of the image
+  /// is read. Zero: ten seed radii, at least 100 and at most 250.
+  double Reach = 0;
+
+  int Iterations = 5; ///< of the diffusion
+};
+
+/// The reach in millimeters.
+double ReachOf(const SmoothingSettings& settings, double seedRadius);
+
+/// The diffusion that keeps edges above the noise, of the given standard deviation, in that part of
+/// the image.
+AnisotropicDiffusionSettings DiffusionOf(const SmoothingSettings& settings,
+  double noiseStandardDeviation, const ImageGeometry& geometry);
+
 class SmoothRegion
 {
 public:

@@ -22,7 +22,7 @@ void BeginWithWord(VoxelBox& box)
 }
 
 // For leak control, and for the intensities that are read around the foreground's rim.
-std::array<int, 3> MarginOf(const ImageGeometry& geometry, const LeakControlSettings& leaks,
+std::array<int, 3> MarginOf(const ImageGeometry& geometry, const LeakControlRadii& leaks,
   double rim)
 {
   std::array<int, 3> margin = ForegroundMargin(geometry, leaks);
@@ -44,7 +44,8 @@ GrowingForeground::GrowingForeground(SmoothRegion& region, const SeedSphere& see
   , Seed(seed)
   , Settings(settings)
   , Parallel(parallelFor)
-  , Margin(MarginOf(this->Geometry, settings.Leaks, rim))
+  , Leaks(RadiiOf(settings.Leaks, seed.Radius, this->Geometry))
+  , Margin(MarginOf(this->Geometry, this->Leaks, rim))
 {
 }
 
@@ -62,7 +63,7 @@ bool GrowingForeground::SmoothAroundSeed(const Monitor& monitor)
 {
   return this->Smooth(this->Settings.ControlLeaks
       ? this->BoxAround(this->Seed.Center.transpose(), FirstReach * this->Seed.Radius,
-          ForegroundMargin(this->Geometry, this->Settings.Leaks))
+          ForegroundMargin(this->Geometry, this->Leaks))
       : this->Whole,
     monitor);
 }
@@ -145,7 +146,7 @@ bool GrowingForeground::Update(const IntensityModel& model, const Monitor& monit
       monitor, this->Mask);
   }
   VoxelBox searched = this->FirstSearched();
-  while (FindForegroundInBox(this->GetImage(), searched, model, this->Seed, this->Settings.Leaks,
+  while (FindForegroundInBox(this->GetImage(), searched, model, this->Seed, this->Leaks,
     this->Parallel, monitor, this->Mask))
   {
     this->Bounds = this->Mask.Bounds();

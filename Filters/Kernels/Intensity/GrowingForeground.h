@@ -51,6 +51,7 @@ private:
   const OrganFeatureSettings& Settings;
   const ParallelFor& Parallel;
 
+  const LeakControlRadii Leaks;
   std::array<int, 3> Margin; ///< voxels between the foreground and the sides of the box
   BitMask Mask;
   VoxelBox Bounds; ///< of the foreground; empty before the first update

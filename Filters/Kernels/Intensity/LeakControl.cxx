@@ -142,26 +142,37 @@ bool KeepConnected(BitMask& mask, const std::vector<std::size_t>& sources, const
   return true;
 }
 
-bool ControlLeaks(BitMask& mask, const SeedSphere& seed, const LeakControlSettings& settings,
+LeakControlRadii RadiiOf(const LeakControlSettings& settings, double seedRadius,
+  const ImageGeometry& geometry)
+{
+  constexpr double minimumOpening = 2.5;
+  constexpr double maximumOpening = 6;
+  const double maximum = 2 * geometry.Spacing.maxCoeff();
+  const double opening =
+    std::max(minimumOpening, std::min(maximumOpening, settings.OpeningScale * seedRadius));
+  return { std::min(settings.ClosingRadius, maximum),
+    settings.OpeningScale > 0 ? std::min(opening, maximum) : 0 };
+}
+
+bool ControlLeaks(BitMask& mask, const SeedSphere& seed, const LeakControlRadii& radii,
   const ParallelFor& parallelFor, const Monitor& monitor)
 {
-  return ControlLeaks(mask, VoxelsInSphere(mask.GetGeometry(), seed), settings, parallelFor,
-    monitor);
+  return ControlLeaks(mask, VoxelsInSphere(mask.GetGeometry(), seed), radii, parallelFor, monitor);
 }
 
 bool ControlLeaks(BitMask& mask, const std::vector<std::size_t>& sources,
-  const LeakControlSettings& settings, const ParallelFor& parallelFor, const Monitor& monitor)
+  const LeakControlRadii& radii, const ParallelFor& parallelFor, const Monitor& monitor)
 {
-  if (settings.ClosingRadius > 0 &&
-    !(Dilate(mask, settings.ClosingRadius, parallelFor, PartOf(monitor, 0, 0.15)) &&
-      Erode(mask, settings.ClosingRadius, parallelFor, PartOf(monitor, 0.15, 0.3))))
+  if (radii.Closing > 0 &&
+    !(Dilate(mask, radii.Closing, parallelFor, PartOf(monitor, 0, 0.15)) &&
+      Erode(mask, radii.Closing, parallelFor, PartOf(monitor, 0.15, 0.3))))
   {
     return false;
   }
-  if (settings.OpeningRadius > 0)
+  if (radii.Opening > 0)
   {
     BitMask closed = mask;
-    if (!Erode(mask, settings.OpeningRadius, parallelFor, PartOf(monitor, 0.3, 0.6)))
+    if (!Erode(mask, radii.Opening, parallelFor, PartOf(monitor, 0.3, 0.6)))
     {
       return false;
     }
@@ -170,7 +181,7 @@ bool ControlLeaks(BitMask& mask, const std::vector<std::size_t>& sources,
       closed = BitMask();
       // Afterwards all still hangs together with the seed, since balls do.
       return KeepConnected(mask, sources, PartOf(monitor, 0.6, 0.7)) &&
-        Dilate(mask, settings.OpeningRadius, parallelFor, PartOf(monitor, 0.7, 1));
+        Dilate(mask, radii.Opening, parallelFor, PartOf(monitor, 0.7, 1));
     }
     mask = std::move(closed);
   }

@@ -13,19 +13,34 @@ namespace FlipFree
 
 struct LeakControlSettings
 {
-  double ClosingRadius = 1.5; ///< fills vessels and noise
-  double OpeningRadius = 4;   ///< cuts bridges; what is thinner is lost
+  /// Millimeters, at most two voxels; fills vessels and noise.
+  double ClosingRadius = 1.5;
+
+  /// Seed radii, used between 2.5 and 6 mm and up to two voxels; cuts bridges, and what is thinner
+  /// than the ball is lost. Zero does not open.
+  double OpeningScale = 0.4;
 };
+
+/// Radii of the balls, in millimeters.
+struct LeakControlRadii
+{
+  double Closing = 0;
+  double Opening = 0;
+};
+
+/// The radii that the settings mean for a seed and a grid.
+LeakControlRadii RadiiOf(const LeakControlSettings& settings, double seedRadius,
+  const ImageGeometry& geometry);
 
 /// The part of the mask that survives closing, opening, and connection with the seed. With an
 /// opening that leaves nothing at the seed, the opening is not applied. Returns false if the
 /// monitor, asked before each pass over the mask, stopped it; the mask is then useless.
-bool ControlLeaks(BitMask& mask, const SeedSphere& seed, const LeakControlSettings& settings,
+bool ControlLeaks(BitMask& mask, const SeedSphere& seed, const LeakControlRadii& radii,
   const ParallelFor& parallelFor, const Monitor& monitor);
 
 /// The same for a seed of the voxels `sources` (offsets, ascending).
 bool ControlLeaks(BitMask& mask, const std::vector<std::size_t>& sources,
-  const LeakControlSettings& settings, const ParallelFor& parallelFor, const Monitor& monitor);
+  const LeakControlRadii& radii, const ParallelFor& parallelFor, const Monitor& monitor);
 
 /// Keeps the voxels of the mask that are connected, by faces, with one of `sources` (offsets of
 /// voxels). Returns false if the monitor, asked now and then, stopped it; the mask is then as it

@@ -116,11 +116,12 @@ bool FindForeground(const ImageView<float>& smooth, const IntensityModel& model,
   foreground = VoxelsIn(model.Foreground(), smooth, { { { 0, 0, 0 } }, smooth.Geometry.Dimensions },
     parallelFor);
   return !settings.ControlLeaks ||
-    ControlLeaks(foreground, seed, settings.Leaks, parallelFor, PartOf(monitor, 0.1, 1));
+    ControlLeaks(foreground, seed, RadiiOf(settings.Leaks, seed.Radius, smooth.Geometry),
+      parallelFor, PartOf(monitor, 0.1, 1));
 }
 
 bool FindForegroundInBox(const ImageView<float>& smooth, const VoxelBox& box,
-  const IntensityModel& model, const SeedSphere& seed, const LeakControlSettings& leaks,
+  const IntensityModel& model, const SeedSphere& seed, const LeakControlRadii& leaks,
   const ParallelFor& parallelFor, const Monitor& monitor, BitMask& foreground)
 {
   const auto [i, j, k] = box.Begin;
@@ -172,10 +173,10 @@ bool FindForegroundInBox(const ImageView<float>& smooth, const VoxelBox& box,
   return true;
 }
 
-std::array<int, 3> ForegroundMargin(const ImageGeometry& geometry, const LeakControlSettings& leaks)
+std::array<int, 3> ForegroundMargin(const ImageGeometry& geometry, const LeakControlRadii& leaks)
 {
-  const std::array<int, 3> closing = BallReach(leaks.ClosingRadius, geometry);
-  const std::array<int, 3> opening = BallReach(leaks.OpeningRadius, geometry);
+  const std::array<int, 3> closing = BallReach(leaks.Closing, geometry);
+  const std::array<int, 3> opening = BallReach(leaks.Opening, geometry);
   std::array<int, 3> margin{};
   for (int axis = 0; axis < 3; ++axis)
   {

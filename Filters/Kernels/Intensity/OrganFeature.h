@@ -13,6 +13,10 @@ namespace FlipFree
 struct OrganFeatureSettings
 {
   IntensitySettings Intensity;
+
+  /// Fit the intensities again to the inside of the surface, once there is one.
+  bool ReestimateIntensities = true;
+
   bool ControlLeaks = true;
   LeakControlSettings Leaks;
 };
@@ -30,7 +34,7 @@ bool FindForeground(const ImageView<float>& smooth, const IntensityModel& model,
 /// the box lies in the image, holds the seed sphere's voxels, and begins at a multiple of
 /// BitMask::BitsOfWord along x.
 bool FindForegroundInBox(const ImageView<float>& smooth, const VoxelBox& box,
-  const IntensityModel& model, const SeedSphere& seed, const LeakControlSettings& leaks,
+  const IntensityModel& model, const SeedSphere& seed, const LeakControlRadii& leaks,
   const ParallelFor& parallelFor, const Monitor& monitor, BitMask& foreground);
 
 /// How far, in voxels along each axis, the sides of a box are felt: a foreground all of whose
@@ -38,8 +42,7 @@ bool FindForegroundInBox(const ImageView<float>& smooth, const VoxelBox& box,
 /// the whole image. Leak control's masks are right where no ball of closing and opening, one after
 /// the other, reaches beyond the sides; and what hangs together with the seed cannot have left that
 /// part of the box without being seen on its rim.
-std::array<int, 3> ForegroundMargin(const ImageGeometry& geometry,
-  const LeakControlSettings& leaks);
+std::array<int, 3> ForegroundMargin(const ImageGeometry& geometry, const LeakControlRadii& leaks);
 
 /// The feature of a smoothed image. Voxels that leak control has taken away get half the model's
 /// threshold, and voxels that it has filled in get the threshold; all others keep what they have.

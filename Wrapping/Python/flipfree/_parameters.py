@@ -24,17 +24,18 @@ class Parameter:
     property: str
     type: type
     documentation: str
+    stage: str = ""  # of the algorithm, which owns it
 
     def get(self, algorithm: vtkAlgorithm) -> Any:
         """The value that it has."""
-        return getattr(algorithm, "Get" + self.property)()
+        return getattr(self._owner(algorithm), "Get" + self.property)()
 
     def set(self, algorithm: vtkAlgorithm, value: Any) -> None:
         """Sets it; raises TypeError or ValueError where VTK would take another value in silence."""
         if self.type is bool and value not in (False, True):
             raise TypeError(f"{self.name}: True or False is needed, not {value!r}")
         try:
-            getattr(algorithm, "Set" + self.property)(value)
+            getattr(self._owner(algorithm), "Set" + self.property)(value)
         except (TypeError, ValueError, OverflowError) as error:
             raise TypeError(f"{self.name}: {value!r} will not do; {_reason(error)}") from None
         if self.type in (int, float) and value == value and self.get(algorithm) != value:
@@ -42,8 +43,13 @@ class Parameter:
                 f"{self.name}: {value!r} is out of range; the nearest is {self.get(algorithm)!r}"
             )
 
+    def _owner(self, algorithm: vtkAlgorithm) -> Any:
+        return getattr(algorithm, "Get" + self.stage)() if self.stage else algorithm
 
-def parameters_of(algorithm_class: type, without: Collection[str] = ()) -> dict[str, Parameter]:
+
+def parameters_of(
+    algorithm_class: type, without: Collection[str] = (), stage: str = ""
+) -> dict[str, Parameter]:
     """Every property that a filter adds to its ancestors', by its name in Python."""
     parameters = {}
     for method in vars(algorithm_class):
@@ -51,7 +57,7 @@ def parameters_of(algorithm_class: type, without: Collection[str] = ()) -> dict[
         if method.startswith("Set") and hasattr(algorithm_class, "Get" + property_name):
             name = snake_case(property_name)
             if name not in without:
-                parameters[name] = _parameter(algorithm_class, name, property_name)
+                parameters[name] = _parameter(algorithm_class, name, property_name, stage)
     return parameters
 
 
@@ -128,14 +134,14 @@ def _numbers(count: int) -> str:
     return "a number is" if count == 1 else f"{count} numbers are"
 
 
-def _parameter(algorithm_class: type, name: str, property_name: str) -> Parameter:
+def _parameter(algorithm_class: type, name: str, property_name: str, stage: str) -> Parameter:
     text = getattr(algorithm_class, "Set" + property_name).__doc__
     signature, _, documentation = text.partition("\n\n")
     types = {"float": float, "int": int, "bool": bool, "str": str}
     found = re.search(r"\(self, \w+:(\w+)\) -> None", signature)
     kind = types.get(found.group(1), tuple) if found else tuple
     words = " ".join(documentation.split())
-    return Parameter(name, property_name, kind, words)
+    return Parameter(name, property_name, kind, words, stage)
 
 
 def _annotation(parameter: Parameter) -> str:

@@ -24,14 +24,33 @@ from ._progress import progress_of
 from ._segmentation import Segmentation
 from ._types import Preset, ProgressOption
 from ._update import update
-from .FlipFreeSegmentation import vtkFlipFreeSegmentation
+from .FlipFreeSegmentation import (
+    vtkCorrespondenceSearch,
+    vtkFlipFreeDeform,
+    vtkFlipFreeSegmentation,
+    vtkGMMFeatureFilter,
+    vtkSeedRegionDiffusion,
+)
 
 if TYPE_CHECKING:
     import numpy.typing as npt
 
     from ._types import Image
 
-PARAMETERS = parameters_of(vtkFlipFreeSegmentation, without=("seed_center", "seed_radius"))
+STAGES = {
+    "Diffusion": vtkSeedRegionDiffusion,
+    "Feature": vtkGMMFeatureFilter,
+    "Search": vtkCorrespondenceSearch,
+    "Deform": vtkFlipFreeDeform,
+}
+# What the filter does not take from its stages, or forwards by another name.
+NOT_OF_STAGES = ("seed_center", "seed_radius", "number_of_iterations", "threshold")
+PARAMETERS = parameters_of(
+    vtkFlipFreeSegmentation,
+    without=("seed_center", "seed_radius", *(stage.lower() for stage in STAGES)),
+)
+for _stage, _class in STAGES.items():
+    PARAMETERS.update(parameters_of(_class, (*NOT_OF_STAGES, *PARAMETERS), _stage))
 RADIUS = Parameter("radius", "SeedRadius", float, "")
 NAMES = {**names_of(PARAMETERS), "SeedCenter": "seed", "SeedRadius": "radius"}
 

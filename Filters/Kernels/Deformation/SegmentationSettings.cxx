@@ -1,0 +1,50 @@
+#include "Deformation/SegmentationSettings.h"
+
+namespace FlipFree
+{
+
+int ScheduleSettings::NumberOfLevels() const
+{
+  constexpr int minimumResolution = 2;
+  int levels = this->Levels;
+  while (levels > 1 && this->Resolution >> (levels - 1) < minimumResolution)
+  {
+    --levels;
+  }
+  return levels;
+}
+
+int ScheduleSettings::FirstResolution() const
+{
+  return this->Resolution >> (this->NumberOfLevels() - 1);
+}
+
+OrganSegmentationSettings PublishedSettings()
+{
+  OrganSegmentationSettings settings;
+  settings.Schedule.Levels = 1;
+  settings.Schedule.MaximumIterations = 150;
+  settings.Feature.Intensity.Mixture.MinimumWeight = 0;
+  settings.Feature.Intensity.NoiseWidening = 0;
+  settings.Feature.ReestimateIntensities = false;
+  settings.Feature.ControlLeaks = false;
+  settings.Targets.Correspondence.SearchDistance = 40;
+  settings.Targets.Correspondence.RunLength = 0;
+  settings.Targets.Correspondence.SearchInward = false;
+  settings.Targets.Correspondence.EdgeWindow = 0;
+  settings.Targets.Correspondence.ImageBoundaryDistance = 0;
+  settings.Targets.NormalSmoothingIterations = 0;
+  settings.Targets.OutlierStandardDeviations = 0;
+  settings.Targets.MaximumDisplacement = 0;
+  settings.Step.Guard = false;
+  return settings;
+}
+
+OrganSegmentationSettings NaiveSettings()
+{
+  OrganSegmentationSettings settings = PublishedSettings();
+  settings.Step.AvoidFlips = false;
+  return settings;
+}
+
+} // namespace FlipFree

@@ -1,0 +1,54 @@
+/**
+ * All parameters of the method, with their defaults and presets, in the units of whoever sets them:
+ * seed radii, voxels, and millimeters. Stages hold one of these structs each, and every shell takes
+ * its defaults from them.
+ */
+#ifndef FlipFreeSegmentationSettings_h
+#define FlipFreeSegmentationSettings_h
+
+#include "Deformation/DeformationStep.h"
+#include "Deformation/TargetSearch.h"
+#include "Image/SmoothRegion.h"
+#include "Intensity/OrganFeature.h"
+
+namespace FlipFree
+{
+
+/// From coarse to fine, and when to stop.
+struct ScheduleSettings
+{
+  int Resolution = 32; ///< vertices along an edge of a side of the final mesh (n)
+  int Levels = 3;
+  int MaximumIterations = 40; ///< per level
+
+  /// A level ends when the mean distance to the targets is below DistanceTolerance, or fell by less
+  /// than ChangeTolerance over five iterations; both in voxels of the greatest spacing.
+  double DistanceTolerance = 0.1;
+  double ChangeTolerance = 0.02;
+
+  /// How many levels there are: those that would begin with fewer than two vertices along an edge
+  /// are left out.
+  int NumberOfLevels() const;
+
+  /// n of the first level; each level doubles it.
+  int FirstResolution() const;
+};
+
+struct OrganSegmentationSettings
+{
+  ScheduleSettings Schedule;
+  SmoothingSettings Smoothing;
+  OrganFeatureSettings Feature;
+  TargetSettings Targets; ///< its EdgeWindow counts at the finest level
+  DeformationStepSettings Step;
+};
+
+/// The paper's own method: one level, outward search by voxels, no leak control, no guard.
+OrganSegmentationSettings PublishedSettings();
+
+/// As published, without flip avoidance (the paper's Fig. 3b).
+OrganSegmentationSettings NaiveSettings();
+
+} // namespace FlipFree
+
+#endif

@@ -1,0 +1,79 @@
+#include "SegmentationWarnings.h"
+
+#include "Deformation/SurfaceDoubts.h"
+
+#include <cmath>
+#include <sstream>
+
+namespace FlipFree
+{
+namespace
+{
+
+std::string TextOf(double value)
+{
+  std::ostringstream text;
+  text << value;
+  return text.str();
+}
+
+std::string TextOf(const SurfaceDoubt& doubt, double reach)
+{
+  const std::string percent = std::to_string(std::lround(100 * doubt.Fraction)) + " %";
+  switch (doubt.Reason)
+  {
+    case Doubt::EndOfReach:
+      return "The surface has got to the end of what it may reach, " + TextOf(reach) +
+        " mm from the seed's center, and is cut there: it may have leaked, or the seed may lie in "
+        "air; look at it, and raise Reach where the organ is that large.";
+    case Doubt::NoBoundary:
+      return percent +
+        " of the surface found no boundary, so it may not be an organ's; check that the seed "
+        "sphere lies within the organ and not in air, or move SeedCenter.";
+    case Doubt::ImageBoundary:
+      return percent +
+        " of the surface lies at the image's ends along two axes, so it may be that of what "
+        "surrounds the organ; check that the seed sphere lies within the organ and not in air, or "
+        "move SeedCenter.";
+    case Doubt::None:
+      break;
+  }
+  return {};
+}
+
+} // namespace
+
+std::vector<std::string> WarningsOf(const OrganSurface& organ, const ImageGeometry& region,
+  const ImageGeometry& image, const SeedSphere& seed, const OrganSegmentationSettings& settings,
+  bool startsAtSeed)
+{
+  std::vector<std::string> warnings;
+  if (!ContainsSphere(image, seed))
+  {
+    warnings.push_back("The seed sphere of " + TextOf(seed.Radius) +
+      " mm reaches beyond the image; it should lie within the organ, so lower SeedRadius or move "
+      "SeedCenter.");
+  }
+  const bool foundNothing = organ.Reason == StopReason::NoBoundaryFound;
+  if (foundNothing)
+  {
+    warnings.emplace_back("No vertex found the organ's boundary, so the surface is not the "
+                          "organ's; check that the seed lies in the organ, or raise "
+                          "SearchDistance, or raise ForegroundMass.");
+  }
+  if (organ.Reason == StopReason::NotRefined)
+  {
+    warnings.push_back("The surface could not be refined without intersecting itself, so it has " +
+      std::to_string(organ.Mesh.NumberOfPoints()) +
+      " vertices only; lower Levels to start from a finer one.");
+  }
+  const SurfaceDoubt doubt =
+    DoubtOf(organ, region, image, seed.Radius, settings, startsAtSeed && !foundNothing);
+  if (doubt.Reason != Doubt::None)
+  {
+    warnings.push_back(TextOf(doubt, ReachOf(settings.Smoothing, seed.Radius)));
+  }
+  return warnings;
+}
+
+} // namespace FlipFree

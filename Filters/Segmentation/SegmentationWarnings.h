@@ -1,0 +1,23 @@
+/**
+ * Private to the module: what may be wrong with a segmentation that has a result all the same.
+ */
+#ifndef FlipFreeSegmentationWarnings_h
+#define FlipFreeSegmentationWarnings_h
+
+#include "Deformation/OrganSegmentation.h"
+#include "Image/SeedRegion.h"
+
+#include <string>
+#include <vector>
+
+namespace FlipFree
+{
+
+/// A message for each, with its remedy.
+std::vector<std::string> WarningsOf(const OrganSurface& organ, const ImageGeometry& region,
+  const ImageGeometry& image, const SeedSphere& seed, const OrganSegmentationSettings& settings,
+  bool startsAtSeed);
+
+} // namespace FlipFree
+
+#endif

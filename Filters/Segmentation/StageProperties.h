@@ -1,0 +1,58 @@
+/**
+ * Private to the module: the properties of a stage, from one list.
+ *
+ * A property is a field of the settings that the stage's kernel takes, so that its default stands
+ * there and nothing is copied. The stage's header declares and documents SetName() and GetName();
+ * its source lists Name, type, field, minimum and maximum:
+ *
+ *     #define PROPERTIES(P)                                     \
+ *       P(FlipThreshold, double, Settings->FlipThreshold, 0, 1) \
+ *       P(AvoidFlips, bool, Settings->AvoidFlips, false, true)
+ *     PROPERTIES(FLIPFREE_DEFINE_PROPERTY)
+ *
+ * which defines the two functions of each, by the name Stage for the class. The same list prints
+ * all of them, and refuses those that are no number.
+ */
+#ifndef FlipFreeStageProperties_h
+#define FlipFreeStageProperties_h
+
+#include "PropertyCheck.h"
+
+#include "vtkObject.h"
+
+namespace FlipFree
+{
+
+/// As vtkSetClampMacro: NaN passes.
+template <typename T>
+void SetClamped(vtkObject* stage, T value, T minimum, T maximum, T& field)
+{
+  const T clamped = value < minimum ? minimum : (value > maximum ? maximum : value);
+  if (field != clamped)
+  {
+    field = clamped;
+    stage->Modified();
+  }
+}
+
+} // namespace FlipFree
+
+#define FLIPFREE_DEFINE_PROPERTY(Name, type, field, minimum, maximum)                              \
+  void Stage::Set##Name(type value)                                                                \
+  {                                                                                                \
+    FlipFree::SetClamped<type>(this, value, minimum, maximum, this->field);                        \
+  }                                                                                                \
+  type Stage::Get##Name() const                                                                    \
+  {                                                                                                \
+    return this->field;                                                                            \
+  }
+
+/// In PrintSelf(os, indent).
+#define FLIPFREE_PRINT_PROPERTY(Name, type, field, minimum, maximum)                               \
+  os << indent << #Name << ": " << this->field << "\n";
+
+/// In the list that FlipFree::RequireNumbers() takes.
+#define FLIPFREE_NAME_PROPERTY(Name, type, field, minimum, maximum)                                \
+  { #Name, static_cast<double>(this->field) },
+
+#endif

@@ -1,0 +1,212 @@
+// The stages own the parameters of the method, and the composite obeys them.
+#include "vtkCorrespondenceSearch.h"
+#include "vtkFlipFreeDeform.h"
+#include "vtkFlipFreeSegmentation.h"
+#include "vtkGMMFeatureFilter.h"
+#include "vtkSeedRegionDiffusion.h"
+
+#include "BadInput.h"
+#include "FilterErrors.h"
+
+#include <cmath>
+#include <map>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+using namespace FlipFree;
+
+namespace
+{
+
+using Filter = vtkFlipFreeSegmentation;
+
+struct Property
+{
+  std::string Name;
+  bool IsNumber; // and not a count or a switch
+  double (*Get)(Filter*);
+  void (*Set)(Filter*, double);
+};
+
+template <typename Owner, typename T>
+void SetAs(Owner* owner, void (Owner::*set)(T), double value)
+{
+  (owner->*set)(static_cast<T>(value));
+}
+
+#define PROPERTY(owner, Class, Name)                                                               \
+  {                                                                                                \
+#Name, std::is_same_v < decltype(std::declval <Class>().Get##Name()), double>,                 \
+      [](Filter * filter) { return static_cast<double>((owner)->Get##Name()); },                   \
+        [](Filter * filter, double value) { SetAs<Class>(owner, &Class::Set##Name, value); }       \
+  }
+#define OF_FILTER(Name) PROPERTY(filter, vtkFlipFreeSegmentation, Name)
+#define OF_DIFFUSION(Name) PROPERTY(filter->GetDiffusion(), vtkSeedRegionDiffusion, Name)
+#define OF_FEATURE(Name) PROPERTY(filter->GetFeature(), vtkGMMFeatureFilter, Name)
+#define OF_SEARCH(Name) PROPERTY(filter->GetSearch(), vtkCorrespondenceSearch, Name)
+#define OF_DEFORM(Name) PROPERTY(filter->GetDeform(), vtkFlipFreeDeform, Name)
+
+// Those that a preset sets.
+const std::vector<Property>& Properties()
+{
+  static const std::vector<Property> properties{ OF_FILTER(Resolution), OF_FILTER(Levels),
+    OF_FILTER(MaximumIterations), OF_FILTER(DistanceTolerance), OF_FILTER(ChangeTolerance),
+    OF_DIFFUSION(NumberOfIterations), OF_FEATURE(MaximumComponents),
+    OF_FEATURE(MinimumComponentWeight), OF_FEATURE(NoiseWidening), OF_FEATURE(ForegroundMass),
+    OF_FEATURE(FeatureThreshold), OF_FEATURE(ReestimateIntensities), OF_FEATURE(LeakControl),
+    OF_FEATURE(ClosingRadius), OF_FEATURE(OpeningScale), OF_SEARCH(SearchDistance),
+    OF_SEARCH(SearchScale), OF_SEARCH(RunLength), OF_SEARCH(RunVoxels), OF_SEARCH(SearchInward),
+    OF_SEARCH(EdgeWindow), OF_SEARCH(ImageBoundaryDistance), OF_SEARCH(NormalSmoothingIterations),
+    OF_SEARCH(OutlierStandardDeviations), OF_SEARCH(MaximumDisplacement), OF_DEFORM(AvoidFlips),
+    OF_DEFORM(FlipThreshold), OF_DEFORM(PropagationIterations), OF_DEFORM(SmoothingIterations),
+    OF_DEFORM(PositionWeight), OF_DEFORM(UniformWeight), OF_DEFORM(Fairing), OF_DEFORM(Guard) };
+  return properties;
+}
+
+class SegmentationParameters : public testing::Test
+{
+protected:
+  void SetUp() override
+  {
+    this->Segmentation->SetInputDataObject(SphereImage());
+    this->Segmentation->SetSeedCenter(ExampleCenter.data());
+    this->Segmentation->SetSeedRadius(ExampleRadius);
+    this->Segmentation->SetResolution(8);
+    this->Segmentation->SetLevels(1);
+    this->Segmentation->SetMaximumIterations(3);
+  }
+
+  // Of the vertices that the next update gives.
+  double MeanRadius()
+  {
+    this->Segmentation->Update();
+    vtkPolyData* surface = this->Segmentation->GetSurface();
+    double sum = 0;
+    for (vtkIdType vertex = 0; vertex < surface->GetNumberOfPoints(); ++vertex)
+    {
+      const double* point = surface->GetPoint(vertex);
+      sum += std::hypot(point[0] - ExampleCenter[0], point[1] - ExampleCenter[1],
+        point[2] - ExampleCenter[2]);
+    }
+    return sum / static_cast<double>(surface->GetNumberOfPoints());
+  }
+
+  vtkNew<Filter> Segmentation;
+};
+
+} // namespace
+
+TEST_F(SegmentationParameters, PresetsSetThemAllInEveryStage)
+{
+  vtkNew<Filter> defaults;
+  this->Segmentation->SetReach(77);
+  for (const Property& property : Properties())
+  {
+    const double usual = property.Get(defaults);
+    property.Set(this->Segmentation, usual == 1 ? 0 : 1);
+    EXPECT_NE(property.Get(this->Segmentation), usual) << property.Name;
+  }
+  this->Segmentation->UseDefaultParameters();
+  for (const Property& property : Properties())
+  {
+    EXPECT_EQ(property.Get(this->Segmentation), property.Get(defaults)) << property.Name;
+  }
+
+  std::map<std::string, double> published{ { "Levels", 1 }, { "MaximumIterations", 150 },
+    { "MinimumComponentWeight", 0 }, { "NoiseWidening", 0 }, { "ReestimateIntensities", 0 },
+    { "LeakControl", 0 }, { "SearchDistance", 40 }, { "RunLength", 0 }, { "SearchInward", 0 },
+    { "EdgeWindow", 0 }, { "ImageBoundaryDistance", 0 }, { "NormalSmoothingIterations", 0 },
+    { "OutlierStandardDeviations", 0 }, { "MaximumDisplacement", 0 }, { "Guard", 0 } };
+  const auto expectPublished = [&]
+  {
+    for (const Property& property : Properties())
+    {
+      const auto expected = published.find(property.Name);
+      EXPECT_EQ(property.Get(this->Segmentation),
+        expected != published.end() ? expected->second : property.Get(defaults))
+        << property.Name;
+    }
+  };
+  this->Segmentation->UsePublishedParameters();
+  expectPublished();
+  this->Segmentation->UseNaiveParameters();
+  published["AvoidFlips"] = 0;
+  expectPublished();
+  EXPECT_EQ(this->Segmentation->GetReach(), 77); // goes with the image
+}
+
+TEST_F(SegmentationParameters, ThatAreNotNumbersAreRefusedByName)
+{
+  vtkNew<Filter> defaults;
+  std::vector<Property> properties = Properties();
+  properties.push_back(OF_FILTER(StartScale));
+  properties.push_back(OF_DIFFUSION(Reach));
+  int numbers = 0;
+  for (const Property& property : properties)
+  {
+    if (property.IsNumber)
+    {
+      property.Set(this->Segmentation, NotANumber);
+      ExpectRefusal(this->Segmentation, { "the property " + property.Name + " ", "NaN", "set it" });
+      property.Set(this->Segmentation, property.Get(defaults));
+      ++numbers;
+    }
+  }
+  EXPECT_EQ(numbers, 21);
+  this->Segmentation->SetStartCenterOffset(0, NotANumber, 0);
+  ExpectRefusal(this->Segmentation, { "the property StartCenterOffset", "NaN", "set it" });
+}
+
+TEST_F(SegmentationParameters, AreClampedToTheirRange)
+{
+  for (const Property& property : Properties())
+  {
+    property.Set(this->Segmentation, 2e6);
+  }
+  EXPECT_EQ(this->Segmentation->GetResolution(), 256);
+  EXPECT_EQ(this->Segmentation->GetForegroundMass(), 0.99999);
+  EXPECT_EQ(this->Segmentation->GetSearch()->GetRunLength(), 1000);
+  this->Segmentation->GetSearch()->SetRunVoxels(0);
+  EXPECT_EQ(this->Segmentation->GetSearch()->GetRunVoxels(), 1);
+}
+
+TEST_F(SegmentationParameters, ThatUsersTouchAreThoseOfTheStages)
+{
+  this->Segmentation->SetReach(50);
+  this->Segmentation->SetDiffusionIterations(2);
+  this->Segmentation->SetForegroundMass(0.9);
+  this->Segmentation->LeakControlOff();
+  this->Segmentation->SetSearchDistance(33);
+  this->Segmentation->GuardOff();
+  EXPECT_EQ(this->Segmentation->GetDiffusion()->GetReach(), 50);
+  EXPECT_EQ(this->Segmentation->GetDiffusion()->GetNumberOfIterations(), 2);
+  EXPECT_EQ(this->Segmentation->GetFeature()->GetForegroundMass(), 0.9);
+  EXPECT_FALSE(this->Segmentation->GetFeature()->GetLeakControl());
+  EXPECT_EQ(this->Segmentation->GetSearch()->GetSearchDistance(), 33);
+  EXPECT_FALSE(this->Segmentation->GetDeform()->GetGuard());
+  this->Segmentation->GetSearch()->SetSearchDistance(22);
+  EXPECT_EQ(this->Segmentation->GetSearchDistance(), 22);
+}
+
+TEST_F(SegmentationParameters, OfAStageMakeTheCompositeExecuteAgain)
+{
+  const double whole = this->MeanRadius();
+  this->Segmentation->GetSearch()->SetMaximumDisplacement(0.5);
+  const double limited = this->MeanRadius();
+  EXPECT_LT(limited, whole - 1);
+
+  vtkNew<vtkCorrespondenceSearch> another;
+  another->SetMaximumDisplacement(0.25);
+  this->Segmentation->SetSearch(another);
+  EXPECT_LT(this->MeanRadius(), limited - 0.5);
+  another->SetMaximumDisplacement(0.5);
+  EXPECT_EQ(this->MeanRadius(), limited);
+
+  this->Segmentation->SetSearch(nullptr); // one with default parameters
+  EXPECT_EQ(this->MeanRadius(), whole);
+  const vtkMTimeType time = this->Segmentation->GetMTime();
+  this->Segmentation->SetSearch(this->Segmentation->GetSearch());
+  EXPECT_EQ(this->Segmentation->GetMTime(), time);
+}
