@@ -1,9 +1,9 @@
 // What every method has to give: the phantom's organ, in any frame, within the input's geometry,
 // with progress, and nothing after an abort.
 #include "BaselineMethods.h"
+#include "ProgressWatch.h"
 #include "SurfaceHistory.h"
 
-#include "vtkCallbackCommand.h"
 #include "vtkCell.h"
 #include "vtkImageData.h"
 #include "vtkMatrix3x3.h"
@@ -108,36 +108,6 @@ vtkSmartPointer<vtkImageData> OnlySlice(vtkImageData* labels, int k)
   std::fill(values + plane * (k + 1), values + slice->GetNumberOfPoints(), 0);
   return slice;
 }
-
-/// Aborts a filter as soon as it has come so far.
-struct AbortAt
-{
-  AbortAt(vtkAlgorithm* filter, double progress)
-    : Progress(progress)
-  {
-    vtkNew<vtkCallbackCommand> command;
-    command->SetClientData(this);
-    command->SetCallback(
-      [](vtkObject* caller, unsigned long, void* client, void* now)
-      {
-        auto* self = static_cast<AbortAt*>(client);
-        if (self->Done)
-        {
-          ++self->ReportsSince;
-        }
-        else if (*static_cast<double*>(now) >= self->Progress)
-        {
-          self->Done = true;
-          vtkAlgorithm::SafeDownCast(caller)->SetAbortExecute(1);
-        }
-      });
-    filter->AddObserver(vtkCommand::ProgressEvent, command);
-  }
-
-  double Progress;
-  bool Done = false;
-  int ReportsSince = 0;
-};
 
 } // namespace
 
@@ -257,14 +227,13 @@ TEST_P(BaselineSegmentation, AbortLeavesNothingAndEndsTheWork)
 {
   for (const double progress : { 0.05, 0.3 })
   {
-    AbortAt abort(this->Filter, progress);
+    const ProgressWatch watch(this->Filter, progress);
     this->Filter->Modified();
     this->Filter->Update();
-    this->Filter->RemoveAllObservers();
-    ASSERT_TRUE(abort.Done);
+    ASSERT_TRUE(watch.Aborted());
     EXPECT_EQ(this->Filter->GetSurface()->GetNumberOfPoints(), 0);
     EXPECT_EQ(this->Filter->GetLabelMap()->GetNumberOfPoints(), 0);
-    EXPECT_LE(abort.ReportsSince, 1); // what was on its way already
+    EXPECT_LE(watch.ReportsAfterAbort, 1); // what was on its way already
   }
   this->Filter->Modified();
   this->Filter->Update();

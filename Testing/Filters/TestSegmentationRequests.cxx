@@ -2,8 +2,8 @@
 // before the end, and the same bits from any number of threads.
 #include "FilterErrors.h"
 #include "PhantomCases.h"
+#include "ProgressWatch.h"
 
-#include "vtkCallbackCommand.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkPhantomSource.h"
@@ -29,6 +29,7 @@ namespace
 {
 
 using FlipFree::KeepWarnings;
+using FlipFree::ProgressWatch;
 using Pipeline = vtkStreamingDemandDrivenPipeline;
 
 std::vector<double> PointsOf(vtkPolyData* surface)
@@ -66,41 +67,57 @@ protected:
   vtkNew<vtkFlipFreeSegmentation> Filter;
 };
 
-/// Aborts a filter as soon as it has come so far.
-class AbortAt
+/// Updates a filter and gives the words of its warnings.
+std::vector<std::string> WarningsOf(vtkAlgorithm* filter)
 {
-public:
-  AbortAt(vtkAlgorithm* filter, double progress)
-    : Filter(filter)
-    , Progress(progress)
-  {
-    this->Command->SetClientData(this);
-    this->Command->SetCallback([](vtkObject*, unsigned long, void* self, void* now)
-      { static_cast<AbortAt*>(self)->Look(*static_cast<double*>(now)); });
-    filter->AddObserver(vtkCommand::ProgressEvent, this->Command);
-  }
-  ~AbortAt() { this->Filter->RemoveObserver(this->Command); }
-  AbortAt(const AbortAt&) = delete;
-  void operator=(const AbortAt&) = delete;
+  std::vector<std::string> warnings;
+  KeepWarnings(filter, warnings);
+  filter->Update();
+  filter->RemoveAllObservers();
+  return warnings;
+}
 
-  bool Done = false;
-  double Seen = 0; ///< the progress at which it did
+void ExpectOneWarning(vtkAlgorithm* filter, const char* words)
+{
+  const std::vector<std::string> warnings = WarningsOf(filter);
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_NE(warnings[0].find(words), std::string::npos) << warnings[0];
+}
 
-private:
-  void Look(double now)
-  {
-    if (now >= this->Progress && !this->Done)
-    {
-      this->Done = true;
-      this->Seen = now;
-      this->Filter->AbortExecuteOn();
-    }
-  }
+bool WarnsOfAir(const std::vector<std::string>& warnings)
+{
+  return std::any_of(warnings.begin(), warnings.end(),
+    [](const std::string& warning) { return warning.find("in air") != std::string::npos; });
+}
 
-  vtkAlgorithm* Filter;
-  double Progress;
-  vtkNew<vtkCallbackCommand> Command;
+/// Intensity and noise.
+struct Tissue
+{
+  double Mean;
+  double StandardDeviation;
 };
+
+/// A cylinder of 30 mm radius along the third axis, in voxels of 2 mm x 2 mm.
+vtkSmartPointer<vtkImageData> CylinderImage(int width, double center, int slices, double thickness,
+  const Tissue& inside = { 100, 8 }, const Tissue& outside = { 0, 8 })
+{
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(width, width, slices);
+  image->SetSpacing(2, 2, thickness);
+  image->AllocateScalars(VTK_SHORT, 1);
+  auto* voxels = static_cast<short*>(image->GetScalarPointer());
+  std::mt19937 random(1);
+  std::normal_distribution<double> normal(0, 1);
+  for (vtkIdType voxel = 0; voxel < image->GetNumberOfPoints(); ++voxel)
+  {
+    double point[3];
+    image->GetPoint(voxel, point);
+    const double distance = std::hypot(point[0] - center, point[1] - center);
+    const Tissue& here = distance < 30 ? inside : outside;
+    voxels[voxel] = static_cast<short>(here.Mean + here.StandardDeviation * normal(random));
+  }
+  return image;
+}
 
 } // namespace
 
@@ -115,6 +132,8 @@ TEST_F(SegmentationRequests, HistoryIsATimeStepPerIteration)
   EXPECT_EQ(PointsOf(this->Filter->GetSurface()), result);
   vtkNew<vtkTable> convergence;
   convergence->DeepCopy(this->Filter->GetConvergence());
+  double seconds[4];
+  this->Filter->GetStageSeconds(seconds);
   vtkInformation* info = this->Filter->GetOutputInformation(0);
   const int size = info->Length(Pipeline::TIME_STEPS());
   ASSERT_GT(size, 2);
@@ -133,6 +152,10 @@ TEST_F(SegmentationRequests, HistoryIsATimeStepPerIteration)
     before = PointsOf(surface);
   }
   EXPECT_EQ(before, result);
+  for (int stage = 0; stage < 4; ++stage)
+  {
+    EXPECT_EQ(this->Filter->GetStageSeconds()[stage], seconds[stage]); // so nothing ran again
+  }
 
   this->Filter->KeepHistoryOff();
   this->Filter->Update();
@@ -158,34 +181,7 @@ TEST_F(SegmentationRequests, HistoryReachesThroughOtherFilters)
   EXPECT_TRUE(triangles->GetOutput()->GetPointData()->HasArray("Correspondence"));
 }
 
-TEST_F(SegmentationRequests, AnAbortedRunIsNoHistory)
-{
-  this->Filter->KeepHistoryOn();
-  {
-    AbortAt abort(this->Filter, 0.5);
-    this->Filter->Update();
-    ASSERT_TRUE(abort.Done);
-  }
-  this->Filter->UpdateTimeStep(2);
-  EXPECT_NE(this->Filter->GetStopReason(), vtkFlipFreeSegmentation::ABORTED);
-  EXPECT_EQ(this->Filter->GetSurface()->GetNumberOfPoints(), 6 * 8 * 8);
-}
-
-TEST_F(SegmentationRequests, TimeStepsComeFromOneRun)
-{
-  this->Filter->KeepHistoryOn();
-  this->Filter->Update();
-  double seconds[4];
-  this->Filter->GetStageSeconds(seconds);
-  this->Filter->UpdateTimeStep(1);
-  this->Filter->UpdateTimeStep(3);
-  for (int stage = 0; stage < 4; ++stage)
-  {
-    EXPECT_EQ(this->Filter->GetStageSeconds()[stage], seconds[stage]); // as no two runs take
-  }
-}
-
-TEST_F(SegmentationRequests, AbortEndsSoonAndLeavesNothingHalfDone)
+TEST_F(SegmentationRequests, AnAbortEndsSoonAndLeavesNothing)
 {
   this->Filter->Update();
   const std::vector<double> result = PointsOf(this->Filter->GetSurface());
@@ -193,10 +189,10 @@ TEST_F(SegmentationRequests, AbortEndsSoonAndLeavesNothingHalfDone)
   {
     SCOPED_TRACE(progress);
     this->Filter->Modified();
-    AbortAt abort(this->Filter, progress);
+    const ProgressWatch watch(this->Filter, progress);
     this->Filter->Update();
-    ASSERT_TRUE(abort.Done);
-    EXPECT_LT(this->Filter->GetProgress(), abort.Seen + 0.05); // it went on no further
+    ASSERT_TRUE(watch.Aborted());
+    EXPECT_LT(this->Filter->GetProgress(), watch.ProgressOfAbort + 0.05); // it went on no further
     EXPECT_EQ(this->Filter->GetStopReason(), vtkFlipFreeSegmentation::ABORTED);
     EXPECT_EQ(this->Filter->GetSurface()->GetNumberOfPoints(), 0);
     EXPECT_EQ(this->Filter->GetLabelMap()->GetNumberOfPoints(), 0);
@@ -206,6 +202,17 @@ TEST_F(SegmentationRequests, AbortEndsSoonAndLeavesNothingHalfDone)
   this->Filter->Update();
   EXPECT_NE(this->Filter->GetStopReason(), vtkFlipFreeSegmentation::ABORTED);
   EXPECT_EQ(PointsOf(this->Filter->GetSurface()), result);
+
+  // A history that was aborted is made anew.
+  this->Filter->KeepHistoryOn();
+  {
+    const ProgressWatch watch(this->Filter, 0.5);
+    this->Filter->Update();
+    ASSERT_TRUE(watch.Aborted());
+  }
+  this->Filter->UpdateTimeStep(2);
+  EXPECT_NE(this->Filter->GetStopReason(), vtkFlipFreeSegmentation::ABORTED);
+  EXPECT_EQ(this->Filter->GetSurface()->GetNumberOfPoints(), 6 * 8 * 8);
 }
 
 // VTK's backends cut the work differently: in one piece, in a few per thread, in one per slice.
@@ -254,63 +261,31 @@ TEST_F(SegmentationRequests, LevelsAreLeftOutThatWouldBeginTooCoarse)
   EXPECT_EQ(this->Filter->GetSurface()->GetNumberOfPoints(), 6 * 8 * 8);
 }
 
-TEST_F(SegmentationRequests, ASeedThatReachesBeyondTheImageWarns)
+TEST_F(SegmentationRequests, ASeedOrSurfaceThatReachesTooFarWarns)
 {
-  std::vector<std::string> warnings;
-  KeepWarnings(this->Filter, warnings);
+  EXPECT_EQ(WarningsOf(this->Filter).size(), 0u);
+  this->Filter->SetReach(25);
+  ExpectOneWarning(this->Filter, "raise Reach");
   this->Filter->SetSeedRadius(300);
   this->Filter->SetMaximumIterations(0);
-  this->Filter->Update();
+  const std::vector<std::string> warnings = WarningsOf(this->Filter);
   ASSERT_FALSE(warnings.empty());
   EXPECT_NE(warnings[0].find("reaches beyond the image"), std::string::npos) << warnings[0];
 }
 
-TEST_F(SegmentationRequests, ASurfaceThatReachesTheEndOfItsRegionWarns)
-{
-  std::vector<std::string> warnings;
-  KeepWarnings(this->Filter, warnings);
-  this->Filter->Update();
-  EXPECT_EQ(warnings.size(), 0u);
-  this->Filter->SetReach(25);
-  this->Filter->Update();
-  ASSERT_EQ(warnings.size(), 1u);
-  EXPECT_NE(warnings[0].find("raise Reach"), std::string::npos) << warnings[0];
-}
-
-// A body of 40 in air, with the noise of a CT or without, and seeds beside it.
+// Seeds beside a body in air, with the noise of a CT or without.
 TEST_F(SegmentationRequests, ASeedInAirWarns)
 {
   for (const double noise : { 0.0, 20.0 })
   {
-    std::mt19937 random(1);
-    std::normal_distribution<double> normal(0, 1);
-    vtkNew<vtkImageData> image;
-    image->SetDimensions(50, 50, 40);
-    image->SetSpacing(2, 2, 2);
-    image->AllocateScalars(VTK_SHORT, 1);
-    auto* voxels = static_cast<short*>(image->GetScalarPointer());
-    for (vtkIdType voxel = 0; voxel < image->GetNumberOfPoints(); ++voxel)
-    {
-      double point[3];
-      image->GetPoint(voxel, point);
-      const bool body = std::hypot(point[0] - 50, point[1] - 50) < 30;
-      voxels[voxel] =
-        static_cast<short>((body ? 40 : -1000) + (body ? 10 : noise) * normal(random));
-    }
-    this->Filter->SetInputData(image);
-    std::vector<std::string> warnings;
-    KeepWarnings(this->Filter, warnings);
+    this->Filter->SetInputDataObject(CylinderImage(50, 50, 40, 2, { 40, 10 }, { -1000, noise }));
     for (const double place : { 10.0, 90.0 })
     {
-      warnings.clear();
+      SCOPED_TRACE(testing::Message() << noise << ", " << place);
       this->Filter->SetSeedCenter(place, place, 40);
       this->Filter->SetSeedRadius(7);
-      this->Filter->Update();
-      ASSERT_EQ(warnings.size(), 1u) << noise << ", " << place;
-      EXPECT_NE(warnings[0].find("not in air, or move SeedCenter"), std::string::npos)
-        << warnings[0];
+      ExpectOneWarning(this->Filter, "not in air, or move SeedCenter");
     }
-    this->Filter->RemoveAllObservers();
   }
 }
 
@@ -324,59 +299,21 @@ TEST(SegmentationWarnings, ASurfaceThatFindsNoBoundaryInPlacesWarns)
   double bounds[6];
   phantom->GetOutput()->GetBounds(bounds);
   vtkNew<vtkFlipFreeSegmentation> filter;
-  std::vector<std::string> warnings;
-  KeepWarnings(filter, warnings);
   filter->SetInputData(phantom->GetOutput());
   filter->SetSeedCenter(0.8 * bounds[0] + 0.2 * bounds[1], 0.8 * bounds[2] + 0.2 * bounds[3],
     0.8 * bounds[4] + 0.2 * bounds[5]);
   filter->SetSeedRadius(5);
-  filter->Update();
-  ASSERT_EQ(warnings.size(), 1u);
-  EXPECT_NE(warnings[0].find("% of the surface found no boundary"), std::string::npos)
-    << warnings[0];
+  ExpectOneWarning(filter, "% of the surface found no boundary");
 }
-
-namespace
-{
-
-bool WarnsOfAir(const std::vector<std::string>& warnings)
-{
-  return std::any_of(warnings.begin(), warnings.end(),
-    [](const std::string& warning) { return warning.find("in air") != std::string::npos; });
-}
-
-// A cylinder of 100 and so many millimeters along the third axis, with noise, between 0.
-vtkSmartPointer<vtkImageData> CylinderImage(double radius, int slices, double thickness)
-{
-  auto image = vtkSmartPointer<vtkImageData>::New();
-  image->SetDimensions(60, 60, slices);
-  image->SetSpacing(2, 2, thickness);
-  image->AllocateScalars(VTK_SHORT, 1);
-  auto* voxels = static_cast<short*>(image->GetScalarPointer());
-  std::mt19937 random(1);
-  std::normal_distribution<double> normal(0, 8);
-  for (vtkIdType voxel = 0; voxel < image->GetNumberOfPoints(); ++voxel)
-  {
-    double point[3];
-    image->GetPoint(voxel, point);
-    const bool inside = std::hypot(point[0] - 59, point[1] - 59) < radius;
-    voxels[voxel] = static_cast<short>((inside ? 100 : 0) + normal(random));
-  }
-  return image;
-}
-
-} // namespace
 
 // More than a quarter of the surface lies where the image's end cuts the organ off.
 TEST(SegmentationWarnings, AnOrganThatASlabCutsOffIsNotTakenForAir)
 {
   vtkNew<vtkFlipFreeSegmentation> filter;
-  std::vector<std::string> warnings;
-  KeepWarnings(filter, warnings);
-  filter->SetInputData(CylinderImage(30, 20, 2));
+  filter->SetInputData(CylinderImage(60, 59, 20, 2));
   filter->SetSeedCenter(59, 59, 19);
   filter->SetSeedRadius(12);
-  filter->Update();
+  EXPECT_FALSE(WarnsOfAir(WarningsOf(filter)));
   vtkPolyData* surface = filter->GetSurface();
   int atEnds = 0;
   for (vtkIdType vertex = 0; vertex < surface->GetNumberOfPoints(); ++vertex)
@@ -385,7 +322,6 @@ TEST(SegmentationWarnings, AnOrganThatASlabCutsOffIsNotTakenForAir)
     atEnds += z < 1 || z > 37;
   }
   EXPECT_GT(4 * atEnds, surface->GetNumberOfPoints());
-  EXPECT_FALSE(WarnsOfAir(warnings)) << warnings[0];
 }
 
 TEST(SegmentationWarnings, AThinStackIsNotTakenForAir)
@@ -393,14 +329,11 @@ TEST(SegmentationWarnings, AThinStackIsNotTakenForAir)
   for (const int slices : { 1, 2 })
   {
     vtkNew<vtkFlipFreeSegmentation> filter;
-    std::vector<std::string> warnings;
-    KeepWarnings(filter, warnings);
-    filter->SetInputData(CylinderImage(30, slices, 5));
+    filter->SetInputData(CylinderImage(60, 59, slices, 5));
     filter->SetSeedCenter(59, 59, 2.5 * (slices - 1));
     filter->SetSeedRadius(12);
-    filter->Update();
+    EXPECT_FALSE(WarnsOfAir(WarningsOf(filter))) << slices << " slices";
     EXPECT_GT(filter->GetSurface()->GetNumberOfPoints(), 0);
-    EXPECT_FALSE(WarnsOfAir(warnings)) << slices << " slices";
   }
 }
 
@@ -412,17 +345,14 @@ TEST_F(SegmentationRequests, AShortSearchOrManyOutliersAreNotTakenForAir)
   int solitary = 0;
   for (const auto& [distance, deviations] : cases)
   {
-    std::vector<std::string> warnings;
-    KeepWarnings(this->Filter, warnings);
     this->Filter->SetSearchDistance(distance);
     this->Filter->GetSearch()->SetOutlierStandardDeviations(deviations);
-    this->Filter->Update();
-    EXPECT_FALSE(WarnsOfAir(warnings)) << distance << " mm, " << deviations << " deviations";
+    EXPECT_FALSE(WarnsOfAir(WarningsOf(this->Filter)))
+      << distance << " mm, " << deviations << " deviations";
     vtkTable* convergence = this->Filter->GetConvergence();
     const vtkIdType last = convergence->GetNumberOfRows() - 1;
     solitary += 10 * convergence->GetValueByName(last, "Solitary").ToInt() >
       convergence->GetValueByName(last, "Vertices").ToInt();
-    this->Filter->RemoveAllObservers();
   }
   EXPECT_GT(solitary, 0);
 }
