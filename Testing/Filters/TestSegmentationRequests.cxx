@@ -20,7 +20,6 @@
 #include <algorithm>
 #include <cmath>
 #include <random>
-#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
