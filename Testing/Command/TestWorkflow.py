@@ -7,9 +7,15 @@ import pty
 import struct
 import subprocess
 import unittest
-import zlib
 
 import command
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkIOImage import vtkPNGReader
+
+# Colors, as intervals of red, green and blue.
+CONTOUR = ((200, 255), (140, 220), (0, 100))
+LETTER = ((200, 255), (200, 255), (200, 255))
+ORGAN = ((90, 255), (0, 130), (0, 120))
 
 
 class TestWorkflow(command.CommandTest):
@@ -23,30 +29,24 @@ class TestWorkflow(command.CommandTest):
         self.assert_succeeds(process)
         return command.dice_of(process.stdout)
 
-    def test_every_surface_format_is_read_back(self):
-        for ending in ("vtp", "stl", "ply", "obj"):
-            with self.subTest(ending=ending):
-                name = "sphere." + ending
-                self.segment("-o", self.result(name))
-                self.assertGreater(self.dice(name), 0.96)
+    def rows(self, *arguments):
+        """The convergence table of a run, and what the run prints."""
+        text = self.segment("--convergence", self.result("sphere.csv"), *arguments)
+        with open(self.result("sphere.csv"), newline="") as file:
+            return list(csv.DictReader(file)), text
 
-    def test_every_label_format_is_read_back(self):
-        for ending in ("nii", "nii.gz", "nrrd", "mha"):
+    def test_every_format_is_read_back(self):
+        for option, ending in (("-o", "vtp"), ("-o", "stl"), ("-o", "ply"), ("-o", "obj"), ("--labels", "nii"),
+                               ("--labels", "nii.gz"), ("--labels", "nrrd"), ("--labels", "mha")):
             with self.subTest(ending=ending):
                 name = "sphere." + ending
-                self.segment("--labels", self.result(name))
+                self.segment(option, self.result(name))
                 self.assertGreater(self.dice(name), 0.96)
 
     def test_a_surface_is_valid(self):
         self.segment("-o", self.result("sphere.vtp"))
         text = command.run("evaluate", self.result("sphere.vtp"), self.truth).stdout
         self.assertRegex(text, r"surface +valid: closed, Euler number 2, self-intersections 0")
-
-    def test_summary(self):
-        text = self.segment("-o", self.result("sphere.vtp"))
-        self.assertEqual(text.count("\n"), 1)
-        self.assertRegex(text, r"volume \d+\.\d ml, \d+ iterations, [a-z ]+, 0 self-intersections; "
-                               r"reading \d+\.\d+ s, smoothing \d+\.\d+ s, feature \d+\.\d+ s")
 
     def test_quiet(self):
         self.assertEqual(self.segment("--quiet", "-o", self.result("sphere.vtp")), "")
@@ -71,25 +71,34 @@ class TestWorkflow(command.CommandTest):
         self.assertRegex(shown, rb"\rsegmenting +\[#+\.+\] +\d+ %")
         self.assertTrue(shown.endswith(b"\r\x1b[K"))  # and it is gone in the end
 
-    def test_convergence(self):
-        text = self.segment("--convergence", self.result("sphere.csv"))
-        with open(self.result("sphere.csv"), newline="") as file:
-            rows = list(csv.DictReader(file))
-        self.assertIn(", %d iterations," % len(rows), text)
+    def test_summary_and_convergence(self):
+        rows, text = self.rows()
+        self.assertEqual(text.count("\n"), 1)
+        self.assertRegex(text, rf"volume \d+\.\d ml, {len(rows)} iterations, [a-z ]+, 0 self-intersections; "
+                               r"reading \d+\.\d+ s, smoothing \d+\.\d+ s, feature \d+\.\d+ s")
         self.assertTrue(all(float(row["MeanDistance"]) >= 0 for row in rows))
 
-    def test_parameters_reach_the_filter(self):
-        self.segment("--convergence", self.result("sphere.csv"), "--levels", 1, "--resolution", 8,
-                     "--iterations", 3, "--change-tolerance", -1, "--distance-tolerance", 0)
-        with open(self.result("sphere.csv"), newline="") as file:
-            rows = list(csv.DictReader(file))
+    def test_parameters_reach_the_filter_and_win_over_the_preset_in_any_order(self):
+        to_the_end = ("--change-tolerance", -1, "--distance-tolerance", 0)
+        rows, _ = self.rows("--levels", 1, "--resolution", 8, "--iterations", 3, *to_the_end)
         self.assertEqual([int(row["Vertices"]) for row in rows], 3 * [6 * 8 * 8])
+        rows, _ = self.rows("--iterations", 2, "--preset", "published", *to_the_end)
+        self.assertEqual(len(rows), 2)
 
-    def test_options_win_over_the_preset_in_any_order(self):
-        self.segment("--iterations", 2, "--preset", "published", "--change-tolerance", -1,
-                     "--distance-tolerance", 0, "--convergence", self.result("sphere.csv"))
-        with open(self.result("sphere.csv"), newline="") as file:
-            self.assertEqual(len(list(csv.DictReader(file))), 2)
+    def test_parameters_of_the_stages_reach_them(self):
+        distances = set()
+        for options in ((), ("--noise-widening", 2), ("--maximum-displacement", 2), ("--fairing", 1)):
+            rows, _ = self.rows("--iterations", 6, "--levels", 1, *options)
+            distances.add(rows[-1]["MeanDistance"])
+        self.assertEqual(len(distances), 4)
+
+    def test_warnings_name_options(self):
+        for radius, options, words in ((40, (), "lower --radius or move --seed"),
+                                       (self.seed[-1], ("--reach", 16), "raise --reach ")):
+            process = command.run("segment", self.volume, *self.seed[:-1], radius, *options, "-o",
+                                  self.result("sphere.vtp"))
+            self.assertEqual(process.returncode, 0, process.stderr)
+            self.assertRegex(process.stderr, r"\Aflipfree: warning: [^\n]*" + words)
 
     def test_seed_voxel_is_the_same_place(self):
         at = self.seed.index("--seed")
@@ -183,66 +192,28 @@ class TestWorkflow(command.CommandTest):
 
     @unittest.skipUnless(command.HAS_DISPLAY, "no display, and no xvfb-run to make one")
     def test_snapshot(self):
-        process = command.with_display("segment", self.volume, *self.seed, "--snapshot",
-                                       self.result("sphere.png"))
+        picture = self.result("sphere.png")
+        process = command.with_display("segment", self.volume, *self.seed, "--snapshot", picture)
         self.assertEqual(process.returncode, 0, process.stderr)
-        with open(self.result("sphere.png"), "rb") as file:
-            data = file.read()
-        self.assertEqual(data[:8], b"\x89PNG\r\n\x1a\n")
-        self.assertEqual(struct.unpack(">2I", data[16:24]), (1200, 1200))
-        pixels = self.pixels(data)
-        # The contour's color in each of the slices, with letters for the sides on the left and at the top; the
-        # organ's in the fourth view.
-        for name, rows, columns in (("axial", (0, 600), (0, 600)), ("sagittal", (0, 600), (600, 1200)),
-                                    ("coronal", (600, 1200), (0, 600))):
-            self.assertGreater(self.count(pixels, rows, columns, self.is_contour), 300, name)
-            middle, center = sum(rows) // 2, sum(columns) // 2
-            for side, place in (("left", ((middle - 20, middle + 20), (columns[0] + 2, columns[0] + 40))),
-                                ("top", ((rows[0] + 2, rows[0] + 40), (center - 20, center + 20)))):
-                self.assertGreater(self.count(pixels, *place, self.is_letter), 8, f"{name}, {side}")
-        self.assertGreater(self.count(pixels, (600, 1200), (600, 1200), self.is_organ), 20000)
+        reader = vtkPNGReader()
+        reader.SetFileName(picture)
+        reader.Update()
+        self.assertEqual(reader.GetOutput().GetDimensions(), (1200, 1200, 1))
+        pixels = vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars()).reshape(1200, 1200, -1)[::-1]
 
-    @staticmethod
-    def is_contour(r, g, b):
-        return r > 200 and 140 < g < 220 and b < 100
+        def count(color, top, left, height=600, width=600):
+            part = pixels[top:top + height, left:left + width]
+            low, high = zip(*color)
+            return ((part >= low) & (part <= high)).all(axis=2).sum()
 
-    @staticmethod
-    def is_letter(r, g, b):
-        return min(r, g, b) > 200
-
-    @staticmethod
-    def is_organ(r, g, b):
-        return r > 90 and r > 1.5 * g and r > 1.5 * b
-
-    @staticmethod
-    def count(pixels, rows, columns, test):
-        return sum(test(*pixels[y][3 * x:3 * x + 3])
-                   for y in range(*rows) for x in range(*columns))
-
-    @staticmethod
-    def pixels(data):
-        """The rows of an RGB picture, from the bytes of a PNG file."""
-        at, packed = 8, b""
-        while at < len(data):
-            length, kind = struct.unpack(">I4s", data[at:at + 8])
-            packed += data[at + 8:at + 8 + length] if kind == b"IDAT" else b""
-            at += length + 12
-        raw, rows, above = zlib.decompress(packed), [], bytearray(3600)
-        for y in range(1200):
-            kind, row = raw[3601 * y], bytearray(raw[3601 * y + 1:3601 * (y + 1)])
-            for i in range(3600):
-                left = row[i - 3] if i >= 3 else 0
-                corner = above[i - 3] if i >= 3 else 0
-                if kind == 4:
-                    p = left + above[i] - corner
-                    near = min((abs(p - left), 0, left), (abs(p - above[i]), 1, above[i]),
-                               (abs(p - corner), 2, corner))[2]
-                else:
-                    near = (0, left, above[i], (left + above[i]) // 2)[kind]
-                row[i] = (row[i] + near) & 255
-            rows.append(bytes(row))
-            above = row
-        return rows
+        # The contour in each of the slices, with letters for the sides on the left and at the top; the organ in the
+        # fourth view.
+        for name, top, left in (("axial", 0, 0), ("sagittal", 0, 600), ("coronal", 600, 0)):
+            with self.subTest(name):
+                self.assertGreater(count(CONTOUR, top, left), 300)
+                self.assertGreater(count(LETTER, top + 280, left + 2, 40, 38), 8)
+                self.assertGreater(count(LETTER, top + 2, left + 280, 38, 40), 8)
+        self.assertGreater(count(ORGAN, 600, 600), 20000)
 
 
 if __name__ == "__main__":

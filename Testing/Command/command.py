@@ -8,15 +8,16 @@ import tempfile
 import unittest
 
 PROGRAM = os.environ["FLIPFREE_COMMAND"]
+FILTERS = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "Filters", "Segmentation")
 # How much longer things take than in the build that users have: more than 1 with sanitizers.
 SLOWNESS = float(os.environ.get("FLIPFREE_SLOWNESS", "1"))
 
 
 def run(*arguments, **options):
     """Runs `flipfree` with the arguments; gives its status, output and error text."""
-    options.setdefault("timeout", 120)
-    return subprocess.run([PROGRAM, *map(str, arguments)], stdin=subprocess.DEVNULL,
-                          stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, **options)
+    options = {"timeout": 120, "stdout": subprocess.PIPE, **options}
+    return subprocess.run([PROGRAM, *map(str, arguments)], stdin=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True,
+                          **options)
 
 
 def without_leak_check():
@@ -28,10 +29,8 @@ def with_display(*arguments):
     """The same, with a display where the machine has none."""
     display = [] if os.environ.get("DISPLAY") else ["xvfb-run", "-a", "-s", "-screen 0 1280x1024x24 -noreset"]
     # Graphics drivers leak, and are unloaded before their leaks could be told from ours.
-    return subprocess.run([*display, PROGRAM, *map(str, arguments)], timeout=120,
-                          env=without_leak_check(),
-                          stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
-                          stderr=subprocess.PIPE, text=True)
+    return subprocess.run([*display, PROGRAM, *map(str, arguments)], timeout=120, env=without_leak_check(),
+                          stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
 
 
 HAS_DISPLAY = bool(os.environ.get("DISPLAY") or shutil.which("xvfb-run"))
@@ -47,6 +46,17 @@ def make_phantom(folder, name, *options):
 
 def dice_of(text):
     return float(re.search(r"^Dice +([0-9.]+)$", text, re.MULTILINE).group(1))
+
+
+def parameter_options():
+    """The options that the properties of the segmentation and of its stages must have."""
+    properties = set()
+    for name in ("FlipFreeSegmentation", "GMMFeatureFilter", "CorrespondenceSearch", "FlipFreeDeform"):
+        with open(os.path.join(FILTERS, "vtk" + name + ".h"), encoding="utf-8") as file:
+            properties.update(re.findall(r"(?:vtkSet\w*Macro\(|void Set)(\w+)(?:,|\((?:double|int|bool) )", file.read()))
+    # The seed is --seed or --seed-voxel and --radius; the history is for pipelines; the feature has the threshold.
+    properties -= {"SeedCenter", "SeedRadius", "KeepHistory", "Threshold"}
+    return sorted("-" + re.sub("([A-Z])", r"-\1", name).lower() for name in properties)
 
 
 class CommandTest(unittest.TestCase):
@@ -74,7 +84,7 @@ class CommandTest(unittest.TestCase):
 
     def assert_refused(self, process, status, *patterns):
         """One line that says what is wrong, the status, and no file."""
-        self.assertEqual(process.returncode, status, process.stdout + process.stderr)
+        self.assertEqual(process.returncode, status, f"{process.stdout}{process.stderr}")
         self.assertRegex(process.stderr, r"\Aflipfree: error: [^\n]+\n\Z")
         for trace in (r"0x[0-9a-f]{6}", r"\.cxx", r"\bvtk[A-Z]", r"\bitk::", r"\bport \d"):
             self.assertNotRegex(process.stderr, trace)

@@ -49,7 +49,7 @@ bool IsFolder(const OptionEntry& option)
   return option.Values.size() == 1 && option.Values[0] == "DIR";
 }
 
-/// How bash completes a value; nothing for a number.
+/// The arguments of bash's compgen for a value; empty for a number.
 std::string BashWords(const OptionEntry& option)
 {
   if (!option.Choices.empty())
@@ -59,7 +59,7 @@ std::string BashWords(const OptionEntry& option)
   return IsFile(option) ? "-f" : IsFolder(option) ? "-d" : "";
 }
 
-/// Text within single quotes, where zsh gives brackets and colons a meaning.
+/// Escapes text for single quotes, within which _arguments interprets brackets and colons.
 std::string ZshText(const std::string& text)
 {
   std::string quoted;

@@ -89,23 +89,16 @@ vtkSmartPointer<vtkTable> NamedRow(vtkSegmentationMetrics* metrics, const Evalua
 
 void Measure(vtkSegmentationMetrics* metrics, const Evaluation& evaluation)
 {
+  const OptionNames names{ { "SegmentationLabel", "--segmentation-label" },
+    { "ReferenceLabel", "--reference-label" } };
   try
   {
-    Run(metrics, "measuring");
+    Run(metrics, "measuring", names);
   }
   catch (const Failure& failure)
   {
-    // The files' names last: they may hold what is replaced.
-    std::string message = WithOptionNames(failure.what());
-    for (const char* port : { "the segmentation (port 0)", "the segmentation on port 0" })
-    {
-      message = Replaced(message, port, "'" + evaluation.Segmentation + "'");
-    }
-    for (const char* port : { "the reference (port 1)", "the reference on port 1" })
-    {
-      message = Replaced(message, port, "'" + evaluation.Reference + "'");
-    }
-    throw Failure(message);
+    throw Failure("'" + evaluation.Segmentation + "' against '" + evaluation.Reference +
+      "': " + failure.what());
   }
 }
 
@@ -158,11 +151,10 @@ void Evaluate(const Evaluation& evaluation)
 }
 
 const char* const Footer =
-  "A segmentation is a label map (.nii .nii.gz .nrrd .nhdr .mha .mhd) on the reference's grid, or "
-  "a\n"
-  "closed surface (.vtp .stl .ply .obj) in LPS millimeters. A surface is voxelized for the "
-  "overlap\n"
-  "and measured as it is for the distances.\n"
+  "The segmentation is a label map (.nii .nii.gz .nrrd .nhdr .mha .mhd) on the reference's grid\n"
+  "or a closed surface (.vtp .stl .ply .obj) in LPS millimeters. A surface is voxelized to "
+  "measure\n"
+  "the overlap; distances are measured from the surface itself.\n"
   "\n"
   "Examples:\n"
   "  flipfree evaluate liver.nii.gz truth.nii.gz --reference-label 6\n"
@@ -173,30 +165,28 @@ const char* const Footer =
 void AddEvaluateCommand(CLI::App& program)
 {
   const auto evaluation = std::make_shared<Evaluation>();
-  CLI::App* command =
-    program.add_subcommand("evaluate", "Measure how well a segmentation agrees with a reference");
+  CLI::App* command = program.add_subcommand("evaluate", "Compare a segmentation with a reference");
   command->add_option("SEGMENTATION", evaluation->Segmentation, "Label map or surface")->required();
-  command->add_option("REFERENCE", evaluation->Reference, "Label map that is the truth")
+  command->add_option("REFERENCE", evaluation->Reference, "Label map that counts as the truth")
     ->required();
   command
     ->add_option("--label", evaluation->Label,
-      "Value that counts as inside in both label maps; by default, all but 0")
+      "Value of the inside in both label maps; by default, every value but 0")
     ->type_name("N")
     ->check(CLI::NonNegativeNumber);
   command
     ->add_option("--segmentation-label", evaluation->SegmentationLabel,
-      "The same, for the segmentation only")
+      "The same for the segmentation only")
     ->type_name("N")
     ->check(CLI::NonNegativeNumber);
   command
-    ->add_option("--reference-label", evaluation->ReferenceLabel,
-      "The same, for the reference only")
+    ->add_option("--reference-label", evaluation->ReferenceLabel, "The same for the reference only")
     ->type_name("N")
     ->check(CLI::NonNegativeNumber);
-  command->add_option("--csv", evaluation->Csv, "Also write the measures into this file")
+  command->add_option("--csv", evaluation->Csv, "Also write the measures to this file")
     ->type_name("FILE");
   command->add_flag("--voxelize", evaluation->Voxelize,
-    "Measure the distances of a surface's voxels, to compare it with label maps on equal terms");
+    "Measure distances from the surface's voxels, for a fair comparison with label maps");
   command->add_flag("-q,--quiet", evaluation->Quiet, "Print nothing but errors and warnings");
   command->footer(Footer);
   command->callback([evaluation]() { Evaluate(*evaluation); });

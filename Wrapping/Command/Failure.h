@@ -1,7 +1,6 @@
 /**
- * The ways in which the command ends other than well, each with its exit status. What a failure
- * says becomes the one line that the user reads, so it names the file or the option, and the
- * remedy.
+ * The exceptions that end the command, each with its exit status. Their message becomes the one
+ * line that the user reads, so it names the file or the option, and the remedy.
  */
 #ifndef FlipFreeCommandFailure_h
 #define FlipFreeCommandFailure_h
@@ -25,13 +24,13 @@ struct Failure : std::runtime_error
   using std::runtime_error::runtime_error;
 };
 
-/// The command line asks for something that there is not; found before any work is done.
+/// The command line is wrong; found before any work is done.
 struct WrongUsage : std::runtime_error
 {
   using std::runtime_error::runtime_error;
 };
 
-/// The user stopped it.
+/// The user stopped the command.
 struct Interrupted
 {
 };

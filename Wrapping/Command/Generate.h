@@ -1,6 +1,6 @@
 /**
- * The manual page and the completion of shells, generated from the options themselves. The build
- * calls `flipfree --generate man`, which the help does not show, and installs what it prints.
+ * Generates the manual page and the shell completions from the options themselves. The build
+ * installs what the hidden option `flipfree --generate man` (or bash, zsh) prints.
  */
 #ifndef FlipFreeCommandGenerate_h
 #define FlipFreeCommandGenerate_h
@@ -22,7 +22,7 @@ std::string ManualPage(const std::vector<CommandEntry>& table, const std::string
 std::string BashCompletion(const std::vector<CommandEntry>& table);
 std::string ZshCompletion(const std::vector<CommandEntry>& table);
 
-/// Adds the hidden option, which prints one of them and ends.
+/// Adds the hidden option.
 void AddGenerateOption(CLI::App& program);
 
 } // namespace Command

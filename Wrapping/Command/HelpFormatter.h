@@ -1,6 +1,5 @@
 /**
- * The layout of --help: `--radius MM (required)`, `--levels N [3]`, and lines of at most 100
- * columns.
+ * Lays out --help: `--radius MM (required)`, `--levels N [3]`, and lines of at most 100 columns.
  */
 #ifndef FlipFreeCommandHelpFormatter_h
 #define FlipFreeCommandHelpFormatter_h
@@ -20,7 +19,7 @@ public:
   std::string make_option_name(const CLI::Option* option, bool positional) const override
   {
     const std::string name = option->get_name(positional, true);
-    return name.substr(0, name.find('{')); // a flag's value means nothing to the user
+    return name.substr(0, name.find('{')); // the user need not know a flag's value
   }
 
   std::string make_option_opts(const CLI::Option* option) const override
@@ -29,7 +28,7 @@ public:
     if (option->get_type_size() != 0 && !option->get_positional())
     {
       const std::string type = option->get_type_name();
-      text += " " + type.substr(0, type.find(':')); // without the checks that CLI11 appends
+      text += " " + type.substr(0, type.find(':')); // without CLI11's checks
     }
     return text;
   }
@@ -60,7 +59,7 @@ private:
     {
       if (length + word.size() > 100 - Column)
       {
-        wrapped.back() = '\n'; // CLI11 indents what follows
+        wrapped.back() = '\n'; // CLI11 indents the next line
         length = 0;
       }
       wrapped += word + " ";

@@ -1,5 +1,5 @@
 /**
- * Ctrl-C and SIGTERM as a request to stop, which the running filter is asked to follow.
+ * Turns Ctrl-C and SIGTERM into a request to stop, which aborts the running filter.
  */
 #ifndef FlipFreeCommandInterrupt_h
 #define FlipFreeCommandInterrupt_h
@@ -7,8 +7,8 @@
 namespace Command
 {
 
-/// From now on signals no longer end the process; they are asked for by WasInterrupted(). Writing
-/// beyond a limit on file sizes becomes an error of the write.
+/// From now on these signals no longer end the process; WasInterrupted() reports them. Exceeding
+/// the limit on file sizes fails the write instead of ending the process.
 void CatchSignals();
 
 bool WasInterrupted();

@@ -8,7 +8,7 @@ namespace Command
 namespace
 {
 
-/// Text as roff takes it: no line of it is a request, and dashes stay dashes.
+/// Escapes text for roff: no line becomes a request, and dashes stay dashes.
 std::string Roff(const std::string& text)
 {
   std::string roff;
@@ -40,7 +40,7 @@ std::string Sentence(const std::string& text)
   return text.empty() || text.back() == '.' ? text : text + ".";
 }
 
-/// The footer of a help: paragraphs, and examples that keep their lines.
+/// The footer of --help: paragraphs, and examples that keep their line breaks.
 void AddFooter(std::ostringstream& page, const std::string& footer)
 {
   std::istringstream lines(footer);

@@ -10,6 +10,7 @@
 
 #include <cstdio>
 #include <mutex>
+#include <regex>
 
 #include <fcntl.h>
 #include <unistd.h>
@@ -20,10 +21,11 @@ namespace
 {
 
 int UserStream = STDERR_FILENO;
-std::mutex Lock; // filters may report from their threads
+std::mutex Lock; // filters may report from several threads
 std::string FirstError;
+OptionNames Names;
 
-/// `ERROR: In file, line n\nvtkClass (0x1234): what happened\n\n` without all that is VTK's.
+/// Strips VTK's frame from `ERROR: In file, line n\nvtkClass (0x1234): what happened\n\n`.
 std::string WithoutTrace(const std::string& report)
 {
   std::string text = report;
@@ -40,7 +42,6 @@ std::string WithoutTrace(const std::string& report)
   return text;
 }
 
-/// As one line.
 std::string InOneLine(const std::string& text)
 {
   std::string line;
@@ -56,6 +57,28 @@ std::string InOneLine(const std::string& text)
     gap = space;
   }
   return line;
+}
+
+/// Word by word, so that the names of properties do not depend on the phrases they stand in.
+std::string WithOptionNames(const std::string& text)
+{
+  if (Names.empty())
+  {
+    return text;
+  }
+  static const std::regex port(" on port [0-9]| \\(port [0-9]\\)");
+  static const std::regex word("[A-Za-z0-9]+");
+  const std::string source = std::regex_replace(text, port, "");
+  std::string result;
+  std::string::const_iterator rest = source.begin();
+  for (std::sregex_iterator match(source.begin(), source.end(), word), end; match != end; ++match)
+  {
+    const auto name = Names.find(match->str());
+    result.append(rest, (*match)[0].first);
+    result += name == Names.end() ? match->str() : name->second;
+    rest = (*match)[0].second;
+  }
+  return result.append(rest, source.end());
 }
 
 void Print(const char* kind, const std::string& message)
@@ -75,9 +98,9 @@ public:
   void DisplayErrorText(const char* text) override
   {
     const std::lock_guard<std::mutex> guard(Lock);
-    if (FirstError.empty()) // what follows is other filters' complaint about the first
+    if (FirstError.empty()) // later ones are complaints of other filters about the first
     {
-      FirstError = InOneLine(WithoutTrace(text));
+      FirstError = InOneLine(WithOptionNames(WithoutTrace(text)));
     }
   }
   void DisplayWarningText(const char* text) override
@@ -87,7 +110,7 @@ public:
   }
   void DisplayGenericWarningText(const char* text) override
   {
-    // VTK's reader of PLY files would go on beyond the end of a truncated one, and crash.
+    // VTK's PLY reader would read beyond the end of a truncated file and crash.
     if (std::string(text).find("PLY error") != std::string::npos)
     {
       throw Failure(WithoutTrace(text));
@@ -107,12 +130,23 @@ void CatchVtkMessages()
   vtkOutputWindow::SetInstance(collector);
 }
 
-std::string TakeVtkError()
+FilterReports::FilterReports(const OptionNames& names)
 {
   const std::lock_guard<std::mutex> guard(Lock);
-  std::string error;
-  error.swap(FirstError);
-  return error;
+  FirstError.clear();
+  Names = names;
+}
+
+FilterReports::~FilterReports()
+{
+  const std::lock_guard<std::mutex> guard(Lock);
+  Names.clear();
+}
+
+std::string FilterReports::Error() const
+{
+  const std::lock_guard<std::mutex> guard(Lock);
+  return FirstError;
 }
 
 SilentLibraries::SilentLibraries()
@@ -147,7 +181,7 @@ void WriteToUser(const std::string& text)
     const ssize_t count = write(UserStream, text.data() + done, text.size() - done);
     if (count <= 0)
     {
-      return; // nobody is there to be told
+      return; // nobody is listening
     }
     done += static_cast<std::string::size_type>(count);
   }
@@ -161,32 +195,6 @@ void PrintError(const std::string& message)
 void PrintWarning(const std::string& message)
 {
   Print("warning", message);
-}
-
-std::string Replaced(std::string text, const std::string& from, const std::string& to)
-{
-  for (std::string::size_type at = 0; (at = text.find(from, at)) != std::string::npos;
-       at += to.size())
-  {
-    text.replace(at, from.size(), to);
-  }
-  return text;
-}
-
-std::string WithOptionNames(std::string text)
-{
-  const std::pair<const char*, const char*> names[] = { { "FeatureThreshold", "--threshold" },
-    { "ForegroundMass", "--foreground-mass" }, { "NoiseWidening", "--noise-widening" },
-    { "SearchDistance", "--search-distance" }, { "MaximumDisplacement", "--maximum-displacement" },
-    { "raise Reach", "raise --reach" }, { "lower Levels", "lower --levels" },
-    { " (port 1) has the ", " has the " }, { "SegmentationLabel", "--segmentation-label" },
-    { "ReferenceLabel", "--reference-label" }, { "lower SeedRadius", "lower --radius" },
-    { "move SeedCenter", "move --seed" } };
-  for (const auto& name : names)
-  {
-    text = Replaced(text, name.first, name.second);
-  }
-  return text;
 }
 
 } // namespace Command

@@ -1,24 +1,39 @@
 /**
- * What the command tells its user on the standard error stream, always one line at a time:
- * `flipfree: error: ...`. VTK's own reports are caught and kept, so that the one that matters can
- * be told in this form and no trace of source files and addresses gets through.
+ * Messages to the user on the standard error stream, each a single line such as
+ * `flipfree: error: ...`. VTK's own reports are collected, so that the first error can be printed
+ * in this form, without source files and addresses.
  */
 #ifndef FlipFreeCommandMessages_h
 #define FlipFreeCommandMessages_h
 
+#include <map>
 #include <string>
 
 namespace Command
 {
 
-/// From now on VTK writes nothing itself.
+/// What the command calls a filter's properties: options by property.
+using OptionNames = std::map<std::string, std::string>;
+
+/// From now on VTK prints nothing itself.
 void CatchVtkMessages();
 
-/// The first error that VTK has reported since the last call, without its trace; empty if none.
-std::string TakeVtkError();
+/// Collects what a filter reports while this object lives. Warnings are printed at once. In both,
+/// properties are called by their options, and ports are left out, if `names` is not empty.
+class FilterReports
+{
+public:
+  explicit FilterReports(const OptionNames& names);
+  ~FilterReports();
+  FilterReports(const FilterReports&) = delete;
+  void operator=(const FilterReports&) = delete;
 
-/// While it lives, nothing that libraries write to the standard error stream themselves gets there:
-/// those under ITK's readers and writers print what we tell, too, in a form of their own.
+  /// The first error so far; empty if there is none.
+  std::string Error() const;
+};
+
+/// While this object lives, libraries that write to the standard error stream themselves write
+/// nowhere: those below ITK's readers and writers would repeat our messages in their own form.
 class SilentLibraries
 {
 public:
@@ -31,17 +46,11 @@ private:
   int Original;
 };
 
-/// The standard error stream, even while libraries are silent.
+/// Writes to the standard error stream, even while libraries are silent.
 void WriteToUser(const std::string& text);
 
 void PrintError(const std::string& message);
 void PrintWarning(const std::string& message);
-
-/// A filter's message with the command's options in place of the filter's properties.
-std::string WithOptionNames(std::string text);
-
-/// `text` with every `from` replaced, for messages that name a port or a temporary file.
-std::string Replaced(std::string text, const std::string& from, const std::string& to);
 
 } // namespace Command
 

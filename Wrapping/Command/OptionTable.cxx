@@ -31,7 +31,7 @@ OptionEntry EntryOf(const CLI::Option& option)
   {
     entry.Names.push_back("--" + name);
   }
-  // CLI11 appends what checks expect: NAME:{default,published,naive}
+  // CLI11 appends the choices of checks: NAME:{default,published,naive}
   const std::string type = option.get_type_name();
   const std::size_t brace = type.find('{');
   if (brace != std::string::npos)
@@ -58,7 +58,7 @@ CommandEntry EntryOf(const CLI::App& command)
   CommandEntry entry{ command.get_name(), command.get_description(), command.get_footer(), {}, {} };
   for (const CLI::Option* option : command.get_options())
   {
-    if (!option->get_group().empty()) // those without are hidden
+    if (!option->get_group().empty()) // options without a group are hidden
     {
       (option->get_positional() ? entry.Positionals : entry.Options).push_back(EntryOf(*option));
     }

@@ -1,6 +1,6 @@
 /**
- * What the program's subcommands take, as plain data: the source of the manual page and of the
- * shells' completion, which therefore say the same as --help.
+ * The subcommands and their options as plain data, from which the manual page and the shell
+ * completions are generated, so that they agree with --help.
  */
 #ifndef FlipFreeCommandOptionTable_h
 #define FlipFreeCommandOptionTable_h
@@ -18,9 +18,9 @@ namespace Command
 
 struct OptionEntry
 {
-  std::vector<std::string> Names;   // with their dashes, short ones first; empty if positional
-  std::vector<std::string> Values;  // what it takes, such as X, Y, Z; empty if nothing
-  std::vector<std::string> Choices; // the words it takes, where there are no others
+  std::vector<std::string> Names;   // with dashes, short ones first; empty if positional
+  std::vector<std::string> Values;  // placeholders such as X, Y, Z; empty for a flag
+  std::vector<std::string> Choices; // the only words it accepts; empty if any
   std::string Description;
   std::string Default;
   std::string Group;
@@ -36,7 +36,7 @@ struct CommandEntry
   std::vector<OptionEntry> Options;
 };
 
-/// The program itself, and then its subcommands.
+/// The program itself, followed by its subcommands.
 std::vector<CommandEntry> OptionTable(const CLI::App& program);
 
 } // namespace Command

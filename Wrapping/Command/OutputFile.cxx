@@ -1,7 +1,6 @@
 #include "OutputFile.h"
 
 #include "Failure.h"
-#include "Messages.h"
 #include "Run.h"
 
 #include <algorithm>
@@ -24,6 +23,15 @@ bool SameFile(const std::string& a, const std::string& b)
   const fs::path first = fs::weakly_canonical(fs::absolute(a, ignored), ignored);
   const fs::path second = fs::weakly_canonical(fs::absolute(b, ignored), ignored);
   return first == second || (fs::exists(first, ignored) && fs::equivalent(first, second, ignored));
+}
+
+std::string Replaced(std::string text, const std::string& from, const std::string& to)
+{
+  for (std::size_t at = 0; (at = text.find(from, at)) != std::string::npos; at += to.size())
+  {
+    text.replace(at, from.size(), to);
+  }
+  return text;
 }
 
 /// Does what works with a FlipFree::AtomicFile, whose errors become failures.

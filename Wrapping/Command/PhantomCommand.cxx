@@ -85,11 +85,11 @@ void PrintSeeds(vtkPhantomSource* source)
   }
   double seed[4];
   double around[4];
-  if (source->GetShape() != vtkPhantomSource::VESSEL && // too thin to be found from there
+  if (source->GetShape() != vtkPhantomSource::VESSEL && // too thin to be found from outside
     source->GetSeed(vtkPhantomSource::OBJECT, seed) && source->GetEnclosingSphere(around))
   {
-    // The object is in reach of the search lines; the surface does not hold it alone until the end,
-    // so that intensities are not to be fitted again on the way.
+    // The search lines reach the object. Until the end the surface also encloses background, so
+    // the intensities must not be fitted again.
     std::printf("object, from outside: --seed %.2f %.2f %.2f --radius %.2f --start-scale %.3f "
                 "--start-offset %.2f %.2f %.2f --search-distance %.0f --no-reestimate-intensities "
                 "--no-leak-control --iterations 100 --levels 4\n",
@@ -105,9 +105,9 @@ void MakeFolder(const std::string& folder)
   std::filesystem::create_directory(folder, failure);
   if (!std::filesystem::is_directory(folder))
   {
-    throw Failure("The folder '" + folder + "' cannot be made (" +
-      (failure ? failure.message() : "a file of that name is in the way") +
-      "). Check the name, and the permissions of the folder that is to hold it.");
+    throw Failure("The folder '" + folder + "' cannot be created (" +
+      (failure ? failure.message() : "a file of that name exists") +
+      "). Check the name and the permissions of its parent folder.");
   }
 }
 
@@ -149,8 +149,8 @@ void Make(const Phantom& phantom)
 }
 
 const char* const Footer =
-  "It writes NAME.nii.gz, the volume, and NAME-truth.nii.gz, the label map that is its truth, and\n"
-  "prints a seed for each object, to be pasted after 'flipfree segment'.\n"
+  "Writes the volume NAME.nii.gz and its true label map NAME-truth.nii.gz, and prints a seed for\n"
+  "each object, to be pasted after 'flipfree segment'.\n"
   "\n"
   "Examples:\n"
   "  flipfree phantom abdomen -o try         # a CT of the upper abdomen, in Hounsfield units\n"
@@ -163,27 +163,27 @@ void AddPhantomCommand(CLI::App& program)
 {
   const auto phantom = std::make_shared<Phantom>();
   CLI::App* command =
-    program.add_subcommand("phantom", "Make a synthetic volume whose segmentation is known");
+    program.add_subcommand("phantom", "Create a synthetic volume with a known segmentation");
   command->add_option("NAME", phantom->Name, "sphere, cube, cup, u-tube, vessel or abdomen")
-    ->type_name("{sphere,cube,cup,u-tube,vessel,abdomen}") // for completion; the help shows none
+    ->type_name("{sphere,cube,cup,u-tube,vessel,abdomen}") // for completion; not shown in the help
     ->required();
-  command
-    ->add_option("-o,--output", phantom->Folder, "Folder for the two files, made if it is absent")
+  command->add_option("-o,--output", phantom->Folder, "Folder for the two files; created if absent")
     ->type_name("DIR")
     ->capture_default_str();
   command->add_option("--size", phantom->Dimensions, "Number of voxels along each axis")
     ->type_name("NX NY NZ")
-    ->default_str("as suits the phantom");
-  command->add_option("--spacing", phantom->Spacing, "Distance of voxels along each axis, in mm")
+    ->default_str("depends on the phantom");
+  command->add_option("--spacing", phantom->Spacing, "Voxel spacing along each axis, in mm")
     ->type_name("X Y Z")
-    ->default_str("as suits the phantom");
+    ->default_str("depends on the phantom");
   command->add_option("--noise", phantom->Noise, "Standard deviation of the noise")
     ->type_name("S")
     ->capture_default_str();
-  command->add_option("--random-seed", phantom->RandomSeed, "Where the random numbers start")
+  command->add_option("--random-seed", phantom->RandomSeed, "Seed of the random numbers")
     ->type_name("N")
     ->capture_default_str();
-  command->add_option("--lesions", phantom->Lesions, "Lesions in the abdomen's liver, 0 to 20")
+  command
+    ->add_option("--lesions", phantom->Lesions, "Number of lesions in the abdomen's liver, 0 to 20")
     ->type_name("N")
     ->check(CLI::Range(0, 20))
     ->capture_default_str();

@@ -1,6 +1,6 @@
 /**
- * One line on a terminal that shows how far the work has come, and goes when it is done. Where the
- * standard error stream is a file or a pipe, nothing is written.
+ * A progress bar of one line, which is removed when the work is done. Nothing is written unless the
+ * standard error stream is a terminal.
  */
 #ifndef FlipFreeCommandProgressBar_h
 #define FlipFreeCommandProgressBar_h
@@ -12,10 +12,10 @@ namespace Command
 namespace ProgressBar
 {
 
-/// No bar, whatever the stream is.
+/// Shows no bar, even on a terminal.
 void Disable();
 
-/// Draws it, with a fraction between 0 and 1.
+/// Draws the bar for a fraction from 0 to 1.
 void Show(const std::string& title, double fraction);
 
 void Clear();

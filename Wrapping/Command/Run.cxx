@@ -2,14 +2,11 @@
 
 #include "Failure.h"
 #include "Interrupt.h"
-#include "Messages.h"
 #include "ProgressBar.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkCommand.h"
 #include "vtkNew.h"
-
-#include <chrono>
 
 namespace Command
 {
@@ -38,14 +35,14 @@ public:
 
 } // namespace
 
-double Run(vtkAlgorithm* algorithm, const std::string& title, const std::function<void()>& work)
+void Run(vtkAlgorithm* algorithm, const std::string& title, const OptionNames& names,
+  const std::function<void()>& work)
 {
   StopIfInterrupted();
-  TakeVtkError(); // nothing from before is this one's fault
+  const FilterReports reports(names);
   vtkNew<Watcher> watcher;
   watcher->Title = title;
   const unsigned long tag = algorithm->AddObserver(vtkCommand::ProgressEvent, watcher);
-  const auto start = std::chrono::steady_clock::now();
   if (work)
   {
     work();
@@ -54,16 +51,14 @@ double Run(vtkAlgorithm* algorithm, const std::string& title, const std::functio
   {
     algorithm->Update();
   }
-  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
   algorithm->RemoveObserver(tag);
   ProgressBar::Clear();
   StopIfInterrupted();
-  const std::string error = TakeVtkError();
+  const std::string error = reports.Error();
   if (!error.empty())
   {
     throw Failure(error);
   }
-  return seconds.count();
 }
 
 void StopIfInterrupted()

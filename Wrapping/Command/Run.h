@@ -1,9 +1,11 @@
 /**
- * Runs filters as the command wants them run: with a progress bar, stopped by Ctrl-C, and with what
- * they report turned into a Failure.
+ * Runs a filter with a progress bar, stops it at Ctrl-C, and turns the error it reports into a
+ * Failure.
  */
 #ifndef FlipFreeCommandRun_h
 #define FlipFreeCommandRun_h
+
+#include "Messages.h"
 
 #include <functional>
 #include <string>
@@ -13,10 +15,10 @@ class vtkAlgorithm;
 namespace Command
 {
 
-/// Does `work` (by default, updates the filter). Throws Interrupted, or a Failure with what the
-/// filter reports. Returns the seconds that it took.
-double Run(vtkAlgorithm* algorithm, const std::string& title,
-  const std::function<void()>& work = std::function<void()>());
+/// Updates the filter, or calls `work` in place of its Update(). What it reports calls properties
+/// by `names`. Throws Interrupted or Failure.
+void Run(vtkAlgorithm* algorithm, const std::string& title, const OptionNames& names = {},
+  const std::function<void()>& work = {});
 
 /// Throws Interrupted once the user has asked to stop.
 void StopIfInterrupted();

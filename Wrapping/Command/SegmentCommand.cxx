@@ -51,33 +51,35 @@ struct Segmentation
   SegmentParameters Parameters;
 };
 
-/// All that can be wrong without a look at the volume.
+/// Checks all that can be checked before the volume is read.
 void RequireSense(const Segmentation& segmentation)
 {
   if (segmentation.Seed.empty() == segmentation.SeedVoxel.empty())
   {
     throw WrongUsage(segmentation.Seed.empty()
-        ? "No seed is given. Give a point deep in the organ, by --seed X Y Z (LPS mm) or by "
+        ? "There is no seed. Give a point deep inside the organ: --seed X Y Z (LPS mm) or "
           "--seed-voxel I J K."
-        : "Both --seed and --seed-voxel are given. Give one of them.");
+        : "Both --seed and --seed-voxel are given. Give only one of them.");
   }
   for (const double coordinate : segmentation.Seed)
   {
     if (!vtkMath::IsFinite(coordinate))
     {
-      throw WrongUsage("--seed: a coordinate is not a finite number. Give three in millimeters.");
+      throw WrongUsage(
+        "--seed: a coordinate is not a finite number. Give three numbers, in millimeters.");
     }
   }
   if (!(segmentation.Radius > 0) || !vtkMath::IsFinite(segmentation.Radius))
   {
-    throw WrongUsage("--radius must be a number of millimeters above 0, such that the sphere lies "
-                     "within the organ.");
+    throw WrongUsage(
+      "--radius must be a positive number of millimeters. The sphere should lie within "
+      "the organ.");
   }
   if (segmentation.Surface.empty() && segmentation.Labels.empty() &&
     segmentation.Convergence.empty() && segmentation.Snapshot.empty())
   {
-    throw WrongUsage("No result is asked for. Name at least one: --output, --labels, "
-                     "--convergence or --snapshot.");
+    throw WrongUsage("No output is requested. Give at least one of --output, --labels, "
+                     "--convergence and --snapshot.");
   }
   const auto require =
     [](const char* option, const std::string& name, const std::vector<std::string>& endings)
@@ -109,7 +111,7 @@ void AnnounceOutputs(const Segmentation& segmentation, OutputFiles& outputs)
   }
 }
 
-/// The seed in millimeters, which must lie in the volume.
+/// The seed in millimeters. Throws Failure if it lies outside the volume.
 Point SeedIn(vtkImageData* image, const Segmentation& segmentation)
 {
   Point seed;
@@ -139,16 +141,16 @@ Point SeedIn(vtkImageData* image, const Segmentation& segmentation)
       image->TransformContinuousIndexToPhysicalPoint(center, middle);
       char place[256];
       std::snprintf(place, sizeof(place),
-        "which has %d x %d x %d voxels around (%g, %g, %g) mm. Coordinates are LPS: a viewer that "
-        "shows RAS has the signs of x and y the other way round.",
+        "which has %d x %d x %d voxels centered at (%g, %g, %g) mm. Coordinates are LPS: viewers "
+        "that show RAS have the opposite signs of x and y.",
         extent[1] + 1, extent[3] + 1, extent[5] + 1, middle[0], middle[1], middle[2]);
-      throw Failure(std::string(given) + " lies outside of '" + segmentation.Input + "', " + place);
+      throw Failure(std::string(given) + " lies outside '" + segmentation.Input + "', " + place);
     }
   }
   return seed;
 }
 
-double VolumeInMillilitres(vtkPolyData* surface)
+double VolumeInMilliliters(vtkPolyData* surface)
 {
   vtkNew<vtkTriangleFilter> triangles;
   triangles->SetInputData(surface);
@@ -164,7 +166,7 @@ void PrintSummary(vtkFlipFreeSegmentation* filter, const Segmentation& segmentat
   filter->GetStageSeconds(seconds);
   std::printf("%s: volume %.1f ml, %d iterations, %s, %d self-intersections; reading %.2f s, "
               "smoothing %.2f s, feature %.2f s, deformation %.2f s, label map %.2f s\n",
-    segmentation.Input.c_str(), VolumeInMillilitres(filter->GetSurface()),
+    segmentation.Input.c_str(), VolumeInMilliliters(filter->GetSurface()),
     static_cast<int>(filter->GetConvergence()->GetNumberOfRows()), filter->GetStopReasonAsString(),
     filter->GetNumberOfSelfIntersections(), readingSeconds, seconds[0], seconds[1], seconds[2],
     seconds[3]);
@@ -218,30 +220,29 @@ void Segment(const Segmentation& segmentation)
   filter->SetLabelValue(segmentation.Label);
   try
   {
-    Run(filter, "segmenting");
+    Run(filter, "segmenting", SegmentParameters::Names());
   }
   catch (const Failure& failure)
   {
-    throw Failure("'" + segmentation.Input +
-      "': " + WithOptionNames(Replaced(failure.what(), " on port 0", "")));
+    throw Failure("'" + segmentation.Input + "': " + failure.what());
   }
   if (filter->GetSurface()->GetNumberOfPolys() == 0)
   {
     throw Failure("'" + segmentation.Input +
-      "': no surface was found. Check that the seed and its radius lie within the organ.");
+      "': no surface was found. Check that the seed sphere lies within the organ.");
   }
   if (filter->GetStopReason() == vtkFlipFreeSegmentation::NO_BOUNDARY_FOUND)
   {
     throw Failure("'" + segmentation.Input +
-      "': no boundary of the organ was found. Check that the seed and its radius lie within the "
-      "organ, raise --search-distance, or raise --foreground-mass.");
+      "': no boundary of the organ was found. Check that the seed sphere lies within the organ, or "
+      "raise --search-distance or --foreground-mass.");
   }
   WriteResults(filter, image, segmentation, outputs);
   if (filter->GetNumberOfSelfIntersections() > 0)
   {
-    PrintWarning("The surface intersects itself in " +
-      std::to_string(filter->GetNumberOfSelfIntersections()) +
-      " pairs of triangles; it would not with --guard.");
+    PrintWarning(
+      "The surface intersects itself in " + std::to_string(filter->GetNumberOfSelfIntersections()) +
+      " pairs of triangles. With --guard, it would not.");
   }
   if (!segmentation.Quiet)
   {
@@ -250,9 +251,9 @@ void Segment(const Segmentation& segmentation)
 }
 
 const char* const Footer =
-  "Results are written once all of them are there, or none is. The picture of --snapshot shows an\n"
-  "axial, a sagittal and a coronal slice through the surface's center with the contour, and the\n"
-  "surface; it needs a display (xvfb-run gives one to machines that have none).\n"
+  "Either all output files are written or none. The picture of --snapshot shows the contour on\n"
+  "axial, sagittal and coronal slices through the surface's center, and the surface; it needs a\n"
+  "display (or xvfb-run).\n"
   "\n"
   "Examples:\n"
   "  flipfree segment ct.nii.gz --seed 83 -154 321 --radius 26 -o liver.vtp\n"
@@ -261,26 +262,27 @@ const char* const Footer =
   "  flipfree segment dicom/ --series 1.2.840.1 --seed 90 20 -640 --radius 12 -o kidney.vtp\n"
   "  flipfree segment ct.nii.gz --seed 83 -154 321 --radius 26 --preset naive -o flips.ply\n"
   "\n"
-  "The seed is the center of a sphere within the organ, with at least half the radius of the\n"
-  "largest one that fits there: its voxels tell what the organ looks like, and the surface starts\n"
-  "from it.\n";
+  "The seed sphere should lie within the organ and have at least half the radius of the largest\n"
+  "sphere that fits there: the organ's intensities are learned from its voxels, and the surface\n"
+  "starts from it.\n";
 
 void AddFiles(CLI::App* command, Segmentation& segmentation)
 {
   command
     ->add_option("INPUT", segmentation.Input,
-      "Volume (.nii .nii.gz .nrrd .nhdr .mha .mhd), or folder of a DICOM series")
+      "Volume (.nii .nii.gz .nrrd .nhdr .mha .mhd) or folder of a DICOM series")
     ->required();
   command
     ->add_option("--series", segmentation.SeriesUID,
-      "Series Instance UID, where the folder holds several; by default, the one with most files")
+      "Series Instance UID, if the folder holds several series; by default, the one with the most "
+      "files")
     ->type_name("UID");
   command->add_option("--seed", segmentation.Seed, "Center of the seed sphere, in LPS millimeters")
     ->type_name("X Y Z")
     ->expected(3);
   command
     ->add_option("--seed-voxel", segmentation.SeedVoxel,
-      "The same, as indices of a voxel that count from 0")
+      "The same as the indices of a voxel, which count from 0")
     ->type_name("I J K")
     ->expected(3);
   command->add_option("--radius", segmentation.Radius, "Radius of the seed sphere, in millimeters")
@@ -300,7 +302,7 @@ void AddFiles(CLI::App* command, Segmentation& segmentation)
     ->type_name("N")
     ->check(CLI::Range(1, 255))
     ->capture_default_str();
-  command->add_option("--threads", segmentation.Threads, "Threads to use; 0: all that there are")
+  command->add_option("--threads", segmentation.Threads, "Number of threads; 0: all available")
     ->type_name("N")
     ->check(CLI::Range(0, 1024))
     ->capture_default_str();
@@ -312,7 +314,8 @@ void AddFiles(CLI::App* command, Segmentation& segmentation)
 void AddSegmentCommand(CLI::App& program)
 {
   const auto segmentation = std::make_shared<Segmentation>();
-  CLI::App* command = program.add_subcommand("segment", "Segment an organ from a sphere in it");
+  CLI::App* command =
+    program.add_subcommand("segment", "Segment an organ, starting from a sphere inside it");
   AddFiles(command, *segmentation);
   segmentation->Parameters.AddOptions(*command);
   command->footer(Footer);

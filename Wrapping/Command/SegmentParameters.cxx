@@ -6,9 +6,11 @@
 #include "vtkFlipFreeDeform.h"
 #include "vtkFlipFreeSegmentation.h"
 #include "vtkGMMFeatureFilter.h"
+#include "vtkNew.h"
 
 #include <CLI/CLI.hpp>
 
+#include <cctype>
 #include <sstream>
 #include <type_traits>
 
@@ -18,194 +20,286 @@ namespace
 {
 
 using Filter = vtkFlipFreeSegmentation;
+using Feature = vtkGMMFeatureFilter;
+using Search = vtkCorrespondenceSearch;
+using Deform = vtkFlipFreeDeform;
 
-const char* const General = "Parameters of the method";
-const char* const Finer = "Finer parameters";
+/// An option that sets a property of the filter or of one of its stages.
+struct Parameter
+{
+  std::string Names; // the last one is the property's
+  std::string Unit;  // empty for a switch
+  std::string Description;
+  bool IsInteger;
+  std::function<double(Filter*)> Get;
+  std::function<void(Filter*, double)> Set;
+};
 
-template <typename T>
-std::string TextOf(T value)
+struct ParameterGroup
+{
+  const char* Name;
+  std::vector<Parameter> Parameters;
+};
+
+/// A property of what `of` finds in the filter.
+template <typename Object, typename Getter, typename Setter>
+Parameter Property(Object* (*of)(Filter*), const char* names, const char* unit,
+  const char* description, Getter get, Setter set)
+{
+  using Value = std::invoke_result_t<Getter, Object*>;
+  return { names, unit, description, std::is_same_v<Value, int>,
+    [=](Filter* filter) { return static_cast<double>((of(filter)->*get)()); },
+    [=](Filter* filter, double value) { (of(filter)->*set)(static_cast<Value>(value)); } };
+}
+
+Filter* Whole(Filter* filter)
+{
+  return filter;
+}
+
+Feature* FeatureOf(Filter* filter)
+{
+  return filter->GetFeature();
+}
+
+Search* SearchOf(Filter* filter)
+{
+  return filter->GetSearch();
+}
+
+Deform* DeformOf(Filter* filter)
+{
+  return filter->GetDeform();
+}
+
+ParameterGroup MainParameters()
+{
+  return { "Parameters",
+    {
+      Property(Whole, "--resolution", "N",
+        "Vertices along an edge of each of the mesh's six sides, 6 N^2 in all",
+        &Filter::GetResolution, &Filter::SetResolution),
+      Property(Whole, "--levels", "N", "Levels from coarse to fine", &Filter::GetLevels,
+        &Filter::SetLevels),
+      Property(Whole, "--iterations,--maximum-iterations", "N",
+        "Maximum number of iterations at each level", &Filter::GetMaximumIterations,
+        &Filter::SetMaximumIterations),
+      Property(Whole, "--search-distance", "MM",
+        "Length of the search lines; 0: proportional to the radius", &Filter::GetSearchDistance,
+        &Filter::SetSearchDistance),
+      Property(Whole, "--reach", "MM",
+        "How far from the seed the surface may get; 0: ten radii, but 100 to 250 mm",
+        &Filter::GetReach, &Filter::SetReach),
+      Property(Whole, "--smoothing,--diffusion-iterations", "N",
+        "Iterations of the diffusion that smooths the volume", &Filter::GetDiffusionIterations,
+        &Filter::SetDiffusionIterations),
+      Property(Whole, "--foreground-mass", "P", "Mass of the mixture that counts as the organ",
+        &Filter::GetForegroundMass, &Filter::SetForegroundMass),
+      Property(Whole, "--leak-control", "", "Cut thin bridges between the organ and its neighbors",
+        &Filter::GetLeakControl, &Filter::SetLeakControl),
+      Property(Whole, "--guard", "",
+        "Keep the surface from intersecting itself; without, it may, and faces may flip",
+        &Filter::GetGuard, &Filter::SetGuard),
+    } };
+}
+
+ParameterGroup FeatureParameters()
+{
+  return { "Feature parameters",
+    {
+      Property(FeatureOf, "--threshold,--feature-threshold", "G",
+        "Gamma of Eq. 2, 0 to 1; 0: derived from --foreground-mass", &Feature::GetFeatureThreshold,
+        &Feature::SetFeatureThreshold),
+      Property(FeatureOf, "--components,--maximum-components", "N",
+        "Maximum number of Gaussians in the mixture", &Feature::GetMaximumComponents,
+        &Feature::SetMaximumComponents),
+      Property(FeatureOf, "--minimum-weight,--minimum-component-weight", "P",
+        "Weight below which a Gaussian is dropped from the mixture",
+        &Feature::GetMinimumComponentWeight, &Feature::SetMinimumComponentWeight),
+      Property(FeatureOf, "--noise-widening", "F",
+        "How much each Gaussian is widened, in standard deviations of the volume's noise",
+        &Feature::GetNoiseWidening, &Feature::SetNoiseWidening),
+      Property(FeatureOf, "--closing,--closing-radius", "MM", "Radius of the foreground's closing",
+        &Feature::GetClosingRadius, &Feature::SetClosingRadius),
+      Property(FeatureOf, "--opening,--opening-scale", "F",
+        "Radius of the foreground's opening, in seed radii", &Feature::GetOpeningScale,
+        &Feature::SetOpeningScale),
+      Property(FeatureOf, "--reestimate-intensities", "",
+        "Fit the intensities again inside the growing surface", &Feature::GetReestimateIntensities,
+        &Feature::SetReestimateIntensities),
+    } };
+}
+
+ParameterGroup SearchParameters()
+{
+  return { "Search parameters",
+    {
+      Property(SearchOf, "--search-scale", "F",
+        "Length of the search lines in seed radii, if --search-distance is 0",
+        &Search::GetSearchScale, &Search::SetSearchScale),
+      Property(SearchOf, "--run-length", "MM",
+        "Length of background that marks the boundary; 0: --run-voxels counts",
+        &Search::GetRunLength, &Search::SetRunLength),
+      Property(SearchOf, "--run-voxels", "N", "The same in voxels, the paper's N + 1",
+        &Search::GetRunVoxels, &Search::SetRunVoxels),
+      Property(SearchOf, "--search-inward", "",
+        "Vertices in the background search inward for the organ", &Search::GetSearchInward,
+        &Search::SetSearchInward),
+      Property(SearchOf, "--image-boundary-distance", "MM",
+        "A vertex this close to the volume's boundary takes it for its target; 0: it has none",
+        &Search::GetImageBoundaryDistance, &Search::SetImageBoundaryDistance),
+      Property(SearchOf, "--edge-window", "MM",
+        "Window in which targets move to the strongest edge; 0: they do not",
+        &Search::GetEdgeWindow, &Search::SetEdgeWindow),
+      Property(SearchOf, "--normal-smoothing-iterations", "N",
+        "Smoothing passes over the surface's normals", &Search::GetNormalSmoothingIterations,
+        &Search::SetNormalSmoothingIterations),
+      Property(SearchOf, "--outlier-standard-deviations", "F",
+        "Standard deviations beyond which a target is dropped; 0: none is",
+        &Search::GetOutlierStandardDeviations, &Search::SetOutlierStandardDeviations),
+      Property(SearchOf, "--maximum-displacement", "VOXELS",
+        "Maximum displacement in one iteration; 0: unlimited", &Search::GetMaximumDisplacement,
+        &Search::SetMaximumDisplacement),
+    } };
+}
+
+ParameterGroup DeformationParameters()
+{
+  return { "Deformation parameters",
+    {
+      Property(DeformOf, "--avoid-flips", "", "Avoid the flips that are detected",
+        &Deform::GetAvoidFlips, &Deform::SetAvoidFlips),
+      Property(DeformOf, "--flip-threshold", "R", "r of Eq. 3", &Deform::GetFlipThreshold,
+        &Deform::SetFlipThreshold),
+      Property(DeformOf, "--propagation,--propagation-iterations", "N",
+        "Passes that carry displacements to solitary vertices", &Deform::GetPropagationIterations,
+        &Deform::SetPropagationIterations),
+      Property(DeformOf, "--smoothing-iterations", "N",
+        "Passes that smooth the displacements of matched vertices, too",
+        &Deform::GetSmoothingIterations, &Deform::SetSmoothingIterations),
+      Property(DeformOf, "--position-weight", "F", "lambda_p of Eq. 7", &Deform::GetPositionWeight,
+        &Deform::SetPositionWeight),
+      Property(DeformOf, "--uniform-weight", "F", "lambda_u of Eq. 8", &Deform::GetUniformWeight,
+        &Deform::SetUniformWeight),
+      Property(DeformOf, "--fairing", "F", "0 keeps the surface's shape (Eq. 5), 1 smooths it",
+        &Deform::GetFairing, &Deform::SetFairing),
+    } };
+}
+
+ParameterGroup ScheduleParameters()
+{
+  return { "Start and convergence",
+    {
+      Property(Whole, "--distance-tolerance", "VOXELS",
+        "A level ends when the mean distance to the targets is below this",
+        &Filter::GetDistanceTolerance, &Filter::SetDistanceTolerance),
+      Property(Whole, "--change-tolerance", "VOXELS",
+        "A level ends when that distance changes by less over five iterations; negative: never",
+        &Filter::GetChangeTolerance, &Filter::SetChangeTolerance),
+      Property(Whole, "--start-scale", "F", "Radius of the first sphere, in seed radii",
+        &Filter::GetStartScale, &Filter::SetStartScale),
+    } };
+}
+
+const std::vector<ParameterGroup>& Table()
+{
+  static const std::vector<ParameterGroup> table{ MainParameters(), FeatureParameters(),
+    SearchParameters(), DeformationParameters(), ScheduleParameters() };
+  return table;
+}
+
+std::string FirstNameOf(const Parameter& parameter)
+{
+  return parameter.Names.substr(0, parameter.Names.find(','));
+}
+
+/// `SeedRadius` for `--seed-radius`.
+std::string PropertyOf(const std::string& option)
+{
+  std::string property;
+  bool startsWord = true;
+  for (const char letter : option)
+  {
+    if (letter != '-')
+    {
+      property += startsWord ? static_cast<char>(std::toupper(letter)) : letter;
+    }
+    startsWord = letter == '-';
+  }
+  return property;
+}
+
+std::string TextOf(double value)
 {
   std::ostringstream text;
   text << value;
   return text.str();
 }
 
-// The stage, or without one the filter itself.
-template <typename Owner>
-Owner* OwnerOf(Filter* filter, Owner* (Filter::*stage)() const)
+void SetOrRefuse(const Parameter& parameter, Filter* filter, double value)
 {
-  if constexpr (std::is_same_v<Owner, Filter>)
+  parameter.Set(filter, value);
+  const double taken = parameter.Get(filter);
+  if (!(taken == value))
   {
-    return filter;
+    throw WrongUsage(FirstNameOf(parameter) + ": " + TextOf(value) + " is out of range" +
+      (value == value ? "; the nearest is " + TextOf(taken) + "." : "."));
   }
-  else
+}
+
+/// Adds the option, which has `keep` called with its value.
+CLI::Option* AddOption(CLI::App& command, const Parameter& parameter,
+  const std::function<void(double)>& keep)
+{
+  if (parameter.Unit.empty())
   {
-    return (filter->*stage)();
+    const std::string off = ",!--no-" + parameter.Names.substr(2);
+    return command.add_flag_function(
+      parameter.Names + off, [keep](std::int64_t count) { keep(count > 0 ? 1 : 0); },
+      parameter.Description);
   }
+  CLI::Option* option = parameter.IsInteger
+    ? command.add_option_function<int>(parameter.Names, keep, parameter.Description)
+    : command.add_option_function<double>(parameter.Names, keep, parameter.Description);
+  return option->type_name(parameter.Unit);
 }
 
 } // namespace
-
-SegmentParameters::SegmentParameters() = default;
-SegmentParameters::~SegmentParameters() = default;
-
-template <typename T, typename Owner>
-void SegmentParameters::Add(CLI::App& command, const char* group, const std::string& option,
-  const std::string& unit, const std::string& description, T (Owner::*get)() const,
-  void (Owner::*set)(T), Owner* (Filter::*stage)() const)
-{
-  const auto keep = [this, option, get, set, stage](const T& value)
-  {
-    this->Given.push_back(
-      [=](Filter* filter)
-      {
-        Owner* const owner = OwnerOf(filter, stage);
-        (owner->*set)(value);
-        const T taken = (owner->*get)();
-        if (taken != value)
-        {
-          throw WrongUsage(option.substr(0, option.find(',')) + ": " + TextOf(value) +
-            " is out of range; the nearest is " + TextOf(taken) + ".");
-        }
-      });
-  };
-  command.add_option_function<T>(option, keep, description)
-    ->type_name(unit)
-    ->default_str(TextOf((OwnerOf<Owner>(this->Defaults, stage)->*get)()))
-    ->group(group);
-}
-
-template <typename Owner>
-void SegmentParameters::AddSwitch(CLI::App& command, const char* group, const std::string& option,
-  const std::string& description, void (Owner::*set)(bool), Owner* (Filter::*stage)() const)
-{
-  const auto keep = [this, set, stage](std::int64_t count)
-  { this->Given.emplace_back([=](Filter* filter) { (OwnerOf(filter, stage)->*set)(count > 0); }); };
-  command.add_flag_function("--" + option + ",!--no-" + option, keep, description)->group(group);
-}
 
 void SegmentParameters::AddOptions(CLI::App& command)
 {
   command
     .add_option("--preset", this->Preset,
-      "Which values the parameters start from: 'default', 'published' (the paper's own method: one "
-      "level, no leak control, no guard) or 'naive' (without flip avoidance, too); both may give "
-      "surfaces that intersect themselves. Options below change them further")
+      "Values that the parameters start from: 'default', 'published' (the paper's own method: one "
+      "level, no leak control, no guard) or 'naive' (also without flip avoidance). With the last "
+      "two, the surface may intersect itself. The options below override the preset")
     ->type_name("NAME")
     ->check(CLI::IsMember({ "default", "published", "naive" }))
     ->capture_default_str()
-    ->group(General);
-  this->Add(command, General, "--resolution", "N",
-    "Vertices along the edge of a side of the mesh, 6 N^2 in all", &Filter::GetResolution,
-    &Filter::SetResolution);
-  this->Add(command, General, "--levels", "N", "Levels from coarse to fine", &Filter::GetLevels,
-    &Filter::SetLevels);
-  this->Add(command, General, "--iterations,--maximum-iterations", "N",
-    "Most iterations at each level", &Filter::GetMaximumIterations, &Filter::SetMaximumIterations);
-  this->Add(command, General, "--search-distance", "MM",
-    "Length of the search lines; 0: in proportion to the radius", &Filter::GetSearchDistance,
-    &Filter::SetSearchDistance);
-  this->Add(command, General, "--reach", "MM",
-    "How far from the seed the surface may get; 0: ten radii, 100 to 250 mm", &Filter::GetReach,
-    &Filter::SetReach);
-  this->Add(command, General, "--smoothing,--diffusion-iterations", "N",
-    "Iterations of the diffusion that smooths the volume", &Filter::GetDiffusionIterations,
-    &Filter::SetDiffusionIterations);
-  this->Add(command, General, "--foreground-mass", "P",
-    "Mass of the mixture that counts as the organ", &Filter::GetForegroundMass,
-    &Filter::SetForegroundMass);
-  this->AddSwitch(command, General, "leak-control",
-    "Cut thin bridges from the organ to its neighbors (default: on)", &Filter::SetLeakControl);
-  this->AddSwitch(command, General, "guard",
-    "Keep the surface from meeting itself (default: on); without, nothing is promised",
-    &Filter::SetGuard);
-
-  this->Add(command, Finer, "--threshold,--feature-threshold", "G",
-    "Gamma of Eq. 2, 0 to 1; 0: from the foreground's mass",
-    &vtkGMMFeatureFilter::GetFeatureThreshold, &vtkGMMFeatureFilter::SetFeatureThreshold,
-    &Filter::GetFeature);
-  this->Add(command, Finer, "--components,--maximum-components", "N",
-    "Most Gaussians in the mixture", &vtkGMMFeatureFilter::GetMaximumComponents,
-    &vtkGMMFeatureFilter::SetMaximumComponents, &Filter::GetFeature);
-  this->Add(command, Finer, "--minimum-weight,--minimum-component-weight", "P",
-    "Weight below which a Gaussian is taken out of the mixture",
-    &vtkGMMFeatureFilter::GetMinimumComponentWeight,
-    &vtkGMMFeatureFilter::SetMinimumComponentWeight, &Filter::GetFeature);
-  this->Add(command, Finer, "--noise-widening", "F",
-    "Noise added to the mixture's deviations, in standard deviations of the volume's noise",
-    &vtkGMMFeatureFilter::GetNoiseWidening, &vtkGMMFeatureFilter::SetNoiseWidening,
-    &Filter::GetFeature);
-  this->Add(command, Finer, "--closing,--closing-radius", "MM",
-    "Radius of the closing of the foreground", &vtkGMMFeatureFilter::GetClosingRadius,
-    &vtkGMMFeatureFilter::SetClosingRadius, &Filter::GetFeature);
-  this->Add(command, Finer, "--opening,--opening-scale", "F",
-    "Radius of the opening of the foreground, in seed radii", &vtkGMMFeatureFilter::GetOpeningScale,
-    &vtkGMMFeatureFilter::SetOpeningScale, &Filter::GetFeature);
-  this->AddSwitch(command, Finer, "reestimate-intensities",
-    "Fit the intensities again inside the growing surface (default: on)",
-    &vtkGMMFeatureFilter::SetReestimateIntensities, &Filter::GetFeature);
-  this->Add(command, Finer, "--run-length", "MM",
-    "Length beyond the boundary that must be background; 0: by --run-voxels",
-    &vtkCorrespondenceSearch::GetRunLength, &vtkCorrespondenceSearch::SetRunLength,
-    &Filter::GetSearch);
-  this->Add(command, Finer, "--run-voxels", "N", "The same in voxels, the paper's N + 1",
-    &vtkCorrespondenceSearch::GetRunVoxels, &vtkCorrespondenceSearch::SetRunVoxels,
-    &Filter::GetSearch);
-  this->AddSwitch(command, Finer, "search-inward",
-    "Vertices in the background look inward for the organ (default: on)",
-    &vtkCorrespondenceSearch::SetSearchInward, &Filter::GetSearch);
-  this->Add(command, Finer, "--search-scale", "F",
-    "Length of the search lines in seed radii, where it is not given in millimeters",
-    &vtkCorrespondenceSearch::GetSearchScale, &vtkCorrespondenceSearch::SetSearchScale,
-    &Filter::GetSearch);
-  this->Add(command, Finer, "--image-boundary-distance", "MM",
-    "How near the end of the volume a vertex takes the end for its target; 0: it has none",
-    &vtkCorrespondenceSearch::GetImageBoundaryDistance,
-    &vtkCorrespondenceSearch::SetImageBoundaryDistance, &Filter::GetSearch);
-  this->Add(command, Finer, "--edge-window", "MM",
-    "Window in which targets move to the strongest edge", &vtkCorrespondenceSearch::GetEdgeWindow,
-    &vtkCorrespondenceSearch::SetEdgeWindow, &Filter::GetSearch);
-  this->Add(command, Finer, "--normal-smoothing-iterations", "N",
-    "Passes of averaging that the surface's normals get",
-    &vtkCorrespondenceSearch::GetNormalSmoothingIterations,
-    &vtkCorrespondenceSearch::SetNormalSmoothingIterations, &Filter::GetSearch);
-  this->Add(command, Finer, "--outlier-standard-deviations", "F",
-    "Standard deviations beyond which a target is dropped; 0: none is",
-    &vtkCorrespondenceSearch::GetOutlierStandardDeviations,
-    &vtkCorrespondenceSearch::SetOutlierStandardDeviations, &Filter::GetSearch);
-  this->Add(command, Finer, "--maximum-displacement", "VOXELS",
-    "Greatest displacement in one iteration", &vtkCorrespondenceSearch::GetMaximumDisplacement,
-    &vtkCorrespondenceSearch::SetMaximumDisplacement, &Filter::GetSearch);
-  this->AddSwitch(command, Finer, "avoid-flips", "Detect and avoid flips (default: on)",
-    &vtkFlipFreeDeform::SetAvoidFlips, &Filter::GetDeform);
-  this->Add(command, Finer, "--flip-threshold", "R", "r of Eq. 3",
-    &vtkFlipFreeDeform::GetFlipThreshold, &vtkFlipFreeDeform::SetFlipThreshold, &Filter::GetDeform);
-  this->Add(command, Finer, "--propagation,--propagation-iterations", "N",
-    "Passes that carry displacements to solitary vertices",
-    &vtkFlipFreeDeform::GetPropagationIterations, &vtkFlipFreeDeform::SetPropagationIterations,
-    &Filter::GetDeform);
-  this->Add(command, Finer, "--position-weight", "F", "lambda_p of Eq. 7",
-    &vtkFlipFreeDeform::GetPositionWeight, &vtkFlipFreeDeform::SetPositionWeight,
-    &Filter::GetDeform);
-  this->Add(command, Finer, "--uniform-weight", "F", "lambda_u of Eq. 8",
-    &vtkFlipFreeDeform::GetUniformWeight, &vtkFlipFreeDeform::SetUniformWeight, &Filter::GetDeform);
-  this->Add(command, Finer, "--fairing", "F",
-    "From 0, the shape is kept (Eq. 5), to 1, it is smoothed", &vtkFlipFreeDeform::GetFairing,
-    &vtkFlipFreeDeform::SetFairing, &Filter::GetDeform);
-  this->Add(command, Finer, "--distance-tolerance", "VOXELS", "Mean distance at which a level ends",
-    &Filter::GetDistanceTolerance, &Filter::SetDistanceTolerance);
-  this->Add(command, Finer, "--change-tolerance", "VOXELS",
-    "Its change over five iterations at which a level ends; negative: never",
-    &Filter::GetChangeTolerance, &Filter::SetChangeTolerance);
-  this->Add(command, Finer, "--start-scale", "F", "Radius of the first sphere, in seed radii",
-    &Filter::GetStartScale, &Filter::SetStartScale);
+    ->group(Table().front().Name);
+  vtkNew<Filter> defaults;
+  for (const ParameterGroup& group : Table())
+  {
+    for (const Parameter& parameter : group.Parameters)
+    {
+      const auto keep = [this, &parameter](double value)
+      {
+        this->Given.emplace_back(
+          [&parameter, value](Filter* filter) { SetOrRefuse(parameter, filter, value); });
+      };
+      const double value = parameter.Get(defaults);
+      AddOption(command, parameter, keep)
+        ->default_str(parameter.Unit.empty() ? value != 0 ? "on" : "off" : TextOf(value))
+        ->group(group.Name);
+    }
+  }
   command
     .add_option("--start-offset,--start-center-offset", this->StartOffset,
-      "Center of the first sphere from the seed's, in mm, to start elsewhere than in the seed")
+      "Center of the first sphere relative to the seed, in mm, to start outside the seed")
     ->type_name("X Y Z")
     ->expected(3)
     ->default_str("0 0 0")
-    ->group(Finer);
+    ->group(Table().back().Name);
 }
 
 void SegmentParameters::Apply(Filter* filter) const
@@ -230,6 +324,21 @@ void SegmentParameters::Apply(Filter* filter) const
   {
     filter->SetStartCenterOffset(this->StartOffset.data());
   }
+}
+
+OptionNames SegmentParameters::Names()
+{
+  OptionNames names{ { "SeedCenter", "--seed" }, { "SeedRadius", "--radius" },
+    { "StartCenterOffset", "--start-offset" } };
+  for (const ParameterGroup& group : Table())
+  {
+    for (const Parameter& parameter : group.Parameters)
+    {
+      const std::string last = parameter.Names.substr(parameter.Names.rfind("--"));
+      names[PropertyOf(last)] = FirstNameOf(parameter);
+    }
+  }
+  return names;
 }
 
 } // namespace Command

@@ -54,7 +54,7 @@ using Vector = std::array<double, 3>;
 
 constexpr int Size = 1200; // pixels
 constexpr int ViewSize = Size / 2;
-constexpr int Finer = 3;           // drawn so many times as large, for smooth lines
+constexpr int Supersampling = 3;   // for smooth lines
 constexpr double Gap = 3.0 / Size; // between the views
 constexpr double Ink[3] = { 0.045, 0.05, 0.06 };
 constexpr double Frame[3] = { 0.16, 0.17, 0.2 };
@@ -62,13 +62,13 @@ constexpr double ContourColor[3] = { 1.0, 0.76, 0.2 };
 constexpr double LetterColor[3] = { 0.85, 0.86, 0.88 };
 constexpr double OrganColor[3] = { 0.86, 0.42, 0.33 };
 
-/// How a slice is looked at; the viewer is where `Right` x `Up` points.
+/// The orientation of a slice; the viewer is in the direction of `Right` x `Up`.
 struct View
 {
   Vector Right;
   Vector Up;
   std::array<double, 2> Corner; // lower left, in fractions of the picture
-  const char* LeftLetter;       // the patient's side there, as radiologists mark it
+  const char* LeftLetter;       // the patient's side at the left edge
   const char* TopLetter;
 };
 
@@ -76,7 +76,7 @@ const View Axial{ { { 1, 0, 0 } }, { { 0, -1, 0 } }, { { 0, 0.5 } }, "R", "A" };
 const View Sagittal{ { { 0, 1, 0 } }, { { 0, 0, 1 } }, { { 0.5, 0.5 } }, "A", "S" };
 const View Coronal{ { { 1, 0, 0 } }, { { 0, 0, 1 } }, { { 0, 0 } }, "R", "S" };
 
-/// What the slices show: a cube around the surface, moved into the image as far as it can be.
+/// What the slices show: a cube around the surface, shifted into the image as far as possible.
 struct Region
 {
   Vector Center; // of the surface
@@ -101,8 +101,8 @@ vtkBoundingBox BoundsOf(vtkImageData* image)
   return box;
 }
 
-/// The window of the abdomen for a CT, which is known by its air; else what leaves out the darkest
-/// and the brightest hundredth.
+/// For a CT, recognized by its air, the abdominal window; otherwise, from the first to the
+/// 99th percentile.
 void ChooseWindow(vtkImageData* image, double window[2])
 {
   vtkDataArray* scalars = image->GetPointData()->GetScalars();
@@ -168,7 +168,7 @@ void AxesOf(const View& view, const Region& region, vtkMatrix4x4* axes)
   }
 }
 
-/// vtkImageReslice knows no direction matrices, so the image is given to it in index space.
+/// vtkImageReslice ignores direction matrices, so it gets the image in index space.
 vtkSmartPointer<vtkImageData> SliceOf(vtkImageData* image, vtkMatrix4x4* axes, const Region& region)
 {
   vtkNew<vtkImageData> grid;
@@ -180,7 +180,7 @@ vtkSmartPointer<vtkImageData> SliceOf(vtkImageData* image, vtkMatrix4x4* axes, c
   vtkNew<vtkMatrixToLinearTransform> toIndex;
   toIndex->SetInput(image->GetPhysicalToIndexMatrix());
 
-  // The middle of what is shown, as the view's axes have it.
+  // The middle of the region in the view's axes.
   double shift[2] = { 0, 0 };
   for (int row = 0; row < 3; ++row)
   {
@@ -199,7 +199,7 @@ vtkSmartPointer<vtkImageData> SliceOf(vtkImageData* image, vtkMatrix4x4* axes, c
   reslice->SetOutputSpacing(pixel, pixel, 1);
   reslice->SetOutputOrigin(shift[0] - 0.5 * (region.Side - pixel),
     shift[1] - 0.5 * (region.Side - pixel), 0);
-  reslice->SetOutputScalarType(VTK_FLOAT); // a background below the window fits in
+  reslice->SetOutputScalarType(VTK_FLOAT); // can hold a background below the window
   reslice->Update();
   return reslice->GetOutput();
 }
@@ -239,10 +239,10 @@ void AddLetter(vtkRenderer* renderer, const char* letter, double x, double y)
   text->GetPositionCoordinate()->SetCoordinateSystemToNormalizedViewport();
   text->SetPosition(x, y);
   vtkTextProperty* property = text->GetTextProperty();
-  property->SetFontSize(18 * Finer);
+  property->SetFontSize(18 * Supersampling);
   property->SetColor(LetterColor[0], LetterColor[1], LetterColor[2]);
-  property->ShadowOn(); // tells it from bright tissue
-  property->SetShadowOffset(Finer, -Finer);
+  property->ShadowOn(); // for contrast with bright tissue
+  property->SetShadowOffset(Supersampling, -Supersampling);
   property->SetJustificationToCentered();
   property->SetVerticalJustificationToCentered();
   renderer->AddViewProp(text);
@@ -270,10 +270,10 @@ void AddSlice(vtkRenderWindow* window, const View& view, vtkImageData* image, vt
   vtkNew<vtkCutter> cut;
   cut->SetInputData(surface);
   cut->SetCutFunction(plane);
-  vtkNew<vtkStripper> lines; // joined, so that there are no gaps between their ends
+  vtkNew<vtkStripper> lines; // joins the segments, which would leave gaps at their ends
   lines->SetInputConnection(cut->GetOutputPort());
   lines->Update();
-  for (int layer = 1; layer <= 2; ++layer) // a dark rim tells the line from bright tissue
+  for (int layer = 1; layer <= 2; ++layer) // a dark rim for contrast with bright tissue
   {
     const double front[3] = { layer * normal[0], layer * normal[1], layer * normal[2] };
     AddContour(renderer, lines->GetOutput(), front, layer == 1 ? Ink : ContourColor,
@@ -332,8 +332,8 @@ void RequireDisplay()
   Display* display = XOpenDisplay(nullptr);
   if (!display)
   {
-    throw Failure("--snapshot: there is no display to draw the picture with. Start the command by "
-                  "'xvfb-run -a flipfree ...', or leave the option out.");
+    throw Failure("--snapshot: there is no display to draw the picture with. Run the command under "
+                  "'xvfb-run -a', or omit the option.");
   }
   XCloseDisplay(display);
 #endif
@@ -345,7 +345,7 @@ void WriteSnapshot(const std::string& name, vtkImageData* image, vtkPolyData* su
   vtkNew<vtkRenderWindow> window;
   window->SetOffScreenRendering(1);
   window->SetMultiSamples(0);
-  window->SetSize(Finer * Size, Finer * Size);
+  window->SetSize(Supersampling * Size, Supersampling * Size);
   vtkNew<vtkRenderer> frame; // shows in the gaps
   frame->SetBackground(Frame[0], Frame[1], Frame[2]);
   window->AddRenderer(frame);
@@ -362,7 +362,7 @@ void WriteSnapshot(const std::string& name, vtkImageData* image, vtkPolyData* su
   picture->ReadFrontBufferOff();
   vtkNew<vtkImageShrink3D> shrink;
   shrink->SetInputConnection(picture->GetOutputPort());
-  shrink->SetShrinkFactors(Finer, Finer, 1);
+  shrink->SetShrinkFactors(Supersampling, Supersampling, 1);
   shrink->MeanOn();
   vtkNew<vtkPNGWriter> writer;
   writer->SetInputConnection(shrink->GetOutputPort());

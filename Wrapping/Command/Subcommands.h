@@ -1,5 +1,5 @@
 /**
- * The subcommands. Each adds itself, with its options and what it does, to the parser.
+ * Each subcommand adds itself to the parser: its options and the function that runs it.
  */
 #ifndef FlipFreeCommandSubcommands_h
 #define FlipFreeCommandSubcommands_h

@@ -59,7 +59,7 @@ void WriteBy(const std::string& name, vtkPolyData* surface)
   writer->SetFileName(name.c_str());
   writer->SetInputData(surface);
   Prepare(writer.Get());
-  Run(writer, "writing", [&writer]() { writer->Write(); });
+  Run(writer, "writing", {}, [&writer]() { writer->Write(); });
 }
 
 struct Format
@@ -87,7 +87,7 @@ const Format& FormatOf(const std::string& name)
   throw std::logic_error("the ending of '" + name + "' was not checked");
 }
 
-/// Whether the faces have the same vertices; their positions are rounded by most formats.
+/// Compares the faces' vertex indices only: most formats round positions.
 bool SameFaces(vtkPolyData* a, vtkPolyData* b)
 {
   if (a->GetNumberOfPoints() != b->GetNumberOfPoints() ||
@@ -140,12 +140,13 @@ vtkSmartPointer<vtkPolyData> ReadSurface(const std::string& name)
   }
   catch (const Failure& failure)
   {
-    throw Failure("'" + name + "' cannot be read, it is damaged or of another format (VTK: " +
-      failure.what() + "). Check its ending, or write it again.");
+    throw Failure("'" + name +
+      "' cannot be read: it is damaged or has another format than its ending says (VTK: " +
+      failure.what() + "). Check its ending, or create it again.");
   }
   if (surface->GetNumberOfPolys() == 0)
   {
-    throw Failure("'" + name + "' holds no faces. Check its ending, or write it again.");
+    throw Failure("'" + name + "' has no faces. Check its ending, or create it again.");
   }
   return surface;
 }
@@ -161,7 +162,7 @@ void WriteSurface(const std::string& name, vtkPolyData* surface)
     const Format& format = FormatOf(name);
     format.Write(name, written);
     const vtkSmartPointer<vtkPolyData> found = format.Read(name);
-    // An STL file numbers no vertices.
+    // STL has no vertex indices to compare.
     whole = triangulated ? found->GetNumberOfPolys() == written->GetNumberOfPolys()
                          : SameFaces(found, written);
   }
@@ -172,8 +173,8 @@ void WriteSurface(const std::string& name, vtkPolyData* surface)
   if (!whole)
   {
     throw Failure("'" + name +
-      "' cannot be written: it does not come out whole. The disk is full, or a limit on the size "
-      "of files is reached: make room, or write elsewhere.");
+      "' cannot be written completely: the disk is full, or a limit on file sizes is reached. Make "
+      "room, or write elsewhere.");
   }
 }
 

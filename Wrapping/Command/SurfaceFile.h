@@ -1,5 +1,6 @@
 /**
- * Surfaces in files, by their ending. Coordinates are LPS millimeters in every format, as they are.
+ * Reads and writes surfaces; the ending of a file's name tells its format. Coordinates are LPS
+ * millimeters in every format.
  */
 #ifndef FlipFreeCommandSurfaceFile_h
 #define FlipFreeCommandSurfaceFile_h
@@ -14,13 +15,13 @@ class vtkPolyData;
 namespace Command
 {
 
-/// Endings of the surfaces that can be read and written.
+/// The endings of surfaces that can be read and written.
 const std::vector<std::string>& SurfaceEndings();
 
 vtkSmartPointer<vtkPolyData> ReadSurface(const std::string& name);
 
-/// Writes a surface and reads it back, since VTK's writers do not tell of every failure. In .stl
-/// its faces become triangles, the other formats keep them.
+/// Writes a surface and reads it back, because VTK's writers do not report every failure. STL holds
+/// triangles only; the other formats keep the faces.
 void WriteSurface(const std::string& name, vtkPolyData* surface);
 
 } // namespace Command

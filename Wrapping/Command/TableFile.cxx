@@ -18,7 +18,7 @@ void WriteTable(const std::string& name, vtkTable* table)
   vtkNew<vtkDelimitedTextWriter> writer;
   writer->SetInputData(table);
   writer->WriteToOutputStringOn();
-  Run(writer, "writing", [&writer]() { writer->Write(); });
+  Run(writer, "writing", {}, [&writer]() { writer->Write(); });
   const std::unique_ptr<char[]> text(writer->RegisterAndGetOutputString());
   WriteBytes(name, text.get(), std::strlen(text.get()));
 }

@@ -1,5 +1,5 @@
 /**
- * Tables as CSV files: a line of names, then one line per row.
+ * Writes tables as CSV files: a line of column names, then a line per row.
  */
 #ifndef FlipFreeCommandTableFile_h
 #define FlipFreeCommandTableFile_h

@@ -30,8 +30,8 @@ vtkSmartPointer<vtkImageData> ReadVolume(const std::string& name, const std::str
   }
   if (!folder && !seriesUID.empty())
   {
-    throw WrongUsage("--series chooses among the series of a DICOM folder, but '" + name +
-      "' is a file. Leave the option out, or give the folder.");
+    throw WrongUsage("--series selects a series of a DICOM folder, but '" + name +
+      "' is a file. Omit the option, or give the folder.");
   }
   vtkNew<vtkMedicalImageReader> reader;
   reader->SetFileName(name.c_str());
@@ -47,7 +47,7 @@ void WriteVolume(const std::string& name, vtkImageData* image)
   writer->SetInputData(image);
   writer->SetFileName(name.c_str());
   const SilentLibraries silent;
-  Run(writer, "writing", [&writer]() { writer->Write(); });
+  Run(writer, "writing", {}, [&writer]() { writer->Write(); });
 }
 
 } // namespace Command

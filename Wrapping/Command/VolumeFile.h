@@ -1,5 +1,5 @@
 /**
- * Volumes and label maps in files, by their ending.
+ * Reads and writes volumes and label maps; the ending of a file's name tells its format.
  */
 #ifndef FlipFreeCommandVolumeFile_h
 #define FlipFreeCommandVolumeFile_h
@@ -14,11 +14,11 @@ class vtkImageData;
 namespace Command
 {
 
-/// Endings of the label maps that can be written.
+/// The endings of label maps that can be written.
 const std::vector<std::string>& VolumeEndings();
 
-/// Reads a volume from a file or a DICOM folder; of several series, the one of that UID, or the one
-/// with most files.
+/// Reads a volume from a file or a DICOM folder; of several series, the one with the given UID, or
+/// else the one with the most files.
 vtkSmartPointer<vtkImageData> ReadVolume(const std::string& name,
   const std::string& seriesUID = std::string());
 

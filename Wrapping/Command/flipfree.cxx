@@ -26,22 +26,23 @@ namespace
 
 using namespace Command;
 
-const char* const Description = "Segments soft organs (liver, spleen, kidney) in CT and MR "
-                                "volumes, from one sphere in the "
-                                "organ to a surface that is closed and does not meet itself.";
+const char* const Description =
+  "Segments soft organs (liver, spleen, kidney) in CT and MR volumes. A sphere inside the organ "
+  "grows into the organ's surface, which is closed and does not intersect itself.";
 
 const char* const Footer =
   "Examples:\n"
-  "  flipfree phantom abdomen -o try                  # a volume to try it on, and seeds for it\n"
+  "  flipfree phantom abdomen -o try                  # a volume to try, and its seeds\n"
   "  flipfree segment try/abdomen.nii.gz --seed 99.75 83.75 167 --radius 28 -o liver.vtp\n"
   "  flipfree evaluate liver.vtp try/abdomen-truth.nii.gz --reference-label 6\n"
   "\n"
   "Each subcommand has its own --help, with units, defaults and examples. Coordinates are LPS\n"
-  "millimeters: x to the patient's left, y to the back, z to the head. A viewer that shows RAS,\n"
-  "such as 3D Slicer, has the signs of x and y the other way round.\n"
-  "Exit status: 0 success, 1 the work failed, 2 wrong usage, 130 interrupted.\n";
+  "millimeters: x to the patient's left, y to the back, z to the head. Viewers that show RAS, "
+  "such\n"
+  "as 3D Slicer, have the opposite signs of x and y.\n"
+  "Exit status: 0 success, 1 failure, 2 wrong usage, 130 interrupted.\n";
 
-/// Which help has the answer.
+/// Points to the help of the subcommand.
 std::string HelpFor(const CLI::App& program)
 {
   std::string command = "flipfree";
@@ -52,14 +53,14 @@ std::string HelpFor(const CLI::App& program)
   return " See '" + command + " --help'.";
 }
 
-/// What is wrong with the words, in CLI11's words; but that does not look at a mistyped subcommand,
-/// only misses a right one.
+/// CLI11's message, except for mistyped words: CLI11 reports a mistyped subcommand as a missing
+/// one.
 std::string MessageOf(const CLI::ParseError& error, const CLI::App& program)
 {
   const std::vector<CLI::App*> subcommands = program.get_subcommands();
   const std::vector<std::string> unknown =
     subcommands.empty() ? program.remaining() : subcommands.front()->remaining();
-  // What follows an unknown option may be its value.
+  // The word after an unknown option may be its value, so the option is named first.
   const auto option = std::find_if(unknown.begin(), unknown.end(),
     [](const std::string& word) { return word.rfind('-', 0) == 0; });
   if (option != unknown.end())
@@ -69,7 +70,7 @@ std::string MessageOf(const CLI::ParseError& error, const CLI::App& program)
   if (!unknown.empty())
   {
     return subcommands.empty() ? "There is no subcommand '" + unknown.front() + "'"
-                               : "There is no use for '" + unknown.front() + "'";
+                               : "Unexpected argument '" + unknown.front() + "'";
   }
   return error.what();
 }
@@ -79,8 +80,8 @@ void RequireOutputArrived()
   errno = 0;
   if (!std::cout.flush() || std::ferror(stdout))
   {
-    throw Failure(std::string("The standard output does not take what is printed (") +
-      (errno ? std::strerror(errno) : "closed") + "). Check where it leads.");
+    throw Failure(std::string("Writing to the standard output failed (") +
+      (errno ? std::strerror(errno) : "closed") + "). Check where it is redirected to.");
   }
 }
 
@@ -121,7 +122,7 @@ int main(int argc, char* argv[])
 
     CLI::App program(Description, "flipfree");
     program.set_version_flag("--version", "flipfree " FLIPFREE_VERSION,
-      "Print the version and end");
+      "Print the version and exit");
     program.formatter(std::make_shared<HelpFormatter>()); // the subcommands inherit it
     program.footer(Footer);
     program.require_subcommand(1);
@@ -139,7 +140,7 @@ int main(int argc, char* argv[])
   }
   catch (const std::bad_alloc&)
   {
-    PrintError("There is not enough memory. Crop the volume, or use a machine with more.");
+    PrintError("Out of memory. Crop the volume, or use a machine with more memory.");
   }
   catch (const std::exception& error)
   {
