@@ -8,7 +8,7 @@ import time
 import unittest
 
 import flipfree
-from example import RADIUS, SEED, image, liver, needs_files, start_python
+from example import RADIUS, SEED, coarse_liver, image, needs_files, start_python
 
 ENDLESS = {"maximum_iterations": 100000, "change_tolerance": -1, "distance_tolerance": 0}
 
@@ -26,7 +26,7 @@ def tell(fraction):
 class Progress(unittest.TestCase):
     def test_is_told_from_0_to_1(self):
         told = []
-        flipfree.segment(image(), SEED, RADIUS, progress=told.append)
+        flipfree.segment(image(), SEED, RADIUS, progress=told.append, resolution=8)
         self.assertEqual((told[0], told[-1]), (0, 1))
         self.assertEqual(told, sorted(told))
         self.assertGreater(len(told), 50)
@@ -76,10 +76,10 @@ try:
     flipfree.segment(image(), SEED, RADIUS, progress=tell, **{ENDLESS})
 except KeyboardInterrupt:
     print(len(told))
-print(flipfree.segment(image(), SEED, RADIUS))
+print(flipfree.segment(image(), SEED, RADIUS, resolution=8))
 """)
         # The callback is told of nothing any more.
-        self.assertEqual(process.communicate(timeout=200), (f"50\n{liver()!r}\n", ""))
+        self.assertEqual(process.communicate(timeout=200), (f"50\n{coarse_liver()!r}\n", ""))
 
     def test_stops_the_work_promptly(self):
         """Within a few of the filter's own reports; thousands would follow."""
@@ -115,12 +115,12 @@ flipfree.segment(image(), SEED, RADIUS, **{ENDLESS})
     def test_calls_the_programs_own_handler_and_goes_on(self):
         process = self.start(INTERRUPT_AT_50 + """
 signal.signal(signal.SIGINT, lambda *_: print("handled after", len(told)))
-organ = flipfree.segment(image(), SEED, RADIUS, progress=tell)
+organ = flipfree.segment(image(), SEED, RADIUS, progress=tell, resolution=8)
 print(len(told) > 60, organ)
 assert signal.getsignal(signal.SIGINT).__name__ == "<lambda>"
 """)
         output, errors = process.communicate(timeout=200)
-        self.assertEqual((output, errors), (f"handled after 50\nTrue {liver()!r}\n", ""))
+        self.assertEqual((output, errors), (f"handled after 50\nTrue {coarse_liver()!r}\n", ""))
 
     @needs_files
     def test_while_a_file_is_read(self):
@@ -143,10 +143,10 @@ with tempfile.TemporaryDirectory() as folder:
     def test_handler_is_left_alone_in_other_threads(self):
         results = []
         thread = threading.Thread(
-            target=lambda: results.append(flipfree.segment(image(), SEED, RADIUS)))
+            target=lambda: results.append(flipfree.segment(image(), SEED, RADIUS, resolution=8)))
         thread.start()
         thread.join()
-        self.assertEqual(repr(results[0]), repr(liver()))
+        self.assertEqual(repr(results[0]), repr(coarse_liver()))
 
 
 if __name__ == "__main__":

@@ -39,22 +39,18 @@ class Output(unittest.TestCase):
         numpy.testing.assert_array_equal(liver().points, points_of(segmentation.GetSurface()))
         self.assertEqual(liver().stop_reason, segmentation.GetStopReasonAsString())
         self.assertEqual(liver().self_intersections, 0)
-
-    def test_has_vtks_types(self):
-        self.assertIsInstance(liver().surface, vtkPolyData)
-        self.assertIsInstance(liver().label_map, vtkImageData)
-        self.assertIsInstance(liver().convergence, vtkTable)
+        for data, kind in ((liver().surface, vtkPolyData), (liver().label_map, vtkImageData),
+                           (liver().convergence, vtkTable)):
+            self.assertIsInstance(data, kind)
 
     def test_faces_are_those_of_the_surface(self):
         surface = liver().surface
         self.assertEqual(liver().faces.shape, (surface.GetNumberOfCells(), 4))
-        triangles = 0
         for cell, face in enumerate(liver().faces):
             ids = surface.GetCell(cell).GetPointIds()
             corners = [ids.GetId(i) for i in range(ids.GetNumberOfIds())]
-            triangles += len(corners) == 3
-            self.assertEqual(list(face), corners + corners[-1:] * (4 - len(corners)))
-        self.assertEqual(triangles, 8)
+            self.assertEqual(list(face), (corners + corners[-1:])[:4])  # a triangle repeats its last corner
+        self.assertEqual(sum(face[2] == face[3] for face in liver().faces), 8)
 
     def test_triangles_enclose_the_volume_of_the_surface(self):
         a, b, c = (liver().points[liver().triangles[:, corner]] for corner in range(3))
@@ -143,29 +139,43 @@ class Input(unittest.TestCase):
 
 
 class Parameters(unittest.TestCase):
-    def test_every_property_is_one(self):
-        names = {name[3:] for name in vars(flipfree.vtkFlipFreeSegmentation)
-                 if name.startswith("Set") and "Get" + name[3:] in
-                 vars(flipfree.vtkFlipFreeSegmentation)}
-        names -= {"SeedCenter", "SeedRadius"}
-        self.assertEqual(len(flipfree.default_parameters()), len(names))
-        self.assertEqual(flipfree.default_parameters()["minimum_component_weight"], 0.15)
+    def test_are_those_of_the_filter_and_its_stages(self):
+        segmentation = flipfree.vtkFlipFreeSegmentation()
+        owners = [segmentation, segmentation.GetFeature(), segmentation.GetSearch(), segmentation.GetDeform()]
+        names = {name[3:] for owner in owners for name in vars(type(owner))
+                 if name.startswith("Set") and hasattr(owner, "Get" + name[3:])}
+        # The seed and the stages have arguments of their own or none; the feature has the threshold.
+        names -= {"SeedCenter", "SeedRadius", "Diffusion", "Feature", "Search", "Deform", "Threshold"}
+        defaults = flipfree.default_parameters()
+        self.assertEqual({name.replace("_", "") for name in defaults}, {name.lower() for name in names})
+        self.assertEqual([defaults[name] for name in ("levels", "minimum_component_weight", "run_length", "fairing")],
+                         [3, 0.15, 2, 0])
 
-    def test_reach_the_filter(self):
+    def test_reach_the_filter_and_its_stages(self):
         result = flipfree.segment(image(), SEED, RADIUS, resolution=8, levels=1, label_value=7)
         self.assertEqual(len(result.points), 6 * 8 * 8)
         self.assertEqual(result.labels.max(), 7)
+        segmentation = filter_with_seed()
+        segmentation.SetMaximumIterations(2)
+        segmentation.GetFeature().SetNoiseWidening(3)
+        segmentation.GetSearch().SetMaximumDisplacement(2)
+        segmentation.GetDeform().SetFairing(0.5)
+        segmentation.Update()
+        result = flipfree.segment(image(), SEED, RADIUS, maximum_iterations=2, noise_widening=3,
+                                  maximum_displacement=2, fairing=0.5)
+        numpy.testing.assert_array_equal(result.points, points_of(segmentation.GetSurface()))
 
     def test_presets(self):
-        self.assertFalse(flipfree.default_parameters("published")["guard"])
+        published, naive = (flipfree.default_parameters(preset) for preset in ("published", "naive"))
+        self.assertEqual([(preset["guard"], preset["avoid_flips"]) for preset in (published, naive)],
+                         [(False, True), (False, False)])
         result = flipfree.segment(image(), SEED, RADIUS, preset="naive", maximum_iterations=9,
                                   resolution=16)
         self.assertEqual(len(result.iterations["Iteration"]), 9)
         self.assertEqual(len(result.points), 6 * 16 * 16)
 
     def test_are_in_the_help(self):
-        self.assertIn("minimum_component_weight\n        Components of a smaller weight are taken",
-                      flipfree.segment.__doc__)
+        self.assertRegex(flipfree.segment.__doc__, "minimum_component_weight\n        Components of ")
 
 
 if __name__ == "__main__":

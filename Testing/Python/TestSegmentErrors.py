@@ -20,23 +20,8 @@ from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData
 
 class Failures(unittest.TestCase):
     def refuse(self, error, message, *arguments, **parameters):
-        with self.assertRaisesRegex(error, message):
-            flipfree.segment(*arguments, **parameters)
-
-    def test_seed_outside(self):
-        self.refuse(flipfree.SegmentationError,
-                    r"^No segmentation: the seed's center \(-50, 0, 0\) mm lies outside .*\.$",
-                    image(), (-50, 0, 0), RADIUS)
-
-    def test_empty_image(self):
-        self.refuse(flipfree.SegmentationError, ".", vtkImageData(), SEED, RADIUS)
-        self.refuse(flipfree.SegmentationError, ".", numpy.zeros((0, 3, 3)), SEED, RADIUS,
-                    spacing=(1, 1, 1))
-
-    def test_start_that_will_not_do(self):
-        self.refuse(flipfree.SegmentationError, "the start surface ", image(), SEED, RADIUS,
-                    start=vtkPolyData())
-        self.refuse(TypeError, "^start: a vtkPolyData", image(), SEED, RADIUS, start="sphere")
+        with self.subTest(parameters or message), self.assertRaisesRegex(error, message):
+            flipfree.segment(*(arguments or (image(), SEED, RADIUS)), **parameters)
 
     def test_parameters(self):
         for error, message, parameters in (
@@ -44,34 +29,45 @@ class Failures(unittest.TestCase):
                  {"resolutoin": 8}),
                 (TypeError, "no parameter 'x'; help", {"x": 8}),
                 (ValueError, "^levels: 99 is out of range; the nearest is 6$", {"levels": 99}),
+                (ValueError, "^fairing: 2 is out of range; the nearest is 1.0$", {"fairing": 2}),
                 (TypeError, "^levels: 2.5 will not do; integer", {"levels": 2.5}),
                 (TypeError, "^levels: 'two' will not do", {"levels": "two"}),
                 (TypeError, "^guard: True or False is needed, not 'no'$", {"guard": "no"}),
                 (TypeError, "^start_center_offset: 3 will not do", {"start_center_offset": 3}),
-                (flipfree.SegmentationError, "change_tolerance is not a number",
-                 {"change_tolerance": float("nan")}),
+                (flipfree.SegmentationError, "change_tolerance is not a number", {"change_tolerance": math.nan}),
+                (flipfree.SegmentationError, "search_distance is not a number", {"search_distance": math.nan}),
+                (flipfree.SegmentationError, "opening_scale is not a number", {"opening_scale": math.nan}),
                 (ValueError, "^preset: 'fast' does not exist; there are d", {"preset": "fast"}),
-                (TypeError, "^progress: a function", {"progress": 5})):
-            with self.subTest(parameters):
-                self.refuse(error, message, image(), SEED, RADIUS, **parameters)
+                (TypeError, "^progress: a function", {"progress": 5}),
+                (flipfree.SegmentationError, "the start surface ", {"start": vtkPolyData()}),
+                (TypeError, "^start: a vtkPolyData", {"start": "sphere"})):
+            self.refuse(error, message, **parameters)
 
     def test_seed_and_radius(self):
-        self.refuse(ValueError, "^seed: 3 numbers are needed, not 2$", image(), (1, 2), RADIUS)
-        self.refuse(TypeError, "^seed: 3 numbers are needed, not 5$", image(), 5, RADIUS)
-        self.refuse(TypeError, "^radius: a number is needed, not", image(), SEED, "wide")
-        self.refuse(ValueError, "^radius: -1.0 is out of range", image(), SEED, -1)
-        self.refuse(ValueError, "^radius: 1000000000.0 is out of range", image(), SEED, 1e9)
+        for error, message, seed, radius in (
+                (ValueError, "^seed: 3 numbers are needed, not 2$", (1, 2), RADIUS),
+                (TypeError, "^seed: 3 numbers are needed, not 5$", 5, RADIUS),
+                (TypeError, "^radius: a number is needed, not", SEED, "wide"),
+                (ValueError, "^radius: -1.0 is out of range", SEED, -1),
+                (ValueError, "^radius: 1000000000.0 is out of range", SEED, 1e9),
+                (flipfree.SegmentationError, r"radius of 1e-05 mm is below a voxel of the image \(", SEED, 1e-5),
+                (flipfree.SegmentationError, r"^No segmentation: the seed's center \(-50, 0, 0\) mm lies outside .*\.$",
+                 (-50, 0, 0), RADIUS)):
+            self.refuse(error, message, image(), seed, radius)
 
     def test_images(self):
         array = flipfree.array_from_image(image())
-        self.refuse(TypeError, "^spacing: an array needs it", array, SEED, RADIUS)
-        self.refuse(ValueError, "^array: 3 axes", array[0], SEED, RADIUS, spacing=(1, 1, 1))
-        self.refuse(TypeError, "^array: voxels of type complex128", array * 1j, SEED, RADIUS,
-                    spacing=(1, 1, 1))
-        self.refuse(ValueError, "^direction: 9 numbers are needed, not 3", array, SEED, RADIUS,
-                    spacing=(1, 1, 1), direction=(1, 1, 1))
-        self.refuse(TypeError, "belong to arrays", image(), SEED, RADIUS, spacing=(1, 1, 1))
-        self.refuse(TypeError, "^image: a vtkImageData, an array or the name", None, SEED, RADIUS)
+        unit = {"spacing": (1, 1, 1)}
+        for error, message, volume, geometry in (
+                (TypeError, "^spacing: an array needs it", array, {}),
+                (ValueError, "^array: 3 axes", array[0], unit),
+                (TypeError, "^array: voxels of type complex128", array * 1j, unit),
+                (ValueError, "^direction: 9 numbers are needed, not 3", array, {**unit, "direction": (1, 1, 1)}),
+                (TypeError, "belong to arrays", image(), unit),
+                (TypeError, "^image: a vtkImageData, an array or the name", None, {}),
+                (flipfree.SegmentationError, ".", vtkImageData(), {}),
+                (flipfree.SegmentationError, ".", numpy.zeros((0, 3, 3)), unit)):
+            self.refuse(error, message, volume, SEED, RADIUS, **geometry)
 
     @needs_files
     def test_files(self):
@@ -89,16 +85,14 @@ class Failures(unittest.TestCase):
 
     def test_evaluation(self):
         empty = numpy.zeros_like(liver().labels)
-        with self.assertRaisesRegex(flipfree.EvaluationError, "empty"):
-            flipfree.evaluate(liver(), empty)
-        with self.assertRaises(flipfree.EvaluationError):
-            flipfree.evaluate(liver(), empty[:5])
-        with self.assertRaisesRegex(TypeError, "did you mean 'reference_label'"):
-            flipfree.evaluate(liver(), truth(), reference_labels=6)
-        with self.assertRaisesRegex(TypeError, "^reference: an array without a geometry"):
-            flipfree.evaluate(liver().surface, empty)
-        with self.assertRaisesRegex(TypeError, "^segmentation: a label map"):
-            flipfree.evaluate(None, truth())
+        for error, message, arguments, parameters in (
+                (flipfree.EvaluationError, "empty", (liver(), empty), {}),
+                (flipfree.EvaluationError, ".", (liver(), empty[:5]), {}),
+                (TypeError, "did you mean 'reference_label'", (liver(), truth()), {"reference_labels": 6}),
+                (TypeError, "^reference: an array without geometry", (liver().surface, empty), {}),
+                (TypeError, "^segmentation: a label map", (None, truth()), {})):
+            with self.subTest(message), self.assertRaisesRegex(error, message):
+                flipfree.evaluate(*arguments, **parameters)
 
     def test_where_vtks_warnings_are_switched_off(self):
         vtkObject.GlobalWarningDisplayOff()
@@ -128,24 +122,15 @@ class Failures(unittest.TestCase):
 
 
 class Warnings(unittest.TestCase):
-    def test_points_to_the_callers_line(self):
-        with warnings.catch_warnings(record=True) as caught:
-            warnings.simplefilter("always")
-            flipfree.segment(image(), SEED, RADIUS, reach=30)
-        self.assertEqual([warning.category for warning in caught], [flipfree.FlipFreeWarning])
-        self.assertRegex(str(caught[0].message), r"^The surface has got to the end.*raise reach where the organ is that large\.$")
-        self.assertEqual(caught[0].filename, __file__)
-
-    def test_names_what_the_caller_wrote(self):
-        with warnings.catch_warnings(record=True) as caught:
-            warnings.simplefilter("always")
-            flipfree.segment(image(), SEED, 500, maximum_iterations=0)
-        self.assertRegex(str(caught[0].message), r"lower radius or move seed\.$")
-        for keywords, words in (({"radius": 1e-5}, "seed's radius of 1e-05 mm is below a voxel of the image ("),
-                                ({"search_distance": math.nan}, "the property search_distance is not a number")):
-            with self.subTest(keywords), self.assertRaises(flipfree.SegmentationError) as caught:
-                flipfree.segment(image(), **{"seed": SEED, "radius": RADIUS, **keywords})
-            self.assertIn(words, str(caught.exception))
+    def test_name_what_the_caller_wrote_and_point_to_the_callers_line(self):
+        for radius, parameters, words in ((RADIUS, {"reach": 30}, r"raise reach where the organ is that large\.$"),
+                                          (500, {"maximum_iterations": 0}, r"lower radius or move seed\.$")):
+            with warnings.catch_warnings(record=True) as caught:
+                warnings.simplefilter("always")
+                flipfree.segment(image(), SEED, radius, **parameters)
+            self.assertEqual([(warning.category, warning.filename) for warning in caught][:1],
+                             [(flipfree.FlipFreeWarning, __file__)])
+            self.assertRegex(str(caught[0].message), words)
 
     def test_can_be_an_error(self):
         with warnings.catch_warnings():

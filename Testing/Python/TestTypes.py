@@ -79,7 +79,7 @@ class Names(unittest.TestCase):
                     self.assertGreater(len(ast.get_docstring(node)), 200)
 
     def test_functions_have_their_parameters_spelled_out(self):
-        for function, last in ((flipfree.segment, "keep_history"),
+        for function, last in ((flipfree.segment, "fairing"),
                                (flipfree.evaluate, "score_voxelization")):
             stub = PACKAGE / (function.__module__.rpartition(".")[2] + ".pyi")
             node = defined_in(ast.parse(stub.read_text(encoding="utf-8")).body)[function.__name__]

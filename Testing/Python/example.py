@@ -35,6 +35,11 @@ def liver():
     return flipfree.segment(image(), SEED, RADIUS)
 
 
+@functools.lru_cache(maxsize=None)
+def coarse_liver():
+    return flipfree.segment(image(), SEED, RADIUS, resolution=8)
+
+
 def start_python(program):
     """Runs a program with SEED, RADIUS and image() at hand."""
     preamble = "import flipfree\nfrom example import *\n"

@@ -1,4 +1,4 @@
-"""What goes wrong, as exceptions that carry VTK's message."""
+"""The package's exceptions, which carry VTK's messages."""
 
 
 class FlipFreeError(Exception):
@@ -8,7 +8,7 @@ class FlipFreeError(Exception):
 
 
 class SegmentationError(FlipFreeError):
-    """There is no segmentation: of the seed, the image, the start surface or a parameter."""
+    """Seed, image, start surface or a parameter do not allow a segmentation."""
 
     __module__ = "flipfree"
 
@@ -26,6 +26,6 @@ class FileError(FlipFreeError, OSError):
 
 
 class FlipFreeWarning(UserWarning):
-    """There is a result, and something about it to know."""
+    """There is a result, but it is doubtful."""
 
     __module__ = "flipfree"

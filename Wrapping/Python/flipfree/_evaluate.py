@@ -19,7 +19,7 @@ from .FlipFreeEvaluation import vtkSegmentationMetrics
 if TYPE_CHECKING:
     from ._types import Image
 
-PARAMETERS = parameters_of(vtkSegmentationMetrics)
+PARAMETERS = parameters_of(vtkSegmentationMetrics())
 
 
 @dataclass(frozen=True)
@@ -48,9 +48,9 @@ def evaluate(
 ) -> Scores:
     """Compares a segmentation with a reference label map.
 
-    A label map may be a vtkImageData, the name of a file or an array; an array is taken to be of
-    the other one's geometry. Of a Segmentation the surface is measured. Raises EvaluationError
-    where the two cannot be compared.
+    A label map may be a vtkImageData, the name of a file or an array, which gets the geometry of the
+    other argument. Of a Segmentation the surface is measured. Raises EvaluationError if the two
+    cannot be compared.
 
     >>> import flipfree
     >>> phantom = flipfree.vtkPhantomSource()
@@ -80,7 +80,7 @@ def evaluate(
 
 
 def _label_map(name: str, label_map: Any, other: Any) -> vtkImageData:
-    """As an image; where it is an array, of the geometry of the other one."""
+    """As an image; an array gets the geometry of the other one."""
     if isinstance(label_map, (str, os.PathLike)):
         return read_image(label_map)
     if isinstance(label_map, vtkImageData):
@@ -93,7 +93,7 @@ def _label_map(name: str, label_map: Any, other: Any) -> vtkImageData:
     if isinstance(other, (str, os.PathLike)):
         other = read_image(other)
     if not isinstance(other, vtkImageData):
-        raise TypeError(f"{name}: an array without a geometry; use image_from_array(...)")
+        raise TypeError(f"{name}: an array without geometry; use image_from_array(...)")
     direction = other.GetDirectionMatrix()
     axes = [direction.GetElement(row, column) for row in range(3) for column in range(3)]
     image = image_from_array(label_map, other.GetSpacing(), other.GetOrigin(), axes)
@@ -108,7 +108,7 @@ def _value(row: vtkDataObject, column: int) -> Any:
     return value.ToDouble() if value.IsNumeric() else value.ToString()
 
 
-# Help and completion show the parameters as if they had been written out above.
+# Help and completion show the parameters as if they were spelled out above.
 evaluate.__doc__ = f"{evaluate.__doc__}\n    The other parameters:\n\n{described(PARAMETERS)}\n"
 _SIGNATURE = signature_with(evaluate, vtkSegmentationMetrics(), PARAMETERS)
 evaluate.__signature__ = _SIGNATURE  # type: ignore[attr-defined]

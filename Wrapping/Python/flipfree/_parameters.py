@@ -1,7 +1,6 @@
-"""The properties of a filter as keyword arguments: SearchDistance is search_distance.
+"""The properties of a filter and of its stages as keyword arguments: SearchDistance is search_distance.
 
-They are read off the wrapped class, with their documentation, so that a property that a filter gets
-is a keyword here.
+They are read from the wrapped classes, documentation included, so a new property is a keyword at once.
 """
 
 from __future__ import annotations
@@ -10,7 +9,7 @@ import difflib
 import inspect
 import re
 from collections.abc import Collection, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
@@ -18,20 +17,21 @@ from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
 
 @dataclass(frozen=True)
 class Parameter:
-    """A property of a filter: SetX, GetX and their documentation."""
+    """A property of a filter or of one of its stages: SetX, GetX and their documentation."""
 
     name: str
     property: str
     type: type
     documentation: str
-    stage: str = ""  # of the algorithm, which owns it
+    stage: str = ""
+    """The method that hands out the stage; empty for the filter's own properties."""
 
     def get(self, algorithm: vtkAlgorithm) -> Any:
-        """The value that it has."""
+        """The present value."""
         return getattr(self._owner(algorithm), "Get" + self.property)()
 
     def set(self, algorithm: vtkAlgorithm, value: Any) -> None:
-        """Sets it; raises TypeError or ValueError where VTK would take another value in silence."""
+        """Sets it; raises TypeError or ValueError where VTK would silently take another value."""
         if self.type is bool and value not in (False, True):
             raise TypeError(f"{self.name}: True or False is needed, not {value!r}")
         try:
@@ -44,20 +44,27 @@ class Parameter:
             )
 
     def _owner(self, algorithm: vtkAlgorithm) -> Any:
-        return getattr(algorithm, "Get" + self.stage)() if self.stage else algorithm
+        return getattr(algorithm, self.stage)() if self.stage else algorithm
 
 
-def parameters_of(
-    algorithm_class: type, without: Collection[str] = (), stage: str = ""
-) -> dict[str, Parameter]:
-    """Every property that a filter adds to its ancestors', by its name in Python."""
-    parameters = {}
-    for method in vars(algorithm_class):
+def parameters_of(algorithm: vtkAlgorithm, without: Collection[str] = ()) -> dict[str, Parameter]:
+    """Every property that a filter or one of its stages adds to its ancestors', by its Python name.
+
+    The filter's own properties hide those of the same name of its stages.
+    """
+    parameters, stages = {}, {}
+    for method in vars(type(algorithm)):
         property_name = method[3:]
-        if method.startswith("Set") and hasattr(algorithm_class, "Get" + property_name):
+        if method.startswith("Set") and hasattr(algorithm, "Get" + property_name):
             name = snake_case(property_name)
-            if name not in without:
-                parameters[name] = _parameter(algorithm_class, name, property_name, stage)
+            value = getattr(algorithm, "Get" + property_name)()
+            if isinstance(value, vtkAlgorithm):
+                stages["Get" + property_name] = value
+            elif name not in without:
+                parameters[name] = _parameter(type(algorithm), name, property_name)
+    for getter, stage in stages.items():
+        for name, parameter in parameters_of(stage, without).items():
+            parameters.setdefault(name, replace(parameter, stage=getter))
     return parameters
 
 
@@ -134,14 +141,14 @@ def _numbers(count: int) -> str:
     return "a number is" if count == 1 else f"{count} numbers are"
 
 
-def _parameter(algorithm_class: type, name: str, property_name: str, stage: str) -> Parameter:
+def _parameter(algorithm_class: type, name: str, property_name: str) -> Parameter:
     text = getattr(algorithm_class, "Set" + property_name).__doc__
     signature, _, documentation = text.partition("\n\n")
     types = {"float": float, "int": int, "bool": bool, "str": str}
     found = re.search(r"\(self, \w+:(\w+)\) -> None", signature)
     kind = types.get(found.group(1), tuple) if found else tuple
     words = " ".join(documentation.split())
-    return Parameter(name, property_name, kind, words, stage)
+    return Parameter(name, property_name, kind, words)
 
 
 def _annotation(parameter: Parameter) -> str:

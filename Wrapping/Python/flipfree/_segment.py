@@ -24,33 +24,18 @@ from ._progress import progress_of
 from ._segmentation import Segmentation
 from ._types import Preset, ProgressOption
 from ._update import update
-from .FlipFreeSegmentation import (
-    vtkCorrespondenceSearch,
-    vtkFlipFreeDeform,
-    vtkFlipFreeSegmentation,
-    vtkGMMFeatureFilter,
-    vtkSeedRegionDiffusion,
-)
+from .FlipFreeSegmentation import vtkFlipFreeSegmentation
 
 if TYPE_CHECKING:
     import numpy.typing as npt
 
     from ._types import Image
 
-STAGES = {
-    "Diffusion": vtkSeedRegionDiffusion,
-    "Feature": vtkGMMFeatureFilter,
-    "Search": vtkCorrespondenceSearch,
-    "Deform": vtkFlipFreeDeform,
-}
-# What the filter does not take from its stages, or forwards by another name.
-NOT_OF_STAGES = ("seed_center", "seed_radius", "number_of_iterations", "threshold")
+# The seed has arguments of its own; the stages know two parameters by other names than the method.
 PARAMETERS = parameters_of(
-    vtkFlipFreeSegmentation,
-    without=("seed_center", "seed_radius", *(stage.lower() for stage in STAGES)),
+    vtkFlipFreeSegmentation(),
+    without=("seed_center", "seed_radius", "number_of_iterations", "threshold"),
 )
-for _stage, _class in STAGES.items():
-    PARAMETERS.update(parameters_of(_class, (*NOT_OF_STAGES, *PARAMETERS), _stage))
 RADIUS = Parameter("radius", "SeedRadius", float, "")
 NAMES = {**names_of(PARAMETERS), "SeedCenter": "seed", "SeedRadius": "radius"}
 
@@ -68,30 +53,31 @@ def segment(
     progress: ProgressOption = None,
     **parameters: Any,
 ) -> Segmentation:
-    """Segments the organ in which a sphere lies.
+    """Segments the organ around a seed sphere.
 
-    The seed sphere, center (x, y, z) and radius in millimeters, should lie within the organ, with
-    at least half the radius of the largest one that fits there: its voxels tell what the organ
-    looks like, and the surface starts from it. Coordinates are the image's physical ones, LPS for
-    files.
+    The seed sphere, center (x, y, z) and radius in millimeters, should lie within the organ and have
+    at least half the radius of the largest sphere that fits there: the organ's intensities are
+    learned from its voxels, and the surface starts from it. Coordinates are the image's physical
+    ones, LPS for files.
 
     image
-        A vtkImageData; the name of a file, or of a folder of DICOM files; or an array of voxels
-        array[k, j, i], together with its spacing (mm) and, where they are not zero and the
-        identity, its origin (mm) and direction (3 x 3, the axes as columns).
+        A vtkImageData; the name of a file or of a folder of DICOM files; or an array of voxels
+        array[k, j, i] with its spacing (mm) and, unless they are zero and the identity, its origin
+        (mm) and direction (3 x 3, the axes as columns).
     start
-        A surface to start from in place of the sphere: closed, with four neighbors at every
-        vertex, without self-intersections.
+        A surface to start from instead of the sphere: closed, with four neighbors at every vertex,
+        without self-intersections.
     preset
-        What the parameters below are otherwise: 'default', 'published' (the paper's own method) or
-        'naive' (the same without flip avoidance); the last two promise no valid surface.
+        The values of the parameters that are not given: 'default', 'published' (the paper's own
+        method) or 'naive' (the same without flip avoidance). With the last two, the surface may
+        intersect itself.
     progress
-        A function that is told fractions from 0 to 1, or True for a bar. What the function raises
-        ends the segmentation and is raised again, as is the KeyboardInterrupt of Ctrl-C.
+        A function that is called with fractions from 0 to 1, or True for a bar. An exception that
+        it raises ends the segmentation and is raised again, as is the KeyboardInterrupt of Ctrl-C.
 
-    Raises SegmentationError where there is no segmentation, FileError where the file cannot be
-    read, TypeError and ValueError for parameters that do not exist or are out of range. Warns by
-    FlipFreeWarning where the result is doubtful.
+    Raises SegmentationError if there is no segmentation, FileError if the file cannot be read,
+    TypeError and ValueError for parameters that do not exist or are out of range. Issues a
+    FlipFreeWarning if the result is doubtful.
 
     >>> import flipfree
     >>> phantom = flipfree.vtkPhantomSource()
@@ -131,7 +117,7 @@ def segment(
 
 
 def default_parameters(preset: Preset = "default") -> dict[str, Any]:
-    """The parameters of segment() and the values that they have unless they are given.
+    """The parameters of segment() and the values that they have unless given.
 
     >>> import flipfree
     >>> flipfree.default_parameters()["levels"], flipfree.default_parameters("published")["levels"]
@@ -186,7 +172,7 @@ def _surface_of(start: vtkPolyData | Segmentation) -> vtkPolyData:
 
 
 def _history_of(algorithm: vtkFlipFreeSegmentation) -> tuple[vtkPolyData, ...]:
-    """The iterates are the time steps of the first output."""
+    """The surfaces after each iteration, which are the time steps of the first output."""
     if not algorithm.GetKeepHistory():
         return ()
     history = []
@@ -198,7 +184,7 @@ def _history_of(algorithm: vtkFlipFreeSegmentation) -> tuple[vtkPolyData, ...]:
     return tuple(history)
 
 
-# Help and completion show the parameters as if they had been written out above.
+# Help and completion show the parameters as if they were spelled out above.
 segment.__doc__ = f"{segment.__doc__}\n    The other parameters:\n\n{described(PARAMETERS)}\n"
 _SIGNATURE = signature_with(segment, vtkFlipFreeSegmentation(), PARAMETERS)
 segment.__signature__ = _SIGNATURE  # type: ignore[attr-defined]

@@ -1,4 +1,4 @@
-"""What a segmentation gives: VTK's objects, and the same as numpy arrays."""
+"""The result of a segmentation as VTK objects and as numpy arrays."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ class Segmentation:
     """Closed, with the point arrays `Displacement` and `Correspondence`."""
 
     label_map: vtkImageData
-    """Of the image's geometry; label_value inside, 0 outside."""
+    """Has the image's geometry; label_value inside, 0 outside."""
 
     convergence: vtkTable
     """A row per iteration; `iterations` has its columns as arrays."""
@@ -62,8 +62,8 @@ class Segmentation:
     def triangles(self) -> npt.NDArray[Any]:
         """The triangles as rows of indices of points.
 
-        Each face is cut from its first vertex. It is of this triangulation that the absence of
-        self-intersections is certified.
+        Each face is a fan around its first vertex. The absence of self-intersections is certified
+        for this triangulation.
         """
         import numpy
 
@@ -99,7 +99,7 @@ class Segmentation:
         )
 
     def _cells(self) -> tuple[Any, Any, Any]:
-        """Corners of all faces one after the other, where each face starts, how many it has."""
+        """The corners of all faces, where each face starts, and its number of corners."""
         from vtkmodules.util.numpy_support import vtk_to_numpy
 
         cells = self.surface.GetPolys()

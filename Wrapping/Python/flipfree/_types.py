@@ -1,4 +1,4 @@
-"""What arguments may be."""
+"""The types of arguments."""
 
 from __future__ import annotations
 

@@ -1,9 +1,8 @@
-"""Runs an algorithm of VTK's as Python expects it: failures are exceptions and Ctrl-C works.
+"""Updates VTK algorithms so that failures are exceptions and Ctrl-C works.
 
 VTK calls observers from C++, which no exception can cross: one that leaves an observer is printed
-and forgotten, and a KeyboardInterrupt ends the whole interpreter. So nothing gets out of an
-observer in here: exceptions are kept, the algorithm is aborted, and they are raised when it has
-come back.
+and forgotten, and a KeyboardInterrupt ends the whole interpreter. So the observers here catch
+every exception and abort the algorithm; the exception is raised again after its return.
 """
 
 from __future__ import annotations
@@ -30,16 +29,15 @@ def update(
     run: Callable[[], Any] | None = None,
     names: Mapping[str, str] | None = None,
 ) -> None:
-    """Updates a filter, and raises `failure` with VTK's message where it reports an error.
+    """Updates a filter, and raises `failure` with VTK's message if it reports an error.
 
-    What segment() does for the whole method, for filters that are put together by hand. It listens
-    to this one alone: of a pipeline, update each filter that may fail. Where it is no Update() that
-    is wanted, `run` is called instead. Functions whose arguments are properties of the filter give the
-    `names` of the arguments, by property, for its messages; ports have none there.
+    For filters that are connected by hand. Only this filter is observed: in a pipeline, update each
+    filter that may fail. `run` is called instead of Update(), if given. `names` maps properties to
+    the arguments that set them, for use in messages; these then leave out ports.
 
-    Progress is told fractions from 0 to 1. An exception that it raises aborts the algorithm and is
-    raised again, and so is the KeyboardInterrupt of Ctrl-C, or what else the program's own handler
-    makes of it.
+    Progress is called with fractions from 0 to 1. An exception that it raises aborts the algorithm
+    and is raised again, as is the KeyboardInterrupt of Ctrl-C, or whatever the program's own signal
+    handler raises.
 
     >>> import flipfree
     >>> sphere = flipfree.vtkQuadSphereSource()
@@ -57,7 +55,7 @@ def update(
         raise listener.exception
     for text in listener.warnings:
         warnings.warn(_with_names(text, names), FlipFreeWarning, stacklevel=_level_of_caller())
-    # The pipeline complains as well, but only that its algorithm did.
+    # The pipeline only reports that its algorithm failed.
     errors = listener.errors + listener.pipeline_errors
     if errors:
         raise failure(_with_names(errors[0], names))
@@ -103,7 +101,7 @@ class _Listener:
         except BaseException as exception:  # pylint: disable=broad-except
             self.exception = exception
         if self.exception is not None:
-            # Again each time: the pipeline forgets an abort that comes before the start.
+            # Each time, because the pipeline forgets an abort before its start.
             algorithm.AbortExecuteOn()
 
 
@@ -111,12 +109,12 @@ def _keeper_of_messages(messages: list[str]) -> Callable[..., None]:
     def keep(_object: vtkObject, _event: str, text: str) -> None:
         messages.append(_message_in(text))
 
-    keep.CallDataType = "string0"  # type: ignore[attr-defined]  # how VTK is asked for the text
+    keep.CallDataType = "string0"  # type: ignore[attr-defined]  # makes VTK pass the text
     return keep
 
 
 def _message_in(text: str) -> str:
-    """Without the place in the source and the object's address, which VTK puts in front.
+    """Without the source file and the object's address, which VTK puts in front.
 
     >>> _message_in("ERROR: In vtkReader.cxx, line 7\\nvtkReader (0x2a): No file: (none).\\n\\n")
     'No file: (none).'
@@ -125,7 +123,7 @@ def _message_in(text: str) -> str:
 
 
 def _with_names(text: str, names: Mapping[str, str] | None) -> str:
-    """As whoever called the function spelled what the message is about.
+    """Calls properties by the caller's arguments, and leaves out ports.
 
     >>> _with_names("the image on port 0 ends here; raise Reach", {"Reach": "reach"})
     'the image ends here; raise reach'
@@ -139,7 +137,7 @@ def _with_names(text: str, names: Mapping[str, str] | None) -> str:
 
 @contextmanager
 def _messages_on() -> Iterator[None]:
-    """Where warnings are switched off globally, VTK would tell nobody of errors, either."""
+    """If warnings are switched off globally, VTK reports no errors, either."""
     before = vtkObject.GetGlobalWarningDisplay()
     vtkObject.GlobalWarningDisplayOn()
     try:
@@ -149,7 +147,7 @@ def _messages_on() -> Iterator[None]:
 
 
 def _level_of_caller() -> int:
-    """The stack level, as the function above counts it, of the first caller outside the package."""
+    """The stack level of the first caller outside the package, as warnings.warn counts it."""
     level = 1
     frame = sys._getframe(1)  # pylint: disable=protected-access
     while frame.f_back is not None and frame.f_globals.get("__package__") == __package__:
