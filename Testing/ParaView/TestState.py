@@ -5,18 +5,23 @@ from paraview import servermanager, simple, smstate, smtrace
 from session import points
 
 
+# Parameters of each stage, which are properties of sub-proxies.
+STAGES = {"DiffusionIterations": 4, "OpeningScale": 0.3, "EdgeWindow": 2, "Fairing": 0.1}
+
+
 def small_segmentation():
     phantom = simple.SegmentationPhantom(registrationName="Phantom", Shape="Cube")
     return simple.FlipFreeSegmentation(registrationName="Organ", Input=phantom, SeedCenter=[47.5, 46, 49],
-                                       SeedRadius=14, Resolution=16, Levels=2, OpeningScale=0.3, KeepHistory=1)
+                                       SeedRadius=14, Resolution=16, Levels=2, KeepHistory=1, **STAGES)
 
 
 class State(session.SessionTest):
     def check(self, expected):
         organ = simple.FindSource("Organ")
         self.assertIsNotNone(organ)
-        self.assertEqual([list(organ.SeedCenter), organ.SeedRadius, organ.Resolution, organ.Levels,
-                          organ.OpeningScale, organ.KeepHistory], [[47.5, 46, 49], 14, 16, 2, 0.3, 1])
+        self.assertEqual([list(organ.SeedCenter), organ.SeedRadius, organ.Resolution, organ.Levels, organ.KeepHistory],
+                         [[47.5, 46, 49], 14, 16, 2, 1])
+        self.assertEqual({name: getattr(organ, name) for name in STAGES}, STAGES)
         organ.UpdatePipeline(1000)  # later than the last iteration: the result
         self.assert_same(points(servermanager.Fetch(organ)), expected)
 
@@ -28,6 +33,9 @@ class State(session.SessionTest):
         organ = small_segmentation()
         organ.StartSurface = simple.QuadSphere(Center=[47.5, 47.5, 47.5], Radius=13, Resolution=8)
         expected = self.expected(organ)
+        organ.Fairing = 0.5  # makes the method run again
+        self.assertGreater(abs(self.expected(organ) - expected).max(), 0.01)
+        organ.Fairing = STAGES["Fairing"]
         simple.SaveState(self.file("state.pvsm"))
         simple.ResetSession()
         self.assertIsNone(simple.FindSource("Organ"))

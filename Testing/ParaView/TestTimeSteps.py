@@ -18,13 +18,10 @@ class TimeSteps(session.SessionTest):
         distances = numpy.linalg.norm(points(servermanager.Fetch(self.sphere)) - 47.5, axis=1)
         return distances.mean()
 
-    def test_without_history_there_are_none(self):
-        self.sphere.UpdatePipeline()
+    def test_each_iteration_is_one_if_the_history_is_kept(self):
+        result = points(fetch(self.sphere))
         self.sphere.UpdatePipelineInformation()
         self.assertEqual(len(self.sphere.TimestepValues), 0)
-
-    def test_each_iteration_is_one(self):
-        result = points(fetch(self.sphere))
         self.sphere.KeepHistory = 1
         rows = column(fetch(self.sphere, 2), "Iteration")
         self.sphere.UpdatePipelineInformation()
@@ -53,35 +50,14 @@ class TimeSteps(session.SessionTest):
         view = self.view()
         simple.Show(self.sphere, view)
         simple.Render(view)
-        simple.UpdatePipeline(proxy=self.sphere)
         scene = simple.GetAnimationScene()
         scene.UpdateAnimationUsingDataTimeSteps()
         self.assertEqual([scene.StartTime, scene.EndTime], [1, 6])
-        radii = []
         scene.GoToFirst()
-        for _ in range(6):
-            radii.append(self.radius_at(view.ViewTime))
-            scene.GoToNext()
-        self.assertGreater(radii[2], radii[0] + 2)
-        self.assertAlmostEqual(radii[-1], 30, delta=0.5)
-
-
-class Convergence(session.SessionTest):
-    def test_it_plots_in_a_line_chart(self):
-        phantom = simple.SegmentationPhantom(Shape="Sphere")
-        sphere = simple.FlipFreeSegmentation(Input=phantom, SeedCenter=[47.5, 47.5, 47.5], SeedRadius=15,
-                                             Resolution=16, Levels=1, MaximumIterations=6)
-        table = simple.OutputPort(sphere, 2)
-        sphere.UpdatePipeline()
-        chart = self.view("XYChartView")
-        lines = simple.Show(table, chart, "XYChartRepresentation")
-        lines.UseIndexForXAxis = 0
-        lines.XArrayName = "Iteration"
-        lines.SeriesVisibility = ["MeanDistance"]
-        simple.Render(chart)
-        self.assertIn("MeanDistance", list(lines.SeriesVisibility))
-        distances = column(fetch(sphere, 2), "MeanDistance")
-        self.assertLess(distances[-1], 0.3 * distances[0])
+        first = self.radius_at(view.ViewTime)
+        scene.GoToLast()
+        self.assertEqual(view.ViewTime, 6)
+        self.assertGreater(self.radius_at(view.ViewTime), first + 2)
 
 
 if __name__ == "__main__":

@@ -1,4 +1,4 @@
-"""A user at the screen: moves the mouse, presses buttons and keys, and takes pictures, through X11's test extension."""
+"""A user at the screen: moves the mouse, presses keys, and takes pictures, through X11's test extension."""
 
 import ctypes
 import os
@@ -66,22 +66,6 @@ class Desk:
     def move(self, x, y):
         self.xtst.XTestFakeMotionEvent(self.display, -1, int(x), int(y), ctypes.c_ulong(0))
         self.settle(0.1)
-
-    def button(self, number, down):
-        self.xtst.XTestFakeButtonEvent(self.display, number, int(down), ctypes.c_ulong(0))
-        self.settle(0.1)
-
-    def click(self, x, y):
-        self.move(x, y)
-        self.button(1, True)
-        self.button(1, False)
-
-    def drag(self, start, end, number=1, steps=8):
-        self.move(*start)
-        self.button(number, True)
-        for step in range(1, steps + 1):
-            self.move(*(a + (b - a) * step / steps for a, b in zip(start, end)))
-        self.button(number, False)
 
     def key(self, name, *held):
         """Presses a key, as `key("z", "Control_L")`."""

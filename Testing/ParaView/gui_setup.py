@@ -1,22 +1,38 @@
-"""Run by ParaView's window at its start, for TestGui.py: the abdomen on two slices, the camera on its liver; and after
-each drawing, a note for the test to read, see gui_note.py."""
+"""Run by ParaView's window at its start, for TestGui.py: shows the abdomen on two slices, with the camera on its liver,
+and notes after each drawing, in the file FLIPFREE_GUI_NOTE, the view's size and what the segmentation is by then."""
 
 import importlib.machinery
+import json
 import os
 
-import gui_note
+from paraview import servermanager
 from paraview.simple import *
 
+NOTE = os.environ["FLIPFREE_GUI_NOTE"]
 CENTER = [99.75, 83.75, 167]
 
 
-def look_at_liver(view):
-    # Only after a first drawing: the window draws once by itself, and then looks at everything.
-    Render(view)
-    view.CameraViewUp = [0, 0, 1]
-    view.CameraFocalPoint = CENTER
-    view.CameraPosition = [CENTER[0] + 245, CENTER[1] - 635, CENTER[2] + 280]
-    Render(view)
+def write_note(*_):
+    state = {"view": list(view.ViewSize)}
+    organ = FindSource("FlipFreeSegmentation1")
+    if organ is not None:
+        organ.UpdatePropertyInformation()
+        # What the panel shows, applied or not.
+        placed = organ.SMProxy.GetProperty("SeedCenter")
+        state.update({"placed": [placed.GetUncheckedElement(index) for index in range(3)],
+                      "center": list(organ.SeedCenter), "intersections": organ.NumberOfSelfIntersections,
+                      "points": organ.GetDataInformation().GetNumberOfPoints(),
+                      "visible": sorted(name for (name, _), source in GetSources().items()
+                                        for port in range(source.SMProxy.GetNumberOfOutputPorts())
+                                        if is_shown(source, port))})
+    with open(NOTE + ".part", "w", encoding="utf-8") as file:
+        json.dump(state, file)
+    os.rename(NOTE + ".part", NOTE)
+
+
+def is_shown(source, port):
+    found = view.SMProxy.FindRepresentation(source.SMProxy, port)
+    return found is not None and servermanager._getPyProxy(found).Visibility
 
 
 example = importlib.machinery.SourceFileLoader("segment_organ", os.environ["FLIPFREE_GUI_EXAMPLE"]).load_module()
@@ -25,6 +41,12 @@ ct.UpdatePipeline()
 view = GetActiveViewOrCreate("RenderView")
 example.show_slices(ct, CENTER, view)
 GetColorTransferFunction("Intensity").AutomaticRescaleRangeMode = "Never"
-look_at_liver(view)
+# The window itself looks at everything after its first drawing; only then is the camera moved.
+Render(view)
+view.CameraViewUp = [0, 0, 1]
+view.CameraFocalPoint = CENTER
+view.CameraPosition = [CENTER[0] + 245, CENTER[1] - 635, CENTER[2] + 280]
+Render(view)
 SetActiveSource(ct)
-gui_note.watch(view)
+view.SMProxy.AddObserver("EndEvent", write_note)
+write_note()
