@@ -25,7 +25,7 @@ def is_abstract(header):
 
 
 class Package(unittest.TestCase):
-    def test_every_public_class_is_there_and_can_be_made_and_printed(self):
+    def test_every_public_class_is_there_with_its_help_and_can_be_made_and_printed(self):
         names = public_classes()
         self.assertIn("vtkQuadSphereSource", names)
         for name in names:
@@ -33,10 +33,6 @@ class Package(unittest.TestCase):
                 instance = getattr(flipfree, name)()
                 self.assertEqual(instance.GetClassName(), name)
                 self.assertIn(name, str(instance))
-
-    def test_every_class_has_its_headers_prose_as_help(self):
-        for name in public_classes():
-            with self.subTest(name):
                 self.assertGreater(len(getattr(flipfree, name).__doc__), 200)
 
     def test_filters_need_no_numpy(self):
@@ -49,30 +45,22 @@ class Package(unittest.TestCase):
 
 
 class QuadSphere(unittest.TestCase):
-    def test_points_reach_numpy(self):
+    def test_filters_work_with_numpy_and_vtks_own(self):
         sphere = flipfree.vtkQuadSphereSource()
-        sphere.SetCenter(10, -20, 30)
         sphere.SetRadius(5)
-        sphere.Update()
-        points = vtk_to_numpy(sphere.GetOutput().GetPoints().GetData())
-        self.assertEqual(points.shape, (6144, 3))
-        radii = ((points - [10, -20, 30]) ** 2).sum(axis=1) ** 0.5
-        self.assertAlmostEqual(radii.min(), 5, places=12)
-        self.assertAlmostEqual(radii.max(), 5, places=12)
-
-    def test_connects_to_vtks_own_filters(self):
-        sphere = flipfree.vtkQuadSphereSource()
+        with self.assertRaises(TypeError):
+            sphere.SetRadius("large")
         triangles = vtkTriangleFilter()
         triangles.SetInputConnection(sphere.GetOutputPort())
         properties = vtkMassProperties()
         properties.SetInputConnection(triangles.GetOutputPort())
         properties.Update()
-        self.assertAlmostEqual(properties.GetVolume(), 4.18879, delta=0.02)
-
-    def test_wrong_argument_type_is_a_python_error(self):
-        sphere = flipfree.vtkQuadSphereSource()
-        with self.assertRaises(TypeError):
-            sphere.SetRadius("large")
+        self.assertAlmostEqual(properties.GetVolume() / 5 ** 3, 4.18879, delta=0.02)
+        points = vtk_to_numpy(sphere.GetOutput().GetPoints().GetData())
+        self.assertEqual(points.shape, (6144, 3))
+        radii = (points ** 2).sum(axis=1) ** 0.5
+        self.assertAlmostEqual(radii.min(), 5, places=12)
+        self.assertAlmostEqual(radii.max(), 5, places=12)
 
 
 if __name__ == "__main__":
