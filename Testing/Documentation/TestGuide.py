@@ -21,22 +21,14 @@ def text_of(*path):
 
 class TestGuide(unittest.TestCase):
     def test_parameters_exist(self):
-        header = text_of("Filters", "Segmentation", "vtkFlipFreeSegmentation.h")
-        properties = {re.sub(r"(?<!^)(?=[A-Z])", "_", name).lower()
-                      for name in re.findall(r"vtkSet\w*Macro\((\w+)", header)}
+        headers = glob.glob(os.path.join(SOURCE, "Filters", "Segmentation", "vtk*.h"))
+        setters = re.findall(r"(?:vtkSet\w*Macro\(|void Set)(\w+)", "".join(map(text_of, headers)))
+        properties = {re.sub(r"(?<!^)(?=[A-Z])", "_", name).lower() for name in setters}
         guide = text_of("Examples", "Guide", "README.md")
         named = set(re.findall(r"`([a-z]+(?:_[a-z]+)+)[`=]", guide))
         named |= set(re.findall(r"\b([a-z]+(?:_[a-z]+)*)=-?[\dTF]", guide))
         self.assertGreater(len(named), 15)
         self.assertEqual(named - properties, set())
-
-    def test_defaults_are_the_filters(self):
-        header = text_of("Filters", "Segmentation", "vtkFlipFreeSegmentation.h")
-        guide = text_of("Examples", "Guide", "README.md")
-        for member, words in (("DiffusionIterations", "The default, {}, is enough"),
-                              ("SearchScale", "The default, {} seed radii")):
-            [value] = re.findall(rf"(?:int|double) {member} = ([\d.]+);", header)
-            self.assertIn(words.format(value), guide)
 
     def test_all_kernels_have_their_stage(self):
         names = {os.path.splitext(os.path.basename(path))[0]

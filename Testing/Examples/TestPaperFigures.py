@@ -11,8 +11,6 @@ import sys
 import unittest
 
 EXAMPLES, FOLDER = sys.argv[1:3]
-
-
 DATA = os.environ.get("FLIPFREE_DATA_DIR", "")
 
 
@@ -49,13 +47,11 @@ class TestPaperFigures(unittest.TestCase):
                          f"'{DATA}' has no cases.csv; FLIPFREE_DATA_DIR names the folder of it")
     def test_of_real_volumes(self):
         folder = os.path.join(FOLDER, "real")
-        process = draw(folder, "--data", DATA, "--only", "5", "--only", "6", "--scale", "0.5")
+        process = draw(folder, "--data", DATA, "--only", "6", "--scale", "0.5")
         self.assertEqual((process.returncode, process.stderr), (0, ""))
-        self.assert_pictures(folder, (5, 6))
+        self.assert_pictures(folder, (6,))
         self.assertNotIn("phantom", process.stdout)
-        for pattern in (r"liver, defaults: Dice 0\.9\d+, .* 0 self-intersections",
-                        r"spleen: Dice 0\.[89]\d+, .* 0 self-intersections"):
-            self.assertRegex(process.stdout, pattern)
+        self.assertRegex(process.stdout, r"spleen: Dice 0\.[89]\d+, .* 0 self-intersections")
 
     def test_the_gallery_quotes_the_numbers(self):
         """Those of the figures that change first."""
@@ -75,11 +71,6 @@ class TestPaperFigures(unittest.TestCase):
         process = draw(FOLDER, "--data", FOLDER)
         self.assertEqual(process.returncode, 2)
         self.assertIn("there is no cases.csv in", process.stderr)
-
-    def test_pictures_of_the_gallery_are_small(self):
-        folder = os.path.join(EXAMPLES, "Gallery")
-        self.assertLess(sum(os.path.getsize(os.path.join(folder, name))
-                            for name in os.listdir(folder)), 1.5e6)
 
 
 if __name__ == "__main__":

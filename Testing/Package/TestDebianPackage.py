@@ -1,18 +1,16 @@
 """Packs the build tree as a Debian package, reads its control fields and contents by dpkg-deb,
-unpacks it elsewhere, and works from there in the shell, in Python and in C++.
+unpacks it elsewhere, and works from there in the shell and in Python.
 
-  TestDebianPackage.py BUILD_TREE SOURCE_TREE WORK_FOLDER PYTHON_DESTINATION VTK_DIR CXX_COMPILER \
-      VERSION
+  TestDebianPackage.py BUILD_TREE SOURCE_TREE WORK_FOLDER PYTHON_DESTINATION VERSION
 """
 
 import os
-import re
 import shutil
 import subprocess
 import sys
 import unittest
 
-BUILD, SOURCE, WORK, PYTHON, VTK, COMPILER, VERSION = sys.argv[1:8]
+BUILD, SOURCE, WORK, PYTHON, VERSION = sys.argv[1:6]
 LIBRARIES = ("Baselines", "Evaluation", "Imaging", "Phantoms", "Segmentation")
 
 
@@ -49,17 +47,6 @@ class TestDebianPackage(unittest.TestCase):
     def test_name(self):
         architecture = run("dpkg", "--print-architecture").strip()
         self.assertEqual(os.path.basename(self.package), f"flipfree_{VERSION}_{architecture}.deb")
-        self.assertEqual((field("Package"), field("Version"), field("Architecture")),
-                         ("flipfree", VERSION, architecture))
-
-    def test_control_fields(self):
-        self.assertEqual((field("Section"), field("Priority")), ("science", "optional"))
-        self.assertEqual(field("Maintainer"),
-                         "The FlipFree developers <developers@flipfree.invalid>")
-        description = field("Description").splitlines()
-        self.assertLess(len(description[0]), 80)
-        self.assertGreater(len(description), 3)
-        self.assertIn("libvtk9-dev", field("Suggests"))
 
     def test_dependencies_are_those_of_the_libraries(self):
         depends = field("Depends")
@@ -139,10 +126,14 @@ class TestDebianPackage(unittest.TestCase):
                 self.assertNotIn(".debug_info", run("readelf", "--section-headers", path), file)
 
     def test_it_works_where_it_was_unpacked(self):
-        """In the shell, in Python and in C++, as the readme says."""
-        run(sys.executable, os.path.join(os.path.dirname(__file__), "TestReadme.py"),
-            os.path.join(self.tree, "usr/share/doc/flipfree/README.md"),
-            os.path.join(self.tree, "usr"), PYTHON, VTK, COMPILER)
+        """In the shell and in Python; Package.InstalledTree follows the whole readme."""
+        prefix = os.path.join(self.tree, "usr")
+        environment = {**os.environ, "PYTHONPATH": os.path.join(prefix, PYTHON)}
+        command = os.path.join(prefix, "bin", "flipfree")
+        run(command, "phantom", "sphere", "-o", WORK, "--size", "20", "20", "20")
+        scores = run(command, "evaluate", *2 * [os.path.join(WORK, "sphere-truth.nii.gz")])
+        self.assertRegex(scores, r"\nDice +1\b")
+        run(sys.executable, "-c", "import flipfree; flipfree.vtkQuadSphereSource().Update()", env=environment)
 
 
 if __name__ == "__main__":
