@@ -240,8 +240,8 @@ void Segment(const Segmentation& segmentation)
   WriteResults(filter, image, segmentation, outputs);
   if (filter->GetNumberOfSelfIntersections() > 0)
   {
-    PrintWarning(
-      "The surface intersects itself in " + std::to_string(filter->GetNumberOfSelfIntersections()) +
+    PrintWarning("The surface intersects itself in " +
+      std::to_string(filter->GetNumberOfSelfIntersections()) +
       " pairs of triangles. With --guard, it would not.");
   }
   if (!segmentation.Quiet)
