@@ -4,6 +4,7 @@
 #include "ConvergenceTable.h"
 #include "ExecutionAdapter.h"
 #include "GrayImageAdapter.h"
+#include "IterationHistory.h"
 #include "LabelAdapter.h"
 #include "SegmentationWarnings.h"
 #include "StageProperties.h"
@@ -27,19 +28,32 @@
 #include "vtkSmartPointer.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkTable.h"
-#include "vtkTrivialProducer.h"
 
 #include <algorithm>
-#include <cmath>
-#include <numeric>
 #include <stdexcept>
 #include <string>
-#include <vector>
+#include <utility>
 
 vtkStandardNewMacro(vtkFlipFreeSegmentation);
 
 static_assert(vtkFlipFreeSegmentation::ABORTED == static_cast<int>(FlipFree::StopReason::Aborted),
   "the public enumeration follows the kernel's");
+
+namespace
+{
+
+FlipFree::DeformableSurface StartSphere(const Eigen::Vector3d& center, double radius,
+  const FlipFree::ScheduleSettings& schedule)
+{
+  const FlipFree::QuadSphere sphere = FlipFree::MakeQuadSphere(schedule.FirstResolution(), center,
+    radius, FlipFree::QuadSphereSpacing::Equiangular);
+  FlipFree::DeformableSurface surface;
+  surface.Mesh = FlipFree::BuildContourMesh(static_cast<int>(sphere.Points.rows()), sphere.Faces);
+  surface.Points = sphere.Points;
+  return surface;
+}
+
+} // namespace
 
 // The outputs of the last run, from which any iteration can be delivered again.
 struct vtkFlipFreeSegmentation::Result
@@ -47,7 +61,7 @@ struct vtkFlipFreeSegmentation::Result
   vtkNew<vtkPolyData> Surface;
   vtkNew<vtkImageData> Labels;
   vtkNew<vtkTable> Convergence;
-  std::vector<vtkSmartPointer<vtkPolyData>> History;
+  FlipFree::IterationHistory History;
   vtkTimeStamp Time;
 };
 
@@ -59,7 +73,9 @@ using Stage = vtkFlipFreeSegmentation;
   P(Levels, int, Schedule->Levels, 1, 6)                                                           \
   P(MaximumIterations, int, Schedule->MaximumIterations, 0, 100000)                                \
   P(DistanceTolerance, double, Schedule->DistanceTolerance, 0, 1e6)                                \
-  P(ChangeTolerance, double, Schedule->ChangeTolerance, -1e6, 1e6)
+  P(ChangeTolerance, double, Schedule->ChangeTolerance, -1e6, 1e6)                                 \
+  P(LabelValue, int, LabelValue, 1, 255)                                                           \
+  P(KeepHistory, bool, KeepHistory, false, true)
 
 PROPERTIES(FLIPFREE_DEFINE_PROPERTY)
 
@@ -245,7 +261,16 @@ int vtkFlipFreeSegmentation::RequestInformation(vtkInformationVector** inputs,
   vtkDataObject::SetPointDataActiveScalarInfo(labels, VTK_UNSIGNED_CHAR, 1);
   if (this->KeepHistory)
   {
-    this->PublishHistory(outputs->GetInformationObject(0), this->IsResultValid(inputs));
+    vtkInformation* surface = outputs->GetInformationObject(0);
+    if (this->IsResultValid(inputs))
+    {
+      this->Cache->History.Announce(surface);
+    }
+    else
+    {
+      FlipFree::IterationHistory::AnnounceAtMost(
+        1.0 * this->GetLevels() * this->GetMaximumIterations(), surface);
+    }
   }
   return 1;
 }
@@ -318,26 +343,16 @@ void vtkFlipFreeSegmentation::Execute(vtkImageData* image, vtkPolyData* start)
   this->NumberOfSelfIntersections = -1;
   std::fill_n(this->StageSeconds, 4, 0.0);
 
-  const FlipFree::SeedSphere seed{ Eigen::Vector3d(this->SeedCenter), this->SeedRadius };
   this->RequireProperties();
   const FlipFree::OrganSegmentationSettings settings = this->GetSettings();
+  const FlipFree::SeedSphere seed{ Eigen::Vector3d(this->SeedCenter), this->SeedRadius };
   FlipFree::RequireGrayImage(image, "the image on port 0");
   const FlipFree::ImageGeometry geometry = FlipFree::GeometryOf(image);
   FlipFree::RequireSeed(geometry, seed, "the image on port 0");
-  FlipFree::DeformableSurface surface;
-  if (start)
-  {
-    surface =
-      FlipFree::DeformableSurfaceOf(start, "the start surface on port 1", settings.Step.Guard);
-  }
-  else
-  {
-    const FlipFree::QuadSphere sphere = FlipFree::MakeQuadSphere(
-      settings.Schedule.FirstResolution(), seed.Center + Eigen::Vector3d(this->StartCenterOffset),
-      this->StartScale * seed.Radius, FlipFree::QuadSphereSpacing::Equiangular);
-    surface.Mesh = FlipFree::BuildContourMesh(static_cast<int>(sphere.Points.rows()), sphere.Faces);
-    surface.Points = sphere.Points;
-  }
+  const Eigen::Vector3d startCenter = seed.Center + Eigen::Vector3d(this->StartCenterOffset);
+  const FlipFree::DeformableSurface surface = start
+    ? FlipFree::DeformableSurfaceOf(start, "the start surface on port 1", settings.Step.Guard)
+    : StartSphere(startCenter, this->StartScale * seed.Radius, settings.Schedule);
 
   FlipFree::Stopwatch watch;
   const FlipFree::Extent extent = FlipFree::ReachableExtent(geometry, seed.Center,
@@ -359,23 +374,43 @@ void vtkFlipFreeSegmentation::Execute(vtkImageData* image, vtkPolyData* start)
     {
       if (this->KeepHistory)
       {
-        this->Cache->History.push_back(vtkSmartPointer<vtkPolyData>::New());
-        FlipFree::AttachMesh(mesh, points, this->Cache->History.back());
-        FlipFree::AttachField(field, this->Cache->History.back());
+        this->Cache->History.Add(mesh, points, field);
       }
     });
+  smooth.reset(); // the label map takes its place
   this->StageSeconds[0] = before + organ.SmoothingSeconds;
   this->StageSeconds[1] = organ.FeatureSeconds;
   this->StageSeconds[2] = watch.Lap() - organ.SmoothingSeconds - organ.FeatureSeconds;
+
+  this->Keep(organ, settings.Step.Guard);
+  if (this->StopReason == ABORTED)
+  {
+    return;
+  }
+  const bool startsAtSeed = !start && this->StartScale == 1 && startCenter == seed.Center;
+  for (const std::string& warning :
+    FlipFree::WarningsOf(organ, region, geometry, seed, settings, startsAtSeed))
+  {
+    vtkWarningMacro(<< warning);
+  }
+  FlipFree::MakeLabelMap(
+    FlipFree::VoxelizeSurface(organ.Points, organ.Mesh.Triangles, geometry, FlipFree::SMPFor),
+    static_cast<unsigned char>(this->LabelValue), image, this->Cache->Labels);
+  this->StageSeconds[3] = watch.Lap();
+  this->UpdateProgress(1);
+}
+
+void vtkFlipFreeSegmentation::Keep(const FlipFree::OrganSurface& organ, bool guarded)
+{
   this->StopReason = static_cast<int>(organ.Reason);
   FlipFree::FillConvergenceTable(organ.Iterations, this->Cache->Convergence);
   if (this->StopReason == ABORTED)
   {
-    this->Cache->History.clear();
+    this->Cache->History.Clear();
     return;
   }
   this->NumberOfSelfIntersections = static_cast<int>(organ.SelfIntersections);
-  if (settings.Step.Guard && organ.SelfIntersections > 0)
+  if (guarded && organ.SelfIntersections > 0)
   {
     throw std::logic_error("the surface intersects itself in " +
       std::to_string(organ.SelfIntersections) +
@@ -384,56 +419,16 @@ void vtkFlipFreeSegmentation::Execute(vtkImageData* image, vtkPolyData* start)
   }
   FlipFree::AttachMesh(organ.Mesh, organ.Points, this->Cache->Surface);
   FlipFree::AttachField(organ.Field, this->Cache->Surface);
-  const bool startsAtSeed =
-    !start && this->StartScale == 1 && Eigen::Vector3d(this->StartCenterOffset).isZero();
-  for (const std::string& warning :
-    FlipFree::WarningsOf(organ, region, geometry, seed, settings, startsAtSeed))
-  {
-    vtkWarningMacro(<< warning);
-  }
-
-  smooth.reset(); // the label map takes its place
-  FlipFree::MakeLabelMap(
-    FlipFree::VoxelizeSurface(organ.Points, organ.Mesh.Triangles, geometry, FlipFree::SMPFor),
-    static_cast<unsigned char>(this->LabelValue), image, this->Cache->Labels);
-  this->StageSeconds[3] = watch.Lap();
-  this->UpdateProgress(1);
-}
-
-void vtkFlipFreeSegmentation::PublishHistory(vtkInformation* info, bool isKnown) const
-{
-  using Pipeline = vtkStreamingDemandDrivenPipeline;
-  if (!isKnown)
-  {
-    // How many there will be is not known; this many at most.
-    const double range[2] = { 1,
-      std::max(1.0, 1.0 * this->GetLevels() * this->GetMaximumIterations()) };
-    info->Remove(Pipeline::TIME_STEPS());
-    info->Set(Pipeline::TIME_RANGE(), range, 2);
-    return;
-  }
-  std::vector<double> times(std::max<std::size_t>(1, this->Cache->History.size()));
-  std::iota(times.begin(), times.end(), 1.0);
-  const double range[2] = { times.front(), times.back() };
-  info->Set(Pipeline::TIME_STEPS(), times.data(), static_cast<int>(times.size()));
-  info->Set(Pipeline::TIME_RANGE(), range, 2);
 }
 
 void vtkFlipFreeSegmentation::Deliver(vtkInformationVector* outputs)
 {
   vtkInformation* info = outputs->GetInformationObject(0);
   vtkPolyData* surface = this->Cache->Surface;
-  const int size = static_cast<int>(this->Cache->History.size());
-  if (size > 0)
+  if (!this->Cache->History.IsEmpty())
   {
-    this->PublishHistory(info, true);
-    if (info->Has(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP()))
-    {
-      const double time = info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP());
-      const int step = static_cast<int>(std::max(1.0, std::min<double>(time, size)));
-      surface = step < size ? this->Cache->History[step - 1].Get() : surface;
-      surface->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), time);
-    }
+    this->Cache->History.Announce(info);
+    surface = this->Cache->History.SurfaceAt(info, surface);
   }
   vtkPolyData::GetData(outputs, 0)->ShallowCopy(surface);
   vtkImageData::GetData(outputs, 1)->ShallowCopy(this->Cache->Labels);
@@ -448,8 +443,6 @@ void vtkFlipFreeSegmentation::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "SeedRadius: " << this->SeedRadius << "\n";
   os << indent << "StartCenterOffset: (" << this->StartCenterOffset[0] << ", "
      << this->StartCenterOffset[1] << ", " << this->StartCenterOffset[2] << ")\n";
-  os << indent << "LabelValue: " << this->LabelValue << "\n";
-  os << indent << "KeepHistory: " << this->KeepHistory << "\n";
   PROPERTIES(FLIPFREE_PRINT_PROPERTY)
   const std::pair<const char*, vtkObject*> stages[] = { { "Diffusion", this->Diffusion },
     { "Feature", this->Feature }, { "Search", this->Search }, { "Deform", this->Deform } };

@@ -2,15 +2,16 @@
  * @class   vtkFlipFreeSegmentation
  * @brief   from a seed sphere in an organ to the organ's surface
  *
- * Segments one soft organ of a CT or MR volume: the whole method of the paper (Algorithm 1) in one
- * filter. Inside the region that the surface can reach it smooths the image, models the intensities
- * of the seed sphere by a mixture of Gaussians, and deforms a quadrilateral sphere onto the organ,
- * from coarse to fine, iteration by iteration: correspondence search, flip detection and avoidance,
- * propagation, Laplacian deformation. Every iterate passes a guard, so that the surface stays
- * embedded: no two of its triangles intersect, and no face flips.
+ * Segments one soft organ of a CT or MR volume by the whole method of the paper (Algorithm 1). It
+ * smooths the image in the region that the surface can reach, models the intensities of the seed
+ * sphere by a mixture of Gaussians, and deforms a quadrilateral sphere onto the organ, from coarse
+ * to fine. Each iteration searches correspondences, detects and avoids flips, propagates
+ * displacements, and solves a Laplacian deformation. A guard limits every motion, so the surface
+ * stays embedded: no two of its triangles intersect, and no face flips.
  *
- * The same result comes from the stages chained by hand: vtkSeedRegionDiffusion,
- * vtkGMMFeatureFilter, vtkCorrespondenceSearch, vtkFlipFreeDeform, vtkFlipFreeRefinement.
+ * The stages own most parameters, see GetDiffusion(), GetFeature(), GetSearch(), and GetDeform().
+ * Chained by hand (vtkSeedRegionDiffusion, vtkGMMFeatureFilter, vtkCorrespondenceSearch,
+ * vtkFlipFreeDeform, vtkFlipFreeRefinement), they give the same surface.
  *
  * Input port 0: vtkImageData with one scalar component of any type; coordinates are the image's
  * physical millimeters, the direction matrix is honored.
@@ -21,20 +22,21 @@
  * last one wanted) and `Correspondence` (unsigned char; 0 solitary, 1 matched, 2 flipping).
  * Output port 1: vtkImageData, unsigned char `Labels` of the input's geometry: LabelValue inside.
  * Output port 2: vtkTable `Convergence`, a row per iteration: Iteration, Level, Vertices,
- * MeanDistance (mm), Matched, Solitary, Flipping, Guarded (vertices that the guard held back), and
+ * MeanDistance (mm), Matched, Solitary, Flipping, Guarded (vertices that the guard limited), and
  * the seconds of its stages SearchSeconds, FlipSeconds, SolveSeconds, GuardSeconds.
  *
  * Errors: no scalars, several components, an empty image, voxels that are not finite near the seed,
  * a seed outside the image, a radius below a voxel, a seed without contrast to its surroundings, a
- * start surface that is open, not four-valent or self-intersecting. Each is reported once; the
- * outputs are then empty. Warnings, with a result all the same: a seed sphere that reaches beyond
- * the image, no boundary found, a surface that could not be refined or has got to the end of Reach;
- * and, of one grown from the seed with the guard, no boundary for more than a tenth of it (unless
- * search lines are shorter than by default), or more than a quarter of it at the image's ends along
- * two axes: the seed may lie in air.
+ * start surface that is open, not four-valent or self-intersecting, a property that is NaN. Each is
+ * reported once, and the outputs are then empty.
  *
- * Source: the paper, Algorithm 1 and sections 3.1 to 3.6; remedies beyond it carry their own
- * switch.
+ * Warnings, with a result all the same: the seed sphere reaches beyond the image; no vertex found a
+ * boundary; the surface could not be refined; it touches the end of Reach. A surface grown from the
+ * seed under the guard also warns if more than a tenth of it found no boundary (unless search lines
+ * are shorter than by default), or if more than a quarter of it lies at the image's ends along two
+ * axes: the seed may lie in air.
+ *
+ * Source: the paper, Algorithm 1 and sections 3.1 to 3.6. Each remedy beyond it has its own switch.
  */
 #ifndef vtkFlipFreeSegmentation_h
 #define vtkFlipFreeSegmentation_h
@@ -44,7 +46,6 @@
 #include "vtkSmartPointer.h" // for the stages
 
 #include <memory> // for std::unique_ptr
-#include <string> // for std::string
 
 class vtkCorrespondenceSearch;
 class vtkFlipFreeDeform;
@@ -57,6 +58,7 @@ class vtkTable;
 namespace FlipFree
 {
 struct OrganSegmentationSettings;
+struct OrganSurface;
 struct ScheduleSettings;
 }
 
@@ -259,8 +261,8 @@ public:
   /**
    * Value of the organ's voxels in the label map. Default 1; 1 to 255.
    */
-  vtkSetClampMacro(LabelValue, int, 1, 255);
-  vtkGetMacro(LabelValue, int);
+  void SetLabelValue(int value);
+  int GetLabelValue() const;
   ///@}
 
   ///@{
@@ -268,8 +270,8 @@ public:
    * Keep the surface of every iteration, and offer them as time steps: time t is the surface after
    * iteration t. How many there are is known after the first Update(). Default off.
    */
-  vtkSetMacro(KeepHistory, bool);
-  vtkGetMacro(KeepHistory, bool);
+  void SetKeepHistory(bool value);
+  bool GetKeepHistory() const;
   vtkBooleanMacro(KeepHistory, bool);
   ///@}
 
@@ -347,7 +349,7 @@ private:
   void UseSettings(const FlipFree::OrganSegmentationSettings& settings);
   bool IsResultValid(vtkInformationVector** inputs) const;
   void Execute(vtkImageData* image, vtkPolyData* start);
-  void PublishHistory(vtkInformation* info, bool isKnown) const;
+  void Keep(const FlipFree::OrganSurface& organ, bool guarded);
   void Deliver(vtkInformationVector* outputs);
 
   const std::unique_ptr<FlipFree::ScheduleSettings> Schedule;

@@ -17,6 +17,47 @@
 
 vtkStandardNewMacro(vtkGMMFeatureFilter);
 
+namespace
+{
+
+FlipFree::Refit RefitTo(vtkPolyData* surface, const FlipFree::ImageView<float>& smooth,
+  double noise, const FlipFree::IntensitySettings& settings, const FlipFree::Monitor& monitor,
+  FlipFree::IntensityModel& model)
+{
+  const FlipFree::PolygonalSurface inside = FlipFree::SurfaceOf(surface, "the surface on port 1");
+  FlipFree::RequireClosed(static_cast<int>(inside.Points.rows()), inside.Triangles,
+    "the surface on port 1");
+  const FlipFree::Refit refit = FlipFree::RefitToSurface(smooth, inside.Points, inside.Triangles,
+    noise, settings, FlipFree::SMPFor, monitor, model);
+  if (refit == FlipFree::Refit::NothingInside)
+  {
+    throw std::invalid_argument("the surface on port 1 holds no voxel of the image on port 0; "
+                                "check that both are in the same physical coordinates");
+  }
+  return refit;
+}
+
+void AttachModel(const FlipFree::IntensityModel& model, vtkImageData* output)
+{
+  std::vector<double> weights;
+  std::vector<double> means;
+  std::vector<double> deviations;
+  for (const FlipFree::Gaussian& component : model.Mixture.Components)
+  {
+    weights.push_back(component.Weight);
+    means.push_back(component.Mean);
+    deviations.push_back(component.StandardDeviation);
+  }
+  FlipFree::AddFieldValues("FeatureThreshold", { model.Threshold }, output);
+  FlipFree::AddFieldValues("MixtureWeights", weights, output);
+  FlipFree::AddFieldValues("MixtureMeans", means, output);
+  FlipFree::AddFieldValues("MixtureStandardDeviations", deviations, output);
+  FlipFree::AddFieldValues("EdgeRamp", { model.Ramp.Low, model.Ramp.High, model.Ramp.Width },
+    output);
+}
+
+} // namespace
+
 using Stage = vtkGMMFeatureFilter;
 
 #define PROPERTIES(P)                                                                              \
@@ -76,97 +117,12 @@ int vtkGMMFeatureFilter::RequestUpdateExtent(vtkInformation*, vtkInformationVect
 int vtkGMMFeatureFilter::RequestData(vtkInformation*, vtkInformationVector** inputVector,
   vtkInformationVector* outputVector)
 {
-  vtkImageData* image = vtkImageData::GetData(inputVector[0]);
-  vtkPolyData* surface = vtkPolyData::GetData(inputVector[1]);
   vtkImageData* output = vtkImageData::GetData(outputVector);
-  const FlipFree::SeedSphere seed{ Eigen::Vector3d(this->SeedCenter), this->SeedRadius };
-  const FlipFree::OrganFeatureSettings& settings = *this->Settings;
   output->Initialize();
   try
   {
     this->RequireProperties();
-    FlipFree::RequireGrayImage(image, "the image on port 0");
-    const FlipFree::ImageGeometry geometry = FlipFree::GeometryOf(image);
-    FlipFree::RequireSeed(geometry, seed, "the image on port 0");
-    const std::vector<double> given =
-      FlipFree::FieldValues("NoiseStandardDeviation", 1, false, image, "the image on port 0");
-    const FlipFree::Monitor whole = FlipFree::MonitorOf(this);
-    if (!FlipFree::RequireFinite(image, FlipFree::WholeExtent(geometry), "the image on port 0",
-          FlipFree::PartOf(whole, 0, 0.05)) ||
-      !whole(0.05))
-    {
-      return 1; // aborted
-    }
-    FlipFree::FloatImage copy;
-    const FlipFree::ImageView<float> smooth = FlipFree::GrayViewOf(image, copy);
-    if (!whole(0.08))
-    {
-      return 1;
-    }
-    const double noise =
-      given.empty() ? FlipFree::NoiseStandardDeviation(smooth, seed) : given.front();
-    FlipFree::IntensityModel model = FlipFree::FitToSeed(smooth, seed, noise, settings.Intensity);
-    bool proceed = whole(0.1);
-    FlipFree::Refit refit = FlipFree::Refit::TooFewInside; // of no surface
-    if (proceed && surface && settings.ReestimateIntensities)
-    {
-      const FlipFree::PolygonalSurface inside =
-        FlipFree::SurfaceOf(surface, "the surface on port 1");
-      FlipFree::RequireClosed(static_cast<int>(inside.Points.rows()), inside.Triangles,
-        "the surface on port 1");
-      refit = FlipFree::RefitToSurface(smooth, inside.Points, inside.Triangles, noise,
-        settings.Intensity, FlipFree::SMPFor, FlipFree::PartOf(whole, 0.1, 0.4), model);
-      proceed = refit != FlipFree::Refit::Stopped;
-      if (refit == FlipFree::Refit::NothingInside)
-      {
-        throw std::invalid_argument("the surface on port 1 holds no voxel of the image on port 0; "
-                                    "check that both are in the same physical coordinates");
-      }
-      if (refit == FlipFree::Refit::TooFewInside)
-      {
-        vtkWarningMacro("The surface on port 1 has no more than "
-          << FlipFree::MinimumRefitSample << " voxels that are more than "
-          << settings.Intensity.InnerMargin
-          << " mm inside, too few to model the organ, so the feature is that of the seed; enlarge "
-             "the surface, or disconnect it.");
-      }
-    }
-    FlipFree::BitMask foreground;
-    if (!proceed ||
-      !FlipFree::FindForeground(smooth, model, seed, settings, FlipFree::SMPFor,
-        FlipFree::PartOf(whole, 0.4, 0.9), foreground) ||
-      !whole(0.9))
-    {
-      return 1;
-    }
-    if (refit != FlipFree::Refit::Done)
-    {
-      FlipFree::RequireContrast(foreground);
-    }
-    const std::vector<float> feature =
-      FlipFree::MakeFeature(smooth, model, foreground, FlipFree::SMPFor);
-    if (!whole(0.97))
-    {
-      return 1;
-    }
-
-    output->CopyStructure(image);
-    FlipFree::SetFloatScalars("Feature", feature, output);
-    std::vector<double> weights;
-    std::vector<double> means;
-    std::vector<double> deviations;
-    for (const FlipFree::Gaussian& component : model.Mixture.Components)
-    {
-      weights.push_back(component.Weight);
-      means.push_back(component.Mean);
-      deviations.push_back(component.StandardDeviation);
-    }
-    FlipFree::AddFieldValues("SeedRadius", { seed.Radius }, output);
-    FlipFree::AddFieldValues("FeatureThreshold", { model.Threshold }, output);
-    FlipFree::AddFieldValues("MixtureWeights", weights, output);
-    FlipFree::AddFieldValues("MixtureMeans", means, output);
-    FlipFree::AddFieldValues("MixtureStandardDeviations", deviations, output);
-    FlipFree::AddFieldValues("EdgeRamp", { model.Ramp.Low, model.Ramp.High, model.Ramp.Width },
+    this->Execute(vtkImageData::GetData(inputVector[0]), vtkPolyData::GetData(inputVector[1]),
       output);
   }
   catch (const std::exception& error)
@@ -176,6 +132,69 @@ int vtkGMMFeatureFilter::RequestData(vtkInformation*, vtkInformationVector** inp
     return 0;
   }
   return 1;
+}
+
+// Returns with an empty output when it is aborted.
+void vtkGMMFeatureFilter::Execute(vtkImageData* image, vtkPolyData* surface, vtkImageData* output)
+{
+  const FlipFree::SeedSphere seed{ Eigen::Vector3d(this->SeedCenter), this->SeedRadius };
+  FlipFree::RequireGrayImage(image, "the image on port 0");
+  const FlipFree::ImageGeometry geometry = FlipFree::GeometryOf(image);
+  FlipFree::RequireSeed(geometry, seed, "the image on port 0");
+  const std::vector<double> given =
+    FlipFree::FieldValues("NoiseStandardDeviation", 1, false, image, "the image on port 0");
+  const FlipFree::Monitor whole = FlipFree::MonitorOf(this);
+  if (!FlipFree::RequireFinite(image, FlipFree::WholeExtent(geometry), "the image on port 0",
+        FlipFree::PartOf(whole, 0, 0.05)) ||
+    !whole(0.05))
+  {
+    return;
+  }
+  FlipFree::FloatImage copy;
+  const FlipFree::ImageView<float> smooth = FlipFree::GrayViewOf(image, copy);
+  if (!whole(0.08))
+  {
+    return;
+  }
+  const double noise =
+    given.empty() ? FlipFree::NoiseStandardDeviation(smooth, seed) : given.front();
+  FlipFree::IntensityModel model =
+    FlipFree::FitToSeed(smooth, seed, noise, this->Settings->Intensity);
+  FlipFree::Refit refit = FlipFree::Refit::TooFewInside; // of no surface
+  if (whole(0.1) && surface && this->Settings->ReestimateIntensities)
+  {
+    refit = RefitTo(surface, smooth, noise, this->Settings->Intensity,
+      FlipFree::PartOf(whole, 0.1, 0.4), model);
+    if (refit == FlipFree::Refit::TooFewInside)
+    {
+      vtkWarningMacro("The surface on port 1 has no more than "
+        << FlipFree::MinimumRefitSample << " voxels that are more than "
+        << this->Settings->Intensity.InnerMargin
+        << " mm inside, too few to model the organ, so the feature is that of the seed; enlarge "
+           "the surface, or disconnect it.");
+    }
+  }
+  FlipFree::BitMask foreground;
+  if (!whole(0.4) ||
+    !FlipFree::FindForeground(smooth, model, seed, *this->Settings, FlipFree::SMPFor,
+      FlipFree::PartOf(whole, 0.4, 0.9), foreground) ||
+    !whole(0.9))
+  {
+    return;
+  }
+  if (refit != FlipFree::Refit::Done)
+  {
+    FlipFree::RequireContrast(foreground);
+  }
+  const std::vector<float> feature =
+    FlipFree::MakeFeature(smooth, model, foreground, FlipFree::SMPFor);
+  if (whole(0.97))
+  {
+    output->CopyStructure(image);
+    FlipFree::SetFloatScalars("Feature", feature, output);
+    FlipFree::AddFieldValues("SeedRadius", { seed.Radius }, output);
+    AttachModel(model, output);
+  }
 }
 
 void vtkGMMFeatureFilter::PrintSelf(ostream& os, vtkIndent indent)

@@ -1,0 +1,66 @@
+// Lengths that follow the seed and the voxels, within their limits.
+#include "Deformation/SegmentationSettings.h"
+#include "ExampleMasks.h"
+
+#include <gtest/gtest.h>
+
+using namespace FlipFree;
+
+namespace
+{
+
+const ImageGeometry Fine = Grid({ { 8, 8, 8 } }, { 1, 1, 0.5 });
+const ImageGeometry Coarse = Grid({ { 8, 8, 8 } }, { 1, 1, 5 });
+
+} // namespace
+
+TEST(SegmentationSettings, ReachFollowsTheSeed)
+{
+  EXPECT_EQ(ReachOf({}, 5), 100);
+  EXPECT_EQ(ReachOf({}, 20), 200);
+  EXPECT_EQ(ReachOf({}, 40), 250);
+  EXPECT_EQ(ReachOf({ 33, 5 }, 40), 33);
+}
+
+TEST(SegmentationSettings, SearchLinesFollowTheSeed)
+{
+  TargetSettings settings;
+  EXPECT_EQ(SearchDistanceOf(settings, 5), 15);
+  EXPECT_EQ(SearchDistanceOf(settings, 25), 40);
+  EXPECT_EQ(SearchDistanceOf(settings, 50), 60);
+  settings.SearchScale = 2;
+  EXPECT_EQ(SearchDistanceOf(settings, 10), 20);
+  settings.Correspondence.SearchDistance = 7;
+  EXPECT_EQ(SearchDistanceOf(settings, 10), 7);
+  EXPECT_EQ(EdgeWindowOf(settings, Fine), 1.5);
+  EXPECT_EQ(EdgeWindowOf(settings, Coarse), 3);
+}
+
+TEST(SegmentationSettings, LeakControlFollowsTheSeedAndTheVoxels)
+{
+  EXPECT_EQ(RadiiOf({}, 10, Coarse).Closing, 1.5);
+  EXPECT_EQ(RadiiOf({ 3, 0.4 }, 10, Fine).Closing, 2);
+  EXPECT_EQ(RadiiOf({}, 5, Coarse).Opening, 2.5);
+  EXPECT_EQ(RadiiOf({}, 10, Coarse).Opening, 4);
+  EXPECT_EQ(RadiiOf({}, 30, Coarse).Opening, 6);
+  EXPECT_EQ(RadiiOf({}, 10, Fine).Opening, 2);
+  EXPECT_EQ(RadiiOf({ 0, 0 }, 10, Coarse).Closing, 0);
+  EXPECT_EQ(RadiiOf({ 0, 0 }, 10, Coarse).Opening, 0);
+}
+
+TEST(SegmentationSettings, LevelsBeginWithTwoVerticesAlongAnEdge)
+{
+  const auto expect = [](int resolution, int wanted, int levels, int first)
+  {
+    ScheduleSettings schedule;
+    schedule.Resolution = resolution;
+    schedule.Levels = wanted;
+    EXPECT_EQ(schedule.NumberOfLevels(), levels) << resolution << ", " << wanted;
+    EXPECT_EQ(schedule.FirstResolution(), first) << resolution << ", " << wanted;
+  };
+  expect(32, 3, 3, 8);
+  expect(32, 6, 5, 2);
+  expect(10, 6, 3, 2);
+  expect(7, 1, 1, 7);
+  expect(2, 4, 1, 2);
+}
