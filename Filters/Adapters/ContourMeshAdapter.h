@@ -19,11 +19,65 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
+#include <memory>
 #include <stdexcept>
 #include <string>
 
 namespace FlipFree
 {
+
+/// The analysis of a surface's connectivity, kept from update to update while the polygons stay the
+/// same.
+class ContourMeshCache
+{
+public:
+  using Mesh = std::shared_ptr<const ContourMesh>;
+
+  /// The same pointer as before for the same connectivity. Throws std::invalid_argument, naming the
+  /// surface by `name`, when it is not a closed mesh with four neighbors at every vertex. `points`
+  /// are those of the surface.
+  Mesh MeshOf(vtkPolyData* data, const Eigen::Ref<const PointList>& points, const std::string& name)
+  {
+    RequirePolygons(data, name);
+    const FaceList faces = CopyPolys(data, name);
+    RequireValidFaces(points, faces, name);
+    const int size = static_cast<int>(points.rows());
+    if (this->Last && this->Last->NumberOfPoints() == size &&
+      this->Last->Faces.Offsets == faces.Offsets &&
+      this->Last->Faces.Connectivity == faces.Connectivity)
+    {
+      return this->Last;
+    }
+    try
+    {
+      this->Last = std::make_shared<const ContourMesh>(BuildContourMesh(size, faces));
+    }
+    catch (const std::invalid_argument& error)
+    {
+      throw std::invalid_argument(name + ": " + error.what());
+    }
+    return this->Last;
+  }
+
+private:
+  Mesh Last;
+};
+
+/// Throws std::invalid_argument, naming the surface by `name`, when it intersects itself or is
+/// inside out.
+inline void RequireEmbedded(const ContourMesh& mesh, const PointList& points,
+  const std::string& name)
+{
+  const auto pairs = FindSelfIntersections(points, mesh.Triangles);
+  if (!pairs.empty())
+  {
+    throw std::invalid_argument(name + " intersects itself in " + std::to_string(pairs.size()) +
+      " pairs of triangles, the first near " +
+      TextOf(points.row(mesh.Triangles(pairs[0].first, 0))) +
+      " mm; start from an embedded surface, or switch Guard (of a refinement: Check) off");
+  }
+  RequireOutward(points, mesh.Triangles, name);
+}
 
 struct DeformableSurface
 {
@@ -31,35 +85,19 @@ struct DeformableSurface
   PointList Points;
 };
 
-/// Throws std::invalid_argument, naming the surface by `name`, when it is not a closed mesh with
-/// four neighbors at every vertex, or, if asked, intersects itself or is inside out.
+/// Copies a surface. Throws std::invalid_argument, naming it by `name`, when it is not a closed
+/// mesh with four neighbors at every vertex, or, if asked, is not embedded.
 inline DeformableSurface DeformableSurfaceOf(vtkPolyData* data, const std::string& name,
   bool requireEmbedded)
 {
-  PolygonalSurface surface = SurfaceOf(data, name);
-  DeformableSurface result;
-  try
-  {
-    result.Mesh = BuildContourMesh(static_cast<int>(surface.Points.rows()), surface.Faces);
-  }
-  catch (const std::invalid_argument& error)
-  {
-    throw std::invalid_argument(name + ": " + error.what());
-  }
-  result.Points = std::move(surface.Points);
+  DeformableSurface surface;
+  surface.Points = CopyPoints(data);
+  surface.Mesh = *ContourMeshCache().MeshOf(data, surface.Points, name);
   if (requireEmbedded)
   {
-    const auto pairs = FindSelfIntersections(result.Points, result.Mesh.Triangles);
-    if (!pairs.empty())
-    {
-      throw std::invalid_argument(name + " intersects itself in " + std::to_string(pairs.size()) +
-        " pairs of triangles, the first near " +
-        TextOf(result.Points.row(result.Mesh.Triangles(pairs[0].first, 0))) +
-        " mm; start from an embedded surface, or switch Guard (of a refinement: Check) off");
-    }
-    RequireOutward(result.Points, result.Mesh.Triangles, name);
+    RequireEmbedded(surface.Mesh, surface.Points, name);
   }
-  return result;
+  return surface;
 }
 
 /// Where the field is of another size, no iteration has been made of this mesh: nothing is wanted.

@@ -1,11 +1,12 @@
 /**
- * Private to the modules, never installed: between the points and polygons of VTK and those of the
- * kernels. Both ways copy: VTK's points may be of either precision and its faces lie in another
- * layout, and a mesh is small beside an image.
+ * Private to the modules, never installed: conversion between the points and polygons of VTK and
+ * those of the kernels. Points in double precision can be viewed in place. Polygons are copied,
+ * since their indices are of another type.
  */
 #ifndef FlipFreeMeshAdapter_h
 #define FlipFreeMeshAdapter_h
 
+#include "Error.h"
 #include "Mesh/ContourMesh.h"
 
 #include "vtkCellArray.h"
@@ -13,6 +14,11 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <limits>
+#include <string>
 
 namespace FlipFree
 {
@@ -42,7 +48,7 @@ inline vtkSmartPointer<vtkCellArray> MakePolys(const FaceList& faces)
   return result;
 }
 
-/// The points of a surface, as doubles whatever their type.
+/// A copy of a surface's points, as doubles whatever their type: for those who move them.
 inline PointList CopyPoints(vtkPolyData* surface)
 {
   PointList points(surface->GetNumberOfPoints(), 3);
@@ -53,10 +59,32 @@ inline PointList CopyPoints(vtkPolyData* surface)
   return points;
 }
 
-inline FaceList CopyPolys(vtkPolyData* surface)
+/// The points of a surface: VTK's own if they are doubles, and else those of `copy`, which must
+/// outlive the view.
+inline Eigen::Map<const PointList> ViewPoints(vtkPolyData* surface, PointList& copy)
 {
-  FaceList faces;
+  const vtkIdType size = surface->GetNumberOfPoints();
+  auto* doubles =
+    size > 0 ? vtkDoubleArray::SafeDownCast(surface->GetPoints()->GetData()) : nullptr;
+  if (!doubles)
+  {
+    copy = CopyPoints(surface);
+  }
+  return { doubles ? doubles->GetPointer(0) : copy.data(), size, 3 };
+}
+
+/// Throws Error, naming the surface by `name`, where the kernels' indices, which are int, do not
+/// suffice.
+inline FaceList CopyPolys(vtkPolyData* surface, const std::string& name = "the surface")
+{
+  constexpr vtkIdType limit = std::numeric_limits<int>::max();
   vtkCellArray* polys = surface->GetPolys();
+  if (surface->GetNumberOfPoints() > limit || polys->GetNumberOfConnectivityIds() > limit)
+  {
+    throw Error(ErrorCode::TooLarge,
+      name + " has more than 2^31 - 1 points or corners of polygons; coarsen it");
+  }
+  FaceList faces;
   for (vtkIdType face = 0; face < polys->GetNumberOfCells(); ++face)
   {
     vtkIdType size = 0;
@@ -64,6 +92,13 @@ inline FaceList CopyPolys(vtkPolyData* surface)
     polys->GetCellAtId(face, size, vertices);
     for (vtkIdType corner = 0; corner < size; ++corner)
     {
+      if (std::abs(vertices[corner]) > limit)
+      {
+        throw Error(ErrorCode::InvalidMesh,
+          "polygon " + std::to_string(face) + " of " + name + " names point " +
+            std::to_string(vertices[corner]) + ", but there are " +
+            std::to_string(surface->GetNumberOfPoints()) + " points; repair the connectivity");
+      }
       faces.Connectivity.push_back(static_cast<int>(vertices[corner]));
     }
     faces.Offsets.push_back(static_cast<int>(faces.Connectivity.size()));

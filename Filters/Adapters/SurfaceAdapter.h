@@ -21,9 +21,9 @@ struct PolygonalSurface
   TriangleList Triangles; ///< of the faces, in their order
 };
 
-/// Copies the polygons of a surface. Throws std::invalid_argument, naming the surface by `name`,
-/// when it has no points or no polygons, has triangle strips, or is not valid (RequireValidFaces).
-inline PolygonalSurface SurfaceOf(vtkPolyData* data, const std::string& name)
+/// Throws std::invalid_argument, naming the surface by `name`, when it has no points or has
+/// triangle strips.
+inline void RequirePolygons(vtkPolyData* data, const std::string& name)
 {
   if (data->GetNumberOfPoints() == 0)
   {
@@ -34,9 +34,16 @@ inline PolygonalSurface SurfaceOf(vtkPolyData* data, const std::string& name)
     throw std::invalid_argument(
       name + " has triangle strips; convert them to polygons by vtkTriangleFilter");
   }
+}
+
+/// Copies a surface. Throws std::invalid_argument, naming the surface by `name`, when it has no
+/// points or no polygons, has triangle strips, or is not valid (RequireValidFaces).
+inline PolygonalSurface SurfaceOf(vtkPolyData* data, const std::string& name)
+{
+  RequirePolygons(data, name);
   PolygonalSurface surface;
   surface.Points = CopyPoints(data);
-  surface.Faces = CopyPolys(data);
+  surface.Faces = CopyPolys(data, name);
   RequireValidFaces(surface.Points, surface.Faces, name);
   surface.Triangles = Triangulate(surface.Faces);
   return surface;

@@ -11,18 +11,135 @@
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
+#include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
-vtkStandardNewMacro(vtkCorrespondenceSearch);
+#include <algorithm>
+#include <string>
+#include <vector>
 
 namespace
 {
 
-// Of a feature that does not say: search lines of 40 mm by default.
+bool SameGrid(const FlipFree::ImageGeometry& one, const FlipFree::ImageGeometry& other)
+{
+  return one.Dimensions == other.Dimensions && one.Origin == other.Origin &&
+    one.Spacing == other.Spacing && one.Direction == other.Direction;
+}
+
+// An image that has been checked, as floats. It is not checked again while it stays the same.
+class CheckedImage
+{
+public:
+  // Throws std::invalid_argument for an image that cannot be searched. Returns false if the monitor
+  // stopped it.
+  bool Update(vtkImageData* image, const std::string& name, const FlipFree::Monitor& monitor)
+  {
+    FlipFree::RequireGrayImage(image, name);
+    const FlipFree::ImageGeometry geometry = FlipFree::GeometryOf(image);
+    vtkDataArray* scalars = image->GetPointData()->GetScalars();
+    const bool isSame = this->Scalars == scalars && this->Time == image->GetMTime() &&
+      SameGrid(geometry, this->View.Geometry);
+    this->Time = 0;
+    if (!isSame && !FlipFree::RequireFinite(image, FlipFree::WholeExtent(geometry), name, monitor))
+    {
+      return false;
+    }
+    if (!isSame || scalars->GetDataType() == VTK_FLOAT)
+    {
+      this->View = FlipFree::GrayViewOf(image, this->Copy);
+    }
+    this->Version += isSame ? 0 : 1;
+    this->Scalars = scalars;
+    this->Time = image->GetMTime();
+    return true;
+  }
+
+  const FlipFree::ImageView<float>& GetView() const { return this->View; }
+  // Another number for another image.
+  int GetVersion() const { return this->Version; }
+
+private:
+  const vtkDataArray* Scalars = nullptr; // to compare with alone
+  vtkMTimeType Time = 0;
+  int Version = 0;
+  FlipFree::FloatImage Copy; // of voxels that are not floats
+  FlipFree::ImageView<float> View;
+};
+
+// The progress of several passes over the data: it does not go back, and a stop is remembered.
+class Passes
+{
+public:
+  explicit Passes(vtkAlgorithm* filter)
+    : Own(FlipFree::MonitorOf(filter))
+  {
+  }
+
+  bool IsStopped() const { return this->Stopped; }
+
+  // The part [first, last] of the whole.
+  FlipFree::Monitor Part(double first, double last)
+  {
+    return [this, first, last](double fraction)
+    {
+      this->Done = std::max(this->Done, first + fraction * (last - first));
+      this->Stopped = this->Stopped || !this->Own(this->Done);
+      return !this->Stopped;
+    };
+  }
+
+  // Threads that end soon after a stop; what they made is then incomplete. An element costs as much
+  // as `voxels` that are looked at once.
+  FlipFree::ParallelFor Threads(double first, double last, std::ptrdiff_t voxels)
+  {
+    return [monitor = this->Part(first, last), voxels](std::ptrdiff_t begin, std::ptrdiff_t end,
+             const FlipFree::RangeBody& body)
+    { FlipFree::SMPForSlices(begin, end, voxels, monitor, body); };
+  }
+
+private:
+  FlipFree::Monitor Own;
+  double Done = 0;
+  bool Stopped = false;
+};
+
+// A search line is about as expensive as looking at so many voxels in a row.
+constexpr std::ptrdiff_t VoxelsPerVertex = 1000;
+
+// For a feature without the field data: gives search lines of 40 mm by default.
 constexpr double UsualSeedRadius = 25;
 
 } // namespace
+
+vtkStandardNewMacro(vtkCorrespondenceSearch);
+
+struct vtkCorrespondenceSearch::Workspace
+{
+  FlipFree::ContourMeshCache Meshes;
+  CheckedImage Feature;
+  CheckedImage Edges;
+  FlipFree::BitMask Foreground;
+  // What the foreground was made from; no version is 0.
+  int Version = 0;
+  double Threshold = 0;
+
+  void UpdateForeground(double threshold, Passes& passes)
+  {
+    const FlipFree::ImageView<float>& feature = this->Feature.GetView();
+    if (this->Version == this->Feature.GetVersion() && this->Threshold == threshold)
+    {
+      return;
+    }
+    const auto& size = feature.Geometry.Dimensions;
+    this->Foreground = FlipFree::VoxelsWhere(
+      feature, [threshold](float value) { return value >= threshold; },
+      passes.Threads(0.1, 0.3, static_cast<std::ptrdiff_t>(size[0]) * size[1]));
+    this->Version = passes.IsStopped() ? 0 : this->Feature.GetVersion();
+    this->Threshold = threshold;
+  }
+};
 
 using Stage = vtkCorrespondenceSearch;
 
@@ -43,6 +160,7 @@ PROPERTIES(FLIPFREE_DEFINE_PROPERTY)
 
 vtkCorrespondenceSearch::vtkCorrespondenceSearch()
   : Settings(std::make_unique<FlipFree::TargetSettings>())
+  , Kept(std::make_unique<Workspace>())
 {
   this->SetNumberOfInputPorts(3);
 }
@@ -97,46 +215,53 @@ int vtkCorrespondenceSearch::RequestData(vtkInformation*, vtkInformationVector**
   try
   {
     this->RequireProperties();
-    const FlipFree::DeformableSurface surface =
-      FlipFree::DeformableSurfaceOf(input, "the surface on port 0", false);
-    FlipFree::RequireGrayImage(featureImage, "the feature on port 1");
-    FlipFree::RequireFinite(featureImage, FlipFree::WholeExtent(FlipFree::GeometryOf(featureImage)),
-      "the feature on port 1");
-    FlipFree::FloatImage copyOfFeature;
-    const FlipFree::ImageView<float> feature = FlipFree::GrayViewOf(featureImage, copyOfFeature);
+    const std::string surfaceName = "the surface on port 0";
+    const std::string featureName = "the feature on port 1";
+    const std::string edgeName = "the edge image on port 2";
+    Passes passes(this);
+    FlipFree::PointList copy;
+    const auto points = FlipFree::ViewPoints(input, copy);
+    const auto mesh = this->Kept->Meshes.MeshOf(input, points, surfaceName);
+    if (!this->Kept->Feature.Update(featureImage, featureName, passes.Part(0, 0.1)))
+    {
+      return 1;
+    }
+    const FlipFree::ImageView<float>& feature = this->Kept->Feature.GetView();
     const std::vector<double> given =
-      FlipFree::FieldValues("FeatureThreshold", 1, false, featureImage, "the feature on port 1");
-    const double threshold = this->Threshold > 0 ? this->Threshold
-      : !given.empty() && given.front() > 0      ? given.front()
-                                                 : 0.5;
-    const FlipFree::BitMask foreground = FlipFree::VoxelsWhere(
-      feature, [threshold](float value) { return value >= threshold; }, FlipFree::SMPFor);
-    FlipFree::FloatImage copyOfEdges;
+      FlipFree::FieldValues("FeatureThreshold", 1, false, featureImage, featureName);
+    this->Kept->UpdateForeground(this->Threshold > 0 ? this->Threshold
+        : !given.empty() && given.front() > 0        ? given.front()
+                                                     : 0.5,
+      passes);
     FlipFree::ImageView<float> edges;
     if (edgeImage && this->Settings->Correspondence.EdgeWindow > 0)
     {
-      FlipFree::RequireGrayImage(edgeImage, "the edge image on port 2");
-      FlipFree::RequireFinite(edgeImage, FlipFree::WholeExtent(FlipFree::GeometryOf(edgeImage)),
-        "the edge image on port 2");
-      edges = FlipFree::GrayViewOf(edgeImage, copyOfEdges);
-      FlipFree::RequireSameGeometry(edges.Geometry, feature.Geometry, "the edge image on port 2",
-        "the feature on port 1");
+      if (!this->Kept->Edges.Update(edgeImage, edgeName, passes.Part(0.3, 0.4)))
+      {
+        return 1;
+      }
+      edges = this->Kept->Edges.GetView();
+      FlipFree::RequireSameGeometry(edges.Geometry, feature.Geometry, edgeName, featureName);
     }
 
     const std::vector<double> radius =
-      FlipFree::FieldValues("SeedRadius", 1, false, featureImage, "the feature on port 1");
+      FlipFree::FieldValues("SeedRadius", 1, false, featureImage, featureName);
     FlipFree::TargetSettings settings = *this->Settings;
     const std::vector<double> ramp =
-      FlipFree::FieldValues("EdgeRamp", 3, true, featureImage, "the feature on port 1");
+      FlipFree::FieldValues("EdgeRamp", 3, true, featureImage, featureName);
     if (ramp.size() == 3)
     {
       settings.Correspondence.Ramp = { ramp[0], ramp[1], ramp[2] };
     }
 
     FlipFree::TargetReport report;
-    const FlipFree::CorrespondenceField field =
-      FlipFree::FindTargets(surface.Mesh, surface.Points, foreground, edges,
-        radius.empty() ? UsualSeedRadius : radius.front(), settings, FlipFree::SMPFor, report);
+    const FlipFree::CorrespondenceField field = FlipFree::FindTargets(*mesh, points,
+      this->Kept->Foreground, edges, radius.empty() ? UsualSeedRadius : radius.front(), settings,
+      passes.Threads(0.4, 1, VoxelsPerVertex), report);
+    if (passes.IsStopped())
+    {
+      return 1;
+    }
     output->ShallowCopy(input);
     FlipFree::AttachField(field, output);
     FlipFree::AddFieldValues("MeanDistance", { report.MeanDistance }, output);

@@ -177,6 +177,9 @@ private:
 
   vtkCorrespondenceSearch(const vtkCorrespondenceSearch&) = delete;
   void operator=(const vtkCorrespondenceSearch&) = delete;
+
+  struct Workspace;
+  std::unique_ptr<Workspace> Kept; ///< from update to update, while the inputs stay
 };
 
 #endif

@@ -11,9 +11,31 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 
-#include <memory>
+#include <string>
 
 vtkStandardNewMacro(vtkFlipFreeDeform);
+
+struct vtkFlipFreeDeform::Workspace
+{
+  FlipFree::ContourMeshCache Meshes;
+  FlipFree::ContourMeshCache::Mesh Mesh; // of the guard and the solver
+  std::unique_ptr<FlipFree::EmbeddingGuard> Guard;
+  std::unique_ptr<FlipFree::DeformationSolver> Solver;
+
+  void PrepareFor(const FlipFree::ContourMeshCache::Mesh& mesh, bool guard)
+  {
+    if (mesh != this->Mesh)
+    {
+      this->Guard.reset();
+      this->Solver = std::make_unique<FlipFree::DeformationSolver>(*mesh);
+      this->Mesh = mesh;
+    }
+    if (guard && !this->Guard)
+    {
+      this->Guard = std::make_unique<FlipFree::EmbeddingGuard>(*mesh);
+    }
+  }
+};
 
 using Stage = vtkFlipFreeDeform;
 
@@ -31,6 +53,7 @@ PROPERTIES(FLIPFREE_DEFINE_PROPERTY)
 
 vtkFlipFreeDeform::vtkFlipFreeDeform()
   : Settings(std::make_unique<FlipFree::DeformationStepSettings>())
+  , Kept(std::make_unique<Workspace>())
 {
 }
 
@@ -50,24 +73,26 @@ int vtkFlipFreeDeform::RequestData(vtkInformation*, vtkInformationVector** input
   try
   {
     this->RequireProperties();
-    FlipFree::DeformableSurface surface =
-      FlipFree::DeformableSurfaceOf(input, "the surface on port 0", this->Settings->Guard);
-    FlipFree::CorrespondenceField field = FlipFree::FieldOf(input, "the surface on port 0");
-    std::unique_ptr<FlipFree::EmbeddingGuard> guard;
-    if (this->Settings->Guard)
+    const std::string name = "the surface on port 0";
+    const bool guarded = this->Settings->Guard;
+    FlipFree::PointList points = FlipFree::CopyPoints(input);
+    const auto mesh = this->Kept->Meshes.MeshOf(input, points, name);
+    if (guarded)
     {
-      guard = std::make_unique<FlipFree::EmbeddingGuard>(surface.Mesh);
+      FlipFree::RequireEmbedded(*mesh, points, name);
     }
-    FlipFree::DeformationSolver solver(surface.Mesh);
-    const FlipFree::DeformationStepReport report = FlipFree::DeformOnce(solver, guard.get(),
-      *this->Settings, FlipFree::SMPFor, FlipFree::MonitorOf(this), field, surface.Points);
+    FlipFree::CorrespondenceField field = FlipFree::FieldOf(input, name);
+    this->Kept->PrepareFor(mesh, guarded);
+    const FlipFree::DeformationStepReport report =
+      FlipFree::DeformOnce(*this->Kept->Solver, guarded ? this->Kept->Guard.get() : nullptr,
+        *this->Settings, FlipFree::SMPFor, FlipFree::MonitorOf(this), field, points);
     if (FlipFree::IsAborted(this))
     {
       return 1;
     }
     output->ShallowCopy(input);
-    output->SetPoints(FlipFree::MakePoints(surface.Points));
-    // Those of the surface that was.
+    output->SetPoints(FlipFree::MakePoints(points));
+    // They belong to the surface before the step.
     output->GetPointData()->SetNormals(nullptr);
     output->GetPointData()->SetTangents(nullptr);
     output->GetCellData()->SetNormals(nullptr);

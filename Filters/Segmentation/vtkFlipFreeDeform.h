@@ -120,6 +120,9 @@ private:
 
   vtkFlipFreeDeform(const vtkFlipFreeDeform&) = delete;
   void operator=(const vtkFlipFreeDeform&) = delete;
+
+  struct Workspace;
+  std::unique_ptr<Workspace> Kept; ///< from update to update, while the connectivity stays
 };
 
 #endif

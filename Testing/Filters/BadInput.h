@@ -177,6 +177,8 @@ inline std::vector<Bad<vtkPolyData>> BadSurfaces()
   points->SetPolys(nullptr);
   const auto missing = StartSphere();
   missing->GetPolys()->InsertNextCell({ 0, 1, 9999 });
+  const auto beyond = StartSphere();
+  beyond->GetPolys()->InsertNextCell({ 0, 1, (vtkIdType(1) << 32) + 2 }); // 2 as an int
   return {
     { "no points", vtkSmartPointer<vtkPolyData>::New(), { "no points", "connect" } },
     { "points alone", points, { "no polygons" } },
@@ -184,6 +186,7 @@ inline std::vector<Bad<vtkPolyData>> BadSurfaces()
     { "not four-valent", TriangulatedBox(), { "vertex 0", "four neighbors" } },
     { "not finite", SphereWithPointAt(NotANumber), { "point 7", "finite", "repair" } },
     { "missing point", missing, { "point 9999", "repair" } },
+    { "index beyond int", beyond, { "point 4294967298", "repair" } },
   };
 }
 

@@ -10,7 +10,7 @@ namespace FlipFree
 namespace
 {
 
-// A run of just the wanted length counts, whichever way its ends were rounded.
+// Lets a run of exactly the wanted length count in spite of rounding.
 constexpr double RoundingSlack = 1 - 1e-9;
 
 class LineSearch
@@ -70,8 +70,7 @@ private:
     VoxelTraversal walk(this->Grid, point, direction);
     for (; walk.GetEntry() <= this->Settings.SearchDistance; walk.Advance())
     {
-      // Looking outward, the image's end ends the search; looking inward from outside, it may begin
-      // there.
+      // An outward search ends where the image ends; an inward one may begin outside.
       if (!wanted && !walk.IsInside())
       {
         distance = run > 0 ? entry : walk.GetEntry();
@@ -100,8 +99,8 @@ private:
     return false;
   }
 
-  // The place of the greatest change of the gray values along the line, weighed by its nearness to
-  // the crossing.
+  // The steepest outward fall of the intensities along the line, weighted by a Gaussian around the
+  // crossing.
   double StrongestEdge(const Eigen::Vector3d& point, const Eigen::Vector3d& normal,
     double crossing) const
   {
@@ -145,9 +144,9 @@ private:
 
 } // namespace
 
-CorrespondenceField FindCorrespondences(const PointList& points, const PointList& normals,
-  const BitMask& foreground, const ImageView<float>& edges, const CorrespondenceSettings& settings,
-  const ParallelFor& parallelFor)
+CorrespondenceField FindCorrespondences(const Eigen::Ref<const PointList>& points,
+  const PointList& normals, const BitMask& foreground, const ImageView<float>& edges,
+  const CorrespondenceSettings& settings, const ParallelFor& parallelFor)
 {
   CorrespondenceField field;
   field.Displacements = PointList::Zero(points.rows(), 3);

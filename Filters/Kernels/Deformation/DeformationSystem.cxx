@@ -7,7 +7,7 @@ namespace FlipFree
 namespace
 {
 
-// Edges want the mean length of their contour along their present direction.
+// Pulls each edge towards the mean length of its contour, along its present direction.
 void AddUniformTerm(const ContourMesh& mesh, const PointList& points, double weight,
   VertexField& right)
 {
@@ -98,7 +98,7 @@ Eigen::SparseMatrix<double> AssembleSystem(const ContourMesh& mesh, double unifo
   Eigen::SparseMatrix<double> laplacian(size, size);
   laplacian.setFromTriplets(entries.begin(), entries.end());
   Eigen::SparseMatrix<double> matrix = laplacian * laplacian + 4 * uniformWeight * laplacian;
-  // A mesh that nothing holds has a one-dimensional kernel, its translation.
+  // Without position weights the matrix has a kernel: the translations.
   matrix.diagonal() += diagonal + Eigen::VectorXd::Constant(size, 1e-9);
   return matrix;
 }

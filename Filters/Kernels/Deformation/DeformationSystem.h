@@ -22,20 +22,19 @@ struct DeformationSettings
   double PositionWeight = 0.3; ///< lambda_p
   double UniformWeight = 1.0;  ///< lambda_u
 
-  /// How much of the present Laplacian is given up: 0 keeps the shape (Eq. 5), in which case the
-  /// energy is inertia and noise never leaves; 1 minimizes |L(u')|^2, which smooths and shrinks.
+  /// The fraction of the present Laplacian that is given up: 0 keeps the shape and its noise (Eq.
+  /// 5); 1 minimizes |L(u')|^2, which smooths and shrinks.
   double Fairing = 0;
 };
 
-/// One column per vertex: x, y, z and a zero, so that a vertex is a whole number of the machine's
-/// vectors.
+/// One column per vertex: x, y, z and a zero, which fills the vector registers.
 using VertexField = Eigen::Matrix<double, 4, Eigen::Dynamic>;
 
 /// The uniform Laplacian of a field.
 void ApplyLaplacian(const ContourMesh& mesh, const VertexField& field, VertexField& result);
 
-/// lambda_p W: every vertex's distance to its target, over the mean distance (Eq. 7). All zero
-/// where nothing draws.
+/// lambda_p W: every vertex's distance to its target, over the mean distance (Eq. 7). All zero if
+/// no vertex has a target.
 void FindPositionWeights(const PointList& targets, double weight, Eigen::VectorXd& diagonal);
 
 /// b. `targets` are target minus point; `diagonal` is lambda_p W; `work` is overwritten.

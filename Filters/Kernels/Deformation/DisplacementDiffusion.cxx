@@ -8,92 +8,64 @@ namespace FlipFree
 namespace
 {
 
-class Averaging
+// Replaces the displacements of the listed vertices by the means over their neighbors and
+// themselves. Only vertices that a displacement has reached take part: the others are undecided,
+// which is not the same as at rest.
+void Average(const ContourMesh& mesh, const std::vector<int>& vertices, std::vector<char>& reached,
+  PointList& displacements)
 {
-public:
-  Averaging(const ContourMesh& mesh, PointList& displacements)
-    : Mesh(mesh)
-    , Displacements(displacements)
-    , Known(mesh.NumberOfPoints())
-  {
-  }
-
-  // One pass. A vertex that no displacement has reached yet does not count as one that wants to
-  // rest: only known neighbors take part.
-  void Average(const std::vector<int>& vertices)
-  {
-    this->Averages.resize(vertices.size());
-    for (std::size_t position = 0; position < vertices.size(); ++position)
-    {
-      this->Averages[position] = this->AverageAround(vertices[position]);
-    }
-    for (std::size_t position = 0; position < vertices.size(); ++position)
-    {
-      const int vertex = vertices[position];
-      this->Displacements.row(vertex) = this->Averages[position].head<3>();
-      this->Known[vertex] = this->Averages[position][3] > 0;
-    }
-  }
-
-  void SetKnown(int vertex) { this->Known[vertex] = 1; }
-
-private:
-  // The mean of the known ones around a vertex, itself among them, and their number.
-  Eigen::RowVector4d AverageAround(int vertex) const
+  PointList means(static_cast<Eigen::Index>(vertices.size()), 3);
+  std::vector<int> counts(vertices.size(), 0);
+  for (std::size_t position = 0; position < vertices.size(); ++position)
   {
     Eigen::RowVector3d sum = Eigen::RowVector3d::Zero();
-    int count = 0;
     const auto add = [&](int member)
     {
-      if (this->Known[member])
+      if (reached[member])
       {
-        sum += this->Displacements.row(member);
-        ++count;
+        sum += displacements.row(member);
+        ++counts[position];
       }
     };
-    add(vertex);
-    for (int neighbor : this->Mesh.Neighbors[vertex])
+    add(vertices[position]);
+    for (int neighbor : mesh.Neighbors[vertices[position]])
     {
       add(neighbor);
     }
-    Eigen::RowVector4d average;
-    average << sum / std::max(1, count), count;
-    return average;
+    means.row(static_cast<Eigen::Index>(position)) = sum / std::max(1, counts[position]);
   }
-
-  const ContourMesh& Mesh;
-  PointList& Displacements;
-  std::vector<char> Known;
-  std::vector<Eigen::RowVector4d> Averages;
-};
+  for (std::size_t position = 0; position < vertices.size(); ++position)
+  {
+    displacements.row(vertices[position]) = means.row(static_cast<Eigen::Index>(position));
+    reached[vertices[position]] = counts[position] > 0;
+  }
+}
 
 } // namespace
 
 void DiffuseDisplacements(const ContourMesh& mesh, const DiffusionSettings& settings,
   CorrespondenceField& field)
 {
-  Averaging averaging(mesh, field.Displacements);
   std::vector<int> solitary;
-  std::vector<int> all(mesh.NumberOfPoints());
+  std::vector<int> all;
+  std::vector<char> reached;
   for (int vertex = 0; vertex < mesh.NumberOfPoints(); ++vertex)
   {
-    all[vertex] = vertex;
-    if (field.States[vertex] == VertexState::Solitary)
+    const bool isSolitary = field.States[vertex] == VertexState::Solitary;
+    all.push_back(vertex);
+    reached.push_back(isSolitary ? 0 : 1);
+    if (isSolitary)
     {
       solitary.push_back(vertex);
-    }
-    else
-    {
-      averaging.SetKnown(vertex);
     }
   }
   for (int pass = 0; pass < settings.Iterations && !solitary.empty(); ++pass)
   {
-    averaging.Average(solitary);
+    Average(mesh, solitary, reached, field.Displacements);
   }
   for (int pass = 0; pass < settings.SmoothingIterations; ++pass)
   {
-    averaging.Average(all);
+    Average(mesh, all, reached, field.Displacements);
   }
 }
 

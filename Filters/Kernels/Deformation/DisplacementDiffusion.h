@@ -12,14 +12,14 @@ namespace FlipFree
 
 struct DiffusionSettings
 {
-  /// Passes of averaging by which solitary vertices take over their neighbors' displacements.
+  /// Averaging passes that carry displacements to solitary vertices.
   int Iterations = 40;
 
-  /// Passes in which the matched vertices are averaged too, which calms the whole field.
+  /// Averaging passes over all vertices, which smooth the whole field.
   int SmoothingIterations = 1;
 };
 
-/// Gives solitary vertices a displacement; those that no displacement reaches stay at rest.
+/// Gives solitary vertices a displacement; those that none reaches stay at rest.
 void DiffuseDisplacements(const ContourMesh& mesh, const DiffusionSettings& settings,
   CorrespondenceField& field);
 

@@ -1,5 +1,7 @@
 #include "Deformation/FlipAvoidance.h"
 
+#include <algorithm>
+
 namespace FlipFree
 {
 namespace
@@ -9,6 +11,12 @@ void MakeSolitary(int vertex, CorrespondenceField& field)
 {
   field.States[vertex] = VertexState::Solitary;
   field.Displacements.row(vertex).setZero();
+}
+
+void ClearMarks(CorrespondenceField& field)
+{
+  std::replace(field.States.begin(), field.States.end(), VertexState::Flipping,
+    VertexState::Matched);
 }
 
 // The vertices of a contour that have a target, in order.
@@ -33,7 +41,7 @@ bool Flips(const PointList& points, const CorrespondenceField& field, int i, int
   return lengths <= 0 || u.dot(v) < r * lengths;
 }
 
-// Per position of the chain: does its vertex flip with the one before or after it?
+// Marks the positions of the chain whose edge to the vertex before or after flips.
 void FlipsAlong(const std::vector<int>& chain, const PointList& points, double r,
   const CorrespondenceField& field, std::vector<char>& flipping)
 {
@@ -50,8 +58,9 @@ void FlipsAlong(const std::vector<int>& chain, const PointList& points, double r
   }
 }
 
-// Of each maximal run of flipping vertices of one contour keeps the middle one. A contour that
-// flips as a whole is one run that begins anywhere.
+// Keeps the middle vertex of each maximal run of flipping vertices, and makes the others solitary.
+// A contour that flips as a whole is one run, which may begin anywhere. Returns how many vertices
+// became solitary.
 int KeepMiddles(const std::vector<int>& chain, const std::vector<char>& flipping,
   CorrespondenceField& field)
 {
@@ -91,10 +100,7 @@ int KeepMiddles(const std::vector<int>& chain, const std::vector<char>& flipping
 int DetectFlips(const ContourMesh& mesh, const PointList& points, double r,
   CorrespondenceField& field)
 {
-  for (VertexState& state : field.States)
-  {
-    state = state == VertexState::Flipping ? VertexState::Matched : state;
-  }
+  ClearMarks(field);
   std::vector<int> chain;
   std::vector<char> flipping;
   for (const auto& contour : mesh.Contours)
@@ -109,28 +115,21 @@ int DetectFlips(const ContourMesh& mesh, const PointList& points, double r,
       }
     }
   }
-  int count = 0;
-  for (VertexState state : field.States)
-  {
-    count += state == VertexState::Flipping;
-  }
-  return count;
+  return static_cast<int>(
+    std::count(field.States.begin(), field.States.end(), VertexState::Flipping));
 }
 
 int AvoidFlips(const ContourMesh& mesh, const PointList& points, double r,
   CorrespondenceField& field)
 {
-  for (VertexState& state : field.States)
-  {
-    state = state == VertexState::Flipping ? VertexState::Matched : state;
-  }
+  ClearMarks(field);
   int dropped = 0;
   int droppedNow = 0;
   std::vector<int> chain;
   std::vector<char> flipping;
-  // Runs are those of the contour's own flips: a vertex that flips along the other contour only
-  // would be a run of its own here, whose middle is kept, and the flip would be forgotten. A flip
-  // takes the target from at least one vertex, so this ends.
+  // Only flips along the contour itself form its runs. A vertex that flips along its other contour
+  // alone would be a run of length one here, which keeps its target. Each flip costs at least one
+  // vertex its target, so the loop ends.
   do
   {
     droppedNow = 0;

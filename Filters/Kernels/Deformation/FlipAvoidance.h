@@ -9,15 +9,14 @@
 namespace FlipFree
 {
 
-/// Marks the vertices whose targets would turn the edge to the next non-solitary vertex of a
-/// contour: those for which the unit vectors of u_i - u_j and v_i - v_j have a dot product below r,
-/// and those whose targets coincide. Returns how many it marked; marks of a former call are
-/// cleared.
+/// Marks the vertices whose targets flip the edge to the next non-solitary vertex of a contour: the
+/// unit vectors of u_i - u_j and v_i - v_j have a dot product below r, or the targets coincide.
+/// Returns their number. Clears earlier marks.
 int DetectFlips(const ContourMesh& mesh, const PointList& points, double r,
   CorrespondenceField& field);
 
-/// Makes flipping vertices solitary, all but the middle one of each run on a contour, and repeats
-/// until nothing flips. Returns the number of vertices that lost their target.
+/// Makes all but the middle vertex of each run of flipping vertices solitary, and repeats this
+/// until nothing flips. Returns how many vertices lost their target.
 int AvoidFlips(const ContourMesh& mesh, const PointList& points, double r,
   CorrespondenceField& field);
 

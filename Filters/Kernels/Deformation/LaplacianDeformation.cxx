@@ -34,40 +34,43 @@ DeformationSolver::DeformationSolver(const ContourMesh& mesh)
 
 DeformationSolver::~DeformationSolver() = default;
 
-// Each pass over the vertices does all that can be done at a vertex, since the fields together do
-// not fit the first cache.
-bool DeformationSolver::IterateToSolution(double uniformWeight, int& iterations)
+// The matrix times x, into Image, by way of Inner = (L + 4 lambda_u) x. Returns the sums of x
+// Image.
+Eigen::Vector4d DeformationSolver::Apply(const VertexField& x, double shift)
 {
-  const int size = this->Mesh.NumberOfPoints();
-  const double shift = 4 * uniformWeight;
-  const auto add = [&](const VertexField& field, int vertex)
+  const auto add = [this](const VertexField& field, int vertex) -> Eigen::Vector4d
   {
     const auto& ring = this->Mesh.Neighbors[vertex];
     return (field.col(ring[0]) + field.col(ring[1])) + (field.col(ring[2]) + field.col(ring[3]));
   };
-  // Image = (L^2 + 4 lambda_u L + lambda_p W) x, by way of Inner = (L + 4 lambda_u) x.
-  const auto apply = [&](const VertexField& x)
+  const int size = this->Mesh.NumberOfPoints();
+  for (int vertex = 0; vertex < size; ++vertex)
   {
-    for (int vertex = 0; vertex < size; ++vertex)
-    {
-      this->Inner.col(vertex) = (1 + shift) * x.col(vertex) - 0.25 * add(x, vertex);
-    }
-    Eigen::Vector4d curvature = Eigen::Vector4d::Zero();
-    for (int vertex = 0; vertex < size; ++vertex)
-    {
-      const Eigen::Vector4d image = this->Inner.col(vertex) - 0.25 * add(this->Inner, vertex) +
-        this->Diagonal[vertex] * x.col(vertex);
-      this->Image.col(vertex) = image;
-      curvature += image.cwiseProduct(x.col(vertex));
-    }
-    return curvature;
-  };
+    this->Inner.col(vertex) = (1 + shift) * x.col(vertex) - 0.25 * add(x, vertex);
+  }
+  Eigen::Vector4d curvature = Eigen::Vector4d::Zero();
+  for (int vertex = 0; vertex < size; ++vertex)
+  {
+    const Eigen::Vector4d image = this->Inner.col(vertex) - 0.25 * add(this->Inner, vertex) +
+      this->Diagonal[vertex] * x.col(vertex);
+    this->Image.col(vertex) = image;
+    curvature += image.cwiseProduct(x.col(vertex));
+  }
+  return curvature;
+}
+
+// Preconditioned conjugate gradients. Each pass does all that can be done at a vertex, since the
+// fields together do not fit into the first-level cache.
+bool DeformationSolver::IterateToSolution(double uniformWeight, int& iterations)
+{
+  const int size = this->Mesh.NumberOfPoints();
+  const double shift = 4 * uniformWeight;
   const auto precondition = [&](int vertex) -> Eigen::Vector4d
   { return this->Residual.col(vertex) / (this->Diagonal[vertex] + 1.25 + shift); };
 
-  // One goal for the three: a coordinate without any force could never meet one of its own.
+  // One goal for all coordinates: a goal of its own would be zero for a coordinate without forces.
   const double goal = RelativeTolerance * RelativeTolerance * this->Right.squaredNorm() / 3;
-  apply(this->Solution);
+  this->Apply(this->Solution, shift);
   Eigen::Vector4d energy = Eigen::Vector4d::Zero();
   Eigen::Vector4d error = Eigen::Vector4d::Zero();
   for (int vertex = 0; vertex < size; ++vertex)
@@ -83,8 +86,8 @@ bool DeformationSolver::IterateToSolution(double uniformWeight, int& iterations)
     {
       return true;
     }
-    const Eigen::Vector4d curvature = apply(this->Direction);
-    // A coordinate that has arrived must not divide by zero while the others go on.
+    const Eigen::Vector4d curvature = this->Apply(this->Direction, shift);
+    // A coordinate that has converged must not divide by zero while the others continue.
     const Eigen::Vector4d step =
       (curvature.array() > 0).select(energy.array() / curvature.array(), 0.0);
     Eigen::Vector4d next = Eigen::Vector4d::Zero();
@@ -93,7 +96,7 @@ bool DeformationSolver::IterateToSolution(double uniformWeight, int& iterations)
     {
       this->Solution.col(vertex) += step.cwiseProduct(this->Direction.col(vertex));
       this->Residual.col(vertex) -= step.cwiseProduct(this->Image.col(vertex));
-      this->Image.col(vertex) = precondition(vertex); // its place is free now
+      this->Image.col(vertex) = precondition(vertex); // the product is no longer needed
       error += this->Residual.col(vertex).cwiseAbs2();
       next += this->Residual.col(vertex).cwiseProduct(this->Image.col(vertex));
     }

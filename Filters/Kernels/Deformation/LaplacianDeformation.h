@@ -1,9 +1,9 @@
 /**
- * The deformation step: solves the system of DeformationSystem for the motion of all vertices, in
+ * The deformation step: solves the system of DeformationSystem for the motion of all vertices,
  * three coordinates at once.
  *
- * By conjugate gradients, which need no matrix and about as many iterations for any number of
- * vertices; a sparse Cholesky factorization takes over where they do not converge.
+ * Conjugate gradients need no matrix, and about as many iterations for any number of vertices.
+ * Where they do not converge, a sparse Cholesky factorization takes over.
  */
 #ifndef FlipFreeLaplacianDeformation_h
 #define FlipFreeLaplacianDeformation_h
@@ -21,7 +21,7 @@ struct DeformationReport
   bool Factorized = false; ///< conjugate gradients did not converge
 };
 
-/// The solver for one mesh, which must outlive it. It keeps its memory and the analysis of the
+/// The solver for one mesh, which must outlive it. Keeps its memory and the analysis of the
 /// matrix's pattern from step to step.
 class DeformationSolver
 {
@@ -40,6 +40,7 @@ public:
 private:
   struct Factorization;
 
+  Eigen::Vector4d Apply(const VertexField& x, double shift);
   bool IterateToSolution(double uniformWeight, int& iterations);
   bool Factorize(double uniformWeight, PointList& solution); ///< false: there is no solution
 

@@ -11,10 +11,11 @@ namespace FlipFree
 namespace
 {
 
-// Fewer neighbors say nothing about what is usual.
+// With fewer matched neighbors, nothing is rejected.
 constexpr int MinimumRing = 4;
 
-// The distances of the matched vertices around one, its neighbors and theirs.
+// The distances of the matched vertices in the two-ring of a vertex. A vertex that several paths
+// reach counts several times.
 class Ring
 {
 public:
@@ -140,7 +141,7 @@ double EdgeWindowOf(const TargetSettings& settings, const ImageGeometry& geometr
     maximumInVoxels * geometry.Spacing.maxCoeff());
 }
 
-CorrespondenceField FindTargets(const ContourMesh& mesh, const PointList& points,
+CorrespondenceField FindTargets(const ContourMesh& mesh, const Eigen::Ref<const PointList>& points,
   const BitMask& foreground, const ImageView<float>& edges, double seedRadius,
   const TargetSettings& settings, const ParallelFor& parallelFor, TargetReport& report)
 {

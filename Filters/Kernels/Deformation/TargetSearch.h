@@ -1,6 +1,6 @@
 /**
- * One iteration's targets: normals, correspondence search, and two remedies beyond the paper that
- * take back what the search found too boldly.
+ * One iteration's targets: normals, correspondence search, and two steps beyond the paper:
+ * rejection of outliers and a limit to the displacements.
  */
 #ifndef FlipFreeTargetSearch_h
 #define FlipFreeTargetSearch_h
@@ -18,14 +18,14 @@ struct TargetSettings
   /// Length of the search lines in seed radii, 15 to 60 mm; counts if the SearchDistance is zero.
   double SearchScale = 1.6;
 
-  /// Passes of averaging over neighbors that the normals get.
+  /// Averaging passes of the normals over neighbors.
   int NormalSmoothingIterations = 2;
 
-  /// Targets farther from the two-ring's median than this many robust deviations, plus a voxel, are
-  /// dropped; zero keeps all.
+  /// Targets farther from the median of the two-ring than this many robust standard deviations plus
+  /// a voxel are dropped. Zero keeps all.
   double OutlierStandardDeviations = 3;
 
-  /// Greatest displacement in voxels of the greatest spacing; zero does not limit it.
+  /// In voxels of the largest spacing. Zero: unlimited.
   double MaximumDisplacement = 8;
 };
 
@@ -40,12 +40,11 @@ struct TargetReport
   double MeanDistance = 0; ///< mm, over the matched vertices, before displacements are limited
   int Matched = 0;
   int Solitary = 0;
-  int WithoutBoundary = 0; ///< of these, the ones whose search found none; the others were outliers
+  int WithoutBoundary = 0; ///< solitary, as their search found none; the others were outliers
 };
 
-/// Makes the vertices solitary whose displacement along the normal is unlike those of their
-/// two-ring: beyond `deviations` robust standard deviations plus `allowance` millimeters from the
-/// median.
+/// Makes the vertices solitary whose displacement along the normal is farther from the median of
+/// their two-ring than `deviations` robust standard deviations plus `allowance` millimeters.
 void RejectOutliers(const ContourMesh& mesh, const PointList& normals, double deviations,
   double allowance, const ParallelFor& parallelFor, CorrespondenceField& field);
 
@@ -54,7 +53,7 @@ void LimitDisplacements(double limit, CorrespondenceField& field);
 
 /// With no edges (the null view) targets stay on the faces of voxels. Lengths follow the seed's
 /// radius, in millimeters.
-CorrespondenceField FindTargets(const ContourMesh& mesh, const PointList& points,
+CorrespondenceField FindTargets(const ContourMesh& mesh, const Eigen::Ref<const PointList>& points,
   const BitMask& foreground, const ImageView<float>& edges, double seedRadius,
   const TargetSettings& settings, const ParallelFor& parallelFor, TargetReport& report);
 

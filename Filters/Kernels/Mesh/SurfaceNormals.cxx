@@ -32,7 +32,8 @@ PointList AddNeighbors(const ContourMesh& mesh, const PointList& field)
 
 } // namespace
 
-PointList VertexNormals(const ContourMesh& mesh, const PointList& points, int smoothing)
+PointList VertexNormals(const ContourMesh& mesh, const Eigen::Ref<const PointList>& points,
+  int smoothing)
 {
   PointList normals = PointList::Zero(points.rows(), 3);
   for (Eigen::Index triangle = 0; triangle < mesh.Triangles.rows(); ++triangle)

@@ -12,7 +12,8 @@ namespace FlipFree
 /// Outward unit normals, the area-weighted mean of the triangles around each vertex, then averaged
 /// `smoothing` times with those of the four neighbors, so that search lines do not follow every
 /// wrinkle. A vertex whose triangles have no area gets its neighbors' mean, or +z at the worst.
-PointList VertexNormals(const ContourMesh& mesh, const PointList& points, int smoothing);
+PointList VertexNormals(const ContourMesh& mesh, const Eigen::Ref<const PointList>& points,
+  int smoothing);
 
 /// Mean length of the mesh's edges in millimeters.
 double MeanEdgeLength(const ContourMesh& mesh, const PointList& points);

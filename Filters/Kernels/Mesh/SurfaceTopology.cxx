@@ -114,7 +114,8 @@ SurfaceTopology MeasureTopology(const FaceList& faces, const std::vector<Surface
   return topology;
 }
 
-void RequireValidFaces(const PointList& points, const FaceList& faces, const std::string& name)
+void RequireValidFaces(const Eigen::Ref<const PointList>& points, const FaceList& faces,
+  const std::string& name)
 {
   if (faces.NumberOfFaces() == 0)
   {

@@ -46,7 +46,8 @@ SurfaceTopology MeasureTopology(const FaceList& faces, const std::vector<Surface
 
 /// Throws std::invalid_argument, naming the surface by `name`, when it has no polygon, a polygon
 /// has fewer than three vertices, names a point that does not exist, or a point that is not finite.
-void RequireValidFaces(const PointList& points, const FaceList& faces, const std::string& name);
+void RequireValidFaces(const Eigen::Ref<const PointList>& points, const FaceList& faces,
+  const std::string& name);
 
 /// Throws std::invalid_argument, naming the first bad edge, unless every edge is passed as often
 /// in one direction as in the other: then the surface is the boundary of a volume.
