@@ -92,16 +92,17 @@ class Proxies(session.SessionTest):
 
     def test_each_property_reaches_the_filter(self):
         checked = 0
-        for group, name in proxies():
-            with self.subTest(proxy=name):
-                proxy = servermanager.ProxyManager().NewProxy(group, name)
+        for group, proxy_name in proxies():
+            with self.subTest(proxy=proxy_name):
+                proxy = servermanager.ProxyManager().NewProxy(group, proxy_name)
                 for key, item in properties(proxy):
                     with self.subTest(property=key):
                         values = other_values(item)
-                        before = printed(proxy)[key]
+                        name = item.GetCommand()[len("Set"):]
+                        before = printed(proxy)[name]
                         for index, value in enumerate(values):
                             item.SetElement(index, value)
-                        after = printed(proxy)[key]
+                        after = printed(proxy)[name]
                         self.assertNotEqual(before, after)
                         if item.GetDomain("enum") and not after[0].isdigit():
                             self.assertEqual(after[0], item.GetDomain("enum").GetEntryText(values[0]).lower())
