@@ -78,7 +78,7 @@ void PrintPhantom(const char* name, const MakeCase& makeCase, int label, bool fr
     makeCase(filter, phantom);
     const double reach = filter->GetSearchDistance();
     method.Configure(filter);
-    if (fromOutside && !filter->GetSearchInward())
+    if (fromOutside && !filter->GetSearch()->GetSearchInward())
     {
       // Read literally, Eq. 2 never gets to the object.
       filter->GetSearch()->SearchInwardOn();
