@@ -35,7 +35,7 @@ public:
 
   double MeanDistance = 0;  // to the targets, mm
   int FlippingVertices = 0; // whose targets would have flipped an edge
-  int GuardedVertices = 0;  // held back, because the surface would have met itself
+  int GuardedVertices = 0;  // moved less, lest the surface intersect itself
 
 private:
   bool IsLevelDone() const;

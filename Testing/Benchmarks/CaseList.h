@@ -38,11 +38,10 @@ struct RandomSeed
 /// twice.
 std::vector<RandomSeed> RandomSeeds(vtkImageData* labels, int label, double radius, int count);
 
-/// The greatest resident size of this process, in bytes, so far or since ResetPeakMemory.
+/// The peak resident size of this process in bytes, since ResetPeakMemory if it was called.
 double PeakMemory();
 
-/// Gives free memory back to the system, forgets what the greatest size was, and returns the size
-/// now.
+/// Returns free memory to the system, forgets the peak, and returns the present resident size.
 double ResetPeakMemory();
 
 #endif

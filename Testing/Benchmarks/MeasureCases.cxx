@@ -210,13 +210,13 @@ int main(int argc, char* argv[])
 
   if (options.Seeds > 0)
   {
-    std::puts("| case | seeds | least | median | greatest | all |\n|---|---|---|---|---|---|");
+    std::puts("| case | seeds | minimum | median | maximum | all |\n|---|---|---|---|---|---|");
   }
   else
   {
     std::puts("| case | Dice | Jaccard | ASD mm | HD95 mm | volume | iterations | read s | run s | "
               "smoothing, feature, deformation, labels s | search, flips, solve, guard s | "
-              "self-intersections | held back | stop reason |\n"
+              "self-intersections | guarded | stop reason |\n"
               "|---|---|---|---|---|---|---|---|---|---|---|---|---|---|");
   }
   std::map<std::string, std::vector<double>> scores;

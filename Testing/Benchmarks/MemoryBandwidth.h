@@ -1,7 +1,6 @@
 /**
- * What this machine's memory gives at best, as the bound that voxel loops are compared with:
- * the triad a = b + s c of J. McCalpin (Memory bandwidth and machine balance in current high
- * performance computers, 1995).
+ * The memory bandwidth of this machine, as a bound for loops over voxels: the triad a = b + s c of
+ * J. McCalpin (Memory bandwidth and machine balance in current high performance computers, 1995).
  */
 #ifndef MemoryBandwidth_h
 #define MemoryBandwidth_h

@@ -6,7 +6,7 @@
 //             [--convergence FILE.csv] [--threads N]
 //
 // Prints the number of iterations, the seconds of reading, those of the segmentation, and the
-// greatest memory so far in MB. Ends with 1 if the method found nothing, and with 2 if that is not
+// peak memory so far in MB. Ends with 1 if the method found nothing, and with 2 if that is not
 // the method's fault: an image that cannot be read, a seed outside it, memory that does not
 // suffice, results that cannot be written.
 #include "CaseList.h"
@@ -187,9 +187,8 @@ std::vector<std::string> ErrorsOfUpdate(vtkAlgorithm* filter)
   return errors;
 }
 
-// Whether it is what the method makes of the image that there is no surface, in the words of the
-// baselines or of FlipFree. The executive's errors follow those of the filter, and only say that
-// there was one.
+// Whether the method found nothing in a valid input, by the messages of the baselines and of
+// FlipFree. The executive's errors follow the filter's and add nothing.
 bool IsTheMethodsVerdict(const std::vector<std::string>& errors)
 {
   const auto says = [&errors](const char* text)

@@ -1,5 +1,5 @@
 /**
- * What a run of the segmentation says of itself: the seconds of its stages.
+ * Seconds per stage of a run of the segmentation.
  */
 #ifndef SegmentationRun_h
 #define SegmentationRun_h

@@ -1,5 +1,5 @@
 /**
- * Of measured values: the median, and the exponent with which one grows with another.
+ * Statistics of measurements: the median, and the exponent of a power law.
  */
 #ifndef Statistics_h
 #define Statistics_h
@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <vector>
 
-/// Of an even number of values the mean of the middle two; zero of none.
+/// The mean of the middle two for an even number of values; zero for none.
 inline double Median(std::vector<double> values)
 {
   if (values.empty())

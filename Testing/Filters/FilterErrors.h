@@ -1,5 +1,5 @@
 /**
- * What a filter says when it is given bad input.
+ * Errors and warnings of filters.
  */
 #ifndef FlipFreeFilterErrors_h
 #define FlipFreeFilterErrors_h
@@ -19,7 +19,7 @@
 namespace FlipFree
 {
 
-/// Collects the errors of an algorithm and, apart, those of its executive, instead of printing
+/// Collects the errors of an algorithm, and separately those of its executive, instead of printing
 /// them.
 class FilterErrors
 {
@@ -56,7 +56,7 @@ private:
   }
 };
 
-/// Keeps the words of all warnings to come, instead of printing them.
+/// Collects the warnings of an object instead of printing them.
 inline void KeepWarnings(vtkObject* object, std::vector<std::string>& warnings)
 {
   vtkNew<vtkCallbackCommand> keep;
@@ -66,7 +66,7 @@ inline void KeepWarnings(vtkObject* object, std::vector<std::string>& warnings)
   object->AddObserver(vtkCommand::WarningEvent, keep);
 }
 
-/// Updates an algorithm and gives the only error that it reports itself, or how many it reported.
+/// Updates an algorithm; its only error, or else the number of its errors.
 inline std::string ErrorOfUpdate(vtkAlgorithm* algorithm)
 {
   FilterErrors errors(algorithm);
@@ -90,9 +90,9 @@ inline bool IsEmpty(vtkDataObject* output)
   return true;
 }
 
-/// Updates an algorithm that is expected to refuse its input: exactly one error of its own, which
-/// has all the parts and, behind a semicolon, a remedy; outputs that are empty. The message is
-/// printed, so that a run of these tests lists what users read.
+/// Updates an algorithm that must refuse its input: with a single error of its own, which contains
+/// all parts and, behind a semicolon, a remedy; and with empty outputs. The message is printed, so
+/// that a run of these tests lists what users read.
 inline void ExpectRefusal(vtkAlgorithm* algorithm, const std::vector<std::string>& parts)
 {
   const std::string message = ErrorOfUpdate(algorithm);
@@ -114,8 +114,8 @@ inline void ExpectRefusal(vtkAlgorithm* algorithm, const std::vector<std::string
             << std::endl;
 }
 
-/// The same for what VTK's pipeline refuses before it asks the algorithm: an input that is missing
-/// or of another type.
+/// The same for input that VTK's pipeline refuses before the algorithm runs: a missing one, or one
+/// of another type.
 inline void ExpectPipelineRefusal(vtkAlgorithm* algorithm, const std::string& part)
 {
   FilterErrors errors(algorithm);

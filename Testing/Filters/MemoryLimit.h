@@ -1,5 +1,5 @@
 /**
- * No memory, for a while.
+ * A temporary limit on memory.
  */
 #ifndef FlipFreeMemoryLimit_h
 #define FlipFreeMemoryLimit_h
@@ -16,7 +16,7 @@ namespace FlipFree
 {
 
 #ifdef FLIPFREE_CAN_LIMIT_MEMORY
-/// As long as it lives, allocations fail that add up to more than a few bytes.
+/// While it lives, allocations beyond this number of bytes fail.
 class MemoryLimit
 {
 public:

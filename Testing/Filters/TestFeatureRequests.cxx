@@ -1,4 +1,4 @@
-// vtkGMMFeatureFilter: progress, and an end before the end.
+// Progress and aborts of vtkGMMFeatureFilter.
 #include "vtkGMMFeatureFilter.h"
 #include "vtkPhantomSource.h"
 

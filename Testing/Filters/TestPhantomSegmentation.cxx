@@ -1,5 +1,4 @@
-// The whole pipeline on phantoms with exact truth: how near it comes, and that what comes out is a
-// valid surface.
+// The whole pipeline on phantoms with exact ground truth: accuracy, and validity of the surface.
 #include "PhantomCases.h"
 #include "SurfaceHistory.h"
 
@@ -92,7 +91,7 @@ TEST_F(PhantomSegmentation, UTubeFromOutside)
   FlipFree::SegmentUTube(this->Filter, this->Phantom);
   EXPECT_GE(this->Measure(this->Metrics, 1), 0.975); // measured 0.988
   EXPECT_LE(this->Metrics->GetASD(), 0.4);           // 0.23 mm
-  // What remains of the web between the legs encloses no voxel, but lies up to 9 mm from the tube.
+  // The rest of the web between the legs encloses no voxel, but lies up to 9 mm from the tube.
   EXPECT_LE(this->Metrics->GetHD95(), 2); // 0.9 mm
   EXPECT_EQ(this->Filter->GetStopReason(), vtkFlipFreeSegmentation::AT_REST);
   this->ExpectValid(6144);

@@ -1,5 +1,4 @@
-// The same voxels in another frame give the same surface: stored along other axes, from the other
-// end, or turned in space.
+// The same voxels in another frame give the same surface: permuted, reversed, or rotated.
 #include "PhantomCases.h"
 #include "vtkQuadSphereSource.h"
 

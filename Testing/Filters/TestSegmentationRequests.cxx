@@ -1,5 +1,5 @@
-// What a pipeline may ask of the segmentation beside the surface: its history as time steps, an end
-// before the end, and the same bits from any number of threads.
+// Requests to the segmentation beside the surface: its history as time steps, aborts, the same bits
+// for any number of threads, and warnings.
 #include "FilterErrors.h"
 #include "PhantomCases.h"
 #include "ProgressWatch.h"

@@ -1,4 +1,4 @@
-// What the adapters do with an image a few slices at a time.
+// Adapters that process an image a few slices at a time.
 #include "FiniteVoxels.h"
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@ namespace
 
 using namespace FlipFree;
 
-// As many that two of them are looked at one after the other.
+// So many that no two slices share a batch.
 constexpr std::ptrdiff_t VoxelsOfSlice = 1 << 22;
 
 std::size_t QuestionsFor(std::ptrdiff_t slices)
@@ -24,7 +24,7 @@ std::size_t QuestionsFor(std::ptrdiff_t slices)
 
 } // namespace
 
-TEST(SMPForSlices, VisitsEachOnceAndAsksBetween)
+TEST(SMPForSlices, VisitsEachSliceOnceAndReportsBetweenThem)
 {
   constexpr std::ptrdiff_t first = 3;
   constexpr std::ptrdiff_t last = 40;
@@ -56,7 +56,7 @@ TEST(SMPForSlices, VisitsEachOnceAndAsksBetween)
   }
 }
 
-TEST(SMPForSlices, StopsWheneverItIsTold)
+TEST(SMPForSlices, StopsAtAnyReport)
 {
   const std::ptrdiff_t slices = 5 * static_cast<std::ptrdiff_t>(NumberOfThreads());
   for (int stop = 1; stop <= 5; ++stop)
@@ -71,8 +71,8 @@ TEST(SMPForSlices, StopsWheneverItIsTold)
   }
 }
 
-// Of more voxels than are looked at between two questions.
-TEST(RequireFiniteAs, NamesTheFirstOfSeveralAndStops)
+// With more voxels than are checked between two reports.
+TEST(RequireFiniteAs, NamesTheFirstBadVoxelAndStops)
 {
   ImageGeometry geometry;
   geometry.Dimensions = { { 256, 256, 80 } };

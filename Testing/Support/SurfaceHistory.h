@@ -1,6 +1,6 @@
 /**
- * The surfaces of all iterations of a segmentation that has kept them, and the corners that flip
- * from one to the next.
+ * The surfaces of all iterations of a segmentation with history, and the corners that flip between
+ * them.
  */
 #ifndef FlipFreeSurfaceHistory_h
 #define FlipFreeSurfaceHistory_h

@@ -113,8 +113,8 @@ def write(results, rows, methods):
             "standard deviations over the livers, spleens and kidneys of cases.csv; the GVF snake has one slice, and is "
             "scored there. Where a method found nothing, its VO is 0, and D, K and T are of the other rows.", "",
             *paper_table(rows, methods), "", "## Medians", "",
-            "Over the same rows. Times and memory are those of the whole process, reading included, and of all rounds "
-            "the median, but memory is the greatest before the results are written; ratios are medians over the rows.", "",
+            "Over the same rows. Times and memory are those of the whole process, reading included, as "
+            "medians of all rounds; memory is the peak before the results are written; ratios are medians over the rows.", "",
             *median_table(rows, methods), "", "## Every row", "", "Dice / ASD in mm; -: not run.", "", *case_table(rows, methods),
             ""]
     with open(os.path.join(results, "table1.md"), "w", encoding="utf-8") as file:
