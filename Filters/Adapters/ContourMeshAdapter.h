@@ -52,9 +52,9 @@ public:
     {
       this->Last = std::make_shared<const ContourMesh>(BuildContourMesh(size, faces));
     }
-    catch (const std::invalid_argument& error)
+    catch (const Error& error)
     {
-      throw std::invalid_argument(name + ": " + error.what());
+      throw Error(error.GetCode(), name + ": " + error.GetText());
     }
     return this->Last;
   }

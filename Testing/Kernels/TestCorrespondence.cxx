@@ -1,9 +1,11 @@
 #include "Deformation/Correspondence.h"
+#include "ExampleMasks.h"
 #include "ExampleSurfaces.h"
 
 #include <gtest/gtest.h>
 
 #include <functional>
+#include <limits>
 #include <random>
 
 using namespace FlipFree;
@@ -39,18 +41,10 @@ struct TestImage
   ImageView<float> View;
 };
 
-ImageGeometry Grid(int i, int j, int k, const Eigen::Vector3d& spacing)
-{
-  ImageGeometry geometry;
-  geometry.Dimensions = { { i, j, k } };
-  geometry.Spacing = spacing;
-  return geometry;
-}
-
 // A row of voxels along x: '#' is foreground.
 TestImage Row(const std::string& voxels, double spacing = 1)
 {
-  return TestImage(Grid(static_cast<int>(voxels.size()), 1, 1, { spacing, 1, 1 }),
+  return TestImage(Grid({ { static_cast<int>(voxels.size()), 1, 1 } }, { spacing, 1, 1 }),
     [&](const Eigen::Vector3d& index) { return voxels[static_cast<int>(index[0])] == '#'; });
 }
 
@@ -107,12 +101,6 @@ void ExpectFound(const Answer& answer, double distance)
   EXPECT_NEAR(answer.Distance, distance, 1e-12);
 }
 
-void ExpectSolitary(const Answer& answer)
-{
-  EXPECT_FALSE(answer.Found);
-  EXPECT_EQ(answer.Distance, 0);
-}
-
 // Uneven directions all over the sphere.
 PointList Directions(int count)
 {
@@ -152,7 +140,7 @@ TEST(Correspondence, ReachesTheFaceOfABoxExactly)
 {
   for (const auto& [name, matrix] : ExampleDirections())
   {
-    ImageGeometry geometry = Grid(40, 38, 22, { 0.8, 1.1, 2.3 });
+    ImageGeometry geometry = Grid({ { 40, 38, 22 } }, { 0.8, 1.1, 2.3 });
     geometry.Origin = Eigen::Vector3d(-30, 12, 200);
     geometry.Direction = matrix;
     const TestImage image(geometry, InBox);
@@ -176,7 +164,7 @@ TEST(Correspondence, ReachesTheFaceOfABoxExactly)
 // From outside, with outward normals, the same face is found by looking inward.
 TEST(Correspondence, ReachesTheSameFaceFromOutside)
 {
-  const ImageGeometry geometry = Grid(40, 38, 22, { 0.8, 1.1, 2.3 });
+  const ImageGeometry geometry = Grid({ { 40, 38, 22 } }, { 0.8, 1.1, 2.3 });
   const TestImage image(geometry, InBox);
   const Eigen::Vector3d start = geometry.ToPhysical({ 19.2, 17.7, 10.1 });
   const PointList normals = Directions(500);
@@ -197,33 +185,6 @@ TEST(Correspondence, ReachesTheSameFaceFromOutside)
   }
 }
 
-TEST(Correspondence, SphereIsReachedToWithinAVoxel)
-{
-  const ImageGeometry geometry = Grid(50, 50, 50, { 1, 1, 1 });
-  const Eigen::Vector3d center(24.3, 25.1, 24.7);
-  const TestImage image(geometry,
-    [&](const Eigen::Vector3d& index) { return (index - center).norm() <= 15; });
-  const PointList normals = Directions(1000);
-  const CorrespondenceField field = FindCorrespondences(center.transpose().replicate(1000, 1),
-    normals, image.Foreground(), {}, RunOf(4), SerialFor);
-  for (int vertex = 0; vertex < 1000; ++vertex)
-  {
-    ASSERT_EQ(field.States[vertex], VertexState::Matched);
-    ASSERT_NEAR(field.Displacements.row(vertex).norm(), 15, std::sqrt(3.0) / 2);
-  }
-}
-
-TEST(Correspondence, RunsInVoxelsJumpGapsThatAreShorter)
-{
-  const TestImage image = Row("#####..####........");
-  const Eigen::Vector3d point(2, 0, 0);
-  ExpectFound(Search(image, point, AlongX, RunOf(1)), 2.5);
-  ExpectFound(Search(image, point, AlongX, RunOf(2)), 2.5);
-  ExpectFound(Search(image, point, AlongX, RunOf(3)), 8.5);
-  ExpectFound(Search(image, point, AlongX, RunOf(8)), 8.5);
-  ExpectSolitary(Search(image, point, AlongX, RunOf(9)));
-}
-
 // A gap of exactly the length counts, whichever way its ends are rounded.
 TEST(Correspondence, RunsInMillimetersDoNotDependOnTheVoxels)
 {
@@ -241,55 +202,60 @@ TEST(Correspondence, RunsInMillimetersDoNotDependOnTheVoxels)
   }
 }
 
-TEST(Correspondence, InwardRunsPassSpecks)
+// What each search from a point x along a row finds; a vertex that finds nothing is solitary.
+TEST(Correspondence, FindsTheFirstRunOfARow)
 {
-  const TestImage image = Row("..####...#....");
-  const Eigen::Vector3d point(12, 0, 0);
-  ExpectFound(Search(image, point, AlongX, RunOf(1)), -2.5);
-  ExpectFound(Search(image, point, AlongX, RunOf(2)), -6.5);
-  ExpectSolitary(Search(image, point, AlongX, RunOf(5)));
-}
-
-TEST(Correspondence, SearchDistanceIsTheLinesEnd)
-{
-  const TestImage image = Row("##########..........");
-  CorrespondenceSettings settings = RunOf(1);
-  settings.SearchDistance = 6.4;
-  ExpectSolitary(Search(image, { 3, 0, 0 }, AlongX, settings));
-  settings.SearchDistance = 6.6;
-  ExpectFound(Search(image, { 3, 0, 0 }, AlongX, settings), 6.5);
-}
-
-TEST(Correspondence, TheImagesEndIsATargetOnlyOnDemandAndNearby)
-{
-  const TestImage image = Row("..########");
-  CorrespondenceSettings settings = RunOf(3);
-  ExpectSolitary(Search(image, { 5, 0, 0 }, AlongX, settings));
-  settings.ImageBoundaryDistance = 4.4;
-  ExpectSolitary(Search(image, { 5, 0, 0 }, AlongX, settings));
-  settings.ImageBoundaryDistance = 4.6;
-  ExpectFound(Search(image, { 5, 0, 0 }, AlongX, settings), 4.5);
-  // A run that the end cuts short begins where it begins.
-  const TestImage cut = Row("..######..");
-  ExpectFound(Search(cut, { 5, 0, 0 }, AlongX, settings), 2.5);
-  settings.ImageBoundaryDistance = 0;
-  ExpectSolitary(Search(cut, { 5, 0, 0 }, AlongX, settings));
-}
-
-TEST(Correspondence, OutwardOnlyIsEquation2)
-{
-  const TestImage image = Row("###..........");
-  CorrespondenceSettings settings = RunOf(4);
-  settings.SearchInward = false;
-  // In the background a run of background begins at the vertex itself.
-  ExpectFound(Search(image, { 6, 0, 0 }, AlongX, settings), 0);
-  ExpectFound(Search(image, { 1, 0, 0 }, AlongX, settings), 1.5);
-  // Cut short by the image's end there is no run; outside the image neither.
-  ExpectSolitary(Search(image, { 10, 0, 0 }, AlongX, settings));
-  ExpectSolitary(Search(image, { 20, 0, 0 }, AlongX, settings));
-  settings.SearchInward = true;
-  settings.RunVoxels = 3;
-  ExpectFound(Search(image, { 6, 0, 0 }, AlongX, settings), -3.5);
+  constexpr double Solitary = std::numeric_limits<double>::infinity();
+  const struct
+  {
+    const char* Voxels;
+    double X;
+    int Run;
+    double SearchDistance;
+    double ImageBoundaryDistance;
+    bool Inward;
+    double Expected;
+  } cases[] = {
+    // Outward runs skip gaps that are shorter.
+    { "#####..####........", 2, 1, 40, 0, true, 2.5 },
+    { "#####..####........", 2, 2, 40, 0, true, 2.5 },
+    { "#####..####........", 2, 3, 40, 0, true, 8.5 },
+    { "#####..####........", 2, 8, 40, 0, true, 8.5 },
+    { "#####..####........", 2, 9, 40, 0, true, Solitary },
+    // Inward runs skip specks.
+    { "..####...#....", 12, 1, 40, 0, true, -2.5 },
+    { "..####...#....", 12, 2, 40, 0, true, -6.5 },
+    { "..####...#....", 12, 5, 40, 0, true, Solitary },
+    // The line's end.
+    { "##########..........", 3, 1, 6.4, 0, true, Solitary },
+    { "##########..........", 3, 1, 6.6, 0, true, 6.5 },
+    // The image's boundary is a target only on demand and nearby.
+    { "..########", 5, 3, 40, 0, true, Solitary },
+    { "..########", 5, 3, 40, 4.4, true, Solitary },
+    { "..########", 5, 3, 40, 4.6, true, 4.5 },
+    // A run that the boundary cuts off begins where it begins.
+    { "..######..", 5, 3, 40, 4.6, true, 2.5 },
+    { "..######..", 5, 3, 40, 0, true, Solitary },
+    // Eq. 2 read literally: in the background, a run begins at the vertex itself. Cut off by the
+    // boundary there is none, and none outside the image.
+    { "###..........", 6, 4, 40, 0, false, 0 },
+    { "###..........", 1, 4, 40, 0, false, 1.5 },
+    { "###..........", 10, 4, 40, 0, false, Solitary },
+    { "###..........", 20, 4, 40, 0, false, Solitary },
+    { "###..........", 6, 3, 40, 0, true, -3.5 },
+  };
+  for (const auto& example : cases)
+  {
+    SCOPED_TRACE(testing::Message() << example.Voxels << " from " << example.X << ", run of "
+                                    << example.Run << ", inward " << example.Inward);
+    CorrespondenceSettings settings = RunOf(example.Run);
+    settings.SearchDistance = example.SearchDistance;
+    settings.ImageBoundaryDistance = example.ImageBoundaryDistance;
+    settings.SearchInward = example.Inward;
+    const Answer answer = Search(Row(example.Voxels), { example.X, 0, 0 }, AlongX, settings);
+    EXPECT_EQ(answer.Found, example.Expected < Solitary);
+    EXPECT_NEAR(answer.Distance, answer.Found ? example.Expected : 0, 1e-12);
+  }
 }
 
 // Partial volume: the voxels' faces are up to half a voxel off, the edge is where the blurred step
@@ -299,7 +265,7 @@ TEST(Correspondence, EdgeWindowFindsTheAnalyticEdge)
   const double edge = 12.3;
   const auto blurred = [&](const Eigen::Vector3d& index)
   { return 50 + 50 * std::erf((edge - index[0]) / 1.5); };
-  const ImageGeometry geometry = Grid(30, 3, 3, { 1, 1, 1 });
+  const ImageGeometry geometry = Grid({ { 30, 3, 3 } }, { 1, 1, 1 });
   const TestImage gray(geometry, blurred);
   // A threshold that is off by more than a voxel.
   const TestImage feature(geometry,
@@ -324,7 +290,7 @@ TEST(Correspondence, EdgeWindowFindsTheAnalyticEdge)
 TEST(Correspondence, AnyNumberOfPartsGivesTheSameBits)
 {
   std::mt19937 random(3);
-  const ImageGeometry geometry = Grid(40, 38, 22, { 0.8, 1.1, 2.3 });
+  const ImageGeometry geometry = Grid({ { 40, 38, 22 } }, { 0.8, 1.1, 2.3 });
   const TestImage noise(geometry, [&](const Eigen::Vector3d&) { return random() % 100 * 0.01; });
   const PointList normals = Directions(777);
   const PointList points =
@@ -334,26 +300,16 @@ TEST(Correspondence, AnyNumberOfPartsGivesTheSameBits)
   const CorrespondenceField serial =
     FindCorrespondences(points, normals, noise.Foreground(), noise.View, settings, SerialFor);
   EXPECT_GT(std::count(serial.States.begin(), serial.States.end(), VertexState::Matched), 300);
-  for (int parts : { 1, 2, 5, 200 })
-  {
-    const auto inParts = [parts](std::ptrdiff_t begin, std::ptrdiff_t end, const RangeBody& body)
-    {
-      for (int part = parts - 1; part >= 0; --part)
-      {
-        body(begin + (end - begin) * part / parts, begin + (end - begin) * (part + 1) / parts);
-      }
-    };
-    const CorrespondenceField other =
-      FindCorrespondences(points, normals, noise.Foreground(), noise.View, settings, inParts);
-    EXPECT_EQ(other.States, serial.States);
-    EXPECT_EQ(other.Displacements, serial.Displacements);
-  }
+  const CorrespondenceField parts =
+    FindCorrespondences(points, normals, noise.Foreground(), noise.View, settings, ScatteredFor);
+  EXPECT_EQ(parts.States, serial.States);
+  EXPECT_EQ(parts.Displacements, serial.Displacements);
 }
 
 TEST(Correspondence, MovesWithTheImage)
 {
   std::mt19937 random(4);
-  const ImageGeometry geometry = Grid(40, 38, 22, { 0.8, 1.1, 2.3 });
+  const ImageGeometry geometry = Grid({ { 40, 38, 22 } }, { 0.8, 1.1, 2.3 });
   TestImage image(geometry,
     [&](const Eigen::Vector3d& index) { return InBox(index) + random() % 100 * 0.007; });
   const PointList normals = Directions(500);

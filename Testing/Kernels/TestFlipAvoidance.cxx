@@ -10,6 +10,30 @@ using namespace FlipFree;
 namespace
 {
 
+// What every result must be: nothing flips, nothing is left marked, solitary vertices rest, and the
+// others keep their targets.
+void ExpectAvoided(const ContourMesh& mesh, const PointList& points, double r,
+  const CorrespondenceField& before, CorrespondenceField after, int dropped)
+{
+  int lost = 0;
+  for (std::size_t vertex = 0; vertex < after.States.size(); ++vertex)
+  {
+    ASSERT_NE(after.States[vertex], VertexState::Flipping);
+    if (after.States[vertex] == VertexState::Solitary)
+    {
+      EXPECT_TRUE(after.Displacements.row(vertex).isZero(0));
+      lost += before.States[vertex] != VertexState::Solitary;
+    }
+    else
+    {
+      EXPECT_NE(before.States[vertex], VertexState::Solitary);
+      EXPECT_EQ(after.Displacements.row(vertex), before.Displacements.row(vertex));
+    }
+  }
+  EXPECT_EQ(lost, dropped);
+  EXPECT_EQ(DetectFlips(mesh, points, r, after), 0);
+}
+
 // One closed contour, a regular polygon; further ones can be appended.
 struct Ring
 {
@@ -55,36 +79,19 @@ struct Ring
     return vertices;
   }
 
+  void ExpectAvoided(double r)
+  {
+    const CorrespondenceField before = this->Field;
+    const int dropped = AvoidFlips(this->Mesh, this->Points, r, this->Field);
+    ::ExpectAvoided(this->Mesh, this->Points, r, before, this->Field, dropped);
+  }
+
   ContourMesh Mesh;
   PointList Points;
   CorrespondenceField Field;
 };
 
 using Vertices = std::vector<int>;
-
-// What every result must be: nothing flips, nothing is left marked, solitary vertices rest, and the
-// others keep their targets.
-void ExpectAvoided(const ContourMesh& mesh, const PointList& points, double r,
-  const CorrespondenceField& before, CorrespondenceField after, int dropped)
-{
-  int lost = 0;
-  for (std::size_t vertex = 0; vertex < after.States.size(); ++vertex)
-  {
-    ASSERT_NE(after.States[vertex], VertexState::Flipping);
-    if (after.States[vertex] == VertexState::Solitary)
-    {
-      EXPECT_TRUE(after.Displacements.row(vertex).isZero(0));
-      lost += before.States[vertex] != VertexState::Solitary;
-    }
-    else
-    {
-      EXPECT_NE(before.States[vertex], VertexState::Solitary);
-      EXPECT_EQ(after.Displacements.row(vertex), before.Displacements.row(vertex));
-    }
-  }
-  EXPECT_EQ(lost, dropped);
-  EXPECT_EQ(DetectFlips(mesh, points, r, after), 0);
-}
 
 } // namespace
 
@@ -135,34 +142,21 @@ TEST(FlipDetection, SolitaryVerticesAreSkippedAndCoincidentTargetsFlip)
   EXPECT_TRUE(other.With(VertexState::Flipping).empty());
 }
 
+// Wherever the contour begins.
 TEST(FlipAvoidance, KeepsTheMiddleOfARun)
-{
-  // Targets of 3 to 7 in reverse order.
-  Ring ring(24);
-  for (int vertex = 3; vertex <= 7; ++vertex)
-  {
-    ring.Target(vertex, ring.Points.row(10 - vertex));
-  }
-  EXPECT_GT(DetectFlips(ring.Mesh, ring.Points, 0.3, ring.Field), 0);
-  EXPECT_EQ(ring.With(VertexState::Flipping), (Vertices{ 3, 4, 5, 6, 7 }));
-  const CorrespondenceField before = ring.Field;
-  const int dropped = AvoidFlips(ring.Mesh, ring.Points, 0.3, ring.Field);
-  ExpectAvoided(ring.Mesh, ring.Points, 0.3, before, ring.Field, dropped);
-  EXPECT_EQ(ring.With(VertexState::Solitary), (Vertices{ 3, 4, 6, 7 }));
-}
-
-TEST(FlipAvoidance, ARunMayPassTheContoursBeginning)
 {
   for (int turn = 0; turn < 24; ++turn)
   {
     Ring ring(24);
     for (int vertex = 3; vertex <= 7; ++vertex)
     {
-      ring.Target(vertex, ring.Points.row(10 - vertex));
+      ring.Target(vertex, ring.Points.row(10 - vertex)); // in reverse order
     }
     auto& contour = ring.Mesh.Contours[0];
     std::rotate(contour.begin(), contour.begin() + turn, contour.end());
-    AvoidFlips(ring.Mesh, ring.Points, 0.3, ring.Field);
+    EXPECT_EQ(DetectFlips(ring.Mesh, ring.Points, 0.3, ring.Field), 5);
+    EXPECT_EQ(ring.With(VertexState::Flipping), (Vertices{ 3, 4, 5, 6, 7 }));
+    ring.ExpectAvoided(0.3);
     EXPECT_EQ(ring.With(VertexState::Solitary), (Vertices{ 3, 4, 6, 7 })) << turn;
   }
 }
@@ -204,10 +198,8 @@ TEST(FlipAvoidance, TheOrderOfContoursDoesNotHideAFlip)
     auto& contours = ring.Mesh.Contours;
     contours.insert(crossingFirst ? contours.begin() : contours.end(), crossing.begin(),
       crossing.end());
-    const CorrespondenceField before = ring.Field;
-    const int dropped = AvoidFlips(ring.Mesh, ring.Points, 0.0, ring.Field);
-    EXPECT_GT(dropped, 0);
-    ExpectAvoided(ring.Mesh, ring.Points, 0.0, before, ring.Field, dropped);
+    ring.ExpectAvoided(0);
+    EXPECT_FALSE(ring.With(VertexState::Solitary).empty());
   }
 }
 
@@ -218,9 +210,7 @@ TEST(FlipAvoidance, AContourMayPassAVertexTwice)
   ring.Target(3, ring.Points.row(9));
   ring.Target(4, ring.Points.row(8));
   ring.Target(5, ring.Points.row(10));
-  const CorrespondenceField before = ring.Field;
-  const int dropped = AvoidFlips(ring.Mesh, ring.Points, 0.3, ring.Field);
-  ExpectAvoided(ring.Mesh, ring.Points, 0.3, before, ring.Field, dropped);
+  ring.ExpectAvoided(0.3);
 }
 
 TEST(FlipAvoidance, RandomTargetsOnASphereEndWithoutFlips)

@@ -98,6 +98,13 @@ private:
   }
 };
 
+Scene BallScene()
+{
+  const Eigen::Vector3d center(40, 20, 20);
+  return { Grid({ { 80, 40, 40 } }, { 1, 1, 1 }), { center, 6 },
+    [&](const Eigen::Vector3d& point) { return (point - center).norm() < 13 ? 100.0 : 0.0; } };
+}
+
 // Returns what has been smoothed of the region.
 VoxelBox ExpectRegionGivesTheSurfaceOfTheWhole(const Scene& scene)
 {
@@ -231,12 +238,10 @@ TEST(OrganSegmentation, OfOneSlice)
   EXPECT_LT(made.End[0], 150);
 }
 
-// Without leak control all of it is smoothed, since all that looks like the organ counts.
+// All of it is smoothed, since all that looks like the organ counts.
 TEST(OrganSegmentation, WithoutLeakControl)
 {
-  Scene scene(Grid({ { 80, 40, 40 } }, { 1, 1, 1 }), { { 40, 20, 20 }, 6 },
-    [](const Eigen::Vector3d& point)
-    { return (point - Eigen::Vector3d(40, 20, 20)).norm() < 13 ? 100.0 : 0.0; });
+  Scene scene = BallScene();
   scene.Settings.Feature.ControlLeaks = false;
   const VoxelBox made = ExpectRegionGivesTheSurfaceOfTheWhole(scene);
   EXPECT_EQ(made, (VoxelBox{ { { 0, 0, 0 } }, { { 80, 40, 40 } } }));
@@ -244,9 +249,7 @@ TEST(OrganSegmentation, WithoutLeakControl)
 
 TEST(OrganSegmentation, StopsWheneverItIsTold)
 {
-  Scene scene(Grid({ { 80, 40, 40 } }, { 1, 1, 1 }), { { 40, 20, 20 }, 6 },
-    [](const Eigen::Vector3d& point)
-    { return (point - Eigen::Vector3d(40, 20, 20)).norm() < 13 ? 100.0 : 0.0; });
+  Scene scene = BallScene();
   scene.Settings.Schedule.Levels = 2;
   scene.Settings.Schedule.MaximumIterations = 2;
   VoxelBox made;

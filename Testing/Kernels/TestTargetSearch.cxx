@@ -1,5 +1,6 @@
 #include "Deformation/TargetSearch.h"
 
+#include "ExampleSurfaces.h"
 #include "RandomMotions.h"
 
 #include <gtest/gtest.h>
@@ -47,16 +48,6 @@ double MedianOf(std::vector<double> values)
   return values[values.size() / 2];
 }
 
-// Threads in name: the range is cut into single vertices, the last first.
-void BackwardsFor(std::ptrdiff_t begin, std::ptrdiff_t end, const RangeBody& body)
-{
-  while (end > begin)
-  {
-    --end;
-    body(end, end + 1);
-  }
-}
-
 } // namespace
 
 TEST(TargetSearch, RejectsWhatIsUnlikeTheTwoRing)
@@ -96,17 +87,10 @@ TEST(TargetSearch, RejectsWhatIsUnlikeTheTwoRing)
   }
   EXPECT_GT(rejected, 10);
   EXPECT_LT(rejected, 60);
-}
-
-TEST(TargetSearch, HowTheRangeIsCutDoesNotMatter)
-{
-  const Example example(8);
-  CorrespondenceField one = example.Field;
-  CorrespondenceField other = example.Field;
-  RejectOutliers(example.Sphere.Mesh, example.Normals, 3, 1, SerialFor, one);
-  RejectOutliers(example.Sphere.Mesh, example.Normals, 3, 1, BackwardsFor, other);
-  EXPECT_EQ(one.Displacements, other.Displacements);
-  EXPECT_EQ(one.States, other.States);
+  CorrespondenceField parts = example.Field;
+  RejectOutliers(mesh, example.Normals, 3, 1, ScatteredFor, parts);
+  EXPECT_EQ(parts.Displacements, field.Displacements);
+  EXPECT_EQ(parts.States, field.States);
 }
 
 // A box around a sphere, whose corners are farther away than a search line is long, and whose rough

@@ -1,11 +1,12 @@
 #include "Intensity/GaussianMixture.h"
 
+#include "Error.h"
+
 #include <Eigen/Dense>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <stdexcept>
 
 namespace FlipFree
 {
@@ -263,7 +264,7 @@ GaussianMixture FitGaussianMixture(const std::vector<float>& values,
 {
   if (values.empty())
   {
-    throw std::invalid_argument(
+    throw Error(ErrorCode::SeedWithoutVoxels,
       "there are no voxels to fit the foreground's mixture to; enlarge the seed");
   }
   const Histogram histogram = MakeHistogram(values);

@@ -1,5 +1,6 @@
 #include "Intensity/OrganFeature.h"
 
+#include "Error.h"
 #include "Image/BallMorphology.h"
 #include "Image/FloatOrder.h"
 #include "Mesh/SurfaceVoxelization.h"
@@ -52,14 +53,14 @@ IntensityModel FitToSeed(const ImageView<float>& smooth, const SeedSphere& seed,
   {
     if (!std::isfinite(smooth.Data[voxel]))
     {
-      throw std::invalid_argument(
+      throw Error(ErrorCode::NonFiniteValue,
         "the seed sphere holds voxels that are not finite numbers; replace them first");
     }
     values.push_back(smooth.Data[voxel]);
   }
   if (values.empty())
   {
-    throw std::invalid_argument(
+    throw Error(ErrorCode::SeedWithoutVoxels,
       "no voxel center lies in the seed sphere; enlarge its radius beyond "
       "a voxel, or move its center into the image");
   }
@@ -218,10 +219,11 @@ void RequireContrast(const BitMask& foreground)
   const std::size_t background = size - foreground.Count();
   if (static_cast<double>(background) < MinimumBackground * static_cast<double>(size))
   {
-    throw std::invalid_argument("the seed has no contrast to its surroundings: of the " +
-      std::to_string(size) + " voxels within reach only " + std::to_string(background) +
-      " differ from its intensities; check the image, or narrow the foreground's intensities "
-      "(ForegroundMass, NoiseWidening)");
+    throw Error(ErrorCode::NoContrast,
+      "the seed has no contrast to its surroundings: of the " + std::to_string(size) +
+        " voxels within reach only " + std::to_string(background) +
+        " differ from its intensities; check the image, or narrow the foreground's intensities "
+        "({ForegroundMass}, {NoiseWidening})");
   }
 }
 

@@ -1,5 +1,6 @@
 #include "Measures/SurfaceDistance.h"
 
+#include "Error.h"
 #include "Geometry/DistanceQuery.h"
 #include "Measures/SurfaceSamples.h"
 #include "Mesh/SurfaceTopology.h"
@@ -7,7 +8,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -210,7 +210,7 @@ SurfaceDistance MeasureSurfaceDistance(const PointList& firstPoints,
 {
   if (!(sampleSpacing > 0))
   {
-    throw std::invalid_argument(
+    throw Error(ErrorCode::OutOfRange,
       "the sample spacing is " + std::to_string(sampleSpacing) + " mm; it must be positive");
   }
   RequireValidFaces(firstPoints, FacesOf(firstTriangles), "the first surface");

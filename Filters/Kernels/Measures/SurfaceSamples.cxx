@@ -1,7 +1,8 @@
 #include "Measures/SurfaceSamples.h"
 
+#include "Error.h"
+
 #include <cmath>
-#include <stdexcept>
 #include <utility>
 
 namespace FlipFree
@@ -33,7 +34,7 @@ SurfaceSamples::SurfaceSamples(const PointList& points, TriangleList triangles, 
     const double patches = divisions * divisions;
     if (static_cast<double>(this->Size()) + patches > MaximumNumberOfSamples)
     {
-      throw std::invalid_argument(
+      throw Error(ErrorCode::TooLarge,
         name + " would need more than a hundred million samples; choose a greater sample spacing");
     }
     this->Divisions.push_back(static_cast<int>(divisions));
@@ -43,7 +44,7 @@ SurfaceSamples::SurfaceSamples(const PointList& points, TriangleList triangles, 
   }
   if (!(area > 0))
   {
-    throw std::invalid_argument(name + " has no area: all its triangles are degenerate");
+    throw Error(ErrorCode::InvalidMesh, name + " has no area: all its triangles are degenerate");
   }
 }
 

@@ -1,9 +1,9 @@
 #include "Measures/VoxelOverlap.h"
 
+#include "Error.h"
 #include "MessageText.h"
 
 #include <atomic>
-#include <stdexcept>
 
 namespace FlipFree
 {
@@ -13,8 +13,9 @@ namespace
 [[noreturn]] void RefuseGeometry(const std::string& what, const Eigen::MatrixXd& ofOne,
   const std::string& one, const Eigen::MatrixXd& ofOther, const std::string& other)
 {
-  throw std::invalid_argument("the " + what + " of " + one + " " + TextOf(ofOne) + " and of " +
-    other + " " + TextOf(ofOther) + " differ; resample one onto the grid of the other");
+  throw Error(ErrorCode::GeometryMismatch,
+    "the " + what + " of " + one + " " + TextOf(ofOne) + " and of " + other + " " +
+      TextOf(ofOther) + " differ; resample one onto the grid of the other");
 }
 
 Eigen::Vector3d Vector(const std::array<int, 3>& values)
@@ -86,9 +87,9 @@ VoxelOverlap MeasureOverlap(const BitMask& segmentation, const BitMask& referenc
     });
   if (inSegmentation == 0 || inReference == 0)
   {
-    throw std::invalid_argument(
+    throw Error(ErrorCode::EmptyMask,
       std::string(inReference == 0 ? "the reference" : "the segmentation") +
-      " is empty: no voxel is inside; check that it is the label map that was meant");
+        " is empty: no voxel is inside; check that it is the label map that was meant");
   }
   return { inSegmentation, inReference, inBoth };
 }

@@ -1,6 +1,6 @@
 #include "Mesh/ContourMesh.h"
 
-#include <stdexcept>
+#include "Error.h"
 
 namespace FlipFree
 {
@@ -17,9 +17,10 @@ struct Corner
 
 [[noreturn]] void Refuse(const std::string& what)
 {
-  throw std::invalid_argument(what +
-    "; FlipFree deforms closed, consistently oriented meshes in which every vertex has four "
-    "neighbors (the edge midpoints of any closed mesh form one)");
+  throw Error(ErrorCode::NotFourValent,
+    what +
+      "; FlipFree deforms closed, consistently oriented meshes in which every vertex has four "
+      "neighbors (the edge midpoints of any closed mesh form one)");
 }
 
 std::array<int, 4> CyclicNeighbors(int vertex, const std::vector<Corner>& corners)

@@ -1,8 +1,9 @@
 #include "Mesh/QuadSphere.h"
 
+#include "Error.h"
+
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 #include <string>
 
 namespace FlipFree
@@ -125,9 +126,10 @@ QuadSphere MakeQuadSphere(int n, const Eigen::Vector3d& center, double radius,
 {
   if (n < 1)
   {
-    throw std::invalid_argument("a quad sphere needs at least one vertex along the edge of a side, "
-                                "not " +
-      std::to_string(n));
+    throw Error(ErrorCode::OutOfRange,
+      "a quad sphere needs at least one vertex along the edge of a side, "
+      "not " +
+        std::to_string(n));
   }
   QuadSphere sphere;
   const PointList cube = CubePoints(n, sphere);

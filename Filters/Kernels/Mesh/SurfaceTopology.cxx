@@ -1,8 +1,9 @@
 #include "Mesh/SurfaceTopology.h"
 
+#include "Error.h"
+
 #include <algorithm>
 #include <sstream>
-#include <stdexcept>
 
 namespace FlipFree
 {
@@ -119,27 +120,29 @@ void RequireValidFaces(const Eigen::Ref<const PointList>& points, const FaceList
 {
   if (faces.NumberOfFaces() == 0)
   {
-    throw std::invalid_argument(name + " has no polygons; it must have at least one");
+    throw Error(ErrorCode::InvalidMesh, name + " has no polygons; it must have at least one");
   }
   for (int face = 0; face < faces.NumberOfFaces(); ++face)
   {
     const auto where = [&] { return "polygon " + std::to_string(face) + " of " + name; };
     if (faces.FaceSize(face) < 3)
     {
-      throw std::invalid_argument(where() + " has fewer than three vertices; remove it");
+      throw Error(ErrorCode::InvalidMesh, where() + " has fewer than three vertices; remove it");
     }
     for (int corner = 0; corner < faces.FaceSize(face); ++corner)
     {
       const int vertex = faces.Face(face)[corner];
       if (vertex < 0 || vertex >= points.rows())
       {
-        throw std::invalid_argument(where() + " names point " + std::to_string(vertex) +
-          ", but there are " + std::to_string(points.rows()) + " points; repair the connectivity");
+        throw Error(ErrorCode::InvalidMesh,
+          where() + " names point " + std::to_string(vertex) + ", but there are " +
+            std::to_string(points.rows()) + " points; repair the connectivity");
       }
       if (!points.row(vertex).allFinite())
       {
-        throw std::invalid_argument("point " + std::to_string(vertex) + " of " + name +
-          " has a coordinate that is not a finite number; remove or repair it");
+        throw Error(ErrorCode::NonFiniteValue,
+          "point " + std::to_string(vertex) + " of " + name +
+            " has a coordinate that is not a finite number; remove or repair it");
       }
     }
   }
@@ -151,11 +154,11 @@ void RequireClosed(int numberOfPoints, const TriangleList& triangles, const std:
   {
     if (edge.Forward != edge.Backward)
     {
-      throw std::invalid_argument(name +
-        " is not closed and consistently oriented: " + std::to_string(edge.Forward) +
-        " face(s) pass the edge from point " + std::to_string(edge.Lower) + " to point " +
-        std::to_string(edge.Higher) + " and " + std::to_string(edge.Backward) +
-        " pass it backwards; merge coincident points, fill holes, and orient the faces alike");
+      throw Error(ErrorCode::OpenSurface,
+        name + " is not closed and consistently oriented: " + std::to_string(edge.Forward) +
+          " face(s) pass the edge from point " + std::to_string(edge.Lower) + " to point " +
+          std::to_string(edge.Higher) + " and " + std::to_string(edge.Backward) +
+          " pass it backwards; merge coincident points, fill holes, and orient the faces alike");
     }
   }
 }
@@ -176,7 +179,7 @@ void RequireOutward(const PointList& points, const TriangleList& triangles, cons
     std::ostringstream message;
     message << name << " is inside out: it encloses a volume of " << volume
             << " mm3; reverse its faces, as vtkReverseSense does";
-    throw std::invalid_argument(message.str());
+    throw Error(ErrorCode::InsideOut, message.str());
   }
 }
 

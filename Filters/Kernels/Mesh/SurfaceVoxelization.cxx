@@ -1,11 +1,11 @@
 #include "Mesh/SurfaceVoxelization.h"
 
+#include "Error.h"
 #include "Mesh/SurfaceTopology.h"
 #include "MessageText.h"
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 #include <string>
 #include <utility>
 
@@ -39,8 +39,9 @@ PointList IndexCoordinates(const PointList& points, const ImageGeometry& geometr
   if (!(std::abs(toPhysical.determinant()) > 0) || !toPhysical.allFinite() ||
     !geometry.Origin.allFinite())
   {
-    throw std::invalid_argument("the image's geometry is singular: spacing must not be zero, and "
-                                "the direction matrix must be invertible");
+    throw Error(ErrorCode::InvalidGeometry,
+      "the image's geometry is singular: spacing must not be zero, and "
+      "the direction matrix must be invertible");
   }
   const Eigen::Matrix3d toIndex = toPhysical.inverse();
   return (points.rowwise() - geometry.Origin.transpose()) * toIndex.transpose();
@@ -60,9 +61,9 @@ void RequireNear(const PointList& index, const PointList& points, const Triangle
     const int point = triangles.data()[corner];
     if (!(index.row(point).array().abs() <= farthest).all())
     {
-      throw std::invalid_argument("point " + std::to_string(point) + " of the surface, at " +
-        TextOf(points.row(point)) +
-        " mm, lies more than 1e15 voxels away from the image; remove or repair it");
+      throw Error(ErrorCode::OutOfRange,
+        "point " + std::to_string(point) + " of the surface, at " + TextOf(points.row(point)) +
+          " mm, lies more than 1e15 voxels away from the image; remove or repair it");
     }
   }
 }

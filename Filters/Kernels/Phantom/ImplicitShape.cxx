@@ -1,9 +1,10 @@
 #include "Phantom/ImplicitShape.h"
 
+#include "Error.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <stdexcept>
 #include <string>
 #include <utility>
 
@@ -19,7 +20,7 @@ void RequirePositive(double value, const char* what)
 {
   if (!(value > 0) || !std::isfinite(value))
   {
-    throw std::invalid_argument(
+    throw Error(ErrorCode::OutOfRange,
       std::string(what) + " must be positive, not " + std::to_string(value));
   }
 }
@@ -139,8 +140,10 @@ ImplicitShape MakeTube(const std::vector<Vector3d>& centerline, const std::vecto
 {
   if (centerline.size() < 2 || radii.size() != centerline.size())
   {
-    throw std::invalid_argument("a tube needs two points or more and one radius for each, not " +
-      std::to_string(centerline.size()) + " points and " + std::to_string(radii.size()) + " radii");
+    throw Error(ErrorCode::OutOfRange,
+      "a tube needs two points or more and one radius for each, not " +
+        std::to_string(centerline.size()) + " points and " + std::to_string(radii.size()) +
+        " radii");
   }
   const std::size_t maximumPieces = 6;
   std::vector<TubeRun> runs;

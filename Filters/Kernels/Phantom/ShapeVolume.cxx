@@ -1,11 +1,11 @@
 #include "Phantom/ShapeVolume.h"
 
+#include "Error.h"
 #include "Phantom/VoxelNoise.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <stdexcept>
 #include <string>
 #include <utility>
 
@@ -281,30 +281,33 @@ void RequireGrid(const ImageGeometry& geometry)
     const std::string which = " of axis " + std::to_string(axis);
     if (geometry.Dimensions[axis] < 1)
     {
-      throw std::invalid_argument("the dimension" + which + " must be at least 1, not " +
-        std::to_string(geometry.Dimensions[axis]));
+      throw Error(ErrorCode::InvalidGeometry,
+        "the dimension" + which + " must be at least 1, not " +
+          std::to_string(geometry.Dimensions[axis]));
     }
     if (!(geometry.Spacing[axis] > 0) || !std::isfinite(geometry.Spacing[axis]))
     {
-      throw std::invalid_argument(
+      throw Error(ErrorCode::InvalidGeometry,
         "the spacing" + which + " must be positive, not " + std::to_string(geometry.Spacing[axis]));
     }
     if (!std::isfinite(geometry.Origin[axis]))
     {
-      throw std::invalid_argument("the origin" + which + " must be finite");
+      throw Error(ErrorCode::InvalidGeometry, "the origin" + which + " must be finite");
     }
     voxels *= geometry.Dimensions[axis];
   }
   if (voxels > std::numeric_limits<int>::max())
   {
-    throw std::invalid_argument("a volume of more than 2^31 - 1 voxels is not made; choose smaller "
-                                "dimensions and a larger spacing");
+    throw Error(ErrorCode::TooLarge,
+      "a volume of more than 2^31 - 1 voxels is not made; choose smaller "
+      "dimensions and a larger spacing");
   }
   const double determinant = geometry.Direction.determinant();
   if (!std::isfinite(determinant) || std::abs(determinant) < 1e-6)
   {
-    throw std::invalid_argument("the direction matrix cannot be inverted (determinant " +
-      std::to_string(determinant) + "); its columns must be three independent axes");
+    throw Error(ErrorCode::InvalidGeometry,
+      "the direction matrix cannot be inverted (determinant " + std::to_string(determinant) +
+        "); its columns must be three independent axes");
   }
 }
 

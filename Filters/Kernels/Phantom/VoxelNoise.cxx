@@ -1,8 +1,9 @@
 #include "Phantom/VoxelNoise.h"
 
+#include "Error.h"
+
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 #include <string>
 
 namespace FlipFree
@@ -59,14 +60,15 @@ void RequireNoise(double deviation, double correlation)
 {
   if (!(deviation >= 0) || !std::isfinite(deviation))
   {
-    throw std::invalid_argument(
+    throw Error(ErrorCode::OutOfRange,
       "the deviation of the noise must be zero or more, not " + std::to_string(deviation));
   }
   if (!(correlation >= 0 && correlation <= 0.7))
   {
-    throw std::invalid_argument("the noise's correlation between neighbors must lie between 0 and "
-                                "0.7, not " +
-      std::to_string(correlation));
+    throw Error(ErrorCode::OutOfRange,
+      "the noise's correlation between neighbors must lie between 0 and "
+      "0.7, not " +
+        std::to_string(correlation));
   }
 }
 
