@@ -1,10 +1,10 @@
 // What the stages keep between updates does not show in their results.
 #include "BadInput.h"
+#include "ProgressWatch.h"
 
 #include "vtkCorrespondenceSearch.h"
 #include "vtkFlipFreeDeform.h"
 
-#include "vtkCallbackCommand.h"
 #include "vtkCellArray.h"
 #include "vtkDataArray.h"
 #include "vtkPointData.h"
@@ -146,41 +146,18 @@ TEST_F(StageUpdates, FollowTheFeature)
   this->ExpectAsIfNew();
 }
 
-// At any progress, and what was incomplete is not kept.
+// At any report of progress; and what is incomplete is not kept.
 TEST_F(StageUpdates, TheSearchStopsWhenItIsTold)
 {
-  struct Abort
-  {
-    vtkAlgorithm* Filter;
-    double Progress;
-    int Questions;
-    int After;
-  } abort{ this->Kept.Search, 2, 0, 0 };
-  vtkNew<vtkCallbackCommand> look;
-  look->SetClientData(&abort);
-  look->SetCallback(
-    [](vtkObject*, unsigned long, void* self, void* now)
-    {
-      auto& all = *static_cast<Abort*>(self);
-      ++all.Questions;
-      all.After += all.Filter->GetAbortExecute();
-      if (*static_cast<double*>(now) >= all.Progress)
-      {
-        all.Filter->AbortExecuteOn();
-      }
-    });
-  this->Kept.Search->AddObserver(vtkCommand::ProgressEvent, look);
   for (const double progress : { 0.0, 0.1, 0.4 })
   {
     this->Image->Modified();
-    abort.Progress = progress;
-    abort.Questions = 0;
+    ProgressWatch watch(this->Kept.Search, progress);
     this->Kept.Search->Update();
-    EXPECT_GT(abort.Questions, 0);
-    EXPECT_LE(abort.After, 1); // the pipeline reports the end
+    EXPECT_TRUE(watch.Aborted());
+    EXPECT_LE(watch.ReportsAfterAbort, 1); // the pipeline reports the end
     EXPECT_EQ(this->Kept.Search->GetOutput()->GetNumberOfPoints(), 0);
   }
-  abort.Progress = 2;
   this->Kept.Search->Modified();
   this->ExpectAsIfNew();
 }
