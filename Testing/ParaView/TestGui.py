@@ -76,6 +76,7 @@ class Window(unittest.TestCase):
         folder = os.environ.get("FLIPFREE_GUI_PICTURES")
         if folder:
             os.makedirs(folder, exist_ok=True)
+            self.desk.settle(3)  # the window draws after its note
             self.desk.picture(WIDTH, HEIGHT).save(os.path.join(folder, f"gui-{name}.png"))
 
     def add_filter(self, letters):
