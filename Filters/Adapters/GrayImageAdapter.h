@@ -1,6 +1,6 @@
 /**
  * Private to the modules, never installed: a vtkImageData of any scalar type as the gray image that
- * kernels smooth and search, with the checks that all filters make of it.
+ * kernels smooth and search, with the checks common to all filters.
  */
 #ifndef FlipFreeGrayImageAdapter_h
 #define FlipFreeGrayImageAdapter_h
@@ -82,50 +82,32 @@ inline void RequireSeed(const ImageGeometry& geometry, const SeedSphere& seed,
   }
 }
 
-/// Throws std::invalid_argument, naming the first bad voxel, unless all of a part of the image,
-/// which has passed RequireGrayImage, are finite as floats. Whole numbers are not looked at.
-/// Returns false if the monitor, asked every few slices, stopped it.
-inline bool RequireFinite(vtkImageData* image, const Extent& extent, const std::string& name,
+/// RequireFiniteAs floats for an image that has passed RequireGrayImage.
+inline bool RequireFinite(vtkImageData* image, const VoxelBox& box, const std::string& name,
   const Monitor& monitor = NeverStop)
 {
-  const ImageGeometry geometry = GeometryOf(image);
-  const void* voxels = image->GetPointData()->GetScalars()->GetVoidPointer(0);
-  switch (image->GetPointData()->GetScalars()->GetDataType())
-  {
-    vtkTemplateMacro(return RequireFiniteAs<float>(
-      ImageView<VTK_TT>{ static_cast<const VTK_TT*>(voxels), geometry }, extent, name,
-      "replace such voxels first", monitor));
-    default:
-      RefuseScalarType(image->GetPointData()->GetScalars(), name);
-  }
+  return VisitVoxels(image, name,
+    [&](const auto& view)
+    { return RequireFiniteAs<float>(view, box, name, "replace such voxels first", monitor); });
 }
 
-/// A part of the image as floats, in memory that is used again. The image has passed
+/// A part of the image as floats; reuses the memory of `region`. The image has passed
 /// RequireGrayImage.
-inline void GrayRegionOf(vtkImageData* image, const Extent& extent, FloatImage& region)
+inline void GrayRegionOf(vtkImageData* image, const VoxelBox& box, FloatImage& region)
 {
-  const ImageGeometry geometry = GeometryOf(image);
-  const void* voxels = image->GetPointData()->GetScalars()->GetVoidPointer(0);
-  switch (image->GetPointData()->GetScalars()->GetDataType())
-  {
-    vtkTemplateMacro(CropToFloat<VTK_TT>({ static_cast<const VTK_TT*>(voxels), geometry }, extent,
-      SMPFor, region));
-    default:
-      RefuseScalarType(image->GetPointData()->GetScalars(), "the image");
-  }
+  VisitVoxels(image, "the image",
+    [&](const auto& view) { CropToFloat(view, box, SMPFor, region); });
 }
 
-/// The whole image as floats: its own where it has floats, and else those of `copy`, which must
+/// The whole image as floats: its own if it has floats, otherwise those of `copy`, which must
 /// outlive the view. The image has passed RequireGrayImage.
 inline ImageView<float> GrayViewOf(vtkImageData* image, FloatImage& copy)
 {
-  const ImageGeometry geometry = GeometryOf(image);
   if (image->GetPointData()->GetScalars()->GetDataType() == VTK_FLOAT)
   {
-    const void* const voxels = image->GetPointData()->GetScalars()->GetVoidPointer(0);
-    return { static_cast<const float*>(voxels), geometry };
+    return ViewOf<float>(image);
   }
-  GrayRegionOf(image, WholeExtent(geometry), copy);
+  GrayRegionOf(image, WholeBox(GeometryOf(image)), copy);
   return copy.View();
 }
 
@@ -133,33 +115,25 @@ inline ImageView<float> GrayViewOf(vtkImageData* image, FloatImage& copy)
 inline double NoiseOf(vtkImageData* image, const SeedSphere& seed)
 {
   FloatImage region;
-  GrayRegionOf(image, ReachableExtent(GeometryOf(image), seed.Center, seed.Radius), region);
+  GrayRegionOf(image, BoxAround(GeometryOf(image), seed.Center, seed.Radius), region);
   return NoiseStandardDeviation(region.View(), seed);
 }
 
 /// The voxels of a part of the image, which has passed RequireGrayImage and outlives the reader.
-inline VoxelReader GrayReaderOf(vtkImageData* image, const Extent& extent)
+inline VoxelReader GrayReaderOf(vtkImageData* image, const VoxelBox& box)
 {
-  const ImageGeometry geometry = GeometryOf(image);
-  const void* voxels = image->GetPointData()->GetScalars()->GetVoidPointer(0);
-  switch (image->GetPointData()->GetScalars()->GetDataType())
-  {
-    vtkTemplateMacro(return ReaderOf<VTK_TT>({ static_cast<const VTK_TT*>(voxels), geometry },
-      { { extent[0], extent[2], extent[4] } }));
-    default:
-      RefuseScalarType(image->GetPointData()->GetScalars(), "the image");
-  }
+  return VisitVoxels(image, "the image",
+    [&box](const auto& view) { return ReaderOf(view, box.Begin); });
 }
 
-/// Smooths a part of the image, which is not copied before. Returns false if the monitor stopped
-/// it.
-inline bool SmoothRegionOf(vtkImageData* image, const Extent& extent,
+/// Smooths a part of the image, without a copy of it. Returns false if the monitor stopped it.
+inline bool SmoothRegionOf(vtkImageData* image, const VoxelBox& box,
   AnisotropicDiffusionSettings settings, const Monitor& monitor, FloatImage& region)
 {
   settings.Threads = NumberOfThreads();
-  region.Geometry = CropGeometry(GeometryOf(image), extent);
+  region.Geometry = CropGeometry(GeometryOf(image), box);
   region.Voxels.resize(region.Geometry.NumberOfVoxels());
-  return DiffuseAnisotropically(GrayReaderOf(image, extent), region.Geometry, settings, SMPFor,
+  return DiffuseAnisotropically(GrayReaderOf(image, box), region.Geometry, settings, SMPFor,
     monitor, region.Voxels.data());
 }
 

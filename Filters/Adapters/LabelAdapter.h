@@ -50,42 +50,27 @@ inline BitMask MaskOf(vtkImageData* image, int label, const std::string& name)
       name + " has no scalars of one component per voxel; make its label array the active scalars");
   }
   RequireProperGrid(image, name);
-  const ImageGeometry geometry = GeometryOf(image);
-  BitMask mask;
-  const auto select = [&](const auto* values)
-  {
-    using Value = std::decay_t<decltype(*values)>;
-    const ImageView<Value> view{ values, geometry };
-    RequireFiniteAs<Value>(view, WholeExtent(geometry), name, "a label map holds whole numbers",
-      NeverStop);
-    // Compared in their own type, many at once; a label that this type does not have is nowhere.
-    const auto sought = static_cast<Value>(label);
-    if (label < 0)
+  return VisitVoxels(image, name,
+    [&](const auto& view)
     {
-      mask = VoxelsWhere(
-        view, [](Value value) { return value != Value(0); }, SMPFor);
-    }
-    else if (static_cast<double>(sought) == label)
-    {
-      mask = VoxelsWhere(
-        view, [sought](Value value) { return value == sought; }, SMPFor);
-    }
-    else
-    {
-      mask = BitMask(geometry);
-    }
-  };
-  switch (scalars->GetDataType())
-  {
-    vtkTemplateMacro(select(static_cast<const VTK_TT*>(scalars->GetVoidPointer(0))));
-    default:
-      RefuseScalarType(scalars, name);
-  }
-  return mask;
+      using Value = std::decay_t<decltype(*view.Data)>;
+      RequireFiniteAs<Value>(view, WholeBox(view.Geometry), name, "a label map holds whole numbers",
+        NeverStop);
+      if (label < 0)
+      {
+        return VoxelsWhere(
+          view, [](Value value) { return value != Value(0); }, SMPFor);
+      }
+      // Compared in their own type; a label that the type cannot represent does not occur.
+      const auto sought = static_cast<Value>(label);
+      return static_cast<double>(sought) == label
+        ? VoxelsWhere(
+            view, [sought](Value value) { return value == sought; }, SMPFor)
+        : BitMask(view.Geometry);
+    });
 }
 
-/// The lowest few of the values inserted, however many there are: the same in whatever order, and
-/// through whatever parts, they get here.
+/// The lowest few of the values inserted, whatever their order.
 class LowestValues
 {
 public:
@@ -125,8 +110,8 @@ private:
   bool More = false;
 };
 
-/// The values of a label map's voxels. Those that can be asked for are apart from others, of which
-/// an image that is no label map, a scan or a map of probabilities, has many.
+/// The values of a label map's voxels. Valid labels are kept apart from other values, of which an
+/// image that is no label map, a scan or a probability map, has many.
 struct LabelValues
 {
   LowestValues Labels{ 20 }; ///< whole numbers from 1 to the greatest int
@@ -147,38 +132,32 @@ inline LabelValues LabelsOf(vtkImageData* image)
 {
   LabelValues labels;
   std::mutex mutex;
-  vtkDataArray* scalars = image->GetPointData()->GetScalars();
-  const auto collect = [&](const auto* values)
-  {
-    using Value = std::decay_t<decltype(*values)>;
-    SMPFor(0, scalars->GetNumberOfTuples(),
-      [&](std::ptrdiff_t first, std::ptrdiff_t last)
-      {
-        LabelValues found;
-        Value latest = 0; // neighbors mostly have the same
-        for (std::ptrdiff_t voxel = first; voxel < last; ++voxel)
+  VisitVoxels(image, "the label map",
+    [&](const auto& view)
+    {
+      using Value = std::decay_t<decltype(*view.Data)>;
+      SMPFor(0, image->GetNumberOfPoints(),
+        [&](std::ptrdiff_t first, std::ptrdiff_t last)
         {
-          if (values[voxel] != latest && values[voxel] != Value(0))
+          LabelValues found;
+          Value latest = 0; // neighbors mostly have the same
+          for (std::ptrdiff_t voxel = first; voxel < last; ++voxel)
           {
-            latest = values[voxel];
-            found.Insert(static_cast<double>(latest));
+            if (view.Data[voxel] != latest && view.Data[voxel] != Value(0))
+            {
+              latest = view.Data[voxel];
+              found.Insert(static_cast<double>(latest));
+            }
           }
-        }
-        const std::lock_guard<std::mutex> lock(mutex);
-        labels.Labels.Insert(found.Labels);
-        labels.Others.Insert(found.Others);
-      });
-  };
-  switch (scalars->GetDataType())
-  {
-    vtkTemplateMacro(collect(static_cast<const VTK_TT*>(scalars->GetVoidPointer(0))));
-    default:
-      break; // MaskOf has refused it
-  }
+          const std::lock_guard<std::mutex> lock(mutex);
+          labels.Labels.Insert(found.Labels);
+          labels.Others.Insert(found.Others);
+        });
+    });
   return labels;
 }
 
-/// "1, 2, 6", with "and more" behind where there are. All digits that tell them apart.
+/// "1, 2, 6", followed by "and more" if there are more, with enough digits to tell them apart.
 inline std::string TextOf(const LowestValues& values)
 {
   std::ostringstream text;
@@ -196,8 +175,8 @@ inline std::string TextOf(const LowestValues& values)
 inline void MakeLabelMap(const std::vector<VoxelRun>& runs, unsigned char label,
   vtkImageData* image, vtkImageData* labelMap)
 {
-  // The system hands out large memory cleared, and that of a page only once it is touched: most of
-  // a volume never is.
+  // The system provides large blocks cleared, page by page on first use; most of a volume is never
+  // touched.
   const auto size = static_cast<std::size_t>(image->GetNumberOfPoints());
   auto* const voxels = static_cast<unsigned char*>(std::calloc(std::max<std::size_t>(size, 1), 1));
   if (!voxels)

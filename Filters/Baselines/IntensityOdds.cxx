@@ -1,6 +1,6 @@
 #include "IntensityOdds.h"
 
-#include "Intensity/OrganFeature.h"
+#include "Intensity/ModelFit.h"
 
 #include <algorithm>
 #include <cmath>

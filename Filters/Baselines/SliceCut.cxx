@@ -64,8 +64,8 @@ public:
   bool Cut(int k, const BitMask* before, const Monitor& monitor, BitMask& organ) const
   {
     const ImageGeometry& region = this->Task.Region.Geometry;
-    const ImageGeometry plane =
-      CropGeometry(region, { { 0, region.Dimensions[0] - 1, 0, region.Dimensions[1] - 1, k, k } });
+    const ImageGeometry plane = CropGeometry(region,
+      { { { 0, 0, k } }, { { region.Dimensions[0], region.Dimensions[1], k + 1 } } });
     const std::size_t first = region.Offset(0, 0, k);
     const float* const odds = this->LogOdds.data() + first;
     const std::vector<float> oddsOfPlane(odds, odds + plane.NumberOfVoxels());

@@ -170,10 +170,10 @@ void vtkBaselineSegmentation::Execute(vtkImageData* image, vtkPolyData* surface,
   task.Seed = { Eigen::Vector3d(this->SeedCenter), this->SeedRadius };
   FlipFree::RequireSeed(geometry, task.Seed, InputName);
 
-  const FlipFree::Extent extent =
-    FlipFree::ReachableExtent(geometry, task.Seed.Center, ReachOf(this->Reach, this->SeedRadius));
-  FlipFree::RequireFinite(image, extent, InputName);
-  if (FlipFree::VoxelsInSphere(FlipFree::CropGeometry(geometry, extent), task.Seed).empty())
+  const FlipFree::VoxelBox box =
+    FlipFree::BoxAround(geometry, task.Seed.Center, ReachOf(this->Reach, this->SeedRadius));
+  FlipFree::RequireFinite(image, box, InputName);
+  if (FlipFree::VoxelsInSphere(FlipFree::CropGeometry(geometry, box), task.Seed).empty())
   {
     throw std::invalid_argument("no voxel center of " + std::string(InputName) +
       " lies in the seed sphere; enlarge it, or move it onto one");
@@ -181,10 +181,10 @@ void vtkBaselineSegmentation::Execute(vtkImageData* image, vtkPolyData* surface,
   task.Noise = FlipFree::NoiseOf(image, task.Seed);
   FlipFree::AnisotropicDiffusionSettings diffusion;
   diffusion.Iterations = this->DiffusionIterations;
-  diffusion.Contrast = FlipFree::ContrastOfNoise(task.Noise, geometry, diffusion.Equation);
+  diffusion.Contrast = FlipFree::ContrastOfNoise(task.Noise);
   FlipFree::BaselineResult result;
-  if (!FlipFree::SmoothRegionOf(image, extent, diffusion,
-        FlipFree::MonitorOf(this, 0, MethodBegins), task.Region) ||
+  if (!FlipFree::SmoothRegionOf(image, box, diffusion, FlipFree::MonitorOf(this, 0, MethodBegins),
+        task.Region) ||
     !this->Segment(task, FlipFree::MonitorOf(this, MethodBegins, MethodEnds), result))
   {
     return;
@@ -198,7 +198,7 @@ void vtkBaselineSegmentation::Execute(vtkImageData* image, vtkPolyData* surface,
   else
   {
     const FlipFree::ImageView<float> field{ result.Field.data(), task.Region.Geometry };
-    runs = FlipFree::RunsOfField(field, { { extent[0], extent[2], extent[4] } });
+    runs = FlipFree::RunsOfField(field, box.Begin);
     if (result.Points.rows() == 0)
     {
       FlipFree::FieldSurface contour = FlipFree::SurfaceOfField(field);

@@ -18,12 +18,12 @@ struct SliceSum
   std::size_t Voxels = 0;
 };
 
-SliceSum SumOfSlice(const VoxelReader& read, const ImageGeometry& image, const Extent& extent,
+SliceSum SumOfSlice(const VoxelReader& read, const ImageGeometry& image, const VoxelBox& box,
   const SeedSphere& sphere, int k)
 {
   const auto& size = image.Dimensions;
-  const int begin = std::max(extent[0] - 1, 0); // rows are read with a neighbor on either side
-  const int end = std::min(extent[1] + 2, size[0]);
+  const int begin = std::max(box.Begin[0] - 1, 0); // rows are read with a neighbor on either side
+  const int end = std::min(box.End[0] + 1, size[0]);
   // The row itself, its neighbors within the slice, and those in the slices next to it.
   std::array<std::vector<float>, 5> rows;
   rows.fill(std::vector<float>(static_cast<std::size_t>(end - begin)));
@@ -33,14 +33,14 @@ SliceSum SumOfSlice(const VoxelReader& read, const ImageGeometry& image, const E
     return slope * slope;
   };
   SliceSum sum;
-  for (int j = extent[2]; j <= extent[3]; ++j)
+  for (int j = box.Begin[1]; j < box.End[1]; ++j)
   {
     read(begin, end, j, k, rows[0].data());
     read(begin, end, std::max(j - 1, 0), k, rows[1].data());
     read(begin, end, std::min(j + 1, size[1] - 1), k, rows[2].data());
     read(begin, end, j, std::max(k - 1, 0), rows[3].data());
     read(begin, end, j, std::min(k + 1, size[2] - 1), rows[4].data());
-    for (int i = extent[0]; i <= extent[1]; ++i)
+    for (int i = box.Begin[0]; i < box.End[0]; ++i)
     {
       if (std::isinf(sphere.Radius) ||
         (image.ToPhysical(Eigen::Vector3d(i, j, k)) - sphere.Center).squaredNorm() <=
@@ -60,19 +60,18 @@ SliceSum SumOfSlice(const VoxelReader& read, const ImageGeometry& image, const E
 
 } // namespace
 
-bool MeasureGradientScale(const VoxelReader& read, const ImageGeometry& image, const Extent& extent,
+bool MeasureGradientScale(const VoxelReader& read, const ImageGeometry& image, const VoxelBox& box,
   const SeedSphere& sphere, const Monitor& monitor, double& scale)
 {
-  std::vector<SliceSum> sums(static_cast<std::size_t>(std::max(0, extent[5] - extent[4] + 1)));
-  const std::ptrdiff_t voxelsOfSlice =
-    static_cast<std::ptrdiff_t>(extent[1] - extent[0] + 1) * (extent[3] - extent[2] + 1);
+  std::vector<SliceSum> sums(static_cast<std::size_t>(std::max(0, box.Size(2))));
+  const std::ptrdiff_t voxelsOfSlice = static_cast<std::ptrdiff_t>(box.Size(0)) * box.Size(1);
   if (!SMPForSlices(0, static_cast<std::ptrdiff_t>(sums.size()), voxelsOfSlice, monitor,
         [&](std::ptrdiff_t first, std::ptrdiff_t last)
         {
           for (std::ptrdiff_t slice = first; slice < last; ++slice)
           {
             sums[slice] =
-              SumOfSlice(read, image, extent, sphere, extent[4] + static_cast<int>(slice));
+              SumOfSlice(read, image, box, sphere, box.Begin[2] + static_cast<int>(slice));
           }
         }))
   {

@@ -10,12 +10,12 @@
 namespace FlipFree
 {
 
-/// Root mean square of the gradient's magnitude over the voxels of `extent` whose centers lie in
+/// Root mean square of the gradient's magnitude over the voxels of `box` whose centers lie in
 /// the sphere, of infinite radius for all, by central differences that see no gradient across the
 /// border of the image, as ITK's do. 0 if there is no such voxel. `read` reads from the image's
 /// first voxel on. The result does not depend on the number of threads. Returns false if the
 /// monitor stopped it.
-bool MeasureGradientScale(const VoxelReader& read, const ImageGeometry& image, const Extent& extent,
+bool MeasureGradientScale(const VoxelReader& read, const ImageGeometry& image, const VoxelBox& box,
   const SeedSphere& sphere, const Monitor& monitor, double& scale);
 
 } // namespace FlipFree

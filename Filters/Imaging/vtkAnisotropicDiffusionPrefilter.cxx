@@ -24,58 +24,26 @@ vtkStandardNewMacro(vtkAnisotropicDiffusionPrefilter);
 namespace
 {
 
-using FlipFree::Extent;
+using FlipFree::VoxelBox;
 
 constexpr const char* InputName = "the image on port 0";
 // Of the progress: what comes before is short.
 constexpr double ScaleEnds = 0.03;
 constexpr double DiffusionBegins = 0.05;
 
-bool IsEmpty(const Extent& extent)
+/// The VOI, or all of the image if it is empty, counted from the image's first voxel.
+VoxelBox ChooseRegion(const int (&voi)[6], const int* whole)
 {
-  return extent[0] > extent[1] || extent[2] > extent[3] || extent[4] > extent[5];
-}
-
-Extent Clipped(Extent extent, const Extent& whole)
-{
-  for (int side = 0; side < 6; side += 2)
-  {
-    extent[side] = std::max(extent[side], whole[side]);
-    extent[side + 1] = std::min(extent[side + 1], whole[side + 1]);
-  }
-  return extent;
-}
-
-/// The VOI, or the whole extent where it is empty.
-Extent ChooseRegion(const int (&voi)[6], const Extent& whole)
-{
-  const Extent wanted{ { voi[0], voi[1], voi[2], voi[3], voi[4], voi[5] } };
-  return IsEmpty(wanted) ? whole : Clipped(wanted, whole);
-}
-
-Extent ExtentOf(vtkImageData* image)
-{
-  Extent extent;
-  image->GetExtent(extent.data());
-  return extent;
-}
-
-/// As indices that count from the image's first voxel.
-Extent WithinImage(Extent extent, vtkImageData* image)
-{
-  const Extent whole = ExtentOf(image);
-  for (int side = 0; side < 6; ++side)
-  {
-    extent[side] -= whole[side / 2 * 2];
-  }
-  return extent;
+  const VoxelBox wanted = FlipFree::BoxOf(voi, whole);
+  const VoxelBox all = FlipFree::BoxOf(whole, whole);
+  return wanted.IsEmpty() ? all : wanted.Cropped(all);
 }
 
 /// The noise in the scale sphere, which must hold a voxel of the image.
 double NoiseOfSphere(vtkImageData* image, const FlipFree::SeedSphere& sphere)
 {
   const FlipFree::ImageGeometry geometry = FlipFree::GeometryOf(image);
-  FlipFree::RequireFinite(image, FlipFree::ReachableExtent(geometry, sphere.Center, sphere.Radius),
+  FlipFree::RequireFinite(image, FlipFree::BoxAround(geometry, sphere.Center, sphere.Radius),
     InputName);
   if (FlipFree::VoxelsInSphere(geometry, sphere).empty())
   {
@@ -86,39 +54,33 @@ double NoiseOfSphere(vtkImageData* image, const FlipFree::SeedSphere& sphere)
 }
 
 /// The gradient scale over a part of the image. False if the monitor said stop.
-bool MeasureScale(vtkImageData* image, const Extent& extent, const FlipFree::SeedSphere& sphere,
+bool MeasureScale(vtkImageData* image, const VoxelBox& box, const FlipFree::SeedSphere& sphere,
   const FlipFree::Monitor& monitor, double& scale)
 {
   const FlipFree::ImageGeometry geometry = FlipFree::GeometryOf(image);
-  const Extent whole = FlipFree::WholeExtent(geometry);
-  Extent read = extent; // with the neighbors of its voxels
-  for (int side = 0; side < 6; ++side)
-  {
-    read[side] += side % 2 == 0 ? -1 : 1;
-  }
-  return FlipFree::RequireFinite(image, Clipped(read, whole), InputName,
-           FlipFree::PartOf(monitor, 0, 0.2)) &&
-    FlipFree::MeasureGradientScale(FlipFree::GrayReaderOf(image, whole), geometry, extent, sphere,
+  const VoxelBox whole = FlipFree::WholeBox(geometry);
+  const VoxelBox read = box.Widened({ { 1, 1, 1 } }, whole); // with the neighbors of its voxels
+  return FlipFree::RequireFinite(image, read, InputName, FlipFree::PartOf(monitor, 0, 0.2)) &&
+    FlipFree::MeasureGradientScale(FlipFree::GrayReaderOf(image, whole), geometry, box, sphere,
       FlipFree::PartOf(monitor, 0.2, 1), scale);
 }
 
 /// The region as an image of its own, in float. False if the monitor said stop; the copy is then
 /// worthless.
-bool CopyRegion(vtkImageData* image, Extent region, const FlipFree::Monitor& monitor,
+bool CopyRegion(vtkImageData* image, const VoxelBox& region, const FlipFree::Monitor& monitor,
   vtkImageData* copy)
 {
-  const Extent extent = WithinImage(region, image);
-  if (!FlipFree::RequireFinite(image, extent, InputName, FlipFree::PartOf(monitor, 0, 0.3)))
+  if (!FlipFree::RequireFinite(image, region, InputName, FlipFree::PartOf(monitor, 0, 0.3)))
   {
     return false;
   }
-  copy->SetExtent(region.data());
+  copy->SetExtent(FlipFree::ExtentOf(region, image->GetExtent()).data());
   copy->SetOrigin(image->GetOrigin());
   copy->SetSpacing(image->GetSpacing());
   copy->SetDirectionMatrix(image->GetDirectionMatrix());
   copy->AllocateScalars(VTK_FLOAT, 1);
   const FlipFree::ImageGeometry geometry = FlipFree::GeometryOf(copy);
-  const FlipFree::VoxelReader read = FlipFree::GrayReaderOf(image, extent);
+  const FlipFree::VoxelReader read = FlipFree::GrayReaderOf(image, region);
   auto* const voxels = static_cast<float*>(copy->GetScalarPointer());
   const auto& size = geometry.Dimensions;
   return FlipFree::SMPForSlices(0, size[2], static_cast<std::ptrdiff_t>(size[0]) * size[1],
@@ -140,12 +102,13 @@ bool CopyRegion(vtkImageData* image, Extent region, const FlipFree::Monitor& mon
 int vtkAnisotropicDiffusionPrefilter::RequestInformation(vtkInformation*,
   vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  Extent whole;
+  int whole[6];
   inputVector[0]->GetInformationObject(0)->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(),
-    whole.data());
-  const Extent region = ChooseRegion(this->VOI, whole);
+    whole);
+  const VoxelBox region = ChooseRegion(this->VOI, whole);
   vtkInformation* outInfo = outputVector->GetInformationObject(0);
-  outInfo->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), region.data(), 6);
+  outInfo->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(),
+    FlipFree::ExtentOf(region, whole).data(), 6);
   vtkDataObject::SetPointDataActiveScalarInfo(outInfo, VTK_FLOAT, 1);
   return 1;
 }
@@ -171,8 +134,8 @@ int vtkAnisotropicDiffusionPrefilter::RequestData(vtkInformation*,
     FlipFree::RequireNumbers({ { "TimeStep", this->TimeStep }, { "Conductance", this->Conductance },
       { "GradientScale", this->GradientScale }, { "ScaleRadius", this->ScaleRadius } });
     FlipFree::RequireGrayImage(input, InputName);
-    const Extent region = ChooseRegion(this->VOI, ExtentOf(input));
-    if (IsEmpty(region))
+    const VoxelBox region = ChooseRegion(this->VOI, input->GetExtent());
+    if (region.IsEmpty())
     {
       throw std::invalid_argument("VOI holds no voxel of " + std::string(InputName) +
         "; give an extent within the image's own, or an empty one for all of it");
@@ -195,9 +158,8 @@ int vtkAnisotropicDiffusionPrefilter::RequestData(vtkInformation*,
     double scale = this->GradientScale;
     if (scale == 0 &&
       !MeasureScale(input,
-        ofSphere
-          ? FlipFree::ReachableExtent(FlipFree::GeometryOf(input), sphere.Center, sphere.Radius)
-          : WithinImage(region, input),
+        ofSphere ? FlipFree::BoxAround(FlipFree::GeometryOf(input), sphere.Center, sphere.Radius)
+                 : region,
         sphere, FlipFree::PartOf(monitor, 0, ScaleEnds), scale))
     {
       return 1; // aborted

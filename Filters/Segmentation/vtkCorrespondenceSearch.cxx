@@ -42,7 +42,7 @@ public:
     const bool isSame = this->Scalars == scalars && this->Time == image->GetMTime() &&
       SameGrid(geometry, this->View.Geometry);
     this->Time = 0;
-    if (!isSame && !FlipFree::RequireFinite(image, FlipFree::WholeExtent(geometry), name, monitor))
+    if (!isSame && !FlipFree::RequireFinite(image, FlipFree::WholeBox(geometry), name, monitor))
     {
       return false;
     }

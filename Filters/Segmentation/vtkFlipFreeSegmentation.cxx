@@ -355,16 +355,16 @@ void vtkFlipFreeSegmentation::Execute(vtkImageData* image, vtkPolyData* start)
     : StartSphere(startCenter, this->StartScale * seed.Radius, settings.Schedule);
 
   FlipFree::Stopwatch watch;
-  const FlipFree::Extent extent = FlipFree::ReachableExtent(geometry, seed.Center,
-    FlipFree::ReachOf(settings.Smoothing, seed.Radius));
-  FlipFree::RequireFinite(image, extent, "the image on port 0");
+  const FlipFree::VoxelBox box =
+    FlipFree::BoxAround(geometry, seed.Center, FlipFree::ReachOf(settings.Smoothing, seed.Radius));
+  FlipFree::RequireFinite(image, box, "the image on port 0");
   const double noise = FlipFree::NoiseOf(image, seed);
-  const FlipFree::ImageGeometry region = FlipFree::CropGeometry(geometry, extent);
+  const FlipFree::ImageGeometry region = FlipFree::CropGeometry(geometry, box);
   FlipFree::AnisotropicDiffusionSettings diffusion =
-    FlipFree::DiffusionOf(settings.Smoothing, noise, region);
+    FlipFree::DiffusionOf(settings.Smoothing, noise);
   diffusion.Threads = FlipFree::NumberOfThreads();
-  auto smooth = std::make_unique<FlipFree::SmoothRegion>(FlipFree::GrayReaderOf(image, extent),
-    region, diffusion, FlipFree::SMPFor);
+  auto smooth = std::make_unique<FlipFree::SmoothRegion>(FlipFree::GrayReaderOf(image, box), region,
+    diffusion, FlipFree::SMPFor);
   const double before = watch.Lap();
 
   const FlipFree::OrganSurface organ = FlipFree::SegmentOrgan(*smooth, noise, seed, surface.Mesh,

@@ -2,6 +2,7 @@
 
 #include "FieldData.h"
 #include "GrayImageAdapter.h"
+#include "Intensity/ModelFit.h"
 #include "Intensity/OrganFeature.h"
 #include "StageProperties.h"
 #include "SurfaceAdapter.h"
@@ -144,7 +145,7 @@ void vtkGMMFeatureFilter::Execute(vtkImageData* image, vtkPolyData* surface, vtk
   const std::vector<double> given =
     FlipFree::FieldValues("NoiseStandardDeviation", 1, false, image, "the image on port 0");
   const FlipFree::Monitor whole = FlipFree::MonitorOf(this);
-  if (!FlipFree::RequireFinite(image, FlipFree::WholeExtent(geometry), "the image on port 0",
+  if (!FlipFree::RequireFinite(image, FlipFree::WholeBox(geometry), "the image on port 0",
         FlipFree::PartOf(whole, 0, 0.05)) ||
     !whole(0.05))
   {

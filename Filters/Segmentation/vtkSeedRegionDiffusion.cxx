@@ -13,8 +13,6 @@
 #include "vtkObjectFactory.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
-#include <array>
-
 vtkStandardNewMacro(vtkSeedRegionDiffusion);
 
 namespace
@@ -71,11 +69,9 @@ int vtkSeedRegionDiffusion::RequestInformation(vtkInformation*, vtkInformationVe
   }
   int extent[6];
   in->Get(Pipeline::WHOLE_EXTENT(), extent);
-  const FlipFree::Extent box = FlipFree::ReachableExtent(AnnouncedGeometry(in, extent),
+  const FlipFree::VoxelBox box = FlipFree::BoxAround(AnnouncedGeometry(in, extent),
     Eigen::Vector3d(this->SeedCenter), FlipFree::ReachOf(*this->Settings, this->SeedRadius));
-  const int region[6] = { extent[0] + box[0], extent[0] + box[1], extent[2] + box[2],
-    extent[2] + box[3], extent[4] + box[4], extent[4] + box[5] };
-  out->Set(Pipeline::WHOLE_EXTENT(), region, 6);
+  out->Set(Pipeline::WHOLE_EXTENT(), FlipFree::ExtentOf(box, extent).data(), 6);
   return 1;
 }
 
@@ -99,14 +95,13 @@ int vtkSeedRegionDiffusion::RequestData(vtkInformation*, vtkInformationVector** 
     FlipFree::RequireGrayImage(image, "the image on port 0");
     const FlipFree::ImageGeometry geometry = FlipFree::GeometryOf(image);
     FlipFree::RequireSeed(geometry, seed, "the image on port 0");
-    const FlipFree::Extent extent = FlipFree::ReachableExtent(geometry, seed.Center,
-      FlipFree::ReachOf(*this->Settings, seed.Radius));
-    FlipFree::RequireFinite(image, extent, "the image on port 0");
+    const FlipFree::VoxelBox box =
+      FlipFree::BoxAround(geometry, seed.Center, FlipFree::ReachOf(*this->Settings, seed.Radius));
+    FlipFree::RequireFinite(image, box, "the image on port 0");
     const double noise = FlipFree::NoiseOf(image, seed);
     FlipFree::FloatImage region;
-    if (!FlipFree::SmoothRegionOf(image, extent,
-          FlipFree::DiffusionOf(*this->Settings, noise, geometry), FlipFree::MonitorOf(this),
-          region))
+    if (!FlipFree::SmoothRegionOf(image, box, FlipFree::DiffusionOf(*this->Settings, noise),
+          FlipFree::MonitorOf(this), region))
     {
       output->Initialize();
       return 1;

@@ -18,7 +18,6 @@
 #include "ExecutionAdapter.h"
 #include "GrayImageAdapter.h"
 #include "Image/AnisotropicDiffusion.h"
-#include "Image/GrayIntervals.h"
 #include "LabelAdapter.h"
 #include "Measures/VoxelOverlap.h"
 #include "Stopwatch.h"
@@ -187,9 +186,9 @@ double MedianOf(const std::vector<Run>& runs, const Read& read)
 }
 
 // The region that the surface may reach, as vtkFlipFreeSegmentation chooses it.
-Extent RegionOf(const Subject& subject)
+VoxelBox RegionOf(const Subject& subject)
 {
-  return ReachableExtent(GeometryOf(subject.Image), subject.Seed.Center,
+  return BoxAround(GeometryOf(subject.Image), subject.Seed.Center,
     std::clamp(10 * subject.Seed.Radius, 100.0, 250.0));
 }
 
@@ -204,24 +203,23 @@ struct Traffic
 
 void MeasureTraffic(const Subject& subject, int runs, int threads)
 {
-  const Extent extent = RegionOf(subject);
+  const VoxelBox box = RegionOf(subject);
   const ImageGeometry geometry = GeometryOf(subject.Image);
   FloatImage region;
-  GrayRegionOf(subject.Image, extent, region);
+  GrayRegionOf(subject.Image, box, region);
   const auto inRegion = static_cast<double>(region.Voxels.size());
   const auto inImage = static_cast<double>(geometry.NumberOfVoxels());
   const double scalar = subject.Image->GetPointData()->GetScalars()->GetDataTypeSize();
   const double label = subject.Reference->GetPointData()->GetScalars()->GetDataTypeSize();
   AnisotropicDiffusionSettings diffusion;
-  diffusion.Contrast = ContrastOfNoise(NoiseStandardDeviation(region.View(), subject.Seed),
-    region.Geometry, diffusion.Equation);
+  diffusion.Contrast = ContrastOfNoise(NoiseStandardDeviation(region.View(), subject.Seed));
   std::vector<float> smooth(region.Voxels.size());
   const BitMask mask = MaskOf(subject.Reference, subject.Label, "the reference");
   vtkNew<vtkImageData> labelMap;
 
   std::vector<Traffic> stages = {
     { "region: scalars to floats", inRegion * (scalar + 4),
-      [&] { GrayRegionOf(subject.Image, extent, region); }, {} },
+      [&] { GrayRegionOf(subject.Image, box, region); }, {} },
     { "prefilter: in and out once per step", inRegion * 8 * diffusion.Iterations,
       [&]
       {
@@ -232,8 +230,8 @@ void MeasureTraffic(const Subject& subject, int runs, int threads)
     { "threshold: floats to bits", inRegion * (4 + 1.0 / 8),
       [&]
       {
-        VoxelsIn({ false, { 100, 200 } }, region.View(),
-          { { { 0, 0, 0 } }, region.Geometry.Dimensions }, SMPFor);
+        VoxelsWhere(
+          region.View(), [](float z) { return z >= 100 && z < 200; }, SMPFor);
       },
       {} },
     { "label map: filled", inImage, [&] { MakeLabelMap({}, 1, subject.Image, labelMap); }, {} },
@@ -281,9 +279,9 @@ void MeasureSubject(const Subject& subject, int runs, int threads)
     std::printf("| %s | %.1f | %.0f %% |\n", all.front().Stages[stage].Name.c_str(), 1e3 * seconds,
       100 * seconds / total);
   }
-  const Extent extent = RegionOf(subject);
+  const VoxelBox box = RegionOf(subject);
   const double region =
-    4.0 * static_cast<double>(CropGeometry(GeometryOf(subject.Image), extent).NumberOfVoxels());
+    4.0 * static_cast<double>(CropGeometry(GeometryOf(subject.Image), box).NumberOfVoxels());
   // The first run's: what later ones find free in the process they need not take again.
   std::printf("| **to surface and label map** | **%.1f** | |\n| **to the scores** | **%.1f** | |\n"
               "| processor, all threads | %.1f | |\n\n"

@@ -79,7 +79,7 @@ TEST(RequireFiniteAs, NamesTheFirstBadVoxelAndStops)
   std::vector<float> voxels(geometry.NumberOfVoxels(), 1.0F);
   const ImageView<float> image{ voxels.data(), geometry };
   const auto check = [&](const Monitor& monitor)
-  { return RequireFiniteAs<float>(image, WholeExtent(geometry), "it", "mend it", monitor); };
+  { return RequireFiniteAs<float>(image, WholeBox(geometry), "it", "mend it", monitor); };
   EXPECT_TRUE(check(NeverStop));
 
   voxels[geometry.Offset(7, 9, 77)] = std::numeric_limits<float>::infinity();

@@ -21,10 +21,10 @@ int main()
       { { 80, 80, 60 } }, { 2.4, 2.4, 3.2 }, SerialFor);
   FloatImage image;
   CropToFloat(ImageView<std::int16_t>{ scan.Voxels.data(), scan.Geometry },
-    ReachableExtent(scan.Geometry, scan.Seed.Center, OrganReach), SerialFor, image);
+    BoxAround(scan.Geometry, scan.Seed.Center, OrganReach), SerialFor, image);
   const double noise = NoiseStandardDeviation(image.View(), scan.Seed);
   AnisotropicDiffusionSettings diffusion;
-  diffusion.Contrast = ContrastOfNoise(noise, image.Geometry, diffusion.Equation);
+  diffusion.Contrast = ContrastOfNoise(noise);
   SmoothRegion region(ReaderOf(image.View()), image.Geometry, diffusion, SerialFor);
   region.Make({ { { 0, 0, 0 } }, image.Geometry.Dimensions }, NeverStop);
 

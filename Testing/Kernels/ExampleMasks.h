@@ -1,6 +1,6 @@
 /**
- * Sets of voxels for the tests, as bytes (0 or 1) and as bits, and grids of odd sizes to have them
- * on: the width of some is about that of one or two words.
+ * Masks for the tests, as bytes (0 or 1) and as bits, boxes, and grids of odd sizes; some are about
+ * one or two words of a BitMask wide.
  */
 #ifndef ExampleMasks_h
 #define ExampleMasks_h
@@ -19,6 +19,41 @@ inline ImageGeometry Grid(const std::array<int, 3>& dimensions, const Eigen::Vec
   geometry.Dimensions = dimensions;
   geometry.Spacing = spacing;
   return geometry;
+}
+
+template <typename Visit>
+void ForEachVoxel(const VoxelBox& box, const Visit& visit)
+{
+  for (int k = box.Begin[2]; k < box.End[2]; ++k)
+  {
+    for (int j = box.Begin[1]; j < box.End[1]; ++j)
+    {
+      for (int i = box.Begin[0]; i < box.End[0]; ++i)
+      {
+        visit(i, j, k);
+      }
+    }
+  }
+}
+
+template <typename Visit>
+void ForEachVoxel(const ImageGeometry& geometry, const Visit& visit)
+{
+  ForEachVoxel(VoxelBox{ { { 0, 0, 0 } }, geometry.Dimensions }, visit);
+}
+
+inline VoxelBox RandomBox(const ImageGeometry& geometry, std::mt19937& random)
+{
+  VoxelBox box;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    std::uniform_int_distribution<int> place(0, geometry.Dimensions[axis] - 1);
+    const int a = place(random);
+    const int b = place(random);
+    box.Begin[axis] = std::min(a, b);
+    box.End[axis] = std::max(a, b) + 1;
+  }
+  return box;
 }
 
 inline std::vector<ImageGeometry> ExampleGrids()
@@ -61,20 +96,15 @@ inline double SquareToNearest(const std::vector<unsigned char>& mask, const Imag
   unsigned char target, const Eigen::Vector3d& index)
 {
   double least = 1e20;
-  for (int k = 0; k < geometry.Dimensions[2]; ++k)
-  {
-    for (int j = 0; j < geometry.Dimensions[1]; ++j)
+  ForEachVoxel(geometry,
+    [&](int i, int j, int k)
     {
-      for (int i = 0; i < geometry.Dimensions[0]; ++i)
+      if (mask[geometry.Offset(i, j, k)] == target)
       {
-        if (mask[geometry.Offset(i, j, k)] == target)
-        {
-          const Eigen::Vector3d offset(i - index[0], j - index[1], k - index[2]);
-          least = std::min(least, geometry.Spacing.cwiseProduct(offset).squaredNorm());
-        }
+        const Eigen::Vector3d offset(i - index[0], j - index[1], k - index[2]);
+        least = std::min(least, geometry.Spacing.cwiseProduct(offset).squaredNorm());
       }
-    }
-  }
+    });
   return least;
 }
 

@@ -35,21 +35,16 @@ TEST(BallMorphology, GrowsAndShrinksByABallInMillimeters)
         BitMask threaded = BitsOf(mask, geometry);
         ASSERT_TRUE(Grow(threaded, radius, value, ScatteredFor));
         ASSERT_EQ(threaded, grown);
-        for (int k = 0; k < geometry.Dimensions[2]; ++k)
-        {
-          for (int j = 0; j < geometry.Dimensions[1]; ++j)
+        ForEachVoxel(geometry,
+          [&](int i, int j, int k)
           {
-            for (int i = 0; i < geometry.Dimensions[0]; ++i)
-            {
-              // A ball that ends exactly at a voxel's center holds it.
-              const double square =
-                SquareToNearest(mask, geometry, value, { i + 0.0, j + 0.0, k + 0.0 });
-              const bool within = std::sqrt(square) <= radius + 1e-6;
-              ASSERT_EQ(grown(i, j, k) == (value != 0),
-                within || mask[geometry.Offset(i, j, k)] == value);
-            }
-          }
-        }
+            // A ball that ends exactly at a voxel's center holds it.
+            const double square =
+              SquareToNearest(mask, geometry, value, { i + 0.0, j + 0.0, k + 0.0 });
+            const bool within = std::sqrt(square) <= radius + 1e-6;
+            ASSERT_EQ(grown(i, j, k) == (value != 0),
+              within || mask[geometry.Offset(i, j, k)] == value);
+          });
       }
     }
   }

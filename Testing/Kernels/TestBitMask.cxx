@@ -15,20 +15,15 @@ TEST(BitMask, HoldsWhatIsInsertedAndNothingElse)
     BitMask mask(geometry);
     EXPECT_EQ(mask.Count(), 0U);
     std::size_t voxel = 0;
-    for (int k = 0; k < geometry.Dimensions[2]; ++k)
-    {
-      for (int j = 0; j < geometry.Dimensions[1]; ++j)
+    ForEachVoxel(geometry,
+      [&](int i, int j, int k)
       {
-        for (int i = 0; i < geometry.Dimensions[0]; ++i)
+        if (bytes[voxel++])
         {
-          if (bytes[voxel++])
-          {
-            mask.Insert(i, j, k);
-          }
-          ASSERT_EQ(mask(i, j, k), bytes[voxel - 1] != 0);
+          mask.Insert(i, j, k);
         }
-      }
-    }
+        ASSERT_EQ(mask(i, j, k), bytes[voxel - 1] != 0);
+      });
     EXPECT_EQ(BytesOf(mask), bytes);
     EXPECT_EQ(mask, BitsOf(bytes, geometry));
     EXPECT_EQ(mask.Count(), static_cast<std::size_t>(std::count(bytes.begin(), bytes.end(), 1)));
@@ -76,22 +71,6 @@ TEST(BitMask, RunsAreOfAllVoxelsInTheirOrder)
       }
       ASSERT_EQ(visited, expected);
     }
-  }
-}
-
-TEST(BitMask, BytesBecomeBits)
-{
-  std::mt19937 random(5);
-  for (int repetition = 0; repetition < 1000; ++repetition)
-  {
-    MaskBytes bytes{};
-    BitMask::Word expected = 0;
-    for (int bit = 0; bit < BitMask::BitsOfWord; ++bit)
-    {
-      bytes[bit] = random() % 2;
-      expected |= BitMask::Word(bytes[bit]) << bit;
-    }
-    ASSERT_EQ(WordOf(bytes), expected);
   }
 }
 

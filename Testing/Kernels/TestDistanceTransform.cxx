@@ -21,18 +21,13 @@ TEST(DistanceTransform, IsTheBruteForceDistance)
         const std::vector<float> distance =
           SquaredDistance(mask, geometry, target, SerialFor, NeverStop);
         ASSERT_EQ(distance.size(), mask.size());
-        for (int k = 0; k < geometry.Dimensions[2]; ++k)
-        {
-          for (int j = 0; j < geometry.Dimensions[1]; ++j)
+        ForEachVoxel(geometry,
+          [&](int i, int j, int k)
           {
-            for (int i = 0; i < geometry.Dimensions[0]; ++i)
-            {
-              const double expected =
-                SquareToNearest(mask, geometry, target, { i + 0.0, j + 0.0, k + 0.0 });
-              ASSERT_NEAR(distance[geometry.Offset(i, j, k)], expected, 1e-5 * expected);
-            }
-          }
-        }
+            const double expected =
+              SquareToNearest(mask, geometry, target, { i + 0.0, j + 0.0, k + 0.0 });
+            ASSERT_NEAR(distance[geometry.Offset(i, j, k)], expected, 1e-5 * expected);
+          });
         EXPECT_EQ(SquaredDistance(mask, geometry, target, ScatteredFor, NeverStop), distance);
       }
     }

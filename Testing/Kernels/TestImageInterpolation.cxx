@@ -1,3 +1,4 @@
+#include "ExampleMasks.h"
 #include "Image/ImageInterpolation.h"
 
 #include <gtest/gtest.h>
@@ -19,16 +20,10 @@ struct SampledImage
   explicit SampledImage(std::array<int, 3> dimensions)
   {
     this->View.Geometry.Dimensions = dimensions;
-    for (int k = 0; k < dimensions[2]; ++k)
-    {
-      for (int j = 0; j < dimensions[1]; ++j)
-      {
-        for (int i = 0; i < dimensions[0]; ++i)
-        {
-          this->Voxels.push_back(static_cast<float>(Trilinear({ i + 0.0, j + 0.0, k + 0.0 })));
-        }
-      }
-    }
+    ForEachVoxel(this->View.Geometry,
+      [&](int i, int j, int k) {
+        this->Voxels.push_back(static_cast<float>(Trilinear({ i + 0.0, j + 0.0, k + 0.0 })));
+      });
     this->View.Data = this->Voxels.data();
   }
   std::vector<float> Voxels;

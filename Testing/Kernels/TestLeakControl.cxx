@@ -22,28 +22,23 @@ std::vector<unsigned char> ConnectedByRepetition(const std::vector<unsigned char
   for (bool changed = true; changed;)
   {
     changed = false;
-    for (int k = 0; k < geometry.Dimensions[2]; ++k)
-    {
-      for (int j = 0; j < geometry.Dimensions[1]; ++j)
+    ForEachVoxel(geometry,
+      [&](int i, int j, int k)
       {
-        for (int i = 0; i < geometry.Dimensions[0]; ++i)
+        const auto at = [&](int di, int dj, int dk)
         {
-          const auto at = [&](int di, int dj, int dk)
-          {
-            return geometry.Contains(i + di, j + dj, k + dk) &&
-              reached[geometry.Offset(i + di, j + dj, k + dk)];
-          };
-          const std::size_t voxel = geometry.Offset(i, j, k);
-          if (mask[voxel] && !reached[voxel] &&
-            (at(1, 0, 0) || at(-1, 0, 0) || at(0, 1, 0) || at(0, -1, 0) || at(0, 0, 1) ||
-              at(0, 0, -1)))
-          {
-            reached[voxel] = 1;
-            changed = true;
-          }
+          return geometry.Contains(i + di, j + dj, k + dk) &&
+            reached[geometry.Offset(i + di, j + dj, k + dk)];
+        };
+        const std::size_t voxel = geometry.Offset(i, j, k);
+        if (mask[voxel] && !reached[voxel] &&
+          (at(1, 0, 0) || at(-1, 0, 0) || at(0, 1, 0) || at(0, -1, 0) || at(0, 0, 1) ||
+            at(0, 0, -1)))
+        {
+          reached[voxel] = 1;
+          changed = true;
         }
-      }
-    }
+      });
   }
   return reached;
 }
@@ -92,35 +87,25 @@ TEST(LeakControl, CutsAThinBridgeAndKeepsTheSeedsSide)
   const ImageGeometry geometry = Grid({ { 60, 24, 24 } }, { 1, 1, 1 });
   std::vector<unsigned char> mask(geometry.NumberOfVoxels(), 0);
   std::vector<unsigned char> first = mask;
-  for (int k = 4; k < 20; ++k)
-  {
-    for (int j = 4; j < 20; ++j)
+  ForEachVoxel(VoxelBox{ { { 4, 4, 4 } }, { { 56, 20, 20 } } },
+    [&](int i, int j, int k)
     {
-      for (int i = 4; i < 56; ++i)
-      {
-        const bool bridge = j >= 11 && j < 13 && k >= 11 && k < 13;
-        const bool cube = i < 20 || i >= 40;
-        mask[geometry.Offset(i, j, k)] = cube || bridge;
-        first[geometry.Offset(i, j, k)] = i < 20;
-      }
-    }
-  }
+      const bool bridge = j >= 11 && j < 13 && k >= 11 && k < 13;
+      const bool cube = i < 20 || i >= 40;
+      mask[geometry.Offset(i, j, k)] = cube || bridge;
+      first[geometry.Offset(i, j, k)] = i < 20;
+    });
   BitMask kept = BitsOf(mask, geometry);
   ASSERT_TRUE(ControlLeaks(kept, { { 12, 12, 12 }, 3 }, { 0, 3 }, ScatteredFor, NeverStop));
   std::size_t lost = 0;
-  for (int k = 0; k < 24; ++k)
-  {
-    for (int j = 0; j < 24; ++j)
+  ForEachVoxel(geometry,
+    [&](int i, int j, int k)
     {
-      for (int i = 0; i < 60; ++i)
-      {
-        const std::size_t voxel = geometry.Offset(i, j, k);
-        // The ball bulges a little into the bridge's mouth.
-        ASSERT_TRUE(!kept(i, j, k) || (mask[voxel] && i < 22)) << i << " " << j << " " << k;
-        lost += !kept(i, j, k) && first[voxel];
-      }
-    }
-  }
+      const std::size_t voxel = geometry.Offset(i, j, k);
+      // The ball bulges a little into the bridge's mouth.
+      ASSERT_TRUE(!kept(i, j, k) || (mask[voxel] && i < 22)) << i << " " << j << " " << k;
+      lost += !kept(i, j, k) && first[voxel];
+    });
   EXPECT_LT(lost, 1000U); // the cube's edges and corners, which a ball does not fill
 
   BitMask open = BitsOf(mask, geometry);

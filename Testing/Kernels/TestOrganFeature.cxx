@@ -3,6 +3,7 @@
 #include "ExampleSurfaces.h"
 #include "Image/BallMorphology.h"
 #include "Image/DistanceTransform.h"
+#include "Intensity/ModelFit.h"
 #include "Intensity/OrganFeature.h"
 #include "Mesh/SurfaceVoxelization.h"
 
@@ -80,19 +81,14 @@ protected:
     this->Image.Geometry.Spacing = { 1, 1.2, 1.5 };
     std::mt19937 random(5);
     std::normal_distribution<float> noise(0, 6);
-    for (int k = 0; k < 20; ++k)
-    {
-      for (int j = 0; j < 26; ++j)
+    ForEachVoxel(this->Image.Geometry,
+      [&](int i, int j, int k)
       {
-        for (int i = 0; i < 30; ++i)
-        {
-          const Eigen::Vector3d point = this->Image.Geometry.ToPhysical(Eigen::Vector3d(i, j, k));
-          const bool inside = (point - this->Seed.Center).norm() < 9;
-          this->Image.Voxels.push_back((inside ? 100.0F : 0.0F) + noise(random));
-          this->Mask.push_back(inside);
-        }
-      }
-    }
+        const Eigen::Vector3d point = this->Image.Geometry.ToPhysical(Eigen::Vector3d(i, j, k));
+        const bool inside = (point - this->Seed.Center).norm() < 9;
+        this->Image.Voxels.push_back((inside ? 100.0F : 0.0F) + noise(random));
+        this->Mask.push_back(inside);
+      });
   }
 
   FloatImage Image;
@@ -267,8 +263,7 @@ TEST_F(OrganFeatureStops, MedianIsThatOfTheSortedValues)
       }
     }
     std::sort(values.begin(), values.end());
-    EXPECT_EQ(MedianOf(this->Image.View(), { { 0, 0, 0 } }, BitsOf(bytes, this->Image.Geometry),
-                ScatteredFor),
+    EXPECT_EQ(MedianOf(this->Image.View(), { { 0, 0, 0 } }, BitsOf(bytes, this->Image.Geometry)),
       values[values.size() / 2]);
   }
 }

@@ -1,3 +1,4 @@
+#include "ExampleMasks.h"
 #include "ExampleSurfaces.h"
 #include "Image/SeedRegion.h"
 
@@ -52,26 +53,21 @@ TEST(SeedRegion, PartsAsFloatsAreInTheirPlaces)
   std::generate(voxels.begin(), voxels.end(), [&] { return static_cast<short>(random()); });
   const ImageView<short> image{ voxels.data(), geometry };
   FloatImage region; // used again, larger and smaller
-  for (const Extent& extent : { Extent{ { 3, 9, 4, 4, 0, 20 } }, Extent{ { 0, 33, 0, 29, 0, 20 } },
-         Extent{ { 33, 33, 2, 29, 7, 8 } } })
+  for (const VoxelBox& box : { VoxelBox{ { { 3, 4, 0 } }, { { 10, 5, 21 } } }, WholeBox(geometry),
+         VoxelBox{ { { 33, 2, 7 } }, { { 34, 30, 9 } } } })
   {
-    CropToFloat(image, extent, ScatteredFor, region);
+    CropToFloat(image, box, ScatteredFor, region);
     ASSERT_EQ(region.Voxels.size(), region.Geometry.NumberOfVoxels());
-    for (int k = extent[4]; k <= extent[5]; ++k)
-    {
-      for (int j = extent[2]; j <= extent[3]; ++j)
+    ForEachVoxel(box,
+      [&](int i, int j, int k)
       {
-        for (int i = extent[0]; i <= extent[1]; ++i)
-        {
-          const Eigen::Vector3d index(i - extent[0], j - extent[2], k - extent[4]);
-          ASSERT_EQ(region.View()(i - extent[0], j - extent[2], k - extent[4]), image(i, j, k));
-          ASSERT_NEAR(
-            (region.Geometry.ToPhysical(index) - geometry.ToPhysical(Eigen::Vector3d(i, j, k)))
-              .norm(),
-            0, 1e-9);
-        }
-      }
-    }
+        const auto [a, b, c] = std::array{ i - box.Begin[0], j - box.Begin[1], k - box.Begin[2] };
+        ASSERT_EQ(region.View()(a, b, c), image(i, j, k));
+        ASSERT_NEAR((region.Geometry.ToPhysical(Eigen::Vector3d(a, b, c)) -
+                      geometry.ToPhysical(Eigen::Vector3d(i, j, k)))
+                      .norm(),
+          0, 1e-9);
+      });
   }
 }
 
@@ -83,20 +79,14 @@ TEST(SeedRegion, SphereHoldsTheVoxelsThatBruteForceFinds)
     for (const double radius : { 0.3, 2.0, 5.0, 8.5, 30.0 })
     {
       std::vector<std::size_t> expected;
-      for (int k = 0; k < geometry.Dimensions[2]; ++k)
-      {
-        for (int j = 0; j < geometry.Dimensions[1]; ++j)
+      ForEachVoxel(geometry,
+        [&](int i, int j, int k)
         {
-          for (int i = 0; i < geometry.Dimensions[0]; ++i)
+          if ((geometry.ToPhysical(Eigen::Vector3d(i, j, k)) - Center).norm() <= radius)
           {
-            const Eigen::Vector3d index(i, j, k);
-            if ((geometry.ToPhysical(index) - Center).norm() <= radius)
-            {
-              expected.push_back(geometry.Offset(i, j, k));
-            }
+            expected.push_back(geometry.Offset(i, j, k));
           }
-        }
-      }
+        });
       EXPECT_EQ(VoxelsInSphere(geometry, { Center, radius }), expected) << name << " " << radius;
     }
   }
@@ -122,13 +112,13 @@ TEST(SeedRegion, ReachInIndicesIsThatOfTheFurthestPointsOfABall)
       EXPECT_LE(furthest[axis], reach[axis] * (1 + 1e-9)) << name;
       EXPECT_GT(furthest[axis], 0.99 * reach[axis]) << name;
     }
-    const Extent box = ReachableExtent(geometry, Center, 7);
+    const VoxelBox box = BoxAround(geometry, Center, 7);
     for (int axis = 0; axis < 3; ++axis)
     {
       const double middle = geometry.ToIndex(Center)[axis];
       const double last = geometry.Dimensions[axis] - 1;
-      EXPECT_EQ(box[2 * axis], std::max(0.0, std::floor(middle - reach[axis]))) << name;
-      EXPECT_EQ(box[2 * axis + 1], std::min(last, std::ceil(middle + reach[axis]))) << name;
+      EXPECT_EQ(box.Begin[axis], std::max(0.0, std::floor(middle - reach[axis]))) << name;
+      EXPECT_EQ(box.End[axis] - 1, std::min(last, std::ceil(middle + reach[axis]))) << name;
     }
   }
 }

@@ -3,6 +3,7 @@
 #include "Geometry/SelfIntersection.h"
 #include "Guard/SurfaceRefinement.h"
 #include "Intensity/GrowingForeground.h"
+#include "Intensity/ModelFit.h"
 #include "Stopwatch.h"
 
 #include <memory>

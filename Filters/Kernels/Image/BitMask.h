@@ -1,6 +1,6 @@
 /**
- * A set of voxels, one bit for each: an eighth of the memory and of the time that bytes would take,
- * where whole images of them are grown and merged.
+ * A set of voxels, one bit each: an eighth of the memory and of the time of bytes where whole
+ * images are dilated and merged.
  */
 #ifndef FlipFreeBitMask_h
 #define FlipFreeBitMask_h
@@ -39,7 +39,7 @@ public:
   /// Inserts the voxels (i, j, k) with begin <= i < end.
   void InsertRun(int begin, int end, int j, int k);
 
-  /// A row of voxels along x begins with a new word; the bits after its end are zero.
+  /// Each row of voxels along x begins with a new word; the bits after its end are zero.
   std::ptrdiff_t GetWordsPerRow() const { return this->WordsPerRow; }
   Word* Row(std::ptrdiff_t j, std::ptrdiff_t k)
   {
@@ -56,40 +56,18 @@ public:
   Word GetLastWord() const { return this->LastWord; }
 
   void Complement();
-  /// Sets the bits after the ends of the rows to zero.
+  /// Clears the bits after the ends of the rows.
   void CutRows();
-  /// Takes out all voxels of another set, which must be on the same grid.
+  /// Removes all voxels of another set, which must be on the same grid.
   void Remove(const BitMask& other);
 
   std::size_t Count() const;
 
-  /// The least box that holds all voxels of the set; empty if there are none.
+  /// The smallest box that holds all voxels of the set; empty if there are none.
   VoxelBox Bounds() const;
 
-  /// Calls visit(offset) for every voxel of the set, in the order of the voxels.
-  template <typename Visit>
-  void ForEach(const Visit& visit) const
-  {
-    const std::size_t size = this->Geometry.Dimensions[0];
-    for (std::size_t row = 0; row * this->WordsPerRow < this->Words.size(); ++row)
-    {
-      for (std::ptrdiff_t word = 0; word < this->WordsPerRow; ++word)
-      {
-        Word bits = this->Words[row * this->WordsPerRow + word];
-        for (std::size_t offset = row * size + word * BitsOfWord; bits != 0; ++offset, bits >>= 1U)
-        {
-          if ((bits & 1U) != 0)
-          {
-            visit(offset);
-          }
-        }
-      }
-    }
-  }
-
   /// Calls visit(begin, end, j, k) for runs of voxels (i, j, k) of the set, begin <= i < end, in
-  /// slices first <= k < last, in the order of the voxels. What goes on in the next word of a row
-  /// is a run of its own.
+  /// the slices first <= k < last, in the order of the voxels. Runs end with the words of a row.
   template <typename Visit>
   void ForEachRun(std::ptrdiff_t first, std::ptrdiff_t last, const Visit& visit) const
   {
@@ -116,6 +94,21 @@ public:
     }
   }
 
+  /// Calls visit(offset) for every voxel of the set, in the order of the voxels.
+  template <typename Visit>
+  void ForEach(const Visit& visit) const
+  {
+    this->ForEachRun(0, this->Geometry.Dimensions[2],
+      [&](int begin, int end, int j, int k)
+      {
+        const std::size_t row = this->Geometry.Offset(0, j, k);
+        for (int i = begin; i < end; ++i)
+        {
+          visit(row + i);
+        }
+      });
+  }
+
   /// The same voxels of grids of the same size.
   friend bool operator==(const BitMask& a, const BitMask& b)
   {
@@ -140,66 +133,53 @@ private:
   std::vector<Word> Words;
 };
 
-/// What is to become a word's bits, the first voxel's first: 0 or 1 each.
-using MaskBytes = std::array<unsigned char, BitMask::BitsOfWord>;
-
-/// Eight bytes at a time: a product moves the lowest bit of each to the top.
-inline BitMask::Word WordOf(const MaskBytes& bytes)
-{
-  BitMask::Word word = 0;
-  for (int first = 0; first < BitMask::BitsOfWord; first += 8)
-  {
-    BitMask::Word part = 0;
-    for (int byte = 0; byte < 8; ++byte)
-    {
-      part |= BitMask::Word(bytes[first + byte]) << (8 * byte);
-    }
-    word |= part * 0x0102040810204080U >> 56U << first;
-  }
-  return word;
-}
-
-/// The voxels of an image for whose value `holds` is true.
-template <typename T, typename Predicate>
-BitMask VoxelsWhere(const ImageView<T>& image, const Predicate& holds,
+/// A mask of the image's part in a box. `mark(voxels, count, inside)` says for some voxels of a
+/// row, at most a word's, which of them are in the set.
+template <typename T, typename Mark>
+BitMask MaskOfBox(const ImageView<T>& image, const VoxelBox& box, const Mark& mark,
   const ParallelFor& parallelFor)
 {
-  BitMask mask(image.Geometry);
-  const auto& size = image.Geometry.Dimensions;
-  parallelFor(0, size[2],
+  BitMask mask(CropGeometry(image.Geometry, box));
+  parallelFor(0, box.Size(2),
     [&](std::ptrdiff_t first, std::ptrdiff_t last)
     {
-      MaskBytes bytes;
-      for (std::ptrdiff_t k = first; k < last; ++k)
+      std::array<unsigned char, BitMask::BitsOfWord> inside{};
+      for (auto k = static_cast<int>(first); k < last; ++k)
       {
-        for (int j = 0; j < size[1]; ++j)
+        for (int j = 0; j < box.Size(1); ++j)
         {
-          const T* voxels = image.Data + image.Geometry.Offset(0, j, static_cast<int>(k));
-          BitMask::Word* row = mask.Row(j, k);
-          int rest = size[0];
-          for (; rest >= BitMask::BitsOfWord; rest -= BitMask::BitsOfWord)
+          const T* const voxels = &image(box.Begin[0], box.Begin[1] + j, box.Begin[2] + k);
+          BitMask::Word* word = mask.Row(j, k);
+          for (int begin = 0; begin < box.Size(0); begin += BitMask::BitsOfWord, ++word)
           {
-            // A loop of constant length, for the sake of vectors.
-            for (int bit = 0; bit < BitMask::BitsOfWord; ++bit)
+            const int count = std::min(BitMask::BitsOfWord, box.Size(0) - begin);
+            mark(voxels + begin, count, inside.data());
+            for (int bit = 0; bit < count; ++bit)
             {
-              bytes[bit] = holds(voxels[bit]) ? 1 : 0;
+              *word |= BitMask::Word(inside[bit]) << bit;
             }
-            *row++ = WordOf(bytes);
-            voxels += BitMask::BitsOfWord;
-          }
-          if (rest > 0)
-          {
-            bytes.fill(0);
-            for (int bit = 0; bit < rest; ++bit)
-            {
-              bytes[bit] = holds(voxels[bit]) ? 1 : 0;
-            }
-            *row = WordOf(bytes);
           }
         }
       }
     });
   return mask;
+}
+
+/// The voxels whose values satisfy `holds`.
+template <typename T, typename Predicate>
+BitMask VoxelsWhere(const ImageView<T>& image, const Predicate& holds,
+  const ParallelFor& parallelFor)
+{
+  return MaskOfBox(
+    image, WholeBox(image.Geometry),
+    [&holds](const T* voxels, int count, unsigned char* inside)
+    {
+      for (int voxel = 0; voxel < count; ++voxel)
+      {
+        inside[voxel] = holds(voxels[voxel]) ? 1 : 0;
+      }
+    },
+    parallelFor);
 }
 
 } // namespace FlipFree

@@ -70,7 +70,7 @@ private:
   std::vector<double> Border;
 };
 
-// The first axis needs no envelope: the sources are all at distance zero.
+// The first axis needs no envelope, since all sources are at distance zero.
 void NearestAlongRow(const unsigned char* mask, unsigned char target, float* row, int size,
   double step)
 {

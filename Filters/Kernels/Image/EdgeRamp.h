@@ -1,5 +1,5 @@
 /**
- * Which gray values count as the edge of an organ, when a boundary is located below a voxel.
+ * The ramp of gray values by which an organ's boundary is located with subvoxel accuracy.
  */
 #ifndef FlipFreeEdgeRamp_h
 #define FlipFreeEdgeRamp_h
@@ -7,8 +7,8 @@
 namespace FlipFree
 {
 
-/// Gray values in which the organ's boundary is located: 1 between Low and High, falling to 0
-/// within Width outside of them, so that all that is unlike the organ looks alike.
+/// Maps gray values before the organ's boundary is located: 1 between Low and High, falling to 0
+/// within Width outside of them, so that everything unlike the organ looks alike.
 struct EdgeRamp
 {
   double Low = 0;

@@ -1,5 +1,5 @@
 /**
- * Trilinear interpolation of voxels; beyond the border the nearest voxel counts.
+ * Trilinear interpolation of voxels; beyond the border, the nearest voxel counts.
  */
 #ifndef FlipFreeImageInterpolation_h
 #define FlipFreeImageInterpolation_h
@@ -11,7 +11,7 @@
 namespace FlipFree
 {
 
-/// `read` turns a voxel's value into the one that is interpolated.
+/// `read` maps a voxel's value to the one that is interpolated.
 template <typename Read>
 double InterpolateClamped(const ImageView<float>& image, const Eigen::Vector3d& index,
   const Read& read)

@@ -6,40 +6,6 @@
 namespace FlipFree
 {
 
-Extent ReachableExtent(const ImageGeometry& geometry, const Eigen::Vector3d& center, double reach)
-{
-  const Eigen::Vector3d index = geometry.ToIndex(center);
-  const Eigen::Vector3d margin = geometry.IndexReach(reach);
-  Extent extent{};
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    const double last = geometry.Dimensions[axis] - 1.0;
-    extent[2 * axis] =
-      static_cast<int>(std::max(0.0, std::min(last, std::floor(index[axis] - margin[axis]))));
-    extent[2 * axis + 1] =
-      static_cast<int>(std::max(0.0, std::min(last, std::ceil(index[axis] + margin[axis]))));
-  }
-  return extent;
-}
-
-ImageGeometry CropGeometry(const ImageGeometry& geometry, const Extent& extent)
-{
-  ImageGeometry result = geometry;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    result.Dimensions[axis] = extent[2 * axis + 1] - extent[2 * axis] + 1;
-  }
-  result.Origin = geometry.ToPhysical(Eigen::Vector3d(extent[0], extent[2], extent[4]));
-  return result;
-}
-
-ImageGeometry CropGeometry(const ImageGeometry& geometry, const VoxelBox& box)
-{
-  return CropGeometry(geometry,
-    Extent{ { box.Begin[0], box.End[0] - 1, box.Begin[1], box.End[1] - 1, box.Begin[2],
-      box.End[2] - 1 } });
-}
-
 bool ContainsSphere(const ImageGeometry& geometry, const SeedSphere& seed)
 {
   const Eigen::Vector3d index = geometry.ToIndex(seed.Center);
@@ -58,12 +24,12 @@ bool ContainsSphere(const ImageGeometry& geometry, const SeedSphere& seed)
 std::vector<std::size_t> VoxelsInSphere(const ImageGeometry& geometry, const SeedSphere& seed)
 {
   std::vector<std::size_t> voxels;
-  const Extent box = ReachableExtent(geometry, seed.Center, seed.Radius);
-  for (int k = box[4]; k <= box[5]; ++k)
+  const VoxelBox box = BoxAround(geometry, seed.Center, seed.Radius);
+  for (int k = box.Begin[2]; k < box.End[2]; ++k)
   {
-    for (int j = box[2]; j <= box[3]; ++j)
+    for (int j = box.Begin[1]; j < box.End[1]; ++j)
     {
-      for (int i = box[0]; i <= box[1]; ++i)
+      for (int i = box.Begin[0]; i < box.End[0]; ++i)
       {
         if ((geometry.ToPhysical(Eigen::Vector3d(i, j, k)) - seed.Center).norm() <= seed.Radius)
         {

@@ -1,6 +1,6 @@
 /**
- * The seed sphere, and the part of an image that a surface grown from it can reach: all later work
- * is done on that box alone, so that its cost follows the organ and not the volume.
+ * The seed sphere in an image: its voxels and their noise. Work is done on a box around the seed,
+ * so that its cost depends on the organ and not on the volume.
  */
 #ifndef FlipFreeSeedRegion_h
 #define FlipFreeSeedRegion_h
@@ -28,23 +28,12 @@ struct FloatImage
   ImageView<float> View() const { return { this->Voxels.data(), this->Geometry }; }
 };
 
-/// First and last voxel on each axis.
-using Extent = std::array<int, 6>;
-
-/// The box of voxels that holds all within `reach` millimeters of a point, whatever the angles
-/// between the image's axes. Never empty: of a point outside it holds the rim that is next to it.
-Extent ReachableExtent(const ImageGeometry& geometry, const Eigen::Vector3d& center, double reach);
-
-/// The geometry of that part of the image.
-ImageGeometry CropGeometry(const ImageGeometry& geometry, const Extent& extent);
-ImageGeometry CropGeometry(const ImageGeometry& geometry, const VoxelBox& box);
-
-/// A part of the image as floats. The memory that `region` has is used again.
+/// A part of the image as floats. Reuses the memory of `region`.
 template <typename T>
-void CropToFloat(const ImageView<T>& image, const Extent& extent, const ParallelFor& parallelFor,
+void CropToFloat(const ImageView<T>& image, const VoxelBox& box, const ParallelFor& parallelFor,
   FloatImage& region)
 {
-  region.Geometry = CropGeometry(image.Geometry, extent);
+  region.Geometry = CropGeometry(image.Geometry, box);
   region.Voxels.resize(region.Geometry.NumberOfVoxels());
   parallelFor(0, region.Geometry.Dimensions[2],
     [&](std::ptrdiff_t first, std::ptrdiff_t last)
@@ -53,7 +42,7 @@ void CropToFloat(const ImageView<T>& image, const Extent& extent, const Parallel
       {
         for (int j = 0; j < region.Geometry.Dimensions[1]; ++j)
         {
-          const T* from = &image(extent[0], extent[2] + j, extent[4] + k);
+          const T* from = &image(box.Begin[0], box.Begin[1] + j, box.Begin[2] + k);
           float* to = region.Voxels.data() + region.Geometry.Offset(0, j, k);
           for (int i = 0; i < region.Geometry.Dimensions[0]; ++i)
           {
@@ -64,16 +53,16 @@ void CropToFloat(const ImageView<T>& image, const Extent& extent, const Parallel
     });
 }
 
-/// Whether the image, to the rims of its outermost voxels, holds the whole sphere.
+/// Whether the image, up to the outer faces of its outermost voxels, holds the whole sphere.
 bool ContainsSphere(const ImageGeometry& geometry, const SeedSphere& seed);
 
 /// Offsets of the voxels whose centers lie in the sphere, ascending.
 std::vector<std::size_t> VoxelsInSphere(const ImageGeometry& geometry, const SeedSphere& seed);
 
-/// The standard deviation of the noise: from the median absolute difference of neighbors within
-/// the sphere, which structures larger than a voxel hardly touch. Not negative. Neighbors are
-/// those along the finest axis; of several as fine the one with the least differences counts, since
-/// structure can only add to them, and the order in which axes are stored does not matter.
+/// The standard deviation of the noise, from the median absolute difference of neighbors in the
+/// sphere, which structures larger than a voxel hardly affect. Not negative. Neighbors are taken
+/// along the finest axis; of several equally fine axes, the one with the smallest differences
+/// counts, since structure can only add to them, and the order of the axes must not matter.
 double NoiseStandardDeviation(const ImageView<float>& image, const SeedSphere& seed);
 
 } // namespace FlipFree

@@ -15,11 +15,11 @@ double ReachOf(const SmoothingSettings& settings, double seedRadius)
 }
 
 AnisotropicDiffusionSettings DiffusionOf(const SmoothingSettings& settings,
-  double noiseStandardDeviation, const ImageGeometry& geometry)
+  double noiseStandardDeviation)
 {
   AnisotropicDiffusionSettings diffusion;
   diffusion.Iterations = settings.Iterations;
-  diffusion.Contrast = ContrastOfNoise(noiseStandardDeviation, geometry, diffusion.Equation);
+  diffusion.Contrast = ContrastOfNoise(noiseStandardDeviation);
   return diffusion;
 }
 
@@ -29,13 +29,13 @@ SmoothRegion::SmoothRegion(VoxelReader read, const ImageGeometry& geometry,
   , Geometry(geometry)
   , Settings(settings)
   , Parallel(std::move(parallelFor))
-  , Voxels(new float[geometry.NumberOfVoxels()]) // not set to zero, which would touch all of them
+  , Voxels(new float[geometry.NumberOfVoxels()]) // uninitialized, so that no page is touched
 {
 }
 
 bool SmoothRegion::MakeAll(const Monitor& monitor)
 {
-  this->Made = { { { 0, 0, 0 } }, this->Geometry.Dimensions };
+  this->Made = WholeBox(this->Geometry);
   return DiffuseAnisotropically(this->Read, this->Geometry, this->Settings, this->Parallel, monitor,
     this->Voxels.get());
 }
@@ -60,14 +60,9 @@ bool SmoothRegion::Make(const VoxelBox& wanted, const Monitor& monitor)
     this->Made = wanted;
     return make(wanted);
   }
-  // What is missing, cut off side by side.
-  VoxelBox rest = this->Made;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    rest.Begin[axis] = std::min(rest.Begin[axis], wanted.Begin[axis]);
-    rest.End[axis] = std::max(rest.End[axis], wanted.End[axis]);
-  }
-  const VoxelBox grown = rest;
+  // What is missing, side by side.
+  const VoxelBox grown = this->Made.Joined(wanted);
+  VoxelBox rest = grown;
   for (int axis = 2; axis >= 0; --axis)
   {
     VoxelBox before = rest;

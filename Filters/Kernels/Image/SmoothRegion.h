@@ -1,7 +1,7 @@
 /**
- * The smoothed image of the region that a surface can reach, made where it is asked for: a box that
- * grows with the organ, so that time and memory follow the organ and not the region. What is made
- * has the bits that smoothing all of it would give.
+ * The smoothed image of the region that a surface can reach, computed on demand in a box that grows
+ * with the organ, so that time and memory depend on the organ and not on the region. The box has
+ * the bits that smoothing the whole region would give.
  */
 #ifndef FlipFreeSmoothRegion_h
 #define FlipFreeSmoothRegion_h
@@ -25,10 +25,9 @@ struct SmoothingSettings
 /// The reach in millimeters.
 double ReachOf(const SmoothingSettings& settings, double seedRadius);
 
-/// The diffusion that keeps edges above the noise, of the given standard deviation, in that part of
-/// the image.
+/// The diffusion that keeps edges above noise of the given standard deviation.
 AnisotropicDiffusionSettings DiffusionOf(const SmoothingSettings& settings,
-  double noiseStandardDeviation, const ImageGeometry& geometry);
+  double noiseStandardDeviation);
 
 class SmoothRegion
 {
@@ -37,16 +36,15 @@ public:
   SmoothRegion(VoxelReader read, const ImageGeometry& geometry,
     const AnisotropicDiffusionSettings& settings, ParallelFor parallelFor);
 
-  /// The whole region, whose voxels have a value only in the box that has been made. The operating
-  /// system gives the others no memory.
+  /// The whole region. Only the voxels of the box made so far have values; the others take no
+  /// memory, since the operating system provides it on first use.
   ImageView<float> View() const { return { this->Voxels.get(), this->Geometry }; }
 
   /// The box that has been made so far; empty at first.
   const VoxelBox& GetMade() const { return this->Made; }
 
-  /// Makes the least box that holds the one wanted and all that has been made before. Beyond
-  /// DiffusionIterationsAtOnce iterations, all of the region. Returns false if the monitor stopped
-  /// it; the region is then worthless.
+  /// Extends the box to hold the one wanted as well; beyond DiffusionIterationsAtOnce iterations,
+  /// to the whole region. Returns false if the monitor stopped it; the region is then useless.
   bool Make(const VoxelBox& wanted, const Monitor& monitor);
 
 private:

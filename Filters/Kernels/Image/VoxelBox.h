@@ -1,8 +1,10 @@
 /**
- * A box of voxels of a grid.
+ * A box of voxels of a grid: what it covers of the grid, and how it is widened, joined and cropped.
  */
 #ifndef FlipFreeVoxelBox_h
 #define FlipFreeVoxelBox_h
+
+#include "KernelTypes.h"
 
 #include <algorithm>
 #include <array>
@@ -10,7 +12,7 @@
 namespace FlipFree
 {
 
-/// First and one behind the last voxel on each axis.
+/// The first voxel on each axis, and the one behind the last.
 struct VoxelBox
 {
   std::array<int, 3> Begin{ { 0, 0, 0 } };
@@ -27,7 +29,7 @@ struct VoxelBox
     }
     return holds || other.IsEmpty();
   }
-  /// So many voxels more on either side of each axis, but none beyond the limits.
+  /// Some voxels more on either side of each axis, but none beyond the limits.
   VoxelBox Widened(const std::array<int, 3>& voxels, const VoxelBox& limits) const
   {
     VoxelBox result;
@@ -38,11 +40,41 @@ struct VoxelBox
     }
     return result;
   }
+  /// The part of it within the limits; empty if there is none.
+  VoxelBox Cropped(const VoxelBox& limits) const { return this->Widened({ { 0, 0, 0 } }, limits); }
+  /// The smallest box that holds both.
+  VoxelBox Joined(const VoxelBox& other) const
+  {
+    if (this->IsEmpty() || other.IsEmpty())
+    {
+      return this->IsEmpty() ? other : *this;
+    }
+    VoxelBox result;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      result.Begin[axis] = std::min(this->Begin[axis], other.Begin[axis]);
+      result.End[axis] = std::max(this->End[axis], other.End[axis]);
+    }
+    return result;
+  }
   friend bool operator==(const VoxelBox& a, const VoxelBox& b)
   {
     return a.Begin == b.Begin && a.End == b.End;
   }
 };
+
+/// All voxels of the grid.
+inline VoxelBox WholeBox(const ImageGeometry& geometry)
+{
+  return { { { 0, 0, 0 } }, geometry.Dimensions };
+}
+
+/// The voxels of the grid within `reach` millimeters of a point, whatever the angles between the
+/// grid's axes. Never empty: for a point outside, the voxels at the rim next to it.
+VoxelBox BoxAround(const ImageGeometry& geometry, const Eigen::Vector3d& point, double reach);
+
+/// The geometry of a part of the grid.
+ImageGeometry CropGeometry(const ImageGeometry& geometry, const VoxelBox& box);
 
 } // namespace FlipFree
 

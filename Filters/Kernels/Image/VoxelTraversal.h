@@ -1,7 +1,7 @@
 /**
- * Exact walk along a line through the voxels of an image: every voxel that the line touches, in
- * order, none twice (J. Amanatides, A. Woo: A fast voxel traversal algorithm for ray tracing,
- * Eurographics 1987). The walk happens in index space, so any spacing and any direction matrix do.
+ * Exact traversal of the voxels along a line: every voxel that the line touches, in order, none
+ * twice (J. Amanatides, A. Woo: A fast voxel traversal algorithm for ray tracing, Eurographics
+ * 1987). The traversal is done in index space, so any spacing and any direction matrix will do.
  */
 #ifndef FlipFreeVoxelTraversal_h
 #define FlipFreeVoxelTraversal_h
@@ -14,7 +14,7 @@
 namespace FlipFree
 {
 
-/// A geometry with its inverse worked out once, for the many lines that are walked through it.
+/// A geometry with its inverse, computed once for many lines.
 struct VoxelGrid
 {
   explicit VoxelGrid(const ImageGeometry& geometry)
@@ -44,7 +44,7 @@ public:
     const Eigen::Vector3d slope = grid.PhysicalToIndex * direction;
     for (int axis = 0; axis < 3; ++axis)
     {
-      // Far outside the image an int would overflow; no walk from there reaches it anyway.
+      // Far outside the image an int would overflow; no line from there reaches the image anyway.
       const double cell = std::floor(index[axis] + 0.5);
       this->Voxel[axis] = static_cast<int>(std::max(-1e9, std::min(1e9, cell)));
       this->Sign[axis] = slope[axis] > 0 ? 1 : -1;
@@ -62,7 +62,7 @@ public:
     }
   }
 
-  /// The present voxel.
+  /// The current voxel.
   const std::array<int, 3>& GetVoxel() const { return this->Voxel; }
 
   bool IsInside() const
@@ -77,7 +77,7 @@ public:
     return true;
   }
 
-  /// Distance from the start, in millimeters, at which the line entered and will leave the voxel.
+  /// Distance from the start, in millimeters, at which the line enters and leaves the voxel.
   double GetEntry() const { return this->Entry; }
   double GetExit() const
   {

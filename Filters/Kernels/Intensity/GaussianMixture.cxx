@@ -30,8 +30,8 @@ double GaussianDensity(const Gaussian& component, double z)
     (component.StandardDeviation * std::sqrt(2 * EIGEN_PI));
 }
 
-// The typical difference between a gray value and the next greater one that occurs: 1 for integers,
-// almost nothing for what has been filtered.
+// The typical difference between a gray value and the next larger one that occurs: 1 for integers,
+// almost zero for filtered images.
 double TypicalStep(const std::vector<float>& values)
 {
   constexpr std::size_t enough = 4096;
@@ -59,7 +59,7 @@ double TypicalStep(const std::vector<float>& values)
   return *middle;
 }
 
-// No unit of gray values is presumed: images may be in Hounsfield units or between 0 and 1.
+// No unit of gray values is assumed: images may be in Hounsfield units or between 0 and 1.
 double GrainOf(const std::vector<float>& values, double low, double high)
 {
   const double magnitude = std::max(std::abs(low), std::abs(high));
@@ -70,8 +70,8 @@ double GrainOf(const std::vector<float>& values, double low, double high)
   return magnitude > 0 ? 0.01 * magnitude : 1;
 }
 
-// A stone or a clip in the seed would stretch the bins until the organ falls into one of them, so
-// the range is that of the bulk, widened; what lies beyond counts in the outermost bins.
+// A stone or a clip in the seed would stretch the bins until the organ falls into a single one. The
+// range is therefore that of the bulk, widened; values beyond count in the outermost bins.
 Histogram MakeHistogram(std::vector<float> values)
 {
   const auto quantile = [&values](double q)
@@ -100,7 +100,7 @@ Histogram MakeHistogram(std::vector<float> values)
   return histogram;
 }
 
-// Means at the quantiles: deterministic, and no component starts where there is no data.
+// Means at the quantiles: deterministic, and no component starts without data.
 std::vector<Gaussian> StartOf(const Histogram& histogram, int components,
   double minimumStandardDeviation)
 {
@@ -207,7 +207,7 @@ double GaussianMixture::Density(double z) const
 
 double GaussianMixture::Mode() const
 {
-  // The greatest density lies between the outermost means, or at a narrow component's own.
+  // The maximum lies between the outermost means, or at the mean of a narrow component.
   double low = std::numeric_limits<double>::infinity();
   double high = -low;
   for (const Gaussian& component : this->Components)

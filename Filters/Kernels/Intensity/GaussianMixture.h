@@ -26,7 +26,7 @@ public:
   /// g(z) of Eq. 1.
   double Density(double z) const;
 
-  /// The greatest density, by which g is divided to give a feature in [0, 1].
+  /// The maximum density, by which g is divided to give a feature in [0, 1].
   double Mode() const;
 
   /// The feature value above which the given mass of the mixture lies (the highest-density region).
@@ -35,22 +35,22 @@ public:
 
 struct MixtureSettings
 {
-  /// Greatest number of components; the Bayesian information criterion chooses.
+  /// Maximum number of components; the Bayesian information criterion chooses.
   int MaximumComponents = 3;
 
-  /// Neighboring voxels are correlated: that many of them count as one observation.
+  /// Neighboring voxels are correlated: this many of them count as one observation.
   double Correlation = 27;
 
-  /// Least deviation of a component: integer intensities would collapse otherwise. In steps of the
-  /// gray values, or in 64ths of their spread (2nd to 98th percentile) where that is more; of
-  /// values that are all the same in hundredths of their magnitude.
+  /// Minimum standard deviation of a component, without which integer intensities would collapse.
+  /// The unit is the typical step of the gray values or, if larger, a 64th of their spread (2nd to
+  /// 98th percentile); if all values are the same, a hundredth of their magnitude.
   double MinimumStandardDeviation = 1;
 
   /// Components of less weight (vessels, noise) are dropped. The heaviest always stays.
   double MinimumWeight = 0.15;
 };
 
-/// Fits the mixture to finite values. Throws std::invalid_argument when there are none.
+/// Fits the mixture to finite values. Throws an Error when there are none.
 GaussianMixture FitGaussianMixture(const std::vector<float>& values,
   const MixtureSettings& settings);
 

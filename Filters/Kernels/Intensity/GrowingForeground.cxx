@@ -15,12 +15,6 @@ constexpr double FirstReach = 3;
 // By how much of its size the box grows on a side that the foreground has reached.
 constexpr double Growth = 0.25;
 
-// FindForegroundInBox wants rows to begin with a whole word of a mask.
-void BeginWithWord(VoxelBox& box)
-{
-  box.Begin[0] -= box.Begin[0] % BitMask::BitsOfWord;
-}
-
 // For leak control, and for the intensities that are read around the foreground's rim.
 std::array<int, 3> MarginOf(const ImageGeometry& geometry, const LeakControlRadii& leaks,
   double rim)
@@ -40,7 +34,7 @@ GrowingForeground::GrowingForeground(SmoothRegion& region, const SeedSphere& see
   const OrganFeatureSettings& settings, double rim, const ParallelFor& parallelFor)
   : Region(region)
   , Geometry(region.View().Geometry)
-  , Whole{ { { 0, 0, 0 } }, this->Geometry.Dimensions }
+  , Whole(WholeBox(this->Geometry))
   , Seed(seed)
   , Settings(settings)
   , Parallel(parallelFor)
@@ -49,11 +43,9 @@ GrowingForeground::GrowingForeground(SmoothRegion& region, const SeedSphere& see
 {
 }
 
-bool GrowingForeground::Smooth(VoxelBox box, const Monitor& monitor)
+bool GrowingForeground::Smooth(const VoxelBox& box, const Monitor& monitor)
 {
   Stopwatch watch;
-  box = box.Widened({ { 0, 0, 0 } }, this->Whole);
-  BeginWithWord(box);
   const bool made = this->Region.Make(box, monitor);
   this->SmoothingSeconds += watch.Lap();
   return made;
@@ -76,21 +68,12 @@ bool GrowingForeground::SmoothAround(const PointList& points, double reach, cons
 VoxelBox GrowingForeground::BoxAround(const PointList& points, double reach,
   const std::array<int, 3>& margin) const
 {
-  const Eigen::Vector3d voxels = this->Geometry.IndexReach(reach);
-  VoxelBox box{ this->Whole.End, this->Whole.Begin };
+  VoxelBox box;
   for (Eigen::Index point = 0; point < points.rows(); ++point)
   {
-    const Eigen::Vector3d index = this->Geometry.ToIndex(points.row(point).transpose());
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      const double last = this->Geometry.Dimensions[axis];
-      const double begin = std::floor(index[axis] - voxels[axis]) - margin[axis];
-      const double end = std::ceil(index[axis] + voxels[axis]) + margin[axis] + 1;
-      box.Begin[axis] = std::min(box.Begin[axis], static_cast<int>(std::clamp(begin, 0.0, last)));
-      box.End[axis] = std::max(box.End[axis], static_cast<int>(std::clamp(end, 0.0, last)));
-    }
+    box = box.Joined(FlipFree::BoxAround(this->Geometry, points.row(point).transpose(), reach));
   }
-  return box;
+  return box.Widened(margin, this->Whole);
 }
 
 // At first all that has been smoothed; later where the foreground was before, and the seed.
@@ -103,17 +86,13 @@ VoxelBox GrowingForeground::FirstSearched() const
   }
   // A little more than the margin that the foreground must keep, so that it may grow a little.
   std::array<int, 3> margin = this->Margin;
-  const Extent seed = ReachableExtent(this->Geometry, this->Seed.Center, this->Seed.Radius);
-  VoxelBox box = this->Bounds;
-  for (int axis = 0; axis < 3; ++axis)
+  for (int& voxels : margin)
   {
-    margin[axis] += margin[axis] / 2;
-    box.Begin[axis] = std::min(seed[2 * axis], box.Begin[axis]);
-    box.End[axis] = std::max(seed[2 * axis + 1] + 1, box.End[axis]);
+    voxels += voxels / 2;
   }
-  box = box.Widened(margin, made);
-  BeginWithWord(box);
-  return box;
+  return this->Bounds
+    .Joined(FlipFree::BoxAround(this->Geometry, this->Seed.Center, this->Seed.Radius))
+    .Widened(margin, made);
 }
 
 // Widens the box on the sides that the foreground has come near.
@@ -134,7 +113,6 @@ VoxelBox GrowingForeground::Grown(const VoxelBox& searched) const
       box.End[axis] = std::min(size, searched.End[axis] + step);
     }
   }
-  BeginWithWord(box);
   return box;
 }
 

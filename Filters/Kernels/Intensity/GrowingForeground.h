@@ -39,7 +39,7 @@ public:
   double GetSmoothingSeconds() const { return this->SmoothingSeconds; }
 
 private:
-  bool Smooth(VoxelBox box, const Monitor& monitor);
+  bool Smooth(const VoxelBox& box, const Monitor& monitor);
   VoxelBox BoxAround(const PointList& points, double reach, const std::array<int, 3>& margin) const;
   VoxelBox FirstSearched() const;
   VoxelBox Grown(const VoxelBox& searched) const;

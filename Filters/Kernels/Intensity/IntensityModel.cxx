@@ -1,10 +1,5 @@
 #include "Intensity/IntensityModel.h"
 
-#include "Image/BallMorphology.h"
-#include "Image/FloatOrder.h"
-
-#include <Eigen/Dense>
-
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -17,13 +12,13 @@ namespace FlipFree
 namespace
 {
 
-// A histogram's tails beyond this many deviations of the noise count as its ends.
+// Values beyond this many standard deviations of the noise count in the histogram's end bins.
 constexpr double HalfRange = 30;
 constexpr int NumberOfBins = 600;
 constexpr double Bandwidth = 0.4;
 constexpr double MinimumDensity = 1e-6;
 
-// Gray images without noise (phantoms) still need bins of some width.
+// Images without noise (phantoms) still need bins of some width.
 double UsableNoise(double noise, const GaussianMixture& mixture)
 {
   double deviation = noise;
@@ -46,32 +41,23 @@ struct Bins
   }
 };
 
-// How many of the image's voxels in the mask, of a part that begins at the voxel `first`, are of
-// which kind: kindOf(value) is one of `kinds`, or one more for what is not counted.
-template <typename KindOf>
-std::vector<std::uint32_t> CountKinds(const ImageView<float>& image,
-  const std::array<int, 3>& first, const BitMask& mask, std::size_t kinds,
-  const ParallelFor& parallelFor, const KindOf& kindOf)
+// How many of the image's voxels in the mask are in which bin.
+std::vector<std::uint32_t> CountBins(const ImageView<float>& image, const std::array<int, 3>& first,
+  const BitMask& mask, const Bins& bins, const ParallelFor& parallelFor)
 {
-  std::vector<std::uint32_t> counts(kinds + 1, 0);
+  std::vector<std::uint32_t> counts(NumberOfBins, 0);
   std::mutex mutex;
   parallelFor(0, mask.GetGeometry().Dimensions[2],
     [&](std::ptrdiff_t begin, std::ptrdiff_t end)
     {
-      std::vector<std::uint32_t> own(kinds + 1, 0);
+      std::vector<std::uint32_t> own(NumberOfBins, 0);
       mask.ForEachRun(begin, end,
         [&](int left, int right, int j, int k)
         {
-          // In two loops, so that the first is done by vectors.
-          std::array<std::uint32_t, BitMask::BitsOfWord> places;
           const float* const values = &image(first[0] + left, first[1] + j, first[2] + k);
           for (int voxel = 0; voxel < right - left; ++voxel)
           {
-            places[voxel] = static_cast<std::uint32_t>(kindOf(values[voxel]));
-          }
-          for (int voxel = 0; voxel < right - left; ++voxel)
-          {
-            ++own[places[voxel]];
+            ++own[bins(values[voxel])];
           }
         });
       const std::lock_guard<std::mutex> lock(mutex);
@@ -83,8 +69,7 @@ std::vector<std::uint32_t> CountKinds(const ImageView<float>& image,
 std::vector<double> SmoothHistogram(const ImageView<float>& image, const std::array<int, 3>& first,
   const BitMask& mask, const Bins& bins, double deviation, const ParallelFor& parallelFor)
 {
-  const std::vector<std::uint32_t> counts =
-    CountKinds(image, first, mask, NumberOfBins, parallelFor, bins);
+  const std::vector<std::uint32_t> counts = CountBins(image, first, mask, bins, parallelFor);
   const double size = std::accumulate(counts.begin(), counts.end(), 0.0);
   std::vector<double> histogram(NumberOfBins, 0.0);
   for (int bin = 0; bin < NumberOfBins && size > 0; ++bin)
@@ -113,23 +98,46 @@ std::vector<double> SmoothHistogram(const ImageView<float>& image, const std::ar
 
 } // namespace
 
-std::size_t IntensityModel::PlaceOf(float z) const
+int IntensityModel::PlaceOf(float z) const
 {
-  const float place = (z - this->Begin) / this->Step + 0.5F; // so that cutting rounds
+  const float place = (z - this->Begin) / this->Step + 0.5F; // truncated below
   const float last = static_cast<float>(this->Table.size() - 1);
-  // Written so that a value that is not a number falls to the table's beginning.
+  // NaN goes to the table's beginning.
   const float clamped = place > 0 ? std::min(place, last) : 0;
-  return static_cast<std::size_t>(clamped);
+  return static_cast<int>(clamped);
 }
 
-GrayIntervals IntensityModel::Foreground() const
+float IntensityModel::ThresholdRoundedUp() const
 {
-  std::vector<bool> isForeground;
+  const auto nearest = static_cast<float>(this->Threshold);
+  return nearest < this->Threshold ? std::nextafter(nearest, std::numeric_limits<float>::infinity())
+                                   : nearest;
+}
+
+BitMask IntensityModel::Foreground(const ImageView<float>& image, const VoxelBox& box,
+  const ParallelFor& parallelFor) const
+{
+  std::vector<unsigned char> isForeground;
   for (const float feature : this->Table)
   {
-    isForeground.push_back(feature >= this->Threshold);
+    isForeground.push_back(feature >= this->Threshold ? 1 : 0);
   }
-  return GrayIntervals::WherePlaceIs(isForeground, [this](float z) { return this->PlaceOf(z); });
+  return MaskOfBox(
+    image, box,
+    [&](const float* voxels, int count, unsigned char* inside)
+    {
+      // In two loops, so that the compiler vectorizes the first.
+      std::array<int, BitMask::BitsOfWord> places;
+      for (int voxel = 0; voxel < count; ++voxel)
+      {
+        places[voxel] = this->PlaceOf(voxels[voxel]);
+      }
+      for (int voxel = 0; voxel < count; ++voxel)
+      {
+        inside[voxel] = isForeground[places[voxel]];
+      }
+    },
+    parallelFor);
 }
 
 IntensityModel IntensityModel::FromSeed(const std::vector<float>& values, double noise,
@@ -173,7 +181,7 @@ void IntensityModel::Reestimate(const ImageView<float>& image, const std::array<
   const ParallelFor& parallelFor)
 {
   const double unit = UsableNoise(noise, this->Mixture);
-  const float median = MedianOf(image, first, inside, parallelFor);
+  const float median = MedianOf(image, first, inside);
   const Bins bins{ median - HalfRange * unit, 2 * HalfRange * unit / NumberOfBins };
   const std::vector<double> foreground =
     SmoothHistogram(image, first, inside, bins, Bandwidth * unit, parallelFor);
@@ -202,56 +210,25 @@ void IntensityModel::Reestimate(const ImageView<float>& image, const std::array<
   this->Table.assign(NumberOfBins + 2, 0.0F);
   std::copy(odds.begin() + least, odds.begin() + last + 1, this->Table.begin() + least + 1);
   this->Threshold = settings.Threshold > 0 ? settings.Threshold : even;
-  this->Table[bins(median) + 1] =
-    std::max(this->Table[bins(median) + 1], MinimumFloatFrom(this->Threshold));
+  float& atMedian = this->Table[bins(median) + 1];
+  atMedian = std::max(atMedian, this->ThresholdRoundedUp());
   this->Step = static_cast<float>(bins.Width);
   this->Begin = static_cast<float>(bins.Begin - 0.5 * bins.Width);
 }
 
-float MedianOf(const ImageView<float>& image, const std::array<int, 3>& first, const BitMask& mask,
-  const ParallelFor& parallelFor)
+float MedianOf(const ImageView<float>& image, const std::array<int, 3>& first, const BitMask& mask)
 {
-  // Floats as whole numbers of the same order; found by their upper half, then by their lower.
-  constexpr std::size_t halves = 0x10000;
-  const std::vector<std::uint32_t> uppers = CountKinds(image, first, mask, halves, parallelFor,
-    [](float value) { return OrderOf(value) >> 16U; });
-  std::size_t rank = std::accumulate(uppers.begin(), uppers.end(), std::size_t(0)) / 2;
-  const auto take = [&rank](const std::vector<std::uint32_t>& counts)
-  {
-    std::uint32_t half = 0;
-    while (half + 1 < halves && rank >= counts[half])
+  std::vector<float> values;
+  values.reserve(mask.Count());
+  mask.ForEachRun(0, mask.GetGeometry().Dimensions[2],
+    [&](int begin, int end, int j, int k)
     {
-      rank -= counts[half++];
-    }
-    return half;
-  };
-  const std::uint32_t upper = take(uppers);
-  const std::uint32_t lower = take(CountKinds(image, first, mask, halves, parallelFor,
-    [upper](float value)
-    {
-      const std::uint32_t order = OrderOf(value);
-      return order >> 16U == upper ? order & 0xffffU : halves;
-    }));
-  return FloatOf(upper << 16U | lower);
-}
-
-bool MakeInsideAndShell(const IntensitySettings& settings, const ParallelFor& parallelFor,
-  const Monitor& monitor, BitMask& inside, BitMask& shell)
-{
-  shell = inside;
-  if (!Dilate(shell, settings.ShellEnd, parallelFor, PartOf(monitor, 0, 0.5)))
-  {
-    return false;
-  }
-  BitMask rim = inside;
-  if (!Dilate(rim, settings.ShellBegin, parallelFor, PartOf(monitor, 0.5, 0.7)))
-  {
-    return false;
-  }
-  shell.Remove(rim);
-  rim = BitMask();
-  return Erode(inside, settings.InnerMargin, parallelFor, PartOf(monitor, 0.7, 0.9)) &&
-    monitor(0.9);
+      const float* const row = &image(first[0], first[1] + j, first[2] + k);
+      values.insert(values.end(), row + begin, row + end);
+    });
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
 }
 
 } // namespace FlipFree

@@ -32,7 +32,7 @@ bool HoldsOne(const BitMask& mask, const std::vector<std::size_t>& voxels)
     });
 }
 
-// All of the runs of ones in `mask` that hold a one of `bits`, by doubling.
+// The runs of ones in `mask` that hold a one of `bits`, by doubling.
 Word FillRuns(Word bits, Word mask)
 {
   if (~mask == 0)
@@ -53,7 +53,7 @@ Word FillRuns(Word bits, Word mask)
   return up | down;
 }
 
-// A flood from word to word.
+// A flood fill from word to word.
 class Flood
 {
 public:
@@ -179,7 +179,7 @@ bool ControlLeaks(BitMask& mask, const std::vector<std::size_t>& sources,
     if (HoldsOne(mask, sources))
     {
       closed = BitMask();
-      // Afterwards all still hangs together with the seed, since balls do.
+      // The dilation leaves it connected, since balls are.
       return KeepConnected(mask, sources, PartOf(monitor, 0.6, 0.7)) &&
         Dilate(mask, radii.Opening, parallelFor, PartOf(monitor, 0.7, 1));
     }

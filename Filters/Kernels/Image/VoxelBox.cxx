@@ -1,0 +1,32 @@
+#include "Image/VoxelBox.h"
+
+#include <cmath>
+
+namespace FlipFree
+{
+
+VoxelBox BoxAround(const ImageGeometry& geometry, const Eigen::Vector3d& point, double reach)
+{
+  const Eigen::Vector3d index = geometry.ToIndex(point);
+  const Eigen::Vector3d margin = geometry.IndexReach(reach);
+  VoxelBox box;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double last = geometry.Dimensions[axis] - 1.0;
+    const auto inside = [last](double place)
+    { return static_cast<int>(std::max(0.0, std::min(last, place))); };
+    box.Begin[axis] = inside(std::floor(index[axis] - margin[axis]));
+    box.End[axis] = inside(std::ceil(index[axis] + margin[axis])) + 1;
+  }
+  return box;
+}
+
+ImageGeometry CropGeometry(const ImageGeometry& geometry, const VoxelBox& box)
+{
+  ImageGeometry result = geometry;
+  result.Dimensions = { { box.Size(0), box.Size(1), box.Size(2) } };
+  result.Origin = geometry.ToPhysical(Eigen::Vector3d(box.Begin[0], box.Begin[1], box.Begin[2]));
+  return result;
+}
+
+} // namespace FlipFree

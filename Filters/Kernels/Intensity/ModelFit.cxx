@@ -1,0 +1,113 @@
+#include "Intensity/ModelFit.h"
+
+#include "Error.h"
+#include "Image/BallMorphology.h"
+#include "Mesh/SurfaceVoxelization.h"
+
+#include <cmath>
+
+namespace FlipFree
+{
+namespace
+{
+
+// The box of all voxels within a distance of the runs, of which there is at least one, with one
+// more voxel on each side.
+VoxelBox BoxAround(const std::vector<VoxelRun>& runs, const ImageGeometry& geometry, double reach)
+{
+  VoxelBox box;
+  for (const VoxelRun& run : runs)
+  {
+    box = box.Joined({ { { run.Begin, run.J, run.K } }, { { run.End, run.J + 1, run.K + 1 } } });
+  }
+  std::array<int, 3> voxels = BallReach(reach, geometry);
+  for (int& more : voxels)
+  {
+    ++more;
+  }
+  return box.Widened(voxels, WholeBox(geometry));
+}
+
+} // namespace
+
+IntensityModel FitToSeed(const ImageView<float>& smooth, const SeedSphere& seed, double noise,
+  const IntensitySettings& settings)
+{
+  std::vector<float> values;
+  for (std::size_t voxel : VoxelsInSphere(smooth.Geometry, seed))
+  {
+    if (!std::isfinite(smooth.Data[voxel]))
+    {
+      throw Error(ErrorCode::NonFiniteValue,
+        "the seed sphere holds voxels that are not finite numbers; replace them first");
+    }
+    values.push_back(smooth.Data[voxel]);
+  }
+  if (values.empty())
+  {
+    throw Error(ErrorCode::SeedWithoutVoxels,
+      "no voxel center lies in the seed sphere; enlarge its radius beyond "
+      "a voxel, or move its center into the image");
+  }
+  return IntensityModel::FromSeed(values, noise, settings);
+}
+
+Refit RefitToSurface(const ImageView<float>& smooth, const PointList& points,
+  const TriangleList& triangles, double noise, const IntensitySettings& settings,
+  const ParallelFor& parallelFor, const Monitor& monitor, IntensityModel& model)
+{
+  // Remembered, since no runs may mean a stop or a surface that holds no voxel.
+  bool stopped = false;
+  const Monitor proceed = [&](double fraction)
+  {
+    stopped = stopped || !monitor(fraction);
+    return !stopped;
+  };
+  // Voxelized on the whole grid, whose rounding decides; the rest is done in a box.
+  const std::vector<VoxelRun> runs =
+    VoxelizeSurface(points, triangles, smooth.Geometry, parallelFor, PartOf(proceed, 0, 0.2));
+  if (runs.empty())
+  {
+    return stopped ? Refit::Stopped : Refit::NothingInside;
+  }
+  const VoxelBox box = BoxAround(runs, smooth.Geometry, settings.ShellEnd);
+  const auto [i, j, k] = box.Begin;
+  BitMask inside(CropGeometry(smooth.Geometry, box));
+  for (const VoxelRun& run : runs)
+  {
+    inside.InsertRun(run.Begin - i, run.End - i, run.J - j, run.K - k);
+  }
+  BitMask shell;
+  if (!MakeInsideAndShell(settings, parallelFor, PartOf(proceed, 0.2, 0.9), inside, shell) ||
+    !proceed(0.9))
+  {
+    return Refit::Stopped;
+  }
+  if (inside.Count() <= MinimumRefitSample)
+  {
+    return Refit::TooFewInside;
+  }
+  model.Reestimate(smooth, box.Begin, inside, shell, noise, settings, parallelFor);
+  return Refit::Done;
+}
+
+bool MakeInsideAndShell(const IntensitySettings& settings, const ParallelFor& parallelFor,
+  const Monitor& monitor, BitMask& inside, BitMask& shell)
+{
+  shell = inside;
+  if (!Dilate(shell, settings.ShellEnd, parallelFor, PartOf(monitor, 0, 0.5)))
+  {
+    return false;
+  }
+  BitMask rim = inside;
+  if (!Dilate(rim, settings.ShellBegin, parallelFor, PartOf(monitor, 0.5, 0.7)))
+  {
+    return false;
+  }
+  shell.Remove(rim);
+  rim = BitMask();
+  return Erode(inside, settings.InnerMargin, parallelFor, PartOf(monitor, 0.7, 0.9)) &&
+    monitor(0.9);
+}
+
+} // namespace FlipFree
