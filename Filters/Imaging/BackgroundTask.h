@@ -5,11 +5,11 @@
 #ifndef FlipFreeBackgroundTask_h
 #define FlipFreeBackgroundTask_h
 
+#include <algorithm>
 #include <chrono>
 #include <functional>
 #include <future>
 #include <mutex>
-#include <thread>
 #include <vector>
 
 namespace FlipFree
@@ -20,82 +20,55 @@ class BackgroundTask
 public:
   /// Starts the body. It may outlive the caller: all that it uses must be its own, or shared.
   explicit BackgroundTask(std::function<void()> body)
+    : Done(std::async(std::launch::async, std::move(body)))
   {
-    std::packaged_task<void()> task(std::move(body));
-    this->Done = task.get_future();
-    this->Thread = std::thread(std::move(task));
   }
   ~BackgroundTask()
   {
-    if (this->Thread.joinable())
+    if (this->Done.valid())
     {
-      Abandoned::All().Take({ std::move(this->Thread), std::move(this->Done) });
+      Abandon(std::move(this->Done));
     }
   }
   BackgroundTask(const BackgroundTask&) = delete;
   void operator=(const BackgroundTask&) = delete;
 
-  /// Waits for the end and passes on what the body throws. False, at once, if `goOn`, asked every
-  /// 20 ms, says no; the task is then left to end alone, unless Wait is called again.
-  bool Wait(const std::function<bool()>& goOn)
+  /// Waits for the end and passes on what the body throws; what the body holds is released then.
+  /// Returns false at once if `proceed`, asked every 20 ms, says no. The task is then left to end
+  /// by itself, unless Wait is called again.
+  bool Wait(const std::function<bool()>& proceed)
   {
     do
     {
-      if (!goOn())
+      if (!proceed())
       {
         return false;
       }
-    } while (this->Done.wait_for(std::chrono::milliseconds(20)) != std::future_status::ready);
-    this->Thread.join(); // what the body holds is gone then, too
+    } while (!IsReady(this->Done, std::chrono::milliseconds(20)));
     this->Done.get();
     return true;
   }
 
 private:
-  struct Orphan
+  static bool IsReady(const std::future<void>& done, std::chrono::milliseconds patience)
   {
-    std::thread Thread;
-    std::future<void> Done;
-  };
+    return done.wait_for(patience) == std::future_status::ready;
+  }
 
-  /// The tasks for which nobody waits. The end of the program does: a thread must not outlive the
-  /// libraries that it runs in.
-  class Abandoned
+  /// Keeps the tasks for which nobody waits. The end of the program does, in the destructors of the
+  /// futures: a thread must not outlive the libraries that it runs in.
+  static void Abandon(std::future<void> task)
   {
-  public:
-    static Abandoned& All()
-    {
-      static Abandoned all;
-      return all;
-    }
-    ~Abandoned()
-    {
-      for (Orphan& orphan : this->Orphans)
-      {
-        orphan.Thread.join();
-      }
-    }
-    void Take(Orphan orphan)
-    {
-      const std::lock_guard<std::mutex> lock(this->Mutex);
-      for (std::size_t i = this->Orphans.size(); i-- > 0;)
-      {
-        if (this->Orphans[i].Done.wait_for(std::chrono::seconds(0)) == std::future_status::ready)
-        {
-          this->Orphans[i].Thread.join();
-          this->Orphans.erase(this->Orphans.begin() + static_cast<std::ptrdiff_t>(i));
-        }
-      }
-      this->Orphans.push_back(std::move(orphan));
-    }
+    static std::mutex mutex;
+    static std::vector<std::future<void>> abandoned;
+    const std::lock_guard<std::mutex> lock(mutex);
+    abandoned.erase(std::remove_if(abandoned.begin(), abandoned.end(),
+                      [](const std::future<void>& other)
+                      { return IsReady(other, std::chrono::milliseconds(0)); }),
+      abandoned.end());
+    abandoned.push_back(std::move(task));
+  }
 
-  private:
-    Abandoned() = default;
-    std::mutex Mutex;
-    std::vector<Orphan> Orphans;
-  };
-
-  std::thread Thread;
   std::future<void> Done;
 };
 

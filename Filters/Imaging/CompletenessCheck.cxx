@@ -20,18 +20,6 @@ namespace FlipFree
 namespace
 {
 
-using Gzip = std::unique_ptr<gzFile_s, int (*)(gzFile)>;
-
-Gzip OpenGzip(const std::string& name)
-{
-  Gzip file(gzopen(name.c_str(), "rb"), gzclose);
-  if (file)
-  {
-    gzbuffer(file.get(), 1 << 17);
-  }
-  return file;
-}
-
 double SizeOf(const std::string& name)
 {
   std::error_code failure;
@@ -64,7 +52,8 @@ struct NiftiLayout
 NiftiLayout LayoutOf(const std::string& name)
 {
   unsigned char header[348] = {};
-  const Gzip file = OpenGzip(name);
+  // Of a file that is not compressed it reads the plain bytes.
+  const std::unique_ptr<gzFile_s, int (*)(gzFile)> file(gzopen(name.c_str(), "rb"), gzclose);
   if (!file || gzread(file.get(), header, sizeof(header)) != static_cast<int>(sizeof(header)))
   {
     return {};
@@ -103,27 +92,43 @@ ImageFileError Incomplete(const std::string& name, const std::string& what)
       ". The file is truncated or damaged: get it anew." };
 }
 
-void RequireCompleteGzip(const std::string& name, gzFile file, double wanted,
+/// Inflates what follows in the file, of zlib or gzip, until it has given as many bytes as wanted,
+/// and on to the checksum of that part; of several gzip members, one after the other.
+void RequireCompleteStream(const std::string& name, std::ifstream& file, double wanted,
   const Monitor& monitor)
 {
-  const double size = SizeOf(name);
-  std::vector<unsigned char> chunk(1 << 19);
+  std::vector<char> packed(1 << 17);
+  std::vector<unsigned char> plain(1 << 19);
+  z_stream stream = {};
+  if (inflateInit2(&stream, MAX_WBITS + 32) != Z_OK)
+  {
+    throw std::bad_alloc();
+  }
+  const std::unique_ptr<z_stream, int (*)(z_stream*)> end(&stream, inflateEnd);
   double found = 0;
-  for (int count = 1; count > 0; found += std::max(0, count))
+  int state = Z_OK;
+  while (state == Z_OK && monitor(std::min(1.0, found / wanted)))
   {
-    if (!monitor(std::min(1.0, static_cast<double>(gzoffset(file)) / size)))
+    if (stream.avail_in == 0)
     {
-      return;
+      file.read(packed.data(), static_cast<std::streamsize>(packed.size()));
+      stream.next_in = reinterpret_cast<unsigned char*>(packed.data());
+      stream.avail_in = static_cast<unsigned int>(file.gcount());
     }
-    count = gzread(file, chunk.data(), static_cast<unsigned int>(chunk.size()));
+    stream.next_out = plain.data();
+    stream.avail_out = static_cast<unsigned int>(plain.size());
+    state = inflate(&stream, Z_NO_FLUSH); // without input left: Z_BUF_ERROR
+    found += static_cast<double>(plain.size() - stream.avail_out);
+    if (state == Z_STREAM_END && found < wanted && (stream.avail_in > 0 || file.peek() != EOF))
+    {
+      state = inflateReset(&stream);
+    }
   }
-  int error = Z_OK;
-  gzerror(file, &error);
-  if (error != Z_OK && error != Z_STREAM_END)
+  if (state != Z_OK && state != Z_STREAM_END)
   {
-    throw Incomplete(name, "its gzip stream breaks off or fails its checksum");
+    throw Incomplete(name, "its compressed stream breaks off or fails its checksum");
   }
-  if (found < wanted)
+  if (state == Z_STREAM_END && found < wanted)
   {
     throw Incomplete(name, "it holds fewer voxels than its header says");
   }
@@ -133,14 +138,15 @@ void RequireCompleteNifti(const std::string& name, const Monitor& monitor)
 {
   const NiftiLayout layout = LayoutOf(name);
   const std::string voxels = layout.IsPair ? VoxelFileOfPair(name) : name;
-  const Gzip file = OpenGzip(voxels);
+  std::ifstream file(voxels, std::ios::binary);
   if (!file)
   {
     throw Incomplete(name, "'" + voxels + "' is missing");
   }
-  if (!gzdirect(file.get()))
+  if (file.get() == 0x1F && file.get() == 0x8B) // the mark of gzip
   {
-    RequireCompleteGzip(voxels, file.get(), layout.NumberOfBytes, monitor);
+    file.seekg(0);
+    RequireCompleteStream(voxels, file, layout.NumberOfBytes, monitor);
   }
   else if (SizeOf(voxels) < layout.NumberOfBytes)
   {
@@ -171,43 +177,6 @@ std::map<std::string, std::string> MetaImageFields(const std::string& name, std:
   return fields;
 }
 
-/// Inflates what follows in the file until it has given as many bytes as wanted, or ends.
-void RequireCompleteDeflated(const std::string& name, std::ifstream& file, double wanted,
-  const Monitor& monitor)
-{
-  std::vector<char> packed(1 << 17);
-  std::vector<unsigned char> plain(1 << 19);
-  z_stream stream = {};
-  if (inflateInit2(&stream, MAX_WBITS + 32) != Z_OK)
-  {
-    throw std::bad_alloc();
-  }
-  const std::unique_ptr<z_stream, int (*)(z_stream*)> end(&stream, inflateEnd);
-  double found = 0;
-  int state = Z_OK;
-  while (state == Z_OK && monitor(std::min(1.0, found / wanted)))
-  {
-    if (stream.avail_in == 0)
-    {
-      file.read(packed.data(), static_cast<std::streamsize>(packed.size()));
-      stream.next_in = reinterpret_cast<unsigned char*>(packed.data());
-      stream.avail_in = static_cast<unsigned int>(file.gcount());
-    }
-    stream.next_out = plain.data();
-    stream.avail_out = static_cast<unsigned int>(plain.size());
-    state = inflate(&stream, Z_NO_FLUSH); // without input left: Z_BUF_ERROR
-    found += static_cast<double>(plain.size() - stream.avail_out);
-  }
-  if (state != Z_OK && state != Z_STREAM_END)
-  {
-    throw Incomplete(name, "its compressed stream breaks off or fails its checksum");
-  }
-  if (state == Z_STREAM_END && found < wanted)
-  {
-    throw Incomplete(name, "it holds fewer voxels than its header says");
-  }
-}
-
 void RequireCompleteMetaImage(const std::string& name, double wanted, const Monitor& monitor)
 {
   std::streamoff offset = 0;
@@ -231,7 +200,7 @@ void RequireCompleteMetaImage(const std::string& name, double wanted, const Moni
   if (fields["CompressedData"] == "True")
   {
     file.seekg(offset);
-    RequireCompleteDeflated(name, file, wanted, monitor);
+    RequireCompleteStream(name, file, wanted, monitor);
   }
   else if (SizeOf(voxels) < wanted + static_cast<double>(offset))
   {

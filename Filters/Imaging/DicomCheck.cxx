@@ -9,6 +9,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <map>
 
 namespace FlipFree
 {
@@ -19,6 +20,7 @@ constexpr std::uint32_t Undefined = 0xFFFFFFFF;
 constexpr std::uint32_t Item = 0xFFFEE000;
 constexpr std::uint32_t EndOfItem = 0xFFFEE00D;
 constexpr std::uint32_t EndOfSequence = 0xFFFEE0DD;
+constexpr std::uint32_t NumberOfFrames = 0x00280008;
 constexpr std::uint32_t PixelData = 0x7FE00010;
 
 struct Encoding
@@ -196,56 +198,39 @@ bool IsKindWithoutPixels(const std::string& uid)
       { return kind.back() == '.' ? rest.compare(0, kind.size(), kind) == 0 : rest == kind; });
 }
 
-struct ImageSize
-{
-  std::uint64_t Rows = 0;
-  std::uint64_t Columns = 0;
-  std::uint64_t Frames = 1;
-  std::uint64_t Samples = 1;
-  std::uint64_t Bits = 0;
-
-  std::uint64_t Bytes() const
-  {
-    return (this->Rows * this->Columns * this->Frames * this->Samples * this->Bits + 7) / 8;
-  }
-};
-
 /// Walks through the data set as far as the pixels.
 void RequirePixels(DicomFile& file, const Encoding& encoding)
 {
-  ImageSize size;
+  std::uint64_t frames = 1;
+  // What multiplies to the number of bits: rows, columns, samples per pixel, bits per sample.
+  std::map<std::uint32_t, std::uint64_t> sizes{ { 0x00280010, 0 }, { 0x00280011, 0 },
+    { 0x00280002, 1 }, { 0x00280100, 0 } };
   while (!file.AtEnd())
   {
     const Element element = file.Next(encoding);
+    const auto size = sizes.find(element.Tag);
     if (element.Tag == PixelData)
     {
       file.SkipValue(element, encoding);
-      if (size.Bytes() == 0 || (element.Length != Undefined && element.Length < size.Bytes()))
+      std::uint64_t bits = frames;
+      for (const auto& factor : sizes)
+      {
+        bits *= factor.second;
+      }
+      const std::uint64_t bytes = (bits + 7) / 8;
+      if (bytes == 0 || (element.Length != Undefined && element.Length < bytes))
       {
         file.Refuse("it holds fewer pixels than its rows and columns say");
       }
       return;
     }
-    const bool isShort = element.Length == 2;
-    if (element.Tag == 0x00280010 && isShort)
+    if (size != sizes.end() && element.Length == 2)
     {
-      size.Rows = file.Number<std::uint16_t>(encoding.BigEndian);
+      size->second = file.Number<std::uint16_t>(encoding.BigEndian);
     }
-    else if (element.Tag == 0x00280011 && isShort)
+    else if (element.Tag == NumberOfFrames && element.Length < 20)
     {
-      size.Columns = file.Number<std::uint16_t>(encoding.BigEndian);
-    }
-    else if (element.Tag == 0x00280002 && isShort)
-    {
-      size.Samples = file.Number<std::uint16_t>(encoding.BigEndian);
-    }
-    else if (element.Tag == 0x00280100 && isShort)
-    {
-      size.Bits = file.Number<std::uint16_t>(encoding.BigEndian);
-    }
-    else if (element.Tag == 0x00280008 && element.Length < 20)
-    {
-      size.Frames = std::strtoul(file.Text(element.Length).c_str(), nullptr, 10);
+      frames = std::strtoul(file.Text(element.Length).c_str(), nullptr, 10);
     }
     else
     {
