@@ -1,6 +1,7 @@
 #include "MinimumCut.h"
 
 #include "GridGraph.h"
+#include "MaskVoxels.h"
 
 #include <boost/graph/boykov_kolmogorov_max_flow.hpp>
 
@@ -162,15 +163,12 @@ bool FindMinimumCut(const ImageView<float>& image, const std::vector<float>& log
   }
   organ = BitMask(image.Geometry);
   Vertex node = 0;
-  const std::size_t row = image.Geometry.Dimensions[0];
-  const std::size_t rows = image.Geometry.Dimensions[1];
   candidates.ForEach(
     [&](std::size_t voxel)
     {
       if (colors[node++] == boost::black_color) // what the source's tree has reached
       {
-        organ.Insert(static_cast<int>(voxel % row), static_cast<int>(voxel / row % rows),
-          static_cast<int>(voxel / row / rows));
+        InsertVoxel(organ, voxel);
       }
     });
   return true;

@@ -1,5 +1,7 @@
 #include "SliceCut.h"
 
+#include "MaskVoxels.h"
+
 #include "Image/BallMorphology.h"
 #include "Intensity/LeakControl.h"
 
@@ -10,26 +12,6 @@ namespace FlipFree
 {
 namespace
 {
-
-// The offsets of a mask's voxels.
-std::vector<std::size_t> OffsetsOf(const BitMask& mask)
-{
-  std::vector<std::size_t> offsets;
-  mask.ForEach([&offsets](std::size_t voxel) { offsets.push_back(voxel); });
-  return offsets;
-}
-
-void Intersect(BitMask& mask, const BitMask& other)
-{
-  std::transform(mask.GetWords().begin(), mask.GetWords().end(), other.GetWords().begin(),
-    mask.GetWords().begin(), [](BitMask::Word a, BitMask::Word b) { return a & b; });
-}
-
-void Unite(BitMask& mask, const BitMask& other)
-{
-  std::transform(mask.GetWords().begin(), mask.GetWords().end(), other.GetWords().begin(),
-    mask.GetWords().begin(), [](BitMask::Word a, BitMask::Word b) { return a | b; });
-}
 
 // Plane k of a mask as a mask of its own, and back.
 BitMask PlaneOf(const BitMask& mask, int k, const ImageGeometry& geometry)

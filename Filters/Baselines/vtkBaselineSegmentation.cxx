@@ -61,17 +61,6 @@ vtkSmartPointer<vtkCellArray> ClosedLine(vtkIdType size)
 vtkBaselineSegmentation::vtkBaselineSegmentation()
 {
   this->SetNumberOfOutputPorts(2);
-  this->SetNumberOfInputPorts(1);
-}
-
-void vtkBaselineSegmentation::SetInputData(vtkImageData* image)
-{
-  this->SetInputDataObject(0, image);
-}
-
-vtkPolyData* vtkBaselineSegmentation::GetOutput()
-{
-  return this->GetSurface();
 }
 
 vtkPolyData* vtkBaselineSegmentation::GetSurface()
@@ -96,30 +85,18 @@ int vtkBaselineSegmentation::FillOutputPortInformation(int port, vtkInformation*
   return 1;
 }
 
-vtkTypeBool vtkBaselineSegmentation::ProcessRequest(vtkInformation* request,
-  vtkInformationVector** inputs, vtkInformationVector* outputs)
+int vtkBaselineSegmentation::RequestUpdateExtent(vtkInformation*, vtkInformationVector** inputs,
+  vtkInformationVector*)
 {
-  if (request->Has(vtkDemandDrivenPipeline::REQUEST_INFORMATION()))
+  vtkInformation* in = inputs[0]->GetInformationObject(0);
+  if (in->Has(Pipeline::WHOLE_EXTENT()))
   {
-    return this->RequestInformation(inputs, outputs);
+    in->Set(Pipeline::UPDATE_EXTENT(), in->Get(Pipeline::WHOLE_EXTENT()), 6);
   }
-  if (request->Has(Pipeline::REQUEST_UPDATE_EXTENT()))
-  {
-    vtkInformation* in = inputs[0]->GetInformationObject(0);
-    if (in->Has(Pipeline::WHOLE_EXTENT()))
-    {
-      in->Set(Pipeline::UPDATE_EXTENT(), in->Get(Pipeline::WHOLE_EXTENT()), 6);
-    }
-    return 1;
-  }
-  if (request->Has(vtkDemandDrivenPipeline::REQUEST_DATA()))
-  {
-    return this->RequestData(inputs, outputs);
-  }
-  return this->Superclass::ProcessRequest(request, inputs, outputs);
+  return 1;
 }
 
-int vtkBaselineSegmentation::RequestInformation(vtkInformationVector** inputs,
+int vtkBaselineSegmentation::RequestInformation(vtkInformation*, vtkInformationVector** inputs,
   vtkInformationVector* outputs)
 {
   vtkInformation* in = inputs[0]->GetInformationObject(0);
@@ -132,7 +109,7 @@ int vtkBaselineSegmentation::RequestInformation(vtkInformationVector** inputs,
   return 1;
 }
 
-int vtkBaselineSegmentation::RequestData(vtkInformationVector** inputs,
+int vtkBaselineSegmentation::RequestData(vtkInformation*, vtkInformationVector** inputs,
   vtkInformationVector* outputs)
 {
   vtkPolyData* surface = vtkPolyData::GetData(outputs, 0);

@@ -23,7 +23,7 @@
 #define vtkBaselineSegmentation_h
 
 #include "FlipFreeBaselinesModule.h"
-#include "vtkAlgorithm.h"
+#include "vtkPolyDataAlgorithm.h"
 
 #include <functional> // for std::function
 
@@ -36,22 +36,16 @@ struct BaselineResult;
 struct BaselineTask;
 }
 
-class FLIPFREEBASELINES_EXPORT vtkBaselineSegmentation : public vtkAlgorithm
+class FLIPFREEBASELINES_EXPORT vtkBaselineSegmentation : public vtkPolyDataAlgorithm
 {
 public:
-  vtkTypeMacro(vtkBaselineSegmentation, vtkAlgorithm);
+  vtkTypeMacro(vtkBaselineSegmentation, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
-
-  /**
-   * Sets the image (input port 0); SetInputConnection() connects a reader in its place.
-   */
-  void SetInputData(vtkImageData* image);
 
   ///@{
   /**
    * The outputs, after Update(); GetOutput() is the surface, too.
    */
-  vtkPolyData* GetOutput();
   vtkPolyData* GetSurface();
   vtkImageData* GetLabelMap();
   ///@}
@@ -105,9 +99,6 @@ public:
    */
   vtkGetMacro(NumberOfIterations, int);
 
-  vtkTypeBool ProcessRequest(vtkInformation* request, vtkInformationVector** inputs,
-    vtkInformationVector* outputs) override;
-
 protected:
   vtkBaselineSegmentation();
   ~vtkBaselineSegmentation() override = default;
@@ -125,6 +116,9 @@ protected:
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int FillOutputPortInformation(int port, vtkInformation* info) override;
+  int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
   double SeedCenter[3] = { 0, 0, 0 };
   double SeedRadius = 10;
@@ -137,8 +131,6 @@ private:
   vtkBaselineSegmentation(const vtkBaselineSegmentation&) = delete;
   void operator=(const vtkBaselineSegmentation&) = delete;
 
-  int RequestInformation(vtkInformationVector** inputs, vtkInformationVector* outputs);
-  int RequestData(vtkInformationVector** inputs, vtkInformationVector* outputs);
   void Execute(vtkImageData* image, vtkPolyData* surface, vtkImageData* labels);
 };
 

@@ -1,18 +1,14 @@
 #include "vtkGVFSnake.h"
 
 #include "BaselineTask.h"
-#include "GaussianWidth.h"
+#include "EdgeGradient.h"
 #include "GradientVectorFlow.h"
-#include "ItkRegion.h"
 #include "PlaneSnake.h"
-#include "SeedStatistics.h"
 
 #include "Image/ImageInterpolation.h"
 #include "PropertyCheck.h"
 
 #include "vtkObjectFactory.h"
-
-#include "itkGradientMagnitudeRecursiveGaussianImageFilter.h"
 
 #include <algorithm>
 #include <cmath>
@@ -23,7 +19,6 @@ namespace
 {
 
 using FlipFree::PlaneImage;
-using MagnitudeFilter = itk::GradientMagnitudeRecursiveGaussianImageFilter<PlaneImage, PlaneImage>;
 
 // Shares of the progress.
 constexpr double FlowBegins = 0.1;
@@ -112,33 +107,6 @@ std::vector<std::size_t> PixelsInSeed(const SeedSlice& slice, double radius)
   return pixels;
 }
 
-// 0 in flat parts of the image, a half where the gradient is `contrast` times the seed's mean, 1 at
-// strong edges. Null if the monitor stopped it.
-PlaneImage::Pointer EdgeMap(const PlaneImage::Pointer& image,
-  const std::vector<std::size_t>& seedPixels, double sigma, double contrast,
-  const FlipFree::Monitor& monitor)
-{
-  auto gradient = MagnitudeFilter::New();
-  gradient->SetInput(image);
-  gradient->SetSigma(sigma);
-  if (!FlipFree::UpdateMonitored<MagnitudeFilter>(gradient,
-        FlipFree::ReportedProgress<MagnitudeFilter>, monitor))
-  {
-    return nullptr;
-  }
-  PlaneImage::Pointer map = gradient->GetOutput();
-  map->DisconnectPipeline();
-  float* const begin = map->GetBufferPointer();
-  const double scale = std::max(contrast * FlipFree::StatisticsOf(begin, seedPixels).Mean, 1e-30);
-  std::transform(begin, begin + map->GetBufferedRegion().GetNumberOfPixels(), begin,
-    [scale](float value)
-    {
-      const double squared = (value / scale) * (value / scale);
-      return static_cast<float>(1 - 1 / (1 + squared * squared * squared * squared));
-    });
-  return map;
-}
-
 } // namespace
 
 bool vtkGVFSnake::Segment(const FlipFree::BaselineTask& task,
@@ -150,8 +118,12 @@ bool vtkGVFSnake::Segment(const FlipFree::BaselineTask& task,
   const double aside = (slice.Center[2] - slice.K) * slice.Region.Spacing[2];
   const double radius = std::sqrt(
     std::max(slice.Pixel * slice.Pixel, task.Seed.Radius * task.Seed.Radius - aside * aside));
-  const PlaneImage::Pointer edges = EdgeMap(SampleSlice(task, slice), PixelsInSeed(slice, radius),
-    this->EdgeSigma, this->EdgeContrast, FlipFree::PartOf(monitor, 0, FlowBegins));
+  // 0 in flat parts of the image, a half where the gradient is EdgeContrast times the seed's mean,
+  // 1 at strong edges.
+  const PlaneImage::Pointer edges =
+    FlipFree::MapGradient<PlaneImage>(SampleSlice(task, slice), this->EdgeSigma, this->EdgeContrast,
+      PixelsInSeed(slice, radius), FlipFree::PartOf(monitor, 0, FlowBegins),
+      [](double squared) { return 1 - 1 / (1 + squared * squared * squared * squared); });
   FlipFree::PlaneField field{ slice.Size[0], slice.Size[1],
     std::vector<Eigen::Vector2d>(static_cast<std::size_t>(slice.Size[0]) * slice.Size[1]) };
   FlipFree::SnakeSettings settings;

@@ -4,6 +4,7 @@
 #include "FieldSurface.h"
 #include "Intensity/LeakControl.h"
 #include "IntensityOdds.h"
+#include "MaskVoxels.h"
 #include "MinimumCut.h"
 #include "SliceCut.h"
 
@@ -29,20 +30,6 @@ constexpr double SmoothnessOfVolume = 10;
 constexpr double CandidatesEnd = 0.1;
 constexpr double CutEnds = 0.9;
 
-FlipFree::BitMask MaskOfVoxels(const std::vector<std::size_t>& voxels,
-  const FlipFree::ImageGeometry& geometry)
-{
-  FlipFree::BitMask mask(geometry);
-  const std::size_t row = geometry.Dimensions[0];
-  const std::size_t rows = geometry.Dimensions[1];
-  for (const std::size_t voxel : voxels)
-  {
-    mask.Insert(static_cast<int>(voxel % row), static_cast<int>(voxel / row % rows),
-      static_cast<int>(voxel / row / rows));
-  }
-  return mask;
-}
-
 // What may be organ: favorable voxels that hang together with the seed, and all around them whose
 // odds are not hopeless. False if the monitor stopped it.
 bool FindCandidates(const FlipFree::ImageView<float>& logOdds,
@@ -51,13 +38,7 @@ bool FindCandidates(const FlipFree::ImageView<float>& logOdds,
 {
   candidates = FlipFree::VoxelsWhere(
     logOdds, [](float odds) { return odds > WorstLogOdds; }, FlipFree::SMPFor);
-  for (const std::size_t voxel : seedVoxels)
-  {
-    const std::size_t row = logOdds.Geometry.Dimensions[0];
-    const std::size_t rows = logOdds.Geometry.Dimensions[1];
-    candidates.Insert(static_cast<int>(voxel % row), static_cast<int>(voxel / row % rows),
-      static_cast<int>(voxel / row / rows));
-  }
+  FlipFree::Unite(candidates, FlipFree::MaskOf(seedVoxels, logOdds.Geometry));
   return FlipFree::Dilate(candidates, Bridge, FlipFree::SMPFor, monitor) &&
     FlipFree::KeepConnected(candidates, seedVoxels, monitor);
 }
@@ -69,7 +50,7 @@ bool vtkGraphCutSegmentation::Segment(const FlipFree::BaselineTask& task,
 {
   const FlipFree::ImageGeometry& geometry = task.Region.Geometry;
   const auto seedVoxels = FlipFree::VoxelsInSphere(geometry, task.Seed);
-  const FlipFree::BitMask seeds = MaskOfVoxels(seedVoxels, geometry);
+  const FlipFree::BitMask seeds = FlipFree::MaskOf(seedVoxels, geometry);
   const std::vector<float> logOdds =
     FlipFree::LogOddsOf(task, this->NoiseWidening, FlipFree::SMPFor);
   FlipFree::BitMask candidates;

@@ -1,8 +1,7 @@
 #include "vtkLevelSetSegmentation.h"
 
 #include "BaselineTask.h"
-#include "GaussianWidth.h"
-#include "IntensityInterval.h"
+#include "EdgeGradient.h"
 #include "ItkRegion.h"
 #include "SeedStatistics.h"
 #include "SettlingLevelSet.h"
@@ -13,7 +12,6 @@
 #include "vtkObjectFactory.h"
 
 #include "itkGeodesicActiveContourLevelSetImageFilter.h"
-#include "itkGradientMagnitudeRecursiveGaussianImageFilter.h"
 #include "itkReinitializeLevelSetImageFilter.h"
 #include "itkThresholdSegmentationLevelSetImageFilter.h"
 
@@ -30,7 +28,6 @@ using ThresholdFilter = FlipFree::SettlingLevelSet<
   itk::ThresholdSegmentationLevelSetImageFilter<ItkImage, ItkImage, float>>;
 using GeodesicFilter = FlipFree::SettlingLevelSet<
   itk::GeodesicActiveContourLevelSetImageFilter<ItkImage, ItkImage, float>>;
-using GradientFilter = itk::GradientMagnitudeRecursiveGaussianImageFilter<ItkImage, ItkImage>;
 using DistanceFilter = itk::ReinitializeLevelSetImageFilter<ItkImage>;
 
 constexpr double CurvatureOfThreshold = 2;
@@ -69,36 +66,6 @@ ItkImage::Pointer ThresholdSpeed(const FlipFree::BaselineTask& task, double widt
   auto image = FlipFree::NewItkImage(task.Region.Geometry);
   std::transform(task.Region.Voxels.begin(), task.Region.Voxels.end(), image->GetBufferPointer(),
     [&interval](float value) { return static_cast<float>(interval.Speed(value)); });
-  return image;
-}
-
-// 1 in flat parts of the image, a half where the gradient is `contrast` times the seed's mean, 0 at
-// strong edges. Null if the monitor stopped it.
-ItkImage::Pointer EdgePotential(const FlipFree::BaselineTask& task, double sigma, double contrast,
-  const FlipFree::Monitor& monitor)
-{
-  auto gradient = GradientFilter::New();
-  gradient->SetInput(FlipFree::CopyToItk(task.Region.Voxels, task.Region.Geometry));
-  gradient->SetSigma(sigma);
-  gradient->SetNumberOfWorkUnits(
-    static_cast<itk::ThreadIdType>(vtkSMPTools::GetEstimatedNumberOfThreads()));
-  if (!FlipFree::UpdateMonitored<GradientFilter>(gradient,
-        FlipFree::ReportedProgress<GradientFilter>, monitor))
-  {
-    return nullptr;
-  }
-  ItkImage::Pointer image = gradient->GetOutput();
-  image->DisconnectPipeline();
-  float* const begin = image->GetBufferPointer();
-  const FlipFree::SeedStatistics seed =
-    FlipFree::StatisticsOf(begin, FlipFree::VoxelsInSphere(task.Region.Geometry, task.Seed));
-  const double scale = std::max(contrast * seed.Mean, 1e-30);
-  std::transform(begin, begin + task.Region.Voxels.size(), begin,
-    [scale](float value)
-    {
-      const double squared = (value / scale) * (value / scale);
-      return static_cast<float>(1 / (1 + squared * squared));
-    });
   return image;
 }
 
@@ -183,8 +150,13 @@ bool vtkLevelSetSegmentation::Segment(const FlipFree::BaselineTask& task,
     return Evolve<ThresholdFilter>(task, filter, this->RimWidth, monitor, result);
   }
   FlipFree::RequireGaussianWidth(task.Region.Geometry, 3);
-  auto potential = EdgePotential(task, this->EdgeSigma, this->EdgeContrast,
-    FlipFree::PartOf(monitor, 0, EdgesEnd));
+  // 1 in flat parts of the image, a half where the gradient is EdgeContrast times the seed's mean,
+  // 0 at strong edges.
+  auto potential = FlipFree::MapGradient<ItkImage>(
+    FlipFree::CopyToItk(task.Region.Voxels, task.Region.Geometry), this->EdgeSigma,
+    this->EdgeContrast, FlipFree::VoxelsInSphere(task.Region.Geometry, task.Seed),
+    FlipFree::PartOf(monitor, 0, EdgesEnd),
+    [](double squared) { return 1 / (1 + squared * squared); });
   if (!potential)
   {
     return false;

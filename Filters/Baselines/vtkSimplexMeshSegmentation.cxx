@@ -1,8 +1,8 @@
 #include "vtkSimplexMeshSegmentation.h"
 
 #include "BaselineTask.h"
-#include "IntensityInterval.h"
 #include "ItkRegion.h"
+#include "SeedStatistics.h"
 #include "SimplexBalloon.h"
 
 #include "Image/ImageInterpolation.h"

@@ -1,0 +1,56 @@
+/**
+ * Private to the module: masks and offsets of voxels, one from the other, and sets of voxels.
+ */
+#ifndef FlipFreeMaskVoxels_h
+#define FlipFreeMaskVoxels_h
+
+#include "Image/BitMask.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+namespace FlipFree
+{
+
+inline void InsertVoxel(BitMask& mask, std::size_t offset)
+{
+  const std::size_t row = mask.GetGeometry().Dimensions[0];
+  const std::size_t rows = mask.GetGeometry().Dimensions[1];
+  mask.Insert(static_cast<int>(offset % row), static_cast<int>(offset / row % rows),
+    static_cast<int>(offset / row / rows));
+}
+
+inline BitMask MaskOf(const std::vector<std::size_t>& offsets, const ImageGeometry& geometry)
+{
+  BitMask mask(geometry);
+  for (const std::size_t offset : offsets)
+  {
+    InsertVoxel(mask, offset);
+  }
+  return mask;
+}
+
+inline std::vector<std::size_t> OffsetsOf(const BitMask& mask)
+{
+  std::vector<std::size_t> offsets;
+  mask.ForEach([&offsets](std::size_t voxel) { offsets.push_back(voxel); });
+  return offsets;
+}
+
+/// The voxels of one mask and of the other, on the same grid; or of one or the other.
+inline void Intersect(BitMask& mask, const BitMask& other)
+{
+  std::transform(mask.GetWords().begin(), mask.GetWords().end(), other.GetWords().begin(),
+    mask.GetWords().begin(), std::bit_and<>());
+}
+inline void Unite(BitMask& mask, const BitMask& other)
+{
+  std::transform(mask.GetWords().begin(), mask.GetWords().end(), other.GetWords().begin(),
+    mask.GetWords().begin(), std::bit_or<>());
+}
+
+} // namespace FlipFree
+
+#endif
