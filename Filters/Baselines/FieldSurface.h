@@ -17,8 +17,8 @@ struct FieldSurface
 };
 
 /// The closed surface on which a field changes its sign, by VTK's flying edges, in physical
-/// millimeters under any direction matrix, counter-clockwise seen from where it is negative. Beyond
-/// the grid it is taken as negative. Empty where it is positive nowhere.
+/// millimeters under any direction matrix, counter-clockwise seen from where it is negative. The
+/// field counts as negative outside the grid. Empty if it is positive nowhere.
 FieldSurface SurfaceOfField(const ImageView<float>& field);
 
 /// The voxels of the grid's positive field as runs in the image that the grid, a crop of it, is

@@ -9,7 +9,7 @@
 namespace FlipFree
 {
 
-/// Beyond that, a voxel is as good as decided.
+/// Beyond this, a voxel is practically decided.
 constexpr float MaximumLogOdds = 5;
 
 /// The natural logarithm of the odds of each voxel of the region, between plus and minus

@@ -28,7 +28,7 @@ struct MinimumCutSettings
 ///  - minus the log odds of the voxels in the set, times the voxel's volume, and
 ///  - Smoothness times the area of the faces between the set and the rest, times
 ///    exp(-(difference of the gray values)^2 / (2 EdgeContrast^2)).
-/// Grid's end costs nothing. Memory goes by the candidates: about 80 bytes for each. Returns false
+/// The border of the grid costs nothing. Memory is about 80 bytes per candidate. Returns false
 /// if the monitor stopped it; `organ` is then as it was.
 bool FindMinimumCut(const ImageView<float>& image, const std::vector<float>& logOdds,
   const BitMask& candidates, const BitMask& seeds, const MinimumCutSettings& settings,

@@ -1,7 +1,7 @@
 /**
- * Private to the module: ITK's level sets, made to stop when the region inside has settled. ITK's
- * own test, the change of the level set function per iteration, often is never met: the front
- * trembles on the spot.
+ * Private to the module: ITK's level sets, made to stop when the volume inside has settled. ITK's
+ * own criterion, the change of the level set function per iteration, is often never met, because
+ * the front oscillates in place.
  */
 #ifndef FlipFreeSettlingLevelSet_h
 #define FlipFreeSettlingLevelSet_h

@@ -1,6 +1,6 @@
 /**
- * Private to the module: ITK's deformable simplex mesh, blown up by a force that is known
- * everywhere in space.
+ * Private to the module: ITK's deformable simplex mesh, inflated by a force that is a function of
+ * space.
  */
 #ifndef FlipFreeSimplexBalloon_h
 #define FlipFreeSimplexBalloon_h

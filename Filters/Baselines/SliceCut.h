@@ -10,7 +10,7 @@
 namespace FlipFree
 {
 
-/// Cuts the plane k through the seed's center, then the ones above and below until one is empty.
+/// Cuts the plane k through the seed's center, then those above and below it until one is empty.
 /// `margin` millimeters inside the outline of the slice before, voxels with favorable odds are
 /// organ; as far outside of it, all are background. Counts the slices. Returns false if the monitor
 /// stopped it.

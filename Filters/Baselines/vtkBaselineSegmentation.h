@@ -1,23 +1,23 @@
 /**
  * @class   vtkBaselineSegmentation
- * @brief   what the methods have in common that vtkFlipFreeSegmentation is compared with
+ * @brief   base class of the methods that vtkFlipFreeSegmentation is compared with
  *
- * From the same seed sphere as vtkFlipFreeSegmentation, on the same part of the image, smoothed by
- * the same anisotropic diffusion (vtkSeedRegionDiffusion), to the same two outputs. Each method is
- * a subclass: vtkRegionGrowing, vtkLevelSetSegmentation, vtkGraphCutSegmentation,
- * vtkSimplexMeshSegmentation and vtkGVFSnake.
+ * Every method starts from the same seed sphere as vtkFlipFreeSegmentation, works on the same part
+ * of the image after the same anisotropic diffusion (vtkSeedRegionDiffusion), and gives the same
+ * two outputs. Each method is a subclass: vtkRegionGrowing, vtkLevelSetSegmentation,
+ * vtkGraphCutSegmentation, vtkSimplexMeshSegmentation and vtkGVFSnake.
  *
  * Input port 0: vtkImageData with one scalar component of any type; coordinates are the image's
  * physical millimeters, the direction matrix is honored.
  *
- * Output port 0: vtkPolyData, the surface: triangles, closed; where the organ reaches the image's
- * end, closed there. Mostly not of a known topology, unlike that of vtkFlipFreeSegmentation.
+ * Output port 0: vtkPolyData, the surface: closed, of triangles, also where the organ is cut off by
+ * the border of the image. Unlike that of vtkFlipFreeSegmentation, its topology is mostly unknown.
  * Output port 1: vtkImageData, unsigned char `Labels` of the input's geometry: LabelValue inside.
  *
  * Errors: no scalars, several components, an empty image, voxels that are not finite within Reach,
  * a seed outside the image, a radius below a voxel, a property that is not a number, nothing found
- * at the seed. Each is reported once; the outputs are then empty. They are empty without an error
- * after an abort.
+ * at the seed. Each is reported once and leaves the outputs empty. After an abort the outputs are
+ * empty without an error.
  */
 #ifndef vtkBaselineSegmentation_h
 #define vtkBaselineSegmentation_h
@@ -53,7 +53,7 @@ public:
   ///@{
   /**
    * Center of the seed sphere, in millimeters. Default (0, 0, 0). The sphere should lie within the
-   * organ; its voxels model the organ's intensities, and the segmentation starts from it.
+   * organ: its voxels model the organ's intensities, and the segmentation starts from it.
    */
   vtkSetVector3Macro(SeedCenter, double);
   vtkGetVector3Macro(SeedCenter, double);
@@ -77,9 +77,9 @@ public:
 
   ///@{
   /**
-   * Half the edge length of the box around the seed's center that can be reached, in millimeters;
-   * nothing beyond it is looked at. Default 0: ten seed radii, but 100 at least and 250 at most, as
-   * in vtkFlipFreeSegmentation. 0 to 1e6.
+   * Half the edge length, in millimeters, of the box around the seed's center that is searched.
+   * Default 0: ten seed radii, at least 100 and at most 250, as in vtkFlipFreeSegmentation. 0 to
+   * 1e6.
    */
   vtkSetClampMacro(Reach, double, 0, 1e6);
   vtkGetMacro(Reach, double);
@@ -95,7 +95,7 @@ public:
   ///@}
 
   /**
-   * Iterations that the last update took; 0 of methods that do not iterate, and after a failure.
+   * Iterations of the last update; 0 for methods that do not iterate, and after a failure.
    */
   vtkGetMacro(NumberOfIterations, int);
 
@@ -104,7 +104,7 @@ protected:
   ~vtkBaselineSegmentation() override = default;
 
   /**
-   * The method itself. Returns false if the monitor stopped it; throws where it cannot be done.
+   * The method itself. Returns false if the monitor stopped it; throws if it fails.
    */
   virtual bool Segment(const FlipFree::BaselineTask& task,
     const std::function<bool(double)>& monitor, FlipFree::BaselineResult& result) = 0;

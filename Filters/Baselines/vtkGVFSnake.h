@@ -4,14 +4,14 @@
  *
  * In the slice (a plane of the image's first two axes) through the center of the seed sphere, a
  * closed curve moves from the sphere's cross-section to the organ's edge. The force on it is the
- * gradient vector flow of an edge map (itk::GradientVectorFlowImageFilter), scaled to length one:
- * the edges' gradients, diffused far into regions without edges. Tension keeps the curve smooth. An
- * edge is where the image's gradient is well above the seed's mean gradient; weaker ones count
- * little. The motion stops when the area has settled, or after MaximumIterations.
+ * gradient vector flow of an edge map (itk::GradientVectorFlowImageFilter), normalized to unit
+ * length: the gradients of the edges, diffused far into regions without edges. Tension keeps the
+ * curve smooth. An edge is where the image's gradient is well above the seed's mean gradient. The
+ * motion stops when the area has settled, or after MaximumIterations.
  *
  * Errors and the common properties are those of vtkBaselineSegmentation; a slice of fewer than four
- * voxels along an axis is refused. The outputs are of one slice: output port 0 is the curve, one
- * closed polyline (lines, no polygons); in the label map all other slices are empty.
+ * voxels along an axis is refused. The outputs cover one slice: output port 0 is the curve, one
+ * closed polyline (lines, no polygons); all other slices of the label map are empty.
  *
  * Source: C. Xu and J. Prince, Snakes, shapes, and gradient vector flow (1998).
  */
@@ -38,8 +38,8 @@ public:
 
   ///@{
   /**
-   * The gradient that makes half an edge, in multiples of the seed's mean gradient. Default 4; 0.01
-   * to 1000.
+   * The gradient at which the edge map is one half, in multiples of the seed's mean gradient.
+   * Default 4; 0.01 to 1000.
    */
   vtkSetClampMacro(EdgeContrast, double, 0.01, 1000);
   vtkGetMacro(EdgeContrast, double);
@@ -56,7 +56,7 @@ public:
 
   ///@{
   /**
-   * Iterations of the flow. Edges are felt at so many pixels' distance at most. Default 1000; 1 to
+   * Iterations of the flow: the distance in pixels at which an edge can be felt. Default 1000; 1 to
    * 100000.
    */
   vtkSetClampMacro(FlowIterations, int, 1, 100000);
@@ -89,7 +89,8 @@ public:
 
   ///@{
   /**
-   * A force outward besides, in pixels per iteration. Default 0: none, as in the paper; 0 to 10.
+   * An additional outward force, in pixels per iteration. Default 0: none, as in the paper; 0
+   * to 10.
    */
   vtkSetClampMacro(Pressure, double, 0, 10);
   vtkGetMacro(Pressure, double);

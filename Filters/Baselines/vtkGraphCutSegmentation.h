@@ -7,15 +7,15 @@
  *  - regional: the odds of a voxel's intensity under a mixture of Gaussians of the seed sphere
  *    against one of its surroundings;
  *  - boundary: the area of the organ's surface, which costs less where intensities jump.
- * The seed sphere is organ for certain. Voxels whose odds are hopeless, and those that do not hang
- * together with the seed, are background for certain; that keeps the graph small. The mixture of a
- * smoothed sphere is too narrow for voxels that organ and neighbor share, so that the cut is too
- * small by about a voxel: a rim is added to it.
+ * The seed sphere is certain organ. Voxels with very low odds and voxels that are not connected to
+ * the seed are certain background, which keeps the graph small. The mixture of a smoothed sphere is
+ * too narrow for partial-volume voxels, so the cut comes out about a voxel too small; a rim is
+ * added to it.
  *
- * Mode VOLUME cuts the reachable region at once. Mode SLICES (default), the one of the paper, cuts
- * slice by slice (planes of the image's first two axes), from the one through the seed's center on
- * to both sides: what lies well inside the slice before is organ for certain in the next, and what
- * lies well outside is background.
+ * Mode VOLUME cuts the whole region within reach. Mode SLICES (default), that of the paper, cuts
+ * slice by slice (planes of the image's first two axes), starting at the seed's center and going to
+ * both sides. What lies well inside the outline of one slice is organ in the next, and what lies
+ * well outside is background.
  *
  * Ports, errors and the common properties are those of vtkBaselineSegmentation. NumberOfIterations
  * is the number of slices cut, 1 in mode VOLUME.
@@ -47,7 +47,7 @@ public:
 
   ///@{
   /**
-   * Slice by slice: SLICES (default), or at once: VOLUME.
+   * SLICES (default) or VOLUME.
    */
   vtkSetClampMacro(Mode, int, SLICES, VOLUME);
   vtkGetMacro(Mode, int);
@@ -57,8 +57,8 @@ public:
 
   ///@{
   /**
-   * Standard deviations of the image's noise by which the seed's mixture is widened, added in
-   * squares. Default 1; 0 to 100.
+   * How much the seed's mixture is widened, in standard deviations of the image's noise, added in
+   * quadrature. Default 1; 0 to 100.
    */
   vtkSetClampMacro(NoiseWidening, double, 0, 100);
   vtkGetMacro(NoiseWidening, double);
@@ -66,9 +66,9 @@ public:
 
   ///@{
   /**
-   * Weight of the boundary, in millimeters: what a square millimeter of it costs in flat parts of
-   * the image, in natural logarithms of odds over a cubic millimeter. Default 0: what suits the
-   * mode best, 20 for SLICES and 10 for VOLUME; 0 to 1000.
+   * Weight of the boundary, in millimeters: the cost of one square millimeter in flat parts of the
+   * image, relative to natural log odds of one over a cubic millimeter. Default 0: the best value
+   * for the mode, 20 for SLICES and 10 for VOLUME; 0 to 1000.
    */
   vtkSetClampMacro(Smoothness, double, 0, 1000);
   vtkGetMacro(Smoothness, double);
@@ -85,9 +85,9 @@ public:
 
   ///@{
   /**
-   * How far the outline moves from slice to slice, in millimeters: so far inside that of the slice
-   * before, voxels that look like organ are organ; so far outside, all are background. Default 6;
-   * 0.1 to 1000. SLICES only.
+   * How far the outline may move from slice to slice, in millimeters. Farther inside the outline of
+   * the previous slice, voxels with favorable odds are organ; farther outside, all voxels are
+   * background. Default 6; 0.1 to 1000. SLICES only.
    */
   vtkSetClampMacro(SliceMargin, double, 0.1, 1000);
   vtkGetMacro(SliceMargin, double);
@@ -114,7 +114,7 @@ public:
 
   ///@{
   /**
-   * Width of the rim that is added to the cut, in millimeters; where voxels are wider, none is.
+   * Width of the rim that is added to the cut, in millimeters; no rim where voxels are wider.
    * Default 1.3; 0 (none) to 100.
    */
   vtkSetClampMacro(RimWidth, double, 0, 100);

@@ -5,13 +5,11 @@
  * The two modes of ITK-SNAP's snake tool, on ITK's sparse field level sets:
  *  - THRESHOLD (default; itk::ThresholdSegmentationLevelSetImageFilter): the front moves outward
  *    where the intensity is within IntensityWidth standard deviations of the seed's mean and inward
- *    elsewhere, the faster the further the intensity is from the ends of that interval, up to the
- *    speed 1;
+ *    elsewhere. The speed grows with the distance from the ends of that interval, up to 1;
  *  - GEODESIC (itk::GeodesicActiveContourLevelSetImageFilter): the front moves outward everywhere,
- *    slowly where the image has an edge, and is drawn to the edge's middle by advection. An edge is
- *    where the gradient is well above the seed's mean gradient.
- * In both, curvature smooths the front. The evolution stops when the volume has settled, or after
- * MaximumIterations.
+ *    slowly where the image has an edge, and advection pulls it to the middle of the edge. An edge
+ * is where the gradient is well above the seed's mean gradient. In both, curvature smooths the
+ * front. The evolution stops when the volume has settled, or after MaximumIterations.
  *
  * Ports, errors and the common properties are those of vtkBaselineSegmentation; GEODESIC refuses
  * fewer than four voxels along an axis. The surface is the zero level set, located below a voxel.
@@ -63,7 +61,7 @@ public:
   ///@{
   /**
    * Weight of the mean curvature, in millimeters, against the speed, which is 1 at
-   * most. Default 0: what suits the speed best, 2 for THRESHOLD and 0.5 for GEODESIC; 0 to 100.
+   * most. Default 0: the best value for the speed, 2 for THRESHOLD and 0.5 for GEODESIC; 0 to 100.
    */
   vtkSetClampMacro(CurvatureScaling, double, 0, 100);
   vtkGetMacro(CurvatureScaling, double);
@@ -97,8 +95,8 @@ public:
 
   ///@{
   /**
-   * How far the final front is moved outward, in millimeters, since voxels that organ and neighbor
-   * share count as background. Default 1.8; 0 (not at all) to 3. THRESHOLD only.
+   * How far the final front is moved outward, in millimeters, because partial-volume voxels count
+   * as background. Default 1.8; 0 (not at all) to 3. THRESHOLD only.
    */
   vtkSetClampMacro(RimWidth, double, 0, 3);
   vtkGetMacro(RimWidth, double);

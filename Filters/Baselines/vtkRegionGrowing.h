@@ -4,9 +4,9 @@
  *
  * Confidence connected region growing (itk::ConfidenceConnectedImageFilter): the voxels that are
  * connected with the seed sphere and whose intensity is within Multiplier standard deviations of
- * the region's mean, which is measured again on the grown region, Repetitions times. Afterwards the
+ * the region's mean. The mean is measured again on the grown region, Repetitions times. Then the
  * region is closed, which fills vessels and noise, and opened, which cuts leaks through thin
- * bridges; what then hangs together with the seed is the organ.
+ * bridges. What is still connected to the seed is the organ.
  *
  * Ports, errors and the common properties are those of vtkBaselineSegmentation.
  *
@@ -36,7 +36,7 @@ public:
 
   ///@{
   /**
-   * How often mean and deviation are measured again on the grown region, and it is grown anew.
+   * How often the statistics are measured again on the grown region, which is then grown again.
    * Default 1; 0 to 100.
    */
   vtkSetClampMacro(Repetitions, int, 0, 100);

@@ -1,15 +1,15 @@
 /**
  * @class   vtkSimplexMeshSegmentation
- * @brief   segments an organ by a simplex mesh that is blown up from the seed sphere
+ * @brief   segments an organ by a simplex mesh that is inflated from the seed sphere
  *
- * A deformable simplex mesh (itk::DeformableSimplexMesh3DFilter): a surface each of whose vertices
- * has three neighbors. A balloon force moves the vertices along their normals, outward where the
+ * A deformable simplex mesh (itk::DeformableSimplexMesh3DFilter) is a surface whose vertices have
+ * three neighbors each. A balloon force moves the vertices along their normals, outward where the
  * intensity is within IntensityWidth standard deviations of the seed's mean and inward elsewhere;
  * internal forces keep the vertices spread evenly and the surface smooth. The motion stops when the
  * volume has settled, or after MaximumIterations.
  *
- * Nothing keeps the surface from folding or passing through itself, which is what simplex meshes of
- * this kind do at necks and in leaks.
+ * Nothing keeps the surface from folding or intersecting itself, as simplex meshes of this kind do
+ * at necks and in leaks.
  *
  * Ports, errors and the common properties are those of vtkBaselineSegmentation. The surface has the
  * sphere's topology: the mesh's faces, cut into triangles.

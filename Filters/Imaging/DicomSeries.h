@@ -29,7 +29,7 @@ struct DicomSeries
 };
 
 /// All series in a folder (not in the folders within it), the one with most files first. Files that
-/// are not DICOM, or DICOM without an image, are passed over. Reads headers only; an empty list if
+/// are not DICOM, or DICOM without an image, are skipped. Reads headers only; an empty list if
 /// the monitor says stop.
 std::vector<DicomSeries> ListDicomSeries(const std::string& folder, const Monitor& monitor);
 

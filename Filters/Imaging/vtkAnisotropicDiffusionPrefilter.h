@@ -3,18 +3,19 @@
  * @brief   smooths a region of an image but not its edges, by ITK
  *
  * The prefilter of section 3.2 of the paper: ITK's curvature or gradient anisotropic diffusion, on
- * a region of the image only. Two of ITK's choices are made otherwise. The time step is the
- * greatest that ITK calls stable for the image's spacing. The gradient magnitude that counts as an
- * edge is not an average over the image, which would depend on how the image is cropped and on what
- * else is in it, but that of a sphere (usually the seed), or a given one; and it stays the same
- * over the iterations. So a voxel's result depends on the voxels within NumberOfIterations of it
- * and on the sphere, and on nothing else.
+ * a region of the image only. It differs from ITK's filters in two defaults. The time step is the
+ * largest that ITK calls stable for the image's spacing. The gradient magnitude that counts as an
+ * edge is measured in a sphere (usually the seed) or given, and stays the same over the iterations;
+ * ITK's average over the image would depend on how the image is cropped and on what else it shows.
+ * So a voxel's result depends only on the voxels within NumberOfIterations of it and on the
+ * sphere.
  *
- * Conduction falls off as exp(-(|gradient| / (Conductance * GradientScale))^2 / 2). As ITK counts
- * time, one step moves gray values along an axis by TimeStep / spacing of their second difference.
+ * Conduction falls off as exp(-(|gradient| / (Conductance * GradientScale))^2 / 2). In ITK's units
+ * of time, one step changes intensities along an axis by TimeStep / spacing of their second
+ * difference.
  *
- * Gradients are measured along the grid's axes, as ITK does it: where these are not at right angles
- * (a tilted gantry's), the smoothing is sheared with the grid.
+ * As in ITK, gradients are measured along the grid's axes. If these are not at right angles (tilted
+ * gantry), the smoothing is sheared with the grid.
  *
  * Input port 0: vtkImageData with one component of finite scalars. Output port 0: vtkImageData, the
  * VOI with the input's indices and geometry; scalars float. Field data `NoiseStandardDeviation`
@@ -23,9 +24,9 @@
  *
  * Errors: no or empty image, no scalars, several components, scalars of bits, a spacing that is not
  * positive, NaN or infinite voxels, a VOI or a sphere without a voxel of the image, a TimeStep that
- * is not stable, a property that is not a number. Each is reported once; the output is then empty.
- * It is empty without an error after an abort, which is obeyed every few slices while the scale is
- * measured, and then within an iteration.
+ * is not stable, a property that is not a number. Each is reported once and leaves the output
+ * empty. After an abort the output is empty without an error; aborts take effect within an
+ * iteration.
  *
  * Source: ITK's itk::CurvatureAnisotropicDiffusionImageFilter (R. Whitaker and X. Xue,
  * Variable-conductance, level-set curvature for image denoising, ICIP 2001) and

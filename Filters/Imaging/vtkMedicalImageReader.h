@@ -5,8 +5,8 @@
  * Reads a volume from a NIfTI (.nii, .nii.gz), NRRD (.nrrd, .nhdr) or MetaImage (.mha, .mhd) file,
  * or from a folder of DICOM files. Origin, spacing and direction matrix are those that ITK gives:
  * physical coordinates are LPS (x to the patient's left, y to the back, z to the head) millimeters;
- * NIfTI's RAS is turned into them. The type of the voxels stays the file's, after its own rescale
- * slope. Of a NIfTI file, ITK gives NaN and infinite voxels as 0.
+ * NIfTI's RAS is converted. The voxels keep the type of the file, or that of its rescale slope. ITK
+ * reads NaN and infinite voxels of NIfTI files as 0.
  *
  * A folder may hold several DICOM series. They are listed by GetNumberOfSeries() and its companions
  * once the information has been updated; SeriesUID chooses one, and GetChosenSeriesUID() says which

@@ -8,9 +8,10 @@
  * same image back; NIfTI holds its geometry in single precision. Coordinates are taken as LPS
  * millimeters.
  *
- * The image is written beside its destination, read back and compared, and only then renamed: there
- * is either the whole file or, after an error or an abort, none of it, and a former file of that
- * name is still there.
+ * The image is written beside its destination, read back and compared, flushed to the disk, and
+ * renamed only then. So the file is whole, or, after an error or an abort, it does not exist, and a
+ * former file of that name is untouched. The permissions of a file that is replaced are kept, and a
+ * symbolic link is followed.
  *
  * Input port 0: vtkImageData with one component of scalars.
  *

@@ -17,9 +17,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <random>
 #include <string>
 #include <vector>
@@ -179,6 +181,33 @@ private:
   std::string Text;
   std::string WarningText;
 };
+
+/// The algorithm refuses what `run` asks of it, with one error that holds all of the words.
+inline void ExpectRefusal(vtkAlgorithm* algorithm, const std::vector<std::string>& words,
+  const std::function<void()>& run)
+{
+  Errors errors(algorithm);
+  run();
+  EXPECT_EQ(errors.Count(), 1);
+  for (const std::string& word : words)
+  {
+    EXPECT_NE(errors.Message().find(word), std::string::npos)
+      << "'" << word << "' is not in: " << errors.Message();
+  }
+  algorithm->RemoveAllObservers();
+}
+
+/// A cube of voxels that hardly compress.
+inline vtkSmartPointer<vtkImageData> Noise(int size, unsigned int values)
+{
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(size, size, size);
+  image->AllocateScalars(VTK_SHORT, 1);
+  std::mt19937 random(5);
+  std::generate_n(static_cast<short*>(image->GetScalarPointer()), image->GetNumberOfPoints(),
+    [&]() { return static_cast<short>(random() % values); });
+  return image;
+}
 
 inline std::string ReadBytes(const std::string& name)
 {

@@ -150,21 +150,18 @@ TEST_P(TestDiffusionEquations, CroppingChangesNothingButTheRim)
   auto image = NoisyStep(40, 32, 24, 15);
   const int iterations = 4;
   int crop[6] = { 5, 33, 4, 29, 2, 20 };
-  vtkNew<vtkAnisotropicDiffusionPrefilter> whole;
-  whole->SetInputData(image);
-  whole->SetEquation(GetParam());
-  whole->SetNumberOfIterations(iterations);
-  SetScaleSphere(whole, image, 15, 16, 11, 5);
-  whole->Update();
-
-  vtkNew<vtkAnisotropicDiffusionPrefilter> part;
-  part->SetInputData(image);
-  part->SetEquation(GetParam());
-  part->SetNumberOfIterations(iterations);
-  SetScaleSphere(part, image, 15, 16, 11, 5);
-  part->SetVOI(crop);
-  part->Update();
-
+  const int all[6] = { 0, -1, 0, -1, 0, -1 };
+  const auto filtered = [&](vtkImageData* input, const int* voi)
+  {
+    auto filter = vtkSmartPointer<vtkAnisotropicDiffusionPrefilter>::New();
+    filter->SetInputData(input);
+    filter->SetEquation(GetParam());
+    filter->SetNumberOfIterations(iterations);
+    SetScaleSphere(filter, image, 15, 16, 11, 5);
+    filter->SetVOI(voi);
+    filter->Update();
+    return filter;
+  };
   // Cropped before the filter, with the sphere still inside; indices stay.
   auto smaller = vtkSmartPointer<vtkImageData>::New();
   smaller->SetOrigin(image->GetOrigin());
@@ -173,38 +170,30 @@ TEST_P(TestDiffusionEquations, CroppingChangesNothingButTheRim)
   smaller->SetExtent(crop);
   smaller->AllocateScalars(VTK_SHORT, 1);
   smaller->CopyAndCastFrom(image, crop);
-  vtkNew<vtkAnisotropicDiffusionPrefilter> cropped;
-  cropped->SetInputData(smaller);
-  cropped->SetEquation(GetParam());
-  cropped->SetNumberOfIterations(iterations);
-  SetScaleSphere(cropped, image, 15, 16, 11, 5);
-  cropped->Update();
+  const auto whole = filtered(image, all);
+  const auto part = filtered(image, crop);
+  const auto cropped = filtered(smaller, all);
 
   EXPECT_EQ(part->GetGradientScaleUsed(), whole->GetGradientScaleUsed());
   EXPECT_EQ(cropped->GetGradientScaleUsed(), whole->GetGradientScaleUsed());
   ExampleImages::ExpectSameGeometry(part->GetOutput(), smaller, 0);
   ExampleImages::ExpectSameVoxels(part->GetOutput(), cropped->GetOutput());
-  int compared = 0;
-  int differs = 0;
+  int differs = 0; // in the rim only
   for (int k = crop[4]; k <= crop[5]; ++k)
   {
     for (int j = crop[2]; j <= crop[3]; ++j)
     {
       for (int i = crop[0]; i <= crop[1]; ++i)
       {
+        const int toRim = std::min(
+          { i - crop[0], crop[1] - i, j - crop[2], crop[3] - j, k - crop[4], crop[5] - k });
         const bool same = At(part->GetOutput(), i, j, k) == At(whole->GetOutput(), i, j, k);
-        if (i >= crop[0] + iterations && i <= crop[1] - iterations && j >= crop[2] + iterations &&
-          j <= crop[3] - iterations && k >= crop[4] + iterations && k <= crop[5] - iterations)
-        {
-          ASSERT_TRUE(same) << i << " " << j << " " << k;
-          ++compared;
-        }
+        ASSERT_TRUE(same || toRim < iterations) << i << " " << j << " " << k;
         differs += !same;
       }
     }
   }
-  EXPECT_EQ(compared, 21 * 18 * 11);
-  EXPECT_GT(differs, 0); // in the rim
+  EXPECT_GT(differs, 0);
 }
 
 TEST_P(TestDiffusionEquations, EqualsItksFilterWithTheSameNumbers)
@@ -487,16 +476,14 @@ TEST(TestDiffusionPrefilter, BadInputIsRefusedWithOneError)
   const auto refuse = [](vtkImageData* image, const std::string& words,
                         const std::function<void(vtkAnisotropicDiffusionPrefilter*)>& set = {})
   {
+    SCOPED_TRACE(words);
     vtkNew<vtkAnisotropicDiffusionPrefilter> filter;
-    ExampleImages::Errors errors(filter);
     filter->SetInputData(image);
     if (set)
     {
       set(filter);
     }
-    filter->Update();
-    EXPECT_EQ(errors.Count(), 1) << words;
-    EXPECT_NE(errors.Message().find(words), std::string::npos) << errors.Message();
+    ExampleImages::ExpectRefusal(filter, { words }, [&filter]() { filter->Update(); });
     EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0);
   };
   vtkNew<vtkImageData> bare;
