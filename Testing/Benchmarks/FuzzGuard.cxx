@@ -22,7 +22,7 @@ namespace
 struct Tally
 {
   int Motions = 0;
-  int HeldBackMotions = 0;
+  int GuardedMotions = 0;
   std::ptrdiff_t Intersections = 0;
   std::ptrdiff_t IntersectionsOnTheWay = 0;
   std::ptrdiff_t IntersectionsByCGAL = 0;
@@ -53,7 +53,7 @@ PointList Try(const TestSphere& sphere, const EmbeddingGuard& guard, const Point
   guard.Limit(points, displacements, SerialFor, NeverStop);
   tally.Seconds += Now() - begin;
   ++tally.Motions;
-  tally.HeldBackMotions += displacements != wanted;
+  tally.GuardedMotions += displacements != wanted;
   tally.Kept += wanted.isZero(0) ? 1 : displacements.norm() / wanted.norm();
   PointList after = points + displacements;
   tally.Intersections += CountSelfIntersections(after, triangles);
@@ -64,7 +64,7 @@ PointList Try(const TestSphere& sphere, const EmbeddingGuard& guard, const Point
   return after;
 }
 
-// Targets that are no numbers must be refused, whichever they are.
+// Targets that are not finite must be refused, whichever they are.
 int CountAccepted(const TestSphere& sphere, const EmbeddingGuard& guard, int tries,
   std::mt19937& random)
 {
@@ -92,7 +92,7 @@ int CountAccepted(const TestSphere& sphere, const EmbeddingGuard& guard, int tri
 void Print(const char* name, const Tally& tally)
 {
   std::printf("| %-30s | %6d | %6d | %.2f | %td | %td | %td | %td | %6.1f |\n", name, tally.Motions,
-    tally.HeldBackMotions, tally.Kept / tally.Motions, tally.Intersections,
+    tally.GuardedMotions, tally.Kept / tally.Motions, tally.Intersections,
     tally.IntersectionsOnTheWay, tally.IntersectionsByCGAL, tally.FlippedCorners, tally.Seconds);
 }
 
@@ -122,7 +122,7 @@ int Fuzz(int chains, int length)
     accepted += CountAccepted(sphere, guard, tries, random);
     refused += tries;
   }
-  std::puts("| motion | motions | held back | part kept | intersections | "
+  std::puts("| motion | motions | guarded | part kept | intersections | "
             "on the way | by CGAL | flipped corners | guard s |\n"
             "|---|---|---|---|---|---|---|---|---|");
   Tally sum;
@@ -131,7 +131,7 @@ int Fuzz(int chains, int length)
     const Tally& tally = tallies[kind];
     Print(AdverseMotionNames[kind], tally);
     sum.Motions += tally.Motions;
-    sum.HeldBackMotions += tally.HeldBackMotions;
+    sum.GuardedMotions += tally.GuardedMotions;
     sum.Kept += tally.Kept;
     sum.Intersections += tally.Intersections;
     sum.IntersectionsOnTheWay += tally.IntersectionsOnTheWay;
@@ -140,7 +140,7 @@ int Fuzz(int chains, int length)
     sum.Seconds += tally.Seconds;
   }
   Print("all", sum);
-  std::printf("targets that are no numbers: %d, accepted %d\n", refused, accepted);
+  std::printf("targets that are not finite: %d, accepted %d\n", refused, accepted);
   return sum.IsClean() && accepted == 0 ? 0 : 1;
 }
 

@@ -231,39 +231,3 @@ TEST(TriangleTree, QueryReachesExactlyTheTouchedTriangles)
     EXPECT_EQ(found, expected);
   }
 }
-
-TEST(TriangleTree, StrangersAreExactlyThePairsWithoutACommonVertex)
-{
-  for (int n : { 1, 2, 5 })
-  {
-    const TestSphere sphere(n);
-    const PointList topological =
-      TriangleTree::TopologicalLayout(sphere.Mesh.NumberOfPoints(), sphere.Triangles());
-    for (const PointList& layout : { sphere.Points(), topological })
-    {
-      const TriangleTree tree(layout, sphere.Triangles());
-      PairList found = tree.PairsBelow(
-        tree.PairsOfStrangers(layout, sphere.Triangles()), [](int, int) { return true; },
-        [](int, int) { return true; }, SerialFor);
-      std::sort(found.begin(), found.end());
-      PairList expected;
-      for (int one = 0; one < sphere.Triangles().rows(); ++one)
-      {
-        for (int two = one + 1; two < sphere.Triangles().rows(); ++two)
-        {
-          std::set<int> vertices;
-          for (int corner = 0; corner < 3; ++corner)
-          {
-            vertices.insert(sphere.Triangles()(one, corner));
-            vertices.insert(sphere.Triangles()(two, corner));
-          }
-          if (vertices.size() == 6)
-          {
-            expected.emplace_back(one, two);
-          }
-        }
-      }
-      EXPECT_EQ(found, expected) << "n " << n;
-    }
-  }
-}

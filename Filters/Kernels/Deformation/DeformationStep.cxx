@@ -31,7 +31,7 @@ DeformationStepReport DeformOnce(DeformationSolver& solver, const EmbeddingGuard
 
   if (guard != nullptr)
   {
-    report.Guarded = guard->Limit(points, motion, parallelFor, monitor).HeldBack;
+    report.Guarded = guard->Limit(points, motion, parallelFor, monitor).Guarded;
     report.GuardSeconds = watch.Lap();
   }
   points += motion;

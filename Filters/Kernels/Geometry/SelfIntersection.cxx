@@ -2,8 +2,6 @@
 
 #include "Geometry/TriangleIntersection.h"
 
-#include <algorithm>
-
 namespace FlipFree
 {
 
@@ -17,11 +15,8 @@ std::vector<std::pair<int, int>> FindSelfIntersections(const TriangleTree& tree,
   const PointList& points, const TriangleList& triangles, const ParallelFor& parallelFor)
 {
   const std::vector<TriangleBox> boxes = tree.RefitBoxes(points, triangles);
-  std::vector<std::pair<int, int>> pairs = tree.SelfPairs([&](int node, int other)
-    { return boxes[node].Touches(boxes[other]); },
+  return tree.SelfPairs([&](int node, int other) { return boxes[node].Touches(boxes[other]); },
     [&](int one, int two) { return TrianglesIntersect(points, triangles, one, two); }, parallelFor);
-  std::sort(pairs.begin(), pairs.end());
-  return pairs;
 }
 
 std::ptrdiff_t CountSelfIntersections(const PointList& points, const TriangleList& triangles)

@@ -8,7 +8,7 @@ namespace FlipFree
 namespace
 {
 
-// Enough of them to be shared out between threads.
+// Enough to balance the load between threads.
 constexpr int NumberOfSubtrees = 64;
 
 using VertexGraph = std::vector<std::vector<int>>;
@@ -60,28 +60,17 @@ TriangleTree::TriangleTree(const PointList& layout, const TriangleList& triangle
   this->Nodes.reserve(2 * static_cast<std::size_t>(count) - 1);
   this->Split(centers, order.data(), order.data() + count);
 
-  this->Parents.assign(this->Nodes.size(), -1);
-  this->Leaves.assign(count, -1);
   const int ofSubtree = std::max(1, count / NumberOfSubtrees);
-  for (int node = 0; node < this->NumberOfNodes(); ++node)
+  for (int node = 0; node < this->NumberOfNodes();)
   {
-    const bool isRoot = node == 0;
-    if (this->Nodes[node].Count == 1)
+    if (this->Nodes[node].Count > ofSubtree)
     {
-      this->Leaves[this->Nodes[node].Triangle] = node;
+      this->AboveSubtrees.push_back(node++);
     }
     else
     {
-      this->Parents[node + 1] = node;
-      this->Parents[this->Nodes[node].Second] = node;
-    }
-    if (this->Nodes[node].Count > ofSubtree)
-    {
-      this->AboveSubtrees.push_back(node);
-    }
-    else if (isRoot || this->Nodes[this->Parents[node]].Count > ofSubtree)
-    {
       this->Subtrees.push_back(node);
+      node += 2 * this->Nodes[node].Count - 1;
     }
   }
 }
@@ -150,66 +139,20 @@ PointList TriangleTree::TopologicalLayout(int numberOfPoints, const TriangleList
   return layout;
 }
 
-std::vector<TriangleTree::NodePair> TriangleTree::PairsOfStrangers(const PointList& layout,
+std::vector<TriangleTree::NodePair> TriangleTree::DisjointPairs(const PointList& layout,
   const TriangleList& triangles) const
 {
-  std::vector<NodePair> front;
+  std::vector<NodePair> disjoint;
   if (!this->Nodes.empty())
   {
-    // Neighbors have a point of the layout in common, so their boxes touch.
-    this->CollectStrangers(NodePair(0, 0), this->RefitBoxes(layout, triangles), triangles, front);
+    this->CollectDisjointPairs(NodePair(0, 0), this->RefitBoxes(layout, triangles), triangles,
+      disjoint);
   }
-  return front;
+  return disjoint;
 }
 
-TriangleTree::NodePartners TriangleTree::PartnersOf(const std::vector<NodePair>& front) const
-{
-  NodePartners partners;
-  partners.Begin.assign(this->Nodes.size() + 1, 0);
-  for (const NodePair& pair : front)
-  {
-    ++partners.Begin[pair.first + 1];
-    ++partners.Begin[pair.second + 1];
-  }
-  std::partial_sum(partners.Begin.begin(), partners.Begin.end(), partners.Begin.begin());
-  partners.Others.resize(partners.Begin.back());
-  std::vector<int> next = partners.Begin;
-  for (const NodePair& pair : front)
-  {
-    partners.Others[next[pair.first]++] = pair.second;
-    partners.Others[next[pair.second]++] = pair.first;
-  }
-  partners.Middle.resize(this->Nodes.size());
-  for (int node = 0; node < this->NumberOfNodes(); ++node)
-  {
-    const auto first = partners.Others.begin() + partners.Begin[node];
-    const auto last = partners.Others.begin() + partners.Begin[node + 1];
-    std::sort(first, last);
-    partners.Middle[node] =
-      static_cast<int>(std::upper_bound(first, last, node) - partners.Others.begin());
-  }
-  return partners;
-}
-
-TriangleTree::NodeSet TriangleTree::NodesAbove(const std::vector<int>& triangles) const
-{
-  NodeSet set;
-  set.Contains.assign(this->Nodes.size(), 0);
-  for (int triangle : triangles)
-  {
-    for (int node = this->Leaves[triangle]; node >= 0 && !set.Contains[node];
-         node = this->Parents[node])
-    {
-      set.Contains[node] = 1;
-      set.Nodes.push_back(node);
-    }
-  }
-  std::sort(set.Nodes.begin(), set.Nodes.end());
-  return set;
-}
-
-bool TriangleTree::CollectStrangers(const NodePair& pair, const std::vector<TriangleBox>& boxes,
-  const TriangleList& triangles, std::vector<NodePair>& front) const
+bool TriangleTree::CollectDisjointPairs(const NodePair& pair, const std::vector<TriangleBox>& boxes,
+  const TriangleList& triangles, std::vector<NodePair>& disjoint) const
 {
   if (!boxes[pair.first].Touches(boxes[pair.second]))
   {
@@ -220,25 +163,25 @@ bool TriangleTree::CollectStrangers(const NodePair& pair, const std::vector<Tria
     return ShareVertex(triangles.row(this->Nodes[pair.first].Triangle).data(),
       triangles.row(this->Nodes[pair.second].Triangle).data());
   }
-  bool areNeighbors = false;
-  std::vector<NodePair> strangers;
+  bool hasAdjacent = false;
+  std::vector<NodePair> allDisjoint;
   this->Expand(pair,
     [&](const NodePair& child)
     {
-      if (this->CollectStrangers(child, boxes, triangles, front))
+      if (this->CollectDisjointPairs(child, boxes, triangles, disjoint))
       {
-        areNeighbors = true;
+        hasAdjacent = true;
       }
       else
       {
-        strangers.push_back(child);
+        allDisjoint.push_back(child);
       }
     });
-  if (areNeighbors)
+  if (hasAdjacent)
   {
-    front.insert(front.end(), strangers.begin(), strangers.end());
+    disjoint.insert(disjoint.end(), allDisjoint.begin(), allDisjoint.end());
   }
-  return areNeighbors;
+  return hasAdjacent;
 }
 
 std::vector<TriangleBox> TriangleTree::RefitBoxes(const PointList& points,

@@ -1,7 +1,7 @@
 /**
  * A bounding-volume tree over the triangles of a fixed connectivity. Its structure is built once;
- * only the volumes, which belong to the caller, are refitted to each set of positions. Any volume
- * will do that can be made for a triangle and merged: boxes of positions, or of whole motions.
+ * the volumes belong to the caller and are refitted to each set of positions. A volume is anything
+ * that can be made for a triangle and merged: a box of positions, or one of whole motions.
  */
 #ifndef FlipFreeTriangleTree_h
 #define FlipFreeTriangleTree_h
@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <mutex>
 #include <utility>
 #include <vector>
 
@@ -60,30 +61,33 @@ public:
   int NumberOfNodes() const { return static_cast<int>(this->Nodes.size()); }
   int NumberOfTriangles() const { return (this->NumberOfNodes() + 1) / 2; }
 
-  /// One volume per node: makeLeaf(triangle) at the leaves, merged upwards by Volume::Merge.
+  /// Computes one volume per node: makeLeaf(triangle) at the leaves, merged upwards by
+  /// Volume::Merge. Nodes for which isStale(node) does not hold keep theirs.
+  template <typename Volume, typename MakeLeaf, typename IsStale>
+  void Refit(std::vector<Volume>& volumes, const MakeLeaf& makeLeaf, const ParallelFor& parallelFor,
+    const IsStale& isStale) const;
   template <typename Volume, typename MakeLeaf>
   void Refit(std::vector<Volume>& volumes, const MakeLeaf& makeLeaf,
-    const ParallelFor& parallelFor = SerialFor) const;
-
-  /// Some of the nodes: leaves, and all nodes above them.
-  struct NodeSet
+    const ParallelFor& parallelFor = SerialFor) const
   {
-    std::vector<char> Contains; ///< per node
-    std::vector<int> Nodes;     ///< in ascending order, so that those above come first
-  };
-  NodeSet NodesAbove(const std::vector<int>& triangles) const;
+    this->Refit(volumes, makeLeaf, parallelFor, [](int) { return true; });
+  }
 
-  /// The volumes of these nodes only.
-  template <typename Volume, typename MakeLeaf>
-  void RefitSome(std::vector<Volume>& volumes, const MakeLeaf& makeLeaf, const NodeSet& nodes,
-    const ParallelFor& parallelFor) const;
-
-  /// The boxes of the triangles at these positions.
+  /// The boxes of all nodes at these positions.
   std::vector<TriangleBox> RefitBoxes(const PointList& points, const TriangleList& triangles) const;
 
-  /// All pairs of triangles, the lesser index first, in an order that depends on the tree only, for
-  /// which accept(first, second) holds; pairs of nodes for which meet(node, other) does not hold
-  /// are left out with all that is below them. Both are called from several threads at once.
+  /// Calls visit(triangle) at every leaf that is reached through nodes for which enter(node) holds.
+  template <typename Enter, typename Visit>
+  void Query(const Enter& enter, const Visit& visit) const;
+
+  /// Calls visit(triangle) at the leaves, those of the nearer child first. It returns a bound:
+  /// nodes whose distanceTo(node) is greater are skipped with all that is below them.
+  template <typename DistanceTo, typename Visit>
+  void QueryNearestFirst(const DistanceTo& distanceTo, double bound, const Visit& visit) const;
+
+  /// The pairs of triangles for which accept(first, second) holds, the lesser index first, sorted.
+  /// Pairs of nodes for which meet(node, other) does not hold are skipped with all that is below
+  /// them. Both are called from several threads at once.
   template <typename Meet, typename Accept>
   std::vector<std::pair<int, int>> SelfPairs(const Meet& meet, const Accept& accept,
     const ParallelFor& parallelFor) const;
@@ -91,52 +95,16 @@ public:
   /// Two nodes, standing for all pairs of a triangle below one and a triangle below the other.
   using NodePair = std::pair<int, int>;
 
-  /// Pairs of nodes that together stand for every pair of triangles without a common vertex, once,
-  /// and for no other. It spares a traversal the neighbors, which always meet.
-  std::vector<NodePair> PairsOfStrangers(const PointList& layout,
-    const TriangleList& triangles) const;
+  /// Pairs of nodes that together stand for every pair of disjoint triangles, those without a
+  /// common vertex, exactly once, and for no other pair. A traversal that starts from them does not
+  /// descend to adjacent triangles, whose volumes always meet. Few pairs come of the layout that
+  /// the tree was built with.
+  std::vector<NodePair> DisjointPairs(const PointList& layout, const TriangleList& triangles) const;
 
-  /// Pairs of nodes by node: the others that a node is in a pair with are
-  /// Others[Begin[node]] to, not including, Others[Begin[node + 1]]; the first of them after the
-  /// node itself is Others[Middle[node]].
-  struct NodePartners
-  {
-    std::vector<int> Begin;
-    std::vector<int> Middle;
-    std::vector<int> Others;
-  };
-  NodePartners PartnersOf(const std::vector<NodePair>& front) const;
-
-  /// Calls visit(first, second) for all pairs of triangles, the lesser index first, among those
-  /// that the pairs of nodes stand for; pairs of nodes for which meet(node, other) does not hold
-  /// are left out with all that is below them. Both are called from several threads at once.
+  /// Calls visit(first, second), the lesser index first, for the pairs of different triangles that
+  /// the two nodes stand for; meet as in SelfPairs.
   template <typename Meet, typename Visit>
-  void VisitPairsBelow(const NodePartners& front, const Meet& meet, const Visit& visit,
-    const ParallelFor& parallelFor) const;
-
-  /// Only the pairs of these nodes, to but not including the last, with later ones; in this thread.
-  template <typename Meet, typename Visit>
-  void VisitPairsBelow(const NodePartners& front, int firstNode, int lastNode, const Meet& meet,
-    const Visit& visit) const;
-
-  /// Only those of which a triangle is in the set.
-  template <typename Meet, typename Visit>
-  void VisitSomePairsBelow(const NodePartners& front, const NodeSet& nodes, const Meet& meet,
-    const Visit& visit, const ParallelFor& parallelFor) const;
-
-  /// Like SelfPairs, among the pairs of triangles that `front` stands for.
-  template <typename Meet, typename Accept>
-  std::vector<std::pair<int, int>> PairsBelow(const std::vector<NodePair>& front, const Meet& meet,
-    const Accept& accept, const ParallelFor& parallelFor) const;
-
-  /// Calls visit(triangle) at every leaf that is reached through nodes for which enter(node) holds.
-  template <typename Enter, typename Visit>
-  void Query(const Enter& enter, const Visit& visit) const;
-
-  /// Calls visit(triangle) at the leaves, those of the nearer child first. It returns a bound:
-  /// nodes whose distanceTo(node) is greater are left out with all that is below them.
-  template <typename DistanceTo, typename Visit>
-  void QueryNearestFirst(const DistanceTo& distanceTo, double bound, const Visit& visit) const;
+  void VisitPairsBelow(const NodePair& pair, const Meet& meet, const Visit& visit) const;
 
 private:
   // In depth-first order: the first child of a node follows it, a leaf has no second one.
@@ -147,57 +115,50 @@ private:
     int Triangle = -1;
   };
 
+  void Split(const PointList& centers, int* first, int* last);
+
   bool IsFinal(const NodePair& pair) const
   {
     return this->Nodes[pair.first].Count == 1 && this->Nodes[pair.second].Count == 1;
   }
 
-  template <typename Volume, typename MakeLeaf>
-  void RefitNode(std::vector<Volume>& volumes, const MakeLeaf& makeLeaf, int node) const;
-
-  void Split(const PointList& centers, int* first, int* last);
-
-  // True when some triangles below the two nodes are neighbors; then the pairs of strangers below
-  // them are in the front.
-  bool CollectStrangers(const NodePair& pair, const std::vector<TriangleBox>& boxes,
-    const TriangleList& triangles, std::vector<NodePair>& front) const;
-
-  // Of a pair that meets.
-  template <typename Meet, typename Visit>
-  void VisitPairsBelow(const NodePair& pair, const Meet& meet, const Visit& visit) const;
-
   // Replaces a pair of nodes by the pairs below it.
   template <typename Push>
   void Expand(const NodePair& pair, const Push& push) const;
 
+  // Tells whether some triangles below the two nodes are adjacent; if so, appends the pairs of
+  // nodes that stand for the disjoint ones.
+  bool CollectDisjointPairs(const NodePair& pair, const std::vector<TriangleBox>& boxes,
+    const TriangleList& triangles, std::vector<NodePair>& disjoint) const;
+
   std::vector<Node> Nodes;
-  std::vector<int> Parents; // -1 for the root
-  std::vector<int> Leaves;  // per triangle
-  // What is refitted in parallel, and the nodes above it.
+  // Subtrees are the unit of parallel work; every node is in one of them or above them.
   std::vector<int> Subtrees;
   std::vector<int> AboveSubtrees;
 };
 
-template <typename Volume, typename MakeLeaf>
-void TriangleTree::RefitNode(std::vector<Volume>& volumes, const MakeLeaf& makeLeaf, int node) const
-{
-  if (this->Nodes[node].Count == 1)
-  {
-    volumes[node] = makeLeaf(this->Nodes[node].Triangle);
-  }
-  else
-  {
-    volumes[node] = volumes[node + 1];
-    volumes[node].Merge(volumes[this->Nodes[node].Second]);
-  }
-}
-
-template <typename Volume, typename MakeLeaf>
+template <typename Volume, typename MakeLeaf, typename IsStale>
 void TriangleTree::Refit(std::vector<Volume>& volumes, const MakeLeaf& makeLeaf,
-  const ParallelFor& parallelFor) const
+  const ParallelFor& parallelFor, const IsStale& isStale) const
 {
   volumes.resize(this->Nodes.size());
-  // All that is below a node follows it without a gap.
+  const auto refit = [&](int node)
+  {
+    if (!isStale(node))
+    {
+      return;
+    }
+    if (this->Nodes[node].Count == 1)
+    {
+      volumes[node] = makeLeaf(this->Nodes[node].Triangle);
+    }
+    else
+    {
+      volumes[node] = volumes[node + 1];
+      volumes[node].Merge(volumes[this->Nodes[node].Second]);
+    }
+  };
+  // The nodes of a subtree are contiguous.
   const std::vector<int>& roots = this->Subtrees;
   parallelFor(0, static_cast<std::ptrdiff_t>(roots.size()),
     [&](std::ptrdiff_t first, std::ptrdiff_t last)
@@ -207,235 +168,11 @@ void TriangleTree::Refit(std::vector<Volume>& volumes, const MakeLeaf& makeLeaf,
         const int root = roots[index];
         for (int node = root + 2 * this->Nodes[root].Count - 2; node >= root; --node)
         {
-          this->RefitNode(volumes, makeLeaf, node);
+          refit(node);
         }
       }
     });
-  for (auto node = this->AboveSubtrees.rbegin(); node != this->AboveSubtrees.rend(); ++node)
-  {
-    this->RefitNode(volumes, makeLeaf, *node);
-  }
-}
-
-template <typename Volume, typename MakeLeaf>
-void TriangleTree::RefitSome(std::vector<Volume>& volumes, const MakeLeaf& makeLeaf,
-  const NodeSet& nodes, const ParallelFor& parallelFor) const
-{
-  parallelFor(0, static_cast<std::ptrdiff_t>(nodes.Nodes.size()),
-    [&](std::ptrdiff_t first, std::ptrdiff_t last)
-    {
-      for (std::ptrdiff_t index = first; index < last; ++index)
-      {
-        const int node = nodes.Nodes[index];
-        if (this->Nodes[node].Count == 1)
-        {
-          this->RefitNode(volumes, makeLeaf, node);
-        }
-      }
-    });
-  for (auto node = nodes.Nodes.rbegin(); node != nodes.Nodes.rend(); ++node)
-  {
-    if (this->Nodes[*node].Count > 1)
-    {
-      this->RefitNode(volumes, makeLeaf, *node);
-    }
-  }
-}
-
-template <typename Push>
-void TriangleTree::Expand(const NodePair& pair, const Push& push) const
-{
-  const Node& one = this->Nodes[pair.first];
-  const Node& two = this->Nodes[pair.second];
-  if (pair.first == pair.second)
-  {
-    if (one.Count > 1)
-    {
-      push(NodePair(pair.first + 1, one.Second));
-      push(NodePair(one.Second, one.Second));
-      push(NodePair(pair.first + 1, pair.first + 1));
-    }
-  }
-  else if (one.Count >= two.Count)
-  {
-    push(NodePair(one.Second, pair.second));
-    push(NodePair(pair.first + 1, pair.second));
-  }
-  else
-  {
-    push(NodePair(pair.first, two.Second));
-    push(NodePair(pair.first, pair.second + 1));
-  }
-}
-
-template <typename Meet, typename Accept>
-std::vector<std::pair<int, int>> TriangleTree::SelfPairs(const Meet& meet, const Accept& accept,
-  const ParallelFor& parallelFor) const
-{
-  // Opened from the root until there is enough to share out.
-  constexpr std::size_t enough = 1024;
-  std::vector<NodePair> front;
-  if (!this->Nodes.empty())
-  {
-    front.emplace_back(0, 0);
-  }
-  for (bool grown = true; grown && front.size() < enough;)
-  {
-    grown = false;
-    std::vector<NodePair> next;
-    for (const NodePair& pair : front)
-    {
-      if (this->IsFinal(pair))
-      {
-        next.push_back(pair);
-      }
-      else if (meet(pair.first, pair.second))
-      {
-        grown = true;
-        this->Expand(pair, [&](const NodePair& child) { next.push_back(child); });
-      }
-    }
-    front.swap(next);
-  }
-  return this->PairsBelow(front, meet, accept, parallelFor);
-}
-
-template <typename Meet, typename Visit>
-void TriangleTree::VisitPairsBelow(const NodePair& pair, const Meet& meet, const Visit& visit) const
-{
-  const auto visitLeaves = [&](const NodePair& leaves)
-  {
-    const int one = this->Nodes[leaves.first].Triangle;
-    const int two = this->Nodes[leaves.second].Triangle;
-    if (one != two)
-    {
-      visit(std::min(one, two), std::max(one, two));
-    }
-  };
-  if (this->IsFinal(pair))
-  {
-    visitLeaves(pair);
-    return;
-  }
-  // Halving keeps the depth below 32, and each level of either node leaves at most two waiting.
-  struct Waiting
-  {
-    int First;
-    int Second;
-  };
-  std::array<Waiting, 160> waiting;
-  int size = 0;
-  waiting[size++] = { pair.first, pair.second };
-  const auto push = [&](const NodePair& child)
-  {
-    if (meet(child.first, child.second))
-    {
-      waiting[size++] = { child.first, child.second };
-    }
-  };
-  while (size > 0)
-  {
-    --size;
-    const NodePair top(waiting[size].First, waiting[size].Second);
-    if (!this->IsFinal(top))
-    {
-      this->Expand(top, push);
-      continue;
-    }
-    visitLeaves(top);
-  }
-}
-
-template <typename Meet, typename Visit>
-void TriangleTree::VisitPairsBelow(const NodePartners& front, int firstNode, int lastNode,
-  const Meet& meet, const Visit& visit) const
-{
-  for (int node = firstNode; node < lastNode; ++node)
-  {
-    for (int index = front.Middle[node]; index < front.Begin[node + 1]; ++index)
-    {
-      const int other = front.Others[index];
-      if (meet(node, other))
-      {
-        this->VisitPairsBelow(NodePair(node, other), meet, visit);
-      }
-    }
-  }
-}
-
-template <typename Meet, typename Visit>
-void TriangleTree::VisitPairsBelow(const NodePartners& front, const Meet& meet, const Visit& visit,
-  const ParallelFor& parallelFor) const
-{
-  parallelFor(0, this->NumberOfNodes(),
-    [&](std::ptrdiff_t first, std::ptrdiff_t last) {
-      this->VisitPairsBelow(front, static_cast<int>(first), static_cast<int>(last), meet, visit);
-    });
-}
-
-template <typename Meet, typename Visit>
-void TriangleTree::VisitSomePairsBelow(const NodePartners& front, const NodeSet& nodes,
-  const Meet& meet, const Visit& visit, const ParallelFor& parallelFor) const
-{
-  const auto meetInSet = [&](int node, int other)
-  { return (nodes.Contains[node] || nodes.Contains[other]) && meet(node, other); };
-  parallelFor(0, static_cast<std::ptrdiff_t>(nodes.Nodes.size()),
-    [&](std::ptrdiff_t first, std::ptrdiff_t last)
-    {
-      for (std::ptrdiff_t item = first; item < last; ++item)
-      {
-        const int node = nodes.Nodes[item];
-        for (int index = front.Begin[node]; index < front.Begin[node + 1]; ++index)
-        {
-          const int other = front.Others[index];
-          // Of two nodes in the set, the first has seen to it.
-          if ((other > node || !nodes.Contains[other]) && meet(node, other))
-          {
-            this->VisitPairsBelow(NodePair(node, other), meetInSet, visit);
-          }
-        }
-      }
-    });
-}
-
-template <typename Meet, typename Accept>
-std::vector<std::pair<int, int>> TriangleTree::PairsBelow(const std::vector<NodePair>& front,
-  const Meet& meet, const Accept& accept, const ParallelFor& parallelFor) const
-{
-  // The front is cut into a fixed number of parts, whose results are put together in their order:
-  // the same list for any number of threads.
-  constexpr std::ptrdiff_t parts = 256;
-  const std::ptrdiff_t size = static_cast<std::ptrdiff_t>(front.size());
-  std::vector<std::vector<std::pair<int, int>>> found(parts);
-  parallelFor(0, parts,
-    [&](std::ptrdiff_t firstPart, std::ptrdiff_t lastPart)
-    {
-      for (std::ptrdiff_t part = firstPart; part < lastPart; ++part)
-      {
-        const auto add = [&](int one, int two)
-        {
-          if (accept(one, two))
-          {
-            found[part].emplace_back(one, two);
-          }
-        };
-        const std::ptrdiff_t last = size * (part + 1) / parts;
-        for (std::ptrdiff_t index = size * part / parts; index < last; ++index)
-        {
-          if (meet(front[index].first, front[index].second))
-          {
-            this->VisitPairsBelow(front[index], meet, add);
-          }
-        }
-      }
-    });
-
-  std::vector<std::pair<int, int>> pairs;
-  for (const auto& part : found)
-  {
-    pairs.insert(pairs.end(), part.begin(), part.end());
-  }
-  return pairs;
+  std::for_each(this->AboveSubtrees.rbegin(), this->AboveSubtrees.rend(), refit);
 }
 
 template <typename Enter, typename Visit>
@@ -496,6 +233,91 @@ void TriangleTree::QueryNearestFirst(const DistanceTo& distanceTo, double bound,
     waiting[size++] = far;
     waiting[size++] = near;
   }
+}
+
+template <typename Push>
+void TriangleTree::Expand(const NodePair& pair, const Push& push) const
+{
+  const Node& one = this->Nodes[pair.first];
+  const Node& two = this->Nodes[pair.second];
+  if (pair.first == pair.second)
+  {
+    push(NodePair(pair.first + 1, one.Second));
+    push(NodePair(one.Second, one.Second));
+    push(NodePair(pair.first + 1, pair.first + 1));
+  }
+  else if (one.Count >= two.Count)
+  {
+    push(NodePair(one.Second, pair.second));
+    push(NodePair(pair.first + 1, pair.second));
+  }
+  else
+  {
+    push(NodePair(pair.first, two.Second));
+    push(NodePair(pair.first, pair.second + 1));
+  }
+}
+
+template <typename Meet, typename Visit>
+void TriangleTree::VisitPairsBelow(const NodePair& pair, const Meet& meet, const Visit& visit) const
+{
+  // Halving keeps the depth below 32, and each level of either node leaves at most two waiting.
+  std::array<std::array<int, 2>, 160> waiting;
+  int size = 0;
+  const auto push = [&](const NodePair& nodes)
+  {
+    if (meet(nodes.first, nodes.second))
+    {
+      waiting[size++] = { { nodes.first, nodes.second } };
+    }
+  };
+  push(pair);
+  while (size > 0)
+  {
+    --size;
+    const NodePair top(waiting[size][0], waiting[size][1]);
+    if (!this->IsFinal(top))
+    {
+      this->Expand(top, push);
+    }
+    else if (top.first != top.second)
+    {
+      const int one = this->Nodes[top.first].Triangle;
+      const int two = this->Nodes[top.second].Triangle;
+      visit(std::min(one, two), std::max(one, two));
+    }
+  }
+}
+
+template <typename Meet, typename Accept>
+std::vector<std::pair<int, int>> TriangleTree::SelfPairs(const Meet& meet, const Accept& accept,
+  const ParallelFor& parallelFor) const
+{
+  std::vector<std::pair<int, int>> pairs;
+  std::mutex mutex;
+  const auto collect = [&](int one, int two)
+  {
+    if (accept(one, two))
+    {
+      const std::lock_guard<std::mutex> lock(mutex);
+      pairs.emplace_back(one, two);
+    }
+  };
+  const std::ptrdiff_t count = static_cast<std::ptrdiff_t>(this->Subtrees.size());
+  parallelFor(0, count * count,
+    [&](std::ptrdiff_t first, std::ptrdiff_t last)
+    {
+      for (std::ptrdiff_t index = first; index < last; ++index)
+      {
+        if (index / count <= index % count)
+        {
+          this->VisitPairsBelow({ this->Subtrees[index / count], this->Subtrees[index % count] },
+            meet, collect);
+        }
+      }
+    });
+  std::sort(pairs.begin(), pairs.end());
+  return pairs;
 }
 
 } // namespace FlipFree

@@ -1,19 +1,18 @@
 /**
- * The bounding volume of a motion: one box at the start and one at the end.
+ * The bounding volume of moving vertices: one box around their positions at the start and one
+ * around those at the end.
  *
- * If one volume lies below the other along the same axis in both boxes, the two are apart at all
- * times between, since all positions are linear in time. Motion that both share does not matter,
- * however far it goes.
+ * Claim: if one volume lies below the other along the same axis in both boxes, their contents are
+ * apart at all times. Proof: along that axis the difference between a vertex of one and a vertex of
+ * the other is linear in time and positive at both ends. Shared motion cancels, however long it is.
+ *
+ * Rounding: boxes are kept in single precision. Conversion is monotone, so that a box that is below
+ * another after conversion was below it before.
  */
 #ifndef FlipFreeMotionBox_h
 #define FlipFreeMotionBox_h
 
-#include "Guard/MotionCertificate.h"
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <limits>
+#include "Guard/MotionTest.h"
 
 namespace FlipFree
 {
@@ -25,22 +24,24 @@ public:
   /// Holds nothing yet.
   MotionBox() = default;
 
-  /// A vertex, with a margin around it. Coordinates must be in the range of a float.
-  MotionBox(const Motion& motion, int vertex, double margin)
+  /// The box of some vertices, with a margin around them. Coordinates must be in the range of a
+  /// float.
+  template <std::size_t N>
+  MotionBox(const Motion& motion, const std::array<int, N>& vertices, double margin)
   {
     for (int end = 0; end < 2; ++end)
     {
-      this->Low[end][3] = 0;
-      this->High[end][3] = 0;
       const PointList& points = end == 0 ? motion.From : motion.To;
-      for (int axis = 0; axis < 3; ++axis)
+      Eigen::Array3d low = points.row(vertices[0]);
+      Eigen::Array3d high = low;
+      for (std::size_t i = 1; i < N; ++i)
       {
-        const double low = points(vertex, axis) - margin;
-        const double high = points(vertex, axis) + margin;
-        // Rounded outwards.
-        this->Low[end][axis] = static_cast<float>(low - std::abs(low) * Rounding);
-        this->High[end][axis] = static_cast<float>(high + std::abs(high) * Rounding);
+        const Eigen::Array3d point = points.row(vertices[i]);
+        low = low.min(point);
+        high = high.max(point);
       }
+      this->Low[end] << (low - margin).cast<float>(), 0;
+      this->High[end] << (high + margin).cast<float>(), 0;
     }
   }
 
@@ -61,9 +62,8 @@ public:
   }
 
 private:
-  // Single precision, and a fourth lane that stays zero, for the vector units.
+  // Three coordinates and a fourth lane that stays zero, for the vector units.
   using Lanes = Eigen::Array4f;
-  static constexpr double Rounding = 2.0 * std::numeric_limits<float>::epsilon();
 
   std::array<Lanes, 2> Low;
   std::array<Lanes, 2> High;

@@ -1,4 +1,4 @@
-#include "Guard/StrangerPairs.h"
+#include "Guard/CandidatePairs.h"
 #include "RandomMotions.h"
 
 #include <gtest/gtest.h>
@@ -37,7 +37,7 @@ std::set<FeaturePair> BruteForce(const TriangleList& triangles)
       edges.insert({ face[i == 2 ? 0 : i], face[i == 0 ? 1 : 2] });
     }
   }
-  const auto haveStrangers = [&](const Feature& one, const Feature& two)
+  const auto areCovered = [&](const Feature& one, const Feature& two)
   {
     for (const Feature& first : faces)
     {
@@ -58,7 +58,7 @@ std::set<FeaturePair> BruteForce(const TriangleList& triangles)
   {
     for (const Feature& vertex : vertices)
     {
-      if (Disjoint(vertex, face) && !haveStrangers(vertex, face))
+      if (Disjoint(vertex, face) && !areCovered(vertex, face))
       {
         pairs.insert({ vertex, face });
       }
@@ -68,7 +68,7 @@ std::set<FeaturePair> BruteForce(const TriangleList& triangles)
   {
     for (const Feature& two : edges)
     {
-      if (one < two && Disjoint(one, two) && !haveStrangers(one, two))
+      if (one < two && Disjoint(one, two) && !areCovered(one, two))
       {
         pairs.insert({ one, two });
       }
@@ -79,7 +79,7 @@ std::set<FeaturePair> BruteForce(const TriangleList& triangles)
 
 std::set<FeaturePair> List(const ContourMesh& mesh)
 {
-  const FeaturePairs listed = ListPairsWithoutStrangers(mesh.NumberOfPoints(), mesh.Triangles);
+  const CandidatePairs listed(mesh.NumberOfPoints(), mesh.Triangles);
   std::set<FeaturePair> pairs;
   const auto insert = [&](const auto& one, const auto& two)
   {
@@ -88,11 +88,11 @@ std::set<FeaturePair> List(const ContourMesh& mesh)
     std::sort(pair.second.begin(), pair.second.end());
     EXPECT_TRUE(pairs.insert(pair).second) << "listed twice";
   };
-  for (const auto& pair : listed.VertexFaces)
+  for (const auto& pair : listed.VertexFacePairs())
   {
     insert(pair.Vertex, pair.Face);
   }
-  for (const auto& pair : listed.EdgeEdges)
+  for (const auto& pair : listed.EdgeEdgePairs())
   {
     insert(pair.One, pair.Two);
   }
@@ -101,7 +101,7 @@ std::set<FeaturePair> List(const ContourMesh& mesh)
 
 } // namespace
 
-TEST(StrangerPairs, SpheresHaveStrangersEverywhere)
+TEST(CandidatePairs, DisjointTrianglesCoverSpheres)
 {
   for (int n : { 1, 2, 3, 8 })
   {
@@ -111,7 +111,7 @@ TEST(StrangerPairs, SpheresHaveStrangersEverywhere)
   EXPECT_TRUE(BruteForce(TestSphere(2).Mesh.Triangles).empty());
 }
 
-TEST(StrangerPairs, ListsTheRestLikeBruteForce)
+TEST(CandidatePairs, ListsTheRestLikeBruteForce)
 {
   const ContourMesh seven = SevenVertexTorus().Mesh;
   EXPECT_EQ(List(seven), BruteForce(seven.Triangles));
@@ -130,6 +130,57 @@ TEST(StrangerPairs, ListsTheRestLikeBruteForce)
       }
       const ContourMesh mesh = BuildContourMesh(count, faces);
       EXPECT_EQ(List(mesh), BruteForce(mesh.Triangles)) << count << " vertices, step " << step;
+    }
+  }
+}
+
+// Of all pairs of disjoint triangles with a changed vertex, each is visited once: at rest and with
+// a gap that reaches everywhere, or else where triangles come near.
+TEST(CandidatePairs, VisitsChangedPairsLikeBruteForce)
+{
+  std::mt19937 random(1);
+  for (int n : { 1, 2, 5 })
+  {
+    const TestSphere sphere(n);
+    const TriangleList& triangles = sphere.Triangles();
+    const int count = sphere.Mesh.NumberOfPoints();
+    const CandidatePairs candidates(count, triangles);
+    std::vector<MotionBox> boxes;
+    for (int size : { count, 0, 1, 3, count / 2 })
+    {
+      std::vector<char> changed(count, 0);
+      std::fill(changed.begin(), changed.begin() + size, 1);
+      std::shuffle(changed.begin(), changed.end(), random);
+      const auto featureOf = [&](int triangle)
+      {
+        Feature feature(triangles.row(triangle).begin(), triangles.row(triangle).end());
+        std::sort(feature.begin(), feature.end());
+        return feature;
+      };
+      const auto isChanged = [&](const Feature& feature)
+      {
+        return std::any_of(feature.begin(), feature.end(),
+          [&](int vertex) { return changed[vertex] != 0; });
+      };
+      std::set<std::pair<int, int>> expected;
+      for (int one = 0; one < triangles.rows(); ++one)
+      {
+        for (int two = one + 1; two < triangles.rows(); ++two)
+        {
+          const Feature first = featureOf(one);
+          const Feature second = featureOf(two);
+          if (Disjoint(first, second) && (isChanged(first) || isChanged(second)))
+          {
+            expected.emplace(one, two);
+          }
+        }
+      }
+      std::set<std::pair<int, int>> visited;
+      candidates.VisitDisjointTriangles(
+        { sphere.Points(), sphere.Points() }, 1e3, changed, boxes,
+        [&](int one, int two) { EXPECT_TRUE(visited.emplace(one, two).second) << "visited twice"; },
+        SerialFor);
+      EXPECT_EQ(visited, expected) << "n " << n << ", " << size << " changed";
     }
   }
 }

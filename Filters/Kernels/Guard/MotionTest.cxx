@@ -1,0 +1,230 @@
+#include "Guard/MotionTest.h"
+
+#include "Geometry/ClosestDirection.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace FlipFree
+{
+namespace
+{
+
+using Eigen::Vector3d;
+
+// Of the motion: the search ends with a step shorter than this, the parts being about to touch.
+constexpr double MinimumAdvance = 0.01;
+
+// Parts that are nearer than wanted at the start keep this fraction of their distance: to keep all
+// of it, no rounding error could be allowed for.
+constexpr double KeptFraction = 1 - 1e-6;
+
+// Relative to the square of the greatest length, well above the rounding errors of a normal.
+constexpr double NormalError = 1e-12;
+
+template <std::size_t N>
+bool AreAtRest(const Motion& motion, const std::array<int, N>& vertices)
+{
+  return std::all_of(vertices.begin(), vertices.end(),
+    [&](int vertex) { return motion.IsAtRest(vertex); });
+}
+
+template <std::size_t N>
+std::array<Vector3d, N> PositionsAt(const Motion& motion, const std::array<int, N>& vertices,
+  double time)
+{
+  std::array<Vector3d, N> positions;
+  for (std::size_t i = 0; i < N; ++i)
+  {
+    positions[i] = motion.At(vertices[i], time);
+  }
+  return positions;
+}
+
+// Where vertices lie along a direction.
+template <std::size_t N>
+struct Projection
+{
+  std::array<double, N> Places;
+  double Low = std::numeric_limits<double>::infinity();
+  double High = -std::numeric_limits<double>::infinity();
+};
+
+template <std::size_t N>
+Projection<N> Project(const std::array<Vector3d, N>& vertices, const Vector3d& direction)
+{
+  Projection<N> projection;
+  for (std::size_t i = 0; i < N; ++i)
+  {
+    projection.Places[i] = vertices[i].dot(direction);
+    projection.Low = std::min(projection.Low, projection.Places[i]);
+    projection.High = std::max(projection.High, projection.Places[i]);
+  }
+  return projection;
+}
+
+// Conservative advancement: the direction between the closest points proves that the parts are
+// apart until some time; the next direction is taken at the positions of that time.
+template <std::size_t A, std::size_t B>
+double Advance(const Motion& motion, const std::array<int, A>& one, const std::array<int, B>& two,
+  const MinimumDistance& distance, double maximumTime)
+{
+  if (AreAtRest(motion, one) && AreAtRest(motion, two))
+  {
+    return 1;
+  }
+  const std::array<Vector3d, A> oneEnd = PositionsAt(motion, one, 1);
+  const std::array<Vector3d, B> twoEnd = PositionsAt(motion, two, 1);
+  double time = 0;
+  double kept = distance.Wanted;
+  while (true)
+  {
+    const std::array<Vector3d, A> oneNow = PositionsAt(motion, one, time);
+    const std::array<Vector3d, B> twoNow = PositionsAt(motion, two, time);
+    const Vector3d direction = ClosestDirection(oneNow, twoNow).normalized();
+
+    const Projection<A> oneBefore = Project(oneNow, direction);
+    const Projection<B> twoBefore = Project(twoNow, direction);
+    const double separation = oneBefore.Low - twoBefore.High;
+    if (time == 0)
+    {
+      kept = std::min(distance.Wanted, KeptFraction * separation);
+    }
+    if (!(kept >= distance.Resolution && kept > 0))
+    {
+      return -1;
+    }
+    if (!(separation >= kept) || time >= maximumTime)
+    {
+      return time;
+    }
+
+    const Projection<A> oneAfter = Project(oneEnd, direction);
+    const Projection<B> twoAfter = Project(twoEnd, direction);
+    if (oneAfter.Low - twoAfter.High >= kept)
+    {
+      return 1;
+    }
+    // The earliest time at which two vertices are nearer than `kept` along the direction.
+    double reached = 1;
+    for (std::size_t i = 0; i < A; ++i)
+    {
+      for (std::size_t j = 0; j < B; ++j)
+      {
+        const double end = oneAfter.Places[i] - twoAfter.Places[j];
+        if (!(end >= kept))
+        {
+          const double now = oneBefore.Places[i] - twoBefore.Places[j];
+          reached = std::min(reached, (now - kept) / (now - end));
+        }
+      }
+    }
+    const double advance = (1 - time) * reached;
+    if (!(advance > 0))
+    {
+      return time;
+    }
+    time += advance;
+    if (advance <= MinimumAdvance)
+    {
+      return time;
+    }
+  }
+}
+
+// The component of the normal along the first one is quadratic in time, and positive if its three
+// Bernstein coefficients are. That decides nearly all corners without a square root. The
+// coefficients are sums of products of four edge components, whose rounding errors are below 1e-14
+// times the fourth power of the longest edge.
+bool StaysClearlyUpright(const Motion& motion, const std::array<int, 3>& corner)
+{
+  const auto edge = [&](const PointList& points, int end) -> Vector3d
+  { return (points.row(corner[end]) - points.row(corner[1])).transpose(); };
+  const Vector3d a = edge(motion.From, 2);
+  const Vector3d b = edge(motion.From, 0);
+  const Vector3d c = edge(motion.To, 2);
+  const Vector3d d = edge(motion.To, 0);
+  const double greatest =
+    std::max({ a.squaredNorm(), b.squaredNorm(), c.squaredNorm(), d.squaredNorm() });
+  const double error = 4 * NormalError * greatest * greatest;
+  const Vector3d normal = a.cross(b);
+  // Within these bounds, no product underflows or overflows.
+  return greatest > 1e-60 && greatest < 1e60 && normal.squaredNorm() > error &&
+    normal.dot(a.cross(d) + c.cross(b)) > error && normal.dot(c.cross(d)) > error;
+}
+
+} // namespace
+
+double TimeOfFlip(const Motion& motion, const std::array<int, 3>& corner)
+{
+  if (StaysClearlyUpright(motion, corner) || AreAtRest(motion, corner))
+  {
+    return 1;
+  }
+  Vector3d edges[2][2];
+  double greatest = 0;
+  for (int end = 0; end < 2; ++end)
+  {
+    const PointList& points = end == 0 ? motion.From : motion.To;
+    const Vector3d vertex = points.row(corner[1]);
+    edges[end][0] = points.row(corner[2]).transpose() - vertex;
+    edges[end][1] = points.row(corner[0]).transpose() - vertex;
+    greatest = std::max({ greatest, edges[end][0].norm(), edges[end][1].norm() });
+  }
+  if (greatest == 0)
+  {
+    return 1;
+  }
+  for (auto& pair : edges)
+  {
+    pair[0] /= greatest; // so that no product underflows
+    pair[1] /= greatest;
+  }
+  const Vector3d normal = edges[0][0].cross(edges[0][1]);
+  const double length = normal.norm();
+  if (length <= NormalError)
+  {
+    return 1;
+  }
+  // The component of the normal along the first one, less what rounding may make of it, is
+  // b0 (1 - t)^2 + 2 b1 t (1 - t) + b2 t^2.
+  const double error = NormalError * length;
+  const double b0 = length * length - error;
+  const double b1 =
+    0.5 * normal.dot(edges[0][0].cross(edges[1][1]) + edges[1][0].cross(edges[0][1])) - error;
+  const double b2 = normal.dot(edges[1][0].cross(edges[1][1])) - error;
+  const double discriminant = b1 * b1 - b0 * b2;
+  if (b2 > 0 && (b1 >= 0 || discriminant < 0))
+  {
+    return 1;
+  }
+  // The first zero as t / (1 - t), without cancellation: for a corner that is thin at both ends and
+  // wide in between, b1 is so large that b0 and b2 would be lost beside it.
+  const double root = std::sqrt(std::max(0.0, discriminant));
+  const double ratio = b1 < 0 ? b0 / (root - b1) : (root + b1) / -b2;
+  const double time = std::isfinite(ratio) ? ratio / (1 + ratio) : 1;
+  return std::min(time, std::nextafter(1.0, 0.0));
+}
+
+double TimeOfImpact(const Motion& motion, const std::array<int, 1>& vertex,
+  const std::array<int, 3>& face, const MinimumDistance& distance, double maximumTime)
+{
+  return Advance(motion, vertex, face, distance, maximumTime);
+}
+
+double TimeOfImpact(const Motion& motion, const std::array<int, 2>& one,
+  const std::array<int, 2>& two, const MinimumDistance& distance, double maximumTime)
+{
+  return Advance(motion, one, two, distance, maximumTime);
+}
+
+double TimeOfImpact(const Motion& motion, const std::array<int, 3>& one,
+  const std::array<int, 3>& two, const MinimumDistance& distance, double maximumTime)
+{
+  return Advance(motion, one, two, distance, maximumTime);
+}
+
+} // namespace FlipFree

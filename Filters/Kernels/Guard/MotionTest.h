@@ -1,0 +1,64 @@
+/**
+ * The narrow phase of the guard: until when parts of a surface stay apart, and the corners of its
+ * faces upright, while its vertices move along straight lines in unit time.
+ *
+ * Claim: a direction along which two sets of vertices are separated at both ends of an interval of
+ * time separates their convex hulls throughout. Proof: along a fixed direction the difference of
+ * two moving points is linear in time, so it is positive between two times at which it is. Shared
+ * motion cancels. How the direction was found does not matter: a poor one proves nothing, but never
+ * too much.
+ *
+ * Rounding: no distance below MinimumDistance::Resolution is ever proven, and that is 1e-12 of the
+ * greatest coordinate, more than a hundred times the rounding errors of a position and its
+ * projection. These may cost a small part of the distance, but never its sign.
+ */
+#ifndef FlipFreeMotionTest_h
+#define FlipFreeMotionTest_h
+
+#include "KernelTypes.h"
+
+#include <array>
+
+namespace FlipFree
+{
+
+/// Every vertex moves from its row of `From` to its row of `To`, in unit time.
+struct Motion
+{
+  const PointList& From;
+  const PointList& To;
+
+  Eigen::Vector3d At(int vertex, double time) const
+  {
+    return (1 - time) * this->From.row(vertex) + time * this->To.row(vertex);
+  }
+  bool IsAtRest(int vertex) const { return this->From.row(vertex) == this->To.row(vertex); }
+};
+
+/// The distance to be kept, in millimeters. Parts that are nearer than `Wanted` at the start may
+/// not come nearer; parts that are nearer than `Resolution`, the size of rounding errors, may not
+/// move at all.
+struct MinimumDistance
+{
+  double Wanted = 0;
+  double Resolution = 0;
+};
+
+/// Conservative time of impact of a vertex and a triangle, of two edges, or of two triangles
+/// without a common vertex: they are proven to keep their minimum distance until then. 1 if there
+/// is no impact, also for parts at rest. Negative if the parts are not proven to be apart at the
+/// start. The search may end at `maximumTime` or later with the time that it has reached.
+double TimeOfImpact(const Motion& motion, const std::array<int, 1>& vertex,
+  const std::array<int, 3>& triangle, const MinimumDistance& distance, double maximumTime = 1);
+double TimeOfImpact(const Motion& motion, const std::array<int, 2>& one,
+  const std::array<int, 2>& two, const MinimumDistance& distance, double maximumTime = 1);
+double TimeOfImpact(const Motion& motion, const std::array<int, 3>& one,
+  const std::array<int, 3>& two, const MinimumDistance& distance, double maximumTime = 1);
+
+/// The time at which the normal of the corner before-vertex-after has turned by 90 degrees; 1 if it
+/// does not, for a corner at rest, and for one that has no normal at the start.
+double TimeOfFlip(const Motion& motion, const std::array<int, 3>& corner);
+
+} // namespace FlipFree
+
+#endif

@@ -1,0 +1,174 @@
+#include "Guard/SeparatingDirection.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+
+namespace FlipFree
+{
+namespace
+{
+
+// Rounding. Let u = 2^-24, G the greatest absolute coordinate of the vertices at one end of the
+// motion, E the greatest relative to one of them, and |d| the sum of a direction's absolute
+// components. The direction itself is taken as it is; it only has to be the same at both ends.
+// A coordinate relative to the origin has an error of u G from its conversion, and of u E from the
+// subtraction of the local origin, whose own error all vertices share. A projection adds 3 u E |d|
+// by its products and sums, the difference of two projections 2 u E |d|. That is together
+// 2 (u G + u E + 3 u E) |d| + 2 u E |d| = (2 G + 10 E) u |d|; twice to three times as much is
+// allowed for, (4 G + 32 E) u |d|, which covers the rounding of the allowance itself. The gap is
+// raised by 1e-6 = 17 u of itself for the rounding of its product with the direction's length.
+// Numbers that may underflow or overflow prove nothing.
+class DirectionTest
+{
+public:
+  DirectionTest(const SinglePrecisionMotion& motion, const std::array<int, 3>& one,
+    const std::array<int, 3>& two, double gap)
+    : Gap(std::max(static_cast<float>(gap * (1 + 1e-6)), Tiny))
+  {
+    for (int end = 0; end < 2; ++end)
+    {
+      const std::vector<Lanes>& points = motion.Ends[end];
+      const Lanes origin = points[one[0]];
+      Lanes greatest = origin;
+      Lanes relative = Lanes::Zero();
+      const auto take = [&](int vertex)
+      {
+        Lanes local = points[vertex] - origin;
+        greatest = greatest.max(points[vertex]);
+        relative = relative.max(local.abs());
+        return local;
+      };
+      for (int i = 0; i < 3; ++i)
+      {
+        this->One[end][i] = take(one[i]);
+        this->Two[end][i] = take(two[i]);
+      }
+      this->Extent[end] = relative.head<3>().maxCoeff();
+      this->Error[end] = Unit * (4 * greatest[3] + 32 * this->Extent[end]);
+    }
+  }
+
+  // Tries the normals of both triangles, the line between their centers, and the common
+  // perpendiculars of their edges, all at the middle of the motion.
+  bool Succeeds() const
+  {
+    if (!(this->Extent[0] < Huge && this->Extent[1] < Huge))
+    {
+      return false;
+    }
+    const auto a = [this](int i) -> Lanes { return this->One[0][i] + this->One[1][i]; };
+    const auto b = [this](int i) -> Lanes { return this->Two[0][i] + this->Two[1][i]; };
+    const Lanes u[3] = { a(1) - a(0), a(2) - a(1), a(0) - a(2) };
+    const Lanes v[3] = { b(1) - b(0), b(2) - b(1), b(0) - b(2) };
+    const Lanes normal = Cross(u[0], u[1]);
+    const Lanes between = a(0) + a(1) + a(2) - b(0) - b(1) - b(2);
+    if (this->AnySeparates(Transposed(normal, Cross(v[0], v[1]), between, Cross(u[0], v[0]))))
+    {
+      return true;
+    }
+    const Eigen::Matrix4f others = Transposed(v[0], v[1], v[2], normal);
+    return std::any_of(u, u + 3,
+      [&](const Lanes& edge)
+      {
+        Eigen::Matrix4f directions;
+        for (int axis = 0; axis < 3; ++axis)
+        {
+          const int next = axis < 2 ? axis + 1 : 0;
+          const int last = axis > 0 ? axis - 1 : 2;
+          directions.col(axis) = edge[next] * others.col(last) - edge[last] * others.col(next);
+        }
+        return this->AnySeparates(directions);
+      });
+  }
+
+private:
+  using Lanes = Eigen::Array4f;
+  static constexpr float Tiny = 1e-30F;
+  static constexpr float Huge = 1e5F; // its seventh power is still in range
+  static constexpr float Unit = 1.0F / (1 << 24);
+
+  static Lanes Cross(const Lanes& a, const Lanes& b)
+  {
+    return a.matrix().cross3(b.matrix()).array();
+  }
+
+  // One column per component.
+  static Eigen::Matrix4f Transposed(const Lanes& a, const Lanes& b, const Lanes& c, const Lanes& d)
+  {
+    Eigen::Matrix4f rows;
+    rows << a.matrix(), b.matrix(), c.matrix(), d.matrix();
+    rows.transposeInPlace();
+    return rows;
+  }
+
+  // One direction per row.
+  bool AnySeparates(const Eigen::Matrix4f& directions) const
+  {
+    const Lanes x = directions.col(0);
+    const Lanes y = directions.col(1);
+    const Lanes z = directions.col(2);
+    const Lanes square = x * x + y * y + z * z;
+    const Lanes gap = this->Gap * square.sqrt();
+    const Lanes sum = x.abs() + y.abs() + z.abs();
+    Lanes above[2]; // by how much the first triangle is above the second one
+    Lanes below[2];
+    for (int end = 0; end < 2; ++end)
+    {
+      Lanes low[2];
+      Lanes high[2];
+      for (int side = 0; side < 2; ++side)
+      {
+        const Lanes* const vertices = side == 0 ? this->One[end] : this->Two[end];
+        const Lanes p = vertices[0][0] * x + vertices[0][1] * y + vertices[0][2] * z;
+        const Lanes q = vertices[1][0] * x + vertices[1][1] * y + vertices[1][2] * z;
+        const Lanes r = vertices[2][0] * x + vertices[2][1] * y + vertices[2][2] * z;
+        low[side] = p.min(q).min(r);
+        high[side] = p.max(q).max(r);
+      }
+      const Lanes apart = gap + this->Error[end] * sum;
+      above[end] = low[0] - high[1] - apart;
+      below[end] = low[1] - high[0] - apart;
+    }
+    // Numbers that may have underflown make one of the first two conditions fail.
+    const Lanes sound = (square - Tiny).min(std::min(this->Error[0], this->Error[1]) * sum - Tiny);
+    const Lanes separated = above[0].min(above[1]).max(below[0].min(below[1]));
+    return sound.min(separated).maxCoeff() >= 0;
+  }
+
+  float Gap;
+  float Extent[2];
+  float Error[2];
+  Lanes One[2][3]; // per end of the motion, relative to a vertex there
+  Lanes Two[2][3];
+};
+
+} // namespace
+
+SinglePrecisionMotion::SinglePrecisionMotion(Eigen::Index count, const Eigen::Vector3d& origin)
+  : Ends{ std::vector<Eigen::Array4f>(count), std::vector<Eigen::Array4f>(count) }
+  , Origin(origin)
+{
+}
+
+void SinglePrecisionMotion::Update(const Motion& motion, int vertex)
+{
+  for (int end = 0; end < 2; ++end)
+  {
+    const PointList& points = end == 0 ? motion.From : motion.To;
+    Eigen::Array4f& rounded = this->Ends[end][vertex];
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      rounded[axis] = static_cast<float>(points(vertex, axis) - this->Origin[axis]);
+    }
+    rounded[3] = rounded.head<3>().abs().maxCoeff();
+  }
+}
+
+bool HaveSeparatingDirection(const SinglePrecisionMotion& motion, const std::array<int, 3>& one,
+  const std::array<int, 3>& two, double gap)
+{
+  return DirectionTest(motion, one, two, gap).Succeeds();
+}
+
+} // namespace FlipFree

@@ -1,0 +1,78 @@
+#include "Guard/StepLimiter.h"
+
+#include <algorithm>
+
+namespace FlipFree
+{
+namespace
+{
+
+// Below this fraction of its displacement a vertex is not moved at all.
+constexpr double MinimumScale = 1.0 / 64;
+
+} // namespace
+
+StepLimiter::StepLimiter(const PointList& points, const PointList& displacements,
+  const std::vector<std::array<int, 4>>& neighbors, double maximumShear)
+  : From(points)
+  , Neighbors(neighbors)
+  , MaximumShear(maximumShear)
+  , Wanted(displacements)
+  , Scaled(displacements)
+  , To(points + displacements)
+  , Scales(points.rows(), 1.0)
+  , IsSuspect(points.rows(), 0)
+  , SafeTimes(points.rows())
+{
+  std::fill(this->SafeTimes.begin(), this->SafeTimes.end(), 1.0);
+}
+
+std::vector<int> StepLimiter::ScaleDown()
+{
+  std::vector<int> queue; // a vertex again whenever its scale is lowered
+  for (int vertex = 0; vertex < static_cast<int>(this->Scales.size()); ++vertex)
+  {
+    const double time = this->SafeTimes[vertex];
+    this->IsSuspect[vertex] |= time < 0 ? 1 : 0;
+    if (time < 1 && this->Scales[vertex] > 0)
+    {
+      const double scale =
+        this->Scales[vertex] * std::max(MinimumPart, std::min(MaximumPart, SafetyFactor * time));
+      this->Scales[vertex] = scale < MinimumScale ? 0 : scale;
+      queue.push_back(vertex);
+    }
+    this->SafeTimes[vertex] = 1;
+  }
+  for (std::size_t head = 0; head < queue.size(); ++head)
+  {
+    const double scale = this->Scales[queue[head]];
+    for (int neighbor : this->Neighbors[queue[head]])
+    {
+      const double limit = scale + this->MaximumShear / this->Wanted.row(neighbor).norm();
+      if (this->Scales[neighbor] > limit)
+      {
+        this->Scales[neighbor] = limit;
+        queue.push_back(neighbor);
+      }
+    }
+  }
+  std::sort(queue.begin(), queue.end());
+  queue.erase(std::unique(queue.begin(), queue.end()), queue.end());
+  for (int vertex : queue)
+  {
+    this->Scaled.row(vertex) = this->Scales[vertex] * this->Wanted.row(vertex);
+    this->To.row(vertex) = this->From.row(vertex) + this->Scaled.row(vertex);
+  }
+  this->NothingFailed = true;
+  return queue;
+}
+
+void StepLimiter::SuspectHeldVertices()
+{
+  for (std::size_t vertex = 0; vertex < this->Scales.size(); ++vertex)
+  {
+    this->IsSuspect[vertex] |= this->Scales[vertex] == 0 ? 1 : 0;
+  }
+}
+
+} // namespace FlipFree

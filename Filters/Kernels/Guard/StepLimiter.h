@@ -1,0 +1,111 @@
+/**
+ * Scales the displacements of a step down where the guard's tests ask for it.
+ *
+ * Every vertex has a scale, the part of its displacement that it keeps: 1 at first. A test that
+ * fails limits the vertices involved to the time until which the motion was proven; ScaleDown then
+ * multiplies their scales by at most one half, and lowers those of neighbors as well where the
+ * scale would change too abruptly.
+ *
+ * Claim: repeating tests and ScaleDown until nothing fails ends, without a limit on the number of
+ * passes. Proof: what is at rest never fails a test, so that of the vertices of a test that fails
+ * at least one has a scale above zero, and its scale is at least halved. Below 1/64 it becomes
+ * zero, so that a vertex is halved at most seven times; scales never grow. After at most seven
+ * times as many failing passes as there are vertices, everything is at rest.
+ */
+#ifndef FlipFreeStepLimiter_h
+#define FlipFreeStepLimiter_h
+
+#include "Guard/MotionTest.h"
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <vector>
+
+namespace FlipFree
+{
+
+class StepLimiter
+{
+public:
+  /// Refers to the points and neighbors; `maximumShear` (mm) is by how much farther a neighbor's
+  /// scale may carry a vertex than its own.
+  StepLimiter(const PointList& points, const PointList& displacements,
+    const std::vector<std::array<int, 4>>& neighbors, double maximumShear);
+
+  Motion Path() const { return { this->From, this->To }; }
+  const PointList& Displacements() const { return this->Scaled; }
+
+  /// A test of these vertices failed: they are safe until `time` only; a negative time tells that
+  /// they are not apart at the start. May be called from several threads at once; the lowest time
+  /// counts.
+  template <std::size_t N>
+  void Limit(const std::array<int, N>& vertices, double time)
+  {
+    for (int vertex : vertices)
+    {
+      double present = this->SafeTimes[vertex].load(std::memory_order_relaxed);
+      while (time < present &&
+        !this->SafeTimes[vertex].compare_exchange_weak(present, time, std::memory_order_relaxed))
+      {
+      }
+    }
+    this->NothingFailed.store(false, std::memory_order_relaxed);
+  }
+
+  /// The time from which on an impact of the two makes no difference to ScaleDown, because their
+  /// vertices are limited by other tests or at rest.
+  template <std::size_t N>
+  double LatestUsefulTime(const std::array<int, N>& one, const std::array<int, N>& two) const
+  {
+    double latest = 0;
+    for (std::size_t i = 0; i < N; ++i)
+    {
+      latest = std::max({ latest, this->SafeTimeOf(one[i]), this->SafeTimeOf(two[i]) });
+    }
+    // Beyond these bounds, all times are cut to the same part of the motion.
+    return latest >= 1                       ? 1.0
+      : SafetyFactor * latest <= MinimumPart ? 0.0
+                                             : std::min(latest, MaximumPart / SafetyFactor);
+  }
+
+  /// Whether no test has failed since the last ScaleDown.
+  bool IsClean() const { return this->NothingFailed; }
+
+  /// Scales down what was limited. Returns the vertices whose motion has changed.
+  std::vector<int> ScaleDown();
+
+  /// Vertices at which the surface may not be embedded at the start (1), since a test said so. To
+  /// be added: those that are at rest before pairs have been tested at all.
+  const std::vector<char>& Suspects() const { return this->IsSuspect; }
+  void SuspectHeldVertices();
+
+private:
+  // A limited vertex keeps this fraction of its motion before the time of impact, but no more than
+  // the maximum and no less than the minimum part of its motion: others may run into it, and once
+  // these are scaled down, it may well be able to move.
+  static constexpr double SafetyFactor = 0.9;
+  static constexpr double MaximumPart = 0.5;
+  static constexpr double MinimumPart = 0.12;
+
+  // Of a vertex at rest, which no test needs to limit, zero.
+  double SafeTimeOf(int vertex) const
+  {
+    return this->Scales[vertex] > 0 ? this->SafeTimes[vertex].load(std::memory_order_relaxed) : 0;
+  }
+
+  const PointList& From;
+  const std::vector<std::array<int, 4>>& Neighbors;
+  const double MaximumShear;
+  const PointList Wanted;
+  PointList Scaled;
+  PointList To;
+  std::vector<double> Scales;
+  std::vector<char> IsSuspect;
+  std::vector<std::atomic<double>> SafeTimes; // 1 for vertices of which no test has failed
+  std::atomic<bool> NothingFailed{ true };
+};
+
+} // namespace FlipFree
+
+#endif
