@@ -79,7 +79,7 @@ FieldSurface SurfaceOfField(const ImageView<float>& field)
   // Contoured in index space, and moved here: versions of VTK differ in what they make of direction
   // matrices.
   surface.Points = CopyPoints(contour->GetOutput());
-  surface.Triangles = Triangulate(CopyPolys(contour->GetOutput()));
+  surface.Triangles = Triangulate(CopyPolys(contour->GetOutput(), "the contour"));
   const Eigen::Matrix3d toPhysical = field.Geometry.Direction * field.Geometry.Spacing.asDiagonal();
   surface.Points =
     ((surface.Points * toPhysical.transpose()).rowwise() + field.Geometry.Origin.transpose())

@@ -15,8 +15,8 @@ namespace FlipFree
 namespace
 {
 
-// The part of the mask that is not empty, with a rim of zeros that closes the surface. Its points
-// are the mask's voxel indices.
+// The bounding box of the mask with a margin of zeros, which closes the surface; points are voxel
+// indices.
 vtkSmartPointer<vtkImageData> CropAndPad(const BitMask& mask)
 {
   const auto [low, end] = mask.Bounds();
@@ -59,12 +59,11 @@ LabelSurface SurfaceOf(const BitMask& mask, int smoothingIterations)
     contours = smooth->GetOutput();
   }
 
-  // Contoured and smoothed in index space (the smoothing is linear, so that this is the same),
-  // where single precision does no harm, and moved here: versions of VTK differ in what they make
-  // of direction matrices.
+  // Contouring and (linear) smoothing work in index space, where single precision is sufficient.
+  // Versions of VTK treat direction matrices differently.
   LabelSurface surface;
   surface.Points = CopyPoints(contours);
-  surface.Triangles = Triangulate(CopyPolys(contours));
+  surface.Triangles = Triangulate(CopyPolys(contours, "the surface of a label"));
   const ImageGeometry& geometry = mask.GetGeometry();
   const Eigen::Matrix3d toPhysical = geometry.Direction * geometry.Spacing.asDiagonal();
   surface.Points =

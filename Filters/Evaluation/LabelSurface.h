@@ -16,8 +16,8 @@ struct LabelSurface
 };
 
 /// The closed surface half-way between the voxels inside the mask and those outside, in physical
-/// millimeters under any direction matrix, counter-clockwise seen from outside. Beyond the image is
-/// outside. The mask must not be empty. Iterations of windowed sinc smoothing take the steps away.
+/// millimeters, counter-clockwise seen from outside. The space beyond the image is outside. The
+/// mask must not be empty. Iterations of windowed sinc smoothing remove the steps of the voxels.
 LabelSurface SurfaceOf(const BitMask& mask, int smoothingIterations = 0);
 
 } // namespace FlipFree

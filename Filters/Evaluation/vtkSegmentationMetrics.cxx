@@ -64,14 +64,14 @@ void RequireLabel(const FlipFree::BitMask& mask, vtkImageData* image, const std:
   }
   else
   {
-    message += others.empty() ? ", all are 0; check that it is the label map that was meant"
+    message += others.empty() ? ", all are 0; check that it is the intended label map"
                               : "; it is no label map: it holds " + others +
         ", where a label map holds whole numbers from 0 up; give it a label map";
   }
   throw std::invalid_argument(message);
 }
 
-double Millilitres(std::size_t numberOfVoxels, const FlipFree::ImageGeometry& geometry)
+double Milliliters(std::size_t numberOfVoxels, const FlipFree::ImageGeometry& geometry)
 {
   return numberOfVoxels * geometry.VoxelVolume() / 1000;
 }
@@ -205,8 +205,8 @@ bool vtkSegmentationMetrics::Measure(vtkDataObject* input, vtkImageData* referen
   this->Dice = overlap.Dice();
   this->Jaccard = overlap.Jaccard();
   this->RelativeVolumeDifference = overlap.RelativeVolumeDifference();
-  this->SegmentationVolume = Millilitres(overlap.Segmentation, reference.GetGeometry());
-  this->ReferenceVolume = Millilitres(overlap.Reference, reference.GetGeometry());
+  this->SegmentationVolume = Milliliters(overlap.Segmentation, reference.GetGeometry());
+  this->ReferenceVolume = Milliliters(overlap.Reference, reference.GetGeometry());
   this->OverlapOf = polyData ? "voxelized mesh" : "label map";
 
   const bool isMeshMeasured = polyData && !this->ScoreVoxelization;

@@ -1,6 +1,6 @@
 /**
  * @class   vtkSegmentationMetrics
- * @brief   how well a segmentation agrees with a reference
+ * @brief   overlap and surface distance of a segmentation and a reference
  *
  * Compares a segmentation, given as a label map or as a surface, with a reference label map:
  *  - overlap of the voxels: Dice 2 |A and B| / (|A| + |B|), Jaccard |A and B| / |A or B| (the
@@ -11,14 +11,13 @@
  * pooled samples, the 95th percentile (HD95, the greater one of the two directions) and the
  * greatest (HD).
  *
- * The surface of a label map runs half-way between the voxels inside and outside, and its steps
- * take part: between spheres 3 mm apart on voxels of 1.2 x 1.2 x 3 mm ASD comes out as 2.7 mm, and
- * between a sphere and its own voxels as 0.3 mm. That is what other programs measure.
- * LabelSmoothing takes the steps away, for more exact numbers (2.9 and 0.15 mm) of shapes that are
- * smooth. A segmentation that is a surface is voxelized on the reference's grid for the overlap, as
- * by vtkSurfaceToLabelMap, and measured as it is for the distances, or as the surface of its voxels
- * if ScoreVoxelization is on. The table says which was done. Voxel spacing and direction matrices
- * are honored; moving both inputs together changes nothing.
+ * The surface of a label map runs half-way between the voxels inside and outside and includes their
+ * steps, as in other programs: ASD is 2.7 mm between spheres 3 mm apart on voxels of 1.2 x 1.2 x 3
+ * mm, and 0.3 mm between a sphere and its own voxels. LabelSmoothing removes the steps, which is
+ * more exact for smooth shapes (2.9 and 0.15 mm). A segmentation that is a surface is voxelized on
+ * the reference's grid for the overlap, as by vtkSurfaceToLabelMap. Its distances are measured
+ * directly, or from the surface of its voxels if ScoreVoxelization is on; the table says which.
+ * Voxel spacing and direction matrices are honored.
  *
  * Input port 0: the segmentation, a vtkImageData (label map, scalars of one component of any type)
  * or a vtkPolyData (closed surface of polygons, in the reference's physical coordinates).
@@ -87,8 +86,8 @@ public:
 
   ///@{
   /**
-   * Greatest distance in mm between neighboring samples of a surface; triangles smaller than this
-   * have one. Default 1; 0.001 to 1000.
+   * Maximum distance in mm between neighboring samples of a surface; smaller triangles have one
+   * sample. Default 1; 0.001 to 1000.
    */
   vtkSetClampMacro(SampleSpacing, double, 0.001, 1000);
   vtkGetMacro(SampleSpacing, double);

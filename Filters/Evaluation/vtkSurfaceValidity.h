@@ -1,13 +1,12 @@
 /**
  * @class   vtkSurfaceValidity
- * @brief   whether a surface is a valid one, and where it is not
+ * @brief   check that a surface is valid, and mark where it is not
  *
- * Passes a surface of polygons through, marks its offending cells, and counts what is wrong. A
- * surface is valid when it is closed (every edge on two faces that are oriented alike), does not
- * intersect itself, and has no flipped corner. Polygons are cut into triangles from their first
- * vertex; self-intersections are pairs of these triangles that have more in common than a shared
- * vertex or edge, decided exactly. The surface may be open, of any genus, and wrong in every way
- * that is counted.
+ * Passes a surface of polygons through, marks its invalid cells, and counts the defects. A surface
+ * is valid when it is closed (every edge is on two consistently oriented faces), does not intersect
+ * itself, and has no flipped corner. Polygons are cut into triangles from their first vertex;
+ * self-intersections are pairs of these triangles whose intersection is more than a shared vertex
+ * or edge, decided exactly. The surface may be open, of any genus, and have any of these defects.
  *
  * Input port 0: vtkPolyData, the surface.
  *

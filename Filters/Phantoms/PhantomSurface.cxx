@@ -13,41 +13,10 @@
 
 namespace FlipFree
 {
-namespace
-{
-
-using Eigen::Vector3d;
-
-Vector3d Gradient(const ImplicitShape& shape, const Vector3d& point, double step)
-{
-  Vector3d gradient;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    const Vector3d offset = step * Vector3d::Unit(axis);
-    gradient[axis] = (shape(point + offset) - shape(point - offset)) / (2 * step);
-  }
-  return gradient;
-}
-
-// The contour of samples is off by their interpolation; Newton's steps along the gradient mend it.
-Vector3d OntoSurface(const ImplicitShape& shape, Vector3d point, double cell)
-{
-  for (int iteration = 0; iteration < 3; ++iteration)
-  {
-    const Vector3d gradient = Gradient(shape, point, 1e-4 * cell);
-    if (gradient.squaredNorm() > 0.25)
-    {
-      point -= shape(point) / gradient.squaredNorm() * gradient;
-    }
-  }
-  return point;
-}
-
-} // namespace
-
 vtkSmartPointer<vtkPolyData> MakePhantomSurface(const ImplicitShape& shape, const Ball& ball,
   const ImageGeometry& geometry)
 {
+  using Eigen::Vector3d;
   const int cells = 128;
   const int size = cells + 1;
   const double cell = 2 * ball.Radius / cells;
@@ -94,7 +63,8 @@ vtkSmartPointer<vtkPolyData> MakePhantomSurface(const ImplicitShape& shape, cons
   {
     Vector3d at;
     surface->GetPoint(vertex, at.data());
-    const Vector3d onSurface = OntoSurface(shape, first + cell * at, cell);
+    // The contour is interpolated between samples.
+    const Vector3d onSurface = ProjectOntoSurface(shape, first + cell * at, 1e-4 * cell);
     points->SetPoint(vertex, GridToPhysical(geometry, onSurface).data());
   }
   surface->SetPoints(points);

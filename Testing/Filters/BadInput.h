@@ -139,24 +139,12 @@ struct Bad
   std::vector<std::string> Words; ///< of the error, beside the name of the port
 };
 
-/// Images that no port for an image accepts.
-inline std::vector<Bad<vtkImageData>> BadImages()
+/// Images whose voxels have no places.
+inline std::vector<Bad<vtkImageData>> BadGrids()
 {
-  auto bare = vtkSmartPointer<vtkImageData>::New();
-  bare->SetDimensions(32, 32, 32);
   std::vector<Bad<vtkImageData>> images{
-    { "no voxels", vtkSmartPointer<vtkImageData>::New(), { "no voxels", "connect" } },
-    { "no scalars", bare, { "no point scalars", "active" } },
-    { "too few scalars", ImageWithArray<vtkDoubleArray>(100), { "100 scalars for 32768 voxels" } },
-    { "bits", ImageWithArray<vtkBitArray>(32 * 32 * 32), { "are of type bit", "unsigned char" } },
-    { "several components", ImageOfType(VTK_SHORT, 3),
-      { "3 components", "vtkImageExtractComponents" } },
+    { "no voxels", vtkSmartPointer<vtkImageData>::New(), { "no voxels" } },
   };
-  for (const double value : { NotANumber, Infinite, -Infinite })
-  {
-    images.push_back({ "voxel of " + std::to_string(value), ImageWith(value),
-      { "(45, 48, 51) mm", "not a finite number", "replace" } });
-  }
   for (const double spacing : { 0.0, -3.0, NotANumber })
   {
     const auto image = SphereImage();
@@ -170,8 +158,32 @@ inline std::vector<Bad<vtkImageData>> BadImages()
   return images;
 }
 
-/// Surfaces that no port for a mesh of four-valent vertices accepts.
-inline std::vector<Bad<vtkPolyData>> BadSurfaces()
+/// Images that no port for an image accepts.
+inline std::vector<Bad<vtkImageData>> BadImages()
+{
+  auto bare = vtkSmartPointer<vtkImageData>::New();
+  bare->SetDimensions(32, 32, 32);
+  std::vector<Bad<vtkImageData>> images = BadGrids();
+  images[0].Words.emplace_back("connect");
+  images.insert(images.end(),
+    {
+      { "no scalars", bare, { "no point scalars", "active" } },
+      { "too few scalars", ImageWithArray<vtkDoubleArray>(100),
+        { "100 scalars for 32768 voxels" } },
+      { "bits", ImageWithArray<vtkBitArray>(32 * 32 * 32), { "are of type bit", "unsigned char" } },
+      { "several components", ImageOfType(VTK_SHORT, 3),
+        { "3 components", "vtkImageExtractComponents" } },
+    });
+  for (const double value : { NotANumber, Infinite, -Infinite })
+  {
+    images.push_back({ "voxel of " + std::to_string(value), ImageWith(value),
+      { "(45, 48, 51) mm", "not a finite number", "replace" } });
+  }
+  return images;
+}
+
+/// Surfaces that no port for a surface accepts.
+inline std::vector<Bad<vtkPolyData>> BadPolygons()
 {
   const auto points = StartSphere();
   points->SetPolys(nullptr);
@@ -179,15 +191,30 @@ inline std::vector<Bad<vtkPolyData>> BadSurfaces()
   missing->GetPolys()->InsertNextCell({ 0, 1, 9999 });
   const auto beyond = StartSphere();
   beyond->GetPolys()->InsertNextCell({ 0, 1, (vtkIdType(1) << 32) + 2 }); // 2 as an int
+  const auto degenerate = StartSphere();
+  degenerate->GetPolys()->InsertNextCell({ 0, 1 });
+  vtkNew<vtkCellArray> strip;
+  strip->InsertNextCell({ 0, 1, 2, 3 });
+  const auto strips = StartSphere();
+  strips->SetStrips(strip);
   return {
     { "no points", vtkSmartPointer<vtkPolyData>::New(), { "no points", "connect" } },
     { "points alone", points, { "no polygons" } },
-    { "open", OpenSphere(), { "vertex", "faces instead of 4", "closed" } },
-    { "not four-valent", TriangulatedBox(), { "vertex 0", "four neighbors" } },
+    { "strips", strips, { "triangle strips", "vtkTriangleFilter" } },
     { "not finite", SphereWithPointAt(NotANumber), { "point 7", "finite", "repair" } },
     { "missing point", missing, { "point 9999", "repair" } },
     { "index beyond int", beyond, { "point 4294967298", "repair" } },
+    { "two corners", degenerate, { "fewer than three vertices", "remove" } },
   };
+}
+
+/// Surfaces that no port for a mesh of four-valent vertices accepts.
+inline std::vector<Bad<vtkPolyData>> BadSurfaces()
+{
+  std::vector<Bad<vtkPolyData>> surfaces = BadPolygons();
+  surfaces.push_back({ "open", OpenSphere(), { "vertex", "faces instead of 4", "closed" } });
+  surfaces.push_back({ "not four-valent", TriangulatedBox(), { "vertex 0", "four neighbors" } });
+  return surfaces;
 }
 
 /// Runs a column of the matrix: whatever is connected to this port is refused.

@@ -7,6 +7,9 @@
 #include "vtkGMMFeatureFilter.h"
 #include "vtkQuadSphereSource.h"
 #include "vtkSeedRegionDiffusion.h"
+#include "vtkSegmentationMetrics.h"
+#include "vtkSurfaceToLabelMap.h"
+#include "vtkSurfaceValidity.h"
 
 #include "BadInput.h"
 #include "MemoryLimit.h"
@@ -99,6 +102,29 @@ vtkSmartPointer<vtkFlipFreeRefinement> MakeRefinement()
   return filter;
 }
 
+vtkSmartPointer<vtkSegmentationMetrics> MakeMetrics()
+{
+  auto filter = vtkSmartPointer<vtkSegmentationMetrics>::New();
+  filter->SetInputData(StartSphere());
+  filter->SetReferenceData(SphereImage());
+  return filter;
+}
+
+vtkSmartPointer<vtkSurfaceToLabelMap> MakeLabelMap()
+{
+  auto filter = vtkSmartPointer<vtkSurfaceToLabelMap>::New();
+  filter->SetInputData(StartSphere());
+  filter->SetReferenceImageData(SphereImage());
+  return filter;
+}
+
+vtkSmartPointer<vtkSurfaceValidity> MakeValidity()
+{
+  auto filter = vtkSmartPointer<vtkSurfaceValidity>::New();
+  filter->SetInputData(StartSphere());
+  return filter;
+}
+
 struct Port
 {
   const char* Name;
@@ -130,6 +156,10 @@ class SurfacePort : public AnyPort
 {
 };
 
+class PolygonPort : public AnyPort
+{
+};
+
 constexpr vtkIdType Voxels = 32 * 32 * 32;
 const Port ImagePorts[] = {
   { "Diffusion", MakeSeeded<vtkSeedRegionDiffusion>, 0, "the image on port 0", Voxels },
@@ -143,6 +173,11 @@ const Port SurfacePorts[] = {
   { "Deform", MakeDeform, 0, "the surface on port 0", 96 },
   { "Refinement", MakeRefinement, 0, "the surface on port 0", 4 * 96 },
   { "Segmentation", MakeSegmentation, 1, "the start surface on port 1", 6 * 8 * 8, true },
+};
+const Port PolygonPorts[] = {
+  { "LabelMap", MakeLabelMap, 0, "the surface on port 0", Voxels },
+  { "Validity", MakeValidity, 0, "the surface on port 0", 96 },
+  { "ValidityReference", MakeValidity, 1, "the reference surface on port 1", 96, true },
 };
 
 void ExpectGoodInputAccepted(vtkAlgorithm* filter, const Port& port)
@@ -178,6 +213,59 @@ TEST_P(SurfacePort, RefusesBadSurfacesAlone)
   ExpectMissingOrOtherTypeRefused(this->Filter, GetParam(), SphereImage());
 }
 
+TEST_P(PolygonPort, RefusesBadPolygonsAlone)
+{
+  ExpectGoodInputAccepted(this->Filter, GetParam());
+  ExpectRefused(BadPolygons(), this->Filter, GetParam().Index, GetParam().Noun);
+  ExpectMissingOrOtherTypeRefused(this->Filter, GetParam(), SphereImage());
+}
+
+// The segmentation may be a label map or a surface, which has to enclose voxels.
+TEST(BadInput, SegmentationsToMeasure)
+{
+  const auto metrics = MakeMetrics();
+  std::vector<Bad<vtkImageData>> labelMaps = BadGrids();
+  labelMaps.insert(labelMaps.end(),
+    {
+      { "too few scalars", ImageWithArray<vtkDoubleArray>(100), { "no scalars", "active" } },
+      { "several components", ImageOfType(VTK_SHORT, 3), { "of one component", "active" } },
+      { "bits", ImageWithArray<vtkBitArray>(32 * 32 * 32), { "are of type bit", "unsigned char" } },
+      { "not finite", ImageWith(NotANumber), { "(45, 48, 51) mm", "not a finite number" } },
+    });
+  ExpectRefused(labelMaps, metrics, 1, "the reference on port 1");
+  metrics->SetReferenceData(SphereImage());
+  const std::string noun = "the segmentation on port 0";
+  ExpectRefused(labelMaps, metrics, 0, noun);
+  ExpectRefused(BadPolygons(), metrics, 0, noun);
+  metrics->SetInputDataObject(OpenSphere());
+  ExpectRefusal(metrics, { "not closed", "fill holes" });
+  const auto elsewhere = StartSphere();
+  elsewhere->SetPoints(MakePoints(PointList(-CopyPoints(elsewhere))));
+  metrics->SetInputDataObject(elsewhere);
+  ExpectRefusal(metrics, { noun, "encloses no voxel center", "physical coordinates" });
+  metrics->SetInputDataObject(vtkSmartPointer<vtkTable>::New());
+  ExpectPipelineRefusal(metrics, "port 0");
+}
+
+TEST(BadInput, GridsAndSurfacesOfALabelMap)
+{
+  const auto labelMap = MakeLabelMap();
+  ExpectRefused(BadGrids(), labelMap, 1, "the reference image on port 1");
+  labelMap->SetReferenceImageData(SphereImage());
+  labelMap->SetInputData(OpenSphere());
+  ExpectRefusal(labelMap, { "not closed", "fill holes" });
+  labelMap->SetInputData(StartSphere());
+  EXPECT_EQ(ErrorOfUpdate(labelMap), "0 errors");
+}
+
+TEST(BadInput, ReferencesOfOtherTopology)
+{
+  const auto validity = MakeValidity();
+  validity->SetReferenceSurfaceData(OpenSphere());
+  ExpectRefusal(validity, { "the reference surface on port 1 has other polygons", "connect" });
+}
+
+INSTANTIATE_TEST_SUITE_P(BadInput, PolygonPort, testing::ValuesIn(PolygonPorts), NameOf);
 INSTANTIATE_TEST_SUITE_P(BadInput, ImagePort, testing::ValuesIn(ImagePorts), NameOf);
 INSTANTIATE_TEST_SUITE_P(BadInput, SurfacePort, testing::ValuesIn(SurfacePorts), NameOf);
 

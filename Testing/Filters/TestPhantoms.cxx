@@ -211,27 +211,6 @@ TEST(PhantomSource, SeedsAndEnclosingSpheresFollowTheGrid)
   }
 }
 
-TEST(PhantomSource, IsTheSameForAnyNumberOfThreads)
-{
-  std::vector<std::vector<double>> results;
-  for (int threads : { 1, 2 })
-  {
-    vtkSMPTools::Initialize(threads);
-    vtkNew<vtkPhantomSource> source;
-    source->SetShapeToVessel();
-    source->SetRandomSeed(42);
-    source->Update();
-    results.push_back(Values(source->GetOutput()));
-  }
-  vtkSMPTools::Initialize(0);
-  EXPECT_EQ(results[0], results[1]);
-  vtkNew<vtkPhantomSource> other;
-  other->SetShapeToVessel();
-  other->SetRandomSeed(43);
-  other->Update();
-  EXPECT_NE(results[0], Values(other->GetOutput()));
-}
-
 // Closed, on the right side of its normals, of the closed form's volume.
 TEST(PhantomSource, SurfaceIsThatOfTheShapeInAnyFrame)
 {
@@ -294,10 +273,10 @@ TEST(PhantomSource, AbdomenComesOnItsOwnGrid)
   EXPECT_EQ(info->Get(vtkDataObject::SPACING())[2], 3);
 }
 
-TEST(PhantomSource, AbdomenIsTheSameForAnyNumberOfThreads)
+TEST(PhantomSource, DependsOnTheSeedNotOnTheNumberOfThreads)
 {
   std::vector<std::vector<double>> results;
-  for (int threads : { 1, 2 })
+  for (const auto& [threads, seed] : { std::pair(1, 42), std::pair(2, 42), std::pair(2, 43) })
   {
     vtkSMPTools::Initialize(threads);
     vtkNew<vtkPhantomSource> source;
@@ -305,13 +284,14 @@ TEST(PhantomSource, AbdomenIsTheSameForAnyNumberOfThreads)
     source->SetDimensions(110, 85, 30);
     source->SetSpacing(3, 3, 6);
     source->SetNumberOfLesions(3);
+    source->SetRandomSeed(seed);
     source->Update();
     results.push_back(Values(source->GetOutput()));
-    results.push_back(Values(source->GetLabelMap()));
+    EXPECT_EQ(Values(source->GetLabelMap()).size(), results.back().size());
   }
   vtkSMPTools::Initialize(0);
-  EXPECT_EQ(results[0], results[2]);
-  EXPECT_EQ(results[1], results[3]);
+  EXPECT_EQ(results[0], results[1]);
+  EXPECT_NE(results[1], results[2]);
 }
 
 TEST(PhantomSource, AbdomenHasSeedsButNoEnclosingSphere)
@@ -360,18 +340,9 @@ TEST(PhantomSource, RefusesBadInputOneByOne)
     breakIt(source.Get());
     ExpectRefusal(source, part);
   };
-  refuse("dimension of axis 1", [](auto* source) { source->SetDimensions(8, 0, 8); });
-  refuse("dimension of axis 0", [](auto* source) { source->SetDimensions(-3, 8, 8); });
+  // The other errors of the grid are tested with the kernel.
   refuse("2^31", [](auto* source) { source->SetDimensions(3000, 3000, 3000); });
-  refuse("spacing of axis 2", [](auto* source) { source->SetSpacing(1, 1, -1); });
   refuse("spacing of axis 0", [=](auto* source) { source->SetSpacing(nan, 1, 1); });
-  refuse("origin of axis 1", [=](auto* source) { source->SetOrigin(0, nan, 0); });
-  refuse("direction matrix",
-    [](auto* source)
-    {
-      const double flat[9] = { 1, 0, 0, 0, 1, 0, 0, 0, 0 };
-      source->SetDirection(flat);
-    });
   refuse("Foreground", [=](auto* source) { source->SetForeground(nan); });
   refuse("Background", [](auto* source) { source->SetBackground(1e6); });
   refuse("deviation of the noise", [](auto* source) { source->SetNoiseStandardDeviation(-1); });

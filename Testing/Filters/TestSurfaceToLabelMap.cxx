@@ -3,17 +3,13 @@
 #include "ExamplePolyData.h"
 #include "FilterErrors.h"
 
-#include "vtkCellArray.h"
 #include "vtkExtractVOI.h"
 #include "vtkFloatArray.h"
 #include "vtkPointData.h"
-#include "vtkStripper.h"
 #include "vtkTrivialProducer.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <gtest/gtest.h>
-
-#include <limits>
 
 using namespace FlipFree;
 
@@ -149,125 +145,4 @@ TEST(SurfaceToLabelMap, MovesOnToImagesOfAnotherSize)
     EXPECT_EQ(ErrorOfUpdate(filter), "0 errors");
     EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), size * size * size);
   }
-}
-
-class SurfaceToLabelMapRefuses : public testing::Test
-{
-protected:
-  void SetUp() override
-  {
-    this->Image->SetDimensions(8, 8, 8);
-    this->Surface = PolyDataOf(Box({ 1, 1, 1 }, { 4, 4, 4 }));
-    this->Filter->SetReferenceImageData(this->Image);
-  }
-  void ExpectError(const std::string& part)
-  {
-    this->Filter->SetInputData(this->Surface);
-    const std::string message = ErrorOfUpdate(this->Filter);
-    EXPECT_NE(message.find(part), std::string::npos) << part << " not in: " << message;
-    EXPECT_EQ(this->Filter->GetOutput()->GetNumberOfPoints(), 0);
-    EXPECT_EQ(this->Filter->GetOutput()->GetPointData()->GetNumberOfArrays(), 0);
-  }
-
-  vtkNew<vtkSurfaceToLabelMap> Filter;
-  vtkNew<vtkImageData> Image;
-  vtkSmartPointer<vtkPolyData> Surface;
-};
-
-TEST_F(SurfaceToLabelMapRefuses, NothingThatIsGood)
-{
-  this->Filter->SetInputData(this->Surface);
-  EXPECT_EQ(ErrorOfUpdate(this->Filter), "0 errors");
-  EXPECT_EQ(this->Filter->GetOutput()->GetNumberOfPoints(), 512);
-}
-
-TEST_F(SurfaceToLabelMapRefuses, ASurfaceWithoutPoints)
-{
-  this->Surface->Initialize();
-  this->ExpectError("the surface on port 0 has no points");
-}
-
-TEST_F(SurfaceToLabelMapRefuses, ASurfaceWithoutPolygons)
-{
-  this->Surface->SetPolys(nullptr);
-  this->ExpectError("the surface on port 0 has no polygons");
-}
-
-TEST_F(SurfaceToLabelMapRefuses, AnOpenSurface)
-{
-  vtkNew<vtkCellArray> polys;
-  polys->InsertNextCell({ 0, 2, 3 });
-  this->Surface->SetPolys(polys);
-  this->ExpectError("not closed");
-}
-
-TEST_F(SurfaceToLabelMapRefuses, ACoordinateThatIsNotANumber)
-{
-  this->Surface->GetPoints()->SetPoint(3, 0, std::numeric_limits<double>::quiet_NaN(), 0);
-  this->ExpectError("point 3 of the surface on port 0");
-}
-
-TEST_F(SurfaceToLabelMapRefuses, AnIndexBeyondThePoints)
-{
-  this->Surface->GetPolys()->InsertNextCell({ 0, 1, 99 });
-  this->ExpectError("polygon 12 of the surface on port 0 names point 99");
-}
-
-TEST_F(SurfaceToLabelMapRefuses, TriangleStrips)
-{
-  vtkNew<vtkStripper> stripper;
-  stripper->SetInputData(this->Surface);
-  stripper->Update();
-  this->Surface = stripper->GetOutput();
-  this->ExpectError("vtkTriangleFilter");
-}
-
-TEST_F(SurfaceToLabelMapRefuses, AnImageWithoutVoxels)
-{
-  this->Image->SetExtent(0, -1, 0, -1, 0, -1);
-  this->ExpectError("port 1 has no voxels");
-}
-
-TEST_F(SurfaceToLabelMapRefuses, AnImageWithoutThicknessOrOfNegativeSpacing)
-{
-  for (const double spacing : { 0, -1 })
-  {
-    this->Image->SetSpacing(1, 1, spacing);
-    this->ExpectError("the reference image on port 1 has a spacing of (1, 1, ");
-  }
-}
-
-TEST_F(SurfaceToLabelMapRefuses, AnImageWhoseAxesLieInAPlane)
-{
-  const double flat[9] = { 1, 0, 1, 0, 1, 1, 0, 0, 0 };
-  this->Image->SetDirectionMatrix(flat);
-  this->ExpectError("the reference image on port 1 has a direction matrix");
-}
-
-TEST_F(SurfaceToLabelMapRefuses, NoInputAndTheWrongType)
-{
-  // The pipeline itself refuses these, before the filter is asked.
-  for (const auto& surface : { vtkSmartPointer<vtkDataObject>(),
-         vtkSmartPointer<vtkDataObject>(vtkSmartPointer<vtkImageData>::New()) })
-  {
-    this->Filter->SetInputDataObject(0, surface);
-    FilterErrors errors(this->Filter);
-    this->Filter->Update();
-    EXPECT_EQ(errors.OfFilter.size(), 0u);
-    ASSERT_EQ(errors.OfExecutive.size(), 1u);
-    EXPECT_NE(errors.OfExecutive[0].find("port"), std::string::npos);
-    EXPECT_EQ(this->Filter->GetOutput()->GetNumberOfPoints(), 0);
-    this->Filter->RemoveAllObservers();
-    this->Filter->GetExecutive()->RemoveAllObservers();
-  }
-}
-
-TEST_F(SurfaceToLabelMapRefuses, ButRecovers)
-{
-  const auto points = vtkSmartPointer<vtkPoints>(this->Surface->GetPoints());
-  this->Surface->SetPoints(nullptr);
-  this->ExpectError("no points");
-  this->Surface->SetPoints(points);
-  EXPECT_EQ(ErrorOfUpdate(this->Filter), "0 errors");
-  EXPECT_EQ(this->Filter->GetOutput()->GetScalarComponentAsDouble(2, 2, 2, 0), 1);
 }

@@ -12,8 +12,6 @@
 
 #include <gtest/gtest.h>
 
-#include <limits>
-
 using namespace FlipFree;
 
 namespace
@@ -162,55 +160,4 @@ TEST(SurfaceValidityFilter, MarksSelfIntersectionsAndHolesBesideOtherCells)
   EXPECT_FALSE(validity->IsValid());
   EXPECT_EQ(Measure(validity, "BoundaryEdges"), 4);
   EXPECT_EQ(Measure(validity, "EulerNumber"), 1);
-}
-
-class SurfaceValidityRefuses : public testing::Test
-{
-protected:
-  void ExpectError(const std::string& part)
-  {
-    this->Validity->SetInputData(this->Surface);
-    const std::string message = ErrorOfUpdate(this->Validity);
-    EXPECT_NE(message.find(part), std::string::npos) << part << " not in: " << message;
-    EXPECT_EQ(this->Validity->GetOutput()->GetNumberOfPoints(), 0);
-    EXPECT_EQ(this->Validity->GetMeasures()->GetNumberOfRows(), 0);
-    EXPECT_FALSE(this->Validity->IsValid());
-  }
-
-  vtkNew<vtkSurfaceValidity> Validity;
-  vtkSmartPointer<vtkPolyData> Surface = QuadPotato(4);
-};
-
-TEST_F(SurfaceValidityRefuses, NothingThatIsGood)
-{
-  this->Validity->SetInputData(this->Surface);
-  EXPECT_EQ(ErrorOfUpdate(this->Validity), "0 errors");
-}
-
-TEST_F(SurfaceValidityRefuses, ASurfaceWithoutPointsOrPolygons)
-{
-  this->Surface->SetPolys(nullptr);
-  this->ExpectError("the surface on port 0 has no polygons");
-  this->Surface->Initialize();
-  this->ExpectError("the surface on port 0 has no points");
-}
-
-TEST_F(SurfaceValidityRefuses, ACoordinateThatIsInfinite)
-{
-  this->Surface->GetPoints()->SetPoint(5, std::numeric_limits<double>::infinity(), 0, 0);
-  this->ExpectError("point 5 of the surface on port 0");
-}
-
-TEST_F(SurfaceValidityRefuses, APolygonOfTwoPoints)
-{
-  this->Surface->GetPolys()->InsertNextCell({ 0, 1 });
-  this->ExpectError("fewer than three vertices");
-}
-
-TEST_F(SurfaceValidityRefuses, AReferenceOfOtherTopology)
-{
-  this->Validity->SetReferenceSurfaceData(QuadPotato(5));
-  this->ExpectError("the reference surface on port 1 has other polygons");
-  this->Validity->SetReferenceSurfaceData(vtkNew<vtkPolyData>());
-  this->ExpectError("the reference surface on port 1 has no points");
 }

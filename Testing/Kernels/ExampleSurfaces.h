@@ -65,6 +65,17 @@ inline Surface Moved(Surface surface, const Eigen::Matrix3d& matrix,
   return surface;
 }
 
+inline Surface Joined(const Surface& first, const Surface& second)
+{
+  Surface both;
+  both.Points.resize(first.Points.rows() + second.Points.rows(), 3);
+  both.Points << first.Points, second.Points;
+  both.Triangles.resize(first.Triangles.rows() + second.Triangles.rows(), 3);
+  both.Triangles << first.Triangles,
+    (second.Triangles.array() + static_cast<int>(first.Points.rows())).matrix();
+  return both;
+}
+
 inline double EnclosedVolume(const Surface& surface)
 {
   double volume = 0;

@@ -1,5 +1,7 @@
 #include "Phantom/AbdomenPhantom.h"
 
+#include "ExampleSurfaces.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -32,18 +34,18 @@ struct Volume
 };
 
 Volume Sample(const ImageGeometry& grid, const AbdomenOptions& anatomy = {},
-  const SamplingOptions& options = {})
+  const SamplingOptions& options = {}, const ParallelFor& parallelFor = SerialFor)
 {
   Volume volume{ grid, {}, {} };
   volume.Intensities.resize(grid.NumberOfVoxels());
   volume.Labels.resize(grid.NumberOfVoxels());
   const Phantom phantom = MakeAbdomenPhantom(GridExtent(grid), anatomy);
-  EXPECT_TRUE(
-    SampleTissues(phantom.Tissues, grid, options, volume.Intensities.data(), volume.Labels.data()));
+  EXPECT_TRUE(SampleTissues(phantom.Tissues, grid, options, volume.Intensities.data(),
+    volume.Labels.data(), parallelFor));
   return volume;
 }
 
-// For tests that only look at what lies where.
+// Without partial volume, for tests of the anatomy.
 const Volume& DefaultVolume()
 {
   SamplingOptions options;
@@ -151,8 +153,8 @@ TEST(AbdomenPhantom, OrgansHavePlausibleVolumes)
   const struct
   {
     AbdomenLabel Organ;
-    double Least;
-    double Greatest;
+    double Minimum;
+    double Maximum;
   } ranges[] = { { AbdomenLabel::Spleen, 100, 300 }, { AbdomenLabel::RightKidney, 90, 220 },
     { AbdomenLabel::LeftKidney, 90, 220 }, { AbdomenLabel::Gallbladder, 10, 50 },
     { AbdomenLabel::Esophagus, 10, 40 }, { AbdomenLabel::Liver, 1000, 1900 },
@@ -161,11 +163,11 @@ TEST(AbdomenPhantom, OrgansHavePlausibleVolumes)
     { AbdomenLabel::Pancreas, 25, 120 } };
   for (const auto& range : ranges)
   {
-    const double millilitres =
+    const double milliliters =
       std::count(volume.Labels.begin(), volume.Labels.end(), Label(range.Organ)) *
       volume.Grid.Spacing.prod() / 1000;
-    EXPECT_GT(millilitres, range.Least) << "label " << int(Label(range.Organ));
-    EXPECT_LT(millilitres, range.Greatest) << "label " << int(Label(range.Organ));
+    EXPECT_GT(milliliters, range.Minimum) << "label " << int(Label(range.Organ));
+    EXPECT_LT(milliliters, range.Maximum) << "label " << int(Label(range.Organ));
   }
   EXPECT_EQ(*std::max_element(volume.Labels.begin(), volume.Labels.end()), 11);
 }
@@ -380,18 +382,7 @@ TEST(AbdomenPhantom, IsCutInAnyOrderIntoTheSameBits)
   options.NoiseStandardDeviation = 12;
   options.NoiseCorrelation = 0.3;
   const Volume forward = Sample(grid, {}, options);
-  Volume backward{ grid, {}, {} };
-  backward.Intensities.resize(grid.NumberOfVoxels());
-  backward.Labels.resize(grid.NumberOfVoxels());
-  const Phantom phantom = MakeAbdomenPhantom(GridExtent(grid));
-  SampleTissues(phantom.Tissues, grid, options, backward.Intensities.data(), backward.Labels.data(),
-    [](std::ptrdiff_t begin, std::ptrdiff_t end, const RangeBody& body)
-    {
-      for (std::ptrdiff_t i = end; i-- > begin;)
-      {
-        body(i, i + 1);
-      }
-    });
+  const Volume backward = Sample(grid, {}, options, ScatteredFor);
   EXPECT_EQ(forward.Intensities, backward.Intensities);
   EXPECT_EQ(forward.Labels, backward.Labels);
 }

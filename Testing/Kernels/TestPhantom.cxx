@@ -1,3 +1,4 @@
+#include "ExampleSurfaces.h"
 #include "Phantom/Phantom.h"
 #include "Phantom/VoxelNoise.h"
 
@@ -15,8 +16,8 @@ namespace
 
 const double Pi = 3.14159265358979324;
 
-// Two reasons why a value can break the contract: a surface nearer than it says, or a wrong sign
-// far from the surface. Both show as a change of sign within its reach.
+// A value breaks the contract if the surface is nearer than it says or if its sign is wrong. Either
+// shows as a change of sign within a ball of this radius.
 void ExpectBound(const ImplicitShape& shape, double size)
 {
   std::mt19937 random(7);
@@ -74,13 +75,13 @@ struct Volume
 };
 
 Volume Sample(const Phantom& phantom, const ImageGeometry& grid,
-  const SamplingOptions& options = {}, const ParallelFor& parallelFor = SerialFor)
+  const SamplingOptions& options = {})
 {
   Volume volume;
   volume.Intensities.resize(grid.NumberOfVoxels());
   volume.Labels.resize(grid.NumberOfVoxels());
-  EXPECT_TRUE(SampleTissues(phantom.Tissues, grid, options, volume.Intensities.data(),
-    volume.Labels.data(), parallelFor));
+  EXPECT_TRUE(
+    SampleTissues(phantom.Tissues, grid, options, volume.Intensities.data(), volume.Labels.data()));
   return volume;
 }
 
@@ -210,11 +211,11 @@ TEST(ImplicitShape, RefusesSizesThatMakeNoSolid)
 
 TEST(VoxelNoise, HasMeanStandardDeviationAndCorrelationAsked)
 {
-  const std::array<int, 3> size = { { 200, 150, 20 } };
+  const Eigen::Array3i size(200, 150, 20);
   for (double correlation : { 0.0, 0.3, 0.7 })
   {
     std::vector<float> noise(200 * 150 * 20, 5.0f);
-    AddNoise(3, 12, correlation, { { -7, 4, 90 } }, size, noise.data());
+    AddNoise(3, 12, correlation, { -7, 4, 90 }, size, noise.data());
     double sum = 0;
     double squares = 0;
     Vector3d neighbors = Vector3d::Zero();
@@ -254,9 +255,9 @@ TEST(VoxelNoise, HasMeanStandardDeviationAndCorrelationAsked)
 TEST(VoxelNoise, DependsOnPlaceNotOnTheBoxThatIsAsked)
 {
   std::vector<float> whole(20 * 20 * 2, 0.0f);
-  AddNoise(3, 12, 0.3, { { 0, 0, 0 } }, { { 20, 20, 2 } }, whole.data());
+  AddNoise(3, 12, 0.3, { 0, 0, 0 }, { 20, 20, 2 }, whole.data());
   std::vector<float> part(5 * 6, 0.0f);
-  AddNoise(3, 12, 0.3, { { 9, 7, 1 } }, { { 5, 6, 1 } }, part.data());
+  AddNoise(3, 12, 0.3, { 9, 7, 1 }, { 5, 6, 1 }, part.data());
   for (int j = 0; j < 6; ++j)
   {
     for (int i = 0; i < 5; ++i)
@@ -265,7 +266,7 @@ TEST(VoxelNoise, DependsOnPlaceNotOnTheBoxThatIsAsked)
     }
   }
   std::vector<float> other(5 * 6, 0.0f);
-  AddNoise(4, 12, 0.3, { { 9, 7, 1 } }, { { 5, 6, 1 } }, other.data());
+  AddNoise(4, 12, 0.3, { 9, 7, 1 }, { 5, 6, 1 }, other.data());
   EXPECT_NE(part, other);
 }
 
@@ -306,25 +307,19 @@ TEST(VoxelNoise, RefusesWhatIsNoStandardDeviationOrCorrelation)
   EXPECT_NO_THROW(RequireNoise(0, 0.7));
 }
 
-TEST_P(PlainPhantom, VolumeIsThatOfTheClosedForm)
+TEST_P(PlainPhantom, VolumeIsThatOfTheClosedFormAndScalesWithTheGrid)
 {
   const ImageGeometry grid = Grid(96, 1);
-  const Phantom phantom = MakePlainPhantom(GetParam(), GridExtent(grid), 1000, 0);
-  const Volume volume = Sample(phantom, grid);
+  const Volume volume = Sample(MakePlainPhantom(GetParam(), GridExtent(grid), 1000, 0), grid);
   const double expected = ClosedFormVolume(GetParam());
   EXPECT_NEAR(GrayVolume(volume, grid) / expected, 1, 0.002);
   EXPECT_NEAR(LabelVolume(volume, grid) / expected, 1, 0.01);
-}
 
-TEST_P(PlainPhantom, ScalesWithTheGrid)
-{
-  ImageGeometry grid;
-  grid.Dimensions = { { 60, 100, 40 } };
-  grid.Spacing = { 1, 0.6, 1.5 };
-  const Phantom phantom = MakePlainPhantom(GetParam(), GridExtent(grid), 1000, 0);
-  const Volume volume = Sample(phantom, grid);
-  const double expected = ClosedFormVolume(GetParam()) * std::pow(60.0 / 96, 3);
-  EXPECT_NEAR(GrayVolume(volume, grid) / expected, 1, 0.01);
+  ImageGeometry other;
+  other.Dimensions = { { 60, 100, 40 } };
+  other.Spacing = { 1, 0.6, 1.5 };
+  const Volume smaller = Sample(MakePlainPhantom(GetParam(), GridExtent(other), 1000, 0), other);
+  EXPECT_NEAR(GrayVolume(smaller, other) / (expected * std::pow(60.0 / 96, 3)), 1, 0.01);
 }
 
 // Brute force: the same rule voxel by voxel, without the hierarchy.
@@ -357,7 +352,7 @@ TEST_P(PlainPhantom, HierarchyPaintsWhatEveryVoxelAloneWould)
   }
 }
 
-TEST_P(PlainPhantom, SeedLiesAsDeepAsItClaims)
+TEST_P(PlainPhantom, SeedLiesInsideAndTheEnclosingBallIsTight)
 {
   const ImageGeometry grid = Grid(96, 1);
   const Phantom phantom = MakePlainPhantom(GetParam(), GridExtent(grid), 100, 0);
@@ -366,12 +361,7 @@ TEST_P(PlainPhantom, SeedLiesAsDeepAsItClaims)
   EXPECT_EQ(phantom.Seeds[0].Label, 1);
   EXPECT_GT(seed.Radius, 2.5);
   EXPECT_LE(seed.Radius, -0.7 * phantom.Surface(seed.Center) + 1e-9);
-}
 
-TEST_P(PlainPhantom, EnclosingBallHoldsTheObjectTightly)
-{
-  const ImageGeometry grid = Grid(96, 1);
-  const Phantom phantom = MakePlainPhantom(GetParam(), GridExtent(grid), 100, 0);
   const Volume volume = Sample(phantom, grid);
   ASSERT_TRUE(phantom.Enclosing.has_value());
   double farthest = 0;
@@ -395,24 +385,22 @@ TEST_P(PlainPhantom, EnclosingBallHoldsTheObjectTightly)
   EXPECT_LT(phantom.Enclosing->Radius, 48);
 }
 
-TEST_P(PlainPhantom, IsCutInAnyOrderIntoTheSameBits)
+TEST_P(PlainPhantom, PointsAreProjectedOntoTheSurface)
 {
-  const ImageGeometry grid = Grid(70, 1);
-  const Phantom phantom = MakePlainPhantom(GetParam(), GridExtent(grid), 100, 0);
-  SamplingOptions options;
-  options.NoiseStandardDeviation = 20;
-  options.NoiseCorrelation = 0.3;
-  const Volume forward = Sample(phantom, grid, options);
-  const Volume backward = Sample(phantom, grid, options,
-    [](std::ptrdiff_t begin, std::ptrdiff_t end, const RangeBody& body)
+  const Phantom phantom = MakePlainPhantom(GetParam(), { 96, 96, 96 }, 100, 0);
+  for (const double shift : { -1.0, 0.0, 1.5 })
+  {
+    const Vector3d step(0.03, 0.02, 0.01);
+    // Along a line through the object to its surface.
+    Vector3d point = phantom.Seeds[0].Start.Center;
+    while (phantom.Surface(point) < shift)
     {
-      for (std::ptrdiff_t i = end; i-- > begin;)
-      {
-        body(i, i + 1);
-      }
-    });
-  EXPECT_EQ(forward.Intensities, backward.Intensities);
-  EXPECT_EQ(forward.Labels, backward.Labels);
+      point += step;
+    }
+    const Vector3d projected = ProjectOntoSurface(phantom.Surface, point, 1e-4);
+    EXPECT_NEAR(phantom.Surface(projected), 0, 1e-6);
+    EXPECT_LT((projected - point).norm(), std::abs(shift) + 1);
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Shapes, PlainPhantom,
@@ -475,35 +463,20 @@ TEST(ShapeVolume, StopsWhenTheMonitorSaysSo)
 
 TEST(ShapeVolume, RefusesWhatIsNoGridNamingIt)
 {
-  const auto messageOf = [](const ImageGeometry& grid)
+  const auto expectRefusal = [](const std::string& part, const auto& change)
   {
-    try
-    {
-      RequireGrid(grid);
-    }
-    catch (const std::invalid_argument& error)
-    {
-      return std::string(error.what());
-    }
-    return std::string();
+    ImageGeometry grid = Grid(4, 1);
+    EXPECT_EQ(ErrorOf([&] { RequireGrid(grid); }), "");
+    change(grid);
+    const std::string error = ErrorOf([&] { RequireGrid(grid); });
+    EXPECT_NE(error.find(part), std::string::npos) << part << " not in: " << error;
   };
-  const ImageGeometry good = Grid(4, 1);
-  EXPECT_EQ(messageOf(good), "");
-  ImageGeometry bad = good;
-  bad.Dimensions[1] = 0;
-  EXPECT_NE(messageOf(bad).find("dimension of axis 1"), std::string::npos);
-  bad = good;
-  bad.Dimensions = { { 2000, 2000, 2000 } };
-  EXPECT_NE(messageOf(bad).find("2^31"), std::string::npos);
-  bad = good;
-  bad.Spacing[2] = 0;
-  EXPECT_NE(messageOf(bad).find("spacing of axis 2"), std::string::npos);
-  bad.Spacing[2] = std::nan("");
-  EXPECT_NE(messageOf(bad).find("spacing of axis 2"), std::string::npos);
-  bad = good;
-  bad.Origin[0] = std::nan("");
-  EXPECT_NE(messageOf(bad).find("origin of axis 0"), std::string::npos);
-  bad = good;
-  bad.Direction.col(2) = bad.Direction.col(1);
-  EXPECT_NE(messageOf(bad).find("direction matrix"), std::string::npos);
+  const double nan = std::nan("");
+  expectRefusal("dimension of axis 1", [](ImageGeometry& grid) { grid.Dimensions[1] = 0; });
+  expectRefusal("2^31", [](ImageGeometry& grid) { grid.Dimensions.fill(2000); });
+  expectRefusal("spacing of axis 2", [](ImageGeometry& grid) { grid.Spacing[2] = 0; });
+  expectRefusal("spacing of axis 2", [&](ImageGeometry& grid) { grid.Spacing[2] = nan; });
+  expectRefusal("origin of axis 0", [&](ImageGeometry& grid) { grid.Origin[0] = nan; });
+  expectRefusal("direction matrix",
+    [](ImageGeometry& grid) { grid.Direction.col(2) = grid.Direction.col(1); });
 }

@@ -1,6 +1,7 @@
 #include "Measures/SurfaceValidity.h"
 
 #include "ExampleSurfaces.h"
+#include "Geometry/ClosestDirection.h"
 #include "Geometry/SurfaceGap.h"
 
 #include <gtest/gtest.h>
@@ -12,17 +13,6 @@ using namespace FlipFree;
 
 namespace
 {
-
-Surface Joined(const Surface& first, const Surface& second)
-{
-  Surface both;
-  both.Points.resize(first.Points.rows() + second.Points.rows(), 3);
-  both.Points << first.Points, second.Points;
-  both.Triangles.resize(first.Triangles.rows() + second.Triangles.rows(), 3);
-  both.Triangles << first.Triangles,
-    (second.Triangles.array() + static_cast<int>(first.Points.rows())).matrix();
-  return both;
-}
 
 double MinimumGapOf(const Surface& surface)
 {
@@ -53,76 +43,51 @@ TEST(SurfaceGap, BetweenBoxesIsClosedForm)
   EXPECT_NEAR(MinimumGapOf(Joined(ridge, crossing)), 0.25, 1e-14);
 }
 
-TEST(SurfaceGap, PairsNearerThanTheLeastGapAreNone)
+TEST(SurfaceGap, IsThatOfBruteForce)
 {
   const Surface potato = Potato(5, { 0, 0, 0 }, 10);
-  const TriangleTree tree(potato.Points, potato.Triangles);
-  const auto nearerThan = [&](double gap)
-  { return FindPairsNearerThan(gap, tree, potato.Points, potato.Triangles, ScatteredFor); };
-  const double least = MinimumGapOf(potato);
-  EXPECT_TRUE(nearerThan((1 - 1e-9) * least).empty());
-  EXPECT_GE(nearerThan((1 + 1e-9) * least).size(), 1U);
-
-  // All pairs without a common vertex, and none twice.
-  const auto all = nearerThan(1000);
-  std::size_t expected = 0;
-  for (Eigen::Index one = 0; one < potato.Triangles.rows(); ++one)
+  const auto cornersOf = [&](int triangle)
   {
-    for (Eigen::Index two = one + 1; two < potato.Triangles.rows(); ++two)
+    const auto corner = [&](int which) -> Eigen::Vector3d
+    { return potato.Points.row(potato.Triangles(triangle, which)); };
+    return std::array<Eigen::Vector3d, 3>{ { corner(0), corner(1), corner(2) } };
+  };
+  std::vector<std::pair<int, int>> disjoint;
+  std::vector<double> distances;
+  for (int one = 0; one < potato.Triangles.rows(); ++one)
+  {
+    for (int two = one + 1; two < potato.Triangles.rows(); ++two)
     {
       bool share = false;
       for (int corner = 0; corner < 3; ++corner)
       {
         share = share || (potato.Triangles.row(two).array() == potato.Triangles(one, corner)).any();
       }
-      expected += !share;
+      if (!share)
+      {
+        disjoint.emplace_back(one, two);
+        distances.push_back(ClosestDirection(cornersOf(one), cornersOf(two)).norm());
+      }
     }
   }
-  EXPECT_EQ(all.size(), expected);
-}
+  const double minimum = *std::min_element(distances.begin(), distances.end());
+  EXPECT_DOUBLE_EQ(MinimumGapOf(potato), minimum);
 
-TEST(SurfaceGap, IsTheLeastOverManySamples)
-{
-  const Surface potato = Potato(5, { 0, 0, 0 }, 10);
-  const int n = 8;
-  std::vector<Eigen::Vector3d> samples;
-  for (Eigen::Index triangle = 0; triangle < potato.Triangles.rows(); ++triangle)
+  const TriangleTree tree(potato.Points, potato.Triangles);
+  for (const double gap : { (1 - 1e-9) * minimum, (1 + 1e-9) * minimum, 3.0, 1000.0 })
   {
-    const Eigen::Vector3d a = potato.Points.row(potato.Triangles(triangle, 0));
-    const Eigen::Vector3d b = potato.Points.row(potato.Triangles(triangle, 1));
-    const Eigen::Vector3d c = potato.Points.row(potato.Triangles(triangle, 2));
-    for (int i = 0; i <= n; ++i)
+    std::vector<std::pair<int, int>> expected;
+    for (std::size_t pair = 0; pair < disjoint.size(); ++pair)
     {
-      for (int j = 0; i + j <= n; ++j)
+      if (distances[pair] < gap)
       {
-        samples.emplace_back(a + (b - a) * i / n + (c - a) * j / n);
+        expected.push_back(disjoint[pair]);
       }
     }
+    auto found = FindPairsNearerThan(gap, tree, potato.Points, potato.Triangles, ScatteredFor);
+    std::sort(found.begin(), found.end());
+    EXPECT_EQ(found, expected) << gap;
   }
-  const std::size_t perTriangle = samples.size() / potato.Triangles.rows();
-  double least = std::numeric_limits<double>::infinity();
-  for (Eigen::Index one = 0; one < potato.Triangles.rows(); ++one)
-  {
-    for (Eigen::Index two = one + 1; two < potato.Triangles.rows(); ++two)
-    {
-      bool isShared = false;
-      for (int i = 0; i < 9; ++i)
-      {
-        isShared |= potato.Triangles(one, i / 3) == potato.Triangles(two, i % 3);
-      }
-      for (std::size_t i = 0; !isShared && i < perTriangle; ++i)
-      {
-        for (std::size_t j = 0; j < perTriangle; ++j)
-        {
-          least = std::min(least,
-            (samples[one * perTriangle + i] - samples[two * perTriangle + j]).norm());
-        }
-      }
-    }
-  }
-  const double gap = MinimumGapOf(potato);
-  EXPECT_LE(gap, least + 1e-12);
-  EXPECT_GT(gap, 0.8 * least);
 }
 
 TEST(SurfaceGap, IsInfiniteWhereAllTrianglesShareVertices)

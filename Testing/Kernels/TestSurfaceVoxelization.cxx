@@ -172,18 +172,12 @@ TEST(SurfaceVoxelization, OrientationAndOverlapDoNotMatter)
   EXPECT_EQ(Voxelize(sphere, grid), voxels);
   sphere.Triangles.col(0).swap(sphere.Triangles.col(1));
 
-  Surface both;
-  both.Points.resize(sphere.Points.rows() + other.Points.rows(), 3);
-  both.Points << sphere.Points, other.Points;
-  both.Triangles.resize(sphere.Triangles.rows() + other.Triangles.rows(), 3);
-  both.Triangles << sphere.Triangles,
-    (other.Triangles.array() + static_cast<int>(sphere.Points.rows())).matrix();
   auto expected = voxels;
   for (std::size_t voxel = 0; voxel < expected.size(); ++voxel)
   {
     expected[voxel] |= otherVoxels[voxel];
   }
-  EXPECT_EQ(Voxelize(both, grid), expected);
+  EXPECT_EQ(Voxelize(Joined(sphere, other), grid), expected);
 }
 
 TEST(SurfaceVoxelization, ThreadsAndTheMonitor)

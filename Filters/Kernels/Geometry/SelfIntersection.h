@@ -1,6 +1,6 @@
 /**
- * Self-intersections of a triangulated surface, decided exactly: the pairs of triangles that have
- * more in common than the vertex or edge they share. None means that the surface is embedded.
+ * Self-intersections of a triangulated surface, decided exactly: the pairs of triangles whose
+ * intersection is more than the vertex or edge they share. A surface without any is embedded.
  */
 #ifndef FlipFreeSelfIntersection_h
 #define FlipFreeSelfIntersection_h
@@ -10,8 +10,8 @@
 namespace FlipFree
 {
 
-/// The pairs, each with the lesser index first, sorted. Points must be finite. Triangles without
-/// area do not hide: they are reported together with their neighbors.
+/// The sorted pairs, each with the lower index first. Points must be finite. Degenerate triangles
+/// are reported together with their neighbors.
 std::vector<std::pair<int, int>> FindSelfIntersections(const PointList& points,
   const TriangleList& triangles);
 

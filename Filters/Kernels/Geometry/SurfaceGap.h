@@ -1,5 +1,5 @@
 /**
- * How close a surface comes to itself.
+ * The distances between disjoint triangles of a surface.
  */
 #ifndef FlipFreeSurfaceGap_h
 #define FlipFreeSurfaceGap_h
@@ -9,14 +9,13 @@
 namespace FlipFree
 {
 
-/// The least distance (mm) between two triangles that share no vertex; infinite when all do. The
-/// surface must be valid (RequireValidFaces) and must not intersect itself: the distance is taken
-/// between vertices and triangles and between edges, which is right for triangles that are apart.
+/// The minimum distance (mm) of two triangles that share no vertex; infinite if there are none. The
+/// surface must be valid (RequireValidFaces) and must not intersect itself.
 double MeasureMinimumGap(const PointList& points, const TriangleList& triangles,
   const ParallelFor& parallelFor = SerialFor);
 
-/// The pairs of triangles that share no vertex and are nearer to each other than `gap` (mm), of a
-/// surface like that above; `tree` was built for its triangles, at any positions.
+/// The pairs of triangles that share no vertex and are closer than `gap` (mm), of a surface as
+/// above. `tree` was built for its triangles, at any positions.
 std::vector<std::pair<int, int>> FindPairsNearerThan(double gap, const TriangleTree& tree,
   const PointList& points, const TriangleList& triangles, const ParallelFor& parallelFor);
 

@@ -12,7 +12,8 @@ namespace
 
 using Triangle = std::array<const double*, 3>;
 
-// The two coordinates of a plane onto which the triangle can be projected; x < 0 if it has no area.
+// The coordinates of a plane in which the triangle's projection has an area; X < 0 if there is
+// none.
 struct Projection
 {
   int X = -1;
@@ -118,7 +119,8 @@ bool SeparateIntersect(const Triangle& one, const Triangle& two)
   {
     return true;
   }
-  // Two segments or points: not worth the last distinction, a surface with such is not embedded.
+  // Both are segments or points. A surface that contains them is not embedded anyway, so their
+  // boxes decide.
   if (FindProjection(one).X < 0 && FindProjection(two).X < 0)
   {
     TriangleBox boxes[2];

@@ -1,5 +1,5 @@
 /**
- * Do two triangles of a surface meet where they must not? Exact for any coordinates.
+ * Exact intersection test of two triangles of a surface.
  */
 #ifndef FlipFreeTriangleIntersection_h
 #define FlipFreeTriangleIntersection_h
@@ -9,9 +9,9 @@
 namespace FlipFree
 {
 
-/// True when the two triangles (rows of `triangles`) have a point in common that is not on the
-/// vertex or edge they share; touching counts. Triangles without area intersect everything that
-/// they share a vertex or, if that is without area too, a bounding box with.
+/// True when the two triangles (rows of `triangles`) have a common point that is not on the vertex
+/// or edge they share; touching counts. A degenerate triangle intersects all triangles that share a
+/// vertex with it, and all degenerate triangles whose bounding boxes touch its own.
 bool TrianglesIntersect(const PointList& points, const TriangleList& triangles, int one, int two);
 
 } // namespace FlipFree

@@ -27,7 +27,7 @@ struct CornerEdges
   Eigen::Vector3d Normal() const { return this->Next.cross(this->Previous); }
 };
 
-// Newell's: the direction in which the polygon's projection has the greatest area.
+// By Newell's method: the direction in which the polygon's projection has the maximum area.
 Eigen::Vector3d MeanNormal(const PointList& points, const FaceList& faces, int face)
 {
   const int* vertices = faces.Face(face);
@@ -45,15 +45,15 @@ double ScaledJacobian(const PointList& points, const FaceList& faces, int face)
 {
   const int size = faces.FaceSize(face);
   const Eigen::Vector3d normal = MeanNormal(points, faces, face);
-  double least = 1;
+  double minimum = 1;
   for (int corner = 0; corner < size; ++corner)
   {
     const CornerEdges edges(points, faces, face, corner);
     const double lengths = edges.Next.norm() * edges.Previous.norm();
     const double sine = lengths > 0 ? edges.Normal().dot(normal) / lengths : 0;
-    least = std::min(least, sine / std::sin(2 * Pi / size));
+    minimum = std::min(minimum, sine / std::sin(2 * Pi / size));
   }
-  return least;
+  return minimum;
 }
 
 double DihedralAngle(const PointList& points, const TriangleList& triangles,
@@ -69,7 +69,7 @@ double DihedralAngle(const PointList& points, const TriangleList& triangles,
     normals[side] = (b - a).cross(c - a);
     if (normals[side].squaredNorm() == 0)
     {
-      return 0; // a triangle without area is the sharpest of folds
+      return 0; // a degenerate triangle counts as folded back
     }
   }
   const double turn = std::atan2(normals[0].cross(normals[1]).norm(), normals[0].dot(normals[1]));
@@ -79,15 +79,15 @@ double DihedralAngle(const PointList& points, const TriangleList& triangles,
 double MinimumDihedralAngle(const PointList& points, const FaceList& faces)
 {
   const TriangleList triangles = Triangulate(faces);
-  double least = 180;
+  double minimum = 180;
   for (const SurfaceEdge& edge : CollectEdges(static_cast<int>(points.rows()), FacesOf(triangles)))
   {
     if (edge.Forward == 1 && edge.Backward == 1)
     {
-      least = std::min(least, DihedralAngle(points, triangles, edge));
+      minimum = std::min(minimum, DihedralAngle(points, triangles, edge));
     }
   }
-  return least;
+  return minimum;
 }
 
 double EdgeLengthVariation(const PointList& points, const std::vector<SurfaceEdge>& edges)

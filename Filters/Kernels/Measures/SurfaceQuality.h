@@ -1,6 +1,6 @@
 /**
- * Whether a surface of polygons is fit for simulation: its topology, the shapes of its faces, the
- * angles between them, and the evenness of its edges.
+ * The quality of a polygonal surface as a mesh for simulation: topology, shape of faces, dihedral
+ * angles, evenness of edges.
  */
 #ifndef FlipFreeSurfaceQuality_h
 #define FlipFreeSurfaceQuality_h
@@ -14,15 +14,15 @@ struct SurfaceQuality
 {
   SurfaceTopology Topology;
 
-  /// Per face, the least over its corners: the sine of the corner's angle over that of a regular
-  /// polygon's, with the sign of its turn about the face's mean normal. 1 for a square or an
+  /// Per face, the minimum over its corners of the sine of the corner's angle, relative to that of
+  /// a regular polygon and signed by its turn about the face's mean normal. 1 for a square or an
   /// equilateral triangle, 0 for a degenerate face, negative for a concave or twisted quad.
   std::vector<double> ScaledJacobians;
   double MinimumScaledJacobian = 0;
-  double FirstPercentileScaledJacobian = 0; ///< that one face in a hundred does not exceed
+  double FirstPercentileScaledJacobian = 0;
 
-  /// In degrees, between two triangles that share an edge, diagonals of polygons included: 180
-  /// where flat, 0 where folded back. Edges that are not on two faces oriented alike do not count.
+  /// In degrees, between two triangles that share an edge, which may be the diagonal of a polygon:
+  /// 180 if flat, 0 if folded back. Only edges of two consistently oriented faces count.
   double MinimumDihedralAngle = 180;
 
   /// Standard deviation of the edges' lengths over their mean.
@@ -32,8 +32,8 @@ struct SurfaceQuality
 /// The surface must be valid (RequireValidFaces); it may be open.
 SurfaceQuality MeasureQuality(const PointList& points, const FaceList& faces);
 
-/// Per face, the number of corners whose normal has turned by 90 degrees or more since the
-/// reference positions of the same vertices. A corner without area in either counts.
+/// Per face, the number of corners whose normal differs from that at the reference positions by 90
+/// degrees or more. A corner that is degenerate in either counts.
 std::vector<int> CountFlippedCorners(const PointList& points, const PointList& reference,
   const FaceList& faces);
 

@@ -22,7 +22,7 @@ unsigned char DefectOf(const SurfaceEdge& edge)
 void MarkEdges(const FaceList& faces, std::vector<SurfaceEdge> edges,
   std::vector<unsigned char>& defects)
 {
-  // Few or none remain, in their order.
+  // Usually few or none remain.
   edges.erase(std::remove_if(edges.begin(), edges.end(),
                 [](const SurfaceEdge& edge) { return DefectOf(edge) == 0; }),
     edges.end());

@@ -1,6 +1,6 @@
 /**
- * Whether a surface of polygons is a valid one, and which of its faces are not: closed, oriented,
- * free of self-intersections and of flipped corners.
+ * Whether a polygonal surface is valid (closed, consistently oriented, free of self-intersections
+ * and flipped corners), and the faces that violate it.
  */
 #ifndef FlipFreeSurfaceValidity_h
 #define FlipFreeSurfaceValidity_h
@@ -12,13 +12,13 @@ namespace FlipFree
 
 struct SurfaceValidity
 {
-  /// What is wrong with a face; several add up.
+  /// Bits of the defects of a face.
   enum Defect : unsigned char
   {
     SelfIntersecting = 1,
     FlippedCorner = 2,
     BoundaryEdge = 4,
-    BadEdge = 8 ///< of three faces or more, or of two that are oriented differently
+    BadEdge = 8 ///< of three faces or more, or of two that are oriented inconsistently
   };
 
   SurfaceQuality Quality;
@@ -37,8 +37,8 @@ struct SurfaceValidity
   }
 };
 
-/// Flipped corners are counted against the reference positions of the same vertices, if there are
-/// any. The surface must be valid in the sense of RequireValidFaces.
+/// Flipped corners are counted only if there are reference positions of the vertices. The faces
+/// must be valid (RequireValidFaces).
 SurfaceValidity MeasureValidity(const PointList& points, const FaceList& faces,
   const PointList* reference, const ParallelFor& parallelFor = SerialFor,
   const Monitor& monitor = NeverStop);

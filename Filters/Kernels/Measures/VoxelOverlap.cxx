@@ -74,7 +74,7 @@ VoxelOverlap MeasureOverlap(const BitMask& segmentation, const BitMask& referenc
       {
         const BitMask::Word a = segmentation.GetWords()[word];
         const BitMask::Word b = reference.GetWords()[word];
-        if ((a | b) != 0) // as few are
+        if ((a | b) != 0) // most are empty
         {
           part.Segmentation += BitMask::CountBits(a);
           part.Reference += BitMask::CountBits(b);
@@ -89,7 +89,7 @@ VoxelOverlap MeasureOverlap(const BitMask& segmentation, const BitMask& referenc
   {
     throw Error(ErrorCode::EmptyMask,
       std::string(inReference == 0 ? "the reference" : "the segmentation") +
-        " is empty: no voxel is inside; check that it is the label map that was meant");
+        " is empty: no voxel is inside; check that it is the intended label map");
   }
   return { inSegmentation, inReference, inBoth };
 }

@@ -1,6 +1,6 @@
 /**
- * How far two label volumes agree voxel by voxel: Dice, Jaccard (the paper's "volume overlap"), and
- * the relative difference of their volumes.
+ * Voxel-wise overlap of two masks: Dice, Jaccard (the paper's "volume overlap"), and relative
+ * volume difference.
  */
 #ifndef FlipFreeVoxelOverlap_h
 #define FlipFreeVoxelOverlap_h

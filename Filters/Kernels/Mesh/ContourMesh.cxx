@@ -7,8 +7,8 @@ namespace FlipFree
 namespace
 {
 
-// One corner of a face: seen from outside, `Before` follows `After` counter-clockwise around the
-// vertex.
+// The neighbors of a vertex in one face. Seen from outside, `Before` is the next neighbor after
+// `After` counter-clockwise around the vertex.
 struct Corner
 {
   int After;

@@ -1,9 +1,9 @@
 /**
  * The connectivity of a closed mesh whose vertices all have four neighbors, and its contours.
  *
- * Where four edges meet, a contour goes straight on: it leaves along the edge opposite to the one
- * it came by. The contours therefore follow from the faces alone; every vertex lies on two of them
- * (or twice on one), as in section 3.1 of the paper, where they are the plane curves of a sphere.
+ * At each vertex a contour goes straight on: it leaves along the edge opposite to the one by which
+ * it arrived. The contours thus follow from the faces alone. Every vertex lies on two of them (or
+ * twice on one), as in section 3.1 of the paper, where they are plane curves of a sphere.
  */
 #ifndef FlipFreeContourMesh_h
 #define FlipFreeContourMesh_h
@@ -33,8 +33,8 @@ struct FaceList
   }
 };
 
-/// Cuts every polygon into triangles that share its first vertex: the one fixed triangulation by
-/// which surfaces are certified, measured and voxelized.
+/// Cuts every polygon into triangles that share its first vertex. Surfaces are certified, measured
+/// and voxelized by this triangulation.
 TriangleList Triangulate(const FaceList& faces);
 
 struct ContourMesh
@@ -57,8 +57,8 @@ struct ContourMesh
   int EulerNumber() const;
 };
 
-/// Builds the connectivity. Throws std::invalid_argument, naming the first bad vertex or face, when
-/// the mesh is not closed and oriented, or a vertex has not exactly four neighbors.
+/// Builds the connectivity. Throws std::invalid_argument, naming the first bad vertex or face,
+/// unless the mesh is closed and oriented and every vertex has exactly four neighbors.
 ContourMesh BuildContourMesh(int numberOfPoints, const FaceList& faces);
 
 } // namespace FlipFree

@@ -7,7 +7,7 @@ namespace FlipFree
 namespace
 {
 
-// Per corner of the connectivity list: the same vertex's corner in the next face around it.
+// The corners at each vertex, as indices into the connectivity list.
 struct CornerLinks
 {
   explicit CornerLinks(const ContourMesh& mesh)
@@ -36,7 +36,7 @@ struct CornerLinks
   std::vector<std::array<int, 4>> CornerAt;
 };
 
-// From a corner of a face to the place of Doo and Sabin.
+// From a corner of a face to its Doo-Sabin point.
 Eigen::RowVector3d TowardsDooSabin(const PointList& points, const int* vertices, int size,
   int corner)
 {
@@ -51,8 +51,8 @@ Eigen::RowVector3d TowardsDooSabin(const PointList& points, const int* vertices,
   return offset - points.row(vertices[corner]);
 }
 
-// From a corner of a face to a place about as far that lies in one of the triangles that the face
-// is cut into, from its first vertex.
+// From a corner of a face to a point at about the same distance in one of the face's triangles,
+// which share its first vertex.
 Eigen::RowVector3d TowardsTriangles(const PointList& points, const int* vertices, int size,
   int corner)
 {

@@ -1,6 +1,6 @@
 /**
- * The paper's starting mesh (section 3.1, Fig. 1a, b): the surface of a cube with n x n vertices at
- * the cell centers of each side, kept as a cube or projected onto a sphere.
+ * The paper's start mesh (section 3.1, Fig. 1a, b): a cube with n x n vertices at the cell centers
+ * of each side, optionally projected onto a sphere.
  */
 #ifndef FlipFreeQuadSphere_h
 #define FlipFreeQuadSphere_h

@@ -10,7 +10,7 @@ namespace FlipFree
 namespace
 {
 
-// A side of a face, as the edge's lower vertex, under which it is filed, sees it.
+// A side of a face; half-edges are grouped by their lower vertex.
 struct HalfEdge
 {
   int Higher;
@@ -39,8 +39,7 @@ FaceList FacesOf(const TriangleList& triangles)
 
 std::vector<SurfaceEdge> CollectEdges(int numberOfPoints, const FaceList& faces)
 {
-  // Half-edges sorted by their lower vertex in linear time; what remains to sort per vertex is
-  // short.
+  // A counting sort by the lower vertex leaves few half-edges per vertex to be sorted.
   std::vector<int> offsets(static_cast<std::size_t>(numberOfPoints) + 1, 0);
   const auto forEachHalfEdge = [&faces](auto&& visit)
   {
@@ -156,9 +155,10 @@ void RequireClosed(int numberOfPoints, const TriangleList& triangles, const std:
     {
       throw Error(ErrorCode::OpenSurface,
         name + " is not closed and consistently oriented: " + std::to_string(edge.Forward) +
-          " face(s) pass the edge from point " + std::to_string(edge.Lower) + " to point " +
+          " face(s) traverse the edge from point " + std::to_string(edge.Lower) + " to point " +
           std::to_string(edge.Higher) + " and " + std::to_string(edge.Backward) +
-          " pass it backwards; merge coincident points, fill holes, and orient the faces alike");
+          " traverse it backwards; merge coincident points, fill holes, and orient the faces "
+          "alike");
     }
   }
 }

@@ -1,6 +1,6 @@
 /**
- * What the edges of a polygonal surface tell about it: whether it is closed, whether its faces are
- * oriented alike, and its Euler number. Any polygons will do, manifold or not.
+ * The topology of a polygonal surface, manifold or not: whether it is closed and consistently
+ * oriented, and its Euler number.
  */
 #ifndef FlipFreeSurfaceTopology_h
 #define FlipFreeSurfaceTopology_h
@@ -17,8 +17,8 @@ struct SurfaceEdge
 {
   int Lower = 0; ///< its vertices
   int Higher = 0;
-  int Forward = 0;  ///< number of faces that pass it from its lower to its higher vertex
-  int Backward = 0; ///< and back
+  int Forward = 0;  ///< number of faces that traverse it from its lower to its higher vertex
+  int Backward = 0; ///< and in the opposite direction
   std::array<int, 2> Faces{ { -1, -1 } }; ///< the first two of these faces
 };
 
@@ -29,7 +29,7 @@ struct SurfaceTopology
   int Faces = 0;
   int BoundaryEdges = 0;    ///< on one face only
   int NonManifoldEdges = 0; ///< on three faces or more
-  int MisorientedEdges = 0; ///< on two faces that pass it in the same direction
+  int MisorientedEdges = 0; ///< on two faces that traverse it in the same direction
 
   /// V - E + F; 2 for a sphere.
   int EulerNumber() const { return this->Vertices - this->Edges + this->Faces; }
@@ -37,8 +37,8 @@ struct SurfaceTopology
 
 FaceList FacesOf(const TriangleList& triangles);
 
-/// Every edge once, ordered by its lower vertex and then by its higher one; a vertex repeated
-/// within a face makes no edge. The faces' indices must have been checked (RequireValidFaces).
+/// Every edge once, ordered by its lower vertex and then by its higher one. A vertex repeated
+/// within a face makes no edge. The faces must be valid (RequireValidFaces).
 std::vector<SurfaceEdge> CollectEdges(int numberOfPoints, const FaceList& faces);
 
 /// Counts, given CollectEdges of the same faces.
@@ -49,8 +49,8 @@ SurfaceTopology MeasureTopology(const FaceList& faces, const std::vector<Surface
 void RequireValidFaces(const Eigen::Ref<const PointList>& points, const FaceList& faces,
   const std::string& name);
 
-/// Throws std::invalid_argument, naming the first bad edge, unless every edge is passed as often
-/// in one direction as in the other: then the surface is the boundary of a volume.
+/// Throws std::invalid_argument, naming the first bad edge, unless every edge is traversed equally
+/// often in both directions: then the surface is the boundary of a volume.
 void RequireClosed(int numberOfPoints, const TriangleList& triangles, const std::string& name);
 
 /// Throws std::invalid_argument when a closed surface is inside out, its faces clockwise seen from

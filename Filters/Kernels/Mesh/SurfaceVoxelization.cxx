@@ -7,14 +7,14 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
-#include <utility>
 
 namespace FlipFree
 {
 namespace
 {
 
-// Where a row enters (+1) or leaves (-1) the surface; which is which depends on its orientation.
+// A row of voxels crosses the surface. Windings of +1 and -1 are entries and exits or, if the
+// surface is inside out, exits and entries.
 struct RowCrossing
 {
   int Row;
@@ -47,8 +47,8 @@ PointList IndexCoordinates(const PointList& points, const ImageGeometry& geometr
   return (points.rowwise() - geometry.Origin.transpose()) * toIndex.transpose();
 }
 
-// Throws where a point of the surface lies so far from the image that no double tells one voxel
-// there from the next, and differences overflow. Other points do not matter.
+// Throws if a vertex of the surface is so far from the image that doubles cannot resolve voxels
+// there. Unused points do not matter.
 void RequireNear(const PointList& index, const PointList& points, const TriangleList& triangles)
 {
   constexpr double farthest = 1e15;
@@ -68,57 +68,34 @@ void RequireNear(const PointList& index, const PointList& points, const Triangle
   }
 }
 
-// For each plane of voxels, the triangles that it cuts.
-struct PlaneTriangles
+// For each plane of voxels, the triangles that cross it.
+std::vector<std::vector<int>> TrianglesByPlane(const PointList& index,
+  const TriangleList& triangles, int numberOfPlanes)
 {
-  std::vector<std::size_t> Offsets;
-  std::vector<int> Triangles;
-
-  PlaneTriangles(const PointList& index, const TriangleList& triangles, int numberOfPlanes)
-    : Offsets(static_cast<std::size_t>(numberOfPlanes) + 1, 0)
+  std::vector<std::vector<int>> planes(numberOfPlanes);
+  for (int triangle = 0; triangle < triangles.rows(); ++triangle)
   {
-    const auto planesOf = [&](Eigen::Index triangle)
+    const double a = index(triangles(triangle, 0), 2);
+    const double b = index(triangles(triangle, 1), 2);
+    const double c = index(triangles(triangle, 2), 2);
+    const int last = FirstAtOrAbove(std::max({ a, b, c }), numberOfPlanes);
+    for (int k = FirstAtOrAbove(std::min({ a, b, c }), numberOfPlanes); k < last; ++k)
     {
-      const double a = index(triangles(triangle, 0), 2);
-      const double b = index(triangles(triangle, 1), 2);
-      const double c = index(triangles(triangle, 2), 2);
-      return std::make_pair(FirstAtOrAbove(std::min({ a, b, c }), numberOfPlanes),
-        FirstAtOrAbove(std::max({ a, b, c }), numberOfPlanes));
-    };
-    for (Eigen::Index triangle = 0; triangle < triangles.rows(); ++triangle)
-    {
-      const auto planes = planesOf(triangle);
-      for (int k = planes.first; k < planes.second; ++k)
-      {
-        ++this->Offsets[k + 1];
-      }
-    }
-    for (int k = 0; k < numberOfPlanes; ++k)
-    {
-      this->Offsets[k + 1] += this->Offsets[k];
-    }
-    this->Triangles.resize(this->Offsets.back());
-    std::vector<std::size_t> next(this->Offsets.begin(), this->Offsets.end() - 1);
-    for (Eigen::Index triangle = 0; triangle < triangles.rows(); ++triangle)
-    {
-      const auto planes = planesOf(triangle);
-      for (int k = planes.first; k < planes.second; ++k)
-      {
-        this->Triangles[next[k]++] = static_cast<int>(triangle);
-      }
+      planes[k].push_back(triangle);
     }
   }
-};
+  return planes;
+}
 
-// Where the edge from the lower to the upper end crosses plane k. The same two ends always give the
-// same bits, whichever triangle asks.
+// The intersection of an edge, from its lower to its upper end, with plane k: the same bits for
+// both triangles of the edge.
 Eigen::Vector2d CrossPlane(const Eigen::Vector3d& lower, const Eigen::Vector3d& upper, int k)
 {
   const double t = (k - lower.z()) / (upper.z() - lower.z());
   return lower.head<2>() + t * (upper.head<2>() - lower.head<2>());
 }
 
-// The crossings of plane k's rows with one side of its polygon, from `start` to `end`.
+// The crossings of voxel rows with one side, from `start` to `end`, of the polygon in their plane.
 void CrossRows(const Eigen::Vector2d& start, const Eigen::Vector2d& end, int numberOfRows,
   std::vector<RowCrossing>& crossings)
 {
@@ -191,7 +168,7 @@ std::vector<VoxelRun> VoxelizeSurface(const PointList& points, const TriangleLis
   const PointList index = IndexCoordinates(points, geometry);
   RequireNear(index, points, triangles);
   const int numberOfPlanes = geometry.Dimensions[2];
-  const PlaneTriangles planes(index, triangles, numberOfPlanes);
+  const auto trianglesByPlane = TrianglesByPlane(index, triangles, numberOfPlanes);
   if (!monitor(0.5))
   {
     return {};
@@ -205,23 +182,17 @@ std::vector<VoxelRun> VoxelizeSurface(const PointList& points, const TriangleLis
       for (int k = static_cast<int>(first); k < last; ++k)
       {
         crossings.clear();
-        for (std::size_t entry = planes.Offsets[k]; entry < planes.Offsets[k + 1]; ++entry)
+        for (const int triangle : trianglesByPlane[k])
         {
-          CrossTriangle(index, triangles.data() + 3 * planes.Triangles[entry], k,
-            geometry.Dimensions[1], crossings);
+          CrossTriangle(index, triangles.row(triangle).data(), k, geometry.Dimensions[1],
+            crossings);
         }
         std::sort(crossings.begin(), crossings.end());
         AppendRuns(crossings, k, geometry.Dimensions[0], planeRuns[k]);
       }
     });
 
-  std::size_t numberOfRuns = 0;
-  for (const auto& plane : planeRuns)
-  {
-    numberOfRuns += plane.size();
-  }
   std::vector<VoxelRun> runs;
-  runs.reserve(numberOfRuns);
   for (const auto& plane : planeRuns)
   {
     runs.insert(runs.end(), plane.begin(), plane.end());

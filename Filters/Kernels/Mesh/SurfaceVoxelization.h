@@ -1,15 +1,14 @@
 /**
  * The voxels inside a closed surface, by scan conversion in the image's index space.
  *
- * A voxel is inside if its center is: if the surface winds around it (a non-zero winding number, so
- * that where a self-intersecting surface overlaps itself, the overlap is inside). Working in index
- * space makes the result exact for any origin, spacing and direction matrix.
+ * A voxel is inside if the winding number of the surface about its center is not zero; the overlap
+ * of a self-intersecting surface is thus inside. Any origin, spacing and direction matrix will do.
  *
- * Each plane of voxels cuts the surface in closed polygons, whose corners are one crossing per
- * edge of the mesh; each row of voxels cuts these polygons in as many entries as exits. Lower
- * bounds belong to the inside, upper ones do not, and a crossing depends on the edge's two end
- * points alone: adjoining triangles never count a crossing twice or not at all, and of two organs
- * that share a wall each voxel belongs to exactly one.
+ * Each plane of voxels cuts the surface in closed polygons, whose corners are its crossings with
+ * the edges of the mesh; each row of voxels enters and leaves these polygons equally often. A
+ * crossing depends on the edge's end points only, and intervals include their lower bounds but not
+ * their upper ones. So adjacent triangles count a crossing exactly once, and each voxel of two
+ * organs that share a wall belongs to exactly one of them.
  */
 #ifndef FlipFreeSurfaceVoxelization_h
 #define FlipFreeSurfaceVoxelization_h
@@ -30,11 +29,10 @@ struct VoxelRun
   int End = 0;
 };
 
-/// The voxels of the image inside the surface, as maximal runs ordered by K, J, Begin: memory
-/// follows the organ's surface, not the image. Empty when the surface holds no voxel center, or
-/// when the monitor stops it. Throws std::invalid_argument when the surface is not closed and
-/// consistently oriented (either way round), a point is not finite or lies more than 1e15 voxels
-/// away from the image, or the geometry is singular.
+/// The voxels of the image inside the surface, as maximal runs ordered by K, J, Begin. Empty when
+/// the surface contains no voxel center, or when the monitor stops it. Throws std::invalid_argument
+/// when the surface is not closed and consistently oriented (either way round), a point is not
+/// finite or lies more than 1e15 voxels away from the image, or the geometry is singular.
 std::vector<VoxelRun> VoxelizeSurface(const PointList& points, const TriangleList& triangles,
   const ImageGeometry& geometry, const ParallelFor& parallelFor = SerialFor,
   const Monitor& monitor = NeverStop);

@@ -1,6 +1,5 @@
 /**
- * What lies at each vertex: the triangles, the corners of faces, or whatever else is made of a few
- * vertices.
+ * Vertex-to-item incidence: the triangles, or other items of three vertices, at each vertex.
  */
 #ifndef FlipFreeVertexIncidence_h
 #define FlipFreeVertexIncidence_h

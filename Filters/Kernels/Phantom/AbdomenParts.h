@@ -1,7 +1,6 @@
 /**
- * The parts from which the abdomen phantom is put together, in millimeters around the middle of the
- * body: x to the patient's left, y to the back, z to the head. Parts are added from the outside in;
- * what is added later hides what was there.
+ * The parts of the abdomen phantom, in millimeters around the center of the body: x to the
+ * patient's left, y to the back, z to the head. Parts that are added later hide earlier ones.
  */
 #ifndef FlipFreeAbdomenParts_h
 #define FlipFreeAbdomenParts_h
@@ -13,7 +12,7 @@ namespace FlipFree
 
 using TissueLayers = std::vector<TissueLayer>;
 
-/// The spaces within the body wall that organs fill and press against.
+/// The spaces within the body wall that bound the organs.
 struct AbdomenSpaces
 {
   ImplicitShape Cavity;         ///< of chest and abdomen together
@@ -32,7 +31,7 @@ void AddChest(TissueLayers& layers, const AbdomenSpaces& spaces);
 /// Spine and ribs.
 void AddSkeleton(TissueLayers& layers);
 
-/// Spleen, bowel, pancreas, stomach: what the liver presses into.
+/// Spleen, bowel, pancreas, stomach: the organs that the liver indents.
 void AddDigestiveTract(TissueLayers& layers, const AbdomenSpaces& spaces);
 
 /// Portal and splenic vein, the liver with the vessels in it, lesions, gallbladder.

@@ -13,8 +13,8 @@ using Eigen::Vector3d;
 
 const Eigen::Vector2d DrawnExtent(330, 255);
 
-// Nobody is made of ellipsoids: slow waves bend what is drawn, bones and organs together, so that
-// what touches stays in touch.
+// Smooth waves deform the ellipsoids into less regular shapes, all organs together, so that
+// adjacent organs stay adjacent.
 struct Wave
 {
   Vector3d Direction; // radians per mm
@@ -53,8 +53,8 @@ struct OrganSeed
   double Radius;
 };
 
-// Deep places of the organs, measured in the sampled phantom by a distance transform; not drawn,
-// but as bent. Of the long vessels, a place half way.
+// Points deep inside the deformed organs, measured in the sampled phantom by a distance transform;
+// for the long vessels, half way along them.
 const OrganSeed OrganSeeds[] = { { AbdomenLabel::Spleen, { 89.5, 15, 2.5 }, 13.8 },
   { AbdomenLabel::RightKidney, { -51.5, 40, -0.5 }, 10.5 },
   { AbdomenLabel::LeftKidney, { 64.5, 39, -47.5 }, 10.8 },

@@ -1,9 +1,9 @@
 /**
- * A schematic upper abdomen as a contrast-enhanced CT in the portal phase shows it, in HU: body
- * wall with fat, muscle, ribs and spine; lungs, heart and the domes of the diaphragm; liver with
- * its vessels, spleen, kidneys, stomach, pancreas, bowel and the great vessels. It has what makes
- * real organs hard: neighbors that touch with little or no contrast, a far left lobe behind a
- * neck, a concave visceral side, bright ribs nearby, uneven tissue.
+ * A schematic upper abdomen as in a contrast-enhanced CT in the portal phase, in HU: body wall with
+ * fat, muscle, ribs and spine; lungs, heart and diaphragm; liver with its vessels, spleen, kidneys,
+ * stomach, pancreas, bowel and the great vessels. It reproduces what makes real organs difficult:
+ * adjacent organs with little or no contrast, a left lobe behind a neck, a concave visceral side,
+ * bright ribs nearby, uneven tissue.
  */
 #ifndef FlipFreeAbdomenPhantom_h
 #define FlipFreeAbdomenPhantom_h
@@ -38,7 +38,7 @@ struct AbdomenOptions
 
 /// The anatomy is drawn for a grid of 330 x 255 x 270 mm (left, back, head) and scaled, all axes
 /// alike, so that the body's cross-section fits. A grid that is longer or shorter along the third
-/// axis shows more or less of it; organs whose seed it does not hold have none.
+/// axis shows more or less of it; organs have a seed only if it lies in the grid.
 Phantom MakeAbdomenPhantom(const Eigen::Vector3d& extent, const AbdomenOptions& options = {});
 
 } // namespace FlipFree

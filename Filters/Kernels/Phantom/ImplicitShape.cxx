@@ -33,8 +33,36 @@ double SmoothMinimum(double a, double b, double blend)
   return std::min(a, b) - overlap * overlap / (4 * blend);
 }
 
-// One piece of a tube. The slope of the radius tilts the surface; divided by InverseScale the value
-// is a bound.
+template <int Axes, typename Vector>
+ImplicitShape MakeRoundedBox(const Vector& center, const Vector& halfEdges, double rounding,
+  const char* what)
+{
+  RequirePositive(halfEdges.minCoeff() - rounding, what);
+  const Vector core = halfEdges - Vector::Constant(rounding);
+  return [=](const Vector3d& point)
+  {
+    const Vector beyond = (point.head<Axes>() - center).cwiseAbs() - core;
+    return beyond.cwiseMax(0.0).norm() + std::min(beyond.maxCoeff(), 0.0) - rounding;
+  };
+}
+
+// Combines the values of the shapes, first to last.
+template <typename Combine>
+ImplicitShape Fold(std::vector<ImplicitShape> shapes, const Combine& combine)
+{
+  return [shapes = std::move(shapes), combine](const Vector3d& point)
+  {
+    double value = shapes.front()(point);
+    for (std::size_t i = 1; i < shapes.size(); ++i)
+    {
+      value = combine(value, shapes[i](point));
+    }
+    return value;
+  };
+}
+
+// A piece of a tube. The slope of the radius tilts the surface: the difference of distance and
+// radius, divided by InverseScale, does not exceed the distance to the surface.
 struct TubePiece
 {
   Vector3d Start;
@@ -44,7 +72,7 @@ struct TubePiece
   double Taper;
   double InverseScale;
 
-  // Lowers the value to that of this piece. The root is taken only where it does.
+  // Lowers the value to that of this piece. Takes a root only if the value changes.
   void Lower(double& value, const Vector3d& point) const
   {
     const Vector3d offset = point - this->Start;
@@ -59,7 +87,7 @@ struct TubePiece
   }
 };
 
-// Some consecutive pieces and a ball that holds them, by which a far point skips them all.
+// Consecutive pieces and their bounding ball.
 struct TubeRun
 {
   std::vector<TubePiece> Pieces;
@@ -93,13 +121,13 @@ ImplicitShape MakeSphere(const Vector3d& center, double radius)
 
 ImplicitShape MakeBox(const Vector3d& center, const Vector3d& halfEdges, double rounding)
 {
-  RequirePositive(halfEdges.minCoeff() - rounding, "the half edge of a box less its rounding");
-  const Vector3d core = halfEdges - Vector3d::Constant(rounding);
-  return [=](const Vector3d& point)
-  {
-    const Vector3d beyond = (point - center).cwiseAbs() - core;
-    return beyond.cwiseMax(0.0).norm() + std::min(beyond.maxCoeff(), 0.0) - rounding;
-  };
+  return MakeRoundedBox<3>(center, halfEdges, rounding, "the half edge of a box less its rounding");
+}
+
+ImplicitShape MakeColumn(const Vector2d& center, const Vector2d& halfEdges, double rounding)
+{
+  return MakeRoundedBox<2>(center, halfEdges, rounding,
+    "the half edge of a column less its rounding");
 }
 
 ImplicitShape MakeEllipsoid(const Vector3d& center, const Vector3d& radii,
@@ -118,17 +146,6 @@ ImplicitShape MakeEllipticCylinder(const Vector2d& center, const Vector2d& radii
   const double least = radii.minCoeff();
   return [=](const Vector3d& point)
   { return least * ((point.head<2>() - center).cwiseQuotient(radii).norm() - 1); };
-}
-
-ImplicitShape MakeColumn(const Vector2d& center, const Vector2d& halfEdges, double rounding)
-{
-  RequirePositive(halfEdges.minCoeff() - rounding, "the half edge of a column less its rounding");
-  const Vector2d core = halfEdges - Vector2d::Constant(rounding);
-  return [=](const Vector3d& point)
-  {
-    const Vector2d beyond = (point.head<2>() - center).cwiseAbs() - core;
-    return beyond.cwiseMax(0.0).norm() + std::min(beyond.maxCoeff(), 0.0) - rounding;
-  };
 }
 
 ImplicitShape MakeHalfSpace(const Vector3d& origin, const Vector3d& normal)
@@ -168,7 +185,7 @@ ImplicitShape MakeTube(const std::vector<Vector3d>& centerline, const std::vecto
     double value = std::numeric_limits<double>::infinity();
     for (const TubeRun& run : runs)
     {
-      // What is farther than the best so far cannot lower it.
+      // A run that is farther than the minimum so far cannot lower it.
       const double least = value + run.Reach;
       if (least > 0 && (point - run.Center).squaredNorm() < least * least)
       {
@@ -244,61 +261,49 @@ ImplicitShape MakeUTube(const Vector3d& center, double bendRadius, double tubeRa
 
 ImplicitShape Unite(std::vector<ImplicitShape> shapes)
 {
-  return [shapes = std::move(shapes)](const Vector3d& point)
-  {
-    double value = std::numeric_limits<double>::infinity();
-    for (const ImplicitShape& shape : shapes)
-    {
-      value = std::min(value, shape(point));
-    }
-    return value;
-  };
+  return Fold(std::move(shapes), [](double a, double b) { return std::min(a, b); });
 }
 
 ImplicitShape SmoothUnite(std::vector<ImplicitShape> shapes, double blend)
 {
   RequirePositive(blend, "the width of a blend");
-  return [shapes = std::move(shapes), blend](const Vector3d& point)
-  {
-    double value = shapes.front()(point);
-    for (std::size_t i = 1; i < shapes.size(); ++i)
-    {
-      value = SmoothMinimum(value, shapes[i](point), blend);
-    }
-    return value;
-  };
+  return Fold(std::move(shapes),
+    [blend](double a, double b) { return SmoothMinimum(a, b, blend); });
 }
 
 ImplicitShape Intersect(std::vector<ImplicitShape> shapes)
 {
-  return [shapes = std::move(shapes)](const Vector3d& point)
-  {
-    double value = -std::numeric_limits<double>::infinity();
-    for (const ImplicitShape& shape : shapes)
-    {
-      value = std::max(value, shape(point));
-    }
-    return value;
-  };
+  return Fold(std::move(shapes), [](double a, double b) { return std::max(a, b); });
 }
 
 ImplicitShape SmoothIntersect(std::vector<ImplicitShape> shapes, double blend)
 {
   RequirePositive(blend, "the width of a blend");
-  return [shapes = std::move(shapes), blend](const Vector3d& point)
-  {
-    double value = -shapes.front()(point);
-    for (std::size_t i = 1; i < shapes.size(); ++i)
-    {
-      value = SmoothMinimum(value, -shapes[i](point), blend);
-    }
-    return -value;
-  };
+  return Fold(std::move(shapes),
+    [blend](double a, double b) { return -SmoothMinimum(-a, -b, blend); });
 }
 
 ImplicitShape Complement(ImplicitShape shape)
 {
   return [shape = std::move(shape)](const Vector3d& point) { return -shape(point); };
+}
+
+Vector3d ProjectOntoSurface(const ImplicitShape& shape, Vector3d point, double step)
+{
+  for (int iteration = 0; iteration < 3; ++iteration)
+  {
+    Vector3d gradient;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const Vector3d offset = step * Vector3d::Unit(axis);
+      gradient[axis] = (shape(point + offset) - shape(point - offset)) / (2 * step);
+    }
+    if (gradient.squaredNorm() > 0.25)
+    {
+      point -= shape(point) / gradient.squaredNorm() * gradient;
+    }
+  }
+  return point;
 }
 
 ImplicitShape Grow(ImplicitShape shape, double distance)

@@ -1,11 +1,11 @@
 /**
- * Solids as functions of space, from which phantoms are composed: primitives with exact signed
- * distances, and the set operations on them.
+ * Solids as signed distance bounds, from which phantoms are composed: primitives and the set
+ * operations on them.
  *
- * The contract that the sampler relies on: a shape's value is negative inside, positive outside,
- * and its magnitude never exceeds the distance to the surface. Where it is the distance itself, the
- * function says so. A ball of radius |value| around a point is thus wholly inside or wholly
- * outside.
+ * The sampler relies on this contract: a shape's value is negative inside, positive outside, and
+ * its magnitude never exceeds the distance to the surface. A ball of radius |value| around a point
+ * is thus entirely inside or entirely outside. "Exact distance" marks shapes whose value is the
+ * signed distance itself.
  */
 #ifndef FlipFreeImplicitShape_h
 #define FlipFreeImplicitShape_h
@@ -48,7 +48,7 @@ ImplicitShape MakeHalfSpace(const Eigen::Vector3d& origin, const Eigen::Vector3d
 ImplicitShape MakeTube(const std::vector<Eigen::Vector3d>& centerline,
   const std::vector<double>& radii);
 
-/// The same along a smooth curve through the points (Catmull and Rom's spline).
+/// The same along the Catmull-Rom spline through the points.
 ImplicitShape MakeSplineTube(const std::vector<Eigen::Vector3d>& points,
   const std::vector<double>& radii);
 
@@ -61,16 +61,16 @@ ImplicitShape MakeCup(const Eigen::Vector3d& center, double radius, double halfW
 ImplicitShape MakeUTube(const Eigen::Vector3d& center, double bendRadius, double tubeRadius,
   double leg);
 
-/// Points in any of the shapes.
+/// The union of one shape or more.
 ImplicitShape Unite(std::vector<ImplicitShape> shapes);
 
-/// Points in any of the shapes, with a fillet where two surfaces are closer than `blend` mm.
+/// The union, with a fillet where two surfaces are closer than `blend` mm.
 ImplicitShape SmoothUnite(std::vector<ImplicitShape> shapes, double blend);
 
-/// Points in all of the shapes.
+/// The intersection of one shape or more.
 ImplicitShape Intersect(std::vector<ImplicitShape> shapes);
 
-/// Points in all of the shapes, the edges rounded by about `blend` mm.
+/// The intersection, its edges rounded by about `blend` mm.
 ImplicitShape SmoothIntersect(std::vector<ImplicitShape> shapes, double blend);
 
 /// The rest of space.
@@ -78,6 +78,10 @@ ImplicitShape Complement(ImplicitShape shape);
 
 /// The shape grown by `distance` mm (shrunk where negative), as far as its value is the distance.
 ImplicitShape Grow(ImplicitShape shape, double distance);
+
+/// Moves a point near a surface onto it, by Newton's method along the gradient, which is a central
+/// difference over `step` mm.
+Eigen::Vector3d ProjectOntoSurface(const ImplicitShape& shape, Eigen::Vector3d point, double step);
 
 } // namespace FlipFree
 

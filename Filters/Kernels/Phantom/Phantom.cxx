@@ -13,7 +13,7 @@ using Eigen::Vector3d;
 constexpr double SeedShare = 0.7;
 constexpr double EnclosingShare = 1.05;
 
-// An object, a point well inside it, and the smallest ball around its own origin that holds it.
+// An object, a point deep inside it, and the radius of its bounding ball around the origin.
 struct PlainObject
 {
   ImplicitShape Shape;
@@ -32,8 +32,8 @@ PlainObject MakePlainCube(double unit)
     26 * unit * std::sqrt(3.0) };
 }
 
-// The ball touches the bottom and the rim: their distances from its center, `up` above that of the
-// half sphere, are up + radius + halfWall and hypot(radius, height - up) + halfWall.
+// The bounding ball touches the bottom and the rim, whose distances from its center, `up` above
+// that of the half sphere, are up + radius + halfWall and hypot(radius, height - up) + halfWall.
 PlainObject MakePlainCup(double unit)
 {
   const double radius = 24 * unit;
@@ -44,7 +44,7 @@ PlainObject MakePlainCup(double unit)
     up + radius + halfWall };
 }
 
-// The same reasoning in the plane of the tube.
+// Likewise, in the plane of the tube.
 PlainObject MakePlainUTube(double unit)
 {
   const double bend = 18 * unit;

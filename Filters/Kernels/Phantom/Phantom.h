@@ -1,6 +1,6 @@
 /**
- * What a phantom consists of, and the plain ones of the paper (Fig. 1): a sphere, a cube, a cup, a
- * U-shaped tube and a thin curved vessel. All sizes are in proportion to the grid.
+ * The parts of a phantom, and the plain phantoms of the paper (Fig. 1): a sphere, a cube, a cup, a
+ * U-shaped tube and a thin curved vessel. All sizes are proportional to the grid.
  */
 #ifndef FlipFreePhantom_h
 #define FlipFreePhantom_h
@@ -18,7 +18,7 @@ struct Ball
   double Radius = 0;
 };
 
-/// Where a segmentation may start: a ball inside the organ, its radius 0.7 times the depth there.
+/// A ball inside the organ, of 0.7 times the depth there, from which a segmentation may start.
 struct PhantomSeed
 {
   std::uint8_t Label;
@@ -31,8 +31,8 @@ struct Phantom
   TissueStack Tissues;
   std::vector<PhantomSeed> Seeds;
   ImplicitShape Surface; ///< of the one object of a plain phantom; empty otherwise
-  std::optional<Ball>
-    Enclosing; ///< of a plain phantom: a start from outside, 5 % clear of the object
+  /// Of a plain phantom: a ball around the object, with a clearance of 5 %, to start from outside.
+  std::optional<Ball> Enclosing;
 };
 
 enum class PlainShape

@@ -14,33 +14,24 @@ namespace FlipFree
 namespace
 {
 
+using Eigen::Array3i;
 using Eigen::Vector3d;
-using Index = std::array<int, 3>;
 
-// A block of voxels that one thread paints on its own.
-constexpr Index BrickSize = { { 32, 32, 8 } };
-constexpr int MaximumSamples = 4;
+// Each brick of voxels is painted by one thread.
+const Array3i BrickSize(32, 32, 8);
+constexpr int MaximumSamples = 4; // along an axis of a voxel
 
 struct VoxelBox
 {
-  Index First;
-  Index Size;
+  Array3i First;
+  Array3i Size;
 };
 
 // Cuts a box across its longest edge that is not a single voxel.
 std::pair<VoxelBox, VoxelBox> Halve(const VoxelBox& box, const Vector3d& spacing)
 {
-  int axis = 0;
-  double longest = 0;
-  for (int candidate = 0; candidate < 3; ++candidate)
-  {
-    const double edge = box.Size[candidate] * spacing[candidate];
-    if (box.Size[candidate] > 1 && edge > longest)
-    {
-      axis = candidate;
-      longest = edge;
-    }
-  }
+  Eigen::Index axis = 0;
+  (box.Size > 1).select(box.Size.cast<double>() * spacing.array(), 0.0).maxCoeff(&axis);
   VoxelBox lower = box;
   VoxelBox upper = box;
   lower.Size[axis] = box.Size[axis] / 2;
@@ -49,10 +40,9 @@ std::pair<VoxelBox, VoxelBox> Halve(const VoxelBox& box, const Vector3d& spacing
   return { lower, upper };
 }
 
-// Paints one brick. A box of voxels keeps only those layers whose surface may cross it, since a
-// shape's value bounds the distance to its surface; boxes are halved until nothing is in doubt or
-// one voxel is left, and voxels likewise down to their samples. So the cost goes with the surfaces,
-// not with the volume times the number of shapes.
+// Paints one brick. Since a shape's value bounds the distance to its surface, only some layers may
+// cross a given box of voxels. Boxes are halved until no layer crosses them or a single voxel is
+// left. So the cost is proportional to the surfaces, not to the volume times the number of shapes.
 class BrickPainter
 {
 public:
@@ -62,17 +52,16 @@ public:
     , Spacing(geometry.Spacing)
     , Field(field)
     , Brick(brick)
-    , Intensities(static_cast<std::size_t>(brick.Size[0]) * brick.Size[1] * brick.Size[2])
-    , Labels(this->Intensities.size())
+    , Middle(0.5 * (Eigen::Map<const Array3i>(geometry.Dimensions.data()).cast<double>() - 1))
+    , Samples(Array3i::Ones())
+    , Intensities(brick.Size.prod())
+    , Labels(brick.Size.prod())
   {
-    for (int axis = 0; axis < 3; ++axis)
+    if (options.PartialVolume)
     {
-      this->Middle[axis] = 0.5 * (geometry.Dimensions[axis] - 1);
-      // As many along the longest edge as anywhere, so that sub-voxels come out about cubic.
-      const double edge = this->Spacing[axis] / this->Spacing.maxCoeff();
-      this->Samples[axis] = options.PartialVolume
-        ? std::max(2, static_cast<int>(std::lround(MaximumSamples * edge)))
-        : 1;
+      // As many along the longest edge as anywhere, so that sub-voxels are roughly cubic.
+      const Eigen::Array3d edges = this->Spacing / this->Spacing.maxCoeff();
+      this->Samples = (MaximumSamples * edges).round().cast<int>().max(2);
     }
   }
 
@@ -89,8 +78,8 @@ public:
   const std::vector<std::uint8_t>& GetLabels() const { return this->Labels; }
 
 private:
-  // What may show in a box: layers in doubt, a range of InDoubt with the topmost first, and what is
-  // seen where all of them are absent.
+  // What may be visible in a box: the layers that cross it (a range of InDoubt, topmost first), and
+  // the tissue below them.
   struct View
   {
     std::size_t First;
@@ -98,8 +87,8 @@ private:
     const Tissue* Below;
   };
 
-  // Appends to InDoubt the layers of the view that remain so within `reach` of a point. Its end
-  // must be cut back to the former by the caller. `atPoint` is what shows at the point itself.
+  // Appends to InDoubt those layers of the view whose surface may be within `reach` of a point. The
+  // caller must restore its size. `atPoint` is the tissue at the point itself.
   View Narrow(const View& view, const Vector3d& drawn, double reach, const Tissue*& atPoint)
   {
     View narrowed{ this->InDoubt.size(), 0, view.Below };
@@ -140,7 +129,7 @@ private:
     {
       this->Fill(box, *narrowed.Below);
     }
-    else if (box.Size == Index{ { 1, 1, 1 } })
+    else if ((box.Size == 1).all())
     {
       this->FillVoxel(box.First, drawn, narrowed, *atCenter);
     }
@@ -161,17 +150,17 @@ private:
       {
         for (int i = box.First[0]; i < box.First[0] + box.Size[0]; ++i)
         {
-          this->Set({ { i, j, k } }, tissue.Intensity, tissue.Unevenness, tissue.Label);
+          this->Set({ i, j, k }, tissue.Intensity, tissue.Unevenness, tissue.Label);
         }
       }
     }
   }
 
-  void FillVoxel(const Index& voxel, const Vector3d& drawn, const View& view,
+  void FillVoxel(const Array3i& voxel, const Vector3d& drawn, const View& view,
     const Tissue& atCenter)
   {
-    // Within a voxel the drawing's frame is as good as affine.
-    const Vector3d center = this->CenterOf({ voxel, { { 1, 1, 1 } } });
+    // Within a voxel the map to the drawing is nearly affine.
+    const Vector3d center = this->CenterOf({ voxel, Array3i::Ones() });
     Eigen::Matrix3d edges;
     for (int axis = 0; axis < 3; ++axis)
     {
@@ -193,7 +182,7 @@ private:
         }
       }
     }
-    const double share = 1.0 / (this->Samples[0] * this->Samples[1] * this->Samples[2]);
+    const double share = 1.0 / this->Samples.prod();
     this->Set(voxel, share * intensity, share * unevenness, atCenter.Label);
   }
 
@@ -209,15 +198,13 @@ private:
     return *view.Below;
   }
 
-  void Set(const Index& voxel, double intensity, double unevenness, std::uint8_t label)
+  void Set(const Array3i& voxel, double intensity, double unevenness, std::uint8_t label)
   {
-    const std::size_t offset = voxel[0] - this->Brick.First[0] +
-      static_cast<std::size_t>(this->Brick.Size[0]) *
-        (voxel[1] - this->Brick.First[1] +
-          static_cast<std::size_t>(this->Brick.Size[1]) * (voxel[2] - this->Brick.First[2]));
+    const Array3i in = voxel - this->Brick.First;
+    const int offset = in[0] + this->Brick.Size[0] * (in[1] + this->Brick.Size[1] * in[2]);
     if (unevenness != 0)
     {
-      intensity += unevenness * this->Field(this->CenterOf({ voxel, { { 1, 1, 1 } } }));
+      intensity += unevenness * this->Field(this->CenterOf({ voxel, Array3i::Ones() }));
     }
     this->Intensities[offset] = static_cast<float>(intensity);
     this->Labels[offset] = label;
@@ -228,34 +215,26 @@ private:
     return this->Stack.ToDrawing ? this->Stack.ToDrawing(point) : point;
   }
 
-  // How far, in the drawing, the outermost samples of a box lie from its center.
+  // The distance, in the drawing, of a box's outermost samples from its center.
   double ReachOf(const VoxelBox& box) const
   {
-    Vector3d span;
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      span[axis] = (box.Size[axis] - 1.0 / this->Samples[axis]) * this->Spacing[axis];
-    }
-    return 0.5 * this->Stack.Stretch * span.norm();
+    const Eigen::Array3d span =
+      (box.Size.cast<double>() - 1.0 / this->Samples.cast<double>()) * this->Spacing;
+    return 0.5 * this->Stack.Stretch * span.matrix().norm();
   }
 
   Vector3d CenterOf(const VoxelBox& box) const
   {
-    Vector3d center;
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      center[axis] =
-        (box.First[axis] + 0.5 * (box.Size[axis] - 1) - this->Middle[axis]) * this->Spacing[axis];
-    }
-    return center;
+    return (box.First.cast<double>() + 0.5 * (box.Size - 1).cast<double>() - this->Middle) *
+      this->Spacing;
   }
 
   const TissueStack& Stack;
-  const Vector3d Spacing;
+  const Eigen::Array3d Spacing;
   const SmoothField& Field;
   const VoxelBox Brick;
-  Vector3d Middle;
-  Index Samples;
+  const Eigen::Array3d Middle;
+  Array3i Samples;
   std::vector<const TissueLayer*> InDoubt;
   std::vector<float> Intensities;
   std::vector<std::uint8_t> Labels;
@@ -299,7 +278,7 @@ void RequireGrid(const ImageGeometry& geometry)
   if (voxels > std::numeric_limits<int>::max())
   {
     throw Error(ErrorCode::TooLarge,
-      "a volume of more than 2^31 - 1 voxels is not made; choose smaller "
+      "the volume would have more than 2^31 - 1 voxels; choose smaller "
       "dimensions and a larger spacing");
   }
   const double determinant = geometry.Direction.determinant();
@@ -332,21 +311,13 @@ bool SampleTissues(const TissueStack& stack, const ImageGeometry& geometry,
   RequireGrid(geometry);
   RequireNoise(options.NoiseStandardDeviation, options.NoiseCorrelation);
   const SmoothField field(~options.Seed, stack.FieldCell, GridExtent(geometry));
-  Index bricks;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    bricks[axis] = (geometry.Dimensions[axis] + BrickSize[axis] - 1) / BrickSize[axis];
-  }
+  const Array3i dimensions(geometry.Dimensions.data());
+  const Array3i bricks = (dimensions + BrickSize - 1) / BrickSize;
 
-  const auto paintBrick = [&](int x, int y, int z)
+  const auto paintBrick = [&](const Array3i& brick)
   {
-    VoxelBox box;
-    const Index which = { { x, y, z } };
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      box.First[axis] = which[axis] * BrickSize[axis];
-      box.Size[axis] = std::min(BrickSize[axis], geometry.Dimensions[axis] - box.First[axis]);
-    }
+    const Array3i begin = brick * BrickSize;
+    const VoxelBox box{ begin, BrickSize.min(dimensions - begin) };
     BrickPainter painter(stack, geometry, options, field, box);
     painter.Paint();
     AddNoise(options.Seed, options.NoiseStandardDeviation, options.NoiseCorrelation, box.First,
@@ -361,7 +332,7 @@ bool SampleTissues(const TissueStack& stack, const ImageGeometry& geometry,
     }
   };
 
-  // Slab after slab, so that the monitor is asked from this thread and soon enough.
+  // Slab by slab, so that the monitor is called often, and from this thread.
   for (int z = 0; z < bricks[2]; ++z)
   {
     if (!monitor(static_cast<double>(z) / bricks[2]))
@@ -373,7 +344,8 @@ bool SampleTissues(const TissueStack& stack, const ImageGeometry& geometry,
       {
         for (std::ptrdiff_t brick = first; brick < last; ++brick)
         {
-          paintBrick(static_cast<int>(brick % bricks[0]), static_cast<int>(brick / bricks[0]), z);
+          paintBrick(
+            { static_cast<int>(brick % bricks[0]), static_cast<int>(brick / bricks[0]), z });
         }
       });
   }

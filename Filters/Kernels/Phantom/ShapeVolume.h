@@ -1,7 +1,6 @@
 /**
- * From shapes to voxels: a stack of tissues, each filling a shape and hiding what lies below it, is
- * sampled into a gray volume with partial volume and noise, and into the label map that is its
- * exact truth.
+ * Samples a stack of tissues, each of which fills a shape and hides those below it, into an image
+ * with partial volume and noise, and into the label map that is its exact ground truth.
  */
 #ifndef FlipFreeShapeVolume_h
 #define FlipFreeShapeVolume_h
@@ -27,32 +26,32 @@ struct TissueLayer
   FlipFree::Tissue Tissue;
 };
 
-/// Shapes live in millimeters along the grid's own axes, with the grid's center as their origin:
-/// they keep their place between the voxels whatever the direction matrix is, and turn with it.
+/// Shapes are in millimeters along the grid's axes around its center: they turn with the direction
+/// matrix, which does not change any voxel.
 struct TissueStack
 {
   Tissue Background;
   std::vector<TissueLayer> Layers; ///< later layers hide earlier ones
   double FieldCell = 15;           ///< mm over which uneven tissue varies
 
-  /// Where set, shapes are drawn in a space of their own, to which it takes a point of the grid. It
-  /// must not stretch any length more than Stretch times.
+  /// Optional: maps a point of the grid to the space in which the shapes are drawn. Stretch is its
+  /// Lipschitz constant.
   std::function<Eigen::Vector3d(const Eigen::Vector3d& point)> ToDrawing;
   double Stretch = 1;
 };
 
 struct SamplingOptions
 {
-  bool PartialVolume = true; ///< mean over sub-voxels, at most 4 along an axis; else the center's
+  bool PartialVolume = true;         ///< mean of up to 4 sub-voxels per axis, or the center's
   double NoiseStandardDeviation = 0; ///< of the Gaussian noise
   double NoiseCorrelation = 0;       ///< of neighbors in a slice, 0 to 0.7
   std::uint64_t Seed = 0;
 };
 
-/// Throws where dimensions, spacing or direction do not make a grid.
+/// Throws std::invalid_argument, naming what is wrong, unless the geometry is a valid grid.
 void RequireGrid(const ImageGeometry& geometry);
 
-/// Lengths of the grid's box, half a voxel beyond the outermost centers, along its own axes.
+/// The size of the grid along its axes, including the outer halves of its boundary voxels.
 Eigen::Vector3d GridExtent(const ImageGeometry& geometry);
 
 /// From millimeters along the grid's axes around its center to physical millimeters.

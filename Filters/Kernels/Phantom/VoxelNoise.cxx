@@ -3,6 +3,7 @@
 #include "Error.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 
@@ -11,7 +12,7 @@ namespace FlipFree
 namespace
 {
 
-// The finaliser of SplitMix64: every input bit flips every output bit with probability one half.
+// The finalizer of SplitMix64: every input bit flips every output bit with probability one half.
 std::uint64_t Mix(std::uint64_t bits)
 {
   bits += 0x9E3779B97F4A7C15u;
@@ -30,7 +31,12 @@ std::uint64_t RowHash(std::uint64_t seed, int j, int k)
   return Mix(Mix(Mix(seed) ^ Bits(k)) ^ Bits(j));
 }
 
-// Box and Muller's transform of the two halves of the bits.
+std::uint64_t PositionHash(std::uint64_t seed, int i, int j, int k)
+{
+  return Mix(RowHash(seed, j, k) ^ Bits(i));
+}
+
+// Box-Muller transform of the two halves of the bits.
 double Normal(std::uint64_t bits)
 {
   const double twoPi = 6.283185307179586477;
@@ -41,27 +47,18 @@ double Normal(std::uint64_t bits)
 
 } // namespace
 
-std::uint64_t PositionHash(std::uint64_t seed, int i, int j, int k)
-{
-  return Mix(RowHash(seed, j, k) ^ Bits(i));
-}
-
 double PositionUniform(std::uint64_t seed, int i, int j, int k)
 {
   return static_cast<double>(PositionHash(seed, i, j, k) >> 11) * (1 / 9007199254740992.0);
 }
 
-double PositionNormal(std::uint64_t seed, int i, int j, int k)
+void RequireNoise(double standardDeviation, double correlation)
 {
-  return Normal(PositionHash(seed, i, j, k));
-}
-
-void RequireNoise(double deviation, double correlation)
-{
-  if (!(deviation >= 0) || !std::isfinite(deviation))
+  if (!(standardDeviation >= 0) || !std::isfinite(standardDeviation))
   {
     throw Error(ErrorCode::OutOfRange,
-      "the deviation of the noise must be zero or more, not " + std::to_string(deviation));
+      "the standard deviation of the noise must be zero or more, not " +
+        std::to_string(standardDeviation));
   }
   if (!(correlation >= 0 && correlation <= 0.7))
   {
@@ -72,10 +69,10 @@ void RequireNoise(double deviation, double correlation)
   }
 }
 
-void AddNoise(std::uint64_t seed, double deviation, double correlation,
-  const std::array<int, 3>& first, const std::array<int, 3>& size, float* values)
+void AddNoise(std::uint64_t seed, double standardDeviation, double correlation,
+  const Eigen::Array3i& first, const Eigen::Array3i& size, float* values)
 {
-  if (deviation == 0)
+  if (standardDeviation == 0)
   {
     return;
   }
@@ -84,7 +81,7 @@ void AddNoise(std::uint64_t seed, double deviation, double correlation,
   const double side =
     correlation == 0 ? 0 : (1 - std::sqrt(1 - 2 * correlation * correlation)) / (2 * correlation);
   const float outer = static_cast<float>(side);
-  const float scale = static_cast<float>(deviation / (1 + 2 * side * side));
+  const float scale = static_cast<float>(standardDeviation / (1 + 2 * side * side));
   const int width = size[0] + 2;
   const int height = size[1] + 2;
   std::vector<float> white(static_cast<std::size_t>(width) * height);
@@ -130,7 +127,7 @@ SmoothField::SmoothField(std::uint64_t seed, double cell, const Eigen::Vector3d&
     {
       for (int i = 0; i < this->Size[0]; ++i)
       {
-        this->Nodes.push_back(static_cast<float>(PositionNormal(seed, i, j, k)));
+        this->Nodes.push_back(static_cast<float>(Normal(PositionHash(seed, i, j, k))));
       }
     }
   }
