@@ -244,6 +244,8 @@ TEST(BadInput, SegmentationsToMeasure)
   metrics->SetInputDataObject(elsewhere);
   ExpectRefusal(metrics, { noun, "encloses no voxel center", "physical coordinates" });
   metrics->SetInputDataObject(vtkSmartPointer<vtkTable>::New());
+  ExpectPipelineRefusal(metrics, "input port index 0");
+  metrics->SetInputDataObject(nullptr);
   ExpectPipelineRefusal(metrics, "port 0");
 }
 
