@@ -208,7 +208,7 @@ void CandidatePairs::VisitDisjointTriangles(const Motion& motion, double gap,
         {
           // A pair of which both nodes have changed is left to the first one.
           const int other = this->Partners[index];
-          if (node < other || !flags[other].IsSet)
+          if ((node < other || !flags[other].IsSet) && !boxes[node].StaysApartFrom(boxes[other]))
           {
             this->TreeOfTriangles.VisitPairsBelow({ node, other }, meet, visit);
           }
