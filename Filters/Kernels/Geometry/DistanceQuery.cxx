@@ -1,6 +1,7 @@
 #include "Geometry/DistanceQuery.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace FlipFree
 {
@@ -68,41 +69,17 @@ struct Triangle
     const Lanes toPlane = Dot(normal, fromA).square() * (1 / squaredNormal);
     return (minimumWeight < 0).select(toEdges, toPlane);
   }
-
-  Lanes SquaredDistancesOfBoxTo(const PointPacket& points) const
-  {
-    const Vector3d low = this->A.cwiseMin(this->B).cwiseMin(this->C);
-    const Vector3d high = this->A.cwiseMax(this->B).cwiseMax(this->C);
-    Lanes sum = Lanes::Zero();
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      sum += (low[axis] - points[axis]).max(points[axis] - high[axis]).max(0.0).square();
-    }
-    return sum;
-  }
 };
 
-double SquaredDistance(const TriangleBox& one, const TriangleBox& other)
+template <typename Box>
+Lanes SquaredDistancesToBox(const PointPacket& points, const Box& box)
 {
-  double sum = 0;
+  Lanes sum = Lanes::Zero();
   for (int axis = 0; axis < 3; ++axis)
   {
-    const double gap =
-      std::max({ 0.0, one.Low[axis] - other.High[axis], other.Low[axis] - one.High[axis] });
-    sum += gap * gap;
+    sum += (box.Low[axis] - points[axis]).max(points[axis] - box.High[axis]).max(0.0).square();
   }
   return sum;
-}
-
-TriangleBox BoxOf(const PointPacket& points)
-{
-  TriangleBox box;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    box.Low[axis] = points[axis].minCoeff();
-    box.High[axis] = points[axis].maxCoeff();
-  }
-  return box;
 }
 
 } // namespace
@@ -111,8 +88,17 @@ DistanceQuery::DistanceQuery(const PointList& points, const TriangleList& triang
   : Points(points)
   , Triangles(triangles)
   , Tree(points, triangles)
-  , Boxes(Tree.RefitBoxes(points, triangles))
 {
+  this->Tree.Refit(this->Boxes,
+    [&](int triangle)
+    {
+      Box box{ Eigen::Array4d::Zero(), Eigen::Array4d::Zero() };
+      const auto corner = [&](int which)
+      { return points.row(triangles(triangle, which)).transpose().array(); };
+      box.Low.head<3>() = corner(0).min(corner(1)).min(corner(2));
+      box.High.head<3>() = corner(0).max(corner(1)).max(corner(2));
+      return box;
+    });
 }
 
 Eigen::VectorXd DistanceQuery::DistancesOf(const PointList& points) const
@@ -129,25 +115,36 @@ Eigen::VectorXd DistanceQuery::DistancesOf(const PointList& points) const
   {
     const Eigen::Index size = std::min(NumberOfLanes, points.rows() - first);
     PointPacket packet;
+    Box box{ Eigen::Array4d::Zero(), Eigen::Array4d::Zero() };
     for (int axis = 0; axis < 3; ++axis)
     {
       packet[axis].setConstant(points(first, axis));
       packet[axis].head(size) = points.col(axis).segment(first, size).array();
+      box.Low[axis] = packet[axis].minCoeff();
+      box.High[axis] = packet[axis].maxCoeff();
     }
-    const TriangleBox box = BoxOf(packet);
     Lanes least = triangleAt(closest).SquaredDistancesOf(packet);
-    this->Tree.QueryNearestFirst([&](int node) { return SquaredDistance(this->Boxes[node], box); },
-      Slack * least.maxCoeff(),
+    double bound = Slack * least.maxCoeff();
+    this->Tree.QueryNearestFirst(
+      [&](int node)
+      {
+        const double toBox = this->Boxes[node].SquaredDistanceTo(box);
+        if (toBox > bound)
+        {
+          return toBox;
+        }
+        const Lanes toPoints = SquaredDistancesToBox(packet, this->Boxes[node]);
+        return (toPoints <= Slack * least).any() ? toPoints.minCoeff()
+                                                 : std::numeric_limits<double>::infinity();
+      },
+      bound,
       [&](int index)
       {
-        const Triangle triangle = triangleAt(index);
-        if ((triangle.SquaredDistancesOfBoxTo(packet) <= Slack * least).any())
-        {
-          const Lanes found = triangle.SquaredDistancesOf(packet);
-          closest = found[NumberOfLanes - 1] < least[NumberOfLanes - 1] ? index : closest;
-          least = least.min(found);
-        }
-        return Slack * least.maxCoeff();
+        const Lanes found = triangleAt(index).SquaredDistancesOf(packet);
+        closest = found[NumberOfLanes - 1] < least[NumberOfLanes - 1] ? index : closest;
+        least = least.min(found);
+        bound = Slack * least.maxCoeff();
+        return bound;
       });
     distances.segment(first, size) = least.head(size).sqrt();
   }

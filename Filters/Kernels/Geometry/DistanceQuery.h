@@ -23,10 +23,27 @@ public:
   TriangleList SortedTriangles() const;
 
 private:
+  // Four coordinates, the last of them 0, for vector instructions without branches.
+  struct Box
+  {
+    Eigen::Array4d Low;
+    Eigen::Array4d High;
+
+    void Merge(const Box& other)
+    {
+      this->Low = this->Low.min(other.Low);
+      this->High = this->High.max(other.High);
+    }
+    double SquaredDistanceTo(const Box& other) const
+    {
+      return (this->Low - other.High).max(other.Low - this->High).max(0.0).square().sum();
+    }
+  };
+
   const PointList& Points;
   const TriangleList& Triangles;
   TriangleTree Tree;
-  std::vector<TriangleBox> Boxes;
+  std::vector<Box> Boxes; // per node
 };
 
 } // namespace FlipFree

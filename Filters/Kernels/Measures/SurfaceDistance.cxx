@@ -6,8 +6,10 @@
 #include "Mesh/SurfaceTopology.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -215,18 +217,28 @@ SurfaceDistance MeasureSurfaceDistance(const PointList& firstPoints,
   }
   RequireValidFaces(firstPoints, FacesOf(firstTriangles), "the first surface");
   RequireValidFaces(secondPoints, FacesOf(secondTriangles), "the second surface");
-  const DistanceQuery toFirst(firstPoints, firstTriangles);
-  const DistanceQuery toSecond(secondPoints, secondTriangles);
-  const SurfaceSamples first(firstPoints, toFirst.SortedTriangles(), sampleSpacing,
+  std::array<std::optional<DistanceQuery>, 2> queries;
+  parallelFor(0, 2,
+    [&](std::ptrdiff_t begin, std::ptrdiff_t end)
+    {
+      for (std::ptrdiff_t surface = begin; surface < end; ++surface)
+      {
+        queries[surface].emplace(surface == 0 ? firstPoints : secondPoints,
+          surface == 0 ? firstTriangles : secondTriangles);
+      }
+    });
+  const auto& [toFirst, toSecond] = queries;
+  const SurfaceSamples first(firstPoints, toFirst->SortedTriangles(), sampleSpacing,
     "the first surface");
-  const SurfaceSamples second(secondPoints, toSecond.SortedTriangles(), sampleSpacing,
+  const SurfaceSamples second(secondPoints, toSecond->SortedTriangles(), sampleSpacing,
     "the second surface");
 
   SurfaceDistance result;
   DirectedDistances there;
   DirectedDistances back;
-  result.Complete = MeasureDirected(first, toSecond, parallelFor, PartOf(monitor, 0, 0.5), there) &&
-    MeasureDirected(second, toFirst, parallelFor, PartOf(monitor, 0.5, 1), back);
+  result.Complete =
+    MeasureDirected(first, *toSecond, parallelFor, PartOf(monitor, 0, 0.5), there) &&
+    MeasureDirected(second, *toFirst, parallelFor, PartOf(monitor, 0.5, 1), back);
   if (result.Complete)
   {
     const double area = there.Area + back.Area;
