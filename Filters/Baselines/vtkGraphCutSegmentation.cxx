@@ -39,8 +39,9 @@ bool FindCandidates(const FlipFree::ImageView<float>& logOdds,
   candidates = FlipFree::VoxelsWhere(
     logOdds, [](float odds) { return odds > WorstLogOdds; }, FlipFree::SMPFor);
   FlipFree::Unite(candidates, FlipFree::MaskOf(seedVoxels, logOdds.Geometry));
-  return FlipFree::Dilate(candidates, Bridge, FlipFree::SMPFor, monitor) &&
-    FlipFree::KeepConnected(candidates, seedVoxels, monitor);
+  return FlipFree::Dilate(candidates, Bridge, FlipFree::SMPFor,
+           FlipFree::PartOf(monitor, 0, 0.8)) &&
+    FlipFree::KeepConnected(candidates, seedVoxels, FlipFree::PartOf(monitor, 0.8, 1));
 }
 
 } // namespace
@@ -76,8 +77,10 @@ bool vtkGraphCutSegmentation::Segment(const FlipFree::BaselineTask& task,
   const FlipFree::Monitor rest = FlipFree::PartOf(monitor, CutEnds, 1);
   const FlipFree::LeakControlRadii radii = FlipFree::RadiiOf(
     { this->ClosingRadius, this->OpeningScale }, task.Seed.Radius, task.Region.Geometry);
-  if (!done || !FlipFree::ControlLeaks(organ, task.Seed, radii, FlipFree::SMPFor, rest) ||
-    !FlipFree::Dilate(organ, this->RimWidth, FlipFree::SMPFor, rest))
+  if (!done ||
+    !FlipFree::ControlLeaks(organ, task.Seed, radii, FlipFree::SMPFor,
+      FlipFree::PartOf(rest, 0, 0.8)) ||
+    !FlipFree::Dilate(organ, this->RimWidth, FlipFree::SMPFor, FlipFree::PartOf(rest, 0.8, 1)))
   {
     return false;
   }

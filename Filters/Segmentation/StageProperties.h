@@ -11,7 +11,7 @@
  *     PROPERTIES(FLIPFREE_DEFINE_PROPERTY)
  *
  * which defines the two functions of each, by the name Stage for the class. The same list prints
- * all of them, and refuses those that are no number.
+ * all of them, and rejects NaN.
  */
 #ifndef FlipFreeStageProperties_h
 #define FlipFreeStageProperties_h

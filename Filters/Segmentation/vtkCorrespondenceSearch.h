@@ -78,8 +78,8 @@ public:
 
   ///@{
   /**
-   * Length of the search lines in seed radii, used between 15 and 60 mm. Default 1.6; 0 to 1e6.
-   * Counts if SearchDistance is 0. The radius is the feature's field data `SeedRadius`, or 25 mm
+   * Length of the search lines in seed radii, clamped to 15 to 60 mm. Default 1.6; 0 to 1e6.
+   * Used only if SearchDistance is 0. The radius is the feature's field data `SeedRadius`, or 25 mm
    * without it.
    */
   void SetSearchScale(double value);

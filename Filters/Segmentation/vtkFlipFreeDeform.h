@@ -3,10 +3,10 @@
  * @brief   moves a surface towards its targets, without a flip and without a self-intersection
  *
  * One iteration of sections 3.4 to 3.6 of the paper: detects the vertices whose targets would flip
- * an edge (Eq. 3), drops all but the middle one of each run on a contour, propagates displacements
- * to solitary vertices, and solves the Laplacian deformation (Eq. 4-8). The guard then holds back
- * what would make the surface meet itself or turn a face, so that an embedded input gives an
- * embedded output.
+ * an edge (Eq. 3), drops the targets of all but the middle vertex of each run on a contour,
+ * propagates displacements to solitary vertices, and solves the Laplacian deformation (Eq. 4-8).
+ * The guard then holds back what would make the surface meet itself or turn a face, so that an
+ * embedded input gives an embedded output.
  *
  * Input port 0: vtkPolyData, closed, four neighbors at every vertex, with the point arrays
  * `Displacement` (3 doubles, mm) and `Correspondence` (unsigned char) of vtkCorrespondenceSearch.

@@ -28,7 +28,7 @@ public:
 
   ///@{
   /**
-   * See to it that the result is embedded. Default on.
+   * Ensure that the result is embedded. Default on.
    */
   vtkSetMacro(Check, bool);
   vtkGetMacro(Check, bool);

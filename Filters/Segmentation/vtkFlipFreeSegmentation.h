@@ -107,8 +107,8 @@ public:
   ///@{
   /**
    * The stages, which own the parameters of their part of the method; changing one makes this
-   * filter execute again. Only their parameters count here, not their connections and seeds.
-   * Setting null sets a new stage with default parameters.
+   * filter execute again. Only their parameters are used here, not their connections, their seeds
+   * and the search's Threshold. Setting null sets a new stage with default parameters.
    */
   vtkSeedRegionDiffusion* GetDiffusion() const;
   void SetDiffusion(vtkSeedRegionDiffusion* stage);
@@ -142,7 +142,7 @@ public:
   ///@{
   /**
    * Radius of the mesh's first sphere in seed radii. Default 1. Together with StartCenterOffset
-   * other starts than the seed are possible, e.g. one that encloses the object, as in the paper's
+   * it lets the mesh start elsewhere, e.g. around the object, as in the paper's
    * Fig. 1.
    */
   void SetStartScale(double value);
@@ -313,7 +313,7 @@ public:
   ///@}
 
   /**
-   * The stages' modification times count.
+   * Includes the modification times of the stages.
    */
   vtkMTimeType GetMTime() override;
 

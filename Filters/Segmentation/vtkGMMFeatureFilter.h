@@ -8,7 +8,7 @@
  * the feature is instead the odds of the intensities inside the surface against those of a shell
  * around it, in [0, 1] with threshold 1/2; the outermost 2 mm inside model neither.
  *
- * Leak control (beyond the paper) closes the foreground, opens it, and keeps what hangs together
+ * Leak control (beyond the paper) closes the foreground, opens it, and keeps what is connected
  * with the seed, so that thin bridges to neighbors do not leak. Voxels that it takes away get half
  * the threshold, voxels that it fills in the threshold.
  *

@@ -65,7 +65,7 @@ class TestPaperFigures(unittest.TestCase):
         self.assertIn(f"Dice {dice}", gallery)
         for method in ("level set", "graph cut", "GVF snake"):
             [dice] = re.findall(rf"\(phantom\), {method}: Dice (0\.\d+)", self.drawn.stdout)
-            self.assertRegex(gallery, rf"{method}[^.]*Dice {dice}")
+            self.assertRegex(gallery, rf"{method}[^.]*Dice\s+(of\s+)?{dice}")
 
     def test_a_folder_without_table_is_refused(self):
         process = draw(FOLDER, "--data", FOLDER)

@@ -132,7 +132,7 @@ class TestDebianPackage(unittest.TestCase):
         command = os.path.join(prefix, "bin", "flipfree")
         run(command, "phantom", "sphere", "-o", WORK, "--size", "20", "20", "20")
         scores = run(command, "evaluate", *2 * [os.path.join(WORK, "sphere-truth.nii.gz")])
-        self.assertRegex(scores, r"\nDice +1\b")
+        self.assertRegex(scores, r"(?m)^Dice +1\b")
         run(sys.executable, "-c", "import flipfree; flipfree.vtkQuadSphereSource().Update()", env=environment)
 
 

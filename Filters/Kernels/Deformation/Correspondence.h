@@ -41,7 +41,8 @@ struct CorrespondenceSettings
   /// target moves to the strongest edge. Zero leaves the target on the voxel's face.
   double EdgeWindow = 3;
 
-  /// Maps the intensities in that window; edges at which the result falls outward count.
+  /// Maps the intensities before edges are sought; only edges at which the mapped intensity falls
+  /// outward are used.
   EdgeRamp Ramp;
 };
 

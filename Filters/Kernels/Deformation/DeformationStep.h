@@ -18,7 +18,7 @@ struct DeformationStepSettings
   double FlipThreshold = 0.3; ///< r of Eq. 3
   DiffusionSettings Propagation;
   DeformationSettings Energy;
-  bool Guard = true; ///< whether whoever calls DeformOnce() gives it a guard
+  bool Guard = true; ///< read by callers of DeformOnce(), which itself looks at the pointer
 };
 
 struct DeformationStepReport

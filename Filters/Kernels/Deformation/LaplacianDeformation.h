@@ -32,8 +32,8 @@ public:
   const ContourMesh& GetMesh() const { return this->Mesh; }
 
   /// The displacements that minimize the energy, given every vertex's target minus its point.
-  /// `start` warms up the solver and takes the result. Throws Error (SingularSystem) when there is
-  /// no finite solution, as for displacements whose squares overflow.
+  /// `start` holds the initial guess and receives the solution. Throws Error (SingularSystem) when
+  /// there is no finite solution, as for displacements whose squares overflow.
   DeformationReport Solve(const PointList& points, const PointList& targets,
     const DeformationSettings& settings, PointList& start);
 

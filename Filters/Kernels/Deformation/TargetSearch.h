@@ -12,10 +12,11 @@ namespace FlipFree
 
 struct TargetSettings
 {
-  /// Its SearchDistance of zero means SearchScale; at most 1.5 voxels of its EdgeWindow are used.
+  /// If its SearchDistance is zero, SearchScale applies; its EdgeWindow is capped at 1.5 voxels.
   CorrespondenceSettings Correspondence;
 
-  /// Length of the search lines in seed radii, 15 to 60 mm; counts if the SearchDistance is zero.
+  /// Length of the search lines in seed radii, clamped to 15 to 60 mm; used if SearchDistance is
+  /// zero.
   double SearchScale = 1.6;
 
   /// Averaging passes of the normals over neighbors.
@@ -32,7 +33,7 @@ struct TargetSettings
 /// The length of the search lines, in millimeters.
 double SearchDistanceOf(const TargetSettings& settings, double seedRadius);
 
-/// The width of the window in which targets are refined, in millimeters.
+/// The standard deviation of the window in which targets are refined, in millimeters.
 double EdgeWindowOf(const TargetSettings& settings, const ImageGeometry& geometry);
 
 struct TargetReport
@@ -51,8 +52,8 @@ void RejectOutliers(const ContourMesh& mesh, const PointList& normals, double de
 /// Shortens displacements to at most `limit` millimeters.
 void LimitDisplacements(double limit, CorrespondenceField& field);
 
-/// With no edges (the null view) targets stay on the faces of voxels. Lengths follow the seed's
-/// radius, in millimeters.
+/// Finds a target for every vertex that sees a boundary. If `edges` is the null view, targets stay
+/// on the faces of voxels. `seedRadius` is in millimeters.
 CorrespondenceField FindTargets(const ContourMesh& mesh, const Eigen::Ref<const PointList>& points,
   const BitMask& foreground, const ImageView<float>& edges, double seedRadius,
   const TargetSettings& settings, const ParallelFor& parallelFor, TargetReport& report);

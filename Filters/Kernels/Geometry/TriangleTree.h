@@ -97,8 +97,8 @@ public:
 
   /// Pairs of nodes that together stand for every pair of disjoint triangles, those without a
   /// common vertex, exactly once, and for no other pair. A traversal that starts from them does not
-  /// descend to adjacent triangles, whose volumes always meet. Few pairs come of the layout that
-  /// the tree was built with.
+  /// descend to adjacent triangles, whose volumes always meet. Pass the layout the tree was
+  /// built with; it yields the fewest pairs.
   std::vector<NodePair> DisjointPairs(const PointList& layout, const TriangleList& triangles) const;
 
   /// Calls visit(first, second), the lesser index first, for the pairs of different triangles that

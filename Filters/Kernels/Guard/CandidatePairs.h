@@ -2,9 +2,10 @@
  * The broad phase of the guard: which parts of a moving surface have to be tested against each
  * other.
  *
- * Claim: a surface that is embedded at the start stays embedded as long as every vertex keeps a
- * positive distance to every triangle without it, and every edge to every edge without a common
- * vertex.
+ * Claim: a closed surface that is embedded at the start stays embedded as long as every vertex
+ * keeps a positive distance to every triangle without it, and every edge to every edge without a
+ * common vertex. Closed means that each edge belongs to exactly two triangles, which differ in
+ * their third vertex.
  *
  * Proof. Let two different points of the surface coincide in space: two convex combinations of
  * vertices, with equal sums. Taking away from both what they have in common at shared vertices
@@ -13,12 +14,11 @@
  * apart. As long as two of these are apart, their distance is that of a vertex to the other simplex
  * or of two edges; there are finitely many such pairs, so at the first contact the distance of one
  * of them tends to zero. Hence the first contact is one of a vertex and a triangle or of two edges,
- * and it is excluded by assumption.
+ * and it is excluded by assumption. (A vertex against the opposite edge of its own triangle is
+ * covered by the vertex against the other triangle of that edge.)
  *
- * Nearly every such pair of features belongs to a pair of disjoint triangles, triangles without a
- * common vertex, and is covered when these stay apart. The others, which only meshes of very few
- * vertices have, are listed one by one. The argument holds for any convex hulls of vertices, so
- * that the triangles may be replaced by whole faces.
+ * A pair of features that belongs to a pair of disjoint triangles, triangles without a common
+ * vertex, is covered when these stay apart. All others are listed one by one.
  */
 #ifndef FlipFreeCandidatePairs_h
 #define FlipFreeCandidatePairs_h
@@ -51,8 +51,8 @@ public:
   const std::vector<EdgeEdgePair>& EdgeEdgePairs() const { return this->EdgeEdges; }
 
   /// Calls visit(one, two) for the pairs of disjoint triangles that may come nearer to each other
-  /// than `gap` during the motion and of which a vertex is marked as changed. `boxes` are those of
-  /// the last call, and brought up to date. Called from several threads at once.
+  /// than `gap` during the motion and of which a vertex is marked as changed. `boxes` is the
+  /// caller's cache from the last call; it is updated. `visit` is called from several threads.
   void VisitDisjointTriangles(const Motion& motion, double gap, const std::vector<char>& changed,
     std::vector<MotionBox>& boxes, const std::function<void(int one, int two)>& visit,
     const ParallelFor& parallelFor) const;

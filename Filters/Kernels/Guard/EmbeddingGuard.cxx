@@ -1,5 +1,6 @@
 #include "Guard/EmbeddingGuard.h"
 
+#include "Error.h"
 #include "Geometry/TriangleIntersection.h"
 #include "Guard/SeparatingDirection.h"
 #include "Guard/StepLimiter.h"
@@ -7,7 +8,6 @@
 #include <algorithm>
 #include <limits>
 #include <sstream>
-#include <stdexcept>
 
 namespace FlipFree
 {
@@ -17,8 +17,9 @@ namespace
 // Relative to the mean edge length.
 constexpr double RelativeGap = 1e-3;
 
-// By how much farther a neighbor's scale may carry a vertex, in mean edge lengths: a region whose
-// motion is long is held back as a whole instead of being sheared where the scale changes.
+// By how much farther a vertex may move at its own scale than at its neighbor's, in mean edge
+// lengths: a region whose motion is long is slowed as a whole instead of being sheared where the
+// scale changes.
 constexpr double RelativeShear = 0.25;
 
 // Relative to the maximum coordinate: well above the rounding errors of positions and distances.
@@ -223,17 +224,17 @@ void EmbeddingGuard::RequireFinite(const PointList& points, const char* what, do
 {
   if (points.rows() != static_cast<Eigen::Index>(this->Neighbors.size()))
   {
-    throw std::invalid_argument("The guard was made for a mesh of " +
-      std::to_string(this->Neighbors.size()) + " vertices, but there is one " + what +
-      " for each of " + std::to_string(points.rows()));
+    throw Error(ErrorCode::InvalidMesh,
+      "the guard was made for a mesh of " + std::to_string(this->Neighbors.size()) +
+        " vertices, but there is one " + what + " for each of " + std::to_string(points.rows()));
   }
   for (Eigen::Index vertex = 0; vertex < points.rows(); ++vertex)
   {
     if (!points.row(vertex).allFinite() || points.row(vertex).cwiseAbs().maxCoeff() > maximum)
     {
-      throw std::invalid_argument("The " + std::string(what) + " of vertex " +
-        std::to_string(vertex) +
-        " is not finite or too large; check the image and the surface it comes from");
+      throw Error(ErrorCode::NonFiniteValue,
+        "the " + std::string(what) + " of vertex " + std::to_string(vertex) +
+          " is not finite or too large; check the image and the surface it comes from");
     }
   }
 }
@@ -281,12 +282,12 @@ void EmbeddingGuard::RequireEmbeddedAt(const PointList& points, const std::vecto
   const std::array<int, 3> one = TriangleAt(this->Triangles, pairs.front().first);
   const std::array<int, 3> two = TriangleAt(this->Triangles, pairs.front().second);
   std::ostringstream message;
-  message << "The surface intersects itself before it is moved, in " << pairs.size()
+  message << "the surface intersects itself before it is moved, in " << pairs.size()
           << " pairs of triangles; the first are those of the vertices (" << one[0] << ", "
           << one[1] << ", " << one[2] << ") and (" << two[0] << ", " << two[1] << ", " << two[2]
           << "), near (" << points(one[0], 0) << ", " << points(one[0], 1) << ", "
           << points(one[0], 2) << "); start from a surface without self-intersections";
-  throw std::invalid_argument(message.str());
+  throw Error(ErrorCode::SelfIntersecting, message.str());
 }
 
 double EmbeddingGuard::MeanEdgeLength(const PointList& points) const

@@ -1,6 +1,6 @@
 /**
- * Limits a step of the deformation so that the surface does not touch itself and no face flips on
- * the way: every iterate is embedded if the first one is.
+ * Limits a step of the deformation so that the surface neither intersects itself nor flips a face
+ * during the step. If the first surface is embedded, so is every iterate.
  *
  * The whole motion is certified, every vertex moving along a straight line, in three parts:
  * CandidatePairs finds the triangles that may meet, MotionTest computes conservative times of
@@ -21,25 +21,25 @@ class StepLimiter;
 struct GuardReport
 {
   int Guarded = 0; ///< vertices whose displacement was scaled down
-  int Passes = 0;  ///< times that the motion was tested; 1 if nothing had to be scaled down
+  int Passes = 0;  ///< number of test passes; 1 if nothing had to be scaled down
 };
 
 class EmbeddingGuard
 {
 public:
-  /// Keeps what depends on the connectivity only.
+  /// Precomputes everything that depends only on the connectivity.
   explicit EmbeddingGuard(const ContourMesh& mesh);
 
-  /// Scales displacements down, where and as little as needed, until it is certain that on the
-  /// straight way from points to points + displacements no two triangles meet except in the vertex
-  /// or edge they share, and no normal of a triangle or of a corner of a face turns by 90 degrees
-  /// or more. Both have one row per vertex, in millimeters; a displacement of more than a hundred
-  /// times the surface's extent is cut to that first. Disjoint triangles keep a distance of a
-  /// thousandth of the mean edge length, or the one they start with if that is less; corners that
-  /// have no normal at the start are not tested. `monitor` is asked between passes; if it returns
-  /// false, the displacements become zero. Throws std::invalid_argument for a wrong number of rows,
-  /// a number that is not finite, a coordinate beyond 1e30 mm, and where a motion cannot be
-  /// certified because the points are not embedded.
+  /// Scales displacements down, conservatively, until it is proven that, if the surface is embedded
+  /// at `points`, no two triangles meet except in the vertex or edge they share while every vertex
+  /// moves straight from `points` to `points + displacements`, and no normal of a triangle or of a
+  /// corner of a face turns by 90 degrees or more. Both have one row per vertex, in millimeters; a
+  /// displacement of more than a hundred times the surface's extent is cut to that first. Disjoint
+  /// triangles keep a distance of a thousandth of the mean edge length, or the one they start with
+  /// if that is less; corners that are degenerate at the start (TimeOfFlip) are not tested.
+  /// `monitor` is asked between passes; if it returns false, the displacements become zero. Throws
+  /// Error for a wrong number of rows, a number that is not finite, a coordinate beyond 1e30 mm,
+  /// and where a motion cannot be certified because the points are not embedded.
   GuardReport Limit(const PointList& points, PointList& displacements,
     const ParallelFor& parallelFor, const Monitor& monitor) const;
 
@@ -55,7 +55,7 @@ private:
     const ParallelFor& parallelFor) const;
   double MeanEdgeLength(const PointList& points) const;
 
-  // Test what has a changed vertex, and limit the vertices of what fails.
+  // Retest features with a changed vertex; limit the vertices of those that fail.
   void TestCorners(const std::vector<char>& changed, StepLimiter& step,
     const ParallelFor& parallelFor) const;
   void TestFeaturePairs(const MinimumDistance& distance, const std::vector<char>& changed,

@@ -1,16 +1,16 @@
 /**
- * The narrow phase of the guard: until when parts of a surface stay apart, and the corners of its
- * faces upright, while its vertices move along straight lines in unit time.
+ * The narrow phase of the guard: how long parts of a surface stay apart, and the corners of its
+ * faces unflipped, while its vertices move along straight lines in unit time.
  *
  * Claim: a direction along which two sets of vertices are separated at both ends of an interval of
  * time separates their convex hulls throughout. Proof: along a fixed direction the difference of
  * two moving points is linear in time, so it is positive between two times at which it is. Shared
- * motion cancels. How the direction was found does not matter: a poor one proves nothing, but never
- * too much.
+ * motion cancels. The proof holds for any unit direction, however it was found; a poor one only
+ * proves a smaller distance.
  *
- * Rounding: no distance below MinimumDistance::Resolution is ever proven, and that is 1e-12 of the
- * greatest coordinate, more than a hundred times the rounding errors of a position and its
- * projection. These may cost a small part of the distance, but never its sign.
+ * Rounding: no distance below MinimumDistance::Resolution is ever proven. The caller chooses it
+ * more than a hundred times as large as the rounding errors of a position and its projection, so
+ * rounding may reduce a distance slightly but cannot change its sign.
  */
 #ifndef FlipFreeMotionTest_h
 #define FlipFreeMotionTest_h
@@ -35,9 +35,9 @@ struct Motion
   bool IsAtRest(int vertex) const { return this->From.row(vertex) == this->To.row(vertex); }
 };
 
-/// The distance to be kept, in millimeters. Parts that are nearer than `Wanted` at the start may
-/// not come nearer; parts that are nearer than `Resolution`, the size of rounding errors, may not
-/// move at all.
+/// The distance to be kept, in millimeters. Parts that are nearer than `Wanted` at the start keep
+/// all but a millionth of their distance; parts that are nearer than `Resolution`, well above
+/// rounding errors, may not move at all.
 struct MinimumDistance
 {
   double Wanted = 0;
@@ -56,7 +56,8 @@ double TimeOfImpact(const Motion& motion, const std::array<int, 3>& one,
   const std::array<int, 3>& two, const MinimumDistance& distance, double maximumTime = 1);
 
 /// The time at which the normal of the corner before-vertex-after has turned by 90 degrees; 1 if it
-/// does not, for a corner at rest, and for one that has no normal at the start.
+/// does not, for a corner at rest, and for one that is degenerate at the start: twice its area is
+/// at most 1e-12 of the square of its longest edge at either end.
 double TimeOfFlip(const Motion& motion, const std::array<int, 3>& corner);
 
 } // namespace FlipFree

@@ -7,8 +7,8 @@
  * scale would change too abruptly.
  *
  * Claim: repeating tests and ScaleDown until nothing fails ends, without a limit on the number of
- * passes. Proof: what is at rest never fails a test, so that of the vertices of a test that fails
- * at least one has a scale above zero, and its scale is at least halved. Below 1/64 it becomes
+ * passes. Proof: what is at rest never fails a test, so at least one vertex of every failing test
+ * has a positive scale, and that scale is at least halved. Below 1/64 it becomes
  * zero, so that a vertex is halved at most seven times; scales never grow. After at most seven
  * times as many failing passes as there are vertices, everything is at rest.
  */
@@ -28,33 +28,34 @@ namespace FlipFree
 class StepLimiter
 {
 public:
-  /// Refers to the points and neighbors; `maximumShear` (mm) is by how much farther a neighbor's
-  /// scale may carry a vertex than its own.
+  /// Refers to the points and neighbors; `maximumShear` (mm) is by how much farther a vertex
+  /// may move at its own scale than at a neighbor's.
   StepLimiter(const PointList& points, const PointList& displacements,
     const std::vector<std::array<int, 4>>& neighbors, double maximumShear);
 
   Motion Path() const { return { this->From, this->To }; }
   const PointList& Displacements() const { return this->Scaled; }
 
-  /// A test of these vertices failed: they are safe until `time` only; a negative time tells that
-  /// they are not apart at the start. May be called from several threads at once; the lowest time
-  /// counts.
+  /// A test of these vertices failed: they are safe only until `time`. A negative time, or NaN,
+  /// means that they are not proven to be apart at the start. May be called from several threads at
+  /// once; the lowest time is used.
   template <std::size_t N>
   void Limit(const std::array<int, N>& vertices, double time)
   {
+    const double safe = time >= 0 ? time : -1; // NaN would limit nothing
     for (int vertex : vertices)
     {
       double present = this->SafeTimes[vertex].load(std::memory_order_relaxed);
-      while (time < present &&
-        !this->SafeTimes[vertex].compare_exchange_weak(present, time, std::memory_order_relaxed))
+      while (safe < present &&
+        !this->SafeTimes[vertex].compare_exchange_weak(present, safe, std::memory_order_relaxed))
       {
       }
     }
     this->NothingFailed.store(false, std::memory_order_relaxed);
   }
 
-  /// The time from which on an impact of the two makes no difference to ScaleDown, because their
-  /// vertices are limited by other tests or at rest.
+  /// An impact of the two after this time cannot change what ScaleDown does, because their vertices
+  /// are limited by other tests or at rest.
   template <std::size_t N>
   double LatestUsefulTime(const std::array<int, N>& one, const std::array<int, N>& two) const
   {
@@ -75,20 +76,19 @@ public:
   /// Scales down what was limited. Returns the vertices whose motion has changed.
   std::vector<int> ScaleDown();
 
-  /// Vertices at which the surface may not be embedded at the start (1), since a test said so. To
-  /// be added: those that are at rest before pairs have been tested at all.
+  /// 1 for vertices where the surface may not be embedded at the start, according to a test.
+  /// SuspectHeldVertices() adds those that are at rest before any pair has been tested.
   const std::vector<char>& Suspects() const { return this->IsSuspect; }
   void SuspectHeldVertices();
 
 private:
-  // A limited vertex keeps this fraction of its motion before the time of impact, but no more than
-  // the maximum and no less than the minimum part of its motion: others may run into it, and once
-  // these are scaled down, it may well be able to move.
+  // A limited vertex keeps this fraction of its motion up to the time of impact, clamped to
+  // [MinimumPart, MaximumPart]. The lower bound leaves it room to move once others have slowed.
   static constexpr double SafetyFactor = 0.9;
   static constexpr double MaximumPart = 0.5;
   static constexpr double MinimumPart = 0.12;
 
-  // Of a vertex at rest, which no test needs to limit, zero.
+  // Zero for a vertex at rest, which no test needs to limit.
   double SafeTimeOf(int vertex) const
   {
     return this->Scales[vertex] > 0 ? this->SafeTimes[vertex].load(std::memory_order_relaxed) : 0;

@@ -1,6 +1,6 @@
 /**
- * Refinement that keeps a surface embedded: the surface of the next level is counted, exactly, to
- * have no self-intersections, and to keep a small gap from itself.
+ * Refinement that keeps a surface embedded: the refined surface is checked with exact
+ * predicates to be free of self-intersections, and keeps a small gap from itself.
  */
 #ifndef FlipFreeSurfaceRefinement_h
 #define FlipFreeSurfaceRefinement_h
@@ -20,9 +20,9 @@ struct RefinedSurface
 
 /// Refines a surface into one of four times as many vertices (MeshRefinement.h). Where the refined
 /// surface would intersect itself, it is pulled towards the old vertices there, and if that does
-/// not help, the old surface is smoothed there, and if need be farther and farther around, under
-/// the guard, which opens its sharpest folds. `checked` false skips all that. Embedded is false
-/// when no attempt succeeded or the monitor stopped it; the mesh must then not be used.
+/// not help, the old surface is smoothed there, in growing neighborhoods if needed, under the
+/// guard, which opens its sharpest folds. `checked` false skips all that. Embedded is false when no
+/// attempt succeeded or the monitor stopped it; the mesh must then not be used.
 RefinedSurface RefineSurface(const ContourMesh& mesh, const PointList& points, bool checked,
   const ParallelFor& parallelFor, const Monitor& monitor);
 

@@ -1,6 +1,6 @@
 /**
  * Keeps the foreground from leaking into neighbors: thin bridges are cut by an opening, and only
- * what hangs together with the seed stays. All lengths are millimeters.
+ * what is connected to the seed is kept. Lengths are in millimeters unless they say otherwise.
  */
 #ifndef FlipFreeLeakControl_h
 #define FlipFreeLeakControl_h
@@ -16,8 +16,8 @@ struct LeakControlSettings
   /// Millimeters, at most two voxels; fills vessels and noise.
   double ClosingRadius = 1.5;
 
-  /// Seed radii, used between 2.5 and 6 mm and up to two voxels; cuts bridges, and what is thinner
-  /// than the ball is lost. Zero does not open.
+  /// In seed radii, clamped to 2.5 to 6 mm and then to at most two voxels. Cuts bridges; structures
+  /// thinner than the ball are lost. Zero: no opening.
   double OpeningScale = 0.4;
 };
 

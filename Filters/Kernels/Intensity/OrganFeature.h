@@ -31,7 +31,7 @@ bool FindForeground(const ImageView<float>& smooth, const IntensityModel& model,
 
 /// The same with leak control, from the voxels of a box of the image alone, which holds the seed
 /// sphere. Voxels within ForegroundMargin() of the box's sides may be wrong. If all voxels found
-/// keep that margin from the sides that are not the image's own, the result is that of the whole
+/// keep that margin from the sides inside the image, the result is that of the whole
 /// image.
 bool FindForegroundInBox(const ImageView<float>& smooth, const VoxelBox& box,
   const IntensityModel& model, const SeedSphere& seed, const LeakControlRadii& leaks,
@@ -39,7 +39,8 @@ bool FindForegroundInBox(const ImageView<float>& smooth, const VoxelBox& box,
 
 /// How far the sides of a box influence the foreground, in voxels along each axis. Leak control is
 /// right where no ball of closing and opening, one after the other, reaches beyond the sides; and
-/// what is connected with the seed cannot leave that part of the box without showing at its rim.
+/// what is connected with the seed cannot leave that part of the box without appearing in its
+/// boundary layer.
 std::array<int, 3> ForegroundMargin(const ImageGeometry& geometry, const LeakControlRadii& leaks);
 
 /// The feature of a smoothed image. Voxels that leak control removed get half the model's

@@ -11,7 +11,14 @@ from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkImageData, vtkPolyDa
 from ._arrays import image_from_array
 from ._errors import EvaluationError
 from ._files import read_image
-from ._parameters import described, names_of, parameters_of, set_parameters, signature_with
+from ._parameters import (
+    described,
+    names_of,
+    parameters_of,
+    set_parameters,
+    signature_with,
+    snake_case,
+)
 from ._segmentation import Segmentation
 from ._update import update
 from .FlipFreeEvaluation import vtkSegmentationMetrics
@@ -76,7 +83,8 @@ def evaluate(
     algorithm.SetReferenceData(reference)
     update(algorithm, EvaluationError, names=names_of(PARAMETERS))
     row = algorithm.GetOutput()
-    return Scores(*(_value(row, column) for column in range(len(fields(Scores)))))
+    columns = {snake_case(row.GetColumnName(i)): i for i in range(row.GetNumberOfColumns())}
+    return Scores(**{field.name: _value(row, columns[field.name]) for field in fields(Scores)})
 
 
 def _label_map(name: str, label_map: Any, other: Any) -> vtkImageData:
