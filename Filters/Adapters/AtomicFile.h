@@ -147,9 +147,10 @@ private:
   {
     std::vector<std::filesystem::path> files;
     std::error_code ignored;
-    for (const auto& entry : std::filesystem::directory_iterator(this->Folder, ignored))
+    for (std::filesystem::directory_iterator entry(this->Folder, ignored), end; entry != end;
+         entry.increment(ignored))
     {
-      files.push_back(entry.path());
+      files.push_back(entry->path());
     }
     return files;
   }

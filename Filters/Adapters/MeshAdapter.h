@@ -16,7 +16,6 @@
 #include "vtkSmartPointer.h"
 
 #include <algorithm>
-#include <cstdlib>
 #include <limits>
 #include <string>
 
@@ -92,7 +91,7 @@ inline FaceList CopyPolys(vtkPolyData* surface, const std::string& name = "the s
     polys->GetCellAtId(face, size, vertices);
     for (vtkIdType corner = 0; corner < size; ++corner)
     {
-      if (std::abs(vertices[corner]) > limit)
+      if (vertices[corner] > limit || vertices[corner] < -limit)
       {
         throw Error(ErrorCode::InvalidMesh,
           "polygon " + std::to_string(face) + " of " + name + " names point " +

@@ -158,6 +158,11 @@ void vtkFlipFreeSegmentation::UseSettings(const FlipFree::OrganSegmentationSetti
   *this->Search->Settings = settings.Targets;
   *this->Deform->Settings = settings.Step;
   this->SetReach(reach);
+  // Others may use the stages, too.
+  this->Diffusion->Modified();
+  this->Feature->Modified();
+  this->Search->Modified();
+  this->Deform->Modified();
   this->Modified();
 }
 

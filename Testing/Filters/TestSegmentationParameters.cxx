@@ -129,7 +129,9 @@ TEST_F(SegmentationParameters, PresetsSetThemAllInEveryStage)
         << property.Name;
     }
   };
+  const vtkMTimeType before = this->Segmentation->GetSearch()->GetMTime();
   this->Segmentation->UsePublishedParameters();
+  EXPECT_GT(this->Segmentation->GetSearch()->GetMTime(), before); // it may have other consumers
   expectPublished();
   this->Segmentation->UseNaiveParameters();
   published["AvoidFlips"] = 0;

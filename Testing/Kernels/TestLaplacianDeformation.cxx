@@ -281,11 +281,31 @@ TEST(LaplacianDeformation, RefusesWhatHasNoFiniteSolution)
   {
     EXPECT_EQ(error.GetCode(), ErrorCode::SingularSystem);
     const std::string text =
-      "the displacements, of up to 1e+200 mm, are too long to be computed with; limit them ";
-    EXPECT_EQ(error.what(), text + "(MaximumDisplacement)");
+      "the system of the deformation has no finite solution for displacements of up to 1e+200 mm; "
+      "limit them ";
+    EXPECT_EQ(error.what(), text + "(MaximumDisplacement), or check the surface");
     const auto asOption = [](const std::string& quantity) { return "--" + quantity; };
-    EXPECT_EQ(SpellQuantities(error.GetText(), asOption), text + "(--MaximumDisplacement)");
+    EXPECT_EQ(SpellQuantities(error.GetText(), asOption),
+      text + "(--MaximumDisplacement), or check the surface");
   }
+}
+
+TEST(LaplacianDeformation, SolverRecoversAfterAFailure)
+{
+  const Case good(4);
+  Case bad(4);
+  bad.Targets.row(7).setConstant(1e200);
+  const DeformationSettings settings;
+  PointList expected = PointList::Zero(good.Points.rows(), 3);
+  const DeformationReport report = good.Solve(settings, expected);
+
+  DeformationSolver solver(good.Sphere.Mesh);
+  PointList motion = PointList::Zero(good.Points.rows(), 3);
+  EXPECT_THROW(solver.Solve(bad.Points, bad.Targets, settings, motion), Error);
+  motion.setZero();
+  EXPECT_EQ(solver.Solve(good.Points, good.Targets, settings, motion).Iterations,
+    report.Iterations);
+  EXPECT_EQ(motion, expected);
 }
 
 TEST(LaplacianDeformation, CollapsedEdgesDoNoHarm)

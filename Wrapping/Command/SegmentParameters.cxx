@@ -122,7 +122,7 @@ ParameterGroup FeatureParameters()
       Property(FeatureOf, "--closing,--closing-radius", "MM", "Radius of the foreground's closing",
         &Feature::GetClosingRadius, &Feature::SetClosingRadius),
       Property(FeatureOf, "--opening,--opening-scale", "F",
-        "Radius of the foreground's opening, in seed radii", &Feature::GetOpeningScale,
+        "Radius of the foreground's opening, in seed radii; 0: none", &Feature::GetOpeningScale,
         &Feature::SetOpeningScale),
       Property(FeatureOf, "--reestimate-intensities", "",
         "Fit the intensities again inside the growing surface", &Feature::GetReestimateIntensities,

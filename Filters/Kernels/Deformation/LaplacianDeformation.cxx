@@ -135,6 +135,7 @@ DeformationReport DeformationSolver::Solve(const PointList& points, const PointL
   FindPositionWeights(targets, settings.PositionWeight, this->Diagonal);
   FindRightSide(this->Mesh, points, targets, settings, this->Diagonal, this->Right, this->Inner);
   this->Solution.topRows<3>() = start.transpose();
+  this->Solution.row(3).setZero(); // an earlier call that failed may have left NaN
 
   DeformationReport report;
   if (this->IterateToSolution(settings.UniformWeight, report.Iterations) &&
@@ -147,8 +148,9 @@ DeformationReport DeformationSolver::Solve(const PointList& points, const PointL
   if (!this->Factorize(settings.UniformWeight, start))
   {
     std::ostringstream message;
-    message << "the displacements, of up to " << targets.cwiseAbs().maxCoeff()
-            << " mm, are too long to be computed with; limit them ({MaximumDisplacement})";
+    message << "the system of the deformation has no finite solution for displacements of up to "
+            << targets.cwiseAbs().maxCoeff()
+            << " mm; limit them ({MaximumDisplacement}), or check the surface";
     throw Error(ErrorCode::SingularSystem, message.str());
   }
   return report;

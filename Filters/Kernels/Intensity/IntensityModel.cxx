@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <iterator>
 #include <limits>
 #include <mutex>
 #include <numeric>
@@ -224,8 +225,14 @@ float MedianOf(const ImageView<float>& image, const std::array<int, 3>& first, c
     [&](int begin, int end, int j, int k)
     {
       const float* const row = &image(first[0], first[1] + j, first[2] + k);
-      values.insert(values.end(), row + begin, row + end);
+      // Diffusion of values near the end of the range may give NaN, which has no order.
+      std::copy_if(row + begin, row + end, std::back_inserter(values),
+        [](float value) { return std::isfinite(value); });
     });
+  if (values.empty())
+  {
+    return 0;
+  }
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
   std::nth_element(values.begin(), middle, values.end());
   return *middle;

@@ -33,6 +33,11 @@ bool FindForegroundInBox(const ImageView<float>& smooth, const VoxelBox& box,
   const IntensityModel& model, const SeedSphere& seed, const LeakControlRadii& leaks,
   const ParallelFor& parallelFor, const Monitor& monitor, BitMask& foreground)
 {
+  if (!WholeBox(smooth.Geometry).Holds(box))
+  {
+    throw Error(ErrorCode::OutOfRange,
+      "a box in which foreground is sought must lie in the image; crop it");
+  }
   if (!monitor(0))
   {
     return false;
@@ -47,10 +52,12 @@ bool FindForegroundInBox(const ImageView<float>& smooth, const VoxelBox& box,
     const std::array<int, 3> index{ { static_cast<int>(voxel % size[0]) - box.Begin[0],
       static_cast<int>(row % size[1]) - box.Begin[1],
       static_cast<int>(row / size[1]) - box.Begin[2] } };
-    if (part.GetGeometry().Contains(index[0], index[1], index[2]))
+    if (!part.GetGeometry().Contains(index[0], index[1], index[2]))
     {
-      sources.push_back(part.GetGeometry().Offset(index[0], index[1], index[2]));
+      throw Error(ErrorCode::OutOfRange,
+        "a box in which foreground is sought must hold the seed sphere; widen it");
     }
+    sources.push_back(part.GetGeometry().Offset(index[0], index[1], index[2]));
   }
   if (!ControlLeaks(part, sources, leaks, parallelFor, PartOf(monitor, 0.1, 1)))
   {

@@ -50,6 +50,7 @@ ImplicitShape MakeRoundedBox(const Vector& center, const Vector& halfEdges, doub
 template <typename Combine>
 ImplicitShape Fold(std::vector<ImplicitShape> shapes, const Combine& combine)
 {
+  RequirePositive(static_cast<double>(shapes.size()), "the number of shapes to combine");
   return [shapes = std::move(shapes), combine](const Vector3d& point)
   {
     double value = shapes.front()(point);
