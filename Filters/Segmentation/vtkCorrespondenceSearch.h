@@ -17,6 +17,9 @@
  * solitary) and `Correspondence` (unsigned char: 0 solitary, 1 matched). Field data `MeanDistance`
  * (1 double, mm): mean distance to the targets found, before they are limited.
  *
+ * The checked images, the foreground and the mesh's contours are kept between updates: after
+ * writing voxels in place, call Modified() on the image.
+ *
  * Errors: a surface that is open or not four-valent; images without scalars, with several
  * components or with voxels that are not finite; an edge image of another grid than the
  * feature; field data of another size or not finite; a property that is NaN.
