@@ -185,6 +185,21 @@ TEST(Correspondence, ReachesTheSameFaceFromOutside)
   }
 }
 
+// Oblique lines, to a boundary of voxel faces.
+TEST(Correspondence, SphereIsReachedToWithinAVoxel)
+{
+  const Eigen::Vector3d center(24.3, 25.1, 24.7);
+  const TestImage image(Grid({ { 50, 50, 50 } }, { 1, 1, 1 }),
+    [&](const Eigen::Vector3d& index) { return (index - center).norm() <= 15; });
+  const CorrespondenceField field = FindCorrespondences(center.transpose().replicate(1000, 1),
+    Directions(1000), image.Foreground(), {}, RunOf(4), SerialFor);
+  for (int vertex = 0; vertex < 1000; ++vertex)
+  {
+    ASSERT_EQ(field.States[vertex], VertexState::Matched);
+    ASSERT_NEAR(field.Displacements.row(vertex).norm(), 15, std::sqrt(3.0) / 2);
+  }
+}
+
 // A gap of exactly the length counts, whichever way its ends are rounded.
 TEST(Correspondence, RunsInMillimetersDoNotDependOnTheVoxels)
 {

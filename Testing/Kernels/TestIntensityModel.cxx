@@ -35,8 +35,8 @@ std::vector<float> AnyFloats(std::size_t count, std::mt19937& random)
   return values;
 }
 
-// In boxes at any place, too.
-void ExpectForegroundIsByThreshold(const IntensityModel& model, std::mt19937& random)
+// In boxes at any place, too. `isMixed` tells whether the whole image's mask holds both values.
+void ExpectForegroundIsByThreshold(const IntensityModel& model, bool isMixed, std::mt19937& random)
 {
   const ImageGeometry geometry = Grid({ { 150, 31, 23 } }, { 1, 2, 3 });
   const std::vector<float> voxels = AnyFloats(geometry.NumberOfVoxels(), random);
@@ -58,6 +58,8 @@ void ExpectForegroundIsByThreshold(const IntensityModel& model, std::mt19937& ra
           << image(i, j, k);
       });
   }
+  const std::size_t inside = model.Foreground(image, WholeBox(geometry), SerialFor).Count();
+  EXPECT_EQ(inside > 0 && inside < voxels.size(), isMixed) << model.Threshold;
 }
 
 // A mask of an image, its complement, and gray values in and out of it.
@@ -109,11 +111,12 @@ TEST(IntensityModel, ForegroundIsWhatReachesTheThreshold)
   {
     IntensitySettings settings;
     settings.Threshold = threshold;
-    ExpectForegroundIsByThreshold(IntensityModel::FromSeed(values, 3, settings), random);
+    const bool isMixed = threshold < 1;
+    ExpectForegroundIsByThreshold(IntensityModel::FromSeed(values, 3, settings), isMixed, random);
   }
   for (const double threshold : { 0.0, 0.2, 0.6, 0.9 })
   {
-    ExpectForegroundIsByThreshold(TwoTissues(80, random).Reestimated(threshold), random);
+    ExpectForegroundIsByThreshold(TwoTissues(80, random).Reestimated(threshold), true, random);
   }
 }
 

@@ -75,13 +75,13 @@ struct Volume
 };
 
 Volume Sample(const Phantom& phantom, const ImageGeometry& grid,
-  const SamplingOptions& options = {})
+  const SamplingOptions& options = {}, const ParallelFor& parallelFor = SerialFor)
 {
   Volume volume;
   volume.Intensities.resize(grid.NumberOfVoxels());
   volume.Labels.resize(grid.NumberOfVoxels());
-  EXPECT_TRUE(
-    SampleTissues(phantom.Tissues, grid, options, volume.Intensities.data(), volume.Labels.data()));
+  EXPECT_TRUE(SampleTissues(phantom.Tissues, grid, options, volume.Intensities.data(),
+    volume.Labels.data(), parallelFor));
   return volume;
 }
 
@@ -401,6 +401,19 @@ TEST_P(PlainPhantom, PointsAreProjectedOntoTheSurface)
     EXPECT_NEAR(phantom.Surface(projected), 0, 1e-6);
     EXPECT_LT((projected - point).norm(), std::abs(shift) + 1);
   }
+}
+
+TEST_P(PlainPhantom, IsCutInAnyOrderIntoTheSameBits)
+{
+  const ImageGeometry grid = Grid(70, 1);
+  const Phantom phantom = MakePlainPhantom(GetParam(), GridExtent(grid), 100, 0);
+  SamplingOptions options;
+  options.NoiseStandardDeviation = 20;
+  options.NoiseCorrelation = 0.3;
+  const Volume serial = Sample(phantom, grid, options);
+  const Volume scattered = Sample(phantom, grid, options, ScatteredFor);
+  EXPECT_EQ(serial.Intensities, scattered.Intensities);
+  EXPECT_EQ(serial.Labels, scattered.Labels);
 }
 
 INSTANTIATE_TEST_SUITE_P(Shapes, PlainPhantom,

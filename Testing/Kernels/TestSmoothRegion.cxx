@@ -75,6 +75,41 @@ TEST(SmoothRegion, StopsWhenTold)
     region.Make({ { { 0, 10, 10 } }, { { 80, 30, 25 } } }, [](double) { return false; }));
 }
 
+TEST(SmoothRegion, ForegroundIsNotSoughtInBoxesThatCannotHoldIt)
+{
+  const ImageGeometry geometry = ThinGrid();
+  const std::vector<float> voxels = Noise(geometry);
+  const ImageView<float> image{ voxels.data(), geometry };
+  const SeedSphere seed{ geometry.ToPhysical(Eigen::Vector3d(75, 20, 18)), 5 };
+  const IntensityModel model = FitToSeed(image, seed, 20, {});
+  const std::string beyond = "a box in which foreground is sought must lie in the image; crop it";
+  const std::string outside =
+    "a box in which foreground is sought must hold the seed sphere; widen it";
+  const struct
+  {
+    VoxelBox Box;
+    std::string Error;
+  } cases[] = {
+    { { { { 64, 10, 10 } }, { { 100, 35, 30 } } }, "" },
+    { { { { 64, 10, 10 } }, { { 100, 42, 30 } } }, beyond },
+    { { { { 64, 10, -1 } }, { { 100, 35, 30 } } }, beyond },
+    { { { { 128, 10, 10 } }, { { 150, 35, 30 } } }, outside },
+    { { { { 64, 10, 10 } }, { { 80, 35, 30 } } }, outside },
+    { { { { 64, 16, 10 } }, { { 100, 35, 30 } } }, outside },
+    { { { { 64, 10, 10 } }, { { 100, 35, 19 } } }, outside },
+  };
+  for (const auto& example : cases)
+  {
+    BitMask found;
+    EXPECT_EQ(ErrorOf(
+                [&] {
+                  FindForegroundInBox(image, example.Box, model, seed, { 1, 1 }, SerialFor,
+                    NeverStop, found);
+                }),
+      example.Error);
+  }
+}
+
 // Blobs of gray values about the seed's, with bridges between them: what a box says of the
 // foreground holds as far as its margin promises.
 TEST(SmoothRegion, ForegroundOfABoxIsThatOfTheWhole)

@@ -216,6 +216,35 @@ TEST(SurfaceDistance, OfConcentricSpheresIsTheDifferenceOfRadii)
   EXPECT_TRUE(distance.Complete);
 }
 
+TEST(SurfaceDistance, OfAParallelBoxIsClosedForm)
+{
+  // The second box lies 1 mm inside the first on all sides. From it, all distances are 1. From the
+  // first: 1 over each side's middle, and hypot(1, t) in the rim at t from the middle's border.
+  const double size = 20;
+  const double middle = size - 2;
+  // Integrals over a rim of width 1 of sqrt(1 + t^2) and of 1 + t^2, and over its corners.
+  const double rim = (std::sqrt(2.0) + std::asinh(1.0)) / 2;
+  double corner = 0;
+  const int n = 400;
+  for (int sample = 0; sample < n * n; ++sample)
+  {
+    const double s = (sample % n + 0.5) / n;
+    const double t = (sample / n + 0.5) / n; // NOLINT(bugprone-integer-division)
+    corner += std::sqrt(1 + s * s + t * t) / (n * n);
+  }
+  const double areas = 6 * (size * size + middle * middle);
+  const double sum = 6 * (2 * middle * middle + 4 * middle * rim + 4 * corner);
+  const double sumOfSquares = 6 * (2 * middle * middle + 4 * middle * (4.0 / 3) + 4 * (5.0 / 3));
+  const SurfaceDistance distance = Measure(Box({ 0, 0, 0 }, { size, size, size }),
+    Box({ 1, 1, 1 }, { size - 1, size - 1, size - 1 }), 0.1);
+  EXPECT_NEAR(distance.Average, sum / areas, 1e-4);
+  EXPECT_NEAR(distance.RootMeanSquare, std::sqrt(sumOfSquares / areas), 1e-4);
+  EXPECT_NEAR(distance.Hausdorff, std::sqrt(3.0), 1e-12);
+  // Squares of side middle + 2 t hold 95 % of a side; distances in the rim grow with t.
+  const double t95 = (std::sqrt(0.95) * size - middle) / 2;
+  EXPECT_NEAR(distance.Hausdorff95, std::sqrt(1 + t95 * t95), 0.02);
+}
+
 TEST(SurfaceDistance, OfShiftedCubesIsClosedForm)
 {
   const double size = 10;

@@ -19,6 +19,16 @@ double MinimumGapOf(const Surface& surface)
   return MeasureMinimumGap(surface.Points, surface.Triangles, ScatteredFor);
 }
 
+bool ShareVertex(const Surface& surface, int one, int two)
+{
+  bool share = false;
+  for (const int vertex : surface.Triangles.row(one))
+  {
+    share = share || (surface.Triangles.row(two).array() == vertex).any();
+  }
+  return share;
+}
+
 SurfaceValidity ValidityOf(const Surface& surface, const PointList* reference = nullptr)
 {
   return MeasureValidity(surface.Points, FacesOf(surface.Triangles), reference);
@@ -58,12 +68,7 @@ TEST(SurfaceGap, IsThatOfBruteForce)
   {
     for (int two = one + 1; two < potato.Triangles.rows(); ++two)
     {
-      bool share = false;
-      for (int corner = 0; corner < 3; ++corner)
-      {
-        share = share || (potato.Triangles.row(two).array() == potato.Triangles(one, corner)).any();
-      }
-      if (!share)
+      if (!ShareVertex(potato, one, two))
       {
         disjoint.emplace_back(one, two);
         distances.push_back(ClosestDirection(cornersOf(one), cornersOf(two)).norm());
@@ -88,6 +93,46 @@ TEST(SurfaceGap, IsThatOfBruteForce)
     std::sort(found.begin(), found.end());
     EXPECT_EQ(found, expected) << gap;
   }
+}
+
+// Shares nothing with ClosestDirection: the distances of many points of both triangles.
+TEST(SurfaceGap, IsTheMinimumOverManySamples)
+{
+  const Surface potato = Potato(5, { 0, 0, 0 }, 10);
+  const int n = 8;
+  std::vector<PointList> samples;
+  for (const auto& corners : potato.Triangles.rowwise())
+  {
+    const Eigen::RowVector3d a = potato.Points.row(corners[0]);
+    const Eigen::RowVector3d b = potato.Points.row(corners[1]);
+    const Eigen::RowVector3d c = potato.Points.row(corners[2]);
+    PointList& points = samples.emplace_back((n + 1) * (n + 2) / 2, 3);
+    Eigen::Index row = 0;
+    for (int i = 0; i <= n; ++i)
+    {
+      for (int j = 0; i + j <= n; ++j)
+      {
+        points.row(row++) = a + (b - a) * i / n + (c - a) * j / n;
+      }
+    }
+  }
+  double minimum = std::numeric_limits<double>::infinity();
+  for (int one = 0; one < potato.Triangles.rows(); ++one)
+  {
+    for (int two = one + 1; two < potato.Triangles.rows(); ++two)
+    {
+      if (!ShareVertex(potato, one, two))
+      {
+        for (const auto& sample : samples[one].rowwise())
+        {
+          minimum =
+            std::min(minimum, (samples[two].rowwise() - sample).rowwise().norm().minCoeff());
+        }
+      }
+    }
+  }
+  EXPECT_LE(MinimumGapOf(potato), minimum + 1e-12);
+  EXPECT_GT(MinimumGapOf(potato), 0.8 * minimum);
 }
 
 TEST(SurfaceGap, IsInfiniteWhereAllTrianglesShareVertices)

@@ -47,6 +47,17 @@ class TestDebianPackage(unittest.TestCase):
     def test_name(self):
         architecture = run("dpkg", "--print-architecture").strip()
         self.assertEqual(os.path.basename(self.package), f"flipfree_{VERSION}_{architecture}.deb")
+        self.assertEqual((field("Package"), field("Version"), field("Architecture")),
+                         ("flipfree", VERSION, architecture))
+
+    def test_control_fields(self):
+        self.assertEqual((field("Section"), field("Priority")), ("science", "optional"))
+        self.assertEqual(field("Maintainer"),
+                         "The FlipFree developers <developers@flipfree.invalid>")
+        description = field("Description").splitlines()
+        self.assertLess(len(description[0]), 80)
+        self.assertGreater(len(description), 3)
+        self.assertIn("libvtk9-dev", field("Suggests"))
 
     def test_dependencies_are_those_of_the_libraries(self):
         depends = field("Depends")
