@@ -53,9 +53,9 @@ struct Triangle
     const Vector3d ab = this->B - this->A;
     const Vector3d ac = this->C - this->A;
     const PointPacket fromA = Offsets(points, this->A);
-    const Lanes toEdges = SquaredDistancesToEdge(fromA, ab)
-                            .min(SquaredDistancesToEdge(fromA, ac))
-                            .min(SquaredDistancesToEdge(Offsets(fromA, ab), ac - ab));
+    Lanes toEdges = SquaredDistancesToEdge(fromA, ab)
+                      .min(SquaredDistancesToEdge(fromA, ac))
+                      .min(SquaredDistancesToEdge(Offsets(fromA, ab), ac - ab));
     const Vector3d normal = ab.cross(ac);
     const double squaredNormal = normal.squaredNorm();
     // The normal of a needle has no reliable direction, and its edges are as close as its inside.

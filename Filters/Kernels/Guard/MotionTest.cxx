@@ -210,9 +210,9 @@ double TimeOfFlip(const Motion& motion, const std::array<int, 3>& corner)
 }
 
 double TimeOfImpact(const Motion& motion, const std::array<int, 1>& vertex,
-  const std::array<int, 3>& face, const MinimumDistance& distance, double maximumTime)
+  const std::array<int, 3>& triangle, const MinimumDistance& distance, double maximumTime)
 {
-  return Advance(motion, vertex, face, distance, maximumTime);
+  return Advance(motion, vertex, triangle, distance, maximumTime);
 }
 
 double TimeOfImpact(const Motion& motion, const std::array<int, 2>& one,

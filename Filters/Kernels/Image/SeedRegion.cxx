@@ -50,7 +50,9 @@ double MedianDifference(const ImageView<float>& image, const std::vector<std::si
   int axis)
 {
   const auto& size = image.Geometry.Dimensions;
-  const std::size_t stride = image.Geometry.Offset(axis == 0, axis == 1, axis == 2);
+  // Not zero even for an empty grid.
+  const std::size_t stride =
+    std::max<std::size_t>(1, image.Geometry.Offset(axis == 0, axis == 1, axis == 2));
   const std::size_t last = size[axis] - 1;
   std::vector<float> differences;
   for (std::size_t voxel : voxels)
