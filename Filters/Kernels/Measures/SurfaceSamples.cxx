@@ -55,10 +55,11 @@ Eigen::RowVector3d SurfaceSamples::PositionOf(std::size_t sample, Eigen::Index t
   // Row i has 2 (n - i) - 1 patches, which leaves (n - i)^2 for it and those behind it.
   const int i = n - static_cast<int>(std::ceil(std::sqrt(n * n - index)));
   const int inRow = index - i * (2 * n - i);
+  const int j = inRow / 2;
   const double inPatch = inRow % 2 == 0 ? 1.0 / 3 : 2.0 / 3;
   const Eigen::RowVector3d a = this->Points.row(this->Triangles(triangle, 0));
   return a + (i + inPatch) / n * (this->Points.row(this->Triangles(triangle, 1)) - a) +
-    (inRow / 2 + inPatch) / n * (this->Points.row(this->Triangles(triangle, 2)) - a);
+    (j + inPatch) / n * (this->Points.row(this->Triangles(triangle, 2)) - a);
 }
 
 std::size_t SurfaceSamples::SampleAt(Eigen::Index triangle, int corner) const
