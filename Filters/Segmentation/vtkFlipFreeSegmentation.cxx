@@ -100,6 +100,8 @@ PROPERTIES(FLIPFREE_DEFINE_PROPERTY)
 
 FORWARDED_PROPERTIES(DEFINE_FORWARDED_PROPERTY)
 
+// A type cannot be put in parentheses.
+// NOLINTBEGIN(bugprone-macro-parentheses)
 #define DEFINE_STAGE(Name, type)                                                                   \
   void Stage::Set##Name(type* stage)                                                               \
   {                                                                                                \
@@ -113,6 +115,7 @@ FORWARDED_PROPERTIES(DEFINE_FORWARDED_PROPERTY)
   {                                                                                                \
     return this->Name;                                                                             \
   }
+// NOLINTEND(bugprone-macro-parentheses)
 
 DEFINE_STAGE(Diffusion, vtkSeedRegionDiffusion)
 DEFINE_STAGE(Feature, vtkGMMFeatureFilter)
