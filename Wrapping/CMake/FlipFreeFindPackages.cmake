@@ -42,13 +42,18 @@ if (BUILD_TESTING)
     TestingCore
     TestingRendering)
 endif ()
-if (FLIPFREE_WRAP_PYTHON)
-  # VTK's wrapping must find the interpreter that imports the distribution's vtkmodules.
+if (FLIPFREE_WRAP_PYTHON OR BUILD_TESTING)
+  # The wrapping and the tests need the interpreter that imports the distribution's vtkmodules, which
+  # need not be the first one found.
   if (NOT DEFINED Python3_EXECUTABLE AND EXISTS "/usr/bin/python3")
     set(Python3_EXECUTABLE "/usr/bin/python3" CACHE FILEPATH "Python that imports vtkmodules")
   endif ()
+endif ()
+if (FLIPFREE_WRAP_PYTHON)
   find_package(Python3 COMPONENTS Interpreter Development REQUIRED)
   list(APPEND _flipfree_vtk_components Python WrappingPythonCore)
+elseif (BUILD_TESTING)
+  find_package(Python3 COMPONENTS Interpreter REQUIRED)
 endif ()
 list(REMOVE_DUPLICATES _flipfree_vtk_components)
 # ParaView brings its own VTK, and two do not go together.
