@@ -3,6 +3,7 @@
 #include "BackgroundTask.h"
 #include "CompletenessCheck.h"
 #include "DicomCheck.h"
+#include "VoxelStorage.h"
 
 #include "vtkErrorCode.h"
 
@@ -21,35 +22,10 @@ namespace
 
 bool HasKnownEnding(const std::string& name)
 {
-  const char* const known[] = { ".nii", ".nii.gz", ".nia", ".hdr", ".img", ".img.gz", ".nrrd",
-    ".nhdr", ".mha", ".mhd" };
+  const char* const known[] = { ".nii", ".nii.gz", ".hdr", ".img", ".img.gz", ".nrrd", ".nhdr",
+    ".mha", ".mhd" };
   return std::any_of(std::begin(known), std::end(known),
     [&name](const char* ending) { return EndsWith(name, ending); });
-}
-
-/// ITK's NRRD reader overruns a buffer when it reports some lines that it cannot parse, so that
-/// only headers that look like one reach it: lines of text with a colon, comments, and a blank line
-/// last.
-bool IsSafeNrrdHeader(const std::string& name)
-{
-  std::ifstream file(name, std::ios::binary);
-  std::string line;
-  std::getline(file, line);
-  if (line.compare(0, 4, "NRRD") != 0)
-  {
-    return true; // not NRRD, so not ITK's NRRD reader
-  }
-  while (std::getline(file, line) && !line.empty() && line != "\r")
-  {
-    const bool isText = std::none_of(line.begin(), line.end(),
-      [](char letter)
-      { return static_cast<unsigned char>(letter) < ' ' && !std::isspace(letter); });
-    if (!isText || (line[0] != '#' && line.find(':') > 200))
-    {
-      return false;
-    }
-  }
-  return true;
 }
 
 ImageFileError WhyNotReadable(const std::string& name)
@@ -86,10 +62,9 @@ itk::ImageIOBase::Pointer OpenVolumeFile(const std::string& name)
     throw ImageFileError(vtkErrorCode::FileNotFoundError,
       "'" + name + "' does not exist or may not be read. Check its name and permissions.");
   }
-  if (!IsSafeNrrdHeader(name))
+  if (StorageOf(name).Files.empty())
   {
-    throw ImageFileError(vtkErrorCode::FileFormatError,
-      "The header of '" + name + "' is not NRRD to its end: the file is damaged. Get it anew.");
+    throw WhyNotReadable(name);
   }
   try
   {

@@ -19,11 +19,12 @@
  * RequestInformation gives extent, spacing, origin, direction and scalar type from the header
  * alone.
  *
- * Errors: no file name; a missing, unreadable, truncated or damaged file; an unknown format; 2D and
- * 4D images; several components per voxel; a folder without DICOM images or without the wanted
- * series; slices that do not form one stack. GetErrorCode() gives the vtkErrorCode. Slices that
- * stray from an even stack by more than 1 % of the slice spacing give a warning, by more than half
- * of it an error.
+ * Errors: no file name; a missing, unreadable, truncated or damaged file; a header with a field
+ * that cannot be as it is, such as a spacing of NaN, which the error names; an unknown format,
+ * NIfTI-2 among them; 2D and 4D images; several components per voxel; a folder without DICOM images
+ * or without the wanted series; slices that do not form one stack. GetErrorCode() gives the
+ * vtkErrorCode. Slices that stray from an even stack by more than 1 % of the slice spacing give a
+ * warning, by more than half of it an error.
  */
 #ifndef vtkMedicalImageReader_h
 #define vtkMedicalImageReader_h
