@@ -1,6 +1,7 @@
 #include "OutputFile.h"
 
 #include "Failure.h"
+#include "Interrupt.h"
 #include "Run.h"
 
 #include <algorithm>
@@ -48,6 +49,15 @@ auto WithFile(const Work& work)
   }
 }
 
+/// Its folder goes even where the command is ended in the middle.
+std::unique_ptr<FlipFree::AtomicFile> MakeFile(const std::string& name)
+{
+  const Uninterrupted whole;
+  auto file = std::make_unique<FlipFree::AtomicFile>(name);
+  AddTemporaryFolder(fs::path(file->TemporaryName()).parent_path().string());
+  return file;
+}
+
 } // namespace
 
 bool HasEnding(const std::string& name, const std::vector<std::string>& endings)
@@ -88,6 +98,7 @@ void OutputFiles::Announce(const std::string& name, const std::vector<std::strin
         "'" + name + "' is an input, which would be overwritten. Give the result another name.");
     }
   }
+  const Uninterrupted whole;
   WithFile([&name]() { FlipFree::AtomicFile probe(name); });
 }
 
@@ -98,7 +109,7 @@ void OutputFiles::Write(const std::string& name,
   WithFile(
     [&]()
     {
-      auto file = std::make_unique<FlipFree::AtomicFile>(name);
+      auto file = MakeFile(name);
       try
       {
         write(file->TemporaryName());
@@ -114,6 +125,7 @@ void OutputFiles::Write(const std::string& name,
 
 void OutputFiles::Commit()
 {
+  const Uninterrupted whole;
   StopIfInterrupted();
   for (const auto& file : this->Files)
   {

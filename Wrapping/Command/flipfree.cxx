@@ -6,7 +6,6 @@
 #include "HelpFormatter.h"
 #include "Interrupt.h"
 #include "Messages.h"
-#include "ProgressBar.h"
 #include "Subcommands.h"
 
 #include <CLI/CLI.hpp>
@@ -135,8 +134,7 @@ int main(int argc, char* argv[])
   }
   catch (const Interrupted&)
   {
-    ProgressBar::Clear();
-    return INTERRUPTED;
+    EndInterrupted();
   }
   catch (const std::bad_alloc&)
   {
