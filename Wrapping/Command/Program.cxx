@@ -1,0 +1,149 @@
+#include "Program.h"
+
+#include "Failure.h"
+#include "Generate.h"
+#include "HelpFormatter.h"
+#include "Interrupt.h"
+#include "Messages.h"
+#include "Subcommands.h"
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <iostream>
+#include <memory>
+#include <new>
+#include <string>
+#include <vector>
+
+namespace Command
+{
+namespace
+{
+
+const char* const Description =
+  "Segments soft organs (liver, spleen, kidney) in CT and MR volumes. A sphere inside the organ "
+  "grows into the organ's surface, which is closed and does not intersect itself.";
+
+const char* const Footer =
+  "Examples:\n"
+  "  flipfree phantom abdomen -o try                  # a volume to try, and its seeds\n"
+  "  flipfree segment try/abdomen.nii.gz --seed 99.75 83.75 167 --radius 28 -o liver.vtp\n"
+  "  flipfree evaluate liver.vtp try/abdomen-truth.nii.gz --reference-label 6\n"
+  "\n"
+  "Each subcommand has its own --help, with units, defaults and examples. Coordinates are LPS\n"
+  "millimeters: x to the patient's left, y to the back, z to the head. Viewers that show RAS, "
+  "such\n"
+  "as 3D Slicer, have the opposite signs of x and y.\n"
+  "Exit status: 0 success, 1 failure, 2 wrong usage, 130 interrupted.\n";
+
+/// Points to the help of the subcommand.
+std::string HelpFor(const CLI::App& program)
+{
+  std::string command = "flipfree";
+  for (const CLI::App* chosen : program.get_subcommands())
+  {
+    command += " " + chosen->get_name();
+  }
+  return " See '" + command + " --help'.";
+}
+
+/// CLI11's message, except for mistyped words: CLI11 reports a mistyped subcommand as a missing
+/// one.
+std::string MessageOf(const CLI::ParseError& error, const CLI::App& program)
+{
+  const std::vector<CLI::App*> subcommands = program.get_subcommands();
+  const std::vector<std::string> unknown =
+    subcommands.empty() ? program.remaining() : subcommands.front()->remaining();
+  // The word after an unknown option may be its value, so the option is named first.
+  const auto option = std::find_if(unknown.begin(), unknown.end(),
+    [](const std::string& word) { return word.rfind('-', 0) == 0; });
+  if (option != unknown.end())
+  {
+    return "There is no option '" + *option + "'";
+  }
+  if (!unknown.empty())
+  {
+    return subcommands.empty() ? "There is no subcommand '" + unknown.front() + "'"
+                               : "Unexpected argument '" + unknown.front() + "'";
+  }
+  return error.what();
+}
+
+void RequireOutputArrived()
+{
+  errno = 0;
+  if (!std::cout.flush() || std::ferror(stdout))
+  {
+    throw Failure(std::string("Writing to the standard output failed (") +
+      (errno ? std::strerror(errno) : "closed") + "). Check where it is redirected to.");
+  }
+}
+
+ExitStatus RunProgram(CLI::App& program, int argc, char* argv[])
+{
+  try
+  {
+    program.parse(argc, argv);
+    RequireOutputArrived();
+    return SUCCESS;
+  }
+  catch (const CLI::Success& wanted) // help or version
+  {
+    program.exit(wanted);
+    RequireOutputArrived();
+    return SUCCESS;
+  }
+  catch (const CLI::ParseError& error)
+  {
+    const std::string message = MessageOf(error, program);
+    PrintError(message + (message.empty() || message.back() == '.' ? "" : ".") + HelpFor(program));
+  }
+  catch (const WrongUsage& error)
+  {
+    PrintError(error.what() + HelpFor(program));
+  }
+  return WRONG_USAGE;
+}
+
+} // namespace
+
+int RunCommand(int argc, char* argv[])
+{
+  try
+  {
+    CatchSignals();
+    CatchVtkMessages();
+
+    CLI::App program(Description, "flipfree");
+    program.set_version_flag("--version", "flipfree " FLIPFREE_VERSION,
+      "Print the version and exit");
+    program.formatter(std::make_shared<HelpFormatter>()); // the subcommands inherit it
+    program.footer(Footer);
+    program.require_subcommand(1);
+    AddSegmentCommand(program);
+    AddEvaluateCommand(program);
+    AddPhantomCommand(program);
+    AddGenerateOption(program);
+
+    return RunProgram(program, argc, argv);
+  }
+  catch (const Interrupted&)
+  {
+    EndInterrupted();
+  }
+  catch (const std::bad_alloc&)
+  {
+    PrintError("Out of memory. Crop the volume, or use a machine with more memory.");
+  }
+  catch (const std::exception& error)
+  {
+    PrintError(error.what());
+  }
+  return FAILURE;
+}
+
+} // namespace Command
