@@ -5,6 +5,7 @@
 #include "vtkErrorCode.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <cstdlib>
 #include <filesystem>
@@ -198,46 +199,75 @@ bool IsKindWithoutPixels(const std::string& uid)
       { return kind.back() == '.' ? rest.compare(0, kind.size(), kind) == 0 : rest == kind; });
 }
 
-/// Walks through the data set as far as the pixels.
+/// The numbers that multiply to the number of bits of the pixels.
+class PixelSize
+{
+public:
+  /// Takes the element's value, if it is one of these.
+  bool Take(DicomFile& file, const Element& element, const Encoding& encoding)
+  {
+    const auto factor = this->Factors.find(element.Tag);
+    if (factor != this->Factors.end() && element.Length == 2)
+    {
+      factor->second = file.Number<std::uint16_t>(encoding.BigEndian);
+      return true;
+    }
+    if (element.Tag == NumberOfFrames && element.Length < 20)
+    {
+      this->Frames = std::strtoul(file.Text(element.Length).c_str(), nullptr, 10);
+      return true;
+    }
+    return false;
+  }
+
+  double Bytes() const
+  {
+    auto bits = static_cast<double>(this->Frames);
+    for (const auto& factor : this->Factors)
+    {
+      bits *= static_cast<double>(factor.second);
+    }
+    return std::ceil(bits / 8);
+  }
+
+private:
+  std::uint64_t Frames = 1;
+  // Rows, columns, samples per pixel, bits per sample.
+  std::map<std::uint32_t, std::uint64_t> Factors{ { 0x00280010, 0 }, { 0x00280011, 0 },
+    { 0x00280002, 1 }, { 0x00280100, 0 } };
+};
+
+/// Walks through the data set to its end; GDCM stops the program at items outside of sequences.
 void RequirePixels(DicomFile& file, const Encoding& encoding)
 {
-  std::uint64_t frames = 1;
-  // What multiplies to the number of bits: rows, columns, samples per pixel, bits per sample.
-  std::map<std::uint32_t, std::uint64_t> sizes{ { 0x00280010, 0 }, { 0x00280011, 0 },
-    { 0x00280002, 1 }, { 0x00280100, 0 } };
+  constexpr std::uint32_t groupOfItems = 0xFFFE;
+  PixelSize size;
+  bool hasPixels = false;
   while (!file.AtEnd())
   {
     const Element element = file.Next(encoding);
-    const auto size = sizes.find(element.Tag);
-    if (element.Tag == PixelData)
+    if (element.Tag >> 16 == groupOfItems)
+    {
+      file.Refuse("an item stands outside of a sequence");
+    }
+    if (!size.Take(file, element, encoding))
     {
       file.SkipValue(element, encoding);
-      std::uint64_t bits = frames;
-      for (const auto& factor : sizes)
-      {
-        bits *= factor.second;
-      }
-      const std::uint64_t bytes = (bits + 7) / 8;
+    }
+    if (element.Tag == PixelData && !hasPixels)
+    {
+      hasPixels = true;
+      const double bytes = size.Bytes();
       if (bytes == 0 || (element.Length != Undefined && element.Length < bytes))
       {
         file.Refuse("it holds fewer pixels than its rows and columns say");
       }
-      return;
-    }
-    if (size != sizes.end() && element.Length == 2)
-    {
-      size->second = file.Number<std::uint16_t>(encoding.BigEndian);
-    }
-    else if (element.Tag == NumberOfFrames && element.Length < 20)
-    {
-      frames = std::strtoul(file.Text(element.Length).c_str(), nullptr, 10);
-    }
-    else
-    {
-      file.SkipValue(element, encoding);
     }
   }
-  file.Refuse("it holds no pixels");
+  if (!hasPixels)
+  {
+    file.Refuse("it holds no pixels");
+  }
 }
 
 } // namespace

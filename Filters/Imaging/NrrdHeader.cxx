@@ -11,6 +11,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <map>
 
 namespace FlipFree
@@ -234,6 +235,31 @@ void FindFiles(const std::string& name, const Header& header, VoxelStorage& stor
   }
 }
 
+/// ITK's NRRD library copies each word of voxels that are text into a buffer of fixed size.
+void RequireShortWords(const std::string& name, const VoxelStorage& storage)
+{
+  constexpr int longest = 100;
+  for (const std::string& part : storage.Files)
+  {
+    std::error_code ignored;
+    if (!std::filesystem::is_regular_file(part, ignored))
+    {
+      continue; // to be refused
+    }
+    std::ifstream file(part, std::ios::binary);
+    file.seekg(static_cast<std::streamoff>(storage.Offset));
+    int length = 0;
+    for (std::istreambuf_iterator<char> letter(file), end; letter != end; ++letter)
+    {
+      length = std::isspace(static_cast<unsigned char>(*letter)) ? 0 : length + 1;
+      if (length > longest)
+      {
+        RefuseField(name, "encoding", "is text, but the voxels are not numbers");
+      }
+    }
+  }
+}
+
 } // namespace
 
 bool IsNrrd(const std::string& name)
@@ -278,6 +304,10 @@ VoxelStorage StorageOfNrrd(const std::string& name)
     // A value takes at least a digit and a blank, or a byte two digits.
     storage.NumberOfBytes = 2 * (encoding == "hex" ? storage.NumberOfBytes : values) - 1;
     storage.Encoding = VoxelStorage::Form::Other;
+    if (encoding != "hex")
+    {
+      RequireShortWords(name, storage);
+    }
   }
   else
   {

@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <filesystem>
 #include <fstream>
 
 namespace FlipFree
@@ -57,6 +58,13 @@ bool EndsWith(const std::string& name, const std::string& ending)
 
 itk::ImageIOBase::Pointer OpenVolumeFile(const std::string& name)
 {
+  std::error_code ignored;
+  const auto status = std::filesystem::status(name, ignored);
+  if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
+  {
+    throw ImageFileError(vtkErrorCode::CannotOpenFileError,
+      "'" + name + "' is no regular file. Give a file, or the folder of a DICOM series.");
+  }
   if (!std::ifstream(name))
   {
     throw ImageFileError(vtkErrorCode::FileNotFoundError,
@@ -95,16 +103,32 @@ void ReadVolumeFile(const itk::ImageIOBase::Pointer& io, const std::string& name
   BackgroundTask read([io, name, scalars]() { ReadVoxels(io, name, scalars->GetVoidPointer(0)); });
   double fraction = 0;
   bool goOn = true;
-  // Meanwhile, in this thread: the check costs no time of its own.
-  RequireComplete(io, name,
-    [&](double checked)
+  const auto wait = [&]() { return read.Wait([&]() { return monitor(fraction); }); };
+  try
+  {
+    // Meanwhile, in this thread: the check costs no time of its own.
+    RequireComplete(io, name,
+      [&](double checked)
+      {
+        fraction = checked;
+        return goOn = monitor(checked);
+      });
+  }
+  catch (const ImageFileError&)
+  {
+    // ITK prints what it has to say about it while the caller still keeps it quiet.
+    try
     {
-      fraction = checked;
-      return goOn = monitor(checked);
-    });
+      wait();
+    }
+    catch (const ImageFileError&) // the check knows better
+    {
+    }
+    throw;
+  }
   if (goOn)
   {
-    read.Wait([&]() { return monitor(fraction); });
+    wait();
   }
 }
 

@@ -1,6 +1,5 @@
 #include "Messages.h"
 
-#include "Failure.h"
 #include "ProgressBar.h"
 
 #include "vtkLogger.h"
@@ -108,15 +107,7 @@ public:
     const std::lock_guard<std::mutex> guard(Lock);
     PrintWarning(WithOptionNames(WithoutTrace(text)));
   }
-  void DisplayGenericWarningText(const char* text) override
-  {
-    // VTK's PLY reader would read beyond the end of a truncated file and crash.
-    if (std::string(text).find("PLY error") != std::string::npos)
-    {
-      throw Failure(WithoutTrace(text));
-    }
-    this->DisplayWarningText(text);
-  }
+  void DisplayGenericWarningText(const char* text) override { this->DisplayWarningText(text); }
 };
 
 vtkStandardNewMacro(MessageCollector);

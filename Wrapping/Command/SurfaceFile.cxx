@@ -2,17 +2,15 @@
 
 #include "Failure.h"
 #include "OutputFile.h"
+#include "PolygonFile.h"
 #include "Run.h"
 
 #include "vtkCellArray.h"
 #include "vtkIdList.h"
 #include "vtkNew.h"
-#include "vtkOBJReader.h"
 #include "vtkOBJWriter.h"
-#include "vtkPLYReader.h"
 #include "vtkPLYWriter.h"
 #include "vtkPolyData.h"
-#include "vtkSTLReader.h"
 #include "vtkSTLWriter.h"
 #include "vtkTriangleFilter.h"
 #include "vtkXMLPolyDataReader.h"
@@ -21,19 +19,20 @@
 #include <algorithm>
 #include <filesystem>
 #include <functional>
+#include <new>
 
 namespace Command
 {
 namespace
 {
 
-template <typename Reader>
-vtkSmartPointer<vtkPolyData> ReadBy(const std::string& name)
+vtkSmartPointer<vtkPolyData> ReadVtp(const std::string& name)
 {
-  vtkNew<Reader> reader;
+  JudgeVtp(name);
+  vtkNew<vtkXMLPolyDataReader> reader;
   reader->SetFileName(name.c_str());
   Run(reader, "reading");
-  return reader->GetOutput();
+  return JudgedPolygons(reader->GetOutput());
 }
 
 template <typename Writer>
@@ -72,10 +71,10 @@ struct Format
 const Format& FormatOf(const std::string& name)
 {
   static const std::vector<Format> formats{
-    { ".vtp", ReadBy<vtkXMLPolyDataReader>, WriteBy<vtkXMLPolyDataWriter> },
-    { ".stl", ReadBy<vtkSTLReader>, WriteBy<vtkSTLWriter> },
-    { ".ply", ReadBy<vtkPLYReader>, WriteBy<vtkPLYWriter> },
-    { ".obj", ReadBy<vtkOBJReader>, WriteBy<vtkOBJWriter> },
+    { ".vtp", ReadVtp, WriteBy<vtkXMLPolyDataWriter> },
+    { ".stl", ReadStl, WriteBy<vtkSTLWriter> },
+    { ".ply", ReadPly, WriteBy<vtkPLYWriter> },
+    { ".obj", ReadObj, WriteBy<vtkOBJWriter> },
   };
   for (const Format& format : formats)
   {
@@ -133,15 +132,24 @@ vtkSmartPointer<vtkPolyData> ReadSurface(const std::string& name)
   {
     throw Failure("There is no file '" + name + "'. Check the name and the folder.");
   }
+  if (!std::filesystem::is_regular_file(name, ignored))
+  {
+    throw Failure("'" + name + "' is no regular file. Give the file of a surface.");
+  }
   vtkSmartPointer<vtkPolyData> surface;
   try
   {
     surface = FormatOf(name).Read(name);
   }
+  catch (const std::bad_alloc&)
+  {
+    throw Failure("'" + name +
+      "' cannot be read: it asks for more memory than there is. It is damaged: create it again.");
+  }
   catch (const Failure& failure)
   {
     throw Failure("'" + name +
-      "' cannot be read: it is damaged or has another format than its ending says (VTK: " +
+      "' cannot be read: it is damaged or has another format than its ending says (" +
       failure.what() + "). Check its ending, or create it again.");
   }
   if (surface->GetNumberOfPolys() == 0)
