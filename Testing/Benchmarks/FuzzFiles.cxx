@@ -49,6 +49,14 @@ namespace
 {
 
 namespace fs = std::filesystem;
+
+volatile std::sig_atomic_t Stopped = 0; // prints the table, too
+
+void Stop(int)
+{
+  Stopped = 1;
+}
+
 using Clock = std::chrono::steady_clock;
 
 struct Settings
@@ -123,7 +131,7 @@ int SegmentFrom(const std::string& surface, const std::string& volume)
     segmentation->SetStartData(Command::ReadSurface(surface));
     segmentation->SetSeedCenter(5.5, 4.5, 5.25);
     segmentation->SetSeedRadius(2.19);
-    segmentation->SetMaximumIterations(2);
+    segmentation->SetMaximumIterations(1);
     Command::Run(segmentation, "segmenting");
     return Command::SUCCESS;
   }
@@ -152,7 +160,7 @@ int RunOn(const std::string& file, Use use, const std::string& bases, const std:
       break;
     case Use::Volume:
       words = { "flipfree", "segment", file, "--seed-voxel", "6", "5", "4", "--radius", "2.2",
-        "--iterations", "2", "-o", results + "/out.vtp" };
+        "--iterations", "1", "--levels", "1", "--resolution", "4", "-o", results + "/out.vtp" };
       break;
     case Use::Start:
       return SegmentFrom(file, bases + "/ball.nii");
@@ -183,6 +191,8 @@ void Limit(int resource, rlim_t value)
   {
     WriteWhole((fs::path(inputs) / name).string(), bytes);
   }
+  std::signal(SIGINT, SIG_DFL);
+  std::signal(SIGTERM, SIG_DFL);
   const int errors = open((folder + "/err").c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
   const int nowhere = open("/dev/null", O_RDWR);
   dup2(errors, STDERR_FILENO);
@@ -307,7 +317,8 @@ public:
     const auto isOver = [&]()
     {
       const std::chrono::duration<double> passed = Clock::now() - begin;
-      return next >= end || (this->With.Total > 0 && passed.count() > this->With.Total);
+      return Stopped != 0 || next >= end ||
+        (this->With.Total > 0 && passed.count() > this->With.Total);
     };
     while (!isOver() || !this->Children.empty())
     {
@@ -502,6 +513,8 @@ int main(int argc, char* argv[])
       throw std::runtime_error("No temporary folder can be made.");
     }
     WriteBasesInChild(folder);
+    std::signal(SIGINT, Stop);
+    std::signal(SIGTERM, Stop);
     const bool isClean = Fuzzer(settings, folder).Run();
     fs::remove_all(folder);
     return isClean ? 0 : 1;

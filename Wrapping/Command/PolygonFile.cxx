@@ -492,26 +492,6 @@ vtkSmartPointer<vtkPolyData> ReadStl(const std::string& name)
   return corners.Surface();
 }
 
-void JudgeVtp(const std::string& name)
-{
-  const std::string bytes = Contents(name);
-  // Nothing is packed to less than that, by the packers that VTK has.
-  const double greatest = 10000 * static_cast<double>(bytes.size());
-  for (const char* const attribute : { "Number", "offset" })
-  {
-    for (std::size_t at = bytes.find(attribute); at != std::string::npos;
-         at = bytes.find(attribute, at + 1))
-    {
-      const std::size_t quote = bytes.find_first_of("\"'>", at);
-      if (quote != std::string::npos && bytes[quote] != '>' &&
-        std::abs(std::strtod(bytes.c_str() + quote + 1, nullptr)) > greatest)
-      {
-        throw Failure("it cannot hold as much as its header says");
-      }
-    }
-  }
-}
-
 vtkSmartPointer<vtkPolyData> JudgedPolygons(vtkPolyData* surface)
 {
   if (!surface->GetPolys()->IsValid())

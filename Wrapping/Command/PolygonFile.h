@@ -22,10 +22,6 @@ vtkSmartPointer<vtkPolyData> ReadObj(const std::string& name);
 /// Corners in the same place become one vertex.
 vtkSmartPointer<vtkPolyData> ReadStl(const std::string& name);
 
-/// Whether the numbers in the header of a VTP file could fit into a file of its size: VTK's reader
-/// asks for that much memory at once. Throws a Failure where they could not.
-void JudgeVtp(const std::string& name);
-
 /// Points and polygons of a surface that VTK has read. Throws a Failure where a polygon has a
 /// vertex that does not exist, or a vertex no finite position.
 vtkSmartPointer<vtkPolyData> JudgedPolygons(vtkPolyData* surface);

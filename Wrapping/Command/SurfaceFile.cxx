@@ -4,6 +4,7 @@
 #include "OutputFile.h"
 #include "PolygonFile.h"
 #include "Run.h"
+#include "VtpHeader.h"
 
 #include "vtkCellArray.h"
 #include "vtkIdList.h"

@@ -1,0 +1,216 @@
+#include "VtpHeader.h"
+
+#include "Failure.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cstdint>
+#include <cstdlib>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+
+namespace Command
+{
+namespace
+{
+
+/// The value of an attribute of a tag, or an empty text.
+std::string Attribute(const std::string& tag, const std::string& name)
+{
+  for (std::size_t at = tag.find(name); at != std::string::npos; at = tag.find(name, at + 1))
+  {
+    const std::size_t quote = tag.find_first_not_of(" \t\r\n=", at + name.size());
+    const bool isName = std::isspace(static_cast<unsigned char>(tag[at - 1])) != 0;
+    if (isName && quote != std::string::npos && (tag[quote] == '"' || tag[quote] == '\''))
+    {
+      return tag.substr(quote + 1, tag.find(tag[quote], quote + 1) - quote - 1);
+    }
+  }
+  return {};
+}
+
+/// The next tag of the name, from its bracket to the other; `at` goes behind it.
+std::string NextTag(const std::string& bytes, const std::string& name, std::size_t& at)
+{
+  const std::size_t begin = bytes.find("<" + name, at);
+  if (begin == std::string::npos)
+  {
+    at = begin;
+    return {};
+  }
+  at = std::min(bytes.find('>', begin), bytes.size() - 1) + 1;
+  return bytes.substr(begin, at - begin);
+}
+
+/// The bytes that stand in base 64 at a place, at most so many.
+std::string FromBase64(const std::string& bytes, std::size_t at, std::size_t most)
+{
+  const std::string digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string plain;
+  std::uint32_t bits = 0;
+  int count = 0;
+  for (at = bytes.find_first_not_of(" \t\r\n", at); at < bytes.size() && plain.size() < most; ++at)
+  {
+    const std::size_t digit = digits.find(bytes[at]);
+    if (digit == std::string::npos)
+    {
+      break;
+    }
+    bits = bits << 6 | static_cast<std::uint32_t>(digit);
+    count += 6;
+    if (count >= 8)
+    {
+      count -= 8;
+      plain += static_cast<char>(bits >> count & 0xFF);
+    }
+  }
+  return plain;
+}
+
+class VtpFile
+{
+public:
+  explicit VtpFile(const std::string& name)
+  {
+    std::ifstream file(name, std::ios::binary);
+    this->Bytes.assign(std::istreambuf_iterator<char>(file), {});
+    std::size_t at = 0;
+    const std::string tag = NextTag(this->Bytes, "VTKFile", at);
+    this->IsPacked = !Attribute(tag, "compressor").empty();
+    this->WordSize = Attribute(tag, "header_type") == "UInt64" ? 8 : 4;
+    this->IsBigEndian = Attribute(tag, "byte_order") == "BigEndian";
+  }
+
+  void Judge() const
+  {
+    std::size_t at = 0;
+    const std::string appended = NextTag(this->Bytes, "AppendedData", at);
+    const bool isRaw = Attribute(appended, "encoding") == "raw";
+    const std::size_t begin = this->Bytes.find('_', at);
+    at = 0;
+    for (std::string tag = NextTag(this->Bytes, "Piece", at); !tag.empty();
+         tag = NextTag(this->Bytes, "Piece", at))
+    {
+      for (const char* const what : { "Points", "Verts", "Lines", "Strips", "Polys" })
+      {
+        this->RequireRoom(
+          std::strtod(Attribute(tag, std::string("NumberOf") + what).c_str(), nullptr));
+      }
+    }
+    at = 0;
+    for (std::string tag = NextTag(this->Bytes, "DataArray", at); !tag.empty();
+         tag = NextTag(this->Bytes, "DataArray", at))
+    {
+      this->RequireRoom(std::strtod(Attribute(tag, "NumberOfComponents").c_str(), nullptr));
+      this->RequireRoom(std::strtod(Attribute(tag, "NumberOfTuples").c_str(), nullptr));
+      const std::string format = Attribute(tag, "format");
+      if (format == "binary")
+      {
+        this->JudgeArray(at, false);
+      }
+      else if (format == "appended")
+      {
+        const double offset = std::strtod(Attribute(tag, "offset").c_str(), nullptr);
+        if (begin == std::string::npos || !(offset >= 0) ||
+          offset >= static_cast<double>(this->Bytes.size() - begin))
+        {
+          Refuse();
+        }
+        this->JudgeArray(begin + 1 + static_cast<std::size_t>(offset), isRaw);
+      }
+    }
+  }
+
+private:
+  [[noreturn]] static void Refuse() { throw Failure("it cannot hold as much as its header says"); }
+
+  /// Nothing is packed to less than that by the packers that VTK has.
+  void RequireRoom(double number) const
+  {
+    constexpr double greatestRatio = 10000;
+    if (!(number >= 0) || number > greatestRatio * static_cast<double>(this->Bytes.size()))
+    {
+      Refuse();
+    }
+  }
+
+  /// The numbers before an array: its bytes; or, packed, the number of blocks, the bytes of each
+  /// but the last, those of the last if it is smaller, and those of each when packed.
+  void JudgeArray(std::size_t at, bool isRaw) const
+  {
+    const auto room = static_cast<double>(this->Bytes.size() - std::min(at, this->Bytes.size()));
+    const std::size_t leading = this->IsPacked ? 3 : 1;
+    std::string words = this->Words(at, leading, isRaw);
+    if (!this->IsPacked)
+    {
+      if (static_cast<double>(this->Word(words, 0)) > room)
+      {
+        Refuse();
+      }
+      return;
+    }
+    const auto blocks = static_cast<double>(this->Word(words, 0));
+    const std::uint64_t size = this->Word(words, 1);
+    const std::uint64_t last = this->Word(words, 2);
+    if (blocks == 0 && last == 0) // an empty array
+    {
+      return;
+    }
+    this->RequireRoom(blocks * static_cast<double>(size));
+    if (blocks == 0 || size == 0 || last > size || blocks * this->WordSize > room)
+    {
+      Refuse();
+    }
+    const auto count = static_cast<std::size_t>(blocks);
+    words = this->Words(at, leading + count, isRaw);
+    double packed = 0;
+    for (std::size_t block = 0; block < count; ++block)
+    {
+      packed += static_cast<double>(this->Word(words, leading + block));
+    }
+    if (packed > room)
+    {
+      Refuse();
+    }
+  }
+
+  std::string Words(std::size_t at, std::size_t count, bool isRaw) const
+  {
+    const std::size_t size = count * static_cast<std::size_t>(this->WordSize);
+    std::string words = isRaw ? this->Bytes.substr(std::min(at, this->Bytes.size()), size)
+                              : FromBase64(this->Bytes, at, size);
+    if (words.size() < size)
+    {
+      Refuse();
+    }
+    return words;
+  }
+
+  std::uint64_t Word(const std::string& words, std::size_t index) const
+  {
+    std::uint64_t value = 0;
+    for (int byte = 0; byte < this->WordSize; ++byte)
+    {
+      const int place = this->IsBigEndian ? byte : this->WordSize - 1 - byte;
+      value = value << 8 |
+        static_cast<unsigned char>(words[index * static_cast<std::size_t>(this->WordSize) +
+          static_cast<std::size_t>(place)]);
+    }
+    return value;
+  }
+
+  std::string Bytes;
+  bool IsPacked = false;
+  bool IsBigEndian = false;
+  int WordSize = 4;
+};
+
+} // namespace
+
+void JudgeVtp(const std::string& name)
+{
+  VtpFile(name).Judge();
+}
+
+} // namespace Command
