@@ -3,8 +3,10 @@
 import os
 import resource
 import shutil
+import struct
 import subprocess
 import unittest
+import zlib
 
 import command
 
@@ -143,6 +145,110 @@ class TestBadInput(command.CommandTest):
                 self.assert_refused(process, 1, *(f"'{name}'" for name in names))
         process = command.run("evaluate", self.truth, self.truth, "--csv", self.result("out.txt"))
         self.assert_refused(process, 2, "--csv")
+
+    # A tetrahedron in the sphere, in several forms.
+    CORNERS = ((28.0, 28, 28), (36, 28, 28), (28, 36, 28), (28, 28, 36))
+    FACES = ((0, 2, 1), (0, 1, 3), (0, 3, 2), (1, 2, 3))
+
+    def ply(self, form, corners=CORNERS, faces=FACES, counts=None):
+        order = ">" if form == "binary_big_endian" else "<"
+        counts = counts or (len(corners), len(faces))
+        header = (f"ply\nformat {form} 1.0\ncomment made here\nelement vertex {counts[0]}\nproperty float x\n"
+                  f"property float y\nproperty float z\nproperty uchar gray\nelement face {counts[1]}\n"
+                  "property list uchar int vertex_indices\nend_header\n").encode()
+        if form == "ascii":
+            lines = [" ".join(map(str, corner)) + " 7" for corner in corners]
+            lines += [" ".join(map(str, (len(face), *face))) for face in faces]
+            return header + "\n".join(lines).encode()
+        return header + b"".join([struct.pack(order + "3fB", *corner, 7) for corner in corners] +
+                                 [struct.pack(f"{order}B{len(face)}i", len(face), *face) for face in faces])
+
+    def obj(self, faces=FACES, word="{}"):
+        lines = ["v " + " ".join(map(str, corner)) for corner in self.CORNERS]
+        lines += ["f " + " ".join(word.format(vertex + 1) for vertex in face) for face in faces]
+        return "\n".join(lines).encode()
+
+    def stl(self, count=None):
+        triangles = [struct.pack("<12fH", 0, 0, 0, *(x for vertex in face for x in self.CORNERS[vertex]), 0)
+                     for face in self.FACES]
+        return bytes(80) + struct.pack("<I", len(triangles) if count is None else count) + b"".join(triangles)
+
+    def stl_text(self):
+        facets = ["facet normal 0 0 0\nouter loop\n" +
+                  "".join("vertex {} {} {}\n".format(*self.CORNERS[vertex]) for vertex in face) +
+                  "endloop\nendfacet\n" for face in self.FACES]
+        return ("solid\n" + "".join(facets) + "endsolid\n").encode()
+
+    def vtp(self, points="4", last="12"):
+        numbers = " ".join(str(x) for corner in self.CORNERS for x in corner)
+        faces = " ".join(str(vertex) for face in self.FACES for vertex in face)
+        return (f"<VTKFile type='PolyData' version='0.1' byte_order='LittleEndian'><PolyData><Piece NumberOfPoints='{points}'"
+                " NumberOfPolys='4'><Points><DataArray type='Float32' NumberOfComponents='3' format='ascii'>"
+                f"{numbers}</DataArray></Points><Polys><DataArray type='Int64' Name='connectivity' format='ascii'>{faces}"
+                f"</DataArray><DataArray type='Int64' Name='offsets' format='ascii'>3 6 9 {last}</DataArray></Polys></Piece>"
+                "</PolyData></VTKFile>").encode()
+
+    def test_surfaces_of_every_form(self):
+        scores = set()
+        for name, data in (("a.ply", self.ply("ascii")), ("b.ply", self.ply("binary_little_endian")),
+                           ("c.ply", self.ply("binary_big_endian")), ("a.obj", self.obj()), ("b.obj", self.obj(word="{}/1/2")),
+                           ("c.obj", self.obj([[vertex - 5 for vertex in face] for face in self.FACES])),
+                           ("a.stl", self.stl()), ("b.stl", self.stl_text()), ("a.vtp", self.vtp())):
+            with self.subTest(name=name):
+                process = command.run("evaluate", self.input(name, data), self.truth)
+                self.assert_succeeds(process)
+                self.assertIn("closed, Euler number 2", process.stdout)
+                scores.add(process.stdout)
+        self.assertEqual(len(scores), 1)
+
+    def test_damaged_surfaces(self):
+        far = (*self.CORNERS[:3], (0, 0, 1e30))
+        beyond = (*self.FACES[:3], (1, 2, 4))
+        cases = [("obj", self.obj(beyond), "face 3 has a vertex that does not exist"),
+                 ("obj", self.obj(word="{}e99"), "whole number"), ("obj", self.obj(word="x{}"), "no number"),
+                 ("obj", self.obj().replace(b"28.0", b"nan"), "vertex 0 is not finite"),
+                 ("obj", self.obj(((0, 1),)), "fewer than three"),
+                 ("stl", self.stl(5), "fewer triangles"), ("stl", self.stl(2**32 - 1), "fewer triangles"),
+                 ("stl", self.stl()[:60], "fewer triangles"),
+                 ("stl", self.stl_text().replace(b"endsolid", b"vertex 1 2"), "no number"),
+                 ("stl", self.stl_text().replace(b"endsolid", b"vertex 1 2 3"), "last triangle"),
+                 ("vtp", self.vtp(points="99999999999"), "cannot hold"), ("vtp", self.vtp(last="13"), "damaged"),
+                 ("vtp", self.vtp().replace(b"0 2 1", b"0 2 4"), "does not exist"),
+                 ("ply", b"ply\nformat ascii 1.0\n", "does not end"), ("ply", b"plx\n", "begin with 'ply'"),
+                 ("ply", self.ply("ascii").replace(b"property float z\n", b""), "no x, y and z|whole number")]
+        # Blocks that are larger than the file, and a first block that does not exist.
+        packed = (b"<VTKFile type='PolyData' byte_order='LittleEndian' header_type='UInt32' "
+                  b"compressor='vtkZLibDataCompressor'><PolyData><Piece NumberOfPoints='4' NumberOfPolys='4'><Points>"
+                  b"<DataArray type='Float32' NumberOfComponents='3' format='appended' offset='0'/></Points></Piece>"
+                  b"</PolyData><AppendedData encoding='raw'>_%s</AppendedData></VTKFile>")
+        cases += [("vtp", packed % struct.pack("<4I", *words), "cannot hold")
+                  for words in ((2**31, 2**31, 0, 9), (0, 48, 12, 0), (1, 48, 99, 9), (1, 48, 0, 2**31))]
+        for form in ("ascii", "binary_little_endian", "binary_big_endian"):
+            cases += [("ply", self.ply(form, counts=(4, 5)), "ends too early"),
+                      ("ply", self.ply(form, counts=(2**31 - 1, 4)), "early|number"),
+                      ("ply", self.ply(form, faces=beyond), "face 3 has a vertex that does not exist"),
+                      ("ply", self.ply(form, corners=far), "vertex 3 is not finite")]
+        for index, (ending, data, pattern) in enumerate(cases):
+            with self.subTest(index=index, pattern=pattern):
+                name = self.input(f"damaged{index}.{ending}", data)
+                process = command.run("evaluate", name, self.truth, "--csv", self.result("out.csv"))
+                self.assert_refused(process, 1, f"'{name}'", pattern)
+
+    def test_libraries_are_quiet(self):
+        """ITK's library prints a line about voxels that cannot be inflated, in a thread of its own."""
+        header = ("ObjectType = Image\nNDims = 3\nBinaryData = True\nCompressedData = True\nElementSpacing = 1 1 1\n"
+                  "DimSize = 20 20 20\nElementType = MET_UCHAR\nElementDataFile = LOCAL\n").encode()
+        for index in range(10):
+            name = self.input(f"broken{index}.mha", header + zlib.compress(bytes(8000))[:2] + bytes(1000))
+            self.assert_refused(command.run("evaluate", name, self.truth), 1, f"'{name}'", "damaged")
+
+    def test_inputs_that_never_end(self):
+        for name in ("pipe.nii", "pipe.nrrd", "pipe.stl"):
+            pipe = os.path.join(self.inputs, name)
+            os.mkfifo(pipe)
+            with self.subTest(name=name):
+                process = command.run("evaluate", pipe, self.truth, "--csv", self.result("out.csv"))
+                self.assert_refused(process, 1, f"'{pipe}'", "no regular file")
 
 
 if __name__ == "__main__":

@@ -332,6 +332,14 @@ TEST(TestDicomSeries, DamagedSoThatGdcmWouldStopTheProgram)
   }
   ExampleImages::WriteBytes(folder / "a3.dcm", damaged);
   ExpectRefusal(ReaderOf(folder), { "a3.dcm", "fewer pixels" });
+  // The end of an item that has not begun, and that has a length, before the pixels or behind them.
+  const std::string item("\xFE\xFF\x0D\xE0\x02\x00\x00\x00\x00\x00", 10);
+  for (const std::size_t place : { pixels, bytes.size() })
+  {
+    damaged = bytes;
+    ExampleImages::WriteBytes(folder / "a3.dcm", damaged.insert(place, item));
+    ExpectRefusal(ReaderOf(folder), { "a3.dcm", "outside of a sequence" });
+  }
 }
 
 TEST(TestDicomSeries, ReportsAndContoursArePassedOver)

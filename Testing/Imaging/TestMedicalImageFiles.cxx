@@ -570,6 +570,25 @@ TEST(TestMedicalImageFiles, NrrdFieldsAreJudgedOneByOne)
   ExpectRefusal(folder / "image.nrrd", { "encoding" });
 }
 
+TEST(TestMedicalImageFiles, NrrdAsText)
+{
+  // ITK's library copies words into a buffer of fixed size.
+  ExampleImages::Folder folder;
+  std::string header = Nrrd("dimension: 3\nsizes: 4 5 6", 0);
+  header.replace(header.find("raw"), 3, "ascii");
+  std::string numbers;
+  for (int voxel = 0; voxel < 120; ++voxel)
+  {
+    numbers += std::to_string(voxel) + (voxel % 7 ? " " : "\n");
+  }
+  ExampleImages::WriteBytes(folder / "image.nrrd", header + numbers);
+  EXPECT_EQ(Read(folder / "image.nrrd")->GetScalarComponentAsDouble(3, 4, 5, 0), 119);
+  ExampleImages::WriteBytes(folder / "image.nrrd", header + std::string(20000, '7'));
+  ExpectRefusal(folder / "image.nrrd", { "image.nrrd", "encoding is text" });
+  ExampleImages::WriteBytes(folder / "image.nrrd", header + numbers.substr(0, 200));
+  ExpectRefusal(folder / "image.nrrd", { "image.nrrd", "fewer voxels" });
+}
+
 TEST(TestMedicalImageFiles, NrrdInSeveralFiles)
 {
   ExampleImages::Folder folder;
