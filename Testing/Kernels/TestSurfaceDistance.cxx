@@ -88,6 +88,29 @@ TEST(DistanceQuery, FindsWhatBruteForceFinds)
   }
 }
 
+// Boxes are in single precision, whose steps are much larger far from the origin.
+TEST(DistanceQuery, FarPointsAndFarSurfacesAreAsExact)
+{
+  const Surface potato = Potato(7, { 1, 2, 3 }, 10);
+  for (const double offset : { 0.0, 1e3, 1e6 })
+  {
+    const Eigen::RowVector3d origin(offset, -offset, 0.3 * offset);
+    Surface moved = potato;
+    moved.Points.rowwise() += origin;
+    const DistanceQuery query(moved.Points, moved.Triangles);
+    for (const double spread : { 1.0, 20.0, 1e4, 1e7 })
+    {
+      const PointList points = (spread * PointList::Random(40, 3)).rowwise() + origin;
+      const Eigen::VectorXd distances = query.DistancesOf(points);
+      for (Eigen::Index point = 0; point < points.rows(); ++point)
+      {
+        const double expected = BruteForceDistance(points.row(point), moved);
+        ASSERT_NEAR(distances[point], expected, 1e-12 * (offset + expected));
+      }
+    }
+  }
+}
+
 TEST(DistanceQuery, SortingKeepsEveryTriangle)
 {
   const Surface potato = Potato(9, { 1, 2, 3 }, 10);
@@ -98,7 +121,7 @@ TEST(DistanceQuery, SortingKeepsEveryTriangle)
     std::sort(list.begin(), list.end());
     return list;
   };
-  const TriangleList sorted = DistanceQuery(potato.Points, potato.Triangles).SortedTriangles();
+  const TriangleList sorted = DistanceQuery(potato.Points, potato.Triangles).GetSortedTriangles();
   EXPECT_EQ(listOf(sorted), listOf(potato.Triangles));
 }
 

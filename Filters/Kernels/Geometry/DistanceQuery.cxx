@@ -12,12 +12,18 @@ using Eigen::Vector3d;
 
 // Several points share one search, and vector instructions serve all of them: one lane each.
 constexpr Eigen::Index NumberOfLanes = 8;
-using Lanes = Eigen::Array<double, NumberOfLanes, 1>;
-using PointPacket = std::array<Lanes, 3>; // x, y, z
+template <typename Scalar>
+using LanesOf = Eigen::Array<Scalar, NumberOfLanes, 1>;
+using Lanes = LanesOf<double>;
+template <typename Scalar>
+using PacketOf = std::array<LanesOf<Scalar>, 3>; // x, y, z
+using PointPacket = PacketOf<double>;
 
-// Boxes are skipped only if they are farther by more than rounding errors, so that the result does
-// not depend on the order of the search.
-constexpr double Slack = 1 + 1e-9;
+// Boxes are kept in single precision. They are widened by this fraction of the surface's extent,
+// and skipped only if they are farther beyond doubt, so that the result does not depend on the
+// order of the search.
+constexpr float Rounding = 1e-6F;
+constexpr float Slack = 1 + 1e-5F;
 
 double InverseOrZero(double value)
 {
@@ -35,129 +41,153 @@ PointPacket Offsets(const PointPacket& points, const Vector3d& from)
 }
 
 // `offsets` are measured from the start of the edge.
-Lanes SquaredDistancesToEdge(const PointPacket& offsets, const Vector3d& edge)
+Lanes SquaredDistancesToEdge(const PointPacket& offsets, const Vector3d& edge,
+  double inverseSquaredLength)
 {
-  const Lanes t = (Dot(edge, offsets) * InverseOrZero(edge.squaredNorm())).max(0.0).min(1.0);
+  const Lanes t = (Dot(edge, offsets) * inverseSquaredLength).max(0.0).min(1.0);
   return (offsets[0] - t * edge.x()).square() + (offsets[1] - t * edge.y()).square() +
     (offsets[2] - t * edge.z()).square();
 }
 
-struct Triangle
-{
-  Vector3d A;
-  Vector3d B;
-  Vector3d C;
+} // namespace
 
-  Lanes SquaredDistancesOf(const PointPacket& points) const
+DistanceQuery::Triangle::Triangle(const Vector3d& a, const Vector3d& b, const Vector3d& c)
+  : A(a)
+  , AB(b - a)
+  , AC(c - a)
+  , Normal(AB.cross(AC))
+  , SquaredNormal(Normal.squaredNorm())
+  , InverseSquaredAB(InverseOrZero(AB.squaredNorm()))
+  , InverseSquaredAC(InverseOrZero(AC.squaredNorm()))
+  , InverseSquaredBC(InverseOrZero((AC - AB).squaredNorm()))
+{
+  // The normal of a needle has no reliable direction, and its edges are as close as its inside.
+  if (!(this->SquaredNormal > 1e-20 * this->AB.squaredNorm() * this->AC.squaredNorm()))
   {
-    const Vector3d ab = this->B - this->A;
-    const Vector3d ac = this->C - this->A;
-    const PointPacket fromA = Offsets(points, this->A);
-    Lanes toEdges = SquaredDistancesToEdge(fromA, ab)
-                      .min(SquaredDistancesToEdge(fromA, ac))
-                      .min(SquaredDistancesToEdge(Offsets(fromA, ab), ac - ab));
-    const Vector3d normal = ab.cross(ac);
-    const double squaredNormal = normal.squaredNorm();
-    // The normal of a needle has no reliable direction, and its edges are as close as its inside.
-    if (!(squaredNormal > 1e-20 * ab.squaredNorm() * ac.squaredNorm()))
+    this->SquaredNormal = 0;
+  }
+}
+
+// Eight points.
+struct DistanceQuery::Packet
+{
+  PointPacket Points;
+  PacketOf<float> Rounded;
+  Box Bounds;
+  Lanes Least;          // squared distances
+  LanesOf<float> Bound; // of each point
+
+  float UpdateBound()
+  {
+    this->Bound = Slack * this->Least.cast<float>();
+    return this->Bound.maxCoeff();
+  }
+  Lanes SquaredDistancesTo(const Triangle& triangle) const
+  {
+    const PointPacket fromA = Offsets(this->Points, triangle.A);
+    Lanes toEdges = SquaredDistancesToEdge(fromA, triangle.AB, triangle.InverseSquaredAB)
+                      .min(SquaredDistancesToEdge(fromA, triangle.AC, triangle.InverseSquaredAC))
+                      .min(SquaredDistancesToEdge(Offsets(fromA, triangle.AB),
+                        triangle.AC - triangle.AB, triangle.InverseSquaredBC));
+    if (triangle.SquaredNormal == 0)
     {
       return toEdges;
     }
-    const Lanes weightOfB = Dot(ac.cross(normal), fromA);
-    const Lanes weightOfC = Dot(normal.cross(ab), fromA);
-    const Lanes minimumWeight = weightOfB.min(weightOfC).min(squaredNormal - weightOfB - weightOfC);
-    const Lanes toPlane = Dot(normal, fromA).square() * (1 / squaredNormal);
+    const Lanes weightOfB = Dot(triangle.AC.cross(triangle.Normal), fromA);
+    const Lanes weightOfC = Dot(triangle.Normal.cross(triangle.AB), fromA);
+    const Lanes minimumWeight =
+      weightOfB.min(weightOfC).min(triangle.SquaredNormal - weightOfB - weightOfC);
+    const Lanes toPlane = Dot(triangle.Normal, fromA).square() * (1 / triangle.SquaredNormal);
     return (minimumWeight < 0).select(toEdges, toPlane);
+  }
+  LanesOf<float> SquaredDistancesTo(const Box& box) const
+  {
+    LanesOf<float> sum = LanesOf<float>::Zero();
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      sum += (box.Low[axis] - this->Rounded[axis])
+               .max(this->Rounded[axis] - box.High[axis])
+               .max(0.0F)
+               .square();
+    }
+    return sum;
   }
 };
 
-template <typename Box>
-Lanes SquaredDistancesToBox(const PointPacket& points, const Box& box)
-{
-  Lanes sum = Lanes::Zero();
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    sum += (box.Low[axis] - points[axis]).max(points[axis] - box.High[axis]).max(0.0).square();
-  }
-  return sum;
-}
-
-} // namespace
-
 DistanceQuery::DistanceQuery(const PointList& points, const TriangleList& triangles)
-  : Points(points)
-  , Triangles(triangles)
-  , Tree(points, triangles)
+  : Tree(points, triangles)
+  , Triangles(triangles.rows(), 3)
 {
+  TriangleBox extent;
+  for (const int triangle : this->Tree.Order())
+  {
+    const Eigen::RowVector3i corners = triangles.row(triangle);
+    this->Triangles.row(static_cast<Eigen::Index>(this->Shapes.size())) = corners;
+    this->Shapes.emplace_back(points.row(corners[0]), points.row(corners[1]),
+      points.row(corners[2]));
+    for (const int corner : corners)
+    {
+      extent.Add(points.row(corner).data());
+    }
+  }
+  const Eigen::Map<const Eigen::RowVector3d> low(extent.Low);
+  const Eigen::Map<const Eigen::RowVector3d> high(extent.High);
+  this->Center = (low + high) / 2;
+  const auto margin = static_cast<float>(Rounding * (high - low).maxCoeff());
   this->Tree.Refit(this->Boxes,
     [&](int triangle)
     {
-      Box box{ Eigen::Array4d::Zero(), Eigen::Array4d::Zero() };
-      const auto corner = [&](int which)
-      { return points.row(triangles(triangle, which)).transpose().array(); };
-      box.Low.head<3>() = corner(0).min(corner(1)).min(corner(2));
-      box.High.head<3>() = corner(0).max(corner(1)).max(corner(2));
+      Box box{ Eigen::Array4f::Zero(), Eigen::Array4f::Zero() };
+      const auto corner = [&](int which) -> Eigen::Array3f
+      { return (points.row(triangles(triangle, which)) - this->Center).cast<float>(); };
+      box.Low.head<3>() = corner(0).min(corner(1)).min(corner(2)) - margin;
+      box.High.head<3>() = corner(0).max(corner(1)).max(corner(2)) + margin;
       return box;
     });
 }
 
 Eigen::VectorXd DistanceQuery::DistancesOf(const PointList& points) const
 {
-  const auto triangleAt = [this](int triangle)
-  {
-    const auto corner = this->Triangles.row(triangle);
-    return Triangle{ this->Points.row(corner[0]), this->Points.row(corner[1]),
-      this->Points.row(corner[2]) };
-  };
   Eigen::VectorXd distances(points.rows());
-  int closest = 0; // the triangle closest to the last point of a packet, where the next one begins
+  int closest = 0; // the place of the triangle closest to the last point of a packet
   for (Eigen::Index first = 0; first < points.rows(); first += NumberOfLanes)
   {
     const Eigen::Index size = std::min(NumberOfLanes, points.rows() - first);
-    PointPacket packet;
-    Box box{ Eigen::Array4d::Zero(), Eigen::Array4d::Zero() };
+    Packet packet{ {}, {}, { Eigen::Array4f::Zero(), Eigen::Array4f::Zero() }, {}, {} };
     for (int axis = 0; axis < 3; ++axis)
     {
-      packet[axis].setConstant(points(first, axis));
-      packet[axis].head(size) = points.col(axis).segment(first, size).array();
-      box.Low[axis] = packet[axis].minCoeff();
-      box.High[axis] = packet[axis].maxCoeff();
+      packet.Points[axis].setConstant(points(first, axis));
+      packet.Points[axis].head(size) = points.col(axis).segment(first, size).array();
+      packet.Rounded[axis] = (packet.Points[axis] - this->Center[axis]).cast<float>();
+      packet.Bounds.Low[axis] = packet.Rounded[axis].minCoeff();
+      packet.Bounds.High[axis] = packet.Rounded[axis].maxCoeff();
     }
-    Lanes least = triangleAt(closest).SquaredDistancesOf(packet);
-    double bound = Slack * least.maxCoeff();
+    packet.Least = packet.SquaredDistancesTo(this->Shapes[closest]);
+    float bound = packet.UpdateBound();
     this->Tree.QueryNearestFirst(
       [&](int node)
       {
-        const double toBox = this->Boxes[node].SquaredDistanceTo(box);
+        const float toBox = this->Boxes[node].SquaredDistanceTo(packet.Bounds);
         if (toBox > bound)
         {
           return toBox;
         }
-        const Lanes toPoints = SquaredDistancesToBox(packet, this->Boxes[node]);
-        return (toPoints <= Slack * least).any() ? toPoints.minCoeff()
-                                                 : std::numeric_limits<double>::infinity();
+        const LanesOf<float> toPoints = packet.SquaredDistancesTo(this->Boxes[node]);
+        return (toPoints <= packet.Bound).any() ? toPoints.minCoeff()
+                                                : std::numeric_limits<float>::infinity();
       },
       bound,
-      [&](int index)
+      [&](int place)
       {
-        const Lanes found = triangleAt(index).SquaredDistancesOf(packet);
-        closest = found[NumberOfLanes - 1] < least[NumberOfLanes - 1] ? index : closest;
-        least = least.min(found);
-        bound = Slack * least.maxCoeff();
+        const Lanes found = packet.SquaredDistancesTo(this->Shapes[place]);
+        closest = found[NumberOfLanes - 1] < packet.Least[NumberOfLanes - 1] ? place : closest;
+        packet.Least = packet.Least.min(found);
+        bound = packet.UpdateBound();
         return bound;
       });
-    distances.segment(first, size) = least.head(size).sqrt();
+    distances.segment(first, size) = packet.Least.head(size).sqrt();
   }
   return distances;
-}
-
-TriangleList DistanceQuery::SortedTriangles() const
-{
-  TriangleList sorted(this->Triangles.rows(), 3);
-  Eigen::Index row = 0;
-  this->Tree.Query([](int) { return true; },
-    [&](int triangle) { sorted.row(row++) = this->Triangles.row(triangle); });
-  return sorted;
 }
 
 } // namespace FlipFree

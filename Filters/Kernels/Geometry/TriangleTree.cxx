@@ -102,8 +102,10 @@ void TriangleTree::Split(const PointList& centers, int* first, int* last)
   std::nth_element(first, middle, last,
     [&](int one, int two)
     {
+      const double a = centers(one, axis);
+      const double b = centers(two, axis);
       // The index decides between equals, so that every library sorts alike.
-      return std::make_pair(centers(one, axis), one) < std::make_pair(centers(two, axis), two);
+      return a < b || (a == b && one < two);
     });
   this->Split(centers, first, middle);
   this->Nodes[self].Second = this->NumberOfNodes();
@@ -137,6 +139,20 @@ PointList TriangleTree::TopologicalLayout(int numberOfPoints, const TriangleList
     layout.col(axis) = (fromOne - EdgeDistances(graph, static_cast<int>(two))).cast<double>();
   }
   return layout;
+}
+
+std::vector<int> TriangleTree::Order() const
+{
+  std::vector<int> order;
+  order.reserve(this->NumberOfTriangles());
+  for (const Node& node : this->Nodes)
+  {
+    if (node.Count == 1)
+    {
+      order.push_back(node.Triangle);
+    }
+  }
+  return order;
 }
 
 std::vector<TriangleTree::NodePair> TriangleTree::DisjointPairs(const PointList& layout,

@@ -80,10 +80,14 @@ public:
   template <typename Enter, typename Visit>
   void Query(const Enter& enter, const Visit& visit) const;
 
-  /// Calls visit(triangle) at the leaves, those of the nearer child first. It returns a bound:
-  /// nodes whose distanceTo(node) is greater are skipped with all that is below them.
-  template <typename DistanceTo, typename Visit>
-  void QueryNearestFirst(const DistanceTo& distanceTo, double bound, const Visit& visit) const;
+  /// The triangles in the order of the leaves: consecutive ones are close together.
+  std::vector<int> Order() const;
+
+  /// Calls visit(place) at the leaves, those of the nearer child first, with the triangle's place
+  /// in Order(). It returns a bound: nodes whose distanceTo(node) is greater are skipped with all
+  /// that is below them.
+  template <typename Scalar, typename DistanceTo, typename Visit>
+  void QueryNearestFirst(const DistanceTo& distanceTo, Scalar bound, const Visit& visit) const;
 
   /// The pairs of triangles for which accept(first, second) holds, the lesser index first, sorted.
   /// Pairs of nodes for which meet(node, other) does not hold are skipped with all that is below
@@ -201,37 +205,46 @@ void TriangleTree::Query(const Enter& enter, const Visit& visit) const
   }
 }
 
-template <typename DistanceTo, typename Visit>
-void TriangleTree::QueryNearestFirst(const DistanceTo& distanceTo, double bound,
+template <typename Scalar, typename DistanceTo, typename Visit>
+void TriangleTree::QueryNearestFirst(const DistanceTo& distanceTo, Scalar bound,
   const Visit& visit) const
 {
-  // Halving keeps the depth below 32, and each level leaves at most one node waiting.
-  std::array<std::pair<double, int>, 64> waiting;
-  int size = 0;
-  if (!this->Nodes.empty())
+  struct Subtree
   {
-    waiting[size++] = { distanceTo(0), 0 };
+    Scalar Distance;
+    int Root;
+    int Place; // of its first triangle
+  };
+  if (this->Nodes.empty())
+  {
+    return;
   }
+  // Halving keeps the depth below 32, and each level leaves at most one subtree waiting.
+  std::array<Subtree, 32> waiting;
+  int size = 0;
+  waiting[size++] = { distanceTo(0), 0, 0 };
   while (size > 0)
   {
-    const auto [distance, node] = waiting[--size];
-    if (distance > bound)
+    Subtree next = waiting[--size];
+    while (next.Distance <= bound)
     {
-      continue;
+      const Node& node = this->Nodes[next.Root];
+      if (node.Count == 1)
+      {
+        bound = visit(next.Place);
+        break;
+      }
+      Subtree far{ distanceTo(node.Second), node.Second, next.Place + node.Count / 2 };
+      next = { distanceTo(next.Root + 1), next.Root + 1, next.Place };
+      if (far.Distance < next.Distance)
+      {
+        std::swap(next, far);
+      }
+      if (far.Distance <= bound)
+      {
+        waiting[size++] = far;
+      }
     }
-    if (this->Nodes[node].Count == 1)
-    {
-      bound = visit(this->Nodes[node].Triangle);
-      continue;
-    }
-    std::pair<double, int> near{ distanceTo(node + 1), node + 1 };
-    std::pair<double, int> far{ distanceTo(this->Nodes[node].Second), this->Nodes[node].Second };
-    if (far < near)
-    {
-      std::swap(near, far);
-    }
-    waiting[size++] = far;
-    waiting[size++] = near;
   }
 }
 

@@ -8,6 +8,8 @@
 #include "Image/VoxelBox.h"
 #include "KernelTypes.h"
 
+#include <algorithm>
+#include <array>
 #include <bitset>
 #include <vector>
 
@@ -133,6 +135,25 @@ private:
   std::vector<Word> Words;
 };
 
+/// Which voxels of a word are in a set: 0 or 1 each.
+using MaskBytes = std::array<unsigned char, BitMask::BitsOfWord>;
+
+/// Eight bytes at a time: a product moves the lowest bit of each into the highest byte.
+inline BitMask::Word WordOf(const MaskBytes& bytes)
+{
+  BitMask::Word word = 0;
+  for (int first = 0; first < BitMask::BitsOfWord; first += 8)
+  {
+    BitMask::Word eight = 0;
+    for (int byte = 0; byte < 8; ++byte)
+    {
+      eight |= BitMask::Word(bytes[first + byte]) << (8 * byte);
+    }
+    word |= eight * 0x0102040810204080U >> 56U << first;
+  }
+  return word;
+}
+
 /// A mask of the image's part in a box. `mark(voxels, count, inside)` says for some voxels of a
 /// row, at most a word's, which of them are in the set.
 template <typename T, typename Mark>
@@ -143,21 +164,26 @@ BitMask MaskOfBox(const ImageView<T>& image, const VoxelBox& box, const Mark& ma
   parallelFor(0, box.Size(2),
     [&](std::ptrdiff_t first, std::ptrdiff_t last)
     {
-      std::array<unsigned char, BitMask::BitsOfWord> inside{};
+      MaskBytes inside;
       for (auto k = static_cast<int>(first); k < last; ++k)
       {
         for (int j = 0; j < box.Size(1); ++j)
         {
-          const T* const voxels = &image(box.Begin[0], box.Begin[1] + j, box.Begin[2] + k);
+          const T* voxels = &image(box.Begin[0], box.Begin[1] + j, box.Begin[2] + k);
           BitMask::Word* word = mask.Row(j, k);
-          for (int begin = 0; begin < box.Size(0); begin += BitMask::BitsOfWord, ++word)
+          int rest = box.Size(0);
+          // A constant count, so that the compiler vectorizes.
+          for (; rest >= BitMask::BitsOfWord; rest -= BitMask::BitsOfWord)
           {
-            const int count = std::min(BitMask::BitsOfWord, box.Size(0) - begin);
-            mark(voxels + begin, count, inside.data());
-            for (int bit = 0; bit < count; ++bit)
-            {
-              *word |= BitMask::Word(inside[bit]) << bit;
-            }
+            mark(voxels, BitMask::BitsOfWord, inside.data());
+            *word++ = WordOf(inside);
+            voxels += BitMask::BitsOfWord;
+          }
+          if (rest > 0)
+          {
+            inside.fill(0);
+            mark(voxels, rest, inside.data());
+            *word = WordOf(inside);
           }
         }
       }

@@ -228,9 +228,9 @@ SurfaceDistance MeasureSurfaceDistance(const PointList& firstPoints,
       }
     });
   const auto& [toFirst, toSecond] = queries;
-  const SurfaceSamples first(firstPoints, toFirst->SortedTriangles(), sampleSpacing,
+  const SurfaceSamples first(firstPoints, toFirst->GetSortedTriangles(), sampleSpacing,
     "the first surface");
-  const SurfaceSamples second(secondPoints, toSecond->SortedTriangles(), sampleSpacing,
+  const SurfaceSamples second(secondPoints, toSecond->GetSortedTriangles(), sampleSpacing,
     "the second surface");
 
   SurfaceDistance result;
