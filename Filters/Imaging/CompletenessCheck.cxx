@@ -4,7 +4,6 @@
 
 #include "vtkErrorCode.h"
 
-#include "itkNrrdImageIO.h"
 #include "itk_zlib.h"
 
 #include <algorithm>
@@ -68,12 +67,8 @@ void RequireCompleteStream(const std::string& name, std::ifstream& file, double 
 
 } // namespace
 
-void RequireComplete(itk::ImageIOBase* io, const std::string& name, const Monitor& monitor)
+void RequireComplete(const std::string& name, const Monitor& monitor)
 {
-  if (dynamic_cast<itk::NrrdImageIO*>(io))
-  {
-    return; // ITK notices
-  }
   const VoxelStorage storage = StorageOf(name);
   if (storage.Encoding == VoxelStorage::Form::Deflated && storage.Files.size() == 1)
   {

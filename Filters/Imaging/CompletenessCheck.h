@@ -1,8 +1,8 @@
 /**
- * Private to the module: is a NIfTI or MetaImage file all there? ITK 5.2 does not notice when it is
- * not, and leaves the missing voxels undefined: its NIfTI library compares the result of a short
- * read as an unsigned number, its MetaImage library prints a line and goes on. The size of a file
- * is judged with its header; whether a compressed one is whole shows only when it is inflated.
+ * Private to the module: is a compressed file all there? ITK 5.2 does not notice when it is not.
+ * Its NIfTI library compares the result of a short read as an unsigned number and its MetaImage
+ * library prints a line and goes on, so that the missing voxels stay undefined; its NRRD library
+ * does not look at the checksum. The size of other files is judged with their header.
  */
 #ifndef FlipFreeCompletenessCheck_h
 #define FlipFreeCompletenessCheck_h
@@ -12,10 +12,9 @@
 namespace FlipFree
 {
 
-/// Throws an ImageFileError if the compressed stream of the file that `io` has opened is broken,
-/// fails its checksum or holds fewer voxels than its header says. Returns early where the monitor
-/// says stop. Formats of which ITK notices it are not looked at.
-void RequireComplete(itk::ImageIOBase* io, const std::string& name, const Monitor& monitor);
+/// Throws an ImageFileError if the compressed stream of the file is broken, fails its checksum or
+/// holds fewer voxels than its header says. Returns early where the monitor says stop.
+void RequireComplete(const std::string& name, const Monitor& monitor);
 
 } // namespace FlipFree
 

@@ -183,6 +183,10 @@ VoxelStorage StorageOfMetaImage(const std::string& name)
   RequireGeometry(name, fields, static_cast<std::size_t>(dimension));
   FindFiles(name, header, storage);
 
+  if (storage.Files.empty())
+  {
+    fields.Refuse(Place, "names no file");
+  }
   const long skipped = fields.Integer("HeaderSize", -1, INT_MAX, 0);
   if (skipped > 0)
   {

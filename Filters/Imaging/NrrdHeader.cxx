@@ -260,6 +260,24 @@ void RequireShortWords(const std::string& name, const VoxelStorage& storage)
   }
 }
 
+/// Where so many lines end; lines are skipped before anything else is.
+std::uint64_t AfterLines(const VoxelStorage& storage, long lines)
+{
+  std::error_code ignored;
+  if (lines == 0 || !std::filesystem::is_regular_file(storage.Files.front(), ignored))
+  {
+    return storage.Offset;
+  }
+  std::ifstream file(storage.Files.front(), std::ios::binary);
+  file.seekg(static_cast<std::streamoff>(storage.Offset));
+  for (std::string line; lines > 0 && std::getline(file, line);)
+  {
+    --lines;
+  }
+  return file ? static_cast<std::uint64_t>(file.tellg())
+              : std::filesystem::file_size(storage.Files.front(), ignored);
+}
+
 } // namespace
 
 bool IsNrrd(const std::string& name)
@@ -283,12 +301,16 @@ VoxelStorage StorageOfNrrd(const std::string& name)
   RequireGeometry(name, fields, static_cast<std::size_t>(dimension));
   FindFiles(name, header, storage);
 
+  if (storage.Files.empty())
+  {
+    fields.Refuse("data file", "names no file");
+  }
   const std::string encoding = SmallLetters(fields.Text("encoding"));
-  const long lines = fields.Integer("line skip", 0, INT_MAX, 0);
+  storage.Offset = AfterLines(storage, fields.Integer("line skip", 0, INT_MAX, 0));
   const long bytes = fields.Integer("byte skip", -1, INT_MAX, 0);
   if (encoding == "raw")
   {
-    if (lines > 0 || bytes < 0)
+    if (bytes < 0)
     {
       storage.Encoding = VoxelStorage::Form::Other;
     }

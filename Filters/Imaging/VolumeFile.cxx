@@ -107,7 +107,7 @@ void ReadVolumeFile(const itk::ImageIOBase::Pointer& io, const std::string& name
   try
   {
     // Meanwhile, in this thread: the check costs no time of its own.
-    RequireComplete(io, name,
+    RequireComplete(name,
       [&](double checked)
       {
         fraction = checked;

@@ -136,7 +136,7 @@ Volume ReadBack(const std::string& written, const std::string& destination)
     Volume volume;
     const auto io = OpenVolumeFile(written);
     volume.Header = HeaderOf(io, written);
-    RequireComplete(io, written, NeverStop);
+    RequireComplete(written, NeverStop);
     volume.Voxels.resize(volume.Header.NumberOfBytes());
     ReadVoxels(io, written, volume.Voxels.data());
     return volume;

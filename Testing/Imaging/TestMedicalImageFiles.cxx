@@ -325,9 +325,10 @@ TEST(TestMedicalImageFiles, TruncatedAtAnyPlace)
         cut = folder / (compress ? "image.zraw" : "image.raw");
       }
       const std::string bytes = ExampleImages::ReadBytes(cut);
-      for (const double part : { 0.0, 0.001, 0.01, 0.02, 0.05, 0.3, 0.7, 0.95, 0.999 })
+      for (const double part : { 0.0, 0.001, 0.01, 0.02, 0.05, 0.3, 0.7, 0.95, 0.999, 1.0 })
       {
-        const auto size = static_cast<std::size_t>(part * static_cast<double>(bytes.size()));
+        const auto size = std::min(bytes.size() - 1, // the last byte at least
+          static_cast<std::size_t>(part * static_cast<double>(bytes.size())));
         SCOPED_TRACE(cut + " cut to " + std::to_string(size));
         ExampleImages::WriteBytes(cut, bytes.substr(0, size));
         ExpectRefusal(folder / ("image" + ending), { "image" + ending });
@@ -555,6 +556,7 @@ TEST(TestMedicalImageFiles, NrrdFieldsAreJudgedOneByOne)
   refuse(space + "space directions: 1,0,0", "parentheses");
   refuse(space + "space directions: (1,0,0) (0,1,0) (0,0,1)\nspace origin: (0,0,3e200)",
     "space origin");
+  refuse(good + "line skip: 1", "fewer voxels");
   refuse(good + "byte skip: -2", "byte skip is -2");
   refuse(good + "byte skip: 1", "fewer voxels");
   write(good + "byte skip: -1");

@@ -19,6 +19,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
 #include <functional>
 #include <new>
 
@@ -110,6 +111,15 @@ bool SameFaces(vtkPolyData* a, vtkPolyData* b)
   return true;
 }
 
+/// The last byte of text is the only one that a reader does not miss.
+bool EndsWhole(const std::string& name)
+{
+  char last = '\0';
+  std::ifstream file(name, std::ios::binary);
+  return !HasEnding(name, { ".obj", ".vtp" }) ||
+    (file.seekg(-1, std::ios::end) && file.get(last) && last == '\n');
+}
+
 vtkSmartPointer<vtkPolyData> TrianglesOf(vtkPolyData* surface)
 {
   vtkNew<vtkTriangleFilter> triangles;
@@ -174,6 +184,7 @@ void WriteSurface(const std::string& name, vtkPolyData* surface)
     // STL has no vertex indices to compare.
     whole = triangulated ? found->GetNumberOfPolys() == written->GetNumberOfPolys()
                          : SameFaces(found, written);
+    whole = whole && EndsWhole(name);
   }
   catch (const Failure&)
   {
