@@ -16,6 +16,7 @@ function (flipfree_add_unit_tests name)
   add_executable(${name} ${_test_SOURCES})
   target_link_libraries(${name} PRIVATE ${_test_LIBRARIES} GTest::gtest GTest::gtest_main
     FlipFreeWarnings)
+  target_include_directories(${name} PRIVATE "${PROJECT_SOURCE_DIR}/Testing/Support")
   set(_test_environment "FLIPFREE_DATA_DIR=${FLIPFREE_DATA_DIR}")
   if (NOT FLIPFREE_SANITIZERS)
     gtest_discover_tests(${name}

@@ -7,7 +7,6 @@
 #include "vtkAlgorithm.h"
 #include "vtkCallbackCommand.h"
 #include "vtkNew.h"
-#include "vtkTimerLog.h"
 
 #include <gtest/gtest.h>
 
@@ -40,7 +39,6 @@ public:
   int ReportsAfterAbort = -1; ///< -1: not aborted
   double Last = 0;            ///< progress
   double ProgressOfAbort = 0;
-  double TimeOfAbort = 0; ///< in seconds
 
 private:
   void Look(double progress)
@@ -56,7 +54,6 @@ private:
     {
       this->ReportsAfterAbort = 0;
       this->ProgressOfAbort = progress;
-      this->TimeOfAbort = vtkTimerLog::GetUniversalTime();
       this->Filter->AbortExecuteOn();
     }
   }

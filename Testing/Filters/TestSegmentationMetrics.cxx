@@ -4,9 +4,8 @@
 #include "ExamplePolyData.h"
 #include "FilterErrors.h"
 #include "Mesh/SurfaceVoxelization.h"
+#include "ProgressWatch.h"
 
-#include "vtkCallbackCommand.h"
-#include "vtkCommand.h"
 #include "vtkDoubleArray.h"
 #include "vtkPointData.h"
 #include "vtkSMPTools.h"
@@ -68,15 +67,9 @@ TEST(LabelSurface, OfABlockIsClosedAndLiesHalfwayToItsNeighbors)
     geometry.Direction = direction;
     geometry.Origin = { 100, -50, 20 };
     BitMask mask(geometry);
-    for (int k = 0; k < 2; ++k) // touches the image's border
+    for (int row = 0; row < 6; ++row) // touches the image's border
     {
-      for (int j = 1; j < 4; ++j)
-      {
-        for (int i = 3; i < 7; ++i)
-        {
-          mask.Insert(i, j, k);
-        }
-      }
+      mask.InsertRun(3, 7, 1 + row % 3, row / 3);
     }
     const LabelSurface surface = SurfaceOf(mask);
     EXPECT_NO_THROW(
@@ -217,17 +210,6 @@ TEST(LabelsOf, AreFewWhereEveryVoxelHasItsOwn)
     });
 }
 
-TEST(SegmentationMetrics, AgreesWithItselfPerfectly)
-{
-  const auto reference = LabelMapOf(Potato(12, Center, 15), Grid());
-  const auto metrics = Scores(reference, reference);
-  EXPECT_EQ(metrics->GetDice(), 1);
-  EXPECT_EQ(metrics->GetJaccard(), 1);
-  EXPECT_EQ(metrics->GetRelativeVolumeDifference(), 0);
-  EXPECT_NEAR(metrics->GetHD(), 0, 1e-12);
-  EXPECT_NEAR(metrics->GetASD(), 0, 1e-12);
-}
-
 TEST(SegmentationMetrics, OfShiftedCubesAreClosedForm)
 {
   // 20 mm cubes on voxels of 1 x 2 x 4 mm, shifted along x by 4 mm.
@@ -281,23 +263,6 @@ TEST(SegmentationMetrics, OfConcentricSpheresAreTheDifferenceOfRadii)
   EXPECT_EQ(ofMesh->GetASD(), ofLabels->GetASD());
   EXPECT_EQ(ofMesh->GetHD(), ofLabels->GetHD());
   EXPECT_EQ(ofMesh->GetDistanceOf(), "surface of voxelized mesh");
-}
-
-TEST(SegmentationMetrics, AreSymmetricButForTheVolumeDifference)
-{
-  const auto one = LabelMapOf(Potato(12, Center, 15), Grid());
-  const auto two = LabelMapOf(Sphere(12, Center, 16), Grid());
-  const auto there = Scores(one, two);
-  const auto back = Scores(two, one);
-  EXPECT_EQ(there->GetDice(), back->GetDice());
-  EXPECT_EQ(there->GetJaccard(), back->GetJaccard());
-  EXPECT_EQ(there->GetASD(), back->GetASD());
-  EXPECT_EQ(there->GetRMS(), back->GetRMS());
-  EXPECT_EQ(there->GetHD95(), back->GetHD95());
-  EXPECT_EQ(there->GetHD(), back->GetHD());
-  const double difference = there->GetRelativeVolumeDifference();
-  EXPECT_NEAR(back->GetRelativeVolumeDifference(), 1 / (1 + difference) - 1, 1e-12);
-  EXPECT_NEAR(there->GetDice(), 2 * there->GetJaccard() / (1 + there->GetJaccard()), 1e-12);
 }
 
 TEST(SegmentationMetrics, AreTheSameInAnyFrame)
@@ -399,16 +364,13 @@ TEST(SegmentationMetrics, DoNotDependOnThreads)
   const auto segmentation = PolyDataOf(Sphere(12, Center, 16));
   const auto reference = LabelMapOf(Potato(12, Center, 15), Grid());
   std::vector<std::array<double, 5>> results;
-  for (const char* backend : { "Sequential", "STDThread", "TBB" })
-  {
-    vtkSMPTools::LocalScope(vtkSMPTools::Config{ 2, backend, false },
-      [&]
-      {
-        const auto metrics = Scores(segmentation, reference);
-        results.push_back({ metrics->GetDice(), metrics->GetASD(), metrics->GetRMS(),
-          metrics->GetHD95(), metrics->GetHD() });
-      });
-  }
+  WithEachBackend(
+    [&]
+    {
+      const auto metrics = Scores(segmentation, reference);
+      results.push_back({ metrics->GetDice(), metrics->GetASD(), metrics->GetRMS(),
+        metrics->GetHD95(), metrics->GetHD() });
+    });
   EXPECT_EQ(results[1], results[0]);
   EXPECT_EQ(results[2], results[0]);
 }
@@ -419,20 +381,14 @@ TEST(SegmentationMetrics, StopWhenAborted)
   metrics->SetInputData(LabelMapOf(Potato(12, Center, 15), Grid()));
   metrics->SetReferenceData(LabelMapOf(Sphere(12, Center, 16), Grid()));
   metrics->SetSampleSpacing(0.05);
-  vtkNew<vtkCallbackCommand> stop;
-  stop->SetCallback(
-    [](vtkObject* caller, unsigned long, void*, void*)
-    {
-      auto* algorithm = static_cast<vtkAlgorithm*>(caller);
-      algorithm->SetAbortExecute(algorithm->GetProgress() > 0);
-    });
-  metrics->AddObserver(vtkCommand::ProgressEvent, stop);
-  metrics->Update();
-  EXPECT_LT(metrics->GetProgress(), 0.5);
+  {
+    const ProgressWatch watch(metrics, 0.01);
+    metrics->Update();
+    EXPECT_LT(watch.ProgressOfAbort, 0.5);
+    EXPECT_LE(watch.ReportsAfterAbort, 1);
+  }
   EXPECT_EQ(metrics->GetOutput()->GetNumberOfRows(), 0);
   EXPECT_TRUE(std::isnan(metrics->GetDice()));
-  metrics->RemoveAllObservers();
-  metrics->SetAbortExecute(0);
   metrics->SetSampleSpacing(2);
   metrics->Update();
   EXPECT_EQ(metrics->GetOutput()->GetNumberOfRows(), 1);

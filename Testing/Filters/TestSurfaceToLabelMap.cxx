@@ -26,7 +26,7 @@ vtkUnsignedCharArray* Labels(vtkImageData* image)
 TEST(SurfaceToLabelMap, LabelsTheVoxelsThatVtkPlacesInsideTheSurface)
 {
   const Eigen::Vector3d center(-30, 20, 150);
-  const Surface potato = Potato(5, center, 12);
+  const Surface potato = Potato(3, center, 12);
   for (const auto& [name, direction] : ExampleDirections())
   {
     const auto reference = ImageAround(center + Eigen::Vector3d(0.3, 0.2, 0.1), { 21, 24, 12 },

@@ -76,6 +76,7 @@ inline Surface Joined(const Surface& first, const Surface& second)
   return both;
 }
 
+/// Positive where the triangles face outward.
 inline double EnclosedVolume(const Surface& surface)
 {
   double volume = 0;

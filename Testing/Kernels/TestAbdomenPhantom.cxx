@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <vector>
 
 using namespace FlipFree;
@@ -45,12 +44,18 @@ Volume Sample(const ImageGeometry& grid, const AbdomenOptions& anatomy = {},
   return volume;
 }
 
-// Without partial volume, for tests of the anatomy.
-const Volume& DefaultVolume()
+// Which takes most of the time, and changes no label.
+SamplingOptions WithoutPartialVolume()
 {
   SamplingOptions options;
   options.PartialVolume = false;
-  static const Volume volume = Sample(AbdomenGrid(), {}, options);
+  return options;
+}
+
+// For tests of the anatomy.
+const Volume& DefaultVolume()
+{
+  static const Volume volume = Sample(AbdomenGrid(), {}, WithoutPartialVolume());
   return volume;
 }
 
@@ -127,27 +132,9 @@ std::vector<std::size_t> Components(const Volume& volume, std::uint8_t label, in
   return sizes;
 }
 
-// Pairs of face neighbors with the two labels.
-int CountContacts(const Volume& volume, AbdomenLabel one, AbdomenLabel other)
-{
-  int contacts = 0;
-  const std::size_t strides[3] = { 1, static_cast<std::size_t>(volume.Grid.Dimensions[0]),
-    static_cast<std::size_t>(volume.Grid.Dimensions[0]) * volume.Grid.Dimensions[1] };
-  for (std::size_t stride : strides)
-  {
-    for (std::size_t at = 0; at + stride < volume.Labels.size(); ++at)
-    {
-      const std::uint8_t a = volume.Labels[at];
-      const std::uint8_t b = volume.Labels[at + stride];
-      contacts += (a == Label(one) && b == Label(other)) || (a == Label(other) && b == Label(one));
-    }
-  }
-  return contacts;
-}
-
 } // namespace
 
-TEST(AbdomenPhantom, OrgansHavePlausibleVolumes)
+TEST(AbdomenAnatomy, OrgansHavePlausibleVolumes)
 {
   const Volume& volume = DefaultVolume();
   const struct
@@ -173,7 +160,7 @@ TEST(AbdomenPhantom, OrgansHavePlausibleVolumes)
 }
 
 // Where three organs meet, a voxel may hang on by a corner; more than a handful may not.
-TEST(AbdomenPhantom, EveryOrganIsInOnePiece)
+TEST(AbdomenAnatomy, EveryOrganIsInOnePiece)
 {
   const Volume& volume = DefaultVolume();
   for (std::uint8_t label = 1; label <= 11; ++label)
@@ -189,98 +176,9 @@ TEST(AbdomenPhantom, EveryOrganIsInOnePiece)
   }
 }
 
-TEST(AbdomenPhantom, HasTheNeighborsThatMakeRealOrgansHard)
-{
-  const Volume& volume = DefaultVolume();
-  EXPECT_GT(CountContacts(volume, AbdomenLabel::Liver, AbdomenLabel::RightKidney), 200);
-  EXPECT_GT(CountContacts(volume, AbdomenLabel::Liver, AbdomenLabel::Stomach), 200);
-  EXPECT_GT(CountContacts(volume, AbdomenLabel::Liver, AbdomenLabel::VenaCava), 500);
-  EXPECT_GT(CountContacts(volume, AbdomenLabel::Spleen, AbdomenLabel::Stomach), 100);
-  EXPECT_GT(CountContacts(volume, AbdomenLabel::Spleen, AbdomenLabel::LeftKidney), 100);
-
-  // Unlabeled neighbors: diaphragm and bowel some 20 to 60 HU below the liver, bone within 15 mm.
-  int similar = 0;
-  int fat = 0;
-  int bone = 0;
-  const ImageGeometry& grid = volume.Grid;
-  for (std::size_t at = 0; at < volume.Labels.size(); ++at)
-  {
-    const std::array<int, 3> index = IndexOf(grid, at);
-    if (volume.Labels[at] != Label(AbdomenLabel::Liver) || index[0] < 10)
-    {
-      continue;
-    }
-    for (int step = 1; step <= 10; ++step)
-    {
-      const std::size_t beside = at - step;
-      if (volume.Labels[beside] != 0)
-      {
-        break;
-      }
-      similar += step == 2 && volume.Intensities[beside] > 50 && volume.Intensities[beside] < 100;
-      fat += step == 2 && volume.Intensities[beside] < -60;
-      if (volume.Intensities[beside] > 250)
-      {
-        ++bone;
-        break;
-      }
-    }
-  }
-  EXPECT_GT(similar, 500);
-  EXPECT_GT(fat, 50);
-  EXPECT_GT(bone, 200);
-}
-
-TEST(AbdomenPhantom, TheFarLeftLobeHangsByANarrowerNeck)
-{
-  const Volume& volume = DefaultVolume();
-  std::vector<double> area(volume.Grid.Dimensions[0], 0);
-  for (std::size_t at = 0; at < volume.Labels.size(); ++at)
-  {
-    const std::array<int, 3> index = IndexOf(volume.Grid, at);
-    area[index[0]] += volume.Labels[at] == Label(AbdomenLabel::Liver)
-      ? volume.Grid.Spacing[1] * volume.Grid.Spacing[2]
-      : 0;
-  }
-  const auto column = [&](double x)
-  { return static_cast<int>(x / volume.Grid.Spacing[0] + 0.5 * volume.Grid.Dimensions[0]); };
-  const double neck = *std::min_element(area.begin() + column(10), area.begin() + column(50));
-  const double lobe = *std::max_element(area.begin() + column(50), area.begin() + column(90));
-  EXPECT_GT(neck, 200);
-  EXPECT_LT(neck, 0.75 * lobe);
-}
-
-TEST(AbdomenPhantom, TissuesHaveTheirIntensities)
-{
-  const Volume& volume = DefaultVolume();
-  std::map<int, std::vector<int>> values;
-  for (std::size_t at = 0; at < volume.Labels.size(); ++at)
-  {
-    values[volume.Labels[at]].push_back(volume.Intensities[at]);
-  }
-  const auto median = [&](AbdomenLabel organ)
-  {
-    std::vector<int>& all = values[Label(organ)];
-    std::nth_element(all.begin(), all.begin() + all.size() / 2, all.end());
-    return all[all.size() / 2];
-  };
-  EXPECT_NEAR(median(AbdomenLabel::Liver), 110, 2);
-  EXPECT_NEAR(median(AbdomenLabel::Spleen), 116, 2);
-  EXPECT_NEAR(median(AbdomenLabel::VenaCava), 146, 3);
-  EXPECT_NEAR(median(AbdomenLabel::Gallbladder), 12, 3);
-  EXPECT_GT(median(AbdomenLabel::RightKidney), 140);
-  // Parenchyma is uneven by 6 HU even without noise, and vessels stand out.
-  std::vector<int>& liver = values[Label(AbdomenLabel::Liver)];
-  std::sort(liver.begin(), liver.end());
-  const double spread = liver[liver.size() * 84 / 100] - liver[liver.size() * 16 / 100];
-  EXPECT_GT(spread / 2, 4.5);
-  EXPECT_LT(spread / 2, 9);
-  EXPECT_GT(liver[liver.size() * 99 / 100], 145);
-}
-
 // The nearest voxel of another label is at least as far as the seed's ball claims; 0.7 of the depth
 // is the radius, within the coarseness of voxels.
-TEST(AbdomenPhantom, SeedsLieAsDeepAsTheyClaim)
+TEST(AbdomenAnatomy, SeedsLieAsDeepAsTheyClaim)
 {
   const Volume& volume = DefaultVolume();
   const Phantom phantom = MakeAbdomenPhantom(GridExtent(volume.Grid));
@@ -298,29 +196,15 @@ TEST(AbdomenPhantom, SeedsLieAsDeepAsTheyClaim)
     EXPECT_LT(seed.Start.Radius, 0.73 * depth) << "label " << int(seed.Label);
     EXPECT_GT(seed.Start.Radius, 0.5 * depth) << "label " << int(seed.Label);
   }
-  const auto radiusOf = [&](AbdomenLabel organ)
-  {
-    for (const PhantomSeed& seed : phantom.Seeds)
-    {
-      if (seed.Label == Label(organ))
-      {
-        return seed.Start.Radius;
-      }
-    }
-    return 0.0;
-  };
-  EXPECT_GT(radiusOf(AbdomenLabel::Liver), 20);
-  EXPECT_GT(radiusOf(AbdomenLabel::Spleen), 9);
-  EXPECT_GT(radiusOf(AbdomenLabel::RightKidney), 9);
 }
 
 TEST(AbdomenPhantom, LesionsDarkenTheLiverAndLeaveItsOutline)
 {
   const ImageGeometry grid = AbdomenGrid(3);
-  const Volume without = Sample(grid);
+  const Volume without = Sample(grid, {}, WithoutPartialVolume());
   AbdomenOptions anatomy;
   anatomy.Lesions = 6;
-  const Volume with = Sample(grid, anatomy);
+  const Volume with = Sample(grid, anatomy, WithoutPartialVolume());
   EXPECT_EQ(with.Labels, without.Labels);
   int darker = 0;
   for (std::size_t at = 0; at < with.Labels.size(); ++at)
@@ -335,20 +219,20 @@ TEST(AbdomenPhantom, LesionsDarkenTheLiverAndLeaveItsOutline)
   EXPECT_GT(darker * grid.Spacing.prod(), 1500);
   EXPECT_LT(darker * grid.Spacing.prod(), 6 * 7300);
   anatomy.Seed = 1;
-  EXPECT_NE(Sample(grid, anatomy).Intensities, with.Intensities);
+  EXPECT_NE(Sample(grid, anatomy, WithoutPartialVolume()).Intensities, with.Intensities);
 }
 
 TEST(AbdomenPhantom, ScalesWithTheCrossSection)
 {
-  const Volume full = Sample(AbdomenGrid(3));
+  const Volume full = Sample(AbdomenGrid(3), {}, WithoutPartialVolume());
   ImageGeometry half = full.Grid;
   half.Spacing *= 0.5;
-  EXPECT_EQ(Sample(half).Labels, full.Labels);
+  EXPECT_EQ(Sample(half, {}, WithoutPartialVolume()).Labels, full.Labels);
 
   // A slab of six slices in the middle has what the whole has there, and fewer seeds.
   ImageGeometry slab = full.Grid;
   slab.Dimensions[2] = 6;
-  const Volume part = Sample(slab);
+  const Volume part = Sample(slab, {}, WithoutPartialVolume());
   const std::size_t first = full.Grid.Offset(0, 0, 12);
   EXPECT_TRUE(std::equal(part.Labels.begin(), part.Labels.end(), full.Labels.begin() + first));
   const Phantom phantom = MakeAbdomenPhantom(GridExtent(slab));
@@ -377,7 +261,7 @@ TEST(AbdomenPhantom, HierarchyLabelsWhatEveryVoxelAloneWould)
 
 TEST(AbdomenPhantom, IsCutInAnyOrderIntoTheSameBits)
 {
-  const ImageGeometry grid = AbdomenGrid(3);
+  const ImageGeometry grid = AbdomenGrid(6);
   SamplingOptions options;
   options.NoiseStandardDeviation = 12;
   options.NoiseCorrelation = 0.3;

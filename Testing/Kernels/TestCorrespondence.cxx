@@ -20,16 +20,10 @@ struct TestImage
   TestImage(const ImageGeometry& geometry, const Scalar& value)
   {
     this->View.Geometry = geometry;
-    for (int k = 0; k < geometry.Dimensions[2]; ++k)
-    {
-      for (int j = 0; j < geometry.Dimensions[1]; ++j)
-      {
-        for (int i = 0; i < geometry.Dimensions[0]; ++i)
-        {
-          this->Voxels.push_back(static_cast<float>(value({ i + 0.0, j + 0.0, k + 0.0 })));
-        }
-      }
-    }
+    ForEachVoxel(geometry,
+      [&](int i, int j, int k) {
+        this->Voxels.push_back(static_cast<float>(value({ i + 0.0, j + 0.0, k + 0.0 })));
+      });
     this->View.Data = this->Voxels.data();
   }
   BitMask Foreground() const
@@ -182,21 +176,6 @@ TEST(Correspondence, ReachesTheSameFaceFromOutside)
                 fromOutside.Displacements.row(vertex))
                 .norm(),
       1e-10);
-  }
-}
-
-// Oblique lines, to a boundary of voxel faces.
-TEST(Correspondence, SphereIsReachedToWithinAVoxel)
-{
-  const Eigen::Vector3d center(24.3, 25.1, 24.7);
-  const TestImage image(Grid({ { 50, 50, 50 } }, { 1, 1, 1 }),
-    [&](const Eigen::Vector3d& index) { return (index - center).norm() <= 15; });
-  const CorrespondenceField field = FindCorrespondences(center.transpose().replicate(1000, 1),
-    Directions(1000), image.Foreground(), {}, RunOf(4), SerialFor);
-  for (int vertex = 0; vertex < 1000; ++vertex)
-  {
-    ASSERT_EQ(field.States[vertex], VertexState::Matched);
-    ASSERT_NEAR(field.Displacements.row(vertex).norm(), 15, std::sqrt(3.0) / 2);
   }
 }
 

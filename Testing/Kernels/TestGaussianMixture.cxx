@@ -1,3 +1,4 @@
+#include "ExampleSurfaces.h"
 #include "Intensity/GaussianMixture.h"
 
 #include <gtest/gtest.h>
@@ -5,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <random>
-#include <stdexcept>
 
 using namespace FlipFree;
 
@@ -233,13 +233,6 @@ TEST(GaussianMixture, ThresholdHoldsTheMass)
 
 TEST(GaussianMixture, NoValuesAreRefused)
 {
-  try
-  {
-    FitGaussianMixture({}, MixtureSettings());
-    FAIL() << "accepted";
-  }
-  catch (const std::invalid_argument& error)
-  {
-    EXPECT_NE(std::string(error.what()).find("enlarge the seed"), std::string::npos);
-  }
+  const std::string error = ErrorOf([] { FitGaussianMixture({}, MixtureSettings()); });
+  EXPECT_NE(error.find("enlarge the seed"), std::string::npos) << error;
 }

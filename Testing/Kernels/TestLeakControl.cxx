@@ -160,11 +160,9 @@ TEST(LeakControl, AnOpeningThatLeavesNothingIsNotApplied)
 {
   const ImageGeometry geometry = Grid({ { 40, 9, 9 } }, { 1, 1, 1 });
   BitMask rod(geometry);
-  for (int k = 3; k < 6; ++k)
+  for (int row = 0; row < 9; ++row)
   {
-    rod.InsertRun(2, 38, 3, k);
-    rod.InsertRun(2, 38, 4, k);
-    rod.InsertRun(2, 38, 5, k);
+    rod.InsertRun(2, 38, 3 + row % 3, 3 + row / 3);
   }
   BitMask kept = rod;
   ASSERT_TRUE(ControlLeaks(kept, { { 20, 4, 4 }, 1 }, { 0, 4 }, SerialFor, NeverStop));
@@ -175,12 +173,9 @@ TEST(LeakControl, ClosingFillsAHole)
 {
   const ImageGeometry geometry = Grid({ { 30, 30, 30 } }, { 1, 1, 1 });
   BitMask full(geometry);
-  for (int k = 5; k < 25; ++k)
+  for (int row = 0; row < 400; ++row)
   {
-    for (int j = 5; j < 25; ++j)
-    {
-      full.InsertRun(5, 25, j, k);
-    }
+    full.InsertRun(5, 25, 5 + row % 20, 5 + row / 20);
   }
   BitMask hole(geometry);
   hole.InsertRun(14, 16, 15, 15);

@@ -1,3 +1,4 @@
+#include "ExampleSurfaces.h"
 #include "Geometry/SelfIntersection.h"
 #include "Mesh/MeshRefinement.h"
 #include "RandomMotions.h"
@@ -74,21 +75,6 @@ ContourMesh Refined(const ContourMesh& mesh)
   return BuildContourMesh(static_cast<int>(refined.Parents.size()), refined.Faces);
 }
 
-double Volume(const PointList& points, const TriangleList& triangles)
-{
-  double volume = 0;
-  for (Eigen::Index triangle = 0; triangle < triangles.rows(); ++triangle)
-  {
-    Eigen::Matrix3d corners;
-    for (int corner = 0; corner < 3; ++corner)
-    {
-      corners.row(corner) = points.row(triangles(triangle, corner));
-    }
-    volume += corners.determinant() / 6;
-  }
-  return volume;
-}
-
 } // namespace
 
 TEST(MeshRefinement, TheSphereOfNBecomesThatOf2N)
@@ -123,15 +109,15 @@ TEST(MeshRefinement, StaysEmbeddedAndOriented)
   {
     const TestSphere sphere(n);
     const ContourMesh mesh = Refined(sphere.Mesh);
-    const double volume = Volume(sphere.Points(), sphere.Triangles());
+    const double volume = EnclosedVolume({ sphere.Points(), sphere.Triangles() });
     for (double reach : { 0.1, 0.5, 1.0 })
     {
       const PointList points = RefinePoints(sphere.Mesh, sphere.Points(), reach);
       ASSERT_EQ(points.rows(), mesh.NumberOfPoints());
       EXPECT_EQ(CountSelfIntersections(points, mesh.Triangles), 0) << n << " " << reach;
       // It cuts corners off.
-      EXPECT_LT(Volume(points, mesh.Triangles), volume);
-      EXPECT_GT(Volume(points, mesh.Triangles), (1 - 0.7 * reach) * volume);
+      EXPECT_LT(EnclosedVolume({ points, mesh.Triangles }), volume);
+      EXPECT_GT(EnclosedVolume({ points, mesh.Triangles }), (1 - 0.7 * reach) * volume);
     }
   }
 }
@@ -155,7 +141,7 @@ TEST(MeshRefinement, OtherMeshesKeepTheirGenus)
     const PointList fine = RefinePoints(*mesh, *points, 1.0);
     EXPECT_EQ(CountSelfIntersections(fine, refined.Triangles), 0);
     const double volume = 2 * EIGEN_PI * EIGEN_PI * 10 * 16;
-    EXPECT_NEAR(Volume(fine, refined.Triangles), volume, 0.2 * volume);
+    EXPECT_NEAR(EnclosedVolume({ fine, refined.Triangles }), volume, 0.2 * volume);
   }
 }
 

@@ -31,17 +31,12 @@ struct Scene
     this->Image.Geometry = geometry;
     std::mt19937 random(1);
     std::normal_distribution<double> normal(0, Noise);
-    for (int k = 0; k < geometry.Dimensions[2]; ++k)
-    {
-      for (int j = 0; j < geometry.Dimensions[1]; ++j)
+    ForEachVoxel(geometry,
+      [&](int i, int j, int k)
       {
-        for (int i = 0; i < geometry.Dimensions[0]; ++i)
-        {
-          const double level = gray(geometry.ToPhysical(Eigen::Vector3d(i, j, k)));
-          this->Image.Voxels.push_back(static_cast<float>(level + normal(random)));
-        }
-      }
-    }
+        const double level = gray(geometry.ToPhysical(Eigen::Vector3d(i, j, k)));
+        this->Image.Voxels.push_back(static_cast<float>(level + normal(random)));
+      });
     this->Settings.Schedule.MaximumIterations = 12;
     this->Settings.Feature.Leaks = { 0, 0 };
     this->Settings.Targets.Correspondence.SearchDistance = 25;

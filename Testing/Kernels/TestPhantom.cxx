@@ -1,3 +1,4 @@
+#include "ExampleMasks.h"
 #include "ExampleSurfaces.h"
 #include "Phantom/Phantom.h"
 #include "Phantom/VoxelNoise.h"
@@ -62,10 +63,7 @@ void ExpectDistance(const ImplicitShape& shape, double size)
 
 ImageGeometry Grid(int n, double spacing)
 {
-  ImageGeometry grid;
-  grid.Dimensions = { { n, n, n } };
-  grid.Spacing.setConstant(spacing);
-  return grid;
+  return FlipFree::Grid({ { n, n, n } }, { spacing, spacing, spacing });
 }
 
 struct Volume
@@ -221,28 +219,23 @@ TEST(VoxelNoise, HasMeanStandardDeviationAndCorrelationAsked)
     Vector3d neighbors = Vector3d::Zero();
     Vector3d pairs = Vector3d::Zero();
     const std::array<std::size_t, 3> stride = { { 1, 200, 200 * 150 } };
-    for (int k = 0; k < size[2]; ++k)
-    {
-      for (int j = 0; j < size[1]; ++j)
+    ForEachVoxel(Grid({ { 200, 150, 20 } }, { 1, 1, 1 }),
+      [&](int i, int j, int k)
       {
-        for (int i = 0; i < size[0]; ++i)
+        const std::size_t at = i + stride[1] * j + stride[2] * k;
+        const double value = noise[at] - 5;
+        sum += value;
+        squares += value * value;
+        const std::array<int, 3> index = { { i, j, k } };
+        for (int axis = 0; axis < 3; ++axis)
         {
-          const std::size_t at = i + stride[1] * j + stride[2] * k;
-          const double value = noise[at] - 5;
-          sum += value;
-          squares += value * value;
-          const std::array<int, 3> index = { { i, j, k } };
-          for (int axis = 0; axis < 3; ++axis)
+          if (index[axis] + 1 < size[axis])
           {
-            if (index[axis] + 1 < size[axis])
-            {
-              neighbors[axis] += value * (noise[at + stride[axis]] - 5);
-              pairs[axis] += 144;
-            }
+            neighbors[axis] += value * (noise[at + stride[axis]] - 5);
+            pairs[axis] += 144;
           }
         }
-      }
-    }
+      });
     const double count = static_cast<double>(noise.size());
     EXPECT_NEAR(sum / count, 0, 0.1) << correlation;
     EXPECT_NEAR(std::sqrt(squares / count), 12, 0.1) << correlation;
@@ -315,9 +308,7 @@ TEST_P(PlainPhantom, VolumeIsThatOfTheClosedFormAndScalesWithTheGrid)
   EXPECT_NEAR(GrayVolume(volume, grid) / expected, 1, 0.002);
   EXPECT_NEAR(LabelVolume(volume, grid) / expected, 1, 0.01);
 
-  ImageGeometry other;
-  other.Dimensions = { { 60, 100, 40 } };
-  other.Spacing = { 1, 0.6, 1.5 };
+  const ImageGeometry other = Grid({ { 60, 100, 40 } }, { 1, 0.6, 1.5 });
   const Volume smaller = Sample(MakePlainPhantom(GetParam(), GridExtent(other), 1000, 0), other);
   EXPECT_NEAR(GrayVolume(smaller, other) / (expected * std::pow(60.0 / 96, 3)), 1, 0.01);
 }
@@ -325,31 +316,24 @@ TEST_P(PlainPhantom, VolumeIsThatOfTheClosedFormAndScalesWithTheGrid)
 // Brute force: the same rule voxel by voxel, without the hierarchy.
 TEST_P(PlainPhantom, HierarchyPaintsWhatEveryVoxelAloneWould)
 {
-  ImageGeometry grid;
-  grid.Dimensions = { { 37, 33, 19 } };
-  grid.Spacing = { 1, 1, 2 };
+  const ImageGeometry grid = Grid({ { 37, 33, 19 } }, { 1, 1, 2 });
   const Phantom phantom = MakePlainPhantom(GetParam(), GridExtent(grid), 1000, -200);
   const Volume volume = Sample(phantom, grid);
-  std::size_t at = 0;
-  for (int k = 0; k < 19; ++k)
-  {
-    for (int j = 0; j < 33; ++j)
+  ForEachVoxel(grid,
+    [&](int i, int j, int k)
     {
-      for (int i = 0; i < 37; ++i, ++at)
+      const Vector3d center = Vector3d(i - 18, j - 16, 2 * (k - 9));
+      const std::size_t at = grid.Offset(i, j, k);
+      EXPECT_EQ(volume.Labels[at], phantom.Surface(center) < 0 ? 1 : 0);
+      int inside = 0;
+      for (int sample = 0; sample < 16; ++sample)
       {
-        const Vector3d center = Vector3d(i - 18, j - 16, 2 * (k - 9));
-        EXPECT_EQ(volume.Labels[at], phantom.Surface(center) < 0 ? 1 : 0);
-        int inside = 0;
-        for (int sample = 0; sample < 16; ++sample)
-        {
-          const Vector3d offset(sample % 2 * 0.5 - 0.25, sample / 2 % 2 * 0.5 - 0.25,
-            sample / 4 * 0.5 - 0.75);
-          inside += phantom.Surface(center + offset) < 0;
-        }
-        ASSERT_EQ(volume.Intensities[at], std::lround(-200 + 1200 * inside / 16.0));
+        const Vector3d offset(sample % 2 * 0.5 - 0.25, sample / 2 % 2 * 0.5 - 0.25,
+          sample / 4 * 0.5 - 0.75);
+        inside += phantom.Surface(center + offset) < 0;
       }
-    }
-  }
+      ASSERT_EQ(volume.Intensities[at], std::lround(-200 + 1200 * inside / 16.0));
+    });
 }
 
 TEST_P(PlainPhantom, SeedLiesInsideAndTheEnclosingBallIsTight)
@@ -365,21 +349,15 @@ TEST_P(PlainPhantom, SeedLiesInsideAndTheEnclosingBallIsTight)
   const Volume volume = Sample(phantom, grid);
   ASSERT_TRUE(phantom.Enclosing.has_value());
   double farthest = 0;
-  std::size_t at = 0;
-  for (int k = 0; k < 96; ++k)
-  {
-    for (int j = 0; j < 96; ++j)
+  ForEachVoxel(grid,
+    [&](int i, int j, int k)
     {
-      for (int i = 0; i < 96; ++i)
+      if (volume.Labels[grid.Offset(i, j, k)])
       {
-        if (volume.Labels[at++])
-        {
-          farthest = std::max(farthest,
-            (Vector3d(i - 47.5, j - 47.5, k - 47.5) - phantom.Enclosing->Center).norm());
-        }
+        farthest = std::max(farthest,
+          (Vector3d(i - 47.5, j - 47.5, k - 47.5) - phantom.Enclosing->Center).norm());
       }
-    }
-  }
+    });
   EXPECT_LT(farthest, phantom.Enclosing->Radius);
   EXPECT_GT(farthest + 1, phantom.Enclosing->Radius / 1.05);
   EXPECT_LT(phantom.Enclosing->Radius, 48);

@@ -157,29 +157,6 @@ TEST(SurfaceQuality, CountsHolesAndBadEdges)
   EXPECT_EQ(ofDoubled.BoundaryEdges, 2);
 }
 
-TEST(SurfaceQuality, OfATorusHasEulerNumberZero)
-{
-  const int n = 12;
-  PointList points(n * n, 3);
-  std::vector<std::vector<int>> polygons;
-  for (int i = 0; i < n; ++i)
-  {
-    for (int j = 0; j < n; ++j)
-    {
-      const double u = 2 * Pi * i / n;
-      const double v = 2 * Pi * j / n;
-      points.row(i * n + j) << (3 + std::cos(v)) * std::cos(u), (3 + std::cos(v)) * std::sin(u),
-        std::sin(v);
-      const int i1 = (i + 1) % n;
-      const int j1 = (j + 1) % n;
-      polygons.push_back({ i * n + j, i1 * n + j, i1 * n + j1, i * n + j1 });
-    }
-  }
-  const SurfaceTopology topology = MeasureQuality(points, Polygons(polygons)).Topology;
-  EXPECT_EQ(topology.EulerNumber(), 0);
-  EXPECT_EQ(topology.BoundaryEdges + topology.NonManifoldEdges + topology.MisorientedEdges, 0);
-}
-
 TEST(SurfaceQuality, UnusedPointsAreNoVertices)
 {
   PointList points(9, 3);

@@ -1,5 +1,6 @@
 #include "Deformation/TargetSearch.h"
 
+#include "ExampleMasks.h"
 #include "ExampleSurfaces.h"
 #include "RandomMotions.h"
 
@@ -104,20 +105,15 @@ TEST(TargetSearch, OutliersAreNotWithoutBoundary)
   geometry.Origin = Eigen::Vector3d(10, -20, 30) - Eigen::Vector3d::Constant(40); // the sphere's
   BitMask foreground(geometry);
   std::mt19937 random(2);
-  for (int k = 0; k < 41; ++k)
-  {
-    for (int j = 0; j < 41; ++j)
+  ForEachVoxel(geometry,
+    [&](int i, int j, int k)
     {
-      for (int i = 0; i < 41; ++i)
+      const int from = std::max({ std::abs(i - 20), std::abs(j - 20), std::abs(k - 20) });
+      if (from < 14 || (from < 16 && random() % 2 == 0))
       {
-        const int from = std::max({ std::abs(i - 20), std::abs(j - 20), std::abs(k - 20) });
-        if (from < 14 || (from < 16 && random() % 2 == 0))
-        {
-          foreground.Insert(i, j, k);
-        }
+        foreground.Insert(i, j, k);
       }
-    }
-  }
+    });
   const std::vector<float> edges(geometry.NumberOfVoxels(), 0);
   TargetSettings settings;
   settings.Correspondence.SearchDistance = 16;
