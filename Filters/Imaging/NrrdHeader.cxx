@@ -46,15 +46,20 @@ struct Header
 };
 
 /// ITK's NRRD reader overruns a buffer when it reports some lines that it cannot parse, so that
-/// only headers that look like one reach it: lines of text with a colon, comments, and a blank line
-/// last.
+/// only headers that look like one reach it: short lines of text with a colon, comments and pairs
+/// of a user's own, and a blank line last.
 bool LooksLikeField(const std::string& line)
 {
   constexpr std::size_t longestName = 200;
-  constexpr std::size_t longestLine = 10000;
+  constexpr std::size_t longestField = 500;
+  constexpr std::size_t longestPair = 10000; // which is not parsed
   const bool isText = std::none_of(line.begin(), line.end(),
     [](char letter) { return static_cast<unsigned char>(letter) < ' ' && letter != '\t'; });
-  return isText && line.size() < longestLine && (line[0] == '#' || line.find(':') < longestName);
+  const std::size_t colon = line.find(':');
+  const bool isFree =
+    line[0] == '#' || (colon != std::string::npos && line.compare(colon, 2, ":=") == 0);
+  return isText && line.size() < (isFree ? longestPair : longestField) &&
+    (line[0] == '#' || colon < longestName);
 }
 
 bool IsList(const TextFields& fields)
@@ -92,8 +97,7 @@ Header ReadHeader(const std::string& name)
         "The header of '" + name + "' is not NRRD to its end: the file is damaged. Get it anew.");
     }
     const std::size_t colon = line.find(':');
-    const bool isPair = line.compare(colon, 2, ":=") == 0; // of a user's own
-    if (line[0] != '#' && !isPair)
+    if (line[0] != '#' && line.compare(colon, 2, ":=") != 0) // a pair of a user's own
     {
       header.Fields.Add(FieldOf(line.substr(0, colon)), Trimmed(line.substr(colon + 1)));
     }

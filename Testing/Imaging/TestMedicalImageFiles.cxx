@@ -556,9 +556,12 @@ TEST(TestMedicalImageFiles, NrrdFieldsAreJudgedOneByOne)
   refuse(space + "space directions: 1,0,0", "parentheses");
   refuse(space + "space directions: (1,0,0) (0,1,0) (0,0,1)\nspace origin: (0,0,3e200)",
     "space origin");
+  refuse(good + "kinds: domain " + std::string(5000, '4'), "not NRRD to its end");
   refuse(good + "line skip: 1", "fewer voxels");
   refuse(good + "byte skip: -2", "byte skip is -2");
   refuse(good + "byte skip: 1", "fewer voxels");
+  write(good + "# " + std::string(5000, '4') + "\nnotes:=" + std::string(5000, '4'));
+  EXPECT_EQ(Read(folder / "image.nrrd")->GetNumberOfPoints(), 120);
   write(good + "byte skip: -1");
   EXPECT_EQ(Read(folder / "image.nrrd")->GetNumberOfPoints(), 120);
   for (const std::string file : { "/dev/zero", "missing.raw", ".", "slice%s.raw 1 6 1",
