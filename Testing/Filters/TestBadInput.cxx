@@ -55,6 +55,7 @@ vtkSmartPointer<vtkFlipFreeSegmentation> MakeSegmentation()
   auto filter = MakeSeeded<vtkFlipFreeSegmentation>();
   filter->SetResolution(8);
   filter->SetLevels(2);
+  filter->SetMaximumIterations(3);
   return filter;
 }
 
@@ -115,6 +116,7 @@ vtkSmartPointer<vtkSegmentationMetrics> MakeMetrics()
   auto filter = vtkSmartPointer<vtkSegmentationMetrics>::New();
   filter->SetInputData(StartSphere());
   filter->SetReferenceData(SphereImage());
+  filter->SetSampleSpacing(10);
   return filter;
 }
 

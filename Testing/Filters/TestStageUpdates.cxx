@@ -1,5 +1,6 @@
 // What the stages keep between updates does not show in their results.
 #include "BadInput.h"
+#include "DataValues.h"
 #include "ProgressWatch.h"
 
 #include "vtkCorrespondenceSearch.h"
@@ -19,16 +20,6 @@ using namespace FlipFree;
 namespace
 {
 
-std::vector<double> ValuesOf(vtkDataArray* array)
-{
-  std::vector<double> values;
-  for (vtkIdType value = 0; value < array->GetNumberOfValues(); ++value)
-  {
-    values.push_back(array->GetVariantValue(value).ToDouble());
-  }
-  return values;
-}
-
 struct Stages
 {
   Stages(vtkPolyData* surface, vtkImageData* feature)
@@ -47,7 +38,7 @@ struct Stages
   std::vector<double> Points()
   {
     this->Deform->Update();
-    return ValuesOf(this->Deform->GetOutput()->GetPoints()->GetData());
+    return PointsOf(this->Deform->GetOutput());
   }
 
   vtkNew<vtkCorrespondenceSearch> Search;

@@ -11,13 +11,30 @@
 #include "vtkGMMFeatureFilter.h"
 #include "vtkPhantomSource.h"
 
-#include "vtkNew.h"
+#include "vtkSmartPointer.h"
 
 #include <stdexcept>
 #include <string>
 
 namespace FlipFree
 {
+
+/// The abdomen in large voxels, made once for all tests of a process, and without partial volume,
+/// which under sanitizers would take longer than the tests themselves.
+inline vtkPhantomSource* CoarseAbdomen()
+{
+  static const auto abdomen = []
+  {
+    auto phantom = vtkSmartPointer<vtkPhantomSource>::New();
+    phantom->SetShapeToAbdomen();
+    phantom->SetDimensions(110, 85, 45);
+    phantom->SetSpacing(3, 3, 6);
+    phantom->PartialVolumeOff();
+    phantom->Update();
+    return phantom;
+  }();
+  return abdomen;
+}
 
 /// Starts from the phantom's own seed in an object.
 inline void StartInside(vtkFlipFreeSegmentation* filter, vtkPhantomSource* phantom, int label)
