@@ -68,12 +68,12 @@ private:
 inline void RequireEmbedded(const ContourMesh& mesh, const PointList& points,
   const std::string& name)
 {
-  const auto pairs = FindSelfIntersections(points, mesh.Triangles);
+  const auto pairs = FindSelfIntersections(points, mesh.Faces);
   if (!pairs.empty())
   {
     throw std::invalid_argument(name + " intersects itself in " + std::to_string(pairs.size()) +
-      " pairs of triangles, the first near " +
-      TextOf(points.row(mesh.Triangles(pairs[0].first, 0))) +
+      " pairs of faces, for some way to cut them into triangles, the first near " +
+      TextOf(points.row(mesh.Faces.Face(pairs[0].first)[0])) +
       " mm; start from an embedded surface, or switch Guard (of a refinement: Check) off");
   }
   RequireOutward(points, mesh.Triangles, name);

@@ -13,6 +13,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <initializer_list>
+#include <vector>
 
 namespace FlipFree
 {
@@ -22,6 +24,23 @@ using PointList = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>;
 
 /// One row per triangle: the indices of its three points, counter-clockwise seen from outside.
 using TriangleList = Eigen::Matrix<int, Eigen::Dynamic, 3, Eigen::RowMajor>;
+
+/// Polygons as in vtkCellArray: face f has the vertices Connectivity[Offsets[f]] up to, not
+/// including, Connectivity[Offsets[f + 1]], counter-clockwise seen from outside.
+struct FaceList
+{
+  std::vector<int> Offsets{ 0 };
+  std::vector<int> Connectivity;
+
+  int NumberOfFaces() const { return static_cast<int>(this->Offsets.size()) - 1; }
+  int FaceSize(int face) const { return this->Offsets[face + 1] - this->Offsets[face]; }
+  const int* Face(int face) const { return this->Connectivity.data() + this->Offsets[face]; }
+  void Append(std::initializer_list<int> face)
+  {
+    this->Connectivity.insert(this->Connectivity.end(), face);
+    this->Offsets.push_back(static_cast<int>(this->Connectivity.size()));
+  }
+};
 
 /// A voxel grid in physical space. `Direction` holds the grid's unit axes in its columns; it may be
 /// permuted, oblique, left-handed, or sheared (axes not at right angles: tilted gantries).

@@ -25,9 +25,8 @@ int main(int argc, char* argv[])
       reader->SetFileName(argv[argument]);
       reader->Update();
       const auto surface = FlipFree::SurfaceOf(reader->GetOutput(), "the surface");
-      const std::ptrdiff_t ours =
-        FlipFree::CountSelfIntersections(surface.Points, surface.Triangles);
-      const auto others = FlipFree::FindWithCGAL(surface.Points, surface.Triangles);
+      const std::ptrdiff_t ours = FlipFree::CountSelfIntersections(surface.Points, surface.Faces);
+      const auto others = FlipFree::FindWithCGAL(surface.Points, surface.Faces);
       const auto theirs = static_cast<std::ptrdiff_t>(others.size());
       std::printf("| %s | %td | %td | %td |\n", argv[argument],
         static_cast<std::ptrdiff_t>(surface.Triangles.rows()), ours, theirs);

@@ -47,7 +47,7 @@ double Now()
 PointList Try(const TestSphere& sphere, const EmbeddingGuard& guard, const PointList& points,
   const PointList& wanted, std::mt19937& random, Tally& tally)
 {
-  const TriangleList& triangles = sphere.Triangles();
+  const FaceList& faces = sphere.Faces();
   PointList displacements = wanted;
   const double begin = Now();
   guard.Limit(points, displacements, SerialFor, NeverStop);
@@ -56,11 +56,11 @@ PointList Try(const TestSphere& sphere, const EmbeddingGuard& guard, const Point
   tally.GuardedMotions += displacements != wanted;
   tally.Kept += wanted.isZero(0) ? 1 : displacements.norm() / wanted.norm();
   PointList after = points + displacements;
-  tally.Intersections += CountSelfIntersections(after, triangles);
-  tally.IntersectionsByCGAL += static_cast<std::ptrdiff_t>(FindWithCGAL(after, triangles).size());
+  tally.Intersections += CountSelfIntersections(after, faces);
+  tally.IntersectionsByCGAL += static_cast<std::ptrdiff_t>(FindWithCGAL(after, faces).size());
   tally.FlippedCorners += CountFlippedCorners(sphere.Mesh, points, after);
   const double time = std::uniform_real_distribution<double>(0.0, 1.0)(random);
-  tally.IntersectionsOnTheWay += CountSelfIntersections(points + time * displacements, triangles);
+  tally.IntersectionsOnTheWay += CountSelfIntersections(points + time * displacements, faces);
   return after;
 }
 

@@ -1,5 +1,6 @@
 /**
- * Self-intersections as CGAL finds them: the second implementation that ours is compared with.
+ * Self-intersections as CGAL finds them, for all ways to cut quads into triangles: the second
+ * implementation that ours is compared with.
  */
 #ifndef FlipFreeFindWithCGAL_h
 #define FlipFreeFindWithCGAL_h
@@ -11,6 +12,7 @@
 #include <CGAL/Surface_mesh.h>
 
 #include <algorithm>
+#include <functional>
 #include <iterator>
 #include <utility>
 #include <vector>
@@ -20,8 +22,10 @@ namespace FlipFree
 
 using PairList = std::vector<std::pair<int, int>>;
 
-/// All pairs, each with the lesser index first, sorted.
-inline PairList FindWithCGAL(const PointList& points, const TriangleList& triangles)
+/// Appends the pairs of faces, of at most four corners, that intersect if the quads for which
+/// otherDiagonal(face) holds are cut from their second corner and the others from their first.
+inline void AppendWithCGAL(const PointList& points, const FaceList& faces,
+  const std::function<bool(int face)>& otherDiagonal, PairList& pairs)
 {
   using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
   using Surface = CGAL::Surface_mesh<Kernel::Point_3>;
@@ -30,21 +34,47 @@ inline PairList FindWithCGAL(const PointList& points, const TriangleList& triang
   {
     surface.add_vertex(Kernel::Point_3(points(point, 0), points(point, 1), points(point, 2)));
   }
-  for (Eigen::Index row = 0; row < triangles.rows(); ++row)
+  std::vector<int> faceOf;
+  for (int face = 0; face < faces.NumberOfFaces(); ++face)
   {
-    surface.add_face(Surface::Vertex_index(triangles(row, 0)),
-      Surface::Vertex_index(triangles(row, 1)), Surface::Vertex_index(triangles(row, 2)));
+    const int size = faces.FaceSize(face);
+    const int first = size == 4 && otherDiagonal(face) ? 1 : 0;
+    const auto at = [&](int corner)
+    { return Surface::Vertex_index(faces.Face(face)[(first + corner) % size]); };
+    for (int corner = 2; corner < size; ++corner)
+    {
+      surface.add_face(at(0), at(corner - 1), at(corner));
+      faceOf.push_back(face);
+    }
   }
   std::vector<std::pair<Surface::Face_index, Surface::Face_index>> found;
   CGAL::Polygon_mesh_processing::self_intersections(surface, std::back_inserter(found));
-  PairList pairs;
   for (const auto& pair : found)
   {
-    const int one = static_cast<int>(pair.first);
-    const int two = static_cast<int>(pair.second);
-    pairs.emplace_back(std::min(one, two), std::max(one, two));
+    pairs.push_back(std::minmax({ faceOf[pair.first], faceOf[pair.second] }));
+  }
+}
+
+/// All pairs of faces that some cuts make intersect, each with the lesser index first, sorted. For
+/// any two faces, each combination of their diagonals is in one of the surfaces that are tested:
+/// all cut alike, or by a bit of their index, or by its opposite.
+inline PairList FindWithCGAL(const PointList& points, const FaceList& faces)
+{
+  PairList pairs;
+  AppendWithCGAL(
+    points, faces, [](int) { return false; }, pairs);
+  AppendWithCGAL(
+    points, faces, [](int) { return true; }, pairs);
+  for (int bit = 0; faces.NumberOfFaces() - 1 >> bit > 0; ++bit)
+  {
+    for (int value : { 0, 1 })
+    {
+      AppendWithCGAL(
+        points, faces, [&](int face) { return (face >> bit & 1) == value; }, pairs);
+    }
   }
   std::sort(pairs.begin(), pairs.end());
+  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
   return pairs;
 }
 

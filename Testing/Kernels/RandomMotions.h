@@ -22,6 +22,7 @@ struct TestSphere
   }
   const PointList& Points() const { return this->Sphere.Points; }
   const TriangleList& Triangles() const { return this->Mesh.Triangles; }
+  const FaceList& Faces() const { return this->Mesh.Faces; }
 
   QuadSphere Sphere;
   ContourMesh Mesh;
@@ -51,26 +52,6 @@ struct TestTorus
       }
     }
     this->Mesh = BuildContourMesh(around * across, faces);
-  }
-
-  PointList Points;
-  ContourMesh Mesh;
-};
-
-/// The torus of Csaszar: seven vertices, every two of them joined by an edge of its 14 triangles,
-/// so that all triangles have common vertices.
-struct SevenVertexTorus
-{
-  SevenVertexTorus()
-    : Points(7, 3)
-  {
-    FaceList faces;
-    for (int i = 0; i < 7; ++i)
-    {
-      faces.Append({ i, (i + 1) % 7, (i + 3) % 7, (i + 2) % 7 });
-    }
-    this->Mesh = BuildContourMesh(7, faces);
-    this->Points << 3, -3, 0, -3, 3, 0, -1, -2, 3, 3, 3, 1, 0, 0, 15, -3, -3, 1, 1, 2, 3;
   }
 
   PointList Points;

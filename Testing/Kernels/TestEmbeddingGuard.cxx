@@ -27,7 +27,7 @@ PointList Outward(const TestSphere& sphere)
 void ExpectValid(const ContourMesh& mesh, const PointList& before, const PointList& displacements)
 {
   const PointList after = before + displacements;
-  EXPECT_EQ(CountSelfIntersections(after, mesh.Triangles), 0);
+  EXPECT_EQ(CountSelfIntersections(after, mesh.Faces), 0);
   EXPECT_EQ(CountFlippedCorners(mesh, before, after), 0);
 }
 
@@ -37,52 +37,35 @@ void ExpectValidAllTheWay(const ContourMesh& mesh, const PointList& before,
   for (int step = 1; step < 16; ++step)
   {
     const PointList between = before + step / 16.0 * displacements;
-    EXPECT_EQ(CountSelfIntersections(between, mesh.Triangles), 0) << "time " << step / 16.0;
+    EXPECT_EQ(CountSelfIntersections(between, mesh.Faces), 0) << "time " << step / 16.0;
     EXPECT_EQ(CountFlippedCorners(mesh, before, between), 0) << "time " << step / 16.0;
   }
   ExpectValid(mesh, before, displacements);
 }
 
-// The least distance of a vertex and a triangle without it, and of two edges without common vertex.
+// The least distance of what must stay apart, pair by pair.
 double MinimumGap(const ContourMesh& mesh, const PointList& points)
 {
-  using Eigen::Vector3d;
-  const auto at = [&](int vertex) -> Vector3d { return points.row(vertex); };
-  double least = std::numeric_limits<double>::infinity();
-  const TriangleList& triangles = mesh.Triangles;
-  for (Eigen::Index row = 0; row < triangles.rows(); ++row)
+  const FaceHulls hulls(points, mesh.Faces);
+  const auto cornersOf = [&](const Hull& hull)
   {
-    const int a = triangles(row, 0);
-    const int b = triangles(row, 1);
-    const int c = triangles(row, 2);
-    for (int vertex = 0; vertex < points.rows(); ++vertex)
+    return HullCorners{ { points.row(hull[0]), points.row(hull[1]), points.row(hull[2]),
+      points.row(hull[3]) } };
+  };
+  const auto distanceOf = [&](const Hull& one, const Hull& two)
+  { return ProvenDistance(cornersOf(one), cornersOf(two)); };
+  double least = std::numeric_limits<double>::infinity();
+  for (const HullPair& pair : hulls.AdjacentPairs())
+  {
+    least = std::min(least, distanceOf(pair.One, pair.Two));
+  }
+  for (int one = 0; one < hulls.NumberOfHulls(); ++one)
+  {
+    for (int two = one + 1; two < hulls.NumberOfHulls(); ++two)
     {
-      if (vertex != a && vertex != b && vertex != c)
+      if (hulls.AreDisjoint(one, two))
       {
-        least = std::min(least,
-          ClosestDirection(std::array<Vector3d, 1>{ { at(vertex) } },
-            std::array<Vector3d, 3>{ { at(a), at(b), at(c) } })
-            .norm());
-      }
-    }
-    for (int corner = 0; corner < 3; ++corner)
-    {
-      const int p = triangles(row, corner);
-      const int q = triangles(row, (corner + 1) % 3);
-      for (Eigen::Index other = row + 1; other < triangles.rows(); ++other)
-      {
-        for (int otherCorner = 0; otherCorner < 3; ++otherCorner)
-        {
-          const int r = triangles(other, otherCorner);
-          const int s = triangles(other, (otherCorner + 1) % 3);
-          if (p != r && p != s && q != r && q != s)
-          {
-            least = std::min(least,
-              ClosestDirection(std::array<Vector3d, 2>{ { at(p), at(q) } },
-                std::array<Vector3d, 2>{ { at(r), at(s) } })
-                .norm());
-          }
-        }
+        least = std::min(least, distanceOf(hulls.HullAt(one), hulls.HullAt(two)));
       }
     }
   }
@@ -176,7 +159,8 @@ TEST(EmbeddingGuard, LeavesValidMotionsAlone)
     {
       PointList displacements = motion;
       const GuardReport report = guard.Limit(sphere.Points(), displacements, SerialFor, NeverStop);
-      EXPECT_EQ(displacements, motion);
+      // But for the rounding to single precision.
+      EXPECT_LT((displacements - motion).cwiseAbs().maxCoeff(), 1e-4);
       EXPECT_EQ(report.Guarded, 0);
       EXPECT_EQ(report.Passes, 1);
     }
@@ -263,8 +247,6 @@ TEST(EmbeddingGuard, SmallToriEndEmbedded)
       check(torus.Points, torus.Mesh, 15.0);
     }
   }
-  const SevenVertexTorus seven;
-  check(seven.Points, seven.Mesh, 2.0);
 }
 
 // One step after the other, from ever worse surfaces.
@@ -309,6 +291,34 @@ TEST(EmbeddingGuard, KeepsTheGap)
   }
 }
 
+// A file of single precision holds the very surface that was certified, vertices that are slowed
+// down included; where its numbers are too coarse, positions are left as they are.
+TEST(EmbeddingGuard, MovedVerticesEndAtSinglePrecision)
+{
+  std::mt19937 random(10);
+  const TestSphere sphere(6);
+  const EmbeddingGuard guard(sphere.Mesh);
+  for (double far : { 0.0, 1e3, 1e9 })
+  {
+    for (int kind = 0; kind < NumberOfAdverseMotions; ++kind)
+    {
+      const PointList from = sphere.Points().array() + far;
+      PointList displacements = AdverseMotion(kind, sphere.EdgeLength, from, random);
+      guard.Limit(from, displacements, SerialFor, NeverStop);
+      const PointList to = from + displacements;
+      for (Eigen::Index vertex = 0; vertex < to.rows(); ++vertex)
+      {
+        const bool isRounded = to.row(vertex) == to.row(vertex).cast<float>().cast<double>();
+        ASSERT_TRUE(far > 1e6 || isRounded || to.row(vertex) == from.row(vertex)) << kind;
+      }
+      if (far > 1e6)
+      {
+        EXPECT_TRUE(displacements.isZero(0) || to != PointList(to.cast<float>().cast<double>()));
+      }
+    }
+  }
+}
+
 // Sheets that lie nearer than the gap from the start: they may move, but not towards each other.
 TEST(EmbeddingGuard, ThinSurfaces)
 {
@@ -322,7 +332,7 @@ TEST(EmbeddingGuard, ThinSurfaces)
     const Eigen::Matrix3d turn =
       Eigen::AngleAxisd(0.7, Eigen::Vector3d(3, 1, 2).normalized()).toRotationMatrix();
     points = points * turn.transpose();
-    if (CountSelfIntersections(points, sphere.Triangles()) > 0)
+    if (CountSelfIntersections(points, sphere.Faces()) > 0)
     {
       EXPECT_LT(thickness, 1e-11); // rounding closed it
       continue;
@@ -338,7 +348,7 @@ TEST(EmbeddingGuard, ThinSurfaces)
     }
     PointList apart = Outward(sphere).col(2) * turn.col(2).transpose();
     guard.Limit(points, apart, SerialFor, NeverStop);
-    EXPECT_EQ(CountSelfIntersections(points + apart, sphere.Triangles()), 0);
+    EXPECT_EQ(CountSelfIntersections(points + apart, sphere.Faces()), 0);
   }
 }
 
@@ -447,7 +457,7 @@ TEST(EmbeddingGuard, RefusesAStartThatIntersectsItself)
   PointList crossed = sphere.Points();
   crossed.row(5) += 3 * (Center - crossed.row(5));
   const std::string message = MessageOf([&] { guard.RequireEmbedded(crossed, SerialFor); });
-  EXPECT_NE(message.find("pairs of triangles"), std::string::npos) << message;
+  EXPECT_NE(message.find("pairs of faces"), std::string::npos) << message;
   EXPECT_NE(message.find("start from"), std::string::npos) << message;
 
   // A step cannot be certified there, and says why.
@@ -466,7 +476,7 @@ TEST(EmbeddingGuard, RefusesAStartThatIntersectsItselfWhereCornersStopTheMotion)
   const Eigen::RowVector3d center = points.colwise().mean();
   const int vertex = 20;
   points.row(vertex) = center - 1.3 * (points.row(vertex) - center);
-  ASSERT_GT(CountSelfIntersections(points, sphere.Triangles()), 0);
+  ASSERT_GT(CountSelfIntersections(points, sphere.Faces()), 0);
   for (double length : { 1.0, 3000.0, 6000.0 })
   {
     for (int direction = 0; direction < 6; ++direction)

@@ -114,7 +114,7 @@ TEST(MeshRefinement, StaysEmbeddedAndOriented)
     {
       const PointList points = RefinePoints(sphere.Mesh, sphere.Points(), reach);
       ASSERT_EQ(points.rows(), mesh.NumberOfPoints());
-      EXPECT_EQ(CountSelfIntersections(points, mesh.Triangles), 0) << n << " " << reach;
+      EXPECT_EQ(CountSelfIntersections(points, mesh.Faces), 0) << n << " " << reach;
       // It cuts corners off.
       EXPECT_LT(EnclosedVolume({ points, mesh.Triangles }), volume);
       EXPECT_GT(EnclosedVolume({ points, mesh.Triangles }), (1 - 0.7 * reach) * volume);
@@ -139,7 +139,7 @@ TEST(MeshRefinement, OtherMeshesKeepTheirGenus)
     EXPECT_EQ(refined.EulerNumber(), 0);
     EXPECT_EQ(refined.NumberOfPoints(), 4 * mesh->NumberOfPoints());
     const PointList fine = RefinePoints(*mesh, *points, 1.0);
-    EXPECT_EQ(CountSelfIntersections(fine, refined.Triangles), 0);
+    EXPECT_EQ(CountSelfIntersections(fine, refined.Faces), 0);
     const double volume = 2 * EIGEN_PI * EIGEN_PI * 10 * 16;
     EXPECT_NEAR(EnclosedVolume({ fine, refined.Triangles }), volume, 0.2 * volume);
   }

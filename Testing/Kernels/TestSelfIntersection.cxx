@@ -1,5 +1,6 @@
+#include "Geometry/HullIntersection.h"
 #include "Geometry/SelfIntersection.h"
-#include "Geometry/TriangleIntersection.h"
+#include "Mesh/SurfaceTopology.h"
 #include "RandomMotions.h"
 
 #include <gtest/gtest.h>
@@ -15,14 +16,87 @@ namespace
 
 using PairList = std::vector<std::pair<int, int>>;
 
-PairList BruteForce(const PointList& points, const TriangleList& triangles)
+using Corners = std::vector<int>;
+
+bool Meet(const PointList& points, const Corners& one, const Corners& two)
+{
+  const auto hullOf = [](const Corners& corners)
+  {
+    const auto at = [&](std::size_t i) { return corners[std::min(i, corners.size() - 1)]; };
+    return Hull{ { at(0), at(1), at(2), at(3) } };
+  };
+  const bool result = HullsMeet(points, hullOf(one), hullOf(two));
+  EXPECT_EQ(HullsMeet(points, hullOf(two), hullOf(one)), result);
+  return result;
+}
+
+// Whether two triangles have more in common than the hull of their common vertices: then parts of
+// them without a common vertex meet.
+bool TrianglesIntersect(const PointList& points, const Corners& one, const Corners& two)
+{
+  Corners common;
+  Corners alone;
+  for (int vertex : one)
+  {
+    (std::find(two.begin(), two.end(), vertex) != two.end() ? common : alone).push_back(vertex);
+  }
+  for (unsigned int subset = 0; subset < 1U << common.size(); ++subset)
+  {
+    Corners first = alone;
+    Corners second = two;
+    for (std::size_t i = 0; i < common.size(); ++i)
+    {
+      if ((subset >> i & 1U) != 0)
+      {
+        first.push_back(common[i]);
+        second.erase(std::find(second.begin(), second.end(), common[i]));
+      }
+    }
+    if (!first.empty() && !second.empty() && Meet(points, first, second))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+// The triangles of a quad by either diagonal, or the triangle itself.
+std::vector<std::array<Corners, 2>> CutsOf(const FaceList& faces, int face)
+{
+  const int* const v = faces.Face(face);
+  if (faces.FaceSize(face) == 3)
+  {
+    return { { { { v[0], v[1], v[2] }, { v[0], v[1], v[2] } } } };
+  }
+  return { { { { v[0], v[1], v[2] }, { v[0], v[2], v[3] } } },
+    { { { v[1], v[2], v[3] }, { v[1], v[3], v[0] } } } };
+}
+
+// From the definition: all cuts of all pairs of faces.
+PairList BruteForce(const PointList& points, const FaceList& faces)
 {
   PairList pairs;
-  for (int one = 0; one < triangles.rows(); ++one)
+  for (int one = 0; one < faces.NumberOfFaces(); ++one)
   {
-    for (int two = one + 1; two < triangles.rows(); ++two)
+    for (int two = one; two < faces.NumberOfFaces(); ++two)
     {
-      if (TrianglesIntersect(points, triangles, one, two))
+      bool intersect = false;
+      for (const auto& cut : CutsOf(faces, one))
+      {
+        if (one == two)
+        {
+          intersect = intersect || (cut[0] != cut[1] && TrianglesIntersect(points, cut[0], cut[1]));
+          continue;
+        }
+        for (const auto& other : CutsOf(faces, two))
+        {
+          for (int pair = 0; pair < 4; ++pair)
+          {
+            intersect = intersect || TrianglesIntersect(points, cut[pair / 2], other[pair % 2]);
+          }
+        }
+      }
+      if (intersect)
       {
         pairs.emplace_back(one, two);
       }
@@ -31,8 +105,9 @@ PairList BruteForce(const PointList& points, const TriangleList& triangles)
   return pairs;
 }
 
-bool Intersect(std::initializer_list<std::array<double, 3>> positions,
-  const TriangleList& triangles)
+using Positions = std::initializer_list<std::array<double, 3>>;
+
+PointList PointsAt(const Positions& positions)
 {
   PointList points(static_cast<Eigen::Index>(positions.size()), 3);
   Eigen::Index row = 0;
@@ -40,8 +115,15 @@ bool Intersect(std::initializer_list<std::array<double, 3>> positions,
   {
     points.row(row++) << position[0], position[1], position[2];
   }
-  const bool result = TrianglesIntersect(points, triangles, 0, 1);
-  EXPECT_EQ(TrianglesIntersect(points, triangles, 1, 0), result);
+  return points;
+}
+
+bool Intersect(const Positions& positions, const TriangleList& triangles)
+{
+  const PointList points = PointsAt(positions);
+  const FaceList faces = FacesOf(triangles);
+  const bool result = CountSelfIntersections(points, faces) > 0;
+  EXPECT_EQ(!BruteForce(points, faces).empty(), result);
   return result;
 }
 
@@ -122,14 +204,38 @@ TEST(TriangleIntersection, WithASharedEdge)
 
 TEST(TriangleIntersection, WithoutArea)
 {
-  const TriangleList separate = Pair({ 0, 1, 2 }, { 3, 4, 5 });
+  const auto meet = [](const Positions& positions) {
+    return Meet(PointsAt(positions), { 0, 1, 2 }, { 3, 4, 5 });
+  };
   // A segment through a triangle, a segment beside it, a point in it.
-  EXPECT_TRUE(Intersect(
-    { { 0, 0, 0 }, { 4, 0, 0 }, { 0, 4, 0 }, { 1, 1, -1 }, { 1, 1, 2 }, { 1, 1, 1 } }, separate));
-  EXPECT_FALSE(Intersect(
-    { { 0, 0, 0 }, { 4, 0, 0 }, { 0, 4, 0 }, { 3, 3, -1 }, { 3, 3, 2 }, { 3, 3, 1 } }, separate));
-  EXPECT_TRUE(Intersect(
-    { { 0, 0, 0 }, { 4, 0, 0 }, { 0, 4, 0 }, { 1, 1, 0 }, { 1, 1, 0 }, { 1, 1, 0 } }, separate));
+  EXPECT_TRUE(
+    meet({ { 0, 0, 0 }, { 4, 0, 0 }, { 0, 4, 0 }, { 1, 1, -1 }, { 1, 1, 2 }, { 1, 1, 1 } }));
+  EXPECT_FALSE(
+    meet({ { 0, 0, 0 }, { 4, 0, 0 }, { 0, 4, 0 }, { 3, 3, -1 }, { 3, 3, 2 }, { 3, 3, 1 } }));
+  EXPECT_TRUE(
+    meet({ { 0, 0, 0 }, { 4, 0, 0 }, { 0, 4, 0 }, { 1, 1, 0 }, { 1, 1, 0 }, { 1, 1, 0 } }));
+  // Two segments: crossing, skew, in one plane but beside each other, on one line.
+  EXPECT_TRUE(
+    meet({ { 0, 0, 0 }, { 4, 0, 0 }, { 4, 0, 0 }, { 1, -1, 0 }, { 1, 1, 0 }, { 1, 1, 0 } }));
+  EXPECT_FALSE(
+    meet({ { 0, 0, 0 }, { 4, 0, 0 }, { 4, 0, 0 }, { 1, -1, 1 }, { 1, 1, 1 }, { 1, 1, 1 } }));
+  EXPECT_FALSE(
+    meet({ { 0, 0, 0 }, { 4, 0, 0 }, { 4, 0, 0 }, { 1, 1, 0 }, { 1, 2, 0 }, { 1, 2, 0 } }));
+  EXPECT_TRUE(
+    meet({ { 0, 0, 0 }, { 4, 0, 0 }, { 4, 0, 0 }, { 3, 0, 0 }, { 5, 0, 0 }, { 6, 0, 0 } }));
+  EXPECT_FALSE(
+    meet({ { 0, 0, 0 }, { 4, 0, 0 }, { 4, 0, 0 }, { 5, 0, 0 }, { 6, 0, 0 }, { 7, 0, 0 } }));
+}
+
+// The triangle by itself is enough to tell.
+TEST(SelfIntersection, ATriangleWithoutAreaIsNamed)
+{
+  const PairList itself{ { 0, 0 } };
+  TriangleList triangle(1, 3);
+  triangle << 0, 1, 2;
+  EXPECT_EQ(
+    FindSelfIntersections(PointsAt({ { 0, 0, 0 }, { 3, 3, 3 }, { 1, 1, 1 } }), FacesOf(triangle)),
+    itself);
 }
 
 TEST(SelfIntersection, EmbeddedSurfacesHaveNone)
@@ -140,24 +246,24 @@ TEST(SelfIntersection, EmbeddedSurfacesHaveNone)
       { QuadSphereSpacing::Equiangular, QuadSphereSpacing::Radial, QuadSphereSpacing::Cube })
     {
       const TestSphere sphere(n, spacing);
-      EXPECT_EQ(CountSelfIntersections(sphere.Points(), sphere.Triangles()), 0) << "n " << n;
+      EXPECT_EQ(CountSelfIntersections(sphere.Points(), sphere.Faces()), 0) << "n " << n;
     }
   }
-  EXPECT_EQ(CountSelfIntersections(PointList(0, 3), TriangleList(0, 3)), 0);
+  EXPECT_EQ(CountSelfIntersections(PointList(0, 3), FaceList()), 0);
 }
 
 TEST(SelfIntersection, TreeFindsWhatBruteForceFinds)
 {
   std::mt19937 random(4);
   std::size_t total = 0;
-  for (int repeat = 0; repeat < 2000; ++repeat)
+  for (int repeat = 0; repeat < 300; ++repeat)
   {
     const TestSphere sphere(1 + repeat % 4);
     const double noise = 0.3 + 0.2 * (repeat % 7);
     const PointList points =
       sphere.Points() + WhiteNoise(sphere.Points().rows(), noise * sphere.EdgeLength, random);
-    const PairList expected = BruteForce(points, sphere.Triangles());
-    ASSERT_EQ(FindSelfIntersections(points, sphere.Triangles()), expected) << "mesh " << repeat;
+    const PairList expected = BruteForce(points, sphere.Faces());
+    ASSERT_EQ(FindSelfIntersections(points, sphere.Faces()), expected) << "mesh " << repeat;
     total += expected.size();
   }
   EXPECT_GT(total, 10000u);
@@ -167,17 +273,16 @@ TEST(SelfIntersection, AnyTreeAndAnyNumberOfThreadsGivesTheSame)
 {
   std::mt19937 random(5);
   const TestSphere sphere(12);
-  const TriangleTree tree(
-    TriangleTree::TopologicalLayout(sphere.Mesh.NumberOfPoints(), sphere.Triangles()),
-    sphere.Triangles());
-  EXPECT_EQ(tree.NumberOfTriangles(), sphere.Triangles().rows());
+  const FaceHulls hulls(
+    TriangleTree::TopologicalLayout(sphere.Mesh.NumberOfPoints(), sphere.Faces()), sphere.Faces());
+  EXPECT_EQ(hulls.Tree().NumberOfElements(), sphere.Faces().NumberOfFaces());
   for (double noise : { 0.0, 0.6, 2.0 })
   {
     const PointList points =
       sphere.Points() + WhiteNoise(sphere.Points().rows(), noise * sphere.EdgeLength, random);
-    const PairList expected = FindSelfIntersections(points, sphere.Triangles());
-    EXPECT_EQ(FindSelfIntersections(tree, points, sphere.Triangles(), SerialFor), expected);
-    EXPECT_EQ(FindSelfIntersections(tree, points, sphere.Triangles(), TwoThreads), expected);
+    const PairList expected = FindSelfIntersections(points, sphere.Faces());
+    EXPECT_EQ(FindSelfIntersections(points, hulls), expected);
+    EXPECT_EQ(FindSelfIntersections(points, hulls, TwoThreads), expected);
   }
 }
 
@@ -189,14 +294,14 @@ TEST(SelfIntersection, CollapsedSurfacesDoNotHide)
   {
     PointList points = sphere.Points();
     points.rightCols(3 - keptAxes).setZero();
-    const PairList pairs = FindSelfIntersections(points, sphere.Triangles());
+    const PairList pairs = FindSelfIntersections(points, sphere.Faces());
     std::set<int> involved;
     for (const auto& pair : pairs)
     {
       involved.insert(pair.first);
       involved.insert(pair.second);
     }
-    EXPECT_EQ(static_cast<Eigen::Index>(involved.size()), sphere.Triangles().rows());
+    EXPECT_EQ(static_cast<int>(involved.size()), sphere.Faces().NumberOfFaces());
   }
 }
 

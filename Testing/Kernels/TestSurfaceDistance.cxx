@@ -39,8 +39,8 @@ double BruteForceDistance(const Eigen::Vector3d& point, const Surface& surface)
     const auto corner = [&](int which) -> Eigen::Vector3d
     { return surface.Points.row(surface.Triangles(triangle, which)); };
     least = std::min(least,
-      ClosestDirection(std::array<Eigen::Vector3d, 1>{ { point } },
-        std::array<Eigen::Vector3d, 3>{ { corner(0), corner(1), corner(2) } })
+      ClosestDirection({ { point, point, point, point } },
+        { { corner(0), corner(1), corner(2), corner(2) } })
         .norm());
   }
   return least;

@@ -16,7 +16,8 @@ namespace
 
 double MinimumGapOf(const Surface& surface)
 {
-  return MeasureMinimumGap(surface.Points, surface.Triangles, ScatteredFor);
+  return MeasureMinimumGap(surface.Points, FaceHulls(surface.Points, FacesOf(surface.Triangles)),
+    ScatteredFor);
 }
 
 bool ShareVertex(const Surface& surface, int one, int two)
@@ -60,7 +61,7 @@ TEST(SurfaceGap, IsThatOfBruteForce)
   {
     const auto corner = [&](int which) -> Eigen::Vector3d
     { return potato.Points.row(potato.Triangles(triangle, which)); };
-    return std::array<Eigen::Vector3d, 3>{ { corner(0), corner(1), corner(2) } };
+    return HullCorners{ { corner(0), corner(1), corner(2), corner(2) } };
   };
   std::vector<std::pair<int, int>> disjoint;
   std::vector<double> distances;
@@ -78,7 +79,7 @@ TEST(SurfaceGap, IsThatOfBruteForce)
   const double minimum = *std::min_element(distances.begin(), distances.end());
   EXPECT_DOUBLE_EQ(MinimumGapOf(potato), minimum);
 
-  const TriangleTree tree(potato.Points, potato.Triangles);
+  const FaceHulls hulls(potato.Points, FacesOf(potato.Triangles));
   for (const double gap : { (1 - 1e-9) * minimum, (1 + 1e-9) * minimum, 3.0, 1000.0 })
   {
     std::vector<std::pair<int, int>> expected;
@@ -89,7 +90,14 @@ TEST(SurfaceGap, IsThatOfBruteForce)
         expected.push_back(disjoint[pair]);
       }
     }
-    auto found = FindPairsNearerThan(gap, tree, potato.Points, potato.Triangles, ScatteredFor);
+    std::vector<std::pair<int, int>> found;
+    for (const HullPair& pair : FindPairsNearerThan(gap, potato.Points, hulls, ScatteredFor))
+    {
+      if (!ShareVertex(potato, pair.Faces[0], pair.Faces[1]))
+      {
+        found.push_back(std::minmax({ pair.Faces[0], pair.Faces[1] }));
+      }
+    }
     std::sort(found.begin(), found.end());
     EXPECT_EQ(found, expected) << gap;
   }

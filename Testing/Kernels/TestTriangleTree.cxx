@@ -39,7 +39,7 @@ TEST(TriangleTree, DisjointPairsAreThoseWithoutACommonVertex)
       }
     }
     const PointList topological =
-      TriangleTree::TopologicalLayout(sphere.Mesh.NumberOfPoints(), triangles);
+      TriangleTree::TopologicalLayout(sphere.Mesh.NumberOfPoints(), sphere.Faces());
     for (const PointList& layout : { sphere.Points(), topological })
     {
       const TriangleTree tree(layout, triangles);

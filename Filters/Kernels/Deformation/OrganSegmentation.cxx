@@ -236,7 +236,7 @@ OrganSurface SegmentOrgan(SmoothRegion& region, double noise, const SeedSphere& 
   CoarseToFine(region, noise, seed, settings, parallelFor, monitor, observer, surface).Execute();
   if (surface.Reason != StopReason::Aborted)
   {
-    surface.SelfIntersections = CountSelfIntersections(surface.Points, surface.Mesh.Triangles);
+    surface.SelfIntersections = CountSelfIntersections(surface.Points, surface.Mesh.Faces);
   }
   return surface;
 }

@@ -15,32 +15,47 @@ double Clamp(double value)
   return std::min(std::max(value, 0.0), 1.0);
 }
 
-// From the closest point of the segment a b to p.
-Vector3d FromSegment(const Vector3d& p, const Vector3d& a, const Vector3d& b)
+// What the closest points of a hull may lie on.
+struct Features
 {
-  const Vector3d edge = b - a;
-  const double squaredLength = edge.squaredNorm();
-  const double fraction = squaredLength > 0 ? Clamp((p - a).dot(edge) / squaredLength) : 0.0;
-  return p - (a + fraction * edge);
-}
+  explicit Features(const HullCorners& corners)
+    : Corners(corners)
+  {
+    while (this->Count > 1 && corners[this->Count - 1] == corners[this->Count - 2])
+    {
+      --this->Count;
+    }
+    for (int i = 0; i < this->Count; ++i)
+    {
+      for (int j = i + 1; j < this->Count; ++j)
+      {
+        this->Edges[this->NumberOfEdges] = corners[j] - corners[i];
+        const double square = this->Edges[this->NumberOfEdges].squaredNorm();
+        this->PerEdge[this->NumberOfEdges] = square > 0 ? 1 / square : 0;
+        this->Starts[this->NumberOfEdges++] = i;
+      }
+    }
+  }
 
-Vector3d Shorter(const Vector3d& one, const Vector3d& two)
-{
-  return one.squaredNorm() <= two.squaredNorm() ? one : two;
-}
+  const HullCorners& Corners;
+  int Count = 4; // of different corners
+  int NumberOfEdges = 0;
+  std::array<Vector3d, 6> Edges;
+  std::array<double, 6> PerEdge; // the inverse of its square
+  std::array<int, 6> Starts;     // the corner that it starts from
+};
 
-// All ways in which two triangles may be closest, what they have in common worked out once. Vectors
-// run from the second triangle to the first.
-class TrianglePair
+// All ways in which two hulls may be closest.
+class HullDistance
 {
 public:
-  TrianglePair(const std::array<Vector3d, 3>& one, const std::array<Vector3d, 3>& two)
+  HullDistance(const HullCorners& one, const HullCorners& two)
+    : One(one)
+    , Two(two)
   {
-    for (int i = 0; i < 3; ++i)
+    for (int i = 0; i < this->One.Count; ++i)
     {
-      this->EdgesOfOne[i] = one[(i + 1) % 3] - one[i];
-      this->EdgesOfTwo[i] = two[(i + 1) % 3] - two[i];
-      for (int j = 0; j < 3; ++j)
+      for (int j = 0; j < this->Two.Count; ++j)
       {
         this->Offsets[i][j] = one[i] - two[j];
       }
@@ -50,9 +65,9 @@ public:
   Vector3d Find()
   {
     this->FromVerticesToEdges();
-    for (int i = 0; i < 3; ++i)
+    for (int i = 0; i < this->One.NumberOfEdges; ++i)
     {
-      for (int j = 0; j < 3; ++j)
+      for (int j = 0; j < this->Two.NumberOfEdges; ++j)
       {
         this->BetweenEdges(i, j);
       }
@@ -62,6 +77,7 @@ public:
   }
 
 private:
+  // Vectors run from the second hull to the first.
   void Offer(const Vector3d& offset)
   {
     const double square = offset.squaredNorm();
@@ -75,18 +91,23 @@ private:
   // The ends of the edges with them.
   void FromVerticesToEdges()
   {
-    for (int edge = 0; edge < 3; ++edge)
+    this->Offer(this->Offsets[0][0]); // there may be no edge
+    for (int edge = 0; edge < this->One.NumberOfEdges; ++edge)
     {
-      const Vector3d& u = this->EdgesOfOne[edge];
-      const Vector3d& v = this->EdgesOfTwo[edge];
-      const double perU = InverseOf(u.squaredNorm());
-      const double perV = InverseOf(v.squaredNorm());
-      for (int vertex = 0; vertex < 3; ++vertex)
+      const Vector3d& u = this->One.Edges[edge];
+      for (int vertex = 0; vertex < this->Two.Count; ++vertex)
       {
-        const Vector3d& toU = this->Offsets[edge][vertex];
-        this->Offer(toU + Clamp(-toU.dot(u) * perU) * u);
-        const Vector3d& fromV = this->Offsets[vertex][edge];
-        this->Offer(fromV - Clamp(fromV.dot(v) * perV) * v);
+        const Vector3d& offset = this->Offsets[this->One.Starts[edge]][vertex];
+        this->Offer(offset + Clamp(-offset.dot(u) * this->One.PerEdge[edge]) * u);
+      }
+    }
+    for (int edge = 0; edge < this->Two.NumberOfEdges; ++edge)
+    {
+      const Vector3d& v = this->Two.Edges[edge];
+      for (int vertex = 0; vertex < this->One.Count; ++vertex)
+      {
+        const Vector3d& offset = this->Offsets[vertex][this->Two.Starts[edge]];
+        this->Offer(offset - Clamp(offset.dot(v) * this->Two.PerEdge[edge]) * v);
       }
     }
   }
@@ -94,9 +115,9 @@ private:
   // Where the common perpendicular of their lines meets both edges between their ends.
   void BetweenEdges(int i, int j)
   {
-    const Vector3d& u = this->EdgesOfOne[i];
-    const Vector3d& v = this->EdgesOfTwo[j];
-    const Vector3d& w = this->Offsets[i][j];
+    const Vector3d& u = this->One.Edges[i];
+    const Vector3d& v = this->Two.Edges[j];
+    const Vector3d& w = this->Offsets[this->One.Starts[i]][this->Two.Starts[j]];
     const Vector3d across = u.cross(v);
     const double square = across.squaredNorm();
     const double height = across.dot(w);
@@ -111,97 +132,73 @@ private:
     }
   }
 
-  // Where a vertex lies above the inside of the other triangle.
+  // Where a vertex lies above the inside of a face of the other hull.
   void FromVerticesToFaces()
   {
-    const auto& offsets = this->Offsets;
-    for (int vertex = 0; vertex < 3; ++vertex)
+    for (int i = 0; i < 4; ++i)
     {
-      this->AboveFace(this->EdgesOfTwo,
-        { offsets[vertex][0], offsets[vertex][1], offsets[vertex][2] }, 1);
-      this->AboveFace(this->EdgesOfOne,
-        { -offsets[0][vertex], -offsets[1][vertex], -offsets[2][vertex] }, -1);
-    }
-  }
-
-  // `fromCorners` run from the face's corners to the vertex.
-  void AboveFace(const std::array<Vector3d, 3>& edges, const std::array<Vector3d, 3>& fromCorners,
-    double sign)
-  {
-    const Vector3d normal = edges[0].cross(edges[1]);
-    const double square = normal.squaredNorm();
-    const double height = fromCorners[0].dot(normal);
-    if (!(square > 0 && height * height < this->ShortestSquare * square))
-    {
-      return;
-    }
-    for (int corner = 0; corner < 3; ++corner)
-    {
-      if (edges[corner].cross(fromCorners[corner]).dot(normal) < 0)
+      for (int j = i + 1; j < 4; ++j)
       {
-        return;
+        for (int k = j + 1; k < 4; ++k)
+        {
+          for (int vertex = 0; k < this->Two.Count && vertex < this->One.Count; ++vertex)
+          {
+            const auto& from = this->Offsets[vertex];
+            this->AboveFace(this->Two.Corners, { { i, j, k } }, from[i], from[j], from[k], 1);
+          }
+          for (int vertex = 0; k < this->One.Count && vertex < this->Two.Count; ++vertex)
+          {
+            const auto from = [&](int corner) -> Vector3d
+            { return -this->Offsets[corner][vertex]; };
+            this->AboveFace(this->One.Corners, { { i, j, k } }, from(i), from(j), from(k), -1);
+          }
+        }
       }
     }
-    this->Offer(sign * height / square * normal);
   }
 
-  static double InverseOf(double square) { return square > 0 ? 1 / square : 0.0; }
+  // The vectors run from the face's corners to the vertex.
+  void AboveFace(const HullCorners& corners, const std::array<int, 3>& face, const Vector3d& fromA,
+    const Vector3d& fromB, const Vector3d& fromC, double sign)
+  {
+    const Vector3d ab = corners[face[1]] - corners[face[0]];
+    const Vector3d bc = corners[face[2]] - corners[face[1]];
+    const Vector3d normal = ab.cross(bc);
+    const double square = normal.squaredNorm();
+    const double height = fromA.dot(normal);
+    if (square > 0 && height * height < this->ShortestSquare * square &&
+      ab.cross(fromA).dot(normal) >= 0 && bc.cross(fromB).dot(normal) >= 0 &&
+      (-ab - bc).cross(fromC).dot(normal) >= 0)
+    {
+      this->Offer(sign * height / square * normal);
+    }
+  }
 
-  std::array<Vector3d, 3> EdgesOfOne;
-  std::array<Vector3d, 3> EdgesOfTwo;
-  std::array<std::array<Vector3d, 3>, 3> Offsets;
+  const Features One;
+  const Features Two;
+  std::array<std::array<Vector3d, 4>, 4> Offsets;
   Vector3d Shortest = Vector3d::Zero();
   double ShortestSquare = std::numeric_limits<double>::infinity();
 };
 
 } // namespace
 
-Vector3d ClosestDirection(const std::array<Vector3d, 1>& point,
-  const std::array<Vector3d, 3>& triangle)
+Vector3d ClosestDirection(const HullCorners& one, const HullCorners& two)
 {
-  const Vector3d& p = point[0];
-  const Vector3d& a = triangle[0];
-  const Vector3d normal = (triangle[1] - a).cross(triangle[2] - a);
-  const double squaredNormal = normal.squaredNorm();
-  bool isAbove = squaredNormal > 0;
-  for (int corner = 0; corner < 3 && isAbove; ++corner)
-  {
-    const Vector3d& start = triangle[corner];
-    const Vector3d& end = triangle[(corner + 1) % 3];
-    isAbove = (end - start).cross(p - start).dot(normal) >= 0;
-  }
-  if (isAbove)
-  {
-    return (p - a).dot(normal) / squaredNormal * normal;
-  }
-  return Shorter(FromSegment(p, triangle[0], triangle[1]),
-    Shorter(FromSegment(p, triangle[1], triangle[2]), FromSegment(p, triangle[2], triangle[0])));
+  return HullDistance(one, two).Find();
 }
 
-Vector3d ClosestDirection(const std::array<Vector3d, 2>& one, const std::array<Vector3d, 2>& two)
+double ProvenDistance(const HullCorners& one, const HullCorners& two)
 {
-  const Vector3d u = one[1] - one[0];
-  const Vector3d v = two[1] - two[0];
-  const Vector3d w = one[0] - two[0];
-  const Vector3d across = u.cross(v);
-  const double squaredAcross = across.squaredNorm();
-  if (squaredAcross > 0)
+  const Vector3d direction = ClosestDirection(one, two).normalized();
+  double low = std::numeric_limits<double>::infinity();
+  double high = -low;
+  for (int corner = 0; corner < 4; ++corner)
   {
-    // Where the common perpendicular of the lines meets them.
-    const double onOne = v.cross(w).dot(across);
-    const double onTwo = u.cross(w).dot(across);
-    if (onOne >= 0 && onOne <= squaredAcross && onTwo >= 0 && onTwo <= squaredAcross)
-    {
-      return across.dot(w) / squaredAcross * across;
-    }
+    low = std::min(low, one[corner].dot(direction));
+    high = std::max(high, two[corner].dot(direction));
   }
-  return Shorter(Shorter(FromSegment(one[0], two[0], two[1]), FromSegment(one[1], two[0], two[1])),
-    Shorter(-FromSegment(two[0], one[0], one[1]), -FromSegment(two[1], one[0], one[1])));
-}
-
-Vector3d ClosestDirection(const std::array<Vector3d, 3>& one, const std::array<Vector3d, 3>& two)
-{
-  return TrianglePair(one, two).Find();
+  return low - high;
 }
 
 } // namespace FlipFree

@@ -1,6 +1,5 @@
 /**
- * The vector between the closest points of two simplices. Where they intersect, or are degenerate,
- * it is some short vector between them.
+ * The vector between the closest points of two convex hulls.
  */
 #ifndef FlipFreeClosestDirection_h
 #define FlipFreeClosestDirection_h
@@ -12,17 +11,16 @@
 namespace FlipFree
 {
 
-/// From the closest point of the triangle to the point.
-Eigen::Vector3d ClosestDirection(const std::array<Eigen::Vector3d, 1>& point,
-  const std::array<Eigen::Vector3d, 3>& triangle);
+/// Up to four points. If there are fewer, the last one is repeated.
+using HullCorners = std::array<Eigen::Vector3d, 4>;
 
-/// From the second segment to the first.
-Eigen::Vector3d ClosestDirection(const std::array<Eigen::Vector3d, 2>& one,
-  const std::array<Eigen::Vector3d, 2>& two);
+/// From the closest point of the second hull to that of the first. Where they intersect, or are
+/// degenerate, it is some short vector between them.
+Eigen::Vector3d ClosestDirection(const HullCorners& one, const HullCorners& two);
 
-/// From the second triangle to the first.
-Eigen::Vector3d ClosestDirection(const std::array<Eigen::Vector3d, 3>& one,
-  const std::array<Eigen::Vector3d, 3>& two);
+/// A lower bound of the distance of two hulls, tight but for rounding: how far they are apart along
+/// the closest direction. Not positive where they intersect.
+double ProvenDistance(const HullCorners& one, const HullCorners& two);
 
 } // namespace FlipFree
 

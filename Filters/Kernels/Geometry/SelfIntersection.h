@@ -1,26 +1,28 @@
 /**
- * Self-intersections of a triangulated surface, decided exactly: the pairs of triangles whose
- * intersection is more than the vertex or edge they share. A surface without any is embedded.
+ * Self-intersections of a polygonal surface, decided exactly, for all ways to cut its faces into
+ * triangles (FaceHulls.h). A surface without any is embedded however it is cut.
  */
 #ifndef FlipFreeSelfIntersection_h
 #define FlipFreeSelfIntersection_h
 
-#include "Geometry/TriangleTree.h"
+#include "Geometry/FaceHulls.h"
 
 namespace FlipFree
 {
 
-/// The sorted pairs, each with the lower index first. Points must be finite. Degenerate triangles
-/// are reported together with their neighbors.
+/// The sorted pairs of faces, each with the lower index first, that some cuts make intersect in
+/// more than the vertex or edge they share; touching counts. A face whose own triangles may overlap
+/// is paired with itself. Points must be finite and indices valid. Degenerate triangles are
+/// reported together with their neighbors.
 std::vector<std::pair<int, int>> FindSelfIntersections(const PointList& points,
-  const TriangleList& triangles);
+  const FaceList& faces, const ParallelFor& parallelFor = SerialFor);
 
-/// The same with a tree that was built for these triangles (at any positions), perhaps threaded.
-std::vector<std::pair<int, int>> FindSelfIntersections(const TriangleTree& tree,
-  const PointList& points, const TriangleList& triangles, const ParallelFor& parallelFor);
+/// The same with the hulls of these faces.
+std::vector<std::pair<int, int>> FindSelfIntersections(const PointList& points,
+  const FaceHulls& hulls, const ParallelFor& parallelFor = SerialFor);
 
 /// How many pairs.
-std::ptrdiff_t CountSelfIntersections(const PointList& points, const TriangleList& triangles);
+std::ptrdiff_t CountSelfIntersections(const PointList& points, const FaceList& faces);
 
 } // namespace FlipFree
 

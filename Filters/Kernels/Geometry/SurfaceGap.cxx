@@ -1,7 +1,6 @@
 #include "Geometry/SurfaceGap.h"
 
 #include "Geometry/ClosestDirection.h"
-#include "Geometry/TriangleTree.h"
 
 #include <algorithm>
 #include <atomic>
@@ -25,53 +24,38 @@ double SquaredDistanceOfBoxes(const TriangleBox& one, const TriangleBox& two)
   return sum;
 }
 
-using Corners = std::array<Eigen::Vector3d, 3>;
-
-Corners CornersOf(const PointList& points, const TriangleList& triangles, Eigen::Index triangle)
+HullCorners CornersOf(const PointList& points, const Hull& hull)
 {
-  return { { points.row(triangles(triangle, 0)), points.row(triangles(triangle, 1)),
-    points.row(triangles(triangle, 2)) } };
-}
-
-bool ShareVertex(const TriangleList& triangles, Eigen::Index one, Eigen::Index two)
-{
-  for (int i = 0; i < 3; ++i)
-  {
-    if ((triangles.row(two).array() == triangles(one, i)).any())
-    {
-      return true;
-    }
-  }
-  return false;
+  return { { points.row(hull[0]), points.row(hull[1]), points.row(hull[2]), points.row(hull[3]) } };
 }
 
 } // namespace
 
-double MeasureMinimumGap(const PointList& points, const TriangleList& triangles,
+double MeasureMinimumGap(const PointList& points, const FaceHulls& hulls,
   const ParallelFor& parallelFor)
 {
-  const TriangleTree tree(points, triangles);
-  const std::vector<TriangleBox> boxes = tree.RefitBoxes(points, triangles);
+  const std::vector<TriangleBox> boxes = hulls.RefitBoxes(points);
   // Threads race for the minimum, but there is only one minimum.
   std::atomic<double> least{ std::numeric_limits<double>::infinity() };
-  parallelFor(0, triangles.rows(),
+  parallelFor(0, hulls.NumberOfHulls(),
     [&](std::ptrdiff_t first, std::ptrdiff_t last)
     {
-      for (std::ptrdiff_t triangle = first; triangle < last; ++triangle)
+      for (int hull = static_cast<int>(first); hull < last; ++hull)
       {
-        const Corners corners = CornersOf(points, triangles, triangle);
+        const HullCorners corners = CornersOf(points, hulls.HullAt(hull));
         TriangleBox box;
         for (const Eigen::Vector3d& corner : corners)
         {
           box.Add(corner.data());
         }
-        tree.Query([&](int node) { return !(SquaredDistanceOfBoxes(box, boxes[node]) > least); },
+        hulls.Tree().Query([&](int node)
+          { return !(SquaredDistanceOfBoxes(box, boxes[node]) > least); },
           [&](int other)
           {
-            if (other > triangle && !ShareVertex(triangles, triangle, other))
+            if (other > hull && hulls.AreDisjoint(hull, other))
             {
               const double distance =
-                ClosestDirection(corners, CornersOf(points, triangles, other)).squaredNorm();
+                ClosestDirection(corners, CornersOf(points, hulls.HullAt(other))).squaredNorm();
               double present = least;
               while (distance < present && !least.compare_exchange_weak(present, distance))
               {
@@ -83,20 +67,28 @@ double MeasureMinimumGap(const PointList& points, const TriangleList& triangles,
   return std::sqrt(least);
 }
 
-std::vector<std::pair<int, int>> FindPairsNearerThan(double gap, const TriangleTree& tree,
-  const PointList& points, const TriangleList& triangles, const ParallelFor& parallelFor)
+std::vector<HullPair> FindPairsNearerThan(double gap, const PointList& points,
+  const FaceHulls& hulls, const ParallelFor& parallelFor)
 {
-  const std::vector<TriangleBox> boxes = tree.RefitBoxes(points, triangles);
+  const std::vector<TriangleBox> boxes = hulls.RefitBoxes(points);
   const double square = gap * gap;
-  return tree.SelfPairs([&](int node, int other)
-    { return SquaredDistanceOfBoxes(boxes[node], boxes[other]) < square; },
-    [&](int one, int two)
-    {
-      return !ShareVertex(triangles, one, two) &&
-        ClosestDirection(CornersOf(points, triangles, one), CornersOf(points, triangles, two))
-          .squaredNorm() < square;
-    },
+  const auto isNearer = [&](const Hull& one, const Hull& two)
+  { return !(ProvenDistance(CornersOf(points, one), CornersOf(points, two)) >= gap); };
+  std::vector<HullPair> near;
+  for (const auto& pair : hulls.Tree().SelfPairs([&](int node, int other)
+         { return SquaredDistanceOfBoxes(boxes[node], boxes[other]) <= square; },
+         [&](int one, int two)
+         { return hulls.AreDisjoint(one, two) && isNearer(hulls.HullAt(one), hulls.HullAt(two)); },
+         parallelFor))
+  {
+    near.push_back({ hulls.HullAt(pair.first), hulls.HullAt(pair.second),
+      { { hulls.FaceOf(pair.first), hulls.FaceOf(pair.second) } } });
+  }
+  const std::vector<HullPair> adjacent = Select(
+    hulls.AdjacentPairs(), [&](const HullPair& pair) { return isNearer(pair.One, pair.Two); },
     parallelFor);
+  near.insert(near.end(), adjacent.begin(), adjacent.end());
+  return near;
 }
 
 } // namespace FlipFree

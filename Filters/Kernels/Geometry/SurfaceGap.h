@@ -1,23 +1,24 @@
 /**
- * The distances between disjoint triangles of a surface.
+ * The distances between the faces of a surface, for all ways to cut them (FaceHulls.h).
  */
 #ifndef FlipFreeSurfaceGap_h
 #define FlipFreeSurfaceGap_h
 
-#include "Geometry/TriangleTree.h"
+#include "Geometry/FaceHulls.h"
 
 namespace FlipFree
 {
 
-/// The minimum distance (mm) of two triangles that share no vertex; infinite if there are none. The
-/// surface must be valid (RequireValidFaces) and must not intersect itself.
-double MeasureMinimumGap(const PointList& points, const TriangleList& triangles,
+/// The minimum distance (mm) of the hulls of two faces that share no vertex; infinite if there are
+/// none. Indices must be valid, and the surface must not intersect itself.
+double MeasureMinimumGap(const PointList& points, const FaceHulls& hulls,
   const ParallelFor& parallelFor = SerialFor);
 
-/// The pairs of triangles that share no vertex and are closer than `gap` (mm), of a surface as
-/// above. `tree` was built for its triangles, at any positions.
-std::vector<std::pair<int, int>> FindPairsNearerThan(double gap, const TriangleTree& tree,
-  const PointList& points, const TriangleList& triangles, const ParallelFor& parallelFor);
+/// The pairs (FaceHulls.h), parts of adjacent faces among them, whose distance is not proven to be
+/// at least `gap` (mm). If that is well above rounding errors, and there are no such pairs, the
+/// surface is embedded.
+std::vector<HullPair> FindPairsNearerThan(double gap, const PointList& points,
+  const FaceHulls& hulls, const ParallelFor& parallelFor);
 
 } // namespace FlipFree
 

@@ -34,26 +34,35 @@ Eigen::VectorXi EdgeDistances(const VertexGraph& graph, int start)
   return distances;
 }
 
-bool ShareVertex(const int* one, const int* two)
+bool ShareVertex(const ElementList& elements, int one, int two)
 {
-  return std::any_of(one, one + 3,
-    [two](int vertex) { return vertex == two[0] || vertex == two[1] || vertex == two[2]; });
+  for (Eigen::Index corner = 0; corner < elements.cols(); ++corner)
+  {
+    if ((elements.row(two).array() == elements(one, corner)).any())
+    {
+      return true;
+    }
+  }
+  return false;
 }
 
 } // namespace
 
-TriangleTree::TriangleTree(const PointList& layout, const TriangleList& triangles)
+TriangleTree::TriangleTree(const PointList& layout, const ElementList& elements)
 {
-  const int count = static_cast<int>(triangles.rows());
+  const int count = static_cast<int>(elements.rows());
   if (count == 0)
   {
     return;
   }
   PointList centers(count, 3);
-  for (int triangle = 0; triangle < count; ++triangle)
+  for (int element = 0; element < count; ++element)
   {
-    centers.row(triangle) = layout.row(triangles(triangle, 0)) +
-      layout.row(triangles(triangle, 1)) + layout.row(triangles(triangle, 2));
+    centers.row(element).setZero();
+    for (Eigen::Index corner = 0; corner < elements.cols(); ++corner)
+    {
+      centers.row(element) += layout.row(elements(element, corner));
+    }
   }
   std::vector<int> order(count);
   std::iota(order.begin(), order.end(), 0);
@@ -82,13 +91,13 @@ void TriangleTree::Split(const PointList& centers, int* first, int* last)
   this->Nodes[self].Count = static_cast<int>(last - first);
   if (last - first == 1)
   {
-    this->Nodes[self].Triangle = *first;
+    this->Nodes[self].Element = *first;
     return;
   }
   TriangleBox extent;
-  for (const int* triangle = first; triangle != last; ++triangle)
+  for (const int* element = first; element != last; ++element)
   {
-    extent.Add(centers.row(*triangle).data());
+    extent.Add(centers.row(*element).data());
   }
   int axis = 0;
   for (int other = 1; other < 3; ++other)
@@ -112,15 +121,18 @@ void TriangleTree::Split(const PointList& centers, int* first, int* last)
   this->Split(centers, middle, last);
 }
 
-PointList TriangleTree::TopologicalLayout(int numberOfPoints, const TriangleList& triangles)
+PointList TriangleTree::TopologicalLayout(int numberOfPoints, const FaceList& faces)
 {
   VertexGraph graph(numberOfPoints);
-  for (Eigen::Index triangle = 0; triangle < triangles.rows(); ++triangle)
+  for (int face = 0; face < faces.NumberOfFaces(); ++face)
   {
-    for (int corner = 0; corner < 3; ++corner)
+    const int size = faces.FaceSize(face);
+    for (int corner = 0; corner < size; ++corner)
     {
-      graph[triangles(triangle, corner)].push_back(triangles(triangle, (corner + 1) % 3));
-      graph[triangles(triangle, (corner + 1) % 3)].push_back(triangles(triangle, corner));
+      const int vertex = faces.Face(face)[corner];
+      const int next = faces.Face(face)[(corner + 1) % size];
+      graph[vertex].push_back(next);
+      graph[next].push_back(vertex);
     }
   }
   PointList layout = PointList::Zero(numberOfPoints, 3);
@@ -149,26 +161,26 @@ std::vector<int> TriangleTree::Order() const
   {
     if (node.Count == 1)
     {
-      order.push_back(node.Triangle);
+      order.push_back(node.Element);
     }
   }
   return order;
 }
 
 std::vector<TriangleTree::NodePair> TriangleTree::DisjointPairs(const PointList& layout,
-  const TriangleList& triangles) const
+  const ElementList& elements) const
 {
   std::vector<NodePair> disjoint;
   if (!this->Nodes.empty())
   {
-    this->CollectDisjointPairs(NodePair(0, 0), this->RefitBoxes(layout, triangles), triangles,
+    this->CollectDisjointPairs(NodePair(0, 0), this->RefitBoxes(layout, elements), elements,
       disjoint);
   }
   return disjoint;
 }
 
 bool TriangleTree::CollectDisjointPairs(const NodePair& pair, const std::vector<TriangleBox>& boxes,
-  const TriangleList& triangles, std::vector<NodePair>& disjoint) const
+  const ElementList& elements, std::vector<NodePair>& disjoint) const
 {
   if (!boxes[pair.first].Touches(boxes[pair.second]))
   {
@@ -176,15 +188,14 @@ bool TriangleTree::CollectDisjointPairs(const NodePair& pair, const std::vector<
   }
   if (this->IsFinal(pair))
   {
-    return ShareVertex(triangles.row(this->Nodes[pair.first].Triangle).data(),
-      triangles.row(this->Nodes[pair.second].Triangle).data());
+    return ShareVertex(elements, this->Nodes[pair.first].Element, this->Nodes[pair.second].Element);
   }
   bool hasAdjacent = false;
   std::vector<NodePair> allDisjoint;
   this->Expand(pair,
     [&](const NodePair& child)
     {
-      if (this->CollectDisjointPairs(child, boxes, triangles, disjoint))
+      if (this->CollectDisjointPairs(child, boxes, elements, disjoint))
       {
         hasAdjacent = true;
       }
@@ -201,16 +212,16 @@ bool TriangleTree::CollectDisjointPairs(const NodePair& pair, const std::vector<
 }
 
 std::vector<TriangleBox> TriangleTree::RefitBoxes(const PointList& points,
-  const TriangleList& triangles) const
+  const ElementList& elements) const
 {
   std::vector<TriangleBox> boxes;
   this->Refit(boxes,
-    [&](int triangle)
+    [&](int element)
     {
       TriangleBox box;
-      for (int corner = 0; corner < 3; ++corner)
+      for (Eigen::Index corner = 0; corner < elements.cols(); ++corner)
       {
-        box.Add(points.row(triangles(triangle, corner)).data());
+        box.Add(points.row(elements(element, corner)).data());
       }
       return box;
     });

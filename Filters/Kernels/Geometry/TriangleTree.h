@@ -1,7 +1,8 @@
 /**
- * A bounding-volume tree over the triangles of a fixed connectivity. Its structure is built once;
- * the volumes belong to the caller and are refitted to each set of positions. A volume is anything
- * that can be made for a triangle and merged: a box of positions, or one of whole motions.
+ * A bounding-volume tree over the elements of a fixed connectivity: triangles, or the hulls of
+ * faces. Its structure is built once; the volumes belong to the caller and are refitted to each set
+ * of positions. A volume is anything that can be made for an element and merged: a box of
+ * positions, or one of whole motions.
  */
 #ifndef FlipFreeTriangleTree_h
 #define FlipFreeTriangleTree_h
@@ -47,21 +48,29 @@ struct TriangleBox
   }
 };
 
+/// One row per element: the indices of its vertices. All elements have the same number; one that
+/// has fewer repeats some.
+using ElementList =
+  Eigen::Ref<const Eigen::Matrix<int, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>;
+
 class TriangleTree
 {
 public:
-  /// Splits at the median of the triangles' centers, along the longest extent of `layout`: the
+  /// Empty.
+  TriangleTree() = default;
+
+  /// Splits at the median of the elements' centers, along the longest extent of `layout`: the
   /// positions that the mesh has at first, or any others in which neighbors lie close together.
-  TriangleTree(const PointList& layout, const TriangleList& triangles);
+  TriangleTree(const PointList& layout, const ElementList& elements);
 
   /// A layout for when no positions are known yet: differences of edge distances to three pairs of
   /// far vertices.
-  static PointList TopologicalLayout(int numberOfPoints, const TriangleList& triangles);
+  static PointList TopologicalLayout(int numberOfPoints, const FaceList& faces);
 
   int NumberOfNodes() const { return static_cast<int>(this->Nodes.size()); }
-  int NumberOfTriangles() const { return (this->NumberOfNodes() + 1) / 2; }
+  int NumberOfElements() const { return (this->NumberOfNodes() + 1) / 2; }
 
-  /// Computes one volume per node: makeLeaf(triangle) at the leaves, merged upwards by
+  /// Computes one volume per node: makeLeaf(element) at the leaves, merged upwards by
   /// Volume::Merge. Nodes for which isStale(node) does not hold keep theirs.
   template <typename Volume, typename MakeLeaf, typename IsStale>
   void Refit(std::vector<Volume>& volumes, const MakeLeaf& makeLeaf, const ParallelFor& parallelFor,
@@ -74,38 +83,38 @@ public:
   }
 
   /// The boxes of all nodes at these positions.
-  std::vector<TriangleBox> RefitBoxes(const PointList& points, const TriangleList& triangles) const;
+  std::vector<TriangleBox> RefitBoxes(const PointList& points, const ElementList& elements) const;
 
-  /// Calls visit(triangle) at every leaf that is reached through nodes for which enter(node) holds.
+  /// Calls visit(element) at every leaf that is reached through nodes for which enter(node) holds.
   template <typename Enter, typename Visit>
   void Query(const Enter& enter, const Visit& visit) const;
 
-  /// The triangles in the order of the leaves: consecutive ones are close together.
+  /// The elements in the order of the leaves: consecutive ones are close together.
   std::vector<int> Order() const;
 
-  /// Calls visit(place) at the leaves, those of the nearer child first, with the triangle's place
+  /// Calls visit(place) at the leaves, those of the nearer child first, with the element's place
   /// in Order(). It returns a bound: nodes whose distanceTo(node) is greater are skipped with all
   /// that is below them.
   template <typename Scalar, typename DistanceTo, typename Visit>
   void QueryNearestFirst(const DistanceTo& distanceTo, Scalar bound, const Visit& visit) const;
 
-  /// The pairs of triangles for which accept(first, second) holds, the lesser index first, sorted.
+  /// The pairs of elements for which accept(first, second) holds, the lesser index first, sorted.
   /// Pairs of nodes for which meet(node, other) does not hold are skipped with all that is below
   /// them. Both are called from several threads at once.
   template <typename Meet, typename Accept>
   std::vector<std::pair<int, int>> SelfPairs(const Meet& meet, const Accept& accept,
     const ParallelFor& parallelFor) const;
 
-  /// Two nodes, standing for all pairs of a triangle below one and a triangle below the other.
+  /// Two nodes, standing for all pairs of an element below one and an element below the other.
   using NodePair = std::pair<int, int>;
 
-  /// Pairs of nodes that together stand for every pair of disjoint triangles, those without a
+  /// Pairs of nodes that together stand for every pair of disjoint elements, those without a
   /// common vertex, exactly once, and for no other pair. A traversal that starts from them does not
-  /// descend to adjacent triangles, whose volumes always meet. Pass the layout the tree was
+  /// descend to adjacent elements, whose volumes always meet. Pass the layout the tree was
   /// built with; it yields the fewest pairs.
-  std::vector<NodePair> DisjointPairs(const PointList& layout, const TriangleList& triangles) const;
+  std::vector<NodePair> DisjointPairs(const PointList& layout, const ElementList& elements) const;
 
-  /// Calls visit(first, second), the lesser index first, for the pairs of different triangles that
+  /// Calls visit(first, second), the lesser index first, for the pairs of different elements that
   /// the two nodes stand for; meet as in SelfPairs.
   template <typename Meet, typename Visit>
   void VisitPairsBelow(const NodePair& pair, const Meet& meet, const Visit& visit) const;
@@ -116,7 +125,7 @@ private:
   {
     int Second = -1;
     int Count = 0;
-    int Triangle = -1;
+    int Element = -1;
   };
 
   void Split(const PointList& centers, int* first, int* last);
@@ -130,10 +139,10 @@ private:
   template <typename Push>
   void Expand(const NodePair& pair, const Push& push) const;
 
-  // Tells whether some triangles below the two nodes are adjacent; if so, appends the pairs of
+  // Tells whether some elements below the two nodes are adjacent; if so, appends the pairs of
   // nodes that stand for the disjoint ones.
   bool CollectDisjointPairs(const NodePair& pair, const std::vector<TriangleBox>& boxes,
-    const TriangleList& triangles, std::vector<NodePair>& disjoint) const;
+    const ElementList& elements, std::vector<NodePair>& disjoint) const;
 
   std::vector<Node> Nodes;
   // Subtrees are the unit of parallel work; every node is in one of them or above them.
@@ -154,7 +163,7 @@ void TriangleTree::Refit(std::vector<Volume>& volumes, const MakeLeaf& makeLeaf,
     }
     if (this->Nodes[node].Count == 1)
     {
-      volumes[node] = makeLeaf(this->Nodes[node].Triangle);
+      volumes[node] = makeLeaf(this->Nodes[node].Element);
     }
     else
     {
@@ -197,7 +206,7 @@ void TriangleTree::Query(const Enter& enter, const Visit& visit) const
     }
     if (this->Nodes[node].Count == 1)
     {
-      visit(this->Nodes[node].Triangle);
+      visit(this->Nodes[node].Element);
       continue;
     }
     stack.push_back(this->Nodes[node].Second);
@@ -213,7 +222,7 @@ void TriangleTree::QueryNearestFirst(const DistanceTo& distanceTo, Scalar bound,
   {
     Scalar Distance;
     int Root;
-    int Place; // of its first triangle
+    int Place; // of its first element
   };
   if (this->Nodes.empty())
   {
@@ -295,8 +304,8 @@ void TriangleTree::VisitPairsBelow(const NodePair& pair, const Meet& meet, const
     }
     else if (top.first != top.second)
     {
-      const int one = this->Nodes[top.first].Triangle;
-      const int two = this->Nodes[top.second].Triangle;
+      const int one = this->Nodes[top.first].Element;
+      const int two = this->Nodes[top.second].Element;
       visit(std::min(one, two), std::max(one, two));
     }
   }

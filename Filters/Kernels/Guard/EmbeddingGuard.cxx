@@ -1,8 +1,9 @@
 #include "Guard/EmbeddingGuard.h"
 
 #include "Error.h"
-#include "Geometry/TriangleIntersection.h"
+#include "Geometry/SelfIntersection.h"
 #include "Guard/SeparatingDirection.h"
+#include "Guard/SinglePrecision.h"
 #include "Guard/StepLimiter.h"
 
 #include <algorithm>
@@ -54,11 +55,6 @@ std::vector<std::array<int, 3>> ListCorners(const FaceList& faces)
   return corners;
 }
 
-std::array<int, 3> TriangleAt(const TriangleList& triangles, int index)
-{
-  return { { triangles(index, 0), triangles(index, 1), triangles(index, 2) } };
-}
-
 template <std::size_t N>
 bool AnyOf(const std::vector<char>& flags, const std::array<int, N>& vertices)
 {
@@ -90,13 +86,13 @@ PointList CutToLength(const PointList& displacements, double maximum)
 
 } // namespace
 
-// The test of disjoint triangles, with what it keeps between the passes of a step.
-class EmbeddingGuard::TriangleTest
+// The test of hulls, with what it keeps between the passes of a step.
+class EmbeddingGuard::HullTest
 {
 public:
-  TriangleTest(const EmbeddingGuard& guard, const PointList& points,
+  HullTest(const CandidatePairs& candidates, const PointList& points,
     const MinimumDistance& distance)
-    : Guard(guard)
+    : Candidates(candidates)
     , Distance(distance)
     , Rounded(points.rows(), points.row(0))
   {
@@ -116,10 +112,8 @@ public:
           }
         }
       });
-    const auto test = [&](int first, int second)
+    const auto test = [&](const Hull& one, const Hull& two)
     {
-      const std::array<int, 3> one = TriangleAt(this->Guard.Triangles, first);
-      const std::array<int, 3> two = TriangleAt(this->Guard.Triangles, second);
       if (!HaveSeparatingDirection(this->Rounded, one, two, this->Distance.Wanted))
       {
         const double time =
@@ -131,23 +125,38 @@ public:
         }
       }
     };
-    this->Guard.Candidates.VisitDisjointTriangles(motion, this->Distance.Wanted, changed,
-      this->Boxes, test, parallelFor);
+    this->Candidates.VisitDisjointHulls(motion, this->Distance.Wanted, changed, this->Boxes, test,
+      parallelFor);
+    ForEach(this->Candidates.Hulls().AdjacentPairs(), parallelFor,
+      [&](const HullPair& pair)
+      {
+        if (AnyOf(changed, pair.One) || AnyOf(changed, pair.Two))
+        {
+          test(pair.One, pair.Two);
+        }
+      });
   }
 
 private:
-  const EmbeddingGuard& Guard;
+  const CandidatePairs& Candidates;
   const MinimumDistance Distance;
   SinglePrecisionMotion Rounded;
   std::vector<MotionBox> Boxes;
 };
 
 EmbeddingGuard::EmbeddingGuard(const ContourMesh& mesh)
-  : Neighbors(mesh.Neighbors)
-  , Triangles(mesh.Triangles)
+  : Faces(mesh.Faces)
+  , Neighbors(mesh.Neighbors)
   , Corners(ListCorners(mesh.Faces))
-  , Candidates(mesh.NumberOfPoints(), mesh.Triangles)
+  , Candidates(mesh.NumberOfPoints(), mesh.Faces)
 {
+  if (!this->Candidates.Hulls().OverlappingFaces().empty())
+  {
+    const auto& faces = this->Candidates.Hulls().OverlappingFaces().front();
+    throw Error(ErrorCode::InvalidMesh,
+      "faces " + std::to_string(faces.first) + " and " + std::to_string(faces.second) +
+        " share more than an edge; use a finer mesh");
+  }
 }
 
 GuardReport EmbeddingGuard::Limit(const PointList& points, PointList& displacements,
@@ -163,9 +172,11 @@ GuardReport EmbeddingGuard::Limit(const PointList& points, PointList& displaceme
   distance.Resolution = RelativeResolution * (points.cwiseAbs().maxCoeff() + maximum);
   distance.Wanted = std::max(RelativeGap * edgeLength, 2 * distance.Resolution);
 
+  const double furthest =
+    points.cwiseAbs().maxCoeff() + displacements.rowwise().norm().cwiseMin(maximum).maxCoeff();
   StepLimiter step(points, CutToLength(displacements, maximum), this->Neighbors,
-    RelativeShear * edgeLength);
-  TriangleTest triangles(*this, points, distance);
+    RelativeShear * edgeLength, IsSinglePrecisionEnough(furthest, edgeLength));
+  HullTest hulls(this->Candidates, points, distance);
   // Vertices whose motion has changed since the test was last run.
   std::vector<char> changedForCorners(points.rows(), 1);
   std::vector<char> changedForPairs(points.rows(), 1);
@@ -183,8 +194,7 @@ GuardReport EmbeddingGuard::Limit(const PointList& points, PointList& displaceme
         step.SuspectHeldVertices();
         arePairsUntested = false;
       }
-      triangles.Run(changedForPairs, step, parallelFor);
-      this->TestFeaturePairs(distance, changedForPairs, step, parallelFor);
+      hulls.Run(changedForPairs, step, parallelFor);
       std::fill(changedForPairs.begin(), changedForPairs.end(), 0);
     }
     if (step.IsClean())
@@ -203,10 +213,7 @@ GuardReport EmbeddingGuard::Limit(const PointList& points, PointList& displaceme
     }
   }
 
-  for (Eigen::Index vertex = 0; vertex < points.rows(); ++vertex)
-  {
-    report.Guarded += step.Displacements().row(vertex) != displacements.row(vertex) ? 1 : 0;
-  }
+  report.Guarded = step.NumberOfScaled();
   // Parts that intersect at the start fail whenever they are tested, unless corners have already
   // brought them to rest.
   this->RequireEmbeddedAt(points, step.Suspects(), parallelFor);
@@ -239,7 +246,7 @@ void EmbeddingGuard::RequireFinite(const PointList& points, const char* what, do
   }
 }
 
-// Throws if a triangle that has one of the marked vertices intersects another one.
+// Throws if faces intersect that have one of the marked vertices.
 void EmbeddingGuard::RequireEmbeddedAt(const PointList& points, const std::vector<char>& vertices,
   const ParallelFor& parallelFor) const
 {
@@ -247,46 +254,35 @@ void EmbeddingGuard::RequireEmbeddedAt(const PointList& points, const std::vecto
   {
     return;
   }
-  struct MarkedBox : TriangleBox
+  const auto isMarked = [&](int face)
   {
-    bool IsMarked = false;
-    void Merge(const MarkedBox& other)
-    {
-      this->TriangleBox::Merge(other);
-      this->IsMarked = this->IsMarked || other.IsMarked;
-    }
+    return std::any_of(this->Faces.Face(face), this->Faces.Face(face) + this->Faces.FaceSize(face),
+      [&](int vertex) { return vertices[vertex] != 0; });
   };
-  const TriangleTree& tree = this->Candidates.Tree();
-  std::vector<MarkedBox> boxes;
-  tree.Refit(boxes,
-    [&](int triangle)
-    {
-      MarkedBox box;
-      for (int vertex : TriangleAt(this->Triangles, triangle))
-      {
-        box.Add(points.row(vertex).data());
-        box.IsMarked = box.IsMarked || vertices[vertex] != 0;
-      }
-      return box;
-    });
-  const auto pairs = tree.SelfPairs(
-    [&](int node, int other) {
-      return (boxes[node].IsMarked || boxes[other].IsMarked) && boxes[node].Touches(boxes[other]);
-    },
-    [&](int one, int two) { return TrianglesIntersect(points, this->Triangles, one, two); },
-    parallelFor);
+  auto pairs = FindSelfIntersections(points, this->Candidates.Hulls(), parallelFor);
+  pairs.erase(std::remove_if(pairs.begin(), pairs.end(),
+                [&](const auto& pair) { return !isMarked(pair.first) && !isMarked(pair.second); }),
+    pairs.end());
   if (pairs.empty())
   {
     return;
   }
-  const std::array<int, 3> one = TriangleAt(this->Triangles, pairs.front().first);
-  const std::array<int, 3> two = TriangleAt(this->Triangles, pairs.front().second);
+  const auto textOf = [&](int face)
+  {
+    std::string text = "(";
+    for (int corner = 0; corner < this->Faces.FaceSize(face); ++corner)
+    {
+      text += (corner > 0 ? ", " : "") + std::to_string(this->Faces.Face(face)[corner]);
+    }
+    return text + ")";
+  };
+  const int vertex = this->Faces.Face(pairs.front().first)[0];
   std::ostringstream message;
   message << "the surface intersects itself before it is moved, in " << pairs.size()
-          << " pairs of triangles; the first are those of the vertices (" << one[0] << ", "
-          << one[1] << ", " << one[2] << ") and (" << two[0] << ", " << two[1] << ", " << two[2]
-          << "), near (" << points(one[0], 0) << ", " << points(one[0], 1) << ", "
-          << points(one[0], 2) << "); start from a surface without self-intersections";
+          << " pairs of faces; the first are those of the vertices " << textOf(pairs.front().first)
+          << " and " << textOf(pairs.front().second) << ", near (" << points(vertex, 0) << ", "
+          << points(vertex, 1) << ", " << points(vertex, 2)
+          << "); start from a surface without self-intersections";
   throw Error(ErrorCode::SelfIntersecting, message.str());
 }
 
@@ -319,28 +315,6 @@ void EmbeddingGuard::TestCorners(const std::vector<char>& changed, StepLimiter& 
         }
       }
     });
-}
-
-void EmbeddingGuard::TestFeaturePairs(const MinimumDistance& distance,
-  const std::vector<char>& changed, StepLimiter& step, const ParallelFor& parallelFor) const
-{
-  const Motion motion = step.Path();
-  const auto test = [&](const auto& one, const auto& two)
-  {
-    if (AnyOf(changed, one) || AnyOf(changed, two))
-    {
-      const double time = TimeOfImpact(motion, one, two, distance);
-      if (!(time >= 1))
-      {
-        step.Limit(one, time);
-        step.Limit(two, time);
-      }
-    }
-  };
-  ForEach(this->Candidates.VertexFacePairs(), parallelFor,
-    [&](const VertexFacePair& pair) { test(pair.Vertex, pair.Face); });
-  ForEach(this->Candidates.EdgeEdgePairs(), parallelFor,
-    [&](const EdgeEdgePair& pair) { test(pair.One, pair.Two); });
 }
 
 } // namespace FlipFree

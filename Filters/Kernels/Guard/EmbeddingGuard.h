@@ -3,7 +3,7 @@
  * during the step. If the first surface is embedded, so is every iterate.
  *
  * The whole motion is certified, every vertex moving along a straight line, in three parts:
- * CandidatePairs finds the triangles that may meet, MotionTest computes conservative times of
+ * CandidatePairs finds the parts that may meet, MotionTest computes conservative times of
  * impact and of flips, StepLimiter scales displacements down where something fails. This is
  * repeated until a pass is clean.
  */
@@ -31,19 +31,22 @@ public:
   explicit EmbeddingGuard(const ContourMesh& mesh);
 
   /// Scales displacements down, conservatively, until it is proven that, if the surface is embedded
-  /// at `points`, no two triangles meet except in the vertex or edge they share while every vertex
-  /// moves straight from `points` to `points + displacements`, and no normal of a triangle or of a
-  /// corner of a face turns by 90 degrees or more. Both have one row per vertex, in millimeters; a
-  /// displacement of more than a hundred times the surface's extent is cut to that first. Disjoint
-  /// triangles keep a distance of a thousandth of the mean edge length, or the one they start with
-  /// if that is less; corners that are degenerate at the start (TimeOfFlip) are not tested.
-  /// `monitor` is asked between passes; if it returns false, the displacements become zero. Throws
-  /// Error for a wrong number of rows, a number that is not finite, a coordinate beyond 1e30 mm,
-  /// and where a motion cannot be certified because the points are not embedded.
+  /// at `points`, it stays so, however its faces are cut into triangles (FaceHulls.h), while every
+  /// vertex moves straight from `points` to `points + displacements`, and no normal of a triangle
+  /// or of a corner of a face turns by 90 degrees or more. Both have one row per vertex, in
+  /// millimeters; a displacement of more than a hundred times the surface's extent is cut to that
+  /// first. Faces without a common vertex keep a distance of a thousandth of the mean edge length,
+  /// or the one they start with if that is less; so do parts of adjacent faces. Corners that are
+  /// degenerate at the start (TimeOfFlip) are not tested. Vertices that move end at
+  /// single-precision numbers, so that a file of single precision holds the surface that was
+  /// certified, if these are fine enough (SinglePrecision.h). `monitor` is asked between passes; if
+  /// it returns false, the displacements become zero. Throws Error for a wrong number of rows, a
+  /// number that is not finite, a coordinate beyond 1e30 mm, and where a motion cannot be certified
+  /// because the points are not embedded.
   GuardReport Limit(const PointList& points, PointList& displacements,
     const ParallelFor& parallelFor, const Monitor& monitor) const;
 
-  /// Throws std::invalid_argument, naming the first pair of triangles, if the surface intersects
+  /// Throws std::invalid_argument, naming the first pair of faces, if the surface intersects
   /// itself at these points, and, as above, for points that it cannot compute with.
   void RequireEmbedded(const PointList& points, const ParallelFor& parallelFor) const;
 
@@ -58,12 +61,10 @@ private:
   // Retest features with a changed vertex; limit the vertices of those that fail.
   void TestCorners(const std::vector<char>& changed, StepLimiter& step,
     const ParallelFor& parallelFor) const;
-  void TestFeaturePairs(const MinimumDistance& distance, const std::vector<char>& changed,
-    StepLimiter& step, const ParallelFor& parallelFor) const;
-  class TriangleTest;
+  class HullTest;
 
+  FaceList Faces;
   std::vector<std::array<int, 4>> Neighbors;
-  TriangleList Triangles;
   std::vector<Corner> Corners;
   CandidatePairs Candidates;
 };

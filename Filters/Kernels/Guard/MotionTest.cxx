@@ -32,108 +32,27 @@ bool AreAtRest(const Motion& motion, const std::array<int, N>& vertices)
     [&](int vertex) { return motion.IsAtRest(vertex); });
 }
 
-template <std::size_t N>
-std::array<Vector3d, N> PositionsAt(const Motion& motion, const std::array<int, N>& vertices,
-  double time)
+HullCorners CornersAt(const Motion& motion, const Hull& hull, double time)
 {
-  std::array<Vector3d, N> positions;
-  for (std::size_t i = 0; i < N; ++i)
-  {
-    positions[i] = motion.At(vertices[i], time);
-  }
-  return positions;
+  return { { motion.At(hull[0], time), motion.At(hull[1], time), motion.At(hull[2], time),
+    motion.At(hull[3], time) } };
 }
 
-// Where vertices lie along a direction.
-template <std::size_t N>
+// Where corners lie along a direction.
 struct Projection
 {
-  std::array<double, N> Places;
-  double Low = std::numeric_limits<double>::infinity();
-  double High = -std::numeric_limits<double>::infinity();
+  Projection(const HullCorners& corners, const Vector3d& direction)
+  {
+    for (int i = 0; i < 4; ++i)
+    {
+      this->Places[i] = corners[i].dot(direction);
+    }
+  }
+  double Low() const { return this->Places.minCoeff(); }
+  double High() const { return this->Places.maxCoeff(); }
+
+  Eigen::Array4d Places;
 };
-
-template <std::size_t N>
-Projection<N> Project(const std::array<Vector3d, N>& vertices, const Vector3d& direction)
-{
-  Projection<N> projection;
-  for (std::size_t i = 0; i < N; ++i)
-  {
-    projection.Places[i] = vertices[i].dot(direction);
-    projection.Low = std::min(projection.Low, projection.Places[i]);
-    projection.High = std::max(projection.High, projection.Places[i]);
-  }
-  return projection;
-}
-
-// Conservative advancement: the direction between the closest points proves that the parts are
-// apart until some time; the next direction is taken at the positions of that time.
-template <std::size_t A, std::size_t B>
-double Advance(const Motion& motion, const std::array<int, A>& one, const std::array<int, B>& two,
-  const MinimumDistance& distance, double maximumTime)
-{
-  if (AreAtRest(motion, one) && AreAtRest(motion, two))
-  {
-    return 1;
-  }
-  const std::array<Vector3d, A> oneEnd = PositionsAt(motion, one, 1);
-  const std::array<Vector3d, B> twoEnd = PositionsAt(motion, two, 1);
-  double time = 0;
-  double kept = distance.Wanted;
-  while (true)
-  {
-    const std::array<Vector3d, A> oneNow = PositionsAt(motion, one, time);
-    const std::array<Vector3d, B> twoNow = PositionsAt(motion, two, time);
-    const Vector3d direction = ClosestDirection(oneNow, twoNow).normalized();
-
-    const Projection<A> oneBefore = Project(oneNow, direction);
-    const Projection<B> twoBefore = Project(twoNow, direction);
-    const double separation = oneBefore.Low - twoBefore.High;
-    if (time == 0)
-    {
-      kept = std::min(distance.Wanted, KeptFraction * separation);
-    }
-    if (!(kept >= distance.Resolution && kept > 0))
-    {
-      return -1;
-    }
-    if (!(separation >= kept) || time >= maximumTime)
-    {
-      return time;
-    }
-
-    const Projection<A> oneAfter = Project(oneEnd, direction);
-    const Projection<B> twoAfter = Project(twoEnd, direction);
-    if (oneAfter.Low - twoAfter.High >= kept)
-    {
-      return 1;
-    }
-    // The earliest time at which two vertices are nearer than `kept` along the direction.
-    double reached = 1;
-    for (std::size_t i = 0; i < A; ++i)
-    {
-      for (std::size_t j = 0; j < B; ++j)
-      {
-        const double end = oneAfter.Places[i] - twoAfter.Places[j];
-        if (!(end >= kept))
-        {
-          const double now = oneBefore.Places[i] - twoBefore.Places[j];
-          reached = std::min(reached, (now - kept) / (now - end));
-        }
-      }
-    }
-    const double advance = (1 - time) * reached;
-    if (!(advance > 0))
-    {
-      return time;
-    }
-    time += advance;
-    if (advance <= MinimumAdvance)
-    {
-      return time;
-    }
-  }
-}
 
 // The component of the normal along the first one is quadratic in time, and positive if its three
 // Bernstein coefficients are. That decides nearly all corners without a square root. The
@@ -157,6 +76,74 @@ bool StaysClearlyUpright(const Motion& motion, const std::array<int, 3>& corner)
 }
 
 } // namespace
+
+// Conservative advancement: the direction between the closest points proves that the parts are
+// apart until some time; the next direction is taken at the positions of that time.
+double TimeOfImpact(const Motion& motion, const Hull& one, const Hull& two,
+  const MinimumDistance& distance, double maximumTime)
+{
+  if (AreAtRest(motion, one) && AreAtRest(motion, two))
+  {
+    return 1;
+  }
+  const HullCorners oneEnd = CornersAt(motion, one, 1);
+  const HullCorners twoEnd = CornersAt(motion, two, 1);
+  double time = 0;
+  double kept = distance.Wanted;
+  while (true)
+  {
+    const HullCorners oneNow = CornersAt(motion, one, time);
+    const HullCorners twoNow = CornersAt(motion, two, time);
+    const Vector3d direction = ClosestDirection(oneNow, twoNow).normalized();
+
+    const Projection oneBefore(oneNow, direction);
+    const Projection twoBefore(twoNow, direction);
+    const double separation = oneBefore.Low() - twoBefore.High();
+    if (time == 0)
+    {
+      kept = std::min(distance.Wanted, KeptFraction * separation);
+    }
+    if (!(kept >= distance.Resolution && kept > 0))
+    {
+      return -1;
+    }
+    if (!(separation >= kept) || time >= maximumTime)
+    {
+      return time;
+    }
+
+    const Projection oneAfter(oneEnd, direction);
+    const Projection twoAfter(twoEnd, direction);
+    if (oneAfter.Low() - twoAfter.High() >= kept)
+    {
+      return 1;
+    }
+    // The earliest time at which two vertices are nearer than `kept` along the direction.
+    double reached = 1;
+    for (int i = 0; i < 4; ++i)
+    {
+      for (int j = 0; j < 4; ++j)
+      {
+        const double end = oneAfter.Places[i] - twoAfter.Places[j];
+        if (!(end >= kept))
+        {
+          const double now = oneBefore.Places[i] - twoBefore.Places[j];
+          reached = std::min(reached, (now - kept) / (now - end));
+        }
+      }
+    }
+    const double advance = (1 - time) * reached;
+    if (!(advance > 0))
+    {
+      return time;
+    }
+    time += advance;
+    if (advance <= MinimumAdvance)
+    {
+      return time;
+    }
+  }
+}
 
 double TimeOfFlip(const Motion& motion, const std::array<int, 3>& corner)
 {
@@ -207,24 +194,6 @@ double TimeOfFlip(const Motion& motion, const std::array<int, 3>& corner)
   const double ratio = b1 < 0 ? b0 / (root - b1) : (root + b1) / -b2;
   const double time = std::isfinite(ratio) ? ratio / (1 + ratio) : 1;
   return std::min(time, std::nextafter(1.0, 0.0));
-}
-
-double TimeOfImpact(const Motion& motion, const std::array<int, 1>& vertex,
-  const std::array<int, 3>& triangle, const MinimumDistance& distance, double maximumTime)
-{
-  return Advance(motion, vertex, triangle, distance, maximumTime);
-}
-
-double TimeOfImpact(const Motion& motion, const std::array<int, 2>& one,
-  const std::array<int, 2>& two, const MinimumDistance& distance, double maximumTime)
-{
-  return Advance(motion, one, two, distance, maximumTime);
-}
-
-double TimeOfImpact(const Motion& motion, const std::array<int, 3>& one,
-  const std::array<int, 3>& two, const MinimumDistance& distance, double maximumTime)
-{
-  return Advance(motion, one, two, distance, maximumTime);
 }
 
 } // namespace FlipFree

@@ -15,9 +15,7 @@
 #ifndef FlipFreeMotionTest_h
 #define FlipFreeMotionTest_h
 
-#include "KernelTypes.h"
-
-#include <array>
+#include "Geometry/FaceHulls.h"
 
 namespace FlipFree
 {
@@ -44,16 +42,12 @@ struct MinimumDistance
   double Resolution = 0;
 };
 
-/// Conservative time of impact of a vertex and a triangle, of two edges, or of two triangles
-/// without a common vertex: they are proven to keep their minimum distance until then. 1 if there
-/// is no impact, also for parts at rest. Negative if the parts are not proven to be apart at the
-/// start. The search may end at `maximumTime` or later with the time that it has reached.
-double TimeOfImpact(const Motion& motion, const std::array<int, 1>& vertex,
-  const std::array<int, 3>& triangle, const MinimumDistance& distance, double maximumTime = 1);
-double TimeOfImpact(const Motion& motion, const std::array<int, 2>& one,
-  const std::array<int, 2>& two, const MinimumDistance& distance, double maximumTime = 1);
-double TimeOfImpact(const Motion& motion, const std::array<int, 3>& one,
-  const std::array<int, 3>& two, const MinimumDistance& distance, double maximumTime = 1);
+/// Conservative time of impact of two hulls without a common vertex: they are proven to keep their
+/// minimum distance until then. 1 if there is no impact, also for hulls at rest. Negative if they
+/// are not proven to be apart at the start. The search may end at `maximumTime` or later with the
+/// time that it has reached.
+double TimeOfImpact(const Motion& motion, const Hull& one, const Hull& two,
+  const MinimumDistance& distance, double maximumTime = 1);
 
 /// The time at which the normal of the corner before-vertex-after has turned by 90 degrees; 1 if it
 /// does not, for a corner at rest, and for one that is degenerate at the start: twice its area is

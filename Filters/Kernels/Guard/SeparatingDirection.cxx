@@ -22,8 +22,7 @@ namespace
 class DirectionTest
 {
 public:
-  DirectionTest(const SinglePrecisionMotion& motion, const std::array<int, 3>& one,
-    const std::array<int, 3>& two, double gap)
+  DirectionTest(const SinglePrecisionMotion& motion, const Hull& one, const Hull& two, double gap)
     : Gap(std::max(static_cast<float>(gap * (1 + 1e-6)), Tiny))
   {
     for (int end = 0; end < 2; ++end)
@@ -39,7 +38,7 @@ public:
         relative = relative.max(local.abs());
         return local;
       };
-      for (int i = 0; i < 3; ++i)
+      for (int i = 0; i < 4; ++i)
       {
         this->One[end][i] = take(one[i]);
         this->Two[end][i] = take(two[i]);
@@ -49,37 +48,27 @@ public:
     }
   }
 
-  // Tries the normals of both triangles, the line between their centers, and the common
-  // perpendiculars of their edges, all at the middle of the motion.
+  // Tries, all at the middle of the motion, the normals of both hulls, the line between their
+  // centers, the perpendiculars of the edges in the plane of the hull, and the common
+  // perpendiculars of the edges of both.
   bool Succeeds() const
   {
     if (!(this->Extent[0] < Huge && this->Extent[1] < Huge))
     {
       return false;
     }
-    const auto a = [this](int i) -> Lanes { return this->One[0][i] + this->One[1][i]; };
-    const auto b = [this](int i) -> Lanes { return this->Two[0][i] + this->Two[1][i]; };
-    const Lanes u[3] = { a(1) - a(0), a(2) - a(1), a(0) - a(2) };
-    const Lanes v[3] = { b(1) - b(0), b(2) - b(1), b(0) - b(2) };
-    const Lanes normal = Cross(u[0], u[1]);
-    const Lanes between = a(0) + a(1) + a(2) - b(0) - b(1) - b(2);
-    if (this->AnySeparates(Transposed(normal, Cross(v[0], v[1]), between, Cross(u[0], v[0]))))
+    const Sides one(this->One);
+    const Sides two(this->Two);
+    const Lanes between = one.Center - two.Center;
+    if (this->AnySeparates(
+          Transposed(one.Normal, two.Normal, between, Cross(one.Edges[0], two.Edges[0]))) ||
+      this->AnySeparates(CrossAll(one.Normal, one.Edges)) ||
+      this->AnySeparates(CrossAll(two.Normal, two.Edges)))
     {
       return true;
     }
-    const Eigen::Matrix4f others = Transposed(v[0], v[1], v[2], normal);
-    return std::any_of(u, u + 3,
-      [&](const Lanes& edge)
-      {
-        Eigen::Matrix4f directions;
-        for (int axis = 0; axis < 3; ++axis)
-        {
-          const int next = axis < 2 ? axis + 1 : 0;
-          const int last = axis > 0 ? axis - 1 : 2;
-          directions.col(axis) = edge[next] * others.col(last) - edge[last] * others.col(next);
-        }
-        return this->AnySeparates(directions);
-      });
+    return std::any_of(std::begin(one.Edges), std::end(one.Edges),
+      [&](const Lanes& edge) { return this->AnySeparates(CrossAll(edge, two.Edges)); });
   }
 
 private:
@@ -102,6 +91,44 @@ private:
     return rows;
   }
 
+  // The cross products with one vector.
+  static Eigen::Matrix4f CrossAll(const Lanes& one, const Lanes (&others)[4])
+  {
+    const Eigen::Matrix4f rows = Transposed(others[0], others[1], others[2], others[3]);
+    Eigen::Matrix4f products;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const int next = axis < 2 ? axis + 1 : 0;
+      const int last = axis > 0 ? axis - 1 : 2;
+      products.col(axis) = one[next] * rows.col(last) - one[last] * rows.col(next);
+    }
+    return products;
+  }
+
+  // Of a hull as a quad, at the middle of the motion; twice or four times as long.
+  struct Sides
+  {
+    explicit Sides(const Lanes (&corners)[2][4])
+      : Center(Lanes::Zero())
+    {
+      Lanes at[4];
+      for (int i = 0; i < 4; ++i)
+      {
+        at[i] = corners[0][i] + corners[1][i];
+        this->Center += at[i];
+      }
+      for (int i = 0; i < 4; ++i)
+      {
+        this->Edges[i] = at[(i + 1) % 4] - at[i];
+      }
+      this->Normal = Cross(at[2] - at[0], at[3] - at[1]);
+    }
+
+    Lanes Center;
+    Lanes Normal;
+    Lanes Edges[4];
+  };
+
   // One direction per row.
   bool AnySeparates(const Eigen::Matrix4f& directions) const
   {
@@ -111,7 +138,7 @@ private:
     const Lanes square = x * x + y * y + z * z;
     const Lanes gap = this->Gap * square.sqrt();
     const Lanes sum = x.abs() + y.abs() + z.abs();
-    Lanes above[2]; // by how much the first triangle is above the second one
+    Lanes above[2]; // by how much the first hull is above the second one
     Lanes below[2];
     for (int end = 0; end < 2; ++end)
     {
@@ -123,8 +150,9 @@ private:
         const Lanes p = vertices[0][0] * x + vertices[0][1] * y + vertices[0][2] * z;
         const Lanes q = vertices[1][0] * x + vertices[1][1] * y + vertices[1][2] * z;
         const Lanes r = vertices[2][0] * x + vertices[2][1] * y + vertices[2][2] * z;
-        low[side] = p.min(q).min(r);
-        high[side] = p.max(q).max(r);
+        const Lanes s = vertices[3][0] * x + vertices[3][1] * y + vertices[3][2] * z;
+        low[side] = p.min(q).min(r.min(s));
+        high[side] = p.max(q).max(r.max(s));
       }
       const Lanes apart = gap + this->Error[end] * sum;
       above[end] = low[0] - high[1] - apart;
@@ -139,8 +167,8 @@ private:
   float Gap;
   float Extent[2];
   float Error[2];
-  Lanes One[2][3]; // per end of the motion, relative to a vertex there
-  Lanes Two[2][3];
+  Lanes One[2][4]; // per end of the motion, relative to a vertex there
+  Lanes Two[2][4];
 };
 
 } // namespace
@@ -165,8 +193,8 @@ void SinglePrecisionMotion::Update(const Motion& motion, int vertex)
   }
 }
 
-bool HaveSeparatingDirection(const SinglePrecisionMotion& motion, const std::array<int, 3>& one,
-  const std::array<int, 3>& two, double gap)
+bool HaveSeparatingDirection(const SinglePrecisionMotion& motion, const Hull& one, const Hull& two,
+  double gap)
 {
   return DirectionTest(motion, one, two, gap).Succeeds();
 }

@@ -1,5 +1,5 @@
 /**
- * A quick sufficient test of whether two triangles stay apart while they move: some directions are
+ * A quick sufficient test of whether two hulls stay apart while they move: some directions are
  * tried, four at once in single precision. It spares nearly all pairs the motion test.
  */
 #ifndef FlipFreeSeparatingDirection_h
@@ -26,10 +26,10 @@ struct SinglePrecisionMotion
   Eigen::Vector3d Origin;
 };
 
-/// True if a direction was found along which the triangles are separated by more than `gap` at the
+/// True if a direction was found along which the hulls are separated by more than `gap` at the
 /// start and at the end of the motion, and so throughout (MotionTest.h).
-bool HaveSeparatingDirection(const SinglePrecisionMotion& motion, const std::array<int, 3>& one,
-  const std::array<int, 3>& two, double gap);
+bool HaveSeparatingDirection(const SinglePrecisionMotion& motion, const Hull& one, const Hull& two,
+  double gap);
 
 } // namespace FlipFree
 

@@ -1,5 +1,7 @@
 #include "Guard/StepLimiter.h"
 
+#include "Guard/SinglePrecision.h"
+
 #include <algorithm>
 
 namespace FlipFree
@@ -13,18 +15,35 @@ constexpr double MinimumScale = 1.0 / 64;
 } // namespace
 
 StepLimiter::StepLimiter(const PointList& points, const PointList& displacements,
-  const std::vector<std::array<int, 4>>& neighbors, double maximumShear)
+  const std::vector<std::array<int, 4>>& neighbors, double maximumShear, bool rounds)
   : From(points)
   , Neighbors(neighbors)
   , MaximumShear(maximumShear)
+  , Rounds(rounds)
   , Wanted(displacements)
   , Scaled(displacements)
-  , To(points + displacements)
+  , To(points.rows(), 3)
   , Scales(points.rows(), 1.0)
   , IsSuspect(points.rows(), 0)
   , SafeTimes(points.rows())
 {
   std::fill(this->SafeTimes.begin(), this->SafeTimes.end(), 1.0);
+  for (Eigen::Index vertex = 0; vertex < points.rows(); ++vertex)
+  {
+    this->Place(vertex);
+  }
+}
+
+void StepLimiter::Place(Eigen::Index vertex)
+{
+  auto displacement = this->Scaled.row(vertex);
+  displacement = this->Scales[vertex] * this->Wanted.row(vertex);
+  if (this->Rounds && !displacement.isZero(0))
+  {
+    displacement = RoundToSingle(this->From.row(vertex) + displacement) - this->From.row(vertex);
+  }
+  // As the caller adds them.
+  this->To.row(vertex) = this->From.row(vertex) + displacement;
 }
 
 std::vector<int> StepLimiter::ScaleDown()
@@ -60,8 +79,7 @@ std::vector<int> StepLimiter::ScaleDown()
   queue.erase(std::unique(queue.begin(), queue.end()), queue.end());
   for (int vertex : queue)
   {
-    this->Scaled.row(vertex) = this->Scales[vertex] * this->Wanted.row(vertex);
-    this->To.row(vertex) = this->From.row(vertex) + this->Scaled.row(vertex);
+    this->Place(vertex);
   }
   this->NothingFailed = true;
   return queue;

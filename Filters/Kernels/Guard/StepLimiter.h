@@ -29,9 +29,10 @@ class StepLimiter
 {
 public:
   /// Refers to the points and neighbors; `maximumShear` (mm) is by how much farther a vertex
-  /// may move at its own scale than at a neighbor's.
+  /// may move at its own scale than at a neighbor's. If `rounds`, vertices that move end at
+  /// single-precision numbers: what is tested is then the motion to these.
   StepLimiter(const PointList& points, const PointList& displacements,
-    const std::vector<std::array<int, 4>>& neighbors, double maximumShear);
+    const std::vector<std::array<int, 4>>& neighbors, double maximumShear, bool rounds);
 
   Motion Path() const { return { this->From, this->To }; }
   const PointList& Displacements() const { return this->Scaled; }
@@ -70,6 +71,13 @@ public:
                                              : std::min(latest, MaximumPart / SafetyFactor);
   }
 
+  /// Vertices that have been slowed or stopped.
+  int NumberOfScaled() const
+  {
+    return static_cast<int>(std::count_if(this->Scales.begin(), this->Scales.end(),
+      [](double scale) { return scale < 1; }));
+  }
+
   /// Whether no test has failed since the last ScaleDown.
   bool IsClean() const { return this->NothingFailed; }
 
@@ -94,9 +102,13 @@ private:
     return this->Scales[vertex] > 0 ? this->SafeTimes[vertex].load(std::memory_order_relaxed) : 0;
   }
 
+  // Sets where the vertex ends at its present scale.
+  void Place(Eigen::Index vertex);
+
   const PointList& From;
   const std::vector<std::array<int, 4>>& Neighbors;
   const double MaximumShear;
+  const bool Rounds;
   const PointList Wanted;
   PointList Scaled;
   PointList To;

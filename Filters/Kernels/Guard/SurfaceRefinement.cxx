@@ -1,8 +1,8 @@
 #include "Guard/SurfaceRefinement.h"
 
-#include "Geometry/SelfIntersection.h"
 #include "Geometry/SurfaceGap.h"
 #include "Guard/EmbeddingGuard.h"
+#include "Guard/SinglePrecision.h"
 #include "Mesh/MeshRefinement.h"
 #include "Mesh/SurfaceNormals.h"
 
@@ -16,8 +16,8 @@ namespace
 
 constexpr int MaximumAttempts = 9;
 constexpr int MaximumRelaxations = 30;
-// That the refined surface keeps from itself, relative to the mean edge length of the old one: as
-// volume meshers like it.
+// That the refined surface keeps from itself, relative to the mean edge length of the old one: well
+// above the rounding to single precision, which files hold.
 constexpr double RelativeGap = 1e-4;
 // Of the way of a vertex to the mean of its neighbors.
 constexpr double Relaxation = 0.5;
@@ -39,11 +39,10 @@ void RelaxOnce(const ContourMesh& mesh, const EmbeddingGuard& guard, const std::
   points += motion;
 }
 
-// Pulls the new points near intersections, and where the surface comes too near to itself, towards
-// their parents until there are none. False if some remain; `involved` are then the old vertices
-// near those.
+// Pulls the new points where the surface comes too near to itself towards their parents until there
+// are none. False if some remain; `involved` are then the old vertices near those.
 bool RefineEmbedded(const ContourMesh& mesh, const PointList& points, const RefinedMesh& faces,
-  const TriangleTree& tree, double gap, const ParallelFor& parallelFor, const Monitor& monitor,
+  const FaceHulls& hulls, double edgeLength, const ParallelFor& parallelFor, const Monitor& monitor,
   RefinedSurface& refined, std::set<int>& involved)
 {
   Eigen::VectorXd reach = Eigen::VectorXd::Ones(points.rows());
@@ -54,23 +53,27 @@ bool RefineEmbedded(const ContourMesh& mesh, const PointList& points, const Refi
       return false;
     }
     refined.Points = RefinePoints(mesh, points, reach);
-    auto pairs = FindSelfIntersections(tree, refined.Points, refined.Mesh.Triangles, parallelFor);
-    if (pairs.empty())
+    if (IsSinglePrecisionEnough(refined.Points.cwiseAbs().maxCoeff(), edgeLength))
     {
-      pairs = FindPairsNearerThan(gap, tree, refined.Points, refined.Mesh.Triangles, parallelFor);
+      for (auto position : refined.Points.rowwise())
+      {
+        position = RoundToSingle(position);
+      }
     }
+    const std::vector<HullPair> pairs =
+      FindPairsNearerThan(RelativeGap * edgeLength, refined.Points, hulls, parallelFor);
     if (pairs.empty())
     {
       return true;
     }
     involved.clear();
-    for (const auto& pair : pairs)
+    for (const HullPair& pair : pairs)
     {
-      for (int triangle : { pair.first, pair.second })
+      for (const Hull& hull : { pair.One, pair.Two })
       {
-        for (int corner = 0; corner < 3; ++corner)
+        for (int vertex : hull)
         {
-          const int parent = faces.Parents[refined.Mesh.Triangles(triangle, corner)];
+          const int parent = faces.Parents[vertex];
           involved.insert(parent);
           involved.insert(mesh.Neighbors[parent].begin(), mesh.Neighbors[parent].end());
         }
@@ -119,14 +122,15 @@ RefinedSurface RefineSurface(const ContourMesh& mesh, const PointList& points, b
     return refined;
   }
   const EmbeddingGuard guard(mesh);
-  const TriangleTree tree(RefinePoints(mesh, points, 1), refined.Mesh.Triangles);
-  const double gap = RelativeGap * MeanEdgeLength(mesh, points);
+  const FaceHulls hulls(RefinePoints(mesh, points, 1), refined.Mesh.Faces);
+  const double edgeLength = MeanEdgeLength(mesh, points);
   PointList coarse = points;
   std::set<int> involved;
   // Asked at each attempt, of which some are made before and after each relaxation.
   const Monitor proceed = [&](double)
   { return monitor(static_cast<double>(refined.Relaxations) / MaximumRelaxations); };
-  while (!RefineEmbedded(mesh, coarse, faces, tree, gap, parallelFor, proceed, refined, involved))
+  while (!RefineEmbedded(mesh, coarse, faces, hulls, edgeLength, parallelFor, proceed, refined,
+    involved))
   {
     if (refined.Relaxations == MaximumRelaxations || !proceed(0))
     {

@@ -1,6 +1,6 @@
 /**
- * Refinement that keeps a surface embedded: the refined surface is checked with exact
- * predicates to be free of self-intersections, and keeps a small gap from itself.
+ * Refinement that keeps a surface embedded: the refined surface is proven to keep a small gap from
+ * itself, however its faces are cut into triangles (FaceHulls.h).
  */
 #ifndef FlipFreeSurfaceRefinement_h
 #define FlipFreeSurfaceRefinement_h

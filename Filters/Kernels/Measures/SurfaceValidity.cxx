@@ -59,21 +59,14 @@ int MarkFlippedCorners(const PointList& points, const PointList& reference, cons
   return std::accumulate(flipped.begin(), flipped.end(), 0);
 }
 
-int MarkSelfIntersections(const PointList& points, const FaceList& faces,
-  const TriangleList& triangles, const ParallelFor& parallelFor,
-  std::vector<unsigned char>& defects)
+int MarkSelfIntersections(const PointList& points, const FaceHulls& hulls,
+  const ParallelFor& parallelFor, std::vector<unsigned char>& defects)
 {
-  std::vector<int> faceOfTriangle;
-  for (int face = 0; face < faces.NumberOfFaces(); ++face)
-  {
-    faceOfTriangle.insert(faceOfTriangle.end(), faces.FaceSize(face) - 2, face);
-  }
-  const TriangleTree tree(points, triangles);
-  const auto pairs = FindSelfIntersections(tree, points, triangles, parallelFor);
+  const auto pairs = FindSelfIntersections(points, hulls, parallelFor);
   for (const auto& pair : pairs)
   {
-    defects[faceOfTriangle[pair.first]] |= SurfaceValidity::SelfIntersecting;
-    defects[faceOfTriangle[pair.second]] |= SurfaceValidity::SelfIntersecting;
+    defects[pair.first] |= SurfaceValidity::SelfIntersecting;
+    defects[pair.second] |= SurfaceValidity::SelfIntersecting;
   }
   return static_cast<int>(pairs.size());
 }
@@ -95,16 +88,15 @@ SurfaceValidity MeasureValidity(const PointList& points, const FaceList& faces,
   {
     return validity;
   }
-  const TriangleList triangles = Triangulate(faces);
-  validity.SelfIntersections =
-    MarkSelfIntersections(points, faces, triangles, parallelFor, validity.Defects);
+  const FaceHulls hulls(points, faces);
+  validity.SelfIntersections = MarkSelfIntersections(points, hulls, parallelFor, validity.Defects);
   if (!monitor(0.6))
   {
     return validity;
   }
   if (validity.SelfIntersections == 0)
   {
-    validity.MinimumGap = MeasureMinimumGap(points, triangles, parallelFor);
+    validity.MinimumGap = MeasureMinimumGap(points, hulls, parallelFor);
   }
   validity.Complete = monitor(1);
   return validity;

@@ -23,7 +23,7 @@ struct SurfaceValidity
 
   SurfaceQuality Quality;
   std::vector<unsigned char> Defects; ///< per face
-  int SelfIntersections = 0;          ///< pairs of triangles
+  int SelfIntersections = 0;          ///< pairs of faces, for any cut
   int FlippedCorners = -1;            ///< -1 without a reference
   double MinimumGap = 0;              ///< 0 where there are self-intersections
   /// False when the monitor stopped the measurement; the numbers are then meaningless.

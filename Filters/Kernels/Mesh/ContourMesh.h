@@ -16,23 +16,6 @@
 namespace FlipFree
 {
 
-/// Polygons as in vtkCellArray: face f has the vertices Connectivity[Offsets[f]] up to, not
-/// including, Connectivity[Offsets[f + 1]], counter-clockwise seen from outside.
-struct FaceList
-{
-  std::vector<int> Offsets{ 0 };
-  std::vector<int> Connectivity;
-
-  int NumberOfFaces() const { return static_cast<int>(this->Offsets.size()) - 1; }
-  int FaceSize(int face) const { return this->Offsets[face + 1] - this->Offsets[face]; }
-  const int* Face(int face) const { return this->Connectivity.data() + this->Offsets[face]; }
-  void Append(std::initializer_list<int> face)
-  {
-    this->Connectivity.insert(this->Connectivity.end(), face);
-    this->Offsets.push_back(static_cast<int>(this->Connectivity.size()));
-  }
-};
-
 /// Cuts every polygon into triangles that share its first vertex. Surfaces are certified, measured
 /// and voxelized by this triangulation.
 TriangleList Triangulate(const FaceList& faces);

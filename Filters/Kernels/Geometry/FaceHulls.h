@@ -1,0 +1,127 @@
+/**
+ * What has to stay apart for a surface to be embedded however its faces are cut into triangles.
+ *
+ * A quad in space has no surface until it is cut, and every writer, reader and renderer cuts it in
+ * its own way. So all cuts along diagonals are considered at once.
+ *
+ * Claim: whatever the cuts, two triangles of the surface meet only in the vertex or edge that they
+ * share, if the convex hulls of these pairs of vertex sets are apart:
+ *   (a) two faces without a common vertex;
+ *   (b) for two faces F and G with the common vertices S, and each subset P of S, F without S but
+ *       with P, and G without P;
+ *   (c) for one face, a corner and three others, a corner of a triangle and its two others, and two
+ *       segments, or a segment and a triangle, of different corners that do not cross.
+ *
+ * Proof. Let a point of two triangles T and U not lie in the hull of their common vertices. It is a
+ * convex combination of the vertices of T, and another of those of U. Taking away from both what
+ * they have in common at common vertices leaves, after scaling, a point common to the hulls of A,
+ * of vertices of T, and B, of vertices of U, which have no vertex in common. If T and U belong to
+ * faces F and G without a common vertex, that is excluded by (a). If these are adjacent, let P be
+ * the vertices of S in A: A is part of F without S but with P, and B of G without P, which (b)
+ * excludes. If T and U are two triangles of one cut of one face, A and B do not cross, and they are
+ * a corner and at most a triangle, two segments, a segment and a triangle, or two triangles, of
+ * which an edge of one then meets the other: (c).
+ *
+ * By (a) and (b), the hulls of two faces meet only in the hull of their common vertices. Any patch
+ * in a face's hull, such as a bilinear one, is therefore covered, too.
+ *
+ * A face of more than eight corners has too many cuts. It stands for the triangles of its fan, as
+ * Triangulate makes it.
+ */
+#ifndef FlipFreeFaceHulls_h
+#define FlipFreeFaceHulls_h
+
+#include "Geometry/TriangleTree.h"
+
+namespace FlipFree
+{
+
+/// The convex hull of up to four vertices. If there are fewer, the last one is repeated.
+using Hull = std::array<int, 4>;
+
+/// Parts of two faces, or of one, without a common vertex.
+struct HullPair
+{
+  Hull One;
+  Hull Two;
+  std::array<int, 2> Faces;
+};
+
+class FaceHulls
+{
+public:
+  /// Lists the pairs of a fixed connectivity. The tree over the faces is built with `layout`, as
+  /// TriangleTree says. The faces' indices must be valid.
+  FaceHulls(const PointList& layout, const FaceList& faces);
+
+  int NumberOfHulls() const { return static_cast<int>(this->Hulls.rows()); }
+  Hull HullAt(int index) const
+  {
+    const int* const v = this->Hulls.row(index).data();
+    return { { v[0], v[1], v[2], v[3] } };
+  }
+  int FaceOf(int hull) const { return this->Faces[hull]; }
+
+  /// The tree over the hulls: one for a face of at most four corners, some that cover it for a
+  /// larger one. Those without a common vertex are the pairs (a).
+  const TriangleTree& Tree() const { return this->TreeOfHulls; }
+  std::vector<TriangleBox> RefitBoxes(const PointList& points) const
+  {
+    return this->TreeOfHulls.RefitBoxes(points, this->Hulls);
+  }
+  bool AreDisjoint(int one, int two) const;
+
+  /// The pairs (b) and (c), without those that lie in another pair.
+  const std::vector<HullPair>& AdjacentPairs() const { return this->Adjacent; }
+
+  /// Those that do: what intersects there is found in another pair, but of other faces.
+  const std::vector<HullPair>& CoveredPairs() const { return this->Covered; }
+
+  /// Faces that share three vertices or more; there are cuts by which they share a triangle.
+  const std::vector<std::pair<int, int>>& OverlappingFaces() const { return this->Overlapping; }
+
+  /// Nodes of the tree that stand for the pairs (a), see TriangleTree::DisjointPairs.
+  std::vector<TriangleTree::NodePair> DisjointPairs(const PointList& layout) const
+  {
+    return this->TreeOfHulls.DisjointPairs(layout, this->Hulls);
+  }
+
+private:
+  using HullList = Eigen::Matrix<int, Eigen::Dynamic, 4, Eigen::RowMajor>;
+
+  HullList Hulls;
+  std::vector<int> Faces;
+  TriangleTree TreeOfHulls;
+  std::vector<HullPair> Adjacent;
+  std::vector<HullPair> Covered;
+  std::vector<std::pair<int, int>> Overlapping;
+};
+
+/// The pairs for which accept(pair) holds; it is called from several threads at once.
+template <typename Accept>
+std::vector<HullPair> Select(const std::vector<HullPair>& pairs, const Accept& accept,
+  const ParallelFor& parallelFor)
+{
+  std::vector<char> isAccepted(pairs.size(), 0);
+  parallelFor(0, static_cast<std::ptrdiff_t>(pairs.size()),
+    [&](std::ptrdiff_t first, std::ptrdiff_t last)
+    {
+      for (std::ptrdiff_t index = first; index < last; ++index)
+      {
+        isAccepted[index] = accept(pairs[index]) ? 1 : 0;
+      }
+    });
+  std::vector<HullPair> accepted;
+  for (std::size_t index = 0; index < pairs.size(); ++index)
+  {
+    if (isAccepted[index] != 0)
+    {
+      accepted.push_back(pairs[index]);
+    }
+  }
+  return accepted;
+}
+
+} // namespace FlipFree
+
+#endif
