@@ -71,7 +71,7 @@ TEST(SurfaceRefinement, SmoothSurfacesNeedNothing)
     RefineSurface(sphere.Mesh, sphere.Points(), true, SerialFor, NeverStop);
   EXPECT_TRUE(refined.Embedded);
   EXPECT_EQ(refined.Relaxations, 0);
-  EXPECT_EQ(refined.Points, unchecked.Points);
+  EXPECT_LT((refined.Points - unchecked.Points).cwiseAbs().maxCoeff(), 1e-5); // but for rounding
 }
 
 TEST(SurfaceRefinement, StopsWheneverItIsAsked)

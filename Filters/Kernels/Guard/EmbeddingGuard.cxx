@@ -172,10 +172,8 @@ GuardReport EmbeddingGuard::Limit(const PointList& points, PointList& displaceme
   distance.Resolution = RelativeResolution * (points.cwiseAbs().maxCoeff() + maximum);
   distance.Wanted = std::max(RelativeGap * edgeLength, 2 * distance.Resolution);
 
-  const double furthest =
-    points.cwiseAbs().maxCoeff() + displacements.rowwise().norm().cwiseMin(maximum).maxCoeff();
   StepLimiter step(points, CutToLength(displacements, maximum), this->Neighbors,
-    RelativeShear * edgeLength, IsSinglePrecisionEnough(furthest, edgeLength));
+    RelativeShear * edgeLength, edgeLength);
   HullTest hulls(this->Candidates, points, distance);
   // Vertices whose motion has changed since the test was last run.
   std::vector<char> changedForCorners(points.rows(), 1);

@@ -10,18 +10,12 @@
 namespace FlipFree
 {
 
-/// The rounded position.
-template <typename Position>
-Eigen::RowVector3d RoundToSingle(const Position& position)
+/// The rounded position, if that is at most a thousandth of the mean edge length (mm) away, and
+/// else, where single precision is too coarse for the surface, the position itself.
+inline Eigen::RowVector3d RoundToSingle(const Eigen::RowVector3d& position, double edgeLength)
 {
-  return position.template cast<float>().template cast<double>();
-}
-
-/// Whether rounding moves positions up to this coordinate by less than a thousandth of the edge
-/// length (both mm). Beyond that, the numbers are too coarse for the surface.
-inline bool IsSinglePrecisionEnough(double maximumCoordinate, double edgeLength)
-{
-  return maximumCoordinate / (1 << 24) < 1e-3 * edgeLength;
+  const bool isFineEnough = position.cwiseAbs().maxCoeff() / (1 << 24) < 1e-3 * edgeLength;
+  return isFineEnough ? Eigen::RowVector3d(position.cast<float>().cast<double>()) : position;
 }
 
 } // namespace FlipFree

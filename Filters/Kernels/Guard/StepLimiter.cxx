@@ -15,11 +15,11 @@ constexpr double MinimumScale = 1.0 / 64;
 } // namespace
 
 StepLimiter::StepLimiter(const PointList& points, const PointList& displacements,
-  const std::vector<std::array<int, 4>>& neighbors, double maximumShear, bool rounds)
+  const std::vector<std::array<int, 4>>& neighbors, double maximumShear, double edgeLength)
   : From(points)
   , Neighbors(neighbors)
   , MaximumShear(maximumShear)
-  , Rounds(rounds)
+  , EdgeLength(edgeLength)
   , Wanted(displacements)
   , Scaled(displacements)
   , To(points.rows(), 3)
@@ -38,9 +38,10 @@ void StepLimiter::Place(Eigen::Index vertex)
 {
   auto displacement = this->Scaled.row(vertex);
   displacement = this->Scales[vertex] * this->Wanted.row(vertex);
-  if (this->Rounds && !displacement.isZero(0))
+  if (!displacement.isZero(0))
   {
-    displacement = RoundToSingle(this->From.row(vertex) + displacement) - this->From.row(vertex);
+    displacement = RoundToSingle(this->From.row(vertex) + displacement, this->EdgeLength) -
+      this->From.row(vertex);
   }
   // As the caller adds them.
   this->To.row(vertex) = this->From.row(vertex) + displacement;

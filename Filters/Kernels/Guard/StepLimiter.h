@@ -29,10 +29,11 @@ class StepLimiter
 {
 public:
   /// Refers to the points and neighbors; `maximumShear` (mm) is by how much farther a vertex
-  /// may move at its own scale than at a neighbor's. If `rounds`, vertices that move end at
-  /// single-precision numbers: what is tested is then the motion to these.
+  /// may move at its own scale than at a neighbor's. Vertices that move end at single-precision
+  /// numbers, if these are fine enough for the mean edge length (mm; SinglePrecision.h): what is
+  /// tested is the motion to there.
   StepLimiter(const PointList& points, const PointList& displacements,
-    const std::vector<std::array<int, 4>>& neighbors, double maximumShear, bool rounds);
+    const std::vector<std::array<int, 4>>& neighbors, double maximumShear, double edgeLength);
 
   Motion Path() const { return { this->From, this->To }; }
   const PointList& Displacements() const { return this->Scaled; }
@@ -108,7 +109,7 @@ private:
   const PointList& From;
   const std::vector<std::array<int, 4>>& Neighbors;
   const double MaximumShear;
-  const bool Rounds;
+  const double EdgeLength;
   const PointList Wanted;
   PointList Scaled;
   PointList To;

@@ -53,12 +53,9 @@ bool RefineEmbedded(const ContourMesh& mesh, const PointList& points, const Refi
       return false;
     }
     refined.Points = RefinePoints(mesh, points, reach);
-    if (IsSinglePrecisionEnough(refined.Points.cwiseAbs().maxCoeff(), edgeLength))
+    for (auto position : refined.Points.rowwise())
     {
-      for (auto position : refined.Points.rowwise())
-      {
-        position = RoundToSingle(position);
-      }
+      position = RoundToSingle(position, edgeLength);
     }
     const std::vector<HullPair> pairs =
       FindPairsNearerThan(RelativeGap * edgeLength, refined.Points, hulls, parallelFor);
