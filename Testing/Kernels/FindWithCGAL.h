@@ -65,7 +65,7 @@ inline PairList FindWithCGAL(const PointList& points, const FaceList& faces)
     points, faces, [](int) { return false; }, pairs);
   AppendWithCGAL(
     points, faces, [](int) { return true; }, pairs);
-  for (int bit = 0; faces.NumberOfFaces() - 1 >> bit > 0; ++bit)
+  for (int bit = 0; (faces.NumberOfFaces() - 1) >> bit > 0; ++bit)
   {
     for (int value : { 0, 1 })
     {
