@@ -189,6 +189,12 @@ inline void AttachMesh(const ContourMesh& mesh, const PointList& points, vtkPoly
   surface->SetPolys(MakePolys(mesh.Faces));
 }
 
+/// Field data `Certified`: 1 if the surface is proven to be embedded, however its faces are cut.
+inline void AttachCertificate(bool certified, vtkPolyData* surface)
+{
+  AddFieldValues("Certified", { certified ? 1.0 : 0.0 }, surface);
+}
+
 } // namespace FlipFree
 
 #endif

@@ -4,9 +4,11 @@
  *
  * Passes a surface of polygons through, marks its invalid cells, and counts the defects. A surface
  * is valid when it is closed (every edge is on two consistently oriented faces), does not intersect
- * itself, and has no flipped corner. Polygons are cut into triangles from their first vertex;
- * self-intersections are pairs of these triangles whose intersection is more than a shared vertex
- * or edge, decided exactly. The surface may be open, of any genus, and have any of these defects.
+ * itself, and has no flipped corner. Polygons may be cut into triangles along any of their
+ * diagonals (those of more than eight corners from the first one): self-intersections are pairs of
+ * faces that some cuts make intersect in more than a shared vertex or edge, decided exactly; a face
+ * whose own triangles may overlap is paired with itself. The surface may be open, of any genus, and
+ * have any of these defects.
  *
  * Input port 0: vtkPolyData, the surface.
  *
@@ -21,10 +23,10 @@
  *    of a regular polygon, negative where it turns the wrong way: 1 is best, 0 degenerate.
  *
  * Output port 1: vtkTable with one row (GetMeasures) and the columns Valid (0 or 1),
- * SelfIntersections (pairs of triangles), FlippedCorners (-1 without a reference), EulerNumber,
+ * SelfIntersections (pairs of faces), FlippedCorners (-1 without a reference), EulerNumber,
  * BoundaryEdges, NonManifoldEdges, MisorientedEdges, all int; MinimumScaledJacobian,
  * FirstPercentileScaledJacobian, MinimumDihedralAngle (degrees, 180 is flat), MinimumGap (mm,
- * between triangles that share no vertex; 0 where there are self-intersections) and
+ * between the convex hulls of faces that share no vertex; 0 where there are self-intersections) and
  * EdgeLengthVariation (standard deviation over mean), double.
  *
  * Errors, with empty outputs: a surface without points or polygons, with triangle strips, or with a

@@ -100,6 +100,7 @@ int vtkFlipFreeDeform::RequestData(vtkInformation*, vtkInformationVector** input
     FlipFree::AttachField(field, output);
     FlipFree::AddFieldValues("FlippingVertices", { static_cast<double>(report.Flipping) }, output);
     FlipFree::AddFieldValues("GuardedVertices", { static_cast<double>(report.Guarded) }, output);
+    FlipFree::AttachCertificate(guarded, output);
   }
   catch (const std::exception& error)
   {

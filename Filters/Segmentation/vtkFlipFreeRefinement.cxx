@@ -30,6 +30,7 @@ int vtkFlipFreeRefinement::RequestData(vtkInformation*, vtkInformationVector** i
         "the surface on port 0 is folded too sharply; smooth it, or deform it with more fairing");
     }
     FlipFree::AttachMesh(refined.Mesh, refined.Points, output);
+    FlipFree::AttachCertificate(this->Check, output);
   }
   catch (const std::exception& error)
   {

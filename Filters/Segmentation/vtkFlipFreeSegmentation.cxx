@@ -422,11 +422,12 @@ void vtkFlipFreeSegmentation::Keep(const FlipFree::OrganSurface& organ, bool gua
   {
     throw std::logic_error("the surface intersects itself in " +
       std::to_string(organ.SelfIntersections) +
-      " pairs of triangles although every step was certified, which should be impossible; please "
+      " pairs of faces although every step was certified, which should be impossible; please "
       "report it with the image and the parameters");
   }
   FlipFree::AttachMesh(organ.Mesh, organ.Points, this->Cache->Surface);
   FlipFree::AttachField(organ.Field, this->Cache->Surface);
+  FlipFree::AttachCertificate(guarded, this->Cache->Surface);
 }
 
 void vtkFlipFreeSegmentation::Deliver(vtkInformationVector* outputs)

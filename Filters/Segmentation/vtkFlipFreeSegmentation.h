@@ -7,7 +7,9 @@
  * sphere by a mixture of Gaussians, and deforms a quadrilateral sphere onto the organ, from coarse
  * to fine. Each iteration searches correspondences, detects and avoids flips, propagates
  * displacements, and solves a Laplacian deformation. A guard limits every motion, so the surface
- * stays embedded: no two of its triangles intersect, and no face flips.
+ * stays embedded, in whatever way its faces are cut into triangles, and no face flips. Positions
+ * are single-precision numbers, where these are fine enough, so that every file format holds the
+ * very surface that was certified.
  *
  * The stages own most parameters, see GetDiffusion(), GetFeature(), GetSearch(), and GetDeform().
  * Chained by hand (vtkSeedRegionDiffusion, vtkGMMFeatureFilter, vtkCorrespondenceSearch,
@@ -19,7 +21,8 @@
  * four neighbors at every vertex, embedded. It is refined like the sphere.
  *
  * Output port 0: vtkPolyData, the surface, with the point arrays `Displacement` (3 doubles, mm; the
- * last one wanted) and `Correspondence` (unsigned char; 0 solitary, 1 matched, 2 flipping).
+ * last one wanted) and `Correspondence` (unsigned char; 0 solitary, 1 matched, 2 flipping), and the
+ * field data `Certified` (double): 1 if the guard was on, 0 otherwise.
  * Output port 1: vtkImageData, unsigned char `Labels` of the input's geometry: LabelValue inside.
  * Output port 2: vtkTable `Convergence`, a row per iteration: Iteration, Level, Vertices,
  * MeanDistance (mm), Matched, Solitary, Flipping, Guarded (vertices that the guard limited), and
@@ -300,8 +303,8 @@ public:
   ///@}
 
   /**
-   * Self-intersecting pairs of triangles of the result, counted exactly and independently of the
-   * guard; -1 before Update().
+   * Pairs of faces of the result that intersect for some way to cut them into triangles, counted
+   * exactly and independently of the guard; -1 before Update().
    */
   vtkGetMacro(NumberOfSelfIntersections, int);
 

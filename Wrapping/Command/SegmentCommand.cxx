@@ -10,6 +10,7 @@
 #include "TableFile.h"
 #include "VolumeFile.h"
 
+#include "vtkFlipFreeDeform.h"
 #include "vtkFlipFreeSegmentation.h"
 #include "vtkImageData.h"
 #include "vtkMassProperties.h"
@@ -238,11 +239,11 @@ void Segment(const Segmentation& segmentation)
       "raise --search-distance or --foreground-mass.");
   }
   WriteResults(filter, image, segmentation, outputs);
-  if (filter->GetNumberOfSelfIntersections() > 0)
+  if (!filter->GetDeform()->GetGuard())
   {
-    PrintWarning("The surface intersects itself in " +
-      std::to_string(filter->GetNumberOfSelfIntersections()) +
-      " pairs of triangles. With --guard, it would not.");
+    PrintWarning("The surface is not certified: without --guard, it may intersect itself, and does "
+                 "so in " +
+      std::to_string(filter->GetNumberOfSelfIntersections()) + " pairs of faces.");
   }
   if (!segmentation.Quiet)
   {

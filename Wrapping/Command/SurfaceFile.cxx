@@ -7,12 +7,15 @@
 #include "VtpHeader.h"
 
 #include "vtkCellArray.h"
+#include "vtkDataArray.h"
+#include "vtkFieldData.h"
 #include "vtkIdList.h"
 #include "vtkNew.h"
 #include "vtkOBJWriter.h"
 #include "vtkPLYWriter.h"
 #include "vtkPolyData.h"
 #include "vtkSTLWriter.h"
+#include "vtkSurfaceValidity.h"
 #include "vtkTriangleFilter.h"
 #include "vtkXMLPolyDataReader.h"
 #include "vtkXMLPolyDataWriter.h"
@@ -128,6 +131,27 @@ vtkSmartPointer<vtkPolyData> TrianglesOf(vtkPolyData* surface)
   return triangles->GetOutput();
 }
 
+/// Field data of FlipFree's filters: the surface is proven to be embedded.
+bool IsCertified(vtkPolyData* surface)
+{
+  vtkDataArray* certified = surface->GetFieldData()->GetArray("Certified");
+  return certified && certified->GetNumberOfTuples() == 1 && certified->GetTuple1(0) == 1;
+}
+
+/// What was certified is not the file but the surface: the file's positions may be rounded.
+void RequireValid(vtkPolyData* found, const std::string& name)
+{
+  vtkNew<vtkSurfaceValidity> validity;
+  validity->SetInputData(found);
+  Run(validity, "checking");
+  if (!validity->IsValid())
+  {
+    throw Failure("'" + name +
+      "' cannot hold this surface: rounded to the precision of the format, faces touch each other. "
+      "Write a .vtp or .obj file, which hold positions in double precision.");
+  }
+}
+
 } // namespace
 
 const std::vector<std::string>& SurfaceEndings()
@@ -176,11 +200,12 @@ void WriteSurface(const std::string& name, vtkPolyData* surface)
   const vtkSmartPointer<vtkPolyData> written =
     triangulated ? TrianglesOf(surface) : vtkSmartPointer<vtkPolyData>(surface);
   bool whole = false;
+  vtkSmartPointer<vtkPolyData> found;
   try
   {
     const Format& format = FormatOf(name);
     format.Write(name, written);
-    const vtkSmartPointer<vtkPolyData> found = format.Read(name);
+    found = format.Read(name);
     // STL has no vertex indices to compare.
     whole = triangulated ? found->GetNumberOfPolys() == written->GetNumberOfPolys()
                          : SameFaces(found, written);
@@ -195,6 +220,10 @@ void WriteSurface(const std::string& name, vtkPolyData* surface)
     throw Failure("'" + name +
       "' cannot be written completely: the disk is full, or a limit on file sizes is reached. Make "
       "room, or write elsewhere.");
+  }
+  if (IsCertified(surface))
+  {
+    RequireValid(found, name);
   }
 }
 

@@ -21,7 +21,8 @@ const std::vector<std::string>& SurfaceEndings();
 vtkSmartPointer<vtkPolyData> ReadSurface(const std::string& name);
 
 /// Writes a surface and reads it back, because VTK's writers do not report every failure. STL holds
-/// triangles only; the other formats keep the faces.
+/// triangles only; the other formats keep the faces. If the surface is certified (field data
+/// `Certified`), what is read back must be valid, too: its positions may have been rounded.
 void WriteSurface(const std::string& name, vtkPolyData* surface);
 
 } // namespace Command

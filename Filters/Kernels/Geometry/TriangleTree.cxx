@@ -156,7 +156,7 @@ PointList TriangleTree::TopologicalLayout(int numberOfPoints, const FaceList& fa
 std::vector<int> TriangleTree::Order() const
 {
   std::vector<int> order;
-  order.reserve(this->NumberOfTriangles());
+  order.reserve(this->NumberOfElements());
   for (const Node& node : this->Nodes)
   {
     if (node.Count == 1)

@@ -30,7 +30,7 @@ class Segmentation:
     """Such as 'at rest'; vtkFlipFreeSegmentation.GetStopReasonAsString() lists them."""
 
     self_intersections: int
-    """Self-intersecting pairs of triangles: 0, unless the guard was switched off."""
+    """Pairs of faces that intersect for some way to cut them: 0, unless the guard was switched off."""
 
     history: tuple[vtkPolyData, ...] = ()
     """The surface after each iteration, with keep_history."""
@@ -63,7 +63,7 @@ class Segmentation:
         """The triangles as rows of indices of points.
 
         Each face is a fan around its first vertex. The absence of self-intersections is certified
-        for this triangulation.
+        for every other triangulation of the faces, too.
         """
         import numpy
 
