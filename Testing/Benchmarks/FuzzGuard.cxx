@@ -5,6 +5,8 @@
 #include "FindWithCGAL.h"
 #include "Geometry/SelfIntersection.h"
 #include "Guard/EmbeddingGuard.h"
+#include "Guard/SinglePrecision.h"
+#include "Guard/SurfaceRefinement.h"
 
 #include <CLI/CLI.hpp>
 
@@ -25,15 +27,16 @@ struct Tally
   int GuardedMotions = 0;
   std::ptrdiff_t Intersections = 0;
   std::ptrdiff_t IntersectionsOnTheWay = 0;
-  std::ptrdiff_t IntersectionsByCGAL = 0;
+  std::ptrdiff_t IntersectionsRounded = 0; ///< in single precision
+  std::ptrdiff_t IntersectionsByCGAL = 0;  ///< of both
   std::ptrdiff_t FlippedCorners = 0;
   double Kept = 0; ///< mean length of the displacements, part of the wanted one
   double Seconds = 0;
 
   bool IsClean() const
   {
-    return this->Intersections + this->IntersectionsOnTheWay + this->IntersectionsByCGAL +
-      this->FlippedCorners ==
+    return this->Intersections + this->IntersectionsOnTheWay + this->IntersectionsRounded +
+      this->IntersectionsByCGAL + this->FlippedCorners ==
       0;
   }
 };
@@ -43,11 +46,46 @@ double Now()
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
+// A surface that motions start from.
+struct Shape
+{
+  ContourMesh Mesh;
+  PointList Points;
+  double EdgeLength;
+};
+
+// Spheres, what refinement makes of a crumpled one, and tubes, long and thin.
+std::vector<Shape> ShapesOf(int n)
+{
+  const TestSphere sphere(n);
+  std::vector<Shape> shapes{ { sphere.Mesh, sphere.Points(), sphere.EdgeLength } };
+  std::mt19937 random(n);
+  const TestSphere coarse(n / 2);
+  PointList crumpled = coarse.Points();
+  const EmbeddingGuard guard(coarse.Mesh);
+  for (int step = 0; step < 3; ++step)
+  {
+    PointList motion = WhiteNoise(crumpled.rows(), 0.2 * coarse.EdgeLength, random);
+    guard.Limit(crumpled, motion, SerialFor, NeverStop);
+    crumpled += motion;
+  }
+  const RefinedSurface refined = RefineSurface(coarse.Mesh, crumpled, true, SerialFor, NeverStop);
+  if (refined.Embedded)
+  {
+    shapes.push_back({ refined.Mesh, refined.Points, coarse.EdgeLength / 2 });
+  }
+  Shape tube{ sphere.Mesh, sphere.Points(), sphere.EdgeLength / 3 };
+  tube.Points.leftCols(2) *= 0.1;
+  tube.Points.col(0) += (0.05 * tube.Points.col(2)).array().sin().matrix() * 10;
+  shapes.push_back(tube);
+  return shapes;
+}
+
 // One motion; returns where it ended.
-PointList Try(const TestSphere& sphere, const EmbeddingGuard& guard, const PointList& points,
+PointList Try(const Shape& shape, const EmbeddingGuard& guard, const PointList& points,
   const PointList& wanted, std::mt19937& random, Tally& tally)
 {
-  const FaceList& faces = sphere.Faces();
+  const FaceList& faces = shape.Mesh.Faces;
   PointList displacements = wanted;
   const double begin = Now();
   guard.Limit(points, displacements, SerialFor, NeverStop);
@@ -57,21 +95,35 @@ PointList Try(const TestSphere& sphere, const EmbeddingGuard& guard, const Point
   tally.Kept += wanted.isZero(0) ? 1 : displacements.norm() / wanted.norm();
   PointList after = points + displacements;
   tally.Intersections += CountSelfIntersections(after, faces);
-  tally.IntersectionsByCGAL += static_cast<std::ptrdiff_t>(FindWithCGAL(after, faces).size());
-  tally.FlippedCorners += CountFlippedCorners(sphere.Mesh, points, after);
+  // As files hold it, where single precision is fine enough.
+  PointList rounded = after;
+  for (auto position : rounded.rowwise())
+  {
+    position = RoundToSingle(position, shape.EdgeLength);
+  }
+  tally.IntersectionsRounded += CountSelfIntersections(rounded, faces);
+  // One diagonal, the other one, and both in turn.
+  for (int cut = 0; cut < 3; ++cut)
+  {
+    PairList pairs;
+    AppendWithCGAL(
+      cut < 2 ? rounded : after, faces,
+      [cut](int face) { return cut == 2 ? face % 2 == 1 : cut == 1; }, pairs);
+    tally.IntersectionsByCGAL += static_cast<std::ptrdiff_t>(pairs.size());
+  }
+  tally.FlippedCorners += CountFlippedCorners(shape.Mesh, points, after);
   const double time = std::uniform_real_distribution<double>(0.0, 1.0)(random);
   tally.IntersectionsOnTheWay += CountSelfIntersections(points + time * displacements, faces);
   return after;
 }
 
 // Targets that are not finite must be refused, whichever they are.
-int CountAccepted(const TestSphere& sphere, const EmbeddingGuard& guard, int tries,
-  std::mt19937& random)
+int CountAccepted(const Shape& shape, const EmbeddingGuard& guard, int tries, std::mt19937& random)
 {
   int accepted = 0;
   for (int i = 0; i < tries; ++i)
   {
-    PointList displacements = WhiteNoise(sphere.Points().rows(), sphere.EdgeLength, random);
+    PointList displacements = WhiteNoise(shape.Points.rows(), shape.EdgeLength, random);
     const Eigen::Index entry =
       std::uniform_int_distribution<Eigen::Index>(0, displacements.size() - 1)(random);
     const double bad[] = { std::numeric_limits<double>::quiet_NaN(),
@@ -79,7 +131,7 @@ int CountAccepted(const TestSphere& sphere, const EmbeddingGuard& guard, int tri
     displacements.data()[entry] = bad[i % 3];
     try
     {
-      guard.Limit(sphere.Points(), displacements, SerialFor, NeverStop);
+      guard.Limit(shape.Points, displacements, SerialFor, NeverStop);
       ++accepted;
     }
     catch (const std::invalid_argument&)
@@ -91,9 +143,10 @@ int CountAccepted(const TestSphere& sphere, const EmbeddingGuard& guard, int tri
 
 void Print(const char* name, const Tally& tally)
 {
-  std::printf("| %-30s | %6d | %6d | %.2f | %td | %td | %td | %td | %6.1f |\n", name, tally.Motions,
-    tally.GuardedMotions, tally.Kept / tally.Motions, tally.Intersections,
-    tally.IntersectionsOnTheWay, tally.IntersectionsByCGAL, tally.FlippedCorners, tally.Seconds);
+  std::printf("| %-30s | %6d | %6d | %.2f | %td | %td | %td | %td | %td | %6.1f |\n", name,
+    tally.Motions, tally.GuardedMotions, tally.Kept / tally.Motions, tally.Intersections,
+    tally.IntersectionsOnTheWay, tally.IntersectionsRounded, tally.IntersectionsByCGAL,
+    tally.FlippedCorners, tally.Seconds);
 }
 
 int Fuzz(int chains, int length)
@@ -104,27 +157,34 @@ int Fuzz(int chains, int length)
   std::mt19937 random(2026);
   for (int n : { 4, 8, 16, 32 })
   {
-    const TestSphere sphere(n);
-    const EmbeddingGuard guard(sphere.Mesh);
+    const std::vector<Shape> shapes = ShapesOf(n);
+    std::vector<EmbeddingGuard> guards;
+    for (const Shape& shape : shapes)
+    {
+      guards.emplace_back(shape.Mesh);
+    }
     // As many of the small as of the large, by time.
     const int count = std::max(1, chains * 4 / n);
     for (int chain = 0; chain < count; ++chain)
     {
-      PointList points = sphere.Points();
+      // Half of them spheres.
+      const std::size_t which = chain % 2 == 0 ? 0 : 1 + chain / 2 % (shapes.size() - 1);
+      const Shape& shape = shapes[which];
+      PointList points = shape.Points;
       for (int step = 0; step < length; ++step)
       {
         const int kind = std::uniform_int_distribution<int>(0, NumberOfAdverseMotions - 1)(random);
-        const PointList wanted = AdverseMotion(kind, sphere.EdgeLength, points, random);
-        points = Try(sphere, guard, points, wanted, random, tallies[kind]);
+        const PointList wanted = AdverseMotion(kind, shape.EdgeLength, points, random);
+        points = Try(shape, guards[which], points, wanted, random, tallies[kind]);
       }
     }
     const int tries = 3 * std::max(1, count / 10);
-    accepted += CountAccepted(sphere, guard, tries, random);
+    accepted += CountAccepted(shapes[0], guards[0], tries, random);
     refused += tries;
   }
   std::puts("| motion | motions | guarded | part kept | intersections | "
-            "on the way | by CGAL | flipped corners | guard s |\n"
-            "|---|---|---|---|---|---|---|---|---|");
+            "on the way | rounded | by CGAL | flipped corners | guard s |\n"
+            "|---|---|---|---|---|---|---|---|---|---|");
   Tally sum;
   for (int kind = 0; kind < NumberOfAdverseMotions; ++kind)
   {
@@ -135,6 +195,7 @@ int Fuzz(int chains, int length)
     sum.Kept += tally.Kept;
     sum.Intersections += tally.Intersections;
     sum.IntersectionsOnTheWay += tally.IntersectionsOnTheWay;
+    sum.IntersectionsRounded += tally.IntersectionsRounded;
     sum.IntersectionsByCGAL += tally.IntersectionsByCGAL;
     sum.FlippedCorners += tally.FlippedCorners;
     sum.Seconds += tally.Seconds;

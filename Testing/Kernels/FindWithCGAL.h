@@ -61,16 +61,20 @@ inline void AppendWithCGAL(const PointList& points, const FaceList& faces,
 inline PairList FindWithCGAL(const PointList& points, const FaceList& faces)
 {
   PairList pairs;
-  AppendWithCGAL(
-    points, faces, [](int) { return false; }, pairs);
-  AppendWithCGAL(
-    points, faces, [](int) { return true; }, pairs);
-  for (int bit = 0; (faces.NumberOfFaces() - 1) >> bit > 0; ++bit)
+  const auto append = [&](const std::function<bool(int face)>& otherDiagonal)
+  { AppendWithCGAL(points, faces, otherDiagonal, pairs); };
+  append([](int) { return false; });
+  const bool hasQuads =
+    faces.Connectivity.size() != 3 * static_cast<std::size_t>(faces.NumberOfFaces());
+  if (hasQuads)
+  {
+    append([](int) { return true; });
+  }
+  for (int bit = 0; hasQuads && (faces.NumberOfFaces() - 1) >> bit > 0; ++bit)
   {
     for (int value : { 0, 1 })
     {
-      AppendWithCGAL(
-        points, faces, [&](int face) { return (face >> bit & 1) == value; }, pairs);
+      append([&](int face) { return (face >> bit & 1) == value; });
     }
   }
   std::sort(pairs.begin(), pairs.end());
