@@ -1,6 +1,8 @@
 // What every method has to give: the phantom's organ, in any frame, within the input's geometry,
 // with progress, and nothing after an abort.
 #include "BaselineMethods.h"
+#include "DataValues.h"
+#include "PhantomCases.h"
 #include "ProgressWatch.h"
 #include "SurfaceHistory.h"
 
@@ -8,7 +10,6 @@
 #include "vtkImageData.h"
 #include "vtkMatrix3x3.h"
 #include "vtkNew.h"
-#include "vtkPhantomSource.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkSegmentationMetrics.h"
@@ -33,31 +34,14 @@ double Dice(vtkImageData* labels, vtkImageData* reference, int label)
   return metrics->GetDice();
 }
 
-std::vector<unsigned char> LabelsOf(vtkImageData* labels)
-{
-  const auto* first = static_cast<unsigned char*>(labels->GetScalarPointer());
-  return std::vector<unsigned char>(first, first + labels->GetNumberOfPoints());
-}
-
 class BaselineSegmentation : public testing::TestWithParam<BaselineMethod>
 {
 protected:
   /// Coarse, so that every method is done in a second or two.
   void SetUp() override
   {
-    this->Phantom->SetShapeToAbdomen();
-    this->Phantom->SetDimensions(110, 85, 45);
-    this->Phantom->SetSpacing(3, 3, 6);
-    this->Phantom->Update();
-    this->Filter = GetParam().Make();
-    // The snake would cling to the liver's vessels.
-    this->Organ = GetParam().Plane ? vtkPhantomSource::SPLEEN : vtkPhantomSource::LIVER;
-    this->StartIn(this->Organ);
-  }
-  void StartIn(int label)
-  {
     double seed[4];
-    ASSERT_TRUE(this->Phantom->GetSeed(label, seed));
+    ASSERT_TRUE(this->Phantom->GetSeed(this->Organ, seed));
     this->Filter->SetInputConnection(this->Phantom->GetOutputPort());
     this->Filter->SetSeedCenter(seed);
     this->Filter->SetSeedRadius(seed[3]);
@@ -81,9 +65,10 @@ protected:
     return moved;
   }
 
-  int Organ = vtkPhantomSource::LIVER;
-  vtkNew<vtkPhantomSource> Phantom;
-  vtkSmartPointer<vtkBaselineSegmentation> Filter;
+  vtkPhantomSource* Phantom = CoarseAbdomen();
+  /// The snake would cling to the liver's vessels.
+  int Organ = GetParam().Plane ? vtkPhantomSource::SPLEEN : vtkPhantomSource::LIVER;
+  vtkSmartPointer<vtkBaselineSegmentation> Filter = GetParam().Make();
 };
 
 /// What is said of surfaces.
@@ -127,12 +112,12 @@ TEST_P(BaselineSegmentation, FindsThePhantomsOrganAndTheSameAgain)
   const double dice = Dice(labels, reference, this->Organ);
   std::cout << "Dice " << dice << std::endl;
   EXPECT_GE(dice, GetParam().Dice);
-  const std::vector<unsigned char> values = LabelsOf(labels);
+  const std::vector<double> values = ValuesOf(labels);
   EXPECT_TRUE(std::all_of(values.begin(), values.end(),
-    [](unsigned char value) { return value == 0 || value == 7; }));
+    [](double value) { return value == 0 || value == 7; }));
   this->Filter->Modified();
   this->Filter->Update();
-  EXPECT_EQ(values, LabelsOf(this->Filter->GetLabelMap()));
+  EXPECT_EQ(values, ValuesOf(this->Filter->GetLabelMap()));
 }
 
 TEST_P(BaselineSurface, IsClosedAndHoldsTheLabeledVoxelsInAnyFrame)
@@ -182,7 +167,7 @@ TEST_P(BaselineOutline, IsOneClosedLineInTheSeedsSlice)
     area += (first[0] * next[1] - next[0] * first[1]) / 2;
     std::copy(next, next + 3, first);
   }
-  const std::vector<unsigned char> labels = LabelsOf(this->Filter->GetLabelMap());
+  const std::vector<double> labels = ValuesOf(this->Filter->GetLabelMap());
   const auto plane = static_cast<std::ptrdiff_t>(labels.size()) / 45;
   const auto begin = labels.begin() + plane * (slice - 7);
   const auto inside = std::count(begin, begin + plane, 1);
@@ -193,7 +178,7 @@ TEST_P(BaselineOutline, IsOneClosedLineInTheSeedsSlice)
 TEST_P(BaselineSegmentation, GeometryIsTheInputs)
 {
   this->Filter->Update();
-  const std::vector<unsigned char> expected = LabelsOf(this->Filter->GetLabelMap());
+  const std::vector<double> expected = ValuesOf(this->Filter->GetLabelMap());
   const auto moved = this->MoveImage();
   this->Filter->Update();
   vtkImageData* labels = this->Filter->GetLabelMap();
@@ -211,7 +196,7 @@ TEST_P(BaselineSegmentation, GeometryIsTheInputs)
     EXPECT_EQ(labels->GetDirectionMatrix()->GetData()[i],
       moved->GetDirectionMatrix()->GetData()[i]);
   }
-  const std::vector<unsigned char> values = LabelsOf(labels);
+  const std::vector<double> values = ValuesOf(labels);
   EXPECT_GT(std::count(values.begin(), values.end(), 1), 100);
   std::size_t differ = 0;
   for (std::size_t voxel = 0; voxel < values.size(); ++voxel)

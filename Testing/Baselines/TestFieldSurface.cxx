@@ -2,6 +2,8 @@
 // where the grid ends.
 #include "FieldSurface.h"
 
+#include "../Kernels/ExampleMasks.h"
+#include "../Kernels/ExampleSurfaces.h"
 #include "Image/SeedRegion.h"
 #include "Mesh/SurfaceTopology.h"
 
@@ -21,31 +23,13 @@ FloatImage BallField(const Eigen::Vector3d& center, double radius)
   field.Geometry.Spacing = Eigen::Vector3d(1, 1.2, 2.5);
   field.Geometry.Origin = Eigen::Vector3d(-40, 7, 100);
   field.Geometry.Direction << 0, -0.8, 0.6, 1, 0, 0, 0, -0.6, -0.8; // left-handed
-  for (int k = 0; k < 14; ++k)
-  {
-    for (int j = 0; j < 26; ++j)
+  ForEachVoxel(field.Geometry,
+    [&](int i, int j, int k)
     {
-      for (int i = 0; i < 30; ++i)
-      {
-        const Eigen::Vector3d point = field.Geometry.ToPhysical(Eigen::Vector3d(i, j, k));
-        field.Voxels.push_back(static_cast<float>(radius - (point - center).norm()));
-      }
-    }
-  }
+      const Eigen::Vector3d point = field.Geometry.ToPhysical(Eigen::Vector3d(i, j, k));
+      field.Voxels.push_back(static_cast<float>(radius - (point - center).norm()));
+    });
   return field;
-}
-
-double VolumeOf(const FieldSurface& surface)
-{
-  double volume = 0;
-  for (Eigen::Index i = 0; i < surface.Triangles.rows(); ++i)
-  {
-    const Eigen::Vector3d a = surface.Points.row(surface.Triangles(i, 0));
-    const Eigen::Vector3d b = surface.Points.row(surface.Triangles(i, 1));
-    const Eigen::Vector3d c = surface.Points.row(surface.Triangles(i, 2));
-    volume += a.dot(b.cross(c)) / 6;
-  }
-  return volume;
 }
 
 } // namespace
@@ -63,7 +47,7 @@ TEST(FieldSurface, OfADistanceIsTheBall)
   }
   EXPECT_NO_THROW(
     RequireClosed(static_cast<int>(surface.Points.rows()), surface.Triangles, "the surface"));
-  EXPECT_NEAR(VolumeOf(surface), 4 * std::acos(-1) / 3 * 1000,
+  EXPECT_NEAR(EnclosedVolume({ surface.Points, surface.Triangles }), 4 * std::acos(-1) / 3 * 1000,
     90); // outward, so positive; facets cut corners
 }
 
@@ -74,7 +58,7 @@ TEST(FieldSurface, IsClosedWhereTheGridEnds)
   ASSERT_GT(surface.Points.rows(), 50);
   EXPECT_NO_THROW(
     RequireClosed(static_cast<int>(surface.Points.rows()), surface.Triangles, "the surface"));
-  EXPECT_GT(VolumeOf(surface), 0);
+  EXPECT_GT(EnclosedVolume({ surface.Points, surface.Triangles }), 0);
 }
 
 TEST(FieldSurface, OfNothingIsEmpty)

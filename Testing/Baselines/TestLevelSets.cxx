@@ -1,8 +1,8 @@
 // The rim of the level set: so many millimeters at any spacing, and up to the image's end; and an
 // abort while it is made.
+#include "ProgressWatch.h"
 #include "vtkLevelSetSegmentation.h"
 
-#include "vtkCommand.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
@@ -90,33 +90,16 @@ TEST_P(LevelSetRim, IsSoManyMillimeters)
 TEST_P(LevelSetRim, AnAbortWhileItIsMadeLeavesNothing)
 {
   constexpr double settled = 0.1 + 0.95 * (0.95 - 0.1); // the filter's shares of the progress
-  struct Abort
-  {
-    bool Done = false;
-    double Last = 0;
-    void Look(vtkObject* caller, unsigned long, void* now)
-    {
-      this->Last = *static_cast<double*>(now);
-      if (!this->Done && this->Last >= settled - 1e-9)
-      {
-        this->Done = true;
-        vtkAlgorithm::SafeDownCast(caller)->SetAbortExecute(1);
-      }
-    }
-  };
   for (const double width : { 0.0, 1.2 })
   {
-    Abort abort;
     this->Filter->SetRimWidth(width);
-    const unsigned long tag =
-      this->Filter->AddObserver(vtkCommand::ProgressEvent, &abort, &Abort::Look);
+    const FlipFree::ProgressWatch watch(this->Filter, settled - 1e-9);
     this->Filter->Update();
-    this->Filter->RemoveObserver(tag);
     // Without a rim there is nothing to be told of between the front and the end.
     EXPECT_EQ(this->Filter->GetSurface()->GetNumberOfPoints() == 0, width > 0) << width;
     EXPECT_EQ(this->Filter->GetLabelMap()->GetNumberOfPoints() == 0, width > 0) << width;
-    EXPECT_TRUE(abort.Done);
-    EXPECT_LT(abort.Last, width > 0 ? 0.95 : 1.01);
+    EXPECT_TRUE(watch.Aborted());
+    EXPECT_LT(watch.Last, width > 0 ? 0.95 : 1.01);
   }
   this->Filter->Modified();
   this->Filter->Update();

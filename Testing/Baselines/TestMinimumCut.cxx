@@ -1,4 +1,5 @@
 // The minimum cut against all cuts that there are, on grids that are small enough.
+#include "../Kernels/ExampleMasks.h"
 #include "Image/SeedRegion.h"
 #include "MinimumCut.h"
 
@@ -87,16 +88,9 @@ double MinimumEnergy(const Problem& problem)
     const auto inside = [&](int i, int j, int k)
     { return (subset >> geometry.Offset(i, j, k) & 1U) != 0; };
     bool allowed = true;
-    for (int k = 0; k < 2; ++k)
-    {
-      for (int j = 0; j < 2; ++j)
-      {
-        for (int i = 0; i < 3; ++i)
-        {
-          allowed &= inside(i, j, k) ? problem.Candidates(i, j, k) : !problem.Seeds(i, j, k);
-        }
-      }
-    }
+    ForEachVoxel(geometry,
+      [&](int i, int j, int k)
+      { allowed &= inside(i, j, k) ? problem.Candidates(i, j, k) : !problem.Seeds(i, j, k); });
     least = allowed ? std::min(least, EnergyOf(problem, inside)) : least;
   }
   return least;
@@ -131,20 +125,10 @@ TEST(MinimumCut, FollowsTheEdgeOfAnObjectWithoutARegionalTerm)
   BitMask seeds(image.Geometry);
   const auto isInside = [](int i, int j, int k)
   { return i > 2 && i < 9 && j > 2 && j < 9 && k > 1 && k < 6; };
-  for (int k = 0; k < 8; ++k)
-  {
-    for (int j = 0; j < 12; ++j)
-    {
-      for (int i = 0; i < 12; ++i)
-      {
-        image.Voxels.push_back(isInside(i, j, k) ? 100.0F : 0.0F);
-        if (i > 0 && i < 11 && j > 0 && j < 11 && k > 0 && k < 7)
-        {
-          candidates.Insert(i, j, k);
-        }
-      }
-    }
-  }
+  ForEachVoxel(image.Geometry,
+    [&](int i, int j, int k) { image.Voxels.push_back(isInside(i, j, k) ? 100.0F : 0.0F); });
+  ForEachVoxel(VoxelBox{ { { 1, 1, 1 } }, { { 11, 11, 7 } } },
+    [&](int i, int j, int k) { candidates.Insert(i, j, k); });
   seeds.Insert(5, 5, 4);
   const std::vector<float> odds(image.Voxels.size(), 0);
   BitMask organ;

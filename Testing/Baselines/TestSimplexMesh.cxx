@@ -3,6 +3,7 @@
 #include "SimplexBalloon.h"
 #include "SimplexSphere.h"
 
+#include "../Kernels/ExampleSurfaces.h"
 #include "Mesh/SurfaceTopology.h"
 
 #include <gtest/gtest.h>
@@ -17,19 +18,6 @@ namespace
 {
 
 const Eigen::Vector3d Center(10, -20, 300);
-
-double VolumeOf(const PointList& points, const TriangleList& triangles)
-{
-  double volume = 0;
-  for (Eigen::Index i = 0; i < triangles.rows(); ++i)
-  {
-    const Eigen::Vector3d a = points.row(triangles(i, 0));
-    const Eigen::Vector3d b = points.row(triangles(i, 1));
-    const Eigen::Vector3d c = points.row(triangles(i, 2));
-    volume += a.dot(b.cross(c)) / 6;
-  }
-  return volume;
-}
 
 SimplexBalloon::Pointer Balloon(const SimplexMesh& start, const SimplexBalloon::Force& force)
 {
@@ -88,7 +76,7 @@ TEST(SimplexMesh, TrianglesCloseIt)
   EXPECT_EQ(topology.EulerNumber(), 2);
   EXPECT_EQ(topology.BoundaryEdges + topology.NonManifoldEdges + topology.MisorientedEdges, 0);
   const double ball = 4 * std::acos(-1) / 3 * 27000;
-  EXPECT_NEAR(VolumeOf(points, mesh.Triangles) / ball, 1, 0.02); // facets cut corners
+  EXPECT_NEAR(EnclosedVolume({ points, mesh.Triangles }) / ball, 1, 0.02); // facets cut corners
 }
 
 TEST(SimplexMesh, MiddlesAreThoseOfTheFacesCorners)
