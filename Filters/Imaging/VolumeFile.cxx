@@ -100,19 +100,36 @@ itk::ImageIOBase::Pointer OpenVolumeFile(const std::string& name)
 void ReadVolumeFile(const itk::ImageIOBase::Pointer& io, const std::string& name,
   const vtkSmartPointer<vtkDataArray>& scalars, const Monitor& monitor)
 {
-  BackgroundTask read([io, name, scalars]() { ReadVoxels(io, name, scalars->GetVoidPointer(0)); });
   double fraction = 0;
   bool goOn = true;
-  const auto wait = [&]() { return read.Wait([&]() { return monitor(fraction); }); };
-  try
+  const auto check = [&]()
   {
-    // Meanwhile, in this thread: the check costs no time of its own.
     RequireComplete(name,
       [&](double checked)
       {
         fraction = checked;
         return goOn = monitor(checked);
       });
+  };
+  // ITK's MetaImage library goes on for ever with some broken streams. The others are checked in
+  // this thread while they are read, so that the check costs no time of its own.
+  const bool mayNotEnd = dynamic_cast<itk::MetaImageIO*>(io.GetPointer()) != nullptr;
+  if (mayNotEnd)
+  {
+    check();
+  }
+  if (!goOn)
+  {
+    return;
+  }
+  BackgroundTask read([io, name, scalars]() { ReadVoxels(io, name, scalars->GetVoidPointer(0)); });
+  const auto wait = [&]() { return read.Wait([&]() { return monitor(fraction); }); };
+  try
+  {
+    if (!mayNotEnd)
+    {
+      check();
+    }
   }
   catch (const ImageFileError&)
   {

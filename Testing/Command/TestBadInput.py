@@ -243,6 +243,11 @@ class TestBadInput(command.CommandTest):
             self.assert_refused(command.run("evaluate", name, self.truth), 1, f"'{name}'", "damaged")
 
     def test_inputs_that_never_end(self):
+        # A stream that asks for a dictionary, which ITK's MetaImage library would wait for.
+        asking = self.input("asking.mha", b"ObjectType = Image\nNDims = 3\nBinaryData = True\nCompressedData = True\n"
+                            b"ElementSpacing = 1 1 1\nDimSize = 20 20 20\nElementType = MET_UCHAR\n"
+                            b"ElementDataFile = LOCAL\nx " + bytes(1000))
+        self.assert_refused(command.run("evaluate", asking, self.truth), 1, f"'{asking}'", "damaged")
         for name in ("pipe.nii", "pipe.nrrd", "pipe.stl"):
             pipe = os.path.join(self.inputs, name)
             os.mkfifo(pipe)
