@@ -84,14 +84,14 @@ class Faults(command.CommandTest):
                 [line.split(b",")[0] for line in version.splitlines()] and data.endswith(b"\n"))
 
     def assert_whole(self, former, new):
-        """Gives how many files are new."""
+        """Gives how many files are new, of those that tell: tables of both runs have the same iterations."""
         found = contents(self.results)
         self.assertEqual(set(found), set(former))
         count = 0
         for name, data in found.items():
             is_new = self.is_whole(name, data, new[name])
             self.assertTrue(is_new or self.is_whole(name, data, former[name]), f"{name} is neither")
-            count += is_new
+            count += is_new and not name.endswith(".csv")
         return count
 
     def fill_disk(self, surface, volume, limits):
@@ -140,8 +140,8 @@ class Faults(command.CommandTest):
             process.kill()  # nothing, where it has ended before
             process.communicate(timeout=120)
             count = self.assert_whole(former, new)
-            replaced += count == len(former)
-            partly += 0 < count < len(former)
+            replaced += count == len(former) - 1
+            partly += 0 < count < len(former) - 1
         return times, replaced, partly
 
     def writes(self):
