@@ -6,6 +6,7 @@
 #define FlipFreeContourMeshAdapter_h
 
 #include "Deformation/Correspondence.h"
+#include "FieldData.h"
 #include "Geometry/SelfIntersection.h"
 #include "Mesh/ContourMesh.h"
 #include "MeshAdapter.h"
