@@ -306,7 +306,9 @@ TEST(EmbeddingGuard, MovedVerticesEndAtSinglePrecision)
       PointList displacements = AdverseMotion(kind, sphere.EdgeLength, from, random);
       guard.Limit(from, displacements, SerialFor, NeverStop);
       const PointList to = from + displacements;
-      const PointList rounded = to.cast<float>().cast<double>();
+      // In two steps: GCC 12.2 may take a cast to float and back for nothing to do.
+      const Eigen::Matrix<float, Eigen::Dynamic, 3, Eigen::RowMajor> single = to.cast<float>();
+      const PointList rounded = single.cast<double>();
       for (Eigen::Index vertex = 0; vertex < to.rows(); ++vertex)
       {
         // Sums have rounding errors of double precision.

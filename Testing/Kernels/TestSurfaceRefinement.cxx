@@ -58,7 +58,7 @@ TEST(SurfaceRefinement, CrumpledSurfacesStayEmbeddedAndKeepAGap)
       0.999e-4 * MeanEdgeLength(sphere.Mesh, points))
       << AdverseMotionNames[kind];
   }
-  EXPECT_GE(uncheckedIntersect, 2);
+  EXPECT_GE(uncheckedIntersect, 1);
   EXPECT_GE(embedded, 6);
 }
 
@@ -78,11 +78,17 @@ TEST(SurfaceRefinement, StopsWheneverItIsAsked)
 {
   std::mt19937 random(9);
   const TestSphere sphere(6);
-  const PointList points = Crumpled(sphere, 0, 8, random);
+  // One that does not succeed at once.
+  PointList points;
   int questions = 0;
-  RefineSurface(sphere.Mesh, points, true, SerialFor,
-    [&questions](double) { return ++questions > 0; });
-  ASSERT_GE(questions, 2);
+  for (int kind = 0; kind < NumberOfAdverseMotions && questions < 4; ++kind)
+  {
+    points = Crumpled(sphere, kind, 8, random);
+    questions = 0;
+    RefineSurface(sphere.Mesh, points, true, SerialFor,
+      [&questions](double) { return ++questions > 0; });
+  }
+  ASSERT_GE(questions, 4);
   for (int last = 0; last < std::min(questions, 12); ++last)
   {
     int asked = 0;

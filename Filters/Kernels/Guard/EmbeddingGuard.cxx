@@ -2,8 +2,8 @@
 
 #include "Error.h"
 #include "Geometry/SelfIntersection.h"
+#include "Guard/QuadFold.h"
 #include "Guard/SeparatingDirection.h"
-#include "Guard/SinglePrecision.h"
 #include "Guard/StepLimiter.h"
 
 #include <algorithm>
@@ -148,6 +148,7 @@ EmbeddingGuard::EmbeddingGuard(const ContourMesh& mesh)
   : Faces(mesh.Faces)
   , Neighbors(mesh.Neighbors)
   , Corners(ListCorners(mesh.Faces))
+  , Quads(ListQuads(mesh.Faces))
   , Candidates(mesh.NumberOfPoints(), mesh.Faces)
 {
   if (!this->Candidates.Hulls().OverlappingFaces().empty())
@@ -176,15 +177,15 @@ GuardReport EmbeddingGuard::Limit(const PointList& points, PointList& displaceme
     RelativeShear * edgeLength, edgeLength);
   HullTest hulls(this->Candidates, points, distance);
   // Vertices whose motion has changed since the test was last run.
-  std::vector<char> changedForCorners(points.rows(), 1);
+  std::vector<char> changedForShapes(points.rows(), 1);
   std::vector<char> changedForPairs(points.rows(), 1);
   bool arePairsUntested = true;
   GuardReport report;
   while (true)
   {
     ++report.Passes;
-    this->TestCorners(changedForCorners, step, parallelFor);
-    std::fill(changedForCorners.begin(), changedForCorners.end(), 0);
+    this->TestShapes(changedForShapes, step, parallelFor);
+    std::fill(changedForShapes.begin(), changedForShapes.end(), 0);
     if (step.IsClean())
     {
       if (arePairsUntested)
@@ -206,7 +207,7 @@ GuardReport EmbeddingGuard::Limit(const PointList& points, PointList& displaceme
     }
     for (int vertex : step.ScaleDown())
     {
-      changedForCorners[vertex] = 1;
+      changedForShapes[vertex] = 1;
       changedForPairs[vertex] = 1;
     }
   }
@@ -297,7 +298,7 @@ double EmbeddingGuard::MeanEdgeLength(const PointList& points) const
   return sum / (4.0 * this->Neighbors.size());
 }
 
-void EmbeddingGuard::TestCorners(const std::vector<char>& changed, StepLimiter& step,
+void EmbeddingGuard::TestShapes(const std::vector<char>& changed, StepLimiter& step,
   const ParallelFor& parallelFor) const
 {
   const Motion motion = step.Path();
@@ -310,6 +311,18 @@ void EmbeddingGuard::TestCorners(const std::vector<char>& changed, StepLimiter& 
         if (!(time >= 1))
         {
           step.Limit(corner, time);
+        }
+      }
+    });
+  ForEach(this->Quads, parallelFor,
+    [&](const Hull& quad)
+    {
+      if (AnyOf(changed, quad))
+      {
+        const double time = TimeOfFold(motion, quad);
+        if (!(time >= 1))
+        {
+          step.Limit(quad, time);
         }
       }
     });

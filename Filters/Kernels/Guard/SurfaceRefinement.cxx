@@ -2,6 +2,7 @@
 
 #include "Geometry/SurfaceGap.h"
 #include "Guard/EmbeddingGuard.h"
+#include "Guard/QuadFold.h"
 #include "Guard/SinglePrecision.h"
 #include "Mesh/MeshRefinement.h"
 #include "Mesh/SurfaceNormals.h"
@@ -39,6 +40,26 @@ void RelaxOnce(const ContourMesh& mesh, const EmbeddingGuard& guard, const std::
   points += motion;
 }
 
+// What comes too near to other parts, and quads that are folded.
+std::vector<Hull> FindBadHulls(const RefinedSurface& refined, const FaceHulls& hulls, double gap,
+  const ParallelFor& parallelFor)
+{
+  std::vector<Hull> bad;
+  for (const HullPair& pair : FindPairsNearerThan(gap, refined.Points, hulls, parallelFor))
+  {
+    bad.push_back(pair.One);
+    bad.push_back(pair.Two);
+  }
+  for (const Hull& quad : ListQuads(refined.Mesh.Faces))
+  {
+    if (IsFolded(refined.Points, quad))
+    {
+      bad.push_back(quad);
+    }
+  }
+  return bad;
+}
+
 // Pulls the new points where the surface comes too near to itself towards their parents until there
 // are none. False if some remain; `involved` are then the old vertices near those.
 bool RefineEmbedded(const ContourMesh& mesh, const PointList& points, const RefinedMesh& faces,
@@ -57,23 +78,20 @@ bool RefineEmbedded(const ContourMesh& mesh, const PointList& points, const Refi
     {
       position = RoundToSingle(position, edgeLength);
     }
-    const std::vector<HullPair> pairs =
-      FindPairsNearerThan(RelativeGap * edgeLength, refined.Points, hulls, parallelFor);
-    if (pairs.empty())
+    const std::vector<Hull> bad =
+      FindBadHulls(refined, hulls, RelativeGap * edgeLength, parallelFor);
+    if (bad.empty())
     {
       return true;
     }
     involved.clear();
-    for (const HullPair& pair : pairs)
+    for (const Hull& hull : bad)
     {
-      for (const Hull& hull : { pair.One, pair.Two })
+      for (int vertex : hull)
       {
-        for (int vertex : hull)
-        {
-          const int parent = faces.Parents[vertex];
-          involved.insert(parent);
-          involved.insert(mesh.Neighbors[parent].begin(), mesh.Neighbors[parent].end());
-        }
+        const int parent = faces.Parents[vertex];
+        involved.insert(parent);
+        involved.insert(mesh.Neighbors[parent].begin(), mesh.Neighbors[parent].end());
       }
     }
     for (int vertex : involved)

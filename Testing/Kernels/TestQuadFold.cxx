@@ -1,0 +1,93 @@
+#include "Guard/QuadFold.h"
+#include "RandomMotions.h"
+
+#include <gtest/gtest.h>
+
+using namespace FlipFree;
+
+namespace
+{
+
+const Hull Quad{ { 0, 1, 2, 3 } };
+
+PointList UnitSquare()
+{
+  PointList square(4, 3);
+  square << 0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0;
+  return square;
+}
+
+// From the definition.
+bool HasBackwardCorner(const PointList& points)
+{
+  const auto at = [&](int corner) -> Eigen::RowVector3d { return points.row(corner % 4); };
+  const Eigen::RowVector3d normal = (at(2) - at(0)).cross(at(3) - at(1));
+  for (int corner = 0; corner < 4; ++corner)
+  {
+    const Eigen::RowVector3d side = at(corner + 1) - at(corner);
+    if (!(side.cross(at(corner + 2) - at(corner + 1)).dot(normal) > 0))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+} // namespace
+
+TEST(QuadFold, ByShape)
+{
+  EXPECT_FALSE(IsFolded(UnitSquare(), Quad));
+  PointList bent = UnitSquare();
+  bent(2, 2) = 0.9; // by less than 90 degrees between its triangles
+  EXPECT_FALSE(IsFolded(bent, Quad));
+  PointList notConvex = UnitSquare();
+  notConvex.row(2) << 0.4, 0.4, 0;
+  EXPECT_TRUE(IsFolded(notConvex, Quad));
+  PointList closed = UnitSquare(); // the last triangle folded back over the first
+  closed.row(3) << 0.9, 0.1, 0.2;
+  EXPECT_TRUE(IsFolded(closed, Quad));
+  PointList crossed = UnitSquare();
+  crossed.row(1).swap(crossed.row(2));
+  EXPECT_TRUE(IsFolded(crossed, Quad));
+  EXPECT_TRUE(IsFolded(PointList::Zero(4, 3), Quad));
+}
+
+// Until the time that is returned, no sample of the motion is folded; and that time is not
+// wasteful.
+TEST(QuadFold, TimesAreSafeAndTight)
+{
+  std::mt19937 random(1);
+  int folds = 0;
+  int early = 0;
+  for (int repeat = 0; repeat < 2000; ++repeat)
+  {
+    const PointList from = UnitSquare() + WhiteNoise(4, 0.3, random);
+    const PointList to = from + WhiteNoise(4, 0.2 * (1 + repeat % 5), random);
+    const double time = TimeOfFold({ from, to }, Quad);
+    if (HasBackwardCorner(from))
+    {
+      EXPECT_EQ(time, 1);
+      continue;
+    }
+    double firstFold = 1;
+    for (int step = 400; step > 0; --step)
+    {
+      const double at = step / 400.0;
+      firstFold = HasBackwardCorner((1 - at) * from + at * to) ? at : firstFold;
+    }
+    EXPECT_LE(time, firstFold);
+    folds += firstFold < 1 ? 1 : 0;
+    early += time < firstFold - 0.05 ? 1 : 0;
+  }
+  EXPECT_GT(folds, 300);
+  EXPECT_LT(early, 20);
+}
+
+TEST(QuadFold, RestAndCommonMotionNeverFold)
+{
+  const PointList square = UnitSquare();
+  EXPECT_EQ(TimeOfFold({ square, square }, Quad), 1);
+  const PointList shifted = square.array() + 100;
+  EXPECT_EQ(TimeOfFold({ square, shifted }, Quad), 1);
+}
