@@ -166,6 +166,7 @@ int RunOn(const std::string& file, Use use, const std::string& bases, const std:
       return SegmentFrom(file, bases + "/ball.nii");
   }
   std::vector<char*> arguments;
+  arguments.reserve(words.size());
   for (std::string& word : words)
   {
     arguments.push_back(&word[0]);
@@ -505,9 +506,9 @@ int main(int argc, char* argv[])
   app.add_option("--only", settings.Only, "inputs of this form, by its name in the table");
   app.add_option("--keep", settings.Keep, "folder for inputs and messages");
   CLI11_PARSE(app, argc, argv);
-  std::string folder = (fs::temp_directory_path() / "FuzzFiles-XXXXXX").string();
   try
   {
+    std::string folder = (fs::temp_directory_path() / "FuzzFiles-XXXXXX").string();
     if (!mkdtemp(&folder[0]))
     {
       throw std::runtime_error("No temporary folder can be made.");

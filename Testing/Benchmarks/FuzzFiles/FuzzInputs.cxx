@@ -105,7 +105,7 @@ std::string DicomSlice(const std::string& voxels, int slice)
   AppendElement(bytes, 0x0020000E, "UI", uid + ".1");
   AppendElement(bytes, 0x00200013, "IS", std::to_string(slice + 1));
   AppendElement(bytes, 0x00200032, "DS", "0\\0\\" + std::to_string(Spacing[2] * slice));
-  AppendElement(bytes, 0x00200037, "DS", "1\\0\\0\\0\\1\\0");
+  AppendElement(bytes, 0x00200037, "DS", R"(1\0\0\0\1\0)");
   AppendElement(bytes, 0x00280002, "US", Short(1));
   AppendElement(bytes, 0x00280004, "CS", "MONOCHROME2");
   AppendElement(bytes, 0x00280010, "US", Short(Sizes[1]));
