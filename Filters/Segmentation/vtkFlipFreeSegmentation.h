@@ -7,9 +7,9 @@
  * sphere by a mixture of Gaussians, and deforms a quadrilateral sphere onto the organ, from coarse
  * to fine. Each iteration searches correspondences, detects and avoids flips, propagates
  * displacements, and solves a Laplacian deformation. A guard limits every motion, so the surface
- * stays embedded, in whatever way its faces are cut into triangles, and no face flips. Positions
- * are single-precision numbers, where these are fine enough, so that every file format holds the
- * very surface that was certified.
+ * stays embedded, in whatever way its faces are cut into triangles, and no face flips. Vertices
+ * that have moved lie at single-precision numbers, where these are fine enough, so that every file
+ * format holds the very surface that was certified.
  *
  * The stages own most parameters, see GetDiffusion(), GetFeature(), GetSearch(), and GetDeform().
  * Chained by hand (vtkSeedRegionDiffusion, vtkGMMFeatureFilter, vtkCorrespondenceSearch,

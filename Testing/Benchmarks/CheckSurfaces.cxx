@@ -2,7 +2,7 @@
 // written as STL, PLY and OBJ by VTK's own writers, which ParaView and PyVista use, and read back.
 // Prints per format the edges that are open, the pairs of faces that some cuts make intersect, as
 // our exact test and as CGAL's counts them, and how the quads are bent: the angle between their two
-// triangles, the larger one of both cuts. Exits with an error if a surface is not valid.
+// triangles, the larger of the two cuts' angles. Exits with an error if a surface is not valid.
 //
 //   CheckSurfaces [--folder DIR] surface.vtp ...
 #include "FindWithCGAL.h"

@@ -5,7 +5,6 @@
 #include "FindWithCGAL.h"
 #include "Geometry/SelfIntersection.h"
 #include "Guard/EmbeddingGuard.h"
-#include "Guard/SinglePrecision.h"
 #include "Guard/SurfaceRefinement.h"
 
 #include <CLI/CLI.hpp>
@@ -88,19 +87,17 @@ PointList Try(const Shape& shape, const EmbeddingGuard& guard, const PointList& 
   const FaceList& faces = shape.Mesh.Faces;
   PointList displacements = wanted;
   const double begin = Now();
-  guard.Limit(points, displacements, SerialFor, NeverStop);
+  const GuardReport report = guard.Limit(points, displacements, SerialFor, NeverStop);
   tally.Seconds += Now() - begin;
   ++tally.Motions;
-  tally.GuardedMotions += displacements != wanted;
+  tally.GuardedMotions += report.Guarded > 0 ? 1 : 0;
   tally.Kept += wanted.isZero(0) ? 1 : displacements.norm() / wanted.norm();
   PointList after = points + displacements;
   tally.Intersections += CountSelfIntersections(after, faces);
   // As files hold it, where single precision is fine enough.
-  PointList rounded = after;
-  for (auto position : rounded.rowwise())
-  {
-    position = RoundToSingle(position, shape.EdgeLength);
-  }
+  const Eigen::Matrix<float, Eigen::Dynamic, 3, Eigen::RowMajor> single = after.cast<float>();
+  const bool isFineEnough = after.cwiseAbs().maxCoeff() / (1 << 24) < 1e-3 * shape.EdgeLength;
+  const PointList rounded = isFineEnough ? PointList(single.cast<double>()) : after;
   tally.IntersectionsRounded += CountSelfIntersections(rounded, faces);
   // One diagonal, the other one, and both in turn.
   for (int cut = 0; cut < 3; ++cut)

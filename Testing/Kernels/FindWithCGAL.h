@@ -14,6 +14,8 @@
 #include <algorithm>
 #include <functional>
 #include <iterator>
+#include <stdexcept>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -43,7 +45,10 @@ inline void AppendWithCGAL(const PointList& points, const FaceList& faces,
     { return Surface::Vertex_index(faces.Face(face)[(first + corner) % size]); };
     for (int corner = 2; corner < size; ++corner)
     {
-      surface.add_face(at(0), at(corner - 1), at(corner));
+      if (surface.add_face(at(0), at(corner - 1), at(corner)) == Surface::null_face())
+      {
+        throw std::invalid_argument("CGAL refuses face " + std::to_string(face));
+      }
       faceOf.push_back(face);
     }
   }

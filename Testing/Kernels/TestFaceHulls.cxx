@@ -196,7 +196,7 @@ TEST(FaceHulls, CoverAllCuts)
     const TestTorus torus(4, across);
     ExpectAllCutsCovered(torus.Mesh.Faces, torus.Mesh.NumberOfPoints());
   }
-  for (int size : { 4, 5, 6, 7 })
+  for (int size : { 4, 5, 6, 8 })
   {
     ExpectAllCutsCovered(Antiprism(size), 2 * size);
   }
@@ -205,12 +205,12 @@ TEST(FaceHulls, CoverAllCuts)
 // Of a face that has too many cuts, those of the fan.
 TEST(FaceHulls, LargeFacesStandForTheirFans)
 {
-  const FaceList faces = Antiprism(12);
-  const FaceHulls hulls(TriangleTree::TopologicalLayout(24, faces), faces);
-  EXPECT_EQ(hulls.NumberOfHulls(), 2 * 10 + 24);
-  EXPECT_EQ(hulls.FaceOf(9), 0);
-  EXPECT_EQ(hulls.FaceOf(10), 1);
-  EXPECT_EQ(SetOf(hulls.HullAt(0)), (VertexSet{ 11, 10, 9 }));
+  const FaceList faces = Antiprism(9);
+  const FaceHulls hulls(TriangleTree::TopologicalLayout(18, faces), faces);
+  EXPECT_EQ(hulls.NumberOfHulls(), 2 * 7 + 18);
+  EXPECT_EQ(hulls.FaceOf(6), 0);
+  EXPECT_EQ(hulls.FaceOf(7), 1);
+  EXPECT_EQ(SetOf(hulls.HullAt(0)), (VertexSet{ 8, 7, 6 }));
 }
 
 // Few pairs are left to list: what lies in two faces without a common vertex is not.

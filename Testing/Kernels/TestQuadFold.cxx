@@ -91,3 +91,15 @@ TEST(QuadFold, RestAndCommonMotionNeverFold)
   const PointList shifted = square.array() + 100;
   EXPECT_EQ(TimeOfFold({ square, shifted }, Quad), 1);
 }
+
+// However long the motion is, compared with the quad.
+TEST(QuadFold, LongMotionsAreNotTakenForFoldedStarts)
+{
+  const PointList square = UnitSquare();
+  for (double height : { 10.0, 100.0, 1000.0, 1e5 })
+  {
+    PointList moved = square;
+    moved.col(2) << 0, height, -height, height;
+    EXPECT_LT(TimeOfFold({ square, moved }, Quad), 1) << height;
+  }
+}

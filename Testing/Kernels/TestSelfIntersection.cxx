@@ -151,7 +151,7 @@ void TwoThreads(std::ptrdiff_t begin, std::ptrdiff_t end, const RangeBody& body)
 
 } // namespace
 
-TEST(TriangleIntersection, WithoutSharedVertices)
+TEST(HullIntersection, WithoutSharedVertices)
 {
   const TriangleList separate = Pair({ 0, 1, 2 }, { 3, 4, 5 });
   // Through the interior, touching by a vertex, just apart.
@@ -176,7 +176,7 @@ TEST(TriangleIntersection, WithoutSharedVertices)
     { { 0, 0, 0 }, { 4, 0, 0 }, { 0, 4, 0 }, { 3, 3, -1 }, { 3, 3, 1 }, { 9, 9, 1 } }, separate));
 }
 
-TEST(TriangleIntersection, WithOneSharedVertex)
+TEST(HullIntersection, WithOneSharedVertex)
 {
   const TriangleList fan = Pair({ 0, 1, 2 }, { 0, 3, 4 });
   EXPECT_FALSE(
@@ -191,7 +191,7 @@ TEST(TriangleIntersection, WithOneSharedVertex)
   EXPECT_TRUE(Intersect({ { 0, 0, 0 }, { 4, 0, 0 }, { 0, 4, 0 }, { 2, 0, 0 }, { 0, -4, 1 } }, fan));
 }
 
-TEST(TriangleIntersection, WithASharedEdge)
+TEST(HullIntersection, WithASharedEdge)
 {
   const TriangleList hinge = Pair({ 0, 1, 2 }, { 1, 0, 3 });
   EXPECT_FALSE(Intersect({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, -1, 0 } }, hinge));
@@ -202,7 +202,7 @@ TEST(TriangleIntersection, WithASharedEdge)
   EXPECT_TRUE(Intersect({ { 0, 0, 0 }, { 1, 0, 0 }, { 3, 0, 0 }, { 5, 2, 1 } }, hinge));
 }
 
-TEST(TriangleIntersection, WithoutArea)
+TEST(HullIntersection, WithoutArea)
 {
   const auto meet = [](const Positions& positions) {
     return Meet(PointsAt(positions), { 0, 1, 2 }, { 3, 4, 5 });

@@ -91,7 +91,8 @@ TEST(SurfaceGap, IsThatOfBruteForce)
       }
     }
     std::vector<std::pair<int, int>> found;
-    for (const HullPair& pair : FindPairsNearerThan(gap, potato.Points, hulls, ScatteredFor))
+    for (const HullPair& pair :
+      FindPairsNearerThan(gap, potato.Points, hulls, hulls.AdjacentPairs(), ScatteredFor))
     {
       if (!ShareVertex(potato, pair.Faces[0], pair.Faces[1]))
       {

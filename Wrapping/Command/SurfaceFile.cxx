@@ -16,7 +16,9 @@
 #include "vtkPolyData.h"
 #include "vtkSTLWriter.h"
 #include "vtkSurfaceValidity.h"
+#include "vtkTable.h"
 #include "vtkTriangleFilter.h"
+#include "vtkVariant.h"
 #include "vtkXMLPolyDataReader.h"
 #include "vtkXMLPolyDataWriter.h"
 
@@ -114,7 +116,7 @@ bool SameFaces(vtkPolyData* a, vtkPolyData* b)
   return true;
 }
 
-/// The last byte of text is the only one that a reader does not miss.
+/// The last byte of text is the only one whose loss a reader does not notice.
 bool EndsWhole(const std::string& name)
 {
   char last = '\0';
@@ -144,12 +146,16 @@ void RequireValid(vtkPolyData* found, const std::string& name)
   vtkNew<vtkSurfaceValidity> validity;
   validity->SetInputData(found);
   Run(validity, "checking");
-  if (!validity->IsValid())
+  if (validity->IsValid())
   {
-    throw Failure("'" + name +
-      "' cannot hold this surface: rounded to the precision of the format, faces touch each other. "
-      "Write a .vtp or .obj file, which hold positions in double precision.");
+    return;
   }
+  const auto count = [&validity](const char* measure)
+  { return std::to_string(validity->GetMeasures()->GetValueByName(0, measure).ToInt()); };
+  throw Failure("'" + name +
+    "' cannot hold this surface: with positions rounded as the format asks, " +
+    count("SelfIntersections") + " pairs of faces touch each other, and " + count("BoundaryEdges") +
+    " edges are open. Write a .vtp file, which holds positions in double precision.");
 }
 
 } // namespace
@@ -169,7 +175,7 @@ vtkSmartPointer<vtkPolyData> ReadSurface(const std::string& name)
   }
   if (!std::filesystem::is_regular_file(name, ignored))
   {
-    throw Failure("'" + name + "' is no regular file. Give the file of a surface.");
+    throw Failure("'" + name + "' is not a regular file. Give the file of a surface.");
   }
   vtkSmartPointer<vtkPolyData> surface;
   try

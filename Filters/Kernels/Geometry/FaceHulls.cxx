@@ -36,7 +36,7 @@ public:
   }
 
 private:
-  std::array<int, MaximumCorners> Vertices;
+  std::array<int, MaximumCorners> Vertices{};
   int Size = 0;
 };
 
@@ -156,17 +156,27 @@ OwnPairs ListOwnPairs(int size)
   return pairs;
 }
 
+// Blocks are large enough to be worth several threads.
+constexpr std::size_t BlockSize = 1 << 16;
+
+// What to list.
+enum class Wanted
+{
+  Uncovered,
+  Covered,
+  Overlapping
+};
+
+using BlockVisitor = std::function<void(const std::vector<HullPair>&)>;
+
 class PairLister
 {
 public:
-  PairLister(const Parts& parts, int numberOfPoints, std::vector<HullPair>& adjacent,
-    std::vector<HullPair>& covered, std::vector<std::pair<int, int>>& overlapping)
+  PairLister(const Parts& parts, int numberOfPoints, Wanted wanted)
     : Corners(parts.Corners)
     , Faces(parts.Faces)
+    , ToList(wanted)
     , FirstOfStar(numberOfPoints + 1, 0)
-    , Adjacent(adjacent)
-    , Covered(covered)
-    , Overlapping(overlapping)
   {
     for (const VertexSet& corners : this->Corners)
     {
@@ -191,7 +201,8 @@ public:
     }
   }
 
-  void Run()
+  /// Calls visit with blocks of pairs. Returns the overlapping faces, if they are wanted.
+  std::vector<std::pair<int, int>> Run(const BlockVisitor& visit)
   {
     std::vector<int> neighbors;
     for (int part = 0; part < static_cast<int>(this->Corners.size()); ++part)
@@ -215,8 +226,18 @@ public:
       for (int other : neighbors)
       {
         this->ListAdjacent(part, other);
+        if (this->Pairs.size() >= BlockSize)
+        {
+          visit(this->Pairs);
+          this->Pairs.clear();
+        }
       }
     }
+    if (!this->Pairs.empty())
+    {
+      visit(this->Pairs);
+    }
+    return std::move(this->Overlapping);
   }
 
 private:
@@ -227,27 +248,38 @@ private:
       this->Stars.begin() + this->FirstOfStar[vertex + 1], accept);
   }
 
+  // The vertex with the fewest parts around it.
+  int RarestOf(const VertexSet& vertices) const
+  {
+    return *std::min_element(vertices.begin(), vertices.end(),
+      [this](int one, int two)
+      {
+        return this->FirstOfStar[one + 1] - this->FirstOfStar[one] <
+          this->FirstOfStar[two + 1] - this->FirstOfStar[two];
+      });
+  }
+
   // Whether the sets lie in two parts for which accept(part of one, part of two) holds.
   template <typename Accept>
   bool LieInParts(const VertexSet& one, const VertexSet& two, const Accept& accept) const
   {
-    return this->AnyAround(one[0],
+    const int ofTwo = this->RarestOf(two);
+    return this->AnyAround(this->RarestOf(one),
       [&](int first)
       {
         return this->Corners[first].Contains(one) &&
-          this->AnyAround(two[0],
+          this->AnyAround(ofTwo,
             [&](int second)
             { return this->Corners[second].Contains(two) && accept(first, second); });
       });
   }
 
-  void Append(const VertexSet& one, const VertexSet& two, int partOfOne, int partOfTwo,
-    std::vector<HullPair>& pairs) const
+  void Append(const VertexSet& one, const VertexSet& two, int partOfOne, int partOfTwo)
   {
     const std::array<int, 2> faces{ { this->Faces[partOfOne], this->Faces[partOfTwo] } };
     Cover(one,
       [&](const Hull& first) {
-        Cover(two, [&](const Hull& second) { pairs.push_back({ first, second, faces }); });
+        Cover(two, [&](const Hull& second) { this->Pairs.push_back({ first, second, faces }); });
       });
   }
 
@@ -262,7 +294,14 @@ private:
     }
     if (common.size() > 2)
     {
-      this->Overlapping.emplace_back(this->Faces[part], this->Faces[other]);
+      if (this->ToList == Wanted::Overlapping)
+      {
+        this->Overlapping.emplace_back(this->Faces[part], this->Faces[other]);
+      }
+      return;
+    }
+    if (this->ToList == Wanted::Overlapping)
+    {
       return;
     }
     const auto areDisjoint = [this](int first, int second)
@@ -291,7 +330,10 @@ private:
         // No two faces have three corners in common.
         const bool isCovered =
           (one.size() < 3 || two.size() < 3) && this->LieInParts(one, two, areDisjoint);
-        this->Append(one, two, part, other, isCovered ? this->Covered : this->Adjacent);
+        if (isCovered == (this->ToList == Wanted::Covered))
+        {
+          this->Append(one, two, part, other);
+        }
       }
     }
   }
@@ -299,6 +341,10 @@ private:
   // (c); what lies in two different faces is covered by these.
   void ListOwn(int part)
   {
+    if (this->ToList == Wanted::Overlapping)
+    {
+      return;
+    }
     const VertexSet& corners = this->Corners[part];
     for (const auto& pair : this->PairsOfSize[corners.size()])
     {
@@ -313,25 +359,30 @@ private:
       }
       const bool isCovered =
         this->LieInParts(one, two, [](int first, int second) { return first != second; });
-      this->Append(one, two, part, part, isCovered ? this->Covered : this->Adjacent);
+      if (isCovered == (this->ToList == Wanted::Covered))
+      {
+        this->Append(one, two, part, part);
+      }
     }
   }
 
   const std::vector<VertexSet>& Corners;
   const std::vector<int>& Faces;
+  const Wanted ToList;
   // The parts around a vertex are Stars[FirstOfStar[vertex]] to, not including,
   // Stars[FirstOfStar[vertex + 1]].
   std::vector<int> FirstOfStar;
   std::vector<int> Stars;
   std::array<OwnPairs, MaximumCorners + 1> PairsOfSize;
-  std::vector<HullPair>& Adjacent;
-  std::vector<HullPair>& Covered;
-  std::vector<std::pair<int, int>>& Overlapping;
+  std::vector<HullPair> Pairs;
+  std::vector<std::pair<int, int>> Overlapping;
 };
 
 } // namespace
 
 FaceHulls::FaceHulls(const PointList& layout, const FaceList& faces)
+  : NumberOfPoints(static_cast<int>(layout.rows()))
+  , Polygons(faces)
 {
   const Parts parts = PartsOf(faces);
   std::vector<Hull> hulls;
@@ -351,9 +402,27 @@ FaceHulls::FaceHulls(const PointList& layout, const FaceList& faces)
       Eigen::Map<const Eigen::RowVector4i>(hulls[hull].data());
   }
   this->TreeOfHulls = TriangleTree(layout, this->Hulls);
-  PairLister(parts, static_cast<int>(layout.rows()), this->Adjacent, this->Covered,
-    this->Overlapping)
-    .Run();
+}
+
+void FaceHulls::VisitAdjacentPairs(bool covered, const BlockVisitor& visit) const
+{
+  const Parts parts = PartsOf(this->Polygons);
+  PairLister(parts, this->NumberOfPoints, covered ? Wanted::Covered : Wanted::Uncovered).Run(visit);
+}
+
+std::vector<HullPair> FaceHulls::AdjacentPairs() const
+{
+  std::vector<HullPair> all;
+  this->VisitAdjacentPairs(false,
+    [&](const std::vector<HullPair>& pairs) { all.insert(all.end(), pairs.begin(), pairs.end()); });
+  return all;
+}
+
+std::vector<std::pair<int, int>> FaceHulls::OverlappingFaces() const
+{
+  const Parts parts = PartsOf(this->Polygons);
+  return PairLister(parts, this->NumberOfPoints, Wanted::Overlapping)
+    .Run([](const std::vector<HullPair>&) {});
 }
 
 bool FaceHulls::AreDisjoint(int one, int two) const

@@ -50,8 +50,8 @@ struct HullPair
 class FaceHulls
 {
 public:
-  /// Lists the pairs of a fixed connectivity. The tree over the faces is built with `layout`, as
-  /// TriangleTree says. The faces' indices must be valid.
+  /// The tree over the faces is built with `layout`, as TriangleTree says. The faces must have
+  /// valid indices and three corners or more.
   FaceHulls(const PointList& layout, const FaceList& faces);
 
   int NumberOfHulls() const { return static_cast<int>(this->Hulls.rows()); }
@@ -63,7 +63,8 @@ public:
   int FaceOf(int hull) const { return this->Faces[hull]; }
 
   /// The tree over the hulls: one for a face of at most four corners, some that cover it for a
-  /// larger one. Those without a common vertex are the pairs (a).
+  /// larger one. Those without a common vertex are the pairs (a), and, of larger faces, some of
+  /// (b).
   const TriangleTree& Tree() const { return this->TreeOfHulls; }
   std::vector<TriangleBox> RefitBoxes(const PointList& points) const
   {
@@ -71,30 +72,33 @@ public:
   }
   bool AreDisjoint(int one, int two) const;
 
-  /// The pairs (b) and (c), without those that lie in another pair.
-  const std::vector<HullPair>& AdjacentPairs() const { return this->Adjacent; }
-
-  /// Those that do: what intersects there is found in another pair, but of other faces.
-  const std::vector<HullPair>& CoveredPairs() const { return this->Covered; }
-
-  /// Faces that share three vertices or more; there are cuts by which they share a triangle.
-  const std::vector<std::pair<int, int>>& OverlappingFaces() const { return this->Overlapping; }
-
   /// Nodes of the tree that stand for the pairs (a), see TriangleTree::DisjointPairs.
   std::vector<TriangleTree::NodePair> DisjointPairs(const PointList& layout) const
   {
     return this->TreeOfHulls.DisjointPairs(layout, this->Hulls);
   }
 
+  /// Calls visit(pairs) with block after block of the pairs (b) and (c). If `covered` is false,
+  /// without those that lie in another pair, and else with these alone: what intersects there is
+  /// found in another pair, but of other faces.
+  void VisitAdjacentPairs(bool covered,
+    const std::function<void(const std::vector<HullPair>& pairs)>& visit) const;
+
+  /// The pairs (b) and (c) without those that lie in another pair, all at once.
+  std::vector<HullPair> AdjacentPairs() const;
+
+  /// Faces that share three vertices or more; there are cuts by which they share a triangle. They
+  /// are in no pair (b).
+  std::vector<std::pair<int, int>> OverlappingFaces() const;
+
 private:
   using HullList = Eigen::Matrix<int, Eigen::Dynamic, 4, Eigen::RowMajor>;
 
+  int NumberOfPoints;
+  FaceList Polygons;
   HullList Hulls;
   std::vector<int> Faces;
   TriangleTree TreeOfHulls;
-  std::vector<HullPair> Adjacent;
-  std::vector<HullPair> Covered;
-  std::vector<std::pair<int, int>> Overlapping;
 };
 
 /// The pairs for which accept(pair) holds; it is called from several threads at once.

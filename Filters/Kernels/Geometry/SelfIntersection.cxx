@@ -25,6 +25,8 @@ std::vector<std::pair<int, int>> FindSelfIntersections(const PointList& points,
   {
     pair = std::minmax({ hulls.FaceOf(pair.first), hulls.FaceOf(pair.second) });
   }
+  const auto overlapping = hulls.OverlappingFaces();
+  pairs.insert(pairs.end(), overlapping.begin(), overlapping.end());
   const auto append = [&](const std::vector<HullPair>& candidates)
   {
     for (const HullPair& pair :
@@ -35,12 +37,11 @@ std::vector<std::pair<int, int>> FindSelfIntersections(const PointList& points,
       pairs.emplace_back(pair.Faces[0], pair.Faces[1]);
     }
   };
-  append(hulls.AdjacentPairs());
+  hulls.VisitAdjacentPairs(false, append);
   if (!pairs.empty())
   {
-    append(hulls.CoveredPairs());
+    hulls.VisitAdjacentPairs(true, append);
   }
-  pairs.insert(pairs.end(), hulls.OverlappingFaces().begin(), hulls.OverlappingFaces().end());
   std::sort(pairs.begin(), pairs.end());
   pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
   return pairs;

@@ -68,7 +68,7 @@ double MeasureMinimumGap(const PointList& points, const FaceHulls& hulls,
 }
 
 std::vector<HullPair> FindPairsNearerThan(double gap, const PointList& points,
-  const FaceHulls& hulls, const ParallelFor& parallelFor)
+  const FaceHulls& hulls, const std::vector<HullPair>& adjacent, const ParallelFor& parallelFor)
 {
   const std::vector<TriangleBox> boxes = hulls.RefitBoxes(points);
   const double square = gap * gap;
@@ -84,10 +84,9 @@ std::vector<HullPair> FindPairsNearerThan(double gap, const PointList& points,
     near.push_back({ hulls.HullAt(pair.first), hulls.HullAt(pair.second),
       { { hulls.FaceOf(pair.first), hulls.FaceOf(pair.second) } } });
   }
-  const std::vector<HullPair> adjacent = Select(
-    hulls.AdjacentPairs(), [&](const HullPair& pair) { return isNearer(pair.One, pair.Two); },
-    parallelFor);
-  near.insert(near.end(), adjacent.begin(), adjacent.end());
+  const std::vector<HullPair> nearAdjacent = Select(
+    adjacent, [&](const HullPair& pair) { return isNearer(pair.One, pair.Two); }, parallelFor);
+  near.insert(near.end(), nearAdjacent.begin(), nearAdjacent.end());
   return near;
 }
 

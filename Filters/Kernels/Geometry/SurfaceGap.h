@@ -9,16 +9,17 @@
 namespace FlipFree
 {
 
-/// The minimum distance (mm) of the hulls of two faces that share no vertex; infinite if there are
-/// none. Indices must be valid, and the surface must not intersect itself.
+/// The minimum distance (mm) of the hulls of two faces that share no vertex (of large faces, of
+/// parts that share none: FaceHulls.h); infinite if there are none. Indices must be valid, and the
+/// surface must not intersect itself.
 double MeasureMinimumGap(const PointList& points, const FaceHulls& hulls,
   const ParallelFor& parallelFor = SerialFor);
 
-/// The pairs (FaceHulls.h), parts of adjacent faces among them, whose distance is not proven to be
-/// at least `gap` (mm). If that is well above rounding errors, and there are no such pairs, the
-/// surface is embedded.
+/// The pairs (FaceHulls.h) whose distance is not proven to be at least `gap` (mm). `adjacent` are
+/// AdjacentPairs() of the hulls. If that is well above rounding errors, and there are no such
+/// pairs, the surface is embedded.
 std::vector<HullPair> FindPairsNearerThan(double gap, const PointList& points,
-  const FaceHulls& hulls, const ParallelFor& parallelFor);
+  const FaceHulls& hulls, const std::vector<HullPair>& adjacent, const ParallelFor& parallelFor);
 
 } // namespace FlipFree
 

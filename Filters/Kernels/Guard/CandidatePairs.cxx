@@ -23,6 +23,7 @@ CandidatePairs::CandidatePairs(int numberOfPoints, const FaceList& faces)
 
 CandidatePairs::CandidatePairs(const PointList& layout, const FaceList& faces)
   : HullsOfFaces(layout, faces)
+  , Adjacent(this->HullsOfFaces.AdjacentPairs())
 {
   const auto pairs = this->HullsOfFaces.DisjointPairs(layout);
   this->FirstPartner.assign(this->HullsOfFaces.Tree().NumberOfNodes() + 1, 0);

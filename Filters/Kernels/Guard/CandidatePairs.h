@@ -4,8 +4,8 @@
  *
  * Claim: a surface stays embedded however its faces are cut, as long as each pair of hulls that
  * FaceHulls names stays apart: those of faces without a common vertex, found by a tree over boxes
- * of motions, and those of parts of adjacent faces, all of which are candidates. Proof: at each
- * time, FaceHulls.h applies.
+ * of motions, and those of parts of adjacent faces, or of one, all of which are candidates. Proof:
+ * at each time, FaceHulls.h applies.
  */
 #ifndef FlipFreeCandidatePairs_h
 #define FlipFreeCandidatePairs_h
@@ -23,6 +23,9 @@ public:
 
   const FaceHulls& Hulls() const { return this->HullsOfFaces; }
 
+  /// Parts of adjacent faces, or of one.
+  const std::vector<HullPair>& AdjacentPairs() const { return this->Adjacent; }
+
   /// Calls visit(one, two) for the pairs of disjoint hulls that may come nearer to each other
   /// than `gap` during the motion and of which a vertex is marked as changed. `boxes` is the
   /// caller's cache from the last call; it is updated. `visit` is called from several threads.
@@ -35,6 +38,7 @@ private:
   CandidatePairs(const PointList& layout, const FaceList& faces);
 
   FaceHulls HullsOfFaces;
+  std::vector<HullPair> Adjacent;
   // The pairs of nodes that stand for the disjoint hulls, in both orders: the partners of a node
   // are Partners[FirstPartner[node]] to, not including, Partners[FirstPartner[node + 1]].
   std::vector<int> FirstPartner;

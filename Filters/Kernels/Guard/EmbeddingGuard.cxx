@@ -127,7 +127,7 @@ public:
     };
     this->Candidates.VisitDisjointHulls(motion, this->Distance.Wanted, changed, this->Boxes, test,
       parallelFor);
-    ForEach(this->Candidates.Hulls().AdjacentPairs(), parallelFor,
+    ForEach(this->Candidates.AdjacentPairs(), parallelFor,
       [&](const HullPair& pair)
       {
         if (AnyOf(changed, pair.One) || AnyOf(changed, pair.Two))
@@ -151,12 +151,12 @@ EmbeddingGuard::EmbeddingGuard(const ContourMesh& mesh)
   , Quads(ListQuads(mesh.Faces))
   , Candidates(mesh.NumberOfPoints(), mesh.Faces)
 {
-  if (!this->Candidates.Hulls().OverlappingFaces().empty())
+  const auto overlapping = this->Candidates.Hulls().OverlappingFaces();
+  if (!overlapping.empty())
   {
-    const auto& faces = this->Candidates.Hulls().OverlappingFaces().front();
     throw Error(ErrorCode::InvalidMesh,
-      "faces " + std::to_string(faces.first) + " and " + std::to_string(faces.second) +
-        " share more than an edge; use a finer mesh");
+      "faces " + std::to_string(overlapping[0].first) + " and " +
+        std::to_string(overlapping[0].second) + " share more than an edge; use a finer mesh");
   }
 }
 

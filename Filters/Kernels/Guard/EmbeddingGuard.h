@@ -38,11 +38,12 @@ public:
   /// first. Faces without a common vertex keep a distance of a thousandth of the mean edge length,
   /// or the one they start with if that is less; so do parts of adjacent faces. Corners that are
   /// degenerate at the start (TimeOfFlip) are not tested. Quads do not become folded (QuadFold.h).
-  /// Vertices that move end at single-precision numbers, so that a file of single precision holds
-  /// the surface that was certified, if these are fine enough (SinglePrecision.h). `monitor` is
-  /// asked between passes; if it returns false, the displacements become zero. Throws Error for a
-  /// wrong number of rows, a number that is not finite, a coordinate beyond 1e30 mm, and where a
-  /// motion cannot be certified because the points are not embedded.
+  /// Hulls that overlap at the start although no cut intersects stay at rest. Vertices that move
+  /// end at single-precision numbers, so that a file of single precision holds the surface that was
+  /// certified, if these are fine enough (SinglePrecision.h). `monitor` is asked between passes; if
+  /// it returns false, the displacements become zero. Throws Error for a wrong number of rows, a
+  /// number that is not finite, a coordinate beyond 1e30 mm, and where a motion cannot be certified
+  /// because the points are not embedded.
   GuardReport Limit(const PointList& points, PointList& displacements,
     const ParallelFor& parallelFor, const Monitor& monitor) const;
 

@@ -34,6 +34,16 @@ Sides SidesOf(const PointList& points, const Hull& quad)
   return sides;
 }
 
+double LongestSquare(const Sides& sides)
+{
+  double longest = 0;
+  for (const Vector3d& side : sides)
+  {
+    longest = std::max(longest, side.squaredNorm());
+  }
+  return longest;
+}
+
 // Of two vectors that change linearly.
 Quadratic Cross(const Vector3d& oneStart, const Vector3d& oneEnd, const Vector3d& twoStart,
   const Vector3d& twoEnd)
@@ -114,11 +124,7 @@ bool IsFolded(const PointList& points, const Hull& quad)
 {
   const Sides sides = SidesOf(points, quad);
   const Vector3d normal = (sides[0] + sides[1]).cross(sides[1] + sides[2]);
-  double longest = 0;
-  for (const Vector3d& side : sides)
-  {
-    longest = std::max(longest, side.squaredNorm());
-  }
+  const double longest = LongestSquare(sides);
   for (int corner = 0; corner < 4; ++corner)
   {
     if (!(sides[(corner + 3) % 4].cross(sides[corner]).dot(normal) >
@@ -138,28 +144,29 @@ double TimeOfFold(const Motion& motion, const Hull& quad)
   {
     return 1;
   }
-  double longest = 0;
-  for (int i = 0; i < 4; ++i)
-  {
-    longest = std::max({ longest, start[i].squaredNorm(), end[i].squaredNorm() });
-  }
+  const double longestAtStart = LongestSquare(start);
+  const double longest = std::max(longestAtStart, LongestSquare(end));
   const double bound = ProductError * longest * longest;
   const Quadratic normal =
     Cross(start[0] + start[1], end[0] + end[1], start[1] + start[2], end[1] + end[2]);
   std::array<Quartic, 4> products;
+  double time = 1;
   for (int corner = 0; corner < 4; ++corner)
   {
     const int before = (corner + 3) % 4;
     products[corner] = Dot(Cross(start[before], end[before], start[corner], end[corner]), normal);
-    if (!(products[corner][0] > bound))
+    if (!(products[corner][0] > ProductError * longestAtStart * longestAtStart))
     {
       return 1; // folded at the start
     }
+    if (!(products[corner][0] > bound))
+    {
+      time = 0; // too long a motion to tell
+    }
   }
-  double time = 1;
   for (const Quartic& product : products)
   {
-    time = std::min(time, TimeAbove(product, bound));
+    time = time > 0 ? std::min(time, TimeAbove(product, bound)) : 0;
   }
   return time;
 }

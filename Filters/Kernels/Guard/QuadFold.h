@@ -19,8 +19,8 @@ std::vector<Hull> ListQuads(const FaceList& faces);
 /// Whether the quad of these vertices, in order, is folded or degenerate.
 bool IsFolded(const PointList& points, const Hull& quad);
 
-/// A time until which a quad that is not folded at the start is proven to stay so. 1 if it does
-/// throughout, and for a quad that is folded at the start or at rest.
+/// A time until which a quad that is not folded at the start is proven to stay so. 1 if that is
+/// proven throughout, and for a quad that is folded at the start or at rest.
 double TimeOfFold(const Motion& motion, const Hull& quad);
 
 } // namespace FlipFree

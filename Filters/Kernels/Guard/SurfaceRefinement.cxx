@@ -17,8 +17,8 @@ namespace
 
 constexpr int MaximumAttempts = 9;
 constexpr int MaximumRelaxations = 30;
-// That the refined surface keeps from itself, relative to the mean edge length of the old one: well
-// above the rounding to single precision, which files hold.
+// That the refined surface keeps from itself, relative to the mean edge length of the old one,
+// after it has been rounded to single precision.
 constexpr double RelativeGap = 1e-4;
 // Of the way of a vertex to the mean of its neighbors.
 constexpr double Relaxation = 0.5;
@@ -41,11 +41,12 @@ void RelaxOnce(const ContourMesh& mesh, const EmbeddingGuard& guard, const std::
 }
 
 // What comes too near to other parts, and quads that are folded.
-std::vector<Hull> FindBadHulls(const RefinedSurface& refined, const FaceHulls& hulls, double gap,
-  const ParallelFor& parallelFor)
+std::vector<Hull> FindBadHulls(const RefinedSurface& refined, const FaceHulls& hulls,
+  const std::vector<HullPair>& adjacent, double gap, const ParallelFor& parallelFor)
 {
   std::vector<Hull> bad;
-  for (const HullPair& pair : FindPairsNearerThan(gap, refined.Points, hulls, parallelFor))
+  for (const HullPair& pair :
+    FindPairsNearerThan(gap, refined.Points, hulls, adjacent, parallelFor))
   {
     bad.push_back(pair.One);
     bad.push_back(pair.Two);
@@ -63,8 +64,9 @@ std::vector<Hull> FindBadHulls(const RefinedSurface& refined, const FaceHulls& h
 // Pulls the new points where the surface comes too near to itself towards their parents until there
 // are none. False if some remain; `involved` are then the old vertices near those.
 bool RefineEmbedded(const ContourMesh& mesh, const PointList& points, const RefinedMesh& faces,
-  const FaceHulls& hulls, double edgeLength, const ParallelFor& parallelFor, const Monitor& monitor,
-  RefinedSurface& refined, std::set<int>& involved)
+  const FaceHulls& hulls, const std::vector<HullPair>& adjacent, double edgeLength,
+  const ParallelFor& parallelFor, const Monitor& monitor, RefinedSurface& refined,
+  std::set<int>& involved)
 {
   Eigen::VectorXd reach = Eigen::VectorXd::Ones(points.rows());
   for (int attempt = 0; attempt < MaximumAttempts; ++attempt)
@@ -79,7 +81,7 @@ bool RefineEmbedded(const ContourMesh& mesh, const PointList& points, const Refi
       position = RoundToSingle(position, edgeLength);
     }
     const std::vector<Hull> bad =
-      FindBadHulls(refined, hulls, RelativeGap * edgeLength, parallelFor);
+      FindBadHulls(refined, hulls, adjacent, RelativeGap * edgeLength, parallelFor);
     if (bad.empty())
     {
       return true;
@@ -138,14 +140,15 @@ RefinedSurface RefineSurface(const ContourMesh& mesh, const PointList& points, b
   }
   const EmbeddingGuard guard(mesh);
   const FaceHulls hulls(RefinePoints(mesh, points, 1), refined.Mesh.Faces);
+  const std::vector<HullPair> adjacent = hulls.AdjacentPairs();
   const double edgeLength = MeanEdgeLength(mesh, points);
   PointList coarse = points;
   std::set<int> involved;
   // Asked at each attempt, of which some are made before and after each relaxation.
   const Monitor proceed = [&](double)
   { return monitor(static_cast<double>(refined.Relaxations) / MaximumRelaxations); };
-  while (!RefineEmbedded(mesh, coarse, faces, hulls, edgeLength, parallelFor, proceed, refined,
-    involved))
+  while (!RefineEmbedded(mesh, coarse, faces, hulls, adjacent, edgeLength, parallelFor, proceed,
+    refined, involved))
   {
     if (refined.Relaxations == MaximumRelaxations || !proceed(0))
     {

@@ -16,8 +16,8 @@
 namespace FlipFree
 {
 
-/// Cuts every polygon into triangles that share its first vertex. Surfaces are certified, measured
-/// and voxelized by this triangulation.
+/// Cuts every polygon into triangles that share its first vertex. Surfaces are measured and
+/// voxelized by this triangulation.
 TriangleList Triangulate(const FaceList& faces);
 
 struct ContourMesh
@@ -31,7 +31,7 @@ struct ContourMesh
   /// Each contour once, as the cyclic sequence of its vertices.
   std::vector<std::vector<int>> Contours;
 
-  /// The certified surface: the faces, each quad cut along one fixed diagonal.
+  /// The faces, each quad cut along one fixed diagonal.
   TriangleList Triangles;
 
   int NumberOfPoints() const { return static_cast<int>(this->Neighbors.size()); }
