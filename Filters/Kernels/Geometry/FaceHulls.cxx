@@ -156,6 +156,20 @@ OwnPairs ListOwnPairs(int size)
   return pairs;
 }
 
+const OwnPairs& OwnPairsOf(int size)
+{
+  static const std::array<OwnPairs, MaximumCorners + 1> pairsOfSize = []
+  {
+    std::array<OwnPairs, MaximumCorners + 1> pairs;
+    for (int corners = 3; corners <= MaximumCorners; ++corners)
+    {
+      pairs[corners] = ListOwnPairs(corners);
+    }
+    return pairs;
+  }();
+  return pairsOfSize[size];
+}
+
 // Blocks are large enough to be worth several threads.
 constexpr std::size_t BlockSize = 1 << 16;
 
@@ -194,10 +208,6 @@ public:
       {
         this->Stars[next[vertex]++] = part;
       }
-    }
-    for (int size = 3; size <= MaximumCorners; ++size)
-    {
-      this->PairsOfSize[size] = ListOwnPairs(size);
     }
   }
 
@@ -346,7 +356,7 @@ private:
       return;
     }
     const VertexSet& corners = this->Corners[part];
-    for (const auto& pair : this->PairsOfSize[corners.size()])
+    for (const auto& pair : OwnPairsOf(corners.size()))
     {
       VertexSet one;
       VertexSet two;
@@ -373,7 +383,6 @@ private:
   // Stars[FirstOfStar[vertex + 1]].
   std::vector<int> FirstOfStar;
   std::vector<int> Stars;
-  std::array<OwnPairs, MaximumCorners + 1> PairsOfSize;
   std::vector<HullPair> Pairs;
   std::vector<std::pair<int, int>> Overlapping;
 };

@@ -29,6 +29,22 @@ HullCorners CornersOf(const PointList& points, const Hull& hull)
   return { { points.row(hull[0]), points.row(hull[1]), points.row(hull[2]), points.row(hull[3]) } };
 }
 
+// How far two hulls are apart along the line between their centers: cheaper than the distance, and
+// enough for most.
+double DistanceAlongCenters(const HullCorners& one, const HullCorners& two)
+{
+  const Eigen::Vector3d direction =
+    (one[0] + one[1] + one[2] + one[3] - two[0] - two[1] - two[2] - two[3]).normalized();
+  double low = std::numeric_limits<double>::infinity();
+  double high = -low;
+  for (int corner = 0; corner < 4; ++corner)
+  {
+    low = std::min(low, one[corner].dot(direction));
+    high = std::max(high, two[corner].dot(direction));
+  }
+  return low - high;
+}
+
 } // namespace
 
 double MeasureMinimumGap(const PointList& points, const FaceHulls& hulls,
@@ -73,7 +89,11 @@ std::vector<HullPair> FindPairsNearerThan(double gap, const PointList& points,
   const std::vector<TriangleBox> boxes = hulls.RefitBoxes(points);
   const double square = gap * gap;
   const auto isNearer = [&](const Hull& one, const Hull& two)
-  { return !(ProvenDistance(CornersOf(points, one), CornersOf(points, two)) >= gap); };
+  {
+    const HullCorners first = CornersOf(points, one);
+    const HullCorners second = CornersOf(points, two);
+    return !(DistanceAlongCenters(first, second) >= gap || ProvenDistance(first, second) >= gap);
+  };
   std::vector<HullPair> near;
   for (const auto& pair : hulls.Tree().SelfPairs([&](int node, int other)
          { return SquaredDistanceOfBoxes(boxes[node], boxes[other]) <= square; },
