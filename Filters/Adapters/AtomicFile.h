@@ -37,7 +37,7 @@ class AtomicFile
 public:
   /// Creates the temporary folder. A symbolic link is followed: its target will be replaced. Throws
   /// FileError if the folder is missing or takes no files, or if the name belongs to something that
-  /// is no regular file.
+  /// is not a regular file.
   explicit AtomicFile(const std::string& name)
     : Name(name)
     , Destination(FollowLinks(name))
@@ -55,7 +55,7 @@ public:
     }
     if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
     {
-      throw FileError(name, "it is no regular file. Give another name.");
+      throw FileError(name, "it is not a regular file. Give another name.");
     }
     std::string folder = (parent / ".flipfree-XXXXXX").string();
     if (!mkdtemp(&folder[0]))

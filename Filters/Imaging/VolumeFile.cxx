@@ -63,7 +63,7 @@ itk::ImageIOBase::Pointer OpenVolumeFile(const std::string& name)
   if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
   {
     throw ImageFileError(vtkErrorCode::CannotOpenFileError,
-      "'" + name + "' is no regular file. Give a file, or the folder of a DICOM series.");
+      "'" + name + "' is not a regular file. Give a file, or the folder of a DICOM series.");
   }
   if (!std::ifstream(name))
   {

@@ -48,7 +48,7 @@ void RequireFiles(const std::string& name, const VoxelStorage& storage)
     }
     if (!std::filesystem::is_regular_file(status))
     {
-      throw Incomplete(name, "'" + file + "' is no regular file");
+      throw Incomplete(name, "'" + file + "' is not a regular file");
     }
     size += static_cast<double>(std::filesystem::file_size(file, failure));
   }

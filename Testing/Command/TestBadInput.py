@@ -253,7 +253,7 @@ class TestBadInput(command.CommandTest):
             os.mkfifo(pipe)
             with self.subTest(name=name):
                 process = command.run("evaluate", pipe, self.truth, "--csv", self.result("out.csv"))
-                self.assert_refused(process, 1, f"'{pipe}'", "no regular file")
+                self.assert_refused(process, 1, f"'{pipe}'", "not a regular file")
 
 
 if __name__ == "__main__":
