@@ -10,13 +10,11 @@
 #include "Image/AnisotropicDiffusion.h"
 #include "Image/SeedRegion.h"
 #include "ImageAdapter.h"
-#include "MessageText.h"
 
 #include "vtkDataArray.h"
 #include "vtkPointData.h"
 #include "vtkSetGet.h"
 
-#include <sstream>
 #include <stdexcept>
 #include <string>
 
@@ -53,33 +51,6 @@ inline void RequireGrayImage(vtkImageData* image, const std::string& name)
     RefuseScalarType(scalars, name);
   }
   RequireProperGrid(image, name);
-}
-
-/// Throws std::invalid_argument unless the center lies within the image and the radius is a voxel
-/// or more.
-inline void RequireSeed(const ImageGeometry& geometry, const SeedSphere& seed,
-  const std::string& name)
-{
-  const Eigen::Vector3d index = geometry.ToIndex(seed.Center);
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    if (!(index[axis] >= -0.5 && index[axis] <= geometry.Dimensions[axis] - 0.5))
-    {
-      const Eigen::Vector3d first = geometry.ToPhysical(Eigen::Vector3d::Zero());
-      const Eigen::Vector3d last = geometry.ToPhysical(Eigen::Vector3d(geometry.Dimensions[0] - 1,
-        geometry.Dimensions[1] - 1, geometry.Dimensions[2] - 1));
-      throw std::invalid_argument("the seed's center " + TextOf(seed.Center) + " mm lies outside " +
-        name + ", which reaches from " + TextOf(first) + " to " + TextOf(last) +
-        " mm; give it in the image's physical coordinates");
-    }
-  }
-  if (!(seed.Radius >= geometry.Spacing.minCoeff()))
-  {
-    std::ostringstream message;
-    message << "the seed's radius of " << seed.Radius << " mm is below a voxel of " << name << " ("
-            << geometry.Spacing.minCoeff() << " mm); enlarge it";
-    throw std::invalid_argument(message.str());
-  }
 }
 
 /// RequireFiniteAs floats for an image that has passed RequireGrayImage.

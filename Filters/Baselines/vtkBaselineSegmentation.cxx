@@ -9,6 +9,7 @@
 #include "Mesh/SurfaceTopology.h"
 #include "Mesh/SurfaceVoxelization.h"
 #include "MeshAdapter.h"
+#include "PipelineAdapter.h"
 #include "PropertyCheck.h"
 
 #include "vtkCellArray.h"
@@ -17,7 +18,6 @@
 #include "vtkInformationVector.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
-#include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <algorithm>
 #include <stdexcept>
@@ -25,8 +25,6 @@
 
 namespace
 {
-
-using Pipeline = vtkStreamingDemandDrivenPipeline;
 
 constexpr const char* InputName = "the image on port 0";
 
@@ -88,24 +86,14 @@ int vtkBaselineSegmentation::FillOutputPortInformation(int port, vtkInformation*
 int vtkBaselineSegmentation::RequestUpdateExtent(vtkInformation*, vtkInformationVector** inputs,
   vtkInformationVector*)
 {
-  vtkInformation* in = inputs[0]->GetInformationObject(0);
-  if (in->Has(Pipeline::WHOLE_EXTENT()))
-  {
-    in->Set(Pipeline::UPDATE_EXTENT(), in->Get(Pipeline::WHOLE_EXTENT()), 6);
-  }
+  FlipFree::RequestWholeExtent(inputs[0]->GetInformationObject(0));
   return 1;
 }
 
 int vtkBaselineSegmentation::RequestInformation(vtkInformation*, vtkInformationVector** inputs,
   vtkInformationVector* outputs)
 {
-  vtkInformation* in = inputs[0]->GetInformationObject(0);
-  vtkInformation* labels = outputs->GetInformationObject(1);
-  labels->CopyEntry(in, Pipeline::WHOLE_EXTENT());
-  labels->CopyEntry(in, vtkDataObject::SPACING());
-  labels->CopyEntry(in, vtkDataObject::ORIGIN());
-  labels->CopyEntry(in, vtkDataObject::DIRECTION());
-  vtkDataObject::SetPointDataActiveScalarInfo(labels, VTK_UNSIGNED_CHAR, 1);
+  FlipFree::AnnounceLabelMap(inputs[0]->GetInformationObject(0), outputs->GetInformationObject(1));
   return 1;
 }
 
@@ -119,7 +107,7 @@ int vtkBaselineSegmentation::RequestData(vtkInformation*, vtkInformationVector**
   this->NumberOfIterations = 0;
   try
   {
-    this->Execute(vtkImageData::GetData(inputs[0]), surface, labels);
+    this->Segment(vtkImageData::GetData(inputs[0]), surface, labels);
   }
   catch (const std::exception& error)
   {
@@ -137,7 +125,7 @@ void vtkBaselineSegmentation::RequireProperties()
   FlipFree::RequireNumbers({ { "Reach", this->Reach } });
 }
 
-void vtkBaselineSegmentation::Execute(vtkImageData* image, vtkPolyData* surface,
+void vtkBaselineSegmentation::Segment(vtkImageData* image, vtkPolyData* surface,
   vtkImageData* labels)
 {
   this->RequireProperties();

@@ -131,7 +131,7 @@ private:
   vtkBaselineSegmentation(const vtkBaselineSegmentation&) = delete;
   void operator=(const vtkBaselineSegmentation&) = delete;
 
-  void Execute(vtkImageData* image, vtkPolyData* surface, vtkImageData* labels);
+  void Segment(vtkImageData* image, vtkPolyData* surface, vtkImageData* labels);
 };
 
 #endif

@@ -5,6 +5,7 @@
 #include "Measures/SurfaceDistance.h"
 #include "Measures/VoxelOverlap.h"
 #include "Mesh/SurfaceVoxelization.h"
+#include "PipelineAdapter.h"
 #include "SurfaceAdapter.h"
 #include "TableAdapter.h"
 
@@ -13,7 +14,6 @@
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
-#include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkTable.h"
 
 #include <algorithm>
@@ -112,13 +112,7 @@ int vtkSegmentationMetrics::RequestUpdateExtent(vtkInformation*, vtkInformationV
   // last.
   for (int port = 0; port < 2; ++port)
   {
-    vtkInformation* info = inputVector[port]->GetInformationObject(0);
-    int extent[6];
-    if (info->Has(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT()))
-    {
-      info->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent);
-      info->Set(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), extent, 6);
-    }
+    FlipFree::RequestWholeExtent(inputVector[port]->GetInformationObject(0));
   }
   return 1;
 }

@@ -1,6 +1,6 @@
 #include "SegmentationWarnings.h"
 
-#include "Deformation/SurfaceDoubts.h"
+#include "Deformation/PlausibilityCheck.h"
 
 #include <cmath>
 #include <sstream>
@@ -17,25 +17,25 @@ std::string TextOf(double value)
   return text.str();
 }
 
-std::string TextOf(const SurfaceDoubt& doubt, double reach)
+std::string TextOf(const Implausibility& finding, double reach)
 {
-  const std::string percent = std::to_string(std::lround(100 * doubt.Fraction)) + " %";
-  switch (doubt.Reason)
+  const std::string percent = std::to_string(std::lround(100 * finding.Fraction)) + " %";
+  switch (finding.Reason)
   {
-    case Doubt::EndOfReach:
+    case ImplausibilityReason::EndOfReach:
       return "The surface has got to the end of what it may reach, " + TextOf(reach) +
         " mm from the seed's center, and is cut there: it may have leaked, or the seed may lie in "
         "air; look at it, and raise Reach where the organ is that large.";
-    case Doubt::NoBoundary:
+    case ImplausibilityReason::NoBoundary:
       return percent +
         " of the surface found no boundary, so it may not be an organ's; check that the seed "
         "sphere lies within the organ and not in air, or move SeedCenter.";
-    case Doubt::ImageBoundary:
+    case ImplausibilityReason::ImageBoundary:
       return percent +
         " of the surface lies at the image's ends along two axes, so it may be that of what "
         "surrounds the organ; check that the seed sphere lies within the organ and not in air, or "
         "move SeedCenter.";
-    case Doubt::None:
+    case ImplausibilityReason::None:
       break;
   }
   return {};
@@ -67,11 +67,11 @@ std::vector<std::string> WarningsOf(const OrganSurface& organ, const ImageGeomet
       std::to_string(organ.Mesh.NumberOfPoints()) +
       " vertices only; lower Levels to start from a finer one.");
   }
-  const SurfaceDoubt doubt =
-    DoubtOf(organ, region, image, seed.Radius, settings, startsAtSeed && !foundNothing);
-  if (doubt.Reason != Doubt::None)
+  const Implausibility finding =
+    CheckPlausibility(organ, region, image, seed.Radius, settings, startsAtSeed && !foundNothing);
+  if (finding.Reason != ImplausibilityReason::None)
   {
-    warnings.push_back(TextOf(doubt, ReachOf(settings.Smoothing, seed.Radius)));
+    warnings.push_back(TextOf(finding, ReachOf(settings.Smoothing, seed.Radius)));
   }
   return warnings;
 }

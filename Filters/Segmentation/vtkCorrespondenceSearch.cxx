@@ -5,6 +5,7 @@
 #include "FieldData.h"
 #include "GrayImageAdapter.h"
 #include "Measures/VoxelOverlap.h"
+#include "PipelineAdapter.h"
 #include "StageProperties.h"
 
 #include "vtkImageData.h"
@@ -13,7 +14,6 @@
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
-#include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <algorithm>
 #include <string>
@@ -192,14 +192,9 @@ int vtkCorrespondenceSearch::FillInputPortInformation(int port, vtkInformation* 
 int vtkCorrespondenceSearch::RequestUpdateExtent(vtkInformation*,
   vtkInformationVector** inputVector, vtkInformationVector*)
 {
-  using Pipeline = vtkStreamingDemandDrivenPipeline;
   for (int port = 1; port < 3; ++port)
   {
-    vtkInformation* in = inputVector[port]->GetInformationObject(0);
-    if (in && in->Has(Pipeline::WHOLE_EXTENT()))
-    {
-      in->Set(Pipeline::UPDATE_EXTENT(), in->Get(Pipeline::WHOLE_EXTENT()), 6);
-    }
+    FlipFree::RequestWholeExtent(inputVector[port]->GetInformationObject(0));
   }
   return 1;
 }

@@ -61,8 +61,8 @@ class vtkTable;
 namespace FlipFree
 {
 struct OrganSegmentationSettings;
-struct OrganSurface;
 struct ScheduleSettings;
+struct SegmentationResult;
 }
 
 class FLIPFREESEGMENTATION_EXPORT vtkFlipFreeSegmentation : public vtkAlgorithm
@@ -345,22 +345,18 @@ protected:
   double StageSeconds[4] = { 0, 0, 0, 0 };
 
 private:
-  struct Result;
-
   void RequireProperties() const;
   FlipFree::OrganSegmentationSettings GetSettings() const;
   void UseSettings(const FlipFree::OrganSegmentationSettings& settings);
-  bool IsResultValid(vtkInformationVector** inputs) const;
-  void Execute(vtkImageData* image, vtkPolyData* start);
-  void Keep(const FlipFree::OrganSurface& organ, bool guarded);
-  void Deliver(vtkInformationVector* outputs);
+  bool IsCacheUpToDate(vtkInformationVector** inputs);
+  void Segment(vtkImageData* image, vtkPolyData* start);
 
   const std::unique_ptr<FlipFree::ScheduleSettings> Schedule;
   vtkSmartPointer<vtkSeedRegionDiffusion> Diffusion;
   vtkSmartPointer<vtkGMMFeatureFilter> Feature;
   vtkSmartPointer<vtkCorrespondenceSearch> Search;
   vtkSmartPointer<vtkFlipFreeDeform> Deform;
-  std::unique_ptr<Result> Cache;
+  std::unique_ptr<FlipFree::SegmentationResult> Cache;
 
   vtkFlipFreeSegmentation(const vtkFlipFreeSegmentation&) = delete;
   void operator=(const vtkFlipFreeSegmentation&) = delete;

@@ -4,6 +4,7 @@
 #include "GrayImageAdapter.h"
 #include "Intensity/ModelFit.h"
 #include "Intensity/OrganFeature.h"
+#include "PipelineAdapter.h"
 #include "StageProperties.h"
 #include "SurfaceAdapter.h"
 
@@ -12,7 +13,6 @@
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
-#include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <stdexcept>
 
@@ -109,9 +109,7 @@ int vtkGMMFeatureFilter::RequestInformation(vtkInformation*, vtkInformationVecto
 int vtkGMMFeatureFilter::RequestUpdateExtent(vtkInformation*, vtkInformationVector** inputVector,
   vtkInformationVector*)
 {
-  using Pipeline = vtkStreamingDemandDrivenPipeline;
-  vtkInformation* in = inputVector[0]->GetInformationObject(0);
-  in->Set(Pipeline::UPDATE_EXTENT(), in->Get(Pipeline::WHOLE_EXTENT()), 6);
+  FlipFree::RequestWholeExtent(inputVector[0]->GetInformationObject(0));
   return 1;
 }
 
@@ -123,8 +121,8 @@ int vtkGMMFeatureFilter::RequestData(vtkInformation*, vtkInformationVector** inp
   try
   {
     this->RequireProperties();
-    this->Execute(vtkImageData::GetData(inputVector[0]), vtkPolyData::GetData(inputVector[1]),
-      output);
+    this->ComputeFeature(vtkImageData::GetData(inputVector[0]),
+      vtkPolyData::GetData(inputVector[1]), output);
   }
   catch (const std::exception& error)
   {
@@ -136,7 +134,8 @@ int vtkGMMFeatureFilter::RequestData(vtkInformation*, vtkInformationVector** inp
 }
 
 // Returns with an empty output when it is aborted.
-void vtkGMMFeatureFilter::Execute(vtkImageData* image, vtkPolyData* surface, vtkImageData* output)
+void vtkGMMFeatureFilter::ComputeFeature(vtkImageData* image, vtkPolyData* surface,
+  vtkImageData* output)
 {
   const FlipFree::SeedSphere seed{ Eigen::Vector3d(this->SeedCenter), this->SeedRadius };
   FlipFree::RequireGrayImage(image, "the image on port 0");

@@ -172,7 +172,7 @@ private:
   friend class vtkFlipFreeSegmentation; // takes the settings as a whole
 
   void RequireProperties() const;
-  void Execute(vtkImageData* image, vtkPolyData* surface, vtkImageData* output);
+  void ComputeFeature(vtkImageData* image, vtkPolyData* surface, vtkImageData* output);
 
   const std::unique_ptr<FlipFree::OrganFeatureSettings> Settings;
 

@@ -3,6 +3,7 @@
 #include "FieldData.h"
 #include "GrayImageAdapter.h"
 #include "Image/SmoothRegion.h"
+#include "PipelineAdapter.h"
 #include "StageProperties.h"
 
 #include "vtkImageData.h"
@@ -78,8 +79,7 @@ int vtkSeedRegionDiffusion::RequestInformation(vtkInformation*, vtkInformationVe
 int vtkSeedRegionDiffusion::RequestUpdateExtent(vtkInformation*, vtkInformationVector** inputVector,
   vtkInformationVector*)
 {
-  vtkInformation* in = inputVector[0]->GetInformationObject(0);
-  in->Set(Pipeline::UPDATE_EXTENT(), in->Get(Pipeline::WHOLE_EXTENT()), 6);
+  FlipFree::RequestWholeExtent(inputVector[0]->GetInformationObject(0));
   return 1;
 }
 

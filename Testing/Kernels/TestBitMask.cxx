@@ -82,7 +82,7 @@ TEST(BitMask, RunsOfEveryPlaceAndLength)
   }
 }
 
-TEST(BitMask, RowsAreCutAtTheirEnds)
+TEST(BitMask, PaddingIsCleared)
 {
   std::mt19937 random(6);
   for (const ImageGeometry& geometry : ExampleGrids())
@@ -97,7 +97,7 @@ TEST(BitMask, RowsAreCutAtTheirEnds)
       }
     }
     EXPECT_EQ(beyond == mask, mask.GetLastWord() == ~BitMask::Word(0));
-    beyond.CutRows();
+    beyond.ClearPadding();
     EXPECT_EQ(beyond, mask);
   }
 }

@@ -1,3 +1,4 @@
+#include "Error.h"
 #include "ExampleMasks.h"
 #include "ExampleSurfaces.h"
 #include "Image/SeedRegion.h"
@@ -5,7 +6,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <limits>
 #include <random>
+#include <string>
 
 using namespace FlipFree;
 
@@ -44,6 +47,47 @@ ImageGeometry GridAround(const Eigen::Vector3d& center, const Eigen::Matrix3d& d
 const Eigen::Vector3d Center(-30, 20, 150);
 
 } // namespace
+
+TEST(SeedRegion, SeedsOutsideOrBelowAVoxelAreRefused)
+{
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  const auto isAccepted = [](const ImageGeometry& geometry, const SeedSphere& seed)
+  {
+    try
+    {
+      RequireSeed(geometry, seed, "the image");
+      return true;
+    }
+    catch (const Error& error)
+    {
+      EXPECT_EQ(error.GetCode(), ErrorCode::OutOfRange);
+      EXPECT_NE(error.GetText().find("the image"), std::string::npos);
+      return false;
+    }
+  };
+  for (const auto& [name, direction] : FramesAndShears())
+  {
+    const ImageGeometry geometry = GridAround(Center, direction);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      for (const bool isHigh : { false, true })
+      {
+        Eigen::Vector3d index(7, 8, 9);
+        const double outside = isHigh ? 1 : -1;
+        index[axis] = isHigh ? geometry.Dimensions[axis] - 0.5 : -0.5;
+        index[axis] -= 0.01 * outside;
+        EXPECT_TRUE(isAccepted(geometry, { geometry.ToPhysical(index), 5 })) << name;
+        index[axis] += 0.02 * outside;
+        EXPECT_FALSE(isAccepted(geometry, { geometry.ToPhysical(index), 5 })) << name;
+        index[axis] = nan;
+        EXPECT_FALSE(isAccepted(geometry, { geometry.ToPhysical(index), 5 })) << name;
+      }
+    }
+    EXPECT_TRUE(isAccepted(geometry, { Center, 0.7 })) << name;
+    EXPECT_FALSE(isAccepted(geometry, { Center, 0.69 })) << name;
+    EXPECT_FALSE(isAccepted(geometry, { Center, nan })) << name;
+  }
+}
 
 TEST(SeedRegion, PartsAsFloatsAreInTheirPlaces)
 {

@@ -40,7 +40,7 @@ public:
   {
   }
 
-  void Execute()
+  void Run()
   {
     this->Surface.Reason = this->IterateLevels();
     this->Surface.SmoothingSeconds = this->Foreground.GetSmoothingSeconds();
@@ -233,7 +233,7 @@ OrganSurface SegmentOrgan(SmoothRegion& region, double noise, const SeedSphere& 
   OrganSurface surface;
   surface.Mesh = startMesh;
   surface.Points = startPoints;
-  CoarseToFine(region, noise, seed, settings, parallelFor, monitor, observer, surface).Execute();
+  CoarseToFine(region, noise, seed, settings, parallelFor, monitor, observer, surface).Run();
   if (surface.Reason != StopReason::Aborted)
   {
     surface.SelfIntersections = CountSelfIntersections(surface.Points, surface.Mesh.Faces);

@@ -219,7 +219,7 @@ bool Dilate(BitMask& mask, double radius, const ParallelFor& parallelFor, const 
     return Stop(mask);
   }
   mask = std::move(grown);
-  mask.CutRows();
+  mask.ClearPadding();
   return true;
 }
 

@@ -36,10 +36,10 @@ void BitMask::Complement()
   {
     word = ~word;
   }
-  this->CutRows();
+  this->ClearPadding();
 }
 
-void BitMask::CutRows()
+void BitMask::ClearPadding()
 {
   for (std::size_t row = 0; row < this->Words.size(); row += this->WordsPerRow)
   {

@@ -58,8 +58,8 @@ public:
   Word GetLastWord() const { return this->LastWord; }
 
   void Complement();
-  /// Clears the bits after the ends of the rows.
-  void CutRows();
+  /// Clears the padding bits, those after the ends of the rows.
+  void ClearPadding();
   /// Removes all voxels of another set, which must be on the same grid.
   void Remove(const BitMask& other);
 

@@ -1,10 +1,38 @@
 #include "Image/SeedRegion.h"
 
+#include "Error.h"
+#include "MessageText.h"
+
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 namespace FlipFree
 {
+
+void RequireSeed(const ImageGeometry& geometry, const SeedSphere& seed, const std::string& name)
+{
+  const Eigen::Vector3d index = geometry.ToIndex(seed.Center);
+  const auto& size = geometry.Dimensions;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    if (!(index[axis] >= -0.5 && index[axis] <= size[axis] - 0.5))
+    {
+      throw Error(ErrorCode::OutOfRange,
+        "the seed's center " + TextOf(seed.Center) + " mm lies outside " + name +
+          ", which reaches from " + TextOf(geometry.ToPhysical(Eigen::Vector3d::Zero())) + " to " +
+          TextOf(geometry.ToPhysical(Eigen::Vector3d(size[0] - 1, size[1] - 1, size[2] - 1))) +
+          " mm; give it in the image's physical coordinates");
+    }
+  }
+  if (!(seed.Radius >= geometry.Spacing.minCoeff()))
+  {
+    std::ostringstream message;
+    message << "the seed's radius of " << seed.Radius << " mm is below a voxel of " << name << " ("
+            << geometry.Spacing.minCoeff() << " mm); enlarge it";
+    throw Error(ErrorCode::OutOfRange, message.str());
+  }
+}
 
 bool ContainsSphere(const ImageGeometry& geometry, const SeedSphere& seed)
 {

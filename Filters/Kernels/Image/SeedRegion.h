@@ -8,6 +8,7 @@
 #include "Image/VoxelBox.h"
 #include "KernelTypes.h"
 
+#include <string>
 #include <vector>
 
 namespace FlipFree
@@ -52,6 +53,10 @@ void CropToFloat(const ImageView<T>& image, const VoxelBox& box, const ParallelF
       }
     });
 }
+
+/// Throws Error unless the center lies within the image, named by `name`, and the radius is a voxel
+/// or more.
+void RequireSeed(const ImageGeometry& geometry, const SeedSphere& seed, const std::string& name);
 
 /// Whether the image, up to the outer faces of its outermost voxels, holds the whole sphere.
 bool ContainsSphere(const ImageGeometry& geometry, const SeedSphere& seed);

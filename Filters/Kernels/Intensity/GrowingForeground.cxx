@@ -54,7 +54,7 @@ bool GrowingForeground::Smooth(const VoxelBox& box, const Monitor& monitor)
 bool GrowingForeground::SmoothAroundSeed(const Monitor& monitor)
 {
   return this->Smooth(this->Settings.ControlLeaks
-      ? this->BoxAround(this->Seed.Center.transpose(), FirstReach * this->Seed.Radius,
+      ? this->BoundsOfBalls(this->Seed.Center.transpose(), FirstReach * this->Seed.Radius,
           ForegroundMargin(this->Geometry, this->Leaks))
       : this->Whole,
     monitor);
@@ -62,16 +62,16 @@ bool GrowingForeground::SmoothAroundSeed(const Monitor& monitor)
 
 bool GrowingForeground::SmoothAround(const PointList& points, double reach, const Monitor& monitor)
 {
-  return this->Smooth(this->BoxAround(points, reach, { { 2, 2, 2 } }), monitor);
+  return this->Smooth(this->BoundsOfBalls(points, reach, { { 2, 2, 2 } }), monitor);
 }
 
-VoxelBox GrowingForeground::BoxAround(const PointList& points, double reach,
+VoxelBox GrowingForeground::BoundsOfBalls(const PointList& points, double reach,
   const std::array<int, 3>& margin) const
 {
   VoxelBox box;
   for (Eigen::Index point = 0; point < points.rows(); ++point)
   {
-    box = box.Joined(FlipFree::BoxAround(this->Geometry, points.row(point).transpose(), reach));
+    box = box.Joined(BoxAround(this->Geometry, points.row(point).transpose(), reach));
   }
   return box.Widened(margin, this->Whole);
 }
@@ -90,8 +90,7 @@ VoxelBox GrowingForeground::FirstSearched() const
   {
     voxels += voxels / 2;
   }
-  return this->Bounds
-    .Joined(FlipFree::BoxAround(this->Geometry, this->Seed.Center, this->Seed.Radius))
+  return this->Bounds.Joined(BoxAround(this->Geometry, this->Seed.Center, this->Seed.Radius))
     .Widened(margin, made);
 }
 

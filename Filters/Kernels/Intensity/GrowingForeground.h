@@ -40,7 +40,8 @@ public:
 
 private:
   bool Smooth(const VoxelBox& box, const Monitor& monitor);
-  VoxelBox BoxAround(const PointList& points, double reach, const std::array<int, 3>& margin) const;
+  VoxelBox BoundsOfBalls(const PointList& points, double reach,
+    const std::array<int, 3>& margin) const;
   VoxelBox FirstSearched() const;
   VoxelBox Grown(const VoxelBox& searched) const;
 

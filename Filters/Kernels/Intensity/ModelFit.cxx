@@ -13,7 +13,8 @@ namespace
 
 // The box of all voxels within a distance of the runs, of which there is at least one, with one
 // more voxel on each side.
-VoxelBox BoxAround(const std::vector<VoxelRun>& runs, const ImageGeometry& geometry, double reach)
+VoxelBox DilatedBounds(const std::vector<VoxelRun>& runs, const ImageGeometry& geometry,
+  double reach)
 {
   VoxelBox box;
   for (const VoxelRun& run : runs)
@@ -70,7 +71,7 @@ Refit RefitToSurface(const ImageView<float>& smooth, const PointList& points,
   {
     return stopped ? Refit::Stopped : Refit::NothingInside;
   }
-  const VoxelBox box = BoxAround(runs, smooth.Geometry, settings.ShellEnd);
+  const VoxelBox box = DilatedBounds(runs, smooth.Geometry, settings.ShellEnd);
   const auto [i, j, k] = box.Begin;
   BitMask inside(CropGeometry(smooth.Geometry, box));
   for (const VoxelRun& run : runs)

@@ -1,4 +1,4 @@
-#include "Deformation/SurfaceDoubts.h"
+#include "Deformation/PlausibilityCheck.h"
 
 namespace FlipFree
 {
@@ -57,13 +57,13 @@ double FractionAtBoundary(const ImageGeometry& image, const PointList& points)
 
 } // namespace
 
-SurfaceDoubt DoubtOf(const OrganSurface& organ, const ImageGeometry& region,
+Implausibility CheckPlausibility(const OrganSurface& organ, const ImageGeometry& region,
   const ImageGeometry& image, double seedRadius, const OrganSegmentationSettings& settings,
   bool startsAtSeed)
 {
   if (TouchesEnd(region, image, organ.Points))
   {
-    return { Doubt::EndOfReach, 0 };
+    return { ImplausibilityReason::EndOfReach, 0 };
   }
   if (!startsAtSeed || !settings.Step.Guard || organ.Iterations.empty())
   {
@@ -74,12 +74,12 @@ SurfaceDoubt DoubtOf(const OrganSurface& organ, const ImageGeometry& region,
   if (without > MaximumWithoutBoundary &&
     SearchDistanceOf(settings.Targets, seedRadius) >= SearchDistanceOf({}, seedRadius))
   {
-    return { Doubt::NoBoundary, without };
+    return { ImplausibilityReason::NoBoundary, without };
   }
   const double atBoundary = FractionAtBoundary(image, organ.Points);
   if (atBoundary > MaximumAtImageBoundary)
   {
-    return { Doubt::ImageBoundary, atBoundary };
+    return { ImplausibilityReason::ImageBoundary, atBoundary };
   }
   return {};
 }

@@ -1,0 +1,37 @@
+/**
+ * Private to the modules, never installed: what filters that look at whole images tell the
+ * pipeline.
+ */
+#ifndef FlipFreePipelineAdapter_h
+#define FlipFreePipelineAdapter_h
+
+#include "vtkDataObject.h"
+#include "vtkInformation.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+
+namespace FlipFree
+{
+
+/// Asks for the whole of an input, which is none (null) or no image perhaps.
+inline void RequestWholeExtent(vtkInformation* input)
+{
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  if (input && input->Has(Pipeline::WHOLE_EXTENT()))
+  {
+    input->Set(Pipeline::UPDATE_EXTENT(), input->Get(Pipeline::WHOLE_EXTENT()), 6);
+  }
+}
+
+/// Announces a label map of the geometry of an image.
+inline void AnnounceLabelMap(vtkInformation* image, vtkInformation* labelMap)
+{
+  labelMap->CopyEntry(image, vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT());
+  labelMap->CopyEntry(image, vtkDataObject::SPACING());
+  labelMap->CopyEntry(image, vtkDataObject::ORIGIN());
+  labelMap->CopyEntry(image, vtkDataObject::DIRECTION());
+  vtkDataObject::SetPointDataActiveScalarInfo(labelMap, VTK_UNSIGNED_CHAR, 1);
+}
+
+} // namespace FlipFree
+
+#endif

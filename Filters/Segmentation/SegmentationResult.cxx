@@ -1,0 +1,67 @@
+#include "SegmentationResult.h"
+
+#include "ContourMeshAdapter.h"
+#include "ConvergenceTable.h"
+
+#include "vtkDataObject.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+
+#include <stdexcept>
+#include <string>
+
+namespace FlipFree
+{
+
+void SegmentationResult::Store(const OrganSurface& organ, bool guarded)
+{
+  FillConvergenceTable(organ.Iterations, this->Convergence);
+  if (organ.Reason == StopReason::Aborted)
+  {
+    this->History.Clear();
+    return;
+  }
+  if (guarded && organ.SelfIntersections > 0)
+  {
+    throw std::logic_error("the surface intersects itself in " +
+      std::to_string(organ.SelfIntersections) +
+      " pairs of faces although every step was certified, which should be impossible; please "
+      "report it with the image and the parameters");
+  }
+  AttachMesh(organ.Mesh, organ.Points, this->Surface);
+  AttachField(organ.Field, this->Surface);
+  AttachCertificate(guarded, this->Surface);
+}
+
+bool SegmentationResult::IsUpToDate(vtkInformationVector** inputs, vtkMTimeType filter) const
+{
+  if (this->Time < filter)
+  {
+    return false;
+  }
+  for (int port = 0; port < 2; ++port)
+  {
+    vtkDataObject* input = vtkDataObject::GetData(inputs[port]);
+    if (input && this->Time < input->GetMTime())
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+void SegmentationResult::CopyTo(vtkInformationVector* outputs)
+{
+  vtkInformation* info = outputs->GetInformationObject(0);
+  vtkPolyData* surface = this->Surface;
+  if (!this->History.IsEmpty())
+  {
+    this->History.Announce(info);
+    surface = this->History.SurfaceAt(info, surface);
+  }
+  vtkPolyData::GetData(outputs, 0)->ShallowCopy(surface);
+  vtkImageData::GetData(outputs, 1)->ShallowCopy(this->Labels);
+  vtkTable::GetData(outputs, 2)->ShallowCopy(this->Convergence);
+}
+
+} // namespace FlipFree

@@ -1,0 +1,41 @@
+/**
+ * Private to the module: the outputs of the last run, from which any iteration can be copied again.
+ */
+#ifndef FlipFreeSegmentationResult_h
+#define FlipFreeSegmentationResult_h
+
+#include "IterationHistory.h"
+
+#include "vtkImageData.h"
+#include "vtkNew.h"
+#include "vtkPolyData.h"
+#include "vtkTable.h"
+#include "vtkTimeStamp.h"
+
+class vtkInformationVector;
+
+namespace FlipFree
+{
+
+struct SegmentationResult
+{
+  vtkNew<vtkPolyData> Surface;
+  vtkNew<vtkImageData> Labels;
+  vtkNew<vtkTable> Convergence;
+  IterationHistory History;
+  vtkTimeStamp Time;
+
+  /// The convergence and, unless the run was aborted, the surface. Throws std::logic_error when a
+  /// guarded surface intersects itself.
+  void Store(const OrganSurface& organ, bool guarded);
+
+  /// Whether neither the filter, modified at that time, nor its inputs have changed since.
+  bool IsUpToDate(vtkInformationVector** inputs, vtkMTimeType filter) const;
+
+  /// The surface is that of the time that the pipeline asks for.
+  void CopyTo(vtkInformationVector* outputs);
+};
+
+} // namespace FlipFree
+
+#endif

@@ -1,0 +1,147 @@
+// The properties of vtkFlipFreeSegmentation: its own and those of its stages.
+#include "vtkFlipFreeSegmentation.h"
+
+#include "StageProperties.h"
+
+#include "Deformation/OrganSegmentation.h"
+#include "Deformation/SegmentationSettings.h"
+
+#include "vtkCorrespondenceSearch.h"
+#include "vtkFlipFreeDeform.h"
+#include "vtkGMMFeatureFilter.h"
+#include "vtkSeedRegionDiffusion.h"
+#include "vtkSmartPointer.h"
+
+#include <algorithm>
+#include <utility>
+
+using Stage = vtkFlipFreeSegmentation;
+
+#define PROPERTIES(P)                                                                              \
+  P(StartScale, double, StartScale, 1e-3, 1e3)                                                     \
+  P(Resolution, int, Schedule->Resolution, 2, 256)                                                 \
+  P(Levels, int, Schedule->Levels, 1, 6)                                                           \
+  P(MaximumIterations, int, Schedule->MaximumIterations, 0, 100000)                                \
+  P(DistanceTolerance, double, Schedule->DistanceTolerance, 0, 1e6)                                \
+  P(ChangeTolerance, double, Schedule->ChangeTolerance, -1e6, 1e6)                                 \
+  P(LabelValue, int, LabelValue, 1, 255)                                                           \
+  P(KeepHistory, bool, KeepHistory, false, true)
+
+PROPERTIES(FLIPFREE_DEFINE_PROPERTY)
+
+// Name, type, the stage, and its name there.
+#define FORWARDED_PROPERTIES(P)                                                                    \
+  P(Reach, double, Diffusion, Reach)                                                               \
+  P(DiffusionIterations, int, Diffusion, NumberOfIterations)                                       \
+  P(ForegroundMass, double, Feature, ForegroundMass)                                               \
+  P(LeakControl, bool, Feature, LeakControl)                                                       \
+  P(SearchDistance, double, Search, SearchDistance)                                                \
+  P(Guard, bool, Deform, Guard)
+
+#define DEFINE_FORWARDED_PROPERTY(Name, type, stage, NameThere)                                    \
+  void Stage::Set##Name(type value)                                                                \
+  {                                                                                                \
+    this->stage->Set##NameThere(value);                                                            \
+  }                                                                                                \
+  type Stage::Get##Name() const                                                                    \
+  {                                                                                                \
+    return this->stage->Get##NameThere();                                                          \
+  }
+
+FORWARDED_PROPERTIES(DEFINE_FORWARDED_PROPERTY)
+
+// A type cannot be put in parentheses.
+// NOLINTBEGIN(bugprone-macro-parentheses)
+#define DEFINE_STAGE(Name, type)                                                                   \
+  void Stage::Set##Name(type* stage)                                                               \
+  {                                                                                                \
+    if (this->Name != stage)                                                                       \
+    {                                                                                              \
+      this->Name = stage ? vtkSmartPointer<type>(stage) : vtkSmartPointer<type>::New();            \
+      this->Modified();                                                                            \
+    }                                                                                              \
+  }                                                                                                \
+  type* Stage::Get##Name() const                                                                   \
+  {                                                                                                \
+    return this->Name;                                                                             \
+  }
+// NOLINTEND(bugprone-macro-parentheses)
+
+DEFINE_STAGE(Diffusion, vtkSeedRegionDiffusion)
+DEFINE_STAGE(Feature, vtkGMMFeatureFilter)
+DEFINE_STAGE(Search, vtkCorrespondenceSearch)
+DEFINE_STAGE(Deform, vtkFlipFreeDeform)
+
+vtkMTimeType vtkFlipFreeSegmentation::GetMTime()
+{
+  return std::max({ this->Superclass::GetMTime(), this->Diffusion->GetMTime(),
+    this->Feature->GetMTime(), this->Search->GetMTime(), this->Deform->GetMTime() });
+}
+
+FlipFree::OrganSegmentationSettings vtkFlipFreeSegmentation::GetSettings() const
+{
+  return { *this->Schedule, *this->Diffusion->Settings, *this->Feature->Settings,
+    *this->Search->Settings, *this->Deform->Settings };
+}
+
+void vtkFlipFreeSegmentation::UseSettings(const FlipFree::OrganSegmentationSettings& settings)
+{
+  const double reach = this->GetReach();
+  *this->Schedule = settings.Schedule;
+  *this->Diffusion->Settings = settings.Smoothing;
+  *this->Feature->Settings = settings.Feature;
+  *this->Search->Settings = settings.Targets;
+  *this->Deform->Settings = settings.Step;
+  this->SetReach(reach);
+  // Others may use the stages, too.
+  this->Diffusion->Modified();
+  this->Feature->Modified();
+  this->Search->Modified();
+  this->Deform->Modified();
+  this->Modified();
+}
+
+void vtkFlipFreeSegmentation::UseDefaultParameters()
+{
+  this->UseSettings({});
+}
+
+void vtkFlipFreeSegmentation::UsePublishedParameters()
+{
+  this->UseSettings(FlipFree::PublishedSettings());
+}
+
+void vtkFlipFreeSegmentation::UseNaiveParameters()
+{
+  this->UseSettings(FlipFree::NaiveSettings());
+}
+
+void vtkFlipFreeSegmentation::RequireProperties() const
+{
+  FlipFree::RequireNumbers({ PROPERTIES(FLIPFREE_NAME_PROPERTY){ "StartCenterOffset",
+    this->StartCenterOffset[0] + this->StartCenterOffset[1] + this->StartCenterOffset[2] } });
+  this->Diffusion->RequireProperties();
+  this->Feature->RequireProperties();
+  this->Search->RequireProperties();
+  this->Deform->RequireProperties();
+}
+
+void vtkFlipFreeSegmentation::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "SeedCenter: (" << this->SeedCenter[0] << ", " << this->SeedCenter[1] << ", "
+     << this->SeedCenter[2] << ")\n";
+  os << indent << "SeedRadius: " << this->SeedRadius << "\n";
+  os << indent << "StartCenterOffset: (" << this->StartCenterOffset[0] << ", "
+     << this->StartCenterOffset[1] << ", " << this->StartCenterOffset[2] << ")\n";
+  PROPERTIES(FLIPFREE_PRINT_PROPERTY)
+  const std::pair<const char*, vtkObject*> stages[] = { { "Diffusion", this->Diffusion },
+    { "Feature", this->Feature }, { "Search", this->Search }, { "Deform", this->Deform } };
+  for (const auto& [name, stage] : stages)
+  {
+    os << indent << name << ":\n";
+    stage->PrintSelf(os, indent.GetNextIndent());
+  }
+  os << indent << "StopReason: " << this->GetStopReasonAsString() << "\n";
+  os << indent << "NumberOfSelfIntersections: " << this->NumberOfSelfIntersections << "\n";
+}
