@@ -6,6 +6,7 @@
 #define FlipFreeContourMeshAdapter_h
 
 #include "Deformation/Correspondence.h"
+#include "ExecutionAdapter.h"
 #include "FieldData.h"
 #include "Geometry/SelfIntersection.h"
 #include "Mesh/ContourMesh.h"
@@ -26,6 +27,20 @@
 
 namespace FlipFree
 {
+
+/// What make() returns. Kernel errors name the surface by `name`.
+template <typename Make>
+auto WithName(const std::string& name, const Make& make)
+{
+  try
+  {
+    return make();
+  }
+  catch (const Error& error)
+  {
+    throw Error(error.GetCode(), name + ": " + error.GetText());
+  }
+}
 
 /// The analysis of a surface's connectivity, kept from update to update while the polygons stay the
 /// same.
@@ -49,14 +64,8 @@ public:
     {
       return this->Last;
     }
-    try
-    {
-      this->Last = std::make_shared<const ContourMesh>(BuildContourMesh(size, faces));
-    }
-    catch (const Error& error)
-    {
-      throw Error(error.GetCode(), name + ": " + error.GetText());
-    }
+    this->Last = WithName(name,
+      [&] { return std::make_shared<const ContourMesh>(BuildContourMesh(size, faces)); });
     return this->Last;
   }
 
@@ -65,11 +74,11 @@ private:
 };
 
 /// Throws std::invalid_argument, naming the surface by `name`, when it intersects itself or is
-/// inside out.
-inline void RequireEmbedded(const ContourMesh& mesh, const PointList& points,
-  const std::string& name)
+/// inside out. `hulls` are those of the mesh's faces.
+inline void RequireEmbedded(const ContourMesh& mesh, const FaceHulls& hulls,
+  const PointList& points, const std::string& name)
 {
-  const auto pairs = FindSelfIntersections(points, mesh.Faces);
+  const auto pairs = FindSelfIntersections(points, hulls, SMPFor);
   if (!pairs.empty())
   {
     throw std::invalid_argument(name + " intersects itself in " + std::to_string(pairs.size()) +
@@ -96,7 +105,8 @@ inline DeformableSurface DeformableSurfaceOf(vtkPolyData* data, const std::strin
   surface.Mesh = *ContourMeshCache().MeshOf(data, surface.Points, name);
   if (requireEmbedded)
   {
-    RequireEmbedded(surface.Mesh, surface.Points, name);
+    RequireEmbedded(surface.Mesh, FaceHulls(surface.Points, surface.Mesh.Faces), surface.Points,
+      name);
   }
   return surface;
 }

@@ -77,12 +77,12 @@ int vtkFlipFreeDeform::RequestData(vtkInformation*, vtkInformationVector** input
     const bool guarded = this->Settings->Guard;
     FlipFree::PointList points = FlipFree::CopyPoints(input);
     const auto mesh = this->Kept->Meshes.MeshOf(input, points, name);
+    FlipFree::WithName(name, [&] { this->Kept->PrepareFor(mesh, guarded); });
     if (guarded)
     {
-      FlipFree::RequireEmbedded(*mesh, points, name);
+      FlipFree::RequireEmbedded(*mesh, this->Kept->Guard->Hulls(), points, name);
     }
     FlipFree::CorrespondenceField field = FlipFree::FieldOf(input, name);
-    this->Kept->PrepareFor(mesh, guarded);
     const FlipFree::DeformationStepReport report =
       FlipFree::DeformOnce(*this->Kept->Solver, guarded ? this->Kept->Guard.get() : nullptr,
         *this->Settings, FlipFree::SMPFor, FlipFree::MonitorOf(this), field, points);

@@ -236,7 +236,8 @@ OrganSurface SegmentOrgan(SmoothRegion& region, double noise, const SeedSphere& 
   CoarseToFine(region, noise, seed, settings, parallelFor, monitor, observer, surface).Run();
   if (surface.Reason != StopReason::Aborted)
   {
-    surface.SelfIntersections = CountSelfIntersections(surface.Points, surface.Mesh.Faces);
+    surface.SelfIntersections =
+      CountSelfIntersections(surface.Points, surface.Mesh.Faces, parallelFor);
   }
   return surface;
 }

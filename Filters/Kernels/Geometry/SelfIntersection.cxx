@@ -47,9 +47,10 @@ std::vector<std::pair<int, int>> FindSelfIntersections(const PointList& points,
   return pairs;
 }
 
-std::ptrdiff_t CountSelfIntersections(const PointList& points, const FaceList& faces)
+std::ptrdiff_t CountSelfIntersections(const PointList& points, const FaceList& faces,
+  const ParallelFor& parallelFor)
 {
-  return static_cast<std::ptrdiff_t>(FindSelfIntersections(points, faces).size());
+  return static_cast<std::ptrdiff_t>(FindSelfIntersections(points, faces, parallelFor).size());
 }
 
 } // namespace FlipFree

@@ -22,7 +22,8 @@ std::vector<std::pair<int, int>> FindSelfIntersections(const PointList& points,
   const FaceHulls& hulls, const ParallelFor& parallelFor = SerialFor);
 
 /// How many pairs.
-std::ptrdiff_t CountSelfIntersections(const PointList& points, const FaceList& faces);
+std::ptrdiff_t CountSelfIntersections(const PointList& points, const FaceList& faces,
+  const ParallelFor& parallelFor = SerialFor);
 
 } // namespace FlipFree
 

@@ -51,6 +51,9 @@ public:
   /// itself at these points, and, as above, for points that it cannot compute with.
   void RequireEmbedded(const PointList& points, const ParallelFor& parallelFor) const;
 
+  /// Of the mesh's faces.
+  const FaceHulls& Hulls() const { return this->Candidates.Hulls(); }
+
 private:
   using Corner = std::array<int, 3>; // before, vertex, after
 
