@@ -2,9 +2,10 @@
 // written as STL, PLY and OBJ by VTK's own writers, which ParaView and PyVista use, and read back.
 // Prints per format the edges that are open, the pairs of faces that some cuts make intersect, as
 // our exact test and as CGAL's counts them, and how the quads are bent: the angle between their two
-// triangles, the larger of the two cuts' angles. Exits with an error if a surface is not valid.
+// triangles, the larger of the two cuts' angles. With --tetgen, also fills each STL with
+// tetrahedra. Exits with an error if a surface is not valid.
 //
-//   CheckSurfaces [--folder DIR] surface.vtp ...
+//   CheckSurfaces [--folder DIR] [--tetgen] surface.vtp ...
 #include "FindWithCGAL.h"
 #include "Geometry/SelfIntersection.h"
 #include "Mesh/SurfaceTopology.h"
@@ -27,8 +28,10 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <exception>
 #include <filesystem>
+#include <fstream>
 
 namespace
 {
@@ -122,6 +125,19 @@ double PercentileOf(const std::vector<double>& sorted, double percent)
     : sorted[static_cast<std::size_t>(percent / 100 * static_cast<double>(sorted.size() - 1))];
 }
 
+// How many TetGen fills it with, 0 if it refuses. It writes its results beside the file.
+long CountTetrahedra(const std::string& stl)
+{
+  const std::string result = std::filesystem::path(stl).replace_extension(".1.ele").string();
+  std::filesystem::remove(result);
+  long count = 0;
+  if (std::system(("tetgen -pQ '" + stl + "'").c_str()) == 0)
+  {
+    std::ifstream(result) >> count;
+  }
+  return count;
+}
+
 void Print(const char* name, const std::array<Count, 4>& counts, const std::vector<double>& bends)
 {
   std::printf("| %s |", name);
@@ -142,6 +158,8 @@ int main(int argc, char* argv[])
   std::vector<std::string> names;
   CLI::App app("Checks the surfaces that files of each format hold.");
   app.add_option("--folder", folder, "where files are written")->capture_default_str();
+  bool isFilled = false;
+  app.add_flag("--tetgen", isFilled, "fill each STL with tetrahedra by TetGen");
   app.add_option("surfaces", names, "surfaces (.vtp)")->required();
   CLI11_PARSE(app, argc, argv);
 
@@ -150,6 +168,7 @@ int main(int argc, char* argv[])
             "|---|---|---|---|---|---|");
   std::array<Count, 4> total;
   std::vector<double> allBends;
+  int refused = 0;
   try
   {
     for (const std::string& name : names)
@@ -162,6 +181,11 @@ int main(int argc, char* argv[])
         CountDefects(Roundtrip<vtkOBJWriter, vtkOBJReader>(surface, file + ".obj")) } };
       const std::vector<double> bends = BendsOf(surface);
       Print(std::filesystem::path(name).stem().string().c_str(), counts, bends);
+      if (isFilled && CountTetrahedra(file + ".stl") == 0)
+      {
+        std::printf("TetGen does not fill %s\n", name.c_str());
+        ++refused;
+      }
       for (std::size_t format = 0; format < 4; ++format)
       {
         total[format].Add(counts[format]);
@@ -176,8 +200,13 @@ int main(int argc, char* argv[])
   }
   std::sort(allBends.begin(), allBends.end());
   Print("all", total, allBends);
-  return std::all_of(total.begin(), total.end(),
-           [](const Count& count) { return count.Open + count.Ours + count.Theirs == 0; })
+  if (isFilled)
+  {
+    std::printf("\nTetGen fills %zu of %zu.\n", names.size() - refused, names.size());
+  }
+  return refused == 0 &&
+      std::all_of(total.begin(), total.end(),
+        [](const Count& count) { return count.Open + count.Ours + count.Theirs == 0; })
     ? 0
     : 1;
 }

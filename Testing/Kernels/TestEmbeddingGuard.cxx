@@ -2,6 +2,7 @@
 #include "Geometry/ClosestDirection.h"
 #include "Geometry/SelfIntersection.h"
 #include "Guard/EmbeddingGuard.h"
+#include "Mesh/EdgeLength.h"
 #include "RandomMotions.h"
 
 #include <gtest/gtest.h>
@@ -72,19 +73,6 @@ double MinimumGap(const ContourMesh& mesh, const PointList& points)
   return least;
 }
 
-double MeanEdgeLength(const ContourMesh& mesh, const PointList& points)
-{
-  double sum = 0;
-  for (std::size_t vertex = 0; vertex < mesh.Neighbors.size(); ++vertex)
-  {
-    for (int neighbor : mesh.Neighbors[vertex])
-    {
-      sum += (points.row(vertex) - points.row(neighbor)).norm();
-    }
-  }
-  return sum / (4.0 * mesh.Neighbors.size());
-}
-
 // Two sheets that all but lie on each other, across the third axis, and do not mirror each other.
 struct ThinShape
 {
@@ -96,7 +84,7 @@ struct ThinShape
     this->Points = Outward(this->Sphere) * turn.transpose();
     this->Height = this->Points.col(2) / 25;
     this->Points.col(2).setZero();
-    this->EdgeLength = MeanEdgeLength(this->Sphere.Mesh, this->Points);
+    this->EdgeLength = TypicalEdgeLength(this->Sphere.Mesh.Neighbors, this->Points);
     this->Points.col(2) = 0.025 * this->EdgeLength * this->Height;
   }
   // All go along the thin axis, on average by less than a third of an edge, but for one vertex of
@@ -280,7 +268,7 @@ TEST(EmbeddingGuard, KeepsTheGap)
   std::mt19937 random(5);
   const TestSphere sphere(3);
   const EmbeddingGuard guard(sphere.Mesh);
-  const double edge = MeanEdgeLength(sphere.Mesh, sphere.Points());
+  const double edge = TypicalEdgeLength(sphere.Mesh.Neighbors, sphere.Points());
   ASSERT_GT(MinimumGap(sphere.Mesh, sphere.Points()), 0.1 * edge);
   for (int kind = 0; kind < NumberOfAdverseMotions; ++kind)
   {

@@ -81,24 +81,3 @@ TEST(SurfaceNormals, WithoutAreaTakeTheNeighborsOrZ)
     EXPECT_TRUE((collapsed.rowwise() - Eigen::RowVector3d(0, 0, 1)).isZero(0));
   }
 }
-
-TEST(SurfaceNormals, MeanEdgeLengthIsThatOfTheEdges)
-{
-  // The octahedron of n = 1: all edges are sqrt(2) times the radius.
-  const TestSphere octahedron(1);
-  EXPECT_NEAR(MeanEdgeLength(octahedron.Mesh, octahedron.Points()), 25 * std::sqrt(2.0), 1e-12);
-  const TestSphere sphere(16);
-  double sum = 0;
-  int count = 0;
-  for (const auto& contour : sphere.Mesh.Contours)
-  {
-    for (std::size_t position = 0; position < contour.size(); ++position)
-    {
-      sum += (sphere.Points().row(contour[position]) -
-        sphere.Points().row(contour[(position + 1) % contour.size()]))
-               .norm();
-      ++count;
-    }
-  }
-  EXPECT_NEAR(MeanEdgeLength(sphere.Mesh, sphere.Points()), sum / count, 1e-10);
-}

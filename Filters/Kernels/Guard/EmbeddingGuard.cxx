@@ -5,6 +5,7 @@
 #include "Guard/QuadFold.h"
 #include "Guard/SeparatingDirection.h"
 #include "Guard/StepLimiter.h"
+#include "Mesh/EdgeLength.h"
 
 #include <algorithm>
 #include <limits>
@@ -15,7 +16,7 @@ namespace FlipFree
 namespace
 {
 
-// Relative to the mean edge length.
+// Relative to the typical edge length.
 constexpr double RelativeGap = 1e-3;
 
 // By how much farther a vertex may move at its own scale than at its neighbor's, in mean edge
@@ -168,7 +169,7 @@ GuardReport EmbeddingGuard::Limit(const PointList& points, PointList& displaceme
 
   const double maximum =
     MaximumDisplacement * (points.colwise().maxCoeff() - points.colwise().minCoeff()).norm();
-  const double edgeLength = this->MeanEdgeLength(points);
+  const double edgeLength = TypicalEdgeLength(this->Neighbors, points);
   MinimumDistance distance;
   distance.Resolution = RelativeResolution * (points.cwiseAbs().maxCoeff() + maximum);
   distance.Wanted = std::max(RelativeGap * edgeLength, 2 * distance.Resolution);
@@ -283,19 +284,6 @@ void EmbeddingGuard::RequireEmbeddedAt(const PointList& points, const std::vecto
           << points(vertex, 1) << ", " << points(vertex, 2)
           << "); start from a surface without self-intersections";
   throw Error(ErrorCode::SelfIntersecting, message.str());
-}
-
-double EmbeddingGuard::MeanEdgeLength(const PointList& points) const
-{
-  double sum = 0;
-  for (std::size_t vertex = 0; vertex < this->Neighbors.size(); ++vertex)
-  {
-    for (int neighbor : this->Neighbors[vertex])
-    {
-      sum += (points.row(vertex) - points.row(neighbor)).norm();
-    }
-  }
-  return sum / (4.0 * this->Neighbors.size());
 }
 
 void EmbeddingGuard::TestShapes(const std::vector<char>& changed, StepLimiter& step,

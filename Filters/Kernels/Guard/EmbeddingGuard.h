@@ -35,15 +35,15 @@ public:
   /// vertex moves straight from `points` to `points + displacements`, and no normal of a triangle
   /// or of a corner of a face turns by 90 degrees or more. Both have one row per vertex, in
   /// millimeters; a displacement of more than a hundred times the surface's extent is cut to that
-  /// first. Faces without a common vertex keep a distance of a thousandth of the mean edge length,
-  /// or the one they start with if that is less; so do parts of adjacent faces. Corners that are
-  /// degenerate at the start (TimeOfFlip) are not tested. Quads do not become folded (QuadFold.h).
-  /// Hulls that overlap at the start although no cut intersects stay at rest. Vertices that move
-  /// end at single-precision numbers, so that a file of single precision holds the surface that was
-  /// certified, if these are fine enough (SinglePrecision.h). `monitor` is asked between passes; if
-  /// it returns false, the displacements become zero. Throws Error for a wrong number of rows, a
-  /// number that is not finite, a coordinate beyond 1e30 mm, and where a motion cannot be certified
-  /// because the points are not embedded.
+  /// first. Faces without a common vertex keep a distance of a thousandth of the typical edge
+  /// length, or the one they start with if that is less; so do parts of adjacent faces. Corners
+  /// that are degenerate at the start (TimeOfFlip) are not tested. Quads do not become folded
+  /// (QuadFold.h). Hulls that overlap at the start although no cut intersects stay at rest.
+  /// Vertices that move end at single-precision numbers, so that a file of single precision holds
+  /// the surface that was certified, if these are fine enough (SinglePrecision.h). `monitor` is
+  /// asked between passes; if it returns false, the displacements become zero. Throws Error for a
+  /// wrong number of rows, a number that is not finite, a coordinate beyond 1e30 mm, and where a
+  /// motion cannot be certified because the points are not embedded.
   GuardReport Limit(const PointList& points, PointList& displacements,
     const ParallelFor& parallelFor, const Monitor& monitor) const;
 
@@ -60,7 +60,6 @@ private:
   void RequireFinite(const PointList& points, const char* what, double maximum) const;
   void RequireEmbeddedAt(const PointList& points, const std::vector<char>& vertices,
     const ParallelFor& parallelFor) const;
-  double MeanEdgeLength(const PointList& points) const;
 
   // Retest features with a changed vertex; limit the vertices of those that fail.
   void TestShapes(const std::vector<char>& changed, StepLimiter& step,

@@ -10,7 +10,7 @@
 namespace FlipFree
 {
 
-/// The rounded position, if that is at most a thousandth of the mean edge length (mm) away, and
+/// The rounded position, if that is at most a thousandth of the typical edge length (mm) away, and
 /// else, where single precision is too coarse for the surface, the position itself.
 Eigen::RowVector3d RoundToSingle(const Eigen::RowVector3d& position, double edgeLength);
 

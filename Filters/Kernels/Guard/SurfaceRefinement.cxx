@@ -4,8 +4,8 @@
 #include "Guard/EmbeddingGuard.h"
 #include "Guard/QuadFold.h"
 #include "Guard/SinglePrecision.h"
+#include "Mesh/EdgeLength.h"
 #include "Mesh/MeshRefinement.h"
-#include "Mesh/SurfaceNormals.h"
 
 #include <set>
 #include <vector>
@@ -17,7 +17,7 @@ namespace
 
 constexpr int MaximumAttempts = 9;
 constexpr int MaximumRelaxations = 30;
-// That the refined surface keeps from itself, relative to the mean edge length of the old one,
+// That the refined surface keeps from itself, relative to the typical edge length of the old one,
 // after it has been rounded to single precision.
 constexpr double RelativeGap = 1e-4;
 // Of the way of a vertex to the mean of its neighbors.
@@ -141,7 +141,7 @@ RefinedSurface RefineSurface(const ContourMesh& mesh, const PointList& points, b
   const EmbeddingGuard guard(mesh);
   const FaceHulls hulls(RefinePoints(mesh, points, 1), refined.Mesh.Faces);
   const std::vector<HullPair> adjacent = hulls.AdjacentPairs();
-  const double edgeLength = MeanEdgeLength(mesh, points);
+  const double edgeLength = TypicalEdgeLength(mesh.Neighbors, points);
   PointList coarse = points;
   std::set<int> involved;
   // Asked at each attempt, of which some are made before and after each relaxation.

@@ -70,17 +70,4 @@ PointList VertexNormals(const ContourMesh& mesh, const Eigen::Ref<const PointLis
   return normals;
 }
 
-double MeanEdgeLength(const ContourMesh& mesh, const PointList& points)
-{
-  double sum = 0;
-  for (int vertex = 0; vertex < mesh.NumberOfPoints(); ++vertex)
-  {
-    for (int neighbor : mesh.Neighbors[vertex])
-    {
-      sum += (points.row(vertex) - points.row(neighbor)).norm();
-    }
-  }
-  return sum / (4.0 * mesh.NumberOfPoints());
-}
-
 } // namespace FlipFree

@@ -15,9 +15,6 @@ namespace FlipFree
 PointList VertexNormals(const ContourMesh& mesh, const Eigen::Ref<const PointList>& points,
   int smoothing);
 
-/// Mean length of the mesh's edges in millimeters.
-double MeanEdgeLength(const ContourMesh& mesh, const PointList& points);
-
 } // namespace FlipFree
 
 #endif

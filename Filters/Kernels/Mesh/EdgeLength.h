@@ -1,0 +1,23 @@
+/**
+ * How long the edges of a deforming surface are: the scale of all that is relative to its
+ * resolution.
+ */
+#ifndef FlipFreeEdgeLength_h
+#define FlipFreeEdgeLength_h
+
+#include "KernelTypes.h"
+
+#include <array>
+#include <vector>
+
+namespace FlipFree
+{
+
+/// The mean length of the edges, in millimeters; the median where one is more than twenty times as
+/// long as the mean, so that a few stray vertices do not make everything else look small. There is
+/// at least one vertex.
+double TypicalEdgeLength(const std::vector<std::array<int, 4>>& neighbors, const PointList& points);
+
+} // namespace FlipFree
+
+#endif
