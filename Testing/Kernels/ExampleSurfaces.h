@@ -10,6 +10,7 @@
 #include <cmath>
 #include <stdexcept>
 #include <string>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -128,16 +129,21 @@ inline std::vector<std::pair<std::string, Eigen::Matrix3d>> ExampleDirections()
     { "oblique left-handed", ObliqueRotation() * mirror } };
 }
 
-/// Runs each part by itself, in many parts and in reverse order: what differs from SerialFor under
-/// it would differ between numbers of threads.
+/// Two threads take the parts of the range alternately, in many parts and in reverse order: what
+/// differs from SerialFor under it would differ between numbers of threads.
 inline void ScatteredFor(std::ptrdiff_t begin, std::ptrdiff_t end, const RangeBody& body)
 {
-  for (std::ptrdiff_t last = end; last > begin;)
+  constexpr std::ptrdiff_t size = 7;
+  const auto work = [&](std::ptrdiff_t last)
   {
-    const std::ptrdiff_t first = std::max(begin, last - 7);
-    body(first, last);
-    last = first;
-  }
+    for (; last > begin; last -= 2 * size)
+    {
+      body(std::max(begin, last - size), last);
+    }
+  };
+  std::thread other(work, end - size);
+  work(end);
+  other.join();
 }
 
 /// The message of the std::invalid_argument that an action throws; "" if it throws none.

@@ -1,4 +1,5 @@
 #include "AdverseMotions.h"
+#include "ExampleSurfaces.h"
 #include "Geometry/ClosestDirection.h"
 #include "Geometry/SelfIntersection.h"
 #include "Guard/EmbeddingGuard.h"
@@ -11,7 +12,6 @@
 #include <limits>
 #include <numeric>
 #include <stdexcept>
-#include <thread>
 
 using namespace FlipFree;
 
@@ -102,14 +102,6 @@ struct ThinShape
   Eigen::VectorXd Height; // -1 to 1
   double EdgeLength = 0;
 };
-
-void Thirds(std::ptrdiff_t begin, std::ptrdiff_t end, const RangeBody& body)
-{
-  const std::ptrdiff_t middle = begin + (end - begin) / 3;
-  std::thread other([&] { body(begin, middle); });
-  body(middle, end);
-  other.join();
-}
 
 std::string MessageOf(const std::function<void()>& call)
 {
@@ -396,7 +388,7 @@ TEST(EmbeddingGuard, TheNumberOfThreadsDoesNotMatter)
     PointList one = AdverseMotion(kind, sphere.EdgeLength, sphere.Points(), random);
     PointList two = one;
     const GuardReport reportOne = guard.Limit(sphere.Points(), one, SerialFor, NeverStop);
-    const GuardReport reportTwo = guard.Limit(sphere.Points(), two, Thirds, NeverStop);
+    const GuardReport reportTwo = guard.Limit(sphere.Points(), two, ScatteredFor, NeverStop);
     EXPECT_EQ(one, two);
     EXPECT_EQ(reportOne.Guarded, reportTwo.Guarded);
     EXPECT_EQ(reportOne.Passes, reportTwo.Passes);

@@ -1,3 +1,4 @@
+#include "ExampleSurfaces.h"
 #include "Geometry/HullIntersection.h"
 #include "Geometry/SelfIntersection.h"
 #include "Mesh/SurfaceTopology.h"
@@ -7,7 +8,6 @@
 
 #include <algorithm>
 #include <set>
-#include <thread>
 
 using namespace FlipFree;
 
@@ -132,21 +132,6 @@ TriangleList Pair(std::array<int, 3> one, std::array<int, 3> two)
   TriangleList triangles(2, 3);
   triangles << one[0], one[1], one[2], two[0], two[1], two[2];
   return triangles;
-}
-
-// Two threads that share the range alternately, in small parts.
-void TwoThreads(std::ptrdiff_t begin, std::ptrdiff_t end, const RangeBody& body)
-{
-  const auto work = [&](std::ptrdiff_t first)
-  {
-    for (std::ptrdiff_t i = first; i < end; i += 6)
-    {
-      body(i, std::min(end, i + 3));
-    }
-  };
-  std::thread other(work, begin + 3);
-  work(begin);
-  other.join();
 }
 
 } // namespace
@@ -282,7 +267,7 @@ TEST(SelfIntersection, AnyTreeAndAnyNumberOfThreadsGivesTheSame)
       sphere.Points() + WhiteNoise(sphere.Points().rows(), noise * sphere.EdgeLength, random);
     const PairList expected = FindSelfIntersections(points, sphere.Faces());
     EXPECT_EQ(FindSelfIntersections(points, hulls), expected);
-    EXPECT_EQ(FindSelfIntersections(points, hulls, TwoThreads), expected);
+    EXPECT_EQ(FindSelfIntersections(points, hulls, ScatteredFor), expected);
   }
 }
 
