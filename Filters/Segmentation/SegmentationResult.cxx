@@ -50,7 +50,7 @@ bool SegmentationResult::IsUpToDate(vtkInformationVector** inputs, vtkMTimeType 
   return true;
 }
 
-void SegmentationResult::CopyTo(vtkInformationVector* outputs)
+void SegmentationResult::CopyTo(vtkInformationVector* outputs) const
 {
   vtkInformation* info = outputs->GetInformationObject(0);
   vtkPolyData* surface = this->Surface;

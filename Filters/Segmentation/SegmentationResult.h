@@ -33,7 +33,7 @@ struct SegmentationResult
   bool IsUpToDate(vtkInformationVector** inputs, vtkMTimeType filter) const;
 
   /// The surface is that of the time that the pipeline asks for.
-  void CopyTo(vtkInformationVector* outputs);
+  void CopyTo(vtkInformationVector* outputs) const;
 };
 
 } // namespace FlipFree
