@@ -131,7 +131,7 @@ long CountTetrahedra(const std::string& stl)
   const std::string result = std::filesystem::path(stl).replace_extension(".1.ele").string();
   std::filesystem::remove(result);
   long count = 0;
-  if (std::system(("tetgen -pQ '" + stl + "'").c_str()) == 0)
+  if (std::system(("tetgen -pQ '" + stl + "' > /dev/null").c_str()) == 0)
   {
     std::ifstream(result) >> count;
   }
