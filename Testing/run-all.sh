@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Builds FlipFree and runs every check there is, on a bare Debian 12 machine too:
+# Builds FlipFree and runs every check that a change has to pass, on a bare Debian 12 machine too:
 #
 #   1. installs what is missing
 #   2. style: clang-format

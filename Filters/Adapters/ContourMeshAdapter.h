@@ -28,9 +28,9 @@
 namespace FlipFree
 {
 
-/// What make() returns. Kernel errors name the surface by `name`.
+/// Returns make(). Errors of kernels get `name` in front.
 template <typename Make>
-auto WithName(const std::string& name, const Make& make)
+auto NamingSurface(const std::string& name, const Make& make)
 {
   try
   {
@@ -38,7 +38,7 @@ auto WithName(const std::string& name, const Make& make)
   }
   catch (const Error& error)
   {
-    throw Error(error.GetCode(), name + ": " + error.GetText());
+    throw Error(error.GetCode(), name + ": " + error.what());
   }
 }
 
@@ -64,7 +64,7 @@ public:
     {
       return this->Last;
     }
-    this->Last = WithName(name,
+    this->Last = NamingSurface(name,
       [&] { return std::make_shared<const ContourMesh>(BuildContourMesh(size, faces)); });
     return this->Last;
   }

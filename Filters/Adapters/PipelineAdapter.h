@@ -12,7 +12,8 @@
 namespace FlipFree
 {
 
-/// Asks for the whole of an input, which is none (null) or no image perhaps.
+/// Asks for the whole extent of an input. Does nothing for a missing input (null) or one without
+/// an extent.
 inline void RequestWholeExtent(vtkInformation* input)
 {
   using Pipeline = vtkStreamingDemandDrivenPipeline;
@@ -22,7 +23,7 @@ inline void RequestWholeExtent(vtkInformation* input)
   }
 }
 
-/// Announces a label map of the geometry of an image.
+/// Announces a label map with the geometry of an image.
 inline void AnnounceLabelMap(vtkInformation* image, vtkInformation* labelMap)
 {
   labelMap->CopyEntry(image, vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT());

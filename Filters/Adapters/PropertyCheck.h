@@ -1,6 +1,6 @@
 /**
  * Private to the modules, never installed: VTK's clamping setters let NaN pass, and every
- * comparison with it is false.
+ * comparison with it is false; what is not clamped may be infinite.
  */
 #ifndef FlipFreePropertyCheck_h
 #define FlipFreePropertyCheck_h
@@ -19,15 +19,15 @@ struct NamedProperty
   double Value;
 };
 
-/// Throws std::invalid_argument, naming the first property that is NaN.
+/// Throws std::invalid_argument, naming the first property that is not a finite number.
 inline void RequireNumbers(std::initializer_list<NamedProperty> properties)
 {
   for (const NamedProperty& property : properties)
   {
-    if (std::isnan(property.Value))
+    if (!std::isfinite(property.Value))
     {
-      throw std::invalid_argument(
-        std::string("the property ") + property.Name + " is not a number (NaN); set it");
+      throw std::invalid_argument(std::string("the property ") + property.Name + " is " +
+        (std::isnan(property.Value) ? "not a number (NaN)" : "infinite") + "; set it to a number");
     }
   }
 }

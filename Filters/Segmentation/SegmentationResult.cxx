@@ -33,9 +33,9 @@ void SegmentationResult::Store(const OrganSurface& organ, bool guarded)
   AttachCertificate(guarded, this->Surface);
 }
 
-bool SegmentationResult::IsUpToDate(vtkInformationVector** inputs, vtkMTimeType filter) const
+bool SegmentationResult::IsUpToDate(vtkInformationVector** inputs, vtkMTimeType filterTime) const
 {
-  if (this->Time < filter)
+  if (this->Time < filterTime)
   {
     return false;
   }

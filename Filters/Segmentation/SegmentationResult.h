@@ -29,8 +29,9 @@ struct SegmentationResult
   /// guarded surface intersects itself.
   void Store(const OrganSurface& organ, bool guarded);
 
-  /// Whether neither the filter, modified at that time, nor its inputs have changed since.
-  bool IsUpToDate(vtkInformationVector** inputs, vtkMTimeType filter) const;
+  /// Whether nothing has changed since: neither the filter, last modified at `filterTime`, nor its
+  /// inputs.
+  bool IsUpToDate(vtkInformationVector** inputs, vtkMTimeType filterTime) const;
 
   /// The surface is that of the time that the pipeline asks for.
   void CopyTo(vtkInformationVector* outputs) const;

@@ -118,9 +118,10 @@ public:
 
   ///@{
   /**
-   * Standard deviation of the Gaussian window, in millimeters, in which a target moves to the
+   * Standard deviation of the Gaussian window, in millimeters, in which a target snaps to the
    * strongest edge of the image on port 2. Default 3, 0 to 1000; at most 1.5 voxels are used. With
-   * 0, or without that image, targets stay on the faces of voxels.
+   * 0, or without that image, targets stay on the faces of voxels. The whole method snaps at its
+   * finest level only.
    */
   void SetEdgeWindow(double value);
   double GetEdgeWindow() const;

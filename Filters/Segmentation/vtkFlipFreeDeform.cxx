@@ -77,7 +77,7 @@ int vtkFlipFreeDeform::RequestData(vtkInformation*, vtkInformationVector** input
     const bool guarded = this->Settings->Guard;
     FlipFree::PointList points = FlipFree::CopyPoints(input);
     const auto mesh = this->Kept->Meshes.MeshOf(input, points, name);
-    FlipFree::WithName(name, [&] { this->Kept->PrepareFor(mesh, guarded); });
+    FlipFree::NamingSurface(name, [&] { this->Kept->PrepareFor(mesh, guarded); });
     if (guarded)
     {
       FlipFree::RequireEmbedded(*mesh, this->Kept->Guard->Hulls(), points, name);

@@ -244,12 +244,15 @@ void vtkFlipFreeSegmentation::Segment(vtkImageData* image, vtkPolyData* start)
   this->StageSeconds[2] = watch.Lap() - organ.SmoothingSeconds - organ.FeatureSeconds;
 
   this->StopReason = static_cast<int>(organ.Reason);
+  if (organ.Reason != FlipFree::StopReason::Aborted)
+  {
+    this->NumberOfSelfIntersections = static_cast<int>(organ.SelfIntersections);
+  }
   this->Cache->Store(organ, settings.Step.Guard);
   if (this->StopReason == ABORTED)
   {
     return;
   }
-  this->NumberOfSelfIntersections = static_cast<int>(organ.SelfIntersections);
   const bool startsAtSeed = !start && this->StartScale == 1 && startCenter == seed.Center;
   for (const std::string& warning :
     FlipFree::WarningsOf(organ, region, geometry, seed, settings, startsAtSeed))

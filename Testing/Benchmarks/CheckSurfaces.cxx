@@ -125,13 +125,23 @@ double PercentileOf(const std::vector<double>& sorted, double percent)
     : sorted[static_cast<std::size_t>(percent / 100 * static_cast<double>(sorted.size() - 1))];
 }
 
+bool HasTetGen()
+{
+  return std::system("command -v tetgen > /dev/null") == 0;
+}
+
 // How many TetGen fills it with, 0 if it refuses. It writes its results beside the file.
 long CountTetrahedra(const std::string& stl)
 {
   const std::string result = std::filesystem::path(stl).replace_extension(".1.ele").string();
   std::filesystem::remove(result);
+  std::string quoted = "'";
+  for (const char c : stl)
+  {
+    quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  }
   long count = 0;
-  if (std::system(("tetgen -pQ '" + stl + "' > /dev/null").c_str()) == 0)
+  if (std::system(("tetgen -pQ " + quoted + "' > /dev/null").c_str()) == 0)
   {
     std::ifstream(result) >> count;
   }
@@ -158,11 +168,16 @@ int main(int argc, char* argv[])
   std::vector<std::string> names;
   CLI::App app("Checks the surfaces that files of each format hold.");
   app.add_option("--folder", folder, "where files are written")->capture_default_str();
-  bool isFilled = false;
-  app.add_flag("--tetgen", isFilled, "fill each STL with tetrahedra by TetGen");
+  bool useTetGen = false;
+  app.add_flag("--tetgen", useTetGen, "fill each STL with tetrahedra by TetGen");
   app.add_option("surfaces", names, "surfaces (.vtp)")->required();
   CLI11_PARSE(app, argc, argv);
 
+  if (useTetGen && !HasTetGen())
+  {
+    std::fputs("There is no program tetgen; install it.\n", stderr);
+    return 2;
+  }
   std::puts("Per format: open edges, pairs of faces that intersect, by CGAL.\n\n"
             "| surface | VTP | STL | PLY | OBJ | bend of quads, degrees: median, 99 %, maximum |\n"
             "|---|---|---|---|---|---|");
@@ -181,9 +196,9 @@ int main(int argc, char* argv[])
         CountDefects(Roundtrip<vtkOBJWriter, vtkOBJReader>(surface, file + ".obj")) } };
       const std::vector<double> bends = BendsOf(surface);
       Print(std::filesystem::path(name).stem().string().c_str(), counts, bends);
-      if (isFilled && CountTetrahedra(file + ".stl") == 0)
+      if (useTetGen && CountTetrahedra(file + ".stl") == 0)
       {
-        std::printf("TetGen does not fill %s\n", name.c_str());
+        std::fprintf(stderr, "TetGen does not fill %s\n", name.c_str());
         ++refused;
       }
       for (std::size_t format = 0; format < 4; ++format)
@@ -200,7 +215,7 @@ int main(int argc, char* argv[])
   }
   std::sort(allBends.begin(), allBends.end());
   Print("all", total, allBends);
-  if (isFilled)
+  if (useTetGen)
   {
     std::printf("\nTetGen fills %zu of %zu.\n", names.size() - refused, names.size());
   }

@@ -65,8 +65,7 @@ std::vector<Shape> ShapesOf(int n)
   for (int step = 0; step < 3; ++step)
   {
     PointList motion = WhiteNoise(crumpled.rows(), 0.2 * coarse.EdgeLength, random);
-    guard.Limit(crumpled, motion, SerialFor, NeverStop);
-    crumpled += motion;
+    crumpled = guard.Limit(crumpled, motion, SerialFor, NeverStop).Positions;
   }
   const RefinedSurface refined = RefineSurface(coarse.Mesh, crumpled, true, SerialFor, NeverStop);
   if (refined.Embedded)
@@ -92,7 +91,7 @@ PointList Try(const Shape& shape, const EmbeddingGuard& guard, const PointList& 
   ++tally.Motions;
   tally.GuardedMotions += report.Guarded > 0 ? 1 : 0;
   tally.Kept += wanted.isZero(0) ? 1 : displacements.norm() / wanted.norm();
-  PointList after = points + displacements;
+  const PointList& after = report.Positions;
   tally.Intersections += CountSelfIntersections(after, faces);
   // As files hold it, where single precision is fine enough.
   const Eigen::Matrix<float, Eigen::Dynamic, 3, Eigen::RowMajor> single = after.cast<float>();

@@ -15,7 +15,7 @@ function (flipfree_add_unit_tests name)
   cmake_parse_arguments(PARSE_ARGV 1 _test "" "LABEL" "SOURCES;LIBRARIES;LONG")
   add_executable(${name} ${_test_SOURCES})
   target_link_libraries(${name} PRIVATE ${_test_LIBRARIES} GTest::gtest GTest::gtest_main
-    FlipFreeWarnings)
+    Threads::Threads FlipFreeWarnings)
   target_include_directories(${name} PRIVATE "${PROJECT_SOURCE_DIR}/Testing/Support")
   set(_test_environment "FLIPFREE_DATA_DIR=${FLIPFREE_DATA_DIR}")
   if (NOT FLIPFREE_SANITIZERS)

@@ -9,6 +9,7 @@
 #include "FilterErrors.h"
 
 #include <cmath>
+#include <limits>
 #include <map>
 #include <string>
 #include <type_traits>
@@ -159,6 +160,8 @@ TEST_F(SegmentationParameters, ThatAreNotNumbersAreRefusedByName)
   EXPECT_EQ(numbers, 21);
   this->Segmentation->SetStartCenterOffset(0, NotANumber, 0);
   ExpectRefusal(this->Segmentation, { "the property StartCenterOffset", "NaN", "set it" });
+  this->Segmentation->SetStartCenterOffset(0, std::numeric_limits<double>::infinity(), 0);
+  ExpectRefusal(this->Segmentation, { "the property StartCenterOffset", "infinite", "set it" });
 }
 
 TEST_F(SegmentationParameters, AreClampedToTheirRange)

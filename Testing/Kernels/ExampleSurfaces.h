@@ -8,9 +8,9 @@
 #include "Mesh/QuadSphere.h"
 
 #include <cmath>
+#include <future>
 #include <stdexcept>
 #include <string>
-#include <thread>
 #include <utility>
 #include <vector>
 
@@ -141,9 +141,10 @@ inline void ScatteredFor(std::ptrdiff_t begin, std::ptrdiff_t end, const RangeBo
       body(std::max(begin, last - size), last);
     }
   };
-  std::thread other(work, end - size);
+  // The future waits for its thread when it is destroyed, and passes exceptions on.
+  std::future<void> other = std::async(std::launch::async, work, end - size);
   work(end);
-  other.join();
+  other.get();
 }
 
 /// The message of the std::invalid_argument that an action throws; "" if it throws none.

@@ -29,11 +29,27 @@ TEST(EdgeLength, IsTheMean)
   EXPECT_NEAR(TypicalEdgeLength(sphere.Mesh.Neighbors, sphere.Points()), sum / count, 1e-10);
 }
 
-TEST(EdgeLength, AStrayVertexDoesNotCount)
+TEST(EdgeLength, StrayVerticesDoNotCount)
 {
-  const TestSphere sphere(16);
+  for (const int n : { 2, 4, 16 })
+  {
+    const TestSphere sphere(n);
+    const double length = TypicalEdgeLength(sphere.Mesh.Neighbors, sphere.Points());
+    PointList points = sphere.Points();
+    for (int stray = 0; stray <= n * n / 20; ++stray)
+    {
+      points(13 * stray + 7, 0) = 1e6 * (1 + stray);
+      EXPECT_NEAR(TypicalEdgeLength(sphere.Mesh.Neighbors, points), length, 0.3 * length) << n;
+    }
+  }
+}
+
+TEST(EdgeLength, CollapsedEdgesDoNotHideTheOthers)
+{
+  const TestSphere sphere(8);
   const double length = TypicalEdgeLength(sphere.Mesh.Neighbors, sphere.Points());
   PointList points = sphere.Points();
+  points.bottomRows(points.rows() * 6 / 10).rowwise() = points.bottomRows<1>().eval();
   points(7, 0) = 1e6;
-  EXPECT_NEAR(TypicalEdgeLength(sphere.Mesh.Neighbors, points), length, 0.2 * length);
+  EXPECT_GT(TypicalEdgeLength(sphere.Mesh.Neighbors, points), 0.3 * length);
 }

@@ -280,13 +280,9 @@ TEST(LaplacianDeformation, RefusesWhatHasNoFiniteSolution)
   catch (const Error& error)
   {
     EXPECT_EQ(error.GetCode(), ErrorCode::SingularSystem);
-    const std::string text =
+    EXPECT_STREQ(error.what(),
       "the system of the deformation has no finite solution for displacements of up to 1e+200 mm; "
-      "limit them ";
-    EXPECT_EQ(error.what(), text + "(MaximumDisplacement), or check the surface");
-    const auto asOption = [](const std::string& quantity) { return "--" + quantity; };
-    EXPECT_EQ(SpellQuantities(error.GetText(), asOption),
-      text + "(--MaximumDisplacement), or check the surface");
+      "limit them (MaximumDisplacement), or check the surface");
   }
 }
 

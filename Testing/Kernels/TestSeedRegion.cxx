@@ -61,7 +61,7 @@ TEST(SeedRegion, SeedsOutsideOrBelowAVoxelAreRefused)
     catch (const Error& error)
     {
       EXPECT_EQ(error.GetCode(), ErrorCode::OutOfRange);
-      EXPECT_NE(error.GetText().find("the image"), std::string::npos);
+      EXPECT_NE(std::string(error.what()).find("the image"), std::string::npos);
       return false;
     }
   };

@@ -74,6 +74,19 @@ TEST(SurfaceRefinement, SmoothSurfacesNeedNothing)
   EXPECT_LT((refined.Points - unchecked.Points).cwiseAbs().maxCoeff(), 1e-5); // but for rounding
 }
 
+// Distances cannot be told there: a millimeter is what rounding leaves of them.
+TEST(SurfaceRefinement, ClaimsNothingTooFarFromTheOrigin)
+{
+  const TestSphere sphere(4);
+  const auto isEmbedded = [&](double far)
+  {
+    const PointList points = sphere.Points().array() + far;
+    return RefineSurface(sphere.Mesh, points, true, SerialFor, NeverStop).Embedded;
+  };
+  EXPECT_TRUE(isEmbedded(1e6));
+  EXPECT_FALSE(isEmbedded(1e14));
+}
+
 TEST(SurfaceRefinement, StopsWheneverItIsAsked)
 {
   std::mt19937 random(9);

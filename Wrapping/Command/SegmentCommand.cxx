@@ -218,6 +218,10 @@ void Segment(const Segmentation& segmentation)
   filter->SetInputDataObject(image);
   filter->SetSeedCenter(seed[0], seed[1], seed[2]);
   filter->SetSeedRadius(segmentation.Radius);
+  if (filter->GetSeedRadius() != segmentation.Radius)
+  {
+    throw WrongUsage("--radius must be 1e-6 to 1e6 mm. The sphere should lie within the organ.");
+  }
   filter->SetLabelValue(segmentation.Label);
   try
   {
@@ -234,9 +238,8 @@ void Segment(const Segmentation& segmentation)
   }
   if (filter->GetStopReason() == vtkFlipFreeSegmentation::NO_BOUNDARY_FOUND)
   {
-    throw Failure("'" + segmentation.Input +
-      "': no boundary of the organ was found. Check that the seed sphere lies within the organ, or "
-      "raise --search-distance or --foreground-mass.");
+    throw Failure(
+      "'" + segmentation.Input + "': no boundary of the organ was found, so nothing is written.");
   }
   WriteResults(filter, image, segmentation, outputs);
   if (!filter->GetDeform()->GetGuard())

@@ -1,6 +1,6 @@
 /**
  * Correspondence search (paper section 3.3, Eq. 2): from each vertex along its normal to the
- * boundary between feature and background.
+ * boundary between feature and background. Beyond the paper, targets snap to the strongest edge.
  */
 #ifndef FlipFreeCorrespondence_h
 #define FlipFreeCorrespondence_h
@@ -38,7 +38,7 @@ struct CorrespondenceSettings
   double ImageBoundaryDistance = 12;
 
   /// Standard deviation, in millimeters, of the Gaussian window around the crossing in which the
-  /// target moves to the strongest edge. Zero leaves the target on the voxel's face.
+  /// target snaps to the strongest edge. Zero leaves the target on the voxel's face.
   double EdgeWindow = 3;
 
   /// Maps the intensities before edges are sought; only edges at which the mapped intensity falls

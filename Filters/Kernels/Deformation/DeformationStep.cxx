@@ -4,6 +4,7 @@
 #include "Stopwatch.h"
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 namespace FlipFree
@@ -31,10 +32,15 @@ DeformationStepReport DeformOnce(DeformationSolver& solver, const EmbeddingGuard
 
   if (guard != nullptr)
   {
-    report.Guarded = guard->Limit(points, motion, parallelFor, monitor).Guarded;
+    GuardReport limited = guard->Limit(points, motion, parallelFor, monitor);
+    report.Guarded = limited.Guarded;
+    points = std::move(limited.Positions);
     report.GuardSeconds = watch.Lap();
   }
-  points += motion;
+  else
+  {
+    points += motion;
+  }
   std::transform(detected.begin(), detected.end(), field.States.begin(), field.States.begin(),
     [](VertexState before, VertexState now)
     { return before == VertexState::Flipping ? before : now; });

@@ -1,6 +1,6 @@
 /**
- * One iteration's targets: normals, correspondence search, and two steps beyond the paper:
- * rejection of outliers and a limit to the displacements.
+ * One iteration's targets: normals, correspondence search, and steps beyond the paper: snapping to
+ * the strongest edge, rejection of outliers, and a limit to the displacements.
  */
 #ifndef FlipFreeTargetSearch_h
 #define FlipFreeTargetSearch_h

@@ -337,7 +337,8 @@ private:
       }
       if (one.size() > 0 && two.size() > 0)
       {
-        // No two faces have three corners in common.
+        // Three corners lie in one face only, apart from OverlappingFaces. If both sets have three,
+        // they lie in these two parts alone, which are adjacent.
         const bool isCovered =
           (one.size() < 3 || two.size() < 3) && this->LieInParts(one, two, areDisjoint);
         if (isCovered == (this->ToList == Wanted::Covered))

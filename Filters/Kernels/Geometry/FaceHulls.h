@@ -9,8 +9,9 @@
  *   (a) two faces without a common vertex;
  *   (b) for two faces F and G with the common vertices S, and each subset P of S, F without S but
  *       with P, and G without P;
- *   (c) for one face, a corner and three others, a corner of a triangle and its two others, and two
- *       segments, or a segment and a triangle, of different corners that do not cross.
+ *   (c) within one face, sets of corners that have none in common and do not cross (around the
+ *       face, all of one come before all of the other): in a triangle, one corner and the other
+ *       two; in a larger face, one and three, two and two, two and three corners.
  *
  * Proof. Let a point of two triangles T and U not lie in the hull of their common vertices. It is a
  * convex combination of the vertices of T, and another of those of U. Taking away from both what
@@ -18,12 +19,12 @@
  * of vertices of T, and B, of vertices of U, which have no vertex in common. If T and U belong to
  * faces F and G without a common vertex, that is excluded by (a). If these are adjacent, let P be
  * the vertices of S in A: A is part of F without S but with P, and B of G without P, which (b)
- * excludes. If T and U are two triangles of one cut of one face, A and B do not cross, and they are
- * a corner and at most a triangle, two segments, a segment and a triangle, or two triangles, of
- * which an edge of one then meets the other: (c).
+ * excludes. If T and U are triangles of one cut of one face, A and B do not cross. If one of
+ * them is a single corner, or both are two, or one is two and the other three, (c) lists them or
+ * sets that contain them. If both are three, an edge of one meets the other: two and three.
  *
- * By (a) and (b), the hulls of two faces meet only in the hull of their common vertices. Any patch
- * in a face's hull, such as a bilinear one, is therefore covered, too.
+ * By (a) and (b), the hulls of two faces meet only in the hull of their common vertices. Any two
+ * patches in the hulls of different faces, such as bilinear ones, therefore meet only there.
  *
  * A face of more than eight corners has too many cuts. It stands for the triangles of its fan, as
  * Triangulate makes it.
@@ -78,13 +79,13 @@ public:
     return this->TreeOfHulls.DisjointPairs(layout, this->Hulls);
   }
 
-  /// Calls visit(pairs) with block after block of the pairs (b) and (c). If `covered` is false,
-  /// without those that lie in another pair, and else with these alone: what intersects there is
-  /// found in another pair, but of other faces.
+  /// Calls visit(pairs) with block after block of the pairs (b) and (c). A pair is covered if its
+  /// sets also lie in those of another pair, which is tested anyway: it can only add names of
+  /// faces. `covered` selects such pairs, or else the others.
   void VisitAdjacentPairs(bool covered,
     const std::function<void(const std::vector<HullPair>& pairs)>& visit) const;
 
-  /// The pairs (b) and (c) without those that lie in another pair, all at once.
+  /// The pairs (b) and (c) that are not covered, all at once.
   std::vector<HullPair> AdjacentPairs() const;
 
   /// Faces that share three vertices or more; there are cuts by which they share a triangle. They

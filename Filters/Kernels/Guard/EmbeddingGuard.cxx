@@ -19,7 +19,7 @@ namespace
 // Relative to the typical edge length.
 constexpr double RelativeGap = 1e-3;
 
-// By how much farther a vertex may move at its own scale than at its neighbor's, in mean edge
+// By how much farther a vertex may move at its own scale than at its neighbor's, in typical edge
 // lengths: a region whose motion is long is slowed as a whole instead of being sheared where the
 // scale changes.
 constexpr double RelativeShear = 0.25;
@@ -71,6 +71,15 @@ void ForEach(const std::vector<Item>& items, const ParallelFor& parallelFor, con
     { std::for_each(items.begin() + first, items.begin() + last, visit); });
 }
 
+// A place near most vertices, even if one lies astray. There is at least one vertex.
+Eigen::Vector3d MedianOfThree(const PointList& points)
+{
+  const Eigen::Vector3d first = points.row(0);
+  const Eigen::Vector3d middle = points.row(points.rows() / 2);
+  const Eigen::Vector3d last = points.row(points.rows() - 1);
+  return first.cwiseMin(middle).cwiseMax(first.cwiseMax(middle).cwiseMin(last));
+}
+
 PointList CutToLength(const PointList& displacements, double maximum)
 {
   PointList cut = displacements;
@@ -95,7 +104,7 @@ public:
     const MinimumDistance& distance)
     : Candidates(candidates)
     , Distance(distance)
-    , Rounded(points.rows(), points.row(0))
+    , Rounded(points.rows(), MedianOfThree(points))
   {
   }
 
@@ -204,6 +213,7 @@ GuardReport EmbeddingGuard::Limit(const PointList& points, PointList& displaceme
     if (!monitor(1 - 1.0 / report.Passes))
     {
       displacements.setZero();
+      report.Positions = points;
       return report;
     }
     for (int vertex : step.ScaleDown())
@@ -217,7 +227,8 @@ GuardReport EmbeddingGuard::Limit(const PointList& points, PointList& displaceme
   // Parts that intersect at the start fail whenever they are tested, unless corners have already
   // brought them to rest.
   this->RequireEmbeddedAt(points, step.Suspects(), parallelFor);
-  displacements = step.Displacements();
+  report.Positions = step.Path().To;
+  displacements = report.Positions - points;
   return report;
 }
 

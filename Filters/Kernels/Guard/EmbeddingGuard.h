@@ -20,8 +20,9 @@ class StepLimiter;
 
 struct GuardReport
 {
-  int Guarded = 0; ///< vertices whose displacement was scaled down
-  int Passes = 0;  ///< number of test passes; 1 if nothing had to be scaled down
+  int Guarded = 0;     ///< vertices whose displacement was scaled down
+  int Passes = 0;      ///< number of test passes; 1 if nothing had to be scaled down
+  PointList Positions; ///< where the vertices end, without the rounding error of a sum
 };
 
 class EmbeddingGuard
@@ -47,7 +48,7 @@ public:
   GuardReport Limit(const PointList& points, PointList& displacements,
     const ParallelFor& parallelFor, const Monitor& monitor) const;
 
-  /// Throws std::invalid_argument, naming the first pair of faces, if the surface intersects
+  /// Throws Error, naming the first pair of faces, if the surface intersects
   /// itself at these points, and, as above, for points that it cannot compute with.
   void RequireEmbedded(const PointList& points, const ParallelFor& parallelFor) const;
 

@@ -97,7 +97,7 @@ double TimeAbove(const Quartic& whole, double bound)
     time += length;
     if (IsAbove(right, bound))
     {
-      return time + length; // the end of the interval; what follows it has not been proven
+      return time + length; // the end of the interval; nothing is claimed beyond it
     }
     rest = right;
   }

@@ -13,13 +13,14 @@ namespace
 // Rounding. Let u = 2^-24, G the greatest absolute coordinate of the vertices at one end of the
 // motion, E the greatest relative to one of them, and |d| the sum of a direction's absolute
 // components. The direction itself is taken as it is; it only has to be the same at both ends.
-// A coordinate relative to the origin has an error of u G from its conversion, and of u E from the
-// subtraction of the local origin, whose own error all vertices share. A projection adds 3 u E |d|
-// by its products and sums, the difference of two projections 2 u E |d|. That is together
-// 2 (u G + u E + 3 u E) |d| + 2 u E |d| = (2 G + 10 E) u |d|; twice to three times as much is
-// allowed for, (4 G + 32 E) u |d|, which covers the rounding of the allowance itself. The gap is
-// raised by 1e-6 = 17 u of itself for the rounding of its product with the direction's length.
-// Numbers that may underflow or overflow prove nothing.
+// The errors are at most
+//   of a coordinate    u G     its conversion
+//                      u E     the subtraction of the local origin, whose own error all share
+//   of a projection    (u G + u E) |d| by its coordinates, 3 u E |d| by its products and sums
+//   of a difference    twice that, and 2 u E |d| by the subtraction
+// together (2 G + 10 E) u |d|. (4 G + 32 E) u |d| is allowed for, which also covers the rounding of
+// the allowance itself. The gap is raised by 1e-6 = 17 u of itself for the rounding of its product
+// with the direction's length. Numbers that may underflow or overflow prove nothing.
 class DirectionTest
 {
 public:
@@ -203,9 +204,10 @@ struct CornersAtEnd
   const Lanes& D;
 };
 
-// The line between the centers alone, without a local origin: enough for most pairs. With the names
-// of above, a projection has an error of (u G + 3 u G) |d|, the difference of two of
-// 8 u G |d| + 2 u 2 G |d| = 12 u G |d|; 32 u G |d| is allowed for.
+// The line between the centers alone, without a local origin: enough for most pairs. In the
+// notation above, the error of a projection is at most (u G + 3 u G) |d|, that of the difference of
+// two 8 u G |d| and, by the subtraction of numbers up to 2 G |d| apart, 2 u G |d|; 32 u G |d| is
+// allowed for.
 bool CentersSeparate(const SinglePrecisionMotion& motion, const Hull& one, const Hull& two,
   double gap)
 {

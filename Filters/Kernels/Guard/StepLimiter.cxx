@@ -21,7 +21,6 @@ StepLimiter::StepLimiter(const PointList& points, const PointList& displacements
   , MaximumShear(maximumShear)
   , EdgeLength(edgeLength)
   , Wanted(displacements)
-  , Scaled(displacements)
   , To(points.rows(), 3)
   , Scales(points.rows(), 1.0)
   , IsSuspect(points.rows(), 0)
@@ -36,15 +35,10 @@ StepLimiter::StepLimiter(const PointList& points, const PointList& displacements
 
 void StepLimiter::Place(Eigen::Index vertex)
 {
-  auto displacement = this->Scaled.row(vertex);
-  displacement = this->Scales[vertex] * this->Wanted.row(vertex);
-  if (!displacement.isZero(0))
-  {
-    displacement = RoundToSingle(this->From.row(vertex) + displacement, this->EdgeLength) -
-      this->From.row(vertex);
-  }
-  // As the caller adds them.
-  this->To.row(vertex) = this->From.row(vertex) + displacement;
+  const Eigen::RowVector3d from = this->From.row(vertex);
+  const Eigen::RowVector3d displacement = this->Scales[vertex] * this->Wanted.row(vertex);
+  this->To.row(vertex) =
+    displacement.isZero(0) ? from : RoundToSingle(from + displacement, this->EdgeLength);
 }
 
 std::vector<int> StepLimiter::ScaleDown()

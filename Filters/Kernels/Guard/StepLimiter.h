@@ -36,7 +36,6 @@ public:
     const std::vector<std::array<int, 4>>& neighbors, double maximumShear, double edgeLength);
 
   Motion Path() const { return { this->From, this->To }; }
-  const PointList& Displacements() const { return this->Scaled; }
 
   /// A test of these vertices failed: they are safe only until `time`. A negative time, or NaN,
   /// means that they are not proven to be apart at the start. May be called from several threads at
@@ -111,7 +110,6 @@ private:
   const double MaximumShear;
   const double EdgeLength;
   const PointList Wanted;
-  PointList Scaled;
   PointList To;
   std::vector<double> Scales;
   std::vector<char> IsSuspect;

@@ -7,6 +7,7 @@
 #include "Mesh/EdgeLength.h"
 #include "Mesh/MeshRefinement.h"
 
+#include <algorithm>
 #include <set>
 #include <vector>
 
@@ -20,6 +21,8 @@ constexpr int MaximumRelaxations = 30;
 // That the refined surface keeps from itself, relative to the typical edge length of the old one,
 // after it has been rounded to single precision.
 constexpr double RelativeGap = 1e-4;
+// Relative to the greatest coordinate: well above the rounding errors of distances.
+constexpr double RelativeResolution = 1e-12;
 // Of the way of a vertex to the mean of its neighbors.
 constexpr double Relaxation = 0.5;
 
@@ -36,8 +39,7 @@ void RelaxOnce(const ContourMesh& mesh, const EmbeddingGuard& guard, const std::
           (points.row(ring[0]) + points.row(ring[1]) + points.row(ring[2]) + points.row(ring[3])) -
         points.row(vertex));
   }
-  guard.Limit(points, motion, parallelFor, monitor);
-  points += motion;
+  points = guard.Limit(points, motion, parallelFor, monitor).Positions;
 }
 
 // What comes too near to other parts, and quads that are folded.
@@ -64,7 +66,7 @@ std::vector<Hull> FindBadHulls(const RefinedSurface& refined, const FaceHulls& h
 // Pulls the new points where the surface comes too near to itself towards their parents until there
 // are none. False if some remain; `involved` are then the old vertices near those.
 bool RefineEmbedded(const ContourMesh& mesh, const PointList& points, const RefinedMesh& faces,
-  const FaceHulls& hulls, const std::vector<HullPair>& adjacent, double edgeLength,
+  const FaceHulls& hulls, const std::vector<HullPair>& adjacent, double edgeLength, double gap,
   const ParallelFor& parallelFor, const Monitor& monitor, RefinedSurface& refined,
   std::set<int>& involved)
 {
@@ -80,8 +82,7 @@ bool RefineEmbedded(const ContourMesh& mesh, const PointList& points, const Refi
     {
       position = RoundToSingle(position, edgeLength);
     }
-    const std::vector<Hull> bad =
-      FindBadHulls(refined, hulls, adjacent, RelativeGap * edgeLength, parallelFor);
+    const std::vector<Hull> bad = FindBadHulls(refined, hulls, adjacent, gap, parallelFor);
     if (bad.empty())
     {
       return true;
@@ -142,13 +143,15 @@ RefinedSurface RefineSurface(const ContourMesh& mesh, const PointList& points, b
   const FaceHulls hulls(RefinePoints(mesh, points, 1), refined.Mesh.Faces);
   const std::vector<HullPair> adjacent = hulls.AdjacentPairs();
   const double edgeLength = TypicalEdgeLength(mesh.Neighbors, points);
+  const double gap =
+    std::max(RelativeGap * edgeLength, RelativeResolution * points.cwiseAbs().maxCoeff());
   PointList coarse = points;
   std::set<int> involved;
   // Asked at each attempt, of which some are made before and after each relaxation.
   const Monitor proceed = [&](double)
   { return monitor(static_cast<double>(refined.Relaxations) / MaximumRelaxations); };
-  while (!RefineEmbedded(mesh, coarse, faces, hulls, adjacent, edgeLength, parallelFor, proceed,
-    refined, involved))
+  while (!RefineEmbedded(mesh, coarse, faces, hulls, adjacent, edgeLength, gap, parallelFor,
+    proceed, refined, involved))
   {
     if (refined.Relaxations == MaximumRelaxations || !proceed(0))
     {

@@ -1,13 +1,15 @@
 #include "Mesh/EdgeLength.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace FlipFree
 {
 namespace
 {
 
-constexpr double MaximumRatio = 20;
+// An edge that many times as long as the mean, or as the upper quartile, is no usual one.
+constexpr double MaximumRatio = 8;
 
 // Each edge is visited from both ends.
 template <typename Visit>
@@ -23,14 +25,18 @@ void VisitLengths(const std::vector<std::array<int, 4>>& neighbors, const PointL
   }
 }
 
-double Median(const std::vector<std::array<int, 4>>& neighbors, const PointList& points)
+// Without strays, as long as they are less than a quarter.
+double MeanOfUsual(const std::vector<std::array<int, 4>>& neighbors, const PointList& points)
 {
   std::vector<double> lengths;
   lengths.reserve(4 * neighbors.size());
   VisitLengths(neighbors, points, [&](double length) { lengths.push_back(length); });
-  const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
-  std::nth_element(lengths.begin(), middle, lengths.end());
-  return *middle;
+  const auto quartile = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 4 * 3);
+  std::nth_element(lengths.begin(), quartile, lengths.end());
+  const double maximum = MaximumRatio * *quartile;
+  const auto end = std::partition(lengths.begin(), lengths.end(),
+    [=](double length) { return length <= maximum; });
+  return std::accumulate(lengths.begin(), end, 0.0) / static_cast<double>(end - lengths.begin());
 }
 
 } // namespace
@@ -46,7 +52,7 @@ double TypicalEdgeLength(const std::vector<std::array<int, 4>>& neighbors, const
       maximum = std::max(maximum, length);
     });
   const double mean = sum / (4.0 * neighbors.size());
-  return maximum > MaximumRatio * mean ? Median(neighbors, points) : mean;
+  return maximum > MaximumRatio * mean ? MeanOfUsual(neighbors, points) : mean;
 }
 
 } // namespace FlipFree

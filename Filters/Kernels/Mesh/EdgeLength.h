@@ -13,9 +13,9 @@
 namespace FlipFree
 {
 
-/// The mean length of the edges, in millimeters; the median where one is more than twenty times as
-/// long as the mean, so that a few stray vertices do not make everything else look small. There is
-/// at least one vertex.
+/// The mean length of the edges, in millimeters. If one is more than eight times as long as that,
+/// the mean of those up to eight upper quartiles: a few stray vertices do not make everything else
+/// look small. There is at least one vertex.
 double TypicalEdgeLength(const std::vector<std::array<int, 4>>& neighbors, const PointList& points);
 
 } // namespace FlipFree
