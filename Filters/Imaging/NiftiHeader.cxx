@@ -129,7 +129,7 @@ double RequireSize(const std::string& name, const Header& header)
     if (size < 0 || (size == 0 && axis <= 3))
     {
       RefuseField(name, Numbered("dim", axis),
-        "is " + std::to_string(size) + ", but axes have voxels");
+        "is " + std::to_string(size) + ", but must be positive");
     }
     voxels *= std::max(1, size); // a trailing axis of length zero is an axis of length one
     if (axis <= 3)

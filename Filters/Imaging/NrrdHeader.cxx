@@ -337,7 +337,7 @@ VoxelStorage StorageOfNrrd(const std::string& name)
   }
   else
   {
-    fields.Refuse("encoding", "is none of raw, gzip, text and hex");
+    fields.Refuse("encoding", "is not one of raw, gzip, text and hex");
   }
   return storage;
 }

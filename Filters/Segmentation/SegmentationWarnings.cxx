@@ -54,6 +54,12 @@ std::vector<std::string> WarningsOf(const OrganSurface& organ, const ImageGeomet
       " mm reaches beyond the image; it should lie within the organ, so lower SeedRadius or move "
       "SeedCenter.");
   }
+  if (!settings.Step.Guard && organ.SelfIntersections > 0)
+  {
+    warnings.push_back("The surface is not certified, and it intersects itself in " +
+      std::to_string(organ.SelfIntersections) +
+      " pairs of faces; switch Guard on for a valid surface.");
+  }
   const bool foundNothing = organ.Reason == StopReason::NoBoundaryFound;
   if (foundNothing)
   {

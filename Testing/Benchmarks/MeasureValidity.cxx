@@ -3,7 +3,7 @@
 //
 //   MeasureValidity [--data DIR] [--only TEXT]
 //
-// Self-intersections are the pairs of triangles of the final surface, counted exactly; flipped
+// Self-intersections are the pairs of faces of the final surface, counted exactly; flipped
 // corners are those whose normal turned by 90 degrees or more in a step, all steps together.
 #include "CaseList.h"
 #include "PhantomCases.h"

@@ -242,11 +242,10 @@ void Segment(const Segmentation& segmentation)
       "'" + segmentation.Input + "': no boundary of the organ was found, so nothing is written.");
   }
   WriteResults(filter, image, segmentation, outputs);
-  if (!filter->GetDeform()->GetGuard())
+  if (!filter->GetDeform()->GetGuard() && filter->GetNumberOfSelfIntersections() == 0)
   {
-    PrintWarning("The surface is not certified: without --guard, it may intersect itself, and does "
-                 "so in " +
-      std::to_string(filter->GetNumberOfSelfIntersections()) + " pairs of faces.");
+    PrintWarning(
+      "The surface is not certified: --guard is off. It does not intersect itself, though.");
   }
   if (!segmentation.Quiet)
   {
