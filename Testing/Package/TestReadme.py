@@ -55,7 +55,7 @@ def main(readme, prefix, python, vtk, compiler):
         write(folder, "CMakeLists.txt", block(text, "### C++", "cmake"))
         run(["cmake", "-S", ".", "-B", "build", "-DVTK_DIR=" + vtk], folder, environment)
         run(["cmake", "--build", "build"], folder, environment)
-        expect("^6144 vertices, [0-9]+ voxels, 0 self-intersections\n$",
+        expect("^6144 vertices, a label map of [0-9]+ voxels, 0 self-intersections\n$",
                run(["build/liver"], folder, environment))
         layer, filters = blocks(text, "### Python", "python")
         expect(r"^at rest \(6144, 3\) [0-9]+ voxels\n0\.9[3-9]",
