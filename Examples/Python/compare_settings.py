@@ -10,10 +10,14 @@ flipfree.segment takes.
 
 import argparse
 import time
+import warnings
 
 import flipfree
 import inputs
 import scene
+
+# Some surfaces intersect themselves on purpose.
+warnings.simplefilter("ignore", flipfree.FlipFreeWarning)
 
 SETTINGS = {
     "with the guard": {"guard": True},

@@ -11,6 +11,7 @@ Figure 6 the first spleen, and the first row of the role `tubular`.
 
 import argparse
 import csv
+import warnings
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -28,6 +29,9 @@ from vtkmodules.vtkFiltersSources import vtkArrowSource, vtkSphereSource
 import vtkmodules.vtkRenderingContextOpenGL2  # noqa: F401
 from vtkmodules.vtkRenderingContext2D import vtkContextActor
 from vtkmodules.vtkRenderingCore import vtkRenderer
+
+# Some surfaces intersect themselves on purpose.
+warnings.simplefilter("ignore", flipfree.FlipFreeWarning)
 
 SAND = (0.95, 0.90, 0.80)
 PATTERN_BLUE = (0.25, 0.45, 0.68)
