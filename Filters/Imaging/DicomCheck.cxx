@@ -35,6 +35,7 @@ struct Element
 {
   std::uint32_t Tag = 0;
   std::uint32_t Length = 0;
+  std::string Type;               // its value representation; empty where that is implicit
   bool IsUnknownSequence = false; // coded implicitly, whatever surrounds it
 };
 
@@ -118,6 +119,7 @@ public:
     this->Take(2);
     this->File.read(vr, 2);
     const std::string type(vr, 2);
+    element.Type = type;
     const std::string shortTypes =
       "AE AS AT CS DA DS DT FD FL IS LO LT PN SH SL SS ST TM UI UL US ";
     const std::string longTypes = "OB OD OF OL OV OW SQ SV UC UN UR UT UV ";
@@ -237,6 +239,24 @@ private:
     { 0x00280002, 1 }, { 0x00280100, 0 } };
 };
 
+/// GDCM stops the program where an element that describes the image is of another type.
+void RequireType(const DicomFile& file, const Element& element)
+{
+  static const std::map<std::uint32_t, std::string> types{ { 0x00180050, "DS" },
+    { 0x00180088, "DS" }, { 0x00200013, "IS" }, { 0x00200032, "DS" }, { 0x00200037, "DS" },
+    { 0x00280002, "US" }, { 0x00280004, "CS" }, { 0x00280006, "US" }, { 0x00280008, "IS" },
+    { 0x00280010, "US" }, { 0x00280011, "US" }, { 0x00280030, "DS" }, { 0x00280034, "IS" },
+    { 0x00280100, "US" }, { 0x00280101, "US" }, { 0x00280102, "US" }, { 0x00280103, "US" },
+    { 0x00281052, "DS" }, { 0x00281053, "DS" } };
+  const auto type = types.find(element.Tag);
+  if (type != types.end() && !element.Type.empty() && element.Type != type->second &&
+    element.Type != "UN")
+  {
+    file.Refuse("an element that describes the image has the type " + element.Type +
+      " instead of " + type->second);
+  }
+}
+
 /// Walks through the data set to its end; GDCM stops the program at items outside of sequences.
 void RequirePixels(DicomFile& file, const Encoding& encoding)
 {
@@ -250,6 +270,7 @@ void RequirePixels(DicomFile& file, const Encoding& encoding)
     {
       file.Refuse("an item stands outside of a sequence");
     }
+    RequireType(file, element);
     if (!size.Take(file, element, encoding))
     {
       file.SkipValue(element, encoding);

@@ -36,6 +36,20 @@ bool FitsBuffers(const std::string& line, std::size_t equals)
   return isText && equals < longestName && line.size() < longestLine;
 }
 
+/// Its buffers for these texts are shorter than those for lines.
+void RequireShortText(const std::string& file, const std::string& field, const std::string& value)
+{
+  constexpr std::size_t longest = 254;
+  const char* const texts[] = { "ObjectType", "ObjectSubType", "Name", "Comment",
+    "AcquisitionDate" };
+  if (value.size() > longest &&
+    std::any_of(std::begin(texts), std::end(texts),
+      [&](const char* text) { return field == text; }))
+  {
+    RefuseField(file, field, "is longer than 254 characters");
+  }
+}
+
 Header ReadHeader(const std::string& name)
 {
   constexpr std::streamoff longest = 1 << 20;
@@ -53,7 +67,10 @@ Header ReadHeader(const std::string& name)
     {
       RefuseField(name, "a line", "is not of the form NAME = VALUE");
     }
-    header.Fields.Add(Trimmed(line.substr(0, equals)), Trimmed(line.substr(equals + 1)));
+    const std::string field = Trimmed(line.substr(0, equals));
+    const std::string value = Trimmed(line.substr(equals + 1));
+    RequireShortText(name, field, value);
+    header.Fields.Add(field, value);
   }
   if (!header.Fields.Has(Place))
   {

@@ -332,6 +332,13 @@ TEST(TestDicomSeries, DamagedSoThatGdcmWouldStopTheProgram)
   }
   ExampleImages::WriteBytes(folder / "a3.dcm", damaged);
   ExpectRefusal(ReaderOf(folder), { "a3.dcm", "fewer pixels" });
+  // Rows of another type, at which GDCM would stop the program.
+  damaged = bytes;
+  const std::size_t rows = bytes.find(std::string("\x28\x00\x10\x00US", 6));
+  ASSERT_NE(rows, std::string::npos);
+  damaged[rows + 4] = 'D';
+  ExampleImages::WriteBytes(folder / "a3.dcm", damaged);
+  ExpectRefusal(ReaderOf(folder), { "a3.dcm", "the type DS instead of US" });
   // The end of an item that has not begun, and that has a length, before the pixels or behind them.
   const std::string item("\xFE\xFF\x0D\xE0\x02\x00\x00\x00\x00\x00", 10);
   for (const std::size_t place : { pixels, bytes.size() })
