@@ -333,11 +333,15 @@ TEST(TestDicomSeries, DamagedSoThatGdcmWouldStopTheProgram)
   ExampleImages::WriteBytes(folder / "a3.dcm", damaged);
   ExpectRefusal(ReaderOf(folder), { "a3.dcm", "fewer pixels" });
   // Rows of another type, at which GDCM would stop the program.
-  damaged = bytes;
-  const std::size_t rows = bytes.find(std::string("\x28\x00\x10\x00US", 6));
-  ASSERT_NE(rows, std::string::npos);
-  damaged[rows + 4] = 'D';
-  ExampleImages::WriteBytes(folder / "a3.dcm", damaged);
+  const std::string explicitly("\x02\x00\x10\x00UI\x14\x00"
+                               "1.2.840.10008.1.2.1\x00",
+    28);
+  const std::string rowsOf7("\x28\x00\x10\x00"
+                            "DS\x02\x00"
+                            "7 ",
+    10);
+  ExampleImages::WriteBytes(folder / "a3.dcm",
+    std::string(128, '\0') + "DICM" + explicitly + rowsOf7);
   ExpectRefusal(ReaderOf(folder), { "a3.dcm", "the type DS instead of US" });
   // The end of an item that has not begun, and that has a length, before the pixels or behind them.
   const std::string item("\xFE\xFF\x0D\xE0\x02\x00\x00\x00\x00\x00", 10);
