@@ -23,6 +23,8 @@ constexpr int MaximumRelaxations = 30;
 constexpr double RelativeGap = 1e-4;
 // Relative to the greatest coordinate: well above the rounding errors of distances.
 constexpr double RelativeResolution = 1e-12;
+// Relative to the typical edge length.
+constexpr double MaximumGap = 0.1;
 // Of the way of a vertex to the mean of its neighbors.
 constexpr double Relaxation = 0.5;
 
@@ -145,6 +147,10 @@ RefinedSurface RefineSurface(const ContourMesh& mesh, const PointList& points, b
   const double edgeLength = TypicalEdgeLength(mesh.Neighbors, points);
   const double gap =
     std::max(RelativeGap * edgeLength, RelativeResolution * points.cwiseAbs().maxCoeff());
+  if (gap > MaximumGap * edgeLength)
+  {
+    return refined; // rounding errors are as large as the surface's features
+  }
   PointList coarse = points;
   std::set<int> involved;
   // Asked at each attempt, of which some are made before and after each relaxation.
