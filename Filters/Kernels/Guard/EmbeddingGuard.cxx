@@ -1,6 +1,7 @@
 #include "Guard/EmbeddingGuard.h"
 
 #include "Error.h"
+#include "Geometry/HullIntersection.h"
 #include "Geometry/SelfIntersection.h"
 #include "Guard/QuadFold.h"
 #include "Guard/SeparatingDirection.h"
@@ -257,11 +258,32 @@ void EmbeddingGuard::RequireFinite(const PointList& points, const char* what, do
   }
 }
 
+// Whether hulls meet that have one of the marked vertices.
+bool EmbeddingGuard::AnyMeet(const PointList& points, const std::vector<char>& vertices,
+  const ParallelFor& parallelFor) const
+{
+  const FaceHulls& hulls = this->Candidates.Hulls();
+  const auto meet = [&](const Hull& one, const Hull& two)
+  { return (AnyOf(vertices, one) || AnyOf(vertices, two)) && HullsMeet(points, one, two); };
+  const std::vector<TriangleBox> boxes = hulls.RefitBoxes(points);
+  const auto disjoint =
+    hulls.Tree().SelfPairs([&](int node, int other) { return boxes[node].Touches(boxes[other]); },
+      [&](int one, int two)
+      { return hulls.AreDisjoint(one, two) && meet(hulls.HullAt(one), hulls.HullAt(two)); },
+      parallelFor);
+  return !disjoint.empty() ||
+    !Select(
+      this->Candidates.AdjacentPairs(),
+      [&](const HullPair& pair) { return meet(pair.One, pair.Two); }, parallelFor)
+       .empty();
+}
+
 // Throws if faces intersect that have one of the marked vertices.
 void EmbeddingGuard::RequireEmbeddedAt(const PointList& points, const std::vector<char>& vertices,
   const ParallelFor& parallelFor) const
 {
-  if (std::count(vertices.begin(), vertices.end(), 0) == points.rows())
+  if (std::count(vertices.begin(), vertices.end(), 0) == points.rows() ||
+    !this->AnyMeet(points, vertices, parallelFor))
   {
     return;
   }

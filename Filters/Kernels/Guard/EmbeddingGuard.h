@@ -59,6 +59,8 @@ private:
   using Corner = std::array<int, 3>; // before, vertex, after
 
   void RequireFinite(const PointList& points, const char* what, double maximum) const;
+  bool AnyMeet(const PointList& points, const std::vector<char>& vertices,
+    const ParallelFor& parallelFor) const;
   void RequireEmbeddedAt(const PointList& points, const std::vector<char>& vertices,
     const ParallelFor& parallelFor) const;
 
