@@ -164,8 +164,7 @@ void vtkSegmentationMetrics::WarnOfLabels(vtkDataObject* input, vtkImageData* re
     vtkWarningMacro("The reference (port 1) has the labels "
       << labels
       << "; the segmentation has one organ only: it is compared with all of them together; to "
-         "compare "
-         "it with one, set ReferenceLabel.");
+         "compare it with one, set ReferenceLabel.");
   }
   else
   {

@@ -35,8 +35,10 @@ struct Element
 {
   std::uint32_t Tag = 0;
   std::uint32_t Length = 0;
-  std::string Type;               // its value representation; empty where that is implicit
-  bool IsUnknownSequence = false; // coded implicitly, whatever surrounds it
+  std::string Type; // its value representation; empty where that is implicit
+
+  /// Such a sequence is coded implicitly, whatever surrounds it.
+  bool IsUnknownSequence() const { return this->Type == "UN" && this->Length == Undefined; }
 };
 
 /// Reads numbers of either byte order; reading or skipping past the end of the file is an error.
@@ -118,23 +120,21 @@ public:
     char vr[2] = { 0, 0 };
     this->Take(2);
     this->File.read(vr, 2);
-    const std::string type(vr, 2);
-    element.Type = type;
+    element.Type.assign(vr, 2);
     const std::string shortTypes =
       "AE AS AT CS DA DS DT FD FL IS LO LT PN SH SL SS ST TM UI UL US ";
     const std::string longTypes = "OB OD OF OL OV OW SQ SV UC UN UR UT UV ";
-    if (shortTypes.find(type + ' ') != std::string::npos)
+    if (shortTypes.find(element.Type + ' ') != std::string::npos)
     {
       element.Length = this->Number<std::uint16_t>(big);
       return element;
     }
-    if (longTypes.find(type + ' ') == std::string::npos)
+    if (longTypes.find(element.Type + ' ') == std::string::npos)
     {
       this->Refuse("an element has no known type");
     }
     this->Skip(2);
     element.Length = this->Number<std::uint32_t>(big);
-    element.IsUnknownSequence = type == "UN" && element.Length == Undefined;
     return element;
   }
 
@@ -150,7 +150,7 @@ public:
     {
       this->Refuse("its sequences are nested without end");
     }
-    const Encoding inner = element.IsUnknownSequence ? Encoding{ false, false } : encoding;
+    const Encoding inner = element.IsUnknownSequence() ? Encoding{ false, false } : encoding;
     for (Element item = this->Next(inner); item.Tag != EndOfSequence; item = this->Next(inner))
     {
       if (item.Tag != Item)

@@ -5,6 +5,7 @@
 #include "GradientScale.h"
 #include "GrayImageAdapter.h"
 #include "ItkDiffusion.h"
+#include "PipelineAdapter.h"
 #include "PropertyCheck.h"
 
 #include "vtkDataArray.h"
@@ -117,9 +118,7 @@ int vtkAnisotropicDiffusionPrefilter::RequestUpdateExtent(vtkInformation*,
   vtkInformationVector** inputVector, vtkInformationVector*)
 {
   // The sphere may lie anywhere in the image.
-  vtkInformation* inInfo = inputVector[0]->GetInformationObject(0);
-  inInfo->Set(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(),
-    inInfo->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT()), 6);
+  FlipFree::RequestWholeExtent(inputVector[0]->GetInformationObject(0));
   return 1;
 }
 

@@ -3,15 +3,14 @@
 #include "ExecutionAdapter.h"
 #include "LabelAdapter.h"
 #include "Mesh/SurfaceVoxelization.h"
+#include "PipelineAdapter.h"
 #include "SurfaceAdapter.h"
 
-#include "vtkDataObject.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
-#include "vtkStreamingDemandDrivenPipeline.h"
 
 vtkStandardNewMacro(vtkSurfaceToLabelMap);
 
@@ -39,13 +38,8 @@ int vtkSurfaceToLabelMap::FillInputPortInformation(int port, vtkInformation* inf
 int vtkSurfaceToLabelMap::RequestInformation(vtkInformation*, vtkInformationVector** inputVector,
   vtkInformationVector* outputVector)
 {
-  vtkInformation* reference = inputVector[1]->GetInformationObject(0);
-  vtkInformation* output = outputVector->GetInformationObject(0);
-  output->CopyEntry(reference, vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT());
-  output->CopyEntry(reference, vtkDataObject::SPACING());
-  output->CopyEntry(reference, vtkDataObject::ORIGIN());
-  output->CopyEntry(reference, vtkDataObject::DIRECTION());
-  vtkDataObject::SetPointDataActiveScalarInfo(output, VTK_UNSIGNED_CHAR, 1);
+  FlipFree::AnnounceLabelMap(inputVector[1]->GetInformationObject(0),
+    outputVector->GetInformationObject(0));
   return 1;
 }
 

@@ -70,12 +70,6 @@ void RequireSense(const Segmentation& segmentation)
         "--seed: a coordinate is not a finite number. Give three numbers, in millimeters.");
     }
   }
-  if (!(segmentation.Radius > 0) || !vtkMath::IsFinite(segmentation.Radius))
-  {
-    throw WrongUsage(
-      "--radius must be a positive number of millimeters. The sphere should lie within "
-      "the organ.");
-  }
   if (segmentation.Surface.empty() && segmentation.Labels.empty() &&
     segmentation.Convergence.empty() && segmentation.Snapshot.empty())
   {
@@ -204,6 +198,12 @@ void Segment(const Segmentation& segmentation)
   }
   RequireSense(segmentation);
   vtkNew<vtkFlipFreeSegmentation> filter;
+  filter->SetSeedRadius(segmentation.Radius);
+  if (filter->GetSeedRadius() != segmentation.Radius) // clamped, or NaN
+  {
+    throw WrongUsage("--radius must be a positive number of millimeters, 1e-6 to 1e6. The sphere "
+                     "should lie within the organ.");
+  }
   segmentation.Parameters.Apply(filter);
   OutputFiles outputs;
   AnnounceOutputs(segmentation, outputs);
@@ -217,11 +217,6 @@ void Segment(const Segmentation& segmentation)
   const Point seed = SeedIn(image, segmentation);
   filter->SetInputDataObject(image);
   filter->SetSeedCenter(seed[0], seed[1], seed[2]);
-  filter->SetSeedRadius(segmentation.Radius);
-  if (filter->GetSeedRadius() != segmentation.Radius)
-  {
-    throw WrongUsage("--radius must be 1e-6 to 1e6 mm. The sphere should lie within the organ.");
-  }
   filter->SetLabelValue(segmentation.Label);
   try
   {

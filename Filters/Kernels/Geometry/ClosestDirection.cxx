@@ -188,9 +188,8 @@ Vector3d ClosestDirection(const HullCorners& one, const HullCorners& two)
   return HullDistance(one, two).Find();
 }
 
-double ProvenDistance(const HullCorners& one, const HullCorners& two)
+double DistanceAlong(const Vector3d& direction, const HullCorners& one, const HullCorners& two)
 {
-  const Vector3d direction = ClosestDirection(one, two).normalized();
   double low = std::numeric_limits<double>::infinity();
   double high = -low;
   for (int corner = 0; corner < 4; ++corner)
@@ -199,6 +198,11 @@ double ProvenDistance(const HullCorners& one, const HullCorners& two)
     high = std::max(high, two[corner].dot(direction));
   }
   return low - high;
+}
+
+double ProvenDistance(const HullCorners& one, const HullCorners& two)
+{
+  return DistanceAlong(ClosestDirection(one, two).normalized(), one, two);
 }
 
 } // namespace FlipFree

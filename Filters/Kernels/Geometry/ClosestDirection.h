@@ -18,6 +18,11 @@ using HullCorners = std::array<Eigen::Vector3d, 4>;
 /// degenerate, it is some short vector between them.
 Eigen::Vector3d ClosestDirection(const HullCorners& one, const HullCorners& two);
 
+/// By how much the first hull lies above the second one along a unit direction; a lower bound of
+/// their distance.
+double DistanceAlong(const Eigen::Vector3d& direction, const HullCorners& one,
+  const HullCorners& two);
+
 /// A lower bound of the distance of two hulls, tight but for rounding: how far they are apart along
 /// the closest direction. Not positive where they intersect.
 double ProvenDistance(const HullCorners& one, const HullCorners& two);

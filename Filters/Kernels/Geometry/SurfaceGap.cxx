@@ -35,14 +35,7 @@ double DistanceAlongCenters(const HullCorners& one, const HullCorners& two)
 {
   const Eigen::Vector3d direction =
     (one[0] + one[1] + one[2] + one[3] - two[0] - two[1] - two[2] - two[3]).normalized();
-  double low = std::numeric_limits<double>::infinity();
-  double high = -low;
-  for (int corner = 0; corner < 4; ++corner)
-  {
-    low = std::min(low, one[corner].dot(direction));
-    high = std::max(high, two[corner].dot(direction));
-  }
-  return low - high;
+  return DistanceAlong(direction, one, two);
 }
 
 } // namespace

@@ -323,30 +323,19 @@ void EmbeddingGuard::TestShapes(const std::vector<char>& changed, StepLimiter& s
   const ParallelFor& parallelFor) const
 {
   const Motion motion = step.Path();
-  ForEach(this->Corners, parallelFor,
-    [&](const Corner& corner)
+  const auto test = [&](const auto& vertices, const auto& timeOfFailure)
+  {
+    if (AnyOf(changed, vertices))
     {
-      if (AnyOf(changed, corner))
+      const double time = timeOfFailure(motion, vertices);
+      if (!(time >= 1))
       {
-        const double time = TimeOfFlip(motion, corner);
-        if (!(time >= 1))
-        {
-          step.Limit(corner, time);
-        }
+        step.Limit(vertices, time);
       }
-    });
-  ForEach(this->Quads, parallelFor,
-    [&](const Hull& quad)
-    {
-      if (AnyOf(changed, quad))
-      {
-        const double time = TimeOfFold(motion, quad);
-        if (!(time >= 1))
-        {
-          step.Limit(quad, time);
-        }
-      }
-    });
+    }
+  };
+  ForEach(this->Corners, parallelFor, [&](const Corner& corner) { test(corner, TimeOfFlip); });
+  ForEach(this->Quads, parallelFor, [&](const Hull& quad) { test(quad, TimeOfFold); });
 }
 
 } // namespace FlipFree

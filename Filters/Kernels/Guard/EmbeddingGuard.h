@@ -48,8 +48,8 @@ public:
   GuardReport Limit(const PointList& points, PointList& displacements,
     const ParallelFor& parallelFor, const Monitor& monitor) const;
 
-  /// Throws Error, naming the first pair of faces, if the surface intersects
-  /// itself at these points, and, as above, for points that it cannot compute with.
+  /// Throws Error, naming the first pair of faces, if the surface intersects itself at these
+  /// points, and, as above, for points that it cannot compute with.
   void RequireEmbedded(const PointList& points, const ParallelFor& parallelFor) const;
 
   /// Of the mesh's faces.
