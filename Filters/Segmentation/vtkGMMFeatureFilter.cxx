@@ -69,6 +69,7 @@ using Stage = vtkGMMFeatureFilter;
   P(FeatureThreshold, double, Settings->Intensity.Threshold, 0, 1)                                 \
   P(ReestimateIntensities, bool, Settings->ReestimateIntensities, false, true)                     \
   P(LeakControl, bool, Settings->ControlLeaks, false, true)                                        \
+  P(Carving, bool, Settings->Carving, false, true)                                                 \
   P(ClosingRadius, double, Settings->Leaks.ClosingRadius, 0, 1000)                                 \
   P(OpeningScale, double, Settings->Leaks.OpeningScale, 0, 1000)
 

@@ -140,6 +140,16 @@ public:
 
   ///@{
   /**
+   * Carve what hangs on by a neck off the inside of the surface, and move its boundary to half the
+   * local contrast.
+   */
+  void SetCarving(bool value);
+  bool GetCarving() const;
+  vtkBooleanMacro(Carving, bool);
+  ///@}
+
+  ///@{
+  /**
    * Radius of the closing, in millimeters. Default 1.5, 0 to 1000; at most two voxels are used, and
    * 0 does not close.
    */

@@ -62,6 +62,39 @@ private:
       return StopReason::Aborted;
     }
     StopReason reason = StopReason::NotRun;
+    const ContourMesh startMesh = this->Surface.Mesh;
+    const PointList startPoints = this->Surface.Points;
+    if (this->Settings.Feature.Carving)
+    {
+      for (this->Level = 0; this->Level < std::max(1, this->Levels - 1) && !this->Stopped;
+           ++this->Level)
+      {
+        if (this->Level > 0)
+        {
+          const Monitor proceed = [this](double) { return this->Proceed(this->Level - 1, 1); };
+          if (!this->Refine(proceed))
+          {
+            break;
+          }
+          if (this->Settings.Feature.ReestimateIntensities &&
+            !this->FindForegroundOfSurface(proceed))
+          {
+            return StopReason::Aborted;
+          }
+        }
+        this->IterateLevel();
+      }
+      const Monitor proceed = [this](double) { return this->Proceed(0, 0); };
+      Stopwatch watch;
+      if (this->Stopped || !this->Foreground.Carve(this->Surface.Points, this->Surface.Mesh.Triangles,
+        this->Noise, proceed))
+      {
+        return StopReason::Aborted;
+      }
+      this->Surface.FeatureSeconds += watch.Lap();
+      this->Surface.Mesh = startMesh;
+      this->Surface.Points = startPoints;
+    }
     for (this->Level = 0; this->Level < this->Levels && !this->Stopped; ++this->Level)
     {
       if (this->Level > 0)
@@ -71,7 +104,8 @@ private:
         {
           return this->Stopped ? StopReason::Aborted : StopReason::NotRefined;
         }
-        if (this->Settings.Feature.ReestimateIntensities && !this->FindForegroundOfSurface(proceed))
+        if (this->Settings.Feature.ReestimateIntensities && !this->Settings.Feature.Carving &&
+          !this->FindForegroundOfSurface(proceed))
         {
           return StopReason::Aborted;
         }

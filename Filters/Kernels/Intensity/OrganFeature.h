@@ -7,6 +7,7 @@
 
 #include "Intensity/IntensityModel.h"
 #include "Intensity/LeakControl.h"
+#include "Intensity/Modality.h"
 
 namespace FlipFree
 {
@@ -17,6 +18,11 @@ struct OrganFeatureSettings
 
   /// Fit the intensities again to the inside of the surface, once there is one.
   bool ReestimateIntensities = true;
+
+  /// Carve what hangs on by a neck off the inside of the surface, and move the boundary to half the
+  /// local contrast; the foreground of all levels once there is a surface.
+  bool Carving = false;
+  FlipFree::Modality Modality = FlipFree::Modality::Automatic;
 
   bool ControlLeaks = true;
   LeakControlSettings Leaks;
