@@ -73,6 +73,7 @@ void SetParameter(const std::string& assignment, vtkFlipFreeSegmentation* filter
       [&](double x) { filter->SetDiffusionIterations(static_cast<int>(x)); } },
     { "ForegroundMass", [&](double x) { filter->SetForegroundMass(x); } },
     { "NoiseWidening", [&](double x) { filter->GetFeature()->SetNoiseWidening(x); } },
+    { "DistanceTolerance", [&](double x) { filter->SetDistanceTolerance(x); } },
     { "Carving", [&](double x) { filter->GetFeature()->SetCarving(x != 0); } },
     { "ClosingRadius", [&](double x) { filter->GetFeature()->SetClosingRadius(x); } },
     { "OpeningScale", [&](double x) { filter->GetFeature()->SetOpeningScale(x); } },

@@ -40,8 +40,8 @@ struct BlockGrid
     parallelFor(0, this->Blocks.Dimensions[2],
       [&](std::ptrdiff_t first, std::ptrdiff_t last)
       {
-        const std::ptrdiff_t end = std::min<std::ptrdiff_t>(
-          last * this->Factor[2], this->Voxels.Dimensions[2]);
+        const std::ptrdiff_t end =
+          std::min<std::ptrdiff_t>(last * this->Factor[2], this->Voxels.Dimensions[2]);
         mask.ForEachRun(first * this->Factor[2], end,
           [&](int begin, int stop, int j, int k)
           {

@@ -35,8 +35,7 @@ public:
       }
     }
     std::sort(order.begin(), order.end(),
-      [this](int a, int b)
-      {
+      [this](int a, int b) {
         return this->Distance[a] != this->Distance[b] ? this->Distance[a] > this->Distance[b]
                                                       : a < b;
       });
@@ -73,12 +72,17 @@ private:
     const int k = voxel / slice;
     std::array<int, 6> roots{};
     int count = 0;
-    // Joins the neighbor with the greatest peak first.
+    // The greatest peak comes first: it stays.
     const auto add = [&](bool exists, int neighbor)
     {
       if (exists && this->Parent[neighbor] >= 0)
       {
-        roots[count++] = this->Root(neighbor);
+        roots[count] = this->Root(neighbor);
+        if (this->IsBefore(roots[count], roots[0]))
+        {
+          std::swap(roots[0], roots[count]);
+        }
+        ++count;
       }
     };
     add(i > 0, voxel - 1);
@@ -87,8 +91,6 @@ private:
     add(j + 1 < this->Size[1], voxel + row);
     add(k > 0, voxel - slice);
     add(k + 1 < this->Size[2], voxel + slice);
-    std::sort(roots.begin(), roots.begin() + count,
-      [this](int a, int b) { return this->IsBefore(a, b); });
     if (count == 0)
     {
       this->Parent[voxel] = voxel;

@@ -16,9 +16,9 @@ struct DistanceParts
 {
   static constexpr int Outside = -1;
 
-  std::vector<int> PartOf;      ///< of each voxel: the number of its part, or Outside
-  std::vector<float> Peaks;     ///< of each part: its greatest squared distance
-  std::vector<bool> HoldsSeed;  ///< of each part
+  std::vector<int> PartOf;     ///< of each voxel: the number of its part, or Outside
+  std::vector<float> Peaks;    ///< of each part: its greatest squared distance
+  std::vector<bool> HoldsSeed; ///< of each part
 };
 
 /// Voxels join their parts in the order of their distance from the outside (a max-tree). Two parts

@@ -36,7 +36,8 @@ void ConvolveLines(float* first, int size, std::ptrdiff_t stride, int lines,
   copy.resize(static_cast<std::size_t>(size) * lines);
   for (int place = 0; place < size; ++place)
   {
-    std::copy_n(first + place * stride, lines, copy.data() + static_cast<std::ptrdiff_t>(place) * lines);
+    std::copy_n(first + place * stride, lines,
+      copy.data() + static_cast<std::ptrdiff_t>(place) * lines);
   }
   for (int place = 0; place < size; ++place)
   {
@@ -54,7 +55,8 @@ void ConvolveLines(float* first, int size, std::ptrdiff_t stride, int lines,
   }
 }
 
-void ConvolveRow(float* row, int size, const std::vector<float>& weights, std::vector<float>& padded)
+void ConvolveRow(float* row, int size, const std::vector<float>& weights,
+  std::vector<float>& padded)
 {
   const int reach = static_cast<int>(weights.size()) - 1;
   padded.assign(size + 2 * static_cast<std::size_t>(reach), 0.0F);

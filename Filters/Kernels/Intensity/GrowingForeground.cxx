@@ -1,8 +1,6 @@
 #include "Intensity/GrowingForeground.h"
 
-#include "Intensity/HalfContrastRim.h"
-#include "Intensity/NeckCarving.h"
-#include "Mesh/SurfaceVoxelization.h"
+#include "Intensity/OrganCarving.h"
 #include "Stopwatch.h"
 
 #include <algorithm>
@@ -149,50 +147,27 @@ bool GrowingForeground::Update(const IntensityModel& model, const Monitor& monit
 bool GrowingForeground::Carve(const PointList& points, const TriangleList& triangles, double noise,
   const Monitor& monitor)
 {
-  constexpr int rounds = 2;
-  const std::vector<VoxelRun> runs =
-    VoxelizeSurface(points, triangles, this->Geometry, this->Parallel, monitor);
-  if (!monitor(0))
+  this->Clear(); // smoothing needs the memory
+  // Remembered, since no runs may mean a stop or a surface that holds no voxel.
+  bool stopped = false;
+  const Monitor proceed = [&](double fraction)
+  {
+    stopped = stopped || !monitor(fraction);
+    return !stopped;
+  };
+  const std::vector<VoxelRun> inside =
+    VoxelizeSurface(points, triangles, this->Geometry, this->Parallel, proceed);
+  if (stopped || !this->Smooth(CarvingBox(this->Geometry, inside, this->Seed), proceed))
   {
     return false;
-  }
-  VoxelBox box = FlipFree::BoxAround(this->Geometry, this->Seed.Center, this->Seed.Radius);
-  for (const VoxelRun& run : runs)
-  {
-    box = box.Joined({ { { run.Begin, run.J, run.K } }, { { run.End, run.J + 1, run.K + 1 } } });
-  }
-  const std::array<int, 3> reach = RimReachOf(this->Geometry, rounds);
-  box = box.Widened(reach, this->Whole);
-  this->Clear();
-  if (!this->Smooth(box, monitor))
-  {
-    return false;
-  }
-  const auto [i, j, k] = box.Begin;
-  BitMask mask(CropGeometry(this->Geometry, box));
-  for (const VoxelRun& run : runs)
-  {
-    mask.InsertRun(run.Begin - i, run.End - i, run.J - j, run.K - k);
   }
   const Modality modality = this->Settings.Modality == Modality::Automatic
     ? ModalityOf(this->Region.GetReader(), this->Geometry)
     : this->Settings.Modality;
-  const ImageView<float> view = this->GetImage();
-  const ImagePart part{ view, box.Begin };
-  for (int round = 0; round < rounds; ++round)
-  {
-    if (!CarveNecks(part, this->Seed, noise, modality, this->Parallel, monitor, mask) ||
-      !GrowRim(part, noise, this->Parallel, monitor, mask))
-    {
-      return false;
-    }
-  }
-  this->Mask = BitMask(this->Geometry);
-  mask.ForEachRun(0, box.Size(2),
-    [&, first = box.Begin](int begin, int end, int y, int z)
-    { this->Mask.InsertRun(first[0] + begin, first[0] + end, first[1] + y, first[2] + z); });
+  const bool done = CarveOrgan(this->GetImage(), inside, this->Seed, noise, modality,
+    this->Parallel, proceed, this->Mask);
   this->Bounds = this->Mask.Bounds();
-  return true;
+  return done;
 }
 
 } // namespace FlipFree

@@ -30,7 +30,7 @@ public:
   /// Finds the foreground, smoothing more wherever it comes near the sides of the box.
   bool Update(const IntensityModel& model, const Monitor& monitor);
 
-  /// Takes the inside of a closed surface for the foreground, carves it and grows its rim.
+  /// Makes the foreground from the inside of a closed surface (OrganCarving.h).
   bool Carve(const PointList& points, const TriangleList& triangles, double noise,
     const Monitor& monitor);
 

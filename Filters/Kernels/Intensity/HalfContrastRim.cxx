@@ -3,10 +3,11 @@
 #include "Image/BallMorphology.h"
 #include "Image/BlockGrid.h"
 #include "Image/GaussianSmoothing.h"
+#include "Image/SliceMorphology.h"
 #include "Intensity/LeakControl.h"
+#include "Intensity/RobustStatistics.h"
 
 #include <algorithm>
-#include <functional>
 
 namespace FlipFree
 {
@@ -18,10 +19,12 @@ constexpr double CoreMargin = 2;
 constexpr double ShellBegin = 3;
 constexpr double ShellEnd = 15;
 constexpr double OrganDeviation = 15;
-constexpr double ContrastDeviation = 10;
 constexpr double RimReach = 3;
 constexpr double OpeningRadius = 1.8;
 constexpr double BlockSize = 4;
+
+// Of a phantom without noise.
+constexpr double LeastSpread = 1e-12;
 
 // In robust standard deviations of the organ about its local mean.
 constexpr double GreatestContrast = 40;
@@ -30,143 +33,30 @@ constexpr double GreatestHalf = 12;
 
 using Word = BitMask::Word;
 
-// The axis across the slices: the one of the greatest spacing, and z if they are alike.
-int AxisAcrossSlices(const ImageGeometry& geometry)
+// How the contrast is averaged over the surroundings. In CT, lung, fat and muscle lie side by side,
+// and an arithmetic mean would take muscle for organ: the harmonic mean follows what differs least.
+// In MR, slices are thick, and what surrounds the organ also holds some of it that the mask still
+// misses, so that the mean falls short of the contrast; hence more than a half of it.
+struct ContrastRule
 {
-  int axis = 2;
-  for (int other = 1; other >= 0; --other)
-  {
-    if (geometry.Spacing[other] > 1.01 * geometry.Spacing[axis])
-    {
-      axis = other;
-    }
-  }
-  return axis;
-}
-
-// The words of a mask moved by up to a voxel along each axis; zeros come in from the sides.
-class MovedMask
-{
-public:
-  explicit MovedMask(const BitMask& mask)
-    : Mask(mask)
-  {
-  }
-
-  Word operator()(int word, int j, int k, const std::array<int, 3>& offset) const
-  {
-    const auto& size = this->Mask.GetGeometry().Dimensions;
-    const int y = j + offset[1];
-    const int z = k + offset[2];
-    if (y < 0 || y >= size[1] || z < 0 || z >= size[2])
-    {
-      return 0;
-    }
-    const Word* const row = this->Mask.Row(y, z);
-    constexpr int last = BitMask::BitsOfWord - 1;
-    if (offset[0] > 0)
-    {
-      const Word next = word + 1 < this->Mask.GetWordsPerRow() ? row[word + 1] : 0;
-      return row[word] >> 1 | next << last;
-    }
-    if (offset[0] < 0)
-    {
-      const Word before = word > 0 ? row[word - 1] : 0;
-      return row[word] << 1 | before >> last;
-    }
-    return row[word];
-  }
-
-private:
-  const BitMask& Mask;
+  double Deviation; // of the Gaussian, in millimeters
+  float Power;      // of the mean: 1 arithmetic, -1 harmonic
+  float Part;       // of the contrast by which the boundary differs from the organ
 };
 
-// Adds the mask moved by a voxel either way along an axis.
-void AddNeighborsAlong(int axis, const BitMask& mask, BitMask& sum)
+ContrastRule RuleOf(Modality modality)
 {
-  const MovedMask moved(mask);
-  const auto& size = mask.GetGeometry().Dimensions;
-  std::array<int, 3> offset{};
-  for (const int way : { -1, 1 })
-  {
-    offset[axis] = way;
-    for (int k = 0; k < size[2]; ++k)
-    {
-      for (int j = 0; j < size[1]; ++j)
-      {
-        Word* const row = sum.Row(j, k);
-        for (int word = 0; word < mask.GetWordsPerRow(); ++word)
-        {
-          row[word] |= moved(word, j, k, offset);
-        }
-      }
-    }
-  }
-  sum.CutRows();
-}
-
-// The median of the nine voxels around each in its slice.
-void MedianInSlices(BitMask& mask, const ParallelFor& parallelFor)
-{
-  const BitMask copy = mask;
-  const MovedMask moved(copy);
-  const int across = AxisAcrossSlices(mask.GetGeometry());
-  const int a = across == 0 ? 1 : 0;
-  const int b = across == 2 ? 1 : 2;
-  const auto& size = mask.GetGeometry().Dimensions;
-  parallelFor(0, size[2],
-    [&](std::ptrdiff_t first, std::ptrdiff_t last)
-    {
-      for (int k = static_cast<int>(first); k < last; ++k)
-      {
-        for (int j = 0; j < size[1]; ++j)
-        {
-          Word* const row = mask.Row(j, k);
-          for (int word = 0; word < mask.GetWordsPerRow(); ++word)
-          {
-            // Counts of each bit, in four binary digits.
-            std::array<Word, 4> digits{};
-            for (int way = 0; way < 9; ++way)
-            {
-              std::array<int, 3> offset{};
-              offset[a] = way % 3 - 1;
-              offset[b] = way / 3 - 1;
-              Word carry = moved(word, j, k, offset);
-              for (Word& digit : digits)
-              {
-                const Word next = digit & carry;
-                digit ^= carry;
-                carry = next;
-              }
-            }
-            // Five or more.
-            row[word] = digits[3] | (digits[2] & (digits[1] | digits[0]));
-          }
-        }
-      }
-    });
-  mask.CutRows();
-}
-
-void Unite(BitMask& mask, const BitMask& other)
-{
-  std::transform(mask.GetWords().begin(), mask.GetWords().end(), other.GetWords().begin(),
-    mask.GetWords().begin(), std::bit_or<>());
-}
-
-void Intersect(BitMask& mask, const BitMask& other)
-{
-  std::transform(mask.GetWords().begin(), mask.GetWords().end(), other.GetWords().begin(),
-    mask.GetWords().begin(), std::bit_and<>());
+  return modality == Modality::MR ? ContrastRule{ 10, 1, 0.6F } : ContrastRule{ 5, -1, 0.5F };
 }
 
 class Rim
 {
 public:
-  Rim(const ImagePart& image, double noise, const ParallelFor& parallelFor, const Monitor& monitor,
-    BitMask& mask)
+  Rim(const ImagePart& image, double noise, Modality modality, const ParallelFor& parallelFor,
+    const Monitor& monitor, BitMask& mask)
     : Image(image)
     , Noise(noise)
+    , Rule(RuleOf(modality))
     , Parallel(parallelFor)
     , Ask(monitor)
     , Mask(mask)
@@ -193,8 +83,7 @@ private:
   // The organ's local means, and its deviation from them.
   void FindOrgan(const BitMask& core)
   {
-    this->Organ = this->AverageOf(core, OrganDeviation,
-      [](float value, float) { return value; });
+    this->Organ = this->AverageOf(core, OrganDeviation, [](float value, float) { return value; });
     std::vector<float> deviations;
     BlockRow means(this->Grid);
     std::vector<float> mean(core.GetGeometry().Dimensions[0]);
@@ -208,15 +97,8 @@ private:
           deviations.push_back(row[i] - mean[i - begin]);
         }
       });
-    const auto middle = deviations.begin() + static_cast<std::ptrdiff_t>(deviations.size() / 2);
-    std::nth_element(deviations.begin(), middle, deviations.end());
-    const float center = *middle;
-    for (float& deviation : deviations)
-    {
-      deviation = std::abs(deviation - center);
-    }
-    std::nth_element(deviations.begin(), middle, deviations.end());
-    this->Spread = std::max({ 1.4826 * *middle, 0.5 * this->Noise, 1e-12 });
+    this->Spread = std::max(
+      { RobustStatisticsOf(deviations).StandardDeviation, 0.5 * this->Noise, LeastSpread });
   }
 
   bool FindContrast()
@@ -229,14 +111,21 @@ private:
       return false;
     }
     shell.Remove(gap);
+    const auto smallest = static_cast<float>(this->Spread);
     const auto greatest = static_cast<float>(GreatestContrast * this->Spread);
-    this->Halves = this->AverageOf(shell, ContrastDeviation,
-      [greatest](float value, float mean) { return std::min(std::abs(value - mean), greatest); });
+    const float power = this->Rule.Power;
+    this->Halves = this->AverageOf(shell, this->Rule.Deviation,
+      [=](float value, float mean)
+      {
+        const float contrast = std::max(smallest, std::min(std::abs(value - mean), greatest));
+        return power < 0 ? 1 / contrast : contrast;
+      });
     const auto least = static_cast<float>(LeastHalf * this->Spread);
     const auto most = static_cast<float>(GreatestHalf * this->Spread);
     for (float& half : this->Halves)
     {
-      half = std::max(least, std::min(0.5F * half, most));
+      const float contrast = power < 0 ? 1 / half : half;
+      half = std::max(least, std::min(this->Rule.Part * contrast, most));
     }
     return true;
   }
@@ -255,14 +144,14 @@ private:
     }
     const BitMask like = this->LikeOrgan(near);
     BitMask grown = like;
-    Unite(grown, this->Mask);
+    grown.Unite(this->Mask);
     if (!Erode(grown, OpeningRadius, this->Parallel, this->Ask) ||
       !Dilate(grown, OpeningRadius, this->Parallel, this->Ask))
     {
       return false;
     }
-    Intersect(this->Mask, like);
-    Unite(this->Mask, grown);
+    this->Mask.Intersect(like);
+    this->Mask.Unite(grown);
     std::vector<std::size_t> sources;
     core.ForEachRun(0, core.GetGeometry().Dimensions[2],
       [&](int begin, int, int j, int k)
@@ -343,6 +232,7 @@ private:
 
   const ImagePart& Image;
   const double Noise;
+  const ContrastRule Rule;
   const ParallelFor& Parallel;
   const Monitor& Ask;
   BitMask& Mask;
@@ -365,13 +255,13 @@ std::array<int, 3> RimReachOf(const ImageGeometry& geometry, int calls)
   return voxels;
 }
 
-bool GrowRim(const ImagePart& image, double noise, const ParallelFor& parallelFor,
-  const Monitor& monitor, BitMask& mask)
+bool GrowRim(const ImagePart& image, double noise, Modality modality,
+  const ParallelFor& parallelFor, const Monitor& monitor, BitMask& mask)
 {
   const double thickness = mask.GetGeometry().Spacing.maxCoeff();
   for (int pass = 0; pass < (thickness > RimReach ? 2 : 1); ++pass)
   {
-    if (!Rim(image, noise, parallelFor, monitor, mask).Execute())
+    if (!Rim(image, noise, modality, parallelFor, monitor, mask).Execute())
     {
       return false;
     }

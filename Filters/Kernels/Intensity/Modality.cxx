@@ -7,11 +7,21 @@ namespace FlipFree
 namespace
 {
 
-// Fat has less than this, in Hounsfield units.
+// Fat has less, in Hounsfield units.
 constexpr float Negative = -40;
-// In CT, that many of the voxels around an organ at least.
-constexpr double Part = 0.01;
+// The darkest and the brightest part of the voxels are left out.
+constexpr double Tail = 0.01;
+// Below zero, in comparison with the brightest.
+constexpr float LeastPart = 0.05F;
 constexpr int SamplesPerAxis = 64;
+
+float TakeQuantile(std::vector<float>& values, double part)
+{
+  const auto place =
+    values.begin() + static_cast<std::ptrdiff_t>(part * static_cast<double>(values.size() - 1));
+  std::nth_element(values.begin(), place, values.end());
+  return *place;
+}
 
 } // namespace
 
@@ -23,8 +33,7 @@ Modality ModalityOf(const VoxelReader& read, const ImageGeometry& geometry)
     step[axis] = std::max(1, geometry.Dimensions[axis] / SamplesPerAxis);
   }
   std::vector<float> row(geometry.Dimensions[0]);
-  std::size_t negative = 0;
-  std::size_t count = 0;
+  std::vector<float> values;
   for (int k = 0; k < geometry.Dimensions[2]; k += step[2])
   {
     for (int j = 0; j < geometry.Dimensions[1]; j += step[1])
@@ -32,14 +41,20 @@ Modality ModalityOf(const VoxelReader& read, const ImageGeometry& geometry)
       read(0, geometry.Dimensions[0], j, k, row.data());
       for (int i = 0; i < geometry.Dimensions[0]; i += step[0])
       {
-        negative += row[i] < Negative ? 1 : 0;
-        ++count;
+        if (std::isfinite(row[i]))
+        {
+          values.push_back(row[i]);
+        }
       }
     }
   }
-  return static_cast<double>(negative) >= Part * static_cast<double>(count) && count > 0
-    ? Modality::CT
-    : Modality::MR;
+  if (values.empty())
+  {
+    return Modality::MR;
+  }
+  const float darkest = TakeQuantile(values, Tail);
+  const float brightest = TakeQuantile(values, 1 - Tail);
+  return darkest < Negative && -darkest > LeastPart * brightest ? Modality::CT : Modality::MR;
 }
 
 } // namespace FlipFree

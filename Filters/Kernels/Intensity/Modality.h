@@ -13,11 +13,12 @@ enum class Modality
 {
   Automatic = 0,
   CT = 1, ///< Hounsfield units
-  MR = 2  ///< any unit; a coil's field may brighten what is near it
+  MR = 2  ///< any unit; the coil may brighten what is near it
 };
 
-/// CT if enough of the gray values are as negative as fat and air are in Hounsfield units, else MR,
-/// whose values have no sign. A grid of samples decides.
+/// CT if a hundredth of the voxels are as negative as fat in Hounsfield units, and not just a
+/// little below zero in comparison with the brightest, as interpolation leaves them; else MR, whose
+/// values have no sign. A grid of samples decides.
 Modality ModalityOf(const VoxelReader& read, const ImageGeometry& geometry);
 
 } // namespace FlipFree

@@ -6,6 +6,7 @@
 #include "Image/GaussianSmoothing.h"
 #include "Image/MinimumCut.h"
 #include "Intensity/LeakControl.h"
+#include "Intensity/RobustStatistics.h"
 
 #include <algorithm>
 #include <functional>
@@ -16,7 +17,6 @@ namespace FlipFree
 namespace
 {
 
-constexpr double RobustScale = 1.4826;
 // The seed's part that is never cut off, in seed radii.
 constexpr double SourceRadius = 0.6;
 // Seeds from here on are of organs that are wide everywhere (livers).
@@ -26,28 +26,10 @@ constexpr double CoreDepth = 0.6;
 constexpr double MinimumPeak = 3;
 // Of the image in which edges attract the cut, in millimeters.
 constexpr double EdgeSmoothing = 1;
-// Capacities are rounded to this part of a unit.
-constexpr double CapacityUnit = 1e-4;
-
-double MedianOf(std::vector<float>& values)
-{
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
-// The values are lost.
-SeedStatistics Describe(std::vector<float>& values)
-{
-  SeedStatistics statistics;
-  statistics.Median = MedianOf(values);
-  for (float& value : values)
-  {
-    value = std::abs(value - static_cast<float>(statistics.Median));
-  }
-  statistics.Deviation = RobustScale * MedianOf(values);
-  return statistics;
-}
+// The greatest capacity between neighbors; capacities are rounded to a whole number.
+constexpr double GreatestCapacity = 1 << 20;
+// Differences of more than this many standard deviations do not matter.
+constexpr double GreatestJump = 24;
 
 // At least one voxel, if the grid is not empty.
 std::vector<std::size_t> VoxelsAround(const ImageGeometry& geometry, const Eigen::Vector3d& center,
@@ -110,7 +92,8 @@ public:
   bool Execute()
   {
     const ImageGeometry& voxels = this->Mask.GetGeometry();
-    const std::vector<std::size_t> sphere = VoxelsAround(voxels, this->Seed.Center, this->Seed.Radius);
+    const std::vector<std::size_t> sphere =
+      VoxelsAround(voxels, this->Seed.Center, this->Seed.Radius);
     const std::vector<std::size_t> source =
       VoxelsAround(voxels, this->Seed.Center, SourceRadius * this->Seed.Radius);
     Insert(sphere, this->Mask);
@@ -152,7 +135,7 @@ private:
       values.push_back(this->Image.Row(static_cast<int>(row % size[1]),
         static_cast<int>(row / size[1]))[voxel % size[0]]);
     }
-    this->OfSeed = Describe(values);
+    this->OfSeed = RobustStatisticsOf(values);
   }
 
   // Which blocks are in the mask, and the means of their voxels.
@@ -226,16 +209,18 @@ private:
     SmoothGaussian(this->Weights, this->Grid.Blocks, deviation, this->Parallel);
     for (std::size_t block = 0; block < this->Values.size(); ++block)
     {
-      this->Values[block] = this->Weights[block] > 1e-6F ? this->Values[block] / this->Weights[block] : 0;
+      this->Values[block] =
+        this->Weights[block] > 1e-6F ? this->Values[block] / this->Weights[block] : 0;
     }
     std::vector<float> values;
     for (const std::size_t block : VoxelsAround(this->Grid.Blocks, this->Seed.Center, radius))
     {
       values.push_back(this->Values[block]);
     }
-    const SeedStatistics of = Describe(values);
+    const RobustStatistics of = RobustStatisticsOf(values);
     const double least = this->IsMR ? 0.02 * std::abs(of.Median) : 3;
-    const double spread = std::max({ of.Deviation, 0.5 * this->OfSeed.Deviation, least, 1e-12 });
+    const double spread =
+      std::max({ of.StandardDeviation, 0.5 * this->OfSeed.StandardDeviation, least, 1e-12 });
     const double drift = this->IsMR ? 0.15 * std::abs(of.Median) : 12;
     const double driftUp =
       radius >= LargeSeed ? (this->IsMR ? 0.03 * std::abs(of.Median) : 2.4) : drift;
@@ -261,8 +246,7 @@ private:
               const double difference = this->Values[block] - of.Median;
               const double allowed =
                 (difference > 0 ? driftUp : drift) * std::max(0.0, away - radius) / 50;
-              const double square =
-                difference * difference / (spread * spread + allowed * allowed);
+              const double square = difference * difference / (spread * spread + allowed * allowed);
               const double fit = std::max(-2.0, std::min(2.0, (3.5 * 3.5 - square) / 2)) / 2;
               this->Unaries[block] = static_cast<float>(base + gain * fit);
             }
@@ -309,17 +293,19 @@ private:
     network.Neighbors.resize(nodes);
     network.Capacities.resize(nodes);
     network.Terminals.resize(nodes);
-    const double perArea = 0.2 * std::max(5.0, std::min(40.0, this->Seed.Radius)) / CapacityUnit;
-    const double edge = 3 * std::max({ this->OfSeed.Deviation, 0.5 * this->Noise, 1e-12 });
+    // The smoothness wanted grows with the organ, else small organs collapse.
+    const double perArea = 0.2 * std::max(5.0, std::min(40.0, this->Seed.Radius));
+    const double edge = 3 * std::max({ this->OfSeed.StandardDeviation, 0.5 * this->Noise, 1e-12 });
     std::vector<float> smooth = this->Means;
     std::vector<float> weights(smooth.size(), 1.0F);
     SmoothGaussian(smooth, blocks, EdgeSmoothing, this->Parallel);
     SmoothGaussian(weights, blocks, EdgeSmoothing, this->Parallel);
-    std::transform(
-      smooth.begin(), smooth.end(), weights.begin(), smooth.begin(), std::divides<>());
+    std::transform(smooth.begin(), smooth.end(), weights.begin(), smooth.begin(), std::divides<>());
     const double volume = blocks.VoxelVolume();
     const std::array<double, 3> area{ { volume / blocks.Spacing[0], volume / blocks.Spacing[1],
       volume / blocks.Spacing[2] } };
+    const double unit = perArea * *std::max_element(area.begin(), area.end()) / GreatestCapacity;
+    constexpr double greatestTerminal = CutNetwork::Infinite / 4;
     const std::array<std::ptrdiff_t, 3> step{ { 1, this->Size[0],
       static_cast<std::ptrdiff_t>(this->Size[0]) * this->Size[1] } };
     for (int k = 0; k < this->Size[2]; ++k)
@@ -335,7 +321,7 @@ private:
             continue;
           }
           const std::array<int, 3> index{ { i, j, k } };
-          double terminal = this->Unaries[block] * volume / CapacityUnit;
+          double terminal = this->Unaries[block] * volume / unit;
           for (int way = 0; way < 6; ++way)
           {
             const int axis = way / 2;
@@ -348,8 +334,9 @@ private:
             }
             const std::size_t other = block + (up ? step[axis] : -step[axis]);
             const double jump = (smooth[block] - smooth[other]) / edge;
-            const double capacity =
-              perArea * area[axis] * std::exp(-std::min(0.5 * jump * jump, 12.0));
+            // Also where a voxel is not a number.
+            const double square = jump * jump < GreatestJump ? jump * jump : GreatestJump;
+            const double capacity = perArea * area[axis] / unit * std::exp(-0.5 * square);
             if (this->Nodes[other] < 0)
             {
               terminal -= capacity;
@@ -362,7 +349,8 @@ private:
           }
           network.Terminals[node] = this->IsCore[block]
             ? -CutNetwork::Infinite
-            : static_cast<std::int32_t>(std::lround(terminal));
+            : static_cast<std::int32_t>(
+                std::lround(std::max(-greatestTerminal, std::min(greatestTerminal, terminal))));
         }
       }
     }
@@ -427,7 +415,7 @@ private:
     this->Mask.Remove(removed);
   }
 
-  const ImagePart& Image;
+  const ImagePart Image;
   const SeedSphere& Seed;
   const double Noise;
   const bool IsMR;
@@ -437,7 +425,7 @@ private:
   const BlockGrid Grid;
   const std::array<int, 3> Size;
 
-  SeedStatistics OfSeed;
+  RobustStatistics OfSeed;
   std::vector<std::size_t> SourceBlocks;
   std::vector<unsigned char> Inside;
   std::vector<unsigned char> IsCore;
@@ -450,45 +438,27 @@ private:
 
 } // namespace
 
-bool FillHoles(BitMask& mask, const Monitor& monitor)
-{
-  const ImageGeometry& geometry = mask.GetGeometry();
-  const auto& size = geometry.Dimensions;
-  BitMask outside = mask;
-  outside.Complement();
-  std::vector<std::size_t> sides;
-  const auto add = [&](int i, int j, int k) { sides.push_back(geometry.Offset(i, j, k)); };
-  for (int k = 0; k < size[2]; ++k)
-  {
-    for (int j = 0; j < size[1]; ++j)
-    {
-      if (k == 0 || k + 1 == size[2] || j == 0 || j + 1 == size[1])
-      {
-        for (int i = 0; i < size[0]; ++i)
-        {
-          add(i, j, k);
-        }
-      }
-      else
-      {
-        add(0, j, k);
-        add(size[0] - 1, j, k);
-      }
-    }
-  }
-  if (!KeepConnected(outside, sides, monitor))
-  {
-    return false;
-  }
-  outside.Complement();
-  mask = std::move(outside);
-  return true;
-}
-
 bool CarveNecks(const ImagePart& image, const SeedSphere& seed, double noise, Modality modality,
   const ParallelFor& parallelFor, const Monitor& monitor, BitMask& mask)
 {
-  return Carving(image, seed, noise, modality, parallelFor, monitor, mask).Execute();
+  const ImageGeometry& geometry = mask.GetGeometry();
+  // The edges at the mask's rim need what lies around it.
+  constexpr double margin = 6;
+  const Eigen::Vector3d voxels = geometry.IndexReach(margin);
+  const VoxelBox box =
+    mask.Bounds()
+      .Joined(BoxAround(geometry, seed.Center, seed.Radius))
+      .Widened({ { static_cast<int>(voxels[0]) + 2, static_cast<int>(voxels[1]) + 2,
+                 static_cast<int>(voxels[2]) + 2 } },
+        WholeBox(geometry));
+  BitMask part = mask.Cropped(box);
+  if (!Carving(image.Cropped(box), seed, noise, modality, parallelFor, monitor, part).Execute())
+  {
+    return false;
+  }
+  mask = BitMask(geometry);
+  mask.Insert(part, box.Begin);
+  return true;
 }
 
 } // namespace FlipFree

@@ -19,8 +19,9 @@ struct OrganFeatureSettings
   /// Fit the intensities again to the inside of the surface, once there is one.
   bool ReestimateIntensities = true;
 
-  /// Carve what hangs on by a neck off the inside of the surface, and move the boundary to half the
-  /// local contrast; the foreground of all levels once there is a surface.
+  /// Once all levels have run, carve off what hangs on to the surface's inside by a neck and move
+  /// its boundary to half the local contrast; then run all levels again with that for the
+  /// foreground.
   bool Carving = false;
   FlipFree::Modality Modality = FlipFree::Modality::Automatic;
 
