@@ -140,12 +140,32 @@ public:
 
   ///@{
   /**
-   * Carve what hangs on by a neck off the inside of the surface, and move its boundary to half the
-   * local contrast.
+   * With a surface on port 1, the foreground is its inside, less what hangs on by a neck (a minimum
+   * cut divides it from the seed), and its boundary moves to half the local contrast. Default off.
+   * In vtkFlipFreeSegmentation, all levels run a second time with that foreground; it is off where
+   * the surface must not start from the seed again.
    */
   void SetCarving(bool value);
   bool GetCarving() const;
   vtkBooleanMacro(Carving, bool);
+  ///@}
+
+  enum ModalityType
+  {
+    AUTOMATIC = 0, ///< CT if enough gray values are as negative as fat's, else MR
+    CT = 1,        ///< Hounsfield units
+    MR = 2         ///< any unit
+  };
+
+  ///@{
+  /**
+   * What is known of the gray values' scale; used by Carving. Default AUTOMATIC.
+   */
+  void SetModality(int value);
+  int GetModality() const;
+  void SetModalityToAutomatic() { this->SetModality(AUTOMATIC); }
+  void SetModalityToCT() { this->SetModality(CT); }
+  void SetModalityToMR() { this->SetModality(MR); }
   ///@}
 
   ///@{

@@ -74,6 +74,7 @@ void SetParameter(const std::string& assignment, vtkFlipFreeSegmentation* filter
     { "ForegroundMass", [&](double x) { filter->SetForegroundMass(x); } },
     { "NoiseWidening", [&](double x) { filter->GetFeature()->SetNoiseWidening(x); } },
     { "DistanceTolerance", [&](double x) { filter->SetDistanceTolerance(x); } },
+    { "Modality", [&](double x) { filter->GetFeature()->SetModality(static_cast<int>(x)); } },
     { "Carving", [&](double x) { filter->GetFeature()->SetCarving(x != 0); } },
     { "ClosingRadius", [&](double x) { filter->GetFeature()->SetClosingRadius(x); } },
     { "OpeningScale", [&](double x) { filter->GetFeature()->SetOpeningScale(x); } },
