@@ -72,7 +72,7 @@ double RadiusOf(const BitMask& mask)
     0.75 / 3.14159265358979 * static_cast<double>(mask.Count()) * mask.GetGeometry().VoxelVolume());
 }
 
-// Two balls that a neck joins, all alike.
+// Two balls that a neck joins. The one behind the neck is brighter.
 struct Leak
 {
   ImageGeometry Geometry = Grid({ { 120, 60, 40 } }, { 1, 1, 1.5 });
@@ -88,7 +88,7 @@ struct Leak
 
 } // namespace
 
-TEST(OrganCarving, CutsANeckWhereItIsNarrow)
+TEST(OrganCarving, CutsOffWhatLiesBehindANeck)
 {
   const Leak leak;
   const BitMask organ = MaskOf(leak.Geometry, leak.Organ);
@@ -100,13 +100,18 @@ TEST(OrganCarving, CutsANeckWhereItIsNarrow)
       {
         continue;
       }
-      const FloatImage image =
-        ImageOf(leak.Geometry, leak.Both, 100 * scale, 20 * scale, 0, 4 * scale);
+      FloatImage image = ImageOf(leak.Geometry, leak.Both, 100 * scale, 20 * scale, 0, 4 * scale);
+      const BitMask behind = MaskOf(leak.Geometry, Ball({ 85, 30, 30 }, 22));
+      behind.ForEach([&](std::size_t voxel) { image.Voxels[voxel] += 100 * scale; });
       const ImagePart part{ image.View() };
       BitMask mask = MaskOf(leak.Geometry, leak.Both);
       EXPECT_LT(Dice(mask, organ), 0.62);
       ASSERT_TRUE(CarveNecks(part, leak.Seed, 4.0 * scale, modality, SerialFor, NeverStop, mask));
-      EXPECT_GT(Dice(mask, organ), 0.97);
+      // Some of the neck, which is like the organ, may stay.
+      EXPECT_GT(Dice(mask, organ), 0.9);
+      BitMask left = mask;
+      left.Intersect(behind);
+      EXPECT_LT(left.Count(), behind.Count() / 20);
       BitMask other = MaskOf(leak.Geometry, leak.Both);
       ASSERT_TRUE(
         CarveNecks(part, leak.Seed, 4.0 * scale, modality, ScatteredFor, NeverStop, other));
@@ -131,7 +136,9 @@ TEST(OrganCarving, KeepsTheSeedWithoutAnyMask)
   const FloatImage image = ImageOf(leak.Geometry, leak.Organ, 100, 20, 0, 4);
   BitMask mask(leak.Geometry);
   ASSERT_TRUE(CarveNecks({ image.View() }, leak.Seed, 4, Modality::CT, SerialFor, NeverStop, mask));
-  EXPECT_GT(Dice(mask, MaskOf(leak.Geometry, Ball(leak.Seed.Center, leak.Seed.Radius))), 0.9);
+  BitMask source = MaskOf(leak.Geometry, Ball(leak.Seed.Center, 0.55 * leak.Seed.Radius));
+  source.Remove(mask);
+  EXPECT_EQ(source.Count(), 0);
 }
 
 // However far within the blur the mask ends.
