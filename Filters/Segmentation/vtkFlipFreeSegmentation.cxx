@@ -145,8 +145,9 @@ int vtkFlipFreeSegmentation::RequestInformation(vtkInformationVector** inputs,
     }
     else
     {
-      FlipFree::IterationHistory::AnnounceAtMost(
-        1.0 * this->GetLevels() * this->GetMaximumIterations(), surface);
+      FlipFree::IterationHistory::AnnounceAtMost((this->Feature->GetCarving() ? 2.0 : 1.0) *
+          this->GetLevels() * this->GetMaximumIterations(),
+        surface);
     }
   }
   return 1;

@@ -3,6 +3,7 @@
 #include "FieldData.h"
 #include "GrayImageAdapter.h"
 #include "Intensity/ModelFit.h"
+#include "Intensity/OrganCarving.h"
 #include "Intensity/OrganFeature.h"
 #include "PipelineAdapter.h"
 #include "StageProperties.h"
@@ -38,6 +39,24 @@ FlipFree::Refit RefitTo(vtkPolyData* surface, const FlipFree::ImageView<float>& 
   return refit;
 }
 
+bool Carve(vtkPolyData* surface, const FlipFree::ImageView<float>& smooth,
+  const FlipFree::SeedSphere& seed, double noise, FlipFree::Modality modality,
+  const FlipFree::Monitor& monitor, FlipFree::BitMask& foreground)
+{
+  const FlipFree::PolygonalSurface inside = FlipFree::SurfaceOf(surface, "the surface on port 1");
+  FlipFree::RequireClosed(static_cast<int>(inside.Points.rows()), inside.Triangles,
+    "the surface on port 1");
+  const std::vector<FlipFree::VoxelRun> runs = FlipFree::VoxelizeSurface(inside.Points,
+    inside.Triangles, smooth.Geometry, FlipFree::SMPFor, monitor);
+  if (modality == FlipFree::Modality::Automatic)
+  {
+    modality = FlipFree::ModalityOf(FlipFree::ReaderOf(smooth), smooth.Geometry);
+  }
+  return monitor(0) &&
+    FlipFree::CarveOrgan(smooth, runs, seed, noise, modality, FlipFree::SMPFor, monitor,
+      foreground);
+}
+
 void AttachModel(const FlipFree::IntensityModel& model, vtkImageData* output)
 {
   std::vector<double> weights;
@@ -69,6 +88,7 @@ using Stage = vtkGMMFeatureFilter;
   P(FeatureThreshold, double, Settings->Intensity.Threshold, 0, 1)                                 \
   P(ReestimateIntensities, bool, Settings->ReestimateIntensities, false, true)                     \
   P(LeakControl, bool, Settings->ControlLeaks, false, true)                                        \
+  P(Carving, bool, Settings->Carving, false, true)                                                 \
   P(ClosingRadius, double, Settings->Leaks.ClosingRadius, 0, 1000)                                 \
   P(OpeningScale, double, Settings->Leaks.OpeningScale, 0, 1000)
 
@@ -85,6 +105,19 @@ vtkGMMFeatureFilter::~vtkGMMFeatureFilter() = default;
 void vtkGMMFeatureFilter::RequireProperties() const
 {
   FlipFree::RequireNumbers({ PROPERTIES(FLIPFREE_NAME_PROPERTY) });
+}
+
+// Its field is an enumeration.
+void vtkGMMFeatureFilter::SetModality(int value)
+{
+  int modality = this->GetModality();
+  FlipFree::SetClamped<int>(this, value, AUTOMATIC, MR, modality);
+  this->Settings->Modality = static_cast<FlipFree::Modality>(modality);
+}
+
+int vtkGMMFeatureFilter::GetModality() const
+{
+  return static_cast<int>(this->Settings->Modality);
 }
 
 void vtkGMMFeatureFilter::SetSurfaceData(vtkPolyData* surface)
@@ -175,7 +208,17 @@ void vtkGMMFeatureFilter::ComputeFeature(vtkImageData* image, vtkPolyData* surfa
     }
   }
   FlipFree::BitMask foreground;
-  if (!whole(0.4) ||
+  if (surface && this->Settings->Carving)
+  {
+    refit = FlipFree::Refit::Done;
+    if (!whole(0.4) ||
+      !Carve(surface, smooth, seed, noise, this->Settings->Modality,
+        FlipFree::PartOf(whole, 0.4, 0.9), foreground))
+    {
+      return;
+    }
+  }
+  else if (!whole(0.4) ||
     !FlipFree::FindForeground(smooth, model, seed, *this->Settings, FlipFree::SMPFor,
       FlipFree::PartOf(whole, 0.4, 0.9), foreground) ||
     !whole(0.9))
@@ -204,4 +247,5 @@ void vtkGMMFeatureFilter::PrintSelf(ostream& os, vtkIndent indent)
      << this->SeedCenter[2] << ")\n";
   os << indent << "SeedRadius: " << this->SeedRadius << "\n";
   PROPERTIES(FLIPFREE_PRINT_PROPERTY)
+  os << indent << "Modality: " << this->GetModality() << "\n";
 }

@@ -140,6 +140,36 @@ public:
 
   ///@{
   /**
+   * With a surface on port 1, the foreground is its inside, less what hangs on by a neck (a minimum
+   * cut divides it from the seed), and its boundary moves to half the local contrast. Default off.
+   * In vtkFlipFreeSegmentation, all levels run a second time with that foreground; it is off where
+   * the surface must not start from the seed again.
+   */
+  void SetCarving(bool value);
+  bool GetCarving() const;
+  vtkBooleanMacro(Carving, bool);
+  ///@}
+
+  enum ModalityType
+  {
+    AUTOMATIC = 0, ///< CT if enough gray values are as negative as fat's, else MR
+    CT = 1,        ///< Hounsfield units
+    MR = 2         ///< any unit
+  };
+
+  ///@{
+  /**
+   * What is known of the gray values' scale; used by Carving. Default AUTOMATIC.
+   */
+  void SetModality(int value);
+  int GetModality() const;
+  void SetModalityToAutomatic() { this->SetModality(AUTOMATIC); }
+  void SetModalityToCT() { this->SetModality(CT); }
+  void SetModalityToMR() { this->SetModality(MR); }
+  ///@}
+
+  ///@{
+  /**
    * Radius of the closing, in millimeters. Default 1.5, 0 to 1000; at most two voxels are used, and
    * 0 does not close.
    */

@@ -127,6 +127,13 @@ ParameterGroup FeatureParameters()
       Property(FeatureOf, "--reestimate-intensities", "",
         "Fit the intensities again inside the growing surface", &Feature::GetReestimateIntensities,
         &Feature::SetReestimateIntensities),
+      Property(FeatureOf, "--carving", "",
+        "Carve off what hangs on by a neck, move the boundary to half the local contrast, and run "
+        "again",
+        &Feature::GetCarving, &Feature::SetCarving),
+      Property(FeatureOf, "--modality", "N",
+        "Scale of the gray values, for --carving; 0: automatic, 1: CT, 2: MR",
+        &Feature::GetModality, &Feature::SetModality),
     } };
 }
 

@@ -42,7 +42,7 @@ public:
 
   void Run()
   {
-    this->Surface.Reason = this->IterateLevels();
+    this->Surface.Reason = this->Run();
     this->Surface.SmoothingSeconds = this->Foreground.GetSmoothingSeconds();
     this->Surface.FeatureSeconds -= this->Surface.SmoothingSeconds;
   }
@@ -51,16 +51,38 @@ private:
   // Remembers a stop, and does not ask again.
   bool Proceed(int level, double partOfLevel)
   {
-    this->Stopped = this->Stopped || !this->Ask((level + partOfLevel) / this->Levels);
+    const int runs = this->Settings.Feature.Carving ? 2 : 1;
+    const double before = this->IsCarved ? this->Levels : 0;
+    this->Stopped =
+      this->Stopped || !this->Ask((before + level + partOfLevel) / (runs * this->Levels));
     return !this->Stopped;
   }
 
-  StopReason IterateLevels()
+  // With carving, all levels run twice: a surface that has leaked would have to draw back through
+  // the neck, so the second run starts anew.
+  StopReason Run()
   {
     if (!this->FindForegroundOfSeed())
     {
       return StopReason::Aborted;
     }
+    if (!this->Settings.Feature.Carving)
+    {
+      return this->IterateLevels();
+    }
+    const ContourMesh startMesh = this->Surface.Mesh;
+    const PointList startPoints = this->Surface.Points;
+    if (this->IterateLevels() == StopReason::Aborted || !this->CarveSurface())
+    {
+      return StopReason::Aborted;
+    }
+    this->Surface.Mesh = startMesh;
+    this->Surface.Points = startPoints;
+    return this->IterateLevels();
+  }
+
+  StopReason IterateLevels()
+  {
     StopReason reason = StopReason::NotRun;
     for (this->Level = 0; this->Level < this->Levels && !this->Stopped; ++this->Level)
     {
@@ -71,7 +93,8 @@ private:
         {
           return this->Stopped ? StopReason::Aborted : StopReason::NotRefined;
         }
-        if (this->Settings.Feature.ReestimateIntensities && !this->FindForegroundOfSurface(proceed))
+        if (this->Settings.Feature.ReestimateIntensities && !this->IsCarved &&
+          !this->FindForegroundOfSurface(proceed))
         {
           return StopReason::Aborted;
         }
@@ -79,6 +102,16 @@ private:
       reason = this->IterateLevel();
     }
     return this->Stopped ? StopReason::Aborted : reason;
+  }
+
+  bool CarveSurface()
+  {
+    const Monitor proceed = [this](double) { return this->Proceed(this->Levels, 0); };
+    Stopwatch watch;
+    this->IsCarved = this->Foreground.Carve(this->Surface.Points, this->Surface.Mesh.Triangles,
+      this->Noise, proceed);
+    this->Surface.FeatureSeconds += watch.Lap();
+    return this->IsCarved;
   }
 
   bool FindForegroundOfSeed()
@@ -184,12 +217,13 @@ private:
   {
     IterationRecord record;
     record.Iteration = static_cast<int>(this->Surface.Iterations.size()) + 1;
-    record.Level = this->Level;
+    record.Level = this->Level + (this->IsCarved ? this->Levels : 0);
     record.Vertices = this->Surface.Mesh.NumberOfPoints();
 
     TargetSettings targets = this->Settings.Targets;
     targets.Correspondence.Ramp = this->Model.Ramp;
-    if (this->Level + 1 < this->Levels)
+    // The carved foreground ends where the edge is, by its own rule.
+    if (this->Level + 1 < this->Levels || this->IsCarved)
     {
       targets.Correspondence.EdgeWindow = 0;
     }
@@ -221,6 +255,7 @@ private:
   IntensityModel Model;
   int Level = 0;
   bool Stopped = false;
+  bool IsCarved = false;
 };
 
 } // namespace

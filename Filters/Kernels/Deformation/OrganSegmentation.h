@@ -15,7 +15,7 @@ namespace FlipFree
 struct IterationRecord
 {
   int Iteration = 0; ///< over all levels, from 1
-  int Level = 0;     ///< from 0
+  int Level = 0;     ///< from 0; those of the second run, after carving, count on
   int Vertices = 0;
   TargetReport Targets;
   DeformationStepReport Step;

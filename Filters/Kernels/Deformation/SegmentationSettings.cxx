@@ -27,6 +27,7 @@ OrganSegmentationSettings PublishedSettings()
   settings.Feature.Intensity.Mixture.MinimumWeight = 0;
   settings.Feature.Intensity.NoiseWidening = 0;
   settings.Feature.ReestimateIntensities = false;
+  settings.Feature.Carving = false;
   settings.Feature.ControlLeaks = false;
   settings.Targets.Correspondence.SearchDistance = 40;
   settings.Targets.Correspondence.RunLength = 0;

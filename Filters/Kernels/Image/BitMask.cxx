@@ -1,6 +1,7 @@
 #include "Image/BitMask.h"
 
 #include <algorithm>
+#include <functional>
 
 namespace FlipFree
 {
@@ -53,6 +54,42 @@ void BitMask::Remove(const BitMask& other)
   {
     this->Words[word] &= ~other.Words[word];
   }
+}
+
+void BitMask::Intersect(const BitMask& other)
+{
+  std::transform(this->Words.begin(), this->Words.end(), other.Words.begin(), this->Words.begin(),
+    std::bit_and<>());
+}
+
+void BitMask::Unite(const BitMask& other)
+{
+  std::transform(this->Words.begin(), this->Words.end(), other.Words.begin(), this->Words.begin(),
+    std::bit_or<>());
+}
+
+void BitMask::Insert(const BitMask& part, const std::array<int, 3>& first)
+{
+  part.ForEachRun(0, part.Geometry.Dimensions[2],
+    [&](int begin, int end, int j, int k)
+    { this->InsertRun(first[0] + begin, first[0] + end, first[1] + j, first[2] + k); });
+}
+
+BitMask BitMask::Cropped(const VoxelBox& box) const
+{
+  BitMask part(CropGeometry(this->Geometry, box));
+  this->ForEachRun(box.Begin[2], box.End[2],
+    [&](int begin, int end, int j, int k)
+    {
+      const int left = std::max(begin, box.Begin[0]);
+      const int right = std::min(end, box.End[0]);
+      if (left < right && j >= box.Begin[1] && j < box.End[1])
+      {
+        part.InsertRun(left - box.Begin[0], right - box.Begin[0], j - box.Begin[1],
+          k - box.Begin[2]);
+      }
+    });
+  return part;
 }
 
 std::size_t BitMask::Count() const

@@ -62,6 +62,15 @@ public:
   void ClearPadding();
   /// Removes all voxels of another set, which must be on the same grid.
   void Remove(const BitMask& other);
+  /// Keeps only the voxels of another set, which must be on the same grid.
+  void Intersect(const BitMask& other);
+  /// Inserts all voxels of another set, which must be on the same grid.
+  void Unite(const BitMask& other);
+  /// Inserts all voxels of a set on the grid of the part that begins at the voxel `first`.
+  void Insert(const BitMask& part, const std::array<int, 3>& first);
+
+  /// The voxels in a box, on the grid of that part.
+  BitMask Cropped(const VoxelBox& box) const;
 
   std::size_t Count() const;
 

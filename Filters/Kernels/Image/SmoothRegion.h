@@ -40,6 +40,9 @@ public:
   /// memory, since the operating system provides it on first use.
   ImageView<float> View() const { return { this->Voxels.get(), this->Geometry }; }
 
+  /// Reads the voxels before smoothing, all of them.
+  const VoxelReader& GetReader() const { return this->Read; }
+
   /// The box that has been made so far; empty at first.
   const VoxelBox& GetMade() const { return this->Made; }
 

@@ -1,5 +1,6 @@
 #include "Intensity/GrowingForeground.h"
 
+#include "Intensity/OrganCarving.h"
 #include "Stopwatch.h"
 
 #include <algorithm>
@@ -140,6 +141,32 @@ bool GrowingForeground::Update(const IntensityModel& model, const Monitor& monit
     }
   }
   return false;
+}
+
+bool GrowingForeground::Carve(const PointList& points, const TriangleList& triangles, double noise,
+  const Monitor& monitor)
+{
+  this->Clear(); // smoothing needs the memory
+  // Remembered, since no runs may mean a stop or a surface that holds no voxel.
+  bool stopped = false;
+  const Monitor proceed = [&](double fraction)
+  {
+    stopped = stopped || !monitor(fraction);
+    return !stopped;
+  };
+  const std::vector<VoxelRun> inside =
+    VoxelizeSurface(points, triangles, this->Geometry, this->Parallel, proceed);
+  if (stopped || !this->Smooth(CarvingBox(this->Geometry, inside, this->Seed), proceed))
+  {
+    return false;
+  }
+  const Modality modality = this->Settings.Modality == Modality::Automatic
+    ? ModalityOf(this->Region.GetReader(), this->Geometry)
+    : this->Settings.Modality;
+  const bool done = CarveOrgan(this->GetImage(), inside, this->Seed, noise, modality,
+    this->Parallel, proceed, this->Mask);
+  this->Bounds = this->Mask.Bounds();
+  return done;
 }
 
 } // namespace FlipFree

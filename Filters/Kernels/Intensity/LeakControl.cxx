@@ -188,4 +188,39 @@ bool ControlLeaks(BitMask& mask, const std::vector<std::size_t>& sources,
   return KeepConnected(mask, sources, PartOf(monitor, 0.9, 1));
 }
 
+bool FillHoles(BitMask& mask, const Monitor& monitor)
+{
+  const ImageGeometry& geometry = mask.GetGeometry();
+  const auto& size = geometry.Dimensions;
+  BitMask outside = mask;
+  outside.Complement();
+  std::vector<std::size_t> sides;
+  const auto add = [&](int i, int j, int k) { sides.push_back(geometry.Offset(i, j, k)); };
+  for (int k = 0; k < size[2]; ++k)
+  {
+    for (int j = 0; j < size[1]; ++j)
+    {
+      if (k == 0 || k + 1 == size[2] || j == 0 || j + 1 == size[1])
+      {
+        for (int i = 0; i < size[0]; ++i)
+        {
+          add(i, j, k);
+        }
+      }
+      else
+      {
+        add(0, j, k);
+        add(size[0] - 1, j, k);
+      }
+    }
+  }
+  if (!KeepConnected(outside, sides, monitor))
+  {
+    return false;
+  }
+  outside.Complement();
+  mask = std::move(outside);
+  return true;
+}
+
 } // namespace FlipFree

@@ -47,6 +47,10 @@ bool ControlLeaks(BitMask& mask, const std::vector<std::size_t>& sources,
 /// was.
 bool KeepConnected(BitMask& mask, const std::vector<std::size_t>& sources, const Monitor& monitor);
 
+/// Fills the holes of a mask: what is not connected, by faces, with the sides of its grid. Returns
+/// false if the monitor stopped it; the mask is then as it was.
+bool FillHoles(BitMask& mask, const Monitor& monitor);
+
 } // namespace FlipFree
 
 #endif

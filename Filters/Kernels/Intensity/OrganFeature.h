@@ -7,6 +7,7 @@
 
 #include "Intensity/IntensityModel.h"
 #include "Intensity/LeakControl.h"
+#include "Intensity/Modality.h"
 
 namespace FlipFree
 {
@@ -17,6 +18,12 @@ struct OrganFeatureSettings
 
   /// Fit the intensities again to the inside of the surface, once there is one.
   bool ReestimateIntensities = true;
+
+  /// Once all levels have run, carve off what hangs on to the surface's inside by a neck and move
+  /// its boundary to half the local contrast; then run all levels again with that for the
+  /// foreground.
+  bool Carving = false;
+  FlipFree::Modality Modality = FlipFree::Modality::Automatic;
 
   bool ControlLeaks = true;
   LeakControlSettings Leaks;

@@ -1,0 +1,272 @@
+#include "Intensity/HalfContrastRim.h"
+
+#include "Image/BallMorphology.h"
+#include "Image/BlockGrid.h"
+#include "Image/GaussianSmoothing.h"
+#include "Image/SliceMorphology.h"
+#include "Intensity/LeakControl.h"
+#include "Intensity/RobustStatistics.h"
+
+#include <algorithm>
+
+namespace FlipFree
+{
+namespace
+{
+
+// All lengths in millimeters.
+constexpr double CoreMargin = 2;
+constexpr double ShellBegin = 3;
+constexpr double ShellEnd = 15;
+constexpr double OrganDeviation = 15;
+constexpr double RimReach = 3;
+constexpr double OpeningRadius = 1.8;
+constexpr double BlockSize = 4;
+
+// Of a phantom without noise.
+constexpr double LeastSpread = 1e-12;
+
+// In robust standard deviations of the organ about its local mean.
+constexpr double GreatestContrast = 40;
+constexpr double LeastHalf = 2.5;
+constexpr double GreatestHalf = 12;
+
+using Word = BitMask::Word;
+
+// How the contrast is averaged over the surroundings. In CT, lung, fat and muscle lie side by side,
+// and an arithmetic mean would take muscle for organ: the harmonic mean follows what differs least.
+// In MR, slices are thick, and what surrounds the organ also holds some of it that the mask still
+// misses, so that the mean falls short of the contrast; hence more than a half of it.
+struct ContrastRule
+{
+  double Deviation; // of the Gaussian, in millimeters
+  float Power;      // of the mean: 1 arithmetic, -1 harmonic
+  float Part;       // of the contrast by which the boundary differs from the organ
+};
+
+ContrastRule RuleOf(Modality modality)
+{
+  return modality == Modality::MR ? ContrastRule{ 10, 1, 0.6F } : ContrastRule{ 5, -1, 0.5F };
+}
+
+class Rim
+{
+public:
+  Rim(const ImagePart& image, double noise, Modality modality, const ParallelFor& parallelFor,
+    const Monitor& monitor, BitMask& mask)
+    : Image(image)
+    , Noise(noise)
+    , Rule(RuleOf(modality))
+    , Parallel(parallelFor)
+    , Ask(monitor)
+    , Mask(mask)
+    , Grid(mask.GetGeometry(), BlockSize)
+  {
+  }
+
+  bool Execute()
+  {
+    BitMask core = this->Mask;
+    if (!Erode(core, CoreMargin, this->Parallel, this->Ask))
+    {
+      return false;
+    }
+    if (core.Count() == 0)
+    {
+      return true;
+    }
+    this->FindOrgan(core);
+    return this->FindContrast() && this->Grow(core);
+  }
+
+private:
+  // The organ's local means, and its deviation from them.
+  void FindOrgan(const BitMask& core)
+  {
+    this->Organ = this->AverageOf(core, OrganDeviation, [](float value, float) { return value; });
+    std::vector<float> deviations;
+    BlockRow means(this->Grid);
+    std::vector<float> mean(core.GetGeometry().Dimensions[0]);
+    core.ForEachRun(0, core.GetGeometry().Dimensions[2],
+      [&](int begin, int end, int j, int k)
+      {
+        const float* const row = this->Image.Row(j, k);
+        means.Read(this->Organ, begin, end, j, k, mean.data());
+        for (int i = begin; i < end; ++i)
+        {
+          deviations.push_back(row[i] - mean[i - begin]);
+        }
+      });
+    this->Spread = std::max(
+      { RobustStatisticsOf(deviations).StandardDeviation, 0.5 * this->Noise, LeastSpread });
+  }
+
+  bool FindContrast()
+  {
+    BitMask shell = this->Mask;
+    BitMask gap = this->Mask;
+    if (!Dilate(shell, ShellEnd, this->Parallel, this->Ask) ||
+      !Dilate(gap, ShellBegin, this->Parallel, this->Ask))
+    {
+      return false;
+    }
+    shell.Remove(gap);
+    const auto smallest = static_cast<float>(this->Spread);
+    const auto greatest = static_cast<float>(GreatestContrast * this->Spread);
+    const float power = this->Rule.Power;
+    this->Halves = this->AverageOf(shell, this->Rule.Deviation,
+      [=](float value, float mean)
+      {
+        const float contrast = std::max(smallest, std::min(std::abs(value - mean), greatest));
+        return power < 0 ? 1 / contrast : contrast;
+      });
+    const auto least = static_cast<float>(LeastHalf * this->Spread);
+    const auto most = static_cast<float>(GreatestHalf * this->Spread);
+    for (float& half : this->Halves)
+    {
+      const float contrast = power < 0 ? 1 / half : half;
+      half = std::max(least, std::min(this->Rule.Part * contrast, most));
+    }
+    return true;
+  }
+
+  bool Grow(const BitMask& core)
+  {
+    BitMask near = this->Mask;
+    if (!Dilate(near, RimReach, this->Parallel, this->Ask))
+    {
+      return false;
+    }
+    const int across = AxisAcrossSlices(this->Mask.GetGeometry());
+    if (this->Mask.GetGeometry().Spacing[across] > RimReach)
+    {
+      AddNeighborsAlong(across, this->Mask, near);
+    }
+    const BitMask like = this->LikeOrgan(near);
+    BitMask grown = like;
+    grown.Unite(this->Mask);
+    if (!Erode(grown, OpeningRadius, this->Parallel, this->Ask) ||
+      !Dilate(grown, OpeningRadius, this->Parallel, this->Ask))
+    {
+      return false;
+    }
+    this->Mask.Intersect(like);
+    this->Mask.Unite(grown);
+    std::vector<std::size_t> sources;
+    core.ForEachRun(0, core.GetGeometry().Dimensions[2],
+      [&](int begin, int, int j, int k)
+      { sources.push_back(core.GetGeometry().Offset(begin, j, k)); });
+    if (!KeepConnected(this->Mask, sources, this->Ask))
+    {
+      return false;
+    }
+    MedianInSlices(this->Mask, this->Parallel);
+    return true;
+  }
+
+  // Those of the voxels near the mask that differ from the organ by less than half the contrast.
+  BitMask LikeOrgan(const BitMask& near) const
+  {
+    BitMask like(near.GetGeometry());
+    const auto& size = near.GetGeometry().Dimensions;
+    this->Parallel(0, size[2],
+      [&](std::ptrdiff_t first, std::ptrdiff_t last)
+      {
+        BlockRow interpolate(this->Grid);
+        std::array<float, BitMask::BitsOfWord> mean{};
+        std::array<float, BitMask::BitsOfWord> half{};
+        near.ForEachRun(first, last,
+          [&](int begin, int end, int j, int k)
+          {
+            const float* const row = this->Image.Row(j, k);
+            interpolate.Read(this->Organ, begin, end, j, k, mean.data());
+            interpolate.Read(this->Halves, begin, end, j, k, half.data());
+            Word bits = 0;
+            for (int i = begin; i < end; ++i)
+            {
+              const bool is = std::abs(row[i] - mean[i - begin]) < half[i - begin];
+              bits |= Word(is ? 1 : 0) << (i % BitMask::BitsOfWord);
+            }
+            like.Row(j, k)[begin / BitMask::BitsOfWord] |= bits;
+          });
+      });
+    return like;
+  }
+
+  // Local averages over the voxels of a mask.
+  template <typename Read>
+  std::vector<float> AverageOf(const BitMask& mask, double deviation, const Read& read) const
+  {
+    std::vector<float> sums(this->Grid.Blocks.NumberOfVoxels(), 0.0F);
+    std::vector<float> weights(sums.size(), 0.0F);
+    const bool withMeans = !this->Organ.empty();
+    this->Grid.ForEachRun(mask, this->Parallel,
+      [&](std::size_t block, int begin, int end, int j, int k)
+      {
+        const float* const row = this->Image.Row(j, k);
+        const float mean = withMeans ? this->Organ[block] : 0;
+        float sum = 0;
+        for (int i = begin; i < end; ++i)
+        {
+          sum += read(row[i], mean);
+        }
+        sums[block] += sum;
+        weights[block] += static_cast<float>(end - begin);
+      });
+    double whole = 0;
+    double count = 0;
+    for (std::size_t block = 0; block < sums.size(); ++block)
+    {
+      whole += sums[block];
+      count += weights[block];
+    }
+    const auto mean = static_cast<float>(count > 0 ? whole / count : 0);
+    SmoothGaussian(sums, this->Grid.Blocks, deviation, this->Parallel);
+    SmoothGaussian(weights, this->Grid.Blocks, deviation, this->Parallel);
+    for (std::size_t block = 0; block < sums.size(); ++block)
+    {
+      sums[block] = weights[block] > 1e-9F ? sums[block] / weights[block] : mean;
+    }
+    return sums;
+  }
+
+  const ImagePart& Image;
+  const double Noise;
+  const ContrastRule Rule;
+  const ParallelFor& Parallel;
+  const Monitor& Ask;
+  BitMask& Mask;
+  const BlockGrid Grid;
+  std::vector<float> Organ;
+  std::vector<float> Halves;
+  double Spread = 0;
+};
+
+} // namespace
+
+std::array<int, 3> RimReachOf(const ImageGeometry& geometry, int calls)
+{
+  std::array<int, 3> voxels = BallReach(ShellEnd + calls * RimReach, geometry);
+  const int across = AxisAcrossSlices(geometry);
+  if (geometry.Spacing[across] > RimReach)
+  {
+    voxels[across] += 2 * calls;
+  }
+  return voxels;
+}
+
+bool GrowRim(const ImagePart& image, double noise, Modality modality,
+  const ParallelFor& parallelFor, const Monitor& monitor, BitMask& mask)
+{
+  const double thickness = mask.GetGeometry().Spacing.maxCoeff();
+  for (int pass = 0; pass < (thickness > RimReach ? 2 : 1); ++pass)
+  {
+    if (!Rim(image, noise, modality, parallelFor, monitor, mask).Execute())
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+} // namespace FlipFree

@@ -1,0 +1,60 @@
+#include "Intensity/Modality.h"
+
+#include <algorithm>
+
+namespace FlipFree
+{
+namespace
+{
+
+// Fat has less, in Hounsfield units.
+constexpr float Negative = -40;
+// The darkest and the brightest part of the voxels are left out.
+constexpr double Tail = 0.01;
+// Below zero, in comparison with the brightest.
+constexpr float LeastPart = 0.05F;
+constexpr int SamplesPerAxis = 64;
+
+float TakeQuantile(std::vector<float>& values, double part)
+{
+  const auto place =
+    values.begin() + static_cast<std::ptrdiff_t>(part * static_cast<double>(values.size() - 1));
+  std::nth_element(values.begin(), place, values.end());
+  return *place;
+}
+
+} // namespace
+
+Modality ModalityOf(const VoxelReader& read, const ImageGeometry& geometry)
+{
+  std::array<int, 3> step{};
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    step[axis] = std::max(1, geometry.Dimensions[axis] / SamplesPerAxis);
+  }
+  std::vector<float> row(geometry.Dimensions[0]);
+  std::vector<float> values;
+  for (int k = 0; k < geometry.Dimensions[2]; k += step[2])
+  {
+    for (int j = 0; j < geometry.Dimensions[1]; j += step[1])
+    {
+      read(0, geometry.Dimensions[0], j, k, row.data());
+      for (int i = 0; i < geometry.Dimensions[0]; i += step[0])
+      {
+        if (std::isfinite(row[i]))
+        {
+          values.push_back(row[i]);
+        }
+      }
+    }
+  }
+  if (values.empty())
+  {
+    return Modality::MR;
+  }
+  const float darkest = TakeQuantile(values, Tail);
+  const float brightest = TakeQuantile(values, 1 - Tail);
+  return darkest < Negative && -darkest > LeastPart * brightest ? Modality::CT : Modality::MR;
+}
+
+} // namespace FlipFree

@@ -1,0 +1,26 @@
+/**
+ * Which kind of gray values an image has: what is known of their scale beforehand.
+ */
+#ifndef FlipFreeModality_h
+#define FlipFreeModality_h
+
+#include "Image/AnisotropicDiffusion.h"
+
+namespace FlipFree
+{
+
+enum class Modality
+{
+  Automatic = 0,
+  CT = 1, ///< Hounsfield units
+  MR = 2  ///< any unit; the coil may brighten what is near it
+};
+
+/// CT if a hundredth of the voxels are as negative as fat in Hounsfield units, and not just a
+/// little below zero in comparison with the brightest, as interpolation leaves them; else MR, whose
+/// values have no sign. A grid of samples decides.
+Modality ModalityOf(const VoxelReader& read, const ImageGeometry& geometry);
+
+} // namespace FlipFree
+
+#endif

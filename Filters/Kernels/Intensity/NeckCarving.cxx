@@ -1,0 +1,464 @@
+#include "Intensity/NeckCarving.h"
+
+#include "Image/BlockGrid.h"
+#include "Image/DistanceParts.h"
+#include "Image/DistanceTransform.h"
+#include "Image/GaussianSmoothing.h"
+#include "Image/MinimumCut.h"
+#include "Intensity/LeakControl.h"
+#include "Intensity/RobustStatistics.h"
+
+#include <algorithm>
+#include <functional>
+#include <limits>
+
+namespace FlipFree
+{
+namespace
+{
+
+// The seed's part that is never cut off, in seed radii.
+constexpr double SourceRadius = 0.6;
+// Seeds from here on are of organs that are wide everywhere (livers).
+constexpr double LargeSeed = 20;
+// Cores are what lies deeper than this part of the peak's depth; flatter parts are no parts.
+constexpr double CoreDepth = 0.6;
+constexpr double MinimumPeak = 3;
+// Of the image in which edges attract the cut, in millimeters.
+constexpr double EdgeSmoothing = 1;
+// The greatest capacity between neighbors; capacities are rounded to a whole number.
+constexpr double GreatestCapacity = 1 << 20;
+// Differences of more than this many standard deviations do not matter.
+constexpr double GreatestJump = 24;
+
+// At least one voxel, if the grid is not empty.
+std::vector<std::size_t> VoxelsAround(const ImageGeometry& geometry, const Eigen::Vector3d& center,
+  double radius)
+{
+  std::vector<std::size_t> voxels = VoxelsInSphere(geometry, { center, radius });
+  if (voxels.empty())
+  {
+    const VoxelBox box = BoxAround(geometry, center, 0);
+    double least = std::numeric_limits<double>::infinity();
+    std::size_t nearest = 0;
+    for (int k = box.Begin[2]; k < box.End[2]; ++k)
+    {
+      for (int j = box.Begin[1]; j < box.End[1]; ++j)
+      {
+        for (int i = box.Begin[0]; i < box.End[0]; ++i)
+        {
+          const double distance = (geometry.ToPhysical(Eigen::Vector3d(i, j, k)) - center).norm();
+          if (distance < least)
+          {
+            least = distance;
+            nearest = geometry.Offset(i, j, k);
+          }
+        }
+      }
+    }
+    voxels.push_back(nearest);
+  }
+  return voxels;
+}
+
+void Insert(const std::vector<std::size_t>& voxels, BitMask& mask)
+{
+  const auto& size = mask.GetGeometry().Dimensions;
+  for (const std::size_t voxel : voxels)
+  {
+    const std::size_t row = voxel / size[0];
+    mask.Insert(static_cast<int>(voxel % size[0]), static_cast<int>(row % size[1]),
+      static_cast<int>(row / size[1]));
+  }
+}
+
+class Carving
+{
+public:
+  Carving(const ImagePart& image, const SeedSphere& seed, double noise, Modality modality,
+    const ParallelFor& parallelFor, const Monitor& monitor, BitMask& mask)
+    : Image(image)
+    , Seed(seed)
+    , Noise(noise)
+    , IsMR(modality == Modality::MR)
+    , Parallel(parallelFor)
+    , Ask(monitor)
+    , Mask(mask)
+    , Grid(mask.GetGeometry(), std::max(1.2, std::min(2.5, seed.Radius / 8)))
+    , Size(Grid.Blocks.Dimensions)
+  {
+  }
+
+  bool Execute()
+  {
+    const ImageGeometry& voxels = this->Mask.GetGeometry();
+    const std::vector<std::size_t> sphere =
+      VoxelsAround(voxels, this->Seed.Center, this->Seed.Radius);
+    const std::vector<std::size_t> source =
+      VoxelsAround(voxels, this->Seed.Center, SourceRadius * this->Seed.Radius);
+    Insert(sphere, this->Mask);
+    if (!FillHoles(this->Mask, this->Ask) || !KeepConnected(this->Mask, source, this->Ask))
+    {
+      return false;
+    }
+    this->MeasureSeed(sphere);
+    this->FillBlocks();
+    this->SourceBlocks =
+      VoxelsAround(this->Grid.Blocks, this->Seed.Center, SourceRadius * this->Seed.Radius);
+    for (const std::size_t block : this->SourceBlocks)
+    {
+      this->Inside[block] = 1;
+    }
+    this->FindUnaries();
+    if (!this->FindCores())
+    {
+      return false;
+    }
+    CutNetwork network = this->MakeNetwork();
+    const std::vector<unsigned char> kept = SourceSide(network, this->Ask);
+    if (kept.empty())
+    {
+      return false;
+    }
+    this->RemoveBlocks(kept);
+    return KeepConnected(this->Mask, source, this->Ask) && FillHoles(this->Mask, this->Ask);
+  }
+
+private:
+  void MeasureSeed(const std::vector<std::size_t>& sphere)
+  {
+    std::vector<float> values;
+    const auto& size = this->Mask.GetGeometry().Dimensions;
+    for (const std::size_t voxel : sphere)
+    {
+      const std::size_t row = voxel / size[0];
+      values.push_back(this->Image.Row(static_cast<int>(row % size[1]),
+        static_cast<int>(row / size[1]))[voxel % size[0]]);
+    }
+    this->OfSeed = RobustStatisticsOf(values);
+  }
+
+  // Which blocks are in the mask, and the means of their voxels.
+  void FillBlocks()
+  {
+    const std::size_t count = this->Grid.Blocks.NumberOfVoxels();
+    this->Inside.assign(count, 0);
+    this->Means.assign(count, 0);
+    this->Values.assign(count, 0);
+    this->Weights.assign(count, 0);
+    const auto& size = this->Mask.GetGeometry().Dimensions;
+    this->Parallel(0, this->Size[2],
+      [&](std::ptrdiff_t first, std::ptrdiff_t last)
+      {
+        std::vector<int> blockOf(size[0]);
+        for (int i = 0; i < size[0]; ++i)
+        {
+          blockOf[i] = i / this->Grid.Factor[0];
+        }
+        std::vector<float> counts(this->Size[0]);
+        for (int k = static_cast<int>(first); k < last; ++k)
+        {
+          for (int j = 0; j < this->Size[1]; ++j)
+          {
+            float* const sums = this->Means.data() + this->Grid.Blocks.Offset(0, j, k);
+            std::fill(counts.begin(), counts.end(), 0.0F);
+            for (int z = k * this->Grid.Factor[2];
+                 z < std::min(size[2], (k + 1) * this->Grid.Factor[2]); ++z)
+            {
+              for (int y = j * this->Grid.Factor[1];
+                   y < std::min(size[1], (j + 1) * this->Grid.Factor[1]); ++y)
+              {
+                const float* const row = this->Image.Row(y, z);
+                for (int i = 0; i < size[0]; ++i)
+                {
+                  sums[blockOf[i]] += row[i];
+                  counts[blockOf[i]] += 1;
+                }
+              }
+            }
+            for (int i = 0; i < this->Size[0]; ++i)
+            {
+              sums[i] /= counts[i];
+            }
+          }
+        }
+      });
+    this->Grid.ForEachRun(this->Mask, this->Parallel,
+      [&](std::size_t block, int begin, int end, int j, int k)
+      {
+        const float* const row = this->Image.Row(j, k);
+        for (int i = begin; i < end; ++i)
+        {
+          this->Values[block] += row[i];
+        }
+        this->Weights[block] += static_cast<float>(end - begin);
+      });
+    const auto half = 0.5F * static_cast<float>(this->Grid.VoxelsPerBlock());
+    for (std::size_t block = 0; block < count; ++block)
+    {
+      this->Inside[block] = this->Weights[block] >= half ? 1 : 0;
+    }
+  }
+
+  // How well each block's surroundings within the mask fit the seed.
+  void FindUnaries()
+  {
+    const double radius = this->Seed.Radius;
+    const double deviation = std::max(2.0, std::min(6.0, 0.3 * radius));
+    SmoothGaussian(this->Values, this->Grid.Blocks, deviation, this->Parallel);
+    SmoothGaussian(this->Weights, this->Grid.Blocks, deviation, this->Parallel);
+    for (std::size_t block = 0; block < this->Values.size(); ++block)
+    {
+      this->Values[block] =
+        this->Weights[block] > 1e-6F ? this->Values[block] / this->Weights[block] : 0;
+    }
+    std::vector<float> values;
+    for (const std::size_t block : VoxelsAround(this->Grid.Blocks, this->Seed.Center, radius))
+    {
+      values.push_back(this->Values[block]);
+    }
+    const RobustStatistics of = RobustStatisticsOf(values);
+    const double least = this->IsMR ? 0.02 * std::abs(of.Median) : 3;
+    const double spread =
+      std::max({ of.StandardDeviation, 0.5 * this->OfSeed.StandardDeviation, least, 1e-12 });
+    const double drift = this->IsMR ? 0.15 * std::abs(of.Median) : 12;
+    const double driftUp =
+      radius >= LargeSeed ? (this->IsMR ? 0.03 * std::abs(of.Median) : 2.4) : drift;
+    const double base = radius >= LargeSeed ? 0.2 : 0.3;
+    const double gain = radius >= LargeSeed ? 0.5 : 0.3;
+    this->Unaries.assign(this->Values.size(), 0);
+    this->Parallel(0, this->Size[2],
+      [&](std::ptrdiff_t first, std::ptrdiff_t last)
+      {
+        for (int k = static_cast<int>(first); k < last; ++k)
+        {
+          for (int j = 0; j < this->Size[1]; ++j)
+          {
+            for (int i = 0; i < this->Size[0]; ++i)
+            {
+              const std::size_t block = this->Grid.Blocks.Offset(i, j, k);
+              if (!this->Inside[block])
+              {
+                continue;
+              }
+              const double away =
+                (this->Grid.Blocks.ToPhysical(Eigen::Vector3d(i, j, k)) - this->Seed.Center).norm();
+              const double difference = this->Values[block] - of.Median;
+              const double allowed =
+                (difference > 0 ? driftUp : drift) * std::max(0.0, away - radius) / 50;
+              const double square = difference * difference / (spread * spread + allowed * allowed);
+              const double fit = std::max(-2.0, std::min(2.0, (3.5 * 3.5 - square) / 2)) / 2;
+              this->Unaries[block] = static_cast<float>(base + gain * fit);
+            }
+          }
+        }
+      });
+  }
+
+  bool FindCores()
+  {
+    const std::vector<float> distance =
+      SquaredDistance(this->Inside, this->Grid.Blocks, 0, this->Parallel, this->Ask);
+    if (distance.empty())
+    {
+      return false;
+    }
+    const double ratio = this->Seed.Radius < 12 ? 0.5 : 0.7;
+    const DistanceParts parts =
+      FindDistanceParts(distance, this->Grid.Blocks, this->SourceBlocks, ratio);
+    this->IsCore.assign(distance.size(), 0);
+    for (std::size_t block = 0; block < distance.size(); ++block)
+    {
+      const int part = parts.PartOf[block];
+      this->IsCore[block] = part >= 0 && !parts.HoldsSeed[part] &&
+        parts.Peaks[part] >= MinimumPeak * MinimumPeak &&
+        distance[block] > CoreDepth * CoreDepth * parts.Peaks[part];
+    }
+    return true;
+  }
+
+  CutNetwork MakeNetwork()
+  {
+    const ImageGeometry& blocks = this->Grid.Blocks;
+    this->Nodes.assign(blocks.NumberOfVoxels(), CutNetwork::NoNeighbor);
+    CutNetwork network;
+    int nodes = 0;
+    for (std::size_t block = 0; block < this->Nodes.size(); ++block)
+    {
+      if (this->Inside[block])
+      {
+        this->Nodes[block] = nodes++;
+      }
+    }
+    network.Neighbors.resize(nodes);
+    network.Capacities.resize(nodes);
+    network.Terminals.resize(nodes);
+    // The smoothness wanted grows with the organ, else small organs collapse.
+    const double perArea = 0.2 * std::max(5.0, std::min(40.0, this->Seed.Radius));
+    const double edge = 3 * std::max({ this->OfSeed.StandardDeviation, 0.5 * this->Noise, 1e-12 });
+    std::vector<float> smooth = this->Means;
+    std::vector<float> weights(smooth.size(), 1.0F);
+    SmoothGaussian(smooth, blocks, EdgeSmoothing, this->Parallel);
+    SmoothGaussian(weights, blocks, EdgeSmoothing, this->Parallel);
+    std::transform(smooth.begin(), smooth.end(), weights.begin(), smooth.begin(), std::divides<>());
+    const double volume = blocks.VoxelVolume();
+    const std::array<double, 3> area{ { volume / blocks.Spacing[0], volume / blocks.Spacing[1],
+      volume / blocks.Spacing[2] } };
+    const double unit = perArea * *std::max_element(area.begin(), area.end()) / GreatestCapacity;
+    constexpr double greatestTerminal = CutNetwork::Infinite / 4;
+    const std::array<std::ptrdiff_t, 3> step{ { 1, this->Size[0],
+      static_cast<std::ptrdiff_t>(this->Size[0]) * this->Size[1] } };
+    for (int k = 0; k < this->Size[2]; ++k)
+    {
+      for (int j = 0; j < this->Size[1]; ++j)
+      {
+        for (int i = 0; i < this->Size[0]; ++i)
+        {
+          const std::size_t block = blocks.Offset(i, j, k);
+          const int node = this->Nodes[block];
+          if (node < 0)
+          {
+            continue;
+          }
+          const std::array<int, 3> index{ { i, j, k } };
+          double terminal = this->Unaries[block] * volume / unit;
+          for (int way = 0; way < 6; ++way)
+          {
+            const int axis = way / 2;
+            const bool up = way % 2 == 1;
+            network.Neighbors[node][way] = CutNetwork::NoNeighbor;
+            network.Capacities[node][way] = 0;
+            if (up ? index[axis] + 1 >= this->Size[axis] : index[axis] == 0)
+            {
+              continue;
+            }
+            const std::size_t other = block + (up ? step[axis] : -step[axis]);
+            const double jump = (smooth[block] - smooth[other]) / edge;
+            // Also where a voxel is not a number.
+            const double square = jump * jump < GreatestJump ? jump * jump : GreatestJump;
+            const double capacity = perArea * area[axis] / unit * std::exp(-0.5 * square);
+            if (this->Nodes[other] < 0)
+            {
+              terminal -= capacity;
+            }
+            else
+            {
+              network.Neighbors[node][way] = this->Nodes[other];
+              network.Capacities[node][way] = static_cast<std::int32_t>(capacity + 0.5);
+            }
+          }
+          network.Terminals[node] = this->IsCore[block]
+            ? -CutNetwork::Infinite
+            : static_cast<std::int32_t>(
+                std::lround(std::max(-greatestTerminal, std::min(greatestTerminal, terminal))));
+        }
+      }
+    }
+    for (const std::size_t block : this->SourceBlocks)
+    {
+      network.Terminals[this->Nodes[block]] = CutNetwork::Infinite;
+    }
+    return network;
+  }
+
+  // Voxels at the mask's rim whose block is not in the network follow the blocks around.
+  void RemoveBlocks(const std::vector<unsigned char>& kept)
+  {
+    const ImageGeometry& blocks = this->Grid.Blocks;
+    const auto& size = this->Mask.GetGeometry().Dimensions;
+    BitMask removed(this->Mask.GetGeometry());
+    const auto isRemoved = [&](int i, int j, int k)
+    {
+      const int own = this->Nodes[blocks.Offset(i, j, k)];
+      if (own >= 0)
+      {
+        return kept[own] == 0;
+      }
+      int balance = 0;
+      for (int z = std::max(0, k - 1); z <= std::min(this->Size[2] - 1, k + 1); ++z)
+      {
+        for (int y = std::max(0, j - 1); y <= std::min(this->Size[1] - 1, j + 1); ++y)
+        {
+          for (int x = std::max(0, i - 1); x <= std::min(this->Size[0] - 1, i + 1); ++x)
+          {
+            const int node = this->Nodes[blocks.Offset(x, y, z)];
+            balance += node < 0 ? 0 : (kept[node] ? 1 : -1);
+          }
+        }
+      }
+      return balance < 0;
+    };
+    for (int k = 0; k < this->Size[2]; ++k)
+    {
+      for (int j = 0; j < this->Size[1]; ++j)
+      {
+        for (int i = 0; i < this->Size[0]; ++i)
+        {
+          if (!isRemoved(i, j, k))
+          {
+            continue;
+          }
+          const int begin = i * this->Grid.Factor[0];
+          const int end = std::min(size[0], begin + this->Grid.Factor[0]);
+          for (int z = k * this->Grid.Factor[2];
+               z < std::min(size[2], (k + 1) * this->Grid.Factor[2]); ++z)
+          {
+            for (int y = j * this->Grid.Factor[1];
+                 y < std::min(size[1], (j + 1) * this->Grid.Factor[1]); ++y)
+            {
+              removed.InsertRun(begin, end, y, z);
+            }
+          }
+        }
+      }
+    }
+    this->Mask.Remove(removed);
+  }
+
+  const ImagePart Image;
+  const SeedSphere& Seed;
+  const double Noise;
+  const bool IsMR;
+  const ParallelFor& Parallel;
+  const Monitor& Ask;
+  BitMask& Mask;
+  const BlockGrid Grid;
+  const std::array<int, 3> Size;
+
+  RobustStatistics OfSeed;
+  std::vector<std::size_t> SourceBlocks;
+  std::vector<unsigned char> Inside;
+  std::vector<unsigned char> IsCore;
+  std::vector<float> Means;
+  std::vector<float> Values;
+  std::vector<float> Weights;
+  std::vector<float> Unaries;
+  std::vector<int> Nodes;
+};
+
+} // namespace
+
+bool CarveNecks(const ImagePart& image, const SeedSphere& seed, double noise, Modality modality,
+  const ParallelFor& parallelFor, const Monitor& monitor, BitMask& mask)
+{
+  const ImageGeometry& geometry = mask.GetGeometry();
+  // The edges at the mask's rim need what lies around it.
+  constexpr double margin = 6;
+  const Eigen::Vector3d voxels = geometry.IndexReach(margin);
+  const VoxelBox box =
+    mask.Bounds()
+      .Joined(BoxAround(geometry, seed.Center, seed.Radius))
+      .Widened({ { static_cast<int>(voxels[0]) + 2, static_cast<int>(voxels[1]) + 2,
+                 static_cast<int>(voxels[2]) + 2 } },
+        WholeBox(geometry));
+  BitMask part = mask.Cropped(box);
+  if (!Carving(image.Cropped(box), seed, noise, modality, parallelFor, monitor, part).Execute())
+  {
+    return false;
+  }
+  mask = BitMask(geometry);
+  mask.Insert(part, box.Begin);
+  return true;
+}
+
+} // namespace FlipFree

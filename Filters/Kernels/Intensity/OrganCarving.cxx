@@ -1,0 +1,51 @@
+#include "Intensity/OrganCarving.h"
+
+#include "Intensity/HalfContrastRim.h"
+#include "Intensity/NeckCarving.h"
+
+namespace FlipFree
+{
+namespace
+{
+
+constexpr int Rounds = 2;
+
+} // namespace
+
+VoxelBox CarvingBox(const ImageGeometry& geometry, const std::vector<VoxelRun>& inside,
+  const SeedSphere& seed)
+{
+  VoxelBox box = BoxAround(geometry, seed.Center, seed.Radius);
+  for (const VoxelRun& run : inside)
+  {
+    box = box.Joined({ { { run.Begin, run.J, run.K } }, { { run.End, run.J + 1, run.K + 1 } } });
+  }
+  return box.Widened(RimReachOf(geometry, Rounds), WholeBox(geometry));
+}
+
+bool CarveOrgan(const ImageView<float>& smooth, const std::vector<VoxelRun>& inside,
+  const SeedSphere& seed, double noise, Modality modality, const ParallelFor& parallelFor,
+  const Monitor& monitor, BitMask& foreground)
+{
+  const VoxelBox box = CarvingBox(smooth.Geometry, inside, seed);
+  const auto [i, j, k] = box.Begin;
+  BitMask mask(CropGeometry(smooth.Geometry, box));
+  for (const VoxelRun& run : inside)
+  {
+    mask.InsertRun(run.Begin - i, run.End - i, run.J - j, run.K - k);
+  }
+  const ImagePart part{ smooth, box.Begin };
+  for (int round = 0; round < Rounds; ++round)
+  {
+    if (!CarveNecks(part, seed, noise, modality, parallelFor, monitor, mask) ||
+      !GrowRim(part, noise, modality, parallelFor, monitor, mask))
+    {
+      return false;
+    }
+  }
+  foreground = BitMask(smooth.Geometry);
+  foreground.Insert(mask, box.Begin);
+  return true;
+}
+
+} // namespace FlipFree

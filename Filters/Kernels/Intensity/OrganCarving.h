@@ -1,0 +1,31 @@
+/**
+ * From the inside of a surface that has found its organ, more or less, to the organ's foreground:
+ * what hangs on by a neck is carved off, then the boundary moves to half the local contrast; both
+ * twice. Carving comes first, since a rim on a leak deepens the leak.
+ */
+#ifndef FlipFreeOrganCarving_h
+#define FlipFreeOrganCarving_h
+
+#include "Image/BitMask.h"
+#include "Image/SeedRegion.h"
+#include "Intensity/Modality.h"
+#include "Mesh/SurfaceVoxelization.h"
+
+namespace FlipFree
+{
+
+/// The part of the image that CarveOrgan() reads: the surface, the seed, and their surroundings.
+VoxelBox CarvingBox(const ImageGeometry& geometry, const std::vector<VoxelRun>& inside,
+  const SeedSphere& seed);
+
+/// The foreground from the voxels inside a surface, which may be none. Only the voxels in
+/// CarvingBox() need to have values. `noise` is the standard deviation before smoothing; the
+/// modality is not Automatic. Returns false if the monitor, asked before each pass over the image,
+/// stopped it; `foreground` is then as it was.
+bool CarveOrgan(const ImageView<float>& smooth, const std::vector<VoxelRun>& inside,
+  const SeedSphere& seed, double noise, Modality modality, const ParallelFor& parallelFor,
+  const Monitor& monitor, BitMask& foreground);
+
+} // namespace FlipFree
+
+#endif

@@ -1,0 +1,55 @@
+#include "ExampleMasks.h"
+#include "ExampleSurfaces.h"
+#include "Image/BlockGrid.h"
+
+#include <gtest/gtest.h>
+
+using namespace FlipFree;
+
+TEST(BlockGrid, CountsEveryVoxelInItsBlock)
+{
+  std::mt19937 random(6);
+  for (const ImageGeometry& geometry : ExampleGrids())
+  {
+    const std::vector<unsigned char> mask = RandomMask(geometry, 0.6, random);
+    const BlockGrid grid(geometry, 3);
+    std::vector<int> expected(grid.Blocks.NumberOfVoxels(), 0);
+    ForEachVoxel(geometry,
+      [&](int i, int j, int k)
+      {
+        expected[grid.Blocks.Offset(i / grid.Factor[0], j / grid.Factor[1], k / grid.Factor[2])] +=
+          mask[geometry.Offset(i, j, k)];
+      });
+    std::vector<int> counts(expected.size(), 0);
+    grid.ForEachRun(BitsOf(mask, geometry), ScatteredFor,
+      [&](std::size_t block, int begin, int end, int, int) { counts[block] += end - begin; });
+    EXPECT_EQ(counts, expected);
+  }
+}
+
+// Between the centers of the blocks; beyond them, the outermost count.
+TEST(BlockGrid, InterpolatesALinearFunctionExactly)
+{
+  const BlockGrid grid(Grid({ { 21, 13, 9 } }, { 1, 1.5, 4 }), 4);
+  EXPECT_EQ(grid.Factor, (std::array<int, 3>{ { 4, 2, 1 } }));
+  const auto value = [](const Eigen::Vector3d& point)
+  { return 3 + point.dot(Eigen::Vector3d(0.5, -0.25, 0.125)); };
+  std::vector<float> blocks;
+  ForEachVoxel(grid.Blocks,
+    [&](int i, int j, int k) {
+      blocks.push_back(static_cast<float>(value(grid.Blocks.ToPhysical(Eigen::Vector3d(i, j, k)))));
+    });
+  BlockRow row(grid);
+  std::array<float, 17> values{};
+  for (int k = 0; k < 9; ++k)
+  {
+    for (int j = 1; j < 11; ++j)
+    {
+      row.Read(blocks, 2, 19, j, k, values.data());
+      for (int i = 2; i < 19; ++i)
+      {
+        EXPECT_NEAR(values[i - 2], value(grid.Voxels.ToPhysical(Eigen::Vector3d(i, j, k))), 1e-4);
+      }
+    }
+  }
+}

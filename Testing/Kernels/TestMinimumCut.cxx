@@ -1,0 +1,122 @@
+#include "ExampleMasks.h"
+#include "Image/MinimumCut.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+using namespace FlipFree;
+
+namespace
+{
+
+// Random capacities on a grid, many of them zero; terminals of either sign.
+CutNetwork RandomNetwork(const ImageGeometry& geometry, int greatest, std::mt19937& random)
+{
+  CutNetwork network;
+  std::uniform_int_distribution<std::int32_t> capacity(-greatest / 2, greatest);
+  std::uniform_int_distribution<std::int32_t> terminal(-2 * greatest, 2 * greatest);
+  ForEachVoxel(geometry,
+    [&](int i, int j, int k)
+    {
+      std::array<std::int32_t, 6> neighbors{};
+      std::array<std::int32_t, 6> capacities{};
+      for (int way = 0; way < 6; ++way)
+      {
+        std::array<int, 3> at{ { i, j, k } };
+        at[way / 2] += way % 2 == 1 ? 1 : -1;
+        const bool exists = geometry.Contains(at[0], at[1], at[2]);
+        neighbors[way] = exists ? static_cast<std::int32_t>(geometry.Offset(at[0], at[1], at[2]))
+                                : CutNetwork::NoNeighbor;
+        capacities[way] = exists ? std::max(0, capacity(random)) : 0;
+      }
+      network.Neighbors.push_back(neighbors);
+      network.Capacities.push_back(capacities);
+      network.Terminals.push_back(terminal(random));
+    });
+  return network;
+}
+
+long CostOf(const CutNetwork& network, const std::vector<unsigned char>& onSourceSide)
+{
+  long cost = 0;
+  for (std::size_t node = 0; node < network.Size(); ++node)
+  {
+    const std::int32_t terminal = network.Terminals[node];
+    cost += onSourceSide[node] ? std::max(0, -terminal) : std::max(0, terminal);
+    for (int way = 0; way < 6; ++way)
+    {
+      const int neighbor = network.Neighbors[node][way];
+      if (neighbor >= 0 && onSourceSide[node] && !onSourceSide[neighbor])
+      {
+        cost += network.Capacities[node][way];
+      }
+    }
+  }
+  return cost;
+}
+
+// By trying every cut: the nodes that all of the cheapest have on the source's side.
+std::vector<unsigned char> CheapestOfAll(const CutNetwork& network)
+{
+  const std::size_t size = network.Size();
+  long least = std::numeric_limits<long>::max();
+  unsigned common = 0;
+  for (unsigned cut = 0; cut < 1U << size; ++cut)
+  {
+    std::vector<unsigned char> side(size);
+    for (std::size_t node = 0; node < size; ++node)
+    {
+      side[node] = cut >> node & 1U;
+    }
+    const long cost = CostOf(network, side);
+    common = cost < least ? cut : (cost == least ? common & cut : common);
+    least = std::min(least, cost);
+  }
+  std::vector<unsigned char> side(size);
+  for (std::size_t node = 0; node < size; ++node)
+  {
+    side[node] = common >> node & 1U;
+  }
+  return side;
+}
+
+} // namespace
+
+TEST(MinimumCut, IsTheCheapestOfAllCuts)
+{
+  std::mt19937 random(3);
+  for (int trial = 0; trial < 60; ++trial)
+  {
+    for (const std::array<int, 3>& size :
+      { std::array<int, 3>{ { 3, 2, 2 } }, std::array<int, 3>{ { 11, 1, 1 } } })
+    {
+      // Small capacities make many cuts equally cheap.
+      CutNetwork network = RandomNetwork(Grid(size, { 1, 1, 1 }), trial % 2 ? 2 : 50, random);
+      const std::vector<unsigned char> expected = CheapestOfAll(network);
+      ASSERT_EQ(SourceSide(network, NeverStop), expected) << trial;
+    }
+  }
+}
+
+TEST(MinimumCut, WithoutSourceOrSink)
+{
+  std::mt19937 random(5);
+  const CutNetwork network = RandomNetwork(Grid({ { 4, 3, 2 } }, { 1, 1, 1 }), 9, random);
+  for (const std::int32_t terminal : { 0, 7, -7 })
+  {
+    CutNetwork copy = network;
+    copy.Terminals.assign(network.Size(), terminal);
+    EXPECT_EQ(SourceSide(copy, NeverStop),
+      std::vector<unsigned char>(network.Size(), terminal > 0 ? 1 : 0));
+  }
+  CutNetwork none;
+  EXPECT_TRUE(SourceSide(none, NeverStop).empty());
+}
+
+TEST(MinimumCut, Stops)
+{
+  std::mt19937 random(5);
+  CutNetwork network = RandomNetwork(Grid({ { 4, 3, 2 } }, { 1, 1, 1 }), 9, random);
+  EXPECT_TRUE(SourceSide(network, [](double) { return false; }).empty());
+}
