@@ -40,7 +40,7 @@ public:
   {
   }
 
-  void Run()
+  void Execute()
   {
     this->Surface.Reason = this->Run();
     this->Surface.SmoothingSeconds = this->Foreground.GetSmoothingSeconds();
@@ -268,7 +268,7 @@ OrganSurface SegmentOrgan(SmoothRegion& region, double noise, const SeedSphere& 
   OrganSurface surface;
   surface.Mesh = startMesh;
   surface.Points = startPoints;
-  CoarseToFine(region, noise, seed, settings, parallelFor, monitor, observer, surface).Run();
+  CoarseToFine(region, noise, seed, settings, parallelFor, monitor, observer, surface).Execute();
   if (surface.Reason != StopReason::Aborted)
   {
     surface.SelfIntersections =

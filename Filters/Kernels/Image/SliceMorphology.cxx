@@ -79,7 +79,7 @@ void AddNeighborsAlong(int axis, const BitMask& mask, BitMask& sum)
       }
     }
   }
-  sum.CutRows();
+  sum.ClearPadding();
 }
 
 void MedianInSlices(BitMask& mask, const ParallelFor& parallelFor)
@@ -121,7 +121,7 @@ void MedianInSlices(BitMask& mask, const ParallelFor& parallelFor)
         }
       }
     });
-  mask.CutRows();
+  mask.ClearPadding();
 }
 
 } // namespace FlipFree
