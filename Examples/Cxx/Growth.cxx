@@ -11,7 +11,7 @@
 namespace
 {
 
-constexpr int Levels = 3;
+constexpr int Levels = 3; // of the first run; the second, after carving, has as many
 constexpr int FirstResolution = 8;    // vertices along the side of the cube, doubled level by level
 constexpr int MaximumIterations = 40; // at each level
 constexpr int Span = 5;               // iterations over which a level has to get on
@@ -46,6 +46,7 @@ Growth::Growth(vtkImageData* image, const std::array<double, 3>& seed, double ra
   this->Feature->SetInputConnection(this->Smooth->GetOutputPort());
   this->Feature->SetSeedCenter(seed.data());
   this->Feature->SetSeedRadius(radius);
+  this->Feature->CarvingOff(); // until there is a surface to carve
 
   // From each vertex along its normal to the boundary of the foreground.
   this->Search->SetFeatureConnection(this->Feature->GetOutputPort());
@@ -58,12 +59,13 @@ Growth::Growth(vtkImageData* image, const std::array<double, 3>& seed, double ra
   sphere->SetRadius(radius);
   sphere->SetResolution(FirstResolution);
   sphere->Update();
-  this->Surface = sphere->GetOutput();
+  this->Start = sphere->GetOutput();
+  this->Surface = this->Start;
 }
 
 bool Growth::IsAtRest() const
 {
-  return this->Level == Levels - 1 && this->IsLevelDone();
+  return this->Level == 2 * Levels - 1 && this->IsLevelDone();
 }
 
 bool Growth::Step()
@@ -97,20 +99,28 @@ bool Growth::NextLevel()
 {
   ++this->Level;
   this->Distances.clear();
-  if (this->Level > 0)
+  if (this->Level == Levels)
+  {
+    // What has leaked is carved off, and the surface grows again within what remains.
+    this->Feature->CarvingOn();
+    this->Feature->SetSurfaceData(this->Surface);
+    this->Surface = this->Start;
+  }
+  else if (this->Level > 0)
   {
     vtkNew<vtkFlipFreeRefinement> refine;
     refine->SetInputData(this->Surface);
     refine->Update();
     this->Surface = refine->GetOutput();
-    // By now the surface knows the organ better than the seed did.
-    this->Feature->SetSurfaceData(this->Surface);
+    if (this->Level < Levels)
+    {
+      // By now the surface knows the organ better than the seed did.
+      this->Feature->SetSurfaceData(this->Surface);
+    }
   }
-  if (this->Level == Levels - 1)
-  {
-    // The last millimeter: to the strongest edge.
-    this->Search->SetEdgeConnection(this->Smooth->GetOutputPort());
-  }
+  // The last millimeter: to the strongest edge. What is carved ends there of itself.
+  this->Search->SetEdgeConnection(
+    this->Level == Levels - 1 ? this->Smooth->GetOutputPort() : nullptr);
   this->Feature->Update();
   return this->Surface->GetNumberOfPoints() > 0 &&
     this->Feature->GetOutput()->GetNumberOfPoints() > 0;

@@ -46,6 +46,7 @@ private:
   vtkNew<vtkCorrespondenceSearch> Search;
   vtkNew<vtkFlipFreeDeform> Deform;
   vtkSmartPointer<vtkPolyData> Surface;
+  vtkSmartPointer<vtkPolyData> Start;
   double Voxel;
   int Level = -1;
   std::vector<double> Distances; // of the iterations of this level

@@ -11,6 +11,7 @@ from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 RESOLUTIONS = (8, 16, 32)  # vertices along the side of the cube, level by level
 MOST_ITERATIONS = 40  # at each level
+LEVELS = len(RESOLUTIONS)  # of the first run; the second, after carving, has as many
 
 
 @dataclass
@@ -43,6 +44,7 @@ class Growth:
         self.feature.SetInputConnection(self.smooth.GetOutputPort())
         self.feature.SetSeedCenter(seed)
         self.feature.SetSeedRadius(radius)
+        self.feature.CarvingOff()  # until there is a surface to carve
 
         # From each vertex along its normal to the boundary of the foreground.
         self.search = flipfree.vtkCorrespondenceSearch()
@@ -57,11 +59,11 @@ class Growth:
         sphere.SetRadius(radius)
         sphere.SetResolution(RESOLUTIONS[0])
         sphere.Update()
-        self.surface = sphere.GetOutput()
+        self.surface = self.start = sphere.GetOutput()
 
     def is_at_rest(self):
         """Has the last level ended?"""
-        return self.level == len(RESOLUTIONS) - 1 and self._is_level_done()
+        return self.level == 2 * LEVELS - 1 and self._is_level_done()
 
     def step(self):
         """One iteration; the first one of a level is preceded by what that level needs."""
@@ -87,16 +89,22 @@ class Growth:
         self.distances = []
         if self.level == 0:
             flipfree.update(self.smooth)
+        elif self.level == LEVELS:
+            # What has leaked is carved off, and the surface grows again within what remains.
+            self.feature.CarvingOn()
+            self.feature.SetSurfaceData(self.surface)
+            self.surface = self.start
         else:
             refine = flipfree.vtkFlipFreeRefinement()
             refine.SetInputData(self.surface)
             flipfree.update(refine)
             self.surface = refine.GetOutput()
-            # By now the surface knows the organ better than the seed did.
-            self.feature.SetSurfaceData(self.surface)
-        if self.level == len(RESOLUTIONS) - 1:
-            # The last millimeter: to the strongest edge.
-            self.search.SetEdgeConnection(self.smooth.GetOutputPort())
+            if self.level < LEVELS:
+                # By now the surface knows the organ better than the seed did.
+                self.feature.SetSurfaceData(self.surface)
+        # The last millimeter: to the strongest edge. What is carved ends there of itself.
+        snaps = self.level == LEVELS - 1
+        self.search.SetEdgeConnection(self.smooth.GetOutputPort() if snaps else None)
         flipfree.update(self.feature)
 
 

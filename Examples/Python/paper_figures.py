@@ -91,7 +91,7 @@ def tube(folder=None):
     """The phantom's vessel is thin: vertices must be free to spread unevenly along it."""
     source = flipfree.vtkPhantomSource
     return real_case(folder, "role", "tubular") or phantom_case(
-        "vessel", source.VESSEL, source.OBJECT, reestimate_intensities=False, leak_control=False,
+        "vessel", source.VESSEL, source.OBJECT, reestimate_intensities=False, carving=False, leak_control=False,
         maximum_iterations=150, diffusion_iterations=0, resolution=64, levels=5,
         maximum_displacement=0, outlier_standard_deviations=0, position_weight=1, uniform_weight=0.01,
         fairing=0.2)

@@ -47,14 +47,14 @@ bool Carve(vtkPolyData* surface, const FlipFree::ImageView<float>& smooth,
   FlipFree::RequireClosed(static_cast<int>(inside.Points.rows()), inside.Triangles,
     "the surface on port 1");
   const std::vector<FlipFree::VoxelRun> runs = FlipFree::VoxelizeSurface(inside.Points,
-    inside.Triangles, smooth.Geometry, FlipFree::SMPFor, monitor);
+    inside.Triangles, smooth.Geometry, FlipFree::SMPFor, FlipFree::PartOf(monitor, 0, 0.1));
   if (modality == FlipFree::Modality::Automatic)
   {
     modality = FlipFree::ModalityOf(FlipFree::ReaderOf(smooth), smooth.Geometry);
   }
-  return monitor(0) &&
-    FlipFree::CarveOrgan(smooth, runs, seed, noise, modality, FlipFree::SMPFor, monitor,
-      foreground);
+  return monitor(0.1) &&
+    FlipFree::CarveOrgan(smooth, runs, seed, noise, modality, FlipFree::SMPFor,
+      FlipFree::PartOf(monitor, 0.1, 1), foreground);
 }
 
 void AttachModel(const FlipFree::IntensityModel& model, vtkImageData* output)
@@ -203,7 +203,7 @@ void vtkGMMFeatureFilter::ComputeFeature(vtkImageData* image, vtkPolyData* surfa
       vtkWarningMacro("The surface on port 1 has no more than "
         << FlipFree::MinimumRefitSample << " voxels that are more than "
         << this->Settings->Intensity.InnerMargin
-        << " mm inside, too few to model the organ, so the feature is that of the seed; enlarge "
+        << " mm inside, too few to model the organ, so its intensities are those of the seed; enlarge "
            "the surface, or disconnect it.");
     }
   }

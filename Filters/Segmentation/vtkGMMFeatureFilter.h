@@ -121,7 +121,7 @@ public:
   ///@{
   /**
    * Fit the intensities again to the inside of the surface on port 1, against a shell around it.
-   * Default on; off ignores the surface.
+   * Default on; off keeps the intensities of the seed.
    */
   void SetReestimateIntensities(bool value);
   bool GetReestimateIntensities() const;
@@ -140,16 +140,22 @@ public:
 
   ///@{
   /**
-   * With a surface on port 1, the foreground is its inside, less what hangs on by a neck (a minimum
-   * cut divides it from the seed), and its boundary moves to half the local contrast. Default off.
-   * In vtkFlipFreeSegmentation, all levels run a second time with that foreground; it is off where
-   * the surface must not start from the seed again.
+   * With a surface on port 1 that has found its organ, the foreground is its inside, less what
+   * leaked through a neck (a minimum cut divides it from the seed), up to where the gray values are
+   * halfway between the organ's and those of its surroundings, both local. Default on.
+   * vtkFlipFreeSegmentation first runs all levels without, then carves, and runs all levels again,
+   * from the start, on that foreground. A pipeline of the stages does the same with CarvingOff()
+   * first and CarvingOn() later. See Y. Boykov, G. Funka-Lea: Graph cuts and efficient N-D image
+   * segmentation, 2006. Without a surface, it does nothing.
    */
   void SetCarving(bool value);
   bool GetCarving() const;
   vtkBooleanMacro(Carving, bool);
   ///@}
 
+  /**
+   * Scales of gray values.
+   */
   enum ModalityType
   {
     AUTOMATIC = 0, ///< CT if enough gray values are as negative as fat's, else MR
@@ -159,7 +165,9 @@ public:
 
   ///@{
   /**
-   * What is known of the gray values' scale; used by Carving. Default AUTOMATIC.
+   * The scale of the gray values, of which Carving's tolerances are made. Default AUTOMATIC: CT if a
+   * hundredth of the voxels are as negative as fat's Hounsfield units, else MR. For MR, the scale
+   * does not matter.
    */
   void SetModality(int value);
   int GetModality() const;

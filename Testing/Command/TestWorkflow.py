@@ -73,15 +73,17 @@ class TestWorkflow(command.CommandTest):
 
     def test_parameters_reach_the_filter_and_win_over_the_preset_in_any_order(self):
         to_the_end = ("--change-tolerance", -1, "--distance-tolerance", 0)
-        rows, _ = self.rows("--levels", 1, "--resolution", 8, "--iterations", 3, *to_the_end)
+        rows, _ = self.rows("--levels", 1, "--resolution", 8, "--iterations", 3, "--no-carving", *to_the_end)
         self.assertEqual([int(row["Vertices"]) for row in rows], 3 * [6 * 8 * 8])
+        rows, _ = self.rows("--levels", 1, "--resolution", 8, "--iterations", 3, *to_the_end)
+        self.assertEqual(len(rows), 2 * 3)  # carving runs them a second time
         rows, _ = self.rows("--iterations", 2, "--preset", "published", "--guard", *to_the_end)
         self.assertEqual(len(rows), 2)
 
     def test_parameters_of_the_stages_reach_them(self):
         distances = set()
         for options in ((), ("--noise-widening", 2), ("--maximum-displacement", 2), ("--fairing", 1)):
-            rows, _ = self.rows("--iterations", 4, "--levels", 1, "--resolution", 8, *options)
+            rows, _ = self.rows("--iterations", 4, "--levels", 1, "--resolution", 8, "--no-carving", *options)
             distances.add(rows[-1]["MeanDistance"])
         self.assertEqual(len(distances), 4)
 

@@ -405,6 +405,7 @@ TEST(BadInput, ImagesWithoutContrast)
   const auto feature = MakeSeeded<vtkGMMFeatureFilter>();
   feature->SetInputData(ImageOfType(VTK_SHORT));
   ExpectRefusal(feature, { "no contrast" });
+  feature->CarvingOff();
   feature->SetSurfaceData(StartSphere(10)); // of so few voxels that it has no part in the feature
   ExpectRefusal(feature, { "no contrast" });
   const auto segmentation = MakeSegmentation();
@@ -448,6 +449,7 @@ TEST(BadInput, SurfacesOfTheFeature)
 TEST(BadInput, ASurfaceOfFewVoxelsChangesNoFeature)
 {
   const auto filter = MakeSeeded<vtkGMMFeatureFilter>();
+  filter->CarvingOff();
   filter->Update();
   vtkNew<vtkImageData> expected;
   expected->DeepCopy(filter->GetOutput());

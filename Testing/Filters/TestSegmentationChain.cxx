@@ -39,6 +39,7 @@ vtkSmartPointer<vtkPolyData> ChainByHand(vtkImageData* image, const double seed[
   feature->SetInputConnection(smooth->GetOutputPort());
   feature->SetSeedCenter(seed);
   feature->SetSeedRadius(seed[3]);
+  feature->CarvingOff();
   vtkNew<vtkCorrespondenceSearch> search;
   search->SetFeatureConnection(feature->GetOutputPort());
   vtkNew<vtkFlipFreeDeform> deform;
@@ -50,17 +51,30 @@ vtkSmartPointer<vtkPolyData> ChainByHand(vtkImageData* image, const double seed[
   sphere->SetResolution(Resolution >> (Levels - 1));
   sphere->Update();
 
-  vtkSmartPointer<vtkPolyData> surface = Detach(sphere->GetOutput());
+  const vtkSmartPointer<vtkPolyData> start = Detach(sphere->GetOutput());
+  vtkSmartPointer<vtkPolyData> surface = start;
   int level = 0;
   for (vtkIdType row = 0; row < convergence->GetNumberOfRows(); ++row)
   {
     if (convergence->GetValueByName(row, "Level").ToInt() > level)
     {
       ++level;
-      refine->SetInputData(surface);
-      refine->Update();
-      surface = Detach(refine->GetOutput());
-      feature->SetSurfaceData(surface);
+      if (level == Levels) // the second run
+      {
+        feature->CarvingOn();
+        feature->SetSurfaceData(surface);
+        surface = start;
+      }
+      else
+      {
+        refine->SetInputData(surface);
+        refine->Update();
+        surface = Detach(refine->GetOutput());
+        if (level < Levels)
+        {
+          feature->SetSurfaceData(surface);
+        }
+      }
     }
     search->SetEdgeConnection(level + 1 == Levels ? smooth->GetOutputPort() : nullptr);
     search->SetInputData(surface);

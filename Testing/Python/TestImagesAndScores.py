@@ -76,7 +76,7 @@ class Evaluation(unittest.TestCase):
             for short in ("asd", "rms", "hd95", "hd"):
                 getter = short.upper() if name == short else getter
             self.assertEqual(value, getattr(metrics, "Get" + getter)(), name)
-        self.assertGreater(scores.dice, 0.94)
+        self.assertGreater(scores.dice, 0.92)
 
     def test_takes_arrays(self):
         reference = numpy.uint8(flipfree.array_from_image(truth()) == LIVER)

@@ -104,6 +104,7 @@ inline void SegmentVessel(vtkFlipFreeSegmentation* filter, vtkPhantomSource* pha
   phantom->SetShapeToVessel();
   StartInside(filter, phantom, vtkPhantomSource::OBJECT);
   filter->GetFeature()->ReestimateIntensitiesOff();
+  filter->GetFeature()->CarvingOff();
   filter->LeakControlOff();
   filter->SetMaximumIterations(150);
   filter->SetDiffusionIterations(0);

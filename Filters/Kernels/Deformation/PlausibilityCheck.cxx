@@ -1,5 +1,7 @@
 #include "Deformation/PlausibilityCheck.h"
 
+#include <algorithm>
+
 namespace FlipFree
 {
 namespace
@@ -55,6 +57,23 @@ double FractionAtBoundary(const ImageGeometry& image, const PointList& points)
   return ofOthers[most] / static_cast<double>(points.rows());
 }
 
+// The fraction of the vertices that found no boundary in a run's last iteration; with carving, which
+// gives the second run's foreground a boundary on all sides, that of the run that found less.
+double FractionWithoutBoundary(const std::vector<IterationRecord>& iterations, int levels)
+{
+  double fraction = 0;
+  for (auto record = iterations.begin(); record != iterations.end(); ++record)
+  {
+    const auto next = record + 1;
+    if (next == iterations.end() || (record->Level < levels && next->Level >= levels))
+    {
+      fraction =
+        std::max(fraction, static_cast<double>(record->Targets.WithoutBoundary) / record->Vertices);
+    }
+  }
+  return fraction;
+}
+
 } // namespace
 
 Implausibility CheckPlausibility(const OrganSurface& organ, const ImageGeometry& region,
@@ -69,8 +88,8 @@ Implausibility CheckPlausibility(const OrganSurface& organ, const ImageGeometry&
   {
     return {};
   }
-  const double without = static_cast<double>(organ.Iterations.back().Targets.WithoutBoundary) /
-    organ.Mesh.NumberOfPoints();
+  const double without =
+    FractionWithoutBoundary(organ.Iterations, settings.Schedule.NumberOfLevels());
   if (without > MaximumWithoutBoundary &&
     SearchDistanceOf(settings.Targets, seedRadius) >= SearchDistanceOf({}, seedRadius))
   {

@@ -35,13 +35,20 @@ bool CarveOrgan(const ImageView<float>& smooth, const std::vector<VoxelRun>& ins
     mask.InsertRun(run.Begin - i, run.End - i, run.J - j, run.K - k);
   }
   const ImagePart part{ smooth, box.Begin };
+  double done = 0;
+  const Monitor proceed = [&](double) { return monitor(done / (2 * Rounds)); };
   for (int round = 0; round < Rounds; ++round)
   {
-    if (!CarveNecks(part, seed, noise, modality, parallelFor, monitor, mask) ||
-      !GrowRim(part, noise, modality, parallelFor, monitor, mask))
+    if (!CarveNecks(part, seed, noise, modality, parallelFor, proceed, mask))
     {
       return false;
     }
+    ++done;
+    if (!GrowRim(part, noise, modality, parallelFor, proceed, mask))
+    {
+      return false;
+    }
+    ++done;
   }
   foreground = BitMask(smooth.Geometry);
   foreground.Insert(mask, box.Begin);

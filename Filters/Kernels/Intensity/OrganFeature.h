@@ -22,7 +22,7 @@ struct OrganFeatureSettings
   /// Once all levels have run, carve off what hangs on to the surface's inside by a neck and move
   /// its boundary to half the local contrast; then run all levels again with that for the
   /// foreground.
-  bool Carving = false;
+  bool Carving = true;
   FlipFree::Modality Modality = FlipFree::Modality::Automatic;
 
   bool ControlLeaks = true;
