@@ -110,6 +110,9 @@ public:
       this->Inside[block] = 1;
     }
     this->FindUnaries();
+    // What follows needs the memory.
+    std::vector<float>().swap(this->Values);
+    std::vector<float>().swap(this->Weights);
     if (!this->FindCores())
     {
       return false;
@@ -138,35 +141,54 @@ private:
     this->OfSeed = RobustStatisticsOf(values);
   }
 
-  // Which blocks are in the mask, and the means of their voxels.
+  // Which blocks are in the mask, and the sums and numbers of their voxels there.
   void FillBlocks()
   {
     const std::size_t count = this->Grid.Blocks.NumberOfVoxels();
     this->Inside.assign(count, 0);
-    this->Means.assign(count, 0);
     this->Values.assign(count, 0);
     this->Weights.assign(count, 0);
+    this->Grid.ForEachRun(this->Mask, this->Parallel,
+      [&](std::size_t block, int begin, int end, int j, int k)
+      {
+        const float* const row = this->Image.Row(j, k);
+        for (int i = begin; i < end; ++i)
+        {
+          this->Values[block] += row[i];
+        }
+        this->Weights[block] += static_cast<float>(end - begin);
+      });
+    const auto half = 0.5F * static_cast<float>(this->Grid.VoxelsPerBlock());
+    for (std::size_t block = 0; block < count; ++block)
+    {
+      this->Inside[block] = this->Weights[block] >= half ? 1 : 0;
+    }
+  }
+
+  // The blocks' gray values, in the mask and out of it.
+  std::vector<float> MeansOfBlocks() const
+  {
+    std::vector<float> means(this->Grid.Blocks.NumberOfVoxels(), 0.0F);
     const auto& size = this->Mask.GetGeometry().Dimensions;
+    const std::array<int, 3>& factor = this->Grid.Factor;
     this->Parallel(0, this->Size[2],
       [&](std::ptrdiff_t first, std::ptrdiff_t last)
       {
         std::vector<int> blockOf(size[0]);
         for (int i = 0; i < size[0]; ++i)
         {
-          blockOf[i] = i / this->Grid.Factor[0];
+          blockOf[i] = i / factor[0];
         }
         std::vector<float> counts(this->Size[0]);
         for (int k = static_cast<int>(first); k < last; ++k)
         {
           for (int j = 0; j < this->Size[1]; ++j)
           {
-            float* const sums = this->Means.data() + this->Grid.Blocks.Offset(0, j, k);
+            float* const sums = means.data() + this->Grid.Blocks.Offset(0, j, k);
             std::fill(counts.begin(), counts.end(), 0.0F);
-            for (int z = k * this->Grid.Factor[2];
-                 z < std::min(size[2], (k + 1) * this->Grid.Factor[2]); ++z)
+            for (int z = k * factor[2]; z < std::min(size[2], (k + 1) * factor[2]); ++z)
             {
-              for (int y = j * this->Grid.Factor[1];
-                   y < std::min(size[1], (j + 1) * this->Grid.Factor[1]); ++y)
+              for (int y = j * factor[1]; y < std::min(size[1], (j + 1) * factor[1]); ++y)
               {
                 const float* const row = this->Image.Row(y, z);
                 for (int i = 0; i < size[0]; ++i)
@@ -183,21 +205,7 @@ private:
           }
         }
       });
-    this->Grid.ForEachRun(this->Mask, this->Parallel,
-      [&](std::size_t block, int begin, int end, int j, int k)
-      {
-        const float* const row = this->Image.Row(j, k);
-        for (int i = begin; i < end; ++i)
-        {
-          this->Values[block] += row[i];
-        }
-        this->Weights[block] += static_cast<float>(end - begin);
-      });
-    const auto half = 0.5F * static_cast<float>(this->Grid.VoxelsPerBlock());
-    for (std::size_t block = 0; block < count; ++block)
-    {
-      this->Inside[block] = this->Weights[block] >= half ? 1 : 0;
-    }
+    return means;
   }
 
   // How well each block's surroundings within the mask fit the seed.
@@ -296,11 +304,12 @@ private:
     // The smoothness wanted grows with the organ, else small organs collapse.
     const double perArea = 0.2 * std::max(5.0, std::min(40.0, this->Seed.Radius));
     const double edge = 3 * std::max({ this->OfSeed.StandardDeviation, 0.5 * this->Noise, 1e-12 });
-    std::vector<float> smooth = this->Means;
+    std::vector<float> smooth = this->MeansOfBlocks();
     std::vector<float> weights(smooth.size(), 1.0F);
     SmoothGaussian(smooth, blocks, EdgeSmoothing, this->Parallel);
     SmoothGaussian(weights, blocks, EdgeSmoothing, this->Parallel);
     std::transform(smooth.begin(), smooth.end(), weights.begin(), smooth.begin(), std::divides<>());
+    std::vector<float>().swap(weights);
     const double volume = blocks.VoxelVolume();
     const std::array<double, 3> area{ { volume / blocks.Spacing[0], volume / blocks.Spacing[1],
       volume / blocks.Spacing[2] } };
@@ -358,6 +367,7 @@ private:
     {
       network.Terminals[this->Nodes[block]] = CutNetwork::Infinite;
     }
+    std::vector<float>().swap(this->Unaries);
     return network;
   }
 
@@ -429,7 +439,6 @@ private:
   std::vector<std::size_t> SourceBlocks;
   std::vector<unsigned char> Inside;
   std::vector<unsigned char> IsCore;
-  std::vector<float> Means;
   std::vector<float> Values;
   std::vector<float> Weights;
   std::vector<float> Unaries;
