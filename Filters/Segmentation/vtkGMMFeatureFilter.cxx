@@ -208,6 +208,7 @@ void vtkGMMFeatureFilter::ComputeFeature(vtkImageData* image, vtkPolyData* surfa
     }
   }
   FlipFree::BitMask foreground;
+  double radius = seed.Radius;
   if (surface && this->Settings->Carving)
   {
     refit = FlipFree::Refit::Done;
@@ -217,6 +218,7 @@ void vtkGMMFeatureFilter::ComputeFeature(vtkImageData* image, vtkPolyData* surfa
     {
       return;
     }
+    radius = FlipFree::RadiusOf(foreground, seed);
   }
   else if (!whole(0.4) ||
     !FlipFree::FindForeground(smooth, model, seed, *this->Settings, FlipFree::SMPFor,
@@ -235,7 +237,7 @@ void vtkGMMFeatureFilter::ComputeFeature(vtkImageData* image, vtkPolyData* surfa
   {
     output->CopyStructure(image);
     FlipFree::SetFloatScalars("Feature", feature, output);
-    FlipFree::AddFieldValues("SeedRadius", { seed.Radius }, output);
+    FlipFree::AddFieldValues("SeedRadius", { radius }, output);
     AttachModel(model, output);
   }
 }

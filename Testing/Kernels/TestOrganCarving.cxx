@@ -1,6 +1,7 @@
 // Carving on phantoms whose necks and boundaries are known.
 #include "ExampleMasks.h"
 #include "ExampleSurfaces.h"
+#include "Image/BallInside.h"
 #include "Image/GaussianSmoothing.h"
 #include "Intensity/HalfContrastRim.h"
 #include "Intensity/NeckCarving.h"
@@ -68,8 +69,7 @@ double Dice(const BitMask& a, const BitMask& b)
 // Of the ball of the same volume.
 double RadiusOf(const BitMask& mask)
 {
-  return std::cbrt(
-    0.75 / 3.14159265358979 * static_cast<double>(mask.Count()) * mask.GetGeometry().VoxelVolume());
+  return RadiusOf(mask, SeedSphere{});
 }
 
 // Two balls that a neck joins. The one behind the neck is brighter.
@@ -118,6 +118,46 @@ TEST(OrganCarving, CutsOffWhatLiesBehindANeck)
       EXPECT_EQ(mask, other);
     }
   }
+}
+
+// A seed that is small in its organ carves like one that fills it.
+TEST(OrganCarving, DoesNotDependOnTheSeedsSize)
+{
+  const Leak leak;
+  const BitMask organ = MaskOf(leak.Geometry, leak.Organ);
+  const FloatImage image = ImageOf(leak.Geometry, leak.Organ, 100, 20, 1, 4);
+  for (const double radius : { 3.0, 6.0, 19.0 })
+  {
+    SCOPED_TRACE(radius);
+    BitMask mask = organ;
+    const SeedSphere seed{ leak.Seed.Center, radius };
+    ASSERT_TRUE(CarveNecks({ image.View() }, seed, 4, Modality::CT, SerialFor, NeverStop, mask));
+    EXPECT_GT(Dice(mask, organ), 0.99);
+  }
+}
+
+TEST(OrganCarving, RadiusIsThatOfABallOrTheSeeds)
+{
+  const ImageGeometry geometry = Grid({ { 60, 60, 40 } }, { 1, 1, 1.5 });
+  const BitMask ball = MaskOf(geometry, Ball({ 30, 30, 30 }, 20));
+  EXPECT_NEAR(RadiusOf(ball, { { 30, 30, 30 }, 5 }), 20, 0.1);
+  EXPECT_EQ(RadiusOf(ball, { { 30, 30, 30 }, 25 }), 25);
+  EXPECT_EQ(RadiusOf(BitMask(geometry), { { 30, 30, 30 }, 5 }), 5);
+}
+
+TEST(OrganCarving, BallInsideEndsAtTheMask)
+{
+  const ImageGeometry geometry = Grid({ { 60, 60, 40 } }, { 1, 1, 1.5 });
+  BitMask mask = MaskOf(geometry, Ball({ 30, 30, 30 }, 20));
+  const SeedSphere seed{ { 30, 30, 30 }, 5 };
+  EXPECT_NEAR(BallInside(mask, seed).Radius, 20, 0.01);
+  EXPECT_NEAR(BallInside(mask, { { 36, 30, 30 }, 5 }).Radius, 14, 0.5);
+  EXPECT_EQ(BallInside(mask, { { 55, 30, 30 }, 5 }).Radius, 5); // outside
+  EXPECT_EQ(BallInside(BitMask(geometry), seed).Radius, 5);
+  mask.Complement();
+  EXPECT_EQ(BallInside(mask, seed).Radius, 5);
+  mask.Unite(MaskOf(geometry, Ball({ 30, 30, 30 }, 21)));
+  EXPECT_EQ(BallInside(mask, seed).Radius, 5); // the whole grid
 }
 
 TEST(OrganCarving, LeavesAnOrganWithoutNecksAlone)

@@ -4,6 +4,7 @@
 #include "Guard/SurfaceRefinement.h"
 #include "Intensity/GrowingForeground.h"
 #include "Intensity/ModelFit.h"
+#include "Intensity/OrganCarving.h"
 #include "Stopwatch.h"
 
 #include <memory>
@@ -33,6 +34,7 @@ public:
     , Ask(monitor)
     , Observe(observer)
     , Surface(surface)
+    , OrganRadius(seed.Radius)
     , Levels(settings.Schedule.NumberOfLevels())
     , Voxel(region.View().Geometry.Spacing.maxCoeff())
     , Foreground(region, seed, settings.Feature,
@@ -110,6 +112,7 @@ private:
     Stopwatch watch;
     this->IsCarved = this->Foreground.Carve(this->Surface.Points, this->Surface.Mesh.Triangles,
       this->Noise, proceed);
+    this->OrganRadius = RadiusOf(this->Foreground.GetMask(), this->Seed);
     this->Surface.FeatureSeconds += watch.Lap();
     return this->IsCarved;
   }
@@ -230,7 +233,7 @@ private:
     Stopwatch watch;
     this->Surface.Field =
       FindTargets(this->Surface.Mesh, this->Surface.Points, this->Foreground.GetMask(),
-        this->Foreground.GetImage(), this->Seed.Radius, targets, this->Parallel, record.Targets);
+        this->Foreground.GetImage(), this->OrganRadius, targets, this->Parallel, record.Targets);
     record.SearchSeconds = watch.Lap();
 
     const Monitor proceed = [this, part](double) { return this->Proceed(this->Level, part); };
@@ -249,6 +252,7 @@ private:
   const IterationObserver& Observe;
   OrganSurface& Surface;
 
+  double OrganRadius; // the seed's, until more is known
   const int Levels;
   const double Voxel; // the greatest spacing
   GrowingForeground Foreground;

@@ -1,5 +1,6 @@
 #include "Intensity/NeckCarving.h"
 
+#include "Image/BallInside.h"
 #include "Image/BlockGrid.h"
 #include "Image/DistanceParts.h"
 #include "Image/DistanceTransform.h"
@@ -19,8 +20,10 @@ namespace
 
 // The seed's part that is never cut off, in seed radii.
 constexpr double SourceRadius = 0.6;
-// Seeds from here on are of organs that are wide everywhere (livers).
-constexpr double LargeSeed = 20;
+// Organs in which smaller balls fit are slender (kidneys), and so are their own necks.
+constexpr double SmallBall = 12;
+// Organs in which larger ones fit are wide everywhere (livers).
+constexpr double LargeBall = 20;
 // Cores are what lies deeper than this part of the peak's depth; flatter parts are no parts.
 constexpr double CoreDepth = 0.6;
 constexpr double MinimumPeak = 3;
@@ -79,29 +82,20 @@ public:
     const ParallelFor& parallelFor, const Monitor& monitor, BitMask& mask)
     : Image(image)
     , Seed(seed)
+    , Ball(BallInside(mask, seed))
     , Noise(noise)
     , IsMR(modality == Modality::MR)
     , Parallel(parallelFor)
     , Ask(monitor)
     , Mask(mask)
-    , Grid(mask.GetGeometry(), std::max(1.2, std::min(2.5, seed.Radius / 8)))
+    , Grid(mask.GetGeometry(), std::max(1.2, std::min(2.5, this->Ball.Radius / 8)))
     , Size(Grid.Blocks.Dimensions)
   {
   }
 
   bool Execute()
   {
-    const ImageGeometry& voxels = this->Mask.GetGeometry();
-    const std::vector<std::size_t> sphere =
-      VoxelsAround(voxels, this->Seed.Center, this->Seed.Radius);
-    const std::vector<std::size_t> source =
-      VoxelsAround(voxels, this->Seed.Center, SourceRadius * this->Seed.Radius);
-    Insert(sphere, this->Mask);
-    if (!FillHoles(this->Mask, this->Ask) || !KeepConnected(this->Mask, source, this->Ask))
-    {
-      return false;
-    }
-    this->MeasureSeed(sphere);
+    this->MeasureBall();
     this->FillBlocks();
     this->SourceBlocks =
       VoxelsAround(this->Grid.Blocks, this->Seed.Center, SourceRadius * this->Seed.Radius);
@@ -124,21 +118,22 @@ public:
       return false;
     }
     this->RemoveBlocks(kept);
-    return KeepConnected(this->Mask, source, this->Ask) && FillHoles(this->Mask, this->Ask);
+    return true;
   }
 
 private:
-  void MeasureSeed(const std::vector<std::size_t>& sphere)
+  void MeasureBall()
   {
     std::vector<float> values;
     const auto& size = this->Mask.GetGeometry().Dimensions;
-    for (const std::size_t voxel : sphere)
+    for (const std::size_t voxel :
+      VoxelsAround(this->Mask.GetGeometry(), this->Ball.Center, this->Ball.Radius))
     {
       const std::size_t row = voxel / size[0];
       values.push_back(this->Image.Row(static_cast<int>(row % size[1]),
         static_cast<int>(row / size[1]))[voxel % size[0]]);
     }
-    this->OfSeed = RobustStatisticsOf(values);
+    this->OfBall = RobustStatisticsOf(values);
   }
 
   // Which blocks are in the mask, and the sums and numbers of their voxels there.
@@ -211,7 +206,7 @@ private:
   // How well each block's surroundings within the mask fit the seed.
   void FindUnaries()
   {
-    const double radius = this->Seed.Radius;
+    const double radius = this->Ball.Radius;
     const double deviation = std::max(2.0, std::min(6.0, 0.3 * radius));
     SmoothGaussian(this->Values, this->Grid.Blocks, deviation, this->Parallel);
     SmoothGaussian(this->Weights, this->Grid.Blocks, deviation, this->Parallel);
@@ -228,12 +223,12 @@ private:
     const RobustStatistics of = RobustStatisticsOf(values);
     const double least = this->IsMR ? 0.02 * std::abs(of.Median) : 3;
     const double spread =
-      std::max({ of.StandardDeviation, 0.5 * this->OfSeed.StandardDeviation, least, 1e-12 });
+      std::max({ of.StandardDeviation, 0.5 * this->OfBall.StandardDeviation, least, 1e-12 });
     const double drift = this->IsMR ? 0.15 * std::abs(of.Median) : 12;
     const double driftUp =
-      radius >= LargeSeed ? (this->IsMR ? 0.03 * std::abs(of.Median) : 2.4) : drift;
-    const double base = radius >= LargeSeed ? 0.2 : 0.3;
-    const double gain = radius >= LargeSeed ? 0.5 : 0.3;
+      radius >= LargeBall ? (this->IsMR ? 0.03 * std::abs(of.Median) : 2.4) : drift;
+    const double base = radius >= LargeBall ? 0.2 : 0.3;
+    const double gain = radius >= LargeBall ? 0.5 : 0.3;
     this->Unaries.assign(this->Values.size(), 0);
     this->Parallel(0, this->Size[2],
       [&](std::ptrdiff_t first, std::ptrdiff_t last)
@@ -271,7 +266,7 @@ private:
     {
       return false;
     }
-    const double ratio = this->Seed.Radius < 12 ? 0.5 : 0.7;
+    const double ratio = this->Ball.Radius < SmallBall ? 0.5 : 0.7;
     const DistanceParts parts =
       FindDistanceParts(distance, this->Grid.Blocks, this->SourceBlocks, ratio);
     this->IsCore.assign(distance.size(), 0);
@@ -302,8 +297,8 @@ private:
     network.Capacities.resize(nodes);
     network.Terminals.resize(nodes);
     // The smoothness wanted grows with the organ, else small organs collapse.
-    const double perArea = 0.2 * std::max(5.0, std::min(40.0, this->Seed.Radius));
-    const double edge = 3 * std::max({ this->OfSeed.StandardDeviation, 0.5 * this->Noise, 1e-12 });
+    const double perArea = 0.2 * std::max(5.0, std::min(40.0, this->Ball.Radius));
+    const double edge = 3 * std::max({ this->OfBall.StandardDeviation, 0.5 * this->Noise, 1e-12 });
     std::vector<float> smooth = this->MeansOfBlocks();
     std::vector<float> weights(smooth.size(), 1.0F);
     SmoothGaussian(smooth, blocks, EdgeSmoothing, this->Parallel);
@@ -427,6 +422,7 @@ private:
 
   const ImagePart Image;
   const SeedSphere& Seed;
+  const SeedSphere Ball;
   const double Noise;
   const bool IsMR;
   const ParallelFor& Parallel;
@@ -435,7 +431,7 @@ private:
   const BlockGrid Grid;
   const std::array<int, 3> Size;
 
-  RobustStatistics OfSeed;
+  RobustStatistics OfBall;
   std::vector<std::size_t> SourceBlocks;
   std::vector<unsigned char> Inside;
   std::vector<unsigned char> IsCore;
@@ -461,7 +457,12 @@ bool CarveNecks(const ImagePart& image, const SeedSphere& seed, double noise, Mo
                  static_cast<int>(voxels[2]) + 2 } },
         WholeBox(geometry));
   BitMask part = mask.Cropped(box);
-  if (!Carving(image.Cropped(box), seed, noise, modality, parallelFor, monitor, part).Execute())
+  Insert(VoxelsAround(part.GetGeometry(), seed.Center, seed.Radius), part);
+  const std::vector<std::size_t> source =
+    VoxelsAround(part.GetGeometry(), seed.Center, SourceRadius * seed.Radius);
+  if (!FillHoles(part, monitor) || !KeepConnected(part, source, monitor) ||
+    !Carving(image.Cropped(box), seed, noise, modality, parallelFor, monitor, part).Execute() ||
+    !KeepConnected(part, source, monitor) || !FillHoles(part, monitor))
   {
     return false;
   }

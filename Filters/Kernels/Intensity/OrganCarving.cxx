@@ -3,6 +3,9 @@
 #include "Intensity/HalfContrastRim.h"
 #include "Intensity/NeckCarving.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace FlipFree
 {
 namespace
@@ -53,6 +56,13 @@ bool CarveOrgan(const ImageView<float>& smooth, const std::vector<VoxelRun>& ins
   foreground = BitMask(smooth.Geometry);
   foreground.Insert(mask, box.Begin);
   return true;
+}
+
+double RadiusOf(const BitMask& foreground, const SeedSphere& seed)
+{
+  const double volume =
+    static_cast<double>(foreground.Count()) * foreground.GetGeometry().VoxelVolume();
+  return std::max(seed.Radius, std::cbrt(volume * 3 / (4 * EIGEN_PI)));
 }
 
 } // namespace FlipFree

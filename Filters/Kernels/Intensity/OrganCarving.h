@@ -26,6 +26,10 @@ bool CarveOrgan(const ImageView<float>& smooth, const std::vector<VoxelRun>& ins
   const SeedSphere& seed, double noise, Modality modality, const ParallelFor& parallelFor,
   const Monitor& monitor, BitMask& foreground);
 
+/// The radius of a ball of the foreground's volume, but never less than the seed's: a seed that is
+/// small in its organ says too little of how long search lines have to be.
+double RadiusOf(const BitMask& foreground, const SeedSphere& seed);
+
 } // namespace FlipFree
 
 #endif
