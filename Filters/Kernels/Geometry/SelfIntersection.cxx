@@ -65,8 +65,6 @@ std::vector<std::pair<int, int>> FindSelfIntersections(const PointList& points,
 {
   const std::vector<char> all(points.rows(), 1);
   std::vector<std::pair<int, int>> pairs = FindMeetingHulls(points, hulls, all, parallelFor);
-  const auto overlapping = hulls.OverlappingFaces();
-  pairs.insert(pairs.end(), overlapping.begin(), overlapping.end());
   const auto append = [&](const std::vector<HullPair>& parts)
   {
     for (const HullPair& pair : SelectMeeting(points, parts, all, parallelFor))
@@ -74,7 +72,8 @@ std::vector<std::pair<int, int>> FindSelfIntersections(const PointList& points,
       pairs.emplace_back(pair.Faces[0], pair.Faces[1]);
     }
   };
-  hulls.VisitAdjacentPairs(false, append);
+  const auto overlapping = hulls.VisitAdjacentPairs(false, append);
+  pairs.insert(pairs.end(), overlapping.begin(), overlapping.end());
   if (!pairs.empty())
   {
     hulls.VisitAdjacentPairs(true, append);

@@ -163,7 +163,7 @@ EmbeddingGuard::EmbeddingGuard(const ContourMesh& mesh)
   , Neighbors(mesh.Neighbors)
   , Candidates(mesh.NumberOfPoints(), mesh.Faces)
 {
-  const auto overlapping = this->Candidates.Hulls().OverlappingFaces();
+  const auto& overlapping = this->Candidates.OverlappingFaces();
   if (!overlapping.empty())
   {
     throw Error(ErrorCode::InvalidMesh,
