@@ -24,9 +24,6 @@ constexpr double RelativeGap = 1e-3;
 // scale changes.
 constexpr double RelativeShear = 0.25;
 
-// Relative to the maximum coordinate: well above the rounding errors of positions and distances.
-constexpr double RelativeResolution = 1e-12;
-
 // In millimeters; boxes of motions are kept in single precision.
 constexpr double MaximumPosition = 1e30;
 
