@@ -32,21 +32,11 @@
 #ifndef FlipFreeFaceHulls_h
 #define FlipFreeFaceHulls_h
 
+#include "Geometry/AdjacentParts.h"
 #include "Geometry/TriangleTree.h"
 
 namespace FlipFree
 {
-
-/// The convex hull of up to four vertices. If there are fewer, the last one is repeated.
-using Hull = std::array<int, 4>;
-
-/// Parts of two faces, or of one, without a common vertex.
-struct HullPair
-{
-  Hull One;
-  Hull Two;
-  std::array<int, 2> Faces;
-};
 
 class FaceHulls
 {
@@ -81,16 +71,14 @@ public:
 
   /// Calls visit(pairs) with block after block of the pairs (b) and (c). A pair is covered if its
   /// sets also lie in those of another pair, which is tested anyway: it can only add names of
-  /// faces. `covered` selects such pairs, or else the others.
-  void VisitAdjacentPairs(bool covered,
-    const std::function<void(const std::vector<HullPair>& pairs)>& visit) const;
+  /// faces. `covered` selects such pairs, or else the others. Returns the pairs of faces that share
+  /// three vertices or more; there are cuts by which they share a triangle. They are in no pair
+  /// (b).
+  std::vector<std::pair<int, int>> VisitAdjacentPairs(bool covered,
+    const HullPairVisitor& visit) const;
 
   /// The pairs (b) and (c) that are not covered, all at once.
   std::vector<HullPair> AdjacentPairs() const;
-
-  /// Faces that share three vertices or more; there are cuts by which they share a triangle. They
-  /// are in no pair (b).
-  std::vector<std::pair<int, int>> OverlappingFaces() const;
 
 private:
   using HullList = Eigen::Matrix<int, Eigen::Dynamic, 4, Eigen::RowMajor>;

@@ -25,6 +25,12 @@ std::vector<std::pair<int, int>> FindSelfIntersections(const PointList& points,
 std::ptrdiff_t CountSelfIntersections(const PointList& points, const FaceList& faces,
   const ParallelFor& parallelFor = SerialFor);
 
+/// Whether two disjoint hulls, or two of the given parts of adjacent faces, meet of which all
+/// vertices are marked: one flag per point.
+bool MarkedHullsMeet(const PointList& points, const FaceHulls& hulls,
+  const std::vector<HullPair>& adjacent, const std::vector<char>& marked,
+  const ParallelFor& parallelFor);
+
 } // namespace FlipFree
 
 #endif

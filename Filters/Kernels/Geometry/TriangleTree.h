@@ -37,8 +37,11 @@ struct TriangleBox
   }
   void Merge(const TriangleBox& other)
   {
-    this->Add(other.Low);
-    this->Add(other.High);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      this->Low[axis] = std::min(this->Low[axis], other.Low[axis]);
+      this->High[axis] = std::max(this->High[axis], other.High[axis]);
+    }
   }
   bool Touches(const TriangleBox& other) const
   {
@@ -47,6 +50,18 @@ struct TriangleBox
       this->Low[2] <= other.High[2] && other.Low[2] <= this->High[2];
   }
 };
+
+/// Of some rows of points.
+template <typename Vertices>
+TriangleBox BoxOf(const PointList& points, const Vertices& vertices)
+{
+  TriangleBox box;
+  for (int vertex : vertices)
+  {
+    box.Add(points.row(vertex).data());
+  }
+  return box;
+}
 
 /// One row per element: the indices of its vertices. All elements have the same number; one that
 /// has fewer repeats some.

@@ -23,8 +23,10 @@ CandidatePairs::CandidatePairs(int numberOfPoints, const FaceList& faces)
 
 CandidatePairs::CandidatePairs(const PointList& layout, const FaceList& faces)
   : HullsOfFaces(layout, faces)
-  , Adjacent(this->HullsOfFaces.AdjacentPairs())
 {
+  this->Overlapping = this->HullsOfFaces.VisitAdjacentPairs(false,
+    [this](const std::vector<HullPair>& pairs)
+    { this->Adjacent.insert(this->Adjacent.end(), pairs.begin(), pairs.end()); });
   const auto pairs = this->HullsOfFaces.DisjointPairs(layout);
   this->FirstPartner.assign(this->HullsOfFaces.Tree().NumberOfNodes() + 1, 0);
   for (const auto& pair : pairs)

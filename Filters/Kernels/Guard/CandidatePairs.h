@@ -26,6 +26,9 @@ public:
   /// Parts of adjacent faces, or of one.
   const std::vector<HullPair>& AdjacentPairs() const { return this->Adjacent; }
 
+  /// Pairs of faces that share three vertices or more: nothing keeps them apart.
+  const std::vector<std::pair<int, int>>& OverlappingFaces() const { return this->Overlapping; }
+
   /// Calls visit(one, two) for the pairs of disjoint hulls that may come nearer to each other
   /// than `gap` during the motion and of which a vertex is marked as changed. `boxes` is the
   /// caller's cache from the last call; it is updated. `visit` is called from several threads.
@@ -39,6 +42,7 @@ private:
 
   FaceHulls HullsOfFaces;
   std::vector<HullPair> Adjacent;
+  std::vector<std::pair<int, int>> Overlapping;
   // The pairs of nodes that stand for the disjoint hulls, in both orders: the partners of a node
   // are Partners[FirstPartner[node]] to, not including, Partners[FirstPartner[node + 1]].
   std::vector<int> FirstPartner;

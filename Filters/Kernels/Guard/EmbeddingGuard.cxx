@@ -1,7 +1,6 @@
 #include "Guard/EmbeddingGuard.h"
 
 #include "Error.h"
-#include "Geometry/HullIntersection.h"
 #include "Geometry/SelfIntersection.h"
 #include "Guard/QuadFold.h"
 #include "Guard/SeparatingDirection.h"
@@ -25,9 +24,6 @@ constexpr double RelativeGap = 1e-3;
 // scale changes.
 constexpr double RelativeShear = 0.25;
 
-// Relative to the maximum coordinate: well above the rounding errors of positions and distances.
-constexpr double RelativeResolution = 1e-12;
-
 // In millimeters; boxes of motions are kept in single precision.
 constexpr double MaximumPosition = 1e30;
 
@@ -35,32 +31,28 @@ constexpr double MaximumPosition = 1e30;
 // first, so that the rounding errors of their ends do not spoil the rest.
 constexpr double MaximumDisplacement = 100;
 
-std::vector<std::array<int, 3>> ListCorners(const FaceList& faces)
+// Calls visit(before, vertex, after) for the corners of a face.
+template <typename Visit>
+void VisitCorners(const int* face, int size, const Visit& visit)
 {
-  std::vector<std::array<int, 3>> corners;
-  for (int face = 0; face < faces.NumberOfFaces(); ++face)
+  // A triangle has the same normal at all corners. The triangles that a larger face is cut into are
+  // corners of it, except the middle ones of a fan.
+  visit(face[size - 1], face[0], face[1]);
+  for (int corner = 1; corner < size && size > 3; ++corner)
   {
-    const int* const vertices = faces.Face(face);
-    const int size = faces.FaceSize(face);
-    // A triangle has the same normal at all corners. The triangles that a larger face is cut into
-    // are corners of it, except the middle ones of a fan.
-    for (int corner = 0; corner < (size == 3 ? 1 : size); ++corner)
-    {
-      corners.push_back({ { vertices[(corner + size - 1) % size], vertices[corner],
-        vertices[(corner + 1) % size] } });
-    }
-    for (int corner = 3; corner < size - 1; ++corner)
-    {
-      corners.push_back({ { vertices[0], vertices[corner - 1], vertices[corner] } });
-    }
+    visit(face[corner - 1], face[corner], face[corner + 1 < size ? corner + 1 : 0]);
   }
-  return corners;
+  for (int corner = 3; corner < size - 1; ++corner)
+  {
+    visit(face[0], face[corner - 1], face[corner]);
+  }
 }
 
-template <std::size_t N>
-bool AnyOf(const std::vector<char>& flags, const std::array<int, N>& vertices)
+// Whether a vertex of the face has its flag set.
+bool AnyOf(const std::vector<char>& flags, const FaceList& faces, int face)
 {
-  return std::any_of(vertices.begin(), vertices.end(),
+  const int* const vertices = faces.Face(face);
+  return std::any_of(vertices, vertices + faces.FaceSize(face),
     [&](int vertex) { return flags[vertex] != 0; });
 }
 
@@ -109,7 +101,8 @@ public:
   {
   }
 
-  void Run(const std::vector<char>& changed, StepLimiter& step, const ParallelFor& parallelFor)
+  void Run(const FaceList& faces, const std::vector<char>& changed, StepLimiter& step,
+    const ParallelFor& parallelFor)
   {
     const Motion motion = step.Path();
     parallelFor(0, motion.From.rows(),
@@ -125,23 +118,30 @@ public:
       });
     const auto test = [&](const Hull& one, const Hull& two)
     {
-      if (!HaveSeparatingDirection(this->Rounded, one, two, this->Distance.Wanted))
+      if (HaveSeparatingDirection(this->Rounded, one, two, this->Distance.Wanted))
       {
-        const double time =
-          TimeOfImpact(motion, one, two, this->Distance, step.LatestUsefulTime(one, two));
-        if (!(time >= 1))
-        {
-          step.Limit(one, time);
-          step.Limit(two, time);
-        }
+        return;
+      }
+      // An impact may no longer matter at all.
+      const double latest = step.LatestUsefulTime(one, two);
+      const double time = latest > 0 ? TimeOfImpact(motion, one, two, this->Distance, latest) : 1;
+      if (!(time >= 1))
+      {
+        step.Limit(one, time);
+        step.Limit(two, time);
       }
     };
     this->Candidates.VisitDisjointHulls(motion, this->Distance.Wanted, changed, this->Boxes, test,
       parallelFor);
+    std::vector<char> isFaceChanged(faces.NumberOfFaces());
+    for (int face = 0; face < faces.NumberOfFaces(); ++face)
+    {
+      isFaceChanged[face] = AnyOf(changed, faces, face) ? 1 : 0;
+    }
     ForEach(this->Candidates.AdjacentPairs(), parallelFor,
       [&](const HullPair& pair)
       {
-        if (AnyOf(changed, pair.One) || AnyOf(changed, pair.Two))
+        if (isFaceChanged[pair.Faces[0]] || isFaceChanged[pair.Faces[1]])
         {
           test(pair.One, pair.Two);
         }
@@ -158,11 +158,9 @@ private:
 EmbeddingGuard::EmbeddingGuard(const ContourMesh& mesh)
   : Faces(mesh.Faces)
   , Neighbors(mesh.Neighbors)
-  , Corners(ListCorners(mesh.Faces))
-  , Quads(ListQuads(mesh.Faces))
   , Candidates(mesh.NumberOfPoints(), mesh.Faces)
 {
-  const auto overlapping = this->Candidates.Hulls().OverlappingFaces();
+  const auto& overlapping = this->Candidates.OverlappingFaces();
   if (!overlapping.empty())
   {
     throw Error(ErrorCode::InvalidMesh,
@@ -190,7 +188,6 @@ GuardReport EmbeddingGuard::Limit(const PointList& points, PointList& displaceme
   // Vertices whose motion has changed since the test was last run.
   std::vector<char> changedForShapes(points.rows(), 1);
   std::vector<char> changedForPairs(points.rows(), 1);
-  bool arePairsUntested = true;
   GuardReport report;
   while (true)
   {
@@ -199,12 +196,7 @@ GuardReport EmbeddingGuard::Limit(const PointList& points, PointList& displaceme
     std::fill(changedForShapes.begin(), changedForShapes.end(), 0);
     if (step.IsClean())
     {
-      if (arePairsUntested)
-      {
-        step.SuspectHeldVertices();
-        arePairsUntested = false;
-      }
-      hulls.Run(changedForPairs, step, parallelFor);
+      hulls.Run(this->Faces, changedForPairs, step, parallelFor);
       std::fill(changedForPairs.begin(), changedForPairs.end(), 0);
     }
     if (step.IsClean())
@@ -225,18 +217,10 @@ GuardReport EmbeddingGuard::Limit(const PointList& points, PointList& displaceme
   }
 
   report.Guarded = step.NumberOfScaled();
-  // Parts that intersect at the start fail whenever they are tested, unless corners have already
-  // brought them to rest.
-  this->RequireEmbeddedAt(points, step.Suspects(), parallelFor);
+  this->RequireEmbeddedAtRest(step.Path(), parallelFor);
   report.Positions = step.Path().To;
   displacements = report.Positions - points;
   return report;
-}
-
-void EmbeddingGuard::RequireEmbedded(const PointList& points, const ParallelFor& parallelFor) const
-{
-  this->RequireFinite(points, "position", MaximumPosition);
-  this->RequireEmbeddedAt(points, std::vector<char>(points.rows(), 1), parallelFor);
 }
 
 void EmbeddingGuard::RequireFinite(const PointList& points, const char* what, double maximum) const
@@ -258,48 +242,26 @@ void EmbeddingGuard::RequireFinite(const PointList& points, const char* what, do
   }
 }
 
-// Whether hulls meet that have one of the marked vertices.
-bool EmbeddingGuard::AnyMeet(const PointList& points, const std::vector<char>& vertices,
+// Hulls that move have been proven to be apart at the start. That leaves those at rest.
+void EmbeddingGuard::RequireEmbeddedAtRest(const Motion& motion,
   const ParallelFor& parallelFor) const
 {
+  const PointList& points = motion.From;
+  std::vector<char> isAtRest(points.rows());
+  for (std::size_t vertex = 0; vertex < isAtRest.size(); ++vertex)
+  {
+    isAtRest[vertex] = motion.IsAtRest(static_cast<int>(vertex)) ? 1 : 0;
+  }
+  if (std::count(isAtRest.begin(), isAtRest.end(), 1) == 0)
+  {
+    return;
+  }
   const FaceHulls& hulls = this->Candidates.Hulls();
-  const auto meet = [&](const Hull& one, const Hull& two)
-  { return (AnyOf(vertices, one) || AnyOf(vertices, two)) && HullsMeet(points, one, two); };
-  const std::vector<TriangleBox> boxes = hulls.RefitBoxes(points);
-  const auto disjoint =
-    hulls.Tree().SelfPairs([&](int node, int other) { return boxes[node].Touches(boxes[other]); },
-      [&](int one, int two)
-      { return hulls.AreDisjoint(one, two) && meet(hulls.HullAt(one), hulls.HullAt(two)); },
-      parallelFor);
-  return !disjoint.empty() ||
-    !Select(
-      this->Candidates.AdjacentPairs(),
-      [&](const HullPair& pair) { return meet(pair.One, pair.Two); }, parallelFor)
-       .empty();
-}
-
-// Throws if faces intersect that have one of the marked vertices.
-void EmbeddingGuard::RequireEmbeddedAt(const PointList& points, const std::vector<char>& vertices,
-  const ParallelFor& parallelFor) const
-{
-  if (std::count(vertices.begin(), vertices.end(), 0) == points.rows() ||
-    !this->AnyMeet(points, vertices, parallelFor))
+  if (!MarkedHullsMeet(points, hulls, this->Candidates.AdjacentPairs(), isAtRest, parallelFor))
   {
     return;
   }
-  const auto isMarked = [&](int face)
-  {
-    return std::any_of(this->Faces.Face(face), this->Faces.Face(face) + this->Faces.FaceSize(face),
-      [&](int vertex) { return vertices[vertex] != 0; });
-  };
-  auto pairs = FindSelfIntersections(points, this->Candidates.Hulls(), parallelFor);
-  pairs.erase(std::remove_if(pairs.begin(), pairs.end(),
-                [&](const auto& pair) { return !isMarked(pair.first) && !isMarked(pair.second); }),
-    pairs.end());
-  if (pairs.empty())
-  {
-    return;
-  }
+  const auto pairs = FindSelfIntersections(points, hulls, parallelFor);
   const auto textOf = [&](int face)
   {
     std::string text = "(";
@@ -325,17 +287,33 @@ void EmbeddingGuard::TestShapes(const std::vector<char>& changed, StepLimiter& s
   const Motion motion = step.Path();
   const auto test = [&](const auto& vertices, const auto& timeOfFailure)
   {
-    if (AnyOf(changed, vertices))
+    const double time = timeOfFailure(motion, vertices);
+    if (!(time >= 1))
     {
-      const double time = timeOfFailure(motion, vertices);
-      if (!(time >= 1))
-      {
-        step.Limit(vertices, time);
-      }
+      step.Limit(vertices, time);
     }
   };
-  ForEach(this->Corners, parallelFor, [&](const Corner& corner) { test(corner, TimeOfFlip); });
-  ForEach(this->Quads, parallelFor, [&](const Hull& quad) { test(quad, TimeOfFold); });
+  parallelFor(0, this->Faces.NumberOfFaces(),
+    [&](std::ptrdiff_t first, std::ptrdiff_t last)
+    {
+      for (int face = static_cast<int>(first); face < last; ++face)
+      {
+        const int* const v = this->Faces.Face(face);
+        const int size = this->Faces.FaceSize(face);
+        if (!AnyOf(changed, this->Faces, face))
+        {
+          continue;
+        }
+        VisitCorners(v, size,
+          [&](int before, int vertex, int after) {
+            test(std::array<int, 3>{ { before, vertex, after } }, TimeOfFlip);
+          });
+        if (size == 4)
+        {
+          test(Hull{ { v[0], v[1], v[2], v[3] } }, TimeOfFold);
+        }
+      }
+    });
 }
 
 } // namespace FlipFree

@@ -43,26 +43,17 @@ public:
   /// Vertices that move end at single-precision numbers, so that a file of single precision holds
   /// the surface that was certified, if these are fine enough (SinglePrecision.h). `monitor` is
   /// asked between passes; if it returns false, the displacements become zero. Throws Error for a
-  /// wrong number of rows, a number that is not finite, a coordinate beyond 1e30 mm, and where a
-  /// motion cannot be certified because the points are not embedded.
+  /// wrong number of rows, a number that is not finite, a coordinate beyond 1e30 mm, and, naming
+  /// the first pair of faces, if the surface intersects itself at `points`.
   GuardReport Limit(const PointList& points, PointList& displacements,
     const ParallelFor& parallelFor, const Monitor& monitor) const;
-
-  /// Throws Error, naming the first pair of faces, if the surface intersects itself at these
-  /// points, and, as above, for points that it cannot compute with.
-  void RequireEmbedded(const PointList& points, const ParallelFor& parallelFor) const;
 
   /// Of the mesh's faces.
   const FaceHulls& Hulls() const { return this->Candidates.Hulls(); }
 
 private:
-  using Corner = std::array<int, 3>; // before, vertex, after
-
   void RequireFinite(const PointList& points, const char* what, double maximum) const;
-  bool AnyMeet(const PointList& points, const std::vector<char>& vertices,
-    const ParallelFor& parallelFor) const;
-  void RequireEmbeddedAt(const PointList& points, const std::vector<char>& vertices,
-    const ParallelFor& parallelFor) const;
+  void RequireEmbeddedAtRest(const Motion& motion, const ParallelFor& parallelFor) const;
 
   // Retest features with a changed vertex; limit the vertices of those that fail.
   void TestShapes(const std::vector<char>& changed, StepLimiter& step,
@@ -71,8 +62,6 @@ private:
 
   FaceList Faces;
   std::vector<std::array<int, 4>> Neighbors;
-  std::vector<Corner> Corners;
-  std::vector<Hull> Quads;
   CandidatePairs Candidates;
 };
 

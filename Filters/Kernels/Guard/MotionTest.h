@@ -33,6 +33,10 @@ struct Motion
   bool IsAtRest(int vertex) const { return this->From.row(vertex) == this->To.row(vertex); }
 };
 
+/// A distance is certain if it is more than this part of the greatest coordinate: well above the
+/// rounding errors of positions and distances.
+constexpr double RelativeResolution = 1e-12;
+
 /// The distance to be kept, in millimeters. Parts that are nearer than `Wanted` at the start keep
 /// all but a millionth of their distance; parts that are nearer than `Resolution`, well above
 /// rounding errors, may not move at all.

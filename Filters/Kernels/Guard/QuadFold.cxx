@@ -45,7 +45,7 @@ double LongestSquare(const Sides& sides)
 }
 
 // Of two vectors that change linearly.
-Quadratic Cross(const Vector3d& oneStart, const Vector3d& oneEnd, const Vector3d& twoStart,
+inline Quadratic Cross(const Vector3d& oneStart, const Vector3d& oneEnd, const Vector3d& twoStart,
   const Vector3d& twoEnd)
 {
   return { { oneStart.cross(twoStart), 0.5 * (oneStart.cross(twoEnd) + oneEnd.cross(twoStart)),

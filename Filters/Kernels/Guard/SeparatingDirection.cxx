@@ -10,6 +10,21 @@ namespace FlipFree
 namespace
 {
 
+using Lanes = Eigen::Array4f;
+
+constexpr float Tiny = 1e-30F;
+constexpr float Huge = 1e5F; // its seventh power is still in range
+constexpr float Unit = 1.0F / (1 << 24);
+
+// One column per component.
+inline Eigen::Matrix4f Transposed(const Lanes& a, const Lanes& b, const Lanes& c, const Lanes& d)
+{
+  Eigen::Matrix4f rows;
+  rows << a.matrix(), b.matrix(), c.matrix(), d.matrix();
+  rows.transposeInPlace();
+  return rows;
+}
+
 // Rounding. Let u = 2^-24, G the greatest absolute coordinate of the vertices at one end of the
 // motion, E the greatest relative to one of them, and |d| the sum of a direction's absolute
 // components. The direction itself is taken as it is; it only has to be the same at both ends.
@@ -74,23 +89,9 @@ public:
   }
 
 private:
-  using Lanes = Eigen::Array4f;
-  static constexpr float Tiny = 1e-30F;
-  static constexpr float Huge = 1e5F; // its seventh power is still in range
-  static constexpr float Unit = 1.0F / (1 << 24);
-
   static Lanes Cross(const Lanes& a, const Lanes& b)
   {
     return a.matrix().cross3(b.matrix()).array();
-  }
-
-  // One column per component.
-  static Eigen::Matrix4f Transposed(const Lanes& a, const Lanes& b, const Lanes& c, const Lanes& d)
-  {
-    Eigen::Matrix4f rows;
-    rows << a.matrix(), b.matrix(), c.matrix(), d.matrix();
-    rows.transposeInPlace();
-    return rows;
   }
 
   // The cross products with one vector.
@@ -176,32 +177,21 @@ private:
 // A hull at one end of the motion.
 struct CornersAtEnd
 {
-  using Lanes = Eigen::Array4f;
-
   CornersAtEnd(const std::vector<Lanes>& points, const Hull& hull)
-    : A(points[hull[0]])
-    , B(points[hull[1]])
-    , C(points[hull[2]])
-    , D(points[hull[3]])
+    : Sum(points[hull[0]] + points[hull[1]] + (points[hull[2]] + points[hull[3]]))
+    , Rows(Transposed(points[hull[0]], points[hull[1]], points[hull[2]], points[hull[3]]))
   {
   }
-  Lanes Sum() const { return (this->A + this->B) + (this->C + this->D); }
   // The greatest of all coordinates.
-  float Greatest() const
-  {
-    const Lanes greatest = this->A.max(this->B).max(this->C.max(this->D));
-    return greatest[3];
-  }
+  float Greatest() const { return this->Rows.col(3).maxCoeff(); }
   Lanes Along(const Lanes& direction) const
   {
-    return { (this->A * direction).sum(), (this->B * direction).sum(), (this->C * direction).sum(),
-      (this->D * direction).sum() };
+    return this->Rows.col(0).array() * direction[0] + this->Rows.col(1).array() * direction[1] +
+      this->Rows.col(2).array() * direction[2];
   }
 
-  const Lanes& A;
-  const Lanes& B;
-  const Lanes& C;
-  const Lanes& D;
+  Lanes Sum;
+  Eigen::Matrix4f Rows;
 };
 
 // The line between the centers alone, without a local origin: enough for most pairs. In the
@@ -213,17 +203,15 @@ bool CentersSeparate(const SinglePrecisionMotion& motion, const Hull& one, const
 {
   const CornersAtEnd ones[2] = { { motion.Ends[0], one }, { motion.Ends[1], one } };
   const CornersAtEnd twos[2] = { { motion.Ends[0], two }, { motion.Ends[1], two } };
-  Eigen::Array4f direction = ones[0].Sum() + ones[1].Sum() - twos[0].Sum() - twos[1].Sum();
-  direction[3] = 0;
-  const float square = direction.square().sum();
-  const float sum = direction.abs().sum();
-  constexpr float unit = 1.0F / (1 << 24);
+  const Lanes direction = ones[0].Sum + ones[1].Sum - twos[0].Sum - twos[1].Sum;
+  const float square = direction.head<3>().square().sum();
+  const float sum = direction.head<3>().abs().sum();
   for (int end = 0; end < 2; ++end)
   {
-    const float error = 32 * unit * sum * std::max(ones[end].Greatest(), twos[end].Greatest());
+    const float error = 32 * Unit * sum * std::max(ones[end].Greatest(), twos[end].Greatest());
     const float apart = static_cast<float>(gap * (1 + 1e-6)) * std::sqrt(square) + error;
     // Numbers that may have underflowed or overflowed prove nothing.
-    if (!(square > 1e-30F && square < 1e30F && error > 1e-30F &&
+    if (!(square > Tiny && square < 1 / Tiny && error > Tiny &&
           ones[end].Along(direction).minCoeff() - twos[end].Along(direction).maxCoeff() >= apart))
     {
       return false;

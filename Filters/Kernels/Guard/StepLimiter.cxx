@@ -23,7 +23,6 @@ StepLimiter::StepLimiter(const PointList& points, const PointList& displacements
   , Wanted(displacements)
   , To(points.rows(), 3)
   , Scales(points.rows(), 1.0)
-  , IsSuspect(points.rows(), 0)
   , SafeTimes(points.rows())
 {
   std::fill(this->SafeTimes.begin(), this->SafeTimes.end(), 1.0);
@@ -47,7 +46,6 @@ std::vector<int> StepLimiter::ScaleDown()
   for (int vertex = 0; vertex < static_cast<int>(this->Scales.size()); ++vertex)
   {
     const double time = this->SafeTimes[vertex];
-    this->IsSuspect[vertex] |= time < 0 ? 1 : 0;
     if (time < 1 && this->Scales[vertex] > 0)
     {
       const double scale =
@@ -78,14 +76,6 @@ std::vector<int> StepLimiter::ScaleDown()
   }
   this->NothingFailed = true;
   return queue;
-}
-
-void StepLimiter::SuspectHeldVertices()
-{
-  for (std::size_t vertex = 0; vertex < this->Scales.size(); ++vertex)
-  {
-    this->IsSuspect[vertex] |= this->Scales[vertex] == 0 ? 1 : 0;
-  }
 }
 
 } // namespace FlipFree

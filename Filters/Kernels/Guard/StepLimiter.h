@@ -84,11 +84,6 @@ public:
   /// Scales down what was limited. Returns the vertices whose motion has changed.
   std::vector<int> ScaleDown();
 
-  /// 1 for vertices where the surface may not be embedded at the start, according to a test.
-  /// SuspectHeldVertices() adds those that are at rest before any pair has been tested.
-  const std::vector<char>& Suspects() const { return this->IsSuspect; }
-  void SuspectHeldVertices();
-
 private:
   // A limited vertex keeps this fraction of its motion up to the time of impact, clamped to
   // [MinimumPart, MaximumPart]. The lower bound leaves it room to move once others have slowed.
@@ -112,7 +107,6 @@ private:
   const PointList Wanted;
   PointList To;
   std::vector<double> Scales;
-  std::vector<char> IsSuspect;
   std::vector<std::atomic<double>> SafeTimes; // 1 for vertices of which no test has failed
   std::atomic<bool> NothingFailed{ true };
 };

@@ -8,6 +8,7 @@
 #include "Mesh/MeshRefinement.h"
 
 #include <algorithm>
+#include <iterator>
 #include <set>
 #include <vector>
 
@@ -21,8 +22,6 @@ constexpr int MaximumRelaxations = 30;
 // That the refined surface keeps from itself, relative to the typical edge length of the old one,
 // after it has been rounded to single precision.
 constexpr double RelativeGap = 1e-4;
-// Relative to the greatest coordinate: well above the rounding errors of distances.
-constexpr double RelativeResolution = 1e-12;
 // Relative to the typical edge length.
 constexpr double MaximumGap = 0.1;
 // Of the way of a vertex to the mean of its neighbors.
@@ -44,68 +43,86 @@ void RelaxOnce(const ContourMesh& mesh, const EmbeddingGuard& guard, const std::
   points = guard.Limit(points, motion, parallelFor, monitor).Positions;
 }
 
-// What comes too near to other parts, and quads that are folded.
-std::vector<Hull> FindBadHulls(const RefinedSurface& refined, const FaceHulls& hulls,
-  const std::vector<HullPair>& adjacent, double gap, const ParallelFor& parallelFor)
+// The refined surface wherever its old vertices are.
+class EmbeddedRefinement
 {
-  std::vector<Hull> bad;
-  for (const HullPair& pair :
-    FindPairsNearerThan(gap, refined.Points, hulls, adjacent, parallelFor))
+public:
+  EmbeddedRefinement(const ContourMesh& mesh, const PointList& points, const RefinedMesh& refined,
+    double edgeLength, double gap)
+    : Mesh(mesh)
+    , Parents(refined.Parents)
+    , EdgeLength(edgeLength)
+    , Gap(gap)
+    , Hulls(RefinePoints(mesh, points, 1), refined.Faces)
+    , Adjacent(this->Hulls.AdjacentPairs())
+    , Quads(ListQuads(refined.Faces))
   {
-    bad.push_back(pair.One);
-    bad.push_back(pair.Two);
   }
-  for (const Hull& quad : ListQuads(refined.Mesh.Faces))
-  {
-    if (IsFolded(refined.Points, quad))
-    {
-      bad.push_back(quad);
-    }
-  }
-  return bad;
-}
 
-// Pulls the new points where the surface comes too near to itself towards their parents until there
-// are none. False if some remain; `involved` are then the old vertices near those.
-bool RefineEmbedded(const ContourMesh& mesh, const PointList& points, const RefinedMesh& faces,
-  const FaceHulls& hulls, const std::vector<HullPair>& adjacent, double edgeLength, double gap,
-  const ParallelFor& parallelFor, const Monitor& monitor, RefinedSurface& refined,
-  std::set<int>& involved)
-{
-  Eigen::VectorXd reach = Eigen::VectorXd::Ones(points.rows());
-  for (int attempt = 0; attempt < MaximumAttempts; ++attempt)
+  // Pulls the new points where the surface comes too near to itself towards their parents until
+  // there are none. False if some remain; `involved` are then the old vertices near those.
+  bool Run(const PointList& points, const ParallelFor& parallelFor, const Monitor& monitor,
+    PointList& refined, std::set<int>& involved) const
   {
-    if (!monitor(0))
+    Eigen::VectorXd reach = Eigen::VectorXd::Ones(points.rows());
+    for (int attempt = 0; attempt < MaximumAttempts; ++attempt)
     {
-      return false;
-    }
-    refined.Points = RefinePoints(mesh, points, reach);
-    for (auto position : refined.Points.rowwise())
-    {
-      position = RoundToSingle(position, edgeLength);
-    }
-    const std::vector<Hull> bad = FindBadHulls(refined, hulls, adjacent, gap, parallelFor);
-    if (bad.empty())
-    {
-      return true;
-    }
-    involved.clear();
-    for (const Hull& hull : bad)
-    {
-      for (int vertex : hull)
+      if (!monitor(0))
       {
-        const int parent = faces.Parents[vertex];
-        involved.insert(parent);
-        involved.insert(mesh.Neighbors[parent].begin(), mesh.Neighbors[parent].end());
+        return false;
+      }
+      refined = RefinePoints(this->Mesh, points, reach);
+      for (auto position : refined.rowwise())
+      {
+        position = RoundToSingle(position, this->EdgeLength);
+      }
+      const std::vector<Hull> bad = this->FindBadHulls(refined, parallelFor);
+      if (bad.empty())
+      {
+        return true;
+      }
+      involved.clear();
+      for (const Hull& hull : bad)
+      {
+        for (int vertex : hull)
+        {
+          const int parent = this->Parents[vertex];
+          involved.insert(parent);
+          involved.insert(this->Mesh.Neighbors[parent].begin(), this->Mesh.Neighbors[parent].end());
+        }
+      }
+      for (int vertex : involved)
+      {
+        reach[vertex] *= 0.5;
       }
     }
-    for (int vertex : involved)
-    {
-      reach[vertex] *= 0.5;
-    }
+    return false;
   }
-  return false;
-}
+
+private:
+  // What comes too near to other parts, and quads that are folded.
+  std::vector<Hull> FindBadHulls(const PointList& refined, const ParallelFor& parallelFor) const
+  {
+    std::vector<Hull> bad;
+    for (const HullPair& pair :
+      FindPairsNearerThan(this->Gap, refined, this->Hulls, this->Adjacent, parallelFor))
+    {
+      bad.push_back(pair.One);
+      bad.push_back(pair.Two);
+    }
+    std::copy_if(this->Quads.begin(), this->Quads.end(), std::back_inserter(bad),
+      [&](const Hull& quad) { return IsFolded(refined, quad); });
+    return bad;
+  }
+
+  const ContourMesh& Mesh;
+  const std::vector<int>& Parents;
+  const double EdgeLength;
+  const double Gap;
+  const FaceHulls Hulls;
+  const std::vector<HullPair> Adjacent;
+  const std::vector<Hull> Quads;
+};
 
 void AddRings(const ContourMesh& mesh, int rings, std::set<int>& vertices)
 {
@@ -141,9 +158,6 @@ RefinedSurface RefineSurface(const ContourMesh& mesh, const PointList& points, b
     refined.Embedded = true;
     return refined;
   }
-  const EmbeddingGuard guard(mesh);
-  const FaceHulls hulls(RefinePoints(mesh, points, 1), refined.Mesh.Faces);
-  const std::vector<HullPair> adjacent = hulls.AdjacentPairs();
   const double edgeLength = TypicalEdgeLength(mesh.Neighbors, points);
   const double gap =
     std::max(RelativeGap * edgeLength, RelativeResolution * points.cwiseAbs().maxCoeff());
@@ -151,13 +165,14 @@ RefinedSurface RefineSurface(const ContourMesh& mesh, const PointList& points, b
   {
     return refined; // rounding errors are as large as the surface's features
   }
+  const EmbeddingGuard guard(mesh);
+  const EmbeddedRefinement refinement(mesh, points, faces, edgeLength, gap);
   PointList coarse = points;
   std::set<int> involved;
   // Asked at each attempt, of which some are made before and after each relaxation.
   const Monitor proceed = [&](double)
   { return monitor(static_cast<double>(refined.Relaxations) / MaximumRelaxations); };
-  while (!RefineEmbedded(mesh, coarse, faces, hulls, adjacent, edgeLength, gap, parallelFor,
-    proceed, refined, involved))
+  while (!refinement.Run(coarse, parallelFor, proceed, refined.Points, involved))
   {
     if (refined.Relaxations == MaximumRelaxations || !proceed(0))
     {
