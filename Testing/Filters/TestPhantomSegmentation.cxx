@@ -149,6 +149,17 @@ class AbdomenSegmentation
 
 } // namespace
 
+// Search lines of 1.6 seed radii would end within the liver.
+TEST_F(PhantomSegmentation, LiverFromASeedOfHalfItsRadius)
+{
+  this->Phantom->SetShapeToAbdomen();
+  FlipFree::StartInside(this->Filter, this->Phantom, vtkPhantomSource::LIVER);
+  this->Filter->SetSeedRadius(this->Filter->GetSeedRadius() / 2);
+  EXPECT_GE(this->Measure(this->Metrics, vtkPhantomSource::LIVER), 0.92); // measured 0.934
+  this->ExpectConverged();
+  this->ExpectValid(6144);
+}
+
 TEST_P(AbdomenSegmentation, OrganFromItsSeedWithDefaults)
 {
   this->Phantom->SetShapeToAbdomen();

@@ -126,13 +126,16 @@ TEST(OrganCarving, DoesNotDependOnTheSeedsSize)
   const Leak leak;
   const BitMask organ = MaskOf(leak.Geometry, leak.Organ);
   const FloatImage image = ImageOf(leak.Geometry, leak.Organ, 100, 20, 1, 4);
-  for (const double radius : { 3.0, 6.0, 19.0 })
+  BitMask first;
+  for (const double radius : { 19.0, 6.0, 3.0 })
   {
     SCOPED_TRACE(radius);
     BitMask mask = organ;
     const SeedSphere seed{ leak.Seed.Center, radius };
     ASSERT_TRUE(CarveNecks({ image.View() }, seed, 4, Modality::CT, SerialFor, NeverStop, mask));
-    EXPECT_GT(Dice(mask, organ), 0.99);
+    EXPECT_GT(Dice(mask, organ), 0.98);
+    first = radius == 19 ? mask : first;
+    EXPECT_EQ(mask, first);
   }
 }
 
@@ -167,7 +170,7 @@ TEST(OrganCarving, LeavesAnOrganWithoutNecksAlone)
   const FloatImage image = ImageOf(leak.Geometry, leak.Organ, 100, 20, 0, 4);
   BitMask mask = organ;
   ASSERT_TRUE(CarveNecks({ image.View() }, leak.Seed, 4, Modality::CT, SerialFor, NeverStop, mask));
-  EXPECT_GT(Dice(mask, organ), 0.995);
+  EXPECT_GT(Dice(mask, organ), 0.99);
 }
 
 TEST(OrganCarving, KeepsTheSeedWithoutAnyMask)

@@ -62,7 +62,7 @@ double RadiusOf(const BitMask& foreground, const SeedSphere& seed)
 {
   const double volume =
     static_cast<double>(foreground.Count()) * foreground.GetGeometry().VoxelVolume();
-  return std::max(seed.Radius, std::cbrt(volume * 3 / (4 * EIGEN_PI)));
+  return std::max<double>(seed.Radius, std::cbrt(volume * 3 / (4 * EIGEN_PI)));
 }
 
 } // namespace FlipFree
