@@ -387,6 +387,7 @@ def figure_4(path, folder):
             text.SetColor(ink)
             text.BoldOff()
     levels = vtk_to_numpy(table.GetColumnByName("Level"))
+    per_run = (levels.max() + 1) // 2
     for level, color in zip(np.unique(levels), (scene.BLUE, scene.YELLOW, scene.LIVER) * 2):
         rows = vtkTable()
         for name in ("Iteration", "MeanDistance"):
@@ -398,7 +399,8 @@ def figure_4(path, folder):
         curve.SetInputData(rows, 0, 1)
         curve.GetPen().SetColorF(*color)
         curve.SetWidth(2.5 * scene.FINER)
-        curve.SetLabel(f"level {level + 1}")
+        carved = level >= per_run  # the second run
+        curve.SetLabel(f"level {level % per_run + 1}" + (", carved" if carved else ""))
     chart.SetShowLegend(True)
     legend = chart.GetLegend()
     legend.SetLabelSize(14 * scene.FINER)

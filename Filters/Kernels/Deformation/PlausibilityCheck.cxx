@@ -57,8 +57,8 @@ double FractionAtBoundary(const ImageGeometry& image, const PointList& points)
   return ofOthers[most] / static_cast<double>(points.rows());
 }
 
-// The fraction of the vertices that found no boundary in a run's last iteration; with carving, which
-// gives the second run's foreground a boundary on all sides, that of the run that found less.
+// The fraction of the vertices that found no boundary in a run's last iteration; with carving,
+// which gives the second run's foreground a boundary on all sides, that of the run that found less.
 double FractionWithoutBoundary(const std::vector<IterationRecord>& iterations, int levels)
 {
   double fraction = 0;
