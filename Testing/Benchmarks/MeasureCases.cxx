@@ -29,6 +29,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <filesystem>
 #include <functional>
 #include <iostream>
 #include <map>
@@ -155,6 +156,7 @@ double MeasureRow(const Case& row, const Options& options)
   {
     vtkNew<vtkXMLPolyDataWriter> writer;
     writer->SetInputData(filter->GetSurface());
+    std::filesystem::create_directories(options.Surfaces);
     writer->SetFileName((options.Surfaces + "/" + row.Name + ".vtp").c_str());
     writer->Write();
   }
