@@ -203,7 +203,8 @@ void vtkGMMFeatureFilter::ComputeFeature(vtkImageData* image, vtkPolyData* surfa
       vtkWarningMacro("The surface on port 1 has no more than "
         << FlipFree::MinimumRefitSample << " voxels that are more than "
         << this->Settings->Intensity.InnerMargin
-        << " mm inside, too few to model the organ, so its intensities are those of the seed; enlarge "
+        << " mm inside, too few to model the organ, so its intensities are those of the seed; "
+           "enlarge "
            "the surface, or disconnect it.");
     }
   }
