@@ -166,8 +166,8 @@ public:
 
   ///@{
   /**
-   * The scale of the gray values, of which Carving's tolerances are made. Default AUTOMATIC: CT if a
-   * hundredth of the voxels are as negative as fat's Hounsfield units, else MR. For MR, the scale
+   * The scale of the gray values, of which Carving's tolerances are made. Default AUTOMATIC: CT if
+   * a hundredth of the voxels are as negative as fat's Hounsfield units, else MR. For MR, the scale
    * does not matter.
    */
   void SetModality(int value);
