@@ -118,9 +118,10 @@ TEST_F(SegmentationParameters, PresetsSetThemAllInEveryStage)
 
   std::map<std::string, double> published{ { "Levels", 1 }, { "MaximumIterations", 150 },
     { "MinimumComponentWeight", 0 }, { "NoiseWidening", 0 }, { "ReestimateIntensities", 0 },
-    { "Carving", 0 }, { "LeakControl", 0 }, { "SearchDistance", 40 }, { "RunLength", 0 }, { "SearchInward", 0 },
-    { "EdgeWindow", 0 }, { "ImageBoundaryDistance", 0 }, { "NormalSmoothingIterations", 0 },
-    { "OutlierStandardDeviations", 0 }, { "MaximumDisplacement", 0 }, { "Guard", 0 } };
+    { "Carving", 0 }, { "LeakControl", 0 }, { "SearchDistance", 40 }, { "RunLength", 0 },
+    { "SearchInward", 0 }, { "EdgeWindow", 0 }, { "ImageBoundaryDistance", 0 },
+    { "NormalSmoothingIterations", 0 }, { "OutlierStandardDeviations", 0 },
+    { "MaximumDisplacement", 0 }, { "Guard", 0 } };
   const auto expectPublished = [&]
   {
     for (const Property& property : Properties())

@@ -1,6 +1,7 @@
 #include "Image/GaussianSmoothing.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace FlipFree
 {
@@ -12,7 +13,7 @@ constexpr double Truncation = 3;
 // The weights at offsets 0, 1, ... voxels.
 std::vector<float> HalfKernel(double deviation, double spacing)
 {
-  const int reach = static_cast<int>(Truncation * deviation / spacing + 0.5);
+  const auto reach = static_cast<int>(std::lround(Truncation * deviation / spacing));
   std::vector<float> weights(reach + 1);
   double sum = 0;
   for (int offset = 0; offset <= reach; ++offset)

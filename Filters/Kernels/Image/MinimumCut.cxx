@@ -236,9 +236,10 @@ private:
 
   void Adopt()
   {
-    for (std::size_t first = 0; first < this->Orphans.size(); ++first)
+    std::size_t first = 0;
+    while (first < this->Orphans.size()) // which grows
     {
-      this->AdoptOne(this->Orphans[first]);
+      this->AdoptOne(this->Orphans[first++]);
     }
     this->Orphans.clear();
   }

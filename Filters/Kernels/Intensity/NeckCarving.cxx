@@ -10,6 +10,7 @@
 #include "Intensity/RobustStatistics.h"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <limits>
 
@@ -309,7 +310,7 @@ private:
     const std::array<double, 3> area{ { volume / blocks.Spacing[0], volume / blocks.Spacing[1],
       volume / blocks.Spacing[2] } };
     const double unit = perArea * *std::max_element(area.begin(), area.end()) / GreatestCapacity;
-    constexpr double greatestTerminal = CutNetwork::Infinite / 4;
+    constexpr std::int32_t greatest = CutNetwork::Infinite / 4;
     const std::array<std::ptrdiff_t, 3> step{ { 1, this->Size[0],
       static_cast<std::ptrdiff_t>(this->Size[0]) * this->Size[1] } };
     for (int k = 0; k < this->Size[2]; ++k)
@@ -348,13 +349,13 @@ private:
             else
             {
               network.Neighbors[node][way] = this->Nodes[other];
-              network.Capacities[node][way] = static_cast<std::int32_t>(capacity + 0.5);
+              network.Capacities[node][way] = static_cast<std::int32_t>(std::lround(capacity));
             }
           }
           network.Terminals[node] = this->IsCore[block]
             ? -CutNetwork::Infinite
             : static_cast<std::int32_t>(
-                std::lround(std::max(-greatestTerminal, std::min(greatestTerminal, terminal))));
+                std::lround(std::max<double>(-greatest, std::min<double>(greatest, terminal))));
         }
       }
     }
