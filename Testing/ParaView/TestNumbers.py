@@ -77,9 +77,14 @@ class Stages(session.SessionTest):
 
         smooth = simple.FlipFreeStage1Diffusion(Input=phantom, **seed)
         feature = simple.FlipFreeStage2Feature(Input=smooth, **seed)
-        surface = simple.QuadSphere(Center=seed["SeedCenter"], Radius=seed["SeedRadius"], Resolution=16)
+        surface = start = simple.QuadSphere(Center=seed["SeedCenter"], Radius=seed["SeedRadius"], Resolution=16)
         for _ in range(2):
             targets = simple.FlipFreeStage3Correspondence(Input=surface, Feature=feature, EdgeImage=smooth)
+            surface = simple.FlipFreeStage4Deformation(Input=targets)
+        carved = simple.FlipFreeStage2Feature(Input=smooth, Surface=surface, **seed)
+        surface = start
+        for _ in range(2):
+            targets = simple.FlipFreeStage3Correspondence(Input=surface, Feature=carved)
             surface = simple.FlipFreeStage4Deformation(Input=targets)
         self.assert_same(points(fetch(surface)), expected)
         self.assertGreater(numpy.linalg.norm(expected - seed["SeedCenter"], axis=1).min(), 20)

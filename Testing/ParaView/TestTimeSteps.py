@@ -11,7 +11,8 @@ class TimeSteps(session.SessionTest):
         super().setUp()
         phantom = simple.SegmentationPhantom(Shape="Sphere")
         self.sphere = simple.FlipFreeSegmentation(Input=phantom, SeedCenter=[47.5, 47.5, 47.5], SeedRadius=15,
-                                                  Resolution=16, Levels=1, MaximumIterations=6, ChangeTolerance=-1)
+                                                  Resolution=16, Levels=1, MaximumIterations=6, ChangeTolerance=-1,
+                                                  Carving=0)
 
     def radius_at(self, time):
         self.sphere.UpdatePipeline(time)
