@@ -48,12 +48,10 @@ bool Carve(vtkPolyData* surface, const FlipFree::ImageView<float>& smooth,
     "the surface on port 1");
   const std::vector<FlipFree::VoxelRun> runs = FlipFree::VoxelizeSurface(inside.Points,
     inside.Triangles, smooth.Geometry, FlipFree::SMPFor, FlipFree::PartOf(monitor, 0, 0.1));
-  if (modality == FlipFree::Modality::Automatic)
-  {
-    modality = FlipFree::ModalityOf(FlipFree::ReaderOf(smooth), smooth.Geometry);
-  }
+  const FlipFree::Modality resolved =
+    FlipFree::ResolveModality(modality, FlipFree::ReaderOf(smooth), smooth.Geometry);
   return monitor(0.1) &&
-    FlipFree::CarveOrgan(smooth, runs, seed, noise, modality, FlipFree::SMPFor,
+    FlipFree::CarveOrgan(smooth, runs, seed, noise, resolved, FlipFree::SMPFor,
       FlipFree::PartOf(monitor, 0.1, 1), foreground);
 }
 
@@ -204,15 +202,13 @@ void vtkGMMFeatureFilter::ComputeFeature(vtkImageData* image, vtkPolyData* surfa
         << FlipFree::MinimumRefitSample << " voxels that are more than "
         << this->Settings->Intensity.InnerMargin
         << " mm inside, too few to model the organ, so its intensities are those of the seed; "
-           "enlarge "
-           "the surface, or disconnect it.");
+           "enlarge the surface, or disconnect it.");
     }
   }
   FlipFree::BitMask foreground;
   double radius = seed.Radius;
   if (surface && this->Settings->Carving)
   {
-    refit = FlipFree::Refit::Done;
     if (!whole(0.4) ||
       !Carve(surface, smooth, seed, noise, this->Settings->Modality,
         FlipFree::PartOf(whole, 0.4, 0.9), foreground))
@@ -221,16 +217,19 @@ void vtkGMMFeatureFilter::ComputeFeature(vtkImageData* image, vtkPolyData* surfa
     }
     radius = FlipFree::RadiusOf(foreground, seed);
   }
-  else if (!whole(0.4) ||
-    !FlipFree::FindForeground(smooth, model, seed, *this->Settings, FlipFree::SMPFor,
-      FlipFree::PartOf(whole, 0.4, 0.9), foreground) ||
-    !whole(0.9))
+  else
   {
-    return;
-  }
-  if (refit != FlipFree::Refit::Done)
-  {
-    FlipFree::RequireContrast(foreground);
+    if (!whole(0.4) ||
+      !FlipFree::FindForeground(smooth, model, seed, *this->Settings, FlipFree::SMPFor,
+        FlipFree::PartOf(whole, 0.4, 0.9), foreground) ||
+      !whole(0.9))
+    {
+      return;
+    }
+    if (refit != FlipFree::Refit::Done)
+    {
+      FlipFree::RequireContrast(foreground);
+    }
   }
   const std::vector<float> feature =
     FlipFree::MakeFeature(smooth, model, foreground, FlipFree::SMPFor);

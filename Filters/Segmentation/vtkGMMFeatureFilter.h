@@ -16,17 +16,17 @@
  * of vtkSeedRegionDiffusion is used where present; else the noise is measured in the seed. Input
  * port 1, optional: vtkPolyData, a closed surface within the organ (SetSurfaceConnection). Output
  * port 0: vtkImageData of the input's geometry, float scalars `Feature`, 0 to 1. Field data,
- * doubles: `FeatureThreshold` (1 value), `SeedRadius` (1 value, mm; once
- * carved, that of a ball of the foreground's volume, if greater), `MixtureWeights`, `MixtureMeans`,
+ * doubles: `FeatureThreshold` (1 value), `SeedRadius` (1 value, mm; after carving that of a ball of
+ * the foreground's volume, if greater), `MixtureWeights`, `MixtureMeans`,
  * `MixtureStandardDeviations` (one per component, gray values), `EdgeRamp` (3 values: low, high,
  * width, by which vtkCorrespondenceSearch reads edges).
  *
  * Errors: as vtkSeedRegionDiffusion; a surface that is open, or holds no voxel of the image; a seed
  * that holds no voxel, or, unless a surface takes its place, has no contrast to its surroundings; a
  * `NoiseStandardDeviation` that is not one finite number; a property that is NaN. Warning: of a
- * surface with 200 voxels or fewer more than 2 mm inside, too few to model the organ, the feature
- * is that of the seed. Progress is reported and an abort obeyed between passes over the image; the
- * output is then empty.
+ * surface with 200 voxels or fewer more than 2 mm inside, too few to model the organ, the
+ * intensities are those of the seed. Progress is reported and an abort obeyed between passes over
+ * the image; the output is then empty.
  */
 #ifndef vtkGMMFeatureFilter_h
 #define vtkGMMFeatureFilter_h

@@ -34,11 +34,7 @@ public:
         order.push_back(static_cast<int>(voxel));
       }
     }
-    std::sort(order.begin(), order.end(),
-      [this](int a, int b) {
-        return this->Distance[a] != this->Distance[b] ? this->Distance[a] > this->Distance[b]
-                                                      : a < b;
-      });
+    std::sort(order.begin(), order.end(), [this](int a, int b) { return this->IsBefore(a, b); });
     for (const int voxel : order)
     {
       this->Enter(voxel);

@@ -160,9 +160,8 @@ bool GrowingForeground::Carve(const PointList& points, const TriangleList& trian
   {
     return false;
   }
-  const Modality modality = this->Settings.Modality == Modality::Automatic
-    ? ModalityOf(this->Region.GetReader(), this->Geometry)
-    : this->Settings.Modality;
+  const Modality modality =
+    ResolveModality(this->Settings.Modality, this->Region.GetReader(), this->Geometry);
   const bool done = CarveOrgan(this->GetImage(), inside, this->Seed, noise, modality,
     this->Parallel, proceed, this->Mask);
   this->Bounds = this->Mask.Bounds();

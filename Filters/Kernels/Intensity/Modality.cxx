@@ -57,4 +57,9 @@ Modality ModalityOf(const VoxelReader& read, const ImageGeometry& geometry)
   return darkest < Negative && -darkest > LeastPart * brightest ? Modality::CT : Modality::MR;
 }
 
+Modality ResolveModality(Modality given, const VoxelReader& read, const ImageGeometry& geometry)
+{
+  return given == Modality::Automatic ? ModalityOf(read, geometry) : given;
+}
+
 } // namespace FlipFree

@@ -21,6 +21,9 @@ enum class Modality
 /// values have no sign. A grid of samples decides.
 Modality ModalityOf(const VoxelReader& read, const ImageGeometry& geometry);
 
+/// The modality given, or what the image looks like if it is Automatic.
+Modality ResolveModality(Modality given, const VoxelReader& read, const ImageGeometry& geometry);
+
 } // namespace FlipFree
 
 #endif
