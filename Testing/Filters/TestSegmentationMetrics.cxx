@@ -1,8 +1,9 @@
 #include "vtkSegmentationMetrics.h"
 
-#include "../../Filters/Evaluation/LabelSurface.h"
 #include "ExamplePolyData.h"
 #include "FilterErrors.h"
+#include "LabelAdapter.h"
+#include "Measures/LabelSurface.h"
 #include "Mesh/SurfaceVoxelization.h"
 #include "ProgressWatch.h"
 
