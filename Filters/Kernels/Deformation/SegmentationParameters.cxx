@@ -2,8 +2,6 @@
 
 #include "PropertyCheck.h"
 
-#include <type_traits>
-
 namespace FlipFree
 {
 namespace
@@ -11,36 +9,13 @@ namespace
 
 using Settings = VolumeSegmentationSettings;
 
-template <typename T>
-ParameterType TypeOf()
+ParameterTable<Settings> MakeTable()
 {
-  if (std::is_same_v<T, bool>)
-  {
-    return ParameterType::Boolean;
-  }
-  return std::is_integral_v<T> || std::is_enum_v<T> ? ParameterType::Integer : ParameterType::Real;
-}
-
-// `field(settings)` is a reference to the value.
-template <typename T, typename Field>
-SegmentationParameter Parameter(const char* name, const Field& field, double minimum,
-  double maximum)
-{
-  return { name, TypeOf<T>(),
-    [field](const Settings& settings) { return static_cast<double>(field(settings)); },
-    [field, minimum, maximum](Settings& settings, double value)
-    {
-      const double clamped = value < minimum ? minimum : (value > maximum ? maximum : value);
-      // Enumerations are numbered without gaps.
-      field(settings) = static_cast<T>(clamped);
-    } };
-}
-
-std::vector<SegmentationParameter> MakeParameters()
-{
-  std::vector<SegmentationParameter> parameters;
+  ParameterTable<Settings> table;
+  table.push_back(VectorParameter<double, Settings>(
+    "StartCenterOffset", [](auto& settings) { return settings.StartCenterOffset.data(); }, 3));
 #define ADD(Name, type, field, minimum, maximum)                                                   \
-  parameters.push_back(Parameter<type>(                                                            \
+  table.push_back(NumberParameter<type, Settings>(                                                 \
     #Name, [](auto& settings) -> auto& { return field; }, minimum, maximum));
   ADD(StartScale, double, settings.StartScale, 1e-3, 1e3)
   FLIPFREE_SCHEDULE_PARAMETERS(ADD, settings.Method.Schedule.)
@@ -52,23 +27,25 @@ std::vector<SegmentationParameter> MakeParameters()
   FLIPFREE_TARGET_PARAMETERS(ADD, settings.Method.Targets.)
   FLIPFREE_STEP_PARAMETERS(ADD, settings.Method.Step.)
 #undef ADD
-  return parameters;
+  return table;
 }
 
 } // namespace
 
-const std::vector<SegmentationParameter>& SegmentationParameters()
+const ParameterTable<Settings>& SegmentationParameters()
 {
-  static const std::vector<SegmentationParameter> parameters = MakeParameters();
-  return parameters;
+  static const ParameterTable<Settings> table = MakeTable();
+  return table;
 }
 
-void RequireNumbers(const VolumeSegmentationSettings& settings)
+void RequireNumbers(const Settings& settings)
 {
-  RequireNumbers({ { "StartCenterOffset", settings.StartCenterOffset.sum() } });
-  for (const SegmentationParameter& parameter : SegmentationParameters())
+  for (const Parameter<Settings>& parameter : SegmentationParameters())
   {
-    RequireNumbers({ { parameter.Name.c_str(), parameter.Get(settings) } });
+    for (const double value : parameter.Get(settings))
+    {
+      RequireNumbers({ { parameter.Name.c_str(), value } });
+    }
   }
 }
 

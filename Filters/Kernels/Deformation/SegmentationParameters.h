@@ -10,10 +10,7 @@
 #define FlipFreeSegmentationParameters_h
 
 #include "Deformation/VolumeSegmentation.h"
-
-#include <functional>
-#include <string>
-#include <vector>
+#include "ParameterTable.h"
 
 // Fields cannot be put in parentheses.
 // NOLINTBEGIN(bugprone-macro-parentheses)
@@ -69,24 +66,8 @@
 namespace FlipFree
 {
 
-enum class ParameterType
-{
-  Boolean,
-  Integer,
-  Real
-};
-
-struct SegmentationParameter
-{
-  std::string Name; ///< of the property, as in messages
-  ParameterType Type;
-  std::function<double(const VolumeSegmentationSettings&)> Get;
-  /// Takes the nearest value of its range; NaN passes.
-  std::function<void(VolumeSegmentationSettings&, double)> Set;
-};
-
-/// All of them, StartCenterOffset aside, which is no single number.
-const std::vector<SegmentationParameter>& SegmentationParameters();
+/// All of them.
+const ParameterTable<VolumeSegmentationSettings>& SegmentationParameters();
 
 /// Throws std::invalid_argument, naming the first parameter that is not a finite number.
 void RequireNumbers(const VolumeSegmentationSettings& settings);

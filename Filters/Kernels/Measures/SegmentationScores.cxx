@@ -79,7 +79,32 @@ std::string WarningOf(const LabelMask* segmentation, const LabelMask& reference)
     (labels.empty() ? "" : ", or set ReferenceLabel to one of " + labels) + ".";
 }
 
+ParameterTable<ScoreSettings> MakeTable()
+{
+  constexpr double least = std::numeric_limits<int>::min();
+  constexpr double most = std::numeric_limits<int>::max();
+  return { NumberParameter<int, ScoreSettings>(
+             "SegmentationLabel",
+             [](auto& settings) -> auto& { return settings.SegmentationLabel; }, least, most),
+    NumberParameter<int, ScoreSettings>(
+      "ReferenceLabel", [](auto& settings) -> auto& { return settings.ReferenceLabel; }, least,
+      most),
+    NumberParameter<double, ScoreSettings>(
+      "SampleSpacing", [](auto& settings) -> auto& { return settings.SampleSpacing; }, 0.001, 1000),
+    NumberParameter<int, ScoreSettings>(
+      "LabelSmoothing", [](auto& settings) -> auto& { return settings.LabelSmoothing; }, 0, 100),
+    NumberParameter<bool, ScoreSettings>(
+      "ScoreVoxelization", [](auto& settings) -> auto& { return settings.ScoreVoxelization; }, 0,
+      1) };
+}
+
 } // namespace
+
+const ParameterTable<ScoreSettings>& ScoreParameters()
+{
+  static const ParameterTable<ScoreSettings> table = MakeTable();
+  return table;
+}
 
 void RequireLabel(const LabelMask& labelMap, const std::string& name, const std::string& property)
 {

@@ -7,6 +7,7 @@
 
 #include "Image/LabelValues.h"
 #include "Measures/LabelSurface.h"
+#include "ParameterTable.h"
 
 #include <functional>
 #include <limits>
@@ -23,6 +24,8 @@ struct ScoreSettings
   int LabelSmoothing = 0;         ///< iterations of windowed sinc smoothing of the labels' surfaces
   bool ScoreVoxelization = false; ///< measure the surface of a mesh's voxels, not the mesh
 };
+
+const ParameterTable<ScoreSettings>& ScoreParameters();
 
 struct SegmentationScores
 {
