@@ -4,16 +4,18 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from enum import IntEnum
-from typing import TYPE_CHECKING, Any, Literal
+from typing import TYPE_CHECKING, Any, get_args
 
 from ._backend import PHANTOM_PARAMETERS, PhantomAlgorithm
 from ._parameters import described, set_parameters, signature_with
+from ._types import Shape
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence as Sequence  # of the parameters spelled out
+
     from ._images import Image
 
-Shape = Literal["sphere", "cube", "cup", "u-tube", "vessel", "abdomen"]
-SHAPES = ("sphere", "cube", "cup", "u-tube", "vessel", "abdomen")
+SHAPES = get_args(Shape)
 
 
 class Organ(IntEnum):
@@ -49,7 +51,7 @@ def phantom(shape: Shape = "abdomen", **parameters: Any) -> Phantom:
     contrast-enhanced CT.
 
     >>> import flipfree
-    >>> ball = flipfree.phantom("sphere", dimensions=(48, 48, 48), noise_standard_deviation=0)
+    >>> ball = flipfree.phantom("sphere")
     >>> center, radius = ball.seeds[1]
     >>> organ = flipfree.segment(ball.image, center, radius)
     >>> flipfree.evaluate(organ, ball.label_map).dice > 0.97
