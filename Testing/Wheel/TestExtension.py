@@ -1,6 +1,7 @@
 """What only the package without VTK has: threads of its own, and signals and forks among them."""
 
 import os
+import re
 import signal
 import subprocess
 import sys
@@ -136,6 +137,15 @@ class Voxels(unittest.TestCase):
                                    "direction matrix that cannot be inverted")):
             with self.subTest(message), self.assertRaisesRegex(flipfree.SegmentationError, message):
                 flipfree.segment(array, SEED, RADIUS, **geometry)
+
+
+class Readme(unittest.TestCase):
+    def test_lines_work(self):
+        readme = Path(os.environ["FLIPFREE_PYTHON_SOURCE"], "..", "..", "README.md").read_text(encoding="utf-8")
+        section = readme.partition("\n### Python in a virtual environment\n")[2].partition("\n## ")[0]
+        [program] = re.findall("```python\n(.*?)```", section, re.DOTALL)
+        output = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=True).stdout
+        self.assertRegex(output, r"^at rest \(6144, 3\) \d+ voxels\n0\.9[3-9]")
 
 
 class Surface(unittest.TestCase):
