@@ -54,7 +54,7 @@ VolumeSegmentationSettings Coarse()
   return settings;
 }
 
-VolumeSegmentation Run(const Volume& volume, const GrayVolume& gray,
+VolumeSegmentation SegmentIt(const Volume& volume, const GrayVolume& gray,
   const VolumeSegmentationSettings& settings, const Monitor& monitor = NeverStop,
   const DeformableSurface* start = nullptr)
 {
@@ -82,7 +82,7 @@ std::string MessageOf(const Call& call)
 TEST(VolumeSegmentation, FindsABall)
 {
   const Volume volume;
-  const VolumeSegmentation result = Run(volume, volume.Gray(), Coarse());
+  const VolumeSegmentation result = SegmentIt(volume, volume.Gray(), Coarse());
   EXPECT_EQ(result.Organ.SelfIntersections, 0);
   EXPECT_TRUE(result.Warnings.empty());
   const SegmentationScores scores = ScoreSurface(result.Organ.Points, result.Organ.Mesh.Triangles,
@@ -99,17 +99,18 @@ TEST(VolumeSegmentation, StopsAndStartsWhereItIsTold)
   const Volume volume;
   int asked = 0;
   const VolumeSegmentation stopped =
-    Run(volume, volume.Gray(), Coarse(), [&asked](double) { return ++asked < 30; });
+    SegmentIt(volume, volume.Gray(), Coarse(), [&asked](double) { return ++asked < 30; });
   EXPECT_EQ(stopped.Organ.Reason, StopReason::Aborted);
   EXPECT_TRUE(stopped.Voxels.empty());
   VolumeSegmentationSettings settings = Coarse();
   settings.Method.Schedule.Levels = 1;
   settings.Method.Schedule.MaximumIterations = 0;
   const DeformableSurface start = MakeStartSphere(5, volume.Seed.Center, 11);
-  EXPECT_EQ(Run(volume, volume.Gray(), settings, NeverStop, &start).Organ.Points, start.Points);
+  EXPECT_EQ(SegmentIt(volume, volume.Gray(), settings, NeverStop, &start).Organ.Points,
+    start.Points);
   settings.StartScale = 0.5;
   settings.StartCenterOffset = { 3, 0, 0 };
-  const PointList points = Run(volume, volume.Gray(), settings).Organ.Points;
+  const PointList points = SegmentIt(volume, volume.Gray(), settings).Organ.Points;
   EXPECT_NEAR((points.row(7).transpose() - volume.Seed.Center - Eigen::Vector3d(3, 0, 0)).norm(),
     volume.Seed.Radius / 2, 1e-9);
 }
@@ -120,10 +121,10 @@ TEST(VolumeSegmentation, RefusesWhatItCannotWorkWith)
   std::vector<float> voxels(volume.Intensities.begin(), volume.Intensities.end());
   voxels[volume.Geometry.Offset(24, 24, 24)] = std::numeric_limits<float>::quiet_NaN();
   const GrayVolume bad = GrayVolumeOf(ImageView<float>{ voxels.data(), volume.Geometry }, "it", {});
-  EXPECT_EQ(MessageOf([&] { Run(volume, bad, Coarse()); }),
+  EXPECT_EQ(MessageOf([&] { SegmentIt(volume, bad, Coarse()); }),
     "a voxel of it, at (48, 48, 48) mm, is not a finite number; replace such voxels first");
   volume.Seed.Center[0] = 500;
-  EXPECT_NE(MessageOf([&] { Run(volume, volume.Gray(), Coarse()); }).find("lies outside it"),
+  EXPECT_NE(MessageOf([&] { SegmentIt(volume, volume.Gray(), Coarse()); }).find("lies outside it"),
     std::string::npos);
 }
 
