@@ -45,7 +45,7 @@ class Faces:
         return triangles
 
     def cells(self) -> tuple[Any, Any]:
-        """The corners of all faces one behind the other, and where each face starts and the last ends."""
+        """The corners of all faces in a row, where each face starts, and where the last ends."""
         raise NotImplementedError
 
     def _cells(self) -> tuple[Any, Any, Any]:

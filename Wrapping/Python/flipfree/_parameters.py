@@ -1,6 +1,6 @@
 """Parameters as keyword arguments: the property SearchDistance is search_distance.
 
-Where they come from, documentation included, is the backend's business; a new one is a keyword at once.
+The backend reads them where they are defined, documentation included: a new one is a keyword at once.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ class Parameter:
         raise NotImplementedError
 
     def assign(self, algorithm: Any, value: Any) -> None:
-        """Sets the value, or the nearest one in its range; raises TypeError for one of another type."""
+        """Sets the value, or the nearest in its range; raises TypeError for another type."""
         raise NotImplementedError
 
     def set(self, algorithm: Any, value: Any) -> None:

@@ -66,6 +66,7 @@ def phantom(shape: Shape = "abdomen", **parameters: Any) -> Phantom:
 
 
 # Help and completion show the parameters as if they were spelled out above.
-phantom.__doc__ = f"{phantom.__doc__}\n    The other parameters:\n\n{described(PHANTOM_PARAMETERS)}\n"
+_PARAMETERS = described(PHANTOM_PARAMETERS)
+phantom.__doc__ = f"{phantom.__doc__}\n    The other parameters:\n\n{_PARAMETERS}\n"
 _SIGNATURE = signature_with(phantom, PhantomAlgorithm(0).settings, PHANTOM_PARAMETERS)
 phantom.__signature__ = _SIGNATURE  # type: ignore[attr-defined]

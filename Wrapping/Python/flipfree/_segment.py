@@ -20,6 +20,7 @@ if TYPE_CHECKING:
 
     from ._images import AnyImage, AnySurface, Image
 
+
 def segment(
     image: AnyImage,
     seed: Sequence[float],

@@ -11,7 +11,7 @@ IDENTITY = (1, 0, 0, 0, 1, 0, 0, 0, 1)
 
 
 def voxels_of(array: npt.ArrayLike) -> npt.NDArray[Any]:
-    """The array itself if its voxels lie one behind the other and are of a known type, else a copy."""
+    """The array itself if its voxels lie one behind the other and have a known type, or a copy."""
     import numpy
 
     voxels = numpy.asarray(array)

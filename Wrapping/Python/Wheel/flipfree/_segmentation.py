@@ -79,8 +79,8 @@ class Segmentation(Faces):
             from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
         except ImportError as error:
             raise FlipFreeError(
-                "surface: it is an object of VTK, which is not installed (pip install vtk); .points, "
-                ".faces and .triangles have the same as numpy arrays"
+                "surface: it is an object of VTK, which is not installed (pip install vtk); "
+                ".points, .faces and .triangles have the same as numpy arrays"
             ) from error
         surface, points, polys = vtkPolyData(), vtkPoints(), vtkCellArray()
         points.SetData(numpy_to_vtk(self.points))
