@@ -6,12 +6,11 @@
 #define FlipFreeContourMeshAdapter_h
 
 #include "Deformation/Correspondence.h"
+#include "Deformation/StartSurface.h"
 #include "ExecutionAdapter.h"
 #include "FieldData.h"
-#include "Geometry/SelfIntersection.h"
 #include "Mesh/ContourMesh.h"
 #include "MeshAdapter.h"
-#include "MessageText.h"
 #include "SurfaceAdapter.h"
 
 #include "vtkDoubleArray.h"
@@ -27,20 +26,6 @@
 
 namespace FlipFree
 {
-
-/// Returns make(). Errors of kernels get `name` in front.
-template <typename Make>
-auto NamingSurface(const std::string& name, const Make& make)
-{
-  try
-  {
-    return make();
-  }
-  catch (const Error& error)
-  {
-    throw Error(error.GetCode(), name + ": " + error.what());
-  }
-}
 
 /// The analysis of a surface's connectivity, kept from update to update while the polygons stay the
 /// same.
@@ -73,42 +58,20 @@ private:
   Mesh Last;
 };
 
-/// Throws std::invalid_argument, naming the surface by `name`, when it intersects itself or is
-/// inside out. `hulls` are those of the mesh's faces.
+/// RequireEmbedded() by VTK's threads.
 inline void RequireEmbedded(const ContourMesh& mesh, const FaceHulls& hulls,
   const PointList& points, const std::string& name)
 {
-  const auto pairs = FindSelfIntersections(points, hulls, SMPFor);
-  if (!pairs.empty())
-  {
-    throw std::invalid_argument(name + " intersects itself in " + std::to_string(pairs.size()) +
-      " pairs of faces, for some way to cut them into triangles, the first near " +
-      TextOf(points.row(mesh.Faces.Face(pairs[0].first)[0])) +
-      " mm; start from an embedded surface, or switch Guard (of a refinement: Check) off");
-  }
-  RequireOutward(points, mesh.Triangles, name);
+  RequireEmbedded(mesh, hulls, points, name, SMPFor);
 }
-
-struct DeformableSurface
-{
-  ContourMesh Mesh;
-  PointList Points;
-};
 
 /// Copies a surface. Throws std::invalid_argument, naming it by `name`, when it is not a closed
 /// mesh with four neighbors at every vertex, or, if asked, is not embedded.
 inline DeformableSurface DeformableSurfaceOf(vtkPolyData* data, const std::string& name,
   bool requireEmbedded)
 {
-  DeformableSurface surface;
-  surface.Points = CopyPoints(data);
-  surface.Mesh = *ContourMeshCache().MeshOf(data, surface.Points, name);
-  if (requireEmbedded)
-  {
-    RequireEmbedded(surface.Mesh, FaceHulls(surface.Points, surface.Mesh.Faces), surface.Points,
-      name);
-  }
-  return surface;
+  RequirePolygons(data, name);
+  return MakeStartSurface(CopyPoints(data), CopyPolys(data, name), name, requireEmbedded, SMPFor);
 }
 
 /// Where the field is of another size, no iteration has been made of this mesh: nothing is wanted.

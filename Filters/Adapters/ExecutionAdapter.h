@@ -5,13 +5,12 @@
 #ifndef FlipFreeExecutionAdapter_h
 #define FlipFreeExecutionAdapter_h
 
+#include "Image/SliceParts.h"
 #include "KernelTypes.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkSMPTools.h"
 #include "vtkVersionMacros.h"
-
-#include <algorithm>
 
 namespace FlipFree
 {
@@ -29,24 +28,16 @@ inline int NumberOfThreads()
   return vtkSMPTools::GetEstimatedNumberOfThreads();
 }
 
-/// Runs body(first, last) over parts of the slices [begin, end) of an image by VTK's threads, a few
-/// slices at a time: some ten milliseconds of work that is done once for each voxel. The monitor is
-/// asked before each time. Returns false if it stopped it.
+inline Threading SMPThreading()
+{
+  return { SMPFor, NumberOfThreads() };
+}
+
+/// ForSlices() by VTK's threads.
 inline bool SMPForSlices(std::ptrdiff_t begin, std::ptrdiff_t end, std::ptrdiff_t voxelsOfSlice,
   const Monitor& monitor, const RangeBody& body)
 {
-  constexpr std::ptrdiff_t voxelsAtOnce = 1 << 22;
-  const std::ptrdiff_t atOnce = std::max<std::ptrdiff_t>(NumberOfThreads(),
-    voxelsAtOnce / std::max<std::ptrdiff_t>(1, voxelsOfSlice));
-  for (std::ptrdiff_t first = begin; first < end; first += atOnce)
-  {
-    if (!monitor(static_cast<double>(first - begin) / static_cast<double>(end - begin)))
-    {
-      return false;
-    }
-    SMPFor(first, std::min(end, first + atOnce), body);
-  }
-  return true;
+  return ForSlices(SMPThreading(), begin, end, voxelsOfSlice, monitor, body);
 }
 
 inline bool IsAborted(vtkAlgorithm* algorithm)

@@ -5,9 +5,10 @@
 #ifndef FlipFreeGrayImageAdapter_h
 #define FlipFreeGrayImageAdapter_h
 
+#include "Deformation/VolumeSegmentation.h"
 #include "ExecutionAdapter.h"
-#include "FiniteVoxels.h"
 #include "Image/AnisotropicDiffusion.h"
+#include "Image/FiniteVoxels.h"
 #include "Image/SeedRegion.h"
 #include "ImageAdapter.h"
 
@@ -59,7 +60,18 @@ inline bool RequireFinite(vtkImageData* image, const VoxelBox& box, const std::s
 {
   return VisitVoxels(image, name,
     [&](const auto& view)
-    { return RequireFiniteAs<float>(view, box, name, "replace such voxels first", monitor); });
+    {
+      return RequireFiniteAs<float>(view, box, name, "replace such voxels first", SMPThreading(),
+        monitor);
+    });
+}
+
+/// The image, named by `name`, as the volume that a segmentation reads. It has passed
+/// RequireGrayImage and outlives the volume.
+inline GrayVolume GrayVolumeOf(vtkImageData* image, const std::string& name)
+{
+  return VisitVoxels(image, name,
+    [&name](const auto& view) { return GrayVolumeOf(view, name, SMPThreading()); });
 }
 
 /// A part of the image as floats; reuses the memory of `region`. The image has passed

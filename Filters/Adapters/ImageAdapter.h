@@ -4,8 +4,8 @@
 #ifndef FlipFreeImageAdapter_h
 #define FlipFreeImageAdapter_h
 
+#include "Image/GridCheck.h"
 #include "Image/VoxelBox.h"
-#include "MessageText.h"
 
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
@@ -14,7 +14,6 @@
 #include "vtkSetGet.h"
 
 #include <array>
-#include <cmath>
 #include <stdexcept>
 #include <string>
 
@@ -55,23 +54,10 @@ inline std::array<int, 6> ExtentOf(const VoxelBox& box, const int* whole)
     whole[2] + box.End[1] - 1, whole[4] + box.Begin[2], whole[4] + box.End[2] - 1 } };
 }
 
-/// Throws std::invalid_argument, naming the image by `name`, unless its voxels lie apart on three
-/// independent axes.
+/// RequireProperGrid() of the image's geometry.
 inline void RequireProperGrid(vtkImageData* image, const std::string& name)
 {
-  const ImageGeometry geometry = GeometryOf(image);
-  if (!(geometry.Spacing.minCoeff() > 0) || !geometry.Spacing.allFinite())
-  {
-    throw std::invalid_argument(name + " has a spacing of " + TextOf(geometry.Spacing) +
-      " mm; make it positive on every axis, and turn axes by the direction matrix");
-  }
-  if (!(std::abs(geometry.Direction.determinant()) > 1e-6) || !geometry.Direction.allFinite() ||
-    !geometry.Origin.allFinite())
-  {
-    throw std::invalid_argument(name +
-      " has a direction matrix that cannot be inverted, or an origin that is not finite; correct "
-      "them");
-  }
+  RequireProperGrid(GeometryOf(image), name);
 }
 
 /// For the types that vtkTemplateMacro has no case for: bits. Throws std::invalid_argument, naming

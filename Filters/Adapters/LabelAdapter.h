@@ -6,8 +6,7 @@
 #define FlipFreeLabelAdapter_h
 
 #include "ExecutionAdapter.h"
-#include "FiniteVoxels.h"
-#include "Image/BitMask.h"
+#include "Image/LabelValues.h"
 #include "ImageAdapter.h"
 #include "Mesh/SurfaceVoxelization.h"
 
@@ -17,17 +16,10 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdlib>
-#include <iterator>
-#include <limits>
-#include <mutex>
 #include <new>
-#include <set>
-#include <sstream>
 #include <stdexcept>
 #include <string>
-#include <type_traits>
 #include <vector>
 
 namespace FlipFree
@@ -51,123 +43,14 @@ inline BitMask MaskOf(vtkImageData* image, int label, const std::string& name)
   }
   RequireProperGrid(image, name);
   return VisitVoxels(image, name,
-    [&](const auto& view)
-    {
-      using Value = std::decay_t<decltype(*view.Data)>;
-      RequireFiniteAs<Value>(view, WholeBox(view.Geometry), name, "a label map holds whole numbers",
-        NeverStop);
-      if (label < 0)
-      {
-        return VoxelsWhere(
-          view, [](Value value) { return value != Value(0); }, SMPFor);
-      }
-      // Compared in their own type; a label that the type cannot represent does not occur.
-      const auto sought = static_cast<Value>(label);
-      return static_cast<double>(sought) == label
-        ? VoxelsWhere(
-            view, [sought](Value value) { return value == sought; }, SMPFor)
-        : BitMask(view.Geometry);
-    });
+    [&](const auto& view) { return MaskOfLabel(view, label, name, SMPThreading()); });
 }
-
-/// The lowest few of the values inserted, whatever their order.
-class LowestValues
-{
-public:
-  explicit LowestValues(std::size_t most)
-    : Most(most)
-  {
-  }
-  void Insert(double value)
-  {
-    if (this->Values.size() == this->Most && value > *this->Values.rbegin())
-    {
-      this->More = true;
-      return;
-    }
-    this->Values.insert(value);
-    if (this->Values.size() > this->Most)
-    {
-      this->Values.erase(std::prev(this->Values.end()));
-      this->More = true;
-    }
-  }
-  void Insert(const LowestValues& others)
-  {
-    for (const double value : others.Values)
-    {
-      this->Insert(value);
-    }
-    this->More = this->More || others.More;
-  }
-
-  const std::set<double>& Get() const { return this->Values; } ///< ascending
-  bool AreThereMore() const { return this->More; }
-
-private:
-  std::set<double> Values;
-  std::size_t Most;
-  bool More = false;
-};
-
-/// The values of a label map's voxels. Valid labels are kept apart from other values, of which an
-/// image that is no label map, a scan or a probability map, has many.
-struct LabelValues
-{
-  LowestValues Labels{ 20 }; ///< whole numbers from 1 to the greatest int
-  LowestValues Others{ 3 };  ///< neither such a number nor 0
-
-  void Insert(double value)
-  {
-    const bool isLabel =
-      value >= 1 && value <= std::numeric_limits<int>::max() && value == std::floor(value);
-    (isLabel ? this->Labels : this->Others).Insert(value);
-  }
-  /// Whether there are two values or more besides 0.
-  bool AreSeveral() const { return this->Labels.Get().size() + this->Others.Get().size() > 1; }
-};
 
 /// Of an image that has passed MaskOf().
 inline LabelValues LabelsOf(vtkImageData* image)
 {
-  LabelValues labels;
-  std::mutex mutex;
-  VisitVoxels(image, "the label map",
-    [&](const auto& view)
-    {
-      using Value = std::decay_t<decltype(*view.Data)>;
-      SMPFor(0, image->GetNumberOfPoints(),
-        [&](std::ptrdiff_t first, std::ptrdiff_t last)
-        {
-          LabelValues found;
-          Value latest = 0; // neighbors mostly have the same
-          for (std::ptrdiff_t voxel = first; voxel < last; ++voxel)
-          {
-            if (view.Data[voxel] != latest && view.Data[voxel] != Value(0))
-            {
-              latest = view.Data[voxel];
-              found.Insert(static_cast<double>(latest));
-            }
-          }
-          const std::lock_guard<std::mutex> lock(mutex);
-          labels.Labels.Insert(found.Labels);
-          labels.Others.Insert(found.Others);
-        });
-    });
-  return labels;
-}
-
-/// "1, 2, 6", followed by "and more" if there are more, with enough digits to tell them apart.
-inline std::string TextOf(const LowestValues& values)
-{
-  std::ostringstream text;
-  text.precision(15);
-  for (const double value : values.Get())
-  {
-    text << (value == *values.Get().begin() ? "" : ", ") << value;
-  }
-  text << (values.AreThereMore() ? " and more" : "");
-  return text.str();
+  return VisitVoxels(image, "the label map",
+    [](const auto& view) { return LabelsIn(view, SMPFor); });
 }
 
 /// Makes `labelMap` a label map with the geometry of `image`: scalars `Labels`, unsigned char, the

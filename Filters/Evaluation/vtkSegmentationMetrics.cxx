@@ -1,10 +1,8 @@
 #include "vtkSegmentationMetrics.h"
 
 #include "ExecutionAdapter.h"
-#include "LabelSurface.h"
-#include "Measures/SurfaceDistance.h"
-#include "Measures/VoxelOverlap.h"
-#include "Mesh/SurfaceVoxelization.h"
+#include "LabelAdapter.h"
+#include "Measures/SegmentationScores.h"
 #include "PipelineAdapter.h"
 #include "SurfaceAdapter.h"
 #include "TableAdapter.h"
@@ -16,9 +14,7 @@
 #include "vtkPolyData.h"
 #include "vtkTable.h"
 
-#include <algorithm>
-#include <limits>
-#include <stdexcept>
+#include <exception>
 #include <string>
 
 vtkStandardNewMacro(vtkSegmentationMetrics);
@@ -26,54 +22,10 @@ vtkStandardNewMacro(vtkSegmentationMetrics);
 namespace
 {
 
-FlipFree::BitMask Voxelize(const FlipFree::PolygonalSurface& surface,
-  const FlipFree::ImageGeometry& geometry)
+FlipFree::LabelMask LabelMaskOf(vtkImageData* image, int label, const std::string& name)
 {
-  const auto runs =
-    FlipFree::VoxelizeSurface(surface.Points, surface.Triangles, geometry, FlipFree::SMPFor);
-  if (runs.empty())
-  {
-    throw std::invalid_argument(
-      "the segmentation on port 0, a surface, encloses no voxel center of the reference on port 1; "
-      "check that both are in the same physical coordinates");
-  }
-  FlipFree::BitMask mask(geometry);
-  for (const FlipFree::VoxelRun& run : runs)
-  {
-    mask.InsertRun(run.Begin, run.End, run.J, run.K);
-  }
-  return mask;
-}
-
-// Throws where none of the image's voxels has the label, and says which there are.
-void RequireLabel(const FlipFree::BitMask& mask, vtkImageData* image, const std::string& name,
-  const std::string& property, int label)
-{
-  if (label < 0 || !mask.Bounds().IsEmpty())
-  {
-    return;
-  }
-  const FlipFree::LabelValues values = FlipFree::LabelsOf(image);
-  const std::string labels = FlipFree::TextOf(values.Labels);
-  const std::string others = FlipFree::TextOf(values.Others);
-  std::string message = name + " is empty: no voxel has the label " + std::to_string(label);
-  if (!labels.empty())
-  {
-    message += "; set " + property + " to one of " + labels +
-      (others.empty() ? "" : ", if it is a label map: it holds " + others + ", too");
-  }
-  else
-  {
-    message += others.empty() ? ", all are 0; check that it is the intended label map"
-                              : "; it is no label map: it holds " + others +
-        ", where a label map holds whole numbers from 0 up; give it a label map";
-  }
-  throw std::invalid_argument(message);
-}
-
-double Milliliters(std::size_t numberOfVoxels, const FlipFree::ImageGeometry& geometry)
-{
-  return numberOfVoxels * geometry.VoxelVolume() / 1000;
+  return { FlipFree::MaskOf(image, label, name), label,
+    [image] { return FlipFree::LabelsOf(image); } };
 }
 
 } // namespace
@@ -143,83 +95,53 @@ int vtkSegmentationMetrics::RequestData(vtkInformation*, vtkInformationVector** 
   return 1;
 }
 
-void vtkSegmentationMetrics::WarnOfLabels(vtkDataObject* input, vtkImageData* reference)
-{
-  if (this->ReferenceLabel >= 0)
-  {
-    return;
-  }
-  // Mostly there is but one, and the segmentation need not be looked through.
-  const FlipFree::LabelValues values = FlipFree::LabelsOf(reference);
-  vtkImageData* segmentation = vtkImageData::SafeDownCast(input);
-  if (!values.AreSeveral() ||
-    (segmentation && this->SegmentationLabel < 0 && FlipFree::LabelsOf(segmentation).AreSeveral()))
-  {
-    return;
-  }
-  const std::string labels = FlipFree::TextOf(values.Labels);
-  const std::string others = FlipFree::TextOf(values.Others);
-  if (others.empty())
-  {
-    vtkWarningMacro("The reference (port 1) has the labels "
-      << labels
-      << "; the segmentation has one organ only: it is compared with all of them together; to "
-         "compare it with one, set ReferenceLabel.");
-  }
-  else
-  {
-    vtkWarningMacro("The reference (port 1) has the values "
-      << others
-      << ", which no label map has: all that are not 0 count as inside; give it a label map"
-      << (labels.empty() ? "" : ", or set ReferenceLabel to one of " + labels) << ".");
-  }
-}
-
 bool vtkSegmentationMetrics::Measure(vtkDataObject* input, vtkImageData* referenceImage)
 {
   using namespace FlipFree;
-  const BitMask reference = MaskOf(referenceImage, this->ReferenceLabel, "the reference on port 1");
-  RequireLabel(reference, referenceImage, "the reference", "ReferenceLabel", this->ReferenceLabel);
-  vtkPolyData* polyData = vtkPolyData::SafeDownCast(input);
-  PolygonalSurface mesh;
-  if (polyData)
+  ScoreSettings settings;
+  settings.SegmentationLabel = this->SegmentationLabel;
+  settings.ReferenceLabel = this->ReferenceLabel;
+  settings.SampleSpacing = this->SampleSpacing;
+  settings.LabelSmoothing = this->LabelSmoothing;
+  settings.ScoreVoxelization = this->ScoreVoxelization;
+  const LabelMask reference =
+    LabelMaskOf(referenceImage, settings.ReferenceLabel, "the reference on port 1");
+  RequireLabel(reference, "the reference", "ReferenceLabel");
+  SegmentationScores scores;
+  if (vtkPolyData* polyData = vtkPolyData::SafeDownCast(input))
   {
-    mesh = SurfaceOf(polyData, "the segmentation on port 0");
+    const PolygonalSurface mesh = SurfaceOf(polyData, "the segmentation on port 0");
+    scores =
+      ScoreSurface(mesh.Points, mesh.Triangles, reference, settings, SMPFor, MonitorOf(this));
   }
-  vtkImageData* labels = vtkImageData::SafeDownCast(input);
-  const BitMask segmentation = polyData
-    ? Voxelize(mesh, reference.GetGeometry())
-    : MaskOf(labels, this->SegmentationLabel, "the segmentation on port 0");
-  if (labels)
+  else
   {
-    RequireLabel(segmentation, labels, "the segmentation", "SegmentationLabel",
-      this->SegmentationLabel);
+    const LabelMask segmentation = LabelMaskOf(vtkImageData::SafeDownCast(input),
+      settings.SegmentationLabel, "the segmentation on port 0");
+    RequireLabel(segmentation, "the segmentation", "SegmentationLabel");
+    scores = ScoreLabels(segmentation, reference, settings, SMPFor, MonitorOf(this));
   }
-  const VoxelOverlap overlap = MeasureOverlap(segmentation, reference, SMPFor);
-  this->Dice = overlap.Dice();
-  this->Jaccard = overlap.Jaccard();
-  this->RelativeVolumeDifference = overlap.RelativeVolumeDifference();
-  this->SegmentationVolume = Milliliters(overlap.Segmentation, reference.GetGeometry());
-  this->ReferenceVolume = Milliliters(overlap.Reference, reference.GetGeometry());
-  this->OverlapOf = polyData ? "voxelized mesh" : "label map";
+  this->Store(scores);
+  if (!scores.Warning.empty())
+  {
+    vtkWarningMacro(<< scores.Warning);
+  }
+  return scores.Complete;
+}
 
-  const bool isMeshMeasured = polyData && !this->ScoreVoxelization;
-  this->DistanceOf = isMeshMeasured ? "mesh" : "surface of " + this->OverlapOf;
-  const LabelSurface surface = isMeshMeasured ? LabelSurface{ mesh.Points, mesh.Triangles }
-                                              : SurfaceOf(segmentation, this->LabelSmoothing);
-  const LabelSurface referenceSurface = SurfaceOf(reference, this->LabelSmoothing);
-  const SurfaceDistance distance =
-    MeasureSurfaceDistance(surface.Points, surface.Triangles, referenceSurface.Points,
-      referenceSurface.Triangles, this->SampleSpacing, SMPFor, MonitorOf(this));
-  this->ASD = distance.Average;
-  this->RMS = distance.RootMeanSquare;
-  this->HD95 = distance.Hausdorff95;
-  this->HD = distance.Hausdorff;
-  if (distance.Complete)
-  {
-    this->WarnOfLabels(input, referenceImage); // after all errors: one of them is enough
-  }
-  return distance.Complete;
+void vtkSegmentationMetrics::Store(const FlipFree::SegmentationScores& scores)
+{
+  this->Dice = scores.Dice;
+  this->Jaccard = scores.Jaccard;
+  this->RelativeVolumeDifference = scores.RelativeVolumeDifference;
+  this->ASD = scores.ASD;
+  this->RMS = scores.RMS;
+  this->HD95 = scores.HD95;
+  this->HD = scores.HD;
+  this->SegmentationVolume = scores.SegmentationVolume;
+  this->ReferenceVolume = scores.ReferenceVolume;
+  this->OverlapOf = scores.OverlapOf;
+  this->DistanceOf = scores.DistanceOf;
 }
 
 void vtkSegmentationMetrics::FillTable(vtkTable* table) const
@@ -239,11 +161,7 @@ void vtkSegmentationMetrics::FillTable(vtkTable* table) const
 
 void vtkSegmentationMetrics::ForgetMeasures()
 {
-  this->Dice = this->Jaccard = this->RelativeVolumeDifference = this->ASD = this->RMS = this->HD95 =
-    this->HD = this->SegmentationVolume = this->ReferenceVolume =
-      std::numeric_limits<double>::quiet_NaN();
-  this->OverlapOf.clear();
-  this->DistanceOf.clear();
+  this->Store({});
 }
 
 void vtkSegmentationMetrics::PrintSelf(ostream& os, vtkIndent indent)

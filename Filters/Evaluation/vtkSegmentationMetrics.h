@@ -51,6 +51,11 @@
 
 class vtkImageData;
 
+namespace FlipFree
+{
+struct SegmentationScores;
+}
+
 class FLIPFREEEVALUATION_EXPORT vtkSegmentationMetrics : public vtkTableAlgorithm
 {
 public:
@@ -95,9 +100,9 @@ public:
 
   ///@{
   /**
-   * Iterations of windowed sinc smoothing (vtkWindowedSincPolyDataFilter, pass band 0.1) of the
-   * surfaces of label maps. 20 are customary; they keep the volume, but round off corners and what
-   * is thinner than a few voxels. Default 0, none; 0 to 100.
+   * Iterations of windowed sinc smoothing (as by vtkWindowedSincPolyDataFilter, pass band 0.1) of
+   * the surfaces of label maps. 20 are customary; they keep the volume, but round off corners and
+   * what is thinner than a few voxels. Default 0, none; 0 to 100.
    */
   vtkSetClampMacro(LabelSmoothing, int, 0, 100);
   vtkGetMacro(LabelSmoothing, int);
@@ -163,7 +168,7 @@ private:
 
   void ForgetMeasures();
   bool Measure(vtkDataObject* input, vtkImageData* referenceImage);
-  void WarnOfLabels(vtkDataObject* input, vtkImageData* reference);
+  void Store(const FlipFree::SegmentationScores& scores);
   void FillTable(vtkTable* table) const;
 };
 

@@ -2,8 +2,7 @@
 
 #include "ExecutionAdapter.h"
 #include "ImageAdapter.h"
-#include "Phantom/AbdomenPhantom.h"
-#include "Phantom/Phantom.h"
+#include "Phantom/PhantomVolume.h"
 #include "PhantomSurface.h"
 
 #include "vtkDataObject.h"
@@ -26,47 +25,25 @@ vtkStandardNewMacro(vtkPhantomSource);
 namespace
 {
 
-FlipFree::ImageGeometry MakeGeometry(vtkPhantomSource* self)
-{
-  FlipFree::ImageGeometry geometry;
-  self->GetDimensions(geometry.Dimensions.data());
-  self->GetSpacing(geometry.Spacing.data());
-  const bool abdomen = self->GetShape() == vtkPhantomSource::ABDOMEN;
-  if (geometry.Dimensions == std::array<int, 3>{ { 0, 0, 0 } })
-  {
-    geometry.Dimensions =
-      abdomen ? std::array<int, 3>{ { 220, 170, 90 } } : std::array<int, 3>{ { 96, 96, 96 } };
-  }
-  if (geometry.Spacing.isZero(0))
-  {
-    geometry.Spacing = abdomen ? Eigen::Vector3d(1.5, 1.5, 3) : Eigen::Vector3d(1, 1, 1);
-  }
-  geometry.Origin = Eigen::Vector3d(self->GetOrigin());
-  geometry.Direction =
-    Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(self->GetDirection());
-  FlipFree::RequireGrid(geometry);
-  return geometry;
-}
+static_assert(vtkPhantomSource::ABDOMEN == FlipFree::AbdomenShape,
+  "the public enumeration follows the kernel's");
 
-FlipFree::Phantom MakePhantom(vtkPhantomSource* self, const FlipFree::ImageGeometry& geometry)
+FlipFree::PhantomSettings SettingsOf(vtkPhantomSource* self)
 {
-  const Eigen::Vector3d extent = FlipFree::GridExtent(geometry);
-  if (self->GetShape() == vtkPhantomSource::ABDOMEN)
-  {
-    return FlipFree::MakeAbdomenPhantom(extent,
-      { self->GetNumberOfLesions(), static_cast<std::uint64_t>(self->GetRandomSeed()) });
-  }
-  for (double intensity : { self->GetForeground(), self->GetBackground() })
-  {
-    if (!(intensity >= VTK_SHORT_MIN && intensity <= VTK_SHORT_MAX))
-    {
-      throw std::invalid_argument(
-        "Foreground and Background must lie within -32768 to 32767, not " +
-        std::to_string(intensity));
-    }
-  }
-  return FlipFree::MakePlainPhantom(static_cast<FlipFree::PlainShape>(self->GetShape()), extent,
-    self->GetForeground(), self->GetBackground());
+  FlipFree::PhantomSettings settings;
+  settings.Shape = self->GetShape();
+  self->GetDimensions(settings.Dimensions.data());
+  settings.Spacing = Eigen::Vector3d(self->GetSpacing());
+  settings.Origin = Eigen::Vector3d(self->GetOrigin());
+  std::copy_n(self->GetDirection(), 9, settings.Direction.data());
+  settings.Foreground = self->GetForeground();
+  settings.Background = self->GetBackground();
+  settings.NoiseStandardDeviation = self->GetNoiseStandardDeviation();
+  settings.NoiseCorrelation = self->GetNoiseCorrelation();
+  settings.RandomSeed = self->GetRandomSeed();
+  settings.NumberOfLesions = self->GetNumberOfLesions();
+  settings.PartialVolume = self->GetPartialVolume();
+  return settings;
 }
 
 void CopyBall(const FlipFree::ImageGeometry& geometry, const FlipFree::Ball& ball, double sphere[4])
@@ -99,8 +76,9 @@ bool vtkPhantomSource::GetSeed(int label, double seed[4])
 {
   try
   {
-    const FlipFree::ImageGeometry geometry = MakeGeometry(this);
-    for (const FlipFree::PhantomSeed& organ : MakePhantom(this, geometry).Seeds)
+    const FlipFree::PhantomSettings settings = SettingsOf(this);
+    const FlipFree::ImageGeometry geometry = FlipFree::GridOf(settings);
+    for (const FlipFree::PhantomSeed& organ : FlipFree::PhantomOf(settings, geometry).Seeds)
     {
       if (organ.Label == label)
       {
@@ -120,8 +98,9 @@ bool vtkPhantomSource::GetEnclosingSphere(double sphere[4])
 {
   try
   {
-    const FlipFree::ImageGeometry geometry = MakeGeometry(this);
-    const FlipFree::Phantom phantom = MakePhantom(this, geometry);
+    const FlipFree::PhantomSettings settings = SettingsOf(this);
+    const FlipFree::ImageGeometry geometry = FlipFree::GridOf(settings);
+    const FlipFree::Phantom phantom = FlipFree::PhantomOf(settings, geometry);
     if (phantom.Enclosing)
     {
       CopyBall(geometry, *phantom.Enclosing, sphere);
@@ -157,7 +136,7 @@ int vtkPhantomSource::RequestInformation(vtkInformation*, vtkInformationVector**
   FlipFree::ImageGeometry geometry;
   try
   {
-    geometry = MakeGeometry(this);
+    geometry = FlipFree::GridOf(SettingsOf(this));
   }
   catch (const std::exception& error)
   {
@@ -190,17 +169,13 @@ int vtkPhantomSource::RequestData(vtkInformation*, vtkInformationVector**,
   vtkImageData* labelMap = vtkImageData::GetData(outputVector, 1);
   try
   {
-    const FlipFree::ImageGeometry geometry = MakeGeometry(this);
-    const FlipFree::Phantom phantom = MakePhantom(this, geometry);
-    FlipFree::SamplingOptions options;
-    options.PartialVolume = this->PartialVolume;
-    options.NoiseStandardDeviation = this->NoiseStandardDeviation;
-    options.NoiseCorrelation = this->NoiseCorrelation;
-    options.Seed = static_cast<std::uint64_t>(this->RandomSeed);
+    const FlipFree::PhantomSettings settings = SettingsOf(this);
+    const FlipFree::ImageGeometry geometry = FlipFree::GridOf(settings);
+    const FlipFree::Phantom phantom = FlipFree::PhantomOf(settings, geometry);
     short* intensities = AttachScalars<vtkShortArray>(image, geometry, "Intensity");
     unsigned char* labels = AttachScalars<vtkUnsignedCharArray>(labelMap, geometry, "Labels");
-    if (!FlipFree::SampleTissues(phantom.Tissues, geometry, options, intensities, labels,
-          FlipFree::SMPFor, FlipFree::MonitorOf(this)))
+    if (!FlipFree::SampleTissues(phantom.Tissues, geometry, FlipFree::SamplingOf(settings),
+          intensities, labels, FlipFree::SMPFor, FlipFree::MonitorOf(this)))
     {
       image->Initialize();
       labelMap->Initialize();

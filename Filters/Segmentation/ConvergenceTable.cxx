@@ -1,5 +1,7 @@
 #include "ConvergenceTable.h"
 
+#include "Deformation/ConvergenceColumns.h"
+
 #include "vtkDoubleArray.h"
 #include "vtkIntArray.h"
 #include "vtkNew.h"
@@ -10,16 +12,16 @@ namespace FlipFree
 namespace
 {
 
-template <typename Array, typename Read>
-void AddColumn(const std::vector<IterationRecord>& records, const char* name, const Read& read,
+template <typename Array>
+void AddColumn(const std::vector<IterationRecord>& records, const ConvergenceColumn& from,
   vtkTable* table)
 {
   vtkNew<Array> column;
-  column->SetName(name);
+  column->SetName(from.Name);
   column->Allocate(static_cast<vtkIdType>(records.size()));
   for (const IterationRecord& record : records)
   {
-    column->InsertNextValue(read(record));
+    column->InsertNextValue(static_cast<typename Array::ValueType>(from.Read(record)));
   }
   table->AddColumn(column);
 }
@@ -28,22 +30,17 @@ void AddColumn(const std::vector<IterationRecord>& records, const char* name, co
 
 void FillConvergenceTable(const std::vector<IterationRecord>& records, vtkTable* table)
 {
-  const auto count = [&](const char* name, const auto& read)
-  { AddColumn<vtkIntArray>(records, name, read, table); };
-  const auto number = [&](const char* name, const auto& read)
-  { AddColumn<vtkDoubleArray>(records, name, read, table); };
-  count("Iteration", [](const IterationRecord& r) { return r.Iteration; });
-  count("Level", [](const IterationRecord& r) { return r.Level; });
-  count("Vertices", [](const IterationRecord& r) { return r.Vertices; });
-  number("MeanDistance", [](const IterationRecord& r) { return r.Targets.MeanDistance; });
-  count("Matched", [](const IterationRecord& r) { return r.Targets.Matched; });
-  count("Solitary", [](const IterationRecord& r) { return r.Targets.Solitary; });
-  count("Flipping", [](const IterationRecord& r) { return r.Step.Flipping; });
-  count("Guarded", [](const IterationRecord& r) { return r.Step.Guarded; });
-  number("SearchSeconds", [](const IterationRecord& r) { return r.SearchSeconds; });
-  number("FlipSeconds", [](const IterationRecord& r) { return r.Step.FlipSeconds; });
-  number("SolveSeconds", [](const IterationRecord& r) { return r.Step.SolveSeconds; });
-  number("GuardSeconds", [](const IterationRecord& r) { return r.Step.GuardSeconds; });
+  for (const ConvergenceColumn& column : ConvergenceColumns())
+  {
+    if (column.IsCount)
+    {
+      AddColumn<vtkIntArray>(records, column, table);
+    }
+    else
+    {
+      AddColumn<vtkDoubleArray>(records, column, table);
+    }
+  }
 }
 
 } // namespace FlipFree

@@ -7,9 +7,6 @@
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 
-#include <stdexcept>
-#include <string>
-
 namespace FlipFree
 {
 
@@ -20,13 +17,6 @@ void SegmentationResult::Store(const OrganSurface& organ, bool guarded)
   {
     this->History.Clear();
     return;
-  }
-  if (guarded && organ.SelfIntersections > 0)
-  {
-    throw std::logic_error("the surface intersects itself in " +
-      std::to_string(organ.SelfIntersections) +
-      " pairs of faces although every step was certified, which should be impossible; please "
-      "report it with the image and the parameters");
   }
   AttachMesh(organ.Mesh, organ.Points, this->Surface);
   AttachField(organ.Field, this->Surface);

@@ -25,8 +25,7 @@ struct SegmentationResult
   IterationHistory History;
   vtkTimeStamp Time;
 
-  /// The convergence and, unless the run was aborted, the surface. Throws std::logic_error when a
-  /// guarded surface intersects itself.
+  /// The convergence and, unless the run was aborted, the surface.
   void Store(const OrganSurface& organ, bool guarded);
 
   /// Whether nothing has changed since: neither the filter, last modified at `filterTime`, nor its

@@ -1,6 +1,7 @@
 #include "vtkCorrespondenceSearch.h"
 
 #include "ContourMeshAdapter.h"
+#include "Deformation/SegmentationParameters.h"
 #include "Deformation/TargetSearch.h"
 #include "FieldData.h"
 #include "GrayImageAdapter.h"
@@ -145,16 +146,7 @@ using Stage = vtkCorrespondenceSearch;
 
 #define PROPERTIES(P)                                                                              \
   P(Threshold, double, Threshold, 0, 1)                                                            \
-  P(SearchDistance, double, Settings->Correspondence.SearchDistance, 0, 1e6)                       \
-  P(SearchScale, double, Settings->SearchScale, 0, 1e6)                                            \
-  P(RunLength, double, Settings->Correspondence.RunLength, 0, 1000)                                \
-  P(RunVoxels, int, Settings->Correspondence.RunVoxels, 1, 1000)                                   \
-  P(SearchInward, bool, Settings->Correspondence.SearchInward, false, true)                        \
-  P(EdgeWindow, double, Settings->Correspondence.EdgeWindow, 0, 1000)                              \
-  P(ImageBoundaryDistance, double, Settings->Correspondence.ImageBoundaryDistance, 0, 1e6)         \
-  P(NormalSmoothingIterations, int, Settings->NormalSmoothingIterations, 0, 1000)                  \
-  P(OutlierStandardDeviations, double, Settings->OutlierStandardDeviations, 0, 1e6)                \
-  P(MaximumDisplacement, double, Settings->MaximumDisplacement, 0, 1e6)
+  FLIPFREE_TARGET_PARAMETERS(P, Settings->)
 
 PROPERTIES(FLIPFREE_DEFINE_PROPERTY)
 

@@ -2,6 +2,7 @@
 
 #include "ContourMeshAdapter.h"
 #include "Deformation/DeformationStep.h"
+#include "Deformation/SegmentationParameters.h"
 #include "ExecutionAdapter.h"
 #include "FieldData.h"
 #include "StageProperties.h"
@@ -39,15 +40,7 @@ struct vtkFlipFreeDeform::Workspace
 
 using Stage = vtkFlipFreeDeform;
 
-#define PROPERTIES(P)                                                                              \
-  P(AvoidFlips, bool, Settings->AvoidFlips, false, true)                                           \
-  P(FlipThreshold, double, Settings->FlipThreshold, 0, 1)                                          \
-  P(PropagationIterations, int, Settings->Propagation.Iterations, 0, 100000)                       \
-  P(SmoothingIterations, int, Settings->Propagation.SmoothingIterations, 0, 100000)                \
-  P(PositionWeight, double, Settings->Energy.PositionWeight, 0, 1e6)                               \
-  P(UniformWeight, double, Settings->Energy.UniformWeight, 0, 1e6)                                 \
-  P(Fairing, double, Settings->Energy.Fairing, 0, 1)                                               \
-  P(Guard, bool, Settings->Guard, false, true)
+#define PROPERTIES(P) FLIPFREE_STEP_PARAMETERS(P, Settings->)
 
 PROPERTIES(FLIPFREE_DEFINE_PROPERTY)
 

@@ -6,12 +6,8 @@
 #include "LabelAdapter.h"
 #include "PipelineAdapter.h"
 #include "SegmentationResult.h"
-#include "SegmentationWarnings.h"
 
-#include "Deformation/OrganSegmentation.h"
-#include "Deformation/SegmentationSettings.h"
-#include "Mesh/QuadSphere.h"
-#include "Mesh/SurfaceVoxelization.h"
+#include "Deformation/VolumeSegmentation.h"
 #include "Stopwatch.h"
 
 #include "vtkCorrespondenceSearch.h"
@@ -28,29 +24,14 @@
 #include "vtkTable.h"
 
 #include <algorithm>
-#include <stdexcept>
+#include <exception>
+#include <optional>
 #include <string>
 
 vtkStandardNewMacro(vtkFlipFreeSegmentation);
 
 static_assert(vtkFlipFreeSegmentation::ABORTED == static_cast<int>(FlipFree::StopReason::Aborted),
   "the public enumeration follows the kernel's");
-
-namespace
-{
-
-FlipFree::DeformableSurface StartSphere(const Eigen::Vector3d& center, double radius,
-  const FlipFree::ScheduleSettings& schedule)
-{
-  const FlipFree::QuadSphere sphere = FlipFree::MakeQuadSphere(schedule.FirstResolution(), center,
-    radius, FlipFree::QuadSphereSpacing::Equiangular);
-  FlipFree::DeformableSurface surface;
-  surface.Mesh = FlipFree::BuildContourMesh(static_cast<int>(sphere.Points.rows()), sphere.Faces);
-  surface.Points = sphere.Points;
-  return surface;
-}
-
-} // namespace
 
 vtkFlipFreeSegmentation::vtkFlipFreeSegmentation()
   : Schedule(std::make_unique<FlipFree::ScheduleSettings>())
@@ -206,31 +187,20 @@ void vtkFlipFreeSegmentation::Segment(vtkImageData* image, vtkPolyData* start)
   std::fill_n(this->StageSeconds, 4, 0.0);
 
   this->RequireProperties();
-  const FlipFree::OrganSegmentationSettings settings = this->GetSettings();
+  const FlipFree::VolumeSegmentationSettings settings = this->GetSettings();
   const FlipFree::SeedSphere seed{ Eigen::Vector3d(this->SeedCenter), this->SeedRadius };
-  FlipFree::RequireGrayImage(image, "the image on port 0");
-  const FlipFree::ImageGeometry geometry = FlipFree::GeometryOf(image);
-  FlipFree::RequireSeed(geometry, seed, "the image on port 0");
-  const Eigen::Vector3d startCenter = seed.Center + Eigen::Vector3d(this->StartCenterOffset);
-  const FlipFree::DeformableSurface surface = start
-    ? FlipFree::DeformableSurfaceOf(start, "the start surface on port 1", settings.Step.Guard)
-    : StartSphere(startCenter, this->StartScale * seed.Radius, settings.Schedule);
-
-  FlipFree::Stopwatch watch;
-  const FlipFree::VoxelBox box =
-    FlipFree::BoxAround(geometry, seed.Center, FlipFree::ReachOf(settings.Smoothing, seed.Radius));
-  FlipFree::RequireFinite(image, box, "the image on port 0");
-  const double noise = FlipFree::NoiseOf(image, seed);
-  const FlipFree::ImageGeometry region = FlipFree::CropGeometry(geometry, box);
-  FlipFree::AnisotropicDiffusionSettings diffusion =
-    FlipFree::DiffusionOf(settings.Smoothing, noise);
-  diffusion.Threads = FlipFree::NumberOfThreads();
-  auto smooth = std::make_unique<FlipFree::SmoothRegion>(FlipFree::GrayReaderOf(image, box), region,
-    diffusion, FlipFree::SMPFor);
-  const double before = watch.Lap();
-
-  const FlipFree::OrganSurface organ = FlipFree::SegmentOrgan(*smooth, noise, seed, surface.Mesh,
-    surface.Points, settings, FlipFree::SMPFor, FlipFree::MonitorOf(this, 0, 0.95),
+  const std::string name = "the image on port 0";
+  FlipFree::RequireGrayImage(image, name);
+  FlipFree::RequireSeed(FlipFree::GeometryOf(image), seed, name);
+  std::optional<FlipFree::DeformableSurface> surface;
+  if (start)
+  {
+    surface = FlipFree::DeformableSurfaceOf(start, "the start surface on port 1",
+      settings.Method.Step.Guard);
+  }
+  const FlipFree::VolumeSegmentation result = FlipFree::SegmentVolume(
+    FlipFree::GrayVolumeOf(image, name), name, seed, surface ? &*surface : nullptr, settings,
+    FlipFree::SMPThreading(), FlipFree::MonitorOf(this, 0, 0.95),
     [this](const FlipFree::ContourMesh& mesh, const FlipFree::PointList& points,
       const FlipFree::CorrespondenceField& field, const FlipFree::IterationRecord&)
     {
@@ -239,30 +209,21 @@ void vtkFlipFreeSegmentation::Segment(vtkImageData* image, vtkPolyData* start)
         this->Cache->History.Add(mesh, points, field);
       }
     });
-  smooth.reset(); // the label map takes its place
-  this->StageSeconds[0] = before + organ.SmoothingSeconds;
-  this->StageSeconds[1] = organ.FeatureSeconds;
-  this->StageSeconds[2] = watch.Lap() - organ.SmoothingSeconds - organ.FeatureSeconds;
-
-  this->StopReason = static_cast<int>(organ.Reason);
-  if (organ.Reason != FlipFree::StopReason::Aborted)
-  {
-    this->NumberOfSelfIntersections = static_cast<int>(organ.SelfIntersections);
-  }
-  this->Cache->Store(organ, settings.Step.Guard);
+  std::copy(result.StageSeconds.begin(), result.StageSeconds.end(), this->StageSeconds);
+  this->StopReason = static_cast<int>(result.Organ.Reason);
+  this->Cache->Store(result.Organ, settings.Method.Step.Guard);
   if (this->StopReason == ABORTED)
   {
     return;
   }
-  const bool startsAtSeed = !start && this->StartScale == 1 && startCenter == seed.Center;
-  for (const std::string& warning :
-    FlipFree::WarningsOf(organ, region, geometry, seed, settings, startsAtSeed))
+  this->NumberOfSelfIntersections = static_cast<int>(result.Organ.SelfIntersections);
+  for (const std::string& warning : result.Warnings)
   {
     vtkWarningMacro(<< warning);
   }
-  FlipFree::MakeLabelMap(
-    FlipFree::VoxelizeSurface(organ.Points, organ.Mesh.Triangles, geometry, FlipFree::SMPFor),
-    static_cast<unsigned char>(this->LabelValue), image, this->Cache->Labels);
-  this->StageSeconds[3] = watch.Lap();
+  FlipFree::Stopwatch watch;
+  FlipFree::MakeLabelMap(result.Voxels, static_cast<unsigned char>(this->LabelValue), image,
+    this->Cache->Labels);
+  this->StageSeconds[3] += watch.Lap();
   this->UpdateProgress(1);
 }

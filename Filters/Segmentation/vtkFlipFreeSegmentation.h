@@ -63,6 +63,7 @@ namespace FlipFree
 struct OrganSegmentationSettings;
 struct ScheduleSettings;
 struct SegmentationResult;
+struct VolumeSegmentationSettings;
 }
 
 class FLIPFREESEGMENTATION_EXPORT vtkFlipFreeSegmentation : public vtkAlgorithm
@@ -346,7 +347,7 @@ protected:
 
 private:
   void RequireProperties() const;
-  FlipFree::OrganSegmentationSettings GetSettings() const;
+  FlipFree::VolumeSegmentationSettings GetSettings() const;
   void UseSettings(const FlipFree::OrganSegmentationSettings& settings);
   bool IsCacheUpToDate(vtkInformationVector** inputs);
   void Segment(vtkImageData* image, vtkPolyData* start);

@@ -3,7 +3,7 @@
 
 #include "StageProperties.h"
 
-#include "Deformation/OrganSegmentation.h"
+#include "Deformation/SegmentationParameters.h"
 #include "Deformation/SegmentationSettings.h"
 
 #include "vtkCorrespondenceSearch.h"
@@ -19,11 +19,7 @@ using Stage = vtkFlipFreeSegmentation;
 
 #define PROPERTIES(P)                                                                              \
   P(StartScale, double, StartScale, 1e-3, 1e3)                                                     \
-  P(Resolution, int, Schedule->Resolution, 2, 256)                                                 \
-  P(Levels, int, Schedule->Levels, 1, 6)                                                           \
-  P(MaximumIterations, int, Schedule->MaximumIterations, 0, 100000)                                \
-  P(DistanceTolerance, double, Schedule->DistanceTolerance, 0, 1e6)                                \
-  P(ChangeTolerance, double, Schedule->ChangeTolerance, -1e6, 1e6)                                 \
+  FLIPFREE_SCHEDULE_PARAMETERS(P, Schedule->)                                                      \
   P(LabelValue, int, LabelValue, 1, 255)                                                           \
   P(KeepHistory, bool, KeepHistory, false, true)
 
@@ -78,10 +74,16 @@ vtkMTimeType vtkFlipFreeSegmentation::GetMTime()
     this->Feature->GetMTime(), this->Search->GetMTime(), this->Deform->GetMTime() });
 }
 
-FlipFree::OrganSegmentationSettings vtkFlipFreeSegmentation::GetSettings() const
+FlipFree::VolumeSegmentationSettings vtkFlipFreeSegmentation::GetSettings() const
 {
-  return { *this->Schedule, *this->Diffusion->Settings, *this->Feature->Settings,
+  FlipFree::VolumeSegmentationSettings settings;
+  settings.Method = { *this->Schedule, *this->Diffusion->Settings, *this->Feature->Settings,
     *this->Search->Settings, *this->Deform->Settings };
+  settings.StartScale = this->StartScale;
+  settings.StartCenterOffset = Eigen::Vector3d(this->StartCenterOffset);
+  settings.LabelValue = this->LabelValue;
+  settings.KeepHistory = this->KeepHistory;
+  return settings;
 }
 
 void vtkFlipFreeSegmentation::UseSettings(const FlipFree::OrganSegmentationSettings& settings)

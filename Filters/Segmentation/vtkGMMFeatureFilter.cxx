@@ -1,5 +1,6 @@
 #include "vtkGMMFeatureFilter.h"
 
+#include "Deformation/SegmentationParameters.h"
 #include "FieldData.h"
 #include "GrayImageAdapter.h"
 #include "Intensity/ModelFit.h"
@@ -78,17 +79,7 @@ void AttachModel(const FlipFree::IntensityModel& model, vtkImageData* output)
 
 using Stage = vtkGMMFeatureFilter;
 
-#define PROPERTIES(P)                                                                              \
-  P(MaximumComponents, int, Settings->Intensity.Mixture.MaximumComponents, 1, 8)                   \
-  P(MinimumComponentWeight, double, Settings->Intensity.Mixture.MinimumWeight, 0, 1)               \
-  P(NoiseWidening, double, Settings->Intensity.NoiseWidening, 0, 100)                              \
-  P(ForegroundMass, double, Settings->Intensity.ForegroundMass, 0.01, 0.99999)                     \
-  P(FeatureThreshold, double, Settings->Intensity.Threshold, 0, 1)                                 \
-  P(ReestimateIntensities, bool, Settings->ReestimateIntensities, false, true)                     \
-  P(LeakControl, bool, Settings->ControlLeaks, false, true)                                        \
-  P(Carving, bool, Settings->Carving, false, true)                                                 \
-  P(ClosingRadius, double, Settings->Leaks.ClosingRadius, 0, 1000)                                 \
-  P(OpeningScale, double, Settings->Leaks.OpeningScale, 0, 1000)
+#define PROPERTIES(P) FLIPFREE_FEATURE_PARAMETERS(P, Settings->)
 
 PROPERTIES(FLIPFREE_DEFINE_PROPERTY)
 

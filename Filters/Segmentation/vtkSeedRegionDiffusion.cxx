@@ -1,5 +1,6 @@
 #include "vtkSeedRegionDiffusion.h"
 
+#include "Deformation/SegmentationParameters.h"
 #include "FieldData.h"
 #include "GrayImageAdapter.h"
 #include "Image/SmoothRegion.h"
@@ -39,9 +40,7 @@ FlipFree::ImageGeometry AnnouncedGeometry(vtkInformation* info, const int* exten
 
 using Stage = vtkSeedRegionDiffusion;
 
-#define PROPERTIES(P)                                                                              \
-  P(Reach, double, Settings->Reach, 0, 1e6)                                                        \
-  P(NumberOfIterations, int, Settings->Iterations, 0, 1000)
+#define PROPERTIES(P) FLIPFREE_SMOOTHING_PARAMETERS(P, Settings->, NumberOfIterations)
 
 PROPERTIES(FLIPFREE_DEFINE_PROPERTY)
 

@@ -1,11 +1,13 @@
 #include "vtkSegmentationMetrics.h"
 
-#include "../../Filters/Evaluation/LabelSurface.h"
 #include "ExamplePolyData.h"
 #include "FilterErrors.h"
+#include "LabelAdapter.h"
+#include "Measures/LabelSurface.h"
 #include "Mesh/SurfaceVoxelization.h"
 #include "ProgressWatch.h"
 
+#include "vtkDiscreteFlyingEdges3D.h"
 #include "vtkDoubleArray.h"
 #include "vtkPointData.h"
 #include "vtkSMPTools.h"
@@ -16,7 +18,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <random>
+#include <set>
 
 using namespace FlipFree;
 
@@ -87,6 +92,61 @@ TEST(LabelSurface, OfABlockIsClosedAndLiesHalfwayToItsNeighbors)
     const double volume = EnclosedVolume({ surface.Points, surface.Triangles });
     EXPECT_LT(volume, 4 * 3 * 2 * 6.0) << name;
     EXPECT_GT(volume, 0.8 * 4 * 3 * 2 * 6.0) << name;
+  }
+}
+
+// Up to where each triangle begins, and the order of all.
+TEST(LabelSurface, HasTheTrianglesOfVTKsFlyingEdges)
+{
+  std::mt19937 random(3);
+  for (const double part : { 0.15, 0.5, 0.85 })
+  {
+    vtkNew<vtkImageData> image;
+    image->SetDimensions(14, 11, 9);
+    image->AllocateScalars(VTK_UNSIGNED_CHAR, 1);
+    auto* const voxels = static_cast<unsigned char*>(image->GetScalarPointer());
+    std::bernoulli_distribution coin(part);
+    for (int k = 0; k < 9; ++k)
+    {
+      for (int j = 0; j < 11; ++j)
+      {
+        for (int i = 0; i < 14; ++i)
+        {
+          const bool isInner = i > 0 && j > 0 && k > 0 && i < 13 && j < 10 && k < 8;
+          voxels[i + 14 * (j + 11 * k)] = isInner && coin(random) ? 1 : 0;
+        }
+      }
+    }
+    vtkNew<vtkDiscreteFlyingEdges3D> contour;
+    contour->SetInputData(image);
+    contour->SetValue(0, 1);
+    contour->Update();
+    const LabelSurface surface = SurfaceOf(MaskOf(image, 1, "it"));
+    using Corners = std::multiset<std::array<double, 9>>;
+    const auto cornersOf = [](const PointList& points, const TriangleList& triangles)
+    {
+      Corners corners;
+      for (Eigen::Index triangle = 0; triangle < triangles.rows(); ++triangle)
+      {
+        std::array<std::array<double, 3>, 3> places;
+        for (int corner = 0; corner < 3; ++corner)
+        {
+          const auto point = points.row(triangles(triangle, corner));
+          places[corner] = { { point[0], point[1], point[2] } };
+        }
+        std::rotate(places.begin(), std::min_element(places.begin(), places.end()), places.end());
+        std::array<double, 9> all;
+        for (int number = 0; number < 9; ++number)
+        {
+          all[number] = places[number / 3][number % 3];
+        }
+        corners.insert(all);
+      }
+      return corners;
+    };
+    vtkPolyData* const wanted = contour->GetOutput();
+    EXPECT_EQ(cornersOf(surface.Points, surface.Triangles),
+      cornersOf(CopyPoints(wanted), Triangulate(CopyPolys(wanted))));
   }
 }
 

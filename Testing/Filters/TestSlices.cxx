@@ -1,6 +1,7 @@
 // Adapters that process an image a few slices at a time.
 #include "../Kernels/ExampleSurfaces.h"
-#include "FiniteVoxels.h"
+#include "ExecutionAdapter.h"
+#include "Image/FiniteVoxels.h"
 
 #include <gtest/gtest.h>
 
@@ -79,7 +80,10 @@ TEST(RequireFiniteAs, NamesTheFirstBadVoxelAndStops)
   std::vector<float> voxels(geometry.NumberOfVoxels(), 1.0F);
   const ImageView<float> image{ voxels.data(), geometry };
   const auto check = [&](const Monitor& monitor)
-  { return RequireFiniteAs<float>(image, WholeBox(geometry), "it", "mend it", monitor); };
+  {
+    return RequireFiniteAs<float>(image, WholeBox(geometry), "it", "mend it", SMPThreading(),
+      monitor);
+  };
   EXPECT_TRUE(check(NeverStop));
 
   voxels[geometry.Offset(7, 9, 77)] = std::numeric_limits<float>::infinity();

@@ -7,9 +7,9 @@ from pathlib import Path
 
 import flipfree
 import numpy
-from example import liver, needs_files, truth
+from example import axes_of, liver, needs_files, needs_vtk, needs_wheel, surface_of, truth
 
-LIVER = flipfree.vtkPhantomSource.LIVER
+LIVER = flipfree.Organ.LIVER
 
 
 class Arrays(unittest.TestCase):
@@ -21,6 +21,7 @@ class Arrays(unittest.TestCase):
                 back = flipfree.array_from_image(flipfree.image_from_array(array, (1, 2, 3)))
                 numpy.testing.assert_array_equal(back, array)
 
+    @needs_vtk
     def test_geometry(self):
         image = flipfree.image_from_array(numpy.zeros((2, 3, 4)), (1, 2, 3), (4, 5, 6),
                                           [[0, 1, 0], [0, 0, 1], [1, 0, 0]])
@@ -30,6 +31,7 @@ class Arrays(unittest.TestCase):
         image.TransformIndexToPhysicalPoint([1, 0, 0], point)
         self.assertEqual(point, [4, 5, 7])
 
+    @needs_vtk
     def test_memory_is_shared_and_outlives_the_array(self):
         array = numpy.arange(24.0).reshape(2, 3, 4)
         image = flipfree.image_from_array(array, (1, 1, 1))
@@ -38,6 +40,7 @@ class Arrays(unittest.TestCase):
         del array
         self.assertEqual(image.GetScalarRange(), (-1, 22))
 
+    @needs_vtk
     def test_what_may_not_be_written_to_is_copied(self):
         array = numpy.arange(24.0).reshape(2, 3, 4)
         array.setflags(write=False)
@@ -47,8 +50,52 @@ class Arrays(unittest.TestCase):
 
     def test_image_without_scalars(self):
         flat = flipfree.image_from_array(numpy.zeros((0, 3, 4)), (1, 1, 1))
-        with self.assertRaisesRegex(ValueError, "^image: it has no scalars"):
+        with self.assertRaisesRegex(ValueError, "^image: it has no (scalars|voxels)"):
             flipfree.array_from_image(flat)
+
+
+@needs_wheel
+class Images(unittest.TestCase):
+    def test_geometry_and_memory_are_the_arrays(self):
+        array = numpy.arange(24.0).reshape(2, 3, 4)
+        image = flipfree.image_from_array(array, (1, 2, 3), (4, 5, 6), numpy.diag([1, -1, 1]))
+        self.assertEqual((image.spacing, image.origin), ((1, 2, 3), (4, 5, 6)))
+        self.assertEqual(axes_of(image)[1, 1], -1)
+        self.assertTrue(numpy.shares_memory(image.voxels, array))
+        self.assertTrue(numpy.shares_memory(numpy.asarray(image), array))
+        self.assertEqual(repr(image), "<Image: 4 x 3 x 2 float64 voxels of 1 x 2 x 3 mm>")
+
+    def test_arrays_that_may_not_be_written_to_are_read(self):
+        array = numpy.array(flipfree.array_from_image(truth()))
+        array.setflags(write=False)
+        self.assertEqual(flipfree.evaluate(liver(), array, reference_label=LIVER),
+                         flipfree.evaluate(liver(), truth(), reference_label=LIVER))
+
+
+class Phantoms(unittest.TestCase):
+    def test_have_their_organs_and_seeds(self):
+        for shape, label in (("sphere", 1), ("vessel", 1), ("abdomen", LIVER)):
+            phantom = flipfree.phantom(shape)
+            labels = flipfree.array_from_image(phantom.label_map)
+            spacing = (1.5, 1.5, 3) if shape == "abdomen" else (1, 1, 1)
+            i, j, k = (numpy.array(phantom.seeds[label][0]) / spacing).round().astype(int)
+            self.assertEqual(labels[k, j, i], label)
+
+    def test_parameters(self):
+        phantom = flipfree.phantom("cube", dimensions=(20, 30, 40), noise_standard_deviation=0, foreground=7)
+        voxels = flipfree.array_from_image(phantom.image)
+        self.assertEqual((voxels.shape, voxels.max()), ((40, 30, 20), 7))
+        with self.assertRaisesRegex(ValueError, "^shape: 'star' does not exist"):
+            flipfree.phantom("star")
+        with self.assertRaisesRegex(TypeError, "no parameter 'noise'"):
+            flipfree.phantom("cube", noise=3)
+        with self.assertRaisesRegex(flipfree.FlipFreeError, "^No phantom: .*foreground"):
+            flipfree.phantom("cube", foreground=1e6)
+
+    @needs_vtk
+    def test_labels_are_the_filters(self):
+        for organ in flipfree.Organ:
+            self.assertEqual(getattr(flipfree.vtkPhantomSource, organ.name), organ)
 
 
 @needs_files
@@ -64,6 +111,7 @@ class Files(unittest.TestCase):
 
 
 class Evaluation(unittest.TestCase):
+    @needs_vtk
     def test_is_the_filters(self):
         metrics = flipfree.vtkSegmentationMetrics()
         metrics.SetInputDataObject(liver().surface)
@@ -105,7 +153,7 @@ class Evaluation(unittest.TestCase):
 
     def test_takes_surfaces(self):
         expected = flipfree.evaluate(liver().label_map, truth(), reference_label=LIVER)
-        self.assertEqual(flipfree.evaluate(liver().surface, truth(), reference_label=LIVER,
+        self.assertEqual(flipfree.evaluate(surface_of(liver()), truth(), reference_label=LIVER,
                                            score_voxelization=True).asd, expected.asd)
 
 

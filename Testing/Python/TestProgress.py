@@ -8,7 +8,7 @@ import time
 import unittest
 
 import flipfree
-from example import RADIUS, SEED, coarse_liver, image, needs_files, start_python
+from example import RADIUS, SEED, coarse_liver, image, needs_files, needs_vtk, start_python
 
 ENDLESS = {"maximum_iterations": 100000, "change_tolerance": -1, "distance_tolerance": 0}
 
@@ -81,6 +81,7 @@ print(flipfree.segment(image(), SEED, RADIUS, resolution=8))
         # The callback is told of nothing any more.
         self.assertEqual(process.communicate(timeout=200), (f"50\n{coarse_liver()!r}\n", ""))
 
+    @needs_vtk
     def test_stops_the_work_promptly(self):
         """Within a few of the filter's own reports; thousands would follow."""
         process = self.start(INTERRUPT_AT_50 + f"""

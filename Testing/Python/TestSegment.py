@@ -7,9 +7,12 @@ from pathlib import Path
 
 import flipfree
 import numpy
-from example import RADIUS, SEED, image, liver, needs_files
-from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData, vtkTable
-from vtkmodules.vtkFiltersCore import vtkMassProperties, vtkTriangleFilter
+from example import (HAS_VTK, RADIUS, SEED, axes_of, image, liver, needs_files, needs_vtk, needs_wheel,
+                     points_of)
+
+if HAS_VTK:
+    from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData, vtkTable
+    from vtkmodules.vtkFiltersCore import vtkMassProperties, vtkTriangleFilter
 
 
 def filter_with_seed():
@@ -18,10 +21,6 @@ def filter_with_seed():
     segmentation.SetSeedCenter(*SEED)
     segmentation.SetSeedRadius(RADIUS)
     return segmentation
-
-
-def points_of(surface):
-    return numpy.array([surface.GetPoint(i) for i in range(surface.GetNumberOfPoints())])
 
 
 def oblique():
@@ -33,6 +32,7 @@ def oblique():
 
 
 class Output(unittest.TestCase):
+    @needs_vtk
     def test_is_the_filters(self):
         segmentation = filter_with_seed()
         segmentation.Update()
@@ -43,6 +43,7 @@ class Output(unittest.TestCase):
                            (liver().convergence, vtkTable)):
             self.assertIsInstance(data, kind)
 
+    @needs_vtk
     def test_faces_are_those_of_the_surface(self):
         surface = liver().surface
         self.assertEqual(liver().faces.shape, (surface.GetNumberOfCells(), 4))
@@ -52,6 +53,7 @@ class Output(unittest.TestCase):
             self.assertEqual(list(face), (corners + corners[-1:])[:4])  # a triangle repeats its last corner
         self.assertEqual(sum(face[2] == face[3] for face in liver().faces), 8)
 
+    @needs_vtk
     def test_triangles_enclose_the_volume_of_the_surface(self):
         a, b, c = (liver().points[liver().triangles[:, corner]] for corner in range(3))
         triangulated = vtkTriangleFilter()
@@ -70,6 +72,7 @@ class Output(unittest.TestCase):
         self.assertEqual(labels[k, j, i], 1)
         self.assertEqual(labels[0, 0, 0], 0)
 
+    @needs_vtk
     def test_points_and_labels_are_views(self):
         result = flipfree.segment(image(), SEED, RADIUS, levels=1, maximum_iterations=1)
         result.points[5] = (1, 2, 3)
@@ -79,16 +82,16 @@ class Output(unittest.TestCase):
 
     def test_iterations_are_the_columns_of_the_convergence(self):
         iterations = liver().iterations
-        rows = liver().convergence.GetNumberOfRows()
+        rows = len(iterations["MeanDistance"])
         self.assertEqual(list(iterations["Iteration"]), list(range(1, rows + 1)))
         self.assertLess(iterations["MeanDistance"][-1], iterations["MeanDistance"][0])
 
     def test_history_ends_with_the_surface(self):
         result = flipfree.segment(image(), SEED, RADIUS, keep_history=True)
-        self.assertEqual(len(result.history), result.convergence.GetNumberOfRows())
+        self.assertEqual(len(result.history), len(result.iterations["Iteration"]))
         numpy.testing.assert_array_equal(result.points, liver().points)
         numpy.testing.assert_array_equal(points_of(result.history[-1]), result.points)
-        vertices = [surface.GetNumberOfPoints() for surface in result.history]
+        vertices = [len(points_of(surface)) for surface in result.history]
         self.assertEqual(vertices, list(result.iterations["Vertices"]))
         self.assertEqual(liver().history, ())
 
@@ -107,8 +110,7 @@ class Input(unittest.TestCase):
         direction, origin = oblique(), numpy.array([10, -200, 1000])
         result = flipfree.segment(array, direction @ SEED + origin, RADIUS, spacing=(1.5, 1.5, 3),
                                   origin=origin, direction=direction)
-        matrix = result.label_map.GetDirectionMatrix()
-        self.assertAlmostEqual(matrix.GetElement(2, 1), direction[2, 1], places=15)
+        numpy.testing.assert_allclose(axes_of(result.label_map), direction, atol=1e-15)
         overlap = numpy.count_nonzero(result.labels & liver().labels)
         self.assertGreater(2 * overlap / (result.labels.sum() + liver().labels.sum()), 0.97)
 
@@ -122,6 +124,7 @@ class Input(unittest.TestCase):
                 numpy.testing.assert_array_equal(result.points, liver().points)
             os.remove(path)
 
+    @needs_vtk
     def test_start_from_another_surface(self):
         cube = flipfree.vtkQuadSphereSource()
         cube.SetSpacingToCube()
@@ -138,7 +141,22 @@ class Input(unittest.TestCase):
         self.assertGreater(abs(again.points - result.points).max(), 1)
 
 
+    def test_start_from_a_segmentation(self):
+        coarse = flipfree.segment(image(), SEED, RADIUS, resolution=8, levels=1)
+        same = flipfree.segment(image(), SEED, RADIUS, start=coarse, levels=1, maximum_iterations=0)
+        numpy.testing.assert_array_equal(same.points, coarse.points)
+        numpy.testing.assert_array_equal(same.faces, coarse.faces)
+
+    @needs_wheel
+    def test_start_from_a_surface_of_a_history(self):
+        coarse = flipfree.segment(image(), SEED, RADIUS, resolution=8, levels=1, keep_history=True)
+        first = coarse.history[0]
+        same = flipfree.segment(image(), SEED, RADIUS, start=first, levels=1, maximum_iterations=0)
+        numpy.testing.assert_array_equal(same.points, first.points)
+
+
 class Parameters(unittest.TestCase):
+    @needs_vtk
     def test_are_those_of_the_filter_and_its_stages(self):
         segmentation = flipfree.vtkFlipFreeSegmentation()
         owners = [segmentation, segmentation.GetFeature(), segmentation.GetSearch(), segmentation.GetDeform()]
@@ -151,6 +169,7 @@ class Parameters(unittest.TestCase):
         self.assertEqual([defaults[name] for name in ("levels", "minimum_component_weight", "run_length", "fairing")],
                          [3, 0.15, 2, 0])
 
+    @needs_vtk
     def test_reach_the_filter_and_its_stages(self):
         result = flipfree.segment(image(), SEED, RADIUS, resolution=8, levels=1, label_value=7)
         self.assertEqual(len(result.points), 6 * 8 * 8)
@@ -164,6 +183,15 @@ class Parameters(unittest.TestCase):
         result = flipfree.segment(image(), SEED, RADIUS, maximum_iterations=2, noise_widening=3,
                                   maximum_displacement=2, fairing=0.5)
         numpy.testing.assert_array_equal(result.points, points_of(segmentation.GetSurface()))
+
+    def test_reach_the_method(self):
+        result = flipfree.segment(image(), SEED, RADIUS, resolution=8, levels=1, label_value=7,
+                                  start_center_offset=(3, 0, 0), start_scale=0.5, maximum_iterations=0)
+        self.assertEqual(len(result.points), 6 * 8 * 8)
+        self.assertEqual(result.labels.max(), 7)
+        numpy.testing.assert_allclose(result.points.mean(axis=0), numpy.add(SEED, (3, 0, 0)))
+        numpy.testing.assert_allclose(numpy.linalg.norm(result.points - numpy.add(SEED, (3, 0, 0)), axis=1),
+                                      RADIUS / 2)
 
     def test_presets(self):
         published, naive = (flipfree.default_parameters(preset) for preset in ("published", "naive"))

@@ -1,4 +1,4 @@
-"""What goes wrong is an exception with VTK's message, or a warning, and nothing is printed."""
+"""What goes wrong is an exception with the message from below, or a warning, and nothing is printed."""
 
 import math
 import os
@@ -13,9 +13,12 @@ from pathlib import Path
 
 import flipfree
 import numpy
-from example import RADIUS, SEED, image, liver, needs_files, start_python, truth
-from vtkmodules.vtkCommonCore import vtkObject
-from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData
+from example import (HAS_VTK, RADIUS, SEED, image, liver, needs_files, needs_vtk, start_python, surface_of,
+                     truth)
+
+if HAS_VTK:
+    from vtkmodules.vtkCommonCore import vtkObject
+    from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData
 
 
 class Failures(unittest.TestCase):
@@ -39,9 +42,20 @@ class Failures(unittest.TestCase):
                 (flipfree.SegmentationError, "opening_scale is not a number", {"opening_scale": math.nan}),
                 (ValueError, "^preset: 'fast' does not exist; there are d", {"preset": "fast"}),
                 (TypeError, "^progress: a function", {"progress": 5}),
-                (flipfree.SegmentationError, "the start surface ", {"start": vtkPolyData()}),
-                (TypeError, "^start: a vtkPolyData", {"start": "sphere"})):
+                (TypeError, "^start: a (vtkPolyData|flipfree.Surface) or a Seg", {"start": "sphere"})):
             self.refuse(error, message, **parameters)
+
+    @needs_vtk
+    def test_empty_objects_of_vtk(self):
+        self.refuse(flipfree.SegmentationError, "the start surface ", start=vtkPolyData())
+        self.refuse(flipfree.SegmentationError, ".", vtkImageData(), SEED, RADIUS)
+
+    def test_voxels_that_are_not_finite(self):
+        for bad in (math.nan, math.inf, 1e300):
+            array = flipfree.array_from_image(image()).astype(float)
+            array[55, 55, 66] = bad
+            self.refuse(flipfree.SegmentationError, r"a voxel of the image, at \(99, 82.5, 165\) mm, is not a finite",
+                        array, SEED, RADIUS, spacing=(1.5, 1.5, 3))
 
     def test_seed_and_radius(self):
         for error, message, seed, radius in (
@@ -64,8 +78,7 @@ class Failures(unittest.TestCase):
                 (TypeError, "^array: voxels of type complex128", array * 1j, unit),
                 (ValueError, "^direction: 9 numbers are needed, not 3", array, {**unit, "direction": (1, 1, 1)}),
                 (TypeError, "belong to arrays", image(), unit),
-                (TypeError, "^image: a vtkImageData, an array or the name", None, {}),
-                (flipfree.SegmentationError, ".", vtkImageData(), {}),
+                (TypeError, "^image: a (vtkImageData|flipfree.Image), an array or the name", None, {}),
                 (flipfree.SegmentationError, ".", numpy.zeros((0, 3, 3)), unit)):
             self.refuse(error, message, volume, SEED, RADIUS, **geometry)
 
@@ -89,11 +102,12 @@ class Failures(unittest.TestCase):
                 (flipfree.EvaluationError, "empty", (liver(), empty), {}),
                 (flipfree.EvaluationError, ".", (liver(), empty[:5]), {}),
                 (TypeError, "did you mean 'reference_label'", (liver(), truth()), {"reference_labels": 6}),
-                (TypeError, "^reference: an array without geometry", (liver().surface, empty), {}),
+                (TypeError, "^reference: an array without geometry", (surface_of(liver()), empty), {}),
                 (TypeError, "^segmentation: a label map", (None, truth()), {})):
             with self.subTest(message), self.assertRaisesRegex(error, message):
                 flipfree.evaluate(*arguments, **parameters)
 
+    @needs_vtk
     def test_where_vtks_warnings_are_switched_off(self):
         vtkObject.GlobalWarningDisplayOff()
         self.addCleanup(vtkObject.GlobalWarningDisplayOn)
@@ -139,6 +153,7 @@ class Warnings(unittest.TestCase):
                 flipfree.segment(image(), SEED, RADIUS, reach=30)
 
 
+@needs_vtk
 class OtherVTK(unittest.TestCase):
     def test_is_refused_before_it_crashes(self):
         with tempfile.TemporaryDirectory() as folder:

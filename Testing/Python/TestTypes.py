@@ -24,6 +24,7 @@ array = flipfree.segment(numpy.zeros((3, 4, 5)), [1, 2, 3], 26, spacing=(1, 1, 1
 again = flipfree.segment(vtkImageData(), (1, 2, 3), 26, start=liver, preset="naive", progress=True)
 vertices: int = liver.points.shape[0]
 score: float = flipfree.evaluate(liver, "truth.nii.gz", reference_label=6).dice
+volume = flipfree.phantom("cube", dimensions=(20, 20, 20), noise_standard_deviation=0).image
 sphere = flipfree.vtkQuadSphereSource()
 sphere.SetCenter(1, 2, 3)
 sphere.SetCenter((1, 2, 3))
@@ -44,6 +45,7 @@ BAD = {
     'flipfree.segment("ct.nii", (1, 2, 3), 26, preset="fast")': "expected \"Literal['default'",
     'flipfree.segment("ct.nii", (1, 2, 3), 26).dice': 'has no attribute "dice"',
     'flipfree.evaluate("a.nii", "b.nii", label=6)': 'Unexpected keyword argument "label"',
+    'flipfree.phantom("star")': "expected \"Literal['sphere'",
     'flipfree.vtkQuadSphereSource().SetRadius("large")': 'type "str"; expected "float"',
     'flipfree.vtkQuadSphereSource().SetCenter(1, 2)': "No overload variant",
     "flipfree.vtkNoSuchThing()": 'has no attribute "vtkNoSuchThing"',
@@ -80,7 +82,8 @@ class Names(unittest.TestCase):
 
     def test_functions_have_their_parameters_spelled_out(self):
         for function, last in ((flipfree.segment, "fairing"),
-                               (flipfree.evaluate, "score_voxelization")):
+                               (flipfree.evaluate, "score_voxelization"),
+                               (flipfree.phantom, "partial_volume")):
             stub = PACKAGE / (function.__module__.rpartition(".")[2] + ".pyi")
             node = defined_in(ast.parse(stub.read_text(encoding="utf-8")).body)[function.__name__]
             spelled = [argument.arg for argument in node.args.args + node.args.kwonlyargs]

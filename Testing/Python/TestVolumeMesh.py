@@ -23,24 +23,20 @@ def tetrahedra(organ):
 
 
 def segmentation_of(shape, label, **parameters):
-    phantom = flipfree.vtkPhantomSource()
-    getattr(phantom, "SetShapeTo" + shape)()
-    phantom.Update()
-    seed = [0.0] * 4
-    phantom.GetSeed(label, seed)
-    return flipfree.segment(phantom.GetOutput(), seed[:3], seed[3], **parameters)
+    phantom = flipfree.phantom(shape)
+    return flipfree.segment(phantom.image, *phantom.seeds[label], **parameters)
 
 
 @unittest.skipUnless(shutil.which("tetgen"), "TetGen is not installed")
 class VolumeMesh(unittest.TestCase):
     def test_valid_surfaces_are_taken(self):
-        for shape, label in (("Sphere", 1), ("Vessel", 1), ("Abdomen", flipfree.vtkPhantomSource.LIVER)):
+        for shape, label in (("sphere", 1), ("vessel", 1), ("abdomen", flipfree.Organ.LIVER)):
             with self.subTest(shape):
                 organ = segmentation_of(shape, label)
                 self.assertGreater(tetrahedra(organ), len(organ.points))
 
     def test_a_surface_that_intersects_itself_is_not(self):
-        organ = segmentation_of("Vessel", 1, preset="naive")
+        organ = segmentation_of("vessel", 1, preset="naive")
         self.assertGreater(organ.self_intersections, 0)
         with self.assertRaises(subprocess.CalledProcessError):
             tetrahedra(organ)

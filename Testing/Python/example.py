@@ -1,4 +1,8 @@
-"""What the tests of the Python layer share: a phantom, and Python in a process of its own."""
+"""What the tests of the Python layer share: a phantom, and Python in a process of its own.
+
+The same tests run over VTK's filters and over the kernels alone, in the package that pip builds; what only
+one of them has is marked.
+"""
 
 import functools
 import os
@@ -7,8 +11,13 @@ import sys
 import unittest
 
 import flipfree
+import numpy
+
+HAS_VTK = hasattr(flipfree, "vtkFlipFreeSegmentation")
 
 needs_files = unittest.skipUnless(hasattr(flipfree, "vtkMedicalImageReader"), "built without ITK")
+needs_vtk = unittest.skipUnless(HAS_VTK, "about VTK's objects")
+needs_wheel = unittest.skipIf(HAS_VTK, "about the objects of the package without VTK")
 
 SEED = (99.75, 83.75, 167)
 RADIUS = 28
@@ -16,18 +25,34 @@ RADIUS = 28
 
 @functools.lru_cache(maxsize=None)
 def abdomen():
-    phantom = flipfree.vtkPhantomSource()
-    phantom.SetShapeToAbdomen()
-    phantom.Update()
-    return phantom
+    return flipfree.phantom("abdomen")
 
 
 def image():
-    return abdomen().GetOutput()
+    return abdomen().image
 
 
 def truth():
-    return abdomen().GetLabelMap()
+    return abdomen().label_map
+
+
+def surface_of(segmentation):
+    """As evaluate() takes it."""
+    return segmentation.surface if HAS_VTK else segmentation.mesh
+
+
+def points_of(surface):
+    if not HAS_VTK:
+        return surface.points
+    return numpy.array([surface.GetPoint(i) for i in range(surface.GetNumberOfPoints())])
+
+
+def axes_of(image):
+    """The direction matrix."""
+    if not HAS_VTK:
+        return numpy.reshape(image.direction, (3, 3))
+    matrix = image.GetDirectionMatrix()
+    return numpy.array([[matrix.GetElement(row, column) for column in range(3)] for row in range(3)])
 
 
 @functools.lru_cache(maxsize=None)

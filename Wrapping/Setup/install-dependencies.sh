@@ -40,8 +40,11 @@ test_packages=(
   libcgal-dev
   libgtest-dev
   mypy
+  # For the wheel, which is built and tested in a virtual environment.
+  python3-dev
   # For the benchmarks' charts alone.
   python3-matplotlib
+  python3-venv
   tetgen
   valgrind
   zsh

@@ -6,27 +6,14 @@ import os
 from dataclasses import dataclass, fields
 from typing import TYPE_CHECKING, Any
 
-from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkImageData, vtkPolyData
-
-from ._arrays import image_from_array
-from ._errors import EvaluationError
+from ._backend import EVALUATE_PARAMETERS, Metrics
 from ._files import read_image
-from ._parameters import (
-    described,
-    names_of,
-    parameters_of,
-    set_parameters,
-    signature_with,
-    snake_case,
-)
+from ._images import IMAGE_NAME, geometry_like, is_image, is_surface
+from ._parameters import described, set_parameters, signature_with
 from ._segmentation import Segmentation
-from ._update import update
-from .FlipFreeEvaluation import vtkSegmentationMetrics
 
 if TYPE_CHECKING:
-    from ._types import Image
-
-PARAMETERS = parameters_of(vtkSegmentationMetrics())
+    from ._images import AnyImage, Image, Surface
 
 
 @dataclass(frozen=True)
@@ -51,20 +38,18 @@ class Scores:
 
 
 def evaluate(
-    segmentation: Segmentation | vtkPolyData | Image, reference: Image, **parameters: Any
+    segmentation: Segmentation | Surface | AnyImage, reference: AnyImage, **parameters: Any
 ) -> Scores:
     """Compares a segmentation with a reference label map.
 
-    A label map may be a vtkImageData, the name of a file or an array, which gets the geometry of the
+    A label map may be an image, the name of a file or an array, which gets the geometry of the
     other argument. Of a Segmentation the surface is measured. Raises EvaluationError if the two
     cannot be compared.
 
     >>> import flipfree
-    >>> phantom = flipfree.vtkPhantomSource()
-    >>> phantom.SetShapeToAbdomen()
-    >>> phantom.Update()
-    >>> liver = flipfree.segment(phantom.GetOutput(), seed=(99.75, 83.75, 167), radius=28)
-    >>> scores = flipfree.evaluate(liver, phantom.GetLabelMap(), reference_label=phantom.LIVER)
+    >>> phantom = flipfree.phantom("abdomen")
+    >>> liver = flipfree.segment(phantom.image, seed=(99.75, 83.75, 167), radius=28)
+    >>> scores = flipfree.evaluate(liver, phantom.label_map, reference_label=flipfree.Organ.LIVER)
     >>> round(scores.dice, 2)
     0.93
     >>> scores.distance_of
@@ -73,50 +58,35 @@ def evaluate(
     compared: Any = segmentation
     known: Any = segmentation
     if isinstance(segmentation, Segmentation):
-        compared, known = segmentation.surface, segmentation.label_map
+        known = segmentation.label_map
     reference = _label_map("reference", reference, known)
-    if not isinstance(compared, vtkPolyData):
+    if not isinstance(compared, Segmentation) and not is_surface(compared):
         compared = _label_map("segmentation", compared, reference)
-    algorithm = vtkSegmentationMetrics()
-    set_parameters("evaluate", algorithm, PARAMETERS, parameters)
-    algorithm.SetInputDataObject(compared)
-    algorithm.SetReferenceData(reference)
-    update(algorithm, EvaluationError, names=names_of(PARAMETERS))
-    row = algorithm.GetOutput()
-    columns = {snake_case(row.GetColumnName(i)): i for i in range(row.GetNumberOfColumns())}
-    return Scores(**{field.name: _value(row, columns[field.name]) for field in fields(Scores)})
+    metrics = Metrics()
+    set_parameters("evaluate", metrics.settings, EVALUATE_PARAMETERS, parameters)
+    values = metrics.run(compared, reference)
+    return Scores(**{field.name: values[field.name] for field in fields(Scores)})
 
 
-def _label_map(name: str, label_map: Any, other: Any) -> vtkImageData:
+def _label_map(name: str, label_map: Any, other: Any) -> Image:
     """As an image; an array gets the geometry of the other one."""
     if isinstance(label_map, (str, os.PathLike)):
         return read_image(label_map)
-    if isinstance(label_map, vtkImageData):
+    if is_image(label_map):
         return label_map
     if not hasattr(label_map, "__array__"):
         raise TypeError(
-            f"{name}: a label map (vtkImageData, array or name of a file) is needed, "
+            f"{name}: a label map ({IMAGE_NAME}, array or name of a file) is needed, "
             f"not {label_map!r:.80}"
         )
     if isinstance(other, (str, os.PathLike)):
         other = read_image(other)
-    if not isinstance(other, vtkImageData):
+    if not is_image(other):
         raise TypeError(f"{name}: an array without geometry; use image_from_array(...)")
-    direction = other.GetDirectionMatrix()
-    axes = [direction.GetElement(row, column) for row in range(3) for column in range(3)]
-    image = image_from_array(label_map, other.GetSpacing(), other.GetOrigin(), axes)
-    extent = other.GetExtent()
-    if image.GetDimensions() == other.GetDimensions():
-        image.SetExtent(extent)
-    return image
-
-
-def _value(row: vtkDataObject, column: int) -> Any:
-    value = row.GetValue(0, column)
-    return value.ToDouble() if value.IsNumeric() else value.ToString()
+    return geometry_like(other, label_map)
 
 
 # Help and completion show the parameters as if they were spelled out above.
-evaluate.__doc__ = f"{evaluate.__doc__}\n    The other parameters:\n\n{described(PARAMETERS)}\n"
-_SIGNATURE = signature_with(evaluate, vtkSegmentationMetrics(), PARAMETERS)
+evaluate.__doc__ = f"{evaluate.__doc__}\n    The other parameters:\n\n{described(EVALUATE_PARAMETERS)}\n"
+_SIGNATURE = signature_with(evaluate, Metrics().settings, EVALUATE_PARAMETERS)
 evaluate.__signature__ = _SIGNATURE  # type: ignore[attr-defined]

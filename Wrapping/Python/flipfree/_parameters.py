@@ -1,6 +1,6 @@
-"""The properties of a filter and of its stages as keyword arguments: SearchDistance is search_distance.
+"""Parameters as keyword arguments: the property SearchDistance is search_distance.
 
-They are read from the wrapped classes, documentation included, so a new property is a keyword at once.
+The backend reads them where they are defined, documentation included: a new one is a keyword at once.
 """
 
 from __future__ import annotations
@@ -8,34 +8,34 @@ from __future__ import annotations
 import difflib
 import inspect
 import re
-from collections.abc import Collection, Mapping
-from dataclasses import dataclass, replace
+from collections.abc import Mapping
+from dataclasses import dataclass
 from typing import Any
-
-from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
 
 
 @dataclass(frozen=True)
 class Parameter:
-    """A property of a filter or of one of its stages: SetX, GetX and their documentation."""
+    """A property of an algorithm; the backend knows how to get and to assign it."""
 
     name: str
     property: str
     type: type
     documentation: str
-    stage: str = ""
-    """The method that hands out the stage; empty for the filter's own properties."""
 
-    def get(self, algorithm: vtkAlgorithm) -> Any:
+    def get(self, algorithm: Any) -> Any:
         """The present value."""
-        return getattr(self._owner(algorithm), "Get" + self.property)()
+        raise NotImplementedError
 
-    def set(self, algorithm: vtkAlgorithm, value: Any) -> None:
-        """Sets it; raises TypeError or ValueError where VTK would silently take another value."""
+    def assign(self, algorithm: Any, value: Any) -> None:
+        """Sets the value, or the nearest in its range; raises TypeError for another type."""
+        raise NotImplementedError
+
+    def set(self, algorithm: Any, value: Any) -> None:
+        """Sets it; raises TypeError or ValueError where another value would silently be taken."""
         if self.type is bool and value not in (False, True):
             raise TypeError(f"{self.name}: True or False is needed, not {value!r}")
         try:
-            getattr(self._owner(algorithm), "Set" + self.property)(value)
+            self.assign(algorithm, value)
         except (TypeError, ValueError, OverflowError) as error:
             raise TypeError(f"{self.name}: {value!r} will not do; {_reason(error)}") from None
         if self.type in (int, float) and value == value and self.get(algorithm) != value:
@@ -43,34 +43,10 @@ class Parameter:
                 f"{self.name}: {value!r} is out of range; the nearest is {self.get(algorithm)!r}"
             )
 
-    def _owner(self, algorithm: vtkAlgorithm) -> Any:
-        return getattr(algorithm, self.stage)() if self.stage else algorithm
-
-
-def parameters_of(algorithm: vtkAlgorithm, without: Collection[str] = ()) -> dict[str, Parameter]:
-    """Every property that a filter or one of its stages adds to its ancestors', by its Python name.
-
-    The filter's own properties hide those of the same name of its stages.
-    """
-    parameters, stages = {}, {}
-    for method in vars(type(algorithm)):
-        property_name = method[3:]
-        if method.startswith("Set") and hasattr(algorithm, "Get" + property_name):
-            name = snake_case(property_name)
-            value = getattr(algorithm, "Get" + property_name)()
-            if isinstance(value, vtkAlgorithm):
-                stages["Get" + property_name] = value
-            elif name not in without:
-                parameters[name] = _parameter(type(algorithm), name, property_name)
-    for getter, stage in stages.items():
-        for name, parameter in parameters_of(stage, without).items():
-            parameters.setdefault(name, replace(parameter, stage=getter))
-    return parameters
-
 
 def set_parameters(
     caller: str,
-    algorithm: vtkAlgorithm,
+    algorithm: Any,
     parameters: Mapping[str, Parameter],
     values: Mapping[str, Any],
 ) -> None:
@@ -85,7 +61,7 @@ def set_parameters(
 
 
 def signature_with(
-    function: Any, algorithm: vtkAlgorithm, parameters: Mapping[str, Parameter]
+    function: Any, algorithm: Any, parameters: Mapping[str, Parameter]
 ) -> inspect.Signature:
     """The function's signature with its **parameters spelled out, defaults included."""
     signature = inspect.signature(function)
@@ -139,16 +115,6 @@ def snake_case(name: str) -> str:
 
 def _numbers(count: int) -> str:
     return "a number is" if count == 1 else f"{count} numbers are"
-
-
-def _parameter(algorithm_class: type, name: str, property_name: str) -> Parameter:
-    text = getattr(algorithm_class, "Set" + property_name).__doc__
-    signature, _, documentation = text.partition("\n\n")
-    types = {"float": float, "int": int, "bool": bool, "str": str}
-    found = re.search(r"\(self, \w+:(\w+)\) -> None", signature)
-    kind = types.get(found.group(1), tuple) if found else tuple
-    words = " ".join(documentation.split())
-    return Parameter(name, property_name, kind, words)
 
 
 def _annotation(parameter: Parameter) -> str:

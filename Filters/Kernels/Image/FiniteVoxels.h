@@ -1,11 +1,10 @@
 /**
- * Private to the modules, never installed: the check that the voxels of an image are finite
- * numbers.
+ * The check that the voxels of an image are finite numbers.
  */
 #ifndef FlipFreeFiniteVoxels_h
 #define FlipFreeFiniteVoxels_h
 
-#include "ExecutionAdapter.h"
+#include "Image/SliceParts.h"
 #include "Image/VoxelBox.h"
 #include "MessageText.h"
 
@@ -25,7 +24,7 @@ namespace FlipFree
 /// asked every few slices, stopped it.
 template <typename Number, typename T>
 bool RequireFiniteAs(const ImageView<T>& image, const VoxelBox& box, const std::string& name,
-  const std::string& remedy, const Monitor& monitor)
+  const std::string& remedy, const Threading& threading, const Monitor& monitor)
 {
   if constexpr (std::is_floating_point_v<T>)
   {
@@ -55,8 +54,8 @@ bool RequireFiniteAs(const ImageView<T>& image, const VoxelBox& box, const std::
       }
     };
     // The slices checked so far include the first bad voxel, if any.
-    const bool done = SMPForSlices(
-      0, box.Size(2), columns * rows,
+    const bool done = ForSlices(
+      threading, 0, box.Size(2), columns * rows,
       [&](double fraction) { return firstBad == none && monitor(fraction); }, look);
     if (firstBad != none)
     {

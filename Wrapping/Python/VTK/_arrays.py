@@ -13,11 +13,10 @@ from typing import TYPE_CHECKING, Any
 from vtkmodules.vtkCommonDataModel import vtkImageData
 
 from ._parameters import floats
+from ._voxels import IDENTITY, voxels_of
 
 if TYPE_CHECKING:
     import numpy.typing as npt
-
-IDENTITY = (1, 0, 0, 0, 1, 0, 0, 0, 1)
 
 
 def image_from_array(
@@ -45,13 +44,7 @@ def image_from_array(
     import numpy
     from vtkmodules.util.numpy_support import numpy_to_vtk
 
-    voxels = numpy.asarray(array)
-    if voxels.ndim != 3:
-        raise ValueError(
-            f"array: 3 axes (slices, rows, columns) are needed, not the {voxels.ndim} of shape "
-            f"{voxels.shape}"
-        )
-    voxels = numpy.ascontiguousarray(voxels, dtype=_type_for_vtk(voxels.dtype))
+    voxels = voxels_of(array)
     if not voxels.flags.writeable:  # which an image cannot tell those who get it
         voxels = voxels.copy()
     image = vtkImageData()
@@ -87,18 +80,3 @@ def array_from_image(image: vtkImageData) -> npt.NDArray[Any]:
         shape = (*shape, scalars.GetNumberOfComponents())
     voxels: npt.NDArray[Any] = vtk_to_numpy(scalars).reshape(shape)
     return voxels
-
-
-def _type_for_vtk(dtype: Any) -> Any:
-    """VTK knows numbers of 8 to 64 bits in the machine's own byte order."""
-    import numpy
-
-    if dtype == numpy.bool_:
-        return numpy.uint8
-    if dtype == numpy.float16:
-        return numpy.float32
-    if dtype.kind not in "iuf" or dtype.itemsize > 8:
-        raise TypeError(
-            f"array: voxels of type {dtype}; integers or floats of up to 64 bits are needed"
-        )
-    return dtype.newbyteorder("=")

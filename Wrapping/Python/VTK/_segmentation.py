@@ -8,13 +8,14 @@ from typing import TYPE_CHECKING, Any
 from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData, vtkTable
 
 from ._arrays import array_from_image
+from ._faces import Faces
 
 if TYPE_CHECKING:
     import numpy.typing as npt
 
 
 @dataclass(frozen=True, repr=False)
-class Segmentation:
+class Segmentation(Faces):
     """An organ. Coordinates are the image's physical millimeters."""
 
     surface: vtkPolyData
@@ -44,39 +45,6 @@ class Segmentation:
         return points
 
     @property
-    def faces(self) -> npt.NDArray[Any]:
-        """The faces as rows of indices of points, counter-clockwise seen from outside.
-
-        Most are quads; the eight triangles of a quad sphere repeat their last vertex.
-        """
-        import numpy
-
-        corners, starts, sizes = self._cells()
-        columns = numpy.arange(sizes.max(initial=0))
-        faces: npt.NDArray[Any] = corners[
-            starts[:, None] + numpy.minimum(columns, sizes[:, None] - 1)
-        ]
-        return faces
-
-    @property
-    def triangles(self) -> npt.NDArray[Any]:
-        """The triangles as rows of indices of points.
-
-        Each face is a fan around its first vertex. The absence of self-intersections is certified
-        for every other triangulation of the faces, too.
-        """
-        import numpy
-
-        corners, starts, sizes = self._cells()
-        starts = numpy.repeat(starts, sizes - 2)
-        # The second corner of each triangle within its face: 1, 2, ... up to the last but one.
-        second = 1 + numpy.concatenate([numpy.arange(size - 2) for size in sizes] or [sizes])
-        triangles: npt.NDArray[Any] = numpy.stack(
-            [corners[starts], corners[starts + second], corners[starts + second + 1]], axis=1
-        )
-        return triangles
-
-    @property
     def labels(self) -> npt.NDArray[Any]:
         """The voxels of the label map as labels[k, j, i]."""
         return array_from_image(self.label_map)
@@ -98,10 +66,8 @@ class Segmentation:
             f"{self.convergence.GetNumberOfRows()} iterations>"
         )
 
-    def _cells(self) -> tuple[Any, Any, Any]:
-        """The corners of all faces, where each face starts, and its number of corners."""
+    def cells(self) -> tuple[Any, Any]:
         from vtkmodules.util.numpy_support import vtk_to_numpy
 
         cells = self.surface.GetPolys()
-        offsets = vtk_to_numpy(cells.GetOffsetsArray())
-        return vtk_to_numpy(cells.GetConnectivityArray()), offsets[:-1], offsets[1:] - offsets[:-1]
+        return vtk_to_numpy(cells.GetConnectivityArray()), vtk_to_numpy(cells.GetOffsetsArray())

@@ -1,6 +1,6 @@
 /**
- * Private to the modules, never installed: VTK's clamping setters let NaN pass, and every
- * comparison with it is false; what is not clamped may be infinite.
+ * The check that properties are numbers: clamping lets NaN pass, since every comparison with it is
+ * false; and what is not clamped may be infinite.
  */
 #ifndef FlipFreePropertyCheck_h
 #define FlipFreePropertyCheck_h

@@ -8,8 +8,6 @@ every exception and abort the algorithm; the exception is raised again after its
 from __future__ import annotations
 
 import re
-import sys
-import warnings
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 from typing import Any
@@ -17,8 +15,9 @@ from typing import Any
 from vtkmodules.vtkCommonCore import vtkObject
 from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
 
-from ._errors import FlipFreeError, FlipFreeWarning
+from ._errors import FlipFreeError
 from ._interrupt import Interrupt
+from ._messages import warn, with_names
 from ._types import Progress
 
 
@@ -54,11 +53,11 @@ def update(
     if listener.exception is not None:
         raise listener.exception
     for text in listener.warnings:
-        warnings.warn(_with_names(text, names), FlipFreeWarning, stacklevel=_level_of_caller())
+        warn(with_names(text, names))
     # The pipeline only reports that its algorithm failed.
     errors = listener.errors + listener.pipeline_errors
     if errors:
-        raise failure(_with_names(errors[0], names))
+        raise failure(with_names(errors[0], names))
 
 
 class _Listener:
@@ -122,19 +121,6 @@ def _message_in(text: str) -> str:
     return re.sub(r"\A\w+: In .*, line \d+\n\w+ \(\w+\): ", "", text).strip()
 
 
-def _with_names(text: str, names: Mapping[str, str] | None) -> str:
-    """Calls properties by the caller's arguments, and leaves out ports.
-
-    >>> _with_names("the image on port 0 ends here; raise Reach", {"Reach": "reach"})
-    'the image ends here; raise reach'
-    """
-    if not names:
-        return text
-    spelled: Mapping[str, str] = names
-    text = re.sub(r" on port \d\b| \(port \d\)", "", text)
-    return re.sub(rf"\b({'|'.join(spelled)})\b", lambda name: spelled[name.group()], text)
-
-
 @contextmanager
 def _messages_on() -> Iterator[None]:
     """If warnings are switched off globally, VTK reports no errors, either."""
@@ -144,13 +130,3 @@ def _messages_on() -> Iterator[None]:
         yield
     finally:
         vtkObject.SetGlobalWarningDisplay(before)
-
-
-def _level_of_caller() -> int:
-    """The stack level of the first caller outside the package, as warnings.warn counts it."""
-    level = 1
-    frame = sys._getframe(1)  # pylint: disable=protected-access
-    while frame.f_back is not None and frame.f_globals.get("__package__") == __package__:
-        frame = frame.f_back
-        level += 1
-    return level

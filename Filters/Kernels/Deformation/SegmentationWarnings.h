@@ -1,5 +1,5 @@
 /**
- * Private to the module: what may be wrong with a segmentation that has a result all the same.
+ * What may be wrong with a segmentation that has a result all the same, in words.
  */
 #ifndef FlipFreeSegmentationWarnings_h
 #define FlipFreeSegmentationWarnings_h

@@ -1,4 +1,4 @@
-#include "SegmentationWarnings.h"
+#include "Deformation/SegmentationWarnings.h"
 
 #include "Deformation/PlausibilityCheck.h"
 

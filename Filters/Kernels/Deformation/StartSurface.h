@@ -1,0 +1,51 @@
+/**
+ * The surface from which a segmentation starts: a sphere, or one that somebody has made.
+ */
+#ifndef FlipFreeStartSurface_h
+#define FlipFreeStartSurface_h
+
+#include "Error.h"
+#include "Geometry/FaceHulls.h"
+#include "Mesh/ContourMesh.h"
+
+#include <string>
+
+namespace FlipFree
+{
+
+struct DeformableSurface
+{
+  ContourMesh Mesh;
+  PointList Points;
+};
+
+/// A quad sphere with n vertices along an edge of a side.
+DeformableSurface MakeStartSphere(int n, const Eigen::Vector3d& center, double radius);
+
+/// Returns make(). Errors of kernels get `name` in front.
+template <typename Make>
+auto NamingSurface(const std::string& name, const Make& make)
+{
+  try
+  {
+    return make();
+  }
+  catch (const Error& error)
+  {
+    throw Error(error.GetCode(), name + ": " + error.what());
+  }
+}
+
+/// Throws std::invalid_argument, naming the surface by `name`, when it intersects itself or is
+/// inside out. `hulls` are those of the mesh's faces.
+void RequireEmbedded(const ContourMesh& mesh, const FaceHulls& hulls, const PointList& points,
+  const std::string& name, const ParallelFor& parallelFor);
+
+/// Throws std::invalid_argument, naming the surface by `name`, when it is not a closed mesh with
+/// four neighbors at every vertex, or, if asked, is not embedded.
+DeformableSurface MakeStartSurface(const PointList& points, const FaceList& faces,
+  const std::string& name, bool requireEmbedded, const ParallelFor& parallelFor);
+
+} // namespace FlipFree
+
+#endif

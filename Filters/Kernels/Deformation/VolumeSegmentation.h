@@ -1,0 +1,73 @@
+/**
+ * The whole method on a volume, as every shell runs it: the checks of the input, the noise, the
+ * region that the surface can reach, the organ's surface, what may be wrong with it, and its
+ * voxels.
+ */
+#ifndef FlipFreeVolumeSegmentation_h
+#define FlipFreeVolumeSegmentation_h
+
+#include "Deformation/OrganSegmentation.h"
+#include "Deformation/StartSurface.h"
+#include "Image/FiniteVoxels.h"
+#include "Mesh/SurfaceVoxelization.h"
+
+#include <array>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace FlipFree
+{
+
+/// A volume with voxels of any type, which somebody else owns.
+struct GrayVolume
+{
+  ImageGeometry Geometry;
+  VoxelReader Read;
+  /// Throws std::invalid_argument unless all voxels of a box are finite as floats.
+  std::function<void(const VoxelBox&)> RequireFinite;
+};
+
+template <typename T>
+GrayVolume GrayVolumeOf(const ImageView<T>& image, const std::string& name,
+  const Threading& threading)
+{
+  return { image.Geometry, ReaderOf(image), [image, name, threading](const VoxelBox& box) {
+            RequireFiniteAs<float>(image, box, name, "replace such voxels first", threading,
+              NeverStop);
+          } };
+}
+
+struct VolumeSegmentationSettings
+{
+  OrganSegmentationSettings Method;
+
+  /// Radius of the first sphere in seed radii, and its center relative to the seed's.
+  double StartScale = 1;
+  Eigen::Vector3d StartCenterOffset = Eigen::Vector3d::Zero();
+
+  int LabelValue = 1;       ///< of the organ's voxels; read by those who make the label map
+  bool KeepHistory = false; ///< whether those who can observe iterations are to keep the surfaces
+};
+
+struct VolumeSegmentation
+{
+  OrganSurface Organ;
+  std::vector<VoxelRun> Voxels;      ///< inside; none where it was aborted
+  std::vector<std::string> Warnings; ///< a message each, with its remedy
+  /// Smoothing, feature, deformation, label map.
+  std::array<double, 4> StageSeconds{ { 0, 0, 0, 0 } };
+};
+
+/// Segments an organ; from the sphere that the settings describe, or from `start` if there is one.
+/// `name` is the volume's. Throws std::invalid_argument or Error for bad input, and
+/// std::logic_error if a guarded surface should intersect itself. A stop by the monitor gives the
+/// iterations so far and StopReason::Aborted.
+VolumeSegmentation SegmentVolume(const GrayVolume& volume, const std::string& name,
+  const SeedSphere& seed, const DeformableSurface* start,
+  const VolumeSegmentationSettings& settings, const Threading& threading, const Monitor& monitor,
+  const IterationObserver& observer);
+
+} // namespace FlipFree
+
+#endif

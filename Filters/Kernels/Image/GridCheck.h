@@ -1,0 +1,37 @@
+/**
+ * The check that a voxel grid is one.
+ */
+#ifndef FlipFreeGridCheck_h
+#define FlipFreeGridCheck_h
+
+#include "KernelTypes.h"
+#include "MessageText.h"
+
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+namespace FlipFree
+{
+
+/// Throws std::invalid_argument, naming the image by `name`, unless its voxels lie apart on three
+/// independent axes.
+inline void RequireProperGrid(const ImageGeometry& geometry, const std::string& name)
+{
+  if (!(geometry.Spacing.minCoeff() > 0) || !geometry.Spacing.allFinite())
+  {
+    throw std::invalid_argument(name + " has a spacing of " + TextOf(geometry.Spacing) +
+      " mm; make it positive on every axis, and turn axes by the direction matrix");
+  }
+  if (!(std::abs(geometry.Direction.determinant()) > 1e-6) || !geometry.Direction.allFinite() ||
+    !geometry.Origin.allFinite())
+  {
+    throw std::invalid_argument(name +
+      " has a direction matrix that cannot be inverted, or an origin that is not finite; correct "
+      "them");
+  }
+}
+
+} // namespace FlipFree
+
+#endif

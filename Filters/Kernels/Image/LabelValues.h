@@ -1,0 +1,140 @@
+/**
+ * The labels of a label map: the voxels of one of them, and which there are.
+ */
+#ifndef FlipFreeLabelValues_h
+#define FlipFreeLabelValues_h
+
+#include "Image/BitMask.h"
+#include "Image/FiniteVoxels.h"
+
+#include <iterator>
+#include <limits>
+#include <mutex>
+#include <set>
+#include <sstream>
+#include <string>
+#include <type_traits>
+
+namespace FlipFree
+{
+
+/// The voxels with a label, or all that are not 0 for a negative one. Throws std::invalid_argument,
+/// naming the image by `name`, when a voxel is not a finite number.
+template <typename T>
+BitMask MaskOfLabel(const ImageView<T>& image, int label, const std::string& name,
+  const Threading& threading)
+{
+  RequireFiniteAs<T>(image, WholeBox(image.Geometry), name, "a label map holds whole numbers",
+    threading, NeverStop);
+  if (label < 0)
+  {
+    return VoxelsWhere(
+      image, [](T value) { return value != T(0); }, threading.For);
+  }
+  // Compared in their own type; a label that the type cannot represent does not occur.
+  const auto sought = static_cast<T>(label);
+  return static_cast<double>(sought) == label
+    ? VoxelsWhere(
+        image, [sought](T value) { return value == sought; }, threading.For)
+    : BitMask(image.Geometry);
+}
+
+/// The lowest few of the values inserted, whatever their order.
+class LowestValues
+{
+public:
+  explicit LowestValues(std::size_t most)
+    : Most(most)
+  {
+  }
+  void Insert(double value)
+  {
+    if (this->Values.size() == this->Most && value > *this->Values.rbegin())
+    {
+      this->More = true;
+      return;
+    }
+    this->Values.insert(value);
+    if (this->Values.size() > this->Most)
+    {
+      this->Values.erase(std::prev(this->Values.end()));
+      this->More = true;
+    }
+  }
+  void Insert(const LowestValues& others)
+  {
+    for (const double value : others.Values)
+    {
+      this->Insert(value);
+    }
+    this->More = this->More || others.More;
+  }
+
+  const std::set<double>& Get() const { return this->Values; } ///< ascending
+  bool AreThereMore() const { return this->More; }
+
+private:
+  std::set<double> Values;
+  std::size_t Most;
+  bool More = false;
+};
+
+/// The values of a label map's voxels. Valid labels are kept apart from other values, of which an
+/// image that is no label map, a scan or a probability map, has many.
+struct LabelValues
+{
+  LowestValues Labels{ 20 }; ///< whole numbers from 1 to the greatest int
+  LowestValues Others{ 3 };  ///< neither such a number nor 0
+
+  void Insert(double value)
+  {
+    const bool isLabel =
+      value >= 1 && value <= std::numeric_limits<int>::max() && value == std::floor(value);
+    (isLabel ? this->Labels : this->Others).Insert(value);
+  }
+  /// Whether there are two values or more besides 0.
+  bool AreSeveral() const { return this->Labels.Get().size() + this->Others.Get().size() > 1; }
+};
+
+/// Of an image whose voxels are finite.
+template <typename T>
+LabelValues LabelsIn(const ImageView<T>& image, const ParallelFor& parallelFor)
+{
+  LabelValues labels;
+  std::mutex mutex;
+  parallelFor(0, static_cast<std::ptrdiff_t>(image.Geometry.NumberOfVoxels()),
+    [&](std::ptrdiff_t first, std::ptrdiff_t last)
+    {
+      LabelValues found;
+      T latest = 0; // neighbors mostly have the same
+      for (std::ptrdiff_t voxel = first; voxel < last; ++voxel)
+      {
+        if (image.Data[voxel] != latest && image.Data[voxel] != T(0))
+        {
+          latest = image.Data[voxel];
+          found.Insert(static_cast<double>(latest));
+        }
+      }
+      const std::lock_guard<std::mutex> lock(mutex);
+      labels.Labels.Insert(found.Labels);
+      labels.Others.Insert(found.Others);
+    });
+  return labels;
+}
+
+/// "1, 2, 6", followed by "and more" if there are more, with enough digits to tell them apart.
+inline std::string TextOf(const LowestValues& values)
+{
+  std::ostringstream text;
+  text.precision(15);
+  for (const double value : values.Get())
+  {
+    text << (value == *values.Get().begin() ? "" : ", ") << value;
+  }
+  text << (values.AreThereMore() ? " and more" : "");
+  return text.str();
+}
+
+} // namespace FlipFree
+
+#endif

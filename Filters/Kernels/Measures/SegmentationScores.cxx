@@ -1,0 +1,173 @@
+#include "Measures/SegmentationScores.h"
+
+#include "Measures/SurfaceDistance.h"
+#include "Measures/VoxelOverlap.h"
+#include "Mesh/SurfaceVoxelization.h"
+
+#include <stdexcept>
+
+namespace FlipFree
+{
+namespace
+{
+
+BitMask Voxelize(const PointList& points, const TriangleList& triangles,
+  const ImageGeometry& geometry, const ParallelFor& parallelFor)
+{
+  const std::vector<VoxelRun> runs = VoxelizeSurface(points, triangles, geometry, parallelFor);
+  if (runs.empty())
+  {
+    throw std::invalid_argument(
+      "the segmentation on port 0, a surface, encloses no voxel center of the reference on port 1; "
+      "check that both are in the same physical coordinates");
+  }
+  BitMask mask(geometry);
+  for (const VoxelRun& run : runs)
+  {
+    mask.InsertRun(run.Begin, run.End, run.J, run.K);
+  }
+  return mask;
+}
+
+double Milliliters(std::size_t numberOfVoxels, const ImageGeometry& geometry)
+{
+  return numberOfVoxels * geometry.VoxelVolume() / 1000;
+}
+
+void Store(const VoxelOverlap& overlap, const ImageGeometry& geometry, SegmentationScores& scores)
+{
+  scores.Dice = overlap.Dice();
+  scores.Jaccard = overlap.Jaccard();
+  scores.RelativeVolumeDifference = overlap.RelativeVolumeDifference();
+  scores.SegmentationVolume = Milliliters(overlap.Segmentation, geometry);
+  scores.ReferenceVolume = Milliliters(overlap.Reference, geometry);
+}
+
+void Store(const SurfaceDistance& distance, SegmentationScores& scores)
+{
+  scores.ASD = distance.Average;
+  scores.RMS = distance.RootMeanSquare;
+  scores.HD95 = distance.Hausdorff95;
+  scores.HD = distance.Hausdorff;
+  scores.Complete = distance.Complete;
+}
+
+// A segmentation of one organ, or a surface, against a reference of several.
+std::string WarningOf(const LabelMask* segmentation, const LabelMask& reference)
+{
+  if (reference.Label >= 0)
+  {
+    return {};
+  }
+  // Mostly there is but one, and the segmentation need not be looked through.
+  const LabelValues values = reference.Values();
+  if (!values.AreSeveral() ||
+    (segmentation && segmentation->Label < 0 && segmentation->Values().AreSeveral()))
+  {
+    return {};
+  }
+  const std::string labels = TextOf(values.Labels);
+  const std::string others = TextOf(values.Others);
+  if (others.empty())
+  {
+    return "The reference (port 1) has the labels " + labels +
+      "; the segmentation has one organ only: it is compared with all of them together; to "
+      "compare it with one, set ReferenceLabel.";
+  }
+  return "The reference (port 1) has the values " + others +
+    ", which no label map has: all that are not 0 count as inside; give it a label map" +
+    (labels.empty() ? "" : ", or set ReferenceLabel to one of " + labels) + ".";
+}
+
+ParameterTable<ScoreSettings> MakeTable()
+{
+  constexpr double least = std::numeric_limits<int>::min();
+  constexpr double most = std::numeric_limits<int>::max();
+  return { NumberParameter<int, ScoreSettings>(
+             "SegmentationLabel",
+             [](auto& settings) -> auto& { return settings.SegmentationLabel; }, least, most),
+    NumberParameter<int, ScoreSettings>(
+      "ReferenceLabel", [](auto& settings) -> auto& { return settings.ReferenceLabel; }, least,
+      most),
+    NumberParameter<double, ScoreSettings>(
+      "SampleSpacing", [](auto& settings) -> auto& { return settings.SampleSpacing; }, 0.001, 1000),
+    NumberParameter<int, ScoreSettings>(
+      "LabelSmoothing", [](auto& settings) -> auto& { return settings.LabelSmoothing; }, 0, 100),
+    NumberParameter<bool, ScoreSettings>(
+      "ScoreVoxelization", [](auto& settings) -> auto& { return settings.ScoreVoxelization; }, 0,
+      1) };
+}
+
+} // namespace
+
+const ParameterTable<ScoreSettings>& ScoreParameters()
+{
+  static const ParameterTable<ScoreSettings> table = MakeTable();
+  return table;
+}
+
+void RequireLabel(const LabelMask& labelMap, const std::string& name, const std::string& property)
+{
+  if (labelMap.Label < 0 || !labelMap.Mask.Bounds().IsEmpty())
+  {
+    return;
+  }
+  const LabelValues values = labelMap.Values();
+  const std::string labels = TextOf(values.Labels);
+  const std::string others = TextOf(values.Others);
+  std::string message =
+    name + " is empty: no voxel has the label " + std::to_string(labelMap.Label);
+  if (!labels.empty())
+  {
+    message += "; set " + property + " to one of " + labels +
+      (others.empty() ? "" : ", if it is a label map: it holds " + others + ", too");
+  }
+  else
+  {
+    message += others.empty() ? ", all are 0; check that it is the intended label map"
+                              : "; it is no label map: it holds " + others +
+        ", where a label map holds whole numbers from 0 up; give it a label map";
+  }
+  throw std::invalid_argument(message);
+}
+
+SegmentationScores ScoreSurface(const PointList& points, const TriangleList& triangles,
+  const LabelMask& reference, const ScoreSettings& settings, const ParallelFor& parallelFor,
+  const Monitor& monitor)
+{
+  const ImageGeometry& geometry = reference.Mask.GetGeometry();
+  const BitMask voxels = Voxelize(points, triangles, geometry, parallelFor);
+  SegmentationScores scores;
+  Store(MeasureOverlap(voxels, reference.Mask, parallelFor), geometry, scores);
+  scores.OverlapOf = "voxelized mesh";
+  scores.DistanceOf = settings.ScoreVoxelization ? "surface of voxelized mesh" : "mesh";
+  const LabelSurface surface = settings.ScoreVoxelization
+    ? SurfaceOf(voxels, settings.LabelSmoothing)
+    : LabelSurface{ points, triangles };
+  const LabelSurface wanted = SurfaceOf(reference.Mask, settings.LabelSmoothing);
+  Store(MeasureSurfaceDistance(surface.Points, surface.Triangles, wanted.Points, wanted.Triangles,
+          settings.SampleSpacing, parallelFor, monitor),
+    scores);
+  // After all errors: one of them is enough.
+  scores.Warning = scores.Complete ? WarningOf(nullptr, reference) : "";
+  return scores;
+}
+
+SegmentationScores ScoreLabels(const LabelMask& segmentation, const LabelMask& reference,
+  const ScoreSettings& settings, const ParallelFor& parallelFor, const Monitor& monitor)
+{
+  SegmentationScores scores;
+  Store(MeasureOverlap(segmentation.Mask, reference.Mask, parallelFor),
+    reference.Mask.GetGeometry(), scores);
+  scores.OverlapOf = "label map";
+  scores.DistanceOf = "surface of label map";
+  const LabelSurface surface = SurfaceOf(segmentation.Mask, settings.LabelSmoothing);
+  const LabelSurface wanted = SurfaceOf(reference.Mask, settings.LabelSmoothing);
+  Store(MeasureSurfaceDistance(surface.Points, surface.Triangles, wanted.Points, wanted.Triangles,
+          settings.SampleSpacing, parallelFor, monitor),
+    scores);
+  scores.Warning = scores.Complete ? WarningOf(&segmentation, reference) : "";
+  return scores;
+}
+
+} // namespace FlipFree

@@ -1,0 +1,73 @@
+/**
+ * How well a segmentation agrees with a reference label map: overlap of the voxels and distance of
+ * the surfaces.
+ */
+#ifndef FlipFreeSegmentationScores_h
+#define FlipFreeSegmentationScores_h
+
+#include "Image/LabelValues.h"
+#include "Measures/LabelSurface.h"
+#include "ParameterTable.h"
+
+#include <functional>
+#include <limits>
+#include <string>
+
+namespace FlipFree
+{
+
+struct ScoreSettings
+{
+  int SegmentationLabel = -1;     ///< negative: every value but 0
+  int ReferenceLabel = -1;        ///< negative: every value but 0
+  double SampleSpacing = 1;       ///< greatest distance of neighboring samples, in millimeters
+  int LabelSmoothing = 0;         ///< iterations of windowed sinc smoothing of the labels' surfaces
+  bool ScoreVoxelization = false; ///< measure the surface of a mesh's voxels, not the mesh
+};
+
+const ParameterTable<ScoreSettings>& ScoreParameters();
+
+struct SegmentationScores
+{
+  static constexpr double None = std::numeric_limits<double>::quiet_NaN();
+
+  double Dice = None;
+  double Jaccard = None;
+  double RelativeVolumeDifference = None; ///< negative where the segmentation is smaller
+  double ASD = None;                      ///< millimeters, as are the next three
+  double RMS = None;
+  double HD95 = None;
+  double HD = None;
+  double SegmentationVolume = None; ///< milliliters
+  double ReferenceVolume = None;
+  std::string OverlapOf;  ///< "label map" or "voxelized mesh"
+  std::string DistanceOf; ///< "surface of label map", "mesh" or "surface of voxelized mesh"
+  std::string Warning;    ///< empty if there is none
+  /// False when the monitor stopped it; the numbers are then meaningless.
+  bool Complete = false;
+};
+
+/// The voxels of one label of a label map, or of all, and where these are asked for, its values.
+struct LabelMask
+{
+  BitMask Mask;
+  int Label = -1;
+  std::function<LabelValues()> Values;
+};
+
+/// Throws std::invalid_argument if a label map has no voxel of the label asked for. `property` is
+/// what chooses the label.
+void RequireLabel(const LabelMask& labels, const std::string& name, const std::string& property);
+
+/// Both throw std::invalid_argument for a mask that is empty, images of different geometry, a
+/// surface that is open or encloses no voxel of the reference's grid, or one that would need too
+/// many samples.
+SegmentationScores ScoreSurface(const PointList& points, const TriangleList& triangles,
+  const LabelMask& reference, const ScoreSettings& settings, const ParallelFor& parallelFor,
+  const Monitor& monitor);
+SegmentationScores ScoreLabels(const LabelMask& segmentation, const LabelMask& reference,
+  const ScoreSettings& settings, const ParallelFor& parallelFor, const Monitor& monitor);
+
+} // namespace FlipFree
+
+#endif

@@ -1,0 +1,183 @@
+// The whole method on a small phantom, and the scores of its result.
+#include "Deformation/VolumeSegmentation.h"
+#include "Measures/SegmentationScores.h"
+#include "Phantom/PhantomVolume.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+using namespace FlipFree;
+
+namespace
+{
+
+struct Volume
+{
+  ImageGeometry Geometry;
+  std::vector<std::int16_t> Intensities;
+  std::vector<std::uint8_t> Labels;
+  SeedSphere Seed;
+
+  Volume()
+  {
+    PhantomSettings settings;
+    settings.Dimensions = { { 48, 48, 48 } };
+    settings.Spacing = { 2, 2, 2 };
+    this->Geometry = GridOf(settings);
+    const Phantom phantom = PhantomOf(settings, this->Geometry);
+    this->Intensities.resize(this->Geometry.NumberOfVoxels());
+    this->Labels.resize(this->Geometry.NumberOfVoxels());
+    SampleTissues(phantom.Tissues, this->Geometry, SamplingOf(settings), this->Intensities.data(),
+      this->Labels.data());
+    const Ball& start = phantom.Seeds.front().Start;
+    this->Seed = { GridToPhysical(this->Geometry, start.Center), start.Radius };
+  }
+
+  GrayVolume Gray() const
+  {
+    return GrayVolumeOf(ImageView<std::int16_t>{ this->Intensities.data(), this->Geometry }, "it",
+      {});
+  }
+  LabelMask Reference(int label) const
+  {
+    const ImageView<std::uint8_t> view{ this->Labels.data(), this->Geometry };
+    return { MaskOfLabel(view, label, "the reference", {}), label,
+      [view] { return LabelsIn(view, SerialFor); } };
+  }
+};
+
+VolumeSegmentationSettings Coarse()
+{
+  VolumeSegmentationSettings settings;
+  settings.Method.Schedule.Resolution = 16;
+  return settings;
+}
+
+VolumeSegmentation SegmentIt(const Volume& volume, const GrayVolume& gray,
+  const VolumeSegmentationSettings& settings, const Monitor& monitor = NeverStop,
+  const DeformableSurface* start = nullptr)
+{
+  return SegmentVolume(gray, "it", volume.Seed, start, settings, {}, monitor,
+    [](const ContourMesh&, const PointList&, const CorrespondenceField&, const IterationRecord&) {
+    });
+}
+
+template <typename Call>
+std::string MessageOf(const Call& call)
+{
+  try
+  {
+    call();
+  }
+  catch (const std::exception& error)
+  {
+    return error.what();
+  }
+  return "";
+}
+
+} // namespace
+
+TEST(VolumeSegmentation, FindsABall)
+{
+  const Volume volume;
+  const VolumeSegmentation result = SegmentIt(volume, volume.Gray(), Coarse());
+  EXPECT_EQ(result.Organ.SelfIntersections, 0);
+  EXPECT_TRUE(result.Warnings.empty());
+  const SegmentationScores scores = ScoreSurface(result.Organ.Points, result.Organ.Mesh.Triangles,
+    volume.Reference(1), {}, SerialFor, NeverStop);
+  EXPECT_TRUE(scores.Complete);
+  EXPECT_GT(scores.Dice, 0.97);
+  EXPECT_LT(scores.ASD, 1);
+  EXPECT_EQ(scores.DistanceOf, "mesh");
+  EXPECT_NEAR(scores.SegmentationVolume, 8e-3 * CountVoxels(result.Voxels), 1e-9);
+}
+
+TEST(VolumeSegmentation, StopsAndStartsWhereItIsTold)
+{
+  const Volume volume;
+  int asked = 0;
+  const VolumeSegmentation stopped =
+    SegmentIt(volume, volume.Gray(), Coarse(), [&asked](double) { return ++asked < 30; });
+  EXPECT_EQ(stopped.Organ.Reason, StopReason::Aborted);
+  EXPECT_TRUE(stopped.Voxels.empty());
+  VolumeSegmentationSettings settings = Coarse();
+  settings.Method.Schedule.Levels = 1;
+  settings.Method.Schedule.MaximumIterations = 0;
+  const DeformableSurface start = MakeStartSphere(5, volume.Seed.Center, 11);
+  EXPECT_EQ(SegmentIt(volume, volume.Gray(), settings, NeverStop, &start).Organ.Points,
+    start.Points);
+  settings.StartScale = 0.5;
+  settings.StartCenterOffset = { 3, 0, 0 };
+  const PointList points = SegmentIt(volume, volume.Gray(), settings).Organ.Points;
+  EXPECT_NEAR((points.row(7).transpose() - volume.Seed.Center - Eigen::Vector3d(3, 0, 0)).norm(),
+    volume.Seed.Radius / 2, 1e-9);
+}
+
+TEST(VolumeSegmentation, RefusesWhatItCannotWorkWith)
+{
+  Volume volume;
+  std::vector<float> voxels(volume.Intensities.begin(), volume.Intensities.end());
+  voxels[volume.Geometry.Offset(24, 24, 24)] = std::numeric_limits<float>::quiet_NaN();
+  const GrayVolume bad = GrayVolumeOf(ImageView<float>{ voxels.data(), volume.Geometry }, "it", {});
+  EXPECT_EQ(MessageOf([&] { SegmentIt(volume, bad, Coarse()); }),
+    "a voxel of it, at (48, 48, 48) mm, is not a finite number; replace such voxels first");
+  volume.Seed.Center[0] = 500;
+  EXPECT_NE(MessageOf([&] { SegmentIt(volume, volume.Gray(), Coarse()); }).find("lies outside it"),
+    std::string::npos);
+}
+
+TEST(StartSurface, MustBeFourValentAndEmbedded)
+{
+  const DeformableSurface sphere = MakeStartSphere(4, { 0, 0, 0 }, 10);
+  PointList points = sphere.Points;
+  EXPECT_EQ(MakeStartSurface(points, sphere.Mesh.Faces, "it", true, SerialFor).Points,
+    sphere.Points);
+  points.row(0) *= -3;
+  EXPECT_NE(MessageOf([&] { MakeStartSurface(points, sphere.Mesh.Faces, "it", true, SerialFor); })
+              .find("it intersects itself in"),
+    std::string::npos);
+  EXPECT_EQ(MakeStartSurface(points, sphere.Mesh.Faces, "it", false, SerialFor).Points, points);
+  FaceList open = sphere.Mesh.Faces;
+  open.Offsets.pop_back();
+  open.Connectivity.resize(open.Offsets.back());
+  EXPECT_EQ(MessageOf([&] { MakeStartSurface(points, open, "it", false, SerialFor); }).find("it: "),
+    0U);
+}
+
+TEST(SegmentationScores, OfAMaskAgainstItselfArePerfect)
+{
+  const Volume volume;
+  const LabelMask reference = volume.Reference(1);
+  const SegmentationScores scores = ScoreLabels(reference, reference, {}, SerialFor, NeverStop);
+  EXPECT_EQ(scores.Dice, 1);
+  EXPECT_EQ(scores.Jaccard, 1);
+  EXPECT_NEAR(scores.ASD, 0, 1e-12);
+  EXPECT_NEAR(scores.HD, 0, 1e-12);
+  EXPECT_EQ(scores.OverlapOf, "label map");
+  EXPECT_TRUE(scores.Warning.empty());
+}
+
+TEST(SegmentationScores, SayWhichLabelsThereAre)
+{
+  Volume volume;
+  EXPECT_EQ(
+    MessageOf([&] { RequireLabel(volume.Reference(9), "the reference", "ReferenceLabel"); }),
+    "the reference is empty: no voxel has the label 9; set ReferenceLabel to one of 1");
+  volume.Labels.front() = 5;
+  const SegmentationScores scores =
+    ScoreLabels(volume.Reference(1), volume.Reference(-1), {}, SerialFor, NeverStop);
+  EXPECT_EQ(scores.Warning.find("The reference (port 1) has the labels 1, 5;"), 0U);
+}
+
+TEST(PhantomVolume, RefusesIntensitiesThatDoNotFit)
+{
+  PhantomSettings settings;
+  settings.Foreground = 40000;
+  EXPECT_NE(MessageOf([&] { PhantomOf(settings, GridOf(settings)); }).find("-32768 to 32767"),
+    std::string::npos);
+  settings.Shape = AbdomenShape;
+  EXPECT_EQ(GridOf(settings).Dimensions, (std::array<int, 3>{ { 220, 170, 90 } }));
+  EXPECT_FALSE(PhantomOf(settings, GridOf(settings)).Seeds.empty());
+}

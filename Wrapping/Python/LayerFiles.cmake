@@ -1,0 +1,15 @@
+# The layer in Python that is the same over VTK's filters and over the kernels; what differs is beside it, in VTK
+# and in Wheel.
+set(FLIPFREE_LAYER_FILES
+  _errors.py
+  _evaluate.py
+  _faces.py
+  _interrupt.py
+  _messages.py
+  _parameters.py
+  _phantom.py
+  _progress.py
+  _segment.py
+  _types.py
+  _voxels.py
+  py.typed)

@@ -1,0 +1,113 @@
+"""The package over VTK's wrapped filters."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkImageData, vtkPolyData
+
+from ._errors import EvaluationError, SegmentationError
+from ._parameters import names_of, snake_case
+from ._properties import Property, properties_of
+from ._segmentation import Segmentation
+from ._types import Preset, Progress
+from ._update import update
+from .FlipFreeEvaluation import vtkSegmentationMetrics
+from .FlipFreePhantoms import vtkPhantomSource
+from .FlipFreeSegmentation import vtkFlipFreeSegmentation
+
+if TYPE_CHECKING:
+    from ._images import AnySurface
+
+# The seed has arguments of its own; the stages know two parameters by other names than the method.
+SEGMENT_PARAMETERS = properties_of(
+    vtkFlipFreeSegmentation(),
+    without=("seed_center", "seed_radius", "number_of_iterations", "threshold"),
+)
+RADIUS = Property("radius", "SeedRadius", float, "")
+NAMES = {**names_of(SEGMENT_PARAMETERS), "SeedCenter": "seed", "SeedRadius": "radius"}
+EVALUATE_PARAMETERS = properties_of(vtkSegmentationMetrics())
+# The shape is an argument of its own.
+PHANTOM_PARAMETERS = properties_of(vtkPhantomSource(), without=("shape", "generate_surface"))
+
+
+class SegmentationAlgorithm:
+    """One run of the whole method."""
+
+    def __init__(self, preset: Preset) -> None:
+        self.settings = vtkFlipFreeSegmentation()
+        getattr(self.settings, f"Use{preset.capitalize()}Parameters")()
+
+    def set_seed(self, center: list[float], radius: float) -> None:
+        self.settings.SetSeedCenter(center)
+        RADIUS.set(self.settings, radius)
+
+    def set_start(self, start: AnySurface) -> None:
+        surface = start.surface if isinstance(start, Segmentation) else start
+        if not isinstance(surface, vtkPolyData):
+            raise TypeError(f"start: a vtkPolyData or a Segmentation is needed, not {start!r:.80}")
+        self.settings.SetStartData(surface)
+
+    def run(self, image: vtkImageData, tell: Progress | None) -> Segmentation:
+        self.settings.SetInputData(image)
+        update(self.settings, SegmentationError, tell, names=NAMES)
+        return Segmentation(
+            surface=self.settings.GetSurface(),
+            label_map=self.settings.GetLabelMap(),
+            convergence=self.settings.GetConvergence(),
+            stop_reason=self.settings.GetStopReasonAsString(),
+            self_intersections=self.settings.GetNumberOfSelfIntersections(),
+            history=self._history(),
+        )
+
+    def _history(self) -> tuple[vtkPolyData, ...]:
+        """The surfaces after each iteration, which are the time steps of the first output."""
+        if not self.settings.GetKeepHistory():
+            return ()
+        history = []
+        for iteration in range(1, self.settings.GetConvergence().GetNumberOfRows() + 1):
+            self.settings.UpdateTimeStep(iteration)
+            surface = vtkPolyData()
+            surface.ShallowCopy(self.settings.GetSurface())
+            history.append(surface)
+        return tuple(history)
+
+
+class Metrics:
+    """One comparison."""
+
+    def __init__(self) -> None:
+        self.settings = vtkSegmentationMetrics()
+
+    def run(
+        self, compared: Segmentation | vtkPolyData | vtkImageData, reference: vtkImageData
+    ) -> dict[str, Any]:
+        data = compared.surface if isinstance(compared, Segmentation) else compared
+        self.settings.SetInputDataObject(data)
+        self.settings.SetReferenceData(reference)
+        update(self.settings, EvaluationError, names=names_of(EVALUATE_PARAMETERS))
+        row = self.settings.GetOutput()
+        columns = range(row.GetNumberOfColumns())
+        return {snake_case(row.GetColumnName(i)): _value(row, i) for i in columns}
+
+
+class PhantomAlgorithm:
+    """One phantom."""
+
+    def __init__(self, shape: int) -> None:
+        self.settings = vtkPhantomSource()
+        self.settings.SetShape(shape)
+
+    def run(self) -> tuple[vtkImageData, vtkImageData, dict[int, Any]]:
+        update(self.settings, names=names_of(PHANTOM_PARAMETERS))
+        seeds = {}
+        for label in range(1, vtkPhantomSource.PANCREAS + 1):
+            seed = [0.0] * 4
+            if self.settings.GetSeed(label, seed):
+                seeds[label] = (tuple(seed[:3]), seed[3])
+        return self.settings.GetOutput(), self.settings.GetLabelMap(), seeds
+
+
+def _value(row: vtkDataObject, column: int) -> Any:
+    value = row.GetValue(0, column)
+    return value.ToDouble() if value.IsNumeric() else value.ToString()

@@ -1,0 +1,41 @@
+"""What images and surfaces are: VTK's."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any, Union
+
+from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData
+
+from ._arrays import image_from_array
+from ._segmentation import Segmentation
+from ._types import PathName
+
+Image = vtkImageData
+IMAGE_NAME = "vtkImageData"
+Surface = vtkPolyData
+AnySurface = Union[vtkPolyData, Segmentation]
+
+if TYPE_CHECKING:  # numpy need not be there
+    import numpy.typing as npt
+
+    AnyImage = Union[vtkImageData, npt.NDArray[Any], PathName]
+
+
+def is_image(thing: Any) -> bool:
+    """Whether it is one, other than an array or the name of a file."""
+    return isinstance(thing, vtkImageData)
+
+
+def is_surface(thing: Any) -> bool:
+    """Whether it is one, other than a Segmentation's."""
+    return isinstance(thing, vtkPolyData)
+
+
+def geometry_like(other: vtkImageData, array: Any) -> vtkImageData:
+    """The voxels of an array as an image with the geometry of another."""
+    direction = other.GetDirectionMatrix()
+    axes = [direction.GetElement(row, column) for row in range(3) for column in range(3)]
+    image = image_from_array(array, other.GetSpacing(), other.GetOrigin(), axes)
+    if image.GetDimensions() == other.GetDimensions():
+        image.SetExtent(other.GetExtent())
+    return image

@@ -1,0 +1,106 @@
+// Scores of a surface or a label map against a reference.
+#include "Bindings.h"
+#include "Numpy.h"
+#include "Report.h"
+#include "ThreadPool.h"
+
+#include "Image/GridCheck.h"
+#include "Measures/SegmentationScores.h"
+#include "Mesh/SurfaceTopology.h"
+
+#include <nanobind/stl/array.h>
+
+namespace FlipFree
+{
+namespace
+{
+
+// A label map as it comes: voxels, spacing, origin and direction.
+using LabelMap = std::tuple<Voxels, Triple, Triple, Nine>;
+
+LabelMask LabelMaskOf(const LabelMap& labelMap, int label, const std::string& name)
+{
+  const auto& [voxels, spacing, origin, direction] = labelMap;
+  const ImageGeometry geometry = GeometryOf(voxels, spacing, origin, direction);
+  if (geometry.NumberOfVoxels() == 0)
+  {
+    throw std::invalid_argument(name + " has no voxels; give a label map");
+  }
+  RequireProperGrid(geometry, name);
+  return VisitVoxels(voxels, geometry,
+    [&](const auto& view) -> LabelMask
+    {
+      return { MaskOfLabel(view, label, name, PoolThreading()), label,
+        [view] { return LabelsIn(view, PoolFor); } };
+    });
+}
+
+nb::dict DictOf(const SegmentationScores& scores)
+{
+  nb::dict answer;
+  answer["dice"] = scores.Dice;
+  answer["jaccard"] = scores.Jaccard;
+  answer["relative_volume_difference"] = scores.RelativeVolumeDifference;
+  answer["asd"] = scores.ASD;
+  answer["rms"] = scores.RMS;
+  answer["hd95"] = scores.HD95;
+  answer["hd"] = scores.HD;
+  answer["segmentation_volume"] = scores.SegmentationVolume;
+  answer["reference_volume"] = scores.ReferenceVolume;
+  answer["overlap_of"] = scores.OverlapOf;
+  answer["distance_of"] = scores.DistanceOf;
+  answer["warning"] = scores.Warning;
+  return answer;
+}
+
+// A reference with its label.
+LabelMask ReferenceOf(const LabelMap& reference, const ScoreSettings& settings)
+{
+  LabelMask mask = LabelMaskOf(reference, settings.ReferenceLabel, "the reference on port 1");
+  RequireLabel(mask, "the reference", "ReferenceLabel");
+  return mask;
+}
+
+nb::dict ScoreOfLabels(const LabelMap& segmentation, const LabelMap& reference,
+  const ScoreSettings& settings, const nb::callable& report)
+{
+  SegmentationScores scores;
+  {
+    const nb::gil_scoped_release unlocked;
+    const LabelMask wanted = ReferenceOf(reference, settings);
+    const LabelMask mask =
+      LabelMaskOf(segmentation, settings.SegmentationLabel, "the segmentation on port 0");
+    RequireLabel(mask, "the segmentation", "SegmentationLabel");
+    scores = ScoreLabels(mask, wanted, settings, PoolFor, MonitorOf(report));
+  }
+  return DictOf(scores);
+}
+
+nb::dict ScoreOfSurface(const Rows3& points, const Indices& corners, const Indices& offsets,
+  const LabelMap& reference, const ScoreSettings& settings, const nb::callable& report)
+{
+  SegmentationScores scores;
+  {
+    const nb::gil_scoped_release unlocked;
+    const LabelMask wanted = ReferenceOf(reference, settings);
+    const PointList copy =
+      Eigen::Map<const PointList>(points.data(), static_cast<Eigen::Index>(points.shape(0)), 3);
+    FaceList faces;
+    faces.Connectivity.assign(corners.data(), corners.data() + corners.size());
+    faces.Offsets.assign(offsets.data(), offsets.data() + offsets.size());
+    RequireValidFaces(copy, faces, "the segmentation on port 0");
+    scores = ScoreSurface(copy, Triangulate(faces), wanted, settings, PoolFor, MonitorOf(report));
+  }
+  return DictOf(scores);
+}
+
+} // namespace
+
+void BindEvaluation(nb::module_& module)
+{
+  BindSettings<ScoreSettings>(module, "ScoreSettings", &ScoreParameters).def(nb::init<>());
+  module.def("score_labels", &ScoreOfLabels);
+  module.def("score_surface", &ScoreOfSurface);
+}
+
+} // namespace FlipFree

@@ -1,0 +1,183 @@
+"""The package over the kernels alone."""
+
+from __future__ import annotations
+
+import os
+from typing import TYPE_CHECKING, Any
+
+from . import _kernels
+from ._errors import EvaluationError, FlipFreeError, SegmentationError
+from ._image import Image
+from ._messages import warn, with_names
+from ._parameters import names_of
+from ._run import run
+from ._segmentation import Segmentation, Surface
+from ._settings import settings_of
+from ._types import Preset, Progress
+
+if TYPE_CHECKING:
+    from ._images import AnySurface
+
+SEGMENT_PARAMETERS = settings_of(
+    _kernels.SegmentationSettings,
+    (
+        "vtkFlipFreeSegmentation",
+        "vtkSeedRegionDiffusion",
+        "vtkGMMFeatureFilter",
+        "vtkCorrespondenceSearch",
+        "vtkFlipFreeDeform",
+    ),
+)
+NAMES = {**names_of(SEGMENT_PARAMETERS), "SeedCenter": "seed", "SeedRadius": "radius"}
+EVALUATE_PARAMETERS = settings_of(_kernels.ScoreSettings, ("vtkSegmentationMetrics",))
+# The shape is an argument of its own.
+PHANTOM_PARAMETERS = settings_of(
+    _kernels.PhantomSettings, ("vtkPhantomSource",), without=("Shape",)
+)
+
+RADII = (1e-6, 1e6)
+
+if hasattr(os, "register_at_fork"):
+    os.register_at_fork(after_in_child=_kernels.forget_threads)
+
+
+def threads() -> int:
+    """How many threads the work is shared among; by default, as many as the machine has.
+
+    >>> import flipfree
+    >>> flipfree.threads() >= 1
+    True
+    """
+    return int(_kernels.threads())
+
+
+def set_threads(number: int) -> None:
+    """Sets the number of threads from the next work on; 0: as many as the machine has.
+
+    Results are the same bits for any number.
+
+    >>> import flipfree
+    >>> flipfree.set_threads(1)
+    >>> flipfree.threads()
+    1
+    >>> flipfree.set_threads(0)
+    """
+    if number < 0:
+        raise ValueError(f"number: {number!r} is negative; 0 takes as many as the machine has")
+    _kernels.set_threads(number)
+
+
+class SegmentationAlgorithm:
+    """One run of the whole method."""
+
+    def __init__(self, preset: Preset) -> None:
+        self.settings = _kernels.SegmentationSettings(preset)
+        self._center = [0.0, 0.0, 0.0]
+        self._radius = 0.0
+        self._start: Surface | None = None
+
+    def set_seed(self, center: list[float], radius: float) -> None:
+        nearest = min(max(radius, RADII[0]), RADII[1])
+        if radius == radius and radius != nearest:
+            raise ValueError(f"radius: {radius!r} is out of range; the nearest is {nearest!r}")
+        self._center, self._radius = center, radius
+
+    def set_start(self, start: AnySurface) -> None:
+        surface = start.mesh if isinstance(start, Segmentation) else start
+        if not isinstance(surface, Surface):
+            raise TypeError(
+                f"start: a flipfree.Surface or a Segmentation is needed, not {start!r:.80}"
+            )
+        self._start = surface
+
+    def run(self, image: Image, tell: Progress | None) -> Segmentation:
+        start = self._start
+        answer = run(
+            lambda report: _kernels.segment(
+                image.voxels,
+                image.spacing,
+                image.origin,
+                image.direction,
+                self._center,
+                self._radius,
+                start and _arrays_of(start),
+                self.settings,
+                report,
+            ),
+            SegmentationError,
+            "No segmentation: {}.",
+            NAMES,
+            tell,
+        )
+        for text in answer["warnings"]:
+            warn(with_names(text, NAMES))
+        return Segmentation(
+            mesh=Surface(**answer["surface"]),
+            label_map=Image(answer["labels"], image.spacing, image.origin, image.direction),
+            iterations=answer["iterations"],
+            stop_reason=answer["stop_reason"],
+            self_intersections=answer["self_intersections"],
+            history=tuple(Surface(**surface) for surface in answer["history"]),
+        )
+
+
+class Metrics:
+    """One comparison."""
+
+    def __init__(self) -> None:
+        self.settings = _kernels.ScoreSettings()
+
+    def run(self, compared: Segmentation | Surface | Image, reference: Image) -> dict[str, Any]:
+        names = names_of(EVALUATE_PARAMETERS)
+        if isinstance(compared, Image):
+            score, arguments = _kernels.score_labels, [_volume_of(compared)]
+        else:
+            surface = compared.mesh if isinstance(compared, Segmentation) else compared
+            score, arguments = _kernels.score_surface, list(_arrays_of(surface))
+        answer: dict[str, Any] = run(
+            lambda report: score(*arguments, _volume_of(reference), self.settings, report),
+            EvaluationError,
+            "No measures of the segmentation (port 0) against the reference (port 1): {}",
+            names,
+        )
+        if answer["warning"]:
+            warn(with_names(answer["warning"], names))
+        return answer
+
+
+class PhantomAlgorithm:
+    """One phantom."""
+
+    def __init__(self, shape: int) -> None:
+        self.settings = _kernels.PhantomSettings()
+        self.settings.set("Shape", [shape])
+
+    def run(self) -> tuple[Image, Image, dict[int, Any]]:
+        answer = run(
+            lambda report: _kernels.make_phantom(self.settings, report),
+            FlipFreeError,
+            "No phantom: {}",
+            names_of(PHANTOM_PARAMETERS),
+        )
+        geometry = (tuple(answer["spacing"]), tuple(answer["origin"]), tuple(answer["direction"]))
+        seeds = {label: (tuple(ball[:3]), ball[3]) for label, ball in answer["seeds"].items()}
+        return (
+            Image(answer["intensities"], *geometry),
+            Image(answer["labels"], *geometry),
+            seeds,
+        )
+
+
+def _arrays_of(surface: Surface) -> tuple[Any, Any, Any]:
+    """As the kernels take it; arrays that are not theirs any more are copied."""
+    import numpy
+
+    return (
+        numpy.ascontiguousarray(surface.points, dtype=numpy.float64),
+        numpy.ascontiguousarray(surface.corners, dtype=numpy.int32),
+        numpy.ascontiguousarray(surface.offsets, dtype=numpy.int32),
+    )
+
+
+def _volume_of(image: Image) -> tuple[Any, Any, Any, Any]:
+    return image.voxels, image.spacing, image.origin, image.direction

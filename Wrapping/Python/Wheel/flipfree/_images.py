@@ -1,0 +1,33 @@
+"""What images and surfaces are: this package's own."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any, Union
+
+from ._arrays import image_from_array
+from ._image import Image as Image
+from ._segmentation import Segmentation, Surface
+from ._types import PathName
+
+IMAGE_NAME = "flipfree.Image"
+AnySurface = Union[Surface, Segmentation]
+
+if TYPE_CHECKING:
+    import numpy.typing as npt
+
+    AnyImage = Union[Image, npt.NDArray[Any], PathName]
+
+
+def is_image(thing: Any) -> bool:
+    """Whether it is one, other than an array or the name of a file."""
+    return isinstance(thing, Image)
+
+
+def is_surface(thing: Any) -> bool:
+    """Whether it is one, other than a Segmentation's."""
+    return isinstance(thing, Surface)
+
+
+def geometry_like(other: Image, array: Any) -> Image:
+    """The voxels of an array as an image with the geometry of another."""
+    return image_from_array(array, other.spacing, other.origin, other.direction)

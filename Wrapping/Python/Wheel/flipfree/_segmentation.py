@@ -1,0 +1,110 @@
+"""The result of a segmentation as numpy arrays."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+from ._errors import FlipFreeError
+from ._faces import Faces
+from ._image import Image
+
+if TYPE_CHECKING:
+    import numpy.typing as npt
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Surface(Faces):
+    """A closed surface of polygons. Coordinates are the image's physical millimeters."""
+
+    points: npt.NDArray[Any]
+    """The vertices as rows (x, y, z)."""
+
+    corners: npt.NDArray[Any]
+    """The indices of the corners of all faces, one face behind the other."""
+
+    offsets: npt.NDArray[Any]
+    """Where each face starts among the corners, and the end."""
+
+    displacements: npt.NDArray[Any]
+    """From each vertex to where the last search wanted it, in mm; zero where it found nothing."""
+
+    correspondence: npt.NDArray[Any]
+    """Of each vertex in the last search: 0 solitary, 1 matched, 2 flipping."""
+
+    def cells(self) -> tuple[Any, Any]:
+        return self.corners, self.offsets
+
+    def __repr__(self) -> str:
+        return f"<Surface: {len(self.points)} vertices, {len(self.offsets) - 1} faces>"
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Segmentation(Faces):
+    """An organ. Coordinates are the image's physical millimeters."""
+
+    mesh: Surface
+
+    label_map: Image
+    """Has the image's geometry; label_value inside, 0 outside."""
+
+    iterations: dict[str, npt.NDArray[Any]]
+    """The columns of the convergence table: Iteration, MeanDistance and so on."""
+
+    stop_reason: str
+    """Such as 'at rest'."""
+
+    self_intersections: int
+    """Pairs of faces that intersect for some way to cut them: 0, unless the guard was switched off."""
+
+    history: tuple[Surface, ...] = ()
+    """The surface after each iteration, with keep_history."""
+
+    @property
+    def points(self) -> npt.NDArray[Any]:
+        """The vertices as rows (x, y, z)."""
+        return self.mesh.points
+
+    @property
+    def labels(self) -> npt.NDArray[Any]:
+        """The voxels of the label map as labels[k, j, i]."""
+        return self.label_map.voxels
+
+    @property
+    def surface(self) -> Any:
+        """A vtkPolyData, where VTK is installed: `pip install vtk`."""
+        try:
+            from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray
+            from vtkmodules.vtkCommonCore import vtkPoints
+            from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+        except ImportError as error:
+            raise FlipFreeError(
+                "surface: it is an object of VTK, which is not installed (pip install vtk); "
+                ".points, .faces and .triangles have the same as numpy arrays"
+            ) from error
+        surface, points, polys = vtkPolyData(), vtkPoints(), vtkCellArray()
+        points.SetData(numpy_to_vtk(self.points))
+        polys.SetData(
+            numpy_to_vtkIdTypeArray(self.mesh.offsets.astype("int64"), deep=True),
+            numpy_to_vtkIdTypeArray(self.mesh.corners.astype("int64"), deep=True),
+        )
+        surface.SetPoints(points)
+        surface.SetPolys(polys)
+        for name, values in (
+            ("Displacement", self.mesh.displacements),
+            ("Correspondence", self.mesh.correspondence),
+        ):
+            array = numpy_to_vtk(values)
+            array.SetName(name)
+            surface.GetPointData().AddArray(array)
+        return surface
+
+    def cells(self) -> tuple[Any, Any]:
+        return self.mesh.cells()
+
+    def __repr__(self) -> str:
+        return (
+            f"<Segmentation: {len(self.points)} vertices, "
+            f"{self.self_intersections} self-intersections, '{self.stop_reason}' after "
+            f"{len(self.iterations['Iteration'])} iterations>"
+        )

@@ -1,0 +1,38 @@
+"""Messages of the C++ code in the words of Python, and warnings at the line of who called."""
+
+from __future__ import annotations
+
+import re
+import sys
+import warnings
+from collections.abc import Mapping
+
+from ._errors import FlipFreeWarning
+
+
+def warn(text: str) -> None:
+    """Issues a warning that points to the caller of the package."""
+    warnings.warn(text, FlipFreeWarning, stacklevel=_level_of_caller())
+
+
+def with_names(text: str, names: Mapping[str, str] | None) -> str:
+    """Calls properties by the caller's arguments, and leaves out ports.
+
+    >>> with_names("the image on port 0 ends here; raise Reach", {"Reach": "reach"})
+    'the image ends here; raise reach'
+    """
+    if not names:
+        return text
+    spelled: Mapping[str, str] = names
+    text = re.sub(r" on port \d\b| \(port \d\)", "", text)
+    return re.sub(rf"\b({'|'.join(spelled)})\b", lambda name: spelled[name.group()], text)
+
+
+def _level_of_caller() -> int:
+    """The stack level of the first caller outside the package, as warnings.warn counts it."""
+    level = 1
+    frame = sys._getframe(1)  # pylint: disable=protected-access
+    while frame.f_back is not None and frame.f_globals.get("__package__") == __package__:
+        frame = frame.f_back
+        level += 1
+    return level
