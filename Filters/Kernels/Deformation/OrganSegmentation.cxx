@@ -20,33 +20,41 @@ constexpr std::size_t ChangeSpan = 5;
 // to the targets grows: new by this fraction of its vertices.
 constexpr double Growth = 0.01;
 
+} // namespace
+
 // Runs the levels one after the other, each from the surface of the one before.
-class CoarseToFine
+class OrganSegmenter::CoarseToFine
 {
 public:
   CoarseToFine(SmoothRegion& region, double noise, const SeedSphere& seed,
-    const OrganSegmentationSettings& settings, const ParallelFor& parallelFor,
-    const Monitor& monitor, const IterationObserver& observer, OrganSurface& surface)
+    const DeformableSurface& start, const OrganSegmentationSettings& settings,
+    const ParallelFor& parallelFor)
     : Noise(noise)
     , Seed(seed)
+    , Start(start)
     , Settings(settings)
     , Parallel(parallelFor)
-    , Ask(monitor)
-    , Observe(observer)
-    , Surface(surface)
     , OrganRadius(seed.Radius)
     , Levels(settings.Schedule.NumberOfLevels())
     , Voxel(region.View().Geometry.Spacing.maxCoeff())
-    , Foreground(region, seed, settings.Feature,
+    , Foreground(region, this->Seed, this->Settings.Feature,
         2 * EdgeWindowOf(settings.Targets, region.View().Geometry), parallelFor)
   {
   }
 
-  void Execute()
+  OrganSurface Execute(const ConstraintList& constraints, const Monitor& monitor,
+    const IterationObserver& observer)
   {
+    this->Constraints = constraints;
+    this->Ask = monitor;
+    this->Observe = observer;
+    this->Stopped = false;
+    this->Surface = {};
+    const double smoothing = this->Foreground.GetSmoothingSeconds();
     this->Surface.Reason = this->Run();
-    this->Surface.SmoothingSeconds = this->Foreground.GetSmoothingSeconds();
+    this->Surface.SmoothingSeconds = this->Foreground.GetSmoothingSeconds() - smoothing;
     this->Surface.FeatureSeconds -= this->Surface.SmoothingSeconds;
+    return std::move(this->Surface);
   }
 
 private:
@@ -64,23 +72,60 @@ private:
   // the neck, so the second run starts anew.
   StopReason Run()
   {
+    if (this->Settings.Feature.Carving)
+    {
+      if (!this->IsCarved && !this->RunFirst())
+      {
+        return StopReason::Aborted;
+      }
+      this->Surface.Iterations = this->FirstIterations;
+      Stopwatch watch;
+      this->Foreground.SetMask(this->Carved);
+      if (!this->CorrectForeground([this](double) { return this->Proceed(0, 0); }))
+      {
+        return StopReason::Aborted;
+      }
+      this->OrganRadius = RadiusOf(this->Foreground.GetMask(), this->Seed);
+      this->Surface.FeatureSeconds += watch.Lap();
+    }
+    else if (!this->FindForegroundOfSeed())
+    {
+      return StopReason::Aborted;
+    }
+    this->BeginAtStart();
+    return this->IterateLevels();
+  }
+
+  // What is kept between calls.
+  bool RunFirst()
+  {
+    const ConstraintList constraints = std::move(this->Constraints);
+    this->Constraints.clear();
     if (!this->FindForegroundOfSeed())
     {
-      return StopReason::Aborted;
+      return false;
     }
-    if (!this->Settings.Feature.Carving)
-    {
-      return this->IterateLevels();
-    }
-    const ContourMesh startMesh = this->Surface.Mesh;
-    const PointList startPoints = this->Surface.Points;
+    this->BeginAtStart();
     if (this->IterateLevels() == StopReason::Aborted || !this->CarveSurface())
     {
-      return StopReason::Aborted;
+      return false;
     }
-    this->Surface.Mesh = startMesh;
-    this->Surface.Points = startPoints;
-    return this->IterateLevels();
+    this->FirstIterations = this->Surface.Iterations;
+    this->Carved = this->Foreground.GetMask();
+    this->Constraints = constraints;
+    return true;
+  }
+
+  void BeginAtStart()
+  {
+    this->Surface.Mesh = this->Start.Mesh;
+    this->Surface.Points = this->Start.Points;
+  }
+
+  bool CorrectForeground(const Monitor& proceed)
+  {
+    return this->Constraints.empty() ||
+      this->Foreground.Correct(this->Constraints, this->Noise, proceed);
   }
 
   StopReason IterateLevels()
@@ -112,7 +157,6 @@ private:
     Stopwatch watch;
     this->IsCarved = this->Foreground.Carve(this->Surface.Points, this->Surface.Mesh.Triangles,
       this->Noise, proceed);
-    this->OrganRadius = RadiusOf(this->Foreground.GetMask(), this->Seed);
     this->Surface.FeatureSeconds += watch.Lap();
     return this->IsCarved;
   }
@@ -132,6 +176,10 @@ private:
       return false;
     }
     RequireContrast(this->Foreground.GetMask());
+    if (!this->CorrectForeground(proceed))
+    {
+      return false;
+    }
     this->Surface.FeatureSeconds += watch.Lap();
     return true;
   }
@@ -147,7 +195,8 @@ private:
     }
     RefitToSurface(this->Foreground.GetImage(), this->Surface.Points, this->Surface.Mesh.Triangles,
       this->Noise, settings, this->Parallel, proceed, this->Model);
-    const bool done = this->Foreground.Update(this->Model, proceed);
+    const bool done =
+      this->Foreground.Update(this->Model, proceed) && this->CorrectForeground(proceed);
     this->Surface.FeatureSeconds += watch.Lap();
     return done;
   }
@@ -244,13 +293,17 @@ private:
     return record.Targets;
   }
 
-  double Noise;
-  const SeedSphere& Seed;
-  const OrganSegmentationSettings& Settings;
+  const double Noise;
+  const SeedSphere Seed;
+  const DeformableSurface Start;
+  const OrganSegmentationSettings Settings;
   const ParallelFor& Parallel;
-  const Monitor& Ask;
-  const IterationObserver& Observe;
-  OrganSurface& Surface;
+
+  // Of the present call.
+  ConstraintList Constraints;
+  Monitor Ask;
+  IterationObserver Observe;
+  OrganSurface Surface;
 
   double OrganRadius; // the seed's, until more is known
   const int Levels;
@@ -260,25 +313,41 @@ private:
   int Level = 0;
   bool Stopped = false;
   bool IsCarved = false;
+
+  // Of the first run.
+  std::vector<IterationRecord> FirstIterations;
+  BitMask Carved;
 };
 
-} // namespace
+OrganSegmenter::OrganSegmenter(SmoothRegion& region, double noise, const SeedSphere& seed,
+  const DeformableSurface& start, const OrganSegmentationSettings& settings,
+  const ParallelFor& parallelFor)
+  : Levels(std::make_unique<CoarseToFine>(region, noise, seed, start, settings, parallelFor))
+  , Parallel(parallelFor)
+{
+}
+
+OrganSegmenter::~OrganSegmenter() = default;
+
+OrganSurface OrganSegmenter::Segment(const ConstraintList& constraints, const Monitor& monitor,
+  const IterationObserver& observer)
+{
+  OrganSurface surface = this->Levels->Execute(constraints, monitor, observer);
+  if (surface.Reason != StopReason::Aborted)
+  {
+    surface.SelfIntersections =
+      CountSelfIntersections(surface.Points, surface.Mesh.Faces, this->Parallel);
+  }
+  return surface;
+}
 
 OrganSurface SegmentOrgan(SmoothRegion& region, double noise, const SeedSphere& seed,
   const ContourMesh& startMesh, const PointList& startPoints,
   const OrganSegmentationSettings& settings, const ParallelFor& parallelFor, const Monitor& monitor,
   const IterationObserver& observer)
 {
-  OrganSurface surface;
-  surface.Mesh = startMesh;
-  surface.Points = startPoints;
-  CoarseToFine(region, noise, seed, settings, parallelFor, monitor, observer, surface).Execute();
-  if (surface.Reason != StopReason::Aborted)
-  {
-    surface.SelfIntersections =
-      CountSelfIntersections(surface.Points, surface.Mesh.Faces, parallelFor);
-  }
-  return surface;
+  return OrganSegmenter(region, noise, seed, { startMesh, startPoints }, settings, parallelFor)
+    .Segment({}, monitor, observer);
 }
 
 } // namespace FlipFree

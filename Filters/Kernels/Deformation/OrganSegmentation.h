@@ -6,7 +6,11 @@
 #define FlipFreeOrganSegmentation_h
 
 #include "Deformation/SegmentationSettings.h"
+#include "Deformation/StartSurface.h"
 #include "Deformation/StopReason.h"
+#include "Image/PointConstraint.h"
+
+#include <memory>
 
 namespace FlipFree
 {
@@ -38,9 +42,34 @@ struct OrganSurface
 using IterationObserver = std::function<void(const ContourMesh&, const PointList&,
   const CorrespondenceField&, const IterationRecord&)>;
 
-/// Smooths the region as far as it needs to. `noise` is the standard deviation of the noise before
-/// smoothing. Throws Error for bad input; a stop by the monitor gives the surface reached so far
-/// and StopReason::Aborted.
+/// What the constraints do not change is kept between calls: the smoothed image, and with carving
+/// the foreground of the first run. The surface depends on the list of constraints alone, not on
+/// its order or on earlier calls.
+class OrganSegmenter
+{
+public:
+  /// Smooths the region as far as it needs to; it and `parallelFor` must outlive the object. `noise`
+  /// is the standard deviation of the noise before smoothing.
+  OrganSegmenter(SmoothRegion& region, double noise, const SeedSphere& seed,
+    const DeformableSurface& start, const OrganSegmentationSettings& settings,
+    const ParallelFor& parallelFor);
+  ~OrganSegmenter();
+  OrganSegmenter(const OrganSegmenter&) = delete;
+  OrganSegmenter& operator=(const OrganSegmenter&) = delete;
+
+  /// Throws Error for bad input, and where a constraint cannot be obeyed, naming it; a stop by the
+  /// monitor gives the surface reached so far and StopReason::Aborted. The observer sees the
+  /// iterations that are run, not those of a first run that is kept.
+  OrganSurface Segment(const ConstraintList& constraints, const Monitor& monitor,
+    const IterationObserver& observer);
+
+private:
+  class CoarseToFine;
+  std::unique_ptr<CoarseToFine> Levels;
+  const ParallelFor& Parallel;
+};
+
+/// A surface without constraints.
 OrganSurface SegmentOrgan(SmoothRegion& region, double noise, const SeedSphere& seed,
   const ContourMesh& startMesh, const PointList& startPoints,
   const OrganSegmentationSettings& settings, const ParallelFor& parallelFor, const Monitor& monitor,

@@ -4,6 +4,7 @@
 #include "Stopwatch.h"
 
 #include <memory>
+#include <utility>
 #include <stdexcept>
 
 namespace FlipFree
@@ -47,34 +48,58 @@ void RequireCertified(const OrganSurface& organ)
 
 } // namespace
 
-VolumeSegmentation SegmentVolume(const GrayVolume& volume, const std::string& name,
-  const SeedSphere& seed, const DeformableSurface* start,
-  const VolumeSegmentationSettings& settings, const Threading& threading, const Monitor& monitor,
-  const IterationObserver& observer)
+VolumeSegmenter::VolumeSegmenter(GrayVolume volume, std::string name, const SeedSphere& seed,
+  const DeformableSurface* start, const VolumeSegmentationSettings& settings, Threading threading)
+  : Volume(std::move(volume))
+  , Name(std::move(name))
+  , Seed(seed)
+  , Settings(settings)
+  , Threads(std::move(threading))
 {
-  const OrganSegmentationSettings& method = settings.Method;
-  const ImageGeometry& geometry = volume.Geometry;
-  RequireSeed(geometry, seed, name);
-  const Eigen::Vector3d startCenter = seed.Center + settings.StartCenterOffset;
-  const DeformableSurface first = start ? *start
-                                        : MakeStartSphere(method.Schedule.FirstResolution(),
-                                            startCenter, settings.StartScale * seed.Radius);
+  RequireSeed(this->Volume.Geometry, seed, this->Name);
+  const Eigen::Vector3d center = seed.Center + settings.StartCenterOffset;
+  this->StartsAtSeed = !start && settings.StartScale == 1 && center == seed.Center;
+  this->Start = start ? *start
+                      : MakeStartSphere(settings.Method.Schedule.FirstResolution(), center,
+                          settings.StartScale * seed.Radius);
+}
 
+void VolumeSegmenter::Prepare()
+{
+  const SmoothingSettings& smoothing = this->Settings.Method.Smoothing;
+  const VoxelBox box = BoxAround(
+    this->Volume.Geometry, this->Seed.Center, ReachOf(smoothing, this->Seed.Radius));
+  this->Volume.RequireFinite(box);
+  this->Noise = NoiseOf(this->Volume, this->Seed);
+  this->Region = CropGeometry(this->Volume.Geometry, box);
+  AnisotropicDiffusionSettings diffusion = DiffusionOf(smoothing, this->Noise);
+  diffusion.Threads = this->Threads.Number;
+  this->Smooth = std::make_unique<SmoothRegion>(PartOf(this->Volume.Read, box), this->Region,
+    diffusion, this->Threads.For);
+  this->Organ = std::make_unique<OrganSegmenter>(*this->Smooth, this->Noise, this->Seed,
+    this->Start, this->Settings.Method, this->Threads.For);
+}
+
+void VolumeSegmenter::Release()
+{
+  this->Organ.reset();
+  this->Smooth.reset();
+}
+
+VolumeSegmentation VolumeSegmenter::Segment(const ConstraintList& constraints,
+  const Monitor& monitor, const IterationObserver& observer)
+{
+  const OrganSegmentationSettings& method = this->Settings.Method;
+  const ImageGeometry& geometry = this->Volume.Geometry;
+  RequireConstraints(geometry, this->Seed, constraints, this->Name);
   Stopwatch watch;
-  const VoxelBox box = BoxAround(geometry, seed.Center, ReachOf(method.Smoothing, seed.Radius));
-  volume.RequireFinite(box);
-  const double noise = NoiseOf(volume, seed);
-  const ImageGeometry region = CropGeometry(geometry, box);
-  AnisotropicDiffusionSettings diffusion = DiffusionOf(method.Smoothing, noise);
-  diffusion.Threads = threading.Number;
-  auto smooth =
-    std::make_unique<SmoothRegion>(PartOf(volume.Read, box), region, diffusion, threading.For);
+  if (!this->Organ)
+  {
+    this->Prepare();
+  }
   const double before = watch.Lap();
-
   VolumeSegmentation result;
-  result.Organ = SegmentOrgan(*smooth, noise, seed, first.Mesh, first.Points, method, threading.For,
-    monitor, observer);
-  smooth.reset(); // the label map takes its place
+  result.Organ = this->Organ->Segment(constraints, monitor, observer);
   const OrganSurface& organ = result.Organ;
   result.StageSeconds[0] = before + organ.SmoothingSeconds;
   result.StageSeconds[1] = organ.FeatureSeconds;
@@ -87,11 +112,21 @@ VolumeSegmentation SegmentVolume(const GrayVolume& volume, const std::string& na
   {
     RequireCertified(organ);
   }
-  const bool startsAtSeed = !start && settings.StartScale == 1 && startCenter == seed.Center;
-  result.Warnings = WarningsOf(organ, region, geometry, seed, method, startsAtSeed);
-  result.Voxels = VoxelizeSurface(organ.Points, organ.Mesh.Triangles, geometry, threading.For);
+  result.Warnings =
+    WarningsOf(organ, this->Region, geometry, this->Seed, method, this->StartsAtSeed);
+  result.Voxels =
+    VoxelizeSurface(organ.Points, organ.Mesh.Triangles, geometry, this->Threads.For);
   result.StageSeconds[3] = watch.Lap();
   return result;
+}
+
+VolumeSegmentation SegmentVolume(const GrayVolume& volume, const std::string& name,
+  const SeedSphere& seed, const DeformableSurface* start,
+  const VolumeSegmentationSettings& settings, const Threading& threading, const Monitor& monitor,
+  const IterationObserver& observer)
+{
+  return VolumeSegmenter(volume, name, seed, start, settings, threading)
+    .Segment({}, monitor, observer);
 }
 
 } // namespace FlipFree

@@ -59,10 +59,44 @@ struct VolumeSegmentation
   std::array<double, 4> StageSeconds{ { 0, 0, 0, 0 } };
 };
 
-/// Segments an organ; from the sphere that the settings describe, or from `start` if there is one.
-/// `name` is the volume's. Throws std::invalid_argument or Error for bad input, and
-/// std::logic_error if a guarded surface should intersect itself. A stop by the monitor gives the
-/// iterations so far and StopReason::Aborted.
+/// Segments an organ, again and again with other constraints; from the sphere that the settings
+/// describe, or from a given surface. What constraints do not change is done once.
+class VolumeSegmenter
+{
+public:
+  /// `name` is the volume's, whose voxels outlive the object. `start` may be null. Throws
+  /// std::invalid_argument or Error for bad input.
+  VolumeSegmenter(GrayVolume volume, std::string name, const SeedSphere& seed,
+    const DeformableSurface* start, const VolumeSegmentationSettings& settings,
+    Threading threading);
+
+  /// Throws as the constructor does, also where a constraint cannot be obeyed, naming it; and
+  /// std::logic_error if a guarded surface should intersect itself. A stop by the monitor gives the
+  /// iterations so far and StopReason::Aborted.
+  VolumeSegmentation Segment(const ConstraintList& constraints, const Monitor& monitor,
+    const IterationObserver& observer);
+
+  /// Frees the smoothed image and what else is kept between calls.
+  void Release();
+
+private:
+  void Prepare();
+
+  const GrayVolume Volume;
+  const std::string Name;
+  const SeedSphere Seed;
+  const VolumeSegmentationSettings Settings;
+  const Threading Threads;
+  DeformableSurface Start;
+  bool StartsAtSeed = false;
+
+  double Noise = 0;
+  ImageGeometry Region;
+  std::unique_ptr<SmoothRegion> Smooth;
+  std::unique_ptr<OrganSegmenter> Organ;
+};
+
+/// Once, without constraints.
 VolumeSegmentation SegmentVolume(const GrayVolume& volume, const std::string& name,
   const SeedSphere& seed, const DeformableSurface* start,
   const VolumeSegmentationSettings& settings, const Threading& threading, const Monitor& monitor,

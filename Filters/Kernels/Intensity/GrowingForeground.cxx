@@ -1,5 +1,6 @@
 #include "Intensity/GrowingForeground.h"
 
+#include "Intensity/ForegroundCorrection.h"
 #include "Intensity/OrganCarving.h"
 #include "Stopwatch.h"
 
@@ -164,6 +165,18 @@ bool GrowingForeground::Carve(const PointList& points, const TriangleList& trian
     ResolveModality(this->Settings.Modality, this->Region.GetReader(), this->Geometry);
   const bool done = CarveOrgan(this->GetImage(), inside, this->Seed, noise, modality,
     this->Parallel, proceed, this->Mask);
+  this->Bounds = this->Mask.Bounds();
+  return done;
+}
+
+bool GrowingForeground::Correct(const ConstraintList& constraints, double noise,
+  const Monitor& monitor)
+{
+  const Modality modality =
+    ResolveModality(this->Settings.Modality, this->Region.GetReader(), this->Geometry);
+  const bool done = CorrectForeground(
+    this->GetImage(), [&](const VoxelBox& box) { return this->Smooth(box, monitor); }, this->Seed,
+    constraints, noise, modality, this->Parallel, monitor, this->Mask);
   this->Bounds = this->Mask.Bounds();
   return done;
 }

@@ -6,6 +6,7 @@
 #ifndef FlipFreeGrowingForeground_h
 #define FlipFreeGrowingForeground_h
 
+#include "Image/PointConstraint.h"
 #include "Image/SmoothRegion.h"
 #include "Intensity/OrganFeature.h"
 
@@ -33,6 +34,11 @@ public:
   /// Makes the foreground from the inside of a closed surface (OrganCarving.h).
   bool Carve(const PointList& points, const TriangleList& triangles, double noise,
     const Monitor& monitor);
+
+  /// Corrects the foreground by constraints (ForegroundCorrection.h).
+  bool Correct(const ConstraintList& constraints, double noise, const Monitor& monitor);
+
+  void SetMask(const BitMask& mask) { this->Mask = mask; }
 
   /// Frees the mask's memory.
   void Clear() { this->Mask = BitMask(); }

@@ -1,0 +1,109 @@
+#include "Image/PointConstraint.h"
+
+#include "Error.h"
+#include "MessageText.h"
+
+#include <algorithm>
+#include <tuple>
+
+namespace FlipFree
+{
+namespace
+{
+
+// Places that are nearer than this part of the finest spacing cannot be told apart.
+constexpr double SamePlace = 1e-3;
+
+// The seed sphere is placed by hand, so only its inner part is certain.
+constexpr double CertainPart = 0.5;
+
+auto KeyOf(const PointConstraint& constraint)
+{
+  const Eigen::Vector3d& at = constraint.Point;
+  return std::make_tuple(constraint.Kind, at[0], at[1], at[2], constraint.Radius);
+}
+
+bool IsWithin(const ImageGeometry& geometry, const Eigen::Vector3d& point)
+{
+  const Eigen::Array3d index = geometry.ToIndex(point);
+  const auto& size = geometry.Dimensions;
+  return (index >= -0.5).all() &&
+    (index <= Eigen::Array3d(size[0], size[1], size[2]) - 0.5).all();
+}
+
+void RequireProper(const ImageGeometry& geometry, const PointConstraint& constraint,
+  const std::string& name)
+{
+  if (!constraint.Point.allFinite() || !IsWithin(geometry, constraint.Point))
+  {
+    throw Error(ErrorCode::OutOfRange,
+      NameOf(constraint) + " lies outside " + name +
+        "; give it in the image's physical coordinates, or take it away");
+  }
+  if (constraint.Kind == ConstraintKind::Seed &&
+    !(constraint.Radius >= geometry.Spacing.minCoeff() && std::isfinite(constraint.Radius)))
+  {
+    throw Error(ErrorCode::OutOfRange,
+      NameOf(constraint) + " has a radius below a voxel of " + name + "; enlarge it");
+  }
+}
+
+void RequireApart(const PointConstraint& outside, const SeedSphere& seed, const std::string& which)
+{
+  if ((outside.Point - seed.Center).norm() < seed.Radius)
+  {
+    throw Error(ErrorCode::OutOfRange,
+      NameOf(outside) + " lies in " + which + "; move one of them, or lower the radius");
+  }
+}
+
+} // namespace
+
+ConstraintList SortedConstraints(ConstraintList constraints)
+{
+  std::sort(constraints.begin(), constraints.end(),
+    [](const auto& a, const auto& b) { return KeyOf(a) < KeyOf(b); });
+  constraints.erase(std::unique(constraints.begin(), constraints.end(),
+                      [](const auto& a, const auto& b) { return KeyOf(a) == KeyOf(b); }),
+    constraints.end());
+  return constraints;
+}
+
+std::string NameOf(const PointConstraint& constraint)
+{
+  static constexpr const char* names[4] = { "the outside point ", "the inside point ",
+    "the boundary point ", "the further seed at " };
+  return names[static_cast<int>(constraint.Kind)] + TextOf(constraint.Point) + " mm";
+}
+
+void RequireConstraints(const ImageGeometry& geometry, const SeedSphere& seed,
+  const ConstraintList& constraints, const std::string& name)
+{
+  const double same = SamePlace * geometry.Spacing.minCoeff();
+  for (auto one = constraints.begin(); one != constraints.end(); ++one)
+  {
+    RequireProper(geometry, *one, name);
+    for (auto two = one + 1; two != constraints.end(); ++two)
+    {
+      if (one->Kind != two->Kind && (one->Point - two->Point).norm() <= same)
+      {
+        throw Error(ErrorCode::OutOfRange,
+          NameOf(*one) + " and " + NameOf(*two) + " are at one place; take one of them away");
+      }
+    }
+    if (one->Kind == ConstraintKind::Outside)
+    {
+      RequireApart(*one, { seed.Center, CertainPart * seed.Radius },
+        "the inner half of the seed sphere");
+      for (const PointConstraint& other : constraints)
+      {
+        if (other.Kind == ConstraintKind::Seed)
+        {
+          RequireApart(*one, { other.Point, other.Radius }, "the sphere of " + NameOf(other));
+        }
+      }
+    }
+  }
+}
+
+} // namespace FlipFree

@@ -1,0 +1,45 @@
+/**
+ * What a user knows of an organ at a place: a point that lies inside, outside, or on its boundary,
+ * or a further sphere within it. A list of them is a set: its order means nothing.
+ */
+#ifndef FlipFreePointConstraint_h
+#define FlipFreePointConstraint_h
+
+#include "Image/SeedRegion.h"
+
+namespace FlipFree
+{
+
+/// The values of the array `Constraint`.
+enum class ConstraintKind : unsigned char
+{
+  Outside = 0,
+  Inside = 1,
+  Boundary = 2,
+  Seed = 3
+};
+
+struct PointConstraint
+{
+  ConstraintKind Kind = ConstraintKind::Inside;
+  Eigen::Vector3d Point = Eigen::Vector3d::Zero(); ///< millimeters
+  double Radius = 0;                               ///< millimeters; of a seed
+};
+
+using ConstraintList = std::vector<PointConstraint>;
+
+/// In one order for the same set, each once.
+ConstraintList SortedConstraints(ConstraintList constraints);
+
+/// "the inside point (1, 2, 3) mm", for messages.
+std::string NameOf(const PointConstraint& constraint);
+
+/// Throws Error, naming the constraint, where one lies outside the image, named by `name`, has a
+/// coordinate or a radius that is not finite, or contradicts another: an outside point in a seed,
+/// or two kinds at one place.
+void RequireConstraints(const ImageGeometry& geometry, const SeedSphere& seed,
+  const ConstraintList& constraints, const std::string& name);
+
+} // namespace FlipFree
+
+#endif

@@ -1,0 +1,497 @@
+#include "Intensity/ForegroundCorrection.h"
+
+#include "Image/BlockGrid.h"
+#include "Image/GaussianSmoothing.h"
+#include "Image/ImagePart.h"
+#include "Image/MinimumCut.h"
+#include "Intensity/LeakControl.h"
+#include "Intensity/RobustStatistics.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+#include <string>
+
+namespace FlipFree
+{
+namespace
+{
+double P(const char* name, double value)
+{
+  const char* const text = std::getenv(name);
+  return text ? std::stod(text) : value;
+}
+const double Base = P("C_BASE", 0.3);
+const double Gain = P("C_GAIN", 0.3);
+const double Decay = P("C_DECAY", 0.3);
+const double Area = P("C_AREA", 0.2);
+const double HardPart = P("C_HARD", 0.8);
+const double DomainScale = P("C_DOMAIN", 2);
+const double DomainLeast = P("C_LEAST", 30);
+const double MinBlock = P("C_BLOCK", 2.0);
+const double SpreadFloor = P("C_FLOOR", 5);
+const double ZCut = P("C_Z", 3);
+const double EdgeSmoothing = 1;
+constexpr double GreatestCapacity = 1 << 20;
+constexpr double GreatestJump = 24;
+
+// The squared distance from a point to the nearest voxel center on a side of the mask; infinite
+// without any.
+double SquaredDistanceTo(const BitMask& mask, bool side, const Eigen::Vector3d& point)
+{
+  BitMask sought = mask;
+  if (!side)
+  {
+    sought.Complement();
+  }
+  const ImageGeometry& geometry = mask.GetGeometry();
+  const Eigen::Vector3d center = geometry.ToIndex(point);
+  double least = std::numeric_limits<double>::infinity();
+  sought.ForEachRun(0, geometry.Dimensions[2],
+    [&](int begin, int end, int j, int k)
+    {
+      const double i = std::max<double>(begin, std::min(center[0], end - 1.0));
+      const Eigen::Vector3d away = Eigen::Vector3d(i, j, k) - center;
+      least = std::min(least, away.cwiseProduct(geometry.Spacing).squaredNorm());
+    });
+  return least;
+}
+
+std::array<int, 3> VoxelOf(const ImageGeometry& geometry, const Eigen::Vector3d& point)
+{
+  const Eigen::Vector3d index = geometry.ToIndex(point);
+  std::array<int, 3> voxel;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    voxel[axis] = std::max(0,
+      std::min(geometry.Dimensions[axis] - 1, static_cast<int>(std::floor(index[axis] + 0.5))));
+  }
+  return voxel;
+}
+
+void Set(BitMask& mask, bool inside, int begin, int end, int j, int k)
+{
+  if (inside)
+  {
+    mask.InsertRun(begin, end, j, k);
+    return;
+  }
+  for (int i = begin; i < end; ++i)
+  {
+    mask.Row(j, k)[i / BitMask::BitsOfWord] &= ~(BitMask::Word(1) << (i % BitMask::BitsOfWord));
+  }
+}
+
+// The voxels within a distance of a point, and the point's own.
+void SetBall(BitMask& mask, bool inside, const Eigen::Vector3d& point, double radius)
+{
+  const ImageGeometry& geometry = mask.GetGeometry();
+  const VoxelBox box = BoxAround(geometry, point, radius);
+  const std::array<int, 3> own = VoxelOf(geometry, point);
+  Set(mask, inside, own[0], own[0] + 1, own[1], own[2]);
+  for (int k = box.Begin[2]; k < box.End[2]; ++k)
+  {
+    for (int j = box.Begin[1]; j < box.End[1]; ++j)
+    {
+      for (int i = box.Begin[0]; i < box.End[0]; ++i)
+      {
+        if ((geometry.ToPhysical(Eigen::Vector3d(i, j, k)) - point).norm() <= radius)
+        {
+          Set(mask, inside, i, i + 1, j, k);
+        }
+      }
+    }
+  }
+}
+
+// One point's.
+class Correction
+{
+public:
+  Correction(const ImagePart& image, const PointConstraint& constraint, double reach,
+    double domain, const ConstraintList& constraints, double noise, Modality modality,
+    const ParallelFor& parallelFor, const Monitor& monitor, BitMask& mask)
+    : Image(image)
+    , Point(constraint.Point)
+    , Reach(reach)
+    , Domain(domain)
+    , IsInside(constraint.Kind != ConstraintKind::Outside)
+    , Constraints(constraints)
+    , Noise(noise)
+    , IsMR(modality == Modality::MR)
+    , Parallel(parallelFor)
+    , Ask(monitor)
+    , Mask(mask)
+    , Grid(mask.GetGeometry(), std::max(1.0, std::min(MinBlock, reach / 4)))
+    , Size(Grid.Blocks.Dimensions)
+  {
+  }
+
+  bool Execute()
+  {
+    this->MeasureBall();
+    this->MarkBlocks();
+    CutNetwork network = this->MakeNetwork();
+    const std::vector<unsigned char> switched = SourceSide(network, this->Ask);
+    if (switched.empty())
+    {
+      return false;
+    }
+    this->Apply(switched);
+    return true;
+  }
+
+private:
+  void MeasureBall()
+  {
+    std::vector<float> values;
+    const auto& size = this->Mask.GetGeometry().Dimensions;
+    const double radius = std::max(2.0, std::min(8.0, 0.7 * this->Reach));
+    for (const std::size_t voxel : VoxelsInSphere(this->Mask.GetGeometry(), { this->Point, radius }))
+    {
+      const std::size_t row = voxel / size[0];
+      values.push_back(this->Image.Row(static_cast<int>(row % size[1]),
+        static_cast<int>(row / size[1]))[voxel % size[0]]);
+    }
+    if (values.empty())
+    {
+      const auto own = VoxelOf(this->Mask.GetGeometry(), this->Point);
+      values.push_back(this->Image.Row(own[1], own[2])[own[0]]);
+    }
+    this->OfBall = RobustStatisticsOf(values);
+  }
+
+  // Which blocks are on the wrong side and near enough to change it.
+  void MarkBlocks()
+  {
+    const ImageGeometry& blocks = this->Grid.Blocks;
+    std::vector<std::size_t> counts(blocks.NumberOfVoxels(), 0);
+    this->Grid.ForEachRun(this->Mask, this->Parallel,
+      [&](std::size_t block, int begin, int end, int, int) { counts[block] += end - begin; });
+    this->IsRight.assign(counts.size(), 0);
+    this->Nodes.assign(counts.size(), CutNetwork::NoNeighbor);
+    const std::size_t half = (this->Grid.VoxelsPerBlock() + 1) / 2;
+    for (int k = 0; k < this->Size[2]; ++k)
+    {
+      for (int j = 0; j < this->Size[1]; ++j)
+      {
+        for (int i = 0; i < this->Size[0]; ++i)
+        {
+          const std::size_t block = blocks.Offset(i, j, k);
+          this->IsRight[block] = (counts[block] >= half) == this->IsInside ? 1 : 0;
+          const double away = (blocks.ToPhysical(Eigen::Vector3d(i, j, k)) - this->Point).norm();
+          if (!this->IsRight[block] && away <= this->Domain)
+          {
+            this->Nodes[block] = this->NumberOfNodes++;
+          }
+        }
+      }
+    }
+    const auto own = this->BlockOf(this->Point);
+    const std::size_t block = blocks.Offset(own[0], own[1], own[2]);
+    if (this->Nodes[block] < 0)
+    {
+      this->IsRight[block] = 0;
+      this->Nodes[block] = this->NumberOfNodes++;
+    }
+  }
+
+  std::array<int, 3> BlockOf(const Eigen::Vector3d& point) const
+  {
+    std::array<int, 3> block = VoxelOf(this->Mask.GetGeometry(), point);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      block[axis] /= this->Grid.Factor[axis];
+    }
+    return block;
+  }
+
+  std::vector<float> SmoothBlocks() const
+  {
+    const ImageGeometry& blocks = this->Grid.Blocks;
+    std::vector<float> sums(blocks.NumberOfVoxels(), 0.0F);
+    std::vector<float> weights(sums.size(), 0.0F);
+    const auto& size = this->Mask.GetGeometry().Dimensions;
+    const auto& factor = this->Grid.Factor;
+    for (int k = 0; k < size[2]; ++k)
+    {
+      for (int j = 0; j < size[1]; ++j)
+      {
+        const float* const row = this->Image.Row(j, k);
+        const std::size_t first = blocks.Offset(0, j / factor[1], k / factor[2]);
+        for (int i = 0; i < size[0]; ++i)
+        {
+          sums[first + i / factor[0]] += row[i];
+          weights[first + i / factor[0]] += 1;
+        }
+      }
+    }
+    for (std::size_t block = 0; block < sums.size(); ++block)
+    {
+      sums[block] /= weights[block];
+      weights[block] = 1;
+    }
+    SmoothGaussian(sums, blocks, EdgeSmoothing, this->Parallel);
+    SmoothGaussian(weights, blocks, EdgeSmoothing, this->Parallel);
+    for (std::size_t block = 0; block < sums.size(); ++block)
+    {
+      sums[block] /= weights[block];
+    }
+    return sums;
+  }
+
+  CutNetwork MakeNetwork()
+  {
+    const ImageGeometry& blocks = this->Grid.Blocks;
+    CutNetwork network;
+    network.Neighbors.resize(this->NumberOfNodes);
+    network.Capacities.resize(this->NumberOfNodes);
+    network.Terminals.resize(this->NumberOfNodes);
+    const std::vector<float> smooth = this->SmoothBlocks();
+    const double perArea = Area * std::max(3.0, std::min(40.0, this->Reach));
+    const double spread = std::max({ this->OfBall.StandardDeviation, 0.5 * this->Noise,
+      this->IsMR ? 0.03 * std::abs(this->OfBall.Median) : SpreadFloor, 1e-12 });
+    const double edge = 3 * std::max({ this->OfBall.StandardDeviation, 0.5 * this->Noise, 1e-12 });
+    const double volume = blocks.VoxelVolume();
+    const std::array<double, 3> area{ { volume / blocks.Spacing[0], volume / blocks.Spacing[1],
+      volume / blocks.Spacing[2] } };
+    const double unit = perArea * *std::max_element(area.begin(), area.end()) / GreatestCapacity;
+    constexpr std::int32_t greatest = CutNetwork::Infinite / 4;
+    const std::array<std::ptrdiff_t, 3> step{ { 1, this->Size[0],
+      static_cast<std::ptrdiff_t>(this->Size[0]) * this->Size[1] } };
+    for (int k = 0; k < this->Size[2]; ++k)
+    {
+      for (int j = 0; j < this->Size[1]; ++j)
+      {
+        for (int i = 0; i < this->Size[0]; ++i)
+        {
+          const std::size_t block = blocks.Offset(i, j, k);
+          const int node = this->Nodes[block];
+          if (node < 0)
+          {
+            continue;
+          }
+          const std::array<int, 3> index{ { i, j, k } };
+          const double away = (blocks.ToPhysical(Eigen::Vector3d(i, j, k)) - this->Point).norm();
+          const double z = (smooth[block] - this->OfBall.Median) / spread;
+          const double fit = std::max(-2.0, std::min(2.0, (ZCut * ZCut - z * z) / 2)) / 2;
+          const double unary =
+            Base + Gain * fit - Decay * std::max(0.0, away / this->Reach - 1);
+          double terminal = unary * volume / unit;
+          for (int way = 0; way < 6; ++way)
+          {
+            const int axis = way / 2;
+            const bool up = way % 2 == 1;
+            network.Neighbors[node][way] = CutNetwork::NoNeighbor;
+            network.Capacities[node][way] = 0;
+            if (up ? index[axis] + 1 >= this->Size[axis] : index[axis] == 0)
+            {
+              continue;
+            }
+            const std::size_t other = block + (up ? step[axis] : -step[axis]);
+            const double jump = (smooth[block] - smooth[other]) / edge;
+            const double square = jump * jump < GreatestJump ? jump * jump : GreatestJump;
+            const double capacity = perArea * area[axis] / unit * std::exp(-0.5 * square);
+            if (this->Nodes[other] >= 0)
+            {
+              network.Neighbors[node][way] = this->Nodes[other];
+              network.Capacities[node][way] = static_cast<std::int32_t>(std::lround(capacity));
+            }
+            else
+            {
+              terminal += this->IsRight[other] ? capacity : -capacity;
+            }
+          }
+          network.Terminals[node] = away <= HardPart * this->Reach
+            ? CutNetwork::Infinite
+            : static_cast<std::int32_t>(
+                std::lround(std::max<double>(-greatest, std::min<double>(greatest, terminal))));
+        }
+      }
+    }
+    for (const PointConstraint& other : this->Constraints)
+    {
+      if ((other.Kind != ConstraintKind::Outside) != this->IsInside)
+      {
+        const auto at = blocks.ToIndex(other.Point);
+        const std::array<int, 3> index = this->BlockOf(other.Point);
+        if ((at.array() > -1).all() && blocks.Contains(index[0], index[1], index[2]) &&
+          this->Nodes[blocks.Offset(index[0], index[1], index[2])] >= 0 &&
+          (blocks.ToPhysical(Eigen::Vector3d(index[0], index[1], index[2])) - other.Point).norm() <
+            2 * blocks.Spacing.maxCoeff())
+        {
+          network.Terminals[this->Nodes[blocks.Offset(index[0], index[1], index[2])]] =
+            -CutNetwork::Infinite;
+        }
+      }
+    }
+    const auto own = this->BlockOf(this->Point);
+    network.Terminals[this->Nodes[blocks.Offset(own[0], own[1], own[2])]] = CutNetwork::Infinite;
+    return network;
+  }
+
+  void Apply(const std::vector<unsigned char>& switched)
+  {
+    const ImageGeometry& blocks = this->Grid.Blocks;
+    const auto& size = this->Mask.GetGeometry().Dimensions;
+    const auto& factor = this->Grid.Factor;
+    const auto isSwitched = [&](int i, int j, int k)
+    {
+      if (!blocks.Contains(i, j, k))
+      {
+        return false;
+      }
+      const int node = this->Nodes[blocks.Offset(i, j, k)];
+      return node >= 0 && switched[node] != 0;
+    };
+    for (int k = 0; k < this->Size[2]; ++k)
+    {
+      for (int j = 0; j < this->Size[1]; ++j)
+      {
+        for (int i = 0; i < this->Size[0]; ++i)
+        {
+          const bool changes = this->IsRight[blocks.Offset(i, j, k)]
+            ? isSwitched(i - 1, j, k) || isSwitched(i + 1, j, k) || isSwitched(i, j - 1, k) ||
+              isSwitched(i, j + 1, k) || isSwitched(i, j, k - 1) || isSwitched(i, j, k + 1)
+            : isSwitched(i, j, k);
+          if (!changes)
+          {
+            continue;
+          }
+          const int end = std::min(size[0], (i + 1) * factor[0]);
+          for (int z = k * factor[2]; z < std::min(size[2], (k + 1) * factor[2]); ++z)
+          {
+            for (int y = j * factor[1]; y < std::min(size[1], (j + 1) * factor[1]); ++y)
+            {
+              Set(this->Mask, this->IsInside, i * factor[0], end, y, z);
+            }
+          }
+        }
+      }
+    }
+  }
+
+  const ImagePart Image;
+  const Eigen::Vector3d Point;
+  const double Reach;
+  const double Domain;
+  const bool IsInside;
+  const ConstraintList& Constraints;
+  const double Noise;
+  const bool IsMR;
+  const ParallelFor& Parallel;
+  const Monitor& Ask;
+  BitMask& Mask;
+  const BlockGrid Grid;
+  const std::array<int, 3> Size;
+
+  RobustStatistics OfBall;
+  int NumberOfNodes = 0;
+  std::vector<unsigned char> IsRight;
+  std::vector<int> Nodes;
+};
+
+bool IsObeyed(const PointConstraint& constraint, const BitMask& mask)
+{
+  const auto voxel = VoxelOf(mask.GetGeometry(), constraint.Point);
+  return constraint.Kind == ConstraintKind::Boundary ||
+    mask(voxel[0], voxel[1], voxel[2]) == (constraint.Kind != ConstraintKind::Outside);
+}
+
+// What is certain around a point.
+double BallOf(const PointConstraint& constraint, const ImageGeometry& geometry)
+{
+  return std::max(constraint.Radius, 1.01 * geometry.Spacing.maxCoeff());
+}
+
+void SetBalls(const ConstraintList& constraints, const SeedSphere& seed, BitMask& mask)
+{
+  SetBall(mask, true, seed.Center, seed.Radius);
+  for (const PointConstraint& constraint : constraints)
+  {
+    if (constraint.Kind == ConstraintKind::Inside || constraint.Kind == ConstraintKind::Seed)
+    {
+      SetBall(mask, true, constraint.Point, BallOf(constraint, mask.GetGeometry()));
+    }
+  }
+  for (const PointConstraint& constraint : constraints)
+  {
+    if (constraint.Kind == ConstraintKind::Outside)
+    {
+      SetBall(mask, false, constraint.Point, BallOf(constraint, mask.GetGeometry()));
+    }
+  }
+  for (const PointConstraint& constraint : constraints)
+  {
+    if (constraint.Kind != ConstraintKind::Boundary)
+    {
+      SetBall(mask, constraint.Kind != ConstraintKind::Outside, constraint.Point, 0);
+    }
+  }
+}
+
+} // namespace
+
+bool CorrectForeground(const ImageView<float>& smooth, const ImageMaker& make,
+  const SeedSphere& seed, const ConstraintList& constraints, double noise, Modality modality,
+  const ParallelFor& parallelFor, const Monitor& monitor, BitMask& foreground)
+{
+  const ImageGeometry& geometry = foreground.GetGeometry();
+  ConstraintList open = SortedConstraints(constraints);
+  while (true)
+  {
+    double farthest = -1;
+    auto next = open.end();
+    for (auto constraint = open.begin(); constraint != open.end(); ++constraint)
+    {
+      if (!IsObeyed(*constraint, foreground))
+      {
+        const double square = SquaredDistanceTo(foreground,
+          constraint->Kind != ConstraintKind::Outside, constraint->Point);
+        if (square > farthest)
+        {
+          farthest = square;
+          next = constraint;
+        }
+      }
+    }
+    if (next == open.end())
+    {
+      break;
+    }
+    const double reach =
+      std::max({ std::sqrt(farthest), geometry.Spacing.maxCoeff(), next->Radius });
+    const double domain = std::max(DomainLeast, DomainScale * reach);
+    const VoxelBox box = BoxAround(geometry, next->Point, domain);
+    if (!make(box))
+    {
+      return false;
+    }
+    BitMask part = foreground.Cropped(box);
+    if (!Correction(ImagePart{ smooth, box.Begin }, *next, reach, domain, constraints, noise,
+          modality, parallelFor, monitor, part)
+           .Execute())
+    {
+      return false;
+    }
+    // Replaced.
+    BitMask hole(part.GetGeometry());
+    hole.Complement();
+    BitMask all(geometry);
+    all.Insert(hole, box.Begin);
+    foreground.Remove(all);
+    foreground.Insert(part, box.Begin);
+    open.erase(next);
+  }
+  const std::vector<std::size_t> source = VoxelsInSphere(geometry, seed);
+  SetBalls(constraints, seed, foreground);
+  if (!FillHoles(foreground, monitor))
+  {
+    return false;
+  }
+  SetBalls(constraints, seed, foreground);
+  return source.empty() || KeepConnected(foreground, source, monitor);
+}
+
+} // namespace FlipFree
