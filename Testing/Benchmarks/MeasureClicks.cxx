@@ -29,6 +29,12 @@
 #include <vector>
 
 using namespace FlipFree;
+namespace FlipFree { extern BitMask LastForeground; extern bool MaskOnly;
+extern double Base, Gain, Decay, Area, HardPart, DomainScale, DomainLeast, MinBlock,
+       SpreadFloor, ZCut, Links, OutBase, OutGain, OutDecay, CoreDepth, OutArea, DecayLength, NeckRatio, NeckBase, NeckGain, NeckArea, MaxReach, ShellPart, ShellZ, FirstBall; }
+#include <fstream>
+#include <sstream>
+const std::map<std::string, double*> Tunables{{"Base",&Base},{"Gain",&Gain},{"Decay",&Decay},{"Area",&Area},{"Hard",&HardPart},{"DomainScale",&DomainScale},{"DomainLeast",&DomainLeast},{"Block",&MinBlock},{"Floor",&SpreadFloor},{"Z",&ZCut},{"Links",&Links},{"OutBase",&OutBase},{"OutGain",&OutGain},{"OutDecay",&OutDecay},{"Core",&CoreDepth},{"OutArea",&OutArea},{"DecayLength",&DecayLength},{"NeckRatio",&NeckRatio},{"NeckBase",&NeckBase},{"NeckGain",&NeckGain},{"NeckArea",&NeckArea},{"MaxReach",&MaxReach},{"ShellPart",&ShellPart},{"ShellZ",&ShellZ},{"FirstBall",&FirstBall}};
 
 namespace
 {
@@ -134,7 +140,19 @@ bool NextClick(const BitMask& found, const BitMask& reference, std::mt19937& ran
   {
     part.swap(other);
   }
-  const ImageGeometry& geometry = missedPart.GetGeometry();
+  BitMask bits(missedPart.GetGeometry());
+  {
+    const auto& size = bits.GetGeometry().Dimensions;
+    std::size_t voxel = 0;
+    for (int k = 0; k < size[2]; ++k)
+      for (int j = 0; j < size[1]; ++j)
+        for (int i = 0; i < size[0]; ++i, ++voxel)
+          if (part[voxel]) bits.Insert(i, j, k);
+  }
+  bits = bits.Cropped(bits.Bounds().Widened({ { 1, 1, 1 } }, WholeBox(bits.GetGeometry())));
+  part.assign(bits.GetGeometry().NumberOfVoxels(), 0);
+  bits.ForEach([&](std::size_t voxel) { part[voxel] = 1; });
+  const ImageGeometry& geometry = bits.GetGeometry();
   const std::vector<float> depth = SquaredDistance(part, geometry, 0, SMPFor, NeverStop);
   const std::size_t deepest = std::max_element(depth.begin(), depth.end()) - depth.begin();
   const std::array<int, 3> index{ { static_cast<int>(deepest % geometry.Dimensions[0]),
@@ -177,10 +195,58 @@ std::vector<double> MeasureRow(const Case& row, const Options& options, std::vec
   const SeedSphere seed{ Eigen::Vector3d(row.Seed.data()), row.Radius };
   VolumeSegmenter segmenter(
     GrayVolumeOf(image, row.Image), row.Image, seed, nullptr, {}, SMPThreading());
+  if (const char* file = std::getenv("TUNE"))
+  {
+    MaskOnly = true;
+    std::ifstream in(file);
+    std::string line;
+    std::map<std::string,double> defaults;
+    for (auto& t : Tunables) defaults[t.first] = *t.second;
+    while (std::getline(in, line))
+    {
+      for (auto& t : Tunables) *t.second = defaults[t.first];
+      std::istringstream words(line); std::string word;
+      while (words >> word) { auto e = word.find('='); *Tunables.at(word.substr(0,e)) = std::stod(word.substr(e+1)); }
+      std::mt19937 random(options.Seed);
+      ConstraintList clicks;
+      std::printf("T %s | %s |", row.Name.c_str(), line.c_str());
+      for (int click = 0; click <= options.Clicks; ++click)
+      {
+        segmenter.Segment(clicks, NeverStop, [](const auto&, const auto&, const auto&, const auto&) {});
+        BitMask whole(reference.GetGeometry());
+        const Eigen::Vector3d f = reference.GetGeometry().ToIndex(LastForeground.GetGeometry().Origin);
+        whole.Insert(LastForeground, {{(int)std::lround(f[0]),(int)std::lround(f[1]),(int)std::lround(f[2])}});
+        std::printf(" %.4f", DiceOf(whole, reference));
+        PointConstraint next;
+        if (!NextClick(whole, reference, random, next)) break;
+        clicks.push_back(next);
+      }
+      {
+        BitMask found(reference.GetGeometry());
+        const Eigen::Vector3d f = reference.GetGeometry().ToIndex(LastForeground.GetGeometry().Origin);
+        found.Insert(LastForeground, {{(int)std::lround(f[0]),(int)std::lround(f[1]),(int)std::lround(f[2])}});
+        BitMask u = reference; u.Unite(found);
+        const VoxelBox box = u.Bounds().Widened({{2,2,2}}, WholeBox(u.GetGeometry()));
+        BitMask r = reference.Cropped(box), m = found.Cropped(box);
+        std::vector<unsigned char> bytes(r.GetGeometry().NumberOfVoxels(),0);
+        r.ForEach([&](std::size_t v){bytes[v]=1;});
+        auto in = SquaredDistance(bytes, r.GetGeometry(), 0, SMPFor, NeverStop);
+        auto out = SquaredDistance(bytes, r.GetGeometry(), 1, SMPFor, NeverStop);
+        double h[2][4]{}; double total = r.Count();
+        std::vector<unsigned char> mb(bytes.size(),0); m.ForEach([&](std::size_t v){mb[v]=1;});
+        for (std::size_t v=0;v<bytes.size();++v) if (bytes[v]!=mb[v]) { double d=std::sqrt(bytes[v]?in[v]:out[v]); h[bytes[v]][d<=1.6?0:d<=3?1:d<=6?2:3]+=1; }
+        std::printf(" | missed %.1f %.1f %.1f %.1f much %.1f %.1f %.1f %.1f", 100*h[1][0]/total,100*h[1][1]/total,100*h[1][2]/total,100*h[1][3]/total,100*h[0][0]/total,100*h[0][1]/total,100*h[0][2]/total,100*h[0][3]/total);
+      }
+      std::printf("\n"); std::fflush(stdout);
+    }
+    for (auto& t : Tunables) *t.second = defaults[t.first];
+    return std::vector<double>(options.Clicks + 1, 0);
+  }
   std::mt19937 random(options.Seed);
   ConstraintList clicks;
   std::vector<double> scores;
   std::string text;
+  std::vector<double> masks;
   for (int click = 0; click <= options.Clicks; ++click)
   {
     Stopwatch watch;
@@ -202,6 +268,12 @@ std::vector<double> MeasureRow(const Case& row, const Options& options, std::vec
     }
     const BitMask found = MaskOfRuns(result.Voxels, reference.GetGeometry());
     scores.push_back(DiceOf(found, reference));
+    BitMask whole(reference.GetGeometry());
+    {
+      const Eigen::Vector3d f = reference.GetGeometry().ToIndex(LastForeground.GetGeometry().Origin);
+      whole.Insert(LastForeground, {{(int)std::lround(f[0]),(int)std::lround(f[1]),(int)std::lround(f[2])}});
+    }
+    masks.push_back(DiceOf(whole, reference));
     PointConstraint next;
     if (!NextClick(found, reference, random, next))
     {
@@ -216,7 +288,12 @@ std::vector<double> MeasureRow(const Case& row, const Options& options, std::vec
   {
     std::printf(" %.3f |", score);
   }
-  std::printf(" %s |\n", text.c_str());
+  std::printf(" %s |", text.c_str());
+  for (double score : masks)
+  {
+    std::printf(" %.3f", score);
+  }
+  std::puts("");
   std::fflush(stdout);
   return scores;
 }

@@ -11,6 +11,8 @@
 
 namespace FlipFree
 {
+BitMask LastForeground; // DEBUG
+bool MaskOnly = false;
 namespace
 {
 
@@ -85,6 +87,8 @@ private:
       {
         return StopReason::Aborted;
       }
+      LastForeground = this->Foreground.GetMask();
+      if (MaskOnly) { this->BeginAtStart(); return StopReason::AtRest; }
       this->OrganRadius = RadiusOf(this->Foreground.GetMask(), this->Seed);
       this->Surface.FeatureSeconds += watch.Lap();
     }

@@ -1,6 +1,9 @@
 #include "Intensity/ForegroundCorrection.h"
 
+#include "Image/BallInside.h"
 #include "Image/BlockGrid.h"
+#include "Image/DistanceTransform.h"
+#include <numeric>
 #include "Image/GaussianSmoothing.h"
 #include "Image/ImagePart.h"
 #include "Image/MinimumCut.h"
@@ -10,28 +13,17 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <cstdio>
 #include <limits>
 #include <string>
 
 namespace FlipFree
 {
+// DEBUG
+double Base = 0.3, Gain = 0.3, Decay = 0.3, Area = 0.2, HardPart = 0.8, DomainScale = 2, DomainLeast = 30, MinBlock = 2,
+       SpreadFloor = 5, ZCut = 3, Links = 1, OutBase = 0, OutGain = 0.2, OutDecay = 0.1, CoreDepth = 0.6, OutArea = 0.2, OutSeedR = 1, DecayLength = 1, NeckRatio = 0.85, NeckBase = 0.3, NeckGain = 0.3, NeckArea = 0.2, MaxReach = 20, ShellPart = 0.7, ShellZ = 2.5, FirstBall = 3;
 namespace
 {
-double P(const char* name, double value)
-{
-  const char* const text = std::getenv(name);
-  return text ? std::stod(text) : value;
-}
-const double Base = P("C_BASE", 0.3);
-const double Gain = P("C_GAIN", 0.3);
-const double Decay = P("C_DECAY", 0.3);
-const double Area = P("C_AREA", 0.2);
-const double HardPart = P("C_HARD", 0.8);
-const double DomainScale = P("C_DOMAIN", 2);
-const double DomainLeast = P("C_LEAST", 30);
-const double MinBlock = P("C_BLOCK", 2.0);
-const double SpreadFloor = P("C_FLOOR", 5);
-const double ZCut = P("C_Z", 3);
 const double EdgeSmoothing = 1;
 constexpr double GreatestCapacity = 1 << 20;
 constexpr double GreatestJump = 24;
@@ -109,15 +101,16 @@ void SetBall(BitMask& mask, bool inside, const Eigen::Vector3d& point, double ra
 class Correction
 {
 public:
-  Correction(const ImagePart& image, const PointConstraint& constraint, double reach,
-    double domain, const ConstraintList& constraints, double noise, Modality modality,
+  Correction(const ImagePart& image, const SeedSphere& seed, const PointConstraint& constraint, double reach,
+    double domain, const std::vector<SeedSphere>& balls, double noise, Modality modality,
     const ParallelFor& parallelFor, const Monitor& monitor, BitMask& mask)
     : Image(image)
+    , Seed(seed)
     , Point(constraint.Point)
     , Reach(reach)
     , Domain(domain)
     , IsInside(constraint.Kind != ConstraintKind::Outside)
-    , Constraints(constraints)
+    , Protected(balls)
     , Noise(noise)
     , IsMR(modality == Modality::MR)
     , Parallel(parallelFor)
@@ -130,8 +123,10 @@ public:
 
   bool Execute()
   {
-    this->MeasureBall();
+    this->OfBall = this->MeasureBall(this->Point, std::max(2.0, std::min(8.0, 0.7 * this->Reach)));
+    this->OfSeed = this->MeasureBall(this->Seed.Center, this->Seed.Radius);
     this->MarkBlocks();
+    this->FindCore();
     CutNetwork network = this->MakeNetwork();
     const std::vector<unsigned char> switched = SourceSide(network, this->Ask);
     if (switched.empty())
@@ -139,16 +134,126 @@ public:
       return false;
     }
     this->Apply(switched);
+    if (std::getenv("DBG")) std::fprintf(stderr, "  %s reach %.1f nodes %d switched %d block %.1f\n", this->IsInside ? "in" : "out", this->Reach, this->NumberOfNodes, (int)std::count(switched.begin(), switched.end(), 1), std::cbrt(this->Grid.Blocks.VoxelVolume()));
     return true;
   }
 
 private:
-  void MeasureBall()
+  // What hangs together with the point at a depth at which it does not hang together with the seed.
+  void FindCore()
+  {
+    this->IsCore.assign(this->Nodes.size(), 0);
+    if (this->IsInside)
+    {
+      return;
+    }
+    std::vector<unsigned char> wrong(this->Nodes.size());
+    std::transform(this->Nodes.begin(), this->Nodes.end(), wrong.begin(), [](int node) { return node >= 0; });
+    const ImageGeometry& blocks = this->Grid.Blocks;
+    const std::vector<float> depth = SquaredDistance(wrong, blocks, 0, this->Parallel, NeverStop);
+    std::vector<std::size_t> order;
+    for (std::size_t block = 0; block < wrong.size(); ++block)
+    {
+      if (wrong[block])
+      {
+        order.push_back(block);
+      }
+    }
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return depth[a] > depth[b]; });
+    std::vector<int> root(wrong.size(), -1);
+    std::vector<float> peak(wrong.size(), 0);
+    const auto find = [&](int block)
+    {
+      while (root[block] != block)
+      {
+        root[block] = root[root[block]];
+        block = root[block];
+      }
+      return block;
+    };
+    const auto at = [&](const Eigen::Vector3d& point) { const auto b = this->BlockOf(point); return static_cast<int>(blocks.Offset(b[0], b[1], b[2])); };
+    const int own = at(this->Point);
+    const int seed = at(this->Seed.Center);
+    const std::array<std::ptrdiff_t, 3> step{ { 1, this->Size[0], static_cast<std::ptrdiff_t>(this->Size[0]) * this->Size[1] } };
+    std::vector<int> before; // of the point's component, before a block was added
+    float saddle = 0;
+    int kept = -1;
+    for (const std::size_t block : order)
+    {
+      const int b = static_cast<int>(block);
+      root[b] = b;
+      peak[b] = depth[b];
+      const int ownBefore = root[own] >= 0 && b != own ? find(own) : -1;
+      const std::array<int, 3> index{ { b % this->Size[0], b / this->Size[0] % this->Size[1], b / this->Size[0] / this->Size[1] } };
+      std::vector<int> joined;
+      for (int way = 0; way < 6; ++way)
+      {
+        const int axis = way / 2;
+        const bool up = way % 2 == 1;
+        if (up ? index[axis] + 1 >= this->Size[axis] : index[axis] == 0)
+        {
+          continue;
+        }
+        const std::ptrdiff_t other = b + (up ? step[axis] : -step[axis]);
+        if (root[other] >= 0)
+        {
+          joined.push_back(find(static_cast<int>(other)));
+        }
+      }
+      const int seedRoot = root[seed] >= 0 ? find(seed) : -1;
+      const bool meets = ownBefore >= 0 && seedRoot >= 0 && ownBefore != seedRoot &&
+        std::find(joined.begin(), joined.end(), ownBefore) != joined.end() && std::find(joined.begin(), joined.end(), seedRoot) != joined.end();
+      if (meets)
+      {
+        saddle = depth[b];
+        kept = ownBefore;
+        break;
+      }
+      for (int other : joined)
+      {
+        const int r = find(b), o = find(other);
+        if (r != o)
+        {
+          const float most = std::max(peak[r], peak[o]);
+          root[r] = o;
+          peak[o] = most;
+        }
+      }
+      if (root[own] >= 0 && root[seed] >= 0 && find(own) == find(seed))
+      {
+        break;
+      }
+    }
+    if (kept < 0)
+    {
+      if (std::getenv("DBG")) std::fprintf(stderr, "no hill: own %d (%d) depth %.1f seed %d (%d) depth %.1f\n", own, root[own], std::sqrt(depth[own]), seed, root[seed], std::sqrt(depth[seed]));
+      return;
+    }
+    if (std::getenv("DBG")) std::fprintf(stderr, "hill: reach %.1f saddle %.1f peak %.1f seed depth %.1f\n", this->Reach, std::sqrt(saddle), std::sqrt(peak[kept]), std::sqrt(depth[seed]));
+    this->HasNeck = std::sqrt(saddle) < NeckRatio * std::sqrt(peak[kept]);
+    if (!this->HasNeck)
+    {
+      return;
+    }
+    const double least = std::max<double>(saddle, CoreDepth * CoreDepth * peak[kept]);
+    for (const std::size_t block : order)
+    {
+      if (depth[block] < saddle || root[block] < 0)
+      {
+        break;
+      }
+      if (find(static_cast<int>(block)) == kept && depth[block] >= least)
+      {
+        this->IsCore[block] = 1;
+      }
+    }
+  }
+
+  RobustStatistics MeasureBall(const Eigen::Vector3d& center, double radius) const
   {
     std::vector<float> values;
     const auto& size = this->Mask.GetGeometry().Dimensions;
-    const double radius = std::max(2.0, std::min(8.0, 0.7 * this->Reach));
-    for (const std::size_t voxel : VoxelsInSphere(this->Mask.GetGeometry(), { this->Point, radius }))
+    for (const std::size_t voxel : VoxelsInSphere(this->Mask.GetGeometry(), { center, radius }))
     {
       const std::size_t row = voxel / size[0];
       values.push_back(this->Image.Row(static_cast<int>(row % size[1]),
@@ -156,10 +261,10 @@ private:
     }
     if (values.empty())
     {
-      const auto own = VoxelOf(this->Mask.GetGeometry(), this->Point);
+      const auto own = VoxelOf(this->Mask.GetGeometry(), center);
       values.push_back(this->Image.Row(own[1], own[2])[own[0]]);
     }
-    this->OfBall = RobustStatisticsOf(values);
+    return RobustStatisticsOf(values);
   }
 
   // Which blocks are on the wrong side and near enough to change it.
@@ -249,9 +354,12 @@ private:
     network.Capacities.resize(this->NumberOfNodes);
     network.Terminals.resize(this->NumberOfNodes);
     const std::vector<float> smooth = this->SmoothBlocks();
-    const double perArea = Area * std::max(3.0, std::min(40.0, this->Reach));
+    const double perArea = this->HasNeck ? NeckArea * std::max(5.0, std::min(40.0, BallInside(this->Mask, this->Seed).Radius)) : (this->IsInside ? Area : OutArea) *
+      std::max(3.0, std::min(40.0, this->Reach));
     const double spread = std::max({ this->OfBall.StandardDeviation, 0.5 * this->Noise,
       this->IsMR ? 0.03 * std::abs(this->OfBall.Median) : SpreadFloor, 1e-12 });
+    const double spreadSeed = std::max({ this->OfSeed.StandardDeviation, 0.5 * this->Noise,
+      this->IsMR ? 0.03 * std::abs(this->OfSeed.Median) : SpreadFloor, 1e-12 });
     const double edge = 3 * std::max({ this->OfBall.StandardDeviation, 0.5 * this->Noise, 1e-12 });
     const double volume = blocks.VoxelVolume();
     const std::array<double, 3> area{ { volume / blocks.Spacing[0], volume / blocks.Spacing[1],
@@ -276,8 +384,11 @@ private:
           const double away = (blocks.ToPhysical(Eigen::Vector3d(i, j, k)) - this->Point).norm();
           const double z = (smooth[block] - this->OfBall.Median) / spread;
           const double fit = std::max(-2.0, std::min(2.0, (ZCut * ZCut - z * z) / 2)) / 2;
-          const double unary =
-            Base + Gain * fit - Decay * std::max(0.0, away / this->Reach - 1);
+          const double zs = (smooth[block] - this->OfSeed.Median) / spreadSeed;
+          const double fitSeed = std::max(-2.0, std::min(2.0, (ZCut * ZCut - zs * zs) / 2)) / 2;
+          const double unary = this->IsInside
+            ? Base + Gain * fit - Decay * std::max(0.0, (away - this->Reach) / std::max(DecayLength, this->Reach))
+            : this->HasNeck ? -NeckBase - NeckGain * fitSeed : OutBase + OutGain * 0.5 * (fit - fitSeed) - OutDecay * std::max(0.0, (away - this->Reach) / std::max(DecayLength, this->Reach));
           double terminal = unary * volume / unit;
           for (int way = 0; way < 6; ++way)
           {
@@ -300,29 +411,32 @@ private:
             }
             else
             {
-              terminal += this->IsRight[other] ? capacity : -capacity;
+              terminal += this->IsRight[other] ? Links * capacity : -capacity;
             }
           }
-          network.Terminals[node] = away <= HardPart * this->Reach
+          network.Terminals[node] = away <= HardPart * this->Reach || this->IsCore[block]
             ? CutNetwork::Infinite
             : static_cast<std::int32_t>(
                 std::lround(std::max<double>(-greatest, std::min<double>(greatest, terminal))));
         }
       }
     }
-    for (const PointConstraint& other : this->Constraints)
+    for (const SeedSphere& ball : this->Protected)
     {
-      if ((other.Kind != ConstraintKind::Outside) != this->IsInside)
+      const double radius =
+        std::min(HardPart * ball.Radius, 0.5 * (ball.Center - this->Point).norm());
+      for (int node = 0, block = 0; block < static_cast<int>(this->Nodes.size()); ++block)
       {
-        const auto at = blocks.ToIndex(other.Point);
-        const std::array<int, 3> index = this->BlockOf(other.Point);
-        if ((at.array() > -1).all() && blocks.Contains(index[0], index[1], index[2]) &&
-          this->Nodes[blocks.Offset(index[0], index[1], index[2])] >= 0 &&
-          (blocks.ToPhysical(Eigen::Vector3d(index[0], index[1], index[2])) - other.Point).norm() <
-            2 * blocks.Spacing.maxCoeff())
+        node = this->Nodes[block];
+        if (node >= 0)
         {
-          network.Terminals[this->Nodes[blocks.Offset(index[0], index[1], index[2])]] =
-            -CutNetwork::Infinite;
+          const int i = block % this->Size[0];
+          const int j = block / this->Size[0] % this->Size[1];
+          const int k = block / this->Size[0] / this->Size[1];
+          if ((blocks.ToPhysical(Eigen::Vector3d(i, j, k)) - ball.Center).norm() <= radius)
+          {
+            network.Terminals[node] = -CutNetwork::Infinite;
+          }
         }
       }
     }
@@ -373,11 +487,12 @@ private:
   }
 
   const ImagePart Image;
+  const SeedSphere& Seed;
   const Eigen::Vector3d Point;
   const double Reach;
   const double Domain;
   const bool IsInside;
-  const ConstraintList& Constraints;
+  const std::vector<SeedSphere>& Protected;
   const double Noise;
   const bool IsMR;
   const ParallelFor& Parallel;
@@ -387,10 +502,59 @@ private:
   const std::array<int, 3> Size;
 
   RobustStatistics OfBall;
+  RobustStatistics OfSeed;
+  std::vector<unsigned char> IsCore;
+  bool HasNeck = false;
   int NumberOfNodes = 0;
   std::vector<unsigned char> IsRight;
   std::vector<int> Nodes;
 };
+
+// How far around a point the image looks like it, at most `limit`.
+double LikeReach(const ImageView<float>& image, const Eigen::Vector3d& point, double limit,
+  double noise, bool isMR)
+{
+  const ImageGeometry& geometry = image.Geometry;
+  const double step = geometry.Spacing.maxCoeff();
+  const double first = std::max(FirstBall, 1.5 * geometry.Spacing.minCoeff());
+  const VoxelBox box = BoxAround(geometry, point, std::max(limit, first));
+  std::vector<float> inner;
+  std::vector<std::vector<float>> shells(static_cast<std::size_t>(std::max(0.0, limit / step)) + 2);
+  for (int k = box.Begin[2]; k < box.End[2]; ++k)
+  {
+    for (int j = box.Begin[1]; j < box.End[1]; ++j)
+    {
+      for (int i = box.Begin[0]; i < box.End[0]; ++i)
+      {
+        const double away = (geometry.ToPhysical(Eigen::Vector3d(i, j, k)) - point).norm();
+        const auto shell = static_cast<std::size_t>(away / step);
+        if (away <= first)
+        {
+          inner.push_back(image(i, j, k));
+        }
+        if (shell < shells.size())
+        {
+          shells[shell].push_back(image(i, j, k));
+        }
+      }
+    }
+  }
+  const RobustStatistics of = RobustStatisticsOf(inner);
+  const double spread = std::max({ of.StandardDeviation, 0.5 * noise,
+    isMR ? 0.03 * std::abs(of.Median) : SpreadFloor, 1e-12 });
+  double reach = step;
+  for (const auto& shell : shells)
+  {
+    const auto like = std::count_if(shell.begin(), shell.end(),
+      [&](float value) { return std::abs(value - of.Median) < ShellZ * spread; });
+    if (static_cast<double>(like) < ShellPart * static_cast<double>(shell.size()))
+    {
+      break;
+    }
+    reach = (&shell - shells.data() + 1) * step;
+  }
+  return std::min(reach, limit);
+}
 
 bool IsObeyed(const PointConstraint& constraint, const BitMask& mask)
 {
@@ -439,6 +603,9 @@ bool CorrectForeground(const ImageView<float>& smooth, const ImageMaker& make,
 {
   const ImageGeometry& geometry = foreground.GetGeometry();
   ConstraintList open = SortedConstraints(constraints);
+  // What has been corrected, so that what follows does not undo it.
+  std::vector<SeedSphere> balls[2];
+  balls[1].push_back(seed);
   while (true)
   {
     double farthest = -1;
@@ -460,16 +627,27 @@ bool CorrectForeground(const ImageView<float>& smooth, const ImageMaker& make,
     {
       break;
     }
-    const double reach =
-      std::max({ std::sqrt(farthest), geometry.Spacing.maxCoeff(), next->Radius });
-    const double domain = std::max(DomainLeast, DomainScale * reach);
-    const VoxelBox box = BoxAround(geometry, next->Point, domain);
+    const double limit = std::min(std::sqrt(farthest), MaxReach);
+    if (!make(BoxAround(geometry, next->Point, std::max(limit, 5.0))))
+    {
+      return false;
+    }
+    const double reach = std::max({ LikeReach(smooth, next->Point, limit, noise, modality == Modality::MR),
+      geometry.Spacing.maxCoeff(), next->Radius });
+    const bool isOutside = next->Kind == ConstraintKind::Outside;
+    const double domain = isOutside ? 1e4 : std::max(DomainLeast, DomainScale * reach);
+    VoxelBox box = BoxAround(geometry, next->Point, isOutside ? 5 : domain)
+                     .Joined(BoxAround(geometry, seed.Center, seed.Radius));
+    if (isOutside)
+    {
+      box = box.Joined(foreground.Bounds().Widened({ { 1, 1, 1 } }, WholeBox(geometry)));
+    }
     if (!make(box))
     {
       return false;
     }
     BitMask part = foreground.Cropped(box);
-    if (!Correction(ImagePart{ smooth, box.Begin }, *next, reach, domain, constraints, noise,
+    if (!Correction(ImagePart{ smooth, box.Begin }, seed, *next, reach, domain, balls[next->Kind == ConstraintKind::Outside ? 1 : 0], noise,
           modality, parallelFor, monitor, part)
            .Execute())
     {
@@ -482,6 +660,7 @@ bool CorrectForeground(const ImageView<float>& smooth, const ImageMaker& make,
     all.Insert(hole, box.Begin);
     foreground.Remove(all);
     foreground.Insert(part, box.Begin);
+    balls[next->Kind == ConstraintKind::Outside ? 0 : 1].push_back({ next->Point, reach });
     open.erase(next);
   }
   const std::vector<std::size_t> source = VoxelsInSphere(geometry, seed);
