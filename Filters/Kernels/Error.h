@@ -28,7 +28,8 @@ enum class ErrorCode
   SeedWithoutVoxels,
   SelfIntersecting,
   SingularSystem,
-  TooLarge
+  TooLarge,
+  UnreachablePoint ///< a constraint that cannot be obeyed
 };
 
 /// A message says what is wrong, where, and what to do; it begins in lower case and has no period,

@@ -6,6 +6,7 @@
 #include "LabelAdapter.h"
 #include "PipelineAdapter.h"
 #include "SegmentationResult.h"
+#include "SegmentationState.h"
 
 #include "Deformation/VolumeSegmentation.h"
 #include "Stopwatch.h"
@@ -17,6 +18,7 @@
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
+#include "vtkPointSet.h"
 #include "vtkPolyData.h"
 #include "vtkSeedRegionDiffusion.h"
 #include "vtkSmartPointer.h"
@@ -39,8 +41,9 @@ vtkFlipFreeSegmentation::vtkFlipFreeSegmentation()
   , Feature(vtkSmartPointer<vtkGMMFeatureFilter>::New())
   , Search(vtkSmartPointer<vtkCorrespondenceSearch>::New())
   , Deform(vtkSmartPointer<vtkFlipFreeDeform>::New())
+  , Constraints(std::make_unique<FlipFree::ConstraintList>())
 {
-  this->SetNumberOfInputPorts(2);
+  this->SetNumberOfInputPorts(3);
   this->SetNumberOfOutputPorts(3);
 }
 
@@ -83,8 +86,9 @@ void vtkFlipFreeSegmentation::SetStartData(vtkPolyData* surface)
 
 int vtkFlipFreeSegmentation::FillInputPortInformation(int port, vtkInformation* info)
 {
-  info->Set(INPUT_REQUIRED_DATA_TYPE(), port == 0 ? "vtkImageData" : "vtkPolyData");
-  info->Set(INPUT_IS_OPTIONAL(), port == 1);
+  const char* const types[3] = { "vtkImageData", "vtkPolyData", "vtkPointSet" };
+  info->Set(INPUT_REQUIRED_DATA_TYPE(), types[port]);
+  info->Set(INPUT_IS_OPTIONAL(), port > 0);
   return 1;
 }
 
@@ -159,13 +163,15 @@ int vtkFlipFreeSegmentation::RequestData(vtkInformationVector** inputs,
     this->Cache = std::make_unique<FlipFree::SegmentationResult>();
     try
     {
-      this->Segment(vtkImageData::GetData(inputs[0]), vtkPolyData::GetData(inputs[1]));
+      this->Segment(vtkImageData::GetData(inputs[0]), vtkPolyData::GetData(inputs[1]),
+        vtkPointSet::GetData(inputs[2]));
     }
     catch (const std::exception& error)
     {
       this->Cache = std::make_unique<FlipFree::SegmentationResult>();
       this->Cache->CopyTo(outputs);
       this->Cache.reset();
+      this->State.reset();
       this->StopReason = NOT_RUN;
       vtkErrorMacro("No segmentation: " << error.what() << ".");
       return 0;
@@ -180,38 +186,17 @@ int vtkFlipFreeSegmentation::RequestData(vtkInformationVector** inputs,
   return 1;
 }
 
-void vtkFlipFreeSegmentation::Segment(vtkImageData* image, vtkPolyData* start)
+void vtkFlipFreeSegmentation::Segment(vtkImageData* image, vtkPolyData* start,
+  vtkPointSet* constraints)
 {
   this->StopReason = NOT_RUN;
   this->NumberOfSelfIntersections = -1;
   std::fill_n(this->StageSeconds, 4, 0.0);
 
-  this->RequireProperties();
-  const FlipFree::VolumeSegmentationSettings settings = this->GetSettings();
-  const FlipFree::SeedSphere seed{ Eigen::Vector3d(this->SeedCenter), this->SeedRadius };
-  const std::string name = "the image on port 0";
-  FlipFree::RequireGrayImage(image, name);
-  FlipFree::RequireSeed(FlipFree::GeometryOf(image), seed, name);
-  std::optional<FlipFree::DeformableSurface> surface;
-  if (start)
-  {
-    surface = FlipFree::DeformableSurfaceOf(start, "the start surface on port 1",
-      settings.Method.Step.Guard);
-  }
-  const FlipFree::VolumeSegmentation result = FlipFree::SegmentVolume(
-    FlipFree::GrayVolumeOf(image, name), name, seed, surface ? &*surface : nullptr, settings,
-    FlipFree::SMPThreading(), FlipFree::MonitorOf(this, 0, 0.95),
-    [this](const FlipFree::ContourMesh& mesh, const FlipFree::PointList& points,
-      const FlipFree::CorrespondenceField& field, const FlipFree::IterationRecord&)
-    {
-      if (this->KeepHistory)
-      {
-        this->Cache->History.Add(mesh, points, field);
-      }
-    });
+  const FlipFree::VolumeSegmentation result = this->Run(image, start, constraints);
   std::copy(result.StageSeconds.begin(), result.StageSeconds.end(), this->StageSeconds);
   this->StopReason = static_cast<int>(result.Organ.Reason);
-  this->Cache->Store(result.Organ, settings.Method.Step.Guard);
+  this->Cache->Store(result.Organ, this->GetGuard());
   if (this->StopReason == ABORTED)
   {
     return;

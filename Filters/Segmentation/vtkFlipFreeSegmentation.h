@@ -20,6 +20,14 @@
  * Input port 1, optional: vtkPolyData, the surface to start from in place of the sphere: closed,
  * four neighbors at every vertex, embedded. It is refined like the sphere.
  *
+ * Input port 2, optional: vtkPointSet, points that correct the result, with the point array
+ * `Constraint` (any number type): 0 for a point outside the organ, 1 inside, 2 on its boundary, 3
+ * for a further seed sphere within the organ, whose radius (mm) is in the point array `Radius`.
+ * AddInsidePoint() and so on add to them. The surface obeys every one, exactly: an outside point
+ * is an obstacle of the guard from the start, an inside point once it is enclosed; a boundary point
+ * lies within half the smallest spacing of the surface. The largest seed is the start. The result
+ * depends on the set of points alone, not on their order or on earlier runs.
+ *
  * Output port 0: vtkPolyData, the surface, with the point arrays `Displacement` (3 doubles, mm; the
  * last one wanted) and `Correspondence` (unsigned char; 0 solitary, 1 matched, 2 flipping), and the
  * field data `Certified` (double): 1 if the guard was on, 0 otherwise.
@@ -30,8 +38,10 @@
  *
  * Errors: no scalars, several components, an empty image, voxels that are not finite near the seed,
  * a seed outside the image, a radius below a voxel, a seed without contrast to its surroundings, a
- * start surface that is open, not four-valent or self-intersecting, a property that is NaN. Each is
- * reported once, and the outputs are then empty.
+ * start surface that is open, not four-valent or self-intersecting, a property that is NaN; a
+ * constraint outside the image, in contradiction to another one or to the seed, or one that no
+ * surface of one piece can obey; constraints without the guard. Each is reported once, naming the
+ * point, and the outputs are then empty.
  *
  * Warnings, with a result all the same: the seed sphere reaches beyond the image; no vertex found a
  * boundary; the surface could not be refined; it touches the end of Reach. A surface grown from the
@@ -47,22 +57,28 @@
 #include "FlipFreeSegmentationModule.h"
 #include "vtkAlgorithm.h"
 #include "vtkSmartPointer.h" // for the stages
+#include "vtkTimeStamp.h"    // for the constraints
 
 #include <memory> // for std::unique_ptr
+#include <vector> // for the constraints
 
 class vtkCorrespondenceSearch;
 class vtkFlipFreeDeform;
 class vtkGMMFeatureFilter;
 class vtkImageData;
+class vtkPointSet;
 class vtkPolyData;
 class vtkSeedRegionDiffusion;
 class vtkTable;
 
 namespace FlipFree
 {
+class SegmentationState;
 struct OrganSegmentationSettings;
+struct PointConstraint;
 struct ScheduleSettings;
 struct SegmentationResult;
+struct VolumeSegmentation;
 struct VolumeSegmentationSettings;
 }
 
@@ -94,6 +110,49 @@ public:
    */
   void SetStartConnection(vtkAlgorithmOutput* output) { this->SetInputConnection(1, output); }
   void SetStartData(vtkPolyData* surface);
+  ///@}
+
+  ///@{
+  /**
+   * Connects or sets the points that correct the result (input port 2).
+   */
+  void SetConstraintConnection(vtkAlgorithmOutput* output)
+  {
+    this->SetInputConnection(2, output);
+  }
+  void SetConstraintData(vtkPointSet* points);
+  ///@}
+
+  ///@{
+  /**
+   * Adds a point that corrects the result, in millimeters, to those of input port 2: one that lies
+   * inside the organ, outside it, or on its boundary; or a further seed sphere within it.
+   */
+  void AddInsidePoint(double x, double y, double z);
+  void AddOutsidePoint(double x, double y, double z);
+  void AddBoundaryPoint(double x, double y, double z);
+  void AddSeed(double x, double y, double z, double radius);
+  ///@}
+
+  ///@{
+  /**
+   * The number of points added, without those of input port 2, and their removal: of the last one
+   * added, if there is one, or of all.
+   */
+  int GetNumberOfAddedPoints() const;
+  void RemoveLastPoint();
+  void RemoveAllPoints();
+  ///@}
+
+  ///@{
+  /**
+   * Keep the smoothed image and what else constraints do not change between runs, so that a
+   * correction takes about a third of the time. Default off, since it needs memory: the smoothed
+   * part of the image as floats. Changing the image, the seed or a parameter frees it.
+   */
+  void SetKeepForCorrections(bool value);
+  bool GetKeepForCorrections() const;
+  vtkBooleanMacro(KeepForCorrections, bool);
   ///@}
 
   ///@{
@@ -317,7 +376,7 @@ public:
   ///@}
 
   /**
-   * Includes the modification times of the stages.
+   * Includes the modification times of the stages and of the points added.
    */
   vtkMTimeType GetMTime() override;
 
@@ -340,6 +399,7 @@ protected:
   double StartCenterOffset[3] = { 0, 0, 0 };
   int LabelValue = 1;
   bool KeepHistory = false;
+  bool KeepForCorrections = false;
 
   int StopReason = NOT_RUN;
   int NumberOfSelfIntersections = -1;
@@ -350,7 +410,11 @@ private:
   FlipFree::VolumeSegmentationSettings GetSettings() const;
   void UseSettings(const FlipFree::OrganSegmentationSettings& settings);
   bool IsCacheUpToDate(vtkInformationVector** inputs);
-  void Segment(vtkImageData* image, vtkPolyData* start);
+  void Segment(vtkImageData* image, vtkPolyData* start, vtkPointSet* constraints);
+  FlipFree::VolumeSegmentation Run(vtkImageData* image, vtkPolyData* start,
+    vtkPointSet* constraints);
+  vtkMTimeType GetParameterTime();
+  void AddConstraint(const FlipFree::PointConstraint& constraint);
 
   const std::unique_ptr<FlipFree::ScheduleSettings> Schedule;
   vtkSmartPointer<vtkSeedRegionDiffusion> Diffusion;
@@ -358,6 +422,9 @@ private:
   vtkSmartPointer<vtkCorrespondenceSearch> Search;
   vtkSmartPointer<vtkFlipFreeDeform> Deform;
   std::unique_ptr<FlipFree::SegmentationResult> Cache;
+  std::unique_ptr<FlipFree::SegmentationState> State;
+  const std::unique_ptr<std::vector<FlipFree::PointConstraint>> Constraints;
+  vtkTimeStamp ConstraintTime;
 
   vtkFlipFreeSegmentation(const vtkFlipFreeSegmentation&) = delete;
   void operator=(const vtkFlipFreeSegmentation&) = delete;

@@ -21,7 +21,8 @@ using Stage = vtkFlipFreeSegmentation;
   P(StartScale, double, StartScale, 1e-3, 1e3)                                                     \
   FLIPFREE_SCHEDULE_PARAMETERS(P, Schedule->)                                                      \
   P(LabelValue, int, LabelValue, 1, 255)                                                           \
-  P(KeepHistory, bool, KeepHistory, false, true)
+  P(KeepHistory, bool, KeepHistory, false, true)                                                   \
+  P(KeepForCorrections, bool, KeepForCorrections, false, true)
 
 PROPERTIES(FLIPFREE_DEFINE_PROPERTY)
 
@@ -69,6 +70,11 @@ DEFINE_STAGE(Search, vtkCorrespondenceSearch)
 DEFINE_STAGE(Deform, vtkFlipFreeDeform)
 
 vtkMTimeType vtkFlipFreeSegmentation::GetMTime()
+{
+  return std::max(this->GetParameterTime(), this->ConstraintTime.GetMTime());
+}
+
+vtkMTimeType vtkFlipFreeSegmentation::GetParameterTime()
 {
   return std::max({ this->Superclass::GetMTime(), this->Diffusion->GetMTime(),
     this->Feature->GetMTime(), this->Search->GetMTime(), this->Deform->GetMTime() });

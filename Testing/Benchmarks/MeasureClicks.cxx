@@ -30,11 +30,11 @@
 
 using namespace FlipFree;
 namespace FlipFree { extern BitMask LastForeground; extern bool MaskOnly;
-extern double Base, Gain, Decay, Area, HardPart, DomainScale, DomainLeast, MinBlock,
+extern double PeakRule, PeakPart, VGain, VDecay, VHalf, LikeSeed, Bridge, InLike, OutLike, InMax, DepthScale, Base, Gain, Decay, Area, HardPart, DomainScale, DomainLeast, MinBlock,
        SpreadFloor, ZCut, Links, OutBase, OutGain, OutDecay, CoreDepth, OutArea, DecayLength, NeckRatio, NeckBase, NeckGain, NeckArea, MaxReach, ShellPart, ShellZ, FirstBall; }
 #include <fstream>
 #include <sstream>
-const std::map<std::string, double*> Tunables{{"Base",&Base},{"Gain",&Gain},{"Decay",&Decay},{"Area",&Area},{"Hard",&HardPart},{"DomainScale",&DomainScale},{"DomainLeast",&DomainLeast},{"Block",&MinBlock},{"Floor",&SpreadFloor},{"Z",&ZCut},{"Links",&Links},{"OutBase",&OutBase},{"OutGain",&OutGain},{"OutDecay",&OutDecay},{"Core",&CoreDepth},{"OutArea",&OutArea},{"DecayLength",&DecayLength},{"NeckRatio",&NeckRatio},{"NeckBase",&NeckBase},{"NeckGain",&NeckGain},{"NeckArea",&NeckArea},{"MaxReach",&MaxReach},{"ShellPart",&ShellPart},{"ShellZ",&ShellZ},{"FirstBall",&FirstBall}};
+const std::map<std::string, double*> Tunables{{"Depth",&DepthScale},{"InLike",&InLike},{"VGain",&VGain},{"PeakRule",&PeakRule},{"PeakPart",&PeakPart},{"VDecay",&VDecay},{"VHalf",&VHalf},{"LikeSeed",&LikeSeed},{"Bridge",&Bridge},{"OutLike",&OutLike},{"InMax",&InMax},{"Base",&Base},{"Gain",&Gain},{"Decay",&Decay},{"Area",&Area},{"Hard",&HardPart},{"DomainScale",&DomainScale},{"DomainLeast",&DomainLeast},{"Block",&MinBlock},{"Floor",&SpreadFloor},{"Z",&ZCut},{"Links",&Links},{"OutBase",&OutBase},{"OutGain",&OutGain},{"OutDecay",&OutDecay},{"Core",&CoreDepth},{"OutArea",&OutArea},{"DecayLength",&DecayLength},{"NeckRatio",&NeckRatio},{"NeckBase",&NeckBase},{"NeckGain",&NeckGain},{"NeckArea",&NeckArea},{"MaxReach",&MaxReach},{"ShellPart",&ShellPart},{"ShellZ",&ShellZ},{"FirstBall",&FirstBall}};
 
 namespace
 {

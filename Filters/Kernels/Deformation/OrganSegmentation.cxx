@@ -1,5 +1,6 @@
 #include "Deformation/OrganSegmentation.h"
 
+#include "Deformation/ConstraintEnforcer.h"
 #include "Geometry/SelfIntersection.h"
 #include "Guard/SurfaceRefinement.h"
 #include "Intensity/GrowingForeground.h"
@@ -8,6 +9,7 @@
 #include "Stopwatch.h"
 
 #include <memory>
+#include <optional>
 
 namespace FlipFree
 {
@@ -44,16 +46,17 @@ public:
   {
   }
 
-  OrganSurface Execute(const ConstraintList& constraints, const Monitor& monitor,
-    const IterationObserver& observer)
+  OrganSurface Execute(const ConstraintList& constraints, const DeformableSurface* start,
+    const Monitor& monitor, const IterationObserver& observer)
   {
-    this->Constraints = constraints;
+    this->Constraints = SortedConstraints(constraints);
     this->Ask = monitor;
     this->Observe = observer;
     this->Stopped = false;
+    this->Enforcer.reset();
     this->Surface = {};
     const double smoothing = this->Foreground.GetSmoothingSeconds();
-    this->Surface.Reason = this->Run();
+    this->Surface.Reason = this->Run(start ? *start : this->Start);
     this->Surface.SmoothingSeconds = this->Foreground.GetSmoothingSeconds() - smoothing;
     this->Surface.FeatureSeconds -= this->Surface.SmoothingSeconds;
     return std::move(this->Surface);
@@ -72,7 +75,7 @@ private:
 
   // With carving, all levels run twice: a surface that has leaked would have to draw back through
   // the neck, so the second run starts anew.
-  StopReason Run()
+  StopReason Run(const DeformableSurface& start)
   {
     if (this->Settings.Feature.Carving)
     {
@@ -88,7 +91,7 @@ private:
         return StopReason::Aborted;
       }
       LastForeground = this->Foreground.GetMask();
-      if (MaskOnly) { this->BeginAtStart(); return StopReason::AtRest; }
+      if (MaskOnly) { this->BeginAt(this->Start); return StopReason::AtRest; }
       this->OrganRadius = RadiusOf(this->Foreground.GetMask(), this->Seed);
       this->Surface.FeatureSeconds += watch.Lap();
     }
@@ -96,8 +99,28 @@ private:
     {
       return StopReason::Aborted;
     }
-    this->BeginAtStart();
-    return this->IterateLevels();
+    this->BeginAt(start);
+    if (!this->Constraints.empty())
+    {
+      this->Enforcer.emplace(this->Constraints,
+        this->Foreground.GetMask().GetGeometry().Spacing.minCoeff());
+      this->Enforcer->Begin(start.Mesh, FaceHulls(start.Points, start.Mesh.Faces), start.Points);
+    }
+    const StopReason reason = this->IterateLevels();
+    return reason != StopReason::Aborted && this->FinishConstraints() ? reason
+                                                                      : StopReason::Aborted;
+  }
+
+  bool FinishConstraints()
+  {
+    if (!this->Enforcer)
+    {
+      return true;
+    }
+    EmbeddingGuard guard(this->Surface.Mesh);
+    const Monitor proceed = [this](double) { return this->Proceed(this->Levels - 1, 1); };
+    return this->Enforcer->Finish(this->Surface.Mesh, guard, this->Parallel, proceed,
+      this->Surface.Points);
   }
 
   // What is kept between calls.
@@ -109,7 +132,7 @@ private:
     {
       return false;
     }
-    this->BeginAtStart();
+    this->BeginAt(this->Start);
     if (this->IterateLevels() == StopReason::Aborted || !this->CarveSurface())
     {
       return false;
@@ -120,10 +143,10 @@ private:
     return true;
   }
 
-  void BeginAtStart()
+  void BeginAt(const DeformableSurface& start)
   {
-    this->Surface.Mesh = this->Start.Mesh;
-    this->Surface.Points = this->Start.Points;
+    this->Surface.Mesh = start.Mesh;
+    this->Surface.Points = start.Points;
   }
 
   bool CorrectForeground(const Monitor& proceed)
@@ -208,7 +231,8 @@ private:
   bool Refine(const Monitor& proceed)
   {
     RefinedSurface refined = RefineSurface(this->Surface.Mesh, this->Surface.Points,
-      this->Settings.Step.Guard, this->Parallel, proceed);
+      this->Enforcer ? this->Enforcer->GetObstacles() : PointList(0, 3), this->Settings.Step.Guard,
+      this->Parallel, proceed);
     if (!refined.Embedded)
     {
       return false;
@@ -234,6 +258,11 @@ private:
       if (!this->Proceed(this->Level, part))
       {
         return StopReason::Aborted;
+      }
+      if (this->Enforcer)
+      {
+        this->Enforcer->Update(this->Surface.Mesh, guard->Hulls(), this->Surface.Points);
+        guard->SetObstacles(this->Enforcer->GetObstacles());
       }
       reports.push_back(this->IterateOnce(solver, guard.get(), part));
       const StopReason reason = this->ReasonToStop(reports);
@@ -305,6 +334,7 @@ private:
 
   // Of the present call.
   ConstraintList Constraints;
+  std::optional<ConstraintEnforcer> Enforcer;
   Monitor Ask;
   IterationObserver Observe;
   OrganSurface Surface;
@@ -333,10 +363,10 @@ OrganSegmenter::OrganSegmenter(SmoothRegion& region, double noise, const SeedSph
 
 OrganSegmenter::~OrganSegmenter() = default;
 
-OrganSurface OrganSegmenter::Segment(const ConstraintList& constraints, const Monitor& monitor,
-  const IterationObserver& observer)
+OrganSurface OrganSegmenter::Segment(const ConstraintList& constraints,
+  const DeformableSurface* start, const Monitor& monitor, const IterationObserver& observer)
 {
-  OrganSurface surface = this->Levels->Execute(constraints, monitor, observer);
+  OrganSurface surface = this->Levels->Execute(constraints, start, monitor, observer);
   if (surface.Reason != StopReason::Aborted)
   {
     surface.SelfIntersections =
@@ -351,7 +381,7 @@ OrganSurface SegmentOrgan(SmoothRegion& region, double noise, const SeedSphere& 
   const IterationObserver& observer)
 {
   return OrganSegmenter(region, noise, seed, { startMesh, startPoints }, settings, parallelFor)
-    .Segment({}, monitor, observer);
+    .Segment({}, nullptr, monitor, observer);
 }
 
 } // namespace FlipFree

@@ -59,9 +59,11 @@ public:
 
   /// Throws Error for bad input, and where a constraint cannot be obeyed, naming it; a stop by the
   /// monitor gives the surface reached so far and StopReason::Aborted. The observer sees the
-  /// iterations that are run, not those of a first run that is kept.
-  OrganSurface Segment(const ConstraintList& constraints, const Monitor& monitor,
-    const IterationObserver& observer);
+  /// iterations that are run, not those of a first run that is kept. Constraints need the guard.
+  /// `start`, if not null, takes the place of the start surface; with carving only in the second
+  /// run, which alone knows of constraints.
+  OrganSurface Segment(const ConstraintList& constraints, const DeformableSurface* start,
+    const Monitor& monitor, const IterationObserver& observer);
 
 private:
   class CoarseToFine;

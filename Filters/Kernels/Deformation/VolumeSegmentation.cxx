@@ -1,16 +1,26 @@
 #include "Deformation/VolumeSegmentation.h"
 
 #include "Deformation/SegmentationWarnings.h"
+#include "Error.h"
 #include "Stopwatch.h"
 
+#include <algorithm>
 #include <memory>
-#include <utility>
 #include <stdexcept>
+#include <utility>
 
 namespace FlipFree
 {
 namespace
 {
+
+// An outside point nearer to the center of the start sphere than this many radii shrinks it to this
+// part of the point's distance.
+constexpr double NearStart = 1.05;
+constexpr double ShrinkTo = 0.9;
+
+// In millimeters; the surface may bulge that far around a constraint.
+constexpr double MarginOfPoint = 30;
 
 double NoiseOf(const GrayVolume& volume, const SeedSphere& seed)
 {
@@ -35,6 +45,38 @@ VoxelReader PartOf(const VoxelReader& read, const VoxelBox& box)
   { read(first[0] + begin, first[0] + end, first[1] + j, first[2] + k, to); };
 }
 
+// The start sphere, small enough to keep off the outside points.
+DeformableSurface StartWithin(const DeformableSurface& sphere, const SeedSphere& ball,
+  const ConstraintList& constraints)
+{
+  double scale = 1;
+  for (const PointConstraint& constraint : constraints)
+  {
+    const double away = (constraint.Point - ball.Center).norm();
+    if (constraint.Kind == ConstraintKind::Outside && away < NearStart * ball.Radius)
+    {
+      scale = std::min(scale, ShrinkTo * away / ball.Radius);
+    }
+  }
+  DeformableSurface start = sphere;
+  if (scale < 1)
+  {
+    const Eigen::RowVector3d center = ball.Center.transpose();
+    start.Points = (scale * (sphere.Points.rowwise() - center)).rowwise() + center;
+  }
+  return start;
+}
+
+void RequireGuard(const ConstraintList& constraints, bool guard)
+{
+  if (!constraints.empty() && !guard)
+  {
+    throw Error(ErrorCode::OutOfRange,
+      NameOf(constraints.front()) +
+        " can only be obeyed under the guard; switch Guard on, or remove the constraints");
+  }
+}
+
 void RequireCertified(const OrganSurface& organ)
 {
   if (organ.SelfIntersections > 0)
@@ -57,19 +99,35 @@ VolumeSegmenter::VolumeSegmenter(GrayVolume volume, std::string name, const Seed
   , Threads(std::move(threading))
 {
   RequireSeed(this->Volume.Geometry, seed, this->Name);
-  const Eigen::Vector3d center = seed.Center + settings.StartCenterOffset;
-  this->StartsAtSeed = !start && settings.StartScale == 1 && center == seed.Center;
+  this->IsSphere = start == nullptr;
+  this->StartBall = { seed.Center + settings.StartCenterOffset, settings.StartScale * seed.Radius };
+  this->StartsAtSeed =
+    this->IsSphere && settings.StartScale == 1 && this->StartBall.Center == seed.Center;
   this->Start = start ? *start
-                      : MakeStartSphere(settings.Method.Schedule.FirstResolution(), center,
-                          settings.StartScale * seed.Radius);
+                      : MakeStartSphere(settings.Method.Schedule.FirstResolution(),
+                          this->StartBall.Center, this->StartBall.Radius);
 }
 
-void VolumeSegmenter::Prepare()
+// What is smoothed, in which the surface stays: as far as the reach, and around the constraints.
+VoxelBox VolumeSegmenter::RegionOf(const ConstraintList& constraints) const
+{
+  const ImageGeometry& geometry = this->Volume.Geometry;
+  const double reach = ReachOf(this->Settings.Method.Smoothing, this->Seed.Radius);
+  VoxelBox box = BoxAround(geometry, this->Seed.Center, reach);
+  for (const PointConstraint& constraint : constraints)
+  {
+    box = box.Joined(
+      BoxAround(geometry, constraint.Point, std::max(MarginOfPoint, 2 * constraint.Radius)));
+  }
+  return box;
+}
+
+void VolumeSegmenter::Prepare(const VoxelBox& box)
 {
   const SmoothingSettings& smoothing = this->Settings.Method.Smoothing;
-  const VoxelBox box = BoxAround(
-    this->Volume.Geometry, this->Seed.Center, ReachOf(smoothing, this->Seed.Radius));
+  this->Release();
   this->Volume.RequireFinite(box);
+  this->Box = box;
   this->Noise = NoiseOf(this->Volume, this->Seed);
   this->Region = CropGeometry(this->Volume.Geometry, box);
   AnisotropicDiffusionSettings diffusion = DiffusionOf(smoothing, this->Noise);
@@ -92,14 +150,18 @@ VolumeSegmentation VolumeSegmenter::Segment(const ConstraintList& constraints,
   const OrganSegmentationSettings& method = this->Settings.Method;
   const ImageGeometry& geometry = this->Volume.Geometry;
   RequireConstraints(geometry, this->Seed, constraints, this->Name);
+  RequireGuard(constraints, method.Step.Guard);
   Stopwatch watch;
-  if (!this->Organ)
+  const VoxelBox box = this->RegionOf(constraints);
+  if (!this->Organ || box.Begin != this->Box.Begin || box.End != this->Box.End)
   {
-    this->Prepare();
+    this->Prepare(box);
   }
   const double before = watch.Lap();
   VolumeSegmentation result;
-  result.Organ = this->Organ->Segment(constraints, monitor, observer);
+  const DeformableSurface start =
+    this->IsSphere ? StartWithin(this->Start, this->StartBall, constraints) : this->Start;
+  result.Organ = this->Organ->Segment(constraints, &start, monitor, observer);
   const OrganSurface& organ = result.Organ;
   result.StageSeconds[0] = before + organ.SmoothingSeconds;
   result.StageSeconds[1] = organ.FeatureSeconds;

@@ -80,7 +80,8 @@ public:
   void Release();
 
 private:
-  void Prepare();
+  VoxelBox RegionOf(const ConstraintList& constraints) const;
+  void Prepare(const VoxelBox& box);
 
   const GrayVolume Volume;
   const std::string Name;
@@ -88,9 +89,12 @@ private:
   const VolumeSegmentationSettings Settings;
   const Threading Threads;
   DeformableSurface Start;
+  SeedSphere StartBall;
+  bool IsSphere = true; ///< the start
   bool StartsAtSeed = false;
 
   double Noise = 0;
+  VoxelBox Box;
   ImageGeometry Region;
   std::unique_ptr<SmoothRegion> Smooth;
   std::unique_ptr<OrganSegmenter> Organ;

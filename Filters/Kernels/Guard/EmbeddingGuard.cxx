@@ -2,6 +2,7 @@
 
 #include "Error.h"
 #include "Geometry/SelfIntersection.h"
+#include "Guard/ObstacleTest.h"
 #include "Guard/QuadFold.h"
 #include "Guard/SeparatingDirection.h"
 #include "Guard/StepLimiter.h"
@@ -148,6 +149,42 @@ public:
       });
   }
 
+  void RunObstacles(const PointList& obstacles, const std::vector<char>& changed,
+    StepLimiter& step, const ParallelFor& parallelFor) const
+  {
+    if (obstacles.rows() == 0)
+    {
+      return;
+    }
+    const Motion motion = step.Path();
+    const FaceHulls& hulls = this->Candidates.Hulls();
+    parallelFor(0, hulls.NumberOfHulls(),
+      [&](std::ptrdiff_t first, std::ptrdiff_t last)
+      {
+        for (std::ptrdiff_t index = first; index < last; ++index)
+        {
+          const Hull hull = hulls.HullAt(static_cast<int>(index));
+          if (std::none_of(hull.begin(), hull.end(), [&](int v) { return changed[v] != 0; }))
+          {
+            continue;
+          }
+          for (Eigen::Index row = 0; row < obstacles.rows(); ++row)
+          {
+            const Eigen::Vector3d obstacle = obstacles.row(row);
+            if (!MayComeNear(motion, hull, obstacle, this->Distance.Wanted))
+            {
+              continue;
+            }
+            const double time = TimeToObstacle(motion, hull, obstacle, this->Distance);
+            if (!(time >= 1))
+            {
+              step.Limit(hull, time);
+            }
+          }
+        }
+      });
+  }
+
 private:
   const CandidatePairs& Candidates;
   const MinimumDistance Distance;
@@ -197,6 +234,7 @@ GuardReport EmbeddingGuard::Limit(const PointList& points, PointList& displaceme
     if (step.IsClean())
     {
       hulls.Run(this->Faces, changedForPairs, step, parallelFor);
+      hulls.RunObstacles(this->Obstacles, changedForPairs, step, parallelFor);
       std::fill(changedForPairs.begin(), changedForPairs.end(), 0);
     }
     if (step.IsClean())

@@ -13,6 +13,8 @@
 #include "Guard/CandidatePairs.h"
 #include "Mesh/ContourMesh.h"
 
+#include <utility>
+
 namespace FlipFree
 {
 
@@ -30,6 +32,11 @@ class EmbeddingGuard
 public:
   /// Precomputes everything that depends only on the connectivity.
   explicit EmbeddingGuard(const ContourMesh& mesh);
+
+  /// Fixed points, one row each (mm), that the surface must not pass: each stays on its side, and
+  /// keeps the distance that faces without a common vertex keep (ObstacleTest.h). None at first. A
+  /// face whose hull holds one at the start stays at rest.
+  void SetObstacles(PointList obstacles) { this->Obstacles = std::move(obstacles); }
 
   /// Scales displacements down, conservatively, until it is proven that, if the surface is embedded
   /// at `points`, it stays so, however its faces are cut into triangles (FaceHulls.h), while every
@@ -63,6 +70,7 @@ private:
   FaceList Faces;
   std::vector<std::array<int, 4>> Neighbors;
   CandidatePairs Candidates;
+  PointList Obstacles = PointList(0, 3);
 };
 
 } // namespace FlipFree

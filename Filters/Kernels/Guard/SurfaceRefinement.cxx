@@ -1,7 +1,9 @@
 #include "Guard/SurfaceRefinement.h"
 
 #include "Geometry/SurfaceGap.h"
+#include "Geometry/WindingNumber.h"
 #include "Guard/EmbeddingGuard.h"
+#include "Guard/ObstacleTest.h"
 #include "Guard/QuadFold.h"
 #include "Guard/SinglePrecision.h"
 #include "Mesh/EdgeLength.h"
@@ -48,15 +50,22 @@ class EmbeddedRefinement
 {
 public:
   EmbeddedRefinement(const ContourMesh& mesh, const PointList& points, const RefinedMesh& refined,
-    double edgeLength, double gap)
+    const TriangleList& triangles, const PointList& obstacles, double edgeLength, double gap)
     : Mesh(mesh)
     , Parents(refined.Parents)
+    , Triangles(triangles)
     , EdgeLength(edgeLength)
     , Gap(gap)
     , Hulls(RefinePoints(mesh, points, 1), refined.Faces)
     , Adjacent(this->Hulls.AdjacentPairs())
     , Quads(ListQuads(refined.Faces))
+    , Obstacles(obstacles)
   {
+    for (Eigen::Index obstacle = 0; obstacle < obstacles.rows(); ++obstacle)
+    {
+      this->Sides.push_back(
+        WindingNumber(points, mesh.Triangles, obstacles.row(obstacle).transpose()));
+    }
   }
 
   // Pulls the new points where the surface comes too near to itself towards their parents until
@@ -100,7 +109,7 @@ public:
   }
 
 private:
-  // What comes too near to other parts, and quads that are folded.
+  // What comes too near to other parts or to obstacles, or has passed one, and folded quads.
   std::vector<Hull> FindBadHulls(const PointList& refined, const ParallelFor& parallelFor) const
   {
     std::vector<Hull> bad;
@@ -112,16 +121,31 @@ private:
     }
     std::copy_if(this->Quads.begin(), this->Quads.end(), std::back_inserter(bad),
       [&](const Hull& quad) { return IsFolded(refined, quad); });
+    for (std::size_t obstacle = 0; obstacle < this->Sides.size(); ++obstacle)
+    {
+      const Eigen::Vector3d point = this->Obstacles.row(static_cast<Eigen::Index>(obstacle));
+      const std::vector<Hull> near = HullsNearerThan(this->Gap, refined, this->Hulls, point);
+      bad.insert(bad.end(), near.begin(), near.end());
+      if (WindingNumber(refined, this->Triangles, point) != this->Sides[obstacle])
+      {
+        const auto passed = this->Triangles.row(
+          ClosestPlace(refined, this->Triangles, point).Triangle);
+        bad.push_back({ { passed[0], passed[1], passed[2], passed[2] } });
+      }
+    }
     return bad;
   }
 
   const ContourMesh& Mesh;
   const std::vector<int>& Parents;
+  const TriangleList& Triangles;
   const double EdgeLength;
   const double Gap;
   const FaceHulls Hulls;
   const std::vector<HullPair> Adjacent;
   const std::vector<Hull> Quads;
+  const PointList& Obstacles;
+  std::vector<int> Sides; // of the obstacles
 };
 
 void AddRings(const ContourMesh& mesh, int rings, std::set<int>& vertices)
@@ -146,8 +170,8 @@ void AddRings(const ContourMesh& mesh, int rings, std::set<int>& vertices)
 
 } // namespace
 
-RefinedSurface RefineSurface(const ContourMesh& mesh, const PointList& points, bool checked,
-  const ParallelFor& parallelFor, const Monitor& monitor)
+RefinedSurface RefineSurface(const ContourMesh& mesh, const PointList& points,
+  const PointList& obstacles, bool checked, const ParallelFor& parallelFor, const Monitor& monitor)
 {
   const RefinedMesh faces = RefineFaces(mesh);
   RefinedSurface refined;
@@ -165,8 +189,10 @@ RefinedSurface RefineSurface(const ContourMesh& mesh, const PointList& points, b
   {
     return refined; // rounding errors are as large as the surface's features
   }
-  const EmbeddingGuard guard(mesh);
-  const EmbeddedRefinement refinement(mesh, points, faces, edgeLength, gap);
+  EmbeddingGuard guard(mesh);
+  guard.SetObstacles(obstacles);
+  const EmbeddedRefinement refinement(mesh, points, faces, refined.Mesh.Triangles, obstacles,
+    edgeLength, gap);
   PointList coarse = points;
   std::set<int> involved;
   // Asked at each attempt, of which some are made before and after each relaxation.

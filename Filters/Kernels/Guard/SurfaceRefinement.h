@@ -22,9 +22,17 @@ struct RefinedSurface
 /// surface would intersect itself, it is pulled towards the old vertices there, and if that does
 /// not help, the old surface is smoothed there, in growing neighborhoods if needed, under the
 /// guard, which opens its sharpest folds. `checked` false skips all that. Embedded is false when no
-/// attempt succeeded or the monitor stopped it; the mesh must then not be used.
-RefinedSurface RefineSurface(const ContourMesh& mesh, const PointList& points, bool checked,
-  const ParallelFor& parallelFor, const Monitor& monitor);
+/// attempt succeeded or the monitor stopped it; the mesh must then not be used. `obstacles` are
+/// fixed points, one row each, which stay on their side of the surface if it is checked.
+RefinedSurface RefineSurface(const ContourMesh& mesh, const PointList& points,
+  const PointList& obstacles, bool checked, const ParallelFor& parallelFor,
+  const Monitor& monitor);
+
+inline RefinedSurface RefineSurface(const ContourMesh& mesh, const PointList& points, bool checked,
+  const ParallelFor& parallelFor, const Monitor& monitor)
+{
+  return RefineSurface(mesh, points, PointList(0, 3), checked, parallelFor, monitor);
+}
 
 } // namespace FlipFree
 

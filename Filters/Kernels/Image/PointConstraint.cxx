@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <tuple>
+#include <utility>
 
 namespace FlipFree
 {
@@ -67,6 +68,21 @@ ConstraintList SortedConstraints(ConstraintList constraints)
                       [](const auto& a, const auto& b) { return KeyOf(a) == KeyOf(b); }),
     constraints.end());
   return constraints;
+}
+
+void TakeLargestSeed(SeedSphere& seed, ConstraintList& constraints)
+{
+  const auto isBefore = [](const PointConstraint& one, const PointConstraint& two)
+  { return one.Radius != two.Radius ? one.Radius > two.Radius : KeyOf(one) < KeyOf(two); };
+  PointConstraint largest{ ConstraintKind::Seed, seed.Center, seed.Radius };
+  for (PointConstraint& constraint : constraints)
+  {
+    if (constraint.Kind == ConstraintKind::Seed && isBefore(constraint, largest))
+    {
+      std::swap(constraint, largest);
+    }
+  }
+  seed = { largest.Point, largest.Radius };
 }
 
 std::string NameOf(const PointConstraint& constraint)

@@ -31,6 +31,10 @@ using ConstraintList = std::vector<PointConstraint>;
 /// In one order for the same set, each once.
 ConstraintList SortedConstraints(ConstraintList constraints);
 
+/// Makes the largest sphere the seed, of equal ones that of the least coordinates, and the other
+/// ones constraints.
+void TakeLargestSeed(SeedSphere& seed, ConstraintList& constraints);
+
 /// "the inside point (1, 2, 3) mm", for messages.
 std::string NameOf(const PointConstraint& constraint);
 

@@ -20,8 +20,8 @@
 namespace FlipFree
 {
 // DEBUG
-double Base = 0.3, Gain = 0.3, Decay = 0.3, Area = 0.2, HardPart = 0.8, DomainScale = 2, DomainLeast = 30, MinBlock = 2,
-       SpreadFloor = 5, ZCut = 3, Links = 1, OutBase = 0, OutGain = 0.2, OutDecay = 0.1, CoreDepth = 0.6, OutArea = 0.2, OutSeedR = 1, DecayLength = 1, NeckRatio = 0.85, NeckBase = 0.3, NeckGain = 0.3, NeckArea = 0.2, MaxReach = 20, ShellPart = 0.7, ShellZ = 2.5, FirstBall = 3;
+double PeakRule = 0, PeakPart = 0.5, VGain = 0, VDecay = 0.3, VHalf = 0.6, LikeSeed = 1.5, Bridge = 1, InLike = 1, OutLike = 1, InMax = 40, DepthScale = 0, NeckLimit = 0, Base = 0, Gain = 0.3, Decay = 0.3, Area = 0.2, HardPart = 0.8, DomainScale = 2, DomainLeast = 30, MinBlock = 2,
+       SpreadFloor = 5, ZCut = 2, Links = 1, OutBase = 0, OutGain = 0.2, OutDecay = 0.3, CoreDepth = 0.6, OutArea = 0.1, OutSeedR = 1, DecayLength = 1, NeckRatio = 0.85, NeckBase = 0.3, NeckGain = 0.3, NeckArea = 0.2, MaxReach = 20, ShellPart = 0.5, ShellZ = 2.5, FirstBall = 3;
 namespace
 {
 const double EdgeSmoothing = 1;
@@ -101,13 +101,14 @@ void SetBall(BitMask& mask, bool inside, const Eigen::Vector3d& point, double ra
 class Correction
 {
 public:
-  Correction(const ImagePart& image, const SeedSphere& seed, const PointConstraint& constraint, double reach,
+  Correction(const ImagePart& image, const SeedSphere& seed, const PointConstraint& constraint, double reach, double away,
     double domain, const std::vector<SeedSphere>& balls, double noise, Modality modality,
     const ParallelFor& parallelFor, const Monitor& monitor, BitMask& mask)
     : Image(image)
     , Seed(seed)
     , Point(constraint.Point)
     , Reach(reach)
+    , Away(away)
     , Domain(domain)
     , IsInside(constraint.Kind != ConstraintKind::Outside)
     , Protected(balls)
@@ -125,7 +126,17 @@ public:
   {
     this->OfBall = this->MeasureBall(this->Point, std::max(2.0, std::min(8.0, 0.7 * this->Reach)));
     this->OfSeed = this->MeasureBall(this->Seed.Center, this->Seed.Radius);
+    const double ofBoth = std::max({ this->OfBall.StandardDeviation, this->OfSeed.StandardDeviation, 0.5 * this->Noise, this->IsMR ? 0.03 * std::abs(this->OfSeed.Median) : SpreadFloor, 1e-12 });
+    this->IsLikeSeed = !this->IsInside && VGain > 0 && std::abs(this->OfBall.Median - this->OfSeed.Median) < LikeSeed * ofBoth;
     this->MarkBlocks();
+    if (this->IsLikeSeed && PeakRule > 0)
+    {
+      this->IsLikeSeed = this->IsAtPeak();
+    }
+    if (this->IsLikeSeed)
+    {
+      this->Reach = std::max(this->Reach, std::min(this->Away, VHalf * ((this->Point - this->Seed.Center).norm() - 0.5 * this->Seed.Radius)));
+    }
     this->FindCore();
     CutNetwork network = this->MakeNetwork();
     const std::vector<unsigned char> switched = SourceSide(network, this->Ask);
@@ -139,6 +150,31 @@ public:
   }
 
 private:
+  bool IsAtPeak() const
+  {
+    const ImageGeometry& blocks = this->Grid.Blocks;
+    const auto own = this->BlockOf(this->Point);
+    const double depth = std::sqrt(this->Depth[blocks.Offset(own[0], own[1], own[2])]);
+    double most = 0;
+    Eigen::Vector3d peak = this->Point;
+    for (int k = 0; k < this->Size[2]; ++k)
+      for (int j = 0; j < this->Size[1]; ++j)
+        for (int i = 0; i < this->Size[0]; ++i)
+        {
+          const Eigen::Vector3d at = blocks.ToPhysical(Eigen::Vector3d(i, j, k));
+          const double value = this->Depth[blocks.Offset(i, j, k)];
+          if (value > most && (at - this->Point).norm() <= depth)
+          {
+            most = value;
+            peak = at;
+          }
+        }
+    const double away = (peak - this->Point).norm();
+    if (PeakRule > 2.5) return away < (peak - this->Seed.Center).norm() && away < PeakPart * depth;
+    if (PeakRule > 1.5) return away < (peak - this->Seed.Center).norm();
+    return away < PeakPart * depth;
+  }
+
   // What hangs together with the point at a depth at which it does not hang together with the seed.
   void FindCore()
   {
@@ -293,6 +329,12 @@ private:
         }
       }
     }
+    if (DepthScale > 0 || PeakRule > 0)
+    {
+      std::vector<unsigned char> wrong(this->Nodes.size());
+      std::transform(this->IsRight.begin(), this->IsRight.end(), wrong.begin(), [](auto right) { return !right; });
+      this->Depth = SquaredDistance(wrong, blocks, 0, this->Parallel, NeverStop);
+    }
     const auto own = this->BlockOf(this->Point);
     const std::size_t block = blocks.Offset(own[0], own[1], own[2]);
     if (this->Nodes[block] < 0)
@@ -388,7 +430,7 @@ private:
           const double fitSeed = std::max(-2.0, std::min(2.0, (ZCut * ZCut - zs * zs) / 2)) / 2;
           const double unary = this->IsInside
             ? Base + Gain * fit - Decay * std::max(0.0, (away - this->Reach) / std::max(DecayLength, this->Reach))
-            : this->HasNeck ? -NeckBase - NeckGain * fitSeed : OutBase + OutGain * 0.5 * (fit - fitSeed) - OutDecay * std::max(0.0, (away - this->Reach) / std::max(DecayLength, this->Reach));
+            : this->HasNeck ? -NeckBase - NeckGain * fitSeed : OutBase + OutGain * 0.5 * (fit - fitSeed) + this->Prior(blocks.ToPhysical(Eigen::Vector3d(i, j, k)), away);
           double terminal = unary * volume / unit;
           for (int way = 0; way < 6; ++way)
           {
@@ -413,6 +455,11 @@ private:
             {
               terminal += this->IsRight[other] ? Links * capacity : -capacity;
             }
+          }
+          const double cap = DepthScale * this->Away + blocks.Spacing.maxCoeff();
+          if (DepthScale > 0 && !this->HasNeck && this->Depth[block] > cap * cap)
+          {
+            terminal = -greatest;
           }
           network.Terminals[node] = away <= HardPart * this->Reach || this->IsCore[block]
             ? CutNetwork::Infinite
@@ -443,6 +490,22 @@ private:
     const auto own = this->BlockOf(this->Point);
     network.Terminals[this->Nodes[blocks.Offset(own[0], own[1], own[2])]] = CutNetwork::Infinite;
     return network;
+  }
+
+  double Prior(const Eigen::Vector3d& at, double away) const
+  {
+    const double beyond = std::max(0.0, (away - this->Reach) / std::max(DecayLength, this->Reach));
+    if (!this->IsLikeSeed)
+    {
+      return -OutDecay * beyond;
+    }
+    double toInside = (at - this->Seed.Center).norm() - this->Seed.Radius;
+    for (const SeedSphere& ball : this->Protected)
+    {
+      toInside = std::min(toInside, (at - ball.Center).norm() - ball.Radius);
+    }
+    const double nearer = (toInside - (away - this->Reach)) / std::max(DecayLength, this->Reach);
+    return VGain * std::max(-1.0, std::min(1.0, nearer)) - VDecay * std::max(0.0, beyond - 1);
   }
 
   void Apply(const std::vector<unsigned char>& switched)
@@ -489,7 +552,8 @@ private:
   const ImagePart Image;
   const SeedSphere& Seed;
   const Eigen::Vector3d Point;
-  const double Reach;
+  double Reach;
+  const double Away;
   const double Domain;
   const bool IsInside;
   const std::vector<SeedSphere>& Protected;
@@ -504,7 +568,9 @@ private:
   RobustStatistics OfBall;
   RobustStatistics OfSeed;
   std::vector<unsigned char> IsCore;
+  std::vector<float> Depth;
   bool HasNeck = false;
+  bool IsLikeSeed = false;
   int NumberOfNodes = 0;
   std::vector<unsigned char> IsRight;
   std::vector<int> Nodes;
@@ -554,6 +620,31 @@ double LikeReach(const ImageView<float>& image, const Eigen::Vector3d& point, do
     reach = (&shell - shells.data() + 1) * step;
   }
   return std::min(reach, limit);
+}
+
+// Leads from a point to the nearest voxel of a mask, as wide as a ball.
+void SetBridge(const BitMask& main, const Eigen::Vector3d& point, double radius, BitMask& mask)
+{
+  const ImageGeometry& geometry = main.GetGeometry();
+  double least = std::numeric_limits<double>::infinity();
+  Eigen::Vector3d nearest = point;
+  main.ForEachRun(0, geometry.Dimensions[2],
+    [&](int begin, int end, int j, int k)
+    {
+      const double i = std::max<double>(begin, std::min<double>(geometry.ToIndex(point)[0], end - 1.0));
+      const Eigen::Vector3d at = geometry.ToPhysical(Eigen::Vector3d(std::round(i), j, k));
+      const double square = (at - point).squaredNorm();
+      if (square < least)
+      {
+        least = square;
+        nearest = at;
+      }
+    });
+  const int steps = static_cast<int>(std::ceil(std::sqrt(least) / geometry.Spacing.minCoeff()));
+  for (int step = 0; step <= steps; ++step)
+  {
+    SetBall(mask, true, point + (nearest - point) * (static_cast<double>(step) / std::max(1, steps)), radius);
+  }
 }
 
 bool IsObeyed(const PointConstraint& constraint, const BitMask& mask)
@@ -627,12 +718,12 @@ bool CorrectForeground(const ImageView<float>& smooth, const ImageMaker& make,
     {
       break;
     }
-    const double limit = std::min(std::sqrt(farthest), MaxReach);
+    const double limit = std::min(std::sqrt(farthest), next->Kind == ConstraintKind::Outside ? MaxReach : InMax);
     if (!make(BoxAround(geometry, next->Point, std::max(limit, 5.0))))
     {
       return false;
     }
-    const double reach = std::max({ LikeReach(smooth, next->Point, limit, noise, modality == Modality::MR),
+    const double reach = std::max({ (next->Kind == ConstraintKind::Outside ? OutLike : InLike) < 1 ? limit : LikeReach(smooth, next->Point, limit, noise, modality == Modality::MR),
       geometry.Spacing.maxCoeff(), next->Radius });
     const bool isOutside = next->Kind == ConstraintKind::Outside;
     const double domain = isOutside ? 1e4 : std::max(DomainLeast, DomainScale * reach);
@@ -647,7 +738,7 @@ bool CorrectForeground(const ImageView<float>& smooth, const ImageMaker& make,
       return false;
     }
     BitMask part = foreground.Cropped(box);
-    if (!Correction(ImagePart{ smooth, box.Begin }, seed, *next, reach, domain, balls[next->Kind == ConstraintKind::Outside ? 1 : 0], noise,
+    if (!Correction(ImagePart{ smooth, box.Begin }, seed, *next, reach, std::sqrt(farthest), domain, balls[next->Kind == ConstraintKind::Outside ? 1 : 0], noise,
           modality, parallelFor, monitor, part)
            .Execute())
     {
@@ -670,6 +761,26 @@ bool CorrectForeground(const ImageView<float>& smooth, const ImageMaker& make,
     return false;
   }
   SetBalls(constraints, seed, foreground);
+  if (Bridge > 0)
+  {
+    BitMask main = foreground;
+    if (!source.empty() && !KeepConnected(main, source, monitor)) return false;
+    const ConstraintList sorted = SortedConstraints(constraints);
+    bool added = false;
+    for (const PointConstraint& constraint : sorted)
+    {
+      const auto at = VoxelOf(geometry, constraint.Point);
+      if ((constraint.Kind == ConstraintKind::Inside || constraint.Kind == ConstraintKind::Seed) && !main(at[0], at[1], at[2]))
+      {
+        SetBridge(main, constraint.Point, std::max(3.0, BallOf(constraint, geometry)), foreground);
+        added = true;
+      }
+    }
+    if (added)
+    {
+      SetBalls(constraints, seed, foreground);
+    }
+  }
   return source.empty() || KeepConnected(foreground, source, monitor);
 }
 

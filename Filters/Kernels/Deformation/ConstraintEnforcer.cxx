@@ -1,0 +1,195 @@
+#include "Deformation/ConstraintEnforcer.h"
+
+#include "Error.h"
+#include "Guard/ObstacleTest.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <set>
+
+namespace FlipFree
+{
+namespace
+{
+
+// An obstacle is at least that far, in voxels, from the hulls of the faces.
+constexpr double Clearance = 1e-3;
+
+constexpr int MaximumRounds = 60;
+// A round that moves the surface by less, in voxels, is the last one.
+constexpr double LeastProgress = 1e-3;
+
+// A pull moves the surface within twice its length, but not within more millimeters than this, and
+// at least within this many edges, so that the bulge is no steeper than the mesh can show.
+constexpr double LengthsPerPull = 2;
+constexpr double WidestPull = 20;
+constexpr double EdgesPerPull = 3;
+
+double LongestEdge(const PointList& points, const Eigen::RowVector3i& triangle)
+{
+  double longest = 0;
+  for (int corner = 0; corner < 3; ++corner)
+  {
+    longest = std::max(longest,
+      (points.row(triangle[corner]) - points.row(triangle[(corner + 1) % 3])).norm());
+  }
+  return longest;
+}
+
+// Displaces what hangs together with the place within a radius, most of all at the place.
+PointList BulgeAt(const ContourMesh& mesh, const PointList& points, const SurfacePlace& place,
+  Eigen::Vector3d displacement)
+{
+  const Eigen::RowVector3i triangle = mesh.Triangles.row(place.Triangle);
+  const double radius =
+    std::max(std::min(LengthsPerPull * displacement.norm(), WidestPull),
+      EdgesPerPull * LongestEdge(points, triangle));
+  displacement *= std::min(1.0, radius / (LengthsPerPull * displacement.norm()));
+  PointList motion = PointList::Zero(points.rows(), 3);
+  std::set<int> visited(triangle.data(), triangle.data() + 3);
+  std::vector<int> front(visited.begin(), visited.end());
+  while (!front.empty())
+  {
+    const int vertex = front.back();
+    front.pop_back();
+    const double away = (points.row(vertex).transpose() - place.Point).norm() / radius;
+    if (away >= 1)
+    {
+      continue;
+    }
+    const double weight = (1 - away * away) * (1 - away * away);
+    motion.row(vertex) = weight * displacement.transpose();
+    for (const int neighbor : mesh.Neighbors[vertex])
+    {
+      if (visited.insert(neighbor).second)
+      {
+        front.push_back(neighbor);
+      }
+    }
+  }
+  return motion;
+}
+
+} // namespace
+
+ConstraintEnforcer::ConstraintEnforcer(const ConstraintList& constraints, double spacing)
+  : Constraints(SortedConstraints(constraints))
+  , IsObstacle(this->Constraints.size(), false)
+  , Spacing(spacing)
+{
+}
+
+void ConstraintEnforcer::Begin(const ContourMesh& mesh, const FaceHulls& hulls,
+  const PointList& points)
+{
+  std::fill(this->IsObstacle.begin(), this->IsObstacle.end(), false);
+  this->Obstacles.resize(0, 3);
+  this->Update(mesh, hulls, points);
+  for (std::size_t index = 0; index < this->Constraints.size(); ++index)
+  {
+    const PointConstraint& constraint = this->Constraints[index];
+    if (constraint.Kind == ConstraintKind::Outside && !this->IsObstacle[index])
+    {
+      throw Error(ErrorCode::UnreachablePoint,
+        NameOf(constraint) +
+          " lies in the start surface or on it; start from a smaller surface, or move the point");
+    }
+  }
+}
+
+bool ConstraintEnforcer::IsOpen(const PointConstraint& constraint, const ContourMesh& mesh,
+  const FaceHulls& hulls, const PointList& points) const
+{
+  if (constraint.Kind == ConstraintKind::Boundary)
+  {
+    const SurfacePlace place = ClosestPlace(points, mesh.Triangles, constraint.Point);
+    return (place.Point - constraint.Point).norm() > this->Spacing / 2;
+  }
+  const int winding = constraint.Kind == ConstraintKind::Outside ? 0 : 1;
+  return WindingNumber(points, mesh.Triangles, constraint.Point) != winding ||
+    !HullsNearerThan(Clearance * this->Spacing, points, hulls, constraint.Point).empty();
+}
+
+void ConstraintEnforcer::Update(const ContourMesh& mesh, const FaceHulls& hulls,
+  const PointList& points)
+{
+  for (std::size_t index = 0; index < this->Constraints.size(); ++index)
+  {
+    const PointConstraint& constraint = this->Constraints[index];
+    if (!this->IsObstacle[index] && constraint.Kind != ConstraintKind::Boundary &&
+      !this->IsOpen(constraint, mesh, hulls, points))
+    {
+      this->IsObstacle[index] = true;
+      this->Obstacles.conservativeResize(this->Obstacles.rows() + 1, 3);
+      this->Obstacles.bottomRows(1) = constraint.Point.transpose();
+    }
+  }
+}
+
+Eigen::Vector3d ConstraintEnforcer::PullOf(const PointConstraint& constraint,
+  const ContourMesh& mesh, const PointList& points, const SurfacePlace& place) const
+{
+  const Eigen::Vector3d toPoint = constraint.Point - place.Point;
+  if (constraint.Kind == ConstraintKind::Boundary)
+  {
+    return toPoint;
+  }
+  // Beyond a point that is to lie inside, outward.
+  const bool isBeyond = WindingNumber(points, mesh.Triangles, constraint.Point) == 1;
+  Eigen::Vector3d outward = isBeyond ? -toPoint : toPoint;
+  if (!(outward.norm() > Clearance * this->Spacing))
+  {
+    const auto corner = [&](int index) -> Eigen::Vector3d
+    { return points.row(mesh.Triangles(place.Triangle, index)).transpose(); };
+    outward = (corner(1) - corner(0)).cross(corner(2) - corner(0));
+  }
+  const Eigen::Vector3d further = this->Spacing / 2 * outward.normalized();
+  return isBeyond ? further : Eigen::Vector3d(toPoint + further);
+}
+
+bool ConstraintEnforcer::Finish(const ContourMesh& mesh, EmbeddingGuard& guard,
+  const ParallelFor& parallelFor, const Monitor& monitor, PointList& points)
+{
+  const PointConstraint* open = nullptr;
+  double moved = this->Spacing;
+  for (int round = 0; round < MaximumRounds && moved > LeastProgress * this->Spacing; ++round)
+  {
+    open = nullptr;
+    moved = 0;
+    for (const PointConstraint& constraint : this->Constraints)
+    {
+      if (!monitor(static_cast<double>(round) / MaximumRounds))
+      {
+        return false;
+      }
+      if (!this->IsOpen(constraint, mesh, guard.Hulls(), points))
+      {
+        continue;
+      }
+      open = &constraint;
+      const SurfacePlace place = ClosestPlace(points, mesh.Triangles, constraint.Point);
+      PointList motion =
+        BulgeAt(mesh, points, place, this->PullOf(constraint, mesh, points, place));
+      guard.SetObstacles(this->Obstacles);
+      const PointList before = points;
+      points = guard.Limit(points, motion, parallelFor, monitor).Positions;
+      moved = std::max(moved, (points - before).rowwise().norm().maxCoeff());
+      this->Update(mesh, guard.Hulls(), points);
+    }
+    if (!open)
+    {
+      return true;
+    }
+  }
+  if (open)
+  {
+    throw Error(ErrorCode::UnreachablePoint,
+      NameOf(*open) +
+        " cannot be obeyed: the surface of one piece does not get there past the other points; "
+        "move or remove one of them, or give a further seed on the way");
+  }
+  return true;
+}
+
+} // namespace FlipFree

@@ -1,0 +1,57 @@
+/**
+ * Makes a deforming surface obey points that must lie inside, outside, or on it, by certified steps
+ * alone.
+ *
+ * An outside point is an obstacle of the guard from the start, an inside point once the surface has
+ * enclosed it. What the image has not brought to its side, or to the surface, by the end is reached
+ * by pulling the surface toward the point, step by step under the guard.
+ */
+#ifndef FlipFreeConstraintEnforcer_h
+#define FlipFreeConstraintEnforcer_h
+
+#include "Geometry/WindingNumber.h"
+#include "Guard/EmbeddingGuard.h"
+#include "Image/PointConstraint.h"
+
+namespace FlipFree
+{
+
+class ConstraintEnforcer
+{
+public:
+  /// `spacing` is the image's smallest, in millimeters: the surface ends within half of it of every
+  /// boundary point.
+  ConstraintEnforcer(const ConstraintList& constraints, double spacing);
+
+  bool IsEmpty() const { return this->Constraints.empty(); }
+
+  /// Begins with an embedded surface; the hulls are of its faces. Throws Error, naming the point, if
+  /// an outside point lies in it or on it.
+  void Begin(const ContourMesh& mesh, const FaceHulls& hulls, const PointList& points);
+
+  /// Looks which inside points the surface encloses by now, and makes obstacles of them.
+  void Update(const ContourMesh& mesh, const FaceHulls& hulls, const PointList& points);
+
+  /// What the surface must not pass from now on, one row each.
+  const PointList& GetObstacles() const { return this->Obstacles; }
+
+  /// Pulls the surface toward the points that it does not obey yet. `guard` is the mesh's. Returns
+  /// false if the monitor stopped it. Throws Error, naming the point, if one cannot be obeyed.
+  bool Finish(const ContourMesh& mesh, EmbeddingGuard& guard, const ParallelFor& parallelFor,
+    const Monitor& monitor, PointList& points);
+
+private:
+  bool IsOpen(const PointConstraint& constraint, const ContourMesh& mesh, const FaceHulls& hulls,
+    const PointList& points) const;
+  Eigen::Vector3d PullOf(const PointConstraint& constraint, const ContourMesh& mesh,
+    const PointList& points, const SurfacePlace& place) const;
+
+  ConstraintList Constraints;
+  std::vector<bool> IsObstacle; // per constraint
+  PointList Obstacles = PointList(0, 3);
+  const double Spacing;
+};
+
+} // namespace FlipFree
+
+#endif

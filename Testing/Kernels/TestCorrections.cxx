@@ -1,0 +1,197 @@
+// Points that correct a segmentation: obeyed exactly, whatever their order and history.
+#include "Deformation/VolumeSegmentation.h"
+#include "Error.h"
+#include "Geometry/SelfIntersection.h"
+#include "Geometry/WindingNumber.h"
+#include "Phantom/PhantomVolume.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+
+using namespace FlipFree;
+
+namespace
+{
+
+// A ball of 30 mm, its seed at the center, and what is segmented of it.
+class BallSegmenter
+{
+public:
+  BallSegmenter()
+  {
+    PhantomSettings settings;
+    settings.Dimensions = { { 48, 48, 48 } };
+    settings.Spacing = { 2, 2, 2 };
+    this->Geometry = GridOf(settings);
+    const Phantom phantom = PhantomOf(settings, this->Geometry);
+    this->Voxels.resize(this->Geometry.NumberOfVoxels());
+    std::vector<std::uint8_t> labels(this->Voxels.size());
+    SampleTissues(phantom.Tissues, this->Geometry, SamplingOf(settings), this->Voxels.data(),
+      labels.data());
+    const Ball& start = phantom.Seeds.front().Start;
+    this->Seed = { GridToPhysical(this->Geometry, start.Center), start.Radius };
+    VolumeSegmentationSettings method;
+    method.Method.Schedule.Resolution = 16;
+    this->Again = std::make_unique<VolumeSegmenter>(
+      GrayVolumeOf(ImageView<std::int16_t>{ this->Voxels.data(), this->Geometry }, "it", {}), "it",
+      this->Seed, nullptr, method, Threading());
+  }
+
+  OrganSurface Run(const ConstraintList& constraints) const
+  {
+    return this->Again
+      ->Segment(constraints, NeverStop,
+        [](const ContourMesh&, const PointList&, const CorrespondenceField&,
+          const IterationRecord&) {})
+      .Organ;
+  }
+
+  std::string MessageOf(const ConstraintList& constraints) const
+  {
+    try
+    {
+      this->Run(constraints);
+    }
+    catch (const Error& error)
+    {
+      return error.what();
+    }
+    return "";
+  }
+
+  PointConstraint At(ConstraintKind kind, double x, double y, double z, double radius = 0) const
+  {
+    return { kind, this->Seed.Center + Eigen::Vector3d(x, y, z), radius };
+  }
+
+  SeedSphere Seed;
+
+private:
+  ImageGeometry Geometry;
+  std::vector<std::int16_t> Voxels;
+  std::unique_ptr<VolumeSegmenter> Again;
+};
+
+void ExpectObeyed(const OrganSurface& organ, const ConstraintList& constraints)
+{
+  EXPECT_EQ(organ.SelfIntersections, 0);
+  EXPECT_EQ(CountSelfIntersections(organ.Points, organ.Mesh.Faces), 0);
+  for (const PointConstraint& constraint : constraints)
+  {
+    if (constraint.Kind == ConstraintKind::Boundary)
+    {
+      const SurfacePlace place =
+        ClosestPlace(organ.Points, organ.Mesh.Triangles, constraint.Point);
+      EXPECT_LE((place.Point - constraint.Point).norm(), 1) << NameOf(constraint);
+    }
+    else
+    {
+      EXPECT_EQ(WindingNumber(organ.Points, organ.Mesh.Triangles, constraint.Point),
+        constraint.Kind == ConstraintKind::Outside ? 0 : 1)
+        << NameOf(constraint);
+    }
+  }
+}
+
+} // namespace
+
+TEST(Corrections, AreObeyedOneByOneAndTogether)
+{
+  const BallSegmenter ball;
+  const double radius = ball.Seed.Radius;
+  const ConstraintList all{ ball.At(ConstraintKind::Inside, 36, 0, 0),
+    ball.At(ConstraintKind::Outside, 0, 25, 0), ball.At(ConstraintKind::Boundary, 0, 0, 33),
+    ball.At(ConstraintKind::Boundary, 0, 0, -26), ball.At(ConstraintKind::Seed, -33, 0, 0, 4),
+    // In the start sphere.
+    ball.At(ConstraintKind::Outside, 0, -0.8 * radius, 0) };
+  const OrganSurface free = ball.Run({});
+  int disobeyed = 0;
+  for (const PointConstraint& constraint : all)
+  {
+    const int winding = WindingNumber(free.Points, free.Mesh.Triangles, constraint.Point);
+    disobeyed += winding != (constraint.Kind == ConstraintKind::Outside ? 0 : 1) ? 1 : 0;
+    ExpectObeyed(ball.Run({ constraint }), { constraint });
+  }
+  EXPECT_GE(disobeyed, 4);
+  ExpectObeyed(ball.Run(all), all);
+}
+
+TEST(Corrections, DependOnTheSetAlone)
+{
+  const BallSegmenter ball;
+  const OrganSurface free = ball.Run({});
+  ConstraintList points{ ball.At(ConstraintKind::Inside, 36, 0, 0),
+    ball.At(ConstraintKind::Outside, 0, 25, 0), ball.At(ConstraintKind::Boundary, 0, 0, 33) };
+  const OrganSurface corrected = ball.Run(points);
+  EXPECT_GT((corrected.Points - free.Points).rowwise().norm().maxCoeff(), 2);
+  std::reverse(points.begin(), points.end());
+  points.push_back(points.front());
+  EXPECT_EQ(ball.Run(points).Points, corrected.Points);
+  EXPECT_EQ(BallSegmenter().Run(points).Points, corrected.Points);
+  EXPECT_EQ(ball.Run({}).Points, free.Points);
+}
+
+TEST(Corrections, AreLocal)
+{
+  const BallSegmenter ball;
+  const OrganSurface free = ball.Run({});
+  const OrganSurface corrected = ball.Run({ ball.At(ConstraintKind::Inside, 34, 0, 0) });
+  const Eigen::RowVector3d point = ball.Seed.Center.transpose() + Eigen::RowVector3d(34, 0, 0);
+  double sum = 0;
+  int count = 0;
+  for (Eigen::Index vertex = 0; vertex < corrected.Points.rows(); ++vertex)
+  {
+    if ((corrected.Points.row(vertex) - point).norm() > 30)
+    {
+      const Eigen::Vector3d at = corrected.Points.row(vertex).transpose();
+      sum += (ClosestPlace(free.Points, free.Mesh.Triangles, at).Point - at).norm();
+      ++count;
+    }
+  }
+  ASSERT_GT(count, 100);
+  EXPECT_LT(sum / count, 0.1);
+}
+
+TEST(Corrections, AreRefusedByName)
+{
+  const BallSegmenter ball;
+  const auto has = [](const std::string& message, const std::string& part)
+  {
+    EXPECT_NE(message.find(part), std::string::npos) << message;
+  };
+  has(ball.MessageOf({ ball.At(ConstraintKind::Inside, 500, 0, 0) }), "mm lies outside it; give");
+  has(ball.MessageOf({ ball.At(ConstraintKind::Inside, 9, 0, 0),
+        ball.At(ConstraintKind::Outside, 9, 0, 0) }),
+    "mm are at one place; take one of them away");
+  has(ball.MessageOf({ ball.At(ConstraintKind::Outside, 1, 0, 0) }),
+    "lies in the inner half of the seed sphere");
+  has(ball.MessageOf({ ball.At(ConstraintKind::Seed, 9, 0, 0, 0.5) }),
+    "has a radius below a voxel of it");
+  has(ball.MessageOf({ ball.At(ConstraintKind::Seed, 32, 0, 0, 5),
+        ball.At(ConstraintKind::Outside, 34, 0, 0) }),
+    "lies in the sphere of the further seed at");
+  PointConstraint nan = ball.At(ConstraintKind::Inside, 0, 0, 0);
+  nan.Point[1] = std::nan("");
+  has(ball.MessageOf({ nan }), "lies outside it");
+}
+
+TEST(Corrections, BeginAtTheLargestSeed)
+{
+  SeedSphere seed{ { 1, 2, 3 }, 5 };
+  ConstraintList constraints{ { ConstraintKind::Seed, { 9, 9, 9 }, 4 },
+    { ConstraintKind::Seed, { 0, 9, 9 }, 7 }, { ConstraintKind::Inside, { 4, 4, 4 }, 0 },
+    { ConstraintKind::Seed, { 0, 8, 9 }, 7 } };
+  TakeLargestSeed(seed, constraints);
+  EXPECT_EQ(seed.Center, Eigen::Vector3d(0, 8, 9));
+  EXPECT_EQ(seed.Radius, 7);
+  ASSERT_EQ(constraints.size(), 4u);
+  std::vector<double> radii;
+  for (const PointConstraint& constraint : constraints)
+  {
+    radii.push_back(constraint.Radius);
+  }
+  std::sort(radii.begin(), radii.end());
+  EXPECT_EQ(radii, std::vector<double>({ 0, 4, 5, 7 }));
+}
