@@ -17,8 +17,7 @@ vtkDataArray* ArrayOf(vtkPointSet* points, const char* array, const std::string&
   vtkDataArray* const values = points->GetPointData()->GetArray(array);
   if (!values)
   {
-    throw std::invalid_argument(
-      name + " has no point array '" + array + "'; add it: " + meaning);
+    throw std::invalid_argument(name + " has no point array '" + array + "'; add it: " + meaning);
   }
   if (values->GetNumberOfComponents() != 1)
   {

@@ -116,10 +116,7 @@ public:
   /**
    * Connects or sets the points that correct the result (input port 2).
    */
-  void SetConstraintConnection(vtkAlgorithmOutput* output)
-  {
-    this->SetInputConnection(2, output);
-  }
+  void SetConstraintConnection(vtkAlgorithmOutput* output) { this->SetInputConnection(2, output); }
   void SetConstraintData(vtkPointSet* points);
   ///@}
 

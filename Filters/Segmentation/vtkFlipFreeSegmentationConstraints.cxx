@@ -103,10 +103,10 @@ FlipFree::VolumeSegmentation vtkFlipFreeSegmentation::Run(vtkImageData* image, v
       surface =
         FlipFree::DeformableSurfaceOf(start, "the start surface on port 1", this->GetGuard());
     }
-    this->State = std::make_unique<FlipFree::SegmentationState>(key,
-      image->GetPointData()->GetScalars(),
-      std::make_unique<FlipFree::VolumeSegmenter>(FlipFree::GrayVolumeOf(image, name), name,
-        key.Seed, surface ? &*surface : nullptr, this->GetSettings(), FlipFree::SMPThreading()));
+    this->State =
+      std::make_unique<FlipFree::SegmentationState>(key, image->GetPointData()->GetScalars(),
+        std::make_unique<FlipFree::VolumeSegmenter>(FlipFree::GrayVolumeOf(image, name), name,
+          key.Seed, surface ? &*surface : nullptr, this->GetSettings(), FlipFree::SMPThreading()));
   }
   FlipFree::VolumeSegmentation result =
     this->State->Segmenter().Segment(constraints, FlipFree::MonitorOf(this, 0, 0.95),

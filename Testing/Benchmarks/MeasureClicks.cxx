@@ -14,6 +14,7 @@
 #include "LabelAdapter.h"
 
 #include "Deformation/VolumeSegmentation.h"
+#include "Geometry/WindingNumber.h"
 #include "Image/DistanceTransform.h"
 #include "Stopwatch.h"
 
@@ -29,12 +30,6 @@
 #include <vector>
 
 using namespace FlipFree;
-namespace FlipFree { extern BitMask LastForeground; extern bool MaskOnly;
-extern double PeakRule, PeakPart, VGain, VDecay, VHalf, LikeSeed, Bridge, InLike, OutLike, InMax, DepthScale, Base, Gain, Decay, Area, HardPart, DomainScale, DomainLeast, MinBlock,
-       SpreadFloor, ZCut, Links, OutBase, OutGain, OutDecay, CoreDepth, OutArea, DecayLength, NeckRatio, NeckBase, NeckGain, NeckArea, MaxReach, ShellPart, ShellZ, FirstBall; }
-#include <fstream>
-#include <sstream>
-const std::map<std::string, double*> Tunables{{"Depth",&DepthScale},{"InLike",&InLike},{"VGain",&VGain},{"PeakRule",&PeakRule},{"PeakPart",&PeakPart},{"VDecay",&VDecay},{"VHalf",&VHalf},{"LikeSeed",&LikeSeed},{"Bridge",&Bridge},{"OutLike",&OutLike},{"InMax",&InMax},{"Base",&Base},{"Gain",&Gain},{"Decay",&Decay},{"Area",&Area},{"Hard",&HardPart},{"DomainScale",&DomainScale},{"DomainLeast",&DomainLeast},{"Block",&MinBlock},{"Floor",&SpreadFloor},{"Z",&ZCut},{"Links",&Links},{"OutBase",&OutBase},{"OutGain",&OutGain},{"OutDecay",&OutDecay},{"Core",&CoreDepth},{"OutArea",&OutArea},{"DecayLength",&DecayLength},{"NeckRatio",&NeckRatio},{"NeckBase",&NeckBase},{"NeckGain",&NeckGain},{"NeckArea",&NeckArea},{"MaxReach",&MaxReach},{"ShellPart",&ShellPart},{"ShellZ",&ShellZ},{"FirstBall",&FirstBall}};
 
 namespace
 {
@@ -44,7 +39,6 @@ struct Options
   std::string Data = "../shared/data";
   std::string Cases = "development.csv"; ///< in that folder
   std::string Only;
-  std::string Half;
   int Clicks = 5;
   int Seed = 1;
   int Threads = 0;
@@ -141,13 +135,15 @@ bool NextClick(const BitMask& found, const BitMask& reference, std::mt19937& ran
     part.swap(other);
   }
   BitMask bits(missedPart.GetGeometry());
+  const auto& size = bits.GetGeometry().Dimensions;
+  for (std::size_t voxel = 0; voxel < part.size(); ++voxel)
   {
-    const auto& size = bits.GetGeometry().Dimensions;
-    std::size_t voxel = 0;
-    for (int k = 0; k < size[2]; ++k)
-      for (int j = 0; j < size[1]; ++j)
-        for (int i = 0; i < size[0]; ++i, ++voxel)
-          if (part[voxel]) bits.Insert(i, j, k);
+    if (part[voxel])
+    {
+      const std::size_t row = voxel / size[0];
+      bits.Insert(static_cast<int>(voxel % size[0]), static_cast<int>(row % size[1]),
+        static_cast<int>(row / size[1]));
+    }
   }
   bits = bits.Cropped(bits.Bounds().Widened({ { 1, 1, 1 } }, WholeBox(bits.GetGeometry())));
   part.assign(bits.GetGeometry().NumberOfVoxels(), 0);
@@ -187,115 +183,98 @@ BitMask MaskOfRuns(const std::vector<VoxelRun>& runs, const ImageGeometry& geome
   return mask;
 }
 
-std::vector<double> MeasureRow(const Case& row, const Options& options, std::vector<double>& seconds)
+struct Row
+{
+  std::vector<double> Scores;  ///< after 0, 1, 2, ... clicks
+  std::vector<double> Seconds; ///< of each run after a click
+  int Disobeyed = 0;
+};
+
+// Counts what the surface does not obey, looked at from scratch.
+int CountDisobeyed(const ConstraintList& clicks, const OrganSurface& organ)
+{
+  return static_cast<int>(std::count_if(clicks.begin(), clicks.end(),
+    [&](const PointConstraint& click)
+    {
+      return WindingNumber(organ.Points, organ.Mesh.Triangles, click.Point) !=
+        (click.Kind == ConstraintKind::Inside ? 1 : 0);
+    }));
+}
+
+Row MeasureRow(const Case& row, const Options& options)
 {
   const auto image = ReadVolume(options.Data + "/" + row.Image);
   const auto labels = ReadVolume(options.Data + "/" + row.Labels);
   const BitMask reference = MaskOf(labels, row.Label, row.Labels);
   const SeedSphere seed{ Eigen::Vector3d(row.Seed.data()), row.Radius };
-  VolumeSegmenter segmenter(
-    GrayVolumeOf(image, row.Image), row.Image, seed, nullptr, {}, SMPThreading());
-  if (const char* file = std::getenv("TUNE"))
-  {
-    MaskOnly = true;
-    std::ifstream in(file);
-    std::string line;
-    std::map<std::string,double> defaults;
-    for (auto& t : Tunables) defaults[t.first] = *t.second;
-    while (std::getline(in, line))
-    {
-      for (auto& t : Tunables) *t.second = defaults[t.first];
-      std::istringstream words(line); std::string word;
-      while (words >> word) { auto e = word.find('='); *Tunables.at(word.substr(0,e)) = std::stod(word.substr(e+1)); }
-      std::mt19937 random(options.Seed);
-      ConstraintList clicks;
-      std::printf("T %s | %s |", row.Name.c_str(), line.c_str());
-      for (int click = 0; click <= options.Clicks; ++click)
-      {
-        segmenter.Segment(clicks, NeverStop, [](const auto&, const auto&, const auto&, const auto&) {});
-        BitMask whole(reference.GetGeometry());
-        const Eigen::Vector3d f = reference.GetGeometry().ToIndex(LastForeground.GetGeometry().Origin);
-        whole.Insert(LastForeground, {{(int)std::lround(f[0]),(int)std::lround(f[1]),(int)std::lround(f[2])}});
-        std::printf(" %.4f", DiceOf(whole, reference));
-        PointConstraint next;
-        if (!NextClick(whole, reference, random, next)) break;
-        clicks.push_back(next);
-      }
-      {
-        BitMask found(reference.GetGeometry());
-        const Eigen::Vector3d f = reference.GetGeometry().ToIndex(LastForeground.GetGeometry().Origin);
-        found.Insert(LastForeground, {{(int)std::lround(f[0]),(int)std::lround(f[1]),(int)std::lround(f[2])}});
-        BitMask u = reference; u.Unite(found);
-        const VoxelBox box = u.Bounds().Widened({{2,2,2}}, WholeBox(u.GetGeometry()));
-        BitMask r = reference.Cropped(box), m = found.Cropped(box);
-        std::vector<unsigned char> bytes(r.GetGeometry().NumberOfVoxels(),0);
-        r.ForEach([&](std::size_t v){bytes[v]=1;});
-        auto in = SquaredDistance(bytes, r.GetGeometry(), 0, SMPFor, NeverStop);
-        auto out = SquaredDistance(bytes, r.GetGeometry(), 1, SMPFor, NeverStop);
-        double h[2][4]{}; double total = r.Count();
-        std::vector<unsigned char> mb(bytes.size(),0); m.ForEach([&](std::size_t v){mb[v]=1;});
-        for (std::size_t v=0;v<bytes.size();++v) if (bytes[v]!=mb[v]) { double d=std::sqrt(bytes[v]?in[v]:out[v]); h[bytes[v]][d<=1.6?0:d<=3?1:d<=6?2:3]+=1; }
-        std::printf(" | missed %.1f %.1f %.1f %.1f much %.1f %.1f %.1f %.1f", 100*h[1][0]/total,100*h[1][1]/total,100*h[1][2]/total,100*h[1][3]/total,100*h[0][0]/total,100*h[0][1]/total,100*h[0][2]/total,100*h[0][3]/total);
-      }
-      std::printf("\n"); std::fflush(stdout);
-    }
-    for (auto& t : Tunables) *t.second = defaults[t.first];
-    return std::vector<double>(options.Clicks + 1, 0);
-  }
+  VolumeSegmenter segmenter(GrayVolumeOf(image, row.Image), row.Image, seed, nullptr, {},
+    SMPThreading());
   std::mt19937 random(options.Seed);
   ConstraintList clicks;
-  std::vector<double> scores;
-  std::string text;
-  std::vector<double> masks;
+  Row result;
+  std::string kinds;
   for (int click = 0; click <= options.Clicks; ++click)
   {
     Stopwatch watch;
-    VolumeSegmentation result;
-    try
-    {
-      result = segmenter.Segment(
-        clicks, NeverStop, [](const auto&, const auto&, const auto&, const auto&) {});
-    }
-    catch (const std::exception& error)
-    {
-      std::printf("%s, click %d: %s\n", row.Name.c_str(), click, error.what());
-      scores.push_back(scores.empty() ? 0 : scores.back());
-      continue;
-    }
+    const VolumeSegmentation run = segmenter.Segment(clicks, NeverStop,
+      [](const auto&, const auto&, const auto&, const auto&) {});
     if (click > 0)
     {
-      seconds.push_back(watch.Lap());
+      result.Seconds.push_back(watch.Lap());
     }
-    const BitMask found = MaskOfRuns(result.Voxels, reference.GetGeometry());
-    scores.push_back(DiceOf(found, reference));
-    BitMask whole(reference.GetGeometry());
-    {
-      const Eigen::Vector3d f = reference.GetGeometry().ToIndex(LastForeground.GetGeometry().Origin);
-      whole.Insert(LastForeground, {{(int)std::lround(f[0]),(int)std::lround(f[1]),(int)std::lround(f[2])}});
-    }
-    masks.push_back(DiceOf(whole, reference));
+    result.Disobeyed += CountDisobeyed(clicks, run.Organ);
+    const BitMask found = MaskOfRuns(run.Voxels, reference.GetGeometry());
+    result.Scores.push_back(DiceOf(found, reference));
     PointConstraint next;
     if (!NextClick(found, reference, random, next))
     {
       break;
     }
-    text += next.Kind == ConstraintKind::Inside ? '+' : '-';
+    kinds += next.Kind == ConstraintKind::Inside ? '+' : '-';
     clicks.push_back(next);
   }
-  scores.resize(options.Clicks + 1, scores.back());
+  result.Scores.resize(options.Clicks + 1, result.Scores.back());
   std::printf("| %-26s |", row.Name.c_str());
-  for (double score : scores)
+  for (const double score : result.Scores)
   {
     std::printf(" %.3f |", score);
   }
-  std::printf(" %s |", text.c_str());
-  for (double score : masks)
-  {
-    std::printf(" %.3f", score);
-  }
-  std::puts("");
+  std::printf(" %s | %d |\n", kinds.substr(0, options.Clicks).c_str(), result.Disobeyed);
   std::fflush(stdout);
-  return scores;
+  return result;
+}
+
+// The clicks that half of the rows need; "more" than were made.
+std::string ClicksTo(double score, const std::vector<Row>& rows)
+{
+  std::vector<double> needed;
+  for (const Row& row : rows)
+  {
+    const auto first = std::find_if(row.Scores.begin(), row.Scores.end(),
+      [=](double reached) { return reached >= score; });
+    needed.push_back(static_cast<double>(first - row.Scores.begin()));
+  }
+  const double median = Median(needed);
+  return median < static_cast<double>(rows.front().Scores.size())
+    ? std::to_string(static_cast<int>(median))
+    : "more";
+}
+
+void PrintGroup(const std::string& name, const std::vector<Row>& rows)
+{
+  std::printf("| %s, %zu rows |", name.c_str(), rows.size());
+  for (std::size_t click = 0; click < rows.front().Scores.size(); ++click)
+  {
+    std::vector<double> scores;
+    for (const Row& row : rows)
+    {
+      scores.push_back(row.Scores[click]);
+    }
+    std::sort(scores.begin(), scores.end());
+    std::printf(" %.3f %.3f %.3f |", Median(scores), scores[scores.size() / 10], scores.front());
+  }
+  std::printf(" %s, %s, %s |\n", ClicksTo(0.9, rows).c_str(), ClicksTo(0.95, rows).c_str(),
+    ClicksTo(0.97, rows).c_str());
 }
 
 } // namespace
@@ -313,30 +292,26 @@ int main(int argc, char* argv[])
   CLI11_PARSE(app, argc, argv);
   vtkSMPTools::Initialize(options.Threads);
 
-  std::map<std::string, std::vector<std::vector<double>>> scores;
+  std::map<std::string, std::vector<Row>> groups;
   std::vector<double> seconds;
+  int disobeyed = 0;
   for (const Case& row : ReadCases(options.Data + "/" + options.Cases))
   {
-    if (row.Name.find(options.Only) != std::string::npos)
+    if (row.Name.find(options.Only) == std::string::npos)
     {
-      scores[row.Organ].push_back(MeasureRow(row, options, seconds));
+      continue;
     }
+    const Row result = MeasureRow(row, options);
+    groups[row.Organ].push_back(result);
+    seconds.insert(seconds.end(), result.Seconds.begin(), result.Seconds.end());
+    disobeyed += result.Disobeyed;
   }
-  for (const auto& [organ, rows] : scores)
+  std::puts("Median, 10th percentile and least by number of clicks; clicks to 0.90, 0.95, 0.97");
+  for (const auto& [name, rows] : groups)
   {
-    std::printf("| %s, %zu rows |", organ.c_str(), rows.size());
-    for (int click = 0; click <= options.Clicks; ++click)
-    {
-      std::vector<double> at;
-      for (const auto& row : rows)
-      {
-        at.push_back(row[click]);
-      }
-      std::sort(at.begin(), at.end());
-      std::printf(" %.3f %.3f %.3f |", Median(at), at[at.size() / 10], at.front());
-    }
-    std::puts("");
+    PrintGroup(name, rows);
   }
-  std::printf("seconds per click: median %.2f\n", seconds.empty() ? 0 : Median(seconds));
-  return 0;
+  std::printf("seconds per click: median %.2f; clicks disobeyed: %d\n",
+    seconds.empty() ? 0 : Median(seconds), disobeyed);
+  return disobeyed == 0 ? 0 : 1;
 }

@@ -97,7 +97,8 @@ TEST(ConstraintEnforcer, NamesThePointThatCannotBeObeyed)
       wall.push_back(At(ConstraintKind::Outside, 27, j, k));
     }
   }
-  EXPECT_NE(Enforce(wall, sphere, points).find("the inside point (50, -20, 30) mm cannot be obeyed"),
+  EXPECT_NE(
+    Enforce(wall, sphere, points).find("the inside point (50, -20, 30) mm cannot be obeyed"),
     std::string::npos);
   EXPECT_EQ(CountSelfIntersections(points, sphere.Faces()), 0);
 }
@@ -110,6 +111,6 @@ TEST(ConstraintEnforcer, CanBeStopped)
   EmbeddingGuard guard(sphere.Mesh);
   enforcer.Begin(sphere.Mesh, guard.Hulls(), points);
   int asked = 0;
-  EXPECT_FALSE(enforcer.Finish(sphere.Mesh, guard, SerialFor,
-    [&](double) { return ++asked < 2; }, points));
+  EXPECT_FALSE(enforcer.Finish(
+    sphere.Mesh, guard, SerialFor, [&](double) { return ++asked < 2; }, points));
 }

@@ -82,8 +82,7 @@ void ExpectObeyed(const OrganSurface& organ, const ConstraintList& constraints)
   {
     if (constraint.Kind == ConstraintKind::Boundary)
     {
-      const SurfacePlace place =
-        ClosestPlace(organ.Points, organ.Mesh.Triangles, constraint.Point);
+      const SurfacePlace place = ClosestPlace(organ.Points, organ.Mesh.Triangles, constraint.Point);
       EXPECT_LE((place.Point - constraint.Point).norm(), 1) << NameOf(constraint);
     }
     else
@@ -158,19 +157,17 @@ TEST(Corrections, AreRefusedByName)
 {
   const BallSegmenter ball;
   const auto has = [](const std::string& message, const std::string& part)
-  {
-    EXPECT_NE(message.find(part), std::string::npos) << message;
-  };
+  { EXPECT_NE(message.find(part), std::string::npos) << message; };
   has(ball.MessageOf({ ball.At(ConstraintKind::Inside, 500, 0, 0) }), "mm lies outside it; give");
-  has(ball.MessageOf({ ball.At(ConstraintKind::Inside, 9, 0, 0),
-        ball.At(ConstraintKind::Outside, 9, 0, 0) }),
+  has(ball.MessageOf(
+        { ball.At(ConstraintKind::Inside, 9, 0, 0), ball.At(ConstraintKind::Outside, 9, 0, 0) }),
     "mm are at one place; take one of them away");
   has(ball.MessageOf({ ball.At(ConstraintKind::Outside, 1, 0, 0) }),
     "lies in the inner half of the seed sphere");
   has(ball.MessageOf({ ball.At(ConstraintKind::Seed, 9, 0, 0, 0.5) }),
     "has a radius below a voxel of it");
-  has(ball.MessageOf({ ball.At(ConstraintKind::Seed, 32, 0, 0, 5),
-        ball.At(ConstraintKind::Outside, 34, 0, 0) }),
+  has(ball.MessageOf(
+        { ball.At(ConstraintKind::Seed, 32, 0, 0, 5), ball.At(ConstraintKind::Outside, 34, 0, 0) }),
     "lies in the sphere of the further seed at");
   PointConstraint nan = ball.At(ConstraintKind::Inside, 0, 0, 0);
   nan.Point[1] = std::nan("");

@@ -37,8 +37,8 @@ int CountPassed(const PointList& points, const TriangleList& triangles, const Po
   int count = 0;
   for (Eigen::Index index = 0; index < obstacles.rows(); ++index)
   {
-    count += WindingNumber(points, triangles, obstacles.row(index).transpose()) == sides[index] ? 0
-                                                                                                : 1;
+    count +=
+      WindingNumber(points, triangles, obstacles.row(index).transpose()) == sides[index] ? 0 : 1;
   }
   return count;
 }

@@ -62,9 +62,10 @@ TEST(ClosestPlace, IsNearerThanAnySample)
   std::uniform_real_distribution<double> part(0, 1);
   for (int repeat = 0; repeat < 50; ++repeat)
   {
-    const Eigen::Vector3d point =
-      Eigen::Vector3d(10, -20, 30) + 80 * (Eigen::Vector3d(part(random), part(random), part(random)) -
-                                            Eigen::Vector3d::Constant(0.5));
+    const Eigen::Vector3d point = Eigen::Vector3d(10, -20, 30) +
+      80 *
+        (Eigen::Vector3d(part(random), part(random), part(random)) -
+          Eigen::Vector3d::Constant(0.5));
     const SurfacePlace place = ClosestPlace(sphere.Points(), sphere.Triangles(), point);
     double least = std::numeric_limits<double>::infinity();
     for (Eigen::Index triangle = 0; triangle < sphere.Triangles().rows(); ++triangle)
@@ -76,8 +77,8 @@ TEST(ClosestPlace, IsNearerThanAnySample)
       {
         for (int j = 0; i + j <= steps; ++j)
         {
-          const Eigen::Vector3d sample = corner(0) + (corner(1) - corner(0)) * i / steps +
-            (corner(2) - corner(0)) * j / steps;
+          const Eigen::Vector3d sample =
+            corner(0) + (corner(1) - corner(0)) * i / steps + (corner(2) - corner(0)) * j / steps;
           least = std::min(least, (sample - point).norm());
         }
       }

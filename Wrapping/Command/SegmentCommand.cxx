@@ -1,6 +1,7 @@
 #include "Failure.h"
 #include "Messages.h"
 #include "OutputFile.h"
+#include "PointOptions.h"
 #include "ProgressBar.h"
 #include "Run.h"
 #include "SegmentParameters.h"
@@ -50,6 +51,7 @@ struct Segmentation
   int Threads = 0;
   bool Quiet = false;
   SegmentParameters Parameters;
+  PointOptions Corrections;
 };
 
 /// Checks all that can be checked before the volume is read.
@@ -88,12 +90,13 @@ void RequireSense(const Segmentation& segmentation)
   require("--labels", segmentation.Labels, VolumeEndings());
   require("--convergence", segmentation.Convergence, { ".csv" });
   require("--snapshot", segmentation.Snapshot, { ".png" });
+  segmentation.Corrections.RequireSense();
 }
 
 void AnnounceOutputs(const Segmentation& segmentation, OutputFiles& outputs)
 {
   for (const std::string* name : { &segmentation.Surface, &segmentation.Labels,
-         &segmentation.Convergence, &segmentation.Snapshot })
+         &segmentation.Convergence, &segmentation.Snapshot, &segmentation.Corrections.Output() })
   {
     if (!name->empty())
     {
@@ -115,6 +118,10 @@ Point SeedIn(vtkImageData* image, const Segmentation& segmentation)
   if (segmentation.SeedVoxel.empty())
   {
     std::copy_n(segmentation.Seed.begin(), 3, seed.begin());
+    if (segmentation.Corrections.AreRAS())
+    {
+      seed = { { -seed[0], -seed[1], seed[2] } };
+    }
     image->TransformPhysicalPointToContinuousIndex(seed.data(), index);
     std::snprintf(given, sizeof(given), "--seed: (%g, %g, %g) mm", seed[0], seed[1], seed[2]);
   }
@@ -169,7 +176,8 @@ void PrintSummary(vtkFlipFreeSegmentation* filter, const Segmentation& segmentat
 }
 
 void WriteResults(vtkFlipFreeSegmentation* filter, vtkImageData* image,
-  const Segmentation& segmentation, OutputFiles& outputs)
+  const Segmentation& segmentation, const std::vector<CorrectionPoint>& points,
+  OutputFiles& outputs)
 {
   const auto write =
     [&outputs](const std::string& name, const std::function<void(const std::string&)>& how)
@@ -187,6 +195,8 @@ void WriteResults(vtkFlipFreeSegmentation* filter, vtkImageData* image,
     [&](const std::string& name) { WriteTable(name, filter->GetConvergence()); });
   write(segmentation.Snapshot,
     [&](const std::string& name) { WriteSnapshot(name, image, filter->GetSurface()); });
+  write(segmentation.Corrections.Output(),
+    [&](const std::string& name) { WritePoints(name, points); });
   outputs.Commit();
 }
 
@@ -208,6 +218,7 @@ void Segment(const Segmentation& segmentation)
   OutputFiles outputs;
   AnnounceOutputs(segmentation, outputs);
   vtkSMPTools::Initialize(segmentation.Threads);
+  const std::vector<CorrectionPoint> points = segmentation.Corrections.Points();
 
   const auto start = std::chrono::steady_clock::now();
   const vtkSmartPointer<vtkImageData> image =
@@ -217,6 +228,7 @@ void Segment(const Segmentation& segmentation)
   const Point seed = SeedIn(image, segmentation);
   filter->SetInputDataObject(image);
   filter->SetSeedCenter(seed[0], seed[1], seed[2]);
+  AddPoints(points, filter);
   filter->SetLabelValue(segmentation.Label);
   try
   {
@@ -236,7 +248,7 @@ void Segment(const Segmentation& segmentation)
     throw Failure(
       "'" + segmentation.Input + "': no boundary of the organ was found, so nothing is written.");
   }
-  WriteResults(filter, image, segmentation, outputs);
+  WriteResults(filter, image, segmentation, points, outputs);
   if (!filter->GetDeform()->GetGuard() && filter->GetNumberOfSelfIntersections() == 0)
   {
     PrintWarning(
@@ -259,6 +271,8 @@ const char* const Footer =
   "      --labels spleen.nii.gz --convergence spleen.csv --snapshot spleen.png\n"
   "  flipfree segment dicom/ --series 1.2.840.1 --seed 90 20 -640 --radius 12 -o kidney.vtp\n"
   "  flipfree segment ct.nii.gz --seed 83 -154 321 --radius 26 --preset naive -o flips.ply\n"
+  "  flipfree segment ct.nii.gz --seed 83 -154 321 --radius 26 --outside 12 -160 310 \\\n"
+  "      --inside 100 -120 330 -o corrected.vtp\n"
   "\n"
   "The seed sphere should lie within the organ and have at least half the radius of the largest\n"
   "sphere that fits there: the organ's intensities are learned from its voxels, and the surface\n"
@@ -315,6 +329,7 @@ void AddSegmentCommand(CLI::App& program)
   CLI::App* command =
     program.add_subcommand("segment", "Segment an organ, starting from a sphere inside it");
   AddFiles(command, *segmentation);
+  segmentation->Corrections.AddOptions(*command);
   segmentation->Parameters.AddOptions(*command);
   command->footer(Footer);
   command->callback([segmentation]() { Segment(*segmentation); });

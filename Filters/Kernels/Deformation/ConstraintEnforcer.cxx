@@ -42,9 +42,8 @@ PointList BulgeAt(const ContourMesh& mesh, const PointList& points, const Surfac
   Eigen::Vector3d displacement)
 {
   const Eigen::RowVector3i triangle = mesh.Triangles.row(place.Triangle);
-  const double radius =
-    std::max(std::min(LengthsPerPull * displacement.norm(), WidestPull),
-      EdgesPerPull * LongestEdge(points, triangle));
+  const double radius = std::max(std::min(LengthsPerPull * displacement.norm(), WidestPull),
+    EdgesPerPull * LongestEdge(points, triangle));
   displacement *= std::min(1.0, radius / (LengthsPerPull * displacement.norm()));
   PointList motion = PointList::Zero(points.rows(), 3);
   std::set<int> visited(triangle.data(), triangle.data() + 3);

@@ -25,8 +25,8 @@ public:
 
   bool IsEmpty() const { return this->Constraints.empty(); }
 
-  /// Begins with an embedded surface; the hulls are of its faces. Throws Error, naming the point, if
-  /// an outside point lies in it or on it.
+  /// Begins with an embedded surface; the hulls are of its faces. Throws Error, naming the point,
+  /// if an outside point lies in it or on it.
   void Begin(const ContourMesh& mesh, const FaceHulls& hulls, const PointList& points);
 
   /// Looks which inside points the surface encloses by now, and makes obstacles of them.

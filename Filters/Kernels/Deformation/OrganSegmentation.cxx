@@ -13,8 +13,6 @@
 
 namespace FlipFree
 {
-BitMask LastForeground; // DEBUG
-bool MaskOnly = false;
 namespace
 {
 
@@ -90,8 +88,6 @@ private:
       {
         return StopReason::Aborted;
       }
-      LastForeground = this->Foreground.GetMask();
-      if (MaskOnly) { this->BeginAt(this->Start); return StopReason::AtRest; }
       this->OrganRadius = RadiusOf(this->Foreground.GetMask(), this->Seed);
       this->Surface.FeatureSeconds += watch.Lap();
     }

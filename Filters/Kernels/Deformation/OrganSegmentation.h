@@ -48,8 +48,8 @@ using IterationObserver = std::function<void(const ContourMesh&, const PointList
 class OrganSegmenter
 {
 public:
-  /// Smooths the region as far as it needs to; it and `parallelFor` must outlive the object. `noise`
-  /// is the standard deviation of the noise before smoothing.
+  /// Smooths the region as far as it needs to; it and `parallelFor` must outlive the object.
+  /// `noise` is the standard deviation of the noise before smoothing.
   OrganSegmenter(SmoothRegion& region, double noise, const SeedSphere& seed,
     const DeformableSurface& start, const OrganSegmentationSettings& settings,
     const ParallelFor& parallelFor);

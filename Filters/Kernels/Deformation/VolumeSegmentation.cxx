@@ -153,7 +153,7 @@ VolumeSegmentation VolumeSegmenter::Segment(const ConstraintList& constraints,
   RequireGuard(constraints, method.Step.Guard);
   Stopwatch watch;
   const VoxelBox box = this->RegionOf(constraints);
-  if (!this->Organ || box.Begin != this->Box.Begin || box.End != this->Box.End)
+  if (!this->Organ || !(box == this->Box))
   {
     this->Prepare(box);
   }
@@ -176,8 +176,7 @@ VolumeSegmentation VolumeSegmenter::Segment(const ConstraintList& constraints,
   }
   result.Warnings =
     WarningsOf(organ, this->Region, geometry, this->Seed, method, this->StartsAtSeed);
-  result.Voxels =
-    VoxelizeSurface(organ.Points, organ.Mesh.Triangles, geometry, this->Threads.For);
+  result.Voxels = VoxelizeSurface(organ.Points, organ.Mesh.Triangles, geometry, this->Threads.For);
   result.StageSeconds[3] = watch.Lap();
   return result;
 }

@@ -38,8 +38,8 @@ Vector3d ClosestOnTriangle(const Vector3d& a, const Vector3d& b, const Vector3d&
   }
   Vector3d closest = a;
   double least = std::numeric_limits<double>::infinity();
-  for (const Vector3d& candidate : { ClosestOnSegment(a, b, point), ClosestOnSegment(b, c, point),
-         ClosestOnSegment(c, a, point) })
+  for (const Vector3d& candidate :
+    { ClosestOnSegment(a, b, point), ClosestOnSegment(b, c, point), ClosestOnSegment(c, a, point) })
   {
     const double away = (candidate - point).squaredNorm();
     if (away < least)
@@ -77,10 +77,9 @@ SurfacePlace ClosestPlace(const PointList& points, const TriangleList& triangles
   double least = std::numeric_limits<double>::infinity();
   for (Eigen::Index triangle = 0; triangle < triangles.rows(); ++triangle)
   {
-    const Vector3d closest =
-      ClosestOnTriangle(points.row(triangles(triangle, 0)).transpose(),
-        points.row(triangles(triangle, 1)).transpose(),
-        points.row(triangles(triangle, 2)).transpose(), point);
+    const Vector3d closest = ClosestOnTriangle(points.row(triangles(triangle, 0)).transpose(),
+      points.row(triangles(triangle, 1)).transpose(),
+      points.row(triangles(triangle, 2)).transpose(), point);
     const double away = (closest - point).squaredNorm();
     if (away < least)
     {

@@ -149,8 +149,8 @@ public:
       });
   }
 
-  void RunObstacles(const PointList& obstacles, const std::vector<char>& changed,
-    StepLimiter& step, const ParallelFor& parallelFor) const
+  void RunObstacles(const PointList& obstacles, const std::vector<char>& changed, StepLimiter& step,
+    const ParallelFor& parallelFor) const
   {
     if (obstacles.rows() == 0)
     {

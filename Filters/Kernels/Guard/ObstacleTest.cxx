@@ -28,7 +28,8 @@ double TimeToObstacle(const Motion& motion, const Hull& hull, const Eigen::Vecto
   }
   from.row(4) = obstacle.transpose();
   to.row(4) = obstacle.transpose();
-  return TimeOfImpact(Motion{ from, to }, Hull{ { 0, 1, 2, 3 } }, Hull{ { 4, 4, 4, 4 } }, distance, maximumTime);
+  return TimeOfImpact(Motion{ from, to }, Hull{ { 0, 1, 2, 3 } }, Hull{ { 4, 4, 4, 4 } }, distance,
+    maximumTime);
 }
 
 bool MayComeNear(const Motion& motion, const Hull& hull, const Eigen::Vector3d& obstacle,

@@ -128,8 +128,8 @@ private:
       bad.insert(bad.end(), near.begin(), near.end());
       if (WindingNumber(refined, this->Triangles, point) != this->Sides[obstacle])
       {
-        const auto passed = this->Triangles.row(
-          ClosestPlace(refined, this->Triangles, point).Triangle);
+        const auto passed =
+          this->Triangles.row(ClosestPlace(refined, this->Triangles, point).Triangle);
         bad.push_back({ { passed[0], passed[1], passed[2], passed[2] } });
       }
     }

@@ -25,8 +25,7 @@ struct RefinedSurface
 /// attempt succeeded or the monitor stopped it; the mesh must then not be used. `obstacles` are
 /// fixed points, one row each, which stay on their side of the surface if it is checked.
 RefinedSurface RefineSurface(const ContourMesh& mesh, const PointList& points,
-  const PointList& obstacles, bool checked, const ParallelFor& parallelFor,
-  const Monitor& monitor);
+  const PointList& obstacles, bool checked, const ParallelFor& parallelFor, const Monitor& monitor);
 
 inline RefinedSurface RefineSurface(const ContourMesh& mesh, const PointList& points, bool checked,
   const ParallelFor& parallelFor, const Monitor& monitor)

@@ -5,6 +5,29 @@
 
 namespace FlipFree
 {
+namespace
+{
+
+// Calls visit(word, bits) for the words of a row that hold voxels begin <= i < end.
+template <typename Visit>
+void VisitWords(int begin, int end, const Visit& visit)
+{
+  using Word = BitMask::Word;
+  if (begin >= end)
+  {
+    return;
+  }
+  const int first = begin / BitMask::BitsOfWord;
+  const int last = (end - 1) / BitMask::BitsOfWord;
+  const Word fromBegin = ~Word(0) << (begin % BitMask::BitsOfWord);
+  const Word toEnd = ~Word(0) >> (BitMask::BitsOfWord - 1 - (end - 1) % BitMask::BitsOfWord);
+  for (int word = first; word <= last; ++word)
+  {
+    visit(word, (word == first ? fromBegin : ~Word(0)) & (word == last ? toEnd : ~Word(0)));
+  }
+}
+
+} // namespace
 
 BitMask::BitMask(const ImageGeometry& geometry)
   : Geometry(geometry)
@@ -16,19 +39,12 @@ BitMask::BitMask(const ImageGeometry& geometry)
 
 void BitMask::InsertRun(int begin, int end, int j, int k)
 {
-  if (begin >= end)
-  {
-    return;
-  }
-  Word* const row = this->Row(j, k);
-  const int first = begin / BitsOfWord;
-  const int last = (end - 1) / BitsOfWord;
-  const Word fromBegin = ~Word(0) << (begin % BitsOfWord);
-  const Word toEnd = ~Word(0) >> (BitsOfWord - 1 - (end - 1) % BitsOfWord);
-  for (int word = first; word <= last; ++word)
-  {
-    row[word] |= (word == first ? fromBegin : ~Word(0)) & (word == last ? toEnd : ~Word(0));
-  }
+  VisitWords(begin, end, [row = this->Row(j, k)](int word, Word bits) { row[word] |= bits; });
+}
+
+void BitMask::RemoveRun(int begin, int end, int j, int k)
+{
+  VisitWords(begin, end, [row = this->Row(j, k)](int word, Word bits) { row[word] &= ~bits; });
 }
 
 void BitMask::Complement()

@@ -40,6 +40,12 @@ public:
   }
   /// Inserts the voxels (i, j, k) with begin <= i < end.
   void InsertRun(int begin, int end, int j, int k);
+  /// Removes them.
+  void RemoveRun(int begin, int end, int j, int k);
+  void SetRun(bool inside, int begin, int end, int j, int k)
+  {
+    inside ? this->InsertRun(begin, end, j, k) : this->RemoveRun(begin, end, j, k);
+  }
 
   /// Each row of voxels along x begins with a new word; the bits after its end are zero.
   std::ptrdiff_t GetWordsPerRow() const { return this->WordsPerRow; }

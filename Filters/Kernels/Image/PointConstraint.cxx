@@ -28,8 +28,7 @@ bool IsWithin(const ImageGeometry& geometry, const Eigen::Vector3d& point)
 {
   const Eigen::Array3d index = geometry.ToIndex(point);
   const auto& size = geometry.Dimensions;
-  return (index >= -0.5).all() &&
-    (index <= Eigen::Array3d(size[0], size[1], size[2]) - 0.5).all();
+  return (index >= -0.5).all() && (index <= Eigen::Array3d(size[0], size[1], size[2]) - 0.5).all();
 }
 
 void RequireProper(const ImageGeometry& geometry, const PointConstraint& constraint,

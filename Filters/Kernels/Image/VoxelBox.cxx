@@ -21,6 +21,18 @@ VoxelBox BoxAround(const ImageGeometry& geometry, const Eigen::Vector3d& point, 
   return box;
 }
 
+std::array<int, 3> NearestVoxel(const ImageGeometry& geometry, const Eigen::Vector3d& point)
+{
+  const Eigen::Vector3d index = geometry.ToIndex(point);
+  std::array<int, 3> voxel;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double last = geometry.Dimensions[axis] - 1;
+    voxel[axis] = static_cast<int>(std::floor(std::max(0.0, std::min(last, index[axis])) + 0.5));
+  }
+  return voxel;
+}
+
 ImageGeometry CropGeometry(const ImageGeometry& geometry, const VoxelBox& box)
 {
   ImageGeometry result = geometry;

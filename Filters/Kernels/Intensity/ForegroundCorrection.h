@@ -1,10 +1,10 @@
 /**
  * Obeys constraints in a foreground: where a point is on the wrong side, the part around it that
- * looks like it changes sides, up to where a minimum cut finds an edge or a neck. What the user
- * means is taken to be as large as the largest ball about the point that lies on the wrong side.
+ * looks like it changes sides, up to where a minimum cut finds an edge or a neck (CorrectionCut.h).
  *
- * An inside point only adds voxels, an outside point only removes some. The points farthest on the
- * wrong side come first, so the order of the list means nothing.
+ * An inside point adds voxels, an outside point removes some. The points farthest on the wrong side
+ * come first, so the order of the list means nothing. What an inside point adds far away is led to
+ * the rest by a bridge.
  */
 #ifndef FlipFreeForegroundCorrection_h
 #define FlipFreeForegroundCorrection_h

@@ -1,17 +1,15 @@
 #include "Intensity/NeckCarving.h"
 
 #include "Image/BallInside.h"
-#include "Image/BlockGrid.h"
+#include "Image/BlockNetwork.h"
 #include "Image/DistanceParts.h"
 #include "Image/DistanceTransform.h"
 #include "Image/GaussianSmoothing.h"
-#include "Image/MinimumCut.h"
 #include "Intensity/LeakControl.h"
 #include "Intensity/RobustStatistics.h"
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <limits>
 
 namespace FlipFree
@@ -28,13 +26,6 @@ constexpr double LargeBall = 20;
 // Cores are what lies deeper than this part of the peak's depth; flatter parts are no parts.
 constexpr double CoreDepth = 0.6;
 constexpr double MinimumPeak = 3;
-// Of the image in which edges attract the cut, in millimeters.
-constexpr double EdgeSmoothing = 1;
-// The greatest capacity between neighbors; capacities are rounded to a whole number.
-constexpr double GreatestCapacity = 1 << 20;
-// Differences of more than this many standard deviations do not matter.
-constexpr double GreatestJump = 24;
-
 // At least one voxel, if the grid is not empty.
 std::vector<std::size_t> VoxelsAround(const ImageGeometry& geometry, const Eigen::Vector3d& center,
   double radius)
@@ -161,49 +152,6 @@ private:
     }
   }
 
-  // The blocks' gray values, in the mask and out of it.
-  std::vector<float> MeansOfBlocks() const
-  {
-    std::vector<float> means(this->Grid.Blocks.NumberOfVoxels(), 0.0F);
-    const auto& size = this->Mask.GetGeometry().Dimensions;
-    const std::array<int, 3>& factor = this->Grid.Factor;
-    this->Parallel(0, this->Size[2],
-      [&](std::ptrdiff_t first, std::ptrdiff_t last)
-      {
-        std::vector<int> blockOf(size[0]);
-        for (int i = 0; i < size[0]; ++i)
-        {
-          blockOf[i] = i / factor[0];
-        }
-        std::vector<float> counts(this->Size[0]);
-        for (int k = static_cast<int>(first); k < last; ++k)
-        {
-          for (int j = 0; j < this->Size[1]; ++j)
-          {
-            float* const sums = means.data() + this->Grid.Blocks.Offset(0, j, k);
-            std::fill(counts.begin(), counts.end(), 0.0F);
-            for (int z = k * factor[2]; z < std::min(size[2], (k + 1) * factor[2]); ++z)
-            {
-              for (int y = j * factor[1]; y < std::min(size[1], (j + 1) * factor[1]); ++y)
-              {
-                const float* const row = this->Image.Row(y, z);
-                for (int i = 0; i < size[0]; ++i)
-                {
-                  sums[blockOf[i]] += row[i];
-                  counts[blockOf[i]] += 1;
-                }
-              }
-            }
-            for (int i = 0; i < this->Size[0]; ++i)
-            {
-              sums[i] /= counts[i];
-            }
-          }
-        }
-      });
-    return means;
-  }
-
   // How well each block's surroundings within the mask fit the seed.
   void FindUnaries()
   {
@@ -283,9 +231,7 @@ private:
 
   CutNetwork MakeNetwork()
   {
-    const ImageGeometry& blocks = this->Grid.Blocks;
-    this->Nodes.assign(blocks.NumberOfVoxels(), CutNetwork::NoNeighbor);
-    CutNetwork network;
+    this->Nodes.assign(this->Inside.size(), CutNetwork::NoNeighbor);
     int nodes = 0;
     for (std::size_t block = 0; block < this->Nodes.size(); ++block)
     {
@@ -294,69 +240,19 @@ private:
         this->Nodes[block] = nodes++;
       }
     }
-    network.Neighbors.resize(nodes);
-    network.Capacities.resize(nodes);
-    network.Terminals.resize(nodes);
+    BlockLinks links;
     // The smoothness wanted grows with the organ, else small organs collapse.
-    const double perArea = 0.2 * std::max(5.0, std::min(40.0, this->Ball.Radius));
-    const double edge = 3 * std::max({ this->OfBall.StandardDeviation, 0.5 * this->Noise, 1e-12 });
-    std::vector<float> smooth = this->MeansOfBlocks();
-    std::vector<float> weights(smooth.size(), 1.0F);
-    SmoothGaussian(smooth, blocks, EdgeSmoothing, this->Parallel);
-    SmoothGaussian(weights, blocks, EdgeSmoothing, this->Parallel);
-    std::transform(smooth.begin(), smooth.end(), weights.begin(), smooth.begin(), std::divides<>());
-    std::vector<float>().swap(weights);
-    const double volume = blocks.VoxelVolume();
-    const std::array<double, 3> area{ { volume / blocks.Spacing[0], volume / blocks.Spacing[1],
-      volume / blocks.Spacing[2] } };
-    const double unit = perArea * *std::max_element(area.begin(), area.end()) / GreatestCapacity;
-    constexpr std::int32_t greatest = CutNetwork::Infinite / 4;
-    const std::array<std::ptrdiff_t, 3> step{ { 1, this->Size[0],
-      static_cast<std::ptrdiff_t>(this->Size[0]) * this->Size[1] } };
-    for (int k = 0; k < this->Size[2]; ++k)
+    links.PerArea = 0.2 * std::max(5.0, std::min(40.0, this->Ball.Radius));
+    links.EdgeContrast = 3 * std::max({ this->OfBall.StandardDeviation, 0.5 * this->Noise, 1e-12 });
+    CutNetwork network = MakeBlockNetwork(
+      this->Grid.Blocks, this->Nodes, SmoothBlockMeans(this->Image, this->Grid, this->Parallel),
+      links, [this](std::size_t block, const std::array<int, 3>&) { return this->Unaries[block]; },
+      [](std::size_t) { return -1; });
+    for (std::size_t block = 0; block < this->Nodes.size(); ++block)
     {
-      for (int j = 0; j < this->Size[1]; ++j)
+      if (this->IsCore[block] && this->Nodes[block] >= 0)
       {
-        for (int i = 0; i < this->Size[0]; ++i)
-        {
-          const std::size_t block = blocks.Offset(i, j, k);
-          const int node = this->Nodes[block];
-          if (node < 0)
-          {
-            continue;
-          }
-          const std::array<int, 3> index{ { i, j, k } };
-          double terminal = this->Unaries[block] * volume / unit;
-          for (int way = 0; way < 6; ++way)
-          {
-            const int axis = way / 2;
-            const bool up = way % 2 == 1;
-            network.Neighbors[node][way] = CutNetwork::NoNeighbor;
-            network.Capacities[node][way] = 0;
-            if (up ? index[axis] + 1 >= this->Size[axis] : index[axis] == 0)
-            {
-              continue;
-            }
-            const std::size_t other = block + (up ? step[axis] : -step[axis]);
-            const double jump = (smooth[block] - smooth[other]) / edge;
-            // Also where a voxel is not a number.
-            const double square = jump * jump < GreatestJump ? jump * jump : GreatestJump;
-            const double capacity = perArea * area[axis] / unit * std::exp(-0.5 * square);
-            if (this->Nodes[other] < 0)
-            {
-              terminal -= capacity;
-            }
-            else
-            {
-              network.Neighbors[node][way] = this->Nodes[other];
-              network.Capacities[node][way] = static_cast<std::int32_t>(std::lround(capacity));
-            }
-          }
-          network.Terminals[node] = this->IsCore[block]
-            ? -CutNetwork::Infinite
-            : static_cast<std::int32_t>(
-                std::lround(std::max<double>(-greatest, std::min<double>(greatest, terminal))));
-        }
+        network.Terminals[this->Nodes[block]] = -CutNetwork::Infinite;
       }
     }
     for (const std::size_t block : this->SourceBlocks)

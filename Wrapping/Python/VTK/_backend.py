@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkImageData, vtkPolyData
 
+from ._corrections import SEED, Constraint
 from ._errors import EvaluationError, SegmentationError
 from ._parameters import names_of, snake_case
 from ._properties import Property, properties_of
@@ -19,10 +20,13 @@ from .FlipFreeSegmentation import vtkFlipFreeSegmentation
 if TYPE_CHECKING:
     from ._images import AnySurface
 
+# By the kind of a constraint.
+ADDING = ("AddOutsidePoint", "AddInsidePoint", "AddBoundaryPoint", "AddSeed")
+
 # The seed has arguments of its own; the stages know two parameters by other names than the method.
 SEGMENT_PARAMETERS = properties_of(
     vtkFlipFreeSegmentation(),
-    without=("seed_center", "seed_radius", "number_of_iterations", "threshold"),
+    without=("seed_center", "seed_radius", "number_of_iterations", "threshold", "keep_for_corrections"),
 )
 RADIUS = Property("radius", "SeedRadius", float, "")
 NAMES = {**names_of(SEGMENT_PARAMETERS), "SeedCenter": "seed", "SeedRadius": "radius"}
@@ -48,13 +52,24 @@ class SegmentationAlgorithm:
             raise TypeError(f"start: a vtkPolyData or a Segmentation is needed, not {start!r:.80}")
         self.settings.SetStartData(surface)
 
-    def run(self, image: vtkImageData, tell: Progress | None) -> Segmentation:
+    def keep_for_corrections(self) -> None:
+        """From the next run on, what points do not change is kept."""
+        self.settings.SetKeepForCorrections(True)
+
+    def run(
+        self, image: vtkImageData, constraints: tuple[Constraint, ...], tell: Progress | None
+    ) -> Segmentation:
         self.settings.SetInputData(image)
+        self.settings.RemoveAllPoints()
+        for constraint in constraints:
+            add = getattr(self.settings, ADDING[constraint.kind])
+            radius = (constraint.radius,) if constraint.kind == SEED else ()
+            add(*constraint.place, *radius)
         update(self.settings, SegmentationError, tell, names=NAMES)
         return Segmentation(
-            surface=self.settings.GetSurface(),
-            label_map=self.settings.GetLabelMap(),
-            convergence=self.settings.GetConvergence(),
+            surface=_detached(self.settings.GetSurface()),
+            label_map=_detached(self.settings.GetLabelMap()),
+            convergence=_detached(self.settings.GetConvergence()),
             stop_reason=self.settings.GetStopReasonAsString(),
             self_intersections=self.settings.GetNumberOfSelfIntersections(),
             history=self._history(),
@@ -67,9 +82,7 @@ class SegmentationAlgorithm:
         history = []
         for iteration in range(1, self.settings.GetConvergence().GetNumberOfRows() + 1):
             self.settings.UpdateTimeStep(iteration)
-            surface = vtkPolyData()
-            surface.ShallowCopy(self.settings.GetSurface())
-            history.append(surface)
+            history.append(_detached(self.settings.GetSurface()))
         return tuple(history)
 
 
@@ -106,6 +119,13 @@ class PhantomAlgorithm:
             if self.settings.GetSeed(label, seed):
                 seeds[label] = (tuple(seed[:3]), seed[3])
         return self.settings.GetOutput(), self.settings.GetLabelMap(), seeds
+
+
+def _detached(output: Any) -> Any:
+    """What the next run does not change."""
+    copy = output.NewInstance()
+    copy.ShallowCopy(output)
+    return copy
 
 
 def _value(row: vtkDataObject, column: int) -> Any:

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
 from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData, vtkTable
 
 from ._arrays import array_from_image
+from ._corrections import Constraint, Correctable
 from ._faces import Faces
 
 if TYPE_CHECKING:
@@ -15,7 +16,7 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True, repr=False)
-class Segmentation(Faces):
+class Segmentation(Faces, Correctable):
     """An organ. Coordinates are the image's physical millimeters."""
 
     surface: vtkPolyData
@@ -35,6 +36,11 @@ class Segmentation(Faces):
 
     history: tuple[vtkPolyData, ...] = ()
     """The surface after each iteration, with keep_history."""
+
+    constraints: tuple[Constraint, ...] = ()
+    """The points that the surface obeys, and further seeds."""
+
+    _again: Any = field(default=None, compare=False)
 
     @property
     def points(self) -> npt.NDArray[Any]:

@@ -120,12 +120,27 @@ std::optional<DeformableSurface> SurfaceOf(const std::optional<Start>& start, bo
   return MakeStartSurface(copy, faces, name, requireEmbedded, PoolFor);
 }
 
+// Kind, place and radius.
+using ConstraintRow = std::tuple<int, double, double, double, double>;
+
+ConstraintList ConstraintsOf(const std::vector<ConstraintRow>& rows)
+{
+  ConstraintList constraints;
+  for (const auto& [kind, x, y, z, radius] : rows)
+  {
+    constraints.push_back({ static_cast<ConstraintKind>(kind), { x, y, z }, radius });
+  }
+  return constraints;
+}
+
 nb::dict Segment(const Voxels& voxels, const Triple& spacing, const Triple& origin,
   const Nine& direction, const Triple& center, double radius, const std::optional<Start>& start,
-  const Settings& settings, const nb::callable& report)
+  const std::vector<ConstraintRow>& rows, const Settings& settings, const nb::callable& report)
 {
   const ImageGeometry geometry = GeometryOf(voxels, spacing, origin, direction);
-  const SeedSphere seed{ Eigen::Vector3d(center.data()), radius };
+  SeedSphere seed{ Eigen::Vector3d(center.data()), radius };
+  ConstraintList constraints = ConstraintsOf(rows);
+  TakeLargestSeed(seed, constraints);
   struct Iteration
   {
     FaceList Faces;
@@ -149,8 +164,9 @@ nb::dict Segment(const Voxels& voxels, const Triple& spacing, const Triple& orig
       const std::optional<DeformableSurface> surface = SurfaceOf(start, settings.Method.Step.Guard);
       const GrayVolume volume = VisitVoxels(voxels, geometry,
         [](const auto& view) { return GrayVolumeOf(view, ImageName, PoolThreading()); });
-      result = SegmentVolume(volume, ImageName, seed, surface ? &*surface : nullptr, settings,
-        PoolThreading(), monitor,
+      VolumeSegmenter segmenter(volume, ImageName, seed, surface ? &*surface : nullptr, settings,
+        PoolThreading());
+      result = segmenter.Segment(constraints, monitor,
         [&](const ContourMesh& mesh, const PointList& points, const CorrespondenceField& field,
           const IterationRecord&)
         {
@@ -203,7 +219,7 @@ void BindSegmentation(nb::module_& module)
     .def(nb::new_(&SettingsOf), nb::arg("preset"));
   module.def("segment", &Segment, nb::arg("voxels").noconvert(), nb::arg("spacing"),
     nb::arg("origin"), nb::arg("direction"), nb::arg("center"), nb::arg("radius"),
-    nb::arg("start").none(), nb::arg("settings"), nb::arg("report"));
+    nb::arg("start").none(), nb::arg("constraints"), nb::arg("settings"), nb::arg("report"));
 }
 
 } // namespace FlipFree

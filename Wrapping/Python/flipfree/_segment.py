@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import os
 from collections.abc import Sequence
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any, get_args
 
 from ._arrays import image_from_array
 from ._backend import SEGMENT_PARAMETERS, SegmentationAlgorithm
+from ._corrections import Constraint, Points, Seeds, constraints_of
 from ._files import read_image
 from ._images import IMAGE_NAME, is_image
 from ._parameters import described, floats, set_parameters, signature_with
@@ -30,6 +32,10 @@ def segment(
     origin: Sequence[float] | None = None,
     direction: npt.ArrayLike | None = None,
     start: AnySurface | None = None,
+    inside: Points = (),
+    outside: Points = (),
+    boundary: Points = (),
+    seeds: Seeds = (),
     preset: Preset = "default",
     progress: ProgressOption = None,
     **parameters: Any,
@@ -48,6 +54,13 @@ def segment(
     start
         A surface to start from instead of the sphere: closed, with four neighbors at every vertex,
         without self-intersections.
+    inside, outside, boundary
+        Lists of points (x, y, z) in mm that the surface obeys exactly: they end inside it, outside
+        it, and within half the smallest spacing of it. Their order means nothing. corrected() of the
+        result adds more.
+    seeds
+        Further spheres within the organ, as pairs of center and radius. The surface starts from the
+        largest one.
     preset
         The values of the parameters that are not given: 'default', 'published' (the paper's own
         method) or 'naive' (the same without flip avoidance). With the last two, the surface may
@@ -81,9 +94,19 @@ def segment(
     algorithm.set_seed(floats("seed", seed, 3), floats("radius", [radius], 1)[0])
     if start is not None:
         algorithm.set_start(start)
+    constraints = constraints_of(inside, outside, boundary, seeds)
     volume = _image_of(image, spacing, origin, direction, progress)
-    with progress_of(progress, "segmenting") as tell:
-        return algorithm.run(volume, tell)
+
+    def run(points: tuple[Constraint, ...], progress: ProgressOption) -> Segmentation:
+        with progress_of(progress, "segmenting") as tell:
+            result = algorithm.run(volume, points, tell)
+        return replace(result, constraints=points, _again=again)
+
+    def again(points: tuple[Constraint, ...], progress: ProgressOption) -> Segmentation:
+        algorithm.keep_for_corrections()
+        return run(points, progress)
+
+    return run(constraints, progress)
 
 
 def default_parameters(preset: Preset = "default") -> dict[str, Any]:

@@ -6,6 +6,7 @@ import os
 from typing import TYPE_CHECKING, Any
 
 from . import _kernels
+from ._corrections import Constraint
 from ._errors import EvaluationError, FlipFreeError, SegmentationError
 from ._image import Image
 from ._messages import warn, with_names
@@ -90,7 +91,12 @@ class SegmentationAlgorithm:
             )
         self._start = surface
 
-    def run(self, image: Image, tell: Progress | None) -> Segmentation:
+    def keep_for_corrections(self) -> None:
+        """Nothing is kept: every run begins anew."""
+
+    def run(
+        self, image: Image, constraints: tuple[Constraint, ...], tell: Progress | None
+    ) -> Segmentation:
         start = self._start
         answer = run(
             lambda report: _kernels.segment(
@@ -101,6 +107,7 @@ class SegmentationAlgorithm:
                 self._center,
                 self._radius,
                 start and _arrays_of(start),
+                [(one.kind, *one.place, one.radius) for one in constraints],
                 self.settings,
                 report,
             ),

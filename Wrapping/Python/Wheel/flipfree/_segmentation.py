@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
+from ._corrections import Constraint, Correctable
 from ._errors import FlipFreeError
 from ._faces import Faces
 from ._image import Image
@@ -40,7 +41,7 @@ class Surface(Faces):
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class Segmentation(Faces):
+class Segmentation(Faces, Correctable):
     """An organ. Coordinates are the image's physical millimeters."""
 
     mesh: Surface
@@ -59,6 +60,11 @@ class Segmentation(Faces):
 
     history: tuple[Surface, ...] = ()
     """The surface after each iteration, with keep_history."""
+
+    constraints: tuple[Constraint, ...] = ()
+    """The points that the surface obeys, and further seeds."""
+
+    _again: Any = field(default=None, compare=False)
 
     @property
     def points(self) -> npt.NDArray[Any]:

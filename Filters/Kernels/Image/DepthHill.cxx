@@ -1,0 +1,149 @@
+#include "Image/DepthHill.h"
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+
+namespace FlipFree
+{
+namespace
+{
+
+// Sets of voxels that have joined.
+class Components
+{
+public:
+  explicit Components(std::size_t size)
+    : Parents(size, None)
+    , Peaks(size, 0.0F)
+  {
+  }
+
+  bool Has(std::size_t voxel) const { return this->Parents[voxel] != None; }
+
+  void Add(std::size_t voxel, float depth)
+  {
+    this->Parents[voxel] = static_cast<int>(voxel);
+    this->Peaks[voxel] = depth;
+  }
+
+  std::size_t RootOf(std::size_t voxel)
+  {
+    while (this->Parents[voxel] != static_cast<int>(voxel))
+    {
+      this->Parents[voxel] = this->Parents[this->Parents[voxel]];
+      voxel = this->Parents[voxel];
+    }
+    return voxel;
+  }
+
+  float PeakOf(std::size_t voxel) { return this->Peaks[this->RootOf(voxel)]; }
+
+  void Join(std::size_t one, std::size_t two)
+  {
+    const std::size_t from = this->RootOf(one);
+    const std::size_t to = this->RootOf(two);
+    this->Peaks[to] = std::max(this->Peaks[from], this->Peaks[to]);
+    this->Parents[from] = static_cast<int>(to);
+  }
+
+private:
+  static constexpr int None = -1;
+  std::vector<int> Parents;
+  std::vector<float> Peaks;
+};
+
+template <typename Visit>
+void VisitNeighbors(const ImageGeometry& geometry, std::size_t voxel, const Visit& visit)
+{
+  const auto& size = geometry.Dimensions;
+  std::size_t rest = voxel;
+  std::size_t step = 1;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const auto index = static_cast<int>(rest % size[axis]);
+    rest /= size[axis];
+    if (index > 0)
+    {
+      visit(voxel - step);
+    }
+    if (index + 1 < size[axis])
+    {
+      visit(voxel + step);
+    }
+    step *= size[axis];
+  }
+}
+
+} // namespace
+
+DepthHill FindDepthHill(const std::vector<float>& squaredDistance, const ImageGeometry& geometry,
+  std::size_t own, std::size_t other)
+{
+  DepthHill hill;
+  std::vector<int> order;
+  for (std::size_t voxel = 0; voxel < squaredDistance.size(); ++voxel)
+  {
+    if (squaredDistance[voxel] > 0)
+    {
+      order.push_back(static_cast<int>(voxel));
+    }
+  }
+  std::stable_sort(order.begin(), order.end(),
+    [&](int a, int b) { return squaredDistance[a] > squaredDistance[b]; });
+  Components components(squaredDistance.size());
+  for (const int voxel : order)
+  {
+    components.Add(voxel, squaredDistance[voxel]);
+    // What the voxel is about to join: the parts of both points, or they meet later.
+    bool joinsOwn = false;
+    bool joinsOther = false;
+    if (components.Has(own) && components.Has(other))
+    {
+      VisitNeighbors(geometry, voxel,
+        [&](std::size_t neighbor)
+        {
+          if (components.Has(neighbor))
+          {
+            const std::size_t root = components.RootOf(neighbor);
+            joinsOwn = joinsOwn || root == components.RootOf(own);
+            joinsOther = joinsOther || root == components.RootOf(other);
+          }
+        });
+    }
+    const auto isEnd =
+      static_cast<std::size_t>(voxel) == own || static_cast<std::size_t>(voxel) == other;
+    if (joinsOwn && joinsOther && !isEnd && components.RootOf(own) != components.RootOf(other))
+    {
+      hill.Saddle = squaredDistance[voxel];
+      hill.Peak = components.PeakOf(own);
+      hill.Holds.assign(squaredDistance.size(), false);
+      const std::size_t root = components.RootOf(own);
+      for (const int deep : order)
+      {
+        if (deep == voxel)
+        {
+          break;
+        }
+        hill.Holds[deep] = components.RootOf(deep) == root;
+      }
+      return hill;
+    }
+    VisitNeighbors(geometry, voxel,
+      [&](std::size_t neighbor)
+      {
+        if (components.Has(neighbor))
+        {
+          components.Join(voxel, neighbor);
+        }
+      });
+    if (components.Has(own) && components.Has(other) &&
+      components.RootOf(own) == components.RootOf(other))
+    {
+      return hill;
+    }
+  }
+  return hill;
+}
+
+} // namespace FlipFree

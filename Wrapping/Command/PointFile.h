@@ -1,0 +1,38 @@
+/**
+ * Points that correct a segmentation, as files: tables (.csv) with the columns kind, x, y, z and
+ * radius in LPS millimeters, and 3D Slicer's markups (.mrk.json), LPS or RAS as the file says, where
+ * the kind is the first word of a control point's label, and a seed's radius the second one.
+ */
+#ifndef FlipFreeCommandPointFile_h
+#define FlipFreeCommandPointFile_h
+
+#include <array>
+#include <string>
+#include <vector>
+
+class vtkFlipFreeSegmentation;
+
+namespace Command
+{
+
+struct CorrectionPoint
+{
+  std::string Kind; ///< outside, inside, boundary, or seed
+  std::array<double, 3> Place{ { 0, 0, 0 } };
+  double Radius = 0; ///< of a seed
+};
+
+/// The endings of files of points.
+const std::vector<std::string>& PointEndings();
+
+/// Throws Failure, naming the file, the line or the control point, and what is wrong.
+std::vector<CorrectionPoint> ReadPoints(const std::string& name);
+
+void WritePoints(const std::string& name, const std::vector<CorrectionPoint>& points);
+
+/// Adds the points to the filter's.
+void AddPoints(const std::vector<CorrectionPoint>& points, vtkFlipFreeSegmentation* filter);
+
+} // namespace Command
+
+#endif

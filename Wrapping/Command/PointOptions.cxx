@@ -1,0 +1,99 @@
+#include "PointOptions.h"
+
+#include "Failure.h"
+#include "OutputFile.h"
+
+#include <CLI/CLI.hpp>
+
+#include <cmath>
+#include <utility>
+
+namespace Command
+{
+
+void PointOptions::AddOptions(CLI::App& command)
+{
+  const char* const group = "Corrections";
+  const auto add = [&](const char* name, std::vector<double>& values, const char* help)
+  {
+    command.add_option(name, values, help)
+      ->type_name("X Y Z")
+      ->expected(3, CLI::detail::expected_max_vector_size)
+      ->allow_extra_args(false) // of the three that each time has
+      ->group(group);
+  };
+  add("--inside", this->Inside,
+    "A point inside the organ that was missed, in LPS millimeters; can be repeated");
+  add("--outside", this->Outside, "A point outside the organ that was taken for it, likewise");
+  add("--boundary", this->Boundary, "A point on the organ's boundary, likewise");
+  command
+    .add_option("--points", this->PointsIn,
+      "Points and further seeds from a file: a table (.csv: kind, x, y, z, radius) or markups of "
+      "3D Slicer (.mrk.json), whose labels are outside, inside, boundary, or seed and its radius")
+    ->type_name("FILE")
+    ->group(group);
+  command
+    .add_option("--save-points", this->PointsOut, "File for all these points (.csv .mrk.json)")
+    ->type_name("FILE")
+    ->group(group);
+  command
+    .add_flag("--ras", this->RAS,
+      "Coordinates of the command line are RAS, as 3D Slicer and ITK-SNAP show them, not LPS")
+    ->group(group);
+}
+
+void PointOptions::RequireSense() const
+{
+  const std::pair<const char*, const std::vector<double>*> options[] = {
+    { "--inside", &this->Inside }, { "--outside", &this->Outside }, { "--boundary", &this->Boundary }
+  };
+  for (const auto& [name, values] : options)
+  {
+    if (values->size() % 3 != 0)
+    {
+      throw WrongUsage(
+        std::string(name) + ": a coordinate is missing. Give three numbers each time.");
+    }
+    for (const double value : *values)
+    {
+      if (!std::isfinite(value))
+      {
+        throw WrongUsage(std::string(name) +
+          ": a coordinate is not a finite number. Give three numbers, in millimeters.");
+      }
+    }
+  }
+  const std::pair<const char*, const std::string*> files[] = { { "--points", &this->PointsIn },
+    { "--save-points", &this->PointsOut } };
+  for (const auto& [name, file] : files)
+  {
+    if (!file->empty())
+    {
+      RequireEnding(name, *file, PointEndings());
+    }
+  }
+}
+
+std::vector<CorrectionPoint> PointOptions::Points() const
+{
+  std::vector<CorrectionPoint> points;
+  if (!this->PointsIn.empty())
+  {
+    points = ReadPoints(this->PointsIn);
+  }
+  const double sign = this->RAS ? -1 : 1;
+  const auto add = [&](const char* kind, const std::vector<double>& values)
+  {
+    for (std::size_t first = 0; first + 2 < values.size(); first += 3)
+    {
+      points.push_back(
+        { kind, { { sign * values[first], sign * values[first + 1], values[first + 2] } }, 0 });
+    }
+  };
+  add("inside", this->Inside);
+  add("outside", this->Outside);
+  add("boundary", this->Boundary);
+  return points;
+}
+
+} // namespace Command

@@ -1,0 +1,48 @@
+/**
+ * The options that correct a segmentation: points inside the organ, outside it, on its boundary.
+ */
+#ifndef FlipFreeCommandPointOptions_h
+#define FlipFreeCommandPointOptions_h
+
+#include "PointFile.h"
+
+#include <string>
+#include <vector>
+
+namespace CLI
+{
+class App;
+}
+
+namespace Command
+{
+
+class PointOptions
+{
+public:
+  void AddOptions(CLI::App& command);
+
+  /// Throws WrongUsage for coordinates that are not finite and files of another ending.
+  void RequireSense() const;
+
+  /// Coordinates of the command line are RAS: those of the seed, too.
+  bool AreRAS() const { return this->RAS; }
+
+  /// All points in LPS millimeters, those of the file first. Throws Failure if it cannot be read.
+  std::vector<CorrectionPoint> Points() const;
+
+  /// Where all points are to be written; empty if nowhere.
+  const std::string& Output() const { return this->PointsOut; }
+
+private:
+  std::vector<double> Inside;
+  std::vector<double> Outside;
+  std::vector<double> Boundary;
+  std::string PointsIn;
+  std::string PointsOut;
+  bool RAS = false;
+};
+
+} // namespace Command
+
+#endif

@@ -1,0 +1,102 @@
+"""Points that correct a segmentation, and results that can be corrected."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+from ._errors import FlipFreeError
+from ._parameters import floats
+from ._types import ProgressOption
+
+if TYPE_CHECKING:
+    from typing_extensions import Self
+
+# The values of the array `Constraint`.
+OUTSIDE, INSIDE, BOUNDARY, SEED = range(4)
+
+
+@dataclass(frozen=True)
+class Constraint:
+    """A point that the surface must obey, or a further seed sphere."""
+
+    kind: int
+    place: tuple[float, ...]
+    radius: float = 0.0
+
+
+Points = Sequence[Sequence[float]]
+Seeds = Sequence[tuple[Sequence[float], float]]
+
+
+def constraints_of(
+    inside: Points, outside: Points, boundary: Points, seeds: Seeds
+) -> tuple[Constraint, ...]:
+    """All of them as a list; TypeError or ValueError names the argument that is wrong."""
+    constraints: list[Constraint] = []
+    for name, kind, points in (
+        ("inside", INSIDE, inside),
+        ("outside", OUTSIDE, outside),
+        ("boundary", BOUNDARY, boundary),
+    ):
+        constraints += [Constraint(kind, place) for place in _places(name, points)]
+    for seed in _items("seeds", seeds):
+        try:
+            center, radius = seed
+        except (TypeError, ValueError):
+            raise TypeError(
+                f"seeds: pairs of a center and a radius are needed, not {seed!r:.80}"
+            ) from None
+        place = tuple(floats("seeds", center, 3))
+        constraints.append(Constraint(SEED, place, floats("seeds", [radius], 1)[0]))
+    return tuple(constraints)
+
+
+class Correctable:
+    """A result that can be corrected by points."""
+
+    constraints: tuple[Constraint, ...]
+    _again: Callable[[tuple[Constraint, ...], ProgressOption], Any] | None
+
+    def corrected(
+        self,
+        *,
+        inside: Points = (),
+        outside: Points = (),
+        boundary: Points = (),
+        seeds: Seeds = (),
+        progress: ProgressOption = None,
+    ) -> Self:
+        """The segmentation with these points besides those that it has already; see segment().
+
+        This result stays as it is.
+
+        >>> import flipfree
+        >>> abdomen = flipfree.phantom("abdomen").image
+        >>> liver = flipfree.segment(abdomen, seed=(99.75, 83.75, 167), radius=28)
+        >>> smaller = liver.corrected(outside=[(60, 83, 167)])
+        >>> len(smaller.constraints), smaller.self_intersections
+        (1, 0)
+        """
+        if self._again is None:
+            raise FlipFreeError(
+                "corrected: only what segment() has returned can be corrected, not a copy of it"
+            )
+        more = constraints_of(inside, outside, boundary, seeds)
+        return self._again(self.constraints + more, progress)
+
+
+def _items(name: str, values: Any) -> Iterable[Any]:
+    try:
+        return list(values)
+    except TypeError:
+        raise TypeError(f"{name}: a list is needed, not {values!r:.80}") from None
+
+
+def _places(name: str, points: Any) -> list[tuple[float, ...]]:
+    items = _items(name, points)
+    for item in items:
+        if isinstance(item, (int, float)):
+            raise TypeError(f"{name}: a list of points is needed: [(x, y, z)], not {points!r:.80}")
+    return [tuple(floats(name, item, 3)) for item in items]
