@@ -16,7 +16,7 @@ namespace
 // An obstacle is at least that far, in voxels, from the hulls of the faces.
 constexpr double Clearance = 1e-3;
 
-constexpr int MaximumRounds = 60;
+constexpr int MaximumRounds = 100;
 // A round that moves the surface by less, in voxels, is the last one.
 constexpr double LeastProgress = 1e-3;
 
@@ -37,28 +37,23 @@ double LongestEdge(const PointList& points, const Eigen::RowVector3i& triangle)
   return longest;
 }
 
-// Displaces what hangs together with the place within a radius, most of all at the place.
-PointList BulgeAt(const ContourMesh& mesh, const PointList& points, const SurfacePlace& place,
-  Eigen::Vector3d displacement)
+// The vertices that hang together with a place within a radius.
+std::vector<int> VerticesAround(const ContourMesh& mesh, const PointList& points,
+  const SurfacePlace& place, double radius)
 {
   const Eigen::RowVector3i triangle = mesh.Triangles.row(place.Triangle);
-  const double radius = std::max(std::min(LengthsPerPull * displacement.norm(), WidestPull),
-    EdgesPerPull * LongestEdge(points, triangle));
-  displacement *= std::min(1.0, radius / (LengthsPerPull * displacement.norm()));
-  PointList motion = PointList::Zero(points.rows(), 3);
   std::set<int> visited(triangle.data(), triangle.data() + 3);
   std::vector<int> front(visited.begin(), visited.end());
+  std::vector<int> near;
   while (!front.empty())
   {
     const int vertex = front.back();
     front.pop_back();
-    const double away = (points.row(vertex).transpose() - place.Point).norm() / radius;
-    if (away >= 1)
+    if ((points.row(vertex).transpose() - place.Point).norm() >= radius)
     {
       continue;
     }
-    const double weight = (1 - away * away) * (1 - away * away);
-    motion.row(vertex) = weight * displacement.transpose();
+    near.push_back(vertex);
     for (const int neighbor : mesh.Neighbors[vertex])
     {
       if (visited.insert(neighbor).second)
@@ -66,6 +61,48 @@ PointList BulgeAt(const ContourMesh& mesh, const PointList& points, const Surfac
         front.push_back(neighbor);
       }
     }
+  }
+  return near;
+}
+
+double RadiusOfPull(const ContourMesh& mesh, const PointList& points, const SurfacePlace& place,
+  double length)
+{
+  return std::max(std::min(LengthsPerPull * length, WidestPull),
+    EdgesPerPull * LongestEdge(points, mesh.Triangles.row(place.Triangle)));
+}
+
+// Displaces the surroundings of a place, most of all the place.
+PointList BulgeAt(const ContourMesh& mesh, const PointList& points, const SurfacePlace& place,
+  Eigen::Vector3d displacement)
+{
+  const double radius = RadiusOfPull(mesh, points, place, displacement.norm());
+  displacement *= std::min(1.0, radius / (LengthsPerPull * displacement.norm()));
+  PointList motion = PointList::Zero(points.rows(), 3);
+  for (const int vertex : VerticesAround(mesh, points, place, radius))
+  {
+    const double away = (points.row(vertex).transpose() - place.Point).norm() / radius;
+    motion.row(vertex) = (1 - away * away) * (1 - away * away) * displacement.transpose();
+  }
+  return motion;
+}
+
+// Evens out the vertices around a place within the surface: where it has been pulled far, they are
+// few, and hold each other back.
+PointList EvenedAt(const ContourMesh& mesh, const PointList& points, const SurfacePlace& place,
+  double radius)
+{
+  PointList motion = PointList::Zero(points.rows(), 3);
+  for (const int vertex : VerticesAround(mesh, points, place, radius))
+  {
+    const auto& ring = mesh.Neighbors[vertex];
+    const Eigen::RowVector3d along = points.row(ring[2]) - points.row(ring[0]);
+    const Eigen::RowVector3d across = points.row(ring[3]) - points.row(ring[1]);
+    const Eigen::RowVector3d normal = along.cross(across).normalized();
+    const Eigen::RowVector3d mean = 0.25 *
+      (points.row(ring[0]) + points.row(ring[1]) + points.row(ring[2]) + points.row(ring[3]));
+    const Eigen::RowVector3d toMean = mean - points.row(vertex);
+    motion.row(vertex) = 0.5 * (toMean - toMean.dot(normal) * normal);
   }
   return motion;
 }
@@ -168,9 +205,13 @@ bool ConstraintEnforcer::Finish(const ContourMesh& mesh, EmbeddingGuard& guard,
       }
       open = &constraint;
       const SurfacePlace place = ClosestPlace(points, mesh.Triangles, constraint.Point);
-      PointList motion =
-        BulgeAt(mesh, points, place, this->PullOf(constraint, mesh, points, place));
+      const Eigen::Vector3d pull = this->PullOf(constraint, mesh, points, place);
       guard.SetObstacles(this->Obstacles);
+      PointList evened =
+        EvenedAt(mesh, points, place, 2 * RadiusOfPull(mesh, points, place, pull.norm()));
+      points = guard.Limit(points, evened, parallelFor, monitor).Positions;
+      PointList motion =
+        BulgeAt(mesh, points, ClosestPlace(points, mesh.Triangles, constraint.Point), pull);
       const PointList before = points;
       points = guard.Limit(points, motion, parallelFor, monitor).Positions;
       moved = std::max(moved, (points - before).rowwise().norm().maxCoeff());
