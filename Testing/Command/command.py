@@ -54,8 +54,8 @@ def parameter_options():
     for name in ("FlipFreeSegmentation", "GMMFeatureFilter", "CorrespondenceSearch", "FlipFreeDeform"):
         with open(os.path.join(FILTERS, "vtk" + name + ".h"), encoding="utf-8") as file:
             properties.update(re.findall(r"(?:vtkSet\w*Macro\(|void Set)(\w+)(?:,|\((?:double|int|bool) )", file.read()))
-    # The seed is --seed or --seed-voxel and --radius; the history is for pipelines; the feature has the threshold.
-    properties -= {"SeedCenter", "SeedRadius", "KeepHistory", "Threshold"}
+    # The seed is --seed or --seed-voxel and --radius; the history and what is kept are for pipelines; the feature has the threshold.
+    properties -= {"SeedCenter", "SeedRadius", "KeepHistory", "KeepForCorrections", "Threshold"}
     return sorted("-" + re.sub("([A-Z])", r"-\1", name).lower() for name in properties)
 
 

@@ -1,0 +1,92 @@
+"""Points that correct a segmentation: options, files of points, and what is refused."""
+
+import json
+import unittest
+
+import command
+
+
+class TestCorrections(command.CommandTest):
+    points = ("--inside", 62, 32, 32, "--outside", 32, 54, 32, "--boundary", 32, 32, 60)
+
+    def segment(self, *arguments):
+        return command.run("segment", self.volume, *self.seed, "--resolution", 16, *arguments)
+
+    def surface(self, name, *arguments):
+        self.assert_succeeds(self.segment("-q", "-o", self.result(name), *arguments))
+        with open(self.result(name), "rb") as file:
+            return file.read()
+
+    def file(self, name, text):
+        with open(self.result(name), "w", encoding="utf-8") as file:
+            file.write(text)
+        return self.result(name)
+
+    def test_files_repeat_the_options(self):
+        corrected = self.surface("a.stl", *self.points, "--save-points", self.result("a.csv"))
+        self.assertNotEqual(corrected, self.surface("free.stl"))
+        with open(self.result("a.csv"), encoding="utf-8") as file:
+            self.assertEqual(file.read(), "kind,x,y,z,radius\ninside,62,32,32,\noutside,32,54,32,\nboundary,32,32,60,\n")
+        markups = self.result("b.mrk.json")
+        self.assertEqual(self.surface("b.stl", "--points", self.result("a.csv"), "--save-points", markups), corrected)
+        self.assertEqual(self.surface("c.stl", "--points", markups), corrected)
+        with open(markups, encoding="utf-8") as file:
+            content = json.load(file)
+        fiducials = content["markups"][0]
+        self.assertIn("markups-schema-v1", content["@schema"])
+        self.assertEqual((fiducials["type"], fiducials["coordinateSystem"]), ("Fiducial", "LPS"))
+        # As 3D Slicer names and places them.
+        for number, control in enumerate(fiducials["controlPoints"]):
+            control["label"] = f"{control['label'].capitalize()}-{number}"
+            control["position"] = [-control["position"][0], -control["position"][1], control["position"][2]]
+        fiducials["coordinateSystem"] = "RAS"
+        self.file("d.mrk.json", json.dumps(content))
+        self.assertEqual(self.surface("d.stl", "--points", self.result("d.mrk.json")), corrected)
+
+    def test_coordinates_can_be_ras(self):
+        def flipped(arguments):
+            arguments = list(arguments)
+            for index, argument in enumerate(arguments):
+                if argument in ("--seed", "--inside", "--outside", "--boundary"):
+                    arguments[index + 1] = -float(arguments[index + 1])
+                    arguments[index + 2] = -float(arguments[index + 2])
+            return arguments
+
+        process = command.run("segment", self.volume, *flipped(self.seed), "--resolution", 16, "--ras", "-q", "-o",
+                              self.result("e.stl"), *flipped(self.points))
+        self.assert_succeeds(process)
+        with open(self.result("e.stl"), "rb") as file:
+            self.assertEqual(file.read(), self.surface("a.stl", *self.points))
+
+    def test_seeds_in_files(self):
+        seeds = self.file("seeds.csv", "seed, 62, 32, 32, 4\n\n")
+        self.assertNotEqual(self.surface("f.stl", "--points", seeds), self.surface("free.stl"))
+
+    def test_what_is_wrong_is_named(self):
+        out = ("-o", self.result("bad.stl"))
+        for status, arguments, patterns in (
+                (2, ("--inside", 1, 2), ("--inside", "3 required")),
+                (2, ("--inside", 1, 2, 3, "--inside", 1, 2), ("--inside", "coordinate is missing")),
+                (2, ("--outside", "nan", 2, 3), ("--outside", "finite")),
+                (2, ("--points", "points.txt"), ("--points", ".csv or .mrk.json")),
+                (2, ("--save-points", "points.txt"), ("--save-points", ".csv or .mrk.json")),
+                (1, ("--points", self.result("none.csv")), ("none.csv", "cannot be read")),
+                (1, ("--inside", 500, 2, 3), (r"the inside point \(500, 2, 3\) mm lies outside",)),
+                (1, ("--outside", *self.seed[1:4]), ("the outside point", "inner half of the seed sphere")),
+                (1, ("--no-guard", "--inside", 32, 32, 34), ("switch --guard on",)),
+                (1, ("--points", self.file("a.csv", "kind,x,y,z\nabove,1,2,3\n")), ("a.csv", "line 2", "'above'")),
+                (1, ("--points", self.file("b.csv", "inside,1,2\n")), ("b.csv", "line 1", "3 cells")),
+                (1, ("--points", self.file("c.csv", "inside,1,2,3mm\n")), ("c.csv", "'3mm' is no number")),
+                (1, ("--points", self.file("d.csv", "seed,1,2,3\n")), ("d.csv", "no radius")),
+                (1, ("--points", self.file("a.mrk.json", "{")), ("a.mrk.json", "3D Slicer")),
+                (1, ("--points", self.file("b.mrk.json", '{"markups": [{"controlPoints": [{"label": "F-1", '
+                                                         '"position": [1, 2, 3]}]}]}')),
+                 ("b.mrk.json", "F-1", "begins with its kind")),
+                (1, ("--points", self.file("c.mrk.json", '{"markups": [{"coordinateSystem": "IJK"}]}')),
+                 ("c.mrk.json", "IJK"))):
+            with self.subTest(arguments=arguments):
+                self.assert_refused(self.segment(*out, *arguments), status, *patterns)
+
+
+if __name__ == "__main__":
+    unittest.main()

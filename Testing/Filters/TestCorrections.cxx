@@ -1,0 +1,171 @@
+// Points that correct vtkFlipFreeSegmentation: by its methods and by its port, and what is refused.
+#include "BadInput.h"
+
+#include "vtkFlipFreeDeform.h"
+#include "vtkFlipFreeSegmentation.h"
+#include "vtkImplicitPolyDataDistance.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkTriangleFilter.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <array>
+#include <cmath>
+#include <string>
+#include <vector>
+
+using namespace FlipFree;
+
+namespace
+{
+
+using Row = std::array<double, 5>; // kind, place, radius
+
+vtkSmartPointer<vtkPolyData> PointsOf(const std::vector<Row>& rows)
+{
+  auto data = vtkSmartPointer<vtkPolyData>::New();
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkUnsignedCharArray> kinds;
+  kinds->SetName("Constraint");
+  vtkNew<vtkDoubleArray> radii;
+  radii->SetName("Radius");
+  for (const Row& row : rows)
+  {
+    points->InsertNextPoint(row[1], row[2], row[3]);
+    kinds->InsertNextValue(static_cast<unsigned char>(row[0]));
+    radii->InsertNextValue(row[4]);
+  }
+  data->SetPoints(points);
+  data->GetPointData()->AddArray(kinds);
+  data->GetPointData()->AddArray(radii);
+  return data;
+}
+
+vtkSmartPointer<vtkFlipFreeSegmentation> MakeFilter()
+{
+  auto filter = vtkSmartPointer<vtkFlipFreeSegmentation>::New();
+  filter->SetInputData(SphereImage());
+  filter->SetSeedCenter(ExampleCenter[0], ExampleCenter[1], ExampleCenter[2]);
+  filter->SetSeedRadius(ExampleRadius);
+  filter->SetResolution(16);
+  return filter;
+}
+
+std::vector<double> PlacesOf(vtkFlipFreeSegmentation* filter)
+{
+  filter->Update();
+  vtkPolyData* const surface = filter->GetSurface();
+  std::vector<double> places;
+  for (vtkIdType point = 0; point < surface->GetNumberOfPoints(); ++point)
+  {
+    const double* const place = surface->GetPoint(point);
+    places.insert(places.end(), place, place + 3);
+  }
+  return places;
+}
+
+// By VTK's own test, which needs triangles; negative inside.
+double SignedDistanceOf(vtkFlipFreeSegmentation* filter, double x, double y, double z)
+{
+  vtkNew<vtkTriangleFilter> triangles;
+  triangles->SetInputData(filter->GetSurface());
+  triangles->Update();
+  vtkNew<vtkImplicitPolyDataDistance> distance;
+  distance->SetInput(triangles->GetOutput());
+  return distance->EvaluateFunction(x, y, z);
+}
+
+} // namespace
+
+TEST(Corrections, AreTheSameByMethodsAndByThePort)
+{
+  const auto filter = MakeFilter();
+  const std::vector<double> free = PlacesOf(filter);
+  filter->AddInsidePoint(82, 46.5, 46.5);
+  filter->AddOutsidePoint(46.5, 71.5, 46.5);
+  filter->AddBoundaryPoint(46.5, 46.5, 79.5);
+  filter->AddSeed(13.5, 46.5, 46.5, 5);
+  EXPECT_EQ(filter->GetNumberOfAddedPoints(), 4);
+  const std::vector<double> corrected = PlacesOf(filter);
+  EXPECT_NE(corrected, free);
+  EXPECT_EQ(filter->GetNumberOfSelfIntersections(), 0);
+  EXPECT_LT(SignedDistanceOf(filter, 82, 46.5, 46.5), 0);
+  EXPECT_LT(SignedDistanceOf(filter, 13.5, 46.5, 46.5), 0);
+  EXPECT_GT(SignedDistanceOf(filter, 46.5, 71.5, 46.5), 0);
+  EXPECT_LE(std::abs(SignedDistanceOf(filter, 46.5, 46.5, 79.5)), 1.5);
+
+  const auto other = MakeFilter();
+  other->SetConstraintData(PointsOf({ { 3, 13.5, 46.5, 46.5, 5 }, { 2, 46.5, 46.5, 79.5, 0 },
+    { 0, 46.5, 71.5, 46.5, 0 }, { 1, 82, 46.5, 46.5, 0 } }));
+  EXPECT_EQ(PlacesOf(other), corrected);
+  other->SetConstraintData(nullptr);
+  EXPECT_EQ(PlacesOf(other), free);
+  filter->RemoveAllPoints();
+  EXPECT_EQ(PlacesOf(filter), free);
+}
+
+TEST(Corrections, LeaveNoTraceWhateverIsKept)
+{
+  const auto filter = MakeFilter();
+  filter->KeepForCorrectionsOn();
+  const std::vector<double> free = PlacesOf(filter);
+  filter->AddOutsidePoint(46.5, 71.5, 46.5);
+  const std::vector<double> one = PlacesOf(filter);
+  filter->AddInsidePoint(82, 46.5, 46.5);
+  EXPECT_NE(PlacesOf(filter), one);
+  filter->RemoveLastPoint();
+  EXPECT_EQ(PlacesOf(filter), one);
+  filter->RemoveLastPoint();
+  filter->RemoveLastPoint();
+  EXPECT_EQ(PlacesOf(filter), free);
+  // What is kept is of one image.
+  const auto image = ImageOfType(VTK_SHORT);
+  filter->SetInputData(image);
+  EXPECT_NE(ErrorOfUpdate(filter).find("No segmentation"), std::string::npos);
+  filter->SetInputData(SphereImage());
+  EXPECT_EQ(PlacesOf(filter), free);
+  filter->SetSeedRadius(ExampleRadius - 1);
+  EXPECT_NE(PlacesOf(filter), free);
+}
+
+TEST(Corrections, OfTheWrongKindAreRefused)
+{
+  const auto expect = [](vtkPolyData* points, const std::string& words)
+  {
+    const auto filter = MakeFilter();
+    filter->SetConstraintData(points);
+    const std::string error = ErrorOfUpdate(filter);
+    EXPECT_NE(error.find(words), std::string::npos) << error;
+    EXPECT_EQ(filter->GetSurface()->GetNumberOfPoints(), 0);
+  };
+  const auto without = [](const char* array)
+  {
+    auto points = PointsOf({ { 3, 46.5, 46.5, 46.5, 5 } });
+    points->GetPointData()->RemoveArray(array);
+    return points;
+  };
+  expect(without("Constraint"),
+    "the point set on port 2 has no point array 'Constraint'; add it: 0 for a point outside");
+  expect(without("Radius"), "has no point array 'Radius'; add it: the radii of the seeds");
+  expect(PointsOf({ { 4, 46.5, 46.5, 46.5, 0 } }), "at point 0; it can be 0 (outside), 1 (inside)");
+  expect(PointsOf({ { 3, 46.5, 46.5, 46.5, 0 } }), "has a radius below a voxel");
+  expect(PointsOf({ { 1, 500, 46.5, 46.5, 0 } }),
+    "the inside point (500, 46.5, 46.5) mm lies outside the image on port 0");
+  expect(PointsOf({ { 0, 46.5, 46.5, 46.5, 0 } }), "lies in the inner half of the seed sphere");
+  expect(PointsOf({ { 0, 80, 46.5, 46.5, 0 }, { 2, 80, 46.5, 46.5, 0 } }), "are at one place");
+  auto pairs = PointsOf({ { 1, 46.5, 46.5, 46.5, 0 } });
+  vtkNew<vtkDoubleArray> two;
+  two->SetName("Constraint");
+  two->SetNumberOfComponents(2);
+  two->SetNumberOfTuples(1);
+  two->Fill(1);
+  pairs->GetPointData()->AddArray(two);
+  expect(pairs, "has 2 components; it needs one");
+
+  const auto filter = MakeFilter();
+  filter->GetDeform()->GuardOff();
+  filter->AddInsidePoint(50, 46.5, 46.5);
+  EXPECT_NE(ErrorOfUpdate(filter).find("can only be obeyed under the guard"), std::string::npos);
+}
