@@ -1,6 +1,7 @@
 """Points that correct a segmentation: options, files of points, and what is refused."""
 
 import json
+import os
 import unittest
 
 import command
@@ -18,9 +19,10 @@ class TestCorrections(command.CommandTest):
             return file.read()
 
     def file(self, name, text):
-        with open(self.result(name), "w", encoding="utf-8") as file:
+        path = os.path.join(self.inputs, name)
+        with open(path, "w", encoding="utf-8") as file:
             file.write(text)
-        return self.result(name)
+        return path
 
     def test_files_repeat_the_options(self):
         corrected = self.surface("a.stl", *self.points, "--save-points", self.result("a.csv"))
@@ -40,8 +42,8 @@ class TestCorrections(command.CommandTest):
             control["label"] = f"{control['label'].capitalize()}-{number}"
             control["position"] = [-control["position"][0], -control["position"][1], control["position"][2]]
         fiducials["coordinateSystem"] = "RAS"
-        self.file("d.mrk.json", json.dumps(content))
-        self.assertEqual(self.surface("d.stl", "--points", self.result("d.mrk.json")), corrected)
+        markups = self.file("d.mrk.json", json.dumps(content))
+        self.assertEqual(self.surface("d.stl", "--points", markups), corrected)
 
     def test_coordinates_can_be_ras(self):
         def flipped(arguments):

@@ -190,7 +190,7 @@ private:
       SpreadOf(this->OfSeed, this->Noise, this->IsMR));
     this->IsDeep =
       std::abs(this->OfPoint.Median - this->OfSeed.Median) < LikeSeedDeviations * spread &&
-      this->IsAtPeak(depth);
+      (this->IsTooDeep(depth) || this->IsOnTop(depth));
     if (this->IsDeep)
     {
       const double way = (this->Wanted.Point - this->Seed.Center).norm() - 0.5 * this->Seed.Radius;
@@ -199,8 +199,8 @@ private:
     const std::size_t own = this->BlockOf(this->Wanted.Point);
     const DepthHill hill =
       FindDepthHill(depth, this->Grid.Blocks, own, this->BlockOf(this->Seed.Center));
-    this->HasNeck =
-      !hill.Holds.empty() && std::sqrt(hill.Saddle) < NeckRatio * std::sqrt(hill.Peak);
+    this->HasNeck = !hill.Holds.empty() && this->IsOnTop(depth) &&
+      std::sqrt(hill.Saddle) < NeckRatio * std::sqrt(hill.Peak);
     this->IsCore.assign(depth.size(), false);
     if (this->HasNeck)
     {
@@ -213,14 +213,17 @@ private:
     return true;
   }
 
-  // Else the point lies on the slope of the organ's own depth.
-  bool IsAtPeak(const std::vector<float>& squaredDepth) const
+  // Deeper than the organ can be, as far as the seed tells.
+  bool IsTooDeep(const std::vector<float>& squaredDepth) const
+  {
+    return std::sqrt(squaredDepth[this->BlockOf(this->Wanted.Point)]) >
+      DeepInSeedRadii * this->Seed.Radius;
+  }
+
+  // Else the point lies on the slope of some other depth, such as the organ's own.
+  bool IsOnTop(const std::vector<float>& squaredDepth) const
   {
     const double depth = std::sqrt(squaredDepth[this->BlockOf(this->Wanted.Point)]);
-    if (depth > DeepInSeedRadii * this->Seed.Radius)
-    {
-      return true;
-    }
     double most = 0;
     double away = 0;
     for (std::size_t block = 0; block < squaredDepth.size(); ++block)

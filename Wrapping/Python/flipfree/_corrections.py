@@ -84,7 +84,8 @@ class Correctable:
                 "corrected: only what segment() has returned can be corrected, not a copy of it"
             )
         more = constraints_of(inside, outside, boundary, seeds)
-        return self._again(self.constraints + more, progress)
+        result: Self = self._again(self.constraints + more, progress)
+        return result
 
 
 def _items(name: str, values: Any) -> Iterable[Any]:
