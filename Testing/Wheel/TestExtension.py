@@ -159,12 +159,6 @@ class Surface(unittest.TestCase):
             self.assertEqual(liver().surface.GetNumberOfPoints(), 6144)
             self.assertEqual(liver().surface.GetNumberOfPolys(), 6146)
 
-    def test_files_are_not_read(self):
-        for call in (lambda: flipfree.segment("liver.nii.gz", SEED, RADIUS),
-                     lambda: flipfree.write_image(truth(), "liver.nii.gz")):
-            with self.assertRaisesRegex(flipfree.FileError, r"^'liver\.nii\.gz': .*reads and writes no"):
-                call()
-
 
 if __name__ == "__main__":
     unittest.main()

@@ -18,7 +18,9 @@ AnySurface = Union[vtkPolyData, Segmentation]
 if TYPE_CHECKING:  # numpy need not be there
     import numpy.typing as npt
 
-    AnyImage = Union[vtkImageData, npt.NDArray[Any], PathName]
+    from ._foreign import ForeignImage
+
+    AnyImage = Union[vtkImageData, npt.NDArray[Any], PathName, ForeignImage]
 
 
 def is_image(thing: Any) -> bool:

@@ -111,13 +111,16 @@ class SegmentationAlgorithm:
         )
         for text in answer["warnings"]:
             warn(with_names(text, NAMES))
+        certified = bool(self.settings.get("Guard")[0])
         return Segmentation(
-            mesh=Surface(**answer["surface"]),
+            mesh=Surface(**answer["surface"], certified=certified),
             label_map=Image(answer["labels"], image.spacing, image.origin, image.direction),
             iterations=answer["iterations"],
             stop_reason=answer["stop_reason"],
             self_intersections=answer["self_intersections"],
-            history=tuple(Surface(**surface) for surface in answer["history"]),
+            history=tuple(
+                Surface(**surface, certified=certified) for surface in answer["history"]
+            ),
         )
 
 
@@ -143,6 +146,17 @@ class Metrics:
         if answer["warning"]:
             warn(with_names(answer["warning"], names))
         return answer
+
+
+def surface_validity(surface: Surface) -> dict[str, Any]:
+    """Whether a surface is valid, and its open edges, Euler number and self-intersections."""
+    answer: dict[str, Any] = run(
+        lambda report: _kernels.surface_validity(*_arrays_of(surface), report),
+        EvaluationError,
+        "{}",
+        {},
+    )
+    return answer
 
 
 class PhantomAlgorithm:

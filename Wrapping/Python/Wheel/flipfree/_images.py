@@ -15,7 +15,9 @@ AnySurface = Union[Surface, Segmentation]
 if TYPE_CHECKING:
     import numpy.typing as npt
 
-    AnyImage = Union[Image, npt.NDArray[Any], PathName]
+    from ._foreign import ForeignImage
+
+    AnyImage = Union[Image, npt.NDArray[Any], PathName, ForeignImage]
 
 
 def is_image(thing: Any) -> bool:

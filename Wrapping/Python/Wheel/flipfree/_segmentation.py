@@ -32,6 +32,9 @@ class Surface(Faces):
     correspondence: npt.NDArray[Any]
     """Of each vertex in the last search: 0 solitary, 1 matched, 2 flipping."""
 
+    certified: bool = False
+    """Whether the guard was on, so that no two faces can intersect."""
+
     def cells(self) -> tuple[Any, Any]:
         return self.corners, self.offsets
 
@@ -75,7 +78,7 @@ class Segmentation(Faces):
         """A vtkPolyData, where VTK is installed: `pip install vtk`."""
         try:
             from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray
-            from vtkmodules.vtkCommonCore import vtkPoints
+            from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkPoints
             from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
         except ImportError as error:
             raise FlipFreeError(
@@ -97,6 +100,10 @@ class Segmentation(Faces):
             array = numpy_to_vtk(values)
             array.SetName(name)
             surface.GetPointData().AddArray(array)
+        certified = vtkDoubleArray()
+        certified.SetName("Certified")
+        certified.InsertNextValue(float(self.mesh.certified))
+        surface.GetFieldData().AddArray(certified)
         return surface
 
     def cells(self) -> tuple[Any, Any]:
