@@ -50,6 +50,12 @@ def write_image(image: Image, path: PathName) -> None:
 
     There is either the whole file afterwards or, after an error, none of it. Needs SimpleITK, which
     `pip install flipfree[io]` brings along.
+
+    >>> import flipfree
+    >>> flipfree.write_image(flipfree.phantom("sphere").label_map, "truth.jpg")
+    Traceback (most recent call last):
+      ...
+    flipfree.FileError: The ending of 'truth.jpg' stands for no format known here. Use .nii.gz, ...
     """
     name = os.fspath(path)
     if not isinstance(image, Image):

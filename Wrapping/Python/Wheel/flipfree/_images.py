@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any, Union
 
 from ._arrays import image_from_array
+from ._backend import is_surface as is_surface
 from ._image import Image as Image
 from ._segmentation import Segmentation, Surface
 from ._types import PathName
@@ -23,11 +24,6 @@ if TYPE_CHECKING:
 def is_image(thing: Any) -> bool:
     """Whether it is one, other than an array or the name of a file."""
     return isinstance(thing, Image)
-
-
-def is_surface(thing: Any) -> bool:
-    """Whether it is one, other than a Segmentation's."""
-    return isinstance(thing, Surface)
 
 
 def geometry_like(other: Image, array: Any) -> Image:

@@ -39,7 +39,7 @@ def write_picture(path: PathName, image: Volume, organ: Segmentation, size: int 
         raise FlipFreeError(f"'{path}': pictures are .png files")
     figure = Figure(figsize=(size / 100, size / 100), dpi=100, facecolor="#292b33")
     canvas = FigureCanvasAgg(figure)
-    region = _Region(image, organ)
+    region = Region(image, organ.points)
     places = ((0, 0.5025), (0.5025, 0.5025), (0, 0), (0.5025, 0))
     for (left, bottom), view in zip(places, (*VIEWS, None)):
         axes = figure.add_axes((left, bottom, 0.4975, 0.4975), facecolor=INK)
@@ -56,13 +56,13 @@ def write_picture(path: PathName, image: Volume, organ: Segmentation, size: int 
         Image.fromarray(numpy.ascontiguousarray(pixels)).save(temporary, optimize=True)
 
 
-class _Region:
+class Region:
     """What the slices show: a square around the surface, and the window of gray values."""
 
-    def __init__(self, image: Volume, organ: Segmentation) -> None:
+    def __init__(self, image: Volume, points: Any) -> None:
         import numpy
 
-        low, high = organ.points.min(axis=0), organ.points.max(axis=0)
+        low, high = points.min(axis=0), points.max(axis=0)
         self.center = (low + high) / 2
         self.side = float(max(1.8 * (high - low).max(), 60.0))
         some = image.voxels.ravel()[:: max(1, image.voxels.size // 1000000)]
@@ -72,7 +72,7 @@ class _Region:
 
 
 def _draw_slice(
-    axes: Any, image: Volume, organ: Segmentation, region: _Region, view: Any, scale: float
+    axes: Any, image: Volume, organ: Segmentation, region: Region, view: Any, scale: float
 ) -> None:
     import numpy
     from matplotlib.collections import LineCollection
@@ -147,7 +147,7 @@ def cut(organ: Segmentation, point: Any, normal: Any) -> Any:
     return numpy.stack(ends, axis=1)
 
 
-def _draw_surface(axes: Any, organ: Segmentation, region: _Region) -> None:
+def _draw_surface(axes: Any, organ: Segmentation, region: Region) -> None:
     """From the front, the farthest triangles first."""
     import numpy
     from matplotlib.collections import PolyCollection

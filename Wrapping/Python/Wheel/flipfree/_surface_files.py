@@ -47,7 +47,9 @@ def read_surface(path: PathName) -> Surface:
         ".ply": ("vtkIOPLY", "vtkPLYReader"),
         ".obj": ("vtkIOGeometry", "vtkOBJReader"),
     }[ending]
-    reader = getattr(needed(f"vtkmodules.{module}", "to read surface files", "pyvista"), kind)()
+    reader: Any = getattr(needed(f"vtkmodules.{module}", "to read surface files", "pyvista"), kind)()
+    from ._vtk_objects import surface_of_vtk
+
     errors: list[str] = []
     reader.AddObserver("ErrorEvent", lambda *_: errors.append(name))
     reader.SetFileName(name)
@@ -55,24 +57,6 @@ def read_surface(path: PathName) -> Surface:
     if errors or reader.GetErrorCode() or not reader.GetOutput().GetNumberOfPolys():
         raise FileError(f"'{name}' cannot be read: it is damaged, or has no faces. Create it again.")
     return surface_of_vtk(reader.GetOutput())
-
-
-def surface_of_vtk(data: Any) -> Surface:
-    """The polygons of a vtkPolyData, such as a pyvista.PolyData."""
-    import numpy
-    from vtkmodules.util.numpy_support import vtk_to_numpy
-
-    polys = data.GetPolys()
-    points = vtk_to_numpy(data.GetPoints().GetData()) if data.GetNumberOfPoints() else numpy.zeros((0, 3))
-    certified = data.GetFieldData().GetArray("Certified")
-    return Surface(
-        points=points.astype(numpy.float64),
-        corners=vtk_to_numpy(polys.GetConnectivityArray()).astype(numpy.int32),
-        offsets=vtk_to_numpy(polys.GetOffsetsArray()).astype(numpy.int32),
-        displacements=numpy.zeros((len(points), 3)),
-        correspondence=numpy.zeros(len(points), numpy.uint8),
-        certified=certified is not None and certified.GetTuple1(0) == 1,
-    )
 
 
 def ending_of(name: str) -> str:
