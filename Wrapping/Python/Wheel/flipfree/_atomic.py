@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+import csv
+import io
 import os
 import shutil
 import tempfile
 from collections.abc import Iterator
 from contextlib import contextmanager
+from typing import Any
 
 from ._errors import FileError
 from ._types import PathName
@@ -42,6 +45,15 @@ def write_text(path: PathName, text: str) -> None:
     with replacing(path) as temporary:
         with open(temporary, "w", encoding="utf-8", newline="") as file:
             file.write(text)
+
+
+def write_table(path: PathName, columns: list[str], rows: list[list[Any]]) -> None:
+    """Writes a table as CSV."""
+    text = io.StringIO()
+    writer = csv.writer(text, lineterminator="\n")
+    writer.writerow(columns)
+    writer.writerows(rows)
+    write_text(path, text.getvalue())
 
 
 def _refusal(name: str, error: OSError) -> FileError:

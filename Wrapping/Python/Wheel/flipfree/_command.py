@@ -9,7 +9,7 @@ from typing import Any
 
 from . import _commands
 from ._backend import SEGMENT_PARAMETERS
-from ._errors import FlipFreeError
+from ._errors import FlipFreeError, FlipFreeWarning
 from ._messages import spelling
 from ._options import Entry, WrongUsage, destination, help_of, parser_of, table
 
@@ -22,7 +22,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
     status = SUCCESS
     with warnings.catch_warnings():
         warnings.showwarning = _show_warning
-        warnings.simplefilter("always")
+        warnings.simplefilter("ignore")  # those of other packages
+        warnings.simplefilter("always", FlipFreeWarning)
         try:
             _run(words)
             sys.stdout.flush()

@@ -3,15 +3,13 @@
 from __future__ import annotations
 
 import contextlib
-import csv
-import io
 import os
 import sys
 import time
 from dataclasses import asdict
 from typing import Any, get_args
 
-from ._atomic import replacing, write_text
+from ._atomic import replacing, write_table
 from ._backend import SEGMENT_PARAMETERS, set_threads, surface_validity
 from ._errors import FileError, FlipFreeError
 from ._evaluate import evaluate as evaluate_segmentation
@@ -67,7 +65,7 @@ def segment(values: dict[str, Any]) -> None:
         warn("The surface is not certified: --guard is off. It does not intersect itself, though.")
     if "quiet" not in values:
         print(
-            f"{values['input']}: volume {volume_of(organ):.1f} ml, "
+            f"{values['input']}: volume {organ.volume:.1f} ml, "
             f"{len(organ.iterations['Iteration'])} iterations, {organ.stop_reason}, "
             f"{organ.self_intersections} self-intersections; reading {reading:.2f} s, "
             f"segmenting {working:.2f} s"
@@ -102,7 +100,7 @@ def evaluate(values: dict[str, Any]) -> None:
         ) from error
     if "csv" in values:
         row = {_column(name): value for name, value in {**names, **asdict(scores)}.items()}
-        write_text(values["csv"], table_text(list(row), [list(row.values())]))
+        write_table(values["csv"], list(row), [list(row.values())])
     if "quiet" in values:
         return
     print(f"Dice                 {scores.dice:.4f}")
@@ -171,24 +169,11 @@ def cohort(values: dict[str, Any]) -> None:
     )
     if "quiet" not in values:
         print(result)
-
-
-def volume_of(organ: Segmentation) -> float:
-    """What a closed surface holds, in milliliters."""
-    import numpy
-
-    corners = organ.points[organ.triangles]
-    cross = numpy.cross(corners[:, 1], corners[:, 2])
-    return float(numpy.einsum("ij,ij->", corners[:, 0], cross) / 6000)
-
-
-def table_text(columns: list[str], rows: list[list[Any]]) -> str:
-    """A table as CSV."""
-    text = io.StringIO()
-    writer = csv.writer(text, lineterminator="\n")
-    writer.writerow(columns)
-    writer.writerows(rows)
-    return text.getvalue()
+    if result.failed:
+        raise FlipFreeError(
+            f"{len(result.failed)} of {len(result.rows)} rows failed. Their messages are in "
+            f"'{os.path.join(values['output'], 'cohort.csv')}' and in report.html beside it."
+        )
 
 
 def _wants_bar(values: dict[str, Any]) -> bool:
@@ -273,7 +258,7 @@ def _write(name: str, path: str, organ: Segmentation, image: Any) -> None:
     elif name == "convergence":
         columns = organ.iterations
         rows = zip(*(values.tolist() for values in columns.values()))
-        write_text(path, table_text(list(columns), [list(row) for row in rows]))
+        write_table(path, list(columns), [list(row) for row in rows])
     else:
         from ._picture import write_picture
 

@@ -28,15 +28,15 @@ def require_matplotlib() -> None:
 
 
 def write_picture(path: PathName, image: Volume, organ: Segmentation, size: int = 1200) -> None:
-    """Writes a PNG file: axial, sagittal and coronal slices through the surface's center."""
+    """Writes a .png or .jpg file: axial, sagittal and coronal slices through the surface's center."""
     require_matplotlib()
     import numpy
     from matplotlib.backends.backend_agg import FigureCanvasAgg
     from matplotlib.figure import Figure
     from PIL import Image
 
-    if not os.fspath(path).lower().endswith(".png"):
-        raise FlipFreeError(f"'{path}': pictures are .png files")
+    if not os.fspath(path).lower().endswith((".png", ".jpg")):
+        raise FlipFreeError(f"'{path}': pictures are .png or .jpg files")
     figure = Figure(figsize=(size / 100, size / 100), dpi=100, facecolor="#292b33")
     canvas = FigureCanvasAgg(figure)
     region = Region(image, organ.points)
