@@ -31,15 +31,10 @@ def client_of(
     with contextlib.ExitStack() as stack:
         if scheduler is None:
             count = workers or workers_for(threads, voxels, volumes)
-            scheduler = stack.enter_context(_local(distributed, count))
-        try:
-            _require_answer(distributed, scheduler)
-            client = distributed.Client(scheduler, timeout=PATIENCE, set_as_default=False)
-        except (OSError, ValueError, OverflowError, ImportError) as error:
-            raise FlipFreeError(
-                f"scheduler: nothing answers as a Dask scheduler at '{scheduler}'. Start one there "
-                "(dask scheduler), or correct the address (tcp://HOST:PORT)."
-            ) from error
+            cluster = stack.enter_context(_local(distributed, count))
+            client = distributed.Client(cluster, set_as_default=False)
+        else:
+            client = _connected(distributed, scheduler)
         stack.callback(client.close)
         _require_same_version(client)
         yield client
@@ -59,12 +54,14 @@ def _local(distributed: Any, count: int) -> Iterator[Any]:
 
     with contextlib.ExitStack() as stack:
         scratch = stack.enter_context(tempfile.TemporaryDirectory(prefix="flipfree-dask-"))
-        # A worker gets a volume when it is free, and a volume that kills three of them is given up.
+        # A worker gets a volume when it is free; a volume that kills three of them is given up, and so is
+        # everything if no worker comes back.
         stack.enter_context(
             dask.config.set(
                 {
                     "distributed.scheduler.worker-saturation": 1.0,
                     "distributed.scheduler.allowed-failures": 2,
+                    "distributed.scheduler.no-workers-timeout": "120s",
                 }
             )
         )
@@ -86,12 +83,18 @@ def _local(distributed: Any, count: int) -> Iterator[Any]:
             raise FlipFreeError(f"scheduler: the workers could not be started ({error}).") from error
 
 
-def _require_answer(distributed: Any, scheduler: str) -> None:
-    """Raises an error if nothing listens there; a client would try for long, and leave tasks behind."""
-    if "://" in scheduler and not scheduler.startswith(("tcp://", "tls://")):
-        return
-    place = distributed.comm.get_address_host_port(scheduler)
-    socket.create_connection(place, timeout=PATIENCE).close()
+def _connected(distributed: Any, scheduler: str) -> Any:
+    try:
+        # A client would try for long where nothing listens, and leave tasks behind.
+        if "://" not in scheduler or scheduler.startswith(("tcp://", "tls://")):
+            place = distributed.comm.get_address_host_port(scheduler)
+            socket.create_connection(place, timeout=PATIENCE).close()
+        return distributed.Client(scheduler, timeout=PATIENCE, set_as_default=False)
+    except (OSError, ValueError, OverflowError, ImportError) as error:
+        raise FlipFreeError(
+            f"scheduler: nothing answers as a Dask scheduler at '{scheduler}'. Start one there "
+            "(dask scheduler), or correct the address (tcp://HOST:PORT)."
+        ) from error
 
 
 def _require_main() -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import asyncio
 import os
 import time
 import uuid
@@ -183,9 +184,11 @@ def _answers(
             # One of them did it, and the others are innocent.
             for row in rows if len(rows) > 1 else ():
                 submit([row])
-        except (distributed.client.FutureCancelledError, OSError) as error:
+        # Rows catch what is wrong with them; this is of the scheduler.
+        except (Exception, asyncio.CancelledError) as error:
             raise FlipFreeError(
-                "scheduler: the connection to it is lost. What is done is kept: start the cohort again."
+                f"scheduler: it or its workers are lost ({type(error).__name__}). What is done is kept: "
+                "start the cohort again."
             ) from error
 
 

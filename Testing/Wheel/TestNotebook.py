@@ -1,0 +1,55 @@
+"""The notebook of the examples runs from the first cell to the last, and draws its pictures.
+
+  TestNotebook.py [--renew]
+
+With --renew, what the cells print and draw is written into the notebook; look at it afterwards.
+"""
+
+import os
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+try:
+    import distributed  # pylint: disable=unused-import
+    import ipykernel  # pylint: disable=unused-import
+    import nbclient
+    import nbformat
+    import pyvista  # pylint: disable=unused-import
+    import SimpleITK  # pylint: disable=unused-import
+except ImportError as error:
+    print(f"Skipped: {error}.")
+    sys.exit(77)
+
+NOTEBOOK = Path(os.environ["FLIPFREE_PYTHON_SOURCE"]).parents[1] / "Examples" / "Notebook" / "flipfree.ipynb"
+
+
+def executed():
+    notebook = nbformat.read(NOTEBOOK, as_version=4)
+    # The kernel of this interpreter, whatever others are installed.
+    notebook.metadata["kernelspec"] = {"name": "python3", "display_name": "Python 3", "language": "python"}
+    with tempfile.TemporaryDirectory() as folder:
+        nbclient.NotebookClient(notebook, timeout=300, resources={"metadata": {"path": folder}}).execute()
+    return notebook
+
+
+class Notebook(unittest.TestCase):
+    def test_all_cells(self):
+        outputs = [output for cell in executed().cells for output in cell.get("outputs", [])]
+        text = "".join(output.get("text", "") for output in outputs)
+        self.assertEqual([output for output in outputs if output.get("name") == "stderr"], [])
+        self.assertRegex(text, r"<Segmentation: 6144 vertices, 0 self-intersections, 'at rest' after \d+ iterations>")
+        self.assertRegex(text, r"Dice 0\.9\d\d, mean distance \d\.\d\d mm")
+        self.assertRegex(text, r"spleen +done, Dice 0\.9.*\n *left_kidney +done, Dice 0\.9")
+        pictures = [output["data"]["image/png"] for output in outputs if "image/png" in output.get("data", {})]
+        pictures += [output["data"]["image/jpeg"] for output in outputs if "image/jpeg" in output.get("data", {})]
+        self.assertEqual(len(pictures), 3)
+        self.assertTrue(all(len(picture) > 10000 for picture in pictures))
+
+
+if __name__ == "__main__":
+    if "--renew" in sys.argv:
+        nbformat.write(executed(), NOTEBOOK)
+    else:
+        unittest.main()
