@@ -22,7 +22,7 @@ try:
     import psutil
     import pyarrow.parquet
     import SimpleITK  # pylint: disable=unused-import
-    from flipfree import _cluster, _cohort_work
+    from flipfree import _cluster, _cohort_table, _cohort_work
 except ImportError as error:
     print(f"Skipped: {error}.")
     sys.exit(77)
@@ -211,7 +211,7 @@ class Local(CohortTest):
         self.assertNotIn("http", report)
 
     def test_a_volume_is_read_once(self):
-        rows = [flipfree._cohort_table._row({key: str(value) for key, value in row.items()}, "")
+        rows = [_cohort_table._row({key: str(value) for key, value in row.items()}, "")
                 for row in self.rows(1)]
         with mock.patch.object(_cohort_work, "read_image", wraps=flipfree.read_image) as read:
             records = _cohort_work.segment_rows(rows, str(self.out), 1)

@@ -7,7 +7,8 @@ from typing import TYPE_CHECKING, Any, Union
 from ._arrays import image_from_array
 from ._backend import is_surface as is_surface
 from ._image import Image as Image
-from ._segmentation import Segmentation, Surface
+from ._segmentation import Segmentation
+from ._segmentation import Surface as Surface
 from ._types import PathName
 
 IMAGE_NAME = "flipfree.Image"

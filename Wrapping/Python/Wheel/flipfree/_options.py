@@ -83,7 +83,7 @@ def parser_of(entry: Entry, parameters: Mapping[str, Parameter]) -> Parser:
         argument_default=argparse.SUPPRESS,
     )
     # Also 1e-3 and the like are negative numbers rather than options.
-    parser._negative_number_matcher = re.compile(r"^-(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?$")  # type: ignore[misc]
+    parser._negative_number_matcher = re.compile(r"^-(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?$")
     for positional in entry["positionals"]:
         parser.add_argument(positional["values"][0].lower(), metavar=positional["values"][0])
     for option in entry["options"]:
