@@ -16,6 +16,8 @@ from ._extras import needed
 
 # Seconds after which a scheduler that does not answer is taken to be out of reach.
 PATIENCE = 10.0
+# How long workers may all be gone.
+LONELY = "120s"
 # Bytes: the interpreter and what it imports; and of each voxel, beside the image and the reference, which are
 # read into memory twice while they become arrays.
 BASE, PER_VOXEL = 400e6, 24.0
@@ -61,7 +63,7 @@ def _local(distributed: Any, count: int) -> Iterator[Any]:
                 {
                     "distributed.scheduler.worker-saturation": 1.0,
                     "distributed.scheduler.allowed-failures": 2,
-                    "distributed.scheduler.no-workers-timeout": "120s",
+                    "distributed.scheduler.no-workers-timeout": LONELY,
                 }
             )
         )
@@ -74,6 +76,7 @@ def _local(distributed: Any, count: int) -> Iterator[Any]:
                     host="127.0.0.1",
                     dashboard_address="127.0.0.1:0",
                     local_directory=scratch,
+                    preload=[f"{__package__}._cohort_worker"],
                     silence_logs=logging.CRITICAL,
                 )
             )
