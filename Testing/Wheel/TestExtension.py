@@ -1,5 +1,6 @@
 """What only the package without VTK has: threads of its own, and signals and forks among them."""
 
+import importlib.metadata
 import os
 import re
 import signal
@@ -158,6 +159,14 @@ class Surface(unittest.TestCase):
         else:
             self.assertEqual(liver().surface.GetNumberOfPoints(), 6144)
             self.assertEqual(liver().surface.GetNumberOfPolys(), 6146)
+
+
+class Metadata(unittest.TestCase):
+    def test_version_and_licenses(self):
+        distribution = importlib.metadata.distribution("flipfree")
+        self.assertEqual(distribution.version, flipfree.__version__)
+        names = sorted(Path(name).name for name in distribution.metadata.get_all("License-File"))
+        self.assertEqual(names, ["LICENSE", "eigen.txt", "nanobind.txt", "robin_map.txt"])
 
 
 if __name__ == "__main__":

@@ -9,6 +9,8 @@ from typing import Any
 
 # Rows whose picture is in the file; those behind them, of the highest confidence, refer to theirs.
 PICTURES = 1000
+# Rows that are listed; a browser is slow with more.
+LISTED = 10000
 
 STYLE = """
 body { margin: 0; padding: 1.5rem; background: #16181d; color: #d9dbe0; font: 15px/1.45 system-ui, sans-serif; }
@@ -33,17 +35,18 @@ def report_of(rows: list[dict[str, Any]], folder: str) -> str:
     failed = sum(row["status"] != "done" for row in rows)
     cards = [
         _card(row, f"{index + 1}", folder if index < PICTURES else None)
-        for index, row in enumerate(ordered)
+        for index, row in enumerate(ordered[:LISTED])
     ]
+    more = f" The file lists the first {LISTED:,} of them; cohort.csv has all." if len(rows) > LISTED else ""
     return "\n".join(
         (
             '<!DOCTYPE html>\n<html lang="en">\n<head>\n<meta charset="utf-8">',
             '<meta name="viewport" content="width=device-width, initial-scale=1">',
             f"<title>FlipFree: a cohort of {len(rows)} rows</title>\n<style>{STYLE}</style>\n</head>\n<body>",
-            f"<h1>{len(rows)} rows, {failed} failed</h1>",
-            "<p>Failed rows come first, then those of the least confidence: the share of the surface with the "
+            f"<h1>{len(rows):,} rows, {failed:,} failed</h1>",
+            f"<p>Failed rows come first, then those of the least confidence: the share of the surface with the "
             "organ's gray values inside and others outside. Pictures: axial, sagittal and coronal slices "
-            "through the surface's center, and the surface from the front.</p>\n<main>",
+            f"through the surface's center, and the surface from the front.{more}</p>\n<main>",
             *cards,
             "</main>\n</body>\n</html>\n",
         )
