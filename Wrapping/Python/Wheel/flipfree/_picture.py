@@ -49,7 +49,7 @@ def write_picture(path: PathName, image: Volume, organ: Segmentation, size: int 
         if view is None:
             _draw_surface(axes, organ, region)
         else:
-            _draw_slice(axes, image, organ, region, view, size / 1200)
+            _draw_slice(axes, image, organ, region, view, max(size / 1200, 0.8))
     canvas.draw()
     pixels = numpy.asarray(canvas.buffer_rgba())[..., :3]
     with replacing(path) as temporary:
