@@ -47,7 +47,8 @@ std::string TextOf(const OptionEntry& entry, const std::string& indent)
        << indent << "  \"description\": " << Quoted(entry.Description) << ",\n"
        << indent << "  \"default\": " << Quoted(entry.Default) << ",\n"
        << indent << "  \"group\": " << Quoted(entry.Group) << ",\n"
-       << indent << "  \"required\": " << (entry.Required ? "true" : "false") << "\n"
+       << indent << "  \"required\": " << (entry.Required ? "true" : "false") << ",\n"
+       << indent << "  \"repeats\": " << (entry.Repeats ? "true" : "false") << "\n"
        << indent << "}";
   return text.str();
 }

@@ -50,6 +50,8 @@ OptionEntry EntryOf(const CLI::Option& option)
   entry.Default = option.get_default_str();
   entry.Group = option.get_group();
   entry.Required = option.get_required();
+  entry.Repeats = !option.get_allow_extra_args() &&
+    option.get_expected_max() >= CLI::detail::expected_max_vector_size;
   return entry;
 }
 

@@ -25,6 +25,7 @@ struct OptionEntry
   std::string Default;
   std::string Group;
   bool Required = false;
+  bool Repeats = false; // may be given several times
 };
 
 struct CommandEntry

@@ -59,6 +59,10 @@ class Correctable:
     constraints: tuple[Constraint, ...]
     _again: Callable[[tuple[Constraint, ...], ProgressOption], Any] | None
 
+    def __getstate__(self) -> dict[str, Any]:
+        # In another process, only the result is there.
+        return {**self.__dict__, "_again": None}
+
     def corrected(
         self,
         *,

@@ -18,6 +18,8 @@ from ._messages import warn
 from ._options import WrongUsage
 from ._phantom import Organ
 from ._phantom import phantom as make_phantom
+from ._point_files import ENDINGS as POINT_ENDINGS
+from ._point_files import read_points, write_points
 from ._segment import segment as segment_organ
 from ._segmentation import Segmentation
 from ._surface_files import ENDINGS, read_surface, write_surface
@@ -30,6 +32,7 @@ OUTPUTS = {
     "labels": WRITE_ENDINGS,
     "convergence": (".csv",),
     "snapshot": (".png",),
+    "save_points": POINT_ENDINGS,
 }
 
 
@@ -38,11 +41,12 @@ def segment(values: dict[str, Any]) -> None:
     progress = _wants_bar(values)
     outputs = {name: values[name] for name in OUTPUTS if name in values}
     _require_sense(values, outputs)
+    points = _points_of(values)
     set_threads(values.get("threads", 0))
     start = time.perf_counter()
     image = read_image(values["input"], series=values.get("series"), progress=progress)
     reading = time.perf_counter() - start
-    seed = values.get("seed") or _point_of(image, values["seed_voxel"])
+    seed = _lps(values, values.get("seed")) or _point_of(image, values["seed_voxel"])
     start = time.perf_counter()
     try:
         organ = segment_organ(
@@ -51,6 +55,7 @@ def segment(values: dict[str, Any]) -> None:
             values["radius"],
             preset=values.get("preset", "default"),
             progress=progress or None,
+            **points,
             **{name: value for name, value in values.items() if name in SEGMENT_PARAMETERS},
         )
     except FlipFreeError as error:
@@ -176,6 +181,20 @@ def cohort(values: dict[str, Any]) -> None:
         )
 
 
+def _lps(values: dict[str, Any], point: list[float] | None) -> list[float] | None:
+    """A point of the command line."""
+    return [-point[0], -point[1], point[2]] if point and "ras" in values else point
+
+
+def _points_of(values: dict[str, Any]) -> dict[str, list[Any]]:
+    """The corrections, as segment() takes them; those of the file first."""
+    points = read_points(values["points"]) if "points" in values else {}
+    for kind in ("inside", "outside", "boundary"):
+        points.setdefault(kind, [])
+        points[kind] += [_lps(values, point) for point in values.get(kind, ())]
+    return points
+
+
 def _wants_bar(values: dict[str, Any]) -> bool:
     return "quiet" not in values and sys.stderr.isatty()
 
@@ -189,13 +208,15 @@ def _require_sense(values: dict[str, Any], outputs: dict[str, str]) -> None:
             else "There is no seed. Give a point deep inside the organ: --seed X Y Z (LPS mm) or "
             "--seed-voxel I J K"
         )
-    if not outputs:
+    if "points" in values:
+        _require_ending("--points", values["points"], POINT_ENDINGS)
+    if not set(outputs) - {"save_points"}:
         raise WrongUsage(
             "No output is requested. Give at least one of --output, --labels, --convergence and "
             "--snapshot"
         )
     for name, path in outputs.items():
-        _require_ending(f"--{name}", path, OUTPUTS[name])
+        _require_ending(f"--{name.replace('_', '-')}", path, OUTPUTS[name])
         _require_place(path, [values["input"]])
     if not os.path.isdir(values["input"]) and "series" in values:
         raise WrongUsage(
@@ -255,6 +276,8 @@ def _write(name: str, path: str, organ: Segmentation, image: Any) -> None:
         write_surface(organ, path)
     elif name == "labels":
         write_image(organ.label_map, path)
+    elif name == "save_points":
+        write_points(path, organ.constraints)
     elif name == "convergence":
         columns = organ.iterations
         rows = zip(*(values.tolist() for values in columns.values()))

@@ -117,6 +117,7 @@ def _add(parser: Parser, option: Entry, parameters: Mapping[str, Parameter]) -> 
     parser.add_argument(
         *on,
         dest=name,
+        action="append" if option.get("repeats") else "store",
         type=kind,
         nargs=count if count > 1 else None,
         choices=option["choices"] or None,

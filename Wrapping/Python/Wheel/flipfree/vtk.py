@@ -166,7 +166,7 @@ class FlipFreeSegmentation(VTKPythonAlgorithmBase):  # type: ignore[misc]
         algorithm.clear_start()
         if start is not None:
             algorithm.set_start(surface_of_vtk(start))
-        organ = algorithm.run(adopted("image", data), self._tell)
+        organ = algorithm.run(adopted("image", data), (), self._tell)
         self._stop_reason = organ.stop_reason
         self._self_intersections = organ.self_intersections
         return organ
