@@ -4,7 +4,7 @@
 #include "LabelAdapter.h"
 #include "Statistics.h"
 #include "Vessel/TubeOccupancy.h"
-#include "Vessel/VesselPath.h"
+#include "Vessel/VesselSegmentation.h"
 #include "Image/ImageInterpolation.h"
 #include "Stopwatch.h"
 
@@ -36,48 +36,38 @@ std::vector<Row> ReadTubes(const std::string& file)
   return rows;
 }
 
-std::map<std::string, std::function<void(VesselPathSettings&, double)>> Setters = {
-  {"margin", [](auto& s, double x) { s.Margin = x; }},
-  {"snap", [](auto& s, double x) { s.SnapDistance = x; }},
-  {"smooth", [](auto& s, double x) { s.SmoothingDeviation = x; }},
-  {"grid", [](auto& s, double x) { s.GridSpacing = x; }},
-  {"wall", [](auto& s, double x) { s.Wall = x; }},
-  {"radius", [](auto& s, double x) { s.Radius = x; }},
-  {"perc", [](auto& s, double x) { s.Speed.Percentile = x; }},
-  {"high", [](auto& s, double x) { s.Speed.HighAllowance = x; }},
-  {"mincap", [](auto& s, double x) { s.Speed.MinimumCap = x; }},
-  {"maxcap", [](auto& s, double x) { s.Speed.MaximumCap = x; }},
-  {"body", [](auto& s, double x) { s.Speed.BodyScale = x; }},
-  {"minbody", [](auto& s, double x) { s.Speed.MinimumBody = x; }},
-  {"tophat", [](auto& s, double x) { s.Speed.TopHat = x; }},
-  {"edge", [](auto& s, double x) { s.Speed.EdgeStrength = x; }},
-  {"dark", [](auto& s, double x) { s.Sections.DarkLimit = x; }},
-  {"bright", [](auto& s, double x) { s.Sections.BrightLimit = x; }},
-  {"window", [](auto& s, double x) { s.Sections.IntensityWindow = int(x); }},
-  {"beta", [](auto& s, double x) { s.Sections.EdgeWeight = x; }},
-  {"gam", [](auto& s, double x) { s.Sections.PriorWeight = x; }},
-  {"g", [](auto& s, double x) { s.Sections.PriorFollow = x; }},
-  {"ls", [](auto& s, double x) { s.Sections.AlongWeight = x; }},
-  {"lt", [](auto& s, double x) { s.Sections.AroundWeight = x; }},
-  {"rounds", [](auto& s, double x) { s.Sections.Rounds = int(x); }},
+std::map<std::string, std::function<void(VesselSegmentationSettings&, double)>> Setters = {
+  {"wall", [](auto& s, double x) { s.Path.WallThickness = x; }},
+  {"radius", [](auto& s, double x) { s.Path.Radius = x; }},
+  {"margin", [](auto& s, double x) { s.Path.Margin = x; }},
+  {"wideradius", [](auto& s, double x) { s.Path.WideRadius = x; }},
+  {"levels", [](auto& s, double x) { s.Levels = int(x); }},
+  {"iterations", [](auto& s, double x) { s.MaximumIterations = int(x); }},
+#define STYLE(W) \
+  {#W ".body", [](auto& s, double x) { s.Path.W.Speed.BodyScale = x; }}, \
+  {#W ".minbody", [](auto& s, double x) { s.Path.W.Speed.MinimumBody = x; }}, \
+  {#W ".perc", [](auto& s, double x) { s.Path.W.Speed.Percentile = x; }}, \
+  {#W ".high", [](auto& s, double x) { s.Path.W.Speed.HighAllowance = x; }}, \
+  {#W ".edge", [](auto& s, double x) { s.Path.W.Speed.EdgeStrength = x; }}, \
+  {#W ".tophat", [](auto& s, double x) { s.Path.W.Speed.TopHat = x; }}, \
+  {#W ".snap", [](auto& s, double x) { s.Path.W.SnapDistance = x; }}, \
+  {#W ".maxdev", [](auto& s, double x) { s.Path.W.Speed.MaximumDeviation = x; }}, \
+  {#W ".dark", [](auto& s, double x) { s.Path.W.Sections.DarkLimit = x; }}, \
+  {#W ".bright", [](auto& s, double x) { s.Path.W.Sections.BrightLimit = x; }}, \
+  {#W ".beta", [](auto& s, double x) { s.Path.W.Sections.EdgeWeight = x; }}, \
+  {#W ".gam", [](auto& s, double x) { s.Path.W.Sections.PriorWeight = x; }}, \
+  {#W ".g", [](auto& s, double x) { s.Path.W.Sections.PriorFollow = x; }}, \
+  {#W ".ls", [](auto& s, double x) { s.Path.W.Sections.AlongWeight = x; }}, \
+  {#W ".lt", [](auto& s, double x) { s.Path.W.Sections.AroundWeight = x; }}, \
+  {#W ".window", [](auto& s, double x) { s.Path.W.Sections.IntensityWindow = int(x); }}
+  STYLE(Thin), STYLE(Wide)
 };
-
-VesselPathSettings Preset(const std::string& role)
-{
-  VesselPathSettings s;
-  if (role == "aorta") { s.Margin = 60; s.Wall = 1.25; }
-  if (role == "ivc") { s.Margin = 35; s.Wall = .35; s.Speed.BodyScale = 1.5; s.Speed.MinimumBody = 8; s.Sections.DarkLimit = 50; s.Sections.BrightLimit = 15;
-    s.Sections.EdgeWeight = 15; s.Sections.PriorWeight = .05; s.Sections.PriorFollow = .5; s.Sections.AlongWeight = .04; s.Sections.AroundWeight = .08; }
-  if (role == "portal") { s.Margin = 38; s.Wall = .6; s.SnapDistance = 5; s.Speed.Percentile = .75; s.Speed.HighAllowance = 40; s.Speed.MaximumCap = 3; s.Speed.TopHat = 7.5;
-    s.Sections.EdgeWeight = 15; s.Sections.PriorWeight = .1; s.Sections.PriorFollow = .5; s.Sections.AlongWeight = .08; s.Sections.AroundWeight = .15; s.Sections.IntensityWindow = 8; }
-  return s;
-}
 
 int main(int argc, char** argv)
 {
-  std::string data = "/work/shared/data", only, preset, dump; std::vector<std::string> sets; bool given = false; double jitter = 0; int repeats = 1;
+  std::string data = "/work/shared/data", only, preset, dump; std::vector<std::string> sets; bool given = false, mesh = false; double jitter = 0; int repeats = 1;
   CLI::App app; app.add_option("--data", data); app.add_option("--only", only); app.add_option("--preset", preset); app.add_option("--set", sets);
-  app.add_flag("--given", given); app.add_option("--jitter", jitter); app.add_option("--repeats", repeats); app.add_option("--dump", dump);
+  app.add_flag("--given", given); app.add_flag("--mesh", mesh); app.add_option("--jitter", jitter); app.add_option("--repeats", repeats); app.add_option("--dump", dump);
   CLI11_PARSE(app, argc, argv);
   std::map<std::string, std::vector<double>> scores, whole;
   std::map<std::string, std::vector<double>> insides;
@@ -91,17 +81,18 @@ int main(int argc, char** argv)
     {
     PointList points = row.Points;
     if (jitter > 0) { std::normal_distribution<double> n; for (int p = 0; p < points.rows(); ++p) { Eigen::RowVector3d d(n(random), n(random), n(random)); points.row(p) += jitter * d / d.norm(); } }
-    VesselPathSettings s = Preset(preset == "role" ? row.Role : preset);
-    if (preset == "role" || given) { std::vector<double> r = row.Radii; s.Radius = Median(r) / .7; }
+    VesselSegmentationSettings s; if (given) { std::vector<double> r = row.Radii; s.Path.Radius = Median(r); }
     for (const std::string& a : sets) { const auto e = a.find('='); Setters.at(a.substr(0, e))(s, std::stod(a.substr(e + 1))); }
     Stopwatch watch;
     const GrayVolume volume = GrayVolumeOf(image, "image");
-    VesselTree tree;
-    try { tree = TraceVessel(volume.Read, volume.Geometry, points, s, SMPThreading(), NeverStop); }
+    VesselTree tree; VesselSegmentation result;
+    try { if (mesh) { result = SegmentVessel(volume, "the image", points, s, SMPThreading(), NeverStop, [](const ContourMesh&, const PointList&, const CorrespondenceField&, const IterationRecord&) {}); tree = result.Tree; }
+      else tree = TraceVessel(volume, "the image", points, s.Path, SMPThreading(), NeverStop); }
     catch (const std::exception& e) { std::printf("%s: %s\n", row.Name.c_str(), e.what()); scores[row.Role].push_back(0); continue; }
     const double seconds = watch.Lap();
     FloatImage depth; depth.Geometry = volume.Geometry; depth.Voxels.assign(depth.Geometry.NumberOfVoxels(), -2.f);
-    for (const VesselBranch& b : tree.Branches) MergeTubeDepth(b.Sections, 2, b.Parent >= 0, false, depth);
+    if (mesh) { FillRuns(result.Voxels, 2.f, volume.Geometry, depth.Voxels.data()); std::printf("[%d vertices, %zu iterations, %.2f %.2f %.2f %.2f s, reason %d, si %td] ", result.Surface.Mesh.NumberOfPoints(), result.Surface.Iterations.size(), result.StageSeconds[0], result.StageSeconds[1], result.StageSeconds[2], result.StageSeconds[3], int(result.Surface.Reason), result.Surface.SelfIntersections); }
+    else for (const VesselBranch& b : tree.Branches) MergeTubeDepth(b.Sections, 2, b.Parent >= 0, false, depth);
     const BitMask reference = MaskOf(labels, row.Label, "reference");
     const auto& m = tree.Branches[0].Sections;
     const auto beyond = [&](const Eigen::Vector3d& x) {

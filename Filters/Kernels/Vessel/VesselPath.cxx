@@ -1,37 +1,104 @@
 #include "Vessel/VesselPath.h"
 
+#include "Error.h"
 #include "Image/ImageInterpolation.h"
+#include "Intensity/Modality.h"
+#include "MessageText.h"
 #include "Vessel/MinimalPaths.h"
 #include "Vessel/Polyline.h"
+#include "Vessel/VesselImage.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <utility>
 
 namespace FlipFree
 {
 namespace
 {
 
+constexpr double LeastDistance = 3;    // between two points, mm
+constexpr double ProlongDistance = 15; // of a point from a path's end that prolongs it, mm
+constexpr double LineDeviation = 2;    // smoothing of paths before sections are fitted, in sections
+// A path over a stretch of this length, in mm, without the vessel's gray values is none.
+constexpr double LongestGap = 40;
+constexpr double GapSpeed = 0.004;
+// Gray values other than Hounsfield units are scaled so that most of them span what they do in CT.
+constexpr double SpanInCT = 250;
+
+void RequirePoints(const ImageGeometry& geometry, const PointList& points, const std::string& name)
+{
+  if (points.rows() < 2)
+  {
+    throw Error(ErrorCode::OutOfRange,
+      "a vessel needs two points or more, not " + std::to_string(points.rows()) +
+        "; give one at either end");
+  }
+  for (Eigen::Index point = 0; point < points.rows(); ++point)
+  {
+    const Eigen::Vector3d index = geometry.ToIndex(points.row(point).transpose());
+    bool inside = index.allFinite();
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      inside = inside && index[axis] >= -0.5 && index[axis] <= geometry.Dimensions[axis] - 0.5;
+    }
+    if (!inside)
+    {
+      throw Error(ErrorCode::OutOfRange,
+        "the point " + TextOf(points.row(point)) + " mm lies outside " + name +
+          "; put it into the vessel, in LPS millimeters");
+    }
+    for (Eigen::Index other = 0; other < point; ++other)
+    {
+      if ((points.row(point) - points.row(other)).norm() < LeastDistance)
+      {
+        throw Error(ErrorCode::OutOfRange,
+          "the points " + TextOf(points.row(other)) + " and " + TextOf(points.row(point)) +
+            " mm are closer than " + std::to_string(static_cast<int>(LeastDistance)) +
+            " mm; keep one of them");
+      }
+    }
+  }
+}
+
+double Quantile(std::vector<float> values, double part)
+{
+  const auto place = values.begin() +
+    static_cast<std::ptrdiff_t>(part * static_cast<double>(values.size() - 1));
+  std::nth_element(values.begin(), place, values.end());
+  return *place;
+}
+
+void ScaleToCT(FloatImage& image)
+{
+  const double span = Quantile(image.Voxels, 0.9) - Quantile(image.Voxels, 0.1);
+  const auto scale = static_cast<float>(span > 0 ? SpanInCT / span : 1);
+  for (float& value : image.Voxels)
+  {
+    value *= scale;
+  }
+}
+
 PointList Snap(const ImageView<float>& image, const PointList& points, double distance)
 {
   PointList snapped = points;
+  const auto& size = image.Geometry.Dimensions;
   for (Eigen::Index point = 0; point < points.rows() && distance > 0; ++point)
   {
-    std::size_t best = 0;
-    float most = -std::numeric_limits<float>::infinity();
+    float brightest = -std::numeric_limits<float>::infinity();
     for (const std::size_t voxel :
       VoxelsInSphere(image.Geometry, { points.row(point).transpose(), distance }))
     {
-      if (image.Data[voxel] > most)
+      if (image.Data[voxel] > brightest)
       {
-        most = image.Data[voxel];
-        best = voxel;
+        brightest = image.Data[voxel];
+        const Eigen::Vector3d index(static_cast<double>(voxel % size[0]),
+          static_cast<double>(voxel / size[0] % size[1]),
+          static_cast<double>(voxel / size[0] / size[1]));
+        snapped.row(point) = image.Geometry.ToPhysical(index);
       }
     }
-    const auto& size = image.Geometry.Dimensions;
-    snapped.row(point) = image.Geometry.ToPhysical(Eigen::Vector3d(static_cast<double>(best % size[0]),
-      static_cast<double>(best / size[0] % size[1]),
-      static_cast<double>(best / size[0] / size[1])));
   }
   return snapped;
 }
@@ -42,49 +109,156 @@ Eigen::VectorXd FirstRadii(const FloatImage& depth, const PointList& line)
   Eigen::VectorXd along(line.rows());
   for (Eigen::Index place = 0; place < line.rows(); ++place)
   {
-    along[place] = InterpolateClamped(depth.View(),
-      depth.Geometry.ToIndex(line.row(place).transpose()));
+    along[place] =
+      InterpolateClamped(depth.View(), depth.Geometry.ToIndex(line.row(place).transpose()));
   }
-  std::vector<double> sorted(along.data(), along.data() + along.size());
-  const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
-  std::nth_element(sorted.begin(), middle, sorted.end());
-  return (1.15 * MedianAlong(along, 4)).cwiseMin(1.5 * *middle).cwiseMax(1.0);
+  Eigen::VectorXd sorted = along;
+  std::nth_element(sorted.data(), sorted.data() + sorted.size() / 2, sorted.data() + sorted.size());
+  return (1.15 * MedianAlong(along, 4)).cwiseMin(1.5 * sorted[sorted.size() / 2]).cwiseMax(1.0);
+}
+
+// Of all sections of a tree.
+double MeanRadius(const VesselTree& tree)
+{
+  double sum = 0;
+  Eigen::Index sections = 0;
+  for (const VesselBranch& branch : tree.Branches)
+  {
+    sum += branch.Sections.MeanRadii().sum();
+    sections += branch.Sections.Radii.rows();
+  }
+  return sum / static_cast<double>(std::max<Eigen::Index>(1, sections));
+}
+
+// The longest stretch of a path without the vessel's gray values, in mm.
+double LongestGapOf(const FloatImage& speed, const PointList& line)
+{
+  double longest = 0;
+  double now = 0;
+  for (Eigen::Index place = 1; place < line.rows(); ++place)
+  {
+    const bool isGap =
+      InterpolateClamped(speed.View(), speed.Geometry.ToIndex(line.row(place).transpose())) <
+      GapSpeed;
+    now = isGap ? now + (line.row(place) - line.row(place - 1)).norm() : 0;
+    longest = std::max(longest, now);
+  }
+  return longest;
+}
+
+void RequirePath(const FloatImage& speed, const PointList& line)
+{
+  if (LongestGapOf(speed, line) > LongestGap)
+  {
+    throw Error(ErrorCode::NoContrast,
+      "no path through gray values like those at the points joins " + TextOf(line.row(0)) +
+        " and " + TextOf(line.row(line.rows() - 1)) +
+        " mm; put all points into the same vessel, and more of them on its way");
+  }
+}
+
+// One pass of the whole; nothing where the monitor stopped it.
+VesselTree TraceAs(const VesselImage& image, const PointList& clicked, const VesselStyle& style,
+  double radius, const VesselPathSettings& settings, const ParallelFor& parallelFor,
+  const Monitor& monitor)
+{
+  constexpr double ballScale = 0.7; // of the vessel's radius
+  const PointList points = Snap(image.Cubes.View(), clicked, style.SnapDistance);
+  const VesselIntensities intensities =
+    IntensitiesAtPoints(image.Cubes.View(), points, ballScale * radius, style.Speed);
+  FloatImage depth;
+  depth.Geometry = image.Cubes.Geometry;
+  depth.Voxels = DepthOf(image.Cubes.View(), intensities, parallelFor);
+  const FloatImage speed =
+    MakeVesselSpeed(image.Cubes, intensities, depth.Voxels, radius, style.Speed, parallelFor);
+  VesselTree tree;
+  for (const MinimalPath& path : JoinPoints(speed.View(), points, ProlongDistance, monitor))
+  {
+    RequirePath(speed, path.Line);
+    PointList line = path.Line;
+    for (int round = 0; round < 2; ++round)
+    {
+      line = ResampleLine(SmoothLine(line, LineDeviation), style.Sections.SectionStep);
+    }
+    if (!monitor(0.8))
+    {
+      return {};
+    }
+    tree.Branches.push_back({ FitSections(image.Own.View(), line, FirstRadii(depth, line),
+                                style.Sections, parallelFor),
+      path.Parent });
+  }
+  tree.Radius = MeanRadius(tree);
+  for (VesselBranch& branch : tree.Branches)
+  {
+    branch.Sections.Radii.array() += settings.WallThickness;
+  }
+  return tree;
 }
 
 } // namespace
 
-VesselTree TraceVessel(const VoxelReader& read, const ImageGeometry& geometry,
-  const PointList& clicked, const VesselPathSettings& settings, const Threading& threading,
-  const Monitor& monitor)
+VesselStyle ThinVessel()
 {
-  const VoxelBox box = BoxAroundPoints(geometry, clicked, settings.Margin);
-  const VesselImage image = MakeVesselImage(ReadBox(read, geometry, box, threading.For),
-    settings.SmoothingDeviation, settings.GridSpacing, threading.For);
-  const PointList points = Snap(image.Cubes.View(), clicked, settings.SnapDistance);
-  VesselTree tree;
-  tree.Radius = settings.Radius;
-  const VesselIntensities intensities =
-    IntensitiesAtPoints(image.Cubes.View(), points, 0.7 * tree.Radius, settings.Speed);
-  FloatImage depth;
-  depth.Geometry = image.Cubes.Geometry;
-  depth.Voxels = DepthOf(image.Cubes.View(), intensities, threading.For);
-  const FloatImage speed = MakeVesselSpeed(image.Cubes, intensities, depth.Voxels, tree.Radius,
-    settings.Speed, threading.For);
-  for (const MinimalPath& path : JoinPoints(speed.View(), points, 15, monitor))
+  VesselStyle style;
+  style.SnapDistance = 5;
+  style.Speed.Percentile = 0.75;
+  style.Speed.HighAllowance = 40;
+  style.Speed.MaximumCap = 3;
+  style.Speed.TopHat = 7.5;
+  style.Sections.EdgeWeight = 15;
+  style.Sections.PriorWeight = 0.1;
+  style.Sections.PriorFollow = 0.5;
+  style.Sections.AlongWeight = 0.08;
+  style.Sections.AroundWeight = 0.15;
+  style.Sections.IntensityWindow = 8;
+  return style;
+}
+
+VesselStyle WideVessel()
+{
+  VesselStyle style;
+  style.Speed.BodyScale = 1.5;
+  style.Sections.DarkLimit = 60;
+  style.Sections.BrightLimit = 22;
+  style.Sections.EdgeWeight = 12;
+  style.Sections.PriorWeight = 0.03;
+  style.Sections.PriorFollow = 0.25;
+  style.Sections.AlongWeight = 0.08;
+  style.Sections.AroundWeight = 0.15;
+  return style;
+}
+
+VesselTree TraceVessel(const GrayVolume& volume, const std::string& name, const PointList& points,
+  const VesselPathSettings& settings, const Threading& threading, const Monitor& monitor)
+{
+  RequirePoints(volume.Geometry, points, name);
+  const VoxelBox box = BoxAroundPoints(volume.Geometry, points, settings.Margin);
+  volume.RequireFinite(box);
+  FloatImage voxels = ReadBox(volume.Read, volume.Geometry, box, threading.For);
+  if (ResolveModality(Modality::Automatic, volume.Read, volume.Geometry) == Modality::MR)
   {
-    PointList line = path.Line;
-    line = SmoothLine(line, 2);
-    line = ResampleLine(line, settings.Sections.SectionStep);
-    line = SmoothLine(line, 2);
-    line = ResampleLine(line, settings.Sections.SectionStep);
-    VesselBranch branch;
-    branch.Sections = FitSections(image.Own.View(), line, FirstRadii(depth, line),
-      settings.Sections, threading.For);
-    branch.Sections.Radii.array() += settings.Wall;
-    branch.Parent = path.Parent;
-    tree.Branches.push_back(std::move(branch));
+    ScaleToCT(voxels);
   }
-  return tree;
+  const VesselImage image = MakeVesselImage(std::move(voxels), settings.SmoothingDeviation,
+    settings.GridSpacing, threading.For);
+  constexpr double thinRadius = 3;
+  constexpr double insideScale = 0.6; // what the wide style takes for the radius, of that found
+  double radius = settings.Radius;
+  if (radius <= 0 || radius < settings.WideRadius)
+  {
+    const Monitor first = PartOf(monitor, 0, 0.5);
+    VesselTree tree = TraceAs(image, points, settings.Thin, radius > 0 ? radius : thinRadius,
+      settings, threading.For, first);
+    if (tree.Branches.empty() || radius > 0 || tree.Radius < settings.WideRadius)
+    {
+      return tree;
+    }
+    radius = tree.Radius;
+  }
+  const Monitor second = PartOf(monitor, 0.5, 1);
+  return TraceAs(image, points, settings.Wide, insideScale * radius, settings, threading.For,
+    second);
 }
 
 } // namespace FlipFree

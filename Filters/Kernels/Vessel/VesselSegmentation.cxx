@@ -1,0 +1,283 @@
+#include "Vessel/VesselSegmentation.h"
+
+#include "Geometry/SelfIntersection.h"
+#include "Guard/SurfaceRefinement.h"
+#include "Image/VoxelTraversal.h"
+#include "Mesh/CellSurface.h"
+#include "Stopwatch.h"
+#include "Vessel/TubeOccupancy.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <stdexcept>
+
+namespace FlipFree
+{
+namespace
+{
+
+constexpr double RoundedEdge = 0.7; // mm: the outline's edge in the image of depths, for snapping
+
+// The voxels of a cubic grid around all sections.
+ImageGeometry GridAround(const VesselTree& tree, double edge)
+{
+  Eigen::Array3d low = Eigen::Array3d::Constant(std::numeric_limits<double>::infinity());
+  Eigen::Array3d high = -low;
+  for (const VesselBranch& branch : tree.Branches)
+  {
+    for (std::size_t section = 0; section < branch.Sections.Frames.size(); ++section)
+    {
+      const double radius =
+        branch.Sections.Radii.row(static_cast<Eigen::Index>(section)).maxCoeff() + 2 * edge + 2;
+      const Eigen::Array3d center = branch.Sections.Frames[section].Origin.array();
+      low = low.min(center - radius);
+      high = high.max(center + radius);
+    }
+  }
+  ImageGeometry grid;
+  grid.Spacing.setConstant(edge);
+  grid.Origin = low.matrix();
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    grid.Dimensions[axis] = static_cast<int>(std::ceil((high[axis] - low[axis]) / edge)) + 1;
+  }
+  return grid;
+}
+
+FloatImage DepthOnGrid(const VesselTree& tree, double edge, double margin)
+{
+  FloatImage depth;
+  depth.Geometry = GridAround(tree, edge);
+  depth.Voxels.assign(depth.Geometry.NumberOfVoxels(), static_cast<float>(-margin));
+  for (const VesselBranch& branch : tree.Branches)
+  {
+    MergeTubeDepth(branch.Sections, margin, branch.Parent >= 0, false, depth);
+  }
+  return depth;
+}
+
+double SmallestRadius(const VesselTree& tree)
+{
+  double smallest = std::numeric_limits<double>::infinity();
+  for (const VesselBranch& branch : tree.Branches)
+  {
+    Eigen::VectorXd mean = branch.Sections.MeanRadii();
+    std::nth_element(mean.data(), mean.data() + mean.size() / 4, mean.data() + mean.size());
+    smallest = std::min(smallest, mean[mean.size() / 4]);
+  }
+  return smallest;
+}
+
+// The cells that a line passes, each sharing a side with the next.
+void InsertLine(const PointList& line, BitMask& cells)
+{
+  const VoxelGrid grid(cells.GetGeometry());
+  for (Eigen::Index point = 0; point + 1 < line.rows(); ++point)
+  {
+    const Eigen::Vector3d step = (line.row(point + 1) - line.row(point)).transpose();
+    VoxelTraversal walk(grid, line.row(point).transpose(), step.normalized());
+    for (; walk.GetEntry() <= step.norm(); walk.Advance())
+    {
+      if (walk.IsInside())
+      {
+        const auto& voxel = walk.GetVoxel();
+        cells.Insert(voxel[0], voxel[1], voxel[2]);
+      }
+    }
+  }
+}
+
+// A coarse surface within the outline, of one piece and without handles.
+DeformableSurface MakeStart(const VesselTree& tree)
+{
+  const double smallest = SmallestRadius(tree);
+  const double edge = std::max(0.8, smallest / 2);
+  const FloatImage depth = DepthOnGrid(tree, edge, 30);
+  BitMask cells = VoxelsWhere(
+    depth.View(), [&](float value) { return value > 0.25 * edge; }, SerialFor);
+  for (const VesselBranch& branch : tree.Branches)
+  {
+    PointList line(static_cast<Eigen::Index>(branch.Sections.Frames.size()), 3);
+    for (Eigen::Index section = 0; section < line.rows(); ++section)
+    {
+      line.row(section) = branch.Sections.Frames[section].Origin;
+    }
+    InsertLine(line, cells);
+  }
+  // The deepest cell, of equals the first.
+  const auto deepest = static_cast<std::size_t>(
+    std::max_element(depth.Voxels.begin(), depth.Voxels.end()) - depth.Voxels.begin());
+  const CellSurface surface = MakeCellSurface(GrowBall(cells, depth.Voxels, deepest));
+  return { BuildContourMesh(static_cast<int>(surface.Points.rows()), surface.Faces),
+    surface.Points };
+}
+
+// Deforms the start onto the outline.
+class OutlineFit
+{
+public:
+  OutlineFit(const VesselTree& tree, const VesselSegmentationSettings& settings,
+    const ParallelFor& parallelFor, const Monitor& monitor, const IterationObserver& observer,
+    OrganSurface& surface)
+    : Settings(settings)
+    , Parallel(parallelFor)
+    , Ask(monitor)
+    , Observe(observer)
+    , Surface(surface)
+    , Radius(SmallestRadius(tree))
+    , Edges(DepthOnGrid(tree, std::max(0.5, std::min(1.2, Radius / 5)), 4))
+  {
+    this->Foreground = VoxelsWhere(
+      this->Edges.View(), [](float value) { return value > 0; }, parallelFor);
+    std::transform(this->Edges.Voxels.begin(), this->Edges.Voxels.end(),
+      this->Edges.Voxels.begin(), [](float value) { return std::tanh(value / RoundedEdge); });
+  }
+
+  StopReason Run()
+  {
+    StopReason reason = StopReason::NotRun;
+    for (this->Level = 0; this->Level < this->Settings.Levels; ++this->Level)
+    {
+      if (this->Level > 0)
+      {
+        RefinedSurface refined = RefineSurface(this->Surface.Mesh, this->Surface.Points,
+          this->Settings.Step.Guard, this->Parallel, this->Ask);
+        if (!refined.Embedded)
+        {
+          return this->Proceed(0) ? StopReason::NotRefined : StopReason::Aborted;
+        }
+        this->Surface.Mesh = std::move(refined.Mesh);
+        this->Surface.Points = std::move(refined.Points);
+      }
+      reason = this->IterateLevel();
+      if (reason == StopReason::Aborted)
+      {
+        break;
+      }
+    }
+    return reason;
+  }
+
+private:
+  bool Proceed(int iteration) const
+  {
+    const double part = static_cast<double>(iteration) / this->Settings.MaximumIterations;
+    return this->Ask((this->Level + part) / this->Settings.Levels);
+  }
+
+  StopReason IterateLevel()
+  {
+    std::unique_ptr<EmbeddingGuard> guard;
+    if (this->Settings.Step.Guard)
+    {
+      guard = std::make_unique<EmbeddingGuard>(this->Surface.Mesh);
+    }
+    DeformationSolver solver(this->Surface.Mesh);
+    double before = std::numeric_limits<double>::infinity();
+    for (int iteration = 0; iteration < this->Settings.MaximumIterations; ++iteration)
+    {
+      if (!this->Proceed(iteration))
+      {
+        return StopReason::Aborted;
+      }
+      const TargetReport report = this->IterateOnce(solver, guard.get());
+      const double voxel = this->Edges.Geometry.Spacing[0];
+      if (report.Matched == 0)
+      {
+        return StopReason::NoBoundaryFound;
+      }
+      if (report.MeanDistance < 0.1 * voxel)
+      {
+        return StopReason::DistanceBelowTolerance;
+      }
+      if (iteration % 3 == 2)
+      {
+        if (before - report.MeanDistance < 0.05 * voxel)
+        {
+          return StopReason::AtRest;
+        }
+        before = report.MeanDistance;
+      }
+    }
+    return StopReason::IterationLimit;
+  }
+
+  TargetReport IterateOnce(DeformationSolver& solver, const EmbeddingGuard* guard)
+  {
+    IterationRecord record;
+    record.Iteration = static_cast<int>(this->Surface.Iterations.size()) + 1;
+    record.Level = this->Level;
+    record.Vertices = this->Surface.Mesh.NumberOfPoints();
+    TargetSettings targets = this->Settings.Targets;
+    targets.Correspondence.SearchDistance = std::max(5.0, 2.5 * this->Radius);
+    targets.Correspondence.RunLength = this->Edges.Geometry.Spacing[0];
+    targets.Correspondence.EdgeWindow = this->Edges.Geometry.Spacing[0];
+    targets.Correspondence.ImageBoundaryDistance = 0;
+    Stopwatch watch;
+    this->Surface.Field = FindTargets(this->Surface.Mesh, this->Surface.Points, this->Foreground,
+      this->Edges.View(), this->Radius, targets, this->Parallel, record.Targets);
+    record.SearchSeconds = watch.Lap();
+    const Monitor proceed = [this](double) { return this->Proceed(0); };
+    record.Step = DeformOnce(solver, guard, this->Settings.Step, this->Parallel, proceed,
+      this->Surface.Field, this->Surface.Points);
+    this->Surface.Iterations.push_back(record);
+    this->Observe(this->Surface.Mesh, this->Surface.Points, this->Surface.Field, record);
+    return record.Targets;
+  }
+
+  const VesselSegmentationSettings& Settings;
+  const ParallelFor& Parallel;
+  const Monitor& Ask;
+  const IterationObserver& Observe;
+  OrganSurface& Surface;
+  double Radius;
+  FloatImage Edges;
+  BitMask Foreground;
+  int Level = 0;
+};
+
+} // namespace
+
+VesselSegmentation SegmentVessel(const GrayVolume& volume, const std::string& name,
+  const PointList& points, const VesselSegmentationSettings& settings, const Threading& threading,
+  const Monitor& monitor, const IterationObserver& observer)
+{
+  VesselSegmentation result;
+  Stopwatch watch;
+  const Monitor tracing = PartOf(monitor, 0, 0.5);
+  const Monitor fitting = PartOf(monitor, 0.5, 1);
+  result.Tree = TraceVessel(volume, name, points, settings.Path, threading, tracing);
+  result.StageSeconds[0] = watch.Lap();
+  if (result.Tree.Branches.empty())
+  {
+    result.Surface.Reason = StopReason::Aborted;
+    return result;
+  }
+  DeformableSurface start = MakeStart(result.Tree);
+  result.Surface.Mesh = std::move(start.Mesh);
+  result.Surface.Points = std::move(start.Points);
+  result.StageSeconds[1] = watch.Lap();
+  result.Surface.Reason =
+    OutlineFit(result.Tree, settings, threading.For, fitting, observer, result.Surface).Run();
+  result.StageSeconds[2] = watch.Lap();
+  if (result.Surface.Reason == StopReason::Aborted)
+  {
+    return result;
+  }
+  result.Surface.SelfIntersections =
+    CountSelfIntersections(result.Surface.Points, result.Surface.Mesh.Faces, threading.For);
+  if (settings.Step.Guard && result.Surface.SelfIntersections > 0)
+  {
+    throw std::logic_error("the surface intersects itself in " +
+      std::to_string(result.Surface.SelfIntersections) +
+      " pairs of faces although every step was certified, which should be impossible; please "
+      "report it with the image and the points");
+  }
+  result.Voxels = VoxelizeSurface(result.Surface.Points, result.Surface.Mesh.Triangles,
+    volume.Geometry, threading.For);
+  result.StageSeconds[3] = watch.Lap();
+  return result;
+}
+
+} // namespace FlipFree
