@@ -39,7 +39,6 @@ std::vector<Row> ReadTubes(const std::string& file)
 std::map<std::string, std::function<void(VesselSegmentationSettings&, double)>> Setters = {
   {"wall", [](auto& s, double x) { s.Path.WallThickness = x; }},
   {"radius", [](auto& s, double x) { s.Path.Radius = x; }},
-  {"margin", [](auto& s, double x) { s.Path.Margin = x; }},
   {"wideradius", [](auto& s, double x) { s.Path.WideRadius = x; }},
   {"levels", [](auto& s, double x) { s.Levels = int(x); }},
   {"iterations", [](auto& s, double x) { s.MaximumIterations = int(x); }},
@@ -50,6 +49,8 @@ std::map<std::string, std::function<void(VesselSegmentationSettings&, double)>> 
   {#W ".high", [](auto& s, double x) { s.Path.W.Speed.HighAllowance = x; }}, \
   {#W ".edge", [](auto& s, double x) { s.Path.W.Speed.EdgeStrength = x; }}, \
   {#W ".tophat", [](auto& s, double x) { s.Path.W.Speed.TopHat = x; }}, \
+  {#W ".margin", [](auto& s, double x) { s.Path.W.Margin = x; }}, \
+  {#W ".cap", [](auto& s, double x) { s.Path.W.Speed.MaximumCap = x; }}, \
   {#W ".snap", [](auto& s, double x) { s.Path.W.SnapDistance = x; }}, \
   {#W ".maxdev", [](auto& s, double x) { s.Path.W.Speed.MaximumDeviation = x; }}, \
   {#W ".dark", [](auto& s, double x) { s.Path.W.Sections.DarkLimit = x; }}, \
@@ -86,7 +87,7 @@ int main(int argc, char** argv)
     Stopwatch watch;
     const GrayVolume volume = GrayVolumeOf(image, "image");
     VesselTree tree; VesselSegmentation result;
-    try { if (mesh) { result = SegmentVessel(volume, "the image", points, s, SMPThreading(), NeverStop, [](const ContourMesh&, const PointList&, const CorrespondenceField&, const IterationRecord&) {}); tree = result.Tree; }
+    try { if (mesh) { result = SegmentVessel(volume, "the image", points, s, SMPThreading(), NeverStop); tree = result.Tree; }
       else tree = TraceVessel(volume, "the image", points, s.Path, SMPThreading(), NeverStop); }
     catch (const std::exception& e) { std::printf("%s: %s\n", row.Name.c_str(), e.what()); scores[row.Role].push_back(0); continue; }
     const double seconds = watch.Lap();

@@ -157,11 +157,27 @@ void RequirePath(const FloatImage& speed, const PointList& line)
   }
 }
 
-// One pass of the whole; nothing where the monitor stopped it.
-VesselTree TraceAs(const VesselImage& image, const PointList& clicked, const VesselStyle& style,
-  double radius, const VesselPathSettings& settings, const ParallelFor& parallelFor,
-  const Monitor& monitor)
+VesselImage ImageAround(const GrayVolume& volume, const PointList& points, double margin,
+  Modality modality, const VesselPathSettings& settings, const ParallelFor& parallelFor)
 {
+  const VoxelBox box = BoxAroundPoints(volume.Geometry, points, margin);
+  volume.RequireFinite(box);
+  FloatImage voxels = ReadBox(volume.Read, volume.Geometry, box, parallelFor);
+  if (modality == Modality::MR)
+  {
+    ScaleToCT(voxels);
+  }
+  return MakeVesselImage(std::move(voxels), settings.SmoothingDeviation, settings.GridSpacing,
+    parallelFor);
+}
+
+// One pass of the whole; nothing where the monitor stopped it.
+VesselTree TraceAs(const VesselStyle& style, const GrayVolume& volume, Modality modality,
+  const PointList& clicked, double radius, const VesselPathSettings& settings,
+  const ParallelFor& parallelFor, const Monitor& monitor)
+{
+  const VesselImage image =
+    ImageAround(volume, clicked, style.Margin, modality, settings, parallelFor);
   constexpr double ballScale = 0.7; // of the vessel's radius
   const PointList points = Snap(image.Cubes.View(), clicked, style.SnapDistance);
   const VesselIntensities intensities =
@@ -202,6 +218,7 @@ VesselStyle ThinVessel()
 {
   VesselStyle style;
   style.SnapDistance = 5;
+  style.Margin = 38;
   style.Speed.Percentile = 0.75;
   style.Speed.HighAllowance = 40;
   style.Speed.MaximumCap = 3;
@@ -233,32 +250,25 @@ VesselTree TraceVessel(const GrayVolume& volume, const std::string& name, const 
   const VesselPathSettings& settings, const Threading& threading, const Monitor& monitor)
 {
   RequirePoints(volume.Geometry, points, name);
-  const VoxelBox box = BoxAroundPoints(volume.Geometry, points, settings.Margin);
-  volume.RequireFinite(box);
-  FloatImage voxels = ReadBox(volume.Read, volume.Geometry, box, threading.For);
-  if (ResolveModality(Modality::Automatic, volume.Read, volume.Geometry) == Modality::MR)
-  {
-    ScaleToCT(voxels);
-  }
-  const VesselImage image = MakeVesselImage(std::move(voxels), settings.SmoothingDeviation,
-    settings.GridSpacing, threading.For);
+  const Modality modality =
+    ResolveModality(Modality::Automatic, volume.Read, volume.Geometry);
   constexpr double thinRadius = 3;
   constexpr double insideScale = 0.6; // what the wide style takes for the radius, of that found
   double radius = settings.Radius;
   if (radius <= 0 || radius < settings.WideRadius)
   {
     const Monitor first = PartOf(monitor, 0, 0.5);
-    VesselTree tree = TraceAs(image, points, settings.Thin, radius > 0 ? radius : thinRadius,
-      settings, threading.For, first);
-    if (tree.Branches.empty() || radius > 0 || tree.Radius < settings.WideRadius)
+    VesselTree tree = TraceAs(settings.Thin, volume, modality, points,
+      radius > 0 ? radius : thinRadius, settings, threading.For, first);
+    if (tree.Branches.empty() || tree.Radius < settings.WideRadius)
     {
       return tree;
     }
     radius = tree.Radius;
   }
   const Monitor second = PartOf(monitor, 0.5, 1);
-  return TraceAs(image, points, settings.Wide, insideScale * radius, settings, threading.For,
-    second);
+  return TraceAs(settings.Wide, volume, modality, points, insideScale * radius, settings,
+    threading.For, second);
 }
 
 } // namespace FlipFree

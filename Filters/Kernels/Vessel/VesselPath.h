@@ -22,6 +22,9 @@ struct VesselStyle
 {
   /// The brightest voxel within this distance, in millimeters, takes the place of a clicked point.
   double SnapDistance = 0;
+  /// How far from the points the path may run, in millimeters along the image's axes: an aorta's
+  /// arch needs room, a thin vessel's path gets lost in it.
+  double Margin = 60;
   VesselSpeedSettings Speed;
   CrossSectionSettings Sections;
 };
@@ -36,7 +39,6 @@ struct VesselPathSettings
   double Radius = 0;
 
   double WideRadius = 7; ///< a vessel is wide from this radius on, mm
-  double Margin = 60;    ///< of the image around the points in which the path may run, mm
   double SmoothingDeviation = 0.8; ///< mm
   double GridSpacing = 1.5;        ///< of the grid on which the path is sought, mm
 

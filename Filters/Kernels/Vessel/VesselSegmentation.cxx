@@ -4,6 +4,7 @@
 #include "Guard/SurfaceRefinement.h"
 #include "Image/VoxelTraversal.h"
 #include "Mesh/CellSurface.h"
+#include "MessageText.h"
 #include "Stopwatch.h"
 #include "Vessel/TubeOccupancy.h"
 
@@ -118,12 +119,10 @@ class OutlineFit
 {
 public:
   OutlineFit(const VesselTree& tree, const VesselSegmentationSettings& settings,
-    const ParallelFor& parallelFor, const Monitor& monitor, const IterationObserver& observer,
-    OrganSurface& surface)
+    const ParallelFor& parallelFor, const Monitor& monitor, OrganSurface& surface)
     : Settings(settings)
     , Parallel(parallelFor)
     , Ask(monitor)
-    , Observe(observer)
     , Surface(surface)
     , Radius(SmallestRadius(tree))
     , Edges(DepthOnGrid(tree, std::max(0.5, std::min(1.2, Radius / 5)), 4))
@@ -222,14 +221,12 @@ private:
     record.Step = DeformOnce(solver, guard, this->Settings.Step, this->Parallel, proceed,
       this->Surface.Field, this->Surface.Points);
     this->Surface.Iterations.push_back(record);
-    this->Observe(this->Surface.Mesh, this->Surface.Points, this->Surface.Field, record);
     return record.Targets;
   }
 
   const VesselSegmentationSettings& Settings;
   const ParallelFor& Parallel;
   const Monitor& Ask;
-  const IterationObserver& Observe;
   OrganSurface& Surface;
   double Radius;
   FloatImage Edges;
@@ -237,11 +234,74 @@ private:
   int Level = 0;
 };
 
+// How far the surface goes beyond the disks at the ends, in mm.
+double BeyondEnds(const VesselTree& tree, const PointList& points)
+{
+  double farthest = 0;
+  for (Eigen::Index vertex = 0; vertex < points.rows(); ++vertex)
+  {
+    const Eigen::Vector3d point = points.row(vertex);
+    double nearest = std::numeric_limits<double>::infinity();
+    double beyond = 0;
+    for (const VesselBranch& branch : tree.Branches)
+    {
+      const auto& frames = branch.Sections.Frames;
+      for (std::size_t section = 0; section < frames.size(); ++section)
+      {
+        const Eigen::Vector3d offset = point - frames[section].Origin;
+        if (offset.squaredNorm() < nearest)
+        {
+          nearest = offset.squaredNorm();
+          const double along = offset.dot(frames[section].Tangent);
+          const bool isStart = section == 0 && branch.Parent < 0;
+          beyond = isStart ? -along : (section + 1 == frames.size() ? along : 0);
+        }
+      }
+    }
+    farthest = std::max(farthest, beyond);
+  }
+  return farthest;
+}
+
+void AddWarnings(const ImageGeometry& geometry, VesselSegmentation& result)
+{
+  constexpr double tolerance = 3; // mm
+  if (result.Surface.Reason == StopReason::NotRefined)
+  {
+    result.Warnings.emplace_back(
+      "the surface could not be refined without intersecting itself, and is coarse; set Levels to "
+      "1, or move the points apart");
+  }
+  const double beyond = BeyondEnds(result.Tree, result.Surface.Points);
+  if (beyond > tolerance)
+  {
+    result.Warnings.push_back("the surface goes " + TextOf(Eigen::VectorXd::Constant(1, beyond)) +
+      " mm beyond an end of the path; look at the ends, and move their points");
+  }
+  for (const VesselBranch& branch : result.Tree.Branches)
+  {
+    for (std::size_t section = 1; section + 1 < branch.Sections.Frames.size(); ++section)
+    {
+      const Eigen::Vector3d index = geometry.ToIndex(branch.Sections.Frames[section].Origin);
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        if (index[axis] < -0.5 || index[axis] > geometry.Dimensions[axis] - 0.5)
+        {
+          result.Warnings.push_back("the path leaves the image near " +
+            TextOf(branch.Sections.Frames[section].Origin) +
+            " mm; add a point on the vessel's way");
+          return;
+        }
+      }
+    }
+  }
+}
+
 } // namespace
 
 VesselSegmentation SegmentVessel(const GrayVolume& volume, const std::string& name,
   const PointList& points, const VesselSegmentationSettings& settings, const Threading& threading,
-  const Monitor& monitor, const IterationObserver& observer)
+  const Monitor& monitor)
 {
   VesselSegmentation result;
   Stopwatch watch;
@@ -259,7 +319,7 @@ VesselSegmentation SegmentVessel(const GrayVolume& volume, const std::string& na
   result.Surface.Points = std::move(start.Points);
   result.StageSeconds[1] = watch.Lap();
   result.Surface.Reason =
-    OutlineFit(result.Tree, settings, threading.For, fitting, observer, result.Surface).Run();
+    OutlineFit(result.Tree, settings, threading.For, fitting, result.Surface).Run();
   result.StageSeconds[2] = watch.Lap();
   if (result.Surface.Reason == StopReason::Aborted)
   {
@@ -274,6 +334,7 @@ VesselSegmentation SegmentVessel(const GrayVolume& volume, const std::string& na
       " pairs of faces although every step was certified, which should be impossible; please "
       "report it with the image and the points");
   }
+  AddWarnings(volume.Geometry, result);
   result.Voxels = VoxelizeSurface(result.Surface.Points, result.Surface.Mesh.Triangles,
     volume.Geometry, threading.For);
   result.StageSeconds[3] = watch.Lap();

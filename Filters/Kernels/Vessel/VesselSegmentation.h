@@ -28,7 +28,7 @@ struct VesselSegmentation
   VesselTree Tree;
   OrganSurface Surface;
   std::vector<VoxelRun> Voxels;
-  std::vector<std::string> Warnings;
+  std::vector<std::string> Warnings; ///< a message each, with its remedy
   /// Path, outline to start surface, deformation, label map.
   std::array<double, 4> StageSeconds{ { 0, 0, 0, 0 } };
 };
@@ -38,7 +38,7 @@ struct VesselSegmentation
 /// StopReason::Aborted.
 VesselSegmentation SegmentVessel(const GrayVolume& volume, const std::string& name,
   const PointList& points, const VesselSegmentationSettings& settings, const Threading& threading,
-  const Monitor& monitor, const IterationObserver& observer);
+  const Monitor& monitor);
 
 } // namespace FlipFree
 
