@@ -107,9 +107,9 @@ void vtkFlipFreeVesselSegmentation::Segment(vtkImageData* image, vtkInformationV
   this->RequireProperties();
   const std::string name = "the image on port 0";
   FlipFree::RequireGrayImage(image, name);
-  const FlipFree::VesselSegmentation result = FlipFree::SegmentVessel(
-    FlipFree::GrayVolumeOf(image, name), name, this->Points->List(), *this->Settings,
-    FlipFree::SMPThreading(), FlipFree::MonitorOf(this, 0, 0.95));
+  const FlipFree::VesselSegmentation result =
+    FlipFree::SegmentVessel(FlipFree::GrayVolumeOf(image, name), name, this->Points->List(),
+      *this->Settings, FlipFree::SMPThreading(), FlipFree::MonitorOf(this, 0, 0.95));
   std::copy(result.StageSeconds.begin(), result.StageSeconds.end(), this->StageSeconds);
   this->StopReason = static_cast<int>(result.Surface.Reason);
   FlipFree::FillConvergenceTable(result.Surface.Iterations, vtkTable::GetData(outputs, 3));

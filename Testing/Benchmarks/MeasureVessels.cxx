@@ -45,7 +45,6 @@ std::map<std::string, std::function<void(VesselSegmentationSettings&, double)>> 
 #define STYLE(W) \
   {#W ".body", [](auto& s, double x) { s.Path.W.Speed.BodyScale = x; }}, \
   {#W ".minbody", [](auto& s, double x) { s.Path.W.Speed.MinimumBody = x; }}, \
-  {#W ".perc", [](auto& s, double x) { s.Path.W.Speed.Percentile = x; }}, \
   {#W ".high", [](auto& s, double x) { s.Path.W.Speed.HighAllowance = x; }}, \
   {#W ".edge", [](auto& s, double x) { s.Path.W.Speed.EdgeStrength = x; }}, \
   {#W ".tophat", [](auto& s, double x) { s.Path.W.Speed.TopHat = x; }}, \

@@ -41,8 +41,8 @@ inline bool IsInTube(const ExampleTube& tube, const Eigen::Vector3d& point)
   Eigen::Index nearest = 0;
   (tube.Line.rowwise() - point.transpose()).rowwise().squaredNorm().minCoeff(&nearest);
   const Eigen::Index last = tube.Line.rows() - 1;
-  const Eigen::RowVector3d tangent =
-    tube.Line.row(std::min(last, nearest + 1)) - tube.Line.row(std::max<Eigen::Index>(0, nearest - 1));
+  const Eigen::RowVector3d tangent = tube.Line.row(std::min(last, nearest + 1)) -
+    tube.Line.row(std::max<Eigen::Index>(0, nearest - 1));
   const double along = (point.transpose() - tube.Line.row(nearest)).dot(tangent);
   if ((nearest == 0 && along < 0) || (nearest == last && along > 0))
   {
@@ -52,8 +52,8 @@ inline bool IsInTube(const ExampleTube& tube, const Eigen::Vector3d& point)
 }
 
 /// Tubes of 150 in a background of 40, air of -1000 in the first slices, so that it looks like CT.
-inline FloatImage VolumeOfTubes(const std::vector<ExampleTube>& tubes, const ImageGeometry& geometry,
-  double noise)
+inline FloatImage VolumeOfTubes(const std::vector<ExampleTube>& tubes,
+  const ImageGeometry& geometry, double noise)
 {
   FloatImage volume;
   volume.Geometry = geometry;

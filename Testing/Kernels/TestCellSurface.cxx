@@ -32,8 +32,7 @@ std::size_t FirstOf(const BitMask& cells)
 void ExpectSphere(const BitMask& ball)
 {
   const CellSurface surface = MakeCellSurface(ball);
-  const ContourMesh mesh =
-    BuildContourMesh(static_cast<int>(surface.Points.rows()), surface.Faces);
+  const ContourMesh mesh = BuildContourMesh(static_cast<int>(surface.Points.rows()), surface.Faces);
   EXPECT_EQ(mesh.EulerNumber(), 2);
   EXPECT_EQ(CountSelfIntersections(surface.Points, surface.Faces), 0);
   // The cells are inside and all others outside.
@@ -52,8 +51,8 @@ TEST(CellSurface, OfACubeIsThePapersCube)
   const BitMask ball = GrowBall(cells, NoDepth(cells), 0);
   EXPECT_EQ(ball, cells);
   const CellSurface surface = MakeCellSurface(ball);
-  const QuadSphere cube = MakeQuadSphere(
-    n, grid.ToPhysical(Eigen::Vector3d::Constant(1.5)), n / 2.0, QuadSphereSpacing::Cube);
+  const QuadSphere cube = MakeQuadSphere(n, grid.ToPhysical(Eigen::Vector3d::Constant(1.5)),
+    n / 2.0, QuadSphereSpacing::Cube);
   ASSERT_EQ(surface.Points.rows(), cube.Points.rows());
   EXPECT_EQ(surface.Faces.NumberOfFaces(), cube.Faces.NumberOfFaces());
   const auto sorted = [](const PointList& points)

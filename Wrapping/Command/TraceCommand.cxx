@@ -235,9 +235,7 @@ void AddParameters(CLI::App* command, Trace& trace)
   trace.WallThickness = defaults->GetWallThickness();
   trace.Levels = defaults->GetLevels();
   trace.Iterations = defaults->GetMaximumIterations();
-  command
-    ->add_option("--radius", trace.Radius,
-      "About the vessel's radius; 0: found in the volume")
+  command->add_option("--radius", trace.Radius, "About the vessel's radius; 0: found in the volume")
     ->type_name("MM")
     ->capture_default_str();
   command

@@ -129,8 +129,7 @@ private:
       if (this->Cells.GetGeometry().Contains(place[0], place[1], place[2]) &&
         this->Cells(place[0], place[1], place[2]) && !this->Ball(place[0], place[1], place[2]))
       {
-        const std::size_t neighbor =
-          this->Cells.GetGeometry().Offset(place[0], place[1], place[2]);
+        const std::size_t neighbor = this->Cells.GetGeometry().Offset(place[0], place[1], place[2]);
         this->Candidates.emplace(this->Depth[neighbor], neighbor);
       }
     }

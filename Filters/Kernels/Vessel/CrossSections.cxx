@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace FlipFree
 {
@@ -40,6 +41,7 @@ public:
       this->Frames = MakeSectionFrames(this->Line);
       this->FitOnce();
     }
+    this->Refine();
     return { this->Frames, this->Radii };
   }
 
@@ -101,8 +103,8 @@ private:
     this->Medians = MedianAlong(medians, this->Settings.IntensityWindow);
     const auto middle = deviations.begin() + static_cast<std::ptrdiff_t>(deviations.size() / 2);
     std::nth_element(deviations.begin(), middle, deviations.end());
-    this->Deviation = std::min(this->Settings.MaximumDeviation,
-      std::max(this->Settings.MinimumDeviation, *middle));
+    this->Deviation =
+      std::min(this->Settings.MaximumDeviation, std::max(this->Settings.MinimumDeviation, *middle));
   }
 
   void FitOnce()
@@ -110,11 +112,12 @@ private:
     const VesselSections now{ this->Frames, this->Radii };
     const Eigen::VectorXd mean = now.MeanRadii();
     this->ModelIntensities(mean);
-    this->Prior = (1 - this->Settings.PriorFollow) * MedianAlong(mean, 7) +
-      this->Settings.PriorFollow * mean;
-    this->Labels = 1 +
-      static_cast<int>(std::ceil((2 * this->Prior.maxCoeff() + 1.5) / this->Settings.RayStep));
+    this->Prior =
+      (1 - this->Settings.PriorFollow) * MedianAlong(mean, 7) + this->Settings.PriorFollow * mean;
+    this->Labels =
+      1 + static_cast<int>(std::ceil((2 * this->Prior.maxCoeff() + 1.5) / this->Settings.RayStep));
     this->Costs.assign(this->Sections() * this->Settings.Rays * this->Labels, 0);
+    this->Limits.resize(this->Sections() * this->Settings.Rays);
     this->Parallel(0, this->Sections(),
       [this](std::ptrdiff_t first, std::ptrdiff_t last)
       {
@@ -144,12 +147,13 @@ private:
       {
         d[label] = this->Sample(section, ray, label) - this->Medians[section];
       }
-      const int rim = std::min(this->Labels - 1,
-        static_cast<int>(std::lround(this->Radii(section, ray) / step)));
+      const int rim =
+        std::min(this->Labels - 1, static_cast<int>(std::lround(this->Radii(section, ray) / step)));
       const auto [least, most] = std::minmax_element(d.begin() + rim, d.begin() + rim + beyond + 1);
       const double floor = 2.5 * this->Deviation;
       const double dark = std::max(floor, std::min(this->Settings.DarkLimit, -*least / 2));
       const double bright = std::max(floor, std::min(this->Settings.BrightLimit, *most / 2));
+      this->Limits[section * this->Settings.Rays + ray] = { dark, bright };
       float* const costs = this->CostsOf(section, ray);
       double sum = 0;
       for (int label = 0; label < this->Labels; ++label)
@@ -229,8 +233,7 @@ private:
       }
       before.swap(now);
     }
-    int label =
-      static_cast<int>(std::min_element(before.begin(), before.end()) - before.begin());
+    int label = static_cast<int>(std::min_element(before.begin(), before.end()) - before.begin());
     for (int turn = 2 * rays - 1; turn >= 0; --turn)
     {
       if (turn >= rays / 2 && turn < rays / 2 + rays)
@@ -239,6 +242,37 @@ private:
       }
       label = from[turn * labels + label];
     }
+  }
+
+  // From the last label inside to where the gray value leaves the vessel's, between samples.
+  void Refine()
+  {
+    for (std::ptrdiff_t section = 0; section < this->Sections(); ++section)
+    {
+      for (int ray = 0; ray < this->Settings.Rays; ++ray)
+      {
+        const int label = this->Choice[section * this->Settings.Rays + ray];
+        double before = this->Excess(section, ray, std::max(0, label - 1));
+        for (int outer = std::max(1, label); outer <= label + 2; ++outer)
+        {
+          const double now = this->Excess(section, ray, outer);
+          if (before < 0 && now >= 0)
+          {
+            this->Radii(section, ray) = this->Settings.RayStep * (outer - now / (now - before));
+            break;
+          }
+          before = now;
+        }
+      }
+    }
+  }
+
+  // Beyond the limits of the vessel's gray values: positive outside.
+  double Excess(std::ptrdiff_t section, int ray, int label) const
+  {
+    const double d = this->Sample(section, ray, label) - this->Medians[section];
+    const auto& [dark, bright] = this->Limits[section * this->Settings.Rays + ray];
+    return std::abs(d) / (d < 0 ? dark : bright) - 1;
   }
 
   void AddNeighbors(std::ptrdiff_t section, int ray, std::vector<float>& total)
@@ -271,6 +305,7 @@ private:
   Eigen::VectorXd Prior;
   int Labels = 0;
   std::vector<float> Costs;
+  std::vector<std::pair<double, double>> Limits; // dark and bright, per section and ray
   std::vector<int> Choice;
 };
 

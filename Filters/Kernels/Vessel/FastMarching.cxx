@@ -22,8 +22,7 @@ public:
     , Times(times)
     , Final(times.size(), 0)
     , Strides{ { 1, speed.Geometry.Dimensions[0],
-        static_cast<std::ptrdiff_t>(speed.Geometry.Dimensions[0]) *
-          speed.Geometry.Dimensions[1] } }
+        static_cast<std::ptrdiff_t>(speed.Geometry.Dimensions[0]) * speed.Geometry.Dimensions[1] } }
   {
   }
 
@@ -92,36 +91,32 @@ private:
   // The quadratic of the axes whose earlier neighbors come before the solution.
   double Solve(std::size_t voxel, const std::array<int, 3>& place, double slowness) const
   {
-    std::array<std::pair<double, double>, 3> upwind; // time, spacing
-    int count = 0;
+    Eigen::Array3d before;
     for (int axis = 0; axis < 3; ++axis)
     {
-      double earliest = Never;
-      if (place[axis] > 0)
-      {
-        earliest = this->FinalTime(voxel - this->Strides[axis]);
-      }
-      if (place[axis] + 1 < this->Speed.Geometry.Dimensions[axis])
-      {
-        earliest = std::min(earliest, this->FinalTime(voxel + this->Strides[axis]));
-      }
-      if (earliest < Never)
-      {
-        upwind[count++] = { earliest, this->Speed.Geometry.Spacing[axis] };
-      }
+      const double back = place[axis] > 0 ? this->FinalTime(voxel - this->Strides[axis]) : Never;
+      const bool isLast = place[axis] + 1 == this->Speed.Geometry.Dimensions[axis];
+      const double ahead = isLast ? Never : this->FinalTime(voxel + this->Strides[axis]);
+      before[axis] = std::min(back, ahead);
     }
-    std::sort(upwind.begin(), upwind.begin() + count);
     double a = 0;
     double b = 0;
     double c = -slowness * slowness;
     double time = Never;
-    for (int axis = 0; axis < count && upwind[axis].first < time; ++axis)
+    for (int count = 0; count < 3; ++count)
     {
-      const double weight = 1 / (upwind[axis].second * upwind[axis].second);
-      const double before = upwind[axis].first;
+      Eigen::Index axis = 0;
+      const double earliest = before.minCoeff(&axis);
+      if (!(earliest < time))
+      {
+        break;
+      }
+      before[axis] = Never;
+      const double spacing = this->Speed.Geometry.Spacing[axis];
+      const double weight = 1 / (spacing * spacing);
       a += weight;
-      b += weight * before;
-      c += weight * before * before;
+      b += weight * earliest;
+      c += weight * earliest * earliest;
       time = (b + std::sqrt(std::max(0.0, b * b - a * c))) / a;
     }
     return time;
@@ -198,7 +193,8 @@ std::vector<std::size_t> DescendToSource(const Arrivals& arrivals, const ImageGe
     for (int code = 0; code < 27; ++code)
     {
       const int step[3] = { code % 3 - 1, code / 3 % 3 - 1, code / 9 - 1 };
-      if (code == 13 || !geometry.Contains(place[0] + step[0], place[1] + step[1], place[2] + step[2]))
+      if (code == 13 ||
+        !geometry.Contains(place[0] + step[0], place[1] + step[1], place[2] + step[2]))
       {
         continue;
       }

@@ -75,8 +75,7 @@ private:
     {
       const auto point = std::find(this->Voxels.begin(), this->Voxels.end(), targets.front());
       throw Error(ErrorCode::NoContrast,
-        "no path leads to the point " +
-          TextOf(this->Points.row(point - this->Voxels.begin())) +
+        "no path leads to the point " + TextOf(this->Points.row(point - this->Voxels.begin())) +
           " mm; put all points into the same vessel");
     }
   }
@@ -88,9 +87,8 @@ private:
     std::size_t from = 0;
     for (std::size_t source = 0; source + 1 < this->Voxels.size(); ++source)
     {
-      const std::vector<std::size_t> targets(this->Voxels.begin() +
-          static_cast<std::ptrdiff_t>(source) + 1,
-        this->Voxels.end());
+      const std::vector<std::size_t> targets(
+        this->Voxels.begin() + static_cast<std::ptrdiff_t>(source) + 1, this->Voxels.end());
       const Arrivals arrivals =
         MarchFront(this->Speed, { this->Voxels[source] }, targets, 1, this->Ask);
       if (!this->Ask(0))
@@ -167,8 +165,8 @@ private:
       {
         std::vector<std::size_t> longer(way.rbegin(), way.rend());
         longer.insert(longer.end(), place + 1, chain.end());
-        const auto shift = static_cast<Eigen::Index>(longer.size()) -
-          static_cast<Eigen::Index>(chain.size());
+        const auto shift =
+          static_cast<Eigen::Index>(longer.size()) - static_cast<Eigen::Index>(chain.size());
         for (MinimalPath& other : this->Paths)
         {
           other.Junction += other.Parent == 0 ? shift : 0;

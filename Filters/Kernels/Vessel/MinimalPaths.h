@@ -15,7 +15,8 @@ namespace FlipFree
 
 struct MinimalPath
 {
-  PointList Line; ///< from the point, or place on an earlier path, where it begins, to another point
+  PointList
+    Line; ///< from the point, or place on an earlier path, where it begins, to another point
   int Parent = -1;           ///< the earlier path on which it begins; none for the first
   Eigen::Index Junction = 0; ///< the place on the parent's line
 };

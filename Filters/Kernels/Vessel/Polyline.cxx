@@ -58,8 +58,8 @@ PointList SmoothLine(const PointList& line, double deviation)
   for (Eigen::Index point = 1; point < last; ++point)
   {
     // Symmetric, so that ends do not draw the line together.
-    const Eigen::Index reach = std::min({ point, last - point,
-      static_cast<Eigen::Index>(std::ceil(Truncation * deviation)) });
+    const Eigen::Index reach = std::min(
+      { point, last - point, static_cast<Eigen::Index>(std::ceil(Truncation * deviation)) });
     const double width = std::min(deviation, static_cast<double>(reach) / 2 + 0.25);
     Eigen::RowVector3d sum = line.row(point);
     double weights = 1;

@@ -61,9 +61,9 @@ void MergeTubeDepth(const VesselSections& sections, double margin, bool openStar
       continue;
     }
     const auto& size = geometry.Dimensions;
-    const Eigen::Vector3d point = geometry.ToPhysical(
-      Eigen::Vector3d(static_cast<double>(voxel % size[0]), static_cast<double>(voxel / size[0] % size[1]),
-        static_cast<double>(voxel / size[0] / size[1])));
+    const Eigen::Vector3d point = geometry.ToPhysical(Eigen::Vector3d(
+      static_cast<double>(voxel % size[0]), static_cast<double>(voxel / size[0] % size[1]),
+      static_cast<double>(voxel / size[0] / size[1])));
     const SectionFrame& frame = sections.Frames[section];
     const Eigen::Vector3d offset = point - frame.Origin;
     const double along = offset.dot(frame.Tangent);
@@ -72,14 +72,16 @@ void MergeTubeDepth(const VesselSections& sections, double margin, bool openStar
     double inside = RadiusAt(sections, section, angle) - across.norm();
     if (section == 0 && along < 0)
     {
-      inside = openStart ? RadiusAt(sections, section, angle) - offset.norm() : std::min(inside, along);
+      inside =
+        openStart ? RadiusAt(sections, section, angle) - offset.norm() : std::min(inside, along);
     }
     if (section + 1 == count && along > 0)
     {
-      inside = openEnd ? RadiusAt(sections, section, angle) - offset.norm() : std::min(inside, -along);
+      inside =
+        openEnd ? RadiusAt(sections, section, angle) - offset.norm() : std::min(inside, -along);
     }
-    depth.Voxels[voxel] =
-      std::max(depth.Voxels[voxel], static_cast<float>(std::max(-margin, std::min(margin, inside))));
+    depth.Voxels[voxel] = std::max(depth.Voxels[voxel],
+      static_cast<float>(std::max(-margin, std::min(margin, inside))));
   }
 }
 

@@ -39,7 +39,8 @@ ImageGeometry CubesOver(const ImageGeometry& geometry, double edge)
   cubes.Origin = cubes.Direction * low.matrix();
   for (int axis = 0; axis < 3; ++axis)
   {
-    cubes.Dimensions[axis] = static_cast<int>(std::floor((high[axis] - low[axis]) / edge + 1e-6)) + 1;
+    cubes.Dimensions[axis] =
+      static_cast<int>(std::floor((high[axis] - low[axis]) / edge + 1e-6)) + 1;
   }
   return cubes;
 }

@@ -64,8 +64,8 @@ void RequirePoints(const ImageGeometry& geometry, const PointList& points, const
 
 double Quantile(std::vector<float> values, double part)
 {
-  const auto place = values.begin() +
-    static_cast<std::ptrdiff_t>(part * static_cast<double>(values.size() - 1));
+  const auto place =
+    values.begin() + static_cast<std::ptrdiff_t>(part * static_cast<double>(values.size() - 1));
   std::nth_element(values.begin(), place, values.end());
   return *place;
 }
@@ -130,6 +130,49 @@ double MeanRadius(const VesselTree& tree)
   return sum / static_cast<double>(std::max<Eigen::Index>(1, sections));
 }
 
+// Lets a line begin on the plane across it through a point near its begin: shortens or prolongs it.
+void BeginAt(const Eigen::RowVector3d& point, PointList& line)
+{
+  constexpr Eigen::Index places = 8; // more than a point is snapped by
+  const Eigen::Index looked = std::min<Eigen::Index>(places, line.rows() - 2);
+  Eigen::Index nearest = 0;
+  (line.topRows(looked).rowwise() - point).rowwise().squaredNorm().minCoeff(&nearest);
+  if (nearest > 0)
+  {
+    line = PointList(line.bottomRows(line.rows() - nearest));
+    return;
+  }
+  const Eigen::RowVector3d outward = (line.row(0) - line.row(1)).normalized();
+  const double beyond = (point - line.row(0)).dot(outward);
+  if (beyond > 0)
+  {
+    PointList longer(line.rows() + 1, 3);
+    longer << line.row(0) + beyond * outward, line;
+    line = longer;
+  }
+}
+
+// A path leads to where its points were snapped; the vessel ends where they were clicked.
+void EndAtPoints(const PointList& snapped, const PointList& clicked, bool hasParent,
+  PointList& line)
+{
+  for (int end = hasParent ? 1 : 0; end < 2; ++end)
+  {
+    Eigen::Index nearest = 0;
+    const Eigen::RowVector3d place = line.row(end == 0 ? 0 : line.rows() - 1);
+    (snapped.rowwise() - place).rowwise().squaredNorm().minCoeff(&nearest);
+    if (end == 1)
+    {
+      line = PointList(line.colwise().reverse());
+    }
+    BeginAt(clicked.row(nearest), line);
+    if (end == 1)
+    {
+      line = PointList(line.colwise().reverse());
+    }
+  }
+}
+
 // The longest stretch of a path without the vessel's gray values, in mm.
 double LongestGapOf(const FloatImage& speed, const PointList& line)
 {
@@ -137,9 +180,8 @@ double LongestGapOf(const FloatImage& speed, const PointList& line)
   double now = 0;
   for (Eigen::Index place = 1; place < line.rows(); ++place)
   {
-    const bool isGap =
-      InterpolateClamped(speed.View(), speed.Geometry.ToIndex(line.row(place).transpose())) <
-      GapSpeed;
+    const bool isGap = InterpolateClamped(speed.View(),
+                         speed.Geometry.ToIndex(line.row(place).transpose())) < GapSpeed;
     now = isGap ? now + (line.row(place) - line.row(place - 1)).norm() : 0;
     longest = std::max(longest, now);
   }
@@ -196,13 +238,14 @@ VesselTree TraceAs(const VesselStyle& style, const GrayVolume& volume, Modality 
     {
       line = ResampleLine(SmoothLine(line, LineDeviation), style.Sections.SectionStep);
     }
+    EndAtPoints(points, clicked, path.Parent >= 0, line);
     if (!monitor(0.8))
     {
       return {};
     }
-    tree.Branches.push_back({ FitSections(image.Own.View(), line, FirstRadii(depth, line),
-                                style.Sections, parallelFor),
-      path.Parent });
+    tree.Branches.push_back(
+      { FitSections(image.Own.View(), line, FirstRadii(depth, line), style.Sections, parallelFor),
+        path.Parent });
   }
   tree.Radius = MeanRadius(tree);
   for (VesselBranch& branch : tree.Branches)
@@ -219,7 +262,7 @@ VesselStyle ThinVessel()
   VesselStyle style;
   style.SnapDistance = 5;
   style.Margin = 38;
-  style.Speed.Percentile = 0.75;
+  style.Speed.Bright = true;
   style.Speed.HighAllowance = 40;
   style.Speed.MaximumCap = 3;
   style.Speed.TopHat = 7.5;
@@ -250,8 +293,7 @@ VesselTree TraceVessel(const GrayVolume& volume, const std::string& name, const 
   const VesselPathSettings& settings, const Threading& threading, const Monitor& monitor)
 {
   RequirePoints(volume.Geometry, points, name);
-  const Modality modality =
-    ResolveModality(Modality::Automatic, volume.Read, volume.Geometry);
+  const Modality modality = ResolveModality(Modality::Automatic, volume.Read, volume.Geometry);
   constexpr double thinRadius = 3;
   constexpr double insideScale = 0.6; // what the wide style takes for the radius, of that found
   double radius = settings.Radius;

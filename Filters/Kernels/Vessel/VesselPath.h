@@ -2,9 +2,9 @@
  * A vessel between points, or the tree of vessels that joins them: the path, its center, and its
  * outline in cross-sections.
  *
- * Nobody is asked for the kind of vessel. The first pass takes it for a thin one: brighter than what
- * surrounds it, as portal and splenic veins are in enhanced CT. Where that pass finds a wide one,
- * such as aorta or cava, a second pass takes it for that: gray values may be those of the
+ * Nobody is asked for the kind of vessel. The first pass takes it for a thin one: brighter than
+ * what surrounds it, as portal and splenic veins are in enhanced CT. Where that pass finds a wide
+ * one, such as aorta or cava, a second pass takes it for that: gray values may be those of the
  * surroundings, and a path must not run through wider bodies.
  */
 #ifndef FlipFreeVesselPath_h
@@ -38,7 +38,7 @@ struct VesselPathSettings
   /// vessel. Zero: as found by a first pass.
   double Radius = 0;
 
-  double WideRadius = 7; ///< a vessel is wide from this radius on, mm
+  double WideRadius = 7;           ///< a vessel is wide from this radius on, mm
   double SmoothingDeviation = 0.8; ///< mm
   double GridSpacing = 1.5;        ///< of the grid on which the path is sought, mm
 

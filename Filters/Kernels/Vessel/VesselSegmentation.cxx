@@ -129,8 +129,8 @@ public:
   {
     this->Foreground = VoxelsWhere(
       this->Edges.View(), [](float value) { return value > 0; }, parallelFor);
-    std::transform(this->Edges.Voxels.begin(), this->Edges.Voxels.end(),
-      this->Edges.Voxels.begin(), [](float value) { return std::tanh(value / RoundedEdge); });
+    std::transform(this->Edges.Voxels.begin(), this->Edges.Voxels.end(), this->Edges.Voxels.begin(),
+      [](float value) { return std::tanh(value / RoundedEdge); });
   }
 
   StopReason Run()

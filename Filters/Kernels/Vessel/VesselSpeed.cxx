@@ -12,12 +12,17 @@ namespace FlipFree
 namespace
 {
 
-double Quantile(std::vector<float> values, double part)
+// Where a ball is wider than the vessel in it, up to half of its voxels are others, darker ones.
+RobustStatistics StatisticsOfBrighterHalf(std::vector<float>& values)
 {
-  const auto place = values.begin() +
-    static_cast<std::ptrdiff_t>(part * static_cast<double>(values.size() - 1) + 0.5);
-  std::nth_element(values.begin(), place, values.end());
-  return *place;
+  constexpr double deviationOfHalf =
+    0.593; // estimated from the upper half of a normal distribution
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  values.erase(values.begin(), middle);
+  RobustStatistics statistics = RobustStatisticsOf(values);
+  statistics.StandardDeviation /= deviationOfHalf;
+  return statistics;
 }
 
 // In gray values per millimeter, by central differences, at the rim of the image one-sided.
@@ -58,10 +63,11 @@ VesselIntensities IntensitiesAtPoints(const ImageView<float>& image, const Point
     {
       values.push_back(image.Data[voxel]);
     }
-    const double center = Quantile(values, settings.Percentile);
-    deviations += RobustStatisticsOf(values).StandardDeviation;
-    result.Low = std::min(result.Low, center);
-    result.High = std::max(result.High, center);
+    const RobustStatistics statistics =
+      settings.Bright ? StatisticsOfBrighterHalf(values) : RobustStatisticsOf(values);
+    deviations += statistics.StandardDeviation;
+    result.Low = std::min(result.Low, statistics.Median);
+    result.High = std::max(result.High, statistics.Median);
   }
   result.High += settings.HighAllowance;
   result.Deviation = std::min(settings.MaximumDeviation,
@@ -106,8 +112,8 @@ FloatImage MakeVesselSpeed(const FloatImage& image, const VesselIntensities& int
     factor *= depth[voxel] > body ? std::pow(body / depth[voxel], 3) : 1;
     if (settings.TopHat > 0)
     {
-      factor /= 1 +
-        std::exp(-(value - background.Voxels[voxel] - settings.TopHat) / settings.TopHat);
+      factor /=
+        1 + std::exp(-(value - background.Voxels[voxel] - settings.TopHat) / settings.TopHat);
     }
     return static_cast<float>(factor + settings.Floor);
   };

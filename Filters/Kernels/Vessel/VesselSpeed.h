@@ -32,7 +32,7 @@ struct VesselSpeedSettings
 {
   double MinimumBall = 2.2; ///< radius of the balls around the points, mm
   double MaximumBall = 4;
-  double Percentile = 0.5;
+  bool Bright = false; ///< the vessel is brighter than what surrounds it
   double HighAllowance = 0;
   double MinimumDeviation = 10;
   double MaximumDeviation = 25;
