@@ -5,8 +5,10 @@
 #include "ProgressWatch.h"
 #include "VesselPhantom.h"
 
+#include "vtkFlipFreeRefinement.h"
 #include "vtkFlipFreeSegmentation.h"
 #include "vtkFlipFreeVesselSegmentation.h"
+#include "vtkQuadTubeSource.h"
 #include "vtkSegmentationMetrics.h"
 #include "vtkSurfaceValidity.h"
 #include "vtkVesselPath.h"
@@ -111,6 +113,34 @@ TEST_F(Vessels, AnAbortEndsSoonAndLeavesNothing)
   this->Path->Update();
   ASSERT_TRUE(watch.Aborted());
   EXPECT_TRUE(IsEmpty(this->Path->GetOutput()));
+}
+
+// The tube along the path is a start for the segmentation of organs.
+TEST_F(Vessels, ATubeAlongThePathIsAStart)
+{
+  vtkNew<vtkQuadTubeSource> tube;
+  tube->SetInputConnection(this->Path->GetOutputPort());
+  EXPECT_EQ(ErrorOfUpdate(tube), "0 errors");
+  EXPECT_GT(tube->GetOutput()->GetNumberOfPoints(), 16 * 20);
+  vtkNew<vtkFlipFreeRefinement> refinement;
+  refinement->SetInputConnection(tube->GetOutputPort());
+  EXPECT_EQ(ErrorOfUpdate(refinement), "0 errors");
+  tube->SetLineIndex(1);
+  ExpectRefusal(tube, { "LineIndex is 1" });
+  tube->SetInputData(StartSphere());
+  ExpectRefusal(tube, { "the lines on port 0 are 0" });
+  tube->SetLineIndex(0);
+  vtkNew<vtkPolyData> bare;
+  bare->CopyStructure(this->Path->GetOutput());
+  tube->SetInputData(bare);
+  ExpectRefusal(tube, { "no point array Radius" });
+  vtkNew<vtkDoubleArray> radii;
+  radii->SetName("Radius");
+  radii->SetNumberOfTuples(bare->GetNumberOfPoints());
+  radii->Fill(NotANumber);
+  bare->GetPointData()->AddArray(radii);
+  tube->Modified();
+  ExpectRefusal(tube, { "radii positive" });
 }
 
 TEST_F(Vessels, PointsAreKeptAndForgotten)
