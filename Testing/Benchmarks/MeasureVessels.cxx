@@ -1,128 +1,272 @@
-// development version
+// Runs the segmentation of vessels over every row of DIR/tubes.csv, one setting for all, and prints
+// a table: overlap with the reference label between the planes across the path at its ends, how
+// much of the centerline lies within the reference, seconds, self-intersections.
+//
+//   MeasureVessels [--data DIR] [--only TEXT] [--radius R] [--wall-thickness T] [--jitter MM]
+//   [--repeats N]
+//                  [--surfaces DIR]
+//
+// With --jitter, every point is moved by so much in a random direction, anew for each of the
+// repeats.
 #include "CaseList.h"
-#include "GrayImageAdapter.h"
-#include "LabelAdapter.h"
 #include "Statistics.h"
-#include "Vessel/TubeOccupancy.h"
-#include "Vessel/VesselSegmentation.h"
-#include "Image/ImageInterpolation.h"
-#include "Stopwatch.h"
+
+#include "vtkCellArray.h"
+#include "vtkFlipFreeVesselSegmentation.h"
+#include "vtkIdList.h"
+#include "vtkImageData.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkTimerLog.h"
+#include "vtkXMLPolyDataWriter.h"
 
 #include <CLI/CLI.hpp>
+#include <Eigen/Dense>
 
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
 #include <fstream>
-#include <functional>
-#include <iostream>
 #include <map>
 #include <random>
 #include <sstream>
 
-using namespace FlipFree;
-
-struct Row { std::string Name, Role, Image, Labels; int Label; PointList Points; std::vector<double> Radii; };
-
-std::vector<Row> ReadTubes(const std::string& file)
+namespace
 {
-  std::vector<Row> rows; std::ifstream stream(file); std::string line; std::getline(stream, line);
-  while (std::getline(stream, line))
-  {
-    std::vector<std::string> f; std::istringstream parts(line);
-    for (std::string x; std::getline(parts, x, ',');) f.push_back(x);
-    Row row; row.Name = f[0]; row.Role = f[1]; row.Image = f[3]; row.Labels = f[4]; row.Label = std::stoi(f[5]);
-    const int n = f[14].empty() ? 2 : 3; row.Points.resize(n, 3);
-    for (int p = 0; p < n; ++p) { for (int a = 0; a < 3; ++a) row.Points(p, a) = std::stod(f[6 + 4 * p + a]); row.Radii.push_back(std::stod(f[9 + 4 * p])); }
-    rows.push_back(row);
-  }
-  return rows;
-}
 
-std::map<std::string, std::function<void(VesselSegmentationSettings&, double)>> Setters = {
-  {"wall", [](auto& s, double x) { s.Path.WallThickness = x; }},
-  {"radius", [](auto& s, double x) { s.Path.Radius = x; }},
-  {"wideradius", [](auto& s, double x) { s.Path.WideRadius = x; }},
-  {"levels", [](auto& s, double x) { s.Levels = int(x); }},
-  {"iterations", [](auto& s, double x) { s.MaximumIterations = int(x); }},
-#define STYLE(W) \
-  {#W ".body", [](auto& s, double x) { s.Path.W.Speed.BodyScale = x; }}, \
-  {#W ".minbody", [](auto& s, double x) { s.Path.W.Speed.MinimumBody = x; }}, \
-  {#W ".high", [](auto& s, double x) { s.Path.W.Speed.HighAllowance = x; }}, \
-  {#W ".edge", [](auto& s, double x) { s.Path.W.Speed.EdgeStrength = x; }}, \
-  {#W ".tophat", [](auto& s, double x) { s.Path.W.Speed.TopHat = x; }}, \
-  {#W ".margin", [](auto& s, double x) { s.Path.W.Margin = x; }}, \
-  {#W ".cap", [](auto& s, double x) { s.Path.W.Speed.MaximumCap = x; }}, \
-  {#W ".snap", [](auto& s, double x) { s.Path.W.SnapDistance = x; }}, \
-  {#W ".maxdev", [](auto& s, double x) { s.Path.W.Speed.MaximumDeviation = x; }}, \
-  {#W ".dark", [](auto& s, double x) { s.Path.W.Sections.DarkLimit = x; }}, \
-  {#W ".bright", [](auto& s, double x) { s.Path.W.Sections.BrightLimit = x; }}, \
-  {#W ".beta", [](auto& s, double x) { s.Path.W.Sections.EdgeWeight = x; }}, \
-  {#W ".gam", [](auto& s, double x) { s.Path.W.Sections.PriorWeight = x; }}, \
-  {#W ".g", [](auto& s, double x) { s.Path.W.Sections.PriorFollow = x; }}, \
-  {#W ".ls", [](auto& s, double x) { s.Path.W.Sections.AlongWeight = x; }}, \
-  {#W ".lt", [](auto& s, double x) { s.Path.W.Sections.AroundWeight = x; }}, \
-  {#W ".window", [](auto& s, double x) { s.Path.W.Sections.IntensityWindow = int(x); }}
-  STYLE(Thin), STYLE(Wide)
+using Filter = vtkFlipFreeVesselSegmentation;
+
+struct Options
+{
+  std::string Data = "../shared/data";
+  std::string Only;
+  std::string Surfaces;
+  double Radius = 0;
+  double WallThickness = 0;
+  double Jitter = 0;
+  int Repeats = 1;
 };
 
-int main(int argc, char** argv)
+struct Tube
 {
-  std::string data = "/work/shared/data", only, preset, dump; std::vector<std::string> sets; bool given = false, mesh = false; double jitter = 0; int repeats = 1;
-  CLI::App app; app.add_option("--data", data); app.add_option("--only", only); app.add_option("--preset", preset); app.add_option("--set", sets);
-  app.add_flag("--given", given); app.add_flag("--mesh", mesh); app.add_option("--jitter", jitter); app.add_option("--repeats", repeats); app.add_option("--dump", dump);
-  CLI11_PARSE(app, argc, argv);
-  std::map<std::string, std::vector<double>> scores, whole;
-  std::map<std::string, std::vector<double>> insides;
-  vtkSmartPointer<vtkImageData> image, labels; std::string last;
-  for (const Row& row : ReadTubes(data + "/tubes.csv"))
+  std::string Name;
+  std::string Role;
+  std::string Image;
+  std::string Labels;
+  int Label = 0;
+  std::vector<Eigen::Vector3d> Points;
+};
+
+std::vector<Tube> ReadTubes(const std::string& file)
+{
+  constexpr std::size_t firstPoint = 6; // each of x, y, z and a radius
+  constexpr std::size_t mostPoints = 3;
+  std::vector<Tube> tubes;
+  std::ifstream stream(file);
+  std::string line;
+  std::getline(stream, line);
+  while (std::getline(stream, line))
   {
-    if (row.Name.find(only) == std::string::npos) continue;
-    if (row.Image != last) { image = ReadVolume(data + "/" + row.Image); labels = ReadVolume(data + "/" + row.Labels); last = row.Image; }
-    std::mt19937 random(7);
-    for (int repeat = 0; repeat < repeats; ++repeat)
+    std::vector<std::string> fields;
+    std::istringstream parts(line);
+    for (std::string field; std::getline(parts, field, ',');)
     {
-    PointList points = row.Points;
-    if (jitter > 0) { std::normal_distribution<double> n; for (int p = 0; p < points.rows(); ++p) { Eigen::RowVector3d d(n(random), n(random), n(random)); points.row(p) += jitter * d / d.norm(); } }
-    VesselSegmentationSettings s; if (given) { std::vector<double> r = row.Radii; s.Path.Radius = Median(r); }
-    for (const std::string& a : sets) { const auto e = a.find('='); Setters.at(a.substr(0, e))(s, std::stod(a.substr(e + 1))); }
-    Stopwatch watch;
-    const GrayVolume volume = GrayVolumeOf(image, "image");
-    VesselTree tree; VesselSegmentation result;
-    try { if (mesh) { result = SegmentVessel(volume, "the image", points, s, SMPThreading(), NeverStop); tree = result.Tree; }
-      else tree = TraceVessel(volume, "the image", points, s.Path, SMPThreading(), NeverStop); }
-    catch (const std::exception& e) { std::printf("%s: %s\n", row.Name.c_str(), e.what()); scores[row.Role].push_back(0); continue; }
-    const double seconds = watch.Lap();
-    FloatImage depth; depth.Geometry = volume.Geometry; depth.Voxels.assign(depth.Geometry.NumberOfVoxels(), -2.f);
-    if (mesh) { FillRuns(result.Voxels, 2.f, volume.Geometry, depth.Voxels.data()); std::printf("[%d vertices, %zu iterations, %.2f %.2f %.2f %.2f s, reason %d, si %td] ", result.Surface.Mesh.NumberOfPoints(), result.Surface.Iterations.size(), result.StageSeconds[0], result.StageSeconds[1], result.StageSeconds[2], result.StageSeconds[3], int(result.Surface.Reason), result.Surface.SelfIntersections); }
-    else for (const VesselBranch& b : tree.Branches) MergeTubeDepth(b.Sections, 2, b.Parent >= 0, false, depth);
-    const BitMask reference = MaskOf(labels, row.Label, "reference");
-    const auto& m = tree.Branches[0].Sections;
-    const auto beyond = [&](const Eigen::Vector3d& x) {
-      double best = 1e30; bool result = false;
-      for (const VesselBranch& b : tree.Branches) { const auto& f = b.Sections.Frames; const std::size_t n = f.size();
-        for (std::size_t k = 0; k < n; k += 1) { const double d = (x - f[k].Origin).squaredNorm(); if (d < best) { best = d;
-          result = (k == 0 && b.Parent < 0 && (x - f[0].Origin).dot(f[0].Tangent) < 0) || (k + 1 == n && (x - f[k].Origin).dot(f[k].Tangent) > 0); } } }
-      return result; };
-    std::size_t both = 0, a = 0, b = 0, wb = 0;
-    const auto& g = volume.Geometry;
-    for (int k = 0; k < g.Dimensions[2]; ++k) for (int j = 0; j < g.Dimensions[1]; ++j) for (int i = 0; i < g.Dimensions[0]; ++i)
-    {
-      const bool in = depth.Voxels[g.Offset(i, j, k)] > 0; const bool ref = reference(i, j, k);
-      if (!in && !ref) continue;
-      wb += ref;
-      const bool out = beyond(g.ToPhysical(Eigen::Vector3d(i, j, k)));
-      if (out) continue;
-      both += in && ref; a += in; b += ref;
+      fields.push_back(field);
     }
-    double inside = 0, count = 0, sumR = 0;
-    for (const VesselBranch& br : tree.Branches) for (std::size_t f = 0; f < br.Sections.Frames.size(); ++f)
-    { const Eigen::Vector3d i = g.ToIndex(br.Sections.Frames[f].Origin); const int x = std::lround(i[0]), y = std::lround(i[1]), z = std::lround(i[2]);
-      inside += g.Contains(x, y, z) && reference(x, y, z); ++count; sumR += br.Sections.Radii.row(f).mean(); }
-    const double dice = 2. * both / (a + b);
-    scores[row.Role].push_back(dice); whole[row.Role].push_back(2. * both / (a + wb)); insides[row.Role].push_back(inside / count);
-    std::printf("%-14s dice %.3f whole %.3f inside %.3f  vol %+.2f len %.0f R %.1f (model %.1f) branches %zu  %.2f s\n", row.Name.c_str(), dice, 2. * both / (a + wb), inside / count, double(a) / b - 1,
-      1.5 * m.Frames.size(), sumR / count, tree.Radius, tree.Branches.size(), seconds);
-    std::fflush(stdout);
-    if (!dump.empty()) { std::ofstream o(dump + "/" + row.Name + ".txt"); for (const auto& br : tree.Branches) for (std::size_t f = 0; f < br.Sections.Frames.size(); ++f) o << br.Sections.Frames[f].Origin.transpose() << " " << br.Sections.Radii.row(f).mean() << "\n"; }
+    Tube tube{ fields[0], fields[2], fields[3], fields[4], std::stoi(fields[5]), {} };
+    for (std::size_t point = 0; point < mostPoints; ++point)
+    {
+      const std::size_t x = firstPoint + 4 * point;
+      if (!fields[x].empty())
+      {
+        tube.Points.emplace_back(std::stod(fields[x]), std::stod(fields[x + 1]),
+          std::stod(fields[x + 2]));
+      }
+    }
+    tubes.push_back(tube);
+  }
+  return tubes;
+}
+
+// The points of the centerline, and the planes in which it ends.
+class Course
+{
+public:
+  explicit Course(vtkPolyData* lines)
+  {
+    for (vtkIdType line = 0; line < lines->GetNumberOfLines(); ++line)
+    {
+      vtkNew<vtkIdList> places;
+      lines->GetLines()->GetCellAtId(line, places);
+      const vtkIdType last = places->GetNumberOfIds() - 1;
+      for (vtkIdType place = 0; place <= last; ++place)
+      {
+        const auto at = [&](vtkIdType other)
+        { return Eigen::Vector3d(lines->GetPoint(places->GetId(other))); };
+        this->Points.push_back(at(place));
+        // Outward at an end. A branch begins within its parent, not at a plane.
+        Eigen::Vector3d outward = Eigen::Vector3d::Zero();
+        if (place == last)
+        {
+          outward = at(last) - at(last - 1);
+        }
+        else if (place == 0 && line == 0)
+        {
+          outward = at(0) - at(1);
+        }
+        this->Outward.push_back(outward);
+      }
     }
   }
-  for (auto& s : scores) { std::sort(s.second.begin(), s.second.end()); auto& w = whole[s.first]; std::sort(w.begin(), w.end()); std::printf("== %-8s median %.3f least %.3f mean %.3f | whole median %.3f | inside median %.3f\n", s.first.c_str(), Median(s.second), s.second.front(), std::accumulate(s.second.begin(), s.second.end(), 0.) / s.second.size(), Median(w), Median(insides[s.first])); }
+
+  bool IsBeyondEnds(const Eigen::Vector3d& point) const
+  {
+    std::size_t nearest = 0;
+    for (std::size_t place = 1; place < this->Points.size(); ++place)
+    {
+      if ((this->Points[place] - point).squaredNorm() <
+        (this->Points[nearest] - point).squaredNorm())
+      {
+        nearest = place;
+      }
+    }
+    return (point - this->Points[nearest]).dot(this->Outward[nearest]) > 0;
+  }
+
+  std::vector<Eigen::Vector3d> Points;
+
+private:
+  std::vector<Eigen::Vector3d> Outward;
+};
+
+struct Overlap
+{
+  double Dice = 0;
+  double VolumeDifference = 0;
+  double Inside = 0; ///< part of the centerline
+};
+
+Overlap MeasureOverlap(vtkImageData* found, vtkImageData* labels, int label, const Course& course)
+{
+  double both = 0;
+  double segmentation = 0;
+  double reference = 0;
+  for (vtkIdType voxel = 0; voxel < labels->GetNumberOfPoints(); ++voxel)
+  {
+    const bool isFound = found->GetPointData()->GetScalars()->GetTuple1(voxel) != 0;
+    const bool isReference = labels->GetPointData()->GetScalars()->GetTuple1(voxel) == label;
+    if ((isFound || isReference) && !course.IsBeyondEnds(Eigen::Vector3d(labels->GetPoint(voxel))))
+    {
+      both += isFound && isReference;
+      segmentation += isFound;
+      reference += isReference;
+    }
+  }
+  double inside = 0;
+  for (const Eigen::Vector3d& point : course.Points)
+  {
+    const vtkIdType voxel = labels->FindPoint(point.x(), point.y(), point.z());
+    inside += voxel >= 0 && labels->GetPointData()->GetScalars()->GetTuple1(voxel) == label;
+  }
+  return { 2 * both / (segmentation + reference), segmentation / reference - 1,
+    inside / static_cast<double>(course.Points.size()) };
+}
+
+// Moves points in random directions, the same each time.
+std::vector<Eigen::Vector3d> Jittered(std::vector<Eigen::Vector3d> points, double distance,
+  std::mt19937& random)
+{
+  for (Eigen::Vector3d& point : points)
+  {
+    std::normal_distribution<double> normal;
+    const double x = normal(random);
+    const double y = normal(random);
+    const Eigen::Vector3d direction(x, y, normal(random));
+    point += distance * direction.normalized();
+  }
+  return points;
+}
+
+double MeasureTube(const Tube& tube, const std::vector<Eigen::Vector3d>& points,
+  vtkImageData* image, vtkImageData* labels, const Options& options)
+{
+  vtkNew<Filter> filter;
+  filter->SetInputData(image);
+  filter->SetRadius(options.Radius);
+  filter->SetWallThickness(options.WallThickness);
+  for (const Eigen::Vector3d& point : points)
+  {
+    filter->AddPoint(point.x(), point.y(), point.z());
+  }
+  const double begin = vtkTimerLog::GetUniversalTime();
+  filter->Update();
+  const double seconds = vtkTimerLog::GetUniversalTime() - begin;
+  if (filter->GetSurface()->GetNumberOfPoints() == 0)
+  {
+    std::printf("| %-14s | no surface |\n", tube.Name.c_str());
+    return 0;
+  }
+  const Overlap overlap =
+    MeasureOverlap(filter->GetLabelMap(), labels, tube.Label, Course(filter->GetCenterline()));
+  std::printf("| %-14s | %.3f | %+.2f | %.3f | %5d | %.2f | %d |\n", tube.Name.c_str(),
+    overlap.Dice, overlap.VolumeDifference, overlap.Inside,
+    static_cast<int>(filter->GetSurface()->GetNumberOfPoints()), seconds,
+    filter->GetNumberOfSelfIntersections());
+  std::fflush(stdout);
+  if (!options.Surfaces.empty())
+  {
+    std::filesystem::create_directories(options.Surfaces);
+    vtkNew<vtkXMLPolyDataWriter> writer;
+    writer->SetInputData(filter->GetSurface());
+    writer->SetFileName((options.Surfaces + "/" + tube.Name + ".vtp").c_str());
+    writer->Write();
+  }
+  return overlap.Dice;
+}
+
+void Measure(const Options& options)
+{
+  std::printf("| vessel | Dice | volume | inside | vertices | s | self-intersections |\n");
+  std::map<std::string, std::vector<double>> scores;
+  for (const Tube& tube : ReadTubes(options.Data + "/tubes.csv"))
+  {
+    if (tube.Name.find(options.Only) == std::string::npos)
+    {
+      continue;
+    }
+    const auto image = ReadVolume(options.Data + "/" + tube.Image);
+    const auto labels = ReadVolume(options.Data + "/" + tube.Labels);
+    std::mt19937 random(7);
+    for (int repeat = 0; repeat < options.Repeats; ++repeat)
+    {
+      const auto points = Jittered(tube.Points, options.Jitter, random);
+      scores[tube.Role].push_back(MeasureTube(tube, points, image, labels, options));
+    }
+  }
+  for (auto& [role, dice] : scores)
+  {
+    std::sort(dice.begin(), dice.end());
+    std::printf("%-8s %2zu runs, Dice: median %.3f, least %.3f\n", role.c_str(), dice.size(),
+      Median(dice), dice.front());
+  }
+}
+
+} // namespace
+
+int main(int argc, char* argv[])
+{
+  Options options;
+  options.WallThickness = vtkNew<Filter>()->GetWallThickness();
+  CLI::App program("Measures the segmentation of vessels.");
+  program.add_option("--data", options.Data, "folder with tubes.csv and its volumes");
+  program.add_option("--only", options.Only, "rows whose name contains this");
+  program.add_option("--radius", options.Radius, "of all vessels, mm");
+  program.add_option("--wall-thickness", options.WallThickness, "mm");
+  program.add_option("--jitter", options.Jitter, "how far points are moved, mm");
+  program.add_option("--repeats", options.Repeats, "runs per row");
+  program.add_option("--surfaces", options.Surfaces, "folder for surfaces");
+  CLI11_PARSE(program, argc, argv);
+  Measure(options);
+  return 0;
 }

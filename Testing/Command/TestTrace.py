@@ -39,7 +39,7 @@ class TestTrace(command.CommandTest):
                  (("--output", ".stl"), ("--labels", ".nii.gz"), ("--centerline", ".vtp"), ("--convergence", ".csv"))}
         process = self.trace(*self.points, "--wall-thickness", 0, *(word for pair in names.items() for word in pair))
         self.assert_succeeds(process)
-        self.assertRegex(process.stdout, r"1 branch, \d+ vertices, .*, 0 self-intersections; .* path \d+\.\d+ s")
+        self.assertRegex(process.stdout, r"1 branch, \d+ vertices, .*, 0 self-intersections; path \d+\.\d+ s")
         for name in (names["--output"], names["--labels"]):
             scores = command.run("evaluate", name, self.truth)
             self.assert_succeeds(scores)
@@ -58,7 +58,7 @@ class TestTrace(command.CommandTest):
         names = self.result("two.nii.gz"), self.result("three.nii.gz")
         for name, more in zip(names, ((), ("--point", *point_at(0.2)))):
             self.assert_succeeds(self.trace(*self.points, *more, "--quiet", "--labels", name))
-        self.assertGreater(command.dice_of(command.run("evaluate", *names).stdout), 0.97)
+        self.assertGreater(command.dice_of(command.run("evaluate", *names).stdout), 0.95)
 
     def test_bad_points(self):
         output = ("-o", self.result("out.vtp"))

@@ -59,11 +59,15 @@ TEST(QuadTube, HasTheContoursOfABoxAndTheVolumeOfItsTube)
     EXPECT_NO_THROW(RequireOutward(tube.Points, Triangulate(tube.Faces), "the tube"));
     // By Pappus' theorem, less what polygons cut off circles.
     double volume = 0;
-    for (const auto& triangle : Triangulate(tube.Faces))
+    const TriangleList triangles = Triangulate(tube.Faces);
+    for (Eigen::Index triangle = 0; triangle < triangles.rows(); ++triangle)
     {
-      volume += tube.Points.row(triangle[0])
-                  .dot(tube.Points.row(triangle[1]).cross(tube.Points.row(triangle[2]))) /
-        6;
+      Eigen::Matrix3d corners;
+      for (int corner = 0; corner < 3; ++corner)
+      {
+        corners.row(corner) = tube.Points.row(triangles(triangle, corner));
+      }
+      volume += corners.determinant() / 6;
     }
     const double exact = EIGEN_PI * 25 * 80;
     EXPECT_NEAR(volume, exact * (1 - 3.0 / (n * n)), exact * 2.5 / (n * n)) << n;
