@@ -5,6 +5,8 @@
 #define FlipFreeExampleVessels_h
 
 #include "Deformation/VolumeSegmentation.h"
+#include "ExampleMasks.h"
+#include "Vessel/VesselSegmentation.h"
 
 #include <functional>
 #include <random>
@@ -93,6 +95,53 @@ inline PointList Points(const std::vector<Eigen::Vector3d>& points)
     list.row(point) = points[point];
   }
   return list;
+}
+
+/// Where tubes are clicked: they go on beyond, as vessels do.
+constexpr Eigen::Index FirstClick = 15;
+constexpr Eigen::Index LastClick = 184;
+
+inline PointList ClicksIn(const ExampleTube& tube)
+{
+  return Points({ tube.Line.row(FirstClick).transpose(), tube.Line.row(LastClick).transpose() });
+}
+
+inline ExampleTube BetweenClicks(const ExampleTube& tube, Eigen::Index first = FirstClick)
+{
+  ExampleTube part;
+  part.Line = tube.Line.middleRows(first, LastClick - first + 1);
+  part.Radii.assign(tube.Radii.begin() + first, tube.Radii.begin() + LastClick + 1);
+  return part;
+}
+
+/// Against tubes that end flat.
+inline double DiceOf(const VesselSegmentation& result, const std::vector<ExampleTube>& tubes,
+  const ImageGeometry& geometry)
+{
+  std::vector<unsigned char> labels(geometry.NumberOfVoxels(), 0);
+  FillRuns(result.Voxels, static_cast<unsigned char>(1), geometry, labels.data());
+  double both = 0;
+  double sum = 0;
+  ForEachVoxel(geometry,
+    [&](int i, int j, int k)
+    {
+      bool truth = false;
+      for (const ExampleTube& tube : tubes)
+      {
+        truth = truth || IsInTube(tube, geometry.ToPhysical(Eigen::Vector3d(i, j, k)));
+      }
+      const bool found = labels[geometry.Offset(i, j, k)] != 0;
+      both += truth && found;
+      sum += truth + found;
+    });
+  return 2 * both / sum;
+}
+
+inline VesselSegmentationSettings LumenSettings()
+{
+  VesselSegmentationSettings settings;
+  settings.Path.WallThickness = 0;
+  return settings;
 }
 
 } // namespace FlipFree

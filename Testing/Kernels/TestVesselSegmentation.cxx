@@ -16,52 +16,6 @@ namespace
 
 const Threading OneThread{ SerialFor, 1 };
 
-// Where tubes are clicked: they go on beyond, as vessels do.
-constexpr Eigen::Index FirstClick = 15;
-constexpr Eigen::Index LastClick = 184;
-
-PointList ClicksIn(const ExampleTube& tube)
-{
-  return Points({ tube.Line.row(FirstClick).transpose(), tube.Line.row(LastClick).transpose() });
-}
-
-ExampleTube BetweenClicks(const ExampleTube& tube, Eigen::Index first = FirstClick)
-{
-  ExampleTube part;
-  part.Line = tube.Line.middleRows(first, LastClick - first + 1);
-  part.Radii.assign(tube.Radii.begin() + first, tube.Radii.begin() + LastClick + 1);
-  return part;
-}
-
-double DiceOf(const VesselSegmentation& result, const std::vector<ExampleTube>& tubes,
-  const ImageGeometry& geometry)
-{
-  std::vector<unsigned char> labels(geometry.NumberOfVoxels(), 0);
-  FillRuns(result.Voxels, static_cast<unsigned char>(1), geometry, labels.data());
-  double both = 0;
-  double sum = 0;
-  ForEachVoxel(geometry,
-    [&](int i, int j, int k)
-    {
-      bool truth = false;
-      for (const ExampleTube& tube : tubes)
-      {
-        truth = truth || IsInTube(tube, geometry.ToPhysical(Eigen::Vector3d(i, j, k)));
-      }
-      const bool found = labels[geometry.Offset(i, j, k)] != 0;
-      both += truth && found;
-      sum += truth + found;
-    });
-  return 2 * both / sum;
-}
-
-VesselSegmentationSettings LumenSettings()
-{
-  VesselSegmentationSettings settings;
-  settings.Path.WallThickness = 0;
-  return settings;
-}
-
 // A quarter of a circle of radius 50 mm in the plane x = 40.
 ExampleTube Bent(double radius)
 {
