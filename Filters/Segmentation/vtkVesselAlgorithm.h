@@ -57,8 +57,8 @@ public:
 
   ///@{
   /**
-   * Added to the outline, in millimeters: the gray values show the vessel's lumen. Default 0.6; -5
-   * to 5. Readers draw an aorta with its wall, 1.2 mm or so, and veins nearly without.
+   * Added to the outline, in millimeters: the gray values show the vessel's lumen. Default 0.3; -5
+   * to 5. Readers draw an aorta with its wall, 0.7 mm or so, and veins nearly without.
    */
   void SetWallThickness(double value);
   double GetWallThickness() const;

@@ -37,13 +37,13 @@ class TestTrace(command.CommandTest):
     def test_every_output(self):
         names = {option: self.result("vessel" + ending) for option, ending in
                  (("--output", ".stl"), ("--labels", ".nii.gz"), ("--centerline", ".vtp"), ("--convergence", ".csv"))}
-        process = self.trace(*self.points, "--wall-thickness", 0, *(word for pair in names.items() for word in pair))
+        process = self.trace(*self.points, *(word for pair in names.items() for word in pair))
         self.assert_succeeds(process)
         self.assertRegex(process.stdout, r"1 branch, \d+ vertices, .*, 0 self-intersections; path \d+\.\d+ s")
         for name in (names["--output"], names["--labels"]):
             scores = command.run("evaluate", name, self.truth)
             self.assert_succeeds(scores)
-            self.assertGreater(command.dice_of(scores.stdout), 0.93)
+            self.assertGreater(command.dice_of(scores.stdout), 0.9)
         reader = vtkXMLPolyDataReader()
         reader.SetFileName(names["--centerline"])
         reader.Update()

@@ -35,7 +35,6 @@ protected:
       this->AddPoint(this->Filter, place);
       this->AddPoint(this->Path, place);
     }
-    this->Filter->SetWallThickness(0);
   }
 
   void AddPoint(vtkVesselAlgorithm* filter, double place)
@@ -66,7 +65,7 @@ TEST_F(Vessels, AreFoundBetweenTheirPoints)
   metrics->SetReferenceData(vtkImageData::SafeDownCast(this->Phantom->GetOutputDataObject(1)));
   metrics->Update();
   // The phantom goes on by a twentieth beyond either point.
-  EXPECT_GT(metrics->GetOutput()->GetValueByName(0, "Dice").ToDouble(), 0.9);
+  EXPECT_GT(metrics->GetOutput()->GetValueByName(0, "Dice").ToDouble(), 0.88);
 
   vtkPolyData* line = this->Filter->GetCenterline();
   ASSERT_EQ(line->GetNumberOfLines(), 1);
@@ -81,12 +80,11 @@ TEST_F(Vessels, AreFoundBetweenTheirPoints)
 
 TEST_F(Vessels, ThePathAloneIsTheSegmentationsCenterline)
 {
-  this->Path->SetWallThickness(0);
   EXPECT_EQ(ErrorOfUpdate(this->Path), "0 errors");
   this->Filter->SetMaximumIterations(0);
   this->Filter->Update();
   EXPECT_EQ(PointsOf(this->Path->GetOutput()), PointsOf(this->Filter->GetCenterline()));
-  this->Path->SetWallThickness(1);
+  this->Path->SetWallThickness(1.3);
   const double before = this->Path->GetOutput()->GetPointData()->GetArray("Radius")->GetTuple1(5);
   this->Path->Update();
   const double after = this->Path->GetOutput()->GetPointData()->GetArray("Radius")->GetTuple1(5);
@@ -172,6 +170,8 @@ TEST_F(Vessels, BadPointsAreRefused)
   refuse({ "two points or more, not 1" });
   this->AddPoint(this->Filter, 0.01);
   refuse({ "closer than 3 mm", "keep one" });
+  this->Filter->RemoveAllPoints();
+  this->AddPoint(this->Filter, 0);
   this->Filter->AddPoint(NotANumber, 0, 0);
   refuse({ "nan", "outside" });
   this->Filter->SetRadius(NotANumber);

@@ -21,13 +21,13 @@ class TestTrace(unittest.TestCase):
     def setUpClass(cls):
         cls.phantom = flipfree.phantom("vessel", dimensions=(SIZE,) * 3, spacing=(SPACING,) * 3)
         cls.points = [point_at(-0.95), point_at(0.95)]
-        cls.vessel = flipfree.trace(cls.phantom.image, cls.points, wall_thickness=0)
+        cls.vessel = flipfree.trace(cls.phantom.image, cls.points)
 
     def test_surface_labels_and_branches(self):
         vessel = self.vessel
         self.assertEqual(vessel.self_intersections, 0)
         self.assertEqual(vessel.points.shape[1], 3)
-        self.assertGreater(flipfree.evaluate(vessel, self.phantom.label_map).dice, 0.93)
+        self.assertGreater(flipfree.evaluate(vessel, self.phantom.label_map).dice, 0.9)
         (branch,) = vessel.branches
         self.assertEqual(len(branch["points"]), len(branch["radius"]))
         self.assertTrue(np.all(np.diff(branch["length"]) > 0))
@@ -37,7 +37,7 @@ class TestTrace(unittest.TestCase):
     def test_an_array_gives_the_same(self):
         told = []
         again = flipfree.trace(flipfree.array_from_image(self.phantom.image), self.points, spacing=(SPACING,) * 3,
-                               origin=self.phantom.image.GetOrigin(), wall_thickness=0,
+                               origin=self.phantom.image.GetOrigin(),
                                progress=lambda part, *_: told.append(part))
         np.testing.assert_array_equal(again.points, self.vessel.points)
         np.testing.assert_array_equal(again.labels, self.vessel.labels)

@@ -70,9 +70,32 @@ double Quantile(std::vector<float> values, double part)
   return *place;
 }
 
-void ScaleToCT(FloatImage& image)
+// In which a thin vessel may be so few voxels that only its points tell of its contrast.
+double SpanOf(const FloatImage& image, const PointList& points)
 {
-  const double span = Quantile(image.Voxels, 0.9) - Quantile(image.Voxels, 0.1);
+  constexpr double spanOverContrast = 2.5; // in CT, of vessels with contrast medium
+  constexpr double ball = 1.5;             // mm
+  const double median = Quantile(image.Voxels, 0.5);
+  double contrast = 0;
+  for (Eigen::Index point = 0; point < points.rows(); ++point)
+  {
+    double sum = 0;
+    const auto voxels = VoxelsInSphere(image.Geometry, { points.row(point).transpose(), ball });
+    for (const std::size_t voxel : voxels)
+    {
+      sum += image.Voxels[voxel];
+    }
+    contrast = voxels.empty()
+      ? contrast
+      : std::max(contrast, std::abs(sum / static_cast<double>(voxels.size()) - median));
+  }
+  return std::max(Quantile(image.Voxels, 0.9) - Quantile(image.Voxels, 0.1),
+    spanOverContrast * contrast);
+}
+
+void ScaleToCT(const PointList& points, FloatImage& image)
+{
+  const double span = SpanOf(image, points);
   const auto scale = static_cast<float>(span > 0 ? SpanInCT / span : 1);
   for (float& value : image.Voxels)
   {
@@ -207,7 +230,7 @@ VesselImage ImageAround(const GrayVolume& volume, const PointList& points, doubl
   FloatImage voxels = ReadBox(volume.Read, volume.Geometry, box, parallelFor);
   if (modality == Modality::MR)
   {
-    ScaleToCT(voxels);
+    ScaleToCT(points, voxels);
   }
   return MakeVesselImage(std::move(voxels), settings.SmoothingDeviation, settings.GridSpacing,
     parallelFor);

@@ -43,7 +43,7 @@ struct VesselPathSettings
   double GridSpacing = 1.5;        ///< of the grid on which the path is sought, mm
 
   /// Added to the outline, in millimeters: gray values show the lumen.
-  double WallThickness = 0.6;
+  double WallThickness = 0.3;
 
   VesselStyle Thin = ThinVessel();
   VesselStyle Wide = WideVessel();

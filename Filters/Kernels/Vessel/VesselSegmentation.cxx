@@ -141,10 +141,10 @@ public:
       if (this->Level > 0)
       {
         RefinedSurface refined = RefineSurface(this->Surface.Mesh, this->Surface.Points,
-          this->Settings.Step.Guard, this->Parallel, this->Ask);
+          this->Settings.Step.Guard, this->Parallel, [this](double) { return this->Proceed(); });
         if (!refined.Embedded)
         {
-          return this->Proceed(0) ? StopReason::NotRefined : StopReason::Aborted;
+          return this->Proceed() ? StopReason::NotRefined : StopReason::Aborted;
         }
         this->Surface.Mesh = std::move(refined.Mesh);
         this->Surface.Points = std::move(refined.Points);
@@ -159,11 +159,7 @@ public:
   }
 
 private:
-  bool Proceed(int iteration) const
-  {
-    const double part = static_cast<double>(iteration) / this->Settings.MaximumIterations;
-    return this->Ask((this->Level + part) / this->Settings.Levels);
-  }
+  bool Proceed() const { return this->Ask(this->Done); }
 
   StopReason IterateLevel()
   {
@@ -176,7 +172,9 @@ private:
     double before = std::numeric_limits<double>::infinity();
     for (int iteration = 0; iteration < this->Settings.MaximumIterations; ++iteration)
     {
-      if (!this->Proceed(iteration))
+      const double part = static_cast<double>(iteration) / this->Settings.MaximumIterations;
+      this->Done = (this->Level + part) / this->Settings.Levels;
+      if (!this->Proceed())
       {
         return StopReason::Aborted;
       }
@@ -217,7 +215,7 @@ private:
     this->Surface.Field = FindTargets(this->Surface.Mesh, this->Surface.Points, this->Foreground,
       this->Edges.View(), this->Radius, targets, this->Parallel, record.Targets);
     record.SearchSeconds = watch.Lap();
-    const Monitor proceed = [this](double) { return this->Proceed(0); };
+    const Monitor proceed = [this](double) { return this->Proceed(); };
     record.Step = DeformOnce(solver, guard, this->Settings.Step, this->Parallel, proceed,
       this->Surface.Field, this->Surface.Points);
     this->Surface.Iterations.push_back(record);
@@ -232,6 +230,7 @@ private:
   FloatImage Edges;
   BitMask Foreground;
   int Level = 0;
+  double Done = 0; ///< progress
 };
 
 // How far the surface goes beyond the disks at the ends, in mm.

@@ -12,7 +12,6 @@ from ._errors import SegmentationError
 from ._parameters import described, floats, names_of, set_parameters, signature_with
 from ._progress import progress_of
 from ._properties import properties_of
-from ._segment import _image_of
 from ._segmentation import Segmentation
 from ._types import ProgressOption
 from ._update import update
@@ -80,6 +79,8 @@ def trace(
       ...
     flipfree.SegmentationError: No segmentation: a vessel needs two points or more, not 1; ...
     """
+    from ._segment import _image_of  # not in its type stub
+
     algorithm = vtkFlipFreeVesselSegmentation()
     set_parameters("trace", algorithm, TRACE_PARAMETERS, parameters)
     for point in points:
