@@ -4,6 +4,7 @@
 #include "MessageText.h"
 #include "Vessel/FastMarching.h"
 #include "Vessel/Polyline.h"
+#include "Vessel/VesselImage.h"
 
 #include <algorithm>
 #include <cmath>
@@ -56,15 +57,12 @@ public:
 private:
   PointList LineOf(const std::vector<std::size_t>& voxels) const
   {
-    const auto& size = this->Speed.Geometry.Dimensions;
     PointList line(static_cast<Eigen::Index>(voxels.size()), 3);
     for (std::size_t place = 0; place < voxels.size(); ++place)
     {
       const std::size_t voxel = voxels[place];
-      const Eigen::Vector3d index(static_cast<double>(voxel % size[0]),
-        static_cast<double>(voxel / size[0] % size[1]),
-        static_cast<double>(voxel / size[0] / size[1]));
-      line.row(static_cast<Eigen::Index>(place)) = this->Speed.Geometry.ToPhysical(index);
+      line.row(static_cast<Eigen::Index>(place)) =
+        this->Speed.Geometry.ToPhysical(IndexOf(this->Speed.Geometry, voxel));
     }
     return line;
   }

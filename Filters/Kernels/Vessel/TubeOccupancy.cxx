@@ -1,5 +1,7 @@
 #include "Vessel/TubeOccupancy.h"
 
+#include "Vessel/VesselImage.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -60,10 +62,7 @@ void MergeTubeDepth(const VesselSections& sections, double margin, bool openStar
     {
       continue;
     }
-    const auto& size = geometry.Dimensions;
-    const Eigen::Vector3d point = geometry.ToPhysical(Eigen::Vector3d(
-      static_cast<double>(voxel % size[0]), static_cast<double>(voxel / size[0] % size[1]),
-      static_cast<double>(voxel / size[0] / size[1])));
+    const Eigen::Vector3d point = geometry.ToPhysical(IndexOf(geometry, voxel));
     const SectionFrame& frame = sections.Frames[section];
     const Eigen::Vector3d offset = point - frame.Origin;
     const double along = offset.dot(frame.Tangent);

@@ -47,6 +47,14 @@ ImageGeometry CubesOver(const ImageGeometry& geometry, double edge)
 
 } // namespace
 
+Eigen::Vector3d IndexOf(const ImageGeometry& geometry, std::size_t voxel)
+{
+  const std::size_t row = voxel / geometry.Dimensions[0];
+  const std::size_t slice = row / geometry.Dimensions[1];
+  return { static_cast<double>(voxel % geometry.Dimensions[0]),
+    static_cast<double>(row % geometry.Dimensions[1]), static_cast<double>(slice) };
+}
+
 FloatImage ReadBox(const VoxelReader& read, const ImageGeometry& geometry, const VoxelBox& box,
   const ParallelFor& parallelFor)
 {

@@ -17,6 +17,9 @@ struct VesselImage
   FloatImage Cubes; ///< at right angles even where the image's axes are not
 };
 
+/// Where a voxel is, given its offset.
+Eigen::Vector3d IndexOf(const ImageGeometry& geometry, std::size_t voxel);
+
 /// The voxels of the image within a box.
 FloatImage ReadBox(const VoxelReader& read, const ImageGeometry& geometry, const VoxelBox& box,
   const ParallelFor& parallelFor);

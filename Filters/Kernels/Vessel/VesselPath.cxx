@@ -106,7 +106,6 @@ void ScaleToCT(const PointList& points, FloatImage& image)
 PointList Snap(const ImageView<float>& image, const PointList& points, double distance)
 {
   PointList snapped = points;
-  const auto& size = image.Geometry.Dimensions;
   for (Eigen::Index point = 0; point < points.rows() && distance > 0; ++point)
   {
     float brightest = -std::numeric_limits<float>::infinity();
@@ -116,10 +115,7 @@ PointList Snap(const ImageView<float>& image, const PointList& points, double di
       if (image.Data[voxel] > brightest)
       {
         brightest = image.Data[voxel];
-        const Eigen::Vector3d index(static_cast<double>(voxel % size[0]),
-          static_cast<double>(voxel / size[0] % size[1]),
-          static_cast<double>(voxel / size[0] / size[1]));
-        snapped.row(point) = image.Geometry.ToPhysical(index);
+        snapped.row(point) = image.Geometry.ToPhysical(IndexOf(image.Geometry, voxel));
       }
     }
   }
