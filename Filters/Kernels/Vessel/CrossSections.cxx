@@ -42,6 +42,7 @@ public:
       this->FitOnce();
     }
     this->Refine();
+    this->DropThorns();
     return { this->Frames, this->Radii };
   }
 
@@ -263,6 +264,32 @@ private:
           }
           before = now;
         }
+      }
+    }
+  }
+
+  // Single rays that stick out or in: the median of each and those around and along it.
+  void DropThorns()
+  {
+    const Eigen::MatrixXd before = this->Radii;
+    const Eigen::Index rays = before.cols();
+    for (Eigen::Index section = 0; section < before.rows(); ++section)
+    {
+      const Eigen::Index first = std::max<Eigen::Index>(0, section - 1);
+      const Eigen::Index last = std::min<Eigen::Index>(before.rows() - 1, section + 1);
+      for (Eigen::Index ray = 0; ray < rays; ++ray)
+      {
+        std::vector<double> near;
+        for (Eigen::Index other = first; other <= last; ++other)
+        {
+          for (const Eigen::Index side : { ray, (ray + 1) % rays, (ray + rays - 1) % rays })
+          {
+            near.push_back(before(other, side));
+          }
+        }
+        const auto middle = near.begin() + static_cast<std::ptrdiff_t>(near.size() / 2);
+        std::nth_element(near.begin(), middle, near.end());
+        this->Radii(section, ray) = *middle;
       }
     }
   }

@@ -59,7 +59,6 @@ struct VesselTree
 {
   std::vector<VesselBranch> Branches; ///< none where the monitor stopped it
   double Radius = 0;                  ///< mean, mm
-  std::vector<std::string> Warnings;  ///< a message each, with its remedy
 };
 
 /// Throws Error or std::invalid_argument, naming the volume by `name`, for fewer than two points,
