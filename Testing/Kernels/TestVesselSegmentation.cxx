@@ -165,4 +165,15 @@ TEST(VesselSegmentation, BadPointsAreNamed)
         LumenSettings(), OneThread, NeverStop);
     });
   EXPECT_NE(message.find("no path through gray values"), std::string::npos) << message;
+  // In a vessel thinner than the image can show.
+  const ExampleTube thread = MakeTube([](double t) { return Eigen::Vector3d(40, 30, 8 + 74 * t); },
+    [](double) { return 1.5; });
+  const FloatImage fine = VolumeOfTubes({ thread }, Grid({ { 80, 60, 60 } }, { 1, 1, 1.5 }), 10);
+  const std::string noBoundary = MessageOf(
+    [&]
+    {
+      SegmentVessel(GrayVolumeOf(fine), "the volume", ClicksIn(thread), LumenSettings(), OneThread,
+        NeverStop);
+    });
+  EXPECT_NE(noBoundary.find("no boundary of a vessel"), std::string::npos) << noBoundary;
 }

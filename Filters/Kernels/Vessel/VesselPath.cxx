@@ -24,6 +24,7 @@ constexpr double LineDeviation = 2;    // smoothing of paths before sections are
 // A path over a stretch of this length, in mm, without the vessel's gray values is none.
 constexpr double LongestGap = 40;
 constexpr double GapSpeed = 0.004;
+constexpr double LargestRadius = 45; // mm; no vessel's mean, but what outlines run away to
 // Gray values other than Hounsfield units are scaled so that most of them span what they do in CT.
 constexpr double SpanInCT = 250;
 
@@ -267,6 +268,12 @@ VesselTree TraceAs(const VesselStyle& style, const GrayVolume& volume, Modality 
         path.Parent });
   }
   tree.Radius = MeanRadius(tree);
+  if (tree.Radius > LargestRadius)
+  {
+    throw Error(ErrorCode::NoContrast,
+      "no boundary of a vessel is found around the path from " + TextOf(points.row(0)) +
+        " mm; put all points into the vessel, or set Radius");
+  }
   for (VesselBranch& branch : tree.Branches)
   {
     branch.Sections.Radii.array() += settings.WallThickness;
