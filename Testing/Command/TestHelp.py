@@ -5,9 +5,10 @@ import unittest
 import command
 
 WORDS = {
-    (): ("segment", "evaluate", "phantom", "LPS", "Examples:", "Exit status"),
+    (): ("segment", "trace", "evaluate", "phantom", "LPS", "Examples:", "Exit status"),
     ("segment",): ("--seed ", "--seed-voxel", "--radius", "LPS", "millimeters", ".vtp", ".nii.gz", "--preset",
                    "published", "naive", "--threads", "--series", "Examples:"),
+    ("trace",): ("--point X Y Z", "LPS", "millimeters", "--radius", "--wall-thickness", "--centerline", "Examples:"),
     ("evaluate",): ("SEGMENTATION", "REFERENCE", "--label", "--csv", "Examples:"),
     ("phantom",): ("sphere", "cube", "cup", "u-tube", "vessel", "abdomen", "Examples:"),
 }

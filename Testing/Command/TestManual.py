@@ -13,7 +13,7 @@ import unittest
 
 import command
 
-SUBCOMMANDS = ("segment", "evaluate", "phantom")
+SUBCOMMANDS = ("segment", "trace", "evaluate", "phantom")
 
 
 def generated(kind):

@@ -11,7 +11,7 @@ from paraview import servermanager
 
 PLUGIN = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "Wrapping", "ParaView", "Plugin")
 # Modules that are described in a file of another name than theirs.
-MODULES = {"Stages": "Segmentation"}
+MODULES = {"Stages": "Segmentation", "Vessels": "Segmentation"}
 GROUPS = ("sources", "filters", "writers")
 
 
@@ -57,7 +57,8 @@ def properties(proxy):
     item.Begin()
     while not item.IsAtEnd():
         found = item.GetProperty()
-        if found.IsA("vtkSMVectorProperty") and found.GetCommand() and not found.GetInformationOnly():
+        if (found.IsA("vtkSMVectorProperty") and found.GetCommand() and not found.GetInformationOnly()
+                and not found.GetRepeatCommand()):
             yield item.GetKey(), found
         item.Next()
 
@@ -113,8 +114,20 @@ class Proxies(session.SessionTest):
                         checked += 1
         self.assertGreater(checked, 80)
 
+    def test_lists_reach_the_filter(self):
+        proxy = servermanager.ProxyManager().NewProxy("filters", "FlipFreeVesselPath")
+        points = proxy.GetProperty("Points")
+        for values in ([1, 2, 3, 4, 5, 6, 7, 8, 9.5], [9, 8, 7, 6, 5, 4]):
+            points.SetNumberOfElements(len(values))
+            for index, value in enumerate(values):
+                points.SetElement(index, value)
+            proxy.UpdateVTKObjects()
+            lines = re.findall(r"^ +Point: \((.*)\)$", str(proxy.GetClientSideObject()), re.M)
+            self.assertEqual([float(word) for line in lines for word in line.split(",")], values)
+
     def test_ports_have_names(self):
         ports = {"FlipFreeSegmentation": ["Surface", "Label map", "Convergence"],
+                 "FlipFreeVesselSegmentation": ["Surface", "Label map", "Centerline", "Convergence"],
                  "FlipFreePhantom": ["Image", "Label map", "Surface"],
                  "FlipFreeSurfaceValidity": ["Surface", "Measures"]}
         for group, name in proxies():

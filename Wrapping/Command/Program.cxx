@@ -125,6 +125,7 @@ int RunCommand(int argc, char* argv[])
     program.footer(Footer);
     program.require_subcommand(1);
     AddSegmentCommand(program);
+    AddTraceCommand(program);
     AddEvaluateCommand(program);
     AddPhantomCommand(program);
     AddGenerateOption(program);

@@ -13,6 +13,7 @@ namespace Command
 {
 
 void AddSegmentCommand(CLI::App& program);
+void AddTraceCommand(CLI::App& program);
 void AddEvaluateCommand(CLI::App& program);
 void AddPhantomCommand(CLI::App& program);
 

@@ -233,4 +233,30 @@ void WriteSurface(const std::string& name, vtkPolyData* surface)
   }
 }
 
+void WriteLines(const std::string& name, vtkPolyData* lines)
+{
+  bool whole = false;
+  try
+  {
+    WriteBy<vtkXMLPolyDataWriter>(name, lines);
+    JudgeVtp(name);
+    vtkNew<vtkXMLPolyDataReader> reader;
+    reader->SetFileName(name.c_str());
+    Run(reader, "reading");
+    vtkPolyData* found = reader->GetOutput();
+    whole = found->GetNumberOfPoints() == lines->GetNumberOfPoints() &&
+      found->GetNumberOfLines() == lines->GetNumberOfLines() && EndsWhole(name);
+  }
+  catch (const Failure&)
+  {
+    whole = false;
+  }
+  if (!whole)
+  {
+    throw Failure("'" + name +
+      "' cannot be written completely: the disk is full, or a limit on file sizes is reached. Make "
+      "room, or write elsewhere.");
+  }
+}
+
 } // namespace Command

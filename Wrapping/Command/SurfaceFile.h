@@ -25,6 +25,9 @@ vtkSmartPointer<vtkPolyData> ReadSurface(const std::string& name);
 /// `Certified`), what is read back must be valid, too: its positions may have been rounded.
 void WriteSurface(const std::string& name, vtkPolyData* surface);
 
+/// Writes poly lines with their arrays as .vtp, and reads them back.
+void WriteLines(const std::string& name, vtkPolyData* lines);
+
 } // namespace Command
 
 #endif

@@ -30,12 +30,13 @@ class Property(Parameter):
 
 
 def properties_of(algorithm: vtkAlgorithm, without: Collection[str] = ()) -> dict[str, Property]:
-    """Every property that a filter or one of its stages adds to its ancestors', by its Python name.
+    """Every property that a filter or one of its stages adds to VTK's ancestors, by its Python name.
 
     The filter's own properties hide those of the same name of its stages.
     """
     properties, stages = {}, {}
-    for method in vars(type(algorithm)):
+    ours = [c for c in type(algorithm).__mro__ if c.__module__.startswith(__package__)]
+    for method in (name for c in reversed(ours) for name in vars(c)):
         property_name = method[3:]
         if method.startswith("Set") and hasattr(algorithm, "Get" + property_name):
             name = snake_case(property_name)

@@ -1,0 +1,375 @@
+#include "Vessel/CrossSections.h"
+
+#include "Image/ImageInterpolation.h"
+#include "Intensity/RobustStatistics.h"
+#include "Vessel/Polyline.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace FlipFree
+{
+namespace
+{
+
+// Radii on a ray are multiples of the ray step: labels 0, 1, ...
+constexpr int LargestStep = 2; // between neighboring rays, in labels
+
+class SectionFit
+{
+public:
+  SectionFit(const ImageView<float>& image, const PointList& line, const Eigen::VectorXd& radii,
+    const CrossSectionSettings& settings, const ParallelFor& parallelFor)
+    : Image(image)
+    , Settings(settings)
+    , Parallel(parallelFor)
+    , Line(line)
+    , Radii(radii.replicate(1, settings.Rays))
+  {
+  }
+
+  VesselSections Fit()
+  {
+    for (int round = 0; round < this->Settings.Rounds; ++round)
+    {
+      if (round > 0)
+      {
+        this->Recenter();
+      }
+      this->Frames = MakeSectionFrames(this->Line);
+      this->FitOnce();
+    }
+    this->Refine();
+    this->DropThorns();
+    return { this->Frames, this->Radii };
+  }
+
+private:
+  std::ptrdiff_t Sections() const { return this->Line.rows(); }
+
+  double Sample(std::ptrdiff_t section, int ray, int label) const
+  {
+    const double angle = 2 * EIGEN_PI * ray / this->Settings.Rays;
+    const SectionFrame& frame = this->Frames[section];
+    return InterpolateClamped(this->Image,
+      this->Image.Geometry.ToIndex(
+        frame.Origin + label * this->Settings.RayStep * frame.Ray(angle)));
+  }
+
+  // Moves the line to the sections' centroids, keeps it smooth, and carries the radii over.
+  void Recenter()
+  {
+    const VesselSections now{ this->Frames, this->Radii };
+    const Eigen::VectorXd mean = now.MeanRadii();
+    const PointList moved = SmoothLine(now.Centers(), this->Settings.LineDeviation);
+    const Eigen::VectorXd before = ArcLengths(moved);
+    this->Line = ResampleLine(moved, this->Settings.SectionStep);
+    const Eigen::VectorXd after = ArcLengths(this->Line);
+    this->Radii.resize(this->Line.rows(), this->Settings.Rays);
+    Eigen::Index from = 0;
+    for (Eigen::Index section = 0; section < this->Line.rows(); ++section)
+    {
+      while (from + 1 < before.size() && before[from + 1] <= after[section])
+      {
+        ++from;
+      }
+      this->Radii.row(section).setConstant(mean[from]);
+    }
+  }
+
+  // The gray value of the vessel at each section, and its deviation along the vessel.
+  void ModelIntensities(const Eigen::VectorXd& mean)
+  {
+    Eigen::VectorXd medians(this->Sections());
+    std::vector<double> deviations;
+    for (std::ptrdiff_t section = 0; section < this->Sections(); ++section)
+    {
+      const double reach = std::min(5.0, std::max(1.5, 0.6 * mean[section]));
+      std::vector<float> values;
+      for (int label = 0; label * this->Settings.RayStep <= reach; ++label)
+      {
+        // As many rays as the circle has room for.
+        const int every = std::max(1, this->Settings.Rays / std::max(1, 6 * label));
+        for (int ray = 0; ray < (label == 0 ? 1 : this->Settings.Rays); ray += every)
+        {
+          values.push_back(static_cast<float>(this->Sample(section, ray, label)));
+        }
+      }
+      const RobustStatistics statistics = RobustStatisticsOf(values);
+      medians[section] = statistics.Median;
+      deviations.push_back(statistics.StandardDeviation);
+    }
+    this->Medians = MedianAlong(medians, this->Settings.IntensityWindow);
+    const auto middle = deviations.begin() + static_cast<std::ptrdiff_t>(deviations.size() / 2);
+    std::nth_element(deviations.begin(), middle, deviations.end());
+    this->Deviation =
+      std::min(this->Settings.MaximumDeviation, std::max(this->Settings.MinimumDeviation, *middle));
+  }
+
+  void FitOnce()
+  {
+    const VesselSections now{ this->Frames, this->Radii };
+    const Eigen::VectorXd mean = now.MeanRadii();
+    this->ModelIntensities(mean);
+    this->Prior =
+      (1 - this->Settings.PriorFollow) * MedianAlong(mean, 7) + this->Settings.PriorFollow * mean;
+    this->Labels =
+      1 + static_cast<int>(std::ceil((2 * this->Prior.maxCoeff() + 1.5) / this->Settings.RayStep));
+    this->Costs.assign(this->Sections() * this->Settings.Rays * this->Labels, 0);
+    this->Limits.resize(this->Sections() * this->Settings.Rays);
+    this->Parallel(0, this->Sections(),
+      [this](std::ptrdiff_t first, std::ptrdiff_t last)
+      {
+        for (std::ptrdiff_t section = first; section < last; ++section)
+        {
+          this->MakeCosts(section);
+        }
+      });
+    this->Decide();
+  }
+
+  float* CostsOf(std::ptrdiff_t section, int ray)
+  {
+    return this->Costs.data() + (section * this->Settings.Rays + ray) * this->Labels;
+  }
+
+  void MakeCosts(std::ptrdiff_t section)
+  {
+    const double step = this->Settings.RayStep;
+    const int beyond = static_cast<int>(std::ceil(4.0 / step));
+    const int half = std::max(1, static_cast<int>(std::lround(0.5 / step)));
+    std::vector<double> d(this->Labels + beyond + half + 1);
+    const double limit = 2 * this->Prior[section] + 1.5;
+    for (int ray = 0; ray < this->Settings.Rays; ++ray)
+    {
+      for (int label = 0; label < static_cast<int>(d.size()); ++label)
+      {
+        d[label] = this->Sample(section, ray, label) - this->Medians[section];
+      }
+      const int rim =
+        std::min(this->Labels - 1, static_cast<int>(std::lround(this->Radii(section, ray) / step)));
+      const auto [least, most] = std::minmax_element(d.begin() + rim, d.begin() + rim + beyond + 1);
+      const double floor = 2.5 * this->Deviation;
+      const double dark = std::max(floor, std::min(this->Settings.DarkLimit, -*least / 2));
+      const double bright = std::max(floor, std::min(this->Settings.BrightLimit, *most / 2));
+      this->Limits[section * this->Settings.Rays + ray] = { dark, bright };
+      float* const costs = this->CostsOf(section, ray);
+      double sum = 0;
+      for (int label = 0; label < this->Labels; ++label)
+      {
+        const double z = d[label] / (d[label] < 0 ? dark : bright);
+        sum -= 0.5 * std::max(-1.0, 1 - z * z) * step * 2;
+        const double rise =
+          (std::abs(d[label + half]) - std::abs(d[std::max(0, label - half)])) / 15;
+        const double prior = (label - this->Prior[section] / step);
+        costs[label] = static_cast<float>(label * step > limit || label < 2
+            ? 1e6
+            : sum - this->Settings.EdgeWeight * std::max(0.0, std::min(2.0, rise)) +
+              this->Settings.PriorWeight * prior * prior);
+      }
+    }
+  }
+
+  // Alternating sweeps over the sections; each is decided given its neighbors.
+  void Decide()
+  {
+    const int rays = this->Settings.Rays;
+    this->Choice.assign(this->Sections() * rays, 0);
+    for (std::ptrdiff_t section = 0; section < this->Sections(); ++section)
+    {
+      for (int ray = 0; ray < rays; ++ray)
+      {
+        this->Choice[section * rays + ray] =
+          static_cast<int>(std::lround(this->Prior[section] / this->Settings.RayStep));
+      }
+    }
+    for (int sweep = 0; sweep < 4; ++sweep)
+    {
+      for (std::ptrdiff_t place = 0; place < this->Sections(); ++place)
+      {
+        this->DecideSection(sweep % 2 == 0 ? place : this->Sections() - 1 - place);
+      }
+    }
+    this->Radii.resize(this->Sections(), rays);
+    for (std::ptrdiff_t section = 0; section < this->Sections(); ++section)
+    {
+      for (int ray = 0; ray < rays; ++ray)
+      {
+        this->Radii(section, ray) = this->Settings.RayStep * this->Choice[section * rays + ray];
+      }
+    }
+  }
+
+  // Two rounds over the circle of rays; the middle of them does not see where they begin.
+  void DecideSection(std::ptrdiff_t section)
+  {
+    const int rays = this->Settings.Rays;
+    const int labels = this->Labels;
+    std::vector<float> total(labels);
+    std::vector<float> before(labels);
+    std::vector<float> now(labels);
+    std::vector<int> from(2 * rays * labels);
+    for (int turn = 0; turn < 2 * rays; ++turn)
+    {
+      this->AddNeighbors(section, turn % rays, total);
+      for (int label = 0; label < labels; ++label)
+      {
+        float best = std::numeric_limits<float>::infinity();
+        int bestFrom = label;
+        for (int other = std::max(0, label - LargestStep);
+             turn > 0 && other <= std::min(labels - 1, label + LargestStep); ++other)
+        {
+          const float cost = before[other] +
+            static_cast<float>(this->Settings.AroundWeight * (label - other) * (label - other));
+          if (cost < best)
+          {
+            best = cost;
+            bestFrom = other;
+          }
+        }
+        now[label] = total[label] + (turn > 0 ? best : 0);
+        from[turn * labels + label] = bestFrom;
+      }
+      before.swap(now);
+    }
+    int label = static_cast<int>(std::min_element(before.begin(), before.end()) - before.begin());
+    for (int turn = 2 * rays - 1; turn >= 0; --turn)
+    {
+      if (turn >= rays / 2 && turn < rays / 2 + rays)
+      {
+        this->Choice[section * rays + turn % rays] = label;
+      }
+      label = from[turn * labels + label];
+    }
+  }
+
+  // From the last label inside to where the gray value leaves the vessel's, between samples.
+  void Refine()
+  {
+    for (std::ptrdiff_t section = 0; section < this->Sections(); ++section)
+    {
+      for (int ray = 0; ray < this->Settings.Rays; ++ray)
+      {
+        const int label = this->Choice[section * this->Settings.Rays + ray];
+        double before = this->Excess(section, ray, std::max(0, label - 1));
+        for (int outer = std::max(1, label); outer <= label + 2; ++outer)
+        {
+          const double now = this->Excess(section, ray, outer);
+          if (before < 0 && now >= 0)
+          {
+            this->Radii(section, ray) = this->Settings.RayStep * (outer - now / (now - before));
+            break;
+          }
+          before = now;
+        }
+      }
+    }
+  }
+
+  // Single rays that stick out or in: the median of each and those around and along it.
+  void DropThorns()
+  {
+    const Eigen::MatrixXd before = this->Radii;
+    const Eigen::Index rays = before.cols();
+    for (Eigen::Index section = 0; section < before.rows(); ++section)
+    {
+      const Eigen::Index first = std::max<Eigen::Index>(0, section - 1);
+      const Eigen::Index last = std::min<Eigen::Index>(before.rows() - 1, section + 1);
+      for (Eigen::Index ray = 0; ray < rays; ++ray)
+      {
+        std::vector<double> near;
+        for (Eigen::Index other = first; other <= last; ++other)
+        {
+          for (const Eigen::Index side : { ray, (ray + 1) % rays, (ray + rays - 1) % rays })
+          {
+            near.push_back(before(other, side));
+          }
+        }
+        const auto middle = near.begin() + static_cast<std::ptrdiff_t>(near.size() / 2);
+        std::nth_element(near.begin(), middle, near.end());
+        this->Radii(section, ray) = *middle;
+      }
+    }
+  }
+
+  // Beyond the limits of the vessel's gray values: positive outside.
+  double Excess(std::ptrdiff_t section, int ray, int label) const
+  {
+    const double d = this->Sample(section, ray, label) - this->Medians[section];
+    const auto& [dark, bright] = this->Limits[section * this->Settings.Rays + ray];
+    return std::abs(d) / (d < 0 ? dark : bright) - 1;
+  }
+
+  void AddNeighbors(std::ptrdiff_t section, int ray, std::vector<float>& total)
+  {
+    const float* const costs = this->CostsOf(section, ray);
+    const int rays = this->Settings.Rays;
+    for (int label = 0; label < this->Labels; ++label)
+    {
+      double along = 0;
+      for (const std::ptrdiff_t other : { section - 1, section + 1 })
+      {
+        if (other >= 0 && other < this->Sections())
+        {
+          const double step = label - this->Choice[other * rays + ray];
+          along += std::min(step * step, 100.0);
+        }
+      }
+      total[label] = costs[label] + static_cast<float>(this->Settings.AlongWeight * along);
+    }
+  }
+
+  const ImageView<float>& Image;
+  const CrossSectionSettings& Settings;
+  const ParallelFor& Parallel;
+  PointList Line;
+  std::vector<SectionFrame> Frames;
+  Eigen::MatrixXd Radii;
+  Eigen::VectorXd Medians;
+  double Deviation = 0;
+  Eigen::VectorXd Prior;
+  int Labels = 0;
+  std::vector<float> Costs;
+  std::vector<std::pair<double, double>> Limits; // dark and bright, per section and ray
+  std::vector<int> Choice;
+};
+
+} // namespace
+
+PointList VesselSections::Centers() const
+{
+  const auto rays = static_cast<int>(this->Radii.cols());
+  PointList centers(static_cast<Eigen::Index>(this->Frames.size()), 3);
+  for (Eigen::Index section = 0; section < centers.rows(); ++section)
+  {
+    const SectionFrame& frame = this->Frames[section];
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    double area = 0;
+    for (int ray = 0; ray < rays; ++ray)
+    {
+      // A sector's centroid is at two thirds of its radius.
+      const double radius = this->Radii(section, ray);
+      sum += radius * radius * 2 / 3 * radius * frame.Ray(2 * EIGEN_PI * ray / rays);
+      area += radius * radius;
+    }
+    centers.row(section) = area > 0 ? Eigen::Vector3d(frame.Origin + sum / area) : frame.Origin;
+  }
+  return centers;
+}
+
+Eigen::VectorXd VesselSections::MeanRadii() const
+{
+  return this->Radii.rowwise().squaredNorm().cwiseSqrt() /
+    std::sqrt(static_cast<double>(this->Radii.cols()));
+}
+
+VesselSections FitSections(const ImageView<float>& image, const PointList& line,
+  const Eigen::VectorXd& radii, const CrossSectionSettings& settings,
+  const ParallelFor& parallelFor)
+{
+  return SectionFit(image, line, radii, settings, parallelFor).Fit();
+}
+
+} // namespace FlipFree

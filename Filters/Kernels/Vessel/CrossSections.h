@@ -1,0 +1,50 @@
+/**
+ * The outline of a vessel in cross-sections along its path: rays from the center, on each of which
+ * the boundary is where gray values leave those of the vessel here for those that surround it here.
+ * All rays of all sections are decided together, so that the outline is smooth around and along.
+ */
+#ifndef FlipFreeCrossSections_h
+#define FlipFreeCrossSections_h
+
+#include "Vessel/SectionFrames.h"
+
+namespace FlipFree
+{
+
+struct CrossSectionSettings
+{
+  int Rays = 32;
+  double RayStep = 0.5;
+  double SectionStep = 1.5;
+  int Rounds = 3;
+  double DarkLimit = 70;
+  double BrightLimit = 35;
+  double MinimumDeviation = 8;
+  double MaximumDeviation = 25;
+  int IntensityWindow = 3; ///< sections to either side
+  double EdgeWeight = 8;
+  double PriorWeight = 0.02;
+  double PriorFollow = 0;
+  double AlongWeight = 0.15;
+  double AroundWeight = 0.3;
+  double LineDeviation = 2; ///< sections
+};
+
+/// Sections of a vessel at even distances.
+struct VesselSections
+{
+  std::vector<SectionFrame> Frames;
+  Eigen::MatrixXd Radii; ///< a row per section, a column per ray; mm
+
+  PointList Centers() const;
+  Eigen::VectorXd MeanRadii() const; ///< of a disk of the same area
+};
+
+/// `radii`: first guesses at the line's points.
+VesselSections FitSections(const ImageView<float>& image, const PointList& line,
+  const Eigen::VectorXd& radii, const CrossSectionSettings& settings,
+  const ParallelFor& parallelFor);
+
+} // namespace FlipFree
+
+#endif

@@ -1,0 +1,133 @@
+#include "Vessel/VesselImage.h"
+
+#include "Image/GaussianSmoothing.h"
+#include "Image/ImageInterpolation.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace FlipFree
+{
+namespace
+{
+
+// The nearest axes at right angles.
+Eigen::Matrix3d Orthonormalized(const Eigen::Matrix3d& direction)
+{
+  const Eigen::JacobiSVD<Eigen::Matrix3d> decomposition(direction,
+    Eigen::ComputeFullU | Eigen::ComputeFullV);
+  return decomposition.matrixU() * decomposition.matrixV().transpose();
+}
+
+// The grid of cubes that covers another one.
+ImageGeometry CubesOver(const ImageGeometry& geometry, double edge)
+{
+  ImageGeometry cubes;
+  cubes.Spacing.setConstant(edge);
+  cubes.Direction = Orthonormalized(geometry.Direction);
+  Eigen::Array3d low = Eigen::Array3d::Constant(std::numeric_limits<double>::infinity());
+  Eigen::Array3d high = -low;
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    const Eigen::Vector3d index((corner & 1) * (geometry.Dimensions[0] - 1.0),
+      (corner >> 1 & 1) * (geometry.Dimensions[1] - 1.0),
+      (corner >> 2) * (geometry.Dimensions[2] - 1.0));
+    const Eigen::Array3d place = (cubes.Direction.transpose() * geometry.ToPhysical(index)).array();
+    low = low.min(place);
+    high = high.max(place);
+  }
+  cubes.Origin = cubes.Direction * low.matrix();
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    cubes.Dimensions[axis] =
+      static_cast<int>(std::floor((high[axis] - low[axis]) / edge + 1e-6)) + 1;
+  }
+  return cubes;
+}
+
+} // namespace
+
+Eigen::Vector3d IndexOf(const ImageGeometry& geometry, std::size_t voxel)
+{
+  const std::size_t row = voxel / geometry.Dimensions[0];
+  const std::size_t slice = row / geometry.Dimensions[1];
+  return { static_cast<double>(voxel % geometry.Dimensions[0]),
+    static_cast<double>(row % geometry.Dimensions[1]), static_cast<double>(slice) };
+}
+
+FloatImage ReadBox(const VoxelReader& read, const ImageGeometry& geometry, const VoxelBox& box,
+  const ParallelFor& parallelFor)
+{
+  FloatImage part;
+  part.Geometry = CropGeometry(geometry, box);
+  part.Voxels.resize(part.Geometry.NumberOfVoxels());
+  parallelFor(0, box.Size(2),
+    [&](std::ptrdiff_t first, std::ptrdiff_t last)
+    {
+      for (int k = static_cast<int>(first); k < last; ++k)
+      {
+        for (int j = 0; j < box.Size(1); ++j)
+        {
+          read(box.Begin[0], box.End[0], box.Begin[1] + j, box.Begin[2] + k,
+            part.Voxels.data() + part.Geometry.Offset(0, j, k));
+        }
+      }
+    });
+  return part;
+}
+
+VoxelBox BoxAroundPoints(const ImageGeometry& geometry, const PointList& points, double margin)
+{
+  VoxelBox box;
+  for (Eigen::Index point = 0; point < points.rows(); ++point)
+  {
+    box = box.Joined(BoxAround(geometry, points.row(point).transpose(), margin));
+  }
+  return box;
+}
+
+void SmoothInside(FloatImage& image, double deviation, const ParallelFor& parallelFor)
+{
+  std::vector<float> weights(image.Voxels.size(), 1.0F);
+  SmoothGaussian(weights, image.Geometry, deviation, parallelFor);
+  SmoothGaussian(image.Voxels, image.Geometry, deviation, parallelFor);
+  std::transform(image.Voxels.begin(), image.Voxels.end(), weights.begin(), image.Voxels.begin(),
+    [](float value, float weight) { return value / weight; });
+}
+
+VesselImage MakeVesselImage(FloatImage voxels, double deviation, double edge,
+  const ParallelFor& parallelFor)
+{
+  SmoothInside(voxels, deviation, parallelFor);
+  VesselImage image;
+  image.Cubes.Geometry = CubesOver(voxels.Geometry, edge);
+  const ImageGeometry& cubes = image.Cubes.Geometry;
+  image.Cubes.Voxels.resize(cubes.NumberOfVoxels());
+  const Eigen::Vector3d origin = voxels.Geometry.ToIndex(cubes.Origin);
+  Eigen::Matrix3d steps;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    steps.col(axis) =
+      voxels.Geometry.ToIndex(cubes.ToPhysical(Eigen::Vector3d::Unit(axis))) - origin;
+  }
+  parallelFor(0, cubes.Dimensions[2],
+    [&](std::ptrdiff_t first, std::ptrdiff_t last)
+    {
+      for (int k = static_cast<int>(first); k < last; ++k)
+      {
+        for (int j = 0; j < cubes.Dimensions[1]; ++j)
+        {
+          float* const row = image.Cubes.Voxels.data() + cubes.Offset(0, j, k);
+          for (int i = 0; i < cubes.Dimensions[0]; ++i)
+          {
+            row[i] = static_cast<float>(
+              InterpolateClamped(voxels.View(), origin + steps * Eigen::Vector3d(i, j, k)));
+          }
+        }
+      }
+    });
+  image.Own = std::move(voxels);
+  return image;
+}
+
+} // namespace FlipFree

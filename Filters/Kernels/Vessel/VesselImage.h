@@ -1,0 +1,39 @@
+/**
+ * The part of an image in which a vessel is sought: slightly smoothed, on the image's own grid for
+ * cross-sections, and on a grid of cubes for paths.
+ */
+#ifndef FlipFreeVesselImage_h
+#define FlipFreeVesselImage_h
+
+#include "Image/AnisotropicDiffusion.h"
+#include "Image/SeedRegion.h"
+
+namespace FlipFree
+{
+
+struct VesselImage
+{
+  FloatImage Own;
+  FloatImage Cubes; ///< at right angles even where the image's axes are not
+};
+
+/// Where a voxel is, given its offset.
+Eigen::Vector3d IndexOf(const ImageGeometry& geometry, std::size_t voxel);
+
+/// The voxels of the image within a box.
+FloatImage ReadBox(const VoxelReader& read, const ImageGeometry& geometry, const VoxelBox& box,
+  const ParallelFor& parallelFor);
+
+/// The box of voxels within `margin` millimeters of any of the points.
+VoxelBox BoxAroundPoints(const ImageGeometry& geometry, const PointList& points, double margin);
+
+/// Averages over a Gaussian window of the image alone; what lies beyond its rim does not count.
+void SmoothInside(FloatImage& image, double deviation, const ParallelFor& parallelFor);
+
+/// Smooths the voxels and samples them at the corners of cubes of `edge` millimeters.
+VesselImage MakeVesselImage(FloatImage voxels, double deviation, double edge,
+  const ParallelFor& parallelFor);
+
+} // namespace FlipFree
+
+#endif

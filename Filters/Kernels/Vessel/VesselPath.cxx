@@ -1,0 +1,342 @@
+#include "Vessel/VesselPath.h"
+
+#include "Error.h"
+#include "Image/ImageInterpolation.h"
+#include "Intensity/Modality.h"
+#include "MessageText.h"
+#include "Vessel/MinimalPaths.h"
+#include "Vessel/Polyline.h"
+#include "Vessel/VesselImage.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace FlipFree
+{
+namespace
+{
+
+constexpr double LeastDistance = 3;    // between two points, mm
+constexpr double ProlongDistance = 15; // of a point from a path's end that prolongs it, mm
+constexpr double LineDeviation = 2;    // smoothing of paths before sections are fitted, in sections
+// A path over a stretch of this length, in mm, without the vessel's gray values is none.
+constexpr double LongestGap = 40;
+constexpr double GapSpeed = 0.004;
+constexpr double LargestRadius = 45; // mm; no vessel's mean, but what outlines run away to
+// Gray values other than Hounsfield units are scaled so that most of them span what they do in CT.
+constexpr double SpanInCT = 250;
+
+void RequirePoints(const ImageGeometry& geometry, const PointList& points, const std::string& name)
+{
+  if (points.rows() < 2)
+  {
+    throw Error(ErrorCode::OutOfRange,
+      "a vessel needs two points or more, not " + std::to_string(points.rows()) +
+        "; give one at either end");
+  }
+  for (Eigen::Index point = 0; point < points.rows(); ++point)
+  {
+    const Eigen::Vector3d index = geometry.ToIndex(points.row(point).transpose());
+    bool inside = index.allFinite();
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      inside = inside && index[axis] >= -0.5 && index[axis] <= geometry.Dimensions[axis] - 0.5;
+    }
+    if (!inside)
+    {
+      throw Error(ErrorCode::OutOfRange,
+        "the point " + TextOf(points.row(point)) + " mm lies outside " + name +
+          "; put it into the vessel, in LPS millimeters");
+    }
+    for (Eigen::Index other = 0; other < point; ++other)
+    {
+      if ((points.row(point) - points.row(other)).norm() < LeastDistance)
+      {
+        throw Error(ErrorCode::OutOfRange,
+          "the points " + TextOf(points.row(other)) + " and " + TextOf(points.row(point)) +
+            " mm are closer than " + std::to_string(static_cast<int>(LeastDistance)) +
+            " mm; keep one of them");
+      }
+    }
+  }
+}
+
+double Quantile(std::vector<float> values, double part)
+{
+  const auto place =
+    values.begin() + static_cast<std::ptrdiff_t>(part * static_cast<double>(values.size() - 1));
+  std::nth_element(values.begin(), place, values.end());
+  return *place;
+}
+
+// In which a thin vessel may be so few voxels that only its points tell of its contrast.
+double SpanOf(const FloatImage& image, const PointList& points)
+{
+  constexpr double spanOverContrast = 2.5; // in CT, of vessels with contrast medium
+  constexpr double ball = 1.5;             // mm
+  const double median = Quantile(image.Voxels, 0.5);
+  double contrast = 0;
+  for (Eigen::Index point = 0; point < points.rows(); ++point)
+  {
+    double sum = 0;
+    const auto voxels = VoxelsInSphere(image.Geometry, { points.row(point).transpose(), ball });
+    for (const std::size_t voxel : voxels)
+    {
+      sum += image.Voxels[voxel];
+    }
+    contrast = voxels.empty()
+      ? contrast
+      : std::max(contrast, std::abs(sum / static_cast<double>(voxels.size()) - median));
+  }
+  return std::max(Quantile(image.Voxels, 0.9) - Quantile(image.Voxels, 0.1),
+    spanOverContrast * contrast);
+}
+
+void ScaleToCT(const PointList& points, FloatImage& image)
+{
+  const double span = SpanOf(image, points);
+  const auto scale = static_cast<float>(span > 0 ? SpanInCT / span : 1);
+  for (float& value : image.Voxels)
+  {
+    value *= scale;
+  }
+}
+
+PointList Snap(const ImageView<float>& image, const PointList& points, double distance)
+{
+  PointList snapped = points;
+  for (Eigen::Index point = 0; point < points.rows() && distance > 0; ++point)
+  {
+    float brightest = -std::numeric_limits<float>::infinity();
+    for (const std::size_t voxel :
+      VoxelsInSphere(image.Geometry, { points.row(point).transpose(), distance }))
+    {
+      if (image.Data[voxel] > brightest)
+      {
+        brightest = image.Data[voxel];
+        snapped.row(point) = image.Geometry.ToPhysical(IndexOf(image.Geometry, voxel));
+      }
+    }
+  }
+  return snapped;
+}
+
+// First guesses at the radii from the depth along the line.
+Eigen::VectorXd FirstRadii(const FloatImage& depth, const PointList& line)
+{
+  Eigen::VectorXd along(line.rows());
+  for (Eigen::Index place = 0; place < line.rows(); ++place)
+  {
+    along[place] =
+      InterpolateClamped(depth.View(), depth.Geometry.ToIndex(line.row(place).transpose()));
+  }
+  Eigen::VectorXd sorted = along;
+  std::nth_element(sorted.data(), sorted.data() + sorted.size() / 2, sorted.data() + sorted.size());
+  return (1.15 * MedianAlong(along, 4)).cwiseMin(1.5 * sorted[sorted.size() / 2]).cwiseMax(1.0);
+}
+
+// Of all sections of a tree.
+double MeanRadius(const VesselTree& tree)
+{
+  double sum = 0;
+  Eigen::Index sections = 0;
+  for (const VesselBranch& branch : tree.Branches)
+  {
+    sum += branch.Sections.MeanRadii().sum();
+    sections += branch.Sections.Radii.rows();
+  }
+  return sum / static_cast<double>(std::max<Eigen::Index>(1, sections));
+}
+
+// Lets a line begin on the plane across it through a point near its begin: shortens or prolongs it.
+void BeginAt(const Eigen::RowVector3d& point, PointList& line)
+{
+  constexpr Eigen::Index places = 8; // more than a point is snapped by
+  const Eigen::Index looked = std::min<Eigen::Index>(places, line.rows() - 2);
+  Eigen::Index nearest = 0;
+  (line.topRows(looked).rowwise() - point).rowwise().squaredNorm().minCoeff(&nearest);
+  if (nearest > 0)
+  {
+    line = PointList(line.bottomRows(line.rows() - nearest));
+    return;
+  }
+  const Eigen::RowVector3d outward = (line.row(0) - line.row(1)).normalized();
+  const double beyond = (point - line.row(0)).dot(outward);
+  if (beyond > 0)
+  {
+    PointList longer(line.rows() + 1, 3);
+    longer << line.row(0) + beyond * outward, line;
+    line = longer;
+  }
+}
+
+// A path leads to where its points were snapped; the vessel ends where they were clicked.
+void EndAtPoints(const PointList& snapped, const PointList& clicked, bool hasParent,
+  PointList& line)
+{
+  for (int end = hasParent ? 1 : 0; end < 2; ++end)
+  {
+    Eigen::Index nearest = 0;
+    const Eigen::RowVector3d place = line.row(end == 0 ? 0 : line.rows() - 1);
+    (snapped.rowwise() - place).rowwise().squaredNorm().minCoeff(&nearest);
+    if (end == 1)
+    {
+      line = PointList(line.colwise().reverse());
+    }
+    BeginAt(clicked.row(nearest), line);
+    if (end == 1)
+    {
+      line = PointList(line.colwise().reverse());
+    }
+  }
+}
+
+// The longest stretch of a path without the vessel's gray values, in mm.
+double LongestGapOf(const FloatImage& speed, const PointList& line)
+{
+  double longest = 0;
+  double now = 0;
+  for (Eigen::Index place = 1; place < line.rows(); ++place)
+  {
+    const bool isGap = InterpolateClamped(speed.View(),
+                         speed.Geometry.ToIndex(line.row(place).transpose())) < GapSpeed;
+    now = isGap ? now + (line.row(place) - line.row(place - 1)).norm() : 0;
+    longest = std::max(longest, now);
+  }
+  return longest;
+}
+
+void RequirePath(const FloatImage& speed, const PointList& line)
+{
+  if (LongestGapOf(speed, line) > LongestGap)
+  {
+    throw Error(ErrorCode::NoContrast,
+      "no path through gray values like those at the points joins " + TextOf(line.row(0)) +
+        " and " + TextOf(line.row(line.rows() - 1)) +
+        " mm; put all points into the same vessel, and more of them on its way");
+  }
+}
+
+VesselImage ImageAround(const GrayVolume& volume, const PointList& points, double margin,
+  Modality modality, const VesselPathSettings& settings, const ParallelFor& parallelFor)
+{
+  const VoxelBox box = BoxAroundPoints(volume.Geometry, points, margin);
+  volume.RequireFinite(box);
+  FloatImage voxels = ReadBox(volume.Read, volume.Geometry, box, parallelFor);
+  if (modality == Modality::MR)
+  {
+    ScaleToCT(points, voxels);
+  }
+  return MakeVesselImage(std::move(voxels), settings.SmoothingDeviation, settings.GridSpacing,
+    parallelFor);
+}
+
+// One pass of the whole; nothing where the monitor stopped it.
+VesselTree TraceAs(const VesselStyle& style, const GrayVolume& volume, Modality modality,
+  const PointList& clicked, double radius, const VesselPathSettings& settings,
+  const ParallelFor& parallelFor, const Monitor& monitor)
+{
+  const VesselImage image =
+    ImageAround(volume, clicked, style.Margin, modality, settings, parallelFor);
+  constexpr double ballScale = 0.7; // of the vessel's radius
+  const PointList points = Snap(image.Cubes.View(), clicked, style.SnapDistance);
+  const VesselIntensities intensities =
+    IntensitiesAtPoints(image.Cubes.View(), points, ballScale * radius, style.Speed);
+  FloatImage depth;
+  depth.Geometry = image.Cubes.Geometry;
+  depth.Voxels = DepthOf(image.Cubes.View(), intensities, parallelFor);
+  const FloatImage speed =
+    MakeVesselSpeed(image.Cubes, intensities, depth.Voxels, radius, style.Speed, parallelFor);
+  VesselTree tree;
+  for (const MinimalPath& path : JoinPoints(speed.View(), points, ProlongDistance, monitor))
+  {
+    RequirePath(speed, path.Line);
+    PointList line = path.Line;
+    for (int round = 0; round < 2; ++round)
+    {
+      line = ResampleLine(SmoothLine(line, LineDeviation), style.Sections.SectionStep);
+    }
+    EndAtPoints(points, clicked, path.Parent >= 0, line);
+    if (!monitor(0.8))
+    {
+      return {};
+    }
+    tree.Branches.push_back(
+      { FitSections(image.Own.View(), line, FirstRadii(depth, line), style.Sections, parallelFor),
+        path.Parent });
+  }
+  tree.Radius = MeanRadius(tree);
+  if (tree.Radius > LargestRadius)
+  {
+    throw Error(ErrorCode::NoContrast,
+      "no boundary of a vessel is found around the path from " + TextOf(points.row(0)) +
+        " mm; put all points into the vessel, or set Radius");
+  }
+  for (VesselBranch& branch : tree.Branches)
+  {
+    branch.Sections.Radii.array() += settings.WallThickness;
+  }
+  return tree;
+}
+
+} // namespace
+
+VesselStyle ThinVessel()
+{
+  VesselStyle style;
+  style.SnapDistance = 5;
+  style.Margin = 38;
+  style.Speed.Bright = true;
+  style.Speed.HighAllowance = 40;
+  style.Speed.MaximumCap = 3;
+  style.Speed.TopHat = 7.5;
+  style.Sections.EdgeWeight = 15;
+  style.Sections.PriorWeight = 0.1;
+  style.Sections.PriorFollow = 0.5;
+  style.Sections.AlongWeight = 0.08;
+  style.Sections.AroundWeight = 0.15;
+  style.Sections.IntensityWindow = 8;
+  return style;
+}
+
+VesselStyle WideVessel()
+{
+  VesselStyle style;
+  style.Speed.BodyScale = 1.5;
+  style.Sections.DarkLimit = 60;
+  style.Sections.BrightLimit = 22;
+  style.Sections.EdgeWeight = 12;
+  style.Sections.PriorWeight = 0.03;
+  style.Sections.PriorFollow = 0.25;
+  style.Sections.AlongWeight = 0.08;
+  style.Sections.AroundWeight = 0.15;
+  return style;
+}
+
+VesselTree TraceVessel(const GrayVolume& volume, const std::string& name, const PointList& points,
+  const VesselPathSettings& settings, const Threading& threading, const Monitor& monitor)
+{
+  RequirePoints(volume.Geometry, points, name);
+  const Modality modality = ResolveModality(Modality::Automatic, volume.Read, volume.Geometry);
+  constexpr double thinRadius = 3;
+  constexpr double insideScale = 0.6; // what the wide style takes for the radius, of that found
+  double radius = settings.Radius;
+  if (radius <= 0 || radius < settings.WideRadius)
+  {
+    const Monitor first = PartOf(monitor, 0, 0.5);
+    VesselTree tree = TraceAs(settings.Thin, volume, modality, points,
+      radius > 0 ? radius : thinRadius, settings, threading.For, first);
+    if (tree.Branches.empty() || tree.Radius < settings.WideRadius)
+    {
+      return tree;
+    }
+    radius = tree.Radius;
+  }
+  const Monitor second = PartOf(monitor, 0.5, 1);
+  return TraceAs(settings.Wide, volume, modality, points, insideScale * radius, settings,
+    threading.For, second);
+}
+
+} // namespace FlipFree

@@ -1,0 +1,45 @@
+/**
+ * A vessel between points, or a tree of vessels, as every shell runs it: path, outline in
+ * cross-sections, start surface within the outline, and its deformation onto the outline under the
+ * guard.
+ */
+#ifndef FlipFreeVesselSegmentation_h
+#define FlipFreeVesselSegmentation_h
+
+#include "Deformation/VolumeSegmentation.h"
+#include "Vessel/VesselPath.h"
+
+namespace FlipFree
+{
+
+struct VesselSegmentationSettings
+{
+  VesselPathSettings Path;
+
+  /// Levels from coarse to fine; each doubles the vertices along an edge.
+  int Levels = 2;
+  int MaximumIterations = 20; ///< per level
+  TargetSettings Targets;
+  DeformationStepSettings Step;
+};
+
+struct VesselSegmentation
+{
+  VesselTree Tree;
+  OrganSurface Surface;
+  std::vector<VoxelRun> Voxels;
+  std::vector<std::string> Warnings; ///< a message each, with its remedy
+  /// Path, outline to start surface, deformation, label map.
+  std::array<double, 4> StageSeconds{ { 0, 0, 0, 0 } };
+};
+
+/// `name` is the volume's. Throws std::invalid_argument or Error for bad input, and
+/// std::logic_error if a guarded surface should intersect itself. A stop by the monitor gives
+/// StopReason::Aborted.
+VesselSegmentation SegmentVessel(const GrayVolume& volume, const std::string& name,
+  const PointList& points, const VesselSegmentationSettings& settings, const Threading& threading,
+  const Monitor& monitor);
+
+} // namespace FlipFree
+
+#endif

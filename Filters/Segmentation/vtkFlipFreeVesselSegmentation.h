@@ -1,0 +1,117 @@
+/**
+ * @class   vtkFlipFreeVesselSegmentation
+ * @brief   from points in a vessel to its surface
+ *
+ * Follows a vessel, or a tree of vessels, between points (vtkVesselPath), outlines it in
+ * cross-sections along the path, and deforms a quadrilateral mesh onto the outline, from coarse to
+ * fine. The mesh begins within the outline, as the surface of cells of a grid: closed, without
+ * holes or handles, four neighbors at every vertex, so that a tree is one surface, too. The guard
+ * limits every motion, as in vtkFlipFreeSegmentation: the surface stays embedded, in whatever way
+ * its faces are cut into triangles, and vertices lie at single-precision numbers.
+ *
+ * A vessel ends in a disk across the path at each end point. See vtkVesselAlgorithm for points,
+ * input and errors.
+ *
+ * Output port 0: vtkPolyData, the surface, with the arrays of vtkFlipFreeSegmentation.
+ * Output port 1: vtkImageData, unsigned char `Labels` of the input's geometry: LabelValue inside.
+ * Output port 2: vtkPolyData, the centerline, as vtkVesselPath gives it.
+ * Output port 3: vtkTable `Convergence`, as of vtkFlipFreeSegmentation.
+ *
+ * Warnings, with a result all the same: the surface could not be refined, or it goes far beyond the
+ * disks at the ends.
+ */
+#ifndef vtkFlipFreeVesselSegmentation_h
+#define vtkFlipFreeVesselSegmentation_h
+
+#include "FlipFreeSegmentationModule.h"
+#include "vtkVesselAlgorithm.h"
+
+class vtkImageData;
+class vtkPolyData;
+class vtkTable;
+
+class FLIPFREESEGMENTATION_EXPORT vtkFlipFreeVesselSegmentation : public vtkVesselAlgorithm
+{
+public:
+  static vtkFlipFreeVesselSegmentation* New();
+  vtkTypeMacro(vtkFlipFreeVesselSegmentation, vtkVesselAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * The outputs, after Update(); GetOutput() is the surface, too.
+   */
+  vtkPolyData* GetSurface();
+  vtkImageData* GetLabelMap();
+  vtkPolyData* GetCenterline();
+  vtkTable* GetConvergence();
+  ///@}
+
+  ///@{
+  /**
+   * Number of levels from coarse to fine. Default 2; 1 to 4. The first has a vertex about every
+   * half of the thinnest branch's radius; each level doubles that.
+   */
+  void SetLevels(int value);
+  int GetLevels() const;
+  ///@}
+
+  ///@{
+  /**
+   * Maximum number of iterations at each level. Default 20; 0 to 1000.
+   */
+  void SetMaximumIterations(int value);
+  int GetMaximumIterations() const;
+  ///@}
+
+  ///@{
+  /**
+   * Value of the vessel's voxels in the label map. Default 1; 1 to 255.
+   */
+  vtkSetClampMacro(LabelValue, int, 1, 255);
+  vtkGetMacro(LabelValue, int);
+  ///@}
+
+  ///@{
+  /**
+   * Why the last level ended, after Update(): one of vtkFlipFreeSegmentation::StopReasons, or the
+   * same in words.
+   */
+  vtkGetMacro(StopReason, int);
+  const char* GetStopReasonAsString() const;
+  ///@}
+
+  /**
+   * Pairs of faces of the result that intersect for some way to cut them into triangles, counted
+   * exactly and independently of the guard; -1 before Update().
+   */
+  vtkGetMacro(NumberOfSelfIntersections, int);
+
+  ///@{
+  /**
+   * Seconds of the last Update() by stage: path and outline, start surface, deformation, label map.
+   */
+  vtkGetVector4Macro(StageSeconds, double);
+  ///@}
+
+protected:
+  vtkFlipFreeVesselSegmentation();
+  ~vtkFlipFreeVesselSegmentation() override = default;
+
+  int FillOutputPortInformation(int port, vtkInformation* info) override;
+  int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+  int LabelValue = 1;
+  int StopReason = 0;
+  int NumberOfSelfIntersections = -1;
+  double StageSeconds[4] = { 0, 0, 0, 0 };
+
+private:
+  void Segment(vtkImageData* image, vtkInformationVector* outputs);
+
+  vtkFlipFreeVesselSegmentation(const vtkFlipFreeVesselSegmentation&) = delete;
+  void operator=(const vtkFlipFreeVesselSegmentation&) = delete;
+};
+
+#endif

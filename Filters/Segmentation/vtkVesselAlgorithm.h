@@ -1,0 +1,87 @@
+/**
+ * @class   vtkVesselAlgorithm
+ * @brief   superclass of filters that follow a vessel between points
+ *
+ * Holds the image, the points, and what is known of the vessel beforehand. The points lie in the
+ * vessel: one at either end, more on its way or at the ends of its branches, in any order. The two
+ * that are nearest to each other, by the time of travel through gray values like those at the
+ * points, are joined first, then the next one to the path that is there. A point 5 mm off does
+ * little harm.
+ *
+ * Input port 0: vtkImageData with one scalar component of any type; coordinates are the image's
+ * physical millimeters, the direction matrix is honored.
+ *
+ * Errors: no scalars, several components, an empty image, voxels that are not finite near the
+ * points, fewer than two points, a point outside the image, two points closer than 3 mm, points
+ * that no path through like gray values joins, a property that is NaN. Each is reported once, and
+ * the outputs are then empty.
+ */
+#ifndef vtkVesselAlgorithm_h
+#define vtkVesselAlgorithm_h
+
+#include "FlipFreeSegmentationModule.h"
+#include "vtkPolyDataAlgorithm.h"
+
+#include <memory> // for std::unique_ptr
+
+namespace FlipFree
+{
+struct VesselPoints;
+struct VesselSegmentationSettings;
+}
+
+class FLIPFREESEGMENTATION_EXPORT vtkVesselAlgorithm : public vtkPolyDataAlgorithm
+{
+public:
+  vtkTypeMacro(vtkVesselAlgorithm, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * The points in the vessel, in millimeters. Default: none; two or more are needed.
+   */
+  void AddPoint(double x, double y, double z);
+  void RemoveAllPoints();
+  int GetNumberOfPoints() const;
+  void GetPoint(int index, double point[3]) const;
+  ///@}
+
+  ///@{
+  /**
+   * About the vessel's radius, in millimeters. Default 0: found in the image; 0 to 100. It helps
+   * where a path strays into a wider or thinner neighbor.
+   */
+  void SetRadius(double value);
+  double GetRadius() const;
+  ///@}
+
+  ///@{
+  /**
+   * Added to the outline, in millimeters: the gray values show the vessel's lumen. Default 0.3; -5
+   * to 5. Readers draw an aorta with its wall, 0.7 mm or so, and veins nearly without.
+   */
+  void SetWallThickness(double value);
+  double GetWallThickness() const;
+  ///@}
+
+protected:
+  vtkVesselAlgorithm();
+  ~vtkVesselAlgorithm() override;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+  /**
+   * Throws if a property is not a number.
+   */
+  void RequireProperties() const;
+
+  const std::unique_ptr<FlipFree::VesselPoints> Points;
+  const std::unique_ptr<FlipFree::VesselSegmentationSettings> Settings;
+
+private:
+  vtkVesselAlgorithm(const vtkVesselAlgorithm&) = delete;
+  void operator=(const vtkVesselAlgorithm&) = delete;
+};
+
+#endif

@@ -1,0 +1,44 @@
+#include "vtkVesselPath.h"
+
+#include "ExecutionAdapter.h"
+#include "GrayImageAdapter.h"
+#include "VesselOutputs.h"
+
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+
+#include <exception>
+#include <string>
+
+vtkStandardNewMacro(vtkVesselPath);
+
+int vtkVesselPath::RequestData(vtkInformation*, vtkInformationVector** inputs,
+  vtkInformationVector* outputs)
+{
+  vtkPolyData* output = vtkPolyData::GetData(outputs);
+  output->Initialize();
+  try
+  {
+    this->RequireProperties();
+    vtkImageData* image = vtkImageData::GetData(inputs[0]);
+    const std::string name = "the image on port 0";
+    FlipFree::RequireGrayImage(image, name);
+    const FlipFree::VesselTree tree =
+      FlipFree::TraceVessel(FlipFree::GrayVolumeOf(image, name), name, this->Points->List(),
+        this->Settings->Path, FlipFree::SMPThreading(), FlipFree::MonitorOf(this));
+    if (!tree.Branches.empty())
+    {
+      FlipFree::FillCenterline(tree, output);
+    }
+  }
+  catch (const std::exception& error)
+  {
+    output->Initialize();
+    vtkErrorMacro("No path: " << error.what() << ".");
+    return 0;
+  }
+  return 1;
+}

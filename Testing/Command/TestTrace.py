@@ -1,0 +1,89 @@
+"""Vessels from points: every output, and whatever may be wrong."""
+
+import csv
+import math
+import os
+import shutil
+import tempfile
+import unittest
+
+import command
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
+
+SIZE, SPACING = 64, 1.5
+
+
+def point_at(place):
+    """On the axis of the vessel phantom, which ends at -1 and 1."""
+    center = (SIZE - 1) / 2 * SPACING
+    return (center + 36 * place, center + 16 * math.sin(math.pi * place),
+            center + 10 * math.cos(0.8 * math.pi * place + 0.5))
+
+
+class TestTrace(command.CommandTest):
+    @classmethod
+    def setUpClass(cls):
+        cls.inputs = tempfile.mkdtemp(prefix="flipfree-test-")
+        cls.addClassCleanup(shutil.rmtree, cls.inputs)
+        command.make_phantom(cls.inputs, "vessel", "--size", SIZE, SIZE, SIZE, "--spacing", SPACING, SPACING, SPACING)
+        cls.volume = os.path.join(cls.inputs, "vessel.nii.gz")
+        cls.truth = os.path.join(cls.inputs, "vessel-truth.nii.gz")
+        cls.points = ("--point", *point_at(-0.95), "--point", *point_at(0.95))
+
+    def trace(self, *arguments, volume=None):
+        return command.run("trace", volume or self.volume, *arguments)
+
+    def test_every_output(self):
+        names = {option: self.result("vessel" + ending) for option, ending in
+                 (("--output", ".stl"), ("--labels", ".nii.gz"), ("--centerline", ".vtp"), ("--convergence", ".csv"))}
+        process = self.trace(*self.points, *(word for pair in names.items() for word in pair))
+        self.assert_succeeds(process)
+        self.assertRegex(process.stdout, r"1 branch, \d+ vertices, .*, 0 self-intersections; path \d+\.\d+ s")
+        for name in (names["--output"], names["--labels"]):
+            scores = command.run("evaluate", name, self.truth)
+            self.assert_succeeds(scores)
+            self.assertGreater(command.dice_of(scores.stdout), 0.9)
+        reader = vtkXMLPolyDataReader()
+        reader.SetFileName(names["--centerline"])
+        reader.Update()
+        line = reader.GetOutput()
+        self.assertEqual(line.GetNumberOfLines(), 1)
+        radii = vtk_to_numpy(line.GetPointData().GetArray("Radius"))
+        self.assertTrue(3 < radii.min() and radii.max() < 5, radii)
+        with open(names["--convergence"], newline="") as file:
+            self.assertGreater(len(list(csv.DictReader(file))), 3)
+
+    def test_the_same_as_of_a_point_more_on_the_way(self):
+        names = self.result("two.nii.gz"), self.result("three.nii.gz")
+        for name, more in zip(names, ((), ("--point", *point_at(0.2)))):
+            self.assert_succeeds(self.trace(*self.points, *more, "--quiet", "--labels", name))
+        self.assertGreater(command.dice_of(command.run("evaluate", *names).stdout), 0.95)
+
+    def test_bad_points(self):
+        output = ("-o", self.result("out.vtp"))
+        first = self.points[:4]
+        for status, points, patterns in (
+                (2, (), ("two points", "--point X Y Z")), (2, first, ("two points",)),
+                (2, (*first, "--point", 1, 2), ("--point",)), (2, (*first, "--point", "nan", 0, 0), ("--point", "finite")),
+                (1, (*first, "--point", 500, 0, 0), (r"\(500, 0, 0\) mm lies outside", "LPS")),
+                (1, (*first, *first), ("closer than 3 mm",))):
+            with self.subTest(points=points):
+                self.assert_refused(self.trace(*points, *output), status, *patterns)
+
+    def test_bad_options(self):
+        for option, value in (("--radius", -1), ("--radius", 1000), ("--radius", "nan"), ("--wall-thickness", 9),
+                              ("--levels", 0), ("--iterations", -1), ("--label-value", 0), ("--threads", "all")):
+            with self.subTest(option=option, value=value):
+                self.assert_refused(self.trace(*self.points, "-o", self.result("out.vtp"), option, value), 2, option)
+
+    def test_results_are_checked_before_any_work(self):
+        self.assert_refused(self.trace(*self.points), 2, "--output", "--centerline")
+        for option, name in (("-o", "out.vtk"), ("--labels", "out.png"), ("--centerline", "out.stl")):
+            with self.subTest(name=name):
+                process = self.trace(*self.points, option, self.result(name), volume="/nowhere/ct.nii.gz")
+                self.assert_refused(process, 2, name, "Use ")
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,179 @@
+// The filters for vessels: outputs and their arrays, the path alone, points, aborts, warnings, and
+// the errors that only they have. Bad images are in the matrix of TestBadInput.
+#include "BadInput.h"
+#include "DataValues.h"
+#include "ProgressWatch.h"
+#include "VesselPhantom.h"
+
+#include "vtkFlipFreeRefinement.h"
+#include "vtkFlipFreeSegmentation.h"
+#include "vtkFlipFreeVesselSegmentation.h"
+#include "vtkQuadTubeSource.h"
+#include "vtkSegmentationMetrics.h"
+#include "vtkSurfaceValidity.h"
+#include "vtkVesselPath.h"
+
+#include "vtkCellData.h"
+#include "vtkTable.h"
+#include "vtkVariant.h"
+
+using namespace FlipFree;
+
+namespace
+{
+
+class Vessels : public testing::Test
+{
+protected:
+  void SetUp() override
+  {
+    MakeVesselPhantom(this->Phantom);
+    this->Filter->SetInputConnection(this->Phantom->GetOutputPort());
+    this->Path->SetInputConnection(this->Phantom->GetOutputPort());
+    for (const double place : { -0.9, 0.9 })
+    {
+      this->AddPoint(this->Filter, place);
+      this->AddPoint(this->Path, place);
+    }
+  }
+
+  void AddPoint(vtkVesselAlgorithm* filter, double place)
+  {
+    const std::array<double, 3> point = PointOfVessel(this->Phantom, place);
+    filter->AddPoint(point[0], point[1], point[2]);
+  }
+
+  vtkNew<vtkPhantomSource> Phantom;
+  vtkNew<vtkFlipFreeVesselSegmentation> Filter;
+  vtkNew<vtkVesselPath> Path;
+};
+
+} // namespace
+
+TEST_F(Vessels, AreFoundBetweenTheirPoints)
+{
+  EXPECT_EQ(ErrorOfUpdate(this->Filter), "0 errors");
+  EXPECT_EQ(this->Filter->GetNumberOfSelfIntersections(), 0);
+  EXPECT_GT(this->Filter->GetConvergence()->GetNumberOfRows(), 3);
+  vtkNew<vtkSurfaceValidity> validity;
+  validity->SetInputData(this->Filter->GetSurface());
+  validity->Update();
+  EXPECT_EQ(validity->GetMeasures()->GetValueByName(0, "EulerNumber").ToInt(), 2);
+  EXPECT_EQ(validity->GetMeasures()->GetValueByName(0, "SelfIntersections").ToInt(), 0);
+  vtkNew<vtkSegmentationMetrics> metrics;
+  metrics->SetInputDataObject(this->Filter->GetLabelMap());
+  metrics->SetReferenceData(vtkImageData::SafeDownCast(this->Phantom->GetOutputDataObject(1)));
+  metrics->Update();
+  // The phantom goes on by a twentieth beyond either point.
+  EXPECT_GT(metrics->GetOutput()->GetValueByName(0, "Dice").ToDouble(), 0.88);
+
+  vtkPolyData* line = this->Filter->GetCenterline();
+  ASSERT_EQ(line->GetNumberOfLines(), 1);
+  const vtkIdType last = line->GetNumberOfPoints() - 1;
+  vtkDataArray* radii = line->GetPointData()->GetArray("Radius");
+  vtkDataArray* lengths = line->GetPointData()->GetArray("ArcLength");
+  EXPECT_EQ(line->GetCellData()->GetArray("Parent")->GetTuple1(0), -1);
+  EXPECT_NEAR(radii->GetTuple1(last / 2), 4, 0.5);
+  EXPECT_EQ(lengths->GetTuple1(0), 0);
+  EXPECT_NEAR(lengths->GetTuple1(last), 92, 8); // of 105 mm
+}
+
+TEST_F(Vessels, ThePathAloneIsTheSegmentationsCenterline)
+{
+  EXPECT_EQ(ErrorOfUpdate(this->Path), "0 errors");
+  this->Filter->SetMaximumIterations(0);
+  this->Filter->Update();
+  EXPECT_EQ(PointsOf(this->Path->GetOutput()), PointsOf(this->Filter->GetCenterline()));
+  this->Path->SetWallThickness(1.3);
+  const double before = this->Path->GetOutput()->GetPointData()->GetArray("Radius")->GetTuple1(5);
+  this->Path->Update();
+  const double after = this->Path->GetOutput()->GetPointData()->GetArray("Radius")->GetTuple1(5);
+  EXPECT_NEAR(after - before, 1, 0.1);
+}
+
+TEST_F(Vessels, AnAbortEndsSoonAndLeavesNothing)
+{
+  for (const double progress : { 0.1, 0.3, 0.7 })
+  {
+    SCOPED_TRACE(progress);
+    this->Filter->Modified();
+    const ProgressWatch watch(this->Filter, progress);
+    this->Filter->Update();
+    ASSERT_TRUE(watch.Aborted());
+    EXPECT_LE(watch.ReportsAfterAbort, 2);
+    EXPECT_EQ(this->Filter->GetStopReason(), vtkFlipFreeSegmentation::ABORTED);
+    for (int port = 0; port < 3; ++port)
+    {
+      EXPECT_TRUE(IsEmpty(this->Filter->GetOutputDataObject(port))) << port;
+    }
+  }
+  const ProgressWatch watch(this->Path, 0.2);
+  this->Path->Update();
+  ASSERT_TRUE(watch.Aborted());
+  EXPECT_TRUE(IsEmpty(this->Path->GetOutput()));
+}
+
+// The tube along the path is a start for the segmentation of organs.
+TEST_F(Vessels, ATubeAlongThePathIsAStart)
+{
+  vtkNew<vtkQuadTubeSource> tube;
+  tube->SetInputConnection(this->Path->GetOutputPort());
+  EXPECT_EQ(ErrorOfUpdate(tube), "0 errors");
+  EXPECT_GT(tube->GetOutput()->GetNumberOfPoints(), 16 * 20);
+  vtkNew<vtkFlipFreeRefinement> refinement;
+  refinement->SetInputConnection(tube->GetOutputPort());
+  EXPECT_EQ(ErrorOfUpdate(refinement), "0 errors");
+  tube->SetLineIndex(1);
+  ExpectRefusal(tube, { "LineIndex is 1" });
+  tube->SetInputData(StartSphere());
+  ExpectRefusal(tube, { "the lines on port 0 are 0" });
+  tube->SetLineIndex(0);
+  vtkNew<vtkPolyData> bare;
+  bare->CopyStructure(this->Path->GetOutput());
+  tube->SetInputData(bare);
+  ExpectRefusal(tube, { "no point array Radius" });
+  vtkNew<vtkDoubleArray> radii;
+  radii->SetName("Radius");
+  radii->SetNumberOfTuples(bare->GetNumberOfPoints());
+  radii->Fill(NotANumber);
+  bare->GetPointData()->AddArray(radii);
+  tube->Modified();
+  ExpectRefusal(tube, { "radii positive" });
+}
+
+TEST_F(Vessels, PointsAreKeptAndForgotten)
+{
+  EXPECT_EQ(this->Path->GetNumberOfPoints(), 2);
+  const vtkMTimeType before = this->Path->GetMTime();
+  this->Path->RemoveAllPoints();
+  EXPECT_GT(this->Path->GetMTime(), before);
+  this->Path->AddPoint(1, 2, 3);
+  double point[3];
+  this->Path->GetPoint(0, point);
+  EXPECT_EQ(point[2], 3);
+  this->Path->GetPoint(7, point);
+  EXPECT_EQ(point[2], 0);
+}
+
+TEST_F(Vessels, BadPointsAreRefused)
+{
+  const auto refuse = [this](const std::vector<std::string>& words)
+  {
+    ExpectRefusal(this->Filter, words);
+    EXPECT_EQ(this->Filter->GetStopReason(), vtkFlipFreeSegmentation::NOT_RUN);
+  };
+  this->Filter->AddPoint(500, 0, 0);
+  refuse({ "(500, 0, 0) mm lies outside the image on port 0" });
+  this->Filter->RemoveAllPoints();
+  refuse({ "two points or more, not 0" });
+  this->AddPoint(this->Filter, 0);
+  refuse({ "two points or more, not 1" });
+  this->AddPoint(this->Filter, 0.01);
+  refuse({ "closer than 3 mm", "keep one" });
+  this->Filter->RemoveAllPoints();
+  this->AddPoint(this->Filter, 0);
+  this->Filter->AddPoint(NotANumber, 0, 0);
+  refuse({ "nan", "outside" });
+  this->Filter->SetRadius(NotANumber);
+  refuse({ "the property Radius", "NaN" });
+}

@@ -1,0 +1,282 @@
+#include "Failure.h"
+#include "Messages.h"
+#include "OutputFile.h"
+#include "ProgressBar.h"
+#include "Run.h"
+#include "Snapshot.h"
+#include "Subcommands.h"
+#include "SurfaceFile.h"
+#include "TableFile.h"
+#include "VolumeFile.h"
+
+#include "vtkFlipFreeVesselSegmentation.h"
+#include "vtkImageData.h"
+#include "vtkNew.h"
+#include "vtkPolyData.h"
+#include "vtkSMPTools.h"
+#include "vtkTable.h"
+
+#include <CLI/CLI.hpp>
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace Command
+{
+namespace
+{
+
+using Filter = vtkFlipFreeVesselSegmentation;
+
+struct Trace
+{
+  std::string Input;
+  std::string SeriesUID;
+  std::vector<std::array<double, 3>> Points;
+  double Radius = 0;
+  double WallThickness = 0;
+  int Levels = 0;
+  int Iterations = 0;
+  std::string Surface;
+  std::string Labels;
+  std::string Centerline;
+  std::string Convergence;
+  std::string Snapshot;
+  int Label = 1;
+  int Threads = 0;
+  bool Quiet = false;
+};
+
+struct Output
+{
+  const char* Option;
+  const std::string* Name;
+  std::vector<std::string> Endings;
+  std::function<void(const std::string&)> Write;
+};
+
+/// The files asked for.
+std::vector<Output> OutputsOf(const Trace& trace, Filter* filter, vtkImageData* image)
+{
+  const std::vector<Output> all = {
+    { "--output", &trace.Surface, SurfaceEndings(),
+      [=](const std::string& name) { WriteSurface(name, filter->GetSurface()); } },
+    { "--labels", &trace.Labels, VolumeEndings(),
+      [=](const std::string& name) { WriteVolume(name, filter->GetLabelMap()); } },
+    { "--centerline", &trace.Centerline, { ".vtp" },
+      [=](const std::string& name) { WriteLines(name, filter->GetCenterline()); } },
+    { "--convergence", &trace.Convergence, { ".csv" },
+      [=](const std::string& name) { WriteTable(name, filter->GetConvergence()); } },
+    { "--snapshot", &trace.Snapshot, { ".png" },
+      [=](const std::string& name) { WriteSnapshot(name, image, filter->GetSurface()); } },
+  };
+  std::vector<Output> wanted;
+  for (const Output& output : all)
+  {
+    if (!output.Name->empty())
+    {
+      wanted.push_back(output);
+    }
+  }
+  return wanted;
+}
+
+/// Checks all that can be checked before the volume is read.
+void RequireSense(const Trace& trace)
+{
+  if (trace.Points.size() < 2)
+  {
+    throw WrongUsage("A vessel needs two points or more. Give one at either end: "
+                     "--point X Y Z --point X Y Z (LPS mm).");
+  }
+  for (const auto& point : trace.Points)
+  {
+    if (!std::isfinite(point[0]) || !std::isfinite(point[1]) || !std::isfinite(point[2]))
+    {
+      throw WrongUsage(
+        "--point: a coordinate is not a finite number. Give three numbers, in millimeters.");
+    }
+  }
+  const std::vector<Output> outputs = OutputsOf(trace, nullptr, nullptr);
+  if (outputs.empty())
+  {
+    throw WrongUsage("No output is requested. Give at least one of --output, --labels, "
+                     "--centerline, --convergence and --snapshot.");
+  }
+  for (const Output& output : outputs)
+  {
+    RequireEnding(output.Option, *output.Name, output.Endings);
+  }
+}
+
+void Configure(const Trace& trace, Filter* filter)
+{
+  for (const auto& point : trace.Points)
+  {
+    filter->AddPoint(point[0], point[1], point[2]);
+  }
+  filter->SetRadius(trace.Radius);
+  if (filter->GetRadius() != trace.Radius)
+  {
+    throw WrongUsage("--radius must be a number of millimeters, 0 to 100; 0 finds it.");
+  }
+  filter->SetWallThickness(trace.WallThickness);
+  if (filter->GetWallThickness() != trace.WallThickness)
+  {
+    throw WrongUsage("--wall-thickness must be a number of millimeters, -5 to 5.");
+  }
+  filter->SetLevels(trace.Levels);
+  filter->SetMaximumIterations(trace.Iterations);
+  filter->SetLabelValue(trace.Label);
+}
+
+void PrintSummary(Filter* filter, const Trace& trace)
+{
+  vtkPolyData* line = filter->GetCenterline();
+  double seconds[4];
+  filter->GetStageSeconds(seconds);
+  const auto branches = static_cast<int>(line->GetNumberOfLines());
+  std::printf("%s: %d %s, %d vertices, %s, %d self-intersections; path %.2f s, start %.2f s, "
+              "deformation %.2f s, label map %.2f s\n",
+    trace.Input.c_str(), branches, branches == 1 ? "branch" : "branches",
+    static_cast<int>(filter->GetSurface()->GetNumberOfPoints()), filter->GetStopReasonAsString(),
+    filter->GetNumberOfSelfIntersections(), seconds[0], seconds[1], seconds[2], seconds[3]);
+  std::fflush(stdout);
+}
+
+void TraceVessel(const Trace& trace)
+{
+  if (trace.Quiet)
+  {
+    ProgressBar::Disable();
+  }
+  RequireSense(trace);
+  vtkNew<Filter> filter;
+  Configure(trace, filter);
+  OutputFiles files;
+  for (const Output& output : OutputsOf(trace, nullptr, nullptr))
+  {
+    files.Announce(*output.Name, { trace.Input });
+  }
+  if (!trace.Snapshot.empty())
+  {
+    RequireDisplay();
+  }
+  vtkSMPTools::Initialize(trace.Threads);
+  const vtkSmartPointer<vtkImageData> image = ReadVolume(trace.Input, trace.SeriesUID);
+  filter->SetInputData(image);
+  try
+  {
+    Run(filter, "tracing",
+      { { "Radius", "--radius" }, { "WallThickness", "--wall-thickness" },
+        { "Levels", "--levels" } });
+  }
+  catch (const Failure& failure)
+  {
+    throw Failure("'" + trace.Input + "': " + failure.what());
+  }
+  for (const Output& output : OutputsOf(trace, filter, image))
+  {
+    files.Write(*output.Name, output.Write);
+  }
+  files.Commit();
+  if (!trace.Quiet)
+  {
+    PrintSummary(filter, trace);
+  }
+}
+
+const char* const Footer =
+  "Either all output files are written or none. Points lie in the vessel: one at either end, more\n"
+  "on its way or at the ends of its branches, in any order. Points 5 mm off do little harm.\n"
+  "\n"
+  "Examples:\n"
+  "  flipfree trace ct.nii.gz --point 212 -143 480 --point 171 -168 228 -o aorta.vtp\n"
+  "  flipfree trace ct.nii.gz --point 274 -141 318 --point 145 -212 315 --point 105 -113 345 \\\n"
+  "      -o portal.stl --labels portal.nii.gz --centerline portal-line.vtp\n"
+  "\n"
+  "The poly lines of --centerline have the radius at each point, and the length up to it.\n";
+
+void AddFiles(CLI::App* command, Trace& trace)
+{
+  command
+    ->add_option("INPUT", trace.Input,
+      "Volume (.nii .nii.gz .nrrd .nhdr .mha .mhd) or folder of a DICOM series")
+    ->required();
+  command
+    ->add_option("--series", trace.SeriesUID,
+      "Series Instance UID, if the folder holds several series; by default, the one with the most "
+      "files")
+    ->type_name("UID");
+  command
+    ->add_option("--point", trace.Points,
+      "A point in the vessel, in LPS millimeters; two or more are needed")
+    ->type_name("X Y Z");
+  command->add_option("-o,--output", trace.Surface, "Surface (.vtp .stl .ply .obj)")
+    ->type_name("FILE");
+  command->add_option("--labels", trace.Labels, "Label map (.nii.gz .nii .nrrd .mha)")
+    ->type_name("FILE");
+  command->add_option("--centerline", trace.Centerline, "Poly lines with radii (.vtp)")
+    ->type_name("FILE");
+  command->add_option("--convergence", trace.Convergence, "Table of the iterations (.csv)")
+    ->type_name("FILE");
+  command->add_option("--snapshot", trace.Snapshot, "Picture of the result (.png)")
+    ->type_name("FILE");
+}
+
+void AddParameters(CLI::App* command, Trace& trace)
+{
+  vtkNew<Filter> defaults;
+  trace.Radius = defaults->GetRadius();
+  trace.WallThickness = defaults->GetWallThickness();
+  trace.Levels = defaults->GetLevels();
+  trace.Iterations = defaults->GetMaximumIterations();
+  command->add_option("--radius", trace.Radius, "About the vessel's radius; 0: found in the volume")
+    ->type_name("MM")
+    ->capture_default_str();
+  command
+    ->add_option("--wall-thickness", trace.WallThickness,
+      "Added to the outline, which gray values show without the vessel's wall")
+    ->type_name("MM")
+    ->capture_default_str();
+  command->add_option("--levels", trace.Levels, "Levels from coarse to fine")
+    ->type_name("N")
+    ->check(CLI::Range(1, 4))
+    ->capture_default_str();
+  command
+    ->add_option("--iterations,--maximum-iterations", trace.Iterations,
+      "Maximum number of iterations at each level")
+    ->type_name("N")
+    ->check(CLI::Range(0, 1000))
+    ->capture_default_str();
+  command
+    ->add_option("--label-value", trace.Label, "Value of the vessel in the label map, 1 to 255")
+    ->type_name("N")
+    ->check(CLI::Range(1, 255))
+    ->capture_default_str();
+  command->add_option("--threads", trace.Threads, "Number of threads; 0: all available")
+    ->type_name("N")
+    ->check(CLI::Range(0, 1024))
+    ->capture_default_str();
+  command->add_flag("-q,--quiet", trace.Quiet, "Print nothing but errors and warnings");
+}
+
+} // namespace
+
+void AddTraceCommand(CLI::App& program)
+{
+  const auto trace = std::make_shared<Trace>();
+  CLI::App* command =
+    program.add_subcommand("trace", "Segment a vessel, or a tree of vessels, between points");
+  AddFiles(command, *trace);
+  AddParameters(command, *trace);
+  command->footer(Footer);
+  command->callback([trace]() { TraceVessel(*trace); });
+}
+
+} // namespace Command
