@@ -208,6 +208,8 @@ def _require_sense(values: dict[str, Any], outputs: dict[str, str]) -> None:
             else "There is no seed. Give a point deep inside the organ: --seed X Y Z (LPS mm) or "
             "--seed-voxel I J K"
         )
+    if "radius" not in values:
+        raise WrongUsage("--radius is required: that of the seed sphere, in millimeters")
     if "points" in values:
         _require_ending("--points", values["points"], POINT_ENDINGS)
     if not set(outputs) - {"save_points"}:
