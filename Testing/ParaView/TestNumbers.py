@@ -52,6 +52,18 @@ class AgainstTheCommand(session.SessionTest):
         self.assertEqual(liver.NumberOfSelfIntersections, 0)
         self.assertEqual(liver.StopReason, "at rest")
 
+    def test_corrections(self):
+        volume, surface, table = self.file("abdomen.nii.gz"), self.file("corrected.vtp"), self.file("points.csv")
+        command("segment", volume, "--seed", *session.SEED, "--radius", session.RADIUS, "--resolution", 16,
+                "--outside", 60, 83, 167, "--inside", 150, 100, 170, "-o", surface)
+        with open(table, "w", encoding="utf-8") as file:
+            file.write("x,y,z,Constraint,Radius\n150,100,170,1,0\n60,83,167,0,0\n")
+        corrections = simple.TableToPoints(Input=simple.CSVReader(FileName=[table]), XColumn="x", YColumn="y",
+                                           ZColumn="z")
+        liver = session.segmentation(simple.MedicalImageReader(FileName=volume), Resolution=16,
+                                     Corrections=corrections)
+        self.assert_same(points(fetch(liver)), points(fetch(simple.XMLPolyDataReader(FileName=[surface]))))
+
     def test_metrics(self):
         truth = simple.MedicalImageReader(FileName=self.file("abdomen-truth.nii.gz"))
         other = self.file("other.nii.gz")
