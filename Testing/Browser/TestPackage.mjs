@@ -134,7 +134,7 @@ test("bad input is named", async () => {
     [phantom.image, { center: [9999, 0, 0], radius: 20 }, {}, /outside/],
     [phantom.image, { center: seed.center, radius: 0.1 }, {}, /radius/],
     [phantom.image, { center: [NaN, 0, 0], radius: 20 }, {}, /./],
-    [phantom.image, seed, { parameters: { speling: 1 } }, /There is no parameter speling; there are resolution, /],
+    [phantom.image, seed, { parameters: { speling: 1 } }, /There is no parameter speling; there are startCenterOffset, /],
     [phantom.image, seed, { parameters: { foregroundMass: NaN } }, /foregroundMass/],
     [phantom.image, seed, { parameters: { startCenterOffset: [1] } }, /give 3 numbers, not 1/],
     [{ ...small, voxels: new Int16Array(7) }, seed, {}, /7 voxels, which does not fit its size, 2 x 2 x 2; give 8/],

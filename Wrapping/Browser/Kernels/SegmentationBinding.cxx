@@ -88,6 +88,12 @@ val ObjectOf(const VolumeSegmentation& result)
   return answer;
 }
 
+// Nobody watches iterations.
+void IgnoreIteration(const ContourMesh&, const PointList&, const CorrespondenceField&,
+  const IterationRecord&)
+{
+}
+
 // `seed` is [x, y, z, radius].
 val Segment(const Volume& image, const val& seed, const std::string& preset, const val& parameters,
   const val& report)
@@ -105,7 +111,7 @@ val Segment(const Volume& image, const val& seed, const std::string& preset, con
       const GrayVolume volume = image.VisitVoxels(
         [](const auto& view) { return GrayVolumeOf(view, ImageName, Threading()); });
       return ObjectOf(SegmentVolume(volume, ImageName, sphere, nullptr, settings, Threading(),
-        MonitorOf(report), {}));
+        MonitorOf(report), IgnoreIteration));
     });
 }
 
