@@ -26,6 +26,7 @@ build_packages=(
   libinsighttoolkit5-dev
   libvtk9-dev
   ninja-build
+  nlohmann-json3-dev
   python3
   python3-numpy
   python3-vtk9
