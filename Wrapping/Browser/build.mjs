@@ -5,8 +5,9 @@
 //   KERNELS  folder of flipfree.mjs and flipfree.wasm
 //   PACKAGE  where the npm package goes
 //   PAGE     where the static page goes
-import { cp, mkdir, readFile, rm, writeFile } from "node:fs/promises";
-import { dirname, join } from "node:path";
+import { createHash } from "node:crypto";
+import { cp, mkdir, readFile, readdir, rm, writeFile } from "node:fs/promises";
+import { dirname, join, relative } from "node:path";
 import { fileURLToPath } from "node:url";
 import { build } from "esbuild";
 
@@ -56,6 +57,25 @@ const dicom = join(here, "node_modules/@niivue/dcm2niix/dist");
 for (const file of ["index.jpeg.js", "worker.jpeg.js", "dcm2niix.jpeg.js", "dcm2niix.jpeg.wasm"]) {
   await cp(join(dicom, file), join(page, "dcm2niix", file));
 }
+
+// What the service worker keeps.
+const files = (await readdir(page, { recursive: true, withFileTypes: true }))
+  .filter((entry) => entry.isFile() && !entry.name.startsWith("LICENSE"))
+  .map((entry) => relative(page, join(entry.parentPath ?? entry.path, entry.name)))
+  .sort();
+const hash = createHash("sha256");
+for (const file of files) {
+  hash.update(await readFile(join(page, file)));
+}
+const kept = { version: hash.digest("hex").slice(0, 16), files };
+await build({
+  ...common,
+  define: { FLIPFREE_PAGE: JSON.stringify(kept) },
+  entryPoints: { offline: join(here, "page/offline.ts") },
+  outdir: page,
+  format: "iife",
+  minify: true,
+});
 
 // Whoever installs the package needs neither what builds it nor the page.
 const { name, version, license, type } = description;

@@ -114,19 +114,66 @@ Session SessionOf(const Json& content)
   return session;
 }
 
-/// The far corner of a grid whose near corner is its origin.
-std::array<double, 3> FarCorner(const Session& session)
+using Corners = std::array<std::array<double, 3>, 8>;
+
+Corners CornersOf(const Session& session)
 {
-  std::array<double, 3> corner = session.Origin;
-  for (int row = 0; row < 3; ++row)
+  Corners corners;
+  for (int corner = 0; corner < 8; ++corner)
   {
+    corners[corner] = session.Origin;
     for (int axis = 0; axis < 3; ++axis)
     {
-      corner[row] +=
-        session.Direction[3 * row + axis] * session.Spacing[axis] * (session.Size[axis] - 1);
+      const double length =
+        ((corner >> axis) & 1) * session.Spacing[axis] * (session.Size[axis] - 1);
+      for (int row = 0; row < 3; ++row)
+      {
+        corners[corner][row] += length * session.Direction[3 * row + axis];
+      }
     }
   }
-  return corner;
+  return corners;
+}
+
+Corners CornersOf(vtkImageData* image)
+{
+  Corners corners;
+  int extent[6];
+  image->GetExtent(extent);
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    double index[3];
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      index[axis] = extent[2 * axis + ((corner >> axis) & 1)];
+    }
+    image->TransformContinuousIndexToPhysicalPoint(index, corners[corner].data());
+  }
+  return corners;
+}
+
+/// Up to a tenth of the least spacing, since files round differently, and in whichever order the
+/// voxels are, since readers of DICOM differ in it.
+bool HasVoxelsOf(const Session& session, vtkImageData* image)
+{
+  std::array<int, 3> size;
+  image->GetDimensions(size.data());
+  std::array<int, 3> wanted = session.Size;
+  std::sort(size.begin(), size.end());
+  std::sort(wanted.begin(), wanted.end());
+  const double tolerance = 0.1 * *std::min_element(session.Spacing.begin(), session.Spacing.end());
+  const Corners found = CornersOf(image);
+  const Corners corners = CornersOf(session);
+  return size == wanted &&
+    std::all_of(corners.begin(), corners.end(),
+      [&](const std::array<double, 3>& corner)
+      {
+        return std::any_of(found.begin(), found.end(),
+          [&](const std::array<double, 3>& other) {
+            return vtkMath::Distance2BetweenPoints(corner.data(), other.data()) <=
+              tolerance * tolerance;
+          });
+      });
 }
 
 } // namespace
@@ -174,19 +221,7 @@ std::string ImageBeside(const Session& session)
 
 void RequireImageOf(const Session& session, const std::string& name, vtkImageData* image)
 {
-  int size[3];
-  image->GetDimensions(size);
-  double corners[2][3];
-  const double first[3] = { 0, 0, 0 };
-  const double last[3] = { size[0] - 1.0, size[1] - 1.0, size[2] - 1.0 };
-  image->TransformContinuousIndexToPhysicalPoint(first, corners[0]);
-  image->TransformContinuousIndexToPhysicalPoint(last, corners[1]);
-  const std::array<double, 3> farCorner = FarCorner(session);
-  const double tolerance = 0.1 * *std::min_element(session.Spacing.begin(), session.Spacing.end());
-  const bool isSame = std::equal(session.Size.begin(), session.Size.end(), size) &&
-    std::sqrt(vtkMath::Distance2BetweenPoints(corners[0], session.Origin.data())) <= tolerance &&
-    std::sqrt(vtkMath::Distance2BetweenPoints(corners[1], farCorner.data())) <= tolerance;
-  if (!isSame)
+  if (!HasVoxelsOf(session, image))
   {
     throw Failure("'" + name + "' is not the image of '" + session.File + "', which is '" +
       session.ImageName + "' of " + std::to_string(session.Size[0]) + " x " +

@@ -39,6 +39,20 @@ async function startWorker(url: URL, listener: Listener): Promise<WorkerLike> {
   return worker;
 }
 
+async function compile(wasm: URL | BufferSource): Promise<WebAssembly.Module> {
+  if (!(wasm instanceof URL)) {
+    return WebAssembly.compile(wasm);
+  }
+  const response = await fetch(wasm);
+  if (!response.ok) {
+    throw new Error(`${wasm} cannot be loaded (${response.status})`);
+  }
+  // Some servers do not know the type of WebAssembly, without which it cannot be compiled while it loads.
+  return response.headers.get("Content-Type") === "application/wasm"
+    ? WebAssembly.compileStreaming(response)
+    : WebAssembly.compile(await response.arrayBuffer());
+}
+
 interface Pending {
   resolve(answer: unknown): void;
   reject(reason: unknown): void;
@@ -73,11 +87,7 @@ export class FlipFree {
     wasm: URL | BufferSource = new URL("./kernels.wasm", import.meta.url),
     workerUrl: URL = new URL("./worker.js", import.meta.url),
   ): Promise<FlipFree> {
-    const compiled =
-      wasm instanceof URL
-        ? await WebAssembly.compileStreaming(fetch(wasm))
-        : await WebAssembly.compile(wasm);
-    return new FlipFree(compiled, workerUrl);
+    return new FlipFree(await compile(wasm), workerUrl);
   }
 
   /** Ends the worker, without which Node does not end. */

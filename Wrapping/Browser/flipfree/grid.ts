@@ -28,6 +28,30 @@ export function gridOf(size: Triple, affine: readonly (readonly number[])[]): Gr
   };
 }
 
+function cornersOf(grid: Grid): number[][] {
+  return [0, 1, 2, 3, 4, 5, 6, 7].map((corner) =>
+    [0, 1, 2].map((row) =>
+      grid.spacing.reduce((sum, spacing, axis) => {
+        const index = (corner >> axis) & 1 ? grid.size[axis] - 1 : 0;
+        return sum + grid.direction[3 * row + axis] * spacing * index;
+      }, grid.origin[row]),
+    ),
+  );
+}
+
+const inOrder = (size: Triple) => [...size].sort((a, b) => a - b).join();
+
+/** Whether two grids have their voxels in the same places, up to a tenth of the least spacing: files round differently,
+ * and readers of DICOM differ in the order of rows. */
+export function isSameGrid(a: Grid, b: Grid): boolean {
+  const tolerance = 0.1 * Math.min(...a.spacing);
+  const others = cornersOf(b);
+  return (
+    inOrder(a.size) === inOrder(b.size) &&
+    cornersOf(a).every((p) => others.some((q) => Math.hypot(...p.map((value, axis) => value - q[axis])) <= tolerance))
+  );
+}
+
 export function countVoxels(grid: Grid): number {
   return grid.size[0] * grid.size[1] * grid.size[2];
 }

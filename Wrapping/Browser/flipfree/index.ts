@@ -1,6 +1,6 @@
 export { FlipFree } from "./client.js";
 export type { PhantomShape } from "./engine.js";
-export { affineOf, countVoxels, fillRuns, gridOf } from "./grid.js";
+export { affineOf, countVoxels, fillRuns, gridOf, isSameGrid } from "./grid.js";
 export { labelMapFile } from "./nifti.js";
 export {
   type SurfaceFormat,

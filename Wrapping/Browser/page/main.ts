@@ -2,10 +2,8 @@
 import {
   FlipFree,
   type Organ,
-  type Parameters,
   type PhantomSeed,
   type Seed,
-  type Surface,
   type SurfaceFormat,
   countVoxels,
   fillRuns,
@@ -14,63 +12,32 @@ import {
   roundedSurface,
   surfaceFile,
 } from "../flipfree/index.js";
-import { type SessionOrgan, parseSession, sessionFile } from "./session.js";
-import { View } from "./view.js";
+import { button, element, input, select } from "./dom.js";
+import { droppedFiles } from "./drop.js";
+import { showOrgans } from "./organlist.js";
+import { type OrganState, Organs } from "./organs.js";
+import { type Session, fileNameOf, parseSession, requireImageOf, sessionFile } from "./session.js";
+import { type Tool, View } from "./view.js";
 import { type OpenImage, imageOfVoxels, readFiles } from "./volumes.js";
+import { type WindowPreset, presetsFor, rangeOf } from "./windows.js";
 
 declare const FLIPFREE_VERSION: string; // of the build
 
-/** An organ as it is worked on. */
-interface OrganState extends SessionOrgan {
-  result: Organ | null;
-}
-
-interface Preset {
-  name: string;
-  /** Level and width, in Hounsfield units; of the image itself if there are none. */
-  window?: [number, number];
-}
-
-const windows: Preset[] = [
-  { name: "Full range" },
-  { name: "Abdomen", window: [40, 400] },
-  { name: "Liver", window: [80, 150] },
-  { name: "Lung", window: [-600, 1500] },
-  { name: "Bone", window: [400, 1800] },
-  { name: "Mediastinum", window: [50, 350] },
-];
-
 const phantomOrgans = [
   "",
-  "Spleen",
-  "Right kidney",
-  "Left kidney",
-  "Gallbladder",
-  "Esophagus",
-  "Liver",
-  "Stomach",
-  "Aorta",
-  "Inferior vena cava",
-  "Portal vein",
-  "Pancreas",
+  "spleen",
+  "right kidney",
+  "left kidney",
+  "gallbladder",
+  "esophagus",
+  "liver",
+  "stomach",
+  "aorta",
+  "inferior vena cava",
+  "portal vein",
+  "pancreas",
 ];
 const phantomLiver = 6;
-
-function element<T extends HTMLElement = HTMLElement>(id: string): T {
-  const found = document.getElementById(id);
-  if (!found) {
-    throw new Error(id);
-  }
-  return found as T;
-}
-
-const button = (id: string) => element<HTMLButtonElement>(id);
-const input = (id: string) => element<HTMLInputElement>(id);
-const select = (id: string) => element<HTMLSelectElement>(id);
-
-function newOrgan(): OrganState {
-  return { name: "organ", color: "#ffd24a", seed: null, preset: "default", parameters: {}, result: null };
-}
 
 const [flipfree, view] = await Promise.all([
   FlipFree.load(),
@@ -81,12 +48,14 @@ const [flipfree, view] = await Promise.all([
   ),
 ]);
 
+const organs = new Organs();
 let opened: OpenImage | null = null;
-let fullRange: [number, number] = [0, 1];
+let ownRange: [number, number] = [0, 1];
+let presets: WindowPreset[] = [];
 let phantomSeeds: PhantomSeed[] = [];
-// One for now; everything that is kept of it is in here.
-let organ = newOrgan();
 let running: AbortController | null = null;
+
+// What is said and shown
 
 function say(text: string): void {
   element("status").textContent = text;
@@ -97,6 +66,93 @@ function complain(error: unknown): void {
   element("status").textContent = "";
   element("error").textContent = error instanceof Error ? error.message : String(error);
 }
+
+function showProgress(done: number): void {
+  input("progress").value = String(done);
+}
+
+/** What can be done now. */
+function refresh(): void {
+  const isBusy = running !== null;
+  for (const id of ["open-files", "open-folder", "open-phantom"]) {
+    button(id).disabled = isBusy;
+  }
+  for (const id of ["organ-controls", "seed-controls"]) {
+    element<HTMLFieldSetElement>(id).disabled = !opened || isBusy;
+  }
+  const results = organs.list.filter(({ result }) => result);
+  select("window").disabled = !opened;
+  button("undo").disabled = !organs.canUndo;
+  button("redo").disabled = !organs.canRedo;
+  button("run").disabled = isBusy || !organs.chosen.seed;
+  button("cancel").disabled = !isBusy;
+  button("save-surface").disabled = isBusy || !organs.chosen.result;
+  button("save-labels").disabled = isBusy || results.length === 0;
+  button("save-session").disabled = isBusy || organs.list.every(({ seed }) => !seed);
+  const tool = document.querySelector<HTMLInputElement>("[name=tool]:checked")?.value as Tool;
+  view.tool = !opened ? null : isBusy ? "navigate" : tool;
+  element("overlay").classList.toggle("placing", view.tool === "seed");
+}
+
+function showSeed(seed: Seed | null): void {
+  ["seed-x", "seed-y", "seed-z"].forEach((id, axis) => {
+    input(id).value = seed ? String(Number(seed.center[axis].toFixed(2))) : "";
+  });
+  if (seed) {
+    input("seed-radius").value = String(Number(seed.radius.toFixed(2)));
+  }
+}
+
+function rowsOf(result: Organ): [string, string][] {
+  const voxel = (opened?.image.spacing ?? [0, 0, 0]).reduce((a, b) => a * b, 1);
+  let voxels = 0;
+  for (let run = 0; run < result.runs.length; run += 4) {
+    voxels += result.runs[run + 3] - result.runs[run + 2];
+  }
+  return [
+    ["Volume", `${((voxels * voxel) / 1000).toFixed(1)} ml`],
+    ["Surface", `${result.surface.points.length / 3} vertices, ${result.selfIntersections} self-intersections`],
+    ["Ended", `${result.stopReason}, after ${result.iterations.Iteration?.length ?? 0} iterations`],
+  ];
+}
+
+function showResult(result: Organ | null): void {
+  const cells = (result ? rowsOf(result) : []).flatMap(([name, value]) => {
+    const term = document.createElement("dt");
+    const text = document.createElement("dd");
+    term.textContent = name;
+    text.textContent = value;
+    return [term, text];
+  });
+  element("result").replaceChildren(...cells);
+  const warnings = (result?.warnings ?? []).map((warning) => {
+    const item = document.createElement("li");
+    item.textContent = warning;
+    return item;
+  });
+  element("warnings").replaceChildren(...warnings);
+}
+
+const viewedOrgans = (list: readonly OrganState[] = organs.list) =>
+  list.map((organ) => ({
+    surface: organ.result?.surface ?? null,
+    seed: organ.seed,
+    color: organ.color,
+    isChosen: organ === organs.chosen,
+  }));
+
+/** After any change of the organs. */
+function showAll(): void {
+  showOrgans(element("organs"), organs, showAll);
+  showSeed(organs.chosen.seed);
+  showResult(organs.chosen.result);
+  if (opened) {
+    view.setOrgans(viewedOrgans());
+  }
+  refresh();
+}
+
+// Work that takes time
 
 /** Runs work that a button or key starts: one at a time, and what goes wrong is said. */
 async function work(text: string, run: (signal: AbortSignal) => Promise<void>): Promise<void> {
@@ -117,133 +173,74 @@ async function work(text: string, run: (signal: AbortSignal) => Promise<void>): 
     }
   } finally {
     running = null;
-    input("progress").value = "0";
-    refresh();
+    showProgress(0);
+    showAll();
   }
-}
-
-/** What can be done now. */
-function refresh(): void {
-  const isBusy = running !== null;
-  for (const id of ["open-files", "open-folder", "open-phantom"]) {
-    button(id).disabled = isBusy;
-  }
-  for (const id of ["seed-controls", "run-controls"]) {
-    element<HTMLFieldSetElement>(id).disabled = !opened;
-  }
-  select("window").disabled = !opened;
-  button("run").disabled = isBusy || !organ.seed;
-  button("cancel").disabled = !isBusy;
-  element<HTMLFieldSetElement>("result-controls").disabled = isBusy || !organ.result;
-  button("save-session").disabled = !opened;
-  view.placing = opened !== null && !isBusy && document.querySelector<HTMLInputElement>("[name=tool]:checked")?.value === "seed";
-}
-
-function showSeed(): void {
-  const numbers = organ.seed ? [...organ.seed.center, organ.seed.radius] : [];
-  ["seed-x", "seed-y", "seed-z", "seed-radius"].forEach((id, at) => {
-    if (at < numbers.length || at < 3) {
-      input(id).value = at < numbers.length ? numbers[at].toFixed(1) : "";
-    }
-  });
-  view.setSeed(organ.seed, organ.color);
-  refresh();
-}
-
-function setSeed(seed: Seed | null): void {
-  organ.seed = seed;
-  showSeed();
-}
-
-function rowsOf(result: Organ): [string, string][] {
-  const voxel = (opened?.image.spacing ?? [0, 0, 0]).reduce((a, b) => a * b, 1);
-  let voxels = 0;
-  for (let run = 0; run < result.runs.length; run += 4) {
-    voxels += result.runs[run + 3] - result.runs[run + 2];
-  }
-  return [
-    ["Volume", `${((voxels * voxel) / 1000).toFixed(1)} ml`],
-    ["Ended", `${result.stopReason}, after ${result.iterations.Iteration?.length ?? 0} iterations`],
-    ["Surface", `${result.surface.points.length / 3} vertices, closed`],
-    ["Self-intersections", `${result.selfIntersections}`],
-  ];
-}
-
-function showResult(): void {
-  const { result } = organ;
-  const cells = (result ? rowsOf(result) : []).flatMap(([name, value]) => {
-    const term = document.createElement("dt");
-    const text = document.createElement("dd");
-    term.textContent = name;
-    text.textContent = value;
-    return [term, text];
-  });
-  element("result").replaceChildren(...cells);
-  const warnings = (result?.warnings ?? []).map((warning) => {
-    const item = document.createElement("li");
-    item.textContent = warning;
-    return item;
-  });
-  element("warnings").replaceChildren(...warnings);
-  view.setSurfaces(result ? [{ surface: result.surface, color: organ.color }] : []);
-  refresh();
 }
 
 function showImage(image: OpenImage): void {
   opened = image;
-  organ = newOrgan();
+  organs.reset();
   phantomSeeds = [];
   element("phantom-row").hidden = true;
   element("drop").hidden = true;
-  element("image-name").textContent = `${image.name}, ${image.image.size.join(" × ")} voxels`;
+  element("image-name").textContent = `${image.title}, ${image.image.size.join(" × ")} voxels`;
   view.show(image);
-  fullRange = view.window;
+  ownRange = view.window;
   // Air at about -1000: a CT.
-  const isCT = (image.shown.robust_min ?? 0) < -500 || (image.shown.global_min ?? 0) < -500;
-  setWindow(isCT ? 1 : 0);
-  showSeed();
-  showResult();
+  presets = presetsFor((image.shown.global_min ?? 0) < -500);
+  const names = presets.map(({ name, window }, index) => `${index + 1} ${name}${window ? ` ${window[1]}/${window[0]}` : ""}`);
+  const custom = new Option("By mouse", "");
+  custom.hidden = true;
+  select("window").replaceChildren(...names.map((name, index) => new Option(name, String(index))), custom);
+  setWindow(0);
 }
 
 function setWindow(index: number): void {
-  const preset = windows[index];
-  if (opened && preset) {
+  if (opened && presets[index]) {
     select("window").value = String(index);
-    const { window } = preset;
-    view.window = window ? [window[0] - window[1] / 2, window[0] + window[1] / 2] : fullRange;
+    view.window = rangeOf(presets[index], ownRange);
   }
 }
 
+/** Images, a session, or an image with its session. */
 async function openFiles(files: File[]): Promise<void> {
-  if (files.length === 1 && /\.json$/i.test(files[0].name)) {
-    await work("Opening the session …", async () => openSession(files[0].name, await files[0].text()));
-  } else if (files.length > 0) {
+  const isSession = (file: File) => /\.json$/i.test(file.name);
+  const session = files.length <= 2 ? files.find(isSession) : undefined;
+  const images = files.filter((file) => file !== session);
+  if (images.length > 0) {
     await work("Opening …", async () => {
-      showImage(await readFiles(files));
+      showImage(await readFiles(images));
       say("Place the seed in the organ.");
+    });
+  }
+  if (session) {
+    await work("Opening the session …", async (signal) => {
+      await repeat(parseSession(session.name, await session.text()), signal);
     });
   }
 }
 
-function openSession(name: string, text: string): void {
-  const session = parseSession(name, text);
-  const [first] = session.organs;
-  if (!opened || opened.image.size.join() !== session.image.size.join()) {
-    throw new Error(`Open the session's image first: ${session.image.name}`);
+async function repeat(session: Session, signal: AbortSignal): Promise<void> {
+  requireImageOf(session, opened?.image ?? null);
+  organs.reset(session.organs);
+  showAll();
+  for (const organ of organs.list.filter(({ seed }) => seed)) {
+    say(`Segmenting ${organ.name} …`);
+    await segmentOne(organ, signal);
+    showAll();
   }
-  organ = { ...newOrgan(), ...first, result: null };
-  showSeed();
-  showResult();
-  if (organ.seed) {
-    view.crosshair = [...organ.seed.center];
+  if (organs.chosen.seed) {
+    view.crosshair = [...organs.chosen.seed.center];
   }
-  say(`Session of ${session.image.name}.`);
+  say("The session is repeated.");
 }
 
 async function openPhantom(): Promise<void> {
   await work("Making the abdomen …", async (signal) => {
-    const phantom = await flipfree.phantom("abdomen", { signal, onProgress: (done) => (input("progress").value = String(done)) });
-    showImage(await imageOfVoxels("Built-in abdomen", phantom.image));
+    const phantom = await flipfree.phantom("abdomen", { signal, onProgress: showProgress });
+    // The name that `flipfree phantom abdomen` gives it.
+    showImage(await imageOfVoxels("abdomen.nii.gz", "Built-in abdomen", phantom.image));
     phantomSeeds = phantom.seeds;
     const choices = phantom.seeds.map(({ label }) => new Option(phantomOrgans[label] ?? `label ${label}`, String(label)));
     select("phantom-seed").replaceChildren(new Option("choose …", ""), ...choices);
@@ -253,28 +250,26 @@ async function openPhantom(): Promise<void> {
   });
 }
 
+async function segmentOne(organ: OrganState, signal: AbortSignal): Promise<void> {
+  if (opened && organ.seed) {
+    const { preset, parameters } = organ;
+    const options = { preset, parameters, signal, onProgress: showProgress };
+    organs.find(organ, await flipfree.segment(opened.image, organ.seed, options));
+  }
+}
+
 async function segment(): Promise<void> {
-  const { seed } = organ;
-  const image = opened?.image;
-  if (!image || !seed) {
+  if (!opened || !organs.chosen.seed) {
     return;
   }
-  const mine = organ;
-  await work("Segmenting …", async (signal) => {
-    mine.result = null;
-    showResult();
+  await work(`Segmenting ${organs.chosen.name} …`, async (signal) => {
     const start = performance.now();
-    const parameters: Parameters = mine.parameters;
-    mine.result = await flipfree.segment(image, seed, {
-      preset: mine.preset,
-      parameters,
-      signal,
-      onProgress: (done) => (input("progress").value = String(done)),
-    });
-    showResult();
+    await segmentOne(organs.chosen, signal);
     say(`Segmented in ${((performance.now() - start) / 1000).toFixed(1)} s.`);
   });
 }
+
+// Saving
 
 function save(file: Blob, name: string): void {
   const link = document.createElement("a");
@@ -286,7 +281,7 @@ function save(file: Blob, name: string): void {
 }
 
 /** What leaves is a valid surface: where the format rounds, the rounded one is checked. */
-async function requireValid(surface: Surface, format: SurfaceFormat): Promise<void> {
+async function requireValid({ surface }: Organ, format: SurfaceFormat): Promise<void> {
   if (format !== "vtp" && !isSinglePrecision(surface)) {
     const pairs = await flipfree.selfIntersections(roundedSurface(surface));
     if (pairs > 0) {
@@ -298,35 +293,38 @@ async function requireValid(surface: Surface, format: SurfaceFormat): Promise<vo
 const saveSurface = () =>
   work("Saving …", async () => {
     const format = select("surface-format").value as SurfaceFormat;
-    if (organ.result) {
-      await requireValid(organ.result.surface, format);
-      save(surfaceFile(organ.result.surface, format), `${organ.name}.${format}`);
+    const { name, result } = organs.chosen;
+    if (result) {
+      await requireValid(result, format);
+      save(surfaceFile(result.surface, format), `${fileNameOf(name)}.${format}`);
     }
   });
 
+/** Labels count the organs that have a seed; a voxel in several belongs to the first. The command does the same. */
 const saveLabels = () =>
   work("Saving …", async () => {
-    if (opened && organ.result) {
+    if (opened) {
       const voxels = new Uint8Array(countVoxels(opened.image));
-      fillRuns(organ.result.runs, 1, opened.image, voxels);
-      save(await labelMapFile({ ...opened.image, voxels }), `${organ.name}.nii.gz`);
+      const seeded = organs.list.filter(({ seed }) => seed);
+      for (let at = seeded.length - 1; at >= 0; --at) {
+        fillRuns(seeded[at].result?.runs ?? new Int32Array(), at + 1, opened.image, voxels);
+      }
+      save(await labelMapFile({ ...opened.image, voxels }), "organs.nii.gz");
     }
   });
 
 function saveSession(): void {
   if (opened) {
-    const { name, color, seed, preset, parameters } = organ;
-    const organs = [{ name, color, seed, preset, parameters }];
-    save(sessionFile(FLIPFREE_VERSION, opened.name, opened.image, organs), "session.json");
+    save(sessionFile(FLIPFREE_VERSION, opened.name, opened.image, organs.list), "session.json");
   }
 }
 
-function chooseTool(tool: "seed" | "navigate"): void {
-  const radio = document.querySelector<HTMLInputElement>(`[name=tool][value=${tool}]`);
-  if (radio) {
-    radio.checked = true;
-  }
-  refresh();
+// The seed
+
+/** Another seed: what was found from the former one goes, and undo brings it back. */
+function setSeed(seed: Seed): void {
+  organs.change(organs.chosen, { seed, result: null });
+  showAll();
 }
 
 function radiusOf(): number {
@@ -334,77 +332,103 @@ function radiusOf(): number {
   return radius > 0 ? radius : 20;
 }
 
-/** Clicking without dragging keeps the radius. */
+function takeNumbers(): void {
+  const center = ["seed-x", "seed-y", "seed-z"].map((id) => input(id).valueAsNumber);
+  if (center.every(Number.isFinite)) {
+    setSeed({ center: [center[0], center[1], center[2]], radius: input("seed-radius").valueAsNumber || 0 });
+  }
+}
+
 view.onSeed = (seed, placed) => {
-  const isClick = seed.radius < 1;
-  setSeed(isClick ? { ...seed, radius: organ.seed?.radius ?? radiusOf() } : seed);
+  // Clicking without dragging keeps the radius.
+  const shown = seed.radius < 1 ? { ...seed, radius: organs.chosen.seed?.radius ?? radiusOf() } : seed;
   if (placed) {
+    setSeed(shown);
     say("Seed placed.");
+  } else {
+    showSeed(shown);
+    const dragged = organs.list.map((organ) => (organ === organs.chosen ? { ...organ, seed: shown } : organ));
+    view.setSeeds(viewedOrgans(dragged));
+  }
+};
+
+view.onWindow = () => (select("window").value = "");
+
+// Keys and buttons
+
+function chooseTool(tool: Tool): void {
+  const radio = document.querySelector<HTMLInputElement>(`[name=tool][value=${tool}]`);
+  if (radio) {
+    radio.checked = true;
+  }
+  refresh();
+}
+
+function undo(): void {
+  organs.undo();
+  showAll();
+}
+
+function redo(): void {
+  organs.redo();
+  showAll();
+}
+
+const resize = (by: number) => {
+  const { seed } = organs.chosen;
+  if (seed) {
+    setSeed({ ...seed, radius: Math.max(1, seed.radius + by) });
   }
 };
 
 const keys: Record<string, () => void> = {
   s: () => chooseTool("seed"),
   n: () => chooseTool("navigate"),
-  c: () => setSeed({ center: view.crosshair, radius: organ.seed?.radius ?? radiusOf() }),
-  "+": () => organ.seed && setSeed({ ...organ.seed, radius: organ.seed.radius + 1 }),
-  "-": () => organ.seed && setSeed({ ...organ.seed, radius: Math.max(1, organ.seed.radius - 1) }),
+  c: () => setSeed({ center: view.crosshair, radius: organs.chosen.seed?.radius ?? radiusOf() }),
+  "+": () => resize(1),
+  "-": () => resize(-1),
+  z: () => view.zoomBy(1.25),
+  Z: () => view.zoomBy(0.8),
   Enter: () => void segment(),
-  ArrowLeft: () => view.moveCrosshair(1, 0, 0),
+  ArrowLeft: () => view.moveCrosshair(1, 0, 0), // toward the patient's right, which is on the left
   ArrowRight: () => view.moveCrosshair(-1, 0, 0),
   ArrowUp: () => view.moveCrosshair(0, 1, 0),
   ArrowDown: () => view.moveCrosshair(0, -1, 0),
   PageUp: () => view.moveCrosshair(0, 0, 1),
   PageDown: () => view.moveCrosshair(0, 0, -1),
 };
-windows.forEach((_, index) => (keys[String(index + 1)] = () => setWindow(index)));
+for (let preset = 0; preset < 6; ++preset) {
+  keys[String(preset + 1)] = () => setWindow(preset);
+}
 
-document.addEventListener(
-  "keydown",
-  (event) => {
-    const isTyping = event.target instanceof HTMLElement && event.target.closest("input:not([type=radio]), select, button");
-    if (event.key === "Escape") {
-      running?.abort(new Error("Canceled"));
-    } else if (!isTyping && opened && !running && !event.ctrlKey && !event.metaKey && keys[event.key]) {
-      event.preventDefault();
-      event.stopPropagation();
-      keys[event.key]();
-    }
-  },
-  { capture: true },
-);
+/** Whether the focused control has a use for the key itself. */
+function isTakenBy(target: EventTarget | null, key: string): boolean {
+  if (!(target instanceof HTMLElement)) {
+    return false;
+  }
+  if (target.matches("button, input[type=radio], input[type=color]")) {
+    return key === "Enter" || (target.matches("[type=radio]") && key.startsWith("Arrow"));
+  }
+  return target.matches("input, select");
+}
 
-function takeNumbers(): void {
-  const center = ["seed-x", "seed-y", "seed-z"].map((id) => input(id).valueAsNumber);
-  if (center.every(Number.isFinite)) {
-    organ.seed = { center: [center[0], center[1], center[2]], radius: input("seed-radius").valueAsNumber };
-    view.setSeed(organ.seed, organ.color);
-    refresh();
+function takeKey(event: KeyboardEvent): void {
+  const isHelpOpen = element<HTMLDialogElement>("keys").open;
+  if (event.key === "Escape" && running) {
+    running.abort(new Error("Canceled"));
+  } else if (!opened || running || isHelpOpen || isTakenBy(event.target, event.key)) {
+    return;
+  } else if ((event.ctrlKey || event.metaKey) && /^[zy]$/i.test(event.key)) {
+    event.preventDefault();
+    (event.key === "y" || event.shiftKey ? redo : undo)();
+  } else if (!event.ctrlKey && !event.metaKey && keys[event.key]) {
+    event.preventDefault();
+    event.stopPropagation(); // NiiVue has keys of its own
+    keys[event.key]();
   }
 }
 
-/** The files of a drop, those in folders, too. */
-async function droppedFiles(items: DataTransferItemList): Promise<File[]> {
-  const entries = [...items].map((item) => item.webkitGetAsEntry()).filter((entry) => entry !== null);
-  const filesOf = async (entry: FileSystemEntry): Promise<File[]> => {
-    if (entry.isFile) {
-      return [await new Promise<File>((resolve, reject) => (entry as FileSystemFileEntry).file(resolve, reject))];
-    }
-    const reader = (entry as FileSystemDirectoryEntry).createReader();
-    const found: FileSystemEntry[] = [];
-    for (;;) {
-      const more = await new Promise<FileSystemEntry[]>((resolve, reject) => reader.readEntries(resolve, reject));
-      if (more.length === 0) {
-        break;
-      }
-      found.push(...more);
-    }
-    return (await Promise.all(found.map(filesOf))).flat();
-  };
-  return (await Promise.all(entries.map(filesOf))).flat();
-}
-
-function listen(): void {
+function listenToFiles(): void {
   const viewer = element("viewer");
   button("open-files").addEventListener("click", () => input("files").click());
   button("open-folder").addEventListener("click", () => input("folder").click());
@@ -429,7 +453,9 @@ function listen(): void {
       void droppedFiles(dataTransfer.items).then(openFiles, complain);
     }
   });
-  select("window").replaceChildren(...windows.map(({ name }, index) => new Option(`${index + 1} ${name}`, String(index))));
+}
+
+function listenToControls(): void {
   select("window").addEventListener("change", () => setWindow(Number(select("window").value)));
   for (const id of ["seed-x", "seed-y", "seed-z", "seed-radius"]) {
     input(id).addEventListener("change", takeNumbers);
@@ -437,29 +463,45 @@ function listen(): void {
   select("phantom-seed").addEventListener("change", () => {
     const chosen = phantomSeeds.find(({ label }) => String(label) === select("phantom-seed").value);
     if (chosen) {
-      setSeed({ center: chosen.center, radius: chosen.radius });
-      view.crosshair = [...chosen.center];
+      const { center, radius, label } = chosen;
+      organs.change(organs.chosen, { name: phantomOrgans[label], seed: { center, radius }, result: null });
+      showAll();
+      view.crosshair = [...center];
     }
   });
   document.querySelectorAll("[name=tool]").forEach((tool) => tool.addEventListener("change", refresh));
-  button("run").addEventListener("click", () => void segment());
-  button("cancel").addEventListener("click", () => running?.abort(new Error("Canceled")));
-  button("save-surface").addEventListener("click", () => void saveSurface());
-  button("save-labels").addEventListener("click", () => void saveLabels());
-  button("save-session").addEventListener("click", saveSession);
-  button("help").addEventListener("click", () => {
-    element("keys").hidden = !element("keys").hidden;
-    button("help").setAttribute("aria-expanded", String(!element("keys").hidden));
-  });
-  button("theme").addEventListener("click", () => setTheme(!document.documentElement.classList.contains("light")));
+  const actions: Record<string, () => void> = {
+    "add-organ": () => {
+      organs.add();
+      select("phantom-seed").value = "";
+      showAll();
+    },
+    undo,
+    redo,
+    run: () => void segment(),
+    cancel: () => running?.abort(new Error("Canceled")),
+    "save-surface": () => void saveSurface(),
+    "save-labels": () => void saveLabels(),
+    "save-session": saveSession,
+    help: () => element<HTMLDialogElement>("keys").showModal(),
+    "close-keys": () => element<HTMLDialogElement>("keys").close(),
+    theme: () => setTheme(!document.documentElement.classList.contains("light")),
+  };
+  for (const [id, action] of Object.entries(actions)) {
+    button(id).addEventListener("click", action);
+  }
+  document.addEventListener("keydown", takeKey, { capture: true });
 }
 
 function setTheme(isLight: boolean): void {
   document.documentElement.classList.toggle("light", isLight);
-  button("theme").setAttribute("aria-pressed", String(isLight));
+  button("theme").textContent = isLight ? "Dark" : "Light";
 }
 
 setTheme(window.matchMedia("(prefers-color-scheme: light)").matches);
-listen();
-refresh();
+listenToFiles();
+listenToControls();
+showAll();
 document.documentElement.dataset.ready = "true";
+// Keeps the page's own files, so that it works without a network. Servers other than this machine need HTTPS for it.
+void navigator.serviceWorker?.register("offline.js").catch(() => {});

@@ -1,26 +1,20 @@
-/** Slices and surface on the screen. NiiVue draws the volume and the surface in 3D; contours and seeds are drawn over
- * its slices, exactly where the surface crosses them. NiiVue's coordinates are RAS, all others LPS. */
+/** Slices and surfaces on the screen. NiiVue draws the volume and the surfaces in 3D; what is drawn over its slices and
+ * what the pointer does there is ours. NiiVue's coordinates are RAS, all others LPS. */
 import { type NVConfigOptions, NVMesh, Niivue, SHOW_RENDER, SLICE_TYPE } from "@niivue/niivue";
 import { type Seed, type Surface, type Triple, trianglesOf } from "../flipfree/index.js";
-import { crossSection } from "./crosssection.js";
+import { type Marks, type ShownSurface, drawOverlay } from "./overlay.js";
+import { type Point, type Tile, pointAt, tileAt } from "./tiles.js";
 import type { OpenImage } from "./volumes.js";
 
-interface ShownSurface {
-  points: Float64Array; // RAS
-  triangles: Uint32Array;
-  fractions: Float64Array; // of the volume's extents, by which NiiVue counts slices
+export interface ViewedOrgan {
+  surface: Surface | null;
+  seed: Seed | null;
   color: string;
+  isChosen: boolean;
 }
 
-type Tile = Niivue["screenSlices"][number];
-type Point = [number, number, number];
-
-/** Which coordinates run to the right, upward, and away. */
-const axesOf: Record<number, [number, number, number]> = {
-  [SLICE_TYPE.AXIAL]: [0, 1, 2],
-  [SLICE_TYPE.CORONAL]: [0, 2, 1],
-  [SLICE_TYPE.SAGITTAL]: [1, 2, 0],
-};
+/** What the left button does. */
+export type Tool = "seed" | "navigate";
 
 function swapLpsRas(point: Triple | Point): Point {
   return [-point[0] + 0, -point[1] + 0, point[2]];
@@ -34,28 +28,40 @@ const common = {
   dragAndDropEnabled: false,
   isResizeCanvas: true,
   backColor: [0, 0, 0, 1],
-  logLevel: "error" as const,
+  logLevel: "fatal" as const, // what goes wrong is said by the page
   viewModeHotKey: "",
   clipPlaneHotKey: "",
   cycleClipPlaneHotKey: "",
   loadingText: "",
 } satisfies Partial<NVConfigOptions>;
 
+interface Drag {
+  pointer: number;
+  button: number;
+  tile: Tile;
+  start: [number, number];
+  center: Point;
+  window: [number, number];
+}
+
 export class View {
   private readonly slices: Niivue;
   private readonly solid: Niivue;
-  private surfaces: ShownSurface[] = [];
-  private seed: { seed: Seed; color: string } | null = null;
+  private marks: Marks = { surfaces: [], seeds: [] };
+
+  tool: Tool | null = null;
 
   /** Called while a seed is dragged, and when it is placed. */
   onSeed: (seed: Seed, placed: boolean) => void = () => {};
+  /** Called when the window was dragged. */
+  onWindow: () => void = () => {};
 
   private constructor(private readonly overlay: HTMLCanvasElement) {
     this.slices = new Niivue({
       ...common,
       isRadiologicalConvention: true,
       isSliceMM: true,
-      isOrientationTextVisible: true,
+      isOrientationTextVisible: false, // the overlay has all four letters
       sagittalNoseLeft: true,
       multiplanarShowRender: SHOW_RENDER.NEVER,
       crosshairWidth: 0.5,
@@ -69,6 +75,7 @@ export class View {
     await view.slices.attachToCanvas(slices);
     await view.solid.attachToCanvas(solid);
     view.solid.setSliceType(SLICE_TYPE.RENDER);
+    view.solid.setRenderAzimuthElevation(180, 10); // from the front, as the coronal slice
     view.slices.setCustomLayout([
       { sliceType: SLICE_TYPE.AXIAL, position: [0, 0, 0.5, 0.5] },
       { sliceType: SLICE_TYPE.CORONAL, position: [0.5, 0, 0.5, 0.5] },
@@ -78,17 +85,17 @@ export class View {
     const draw = view.slices.drawScene.bind(view.slices);
     view.slices.drawScene = () => {
       const result = draw();
-      view.drawOverlay();
+      view.drawMarks();
       return result;
     };
-    view.takeDrags();
+    view.takePointer();
+    view.takeWheel();
     return view;
   }
 
   /** Shows a volume, and nothing else any more. */
   show(opened: OpenImage): void {
-    this.seed = null;
-    this.setSurfaces([]);
+    this.setOrgans([]);
     for (const volume of [...this.slices.volumes]) {
       this.slices.removeVolume(volume);
     }
@@ -124,180 +131,121 @@ export class View {
     this.slices.moveCrosshairInVox(i, j, k);
   }
 
-  setSeed(seed: Seed | null, color: string): void {
-    this.seed = seed && { seed: { ...seed, center: swapLpsRas(seed.center) }, color };
-    this.drawOverlay();
+  /** Magnifies around the cross-hair; 1 shows all. */
+  zoomBy(factor: number): void {
+    const [x, y, z, old] = this.slices.scene.pan2Dxyzmm;
+    const zoom = Math.min(10, Math.max(1, old * factor));
+    const [a, b, c] = this.slices.frac2mm(this.slices.scene.crosshairPos);
+    const move = zoom === 1 ? [-x, -y, -z] : [a, b, c].map((value) => (old - zoom) * value);
+    this.slices.scene.pan2Dxyzmm = [x + move[0], y + move[1], z + move[2], zoom];
+    this.slices.drawScene();
   }
 
-  set placing(placing: boolean) {
-    this.overlay.classList.toggle("placing", placing);
-  }
-
-  setSurfaces(surfaces: { surface: Surface; color: string }[]): void {
+  setOrgans(organs: ViewedOrgan[]): void {
     for (const mesh of [...this.solid.meshes]) {
       this.solid.removeMesh(mesh);
     }
-    this.surfaces = surfaces.map(({ surface, color }) => this.shownSurface(surface, color));
-    for (const { points, triangles, color } of this.surfaces) {
+    this.marks = {
+      surfaces: organs.flatMap(({ surface, color, isChosen }) => (surface ? [this.shownSurface(surface, color, isChosen)] : [])),
+      seeds: [],
+    };
+    for (const { points, triangles, color } of this.marks.surfaces) {
       const rgba = new Uint8Array([...bytesOf(color), 255]);
       this.solid.addMesh(new NVMesh(Float32Array.from(points), triangles, "surface", rgba, 1, true, this.solid.gl));
     }
     this.solid.drawScene();
-    this.drawOverlay();
+    this.setSeeds(organs);
   }
 
-  private shownSurface(surface: Surface, color: string): ShownSurface {
+  /** The surfaces stay. */
+  setSeeds(organs: ViewedOrgan[]): void {
+    this.marks.seeds = organs.flatMap(({ seed, color }) =>
+      seed ? [{ center: swapLpsRas(seed.center), radius: seed.radius, color }] : [],
+    );
+    this.drawMarks();
+  }
+
+  private shownSurface(surface: Surface, color: string, isChosen: boolean): ShownSurface {
     const points = Float64Array.from(surface.points, (value, at) => (at % 3 === 2 ? value : -value));
     const fractions = new Float64Array(points.length);
     for (let at = 0; at < points.length; at += 3) {
       fractions.set(this.slices.mm2frac([points[at], points[at + 1], points[at + 2]]), at);
     }
-    return { points, triangles: trianglesOf(surface), fractions, color };
+    return { points, triangles: trianglesOf(surface), fractions, color, isChosen };
   }
 
-  /** From the overlay's pixels to those of NiiVue, which has the same size on the screen. */
-  private takeDrags(): void {
-    let drag: { pointer: number; tile: Tile; center: Point } | null = null;
+  private drawMarks(): void {
+    if (this.slices.volumes.length > 0) {
+      const [least, greatest] = this.window;
+      const caption = `W ${Math.round(greatest - least)}  L ${Math.round((least + greatest) / 2)}`;
+      drawOverlay(this.overlay, this.slices, this.marks, [caption]);
+    }
+  }
+
+  /** The overlay has NiiVue's size on the screen, which counts pixels of the device. */
+  private pixelOf(event: MouseEvent): [number, number] {
+    const box = this.overlay.getBoundingClientRect();
+    const scale = this.overlay.width / box.width;
+    return [(event.clientX - box.left) * scale, (event.clientY - box.top) * scale];
+  }
+
+  private takePointer(): void {
+    let drag: Drag | null = null;
     const { overlay } = this;
-    const position = (event: PointerEvent): [number, number] => {
-      const box = overlay.getBoundingClientRect();
-      const scale = this.slices.canvas!.width / box.width;
-      return [(event.clientX - box.left) * scale, (event.clientY - box.top) * scale];
-    };
-    const report = (event: PointerEvent, placed: boolean) => {
-      if (drag && drag.pointer === event.pointerId) {
-        const [x, y] = position(event);
-        const end = this.pointAt(drag.tile, x, y);
+    const move = (event: PointerEvent, isLast: boolean) => {
+      if (!drag || drag.pointer !== event.pointerId) {
+        return;
+      }
+      if (drag.button === 2) {
+        this.dragWindow(drag, this.pixelOf(event));
+      } else if (this.tool === "seed") {
+        const end = pointAt(drag.tile, ...this.pixelOf(event));
         const radius = Math.hypot(...end.map((value, axis) => value - drag!.center[axis]));
-        this.onSeed({ center: swapLpsRas(drag.center), radius }, placed);
+        this.onSeed({ center: swapLpsRas(drag.center), radius }, isLast);
+      } else if (this.tool === "navigate") {
+        this.crosshair = swapLpsRas(pointAt(drag.tile, ...this.pixelOf(event)));
       }
     };
     overlay.addEventListener("pointerdown", (event) => {
-      const [x, y] = position(event);
-      const tile = this.tileAt(x, y);
-      if (tile && event.button === 0) {
+      const start = this.pixelOf(event);
+      const tile = tileAt(this.slices, ...start);
+      if (tile && this.tool && (event.button === 0 || event.button === 2)) {
         overlay.setPointerCapture(event.pointerId);
-        drag = { pointer: event.pointerId, tile, center: this.pointAt(tile, x, y) };
-        this.crosshair = swapLpsRas(drag.center);
+        const center = pointAt(tile, ...start);
+        drag = { pointer: event.pointerId, button: event.button, tile, start, center, window: this.window };
+        if (event.button === 0) {
+          this.crosshair = swapLpsRas(center);
+        }
       }
     });
-    overlay.addEventListener("pointermove", (event) => report(event, false));
+    overlay.addEventListener("pointermove", (event) => move(event, false));
     overlay.addEventListener("pointerup", (event) => {
-      report(event, true);
+      move(event, true);
       drag = null;
     });
     overlay.addEventListener("pointercancel", () => (drag = null));
     overlay.addEventListener("contextmenu", (event) => event.preventDefault());
-    // Slices are turned as if the overlay were not there.
-    overlay.addEventListener(
-      "wheel",
-      (event) => {
-        event.preventDefault();
+  }
+
+  /** To the right for a wider window, upward for a lower level, as on workstations. */
+  private dragWindow({ start, window: [least, greatest] }: Drag, [x, y]: [number, number]): void {
+    const step = (greatest - least) / 300;
+    const width = Math.max(1e-6 * (greatest - least), greatest - least + (x - start[0]) * step);
+    const level = (least + greatest) / 2 + (y - start[1]) * step;
+    this.window = [level - width / 2, level + width / 2];
+    this.onWindow();
+  }
+
+  /** Turns the slices as if the overlay were not there. */
+  private takeWheel(): void {
+    const take = (event: WheelEvent) => {
+      event.preventDefault();
+      if (event.ctrlKey) {
+        this.zoomBy(event.deltaY < 0 ? 1.1 : 1 / 1.1);
+      } else {
         this.slices.canvas!.dispatchEvent(new WheelEvent("wheel", event));
-      },
-      { passive: false },
-    );
-  }
-
-  private tileAt(x: number, y: number): Tile | undefined {
-    return this.slices.screenSlices.find(({ leftTopWidthHeight: [left, top, width, height], axCorSag }) => {
-      return axCorSag in axesOf && x >= left && x < left + width && y >= top && y < top + height;
-    });
-  }
-
-  /** The point (RAS) of a slice under a pixel. */
-  private pointAt(tile: Tile, x: number, y: number): Point {
-    const [left, top, width, height] = tile.leftTopWidthHeight;
-    const a = tile.leftTopMM[0] + ((x - left) / width) * tile.fovMM[0];
-    const b = tile.leftTopMM[1] + (1 - (y - top) / height) * tile.fovMM[1];
-    const v = tile.AxyzMxy;
-    const depth = v[2] + v[4] * (b - v[1]) - v[3] * (a - v[0]);
-    const [right, up, away] = axesOf[tile.axCorSag];
-    const point: Point = [0, 0, 0];
-    point[right] = a;
-    point[up] = b;
-    point[away] = depth;
-    return point;
-  }
-
-  private pixelAt(tile: Tile, point: ArrayLike<number>): [number, number] {
-    const [left, top, width, height] = tile.leftTopWidthHeight;
-    const [right, up] = axesOf[tile.axCorSag];
-    return [
-      left + ((point[right] - tile.leftTopMM[0]) / tile.fovMM[0]) * width,
-      top + height - ((point[up] - tile.leftTopMM[1]) / tile.fovMM[1]) * height,
-    ];
-  }
-
-  private drawOverlay(): void {
-    const { canvas } = this.slices;
-    const context = this.overlay.getContext("2d");
-    if (!canvas || !context) {
-      return;
-    }
-    if (this.overlay.width !== canvas.width || this.overlay.height !== canvas.height) {
-      this.overlay.width = canvas.width;
-      this.overlay.height = canvas.height;
-    }
-    context.clearRect(0, 0, canvas.width, canvas.height);
-    if (this.slices.volumes.length === 0) {
-      return;
-    }
-    context.lineWidth = 1.8 * window.devicePixelRatio;
-    for (const tile of this.slices.screenSlices.filter(({ axCorSag }) => axCorSag in axesOf)) {
-      context.save();
-      context.beginPath();
-      const [left, top, width, height] = tile.leftTopWidthHeight;
-      context.rect(left, top, width, height);
-      context.clip();
-      this.drawContours(context, tile);
-      this.drawSeed(context, tile);
-      context.restore();
-    }
-  }
-
-  private drawContours(context: CanvasRenderingContext2D, tile: Tile): void {
-    const [, , away] = axesOf[tile.axCorSag];
-    const slice = this.slices.scene.crosshairPos[away];
-    for (const { points, triangles, fractions, color } of this.surfaces) {
-      const values = new Float64Array(points.length / 3);
-      for (let vertex = 0; vertex < values.length; ++vertex) {
-        values[vertex] = fractions[3 * vertex + away] - slice;
       }
-      const segments = crossSection(points, triangles, values);
-      context.strokeStyle = color;
-      context.beginPath();
-      for (let end = 0; end < segments.length; end += 6) {
-        context.moveTo(...this.pixelAt(tile, segments.slice(end, end + 3)));
-        context.lineTo(...this.pixelAt(tile, segments.slice(end + 3, end + 6)));
-      }
-      context.stroke();
-    }
-  }
-
-  private drawSeed(context: CanvasRenderingContext2D, tile: Tile): void {
-    if (!this.seed) {
-      return;
-    }
-    const { center, radius } = this.seed.seed;
-    const [x, y] = this.pixelAt(tile, center);
-    // How far the slice is from the center, along the axis that it looks.
-    const [right, up, away] = axesOf[tile.axCorSag];
-    const v = tile.AxyzMxy;
-    const depth = v[2] + v[4] * (center[up] - v[1]) - v[3] * (center[right] - v[0]);
-    const slope = Math.hypot(1, v[3], v[4]);
-    const distance = Math.abs(depth - center[away]) / slope;
-    if (!(distance < radius)) {
-      return;
-    }
-    const pixels = tile.leftTopWidthHeight[2] / Math.abs(tile.fovMM[0]);
-    context.strokeStyle = this.seed.color;
-    context.setLineDash([6, 4]);
-    context.beginPath();
-    context.arc(x, y, Math.sqrt(radius ** 2 - distance ** 2) * pixels, 0, 2 * Math.PI);
-    context.stroke();
-    context.setLineDash([]);
-    context.fillStyle = this.seed.color;
-    context.fillRect(x - 2, y - 2, 4, 4);
+    };
+    this.overlay.addEventListener("wheel", take, { passive: false });
   }
 }

@@ -4,7 +4,10 @@ import { FlipFreeError, type Grid, type Image, affineOf, gridOf } from "../flipf
 import type { Voxels } from "../flipfree/index.js";
 
 export interface OpenImage {
+  /** Of the file or folder. */
   name: string;
+  /** What the page calls it. */
+  title: string;
   /** What the kernels get. */
   image: Image;
   /** What is shown. */
@@ -14,7 +17,7 @@ export interface OpenImage {
 const volumeEndings = /\.(nii|nii\.gz|nrrd|mha)$/i;
 
 /** NiiVue shows a volume that is in memory as it shows a NIfTI file. */
-export async function imageOfVoxels(name: string, image: Image): Promise<OpenImage> {
+export async function imageOfVoxels(name: string, title: string, image: Image): Promise<OpenImage> {
   const codes: Record<string, number> = { Int16Array: 4, Uint8Array: 2, Float32Array: 16, Uint16Array: 512 };
   const file = NVImage.createNiftiArray(
     [...image.size],
@@ -23,8 +26,8 @@ export async function imageOfVoxels(name: string, image: Image): Promise<OpenIma
     codes[image.voxels.constructor.name],
     image.voxels as Int16Array,
   );
-  const shown = await NVImage.loadFromUrl({ url: file, name: `${name}.nii` });
-  return { name, image, shown };
+  const shown = await NVImage.loadFromUrl({ url: file, name: "volume.nii" });
+  return { name, title, image, shown };
 }
 
 function scaled(voxels: Voxels, slope: number, intercept: number): Voxels {
@@ -38,7 +41,7 @@ function scaled(voxels: Voxels, slope: number, intercept: number): Voxels {
     : Float32Array.from(voxels, (value) => value * slope + intercept);
 }
 
-function openImageOf(shown: NVImage, name: string): OpenImage {
+function openImageOf(shown: NVImage, name: string, title: string): OpenImage {
   const header = shown.hdr;
   if (!header || !shown.img) {
     throw new FlipFreeError(`${name} has no voxels that this page can read`);
@@ -48,12 +51,15 @@ function openImageOf(shown: NVImage, name: string): OpenImage {
     throw new FlipFreeError(`${name} has several volumes or several numbers per voxel; save one of them as a file of its own`);
   }
   const grid: Grid = gridOf([size[0], size[1], Math.max(1, size[2])], header.affine);
+  if (![...grid.spacing, ...grid.origin, ...grid.direction].every(Number.isFinite)) {
+    throw new FlipFreeError(`${name} does not say where its voxels are; save it with spacing, origin and direction`);
+  }
   const count = grid.size[0] * grid.size[1] * grid.size[2];
   if (shown.img.length !== count) {
     throw new FlipFreeError(`${name} has colors or is cut short; a volume of gray values is wanted`);
   }
   const voxels = scaled(shown.img as Voxels, header.scl_slope, header.scl_inter);
-  return { name, image: { ...grid, voxels }, shown };
+  return { name, title, image: { ...grid, voxels }, shown };
 }
 
 interface Converter {
@@ -79,7 +85,7 @@ async function convertDicom(files: File[]): Promise<File[]> {
   }
 }
 
-async function readVolume(file: File, name: string): Promise<OpenImage> {
+async function readVolume(file: File, name = file.name, title = name): Promise<OpenImage> {
   let shown: NVImage;
   try {
     shown = await NVImage.loadFromFile({ file, name: file.name });
@@ -87,14 +93,14 @@ async function readVolume(file: File, name: string): Promise<OpenImage> {
     const reason = error instanceof Error ? error.message : String(error);
     throw new FlipFreeError(`${name} cannot be read (${reason}); is the file complete?`);
   }
-  return openImageOf(shown, name);
+  return openImageOf(shown, name, title);
 }
 
 /** The volume in a file, or the largest series among DICOM files. */
 export async function readFiles(files: File[]): Promise<OpenImage> {
   const [first] = files;
   if (files.length === 1 && volumeEndings.test(first.name)) {
-    return readVolume(first, first.name);
+    return readVolume(first);
   }
   if (files.length === 1 && /\.(mhd|nhdr|hdr|img|raw)$/i.test(first.name)) {
     throw new FlipFreeError(`${first.name} is only a part of an image; save it as one file (.nii.gz, .nrrd or .mha)`);
@@ -105,7 +111,7 @@ export async function readFiles(files: File[]): Promise<OpenImage> {
     throw new FlipFreeError(`${what}: no image that this page knows; open NIfTI (.nii, .nii.gz), NRRD (.nrrd), MetaImage (.mha) or DICOM`);
   }
   const largest = series.reduce((a, b) => (b.size > a.size ? b : a));
-  const folder = first.webkitRelativePath.split("/")[0];
+  const name = first.webkitRelativePath.split("/")[0] || largest.name;
   const more = series.length > 1 ? `, the largest of ${series.length} series` : "";
-  return readVolume(largest, `${folder || largest.name}${more}`);
+  return readVolume(largest, name, name + more);
 }
