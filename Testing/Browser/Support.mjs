@@ -15,6 +15,14 @@ export function command(folder, ...words) {
   return run.stdout;
 }
 
+/** The seeds that `flipfree phantom` prints. */
+export function seedsOf(printed) {
+  return [...printed.matchAll(/--seed (\S+) (\S+) (\S+) --radius (\S+)/g)].map(([, x, y, z, radius]) => ({
+    center: [x, y, z].map(Number),
+    radius: Number(radius),
+  }));
+}
+
 const types = { 2: Uint8Array, 4: Int16Array, 16: Float32Array, 512: Uint16Array };
 
 /** The voxels of a little-endian NIfTI-1 file. */

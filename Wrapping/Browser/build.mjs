@@ -7,12 +7,12 @@
 //   PAGE     where the static page goes
 import { createHash } from "node:crypto";
 import { cp, mkdir, readFile, readdir, rm, writeFile } from "node:fs/promises";
-import { dirname, join, relative } from "node:path";
+import { dirname, join, relative, resolve } from "node:path";
 import { fileURLToPath } from "node:url";
 import { build } from "esbuild";
 
 const here = dirname(fileURLToPath(import.meta.url));
-const [kernels, packageFolder, page] = process.argv.slice(2);
+const [kernels, packageFolder, page] = process.argv.slice(2).map((folder) => resolve(folder));
 const description = JSON.parse(await readFile(join(here, "package.json"), "utf8"));
 
 const common = {

@@ -105,10 +105,11 @@ export class Engine {
     }
     const known = this.kernels.segmentationParameters(preset);
     const values = kernelValues(parameters, known);
-    return this.checked(
+    const organ = this.checked(
       this.kernels.segment(this.volume, [...seed.center, seed.radius], preset, values, report),
       known,
     );
+    return { ...organ, warnings: organ.warnings.map((warning) => wordMessage(warning, known)) };
   }
 
   evaluate(

@@ -65,6 +65,7 @@ function say(text: string): void {
 function complain(error: unknown): void {
   element("status").textContent = "";
   element("error").textContent = error instanceof Error ? error.message : String(error);
+  element("error").scrollIntoView({ block: "nearest" });
 }
 
 function showProgress(done: number): void {
@@ -111,8 +112,8 @@ function rowsOf(result: Organ): [string, string][] {
   }
   return [
     ["Volume", `${((voxels * voxel) / 1000).toFixed(1)} ml`],
-    ["Surface", `${result.surface.points.length / 3} vertices, ${result.selfIntersections} self-intersections`],
-    ["Ended", `${result.stopReason}, after ${result.iterations.Iteration?.length ?? 0} iterations`],
+    ["Surface", `closed, ${result.selfIntersections} self-intersections`],
+    ["Ended", `${result.stopReason}, ${result.iterations.Iteration?.length ?? 0} iterations`],
   ];
 }
 

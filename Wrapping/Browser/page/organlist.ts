@@ -25,6 +25,7 @@ function rowOf(organ: OrganState, organs: Organs, changed: () => void): HTMLLIEl
   const name = field("text", "Name of the organ");
   name.value = organ.name;
   name.spellcheck = false;
+  name.autocomplete = "off"; // no browser needs to learn it
   name.addEventListener("change", () => {
     organs.change(organ, { name: name.value.trim() || organ.name });
     changed();
