@@ -127,6 +127,34 @@ test("a canceled run ends at once, and the next one works", async () => {
   assert.equal(again.surface.points.length, 3 * 6 * 8 ** 2);
 });
 
+test("the command repeats a session with every parameter that there is", async () => {
+  const presets = await Promise.all(["default", "published", "naive"].map((preset) => flipfree.defaultParameters(preset)));
+  const [parameters, published] = presets;
+  assert.ok(Object.keys(parameters).length > 35);
+  assert.equal(published.guard, false);
+  const quick = { resolution: 8, levels: 1, carving: false };
+  const { voxels, ...grid } = phantom.image;
+  const organ = { name: "liver", color: "#ffffff", seed, preset: "naive", parameters: { ...parameters, ...quick } };
+  const session = { format: "flipfree-session", version: 1, image: { name: "abdomen.nii.gz", ...grid }, organs: [organ] };
+  writeFileSync(join(scratch, "session.json"), JSON.stringify(session));
+  command(scratch, "segment", "--session", "session.json", "-o", "repeated.ply");
+  const here = await flipfree.segment(phantom.image, seed, { preset: "naive", parameters: organ.parameters });
+  assert.deepEqual(readPlyPoints(join(scratch, "repeated.ply")), Float32Array.from(here.surface.points));
+});
+
+test("a volume too large for memory is refused, and the next one works", async () => {
+  for (const [size, message] of [[1280, /needs more memory than the browser gives; crop it/], [1300, /more than 2\^31/], [4000, /more than 2\^31/]]) {
+    const made = flipfree.phantom("cube", { parameters: { dimensions: [size, size, size] } });
+    await assert.rejects(made, (error) => {
+      assert.ok(error instanceof FlipFreeError, `${error}`);
+      assert.match(error.message, message);
+      return true;
+    });
+  }
+  const { image } = await flipfree.phantom("cube", { parameters: { dimensions: [20, 20, 20] } });
+  assert.equal(image.voxels.length, 8000);
+});
+
 test("bad input is named", async () => {
   const small = { size: [2, 2, 2], spacing: [1, 1, 1], origin: [0, 0, 0], direction: [1, 0, 0, 0, 1, 0, 0, 0, 1] };
   const flat = { ...small, size: [40, 40, 40], voxels: new Int16Array(64000) };

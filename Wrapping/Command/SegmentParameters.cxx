@@ -366,6 +366,10 @@ SegmentParameters SegmentParameters::With(const std::string& preset,
   parameters.Preset = RequirePreset(preset);
   for (const auto& [property, numbers] : values)
   {
+    if (property == "KeepHistory" || property == "LabelValue") // they change no surface
+    {
+      continue;
+    }
     if (property == "StartCenterOffset" && numbers.size() == 3)
     {
       parameters.StartOffset = numbers;

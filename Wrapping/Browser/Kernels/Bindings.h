@@ -13,6 +13,7 @@
 
 #include <exception>
 #include <new>
+#include <stdexcept>
 #include <string>
 
 namespace FlipFree
@@ -36,6 +37,11 @@ val Guarded(const Make& make)
     return make();
   }
   catch (const std::bad_alloc&)
+  {
+    failure.set("error", std::string());
+    failure.set("outOfMemory", true);
+  }
+  catch (const std::length_error&) // more than a vector could hold
   {
     failure.set("error", std::string());
     failure.set("outOfMemory", true);

@@ -325,6 +325,7 @@ function saveSession(): void {
 /** Another seed: what was found from the former one goes, and undo brings it back. */
 function setSeed(seed: Seed): void {
   organs.change(organs.chosen, { seed, result: null });
+  say("");
   showAll();
 }
 
@@ -337,6 +338,7 @@ function takeNumbers(): void {
   const center = ["seed-x", "seed-y", "seed-z"].map((id) => input(id).valueAsNumber);
   if (center.every(Number.isFinite)) {
     setSeed({ center: [center[0], center[1], center[2]], radius: input("seed-radius").valueAsNumber || 0 });
+    view.crosshair = [center[0], center[1], center[2]];
   }
 }
 

@@ -122,8 +122,10 @@ export class View {
     return swapLpsRas([x, y, z]);
   }
 
+  /** At the volume's border for a point outside. */
   set crosshair(point: Point) {
-    this.slices.scene.crosshairPos = this.slices.mm2frac(swapLpsRas(point));
+    const [x, y, z] = [...this.slices.mm2frac(swapLpsRas(point))].map((fraction) => Math.min(1, Math.max(0, fraction)));
+    this.slices.scene.crosshairPos = [x, y, z];
     this.slices.drawScene();
   }
 
