@@ -265,7 +265,11 @@ async function segment(): Promise<void> {
   }
   await work(`Segmenting ${organs.chosen.name} …`, async (signal) => {
     const start = performance.now();
+    performance.mark("flipfree-click");
     await segmentOne(organs.chosen, signal);
+    performance.mark("flipfree-found");
+    showAll();
+    requestAnimationFrame(() => performance.mark("flipfree-shown"));
     say(`Segmented in ${((performance.now() - start) / 1000).toFixed(1)} s.`);
   });
 }
@@ -506,5 +510,6 @@ listenToFiles();
 listenToControls();
 showAll();
 document.documentElement.dataset.ready = "true";
+performance.mark("flipfree-ready");
 // Keeps the page's own files, so that it works without a network. Servers other than this machine need HTTPS for it.
 void navigator.serviceWorker?.register("offline.js").catch(() => {});
