@@ -1,6 +1,6 @@
 // Times and memory of the page in Chromium, beside the native command in the same run.
 //
-//   node Testing/Browser/MeasurePage.mjs DIR [ROUNDS [CASE-ORGAN ...]]
+//   node Testing/Browser/MeasurePage.mjs DIR [ROUNDS [CASE ...]]
 //
 //   DIR     volumes and cases.csv, see CONTRIBUTING.md
 //   ROUNDS  runs of each, by default 5; medians are printed
@@ -37,7 +37,8 @@ const [header, ...lines] = readFileSync(join(data, "cases.csv"), "utf8").trim().
 const columns = header.split(",");
 const rows = lines.map((line) => Object.fromEntries(line.split(",").map((value, at) => [columns[at], value])));
 
-/** Resident memory of Chromium's processes, shared pages once: their proportional set sizes. In MB. */
+/** Resident memory of Chromium's processes, shared pages once: their proportional set sizes, in MB. First that of all,
+ * then that of the process which draws: without a graphics card, textures are in there. */
 function memoryOf(parent) {
   const stats = readdirSync("/proc").filter((name) => /^\d+$/.test(name));
   const parents = new Map(stats.flatMap((pid) => {
@@ -48,15 +49,17 @@ function memoryOf(parent) {
     }
   }));
   const isBelow = (pid) => pid === String(parent) || (parents.has(pid) && isBelow(parents.get(pid)));
-  let kilobytes = 0;
+  const megabytes = [0, 0];
   for (const pid of stats.filter(isBelow)) {
     try {
-      kilobytes += Number(readFileSync(`/proc/${pid}/smaps_rollup`, "utf8").match(/^Pss: +(\d+)/m)?.[1] ?? 0);
+      const size = Number(readFileSync(`/proc/${pid}/smaps_rollup`, "utf8").match(/^Pss: +(\d+)/m)?.[1] ?? 0) / 1024;
+      megabytes[0] += size;
+      megabytes[1] += readFileSync(`/proc/${pid}/cmdline`, "utf8").includes("--type=gpu-process") ? size : 0;
     } catch {
       // it has ended
     }
   }
-  return kilobytes / 1024;
+  return megabytes;
 }
 
 const pidOfChromium = () => Number(execFileSync("pgrep", ["-P", String(process.pid), "chromium"]).toString().split("\n")[0]);
@@ -77,12 +80,12 @@ for (const name of ["kernels.wasm", "main.js", "worker.js"]) {
 }
 
 for (const name of names) {
-  const row = rows.find((one) => `${one.case}-${one.organ}` === name);
+  const row = rows.find((one) => one.case === name);
   const center = [row.seed_x, row.seed_y, row.seed_z];
   const page = await chromium.openPage(server.address);
   const opening = performance.now();
   await page.setInputFiles("#files", join(data, row.image));
-  await page.waitForFunction(() => document.getElementById("status").textContent.startsWith("Place"), null, { timeout: 120_000 });
+  await page.waitForFunction(() => document.getElementById("status").textContent.startsWith("Place"), null, { timeout: 300_000 });
   const opened = (performance.now() - opening) / 1000;
   for (const [field, value] of [["x", center[0]], ["y", center[1]], ["z", center[2]], ["radius", row.radius_mm]]) {
     await page.fill(`#seed-${field}`, value);
@@ -91,8 +94,11 @@ for (const name of names) {
   const clicks = [];
   const runs = [];
   const native = [];
-  let most = 0;
-  const watch = setInterval(() => (most = Math.max(most, memoryOf(pidOfChromium()))), 200);
+  let most = [0, 0];
+  const watch = setInterval(() => {
+    const now = memoryOf(pidOfChromium());
+    most = now[0] > most[0] ? now : most;
+  }, 200);
   for (let round = 0; round < Number(rounds); ++round) {
     await page.evaluate(() => {
       performance.clearMarks();
@@ -115,7 +121,7 @@ for (const name of names) {
   const overlap = dice(readNiftiFile(join(scratch, "page.nii.gz")).voxels, readNiftiFile(join(scratch, "native.nii.gz")).voxels);
   console.log(
     `${name}: opened in ${opened.toFixed(1)} s; click to surface ${median(clicks).toFixed(2)} s (run ${median(runs).toFixed(2)} s, ` +
-      `command ${median(native).toFixed(2)} s); Dice with the command's ${overlap}; Chromium ${Math.round(most)} MB`,
+      `command ${median(native).toFixed(2)} s); Dice with the command's ${overlap}; Chromium ${Math.round(most[0])} MB, of these ${Math.round(most[1])} for drawing`,
   );
   await page.context().close();
 }
