@@ -11,6 +11,8 @@ python=$2
 cd -P "$(dirname "${BASH_SOURCE[0]}")/../.."
 rm -f "$environment/flipfree-installed"
 Wrapping/Setup/install-wheel-tools.sh "$environment" "$python"
+Wrapping/Setup/install-wheel-tools.sh --extras "$environment" "$python" ||
+  echo "Skipped from here on: tests of what these packages are needed for."
 if command -v ccache >/dev/null; then
   export CMAKE_CXX_COMPILER_LAUNCHER=ccache
 fi

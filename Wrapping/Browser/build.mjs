@@ -14,6 +14,8 @@ import { build } from "esbuild";
 const here = dirname(fileURLToPath(import.meta.url));
 const [kernels, packageFolder, page] = process.argv.slice(2).map((folder) => resolve(folder));
 const description = JSON.parse(await readFile(join(here, "package.json"), "utf8"));
+// The version stands in one place.
+const [, version] = (await readFile(join(here, "../../CMakeLists.txt"), "utf8")).match(/VERSION (\d+\.\d+\.\d+)/);
 
 const common = {
   bundle: true,
@@ -21,7 +23,7 @@ const common = {
   target: "es2022",
   legalComments: "linked",
   logLevel: "warning",
-  define: { FLIPFREE_VERSION: JSON.stringify(description.version) },
+  define: { FLIPFREE_VERSION: JSON.stringify(version) },
   plugins: [
     {
       name: "kernels",
@@ -78,7 +80,7 @@ await build({
 });
 
 // Whoever installs the package needs neither what builds it nor the page.
-const { name, version, license, type } = description;
+const { name, license, type } = description;
 const published = {
   name,
   version,

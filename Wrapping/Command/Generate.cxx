@@ -16,11 +16,12 @@ void AddGenerateOption(CLI::App& program)
     const std::vector<CommandEntry> table = OptionTable(program);
     std::cout << (what == "man" ? ManualPage(table, program.version())
         : what == "bash"        ? BashCompletion(table)
+        : what == "json"        ? OptionJson(table)
                                 : ZshCompletion(table));
     throw CLI::Success();
   };
   program.add_option_function<std::string>("--generate", print)
-    ->check(CLI::IsMember({ "man", "bash", "zsh" }))
+    ->check(CLI::IsMember({ "man", "bash", "zsh", "json" }))
     ->trigger_on_parse()
     ->group("");
 }

@@ -4,6 +4,7 @@ set(FLIPFREE_LAYER_FILES
   _errors.py
   _evaluate.py
   _faces.py
+  _foreign.py
   _interrupt.py
   _messages.py
   _parameters.py

@@ -3,9 +3,10 @@
 # is configured for: scikit-build-core and nanobind, and numpy, which the package needs. Does nothing where they are
 # there already. With them at hand, the wheel is built without any access to the index:
 #
-#   install-wheel-tools.sh [FOLDER [PYTHON]]
+#   install-wheel-tools.sh [--extras] [FOLDER [PYTHON]]
 #   FOLDER/bin/pip install --no-build-isolation .
 #
+#   --extras  also what the extras of the package need (files, PyVista, cohorts) and what their tests need
 #   FOLDER  of the virtual environment; by default build/wheel-env
 #   PYTHON  the interpreter; by default python3
 #
@@ -18,20 +19,29 @@ case "${1:-}" in
     exit 0
     ;;
 esac
+packages=(nanobind numpy scikit-build-core)
+modules="nanobind numpy scikit_build_core"
+if [[ ${1:-} == --extras ]]; then
+  shift
+  packages+=(SimpleITK nibabel matplotlib vtk pyvista distributed pyarrow nbclient ipykernel mypy)
+  modules+=" SimpleITK nibabel matplotlib vtkmodules pyvista distributed pyarrow nbclient ipykernel mypy"
+fi
 folder=${1:-$(dirname "${BASH_SOURCE[0]}")/../../build/wheel-env}
 python=${2:-python3}
-packages=(nanobind numpy scikit-build-core)
 
 if [[ ! -x $folder/bin/pip ]] && ! "$python" -m venv "$folder"; then
   echo "No virtual environment: $python lacks the module venv (on Debian: python3-venv)." >&2
   rm -rf "$folder"
   exit 77
 fi
-if "$folder/bin/python" -c 'import nanobind, numpy, scikit_build_core' 2>/dev/null; then
+if "$folder/bin/python" - $modules <<'PYTHON'; then
+import importlib.util, sys
+sys.exit(not all(importlib.util.find_spec(name) for name in sys.argv[1:]))
+PYTHON
   echo "Nothing to install: all ${#packages[@]} packages are there."
   exit 0
 fi
-if ! "$folder/bin/pip" install --quiet --retries 1 --timeout 30 "${packages[@]}"; then
-  echo "The package index is out of reach, so the wheel cannot be built here." >&2
+if ! "$folder/bin/pip" install --quiet --no-compile --retries 1 --timeout 30 "${packages[@]}"; then
+  echo "The package index is out of reach, so these cannot be had: ${packages[*]}." >&2
   exit 77
 fi

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, Union
+from typing import TYPE_CHECKING, Any, TypeAlias, Union
 
 from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData
 
@@ -10,15 +10,17 @@ from ._arrays import image_from_array
 from ._segmentation import Segmentation
 from ._types import PathName
 
-Image = vtkImageData
+Image: TypeAlias = vtkImageData
 IMAGE_NAME = "vtkImageData"
-Surface = vtkPolyData
+Surface: TypeAlias = vtkPolyData
 AnySurface = Union[vtkPolyData, Segmentation]
 
 if TYPE_CHECKING:  # numpy need not be there
     import numpy.typing as npt
 
-    AnyImage = Union[vtkImageData, npt.NDArray[Any], PathName]
+    from ._foreign import ForeignImage
+
+    AnyImage = Union[vtkImageData, npt.NDArray[Any], PathName, ForeignImage]
 
 
 def is_image(thing: Any) -> bool:

@@ -6,6 +6,7 @@
 
 #include "Image/GridCheck.h"
 #include "Measures/SegmentationScores.h"
+#include "Measures/SurfaceValidity.h"
 #include "Mesh/SurfaceTopology.h"
 
 #include <nanobind/stl/array.h>
@@ -76,6 +77,23 @@ nb::dict ScoreOfLabels(const LabelMap& segmentation, const LabelMap& reference,
   return DictOf(scores);
 }
 
+struct Polygons
+{
+  PointList Points;
+  FaceList Faces;
+};
+
+Polygons PolygonsOf(const Rows3& points, const Indices& corners, const Indices& offsets)
+{
+  Polygons polygons;
+  polygons.Points =
+    Eigen::Map<const PointList>(points.data(), static_cast<Eigen::Index>(points.shape(0)), 3);
+  polygons.Faces.Connectivity.assign(corners.data(), corners.data() + corners.size());
+  polygons.Faces.Offsets.assign(offsets.data(), offsets.data() + offsets.size());
+  RequireValidFaces(polygons.Points, polygons.Faces, "the segmentation on port 0");
+  return polygons;
+}
+
 nb::dict ScoreOfSurface(const Rows3& points, const Indices& corners, const Indices& offsets,
   const LabelMap& reference, const ScoreSettings& settings, const nb::callable& report)
 {
@@ -83,15 +101,28 @@ nb::dict ScoreOfSurface(const Rows3& points, const Indices& corners, const Indic
   {
     const nb::gil_scoped_release unlocked;
     const LabelMask wanted = ReferenceOf(reference, settings);
-    const PointList copy =
-      Eigen::Map<const PointList>(points.data(), static_cast<Eigen::Index>(points.shape(0)), 3);
-    FaceList faces;
-    faces.Connectivity.assign(corners.data(), corners.data() + corners.size());
-    faces.Offsets.assign(offsets.data(), offsets.data() + offsets.size());
-    RequireValidFaces(copy, faces, "the segmentation on port 0");
-    scores = ScoreSurface(copy, Triangulate(faces), wanted, settings, PoolFor, MonitorOf(report));
+    const Polygons surface = PolygonsOf(points, corners, offsets);
+    scores = ScoreSurface(surface.Points, Triangulate(surface.Faces), wanted, settings, PoolFor,
+      MonitorOf(report));
   }
   return DictOf(scores);
+}
+
+nb::dict ValidityOf(const Rows3& points, const Indices& corners, const Indices& offsets,
+  const nb::callable& report)
+{
+  SurfaceValidity validity;
+  {
+    const nb::gil_scoped_release unlocked;
+    const Polygons surface = PolygonsOf(points, corners, offsets);
+    validity = MeasureValidity(surface.Points, surface.Faces, nullptr, PoolFor, MonitorOf(report));
+  }
+  nb::dict answer;
+  answer["valid"] = validity.IsValid();
+  answer["boundary_edges"] = validity.Quality.Topology.BoundaryEdges;
+  answer["euler_number"] = validity.Quality.Topology.EulerNumber();
+  answer["self_intersections"] = validity.SelfIntersections;
+  return answer;
 }
 
 } // namespace
@@ -101,6 +132,7 @@ void BindEvaluation(nb::module_& module)
   BindSettings<ScoreSettings>(module, "ScoreSettings", &ScoreParameters).def(nb::init<>());
   module.def("score_labels", &ScoreOfLabels);
   module.def("score_surface", &ScoreOfSurface);
+  module.def("surface_validity", &ValidityOf);
 }
 
 } // namespace FlipFree

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from ._backend import EVALUATE_PARAMETERS, Metrics
 from ._files import read_image
+from ._foreign import adopted, is_foreign
 from ._images import IMAGE_NAME, geometry_like, is_image, is_surface
 from ._parameters import described, set_parameters, signature_with
 from ._segmentation import Segmentation
@@ -42,8 +43,8 @@ def evaluate(
 ) -> Scores:
     """Compares a segmentation with a reference label map.
 
-    A label map may be an image, the name of a file or an array, which gets the geometry of the
-    other argument. Of a Segmentation the surface is measured. Raises EvaluationError if the two
+    A label map may be an image, also of SimpleITK or nibabel, the name of a file, or an array, which
+    gets the geometry of the other argument. Of a Segmentation the surface is measured. Raises EvaluationError if the two
     cannot be compared.
 
     >>> import flipfree
@@ -74,6 +75,8 @@ def _label_map(name: str, label_map: Any, other: Any) -> Image:
         return read_image(label_map)
     if is_image(label_map):
         return label_map
+    if is_foreign(label_map):
+        return adopted(name, label_map)
     if not hasattr(label_map, "__array__"):
         raise TypeError(
             f"{name}: a label map ({IMAGE_NAME}, array or name of a file) is needed, "
@@ -81,6 +84,8 @@ def _label_map(name: str, label_map: Any, other: Any) -> Image:
         )
     if isinstance(other, (str, os.PathLike)):
         other = read_image(other)
+    if not is_image(other) and is_foreign(other):
+        other = adopted("segmentation", other)
     if not is_image(other):
         raise TypeError(f"{name}: an array without geometry; use image_from_array(...)")
     return geometry_like(other, label_map)

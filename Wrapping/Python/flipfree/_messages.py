@@ -6,8 +6,13 @@ import re
 import sys
 import warnings
 from collections.abc import Mapping
+from contextvars import ContextVar
 
 from ._errors import FlipFreeWarning
+
+
+# How the caller spells keywords, if not as in Python: the command has options.
+spelling: ContextVar[Mapping[str, str]] = ContextVar("spelling", default={})
 
 
 def warn(text: str) -> None:
@@ -23,7 +28,8 @@ def with_names(text: str, names: Mapping[str, str] | None) -> str:
     """
     if not names:
         return text
-    spelled: Mapping[str, str] = names
+    options = spelling.get()
+    spelled = {name: options.get(keyword, keyword) for name, keyword in names.items()}
     text = re.sub(r" on port \d\b| \(port \d\)", "", text)
     return re.sub(rf"\b({'|'.join(spelled)})\b", lambda name: spelled[name.group()], text)
 

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any, get_args
 from ._arrays import image_from_array
 from ._backend import SEGMENT_PARAMETERS, SegmentationAlgorithm
 from ._files import read_image
+from ._foreign import adopted, is_foreign
 from ._images import IMAGE_NAME, is_image
 from ._parameters import described, floats, set_parameters, signature_with
 from ._progress import progress_of
@@ -42,9 +43,10 @@ def segment(
     ones, LPS for files.
 
     image
-        An image (a vtkImageData, or in a package without VTK a flipfree.Image); the name of a file or
-        of a folder of DICOM files; or an array of voxels array[k, j, i] with its spacing (mm) and, unless they are zero and the identity, its origin
-        (mm) and direction (3 x 3, the axes as columns).
+        An image (a vtkImageData, or in a package without VTK a flipfree.Image), of SimpleITK or of
+        nibabel (whose RAS coordinates become LPS); the name of a file or of a folder of DICOM files;
+        or an array of voxels array[k, j, i] with its spacing (mm) and, unless they are zero and the
+        identity, its origin (mm) and direction (3 x 3, the axes as columns).
     start
         A surface to start from instead of the sphere: closed, with four neighbors at every vertex,
         without self-intersections.
@@ -115,11 +117,14 @@ def _image_of(
     progress: ProgressOption,
 ) -> Image:
     has_geometry = not (spacing is None and origin is None and direction is None)
-    if is_image(image) or isinstance(image, (str, os.PathLike)):
+    foreign = not is_image(image) and is_foreign(image)
+    if foreign or is_image(image) or isinstance(image, (str, os.PathLike)):
         if has_geometry:
             raise TypeError(
                 "spacing, origin and direction belong to arrays; images and files have theirs"
             )
+        if foreign:
+            return adopted("image", image)
         if is_image(image):
             return image
         return read_image(image, progress=progress if progress is True else None)

@@ -83,12 +83,15 @@ class SegmentationAlgorithm:
         self._center, self._radius = center, radius
 
     def set_start(self, start: AnySurface) -> None:
-        surface = start.mesh if isinstance(start, Segmentation) else start
-        if not isinstance(surface, Surface):
+        if not is_surface(start) and not isinstance(start, Segmentation):
             raise TypeError(
                 f"start: a flipfree.Surface or a Segmentation is needed, not {start!r:.80}"
             )
-        self._start = surface
+        self._start = _mesh_of(start)
+
+    def clear_start(self) -> None:
+        """The sphere is the start again."""
+        self._start = None
 
     def run(self, image: Image, tell: Progress | None) -> Segmentation:
         start = self._start
@@ -111,13 +114,16 @@ class SegmentationAlgorithm:
         )
         for text in answer["warnings"]:
             warn(with_names(text, NAMES))
+        certified = bool(self.settings.get("Guard")[0])
         return Segmentation(
-            mesh=Surface(**answer["surface"]),
+            mesh=Surface(**answer["surface"], certified=certified),
             label_map=Image(answer["labels"], image.spacing, image.origin, image.direction),
             iterations=answer["iterations"],
             stop_reason=answer["stop_reason"],
             self_intersections=answer["self_intersections"],
-            history=tuple(Surface(**surface) for surface in answer["history"]),
+            history=tuple(
+                Surface(**surface, certified=certified) for surface in answer["history"]
+            ),
         )
 
 
@@ -132,8 +138,7 @@ class Metrics:
         if isinstance(compared, Image):
             score, arguments = _kernels.score_labels, [_volume_of(compared)]
         else:
-            surface = compared.mesh if isinstance(compared, Segmentation) else compared
-            score, arguments = _kernels.score_surface, list(_arrays_of(surface))
+            score, arguments = _kernels.score_surface, list(_arrays_of(_mesh_of(compared)))
         answer: dict[str, Any] = run(
             lambda report: score(*arguments, _volume_of(reference), self.settings, report),
             EvaluationError,
@@ -143,6 +148,17 @@ class Metrics:
         if answer["warning"]:
             warn(with_names(answer["warning"], names))
         return answer
+
+
+def surface_validity(surface: Surface) -> dict[str, Any]:
+    """Whether a surface is valid, and its open edges, Euler number and self-intersections."""
+    answer: dict[str, Any] = run(
+        lambda report: _kernels.surface_validity(*_arrays_of(surface), report),
+        EvaluationError,
+        "{}",
+        {},
+    )
+    return answer
 
 
 class PhantomAlgorithm:
@@ -166,6 +182,19 @@ class PhantomAlgorithm:
             Image(answer["labels"], *geometry),
             seeds,
         )
+
+
+def is_surface(thing: Any) -> bool:
+    """Whether it is one, of this package or of VTK, other than a Segmentation's."""
+    return isinstance(thing, Surface) or hasattr(thing, "GetPolys")
+
+
+def _mesh_of(surface: Any) -> Surface:
+    if isinstance(surface, (Segmentation, Surface)):
+        return surface.mesh if isinstance(surface, Segmentation) else surface
+    from ._vtk_objects import surface_of_vtk
+
+    return surface_of_vtk(surface)
 
 
 def _arrays_of(surface: Surface) -> tuple[Any, Any, Any]:

@@ -1,38 +1,107 @@
-"""Files: this package, which pip has built without VTK and ITK, reads and writes none."""
+"""Images from files and into them, with their orientation, by SimpleITK."""
 
 from __future__ import annotations
 
+import os
+from typing import Any
+
+from ._atomic import replacing
+from ._dicom import read_series
 from ._errors import FileError
+from ._extras import simpleitk
+from ._foreign import adopted
 from ._image import Image
+from ._progress import progress_of
 from ._types import PathName, ProgressOption
 
-REASON = (
-    "this flipfree, which was installed by pip, reads and writes no image files: use SimpleITK or "
-    "nibabel, and give segment() and evaluate() arrays with spacing, origin and direction"
-)
+READ_ENDINGS = (".nii", ".nii.gz", ".nrrd", ".nhdr", ".mha", ".mhd")
+WRITE_ENDINGS = (".nii.gz", ".nii", ".nrrd", ".mha")
 
 
 def read_image(
     path: PathName, *, series: str | None = None, progress: ProgressOption = None
 ) -> Image:
-    """Raises FileError: this package reads no files.
+    """Reads a NIfTI, NRRD or MetaImage file, or a folder of DICOM files.
+
+    A folder may hold several DICOM series; `series` is the Series Instance UID of the one to read,
+    by default the one of most files. Coordinates are LPS millimeters. Needs SimpleITK, which
+    `pip install flipfree[io]` brings along.
 
     >>> import flipfree
-    >>> flipfree.read_image("abdomen.nii.gz")
+    >>> flipfree.read_image("nowhere.nii.gz")
     Traceback (most recent call last):
       ...
-    flipfree.FileError: 'abdomen.nii.gz': this flipfree, which was installed by pip, reads and ...
+    flipfree.FileError: 'nowhere.nii.gz' does not exist or may not be read. Check its name and ...
     """
-    raise FileError(f"'{path}': {REASON}")
+    name = os.fspath(path)
+    if not os.access(name, os.R_OK):
+        raise FileError(
+            f"'{name}' does not exist or may not be read. Check its name and permissions."
+        )
+    with progress_of(progress, "reading") as tell:
+        image = read_series(name, series) if os.path.isdir(name) else _read_file(name)
+        if tell is not None:
+            tell(1.0)
+    return image
 
 
 def write_image(image: Image, path: PathName) -> None:
-    """Raises FileError: this package writes no files.
+    """Writes a label map or a gray image: NIfTI (.nii, .nii.gz), NRRD (.nrrd), MetaImage (.mha).
+
+    There is either the whole file afterwards or, after an error, none of it. Needs SimpleITK, which
+    `pip install flipfree[io]` brings along.
 
     >>> import flipfree
-    >>> flipfree.write_image(flipfree.phantom("sphere").label_map, "truth.nii.gz")
+    >>> flipfree.write_image(flipfree.phantom("sphere").label_map, "truth.jpg")
     Traceback (most recent call last):
       ...
-    flipfree.FileError: 'truth.nii.gz': this flipfree, which was installed by pip, reads and ...
+    flipfree.FileError: The ending of 'truth.jpg' stands for no format known here. Use .nii.gz, ...
     """
-    raise FileError(f"'{path}': {REASON}")
+    name = os.fspath(path)
+    if not isinstance(image, Image):
+        raise TypeError(
+            f"image: a flipfree.Image is needed, not {image!r:.80}; image_from_array makes one"
+        )
+    _require_ending(name, WRITE_ENDINGS)
+    sitk = simpleitk(name)
+    itk_image = sitk.GetImageFromArray(image.voxels)
+    itk_image.SetSpacing(image.spacing)
+    itk_image.SetOrigin(image.origin)
+    itk_image.SetDirection(image.direction)
+    with replacing(name) as temporary:
+        try:
+            sitk.WriteImage(itk_image, temporary, useCompression=True)
+            # Not every writer notices a full disk.
+            whole = sitk.ReadImage(temporary).GetSize() == itk_image.GetSize()
+        except RuntimeError as error:
+            raise FileError(f"'{name}' cannot be written: {_last_line(error)}") from error
+        if not whole:
+            raise FileError(f"'{name}' cannot be written completely. Make room on the disk.")
+
+
+def _read_file(name: str) -> Image:
+    _require_ending(name, READ_ENDINGS)
+    sitk: Any = simpleitk(name)
+    try:
+        image = sitk.ReadImage(name)
+        return adopted("image", image)
+    except RuntimeError as error:
+        raise FileError(
+            f"'{name}' cannot be read: it is damaged, or of another format than its ending says "
+            f"({_last_line(error)})."
+        ) from error
+    except ValueError as error:
+        raise FileError(f"'{name}': {str(error).partition(': ')[2]}") from error
+
+
+def _require_ending(name: str, endings: tuple[str, ...]) -> None:
+    if not name.lower().endswith(endings):
+        raise FileError(
+            f"The ending of '{name}' stands for no format known here. Use "
+            f"{', '.join(endings[:-1])} or {endings[-1]}."
+        )
+
+
+def _last_line(error: Exception) -> str:
+    """What ITK says, without where in its source."""
+    return str(error).strip().splitlines()[-1].partition("): ")[2].strip(" .") or "no reason given"

@@ -5,8 +5,10 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any, Union
 
 from ._arrays import image_from_array
+from ._backend import is_surface as is_surface
 from ._image import Image as Image
-from ._segmentation import Segmentation, Surface
+from ._segmentation import Segmentation
+from ._segmentation import Surface as Surface
 from ._types import PathName
 
 IMAGE_NAME = "flipfree.Image"
@@ -15,17 +17,14 @@ AnySurface = Union[Surface, Segmentation]
 if TYPE_CHECKING:
     import numpy.typing as npt
 
-    AnyImage = Union[Image, npt.NDArray[Any], PathName]
+    from ._foreign import ForeignImage
+
+    AnyImage = Union[Image, npt.NDArray[Any], PathName, ForeignImage]
 
 
 def is_image(thing: Any) -> bool:
     """Whether it is one, other than an array or the name of a file."""
     return isinstance(thing, Image)
-
-
-def is_surface(thing: Any) -> bool:
-    """Whether it is one, other than a Segmentation's."""
-    return isinstance(thing, Surface)
 
 
 def geometry_like(other: Image, array: Any) -> Image:

@@ -32,6 +32,9 @@ class Surface(Faces):
     correspondence: npt.NDArray[Any]
     """Of each vertex in the last search: 0 solitary, 1 matched, 2 flipping."""
 
+    certified: bool = False
+    """Whether the guard was on, so that no two faces can intersect."""
+
     def cells(self) -> tuple[Any, Any]:
         return self.corners, self.offsets
 
@@ -74,30 +77,13 @@ class Segmentation(Faces):
     def surface(self) -> Any:
         """A vtkPolyData, where VTK is installed: `pip install vtk`."""
         try:
-            from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray
-            from vtkmodules.vtkCommonCore import vtkPoints
-            from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+            from ._vtk_objects import polydata_of
         except ImportError as error:
             raise FlipFreeError(
                 "surface: it is an object of VTK, which is not installed (pip install vtk); "
                 ".points, .faces and .triangles have the same as numpy arrays"
             ) from error
-        surface, points, polys = vtkPolyData(), vtkPoints(), vtkCellArray()
-        points.SetData(numpy_to_vtk(self.points))
-        polys.SetData(
-            numpy_to_vtkIdTypeArray(self.mesh.offsets.astype("int64"), deep=True),
-            numpy_to_vtkIdTypeArray(self.mesh.corners.astype("int64"), deep=True),
-        )
-        surface.SetPoints(points)
-        surface.SetPolys(polys)
-        for name, values in (
-            ("Displacement", self.mesh.displacements),
-            ("Correspondence", self.mesh.correspondence),
-        ):
-            array = numpy_to_vtk(values)
-            array.SetName(name)
-            surface.GetPointData().AddArray(array)
-        return surface
+        return polydata_of(self.mesh)
 
     def cells(self) -> tuple[Any, Any]:
         return self.mesh.cells()

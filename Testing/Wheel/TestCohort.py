@@ -1,0 +1,284 @@
+"""Cohorts on Dask: a real scheduler with two worker processes on the loopback, and one of them killed."""
+
+import csv
+import json
+import os
+import re
+import signal
+import subprocess
+import sys
+import tempfile
+import threading
+import time
+import unittest
+from pathlib import Path
+from unittest import mock
+
+import flipfree
+import numpy
+
+try:
+    import distributed
+    import psutil
+    import pyarrow.parquet
+    import SimpleITK  # pylint: disable=unused-import
+    from flipfree import _cluster, _cohort_table, _cohort_work
+except ImportError as error:
+    print(f"Skipped: {error}.")
+    sys.exit(77)
+
+COMMAND = str(Path(sys.executable).parent / "flipfree")
+GRID = {"dimensions": (48, 48, 32), "spacing": (1, 1, 1.6)}
+COARSE = {"resolution": 8, "levels": 1}
+
+
+def write_volume(path, random_seed):
+    """A noisy ball; returns its seed."""
+    ball = flipfree.phantom("sphere", random_seed=random_seed, **GRID)
+    flipfree.write_image(ball.image, path)
+    return ball
+
+
+class CohortTest(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = Path(folder.name)
+        self.out = self.folder / "out"
+
+    def rows(self, volumes, **more):
+        """Two rows for each of some new volumes."""
+        made = []
+        for number in range(volumes):
+            ball = write_volume(self.folder / f"ball{number}.nii.gz", number)
+            flipfree.write_image(ball.label_map, self.folder / "truth.nii.gz")
+            (x, y, z), radius = ball.seeds[1]
+            for organ, part in (("whole", 1.0), ("small", 0.7)):
+                made.append({"case": f"ball{number}", "organ": organ, "volume": self.folder / f"ball{number}.nii.gz",
+                             "seed_x": x, "seed_y": y, "seed_z": z, "radius": radius * part, **COARSE, **more})
+        return made
+
+    def table(self, rows):
+        path = self.folder / "table.csv"
+        with open(path, "w", newline="", encoding="utf-8") as file:
+            writer = csv.DictWriter(file, list(dict.fromkeys(key for row in rows for key in row)))
+            writer.writeheader()
+            writer.writerows(rows)
+        return path
+
+    def records(self):
+        """The rows that are done, and when."""
+        return {path.parent.name: path.stat().st_mtime_ns for path in self.out.glob("rows/*/row.json")
+                if json.loads(path.read_text())["status"] == "done"}
+
+
+class Cluster(CohortTest):
+    """On a scheduler that exists, with two workers, each minded by a process that starts it again."""
+
+    @classmethod
+    def setUpClass(cls):
+        folder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(folder.cleanup)
+        address = Path(folder.name) / "scheduler.json"
+
+        def start(module, *arguments):
+            process = subprocess.Popen([sys.executable, "-m", f"distributed.cli.{module}", "--scheduler-file", address,
+                                        *arguments], cwd=folder.name, stdout=subprocess.DEVNULL,
+                                       stderr=subprocess.DEVNULL)
+            cls.addClassCleanup(process.wait)
+            cls.addClassCleanup(process.terminate)
+
+        start("dask_scheduler", "--host", "127.0.0.1", "--port", "0", "--no-dashboard")
+        for _ in range(2):
+            start("dask_worker", "--host", "127.0.0.1", "--nthreads", "1", "--no-dashboard", "--local-directory",
+                  folder.name)
+        end = time.monotonic() + 120
+        while not address.exists() and time.monotonic() < end:
+            time.sleep(0.1)
+        cls.address = json.loads(address.read_text())["address"]
+        with distributed.Client(cls.address, set_as_default=False) as client:
+            client.wait_for_workers(2, timeout=120)
+
+    def test_killed_worker(self):
+        """Nothing is lost, and nothing that was done is done again."""
+        rows = self.rows(4)
+        killed = {}
+
+        def kill_the_first():
+            while not killed:
+                time.sleep(0.01)
+                for name in self.records():
+                    record = json.loads((self.out / "rows" / name / "row.json").read_text())
+                    pid = int(record["worker"].partition(":")[2])
+                    if psutil.Process(pid).ppid() != 1:
+                        killed.update(pid=pid, done=self.records())
+                        os.kill(pid, signal.SIGKILL)
+                        return
+
+        killer = threading.Thread(target=kill_the_first, daemon=True)
+        killer.start()
+        cohort = flipfree.cohort(self.table(rows), self.out, scheduler=self.address)
+        killer.join(timeout=10)
+        self.assertEqual([row["message"] for row in cohort.failed], [])
+        self.assertEqual(len(self.records()), 8)
+        before, after = killed["done"], self.records()
+        self.assertGreaterEqual(len(before), 1)
+        self.assertEqual({name: after[name] for name in before}, before)
+        with distributed.Client(self.address, set_as_default=False) as client:
+            client.wait_for_workers(2, timeout=60)
+            self.assertNotIn(killed["pid"], client.run(os.getpid).values())
+
+    def test_only_what_has_changed_is_done_again(self):
+        rows = self.rows(3)
+        first = flipfree.cohort(rows, self.out, scheduler=self.address)
+        self.assertEqual((len(first.failed), first.kept), (0, 0))
+        before = self.records()
+        write_volume(self.folder / "ball0.nii.gz", 99)                # another content
+        os.utime(self.folder / "ball1.nii.gz")                        # the same content, another time
+        (self.out / "rows" / "ball1-small" / "surface.vtp").unlink()  # a result is gone
+        rows[5]["resolution"] = 9                                     # another parameter
+        told = []
+        again = flipfree.cohort(rows, self.out, scheduler=self.address, progress=told.append)
+        after = self.records()
+        self.assertEqual(again.kept, 2)
+        self.assertEqual({name for name in after if after[name] == before[name]}, {"ball1-whole", "ball2-whole"})
+        self.assertEqual((told, told[-1]), (sorted(told), 1.0))
+        self.assertEqual(again.rows[2], first.rows[2])
+        self.assertNotEqual(again.rows[0]["segmented_ml"], first.rows[0]["segmented_ml"])
+        self.assertRegex(str(again), r"^6 rows: 4 segmented, 2 kept, 0 failed; .*report\.html$")
+        self.assertEqual(flipfree.cohort(rows, self.out, scheduler="tcp://nobody:1").kept, 6)  # there is nothing to do
+
+
+class Local(CohortTest):
+    def test_command(self):
+        """Workers of its own; each kind of row that fails; all the files there are."""
+        good = self.rows(1, reference="truth.nii.gz", reference_label=1, comment="kept, as it is")
+        bad = {
+            "gone": ({"volume": "gone.nii.gz"}, r"'.*gone\.nii\.gz' does not exist"),
+            "text": ({"volume": "table.csv"}, r"The ending of '.*table\.csv' stands for no format"),
+            "away": ({"seed_x": 900}, r"No segmentation: the seed's center \(900, .*lies outside"),
+            "word": ({"radius": "big"}, "radius: a number is needed, not 'big'"),
+            "none": ({"seed_y": ""}, "seed_y: the cell is empty"),
+            "many": ({"levels": 99}, "levels: 99 is out of range"),
+            "half": ({"levels": 1.5}, "levels: a whole number is needed, not '1.5'"),
+            "odd": ({"preset": "fast"}, "preset: 'fast' does not exist"),
+            "label": ({"reference_label": 7}, r"reference.*\b7\b"),
+        }
+        rows = [*good, *({**good[0], "organ": name, **change} for name, (change, _) in bad.items())]
+        process = subprocess.run([COMMAND, "cohort", self.table(rows), "-o", self.out, "--workers", "1"],
+                                 capture_output=True, text=True, timeout=300, check=False)
+        self.assertRegex(process.stdout, r"\A11 rows: 2 segmented, 0 kept, 9 failed; \d+\.\d s; see .*report\.html\n\Z")
+        self.assertRegex(process.stderr, r"\Aflipfree: error: 9 of 11 rows failed\. Their messages are in .*csv'.*\.\n\Z")
+        self.assertEqual(process.returncode, 1)
+        found = list(csv.DictReader((self.out / "cohort.csv").read_text(encoding="utf-8").splitlines()))
+        self.assertEqual([row["status"] for row in found], ["done"] * 2 + ["failed"] * 9)
+        for row, (name, (_, message)) in zip(found[2:], bad.items()):
+            with self.subTest(name):
+                self.assertRegex(row["message"], message)
+        self.check_files(found, good)
+        self.check_report(found)
+
+    def check_files(self, found, good):
+        """A row's surface and label map are those of segment()."""
+        ball = flipfree.read_image(good[0]["volume"])
+        seed = [good[0][name] for name in ("seed_x", "seed_y", "seed_z")]
+        organ = flipfree.segment(ball, seed, good[0]["radius"], **COARSE)
+        labels = flipfree.read_image(self.out / found[0]["labels"])
+        numpy.testing.assert_array_equal(labels.voxels, organ.labels)
+        scores = flipfree.evaluate(organ, self.folder / "truth.nii.gz", reference_label=1)
+        self.assertAlmostEqual(float(found[0]["dice"]), scores.dice, places=5)
+        self.assertAlmostEqual(float(found[0]["asd_mm"]), scores.asd, places=3)
+        self.assertAlmostEqual(float(found[0]["segmented_ml"]), organ.volume, places=2)
+        self.assertTrue((self.out / found[0]["surface"]).read_bytes().startswith(b"<?xml"))
+        self.assertGreater(float(found[0]["confidence"]), 0.9)
+        self.assertEqual(found[0]["comment"], "kept, as it is")
+        table = pyarrow.parquet.read_table(self.out / "cohort.parquet").to_pylist()
+        self.assertEqual([row["status"] for row in table], [row["status"] for row in found])
+        self.assertEqual(table[0]["dice"], float(found[0]["dice"]))
+        self.assertIsNone(table[2]["dice"])
+
+    def check_report(self, found):
+        """Failed rows come first, messages are text, and pictures are in the file."""
+        report = (self.out / "report.html").read_text(encoding="utf-8")
+        self.assertEqual(report.count("<article"), 11)
+        self.assertEqual(len(re.findall(r'src="data:image/jpeg;base64,[\w+/=]{10000,}"', report)), 2)
+        kinds = re.findall(r'<article class="(\w+)"', report)
+        self.assertEqual(kinds, ["failed"] * 9 + ["done"] * 2)
+        values = [float(value) for value in re.findall(r"<dt>confidence</dt><dd>(.*?)</dd>", report)]
+        self.assertEqual(values, sorted(values))
+        self.assertIn(f"Dice</dt><dd>{float(found[0]['dice']):.3f}", report)
+        self.assertIn("not &#x27;big&#x27;", report)
+        self.assertNotIn("http", report)
+
+    def test_a_volume_is_read_once(self):
+        rows = [_cohort_table._row({key: str(value) for key, value in row.items()}, "")
+                for row in self.rows(1)]
+        with mock.patch.object(_cohort_work, "read_image", wraps=flipfree.read_image) as read:
+            records = _cohort_work.segment_rows(rows, str(self.out), 1)
+        self.assertEqual([record["status"] for record in records], ["done", "done"])
+        self.assertEqual(read.call_count, 1)
+
+    def test_workers_fit_the_memory(self):
+        memory = mock.Mock(available=4e9)
+        with mock.patch.object(psutil, "virtual_memory", return_value=memory), \
+             mock.patch.object(os, "cpu_count", return_value=16):
+            self.assertEqual(_cluster.workers_for(1, 1e6, 100), 9)
+            self.assertEqual(_cluster.workers_for(4, 1e6, 100), 4)
+            self.assertEqual(_cluster.workers_for(1, 1e6, 2), 2)
+            self.assertEqual(_cluster.workers_for(1, 512 * 512 * 275, 100), 1)
+
+
+class WrongInput(CohortTest):
+    ROW = {"volume": "a.nii", "seed_x": 1, "seed_y": 2, "seed_z": 3, "radius": 4}
+
+    def refuses(self, message, table, output=None, **options):
+        with self.assertRaisesRegex(flipfree.FlipFreeError, message):
+            flipfree.cohort(table, output or self.out, **options)
+        self.assertFalse(self.out.exists() and any(self.out.glob("*.*")))
+
+    def test_tables(self):
+        for message, table in (
+                ("'table' lacks the columns volume, seed_x", [{"radius": 3}]),
+                ("has the name of a result", [{**self.ROW, "dice": 1}]),
+                ("'resolutoin' is nearly 'resolution'", [{**self.ROW, "resolutoin": 1}]),
+                ("two rows are called 'a-b'", [{**self.ROW, "case": "a", "organ": "b"}] * 2),
+                ("two rows are called", [self.ROW] * 2),
+                ("has no rows|lacks", []),
+        ):
+            with self.subTest(message):
+                self.refuses(message, table)
+
+    def test_files(self):
+        path = self.folder / "table.csv"
+        self.refuses("cannot be read.*Check its name", path)
+        head = ",".join(self.ROW)
+        for message, data in (
+                ("is no CSV file in UTF-8", b"\xff\xfe\x00v"),
+                ("'.*' lacks the columns", b""),
+                ("has no rows", head.encode()),
+                ("a row has more cells", f"{head}\na,1,2,3,4,5\n".encode()),
+        ):
+            with self.subTest(message):
+                path.write_bytes(data)
+                self.refuses(message, path)
+
+    def test_folder(self):
+        path = self.folder / "file"
+        path.write_text("")
+        self.refuses("cannot be created", [self.ROW], path)
+
+    def test_scheduler_that_does_not_answer(self):
+        with mock.patch.object(_cluster, "PATIENCE", 1.0):
+            for address in ("tcp://127.0.0.1:9", "127.0.0.1:99999", "what://is.this"):
+                self.refuses(f"^scheduler: nothing answers as a Dask scheduler at '{address}'.*dask scheduler",
+                             [self.ROW], scheduler=address)
+
+    def test_missing_extra(self):
+        for module in ("distributed", "pyarrow", "matplotlib"):
+            with self.subTest(module), mock.patch.dict(sys.modules, {module: None}):
+                self.refuses(f"a cohort needs {module}, which is not installed: pip install 'flipfree.cohort.'",
+                             [self.ROW])
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,181 @@
+"""The command that comes with the wheel: its options and answers are those of the toolkit's."""
+
+import csv
+import json
+import os
+import re
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+from pathlib import Path
+
+import flipfree
+import numpy
+
+try:
+    import SimpleITK  # pylint: disable=unused-import
+except ImportError:
+    print("Skipped: SimpleITK is not installed.")
+    sys.exit(77)
+
+TOOLKIT = os.environ["FLIPFREE_COMMAND"]
+OURS = str(Path(sys.executable).parent / "flipfree")
+
+
+def run(*arguments, program=OURS, **options):
+    return subprocess.run([program, *map(str, arguments)], stdin=subprocess.DEVNULL, capture_output=True, text=True,
+                          timeout=120, check=False, **options)
+
+
+class Options(unittest.TestCase):
+    def test_table_is_the_toolkits(self):
+        """To renew it: build/dev/bin/flipfree --generate json > Wrapping/Python/Wheel/flipfree/_options.json"""
+        table = Path(flipfree.__file__).parent / "_options.json"
+        self.assertEqual(json.loads(table.read_text(encoding="utf-8")),
+                         json.loads(run("--generate", "json", program=TOOLKIT).stdout))
+
+    def test_help_is_the_toolkits(self):
+        for name in ("segment", "evaluate", "phantom"):
+            ours, theirs = (re.sub(" +\n", "\n", run(name, "--help", program=program).stdout)
+                            for program in (OURS, TOOLKIT))
+            self.assertEqual(ours, theirs)
+        self.assertIn("  cohort ", run("--help").stdout)
+
+    def test_module_is_the_command(self):
+        process = run("-m", "flipfree", "--version", program=sys.executable)
+        self.assertEqual(process.stdout, f"flipfree {flipfree.__version__}\n")
+        self.assertEqual(process.stdout, run("--version").stdout)
+
+
+class Work(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        folder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(folder.cleanup)
+        cls.folder = Path(folder.name)
+        cls.seeds = run("phantom", "sphere", "-o", cls.folder, "--size", 48, 48, 32, "--spacing", 1, 1, 1.6).stdout
+        cls.seed = re.search("--seed.*", cls.seeds)[0].split()
+        cls.volume, cls.truth = cls.folder / "sphere.nii.gz", cls.folder / "sphere-truth.nii.gz"
+
+    def segment(self, program, *arguments):
+        process = run("segment", self.volume, *self.seed, *arguments, program=program)
+        self.assertEqual((process.returncode, process.stderr), (0, ""))
+        return process.stdout
+
+    def test_results_are_the_toolkits(self):
+        """Files of each are read by the other, and a surface has the same scores wherever it is measured."""
+        options = ("--resolution", 16, "--no-leak-control", "--start-offset", 1, -2, -1e-1)
+        scores = []
+        for name, program in (("ours", OURS), ("theirs", TOOLKIT)):
+            text = self.segment(program, *options, "-o", self.folder / f"{name}.vtp", "--labels",
+                                self.folder / f"{name}.nii.gz", "--convergence", self.folder / f"{name}.csv")
+            self.assertRegex(text, r"volume \d+\.\d ml, \d+ iterations, [a-z ]+, 0 self-intersections; reading ")
+            surfaces = {run("evaluate", self.folder / f"{name}.vtp", self.truth, program=judge).stdout
+                        for judge in (OURS, TOOLKIT)}
+            self.assertEqual(len(surfaces), 1, surfaces)
+            scores.append(surfaces.pop())
+        self.assertEqual(*scores)
+        self.assertRegex(scores[0], r"Dice +0\.9[5-9].*\n(.*\n)*surface +valid: closed, Euler number 2, self-inter")
+        ours, theirs = (flipfree.read_image(self.folder / f"{name}.nii.gz") for name in ("ours", "theirs"))
+        numpy.testing.assert_array_equal(ours.voxels, theirs.voxels)
+        self.assertEqual((ours.spacing, ours.origin, ours.direction),
+                         (theirs.spacing, theirs.origin, theirs.direction))
+        ours, theirs = (list(csv.DictReader((self.folder / f"{name}.csv").read_text(encoding="utf-8").splitlines()))
+                        for name in ("ours", "theirs"))
+        self.assertEqual(len(ours), len(theirs))
+        self.assertEqual(list(ours[0]), list(theirs[0]))
+
+    def test_session(self):
+        """What the page in the browser saves, repeated by both commands."""
+        organ = {"name": "left/lobe", "color": "#ffd24a", "preset": "default", "parameters": {"resolution": 8, "carving": False},
+                 "seed": {"center": list(map(float, self.seed[1:4])), "radius": float(self.seed[5])}}
+        image = {"name": self.volume.name, "size": [48, 48, 32], "spacing": [1, 1, 1.6], "origin": [0, 0, 0],
+                 "direction": [1, 0, 0, 0, 1, 0, 0, 0, 1]}
+        session = {"format": "flipfree-session", "version": 1, "image": image,
+                   "organs": [organ, {**organ, "name": "right", "preset": "published", "parameters": {"maximumIterations": 2}}]}
+        path = self.folder / "session.json"
+        path.write_text(json.dumps(session), encoding="utf-8")
+        for name, program in (("ours", OURS), ("theirs", TOOLKIT)):
+            process = run("segment", "--session", path, "--resolution", 12, "-o", self.folder / f"{name}.ply",
+                          "--labels", self.folder / f"{name}.nii.gz", program=program)
+            self.assertEqual(process.returncode, 0, process.stderr)
+            self.assertRegex(process.stdout, r"sphere\.nii\.gz, left-lobe: volume .*\n.*sphere\.nii\.gz, right: volume ")
+        for name in ("left-lobe", "right"):
+            scores = {run("evaluate", self.folder / f"{one}-{name}.ply", self.truth).stdout for one in ("ours", "theirs")}
+            self.assertEqual(len(scores), 1, scores)
+        ours, theirs = (flipfree.read_image(self.folder / f"{name}.nii.gz") for name in ("ours", "theirs"))
+        numpy.testing.assert_array_equal(ours.voxels, theirs.voxels)
+        for change, message in (({"organs": [organ, organ]}, "two organs"), ({"image": {**image, "size": [48, 48, 33]}}, "not the image"),
+                                ({"organs": [{**organ, "parameters": {"speling": 1}}]}, "speling"), ({"organs": [{}]}, "seed")):
+            path.write_text(json.dumps({**session, **change}), encoding="utf-8")
+            process = run("segment", "--session", path, "-o", self.folder / "bad.ply")
+            self.assertEqual(process.returncode, 1, process)
+            self.assertRegex(process.stderr, f"flipfree: error: (?=[^\n]*session.json)[^\n]*{message}")
+        self.assertEqual(run("segment", "-o", self.folder / "bad.ply").returncode, 2)
+        self.assertFalse((self.folder / "bad.ply").exists())
+
+    def test_every_surface_format_is_read_by_the_toolkit(self):
+        for ending in ("vtp", "stl", "ply", "obj"):
+            path = self.folder / f"each.{ending}"
+            self.segment(OURS, "--resolution", 8, "-q", "-o", path)
+            for judge in (OURS, TOOLKIT):
+                with self.subTest(ending, judge=judge):
+                    process = run("evaluate", path, self.truth, program=judge)
+                    self.assertIn("valid: closed, Euler number 2, self-intersections 0", process.stdout, process)
+
+    def test_picture(self):
+        try:
+            from PIL import Image
+        except ImportError:
+            self.skipTest("matplotlib is not installed")
+        path = self.folder / "picture.png"
+        self.segment(OURS, "--resolution", 8, "--snapshot", path)
+        pixels = numpy.asarray(Image.open(path)).reshape(-1, 3).astype(int)
+        self.assertEqual(len(pixels), 1200 * 1200)
+        contour = (pixels[:, 0] > 230) & (abs(pixels[:, 1] - 190) < 20) & (pixels[:, 2] < 80)
+        organ = (pixels[:, 0] > 90) & (pixels[:, 1] < 130) & (pixels[:, 2] < 120) & (pixels[:, 0] > 1.5 * pixels[:, 1])
+        self.assertGreater(contour.sum(), 2000)
+        self.assertGreater(organ.sum(), 20000)
+
+    def test_wrong_words(self):
+        here = self.folder / "never.vtp"
+        for arguments, status, message in (
+                ([], 2, "A subcommand is required. See 'flipfree --help'"),
+                (["transmogrify"], 2, "There is no subcommand 'transmogrify'"),
+                (["segment", "a", "--radius", 3, "--frobnicate"], 2, "There is no option '--frobnicate'"),
+                (["segment", self.volume, "--radius", 3, "-o", here], 2, "There is no seed"),
+                (["segment", self.volume, *self.seed], 2, "No output is requested"),
+                (["segment", self.volume, *self.seed, "-o", "a.jpg"], 2, "--output: the ending of 'a.jpg'"),
+                (["segment", self.volume, *self.seed, "-o", here, "--levels", 99], 2, "--levels: 99 is out of range"),
+                (["segment", self.volume, *self.seed, "-o", here, "--levels", "x"], 2, "--levels: .*'x'"),
+                (["segment", self.volume, *self.seed, "-o", here, "--preset", "fast"], 2, "--preset: .*'fast'"),
+                (["segment", "nowhere.nii", *self.seed, "-o", here], 1, "There is no file 'nowhere.nii'"),
+                (["segment", self.volume, *self.seed, "-o", self.folder / "no" / "a.vtp"], 1, "cannot be written"),
+                (["segment", self.volume, "--seed", 500, 0, 0, "--radius", 9, "-o", here], 1, "lies outside"),
+                (["evaluate", self.volume, self.truth, "--reference-label", 7], 1, "--reference-label"),
+        ):
+            with self.subTest(message):
+                process = run(*arguments)
+                self.assertEqual((process.returncode, process.stdout), (status, ""), process.stderr)
+                self.assertRegex(process.stderr, rf"\Aflipfree: error: [^\n]*{message}[^\n]*\.\n\Z")
+        self.assertFalse(here.exists())
+        self.assertEqual([name for name in os.listdir(self.folder) if name.startswith(".")], [])
+
+    @unittest.skipIf(sys.platform == "win32", "signals of Unix")
+    def test_ctrl_c(self):
+        out = self.folder / "endless.vtp"
+        process = subprocess.Popen([OURS, "segment", str(self.volume), *self.seed, "--iterations", "100000",
+                                    "--change-tolerance=-1", "--distance-tolerance=0", "-o", str(out)],
+                                   stderr=subprocess.PIPE, text=True)
+        time.sleep(2.5)
+        process.send_signal(signal.SIGINT)
+        self.assertEqual(process.communicate(timeout=30)[1], "")
+        self.assertEqual(process.returncode, 130)
+        self.assertFalse(out.exists())
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,236 @@
+"""Files by SimpleITK, and images of SimpleITK and nibabel: every voxel is where the toolkit's own reader has it."""
+
+import itertools
+import json
+import os
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+import flipfree
+import numpy
+
+try:
+    import nibabel
+    import SimpleITK
+except ImportError:
+    print("Skipped: SimpleITK and nibabel are not installed.")
+    sys.exit(77)
+
+SPACING, ORIGIN = (0.8, 1.25, 3.0), (-19.5, 25.0, 100.25)
+
+READ_BY_VTK = """
+import json, sys
+import flipfree
+for path in sys.argv[1:]:
+    image = flipfree.read_image(path)
+    matrix = image.GetDirectionMatrix()
+    print(json.dumps({
+        "spacing": image.GetSpacing(), "origin": image.GetOrigin(),
+        "direction": [matrix.GetElement(row, column) for row in range(3) for column in range(3)],
+        "voxels": flipfree.array_from_image(image).tolist()}))
+"""
+
+
+def turned(angle, axis):
+    """A rotation about a coordinate axis."""
+    matrix = numpy.eye(3)
+    a, b = (axis + 1) % 3, (axis + 2) % 3
+    matrix[a, a] = matrix[b, b] = numpy.cos(angle)
+    matrix[a, b], matrix[b, a] = -numpy.sin(angle), numpy.sin(angle)
+    return matrix
+
+
+OBLIQUE = turned(0.3, 0) @ turned(-0.7, 1) @ turned(1.1, 2)
+DIRECTIONS = {
+    "identity": numpy.eye(3),
+    "oblique": OBLIQUE,
+    "left-handed": OBLIQUE @ numpy.diag([1, 1, -1]),
+    "permuted": numpy.array([[0, 0, 1], [1, 0, 0], [0, 1, 0.0]]),
+}
+
+
+def example(direction):
+    voxels = numpy.random.default_rng(5).integers(-1000, 1000, (4, 5, 6)).astype(numpy.int16)
+    return flipfree.image_from_array(voxels, SPACING, ORIGIN, direction)
+
+
+def read_by_vtk(*paths):
+    """What the toolkit's reader makes of files."""
+    process = subprocess.run([os.environ["FLIPFREE_VTK_PYTHON"], "-c", READ_BY_VTK, *map(str, paths)], text=True,
+                             env={**os.environ, "PYTHONPATH": os.environ["FLIPFREE_VTK_PACKAGE"]},
+                             stdout=subprocess.PIPE, check=True, timeout=120)
+    return [json.loads(line) for line in process.stdout.splitlines()]
+
+
+class FileTest(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = Path(folder.name)
+
+    def assert_same(self, image, other, tolerance=1e-5):
+        if isinstance(other, flipfree.Image):
+            other = {name: getattr(other, name) for name in ("spacing", "origin", "direction", "voxels")}
+        for name in ("spacing", "origin", "direction"):
+            numpy.testing.assert_allclose(getattr(image, name), other[name], atol=tolerance, err_msg=name)
+        numpy.testing.assert_array_equal(image.voxels, other["voxels"])
+
+
+class Files(FileTest):
+    def test_every_format_and_direction(self):
+        paths, images = [], []
+        for (name, direction), ending in itertools.product(DIRECTIONS.items(), (".nii.gz", ".nii", ".nrrd", ".mha")):
+            path = self.folder / f"{name}{ending}"
+            flipfree.write_image(example(direction), path)
+            image = flipfree.read_image(path)
+            with self.subTest(path.name):
+                self.assertEqual(image.voxels.dtype, numpy.int16)
+                self.assert_same(image, example(direction))
+            paths.append(path)
+            images.append(image)
+        for path, image, other in zip(paths, images, read_by_vtk(*paths)):
+            with self.subTest("by the toolkit's reader", path=path.name):
+                self.assert_same(image, other)
+        self.assertEqual(sorted(os.listdir(self.folder)), sorted(path.name for path in paths))
+
+    def write_series(self, direction, shear=0.0, without=()):
+        """Slices as a scanner stores them; with a tilted gantry, each one is shifted along its rows."""
+        image = example(direction)
+        axes = numpy.reshape(direction, (3, 3))
+        for k, plane in enumerate(image.voxels):
+            if k in without:
+                continue
+            written = SimpleITK.GetImageFromArray(plane[None])
+            written.SetSpacing(SPACING)
+            written.SetDirection(axes.ravel())
+            place = numpy.array(ORIGIN) + k * (SPACING[2] * axes[:, 2] + shear * axes[:, 1])
+            written.SetOrigin(place)
+            tags = {"0008|0060": "CT", "0020|000e": "1.2.3", "0020|000d": "1.2", "0008|0018": f"1.2.3.{k + 1}",
+                    "0008|0016": "1.2.840.10008.5.1.4.1.1.2", "0020|0013": str(k + 1),
+                    "0020|0032": "\\".join(f"{x:.8f}" for x in place),
+                    "0020|0037": "\\".join(f"{x:.8f}" for x in axes[:, :2].T.ravel())}
+            for tag, value in tags.items():
+                written.SetMetaData(tag, value)
+            writer = SimpleITK.ImageFileWriter()
+            writer.KeepOriginalImageUIDOn()
+            writer.SetFileName(str(self.folder / f"{k}.dcm"))
+            writer.Execute(written)
+        return image
+
+    def test_dicom(self):
+        for name, shear in (("oblique", 0.0), ("oblique", 0.9)):
+            with self.subTest(name, shear=shear):
+                image = self.write_series(DIRECTIONS[name], shear)
+                read = flipfree.read_image(self.folder)
+                numpy.testing.assert_array_equal(read.voxels, image.voxels)
+                self.assert_same(read, read_by_vtk(self.folder)[0])
+                self.assert_same(flipfree.read_image(self.folder, series="1.2.3"), read)
+        with self.assertRaisesRegex(flipfree.FileError, "has no series '9'. It has 1.2.3"):
+            flipfree.read_image(self.folder, series="9")
+
+    def test_dicom_with_a_slice_missing(self):
+        self.write_series(numpy.eye(3), without=(2,))
+        with self.assertWarnsRegex(flipfree.FlipFreeWarning, "slices stray from an even stack by up to 1.5 mm"):
+            flipfree.read_image(self.folder)
+
+    def test_what_is_wrong_is_said(self):
+        (self.folder / "text.nii.gz").write_text("no volume")
+        (self.folder / "text.nrrd").write_text("NRRD0004\nno volume")
+        (self.folder / "empty").mkdir()
+        SimpleITK.WriteImage(SimpleITK.Image([4, 4], SimpleITK.sitkInt16), str(self.folder / "flat.mha"))
+        for name, message in (("text.nii.gz", "cannot be read: it is damaged"), ("text.nrrd", "cannot be read"),
+                              ("empty", "holds no DICOM images"), ("flat.mha", "of 2 dimensions"),
+                              ("nowhere.nii", "does not exist"), (".", "holds no DICOM images")):
+            with self.subTest(name), self.assertRaisesRegex(flipfree.FileError, message):
+                flipfree.read_image(self.folder / name)
+        (self.folder / "ct.jpg").write_text("")
+        with self.assertRaisesRegex(flipfree.FileError, r"Use \.nii, .* or \.mhd"):
+            flipfree.read_image(self.folder / "ct.jpg")
+        with self.assertRaisesRegex(flipfree.FileError, "cannot be written.*folder exists"):
+            flipfree.write_image(example(OBLIQUE), self.folder / "nowhere" / "a.nii")
+
+    def test_simpleitk_may_be_missing(self):
+        program = ("import sys; sys.modules['SimpleITK'] = None; import flipfree\n"
+                   "try: flipfree.read_image('.')\nexcept flipfree.FileError as error: print(error)")
+        output = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=True).stdout
+        self.assertRegex(output, r"^'\.': an image file needs SimpleITK.*pip install 'flipfree\[io\]'; or give an array")
+
+
+class OtherImages(FileTest):
+    def test_simpleitk(self):
+        """Scores of a label map of its own against SimpleITK's are perfect only if both are in one place."""
+        for name, direction in DIRECTIONS.items():
+            image = SimpleITK.GetImageFromArray(example(direction).voxels)
+            image.SetSpacing(SPACING)
+            image.SetOrigin(ORIGIN)
+            image.SetDirection(numpy.ravel(direction))
+            with self.subTest(name):
+                self.assert_same(adopted(image), example(direction))
+
+    def test_nibabel(self):
+        """Its affine is in RAS; the toolkit's reader says where the voxels of its files are in LPS."""
+        paths, images = [], []
+        for name, direction in DIRECTIONS.items():
+            image = example(direction)
+            affine = numpy.eye(4)
+            affine[:3, :3] = direction * numpy.array(SPACING)
+            affine[:3, 3] = ORIGIN
+            affine = numpy.diag([-1, -1, 1, 1]) @ affine
+            paths.append(self.folder / f"{name}.nii.gz")
+            nibabel.save(nibabel.Nifti1Image(numpy.ascontiguousarray(image.voxels.T), affine), paths[-1])
+            images.append(adopted(nibabel.load(paths[-1])))
+            with self.subTest(name):
+                self.assert_same(images[-1], image)
+        for path, image, other in zip(paths, images, read_by_vtk(*paths)):
+            with self.subTest("by the toolkit's reader", path=path.name):
+                self.assert_same(image, other)
+
+    def test_micrometers(self):
+        image = nibabel.Nifti1Image(numpy.zeros((3, 4, 5), numpy.int16), numpy.diag([500.0, 700, 900, 1]))
+        image.header.set_xyzt_units("micron")
+        path = self.folder / "small.nii"
+        nibabel.save(image, path)
+        self.assert_same(adopted(nibabel.load(path)), read_by_vtk(path)[0])
+
+    def test_are_refused_by_name(self):
+        wrong = nibabel.spatialimages.SpatialImage(numpy.zeros((3, 4, 5), numpy.int16), numpy.diag([1.0, 1, 0, 1]))
+        series = nibabel.Nifti1Image(numpy.zeros((3, 4, 5, 2), numpy.int16), numpy.eye(4))
+        vector = SimpleITK.Image([3, 3, 3], SimpleITK.sitkVectorUInt8, 3)
+        for image, message in ((wrong, "^image: its affine cannot be inverted"), (series, r"of shape \(3, 4, 5, 2\)"),
+                               (vector, "3 dimensions and 3 components")):
+            with self.subTest(message), self.assertRaisesRegex(ValueError, message):
+                flipfree.segment(image, (1, 1, 1), 1)
+
+    def test_organ_is_found_where_it_is(self):
+        """A segmentation of the same organ, turned in space, is the same in its voxels."""
+        ball = flipfree.phantom("sphere", dimensions=(40, 40, 40), spacing=(1, 1, 1.5))
+        center, radius = ball.seeds[1]
+        index = (numpy.array(center) - ball.image.origin) / ball.image.spacing
+        direction = DIRECTIONS["left-handed"]
+        seed = numpy.array(ORIGIN) + direction @ (index * ball.image.spacing)
+        image = SimpleITK.GetImageFromArray(ball.image.voxels)
+        image.SetSpacing(ball.image.spacing)
+        image.SetOrigin(ORIGIN)
+        image.SetDirection(direction.ravel())
+        path = str(self.folder / "ball.nii")
+        SimpleITK.WriteImage(image, path)
+        truth = SimpleITK.GetImageFromArray(ball.label_map.voxels)
+        truth.CopyInformation(image)
+        found = [flipfree.segment(given, seed, radius, resolution=16) for given in (image, nibabel.load(path), path)]
+        for organ in found:
+            self.assertGreater(flipfree.evaluate(organ, truth).dice, 0.95)
+            self.assertLess(numpy.abs(organ.points - found[0].points).max(), 0.05)
+
+
+def adopted(image):
+    """As segment() takes it."""
+    from flipfree._foreign import adopted as adopt
+
+    return adopt("image", image)
+
+
+if __name__ == "__main__":
+    unittest.main()

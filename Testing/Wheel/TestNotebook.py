@@ -1,0 +1,82 @@
+"""The notebook of the examples runs from the first cell to the last, and draws its pictures; so do the readme's lines.
+
+  TestNotebook.py [--renew]
+
+With --renew, what the cells print and draw is written into the notebook; look at it afterwards.
+"""
+
+import os
+import re
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+try:
+    import distributed  # pylint: disable=unused-import
+    import ipykernel  # pylint: disable=unused-import
+    import nbclient
+    import nbformat
+    import pyvista  # pylint: disable=unused-import
+    import SimpleITK  # pylint: disable=unused-import
+except ImportError as error:
+    print(f"Skipped: {error}.")
+    sys.exit(77)
+
+SOURCE = Path(os.environ["FLIPFREE_PYTHON_SOURCE"]).parents[1]
+NOTEBOOK = SOURCE / "Examples" / "Notebook" / "flipfree.ipynb"
+
+
+def without_copies(notebook):
+    """A picture once is enough, of those that come in several formats."""
+    for cell in notebook.cells:
+        for output in cell.get("outputs", []):
+            if "image/png" in output.get("data", {}):
+                output["data"].pop("image/jpeg", None)
+    return notebook
+
+
+def executed():
+    notebook = nbformat.read(NOTEBOOK, as_version=4)
+    # The kernel of this interpreter, whatever others are installed.
+    notebook.metadata["kernelspec"] = {"name": "python3", "display_name": "Python 3", "language": "python"}
+    with tempfile.TemporaryDirectory() as folder:
+        nbclient.NotebookClient(notebook, timeout=300, resources={"metadata": {"path": folder}}).execute()
+    return notebook
+
+
+class Notebook(unittest.TestCase):
+    def test_all_cells(self):
+        outputs = [output for cell in executed().cells for output in cell.get("outputs", [])]
+        text = "".join(output.get("text", "") for output in outputs)
+        self.assertEqual([output for output in outputs if output.get("name") == "stderr"], [])
+        self.assertRegex(text, r"<Segmentation: 6144 vertices, 0 self-intersections, 'at rest' after \d+ iterations>")
+        self.assertRegex(text, r"Dice 0\.9\d\d, mean distance \d\.\d\d mm")
+        self.assertRegex(text, r"spleen +done, Dice 0\.9.*\n *left_kidney +done, Dice 0\.9")
+        data = [output.get("data", {}) for output in outputs]
+        pictures = [kinds.get("image/png") or kinds["image/jpeg"] for kinds in data
+                    if "image/png" in kinds or "image/jpeg" in kinds]
+        self.assertEqual(len(pictures), 3)
+        self.assertTrue(all(len(picture) > 10000 for picture in pictures))
+
+
+class Readme(unittest.TestCase):
+    def test_python_in_a_virtual_environment(self):
+        text = (SOURCE / "README.md").read_text(encoding="utf-8")
+        section = re.search(r"(?s)### Python in a virtual environment\n(.*?)\n### ", text)[1]
+        programs = re.findall(r"(?s)```python\n(.*?)```", section)
+        self.assertEqual(len(programs), 2)
+        with tempfile.TemporaryDirectory() as folder:
+            process = subprocess.run([sys.executable, "-c", "".join(programs)], cwd=folder, capture_output=True, text=True,
+                                     timeout=300, check=False)
+            self.assertEqual((process.returncode, process.stderr), (0, ""))
+            self.assertRegex(process.stdout, r"\Aat rest \(6144, 3\) \d+ voxels\n0\.93\d+\n\Z")
+            self.assertGreater((Path(folder) / "liver.png").stat().st_size, 50000)
+
+
+if __name__ == "__main__":
+    if "--renew" in sys.argv:
+        nbformat.write(without_copies(executed()), NOTEBOOK)
+    else:
+        unittest.main()

@@ -1,0 +1,78 @@
+"""The wheel's type stubs: a type checker understands what users write, and refuses what is wrong."""
+
+import importlib.util
+import os
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+import flipfree
+
+if not importlib.util.find_spec("mypy"):
+    print("Skipped: mypy is not installed.")
+    sys.exit(77)
+
+PACKAGE = Path(flipfree.__file__).parent
+
+GOOD = """
+import flipfree
+import numpy
+
+liver = flipfree.segment("ct.nii.gz", seed=(1, 2, 3.5), radius=26, levels=2, guard=True)
+array = flipfree.segment(numpy.zeros((3, 4, 5)), [1, 2, 3], 26, spacing=(1, 1, 1), progress=print)
+volume = flipfree.phantom("cube", dimensions=(20, 20, 20), noise_standard_deviation=0).image
+again = flipfree.segment(volume, (1, 2, 3), 26, start=liver, preset="naive", progress=True)
+flipfree.write_surface(again, "again.stl")
+vertices: int = liver.points.shape[0]
+score: float = flipfree.evaluate(liver, "truth.nii.gz", reference_label=6).dice
+spacing: tuple[float, ...] = volume.spacing
+flipfree.set_threads(2)
+"""
+
+BAD = {
+    'flipfree.segment("ct.nii", (1, 2, 3), 26, level=2)': 'Unexpected keyword argument "level"',
+    'flipfree.segment("ct.nii", (1, 2, 3), 26, levels="2")': 'type "str"; expected "int"',
+    'flipfree.segment("ct.nii", (1, 2, 3))': 'Missing positional argument "radius"',
+    'flipfree.segment(7, (1, 2, 3), 26)': 'incompatible type "int"',
+    'flipfree.evaluate("a.nii", "b.nii", label=6)': 'Unexpected keyword argument "label"',
+    'flipfree.phantom("star")': "expected \"Literal['sphere'",
+    'flipfree.set_threads("all")': 'type "str"; expected "int"',
+    'flipfree.update()': 'has no attribute "update"',
+}
+
+
+def mypy(*arguments):
+    with tempfile.TemporaryDirectory() as cache:
+        return subprocess.run(
+            [sys.executable, "-m", "mypy", "--strict", "--ignore-missing-imports", "--cache-dir", cache, *arguments],
+            env=dict(os.environ, MYPYPATH=""), text=True, timeout=250, stdout=subprocess.PIPE,
+            stderr=subprocess.STDOUT, check=False).stdout
+
+
+class Mypy(unittest.TestCase):
+    def check(self, program):
+        with tempfile.TemporaryDirectory() as folder:
+            path = Path(folder) / "program.py"
+            path.write_text(program, encoding="utf-8")
+            return mypy(str(path))
+
+    def test_user_code(self):
+        """One run, because most of it is numpy's types."""
+        found = self.check(GOOD + "\n".join(BAD)).splitlines()
+        first = GOOD.count("\n") + 1
+        for line, message in enumerate(BAD.values(), start=first):
+            with self.subTest(message):
+                self.assertTrue(any(f"program.py:{line}: error: " in text and message in text for text in found),
+                                "\n".join(found))
+        others = [text for text in found if ": error: " in text and int(text.split(":")[1]) < first]
+        self.assertEqual(others, [])
+
+    def test_stubs_are_there(self):
+        for name in ("_segment.pyi", "_evaluate.pyi", "_phantom.pyi", "py.typed"):
+            self.assertTrue((PACKAGE / name).exists(), name)
+
+
+if __name__ == "__main__":
+    unittest.main()

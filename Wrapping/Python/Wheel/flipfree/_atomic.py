@@ -1,0 +1,63 @@
+"""Files that are there as a whole or not at all."""
+
+from __future__ import annotations
+
+import csv
+import io
+import os
+import shutil
+import tempfile
+from collections.abc import Iterator
+from contextlib import contextmanager
+from typing import Any
+
+from ._errors import FileError
+from ._types import PathName
+
+
+@contextmanager
+def replacing(path: PathName) -> Iterator[str]:
+    """Gives the name to write to; the file takes its place if the block ends without an error.
+
+    The name has the ending of the path's. Raises FileError for what the operating system refuses.
+    """
+    name = os.fspath(path)
+    try:
+        folder = tempfile.mkdtemp(prefix=".flipfree-", dir=os.path.dirname(name) or ".")
+    except OSError as error:
+        raise _refusal(name, error) from error
+    try:
+        temporary = os.path.join(folder, os.path.basename(name))
+        yield temporary
+        with open(temporary, "rb+") as file:
+            os.fsync(file.fileno())
+        os.replace(temporary, name)
+    except FileError:
+        raise
+    except OSError as error:
+        raise _refusal(name, error) from error
+    finally:
+        shutil.rmtree(folder, ignore_errors=True)
+
+
+def write_text(path: PathName, text: str) -> None:
+    """Writes a text file as a whole."""
+    with replacing(path) as temporary:
+        with open(temporary, "w", encoding="utf-8", newline="") as file:
+            file.write(text)
+
+
+def write_table(path: PathName, columns: list[str], rows: list[list[Any]]) -> None:
+    """Writes a table as CSV."""
+    text = io.StringIO()
+    writer = csv.writer(text, lineterminator="\n")
+    writer.writerow(columns)
+    writer.writerows(rows)
+    write_text(path, text.getvalue())
+
+
+def _refusal(name: str, error: OSError) -> FileError:
+    return FileError(
+        f"'{name}' cannot be written ({error.strerror or error}). Check that its folder exists, may "
+        "be written to and has room."
+    )

@@ -1,0 +1,100 @@
+"""The organs of many volumes, several at a time, on Dask."""
+
+from __future__ import annotations
+
+import os
+import time
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from typing import Any
+
+from ._progress import progress_of
+from ._types import PathName, ProgressOption
+
+
+@dataclass(frozen=True)
+class Cohort:
+    """What has become of the rows."""
+
+    rows: list[dict[str, Any]]
+    """A dictionary per row of the table: its cells, and the results."""
+    output: str
+    """The folder of cohort.csv, cohort.parquet, report.html and rows/."""
+    kept: int
+    """Rows that were done before."""
+    seconds: float
+
+    @property
+    def failed(self) -> list[dict[str, Any]]:
+        """The rows without a segmentation; `message` says why."""
+        return [row for row in self.rows if row["status"] != "done"]
+
+    @property
+    def report(self) -> str:
+        """The name of the report, an HTML file."""
+        return os.path.join(self.output, "report.html")
+
+    def __str__(self) -> str:
+        done = len(self.rows) - len(self.failed) - self.kept
+        return (
+            f"{len(self.rows)} rows: {done} segmented, {self.kept} kept, {len(self.failed)} failed; "
+            f"{self.seconds:.1f} s; see {self.report}"
+        )
+
+    def __repr__(self) -> str:
+        return f"<Cohort: {self}>"
+
+
+def cohort(
+    table: PathName | Iterable[Mapping[str, Any]],
+    output: PathName,
+    *,
+    scheduler: str | None = None,
+    workers: int = 0,
+    threads: int = 1,
+    progress: ProgressOption = None,
+) -> Cohort:
+    """Segments the organs that a table lists, with processes of this machine or of a Dask cluster.
+
+    Each row is an organ. Results, scores and messages go to a folder; what is done there already, from
+    the same content of the same files with the same parameters, is kept. Needs
+    `pip install flipfree[cohort]`.
+
+    table
+        The name of a CSV file, a pandas.DataFrame, or a list of dictionaries. Columns: volume (a file
+        or a folder of DICOM files), seed_x, seed_y, seed_z and radius (LPS mm); if wanted, case and
+        organ (names), reference and reference_label (a label map to compare with), preset, and any
+        parameter of segment(). Other columns are handed through. Files are found from the CSV
+        file's folder.
+    output
+        The folder of the results, created if absent: cohort.csv and cohort.parquet, a row per
+        row; report.html, with a picture of each; and for each row a folder with its surface, label map
+        and picture.
+    scheduler
+        The address of a Dask scheduler, such as tcp://10.0.0.5:8786. Its workers need the same version
+        of FlipFree and the same files under the same names. By default, workers are started here, and
+        a worker that dies is replaced.
+    workers, threads
+        How many workers to start here, by default as many as processors and memory allow, and
+        how many threads each of them has.
+
+    A row that fails is a row with a message; errors are raised for the table, the folder and
+    the scheduler. The work may be interrupted, and goes on where it was when it is started again.
+
+    >>> import flipfree
+    >>> flipfree.cohort([{"volume": "ct.nii.gz", "seed": (1, 2, 3)}], "results")
+    Traceback (most recent call last):
+      ...
+    flipfree.FlipFreeError: 'table' lacks the columns seed_x, seed_y, seed_z, radius; it has volume, seed.
+    """
+    if threads < 1 or workers < 0:
+        raise ValueError(f"threads, workers: {threads}, {workers} will not do; 1, 0 are the least")
+    # What it imports would make the package slow to import.
+    from ._cohort_run import run_cohort
+    from ._cohort_table import rows_of
+
+    rows = rows_of(table)
+    start = time.perf_counter()
+    with progress_of(progress, "cohort") as tell:
+        results, kept = run_cohort(rows, os.fspath(output), (scheduler, workers, threads), tell)
+    return Cohort(results, os.path.abspath(output), kept, time.perf_counter() - start)

@@ -1,0 +1,133 @@
+"""What a worker does: all rows of one volume, which is read once."""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import socket
+import time
+import warnings
+from typing import Any
+
+from ._atomic import replacing
+from ._backend import set_threads
+from ._cohort_files import OUTPUTS, Stamp, folder_of, inputs_of, is_done, record_of, stamp_of, write_record
+from ._cohort_table import Row
+from ._confidence import confidence_of
+from ._errors import FlipFreeError, FlipFreeWarning
+from ._evaluate import evaluate
+from ._files import read_image, write_image
+from ._image import Image
+from ._picture import write_picture
+from ._segment import segment
+from ._segmentation import Segmentation
+from ._surface_files import write_surface
+
+# Side of a row's picture, in pixels.
+PICTURE = 640
+
+
+def segment_rows(rows: list[Row], output: str, threads: int) -> list[dict[str, Any]]:
+    """Segments the rows of a volume that are not done yet, and gives what is known of each."""
+    set_threads(threads)
+    volume = _Volume()
+    return [_known(row, output) or _segmented(row, output, volume) for row in rows]
+
+
+class _Volume:
+    """An image that is read when it is needed first; the worker keeps one at a time."""
+
+    def __init__(self) -> None:
+        self.image: Image | None = None
+        self.stamp: Stamp = {}
+        self.seconds = 0.0
+
+    def read(self, path: str) -> Image:
+        if self.image is None:
+            start = time.perf_counter()
+            self.image = read_image(path)
+            self.stamp = stamp_of(path)
+            self.seconds = time.perf_counter() - start
+        return self.image
+
+
+def _known(row: Row, output: str) -> dict[str, Any] | None:
+    """A worker that died may have finished this row."""
+    return record_of(row, output) if is_done(row, output) else None
+
+
+def _segmented(row: Row, output: str, volume: _Volume) -> dict[str, Any]:
+    """Does a row; whatever goes wrong is said in its message."""
+    values: dict[str, Any] = {
+        "status": "failed",
+        "message": row.problem,
+        "worker": f"{socket.gethostname()}:{os.getpid()}",
+    }
+    inputs: dict[str, Stamp] = {}
+    start = time.perf_counter()
+    try:
+        if not row.problem:
+            os.makedirs(folder_of(row, output), exist_ok=True)
+            with warnings.catch_warnings(record=True) as caught:
+                warnings.simplefilter("always", FlipFreeWarning)
+                image = volume.read(row.volume)
+                values.update(_results(row, output, image))
+            inputs = {role: stamp_of(path) for role, path in inputs_of(row).items() if role != "volume"}
+            inputs["volume"] = volume.stamp
+            values["message"] = "; ".join(str(entry.message) for entry in caught)
+            values["status"] = "done"
+    except MemoryError:
+        values["message"] = "out of memory; give the workers more, or start fewer of them"
+    except (FlipFreeError, TypeError, ValueError) as error:
+        values["message"] = " ".join(str(error).split())
+    except Exception as error:  # pylint: disable=broad-except
+        values["message"] = f"{type(error).__name__}: {' '.join(str(error).split())}"
+    values["seconds_reading"] = round(volume.seconds, 3)
+    values["seconds"] = round(time.perf_counter() - start, 3)
+    return _recorded(row, output, values, inputs)
+
+
+def _results(row: Row, output: str, image: Image) -> dict[str, Any]:
+    organ = segment(image, row.seed, row.radius, **row.parameters)
+    if organ.stop_reason == "no boundary found":
+        raise FlipFreeError("no boundary of the organ was found; place the seed inside it")
+    values: dict[str, Any] = {
+        "confidence": round(confidence_of(image, organ), 4),
+        "segmented_ml": round(organ.volume, 3),
+        "iterations": len(organ.iterations["Iteration"]),
+        "stop_reason": organ.stop_reason,
+        "self_intersections": organ.self_intersections,
+    }
+    if row.reference:
+        scores = evaluate(organ, row.reference, reference_label=row.reference_label)
+        values.update(
+            dice=round(scores.dice, 6),
+            jaccard=round(scores.jaccard, 6),
+            asd_mm=round(scores.asd, 4),
+            hd95_mm=round(scores.hd95, 4),
+        )
+    _write(folder_of(row, output), image, organ)
+    names = {role: f"rows/{row.name}/{name}" for role, name in OUTPUTS.items()}
+    return {**values, **names}
+
+
+def _write(folder: str, image: Image, organ: Segmentation) -> None:
+    """All files or none."""
+    with contextlib.ExitStack() as files:
+        paths = {
+            role: files.enter_context(replacing(os.path.join(folder, name)))
+            for role, name in OUTPUTS.items()
+        }
+        write_surface(organ, paths["surface"])
+        write_image(organ.label_map, paths["labels"])
+        write_picture(paths["picture"], image, organ, PICTURE)
+
+
+def _recorded(
+    row: Row, output: str, values: dict[str, Any], inputs: dict[str, Stamp]
+) -> dict[str, Any]:
+    try:
+        os.makedirs(folder_of(row, output), exist_ok=True)
+        return write_record(row, output, values, inputs)
+    except OSError as error:
+        return {**values, "status": "failed", "message": values["message"] or str(error)}

@@ -1,0 +1,105 @@
+"""The command `flipfree` of the package that pip installs: segment, evaluate, phantom, cohort."""
+
+from __future__ import annotations
+
+import sys
+import warnings
+from collections.abc import Callable, Sequence
+from typing import Any
+
+from . import _commands
+from ._backend import SEGMENT_PARAMETERS
+from ._errors import FlipFreeError, FlipFreeWarning
+from ._messages import spelling
+from ._options import Entry, WrongUsage, destination, help_of, parser_of, table
+
+SUCCESS, FAILURE, WRONG_USAGE, INTERRUPTED = 0, 1, 2, 130
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Runs the command; gives its exit status."""
+    words = list(sys.argv[1:] if arguments is None else arguments)
+    status = SUCCESS
+    with warnings.catch_warnings():
+        warnings.showwarning = _show_warning  # type: ignore[assignment]
+        warnings.simplefilter("ignore")  # those of other packages
+        warnings.simplefilter("always", FlipFreeWarning)
+        try:
+            _run(words)
+            sys.stdout.flush()
+        except WrongUsage as error:
+            _complain("error", f"{_sentence(str(error))} See '{_help_for(words)}'.")
+            status = WRONG_USAGE
+        except FlipFreeError as error:
+            _complain("error", _sentence(str(error)))
+            status = FAILURE
+        except MemoryError:
+            _complain("error", "Out of memory. Crop the volume, or use a machine with more memory.")
+            status = FAILURE
+        except OSError as error:
+            _complain("error", f"Writing failed ({error.strerror or error}).")
+            status = FAILURE
+        except KeyboardInterrupt:
+            status = INTERRUPTED
+    return status
+
+
+def _run(words: list[str]) -> None:
+    commands = table()
+    if words and words[0] in ("-h", "--help", "--version"):
+        from . import __version__
+
+        print(f"flipfree {__version__}" if words[0] == "--version" else help_of(commands[0], commands))
+        return
+    if not words:
+        raise WrongUsage("A subcommand is required")
+    entry = next((entry for entry in commands[1:] if entry["name"] == words[0]), None)
+    if entry is None:
+        kind = "option" if words[0].startswith("-") else "subcommand"
+        raise WrongUsage(f"There is no {kind} '{words[0]}'")
+    if "-h" in words or "--help" in words:
+        print(help_of(entry, commands))
+        return
+    parameters = SEGMENT_PARAMETERS if entry["name"] == "segment" else {}
+    values, unknown = parser_of(entry, parameters).parse_known_args(words[1:])
+    if unknown:
+        option = next((word for word in unknown if word.startswith("-")), None)
+        raise WrongUsage(
+            f"There is no option '{option}'" if option else f"Unexpected argument '{unknown[0]}'"
+        )
+    _do(entry, vars(values))
+
+
+def _do(entry: Entry, values: dict[str, Any]) -> None:
+    """Runs a subcommand; messages call keywords by the options that stand for them."""
+    names = {destination(option): option["names"] for option in entry["options"]}
+    options = {name: next(o for o in spelled if o.startswith("--")) for name, spelled in names.items()}
+    run: Callable[[dict[str, Any]], None] = getattr(_commands, entry["name"])
+    token = spelling.set(options)
+    try:
+        run(values)
+    except (TypeError, ValueError) as error:
+        name, separator, rest = str(error).partition(": ")
+        if name not in options:
+            raise FlipFreeError(str(error)) from error
+        raise WrongUsage(f"{options[name]}{separator}{rest}") from error
+    finally:
+        spelling.reset(token)
+
+
+def _help_for(words: list[str]) -> str:
+    known = [entry["name"] for entry in table()[1:]]
+    return "flipfree " + (f"{words[0]} " if words and words[0] in known else "") + "--help"
+
+
+def _sentence(text: str) -> str:
+    text = " ".join(text.split())
+    return text if text.endswith(".") else text + "."
+
+
+def _complain(kind: str, text: str) -> None:
+    print(f"flipfree: {kind}: {text}", file=sys.stderr, flush=True)
+
+
+def _show_warning(message: Warning | str, *_: Any) -> None:
+    _complain("warning", _sentence(str(message)))

@@ -1,0 +1,327 @@
+"""What the subcommands do."""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import sys
+import time
+from collections.abc import Callable
+from dataclasses import asdict
+from typing import Any, get_args
+
+from ._atomic import replacing, write_table
+from ._backend import SEGMENT_PARAMETERS, set_threads, surface_validity
+from ._errors import FileError, FlipFreeError
+from ._evaluate import evaluate as evaluate_segmentation
+from ._files import WRITE_ENDINGS, read_image, write_image
+from ._messages import warn
+from ._options import WrongUsage
+from ._phantom import Organ
+from ._phantom import phantom as make_phantom
+from ._segment import segment as segment_organ
+from ._segmentation import Segmentation
+from ._session import Session, image_beside, read_session, require_image_of, runs_of
+from ._surface_files import ENDINGS, read_surface, write_surface
+from ._types import Shape
+
+# Columns of the toolkit's table that are not their field's name with a capital letter.
+COLUMNS = {"asd": "ASD", "rms": "RMS", "hd95": "HD95", "hd": "HD"}
+OUTPUTS = {
+    "output": ENDINGS,
+    "labels": WRITE_ENDINGS,
+    "convergence": (".csv",),
+    "snapshot": (".png",),
+}
+
+
+def segment(values: dict[str, Any]) -> None:
+    """`flipfree segment`."""
+    progress = _wants_bar(values)
+    session = _session_of(values)
+    runs = [values]
+    if session:
+        values = {"input": image_beside(session) if "input" not in values else None, **values}
+        runs = runs_of(session, values, [name for name in OUTPUTS if name != "labels"])
+    for run in runs:
+        _require_sense(run, {name: run[name] for name in OUTPUTS if name in run})
+    set_threads(values.get("threads", 0))
+    start = time.perf_counter()
+    image = read_image(values["input"], series=values.get("series"), progress=progress)
+    reading = time.perf_counter() - start
+    if session:
+        require_image_of(session, values["input"], image)
+    with contextlib.ExitStack() as files:  # either all files or none
+        said = [_segment_one(run, image, files, progress) for run in runs]
+        if "labels" in values:
+            _write_to(files, values["labels"], lambda name: write_image(_label_map(said), name))
+    for run, (organ, working) in zip(runs, said):
+        _report(run, organ, reading, working)
+
+
+def _session_of(values: dict[str, Any]) -> Session | None:
+    """The session of the command line; checks that there is one, or else an image and a seed."""
+    if "session" not in values:
+        if "input" not in values:
+            raise WrongUsage("INPUT is required: a volume, or a folder of a DICOM series")
+        if "radius" not in values:
+            raise WrongUsage(
+                "--radius must be a positive number of millimeters, 1e-6 to 1e6. The sphere should lie "
+                "within the organ"
+            )
+        return None
+    given = {"seed", "seed_voxel", "radius"} & values.keys()
+    if given or values.get("preset", "default") != "default":
+        raise WrongUsage(
+            "--session has the seed and the preset. Leave out --seed, --seed-voxel, --radius and "
+            "--preset"
+        )
+    return read_session(values["session"])
+
+
+def _title_of(values: dict[str, Any], quote: str = "'") -> str:
+    """How messages call what is segmented."""
+    organ = f", {values['organ']}" if "organ" in values else ""
+    return f"{quote}{values['input']}{quote}{organ}"
+
+
+def _segment_one(
+    values: dict[str, Any], image: Any, files: contextlib.ExitStack, progress: bool
+) -> tuple[Segmentation, float]:
+    """What was found and in how many seconds; its own files are written."""
+    start = time.perf_counter()
+    title = _title_of(values)
+    try:
+        organ = segment_organ(
+            image,
+            values.get("seed") or _point_of(image, values["seed_voxel"]),
+            values["radius"],
+            preset=values.get("preset", "default"),
+            progress=progress or None,
+            **{name: value for name, value in values.items() if name in SEGMENT_PARAMETERS},
+        )
+    except FlipFreeError as error:
+        raise type(error)(f"{title}: {error}") from error
+    working = time.perf_counter() - start
+    if organ.stop_reason == "no boundary found":
+        raise FlipFreeError(f"{title}: no boundary of the organ was found, so nothing is written.")
+    for name in OUTPUTS:
+        if name in values and name != "labels":
+            _write_to(
+                files, values[name], lambda path, name=name: _write(name, path, organ, image)
+            )
+    return organ, working
+
+
+def _label_map(found: list[tuple[Segmentation, float]]) -> Any:
+    """One label map of all organs. A voxel in several belongs to the first of them."""
+    merged = found[0][0].label_map
+    for organ, _ in found[1:]:
+        labels = organ.label_map.voxels
+        merged.voxels[merged.voxels == 0] = labels[merged.voxels == 0]
+    return merged
+
+
+def _report(values: dict[str, Any], organ: Segmentation, reading: float, working: float) -> None:
+    if not organ.mesh.certified and organ.self_intersections == 0:
+        warn("The surface is not certified: --guard is off. It does not intersect itself, though.")
+    if "quiet" not in values:
+        print(
+            f"{_title_of(values, '')}: volume {organ.volume:.1f} ml, "
+            f"{len(organ.iterations['Iteration'])} iterations, {organ.stop_reason}, "
+            f"{organ.self_intersections} self-intersections; reading {reading:.2f} s, "
+            f"segmenting {working:.2f} s"
+        )
+
+
+def evaluate(values: dict[str, Any]) -> None:
+    """`flipfree evaluate`."""
+    progress = _wants_bar(values)
+    names = {"segmentation": values["segmentation"], "reference": values["reference"]}
+    if "csv" in values:
+        _require_ending("--csv", values["csv"], (".csv",))
+        _require_place(values["csv"], list(names.values()))
+    label = values.get("label", -1)
+    surface = None
+    compared: Any
+    if names["segmentation"].lower().endswith(ENDINGS):
+        compared = surface = read_surface(names["segmentation"])
+    else:
+        compared = read_image(names["segmentation"], progress=progress)
+    try:
+        scores = evaluate_segmentation(
+            compared,
+            read_image(names["reference"], progress=progress),
+            segmentation_label=values.get("segmentation_label", label),
+            reference_label=values.get("reference_label", label),
+            score_voxelization="voxelize" in values,
+        )
+    except FlipFreeError as error:
+        raise type(error)(
+            f"'{names['segmentation']}' against '{names['reference']}': {error}"
+        ) from error
+    if "csv" in values:
+        row = {_column(name): value for name, value in {**names, **asdict(scores)}.items()}
+        write_table(values["csv"], list(row), [list(row.values())])
+    if "quiet" in values:
+        return
+    print(f"Dice                 {scores.dice:.4f}")
+    print(f"Jaccard              {scores.jaccard:.4f}")
+    print(
+        f"volume               {scores.segmentation_volume:.2f} ml, reference "
+        f"{scores.reference_volume:.2f} ml, difference "
+        f"{100 * scores.relative_volume_difference:+.2f} %"
+    )
+    print(f"surface distance     mean {scores.asd:.3f} mm, RMS {scores.rms:.3f} mm")
+    print(f"Hausdorff distance   {scores.hd:.3f} mm, 95th percentile {scores.hd95:.3f} mm")
+    print(f"measured             overlap of the {scores.overlap_of}, distances of the {scores.distance_of}")
+    if surface is not None:
+        found = surface_validity(surface)
+        open_edges = found["boundary_edges"]
+        print(
+            f"surface              {'valid' if found['valid'] else 'not valid'}: "
+            f"{f'{open_edges} open edges' if open_edges else 'closed'}, Euler number "
+            f"{found['euler_number']}, self-intersections {found['self_intersections']}"
+        )
+
+
+def phantom(values: dict[str, Any]) -> None:
+    """`flipfree phantom`."""
+    name = values["name"]
+    if name not in get_args(Shape):
+        raise WrongUsage(f"There is no phantom '{name}'. Choose {', '.join(get_args(Shape))}")
+    folder = values.get("output", ".")
+    try:
+        os.makedirs(folder, exist_ok=True)
+    except OSError as error:
+        raise FileError(
+            f"The folder '{folder}' cannot be created ({error.strerror}). Check the name and the "
+            "permissions of its parent folder."
+        ) from error
+    keywords = {
+        "size": "dimensions",
+        "spacing": "spacing",
+        "noise": "noise_standard_deviation",
+        "random_seed": "random_seed",
+        "lesions": "number_of_lesions",
+    }
+    made = make_phantom(name, **{keywords[key]: values[key] for key in keywords if key in values})
+    stem = os.path.join(folder, name)
+    write_image(made.image, f"{stem}.nii.gz")
+    write_image(made.label_map, f"{stem}-truth.nii.gz")
+    if "quiet" in values:
+        return
+    for label in sorted(made.seeds, key=lambda label: (label != Organ.LIVER, label)):
+        (x, y, z), radius = made.seeds[label]
+        organ = Organ(label).name.lower().replace("_", " ") if name == "abdomen" else "object"
+        print(f"{organ} (label {label}): --seed {x:.2f} {y:.2f} {z:.2f} --radius {radius:.2f}")
+
+
+def cohort(values: dict[str, Any]) -> None:
+    """`flipfree cohort`."""
+    from ._cohort import cohort as segment_cohort
+
+    result = segment_cohort(
+        values["table"],
+        values["output"],
+        scheduler=values.get("scheduler"),
+        workers=values.get("workers", 0),
+        threads=values.get("threads", 1),
+        progress=_wants_bar(values) or None,
+    )
+    if "quiet" not in values:
+        print(result)
+    if result.failed:
+        raise FlipFreeError(
+            f"{len(result.failed)} of {len(result.rows)} rows failed. Their messages are in "
+            f"'{os.path.join(values['output'], 'cohort.csv')}' and in report.html beside it."
+        )
+
+
+def _wants_bar(values: dict[str, Any]) -> bool:
+    return "quiet" not in values and sys.stderr.isatty()
+
+
+def _require_sense(values: dict[str, Any], outputs: dict[str, str]) -> None:
+    """Checks all that can be checked before the volume is read."""
+    if ("seed" in values) == ("seed_voxel" in values):
+        raise WrongUsage(
+            "Both --seed and --seed-voxel are given. Give only one of them"
+            if "seed" in values
+            else "There is no seed. Give a point deep inside the organ: --seed X Y Z (LPS mm) or "
+            "--seed-voxel I J K"
+        )
+    if not outputs:
+        raise WrongUsage(
+            "No output is requested. Give at least one of --output, --labels, --convergence and "
+            "--snapshot"
+        )
+    for name, path in outputs.items():
+        _require_ending(f"--{name}", path, OUTPUTS[name])
+        _require_place(path, [values["input"]])
+    if not os.path.isdir(values["input"]) and "series" in values:
+        raise WrongUsage(
+            f"--series selects a series of a DICOM folder, but '{values['input']}' is a file. Omit the "
+            "option, or give the folder"
+        )
+    if not os.path.exists(values["input"]):
+        raise FileError(f"There is no file '{values['input']}'. Check the name and the folder.")
+    if "snapshot" in outputs:
+        from ._picture import require_matplotlib
+
+        require_matplotlib()
+
+
+def _require_ending(option: str, name: str, endings: tuple[str, ...]) -> None:
+    if not name.lower().endswith(endings):
+        raise WrongUsage(
+            f"{option}: the ending of '{name}' stands for no format known here. Use "
+            f"{' or '.join([', '.join(endings[:-1])] * (len(endings) > 1) + [endings[-1]])}"
+        )
+
+
+def _require_place(path: str, inputs: list[str]) -> None:
+    if any(os.path.realpath(path) == os.path.realpath(name) for name in inputs):
+        raise WrongUsage(
+            f"'{path}' is an input, which would be overwritten. Give the result another name"
+        )
+    folder = os.path.dirname(path) or "."
+    if os.path.isdir(path) or not os.access(folder, os.W_OK):
+        raise FileError(
+            f"'{path}' cannot be written: it is a folder, or its folder does not exist or may not be "
+            "written to."
+        )
+
+
+def _point_of(image: Any, voxel: list[int]) -> list[float]:
+    import numpy
+
+    axes = numpy.reshape(image.direction, (3, 3)) * image.spacing
+    point: list[float] = (numpy.array(image.origin) + axes @ numpy.array(voxel, float)).tolist()
+    return point
+
+
+def _write_to(files: contextlib.ExitStack, path: str, write: Callable[[str], None]) -> None:
+    """Writes under another name, which becomes the path's when `files` ends."""
+    temporary = files.enter_context(replacing(path))
+    try:
+        write(temporary)
+    except FileError as error:
+        raise FileError(str(error).replace(temporary, path)) from error
+
+
+def _write(name: str, path: str, organ: Segmentation, image: Any) -> None:
+    if name == "output":
+        write_surface(organ, path)
+    elif name == "convergence":
+        columns = organ.iterations
+        rows = zip(*(values.tolist() for values in columns.values()))
+        write_table(path, list(columns), [list(row) for row in rows])
+    else:
+        from ._picture import write_picture
+
+        write_picture(path, image, organ)
+
+
+def _column(field: str) -> str:
+    return COLUMNS.get(field) or "".join(word.capitalize() for word in field.split("_"))

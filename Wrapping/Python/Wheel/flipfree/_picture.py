@@ -1,0 +1,168 @@
+"""A picture of a segmentation: three slices with its contour, and the surface, by matplotlib."""
+
+from __future__ import annotations
+
+import os
+from typing import Any
+
+from ._atomic import replacing
+from ._errors import FlipFreeError
+from ._extras import needed
+from ._image import Image as Volume
+from ._segmentation import Segmentation
+from ._types import PathName
+
+# Right and up in LPS, and the patient's sides at the left and upper edge: axial from the feet, sagittal
+# from the patient's left, coronal from the front.
+VIEWS = (
+    ((1, 0, 0), (0, -1, 0), "R", "A"),
+    ((0, 1, 0), (0, 0, 1), "A", "S"),
+    ((1, 0, 0), (0, 0, 1), "R", "S"),
+)
+INK, CONTOUR, LETTER, ORGAN = "#0b0d0f", "#ffc233", "#d9dbe0", (0.86, 0.42, 0.33)
+
+
+def require_matplotlib() -> None:
+    """Raises an error that says how to install it."""
+    needed("matplotlib", "a picture", "plot")
+
+
+def write_picture(path: PathName, image: Volume, organ: Segmentation, size: int = 1200) -> None:
+    """Writes a .png or .jpg file: axial, sagittal and coronal slices through the surface's center."""
+    require_matplotlib()
+    import numpy
+    from matplotlib.backends.backend_agg import FigureCanvasAgg
+    from matplotlib.figure import Figure
+    from PIL import Image
+
+    if not os.fspath(path).lower().endswith((".png", ".jpg")):
+        raise FlipFreeError(f"'{path}': pictures are .png or .jpg files")
+    figure = Figure(figsize=(size / 100, size / 100), dpi=100, facecolor="#292b33")
+    canvas = FigureCanvasAgg(figure)
+    region = Region(image, organ.points)
+    places = ((0, 0.5025), (0.5025, 0.5025), (0, 0), (0.5025, 0))
+    for (left, bottom), view in zip(places, (*VIEWS, None)):
+        axes = figure.add_axes((left, bottom, 0.4975, 0.4975), facecolor=INK)
+        axes.set(xticks=[], yticks=[], aspect="equal")
+        for spine in axes.spines.values():
+            spine.set_visible(False)
+        if view is None:
+            _draw_surface(axes, organ, region)
+        else:
+            _draw_slice(axes, image, organ, region, view, max(size / 1200, 0.8))
+    canvas.draw()
+    pixels = numpy.asarray(canvas.buffer_rgba())[..., :3]
+    with replacing(path) as temporary:
+        Image.fromarray(numpy.ascontiguousarray(pixels)).save(temporary, optimize=True)
+
+
+class Region:
+    """What the slices show: a square around the surface, and the window of gray values."""
+
+    def __init__(self, image: Volume, points: Any) -> None:
+        import numpy
+
+        low, high = points.min(axis=0), points.max(axis=0)
+        self.center = (low + high) / 2
+        self.side = float(max(1.8 * (high - low).max(), 60.0))
+        some = image.voxels.ravel()[:: max(1, image.voxels.size // 1000000)]
+        bottom, top = numpy.quantile(some[numpy.isfinite(some)], (0.01, 0.99))
+        # A CT is known by its air.
+        self.window = (-150.0, 250.0) if bottom < -700 and top > 100 else (bottom, max(top, bottom + 1))
+
+
+def _draw_slice(
+    axes: Any, image: Volume, organ: Segmentation, region: Region, view: Any, scale: float
+) -> None:
+    import numpy
+    from matplotlib.collections import LineCollection
+
+    right, up = numpy.array(view[0], float), numpy.array(view[1], float)
+    half = region.side / 2
+    count = 400
+    steps = (numpy.arange(count) + 0.5) / count * region.side - half
+    points = region.center + steps[None, :, None] * right + steps[:, None, None] * up
+    axes.imshow(
+        sampled(image, points, region.window[0]),
+        extent=(-half, half, -half, half),
+        origin="lower",
+        cmap="gray",
+        vmin=region.window[0],
+        vmax=region.window[1],
+        interpolation="bilinear",
+    )
+    segments = cut(organ, region.center, numpy.cross(right, up))
+    flat = numpy.stack([(segments - region.center) @ right, (segments - region.center) @ up], axis=-1)
+    for color, width in ((INK, 4.5), (CONTOUR, 2.2)):
+        axes.add_collection(LineCollection(flat, colors=color, linewidths=width * scale, capstyle="round"))
+    axes.set(xlim=(-half, half), ylim=(-half, half))
+    for letter, place in ((view[2], (0.035, 0.5)), (view[3], (0.5, 0.965))):
+        axes.text(*place, letter, transform=axes.transAxes, color=LETTER, ha="center", va="center",
+                  fontsize=13 * scale)
+
+
+def sampled(image: Volume, points: Any, outside: float) -> Any:
+    """The gray values at points of space, between voxels linear; `outside` beyond the image."""
+    import numpy
+
+    axes = numpy.reshape(image.direction, (3, 3)) * image.spacing
+    index = (points - numpy.array(image.origin)) @ numpy.linalg.inv(axes).T
+    last = numpy.array(image.voxels.shape[::-1]) - 1
+    inside = ((index >= -0.5) & (index <= last + 0.5)).all(axis=-1)
+    index = numpy.clip(index, 0, last)
+    low = numpy.minimum(index.astype(int), numpy.maximum(last - 1, 0))
+    part = index - low
+    high = numpy.minimum(low + 1, last)
+    values = numpy.zeros(points.shape[:-1])
+    for corner in range(8):
+        takes_high = [corner >> axis & 1 for axis in range(3)]
+        i, j, k = ((high if upper else low)[..., axis] for axis, upper in enumerate(takes_high))
+        weight = numpy.prod(
+            [part[..., a] if upper else 1 - part[..., a] for a, upper in enumerate(takes_high)], axis=0
+        )
+        values += weight * image.voxels[k, j, i]
+    return numpy.where(inside, values, outside)
+
+
+def cut(organ: Segmentation, point: Any, normal: Any) -> Any:
+    """Where the surface's triangles meet a plane: segments [n, 2, 3]."""
+    import numpy
+
+    corners = organ.points[organ.triangles]
+    height = (corners - point) @ normal
+    height = numpy.where(height == 0, 1e-12, height)  # no vertex lies on the plane
+    above = height > 0
+    crossing = above.any(axis=1) & ~above.all(axis=1)
+    corners, height, above = corners[crossing], height[crossing], above[crossing]
+    # The corner that is alone on its side, and the two others.
+    alone = numpy.where(above.sum(axis=1) == 1, above.argmax(axis=1), above.argmin(axis=1))
+    rows = numpy.arange(len(alone))
+    ends = []
+    for step in (1, 2):
+        other = (alone + step) % 3
+        part = height[rows, alone] / (height[rows, alone] - height[rows, other])
+        ends.append(
+            corners[rows, alone] + part[:, None] * (corners[rows, other] - corners[rows, alone])
+        )
+    return numpy.stack(ends, axis=1)
+
+
+def _draw_surface(axes: Any, organ: Segmentation, region: Region) -> None:
+    """From the front, the farthest triangles first."""
+    import numpy
+    from matplotlib.collections import PolyCollection
+
+    corners = organ.points[organ.triangles] - region.center
+    normals = numpy.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    normals /= numpy.maximum(numpy.linalg.norm(normals, axis=1, keepdims=True), 1e-30)
+    seen = numpy.flatnonzero(normals[:, 1] < 0)
+    seen = seen[numpy.argsort(-corners[seen, :, 1].mean(axis=1))]
+    light = numpy.array([-0.4, -0.8, 0.45])
+    bright = 0.25 + 0.75 * numpy.clip(normals[seen] @ light, 0, 1)
+    colors = bright[:, None] * numpy.array(ORGAN)
+    flat = corners[seen][:, :, [0, 2]]
+    axes.add_collection(
+        PolyCollection(flat, facecolors=colors, edgecolors=colors, linewidths=0.3)
+    )
+    half = 0.6 * region.side / 1.8 * 1.1
+    axes.set(xlim=(-half, half), ylim=(-half, half))

@@ -1,0 +1,68 @@
+"""Surfaces and images as VTK's objects and back, for any VTK; to import this needs one."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray, vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkImageData, vtkPolyData
+
+from ._image import Image
+from ._segmentation import Surface
+
+
+def polydata_of(mesh: Surface, surface: Any = None) -> Any:
+    """A vtkPolyData, a new one unless given, with the arrays of the toolkit's filter."""
+    surface = vtkPolyData() if surface is None else surface
+    points, polys = vtkPoints(), vtkCellArray()
+    points.SetData(numpy_to_vtk(mesh.points))
+    polys.SetData(
+        numpy_to_vtkIdTypeArray(mesh.offsets.astype("int64"), deep=True),
+        numpy_to_vtkIdTypeArray(mesh.corners.astype("int64"), deep=True),
+    )
+    surface.SetPoints(points)
+    surface.SetPolys(polys)
+    for name, values in (
+        ("Displacement", mesh.displacements),
+        ("Correspondence", mesh.correspondence),
+    ):
+        array = numpy_to_vtk(values)
+        array.SetName(name)
+        surface.GetPointData().AddArray(array)
+    certified = vtkDoubleArray()
+    certified.SetName("Certified")
+    certified.InsertNextValue(float(mesh.certified))
+    surface.GetFieldData().AddArray(certified)
+    return surface
+
+
+def imagedata_of(image: Image, data: Any = None) -> Any:
+    """A vtkImageData, a new one unless given, which shares the voxels."""
+    data = vtkImageData() if data is None else data
+    data.SetDimensions(*image.voxels.shape[::-1])
+    data.SetSpacing(image.spacing)
+    data.SetOrigin(image.origin)
+    data.SetDirectionMatrix(*image.direction)
+    scalars = numpy_to_vtk(image.voxels.ravel())
+    scalars.SetName("ImageScalars")
+    data.GetPointData().SetScalars(scalars)
+    return data
+
+
+def surface_of_vtk(data: Any) -> Surface:
+    """The polygons of a vtkPolyData, such as a pyvista.PolyData."""
+    import numpy
+
+    polys = data.GetPolys()
+    has_points = data.GetNumberOfPoints() > 0
+    points = vtk_to_numpy(data.GetPoints().GetData()) if has_points else numpy.zeros((0, 3))
+    certified = data.GetFieldData().GetArray("Certified")
+    return Surface(
+        points=points.astype(numpy.float64),
+        corners=vtk_to_numpy(polys.GetConnectivityArray()).astype(numpy.int32),
+        offsets=vtk_to_numpy(polys.GetOffsetsArray()).astype(numpy.int32),
+        displacements=numpy.zeros((len(points), 3)),
+        correspondence=numpy.zeros(len(points), numpy.uint8),
+        certified=certified is not None and certified.GetTuple1(0) == 1,
+    )

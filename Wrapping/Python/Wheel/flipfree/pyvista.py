@@ -1,0 +1,164 @@
+"""FlipFree in PyVista: `image.flipfree.segment(seed=..., radius=...)` on every pyvista.ImageData.
+
+PyVista 0.48 and later finds this module by itself; for an earlier one, import it, and call its functions
+with the image as the first argument.
+
+    import pyvista
+
+    ct = pyvista.ImageData(...)
+    liver = ct.flipfree.segment(seed=(99.75, 83.75, 167), radius=28, labels_as="liver")
+    ct.flipfree.plotter(liver).show()
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+import pyvista
+
+from ._evaluate import Scores
+from ._evaluate import evaluate as evaluate_segmentation
+from ._foreign import adopted
+from ._image import Image
+from ._picture import CONTOUR, INK, VIEWS, Region, sampled
+from ._segment import segment as segment_organ
+from ._segmentation import Segmentation, Surface
+from ._vtk_objects import imagedata_of, polydata_of
+
+ORGAN = "#db6b54"
+# Pixels of a slice along each side.
+PIXELS = 400
+
+
+def polydata(surface: Segmentation | Surface) -> pyvista.PolyData:
+    """A surface of quads (and a few triangles), with the point arrays Displacement and Correspondence."""
+    mesh = surface.mesh if isinstance(surface, Segmentation) else surface
+    return pyvista.PolyData(polydata_of(mesh))
+
+
+def imagedata(image: Image) -> pyvista.ImageData:
+    """An image with its place in space, which shares the voxels of the other."""
+    return pyvista.ImageData(imagedata_of(image))
+
+
+def segment(
+    image: pyvista.ImageData,
+    seed: Sequence[float],
+    radius: float,
+    *,
+    labels_as: str | None = None,
+    **parameters: Any,
+) -> pyvista.PolyData:
+    """Segments the organ around a seed sphere in the active scalars of the image's points.
+
+    Seed (x, y, z) and radius are in the image's millimeters. The surface consists of quads and has the
+    field data `stop_reason`, `self_intersections` and `Certified`. With `labels_as`, the label map
+    becomes a point array of that name of the image; the active scalars stay as they are. The other
+    parameters are those of flipfree.segment.
+    """
+    organ = segment_organ(adopted("image", image), seed, radius, **parameters)
+    if labels_as is not None:
+        active = image.active_scalars_name
+        image.point_data.set_array(organ.labels.ravel(), labels_as)
+        image.set_active_scalars(active)
+    surface = polydata(organ)
+    surface.field_data["stop_reason"] = [organ.stop_reason]
+    surface.field_data["self_intersections"] = [organ.self_intersections]
+    return surface
+
+
+def evaluate(
+    reference: pyvista.ImageData, segmentation: pyvista.PolyData | pyvista.ImageData, **parameters: Any
+) -> Scores:
+    """Compares a surface or a label map with a reference label map; parameters as of flipfree.evaluate."""
+    return evaluate_segmentation(segmentation, reference, **parameters)
+
+
+def plotter(
+    image: pyvista.ImageData,
+    *surfaces: pyvista.PolyData,
+    colors: Sequence[str] = (CONTOUR, "#5fb8ff", "#8be05e", "#ff7ab8"),
+    **options: Any,
+) -> pyvista.Plotter:
+    """Axial, sagittal and coronal slices with the surfaces' contours, and the surfaces from the front.
+
+    The slices go through the center of the first surface, and show LPS coordinates as radiologists do.
+    Further options are those of pyvista.Plotter, such as off_screen=True.
+    """
+    import numpy
+
+    if not surfaces:
+        raise ValueError("surfaces: at least one is needed, whose contours the slices show")
+    volume = adopted("image", image)
+    region = Region(volume, numpy.asarray(surfaces[0].points))
+    scene = pyvista.Plotter(shape=(2, 2), border=True, border_color="#292b33", **options)
+    for place, (right, up, *_) in enumerate(VIEWS):
+        scene.subplot(place // 2, place % 2)
+        _add_slice(scene, volume, region, numpy.array(right, float), numpy.array(up, float))
+        normal = numpy.cross(right, up)
+        for surface, color in zip(surfaces, colors):
+            contour = surface.slice(normal=normal, origin=region.center)
+            if contour.n_points:
+                contour.points = contour.points + normal * (1e-3 * region.side)  # before the slice
+                scene.add_mesh(contour, color=color, line_width=3, lighting=False)
+    scene.subplot(1, 1)
+    scene.set_background(INK)
+    for index, (surface, color) in enumerate(zip(surfaces, colors)):
+        scene.add_mesh(surface, color=ORGAN if index == 0 else color, smooth_shading=True)
+    _look(scene, region, numpy.array([1.0, 0, 0]), numpy.array([0, 0, 1.0]), 0.75)
+    return scene
+
+
+def _add_slice(scene: pyvista.Plotter, volume: Image, region: Region, right: Any, up: Any) -> None:
+    import numpy
+
+    steps = (numpy.arange(PIXELS) / (PIXELS - 1) - 0.5) * region.side
+    points = region.center + steps[None, :, None] * right + steps[:, None, None] * up
+    plane = pyvista.StructuredGrid(*(points[None, ..., axis] for axis in range(3)))
+    plane["gray"] = sampled(volume, points, region.window[0])[None].ravel(order="F")
+    scene.set_background(INK)
+    scene.add_mesh(plane, scalars="gray", cmap="gray", clim=region.window, lighting=False,
+                   show_scalar_bar=False)
+    _look(scene, region, right, up, 1.0)
+
+
+def _look(scene: pyvista.Plotter, region: Region, right: Any, up: Any, zoom: float) -> None:
+    import numpy
+
+    toward = numpy.cross(right, up)
+    scene.camera_position = [region.center + 3 * region.side * toward, region.center, up]
+    scene.enable_parallel_projection()
+    scene.camera.parallel_scale = zoom * region.side / 2
+
+
+class ImageAccessor:
+    """`image.flipfree`: the functions of flipfree.pyvista, with the image as their first argument."""
+
+    def __init__(self, image: pyvista.ImageData) -> None:
+        self._image = image
+
+    def segment(
+        self,
+        seed: Sequence[float],
+        radius: float,
+        *,
+        labels_as: str | None = None,
+        **parameters: Any,
+    ) -> pyvista.PolyData:
+        """The organ around a seed sphere; see flipfree.pyvista.segment."""
+        return segment(self._image, seed, radius, labels_as=labels_as, **parameters)
+
+    def evaluate(
+        self, segmentation: pyvista.PolyData | pyvista.ImageData, **parameters: Any
+    ) -> Scores:
+        """The scores of a segmentation, with this image as the reference label map."""
+        return evaluate(self._image, segmentation, **parameters)
+
+    def plotter(self, *surfaces: pyvista.PolyData, **options: Any) -> pyvista.Plotter:
+        """Slices with contours, and the surfaces; see flipfree.pyvista.plotter."""
+        return plotter(self._image, *surfaces, **options)
+
+
+if hasattr(pyvista, "register_dataset_accessor"):
+    pyvista.register_dataset_accessor("flipfree", pyvista.ImageData)(ImageAccessor)

@@ -1,0 +1,197 @@
+"""FlipFree as a filter in pipelines of any VTK from 9.3 on.
+
+    from flipfree.vtk import FlipFreeSegmentation
+
+    segmentation = FlipFreeSegmentation()
+    segmentation.SetInputConnection(reader.GetOutputPort())
+    segmentation.SetSeedCenter(99.75, 83.75, 167)
+    segmentation.SetSeedRadius(28)
+    segmentation.Update()
+    segmentation.GetSurface(), segmentation.GetLabelMap(), segmentation.GetConvergence()
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+from vtkmodules.util.numpy_support import numpy_to_vtk
+from vtkmodules.util.vtkAlgorithm import VTKPythonAlgorithmBase
+from vtkmodules.vtkCommonCore import vtkLogger
+from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkImageData, vtkPolyData, vtkTable
+from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline
+
+from ._backend import SEGMENT_PARAMETERS, SegmentationAlgorithm
+from ._errors import FlipFreeError
+from ._foreign import adopted
+from ._segmentation import Segmentation
+from ._types import Preset
+from ._vtk_objects import imagedata_of, polydata_of, surface_of_vtk
+
+
+class Aborted(Exception):
+    """The pipeline asked the filter to stop."""
+
+
+class FlipFreeSegmentation(VTKPythonAlgorithmBase):  # type: ignore[misc]
+    """Segments an organ around a seed sphere.
+
+    Port 0 takes the image (one number per point), port 1, if wanted, a start surface. Outputs: the
+    surface (vtkPolyData), the label map (vtkImageData) and the convergence (vtkTable). Every parameter
+    of flipfree.segment is a property: search_distance is SetSearchDistance and GetSearchDistance.
+    Update() raises flipfree.SegmentationError if there is no segmentation.
+    """
+
+    def __init__(self) -> None:
+        super().__init__(nInputPorts=2, nOutputPorts=3)
+        self._center = [0.0, 0.0, 0.0]
+        self._radius = 10.0
+        self._algorithm = SegmentationAlgorithm("default")
+        self._error: Exception | None = None
+        self._stop_reason = ""
+        self._self_intersections = 0
+
+    def SetSeedCenter(self, *center: Any) -> None:
+        """The seed's center in the image's millimeters, as three numbers or one sequence."""
+        numbers = [float(x) for x in (center[0] if len(center) == 1 else center)]
+        if len(numbers) != 3:
+            raise ValueError(f"SeedCenter: 3 numbers are needed, not {len(numbers)}")
+        self._center = numbers
+        self.Modified()
+
+    def GetSeedCenter(self) -> tuple[float, ...]:
+        return tuple(self._center)
+
+    def SetSeedRadius(self, radius: float) -> None:
+        """In millimeters; default 10."""
+        self._radius = float(radius)
+        self.Modified()
+
+    def GetSeedRadius(self) -> float:
+        return self._radius
+
+    def UsePreset(self, preset: Preset) -> None:
+        """Sets all parameters: 'default', 'published' or 'naive'."""
+        self._algorithm = SegmentationAlgorithm(preset)
+        self.Modified()
+
+    def SetStartConnection(self, port: Any) -> None:
+        """A surface to start from instead of the sphere."""
+        self.SetInputConnection(1, port)
+
+    def SetStartData(self, surface: Any) -> None:
+        self.SetInputDataObject(1, surface)
+
+    def GetSurface(self) -> vtkPolyData:
+        return self.GetOutputDataObject(0)
+
+    def GetLabelMap(self) -> vtkImageData:
+        return self.GetOutputDataObject(1)
+
+    def GetConvergence(self) -> vtkTable:
+        return self.GetOutputDataObject(2)
+
+    def GetStopReasonAsString(self) -> str:
+        return self._stop_reason
+
+    def GetNumberOfSelfIntersections(self) -> int:
+        return self._self_intersections
+
+    def Update(self, *port: Any) -> None:
+        """Brings the outputs up to date; raises what RequestData found wrong."""
+        self._error = None
+        super().Update(*port)
+        if self._error is not None:
+            raise self._error
+
+    def FillInputPortInformation(self, port: int, info: Any) -> int:
+        info.Set(self.INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData" if port else "vtkImageData")
+        if port:
+            info.Set(self.INPUT_IS_OPTIONAL(), 1)
+        return 1
+
+    def FillOutputPortInformation(self, port: int, info: Any) -> int:
+        names = ("vtkPolyData", "vtkImageData", "vtkTable")
+        info.Set(vtkDataObject.DATA_TYPE_NAME(), names[port])
+        return 1
+
+    def RequestInformation(self, request: Any, inputs: Any, outputs: Any) -> int:
+        """The label map has the image's grid."""
+        del request
+        image, labels = inputs[0].GetInformationObject(0), outputs.GetInformationObject(1)
+        for key in (
+            vtkStreamingDemandDrivenPipeline.WHOLE_EXTENT(),
+            vtkDataObject.SPACING(),
+            vtkDataObject.ORIGIN(),
+            vtkDataObject.DIRECTION(),
+        ):
+            if image.Has(key):
+                labels.CopyEntry(image, key)
+        return 1
+
+    def RequestUpdateExtent(self, request: Any, inputs: Any, outputs: Any) -> int:
+        """The whole image is needed, whatever is asked for."""
+        del request, outputs
+        image = inputs[0].GetInformationObject(0)
+        whole = vtkStreamingDemandDrivenPipeline.WHOLE_EXTENT()
+        if image.Has(whole):
+            extent = [image.Get(whole, index) for index in range(6)]
+            image.Set(vtkStreamingDemandDrivenPipeline.UPDATE_EXTENT(), extent, 6)
+        return 1
+
+    def RequestData(self, request: Any, inputs: Any, outputs: Any) -> int:
+        del request
+        data = vtkImageData.GetData(inputs[0], 0)
+        try:
+            organ = self._run(data, vtkPolyData.GetData(inputs[1], 0))
+        except (Aborted, FlipFreeError, TypeError, ValueError) as error:
+            if not isinstance(error, Aborted):
+                self._error = error
+                vtkLogger.Log(vtkLogger.VERBOSITY_ERROR, __file__, 0, f"FlipFreeSegmentation: {error}")
+            return 0
+        polydata_of(organ.mesh, vtkPolyData.GetData(outputs, 0))
+        labels = vtkImageData.GetData(outputs, 1)
+        imagedata_of(organ.label_map, labels)
+        labels.SetOrigin(data.GetOrigin())
+        labels.SetExtent(data.GetExtent())
+        table = vtkTable.GetData(outputs, 2)
+        for name, values in organ.iterations.items():
+            column = numpy_to_vtk(values)
+            column.SetName(name)
+            table.AddColumn(column)
+        return 1
+
+    def _run(self, data: vtkImageData, start: vtkPolyData | None) -> Segmentation:
+        algorithm = self._algorithm
+        algorithm.set_seed(self._center, self._radius)
+        algorithm.clear_start()
+        if start is not None:
+            algorithm.set_start(surface_of_vtk(start))
+        organ = algorithm.run(adopted("image", data), self._tell)
+        self._stop_reason = organ.stop_reason
+        self._self_intersections = organ.self_intersections
+        return organ
+
+    def _tell(self, fraction: float) -> None:
+        self.UpdateProgress(fraction)
+        if self.GetAbortExecute():
+            raise Aborted
+
+
+def _add_property(name: str, keyword: str) -> None:
+    parameter = SEGMENT_PARAMETERS[keyword]
+
+    def setter(self: FlipFreeSegmentation, *values: Any) -> None:
+        several = parameter.type is tuple and len(values) > 1
+        parameter.set(self._algorithm.settings, values if several else values[0])
+        self.Modified()
+
+    def getter(self: FlipFreeSegmentation) -> Any:
+        return parameter.get(self._algorithm.settings)
+
+    setter.__doc__ = parameter.documentation
+    setattr(FlipFreeSegmentation, f"Set{name}", setter)
+    setattr(FlipFreeSegmentation, f"Get{name}", getter)
+
+
+for _keyword, _parameter in SEGMENT_PARAMETERS.items():
+    _add_property(_parameter.property, _keyword)
