@@ -88,6 +88,35 @@ class Work(unittest.TestCase):
         self.assertEqual(len(ours), len(theirs))
         self.assertEqual(list(ours[0]), list(theirs[0]))
 
+    def test_session(self):
+        """What the page in the browser saves, repeated by both commands."""
+        organ = {"name": "left/lobe", "color": "#ffd24a", "preset": "default", "parameters": {"resolution": 8, "carving": False},
+                 "seed": {"center": list(map(float, self.seed[1:4])), "radius": float(self.seed[5])}}
+        image = {"name": self.volume.name, "size": [48, 48, 32], "spacing": [1, 1, 1.6], "origin": [0, 0, 0],
+                 "direction": [1, 0, 0, 0, 1, 0, 0, 0, 1]}
+        session = {"format": "flipfree-session", "version": 1, "image": image,
+                   "organs": [organ, {**organ, "name": "right", "preset": "published", "parameters": {"maximumIterations": 2}}]}
+        path = self.folder / "session.json"
+        path.write_text(json.dumps(session), encoding="utf-8")
+        for name, program in (("ours", OURS), ("theirs", TOOLKIT)):
+            process = run("segment", "--session", path, "--resolution", 12, "-o", self.folder / f"{name}.ply",
+                          "--labels", self.folder / f"{name}.nii.gz", program=program)
+            self.assertEqual(process.returncode, 0, process.stderr)
+            self.assertRegex(process.stdout, r"sphere\.nii\.gz, left-lobe: volume .*\n.*sphere\.nii\.gz, right: volume ")
+        for name in ("left-lobe", "right"):
+            scores = {run("evaluate", self.folder / f"{one}-{name}.ply", self.truth).stdout for one in ("ours", "theirs")}
+            self.assertEqual(len(scores), 1, scores)
+        ours, theirs = (flipfree.read_image(self.folder / f"{name}.nii.gz") for name in ("ours", "theirs"))
+        numpy.testing.assert_array_equal(ours.voxels, theirs.voxels)
+        for change, message in (({"organs": [organ, organ]}, "two organs"), ({"image": {**image, "size": [48, 48, 33]}}, "not the image"),
+                                ({"organs": [{**organ, "parameters": {"speling": 1}}]}, "speling"), ({"organs": [{}]}, "seed")):
+            path.write_text(json.dumps({**session, **change}), encoding="utf-8")
+            process = run("segment", "--session", path, "-o", self.folder / "bad.ply")
+            self.assertEqual(process.returncode, 1, process)
+            self.assertRegex(process.stderr, f"flipfree: error: (?=[^\n]*session.json)[^\n]*{message}")
+        self.assertEqual(run("segment", "-o", self.folder / "bad.ply").returncode, 2)
+        self.assertFalse((self.folder / "bad.ply").exists())
+
     def test_every_surface_format_is_read_by_the_toolkit(self):
         for ending in ("vtp", "stl", "ply", "obj"):
             path = self.folder / f"each.{ending}"

@@ -42,6 +42,12 @@ void PointOptions::AddOptions(CLI::App& command)
     ->group(group);
 }
 
+bool PointOptions::IsEmpty() const
+{
+  return this->Inside.empty() && this->Outside.empty() && this->Boundary.empty() &&
+    this->PointsIn.empty() && this->PointsOut.empty() && !this->RAS;
+}
+
 void PointOptions::RequireSense() const
 {
   const std::pair<const char*, const std::vector<double>*> options[] = {

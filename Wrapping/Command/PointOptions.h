@@ -22,6 +22,9 @@ class PointOptions
 public:
   void AddOptions(CLI::App& command);
 
+  /// Whether none of the options is given.
+  bool IsEmpty() const;
+
   /// Throws WrongUsage for coordinates that are not finite and files of another ending.
   void RequireSense() const;
 

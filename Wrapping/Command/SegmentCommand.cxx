@@ -5,6 +5,7 @@
 #include "ProgressBar.h"
 #include "Run.h"
 #include "SegmentParameters.h"
+#include "SessionFile.h"
 #include "Snapshot.h"
 #include "Subcommands.h"
 #include "SurfaceFile.h"
@@ -19,11 +20,13 @@
 #include "vtkNew.h"
 #include "vtkPolyData.h"
 #include "vtkSMPTools.h"
+#include "vtkSmartPointer.h"
 #include "vtkTable.h"
 #include "vtkTriangleFilter.h"
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <cstdio>
@@ -39,6 +42,8 @@ using Point = std::array<double, 3>;
 struct Segmentation
 {
   std::string Input;
+  std::string Session;
+  std::string Organ; // of a session of several
   std::string SeriesUID;
   std::vector<double> Seed;
   std::vector<int> SeedVoxel;
@@ -54,9 +59,28 @@ struct Segmentation
   PointOptions Corrections;
 };
 
-/// Checks all that can be checked before the volume is read.
-void RequireSense(const Segmentation& segmentation)
+/// An image and a seed, or a session.
+void RequireStart(const Segmentation& segmentation)
 {
+  if (!segmentation.Session.empty())
+  {
+    if (!segmentation.Seed.empty() || !segmentation.SeedVoxel.empty() || segmentation.Radius != 0 ||
+      segmentation.Parameters.HasPreset())
+    {
+      throw WrongUsage("--session has the seed and the preset. Leave out --seed, --seed-voxel, "
+                       "--radius and --preset.");
+    }
+    if (!segmentation.Corrections.IsEmpty())
+    {
+      throw WrongUsage("--session cannot be corrected by points. Give the image, --seed and --radius "
+                       "in its place.");
+    }
+    return;
+  }
+  if (segmentation.Input.empty())
+  {
+    throw WrongUsage("INPUT is required: a volume, or a folder of a DICOM series.");
+  }
   if (segmentation.Seed.empty() == segmentation.SeedVoxel.empty())
   {
     throw WrongUsage(segmentation.Seed.empty()
@@ -72,6 +96,12 @@ void RequireSense(const Segmentation& segmentation)
         "--seed: a coordinate is not a finite number. Give three numbers, in millimeters.");
     }
   }
+}
+
+/// Checks all that can be checked before a file is read.
+void RequireSense(const Segmentation& segmentation)
+{
+  RequireStart(segmentation);
   if (segmentation.Surface.empty() && segmentation.Labels.empty() &&
     segmentation.Convergence.empty() && segmentation.Snapshot.empty())
   {
@@ -161,6 +191,13 @@ double VolumeInMilliliters(vtkPolyData* surface)
   return properties->GetVolume() / 1000;
 }
 
+/// How messages call what is segmented.
+std::string TitleOf(const Segmentation& segmentation, const char* quote = "'")
+{
+  return quote + segmentation.Input + quote +
+    (segmentation.Organ.empty() ? "" : ", " + segmentation.Organ);
+}
+
 void PrintSummary(vtkFlipFreeSegmentation* filter, const Segmentation& segmentation,
   double readingSeconds)
 {
@@ -168,16 +205,29 @@ void PrintSummary(vtkFlipFreeSegmentation* filter, const Segmentation& segmentat
   filter->GetStageSeconds(seconds);
   std::printf("%s: volume %.1f ml, %d iterations, %s, %d self-intersections; reading %.2f s, "
               "smoothing %.2f s, feature %.2f s, deformation %.2f s, label map %.2f s\n",
-    segmentation.Input.c_str(), VolumeInMilliliters(filter->GetSurface()),
+    TitleOf(segmentation, "").c_str(), VolumeInMilliliters(filter->GetSurface()),
     static_cast<int>(filter->GetConvergence()->GetNumberOfRows()), filter->GetStopReasonAsString(),
     filter->GetNumberOfSelfIntersections(), readingSeconds, seconds[0], seconds[1], seconds[2],
     seconds[3]);
   std::fflush(stdout);
 }
 
+void Report(vtkFlipFreeSegmentation* filter, const Segmentation& segmentation,
+  double readingSeconds)
+{
+  if (!filter->GetDeform()->GetGuard() && filter->GetNumberOfSelfIntersections() == 0)
+  {
+    PrintWarning(
+      "The surface is not certified: --guard is off. It does not intersect itself, though.");
+  }
+  if (!segmentation.Quiet)
+  {
+    PrintSummary(filter, segmentation, readingSeconds);
+  }
+}
+
 void WriteResults(vtkFlipFreeSegmentation* filter, vtkImageData* image,
-  const Segmentation& segmentation, const std::vector<CorrectionPoint>& points,
-  OutputFiles& outputs)
+  const Segmentation& segmentation, OutputFiles& outputs)
 {
   const auto write =
     [&outputs](const std::string& name, const std::function<void(const std::string&)>& how)
@@ -189,15 +239,160 @@ void WriteResults(vtkFlipFreeSegmentation* filter, vtkImageData* image,
   };
   write(segmentation.Surface,
     [&](const std::string& name) { WriteSurface(name, filter->GetSurface()); });
-  write(segmentation.Labels,
-    [&](const std::string& name) { WriteVolume(name, filter->GetLabelMap()); });
   write(segmentation.Convergence,
     [&](const std::string& name) { WriteTable(name, filter->GetConvergence()); });
   write(segmentation.Snapshot,
     [&](const std::string& name) { WriteSnapshot(name, image, filter->GetSurface()); });
-  write(segmentation.Corrections.Output(),
-    [&](const std::string& name) { WritePoints(name, points); });
+}
+
+/// `out-liver.vtp` for `out.vtp`.
+std::string NameFor(const std::string& organ, const std::string& name)
+{
+  if (name.empty())
+  {
+    return name;
+  }
+  const std::size_t folder = name.find_last_of('/') + 1; // 0 if there is none
+  return std::string(name).insert(std::min(name.find('.', folder + 1), name.size()), "-" + organ);
+}
+
+/// One for each organ of the session.
+std::vector<Segmentation> OrgansOf(const Session& session, const Segmentation& given)
+{
+  std::vector<Segmentation> organs;
+  for (const SessionOrgan& organ : session.Organs)
+  {
+    Segmentation segmentation = given;
+    segmentation.Seed.assign(organ.Seed.begin(), organ.Seed.end());
+    segmentation.Radius = organ.Radius;
+    segmentation.Label = given.Label + static_cast<int>(organs.size());
+    if (segmentation.Label > 255)
+    {
+      throw Failure(
+        "'" + given.Session + "': labels go up to 255. Remove organs, or leave out --label-value.");
+    }
+    try
+    {
+      segmentation.Parameters = given.Parameters.With(organ.Preset, organ.Parameters);
+    }
+    catch (const Failure& failure)
+    {
+      throw Failure("'" + given.Session + "': " + organ.Name + ": " + failure.what() + ".");
+    }
+    if (session.Organs.size() > 1)
+    {
+      segmentation.Organ = organ.Name;
+      for (std::string* name :
+        { &segmentation.Surface, &segmentation.Convergence, &segmentation.Snapshot })
+      {
+        *name = NameFor(organ.Name, *name);
+      }
+    }
+    organs.push_back(segmentation);
+  }
+  return organs;
+}
+
+using FilterPointer = vtkSmartPointer<vtkFlipFreeSegmentation>;
+
+/// Throws WrongUsage for parameters that the filter does not take.
+FilterPointer FilterOf(const Segmentation& segmentation)
+{
+  auto filter = FilterPointer::New();
+  filter->SetSeedRadius(segmentation.Radius);
+  if (filter->GetSeedRadius() != segmentation.Radius) // clamped, or NaN
+  {
+    throw WrongUsage("--radius must be a positive number of millimeters, 1e-6 to 1e6. The sphere "
+                     "should lie within the organ.");
+  }
+  segmentation.Parameters.Apply(filter);
+  filter->SetLabelValue(segmentation.Label);
+  return filter;
+}
+
+void RunOn(vtkImageData* image, const Segmentation& segmentation, vtkFlipFreeSegmentation* filter)
+{
+  const Point seed = SeedIn(image, segmentation);
+  filter->SetInputDataObject(image);
+  filter->SetSeedCenter(seed[0], seed[1], seed[2]);
+  const std::string title = TitleOf(segmentation);
+  try
+  {
+    Run(filter, segmentation.Organ.empty() ? "segmenting" : segmentation.Organ,
+      SegmentParameters::Names());
+  }
+  catch (const Failure& failure)
+  {
+    throw Failure(title + ": " + failure.what());
+  }
+  if (filter->GetSurface()->GetNumberOfPolys() == 0)
+  {
+    throw Failure(
+      title + ": no surface was found. Check that the seed sphere lies within the organ.");
+  }
+  if (filter->GetStopReason() == vtkFlipFreeSegmentation::NO_BOUNDARY_FOUND)
+  {
+    throw Failure(title + ": no boundary of the organ was found, so nothing is written.");
+  }
+}
+
+/// One label map of all organs. A voxel in several belongs to the first of them.
+vtkSmartPointer<vtkImageData> LabelMapOf(const std::vector<FilterPointer>& filters)
+{
+  vtkSmartPointer<vtkImageData> all = filters.front()->GetLabelMap();
+  auto* const labels = static_cast<unsigned char*>(all->GetScalarPointer());
+  for (auto filter = filters.begin() + 1; filter != filters.end(); ++filter)
+  {
+    const auto* const more =
+      static_cast<const unsigned char*>((*filter)->GetLabelMap()->GetScalarPointer());
+    std::transform(labels, labels + all->GetNumberOfPoints(), more, labels,
+      [](unsigned char first, unsigned char second) { return first != 0 ? first : second; });
+  }
+  return all;
+}
+
+void SegmentOrgans(const std::vector<Segmentation>& organs, const Session* session)
+{
+  std::vector<FilterPointer> filters;
+  OutputFiles outputs;
+  for (const Segmentation& organ : organs)
+  {
+    filters.push_back(FilterOf(organ));
+    AnnounceOutputs(organ, outputs);
+  }
+  const Segmentation& first = organs.front();
+  vtkSMPTools::Initialize(first.Threads);
+  const std::vector<CorrectionPoint> points = first.Corrections.Points();
+
+  const auto start = std::chrono::steady_clock::now();
+  const vtkSmartPointer<vtkImageData> image = ReadVolume(first.Input, first.SeriesUID);
+  const std::chrono::duration<double> reading = std::chrono::steady_clock::now() - start;
+  if (session)
+  {
+    RequireImageOf(*session, first.Input, image);
+  }
+
+  for (std::size_t organ = 0; organ < organs.size(); ++organ)
+  {
+    AddPoints(points, filters[organ]);
+    RunOn(image, organs[organ], filters[organ]);
+    WriteResults(filters[organ], image, organs[organ], outputs);
+  }
+  if (!first.Labels.empty())
+  {
+    outputs.Write(first.Labels,
+      [&filters](const std::string& name) { WriteVolume(name, LabelMapOf(filters)); });
+  }
+  if (!first.Corrections.Output().empty())
+  {
+    outputs.Write(first.Corrections.Output(),
+      [&points](const std::string& name) { WritePoints(name, points); });
+  }
   outputs.Commit();
+  for (std::size_t organ = 0; organ < organs.size(); ++organ)
+  {
+    Report(filters[organ], organs[organ], reading.count());
+  }
 }
 
 void Segment(const Segmentation& segmentation)
@@ -207,57 +402,18 @@ void Segment(const Segmentation& segmentation)
     ProgressBar::Disable();
   }
   RequireSense(segmentation);
-  vtkNew<vtkFlipFreeSegmentation> filter;
-  filter->SetSeedRadius(segmentation.Radius);
-  if (filter->GetSeedRadius() != segmentation.Radius) // clamped, or NaN
+  if (segmentation.Session.empty())
   {
-    throw WrongUsage("--radius must be a positive number of millimeters, 1e-6 to 1e6. The sphere "
-                     "should lie within the organ.");
+    SegmentOrgans({ segmentation }, nullptr);
+    return;
   }
-  segmentation.Parameters.Apply(filter);
-  OutputFiles outputs;
-  AnnounceOutputs(segmentation, outputs);
-  vtkSMPTools::Initialize(segmentation.Threads);
-  const std::vector<CorrectionPoint> points = segmentation.Corrections.Points();
-
-  const auto start = std::chrono::steady_clock::now();
-  const vtkSmartPointer<vtkImageData> image =
-    ReadVolume(segmentation.Input, segmentation.SeriesUID);
-  const std::chrono::duration<double> reading = std::chrono::steady_clock::now() - start;
-
-  const Point seed = SeedIn(image, segmentation);
-  filter->SetInputDataObject(image);
-  filter->SetSeedCenter(seed[0], seed[1], seed[2]);
-  AddPoints(points, filter);
-  filter->SetLabelValue(segmentation.Label);
-  try
+  const Session session = ReadSession(segmentation.Session);
+  Segmentation given = segmentation;
+  if (given.Input.empty())
   {
-    Run(filter, "segmenting", SegmentParameters::Names());
+    given.Input = ImageBeside(session);
   }
-  catch (const Failure& failure)
-  {
-    throw Failure("'" + segmentation.Input + "': " + failure.what());
-  }
-  if (filter->GetSurface()->GetNumberOfPolys() == 0)
-  {
-    throw Failure("'" + segmentation.Input +
-      "': no surface was found. Check that the seed sphere lies within the organ.");
-  }
-  if (filter->GetStopReason() == vtkFlipFreeSegmentation::NO_BOUNDARY_FOUND)
-  {
-    throw Failure(
-      "'" + segmentation.Input + "': no boundary of the organ was found, so nothing is written.");
-  }
-  WriteResults(filter, image, segmentation, points, outputs);
-  if (!filter->GetDeform()->GetGuard() && filter->GetNumberOfSelfIntersections() == 0)
-  {
-    PrintWarning(
-      "The surface is not certified: --guard is off. It does not intersect itself, though.");
-  }
-  if (!segmentation.Quiet)
-  {
-    PrintSummary(filter, segmentation, reading.count());
-  }
+  SegmentOrgans(OrgansOf(session, given), &session);
 }
 
 const char* const Footer =
@@ -271,8 +427,7 @@ const char* const Footer =
   "      --labels spleen.nii.gz --convergence spleen.csv --snapshot spleen.png\n"
   "  flipfree segment dicom/ --series 1.2.840.1 --seed 90 20 -640 --radius 12 -o kidney.vtp\n"
   "  flipfree segment ct.nii.gz --seed 83 -154 321 --radius 26 --preset naive -o flips.ply\n"
-  "  flipfree segment ct.nii.gz --seed 83 -154 321 --radius 26 --outside 12 -160 310 \\\n"
-  "      --inside 100 -120 330 -o corrected.vtp\n"
+  "  flipfree segment ct.nii.gz --session session.json -o organ.stl --labels organs.nii.gz\n"
   "\n"
   "The seed sphere should lie within the organ and have at least half the radius of the largest\n"
   "sphere that fits there: the organ's intensities are learned from its voxels, and the surface\n"
@@ -280,10 +435,15 @@ const char* const Footer =
 
 void AddFiles(CLI::App* command, Segmentation& segmentation)
 {
+  command->add_option("INPUT", segmentation.Input,
+    "Volume (.nii .nii.gz .nrrd .nhdr .mha .mhd) or folder of a DICOM series; with --session, by "
+    "default, the session's image beside it");
   command
-    ->add_option("INPUT", segmentation.Input,
-      "Volume (.nii .nii.gz .nrrd .nhdr .mha .mhd) or folder of a DICOM series")
-    ->required();
+    ->add_option("--session", segmentation.Session,
+      "Session that the page in the browser has saved (.json): image, seeds and parameters. Of "
+      "several organs, each has its name in the names of its files, as in out-liver.vtp, and a "
+      "label of its own")
+    ->type_name("FILE");
   command
     ->add_option("--series", segmentation.SeriesUID,
       "Series Instance UID, if the folder holds several series; by default, the one with the most "
@@ -298,8 +458,7 @@ void AddFiles(CLI::App* command, Segmentation& segmentation)
     ->type_name("I J K")
     ->expected(3);
   command->add_option("--radius", segmentation.Radius, "Radius of the seed sphere, in millimeters")
-    ->type_name("MM")
-    ->required();
+    ->type_name("MM");
   command->add_option("-o,--output", segmentation.Surface, "Surface (.vtp .stl .ply .obj)")
     ->type_name("FILE");
   command->add_option("--labels", segmentation.Labels, "Label map (.nii.gz .nii .nrrd .mha)")
@@ -310,7 +469,7 @@ void AddFiles(CLI::App* command, Segmentation& segmentation)
     ->type_name("FILE");
   command
     ->add_option("--label-value", segmentation.Label,
-      "Value of the organ in the label map, 1 to 255")
+      "Value of the organ in the label map, 1 to 255; of several, of the first")
     ->type_name("N")
     ->check(CLI::Range(1, 255))
     ->capture_default_str();

@@ -255,6 +255,31 @@ void SetOrRefuse(const Parameter& parameter, Filter* filter, double value)
   }
 }
 
+/// The parameter that sets a property; null if there is none.
+const Parameter* FindProperty(const std::string& property)
+{
+  for (const ParameterGroup& group : Table())
+  {
+    for (const Parameter& parameter : group.Parameters)
+    {
+      if (PropertyOf(parameter.Names.substr(parameter.Names.rfind("--"))) == property)
+      {
+        return &parameter;
+      }
+    }
+  }
+  return nullptr;
+}
+
+const std::string& RequirePreset(const std::string& preset)
+{
+  if (preset != "default" && preset != "published" && preset != "naive")
+  {
+    throw Failure("there is no preset '" + preset + "'");
+  }
+  return preset;
+}
+
 /// Adds the option, which has `keep` called with its value.
 CLI::Option* AddOption(CLI::App& command, const Parameter& parameter,
   const std::function<void(double)>& keep)
@@ -332,6 +357,39 @@ void SegmentParameters::Apply(Filter* filter) const
   {
     filter->SetStartCenterOffset(this->StartOffset.data());
   }
+}
+
+SegmentParameters SegmentParameters::With(const std::string& preset,
+  const std::map<std::string, std::vector<double>>& values) const
+{
+  SegmentParameters parameters;
+  parameters.Preset = RequirePreset(preset);
+  for (const auto& [property, numbers] : values)
+  {
+    if (property == "KeepHistory" || property == "LabelValue") // they change no surface
+    {
+      continue;
+    }
+    if (property == "StartCenterOffset" && numbers.size() == 3)
+    {
+      parameters.StartOffset = numbers;
+      continue;
+    }
+    const Parameter* parameter = FindProperty(property);
+    if (!parameter || numbers.size() != 1)
+    {
+      throw Failure("there is no parameter '" + property + "' of " +
+        std::to_string(numbers.size()) + " values");
+    }
+    parameters.Given.emplace_back([parameter, value = numbers.front()](Filter* filter)
+      { SetOrRefuse(*parameter, filter, value); });
+  }
+  parameters.Given.insert(parameters.Given.end(), this->Given.begin(), this->Given.end());
+  if (!this->StartOffset.empty())
+  {
+    parameters.StartOffset = this->StartOffset;
+  }
+  return parameters;
 }
 
 OptionNames SegmentParameters::Names()

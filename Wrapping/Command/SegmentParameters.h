@@ -8,6 +8,7 @@
 #include "Messages.h"
 
 #include <functional>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -26,9 +27,18 @@ class SegmentParameters
 public:
   void AddOptions(CLI::App& command);
 
+  /// Whether the command line names another preset than the default.
+  bool HasPreset() const { return this->Preset != "default"; }
+
   /// Sets the preset first, then the options that were given, whatever their order. Throws
   /// WrongUsage for a value out of range.
   void Apply(vtkFlipFreeSegmentation* filter) const;
+
+  /// The same parameters of which something else than the command line has the preset and values,
+  /// by the names of properties; the command line's options come after them. Throws a Failure for a
+  /// name that there is not.
+  SegmentParameters With(const std::string& preset,
+    const std::map<std::string, std::vector<double>>& values) const;
 
   /// What the options are called, by the properties that they set.
   static OptionNames Names();

@@ -2,12 +2,14 @@
 # Installs what FlipFree is built on, on Debian 12 and its descendants: only what is missing, only from
 # the package sources that the machine already has.
 #
-#   install-dependencies.sh [build|test|paraview]
+#   install-dependencies.sh [build|test|paraview|browser]
 #
 #   build     what the toolkit, its Python package and the flipfree command need (default)
 #   test      besides, what the tests, the style checks and the benchmarks need
 #   paraview  what the ParaView plugin needs, ParaView itself aside: that is what install-paraview.sh,
 #             beside this script, is for
+#   browser   what the page for the browser is built with, npm's packages aside: they are what
+#             install-browser-tools.sh is for
 set -euo pipefail
 
 build_packages=(
@@ -34,6 +36,8 @@ build_packages=(
 )
 
 test_packages=(
+  # In which the page is tested.
+  chromium
   clang-format
   clang-tidy
   doxygen
@@ -71,6 +75,18 @@ paraview_packages=(
   xvfb
 )
 
+# The page for the browser. Node may be of another source than Debian, with its own npm.
+browser_packages=(
+  cmake
+  emscripten
+  libeigen3-dev
+  ninja-build
+  python3
+)
+if ! command -v npm >/dev/null; then
+  browser_packages+=(nodejs npm)
+fi
+
 usage()
 {
   sed -n '2,/^set/{/^set/d;s/^# \{0,1\}//;p}' "$0"
@@ -78,8 +94,9 @@ usage()
 
 case "${1:-build}" in
   build) wanted=("${build_packages[@]}") ;;
-  test) wanted=("${build_packages[@]}" "${test_packages[@]}") ;;
+  test) wanted=("${build_packages[@]}" "${test_packages[@]}" "${browser_packages[@]}") ;;
   paraview) wanted=("${paraview_packages[@]}") ;;
+  browser) wanted=("${browser_packages[@]}") ;;
   -h | --help)
     usage
     exit 0

@@ -6,6 +6,7 @@ import contextlib
 import os
 import sys
 import time
+from collections.abc import Callable
 from dataclasses import asdict
 from typing import Any, get_args
 
@@ -22,6 +23,7 @@ from ._point_files import ENDINGS as POINT_ENDINGS
 from ._point_files import read_points, write_points
 from ._segment import segment as segment_organ
 from ._segmentation import Segmentation
+from ._session import Session, image_beside, read_session, require_image_of, runs_of
 from ._surface_files import ENDINGS, read_surface, write_surface
 from ._types import Shape
 
@@ -39,19 +41,72 @@ OUTPUTS = {
 def segment(values: dict[str, Any]) -> None:
     """`flipfree segment`."""
     progress = _wants_bar(values)
-    outputs = {name: values[name] for name in OUTPUTS if name in values}
-    _require_sense(values, outputs)
-    points = _points_of(values)
+    session = _session_of(values)
+    runs = [values]
+    if session:
+        values = {"input": image_beside(session) if "input" not in values else None, **values}
+        runs = runs_of(session, values, [name for name in OUTPUTS if name != "labels"])
+    for run in runs:
+        _require_sense(run, {name: run[name] for name in OUTPUTS if name in run})
+    points = {} if session else _points_of(values)
     set_threads(values.get("threads", 0))
     start = time.perf_counter()
     image = read_image(values["input"], series=values.get("series"), progress=progress)
     reading = time.perf_counter() - start
-    seed = _lps(values, values.get("seed")) or _point_of(image, values["seed_voxel"])
+    if session:
+        require_image_of(session, values["input"], image)
+    with contextlib.ExitStack() as files:  # either all files or none
+        said = [_segment_one(run, image, points, files, progress) for run in runs]
+        if "labels" in values:
+            _write_to(files, values["labels"], lambda name: write_image(_label_map(said), name))
+    for run, (organ, working) in zip(runs, said):
+        _report(run, organ, reading, working)
+
+
+def _session_of(values: dict[str, Any]) -> Session | None:
+    """The session of the command line; checks that there is one, or else an image and a seed."""
+    if "session" not in values:
+        if "input" not in values:
+            raise WrongUsage("INPUT is required: a volume, or a folder of a DICOM series")
+        if "radius" not in values:
+            raise WrongUsage(
+                "--radius must be a positive number of millimeters, 1e-6 to 1e6. The sphere should lie "
+                "within the organ"
+            )
+        return None
+    given = {"seed", "seed_voxel", "radius"} & values.keys()
+    if given or values.get("preset", "default") != "default":
+        raise WrongUsage(
+            "--session has the seed and the preset. Leave out --seed, --seed-voxel, --radius and "
+            "--preset"
+        )
+    if {"inside", "outside", "boundary", "points", "save_points", "ras"} & values.keys():
+        raise WrongUsage(
+            "--session cannot be corrected by points. Give the image, --seed and --radius in its place"
+        )
+    return read_session(values["session"])
+
+
+def _title_of(values: dict[str, Any], quote: str = "'") -> str:
+    """How messages call what is segmented."""
+    organ = f", {values['organ']}" if "organ" in values else ""
+    return f"{quote}{values['input']}{quote}{organ}"
+
+
+def _segment_one(
+    values: dict[str, Any],
+    image: Any,
+    points: dict[str, list[Any]],
+    files: contextlib.ExitStack,
+    progress: bool,
+) -> tuple[Segmentation, float]:
+    """What was found and in how many seconds; its own files are written."""
     start = time.perf_counter()
+    title = _title_of(values)
     try:
         organ = segment_organ(
             image,
-            seed,
+            _lps(values, values.get("seed")) or _point_of(image, values["seed_voxel"]),
             values["radius"],
             preset=values.get("preset", "default"),
             progress=progress or None,
@@ -59,18 +114,33 @@ def segment(values: dict[str, Any]) -> None:
             **{name: value for name, value in values.items() if name in SEGMENT_PARAMETERS},
         )
     except FlipFreeError as error:
-        raise type(error)(f"'{values['input']}': {error}") from error
+        raise type(error)(f"{title}: {error}") from error
     working = time.perf_counter() - start
     if organ.stop_reason == "no boundary found":
-        raise FlipFreeError(
-            f"'{values['input']}': no boundary of the organ was found, so nothing is written."
-        )
-    _write_results(organ, image, outputs)
+        raise FlipFreeError(f"{title}: no boundary of the organ was found, so nothing is written.")
+    for name in OUTPUTS:
+        if name in values and name != "labels":
+            _write_to(
+                files, values[name], lambda path, name=name: _write(name, path, organ, image)
+            )
+    return organ, working
+
+
+def _label_map(found: list[tuple[Segmentation, float]]) -> Any:
+    """One label map of all organs. A voxel in several belongs to the first of them."""
+    merged = found[0][0].label_map
+    for organ, _ in found[1:]:
+        labels = organ.label_map.voxels
+        merged.voxels[merged.voxels == 0] = labels[merged.voxels == 0]
+    return merged
+
+
+def _report(values: dict[str, Any], organ: Segmentation, reading: float, working: float) -> None:
     if not organ.mesh.certified and organ.self_intersections == 0:
         warn("The surface is not certified: --guard is off. It does not intersect itself, though.")
     if "quiet" not in values:
         print(
-            f"{values['input']}: volume {organ.volume:.1f} ml, "
+            f"{_title_of(values, '')}: volume {organ.volume:.1f} ml, "
             f"{len(organ.iterations['Iteration'])} iterations, {organ.stop_reason}, "
             f"{organ.self_intersections} self-intersections; reading {reading:.2f} s, "
             f"segmenting {working:.2f} s"
@@ -208,8 +278,6 @@ def _require_sense(values: dict[str, Any], outputs: dict[str, str]) -> None:
             else "There is no seed. Give a point deep inside the organ: --seed X Y Z (LPS mm) or "
             "--seed-voxel I J K"
         )
-    if "radius" not in values:
-        raise WrongUsage("--radius is required: that of the seed sphere, in millimeters")
     if "points" in values:
         _require_ending("--points", values["points"], POINT_ENDINGS)
     if not set(outputs) - {"save_points"}:
@@ -262,22 +330,18 @@ def _point_of(image: Any, voxel: list[int]) -> list[float]:
     return point
 
 
-def _write_results(organ: Segmentation, image: Any, outputs: dict[str, str]) -> None:
-    """Either all files or none."""
-    with contextlib.ExitStack() as files:
-        for name, path in outputs.items():
-            temporary = files.enter_context(replacing(path))
-            try:
-                _write(name, temporary, organ, image)
-            except FileError as error:
-                raise FileError(str(error).replace(temporary, path)) from error
+def _write_to(files: contextlib.ExitStack, path: str, write: Callable[[str], None]) -> None:
+    """Writes under another name, which becomes the path's when `files` ends."""
+    temporary = files.enter_context(replacing(path))
+    try:
+        write(temporary)
+    except FileError as error:
+        raise FileError(str(error).replace(temporary, path)) from error
 
 
 def _write(name: str, path: str, organ: Segmentation, image: Any) -> None:
     if name == "output":
         write_surface(organ, path)
-    elif name == "labels":
-        write_image(organ.label_map, path)
     elif name == "save_points":
         write_points(path, organ.constraints)
     elif name == "convergence":

@@ -23,7 +23,7 @@ INTEGERS = {"N", "I", "J", "K", "NX", "NY", "NZ"}
 TEXTS = {"FILE", "DIR", "UID", "NAME", "ADDRESS", "TABLE"}
 
 # Subcommands and options that this package does not have yet.
-TOOLKIT_ONLY = {"trace", "--session"}
+TOOLKIT_ONLY = {"trace"}
 
 COHORT: Entry = {
     "name": "cohort",
@@ -92,7 +92,8 @@ def parser_of(entry: Entry, parameters: Mapping[str, Parameter]) -> Parser:
     # Also 1e-3 and the like are negative numbers rather than options.
     parser._negative_number_matcher = re.compile(r"^-(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?$")
     for positional in entry["positionals"]:
-        parser.add_argument(positional["values"][0].lower(), metavar=positional["values"][0])
+        name = positional["values"][0]
+        parser.add_argument(name.lower(), metavar=name, nargs=None if positional["required"] else "?")
     for option in entry["options"]:
         _add(parser, option, parameters)
     return parser
@@ -135,7 +136,10 @@ def _add(parser: Parser, option: Entry, parameters: Mapping[str, Parameter]) -> 
 def help_of(entry: Entry, commands: list[Entry]) -> str:
     """What --help prints."""
     is_program = entry["name"] == "flipfree"
-    positionals = " ".join(positional["values"][0] for positional in entry["positionals"])
+    positionals = " ".join(
+        positional["values"][0] if positional["required"] else f"[{positional['values'][0]}]"
+        for positional in entry["positionals"]
+    )
     usage = "[OPTIONS] SUBCOMMAND" if is_program else f"{entry['name']} [OPTIONS] {positionals}"
     parts = [f"{entry['description']}\nUsage: flipfree {usage}\n"]
     if entry["positionals"]:

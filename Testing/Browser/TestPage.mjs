@@ -1,0 +1,417 @@
+// The page as a radiologist uses it, in Chromium: opens images, places seeds by mouse, runs, cancels, undoes, saves.
+import assert from "node:assert/strict";
+import { mkdirSync, mkdtempSync, readFileSync, readdirSync, rmSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { after, before, test } from "node:test";
+import { serve, startChromium } from "./Browser.mjs";
+import { dicomFiles } from "./Dicom.mjs";
+import { command, dice, readNiftiFile, seed, seedsOf } from "./Support.mjs";
+
+const pictures = process.env.FLIPFREE_PICTURES;
+const scratch = mkdtempSync(join(tmpdir(), "flipfree-"));
+const result = (name) => join(scratch, name);
+
+let server;
+let chromium;
+let page;
+let sphere;
+
+const status = (text) => page.waitForFunction((wanted) => document.getElementById("status").textContent.startsWith(wanted), text, { timeout: 60_000 });
+const errorText = async () => {
+  await page.waitForFunction(() => document.getElementById("error").textContent, null, { timeout: 60_000 });
+  return page.textContent("#error");
+};
+const numberIn = async (field) => Number(await page.inputValue(field));
+
+async function picture(name) {
+  if (pictures) {
+    mkdirSync(pictures, { recursive: true });
+    await page.screenshot({ path: join(pictures, `${name}.png`) });
+  }
+}
+
+async function saved(button) {
+  const [download] = await Promise.all([page.waitForEvent("download"), page.click(button)]);
+  const path = result(download.suggestedFilename());
+  await download.saveAs(path);
+  await status("Saved");
+  return path;
+}
+
+async function open(files, input = "#files") {
+  await page.setInputFiles(input, files);
+  await status("Place the seed");
+}
+
+/** The seed's numbers typed in. */
+async function typeSeed({ center, radius }) {
+  const values = { "#seed-x": center[0], "#seed-y": center[1], "#seed-z": center[2], "#seed-radius": radius };
+  for (const [field, value] of Object.entries(values)) {
+    await page.fill(field, `${value}`);
+    await page.press(field, "Tab");
+  }
+}
+
+async function segment() {
+  await page.click("#run");
+  await page.waitForFunction(() => /^Segmented/.test(document.getElementById("status").textContent) || document.getElementById("error").textContent, null, { timeout: 120_000 });
+  assert.equal(await page.textContent("#error"), "");
+}
+
+/** Pixels of the overlay that have a color, in the four quarters. */
+function coloredPixels(color) {
+  return page.evaluate((wanted) => {
+    const overlay = document.getElementById("overlay");
+    const { data, width } = overlay.getContext("2d").getImageData(0, 0, overlay.width, overlay.height);
+    const quarters = [0, 0, 0, 0];
+    for (let pixel = 0; pixel < data.length / 4; ++pixel) {
+      if (wanted.every((value, channel) => Math.abs(data[4 * pixel + channel] - value) < 20) && data[4 * pixel + 3] > 200) {
+        const isRight = pixel % width >= width / 2;
+        const isLow = Math.floor(pixel / width) >= overlay.height / 2;
+        ++quarters[2 * isLow + isRight];
+      }
+    }
+    return quarters;
+  }, color);
+}
+
+const yellow = [255, 210, 74]; // the first organ's
+const cyan = [90, 209, 255]; // the second's
+
+before(async () => {
+  command(scratch, "phantom", "abdomen", "-o", ".");
+  command(scratch, "segment", "abdomen.nii.gz", "--seed", ...seed.center.map(String), "--radius", `${seed.radius}`,
+    "--labels", "native.nii.gz");
+  sphere = seedsOf(command(scratch, "phantom", "sphere", "--size", "64", "64", "40", "--spacing", "1", "1", "1.6", "-o", "."))[0];
+  server = await serve(process.env.FLIPFREE_BROWSER_PAGE);
+  chromium = await startChromium();
+  page = await chromium.openPage(server.address);
+});
+
+after(async () => {
+  await chromium?.close();
+  await server?.stop();
+  rmSync(scratch, { recursive: true });
+});
+
+test("the built-in abdomen: seed by mouse, liver, saved files", async () => {
+  await page.click("#open-phantom");
+  await status("Place the seed");
+  await picture("opened");
+  // The cross-hair is in the liver's seed.
+  await page.keyboard.press("c");
+  assert.deepEqual([await numberIn("#seed-x"), await numberIn("#seed-y"), await numberIn("#seed-z")], [99.75, 83.75, 167]);
+
+  // The upper left quarter is the axial slice, and its left half the patient's right.
+  const box = await page.locator("#overlay").boundingBox();
+  const [x, y] = [box.x + 0.17 * box.width, box.y + 0.25 * box.height];
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  await page.mouse.move(x + 30, y, { steps: 3 });
+  await page.mouse.up();
+  await status("Seed placed");
+  const placed = await numberIn("#seed-x");
+  assert.ok((await numberIn("#seed-radius")) > 10 && (await numberIn("#seed-radius")) < 60);
+  assert.equal(await numberIn("#seed-z"), 167);
+  // Farther to the right on the screen is farther to the patient's left.
+  await page.mouse.click(x + 40, y);
+  await status("Seed placed");
+  assert.ok((await numberIn("#seed-x")) > placed + 10);
+
+  await page.selectOption("#phantom-seed", "6");
+  await typeSeed(seed);
+  await segment();
+  await picture("liver");
+  assert.match(await page.textContent("#result"), / 0 self-intersections/);
+  const labels = readNiftiFile(await saved("#save-labels"));
+  const native = readNiftiFile(result("native.nii.gz"));
+  console.log(`Dice with the command's liver: ${dice(labels.voxels, native.voxels)}`);
+  assert.ok(dice(labels.voxels, native.voxels) > 0.999);
+  for (const format of ["stl", "ply", "vtp"]) {
+    await page.selectOption("#surface-format", format);
+    const printed = command(scratch, "evaluate", await saved("#save-surface"), "native.nii.gz");
+    assert.match(printed, /valid: closed, Euler number 2, self-intersections 0/);
+    assert.ok(Number(printed.match(/Dice +([\d.]+)/)[1]) > 0.999);
+  }
+  assert.ok(readdirSync(scratch).includes("liver.stl"));
+});
+
+/** The browser draws lines a little otherwise once pixels have been read. */
+function areAlike(some, others) {
+  return some.every((pixels, quarter) => Math.abs(pixels - others[quarter]) <= 0.25 * others[quarter]);
+}
+
+test("contours lie on the slices alone, and go and come back by undo and redo", async () => {
+  const shown = await coloredPixels(yellow);
+  assert.ok(shown.slice(0, 3).every((pixels) => pixels > 300), `${shown}`);
+  assert.equal(shown[3], 0);
+  await page.keyboard.press("+"); // another radius: the surface is no longer that of the seed
+  const without = await coloredPixels(yellow);
+  assert.ok(without[0] < 0.5 * shown[0], `${without} after ${shown}`);
+  assert.ok(await page.isDisabled("#save-surface"));
+  await page.keyboard.press("Control+z");
+  assert.equal(await numberIn("#seed-radius"), seed.radius);
+  assert.ok(areAlike(await coloredPixels(yellow), shown));
+  await page.click("#redo");
+  assert.equal(await numberIn("#seed-radius"), seed.radius + 1);
+  await page.click("#undo");
+  const again = await coloredPixels(yellow);
+  assert.ok(areAlike(again, shown));
+  // Some slices on, the contour is another one.
+  for (let slice = 0; slice < 10; ++slice) {
+    await page.keyboard.press("PageUp");
+  }
+  assert.ok((await coloredPixels(yellow))[0] < 0.95 * again[0]);
+});
+
+test("several organs, a session, and the command that repeats it", async () => {
+  await page.click("#add-organ");
+  await page.selectOption("#phantom-seed", "1");
+  await segment();
+  assert.ok((await coloredPixels(cyan))[0] > 200);
+  await picture("organs");
+  const page1 = readNiftiFile(await saved("#save-labels"));
+  const path = await saved("#save-session");
+  const session = JSON.parse(readFileSync(path, "utf8"));
+  assert.deepEqual(session.organs.map(({ name }) => name), ["liver", "spleen"]);
+  assert.deepEqual(session.organs[0].seed, seed);
+  assert.deepEqual(session.image.size, page1.size);
+  command(scratch, "segment", "--session", path, "-o", "repeated.stl", "--labels", "repeated.nii.gz");
+  const repeated = readNiftiFile(result("repeated.nii.gz")).voxels;
+  for (const label of [1, 2]) {
+    const overlap = dice(page1.voxels.map((value) => +(value === label)), repeated.map((value) => +(value === label)));
+    console.log(`Dice of label ${label} with the command's: ${overlap}`);
+    assert.ok(overlap > 0.999);
+  }
+  assert.ok(readdirSync(scratch).includes("repeated-spleen.stl"));
+
+  // A click removes an organ, and another brings it back.
+  await page.click("[aria-label='Remove liver']");
+  assert.equal(await page.locator("#organs li").count(), 1);
+  await page.click("#undo");
+  assert.equal(await page.locator("#organs li").count(), 2);
+});
+
+test("an image with its session by the dialog; cancel and run again", async () => {
+  const session = JSON.parse(readFileSync(result("session.json"), "utf8"));
+  session.organs.pop();
+  writeFileSync(result("one.json"), JSON.stringify(session));
+  await page.setInputFiles("#files", [result("abdomen.nii.gz"), result("one.json")]);
+  await page.waitForFunction(() => document.getElementById("progress").value > 0, null, { timeout: 60_000 });
+  await page.keyboard.press("Escape");
+  await status("Canceled");
+  assert.match(await page.textContent("#image-name"), /^abdomen\.nii\.gz, \d+ × \d+ × \d+ voxels$/);
+  assert.ok(await page.isDisabled("#save-labels"));
+  assert.equal(await numberIn("#seed-radius"), seed.radius);
+  await segment();
+  const labels = readNiftiFile(await saved("#save-labels")).voxels;
+  assert.ok(dice(labels, readNiftiFile(result("native.nii.gz")).voxels) > 0.999);
+});
+
+test("keyboard and windows", async () => {
+  const windowText = () => page.$eval("#window", (window) => window.selectedOptions[0].textContent);
+  assert.match(await windowText(), /Abdomen 400\/40/);
+  await page.keyboard.press("2");
+  assert.match(await windowText(), /Liver 150\/80/);
+  const box = await page.locator("#overlay").boundingBox();
+  await page.mouse.move(box.x + 100, box.y + 100);
+  await page.mouse.down({ button: "right" });
+  await page.mouse.move(box.x + 160, box.y + 100);
+  await page.mouse.up({ button: "right" });
+  assert.equal(await windowText(), "By mouse");
+  await page.keyboard.press("1");
+
+  // Navigating moves no seed; C takes the place.
+  const before = await numberIn("#seed-x");
+  await page.keyboard.press("n");
+  await page.mouse.click(box.x + 0.2 * box.width, box.y + 0.25 * box.height);
+  assert.equal(await numberIn("#seed-x"), before);
+  await page.keyboard.press("ArrowRight"); // to the center of a voxel
+  await page.keyboard.press("c");
+  const there = await numberIn("#seed-x");
+  assert.notEqual(there, before);
+  await page.keyboard.press("ArrowRight");
+  await page.keyboard.press("c");
+  assert.ok(Math.abs((await numberIn("#seed-x")) - there - 1.5) < 0.02); // to the patient's left
+  await page.keyboard.press("z"); // magnified, a pixel is less
+  await page.keyboard.press("s");
+  await page.click("#help");
+  await picture("keys");
+  await page.click("#close-keys");
+});
+
+test("the same organ from NRRD, MetaImage and DICOM, in an oblique volume", async () => {
+  const [c, s] = [Math.cos(0.3), Math.sin(0.3)];
+  const grid = { size: [64, 64, 40], spacing: [1, 1, 1.6], origin: [-20, 35, -110], direction: [c, -s, 0, s, c, 0, 0, 0, 1] };
+  const { voxels } = readNiftiFile(result("sphere.nii.gz"));
+  const folder = result("series");
+  mkdirSync(folder);
+  dicomFiles(grid, voxels).forEach((file, slice) => writeFileSync(join(folder, `${slice}.dcm`), file));
+  const center = [0, 1, 2].map((row) => grid.origin[row] + [0, 1, 2].reduce((sum, axis) => sum + grid.direction[3 * row + axis] * sphere.center[axis], 0));
+  const start = ["--seed", ...center.map(String), "--radius", `${sphere.radius}`];
+  command(scratch, "segment", "series", ...start, "--labels", "oblique.nii.gz");
+  writeFileSync(result("oblique.mha"), metaImage(grid, voxels));
+  writeFileSync(result("oblique.nrrd"), nrrd(grid, voxels));
+  for (const [name, files, input] of [["oblique.mha", result("oblique.mha"), "#files"], ["oblique.nrrd", result("oblique.nrrd"), "#files"], ["series", folder, "#folder"]]) {
+    await open(files, input);
+    assert.match(await page.textContent("#image-name"), new RegExp(`^${name}, 64 × 64 × 40`));
+    await typeSeed({ center, radius: sphere.radius });
+    await segment();
+    const surface = await saved("#save-surface");
+    const printed = command(scratch, "evaluate", surface, "oblique.nii.gz");
+    assert.ok(Number(printed.match(/Dice +([\d.]+)/)[1]) > 0.999, `${name}: ${printed}`);
+    command(scratch, "segment", "--session", await saved("#save-session"), "-o", "repeated.stl");
+  }
+});
+
+test("bad input is answered by a message", async () => {
+  await open(result("abdomen.nii.gz"));
+  const bytes = readFileSync(result("abdomen.nii.gz"));
+  const other = JSON.parse(readFileSync(result("session.json"), "utf8")); // of the sphere
+  const files = {
+    "cut.nii.gz": bytes.subarray(0, 5000),
+    "text.nii": "no image",
+    "notes.txt": "no image",
+    "half.mhd": "x",
+    "huge.nii": hugeHeader(),
+    "bad.json": "{",
+    "letter.json": "{}",
+    "damaged.json": JSON.stringify({ ...other, organs: [{}] }),
+  };
+  for (const [name, content] of Object.entries(files)) {
+    writeFileSync(result(name), content);
+    await page.setInputFiles("#files", result(name));
+    await page.waitForFunction((part) => document.getElementById("error").textContent.includes(part), name, { timeout: 60_000 });
+  }
+  writeFileSync(result("other.json"), JSON.stringify(other));
+  await page.setInputFiles("#files", result("other.json"));
+  await page.waitForFunction(() => /open series .64 × 64 × 40/.test(document.getElementById("error").textContent));
+  await typeSeed({ center: [9999, 0, 0], radius: 4 });
+  await page.click("#run");
+  assert.match(await errorText(), /The seed's center .* lies outside the image/);
+  await picture("error");
+  // In air there may be a boundary, too; the result is doubted.
+  await typeSeed({ center: [5, 5, 167], radius: 4 });
+  await segment();
+  assert.match(await page.textContent("#warnings"), /check that the seed sphere lies within the organ and not in air, or move the seed's center/);
+  await picture("air");
+  await typeSeed(seed); // the image is still there
+});
+
+test("controls have names, and light and dark are readable", async () => {
+  const nameless = await page.evaluate(() =>
+    [...document.querySelectorAll("button, select, input, canvas:not([aria-hidden])")]
+      .filter((control) => !(control.ariaLabel || control.textContent.trim() || control.labels?.[0]?.textContent.trim()))
+      .map((control) => control.id),
+  );
+  assert.deepEqual(nameless, []);
+  const contrasts = () =>
+    page.evaluate(() => {
+      const luminance = (color) => {
+        const parts = color.match(/[\d.]+/g).slice(0, 3).map((part) => part / 255);
+        const [r, g, b] = parts.map((part) => (part <= 0.04045 ? part / 12.92 : ((part + 0.055) / 1.055) ** 2.4));
+        return 0.2126 * r + 0.7152 * g + 0.0722 * b;
+      };
+      const back = luminance(getComputedStyle(document.querySelector("aside")).backgroundColor);
+      return [".hint", "legend", "#run", "#error", "#warnings"].map((selector) => {
+        const style = getComputedStyle(document.querySelector(`aside ${selector}`));
+        const own = selector === "#run" ? luminance(style.backgroundColor) : back;
+        const [dark, light] = [own, luminance(style.color)].sort((a, b) => a - b);
+        return (light + 0.05) / (dark + 0.05);
+      });
+    });
+  for (const theme of ["dark", "light"]) {
+    assert.ok(Math.min(...(await contrasts())) >= 4.5, theme);
+    // All of the panel is to be seen at 1280 x 720.
+    assert.ok(await page.$eval("aside", (panel) => panel.scrollHeight <= panel.clientHeight + 1 && panel.scrollWidth <= panel.clientWidth), theme);
+    await picture(theme);
+    await page.click("#theme");
+  }
+});
+
+test("without the server, the page opens again and works; nothing but its own files was asked for", async () => {
+  await page.evaluate(() => navigator.serviceWorker.ready);
+  await server.stop();
+  await page.reload();
+  await page.waitForSelector("html[data-ready]");
+  await open(result("series"), "#folder");
+  await open(result("sphere.nii.gz"));
+  await typeSeed(sphere);
+  await segment();
+  await saved("#save-surface");
+
+  const own = new Set(["/", "/offline.js", ...filesOf(process.env.FLIPFREE_BROWSER_PAGE)]);
+  console.log(`Requests: ${server.paths.length} of ${new Set(server.paths).size} files; of other addresses: ${chromium.outside.length}`);
+  assert.deepEqual(server.paths.filter((path) => !own.has(path)), []);
+  assert.ok(server.paths.length >= own.size - 2);
+  assert.deepEqual(chromium.outside, []);
+  assert.deepEqual(chromium.faults, []);
+  const policy = await page.getAttribute('meta[http-equiv="Content-Security-Policy"]', "content");
+  assert.match(policy, /default-src 'none'.*connect-src 'self'/);
+  assert.doesNotMatch(policy, /'unsafe-(eval|inline)'|https?:|\*/);
+  // The proxy does see what would leave, and the policy does refuse it.
+  const refused = await page.evaluate(() => fetch("http://flipfree.invalid/").then(() => false, () => true));
+  assert.ok(refused);
+  assert.match(chromium.faults.join(), /flipfree\.invalid.*Content Security Policy/);
+  assert.deepEqual(chromium.outside, []);
+});
+
+function filesOf(folder, path = "/") {
+  return readdirSync(join(folder, path), { withFileTypes: true }).flatMap((entry) =>
+    entry.isDirectory() ? filesOf(folder, `${path}${entry.name}/`) : [`${path}${entry.name}`],
+  );
+}
+
+/** A NIfTI header of a volume that no browser could hold. */
+function hugeHeader() {
+  const header = Buffer.alloc(400);
+  header.writeInt32LE(348, 0);
+  [3, 4096, 4096, 4096, 1, 1, 1, 1].forEach((value, at) => header.writeInt16LE(value, 40 + 2 * at));
+  header.writeInt16LE(4, 70);
+  header.writeInt16LE(16, 72);
+  [1, 1, 1, 1].forEach((value, at) => header.writeFloatLE(value, 76 + 4 * at));
+  header.writeFloatLE(352, 108);
+  header.write("n+1\0", 344, "latin1");
+  return header;
+}
+
+function columnsOf({ direction }) {
+  return [0, 1, 2].map((axis) => [0, 1, 2].map((row) => direction[3 * row + axis]));
+}
+
+function metaImage(grid, voxels) {
+  const header = [
+    "ObjectType = Image",
+    "NDims = 3",
+    "BinaryData = True",
+    "BinaryDataByteOrderMSB = False",
+    "CompressedData = False",
+    `TransformMatrix = ${columnsOf(grid).flat().join(" ")}`,
+    `Offset = ${grid.origin.join(" ")}`,
+    `ElementSpacing = ${grid.spacing.join(" ")}`,
+    `DimSize = ${grid.size.join(" ")}`,
+    "ElementType = MET_SHORT",
+    "ElementDataFile = LOCAL\n",
+  ].join("\n");
+  return Buffer.concat([Buffer.from(header), Buffer.from(voxels.buffer)]);
+}
+
+function nrrd(grid, voxels) {
+  const vector = (numbers) => `(${numbers.join(",")})`;
+  const directions = columnsOf(grid).map((column, axis) => vector(column.map((value) => value * grid.spacing[axis])));
+  const header = [
+    "NRRD0004",
+    "type: short",
+    "dimension: 3",
+    "space: left-posterior-superior",
+    `sizes: ${grid.size.join(" ")}`,
+    `space directions: ${directions.join(" ")}`,
+    "kinds: domain domain domain",
+    "endian: little",
+    "encoding: raw",
+    `space origin: ${vector(grid.origin)}`,
+    "\n",
+  ].join("\n");
+  return Buffer.concat([Buffer.from(header), Buffer.from(voxels.buffer)]);
+}

@@ -1,0 +1,102 @@
+"""Sessions that the page in the browser saves are repeated, and refused where they do not fit."""
+
+import json
+import os
+import unittest
+
+import command
+
+
+class TestSession(command.CommandTest):
+    def session(self, name="sphere.nii.gz", **changes):
+        """A session of the sphere, beside its volume."""
+        x, y, z = map(float, self.seed[self.seed.index("--seed") + 1:][:3])
+        radius = float(self.seed[self.seed.index("--radius") + 1])
+        organ = {"name": "liver", "color": "#ffd24a", "seed": {"center": [x, y, z], "radius": radius},
+                 "preset": "default", "parameters": {"resolution": 16}}
+        content = {"format": "flipfree-session", "version": 1, "flipfree": "0.1.0",
+                   "image": {"name": name, "size": [64, 64, 40], "spacing": [1, 1, 1.6], "origin": [0, 0, 0],
+                             "direction": [1, 0, 0, 0, 1, 0, 0, 0, 1]},
+                   "organs": [organ], **changes}
+        path = os.path.join(self.inputs, "session.json")
+        with open(path, "w", encoding="utf-8") as file:
+            json.dump(content, file)
+        return path, content
+
+    def bytes_of(self, name):
+        with open(self.result(name), "rb") as file:
+            return file.read()
+
+    def test_one_organ(self):
+        path, _ = self.session()
+        self.assert_succeeds(command.run("segment", self.volume, *self.seed, "--resolution", 16,
+                                         "-o", self.result("a.ply"), "--labels", self.result("a.nii")))
+        self.assert_succeeds(command.run("segment", "--session", path, "-o", self.result("b.ply"), "--labels", self.result("b.nii")))
+        self.assertEqual(self.bytes_of("a.ply"), self.bytes_of("b.ply"))
+        self.assertEqual(self.bytes_of("a.nii"), self.bytes_of("b.nii"))
+        # Options come after the session's parameters.
+        self.assert_succeeds(command.run("segment", "--session", path, "--resolution", 8, "-o", self.result("c.ply")))
+        self.assertLess(len(self.bytes_of("c.ply")), len(self.bytes_of("a.ply")))
+
+    def test_several_organs(self):
+        _, content = self.session()
+        organ = content["organs"][0]
+        organs = [organ, {**organ, "seed": None}, {**organ, "name": "left lobe/1", "parameters": {"resolution": 8, "carving": False}}]
+        path, _ = self.session(organs=organs)
+        process = command.run("segment", self.volume, "--session", path, "-o", self.result("out.stl"),
+                              "--labels", self.result("out.nii.gz"), "--convergence", self.result("out.csv"))
+        self.assert_succeeds(process)
+        self.assertRegex(process.stdout, r"sphere\.nii\.gz, liver: volume .*\n.*sphere\.nii\.gz, left-lobe-1: volume ")
+        self.assertEqual(sorted(os.listdir(self.results)), ["out-left-lobe-1.csv", "out-left-lobe-1.stl", "out-liver.csv",
+                                                            "out-liver.stl", "out.nii.gz"])
+        # The first has the voxels that are in both.
+        process = command.run("evaluate", self.result("out.nii.gz"), self.truth, "--label", 1)
+        self.assert_succeeds(process)
+        self.assertGreater(command.dice_of(process.stdout), 0.96)
+
+    def test_every_parameter_of_the_page(self):
+        """The kernels' names, of which the page writes any."""
+        parameters = {"maximumIterations": 3, "levels": 1, "resolution": 8, "diffusionIterations": 2, "startCenterOffset": [1, 0, 0],
+                      "foregroundMass": 0.9, "leakControl": False, "guard": True, "edgeWindow": 1, "positionWeight": 1.5}
+        _, content = self.session()
+        organ = {**content["organs"][0], "parameters": parameters}
+        path, _ = self.session(organs=[organ])
+        self.assert_succeeds(command.run("segment", "--session", path, "-o", self.result("a.ply")))
+
+    def test_what_does_not_fit(self):
+        _, content = self.session()
+        organ = content["organs"][0]
+        image = content["image"]
+        cases = [({"format": "letter"}, "format"), ({"version": 2}, "version"), ({"organs": []}, "no organ has a seed"),
+                 ({"organs": [organ, organ]}, "name 'liver'"), ({"organs": [{"name": "liver"}]}, "key 'seed' not found"),
+                 ({"organs": [{**organ, "preset": "best"}]}, "preset 'best'"),
+                 ({"organs": [{**organ, "parameters": {"speling": 1}}]}, "parameter 'Speling'"),
+                 ({"organs": [{**organ, "parameters": {"guard": "on"}}]}, "type must be number"),
+                 ({"image": {**image, "size": [64, 64, 41]}}, "not the image"),
+                 ({"image": {**image, "origin": [0, 0, 1]}}, "not the image"),
+                 ({"image": {**image, "direction": [1, 2]}}, "session.json"),
+                 ({"image": {**image, "name": "other.nii.gz"}}, "not beside")]
+        for changes, message in cases:
+            with self.subTest(**changes):
+                path, _ = self.session(**changes)
+                self.assert_refused(command.run("segment", "--session", path, "-o", self.result("a.ply")), 1, "session.json", message)
+        path, _ = self.session(organs=[{**organ, "seed": {**organ["seed"], "radius": -1}}])
+        self.assert_refused(command.run("segment", "--session", path, "-o", self.result("a.ply")), 2, "radius")
+        path, _ = self.session(organs=[{**organ, "parameters": {"levels": 99}}])
+        self.assert_refused(command.run("segment", "--session", path, "-o", self.result("a.ply")), 2, "--levels")
+        with open(path, "w", encoding="utf-8") as file:
+            file.write('{"format": ')
+        self.assert_refused(command.run("segment", "--session", path, "-o", self.result("a.ply")), 1, "not a session")
+        self.assert_refused(command.run("segment", "--session", "/nowhere.json", "-o", self.result("a.ply")), 1, "/nowhere.json")
+
+    def test_what_excludes_it(self):
+        path, _ = self.session()
+        for words in (self.seed, ("--seed-voxel", 1, 2, 3), ("--radius", 3), ("--preset", "naive")):
+            with self.subTest(words=words):
+                self.assert_refused(command.run("segment", self.volume, "--session", path, *words, "-o", self.result("a.ply")),
+                                    2, "--session")
+        self.assert_refused(command.run("segment", *self.seed, "-o", self.result("a.ply")), 2, "INPUT")
+
+
+if __name__ == "__main__":
+    unittest.main()

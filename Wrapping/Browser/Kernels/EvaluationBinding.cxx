@@ -1,0 +1,154 @@
+// Scores of a surface or a label map against a reference; self-intersections of a surface.
+#include "Bindings.h"
+#include "Volume.h"
+
+#include "Geometry/SelfIntersection.h"
+#include "Image/GridCheck.h"
+#include "Measures/SegmentationScores.h"
+#include "Mesh/SurfaceTopology.h"
+
+#include <emscripten/bind.h>
+
+#include <stdexcept>
+
+namespace FlipFree
+{
+namespace
+{
+
+// A function object rather than a lambda: clang 14 forgets to emit some lambdas in generic ones.
+struct MaskOfView
+{
+  int Label;
+  const std::string& Name;
+
+  template <typename T>
+  LabelMask operator()(const ImageView<T>& view) const
+  {
+    return { MaskOfLabel(view, this->Label, this->Name, Threading()), this->Label,
+      ValuesOfView<T>{ view } };
+  }
+
+  template <typename T>
+  struct ValuesOfView
+  {
+    ImageView<T> View;
+    LabelValues operator()() const { return LabelsIn(this->View, SerialFor); }
+  };
+};
+
+LabelMask LabelMaskOf(const Volume& labels, int label, const std::string& name,
+  const std::string& property)
+{
+  if (labels.GetGeometry().NumberOfVoxels() == 0)
+  {
+    throw std::invalid_argument(name + " has no voxels; give a label map");
+  }
+  RequireProperGrid(labels.GetGeometry(), name);
+  LabelMask mask = labels.VisitVoxels(MaskOfView{ label, name });
+  RequireLabel(mask, name, property);
+  return mask;
+}
+
+val ObjectOf(const SegmentationScores& scores)
+{
+  val answer = val::object();
+  answer.set("dice", scores.Dice);
+  answer.set("jaccard", scores.Jaccard);
+  answer.set("relativeVolumeDifference", scores.RelativeVolumeDifference);
+  answer.set("asd", scores.ASD);
+  answer.set("rms", scores.RMS);
+  answer.set("hd95", scores.HD95);
+  answer.set("hd", scores.HD);
+  answer.set("segmentationVolume", scores.SegmentationVolume);
+  answer.set("referenceVolume", scores.ReferenceVolume);
+  answer.set("overlapOf", scores.OverlapOf);
+  answer.set("distanceOf", scores.DistanceOf);
+  answer.set("warning", scores.Warning);
+  return answer;
+}
+
+struct PolygonSurface
+{
+  PointList Points;
+  FaceList Faces;
+};
+
+// Of { points, corners, offsets }.
+PolygonSurface SurfaceOf(const val& surface, const std::string& name)
+{
+  const auto coordinates = emscripten::convertJSArrayToNumberVector<double>(surface["points"]);
+  PolygonSurface copy;
+  copy.Points = Eigen::Map<const PointList>(coordinates.data(),
+    static_cast<Eigen::Index>(coordinates.size() / 3), 3);
+  copy.Faces.Connectivity = emscripten::convertJSArrayToNumberVector<int>(surface["corners"]);
+  copy.Faces.Offsets = emscripten::convertJSArrayToNumberVector<int>(surface["offsets"]);
+  RequireValidFaces(copy.Points, copy.Faces, name);
+  return copy;
+}
+
+ScoreSettings SettingsOf(const val& parameters)
+{
+  ScoreSettings settings;
+  SetParameters(ScoreParameters(), parameters, settings);
+  return settings;
+}
+
+val ScoreOfLabels(const Volume& segmentation, const Volume& reference, const val& parameters,
+  const val& report)
+{
+  return Guarded(
+    [&]
+    {
+      const ScoreSettings settings = SettingsOf(parameters);
+      const LabelMask wanted =
+        LabelMaskOf(reference, settings.ReferenceLabel, "the reference", "ReferenceLabel");
+      const LabelMask mask = LabelMaskOf(segmentation, settings.SegmentationLabel,
+        "the segmentation", "SegmentationLabel");
+      return ObjectOf(ScoreLabels(mask, wanted, settings, SerialFor, MonitorOf(report)));
+    });
+}
+
+val ScoreOfSurface(const val& surface, const Volume& reference, const val& parameters,
+  const val& report)
+{
+  return Guarded(
+    [&]
+    {
+      const ScoreSettings settings = SettingsOf(parameters);
+      const LabelMask wanted =
+        LabelMaskOf(reference, settings.ReferenceLabel, "the reference", "ReferenceLabel");
+      const PolygonSurface copy = SurfaceOf(surface, "the segmentation");
+      return ObjectOf(ScoreSurface(copy.Points, Triangulate(copy.Faces), wanted, settings,
+        SerialFor, MonitorOf(report)));
+    });
+}
+
+val SelfIntersectionsOf(const val& surface)
+{
+  return Guarded(
+    [&surface]
+    {
+      const PolygonSurface copy = SurfaceOf(surface, "the surface");
+      val answer = val::object();
+      answer.set("count", static_cast<double>(CountSelfIntersections(copy.Points, copy.Faces)));
+      return answer;
+    });
+}
+
+val DefaultScoreParameters()
+{
+  return ParametersOf(ScoreParameters(), ScoreSettings());
+}
+
+} // namespace
+
+void BindEvaluation()
+{
+  emscripten::function("scoreParameters", &DefaultScoreParameters);
+  emscripten::function("scoreLabels", &ScoreOfLabels);
+  emscripten::function("scoreSurface", &ScoreOfSurface);
+  emscripten::function("selfIntersections", &SelfIntersectionsOf);
+}
+
+} // namespace FlipFree

@@ -1,0 +1,11 @@
+#include "Bindings.h"
+
+#include <emscripten/bind.h>
+
+EMSCRIPTEN_BINDINGS(flipfree)
+{
+  FlipFree::BindVolumes();
+  FlipFree::BindSegmentation();
+  FlipFree::BindEvaluation();
+  FlipFree::BindPhantoms();
+}

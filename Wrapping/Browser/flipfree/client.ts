@@ -1,0 +1,195 @@
+/** FlipFree in a page or in Node: the work is done in a worker. */
+import type { PhantomShape } from "./engine.js";
+import type { Answers, FromWorker, Kind, Requests, ToWorker } from "./messages.js";
+import {
+  type EvaluateOptions,
+  FlipFreeError,
+  type Image,
+  type Organ,
+  type Parameters,
+  type Phantom,
+  type PhantomOptions,
+  type Preset,
+  type RunOptions,
+  type Scores,
+  type Seed,
+  type SegmentOptions,
+  type Surface,
+} from "./types.js";
+
+interface WorkerLike {
+  postMessage(message: ToWorker): void;
+  terminate(): void;
+}
+
+type Listener = (message: FromWorker | { failure: string }) => void;
+
+async function startWorker(url: URL, listener: Listener): Promise<WorkerLike> {
+  if (typeof Worker === "function") {
+    const worker = new Worker(url, { type: "module" });
+    worker.addEventListener("message", (event: MessageEvent<FromWorker>) => listener(event.data));
+    worker.addEventListener("error", (event) => listener({ failure: event.message || "the worker has failed" }));
+    return worker;
+  }
+  const node = "node:worker_threads"; // a bundler for pages must not look for it
+  const { Worker: NodeWorker } = await import(node);
+  const worker = new NodeWorker(url);
+  worker.on("message", listener);
+  worker.on("error", (error: Error) => listener({ failure: error.message }));
+  return worker;
+}
+
+async function compile(wasm: URL | BufferSource): Promise<WebAssembly.Module> {
+  if (!(wasm instanceof URL)) {
+    return WebAssembly.compile(wasm);
+  }
+  const response = await fetch(wasm);
+  if (!response.ok) {
+    throw new Error(`${wasm} cannot be loaded (${response.status})`);
+  }
+  // Some servers do not know the type of WebAssembly, without which it cannot be compiled while it loads.
+  return response.headers.get("Content-Type") === "application/wasm"
+    ? WebAssembly.compileStreaming(response)
+    : WebAssembly.compile(await response.arrayBuffer());
+}
+
+interface Pending {
+  resolve(answer: unknown): void;
+  reject(reason: unknown): void;
+  onProgress?: (fraction: number) => void;
+}
+
+/**
+ * One worker, which does one request after the other.
+ *
+ * ```ts
+ * const flipfree = await FlipFree.load();
+ * const { image } = await flipfree.phantom("abdomen");
+ * const liver = await flipfree.segment(image, { center: [99.75, 83.75, 167], radius: 28 });
+ * ```
+ *
+ * A run is stopped by its signal: the worker ends at once, and the next request starts another. What else was
+ * asked for meanwhile is then rejected, too.
+ */
+export class FlipFree {
+  private worker?: Promise<WorkerLike>;
+  private image?: Image;
+  private readonly pending = new Map<number, Pending>();
+  private nextId = 1;
+
+  private constructor(
+    private readonly wasm: WebAssembly.Module,
+    private readonly workerUrl: URL,
+  ) {}
+
+  /** Compiles the kernels. By default they are beside this file. */
+  static async load(
+    wasm: URL | BufferSource = new URL("./kernels.wasm", import.meta.url),
+    workerUrl: URL = new URL("./worker.js", import.meta.url),
+  ): Promise<FlipFree> {
+    return new FlipFree(await compile(wasm), workerUrl);
+  }
+
+  /** Ends the worker, without which Node does not end. */
+  close(): void {
+    this.end(new FlipFreeError("The worker was closed"));
+  }
+
+  defaultParameters(preset: Preset = "default"): Promise<Parameters> {
+    return this.ask("defaultParameters", { preset });
+  }
+
+  /** The organ around a seed. Rejects with a FlipFreeError that says what to do for input that it cannot work with. */
+  async segment(image: Image, seed: Seed, options: SegmentOptions = {}): Promise<Organ> {
+    const { preset = "default", parameters = {} } = options;
+    await this.useImage(image, options);
+    return this.ask("segment", { seed, preset, parameters }, options);
+  }
+
+  /** How well a label map or a surface agrees with a reference label map. */
+  evaluate(segmentation: Image | Surface, reference: Image, options: EvaluateOptions = {}): Promise<Scores> {
+    return this.ask("evaluate", { segmentation, reference, parameters: options.parameters ?? {} }, options);
+  }
+
+  /** Pairs of faces of a surface that intersect for some cut of the faces, by an exact count. */
+  selfIntersections(surface: Surface): Promise<number> {
+    return this.ask("selfIntersections", { surface });
+  }
+
+  phantom(shape: PhantomShape, options: PhantomOptions = {}): Promise<Phantom> {
+    return this.ask("phantom", { shape, parameters: options.parameters ?? {} }, options);
+  }
+
+  /** Copies an image to the worker before it is needed. */
+  async useImage(image: Image, options: RunOptions = {}): Promise<void> {
+    if (this.image === image && this.worker) {
+      return;
+    }
+    this.image = undefined;
+    await this.ask("setImage", { image }, { signal: options.signal });
+    this.image = image;
+  }
+
+  /** Bytes of the kernels' memory. */
+  memory(): Promise<number> {
+    return this.ask("memory", {});
+  }
+
+  private async ask<K extends Kind>(kind: K, request: Requests[K], options: RunOptions = {}): Promise<Answers[K]> {
+    options.signal?.throwIfAborted();
+    const worker = await this.running();
+    const id = this.nextId++;
+    const stop = () => this.end(options.signal?.reason);
+    options.signal?.addEventListener("abort", stop, { once: true });
+    try {
+      return await new Promise<Answers[K]>((resolve, reject) => {
+        const take = resolve as (answer: unknown) => void;
+        this.pending.set(id, { resolve: take, reject, onProgress: options.onProgress });
+        worker.postMessage({ id, kind, request } as ToWorker);
+      });
+    } finally {
+      this.pending.delete(id);
+      options.signal?.removeEventListener("abort", stop);
+    }
+  }
+
+  private running(): Promise<WorkerLike> {
+    if (!this.worker) {
+      const listener: Listener = (message) => {
+        if (this.worker === worker) {
+          this.take(message);
+        }
+      };
+      const worker = startWorker(this.workerUrl, listener).then((started) => {
+        started.postMessage({ wasm: this.wasm });
+        return started;
+      });
+      this.worker = worker;
+    }
+    return this.worker;
+  }
+
+  private take(message: FromWorker | { failure: string }): void {
+    if ("failure" in message) {
+      this.end(new FlipFreeError(message.failure));
+      return;
+    }
+    const pending = this.pending.get(message.id);
+    if ("progress" in message) {
+      pending?.onProgress?.(message.progress);
+    } else if ("answer" in message) {
+      pending?.resolve(message.answer);
+    } else {
+      pending?.reject(message.isInput ? new FlipFreeError(message.error) : new Error(message.error));
+    }
+  }
+
+  private end(reason: unknown): void {
+    void this.worker?.then((worker) => worker.terminate());
+    this.worker = undefined;
+    this.image = undefined;
+    for (const { reject } of this.pending.values()) {
+      reject(reason);
+    }
+  }
+}

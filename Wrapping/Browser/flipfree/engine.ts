@@ -1,0 +1,187 @@
+/** The kernels, called where they are loaded: a call returns when the work is done. A page uses them through `FlipFree`,
+ * whose worker holds an engine. */
+import { type KernelParameter, kernelValues, packageValues, wordMessage } from "./parameters.js";
+import {
+  FlipFreeError,
+  type Image,
+  type Organ,
+  type Parameters,
+  type Phantom,
+  type PhantomSeed,
+  type Preset,
+  type Scores,
+  type Seed,
+  type Surface,
+} from "./types.js";
+
+interface KernelVolume {
+  delete(): void;
+}
+
+type Answer<T> = T & { error?: string; outOfMemory?: boolean };
+type Report = (fraction: number) => boolean;
+
+interface KernelPhantom {
+  voxels: Int16Array;
+  labels: Uint8Array;
+  size: Int32Array;
+  spacing: Float64Array;
+  origin: Float64Array;
+  direction: Float64Array;
+  seeds: { label: number; center: Float64Array; radius: number }[];
+}
+
+/** The module that emscripten makes of Kernels/. */
+export interface KernelModule {
+  makeVolume(image: Image): Answer<{ volume: KernelVolume }>;
+  segmentationParameters(preset: string): KernelParameter[];
+  segment(
+    volume: KernelVolume,
+    seed: number[],
+    preset: string,
+    values: Record<string, number[]>,
+    report: Report,
+  ): Answer<Organ>;
+  scoreParameters(): KernelParameter[];
+  scoreLabels(a: KernelVolume, b: KernelVolume, values: Record<string, number[]>, report: Report): Answer<Scores>;
+  scoreSurface(a: Surface, b: KernelVolume, values: Record<string, number[]>, report: Report): Answer<Scores>;
+  selfIntersections(surface: Surface): Answer<{ count: number }>;
+  phantomParameters(): KernelParameter[];
+  makePhantom(values: Record<string, number[]>, report: Report): Answer<KernelPhantom>;
+  HEAPU8: Uint8Array;
+}
+
+/** What `Kernels/flipfree.mjs` exports. */
+export type KernelFactory = (options: {
+  instantiateWasm(
+    imports: WebAssembly.Imports,
+    done: (instance: WebAssembly.Instance) => void,
+  ): WebAssembly.Exports | Record<string, never>;
+}) => Promise<KernelModule>;
+
+const shapes = ["sphere", "cube", "cup", "u-tube", "vessel", "abdomen"] as const;
+export type PhantomShape = (typeof shapes)[number];
+
+const goOn: Report = () => true;
+
+function triple(numbers: ArrayLike<number>): [number, number, number] {
+  return [numbers[0], numbers[1], numbers[2]];
+}
+
+export class Engine {
+  private volume?: KernelVolume;
+
+  private constructor(private readonly kernels: KernelModule) {}
+
+  static async load(factory: KernelFactory, wasm: WebAssembly.Module): Promise<Engine> {
+    const kernels = await factory({
+      instantiateWasm(imports, done) {
+        void WebAssembly.instantiate(wasm, imports).then(done);
+        return {};
+      },
+    });
+    return new Engine(kernels);
+  }
+
+  /** Bytes of the kernels' memory: the most that was needed so far. */
+  get memory(): number {
+    return this.kernels.HEAPU8.byteLength;
+  }
+
+  defaultParameters(preset: Preset = "default"): Parameters {
+    return packageValues(this.kernels.segmentationParameters(preset));
+  }
+
+  /** Takes a copy of the image that `segment` works on. */
+  setImage(image: Image): void {
+    this.volume?.delete();
+    this.volume = undefined;
+    this.volume = this.copy(image);
+  }
+
+  segment(seed: Seed, preset: Preset = "default", parameters: Parameters = {}, report: Report = goOn): Organ {
+    if (!this.volume) {
+      throw new FlipFreeError("There is no image");
+    }
+    const known = this.kernels.segmentationParameters(preset);
+    const values = kernelValues(parameters, known);
+    const organ = this.checked(
+      this.kernels.segment(this.volume, [...seed.center, seed.radius], preset, values, report),
+      known,
+    );
+    return { ...organ, warnings: organ.warnings.map((warning) => wordMessage(warning, known)) };
+  }
+
+  evaluate(
+    segmentation: Image | Surface,
+    reference: Image,
+    parameters: Parameters = {},
+    report: Report = goOn,
+  ): Scores {
+    const known = this.kernels.scoreParameters();
+    const values = kernelValues(parameters, known);
+    return this.withVolume(reference, (wanted) =>
+      "points" in segmentation
+        ? this.checked(this.kernels.scoreSurface(segmentation, wanted, values, report), known)
+        : this.withVolume(segmentation, (found) =>
+            this.checked(this.kernels.scoreLabels(found, wanted, values, report), known),
+          ),
+    );
+  }
+
+  /** Pairs of faces that intersect for some cut of the faces, by an exact count. */
+  selfIntersections(surface: Surface): number {
+    return this.checked(this.kernels.selfIntersections(surface)).count;
+  }
+
+  phantom(shape: PhantomShape, parameters: Parameters = {}, report: Report = goOn): Phantom {
+    const known = this.kernels.phantomParameters();
+    const values = kernelValues({ ...parameters, shape: shapes.indexOf(shape) }, known);
+    const made = this.checked(this.kernels.makePhantom(values, report), known);
+    const grid = {
+      size: triple(made.size),
+      spacing: triple(made.spacing),
+      origin: triple(made.origin),
+      direction: [...made.direction],
+    };
+    return {
+      image: { ...grid, voxels: made.voxels },
+      labelMap: { ...grid, voxels: made.labels },
+      seeds: made.seeds.map(
+        ({ label, center, radius }): PhantomSeed => ({ label, center: triple(center), radius }),
+      ),
+    };
+  }
+
+  private copy(image: Image): KernelVolume {
+    const { size, voxels } = image;
+    const count = size[0] * size[1] * size[2];
+    if (voxels.length !== count) {
+      throw new FlipFreeError(
+        `The image has ${voxels.length} voxels, which does not fit its size, ${size.join(" x ")}; give ${count}`,
+      );
+    }
+    return this.checked(this.kernels.makeVolume(image)).volume;
+  }
+
+  private withVolume<T>(image: Image, use: (volume: KernelVolume) => T): T {
+    const volume = this.copy(image);
+    try {
+      return use(volume);
+    } finally {
+      volume.delete();
+    }
+  }
+
+  private checked<T>(answer: Answer<T>, known: KernelParameter[] = []): T {
+    if (answer.outOfMemory) {
+      throw new FlipFreeError(
+        "The volume needs more memory than the browser gives; crop it to the organ's surroundings, or resample it",
+      );
+    }
+    if (answer.error !== undefined) {
+      throw new FlipFreeError(wordMessage(answer.error, known));
+    }
+    return answer;
+  }
+}

@@ -1,0 +1,65 @@
+/** Between indices, LPS millimeters, and the RAS affine matrices of NIfTI. */
+import type { Grid, Triple } from "./types.js";
+
+/** Maps indices to RAS millimeters: four rows of four numbers. */
+export function affineOf(grid: Grid): number[][] {
+  const sign = [-1, -1, 1];
+  const rows = sign.map((s, row) => [
+    ...grid.spacing.map((spacing, axis) => s * grid.direction[3 * row + axis] * spacing),
+    s * grid.origin[row],
+  ]);
+  return [...rows, [0, 0, 0, 1]];
+}
+
+/** The grid of a volume of this size and affine matrix. */
+export function gridOf(size: Triple, affine: readonly (readonly number[])[]): Grid {
+  const sign = [-1, -1, 1];
+  const column = (axis: number) => sign.map((s, row) => s * affine[row][axis]);
+  const spacing = [0, 1, 2].map((axis) => Math.hypot(...column(axis))) as [number, number, number];
+  const direction = [0, 1, 2].flatMap((row) =>
+    [0, 1, 2].map((axis) => (sign[row] * affine[row][axis]) / spacing[axis]),
+  );
+  // Without negative zeros, which text would show.
+  return {
+    size,
+    spacing,
+    origin: column(3).map((value) => value + 0) as [number, number, number],
+    direction: direction.map((value) => value + 0),
+  };
+}
+
+function cornersOf(grid: Grid): number[][] {
+  return [0, 1, 2, 3, 4, 5, 6, 7].map((corner) =>
+    [0, 1, 2].map((row) =>
+      grid.spacing.reduce((sum, spacing, axis) => {
+        const index = (corner >> axis) & 1 ? grid.size[axis] - 1 : 0;
+        return sum + grid.direction[3 * row + axis] * spacing * index;
+      }, grid.origin[row]),
+    ),
+  );
+}
+
+const inOrder = (size: Triple) => [...size].sort((a, b) => a - b).join();
+
+/** Whether two grids have their voxels in the same places, up to a tenth of the least spacing: files round differently,
+ * and readers of DICOM differ in the order of rows. */
+export function isSameGrid(a: Grid, b: Grid): boolean {
+  const tolerance = 0.1 * Math.min(...a.spacing);
+  const others = cornersOf(b);
+  return (
+    inOrder(a.size) === inOrder(b.size) &&
+    cornersOf(a).every((p) => others.some((q) => Math.hypot(...p.map((value, axis) => value - q[axis])) <= tolerance))
+  );
+}
+
+export function countVoxels(grid: Grid): number {
+  return grid.size[0] * grid.size[1] * grid.size[2];
+}
+
+/** Writes a label into the voxels of runs. */
+export function fillRuns(runs: Int32Array, label: number, grid: Grid, voxels: Uint8Array): void {
+  for (let run = 0; run < runs.length; run += 4) {
+    const row = grid.size[0] * (runs[run] + grid.size[1] * runs[run + 1]);
+    voxels.fill(label, row + runs[run + 2], row + runs[run + 3]);
+  }
+}

@@ -1,0 +1,16 @@
+export { FlipFree } from "./client.js";
+export type { PhantomShape } from "./engine.js";
+export { affineOf, countVoxels, fillRuns, gridOf, isSameGrid } from "./grid.js";
+export { labelMapFile } from "./nifti.js";
+export {
+  type SurfaceFormat,
+  isSinglePrecision,
+  plyFile,
+  roundedSurface,
+  stlFile,
+  surfaceFile,
+  surfaceFormats,
+  trianglesOf,
+  vtpFile,
+} from "./surfacefiles.js";
+export * from "./types.js";

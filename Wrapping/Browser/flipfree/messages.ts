@@ -1,0 +1,35 @@
+/** The protocol between a page and its worker. A request has an id; progress and the answer carry it back.
+ *
+ * A kind of work is an entry of `Requests` and `Answers` and a case of the worker: what a page sends and gets. */
+import type { PhantomShape } from "./engine.js";
+import type { Image, Organ, Parameters, Phantom, Preset, Scores, Seed, Surface } from "./types.js";
+
+export interface Requests {
+  defaultParameters: { preset: Preset };
+  /** The image that the following runs work on. */
+  setImage: { image: Image };
+  segment: { seed: Seed; preset: Preset; parameters: Parameters };
+  evaluate: { segmentation: Image | Surface; reference: Image; parameters: Parameters };
+  selfIntersections: { surface: Surface };
+  phantom: { shape: PhantomShape; parameters: Parameters };
+  memory: Record<string, never>;
+}
+
+export interface Answers {
+  defaultParameters: Parameters;
+  setImage: null;
+  segment: Organ;
+  evaluate: Scores;
+  selfIntersections: number;
+  phantom: Phantom;
+  memory: number;
+}
+
+export type Kind = keyof Requests;
+/** The first message holds the compiled kernels. */
+export type ToWorker = { wasm: WebAssembly.Module } | { [K in Kind]: { id: number; kind: K; request: Requests[K] } }[Kind];
+
+export type FromWorker =
+  | { id: number; progress: number }
+  | { id: number; answer: Answers[Kind] }
+  | { id: number; error: string; isInput: boolean };

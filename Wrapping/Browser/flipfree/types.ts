@@ -1,0 +1,120 @@
+/** What goes in and out. Coordinates are LPS millimeters, as in DICOM; voxels are stored with x fastest. */
+
+export type Triple = readonly [number, number, number];
+export type Voxels =
+  | Int8Array
+  | Uint8Array
+  | Int16Array
+  | Uint16Array
+  | Int32Array
+  | Uint32Array
+  | Float32Array
+  | Float64Array;
+
+/** A voxel grid in physical space. */
+export interface Grid {
+  /** Voxels along i, j and k. */
+  size: Triple;
+  /** Millimeters along i, j and k. */
+  spacing: Triple;
+  /** The center of voxel (0, 0, 0). */
+  origin: Triple;
+  /** The grid's unit axes in the columns of a 3 x 3 matrix, row after row. */
+  direction: readonly number[];
+}
+
+/** A volume or a label map. The package keeps a copy of it in the worker: voxels must not change afterwards. */
+export interface Image extends Grid {
+  voxels: Voxels;
+}
+
+/** A sphere inside the organ. */
+export interface Seed {
+  center: Triple;
+  /** Millimeters. */
+  radius: number;
+}
+
+/** A closed surface. Face f has the vertices corners[offsets[f]] up to, not including, corners[offsets[f + 1]],
+ * counter-clockwise seen from outside. */
+export interface Surface {
+  /** x, y, z of each vertex. */
+  points: Float64Array;
+  corners: Int32Array;
+  offsets: Int32Array;
+}
+
+export type Preset = "default" | "published" | "naive";
+
+/** By name, such as { foregroundMass: 0.9, carving: false }; `defaultParameters()` has all of them. */
+export type Parameters = Record<string, number | boolean | readonly number[]>;
+
+export interface Organ {
+  surface: Surface;
+  /** The voxels inside as runs of four numbers: j, k, the first i, and one past the last i. */
+  runs: Int32Array;
+  /** Why the iterations ended, such as "at rest". */
+  stopReason: string;
+  /** Pairs of faces that intersect for some cut of the quads; 0 wherever the guard is on. */
+  selfIntersections: number;
+  /** The convergence table, a column each. */
+  iterations: Record<string, Float64Array>;
+  /** What may be wrong, a message each. */
+  warnings: string[];
+}
+
+export interface Scores {
+  dice: number;
+  jaccard: number;
+  relativeVolumeDifference: number;
+  /** Average symmetric surface distance, in mm, as are the next three. */
+  asd: number;
+  rms: number;
+  hd95: number;
+  hd: number;
+  /** Milliliters. */
+  segmentationVolume: number;
+  referenceVolume: number;
+  overlapOf: string;
+  distanceOf: string;
+  warning: string;
+}
+
+export interface PhantomSeed extends Seed {
+  label: number;
+}
+
+/** A synthetic volume with its exact truth. */
+export interface Phantom {
+  image: Image;
+  labelMap: Image;
+  /** A ball inside each organ. */
+  seeds: PhantomSeed[];
+}
+
+export interface RunOptions {
+  /** Called with the fraction done, 0 to 1. */
+  onProgress?: (fraction: number) => void;
+  /** Stops the run at once; the promise is rejected with the signal's reason. */
+  signal?: AbortSignal;
+}
+
+export interface SegmentOptions extends RunOptions {
+  preset?: Preset;
+  parameters?: Parameters;
+}
+
+export interface EvaluateOptions extends RunOptions {
+  /** segmentationLabel, referenceLabel, sampleSpacing, labelSmoothing, scoreVoxelization. */
+  parameters?: Parameters;
+}
+
+export interface PhantomOptions extends RunOptions {
+  /** size, spacing, origin, direction, noiseStandardDeviation, randomSeed, numberOfLesions, ... */
+  parameters?: Parameters;
+}
+
+/** What is wrong with the input, and what to do. */
+export class FlipFreeError extends Error {
+  override name = "FlipFreeError";
+}

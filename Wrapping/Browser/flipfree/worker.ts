@@ -1,0 +1,75 @@
+/** The worker: does one request after the other, in a thread of its own. */
+// @ts-ignore: made by the build
+import factory from "./kernels.mjs";
+import { Engine, type KernelFactory } from "./engine.js";
+import type { Answers, FromWorker, Kind, Requests, ToWorker } from "./messages.js";
+import { FlipFreeError } from "./types.js";
+
+/** What a worker of the browser and one of Node have in common. */
+interface Port {
+  postMessage(message: FromWorker): void;
+  on(take: (message: ToWorker) => void): void;
+}
+
+async function openPort(): Promise<Port> {
+  if (typeof self !== "undefined" && typeof self.postMessage === "function") {
+    return {
+      postMessage: (message) => self.postMessage(message),
+      on: (take) => self.addEventListener("message", (event: MessageEvent<ToWorker>) => take(event.data)),
+    };
+  }
+  const node = "node:worker_threads"; // a bundler for pages must not look for it
+  const { parentPort } = await import(node);
+  return {
+    postMessage: (message) => parentPort.postMessage(message),
+    on: (take) => parentPort.on("message", take),
+  };
+}
+
+type Report = (fraction: number) => boolean;
+type Work = { [K in Kind]: (engine: Engine, request: Requests[K], report: Report) => Answers[K] };
+
+const work: Work = {
+  defaultParameters: (engine, { preset }) => engine.defaultParameters(preset),
+  setImage: (engine, { image }) => (engine.setImage(image), null),
+  segment: (engine, { seed, preset, parameters }, report) => engine.segment(seed, preset, parameters, report),
+  evaluate: (engine, { segmentation, reference, parameters }, report) =>
+    engine.evaluate(segmentation, reference, parameters, report),
+  selfIntersections: (engine, { surface }) => engine.selfIntersections(surface),
+  phantom: (engine, { shape, parameters }, report) => engine.phantom(shape, parameters, report),
+  memory: (engine) => engine.memory,
+};
+
+/** A message every so often at most. */
+const progressInterval = 40; // ms
+
+/** A page stops a run by ending the worker, so work always goes on. */
+function reporter(port: Port, id: number): Report {
+  let last = 0;
+  return (progress) => {
+    const now = performance.now();
+    if (now - last > progressInterval) {
+      last = now;
+      port.postMessage({ id, progress });
+    }
+    return true;
+  };
+}
+
+const port = await openPort();
+let engine: Promise<Engine>;
+
+port.on(async (message) => {
+  if ("wasm" in message) {
+    engine = Engine.load(factory as KernelFactory, message.wasm);
+    return;
+  }
+  const { id, kind, request } = message;
+  try {
+    const run = work[kind] as (engine: Engine, request: unknown, report: Report) => Answers[Kind];
+    port.postMessage({ id, answer: run(await engine, request, reporter(port, id)) });
+  } catch (error) {
+    const text = error instanceof Error ? error.message : String(error);
+    port.postMessage({ id, error: text, isInput: error instanceof FlipFreeError });
+  }
+});

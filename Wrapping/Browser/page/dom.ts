@@ -1,0 +1,12 @@
+/** Elements of index.html by their ids. */
+export function element<T extends HTMLElement = HTMLElement>(id: string): T {
+  const found = document.getElementById(id);
+  if (!found) {
+    throw new Error(id);
+  }
+  return found as T;
+}
+
+export const button = (id: string) => element<HTMLButtonElement>(id);
+export const input = (id: string) => element<HTMLInputElement>(id);
+export const select = (id: string) => element<HTMLSelectElement>(id);

@@ -1,0 +1,125 @@
+/** The organs of a session, with undo and redo: every change makes a new state, and the former ones are kept. */
+import type { Organ, Parameters, Preset, Seed } from "../flipfree/index.js";
+
+/** What a session says of an organ. */
+export interface SessionOrgan {
+  name: string;
+  color: string;
+  seed: Seed | null;
+  preset: Preset;
+  parameters: Parameters;
+}
+
+/** Never changed: `Organs.change` replaces it. */
+export interface OrganState extends SessionOrgan {
+  /** Of this very seed and these parameters. */
+  result: Organ | null;
+}
+
+interface State {
+  list: readonly OrganState[];
+  chosen: number;
+}
+
+const colors = ["#ffd24a", "#5ad1ff", "#ff8a7a", "#8fe388", "#d9a0ff", "#ffb347", "#7fe0d0", "#ff9ed2"];
+
+function newOrgan(taken: readonly OrganState[]): OrganState {
+  const names = new Set(taken.map(({ name }) => name));
+  let number = 1;
+  while (names.has(`organ ${number}`)) {
+    ++number;
+  }
+  const color = colors.find((one) => taken.every((organ) => organ.color !== one)) ?? colors[taken.length % colors.length];
+  return { name: `organ ${number}`, color, seed: null, preset: "default", parameters: {}, result: null };
+}
+
+/** A name that no other organ has. */
+function uniqueName(name: string, others: readonly OrganState[]): string {
+  const isTaken = (one: string) => others.some((organ) => organ.name === one);
+  let unique = name;
+  for (let number = 2; isTaken(unique); ++number) {
+    unique = `${name} ${number}`;
+  }
+  return unique;
+}
+
+export class Organs {
+  private state: State = { list: [newOrgan([])], chosen: 0 };
+  private past: State[] = [];
+  private future: State[] = [];
+
+  get list(): readonly OrganState[] {
+    return this.state.list;
+  }
+
+  get chosen(): OrganState {
+    return this.state.list[this.state.chosen];
+  }
+
+  get canUndo(): boolean {
+    return this.past.length > 0;
+  }
+
+  get canRedo(): boolean {
+    return this.future.length > 0;
+  }
+
+  /** Starts anew, with nothing to undo. */
+  reset(organs: readonly SessionOrgan[] = []): void {
+    const list = organs.map((organ) => ({ ...organ, result: null }));
+    this.state = { list: list.length > 0 ? list : [newOrgan([])], chosen: 0 };
+    this.past = [];
+    this.future = [];
+  }
+
+  /** Choosing is no change that could be undone. */
+  choose(organ: OrganState): void {
+    this.state = { ...this.state, chosen: Math.max(0, this.state.list.indexOf(organ)) };
+  }
+
+  add(): void {
+    const list = [...this.state.list, newOrgan(this.state.list)];
+    this.set({ list, chosen: list.length - 1 });
+  }
+
+  /** The last one leaves an empty one. */
+  remove(organ: OrganState): void {
+    const list = this.state.list.filter((one) => one !== organ);
+    this.set({ list: list.length > 0 ? list : [newOrgan([])], chosen: Math.min(this.state.chosen, Math.max(0, list.length - 1)) });
+  }
+
+  change(organ: OrganState, change: Partial<OrganState>): void {
+    const others = this.state.list.filter((one) => one !== organ);
+    const name = uniqueName(change.name ?? organ.name, others);
+    const list = this.state.list.map((one) => (one === organ ? { ...one, ...change, name } : one));
+    this.set({ ...this.state, list });
+  }
+
+  /** Adds what was found; a result is not a step of its own. */
+  find(organ: OrganState, result: Organ): void {
+    const list = this.state.list.map((one) => (one === organ ? { ...one, result } : one));
+    this.state = { ...this.state, list };
+  }
+
+  undo(): void {
+    const last = this.past.pop();
+    if (last) {
+      this.future.push(this.state);
+      this.state = last;
+    }
+  }
+
+  redo(): void {
+    const next = this.future.pop();
+    if (next) {
+      this.past.push(this.state);
+      this.state = next;
+    }
+  }
+
+  private set(state: State): void {
+    this.past.push(this.state);
+    this.future = [];
+    this.state = state;
+  }
+}

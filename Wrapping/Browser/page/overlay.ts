@@ -1,0 +1,122 @@
+/** What is drawn over the slices: contours, the seed, letters of orientation, window and position. */
+import type { Niivue } from "@niivue/niivue";
+import { crossSection } from "./crosssection.js";
+import { type Point, type Tile, axes, depthAt, pixelAt, pixelsPerMillimeter, positionOf, sidesOf, slicesOf } from "./tiles.js";
+
+export interface ShownSurface {
+  points: Float64Array; // RAS
+  triangles: Uint32Array;
+  fractions: Float64Array; // of the volume's extents, by which NiiVue counts slices
+  color: string;
+  isChosen: boolean;
+}
+
+export interface ShownSeed {
+  center: Point; // RAS
+  radius: number;
+  color: string;
+}
+
+export interface Marks {
+  surfaces: ShownSurface[];
+  seeds: ShownSeed[];
+}
+
+type Context = CanvasRenderingContext2D;
+
+function drawContour(context: Context, niivue: Niivue, tile: Tile, surface: ShownSurface): void {
+  const { away } = axes(tile);
+  const slice = niivue.scene.crosshairPos[away];
+  const { points, triangles, fractions } = surface;
+  const values = new Float64Array(points.length / 3);
+  for (let vertex = 0; vertex < values.length; ++vertex) {
+    values[vertex] = fractions[3 * vertex + away] - slice;
+  }
+  const segments = crossSection(points, triangles, values);
+  context.lineWidth = (surface.isChosen ? 2 : 1.2) * window.devicePixelRatio;
+  context.strokeStyle = surface.color;
+  context.beginPath();
+  for (let end = 0; end < segments.length; end += 6) {
+    context.moveTo(...pixelAt(tile, segments, end));
+    context.lineTo(...pixelAt(tile, segments, end + 3));
+  }
+  context.stroke();
+}
+
+/** The circle in which the slice cuts the sphere. */
+function drawSeed(context: Context, tile: Tile, { center, radius, color }: ShownSeed): void {
+  const { right, up, away } = axes(tile);
+  const plane = tile.AxyzMxy;
+  const depth = depthAt(tile, center[right], center[up]);
+  const distance = Math.abs(depth - center[away]) / Math.hypot(1, plane[3], plane[4]);
+  if (!(distance < radius)) {
+    return;
+  }
+  const [x, y] = pixelAt(tile, center);
+  context.lineWidth = 1.5 * window.devicePixelRatio;
+  context.strokeStyle = color;
+  context.setLineDash([6, 4]);
+  context.beginPath();
+  context.arc(x, y, Math.sqrt(radius ** 2 - distance ** 2) * pixelsPerMillimeter(tile), 0, 2 * Math.PI);
+  context.stroke();
+  context.setLineDash([]);
+  context.fillStyle = color;
+  context.fillRect(x - 2, y - 2, 4, 4);
+}
+
+function write(context: Context, text: string, x: number, y: number, align: CanvasTextAlign): void {
+  context.textAlign = align;
+  context.strokeText(text, x, y);
+  context.fillText(text, x, y);
+}
+
+function drawText(context: Context, niivue: Niivue, tile: Tile, captions: string[]): void {
+  const [left, top, width, height] = tile.leftTopWidthHeight;
+  const size = 14 * window.devicePixelRatio;
+  const gap = size / 2;
+  context.textBaseline = "middle";
+  context.lineJoin = "round";
+  context.lineWidth = size / 4;
+  context.strokeStyle = "#000";
+  context.fillStyle = "#f2f2f2";
+  context.font = `600 ${size}px system-ui, sans-serif`;
+  const [onLeft, onRight, below, above] = sidesOf(tile);
+  write(context, onLeft, left + gap, top + height / 2, "left");
+  write(context, onRight, left + width - gap, top + height / 2, "right");
+  write(context, below, left + width / 2, top + height - size, "center");
+  write(context, above, left + width / 2, top + size, "center");
+  context.font = `${0.86 * size}px system-ui, sans-serif`;
+  context.fillStyle = "#d5dade";
+  const [x, y, z] = niivue.frac2mm(niivue.scene.crosshairPos);
+  write(context, positionOf(tile, [x, y, z]), left + gap, top + size, "left");
+  captions.forEach((caption, line) => {
+    write(context, caption, left + gap, top + height - size * (1 + 1.2 * (captions.length - 1 - line)), "left");
+  });
+}
+
+/** Draws all over, once NiiVue has drawn. */
+export function drawOverlay(overlay: HTMLCanvasElement, niivue: Niivue, marks: Marks, captions: string[]): void {
+  const { canvas } = niivue;
+  const context = overlay.getContext("2d");
+  if (!canvas || !context) {
+    return;
+  }
+  if (overlay.width !== canvas.width || overlay.height !== canvas.height) {
+    overlay.width = canvas.width;
+    overlay.height = canvas.height;
+  }
+  context.clearRect(0, 0, canvas.width, canvas.height);
+  if (niivue.volumes.length === 0) {
+    return;
+  }
+  slicesOf(niivue).forEach((tile, index) => {
+    context.save();
+    context.beginPath();
+    context.rect(...(tile.leftTopWidthHeight.slice(0, 4) as [number, number, number, number]));
+    context.clip();
+    marks.surfaces.forEach((surface) => drawContour(context, niivue, tile, surface));
+    marks.seeds.forEach((seed) => drawSeed(context, tile, seed));
+    drawText(context, niivue, tile, index === 0 ? captions : []);
+    context.restore();
+  });
+}

@@ -1,0 +1,253 @@
+/** Slices and surfaces on the screen. NiiVue draws the volume and the surfaces in 3D; what is drawn over its slices and
+ * what the pointer does there is ours. NiiVue's coordinates are RAS, all others LPS. */
+import { type NVConfigOptions, NVMesh, Niivue, SHOW_RENDER, SLICE_TYPE } from "@niivue/niivue";
+import { type Seed, type Surface, type Triple, trianglesOf } from "../flipfree/index.js";
+import { type Marks, type ShownSurface, drawOverlay } from "./overlay.js";
+import { type Point, type Tile, pointAt, tileAt } from "./tiles.js";
+import type { OpenImage } from "./volumes.js";
+
+export interface ViewedOrgan {
+  surface: Surface | null;
+  seed: Seed | null;
+  color: string;
+  isChosen: boolean;
+}
+
+/** What the left button does. */
+export type Tool = "seed" | "navigate";
+
+function swapLpsRas(point: Triple | Point): Point {
+  return [-point[0] + 0, -point[1] + 0, point[2]];
+}
+
+function bytesOf(color: string): [number, number, number] {
+  return [1, 3, 5].map((at) => Number.parseInt(color.slice(at, at + 2), 16)) as [number, number, number];
+}
+
+const common = {
+  dragAndDropEnabled: false,
+  isResizeCanvas: true,
+  backColor: [0, 0, 0, 1],
+  logLevel: "fatal" as const, // what goes wrong is said by the page
+  viewModeHotKey: "",
+  clipPlaneHotKey: "",
+  cycleClipPlaneHotKey: "",
+  loadingText: "",
+} satisfies Partial<NVConfigOptions>;
+
+interface Drag {
+  pointer: number;
+  button: number;
+  tile: Tile;
+  start: [number, number];
+  center: Point;
+  window: [number, number];
+}
+
+export class View {
+  private readonly slices: Niivue;
+  private readonly solid: Niivue;
+  private marks: Marks = { surfaces: [], seeds: [] };
+
+  tool: Tool | null = null;
+
+  /** Called while a seed is dragged, and when it is placed. */
+  onSeed: (seed: Seed, placed: boolean) => void = () => {};
+  /** Called when the window was dragged. */
+  onWindow: () => void = () => {};
+
+  private constructor(private readonly overlay: HTMLCanvasElement) {
+    this.slices = new Niivue({
+      ...common,
+      isRadiologicalConvention: true,
+      isSliceMM: true,
+      isOrientationTextVisible: false, // the overlay has all four letters
+      sagittalNoseLeft: true,
+      multiplanarShowRender: SHOW_RENDER.NEVER,
+      crosshairWidth: 0.5,
+      crosshairColor: [0.45, 0.75, 1, 0.6],
+    });
+    this.solid = new Niivue({ ...common, show3Dcrosshair: false, isOrientCube: true });
+  }
+
+  static async open(slices: HTMLCanvasElement, overlay: HTMLCanvasElement, solid: HTMLCanvasElement): Promise<View> {
+    const view = new View(overlay);
+    await view.slices.attachToCanvas(slices);
+    await view.solid.attachToCanvas(solid);
+    view.solid.setSliceType(SLICE_TYPE.RENDER);
+    view.solid.setRenderAzimuthElevation(180, 10); // from the front, as the coronal slice
+    view.slices.setCustomLayout([
+      { sliceType: SLICE_TYPE.AXIAL, position: [0, 0, 0.5, 0.5] },
+      { sliceType: SLICE_TYPE.CORONAL, position: [0.5, 0, 0.5, 0.5] },
+      { sliceType: SLICE_TYPE.SAGITTAL, position: [0, 0.5, 0.5, 0.5] },
+    ]);
+    // NiiVue has no event for it.
+    const draw = view.slices.drawScene.bind(view.slices);
+    view.slices.drawScene = () => {
+      const result = draw();
+      view.drawMarks();
+      return result;
+    };
+    view.takePointer();
+    view.takeWheel();
+    return view;
+  }
+
+  /** Shows a volume, and nothing else any more. */
+  show(opened: OpenImage): void {
+    this.setOrgans([]);
+    for (const volume of [...this.slices.volumes]) {
+      this.slices.removeVolume(volume);
+    }
+    this.slices.addVolume(opened.shown);
+    this.slices.scene.crosshairPos = [0.5, 0.5, 0.5];
+    this.slices.scene.pan2Dxyzmm = [0, 0, 0, 1];
+    this.slices.drawScene();
+  }
+
+  get window(): [number, number] {
+    const [volume] = this.slices.volumes;
+    return [volume.cal_min ?? 0, volume.cal_max ?? 1];
+  }
+
+  set window([least, greatest]: [number, number]) {
+    const [volume] = this.slices.volumes;
+    volume.cal_min = least;
+    volume.cal_max = greatest;
+    this.slices.updateGLVolume();
+  }
+
+  get crosshair(): Point {
+    const [x, y, z] = this.slices.frac2mm(this.slices.scene.crosshairPos);
+    return swapLpsRas([x, y, z]);
+  }
+
+  /** At the volume's border for a point outside. */
+  set crosshair(point: Point) {
+    const [x, y, z] = [...this.slices.mm2frac(swapLpsRas(point))].map((fraction) => Math.min(1, Math.max(0, fraction)));
+    this.slices.scene.crosshairPos = [x, y, z];
+    this.slices.drawScene();
+  }
+
+  moveCrosshair(i: number, j: number, k: number): void {
+    this.slices.moveCrosshairInVox(i, j, k);
+  }
+
+  /** Magnifies around the cross-hair; 1 shows all. */
+  zoomBy(factor: number): void {
+    const [x, y, z, old] = this.slices.scene.pan2Dxyzmm;
+    const zoom = Math.min(10, Math.max(1, old * factor));
+    const [a, b, c] = this.slices.frac2mm(this.slices.scene.crosshairPos);
+    const move = zoom === 1 ? [-x, -y, -z] : [a, b, c].map((value) => (old - zoom) * value);
+    this.slices.scene.pan2Dxyzmm = [x + move[0], y + move[1], z + move[2], zoom];
+    this.slices.drawScene();
+  }
+
+  setOrgans(organs: ViewedOrgan[]): void {
+    for (const mesh of [...this.solid.meshes]) {
+      this.solid.removeMesh(mesh);
+    }
+    this.marks = {
+      surfaces: organs.flatMap(({ surface, color, isChosen }) => (surface ? [this.shownSurface(surface, color, isChosen)] : [])),
+      seeds: [],
+    };
+    for (const { points, triangles, color } of this.marks.surfaces) {
+      const rgba = new Uint8Array([...bytesOf(color), 255]);
+      this.solid.addMesh(new NVMesh(Float32Array.from(points), triangles, "surface", rgba, 1, true, this.solid.gl));
+    }
+    this.solid.drawScene();
+    this.setSeeds(organs);
+  }
+
+  /** The surfaces stay. */
+  setSeeds(organs: ViewedOrgan[]): void {
+    this.marks.seeds = organs.flatMap(({ seed, color }) =>
+      seed ? [{ center: swapLpsRas(seed.center), radius: seed.radius, color }] : [],
+    );
+    this.drawMarks();
+  }
+
+  private shownSurface(surface: Surface, color: string, isChosen: boolean): ShownSurface {
+    const points = Float64Array.from(surface.points, (value, at) => (at % 3 === 2 ? value : -value));
+    const fractions = new Float64Array(points.length);
+    for (let at = 0; at < points.length; at += 3) {
+      fractions.set(this.slices.mm2frac([points[at], points[at + 1], points[at + 2]]), at);
+    }
+    return { points, triangles: trianglesOf(surface), fractions, color, isChosen };
+  }
+
+  private drawMarks(): void {
+    if (this.slices.volumes.length > 0) {
+      const [least, greatest] = this.window;
+      const caption = `W ${Math.round(greatest - least)}  L ${Math.round((least + greatest) / 2)}`;
+      drawOverlay(this.overlay, this.slices, this.marks, [caption]);
+    }
+  }
+
+  /** The overlay has NiiVue's size on the screen, which counts pixels of the device. */
+  private pixelOf(event: MouseEvent): [number, number] {
+    const box = this.overlay.getBoundingClientRect();
+    const scale = this.overlay.width / box.width;
+    return [(event.clientX - box.left) * scale, (event.clientY - box.top) * scale];
+  }
+
+  private takePointer(): void {
+    let drag: Drag | null = null;
+    const { overlay } = this;
+    const move = (event: PointerEvent, isLast: boolean) => {
+      if (!drag || drag.pointer !== event.pointerId) {
+        return;
+      }
+      if (drag.button === 2) {
+        this.dragWindow(drag, this.pixelOf(event));
+      } else if (this.tool === "seed") {
+        const end = pointAt(drag.tile, ...this.pixelOf(event));
+        const radius = Math.hypot(...end.map((value, axis) => value - drag!.center[axis]));
+        this.onSeed({ center: swapLpsRas(drag.center), radius }, isLast);
+      } else if (this.tool === "navigate") {
+        this.crosshair = swapLpsRas(pointAt(drag.tile, ...this.pixelOf(event)));
+      }
+    };
+    overlay.addEventListener("pointerdown", (event) => {
+      const start = this.pixelOf(event);
+      const tile = tileAt(this.slices, ...start);
+      if (tile && this.tool && (event.button === 0 || event.button === 2)) {
+        overlay.setPointerCapture(event.pointerId);
+        const center = pointAt(tile, ...start);
+        drag = { pointer: event.pointerId, button: event.button, tile, start, center, window: this.window };
+        if (event.button === 0) {
+          this.crosshair = swapLpsRas(center);
+        }
+      }
+    });
+    overlay.addEventListener("pointermove", (event) => move(event, false));
+    overlay.addEventListener("pointerup", (event) => {
+      move(event, true);
+      drag = null;
+    });
+    overlay.addEventListener("pointercancel", () => (drag = null));
+    overlay.addEventListener("contextmenu", (event) => event.preventDefault());
+  }
+
+  /** To the right for a wider window, upward for a lower level, as on workstations. */
+  private dragWindow({ start, window: [least, greatest] }: Drag, [x, y]: [number, number]): void {
+    const step = (greatest - least) / 300;
+    const width = Math.max(1e-6 * (greatest - least), greatest - least + (x - start[0]) * step);
+    const level = (least + greatest) / 2 + (y - start[1]) * step;
+    this.window = [level - width / 2, level + width / 2];
+    this.onWindow();
+  }
+
+  /** Turns the slices as if the overlay were not there. */
+  private takeWheel(): void {
+    const take = (event: WheelEvent) => {
+      event.preventDefault();
+      if (event.ctrlKey) {
+        this.zoomBy(event.deltaY < 0 ? 1.1 : 1 / 1.1);
+      } else {
+        this.slices.canvas!.dispatchEvent(new WheelEvent("wheel", event));
+      }
+    };
+    this.overlay.addEventListener("wheel", take, { passive: false });
+  }
+}

@@ -1,0 +1,233 @@
+#include "SessionFile.h"
+
+#include "Failure.h"
+
+#include "vtkImageData.h"
+#include "vtkMath.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <set>
+
+namespace Command
+{
+namespace
+{
+
+using Json = nlohmann::json;
+
+/// Of one to three coordinates, or of a matrix; all finite.
+template <std::size_t Count>
+std::array<double, Count> Numbers(const Json& object, const char* key)
+{
+  const auto numbers = object.at(key).get<std::array<double, Count>>();
+  if (!std::all_of(numbers.begin(), numbers.end(), [](double x) { return std::isfinite(x); }))
+  {
+    throw Failure(std::string(key) + " is not finite");
+  }
+  return numbers;
+}
+
+/// A number, a switch or an array of numbers.
+std::vector<double> ValuesOf(const Json& value)
+{
+  if (value.is_boolean())
+  {
+    return { value.get<bool>() ? 1.0 : 0.0 };
+  }
+  return value.is_array() ? value.get<std::vector<double>>()
+                          : std::vector<double>{ value.get<double>() };
+}
+
+/// ForegroundMass for foregroundMass.
+std::string PropertyOf(std::string name)
+{
+  if (!name.empty())
+  {
+    name.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(name.front())));
+  }
+  return name;
+}
+
+/// Letters, digits and dashes, as the page makes them of a name, too.
+std::string FileNameOf(const std::string& name)
+{
+  std::string file;
+  for (const char letter : name)
+  {
+    const bool isPlain = letter < 0 || std::isalnum(static_cast<unsigned char>(letter)) != 0;
+    file += isPlain ? letter : '-';
+  }
+  return file;
+}
+
+SessionOrgan OrganOf(const Json& entry)
+{
+  SessionOrgan organ;
+  organ.Name = FileNameOf(entry.at("name").get<std::string>());
+  organ.Preset = entry.at("preset").get<std::string>();
+  const Json& seed = entry.at("seed");
+  organ.Seed = Numbers<3>(seed, "center");
+  organ.Radius = seed.at("radius").get<double>();
+  for (const auto& [name, value] : entry.at("parameters").items())
+  {
+    organ.Parameters[PropertyOf(name)] = ValuesOf(value);
+  }
+  return organ;
+}
+
+Session SessionOf(const Json& content)
+{
+  if (content.at("format") != "flipfree-session" || content.at("version") != 1)
+  {
+    throw Failure("it is of another format or of a newer version");
+  }
+  Session session;
+  const Json& image = content.at("image");
+  session.ImageName = image.at("name").get<std::string>();
+  session.Size = image.at("size").get<std::array<int, 3>>();
+  session.Spacing = Numbers<3>(image, "spacing");
+  session.Origin = Numbers<3>(image, "origin");
+  session.Direction = Numbers<9>(image, "direction");
+  std::set<std::string> names;
+  for (const Json& entry : content.at("organs"))
+  {
+    // The page keeps organs that have not been given a seed yet.
+    if (!entry.at("seed").is_null())
+    {
+      session.Organs.push_back(OrganOf(entry));
+      if (!names.insert(session.Organs.back().Name).second)
+      {
+        throw Failure("two organs have the name '" + session.Organs.back().Name + "'");
+      }
+    }
+  }
+  if (session.Organs.empty())
+  {
+    throw Failure("no organ has a seed");
+  }
+  return session;
+}
+
+using Corners = std::array<std::array<double, 3>, 8>;
+
+Corners CornersOf(const Session& session)
+{
+  Corners corners;
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    corners[corner] = session.Origin;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const double length =
+        ((corner >> axis) & 1) * session.Spacing[axis] * (session.Size[axis] - 1);
+      for (int row = 0; row < 3; ++row)
+      {
+        corners[corner][row] += length * session.Direction[3 * row + axis];
+      }
+    }
+  }
+  return corners;
+}
+
+Corners CornersOf(vtkImageData* image)
+{
+  Corners corners;
+  int extent[6];
+  image->GetExtent(extent);
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    double index[3];
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      index[axis] = extent[2 * axis + ((corner >> axis) & 1)];
+    }
+    image->TransformContinuousIndexToPhysicalPoint(index, corners[corner].data());
+  }
+  return corners;
+}
+
+/// Up to a tenth of the least spacing, since files round differently, and in whichever order the
+/// voxels are, since readers of DICOM differ in it.
+bool HasVoxelsOf(const Session& session, vtkImageData* image)
+{
+  std::array<int, 3> size;
+  image->GetDimensions(size.data());
+  std::array<int, 3> wanted = session.Size;
+  std::sort(size.begin(), size.end());
+  std::sort(wanted.begin(), wanted.end());
+  const double tolerance = 0.1 * *std::min_element(session.Spacing.begin(), session.Spacing.end());
+  const Corners found = CornersOf(image);
+  const Corners corners = CornersOf(session);
+  return size == wanted &&
+    std::all_of(corners.begin(), corners.end(),
+      [&](const std::array<double, 3>& corner)
+      {
+        return std::any_of(found.begin(), found.end(),
+          [&](const std::array<double, 3>& other) {
+            return vtkMath::Distance2BetweenPoints(corner.data(), other.data()) <=
+              tolerance * tolerance;
+          });
+      });
+}
+
+} // namespace
+
+Session ReadSession(const std::string& name)
+{
+  std::ifstream file(name, std::ios::binary);
+  if (!file)
+  {
+    throw Failure("'" + name + "' cannot be read. Check the name and the permissions.");
+  }
+  try
+  {
+    Session session = SessionOf(Json::parse(file));
+    session.File = name;
+    return session;
+  }
+  catch (const Json::exception& error)
+  {
+    // [json.exception.type_error.302] type must be ...
+    const std::string reason = error.what();
+    const std::size_t start = reason.find("] ");
+    throw Failure("'" + name + "' is not a session that the page has saved: " +
+      reason.substr(start == std::string::npos ? 0 : start + 2) + ". Save it again.");
+  }
+  catch (const Failure& failure)
+  {
+    throw Failure("'" + name + "' cannot be repeated: " + failure.what() +
+      ". Open it in the page and save it again.");
+  }
+}
+
+std::string ImageBeside(const Session& session)
+{
+  namespace fs = std::filesystem;
+  const fs::path path = fs::path(session.File).parent_path() / session.ImageName;
+  std::error_code error;
+  if (session.ImageName.empty() || !fs::exists(path, error))
+  {
+    throw Failure("The image '" + session.ImageName + "' is not beside '" + session.File +
+      "'. Give it, too: flipfree segment IMAGE --session '" + session.File + "'.");
+  }
+  return path.string();
+}
+
+void RequireImageOf(const Session& session, const std::string& name, vtkImageData* image)
+{
+  if (!HasVoxelsOf(session, image))
+  {
+    throw Failure("'" + name + "' is not the image of '" + session.File + "', which is '" +
+      session.ImageName + "' of " + std::to_string(session.Size[0]) + " x " +
+      std::to_string(session.Size[1]) + " x " + std::to_string(session.Size[2]) +
+      " voxels: its voxels are elsewhere. Give that image.");
+  }
+}
+
+} // namespace Command

@@ -1,0 +1,50 @@
+/**
+ * Reads the sessions that the page in the browser saves: JSON that says which organs were segmented
+ * in which image, from which seeds and with which parameters. `segment --session` repeats them.
+ */
+#ifndef FlipFreeCommandSessionFile_h
+#define FlipFreeCommandSessionFile_h
+
+#include <array>
+#include <map>
+#include <string>
+#include <vector>
+
+class vtkImageData;
+
+namespace Command
+{
+
+struct SessionOrgan
+{
+  std::string Name;
+  std::array<double, 3> Seed; // LPS millimeters
+  double Radius = 0;
+  std::string Preset;
+  std::map<std::string, std::vector<double>> Parameters; // by the names of properties
+};
+
+struct Session
+{
+  std::string File;
+  std::string ImageName; // without a folder, which a browser does not tell
+  std::array<int, 3> Size;
+  std::array<double, 3> Spacing;
+  std::array<double, 3> Origin;
+  std::array<double, 9> Direction;
+  std::vector<SessionOrgan> Organs;
+};
+
+/// Throws a Failure that says what is wrong in the file. There is at least one organ, and their
+/// names can stand in names of files and differ.
+Session ReadSession(const std::string& name);
+
+/// Where the session's image should be: beside the session. Throws a Failure if it is not there.
+std::string ImageBeside(const Session& session);
+
+/// Throws a Failure unless the image has the voxels that the session was made with.
+void RequireImageOf(const Session& session, const std::string& name, vtkImageData* image);
+
+} // namespace Command
+
+#endif

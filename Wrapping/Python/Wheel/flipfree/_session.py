@@ -1,0 +1,174 @@
+"""Sessions that the page in the browser saves, as `flipfree segment --session` repeats them."""
+
+from __future__ import annotations
+
+import itertools
+import json
+import math
+import os
+import re
+from dataclasses import dataclass
+from typing import Any
+
+from ._backend import SEGMENT_PARAMETERS
+from ._errors import FileError, FlipFreeError
+
+# They change no surface.
+IGNORED = {"keep_history", "label_value"}
+
+
+@dataclass
+class SessionOrgan:
+    """An organ of a session: what `segment` takes."""
+
+    name: str
+    seed: list[float]
+    radius: float
+    preset: str
+    parameters: dict[str, Any]
+
+
+@dataclass
+class Session:
+    """The image by name and voxels, and the organs that have a seed."""
+
+    file: str
+    image: str
+    size: list[int]
+    spacing: list[float]
+    origin: list[float]
+    direction: list[float]
+    organs: list[SessionOrgan]
+
+
+def read_session(name: str) -> Session:
+    """Raises FileError that says what is wrong in the file."""
+    try:
+        with open(name, encoding="utf-8") as file:
+            content = json.load(file)
+    except OSError as error:
+        raise FileError(f"'{name}' cannot be read. Check the name and the permissions.") from error
+    except ValueError as error:
+        raise FileError(
+            f"'{name}' is not a session that the page has saved: {error}. Save it again."
+        ) from error
+    try:
+        if content["format"] != "flipfree-session" or content["version"] != 1:
+            raise ValueError("it is of another format or of a newer version")
+        return _session_of(name, content)
+    except (KeyError, TypeError) as error:
+        raise FileError(
+            f"'{name}' is not a session that the page has saved: {error!r} is wrong in it. Save it again."
+        ) from error
+    except ValueError as error:
+        raise FileError(
+            f"'{name}' cannot be repeated: {error}. Open it in the page and save it again."
+        ) from error
+
+
+def _session_of(name: str, content: dict[str, Any]) -> Session:
+    organs = [_organ_of(entry) for entry in content["organs"] if entry["seed"] is not None]
+    names = [organ.name for organ in organs]
+    twice = next((one for one in names if names.count(one) > 1), None)
+    if twice:
+        raise ValueError(f"two organs have the name '{twice}'")
+    if not organs:
+        raise ValueError("no organ has a seed")
+    image = content["image"]
+    return Session(
+        name,
+        str(image["name"]),
+        [int(count) for count in _numbers(image["size"], 3)],
+        _numbers(image["spacing"], 3),
+        _numbers(image["origin"], 3),
+        _numbers(image["direction"], 9),
+        organs,
+    )
+
+
+def _organ_of(entry: dict[str, Any]) -> SessionOrgan:
+    parameters = {}
+    for name, value in entry["parameters"].items():
+        keyword = re.sub(r"(?<!^)(?=[A-Z])", "_", name).lower()
+        if keyword not in SEGMENT_PARAMETERS:
+            raise ValueError(f"there is no parameter '{name}'")
+        if keyword not in IGNORED:
+            parameters[keyword] = value
+    if entry["preset"] not in ("default", "published", "naive"):
+        raise ValueError(f"there is no preset '{entry['preset']}'")
+    # Letters, digits and dashes, as in the names of the page's files.
+    name = re.sub(r"[\0-\x7f]", lambda letter: letter[0] if letter[0].isalnum() else "-", entry["name"])
+    seed = entry["seed"]
+    return SessionOrgan(
+        name, _numbers(seed["center"], 3), float(seed["radius"]), entry["preset"], parameters
+    )
+
+
+def _numbers(values: Any, count: int) -> list[float]:
+    numbers = [float(value) for value in values]
+    if len(numbers) != count or not all(map(math.isfinite, numbers)):
+        raise ValueError(f"{values} are not {count} finite numbers")
+    return numbers
+
+
+def image_beside(session: Session) -> str:
+    """Where the session's image should be: beside the session."""
+    path = os.path.join(os.path.dirname(session.file), session.image)
+    if not session.image or not os.path.exists(path):
+        raise FileError(
+            f"The image '{session.image}' is not beside '{session.file}'. Give it, too: flipfree segment "
+            f"IMAGE --session '{session.file}'."
+        )
+    return path
+
+
+def require_image_of(session: Session, name: str, image: Any) -> None:
+    """Voxels in the same places, up to a tenth of the least spacing; in whichever order."""
+    wanted = _corners(session.size, session.spacing, session.origin, session.direction)
+    size = image.voxels.shape[::-1]
+    found = _corners(size, image.spacing, image.origin, image.direction)
+    tolerance = 0.1 * min(session.spacing)
+    is_same = sorted(size) == sorted(session.size) and all(
+        any(math.dist(corner, other) <= tolerance for other in found) for corner in wanted
+    )
+    if not is_same:
+        raise FlipFreeError(
+            f"'{name}' is not the image of '{session.file}', which is '{session.image}' of "
+            f"{' x '.join(map(str, session.size))} voxels: its voxels are elsewhere. Give that image."
+        )
+
+
+def _corners(size: Any, spacing: Any, origin: Any, direction: Any) -> list[list[float]]:
+    rows = [list(direction)[3 * row : 3 * row + 3] for row in range(3)]
+    corners = []
+    for ends in itertools.product((0, 1), repeat=3):
+        lengths = [end * (count - 1) * step for end, count, step in zip(ends, size, spacing)]
+        corners.append(
+            [start + sum(a * b for a, b in zip(row, lengths)) for start, row in zip(origin, rows)]
+        )
+    return corners
+
+
+def runs_of(session: Session, values: dict[str, Any], outputs: list[str]) -> list[dict[str, Any]]:
+    """The command's values for each organ; its options come after the session's parameters."""
+    runs = []
+    for index, organ in enumerate(session.organs):
+        label = values.get("label_value", 1) + index
+        if label > 255:
+            raise FlipFreeError(
+                f"'{session.file}': labels go up to 255. Remove organs, or leave out --label-value."
+            )
+        run = {**organ.parameters, **values, "seed": organ.seed, "radius": organ.radius}
+        run.update(preset=organ.preset, label_value=label)
+        if len(session.organs) > 1:
+            run["organ"] = organ.name
+            run.update({name: _name_for(organ.name, run[name]) for name in outputs if name in run})
+        runs.append(run)
+    return runs
+
+
+def _name_for(organ: str, path: str) -> str:
+    """out-liver.vtp for out.vtp."""
+    folder, name = os.path.split(path)
+    stem, dot, ending = name[1:].partition(".")
+    return os.path.join(folder, f"{name[:1]}{stem}-{organ}{dot}{ending}")
