@@ -136,8 +136,8 @@ CorrectionPoint PointOfControl(const Json& control, bool isRAS)
     point.Place[0] = -point.Place[0];
     point.Place[1] = -point.Place[1];
   }
-  if (!std::all_of(
-        point.Place.begin(), point.Place.end(), [](double x) { return std::isfinite(x); }))
+  if (!std::all_of(point.Place.begin(), point.Place.end(),
+        [](double x) { return std::isfinite(x); }))
   {
     throw Failure("its position is not finite");
   }

@@ -50,9 +50,9 @@ bool PointOptions::IsEmpty() const
 
 void PointOptions::RequireSense() const
 {
-  const std::pair<const char*, const std::vector<double>*> options[] = {
-    { "--inside", &this->Inside }, { "--outside", &this->Outside }, { "--boundary", &this->Boundary }
-  };
+  const std::pair<const char*, const std::vector<double>*> options[] = { { "--inside",
+                                                                           &this->Inside },
+    { "--outside", &this->Outside }, { "--boundary", &this->Boundary } };
   for (const auto& [name, values] : options)
   {
     if (values->size() % 3 != 0)

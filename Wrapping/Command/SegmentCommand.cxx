@@ -72,8 +72,9 @@ void RequireStart(const Segmentation& segmentation)
     }
     if (!segmentation.Corrections.IsEmpty())
     {
-      throw WrongUsage("--session cannot be corrected by points. Give the image, --seed and --radius "
-                       "in its place.");
+      throw WrongUsage(
+        "--session cannot be corrected by points. Give the image, --seed and --radius "
+        "in its place.");
     }
     return;
   }
