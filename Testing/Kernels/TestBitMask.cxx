@@ -78,6 +78,11 @@ TEST(BitMask, RunsOfEveryPlaceAndLength)
         expected.Insert(i, 1, 0);
       }
       ASSERT_EQ(run, expected) << begin << " to " << end;
+      BitMask rest(geometry);
+      rest.Complement();
+      rest.RemoveRun(begin, end, 1, 0);
+      expected.Complement();
+      ASSERT_EQ(rest, expected) << begin << " to " << end;
     }
   }
 }

@@ -49,7 +49,7 @@ def main(readme, prefix, python, vtk, compiler):
                        PYTHONPATH=os.path.join(prefix, python),
                        CMAKE_PREFIX_PATH=prefix, CXX=compiler)
     with tempfile.TemporaryDirectory(prefix="flipfree-readme-") as folder:
-        output = run(["bash", "-e", "-c", block(text, "### Shell", "sh")], folder, environment)
+        output = run(["bash", "-e", "-c", "".join(blocks(text, "### Shell", "sh"))], folder, environment)
         expect(r"\nDice +0\.9[3-9]", output)
         write(folder, "liver.cxx", block(text, "### C++", "cpp"))
         write(folder, "CMakeLists.txt", block(text, "### C++", "cmake"))
@@ -57,10 +57,12 @@ def main(readme, prefix, python, vtk, compiler):
         run(["cmake", "--build", "build"], folder, environment)
         expect("^6144 vertices, a label map of [0-9]+ voxels, 0 self-intersections\n$",
                run(["build/liver"], folder, environment))
-        layer, filters = blocks(text, "### Python", "python")
+        layer, filters, correction = blocks(text, "### Python", "python")
         expect(r"^at rest \(6144, 3\) [0-9]+ voxels\n0\.9[3-9]",
                run([sys.executable, "-c", layer], folder, environment))
         expect("^at rest 6144\n$", run([sys.executable, "-c", filters], folder, environment))
+        expect("<Segmentation: 6144 vertices, 0 self-intersections",
+               run([sys.executable, "-c", f"{layer}\n{correction}\nprint(better)"], folder, environment))
         lines = block(text, "### Python", "sh").replace("/usr/bin/python3", sys.executable)
         expect(r"6144 vertices, 0 self.*\nScores\(dice=0\.9[3-9]",
                run(["bash", "-e", "-c", lines], folder, environment))

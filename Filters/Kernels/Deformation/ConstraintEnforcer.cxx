@@ -166,7 +166,7 @@ void ConstraintEnforcer::Update(const ContourMesh& mesh, const FaceHulls& hulls,
 Eigen::Vector3d ConstraintEnforcer::PullOf(const PointConstraint& constraint,
   const ContourMesh& mesh, const PointList& points, const SurfacePlace& place) const
 {
-  const Eigen::Vector3d toPoint = constraint.Point - place.Point;
+  Eigen::Vector3d toPoint = constraint.Point - place.Point;
   if (constraint.Kind == ConstraintKind::Boundary)
   {
     return toPoint;

@@ -29,7 +29,7 @@ Vector3d ClosestOnTriangle(const Vector3d& a, const Vector3d& b, const Vector3d&
   const double square = normal.squaredNorm();
   if (square > 0)
   {
-    const Vector3d foot = point - normal * (normal.dot(point - a) / square);
+    Vector3d foot = point - normal * (normal.dot(point - a) / square);
     if (normal.dot((b - a).cross(foot - a)) >= 0 && normal.dot((c - b).cross(foot - b)) >= 0 &&
       normal.dot((a - c).cross(foot - c)) >= 0)
     {
