@@ -408,8 +408,7 @@ private:
   void UseSettings(const FlipFree::OrganSegmentationSettings& settings);
   bool IsCacheUpToDate(vtkInformationVector** inputs);
   void Segment(vtkImageData* image, vtkPolyData* start, vtkPointSet* constraints);
-  FlipFree::VolumeSegmentation Run(vtkImageData* image, vtkPolyData* start,
-    vtkPointSet* constraints);
+  FlipFree::VolumeSegmentation Run(vtkImageData* image, vtkPolyData* start, vtkPointSet* points);
   vtkMTimeType GetParameterTime();
   void AddConstraint(const FlipFree::PointConstraint& constraint);
 

@@ -64,14 +64,13 @@ TEST(DepthHill, IsNoneWithoutANeckOrAWay)
 {
   const ImageGeometry geometry = Grid();
   // On the slope of one ball.
-  EXPECT_TRUE(FindDepthHill(Dumbbell(3), geometry, geometry.Offset(34, 12, 12),
-    geometry.Offset(34, 18, 12))
-                .Holds.empty());
-  // Apart.
-  EXPECT_TRUE(FindDepthHill(Dumbbell(-1), geometry, geometry.Offset(34, 12, 12),
-    geometry.Offset(10, 12, 12))
-                .Holds.empty());
-  // Outside.
   EXPECT_TRUE(
-    FindDepthHill(Dumbbell(3), geometry, 0, geometry.Offset(10, 12, 12)).Holds.empty());
+    FindDepthHill(Dumbbell(3), geometry, geometry.Offset(34, 12, 12), geometry.Offset(34, 18, 12))
+      .Holds.empty());
+  // Apart.
+  EXPECT_TRUE(
+    FindDepthHill(Dumbbell(-1), geometry, geometry.Offset(34, 12, 12), geometry.Offset(10, 12, 12))
+      .Holds.empty());
+  // Outside.
+  EXPECT_TRUE(FindDepthHill(Dumbbell(3), geometry, 0, geometry.Offset(10, 12, 12)).Holds.empty());
 }

@@ -144,8 +144,9 @@ private:
   {
     const auto& size = this->Grid.Blocks.Dimensions;
     const std::size_t row = block / size[0];
-    return this->Grid.Blocks.ToPhysical(Eigen::Vector3d(static_cast<double>(block % size[0]),
-      static_cast<double>(row % size[1]), static_cast<double>(row / size[1])));
+    const std::array<std::size_t, 3> index{ { block % size[0], row % size[1], row / size[1] } };
+    return this->Grid.Blocks.ToPhysical(Eigen::Vector3d(static_cast<double>(index[0]),
+      static_cast<double>(index[1]), static_cast<double>(index[2])));
   }
 
   // Which blocks are on the wrong side and near enough to change it.
