@@ -74,7 +74,7 @@ std::vector<Tube> ReadTubes(const std::string& file)
     {
       fields.push_back(field);
     }
-    Tube tube{ fields[0], fields[2], fields[3], fields[4], std::stoi(fields[5]), {} };
+    Tube tube{ fields[0], fields[1], fields[3], fields[4], std::stoi(fields[5]), {} };
     for (std::size_t point = 0; point < mostPoints; ++point)
     {
       const std::size_t x = firstPoint + 4 * point;

@@ -54,7 +54,7 @@ inline vtkSmartPointer<vtkImageData> ImageOfType(int type, int components = 1)
 /// The sphere in floating point, with one voxel of the seed replaced.
 inline vtkSmartPointer<vtkImageData> ImageWith(double value)
 {
-  const auto image = ImageOfType(VTK_DOUBLE);
+  auto image = ImageOfType(VTK_DOUBLE);
   image->GetPointData()->GetScalars()->DeepCopy(SphereImage()->GetPointData()->GetScalars());
   image->SetScalarComponentFromDouble(15, 16, 17, 0, value);
   return image;

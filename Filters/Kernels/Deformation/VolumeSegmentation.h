@@ -32,10 +32,12 @@ template <typename T>
 GrayVolume GrayVolumeOf(const ImageView<T>& image, const std::string& name,
   const Threading& threading)
 {
-  return { image.Geometry, ReaderOf(image), [image, name, threading](const VoxelBox& box) {
-            RequireFiniteAs<float>(image, box, name, "replace such voxels first", threading,
-              NeverStop);
-          } };
+  GrayVolume volume;
+  volume.Geometry = image.Geometry;
+  volume.Read = ReaderOf(image);
+  volume.RequireFinite = [image, name, threading](const VoxelBox& box)
+  { RequireFiniteAs<float>(image, box, name, "replace such voxels first", threading, NeverStop); };
+  return volume;
 }
 
 struct VolumeSegmentationSettings
