@@ -8,6 +8,7 @@ import sys
 import time
 from collections.abc import Callable
 from dataclasses import asdict
+from functools import partial
 from typing import Any, get_args
 
 from ._atomic import replacing, write_table
@@ -120,9 +121,7 @@ def _segment_one(
         raise FlipFreeError(f"{title}: no boundary of the organ was found, so nothing is written.")
     for name in OUTPUTS:
         if name in values and name != "labels":
-            _write_to(
-                files, values[name], lambda path, name=name: _write(name, path, organ, image)
-            )
+            _write_to(files, values[name], partial(_write, name, organ, image))
     return organ, working
 
 
@@ -339,7 +338,7 @@ def _write_to(files: contextlib.ExitStack, path: str, write: Callable[[str], Non
         raise FileError(str(error).replace(temporary, path)) from error
 
 
-def _write(name: str, path: str, organ: Segmentation, image: Any) -> None:
+def _write(name: str, organ: Segmentation, image: Any, path: str) -> None:
     if name == "output":
         write_surface(organ, path)
     elif name == "save_points":

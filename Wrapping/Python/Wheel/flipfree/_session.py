@@ -158,7 +158,8 @@ def runs_of(session: Session, values: dict[str, Any], outputs: list[str]) -> lis
             raise FlipFreeError(
                 f"'{session.file}': labels go up to 255. Remove organs, or leave out --label-value."
             )
-        run = {**organ.parameters, **values, "seed": organ.seed, "radius": organ.radius}
+        run: dict[str, Any] = {**organ.parameters, **values}
+        run.update(seed=organ.seed, radius=organ.radius)
         run.update(preset=organ.preset, label_value=label)
         if len(session.organs) > 1:
             run["organ"] = organ.name
