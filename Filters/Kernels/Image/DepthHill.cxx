@@ -14,43 +14,44 @@ class Components
 {
 public:
   explicit Components(std::size_t size)
-    : Parents(size, None)
-    , Peaks(size, 0.0F)
+    : Members(size)
   {
   }
 
-  bool Has(std::size_t voxel) const { return this->Parents[voxel] != None; }
+  bool Has(std::size_t voxel) const { return this->Members[voxel].IsIn; }
 
-  void Add(std::size_t voxel, float depth)
-  {
-    this->Parents[voxel] = static_cast<int>(voxel);
-    this->Peaks[voxel] = depth;
-  }
+  void Add(std::size_t voxel, float depth) { this->Members[voxel] = { voxel, depth, true }; }
 
   std::size_t RootOf(std::size_t voxel)
   {
-    while (this->Parents[voxel] != static_cast<int>(voxel))
+    while (this->Members[voxel].Parent != voxel)
     {
-      this->Parents[voxel] = this->Parents[this->Parents[voxel]];
-      voxel = this->Parents[voxel];
+      Member& member = this->Members[voxel];
+      member.Parent = this->Members[member.Parent].Parent;
+      voxel = member.Parent;
     }
     return voxel;
   }
 
-  float PeakOf(std::size_t voxel) { return this->Peaks[this->RootOf(voxel)]; }
+  float PeakOf(std::size_t voxel) { return this->Members[this->RootOf(voxel)].Peak; }
 
   void Join(std::size_t one, std::size_t two)
   {
-    const std::size_t from = this->RootOf(one);
-    const std::size_t to = this->RootOf(two);
-    this->Peaks[to] = std::max(this->Peaks[from], this->Peaks[to]);
-    this->Parents[from] = static_cast<int>(to);
+    Member& from = this->Members[this->RootOf(one)];
+    const std::size_t root = this->RootOf(two);
+    Member& to = this->Members[root];
+    to.Peak = std::max(from.Peak, to.Peak);
+    from.Parent = root;
   }
 
 private:
-  static constexpr int None = -1;
-  std::vector<int> Parents;
-  std::vector<float> Peaks;
+  struct Member
+  {
+    std::size_t Parent = 0; // itself: the root
+    float Peak = 0;
+    bool IsIn = false;
+  };
+  std::vector<Member> Members;
 };
 
 template <typename Visit>
