@@ -79,6 +79,8 @@ def other_values(item):
     values = [value + step + index for index, value in enumerate(elements(item))]
     domain = item.GetDomain("range")
     if domain.GetMaximumExists(0) and max(values) > domain.GetMaximum(0):
+        if item.IsA("vtkSMIntVectorProperty"):
+            return [domain.GetMaximum(0) - 1]
         return [domain.GetMaximum(0) / 2]
     return values
 
