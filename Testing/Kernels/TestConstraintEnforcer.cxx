@@ -90,9 +90,9 @@ TEST(ConstraintEnforcer, NamesThePointThatCannotBeObeyed)
     "surface, or move the point");
   // A wall of outside points between the surface and the point.
   ConstraintList wall{ At(ConstraintKind::Inside, 40, 0, 0) };
-  for (int j = -40; j <= 40; j += 2)
+  for (int j = -40; j <= 40; j += 4)
   {
-    for (int k = -40; k <= 40; k += 2)
+    for (int k = -40; k <= 40; k += 4)
     {
       wall.push_back(At(ConstraintKind::Outside, 27, j, k));
     }
