@@ -23,8 +23,6 @@ public:
   /// boundary point.
   ConstraintEnforcer(const ConstraintList& constraints, double spacing);
 
-  bool IsEmpty() const { return this->Constraints.empty(); }
-
   /// Begins with an embedded surface; the hulls are of its faces. Throws Error, naming the point,
   /// if an outside point lies in it or on it.
   void Begin(const ContourMesh& mesh, const FaceHulls& hulls, const PointList& points);

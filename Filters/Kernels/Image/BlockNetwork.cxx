@@ -77,7 +77,7 @@ std::vector<float> SmoothBlockMeans(const ImagePart& image, const BlockGrid& gri
 
 CutNetwork MakeBlockNetwork(const ImageGeometry& blocks, const std::vector<int>& nodes,
   const std::vector<float>& smooth, const BlockLinks& links,
-  const std::function<double(std::size_t block, const std::array<int, 3>& index)>& unary,
+  const std::function<double(std::size_t block)>& unary,
   const std::function<double(std::size_t block)>& side)
 {
   CutNetwork network;
@@ -108,7 +108,7 @@ CutNetwork MakeBlockNetwork(const ImageGeometry& blocks, const std::vector<int>&
         {
           continue;
         }
-        double terminal = unary(block, index) * volume / unit;
+        double terminal = unary(block) * volume / unit;
         for (int way = 0; way < 6; ++way)
         {
           const int axis = way / 2;

@@ -28,7 +28,7 @@ struct BlockLinks
 /// node on which side it is: 1 with the source, -1 with the sink.
 CutNetwork MakeBlockNetwork(const ImageGeometry& blocks, const std::vector<int>& nodes,
   const std::vector<float>& smooth, const BlockLinks& links,
-  const std::function<double(std::size_t block, const std::array<int, 3>& index)>& unary,
+  const std::function<double(std::size_t block)>& unary,
   const std::function<double(std::size_t block)>& side);
 
 } // namespace FlipFree

@@ -301,8 +301,7 @@ private:
       3 * std::max({ this->OfPoint.StandardDeviation, 0.5 * this->Noise, 1e-12 });
     CutNetwork network = MakeBlockNetwork(
       this->Grid.Blocks, this->Nodes, smooth, links,
-      [&](std::size_t block, const std::array<int, 3>&)
-      { return this->WorthOf(smooth[block], this->CenterOf(block)); },
+      [&](std::size_t block) { return this->WorthOf(smooth[block], this->CenterOf(block)); },
       [this](std::size_t block) { return this->IsRight[block] ? 1 : -1; });
     for (std::size_t block = 0; block < this->Nodes.size(); ++block)
     {

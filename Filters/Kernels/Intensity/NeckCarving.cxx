@@ -246,7 +246,7 @@ private:
     links.EdgeContrast = 3 * std::max({ this->OfBall.StandardDeviation, 0.5 * this->Noise, 1e-12 });
     CutNetwork network = MakeBlockNetwork(
       this->Grid.Blocks, this->Nodes, SmoothBlockMeans(this->Image, this->Grid, this->Parallel),
-      links, [this](std::size_t block, const std::array<int, 3>&) { return this->Unaries[block]; },
+      links, [this](std::size_t block) { return this->Unaries[block]; },
       [](std::size_t) { return -1; });
     for (std::size_t block = 0; block < this->Nodes.size(); ++block)
     {
