@@ -1,3 +1,4 @@
+#include "CommonOptions.h"
 #include "Failure.h"
 #include "Messages.h"
 #include "OutputFile.h"
@@ -187,7 +188,7 @@ void AddEvaluateCommand(CLI::App& program)
     ->type_name("FILE");
   command->add_flag("--voxelize", evaluation->Voxelize,
     "Measure distances from the surface's voxels, for a fair comparison with label maps");
-  command->add_flag("-q,--quiet", evaluation->Quiet, "Print nothing but errors and warnings");
+  AddQuietOption(*command, evaluation->Quiet);
   command->footer(Footer);
   command->callback([evaluation]() { Evaluate(*evaluation); });
 }

@@ -1,3 +1,4 @@
+#include "CommonOptions.h"
 #include "Failure.h"
 #include "Messages.h"
 #include "OutputFile.h"
@@ -187,7 +188,7 @@ void AddPhantomCommand(CLI::App& program)
     ->type_name("N")
     ->check(CLI::Range(0, 20))
     ->capture_default_str();
-  command->add_flag("-q,--quiet", phantom->Quiet, "Print nothing but errors and warnings");
+  AddQuietOption(*command, phantom->Quiet);
   command->footer(Footer);
   command->callback([phantom]() { Make(*phantom); });
 }

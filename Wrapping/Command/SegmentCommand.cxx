@@ -1,3 +1,4 @@
+#include "CommonOptions.h"
 #include "Failure.h"
 #include "Messages.h"
 #include "OutputFile.h"
@@ -464,21 +465,16 @@ void AddFiles(CLI::App* command, Segmentation& segmentation)
     ->type_name("FILE");
   command->add_option("--labels", segmentation.Labels, "Label map (.nii.gz .nii .nrrd .mha)")
     ->type_name("FILE");
-  command->add_option("--convergence", segmentation.Convergence, "Table of the iterations (.csv)")
-    ->type_name("FILE");
-  command->add_option("--snapshot", segmentation.Snapshot, "Picture of the result (.png)")
-    ->type_name("FILE");
+  AddConvergenceOption(*command, segmentation.Convergence);
+  AddSnapshotOption(*command, segmentation.Snapshot);
   command
     ->add_option("--label-value", segmentation.Label,
       "Value of the organ in the label map, 1 to 255; of several, of the first")
     ->type_name("N")
     ->check(CLI::Range(1, 255))
     ->capture_default_str();
-  command->add_option("--threads", segmentation.Threads, "Number of threads; 0: all available")
-    ->type_name("N")
-    ->check(CLI::Range(0, 1024))
-    ->capture_default_str();
-  command->add_flag("-q,--quiet", segmentation.Quiet, "Print nothing but errors and warnings");
+  AddThreadsOption(*command, segmentation.Threads);
+  AddQuietOption(*command, segmentation.Quiet);
 }
 
 } // namespace

@@ -1,3 +1,4 @@
+#include "CommonOptions.h"
 #include "Failure.h"
 #include "Messages.h"
 #include "OutputFile.h"
@@ -223,10 +224,8 @@ void AddFiles(CLI::App* command, Trace& trace)
     ->type_name("FILE");
   command->add_option("--centerline", trace.Centerline, "Poly lines with radii (.vtp)")
     ->type_name("FILE");
-  command->add_option("--convergence", trace.Convergence, "Table of the iterations (.csv)")
-    ->type_name("FILE");
-  command->add_option("--snapshot", trace.Snapshot, "Picture of the result (.png)")
-    ->type_name("FILE");
+  AddConvergenceOption(*command, trace.Convergence);
+  AddSnapshotOption(*command, trace.Snapshot);
 }
 
 void AddParameters(CLI::App* command, Trace& trace)
@@ -259,11 +258,8 @@ void AddParameters(CLI::App* command, Trace& trace)
     ->type_name("N")
     ->check(CLI::Range(1, 255))
     ->capture_default_str();
-  command->add_option("--threads", trace.Threads, "Number of threads; 0: all available")
-    ->type_name("N")
-    ->check(CLI::Range(0, 1024))
-    ->capture_default_str();
-  command->add_flag("-q,--quiet", trace.Quiet, "Print nothing but errors and warnings");
+  AddThreadsOption(*command, trace.Threads);
+  AddQuietOption(*command, trace.Quiet);
 }
 
 } // namespace

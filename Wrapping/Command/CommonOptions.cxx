@@ -1,0 +1,31 @@
+#include "CommonOptions.h"
+
+#include <CLI/CLI.hpp>
+
+namespace Command
+{
+
+void AddConvergenceOption(CLI::App& command, std::string& file)
+{
+  command.add_option("--convergence", file, "Table of the iterations (.csv)")->type_name("FILE");
+}
+
+void AddSnapshotOption(CLI::App& command, std::string& file)
+{
+  command.add_option("--snapshot", file, "Picture of the result (.png)")->type_name("FILE");
+}
+
+void AddThreadsOption(CLI::App& command, int& threads)
+{
+  command.add_option("--threads", threads, "Number of threads; 0: all available")
+    ->type_name("N")
+    ->check(CLI::Range(0, 1024))
+    ->capture_default_str();
+}
+
+void AddQuietOption(CLI::App& command, bool& quiet)
+{
+  command.add_flag("-q,--quiet", quiet, "Print nothing but errors and warnings");
+}
+
+} // namespace Command
