@@ -134,7 +134,14 @@ double RequireSize(const std::string& name, const Header& header)
     voxels *= std::max(1, size); // a trailing axis of length zero is an axis of length one
     if (axis <= 3)
     {
-      RequireSpacing(name, Numbered("pixdim", axis), header.Field<float>(76 + 4 * axis));
+      const std::string field = Numbered("pixdim", axis);
+      const float spacing = header.Field<float>(76 + 4 * axis);
+      RequireSpacing(name, field, spacing);
+      // Readers disagree whether a negative spacing mirrors the image; left and right are at stake.
+      if (spacing < 0)
+      {
+        RefuseField(name, field, "is negative, but a spacing must be positive");
+      }
     }
     else
     {
@@ -182,6 +189,16 @@ void RequireOrientation(const std::string& name, const Header& header)
     {
       RequireLength(name, Numbered(rows[entry / 4], entry % 4),
         header.Field<float>(280 + 4 * entry));
+    }
+    for (int row = 0; row < 3; ++row)
+    {
+      const auto entry = [&](int axis) { return header.Field<float>(280 + 16 * row + 4 * axis); };
+      // Readers fall back to another orientation without a word.
+      if (entry(0) == 0 && entry(1) == 0 && entry(2) == 0)
+      {
+        RefuseField(name, rows[row],
+          "holds zeros where it should say which way the voxels' axes run");
+      }
     }
   }
 }

@@ -38,8 +38,14 @@ class Tables(unittest.TestCase):
 
     def test_medians_are_of_all_rows(self):
         line = tables.median_table(self.rows, [FLIPFREE, SNAKE])[-1].strip("| ").split(" | ")
-        self.assertEqual(line[1:6], ["-", "-", "0.350", "0.350", "0.000"])
+        self.assertEqual(line[1:4], ["0.350", "0.350", "0.000"])  # kidneys alone, all, the least
         self.assertEqual(line[-2:], ["1.0", "1.0"])
+
+    def test_each_organ_that_is_there_has_a_column_in_both_modalities(self):
+        rows = [*self.rows, row("other", FLIPFREE, 0.6, organ="mr-liver")]
+        lines = tables.median_table(rows, [FLIPFREE])
+        self.assertEqual(lines[0].strip("| ").split(" | ")[1:5], ["Dice, kidney", "MR liver", "all", "minimum"])
+        self.assertEqual(lines[-1].strip("| ").split(" | ")[1:5], ["0.850", "0.600", "0.800", "0.600"])
 
     def test_median_times_leave_out_what_is_no_number(self):
         record = {"wall_s": "3", "cpu_s": "2"}
@@ -49,6 +55,20 @@ class Tables(unittest.TestCase):
         self.assertEqual(times["segment_s"], 5)
         self.assertTrue(math.isnan(scores.median_times([{**record, **missing}])["segment_s"]))
         self.assertEqual(scores.median_times([{**record, **missing}])["wall_s"], 3)
+
+
+class Lists(unittest.TestCase):
+    def test_rows_come_from_the_lists_that_are_named(self):
+        with tempfile.TemporaryDirectory() as folder:
+            fields = "case,organ,image,labels,label_id,seed_x,seed_y,seed_z,radius_mm\n"
+            for name, organ in (("cases", "liver"), ("more", "mr-spleen"), ("vessels", "aorta")):
+                with open(os.path.join(folder, name + ".csv"), "w", encoding="utf-8") as file:
+                    file.write(fields + f"{name}-1,{organ},a.nii,b.nii,3,1,2,3,4\n")
+            found = cases.all_cases(folder, ["more.csv", "vessels.csv"], folder)
+            self.assertEqual([(case.name, case.scored) for case in found], [("more-1", True), ("vessels-1", False)])
+            self.assertEqual(cases.all_cases(os.path.join(folder, "none"), ["cases.csv"], folder), [])
+            with self.assertRaises(FileNotFoundError):
+                cases.all_cases(folder, ["mroe.csv"], folder)
 
 
 class Runs(unittest.TestCase):

@@ -1,4 +1,4 @@
-"""What is segmented: the rows of cases.csv and the phantoms, each an organ in a volume with a seed sphere."""
+"""What is segmented: the rows of lists such as cases.csv and the phantoms, each an organ in a volume with a seed sphere."""
 
 import csv
 import os
@@ -6,7 +6,9 @@ from dataclasses import dataclass
 
 import flipfree
 
-ORGANS = ("liver", "spleen", "kidney")  # those that the paper's table is about, and kidneys
+# Those that the paper's table is about, and kidneys; in MR, which is a case of its own.
+ORGANS = ("liver", "spleen", "kidney", "mr-liver", "mr-spleen", "mr-kidney")
+PHANTOMS = "phantoms"  # in place of the name of a list
 
 
 @dataclass(frozen=True)
@@ -25,13 +27,17 @@ class Case:
         return self.organ in ORGANS and not self.name.startswith("phantom")
 
 
-def all_cases(data, results):
-    return [*real_cases(data), *phantom_cases(os.path.join(results, "phantoms"))]
+def all_cases(data, lists, results):
+    cases = []
+    for name in lists:
+        cases += phantom_cases(os.path.join(results, "phantoms")) if name == PHANTOMS else real_cases(data, name)
+    return cases
 
 
-def real_cases(data):
-    table = os.path.join(data, "cases.csv")
-    if not os.path.exists(table):
+def real_cases(data, name):
+    """The default list is there only where the volumes are; any other that is missing is a mistake."""
+    table = os.path.join(data, name)
+    if name == "cases.csv" and not os.path.exists(table):
         return []
     with open(table, encoding="utf-8") as file:
         return [Case(row["case"], row["organ"], os.path.join(data, row["image"]), os.path.join(data, row["labels"]),

@@ -48,6 +48,15 @@ def of(rows, method, organ=None):
     return [row for row in rows if row["method"] == method.key and row["scored"] and organ in (None, row["organ"])]
 
 
+def organs_of(rows):
+    """Those that the rows are about, in the order of ORGANS."""
+    return [organ for organ in ORGANS if any(row["organ"] == organ and row["scored"] for row in rows)]
+
+
+def title_of(organ):
+    return organ.replace("mr-", "MR ")
+
+
 def medians_of(rows):
     return {name: median([row[name] for row in rows]) for name in MEDIANS}
 
@@ -55,13 +64,13 @@ def medians_of(rows):
 def paper_table(rows, methods):
     """V, D, VO, K, T and T' as in Table 1 of the paper."""
     lines = header("organ", "V, ml", "algorithm", "D, mm", "VO, %", "K", "T, s", "T', s")
-    for organ in ORGANS:
+    for organ in organs_of(rows):
         for number, method in enumerate(methods):
             own = of(rows, method, organ)
             if own:
                 seconds = [row["segment_s"] for row in own]
                 each = [row["segment_s"] / (1 if method.plane else row["slices"]) for row in own]
-                lines.append(line(f"{organ} ({len(own)})" if number == 0 else "",
+                lines.append(line(f"{title_of(organ)} ({len(own)})" if number == 0 else "",
                                   spread([row["volume_ml"] for row in own]) if number == 0 else "", method.title,
                                   spread([row["asd"] for row in own]), spread([100 * row["jaccard"] for row in own]),
                                   spread([row["iterations"] for row in own]), spread(seconds), spread(each)))
@@ -69,7 +78,10 @@ def paper_table(rows, methods):
 
 
 def median_table(rows, methods):
-    lines = header("algorithm", "Dice, liver", "spleen", "kidney", "all", "minimum", "ASD, mm, liver", "spleen", "kidney",
+    organs = organs_of(rows)
+    titles = [title_of(organ) for organ in organs]
+    first, others = titles[0] if titles else "", titles[1:]
+    lines = header("algorithm", f"Dice, {first}", *others, "all", "minimum", f"ASD, mm, {first}", *others,
                    "all", "HD95, mm", "self-intersecting surfaces", "segmentation, s", "process, s", "CPU, s",
                    "memory, MB", "times FlipFree's segmentation", "process", "CPU")
     for method in methods:
@@ -81,9 +93,9 @@ def median_table(rows, methods):
             ratios = [median([row[name] / other[name] for row in own for other in of(rows, METHODS[0])
                               if other["case"] == row["case"]]) for name in ("segment_s", "wall_s", "cpu_s")]
             lines.append(line(method.title, *(cell(medians_of(of(rows, method, organ))["dice"], ".3f")
-                                              for organ in ORGANS), f"{found['dice']:.3f}",
+                                              for organ in organs), f"{found['dice']:.3f}",
                               f"{min(row['dice'] for row in own):.3f}",
-                              *(cell(medians_of(of(rows, method, organ))["asd"], ".2f") for organ in ORGANS),
+                              *(cell(medians_of(of(rows, method, organ))["asd"], ".2f") for organ in organs),
                               cell(found["asd"], ".2f"),
                               cell(found["hd95"], ".1f"), meeting, cell(found["segment_s"], ".2f"),
                               f"{found['wall_s']:.2f}", f"{found['cpu_s']:.2f}", cell(found["memory_mb"], ".0f"),
@@ -110,7 +122,7 @@ def write(results, rows, methods):
     text = ["# Table 1", "", f"{datetime.date.today():%d %B %Y}; {machine()}.", "",
             "V: reference volume; D: average symmetric surface distance; VO: volume overlap (Jaccard); K: iterations; "
             "T: seconds of the segmentation, reading aside; T': the same per slice of the organ. Means and "
-            "standard deviations over the livers, spleens and kidneys of cases.csv; the GVF snake has one slice, and is "
+            "standard deviations over the livers, spleens and kidneys of the lists; the GVF snake has one slice, and is "
             "scored there. Where a method found nothing, its VO is 0, and D, K and T are of the other rows.", "",
             *paper_table(rows, methods), "", "## Medians", "",
             "Over the same rows. Times and memory are those of the whole process, reading included, as "
