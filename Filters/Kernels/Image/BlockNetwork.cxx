@@ -80,19 +80,15 @@ CutNetwork MakeBlockNetwork(const ImageGeometry& blocks, const std::vector<int>&
   const std::function<double(std::size_t block)>& unary,
   const std::function<double(std::size_t block)>& side)
 {
-  CutNetwork network;
-  const auto count = static_cast<std::size_t>(
-    std::count_if(nodes.begin(), nodes.end(), [](int node) { return node >= 0; }));
-  network.Neighbors.resize(count);
-  network.Capacities.resize(count);
-  network.Terminals.resize(count);
+  CutNetwork network(static_cast<std::size_t>(
+    std::count_if(nodes.begin(), nodes.end(), [](int node) { return node >= 0; })));
   const auto& size = blocks.Dimensions;
   const double volume = blocks.VoxelVolume();
   const std::array<double, 3> area{ { volume / blocks.Spacing[0], volume / blocks.Spacing[1],
     volume / blocks.Spacing[2] } };
   const double unit =
     links.PerArea * *std::max_element(area.begin(), area.end()) / GreatestCapacity;
-  constexpr std::int32_t greatest = CutNetwork::Infinite / 4;
+  constexpr std::int32_t greatest = CutNode::Infinite / 4;
   const std::array<std::ptrdiff_t, 3> step{ { 1, size[0],
     static_cast<std::ptrdiff_t>(size[0]) * size[1] } };
   std::size_t block = 0;
@@ -113,8 +109,6 @@ CutNetwork MakeBlockNetwork(const ImageGeometry& blocks, const std::vector<int>&
         {
           const int axis = way / 2;
           const bool up = way % 2 == 1;
-          network.Neighbors[node][way] = CutNetwork::NoNeighbor;
-          network.Capacities[node][way] = 0;
           if (up ? index[axis] + 1 >= size[axis] : index[axis] == 0)
           {
             continue;
@@ -130,11 +124,11 @@ CutNetwork MakeBlockNetwork(const ImageGeometry& blocks, const std::vector<int>&
           }
           else
           {
-            network.Neighbors[node][way] = nodes[other];
-            network.Capacities[node][way] = static_cast<std::int32_t>(std::lround(capacity));
+            network[node].Neighbors[way] = nodes[other];
+            network[node].Capacities[way] = static_cast<std::int32_t>(std::lround(capacity));
           }
         }
-        network.Terminals[node] = static_cast<std::int32_t>(
+        network[node].Terminal = static_cast<std::int32_t>(
           std::lround(std::max<double>(-greatest, std::min<double>(greatest, terminal))));
       }
     }

@@ -101,8 +101,7 @@ public:
     {
       return false;
     }
-    CutNetwork network = this->MakeNetwork();
-    const std::vector<unsigned char> switched = SourceSide(network, monitor);
+    const std::vector<unsigned char> switched = SourceSide(this->MakeNetwork(), monitor);
     if (switched.empty())
     {
       return false;
@@ -157,7 +156,7 @@ private:
     this->Grid.ForEachRun(this->Mask, this->Parallel,
       [&](std::size_t block, int begin, int end, int, int) { counts[block] += end - begin; });
     this->IsRight.assign(counts.size(), 0);
-    this->Nodes.assign(counts.size(), CutNetwork::NoNeighbor);
+    this->Nodes.assign(counts.size(), CutNode::NoNeighbor);
     const std::size_t half = (this->Grid.VoxelsPerBlock() + 1) / 2;
     const double domain = DomainOf(this->Wanted);
     const std::size_t own = this->BlockOf(this->Wanted.Point);
@@ -307,10 +306,10 @@ private:
     {
       if (this->Nodes[block] >= 0)
       {
-        this->SetCertain(block, network.Terminals[this->Nodes[block]]);
+        this->SetCertain(block, network[this->Nodes[block]].Terminal);
       }
     }
-    network.Terminals[this->Nodes[this->BlockOf(this->Wanted.Point)]] = CutNetwork::Infinite;
+    network[this->Nodes[this->BlockOf(this->Wanted.Point)]].Terminal = CutNode::Infinite;
     return network;
   }
 
@@ -321,14 +320,14 @@ private:
     if ((place - point).norm() <= CertainPart * this->Reach ||
       (this->HasNeck && this->IsCore[block]))
     {
-      terminal = CutNetwork::Infinite;
+      terminal = CutNode::Infinite;
     }
     for (const SeedSphere& ball : this->Wanted.Kept)
     {
       const double radius = std::min(CertainPart * ball.Radius, 0.5 * (ball.Center - point).norm());
       if ((place - ball.Center).norm() <= radius)
       {
-        terminal = -CutNetwork::Infinite;
+        terminal = -CutNode::Infinite;
       }
     }
   }
@@ -340,7 +339,7 @@ private:
     const auto isSwitched = [&](int i, int j, int k)
     {
       const int node =
-        blocks.Contains(i, j, k) ? this->Nodes[blocks.Offset(i, j, k)] : CutNetwork::NoNeighbor;
+        blocks.Contains(i, j, k) ? this->Nodes[blocks.Offset(i, j, k)] : CutNode::NoNeighbor;
       return node >= 0 && switched[node] != 0;
     };
     for (int k = 0; k < blocks.Dimensions[2]; ++k)

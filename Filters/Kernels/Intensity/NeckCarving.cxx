@@ -103,8 +103,7 @@ public:
     {
       return false;
     }
-    CutNetwork network = this->MakeNetwork();
-    const std::vector<unsigned char> kept = SourceSide(network, this->Ask);
+    const std::vector<unsigned char> kept = SourceSide(this->MakeNetwork(), this->Ask);
     if (kept.empty())
     {
       return false;
@@ -231,7 +230,7 @@ private:
 
   CutNetwork MakeNetwork()
   {
-    this->Nodes.assign(this->Inside.size(), CutNetwork::NoNeighbor);
+    this->Nodes.assign(this->Inside.size(), CutNode::NoNeighbor);
     int nodes = 0;
     for (std::size_t block = 0; block < this->Nodes.size(); ++block)
     {
@@ -252,12 +251,12 @@ private:
     {
       if (this->IsCore[block] && this->Nodes[block] >= 0)
       {
-        network.Terminals[this->Nodes[block]] = -CutNetwork::Infinite;
+        network[this->Nodes[block]].Terminal = -CutNode::Infinite;
       }
     }
     for (const std::size_t block : this->SourceBlocks)
     {
-      network.Terminals[this->Nodes[block]] = CutNetwork::Infinite;
+      network[this->Nodes[block]].Terminal = CutNode::Infinite;
     }
     std::vector<float>().swap(this->Unaries);
     return network;
