@@ -301,7 +301,7 @@ private:
     CutNetwork network = MakeBlockNetwork(
       this->Grid.Blocks, this->Nodes, smooth, links,
       [&](std::size_t block) { return this->WorthOf(smooth[block], this->CenterOf(block)); },
-      [this](std::size_t block) { return this->IsRight[block] ? 1 : -1; });
+      [this](std::size_t block) { return this->IsRight[block] ? 1 : -1; }, this->Parallel);
     for (std::size_t block = 0; block < this->Nodes.size(); ++block)
     {
       if (this->Nodes[block] >= 0)

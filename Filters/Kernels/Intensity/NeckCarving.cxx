@@ -246,7 +246,7 @@ private:
     CutNetwork network = MakeBlockNetwork(
       this->Grid.Blocks, this->Nodes, SmoothBlockMeans(this->Image, this->Grid, this->Parallel),
       links, [this](std::size_t block) { return this->Unaries[block]; },
-      [](std::size_t) { return -1; });
+      [](std::size_t) { return -1; }, this->Parallel);
     for (std::size_t block = 0; block < this->Nodes.size(); ++block)
     {
       if (this->IsCore[block] && this->Nodes[block] >= 0)
