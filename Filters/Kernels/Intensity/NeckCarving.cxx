@@ -132,6 +132,7 @@ private:
   {
     const std::size_t count = this->Grid.Blocks.NumberOfVoxels();
     this->Inside.assign(count, 0);
+    this->IsTouched.assign(count, 0);
     this->Values.assign(count, 0);
     this->Weights.assign(count, 0);
     this->Grid.ForEachRun(this->Mask, this->Parallel,
@@ -148,6 +149,7 @@ private:
     for (std::size_t block = 0; block < count; ++block)
     {
       this->Inside[block] = this->Weights[block] >= half ? 1 : 0;
+      this->IsTouched[block] = this->Weights[block] > 0 ? 1 : 0;
     }
   }
 
@@ -266,8 +268,6 @@ private:
   void RemoveBlocks(const std::vector<unsigned char>& kept)
   {
     const ImageGeometry& blocks = this->Grid.Blocks;
-    const auto& size = this->Mask.GetGeometry().Dimensions;
-    BitMask removed(this->Mask.GetGeometry());
     const auto isRemoved = [&](int i, int j, int k)
     {
       const int own = this->Nodes[blocks.Offset(i, j, k)];
@@ -289,31 +289,37 @@ private:
       }
       return balance < 0;
     };
-    for (int k = 0; k < this->Size[2]; ++k)
-    {
-      for (int j = 0; j < this->Size[1]; ++j)
+    this->Parallel(0, this->Size[2],
+      [&](std::ptrdiff_t first, std::ptrdiff_t last)
       {
-        for (int i = 0; i < this->Size[0]; ++i)
+        for (int k = static_cast<int>(first); k < last; ++k)
         {
-          if (!isRemoved(i, j, k))
+          for (int j = 0; j < this->Size[1]; ++j)
           {
-            continue;
-          }
-          const int begin = i * this->Grid.Factor[0];
-          const int end = std::min(size[0], begin + this->Grid.Factor[0]);
-          for (int z = k * this->Grid.Factor[2];
-               z < std::min(size[2], (k + 1) * this->Grid.Factor[2]); ++z)
-          {
-            for (int y = j * this->Grid.Factor[1];
-                 y < std::min(size[1], (j + 1) * this->Grid.Factor[1]); ++y)
+            for (int i = 0; i < this->Size[0]; ++i)
             {
-              removed.InsertRun(begin, end, y, z);
+              if (this->IsTouched[blocks.Offset(i, j, k)] && isRemoved(i, j, k))
+              {
+                this->RemoveBlock(i, j, k);
+              }
             }
           }
         }
+      });
+  }
+
+  void RemoveBlock(int i, int j, int k)
+  {
+    const auto& size = this->Mask.GetGeometry().Dimensions;
+    const std::array<int, 3>& factor = this->Grid.Factor;
+    const int end = std::min(size[0], (i + 1) * factor[0]);
+    for (int z = k * factor[2]; z < std::min(size[2], (k + 1) * factor[2]); ++z)
+    {
+      for (int y = j * factor[1]; y < std::min(size[1], (j + 1) * factor[1]); ++y)
+      {
+        this->Mask.RemoveRun(i * factor[0], end, y, z);
       }
     }
-    this->Mask.Remove(removed);
   }
 
   const ImagePart Image;
@@ -329,7 +335,8 @@ private:
 
   RobustStatistics OfBall;
   std::vector<std::size_t> SourceBlocks;
-  std::vector<unsigned char> Inside;
+  std::vector<unsigned char> Inside;    // half of the block is in the mask
+  std::vector<unsigned char> IsTouched; // a voxel is
   std::vector<unsigned char> IsCore;
   std::vector<float> Values;
   std::vector<float> Weights;
