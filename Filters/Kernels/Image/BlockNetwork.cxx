@@ -1,6 +1,7 @@
 #include "Image/BlockNetwork.h"
 
 #include "Image/GaussianSmoothing.h"
+#include "Image/VoxelOffsets.h"
 
 #include <algorithm>
 #include <cmath>
@@ -89,8 +90,7 @@ CutNetwork MakeBlockNetwork(const ImageGeometry& blocks, const std::vector<int>&
   const double unit =
     links.PerArea * *std::max_element(area.begin(), area.end()) / GreatestCapacity;
   constexpr std::int32_t greatest = CutNode::Infinite / 4;
-  const std::array<std::ptrdiff_t, 3> step{ { 1, size[0],
-    static_cast<std::ptrdiff_t>(size[0]) * size[1] } };
+  const std::array<std::ptrdiff_t, 3> step = StepsOf(blocks);
   const auto capacityOf = [&](std::size_t block, std::size_t other, int axis)
   {
     const double jump = (smooth[block] - smooth[other]) / links.EdgeContrast;

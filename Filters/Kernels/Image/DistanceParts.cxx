@@ -1,8 +1,8 @@
 #include "Image/DistanceParts.h"
 
+#include "Image/DistanceOrder.h"
+
 #include <algorithm>
-#include <cstdint>
-#include <cstring>
 
 namespace FlipFree
 {
@@ -28,7 +28,7 @@ public:
 
   DistanceParts Execute()
   {
-    const std::vector<int> order = this->FindOrder();
+    const std::vector<int> order = OrderByDistance(this->Distance);
     for (const int voxel : order)
     {
       this->Enter(voxel);
@@ -37,27 +37,6 @@ public:
   }
 
 private:
-  // From the greatest distance down, then by number. Positive floats are ordered as their bits, so
-  // that a number of 64 bits holds all that the order depends on.
-  std::vector<int> FindOrder() const
-  {
-    std::vector<std::uint64_t> keys;
-    for (std::size_t voxel = 0; voxel < this->Distance.size(); ++voxel)
-    {
-      if (this->Distance[voxel] > 0)
-      {
-        std::uint32_t bits = 0;
-        std::memcpy(&bits, &this->Distance[voxel], sizeof(bits));
-        keys.push_back(std::uint64_t(~bits) << 32U | voxel);
-      }
-    }
-    std::sort(keys.begin(), keys.end());
-    std::vector<int> order(keys.size());
-    std::transform(keys.begin(), keys.end(), order.begin(),
-      [](std::uint64_t key) { return static_cast<int>(key & 0xFFFFFFFFU); });
-    return order;
-  }
-
   int Root(int voxel)
   {
     while (this->Parent[voxel] != voxel)
