@@ -40,20 +40,20 @@ void AddEdge(std::size_t from, std::size_t to, long forth, long back, Graph& gra
 
 Graph GraphOf(const CutNetwork& network)
 {
-  const std::size_t size = network.Size();
+  const std::size_t size = network.size();
   Graph graph(size + 2);
   for (std::size_t node = 0; node < size; ++node)
   {
-    const long terminal = network.Terminals[node];
+    const long terminal = network[node].Terminal;
     AddEdge(size, node, std::max(0L, terminal), 0, graph);
     AddEdge(node, size + 1, std::max(0L, -terminal), 0, graph);
     for (const int way : { 1, 3, 5 })
     {
-      const int neighbor = network.Neighbors[node][way];
+      const int neighbor = network[node].Neighbors[way];
       if (neighbor >= 0)
       {
-        AddEdge(node, neighbor, network.Capacities[node][way],
-          network.Capacities[neighbor][way - 1], graph);
+        AddEdge(node, neighbor, network[node].Capacities[way],
+          network[neighbor].Capacities[way - 1], graph);
       }
     }
   }
@@ -89,31 +89,27 @@ std::vector<unsigned char> ReachedOf(const Graph& graph)
 CutNetwork SmoothNetwork(const std::array<int, 3>& size, double terminals, std::mt19937& random)
 {
   const ImageGeometry geometry = Grid(size, { 1, 1, 1 });
-  CutNetwork network;
+  CutNetwork network(geometry.NumberOfVoxels());
   std::exponential_distribution<double> edge(1);
   std::uniform_real_distribution<double> coin(0, 1);
   std::normal_distribution<double> normal(0, 3000);
-  network.Neighbors.resize(geometry.NumberOfVoxels());
-  network.Capacities.resize(geometry.NumberOfVoxels());
   ForEachVoxel(geometry,
     [&](int i, int j, int k)
     {
       const std::size_t node = geometry.Offset(i, j, k);
       const double chance = coin(random);
-      network.Terminals.push_back(chance < terminals
-          ? CutNetwork::Infinite
-          : (chance < 2 * terminals ? -CutNetwork::Infinite
-                                    : static_cast<std::int32_t>(normal(random))));
-      network.Neighbors[node].fill(CutNetwork::NoNeighbor);
+      network[node].Terminal = chance < terminals
+        ? CutNode::Infinite
+        : (chance < 2 * terminals ? -CutNode::Infinite : static_cast<std::int32_t>(normal(random)));
       for (int way = 0; way < 6; ++way)
       {
         std::array<int, 3> at{ { i, j, k } };
         at[way / 2] += way % 2 == 1 ? 1 : -1;
         if (geometry.Contains(at[0], at[1], at[2]))
         {
-          network.Neighbors[node][way] =
+          network[node].Neighbors[way] =
             static_cast<std::int32_t>(geometry.Offset(at[0], at[1], at[2]));
-          network.Capacities[node][way] =
+          network[node].Capacities[way] =
             static_cast<std::int32_t>(10000 * std::exp(-edge(random)));
         }
       }
@@ -130,8 +126,8 @@ TEST(AgainstBoost, SameCutByShortestPaths)
   {
     CutNetwork network = SmoothNetwork({ { 12, 9, 7 } }, trial % 2 ? 0.01 : 0, random);
     Graph graph = GraphOf(network);
-    boost::edmonds_karp_max_flow(graph, network.Size(), network.Size() + 1);
-    ASSERT_EQ(SourceSide(network, NeverStop), ReachedOf(graph)) << trial;
+    boost::edmonds_karp_max_flow(graph, network.size(), network.size() + 1);
+    ASSERT_EQ(SourceSide(std::move(network), NeverStop), ReachedOf(graph)) << trial;
   }
 }
 
@@ -141,9 +137,9 @@ TEST(AgainstBoost, SameCutOnALargeGrid)
   CutNetwork network = SmoothNetwork({ { 48, 48, 40 } }, 0.002, random);
   Graph graph = GraphOf(network);
   Stopwatch watch;
-  boost::boykov_kolmogorov_max_flow(graph, network.Size(), network.Size() + 1);
+  boost::boykov_kolmogorov_max_flow(graph, network.size(), network.size() + 1);
   const double theirs = watch.Lap();
-  const std::vector<unsigned char> side = SourceSide(network, NeverStop);
-  std::printf("%zu nodes: Boost %.3f s, ours %.3f s\n", network.Size(), theirs, watch.Lap());
+  const std::vector<unsigned char> side = SourceSide(std::move(network), NeverStop);
+  std::printf("%zu nodes: Boost %.3f s, ours %.3f s\n", side.size(), theirs, watch.Lap());
   EXPECT_EQ(side, ReachedOf(graph));
 }

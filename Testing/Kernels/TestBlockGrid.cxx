@@ -27,6 +27,16 @@ TEST(BlockGrid, CountsEveryVoxelInItsBlock)
   }
 }
 
+TEST(BlockGrid, FindsTheBlockOfAPointAndItsCenter)
+{
+  const BlockGrid grid(Grid({ { 21, 13, 9 } }, { 1, 1.5, 4 }), 4);
+  for (std::size_t block = 0; block < grid.Blocks.NumberOfVoxels(); ++block)
+  {
+    EXPECT_EQ(grid.BlockAt(grid.CenterOf(block) - Eigen::Vector3d(0.4, 0.4, 0.4)), block);
+  }
+  EXPECT_EQ(grid.BlockAt({ -9, -9, -9 }), 0);
+}
+
 // Between the centers of the blocks; beyond them, the outermost count.
 TEST(BlockGrid, InterpolatesALinearFunctionExactly)
 {

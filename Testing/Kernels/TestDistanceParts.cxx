@@ -1,4 +1,5 @@
 #include "ExampleMasks.h"
+#include "Image/DistanceOrder.h"
 #include "Image/DistanceParts.h"
 #include "Image/DistanceTransform.h"
 
@@ -93,4 +94,29 @@ TEST(DistanceParts, AreConnectedAndHoldTheirPeaks)
     }
     EXPECT_EQ(peaks, parts.Peaks);
   }
+}
+
+TEST(DistanceOrder, FromTheGreatestDownThenByNumber)
+{
+  EXPECT_TRUE(OrderByDistance({}).empty());
+  EXPECT_EQ(OrderByDistance({ 0, 2, 1e-30F, 1e20F, 2, 0, 0.5F, 2 }),
+    (std::vector<int>{ 3, 1, 4, 7, 6, 2 }));
+  std::mt19937 random(7);
+  std::uniform_int_distribution<int> square(0, 300);
+  std::vector<float> distance(5000);
+  for (float& value : distance)
+  {
+    value = 0.1F * static_cast<float>(square(random));
+  }
+  std::vector<int> expected;
+  for (int voxel = 0; voxel < 5000; ++voxel)
+  {
+    if (distance[voxel] > 0)
+    {
+      expected.push_back(voxel);
+    }
+  }
+  std::stable_sort(expected.begin(), expected.end(),
+    [&](int a, int b) { return distance[a] > distance[b]; });
+  EXPECT_EQ(OrderByDistance(distance), expected);
 }

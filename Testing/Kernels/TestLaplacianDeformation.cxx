@@ -166,7 +166,7 @@ TEST(LaplacianDeformation, MinimizesThePapersEnergy)
           PointList motion = PointList::Zero(example.Points.rows(), 3);
           const DeformationReport report = example.Solve(settings, motion);
           EXPECT_FALSE(report.Factorized);
-          EXPECT_LT(Difference(motion, example.Expected(settings)), 1e-5)
+          EXPECT_LT(Difference(motion, example.Expected(settings)), 1e-4)
             << "n " << n << " weights " << position << " " << uniform << " " << fairing;
         }
       }
@@ -196,7 +196,7 @@ TEST(LaplacianDeformation, HugeWeightsDecideAlone)
   const DeformationSettings uniform{ 0.3, 1e4, 0 };
   PointList motion = PointList::Zero(example.Points.rows(), 3);
   example.Solve(uniform, motion);
-  EXPECT_LT(Difference(motion, example.Expected(uniform)), 1e-4);
+  EXPECT_LT(Difference(motion, example.Expected(uniform)), 1e-3);
 }
 
 TEST(LaplacianDeformation, WithoutAnyForceNothingMoves)
@@ -265,6 +265,20 @@ TEST(LaplacianDeformation, ASolverThatIsUsedAgainGivesTheSame)
     EXPECT_EQ(motion, anew);
     EXPECT_EQ(report.Factorized, settings.PositionWeight < 0.1);
   }
+}
+
+// Conjugate gradients run in single precision, the factorization does not.
+TEST(LaplacianDeformation, FactorizesWhatOverflowsSinglePrecision)
+{
+  Case example(5);
+  const DeformationSettings settings{ 0.3, 1, 0 };
+  PointList small = PointList::Zero(example.Points.rows(), 3);
+  example.Points.setZero(); // no edges, so that the motion is linear in the targets
+  EXPECT_FALSE(example.Solve(settings, small).Factorized);
+  example.Targets *= 1e25;
+  PointList motion = PointList::Zero(example.Points.rows(), 3);
+  EXPECT_TRUE(example.Solve(settings, motion).Factorized);
+  EXPECT_LT(Difference(1e-25 * motion, small), 1e-4);
 }
 
 // The squares overflow, so that neither iterations nor the factorization give a finite motion.

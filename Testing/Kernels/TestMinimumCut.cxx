@@ -19,20 +19,19 @@ CutNetwork RandomNetwork(const ImageGeometry& geometry, int greatest, std::mt199
   ForEachVoxel(geometry,
     [&](int i, int j, int k)
     {
-      std::array<std::int32_t, 6> neighbors{};
-      std::array<std::int32_t, 6> capacities{};
+      CutNode node;
       for (int way = 0; way < 6; ++way)
       {
         std::array<int, 3> at{ { i, j, k } };
         at[way / 2] += way % 2 == 1 ? 1 : -1;
-        const bool exists = geometry.Contains(at[0], at[1], at[2]);
-        neighbors[way] = exists ? static_cast<std::int32_t>(geometry.Offset(at[0], at[1], at[2]))
-                                : CutNetwork::NoNeighbor;
-        capacities[way] = exists ? std::max(0, capacity(random)) : 0;
+        if (geometry.Contains(at[0], at[1], at[2]))
+        {
+          node.Neighbors[way] = static_cast<std::int32_t>(geometry.Offset(at[0], at[1], at[2]));
+          node.Capacities[way] = std::max(0, capacity(random));
+        }
       }
-      network.Neighbors.push_back(neighbors);
-      network.Capacities.push_back(capacities);
-      network.Terminals.push_back(terminal(random));
+      node.Terminal = terminal(random);
+      network.push_back(node);
     });
   return network;
 }
@@ -40,16 +39,16 @@ CutNetwork RandomNetwork(const ImageGeometry& geometry, int greatest, std::mt199
 long CostOf(const CutNetwork& network, const std::vector<unsigned char>& onSourceSide)
 {
   long cost = 0;
-  for (std::size_t node = 0; node < network.Size(); ++node)
+  for (std::size_t node = 0; node < network.size(); ++node)
   {
-    const std::int32_t terminal = network.Terminals[node];
+    const std::int32_t terminal = network[node].Terminal;
     cost += onSourceSide[node] ? std::max(0, -terminal) : std::max(0, terminal);
     for (int way = 0; way < 6; ++way)
     {
-      const int neighbor = network.Neighbors[node][way];
+      const int neighbor = network[node].Neighbors[way];
       if (neighbor >= 0 && onSourceSide[node] && !onSourceSide[neighbor])
       {
-        cost += network.Capacities[node][way];
+        cost += network[node].Capacities[way];
       }
     }
   }
@@ -59,7 +58,7 @@ long CostOf(const CutNetwork& network, const std::vector<unsigned char>& onSourc
 // By trying every cut: the nodes that all of the cheapest have on the source's side.
 std::vector<unsigned char> CheapestOfAll(const CutNetwork& network)
 {
-  const std::size_t size = network.Size();
+  const std::size_t size = network.size();
   long least = std::numeric_limits<long>::max();
   unsigned common = 0;
   for (unsigned cut = 0; cut < 1U << size; ++cut)
@@ -94,7 +93,7 @@ TEST(MinimumCut, IsTheCheapestOfAllCuts)
       // Small capacities make many cuts equally cheap.
       CutNetwork network = RandomNetwork(Grid(size, { 1, 1, 1 }), trial % 2 ? 2 : 50, random);
       const std::vector<unsigned char> expected = CheapestOfAll(network);
-      ASSERT_EQ(SourceSide(network, NeverStop), expected) << trial;
+      ASSERT_EQ(SourceSide(std::move(network), NeverStop), expected) << trial;
     }
   }
 }
@@ -106,17 +105,19 @@ TEST(MinimumCut, WithoutSourceOrSink)
   for (const std::int32_t terminal : { 0, 7, -7 })
   {
     CutNetwork copy = network;
-    copy.Terminals.assign(network.Size(), terminal);
-    EXPECT_EQ(SourceSide(copy, NeverStop),
-      std::vector<unsigned char>(network.Size(), terminal > 0 ? 1 : 0));
+    for (CutNode& node : copy)
+    {
+      node.Terminal = terminal;
+    }
+    EXPECT_EQ(SourceSide(std::move(copy), NeverStop),
+      std::vector<unsigned char>(network.size(), terminal > 0 ? 1 : 0));
   }
-  CutNetwork none;
-  EXPECT_TRUE(SourceSide(none, NeverStop).empty());
+  EXPECT_TRUE(SourceSide({}, NeverStop).empty());
 }
 
 TEST(MinimumCut, Stops)
 {
   std::mt19937 random(5);
   CutNetwork network = RandomNetwork(Grid({ { 4, 3, 2 } }, { 1, 1, 1 }), 9, random);
-  EXPECT_TRUE(SourceSide(network, [](double) { return false; }).empty());
+  EXPECT_TRUE(SourceSide(std::move(network), [](double) { return false; }).empty());
 }

@@ -1,5 +1,6 @@
 #include "ExampleMasks.h"
 #include "Image/SeedRegion.h"
+#include "Intensity/GrayValueSimilarity.h"
 #include "Intensity/Modality.h"
 #include "Intensity/RobustStatistics.h"
 
@@ -71,4 +72,39 @@ TEST(RobustStatistics, HardlyMindOutliers)
   EXPECT_NEAR(found.StandardDeviation, 2, 0.4);
   std::vector<float> none;
   EXPECT_EQ(RobustStatisticsOf(none).StandardDeviation, 0);
+}
+
+TEST(GrayValueSimilarity, ComparesByTheSpreadOfEitherModality)
+{
+  const RobustStatistics of{ 100, 8 };
+  for (const Modality modality : { Modality::CT, Modality::MR })
+  {
+    const GrayValueSimilarity similarity(4, modality);
+    EXPECT_EQ(similarity.SpreadOf(of), 8);
+    EXPECT_EQ(similarity.LikenessOf(100, of), 1);
+    EXPECT_EQ(similarity.LikenessOf(116, of), 0);
+    EXPECT_EQ(similarity.LikenessOf(84, of), 0);
+    EXPECT_EQ(similarity.LikenessOf(150, of), -1);
+    EXPECT_EQ(GrayValueSimilarity(30, modality).SpreadOf(of), 15);
+  }
+  // The least: Hounsfield units, or a part of the median.
+  EXPECT_EQ(GrayValueSimilarity(0, Modality::CT).SpreadOf({ 100, 0 }), 5);
+  EXPECT_EQ(GrayValueSimilarity(0, Modality::MR).SpreadOf({ 100, 0 }), 3);
+}
+
+TEST(GrayValueSimilarity, ReachesToWhereTheImageChanges)
+{
+  FloatImage image;
+  image.Geometry = Grid({ { 41, 41, 41 } }, { 1, 1, 1 });
+  const Eigen::Vector3d center(20, 20, 20);
+  ForEachVoxel(image.Geometry,
+    [&](int i, int j, int k)
+    { image.Voxels.push_back((Eigen::Vector3d(i, j, k) - center).norm() < 10 ? 100.0F : 0.0F); });
+  const GrayValueSimilarity similarity(4, Modality::CT);
+  EXPECT_NEAR(similarity.ReachOfLikeness(image.View(), center, 18), 10, 1);
+  EXPECT_EQ(similarity.ReachOfLikeness(image.View(), center, 6), 6);
+  const ImagePart part{ image.View(), { { 0, 0, 0 } } };
+  EXPECT_EQ(StatisticsInBall(part, image.Geometry, { center, 8 }).Median, 100);
+  // Between the voxels: the one next to the center.
+  EXPECT_EQ(StatisticsInBall(part, image.Geometry, { { 20.5, 20.4, 20.4 }, 0.1 }).Median, 100);
 }

@@ -136,6 +136,17 @@ TEST(SeedRegion, SphereHoldsTheVoxelsThatBruteForceFinds)
   }
 }
 
+TEST(SeedRegion, ThereIsAlwaysAVoxelAround)
+{
+  const ImageGeometry geometry = GridAround(Center, Eigen::Matrix3d::Identity());
+  EXPECT_EQ(VoxelsAround(geometry, { Center, 7 }), VoxelsInSphere(geometry, { Center, 7 }));
+  const Eigen::Vector3d voxel = geometry.ToPhysical(Eigen::Vector3d(2, 3, 4));
+  const Eigen::Vector3d beside = voxel + 0.3 * geometry.Spacing;
+  ASSERT_TRUE(VoxelsInSphere(geometry, { beside, 1e-3 }).empty());
+  EXPECT_EQ(VoxelsAround(geometry, { beside, 1e-3 }),
+    (std::vector<std::size_t>{ geometry.Offset(2, 3, 4) }));
+}
+
 TEST(SeedRegion, ReachInIndicesIsThatOfTheFurthestPointsOfABall)
 {
   std::mt19937 random(3);

@@ -4,6 +4,7 @@
 
 #include <Eigen/SparseCholesky>
 
+#include <cmath>
 #include <sstream>
 
 namespace FlipFree
@@ -11,7 +12,8 @@ namespace FlipFree
 namespace
 {
 
-constexpr double RelativeTolerance = 1e-6;
+// What single precision can reach, and far less than a step leaves to the next one anyway.
+constexpr double RelativeTolerance = 1e-5;
 constexpr int MaximumIterations = 400;
 
 } // namespace
@@ -25,8 +27,12 @@ DeformationSolver::DeformationSolver(const ContourMesh& mesh)
   : Mesh(mesh)
 {
   const int size = mesh.NumberOfPoints();
-  for (VertexField* field : { &this->Right, &this->Solution, &this->Residual, &this->Direction,
-         &this->Inner, &this->Image })
+  for (VertexField* field : { &this->Right, &this->Work })
+  {
+    field->setZero(4, size);
+  }
+  for (SolverField* field :
+    { &this->Solution, &this->Residual, &this->Direction, &this->Inner, &this->Image })
   {
     field->setZero(4, size);
   }
@@ -36,9 +42,9 @@ DeformationSolver::~DeformationSolver() = default;
 
 // The matrix times x, into Image, by way of Inner = (L + 4 lambda_u) x. Returns the sums of x
 // Image.
-Eigen::Vector4d DeformationSolver::Apply(const VertexField& x, double shift)
+Eigen::Vector4f DeformationSolver::Apply(const SolverField& x, float shift)
 {
-  const auto add = [this](const VertexField& field, int vertex) -> Eigen::Vector4d
+  const auto add = [this](const SolverField& field, int vertex) -> Eigen::Vector4f
   {
     const auto& ring = this->Mesh.Neighbors[vertex];
     return (field.col(ring[0]) + field.col(ring[1])) + (field.col(ring[2]) + field.col(ring[3]));
@@ -46,13 +52,13 @@ Eigen::Vector4d DeformationSolver::Apply(const VertexField& x, double shift)
   const int size = this->Mesh.NumberOfPoints();
   for (int vertex = 0; vertex < size; ++vertex)
   {
-    this->Inner.col(vertex) = (1 + shift) * x.col(vertex) - 0.25 * add(x, vertex);
+    this->Inner.col(vertex) = (1 + shift) * x.col(vertex) - 0.25F * add(x, vertex);
   }
-  Eigen::Vector4d curvature = Eigen::Vector4d::Zero();
+  Eigen::Vector4f curvature = Eigen::Vector4f::Zero();
   for (int vertex = 0; vertex < size; ++vertex)
   {
-    const Eigen::Vector4d image = this->Inner.col(vertex) - 0.25 * add(this->Inner, vertex) +
-      this->Diagonal[vertex] * x.col(vertex);
+    const Eigen::Vector4f image = this->Inner.col(vertex) - 0.25F * add(this->Inner, vertex) +
+      this->Weights[vertex] * x.col(vertex);
     this->Image.col(vertex) = image;
     curvature += image.cwiseProduct(x.col(vertex));
   }
@@ -64,19 +70,24 @@ Eigen::Vector4d DeformationSolver::Apply(const VertexField& x, double shift)
 bool DeformationSolver::IterateToSolution(double uniformWeight, int& iterations)
 {
   const int size = this->Mesh.NumberOfPoints();
-  const double shift = 4 * uniformWeight;
-  const auto precondition = [&](int vertex) -> Eigen::Vector4d
-  { return this->Residual.col(vertex) / (this->Diagonal[vertex] + 1.25 + shift); };
+  const auto shift = static_cast<float>(4 * uniformWeight);
+  this->Weights = this->Diagonal.cast<float>();
+  this->Preconditioner = (this->Weights.array() + (1.25F + shift)).inverse();
 
   // One goal for all coordinates: a goal of its own would be zero for a coordinate without forces.
-  const double goal = RelativeTolerance * RelativeTolerance * this->Right.squaredNorm() / 3;
+  const auto goal =
+    static_cast<float>(RelativeTolerance * RelativeTolerance * this->Right.squaredNorm() / 3);
+  if (!std::isfinite(goal))
+  {
+    return false; // too great for single precision
+  }
   this->Apply(this->Solution, shift);
-  Eigen::Vector4d energy = Eigen::Vector4d::Zero();
-  Eigen::Vector4d error = Eigen::Vector4d::Zero();
+  Eigen::Vector4f energy = Eigen::Vector4f::Zero();
+  Eigen::Vector4f error = Eigen::Vector4f::Zero();
   for (int vertex = 0; vertex < size; ++vertex)
   {
-    this->Residual.col(vertex) = this->Right.col(vertex) - this->Image.col(vertex);
-    this->Direction.col(vertex) = precondition(vertex);
+    this->Residual.col(vertex) = this->Right.col(vertex).cast<float>() - this->Image.col(vertex);
+    this->Direction.col(vertex) = this->Preconditioner[vertex] * this->Residual.col(vertex);
     error += this->Residual.col(vertex).cwiseAbs2();
     energy += this->Residual.col(vertex).cwiseProduct(this->Direction.col(vertex));
   }
@@ -86,21 +97,22 @@ bool DeformationSolver::IterateToSolution(double uniformWeight, int& iterations)
     {
       return true;
     }
-    const Eigen::Vector4d curvature = this->Apply(this->Direction, shift);
+    const Eigen::Vector4f curvature = this->Apply(this->Direction, shift);
     // A coordinate that has converged must not divide by zero while the others continue.
-    const Eigen::Vector4d step =
-      (curvature.array() > 0).select(energy.array() / curvature.array(), 0.0);
-    Eigen::Vector4d next = Eigen::Vector4d::Zero();
+    const Eigen::Vector4f step =
+      (curvature.array() > 0).select(energy.array() / curvature.array(), 0.0F);
+    Eigen::Vector4f next = Eigen::Vector4f::Zero();
     error.setZero();
     for (int vertex = 0; vertex < size; ++vertex)
     {
       this->Solution.col(vertex) += step.cwiseProduct(this->Direction.col(vertex));
       this->Residual.col(vertex) -= step.cwiseProduct(this->Image.col(vertex));
-      this->Image.col(vertex) = precondition(vertex); // the product is no longer needed
+      // In place of the product, which is no longer needed.
+      this->Image.col(vertex) = this->Preconditioner[vertex] * this->Residual.col(vertex);
       error += this->Residual.col(vertex).cwiseAbs2();
       next += this->Residual.col(vertex).cwiseProduct(this->Image.col(vertex));
     }
-    const Eigen::Vector4d turn = (energy.array() > 0).select(next.array() / energy.array(), 0.0);
+    const Eigen::Vector4f turn = (energy.array() > 0).select(next.array() / energy.array(), 0.0F);
     for (int vertex = 0; vertex < size; ++vertex)
     {
       this->Direction.col(vertex) =
@@ -133,15 +145,15 @@ DeformationReport DeformationSolver::Solve(const PointList& points, const PointL
   const DeformationSettings& settings, PointList& start)
 {
   FindPositionWeights(targets, settings.PositionWeight, this->Diagonal);
-  FindRightSide(this->Mesh, points, targets, settings, this->Diagonal, this->Right, this->Inner);
-  this->Solution.topRows<3>() = start.transpose();
+  FindRightSide(this->Mesh, points, targets, settings, this->Diagonal, this->Right, this->Work);
+  this->Solution.topRows<3>() = start.transpose().cast<float>();
   this->Solution.row(3).setZero(); // an earlier call that failed may have left NaN
 
   DeformationReport report;
   if (this->IterateToSolution(settings.UniformWeight, report.Iterations) &&
     this->Solution.allFinite())
   {
-    start = this->Solution.topRows<3>().transpose();
+    start = this->Solution.topRows<3>().transpose().cast<double>();
     return report;
   }
   report.Factorized = true;

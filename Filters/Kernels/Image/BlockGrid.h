@@ -5,6 +5,7 @@
 #define FlipFreeBlockGrid_h
 
 #include "Image/BitMask.h"
+#include "Image/VoxelOffsets.h"
 
 namespace FlipFree
 {
@@ -56,6 +57,20 @@ struct BlockGrid
             }
           });
       });
+  }
+
+  /// The block of the voxel next to a point.
+  std::size_t BlockAt(const Eigen::Vector3d& point) const
+  {
+    const std::array<int, 3> voxel = NearestVoxel(this->Voxels, point);
+    return this->Blocks.Offset(voxel[0] / this->Factor[0], voxel[1] / this->Factor[1],
+      voxel[2] / this->Factor[2]);
+  }
+
+  Eigen::Vector3d CenterOf(std::size_t block) const
+  {
+    const std::array<int, 3> index = IndexOf(block, this->Blocks);
+    return this->Blocks.ToPhysical(Eigen::Vector3d(index[0], index[1], index[2]));
   }
 
   std::size_t VoxelsPerBlock() const

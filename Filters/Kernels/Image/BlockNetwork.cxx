@@ -1,6 +1,7 @@
 #include "Image/BlockNetwork.h"
 
 #include "Image/GaussianSmoothing.h"
+#include "Image/VoxelOffsets.h"
 
 #include <algorithm>
 #include <cmath>
@@ -78,67 +79,74 @@ std::vector<float> SmoothBlockMeans(const ImagePart& image, const BlockGrid& gri
 CutNetwork MakeBlockNetwork(const ImageGeometry& blocks, const std::vector<int>& nodes,
   const std::vector<float>& smooth, const BlockLinks& links,
   const std::function<double(std::size_t block)>& unary,
-  const std::function<double(std::size_t block)>& side)
+  const std::function<double(std::size_t block)>& side, const ParallelFor& parallelFor)
 {
-  CutNetwork network;
-  const auto count = static_cast<std::size_t>(
-    std::count_if(nodes.begin(), nodes.end(), [](int node) { return node >= 0; }));
-  network.Neighbors.resize(count);
-  network.Capacities.resize(count);
-  network.Terminals.resize(count);
+  CutNetwork network(static_cast<std::size_t>(
+    std::count_if(nodes.begin(), nodes.end(), [](int node) { return node >= 0; })));
   const auto& size = blocks.Dimensions;
   const double volume = blocks.VoxelVolume();
   const std::array<double, 3> area{ { volume / blocks.Spacing[0], volume / blocks.Spacing[1],
     volume / blocks.Spacing[2] } };
   const double unit =
     links.PerArea * *std::max_element(area.begin(), area.end()) / GreatestCapacity;
-  constexpr std::int32_t greatest = CutNetwork::Infinite / 4;
-  const std::array<std::ptrdiff_t, 3> step{ { 1, size[0],
-    static_cast<std::ptrdiff_t>(size[0]) * size[1] } };
-  std::size_t block = 0;
-  std::array<int, 3> index;
-  for (index[2] = 0; index[2] < size[2]; ++index[2])
+  constexpr std::int32_t greatest = CutNode::Infinite / 4;
+  const std::array<std::ptrdiff_t, 3> step = StepsOf(blocks);
+  const auto capacityOf = [&](std::size_t block, std::size_t other, int axis)
   {
-    for (index[1] = 0; index[1] < size[1]; ++index[1])
+    const double jump = (smooth[block] - smooth[other]) / links.EdgeContrast;
+    // Also where a voxel is not a number.
+    const double square = jump * jump < GreatestJump ? jump * jump : GreatestJump;
+    return links.PerArea * area[axis] / unit * std::exp(-0.5 * square);
+  };
+  const auto link = [&](std::size_t block, const std::array<int, 3>& index)
+  {
+    CutNode& own = network[nodes[block]];
+    double terminal = unary(block) * volume / unit;
+    for (int way = 0; way < 6; ++way)
     {
-      for (index[0] = 0; index[0] < size[0]; ++index[0], ++block)
+      const int axis = way / 2;
+      const bool up = way % 2 == 1;
+      if (up ? index[axis] + 1 >= size[axis] : index[axis] == 0)
       {
-        const int node = nodes[block];
-        if (node < 0)
-        {
-          continue;
-        }
-        double terminal = unary(block) * volume / unit;
-        for (int way = 0; way < 6; ++way)
-        {
-          const int axis = way / 2;
-          const bool up = way % 2 == 1;
-          network.Neighbors[node][way] = CutNetwork::NoNeighbor;
-          network.Capacities[node][way] = 0;
-          if (up ? index[axis] + 1 >= size[axis] : index[axis] == 0)
-          {
-            continue;
-          }
-          const std::size_t other = block + (up ? step[axis] : -step[axis]);
-          const double jump = (smooth[block] - smooth[other]) / links.EdgeContrast;
-          // Also where a voxel is not a number.
-          const double square = jump * jump < GreatestJump ? jump * jump : GreatestJump;
-          const double capacity = links.PerArea * area[axis] / unit * std::exp(-0.5 * square);
-          if (nodes[other] < 0)
-          {
-            terminal += side(other) * capacity;
-          }
-          else
-          {
-            network.Neighbors[node][way] = nodes[other];
-            network.Capacities[node][way] = static_cast<std::int32_t>(std::lround(capacity));
-          }
-        }
-        network.Terminals[node] = static_cast<std::int32_t>(
-          std::lround(std::max<double>(-greatest, std::min<double>(greatest, terminal))));
+        continue;
+      }
+      const std::size_t other = block + (up ? step[axis] : -step[axis]);
+      if (nodes[other] < 0)
+      {
+        terminal += side(other) * capacityOf(block, other, axis);
+        continue;
+      }
+      own.Neighbors[way] = nodes[other];
+      // The same in both directions: the lower block's turn.
+      if (up)
+      {
+        const auto capacity =
+          static_cast<std::int32_t>(std::lround(capacityOf(block, other, axis)));
+        own.Capacities[way] = capacity;
+        network[nodes[other]].Capacities[way - 1] = capacity;
       }
     }
-  }
+    own.Terminal = static_cast<std::int32_t>(
+      std::lround(std::max<double>(-greatest, std::min<double>(greatest, terminal))));
+  };
+  parallelFor(0, size[2],
+    [&](std::ptrdiff_t first, std::ptrdiff_t last)
+    {
+      std::size_t block = blocks.Offset(0, 0, static_cast<int>(first));
+      for (int k = static_cast<int>(first); k < last; ++k)
+      {
+        for (int j = 0; j < size[1]; ++j)
+        {
+          for (int i = 0; i < size[0]; ++i, ++block)
+          {
+            if (nodes[block] >= 0)
+            {
+              link(block, { { i, j, k } });
+            }
+          }
+        }
+      }
+    });
   return network;
 }
 

@@ -25,11 +25,11 @@ struct BlockLinks
 
 /// A network whose nodes are those blocks of which `nodes` has the number, not negative. `unary` is
 /// what a block's being on the source's side is worth, per mm3; `side` says for a block that is no
-/// node on which side it is: 1 with the source, -1 with the sink.
+/// node on which side it is: 1 with the source, -1 with the sink. Both are asked in parallel.
 CutNetwork MakeBlockNetwork(const ImageGeometry& blocks, const std::vector<int>& nodes,
   const std::vector<float>& smooth, const BlockLinks& links,
   const std::function<double(std::size_t block)>& unary,
-  const std::function<double(std::size_t block)>& side);
+  const std::function<double(std::size_t block)>& side, const ParallelFor& parallelFor);
 
 } // namespace FlipFree
 

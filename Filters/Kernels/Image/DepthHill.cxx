@@ -1,8 +1,9 @@
 #include "Image/DepthHill.h"
 
+#include "Image/DistanceOrder.h"
+#include "Image/VoxelOffsets.h"
+
 #include <algorithm>
-#include <array>
-#include <numeric>
 
 namespace FlipFree
 {
@@ -54,44 +55,13 @@ private:
   std::vector<Member> Members;
 };
 
-template <typename Visit>
-void VisitNeighbors(const ImageGeometry& geometry, std::size_t voxel, const Visit& visit)
-{
-  const auto& size = geometry.Dimensions;
-  std::size_t rest = voxel;
-  std::size_t step = 1;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    const auto index = static_cast<int>(rest % size[axis]);
-    rest /= size[axis];
-    if (index > 0)
-    {
-      visit(voxel - step);
-    }
-    if (index + 1 < size[axis])
-    {
-      visit(voxel + step);
-    }
-    step *= size[axis];
-  }
-}
-
 } // namespace
 
 DepthHill FindDepthHill(const std::vector<float>& squaredDistance, const ImageGeometry& geometry,
   std::size_t own, std::size_t other)
 {
   DepthHill hill;
-  std::vector<int> order;
-  for (std::size_t voxel = 0; voxel < squaredDistance.size(); ++voxel)
-  {
-    if (squaredDistance[voxel] > 0)
-    {
-      order.push_back(static_cast<int>(voxel));
-    }
-  }
-  std::stable_sort(order.begin(), order.end(),
-    [&](int a, int b) { return squaredDistance[a] > squaredDistance[b]; });
+  const std::vector<int> order = OrderByDistance(squaredDistance);
   Components components(squaredDistance.size());
   for (const int voxel : order)
   {
@@ -101,7 +71,7 @@ DepthHill FindDepthHill(const std::vector<float>& squaredDistance, const ImageGe
     bool joinsOther = false;
     if (components.Has(own) && components.Has(other))
     {
-      VisitNeighbors(geometry, voxel,
+      VisitNeighbors(voxel, geometry,
         [&](std::size_t neighbor)
         {
           if (components.Has(neighbor))
@@ -130,7 +100,7 @@ DepthHill FindDepthHill(const std::vector<float>& squaredDistance, const ImageGe
       }
       return hill;
     }
-    VisitNeighbors(geometry, voxel,
+    VisitNeighbors(voxel, geometry,
       [&](std::size_t neighbor)
       {
         if (components.Has(neighbor))

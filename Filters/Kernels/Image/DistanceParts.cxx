@@ -1,5 +1,7 @@
 #include "Image/DistanceParts.h"
 
+#include "Image/DistanceOrder.h"
+
 #include <algorithm>
 
 namespace FlipFree
@@ -26,15 +28,7 @@ public:
 
   DistanceParts Execute()
   {
-    std::vector<int> order;
-    for (std::size_t voxel = 0; voxel < this->Distance.size(); ++voxel)
-    {
-      if (this->Distance[voxel] > 0)
-      {
-        order.push_back(static_cast<int>(voxel));
-      }
-    }
-    std::sort(order.begin(), order.end(), [this](int a, int b) { return this->IsBefore(a, b); });
+    const std::vector<int> order = OrderByDistance(this->Distance);
     for (const int voxel : order)
     {
       this->Enter(voxel);

@@ -29,29 +29,45 @@ std::vector<float> HalfKernel(double deviation, double spacing)
   return weights;
 }
 
+// Some neighboring lines, whose sums stay in registers.
+using Bundle = Eigen::Array<float, 16, 1>;
+
 // Convolves `lines` neighboring lines of `size` voxels that are `stride` apart.
 void ConvolveLines(float* first, int size, std::ptrdiff_t stride, int lines,
   const std::vector<float>& weights, std::vector<float>& copy)
 {
+  constexpr int width = Bundle::SizeAtCompileTime;
   const int reach = static_cast<int>(weights.size()) - 1;
-  copy.resize(static_cast<std::size_t>(size) * lines);
+  const std::ptrdiff_t row = (lines + width - 1) / width * width;
+  copy.assign(size * row, 0.0F);
   for (int place = 0; place < size; ++place)
   {
-    std::copy_n(first + place * stride, lines,
-      copy.data() + static_cast<std::ptrdiff_t>(place) * lines);
+    std::copy_n(first + place * stride, lines, copy.data() + place * row);
   }
   for (int place = 0; place < size; ++place)
   {
     float* const to = first + place * stride;
-    std::fill_n(to, lines, 0.0F);
-    for (int from = std::max(0, place - reach); from <= std::min(size - 1, place + reach); ++from)
+    const int begin = std::max(0, place - reach);
+    const int end = std::min(size, place + reach + 1);
+    const auto sumAt = [&](int line) -> Bundle
     {
-      const float weight = weights[std::abs(from - place)];
-      const float* const values = copy.data() + static_cast<std::ptrdiff_t>(from) * lines;
-      for (int line = 0; line < lines; ++line)
+      Bundle sum = Bundle::Zero();
+      for (int from = begin; from < end; ++from)
       {
-        to[line] += weight * values[line];
+        sum += weights[std::abs(from - place)] *
+          Eigen::Map<const Bundle>(copy.data() + from * row + line);
       }
+      return sum;
+    };
+    int line = 0;
+    for (; line + width <= lines; line += width)
+    {
+      Eigen::Map<Bundle>(to + line) = sumAt(line);
+    }
+    if (line < lines)
+    {
+      const Bundle sum = sumAt(line);
+      std::copy_n(sum.data(), lines - line, to + line);
     }
   }
 }

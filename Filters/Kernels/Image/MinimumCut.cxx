@@ -32,22 +32,18 @@ int Opposite(int way)
 class TwoTrees
 {
 public:
-  explicit TwoTrees(CutNetwork& network)
-    : Net(network)
-    , Trees(network.Size(), Free)
-    , Parents(network.Size(), None)
-    , IsActive(network.Size(), 0)
-    , Times(network.Size(), 0)
-    , Distances(network.Size(), 0)
+  explicit TwoTrees(CutNetwork&& network)
+    : Nodes(std::move(network))
   {
-    for (int node = 0; node < static_cast<int>(network.Size()); ++node)
+    for (int node = 0; node < static_cast<int>(this->Nodes.size()); ++node)
     {
-      const std::int32_t terminal = network.Terminals[node];
-      if (terminal != 0)
+      CutNode& own = this->Nodes[node];
+      own.Parent = None;
+      if (own.Terminal != 0)
       {
-        this->Trees[node] = terminal > 0 ? Source : Sink;
-        this->Parents[node] = Terminal;
-        this->Distances[node] = 1;
+        own.Tree = own.Terminal > 0 ? Source : Sink;
+        own.Parent = Terminal;
+        own.Distance = 1;
         this->Activate(node);
       }
     }
@@ -62,7 +58,7 @@ public:
       {
         return false;
       }
-      if (node < 0 || this->Trees[node] == Free)
+      if (node < 0 || this->Nodes[node].Tree == Free)
       {
         node = this->NextActive();
         if (node < 0)
@@ -78,33 +74,32 @@ public:
         continue;
       }
       // The node has perhaps more to find.
-      if (this->Trees[node] == Source)
+      if (this->Nodes[node].Tree == Source)
       {
         this->Augment(node, way);
       }
       else
       {
-        this->Augment(this->Net.Neighbors[node][way], Opposite(way));
+        this->Augment(this->Nodes[node].Neighbors[way], Opposite(way));
       }
       this->Adopt();
     }
   }
 
-  std::vector<unsigned char> TakeSourceSide()
+  std::vector<unsigned char> GetSourceSide() const
   {
-    for (std::uint8_t& tree : this->Trees)
-    {
-      tree = tree == Source ? 1 : 0;
-    }
-    return std::move(this->Trees);
+    std::vector<unsigned char> side(this->Nodes.size());
+    std::transform(this->Nodes.begin(), this->Nodes.end(), side.begin(),
+      [](const CutNode& node) { return static_cast<unsigned char>(node.Tree == Source); });
+    return side;
   }
 
 private:
   void Activate(int node)
   {
-    if (!this->IsActive[node])
+    if (!this->Nodes[node].IsActive)
     {
-      this->IsActive[node] = 1;
+      this->Nodes[node].IsActive = true;
       this->Active.push_back(node);
     }
   }
@@ -114,14 +109,14 @@ private:
     while (this->FirstActive < this->Active.size())
     {
       const int node = this->Active[this->FirstActive++];
-      this->IsActive[node] = 0;
+      this->Nodes[node].IsActive = false;
       if (this->FirstActive > 4096 && 2 * this->FirstActive > this->Active.size())
       {
         this->Active.erase(this->Active.begin(),
           this->Active.begin() + static_cast<std::ptrdiff_t>(this->FirstActive));
         this->FirstActive = 0;
       }
-      if (this->Trees[node] != Free)
+      if (this->Nodes[node].Tree != Free)
       {
         return node;
       }
@@ -129,109 +124,108 @@ private:
     return -1;
   }
 
-  // What can still flow along the tree's direction from the node to its neighbor.
-  std::int32_t Residual(int node, int way, int neighbor) const
-  {
-    return this->Trees[node] == Source ? this->Net.Capacities[node][way]
-                                       : this->Net.Capacities[neighbor][Opposite(way)];
-  }
-
   // The way to a node of the other tree; -1 if there is none.
   int Grow(int node)
   {
+    const CutNode& own = this->Nodes[node];
     for (int way = 0; way < 6; ++way)
     {
-      const int neighbor = this->Net.Neighbors[node][way];
-      if (neighbor < 0 || this->Residual(node, way, neighbor) == 0)
+      const int to = own.Neighbors[way];
+      if (to < 0)
       {
         continue;
       }
-      if (this->Trees[neighbor] == Free)
+      CutNode& neighbor = this->Nodes[to];
+      if ((own.Tree == Source ? own.Capacities[way] : neighbor.Capacities[Opposite(way)]) == 0)
       {
-        this->Trees[neighbor] = this->Trees[node];
-        this->Parents[neighbor] = static_cast<std::uint8_t>(Opposite(way));
-        this->Times[neighbor] = this->Times[node];
-        this->Distances[neighbor] = this->Distances[node] + 1;
-        this->Activate(neighbor);
+        continue;
       }
-      else if (this->Trees[neighbor] != this->Trees[node])
+      if (neighbor.Tree == Free)
+      {
+        neighbor.Tree = own.Tree;
+        SetParent(neighbor, Opposite(way), own.Time, own.Distance + 1);
+        this->Activate(to);
+      }
+      else if (neighbor.Tree != own.Tree)
       {
         return way;
       }
-      else if (this->Times[neighbor] <= this->Times[node] &&
-        this->Distances[neighbor] > this->Distances[node])
+      else if (neighbor.Time <= own.Time && neighbor.Distance > own.Distance)
       {
         // A shorter way to the root.
-        this->Parents[neighbor] = static_cast<std::uint8_t>(Opposite(way));
-        this->Times[neighbor] = this->Times[node];
-        this->Distances[neighbor] = this->Distances[node] + 1;
+        SetParent(neighbor, Opposite(way), own.Time, own.Distance + 1);
       }
     }
     return -1;
   }
 
+  static void SetParent(CutNode& node, int way, std::int32_t time, std::int32_t distance)
+  {
+    node.Parent = static_cast<std::uint8_t>(way);
+    node.Time = time;
+    node.Distance = distance;
+  }
+
   void MakeOrphan(int node)
   {
-    this->Parents[node] = Orphan;
+    this->Nodes[node].Parent = Orphan;
     this->Orphans.push_back(node);
+  }
+
+  // Calls visit(child, its way up, parent) along the path to the terminal. Returns its last node.
+  template <typename Visit>
+  int Climb(int node, const Visit& visit)
+  {
+    while (this->Nodes[node].Parent != Terminal)
+    {
+      const int up = this->Nodes[node].Parent;
+      const int parent = this->Nodes[node].Neighbors[up];
+      visit(node, up, parent);
+      node = parent;
+    }
+    return node;
+  }
+
+  void AddToTerminal(int node, std::int32_t flow)
+  {
+    this->Nodes[node].Terminal += flow;
+    if (this->Nodes[node].Terminal == 0)
+    {
+      this->MakeOrphan(node);
+    }
+  }
+
+  // From child to parent; the child is an orphan if no more can flow along the tree's direction.
+  void Push(int child, int up, int parent, std::int32_t flow)
+  {
+    std::int32_t& upwards = this->Nodes[child].Capacities[up];
+    std::int32_t& downwards = this->Nodes[parent].Capacities[Opposite(up)];
+    upwards -= flow;
+    downwards += flow;
+    if ((flow > 0 ? upwards : downwards) == 0)
+    {
+      this->MakeOrphan(child);
+    }
   }
 
   // Saturates the path from the source over `node` and its neighbor to the sink.
   void Augment(int node, int way)
   {
-    const int other = this->Net.Neighbors[node][way];
-    std::int32_t flow = this->Net.Capacities[node][way];
-    int at = node;
-    for (; this->Parents[at] != Terminal; at = this->Net.Neighbors[at][this->Parents[at]])
-    {
-      const int up = this->Parents[at];
-      flow = std::min(flow, this->Net.Capacities[this->Net.Neighbors[at][up]][Opposite(up)]);
-    }
-    flow = std::min(flow, this->Net.Terminals[at]);
-    for (at = other; this->Parents[at] != Terminal; at = this->Net.Neighbors[at][this->Parents[at]])
-    {
-      flow = std::min(flow, this->Net.Capacities[at][this->Parents[at]]);
-    }
-    flow = std::min(flow, -this->Net.Terminals[at]);
+    const int other = this->Nodes[node].Neighbors[way];
+    std::int32_t flow = this->Nodes[node].Capacities[way];
+    const int first = this->Climb(node,
+      [&](int, int up, int parent)
+      { flow = std::min(flow, this->Nodes[parent].Capacities[Opposite(up)]); });
+    const int last = this->Climb(other,
+      [&](int child, int up, int) { flow = std::min(flow, this->Nodes[child].Capacities[up]); });
+    flow = std::min({ flow, this->Nodes[first].Terminal, -this->Nodes[last].Terminal });
 
-    this->Net.Capacities[node][way] -= flow;
-    this->Net.Capacities[other][Opposite(way)] += flow;
-    at = node;
-    while (this->Parents[at] != Terminal)
-    {
-      const int up = this->Parents[at];
-      const int parent = this->Net.Neighbors[at][up];
-      this->Net.Capacities[at][up] += flow;
-      this->Net.Capacities[parent][Opposite(up)] -= flow;
-      if (this->Net.Capacities[parent][Opposite(up)] == 0)
-      {
-        this->MakeOrphan(at);
-      }
-      at = parent;
-    }
-    this->Net.Terminals[at] -= flow;
-    if (this->Net.Terminals[at] == 0)
-    {
-      this->MakeOrphan(at);
-    }
-    at = other;
-    while (this->Parents[at] != Terminal)
-    {
-      const int up = this->Parents[at];
-      const int parent = this->Net.Neighbors[at][up];
-      this->Net.Capacities[at][up] -= flow;
-      this->Net.Capacities[parent][Opposite(up)] += flow;
-      if (this->Net.Capacities[at][up] == 0)
-      {
-        this->MakeOrphan(at);
-      }
-      at = parent;
-    }
-    this->Net.Terminals[at] += flow;
-    if (this->Net.Terminals[at] == 0)
-    {
-      this->MakeOrphan(at);
-    }
+    this->Nodes[node].Capacities[way] -= flow;
+    this->Nodes[other].Capacities[Opposite(way)] += flow;
+    this->Climb(node, [&](int child, int up, int parent) { this->Push(child, up, parent, -flow); });
+    this->AddToTerminal(first, -flow);
+    this->Climb(other, [&](int child, int up, int parent) { this->Push(child, up, parent, flow); });
+    this->AddToTerminal(last, flow);
   }
 
   void Adopt()
@@ -248,50 +242,55 @@ private:
   int DistanceToTerminal(int node) const
   {
     int distance = 0;
-    for (int at = node;;)
+    for (const CutNode* at = &this->Nodes[node];; at = &this->Nodes[at->Neighbors[at->Parent]])
     {
-      if (this->Times[at] == this->Time)
+      if (at->Time == this->Time)
       {
-        return distance + this->Distances[at];
+        return distance + at->Distance;
       }
-      const int up = this->Parents[at];
-      if (up == Terminal)
+      if (at->Parent == Terminal)
       {
         return distance + 1;
       }
-      if (up == Orphan)
+      if (at->Parent == Orphan)
       {
         return std::numeric_limits<int>::max();
       }
       ++distance;
-      at = this->Net.Neighbors[at][up];
     }
   }
 
   // Remembers along the path that it leads to the terminal.
   void Mark(int node, int distance)
   {
-    for (int at = node; this->Times[at] != this->Time;
-         at = this->Net.Neighbors[at][this->Parents[at]])
+    for (CutNode* at = &this->Nodes[node]; at->Time != this->Time;
+         at = &this->Nodes[at->Neighbors[at->Parent]])
     {
-      this->Times[at] = this->Time;
-      this->Distances[at] = distance--;
-      if (this->Parents[at] == Terminal)
+      at->Time = this->Time;
+      at->Distance = distance--;
+      if (at->Parent == Terminal)
       {
         return;
       }
     }
   }
 
+  // Nothing more can flow between the node and a possible parent along the tree's direction.
+  static bool IsSaturated(const CutNode& node, int way, const CutNode& parent)
+  {
+    return (node.Tree == Source ? parent.Capacities[Opposite(way)] : node.Capacities[way]) == 0;
+  }
+
   void AdoptOne(int node)
   {
+    CutNode& own = this->Nodes[node];
     int best = std::numeric_limits<int>::max();
     int bestWay = -1;
     for (int way = 0; way < 6; ++way)
     {
-      const int neighbor = this->Net.Neighbors[node][way];
-      if (neighbor < 0 || this->Trees[neighbor] != this->Trees[node] ||
-        this->ResidualFrom(neighbor, node, way) == 0)
+      const int neighbor = own.Neighbors[way];
+      if (neighbor < 0 || this->Nodes[neighbor].Tree != own.Tree ||
+        IsSaturated(own, way, this->Nodes[neighbor]))
       {
         continue;
       }
@@ -309,44 +308,30 @@ private:
     }
     if (bestWay >= 0)
     {
-      this->Parents[node] = static_cast<std::uint8_t>(bestWay);
-      this->Times[node] = this->Time;
-      this->Distances[node] = best + 1;
+      SetParent(own, bestWay, this->Time, best + 1);
       return;
     }
     for (int way = 0; way < 6; ++way)
     {
-      const int neighbor = this->Net.Neighbors[node][way];
-      if (neighbor < 0 || this->Trees[neighbor] != this->Trees[node])
+      const int neighbor = own.Neighbors[way];
+      if (neighbor < 0 || this->Nodes[neighbor].Tree != own.Tree)
       {
         continue;
       }
-      if (this->ResidualFrom(neighbor, node, way) > 0)
+      if (!IsSaturated(own, way, this->Nodes[neighbor]))
       {
         this->Activate(neighbor);
       }
-      if (this->Parents[neighbor] == Opposite(way))
+      if (this->Nodes[neighbor].Parent == Opposite(way))
       {
         this->MakeOrphan(neighbor);
       }
     }
-    this->Trees[node] = Free;
-    this->Parents[node] = None;
+    own.Tree = Free;
+    own.Parent = None;
   }
 
-  // From a possible parent to the node, whose neighbor it is on the way given.
-  std::int32_t ResidualFrom(int parent, int node, int way) const
-  {
-    return this->Trees[node] == Source ? this->Net.Capacities[parent][Opposite(way)]
-                                       : this->Net.Capacities[node][way];
-  }
-
-  CutNetwork& Net;
-  std::vector<std::uint8_t> Trees;
-  std::vector<std::uint8_t> Parents;
-  std::vector<std::uint8_t> IsActive;
-  std::vector<std::int32_t> Times;     // when the distance was known to be right
-  std::vector<std::int32_t> Distances; // to the terminal, in nodes
+  CutNetwork Nodes;
   std::vector<int> Active;
   std::size_t FirstActive = 0;
   std::vector<int> Orphans;
@@ -355,10 +340,10 @@ private:
 
 } // namespace
 
-std::vector<unsigned char> SourceSide(CutNetwork& network, const Monitor& monitor)
+std::vector<unsigned char> SourceSide(CutNetwork&& network, const Monitor& monitor)
 {
-  TwoTrees trees(network);
-  return trees.Execute(monitor) ? trees.TakeSourceSide() : std::vector<unsigned char>();
+  TwoTrees trees(std::move(network));
+  return trees.Execute(monitor) ? trees.GetSourceSide() : std::vector<unsigned char>();
 }
 
 } // namespace FlipFree

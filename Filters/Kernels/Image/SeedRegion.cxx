@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <sstream>
 
 namespace FlipFree
@@ -102,6 +103,35 @@ double MedianDifference(const ImageView<float>& image, const std::vector<std::si
 }
 
 } // namespace
+
+std::vector<std::size_t> VoxelsAround(const ImageGeometry& geometry, const SeedSphere& seed)
+{
+  std::vector<std::size_t> voxels = VoxelsInSphere(geometry, seed);
+  if (voxels.empty())
+  {
+    const VoxelBox box = BoxAround(geometry, seed.Center, 0);
+    double least = std::numeric_limits<double>::infinity();
+    std::size_t nearest = 0;
+    for (int k = box.Begin[2]; k < box.End[2]; ++k)
+    {
+      for (int j = box.Begin[1]; j < box.End[1]; ++j)
+      {
+        for (int i = box.Begin[0]; i < box.End[0]; ++i)
+        {
+          const double distance =
+            (geometry.ToPhysical(Eigen::Vector3d(i, j, k)) - seed.Center).norm();
+          if (distance < least)
+          {
+            least = distance;
+            nearest = geometry.Offset(i, j, k);
+          }
+        }
+      }
+    }
+    voxels.push_back(nearest);
+  }
+  return voxels;
+}
 
 double NoiseStandardDeviation(const ImageView<float>& image, const SeedSphere& seed)
 {

@@ -64,6 +64,9 @@ bool ContainsSphere(const ImageGeometry& geometry, const SeedSphere& seed);
 /// Offsets of the voxels whose centers lie in the sphere, ascending.
 std::vector<std::size_t> VoxelsInSphere(const ImageGeometry& geometry, const SeedSphere& seed);
 
+/// As VoxelsInSphere; if there are none, the voxel whose center is nearest to the sphere's.
+std::vector<std::size_t> VoxelsAround(const ImageGeometry& geometry, const SeedSphere& seed);
+
 /// The standard deviation of the noise, from the median absolute difference of neighbors in the
 /// sphere, which structures larger than a voxel hardly affect. Not negative. Neighbors are taken
 /// along the finest axis; of several equally fine axes, the one with the smallest differences

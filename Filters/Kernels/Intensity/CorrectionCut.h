@@ -27,10 +27,6 @@ struct Correction
 /// millimeters from the point.
 double DomainOf(const Correction& correction);
 
-/// How far around a point the smoothed image looks like it, at most `limit` millimeters.
-double ReachOfLikeness(const ImageView<float>& image, const Eigen::Vector3d& point, double limit,
-  double noise, Modality modality);
-
 /// Changes the sides of voxels around the point, those to the right side only. An outside point
 /// that lies in a part which hangs on by a neck takes that part away, up to the neck; one in the
 /// depth of what looks like the seed takes what is nearer to it than to the seed; else what looks

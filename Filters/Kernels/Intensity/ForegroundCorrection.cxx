@@ -1,6 +1,7 @@
 #include "Intensity/ForegroundCorrection.h"
 
 #include "Intensity/CorrectionCut.h"
+#include "Intensity/GrayValueSimilarity.h"
 #include "Intensity/LeakControl.h"
 
 #include <algorithm>
@@ -223,9 +224,9 @@ private:
     {
       return false;
     }
-    correction.Reach =
-      std::max({ ReachOfLikeness(this->Smooth, constraint.Point, limit, this->Noise, this->Kind),
-        geometry.Spacing.maxCoeff(), constraint.Radius });
+    correction.Reach = std::max({ GrayValueSimilarity(this->Noise, this->Kind)
+                                    .ReachOfLikeness(this->Smooth, constraint.Point, limit),
+      geometry.Spacing.maxCoeff(), constraint.Radius });
     const VoxelBox box = this->BoxOf(correction);
     if (!this->Make(box))
     {

@@ -1,6 +1,7 @@
 #include "Intensity/LeakControl.h"
 
 #include "Image/BallMorphology.h"
+#include "Image/VoxelOffsets.h"
 
 #include <algorithm>
 
@@ -13,14 +14,6 @@ using Word = BitMask::Word;
 
 // Some milliseconds.
 constexpr std::size_t StepsBetweenQuestions = 1U << 18U;
-
-std::array<int, 3> IndexOf(std::size_t voxel, const ImageGeometry& geometry)
-{
-  const std::size_t row = geometry.Dimensions[0];
-  const std::size_t rows = geometry.Dimensions[1];
-  return { { static_cast<int>(voxel % row), static_cast<int>(voxel / row % rows),
-    static_cast<int>(voxel / row / rows) } };
-}
 
 bool HoldsOne(const BitMask& mask, const std::vector<std::size_t>& voxels)
 {

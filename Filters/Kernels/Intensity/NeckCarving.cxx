@@ -4,13 +4,13 @@
 #include "Image/BlockNetwork.h"
 #include "Image/DistanceParts.h"
 #include "Image/DistanceTransform.h"
-#include "Image/GaussianSmoothing.h"
+#include "Image/VoxelOffsets.h"
+#include "Intensity/GrayValueSimilarity.h"
 #include "Intensity/LeakControl.h"
-#include "Intensity/RobustStatistics.h"
+#include "Intensity/UnaryTerms.h"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
+#include <utility>
 
 namespace FlipFree
 {
@@ -21,49 +21,16 @@ namespace
 constexpr double SourceRadius = 0.6;
 // Organs in which smaller balls fit are slender (kidneys), and so are their own necks.
 constexpr double SmallBall = 12;
-// Organs in which larger ones fit are wide everywhere (livers).
-constexpr double LargeBall = 20;
 // Cores are what lies deeper than this part of the peak's depth; flatter parts are no parts.
 constexpr double CoreDepth = 0.6;
 constexpr double MinimumPeak = 3;
-// At least one voxel, if the grid is not empty.
-std::vector<std::size_t> VoxelsAround(const ImageGeometry& geometry, const Eigen::Vector3d& center,
-  double radius)
-{
-  std::vector<std::size_t> voxels = VoxelsInSphere(geometry, { center, radius });
-  if (voxels.empty())
-  {
-    const VoxelBox box = BoxAround(geometry, center, 0);
-    double least = std::numeric_limits<double>::infinity();
-    std::size_t nearest = 0;
-    for (int k = box.Begin[2]; k < box.End[2]; ++k)
-    {
-      for (int j = box.Begin[1]; j < box.End[1]; ++j)
-      {
-        for (int i = box.Begin[0]; i < box.End[0]; ++i)
-        {
-          const double distance = (geometry.ToPhysical(Eigen::Vector3d(i, j, k)) - center).norm();
-          if (distance < least)
-          {
-            least = distance;
-            nearest = geometry.Offset(i, j, k);
-          }
-        }
-      }
-    }
-    voxels.push_back(nearest);
-  }
-  return voxels;
-}
 
 void Insert(const std::vector<std::size_t>& voxels, BitMask& mask)
 {
-  const auto& size = mask.GetGeometry().Dimensions;
   for (const std::size_t voxel : voxels)
   {
-    const std::size_t row = voxel / size[0];
-    mask.Insert(static_cast<int>(voxel % size[0]), static_cast<int>(row % size[1]),
-      static_cast<int>(row / size[1]));
+    const std::array<int, 3> index = IndexOf(voxel, mask.GetGeometry());
+    mask.Insert(index[0], index[1], index[2]);
   }
 }
 
@@ -82,29 +49,27 @@ public:
     , Mask(mask)
     , Grid(mask.GetGeometry(), std::max(1.2, std::min(2.5, this->Ball.Radius / 8)))
     , Size(Grid.Blocks.Dimensions)
+    , OfBall(StatisticsInBall(image, Grid.Voxels, Ball))
   {
   }
 
   bool Execute()
   {
-    this->MeasureBall();
     this->FillBlocks();
     this->SourceBlocks =
-      VoxelsAround(this->Grid.Blocks, this->Seed.Center, SourceRadius * this->Seed.Radius);
+      VoxelsAround(this->Grid.Blocks, { this->Seed.Center, SourceRadius * this->Seed.Radius });
     for (const std::size_t block : this->SourceBlocks)
     {
       this->Inside[block] = 1;
     }
-    this->FindUnaries();
-    // What follows needs the memory.
-    std::vector<float>().swap(this->Values);
-    std::vector<float>().swap(this->Weights);
+    this->Unaries = FindUnaryTerms(std::move(this->Values), std::move(this->Weights), this->Inside,
+      this->Grid.Blocks, { this->Seed.Center, this->Ball.Radius }, this->OfBall.StandardDeviation,
+      this->IsMR, this->Parallel);
     if (!this->FindCores())
     {
       return false;
     }
-    CutNetwork network = this->MakeNetwork();
-    const std::vector<unsigned char> kept = SourceSide(network, this->Ask);
+    const std::vector<unsigned char> kept = SourceSide(this->MakeNetwork(), this->Ask);
     if (kept.empty())
     {
       return false;
@@ -114,25 +79,12 @@ public:
   }
 
 private:
-  void MeasureBall()
-  {
-    std::vector<float> values;
-    const auto& size = this->Mask.GetGeometry().Dimensions;
-    for (const std::size_t voxel :
-      VoxelsAround(this->Mask.GetGeometry(), this->Ball.Center, this->Ball.Radius))
-    {
-      const std::size_t row = voxel / size[0];
-      values.push_back(this->Image.Row(static_cast<int>(row % size[1]),
-        static_cast<int>(row / size[1]))[voxel % size[0]]);
-    }
-    this->OfBall = RobustStatisticsOf(values);
-  }
-
   // Which blocks are in the mask, and the sums and numbers of their voxels there.
   void FillBlocks()
   {
     const std::size_t count = this->Grid.Blocks.NumberOfVoxels();
     this->Inside.assign(count, 0);
+    this->IsTouched.assign(count, 0);
     this->Values.assign(count, 0);
     this->Weights.assign(count, 0);
     this->Grid.ForEachRun(this->Mask, this->Parallel,
@@ -149,62 +101,8 @@ private:
     for (std::size_t block = 0; block < count; ++block)
     {
       this->Inside[block] = this->Weights[block] >= half ? 1 : 0;
+      this->IsTouched[block] = this->Weights[block] > 0 ? 1 : 0;
     }
-  }
-
-  // How well each block's surroundings within the mask fit the seed.
-  void FindUnaries()
-  {
-    const double radius = this->Ball.Radius;
-    const double deviation = std::max(2.0, std::min(6.0, 0.3 * radius));
-    SmoothGaussian(this->Values, this->Grid.Blocks, deviation, this->Parallel);
-    SmoothGaussian(this->Weights, this->Grid.Blocks, deviation, this->Parallel);
-    for (std::size_t block = 0; block < this->Values.size(); ++block)
-    {
-      this->Values[block] =
-        this->Weights[block] > 1e-6F ? this->Values[block] / this->Weights[block] : 0;
-    }
-    std::vector<float> values;
-    for (const std::size_t block : VoxelsAround(this->Grid.Blocks, this->Seed.Center, radius))
-    {
-      values.push_back(this->Values[block]);
-    }
-    const RobustStatistics of = RobustStatisticsOf(values);
-    const double least = this->IsMR ? 0.02 * std::abs(of.Median) : 3;
-    const double spread =
-      std::max({ of.StandardDeviation, 0.5 * this->OfBall.StandardDeviation, least, 1e-12 });
-    const double drift = this->IsMR ? 0.15 * std::abs(of.Median) : 12;
-    const double driftUp =
-      radius >= LargeBall ? (this->IsMR ? 0.03 * std::abs(of.Median) : 2.4) : drift;
-    const double base = radius >= LargeBall ? 0.2 : 0.3;
-    const double gain = radius >= LargeBall ? 0.5 : 0.3;
-    this->Unaries.assign(this->Values.size(), 0);
-    this->Parallel(0, this->Size[2],
-      [&](std::ptrdiff_t first, std::ptrdiff_t last)
-      {
-        for (int k = static_cast<int>(first); k < last; ++k)
-        {
-          for (int j = 0; j < this->Size[1]; ++j)
-          {
-            for (int i = 0; i < this->Size[0]; ++i)
-            {
-              const std::size_t block = this->Grid.Blocks.Offset(i, j, k);
-              if (!this->Inside[block])
-              {
-                continue;
-              }
-              const double away =
-                (this->Grid.Blocks.ToPhysical(Eigen::Vector3d(i, j, k)) - this->Seed.Center).norm();
-              const double difference = this->Values[block] - of.Median;
-              const double allowed =
-                (difference > 0 ? driftUp : drift) * std::max(0.0, away - radius) / 50;
-              const double square = difference * difference / (spread * spread + allowed * allowed);
-              const double fit = std::max(-2.0, std::min(2.0, (3.5 * 3.5 - square) / 2)) / 2;
-              this->Unaries[block] = static_cast<float>(base + gain * fit);
-            }
-          }
-        }
-      });
   }
 
   bool FindCores()
@@ -231,7 +129,7 @@ private:
 
   CutNetwork MakeNetwork()
   {
-    this->Nodes.assign(this->Inside.size(), CutNetwork::NoNeighbor);
+    this->Nodes.assign(this->Inside.size(), CutNode::NoNeighbor);
     int nodes = 0;
     for (std::size_t block = 0; block < this->Nodes.size(); ++block)
     {
@@ -247,17 +145,17 @@ private:
     CutNetwork network = MakeBlockNetwork(
       this->Grid.Blocks, this->Nodes, SmoothBlockMeans(this->Image, this->Grid, this->Parallel),
       links, [this](std::size_t block) { return this->Unaries[block]; },
-      [](std::size_t) { return -1; });
+      [](std::size_t) { return -1; }, this->Parallel);
     for (std::size_t block = 0; block < this->Nodes.size(); ++block)
     {
       if (this->IsCore[block] && this->Nodes[block] >= 0)
       {
-        network.Terminals[this->Nodes[block]] = -CutNetwork::Infinite;
+        network[this->Nodes[block]].Terminal = -CutNode::Infinite;
       }
     }
     for (const std::size_t block : this->SourceBlocks)
     {
-      network.Terminals[this->Nodes[block]] = CutNetwork::Infinite;
+      network[this->Nodes[block]].Terminal = CutNode::Infinite;
     }
     std::vector<float>().swap(this->Unaries);
     return network;
@@ -267,8 +165,6 @@ private:
   void RemoveBlocks(const std::vector<unsigned char>& kept)
   {
     const ImageGeometry& blocks = this->Grid.Blocks;
-    const auto& size = this->Mask.GetGeometry().Dimensions;
-    BitMask removed(this->Mask.GetGeometry());
     const auto isRemoved = [&](int i, int j, int k)
     {
       const int own = this->Nodes[blocks.Offset(i, j, k)];
@@ -290,31 +186,37 @@ private:
       }
       return balance < 0;
     };
-    for (int k = 0; k < this->Size[2]; ++k)
-    {
-      for (int j = 0; j < this->Size[1]; ++j)
+    this->Parallel(0, this->Size[2],
+      [&](std::ptrdiff_t first, std::ptrdiff_t last)
       {
-        for (int i = 0; i < this->Size[0]; ++i)
+        for (int k = static_cast<int>(first); k < last; ++k)
         {
-          if (!isRemoved(i, j, k))
+          for (int j = 0; j < this->Size[1]; ++j)
           {
-            continue;
-          }
-          const int begin = i * this->Grid.Factor[0];
-          const int end = std::min(size[0], begin + this->Grid.Factor[0]);
-          for (int z = k * this->Grid.Factor[2];
-               z < std::min(size[2], (k + 1) * this->Grid.Factor[2]); ++z)
-          {
-            for (int y = j * this->Grid.Factor[1];
-                 y < std::min(size[1], (j + 1) * this->Grid.Factor[1]); ++y)
+            for (int i = 0; i < this->Size[0]; ++i)
             {
-              removed.InsertRun(begin, end, y, z);
+              if (this->IsTouched[blocks.Offset(i, j, k)] && isRemoved(i, j, k))
+              {
+                this->RemoveBlock(i, j, k);
+              }
             }
           }
         }
+      });
+  }
+
+  void RemoveBlock(int i, int j, int k)
+  {
+    const auto& size = this->Mask.GetGeometry().Dimensions;
+    const std::array<int, 3>& factor = this->Grid.Factor;
+    const int end = std::min(size[0], (i + 1) * factor[0]);
+    for (int z = k * factor[2]; z < std::min(size[2], (k + 1) * factor[2]); ++z)
+    {
+      for (int y = j * factor[1]; y < std::min(size[1], (j + 1) * factor[1]); ++y)
+      {
+        this->Mask.RemoveRun(i * factor[0], end, y, z);
       }
     }
-    this->Mask.Remove(removed);
   }
 
   const ImagePart Image;
@@ -327,10 +229,11 @@ private:
   BitMask& Mask;
   const BlockGrid Grid;
   const std::array<int, 3> Size;
+  const RobustStatistics OfBall;
 
-  RobustStatistics OfBall;
   std::vector<std::size_t> SourceBlocks;
-  std::vector<unsigned char> Inside;
+  std::vector<unsigned char> Inside;    // half of the block is in the mask
+  std::vector<unsigned char> IsTouched; // a voxel is
   std::vector<unsigned char> IsCore;
   std::vector<float> Values;
   std::vector<float> Weights;
@@ -354,9 +257,9 @@ bool CarveNecks(const ImagePart& image, const SeedSphere& seed, double noise, Mo
                  static_cast<int>(voxels[2]) + 2 } },
         WholeBox(geometry));
   BitMask part = mask.Cropped(box);
-  Insert(VoxelsAround(part.GetGeometry(), seed.Center, seed.Radius), part);
+  Insert(VoxelsAround(part.GetGeometry(), seed), part);
   const std::vector<std::size_t> source =
-    VoxelsAround(part.GetGeometry(), seed.Center, SourceRadius * seed.Radius);
+    VoxelsAround(part.GetGeometry(), { seed.Center, SourceRadius * seed.Radius });
   if (!FillHoles(part, monitor) || !KeepConnected(part, source, monitor) ||
     !Carving(image.Cropped(box), seed, noise, modality, parallelFor, monitor, part).Execute() ||
     !KeepConnected(part, source, monitor) || !FillHoles(part, monitor))

@@ -2,7 +2,10 @@
 
 #include "Error.h"
 #include "Image/BallMorphology.h"
+#include "Image/VoxelOffsets.h"
 
+#include <algorithm>
+#include <functional>
 #include <string>
 
 namespace FlipFree
@@ -44,14 +47,11 @@ bool FindForegroundInBox(const ImageView<float>& smooth, const VoxelBox& box,
   }
   BitMask part = model.Foreground(smooth, box, parallelFor);
   // The seed's voxels on the whole grid, whose rounding decides.
-  const auto& size = smooth.Geometry.Dimensions;
   std::vector<std::size_t> sources;
   for (const std::size_t voxel : VoxelsInSphere(smooth.Geometry, seed))
   {
-    const std::size_t row = voxel / size[0];
-    const std::array<int, 3> index{ { static_cast<int>(voxel % size[0]) - box.Begin[0],
-      static_cast<int>(row % size[1]) - box.Begin[1],
-      static_cast<int>(row / size[1]) - box.Begin[2] } };
+    std::array<int, 3> index = IndexOf(voxel, smooth.Geometry);
+    std::transform(index.begin(), index.end(), box.Begin.begin(), index.begin(), std::minus<>());
     if (!part.GetGeometry().Contains(index[0], index[1], index[2]))
     {
       throw Error(ErrorCode::OutOfRange,

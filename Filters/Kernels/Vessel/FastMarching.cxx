@@ -1,5 +1,7 @@
 #include "Vessel/FastMarching.h"
 
+#include "Image/VoxelOffsets.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -21,8 +23,7 @@ public:
     : Speed(speed)
     , Times(times)
     , Final(times.size(), 0)
-    , Strides{ { 1, speed.Geometry.Dimensions[0],
-        static_cast<std::ptrdiff_t>(speed.Geometry.Dimensions[0]) * speed.Geometry.Dimensions[1] } }
+    , Strides(StepsOf(speed.Geometry))
   {
   }
 
@@ -49,7 +50,7 @@ public:
 
   void UpdateNeighbors(std::size_t voxel)
   {
-    const std::array<int, 3> place = this->PlaceOf(voxel);
+    const std::array<int, 3> place = IndexOf(voxel, this->Speed.Geometry);
     for (int axis = 0; axis < 3; ++axis)
     {
       for (const int side : { -1, 1 })
@@ -65,14 +66,6 @@ public:
   }
 
 private:
-  std::array<int, 3> PlaceOf(std::size_t voxel) const
-  {
-    const auto& size = this->Speed.Geometry.Dimensions;
-    const std::size_t row = voxel / size[0];
-    return { { static_cast<int>(voxel % size[0]), static_cast<int>(row % size[1]),
-      static_cast<int>(row / size[1]) } };
-  }
-
   void Update(std::size_t voxel, const std::array<int, 3>& place)
   {
     const double speed = this->Speed.Data[voxel];
@@ -181,13 +174,10 @@ std::vector<std::size_t> DescendToSource(const Arrivals& arrivals, const ImageGe
   std::size_t target)
 {
   std::vector<std::size_t> path{ target };
-  const auto& size = geometry.Dimensions;
   const auto& times = arrivals.Times;
   for (std::size_t voxel = target; times[voxel] > 0;)
   {
-    const std::size_t row = voxel / size[0];
-    const int place[3] = { static_cast<int>(voxel % size[0]), static_cast<int>(row % size[1]),
-      static_cast<int>(row / size[1]) };
+    const std::array<int, 3> place = IndexOf(voxel, geometry);
     double steepest = 0;
     std::size_t next = voxel;
     for (int code = 0; code < 27; ++code)

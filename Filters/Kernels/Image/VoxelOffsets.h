@@ -1,0 +1,50 @@
+/**
+ * The number of a voxel on its grid, x fastest: back to its index, and on to its neighbors.
+ */
+#ifndef FlipFreeVoxelOffsets_h
+#define FlipFreeVoxelOffsets_h
+
+#include "KernelTypes.h"
+
+namespace FlipFree
+{
+
+/// i, j, k of the voxel with that offset.
+inline std::array<int, 3> IndexOf(std::size_t voxel, const ImageGeometry& geometry)
+{
+  const std::size_t row = geometry.Dimensions[0];
+  const std::size_t rows = geometry.Dimensions[1];
+  return { { static_cast<int>(voxel % row), static_cast<int>(voxel / row % rows),
+    static_cast<int>(voxel / row / rows) } };
+}
+
+/// How far the next voxel is along each axis.
+inline std::array<std::ptrdiff_t, 3> StepsOf(const ImageGeometry& geometry)
+{
+  const std::ptrdiff_t row = geometry.Dimensions[0];
+  return { { 1, row, row * geometry.Dimensions[1] } };
+}
+
+/// Calls visit(offset) for the voxels on the grid that share a face with one: towards -x, +x, -y,
+/// +y, -z, +z.
+template <typename Visit>
+void VisitNeighbors(std::size_t voxel, const ImageGeometry& geometry, const Visit& visit)
+{
+  const std::array<int, 3> index = IndexOf(voxel, geometry);
+  const std::array<std::ptrdiff_t, 3> steps = StepsOf(geometry);
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    if (index[axis] > 0)
+    {
+      visit(voxel - steps[axis]);
+    }
+    if (index[axis] + 1 < geometry.Dimensions[axis])
+    {
+      visit(voxel + steps[axis]);
+    }
+  }
+}
+
+} // namespace FlipFree
+
+#endif
