@@ -67,7 +67,7 @@ class Segmentation(Faces, Correctable):
 
     def __repr__(self) -> str:
         return (
-            f"<Segmentation: {self.surface.GetNumberOfPoints()} vertices, "
+            f"<{type(self).__name__}: {self.surface.GetNumberOfPoints()} vertices, "
             f"{self.self_intersections} self-intersections, '{self.stop_reason}' after "
             f"{self.convergence.GetNumberOfRows()} iterations>"
         )

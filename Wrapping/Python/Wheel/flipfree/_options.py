@@ -22,9 +22,6 @@ COLUMN = 30
 INTEGERS = {"N", "I", "J", "K", "NX", "NY", "NZ"}
 TEXTS = {"FILE", "DIR", "UID", "NAME", "ADDRESS", "TABLE"}
 
-# Subcommands and options that this package does not have yet.
-TOOLKIT_ONLY = {"trace"}
-
 COHORT: Entry = {
     "name": "cohort",
     "description": "Segment the organs of many volumes, several at a time",
@@ -73,12 +70,8 @@ class Parser(argparse.ArgumentParser):
 def table() -> list[Entry]:
     """The program and its subcommands."""
     text = resources.files(__package__).joinpath("_options.json").read_text(encoding="utf-8")
-    entries: list[dict[str, Any]] = json.loads(text)
-    for entry in entries:
-        entry["options"] = [
-            option for option in entry["options"] if not TOOLKIT_ONLY.intersection(option["names"])
-        ]
-    return [*(entry for entry in entries if entry["name"] not in TOOLKIT_ONLY), COHORT]
+    entries: list[Entry] = json.loads(text)
+    return [*entries, COHORT]
 
 
 def parser_of(entry: Entry, parameters: Mapping[str, Parameter]) -> Parser:

@@ -96,7 +96,7 @@ class Segmentation(Faces, Correctable):
 
     def __repr__(self) -> str:
         return (
-            f"<Segmentation: {len(self.points)} vertices, "
+            f"<{type(self).__name__}: {len(self.points)} vertices, "
             f"{self.self_intersections} self-intersections, '{self.stop_reason}' after "
             f"{len(self.iterations['Iteration'])} iterations>"
         )
