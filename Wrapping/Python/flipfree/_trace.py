@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
 def trace(
     image: AnyImage,
-    points: Points,
+    points: Points | npt.NDArray[Any],
     *,
     spacing: Sequence[float] | None = None,
     origin: Sequence[float] | None = None,

@@ -107,8 +107,8 @@ def _segmented(row: Row, output: str, volume: _Volume) -> dict[str, Any]:
 def _results(row: Row, output: str, image: Image) -> dict[str, Any]:
     organ = _found(row, image)
     if organ.stop_reason == "no boundary found":
-        where = "points" if row.is_vessel else "seed"
-        raise FlipFreeError(f"no boundary of the organ was found; place the {where} inside it")
+        what, where = ("vessel", "points") if row.is_vessel else ("organ", "seed")
+        raise FlipFreeError(f"no boundary of the {what} was found; place the {where} inside it")
     values: dict[str, Any] = {
         # Which is about organs.
         "confidence": None if row.is_vessel else round(confidence_of(image, organ), 4),
