@@ -115,8 +115,8 @@ nb::dict Segment(const Voxels& voxels, const Triple& spacing, const Triple& orig
   nb::list surfaces;
   for (Iteration& iteration : history)
   {
-    surfaces.append(
-      SurfaceDict(std::move(iteration.Faces), std::move(iteration.Points), std::move(iteration.Field)));
+    surfaces.append(SurfaceDict(std::move(iteration.Faces), std::move(iteration.Points),
+      std::move(iteration.Field)));
   }
   answer["history"] = surfaces;
   answer["surface"] =

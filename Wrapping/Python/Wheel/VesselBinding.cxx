@@ -76,7 +76,8 @@ nb::dict Trace(const Voxels& voxels, const Triple& spacing, const Triple& origin
   answer["warnings"] = result.Warnings;
   answer["labels"] = LabelsOf(result.Voxels, settings.LabelValue, geometry);
   answer["branches"] = BranchesOf(result.Tree);
-  answer["stage_seconds"] = std::vector<double>(result.StageSeconds.begin(), result.StageSeconds.end());
+  answer["stage_seconds"] =
+    std::vector<double>(result.StageSeconds.begin(), result.StageSeconds.end());
   answer["surface"] =
     SurfaceDict(std::move(surface.Mesh.Faces), std::move(surface.Points), std::move(surface.Field));
   report(1.0);
