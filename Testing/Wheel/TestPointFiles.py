@@ -81,7 +81,7 @@ BAD = {
     "space.csv": ("inside,1 0,2,3\n", "'1 0' is no number"),
     "two.csv": ("inside,here,there,3\n", "'here' is no number"),
     "both.csv": ("above,1,2,x\n", "'x' is no number"),
-    "radius.csv": ("seed,1,2,3\n", "line 1: a seed has no radius"),
+    "no-radius.csv": ("seed,1,2,3\n", "line 1: a seed has no radius"),
     "negative.csv": ("seed,1,2,3,-4\n", "line 1: a seed has no radius"),
     "letters.csv": ("seed,1,y,3,big\n", "'y' is no number"),
     "latin.csv": ("inside,1,2,3\näbc,1,2,3\n".encode("latin-1"), "is no text in UTF-8"),
