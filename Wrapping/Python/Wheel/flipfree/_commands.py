@@ -335,9 +335,11 @@ def _lps(values: dict[str, Any], point: list[float]) -> list[float]:
 def _points_of(values: dict[str, Any]) -> list[Constraint]:
     """The corrections; those of the file first."""
     points = read_points(values["points"]) if "points" in values else []
-    given = {kind: values.get(kind, ()) for kind in ("inside", "outside", "boundary")}
-    places = {kind: [_lps(values, point) for point in found] for kind, found in given.items()}
-    return [*points, *constraints_of(**places, seeds=())]
+    inside, outside, boundary = (
+        [_lps(values, point) for point in values.get(kind, ())]
+        for kind in ("inside", "outside", "boundary")
+    )
+    return [*points, *constraints_of(inside, outside, boundary, ())]
 
 
 def _wants_bar(values: dict[str, Any]) -> bool:
