@@ -77,7 +77,8 @@ class Mypy(unittest.TestCase):
         self.assertEqual(others, [])
 
     def test_layer_is_sound_in_itself(self):
-        self.assertRegex(mypy("-p", "flipfree"), "^Success")
+        """VTK and matplotlib have functions without types."""
+        self.assertRegex(mypy("--allow-untyped-calls", "-p", "flipfree"), "^Success")
 
     def test_stubs_are_there(self):
         for name in ("_segment.pyi", "_trace.pyi", "_evaluate.pyi", "_phantom.pyi", "py.typed"):
