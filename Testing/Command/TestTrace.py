@@ -54,6 +54,10 @@ class TestTrace(command.CommandTest):
         with open(names["--convergence"], newline="") as file:
             self.assertGreater(len(list(csv.DictReader(file))), 3)
 
+    def test_the_volume_may_come_last(self):
+        name = self.result("last.vtp")
+        self.assert_succeeds(command.run("trace", "-q", "--levels", 1, "-o", name, *self.points, self.volume))
+
     def test_the_same_as_of_a_point_more_on_the_way(self):
         names = self.result("two.nii.gz"), self.result("three.nii.gz")
         for name, more in zip(names, ((), ("--point", *point_at(0.2)))):
@@ -65,7 +69,7 @@ class TestTrace(command.CommandTest):
         first = self.points[:4]
         for status, points, patterns in (
                 (2, (), ("two points", "--point X Y Z")), (2, first, ("two points",)),
-                (2, (*first, "--point", 1, 2), ("--point",)), (2, (*first, "--point", "nan", 0, 0), ("--point", "finite")),
+                (2, (*first, "--point", 1, 2), ("--point", "coordinate is missing")), (2, ("--point", 1, 2), ("--point", "3 required")), (2, (*first, "--point", "nan", 0, 0), ("--point", "finite")),
                 (1, (*first, "--point", 500, 0, 0), (r"\(500, 0, 0\) mm lies outside", "LPS")),
                 (1, (*first, *first), ("closer than 3 mm",))):
             with self.subTest(points=points):

@@ -19,7 +19,6 @@
 
 #include <CLI/CLI.hpp>
 
-#include <array>
 #include <cmath>
 #include <cstdio>
 #include <functional>
@@ -38,7 +37,7 @@ struct Trace
 {
   std::string Input;
   std::string SeriesUID;
-  std::vector<std::array<double, 3>> Points;
+  std::vector<double> Points; // three numbers each
   double Radius = 0;
   double WallThickness = 0;
   int Levels = 0;
@@ -90,14 +89,18 @@ std::vector<Output> OutputsOf(const Trace& trace, Filter* filter, vtkImageData* 
 /// Checks all that can be checked before the volume is read.
 void RequireSense(const Trace& trace)
 {
-  if (trace.Points.size() < 2)
+  if (trace.Points.size() % 3 != 0)
+  {
+    throw WrongUsage("--point: a coordinate is missing. Give three numbers each time.");
+  }
+  if (trace.Points.size() < 6)
   {
     throw WrongUsage("A vessel needs two points or more. Give one at either end: "
                      "--point X Y Z --point X Y Z (LPS mm).");
   }
-  for (const auto& point : trace.Points)
+  for (const double coordinate : trace.Points)
   {
-    if (!std::isfinite(point[0]) || !std::isfinite(point[1]) || !std::isfinite(point[2]))
+    if (!std::isfinite(coordinate))
     {
       throw WrongUsage(
         "--point: a coordinate is not a finite number. Give three numbers, in millimeters.");
@@ -117,9 +120,9 @@ void RequireSense(const Trace& trace)
 
 void Configure(const Trace& trace, Filter* filter)
 {
-  for (const auto& point : trace.Points)
+  for (std::size_t first = 0; first + 2 < trace.Points.size(); first += 3)
   {
-    filter->AddPoint(point[0], point[1], point[2]);
+    filter->AddPoint(trace.Points[first], trace.Points[first + 1], trace.Points[first + 2]);
   }
   filter->SetRadius(trace.Radius);
   if (filter->GetRadius() != trace.Radius)
@@ -217,7 +220,9 @@ void AddFiles(CLI::App* command, Trace& trace)
   command
     ->add_option("--point", trace.Points,
       "A point in the vessel, in LPS millimeters; two or more are needed")
-    ->type_name("X Y Z");
+    ->type_name("X Y Z")
+    ->expected(3, CLI::detail::expected_max_vector_size)
+    ->allow_extra_args(false); // of the three that each time has
   command->add_option("-o,--output", trace.Surface, "Surface (.vtp .stl .ply .obj)")
     ->type_name("FILE");
   command->add_option("--labels", trace.Labels, "Label map (.nii.gz .nii .nrrd .mha)")

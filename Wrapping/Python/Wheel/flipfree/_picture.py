@@ -92,7 +92,7 @@ def _draw_slice(
         interpolation="bilinear",
     )
     segments = cut(organ, region.center, numpy.cross(right, up))
-    flat = numpy.stack([(segments - region.center) @ right, (segments - region.center) @ up], axis=-1)
+    flat: Any = numpy.stack([(segments - region.center) @ right, (segments - region.center) @ up], axis=-1)
     for color, width in ((INK, 4.5), (CONTOUR, 2.2)):
         axes.add_collection(LineCollection(flat, colors=color, linewidths=width * scale, capstyle="round"))
     axes.set(xlim=(-half, half), ylim=(-half, half))
