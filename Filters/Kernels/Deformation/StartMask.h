@@ -1,0 +1,34 @@
+/**
+ * A mask that somebody else has made (a network, an atlas, an earlier result) in place of the
+ * foreground that is found in the image: where a surface starts that is to fill it, and how much of
+ * it a surface of one piece can fill.
+ */
+#ifndef FlipFreeStartMask_h
+#define FlipFreeStartMask_h
+
+#include "Image/BitMask.h"
+#include "Image/SeedRegion.h"
+#include "Mesh/SurfaceVoxelization.h"
+
+#include <string>
+#include <vector>
+
+namespace FlipFree
+{
+
+/// The largest ball that the mask holds, up to the nearest voxel center outside it; the image ends
+/// where the mask does. Of several, the first in the order of the voxels. Throws Error, naming the
+/// mask by `name`, where it has no voxels, or no ball of a voxel's radius.
+SeedSphere LargestBallIn(const BitMask& mask, const std::string& name,
+  const ParallelFor& parallelFor);
+
+/// The part of the mask that is connected, by faces, with the voxels of the seed; its holes are
+/// filled, since a surface without handles cannot have them.
+BitMask PieceOf(const BitMask& mask, const SeedSphere& seed);
+
+/// Which fraction of the mask's voxels is not among those of the surface, 0 to 1.
+double FractionMissed(const BitMask& mask, const std::vector<VoxelRun>& voxels);
+
+} // namespace FlipFree
+
+#endif
