@@ -1,5 +1,6 @@
 #include "Measures/VoxelOverlap.h"
 
+#include "Error.h"
 #include "Image/GridCheck.h"
 
 #include <atomic>
