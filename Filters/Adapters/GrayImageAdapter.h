@@ -28,7 +28,7 @@ inline void RequireGrayImage(vtkImageData* image, const std::string& name)
 {
   if (!image || image->GetNumberOfPoints() == 0)
   {
-    throw std::invalid_argument(name + " has no voxels; connect an image");
+    throw std::invalid_argument(name + " has no voxels; give one that has");
   }
   vtkDataArray* scalars = image->GetPointData()->GetScalars();
   if (!scalars)

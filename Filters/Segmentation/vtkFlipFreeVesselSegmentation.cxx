@@ -7,6 +7,7 @@
 #include "LabelAdapter.h"
 #include "PipelineAdapter.h"
 #include "StageProperties.h"
+#include "Vessel/VesselParameters.h"
 #include "VesselOutputs.h"
 
 #include "vtkImageData.h"
@@ -24,9 +25,7 @@ vtkStandardNewMacro(vtkFlipFreeVesselSegmentation);
 
 using Stage = vtkFlipFreeVesselSegmentation;
 
-#define PROPERTIES(P)                                                                              \
-  P(Levels, int, Settings->Levels, 1, 4)                                                           \
-  P(MaximumIterations, int, Settings->MaximumIterations, 0, 1000)
+#define PROPERTIES(P) FLIPFREE_VESSEL_SURFACE_PARAMETERS(P, Settings->)
 
 PROPERTIES(FLIPFREE_DEFINE_PROPERTY)
 
@@ -127,7 +126,7 @@ void vtkFlipFreeVesselSegmentation::Segment(vtkImageData* image, vtkInformationV
   {
     vtkWarningMacro(<< warning);
   }
-  FlipFree::MakeLabelMap(result.Voxels, static_cast<unsigned char>(this->LabelValue), image,
+  FlipFree::MakeLabelMap(result.Voxels, static_cast<unsigned char>(this->GetLabelValue()), image,
     vtkImageData::GetData(outputs, 1));
   this->UpdateProgress(1);
 }
@@ -136,7 +135,6 @@ void vtkFlipFreeVesselSegmentation::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   PROPERTIES(FLIPFREE_PRINT_PROPERTY)
-  os << indent << "LabelValue: " << this->LabelValue << "\n";
   os << indent << "StopReason: " << this->GetStopReasonAsString() << "\n";
   os << indent << "NumberOfSelfIntersections: " << this->NumberOfSelfIntersections << "\n";
 }

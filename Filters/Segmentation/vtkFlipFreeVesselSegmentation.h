@@ -68,8 +68,8 @@ public:
   /**
    * Value of the vessel's voxels in the label map. Default 1; 1 to 255.
    */
-  vtkSetClampMacro(LabelValue, int, 1, 255);
-  vtkGetMacro(LabelValue, int);
+  void SetLabelValue(int value);
+  int GetLabelValue() const;
   ///@}
 
   ///@{
@@ -102,7 +102,6 @@ protected:
   int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
-  int LabelValue = 1;
   int StopReason = 0;
   int NumberOfSelfIntersections = -1;
   double StageSeconds[4] = { 0, 0, 0, 0 };

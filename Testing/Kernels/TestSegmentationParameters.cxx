@@ -2,6 +2,7 @@
 #include "Deformation/SegmentationParameters.h"
 #include "Measures/SegmentationScores.h"
 #include "Phantom/PhantomVolume.h"
+#include "Vessel/VesselParameters.h"
 
 #include <gtest/gtest.h>
 
@@ -102,4 +103,26 @@ TEST(SegmentationParameters, ThatAreNoNumbersAreNamed)
         "the property " + parameter.Name + " is not a number (NaN); set it to a number");
     }
   }
+}
+
+TEST(VesselParameters, AreWithinTheirRangesAndNumbers)
+{
+  VesselSegmentationSettings settings;
+  for (const auto& parameter : VesselParameters())
+  {
+    const std::vector<double> before = parameter.Get(settings);
+    parameter.Set(settings, { 1e9 });
+    EXPECT_LE(parameter.Get(settings).front(), 1000) << parameter.Name;
+    EXPECT_NO_THROW(RequireNumbers(settings));
+    if (parameter.Type == ParameterType::Real)
+    {
+      parameter.Set(settings, { NaN });
+      EXPECT_THROW(RequireNumbers(settings), std::invalid_argument) << parameter.Name;
+    }
+    parameter.Set(settings, before);
+  }
+  Find(VesselParameters(), "WallThickness").Set(settings, { -9 });
+  EXPECT_EQ(settings.Path.WallThickness, -5);
+  Find(VesselParameters(), "LabelValue").Set(settings, { 300 });
+  EXPECT_EQ(settings.LabelValue, 255);
 }

@@ -28,8 +28,8 @@ def load_tests(_loader, tests, _pattern):
 
 class Coverage(unittest.TestCase):
     def test_what_is_public_has_an_example(self):
-        own = (flipfree.update, flipfree.trace) if HAS_VTK else (flipfree.threads, flipfree.set_threads)
-        for function in (flipfree.segment, flipfree.evaluate, flipfree.phantom, flipfree.read_image,
+        own = (flipfree.update,) if HAS_VTK else (flipfree.threads, flipfree.set_threads)
+        for function in (flipfree.segment, flipfree.trace, flipfree.evaluate, flipfree.phantom, flipfree.read_image,
                          flipfree.write_image, flipfree.image_from_array,
                          flipfree.array_from_image, flipfree.default_parameters, *own):
             with self.subTest(function.__name__):

@@ -1,10 +1,13 @@
 """Vessels from Python: arrays, the same as from the filter, progress, errors, types."""
 
 import math
+import os
+import tempfile
 import unittest
 
 import flipfree
 import numpy as np
+from example import needs_wheel
 
 SIZE, SPACING = 64, 1.5
 
@@ -33,11 +36,71 @@ class TestTrace(unittest.TestCase):
         self.assertTrue(np.all(np.diff(branch["length"]) > 0))
         self.assertAlmostEqual(float(np.median(branch["radius"])), 4, delta=0.4)
         np.testing.assert_allclose(branch["points"][[0, -1]].round(-1).sum(), np.round(self.points, -1).sum(), atol=30)
+        self.assertEqual(branch["parent"], -1)
+        self.assertEqual(branch["points"].shape, (len(branch["radius"]), 3))
+        self.assertEqual(len(vessel.stage_seconds), 4)
+        self.assertRegex(repr(vessel), r"^<Vessel: \d+ vertices, 0 self-intersections, '")
+
+    def test_centerline_is_vtks(self):
+        """Of the package without VTK, too, where there is one."""
+        try:
+            line = self.vessel.centerline
+        except flipfree.FlipFreeError as error:
+            self.assertRegex(str(error), r"^centerline: .*pip install vtk.*\.branches")
+            self.skipTest("VTK is not installed")
+        (branch,) = self.vessel.branches
+        self.assertEqual((line.GetNumberOfLines(), line.GetNumberOfPoints()), (1, len(branch["points"])))
+        last = line.GetNumberOfPoints() - 1
+        self.assertEqual(line.GetPoint(last), tuple(branch["points"][-1]))
+        self.assertEqual(line.GetPointData().GetArray("Radius").GetTuple1(last), branch["radius"][-1])
+        self.assertEqual(line.GetPointData().GetArray("ArcLength").GetTuple1(last), branch["length"][-1])
+        self.assertEqual(line.GetCellData().GetArray("Parent").GetTuple1(0), -1)
+
+    @needs_wheel
+    def test_centerline_as_a_file(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "line.vtp")
+            flipfree.write_centerline(self.vessel, path)
+            try:
+                from vtkmodules.util.numpy_support import vtk_to_numpy
+                from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
+            except ImportError:
+                self.skipTest("VTK is not installed")
+            reader = vtkXMLPolyDataReader()
+            reader.SetFileName(path)
+            reader.Update()
+            line = reader.GetOutput()
+        (branch,) = self.vessel.branches
+        np.testing.assert_array_equal(vtk_to_numpy(line.GetPoints().GetData()), branch["points"])
+        for name, column in (("Radius", "radius"), ("ArcLength", "length")):
+            np.testing.assert_array_equal(vtk_to_numpy(line.GetPointData().GetArray(name)), branch[column])
+        self.assertEqual(line.GetCellData().GetArray("Parent").GetTuple1(0), -1)
+        with self.assertRaisesRegex(flipfree.FileError, "Use .vtp"):
+            flipfree.write_centerline(self.vessel, "line.stl")
+        with self.assertRaisesRegex(TypeError, r"^vessel: what trace\(\) has returned"):
+            flipfree.write_centerline(self.vessel.mesh, "line.vtp")
+
+    def test_a_vessel_is_not_corrected(self):
+        with self.assertRaisesRegex(flipfree.FlipFreeError, "^corrected: only what segment"):
+            self.vessel.corrected(outside=[(1, 2, 3)])
+
+    def test_points_may_be_an_array_in_any_order(self):
+        again = flipfree.trace(self.phantom.image, np.array(self.points[::-1]))
+        self.assertEqual(len(again.branches), 1)
+        self.assertGreater(flipfree.evaluate(again, self.vessel.label_map).dice, 0.98)
+
+    def test_ctrl_c_and_a_failing_progress_end_it(self):
+        for error in (KeyboardInterrupt, ZeroDivisionError):
+            def tell(_part, error=error):
+                raise error
+
+            with self.assertRaises(error):
+                flipfree.trace(self.phantom.image, self.points, progress=tell)
 
     def test_an_array_gives_the_same(self):
         told = []
         again = flipfree.trace(flipfree.array_from_image(self.phantom.image), self.points, spacing=(SPACING,) * 3,
-                               origin=self.phantom.image.GetOrigin(),
+                               origin=(0, 0, 0),
                                progress=lambda part, *_: told.append(part))
         np.testing.assert_array_equal(again.points, self.vessel.points)
         np.testing.assert_array_equal(again.labels, self.vessel.labels)
@@ -48,6 +111,9 @@ class TestTrace(unittest.TestCase):
         for points, kind, words in ((self.points[:1], flipfree.SegmentationError, "two points"),
                                     ([*self.points, (500, 0, 0)], flipfree.SegmentationError, "outside"),
                                     ([(1, 2), (3, 4)], (TypeError, ValueError), "points"),
+                                    ([*self.points, (math.nan, 0, 0)], flipfree.SegmentationError, "outside"),
+                                    ((1, 2, 3), TypeError, r"^points: a list of points is needed: \[\(x, y, z\)\]"),
+                                    (7, TypeError, "^points: a list is needed, not 7"),
                                     ("abc", (TypeError, ValueError), "points")):
             with self.subTest(points=points), self.assertRaisesRegex(kind, words):
                 flipfree.trace(image, points)
@@ -55,6 +121,12 @@ class TestTrace(unittest.TestCase):
             flipfree.trace(image, self.points, radios=4)
         with self.assertRaisesRegex(ValueError, "wall_thickness"):
             flipfree.trace(image, self.points, wall_thickness=50)
+        with self.assertRaisesRegex(flipfree.SegmentationError, "the property radius is not a number"):
+            flipfree.trace(image, self.points, radius=math.nan)
+        with self.assertRaisesRegex(TypeError, "^levels: 1.5 will not do"):
+            flipfree.trace(image, self.points, levels=1.5)
+        with self.assertRaisesRegex(flipfree.SegmentationError, "^No segmentation: the image has no voxels; give one"):
+            flipfree.trace(np.zeros((0, 3, 3)), self.points, spacing=(1, 1, 1))
 
 
 if __name__ == "__main__":

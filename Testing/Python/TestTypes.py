@@ -22,6 +22,8 @@ from vtkmodules.vtkCommonDataModel import vtkImageData
 liver = flipfree.segment("ct.nii.gz", seed=(1, 2, 3.5), radius=26, levels=2, guard=True)
 array = flipfree.segment(numpy.zeros((3, 4, 5)), [1, 2, 3], 26, spacing=(1, 1, 1), progress=print)
 again = flipfree.segment(vtkImageData(), (1, 2, 3), 26, start=liver, preset="naive", progress=True)
+vessel: flipfree.Vessel = flipfree.trace("ct.nii.gz", [(1, 2, 3), (4, 5, 6.5)], radius=4, levels=1)
+way = flipfree.trace(vtkImageData(), numpy.zeros((2, 3)), progress=print).branches[0]["points"]
 vertices: int = liver.points.shape[0]
 score: float = flipfree.evaluate(liver, "truth.nii.gz", reference_label=6).dice
 volume = flipfree.phantom("cube", dimensions=(20, 20, 20), noise_standard_deviation=0).image
@@ -44,6 +46,8 @@ BAD = {
     'flipfree.segment("ct.nii", (1, 2, 3))': 'Missing positional argument "radius"',
     'flipfree.segment("ct.nii", (1, 2, 3), 26, preset="fast")': "expected \"Literal['default'",
     'flipfree.segment("ct.nii", (1, 2, 3), 26).dice': 'has no attribute "dice"',
+    'flipfree.trace("ct.nii")': 'Missing positional argument "points"',
+    'flipfree.trace("ct.nii", [(1, 2, 3)], radios=4)': 'Unexpected keyword argument "radios"',
     'flipfree.evaluate("a.nii", "b.nii", label=6)': 'Unexpected keyword argument "label"',
     'flipfree.phantom("star")': "expected \"Literal['sphere'",
     'flipfree.vtkQuadSphereSource().SetRadius("large")': 'type "str"; expected "float"',
@@ -82,6 +86,7 @@ class Names(unittest.TestCase):
 
     def test_functions_have_their_parameters_spelled_out(self):
         for function, last in ((flipfree.segment, "fairing"),
+                               (flipfree.trace, "label_value"),
                                (flipfree.evaluate, "score_voxelization"),
                                (flipfree.phantom, "partial_volume")):
             stub = PACKAGE / (function.__module__.rpartition(".")[2] + ".pyi")

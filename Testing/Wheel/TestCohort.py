@@ -228,6 +228,144 @@ class Local(CohortTest):
             self.assertEqual(_cluster.workers_for(1, 512 * 512 * 275, 100), 1)
 
 
+class Points(CohortTest):
+    """Rows between points, and rows that points correct."""
+
+    ENDS = [(13.3, 44.6, 44.5), (82.0, 50.4, 37.6)]
+
+    @classmethod
+    def setUpClass(cls):
+        folder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(folder.cleanup)
+        cls.inputs = Path(folder.name)
+        tube = flipfree.phantom("vessel")
+        flipfree.write_image(tube.image, cls.inputs / "tube.nii.gz")
+        flipfree.write_image(tube.label_map, cls.inputs / "tube-truth.nii.gz")
+        cls.ball = write_volume(cls.inputs / "ball.nii.gz", 0)
+
+    def organ(self, name, **more):
+        (x, y, z), radius = self.ball.seeds[1]
+        return {"case": name, "volume": self.inputs / "ball.nii.gz", "seed_x": x, "seed_y": y, "seed_z": z,
+                "radius": radius, **COARSE, **more}
+
+    def vessel(self, name, points, **more):
+        return {"case": name, "volume": self.inputs / "tube.nii.gz", "points": points, **more}
+
+    def around(self, *offsets):
+        """Points at distances from the ball's center."""
+        return [tuple(a + b for a, b in zip(self.ball.seeds[1][0], offset)) for offset in offsets]
+
+    def done(self, rows):
+        result = flipfree.cohort(rows, self.out, workers=1)
+        self.assertEqual([row["message"] for row in result.failed], [])
+        return result
+
+    def labels(self, name):
+        return flipfree.read_image(self.out / "rows" / name / "labels.nii.gz").voxels
+
+    def test_vessels_and_corrected_organs(self):
+        """The results are those of trace() and segment(), however the points are given."""
+        (self.folder / "ends.csv").write_text("x,y,z\n13.3,44.6,44.5\n82,50.4,37.6\n")
+        controls = [{"label": f"P-{i}", "position": [-x, -y, z]} for i, (x, y, z) in enumerate(self.ENDS)]
+        (self.folder / "ends.mrk.json").write_text(
+            json.dumps({"markups": [{"coordinateSystem": "RAS", "controlPoints": controls}]}))
+        inside, outside, boundary = self.around((0, 2, 0), (17, 0, 0), (0, 0, 14))
+        (self.folder / "points.csv").write_text("kind,x,y,z\n" + "".join(
+            f"{kind},{','.join(map(repr, place))}\n" for kind, place in (("inside", inside), ("outside", outside))))
+        text = "; ".join(" ".join(map(repr, point)) for point in self.ENDS)
+        vessels = [
+            self.vessel("list", self.ENDS, reference=self.inputs / "tube-truth.nii.gz"),
+            self.vessel("text", text), self.vessel("printed", str(self.ENDS)), self.vessel("array", numpy.array(self.ENDS)),
+            self.vessel("file", self.folder / "ends.csv"), self.vessel("markups", self.folder / "ends.mrk.json"),
+            self.vessel("thick", self.ENDS, wall_thickness=1.5, radius=4),
+        ]
+        organs = [
+            self.organ("free"),
+            self.organ("cells", inside=[inside], outside=outside, boundary=" ".join(map(repr, boundary))),
+            self.organ("corrected", corrections=self.folder / "points.csv", boundary=[boundary]),
+        ]
+        result = self.done(vessels + organs)
+        vessel = flipfree.trace(self.inputs / "tube.nii.gz", self.ENDS)
+        for row in vessels[:6]:
+            numpy.testing.assert_array_equal(self.labels(row["case"]), vessel.labels)
+        thick = flipfree.trace(self.inputs / "tube.nii.gz", self.ENDS, wall_thickness=1.5, radius=4)
+        numpy.testing.assert_array_equal(self.labels("thick"), thick.labels)
+        (x, y, z), radius = self.ball.seeds[1]
+        organ = flipfree.segment(self.inputs / "ball.nii.gz", (x, y, z), radius, inside=[inside], outside=[outside],
+                                 boundary=[boundary], **COARSE)
+        for name in ("cells", "corrected"):
+            numpy.testing.assert_array_equal(self.labels(name), organ.labels)
+        self.assertTrue((self.labels("free") != organ.labels).any())
+        first = result.rows[0]
+        self.assertEqual(first["centerline"], "rows/list/centerline.vtp")
+        self.assertIn(b"ArcLength", (self.out / first["centerline"]).read_bytes())
+        self.assertGreater(first["dice"], 0.9)
+        self.assertEqual((first["confidence"], result.rows[7]["centerline"]), (None, None))
+        report = (self.out / "report.html").read_text(encoding="utf-8")
+        self.assertEqual(report.count('<article class="done"'), 10)
+
+    def test_done_rows_are_known_by_their_points(self):
+        (ends, points) = (self.folder / "ends.csv", self.folder / "points.csv")
+        ends.write_text("13.3,44.6,44.5\n82,50.4,37.6\n")
+        points.write_text("inside,{},{},{}\n".format(*self.around((0, 2, 0))[0]))
+        rows = [self.vessel("file", ends, levels=1), self.vessel("list", self.ENDS, levels=1),
+                self.organ("file-organ", corrections=points), self.organ("cells", outside=self.around((17, 0, 0)))]
+        self.assertEqual(self.done(rows).kept, 0)
+        self.assertEqual(self.done(rows).kept, 4)
+        for path in (ends, points):  # the same content, another time
+            os.utime(path, (1, 1))
+        self.assertEqual(self.done(rows).kept, 4)
+        changes = {
+            "file": lambda: ends.write_text("13.3,44.6,44.5\n82,50.4,37.5\n"),
+            "list": lambda: rows[1].update(points=[*self.ENDS[:1], (82.0, 50.4, 37.5)]),
+            "file-organ": lambda: points.write_text("inside,{},{},{}\n".format(*self.around((0, 3, 0))[0])),
+            "cells": lambda: rows[3].update(outside=self.around((17, 1, 0))),
+        }
+        for name, change in changes.items():
+            before = self.records()
+            change()
+            self.assertEqual(self.done(rows).kept, 3)
+            after = self.records()
+            self.assertEqual({one for one in after if after[one] != before[one]}, {name})
+        for column in ("outside", "corrections"):
+            for row in rows:
+                row.pop(column, None)
+            self.assertEqual(self.done(rows).kept, 3, column)
+
+    def test_bad_entries_name_row_column_and_remedy(self):
+        (self.folder / "bad.csv").write_text("x,y,z\n1,2,3mm\n")
+        (self.folder / "one.csv").write_text("1,2,3\n")
+        (self.folder / "kind.csv").write_text("above,1,2,3\n")
+        bad = {
+            "column points: 'somewhere' is no list of points; give x y z of each.*or a file of points": self.vessel("a", "somewhere"),
+            "column points: '1 2; 3 4 5' is no list": self.vessel("b", "1 2; 3 4 5"),
+            "column points: '1 2 nan; 3 4 5' is no list": self.vessel("c", "1 2 nan; 3 4 5"),
+            "column points: a vessel needs two points or more, not 1; give": self.vessel("d", [(1, 2, 3)]),
+            r"column points: '.*bad.csv', line 2: '3mm' is no number\. Correct the file": self.vessel("e", self.folder / "bad.csv"),
+            "column points: '.*one.csv' holds 1 points, and a vessel needs": self.vessel("f", self.folder / "one.csv"),
+            "column points: '.*gone.mrk.json' cannot be read. Check": self.vessel("g", self.folder / "gone.mrk.json"),
+            "column seed_x: a row with points is a vessel, which has none; empty": self.vessel("h", self.ENDS, seed_x=1),
+            "column inside: a row with points is a vessel, which has none; empty": self.vessel("i", self.ENDS, inside="1 2 3"),
+            "column resolution: a vessel has no such parameter; empty": self.vessel("j", self.ENDS, resolution=8),
+            "column wall_thickness: an organ has no such parameter; empty": self.organ("k", wall_thickness=1),
+            "column seed_x: the cell is empty; a row needs a seed, or points": {"case": "l", "volume": "a.nii"},
+            "column inside: '1 2' is no list of points.*corrections takes a file": self.organ("m", inside="1 2"),
+            "column outside: '.*' is no list of points": self.organ("n", outside="[(1, 2, 3)] and (4, 5, 6)"),
+            "column corrections: a file of points .* is needed, not '1 2 3'": self.organ("o", corrections="1 2 3"),
+            "column corrections: '.*kind.csv', line 1: the kind is 'above'.*Correct": self.organ("p", corrections=self.folder / "kind.csv"),
+            r"the inside point \(900, 0, 0\) mm lies outside": self.organ("q", inside="900 0 0"),
+            r"\(900, 0, 0\) mm lies outside": self.vessel("r", "900 0 0; 1 2 3"),
+            "levels: 9 is out of range": self.vessel("s", self.ENDS, levels=9),
+            "column radius: a number is needed, not 'big'": self.vessel("t", self.ENDS, radius="big"),
+        }
+        result = flipfree.cohort(list(bad.values()), self.out, workers=1)
+        self.assertEqual(len(result.failed), len(bad))
+        for number, (row, message) in enumerate(zip(result.rows, bad), 1):
+            with self.subTest(message):
+                place = f"^row {number}, " if message.startswith("column") else ""
+                self.assertRegex(row["message"], place + message)
+
+
 class WrongInput(CohortTest):
     ROW = {"volume": "a.nii", "seed_x": 1, "seed_y": 2, "seed_z": 3, "radius": 4}
 
@@ -239,6 +377,9 @@ class WrongInput(CohortTest):
     def test_tables(self):
         for message, table in (
                 ("'table' lacks the columns volume, seed_x", [{"radius": 3}]),
+                ("'table' lacks the columns volume; it has points", [{"points": "1 2 3; 4 5 6"}]),
+                ("'correction' is nearly 'corrections'", [{**self.ROW, "correction": "a.csv"}]),
+                ("two rows are called", [{"volume": "a.nii", "points": "1 2 3; 4 5 6"}] * 2),
                 ("has the name of a result", [{**self.ROW, "dice": 1}]),
                 ("'resolutoin' is nearly 'resolution'", [{**self.ROW, "resolutoin": 1}]),
                 ("two rows are called 'a-b'", [{**self.ROW, "case": "a", "organ": "b"}] * 2),

@@ -38,7 +38,7 @@ class Options(unittest.TestCase):
                          json.loads(run("--generate", "json", program=TOOLKIT).stdout))
 
     def test_help_is_the_toolkits(self):
-        for name in ("segment", "evaluate", "phantom"):
+        for name in ("segment", "trace", "evaluate", "phantom"):
             ours, theirs = (re.sub(" +\n", "\n", run(name, "--help", program=program).stdout)
                             for program in (OURS, TOOLKIT))
             self.assertEqual(ours, theirs)
@@ -164,6 +164,20 @@ class Work(unittest.TestCase):
         self.assertFalse(here.exists())
         self.assertEqual([name for name in os.listdir(self.folder) if name.startswith(".")], [])
 
+    def test_seeds_may_be_points_of_the_command_line(self):
+        """In RAS, too, and what is saved has the order of the toolkit's."""
+        seed = [*map(float, self.seed[1:4])]
+        saved = set()
+        for name, program in (("ours", OURS), ("theirs", TOOLKIT)):
+            out = self.folder / f"{name}.csv"
+            process = run("segment", self.volume, "--seed", -seed[0], -seed[1], seed[2], "--radius", self.seed[5], "--ras",
+                          "--outside", -seed[0] - 18, -seed[1], seed[2], "--inside", -seed[0], -seed[1] - 3, seed[2],
+                          "--resolution", 8, "--save-points", out, "-q", "-o", self.folder / f"{name}.stl", program=program)
+            self.assertEqual((process.returncode, process.stderr), (0, ""))
+            saved.add(out.read_text())
+        self.assertEqual(len(saved), 1, saved)
+        self.assertRegex(saved.pop(), r"\Akind,x,y,z,radius\ninside,.*\noutside,.*\n\Z")
+
     @unittest.skipIf(sys.platform == "win32", "signals of Unix")
     def test_ctrl_c(self):
         out = self.folder / "endless.vtp"
@@ -175,6 +189,103 @@ class Work(unittest.TestCase):
         self.assertEqual(process.communicate(timeout=30)[1], "")
         self.assertEqual(process.returncode, 130)
         self.assertFalse(out.exists())
+
+
+class Vessels(unittest.TestCase):
+    POINTS = ("--point", 13.3, 44.6, 44.5, "--point", 82, 50.4, 37.6)
+
+    @classmethod
+    def setUpClass(cls):
+        folder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(folder.cleanup)
+        cls.folder = Path(folder.name)
+        run("phantom", "vessel", "-o", cls.folder)
+        cls.volume, cls.truth = cls.folder / "vessel.nii.gz", cls.folder / "vessel-truth.nii.gz"
+
+    def test_results_are_the_toolkits(self):
+        try:
+            import vtkmodules  # pylint: disable=unused-import
+        except ImportError:
+            self.skipTest("VTK is not installed")
+        from vtkmodules.util.numpy_support import vtk_to_numpy
+        from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
+
+        found = []
+        for name, program in (("ours", OURS), ("theirs", TOOLKIT)):
+            files = [self.folder / (name + ending) for ending in (".vtp", ".nii.gz", "-line.vtp", ".csv")]
+            process = run("trace", *self.POINTS, self.volume, "--wall-thickness", 0.5, "--label-value", 7, "-o", files[0],
+                          "--labels", files[1], "--centerline", files[2], "--convergence", files[3], program=program)
+            self.assertEqual((process.returncode, process.stderr), (0, ""))
+            found.append(re.sub(r"\d+\.\d\d s", "0 s", process.stdout))
+        self.assertEqual(*found)
+        self.assertRegex(found[0], r"vessel\.nii\.gz: 1 branch, \d+ vertices, .*, 0 self-intersections; path 0 s, start 0 s, "
+                                   r"deformation 0 s, label map 0 s\n\Z")
+        for ending in (".vtp", "-line.vtp"):
+            contents = []
+            for name in ("ours", "theirs"):
+                reader = vtkXMLPolyDataReader()
+                reader.SetFileName(str(self.folder / (name + ending)))
+                reader.Update()
+                data = reader.GetOutput()
+                cells = data.GetLines() if "line" in ending else data.GetPolys()
+                arrays = {"points": data.GetPoints().GetData(), "offsets": cells.GetOffsetsArray(),
+                          "corners": cells.GetConnectivityArray()}
+                for group in (data.GetPointData(), data.GetCellData(), data.GetFieldData()):
+                    arrays.update({group.GetArrayName(i): group.GetArray(i) for i in range(group.GetNumberOfArrays())})
+                contents.append({key: (vtk_to_numpy(array).shape, vtk_to_numpy(array).tolist())
+                                 for key, array in arrays.items()})
+            self.assertEqual(*contents)
+        ours, theirs = (flipfree.read_image(self.folder / f"{name}.nii.gz") for name in ("ours", "theirs"))
+        numpy.testing.assert_array_equal(ours.voxels, theirs.voxels)
+        self.assertEqual(ours.voxels.max(), 7)
+        ours, theirs = ((self.folder / f"{name}.csv").read_text().splitlines() for name in ("ours", "theirs"))
+        self.assertEqual((len(ours), ours[0]), (len(theirs), theirs[0]))
+
+    def test_every_surface_format_and_a_picture(self):
+        for ending in ("stl", "ply", "obj", "png"):
+            path = self.folder / f"each.{ending}"
+            option = "--snapshot" if ending == "png" else "-o"
+            process = run("trace", self.volume, *self.POINTS, "--levels", 1, "-q", option, path)
+            self.assertEqual((process.returncode, process.stdout, process.stderr), (0, "", ""))
+            if ending != "png":
+                self.assertIn("valid: closed", run("evaluate", path, self.truth, program=TOOLKIT).stdout)
+            self.assertGreater(path.stat().st_size, 10000)
+
+    def test_wrong_words_are_the_toolkits(self):
+        """Where the toolkit's come from its parser, the status alone is."""
+        out = ("-o", self.folder / "never.vtp")
+        first, second = self.POINTS[:4], self.POINTS[4:]
+        for arguments, status, message, same in (
+                ([self.volume, *out], 2, "two points or more", True),
+                ([self.volume, *first, *out], 2, "two points or more", True),
+                ([self.volume, *first, "--point", "nan", 0, 0, *out], 2, "--point: a coordinate is not", True),
+                ([self.volume, *first, "--point", 1, 2, *out], 2, "--point", False),
+                ([self.volume, *self.POINTS], 2, "No output is requested", True),
+                ([self.volume, *self.POINTS, "-o", "a.vtk"], 2, "--output: the ending of 'a.vtk'", True),
+                ([self.volume, *self.POINTS, "--labels", "a.png"], 2, "--labels: the ending of 'a.png'", True),
+                ([self.volume, *self.POINTS, "--centerline", "a.stl"], 2, "--centerline: the ending of 'a.stl'.*Use .vtp", True),
+                ([self.volume, *self.POINTS, *out, "--radius", -1], 2, "--radius must be a number", True),
+                ([self.volume, *self.POINTS, *out, "--radius", "nan"], 2, "--radius must be a number", True),
+                ([self.volume, *self.POINTS, *out, "--wall-thickness", 9], 2, "--wall-thickness must be", True),
+                ([self.volume, *self.POINTS, *out, "--levels", 0], 2, "--levels", False),
+                ([self.volume, *self.POINTS, *out, "--iterations", -1], 2, "--iterations", False),
+                ([self.volume, *self.POINTS, *out, "--label-value", 0], 2, "--label-value", False),
+                ([self.volume, *self.POINTS, *out, "--threads", "all"], 2, "--threads", False),
+                ([*self.POINTS, *out], 2, "INPUT|input", False),
+                ([self.volume, *self.POINTS, "-o", self.volume.with_suffix("").with_suffix(".vtp"), "--labels", self.volume], 2,
+                 "is an input, which would be overwritten", True),
+                ([self.volume, *first, "--point", 500, 0, 0, *out], 1, r"\(500, 0, 0\) mm lies outside", True),
+                ([self.volume, *first, *first, *out], 1, "closer than 3 mm", True),
+                (["nowhere.nii", *self.POINTS, *out], 1, "'nowhere.nii'", False),
+        ):
+            with self.subTest(message, arguments=arguments):
+                ours, theirs = (run("trace", *arguments, program=program) for program in (OURS, TOOLKIT))
+                self.assertEqual((ours.returncode, ours.stdout), (status, ""), ours.stderr)
+                self.assertEqual(theirs.returncode, status, theirs.stderr)
+                self.assertRegex(ours.stderr, rf"\Aflipfree: error: [^\n]*({message})[^\n]*\.\n\Z")
+                if same:
+                    self.assertEqual(ours.stderr, theirs.stderr)
+        self.assertFalse((self.folder / "never.vtp").exists())
 
 
 if __name__ == "__main__":

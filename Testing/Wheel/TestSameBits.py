@@ -13,6 +13,11 @@ from pathlib import Path
 import flipfree
 import numpy
 
+VESSELS = {
+    "default": ("vessel", {}),
+    "others": ("vessel", {"radius": 4, "levels": 1, "wall_thickness": 0.7, "maximum_iterations": 4, "label_value": 5}),
+    "tree": ("fork", {}),
+}
 SEED, RADIUS = (99.75, 83.75, 167), 28
 RUNS = {
     "default": {},
@@ -22,6 +27,55 @@ RUNS = {
     "others": {"levels": 2, "resolution": 16, "leak_control": False, "edge_window": 0, "reach": 90,
                "diffusion_iterations": 12, "keep_history": True, "start_center_offset": (2, 0, -3)},
 }
+
+
+def fork():
+    """Two tubes that meet in a third: voxels of 1 mm, and a point at each end."""
+    z, y, x = numpy.mgrid[0:64, 0:32, 0:64].astype(float)
+    distance = numpy.full(x.shape, 1e3)
+    for end in ((8, 56), (56, 56), (32, 6)):
+        part = numpy.clip(((x - 32) * (end[0] - 32) + (z - 32) * (end[1] - 32))
+                          / ((end[0] - 32) ** 2 + (end[1] - 32) ** 2), 0, 1)
+        off = (x - 32 - part * (end[0] - 32)) ** 2 + (y - 16) ** 2 + (z - 32 - part * (end[1] - 32)) ** 2
+        distance = numpy.minimum(distance, numpy.sqrt(off))
+    voxels = numpy.round(80 + 120 * numpy.clip(5 - distance, 0, 1)).astype(numpy.int16)
+    return voxels, [(10, 16, 54), (54, 16, 54), (32, 16, 8)]
+
+
+def vessels():
+    """What trace() has to say, and how it complains."""
+    tube = flipfree.phantom("vessel").image
+    voxels, ends = fork()
+    images = {"vessel": (tube, [(13.3, 44.6, 44.5), (82, 50.4, 37.6)]),
+              "fork": (flipfree.image_from_array(voxels, (1, 1, 1)), ends)}
+    found = {
+        "help of trace": flipfree.trace.__doc__,
+        "signature of trace": str(flipfree.trace.__signature__).partition("progress")[2],
+    }
+    for name, (image, parameters) in VESSELS.items():
+        image, points = images[image]
+        vessel = flipfree.trace(image, points, **parameters)
+        found[f"vessel {name}, points"] = numpy.array(vessel.points)
+        found[f"vessel {name}, faces"] = vessel.faces
+        found[f"vessel {name}, labels"] = numpy.array(vessel.labels)
+        found[f"vessel {name}, end"] = vessel.stop_reason, vessel.self_intersections, repr(vessel)
+        found[f"vessel {name}, parents"] = [branch["parent"] for branch in vessel.branches], "tree"
+        for number, branch in enumerate(vessel.branches):
+            for column in ("points", "radius", "length"):
+                found[f"vessel {name}, branch {number}, {column}"] = numpy.array(branch[column])
+        for column, values in vessel.iterations.items():
+            if not column.endswith("Seconds"):
+                found[f"vessel {name}, {column}"] = numpy.array(values)
+    for number, (points, parameters) in enumerate((
+            (ends[:1], {}), ([ends[0], ends[0]], {}), ([*ends, (500, 0, 0)], {}), ([*ends, (float("nan"), 0, 0)], {}),
+            ((1, 2, 3), {}), (7, {}), ([(1, 2)], {}), (["here"], {}), (ends, {"radius": float("nan")}), (ends, {"levels": 9}),
+            (ends, {"label_value": 0}), (ends, {"radios": 3}), (ends, {"levels": 1.5}), (ends, {"wall_thickness": "thick"}))):
+        try:
+            flipfree.trace(images["fork"][0], points, **parameters)
+            found[f"complaint {number}"] = "none"
+        except (flipfree.FlipFreeError, TypeError, ValueError) as error:
+            found[f"complaint {number}"] = type(error).__name__, str(error)
+    return found
 
 
 def results():
@@ -54,7 +108,7 @@ def results():
             found[f"{name}, scores, {options}"] = dataclasses.asdict(scores)
         scores = flipfree.evaluate(organ.label_map, phantom.label_map, reference_label=6)
         found[f"{name}, scores of labels"] = dataclasses.asdict(scores)
-    return found
+    return {**found, **vessels()}
 
 
 class SameBits(unittest.TestCase):
@@ -68,6 +122,7 @@ class SameBits(unittest.TestCase):
                 expected = pickle.load(file)
         found = results()
         self.assertEqual(list(found), list(expected))
+        self.assertGreater(len(found["vessel tree, parents"][0]), 1)
         for name, value in expected.items():
             with self.subTest(name):
                 if isinstance(value, list):

@@ -25,6 +25,9 @@ array = flipfree.segment(numpy.zeros((3, 4, 5)), [1, 2, 3], 26, spacing=(1, 1, 1
 volume = flipfree.phantom("cube", dimensions=(20, 20, 20), noise_standard_deviation=0).image
 again = flipfree.segment(volume, (1, 2, 3), 26, start=liver, preset="naive", progress=True)
 flipfree.write_surface(again, "again.stl")
+vessel: flipfree.Vessel = flipfree.trace(volume, [(1, 2, 3), (4, 5, 6.5)], radius=4, levels=1)
+way = flipfree.trace("ct.nii.gz", numpy.zeros((2, 3)), progress=True).branches[0]["points"]
+flipfree.write_centerline(vessel, "line.vtp")
 vertices: int = liver.points.shape[0]
 score: float = flipfree.evaluate(liver, "truth.nii.gz", reference_label=6).dice
 spacing: tuple[float, ...] = volume.spacing
@@ -36,6 +39,10 @@ BAD = {
     'flipfree.segment("ct.nii", (1, 2, 3), 26, levels="2")': 'type "str"; expected "int"',
     'flipfree.segment("ct.nii", (1, 2, 3))': 'Missing positional argument "radius"',
     'flipfree.segment(7, (1, 2, 3), 26)': 'incompatible type "int"',
+    'flipfree.trace("ct.nii")': 'Missing positional argument "points"',
+    'flipfree.trace("ct.nii", [(1, 2, 3)], radios=4)': 'Unexpected keyword argument "radios"',
+    'flipfree.trace("ct.nii", [(1, 2, 3)], levels="2")': 'type "str"; expected "int"',
+    'flipfree.write_centerline(liver, "line.vtp")': 'expected "Vessel"',
     'flipfree.evaluate("a.nii", "b.nii", label=6)': 'Unexpected keyword argument "label"',
     'flipfree.phantom("star")': "expected \"Literal['sphere'",
     'flipfree.set_threads("all")': 'type "str"; expected "int"',
@@ -69,8 +76,11 @@ class Mypy(unittest.TestCase):
         others = [text for text in found if ": error: " in text and int(text.split(":")[1]) < first]
         self.assertEqual(others, [])
 
+    def test_layer_is_sound_in_itself(self):
+        self.assertRegex(mypy("-p", "flipfree"), "^Success")
+
     def test_stubs_are_there(self):
-        for name in ("_segment.pyi", "_evaluate.pyi", "_phantom.pyi", "py.typed"):
+        for name in ("_segment.pyi", "_trace.pyi", "_evaluate.pyi", "_phantom.pyi", "py.typed"):
             self.assertTrue((PACKAGE / name).exists(), name)
 
 

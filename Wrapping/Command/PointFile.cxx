@@ -11,7 +11,10 @@
 #include <cctype>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
+#include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <sstream>
 
 namespace Command
@@ -35,19 +38,13 @@ std::string Lower(std::string word)
   return word;
 }
 
+// Decimal, as tables and markups have them; other programs read no hexadecimal ones either.
 double NumberOf(const std::string& text)
 {
-  std::size_t read = 0;
-  double number = NAN;
-  try
-  {
-    number = std::stod(text, &read);
-  }
-  catch (const std::exception&)
-  {
-  }
-  if (read == 0 || text.find_first_not_of(" \t\r", read) != std::string::npos ||
-    !std::isfinite(number))
+  char* end = nullptr;
+  const double number = std::strtod(text.c_str(), &end);
+  if (text.empty() || text.find_first_not_of("0123456789+-.eE") != std::string::npos ||
+    end != text.c_str() + text.size() || !std::isfinite(number))
   {
     throw Failure("'" + text + "' is no number");
   }
@@ -66,23 +63,52 @@ void RequireProper(const CorrectionPoint& point)
   }
 }
 
+std::string Trimmed(const std::string& text)
+{
+  const std::size_t first = text.find_first_not_of(" \t\r");
+  const std::size_t last = text.find_last_not_of(" \t\r");
+  return first == std::string::npos ? "" : text.substr(first, last - first + 1);
+}
+
+/// What stands between commas, without quotes around it; empty cells at the end do not count.
 std::vector<std::string> CellsOf(const std::string& line)
 {
   std::vector<std::string> cells;
   std::istringstream stream(line);
-  std::string cell;
-  while (std::getline(stream, cell, ','))
+  for (std::string text; std::getline(stream, text, ',');)
   {
-    const std::size_t first = cell.find_first_not_of(" \t\r");
-    const std::size_t last = cell.find_last_not_of(" \t\r");
-    cells.push_back(first == std::string::npos ? "" : cell.substr(first, last - first + 1));
+    std::string cell = Trimmed(text);
+    if (cell.size() > 1 && cell.front() == '"' && cell.back() == '"')
+    {
+      cell = Trimmed(cell.substr(1, cell.size() - 2));
+    }
+    cells.push_back(cell);
+  }
+  while (!cells.empty() && cells.back().empty())
+  {
+    cells.pop_back();
   }
   return cells;
 }
 
-CorrectionPoint PointOfLine(const std::string& line)
+/// The first line may name the columns. Throws Failure for other columns than those of the lines.
+bool IsHeader(std::vector<std::string> cells)
 {
-  const std::vector<std::string> cells = CellsOf(line);
+  std::transform(cells.begin(), cells.end(), cells.begin(), Lower);
+  if (cells.front() != "kind")
+  {
+    return false;
+  }
+  std::vector<std::string> columns{ "kind", "x", "y", "z", "radius" };
+  if (cells != columns && (columns.pop_back(), cells != columns))
+  {
+    throw Failure("the columns are kind, x, y, z and, for seeds, radius, in this order");
+  }
+  return true;
+}
+
+CorrectionPoint PointOfLine(const std::vector<std::string>& cells)
+{
   if (cells.size() < 4 || cells.size() > 5)
   {
     throw Failure("there are " + std::to_string(cells.size()) +
@@ -99,20 +125,26 @@ CorrectionPoint PointOfLine(const std::string& line)
   return point;
 }
 
-std::vector<CorrectionPoint> PointsOfTable(std::istream& file)
+std::vector<CorrectionPoint> PointsOfTable(const std::string& text)
 {
+  std::istringstream file(text);
   std::vector<CorrectionPoint> points;
   std::string line;
+  bool isFirst = true;
   for (int number = 1; std::getline(file, line); ++number)
   {
-    const bool isHeader = number == 1 && Lower(line).rfind("kind", 0) == 0;
-    if (isHeader || line.find_first_not_of(" \t\r") == std::string::npos)
+    const std::vector<std::string> cells = CellsOf(line);
+    if (cells.empty())
     {
       continue;
     }
     try
     {
-      points.push_back(PointOfLine(line));
+      if (!isFirst || !IsHeader(cells))
+      {
+        points.push_back(PointOfLine(cells));
+      }
+      isFirst = false;
     }
     catch (const Failure& failure)
     {
@@ -130,36 +162,46 @@ CorrectionPoint PointOfControl(const Json& control, bool isRAS)
   label >> point.Kind >> radius;
   // 3D Slicer numbers its points: inside-1.
   point.Kind = Lower(point.Kind.substr(0, point.Kind.find_first_of("-_")));
-  point.Place = control.at("position").get<std::array<double, 3>>();
+  const auto& position = control.at("position").get_ref<const Json::array_t&>();
+  if (position.size() != 3 ||
+    !std::all_of(position.begin(), position.end(), [](const Json& x) { return x.is_number(); }))
+  {
+    throw Failure("its position is not three numbers");
+  }
+  std::transform(position.begin(), position.end(), point.Place.begin(),
+    [](const Json& x) { return x.get<double>(); });
   if (isRAS)
   {
     point.Place[0] = -point.Place[0];
     point.Place[1] = -point.Place[1];
   }
-  if (!std::all_of(point.Place.begin(), point.Place.end(),
-        [](double x) { return std::isfinite(x); }))
+  try
   {
-    throw Failure("its position is not finite");
+    point.Radius = point.Kind != "seed" || radius.empty() ? 0 : NumberOf(radius);
+    RequireProper(point);
   }
-  point.Radius = radius.empty() ? 0 : NumberOf(radius);
-  RequireProper(point);
+  catch (const Failure& failure)
+  {
+    throw Failure(std::string(failure.what()) + "; its label begins with its kind");
+  }
   return point;
 }
 
-std::vector<CorrectionPoint> PointsOfMarkups(std::istream& file)
+std::vector<CorrectionPoint> PointsOfMarkups(const std::string& text)
 {
   std::vector<CorrectionPoint> points;
-  const Json content = Json::parse(file);
-  for (const Json& list : content.at("markups"))
+  const Json content = Json::parse(text);
+  for (const Json& list : content.at("markups").get_ref<const Json::array_t&>())
   {
     // Files before version 1.0.1 have a number: 0 for RAS.
     const Json system = list.value("coordinateSystem", Json("LPS"));
-    const bool isRAS = system == "RAS" || system == 0 || system == "0";
-    if (!isRAS && system != "LPS" && system != 1 && system != "1")
+    const std::string name = system.is_string() ? system.get<std::string>() : system.dump();
+    const bool isRAS = name == "RAS" || name == "0";
+    if (!isRAS && name != "LPS" && name != "1")
     {
       throw Failure("the coordinate system is " + system.dump() + "; it can be LPS or RAS");
     }
-    for (const Json& control : list.at("controlPoints"))
+    for (const Json& control : list.at("controlPoints").get_ref<const Json::array_t&>())
     {
       try
       {
@@ -167,12 +209,41 @@ std::vector<CorrectionPoint> PointsOfMarkups(std::istream& file)
       }
       catch (const Failure& failure)
       {
-        throw Failure("control point " + control.at("label").dump() + ": " + failure.what() +
-          "; its label begins with its kind");
+        throw Failure("control point " + control.at("label").dump() + ": " + failure.what());
       }
     }
   }
   return points;
+}
+
+bool IsText(const std::string& text)
+{
+  try
+  {
+    Json(text).dump(); // which takes no other bytes than UTF-8
+  }
+  catch (const Json::exception&)
+  {
+    return false;
+  }
+  return text.find('\0') == std::string::npos;
+}
+
+/// Without the mark that some programs put in front of UTF-8.
+std::string TextOf(const std::string& name)
+{
+  std::ifstream file(name, std::ios::binary);
+  std::error_code ignored;
+  std::string text{ std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>() };
+  if (!file || std::filesystem::is_directory(name, ignored))
+  {
+    throw Failure("'" + name + "' cannot be read. Check the name and the permissions.");
+  }
+  if (!IsText(text))
+  {
+    throw Failure("'" + name + "' is no text in UTF-8. Save it as one.");
+  }
+  return text.rfind("\xEF\xBB\xBF", 0) == 0 ? text.substr(3) : text;
 }
 
 std::string TableOf(const std::vector<CorrectionPoint>& points)
@@ -229,14 +300,10 @@ const std::vector<std::string>& PointEndings()
 
 std::vector<CorrectionPoint> ReadPoints(const std::string& name)
 {
-  std::ifstream file(name);
-  if (!file)
-  {
-    throw Failure("'" + name + "' cannot be read. Check the name and the permissions.");
-  }
+  const std::string text = TextOf(name);
   try
   {
-    return HasEnding(name, { ".csv" }) ? PointsOfTable(file) : PointsOfMarkups(file);
+    return HasEnding(name, { ".csv" }) ? PointsOfTable(text) : PointsOfMarkups(text);
   }
   catch (const Json::exception&)
   {

@@ -2,6 +2,7 @@
  * Points that correct a segmentation, as files: tables (.csv) with the columns kind, x, y, z and
  * radius in LPS millimeters, and 3D Slicer's markups (.mrk.json), LPS or RAS as the file says,
  * where the kind is the first word of a control point's label, and a seed's radius the second one.
+ * The package without VTK reads them, too (_point_files.py); a test holds the two together.
  */
 #ifndef FlipFreeCommandPointFile_h
 #define FlipFreeCommandPointFile_h

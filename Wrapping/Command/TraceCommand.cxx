@@ -217,7 +217,8 @@ void AddFiles(CLI::App* command, Trace& trace)
   command
     ->add_option("--point", trace.Points,
       "A point in the vessel, in LPS millimeters; two or more are needed")
-    ->type_name("X Y Z");
+    ->type_name("X Y Z")
+    ->allow_extra_args(false); // of the three that each time has
   command->add_option("-o,--output", trace.Surface, "Surface (.vtp .stl .ply .obj)")
     ->type_name("FILE");
   command->add_option("--labels", trace.Labels, "Label map (.nii.gz .nii .nrrd .mha)")

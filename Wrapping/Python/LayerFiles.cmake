@@ -12,6 +12,7 @@ set(FLIPFREE_LAYER_FILES
   _phantom.py
   _progress.py
   _segment.py
+  _trace.py
   _types.py
   _voxels.py
   py.typed)

@@ -19,6 +19,7 @@ struct VesselSegmentationSettings
   /// Levels from coarse to fine; each doubles the vertices along an edge.
   int Levels = 2;
   int MaximumIterations = 20; ///< per level
+  int LabelValue = 1;         ///< of the vessel's voxels; read by those who make the label map
   TargetSettings Targets;
   DeformationStepSettings Step;
 };

@@ -10,12 +10,12 @@ from ._corrections import SEED, Constraint
 from ._errors import EvaluationError, SegmentationError
 from ._parameters import names_of, snake_case
 from ._properties import Property, properties_of
-from ._segmentation import Segmentation
+from ._segmentation import Segmentation, Vessel
 from ._types import Preset, Progress
 from ._update import update
 from .FlipFreeEvaluation import vtkSegmentationMetrics
 from .FlipFreePhantoms import vtkPhantomSource
-from .FlipFreeSegmentation import vtkFlipFreeSegmentation
+from .FlipFreeSegmentation import vtkFlipFreeSegmentation, vtkFlipFreeVesselSegmentation
 
 if TYPE_CHECKING:
     from ._images import AnySurface
@@ -30,6 +30,7 @@ SEGMENT_PARAMETERS = properties_of(
 )
 RADIUS = Property("radius", "SeedRadius", float, "")
 NAMES = {**names_of(SEGMENT_PARAMETERS), "SeedCenter": "seed", "SeedRadius": "radius"}
+TRACE_PARAMETERS = properties_of(vtkFlipFreeVesselSegmentation())
 EVALUATE_PARAMETERS = properties_of(vtkSegmentationMetrics())
 # The shape is an argument of its own.
 PHANTOM_PARAMETERS = properties_of(vtkPhantomSource(), without=("shape", "generate_surface"))
@@ -84,6 +85,30 @@ class SegmentationAlgorithm:
             self.settings.UpdateTimeStep(iteration)
             history.append(_detached(self.settings.GetSurface()))
         return tuple(history)
+
+
+class VesselAlgorithm:
+    """One vessel between points."""
+
+    def __init__(self) -> None:
+        self.settings = vtkFlipFreeVesselSegmentation()
+
+    def run(
+        self, image: vtkImageData, points: list[tuple[float, ...]], tell: Progress | None
+    ) -> Vessel:
+        for point in points:
+            self.settings.AddPoint(*point)
+        self.settings.SetInputData(image)
+        update(self.settings, SegmentationError, tell, names=names_of(TRACE_PARAMETERS))
+        return Vessel(
+            surface=self.settings.GetSurface(),
+            label_map=self.settings.GetLabelMap(),
+            convergence=self.settings.GetConvergence(),
+            stop_reason=self.settings.GetStopReasonAsString(),
+            self_intersections=self.settings.GetNumberOfSelfIntersections(),
+            centerline=self.settings.GetCenterline(),
+            stage_seconds=tuple(self.settings.GetStageSeconds()),
+        )
 
 
 class Metrics:

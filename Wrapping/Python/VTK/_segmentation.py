@@ -67,7 +67,7 @@ class Segmentation(Faces, Correctable):
 
     def __repr__(self) -> str:
         return (
-            f"<Segmentation: {self.surface.GetNumberOfPoints()} vertices, "
+            f"<{type(self).__name__}: {self.surface.GetNumberOfPoints()} vertices, "
             f"{self.self_intersections} self-intersections, '{self.stop_reason}' after "
             f"{self.convergence.GetNumberOfRows()} iterations>"
         )
@@ -77,3 +77,33 @@ class Segmentation(Faces, Correctable):
 
         cells = self.surface.GetPolys()
         return vtk_to_numpy(cells.GetConnectivityArray()), vtk_to_numpy(cells.GetOffsetsArray())
+
+
+@dataclass(frozen=True, repr=False)
+class Vessel(Segmentation):
+    """A vessel, or a tree of vessels. Coordinates are the image's physical millimeters."""
+
+    centerline: vtkPolyData = None
+    """A poly line per branch, with the point arrays `Radius` and `ArcLength`, in mm."""
+
+    stage_seconds: tuple[float, ...] = ()
+    """Of path and outline, start surface, deformation, label map."""
+
+    @property
+    def branches(self) -> list[dict[str, Any]]:
+        """Per branch the `points` (n, 3) of its center, and `radius` (n,) and `length` (n,) up to each, in mm.
+
+        `parent` is the index of the branch that it begins on, -1 for the first.
+        """
+        from vtkmodules.util.numpy_support import vtk_to_numpy
+
+        points = vtk_to_numpy(self.centerline.GetPoints().GetData())
+        data = self.centerline.GetPointData()
+        radius = vtk_to_numpy(data.GetArray("Radius"))
+        length = vtk_to_numpy(data.GetArray("ArcLength"))
+        parents = vtk_to_numpy(self.centerline.GetCellData().GetArray("Parent")).tolist()
+        offsets = vtk_to_numpy(self.centerline.GetLines().GetOffsetsArray())
+        return [
+            {"points": points[a:b], "radius": radius[a:b], "length": length[a:b], "parent": parent}
+            for a, b, parent in zip(offsets[:-1], offsets[1:], parents)
+        ]

@@ -8,6 +8,7 @@ NB_MODULE(_kernels, module)
   FlipFree::BindSegmentation(module);
   FlipFree::BindEvaluation(module);
   FlipFree::BindPhantoms(module);
+  FlipFree::BindVessels(module);
   module.def("threads", &FlipFree::NumberOfThreads);
   module.def("set_threads", &FlipFree::SetNumberOfThreads);
   module.def("forget_threads", &FlipFree::ForgetThreads);

@@ -40,7 +40,7 @@ def constraints_of(
         ("outside", OUTSIDE, outside),
         ("boundary", BOUNDARY, boundary),
     ):
-        constraints += [Constraint(kind, place) for place in _places(name, points)]
+        constraints += [Constraint(kind, place) for place in places_of(name, points)]
     for seed in _items("seeds", seeds):
         try:
             center, radius = seed
@@ -99,7 +99,8 @@ def _items(name: str, values: Any) -> Iterable[Any]:
         raise TypeError(f"{name}: a list is needed, not {values!r:.80}") from None
 
 
-def _places(name: str, points: Any) -> list[tuple[float, ...]]:
+def places_of(name: str, points: Any) -> list[tuple[float, ...]]:
+    """A list of points; TypeError or ValueError names the argument that is wrong."""
     items = _items(name, points)
     for item in items:
         if isinstance(item, (int, float)):

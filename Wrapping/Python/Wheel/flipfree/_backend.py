@@ -12,7 +12,7 @@ from ._image import Image
 from ._messages import warn, with_names
 from ._parameters import names_of
 from ._run import run
-from ._segmentation import Segmentation, Surface
+from ._segmentation import Segmentation, Surface, Vessel
 from ._settings import settings_of
 from ._types import Preset, Progress
 
@@ -30,6 +30,9 @@ SEGMENT_PARAMETERS = settings_of(
     ),
 )
 NAMES = {**names_of(SEGMENT_PARAMETERS), "SeedCenter": "seed", "SeedRadius": "radius"}
+TRACE_PARAMETERS = settings_of(
+    _kernels.VesselSettings, ("vtkVesselAlgorithm", "vtkFlipFreeVesselSegmentation")
+)
 EVALUATE_PARAMETERS = settings_of(_kernels.ScoreSettings, ("vtkSegmentationMetrics",))
 # The shape is an argument of its own.
 PHANTOM_PARAMETERS = settings_of(
@@ -131,6 +134,34 @@ class SegmentationAlgorithm:
             history=tuple(
                 Surface(**surface, certified=certified) for surface in answer["history"]
             ),
+        )
+
+
+class VesselAlgorithm:
+    """One vessel between points."""
+
+    def __init__(self) -> None:
+        self.settings = _kernels.VesselSettings()
+
+    def run(self, image: Image, points: list[tuple[float, ...]], tell: Progress | None) -> Vessel:
+        names = names_of(TRACE_PARAMETERS)
+        answer = run(
+            lambda report: _kernels.trace(*_volume_of(image), points, self.settings, report),
+            SegmentationError,
+            "No segmentation: {}.",
+            names,
+            tell,
+        )
+        for text in answer["warnings"]:
+            warn(with_names(text, names))
+        return Vessel(
+            mesh=Surface(**answer["surface"], certified=True),
+            label_map=Image(answer["labels"], image.spacing, image.origin, image.direction),
+            iterations=answer["iterations"],
+            stop_reason=answer["stop_reason"],
+            self_intersections=answer["self_intersections"],
+            branches=answer["branches"],
+            stage_seconds=tuple(answer["stage_seconds"]),
         )
 
 

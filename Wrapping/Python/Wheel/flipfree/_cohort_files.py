@@ -1,7 +1,7 @@
 """What is known of a cohort's rows on the disk, so that work is done once.
 
 A row's folder has the file row.json, written last. It says what the results were made from: the content of
-the volume and of the reference, seed and parameters. A file whose size and time are still those of then is not read
+the volume, of the reference and of files of points, seed, points and parameters. A file whose size and time are still those of then is not read
 again; any other is.
 """
 
@@ -17,6 +17,7 @@ from ._cohort_table import Row
 
 RECORD = "row.json"
 OUTPUTS = {"surface": "surface.vtp", "labels": "labels.nii.gz", "picture": "picture.jpg"}
+CENTERLINE = {"centerline": "centerline.vtp"}
 
 Stamp = dict[str, Any]
 
@@ -24,6 +25,11 @@ Stamp = dict[str, Any]
 def folder_of(row: Row, output: str) -> str:
     """Where the results of a row go."""
     return os.path.join(output, "rows", row.name)
+
+
+def outputs_of(row: Row) -> dict[str, str]:
+    """The files of a row, by the columns that name them."""
+    return {**OUTPUTS, **CENTERLINE} if row.is_vessel else OUTPUTS
 
 
 def record_of(row: Row, output: str) -> dict[str, Any] | None:
@@ -58,7 +64,7 @@ def write_record(
 ) -> dict[str, Any]:
     """Writes what there is to know of a row, after its files."""
     folder = folder_of(row, output)
-    names = [name for name in OUTPUTS.values() if values["status"] == "done"]
+    names = [name for name in outputs_of(row).values() if values["status"] == "done"]
     record = {
         **values,
         "request": request_of(row),
@@ -72,6 +78,7 @@ def write_record(
 def inputs_of(row: Row) -> dict[str, str]:
     """The files that a row needs."""
     files = {"volume": row.volume, "reference": row.reference}
+    files.update({column: cell for column, cell in row.points.items() if isinstance(cell, str)})
     return {role: path for role, path in files.items() if path}
 
 
@@ -79,6 +86,10 @@ def request_of(row: Row) -> dict[str, Any]:
     """What is asked for, apart from files."""
     from . import __version__
 
+    # Of a file, its stamp has the content.
+    points = {
+        column: "file" if isinstance(cell, str) else cell for column, cell in row.points.items()
+    }
     # As JSON gives it back.
     request: dict[str, Any] = json.loads(
         json.dumps(
@@ -89,6 +100,7 @@ def request_of(row: Row) -> dict[str, Any]:
                 "parameters": row.parameters,
                 "reference_label": row.reference_label,
                 "has_reference": bool(row.reference),
+                **({"points": points} if points else {}),
             },
             sort_keys=True,
         )

@@ -69,7 +69,9 @@ def _card(row: dict[str, Any], title: str, folder: str | None) -> str:
 def _facts(row: dict[str, Any]) -> dict[str, str]:
     if row["status"] != "done":
         return {"volume": row.get("volume", "")}
-    facts = {"confidence": f"{row['confidence']:.2f}"}
+    facts = {}
+    if row["confidence"] is not None:  # vessels have none
+        facts["confidence"] = f"{row['confidence']:.2f}"
     if row["dice"] is not None:
         facts["Dice"] = f"{row['dice']:.3f}"
         facts["distance"] = f"{row['asd_mm']:.2f} mm in the mean, 95 % within {row['hd95_mm']:.1f} mm"

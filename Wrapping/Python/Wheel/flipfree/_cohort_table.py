@@ -1,4 +1,4 @@
-"""The table of a cohort: a row is an organ in a volume, with all that its segmentation needs."""
+"""The table of a cohort: a row is an organ or a vessel in a volume, with all that its segmentation needs."""
 
 from __future__ import annotations
 
@@ -9,16 +9,18 @@ import math
 import os
 import re
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any, get_args
 
-from ._backend import SEGMENT_PARAMETERS
+from ._backend import SEGMENT_PARAMETERS, TRACE_PARAMETERS
+from ._cohort_points import CORRECTIONS, Cell, cell_of, text_of
 from ._errors import FileError, FlipFreeError
+from ._parameters import Parameter
 from ._types import PathName, Preset
 
 SEED = ("seed_x", "seed_y", "seed_z", "radius")
 REQUIRED = ("volume", *SEED)
-OPTIONAL = ("case", "organ", "reference", "reference_label", "preset")
+OPTIONAL = ("case", "organ", "reference", "reference_label", "preset", "points", *CORRECTIONS)
 # What a segmentation adds to a row, and of which type it is.
 RESULTS: dict[str, type] = {
     "status": str,
@@ -36,6 +38,7 @@ RESULTS: dict[str, type] = {
     "seconds": float,
     "surface": str,
     "labels": str,
+    "centerline": str,
     "picture": str,
     "worker": str,
 }
@@ -43,7 +46,7 @@ RESULTS: dict[str, type] = {
 
 @dataclass(frozen=True)
 class Row:
-    """One organ to segment; `problem` says why it cannot be."""
+    """One organ or vessel to segment; `problem` says why it cannot be."""
 
     name: str
     """Of its folder; no other row has it."""
@@ -55,7 +58,16 @@ class Row:
     reference: str = ""
     reference_label: int = -1
     parameters: dict[str, Any] = field(default_factory=dict)
+    points: dict[str, Cell] = field(default_factory=dict)
+    """By the columns that are given: points, or inside, outside, boundary and corrections."""
+    number: int = 0
+    """Of the row below the table's header; the first is 1."""
     problem: str = ""
+
+    @property
+    def is_vessel(self) -> bool:
+        """Whether it is found between points and not from a seed."""
+        return "points" in self.points
 
 
 def rows_of(table: PathName | Iterable[Mapping[str, Any]]) -> list[Row]:
@@ -67,12 +79,12 @@ def rows_of(table: PathName | Iterable[Mapping[str, Any]]) -> list[Row]:
     else:
         name, folder = "table", os.getcwd()
         records = table.to_dict("records") if hasattr(table, "to_dict") else list(table)
-        rows = [{key: _text(value) for key, value in record.items()} for record in records]
+        rows = [{key: text_of(value) for key, value in record.items()} for record in records]
         columns = list(dict.fromkeys(column for row in rows for column in row))
     _require_columns(name, columns)
     if not rows:
-        raise FlipFreeError(f"'{name}' has no rows. Give one row per organ.")
-    made = [_row(cells, folder) for cells in rows]
+        raise FlipFreeError(f"'{name}' has no rows. Give one row per organ or vessel.")
+    made = [_row(cells, folder, number) for number, cells in enumerate(rows, 1)]
     _require_distinct(name, made)
     return made
 
@@ -95,13 +107,10 @@ def _read(name: str) -> tuple[list[str], list[dict[str, str]]]:
     return columns, rows
 
 
-def _text(value: Any) -> str:
-    missing = value is None or (isinstance(value, float) and math.isnan(value))
-    return "" if missing else str(value)
-
-
 def _require_columns(name: str, columns: list[str]) -> None:
-    lacking = [column for column in REQUIRED if column not in columns]
+    # Vessels have no seed.
+    required = ("volume",) if "points" in columns else REQUIRED
+    lacking = [column for column in required if column not in columns]
     if lacking:
         raise FlipFreeError(
             f"'{name}' lacks the columns {', '.join(lacking)}; it has {', '.join(columns) or 'none'}."
@@ -111,7 +120,7 @@ def _require_columns(name: str, columns: list[str]) -> None:
         raise FlipFreeError(
             f"'{name}': the column '{taken[0]}' has the name of a result. Rename it or leave it out."
         )
-    known = [*REQUIRED, *OPTIONAL, *SEGMENT_PARAMETERS]
+    known = [*REQUIRED, *OPTIONAL, *SEGMENT_PARAMETERS, *TRACE_PARAMETERS]
     for column in columns:
         near = difflib.get_close_matches(column, known, n=1, cutoff=0.85)
         if column not in known and near:
@@ -121,30 +130,55 @@ def _require_columns(name: str, columns: list[str]) -> None:
             )
 
 
-def _row(cells: Mapping[str, str], folder: str) -> Row:
+def _row(cells: Mapping[str, str], folder: str, number: int = 1) -> Row:
     given = {column: text.strip() for column, text in cells.items() if text and text.strip()}
-    name = _name(given)
+    row = Row(name=_name(given), cells=dict(cells), number=number)
     try:
-        return Row(
-            name=name,
-            cells=dict(cells),
-            volume=_path(folder, _cell(given, "volume")),
-            seed=(_number(given, "seed_x"), _number(given, "seed_y"), _number(given, "seed_z")),
-            radius=_number(given, "radius"),
-            reference=_path(folder, given.get("reference", "")),
-            reference_label=int(_number(given, "reference_label")) if "reference_label" in given else -1,
-            parameters=_parameters(given),
-        )
+        return replace(row, **(_vessel if "points" in given else _organ)(given, folder))
     except ValueError as error:
-        return Row(name=name, cells=dict(cells), problem=str(error))
+        return replace(row, problem=f"row {number}, column {error}")
+
+
+def _organ(given: Mapping[str, str], folder: str) -> dict[str, Any]:
+    if not any(column in given for column in SEED[:3]):
+        raise ValueError("seed_x: the cell is empty; a row needs a seed, or points in a vessel")
+    return {
+        **_files(given, folder),
+        "seed": (_number(given, "seed_x"), _number(given, "seed_y"), _number(given, "seed_z")),
+        "radius": _number(given, "radius"),
+        "parameters": _parameters(given, "an organ", SEGMENT_PARAMETERS, TRACE_PARAMETERS),
+        "points": {name: cell_of(name, given[name], folder) for name in CORRECTIONS if name in given},
+    }
+
+
+def _vessel(given: Mapping[str, str], folder: str) -> dict[str, Any]:
+    for column in ("seed_x", "seed_y", "seed_z", "preset", *CORRECTIONS):
+        if column in given:
+            raise ValueError(
+                f"{column}: a row with points is a vessel, which has none; empty this cell, or that of points"
+            )
+    return {
+        **_files(given, folder),
+        "parameters": _parameters(given, "a vessel", TRACE_PARAMETERS, SEGMENT_PARAMETERS),
+        "points": {"points": cell_of("points", given["points"], folder)},
+    }
+
+
+def _files(given: Mapping[str, str], folder: str) -> dict[str, Any]:
+    label = _whole(given, "reference_label") if "reference_label" in given else -1
+    return {
+        "volume": _path(folder, _cell(given, "volume")),
+        "reference": _path(folder, given.get("reference", "")),
+        "reference_label": label,
+    }
 
 
 def _name(given: Mapping[str, str]) -> str:
-    """Case and organ, or else the volume's name and a few letters that stand for its seed."""
+    """Case and organ, or else the volume's name and a few letters that stand for its seed or points."""
     words = [given[column] for column in ("case", "organ") if column in given]
     if "case" not in given:
         stem = re.sub(r"\.(nii|nii\.gz|nrrd|nhdr|mha|mhd)$", "", os.path.basename(given.get("volume", "")))
-        seed = " ".join(given.get(column, "") for column in REQUIRED)
+        seed = " ".join([*(given.get(column, "") for column in REQUIRED), *given.get("points", "").split()])
         words = [stem or "row", *words, hashlib.sha256(seed.encode()).hexdigest()[:6]]
     return re.sub(r"[^\w.-]+", "_", "-".join(words)).strip("._") or "row"
 
@@ -159,15 +193,25 @@ def _require_distinct(name: str, rows: list[Row]) -> None:
         seen.add(row.name.lower())
 
 
-def _parameters(given: Mapping[str, str]) -> dict[str, Any]:
+def _parameters(
+    given: Mapping[str, str],
+    what: str,
+    own: Mapping[str, Parameter],
+    others: Mapping[str, Parameter],
+) -> dict[str, Any]:
     values: dict[str, Any] = {}
-    for column, text in given.items():
-        if column in SEGMENT_PARAMETERS:
-            values[column] = _value(given, column, SEGMENT_PARAMETERS[column].type)
+    for column in given:
+        # An organ's radius is its seed's.
+        if column in own:
+            values[column] = _value(given, column, own[column].type)
         elif column == "preset":
-            if text not in get_args(Preset):
-                raise ValueError(f"preset: '{text}' does not exist; there are {', '.join(get_args(Preset))}")
-            values[column] = text
+            if given[column] not in get_args(Preset):
+                raise ValueError(
+                    f"preset: '{given[column]}' does not exist; there are {', '.join(get_args(Preset))}"
+                )
+            values[column] = given[column]
+        elif column in others and column not in SEED:
+            raise ValueError(f"{column}: {what} has no such parameter; empty the cell")
     return values
 
 
@@ -179,10 +223,14 @@ def _value(given: Mapping[str, str], column: str, kind: type) -> Any:
         if given[column].lower() not in words:
             raise ValueError(f"{column}: true or false is needed, not '{given[column]}'")
         return words[given[column].lower()]
+    return _whole(given, column) if kind is int else kind(_number(given, column))
+
+
+def _whole(given: Mapping[str, str], column: str) -> int:
     number = _number(given, column)
-    if kind is int and not number.is_integer():
+    if not number.is_integer():
         raise ValueError(f"{column}: a whole number is needed, not '{given[column]}'")
-    return kind(number)
+    return int(number)
 
 
 def _number(given: Mapping[str, str], column: str) -> float:
@@ -201,7 +249,8 @@ def _float(column: str, text: str) -> float:
 
 def _cell(given: Mapping[str, str], column: str) -> str:
     if column not in given:
-        raise ValueError(f"{column}: the cell is empty")
+        needed = "a file or a folder of DICOM files" if column == "volume" else "a number"
+        raise ValueError(f"{column}: the cell is empty; {needed} is needed")
     return given[column]
 
 

@@ -11,7 +11,17 @@ from typing import Any
 
 from ._atomic import replacing
 from ._backend import set_threads
-from ._cohort_files import OUTPUTS, Stamp, folder_of, inputs_of, is_done, record_of, stamp_of, write_record
+from ._cohort_files import (
+    Stamp,
+    folder_of,
+    inputs_of,
+    is_done,
+    outputs_of,
+    record_of,
+    stamp_of,
+    write_record,
+)
+from ._cohort_points import corrections_of, vessel_of
 from ._cohort_table import Row
 from ._confidence import confidence_of
 from ._errors import FlipFreeError, FlipFreeWarning
@@ -20,8 +30,9 @@ from ._files import read_image, write_image
 from ._image import Image
 from ._picture import write_picture
 from ._segment import segment
-from ._segmentation import Segmentation
-from ._surface_files import write_surface
+from ._segmentation import Segmentation, Vessel
+from ._surface_files import write_centerline, write_surface
+from ._trace import trace
 
 # Side of a row's picture, in pixels.
 PICTURE = 640
@@ -71,8 +82,14 @@ def _segmented(row: Row, output: str, volume: _Volume) -> dict[str, Any]:
             with warnings.catch_warnings(record=True) as caught:
                 warnings.simplefilter("always", FlipFreeWarning)
                 image = volume.read(row.volume)
+                # Before they are read: what changes later is another content. One that is not there is
+                # an error then.
+                inputs = {
+                    role: stamp_of(path)
+                    for role, path in inputs_of(row).items()
+                    if role != "volume" and os.path.exists(path)
+                }
                 values.update(_results(row, output, image))
-            inputs = {role: stamp_of(path) for role, path in inputs_of(row).items() if role != "volume"}
             inputs["volume"] = volume.stamp
             values["message"] = "; ".join(str(entry.message) for entry in caught)
             values["status"] = "done"
@@ -88,11 +105,13 @@ def _segmented(row: Row, output: str, volume: _Volume) -> dict[str, Any]:
 
 
 def _results(row: Row, output: str, image: Image) -> dict[str, Any]:
-    organ = segment(image, row.seed, row.radius, **row.parameters)
+    organ = _found(row, image)
     if organ.stop_reason == "no boundary found":
-        raise FlipFreeError("no boundary of the organ was found; place the seed inside it")
+        what, where = ("vessel", "points") if row.is_vessel else ("organ", "seed")
+        raise FlipFreeError(f"no boundary of the {what} was found; place the {where} inside it")
     values: dict[str, Any] = {
-        "confidence": round(confidence_of(image, organ), 4),
+        # Which is about organs.
+        "confidence": None if row.is_vessel else round(confidence_of(image, organ), 4),
         "segmented_ml": round(organ.volume, 3),
         "iterations": len(organ.iterations["Iteration"]),
         "stop_reason": organ.stop_reason,
@@ -106,21 +125,34 @@ def _results(row: Row, output: str, image: Image) -> dict[str, Any]:
             asd_mm=round(scores.asd, 4),
             hd95_mm=round(scores.hd95, 4),
         )
-    _write(folder_of(row, output), image, organ)
-    names = {role: f"rows/{row.name}/{name}" for role, name in OUTPUTS.items()}
+    _write(row, output, image, organ)
+    names = {role: f"rows/{row.name}/{name}" for role, name in outputs_of(row).items()}
     return {**values, **names}
 
 
-def _write(folder: str, image: Image, organ: Segmentation) -> None:
+def _found(row: Row, image: Image) -> Segmentation:
+    try:
+        points = vessel_of(row.points["points"]) if row.is_vessel else []
+        corrections = {} if row.is_vessel else corrections_of(row.points)
+    except ValueError as error:
+        raise FlipFreeError(f"row {row.number}, column {error}") from error
+    if row.is_vessel:
+        return trace(image, points, **row.parameters)
+    return segment(image, row.seed, row.radius, **corrections, **row.parameters)
+
+
+def _write(row: Row, output: str, image: Image, organ: Segmentation) -> None:
     """All files or none."""
     with contextlib.ExitStack() as files:
         paths = {
-            role: files.enter_context(replacing(os.path.join(folder, name)))
-            for role, name in OUTPUTS.items()
+            role: files.enter_context(replacing(os.path.join(folder_of(row, output), name)))
+            for role, name in outputs_of(row).items()
         }
         write_surface(organ, paths["surface"])
         write_image(organ.label_map, paths["labels"])
         write_picture(paths["picture"], image, organ, PICTURE)
+        if isinstance(organ, Vessel):
+            write_centerline(organ, paths["centerline"])
 
 
 def _recorded(

@@ -1,4 +1,4 @@
-"""The command `flipfree` of the package that pip installs: segment, evaluate, phantom, cohort."""
+"""The command `flipfree` of the package that pip installs: segment, trace, evaluate, phantom, cohort."""
 
 from __future__ import annotations
 
@@ -8,11 +8,12 @@ from collections.abc import Callable, Sequence
 from typing import Any
 
 from . import _commands
-from ._backend import SEGMENT_PARAMETERS
+from ._backend import SEGMENT_PARAMETERS, TRACE_PARAMETERS
 from ._errors import FlipFreeError, FlipFreeWarning
 from ._messages import spelling
 from ._options import Entry, WrongUsage, destination, help_of, parser_of, table
 
+PARAMETERS = {"segment": SEGMENT_PARAMETERS, "trace": TRACE_PARAMETERS}
 SUCCESS, FAILURE, WRONG_USAGE, INTERRUPTED = 0, 1, 2, 130
 
 
@@ -60,8 +61,8 @@ def _run(words: list[str]) -> None:
     if "-h" in words or "--help" in words:
         print(help_of(entry, commands))
         return
-    parameters = SEGMENT_PARAMETERS if entry["name"] == "segment" else {}
-    values, unknown = parser_of(entry, parameters).parse_known_args(words[1:])
+    parser = parser_of(entry, PARAMETERS.get(entry["name"], {}))
+    values, unknown = parser.parse_known_args(words[1:])
     if unknown:
         option = next((word for word in unknown if word.startswith("-")), None)
         raise WrongUsage(

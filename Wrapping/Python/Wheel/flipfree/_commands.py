@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import contextlib
+import math
 import os
 import sys
 import time
@@ -12,7 +13,14 @@ from functools import partial
 from typing import Any, get_args
 
 from ._atomic import replacing, write_table
-from ._backend import SEGMENT_PARAMETERS, set_threads, surface_validity
+from ._backend import (
+    SEGMENT_PARAMETERS,
+    TRACE_PARAMETERS,
+    VesselAlgorithm,
+    set_threads,
+    surface_validity,
+)
+from ._corrections import Constraint, constraints_of
 from ._errors import FileError, FlipFreeError
 from ._evaluate import evaluate as evaluate_segmentation
 from ._files import WRITE_ENDINGS, read_image, write_image
@@ -21,11 +29,12 @@ from ._options import WrongUsage
 from ._phantom import Organ
 from ._phantom import phantom as make_phantom
 from ._point_files import ENDINGS as POINT_ENDINGS
-from ._point_files import read_points, write_points
+from ._point_files import arguments_of, read_points, write_points
 from ._segment import segment as segment_organ
-from ._segmentation import Segmentation
+from ._segmentation import Segmentation, Vessel
 from ._session import Session, image_beside, read_session, require_image_of, runs_of
-from ._surface_files import ENDINGS, read_surface, write_surface
+from ._surface_files import ENDINGS, read_surface, write_centerline, write_surface
+from ._trace import trace as trace_vessel
 from ._types import Shape
 
 # Columns of the toolkit's table that are not their field's name with a capital letter.
@@ -36,6 +45,14 @@ OUTPUTS = {
     "convergence": (".csv",),
     "snapshot": (".png",),
     "save_points": POINT_ENDINGS,
+}
+# Of vessels, in the order of the options.
+TRACE_OUTPUTS = {
+    "output": ENDINGS,
+    "labels": WRITE_ENDINGS,
+    "centerline": (".vtp",),
+    "convergence": (".csv",),
+    "snapshot": (".png",),
 }
 
 
@@ -49,7 +66,7 @@ def segment(values: dict[str, Any]) -> None:
         runs = runs_of(session, values, [name for name in OUTPUTS if name != "labels"])
     for run in runs:
         _require_sense(run, {name: run[name] for name in OUTPUTS if name in run})
-    points = {} if session else _points_of(values)
+    points = [] if session else _points_of(values)
     set_threads(values.get("threads", 0))
     start = time.perf_counter()
     image = read_image(values["input"], series=values.get("series"), progress=progress)
@@ -97,7 +114,7 @@ def _title_of(values: dict[str, Any], quote: str = "'") -> str:
 def _segment_one(
     values: dict[str, Any],
     image: Any,
-    points: dict[str, list[Any]],
+    points: list[Constraint],
     files: contextlib.ExitStack,
     progress: bool,
 ) -> tuple[Segmentation, float]:
@@ -107,11 +124,11 @@ def _segment_one(
     try:
         organ = segment_organ(
             image,
-            _lps(values, values.get("seed")) or _point_of(image, values["seed_voxel"]),
+            _lps(values, values["seed"]) if "seed" in values else _point_of(image, values["seed_voxel"]),
             values["radius"],
             preset=values.get("preset", "default"),
             progress=progress or None,
-            **points,
+            **arguments_of(points),
             **{name: value for name, value in values.items() if name in SEGMENT_PARAMETERS},
         )
     except FlipFreeError as error:
@@ -120,7 +137,9 @@ def _segment_one(
     if organ.stop_reason == "no boundary found":
         raise FlipFreeError(f"{title}: no boundary of the organ was found, so nothing is written.")
     for name in OUTPUTS:
-        if name in values and name != "labels":
+        if name in values and name == "save_points":
+            _write_to(files, values[name], lambda path: write_points(path, points))
+        elif name in values and name != "labels":
             _write_to(files, values[name], partial(_write, name, organ, image))
     return organ, working
 
@@ -144,6 +163,64 @@ def _report(values: dict[str, Any], organ: Segmentation, reading: float, working
             f"{organ.self_intersections} self-intersections; reading {reading:.2f} s, "
             f"segmenting {working:.2f} s"
         )
+
+
+def trace(values: dict[str, Any]) -> None:
+    """`flipfree trace`."""
+    progress = _wants_bar(values)
+    outputs = {name: values[name] for name in TRACE_OUTPUTS if name in values}
+    _require_sense_of_trace(values, outputs)
+    set_threads(values.get("threads", 0))
+    image = read_image(values["input"], series=values.get("series"), progress=progress)
+    with contextlib.ExitStack() as files:  # either all files or none
+        try:
+            vessel = trace_vessel(
+                image,
+                values["point"],
+                progress=progress or None,
+                **{name: value for name, value in values.items() if name in TRACE_PARAMETERS},
+            )
+        except FlipFreeError as error:
+            raise type(error)(f"'{values['input']}': {error}") from error
+        for name, path in outputs.items():
+            _write_to(files, path, partial(_write, name, vessel, image))
+    if "quiet" not in values:
+        count = len(vessel.branches)
+        names = ("path", "start", "deformation", "label map")
+        seconds = ", ".join(f"{name} {used:.2f} s" for name, used in zip(names, vessel.stage_seconds))
+        print(
+            f"{values['input']}: {count} {'branch' if count == 1 else 'branches'}, "
+            f"{len(vessel.points)} vertices, {vessel.stop_reason}, "
+            f"{vessel.self_intersections} self-intersections; {seconds}"
+        )
+
+
+def _require_sense_of_trace(values: dict[str, Any], outputs: dict[str, str]) -> None:
+    """Checks all that can be checked before the volume is read."""
+    points = values.get("point", [])
+    if len(points) < 2:
+        raise WrongUsage(
+            "A vessel needs two points or more. Give one at either end: --point X Y Z --point X Y Z "
+            "(LPS mm)"
+        )
+    if not all(math.isfinite(x) for point in points for x in point):
+        raise WrongUsage(
+            "--point: a coordinate is not a finite number. Give three numbers, in millimeters"
+        )
+    if not outputs:
+        raise WrongUsage(
+            "No output is requested. Give at least one of --output, --labels, --centerline, "
+            "--convergence and --snapshot"
+        )
+    for name, path in outputs.items():
+        _require_ending(f"--{name}", path, TRACE_OUTPUTS[name])
+    if not 0 <= values.get("radius", 0) <= 100:
+        raise WrongUsage("--radius must be a number of millimeters, 0 to 100; 0 finds it")
+    if not -5 <= values.get("wall_thickness", 0) <= 5:
+        raise WrongUsage("--wall-thickness must be a number of millimeters, -5 to 5")
+    for name in TRACE_PARAMETERS.keys() & values.keys():
+        TRACE_PARAMETERS[name].set(VesselAlgorithm().settings, values[name])
+    _require_files(values, outputs)
 
 
 def evaluate(values: dict[str, Any]) -> None:
@@ -250,18 +327,17 @@ def cohort(values: dict[str, Any]) -> None:
         )
 
 
-def _lps(values: dict[str, Any], point: list[float] | None) -> list[float] | None:
+def _lps(values: dict[str, Any], point: list[float]) -> list[float]:
     """A point of the command line."""
-    return [-point[0], -point[1], point[2]] if point and "ras" in values else point
+    return [-point[0], -point[1], point[2]] if "ras" in values else point
 
 
-def _points_of(values: dict[str, Any]) -> dict[str, list[Any]]:
-    """The corrections, as segment() takes them; those of the file first."""
-    points = read_points(values["points"]) if "points" in values else {}
-    for kind in ("inside", "outside", "boundary"):
-        points.setdefault(kind, [])
-        points[kind] += [_lps(values, point) for point in values.get(kind, ())]
-    return points
+def _points_of(values: dict[str, Any]) -> list[Constraint]:
+    """The corrections; those of the file first."""
+    points = read_points(values["points"]) if "points" in values else []
+    given = {kind: values.get(kind, ()) for kind in ("inside", "outside", "boundary")}
+    places = {kind: [_lps(values, point) for point in found] for kind, found in given.items()}
+    return [*points, *constraints_of(**places, seeds=())]
 
 
 def _wants_bar(values: dict[str, Any]) -> bool:
@@ -286,6 +362,12 @@ def _require_sense(values: dict[str, Any], outputs: dict[str, str]) -> None:
         )
     for name, path in outputs.items():
         _require_ending(f"--{name.replace('_', '-')}", path, OUTPUTS[name])
+    _require_files(values, outputs)
+
+
+def _require_files(values: dict[str, Any], outputs: dict[str, str]) -> None:
+    """The input is there, and the outputs can be written."""
+    for path in outputs.values():
         _require_place(path, [values["input"]])
     if not os.path.isdir(values["input"]) and "series" in values:
         raise WrongUsage(
@@ -341,8 +423,10 @@ def _write_to(files: contextlib.ExitStack, path: str, write: Callable[[str], Non
 def _write(name: str, organ: Segmentation, image: Any, path: str) -> None:
     if name == "output":
         write_surface(organ, path)
-    elif name == "save_points":
-        write_points(path, organ.constraints)
+    elif name == "labels":
+        write_image(organ.label_map, path)
+    elif name == "centerline" and isinstance(organ, Vessel):
+        write_centerline(organ, path)
     elif name == "convergence":
         columns = organ.iterations
         rows = zip(*(values.tolist() for values in columns.values()))

@@ -79,4 +79,4 @@ def _placed(sitk: Any, image: Any, positions: Any, folder: str) -> Image:
         if astray > TOLERANCES[0] * length:
             warn(f"'{folder}': slices stray from an even stack by up to {astray:.3g} mm.")
         spacing[2], axes[:, 2] = length, step / length
-    return image_from_array(sitk.GetArrayFromImage(image), spacing, image.GetOrigin(), axes)
+    return image_from_array(sitk.GetArrayFromImage(image), spacing.tolist(), image.GetOrigin(), axes)

@@ -22,16 +22,15 @@ COLUMN = 30
 INTEGERS = {"N", "I", "J", "K", "NX", "NY", "NZ"}
 TEXTS = {"FILE", "DIR", "UID", "NAME", "ADDRESS", "TABLE"}
 
-# Subcommands and options that this package does not have yet.
-TOOLKIT_ONLY = {"trace"}
-
 COHORT: Entry = {
     "name": "cohort",
-    "description": "Segment the organs of many volumes, several at a time",
-    "footer": "TABLE is a CSV file with a row per organ. Its columns: volume (a file or a DICOM folder);\n"
-    "seed_x, seed_y, seed_z and radius in LPS millimeters; if wanted, case and organ (names), reference\n"
-    "and reference_label (a label map to compare with), and any parameter of flipfree.segment. Files are\n"
-    "found from the table's folder. In DIR there are then cohort.csv, cohort.parquet, report.html and a\n"
+    "description": "Segment the organs and vessels of many volumes, several at a time",
+    "footer": "TABLE is a CSV file with a row per organ or vessel. Its columns: volume (a file or a DICOM\n"
+    "folder); of an organ seed_x, seed_y, seed_z and radius in LPS millimeters, and if wanted inside,\n"
+    "outside and boundary (points: 1 2 3; 4 5 6) and corrections (a file of points, .csv or .mrk.json);\n"
+    "of a vessel points (a list or a file) in place of these; if wanted, case and organ (names),\n"
+    "reference and reference_label (a label map to compare with), and any parameter of flipfree.segment\n"
+    "or flipfree.trace. Files are found from the table's folder. In DIR there are then cohort.csv, cohort.parquet, report.html and a\n"
     "folder with files for each row. The same command again does only what is missing or has changed.\n"
     "\n"
     "Examples:\n"
@@ -73,12 +72,8 @@ class Parser(argparse.ArgumentParser):
 def table() -> list[Entry]:
     """The program and its subcommands."""
     text = resources.files(__package__).joinpath("_options.json").read_text(encoding="utf-8")
-    entries: list[dict[str, Any]] = json.loads(text)
-    for entry in entries:
-        entry["options"] = [
-            option for option in entry["options"] if not TOOLKIT_ONLY.intersection(option["names"])
-        ]
-    return [*(entry for entry in entries if entry["name"] not in TOOLKIT_ONLY), COHORT]
+    entries: list[Entry] = json.loads(text)
+    return [*entries, COHORT]
 
 
 def parser_of(entry: Entry, parameters: Mapping[str, Parameter]) -> Parser:

@@ -1,12 +1,15 @@
-"""Points that correct a segmentation, as files: tables, and markups of 3D Slicer."""
+"""Points as files: tables, and markups of 3D Slicer.
+
+The toolkit's command reads those that correct a segmentation, too (PointFile.cxx); a test holds the two
+together.
+"""
 
 from __future__ import annotations
 
-import csv
-import io
 import json
 import math
 import re
+from collections.abc import Callable, Sequence
 from typing import Any
 
 from ._corrections import SEED, Constraint
@@ -14,105 +17,222 @@ from ._errors import FileError
 
 ENDINGS = (".csv", ".mrk.json")
 KINDS = ("outside", "inside", "boundary", "seed")
+COLUMNS = (["kind", "x", "y", "z"], ["kind", "x", "y", "z", "radius"])
 SCHEMA = (
     "https://raw.githubusercontent.com/slicer/slicer/master/Modules/Loadable/Markups/Resources/"
     "Schema/markups-schema-v1.0.3.json#"
 )
+SPACE = " \t\r"
 
 
 class _Wrong(Exception):
     """What is wrong in a file."""
 
 
-def read_points(path: str) -> dict[str, list[Any]]:
+def read_points(path: str) -> list[Constraint]:
+    """The points that correct a segmentation, in the file's order; raises FileError."""
+    return _read(path, _constraint_of_cells, _constraint_of_control, "kind, x, y, z and radius")
+
+
+def read_vessel(path: str) -> list[tuple[float, ...]]:
+    """Points in a vessel: a table of x, y, z, or control points of any label; raises FileError."""
+    return _read(path, _place_of_cells, _place_of_control, "x, y and z")
+
+
+def arguments_of(constraints: Sequence[Constraint]) -> dict[str, list[Any]]:
     """The arguments of segment(): inside, outside, boundary, and seeds."""
-    try:
-        with open(path, encoding="utf-8", newline="") as file:
-            text = file.read()
-    except (OSError, UnicodeDecodeError) as error:
-        raise FileError(f"'{path}' cannot be read. Check the name and the permissions.") from error
-    read = _read_table if path.lower().endswith(".csv") else _read_markups
-    points: dict[str, list[Any]] = {"inside": [], "outside": [], "boundary": [], "seeds": []}
-    try:
-        for kind, place, radius in read(text):
-            points["seeds" if kind == "seed" else kind].append((place, radius) if kind == "seed" else place)
-    except _Wrong as error:
-        raise FileError(f"'{path}', {error}.") from error
-    except (LookupError, TypeError, AttributeError, json.JSONDecodeError) as error:
-        raise FileError(
-            f"'{path}' does not hold markups of 3D Slicer. Give a file of control points that it has "
-            "saved, or a table (.csv) with the columns kind, x, y, z and radius."
-        ) from error
-    return points
+    arguments: dict[str, list[Any]] = {"outside": [], "inside": [], "boundary": [], "seeds": []}
+    for one, values in ((one, list(arguments.values())[one.kind]) for one in constraints):
+        values.append((one.place, one.radius) if one.kind == SEED else one.place)
+    return arguments
 
 
-def write_points(path: str, constraints: tuple[Constraint, ...]) -> None:
+def write_points(path: str, constraints: Sequence[Constraint]) -> None:
     """Writes all of them."""
     text = _table(constraints) if path.lower().endswith(".csv") else _markups(constraints)
     with open(path, "w", encoding="utf-8", newline="") as file:
         file.write(text)
 
 
-def _number(text: str) -> float:
+def _read(
+    path: str,
+    of_cells: Callable[[list[str], bool], Any],
+    of_control: Callable[[dict[str, Any], list[float]], Any],
+    columns: str,
+) -> list[Any]:
+    text = _text_of(path)
     try:
-        number = float(text)
-    except ValueError:
-        number = math.nan
-    if not math.isfinite(number):
-        raise _Wrong(f"'{text}' is no number")
-    return number
+        if path.lower().endswith(".csv"):
+            return _of_table(text, of_cells)
+        return _of_markups(text, of_control)
+    except _Wrong as error:
+        raise FileError(f"'{path}', {error}.") from error
+    except (LookupError, TypeError, AttributeError, ValueError, RecursionError) as error:
+        raise FileError(
+            f"'{path}' does not hold markups of 3D Slicer. Give a file of control points that it has "
+            f"saved, or a table (.csv) with the columns {columns}."
+        ) from error
 
 
-def _proper(kind: str, place: list[float], radius: float) -> tuple[str, list[float], float]:
+def _text_of(path: str) -> str:
+    """Without the mark that some programs put in front of UTF-8."""
+    try:
+        with open(path, encoding="utf-8-sig", newline="") as file:
+            text = file.read()
+    except OSError as error:
+        raise FileError(f"'{path}' cannot be read. Check the name and the permissions.") from error
+    except UnicodeDecodeError:
+        text = "\0"
+    if "\0" in text:
+        raise FileError(f"'{path}' is no text in UTF-8. Save it as one.")
+    return text
+
+
+def _of_table(text: str, of_cells: Callable[[list[str], bool], Any]) -> list[Any]:
+    found: list[Any] = []
+    is_first = True
+    for number, line in enumerate(text.split("\n"), 1):
+        cells = _cells_of(line)
+        if not cells:
+            continue
+        try:
+            one = of_cells(cells, is_first)
+        except _Wrong as error:
+            raise _Wrong(f"line {number}: {error}") from error
+        found += [one] if one is not None else []
+        is_first = False
+    return found
+
+
+def _cells_of(line: str) -> list[str]:
+    """What stands between commas, without quotes around it; empty cells at the end do not count."""
+    cells = [cell.strip(SPACE) for cell in line.split(",")]
+    cells = [
+        cell[1:-1].strip(SPACE) if len(cell) > 1 and cell[0] == cell[-1] == '"' else cell
+        for cell in cells
+    ]
+    while cells and not cells[-1]:
+        cells.pop()
+    return cells
+
+
+def _constraint_of_cells(cells: list[str], is_first: bool) -> Constraint | None:
+    """Nothing for the columns' names, which the first line may have."""
+    if is_first and _lower(cells[0]) == "kind":
+        if [_lower(cell) for cell in cells] not in COLUMNS:
+            raise _Wrong("the columns are kind, x, y, z and, for seeds, radius, in this order")
+        return None
+    if len(cells) not in (4, 5):
+        raise _Wrong(f"there are {len(cells)} cells; there are kind, x, y, z and, of a seed, radius")
+    place = [_number(cell) for cell in cells[1:4]]
+    return _constraint(_lower(cells[0]), place, _number(cells[4]) if len(cells) == 5 else 0.0)
+
+
+def _place_of_cells(cells: list[str], is_first: bool) -> tuple[float, ...] | None:
+    if is_first and _lower(cells[0]) == "x":
+        if [_lower(cell) for cell in cells] != ["x", "y", "z"]:
+            raise _Wrong("the columns are x, y, z, in this order")
+        return None
+    if len(cells) != 3:
+        raise _Wrong(f"there are {len(cells)} cells; there are x, y, z")
+    return tuple(_number(cell) for cell in cells)
+
+
+def _of_markups(text: str, of_control: Callable[[dict[str, Any], list[float]], Any]) -> list[Any]:
+    found = []
+    content = json.loads(text, parse_float=_finite, parse_int=_whole, parse_constant=_finite)
+    _dumped(content).encode()  # not all that JSON can spell is text
+    for group in _list(content["markups"]):
+        # Files before version 1.0.1 have a number: 0 for RAS.
+        system = group.get("coordinateSystem", "LPS")
+        name = system if isinstance(system, str) else _dumped(system)
+        if name not in ("LPS", "RAS", "0", "1"):
+            raise _Wrong(f"the coordinate system is {_dumped(system)}; it can be LPS or RAS")
+        sign = -1.0 if name in ("RAS", "0") else 1.0
+        for control in _list(group["controlPoints"]):
+            if not isinstance(control["label"], str):
+                raise TypeError("label")
+            place = _list(control["position"])
+            try:
+                if len(place) != 3 or not all(type(x) in (int, float) for x in place):
+                    raise _Wrong("its position is not three numbers")
+                x, y, z = map(float, place)
+                found.append(of_control(control, [sign * x, sign * y, z]))
+            except _Wrong as error:
+                raise _Wrong(f"control point {_dumped(control['label'])}: {error}") from error
+    return found
+
+
+def _constraint_of_control(control: dict[str, Any], place: list[float]) -> Constraint:
+    words = [*re.findall(r"[^ \t\n\v\f\r]+", control["label"]), "", ""]
+    # 3D Slicer numbers its points: inside-1.
+    kind = _lower(re.split("[-_]", words[0])[0])
+    try:
+        return _constraint(kind, place, _number(words[1]) if kind == "seed" and words[1] else 0.0)
+    except _Wrong as error:
+        raise _Wrong(f"{error}; its label begins with its kind") from error
+
+
+def _place_of_control(_control: dict[str, Any], place: list[float]) -> tuple[float, ...]:
+    return tuple(place)
+
+
+def _constraint(kind: str, place: list[float], radius: float) -> Constraint:
     if kind not in KINDS:
         raise _Wrong(f"the kind is '{kind}'; it can be outside, inside, boundary or seed")
     if kind == "seed" and not radius > 0:
         raise _Wrong("a seed has no radius")
-    return kind, place, radius
+    return Constraint(KINDS.index(kind), tuple(place), radius if kind == "seed" else 0.0)
 
 
-def _read_table(text: str) -> list[tuple[str, list[float], float]]:
-    points = []
-    for number, row in enumerate(csv.reader(io.StringIO(text)), 1):
-        cells = [cell.strip() for cell in row]
-        if not any(cells) or (number == 1 and cells[0].lower() == "kind"):
-            continue
-        try:
-            if len(cells) not in (4, 5):
-                raise _Wrong(f"there are {len(cells)} cells; there are kind, x, y, z and, of a seed, radius")
-            radius = _number(cells[4]) if len(cells) == 5 and cells[4] else 0.0
-            points.append(_proper(cells[0].lower(), [_number(cell) for cell in cells[1:4]], radius))
-        except _Wrong as error:
-            raise _Wrong(f"line {number}: {error}") from error
-    return points
+def decimal(text: str) -> float:
+    """A number as tables have it, or NaN; float() takes more.
+
+    >>> decimal("-1.5e1"), decimal("1_0"), decimal("inf"), decimal("1e999")
+    (-15.0, nan, nan, nan)
+    """
+    try:
+        number = float(text) if re.fullmatch("[0-9+.eE-]+", text) else math.nan
+    except ValueError:
+        number = math.nan
+    return number if math.isfinite(number) else math.nan
 
 
-def _read_markups(text: str) -> list[tuple[str, list[float], float]]:
-    points = []
-    for group in json.loads(text)["markups"]:
-        # Files before version 1.0.1 have a number: 0 for RAS.
-        system = str(group.get("coordinateSystem", "LPS"))
-        if system not in ("LPS", "RAS", "0", "1"):
-            raise _Wrong(f"the coordinate system is {system}; it can be LPS or RAS")
-        sign = -1.0 if system in ("RAS", "0") else 1.0
-        for control in group["controlPoints"]:
-            # 3D Slicer numbers its points: inside-1.
-            words = control["label"].split() or [""]
-            place = [float(x) for x in control["position"]]
-            place = [sign * place[0], sign * place[1], place[2]]
-            try:
-                if not all(map(math.isfinite, place)):
-                    raise _Wrong("its position is not finite")
-                radius = _number(words[1]) if len(words) > 1 else 0.0
-                points.append(_proper(re.split("[-_]", words[0])[0].lower(), place, radius))
-            except _Wrong as error:
-                raise _Wrong(
-                    f'control point "{control["label"]}": {error}; its label begins with its kind'
-                ) from error
-    return points
+def _number(text: str) -> float:
+    number = decimal(text)
+    if number != number:
+        raise _Wrong(f"'{text}' is no number")
+    return number
 
 
-def _table(constraints: tuple[Constraint, ...]) -> str:
+def _finite(text: str) -> float:
+    """A number of JSON; NaN, Infinity and 1e999 are none."""
+    number = float(text)
+    if not math.isfinite(number):
+        raise ValueError(text)
+    return number
+
+
+def _whole(text: str) -> float:
+    return int(text) if len(text) < 19 else _finite(text)
+
+
+def _list(value: Any) -> list[Any]:
+    if not isinstance(value, list):
+        raise TypeError("no list")
+    return value
+
+
+def _lower(text: str) -> str:
+    """Of letters from A to Z."""
+    return re.sub("[A-Z]+", lambda letters: letters[0].lower(), text)
+
+
+def _dumped(value: Any) -> str:
+    return json.dumps(value, ensure_ascii=False, separators=(",", ":"), sort_keys=True)
+
+
+def _table(constraints: Sequence[Constraint]) -> str:
     lines = ["kind,x,y,z,radius"]
     for one in constraints:
         radius = f"{one.radius:.17g}" if one.kind == SEED else ""
@@ -120,7 +240,7 @@ def _table(constraints: tuple[Constraint, ...]) -> str:
     return "\n".join(lines) + "\n"
 
 
-def _markups(constraints: tuple[Constraint, ...]) -> str:
+def _markups(constraints: Sequence[Constraint]) -> str:
     controls = [
         {
             "id": str(number),
@@ -139,4 +259,5 @@ def _markups(constraints: tuple[Constraint, ...]) -> str:
         "coordinateUnits": "mm",
         "controlPoints": controls,
     }
-    return json.dumps({"@schema": SCHEMA, "markups": [fiducials]}, indent=2) + "\n"
+    content = {"@schema": SCHEMA, "markups": [fiducials]}
+    return json.dumps(content, indent=2, sort_keys=True) + "\n"

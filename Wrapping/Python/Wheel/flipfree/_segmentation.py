@@ -96,7 +96,33 @@ class Segmentation(Faces, Correctable):
 
     def __repr__(self) -> str:
         return (
-            f"<Segmentation: {len(self.points)} vertices, "
+            f"<{type(self).__name__}: {len(self.points)} vertices, "
             f"{self.self_intersections} self-intersections, '{self.stop_reason}' after "
             f"{len(self.iterations['Iteration'])} iterations>"
         )
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Vessel(Segmentation):
+    """A vessel, or a tree of vessels. Coordinates are the image's physical millimeters."""
+
+    branches: list[dict[str, Any]] = field(default_factory=list)
+    """Per branch the `points` (n, 3) of its center, and `radius` (n,) and `length` (n,) up to each, in mm.
+
+    `parent` is the index of the branch that it begins on, -1 for the first.
+    """
+
+    stage_seconds: tuple[float, ...] = ()
+    """Of path and outline, start surface, deformation, label map."""
+
+    @property
+    def centerline(self) -> Any:
+        """A vtkPolyData, a poly line per branch, where VTK is installed: `pip install vtk`."""
+        try:
+            from ._vtk_objects import polylines_of
+        except ImportError as error:
+            raise FlipFreeError(
+                "centerline: it is an object of VTK, which is not installed (pip install vtk); "
+                ".branches has the same as numpy arrays, and write_centerline() writes it"
+            ) from error
+        return polylines_of(self.branches)

@@ -10,7 +10,7 @@ from typing import Any
 from ._atomic import replacing
 from ._errors import FileError
 from ._extras import needed
-from ._segmentation import Segmentation, Surface
+from ._segmentation import Segmentation, Surface, Vessel
 from ._types import PathName
 
 ENDINGS = (".vtp", ".stl", ".ply", ".obj")
@@ -33,6 +33,22 @@ def write_surface(surface: Surface | Segmentation, path: PathName) -> None:
     with replacing(name) as temporary:
         with open(temporary, "wb") as file:
             file.write(writers[ending](mesh))
+
+
+def write_centerline(vessel: Vessel, path: PathName) -> None:
+    """Writes the centerline of what trace() has returned as a .vtp file, in double precision.
+
+    A poly line per branch, with the point arrays `Radius` and `ArcLength` (mm) and the cell array `Parent`.
+    There is either the whole file afterwards or, after an error, none of it.
+    """
+    if not isinstance(vessel, Vessel):
+        raise TypeError(f"vessel: what trace() has returned is needed, not {vessel!r:.80}")
+    name = os.fspath(path)
+    if not name.lower().endswith(".vtp"):
+        raise FileError(f"The ending of '{name}' stands for no format known here. Use .vtp.")
+    with replacing(name) as temporary:
+        with open(temporary, "wb") as file:
+            file.write(_vtp_lines(vessel))
 
 
 def read_surface(path: PathName) -> Surface:
@@ -83,31 +99,61 @@ def _require_single_precision(mesh: Surface, name: str) -> None:
 def _vtp(mesh: Surface) -> bytes:
     import numpy
 
-    def array(name: str, values: Any, kind: str, width: int = 1) -> str:
-        data = numpy.ascontiguousarray(values).astype(f"<{values.dtype.kind}{values.dtype.itemsize}")
-        encoded = base64.b64encode(struct.pack("<Q", data.nbytes) + data.tobytes()).decode()
-        return (
-            f'<DataArray type="{kind}" Name="{name}" NumberOfComponents="{width}" '
-            f'format="binary">{encoded}</DataArray>\n'
-        )
-
     corners, ends = mesh.corners.astype("int64"), mesh.offsets[1:].astype("int64")
-    certified = numpy.array([float(mesh.certified)])
-    encoded = base64.b64encode(struct.pack("<Q", 8) + certified.tobytes()).decode()
+    certified = _encoded(numpy.array([float(mesh.certified)]))
+    return _vtp_file(
+        '<FieldData><DataArray type="Float64" Name="Certified" NumberOfTuples="1" format="binary">'
+        f"{certified}</DataArray></FieldData>\n"
+        f'<Piece NumberOfPoints="{len(mesh.points)}" NumberOfPolys="{len(ends)}">\n'
+        f"<PointData>\n{_array('Displacement', mesh.displacements, 'Float64', 3)}"
+        f"{_array('Correspondence', mesh.correspondence, 'UInt8')}</PointData>\n"
+        f"<Points>\n{_array('Points', mesh.points, 'Float64', 3)}</Points>\n"
+        f"<Polys>\n{_array('connectivity', corners, 'Int64')}{_array('offsets', ends, 'Int64')}"
+        "</Polys>\n</Piece>\n"
+    )
+
+
+def _vtp_lines(vessel: Vessel) -> bytes:
+    import numpy
+
+    points, radii, lengths = (
+        numpy.concatenate([branch[name] for branch in vessel.branches])
+        for name in ("points", "radius", "length")
+    )
+    ends = numpy.cumsum([len(branch["points"]) for branch in vessel.branches]).astype("int64")
+    parents = numpy.array([branch["parent"] for branch in vessel.branches], "int32")
+    corners = numpy.arange(len(points), dtype="int64")
+    return _vtp_file(
+        f'<Piece NumberOfPoints="{len(points)}" NumberOfLines="{len(ends)}">\n'
+        f"<PointData>\n{_array('Radius', radii, 'Float64')}{_array('ArcLength', lengths, 'Float64')}"
+        f"</PointData>\n<CellData>\n{_array('Parent', parents, 'Int32')}</CellData>\n"
+        f"<Points>\n{_array('Points', points, 'Float64', 3)}</Points>\n"
+        f"<Lines>\n{_array('connectivity', corners, 'Int64')}{_array('offsets', ends, 'Int64')}"
+        "</Lines>\n</Piece>\n"
+    )
+
+
+def _vtp_file(content: str) -> bytes:
     text = (
         '<?xml version="1.0"?>\n'
         '<VTKFile type="PolyData" version="1.0" byte_order="LittleEndian" header_type="UInt64">\n'
-        "<PolyData>\n"
-        '<FieldData><DataArray type="Float64" Name="Certified" NumberOfTuples="1" format="binary">'
-        f"{encoded}</DataArray></FieldData>\n"
-        f'<Piece NumberOfPoints="{len(mesh.points)}" NumberOfPolys="{len(ends)}">\n'
-        f"<PointData>\n{array('Displacement', mesh.displacements, 'Float64', 3)}"
-        f"{array('Correspondence', mesh.correspondence, 'UInt8')}</PointData>\n"
-        f"<Points>\n{array('Points', mesh.points, 'Float64', 3)}</Points>\n"
-        f"<Polys>\n{array('connectivity', corners, 'Int64')}{array('offsets', ends, 'Int64')}"
-        "</Polys>\n</Piece>\n</PolyData>\n</VTKFile>\n"
+        f"<PolyData>\n{content}</PolyData>\n</VTKFile>\n"
     )
     return text.encode()
+
+
+def _array(name: str, values: Any, kind: str, width: int = 1) -> str:
+    return (
+        f'<DataArray type="{kind}" Name="{name}" NumberOfComponents="{width}" '
+        f'format="binary">{_encoded(values)}</DataArray>\n'
+    )
+
+
+def _encoded(values: Any) -> str:
+    import numpy
+
+    data = numpy.ascontiguousarray(values).astype(f"<{values.dtype.kind}{values.dtype.itemsize}")
+    return base64.b64encode(struct.pack("<Q", data.nbytes) + data.tobytes()).decode()
 
 
 def _stl(mesh: Surface) -> bytes:

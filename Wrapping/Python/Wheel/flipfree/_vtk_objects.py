@@ -37,6 +37,34 @@ def polydata_of(mesh: Surface, surface: Any = None) -> Any:
     return surface
 
 
+def polylines_of(branches: list[dict[str, Any]]) -> Any:
+    """The centerline of a vessel as a vtkPolyData, with the arrays of the toolkit's filter."""
+    import numpy
+
+    line, points, lines = vtkPolyData(), vtkPoints(), vtkCellArray()
+    joined = {
+        name: numpy.concatenate([branch[name] for branch in branches])
+        for name in ("points", "radius", "length")
+    }
+    ends = numpy.cumsum([0, *(len(branch["points"]) for branch in branches)])
+    points.SetData(numpy_to_vtk(joined["points"], deep=True))
+    lines.SetData(
+        numpy_to_vtkIdTypeArray(ends.astype("int64"), deep=True),
+        numpy_to_vtkIdTypeArray(numpy.arange(ends[-1], dtype="int64"), deep=True),
+    )
+    line.SetPoints(points)
+    line.SetLines(lines)
+    for data, name, values in (
+        (line.GetPointData(), "Radius", joined["radius"]),
+        (line.GetPointData(), "ArcLength", joined["length"]),
+        (line.GetCellData(), "Parent", numpy.array([one["parent"] for one in branches], "int32")),
+    ):
+        array = numpy_to_vtk(values, deep=True)
+        array.SetName(name)
+        data.AddArray(array)
+    return line
+
+
 def imagedata_of(image: Image, data: Any = None) -> Any:
     """A vtkImageData, a new one unless given, which shares the voxels."""
     data = vtkImageData() if data is None else data

@@ -1,0 +1,215 @@
+"""Files of points: the toolkit's command and the wheel's read the same files alike, and refuse the same in the same words."""
+
+import json
+import os
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+import flipfree
+from flipfree import _point_files
+
+try:
+    import SimpleITK  # pylint: disable=unused-import
+except ImportError:
+    print("Skipped: SimpleITK is not installed.")
+    sys.exit(77)
+
+PROGRAMS = {"toolkit": os.environ["FLIPFREE_COMMAND"], "wheel": str(Path(sys.executable).parent / "flipfree")}
+MARK = b"\xef\xbb\xbf"
+POINTS = "inside,62,32,32,\noutside,32,54,32,\nseed,40,32,32,4\n"
+
+
+def markups(*controls, **entries):
+    """As 3D Slicer saves them; controls are pairs of label and position."""
+    points = [{"id": str(number), "label": label, "position": position} for number, (label, position) in enumerate(controls)]
+    return json.dumps({"markups": [{"type": "Fiducial", "coordinateSystem": "LPS", "controlPoints": points, **entries}]})
+
+
+LPS = (("inside-1", [62, 32, 32]), ("Outside_2", [32, 54, 32.0]), ("seed 4", [40, 32, 32]))
+RAS = tuple((label, [-x, -y, z]) for label, (x, y, z) in LPS)
+
+# All of them hold the points above.
+GOOD = {
+    "plain.csv": POINTS,
+    "header.csv": "kind,x,y,z,radius\n" + POINTS,
+    "capitals.CSV": "Kind, X, Y, Z, Radius\n" + POINTS.upper(),
+    "mark.csv": MARK + ("kind,x,y,z,radius\n" + POINTS).encode(),
+    "windows.csv": ("kind,x,y,z,radius\n" + POINTS).replace("\n", "\r\n"),
+    "blank.csv": "\n  \nkind,x,y,z,radius\n\n" + POINTS.replace("\n", "\n\n,,,,\n"),
+    "spaces.csv": POINTS.replace(",", " ,\t"),
+    "quotes.csv": '"kind","x","y","z","radius"\n' + POINTS.replace("inside", '" inside"').replace("54", '"54"'),
+    "cut.csv": POINTS.rstrip("\n").replace(",\n", "\n"),
+    "wide.csv": POINTS.replace("\n", ",,,\n"),
+    "numbers.csv": "inside,6.2e1,+32,32.\noutside,3200E-2,54,032\nseed,40,32,32,.4e1\n",
+    "radius.csv": POINTS.replace("inside,62,32,32,", "inside,62,32,32,7"),
+    "lps.mrk.json": markups(*LPS),
+    "ras.mrk.json": markups(*RAS, coordinateSystem="RAS"),
+    "zero.mrk.json": markups(*RAS, coordinateSystem=0),
+    "text.mrk.json": markups(*RAS, coordinateSystem="0"),
+    "one.MRK.JSON": markups(*LPS, coordinateSystem=1),
+    "none.mrk.json": markups(*LPS).replace('"coordinateSystem": "LPS", ', ""),
+    "mark.mrk.json": MARK + markups(*LPS).encode(),
+    "words.mrk.json": markups(("inside the left lobe", [62, 32, 32]), *LPS[1:2], ("\tSEED-1 4.0 mm", [40, 32, 32])),
+    "floats.mrk.json": markups(*LPS).replace("62", "6.2e1"),
+    "lists.mrk.json": json.dumps({"other": 1, "markups": [json.loads(markups(LPS[0]))["markups"][0], {"controlPoints": []},
+                                                          json.loads(markups(*LPS[1:]))["markups"][0]]}),
+}
+
+# What each is refused for.
+BAD = {
+    "cells.csv": ("inside,1,2\n", "line 1: there are 3 cells"),
+    "many.csv": ("\ninside,1,2,3,4,5\n", "line 2: there are 6 cells"),
+    "german.csv": ("kind;x;y;z\ninside;1;2;3\n", "line 1: there are 1 cells"),
+    "order.csv": ("kind,z,y,x\ninside,1,2,3\n", "line 1: the columns are kind, x, y, z and"),
+    "columns.csv": ("Kind,x,y,z,radius,name\n", "line 1: the columns are kind, x, y, z and"),
+    "twice.csv": ("kind,x,y,z\nkind,x,y,z\n", "line 2: 'x' is no number"),
+    "kind.csv": ("kind,x,y,z\nAbove,1,2,3\n", "line 2: the kind is 'above'; it can be outside"),
+    "umlaut.csv": ("ÄUSSEN,1,2,3\n", "line 1: the kind is 'Äussen'"),
+    "no-kind.csv": (",1,2,3\n", "line 1: the kind is ''"),
+    "unit.csv": ("inside,1,2,3mm\n", "line 1: '3mm' is no number"),
+    "empty.csv": ("inside,1,,3\n", "line 1: '' is no number"),
+    "hexadecimal.csv": ("inside,1,0x10,3\n", "'0x10' is no number"),
+    "underscore.csv": ("inside,1,1_0,3\n", "'1_0' is no number"),
+    "arabic.csv": ("inside,1,٣,3\n", "'٣' is no number"),
+    "nan.csv": ("inside,nan,2,3\n", "'nan' is no number"),
+    "infinite.csv": ("inside,1,2,-Infinity\n", "'-Infinity' is no number"),
+    "huge.csv": ("inside,1,2,1e999\n", "'1e999' is no number"),
+    "exponent.csv": ("inside,1e,2,3\n", "'1e' is no number"),
+    "space.csv": ("inside,1 0,2,3\n", "'1 0' is no number"),
+    "two.csv": ("inside,here,there,3\n", "'here' is no number"),
+    "both.csv": ("above,1,2,x\n", "'x' is no number"),
+    "radius.csv": ("seed,1,2,3\n", "line 1: a seed has no radius"),
+    "negative.csv": ("seed,1,2,3,-4\n", "line 1: a seed has no radius"),
+    "letters.csv": ("seed,1,y,3,big\n", "'y' is no number"),
+    "latin.csv": ("inside,1,2,3\näbc,1,2,3\n".encode("latin-1"), "is no text in UTF-8"),
+    "utf16.csv": (POINTS.encode("utf-16"), "is no text in UTF-8"),
+    "nul.csv": (b"inside,1,2,3\0\n", "is no text in UTF-8"),
+    "broken.mrk.json": ("{", "does not hold markups"),
+    "nothing.mrk.json": ("", "does not hold markups"),
+    "table.mrk.json": (POINTS, "does not hold markups"),
+    "more.mrk.json": (markups(*LPS) + "x", "does not hold markups"),
+    "list.mrk.json": ("[1]", "does not hold markups"),
+    "other.mrk.json": ('{"a": 1}', "does not hold markups"),
+    "null.mrk.json": ('{"markups": null}', "does not hold markups"),
+    "object.mrk.json": ('{"markups": {"a": {"controlPoints": []}}}', "does not hold markups"),
+    "numbers.mrk.json": ('{"markups": [7]}', "does not hold markups"),
+    "controls.mrk.json": ('{"markups": [{}]}', "does not hold markups"),
+    "word.mrk.json": (markups(controlPoints=""), "does not hold markups"),
+    "mapping.mrk.json": (markups(controlPoints={}), "does not hold markups"),
+    "label.mrk.json": (markups((7, [1, 2, 3])), "does not hold markups"),
+    "no-label.mrk.json": (markups(*LPS).replace("label", "name"), "does not hold markups"),
+    "no-place.mrk.json": (markups(*LPS).replace("position", "place"), "does not hold markups"),
+    "null-place.mrk.json": (markups(("inside", None)), "does not hold markups"),
+    "not-a-number.mrk.json": (markups(("inside", [1, 2, float("nan")])), "does not hold markups"),
+    "infinite.mrk.json": (markups(("inside", [1, 2, 3])).replace("3]", "1e999]"), "does not hold markups"),
+    "long.mrk.json": (markups(("inside", [1, 2, 10**400])), "does not hold markups"),
+    "surrogate.mrk.json": (markups(("\ud800", [1, 2, 3])), "does not hold markups"),
+    "latin.mrk.json": (b'{"markups": "\xe4"}', "is no text in UTF-8"),
+    "system.mrk.json": (markups(coordinateSystem="IJK"), 'the coordinate system is "IJK"; it can be'),
+    "no-system.mrk.json": (markups(coordinateSystem=None), "the coordinate system is null"),
+    "true.mrk.json": (markups(*LPS, coordinateSystem=True), "the coordinate system is true"),
+    "part.mrk.json": (markups(*LPS, coordinateSystem=0.0), "the coordinate system is 0.0"),
+    "tree.mrk.json": (markups(*LPS, coordinateSystem={"b": [1, 2], "a": "x"}), r'is {"a":"x","b":\[1,2\]}'),
+    "flat.mrk.json": (markups(("inside", [1, 2])), 'control point "inside": its position is not three numbers'),
+    "four.mrk.json": (markups(("inside", [1, 2, 3, 4])), "its position is not three numbers"),
+    "quoted.mrk.json": (markups(("inside", ["1", "2", "3"])), "its position is not three numbers"),
+    "truth.mrk.json": (markups(("inside", [True, 2, 3])), "its position is not three numbers"),
+    "default.mrk.json": (markups(("F-1", [1, 2, 3])), 'control point "F-1": the kind is \'f\'.*begins with its kind'),
+    "no-word.mrk.json": (markups(("", [1, 2, 3])), "control point \"\": the kind is ''"),
+    "quote.mrk.json": (markups(('say "ö"\n', [1, 2, 3])), r'control point "say \\"ö\\"\\n": the kind is \'say\''),
+    "seed.mrk.json": (markups(("Seed-1", [1, 2, 3])), "a seed has no radius"),
+    "big.mrk.json": (markups(("seed big", [1, 2, 3])), "'big' is no number"),
+}
+
+
+class PointFiles(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        folder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(folder.cleanup)
+        cls.folder = Path(folder.name)
+        ball = flipfree.phantom("sphere", dimensions=(64, 64, 40), spacing=(1, 1, 1.6))
+        flipfree.write_image(ball.image, cls.folder / "ball.nii.gz")
+        (center, radius), = ball.seeds.values()
+        cls.start = ("ball.nii.gz", "--seed", *center, "--radius", radius, "--resolution", 8, "--levels", 1)
+
+    def segment(self, program, *arguments):
+        words = [PROGRAMS[program], "segment", *self.start, "--iterations", 1, "-q", *arguments]
+        return subprocess.run([str(word) for word in words], cwd=self.folder, capture_output=True, text=True, timeout=120,
+                              check=False)
+
+    def write(self, name, content):
+        (self.folder / name).write_bytes(content if isinstance(content, bytes) else content.encode())
+
+    def test_good_files_hold_the_same_points(self):
+        """Read exactly, as what is written shows; both write the same bytes."""
+        saved = "kind,x,y,z,radius\n" + POINTS
+        markups_saved = set()
+        for name, content in GOOD.items():
+            self.write(name, content)
+            for program in PROGRAMS:
+                with self.subTest(name, program=program):
+                    process = self.segment(program, "--points", name, "--save-points", "saved.csv", "-o", "a.stl")
+                    self.assertEqual((process.returncode, process.stderr), (0, ""))
+                    self.assertEqual((self.folder / "saved.csv").read_text(), saved)
+        for program in PROGRAMS:
+            self.segment(program, "--points", "lps.mrk.json", "--inside", 62.5, 32, 32.1, "--save-points", "saved.mrk.json", "-o",
+                         "a.stl")
+            markups_saved.add((self.folder / "saved.mrk.json").read_bytes())
+        self.assertEqual(len(markups_saved), 1)
+        self.assertIn(b"62.5", markups_saved.pop())
+
+    def test_files_of_no_points(self):
+        for name, content in {"empty.csv": "", "header.csv": "kind,x,y,z\n", "empty.mrk.json": '{"markups": []}'}.items():
+            self.write(name, content)
+            for program in PROGRAMS:
+                with self.subTest(name, program=program):
+                    process = self.segment(program, "--points", name, "-o", "a.stl")
+                    self.assertEqual((process.returncode, process.stderr), (0, ""))
+
+    def test_bad_files_are_refused_in_the_same_words(self):
+        (self.folder / "folder.csv").mkdir()
+        missing = {name: (None, "cannot be read. Check the name and the permissions") for name in ("gone.csv", "folder.csv")}
+        for name, (content, message) in {**BAD, **missing}.items():
+            if content is not None:
+                self.write(name, content)
+            found = {program: self.segment(program, "--points", name, "-o", "never.stl") for program in PROGRAMS}
+            with self.subTest(name):
+                self.assertRegex(found["wheel"].stderr, rf"\Aflipfree: error: '{name}'[^\n]*{message}[^\n]*\.\n\Z")
+                self.assertEqual(found["wheel"].stderr, found["toolkit"].stderr)
+                self.assertEqual([process.returncode for process in found.values()], [1, 1])
+        self.assertFalse((self.folder / "never.stl").exists())
+
+
+class VesselFiles(unittest.TestCase):
+    """What a cohort reads: points of whatever label."""
+
+    def read(self, name, content):
+        with tempfile.TemporaryDirectory() as folder:
+            path = Path(folder) / name
+            path.write_text(content, encoding="utf-8")
+            return _point_files.read_vessel(str(path))
+
+    def test_good(self):
+        expected = [(1.0, 2.0, 3.5), (-4.0, 5.0, 6.0)]
+        for name, content in {"a.csv": "1,2,3.5\n-4,5,6\n", "b.csv": "X,Y,Z\n\n1 , 2,3.5,\n-4,5,6\n",
+                              "a.mrk.json": markups(("F-1", [1, 2, 3.5]), ("", [-4, 5, 6])),
+                              "b.mrk.json": markups(("P", [-1, -2, 3.5]), ("Q", [4, -5, 6]), coordinateSystem="RAS")}.items():
+            with self.subTest(name):
+                self.assertEqual(self.read(name, content), expected)
+
+    def test_bad(self):
+        for message, name, content in ((r"line 1: there are 4 cells; there are x, y, z\.$", "a.csv", "inside,1,2,3\n"),
+                                       ("line 1: the columns are x, y, z, in this order", "a.csv", "x,z,y\n"),
+                                       ("line 2: 'y' is no number", "a.csv", "1,2,3\n1,y,3\n"),
+                                       ("with the columns x, y and z", "a.mrk.json", "{"),
+                                       ('control point "F": its position is not', "a.mrk.json", markups(("F", [1])))):
+            with self.subTest(message), self.assertRaisesRegex(flipfree.FileError, message):
+                self.read(name, content)
+
+
+if __name__ == "__main__":
+    unittest.main()

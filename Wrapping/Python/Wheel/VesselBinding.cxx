@@ -1,0 +1,96 @@
+// Vessels between points: a volume and points in, surface, label map and centerline out.
+#include "Answers.h"
+#include "Bindings.h"
+#include "Numpy.h"
+#include "Report.h"
+#include "ThreadPool.h"
+
+#include "Vessel/Polyline.h"
+#include "Vessel/VesselParameters.h"
+
+#include <nanobind/stl/array.h>
+
+namespace FlipFree
+{
+namespace
+{
+
+using Settings = VesselSegmentationSettings;
+
+// Per branch its center, the radius and the length at each point, and the branch that it begins on.
+nb::list BranchesOf(const VesselTree& tree)
+{
+  nb::list branches;
+  for (const VesselBranch& branch : tree.Branches)
+  {
+    PointList centers = branch.Sections.Centers();
+    Eigen::VectorXd radii = branch.Sections.MeanRadii();
+    Eigen::VectorXd lengths = ArcLengths(centers);
+    const auto size = static_cast<std::size_t>(centers.rows());
+    nb::dict one;
+    one["points"] = ArrayOf<double>(std::move(centers), { size, 3 });
+    one["radius"] = ArrayOf<double>(std::move(radii), { size });
+    one["length"] = ArrayOf<double>(std::move(lengths), { size });
+    one["parent"] = branch.Parent;
+    branches.append(one);
+  }
+  return branches;
+}
+
+nb::dict Trace(const Voxels& voxels, const Triple& spacing, const Triple& origin,
+  const Nine& direction, const std::vector<Triple>& places, const Settings& settings,
+  const nb::callable& report)
+{
+  const ImageGeometry geometry = GeometryOf(voxels, spacing, origin, direction);
+  PointList points(static_cast<Eigen::Index>(places.size()), 3);
+  for (Eigen::Index point = 0; point < points.rows(); ++point)
+  {
+    points.row(point) = Eigen::Map<const Eigen::RowVector3d>(places[point].data());
+  }
+  VesselSegmentation result;
+  {
+    const nb::gil_scoped_release unlocked;
+    const Monitor monitor = MonitorOf(report, 0, 0.95);
+    if (!MonitorOf(report)(0))
+    {
+      result.Surface.Reason = StopReason::Aborted;
+    }
+    else
+    {
+      RequireNumbers(settings);
+      RequireVoxels(geometry);
+      const GrayVolume volume = VisitVoxels(voxels, geometry,
+        [](const auto& view) { return GrayVolumeOf(view, ImageName, PoolThreading()); });
+      result = SegmentVessel(volume, ImageName, points, settings, PoolThreading(), monitor);
+    }
+  }
+  OrganSurface& surface = result.Surface;
+  nb::dict answer;
+  answer["stop_reason"] = std::string(ToString(surface.Reason));
+  if (surface.Reason == StopReason::Aborted)
+  {
+    return answer;
+  }
+  answer["self_intersections"] = surface.SelfIntersections;
+  answer["iterations"] = ColumnsOf(surface.Iterations);
+  answer["warnings"] = result.Warnings;
+  answer["labels"] = LabelsOf(result.Voxels, settings.LabelValue, geometry);
+  answer["branches"] = BranchesOf(result.Tree);
+  answer["stage_seconds"] =
+    std::vector<double>(result.StageSeconds.begin(), result.StageSeconds.end());
+  answer["surface"] =
+    SurfaceDict(std::move(surface.Mesh.Faces), std::move(surface.Points), std::move(surface.Field));
+  report(1.0);
+  return answer;
+}
+
+} // namespace
+
+void BindVessels(nb::module_& module)
+{
+  BindSettings<Settings>(module, "VesselSettings", &VesselParameters).def(nb::init<>());
+  module.def("trace", &Trace, nb::arg("voxels").noconvert(), nb::arg("spacing"), nb::arg("origin"),
+    nb::arg("direction"), nb::arg("points"), nb::arg("settings"), nb::arg("report"));
+}
+
+} // namespace FlipFree
