@@ -18,7 +18,6 @@
 
 #include <memory>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <utility>
 
@@ -28,18 +27,13 @@ namespace
 const char* const NameOfImage = "the image on port 0";
 const char* const NameOfLabels = "the start labels on port 3";
 
-// Says which labels there are where the one that is wanted is missing.
 FlipFree::BitMask StartMaskOf(vtkImageData* labels, int label, vtkImageData* image)
 {
   FlipFree::BitMask mask = FlipFree::MaskOf(labels, label == 0 ? -1 : label, NameOfLabels);
   FlipFree::RequireSameGeometry(mask.GetGeometry(), FlipFree::GeometryOf(image), NameOfLabels,
     NameOfImage);
-  if (mask.Bounds().IsEmpty())
-  {
-    throw std::invalid_argument(std::string(NameOfLabels) + " have no voxel of " +
-      (label == 0 ? "any value but 0" : "the value " + std::to_string(label)) + "; they have " +
-      FlipFree::TextOf(FlipFree::LabelsOf(labels).Labels));
-  }
+  FlipFree::RequireStartLabel(
+    mask, label, [labels]() { return FlipFree::LabelsOf(labels); }, NameOfLabels);
   return mask;
 }
 

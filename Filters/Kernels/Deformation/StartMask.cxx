@@ -10,14 +10,24 @@
 namespace FlipFree
 {
 
+void RequireStartLabel(const BitMask& mask, int label, const std::function<LabelValues()>& labels,
+  const std::string& name)
+{
+  if (!mask.Bounds().IsEmpty())
+  {
+    return;
+  }
+  const std::string others = TextOf(labels().Labels);
+  throw Error(ErrorCode::EmptyMask,
+    name + " have no voxel of " +
+      (label == 0 ? "any value but 0" : "the value " + std::to_string(label)) +
+      (others.empty() ? "" : "; they have " + others));
+}
+
 SeedSphere LargestBallIn(const BitMask& mask, const std::string& name,
   const ParallelFor& parallelFor)
 {
   const VoxelBox box = mask.Bounds();
-  if (box.IsEmpty())
-  {
-    throw Error(ErrorCode::EmptyMask, name + " have no voxel of that value");
-  }
   // With a layer of background on all sides, beyond the image's ends, too.
   ImageGeometry geometry = CropGeometry(mask.GetGeometry(), box);
   geometry.Origin = geometry.ToPhysical(Eigen::Vector3d(-1, -1, -1));

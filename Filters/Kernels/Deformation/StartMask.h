@@ -7,18 +7,26 @@
 #define FlipFreeStartMask_h
 
 #include "Image/BitMask.h"
+#include "Image/LabelValues.h"
 #include "Image/SeedRegion.h"
 #include "Mesh/SurfaceVoxelization.h"
 
+#include <functional>
 #include <string>
 #include <vector>
 
 namespace FlipFree
 {
 
+/// Throws Error, naming the label map by `name`, unless the mask of its label has voxels; 0 stands
+/// for all that are not 0. `labels` says which there are, and is asked only where the
+/// one is missing.
+void RequireStartLabel(const BitMask& mask, int label, const std::function<LabelValues()>& labels,
+  const std::string& name);
+
 /// The largest ball that the mask holds, up to the nearest voxel center outside it; the image ends
 /// where the mask does. Of several, the first in the order of the voxels. Throws Error, naming the
-/// mask by `name`, where it has no voxels, or no ball of a voxel's radius.
+/// mask by `name`, where it has no ball of a voxel's radius.
 SeedSphere LargestBallIn(const BitMask& mask, const std::string& name,
   const ParallelFor& parallelFor);
 

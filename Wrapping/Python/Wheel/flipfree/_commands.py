@@ -86,12 +86,21 @@ def _session_of(values: dict[str, Any]) -> Session | None:
     if "session" not in values:
         if "input" not in values:
             raise WrongUsage("INPUT is required: a volume, or a folder of a DICOM series")
+        if "start_labels" in values:
+            if {"seed", "seed_voxel", "radius"} & values.keys():
+                raise WrongUsage(
+                    "--start-labels takes the place of the seed. Leave out --seed, --seed-voxel and "
+                    "--radius; points correct the result"
+                )
+            return None
         if "radius" not in values:
             raise WrongUsage(
                 "--radius must be a positive number of millimeters, 1e-6 to 1e6. The sphere should lie "
                 "within the organ"
             )
         return None
+    if "start_labels" in values:
+        raise WrongUsage("--session has the seed. Leave out --start-labels")
     given = {"seed", "seed_voxel", "radius"} & values.keys()
     if given or values.get("preset", "default") != "default":
         raise WrongUsage(
@@ -124,8 +133,7 @@ def _segment_one(
     try:
         organ = segment_organ(
             image,
-            _lps(values, values["seed"]) if "seed" in values else _point_of(image, values["seed_voxel"]),
-            values["radius"],
+            **_start_of(values, image),
             preset=values.get("preset", "default"),
             progress=progress or None,
             **arguments_of(points),
@@ -142,6 +150,14 @@ def _segment_one(
         elif name in values and name != "labels":
             _write_to(files, values[name], partial(_write, name, organ, image))
     return organ, working
+
+
+def _start_of(values: dict[str, Any], image: Any) -> dict[str, Any]:
+    """The seed, or the label map in its place."""
+    if "start_labels" in values:
+        return {"start_labels": values["start_labels"], "start_label": values.get("start_label", 1)}
+    seed = _lps(values, values["seed"]) if "seed" in values else _point_of(image, values["seed_voxel"])
+    return {"seed": seed, "radius": values["radius"]}
 
 
 def _label_map(found: list[tuple[Segmentation, float]]) -> Any:
