@@ -47,8 +47,8 @@
  * start surface that is open, not four-valent or self-intersecting, a property that is NaN; a
  * constraint outside the image, in contradiction to another one or to the seed, or one that no
  * surface of one piece can obey; constraints without the guard; start labels on another grid than
- * the image, without voxels of StartLabel, or nowhere thicker than a voxel. Each is reported once,
- * naming the point, and the outputs are then empty.
+ * the image, without voxels of StartLabel, or nowhere thicker than two voxels. Each is reported
+ * once, naming the point, and the outputs are then empty.
  *
  * Warnings, with a result all the same: the seed sphere reaches beyond the image; no vertex found a
  * boundary; the surface could not be refined; it touches the end of Reach. A surface grown from the

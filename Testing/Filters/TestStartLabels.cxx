@@ -161,7 +161,7 @@ TEST(StartLabels, ThatCannotBeUsedAreRefused)
   expect(none, 0, "have no voxel of any value but 0");
   const auto sheet =
     LabelsOfShape([](const Eigen::Vector3d& point) { return std::abs(point[0] - 40) < 1; });
-  expect(sheet, 3, "nowhere thicker than a voxel");
+  expect(sheet, 3, "nowhere thicker than two voxels");
   expect(SphereImage(), 3, "differ; resample one onto the grid of the other");
   labels->SetOrigin(1, 0, 0);
   expect(labels, 3, "the origins of the start labels on port 3");

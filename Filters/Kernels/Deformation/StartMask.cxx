@@ -53,10 +53,20 @@ SeedSphere LargestBallIn(const BitMask& mask, const std::string& name,
       static_cast<double>(row % geometry.Dimensions[1]),
       static_cast<double>(row / geometry.Dimensions[1])));
   ball.Radius = std::sqrt(static_cast<double>(*deepest));
-  if (ball.Radius < geometry.Spacing.maxCoeff())
+  // The image ends half a voxel before the layer around it.
+  const ImageGeometry& image = mask.GetGeometry();
+  const Eigen::Vector3d index = image.ToIndex(ball.Center);
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double voxels = std::min(index[axis], image.Dimensions[axis] - 1 - index[axis]) + 0.5;
+    ball.Radius = std::min(ball.Radius, voxels * image.Spacing[axis]);
+  }
+  // In a sheet of one or two voxels, the nearest voxel outside is a neighbor.
+  constexpr double neighbor = 1.001;
+  if (ball.Radius <= neighbor * geometry.Spacing.minCoeff())
   {
     throw Error(ErrorCode::SeedWithoutVoxels,
-      name + " are nowhere thicker than a voxel, so no surface can start in them");
+      name + " are nowhere thicker than two voxels, so no surface can start in them");
   }
   return ball;
 }

@@ -24,9 +24,9 @@ namespace FlipFree
 void RequireStartLabel(const BitMask& mask, int label, const std::function<LabelValues()>& labels,
   const std::string& name);
 
-/// The largest ball that the mask holds, up to the nearest voxel center outside it; the image ends
-/// where the mask does. Of several, the first in the order of the voxels. Throws Error, naming the
-/// mask by `name`, where it has no ball of a voxel's radius.
+/// The largest ball that the mask holds, up to the nearest voxel center outside it, and within
+/// the image. Of several, the first in the order of the voxels. Throws Error, naming the
+/// mask by `name`, where it is nowhere thicker than two voxels.
 SeedSphere LargestBallIn(const BitMask& mask, const std::string& name,
   const ParallelFor& parallelFor);
 

@@ -362,12 +362,12 @@ def _wants_bar(values: dict[str, Any]) -> bool:
 
 def _require_sense(values: dict[str, Any], outputs: dict[str, str]) -> None:
     """Checks all that can be checked before the volume is read."""
-    if ("seed" in values) == ("seed_voxel" in values):
+    if "start_labels" not in values and ("seed" in values) == ("seed_voxel" in values):
         raise WrongUsage(
             "Both --seed and --seed-voxel are given. Give only one of them"
             if "seed" in values
             else "There is no seed. Give a point deep inside the organ: --seed X Y Z (LPS mm) or "
-            "--seed-voxel I J K"
+            "--seed-voxel I J K; or a label map to fill: --start-labels FILE"
         )
     if "points" in values:
         _require_ending("--points", values["points"], POINT_ENDINGS)
@@ -383,8 +383,9 @@ def _require_sense(values: dict[str, Any], outputs: dict[str, str]) -> None:
 
 def _require_files(values: dict[str, Any], outputs: dict[str, str]) -> None:
     """The input is there, and the outputs can be written."""
+    inputs = [values[name] for name in ("input", "start_labels") if name in values]
     for path in outputs.values():
-        _require_place(path, [values["input"]])
+        _require_place(path, inputs)
     if not os.path.isdir(values["input"]) and "series" in values:
         raise WrongUsage(
             f"--series selects a series of a DICOM folder, but '{values['input']}' is a file. Omit the "
@@ -392,6 +393,10 @@ def _require_files(values: dict[str, Any], outputs: dict[str, str]) -> None:
         )
     if not os.path.exists(values["input"]):
         raise FileError(f"There is no file '{values['input']}'. Check the name and the folder.")
+    if "start_label" in values and "start_labels" not in values:
+        raise WrongUsage("--start-label is a value of --start-labels. Give that file, too")
+    if values.get("start_label", 0) < 0:
+        raise WrongUsage("--start-label: a label is 0 or more; 0 takes all that are not 0")
     if "snapshot" in outputs:
         from ._picture import require_matplotlib
 
