@@ -35,13 +35,6 @@ double DepthOf(const BitMask& mask, int i, int j, int k)
       }
     }
   }
-  const int place[3] = { i, j, k };
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    const int last = geometry.Dimensions[axis] - 1;
-    least =
-      std::min(least, (std::min(place[axis], last - place[axis]) + 0.5) * geometry.Spacing[axis]);
-  }
   return least;
 }
 
@@ -56,7 +49,9 @@ TEST(StartMask, LargestBallIsThatOfBruteForce)
     BitMask mask(geometry);
     for (int box = 0; box < 4; ++box)
     {
-      ForEachVoxel(RandomBox(geometry, random), [&](int i, int j, int k) { mask.Insert(i, j, k); });
+      const VoxelBox inner{ { { 1, 1, 1 } }, { { 16, 12, 8 } } };
+      ForEachVoxel(RandomBox(geometry, random).Cropped(inner),
+        [&](int i, int j, int k) { mask.Insert(i, j, k); });
     }
     double deepest = 0;
     ForEachVoxel(geometry,
@@ -73,6 +68,16 @@ TEST(StartMask, LargestBallIsThatOfBruteForce)
                   static_cast<int>(std::lround(index[1])), static_cast<int>(std::lround(index[2]))),
       deepest, 1e-5);
   }
+}
+
+TEST(StartMask, BallStaysWithinTheImage)
+{
+  const ImageGeometry geometry = Grid({ { 17, 13, 9 } }, { 1, 1.5, 2 });
+  BitMask mask(geometry);
+  mask.Complement();
+  const SeedSphere ball = LargestBallIn(mask, Name, SerialFor);
+  EXPECT_TRUE(ContainsSphere(geometry, ball));
+  EXPECT_NEAR(ball.Radius, 8.5, 1e-9);
 }
 
 TEST(StartMask, WithoutAnyRoomIsRefused)

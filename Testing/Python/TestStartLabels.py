@@ -37,11 +37,12 @@ class StartLabels(unittest.TestCase):
             numpy.testing.assert_array_equal(fill(path, resolution=8).points, fill(resolution=8).points)
 
     def test_are_corrected_by_points(self):
+        voxel, place = (56, 56, 40), (60, 84, 168)  # axes k, j, i; LPS
         liver = fill(resolution=16)
-        place = liver.points[liver.points[:, 0].argmin()] + (8, 0, 0)  # 8 mm within the tip
+        self.assertEqual(liver.labels[voxel], 1)
         better = liver.corrected(outside=[place])
         self.assertEqual(better.self_intersections, 0)
-        self.assertLess(better.labels.sum(), liver.labels.sum())
+        self.assertEqual(better.labels[voxel], 0)
 
     def test_that_do_not_fit_are_refused(self):
         for arguments, kind, words in (

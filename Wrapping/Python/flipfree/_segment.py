@@ -91,7 +91,7 @@ def segment(
     0
     >>> masked = flipfree.segment(phantom.image, start_labels=phantom.label_map, start_label=flipfree.Organ.LIVER)
     >>> round(flipfree.evaluate(masked, phantom.label_map, reference_label=flipfree.Organ.LIVER).dice, 2)
-    0.99
+    0.98
     >>> flipfree.segment(phantom.image, seed=(-50, 0, 0), radius=28)
     Traceback (most recent call last):
       ...
