@@ -29,7 +29,7 @@ bool SegmentationResult::IsUpToDate(vtkInformationVector** inputs, vtkMTimeType 
   {
     return false;
   }
-  for (int port = 0; port < 2; ++port)
+  for (int port = 0; port < 4; ++port)
   {
     vtkDataObject* input = vtkDataObject::GetData(inputs[port]);
     if (input && this->Time < input->GetMTime())

@@ -5,7 +5,7 @@
 namespace FlipFree
 {
 
-SegmentationState::SegmentationState(const Key& key, vtkDataArray* voxels,
+SegmentationState::SegmentationState(const SegmentationStateKey& key, vtkDataArray* voxels,
   std::unique_ptr<VolumeSegmenter> segmenter)
   : MadeOf(key)
   , Voxels(voxels)
@@ -13,11 +13,12 @@ SegmentationState::SegmentationState(const Key& key, vtkDataArray* voxels,
 {
 }
 
-bool SegmentationState::IsOf(const Key& key) const
+bool SegmentationState::IsOf(const SegmentationStateKey& key) const
 {
-  const Key& mine = this->MadeOf;
+  const SegmentationStateKey& mine = this->MadeOf;
   return mine.Image == key.Image && mine.ImageTime == key.ImageTime && mine.Start == key.Start &&
-    mine.StartTime == key.StartTime && mine.ParameterTime == key.ParameterTime &&
+    mine.StartTime == key.StartTime && mine.Labels == key.Labels &&
+    mine.LabelsTime == key.LabelsTime && mine.ParameterTime == key.ParameterTime &&
     mine.Seed.Center == key.Seed.Center && mine.Seed.Radius == key.Seed.Radius;
 }
 

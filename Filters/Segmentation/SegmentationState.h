@@ -18,29 +18,31 @@ class vtkImageData;
 namespace FlipFree
 {
 
+/// Of what the segmenter was made. The seed is compared, the rest by modification times.
+struct SegmentationStateKey
+{
+  vtkImageData* Image = nullptr;
+  vtkMTimeType ImageTime = 0;
+  vtkPolyData* Start = nullptr;
+  vtkMTimeType StartTime = 0;
+  vtkImageData* Labels = nullptr;
+  vtkMTimeType LabelsTime = 0;
+  vtkMTimeType ParameterTime = 0;
+  SeedSphere Seed;
+};
+
 class SegmentationState
 {
 public:
-  /// Of what the segmenter was made. The seed is compared, the rest by modification times.
-  struct Key
-  {
-    vtkImageData* Image = nullptr;
-    vtkMTimeType ImageTime = 0;
-    vtkPolyData* Start = nullptr;
-    vtkMTimeType StartTime = 0;
-    vtkMTimeType ParameterTime = 0;
-    SeedSphere Seed;
-  };
-
   /// Keeps the voxels alive, not the image.
-  SegmentationState(const Key& key, vtkDataArray* voxels,
+  SegmentationState(const SegmentationStateKey& key, vtkDataArray* voxels,
     std::unique_ptr<VolumeSegmenter> segmenter);
 
-  bool IsOf(const Key& key) const;
+  bool IsOf(const SegmentationStateKey& key) const;
   VolumeSegmenter& Segmenter() const { return *this->Volume; }
 
 private:
-  const Key MadeOf;
+  const SegmentationStateKey MadeOf;
   const vtkSmartPointer<vtkDataArray> Voxels;
   const std::unique_ptr<VolumeSegmenter> Volume;
 };

@@ -5,7 +5,7 @@
 #include "Deformation/TargetSearch.h"
 #include "FieldData.h"
 #include "GrayImageAdapter.h"
-#include "Measures/VoxelOverlap.h"
+#include "Image/GridCheck.h"
 #include "PipelineAdapter.h"
 #include "StageProperties.h"
 

@@ -43,7 +43,7 @@ vtkFlipFreeSegmentation::vtkFlipFreeSegmentation()
   , Deform(vtkSmartPointer<vtkFlipFreeDeform>::New())
   , Constraints(std::make_unique<FlipFree::ConstraintList>())
 {
-  this->SetNumberOfInputPorts(3);
+  this->SetNumberOfInputPorts(4);
   this->SetNumberOfOutputPorts(3);
 }
 
@@ -84,9 +84,14 @@ void vtkFlipFreeSegmentation::SetStartData(vtkPolyData* surface)
   this->SetInputDataObject(1, surface);
 }
 
+void vtkFlipFreeSegmentation::SetStartLabelsData(vtkImageData* labels)
+{
+  this->SetInputDataObject(3, labels);
+}
+
 int vtkFlipFreeSegmentation::FillInputPortInformation(int port, vtkInformation* info)
 {
-  const char* const types[3] = { "vtkImageData", "vtkPolyData", "vtkPointSet" };
+  const char* const types[4] = { "vtkImageData", "vtkPolyData", "vtkPointSet", "vtkImageData" };
   info->Set(INPUT_REQUIRED_DATA_TYPE(), types[port]);
   info->Set(INPUT_IS_OPTIONAL(), port > 0);
   return 1;
@@ -142,6 +147,10 @@ int vtkFlipFreeSegmentation::RequestUpdateExtent(vtkInformationVector** inputs) 
 {
   vtkInformation* in = inputs[0]->GetInformationObject(0);
   FlipFree::RequestWholeExtent(in);
+  if (inputs[3]->GetNumberOfInformationObjects() > 0)
+  {
+    FlipFree::RequestWholeExtent(inputs[3]->GetInformationObject(0));
+  }
   if (this->KeepHistory)
   {
     // Time is the number of the iteration here, and none of the image's.
@@ -163,8 +172,7 @@ int vtkFlipFreeSegmentation::RequestData(vtkInformationVector** inputs,
     this->Cache = std::make_unique<FlipFree::SegmentationResult>();
     try
     {
-      this->Segment(vtkImageData::GetData(inputs[0]), vtkPolyData::GetData(inputs[1]),
-        vtkPointSet::GetData(inputs[2]));
+      this->Segment(inputs);
     }
     catch (const std::exception& error)
     {
@@ -186,14 +194,13 @@ int vtkFlipFreeSegmentation::RequestData(vtkInformationVector** inputs,
   return 1;
 }
 
-void vtkFlipFreeSegmentation::Segment(vtkImageData* image, vtkPolyData* start,
-  vtkPointSet* constraints)
+void vtkFlipFreeSegmentation::Segment(vtkInformationVector** inputs)
 {
   this->StopReason = NOT_RUN;
   this->NumberOfSelfIntersections = -1;
   std::fill_n(this->StageSeconds, 4, 0.0);
 
-  const FlipFree::VolumeSegmentation result = this->Run(image, start, constraints);
+  const FlipFree::VolumeSegmentation result = this->Run(inputs);
   std::copy(result.StageSeconds.begin(), result.StageSeconds.end(), this->StageSeconds);
   this->StopReason = static_cast<int>(result.Organ.Reason);
   this->Cache->Store(result.Organ, this->GetGuard());
@@ -207,8 +214,8 @@ void vtkFlipFreeSegmentation::Segment(vtkImageData* image, vtkPolyData* start,
     vtkWarningMacro(<< warning);
   }
   FlipFree::Stopwatch watch;
-  FlipFree::MakeLabelMap(result.Voxels, static_cast<unsigned char>(this->LabelValue), image,
-    this->Cache->Labels);
+  FlipFree::MakeLabelMap(result.Voxels, static_cast<unsigned char>(this->LabelValue),
+    vtkImageData::GetData(inputs[0]), this->Cache->Labels);
   this->StageSeconds[3] += watch.Lap();
   this->UpdateProgress(1);
 }

@@ -28,6 +28,12 @@
  * lies within half the smallest spacing of the surface. The largest seed is the start. The result
  * depends on the set of points alone, not on their order or on earlier runs.
  *
+ * Input port 3, optional: vtkImageData, a label map with the geometry of the image: of a network,
+ * an atlas, or an earlier result. The surface then fills its voxels of the value StartLabel, the
+ * part of them that is connected with the largest ball they hold, in place of a foreground found in
+ * the image; that ball takes the place of the seed, so SeedCenter and SeedRadius are not used.
+ * Points of port 2 correct it like any other result.
+ *
  * Output port 0: vtkPolyData, the surface, with the point arrays `Displacement` (3 doubles, mm; the
  * last one wanted) and `Correspondence` (unsigned char; 0 solitary, 1 matched, 2 flipping), and the
  * field data `Certified` (double): 1 if the guard was on, 0 otherwise.
@@ -40,14 +46,16 @@
  * a seed outside the image, a radius below a voxel, a seed without contrast to its surroundings, a
  * start surface that is open, not four-valent or self-intersecting, a property that is NaN; a
  * constraint outside the image, in contradiction to another one or to the seed, or one that no
- * surface of one piece can obey; constraints without the guard. Each is reported once, naming the
- * point, and the outputs are then empty.
+ * surface of one piece can obey; constraints without the guard; start labels on another grid than
+ * the image, without voxels of StartLabel, or nowhere thicker than two voxels. Each is reported
+ * once, naming the point, and the outputs are then empty.
  *
  * Warnings, with a result all the same: the seed sphere reaches beyond the image; no vertex found a
  * boundary; the surface could not be refined; it touches the end of Reach. A surface grown from the
  * seed under the guard also warns if more than a tenth of it found no boundary (unless search lines
  * are shorter than by default), or if more than a quarter of it lies at the image's ends along two
- * axes: the seed may lie in air.
+ * axes: the seed may lie in air. A surface in start labels warns if it misses more than a twentieth
+ * of their voxels.
  *
  * Source: the paper, Algorithm 1 and sections 3.1 to 3.6. Each remedy beyond it has its own switch.
  */
@@ -74,6 +82,7 @@ class vtkTable;
 namespace FlipFree
 {
 class SegmentationState;
+struct SegmentationStateKey;
 struct OrganSegmentationSettings;
 struct PointConstraint;
 struct ScheduleSettings;
@@ -118,6 +127,23 @@ public:
    */
   void SetConstraintConnection(vtkAlgorithmOutput* output) { this->SetInputConnection(2, output); }
   void SetConstraintData(vtkPointSet* points);
+  ///@}
+
+  ///@{
+  /**
+   * Connects or sets the label map that the surface is to fill (input port 3).
+   */
+  void SetStartLabelsConnection(vtkAlgorithmOutput* output) { this->SetInputConnection(3, output); }
+  void SetStartLabelsData(vtkImageData* labels);
+  ///@}
+
+  ///@{
+  /**
+   * Which voxels of input port 3 the surface fills: those of this value, or with 0 all that are not
+   * 0. Default 1; 0 to 2147483647. Without that input, it has no effect.
+   */
+  void SetStartLabel(int value);
+  int GetStartLabel() const;
   ///@}
 
   ///@{
@@ -395,6 +421,7 @@ protected:
   double StartScale = 1;
   double StartCenterOffset[3] = { 0, 0, 0 };
   int LabelValue = 1;
+  int StartLabel = 1;
   bool KeepHistory = false;
   bool KeepForCorrections = false;
 
@@ -407,8 +434,11 @@ private:
   FlipFree::VolumeSegmentationSettings GetSettings() const;
   void UseSettings(const FlipFree::OrganSegmentationSettings& settings);
   bool IsCacheUpToDate(vtkInformationVector** inputs);
-  void Segment(vtkImageData* image, vtkPolyData* start, vtkPointSet* constraints);
-  FlipFree::VolumeSegmentation Run(vtkImageData* image, vtkPolyData* start, vtkPointSet* points);
+  void Segment(vtkInformationVector** inputs);
+  FlipFree::VolumeSegmentation Run(vtkInformationVector** inputs);
+  std::unique_ptr<FlipFree::SegmentationState> MakeState(
+    const FlipFree::SegmentationStateKey& key) const;
+  std::vector<FlipFree::PointConstraint> AllConstraints(vtkPointSet* points) const;
   vtkMTimeType GetParameterTime();
   void AddConstraint(const FlipFree::PointConstraint& constraint);
 

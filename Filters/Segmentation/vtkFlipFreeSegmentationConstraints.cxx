@@ -1,20 +1,9 @@
-// The run of vtkFlipFreeSegmentation with the points that correct it.
+// The points that correct the result of vtkFlipFreeSegmentation.
 #include "vtkFlipFreeSegmentation.h"
 
 #include "ConstraintPoints.h"
-#include "ContourMeshAdapter.h"
-#include "ExecutionAdapter.h"
-#include "GrayImageAdapter.h"
-#include "SegmentationResult.h"
-#include "SegmentationState.h"
 
-#include "vtkImageData.h"
-#include "vtkPointData.h"
 #include "vtkPointSet.h"
-#include "vtkPolyData.h"
-
-#include <optional>
-#include <utility>
 
 using FlipFree::ConstraintKind;
 
@@ -73,54 +62,13 @@ void vtkFlipFreeSegmentation::RemoveAllPoints()
   }
 }
 
-FlipFree::VolumeSegmentation vtkFlipFreeSegmentation::Run(vtkImageData* image, vtkPolyData* start,
-  vtkPointSet* points)
+FlipFree::ConstraintList vtkFlipFreeSegmentation::AllConstraints(vtkPointSet* points) const
 {
-  this->RequireProperties();
-  const std::string name = "the image on port 0";
-  FlipFree::RequireGrayImage(image, name);
-  FlipFree::SegmentationState::Key key;
-  key.Image = image;
-  key.ImageTime = image->GetMTime();
-  key.Start = start;
-  key.StartTime = start ? start->GetMTime() : 0;
-  key.ParameterTime = this->GetParameterTime();
-  key.Seed = { Eigen::Vector3d(this->SeedCenter), this->SeedRadius };
   FlipFree::ConstraintList constraints = *this->Constraints;
   if (points)
   {
     const auto more = FlipFree::ConstraintsOf(points, "the point set on port 2");
     constraints.insert(constraints.end(), more.begin(), more.end());
   }
-  FlipFree::TakeLargestSeed(key.Seed, constraints);
-  if (!this->State || !this->State->IsOf(key))
-  {
-    this->State.reset(); // what follows needs the memory
-    FlipFree::RequireSeed(FlipFree::GeometryOf(image), key.Seed, name);
-    std::optional<FlipFree::DeformableSurface> surface;
-    if (start)
-    {
-      surface =
-        FlipFree::DeformableSurfaceOf(start, "the start surface on port 1", this->GetGuard());
-    }
-    this->State =
-      std::make_unique<FlipFree::SegmentationState>(key, image->GetPointData()->GetScalars(),
-        std::make_unique<FlipFree::VolumeSegmenter>(FlipFree::GrayVolumeOf(image, name), name,
-          key.Seed, surface ? &*surface : nullptr, this->GetSettings(), FlipFree::SMPThreading()));
-  }
-  FlipFree::VolumeSegmentation result =
-    this->State->Segmenter().Segment(constraints, FlipFree::MonitorOf(this, 0, 0.95),
-      [this](const FlipFree::ContourMesh& mesh, const FlipFree::PointList& surface,
-        const FlipFree::CorrespondenceField& field, const FlipFree::IterationRecord&)
-      {
-        if (this->KeepHistory)
-        {
-          this->Cache->History.Add(mesh, surface, field);
-        }
-      });
-  if (!this->KeepForCorrections || result.Organ.Reason == FlipFree::StopReason::Aborted)
-  {
-    this->State.reset();
-  }
-  return result;
+  return constraints;
 }

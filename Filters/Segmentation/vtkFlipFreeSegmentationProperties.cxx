@@ -21,6 +21,7 @@ using Stage = vtkFlipFreeSegmentation;
   P(StartScale, double, StartScale, 1e-3, 1e3)                                                     \
   FLIPFREE_SCHEDULE_PARAMETERS(P, Schedule->)                                                      \
   P(LabelValue, int, LabelValue, 1, 255)                                                           \
+  P(StartLabel, int, StartLabel, 0, VTK_INT_MAX)                                                   \
   P(KeepHistory, bool, KeepHistory, false, true)                                                   \
   P(KeepForCorrections, bool, KeepForCorrections, false, true)
 

@@ -162,8 +162,8 @@ class Parameters(unittest.TestCase):
         owners = [segmentation, segmentation.GetFeature(), segmentation.GetSearch(), segmentation.GetDeform()]
         names = {name[3:] for owner in owners for name in vars(type(owner))
                  if name.startswith("Set") and hasattr(owner, "Get" + name[3:])}
-        # The seed and the stages have arguments of their own or none; the feature has the threshold; corrected() keeps.
-        names -= {"SeedCenter", "SeedRadius", "Diffusion", "Feature", "Search", "Deform", "Threshold",
+        # The seed, the start labels and the stages have arguments of their own or none; the feature has the threshold; corrected() keeps.
+        names -= {"SeedCenter", "SeedRadius", "StartLabel", "Diffusion", "Feature", "Search", "Deform", "Threshold",
                   "KeepForCorrections"}
         defaults = flipfree.default_parameters()
         self.assertEqual({name.replace("_", "") for name in defaults}, {name.lower() for name in names})

@@ -43,7 +43,7 @@ except flipfree.SegmentationError as error:
 BAD = {
     'flipfree.segment("ct.nii", (1, 2, 3), 26, level=2)': 'Unexpected keyword argument "level"',
     'flipfree.segment("ct.nii", (1, 2, 3), 26, levels="2")': 'type "str"; expected "int"',
-    'flipfree.segment("ct.nii", (1, 2, 3))': 'Missing positional argument "radius"',
+    'flipfree.segment("ct.nii", (1, 2, 3), "9")': 'incompatible type "str"',
     'flipfree.segment("ct.nii", (1, 2, 3), 26, preset="fast")': "expected \"Literal['default'",
     'flipfree.segment("ct.nii", (1, 2, 3), 26).dice': 'has no attribute "dice"',
     'flipfree.trace("ct.nii")': 'Missing positional argument "points"',

@@ -88,6 +88,25 @@ class Work(unittest.TestCase):
         self.assertEqual(len(ours), len(theirs))
         self.assertEqual(list(ours[0]), list(theirs[0]))
 
+    def test_start_labels(self):
+        """A label map in place of a seed."""
+        for name, program in (("ours", OURS), ("theirs", TOOLKIT)):
+            process = run("segment", self.volume, "--start-labels", self.truth, "--outside", 24, 38, 24, "-o",
+                          self.folder / f"{name}.stl", program=program)
+            self.assertEqual((process.returncode, process.stderr), (0, ""))
+        self.assertEqual((self.folder / "ours.stl").read_bytes()[84:], (self.folder / "theirs.stl").read_bytes()[84:])
+        for arguments, status, message in (
+                ([*self.seed, "--start-labels", self.truth], 2, "--start-labels takes the place of the seed"),
+                (["--start-labels", self.truth, "--session", "a.json"], 2, "--session has the seed"),
+                (["--start-labels", self.truth, "--start-label", 9], 1, "the start labels have no voxel of the value 9; they have 1"),
+                (["--start-labels", "nowhere.nii"], 1, "'nowhere.nii'"),
+                ([*self.seed, "--start-label", 9], 2, "--start-label")):
+            with self.subTest(message):
+                process = run("segment", self.volume, *arguments, "-o", self.folder / "bad.stl")
+                self.assertEqual(process.returncode, status, process.stderr)
+                self.assertRegex(process.stderr, rf"\Aflipfree: error: [^\n]*{message}[^\n]*\.\n\Z")
+        self.assertFalse((self.folder / "bad.stl").exists())
+
     def test_session(self):
         """What the page in the browser saves, repeated by both commands."""
         organ = {"name": "left/lobe", "color": "#ffd24a", "preset": "default", "parameters": {"resolution": 8, "carving": False},

@@ -26,6 +26,7 @@ RUNS = {
     "naive": {"preset": "naive", "maximum_iterations": 9, "resolution": 16},
     "others": {"levels": 2, "resolution": 16, "leak_control": False, "edge_window": 0, "reach": 90,
                "diffusion_iterations": 12, "keep_history": True, "start_center_offset": (2, 0, -3)},
+    "start labels": {"start_label": 6, "outside": [(60, 83, 167)]},
 }
 
 
@@ -95,7 +96,8 @@ def results():
     for preset in ("default", "published", "naive"):
         found[f"parameters, {preset}"] = flipfree.default_parameters(preset)
     for name, parameters in RUNS.items():
-        organ = flipfree.segment(phantom.image, SEED, RADIUS, **parameters)
+        start = {"start_labels": phantom.label_map} if "start_label" in parameters else {"seed": SEED, "radius": RADIUS}
+        organ = flipfree.segment(phantom.image, **start, **parameters)
         found[f"{name}, points"] = organ.points
         found[f"{name}, faces"] = organ.faces
         found[f"{name}, labels"] = organ.labels

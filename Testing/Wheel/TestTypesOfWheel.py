@@ -37,7 +37,7 @@ flipfree.set_threads(2)
 BAD = {
     'flipfree.segment("ct.nii", (1, 2, 3), 26, level=2)': 'Unexpected keyword argument "level"',
     'flipfree.segment("ct.nii", (1, 2, 3), 26, levels="2")': 'type "str"; expected "int"',
-    'flipfree.segment("ct.nii", (1, 2, 3))': 'Missing positional argument "radius"',
+    'flipfree.segment("ct.nii", (1, 2, 3), "9")': 'incompatible type "str"',
     'flipfree.segment(7, (1, 2, 3), 26)': 'incompatible type "int"',
     'flipfree.trace("ct.nii")': 'Missing positional argument "points"',
     'flipfree.trace("ct.nii", [(1, 2, 3)], radios=4)': 'Unexpected keyword argument "radios"',

@@ -49,6 +49,8 @@ struct Segmentation
   std::vector<double> Seed;
   std::vector<int> SeedVoxel;
   double Radius = 0;
+  std::string StartLabels; // in place of the seed
+  int StartLabel = 1;
   std::string Surface;
   std::string Labels;
   std::string Convergence;
@@ -59,6 +61,20 @@ struct Segmentation
   SegmentParameters Parameters;
   PointOptions Corrections;
 };
+
+/// A label map in place of a seed.
+void RequireNoSeed(const Segmentation& segmentation)
+{
+  if (!segmentation.Session.empty())
+  {
+    throw WrongUsage("--session has the seed. Leave out --start-labels.");
+  }
+  if (!segmentation.Seed.empty() || !segmentation.SeedVoxel.empty() || segmentation.Radius != 0)
+  {
+    throw WrongUsage("--start-labels takes the place of the seed. Leave out --seed, --seed-voxel "
+                     "and --radius; points correct the result.");
+  }
+}
 
 /// An image and a seed, or a session.
 void RequireStart(const Segmentation& segmentation)
@@ -83,11 +99,15 @@ void RequireStart(const Segmentation& segmentation)
   {
     throw WrongUsage("INPUT is required: a volume, or a folder of a DICOM series.");
   }
+  if (!segmentation.StartLabels.empty())
+  {
+    return;
+  }
   if (segmentation.Seed.empty() == segmentation.SeedVoxel.empty())
   {
     throw WrongUsage(segmentation.Seed.empty()
         ? "There is no seed. Give a point deep inside the organ: --seed X Y Z (LPS mm) or "
-          "--seed-voxel I J K."
+          "--seed-voxel I J K; or a label map to fill: --start-labels FILE."
         : "Both --seed and --seed-voxel are given. Give only one of them.");
   }
   for (const double coordinate : segmentation.Seed)
@@ -103,6 +123,10 @@ void RequireStart(const Segmentation& segmentation)
 /// Checks all that can be checked before a file is read.
 void RequireSense(const Segmentation& segmentation)
 {
+  if (!segmentation.StartLabels.empty())
+  {
+    RequireNoSeed(segmentation);
+  }
   RequireStart(segmentation);
   if (segmentation.Surface.empty() && segmentation.Labels.empty() &&
     segmentation.Convergence.empty() && segmentation.Snapshot.empty())
@@ -132,7 +156,7 @@ void AnnounceOutputs(const Segmentation& segmentation, OutputFiles& outputs)
   {
     if (!name->empty())
     {
-      outputs.Announce(*name, { segmentation.Input });
+      outputs.Announce(*name, { segmentation.Input, segmentation.StartLabels });
     }
   }
   if (!segmentation.Snapshot.empty())
@@ -302,7 +326,9 @@ FilterPointer FilterOf(const Segmentation& segmentation)
 {
   auto filter = FilterPointer::New();
   filter->SetSeedRadius(segmentation.Radius);
-  if (filter->GetSeedRadius() != segmentation.Radius) // clamped, or NaN
+  filter->SetStartLabel(segmentation.StartLabel);
+  if (segmentation.StartLabels.empty() &&
+    filter->GetSeedRadius() != segmentation.Radius) // clamped, or NaN
   {
     throw WrongUsage("--radius must be a positive number of millimeters, 1e-6 to 1e6. The sphere "
                      "should lie within the organ.");
@@ -314,9 +340,12 @@ FilterPointer FilterOf(const Segmentation& segmentation)
 
 void RunOn(vtkImageData* image, const Segmentation& segmentation, vtkFlipFreeSegmentation* filter)
 {
-  const Point seed = SeedIn(image, segmentation);
   filter->SetInputDataObject(image);
-  filter->SetSeedCenter(seed[0], seed[1], seed[2]);
+  if (segmentation.StartLabels.empty())
+  {
+    const Point seed = SeedIn(image, segmentation);
+    filter->SetSeedCenter(seed[0], seed[1], seed[2]);
+  }
   const std::string title = TitleOf(segmentation);
   try
   {
@@ -368,6 +397,10 @@ void SegmentOrgans(const std::vector<Segmentation>& organs, const Session* sessi
 
   const auto start = std::chrono::steady_clock::now();
   const vtkSmartPointer<vtkImageData> image = ReadVolume(first.Input, first.SeriesUID);
+  if (!first.StartLabels.empty())
+  {
+    filters.front()->SetStartLabelsData(ReadVolume(first.StartLabels));
+  }
   const std::chrono::duration<double> reading = std::chrono::steady_clock::now() - start;
   if (session)
   {
@@ -429,6 +462,7 @@ const char* const Footer =
   "      --labels spleen.nii.gz --convergence spleen.csv --snapshot spleen.png\n"
   "  flipfree segment dicom/ --series 1.2.840.1 --seed 90 20 -640 --radius 12 -o kidney.vtp\n"
   "  flipfree segment ct.nii.gz --seed 83 -154 321 --radius 26 --preset naive -o flips.ply\n"
+  "  flipfree segment ct.nii.gz --start-labels network.nii.gz --start-label 6 -o liver.stl\n"
   "  flipfree segment ct.nii.gz --session session.json -o organ.stl --labels organs.nii.gz\n"
   "\n"
   "The seed sphere should lie within the organ and have at least half the radius of the largest\n"
@@ -461,6 +495,18 @@ void AddFiles(CLI::App* command, Segmentation& segmentation)
     ->expected(3);
   command->add_option("--radius", segmentation.Radius, "Radius of the seed sphere, in millimeters")
     ->type_name("MM");
+  command
+    ->add_option("--start-labels", segmentation.StartLabels,
+      "Label map on the image's grid (of a network, an atlas, an earlier result) that the surface "
+      "fills, in place of a seed; points correct it (.nii .nii.gz .nrrd .nhdr .mha .mhd)")
+    ->type_name("FILE");
+  command
+    ->add_option("--start-label", segmentation.StartLabel,
+      "The value of the organ in --start-labels; 0 for all that are not 0")
+    ->type_name("N")
+    ->check(CLI::NonNegativeNumber)
+    ->capture_default_str()
+    ->needs("--start-labels");
   command->add_option("-o,--output", segmentation.Surface, "Surface (.vtp .stl .ply .obj)")
     ->type_name("FILE");
   command->add_option("--labels", segmentation.Labels, "Label map (.nii.gz .nii .nrrd .mha)")

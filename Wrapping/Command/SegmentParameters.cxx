@@ -395,7 +395,7 @@ SegmentParameters SegmentParameters::With(const std::string& preset,
 OptionNames SegmentParameters::Names()
 {
   OptionNames names{ { "SeedCenter", "--seed" }, { "SeedRadius", "--radius" },
-    { "StartCenterOffset", "--start-offset" } };
+    { "StartLabel", "--start-label" }, { "StartCenterOffset", "--start-offset" } };
   for (const ParameterGroup& group : Table())
   {
     for (const Parameter& parameter : group.Parameters)

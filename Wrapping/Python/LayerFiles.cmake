@@ -7,6 +7,7 @@ set(FLIPFREE_LAYER_FILES
   _faces.py
   _foreign.py
   _interrupt.py
+  _labels.py
   _messages.py
   _parameters.py
   _phantom.py

@@ -10,6 +10,7 @@
 
 #include <memory>
 #include <optional>
+#include <utility>
 
 namespace FlipFree
 {
@@ -44,6 +45,13 @@ public:
   {
   }
 
+  void SetForeground(BitMask mask)
+  {
+    this->Carved = std::move(mask);
+    this->IsCarved = true;
+    this->IsGiven = true;
+  }
+
   OrganSurface Execute(const ConstraintList& constraints, const DeformableSurface* start,
     const Monitor& monitor, const IterationObserver& observer)
   {
@@ -61,13 +69,15 @@ public:
   }
 
 private:
+  bool RunsTwice() const { return this->Settings.Feature.Carving && !this->IsGiven; }
+  int LevelsBefore() const { return this->RunsTwice() && this->IsCarved ? this->Levels : 0; }
+
   // Remembers a stop, and does not ask again.
   bool Proceed(int level, double partOfLevel)
   {
-    const int runs = this->Settings.Feature.Carving ? 2 : 1;
-    const double before = this->IsCarved ? this->Levels : 0;
-    this->Stopped =
-      this->Stopped || !this->Ask((before + level + partOfLevel) / (runs * this->Levels));
+    const int runs = this->RunsTwice() ? 2 : 1;
+    this->Stopped = this->Stopped ||
+      !this->Ask((this->LevelsBefore() + level + partOfLevel) / (runs * this->Levels));
     return !this->Stopped;
   }
 
@@ -75,7 +85,7 @@ private:
   // the neck, so the second run starts anew.
   StopReason Run(const DeformableSurface& start)
   {
-    if (this->Settings.Feature.Carving)
+    if (this->Settings.Feature.Carving || this->IsGiven)
     {
       if (!this->IsCarved && !this->RunFirst())
       {
@@ -298,7 +308,7 @@ private:
   {
     IterationRecord record;
     record.Iteration = static_cast<int>(this->Surface.Iterations.size()) + 1;
-    record.Level = this->Level + (this->IsCarved ? this->Levels : 0);
+    record.Level = this->Level + this->LevelsBefore();
     record.Vertices = this->Surface.Mesh.NumberOfPoints();
 
     TargetSettings targets = this->Settings.Targets;
@@ -343,6 +353,7 @@ private:
   int Level = 0;
   bool Stopped = false;
   bool IsCarved = false;
+  bool IsGiven = false; // the foreground; there is no first run then
 
   // Of the first run.
   std::vector<IterationRecord> FirstIterations;
@@ -358,6 +369,11 @@ OrganSegmenter::OrganSegmenter(SmoothRegion& region, double noise, const SeedSph
 }
 
 OrganSegmenter::~OrganSegmenter() = default;
+
+void OrganSegmenter::SetForeground(BitMask mask)
+{
+  this->Levels->SetForeground(std::move(mask));
+}
 
 OrganSurface OrganSegmenter::Segment(const ConstraintList& constraints,
   const DeformableSurface* start, const Monitor& monitor, const IterationObserver& observer)

@@ -57,6 +57,10 @@ public:
   OrganSegmenter(const OrganSegmenter&) = delete;
   OrganSegmenter& operator=(const OrganSegmenter&) = delete;
 
+  /// Takes a mask of the region in place of the foreground that is found in the image, and its
+  /// carving; all levels are then run once. It holds voxels of the seed.
+  void SetForeground(BitMask mask);
+
   /// Throws Error for bad input, and where a constraint cannot be obeyed, naming it; a stop by the
   /// monitor gives the surface reached so far and StopReason::Aborted. The observer sees the
   /// iterations that are run, not those of a first run that is kept. Constraints need the guard.

@@ -1,10 +1,13 @@
 #include "Deformation/VolumeSegmentation.h"
 
 #include "Deformation/SegmentationWarnings.h"
+#include "Deformation/StartMask.h"
 #include "Error.h"
+#include "Image/GridCheck.h"
 #include "Stopwatch.h"
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <stdexcept>
 #include <utility>
@@ -21,6 +24,9 @@ constexpr double ShrinkTo = 0.9;
 
 // In millimeters; the surface may bulge that far around a constraint.
 constexpr double MarginOfPoint = 30;
+
+// A surface rounds off the corners of voxels: this part of a mask.
+constexpr double MissedSilently = 0.05;
 
 double NoiseOf(const GrayVolume& volume, const SeedSphere& seed)
 {
@@ -77,6 +83,17 @@ void RequireGuard(const ConstraintList& constraints, bool guard)
   }
 }
 
+void WarnOfMissed(double fraction, const std::string& name, std::vector<std::string>& warnings)
+{
+  if (fraction > MissedSilently)
+  {
+    warnings.push_back(std::to_string(std::lround(100 * fraction)) + " % of " + name +
+      " lie outside the surface, which is of one piece and does not enter what is thinner than "
+      "about two voxels; remove parts that lie apart, add inside points where some are missed, or "
+      "segment the parts one by one.");
+  }
+}
+
 void RequireCertified(const OrganSurface& organ)
 {
   if (organ.SelfIntersections > 0)
@@ -108,7 +125,17 @@ VolumeSegmenter::VolumeSegmenter(GrayVolume volume, std::string name, const Seed
                           this->StartBall.Center, this->StartBall.Radius);
 }
 
-// What is smoothed, in which the surface stays: as far as the reach, and around the constraints.
+void VolumeSegmenter::SetForeground(BitMask mask, std::string name)
+{
+  this->Release();
+  RequireSameGeometry(mask.GetGeometry(), this->Volume.Geometry, name, this->Name);
+  this->Given = BitMask(this->Volume.Geometry); // exactly the volume's, which headers round
+  this->Given.GetWords() = std::move(mask.GetWords());
+  this->GivenName = std::move(name);
+}
+
+// What is smoothed, in which the surface stays: as far as the reach, and around the constraints and
+// the mask.
 VoxelBox VolumeSegmenter::RegionOf(const ConstraintList& constraints) const
 {
   const ImageGeometry& geometry = this->Volume.Geometry;
@@ -119,7 +146,8 @@ VoxelBox VolumeSegmenter::RegionOf(const ConstraintList& constraints) const
     box = box.Joined(
       BoxAround(geometry, constraint.Point, std::max(MarginOfPoint, 2 * constraint.Radius)));
   }
-  return box;
+  const VoxelBox mask = this->Given.Bounds();
+  return mask.IsEmpty() ? box : box.Joined(mask.Widened({ { 2, 2, 2 } }, WholeBox(geometry)));
 }
 
 void VolumeSegmenter::Prepare(const VoxelBox& box)
@@ -136,6 +164,10 @@ void VolumeSegmenter::Prepare(const VoxelBox& box)
     diffusion, this->Threads.For);
   this->Organ = std::make_unique<OrganSegmenter>(*this->Smooth, this->Noise, this->Seed,
     this->Start, this->Settings.Method, this->Threads.For);
+  if (this->HasForeground())
+  {
+    this->Organ->SetForeground(PieceOf(this->Given.Cropped(box), this->Seed));
+  }
 }
 
 void VolumeSegmenter::Release()
@@ -174,9 +206,13 @@ VolumeSegmentation VolumeSegmenter::Segment(const ConstraintList& constraints,
   {
     RequireCertified(organ);
   }
-  result.Warnings =
-    WarningsOf(organ, this->Region, geometry, this->Seed, method, this->StartsAtSeed);
+  result.Warnings = WarningsOf(organ, this->Region, geometry, this->Seed, method,
+    this->StartsAtSeed && !this->HasForeground());
   result.Voxels = VoxelizeSurface(organ.Points, organ.Mesh.Triangles, geometry, this->Threads.For);
+  if (this->HasForeground())
+  {
+    WarnOfMissed(FractionMissed(this->Given, result.Voxels), this->GivenName, result.Warnings);
+  }
   result.StageSeconds[3] = watch.Lap();
   return result;
 }

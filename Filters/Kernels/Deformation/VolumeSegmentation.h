@@ -8,6 +8,7 @@
 
 #include "Deformation/OrganSegmentation.h"
 #include "Deformation/StartSurface.h"
+#include "Image/BitMask.h"
 #include "Image/FiniteVoxels.h"
 #include "Mesh/SurfaceVoxelization.h"
 
@@ -72,6 +73,10 @@ public:
     const DeformableSurface* start, const VolumeSegmentationSettings& settings,
     Threading threading);
 
+  /// Fills a mask of the volume in place of a foreground that is found in the image. The seed lies
+  /// in it (see LargestBallIn()); `name` names it in the warning that says what was not reached.
+  void SetForeground(BitMask mask, std::string name);
+
   /// Throws as the constructor does, also where a constraint cannot be obeyed, naming it; and
   /// std::logic_error if a guarded surface should intersect itself. A stop by the monitor gives the
   /// iterations so far and StopReason::Aborted.
@@ -82,6 +87,7 @@ public:
   void Release();
 
 private:
+  bool HasForeground() const { return this->Given.GetGeometry().NumberOfVoxels() > 0; }
   VoxelBox RegionOf(const ConstraintList& constraints) const;
   void Prepare(const VoxelBox& box);
 
@@ -94,6 +100,9 @@ private:
   SeedSphere StartBall;
   bool IsSphere = true; ///< the start
   bool StartsAtSeed = false;
+
+  BitMask Given;         ///< without voxels where the foreground is to be found
+  std::string GivenName; ///< of the mask
 
   double Noise = 0;
   VoxelBox Box;

@@ -1,5 +1,5 @@
 /**
- * The check that a voxel grid is one.
+ * The checks that a voxel grid is one, and that two are the same.
  */
 #ifndef FlipFreeGridCheck_h
 #define FlipFreeGridCheck_h
@@ -31,6 +31,11 @@ inline void RequireProperGrid(const ImageGeometry& geometry, const std::string& 
       "them");
   }
 }
+
+/// Throws std::invalid_argument, saying what differs between the two named so, unless the grids
+/// have the same dimensions and each voxel lies within a hundredth of a voxel of its counterpart.
+void RequireSameGeometry(const ImageGeometry& one, const ImageGeometry& other,
+  const std::string& nameOfOne, const std::string& nameOfOther);
 
 } // namespace FlipFree
 

@@ -37,11 +37,6 @@ struct VoxelOverlap
 VoxelOverlap MeasureOverlap(const BitMask& segmentation, const BitMask& reference,
   const ParallelFor& parallelFor = SerialFor);
 
-/// Throws std::invalid_argument, saying what differs between the two named so, unless the grids
-/// have the same dimensions and each voxel lies within a hundredth of a voxel of its counterpart.
-void RequireSameGeometry(const ImageGeometry& one, const ImageGeometry& other,
-  const std::string& nameOfOne, const std::string& nameOfOther);
-
 } // namespace FlipFree
 
 #endif

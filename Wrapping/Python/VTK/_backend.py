@@ -26,10 +26,10 @@ ADDING = ("AddOutsidePoint", "AddInsidePoint", "AddBoundaryPoint", "AddSeed")
 # The seed has arguments of its own; the stages know two parameters by other names than the method.
 SEGMENT_PARAMETERS = properties_of(
     vtkFlipFreeSegmentation(),
-    without=("seed_center", "seed_radius", "number_of_iterations", "threshold", "keep_for_corrections"),
+    without=("seed_center", "seed_radius", "start_label", "number_of_iterations", "threshold", "keep_for_corrections"),
 )
 RADIUS = Property("radius", "SeedRadius", float, "")
-NAMES = {**names_of(SEGMENT_PARAMETERS), "SeedCenter": "seed", "SeedRadius": "radius"}
+NAMES = {**names_of(SEGMENT_PARAMETERS), "SeedCenter": "seed", "SeedRadius": "radius", "StartLabel": "start_label"}
 TRACE_PARAMETERS = properties_of(vtkFlipFreeVesselSegmentation())
 EVALUATE_PARAMETERS = properties_of(vtkSegmentationMetrics())
 # The shape is an argument of its own.
@@ -52,6 +52,10 @@ class SegmentationAlgorithm:
         if not isinstance(surface, vtkPolyData):
             raise TypeError(f"start: a vtkPolyData or a Segmentation is needed, not {start!r:.80}")
         self.settings.SetStartData(surface)
+
+    def set_start_labels(self, labels: vtkImageData, label: int) -> None:
+        self.settings.SetStartLabelsData(labels)
+        self.settings.SetStartLabel(label)
 
     def keep_for_corrections(self) -> None:
         """From the next run on, what points do not change is kept."""

@@ -6,6 +6,7 @@
 #include "ThreadPool.h"
 
 #include "Deformation/SegmentationParameters.h"
+#include "Deformation/StartMask.h"
 #include "Deformation/VolumeSegmentation.h"
 
 #include <nanobind/stl/array.h>
@@ -19,6 +20,8 @@ namespace
 {
 
 using Settings = VolumeSegmentationSettings;
+
+const char* const LabelsName = "the start labels on port 3";
 
 // Points and faces of a start surface.
 using Start = std::tuple<Rows3, Indices, Indices>;
@@ -56,14 +59,40 @@ ConstraintList ConstraintsOf(const std::vector<ConstraintRow>& rows)
   return constraints;
 }
 
+// Voxels, spacing, origin, direction.
+using LabelMap = std::tuple<Voxels, Triple, Triple, Nine>;
+
+BitMask StartMaskOf(const LabelMap& labels, int label)
+{
+  const auto& [voxels, spacing, origin, direction] = labels;
+  const ImageGeometry geometry = GeometryOf(voxels, spacing, origin, direction);
+  if (geometry.NumberOfVoxels() == 0)
+  {
+    throw std::invalid_argument(std::string(LabelsName) + " have no voxels; give a label map");
+  }
+  RequireProperGrid(geometry, LabelsName);
+  return VisitVoxels(voxels, geometry,
+    [&](const auto& view)
+    {
+      BitMask mask = MaskOfLabel(view, label == 0 ? -1 : label, LabelsName, PoolThreading());
+      RequireStartLabel(
+        mask, label, [&view]() { return LabelsIn(view, PoolFor); }, LabelsName);
+      return mask;
+    });
+}
+
 nb::dict Segment(const Voxels& voxels, const Triple& spacing, const Triple& origin,
   const Nine& direction, const Triple& center, double radius, const std::optional<Start>& start,
-  const std::vector<ConstraintRow>& rows, const Settings& settings, const nb::callable& report)
+  const std::optional<LabelMap>& labels, int label, const std::vector<ConstraintRow>& rows,
+  const Settings& settings, const nb::callable& report)
 {
   const ImageGeometry geometry = GeometryOf(voxels, spacing, origin, direction);
   SeedSphere seed{ Eigen::Vector3d(center.data()), radius };
   ConstraintList constraints = ConstraintsOf(rows);
-  TakeLargestSeed(seed, constraints);
+  if (!labels)
+  {
+    TakeLargestSeed(seed, constraints);
+  }
   struct Iteration
   {
     FaceList Faces;
@@ -83,12 +112,23 @@ nb::dict Segment(const Voxels& voxels, const Triple& spacing, const Triple& orig
     {
       RequireNumbers(settings);
       RequireVoxels(geometry);
+      BitMask mask;
+      if (labels)
+      {
+        mask = StartMaskOf(*labels, label);
+        RequireSameGeometry(mask.GetGeometry(), geometry, LabelsName, ImageName);
+        seed = LargestBallIn(mask, LabelsName, PoolFor);
+      }
       RequireSeed(geometry, seed, ImageName);
       const std::optional<DeformableSurface> surface = SurfaceOf(start, settings.Method.Step.Guard);
       const GrayVolume volume = VisitVoxels(voxels, geometry,
         [](const auto& view) { return GrayVolumeOf(view, ImageName, PoolThreading()); });
       VolumeSegmenter segmenter(volume, ImageName, seed, surface ? &*surface : nullptr, settings,
         PoolThreading());
+      if (labels)
+      {
+        segmenter.SetForeground(std::move(mask), LabelsName);
+      }
       result = segmenter.Segment(constraints, monitor,
         [&](const ContourMesh& mesh, const PointList& points, const CorrespondenceField& field,
           const IterationRecord&)
@@ -142,7 +182,8 @@ void BindSegmentation(nb::module_& module)
     .def(nb::new_(&SettingsOf), nb::arg("preset"));
   module.def("segment", &Segment, nb::arg("voxels").noconvert(), nb::arg("spacing"),
     nb::arg("origin"), nb::arg("direction"), nb::arg("center"), nb::arg("radius"),
-    nb::arg("start").none(), nb::arg("constraints"), nb::arg("settings"), nb::arg("report"));
+    nb::arg("start").none(), nb::arg("labels").none(), nb::arg("label"), nb::arg("constraints"),
+    nb::arg("settings"), nb::arg("report"));
 }
 
 } // namespace FlipFree

@@ -2,19 +2,17 @@
 
 from __future__ import annotations
 
-import os
 from dataclasses import dataclass, fields
 from typing import TYPE_CHECKING, Any
 
 from ._backend import EVALUATE_PARAMETERS, Metrics
-from ._files import read_image
-from ._foreign import adopted, is_foreign
-from ._images import IMAGE_NAME, geometry_like, is_image, is_surface
+from ._images import is_surface
+from ._labels import label_map_of
 from ._parameters import described, set_parameters, signature_with
 from ._segmentation import Segmentation
 
 if TYPE_CHECKING:
-    from ._images import AnyImage, Image, Surface
+    from ._images import AnyImage, Surface
 
 
 @dataclass(frozen=True)
@@ -60,35 +58,13 @@ def evaluate(
     known: Any = segmentation
     if isinstance(segmentation, Segmentation):
         known = segmentation.label_map
-    reference = _label_map("reference", reference, known)
+    reference = label_map_of("reference", reference, known)
     if not isinstance(compared, Segmentation) and not is_surface(compared):
-        compared = _label_map("segmentation", compared, reference)
+        compared = label_map_of("segmentation", compared, reference)
     metrics = Metrics()
     set_parameters("evaluate", metrics.settings, EVALUATE_PARAMETERS, parameters)
     values = metrics.run(compared, reference)
     return Scores(**{field.name: values[field.name] for field in fields(Scores)})
-
-
-def _label_map(name: str, label_map: Any, other: Any) -> Image:
-    """As an image; an array gets the geometry of the other one."""
-    if isinstance(label_map, (str, os.PathLike)):
-        return read_image(label_map)
-    if is_image(label_map):
-        return label_map
-    if is_foreign(label_map):
-        return adopted(name, label_map)
-    if not hasattr(label_map, "__array__"):
-        raise TypeError(
-            f"{name}: a label map ({IMAGE_NAME}, array or name of a file) is needed, "
-            f"not {label_map!r:.80}"
-        )
-    if isinstance(other, (str, os.PathLike)):
-        other = read_image(other)
-    if not is_image(other) and is_foreign(other):
-        other = adopted("segmentation", other)
-    if not is_image(other):
-        raise TypeError(f"{name}: an array without geometry; use image_from_array(...)")
-    return geometry_like(other, label_map)
 
 
 # Help and completion show the parameters as if they were spelled out above.

@@ -29,7 +29,7 @@ SEGMENT_PARAMETERS = settings_of(
         "vtkFlipFreeDeform",
     ),
 )
-NAMES = {**names_of(SEGMENT_PARAMETERS), "SeedCenter": "seed", "SeedRadius": "radius"}
+NAMES = {**names_of(SEGMENT_PARAMETERS), "SeedCenter": "seed", "SeedRadius": "radius", "StartLabel": "start_label"}
 TRACE_PARAMETERS = settings_of(
     _kernels.VesselSettings, ("vtkVesselAlgorithm", "vtkFlipFreeVesselSegmentation")
 )
@@ -79,6 +79,8 @@ class SegmentationAlgorithm:
         self._center = [0.0, 0.0, 0.0]
         self._radius = 0.0
         self._start: Surface | None = None
+        self._labels: Image | None = None
+        self._label = 1
 
     def set_seed(self, center: list[float], radius: float) -> None:
         nearest = min(max(radius, RADII[0]), RADII[1])
@@ -92,6 +94,9 @@ class SegmentationAlgorithm:
                 f"start: a flipfree.Surface or a Segmentation is needed, not {start!r:.80}"
             )
         self._start = _mesh_of(start)
+
+    def set_start_labels(self, labels: Image, label: int) -> None:
+        self._labels, self._label = labels, label
 
     def clear_start(self) -> None:
         """The sphere is the start again."""
@@ -113,6 +118,8 @@ class SegmentationAlgorithm:
                 self._center,
                 self._radius,
                 start and _arrays_of(start),
+                self._labels and _volume_of(self._labels),
+                self._label,
                 [(one.kind, *one.place, one.radius) for one in constraints],
                 self.settings,
                 report,

@@ -86,12 +86,21 @@ def _session_of(values: dict[str, Any]) -> Session | None:
     if "session" not in values:
         if "input" not in values:
             raise WrongUsage("INPUT is required: a volume, or a folder of a DICOM series")
+        if "start_labels" in values:
+            if {"seed", "seed_voxel", "radius"} & values.keys():
+                raise WrongUsage(
+                    "--start-labels takes the place of the seed. Leave out --seed, --seed-voxel and "
+                    "--radius; points correct the result"
+                )
+            return None
         if "radius" not in values:
             raise WrongUsage(
                 "--radius must be a positive number of millimeters, 1e-6 to 1e6. The sphere should lie "
                 "within the organ"
             )
         return None
+    if "start_labels" in values:
+        raise WrongUsage("--session has the seed. Leave out --start-labels")
     given = {"seed", "seed_voxel", "radius"} & values.keys()
     if given or values.get("preset", "default") != "default":
         raise WrongUsage(
@@ -124,8 +133,7 @@ def _segment_one(
     try:
         organ = segment_organ(
             image,
-            _lps(values, values["seed"]) if "seed" in values else _point_of(image, values["seed_voxel"]),
-            values["radius"],
+            **_start_of(values, image),
             preset=values.get("preset", "default"),
             progress=progress or None,
             **arguments_of(points),
@@ -142,6 +150,14 @@ def _segment_one(
         elif name in values and name != "labels":
             _write_to(files, values[name], partial(_write, name, organ, image))
     return organ, working
+
+
+def _start_of(values: dict[str, Any], image: Any) -> dict[str, Any]:
+    """The seed, or the label map in its place."""
+    if "start_labels" in values:
+        return {"start_labels": values["start_labels"], "start_label": values.get("start_label", 1)}
+    seed = _lps(values, values["seed"]) if "seed" in values else _point_of(image, values["seed_voxel"])
+    return {"seed": seed, "radius": values["radius"]}
 
 
 def _label_map(found: list[tuple[Segmentation, float]]) -> Any:
@@ -348,12 +364,12 @@ def _wants_bar(values: dict[str, Any]) -> bool:
 
 def _require_sense(values: dict[str, Any], outputs: dict[str, str]) -> None:
     """Checks all that can be checked before the volume is read."""
-    if ("seed" in values) == ("seed_voxel" in values):
+    if "start_labels" not in values and ("seed" in values) == ("seed_voxel" in values):
         raise WrongUsage(
             "Both --seed and --seed-voxel are given. Give only one of them"
             if "seed" in values
             else "There is no seed. Give a point deep inside the organ: --seed X Y Z (LPS mm) or "
-            "--seed-voxel I J K"
+            "--seed-voxel I J K; or a label map to fill: --start-labels FILE"
         )
     if "points" in values:
         _require_ending("--points", values["points"], POINT_ENDINGS)
@@ -369,8 +385,9 @@ def _require_sense(values: dict[str, Any], outputs: dict[str, str]) -> None:
 
 def _require_files(values: dict[str, Any], outputs: dict[str, str]) -> None:
     """The input is there, and the outputs can be written."""
+    inputs = [values[name] for name in ("input", "start_labels") if name in values]
     for path in outputs.values():
-        _require_place(path, [values["input"]])
+        _require_place(path, inputs)
     if not os.path.isdir(values["input"]) and "series" in values:
         raise WrongUsage(
             f"--series selects a series of a DICOM folder, but '{values['input']}' is a file. Omit the "
@@ -378,6 +395,10 @@ def _require_files(values: dict[str, Any], outputs: dict[str, str]) -> None:
         )
     if not os.path.exists(values["input"]):
         raise FileError(f"There is no file '{values['input']}'. Check the name and the folder.")
+    if "start_label" in values and "start_labels" not in values:
+        raise WrongUsage("--start-label is a value of --start-labels. Give that file, too")
+    if values.get("start_label", 0) < 0:
+        raise WrongUsage("--start-label: a label is 0 or more; 0 takes all that are not 0")
     if "snapshot" in outputs:
         from ._picture import require_matplotlib
 

@@ -1,0 +1,93 @@
+#include "Deformation/StartMask.h"
+
+#include "Error.h"
+#include "Image/DistanceTransform.h"
+#include "Intensity/LeakControl.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace FlipFree
+{
+
+void RequireStartLabel(const BitMask& mask, int label, const std::function<LabelValues()>& labels,
+  const std::string& name)
+{
+  if (!mask.Bounds().IsEmpty())
+  {
+    return;
+  }
+  const std::string others = TextOf(labels().Labels);
+  throw Error(ErrorCode::EmptyMask,
+    name + " have no voxel of " +
+      (label == 0 ? "any value but 0" : "the value " + std::to_string(label)) +
+      (others.empty() ? "" : "; they have " + others));
+}
+
+SeedSphere LargestBallIn(const BitMask& mask, const std::string& name,
+  const ParallelFor& parallelFor)
+{
+  const VoxelBox box = mask.Bounds();
+  // With a layer of background on all sides, beyond the image's ends, too.
+  ImageGeometry geometry = CropGeometry(mask.GetGeometry(), box);
+  geometry.Origin = geometry.ToPhysical(Eigen::Vector3d(-1, -1, -1));
+  for (int& size : geometry.Dimensions)
+  {
+    size += 2;
+  }
+  std::vector<unsigned char> inside(geometry.NumberOfVoxels(), 0);
+  mask.ForEachRun(box.Begin[2], box.End[2],
+    [&](int begin, int end, int j, int k)
+    {
+      const std::size_t first =
+        geometry.Offset(begin - box.Begin[0] + 1, j - box.Begin[1] + 1, k - box.Begin[2] + 1);
+      std::fill_n(inside.begin() + static_cast<std::ptrdiff_t>(first), end - begin, 1);
+    });
+  const std::vector<float> depth = SquaredDistance(inside, geometry, 0, parallelFor, NeverStop);
+  const auto deepest = std::max_element(depth.begin(), depth.end());
+  const std::ptrdiff_t offset = deepest - depth.begin();
+  const std::ptrdiff_t row = offset / geometry.Dimensions[0];
+  SeedSphere ball;
+  ball.Center =
+    geometry.ToPhysical(Eigen::Vector3d(static_cast<double>(offset % geometry.Dimensions[0]),
+      static_cast<double>(row % geometry.Dimensions[1]),
+      static_cast<double>(row / geometry.Dimensions[1])));
+  ball.Radius = std::sqrt(static_cast<double>(*deepest));
+  // The image ends half a voxel before the layer around it.
+  const ImageGeometry& image = mask.GetGeometry();
+  const Eigen::Vector3d index = image.ToIndex(ball.Center);
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double voxels = std::min(index[axis], image.Dimensions[axis] - 1 - index[axis]) + 0.5;
+    ball.Radius = std::min(ball.Radius, voxels * image.Spacing[axis]);
+  }
+  // In a sheet of one or two voxels, the nearest voxel outside is a neighbor.
+  constexpr double neighbor = 1.001;
+  if (ball.Radius <= neighbor * geometry.Spacing.minCoeff())
+  {
+    throw Error(ErrorCode::SeedWithoutVoxels,
+      name + " are nowhere thicker than two voxels, so no surface can start in them");
+  }
+  return ball;
+}
+
+BitMask PieceOf(const BitMask& mask, const SeedSphere& seed)
+{
+  BitMask piece = mask;
+  KeepConnected(piece, VoxelsInSphere(mask.GetGeometry(), seed), NeverStop);
+  FillHoles(piece, NeverStop);
+  return piece;
+}
+
+double FractionMissed(const BitMask& mask, const std::vector<VoxelRun>& voxels)
+{
+  BitMask missed = mask;
+  for (const VoxelRun& run : voxels)
+  {
+    missed.RemoveRun(run.Begin, run.End, run.J, run.K);
+  }
+  return static_cast<double>(missed.Count()) /
+    static_cast<double>(std::max<std::size_t>(mask.Count(), 1));
+}
+
+} // namespace FlipFree

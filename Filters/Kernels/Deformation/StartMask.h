@@ -1,0 +1,42 @@
+/**
+ * A mask that somebody else has made (a network, an atlas, an earlier result) in place of the
+ * foreground that is found in the image: where a surface starts that is to fill it, and how much of
+ * it a surface of one piece can fill.
+ */
+#ifndef FlipFreeStartMask_h
+#define FlipFreeStartMask_h
+
+#include "Image/BitMask.h"
+#include "Image/LabelValues.h"
+#include "Image/SeedRegion.h"
+#include "Mesh/SurfaceVoxelization.h"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace FlipFree
+{
+
+/// Throws Error, naming the label map by `name`, unless the mask of its label has voxels; 0 stands
+/// for all that are not 0. `labels` says which there are, and is asked only where the
+/// one is missing.
+void RequireStartLabel(const BitMask& mask, int label, const std::function<LabelValues()>& labels,
+  const std::string& name);
+
+/// The largest ball that the mask holds, up to the nearest voxel center outside it, and within
+/// the image. Of several, the first in the order of the voxels. Throws Error, naming the
+/// mask by `name`, where it is nowhere thicker than two voxels.
+SeedSphere LargestBallIn(const BitMask& mask, const std::string& name,
+  const ParallelFor& parallelFor);
+
+/// The part of the mask that is connected, by faces, with the voxels of the seed; its holes are
+/// filled, since a surface without handles cannot have them.
+BitMask PieceOf(const BitMask& mask, const SeedSphere& seed);
+
+/// Which fraction of the mask's voxels is not among those of the surface, 0 to 1.
+double FractionMissed(const BitMask& mask, const std::vector<VoxelRun>& voxels);
+
+} // namespace FlipFree
+
+#endif

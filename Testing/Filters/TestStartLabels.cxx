@@ -1,0 +1,198 @@
+// A label map in place of a seed: the surface fills it, points correct it, and what is refused.
+#include "BadInput.h"
+
+#include "vtkFlipFreeSegmentation.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+using namespace FlipFree;
+
+namespace
+{
+
+using Shape = std::function<bool(const Eigen::Vector3d&)>;
+
+/// Voxels of 2 mm; the value 3 inside the shape.
+vtkSmartPointer<vtkImageData> LabelsOfShape(const Shape& shape)
+{
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(48, 48, 48);
+  image->SetSpacing(2, 2, 2);
+  image->AllocateScalars(VTK_UNSIGNED_CHAR, 1);
+  for (vtkIdType voxel = 0; voxel < image->GetNumberOfPoints(); ++voxel)
+  {
+    const Eigen::Vector3d point(image->GetPoint(voxel));
+    image->GetPointData()->GetScalars()->SetTuple1(voxel, shape(point) ? 3 : 0);
+  }
+  return image;
+}
+
+bool IsInBall(const Eigen::Vector3d& point, const Eigen::Vector3d& center, double radius)
+{
+  return (point - center).norm() <= radius;
+}
+
+/// Two balls that overlap; nothing that a sphere of intensities would find.
+bool IsInPear(const Eigen::Vector3d& point)
+{
+  return IsInBall(point, { 40, 47, 47 }, 24) || IsInBall(point, { 66, 50, 44 }, 14);
+}
+
+/// An image of nothing but noise, which no method could segment.
+vtkSmartPointer<vtkImageData> Noise()
+{
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(48, 48, 48);
+  image->SetSpacing(2, 2, 2);
+  image->AllocateScalars(VTK_SHORT, 1);
+  unsigned int state = 1;
+  for (vtkIdType voxel = 0; voxel < image->GetNumberOfPoints(); ++voxel)
+  {
+    state = state * 1664525U + 1013904223U;
+    image->GetPointData()->GetScalars()->SetTuple1(voxel, state >> 24U);
+  }
+  return image;
+}
+
+vtkSmartPointer<vtkFlipFreeSegmentation> MakeFilter(vtkImageData* labels)
+{
+  auto filter = vtkSmartPointer<vtkFlipFreeSegmentation>::New();
+  filter->SetInputData(Noise());
+  filter->SetStartLabelsData(labels);
+  filter->SetStartLabel(3);
+  return filter;
+}
+
+double DiceOf(vtkImageData* result, vtkImageData* labels)
+{
+  double both = 0;
+  double sum = 0;
+  for (vtkIdType voxel = 0; voxel < labels->GetNumberOfPoints(); ++voxel)
+  {
+    const bool found = result->GetPointData()->GetScalars()->GetTuple1(voxel) != 0;
+    const bool given = labels->GetPointData()->GetScalars()->GetTuple1(voxel) == 3;
+    both += found && given ? 1 : 0;
+    sum += (found ? 1 : 0) + (given ? 1 : 0);
+  }
+  return 2 * both / sum;
+}
+
+} // namespace
+
+TEST(StartLabels, AreFilledWhateverTheImageShows)
+{
+  const auto labels = LabelsOfShape(IsInPear);
+  const auto filter = MakeFilter(labels);
+  std::vector<std::string> warnings;
+  KeepWarnings(filter, warnings);
+  ASSERT_EQ(ErrorOfUpdate(filter), "0 errors");
+  EXPECT_TRUE(warnings.empty()) << warnings.front();
+  EXPECT_EQ(filter->GetNumberOfSelfIntersections(), 0);
+  EXPECT_GT(DiceOf(filter->GetLabelMap(), labels), 0.97);
+
+  // The seed has no part in it.
+  const vtkIdType points = filter->GetSurface()->GetNumberOfPoints();
+  const Eigen::Vector3d first(filter->GetSurface()->GetPoint(0));
+  filter->SetSeedCenter(1e4, 0, 0);
+  ASSERT_EQ(ErrorOfUpdate(filter), "0 errors");
+  EXPECT_EQ(filter->GetSurface()->GetNumberOfPoints(), points);
+  EXPECT_EQ(Eigen::Vector3d(filter->GetSurface()->GetPoint(0)), first);
+
+  // All values but 0, which are the same here.
+  filter->SetStartLabel(0);
+  ASSERT_EQ(ErrorOfUpdate(filter), "0 errors");
+  EXPECT_EQ(Eigen::Vector3d(filter->GetSurface()->GetPoint(0)), first);
+}
+
+TEST(StartLabels, AreCorrectedByPoints)
+{
+  const auto labels = LabelsOfShape(IsInPear);
+  const auto filter = MakeFilter(labels);
+  filter->Update();
+  const double before = DiceOf(filter->GetLabelMap(), labels);
+  filter->AddOutsidePoint(76, 50, 44); // in the small ball
+  filter->AddInsidePoint(40, 47, 78);  // beyond the large one
+  ASSERT_EQ(ErrorOfUpdate(filter), "0 errors");
+  const auto labelAt = [&](int i, int j, int k)
+  { return filter->GetLabelMap()->GetScalarComponentAsDouble(i, j, k, 0); };
+  EXPECT_EQ(labelAt(38, 25, 22), 0);
+  EXPECT_EQ(labelAt(20, 23, 39), 1);
+  EXPECT_EQ(filter->GetNumberOfSelfIntersections(), 0);
+  EXPECT_LT(DiceOf(filter->GetLabelMap(), labels), before);
+}
+
+TEST(StartLabels, OfSeveralPartsGiveTheLargestAndAWarning)
+{
+  const auto labels = LabelsOfShape(
+    [](const Eigen::Vector3d& point) {
+      return IsInBall(point, { 30, 47, 47 }, 24) || IsInBall(point, { 76, 47, 47 }, 12);
+    });
+  const auto filter = MakeFilter(labels);
+  std::vector<std::string> warnings;
+  KeepWarnings(filter, warnings);
+  ASSERT_EQ(ErrorOfUpdate(filter), "0 errors");
+  ASSERT_EQ(warnings.size(), 1U);
+  EXPECT_NE(warnings[0].find("% of the start labels on port 3 lie outside the surface"),
+    std::string::npos)
+    << warnings[0];
+  EXPECT_EQ(filter->GetLabelMap()->GetScalarComponentAsDouble(15, 23, 23, 0), 1);
+  EXPECT_EQ(filter->GetLabelMap()->GetScalarComponentAsDouble(38, 23, 23, 0), 0);
+}
+
+TEST(StartLabels, ThatCannotBeUsedAreRefused)
+{
+  const auto expect = [](vtkImageData* labels, int label, const std::string& words)
+  {
+    const auto filter = MakeFilter(labels);
+    filter->SetStartLabel(label);
+    const std::string error = ErrorOfUpdate(filter);
+    EXPECT_NE(error.find("the start labels on port 3"), std::string::npos) << error;
+    EXPECT_NE(error.find(words), std::string::npos) << error;
+    EXPECT_EQ(filter->GetSurface()->GetNumberOfPoints(), 0);
+  };
+  const auto labels = LabelsOfShape(IsInPear);
+  expect(labels, 1, "have no voxel of the value 1; they have 3");
+  const auto none = LabelsOfShape([](const Eigen::Vector3d&) { return false; });
+  expect(none, 0, "have no voxel of any value but 0");
+  const auto sheet =
+    LabelsOfShape([](const Eigen::Vector3d& point) { return std::abs(point[0] - 40) < 1; });
+  expect(sheet, 3, "nowhere thicker than two voxels");
+  expect(SphereImage(), 3, "differ; resample one onto the grid of the other");
+  labels->SetOrigin(1, 0, 0);
+  expect(labels, 3, "the origins of the start labels on port 3");
+  expect(ImageOfType(VTK_SHORT, 3), 3, "of one component");
+}
+
+// A cache of the history must not outlive a change of any input.
+TEST(StartLabels, AndPointsThatChangeAreSeenWhereTheHistoryIsKept)
+{
+  const auto labels = LabelsOfShape(IsInPear);
+  const auto filter = MakeFilter(labels);
+  filter->SetResolution(8);
+  filter->KeepHistoryOn();
+  vtkNew<vtkPolyData> points;
+  vtkNew<vtkPoints> places;
+  places->InsertNextPoint(40, 47, 78);
+  vtkNew<vtkDoubleArray> kinds;
+  kinds->SetName("Constraint");
+  kinds->InsertNextValue(1);
+  points->SetPoints(places);
+  points->GetPointData()->AddArray(kinds);
+  filter->SetConstraintData(points);
+  filter->Update();
+  const Eigen::Vector3d first(filter->GetSurface()->GetPoint(0));
+  const double with = DiceOf(filter->GetLabelMap(), labels);
+  places->SetPoint(0, 40, 47, 50); // inside anyway
+  places->Modified();
+  filter->Update();
+  EXPECT_GT(DiceOf(filter->GetLabelMap(), labels), with);
+  labels->GetPointData()->GetScalars()->Fill(0);
+  labels->GetPointData()->GetScalars()->Modified();
+  labels->Modified();
+  EXPECT_NE(ErrorOfUpdate(filter).find("no voxel of the value 3"), std::string::npos);
+}

@@ -1,0 +1,65 @@
+"""flipfree.segment with a label map in place of a seed."""
+
+import os
+import tempfile
+import unittest
+
+import flipfree
+import numpy
+from example import RADIUS, SEED, abdomen, image, needs_files, truth
+
+LIVER = flipfree.Organ.LIVER
+
+
+def fill(labels=None, label=LIVER, **parameters):
+    return flipfree.segment(image(), start_labels=truth() if labels is None else labels, start_label=label, **parameters)
+
+
+def mask():
+    voxels = flipfree.array_from_image(truth()) if hasattr(flipfree, "array_from_image") else truth().voxels
+    return numpy.where(voxels == LIVER, 1, 0).astype(numpy.uint8)
+
+
+class StartLabels(unittest.TestCase):
+    def test_are_filled(self):
+        liver = fill()
+        self.assertEqual(liver.self_intersections, 0)
+        self.assertGreater(flipfree.evaluate(liver, truth(), reference_label=LIVER).dice, 0.98)
+        # However they come.
+        numpy.testing.assert_array_equal(fill(mask(), 1).points, liver.points)
+        numpy.testing.assert_array_equal(fill(mask() > 0, 0).points, liver.points)
+
+    @needs_files
+    def test_may_be_a_file(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "network.nii.gz")
+            flipfree.write_image(truth(), path)
+            numpy.testing.assert_array_equal(fill(path, resolution=8).points, fill(resolution=8).points)
+
+    def test_are_corrected_by_points(self):
+        voxel, place = (56, 56, 40), (60, 84, 168)  # axes k, j, i; LPS
+        liver = fill(resolution=16)
+        self.assertEqual(liver.labels[voxel], 1)
+        better = liver.corrected(outside=[place])
+        self.assertEqual(better.self_intersections, 0)
+        self.assertEqual(better.labels[voxel], 0)
+
+    def test_that_do_not_fit_are_refused(self):
+        for arguments, kind, words in (
+                ({"label": 99}, flipfree.SegmentationError, "have no voxel of the value 99; they have 1, 2"),
+                ({"label": -1}, ValueError, "start_label"),
+                ({"label": 1.5}, ValueError, "start_label"),
+                ({"labels": mask()[1:]}, flipfree.SegmentationError, "the dimensions of the start labels"),
+                ({"labels": 7}, TypeError, "start_labels: a label map"),
+                ({"seed": SEED}, TypeError, "takes the place of seed and radius"),
+                ({"radius": RADIUS}, TypeError, "takes the place of seed and radius")):
+            with self.subTest(words), self.assertRaisesRegex(kind, words):
+                fill(**arguments)
+        with self.assertRaisesRegex(TypeError, "seed and radius are needed"):
+            flipfree.segment(image())
+        with self.assertRaisesRegex(TypeError, "seed and radius are needed"):
+            flipfree.segment(abdomen().image, SEED)
+
+
+if __name__ == "__main__":
+    unittest.main()

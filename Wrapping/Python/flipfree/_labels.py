@@ -1,0 +1,35 @@
+"""Label maps in whatever form they come."""
+
+from __future__ import annotations
+
+import os
+from typing import TYPE_CHECKING, Any
+
+from ._files import read_image
+from ._foreign import adopted, is_foreign
+from ._images import IMAGE_NAME, geometry_like, is_image
+
+if TYPE_CHECKING:
+    from ._images import Image
+
+
+def label_map_of(name: str, label_map: Any, other: Any) -> Image:
+    """As an image; an array gets the geometry of the other one. `name` is the argument's."""
+    if isinstance(label_map, (str, os.PathLike)):
+        return read_image(label_map)
+    if is_image(label_map):
+        return label_map
+    if is_foreign(label_map):
+        return adopted(name, label_map)
+    if not hasattr(label_map, "__array__"):
+        raise TypeError(
+            f"{name}: a label map ({IMAGE_NAME}, array or name of a file) is needed, "
+            f"not {label_map!r:.80}"
+        )
+    if isinstance(other, (str, os.PathLike)):
+        other = read_image(other)
+    if not is_image(other) and is_foreign(other):
+        other = adopted("segmentation", other)
+    if not is_image(other):
+        raise TypeError(f"{name}: an array without geometry; use image_from_array(...)")
+    return geometry_like(other, label_map)
