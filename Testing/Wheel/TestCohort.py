@@ -269,7 +269,7 @@ class Points(CohortTest):
         controls = [{"label": f"P-{i}", "position": [-x, -y, z]} for i, (x, y, z) in enumerate(self.ENDS)]
         (self.folder / "ends.mrk.json").write_text(
             json.dumps({"markups": [{"coordinateSystem": "RAS", "controlPoints": controls}]}))
-        inside, outside, boundary = self.around((0, 2, 0), (17, 0, 0), (0, 0, 14))
+        inside, outside, boundary = self.around((0, 2, 0), (11, 0, 0), (0, 0, 14))
         (self.folder / "points.csv").write_text("kind,x,y,z\n" + "".join(
             f"{kind},{','.join(map(repr, place))}\n" for kind, place in (("inside", inside), ("outside", outside))))
         text = "; ".join(" ".join(map(repr, point)) for point in self.ENDS)

@@ -257,7 +257,8 @@ class Vessels(unittest.TestCase):
         ours, theirs = (flipfree.read_image(self.folder / f"{name}.nii.gz") for name in ("ours", "theirs"))
         numpy.testing.assert_array_equal(ours.voxels, theirs.voxels)
         self.assertEqual(ours.voxels.max(), 7)
-        ours, theirs = ((self.folder / f"{name}.csv").read_text().splitlines() for name in ("ours", "theirs"))
+        ours, theirs = (list(csv.reader((self.folder / f"{name}.csv").read_text(encoding="utf-8").splitlines()))
+                        for name in ("ours", "theirs"))
         self.assertEqual((len(ours), ours[0]), (len(theirs), theirs[0]))
 
     def test_every_surface_format_and_a_picture(self):

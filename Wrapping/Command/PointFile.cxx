@@ -14,7 +14,6 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <sstream>
 
 namespace Command
@@ -232,13 +231,19 @@ bool IsText(const std::string& text)
 /// Without the mark that some programs put in front of UTF-8.
 std::string TextOf(const std::string& name)
 {
-  std::ifstream file(name, std::ios::binary);
+  const std::ifstream file(name, std::ios::binary);
+  std::ostringstream content;
   std::error_code ignored;
-  std::string text{ std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>() };
-  if (!file || std::filesystem::is_directory(name, ignored))
+  const bool isFile = file && !std::filesystem::is_directory(name, ignored);
+  if (isFile)
+  {
+    content << file.rdbuf();
+  }
+  if (!isFile || content.bad())
   {
     throw Failure("'" + name + "' cannot be read. Check the name and the permissions.");
   }
+  const std::string text = content.str();
   if (!IsText(text))
   {
     throw Failure("'" + name + "' is no text in UTF-8. Save it as one.");

@@ -62,7 +62,7 @@ def vessel_of(cell: Cell) -> list[tuple[float, ...]]:
     return points
 
 
-def corrections_of(cells: dict[str, Cell]) -> dict[str, list[Any]]:
+def corrections_of(cells: dict[str, Cell]) -> dict[str, Any]:
     """The arguments of segment(); ValueError if the file will not do."""
     found: list[Constraint] = []
     if "corrections" in cells:

@@ -39,9 +39,9 @@ def read_vessel(path: str) -> list[tuple[float, ...]]:
     return _read(path, _place_of_cells, _place_of_control, "x, y and z")
 
 
-def arguments_of(constraints: Sequence[Constraint]) -> dict[str, list[Any]]:
+def arguments_of(constraints: Sequence[Constraint]) -> dict[str, Any]:
     """The arguments of segment(): inside, outside, boundary, and seeds."""
-    arguments: dict[str, list[Any]] = {"outside": [], "inside": [], "boundary": [], "seeds": []}
+    arguments: dict[str, Any] = {"outside": [], "inside": [], "boundary": [], "seeds": []}
     for one, values in ((one, list(arguments.values())[one.kind]) for one in constraints):
         values.append((one.place, one.radius) if one.kind == SEED else one.place)
     return arguments
