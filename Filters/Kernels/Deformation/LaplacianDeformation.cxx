@@ -105,12 +105,15 @@ bool DeformationSolver::IterateToSolution(double uniformWeight, int& iterations)
     error.setZero();
     for (int vertex = 0; vertex < size; ++vertex)
     {
+      // Named, since what is stored and read again waits for the memory.
+      const Eigen::Vector4f residual =
+        this->Residual.col(vertex) - step.cwiseProduct(this->Image.col(vertex));
+      const Eigen::Vector4f preconditioned = this->Preconditioner[vertex] * residual;
       this->Solution.col(vertex) += step.cwiseProduct(this->Direction.col(vertex));
-      this->Residual.col(vertex) -= step.cwiseProduct(this->Image.col(vertex));
-      // In place of the product, which is no longer needed.
-      this->Image.col(vertex) = this->Preconditioner[vertex] * this->Residual.col(vertex);
-      error += this->Residual.col(vertex).cwiseAbs2();
-      next += this->Residual.col(vertex).cwiseProduct(this->Image.col(vertex));
+      this->Residual.col(vertex) = residual;
+      this->Image.col(vertex) = preconditioned; // the product is no longer needed
+      error += residual.cwiseAbs2();
+      next += residual.cwiseProduct(preconditioned);
     }
     const Eigen::Vector4f turn = (energy.array() > 0).select(next.array() / energy.array(), 0.0F);
     for (int vertex = 0; vertex < size; ++vertex)
