@@ -365,6 +365,13 @@ public:
    */
   vtkGetMacro(NumberOfSelfIntersections, int);
 
+  /**
+   * How far the result can be trusted, 0 to 1; -1 before Update(). It reads like the Dice score to
+   * expect: below 0.85 the result is doubtful, and a warning says so. The point array `Confidence`
+   * says where to look.
+   */
+  vtkGetMacro(Confidence, double);
+
   ///@{
   /**
    * Seconds of the last Update() by stage: smoothing, feature, deformation, label map.
@@ -400,6 +407,7 @@ protected:
 
   int StopReason = NOT_RUN;
   int NumberOfSelfIntersections = -1;
+  double Confidence = -1;
   double StageSeconds[4] = { 0, 0, 0, 0 };
 
 private:

@@ -2,6 +2,7 @@
 
 #include "Deformation/SegmentationWarnings.h"
 #include "Error.h"
+#include "Geometry/DistanceQuery.h"
 #include "Stopwatch.h"
 
 #include <algorithm>
@@ -75,6 +76,15 @@ void RequireGuard(const ConstraintList& constraints, bool guard)
       NameOf(constraints.front()) +
         " can only be obeyed under the guard; switch Guard on, or remove the constraints");
   }
+}
+
+// The distances of the vertices from the surface of the first run; empty without one.
+Eigen::VectorXd ShiftsOf(const OrganSurface& organ)
+{
+  const DeformableSurface& first = organ.First;
+  return first.Points.rows() == 0
+    ? Eigen::VectorXd()
+    : DistanceQuery(first.Points, first.Mesh.Triangles).DistancesOf(organ.Points);
 }
 
 void RequireCertified(const OrganSurface& organ)
@@ -174,8 +184,15 @@ VolumeSegmentation VolumeSegmenter::Segment(const ConstraintList& constraints,
   {
     RequireCertified(organ);
   }
+  result.Confidence = JudgeSurface(this->Volume.Read, geometry, organ.Mesh, organ.Points,
+    this->Seed.Center, ShiftsOf(organ), this->Threads.For);
   result.Warnings =
     WarningsOf(organ, this->Region, geometry, this->Seed, method, this->StartsAtSeed);
+  const std::string doubt = DoubtOf(result.Confidence.OfSurface, method);
+  if (result.Warnings.empty() && !doubt.empty())
+  {
+    result.Warnings.push_back(doubt);
+  }
   result.Voxels = VoxelizeSurface(organ.Points, organ.Mesh.Triangles, geometry, this->Threads.For);
   result.StageSeconds[3] = watch.Lap();
   return result;
