@@ -13,7 +13,6 @@ from ._atomic import replacing
 from ._backend import set_threads
 from ._cohort_files import OUTPUTS, Stamp, folder_of, inputs_of, is_done, record_of, stamp_of, write_record
 from ._cohort_table import Row
-from ._confidence import confidence_of
 from ._errors import FlipFreeError, FlipFreeWarning
 from ._evaluate import evaluate
 from ._files import read_image, write_image
@@ -92,7 +91,7 @@ def _results(row: Row, output: str, image: Image) -> dict[str, Any]:
     if organ.stop_reason == "no boundary found":
         raise FlipFreeError("no boundary of the organ was found; place the seed inside it")
     values: dict[str, Any] = {
-        "confidence": round(confidence_of(image, organ), 4),
+        "confidence": round(organ.confidence, 4),
         "segmented_ml": round(organ.volume, 3),
         "iterations": len(organ.iterations["Iteration"]),
         "stop_reason": organ.stop_reason,

@@ -91,18 +91,24 @@ def _vtp(mesh: Surface) -> bytes:
             f'format="binary">{encoded}</DataArray>\n'
         )
 
+    def number(name: str, value: float) -> str:
+        encoded = base64.b64encode(struct.pack("<Qd", 8, value)).decode()
+        return f'<DataArray type="Float64" Name="{name}" NumberOfTuples="1" format="binary">{encoded}</DataArray>'
+
     corners, ends = mesh.corners.astype("int64"), mesh.offsets[1:].astype("int64")
-    certified = numpy.array([float(mesh.certified)])
-    encoded = base64.b64encode(struct.pack("<Q", 8) + certified.tobytes()).decode()
+    numbers = [number("Certified", float(mesh.certified))]
+    confidence = ""
+    if mesh.vertex_confidence is not None:
+        numbers.append(number("Confidence", mesh.confidence))
+        confidence = array("Confidence", mesh.vertex_confidence, "Float32")
     text = (
         '<?xml version="1.0"?>\n'
         '<VTKFile type="PolyData" version="1.0" byte_order="LittleEndian" header_type="UInt64">\n'
         "<PolyData>\n"
-        '<FieldData><DataArray type="Float64" Name="Certified" NumberOfTuples="1" format="binary">'
-        f"{encoded}</DataArray></FieldData>\n"
+        f"<FieldData>{''.join(numbers)}</FieldData>\n"
         f'<Piece NumberOfPoints="{len(mesh.points)}" NumberOfPolys="{len(ends)}">\n'
         f"<PointData>\n{array('Displacement', mesh.displacements, 'Float64', 3)}"
-        f"{array('Correspondence', mesh.correspondence, 'UInt8')}</PointData>\n"
+        f"{array('Correspondence', mesh.correspondence, 'UInt8')}{confidence}</PointData>\n"
         f"<Points>\n{array('Points', mesh.points, 'Float64', 3)}</Points>\n"
         f"<Polys>\n{array('connectivity', corners, 'Int64')}{array('offsets', ends, 'Int64')}"
         "</Polys>\n</Piece>\n</PolyData>\n</VTKFile>\n"
