@@ -29,8 +29,9 @@
  * depends on the set of points alone, not on their order or on earlier runs.
  *
  * Output port 0: vtkPolyData, the surface, with the point arrays `Displacement` (3 doubles, mm; the
- * last one wanted) and `Correspondence` (unsigned char; 0 solitary, 1 matched, 2 flipping), and the
- * field data `Certified` (double): 1 if the guard was on, 0 otherwise.
+ * last one wanted), `Correspondence` (unsigned char; 0 solitary, 1 matched, 2 flipping) and
+ * `Confidence` (float, 0 to 1: how well the image supports the surface there), and the field data
+ * `Certified` (double): 1 if the guard was on, 0 otherwise, and `Confidence` (double, 0 to 1).
  * Output port 1: vtkImageData, unsigned char `Labels` of the input's geometry: LabelValue inside.
  * Output port 2: vtkTable `Convergence`, a row per iteration: Iteration, Level, Vertices,
  * MeanDistance (mm), Matched, Solitary, Flipping, Guarded (vertices that the guard limited), and
@@ -47,7 +48,10 @@
  * boundary; the surface could not be refined; it touches the end of Reach. A surface grown from the
  * seed under the guard also warns if more than a tenth of it found no boundary (unless search lines
  * are shorter than by default), or if more than a quarter of it lies at the image's ends along two
- * axes: the seed may lie in air.
+ * axes: the seed may lie in air. If none of these applies and the confidence is below 0.85, the
+ * warning names it: look at the contour where its confidence is low, and correct it there by
+ * points. Without carving, as in the presets Published and Naive, there is a confidence, but no
+ * such warning: it has no first run to compare with, and the threshold does not hold.
  *
  * Source: the paper, Algorithm 1 and sections 3.1 to 3.6. Each remedy beyond it has its own switch.
  */
