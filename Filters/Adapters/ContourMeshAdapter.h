@@ -9,11 +9,13 @@
 #include "Deformation/StartSurface.h"
 #include "ExecutionAdapter.h"
 #include "FieldData.h"
+#include "Intensity/SurfaceConfidence.h"
 #include "Mesh/ContourMesh.h"
 #include "MeshAdapter.h"
 #include "SurfaceAdapter.h"
 
 #include "vtkDoubleArray.h"
+#include "vtkFloatArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
@@ -161,6 +163,17 @@ inline void AttachMesh(const ContourMesh& mesh, const PointList& points, vtkPoly
 {
   surface->SetPoints(MakePoints(points));
   surface->SetPolys(MakePolys(mesh.Faces));
+}
+
+/// Point array and field data `Confidence`.
+inline void AttachConfidence(const SurfaceConfidence& confidence, vtkPolyData* surface)
+{
+  vtkNew<vtkFloatArray> ofVertices;
+  ofVertices->SetName("Confidence");
+  ofVertices->SetNumberOfValues(static_cast<vtkIdType>(confidence.OfVertices.size()));
+  std::copy(confidence.OfVertices.begin(), confidence.OfVertices.end(), ofVertices->GetPointer(0));
+  surface->GetPointData()->AddArray(ofVertices);
+  AddFieldValues("Confidence", { confidence.OfSurface }, surface);
 }
 
 /// Field data `Certified`: 1 if the surface is proven to be embedded, however its faces are cut.

@@ -10,8 +10,9 @@
 namespace FlipFree
 {
 
-void SegmentationResult::Store(const OrganSurface& organ, bool guarded)
+void SegmentationResult::Store(const VolumeSegmentation& result, bool guarded)
 {
+  const OrganSurface& organ = result.Organ;
   FillConvergenceTable(organ.Iterations, this->Convergence);
   if (organ.Reason == StopReason::Aborted)
   {
@@ -20,6 +21,7 @@ void SegmentationResult::Store(const OrganSurface& organ, bool guarded)
   }
   AttachMesh(organ.Mesh, organ.Points, this->Surface);
   AttachField(organ.Field, this->Surface);
+  AttachConfidence(result.Confidence, this->Surface);
   AttachCertificate(guarded, this->Surface);
 }
 

@@ -6,6 +6,8 @@
 
 #include "IterationHistory.h"
 
+#include "Deformation/VolumeSegmentation.h"
+
 #include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
@@ -26,7 +28,7 @@ struct SegmentationResult
   vtkTimeStamp Time;
 
   /// The convergence and, unless the run was aborted, the surface.
-  void Store(const OrganSurface& organ, bool guarded);
+  void Store(const VolumeSegmentation& result, bool guarded);
 
   /// Whether nothing has changed since: neither the filter, last modified at `filterTime`, nor its
   /// inputs.

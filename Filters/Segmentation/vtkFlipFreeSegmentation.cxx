@@ -198,17 +198,19 @@ void vtkFlipFreeSegmentation::Segment(vtkInformationVector** inputs)
 {
   this->StopReason = NOT_RUN;
   this->NumberOfSelfIntersections = -1;
+  this->Confidence = -1;
   std::fill_n(this->StageSeconds, 4, 0.0);
 
   const FlipFree::VolumeSegmentation result = this->Run(inputs);
   std::copy(result.StageSeconds.begin(), result.StageSeconds.end(), this->StageSeconds);
   this->StopReason = static_cast<int>(result.Organ.Reason);
-  this->Cache->Store(result.Organ, this->GetGuard());
+  this->Cache->Store(result, this->GetGuard());
   if (this->StopReason == ABORTED)
   {
     return;
   }
   this->NumberOfSelfIntersections = static_cast<int>(result.Organ.SelfIntersections);
+  this->Confidence = result.Confidence.OfSurface;
   for (const std::string& warning : result.Warnings)
   {
     vtkWarningMacro(<< warning);

@@ -35,8 +35,9 @@
  * Points of port 2 correct it like any other result.
  *
  * Output port 0: vtkPolyData, the surface, with the point arrays `Displacement` (3 doubles, mm; the
- * last one wanted) and `Correspondence` (unsigned char; 0 solitary, 1 matched, 2 flipping), and the
- * field data `Certified` (double): 1 if the guard was on, 0 otherwise.
+ * last one wanted), `Correspondence` (unsigned char; 0 solitary, 1 matched, 2 flipping) and
+ * `Confidence` (float, 0 to 1: how well the image supports the surface there), and the field data
+ * `Certified` (double): 1 if the guard was on, 0 otherwise, and `Confidence` (double, 0 to 1).
  * Output port 1: vtkImageData, unsigned char `Labels` of the input's geometry: LabelValue inside.
  * Output port 2: vtkTable `Convergence`, a row per iteration: Iteration, Level, Vertices,
  * MeanDistance (mm), Matched, Solitary, Flipping, Guarded (vertices that the guard limited), and
@@ -54,8 +55,12 @@
  * boundary; the surface could not be refined; it touches the end of Reach. A surface grown from the
  * seed under the guard also warns if more than a tenth of it found no boundary (unless search lines
  * are shorter than by default), or if more than a quarter of it lies at the image's ends along two
- * axes: the seed may lie in air. A surface in start labels warns if it misses more than a twentieth
- * of their voxels.
+ * axes: the seed may lie in air. If none of these applies and the confidence is below 0.85, the
+ * warning names it: look at the contour where its confidence is low, and correct it there by
+ * points. Without carving, as in the presets Published and Naive, there is a confidence, but no
+ * such warning: it has no first run to compare with, and the threshold does not hold. Nor is there
+ * one for a surface in start labels, which warns if it misses more than a twentieth of their
+ * voxels.
  *
  * Source: the paper, Algorithm 1 and sections 3.1 to 3.6. Each remedy beyond it has its own switch.
  */
@@ -391,6 +396,13 @@ public:
    */
   vtkGetMacro(NumberOfSelfIntersections, int);
 
+  /**
+   * How far the result can be trusted, 0 to 1; -1 before Update(). It reads like the Dice score to
+   * expect: below 0.85 the result is doubtful, and a warning says so. The point array `Confidence`
+   * says where to look.
+   */
+  vtkGetMacro(Confidence, double);
+
   ///@{
   /**
    * Seconds of the last Update() by stage: smoothing, feature, deformation, label map.
@@ -427,6 +439,7 @@ protected:
 
   int StopReason = NOT_RUN;
   int NumberOfSelfIntersections = -1;
+  double Confidence = -1;
   double StageSeconds[4] = { 0, 0, 0, 0 };
 
 private:

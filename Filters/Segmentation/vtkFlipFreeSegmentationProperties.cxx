@@ -153,4 +153,5 @@ void vtkFlipFreeSegmentation::PrintSelf(ostream& os, vtkIndent indent)
   }
   os << indent << "StopReason: " << this->GetStopReasonAsString() << "\n";
   os << indent << "NumberOfSelfIntersections: " << this->NumberOfSelfIntersections << "\n";
+  os << indent << "Confidence: " << this->Confidence << "\n";
 }

@@ -153,12 +153,13 @@ double MeasureRow(const Case& row, const Options& options)
   validity->Update();
   const StageSeconds stages = StageSecondsOf(filter);
   std::printf("| %-26s | %.3f | %.3f | %5.2f | %6.2f | %+5.2f | %3d | %4.2f | %4.2f | %4.2f %4.2f "
-              "%4.2f %4.2f | %4.2f %4.2f %4.2f %4.2f | %d | %6.0f | %s |\n",
+              "%4.2f %4.2f | %4.2f %4.2f %4.2f %4.2f | %d | %6.0f | %s | %.2f |\n",
     row.Name.c_str(), metrics->GetDice(), metrics->GetJaccard(), metrics->GetASD(),
     metrics->GetHD95(), metrics->GetRelativeVolumeDifference(), stages.Iterations, read - begin,
     end - start, stages.Smoothing, stages.Feature, stages.Deformation, stages.Labels, stages.Search,
     stages.Flips, stages.Solve, stages.Guard, filter->GetNumberOfSelfIntersections(),
-    SumOfColumn(filter->GetConvergence(), "Guarded"), filter->GetStopReasonAsString());
+    SumOfColumn(filter->GetConvergence(), "Guarded"), filter->GetStopReasonAsString(),
+    filter->GetConfidence());
   std::fflush(stdout);
   if (!options.Surfaces.empty())
   {
@@ -230,8 +231,8 @@ int main(int argc, char* argv[])
   {
     std::puts("| case | Dice | Jaccard | ASD mm | HD95 mm | volume | iterations | read s | run s | "
               "smoothing, feature, deformation, labels s | search, flips, solve, guard s | "
-              "self-intersections | guarded | stop reason |\n"
-              "|---|---|---|---|---|---|---|---|---|---|---|---|---|---|");
+              "self-intersections | guarded | stop reason | confidence |\n"
+              "|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|");
   }
   std::map<std::string, std::vector<double>> scores;
   const std::vector<Case> cases = ReadCases(options.Data + "/" + options.Cases);

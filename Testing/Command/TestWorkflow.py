@@ -67,7 +67,7 @@ class TestWorkflow(command.CommandTest):
     def test_summary_and_convergence(self):
         rows, text = self.rows()
         self.assertEqual(text.count("\n"), 1)
-        self.assertRegex(text, rf"volume \d+\.\d ml, {len(rows)} iterations, [a-z ]+, 0 self-intersections; "
+        self.assertRegex(text, rf"volume \d+\.\d ml, {len(rows)} iterations, [a-z ]+, 0 self-intersections, confidence 0\.9\d; "
                                r"reading \d+\.\d+ s, smoothing \d+\.\d+ s, feature \d+\.\d+ s")
         self.assertTrue(all(float(row["MeanDistance"]) >= 0 for row in rows))
 

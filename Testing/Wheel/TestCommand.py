@@ -72,7 +72,7 @@ class Work(unittest.TestCase):
         for name, program in (("ours", OURS), ("theirs", TOOLKIT)):
             text = self.segment(program, *options, "-o", self.folder / f"{name}.vtp", "--labels",
                                 self.folder / f"{name}.nii.gz", "--convergence", self.folder / f"{name}.csv")
-            self.assertRegex(text, r"volume \d+\.\d ml, \d+ iterations, [a-z ]+, 0 self-intersections; reading ")
+            self.assertRegex(text, r"volume \d+\.\d ml, \d+ iterations, [a-z ]+, 0 self-intersections, confidence 0\.9\d; reading ")
             surfaces = {run("evaluate", self.folder / f"{name}.vtp", self.truth, program=judge).stdout
                         for judge in (OURS, TOOLKIT)}
             self.assertEqual(len(surfaces), 1, surfaces)

@@ -48,7 +48,7 @@ class Objects(unittest.TestCase):
         self.assertFalse(surface.is_all_triangles)
         numpy.testing.assert_array_equal(surface.points, coarse_liver().points)
         self.assertEqual(surface.n_open_edges, 0)
-        self.assertEqual(set(surface.point_data), {"Displacement", "Correspondence"})
+        self.assertEqual(set(surface.point_data), {"Displacement", "Correspondence", "Confidence"})
         self.assertEqual(surface.field_data["Certified"], [1])
 
     def test_surfaces_of_vtk_are_taken(self):

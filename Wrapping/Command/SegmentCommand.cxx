@@ -229,12 +229,13 @@ void PrintSummary(vtkFlipFreeSegmentation* filter, const Segmentation& segmentat
 {
   double seconds[4];
   filter->GetStageSeconds(seconds);
-  std::printf("%s: volume %.1f ml, %d iterations, %s, %d self-intersections; reading %.2f s, "
-              "smoothing %.2f s, feature %.2f s, deformation %.2f s, label map %.2f s\n",
+  std::printf(
+    "%s: volume %.1f ml, %d iterations, %s, %d self-intersections, confidence %.2f; "
+    "reading %.2f s, smoothing %.2f s, feature %.2f s, deformation %.2f s, label map %.2f s\n",
     TitleOf(segmentation, "").c_str(), VolumeInMilliliters(filter->GetSurface()),
     static_cast<int>(filter->GetConvergence()->GetNumberOfRows()), filter->GetStopReasonAsString(),
-    filter->GetNumberOfSelfIntersections(), readingSeconds, seconds[0], seconds[1], seconds[2],
-    seconds[3]);
+    filter->GetNumberOfSelfIntersections(), filter->GetConfidence(), readingSeconds, seconds[0],
+    seconds[1], seconds[2], seconds[3]);
   std::fflush(stdout);
 }
 

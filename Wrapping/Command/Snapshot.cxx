@@ -16,6 +16,7 @@
 #include "vtkImageReslice.h"
 #include "vtkImageShrink3D.h"
 #include "vtkLight.h"
+#include "vtkLookupTable.h"
 #include "vtkMath.h"
 #include "vtkMatrix3x3.h"
 #include "vtkMatrix4x4.h"
@@ -59,6 +60,9 @@ constexpr double Gap = 3.0 / Size; // between the views
 constexpr double Ink[3] = { 0.045, 0.05, 0.06 };
 constexpr double Frame[3] = { 0.16, 0.17, 0.2 };
 constexpr double ContourColor[3] = { 1.0, 0.76, 0.2 };
+constexpr double DoubtColor[3] = { 0.25, 0.6,
+  1.0 }; // of the contour where the image does not support it
+constexpr double DoubtfulConfidence = 0.5;
 constexpr double LetterColor[3] = { 0.85, 0.86, 0.88 };
 constexpr double OrganColor[3] = { 0.86, 0.42, 0.33 };
 
@@ -217,12 +221,31 @@ vtkSmartPointer<vtkRenderer> AddRenderer(vtkRenderWindow* window,
   return renderer;
 }
 
+/// Two colors: below the doubtful confidence, and above.
+void ColorByConfidence(vtkPolyDataMapper* mapper)
+{
+  vtkNew<vtkLookupTable> colors;
+  colors->SetNumberOfTableValues(2);
+  colors->SetTableValue(0, DoubtColor[0], DoubtColor[1], DoubtColor[2]);
+  colors->SetTableValue(1, ContourColor[0], ContourColor[1], ContourColor[2]);
+  mapper->SetScalarModeToUsePointFieldData();
+  mapper->SelectColorArray("Confidence");
+  mapper->SetLookupTable(colors);
+  mapper->SetScalarRange(0, 2 * DoubtfulConfidence);
+  mapper->InterpolateScalarsBeforeMappingOn(); // no mixed colors
+}
+
 void AddContour(vtkRenderer* renderer, vtkPolyData* contour, const double* towardsViewer,
   const double color[3], double width)
 {
   vtkNew<vtkPolyDataMapper> mapper;
   mapper->SetInputData(contour);
   mapper->ScalarVisibilityOff();
+  if (color == ContourColor && contour->GetPointData()->HasArray("Confidence"))
+  {
+    mapper->ScalarVisibilityOn();
+    ColorByConfidence(mapper);
+  }
   vtkNew<vtkActor> actor;
   actor->SetMapper(mapper);
   actor->SetPosition(towardsViewer[0], towardsViewer[1], towardsViewer[2]);

@@ -92,6 +92,7 @@ private:
         return StopReason::Aborted;
       }
       this->Surface.Iterations = this->FirstIterations;
+      this->Surface.First = this->FirstSurface;
       Stopwatch watch;
       this->Foreground.SetMask(this->Carved);
       if (!this->CorrectForeground([this](double) { return this->Proceed(0, 0); }))
@@ -143,6 +144,7 @@ private:
     {
       return false;
     }
+    this->FirstSurface = { this->Surface.Mesh, this->Surface.Points };
     this->FirstIterations = this->Surface.Iterations;
     this->Carved = this->Foreground.GetMask();
     this->Constraints = constraints;
@@ -357,6 +359,7 @@ private:
 
   // Of the first run.
   std::vector<IterationRecord> FirstIterations;
+  DeformableSurface FirstSurface;
   BitMask Carved;
 };
 

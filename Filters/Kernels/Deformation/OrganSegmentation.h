@@ -31,6 +31,7 @@ struct OrganSurface
   ContourMesh Mesh;
   PointList Points;
   CorrespondenceField Field; ///< of the last iteration
+  DeformableSurface First;   ///< what the first run ended with; empty without carving
   std::vector<IterationRecord> Iterations;
   StopReason Reason = StopReason::NotRun;
   std::ptrdiff_t SelfIntersections = 0;

@@ -1,8 +1,10 @@
 #include "Deformation/SegmentationWarnings.h"
 
 #include "Deformation/PlausibilityCheck.h"
+#include "Intensity/SurfaceConfidence.h"
 
 #include <cmath>
+#include <cstdio>
 #include <sstream>
 
 namespace FlipFree
@@ -80,6 +82,20 @@ std::vector<std::string> WarningsOf(const OrganSurface& organ, const ImageGeomet
     warnings.push_back(TextOf(finding, ReachOf(settings.Smoothing, seed.Radius)));
   }
   return warnings;
+}
+
+std::string DoubtOf(double confidence, const OrganSegmentationSettings& settings)
+{
+  if (!settings.Feature.Carving || confidence >= DoubtfulConfidence)
+  {
+    return {};
+  }
+  char number[16];
+  std::snprintf(number, sizeof(number), "%.2f", confidence);
+  return "The result is doubtful: its confidence is " + std::string(number) + ", below " +
+    TextOf(DoubtfulConfidence) +
+    "; look at the contour where its confidence is low, and correct it there by points inside or "
+    "outside the organ.";
 }
 
 } // namespace FlipFree

@@ -18,6 +18,10 @@ std::vector<std::string> WarningsOf(const OrganSurface& organ, const ImageGeomet
   const ImageGeometry& image, const SeedSphere& seed, const OrganSegmentationSettings& settings,
   bool startsAtSeed);
 
+/// A message for a result of low confidence, with its remedy; empty for any other, and without
+/// carving, for which the threshold does not hold.
+std::string DoubtOf(double confidence, const OrganSegmentationSettings& settings);
+
 } // namespace FlipFree
 
 #endif

@@ -3,6 +3,7 @@
 #include "Deformation/SegmentationWarnings.h"
 #include "Deformation/StartMask.h"
 #include "Error.h"
+#include "Geometry/DistanceQuery.h"
 #include "Image/GridCheck.h"
 #include "Stopwatch.h"
 
@@ -92,6 +93,15 @@ void WarnOfMissed(double fraction, const std::string& name, std::vector<std::str
       "about two voxels; remove parts that lie apart, add inside points where some are missed, or "
       "segment the parts one by one.");
   }
+}
+
+// The distances of the vertices from the surface of the first run; empty without one.
+Eigen::VectorXd ShiftsOf(const OrganSurface& organ)
+{
+  const DeformableSurface& first = organ.First;
+  return first.Points.rows() == 0
+    ? Eigen::VectorXd()
+    : DistanceQuery(first.Points, first.Mesh.Triangles).DistancesOf(organ.Points);
 }
 
 void RequireCertified(const OrganSurface& organ)
@@ -206,8 +216,16 @@ VolumeSegmentation VolumeSegmenter::Segment(const ConstraintList& constraints,
   {
     RequireCertified(organ);
   }
+  result.Confidence = JudgeSurface(this->Volume.Read, geometry, organ.Mesh, organ.Points,
+    this->Seed.Center, ShiftsOf(organ), this->Threads.For);
   result.Warnings = WarningsOf(organ, this->Region, geometry, this->Seed, method,
     this->StartsAtSeed && !this->HasForeground());
+  const std::string doubt = DoubtOf(result.Confidence.OfSurface, method);
+  // The threshold is for what was found in the image.
+  if (result.Warnings.empty() && !doubt.empty() && !this->HasForeground())
+  {
+    result.Warnings.push_back(doubt);
+  }
   result.Voxels = VoxelizeSurface(organ.Points, organ.Mesh.Triangles, geometry, this->Threads.For);
   if (this->HasForeground())
   {

@@ -10,6 +10,7 @@
 #include "Deformation/StartSurface.h"
 #include "Image/BitMask.h"
 #include "Image/FiniteVoxels.h"
+#include "Intensity/SurfaceConfidence.h"
 #include "Mesh/SurfaceVoxelization.h"
 
 #include <array>
@@ -57,6 +58,7 @@ struct VolumeSegmentation
 {
   OrganSurface Organ;
   std::vector<VoxelRun> Voxels;      ///< inside; none where it was aborted
+  SurfaceConfidence Confidence;      ///< empty where it was aborted
   std::vector<std::string> Warnings; ///< a message each, with its remedy
   /// Smoothing, feature, deformation, label map.
   std::array<double, 4> StageSeconds{ { 0, 0, 0, 0 } };

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
@@ -20,7 +21,7 @@ class Segmentation(Faces, Correctable):
     """An organ. Coordinates are the image's physical millimeters."""
 
     surface: vtkPolyData
-    """Closed, with the point arrays `Displacement` and `Correspondence`."""
+    """Closed, with the point arrays `Displacement`, `Correspondence` and, for an organ, `Confidence`."""
 
     label_map: vtkImageData
     """Has the image's geometry; label_value inside, 0 outside."""
@@ -49,6 +50,23 @@ class Segmentation(Faces, Correctable):
 
         points: npt.NDArray[Any] = vtk_to_numpy(self.surface.GetPoints().GetData())
         return points
+
+    @property
+    def confidence(self) -> float:
+        """How far the result can be trusted, 0 to 1; doubtful below 0.85, which a FlipFreeWarning says.
+
+        nan for a vessel.
+        """
+        confidence = self.surface.GetFieldData().GetArray("Confidence")
+        return math.nan if confidence is None else float(confidence.GetTuple1(0))
+
+    @property
+    def vertex_confidence(self) -> npt.NDArray[Any] | None:
+        """How well the image supports the surface at each vertex, 0 to 1; None for a vessel."""
+        from vtkmodules.util.numpy_support import vtk_to_numpy
+
+        confidence = self.surface.GetPointData().GetArray("Confidence")
+        return None if confidence is None else vtk_to_numpy(confidence)
 
     @property
     def labels(self) -> npt.NDArray[Any]:

@@ -159,8 +159,13 @@ nb::dict Segment(const Voxels& voxels, const Triple& spacing, const Triple& orig
       std::move(iteration.Field)));
   }
   answer["history"] = surfaces;
-  answer["surface"] =
+  nb::dict surface =
     SurfaceDict(std::move(organ.Mesh.Faces), std::move(organ.Points), std::move(organ.Field));
+  std::vector<float>& ofVertices = result.Confidence.OfVertices;
+  const std::size_t vertices = ofVertices.size();
+  surface["vertex_confidence"] = ArrayOf<float>(std::move(ofVertices), { vertices });
+  surface["confidence"] = result.Confidence.OfSurface;
+  answer["surface"] = surface;
   report(1.0);
   return answer;
 }

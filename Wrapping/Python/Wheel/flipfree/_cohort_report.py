@@ -44,9 +44,10 @@ def report_of(rows: list[dict[str, Any]], folder: str) -> str:
             '<meta name="viewport" content="width=device-width, initial-scale=1">',
             f"<title>FlipFree: a cohort of {len(rows)} rows</title>\n<style>{STYLE}</style>\n</head>\n<body>",
             f"<h1>{len(rows):,} rows, {failed:,} failed</h1>",
-            f"<p>Failed rows come first, then those of the least confidence: the share of the surface with the "
-            "organ's gray values inside and others outside. Pictures: axial, sagittal and coronal slices "
-            f"through the surface's center, and the surface from the front.{more}</p>\n<main>",
+            "<p>Failed rows come first, then those of the least confidence, which reads like the Dice score to "
+            "expect; below 0.85 a result is doubtful. Pictures: axial, sagittal and coronal slices through the "
+            "surface's center, their contour blue where the image does not support it, and the surface from "
+            f"the front.{more}</p>\n<main>",
             *cards,
             "</main>\n</body>\n</html>\n",
         )

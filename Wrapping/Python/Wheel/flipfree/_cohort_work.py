@@ -23,7 +23,6 @@ from ._cohort_files import (
 )
 from ._cohort_points import corrections_of, vessel_of
 from ._cohort_table import Row
-from ._confidence import confidence_of
 from ._errors import FlipFreeError, FlipFreeWarning
 from ._evaluate import evaluate
 from ._files import read_image, write_image
@@ -111,7 +110,7 @@ def _results(row: Row, output: str, image: Image) -> dict[str, Any]:
         raise FlipFreeError(f"no boundary of the {what} was found; place the {where} inside it")
     values: dict[str, Any] = {
         # Which is about organs.
-        "confidence": None if row.is_vessel else round(confidence_of(image, organ), 4),
+        "confidence": None if row.is_vessel else round(organ.confidence, 4),
         "segmented_ml": round(organ.volume, 3),
         "iterations": len(organ.iterations["Iteration"]),
         "stop_reason": organ.stop_reason,

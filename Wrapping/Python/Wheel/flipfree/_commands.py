@@ -176,7 +176,7 @@ def _report(values: dict[str, Any], organ: Segmentation, reading: float, working
         print(
             f"{_title_of(values, '')}: volume {organ.volume:.1f} ml, "
             f"{len(organ.iterations['Iteration'])} iterations, {organ.stop_reason}, "
-            f"{organ.self_intersections} self-intersections; reading {reading:.2f} s, "
+            f"{organ.self_intersections} self-intersections, confidence {organ.confidence:.2f}; reading {reading:.2f} s, "
             f"segmenting {working:.2f} s"
         )
 

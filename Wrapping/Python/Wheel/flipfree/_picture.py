@@ -20,6 +20,8 @@ VIEWS = (
     ((1, 0, 0), (0, 0, 1), "R", "S"),
 )
 INK, CONTOUR, LETTER, ORGAN = "#0b0d0f", "#ffc233", "#d9dbe0", (0.86, 0.42, 0.33)
+# The contour where the image does not support it: where a vertex has a lower confidence.
+DOUBT, DOUBTFUL = "#4099ff", 0.5
 
 
 def require_matplotlib() -> None:
@@ -28,7 +30,10 @@ def require_matplotlib() -> None:
 
 
 def write_picture(path: PathName, image: Volume, organ: Segmentation, size: int = 1200) -> None:
-    """Writes a .png or .jpg file: axial, sagittal and coronal slices through the surface's center."""
+    """Writes a .png or .jpg file: axial, sagittal and coronal slices through the surface's center.
+
+    The contour is blue where the image does not support it.
+    """
     require_matplotlib()
     import numpy
     from matplotlib.backends.backend_agg import FigureCanvasAgg
@@ -91,10 +96,10 @@ def _draw_slice(
         vmax=region.window[1],
         interpolation="bilinear",
     )
-    segments = cut(organ, region.center, numpy.cross(right, up))
+    segments, doubtful = cut(organ, region.center, numpy.cross(right, up))
     flat: Any = numpy.stack([(segments - region.center) @ right, (segments - region.center) @ up], axis=-1)
-    for color, width in ((INK, 4.5), (CONTOUR, 2.2)):
-        axes.add_collection(LineCollection(flat, colors=color, linewidths=width * scale, capstyle="round"))
+    for color, width, some in ((INK, 4.5, flat), (CONTOUR, 2.2, flat[~doubtful]), (DOUBT, 2.2, flat[doubtful])):
+        axes.add_collection(LineCollection(some, colors=color, linewidths=width * scale, capstyle="round"))
     axes.set(xlim=(-half, half), ylim=(-half, half))
     for letter, place in ((view[2], (0.035, 0.5)), (view[3], (0.5, 0.965))):
         axes.text(*place, letter, transform=axes.transAxes, color=LETTER, ha="center", va="center",
@@ -124,11 +129,15 @@ def sampled(image: Volume, points: Any, outside: float) -> Any:
     return numpy.where(inside, values, outside)
 
 
-def cut(organ: Segmentation, point: Any, normal: Any) -> Any:
-    """Where the surface's triangles meet a plane: segments [n, 2, 3]."""
+def cut(organ: Segmentation, point: Any, normal: Any) -> tuple[Any, Any]:
+    """Where the surface's triangles meet a plane: segments [n, 2, 3], and which of them are doubtful."""
     import numpy
 
     corners = organ.points[organ.triangles]
+    confidence = organ.vertex_confidence
+    doubtful = numpy.zeros(len(corners), bool)
+    if confidence is not None:
+        doubtful = confidence[organ.triangles].mean(axis=1) < DOUBTFUL
     height = (corners - point) @ normal
     height = numpy.where(height == 0, 1e-12, height)  # no vertex lies on the plane
     above = height > 0
@@ -144,7 +153,7 @@ def cut(organ: Segmentation, point: Any, normal: Any) -> Any:
         ends.append(
             corners[rows, alone] + part[:, None] * (corners[rows, other] - corners[rows, alone])
         )
-    return numpy.stack(ends, axis=1)
+    return numpy.stack(ends, axis=1), doubtful[crossing]
 
 
 def _draw_surface(axes: Any, organ: Segmentation, region: Region) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
@@ -35,6 +36,12 @@ class Surface(Faces):
 
     certified: bool = False
     """Whether the guard was on, so that no two faces can intersect."""
+
+    confidence: float = math.nan
+    """How far the surface can be trusted, 0 to 1; nan unless it is a result."""
+
+    vertex_confidence: npt.NDArray[Any] | None = None
+    """How well the image supports the surface at each vertex, 0 to 1; None unless it is a result."""
 
     def cells(self) -> tuple[Any, Any]:
         return self.corners, self.offsets
@@ -73,6 +80,16 @@ class Segmentation(Faces, Correctable):
     def points(self) -> npt.NDArray[Any]:
         """The vertices as rows (x, y, z)."""
         return self.mesh.points
+
+    @property
+    def confidence(self) -> float:
+        """How far the result can be trusted, 0 to 1; doubtful below 0.85, which a FlipFreeWarning says."""
+        return self.mesh.confidence
+
+    @property
+    def vertex_confidence(self) -> npt.NDArray[Any] | None:
+        """How well the image supports the surface at each vertex, 0 to 1."""
+        return self.mesh.vertex_confidence
 
     @property
     def labels(self) -> npt.NDArray[Any]:

@@ -100,16 +100,28 @@ def _vtp(mesh: Surface) -> bytes:
     import numpy
 
     corners, ends = mesh.corners.astype("int64"), mesh.offsets[1:].astype("int64")
-    certified = _encoded(numpy.array([float(mesh.certified)]))
+    numbers = [_number("Certified", float(mesh.certified))]
+    confidence = ""
+    if mesh.vertex_confidence is not None:
+        numbers.append(_number("Confidence", mesh.confidence))
+        confidence = _array("Confidence", mesh.vertex_confidence, "Float32")
     return _vtp_file(
-        '<FieldData><DataArray type="Float64" Name="Certified" NumberOfTuples="1" format="binary">'
-        f"{certified}</DataArray></FieldData>\n"
+        f"<FieldData>{''.join(numbers)}</FieldData>\n"
         f'<Piece NumberOfPoints="{len(mesh.points)}" NumberOfPolys="{len(ends)}">\n'
         f"<PointData>\n{_array('Displacement', mesh.displacements, 'Float64', 3)}"
-        f"{_array('Correspondence', mesh.correspondence, 'UInt8')}</PointData>\n"
+        f"{_array('Correspondence', mesh.correspondence, 'UInt8')}{confidence}</PointData>\n"
         f"<Points>\n{_array('Points', mesh.points, 'Float64', 3)}</Points>\n"
         f"<Polys>\n{_array('connectivity', corners, 'Int64')}{_array('offsets', ends, 'Int64')}"
         "</Polys>\n</Piece>\n"
+    )
+
+
+def _number(name: str, value: float) -> str:
+    import numpy
+
+    return (
+        f'<DataArray type="Float64" Name="{name}" NumberOfTuples="1" format="binary">'
+        f"{_encoded(numpy.array([value]))}</DataArray>"
     )
 
 

@@ -23,17 +23,20 @@ def polydata_of(mesh: Surface, surface: Any = None) -> Any:
     )
     surface.SetPoints(points)
     surface.SetPolys(polys)
-    for name, values in (
-        ("Displacement", mesh.displacements),
-        ("Correspondence", mesh.correspondence),
-    ):
+    numbers = {"Certified": float(mesh.certified)}
+    arrays = {"Displacement": mesh.displacements, "Correspondence": mesh.correspondence}
+    if mesh.vertex_confidence is not None:
+        arrays["Confidence"] = mesh.vertex_confidence
+        numbers["Confidence"] = mesh.confidence
+    for name, values in arrays.items():
         array = numpy_to_vtk(values)
         array.SetName(name)
         surface.GetPointData().AddArray(array)
-    certified = vtkDoubleArray()
-    certified.SetName("Certified")
-    certified.InsertNextValue(float(mesh.certified))
-    surface.GetFieldData().AddArray(certified)
+    for name, number in numbers.items():
+        field = vtkDoubleArray()
+        field.SetName(name)
+        field.InsertNextValue(number)
+        surface.GetFieldData().AddArray(field)
     return surface
 
 

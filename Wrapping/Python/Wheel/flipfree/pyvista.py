@@ -32,7 +32,7 @@ PIXELS = 400
 
 
 def polydata(surface: Segmentation | Surface) -> pyvista.PolyData:
-    """A surface of quads (and a few triangles), with the point arrays Displacement and Correspondence."""
+    """A surface of quads (and a few triangles), with the toolkit's arrays, such as Confidence."""
     mesh = surface.mesh if isinstance(surface, Segmentation) else surface
     return pyvista.PolyData(polydata_of(mesh))
 
@@ -53,7 +53,7 @@ def segment(
     """Segments the organ around a seed sphere in the active scalars of the image's points.
 
     Seed (x, y, z) and radius are in the image's millimeters. The surface consists of quads and has the
-    field data `stop_reason`, `self_intersections` and `Certified`. With `labels_as`, the label map
+    field data `stop_reason`, `self_intersections`, `Certified` and `Confidence`. With `labels_as`, the label map
     becomes a point array of that name of the image; the active scalars stay as they are. The other
     parameters are those of flipfree.segment.
     """

@@ -1,0 +1,216 @@
+#include "Intensity/SurfaceConfidence.h"
+
+#include "Image/ImageInterpolation.h"
+#include "Image/SeedRegion.h"
+#include "Intensity/RobustStatistics.h"
+#include "Mesh/SurfaceNormals.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace FlipFree
+{
+namespace
+{
+
+// Where gray values are taken on either side, in millimeters.
+constexpr int FirstStep = 2;
+constexpr int LastStep = 6;
+
+constexpr int NormalSmoothing = 2;
+constexpr int Pooling = 2; // rings of neighbors
+
+// A vertex whose contrast, not pooled, is greater than this many spreads is clear.
+constexpr double ClearContrast = 0.7;
+
+// Of a vertex, half the confidence is left at this pooled contrast, in spreads, and at this shift,
+// in radii of a ball of the organ's volume.
+constexpr double HalfContrast = 2;
+constexpr double HalfShiftOfVertex = 0.1;
+
+// Of the surface: the shift that leaves half of a vertex' agreement, and the weights of the three
+// evidences in a logistic function.
+constexpr double HalfShift = 0.05;
+constexpr double Bias = -3;
+constexpr double WeightOfAgreement = 2;
+constexpr double WeightOfClearness = 7;
+constexpr double WeightOfSpan = -2.3;
+
+// The part of the image around the surface.
+FloatImage SurroundingsOf(const VoxelReader& read, const ImageGeometry& geometry,
+  const PointList& points, const ParallelFor& parallelFor)
+{
+  VoxelBox box;
+  for (Eigen::Index vertex = 0; vertex < points.rows(); ++vertex)
+  {
+    box = box.Joined(BoxAround(geometry, points.row(vertex).transpose(), LastStep + 1));
+  }
+  FloatImage part;
+  part.Geometry = CropGeometry(geometry, box);
+  part.Voxels.resize(part.Geometry.NumberOfVoxels());
+  parallelFor(0, box.Size(2),
+    [&](std::ptrdiff_t first, std::ptrdiff_t last)
+    {
+      for (int k = static_cast<int>(first); k < last; ++k)
+      {
+        for (int j = 0; j < box.Size(1); ++j)
+        {
+          read(box.Begin[0], box.End[0], box.Begin[1] + j, box.Begin[2] + k,
+            part.Voxels.data() + part.Geometry.Offset(0, j, k));
+        }
+      }
+    });
+  return part;
+}
+
+// The mean over a vertex and its four neighbors, again and again.
+void Pool(const ContourMesh& mesh, Eigen::VectorXd& values)
+{
+  for (int ring = 0; ring < Pooling; ++ring)
+  {
+    Eigen::VectorXd sums = values;
+    for (int vertex = 0; vertex < mesh.NumberOfPoints(); ++vertex)
+    {
+      for (const int neighbor : mesh.Neighbors[vertex])
+      {
+        sums[vertex] += values[neighbor];
+      }
+    }
+    values = sums / 5;
+  }
+}
+
+// 1 at zero, 1/2 at `half`.
+double FallOff(double value, double half)
+{
+  return 1 / (1 + value * value / (half * half));
+}
+
+class Judgment
+{
+public:
+  Judgment(const ContourMesh& mesh, const PointList& points)
+    : Mesh(mesh)
+    , Points(points)
+    , Contrast(Eigen::VectorXd::Zero(points.rows()))
+    , Areas(Eigen::VectorXd::Zero(points.rows()))
+  {
+  }
+
+  void MeasureContrast(const ImageView<float>& image, const ParallelFor& parallelFor)
+  {
+    constexpr int steps = LastStep - FirstStep + 1;
+    const PointList normals = VertexNormals(this->Mesh, this->Points, NormalSmoothing);
+    std::vector<float> inside(steps * this->Points.rows());
+    parallelFor(0, this->Points.rows(),
+      [&](std::ptrdiff_t first, std::ptrdiff_t last)
+      {
+        for (std::ptrdiff_t vertex = first; vertex < last; ++vertex)
+        {
+          const auto sample = [&](double millimeters)
+          {
+            const Eigen::Vector3d point =
+              this->Points.row(vertex) + millimeters * normals.row(vertex);
+            return InterpolateClamped(image, image.Geometry.ToIndex(point));
+          };
+          for (int step = 0; step < steps; ++step)
+          {
+            const double own = sample(-FirstStep - step);
+            inside[steps * vertex + step] = static_cast<float>(own);
+            this->Contrast[vertex] += (sample(FirstStep + step) - own) / steps;
+          }
+        }
+      });
+    this->Spread = RobustStatisticsOf(inside).StandardDeviation;
+    this->Pooled = this->Contrast;
+    Pool(this->Mesh, this->Pooled);
+  }
+
+  void MeasureSize()
+  {
+    double sixVolumes = 0;
+    const Eigen::RowVector3d origin = this->Points.row(0);
+    for (Eigen::Index triangle = 0; triangle < this->Mesh.Triangles.rows(); ++triangle)
+    {
+      const auto corners = this->Mesh.Triangles.row(triangle);
+      const Eigen::RowVector3d a = this->Points.row(corners[0]) - origin;
+      const Eigen::RowVector3d b = this->Points.row(corners[1]) - origin;
+      const Eigen::RowVector3d c = this->Points.row(corners[2]) - origin;
+      sixVolumes += a.dot(b.cross(c));
+      for (const int corner : corners)
+      {
+        this->Areas[corner] += (b - a).cross(c - a).norm();
+      }
+    }
+    this->Radius = std::cbrt(std::abs(sixVolumes) / (8 * EIGEN_PI));
+  }
+
+  // Of a vertex: how far its neighborhood stands out.
+  double SupportOf(Eigen::Index vertex) const
+  {
+    const double contrast = std::abs(this->Pooled[vertex]);
+    return contrast > 0 ? FallOff(HalfContrast * this->Spread, contrast) : 0;
+  }
+
+  // Of a vertex: 1 where both runs have found it at the same place, 1/2 at `half` radii.
+  double AgreementOf(Eigen::Index vertex, const Eigen::VectorXd& shifts, double half) const
+  {
+    return shifts.size() == 0 || shifts[vertex] == 0 ? 1
+                                                     : FallOff(shifts[vertex], half * this->Radius);
+  }
+
+  double OfSurface(const Eigen::VectorXd& shifts, const Eigen::Vector3d& seed) const
+  {
+    double agreement = 0;
+    double clearness = 0;
+    double squaredSpan = 0;
+    for (Eigen::Index vertex = 0; vertex < this->Points.rows(); ++vertex)
+    {
+      const double area = this->Areas[vertex];
+      agreement += area * this->AgreementOf(vertex, shifts, HalfShift);
+      clearness += std::abs(this->Contrast[vertex]) > ClearContrast * this->Spread ? area : 0;
+      squaredSpan += area * (this->Points.row(vertex).transpose() - seed).squaredNorm();
+    }
+    const double area = this->Areas.sum();
+    if (!(area > 0 && this->Radius > 0))
+    {
+      return 0;
+    }
+    const double sum = Bias + WeightOfAgreement * agreement / area +
+      WeightOfClearness * clearness / area +
+      WeightOfSpan * std::sqrt(squaredSpan / area) / this->Radius;
+    return 1 / (1 + std::exp(-sum));
+  }
+
+private:
+  const ContourMesh& Mesh;
+  const PointList& Points;
+  Eigen::VectorXd Contrast; // outside minus inside
+  Eigen::VectorXd Pooled;
+  double Spread = 0;     // of the gray values inside
+  Eigen::VectorXd Areas; // up to a factor
+  double Radius = 0;     // of a ball of the same volume
+};
+
+} // namespace
+
+SurfaceConfidence JudgeSurface(const VoxelReader& read, const ImageGeometry& geometry,
+  const ContourMesh& mesh, const PointList& points, const Eigen::Vector3d& seed,
+  const Eigen::VectorXd& shifts, const ParallelFor& parallelFor)
+{
+  SurfaceConfidence confidence;
+  const FloatImage image = SurroundingsOf(read, geometry, points, parallelFor);
+  Judgment judgment(mesh, points);
+  judgment.MeasureContrast(image.View(), parallelFor);
+  judgment.MeasureSize();
+  confidence.OfVertices.resize(points.rows());
+  for (Eigen::Index vertex = 0; vertex < points.rows(); ++vertex)
+  {
+    confidence.OfVertices[vertex] = static_cast<float>(
+      judgment.SupportOf(vertex) * judgment.AgreementOf(vertex, shifts, HalfShiftOfVertex));
+  }
+  confidence.OfSurface = judgment.OfSurface(shifts, seed);
+  return confidence;
+}
+
+} // namespace FlipFree
