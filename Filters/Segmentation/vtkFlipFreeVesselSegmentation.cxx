@@ -7,6 +7,7 @@
 #include "LabelAdapter.h"
 #include "PipelineAdapter.h"
 #include "StageProperties.h"
+#include "Vessel/VesselParameters.h"
 #include "VesselOutputs.h"
 
 #include "vtkImageData.h"
@@ -24,9 +25,7 @@ vtkStandardNewMacro(vtkFlipFreeVesselSegmentation);
 
 using Stage = vtkFlipFreeVesselSegmentation;
 
-#define PROPERTIES(P)                                                                              \
-  P(Levels, int, Settings->Levels, 1, 4)                                                           \
-  P(MaximumIterations, int, Settings->MaximumIterations, 0, 1000)
+#define PROPERTIES(P) FLIPFREE_VESSEL_SURFACE_PARAMETERS(P, Settings->)
 
 PROPERTIES(FLIPFREE_DEFINE_PROPERTY)
 

@@ -2,6 +2,7 @@
 
 #include "PipelineAdapter.h"
 #include "StageProperties.h"
+#include "Vessel/VesselParameters.h"
 #include "VesselOutputs.h"
 
 #include "vtkImageData.h"
@@ -10,9 +11,7 @@
 
 using Stage = vtkVesselAlgorithm;
 
-#define PROPERTIES(P)                                                                              \
-  P(Radius, double, Settings->Path.Radius, 0, 100)                                                 \
-  P(WallThickness, double, Settings->Path.WallThickness, -5, 5)
+#define PROPERTIES(P) FLIPFREE_VESSEL_PATH_PARAMETERS(P, Settings->)
 
 PROPERTIES(FLIPFREE_DEFINE_PROPERTY)
 

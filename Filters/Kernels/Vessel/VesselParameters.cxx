@@ -1,0 +1,43 @@
+#include "Vessel/VesselParameters.h"
+
+#include "PropertyCheck.h"
+
+namespace FlipFree
+{
+namespace
+{
+
+using Settings = VesselSegmentationSettings;
+
+ParameterTable<Settings> MakeTable()
+{
+  ParameterTable<Settings> table;
+#define ADD(Name, type, field, minimum, maximum)                                                   \
+  table.push_back(NumberParameter<type, Settings>(                                                 \
+    #Name, [](auto& settings) -> auto& { return field; }, minimum, maximum));
+  FLIPFREE_VESSEL_PATH_PARAMETERS(ADD, settings.)
+  FLIPFREE_VESSEL_SURFACE_PARAMETERS(ADD, settings.)
+#undef ADD
+  return table;
+}
+
+} // namespace
+
+const ParameterTable<Settings>& VesselParameters()
+{
+  static const ParameterTable<Settings> table = MakeTable();
+  return table;
+}
+
+void RequireNumbers(const Settings& settings)
+{
+  for (const Parameter<Settings>& parameter : VesselParameters())
+  {
+    for (const double value : parameter.Get(settings))
+    {
+      RequireNumbers({ { parameter.Name.c_str(), value } });
+    }
+  }
+}
+
+} // namespace FlipFree
