@@ -54,18 +54,6 @@ double NumberOf(const std::string& text)
   return number;
 }
 
-void RequireProper(const CorrectionPoint& point)
-{
-  if (!IsKind(point.Kind))
-  {
-    throw Failure("the kind is '" + point.Kind + "'; it can be " + Kinds);
-  }
-  if (point.Kind == "seed" && !(point.Radius > 0))
-  {
-    throw Failure("a seed has no radius");
-  }
-}
-
 std::vector<std::string> CellsOf(const std::string& line)
 {
   std::vector<std::string> cells;
@@ -220,6 +208,18 @@ std::string MarkupsOf(const std::vector<CorrectionPoint>& points)
 }
 
 } // namespace
+
+void RequireProper(const CorrectionPoint& point)
+{
+  if (!IsKind(point.Kind))
+  {
+    throw Failure("the kind is '" + point.Kind + "'; it can be " + Kinds);
+  }
+  if (point.Kind == "seed" && !(point.Radius > 0))
+  {
+    throw Failure("a seed has no radius");
+  }
+}
 
 const std::vector<std::string>& PointEndings()
 {
