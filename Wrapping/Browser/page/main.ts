@@ -4,7 +4,7 @@ import { button, element, input, select } from "./dom.js";
 import { droppedFiles } from "./drop.js";
 import { openFiles, openPhantom, setWindow, takePhantomSeed } from "./images.js";
 import { listenToKeys, redo, undo } from "./keys.js";
-import { refresh, showAll } from "./panel.js";
+import { chooseTool, refresh, showAll } from "./panel.js";
 import { listenToPlaces } from "./placing.js";
 import { segment } from "./runs.js";
 import { saveLabels, saveSession, saveSurface } from "./saving.js";
@@ -42,6 +42,7 @@ function add(kind: "organ" | "vessel"): void {
   organs.add(kind);
   select("phantom-seed").value = "";
   showAll();
+  chooseTool(kind === "vessel" ? "point" : "seed");
 }
 
 function setTheme(isLight: boolean): void {

@@ -11,9 +11,9 @@ import type { Tool, ViewedOrgan } from "./view.js";
 const hints: Record<Tool, string> = {
   seed: "Click in the organ, drag to its boundary.",
   inside: "Click where the organ was missed.",
-  outside: "Click where the surface took in something else.",
+  outside: "Click where it took in something else.",
   boundary: "Click on the organ's boundary.",
-  point: "Click in the vessel: at both ends, on its way, in branches.",
+  point: "Click in the vessel: ends, way, branches.",
   navigate: "Click to move the cross-hair.",
 };
 

@@ -33,7 +33,8 @@ function coordinateOf(row: Row, axis: number, name: string, change: (row: Row) =
   made.type = "number";
   made.step = "any";
   made.autocomplete = "off";
-  made.value = String(Number(row.position[axis].toFixed(2)));
+  made.value = String(Number(row.position[axis].toFixed(1)));
+  made.title = `${sides[axis]}, mm`;
   made.setAttribute("aria-label", `${sides[axis]} of ${name}, mm`);
   made.addEventListener("change", () => {
     if (Number.isFinite(made.valueAsNumber)) {
