@@ -214,10 +214,12 @@ test("points by mouse and keys correct the liver: undo, redo, edit, remove", asy
 
   // A boundary point by the mouse in another slice, an inside one at the cross-hair.
   await chooseTool("boundary");
-  await clickAt(1, 0, 0.2, 0.75);
+  await clickAt(1, 0, 0.2, 0.5);
   await corrected();
   await page.keyboard.press("i");
-  await page.keyboard.press("PageUp");
+  for (let voxel = 0; voxel < 6; ++voxel) {
+    await page.keyboard.press("ArrowRight"); // to the patient's left, away from the boundary
+  }
   await page.keyboard.press("c");
   await corrected();
   assert.equal(await countPoints(), 3);
@@ -415,7 +417,7 @@ test("a vessel by two clicks, a third on its way, a session, and the command tha
 test("bad input is answered by a message", async () => {
   await open(result("abdomen.nii.gz"));
   const bytes = readFileSync(result("abdomen.nii.gz"));
-  const other = JSON.parse(readFileSync(result("session.json"), "utf8")); // of the sphere
+  const other = JSON.parse(readFileSync(result("session.json"), "utf8")); // of the vessel
   const files = {
     "cut.nii.gz": bytes.subarray(0, 5000),
     "text.nii": "no image",
@@ -437,7 +439,7 @@ test("bad input is answered by a message", async () => {
   }
   writeFileSync(result("other.json"), JSON.stringify(other));
   await page.setInputFiles("#files", result("other.json"));
-  await page.waitForFunction(() => /open series .64 × 64 × 40/.test(document.getElementById("error").textContent));
+  await page.waitForFunction(() => /open vessel.nii.gz .64 × 64 × 64/.test(document.getElementById("error").textContent));
   await typeSeed({ center: [9999, 0, 0], radius: 4 });
   await page.click("#run");
   assert.match(await errorText(), /The seed's center .* lies outside the image/);

@@ -1,20 +1,15 @@
 // The whole method: a volume and a seed in, surface, label map and convergence out.
+#include "Answers.h"
 #include "Bindings.h"
-#include "Numpy.h"
 #include "Report.h"
 #include "ThreadPool.h"
 
-#include "Deformation/ConvergenceColumns.h"
 #include "Deformation/SegmentationParameters.h"
 #include "Deformation/VolumeSegmentation.h"
-#include "Image/GridCheck.h"
 
 #include <nanobind/stl/array.h>
 #include <nanobind/stl/optional.h>
 
-#include <algorithm>
-#include <cstdlib>
-#include <new>
 #include <optional>
 
 namespace FlipFree
@@ -23,79 +18,6 @@ namespace
 {
 
 using Settings = VolumeSegmentationSettings;
-
-const char* const ImageName = "the image on port 0";
-
-// A surface on its way to Python.
-nb::dict DictOf(FaceList faces, PointList points, CorrespondenceField field)
-{
-  const auto size = static_cast<std::size_t>(points.rows());
-  // Of no iteration: nothing is wanted.
-  if (field.States.size() != size)
-  {
-    field.Displacements = PointList::Zero(points.rows(), 3);
-    field.States.assign(size, VertexState::Solitary);
-  }
-  std::vector<std::uint8_t> states(size);
-  std::transform(field.States.begin(), field.States.end(), states.begin(),
-    [](VertexState state) { return static_cast<std::uint8_t>(state); });
-  const std::size_t corners = faces.Connectivity.size();
-  const std::size_t offsets = faces.Offsets.size();
-  nb::dict surface;
-  surface["points"] = ArrayOf<double>(std::move(points), { size, 3 });
-  surface["corners"] = ArrayOf<int>(std::move(faces.Connectivity), { corners });
-  surface["offsets"] = ArrayOf<int>(std::move(faces.Offsets), { offsets });
-  surface["displacements"] = ArrayOf<double>(std::move(field.Displacements), { size, 3 });
-  surface["correspondence"] = ArrayOf<std::uint8_t>(std::move(states), { size });
-  return surface;
-}
-
-nb::dict ColumnsOf(const std::vector<IterationRecord>& records)
-{
-  nb::dict columns;
-  for (const ConvergenceColumn& column : ConvergenceColumns())
-  {
-    const auto read = [&](auto zero)
-    {
-      std::vector<decltype(zero)> values;
-      for (const IterationRecord& record : records)
-      {
-        values.push_back(static_cast<decltype(zero)>(column.Read(record)));
-      }
-      return ArrayOf<decltype(zero)>(std::move(values), { records.size() });
-    };
-    columns[column.Name] = column.IsCount ? read(int()) : read(double());
-  }
-  return columns;
-}
-
-// The system provides large blocks cleared, page by page on first use; most of a volume is never
-// touched.
-nb::object LabelsOf(const std::vector<VoxelRun>& runs, int label, const ImageGeometry& geometry)
-{
-  auto* const voxels =
-    static_cast<std::uint8_t*>(std::calloc(std::max<std::size_t>(1, geometry.NumberOfVoxels()), 1));
-  if (!voxels)
-  {
-    throw std::bad_alloc();
-  }
-  const nb::capsule owner(voxels, [](void* p) noexcept { std::free(p); });
-  FillRuns(runs, static_cast<std::uint8_t>(label), geometry, voxels);
-  const auto& size = geometry.Dimensions;
-  return nb::cast(nb::ndarray<nb::numpy, std::uint8_t>(voxels,
-    { static_cast<std::size_t>(size[2]), static_cast<std::size_t>(size[1]),
-      static_cast<std::size_t>(size[0]) },
-    owner));
-}
-
-void RequireGrid(const ImageGeometry& geometry)
-{
-  if (geometry.NumberOfVoxels() == 0)
-  {
-    throw std::invalid_argument("the image on port 0 has no voxels; give one that has");
-  }
-  RequireProperGrid(geometry, ImageName);
-}
 
 // Points and faces of a start surface.
 using Start = std::tuple<Rows3, Indices, Indices>;

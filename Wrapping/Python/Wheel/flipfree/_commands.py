@@ -24,9 +24,10 @@ from ._point_files import ENDINGS as POINT_ENDINGS
 from ._point_files import read_points, write_points
 from ._segment import segment as segment_organ
 from ._segmentation import Segmentation
-from ._session import Session, image_beside, read_session, require_image_of, runs_of
+from ._session import Session, SessionOrgan, image_beside, read_session, require_image_of, runs_of
 from ._surface_files import ENDINGS, read_surface, write_surface
 from ._types import Shape
+from ._vessels import trace_vessel
 
 # Columns of the toolkit's table that are not their field's name with a capital letter.
 COLUMNS = {"asd": "ASD", "rms": "RMS", "hd95": "HD95", "hd": "HD"}
@@ -49,7 +50,7 @@ def segment(values: dict[str, Any]) -> None:
         runs = runs_of(session, values, [name for name in OUTPUTS if name != "labels"])
     for run in runs:
         _require_sense(run, {name: run[name] for name in OUTPUTS if name in run})
-    points = {} if session else _points_of(values)
+    points = {} if session else _points_of(values)  # a session's organs have their own
     set_threads(values.get("threads", 0))
     start = time.perf_counter()
     image = read_image(values["input"], series=values.get("series"), progress=progress)
@@ -104,16 +105,22 @@ def _segment_one(
     """What was found and in how many seconds; its own files are written."""
     start = time.perf_counter()
     title = _title_of(values)
+    repeated: SessionOrgan | None = values.get("repeated")
     try:
-        organ = segment_organ(
-            image,
-            _lps(values, values.get("seed")) or _point_of(image, values["seed_voxel"]),
-            values["radius"],
-            preset=values.get("preset", "default"),
-            progress=progress or None,
-            **points,
-            **{name: value for name, value in values.items() if name in SEGMENT_PARAMETERS},
-        )
+        if repeated and repeated.points:
+            organ = trace_vessel(
+                image, repeated.points, repeated.parameters, values["label_value"], progress or None
+            )
+        else:
+            organ = segment_organ(
+                image,
+                _lps(values, values.get("seed")) or _point_of(image, values["seed_voxel"]),
+                values["radius"],
+                preset=values.get("preset", "default"),
+                progress=progress or None,
+                **(repeated.corrections if repeated else points),
+                **{name: value for name, value in values.items() if name in SEGMENT_PARAMETERS},
+            )
     except FlipFreeError as error:
         raise type(error)(f"{title}: {error}") from error
     working = time.perf_counter() - start
@@ -270,7 +277,7 @@ def _wants_bar(values: dict[str, Any]) -> bool:
 
 def _require_sense(values: dict[str, Any], outputs: dict[str, str]) -> None:
     """Checks all that can be checked before the volume is read."""
-    if ("seed" in values) == ("seed_voxel" in values):
+    if "repeated" not in values and ("seed" in values) == ("seed_voxel" in values):
         raise WrongUsage(
             "Both --seed and --seed-voxel are given. Give only one of them"
             if "seed" in values
