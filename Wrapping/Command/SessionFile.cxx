@@ -172,8 +172,9 @@ SessionOrgan OrganOf(const Json& entry)
 
 Session SessionOf(const Json& content)
 {
-  const Json& version = content.at("version");
-  if (content.at("format") != "flipfree-session" || (version != 1 && version != 2))
+  const std::array<Json, 2> known{ { 1, 2 } };
+  if (content.at("format") != "flipfree-session" ||
+    std::find(known.begin(), known.end(), content.at("version")) == known.end())
   {
     throw Failure("it is of another format or of a newer version");
   }

@@ -47,7 +47,7 @@ bool SetProperty(Filter* filter, const std::string& property, double value)
 
 vtkSmartPointer<Filter> VesselFilterOf(const SessionOrgan& vessel)
 {
-  const auto filter = vtkSmartPointer<Filter>::New();
+  auto filter = vtkSmartPointer<Filter>::New();
   for (const auto& [x, y, z] : vessel.Points)
   {
     filter->AddPoint(x, y, z);

@@ -13,7 +13,7 @@ const hints: Record<Tool, string> = {
   inside: "Click where the organ was missed.",
   outside: "Click where it took in something else.",
   boundary: "Click on the organ's boundary.",
-  point: "Click in the vessel: ends, way, branches.",
+  point: "Click at its ends, and on a winding way.",
   navigate: "Click to move the cross-hair.",
 };
 

@@ -47,7 +47,7 @@ export async function changePoints(change: Partial<OrganState>): Promise<void> {
     await run("Correcting", "Corrected", changed, (result) => organs.change(organ, { ...change, result }));
   } else {
     organs.change(organ, { ...change, result: null });
-    say("Point placed.");
+    say(organ.kind === "vessel" && !canRun(changed) ? "A vessel needs a point at each end." : "");
     showAll();
   }
 }
