@@ -73,7 +73,7 @@ nb::object LabelsOf(const std::vector<VoxelRun>& runs, int label, const ImageGeo
     owner));
 }
 
-void RequireGrid(const ImageGeometry& geometry)
+void RequireVoxels(const ImageGeometry& geometry)
 {
   if (geometry.NumberOfVoxels() == 0)
   {

@@ -15,7 +15,7 @@ namespace FlipFree
 constexpr const char* ImageName = "the image on port 0";
 
 /// Throws std::invalid_argument for a volume without voxels and for an improper grid.
-void RequireGrid(const ImageGeometry& geometry);
+void RequireVoxels(const ImageGeometry& geometry);
 
 /// { points, corners, offsets, displacements, correspondence }.
 nb::dict DictOf(FaceList faces, PointList points, CorrespondenceField field);

@@ -81,7 +81,7 @@ nb::dict Segment(const Voxels& voxels, const Triple& spacing, const Triple& orig
     else
     {
       RequireNumbers(settings);
-      RequireGrid(geometry);
+      RequireVoxels(geometry);
       RequireSeed(geometry, seed, ImageName);
       const std::optional<DeformableSurface> surface = SurfaceOf(start, settings.Method.Step.Guard);
       const GrayVolume volume = VisitVoxels(voxels, geometry,

@@ -39,7 +39,7 @@ nb::dict Trace(const Voxels& voxels, const Triple& spacing, const Triple& origin
   {
     const nb::gil_scoped_release unlocked;
     RequireNumbers(settings);
-    RequireGrid(geometry);
+    RequireVoxels(geometry);
     const GrayVolume volume = VisitVoxels(voxels, geometry,
       [](const auto& view) { return GrayVolumeOf(view, ImageName, PoolThreading()); });
     result = SegmentVessel(volume, ImageName, points, settings, PoolThreading(),
