@@ -31,6 +31,12 @@ def run(*arguments, program=OURS, **options):
                           timeout=120, check=False, **options)
 
 
+def vertices_of(path):
+    """Of a binary PLY file."""
+    header, content = path.read_bytes().split(b"end_header\n", 1)
+    return numpy.frombuffer(content, "<f4", 3 * int(re.search(rb"element vertex (\d+)", header)[1]))
+
+
 class Options(unittest.TestCase):
     def test_table_is_the_toolkits(self):
         """To renew it: build/dev/bin/flipfree --generate json > Wrapping/Python/Wheel/flipfree/_options.json"""
@@ -146,7 +152,8 @@ class Work(unittest.TestCase):
                 process = run("segment", "--session", path, "-o", self.folder / f"{name}.ply",
                               "--labels", self.folder / f"{name}.nii.gz", program=program)
                 self.assertEqual(process.returncode, 0, process.stderr)
-            ours, theirs = (flipfree.read_surface(self.folder / f"{name}.ply").points for name in ("ours", "theirs"))
+            ours, theirs = (vertices_of(self.folder / f"{name}.ply") for name in ("ours", "theirs"))
+            self.assertGreater(len(ours), 300)
             numpy.testing.assert_array_equal(ours, theirs)
             ours, theirs = (flipfree.read_image(self.folder / f"{name}.nii.gz").voxels for name in ("ours", "theirs"))
             numpy.testing.assert_array_equal(ours, theirs)
