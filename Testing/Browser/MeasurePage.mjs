@@ -7,7 +7,9 @@
 //
 // Wants what the tests have built (build/dev: Browser.Build and the command). For each row, the seconds from the click on
 // Segment to the surface on the screen, those of the run in the worker alone, those of the command's run with one thread (all its
-// stages, without reading and writing), whether both label maps are the same, and the memory of all of Chromium.
+// stages, without reading and writing), whether both label maps are the same, the seconds from a point's key to the surface that
+// obeys it (an outside point 1.2 radii from the seed's center, in each round in another direction), and the memory of all of
+// Chromium.
 import { execFileSync } from "node:child_process";
 import { mkdtempSync, readFileSync, readdirSync, rmSync } from "node:fs";
 import { tmpdir } from "node:os";
@@ -64,6 +66,38 @@ function memoryOf(parent) {
 
 const pidOfChromium = () => Number(execFileSync("pgrep", ["-P", String(process.pid), "chromium"]).toString().split("\n")[0]);
 
+/** Seconds to the surface on the screen, and those of the run alone, once something has started it. */
+async function shownAfter(page, start) {
+  await page.evaluate(() => performance.clearMarks());
+  await start();
+  const isDone = () => performance.getEntriesByName("flipfree-shown").length > 0 || document.getElementById("error").textContent;
+  await page.waitForFunction(isDone, null, { timeout: 300_000, polling: 20 });
+  return page.evaluate(() => {
+    const at = (mark) => (performance.getEntriesByName(mark)[0]?.startTime ?? Number.NaN) / 1000;
+    return [at("flipfree-shown") - at("flipfree-click"), at("flipfree-found") - at("flipfree-click")];
+  });
+}
+
+const clickRun = (page) => shownAfter(page, () => page.evaluate(() => document.getElementById("run").click()));
+
+/** An outside point 1.2 radii from the cross-hair, which is in the seed's center and comes back. */
+async function correct(page, round, radius, spacing) {
+  const keys = ["ArrowRight", "ArrowLeft", "ArrowUp", "ArrowDown", "PageUp", "PageDown"];
+  const [there, back] = [keys[round % 6], keys[(round % 6) ^ 1]];
+  const voxels = Math.round((1.2 * radius) / spacing[(round % 6) >> 1]);
+  const move = async (key) => {
+    for (let voxel = 0; voxel < voxels; ++voxel) {
+      await page.keyboard.press(key);
+    }
+  };
+  await move(there);
+  await page.keyboard.press("o");
+  const times = await shownAfter(page, () => page.keyboard.press("c"));
+  await page.keyboard.press("Control+z");
+  await move(back);
+  return times;
+}
+
 const server = await serve(pageFolder);
 const chromium = await startChromium();
 
@@ -100,20 +134,23 @@ for (const name of names) {
     most = now[0] > most[0] ? now : most;
   }, 200);
   for (let round = 0; round < Number(rounds); ++round) {
-    await page.evaluate(() => {
-      performance.clearMarks();
-      document.getElementById("run").click();
-    });
-    await page.waitForFunction(() => performance.getEntriesByName("flipfree-shown").length > 0, null, { timeout: 300_000 });
-    const [click, run] = await page.evaluate(() => {
-      const at = (mark) => performance.getEntriesByName(mark)[0].startTime;
-      return [at("flipfree-shown") - at("flipfree-click"), at("flipfree-found") - at("flipfree-click")];
-    });
-    clicks.push(click / 1000);
-    runs.push(run / 1000);
+    if (round > 0) {
+      // Of another seed, so that nothing is kept of the wanted one.
+      await page.keyboard.press("+");
+      await clickRun(page);
+      await page.keyboard.press("Control+z");
+    }
+    const [click, run] = await clickRun(page);
+    clicks.push(click);
+    runs.push(run);
     const printed = command(scratch, "segment", join(data, row.image), "--seed", ...center, "--radius", row.radius_mm,
       "--threads", "1", "--labels", "native.nii.gz");
     native.push([..."smoothing feature deformation map".split(" ")].reduce((sum, stage) => sum + Number(printed.match(new RegExp(`${stage} ([\\d.]+) s`))[1]), 0));
+  }
+  const corrections = [];
+  const spacing = readNiftiFile(join(scratch, "native.nii.gz")).spacing;
+  for (let round = 0; round < Number(rounds); ++round) {
+    corrections.push(await correct(page, round, Number(row.radius_mm), spacing));
   }
   clearInterval(watch);
   const [download] = await Promise.all([page.waitForEvent("download"), page.click("#save-labels")]);
@@ -121,7 +158,7 @@ for (const name of names) {
   const overlap = dice(readNiftiFile(join(scratch, "page.nii.gz")).voxels, readNiftiFile(join(scratch, "native.nii.gz")).voxels);
   console.log(
     `${name}: opened in ${opened.toFixed(1)} s; click to surface ${median(clicks).toFixed(2)} s (run ${median(runs).toFixed(2)} s, ` +
-      `command ${median(native).toFixed(2)} s); Dice with the command's ${overlap}; Chromium ${Math.round(most[0])} MB, of these ${Math.round(most[1])} for drawing`,
+      `command ${median(native).toFixed(2)} s); Dice with the command's ${overlap}; point to surface ${median(corrections.map(([all]) => all)).toFixed(2)} s (run ${median(corrections.map(([, run]) => run)).toFixed(2)} s); Chromium ${Math.round(most[0])} MB, of these ${Math.round(most[1])} for drawing`,
   );
   await page.context().close();
 }

@@ -30,10 +30,11 @@ export function readNifti(data) {
   const bytes = data[0] === 0x1f ? gunzipSync(data) : data;
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.length);
   const size = [0, 1, 2].map((axis) => view.getInt16(42 + 2 * axis, true));
+  const spacing = [0, 1, 2].map((axis) => view.getFloat32(80 + 4 * axis, true));
   const start = bytes.byteOffset + view.getFloat32(108, true);
   const Type = types[view.getInt16(70, true)];
   const count = size[0] * size[1] * size[2];
-  return { size, voxels: new Type(bytes.buffer.slice(start, start + count * Type.BYTES_PER_ELEMENT)) };
+  return { size, spacing, voxels: new Type(bytes.buffer.slice(start, start + count * Type.BYTES_PER_ELEMENT)) };
 }
 
 export function readNiftiFile(path) {

@@ -63,6 +63,113 @@ test("the liver is the command's", async () => {
   assert.ok(dice(found, native) > 0.999);
 });
 
+/** The vertex that is farthest along an axis, moved by some millimeters. */
+function beyond(surface, axis, sign, distance) {
+  let best = 0;
+  for (let at = 0; at < surface.points.length; at += 3) {
+    best = sign * surface.points[at + axis] > sign * surface.points[best + axis] ? at : best;
+  }
+  const point = [...surface.points.subarray(best, best + 3)];
+  point[axis] += sign * distance;
+  return point;
+}
+
+function farthestApart(a, b) {
+  assert.equal(a.length, b.length);
+  return a.reduce((most, value, at) => Math.max(most, Math.abs(value - b[at])), 0);
+}
+
+/** Seconds that some work takes, and its result. */
+async function timed(work) {
+  const start = performance.now();
+  return [await work(), (performance.now() - start) / 1000];
+}
+
+test("corrections are the command's, and fast after a run", async () => {
+  const corrections = {
+    inside: [beyond(liver.surface, 0, -1, 3)],
+    outside: [[60, 83, 167]],
+    boundary: [beyond(liver.surface, 1, -1, 1)],
+    seeds: [{ center: [80, 100, 160], radius: 10 }],
+  };
+  // Another organ, after which nothing is kept of the liver.
+  const other = () => flipfree.segment(phantom.image, { center: seed.center, radius: 20 }, { parameters: { resolution: 8, levels: 1 } });
+  await other();
+  const [, first] = await timed(() => flipfree.segment(phantom.image, seed));
+  const [corrected, again] = await timed(() => flipfree.segment(phantom.image, seed, corrections));
+  console.log(`First ${first.toFixed(2)} s, corrected ${again.toFixed(2)} s`);
+  assert.ok(again < first);
+  assert.equal(corrected.selfIntersections, 0);
+
+  const table = ["kind,x,y,z,radius"];
+  for (const kind of ["boundary", "outside", "inside"]) {
+    table.push(...corrections[kind].map((point) => `${kind},${point.join()},`));
+  }
+  table.push("seed,80,100,160,10");
+  writeFileSync(join(scratch, "points.csv"), table.join("\n"));
+  command(scratch, "segment", "abdomen.nii.gz", "--seed", ...seed.center.map(String), "--radius", `${seed.radius}`,
+    "--points", "points.csv", "-o", "corrected.ply", "--labels", "corrected.nii.gz");
+  const native = readNiftiFile(join(scratch, "corrected.nii.gz")).voxels;
+  const farthest = farthestApart(readPlyPoints(join(scratch, "corrected.ply")), corrected.surface.points);
+  const overlap = dice(labelMapOf(corrected, phantom.image).voxels, native);
+  console.log(`Dice with the command's corrected liver ${overlap}, coordinates differ by at most ${farthest} mm`);
+  assert.ok(overlap > 0.999);
+  assert.ok(dice(labelMapOf(liver, phantom.image).voxels, native) < 0.999);
+
+  // In one go, and in another order, the same bits; and without them what was there before.
+  await other();
+  const { inside, outside, boundary, seeds } = corrections;
+  const fresh = await flipfree.segment(phantom.image, seed, { seeds, boundary, outside, inside });
+  assert.deepEqual(fresh.surface, corrected.surface);
+  assert.deepEqual((await flipfree.segment(phantom.image, seed)).surface, liver.surface);
+});
+
+test("a vessel is the command's", async () => {
+  const [size, spacing] = [64, 1.5];
+  command(scratch, "phantom", "vessel", "--size", `${size}`, `${size}`, `${size}`, "--spacing", "1.5", "1.5", "1.5", "-o", ".");
+  const center = ((size - 1) / 2) * spacing;
+  const ends = [-0.95, 0.95].map((place) => [
+    center + 36 * place,
+    center + 16 * Math.sin(Math.PI * place),
+    center + 10 * Math.cos(0.8 * Math.PI * place + 0.5),
+  ]);
+  const parameters = { dimensions: [size, size, size], spacing: [spacing, spacing, spacing] };
+  const { image, labelMap } = await flipfree.phantom("vessel", { parameters });
+  const fractions = [];
+  const vessel = await flipfree.trace(image, ends, { onProgress: (fraction) => fractions.push(fraction) });
+  command(scratch, "trace", "vessel.nii.gz", ...ends.flatMap((end) => ["--point", ...end.map(String)]),
+    "-o", "vessel.ply", "--labels", "vessel-found.nii.gz");
+  const found = labelMapOf(vessel, image).voxels;
+  const farthest = farthestApart(readPlyPoints(join(scratch, "vessel.ply")), vessel.surface.points);
+  const overlap = dice(found, readNiftiFile(join(scratch, "vessel-found.nii.gz")).voxels);
+  console.log(`Dice with the command's vessel ${overlap}, coordinates differ by at most ${farthest} mm`);
+  assert.ok(overlap > 0.999);
+  assert.ok(dice(found, labelMap.voxels) > 0.9);
+  assert.equal(vessel.selfIntersections, 0);
+  assert.ok(fractions.every((fraction, at) => fraction >= (fractions[at - 1] ?? 0) && fraction <= 1), `${fractions}`);
+  assert.equal(vessel.branches.length, 1);
+  const [{ points, radii, parent }] = vessel.branches;
+  assert.equal(points.length, 3 * radii.length);
+  assert.equal(parent, -1);
+  assert.ok(radii.every((radius) => radius > 3 && radius < 5) && vessel.radius > 3 && vessel.radius < 5);
+
+  for (const [wrong, options, message] of [
+    [[ends[0]], {}, /A vessel needs two points or more, not 1; give one at either end/],
+    [[ends[0], [9999, 0, 0]], {}, /The point \(9999, 0, 0\) mm lies outside the image/],
+    [[ends[0], ends[0]], {}, /closer than 3 mm/],
+    [[ends[0], [1, 2]], {}, /points, entry 2, is not a point; give \[x, y, z\]/],
+    [7, {}, /points: give a list of points/],
+    [ends, { parameters: { seed: 1 } }, /no parameter seed; there are radius, wallThickness, levels, maximumIterations/],
+    [ends, { parameters: { radius: NaN } }, /radius/],
+  ]) {
+    await assert.rejects(flipfree.trace(image, wrong, options), (error) => {
+      assert.ok(error instanceof FlipFreeError, `${error}`);
+      assert.match(error.message, message);
+      return true;
+    });
+  }
+});
+
 test("scores are the command's", async () => {
   const parameters = { referenceLabel: liverLabel };
   const ofLabels = await flipfree.evaluate(labelMapOf(liver, phantom.image), phantom.labelMap, { parameters });
@@ -134,8 +241,8 @@ test("the command repeats a session with every parameter that there is", async (
   assert.equal(published.guard, false);
   const quick = { resolution: 8, levels: 1, carving: false };
   const { voxels, ...grid } = phantom.image;
-  const organ = { name: "liver", color: "#ffffff", seed, preset: "naive", parameters: { ...parameters, ...quick } };
-  const session = { format: "flipfree-session", version: 1, image: { name: "abdomen.nii.gz", ...grid }, organs: [organ] };
+  const organ = { name: "liver", kind: "organ", color: "#ffffff", seed, preset: "naive", corrections: [], parameters: { ...parameters, ...quick } };
+  const session = { format: "flipfree-session", version: 2, image: { name: "abdomen.nii.gz", ...grid }, organs: [organ] };
   writeFileSync(join(scratch, "session.json"), JSON.stringify(session));
   command(scratch, "segment", "--session", "session.json", "-o", "repeated.ply");
   const here = await flipfree.segment(phantom.image, seed, { preset: "naive", parameters: organ.parameters });
@@ -168,6 +275,14 @@ test("bad input is named", async () => {
     [{ ...small, voxels: new Int16Array(7) }, seed, {}, /7 voxels, which does not fit its size, 2 x 2 x 2; give 8/],
     [{ ...small, voxels: new BigInt64Array(8) }, seed, {}, /BigInt64Array/],
     [{ ...small, spacing: [0, 1, 1], voxels: new Int16Array(8) }, seed, {}, /spacing/],
+    [phantom.image, seed, { inside: [[9999, 0, 0]] }, /The inside point \(9999, 0, 0\) mm lies outside the image; give it/],
+    [phantom.image, seed, { outside: [seed.center] }, /The outside point .* lies in the inner half of the seed sphere; move/],
+    [phantom.image, seed, { inside: [[60, 83, 167]], boundary: [[60, 83, 167]] }, /are at one place; take one of them away/],
+    [phantom.image, seed, { inside: [[1, 2]] }, /inside, entry 1, is not a point; give \[x, y, z\]/],
+    [phantom.image, seed, { boundary: [[60, 83, 167], [NaN, 0, 0]] }, /boundary, entry 2, is not a point/],
+    [phantom.image, seed, { outside: 3 }, /outside: give a list of points/],
+    [phantom.image, seed, { seeds: [{ center: [60, 83, 167] }] }, /seeds, entry 1, has no radius; give/],
+    [phantom.image, seed, { preset: "naive", inside: [[60, 83, 167]] }, /under the guard; switch guard on/],
     [flat, { center: [20, 20, 20], radius: 8 }, {}, /./],
     [{ ...flat, voxels: new Float32Array(64000).fill(NaN) }, { center: [20, 20, 20], radius: 8 }, {}, /not a finite number/],
   ];

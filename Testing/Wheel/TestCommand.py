@@ -2,6 +2,7 @@
 
 import csv
 import json
+import math
 import os
 import re
 import signal
@@ -28,6 +29,12 @@ OURS = str(Path(sys.executable).parent / "flipfree")
 def run(*arguments, program=OURS, **options):
     return subprocess.run([program, *map(str, arguments)], stdin=subprocess.DEVNULL, capture_output=True, text=True,
                           timeout=120, check=False, **options)
+
+
+def vertices_of(path):
+    """Of a binary PLY file."""
+    header, content = path.read_bytes().split(b"end_header\n", 1)
+    return numpy.frombuffer(content, "<f4", 3 * int(re.search(rb"element vertex (\d+)", header)[1]))
 
 
 class Options(unittest.TestCase):
@@ -135,6 +142,54 @@ class Work(unittest.TestCase):
             self.assertRegex(process.stderr, f"flipfree: error: (?=[^\n]*session.json)[^\n]*{message}")
         self.assertEqual(run("segment", "-o", self.folder / "bad.ply").returncode, 2)
         self.assertFalse((self.folder / "bad.ply").exists())
+
+    def test_session_with_corrections_and_vessels(self):
+        """The same by both commands, and the same words where it is wrong."""
+        run("phantom", "vessel", "-o", self.folder, "--size", 64, 64, 64, "--spacing", 1.5, 1.5, 1.5)
+        x, y, z = map(float, self.seed[1:4])
+        organ = {"name": "liver", "kind": "organ", "color": "#ffd24a", "preset": "default",
+                 "parameters": {"resolution": 16, "carving": False}, "seed": {"center": [x, y, z], "radius": float(self.seed[5])},
+                 "corrections": [{"kind": "outside", "position": [x - 14, y, z]}, {"kind": "inside", "position": [x, y, z + 17]},
+                                 {"kind": "boundary", "position": [x, y + 13, z]},
+                                 {"kind": "seed", "position": [x + 3, y, z], "radius": 3}]}
+        grid = {"origin": [0, 0, 0], "direction": [1, 0, 0, 0, 1, 0, 0, 0, 1]}
+        sphere = {"name": self.volume.name, "size": [48, 48, 32], "spacing": [1, 1, 1.6], **grid}
+        cube = {"name": "vessel.nii.gz", "size": [64, 64, 64], "spacing": [1.5, 1.5, 1.5], **grid}
+        center = 63 / 2 * 1.5
+        ends = [[center + 36 * t, center + 16 * math.sin(math.pi * t), center + 10 * math.cos(0.8 * math.pi * t + 0.5)]
+                for t in (-0.95, 0.95)]
+        vessel = {"name": "aorta", "kind": "vessel", "color": "#ffffff", "points": ends, "parameters": {"wallThickness": 0.5}}
+        path = self.folder / "corrected.json"
+        session = {"format": "flipfree-session", "version": 2}
+
+        def write(image, *organs):
+            path.write_text(json.dumps({**session, "image": image, "organs": organs}), encoding="utf-8")
+
+        for image, entry in ((sphere, organ), (cube, vessel)):
+            write(image, entry)
+            for name, program in (("ours", OURS), ("theirs", TOOLKIT)):
+                process = run("segment", "--session", path, "-o", self.folder / f"{name}.ply",
+                              "--labels", self.folder / f"{name}.nii.gz", program=program)
+                self.assertEqual(process.returncode, 0, process.stderr)
+            ours, theirs = (vertices_of(self.folder / f"{name}.ply") for name in ("ours", "theirs"))
+            self.assertGreater(len(ours), 300)
+            numpy.testing.assert_array_equal(ours, theirs)
+            ours, theirs = (flipfree.read_image(self.folder / f"{name}.nii.gz").voxels for name in ("ours", "theirs"))
+            numpy.testing.assert_array_equal(ours, theirs)
+            self.assertGreater(ours.sum(), 500)
+        wrong = [{**organ, "corrections": [{"kind": "near", "position": [1, 2, 3]}]},
+                 {**organ, "corrections": [{"kind": "seed", "position": [1, 2, 3], "radius": 0}]},
+                 {**vessel, "parameters": {"speling": 1}}, {**vessel, "parameters": {"levels": 9}}, {**organ, "kind": "tumor"}]
+        for entry, message in zip(wrong, ("organ 1: 'liver': correction 1: the kind is 'near'; it can be",
+                                          "correction 1: a seed has no radius", "there is no parameter 'Speling' of a vessel",
+                                          "the parameter 'Levels' is out of its range", "the kind is 'tumor'; it can be")):
+            write(sphere, entry)
+            for program in (OURS, TOOLKIT):
+                process = run("segment", "--session", path, "-o", self.folder / "wrong.ply", program=program)
+                self.assertEqual(process.returncode, 1, process)
+                self.assertRegex(process.stderr, f"flipfree: error: (?=[^\n]*corrected.json)[^\n]*{message}")
+        write(sphere, {**organ, "corrections": [{"kind": "inside"}]})
+        self.assertRegex(run("segment", "--session", path, "-o", self.folder / "wrong.ply").stderr, "correction 1: .*position")
 
     def test_every_surface_format_is_read_by_the_toolkit(self):
         for ending in ("vtp", "stl", "ply", "obj"):

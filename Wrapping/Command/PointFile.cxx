@@ -50,18 +50,6 @@ double NumberOf(const std::string& text)
   return number;
 }
 
-void RequireProper(const CorrectionPoint& point)
-{
-  if (!IsKind(point.Kind))
-  {
-    throw Failure("the kind is '" + point.Kind + "'; it can be " + Kinds);
-  }
-  if (point.Kind == "seed" && !(point.Radius > 0))
-  {
-    throw Failure("a seed has no radius");
-  }
-}
-
 std::string Trimmed(const std::string& text)
 {
   const std::size_t first = text.find_first_not_of(" \t\r");
@@ -296,6 +284,18 @@ std::string MarkupsOf(const std::vector<CorrectionPoint>& points)
 }
 
 } // namespace
+
+void RequireProper(const CorrectionPoint& point)
+{
+  if (!IsKind(point.Kind))
+  {
+    throw Failure("the kind is '" + point.Kind + "'; it can be " + Kinds);
+  }
+  if (point.Kind == "seed" && !(point.Radius > 0))
+  {
+    throw Failure("a seed has no radius");
+  }
+}
 
 const std::vector<std::string>& PointEndings()
 {

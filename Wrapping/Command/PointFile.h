@@ -23,6 +23,9 @@ struct CorrectionPoint
   double Radius = 0; ///< of a seed
 };
 
+/// Throws Failure for a kind that there is not, and for a seed without radius.
+void RequireProper(const CorrectionPoint& point);
+
 /// The endings of files of points.
 const std::vector<std::string>& PointEndings();
 

@@ -1,12 +1,14 @@
 #include "CommonOptions.h"
 #include "Failure.h"
 #include "Messages.h"
+#include "OrganFilter.h"
 #include "OutputFile.h"
 #include "PointOptions.h"
 #include "ProgressBar.h"
 #include "Run.h"
 #include "SegmentParameters.h"
 #include "SessionFile.h"
+#include "SessionVessel.h"
 #include "Snapshot.h"
 #include "Subcommands.h"
 #include "SurfaceFile.h"
@@ -15,6 +17,7 @@
 
 #include "vtkFlipFreeDeform.h"
 #include "vtkFlipFreeSegmentation.h"
+#include "vtkFlipFreeVesselSegmentation.h"
 #include "vtkImageData.h"
 #include "vtkMassProperties.h"
 #include "vtkMath.h"
@@ -60,6 +63,9 @@ struct Segmentation
   bool Quiet = false;
   SegmentParameters Parameters;
   PointOptions Corrections;
+  SessionOrgan Repeated; // of a session
+
+  bool IsVessel() const { return !this->Repeated.Points.empty(); }
 };
 
 /// A label map in place of a seed.
@@ -224,25 +230,42 @@ std::string TitleOf(const Segmentation& segmentation, const char* quote = "'")
     (segmentation.Organ.empty() ? "" : ", " + segmentation.Organ);
 }
 
-void PrintSummary(vtkFlipFreeSegmentation* filter, const Segmentation& segmentation,
+/// Vessels have none.
+std::string ConfidenceText(const OrganFilter& filter)
+{
+  auto* const organ = vtkFlipFreeSegmentation::SafeDownCast(filter.Algorithm());
+  if (!organ)
+  {
+    return {};
+  }
+  char text[32];
+  std::snprintf(text, sizeof(text), ", confidence %.2f", organ->GetConfidence());
+  return text;
+}
+
+void PrintSummary(const OrganFilter& filter, const Segmentation& segmentation,
   double readingSeconds)
 {
-  double seconds[4];
-  filter->GetStageSeconds(seconds);
-  std::printf(
-    "%s: volume %.1f ml, %d iterations, %s, %d self-intersections, confidence %.2f; "
-    "reading %.2f s, smoothing %.2f s, feature %.2f s, deformation %.2f s, label map %.2f s\n",
-    TitleOf(segmentation, "").c_str(), VolumeInMilliliters(filter->GetSurface()),
-    static_cast<int>(filter->GetConvergence()->GetNumberOfRows()), filter->GetStopReasonAsString(),
-    filter->GetNumberOfSelfIntersections(), filter->GetConfidence(), readingSeconds, seconds[0],
-    seconds[1], seconds[2], seconds[3]);
+  const auto [first, second, third, fourth] = filter.StageSeconds();
+  const bool isVessel = segmentation.IsVessel();
+  std::printf("%s: volume %.1f ml, %d iterations, %s, %d self-intersections%s; reading %.2f s, "
+              "%s %.2f s, %s %.2f s, deformation %.2f s, label map %.2f s\n",
+    TitleOf(segmentation, "").c_str(), VolumeInMilliliters(filter.Surface()),
+    static_cast<int>(filter.Convergence()->GetNumberOfRows()), filter.StopReasonText().c_str(),
+    filter.SelfIntersections(), ConfidenceText(filter).c_str(), readingSeconds,
+    isVessel ? "path" : "smoothing", first, isVessel ? "start" : "feature", second, third, fourth);
   std::fflush(stdout);
 }
 
-void Report(vtkFlipFreeSegmentation* filter, const Segmentation& segmentation,
-  double readingSeconds)
+bool IsGuarded(const OrganFilter& filter)
 {
-  if (!filter->GetDeform()->GetGuard() && filter->GetNumberOfSelfIntersections() == 0)
+  auto* const organ = vtkFlipFreeSegmentation::SafeDownCast(filter.Algorithm());
+  return !organ || organ->GetDeform()->GetGuard();
+}
+
+void Report(const OrganFilter& filter, const Segmentation& segmentation, double readingSeconds)
+{
+  if (!IsGuarded(filter) && filter.SelfIntersections() == 0)
   {
     PrintWarning(
       "The surface is not certified: --guard is off. It does not intersect itself, though.");
@@ -253,8 +276,8 @@ void Report(vtkFlipFreeSegmentation* filter, const Segmentation& segmentation,
   }
 }
 
-void WriteResults(vtkFlipFreeSegmentation* filter, vtkImageData* image,
-  const Segmentation& segmentation, OutputFiles& outputs)
+void WriteResults(const OrganFilter& filter, vtkImageData* image, const Segmentation& segmentation,
+  OutputFiles& outputs)
 {
   const auto write =
     [&outputs](const std::string& name, const std::function<void(const std::string&)>& how)
@@ -265,11 +288,11 @@ void WriteResults(vtkFlipFreeSegmentation* filter, vtkImageData* image,
     }
   };
   write(segmentation.Surface,
-    [&](const std::string& name) { WriteSurface(name, filter->GetSurface()); });
+    [&](const std::string& name) { WriteSurface(name, filter.Surface()); });
   write(segmentation.Convergence,
-    [&](const std::string& name) { WriteTable(name, filter->GetConvergence()); });
+    [&](const std::string& name) { WriteTable(name, filter.Convergence()); });
   write(segmentation.Snapshot,
-    [&](const std::string& name) { WriteSnapshot(name, image, filter->GetSurface()); });
+    [&](const std::string& name) { WriteSnapshot(name, image, filter.Surface()); });
 }
 
 /// `out-liver.vtp` for `out.vtp`.
@@ -290,6 +313,7 @@ std::vector<Segmentation> OrgansOf(const Session& session, const Segmentation& g
   for (const SessionOrgan& organ : session.Organs)
   {
     Segmentation segmentation = given;
+    segmentation.Repeated = organ;
     segmentation.Seed.assign(organ.Seed.begin(), organ.Seed.end());
     segmentation.Radius = organ.Radius;
     segmentation.Label = given.Label + static_cast<int>(organs.size());
@@ -300,7 +324,10 @@ std::vector<Segmentation> OrgansOf(const Session& session, const Segmentation& g
     }
     try
     {
-      segmentation.Parameters = given.Parameters.With(organ.Preset, organ.Parameters);
+      if (!segmentation.IsVessel())
+      {
+        segmentation.Parameters = given.Parameters.With(organ.Preset, organ.Parameters);
+      }
     }
     catch (const Failure& failure)
     {
@@ -320,12 +347,31 @@ std::vector<Segmentation> OrgansOf(const Session& session, const Segmentation& g
   return organs;
 }
 
-using FilterPointer = vtkSmartPointer<vtkFlipFreeSegmentation>;
+using FilterPointer = std::unique_ptr<OrganFilter>;
+
+FilterPointer VesselFilter(const Segmentation& segmentation)
+{
+  try
+  {
+    const auto filter = VesselFilterOf(segmentation.Repeated);
+    filter->SetLabelValue(segmentation.Label);
+    return std::make_unique<OrganFilterOf<vtkFlipFreeVesselSegmentation>>(filter);
+  }
+  catch (const Failure& failure)
+  {
+    throw Failure("'" + segmentation.Session + "': " + segmentation.Repeated.Name + ": " +
+      failure.what() + ". Correct it, or take it away.");
+  }
+}
 
 /// Throws WrongUsage for parameters that the filter does not take.
 FilterPointer FilterOf(const Segmentation& segmentation)
 {
-  auto filter = FilterPointer::New();
+  if (segmentation.IsVessel())
+  {
+    return VesselFilter(segmentation);
+  }
+  auto filter = vtkSmartPointer<vtkFlipFreeSegmentation>::New();
   filter->SetSeedRadius(segmentation.Radius);
   filter->SetStartLabel(segmentation.StartLabel);
   if (segmentation.StartLabels.empty() &&
@@ -336,33 +382,40 @@ FilterPointer FilterOf(const Segmentation& segmentation)
   }
   segmentation.Parameters.Apply(filter);
   filter->SetLabelValue(segmentation.Label);
-  return filter;
+  AddPoints(segmentation.Session.empty() ? segmentation.Corrections.Points()
+                                         : segmentation.Repeated.Corrections,
+    filter);
+  return std::make_unique<OrganFilterOf<vtkFlipFreeSegmentation>>(filter);
 }
 
-void RunOn(vtkImageData* image, const Segmentation& segmentation, vtkFlipFreeSegmentation* filter)
+void RunOn(vtkImageData* image, const Segmentation& segmentation, const OrganFilter& filter)
 {
-  filter->SetInputDataObject(image);
-  if (segmentation.StartLabels.empty())
+  vtkAlgorithm* const algorithm = filter.Algorithm();
+  algorithm->SetInputDataObject(image);
+  if (auto* const organ = vtkFlipFreeSegmentation::SafeDownCast(algorithm))
   {
-    const Point seed = SeedIn(image, segmentation);
-    filter->SetSeedCenter(seed[0], seed[1], seed[2]);
+    if (segmentation.StartLabels.empty())
+    {
+      const Point seed = SeedIn(image, segmentation);
+      organ->SetSeedCenter(seed[0], seed[1], seed[2]);
+    }
   }
   const std::string title = TitleOf(segmentation);
   try
   {
-    Run(filter, segmentation.Organ.empty() ? "segmenting" : segmentation.Organ,
+    Run(algorithm, segmentation.Organ.empty() ? "segmenting" : segmentation.Organ,
       SegmentParameters::Names());
   }
   catch (const Failure& failure)
   {
     throw Failure(title + ": " + failure.what());
   }
-  if (filter->GetSurface()->GetNumberOfPolys() == 0)
+  if (filter.Surface()->GetNumberOfPolys() == 0)
   {
     throw Failure(
       title + ": no surface was found. Check that the seed sphere lies within the organ.");
   }
-  if (filter->GetStopReason() == vtkFlipFreeSegmentation::NO_BOUNDARY_FOUND)
+  if (filter.StopReason() == vtkFlipFreeSegmentation::NO_BOUNDARY_FOUND)
   {
     throw Failure(title + ": no boundary of the organ was found, so nothing is written.");
   }
@@ -371,12 +424,12 @@ void RunOn(vtkImageData* image, const Segmentation& segmentation, vtkFlipFreeSeg
 /// One label map of all organs. A voxel in several belongs to the first of them.
 vtkSmartPointer<vtkImageData> LabelMapOf(const std::vector<FilterPointer>& filters)
 {
-  vtkSmartPointer<vtkImageData> all = filters.front()->GetLabelMap();
+  vtkSmartPointer<vtkImageData> all = filters.front()->LabelMap();
   auto* const labels = static_cast<unsigned char*>(all->GetScalarPointer());
   for (auto filter = filters.begin() + 1; filter != filters.end(); ++filter)
   {
     const auto* const more =
-      static_cast<const unsigned char*>((*filter)->GetLabelMap()->GetScalarPointer());
+      static_cast<const unsigned char*>((*filter)->LabelMap()->GetScalarPointer());
     std::transform(labels, labels + all->GetNumberOfPoints(), more, labels,
       [](unsigned char first, unsigned char second) { return first != 0 ? first : second; });
   }
@@ -394,13 +447,14 @@ void SegmentOrgans(const std::vector<Segmentation>& organs, const Session* sessi
   }
   const Segmentation& first = organs.front();
   vtkSMPTools::Initialize(first.Threads);
-  const std::vector<CorrectionPoint> points = first.Corrections.Points();
 
   const auto start = std::chrono::steady_clock::now();
   const vtkSmartPointer<vtkImageData> image = ReadVolume(first.Input, first.SeriesUID);
   if (!first.StartLabels.empty())
   {
-    filters.front()->SetStartLabelsData(ReadVolume(first.StartLabels));
+    // There is one organ, whose seed they are; sessions have seeds.
+    vtkFlipFreeSegmentation::SafeDownCast(filters.front()->Algorithm())
+      ->SetStartLabelsData(ReadVolume(first.StartLabels));
   }
   const std::chrono::duration<double> reading = std::chrono::steady_clock::now() - start;
   if (session)
@@ -410,9 +464,8 @@ void SegmentOrgans(const std::vector<Segmentation>& organs, const Session* sessi
 
   for (std::size_t organ = 0; organ < organs.size(); ++organ)
   {
-    AddPoints(points, filters[organ]);
-    RunOn(image, organs[organ], filters[organ]);
-    WriteResults(filters[organ], image, organs[organ], outputs);
+    RunOn(image, organs[organ], *filters[organ]);
+    WriteResults(*filters[organ], image, organs[organ], outputs);
   }
   if (!first.Labels.empty())
   {
@@ -422,12 +475,12 @@ void SegmentOrgans(const std::vector<Segmentation>& organs, const Session* sessi
   if (!first.Corrections.Output().empty())
   {
     outputs.Write(first.Corrections.Output(),
-      [&points](const std::string& name) { WritePoints(name, points); });
+      [&first](const std::string& name) { WritePoints(name, first.Corrections.Points()); });
   }
   outputs.Commit();
   for (std::size_t organ = 0; organ < organs.size(); ++organ)
   {
-    Report(filters[organ], organs[organ], reading.count());
+    Report(*filters[organ], organs[organ], reading.count());
   }
 }
 
@@ -477,8 +530,9 @@ void AddFiles(CLI::App* command, Segmentation& segmentation)
     "default, the session's image beside it");
   command
     ->add_option("--session", segmentation.Session,
-      "Session that the page in the browser has saved (.json): image, seeds and parameters. Of "
-      "several organs, each has its name in the names of its files, as in out-liver.vtp, and a "
+      "Session that the page in the browser has saved (.json): image, seeds, parameters, and "
+      "corrections of organs, and the points of vessels. Of several organs, each has its name in "
+      "the names of its files, as in out-liver.vtp, and a "
       "label of its own")
     ->type_name("FILE");
   command

@@ -66,24 +66,115 @@ std::string FileNameOf(const std::string& name)
   return file;
 }
 
-SessionOrgan OrganOf(const Json& entry)
+/// [json.exception.type_error.302] type must be ...
+std::string ReasonOf(const Json::exception& error)
 {
-  SessionOrgan organ;
-  organ.Name = FileNameOf(entry.at("name").get<std::string>());
+  const std::string reason = error.what();
+  const std::size_t start = reason.find("] ");
+  return reason.substr(start == std::string::npos ? 0 : start + 2);
+}
+
+/// Reads entry after entry of a list; what is wrong in one is said with its name and number.
+template <typename Read>
+void ReadEntries(const Json& list, const std::string& name, const Read& read)
+{
+  int number = 0;
+  for (const Json& entry : list)
+  {
+    ++number;
+    const std::string place = name + " " + std::to_string(number) + ": ";
+    try
+    {
+      read(entry);
+    }
+    catch (const Json::exception& error)
+    {
+      throw Failure(place + ReasonOf(error));
+    }
+    catch (const Failure& failure)
+    {
+      throw Failure(place + failure.what());
+    }
+  }
+}
+
+CorrectionPoint CorrectionOf(const Json& entry)
+{
+  CorrectionPoint point;
+  point.Kind = entry.at("kind").get<std::string>();
+  point.Place = Numbers<3>(entry, "position");
+  if (point.Kind == "seed")
+  {
+    point.Radius = entry.at("radius").get<double>();
+  }
+  RequireProper(point);
+  return point;
+}
+
+/// Organs of version 1 have neither a kind nor corrections.
+bool IsVessel(const Json& entry)
+{
+  const auto kind = entry.value("kind", std::string("organ"));
+  if (kind != "organ" && kind != "vessel")
+  {
+    throw Failure("the kind is '" + kind + "'; it can be organ or vessel");
+  }
+  return kind == "vessel";
+}
+
+/// The page keeps organs that have not been given a seed yet, and vessels without enough points.
+bool CanBeRepeated(const Json& entry)
+{
+  return IsVessel(entry) ? entry.at("points").size() > 1 : !entry.at("seed").is_null();
+}
+
+void ReadOrgan(const Json& entry, SessionOrgan& organ)
+{
   organ.Preset = entry.at("preset").get<std::string>();
   const Json& seed = entry.at("seed");
   organ.Seed = Numbers<3>(seed, "center");
   organ.Radius = seed.at("radius").get<double>();
-  for (const auto& [name, value] : entry.at("parameters").items())
+  ReadEntries(entry.value("corrections", Json::array()), "correction",
+    [&organ](const Json& correction) { organ.Corrections.push_back(CorrectionOf(correction)); });
+}
+
+void ReadVessel(const Json& entry, SessionOrgan& vessel)
+{
+  ReadEntries(entry.at("points"), "point",
+    [&vessel](const Json& point) {
+      vessel.Points.push_back(Numbers<3>(Json{ { "point", point } }, "point"));
+    });
+}
+
+SessionOrgan OrganOf(const Json& entry)
+{
+  SessionOrgan organ;
+  const auto name = entry.at("name").get<std::string>();
+  organ.Name = FileNameOf(name);
+  try
   {
-    organ.Parameters[PropertyOf(name)] = ValuesOf(value);
+    (IsVessel(entry) ? ReadVessel : ReadOrgan)(entry, organ);
+    for (const auto& [parameter, value] : entry.at("parameters").items())
+    {
+      organ.Parameters[PropertyOf(parameter)] = ValuesOf(value);
+    }
+  }
+  catch (const Json::exception& error)
+  {
+    throw Failure("'" + name + "': " + ReasonOf(error));
+  }
+  catch (const Failure& failure)
+  {
+    throw Failure("'" + name + "': " + failure.what());
   }
   return organ;
 }
 
 Session SessionOf(const Json& content)
 {
-  if (content.at("format") != "flipfree-session" || content.at("version") != 1)
+  const std::array<Json, 2> known{ { 1, 2 } };
+  if (content.at("format") != "flipfree-session" ||
+    std::find(known.begin(), known.end(), content.at("version")) == known.end())
   {
     throw Failure("it is of another format or of a newer version");
   }
@@ -95,18 +186,18 @@ Session SessionOf(const Json& content)
   session.Origin = Numbers<3>(image, "origin");
   session.Direction = Numbers<9>(image, "direction");
   std::set<std::string> names;
-  for (const Json& entry : content.at("organs"))
-  {
-    // The page keeps organs that have not been given a seed yet.
-    if (!entry.at("seed").is_null())
+  ReadEntries(content.at("organs"), "organ",
+    [&](const Json& entry)
     {
-      session.Organs.push_back(OrganOf(entry));
-      if (!names.insert(session.Organs.back().Name).second)
+      if (CanBeRepeated(entry))
       {
-        throw Failure("two organs have the name '" + session.Organs.back().Name + "'");
+        session.Organs.push_back(OrganOf(entry));
+        if (!names.insert(session.Organs.back().Name).second)
+        {
+          throw Failure("another organ has the name '" + session.Organs.back().Name + "', too");
+        }
       }
-    }
-  }
+    });
   if (session.Organs.empty())
   {
     throw Failure("no organ has a seed");
@@ -193,11 +284,8 @@ Session ReadSession(const std::string& name)
   }
   catch (const Json::exception& error)
   {
-    // [json.exception.type_error.302] type must be ...
-    const std::string reason = error.what();
-    const std::size_t start = reason.find("] ");
-    throw Failure("'" + name + "' is not a session that the page has saved: " +
-      reason.substr(start == std::string::npos ? 0 : start + 2) + ". Save it again.");
+    throw Failure("'" + name + "' is not a session that the page has saved: " + ReasonOf(error) +
+      ". Save it again.");
   }
   catch (const Failure& failure)
   {

@@ -1,9 +1,12 @@
 /**
- * Reads the sessions that the page in the browser saves: JSON that says which organs were segmented
- * in which image, from which seeds and with which parameters. `segment --session` repeats them.
+ * Reads the sessions that the page in the browser saves: JSON that says which organs and vessels
+ * were segmented in which image, from which seeds and points, with which parameters, and how they
+ * were corrected. `segment --session` repeats them.
  */
 #ifndef FlipFreeCommandSessionFile_h
 #define FlipFreeCommandSessionFile_h
+
+#include "PointFile.h"
 
 #include <array>
 #include <map>
@@ -18,9 +21,11 @@ namespace Command
 struct SessionOrgan
 {
   std::string Name;
-  std::array<double, 3> Seed; // LPS millimeters
+  std::array<double, 3> Seed{ { 0, 0, 0 } }; // LPS millimeters
   double Radius = 0;
   std::string Preset;
+  std::vector<CorrectionPoint> Corrections;
+  std::vector<std::array<double, 3>> Points;             // of a vessel, which has none of the above
   std::map<std::string, std::vector<double>> Parameters; // by the names of properties
 };
 

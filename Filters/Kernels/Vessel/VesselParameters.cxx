@@ -33,7 +33,10 @@ void RequireNumbers(const Settings& settings)
 {
   for (const Parameter<Settings>& parameter : VesselParameters())
   {
-    RequireNumbers({ { parameter.Name.c_str(), parameter.Get(settings).front() } });
+    for (const double value : parameter.Get(settings))
+    {
+      RequireNumbers({ { parameter.Name.c_str(), value } });
+    }
   }
 }
 

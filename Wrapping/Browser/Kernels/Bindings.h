@@ -22,6 +22,7 @@ namespace FlipFree
 using emscripten::val;
 
 void BindSegmentation();
+void BindVessels();
 void BindEvaluation();
 void BindPhantoms();
 void BindVolumes();

@@ -6,6 +6,7 @@ EMSCRIPTEN_BINDINGS(flipfree)
 {
   FlipFree::BindVolumes();
   FlipFree::BindSegmentation();
+  FlipFree::BindVessels();
   FlipFree::BindEvaluation();
   FlipFree::BindPhantoms();
 }

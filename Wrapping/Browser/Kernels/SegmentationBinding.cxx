@@ -1,15 +1,13 @@
-// The whole method: a volume and a seed in; surface, voxels and convergence out.
-#include "Bindings.h"
+// The whole method: a volume, a seed and corrections in; surface, voxels and convergence out.
+#include "Answers.h"
 #include "Volume.h"
 
-#include "Deformation/ConvergenceColumns.h"
 #include "Deformation/SegmentationParameters.h"
-#include "Deformation/VolumeSegmentation.h"
-#include "Image/GridCheck.h"
 
 #include <emscripten/bind.h>
 
-#include <stdexcept>
+#include <optional>
+#include <utility>
 
 namespace FlipFree
 {
@@ -17,53 +15,6 @@ namespace
 {
 
 using Settings = VolumeSegmentationSettings;
-
-const char* const ImageName = "the image";
-
-val ObjectOf(const OrganSurface& organ)
-{
-  val surface = val::object();
-  surface.set("points", ArrayOf(organ.Points));
-  surface.set("corners", ArrayOf(organ.Mesh.Faces.Connectivity));
-  surface.set("offsets", ArrayOf(organ.Mesh.Faces.Offsets));
-  return surface;
-}
-
-val ColumnsOf(const std::vector<IterationRecord>& records)
-{
-  val columns = val::object();
-  for (const ConvergenceColumn& column : ConvergenceColumns())
-  {
-    std::vector<double> values;
-    for (const IterationRecord& record : records)
-    {
-      values.push_back(column.Read(record));
-    }
-    columns.set(column.Name, ArrayOf(values));
-  }
-  return columns;
-}
-
-// Four numbers each: j, k, first i, one past the last i.
-val RunsOf(const std::vector<VoxelRun>& runs)
-{
-  std::vector<int> numbers;
-  numbers.reserve(4 * runs.size());
-  for (const VoxelRun& run : runs)
-  {
-    numbers.insert(numbers.end(), { run.J, run.K, run.Begin, run.End });
-  }
-  return ArrayOf(numbers);
-}
-
-void RequireVoxels(const ImageGeometry& geometry)
-{
-  if (geometry.NumberOfVoxels() == 0)
-  {
-    throw std::invalid_argument("the image has no voxels; give one that has");
-  }
-  RequireProperGrid(geometry, ImageName);
-}
 
 Settings SettingsOf(const std::string& preset)
 {
@@ -74,18 +25,18 @@ Settings SettingsOf(const std::string& preset)
   return settings;
 }
 
-val ObjectOf(const VolumeSegmentation& result)
+// Five numbers each: kind, x, y, z, radius.
+ConstraintList ConstraintsOf(const val& numbers)
 {
-  const OrganSurface& organ = result.Organ;
-  val answer = val::object();
-  answer.set("stopReason", std::string(ToString(organ.Reason)));
-  answer.set("aborted", organ.Reason == StopReason::Aborted);
-  answer.set("selfIntersections", static_cast<double>(organ.SelfIntersections));
-  answer.set("surface", ObjectOf(organ));
-  answer.set("runs", RunsOf(result.Voxels));
-  answer.set("iterations", ColumnsOf(organ.Iterations));
-  answer.set("warnings", val::array(result.Warnings));
-  return answer;
+  const std::vector<double> values = emscripten::vecFromJSArray<double>(numbers);
+  ConstraintList constraints;
+  for (std::size_t first = 0; first + 4 < values.size(); first += 5)
+  {
+    const double* const one = values.data() + first;
+    constraints.push_back(
+      { static_cast<ConstraintKind>(one[0]), Eigen::Vector3d(one + 1), one[4] });
+  }
+  return constraints;
 }
 
 // Nobody watches iterations.
@@ -94,26 +45,74 @@ void IgnoreIteration(const ContourMesh&, const PointList&, const CorrespondenceF
 {
 }
 
-// `seed` is [x, y, z, radius].
-val Segment(const Volume& image, const val& seed, const std::string& preset, const val& parameters,
-  const val& report)
+// Runs on one volume. What corrections do not change is kept until a run has another seed or other
+// parameters, so that a correction is fast.
+class OrganRuns
 {
-  return Guarded(
-    [&]
+public:
+  explicit OrganRuns(std::shared_ptr<Volume> image)
+    : Image(std::move(image))
+  {
+  }
+
+  // `seed` is [x, y, z, radius].
+  val Segment(const val& seed, const std::string& preset, const val& parameters,
+    const val& corrections, const val& report)
+  {
+    return Guarded(
+      [&]
+      {
+        Settings settings = SettingsOf(preset);
+        SetParameters(SegmentationParameters(), parameters, settings);
+        const std::vector<double> numbers = emscripten::vecFromJSArray<double>(seed);
+        SeedSphere sphere{ Eigen::Vector3d(numbers.data()), numbers[3] };
+        ConstraintList constraints = ConstraintsOf(corrections);
+        TakeLargestSeed(sphere, constraints);
+        try
+        {
+          this->Prepare(sphere, preset, settings);
+          const VolumeSegmentation result =
+            this->Kept->Segment(constraints, MonitorOf(report), IgnoreIteration);
+          return AnswerOf(result.Organ, result.Voxels, result.Warnings);
+        }
+        catch (const std::bad_alloc&)
+        {
+          this->Kept.reset();
+          throw;
+        }
+      });
+  }
+
+private:
+  void Prepare(const SeedSphere& seed, const std::string& preset, const Settings& settings)
+  {
+    std::vector<double> key(seed.Center.begin(), seed.Center.end());
+    key.push_back(seed.Radius);
+    for (const Parameter<Settings>& parameter : SegmentationParameters())
     {
-      Settings settings = SettingsOf(preset);
-      SetParameters(SegmentationParameters(), parameters, settings);
-      const std::vector<double> numbers = emscripten::vecFromJSArray<double>(seed);
-      const SeedSphere sphere{ Eigen::Vector3d(numbers.data()), numbers[3] };
-      RequireNumbers(settings);
-      RequireVoxels(image.GetGeometry());
-      RequireSeed(image.GetGeometry(), sphere, ImageName);
-      const GrayVolume volume = image.VisitVoxels(
-        [](const auto& view) { return GrayVolumeOf(view, ImageName, Threading()); });
-      return ObjectOf(SegmentVolume(volume, ImageName, sphere, nullptr, settings, Threading(),
-        MonitorOf(report), IgnoreIteration));
-    });
-}
+      const std::vector<double> values = parameter.Get(settings);
+      key.insert(key.end(), values.begin(), values.end());
+    }
+    if (this->Kept && key == this->Key && preset == this->Preset)
+    {
+      return;
+    }
+    this->Kept.reset(); // before another one takes memory
+    RequireNumbers(settings);
+    RequireVoxels(this->Image->GetGeometry());
+    RequireSeed(this->Image->GetGeometry(), seed, ImageName);
+    const GrayVolume volume = this->Image->VisitVoxels(
+      [](const auto& view) { return GrayVolumeOf(view, ImageName, Threading()); });
+    this->Kept.emplace(volume, ImageName, seed, nullptr, settings, Threading());
+    this->Key = std::move(key);
+    this->Preset = preset;
+  }
+
+  std::shared_ptr<Volume> Image;
+  std::optional<VolumeSegmenter> Kept;
+  std::vector<double> Key; // the seed and all parameters
+  std::string Preset;
+};
 
 val DefaultParameters(const std::string& preset)
 {
@@ -125,7 +124,9 @@ val DefaultParameters(const std::string& preset)
 void BindSegmentation()
 {
   emscripten::function("segmentationParameters", &DefaultParameters);
-  emscripten::function("segment", &Segment);
+  emscripten::class_<OrganRuns>("OrganRuns")
+    .constructor<std::shared_ptr<Volume>>()
+    .function("segment", &OrganRuns::Segment);
 }
 
 } // namespace FlipFree

@@ -15,6 +15,9 @@ import {
   type Seed,
   type SegmentOptions,
   type Surface,
+  type TraceOptions,
+  type Triple,
+  type Vessel,
 } from "./types.js";
 
 interface WorkerLike {
@@ -99,11 +102,21 @@ export class FlipFree {
     return this.ask("defaultParameters", { preset });
   }
 
-  /** The organ around a seed. Rejects with a FlipFreeError that says what to do for input that it cannot work with. */
+  /** The organ around a seed. Rejects with a FlipFreeError that says what to do for input that it cannot work with.
+   *
+   * The worker keeps of the last organ what corrections do not change: the same call with other points is much faster than
+   * the first. */
   async segment(image: Image, seed: Seed, options: SegmentOptions = {}): Promise<Organ> {
-    const { preset = "default", parameters = {} } = options;
+    const { preset = "default", parameters = {}, inside, outside, boundary, seeds } = options;
     await this.useImage(image, options);
-    return this.ask("segment", { seed, preset, parameters }, options);
+    return this.ask("segment", { seed, preset, parameters, corrections: { inside, outside, boundary, seeds } }, options);
+  }
+
+  /** The vessel between two points, or the tree of vessels that joins more: one at each end, more on the way or at the
+   * ends of branches, in any order. Rejects as `segment` does. */
+  async trace(image: Image, points: readonly Triple[], options: TraceOptions = {}): Promise<Vessel> {
+    await this.useImage(image, options);
+    return this.ask("trace", { points, parameters: options.parameters ?? {} }, options);
   }
 
   /** How well a label map or a surface agrees with a reference label map. */

@@ -1,7 +1,9 @@
 /** The kernels, called where they are loaded: a call returns when the work is done. A page uses them through `FlipFree`,
  * whose worker holds an engine. */
+import { correctionNumbers, pointNumbers } from "./corrections.js";
 import { type KernelParameter, kernelValues, packageValues, wordMessage } from "./parameters.js";
 import {
+  type Corrections,
   FlipFreeError,
   type Image,
   type Organ,
@@ -12,6 +14,8 @@ import {
   type Scores,
   type Seed,
   type Surface,
+  type Triple,
+  type Vessel,
 } from "./types.js";
 
 interface KernelVolume {
@@ -20,6 +24,18 @@ interface KernelVolume {
 
 type Answer<T> = T & { error?: string; outOfMemory?: boolean };
 type Report = (fraction: number) => boolean;
+
+/** Runs on one volume; it keeps what the corrections of the last organ do not change. */
+interface OrganRuns {
+  segment(
+    seed: number[],
+    preset: string,
+    values: Record<string, number[]>,
+    corrections: number[],
+    report: Report,
+  ): Answer<Organ>;
+  delete(): void;
+}
 
 interface KernelPhantom {
   voxels: Int16Array;
@@ -35,13 +51,9 @@ interface KernelPhantom {
 export interface KernelModule {
   makeVolume(image: Image): Answer<{ volume: KernelVolume }>;
   segmentationParameters(preset: string): KernelParameter[];
-  segment(
-    volume: KernelVolume,
-    seed: number[],
-    preset: string,
-    values: Record<string, number[]>,
-    report: Report,
-  ): Answer<Organ>;
+  OrganRuns: new (volume: KernelVolume) => OrganRuns;
+  vesselParameters(): KernelParameter[];
+  trace(volume: KernelVolume, points: number[], values: Record<string, number[]>, report: Report): Answer<Vessel>;
   scoreParameters(): KernelParameter[];
   scoreLabels(a: KernelVolume, b: KernelVolume, values: Record<string, number[]>, report: Report): Answer<Scores>;
   scoreSurface(a: Surface, b: KernelVolume, values: Record<string, number[]>, report: Report): Answer<Scores>;
@@ -70,6 +82,7 @@ function triple(numbers: ArrayLike<number>): [number, number, number] {
 
 export class Engine {
   private volume?: KernelVolume;
+  private runs?: OrganRuns;
 
   private constructor(private readonly kernels: KernelModule) {}
 
@@ -94,22 +107,37 @@ export class Engine {
 
   /** Takes a copy of the image that `segment` works on. */
   setImage(image: Image): void {
+    this.runs?.delete();
     this.volume?.delete();
+    this.runs = undefined;
     this.volume = undefined;
     this.volume = this.copy(image);
+    this.runs = new this.kernels.OrganRuns(this.volume);
   }
 
-  segment(seed: Seed, preset: Preset = "default", parameters: Parameters = {}, report: Report = goOn): Organ {
-    if (!this.volume) {
+  segment(
+    seed: Seed,
+    preset: Preset = "default",
+    parameters: Parameters = {},
+    corrections: Corrections = {},
+    report: Report = goOn,
+  ): Organ {
+    if (!this.runs) {
       throw new FlipFreeError("There is no image");
     }
     const known = this.kernels.segmentationParameters(preset);
     const values = kernelValues(parameters, known);
-    const organ = this.checked(
-      this.kernels.segment(this.volume, [...seed.center, seed.radius], preset, values, report),
-      known,
-    );
-    return { ...organ, warnings: organ.warnings.map((warning) => wordMessage(warning, known)) };
+    const points = correctionNumbers(corrections);
+    return this.worded(this.runs.segment([...seed.center, seed.radius], preset, values, points, report), known);
+  }
+
+  trace(points: readonly Triple[], parameters: Parameters = {}, report: Report = goOn): Vessel {
+    if (!this.volume) {
+      throw new FlipFreeError("There is no image");
+    }
+    const known = this.kernels.vesselParameters();
+    const values = kernelValues(parameters, known);
+    return this.worded(this.kernels.trace(this.volume, pointNumbers("points", points), values, report), known);
   }
 
   evaluate(
@@ -171,6 +199,11 @@ export class Engine {
     } finally {
       volume.delete();
     }
+  }
+
+  private worded<T extends Organ>(answer: Answer<T>, known: KernelParameter[]): T {
+    const organ = this.checked(answer, known);
+    return { ...organ, warnings: organ.warnings.map((warning) => wordMessage(warning, known)) };
   }
 
   private checked<T>(answer: Answer<T>, known: KernelParameter[] = []): T {

@@ -2,13 +2,14 @@
  *
  * A kind of work is an entry of `Requests` and `Answers` and a case of the worker: what a page sends and gets. */
 import type { PhantomShape } from "./engine.js";
-import type { Image, Organ, Parameters, Phantom, Preset, Scores, Seed, Surface } from "./types.js";
+import type { Corrections, Image, Organ, Parameters, Phantom, Preset, Scores, Seed, Surface, Triple, Vessel } from "./types.js";
 
 export interface Requests {
   defaultParameters: { preset: Preset };
   /** The image that the following runs work on. */
   setImage: { image: Image };
-  segment: { seed: Seed; preset: Preset; parameters: Parameters };
+  segment: { seed: Seed; preset: Preset; parameters: Parameters; corrections: Corrections };
+  trace: { points: readonly Triple[]; parameters: Parameters };
   evaluate: { segmentation: Image | Surface; reference: Image; parameters: Parameters };
   selfIntersections: { surface: Surface };
   phantom: { shape: PhantomShape; parameters: Parameters };
@@ -19,6 +20,7 @@ export interface Answers {
   defaultParameters: Parameters;
   setImage: null;
   segment: Organ;
+  trace: Vessel;
   evaluate: Scores;
   selfIntersections: number;
   phantom: Phantom;

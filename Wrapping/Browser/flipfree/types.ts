@@ -44,6 +44,18 @@ export interface Surface {
   offsets: Int32Array;
 }
 
+/** What a user knows of an organ. A list is a set: its order means nothing. */
+export interface Corrections {
+  /** Points that the surface encloses, exactly. */
+  inside?: readonly Triple[];
+  /** Points that it leaves out, exactly. */
+  outside?: readonly Triple[];
+  /** Points that it passes within half the least spacing. */
+  boundary?: readonly Triple[];
+  /** Further spheres within the organ; the surface starts from the largest. */
+  seeds?: readonly Seed[];
+}
+
 export type Preset = "default" | "published" | "naive";
 
 /** By name, such as { foregroundMass: 0.9, carving: false }; `defaultParameters()` has all of them. */
@@ -61,6 +73,23 @@ export interface Organ {
   iterations: Record<string, Float64Array>;
   /** What may be wrong, a message each. */
   warnings: string[];
+}
+
+/** A part of a vessel between two ends or forks. */
+export interface Branch {
+  /** The centerline: x, y, z of each point. */
+  points: Float64Array;
+  /** The mean radius at each point, in mm. */
+  radii: Float64Array;
+  /** The number of the earlier branch on which it begins; -1 for the first. */
+  parent: number;
+}
+
+/** A vessel, or a tree of vessels. */
+export interface Vessel extends Organ {
+  branches: Branch[];
+  /** The mean radius, in mm. */
+  radius: number;
 }
 
 export interface Scores {
@@ -99,8 +128,13 @@ export interface RunOptions {
   signal?: AbortSignal;
 }
 
-export interface SegmentOptions extends RunOptions {
+export interface SegmentOptions extends RunOptions, Corrections {
   preset?: Preset;
+  parameters?: Parameters;
+}
+
+export interface TraceOptions extends RunOptions {
+  /** radius, wallThickness, levels, maximumIterations. */
   parameters?: Parameters;
 }
 

@@ -32,7 +32,9 @@ type Work = { [K in Kind]: (engine: Engine, request: Requests[K], report: Report
 const work: Work = {
   defaultParameters: (engine, { preset }) => engine.defaultParameters(preset),
   setImage: (engine, { image }) => (engine.setImage(image), null),
-  segment: (engine, { seed, preset, parameters }, report) => engine.segment(seed, preset, parameters, report),
+  segment: (engine, { seed, preset, parameters, corrections }, report) =>
+    engine.segment(seed, preset, parameters, corrections, report),
+  trace: (engine, { points, parameters }, report) => engine.trace(points, parameters, report),
   evaluate: (engine, { segmentation, reference, parameters }, report) =>
     engine.evaluate(segmentation, reference, parameters, report),
   selfIntersections: (engine, { surface }) => engine.selfIntersections(surface),

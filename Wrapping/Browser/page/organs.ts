@@ -1,18 +1,33 @@
 /** The organs of a session, with undo and redo: every change makes a new state, and the former ones are kept. */
-import type { Organ, Parameters, Preset, Seed } from "../flipfree/index.js";
+import type { Corrections, Organ, Parameters, Preset, Seed, Triple } from "../flipfree/index.js";
 
-/** What a session says of an organ. */
+export type CorrectionKind = "inside" | "outside" | "boundary" | "seed";
+
+/** What the user knows of an organ at a place. */
+export interface Correction {
+  kind: CorrectionKind;
+  position: Triple;
+  /** Of a further seed, in mm. */
+  radius?: number;
+}
+
+/** What a session says of an organ or of a vessel. */
 export interface SessionOrgan {
+  kind: "organ" | "vessel";
   name: string;
   color: string;
+  /** Of an organ. */
   seed: Seed | null;
   preset: Preset;
+  corrections: readonly Correction[];
+  /** Of a vessel. */
+  points: readonly Triple[];
   parameters: Parameters;
 }
 
 /** Never changed: `Organs.change` replaces it. */
 export interface OrganState extends SessionOrgan {
-  /** Of this very seed and these parameters. */
+  /** Of this very seed, these points and these parameters. */
   result: Organ | null;
 }
 
@@ -23,14 +38,32 @@ interface State {
 
 const colors = ["#ffd24a", "#5ad1ff", "#ff8a7a", "#8fe388", "#d9a0ff", "#ffb347", "#7fe0d0", "#ff9ed2"];
 
-function newOrgan(taken: readonly OrganState[]): OrganState {
+/** Whether there is all that a run needs. */
+export function canRun({ kind, seed, points }: SessionOrgan): boolean {
+  return kind === "vessel" ? points.length > 1 : seed !== null;
+}
+
+/** As the package takes them. */
+export function correctionsOf({ corrections }: SessionOrgan): Corrections {
+  const places = (wanted: CorrectionKind) => corrections.filter(({ kind }) => kind === wanted).map(({ position }) => position);
+  const seeds = corrections.filter(({ kind }) => kind === "seed");
+  return {
+    inside: places("inside"),
+    outside: places("outside"),
+    boundary: places("boundary"),
+    seeds: seeds.map(({ position, radius }) => ({ center: position, radius: radius ?? 0 })),
+  };
+}
+
+function newOrgan(taken: readonly OrganState[], kind: SessionOrgan["kind"] = "organ"): OrganState {
   const names = new Set(taken.map(({ name }) => name));
   let number = 1;
-  while (names.has(`organ ${number}`)) {
+  while (names.has(`${kind} ${number}`)) {
     ++number;
   }
   const color = colors.find((one) => taken.every((organ) => organ.color !== one)) ?? colors[taken.length % colors.length];
-  return { name: `organ ${number}`, color, seed: null, preset: "default", parameters: {}, result: null };
+  const name = `${kind} ${number}`;
+  return { kind, name, color, seed: null, preset: "default", corrections: [], points: [], parameters: {}, result: null };
 }
 
 /** A name that no other organ has. */
@@ -77,8 +110,8 @@ export class Organs {
     this.state = { ...this.state, chosen: Math.max(0, this.state.list.indexOf(organ)) };
   }
 
-  add(): void {
-    const list = [...this.state.list, newOrgan(this.state.list)];
+  add(kind: SessionOrgan["kind"]): void {
+    const list = [...this.state.list, newOrgan(this.state.list, kind)];
     this.set({ list, chosen: list.length - 1 });
   }
 

@@ -1,4 +1,4 @@
-/** What is drawn over the slices: contours, the seed, letters of orientation, window and position. */
+/** What is drawn over the slices: contours, the seed, points, letters of orientation, window and position. */
 import type { Niivue } from "@niivue/niivue";
 import { crossSection } from "./crosssection.js";
 import { type Point, type Tile, axes, depthAt, pixelAt, pixelsPerMillimeter, positionOf, sidesOf, slicesOf } from "./tiles.js";
@@ -17,9 +17,19 @@ export interface ShownSeed {
   color: string;
 }
 
+export interface ShownPoint {
+  /** Inside, outside, boundary, or the number of a vessel's point. */
+  kind: string;
+  place: Point; // RAS
+  color: string;
+}
+
 export interface Marks {
   surfaces: ShownSurface[];
   seeds: ShownSeed[];
+  points: ShownPoint[];
+  /** A point at most so far from a slice is on it, in mm. */
+  nearby: number;
 }
 
 type Context = CanvasRenderingContext2D;
@@ -43,12 +53,17 @@ function drawContour(context: Context, niivue: Niivue, tile: Tile, surface: Show
   context.stroke();
 }
 
-/** The circle in which the slice cuts the sphere. */
-function drawSeed(context: Context, tile: Tile, { center, radius, color }: ShownSeed): void {
+/** How far a point is from a slice, in mm. */
+function distanceOf(tile: Tile, point: Point): number {
   const { right, up, away } = axes(tile);
   const plane = tile.AxyzMxy;
-  const depth = depthAt(tile, center[right], center[up]);
-  const distance = Math.abs(depth - center[away]) / Math.hypot(1, plane[3], plane[4]);
+  const depth = depthAt(tile, point[right], point[up]);
+  return Math.abs(depth - point[away]) / Math.hypot(1, plane[3], plane[4]);
+}
+
+/** The circle in which the slice cuts the sphere. */
+function drawSeed(context: Context, tile: Tile, { center, radius, color }: ShownSeed): void {
+  const distance = distanceOf(tile, center);
   if (!(distance < radius)) {
     return;
   }
@@ -62,6 +77,40 @@ function drawSeed(context: Context, tile: Tile, { center, radius, color }: Shown
   context.setLineDash([]);
   context.fillStyle = color;
   context.fillRect(x - 2, y - 2, 4, 4);
+}
+
+const fadesWithin = 10; // mm from the slice
+
+/** A disk with a sign of its kind, a diamond on the boundary; fainter beside the slice. */
+function drawPoint(context: Context, tile: Tile, { kind, place, color }: ShownPoint, nearby: number): void {
+  const distance = distanceOf(tile, place);
+  if (distance > Math.max(nearby, fadesWithin)) {
+    return;
+  }
+  const [x, y] = pixelAt(tile, place);
+  const size = 6.5 * window.devicePixelRatio;
+  context.save();
+  context.globalAlpha = distance <= nearby ? 1 : 0.35;
+  context.translate(x, y);
+  context.beginPath();
+  if (kind === "boundary") {
+    context.moveTo(0, -1.2 * size);
+    [[1.2, 0], [0, 1.2], [-1.2, 0]].forEach(([right, down]) => context.lineTo(right * size, down * size));
+    context.closePath();
+  } else {
+    context.arc(0, 0, size, 0, 2 * Math.PI);
+  }
+  context.fillStyle = color;
+  context.strokeStyle = "#000";
+  context.lineWidth = 1.5 * window.devicePixelRatio;
+  context.fill();
+  context.stroke();
+  context.fillStyle = "#000";
+  context.textAlign = "center";
+  context.textBaseline = "middle";
+  context.font = `700 ${1.7 * size}px system-ui, sans-serif`;
+  context.fillText({ inside: "+", outside: "−", boundary: "" }[kind] ?? kind, 0, 0.1 * size);
+  context.restore();
 }
 
 function write(context: Context, text: string, x: number, y: number, align: CanvasTextAlign): void {
@@ -116,6 +165,7 @@ export function drawOverlay(overlay: HTMLCanvasElement, niivue: Niivue, marks: M
     context.clip();
     marks.surfaces.forEach((surface) => drawContour(context, niivue, tile, surface));
     marks.seeds.forEach((seed) => drawSeed(context, tile, seed));
+    marks.points.forEach((point) => drawPoint(context, tile, point, marks.nearby));
     drawText(context, niivue, tile, index === 0 ? captions : []);
     context.restore();
   });

@@ -1,23 +1,40 @@
 /** What was done to an image, as a file: enough to repeat it, here or by `flipfree segment --session FILE`. */
-import { FlipFreeError, type Grid, isSameGrid } from "../flipfree/index.js";
-import type { SessionOrgan } from "./organs.js";
+import { FlipFreeError, type Grid, type Parameters, type Preset, type Seed, type Triple, isSameGrid } from "../flipfree/index.js";
+import type { Correction, SessionOrgan } from "./organs.js";
+
+/** An organ, or a vessel. Those of version 1 have neither kind nor corrections. */
+type Entry = { name: string; color: string; parameters: Parameters } & (
+  | { kind?: "organ"; seed: Seed | null; preset: Preset; corrections?: readonly Correction[] }
+  | { kind: "vessel"; points: readonly Triple[] }
+);
+
+interface SessionFile {
+  format: "flipfree-session";
+  version: 1 | 2;
+  flipfree: string;
+  image: { name: string } & Grid;
+  organs: Entry[];
+}
 
 export interface Session {
-  format: "flipfree-session";
-  version: 1;
-  flipfree: string;
   image: { name: string } & Grid;
   organs: SessionOrgan[];
 }
 
+function entryOf({ kind, name, color, seed, preset, corrections, points, parameters }: SessionOrgan): Entry {
+  return kind === "vessel"
+    ? { name, kind, color, points, parameters }
+    : { name, kind, color, seed, preset, parameters, corrections };
+}
+
 export function sessionFile(flipfree: string, name: string, grid: Grid, organs: readonly SessionOrgan[]): Blob {
   const { size, spacing, origin, direction } = grid;
-  const session: Session = {
+  const session: SessionFile = {
     format: "flipfree-session",
-    version: 1,
+    version: 2,
     flipfree,
     image: { name, size, spacing, origin, direction },
-    organs: organs.map(({ name: organ, color, seed, preset, parameters }) => ({ name: organ, color, seed, preset, parameters })),
+    organs: organs.map(entryOf),
   };
   return new Blob([`${JSON.stringify(session, null, 2)}\n`], { type: "application/json" });
 }
@@ -26,36 +43,76 @@ function isNumbers(value: unknown, count: number): boolean {
   return Array.isArray(value) && value.length === count && value.every(Number.isFinite);
 }
 
-function isOrgan(organ: SessionOrgan): boolean {
-  const { name, color, seed, preset, parameters } = organ ?? {};
-  return (
-    typeof name === "string" &&
-    /^#[0-9a-f]{6}$/i.test(color) &&
-    (seed === null || (isNumbers(seed?.center, 3) && Number.isFinite(seed.radius))) &&
-    ["default", "published", "naive"].includes(preset) &&
-    typeof parameters === "object" &&
-    parameters !== null
-  );
+const positions = "as three numbers, in millimeters";
+
+/** What is wrong in an entry, with what it has to be; nothing if it is right. */
+function faultOfCorrection({ kind, position, radius }: Correction): string | undefined {
+  if (!["inside", "outside", "boundary", "seed"].includes(kind)) {
+    return `its kind is ${JSON.stringify(kind)}; it can be "inside", "outside", "boundary" or "seed"`;
+  }
+  if (!isNumbers(position, 3)) {
+    return `it has no position; give it ${positions}`;
+  }
+  return kind === "seed" && !(Number.isFinite(radius) && radius! > 0) ? "a seed has no radius; give it in millimeters" : undefined;
 }
 
-/** Throws a FlipFreeError for a file that is none. */
+function faultOfList<T>(list: unknown, name: string, faultOf: (one: T) => string | undefined): string | undefined {
+  if (!Array.isArray(list)) {
+    return `there is no list of ${name}s`;
+  }
+  const faults = list.map((one) => (one === null || typeof one !== "object" ? `it is no ${name}` : faultOf(one)));
+  const first = faults.findIndex((fault) => fault);
+  return first < 0 ? undefined : `${name} ${first + 1}: ${faults[first]}`;
+}
+
+function faultOfEntry(entry: Entry): string | undefined {
+  const { name, color, parameters } = entry;
+  if (typeof name !== "string" || !/^#[0-9a-f]{6}$/i.test(color) || typeof parameters !== "object" || parameters === null) {
+    return "its name, color or parameters are damaged";
+  }
+  if (entry.kind === "vessel") {
+    return faultOfList(entry.points, "point", (point) => (isNumbers(point, 3) ? undefined : `give it ${positions}`));
+  }
+  if (entry.kind !== undefined && entry.kind !== "organ") {
+    return `its kind is ${JSON.stringify(entry.kind)}; it can be "organ" or "vessel"`;
+  }
+  if (entry.seed !== null && !(isNumbers(entry.seed?.center, 3) && Number.isFinite(entry.seed.radius))) {
+    return "its seed is damaged";
+  }
+  if (!["default", "published", "naive"].includes(entry.preset)) {
+    return `there is no preset ${JSON.stringify(entry.preset)}`;
+  }
+  return faultOfList(entry.corrections ?? [], "correction", faultOfCorrection);
+}
+
+function organOf(entry: Entry): SessionOrgan {
+  const { name, color, parameters } = entry;
+  return entry.kind === "vessel"
+    ? { kind: "vessel", name, color, parameters, seed: null, preset: "default", corrections: [], points: entry.points }
+    : { ...entry, kind: "organ", corrections: entry.corrections ?? [], points: [] };
+}
+
+/** Throws a FlipFreeError for a file that is none; it names the file, the organ, the entry, and the remedy. */
 export function parseSession(name: string, text: string): Session {
-  let session: Session;
+  let session: SessionFile;
   try {
     session = JSON.parse(text);
   } catch {
-    throw new FlipFreeError(`${name} is not a JSON file`);
+    throw new FlipFreeError(`${name} is not a JSON file; open a session that this page has saved`);
   }
   const { image, organs } = session ?? {};
   const isImage = isNumbers(image?.size, 3) && isNumbers(image.spacing, 3) && isNumbers(image.origin, 3) && isNumbers(image.direction, 9);
-  if (session?.format !== "flipfree-session" || session.version !== 1 || !isImage || !Array.isArray(organs)) {
-    throw new FlipFreeError(`${name} is not a session of FlipFree that this version knows`);
+  if (session?.format !== "flipfree-session" || ![1, 2].includes(session.version) || !isImage || !Array.isArray(organs)) {
+    throw new FlipFreeError(`${name} is not a session of FlipFree that this version knows; open one that this page has saved`);
   }
-  const wrong = organs.findIndex((organ) => !isOrgan(organ));
-  if (wrong >= 0) {
-    throw new FlipFreeError(`${name}: entry ${wrong + 1} of the organs is damaged`);
-  }
-  return session;
+  organs.forEach((organ, at) => {
+    const fault = organ === null || typeof organ !== "object" ? "it is none" : faultOfEntry(organ);
+    if (fault) {
+      const called = typeof organ?.name === "string" ? ` '${organ.name}'` : "";
+      throw new FlipFreeError(`${name}, organ ${at + 1}${called}: ${fault}. Correct the file, or save the session again`);
+    }
+  });
+  return { image, organs: organs.map(organOf) };
 }
 
 /** Throws a FlipFreeError if a session is of another image. */

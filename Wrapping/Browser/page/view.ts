@@ -11,10 +11,12 @@ export interface ViewedOrgan {
   seed: Seed | null;
   color: string;
   isChosen: boolean;
+  /** Inside, outside, boundary, seed, or the number of a vessel's point. */
+  points: { kind: string; position: Triple; radius?: number }[];
 }
 
-/** What the left button does. */
-export type Tool = "seed" | "navigate";
+/** What the left button does: it places the seed, moves the cross-hair, or places a point. */
+export type Tool = "seed" | "navigate" | "inside" | "outside" | "boundary" | "point";
 
 function swapLpsRas(point: Triple | Point): Point {
   return [-point[0] + 0, -point[1] + 0, point[2]];
@@ -47,12 +49,14 @@ interface Drag {
 export class View {
   private readonly slices: Niivue;
   private readonly solid: Niivue;
-  private marks: Marks = { surfaces: [], seeds: [] };
+  private marks: Marks = { surfaces: [], seeds: [], points: [], nearby: 1 };
 
   tool: Tool | null = null;
 
   /** Called while a seed is dragged, and when it is placed. */
   onSeed: (seed: Seed, placed: boolean) => void = () => {};
+  /** Called when a point is placed. */
+  onPoint: (position: Triple) => void = () => {};
   /** Called when the window was dragged. */
   onWindow: () => void = () => {};
 
@@ -100,6 +104,7 @@ export class View {
       this.slices.removeVolume(volume);
     }
     this.slices.addVolume(opened.shown);
+    this.marks.nearby = Math.max(1, ...opened.image.spacing.map((spacing) => 0.6 * spacing));
     this.slices.scene.crosshairPos = [0.5, 0.5, 0.5];
     this.slices.scene.pan2Dxyzmm = [0, 0, 0, 1];
     this.slices.drawScene();
@@ -148,22 +153,29 @@ export class View {
       this.solid.removeMesh(mesh);
     }
     this.marks = {
+      ...this.marks,
       surfaces: organs.flatMap(({ surface, color, isChosen }) => (surface ? [this.shownSurface(surface, color, isChosen)] : [])),
-      seeds: [],
     };
     for (const { points, triangles, color } of this.marks.surfaces) {
       const rgba = new Uint8Array([...bytesOf(color), 255]);
       this.solid.addMesh(new NVMesh(Float32Array.from(points), triangles, "surface", rgba, 1, true, this.solid.gl));
     }
     this.solid.drawScene();
-    this.setSeeds(organs);
+    this.setMarks(organs);
   }
 
-  /** The surfaces stay. */
-  setSeeds(organs: ViewedOrgan[]): void {
-    this.marks.seeds = organs.flatMap(({ seed, color }) =>
-      seed ? [{ center: swapLpsRas(seed.center), radius: seed.radius, color }] : [],
-    );
+  /** Seeds and points; the surfaces stay. */
+  setMarks(organs: ViewedOrgan[]): void {
+    const further = organs.flatMap(({ points, color }) => points.map((point) => ({ ...point, color })));
+    const seeds = organs.flatMap(({ seed, color }) => (seed ? [{ ...seed, color }] : []));
+    const spheres = further.map(({ position, radius, color }) => ({ center: position, radius: radius ?? 0, color }));
+    this.marks.seeds = [...seeds, ...spheres.filter(({ radius }) => radius > 0)].map((seed) => ({
+      ...seed,
+      center: swapLpsRas(seed.center),
+    }));
+    this.marks.points = further
+      .filter(({ kind }) => kind !== "seed")
+      .map(({ kind, position, color }) => ({ kind, place: swapLpsRas(position), color }));
     this.drawMarks();
   }
 
@@ -206,6 +218,12 @@ export class View {
         this.onSeed({ center: swapLpsRas(drag.center), radius }, isLast);
       } else if (this.tool === "navigate") {
         this.crosshair = swapLpsRas(pointAt(drag.tile, ...this.pixelOf(event)));
+      } else if (this.tool) {
+        const position = swapLpsRas(pointAt(drag.tile, ...this.pixelOf(event)));
+        this.crosshair = position;
+        if (isLast) {
+          this.onPoint(position);
+        }
       }
     };
     overlay.addEventListener("pointerdown", (event) => {

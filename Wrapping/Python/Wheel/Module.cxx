@@ -6,6 +6,7 @@
 NB_MODULE(_kernels, module)
 {
   FlipFree::BindSegmentation(module);
+  FlipFree::BindVessels(module);
   FlipFree::BindEvaluation(module);
   FlipFree::BindPhantoms(module);
   FlipFree::BindVessels(module);

@@ -1,7 +1,6 @@
 // The whole method: a volume and a seed in, surface, label map and convergence out.
 #include "Answers.h"
 #include "Bindings.h"
-#include "Numpy.h"
 #include "Report.h"
 #include "ThreadPool.h"
 

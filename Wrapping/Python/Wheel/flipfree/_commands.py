@@ -32,7 +32,7 @@ from ._point_files import ENDINGS as POINT_ENDINGS
 from ._point_files import arguments_of, read_points, write_points
 from ._segment import segment as segment_organ
 from ._segmentation import Segmentation, Vessel
-from ._session import Session, image_beside, read_session, require_image_of, runs_of
+from ._session import Session, SessionOrgan, image_beside, read_session, require_image_of, runs_of
 from ._surface_files import ENDINGS, read_surface, write_centerline, write_surface
 from ._trace import trace as trace_vessel
 from ._types import Shape
@@ -66,7 +66,7 @@ def segment(values: dict[str, Any]) -> None:
         runs = runs_of(session, values, [name for name in OUTPUTS if name != "labels"])
     for run in runs:
         _require_sense(run, {name: run[name] for name in OUTPUTS if name in run})
-    points = [] if session else _points_of(values)
+    points = [] if session else _points_of(values)  # a session's organs have their own
     set_threads(values.get("threads", 0))
     start = time.perf_counter()
     image = read_image(values["input"], series=values.get("series"), progress=progress)
@@ -130,15 +130,24 @@ def _segment_one(
     """What was found and in how many seconds; its own files are written."""
     start = time.perf_counter()
     title = _title_of(values)
+    repeated: SessionOrgan | None = values.get("repeated")
     try:
-        organ = segment_organ(
-            image,
-            **_start_of(values, image),
-            preset=values.get("preset", "default"),
-            progress=progress or None,
-            **arguments_of(points),
-            **{name: value for name, value in values.items() if name in SEGMENT_PARAMETERS},
-        )
+        if repeated and repeated.points:
+            organ = trace_vessel(
+                image,
+                repeated.points,
+                progress=progress or None,
+                **{**repeated.parameters, "label_value": values["label_value"]},
+            )
+        else:
+            organ = segment_organ(
+                image,
+                **_start_of(values, image),
+                preset=values.get("preset", "default"),
+                progress=progress or None,
+                **(repeated.corrections if repeated else arguments_of(points)),
+                **{name: value for name, value in values.items() if name in SEGMENT_PARAMETERS},
+            )
     except FlipFreeError as error:
         raise type(error)(f"{title}: {error}") from error
     working = time.perf_counter() - start
@@ -173,10 +182,11 @@ def _report(values: dict[str, Any], organ: Segmentation, reading: float, working
     if not organ.mesh.certified and organ.self_intersections == 0:
         warn("The surface is not certified: --guard is off. It does not intersect itself, though.")
     if "quiet" not in values:
+        confidence = "" if isinstance(organ, Vessel) else f", confidence {organ.confidence:.2f}"
         print(
             f"{_title_of(values, '')}: volume {organ.volume:.1f} ml, "
             f"{len(organ.iterations['Iteration'])} iterations, {organ.stop_reason}, "
-            f"{organ.self_intersections} self-intersections, confidence {organ.confidence:.2f}; reading {reading:.2f} s, "
+            f"{organ.self_intersections} self-intersections{confidence}; reading {reading:.2f} s, "
             f"segmenting {working:.2f} s"
         )
 
@@ -364,7 +374,7 @@ def _wants_bar(values: dict[str, Any]) -> bool:
 
 def _require_sense(values: dict[str, Any], outputs: dict[str, str]) -> None:
     """Checks all that can be checked before the volume is read."""
-    if "start_labels" not in values and ("seed" in values) == ("seed_voxel" in values):
+    if not {"repeated", "start_labels"} & values.keys() and ("seed" in values) == ("seed_voxel" in values):
         raise WrongUsage(
             "Both --seed and --seed-voxel are given. Give only one of them"
             if "seed" in values

@@ -7,11 +7,14 @@ import json
 import math
 import os
 import re
-from dataclasses import dataclass
-from typing import Any
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass, field
+from typing import Any, TypeVar
 
-from ._backend import SEGMENT_PARAMETERS
+from ._backend import SEGMENT_PARAMETERS, TRACE_PARAMETERS, VesselAlgorithm
 from ._errors import FileError, FlipFreeError
+
+T = TypeVar("T")
 
 # They change no surface.
 IGNORED = {"keep_history", "label_value"}
@@ -19,13 +22,15 @@ IGNORED = {"keep_history", "label_value"}
 
 @dataclass
 class SessionOrgan:
-    """An organ of a session: what `segment` takes."""
+    """An organ of a session: what `segment` takes; or a vessel, which has points."""
 
     name: str
-    seed: list[float]
-    radius: float
-    preset: str
     parameters: dict[str, Any]
+    seed: list[float] = field(default_factory=list)
+    radius: float = 0.0
+    preset: str = "default"
+    corrections: dict[str, list[Any]] = field(default_factory=dict)
+    points: list[list[float]] = field(default_factory=list)
 
 
 @dataclass
@@ -53,7 +58,7 @@ def read_session(name: str) -> Session:
             f"'{name}' is not a session that the page has saved: {error}. Save it again."
         ) from error
     try:
-        if content["format"] != "flipfree-session" or content["version"] != 1:
+        if content["format"] != "flipfree-session" or content["version"] not in (1, 2):
             raise ValueError("it is of another format or of a newer version")
         return _session_of(name, content)
     except (KeyError, TypeError) as error:
@@ -67,7 +72,8 @@ def read_session(name: str) -> Session:
 
 
 def _session_of(name: str, content: dict[str, Any]) -> Session:
-    organs = [_organ_of(entry) for entry in content["organs"] if entry["seed"] is not None]
+    entries = _each(content["organs"], "organ", _entry_of)
+    organs = [organ for organ in entries if organ is not None]
     names = [organ.name for organ in organs]
     twice = next((one for one in names if names.count(one) > 1), None)
     if twice:
@@ -86,22 +92,85 @@ def _session_of(name: str, content: dict[str, Any]) -> Session:
     )
 
 
-def _organ_of(entry: dict[str, Any]) -> SessionOrgan:
+def _each(entries: Iterable[Any], name: str, read: Callable[[Any], T]) -> list[T]:
+    """What is wrong in an entry is said with its number."""
+    found = []
+    for number, entry in enumerate(entries, 1):
+        try:
+            found.append(read(entry))
+        except (KeyError, TypeError, AttributeError) as error:
+            raise ValueError(f"{name} {number}: {error!r} is wrong in it") from error
+        except (ValueError, FlipFreeError) as error:
+            raise ValueError(f"{name} {number}: {error}") from error
+    return found
+
+
+def _entry_of(entry: dict[str, Any]) -> SessionOrgan | None:
+    """None for organs that have not been given a seed yet, and vessels without enough points."""
+    # Organs of version 1 have neither a kind nor corrections.
+    kind = entry.get("kind", "organ")
+    if kind not in ("organ", "vessel"):
+        raise ValueError(f"the kind is '{kind}'; it can be organ or vessel")
+    if (len(entry["points"]) < 2) if kind == "vessel" else (entry["seed"] is None):
+        return None
+    # Letters, digits and dashes, as in the names of the page's files.
+    name = re.sub(r"[\0-\x7f]", lambda letter: letter[0] if letter[0].isalnum() else "-", entry["name"])
+    try:
+        return (_vessel_of if kind == "vessel" else _organ_of)(name, entry)
+    except (ValueError, FlipFreeError) as error:
+        raise ValueError(f"'{entry['name']}': {error}") from error
+
+
+def _vessel_of(name: str, entry: dict[str, Any]) -> SessionOrgan:
+    known = {one.property: one for one in TRACE_PARAMETERS.values() if one.name not in IGNORED}
+    settings = VesselAlgorithm().settings
     parameters = {}
-    for name, value in entry["parameters"].items():
-        keyword = re.sub(r"(?<!^)(?=[A-Z])", "_", name).lower()
+    for key, value in entry["parameters"].items():
+        title = key[:1].upper() + key[1:]
+        if title not in known:
+            *first, last = known
+            raise ValueError(
+                f"there is no parameter '{title}' of a vessel; there are {', '.join(first)} and {last}"
+            )
+        try:
+            known[title].set(settings, value)
+        except (TypeError, ValueError) as error:
+            raise ValueError(f"the parameter '{title}' is out of its range") from error
+        parameters[known[title].name] = value
+    points = _each(entry["points"], "point", lambda point: _numbers(point, 3))
+    return SessionOrgan(name, parameters, points=points)
+
+
+def _organ_of(name: str, entry: dict[str, Any]) -> SessionOrgan:
+    parameters = {}
+    for key, value in entry["parameters"].items():
+        keyword = re.sub(r"(?<!^)(?=[A-Z])", "_", key).lower()
         if keyword not in SEGMENT_PARAMETERS:
-            raise ValueError(f"there is no parameter '{name}'")
+            raise ValueError(f"there is no parameter '{key}'")
         if keyword not in IGNORED:
             parameters[keyword] = value
     if entry["preset"] not in ("default", "published", "naive"):
         raise ValueError(f"there is no preset '{entry['preset']}'")
-    # Letters, digits and dashes, as in the names of the page's files.
-    name = re.sub(r"[\0-\x7f]", lambda letter: letter[0] if letter[0].isalnum() else "-", entry["name"])
+    corrections: dict[str, list[Any]] = {"inside": [], "outside": [], "boundary": [], "seeds": []}
+    for kind, point in _each(entry.get("corrections", ()), "correction", _correction_of):
+        corrections[kind].append(point)
     seed = entry["seed"]
     return SessionOrgan(
-        name, _numbers(seed["center"], 3), float(seed["radius"]), entry["preset"], parameters
+        name, parameters, _numbers(seed["center"], 3), float(seed["radius"]), entry["preset"], corrections
     )
+
+
+def _correction_of(entry: dict[str, Any]) -> tuple[str, Any]:
+    """The argument of segment(), and what it takes."""
+    kind, place = entry["kind"], _numbers(entry["position"], 3)
+    if kind == "seed":
+        radius = float(entry["radius"])
+        if not radius > 0:
+            raise ValueError("a seed has no radius")
+        return "seeds", (place, radius)
+    if kind not in ("outside", "inside", "boundary"):
+        raise ValueError(f"the kind is '{kind}'; it can be outside, inside, boundary or seed")
+    return kind, place
 
 
 def _numbers(values: Any, count: int) -> list[float]:
@@ -158,9 +227,10 @@ def runs_of(session: Session, values: dict[str, Any], outputs: list[str]) -> lis
             raise FlipFreeError(
                 f"'{session.file}': labels go up to 255. Remove organs, or leave out --label-value."
             )
-        run: dict[str, Any] = {**organ.parameters, **values}
-        run.update(seed=organ.seed, radius=organ.radius)
-        run.update(preset=organ.preset, label_value=label)
+        run: dict[str, Any] = {**({} if organ.points else organ.parameters), **values}
+        run.update(repeated=organ, label_value=label)
+        if not organ.points:
+            run.update(seed=organ.seed, radius=organ.radius, preset=organ.preset)
         if len(session.organs) > 1:
             run["organ"] = organ.name
             run.update({name: _name_for(organ.name, run[name]) for name in outputs if name in run})

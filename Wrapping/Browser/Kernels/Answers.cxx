@@ -1,0 +1,74 @@
+#include "Answers.h"
+
+#include "Deformation/ConvergenceColumns.h"
+#include "Image/GridCheck.h"
+
+#include <stdexcept>
+
+namespace FlipFree
+{
+namespace
+{
+
+val ObjectOf(const OrganSurface& organ)
+{
+  val surface = val::object();
+  surface.set("points", ArrayOf(organ.Points));
+  surface.set("corners", ArrayOf(organ.Mesh.Faces.Connectivity));
+  surface.set("offsets", ArrayOf(organ.Mesh.Faces.Offsets));
+  return surface;
+}
+
+val ColumnsOf(const std::vector<IterationRecord>& records)
+{
+  val columns = val::object();
+  for (const ConvergenceColumn& column : ConvergenceColumns())
+  {
+    std::vector<double> values;
+    for (const IterationRecord& record : records)
+    {
+      values.push_back(column.Read(record));
+    }
+    columns.set(column.Name, ArrayOf(values));
+  }
+  return columns;
+}
+
+// Four numbers each: j, k, first i, one past the last i.
+val RunsOf(const std::vector<VoxelRun>& runs)
+{
+  std::vector<int> numbers;
+  numbers.reserve(4 * runs.size());
+  for (const VoxelRun& run : runs)
+  {
+    numbers.insert(numbers.end(), { run.J, run.K, run.Begin, run.End });
+  }
+  return ArrayOf(numbers);
+}
+
+} // namespace
+
+void RequireVoxels(const ImageGeometry& geometry)
+{
+  if (geometry.NumberOfVoxels() == 0)
+  {
+    throw std::invalid_argument("the image has no voxels; give one that has");
+  }
+  RequireProperGrid(geometry, ImageName);
+}
+
+val AnswerOf(const OrganSurface& organ, const std::vector<VoxelRun>& voxels,
+  const std::vector<std::string>& warnings)
+{
+  val answer = val::object();
+  answer.set("stopReason", std::string(ToString(organ.Reason)));
+  answer.set("aborted", organ.Reason == StopReason::Aborted);
+  answer.set("selfIntersections", static_cast<double>(organ.SelfIntersections));
+  answer.set("surface", ObjectOf(organ));
+  answer.set("runs", RunsOf(voxels));
+  answer.set("iterations", ColumnsOf(organ.Iterations));
+  answer.set("warnings", val::array(warnings));
+  return answer;
+}
+
+} // namespace FlipFree

@@ -1,0 +1,67 @@
+// A vessel, or a tree of vessels: a volume and points in; surface, voxels and centerline out.
+#include "Answers.h"
+#include "Volume.h"
+
+#include "Vessel/VesselParameters.h"
+
+#include <emscripten/bind.h>
+
+namespace FlipFree
+{
+namespace
+{
+
+using Settings = VesselSegmentationSettings;
+
+val BranchesOf(const VesselTree& tree)
+{
+  val branches = val::array();
+  for (const VesselBranch& branch : tree.Branches)
+  {
+    val one = val::object();
+    one.set("points", ArrayOf(branch.Sections.Centers()));
+    one.set("radii", ArrayOf(branch.Sections.MeanRadii()));
+    one.set("parent", branch.Parent);
+    branches.call<void>("push", one);
+  }
+  return branches;
+}
+
+// `points` are the coordinates of one point after the other.
+val Trace(const Volume& image, const val& points, const val& parameters, const val& report)
+{
+  return Guarded(
+    [&]
+    {
+      Settings settings;
+      SetParameters(VesselParameters(), parameters, settings);
+      const std::vector<double> numbers = emscripten::vecFromJSArray<double>(points);
+      const PointList list = Eigen::Map<const PointList>(numbers.data(),
+        static_cast<Eigen::Index>(numbers.size() / 3), 3);
+      RequireNumbers(settings);
+      RequireVoxels(image.GetGeometry());
+      const GrayVolume volume = image.VisitVoxels(
+        [](const auto& view) { return GrayVolumeOf(view, ImageName, Threading()); });
+      const VesselSegmentation result =
+        SegmentVessel(volume, ImageName, list, settings, Threading(), MonitorOf(report));
+      val answer = AnswerOf(result.Surface, result.Voxels, result.Warnings);
+      answer.set("branches", BranchesOf(result.Tree));
+      answer.set("radius", result.Tree.Radius);
+      return answer;
+    });
+}
+
+val DefaultParameters()
+{
+  return ParametersOf(VesselParameters(), Settings());
+}
+
+} // namespace
+
+void BindVessels()
+{
+  emscripten::function("vesselParameters", &DefaultParameters);
+  emscripten::function("trace", &Trace);
+}
+
+} // namespace FlipFree

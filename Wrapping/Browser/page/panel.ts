@@ -1,0 +1,108 @@
+/** The panel and the slices after a change: what is there, and what can be done now. */
+import type { Seed } from "../flipfree/index.js";
+import { app, organs, view } from "./app.js";
+import { button, element, input, select } from "./dom.js";
+import { showOrgans } from "./organlist.js";
+import { type OrganState, canRun } from "./organs.js";
+import { showPoints } from "./pointlist.js";
+import { showResult } from "./result.js";
+import type { Tool, ViewedOrgan } from "./view.js";
+
+const hints: Record<Tool, string> = {
+  seed: "Click in the organ, drag to its boundary.",
+  inside: "Click where the organ was missed.",
+  outside: "Click where it took in something else.",
+  boundary: "Click on the organ's boundary.",
+  point: "Click at its ends, and on a winding way.",
+  navigate: "Click to move the cross-hair.",
+};
+
+const radioOf = (tool: Tool) => document.querySelector<HTMLInputElement>(`[name=tool][value=${tool}]`)!;
+
+/** What the left button does for the chosen organ. */
+export function chosenTool(): Tool {
+  return document.querySelector<HTMLInputElement>("[name=tool]:checked")!.value as Tool;
+}
+
+function canUse(tool: Tool): boolean {
+  const { kind, seed } = organs.chosen;
+  if (tool === "navigate") {
+    return true;
+  }
+  return kind === "vessel" ? tool === "point" : tool === "seed" || (tool !== "point" && seed !== null);
+}
+
+export function chooseTool(tool: Tool): void {
+  if (canUse(tool)) {
+    radioOf(tool).checked = true;
+  }
+  refresh();
+}
+
+/** Tools that the chosen organ has no use for are not shown or cannot be chosen. */
+function refreshTools(): void {
+  const isVessel = organs.chosen.kind === "vessel";
+  for (const tool of Object.keys(hints) as Tool[]) {
+    radioOf(tool).disabled = !canUse(tool);
+    radioOf(tool).parentElement!.hidden = tool !== "navigate" && (tool === "point") !== isVessel;
+  }
+  if (radioOf(chosenTool()).disabled) {
+    radioOf(isVessel ? "point" : "seed").checked = true;
+  }
+  element("hint").textContent = hints[chosenTool()];
+  element("seed-numbers").hidden = isVessel;
+  element("phantom-row").classList.toggle("of-organs", isVessel);
+}
+
+/** What can be done now. */
+export function refresh(): void {
+  const isBusy = app.running !== null;
+  for (const id of ["open-files", "open-folder", "open-phantom"]) {
+    button(id).disabled = isBusy;
+  }
+  for (const id of ["organ-controls", "seed-controls"]) {
+    element<HTMLFieldSetElement>(id).disabled = !app.opened || isBusy;
+  }
+  refreshTools();
+  select("window").disabled = !app.opened;
+  button("undo").disabled = !organs.canUndo;
+  button("redo").disabled = !organs.canRedo;
+  button("run").disabled = isBusy || !canRun(organs.chosen);
+  button("cancel").disabled = !isBusy;
+  button("save-surface").disabled = isBusy || !organs.chosen.result;
+  button("save-labels").disabled = isBusy || organs.list.every(({ result }) => !result);
+  button("save-session").disabled = isBusy || !organs.list.some(canRun);
+  view.tool = !app.opened ? null : isBusy ? "navigate" : chosenTool();
+  element("overlay").classList.toggle("placing", view.tool !== null && view.tool !== "navigate");
+}
+
+export function showSeed(seed: Seed | null): void {
+  ["seed-x", "seed-y", "seed-z"].forEach((id, axis) => {
+    input(id).value = seed ? String(Number(seed.center[axis].toFixed(2))) : "";
+  });
+  if (seed) {
+    input("seed-radius").value = String(Number(seed.radius.toFixed(2)));
+  }
+}
+
+/** As the slices show them; one of them as it may become. */
+export function viewedOrgans(changed: Partial<OrganState> = {}): ViewedOrgan[] {
+  return organs.list.map((one) => {
+    const isChosen = one === organs.chosen;
+    const { result, seed, color, corrections, points } = isChosen ? { ...one, ...changed } : one;
+    const ofVessel = points.map((position, at) => ({ kind: String(at + 1), position }));
+    return { surface: result?.surface ?? null, seed, color, isChosen, points: isChosen ? [...corrections, ...ofVessel] : [] };
+  });
+}
+
+/** After any change of the organs. */
+export function showAll(): void {
+  showOrgans(element("organs"), organs, showAll);
+  showSeed(organs.chosen.seed);
+  showPoints(element("points"), organs.chosen);
+  showResult(organs.chosen.result);
+  if (app.opened) {
+    view.setOrgans(viewedOrgans());
+  }
+  refresh();
+}

@@ -1,0 +1,81 @@
+/** Placing: the seed, points that correct an organ, and points of a vessel; by mouse, by numbers, at the cross-hair. */
+import type { Seed, Triple } from "../flipfree/index.js";
+import { organs, view } from "./app.js";
+import { input, select } from "./dom.js";
+import type { Correction } from "./organs.js";
+import { chosenTool, showAll, showSeed, viewedOrgans } from "./panel.js";
+import { pointActions } from "./pointlist.js";
+import { changePoints } from "./runs.js";
+import { say } from "./status.js";
+
+/** Another seed: what was found from the former one goes, and undo brings it back. */
+function setSeed(seed: Seed): void {
+  organs.change(organs.chosen, { seed, result: null });
+  say("");
+  showAll();
+}
+
+function radiusOf(): number {
+  const radius = Number(input("seed-radius").value);
+  return radius > 0 ? radius : 20;
+}
+
+export function takeSeedNumbers(): void {
+  const center = ["seed-x", "seed-y", "seed-z"].map((id) => input(id).valueAsNumber);
+  if (center.every(Number.isFinite)) {
+    setSeed({ center: [center[0], center[1], center[2]], radius: input("seed-radius").valueAsNumber || 0 });
+    view.crosshair = [center[0], center[1], center[2]];
+  }
+}
+
+export function resizeSeed(by: number): void {
+  const { seed } = organs.chosen;
+  if (seed) {
+    setSeed({ ...seed, radius: Math.max(1, seed.radius + by) });
+  }
+}
+
+/** What the tool places, if it places points. */
+function placePoint(position: Triple): void {
+  const { corrections, points } = organs.chosen;
+  const tool = chosenTool();
+  if (tool === "point") {
+    void changePoints({ points: [...points, position] });
+  } else if (tool === "inside" || tool === "outside" || tool === "boundary") {
+    const point: Correction = { kind: tool, position };
+    void changePoints({ corrections: [...corrections, point] });
+  }
+}
+
+/** At the cross-hair; navigating places the seed. */
+export function placeHere(): void {
+  const place = view.crosshair;
+  if (chosenTool() === "seed" || (chosenTool() === "navigate" && organs.chosen.kind === "organ")) {
+    setSeed({ center: place, radius: organs.chosen.seed?.radius ?? radiusOf() });
+  } else if (chosenTool() === "navigate") {
+    void changePoints({ points: [...organs.chosen.points, place] });
+  } else {
+    placePoint(place);
+  }
+}
+
+export function listenToPlaces(): void {
+  view.onSeed = (seed, placed) => {
+    // Clicking without dragging keeps the radius.
+    const shown = seed.radius < 1 ? { ...seed, radius: organs.chosen.seed?.radius ?? radiusOf() } : seed;
+    if (placed) {
+      setSeed(shown);
+      say("Seed placed.");
+    } else {
+      showSeed(shown);
+      view.setMarks(viewedOrgans({ seed: shown }));
+    }
+  };
+  view.onPoint = placePoint;
+  view.onWindow = () => (select("window").value = "");
+  pointActions.change = (points) => void changePoints(points);
+  pointActions.visit = (position) => (view.crosshair = [...position]);
+  for (const id of ["seed-x", "seed-y", "seed-z", "seed-radius"]) {
+    input(id).addEventListener("change", takeSeedNumbers);
+  }
+}

@@ -1,0 +1,70 @@
+/** Runs: of the chosen organ, again after each of its points, and of all organs of a session. */
+import type { Organ } from "../flipfree/index.js";
+import { app, flipfree, organs, view } from "./app.js";
+import { type OrganState, canRun, correctionsOf } from "./organs.js";
+import { showAll, viewedOrgans } from "./panel.js";
+import { type Session, requireImageOf } from "./session.js";
+import { say, showProgress } from "./status.js";
+import { work } from "./work.js";
+
+async function find(organ: OrganState, signal: AbortSignal): Promise<Organ> {
+  const { image } = app.opened!;
+  const { kind, preset, parameters, seed, points } = organ;
+  const options = { parameters, signal, onProgress: showProgress };
+  return kind === "vessel"
+    ? flipfree.trace(image, points, options)
+    : flipfree.segment(image, seed!, { ...options, preset, ...correctionsOf(organ) });
+}
+
+/** Finds an organ, shows it, and says how long it took. */
+async function run(doing: string, done: string, organ: OrganState, take: (result: Organ) => void): Promise<void> {
+  await work(`${doing} ${organ.name} …`, async (signal) => {
+    const start = performance.now();
+    performance.mark("flipfree-click");
+    view.setMarks(viewedOrgans(organ));
+    const result = await find(organ, signal);
+    performance.mark("flipfree-found");
+    take(result);
+    showAll();
+    requestAnimationFrame(() => performance.mark("flipfree-shown"));
+    say(`${done} in ${((performance.now() - start) / 1000).toFixed(1)} s.`);
+  });
+}
+
+export async function segment(): Promise<void> {
+  const organ = organs.chosen;
+  if (app.opened && canRun(organ)) {
+    await run("Segmenting", "Segmented", organ, (result) => organs.find(organ, result));
+  }
+}
+
+/** Other points of the chosen organ. Where it was segmented, its surface is renewed, and both are one step; where that
+ * fails, nothing changes. */
+export async function changePoints(change: Partial<OrganState>): Promise<void> {
+  const organ = organs.chosen;
+  const changed = { ...organ, ...change };
+  if (organ.result && canRun(changed)) {
+    await run("Correcting", "Corrected", changed, (result) => organs.change(organ, { ...change, result }));
+  } else {
+    organs.change(organ, { ...change, result: null });
+    say(organ.kind === "vessel" && !canRun(changed) ? "A vessel needs a point at each end." : "");
+    showAll();
+  }
+}
+
+export async function repeat(session: Session, signal: AbortSignal): Promise<void> {
+  requireImageOf(session, app.opened?.image ?? null);
+  organs.reset(session.organs);
+  showAll();
+  for (const organ of organs.list.filter(canRun)) {
+    say(`Segmenting ${organ.name} …`);
+    organs.find(organ, await find(organ, signal));
+    showAll();
+  }
+  const { seed, points } = organs.chosen;
+  const place = seed?.center ?? points[0];
+  if (place) {
+    view.crosshair = [...place];
+  }
+  say("The session is repeated.");
+}

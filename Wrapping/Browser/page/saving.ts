@@ -1,0 +1,68 @@
+/** Saving: surfaces, the label map, the session. */
+import {
+  type Organ,
+  type SurfaceFormat,
+  countVoxels,
+  fillRuns,
+  isSinglePrecision,
+  labelMapFile,
+  roundedSurface,
+  surfaceFile,
+} from "../flipfree/index.js";
+import { app, flipfree, organs } from "./app.js";
+import { select } from "./dom.js";
+import { canRun } from "./organs.js";
+import { fileNameOf, sessionFile } from "./session.js";
+import { say } from "./status.js";
+import { work } from "./work.js";
+
+declare const FLIPFREE_VERSION: string; // of the build
+
+function save(file: Blob, name: string): void {
+  const link = document.createElement("a");
+  link.href = URL.createObjectURL(file);
+  link.download = name;
+  link.click();
+  setTimeout(() => URL.revokeObjectURL(link.href), 60_000);
+  say(`Saved ${name}.`);
+}
+
+/** What leaves is a valid surface: where the format rounds, the rounded one is checked. */
+async function requireValid({ surface }: Organ, format: SurfaceFormat): Promise<void> {
+  if (format !== "vtp" && !isSinglePrecision(surface)) {
+    const pairs = await flipfree.selfIntersections(roundedSurface(surface));
+    if (pairs > 0) {
+      throw new Error(`${format.toUpperCase()} rounds the vertices, and the surface would intersect itself (${pairs} pairs of faces); save it as VTP`);
+    }
+  }
+}
+
+export const saveSurface = () =>
+  work("Saving …", async () => {
+    const format = select("surface-format").value as SurfaceFormat;
+    const { name, result } = organs.chosen;
+    if (result) {
+      await requireValid(result, format);
+      save(surfaceFile(result.surface, format), `${fileNameOf(name)}.${format}`);
+    }
+  });
+
+/** Labels count the organs that have a seed, and vessels with points; a voxel in several belongs to the first. The command
+ * does the same. */
+export const saveLabels = () =>
+  work("Saving …", async () => {
+    if (app.opened) {
+      const voxels = new Uint8Array(countVoxels(app.opened.image));
+      const seeded = organs.list.filter(canRun);
+      for (let at = seeded.length - 1; at >= 0; --at) {
+        fillRuns(seeded[at].result?.runs ?? new Int32Array(), at + 1, app.opened.image, voxels);
+      }
+      save(await labelMapFile({ ...app.opened.image, voxels }), "organs.nii.gz");
+    }
+  });
+
+export function saveSession(): void {
+  if (app.opened) {
+    save(sessionFile(FLIPFREE_VERSION, app.opened.name, app.opened.image, organs.list), "session.json");
+  }
+}
