@@ -173,8 +173,9 @@ TEST(SegmentationFrames, SameSurfaceUpToTheMotion)
       motion->TransformPoint(expected->GetPoint(vertex), b);
       farthest = std::max(farthest, std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]));
     }
-    // In millimeters. The storage order changes positions by rounding alone; in a rotated frame the
-    // equations are solved to a relative residual of 1e-6 along other axes.
-    EXPECT_LE(farthest, frame.Angle == 0 ? 1e-9 : 1e-3);
+    // In millimeters. The storage order changes positions by rounding alone, and the equations are
+    // solved in single precision; in a rotated frame, to a relative residual of 1e-5 along other
+    // axes.
+    EXPECT_LE(farthest, frame.Angle == 0 ? 2e-4 : 1e-3);
   }
 }

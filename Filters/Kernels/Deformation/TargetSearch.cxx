@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
+#include <limits>
 
 namespace FlipFree
 {
@@ -13,6 +15,41 @@ namespace
 
 // With fewer matched neighbors, nothing is rejected.
 constexpr int MinimumRing = 4;
+
+// What a two-ring of distinct vertices holds.
+constexpr int UsualRing = 16;
+
+struct Exchange
+{
+  std::uint8_t Low = 0;
+  std::uint8_t High = 0;
+};
+
+// Batcher's odd-even merge sort: no branches, which no processor could predict here.
+constexpr std::array<Exchange, 63> MakeSortingNetwork()
+{
+  std::array<Exchange, 63> network{};
+  int count = 0;
+  for (int p = 1; p < UsualRing; p *= 2)
+  {
+    for (int k = p; k >= 1; k /= 2)
+    {
+      for (int j = k % p; j + k < UsualRing; j += 2 * k)
+      {
+        for (int low = j; low < j + k && low + k < UsualRing; ++low)
+        {
+          if (low / (2 * p) == (low + k) / (2 * p))
+          {
+            network[count].Low = static_cast<std::uint8_t>(low);
+            network[count].High = static_cast<std::uint8_t>(low + k);
+            ++count;
+          }
+        }
+      }
+    }
+  }
+  return network;
+}
 
 // The distances of the matched vertices in the two-ring of a vertex. A vertex that several paths
 // reach counts several times.
@@ -23,22 +60,47 @@ public:
   void Add(double distance) { this->Distances[this->Size++] = distance; }
   int GetSize() const { return this->Size; }
 
-  double TakeMedian()
+  void Sort()
   {
-    double* const middle = this->Distances.data() + this->Size / 2;
-    std::nth_element(this->Distances.data(), middle, this->Distances.data() + this->Size);
-    return *middle;
-  }
-  void ReplaceByDeviationsFrom(double center)
-  {
-    for (int entry = 0; entry < this->Size; ++entry)
+    if (this->Size > UsualRing)
     {
-      this->Distances[entry] = std::abs(this->Distances[entry] - center);
+      std::sort(this->Distances.data(), this->Distances.data() + this->Size);
+      return;
+    }
+    std::fill(this->Distances.data() + this->Size, this->Distances.data() + UsualRing, Beyond);
+    for (const Exchange& exchange : SortingNetwork)
+    {
+      const double a = this->Distances[exchange.Low];
+      const double b = this->Distances[exchange.High];
+      this->Distances[exchange.Low] = std::min(a, b);
+      this->Distances[exchange.High] = std::max(a, b);
     }
   }
 
+  // Both of sorted distances; of an even number the upper one.
+  double Median() const { return this->Distances[this->Size / 2]; }
+  double MedianAbsoluteDeviation() const
+  {
+    const double median = this->Median();
+    int below = this->Size / 2;
+    int above = below + 1;
+    double deviation = 0;
+    for (int rank = 0; rank <= this->Size / 2; ++rank)
+    {
+      const double down = below >= 0 ? median - this->Distances[below] : Beyond;
+      const double up = above < this->Size ? this->Distances[above] - median : Beyond;
+      deviation = std::min(down, up);
+      below -= down <= up ? 1 : 0;
+      above += down <= up ? 0 : 1;
+    }
+    return deviation;
+  }
+
 private:
-  std::array<double, 20> Distances; // four neighbors, and at most four of each
+  static constexpr std::array<Exchange, 63> SortingNetwork = MakeSortingNetwork();
+  static constexpr double Beyond = std::numeric_limits<double>::infinity();
+
+  std::array<double, 20> Distances{}; // four neighbors, and at most four of each
   int Size = 0;
 };
 
@@ -93,10 +155,9 @@ void RejectOutliers(const ContourMesh& mesh, const PointList& normals, double de
     {
       return false;
     }
-    const double median = ring.TakeMedian();
-    ring.ReplaceByDeviationsFrom(median);
-    const double spread = 1.4826 * ring.TakeMedian();
-    return std::abs(distances[vertex] - median) > deviations * spread + allowance;
+    ring.Sort();
+    const double spread = 1.4826 * ring.MedianAbsoluteDeviation();
+    return std::abs(distances[vertex] - ring.Median()) > deviations * spread + allowance;
   };
   parallelFor(0, mesh.NumberOfPoints(),
     [&](std::ptrdiff_t first, std::ptrdiff_t last)
