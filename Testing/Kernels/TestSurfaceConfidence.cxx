@@ -46,13 +46,13 @@ struct BallInNoise
     this->Points = sphere.Points;
   }
 
-  // With the points at x > 0 moved outward, as by a leak.
-  PointList Leaking(double millimeters) const
+  // With the points at x > `begin` moved outward, as by a leak.
+  PointList Leaking(double begin, double millimeters) const
   {
     PointList points = this->Points;
     for (Eigen::Index vertex = 0; vertex < points.rows(); ++vertex)
     {
-      if (points(vertex, 0) > 0)
+      if (points(vertex, 0) > begin)
       {
         points.row(vertex) *= 1 + millimeters / 22;
       }
@@ -93,10 +93,14 @@ TEST(SurfaceConfidence, IsHighOnTheBoundaryAndLowBesideIt)
   EXPECT_GT(right.OfSurface, 0.9);
   EXPECT_LE(right.OfSurface, 1);
   EXPECT_GT(MeanOf(ball, right, 1), 0.4);
-  const SurfaceConfidence leaking = ball.Judge(ball.Leaking(8));
-  EXPECT_LT(leaking.OfSurface, DoubtfulConfidence);
-  EXPECT_GT(MeanOf(ball, leaking, -1), 0.4);
-  EXPECT_LT(MeanOf(ball, leaking, 1), 0.2);
+  const SurfaceConfidence half = ball.Judge(ball.Leaking(0, 8));
+  EXPECT_LT(half.OfSurface, DoubtfulConfidence);
+  EXPECT_GT(MeanOf(ball, half, -1), 0.25); // what has leaked blurs the inside
+  EXPECT_LT(MeanOf(ball, half, 1), 0.1);
+  const SurfaceConfidence quarter = ball.Judge(ball.Leaking(11, 8));
+  EXPECT_LT(quarter.OfSurface, right.OfSurface);
+  EXPECT_GT(MeanOf(ball, quarter, -1), 0.4);
+  EXPECT_LT(MeanOf(ball, quarter, 1), 0.25);
 }
 
 TEST(SurfaceConfidence, FallsWhereTheRunsDisagree)

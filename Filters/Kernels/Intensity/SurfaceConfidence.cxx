@@ -31,7 +31,7 @@ constexpr double HalfShiftOfVertex = 0.1;
 // Of the surface: the shift that leaves half of a vertex' agreement, and the weights of the three
 // evidences in a logistic function.
 constexpr double HalfShift = 0.05;
-constexpr double Bias = -3;
+constexpr double Bias = -3.2;
 constexpr double WeightOfAgreement = 2;
 constexpr double WeightOfClearness = 7;
 constexpr double WeightOfSpan = -2.3;
