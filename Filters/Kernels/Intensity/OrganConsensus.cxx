@@ -98,10 +98,15 @@ public:
   }
 
 private:
-  bool Proceed(double fraction)
+  // Remembers a stop. What is done is counted in foregrounds that were grown.
+  Monitor Proceed()
   {
-    this->Stopped = this->Stopped || !this->Ask(fraction);
-    return !this->Stopped;
+    return [this](double)
+    {
+      constexpr double all = 2 + NarrowMasses.size();
+      this->Stopped = this->Stopped || !this->Ask(std::min(1.0, this->Grown / all));
+      return !this->Stopped;
+    };
   }
 
   LeakControlRadii Radii(double opening) const
@@ -115,7 +120,7 @@ private:
   std::optional<BitMask> GrowAndCarve(const ImageView<float>& image, const IntensityModel& model,
     double opening)
   {
-    const Monitor proceed = [this](double fraction) { return this->Proceed(fraction); };
+    const Monitor proceed = this->Proceed();
     BitMask grown;
     if (!FindForegroundInBox(image, WholeBox(image.Geometry), model, this->Seed,
           this->Radii(opening), this->Parallel, proceed, grown))
@@ -128,15 +133,17 @@ private:
       !CarveOrgan(image, RunsOf(grown), this->Seed, this->Noise, this->OfModality, this->Parallel,
         proceed, carved))
     {
+      ++this->Grown;
       return std::nullopt;
     }
+    ++this->Grown;
     return carved;
   }
 
   // Grown anew by the intensities of what was carved.
   std::optional<BitMask> GrowAgain(const ImageView<float>& image)
   {
-    const Monitor proceed = [this](double fraction) { return this->Proceed(fraction); };
+    const Monitor proceed = this->Proceed();
     IntensityModel model = FitToSeed(image, this->Seed, this->Noise, this->Settings.Intensity);
     BitMask inside = this->Usual;
     BitMask shell;
@@ -164,8 +171,7 @@ private:
   std::optional<BitMask> GrowWithoutField()
   {
     BitMask core = this->Usual;
-    if (!Erode(core, FieldMargin, this->Parallel,
-          [this](double part) { return this->Proceed(part); }))
+    if (!Erode(core, FieldMargin, this->Parallel, this->Proceed()))
     {
       return std::nullopt;
     }
@@ -230,6 +236,7 @@ private:
   const BitMask Usual;
   const double Count;
   FloatImage Image;
+  double Grown = 0;
   bool Stopped = false;
 };
 
