@@ -63,6 +63,8 @@ public:
     , Settings(settings)
     , Parallel(parallelFor)
     , Ask(monitor)
+    , Box(box)
+    , Whole(WholeBox(smooth.Geometry))
     , Usual(carved.Cropped(box))
     , Count(static_cast<double>(this->Usual.Count()))
   {
@@ -116,7 +118,20 @@ private:
     return radii;
   }
 
-  // None where the foreground is too small or too large to be worth carving.
+  // Whether the foreground goes on beyond the box.
+  bool IsCut(const BitMask& grown) const
+  {
+    const VoxelBox bounds = grown.Bounds();
+    bool cut = false;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      cut = cut || (bounds.Begin[axis] == 0 && this->Box.Begin[axis] > this->Whole.Begin[axis]) ||
+        (bounds.End[axis] == this->Box.Size(axis) && this->Box.End[axis] < this->Whole.End[axis]);
+    }
+    return cut;
+  }
+
+  // None where the foreground has leaked, or is too small or too large to be worth carving.
   std::optional<BitMask> GrowAndCarve(const ImageView<float>& image, const IntensityModel& model,
     double opening)
   {
@@ -129,7 +144,8 @@ private:
     }
     const auto count = static_cast<double>(grown.Count());
     BitMask carved;
-    if (count < LeastGrowth * this->Count || count > GreatestGrowth * this->Count ||
+    if (this->IsCut(grown) || count < LeastGrowth * this->Count ||
+      count > GreatestGrowth * this->Count ||
       !CarveOrgan(image, RunsOf(grown), this->Seed, this->Noise, this->OfModality, this->Parallel,
         proceed, carved))
     {
@@ -233,6 +249,8 @@ private:
   const OrganFeatureSettings& Settings;
   const ParallelFor& Parallel;
   const Monitor& Ask;
+  const VoxelBox Box;
+  const VoxelBox Whole;
   const BitMask Usual;
   const double Count;
   FloatImage Image;
