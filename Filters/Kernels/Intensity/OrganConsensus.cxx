@@ -28,6 +28,8 @@ constexpr double GreatestRatio = 2;
 // A foreground before it is carved, in comparison with what was carved.
 constexpr double LeastGrowth = 0.2;
 constexpr double GreatestGrowth = 3;
+// Of one that goes on beyond the surroundings, so that only a part of it is known.
+constexpr double GreatestCutGrowth = 2;
 // Masses of the foreground for growth from the seed.
 constexpr std::array<double, 2> NarrowMasses{ { 0.8, 0.9 } };
 // By which growth from the seed must be better supported.
@@ -144,8 +146,8 @@ private:
     }
     const auto count = static_cast<double>(grown.Count());
     BitMask carved;
-    if (this->IsCut(grown) || count < LeastGrowth * this->Count ||
-      count > GreatestGrowth * this->Count ||
+    const double most = this->IsCut(grown) ? GreatestCutGrowth : GreatestGrowth;
+    if (count < LeastGrowth * this->Count || count > most * this->Count ||
       !CarveOrgan(image, RunsOf(grown), this->Seed, this->Noise, this->OfModality, this->Parallel,
         proceed, carved))
     {

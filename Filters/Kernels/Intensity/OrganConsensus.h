@@ -24,11 +24,12 @@ bool IsDoubtful(const std::vector<VoxelRun>& inside, const BitMask& carved);
 /// seed. The image must have values there.
 VoxelBox ConsensusBox(const BitMask& carved, const SeedSphere& seed);
 
-/// Replaces the carved foreground, on the grid of the image, by the consensus. Opinions that
-/// leave ConsensusBox() have leaked, and opinions of less than half or more than twice its volume
-/// are about another organ; neither count, and with fewer than two, nothing is voted on. `noise` is
-/// the standard deviation before smoothing; the modality is not Automatic. Returns false if the
-/// monitor, asked before each pass over the image, stopped it; the foreground is then as it was.
+/// Replaces the carved foreground, on the grid of the image, by the consensus. Opinions of less
+/// than half or more than twice its volume are about another organ, and a foreground that fills
+/// thrice its volume, or twice and goes on beyond ConsensusBox(), has leaked; neither counts, and
+/// with fewer than two opinions, nothing is voted on. `noise` is the standard deviation before
+/// smoothing; the modality is not Automatic. Returns false if the monitor, asked before each pass
+/// over the image, stopped it; the foreground is then as it was.
 bool SeekConsensus(const ImageView<float>& smooth, const SeedSphere& seed, double noise,
   Modality modality, const OrganFeatureSettings& settings, const ParallelFor& parallelFor,
   const Monitor& monitor, BitMask& carved);
