@@ -5,6 +5,7 @@
 #include "GrayImageAdapter.h"
 #include "Intensity/ModelFit.h"
 #include "Intensity/OrganCarving.h"
+#include "Intensity/OrganConsensus.h"
 #include "Intensity/OrganFeature.h"
 #include "PipelineAdapter.h"
 #include "StageProperties.h"
@@ -41,7 +42,7 @@ FlipFree::Refit RefitTo(vtkPolyData* surface, const FlipFree::ImageView<float>& 
 }
 
 bool Carve(vtkPolyData* surface, const FlipFree::ImageView<float>& smooth,
-  const FlipFree::SeedSphere& seed, double noise, FlipFree::Modality modality,
+  const FlipFree::SeedSphere& seed, double noise, const FlipFree::OrganFeatureSettings& settings,
   const FlipFree::Monitor& monitor, FlipFree::BitMask& foreground)
 {
   const FlipFree::PolygonalSurface inside = FlipFree::SurfaceOf(surface, "the surface on port 1");
@@ -49,11 +50,19 @@ bool Carve(vtkPolyData* surface, const FlipFree::ImageView<float>& smooth,
     "the surface on port 1");
   const std::vector<FlipFree::VoxelRun> runs = FlipFree::VoxelizeSurface(inside.Points,
     inside.Triangles, smooth.Geometry, FlipFree::SMPFor, FlipFree::PartOf(monitor, 0, 0.1));
-  const FlipFree::Modality resolved =
-    FlipFree::ResolveModality(modality, FlipFree::ReaderOf(smooth), smooth.Geometry);
-  return monitor(0.1) &&
-    FlipFree::CarveOrgan(smooth, runs, seed, noise, resolved, FlipFree::SMPFor,
-      FlipFree::PartOf(monitor, 0.1, 1), foreground);
+  const FlipFree::Modality modality =
+    FlipFree::ResolveModality(settings.Modality, FlipFree::ReaderOf(smooth), smooth.Geometry);
+  if (!monitor(0.1) ||
+    !FlipFree::CarveOrgan(smooth, runs, seed, noise, modality, FlipFree::SMPFor,
+      FlipFree::PartOf(monitor, 0.1, 0.4), foreground))
+  {
+    return false;
+  }
+  const bool doubtful =
+    settings.Consensus && settings.ControlLeaks && FlipFree::IsDoubtful(runs, foreground);
+  return !doubtful ||
+    FlipFree::SeekConsensus(smooth, seed, noise, modality, settings, FlipFree::SMPFor,
+      FlipFree::PartOf(monitor, 0.4, 1), foreground);
 }
 
 void AttachModel(const FlipFree::IntensityModel& model, vtkImageData* output)
@@ -201,8 +210,8 @@ void vtkGMMFeatureFilter::ComputeFeature(vtkImageData* image, vtkPolyData* surfa
   if (surface && this->Settings->Carving)
   {
     if (!whole(0.4) ||
-      !Carve(surface, smooth, seed, noise, this->Settings->Modality,
-        FlipFree::PartOf(whole, 0.4, 0.9), foreground))
+      !Carve(surface, smooth, seed, noise, *this->Settings, FlipFree::PartOf(whole, 0.4, 0.9),
+        foreground))
     {
       return;
     }

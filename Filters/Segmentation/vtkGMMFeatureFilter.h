@@ -154,6 +154,20 @@ public:
   vtkBooleanMacro(Carving, bool);
   ///@}
 
+  ///@{
+  /**
+   * Where carving changes much of the surface's inside (a Dice score below 0.92), the organ is
+   * doubtful: its foreground is grown anew from what was carved, with and without its intensity
+   * field, and each voxel goes with two of the three; what grows from the seed by a narrower
+   * interval takes their place where its boundary is clearly better supported. Default on; takes
+   * time for doubtful organs only. Part of Carving; without LeakControl, it does nothing. See
+   * P. Aljabar et al.: Multi-atlas based segmentation of brain images, 2009.
+   */
+  void SetConsensus(bool value);
+  bool GetConsensus() const;
+  vtkBooleanMacro(Consensus, bool);
+  ///@}
+
   /**
    * Scales of gray values.
    */

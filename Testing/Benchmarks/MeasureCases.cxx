@@ -79,6 +79,7 @@ void SetParameter(const std::string& assignment, vtkFlipFreeSegmentation* filter
     { "DistanceTolerance", [&](double x) { filter->SetDistanceTolerance(x); } },
     { "Modality", [&](double x) { filter->GetFeature()->SetModality(static_cast<int>(x)); } },
     { "Carving", [&](double x) { filter->GetFeature()->SetCarving(x != 0); } },
+    { "Consensus", [&](double x) { filter->GetFeature()->SetConsensus(x != 0); } },
     { "ClosingRadius", [&](double x) { filter->GetFeature()->SetClosingRadius(x); } },
     { "OpeningScale", [&](double x) { filter->GetFeature()->SetOpeningScale(x); } },
     { "SearchScale", [&](double x) { filter->GetSearch()->SetSearchScale(x); } },

@@ -57,7 +57,7 @@ const std::vector<Property>& Properties()
     OF_DIFFUSION(NumberOfIterations), OF_FEATURE(MaximumComponents),
     OF_FEATURE(MinimumComponentWeight), OF_FEATURE(NoiseWidening), OF_FEATURE(ForegroundMass),
     OF_FEATURE(FeatureThreshold), OF_FEATURE(ReestimateIntensities), OF_FEATURE(Carving),
-    OF_FEATURE(Modality), OF_FEATURE(LeakControl), OF_FEATURE(ClosingRadius),
+    OF_FEATURE(Consensus), OF_FEATURE(Modality), OF_FEATURE(LeakControl), OF_FEATURE(ClosingRadius),
     OF_FEATURE(OpeningScale), OF_SEARCH(SearchDistance), OF_SEARCH(SearchScale),
     OF_SEARCH(RunLength), OF_SEARCH(RunVoxels), OF_SEARCH(SearchInward), OF_SEARCH(EdgeWindow),
     OF_SEARCH(ImageBoundaryDistance), OF_SEARCH(NormalSmoothingIterations),
@@ -118,8 +118,8 @@ TEST_F(SegmentationParameters, PresetsSetThemAllInEveryStage)
 
   std::map<std::string, double> published{ { "Levels", 1 }, { "MaximumIterations", 150 },
     { "MinimumComponentWeight", 0 }, { "NoiseWidening", 0 }, { "ReestimateIntensities", 0 },
-    { "Carving", 0 }, { "LeakControl", 0 }, { "SearchDistance", 40 }, { "RunLength", 0 },
-    { "SearchInward", 0 }, { "EdgeWindow", 0 }, { "ImageBoundaryDistance", 0 },
+    { "Carving", 0 }, { "Consensus", 0 }, { "LeakControl", 0 }, { "SearchDistance", 40 },
+    { "RunLength", 0 }, { "SearchInward", 0 }, { "EdgeWindow", 0 }, { "ImageBoundaryDistance", 0 },
     { "NormalSmoothingIterations", 0 }, { "OutlierStandardDeviations", 0 },
     { "MaximumDisplacement", 0 }, { "Guard", 0 } };
   const auto expectPublished = [&]

@@ -131,6 +131,10 @@ ParameterGroup FeatureParameters()
         "Carve off what hangs on by a neck, move the boundary to half the local contrast, and run "
         "again",
         &Feature::GetCarving, &Feature::SetCarving),
+      Property(FeatureOf, "--consensus", "",
+        "Where --carving changes much, grow the foreground anew in other ways, and keep what most "
+        "agree on",
+        &Feature::GetConsensus, &Feature::SetConsensus),
       Property(FeatureOf, "--modality", "N",
         "Scale of the gray values, for --carving; 0: automatic, 1: CT, 2: MR",
         &Feature::GetModality, &Feature::SetModality),

@@ -36,6 +36,7 @@
   P(ReestimateIntensities, bool, S ReestimateIntensities, false, true)                             \
   P(LeakControl, bool, S ControlLeaks, false, true)                                                \
   P(Carving, bool, S Carving, false, true)                                                         \
+  P(Consensus, bool, S Consensus, false, true)                                                     \
   P(ClosingRadius, double, S Leaks.ClosingRadius, 0, 1000)                                         \
   P(OpeningScale, double, S Leaks.OpeningScale, 0, 1000)
 

@@ -28,6 +28,7 @@ OrganSegmentationSettings PublishedSettings()
   settings.Feature.Intensity.NoiseWidening = 0;
   settings.Feature.ReestimateIntensities = false;
   settings.Feature.Carving = false;
+  settings.Feature.Consensus = false;
   settings.Feature.ControlLeaks = false;
   settings.Targets.Correspondence.SearchDistance = 40;
   settings.Targets.Correspondence.RunLength = 0;

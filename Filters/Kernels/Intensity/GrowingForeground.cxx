@@ -2,6 +2,7 @@
 
 #include "Intensity/ForegroundCorrection.h"
 #include "Intensity/OrganCarving.h"
+#include "Intensity/OrganConsensus.h"
 #include "Stopwatch.h"
 
 #include <algorithm>
@@ -163,8 +164,15 @@ bool GrowingForeground::Carve(const PointList& points, const TriangleList& trian
   }
   const Modality modality =
     ResolveModality(this->Settings.Modality, this->Region.GetReader(), this->Geometry);
-  const bool done = CarveOrgan(this->GetImage(), inside, this->Seed, noise, modality,
-    this->Parallel, proceed, this->Mask);
+  bool done = CarveOrgan(this->GetImage(), inside, this->Seed, noise, modality, this->Parallel,
+    proceed, this->Mask);
+  if (done && this->Settings.Consensus && this->Settings.ControlLeaks &&
+    IsDoubtful(inside, this->Mask))
+  {
+    done = this->Smooth(ConsensusBox(this->Mask, this->Seed), proceed) &&
+      SeekConsensus(this->GetImage(), this->Seed, noise, modality, this->Settings, this->Parallel,
+        proceed, this->Mask);
+  }
   this->Bounds = this->Mask.Bounds();
   return done;
 }

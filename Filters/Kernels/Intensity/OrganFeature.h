@@ -23,6 +23,11 @@ struct OrganFeatureSettings
   /// its boundary to half the local contrast; then run all levels again with that for the
   /// foreground.
   bool Carving = true;
+
+  /// Where carving changed much of the surface's inside, seek further opinions and keep what most
+  /// of them hold (OrganConsensus.h). Part of Carving; needs ControlLeaks.
+  bool Consensus = true;
+
   FlipFree::Modality Modality = FlipFree::Modality::Automatic;
 
   bool ControlLeaks = true;

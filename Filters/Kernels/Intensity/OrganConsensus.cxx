@@ -1,0 +1,307 @@
+#include "Intensity/OrganConsensus.h"
+
+#include "Image/BallMorphology.h"
+#include "Intensity/BoundarySupport.h"
+#include "Intensity/IntensityField.h"
+#include "Intensity/ModelFit.h"
+#include "Intensity/OrganCarving.h"
+#include "Intensity/RobustStatistics.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace FlipFree
+{
+namespace
+{
+
+constexpr double DoubtfulOverlap = 0.92;
+// In millimeters.
+constexpr double Surroundings = 30;
+constexpr double FieldMargin = 2;
+constexpr double WidestOpening = 9;
+// Of the usual opening's radius.
+constexpr double WiderOpening = 1.6;
+// An opinion's volume in comparison with what was carved.
+constexpr double GreatestRatio = 2;
+// A foreground before it is carved, in comparison with what was carved.
+constexpr double LeastGrowth = 0.2;
+constexpr double GreatestGrowth = 3;
+// Of one that goes on beyond the surroundings, so that only a part of it is known.
+constexpr double GreatestCutGrowth = 2;
+// Masses of the foreground for growth from the seed.
+constexpr std::array<double, 2> NarrowMasses{ { 0.8, 0.9 } };
+// By which growth from the seed must be better supported.
+constexpr double SupportMargin = 1.25;
+// In standard deviations of the seed's gray values. Less is no contrast.
+constexpr double LeastContrast = 0.1;
+
+std::vector<VoxelRun> RunsOf(const BitMask& mask)
+{
+  std::vector<VoxelRun> runs;
+  mask.ForEachRun(0, mask.GetGeometry().Dimensions[2],
+    [&](int begin, int end, int j, int k)
+    {
+      VoxelRun run;
+      run.J = j;
+      run.K = k;
+      run.Begin = begin;
+      run.End = end;
+      runs.push_back(run);
+    });
+  return runs;
+}
+
+class Consensus
+{
+public:
+  Consensus(const ImageView<float>& smooth, const VoxelBox& box, const SeedSphere& seed,
+    double noise, Modality modality, const OrganFeatureSettings& settings,
+    const ParallelFor& parallelFor, const Monitor& monitor, const BitMask& carved)
+    : Seed(seed)
+    , Noise(noise)
+    , OfModality(modality)
+    , Settings(settings)
+    , Parallel(parallelFor)
+    , Ask(monitor)
+    , Box(box)
+    , Whole(WholeBox(smooth.Geometry))
+    , Usual(carved.Cropped(box))
+    , Count(static_cast<double>(this->Usual.Count()))
+  {
+    CropToFloat(smooth, box, parallelFor, this->Image);
+  }
+
+  // None if the monitor stopped it.
+  std::optional<BitMask> Execute()
+  {
+    const std::optional<BitMask> voted = this->Vote();
+    if (this->Stopped)
+    {
+      return std::nullopt;
+    }
+    BitMask best = voted ? *voted : this->Usual;
+    const double leastContrast = this->LeastContrastOfSeed();
+    double support = SupportMargin * BoundarySupport(this->Image.View(), best, leastContrast);
+    for (const double mass : NarrowMasses)
+    {
+      std::optional<BitMask> other = this->GrowFromSeed(mass);
+      if (this->Stopped)
+      {
+        return std::nullopt;
+      }
+      const double ofOther = other ? BoundarySupport(this->Image.View(), *other, leastContrast) : 0;
+      if (ofOther > support)
+      {
+        best = std::move(*other);
+        support = ofOther;
+      }
+    }
+    return best;
+  }
+
+private:
+  // Remembers a stop. What is done is counted in foregrounds that were grown.
+  Monitor Proceed()
+  {
+    return [this](double)
+    {
+      constexpr double all = 2 + NarrowMasses.size();
+      this->Stopped = this->Stopped || !this->Ask(std::min(1.0, this->Grown / all));
+      return !this->Stopped;
+    };
+  }
+
+  LeakControlRadii Radii(double opening) const
+  {
+    LeakControlRadii radii = RadiiOf(this->Settings.Leaks, this->Seed.Radius, this->Image.Geometry);
+    radii.Opening = std::min(opening * radii.Opening, std::max(radii.Opening, WidestOpening));
+    return radii;
+  }
+
+  // Whether the foreground goes on beyond the box.
+  bool IsCut(const BitMask& grown) const
+  {
+    const VoxelBox bounds = grown.Bounds();
+    bool cut = false;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      cut = cut || (bounds.Begin[axis] == 0 && this->Box.Begin[axis] > this->Whole.Begin[axis]) ||
+        (bounds.End[axis] == this->Box.Size(axis) && this->Box.End[axis] < this->Whole.End[axis]);
+    }
+    return cut;
+  }
+
+  // None where the foreground has leaked, or is too small or too large to be worth carving.
+  std::optional<BitMask> GrowAndCarve(const ImageView<float>& image, const IntensityModel& model,
+    double opening)
+  {
+    const Monitor proceed = this->Proceed();
+    BitMask grown;
+    if (!FindForegroundInBox(image, WholeBox(image.Geometry), model, this->Seed,
+          this->Radii(opening), this->Parallel, proceed, grown))
+    {
+      return std::nullopt;
+    }
+    const auto count = static_cast<double>(grown.Count());
+    BitMask carved;
+    const double most = this->IsCut(grown) ? GreatestCutGrowth : GreatestGrowth;
+    if (count < LeastGrowth * this->Count || count > most * this->Count ||
+      !CarveOrgan(image, RunsOf(grown), this->Seed, this->Noise, this->OfModality, this->Parallel,
+        proceed, carved))
+    {
+      ++this->Grown;
+      return std::nullopt;
+    }
+    ++this->Grown;
+    return carved;
+  }
+
+  // Grown anew by the intensities of what was carved.
+  std::optional<BitMask> GrowAgain(const ImageView<float>& image)
+  {
+    const Monitor proceed = this->Proceed();
+    IntensityModel model = FitToSeed(image, this->Seed, this->Noise, this->Settings.Intensity);
+    BitMask inside = this->Usual;
+    BitMask shell;
+    if (!MakeInsideAndShell(this->Settings.Intensity, this->Parallel, proceed, inside, shell))
+    {
+      return std::nullopt;
+    }
+    if (inside.Count() > MinimumRefitSample)
+    {
+      model.Reestimate(image, { { 0, 0, 0 } }, inside, shell, this->Noise, this->Settings.Intensity,
+        this->Parallel);
+    }
+    std::optional<BitMask> opinion = this->GrowAndCarve(image, model, WiderOpening);
+    if (opinion)
+    {
+      const double ratio = static_cast<double>(opinion->Count()) / this->Count;
+      if (ratio > GreatestRatio || ratio < 1 / GreatestRatio)
+      {
+        return std::nullopt;
+      }
+    }
+    return opinion;
+  }
+
+  std::optional<BitMask> GrowWithoutField()
+  {
+    BitMask core = this->Usual;
+    if (!Erode(core, FieldMargin, this->Parallel, this->Proceed()))
+    {
+      return std::nullopt;
+    }
+    const std::optional<IntensityField> field =
+      IntensityField::Fit(this->Image.View(), core, this->Seed, this->OfModality);
+    if (!field)
+    {
+      return std::nullopt;
+    }
+    FloatImage flat = this->Image;
+    field->Flatten(flat.Geometry, this->Parallel, flat.Voxels.data());
+    return this->GrowAgain(flat.View());
+  }
+
+  // Where two of three agree.
+  std::optional<BitMask> Vote()
+  {
+    const std::optional<BitMask> again = this->GrowAgain(this->Image.View());
+    if (!again || this->Stopped)
+    {
+      return std::nullopt;
+    }
+    const std::optional<BitMask> flat = this->GrowWithoutField();
+    if (!flat)
+    {
+      return std::nullopt;
+    }
+    BitMask both = *again;
+    both.Intersect(*flat);
+    BitMask either = *again;
+    either.Unite(*flat);
+    either.Intersect(this->Usual);
+    both.Unite(either);
+    return both;
+  }
+
+  std::optional<BitMask> GrowFromSeed(double mass)
+  {
+    IntensitySettings narrow = this->Settings.Intensity;
+    narrow.ForegroundMass = std::min(mass, narrow.ForegroundMass);
+    return this->GrowAndCarve(this->Image.View(),
+      FitToSeed(this->Image.View(), this->Seed, this->Noise, narrow), 1);
+  }
+
+  double LeastContrastOfSeed() const
+  {
+    std::vector<float> values;
+    for (const std::size_t voxel : VoxelsInSphere(this->Image.Geometry, this->Seed))
+    {
+      values.push_back(this->Image.Voxels[voxel]);
+    }
+    return LeastContrast *
+      std::max(RobustStatisticsOf(values).StandardDeviation, 0.5 * this->Noise);
+  }
+
+  const SeedSphere& Seed;
+  const double Noise;
+  const Modality OfModality;
+  const OrganFeatureSettings& Settings;
+  const ParallelFor& Parallel;
+  const Monitor& Ask;
+  const VoxelBox Box;
+  const VoxelBox Whole;
+  const BitMask Usual;
+  const double Count;
+  FloatImage Image;
+  double Grown = 0;
+  bool Stopped = false;
+};
+
+} // namespace
+
+bool IsDoubtful(const std::vector<VoxelRun>& inside, const BitMask& carved)
+{
+  BitMask both(carved.GetGeometry());
+  for (const VoxelRun& run : inside)
+  {
+    both.InsertRun(run.Begin, run.End, run.J, run.K);
+  }
+  const std::size_t sum = both.Count() + carved.Count();
+  both.Intersect(carved);
+  return 2 * static_cast<double>(both.Count()) < DoubtfulOverlap * static_cast<double>(sum);
+}
+
+VoxelBox ConsensusBox(const BitMask& carved, const SeedSphere& seed)
+{
+  const ImageGeometry& geometry = carved.GetGeometry();
+  const Eigen::Vector3d reach = geometry.IndexReach(Surroundings);
+  std::array<int, 3> voxels{};
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    voxels[axis] = static_cast<int>(reach[axis]) + 1;
+  }
+  return carved.Bounds()
+    .Joined(BoxAround(geometry, seed.Center, seed.Radius))
+    .Widened(voxels, WholeBox(geometry));
+}
+
+bool SeekConsensus(const ImageView<float>& smooth, const SeedSphere& seed, double noise,
+  Modality modality, const OrganFeatureSettings& settings, const ParallelFor& parallelFor,
+  const Monitor& monitor, BitMask& carved)
+{
+  const VoxelBox box = ConsensusBox(carved, seed);
+  const std::optional<BitMask> consensus =
+    Consensus(smooth, box, seed, noise, modality, settings, parallelFor, monitor, carved).Execute();
+  if (!consensus)
+  {
+    return false;
+  }
+  carved = BitMask(smooth.Geometry);
+  carved.Insert(*consensus, box.Begin);
+  return true;
+}
+
+} // namespace FlipFree

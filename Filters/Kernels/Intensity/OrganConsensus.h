@@ -1,0 +1,39 @@
+/**
+ * Further opinions about an organ whose carving changed much of the surface that it began with, and
+ * which is therefore doubtful. The foreground is grown anew from what was carved, under a wider
+ * opening, once from the image and once from the image without the organ's intensity field; both
+ * are carved, and each voxel goes with two of the three (majority voting, as in P. Aljabar et al.:
+ * Multi-atlas based segmentation of brain images, 2009). An organ that has leaked beyond carving
+ * needs another start: growth from the seed by narrower intervals of gray values. It is taken only
+ * where the image supports its boundary clearly better.
+ */
+#ifndef FlipFreeOrganConsensus_h
+#define FlipFreeOrganConsensus_h
+
+#include "Intensity/OrganFeature.h"
+#include "Mesh/SurfaceVoxelization.h"
+
+namespace FlipFree
+{
+
+/// Whether the carved foreground and the inside of the surface that was carved overlap by less than
+/// a Dice score of 0.92.
+bool IsDoubtful(const std::vector<VoxelRun>& inside, const BitMask& carved);
+
+/// The part of the image in which opinions are sought: 30 mm around the carved foreground and the
+/// seed. The image must have values there.
+VoxelBox ConsensusBox(const BitMask& carved, const SeedSphere& seed);
+
+/// Replaces the carved foreground, on the grid of the image, by the consensus. Opinions of less
+/// than half or more than twice its volume are about another organ, and a foreground that fills
+/// thrice its volume, or twice and goes on beyond ConsensusBox(), has leaked; neither counts, and
+/// with fewer than two opinions, nothing is voted on. `noise` is the standard deviation before
+/// smoothing; the modality is not Automatic. Returns false if the monitor, asked before each pass
+/// over the image, stopped it; the foreground is then as it was.
+bool SeekConsensus(const ImageView<float>& smooth, const SeedSphere& seed, double noise,
+  Modality modality, const OrganFeatureSettings& settings, const ParallelFor& parallelFor,
+  const Monitor& monitor, BitMask& carved);
+
+} // namespace FlipFree
+
+#endif

@@ -1,0 +1,244 @@
+// Further opinions about doubtful organs, and what they are made of, on phantoms.
+#include "ExampleMasks.h"
+#include "ExampleSurfaces.h"
+#include "Intensity/BoundarySupport.h"
+#include "Intensity/IntensityField.h"
+#include "Intensity/OrganConsensus.h"
+
+#include <gtest/gtest.h>
+
+using namespace FlipFree;
+
+namespace
+{
+
+const Eigen::Vector3d Center(35, 35, 36);
+
+BitMask BallMask(const ImageGeometry& geometry, double radius)
+{
+  BitMask mask(geometry);
+  ForEachVoxel(geometry,
+    [&](int i, int j, int k)
+    {
+      if ((geometry.ToPhysical(Eigen::Vector3d(i, j, k)) - Center).norm() < radius)
+      {
+        mask.Insert(i, j, k);
+      }
+    });
+  return mask;
+}
+
+// An organ of 100 in surroundings of 20, with noise.
+struct Organ
+{
+  ImageGeometry Geometry = Grid({ { 70, 70, 36 } }, { 1, 1, 2 });
+  SeedSphere Seed{ Center, 8 };
+  BitMask Mask = BallMask(this->Geometry, 20);
+  double Noise = 4;
+  OrganFeatureSettings Settings;
+
+  FloatImage Image(float scale = 1) const
+  {
+    FloatImage image{ this->Geometry, {} };
+    std::mt19937 random(1);
+    std::normal_distribution<double> normal(0, this->Noise);
+    ForEachVoxel(this->Geometry,
+      [&](int i, int j, int k)
+      {
+        const double value = (this->Mask(i, j, k) ? 100 : 20) + normal(random);
+        image.Voxels.push_back(scale * static_cast<float>(value));
+      });
+    return image;
+  }
+
+  BitMask Consensus(const BitMask& carved, float scale = 1,
+    const ParallelFor& parallelFor = SerialFor) const
+  {
+    const FloatImage image = this->Image(scale);
+    BitMask mask = carved;
+    EXPECT_TRUE(SeekConsensus(image.View(), this->Seed, scale * this->Noise, Modality::MR,
+      this->Settings, parallelFor, NeverStop, mask));
+    return mask;
+  }
+};
+
+double Dice(const BitMask& a, const BitMask& b)
+{
+  BitMask both = a;
+  both.Intersect(b);
+  return 2.0 * static_cast<double>(both.Count()) / static_cast<double>(a.Count() + b.Count());
+}
+
+// The ball without what lies beyond a plane.
+BitMask CutOff(const Organ& organ, int first)
+{
+  BitMask mask = organ.Mask;
+  for (int k = 0; k < organ.Geometry.Dimensions[2]; ++k)
+  {
+    for (int j = 0; j < organ.Geometry.Dimensions[1]; ++j)
+    {
+      mask.RemoveRun(first, organ.Geometry.Dimensions[0], j, k);
+    }
+  }
+  return mask;
+}
+
+std::vector<VoxelRun> RunsOf(const BitMask& mask)
+{
+  std::vector<VoxelRun> runs;
+  mask.ForEachRun(0, mask.GetGeometry().Dimensions[2],
+    [&](int begin, int end, int j, int k) {
+      runs.push_back({ j, k, begin, end });
+    });
+  return runs;
+}
+
+// A tenth of the organ's voxels are bright vessels.
+FloatImage Drifting(const Organ& organ, const std::function<double(const Eigen::Vector3d&)>& value)
+{
+  FloatImage image = organ.Image();
+  std::mt19937 random(2);
+  std::bernoulli_distribution isVessel(0.1);
+  ForEachVoxel(organ.Geometry,
+    [&](int i, int j, int k)
+    {
+      if (organ.Mask(i, j, k))
+      {
+        const Eigen::Vector3d away = organ.Geometry.ToPhysical(Eigen::Vector3d(i, j, k)) - Center;
+        image.Voxels[organ.Geometry.Offset(i, j, k)] =
+          static_cast<float>(isVessel(random) ? 250 : value(away));
+      }
+    });
+  return image;
+}
+
+// How far the voxels of the organ that are no vessels are from 100.
+double WorstOf(const Organ& organ, const FloatImage& image, const FloatImage& before)
+{
+  double worst = 0;
+  organ.Mask.ForEach(
+    [&](std::size_t voxel)
+    {
+      if (before.Voxels[voxel] != 250)
+      {
+        worst = std::max(worst, std::abs(image.Voxels[voxel] - 100.0));
+      }
+    });
+  return worst;
+}
+
+} // namespace
+
+TEST(IntensityField, DividesTheCoilsFieldOut)
+{
+  const Organ organ;
+  const FloatImage image = Drifting(organ,
+    [](const Eigen::Vector3d& away)
+    { return 100 * (1 - 0.01 * away.x() + 0.0002 * away.y() * away.y()); });
+  EXPECT_GT(WorstOf(organ, image, image), 15);
+  const std::optional<IntensityField> field =
+    IntensityField::Fit(image.View(), organ.Mask, organ.Seed, Modality::MR);
+  ASSERT_TRUE(field);
+  EXPECT_NEAR(field->At(Center), 100, 2);
+  FloatImage flat = image;
+  field->Flatten(flat.Geometry, SerialFor, flat.Voxels.data());
+  EXPECT_LT(WorstOf(organ, flat, image), 5);
+  FloatImage other = image;
+  field->Flatten(other.Geometry, ScatteredFor, other.Voxels.data());
+  EXPECT_EQ(other.Voxels, flat.Voxels);
+}
+
+TEST(IntensityField, SubtractsShadingByALimitedAmount)
+{
+  const Organ organ;
+  const FloatImage image =
+    Drifting(organ, [](const Eigen::Vector3d& away) { return 100 + 0.8 * away.z(); });
+  const std::optional<IntensityField> field =
+    IntensityField::Fit(image.View(), organ.Mask, organ.Seed, Modality::CT);
+  ASSERT_TRUE(field);
+  FloatImage flat = image;
+  field->Flatten(flat.Geometry, SerialFor, flat.Voxels.data());
+  EXPECT_LT(WorstOf(organ, flat, image), 5);
+  for (std::size_t voxel = 0; voxel < flat.Voxels.size(); ++voxel)
+  {
+    ASSERT_LE(std::abs(flat.Voxels[voxel] - image.Voxels[voxel]), 60.001);
+  }
+}
+
+TEST(IntensityField, NeedsVoxelsAroundTheSeed)
+{
+  const Organ organ;
+  const FloatImage image = organ.Image();
+  EXPECT_FALSE(
+    IntensityField::Fit(image.View(), BallMask(organ.Geometry, 3), organ.Seed, Modality::MR));
+  EXPECT_FALSE(IntensityField::Fit(image.View(), organ.Mask,
+    { Center + Eigen::Vector3d(60, 0, 0), 3 }, Modality::MR));
+}
+
+TEST(BoundarySupport, IsGreatestForTheOrgan)
+{
+  const Organ organ;
+  const FloatImage image = organ.Image();
+  const double right = BoundarySupport(image.View(), organ.Mask, 0.1);
+  EXPECT_GT(right, 1.5 * BoundarySupport(image.View(), BallMask(organ.Geometry, 28), 0.1));
+  EXPECT_GT(right, 1.5 * BoundarySupport(image.View(), BallMask(organ.Geometry, 12), 0.1));
+  EXPECT_GT(right, 1.5 * BoundarySupport(image.View(), CutOff(organ, 36), 0.1));
+  const FloatImage scaled = organ.Image(37);
+  EXPECT_NEAR(BoundarySupport(scaled.View(), organ.Mask, 3.7), 37 * right, 1e-3 * right);
+  EXPECT_EQ(BoundarySupport(image.View(), BitMask(organ.Geometry), 0.1), 0);
+}
+
+TEST(OrganConsensus, DoubtsWhatCarvingChanged)
+{
+  const Organ organ;
+  EXPECT_FALSE(IsDoubtful(RunsOf(organ.Mask), organ.Mask));
+  EXPECT_FALSE(IsDoubtful(RunsOf(BallMask(organ.Geometry, 20.5)), organ.Mask));
+  EXPECT_TRUE(IsDoubtful(RunsOf(BallMask(organ.Geometry, 24)), organ.Mask));
+  EXPECT_TRUE(IsDoubtful({}, organ.Mask));
+}
+
+TEST(OrganConsensus, LeavesARightForegroundAsItIs)
+{
+  const Organ organ;
+  EXPECT_GT(Dice(organ.Consensus(organ.Mask), organ.Mask), 0.98);
+}
+
+TEST(OrganConsensus, RestoresWhatCarvingTookAway)
+{
+  const Organ organ;
+  const BitMask carved = CutOff(organ, 42);
+  EXPECT_LT(Dice(carved, organ.Mask), 0.9);
+  const BitMask consensus = organ.Consensus(carved);
+  EXPECT_GT(Dice(consensus, organ.Mask), 0.97);
+  EXPECT_EQ(organ.Consensus(carved, 1, ScatteredFor), consensus);
+  EXPECT_GT(Dice(organ.Consensus(carved, 37), consensus), 0.999);
+}
+
+TEST(OrganConsensus, StartsAnewWhereAllHasLeaked)
+{
+  const Organ organ;
+  const BitMask leaked = BallMask(organ.Geometry, 30);
+  EXPECT_LT(Dice(leaked, organ.Mask), 0.5);
+  EXPECT_GT(Dice(organ.Consensus(leaked), organ.Mask), 0.95);
+}
+
+TEST(OrganConsensus, StopsAtOnce)
+{
+  const Organ organ;
+  const FloatImage image = organ.Image();
+  const BitMask carved = CutOff(organ, 42);
+  for (int allowed = 0; allowed < 60; allowed += 4)
+  {
+    int asked = 0;
+    const Monitor monitor = [&](double) { return ++asked <= allowed; };
+    BitMask mask = carved;
+    if (SeekConsensus(image.View(), organ.Seed, organ.Noise, Modality::MR, organ.Settings,
+          SerialFor, monitor, mask))
+    {
+      EXPECT_LE(asked, allowed);
+      continue;
+    }
+    EXPECT_EQ(asked, allowed + 1);
+    EXPECT_EQ(mask, carved);
+  }
+}
