@@ -155,6 +155,28 @@ class Input(unittest.TestCase):
         numpy.testing.assert_array_equal(same.points, first.points)
 
 
+class Confidence(unittest.TestCase):
+    def test_is_high_where_the_boundary_is_clear(self):
+        self.assertGreater(liver().confidence, 0.85)
+        self.assertLessEqual(liver().confidence, 1)
+        self.assertEqual(liver().vertex_confidence.shape, (len(liver().points),))
+        self.assertEqual(liver().vertex_confidence.dtype, numpy.float32)
+        self.assertTrue(((liver().vertex_confidence >= 0) & (liver().vertex_confidence <= 1)).all())
+
+    def test_is_low_and_said_where_noise_hides_it(self):
+        place = 2 * numpy.indices((48, 48, 48)) - 47
+        noise = numpy.random.default_rng(1).normal(0, 25, (48, 48, 48))
+        ball = (100 + 60 * ((place ** 2).sum(axis=0) < 28 ** 2) + noise).astype(numpy.int16)
+        with self.assertWarnsRegex(flipfree.FlipFreeWarning, "doubtful: its confidence is 0"):
+            found = flipfree.segment(ball, (47, 47, 47), 15, spacing=(2, 2, 2), resolution=16)
+        self.assertLess(found.confidence, 0.85)
+
+    def test_vessels_have_none(self):
+        vessel = flipfree.trace(flipfree.phantom("vessel").image, [(13.3, 44.6, 44.5), (82, 50.4, 37.6)])
+        self.assertTrue(numpy.isnan(vessel.confidence))
+        self.assertIsNone(vessel.vertex_confidence)
+
+
 class Parameters(unittest.TestCase):
     @needs_vtk
     def test_are_those_of_the_filter_and_its_stages(self):
