@@ -164,7 +164,7 @@ inline std::vector<Bad<vtkImageData>> BadImages()
   auto bare = vtkSmartPointer<vtkImageData>::New();
   bare->SetDimensions(32, 32, 32);
   std::vector<Bad<vtkImageData>> images = BadGrids();
-  images[0].Words.emplace_back("connect");
+  images[0].Words.emplace_back("give one that has");
   images.insert(images.end(),
     {
       { "no scalars", bare, { "no point scalars", "active" } },
