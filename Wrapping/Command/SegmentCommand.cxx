@@ -1,12 +1,12 @@
 #include "CommonOptions.h"
 #include "Failure.h"
-#include "Messages.h"
 #include "OrganFilter.h"
 #include "OutputFile.h"
-#include "PointOptions.h"
 #include "ProgressBar.h"
 #include "Run.h"
 #include "SegmentParameters.h"
+#include "Segmentation.h"
+#include "SegmentationReport.h"
 #include "SessionFile.h"
 #include "SessionVessel.h"
 #include "Snapshot.h"
@@ -15,18 +15,13 @@
 #include "TableFile.h"
 #include "VolumeFile.h"
 
-#include "vtkFlipFreeDeform.h"
 #include "vtkFlipFreeSegmentation.h"
 #include "vtkFlipFreeVesselSegmentation.h"
 #include "vtkImageData.h"
-#include "vtkMassProperties.h"
-#include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
 #include "vtkSMPTools.h"
 #include "vtkSmartPointer.h"
-#include "vtkTable.h"
-#include "vtkTriangleFilter.h"
 
 #include <CLI/CLI.hpp>
 
@@ -42,118 +37,6 @@ namespace
 {
 
 using Point = std::array<double, 3>;
-
-struct Segmentation
-{
-  std::string Input;
-  std::string Session;
-  std::string Organ; // of a session of several
-  std::string SeriesUID;
-  std::vector<double> Seed;
-  std::vector<int> SeedVoxel;
-  double Radius = 0;
-  std::string StartLabels; // in place of the seed
-  int StartLabel = 1;
-  std::string Surface;
-  std::string Labels;
-  std::string Convergence;
-  std::string Snapshot;
-  int Label = 1;
-  int Threads = 0;
-  bool Quiet = false;
-  SegmentParameters Parameters;
-  PointOptions Corrections;
-  SessionOrgan Repeated; // of a session
-
-  bool IsVessel() const { return !this->Repeated.Points.empty(); }
-};
-
-/// A label map in place of a seed.
-void RequireNoSeed(const Segmentation& segmentation)
-{
-  if (!segmentation.Session.empty())
-  {
-    throw WrongUsage("--session has the seed. Leave out --start-labels.");
-  }
-  if (!segmentation.Seed.empty() || !segmentation.SeedVoxel.empty() || segmentation.Radius != 0)
-  {
-    throw WrongUsage("--start-labels takes the place of the seed. Leave out --seed, --seed-voxel "
-                     "and --radius; points correct the result.");
-  }
-}
-
-/// An image and a seed, or a session.
-void RequireStart(const Segmentation& segmentation)
-{
-  if (!segmentation.Session.empty())
-  {
-    if (!segmentation.Seed.empty() || !segmentation.SeedVoxel.empty() || segmentation.Radius != 0 ||
-      segmentation.Parameters.HasPreset())
-    {
-      throw WrongUsage("--session has the seed and the preset. Leave out --seed, --seed-voxel, "
-                       "--radius and --preset.");
-    }
-    if (!segmentation.Corrections.IsEmpty())
-    {
-      throw WrongUsage(
-        "--session cannot be corrected by points. Give the image, --seed and --radius "
-        "in its place.");
-    }
-    return;
-  }
-  if (segmentation.Input.empty())
-  {
-    throw WrongUsage("INPUT is required: a volume, or a folder of a DICOM series.");
-  }
-  if (!segmentation.StartLabels.empty())
-  {
-    return;
-  }
-  if (segmentation.Seed.empty() == segmentation.SeedVoxel.empty())
-  {
-    throw WrongUsage(segmentation.Seed.empty()
-        ? "There is no seed. Give a point deep inside the organ: --seed X Y Z (LPS mm) or "
-          "--seed-voxel I J K; or a label map to fill: --start-labels FILE."
-        : "Both --seed and --seed-voxel are given. Give only one of them.");
-  }
-  for (const double coordinate : segmentation.Seed)
-  {
-    if (!vtkMath::IsFinite(coordinate))
-    {
-      throw WrongUsage(
-        "--seed: a coordinate is not a finite number. Give three numbers, in millimeters.");
-    }
-  }
-}
-
-/// Checks all that can be checked before a file is read.
-void RequireSense(const Segmentation& segmentation)
-{
-  if (!segmentation.StartLabels.empty())
-  {
-    RequireNoSeed(segmentation);
-  }
-  RequireStart(segmentation);
-  if (segmentation.Surface.empty() && segmentation.Labels.empty() &&
-    segmentation.Convergence.empty() && segmentation.Snapshot.empty())
-  {
-    throw WrongUsage("No output is requested. Give at least one of --output, --labels, "
-                     "--convergence and --snapshot.");
-  }
-  const auto require =
-    [](const char* option, const std::string& name, const std::vector<std::string>& endings)
-  {
-    if (!name.empty())
-    {
-      RequireEnding(option, name, endings);
-    }
-  };
-  require("--output", segmentation.Surface, SurfaceEndings());
-  require("--labels", segmentation.Labels, VolumeEndings());
-  require("--convergence", segmentation.Convergence, { ".csv" });
-  require("--snapshot", segmentation.Snapshot, { ".png" });
-  segmentation.Corrections.RequireSense();
-}
 
 void AnnounceOutputs(const Segmentation& segmentation, OutputFiles& outputs)
 {
@@ -214,68 +97,6 @@ Point SeedIn(vtkImageData* image, const Segmentation& segmentation)
   return seed;
 }
 
-double VolumeInMilliliters(vtkPolyData* surface)
-{
-  vtkNew<vtkTriangleFilter> triangles;
-  triangles->SetInputData(surface);
-  vtkNew<vtkMassProperties> properties;
-  properties->SetInputConnection(triangles->GetOutputPort());
-  return properties->GetVolume() / 1000;
-}
-
-/// How messages call what is segmented.
-std::string TitleOf(const Segmentation& segmentation, const char* quote = "'")
-{
-  return quote + segmentation.Input + quote +
-    (segmentation.Organ.empty() ? "" : ", " + segmentation.Organ);
-}
-
-/// Vessels have none.
-std::string ConfidenceText(const OrganFilter& filter)
-{
-  auto* const organ = vtkFlipFreeSegmentation::SafeDownCast(filter.Algorithm());
-  if (!organ)
-  {
-    return {};
-  }
-  char text[32];
-  std::snprintf(text, sizeof(text), ", confidence %.2f", organ->GetConfidence());
-  return text;
-}
-
-void PrintSummary(const OrganFilter& filter, const Segmentation& segmentation,
-  double readingSeconds)
-{
-  const auto [first, second, third, fourth] = filter.StageSeconds();
-  const bool isVessel = segmentation.IsVessel();
-  std::printf("%s: volume %.1f ml, %d iterations, %s, %d self-intersections%s; reading %.2f s, "
-              "%s %.2f s, %s %.2f s, deformation %.2f s, label map %.2f s\n",
-    TitleOf(segmentation, "").c_str(), VolumeInMilliliters(filter.Surface()),
-    static_cast<int>(filter.Convergence()->GetNumberOfRows()), filter.StopReasonText().c_str(),
-    filter.SelfIntersections(), ConfidenceText(filter).c_str(), readingSeconds,
-    isVessel ? "path" : "smoothing", first, isVessel ? "start" : "feature", second, third, fourth);
-  std::fflush(stdout);
-}
-
-bool IsGuarded(const OrganFilter& filter)
-{
-  auto* const organ = vtkFlipFreeSegmentation::SafeDownCast(filter.Algorithm());
-  return !organ || organ->GetDeform()->GetGuard();
-}
-
-void Report(const OrganFilter& filter, const Segmentation& segmentation, double readingSeconds)
-{
-  if (!IsGuarded(filter) && filter.SelfIntersections() == 0)
-  {
-    PrintWarning(
-      "The surface is not certified: --guard is off. It does not intersect itself, though.");
-  }
-  if (!segmentation.Quiet)
-  {
-    PrintSummary(filter, segmentation, readingSeconds);
-  }
-}
-
 void WriteResults(const OrganFilter& filter, vtkImageData* image, const Segmentation& segmentation,
   OutputFiles& outputs)
 {
@@ -293,58 +114,6 @@ void WriteResults(const OrganFilter& filter, vtkImageData* image, const Segmenta
     [&](const std::string& name) { WriteTable(name, filter.Convergence()); });
   write(segmentation.Snapshot,
     [&](const std::string& name) { WriteSnapshot(name, image, filter.Surface()); });
-}
-
-/// `out-liver.vtp` for `out.vtp`.
-std::string NameFor(const std::string& organ, const std::string& name)
-{
-  if (name.empty())
-  {
-    return name;
-  }
-  const std::size_t folder = name.find_last_of('/') + 1; // 0 if there is none
-  return std::string(name).insert(std::min(name.find('.', folder + 1), name.size()), "-" + organ);
-}
-
-/// One for each organ of the session.
-std::vector<Segmentation> OrgansOf(const Session& session, const Segmentation& given)
-{
-  std::vector<Segmentation> organs;
-  for (const SessionOrgan& organ : session.Organs)
-  {
-    Segmentation segmentation = given;
-    segmentation.Repeated = organ;
-    segmentation.Seed.assign(organ.Seed.begin(), organ.Seed.end());
-    segmentation.Radius = organ.Radius;
-    segmentation.Label = given.Label + static_cast<int>(organs.size());
-    if (segmentation.Label > 255)
-    {
-      throw Failure(
-        "'" + given.Session + "': labels go up to 255. Remove organs, or leave out --label-value.");
-    }
-    try
-    {
-      if (!segmentation.IsVessel())
-      {
-        segmentation.Parameters = given.Parameters.With(organ.Preset, organ.Parameters);
-      }
-    }
-    catch (const Failure& failure)
-    {
-      throw Failure("'" + given.Session + "': " + organ.Name + ": " + failure.what() + ".");
-    }
-    if (session.Organs.size() > 1)
-    {
-      segmentation.Organ = organ.Name;
-      for (std::string* name :
-        { &segmentation.Surface, &segmentation.Convergence, &segmentation.Snapshot })
-      {
-        *name = NameFor(organ.Name, *name);
-      }
-    }
-    organs.push_back(segmentation);
-  }
-  return organs;
 }
 
 using FilterPointer = std::unique_ptr<OrganFilter>;

@@ -1,0 +1,66 @@
+// The organs of a session as segmentations of their own.
+#include "Segmentation.h"
+
+#include "Failure.h"
+
+#include <algorithm>
+
+namespace Command
+{
+namespace
+{
+
+/// `out-liver.vtp` for `out.vtp`.
+std::string NameFor(const std::string& organ, const std::string& name)
+{
+  if (name.empty())
+  {
+    return name;
+  }
+  const std::size_t folder = name.find_last_of('/') + 1; // 0 if there is none
+  return std::string(name).insert(std::min(name.find('.', folder + 1), name.size()), "-" + organ);
+}
+
+} // namespace
+
+std::vector<Segmentation> OrgansOf(const Session& session, const Segmentation& given)
+{
+  std::vector<Segmentation> organs;
+  for (const SessionOrgan& organ : session.Organs)
+  {
+    Segmentation segmentation = given;
+    segmentation.Repeated = organ;
+    segmentation.Seed.assign(organ.Seed.begin(), organ.Seed.end());
+    segmentation.Radius = organ.Radius;
+    segmentation.Label = given.Label + static_cast<int>(organs.size());
+    if (segmentation.Label > 255)
+    {
+      throw Failure(
+        "'" + given.Session + "': labels go up to 255. Remove organs, or leave out --label-value.");
+    }
+    try
+    {
+      if (!segmentation.IsVessel())
+      {
+        segmentation.Parameters = given.Parameters.With(organ.Preset, organ.Parameters);
+      }
+    }
+    catch (const Failure& failure)
+    {
+      throw Failure("'" + given.Session + "': " + organ.Name + ": " + failure.what() + ".");
+    }
+    if (session.Organs.size() > 1)
+    {
+      segmentation.Organ = organ.Name;
+      for (std::string* name :
+        { &segmentation.Surface, &segmentation.Convergence, &segmentation.Snapshot })
+      {
+        *name = NameFor(organ.Name, *name);
+      }
+    }
+    organs.push_back(segmentation);
+  }
+  return organs;
+}
+
+} // namespace Command

@@ -1,0 +1,109 @@
+#include "Segmentation.h"
+
+#include "Failure.h"
+#include "OutputFile.h"
+#include "SurfaceFile.h"
+#include "VolumeFile.h"
+
+#include "vtkMath.h"
+
+namespace Command
+{
+namespace
+{
+
+/// A label map in place of a seed.
+void RequireNoSeed(const Segmentation& segmentation)
+{
+  if (!segmentation.Session.empty())
+  {
+    throw WrongUsage("--session has the seed. Leave out --start-labels.");
+  }
+  if (!segmentation.Seed.empty() || !segmentation.SeedVoxel.empty() || segmentation.Radius != 0)
+  {
+    throw WrongUsage("--start-labels takes the place of the seed. Leave out --seed, --seed-voxel "
+                     "and --radius; points correct the result.");
+  }
+}
+
+/// An image and a seed, or a session.
+void RequireStart(const Segmentation& segmentation)
+{
+  if (!segmentation.Session.empty())
+  {
+    if (!segmentation.Seed.empty() || !segmentation.SeedVoxel.empty() || segmentation.Radius != 0 ||
+      segmentation.Parameters.HasPreset())
+    {
+      throw WrongUsage("--session has the seed and the preset. Leave out --seed, --seed-voxel, "
+                       "--radius and --preset.");
+    }
+    if (!segmentation.Corrections.IsEmpty())
+    {
+      throw WrongUsage(
+        "--session cannot be corrected by points. Give the image, --seed and --radius "
+        "in its place.");
+    }
+    return;
+  }
+  if (segmentation.Input.empty())
+  {
+    throw WrongUsage("INPUT is required: a volume, or a folder of a DICOM series.");
+  }
+  if (!segmentation.StartLabels.empty())
+  {
+    return;
+  }
+  if (segmentation.Seed.empty() == segmentation.SeedVoxel.empty())
+  {
+    throw WrongUsage(segmentation.Seed.empty()
+        ? "There is no seed. Give a point deep inside the organ: --seed X Y Z (LPS mm) or "
+          "--seed-voxel I J K; or a label map to fill: --start-labels FILE."
+        : "Both --seed and --seed-voxel are given. Give only one of them.");
+  }
+  for (const double coordinate : segmentation.Seed)
+  {
+    if (!vtkMath::IsFinite(coordinate))
+    {
+      throw WrongUsage(
+        "--seed: a coordinate is not a finite number. Give three numbers, in millimeters.");
+    }
+  }
+}
+
+} // namespace
+
+void RequireSense(const Segmentation& segmentation)
+{
+  if (!segmentation.StartLabels.empty())
+  {
+    RequireNoSeed(segmentation);
+  }
+  RequireStart(segmentation);
+  if (segmentation.Surface.empty() && segmentation.Labels.empty() &&
+    segmentation.Convergence.empty() && segmentation.Snapshot.empty())
+  {
+    throw WrongUsage("No output is requested. Give at least one of --output, --labels, "
+                     "--convergence and --snapshot.");
+  }
+  const auto require =
+    [](const char* option, const std::string& name, const std::vector<std::string>& endings)
+  {
+    if (!name.empty())
+    {
+      RequireEnding(option, name, endings);
+    }
+  };
+  require("--output", segmentation.Surface, SurfaceEndings());
+  require("--labels", segmentation.Labels, VolumeEndings());
+  require("--convergence", segmentation.Convergence, { ".csv" });
+  require("--snapshot", segmentation.Snapshot, { ".png" });
+  segmentation.Corrections.RequireSense();
+}
+
+std::string TitleOf(const Segmentation& segmentation, const char* quote)
+{
+  return quote + segmentation.Input + quote +
+    (segmentation.Organ.empty() ? "" : ", " + segmentation.Organ);
+}
+
+} // namespace Command

@@ -1,0 +1,77 @@
+#include "SegmentationReport.h"
+
+#include "Messages.h"
+
+#include "vtkFlipFreeDeform.h"
+#include "vtkFlipFreeSegmentation.h"
+#include "vtkMassProperties.h"
+#include "vtkNew.h"
+#include "vtkPolyData.h"
+#include "vtkTable.h"
+#include "vtkTriangleFilter.h"
+
+#include <cstdio>
+
+namespace Command
+{
+namespace
+{
+
+double VolumeInMilliliters(vtkPolyData* surface)
+{
+  vtkNew<vtkTriangleFilter> triangles;
+  triangles->SetInputData(surface);
+  vtkNew<vtkMassProperties> properties;
+  properties->SetInputConnection(triangles->GetOutputPort());
+  return properties->GetVolume() / 1000;
+}
+
+/// Vessels have none.
+std::string ConfidenceText(const OrganFilter& filter)
+{
+  auto* const organ = vtkFlipFreeSegmentation::SafeDownCast(filter.Algorithm());
+  if (!organ)
+  {
+    return {};
+  }
+  char text[32];
+  std::snprintf(text, sizeof(text), ", confidence %.2f", organ->GetConfidence());
+  return text;
+}
+
+void PrintSummary(const OrganFilter& filter, const Segmentation& segmentation,
+  double readingSeconds)
+{
+  const auto [first, second, third, fourth] = filter.StageSeconds();
+  const bool isVessel = segmentation.IsVessel();
+  std::printf("%s: volume %.1f ml, %d iterations, %s, %d self-intersections%s; reading %.2f s, "
+              "%s %.2f s, %s %.2f s, deformation %.2f s, label map %.2f s\n",
+    TitleOf(segmentation, "").c_str(), VolumeInMilliliters(filter.Surface()),
+    static_cast<int>(filter.Convergence()->GetNumberOfRows()), filter.StopReasonText().c_str(),
+    filter.SelfIntersections(), ConfidenceText(filter).c_str(), readingSeconds,
+    isVessel ? "path" : "smoothing", first, isVessel ? "start" : "feature", second, third, fourth);
+  std::fflush(stdout);
+}
+
+bool IsGuarded(const OrganFilter& filter)
+{
+  auto* const organ = vtkFlipFreeSegmentation::SafeDownCast(filter.Algorithm());
+  return !organ || organ->GetDeform()->GetGuard();
+}
+
+} // namespace
+
+void Report(const OrganFilter& filter, const Segmentation& segmentation, double readingSeconds)
+{
+  if (!IsGuarded(filter) && filter.SelfIntersections() == 0)
+  {
+    PrintWarning(
+      "The surface is not certified: --guard is off. It does not intersect itself, though.");
+  }
+  if (!segmentation.Quiet)
+  {
+    PrintSummary(filter, segmentation, readingSeconds);
+  }
+}
+
+} // namespace Command

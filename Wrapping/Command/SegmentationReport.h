@@ -1,0 +1,19 @@
+/**
+ * What `flipfree segment` prints of a result.
+ */
+#ifndef FlipFreeCommandSegmentationReport_h
+#define FlipFreeCommandSegmentationReport_h
+
+#include "OrganFilter.h"
+#include "Segmentation.h"
+
+namespace Command
+{
+
+/// A line with volume, convergence, validity, confidence and seconds, unless it is to be quiet; a
+/// warning where the surface is not certified.
+void Report(const OrganFilter& filter, const Segmentation& segmentation, double readingSeconds);
+
+} // namespace Command
+
+#endif
