@@ -138,7 +138,7 @@ class TestSession(command.CommandTest):
                                          "-o", self.result("a.ply"), "--convergence", self.result("a.csv")))
         process = command.run("segment", "--session", path, "-o", self.result("b.ply"), "--labels", self.result("b.nii"),
                               "--convergence", self.result("b.csv"))
-        self.assert_succeeds(process)
+        self.assert_succeeds(process, may_be_doubtful=True)  # the piece of a vessel as an organ
         self.assertRegex(process.stdout, r"vessel\.nii\.gz, aorta: volume .*; reading .* path .*\n.*, piece: volume .* smoothing ")
         self.assertEqual(self.bytes_of("a.ply"), self.bytes_of("b-aorta.ply"))
         self.assertIn("b-aorta.csv", os.listdir(self.results))

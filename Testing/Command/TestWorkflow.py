@@ -167,7 +167,7 @@ class TestWorkflow(command.CommandTest):
                 surface = self.result(name + ".ply")
                 process = command.run("segment", self.result(name + ".nii.gz"),
                                       *seeds["object, from outside"], "-o", surface)
-                self.assert_succeeds(process)
+                self.assert_succeeds(process, may_be_doubtful=True)  # a tube reaches far for its volume
                 scores = command.run("evaluate", surface, self.result(name + "-truth.nii.gz"))
                 self.assertGreaterEqual(command.dice_of(scores.stdout), 0.97)
 

@@ -91,7 +91,7 @@ std::string DoubtOf(double confidence, const OrganSegmentationSettings& settings
     return {};
   }
   char number[16];
-  std::snprintf(number, sizeof(number), "%.2f", confidence);
+  std::snprintf(number, sizeof(number), "%.2f", std::floor(100 * confidence) / 100);
   return "The result is doubtful: its confidence is " + std::string(number) + ", below " +
     TextOf(DoubtfulConfidence) +
     "; look at the contour where its confidence is low, and correct it there by points inside or "

@@ -216,13 +216,15 @@ VolumeSegmentation VolumeSegmenter::Segment(const ConstraintList& constraints,
   {
     RequireCertified(organ);
   }
+  // The first run knows of no constraints, so where these moved the surface it says nothing.
+  const bool isFree = constraints.empty();
   result.Confidence = JudgeSurface(this->Volume.Read, geometry, organ.Mesh, organ.Points,
-    this->Seed.Center, ShiftsOf(organ), this->Threads.For);
+    this->Seed.Center, isFree ? ShiftsOf(organ) : Eigen::VectorXd(), this->Threads.For);
   result.Warnings = WarningsOf(organ, this->Region, geometry, this->Seed, method,
     this->StartsAtSeed && !this->HasForeground());
   const std::string doubt = DoubtOf(result.Confidence.OfSurface, method);
-  // The threshold is for what was found in the image.
-  if (result.Warnings.empty() && !doubt.empty() && !this->HasForeground())
+  // The threshold is for what was found in the image alone.
+  if (result.Warnings.empty() && !doubt.empty() && isFree && !this->HasForeground())
   {
     result.Warnings.push_back(doubt);
   }
