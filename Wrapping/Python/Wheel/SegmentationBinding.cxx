@@ -1,12 +1,14 @@
 // The whole method: a volume and a seed in, surface, label map and convergence out.
 #include "Answers.h"
 #include "Bindings.h"
+#include "Numpy.h"
 #include "Report.h"
 #include "ThreadPool.h"
 
 #include "Deformation/SegmentationParameters.h"
 #include "Deformation/StartMask.h"
 #include "Deformation/VolumeSegmentation.h"
+#include "Image/GridCheck.h"
 
 #include <nanobind/stl/array.h>
 #include <nanobind/stl/optional.h>
