@@ -49,7 +49,7 @@ class StartLabels(unittest.TestCase):
                 ({"label": 99}, flipfree.SegmentationError, "have no voxel of the value 99; they have 1, 2"),
                 ({"label": -1}, ValueError, "start_label"),
                 ({"label": 1.5}, ValueError, "start_label"),
-                ({"labels": mask()[1:]}, flipfree.SegmentationError, "the dimensions of the start labels"),
+                ({"labels": mask()[1:], "label": 1}, flipfree.SegmentationError, "the dimensions of the start labels"),
                 ({"labels": 7}, TypeError, "start_labels: a label map"),
                 ({"seed": SEED}, TypeError, "takes the place of seed and radius"),
                 ({"radius": RADIUS}, TypeError, "takes the place of seed and radius")):

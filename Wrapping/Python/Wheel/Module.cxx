@@ -6,7 +6,6 @@
 NB_MODULE(_kernels, module)
 {
   FlipFree::BindSegmentation(module);
-  FlipFree::BindVessels(module);
   FlipFree::BindEvaluation(module);
   FlipFree::BindPhantoms(module);
   FlipFree::BindVessels(module);

@@ -63,7 +63,7 @@ ConstraintList ConstraintsOf(const std::vector<ConstraintRow>& rows)
 // Voxels, spacing, origin, direction.
 using LabelMap = std::tuple<Voxels, Triple, Triple, Nine>;
 
-BitMask StartMaskOf(const LabelMap& labels, int label)
+BitMask StartMaskOf(const LabelMap& labels, int label, const ImageGeometry& image)
 {
   const auto& [voxels, spacing, origin, direction] = labels;
   const ImageGeometry geometry = GeometryOf(voxels, spacing, origin, direction);
@@ -72,6 +72,7 @@ BitMask StartMaskOf(const LabelMap& labels, int label)
     throw std::invalid_argument(std::string(LabelsName) + " have no voxels; give a label map");
   }
   RequireProperGrid(geometry, LabelsName);
+  RequireSameGeometry(geometry, image, LabelsName, ImageName);
   return VisitVoxels(voxels, geometry,
     [&](const auto& view)
     {
@@ -116,8 +117,7 @@ nb::dict Segment(const Voxels& voxels, const Triple& spacing, const Triple& orig
       BitMask mask;
       if (labels)
       {
-        mask = StartMaskOf(*labels, label);
-        RequireSameGeometry(mask.GetGeometry(), geometry, LabelsName, ImageName);
+        mask = StartMaskOf(*labels, label, geometry);
         seed = LargestBallIn(mask, LabelsName, PoolFor);
       }
       RequireSeed(geometry, seed, ImageName);
