@@ -47,11 +47,12 @@ SeedSphere LargestBallIn(const BitMask& mask, const std::string& name,
   const auto deepest = std::max_element(depth.begin(), depth.end());
   const std::ptrdiff_t offset = deepest - depth.begin();
   const std::ptrdiff_t row = offset / geometry.Dimensions[0];
+  const std::ptrdiff_t i = offset % geometry.Dimensions[0];
+  const std::ptrdiff_t j = row % geometry.Dimensions[1];
+  const std::ptrdiff_t k = row / geometry.Dimensions[1];
   SeedSphere ball;
-  ball.Center =
-    geometry.ToPhysical(Eigen::Vector3d(static_cast<double>(offset % geometry.Dimensions[0]),
-      static_cast<double>(row % geometry.Dimensions[1]),
-      static_cast<double>(row / geometry.Dimensions[1])));
+  ball.Center = geometry.ToPhysical(
+    Eigen::Vector3d(static_cast<double>(i), static_cast<double>(j), static_cast<double>(k)));
   ball.Radius = std::sqrt(static_cast<double>(*deepest));
   // The image ends half a voxel before the layer around it.
   const ImageGeometry& image = mask.GetGeometry();
