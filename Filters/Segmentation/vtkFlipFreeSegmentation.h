@@ -58,8 +58,8 @@
  * axes: the seed may lie in air. If none of these applies and the confidence is below 0.85, the
  * warning names it: look at the contour where its confidence is low, and correct it there by
  * points. Without carving, as in the presets Published and Naive, there is a confidence, but no
- * such warning: it has no first run to compare with, and the threshold does not hold. With
- * constraints there is none either, since the first run knows nothing of them; nor for a surface in
+ * such warning: no opinions were sought, and the threshold does not hold. With constraints there is
+ * none either, since the opinions know nothing of them; nor for a surface in
  * start labels, which warns if it misses more than a twentieth of their voxels.
  *
  * Source: the paper, Algorithm 1 and sections 3.1 to 3.6. Each remedy beyond it has its own switch.

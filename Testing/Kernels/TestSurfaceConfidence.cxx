@@ -15,7 +15,7 @@ namespace
 
 constexpr int Resolution = 16;
 
-// A ball of radius 22 mm around the origin: 100 inside, 60 outside, noise of 20.
+// A ball of radius 22 mm around the origin: 100 inside, 60 outside, noise of 10.
 struct BallInNoise
 {
   FloatImage Image;
@@ -39,7 +39,7 @@ struct BallInNoise
         }
       }
     }
-    AddNoise(7, 20, 0, { 0, 0, 0 }, { 84, 84, 84 }, this->Image.Voxels.data());
+    AddNoise(7, 10, 0, { 0, 0, 0 }, { 84, 84, 84 }, this->Image.Voxels.data());
     const QuadSphere sphere =
       MakeQuadSphere(Resolution, { 0, 0, 0 }, 22, QuadSphereSpacing::Equiangular);
     this->Mesh = BuildContourMesh(static_cast<int>(sphere.Points.rows()), sphere.Faces);
@@ -60,10 +60,11 @@ struct BallInNoise
     return points;
   }
 
-  SurfaceConfidence Judge(const PointList& points, const Eigen::VectorXd& shifts = {}) const
+  SurfaceConfidence Judge(const PointList& points, const Eigen::VectorXd& shifts = {},
+    double unanimity = 1) const
   {
     return JudgeSurface(ReaderOf(this->Image.View()), this->Image.Geometry, this->Mesh, points,
-      Eigen::Vector3d::Zero(), shifts, SerialFor);
+      SeedSphere{ Eigen::Vector3d::Zero(), 10 }, shifts, unanimity, SerialFor);
   }
 };
 
@@ -103,7 +104,7 @@ TEST(SurfaceConfidence, IsHighOnTheBoundaryAndLowBesideIt)
   EXPECT_LT(MeanOf(ball, quarter, 1), 0.25);
 }
 
-TEST(SurfaceConfidence, FallsWhereTheRunsDisagree)
+TEST(SurfaceConfidence, OfVerticesFallsWhereTheRunsDisagree)
 {
   const BallInNoise ball;
   Eigen::VectorXd shifts = Eigen::VectorXd::Zero(ball.Points.rows());
@@ -116,9 +117,32 @@ TEST(SurfaceConfidence, FallsWhereTheRunsDisagree)
     shifts[vertex] = ball.Points(vertex, 0) > 0 ? 10 : 0;
   }
   const SurfaceConfidence moved = ball.Judge(ball.Points, shifts);
-  EXPECT_LT(moved.OfSurface, agreeing.OfSurface - 0.02);
   EXPECT_NEAR(MeanOf(ball, moved, -1), MeanOf(ball, agreeing, -1), 1e-12);
   EXPECT_LT(MeanOf(ball, moved, 1), 0.1);
+}
+
+TEST(SurfaceConfidence, OfTheSurfaceFallsWhereOpinionsDiffer)
+{
+  const BallInNoise ball;
+  const SurfaceConfidence unanimous = ball.Judge(ball.Points);
+  const SurfaceConfidence divided = ball.Judge(ball.Points, {}, 0.7);
+  const SurfaceConfidence without = ball.Judge(ball.Points, {}, 0.5);
+  EXPECT_LT(divided.OfSurface, unanimous.OfSurface - 0.01);
+  EXPECT_LT(without.OfSurface, divided.OfSurface);
+  EXPECT_EQ(unanimous.OfVertices, divided.OfVertices);
+}
+
+TEST(SurfaceConfidence, FallsWithTheSpanAndWithASmallSeed)
+{
+  const BallInNoise ball;
+  const auto judgeFrom = [&](double x, double radius)
+  {
+    return JudgeSurface(ReaderOf(ball.Image.View()), ball.Image.Geometry, ball.Mesh, ball.Points,
+      SeedSphere{ { x, 0, 0 }, radius }, {}, 1, SerialFor)
+      .OfSurface;
+  };
+  EXPECT_LT(judgeFrom(15, 5), judgeFrom(0, 5) - 0.01);
+  EXPECT_LT(judgeFrom(0, 2), judgeFrom(0, 5) - 0.01);
 }
 
 TEST(SurfaceConfidence, KnowsNoUnitOfGrayValues)

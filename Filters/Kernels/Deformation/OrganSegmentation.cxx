@@ -93,6 +93,7 @@ private:
       }
       this->Surface.Iterations = this->FirstIterations;
       this->Surface.First = this->FirstSurface;
+      this->Surface.Unanimity = this->Foreground.GetUnanimity();
       Stopwatch watch;
       this->Foreground.SetMask(this->Carved);
       if (!this->CorrectForeground([this](double) { return this->Proceed(0, 0); }))

@@ -32,6 +32,7 @@ struct OrganSurface
   PointList Points;
   CorrespondenceField Field; ///< of the last iteration
   DeformableSurface First;   ///< what the first run ended with; empty without carving
+  double Unanimity = 1;      ///< of the opinions about what was carved (OrganConsensus.h)
   std::vector<IterationRecord> Iterations;
   StopReason Reason = StopReason::NotRun;
   std::ptrdiff_t SelfIntersections = 0;

@@ -216,10 +216,12 @@ VolumeSegmentation VolumeSegmenter::Segment(const ConstraintList& constraints,
   {
     RequireCertified(organ);
   }
-  // The first run knows of no constraints, so where these moved the surface it says nothing.
+  // The first run and the consensus know of no constraints, so of what these moved they say
+  // nothing.
   const bool isFree = constraints.empty();
   result.Confidence = JudgeSurface(this->Volume.Read, geometry, organ.Mesh, organ.Points,
-    this->Seed.Center, isFree ? ShiftsOf(organ) : Eigen::VectorXd(), this->Threads.For);
+    this->Seed, isFree ? ShiftsOf(organ) : Eigen::VectorXd(), isFree ? organ.Unanimity : 1,
+    this->Threads.For);
   result.Warnings = WarningsOf(organ, this->Region, geometry, this->Seed, method,
     this->StartsAtSeed && !this->HasForeground());
   const std::string doubt = DoubtOf(result.Confidence.OfSurface, method);

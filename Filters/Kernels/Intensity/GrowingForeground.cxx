@@ -166,12 +166,13 @@ bool GrowingForeground::Carve(const PointList& points, const TriangleList& trian
     ResolveModality(this->Settings.Modality, this->Region.GetReader(), this->Geometry);
   bool done = CarveOrgan(this->GetImage(), inside, this->Seed, noise, modality, this->Parallel,
     proceed, this->Mask);
+  this->Unanimity = 1;
   if (done && this->Settings.Consensus && this->Settings.ControlLeaks &&
     IsDoubtful(inside, this->Mask))
   {
     done = this->Smooth(ConsensusBox(this->Mask, this->Seed), proceed) &&
       SeekConsensus(this->GetImage(), this->Seed, noise, modality, this->Settings, this->Parallel,
-        proceed, this->Mask);
+        proceed, this->Mask, &this->Unanimity);
   }
   this->Bounds = this->Mask.Bounds();
   return done;

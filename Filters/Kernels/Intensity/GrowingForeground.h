@@ -35,6 +35,10 @@ public:
   bool Carve(const PointList& points, const TriangleList& triangles, double noise,
     const Monitor& monitor);
 
+  /// Of the opinions about what was carved (OrganConsensus.h); 1 where no further one was asked
+  /// for.
+  double GetUnanimity() const { return this->Unanimity; }
+
   /// Corrects the foreground by constraints (ForegroundCorrection.h).
   bool Correct(const ConstraintList& constraints, double noise, const Monitor& monitor);
 
@@ -65,6 +69,7 @@ private:
   const LeakControlRadii Leaks;
   std::array<int, 3> Margin; ///< voxels between the foreground and the sides of the box
   BitMask Mask;
+  double Unanimity = 1;
   VoxelBox Bounds; ///< of the foreground; empty before the first update
   double SmoothingSeconds = 0;
 };

@@ -32,6 +32,7 @@ constexpr double GreatestGrowth = 3;
 constexpr double GreatestCutGrowth = 2;
 // Masses of the foreground for growth from the seed.
 constexpr std::array<double, 2> NarrowMasses{ { 0.8, 0.9 } };
+constexpr double UnanimityWithoutVote = 0.5;
 // By which growth from the seed must be better supported.
 constexpr double SupportMargin = 1.25;
 // In standard deviations of the seed's gray values. Less is no contrast.
@@ -51,6 +52,14 @@ std::vector<VoxelRun> RunsOf(const BitMask& mask)
       runs.push_back(run);
     });
   return runs;
+}
+
+// The Dice score.
+double OverlapOf(const BitMask& one, const BitMask& other)
+{
+  BitMask both = one;
+  both.Intersect(other);
+  return 2 * static_cast<double>(both.Count()) / static_cast<double>(one.Count() + other.Count());
 }
 
 class Consensus
@@ -100,6 +109,8 @@ public:
     }
     return best;
   }
+
+  double GetUnanimity() const { return this->Unanimity; }
 
 private:
   // Remembers a stop. What is done is counted in foregrounds that were grown.
@@ -223,6 +234,8 @@ private:
     either.Unite(*flat);
     either.Intersect(this->Usual);
     both.Unite(either);
+    this->Unanimity =
+      std::min({ OverlapOf(*again, both), OverlapOf(*flat, both), OverlapOf(this->Usual, both) });
     return both;
   }
 
@@ -257,6 +270,7 @@ private:
   const double Count;
   FloatImage Image;
   double Grown = 0;
+  double Unanimity = UnanimityWithoutVote;
   bool Stopped = false;
 };
 
@@ -264,14 +278,12 @@ private:
 
 bool IsDoubtful(const std::vector<VoxelRun>& inside, const BitMask& carved)
 {
-  BitMask both(carved.GetGeometry());
+  BitMask first(carved.GetGeometry());
   for (const VoxelRun& run : inside)
   {
-    both.InsertRun(run.Begin, run.End, run.J, run.K);
+    first.InsertRun(run.Begin, run.End, run.J, run.K);
   }
-  const std::size_t sum = both.Count() + carved.Count();
-  both.Intersect(carved);
-  return 2 * static_cast<double>(both.Count()) < DoubtfulOverlap * static_cast<double>(sum);
+  return OverlapOf(first, carved) < DoubtfulOverlap;
 }
 
 VoxelBox ConsensusBox(const BitMask& carved, const SeedSphere& seed)
@@ -290,17 +302,21 @@ VoxelBox ConsensusBox(const BitMask& carved, const SeedSphere& seed)
 
 bool SeekConsensus(const ImageView<float>& smooth, const SeedSphere& seed, double noise,
   Modality modality, const OrganFeatureSettings& settings, const ParallelFor& parallelFor,
-  const Monitor& monitor, BitMask& carved)
+  const Monitor& monitor, BitMask& carved, double* unanimity)
 {
   const VoxelBox box = ConsensusBox(carved, seed);
-  const std::optional<BitMask> consensus =
-    Consensus(smooth, box, seed, noise, modality, settings, parallelFor, monitor, carved).Execute();
+  Consensus seeker(smooth, box, seed, noise, modality, settings, parallelFor, monitor, carved);
+  const std::optional<BitMask> consensus = seeker.Execute();
   if (!consensus)
   {
     return false;
   }
   carved = BitMask(smooth.Geometry);
   carved.Insert(*consensus, box.Begin);
+  if (unanimity)
+  {
+    *unanimity = seeker.GetUnanimity();
+  }
   return true;
 }
 

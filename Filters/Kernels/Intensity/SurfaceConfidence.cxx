@@ -1,7 +1,6 @@
 #include "Intensity/SurfaceConfidence.h"
 
 #include "Image/ImageInterpolation.h"
-#include "Image/SeedRegion.h"
 #include "Intensity/RobustStatistics.h"
 #include "Mesh/SurfaceNormals.h"
 
@@ -20,21 +19,18 @@ constexpr int LastStep = 6;
 constexpr int NormalSmoothing = 2;
 constexpr int Pooling = 2; // rings of neighbors
 
-// A vertex whose contrast, not pooled, is greater than this many spreads is clear.
-constexpr double ClearContrast = 0.7;
-
 // Of a vertex, half the confidence is left at this pooled contrast, in spreads, and at this shift,
 // in radii of a ball of the organ's volume.
 constexpr double HalfContrast = 2;
 constexpr double HalfShiftOfVertex = 0.1;
 
-// Of the surface: the shift that leaves half of a vertex' agreement, and the weights of the three
-// evidences in a logistic function.
-constexpr double HalfShift = 0.05;
-constexpr double Bias = -3.2;
-constexpr double WeightOfAgreement = 2;
-constexpr double WeightOfClearness = 7;
-constexpr double WeightOfSpan = -2.3;
+// Of the surface: the weights of the four evidences in a logistic function, that of
+// the seed for the logarithm of its radius in millimeters.
+constexpr double Bias = -0.94;
+constexpr double WeightOfSupport = 4;
+constexpr double WeightOfSpan = -2;
+constexpr double WeightOfSeed = 0.5;
+constexpr double WeightOfUnanimity = 1;
 
 // The part of the image around the surface.
 FloatImage SurroundingsOf(const VoxelReader& read, const ImageGeometry& geometry,
@@ -122,8 +118,7 @@ public:
         }
       });
     this->Spread = RobustStatisticsOf(inside).StandardDeviation;
-    this->Pooled = this->Contrast;
-    Pool(this->Mesh, this->Pooled);
+    Pool(this->Mesh, this->Contrast);
   }
 
   void MeasureSize()
@@ -148,55 +143,53 @@ public:
   // Of a vertex: how far its neighborhood stands out.
   double SupportOf(Eigen::Index vertex) const
   {
-    const double contrast = std::abs(this->Pooled[vertex]);
+    const double contrast = std::abs(this->Contrast[vertex]);
     return contrast > 0 ? FallOff(HalfContrast * this->Spread, contrast) : 0;
   }
 
-  // Of a vertex: 1 where both runs have found it at the same place, 1/2 at `half` radii.
-  double AgreementOf(Eigen::Index vertex, const Eigen::VectorXd& shifts, double half) const
+  // Of a vertex: 1 where both runs have found it at the same place.
+  double AgreementOf(Eigen::Index vertex, const Eigen::VectorXd& shifts) const
   {
-    return shifts.size() == 0 || shifts[vertex] == 0 ? 1
-                                                     : FallOff(shifts[vertex], half * this->Radius);
+    return shifts.size() == 0 || shifts[vertex] == 0
+      ? 1
+      : FallOff(shifts[vertex], HalfShiftOfVertex * this->Radius);
   }
 
-  double OfSurface(const Eigen::VectorXd& shifts, const Eigen::Vector3d& seed) const
+  double OfSurface(const SeedSphere& seed, double unanimity) const
   {
-    double agreement = 0;
-    double clearness = 0;
+    double support = 0;
     double squaredSpan = 0;
     for (Eigen::Index vertex = 0; vertex < this->Points.rows(); ++vertex)
     {
       const double area = this->Areas[vertex];
-      agreement += area * this->AgreementOf(vertex, shifts, HalfShift);
-      clearness += std::abs(this->Contrast[vertex]) > ClearContrast * this->Spread ? area : 0;
-      squaredSpan += area * (this->Points.row(vertex).transpose() - seed).squaredNorm();
+      support += area * this->SupportOf(vertex);
+      squaredSpan += area * (this->Points.row(vertex).transpose() - seed.Center).squaredNorm();
     }
     const double area = this->Areas.sum();
     if (!(area > 0 && this->Radius > 0))
     {
       return 0;
     }
-    const double sum = Bias + WeightOfAgreement * agreement / area +
-      WeightOfClearness * clearness / area +
-      WeightOfSpan * std::sqrt(squaredSpan / area) / this->Radius;
+    const double sum = Bias + WeightOfSupport * support / area +
+      WeightOfSpan * std::sqrt(squaredSpan / area) / this->Radius +
+      WeightOfSeed * std::log(seed.Radius) + WeightOfUnanimity * unanimity;
     return 1 / (1 + std::exp(-sum));
   }
 
 private:
   const ContourMesh& Mesh;
   const PointList& Points;
-  Eigen::VectorXd Contrast; // outside minus inside
-  Eigen::VectorXd Pooled;
-  double Spread = 0;     // of the gray values inside
-  Eigen::VectorXd Areas; // up to a factor
-  double Radius = 0;     // of a ball of the same volume
+  Eigen::VectorXd Contrast; // outside minus inside, pooled
+  double Spread = 0;        // of the gray values inside
+  Eigen::VectorXd Areas;    // up to a factor
+  double Radius = 0;        // of a ball of the same volume
 };
 
 } // namespace
 
 SurfaceConfidence JudgeSurface(const VoxelReader& read, const ImageGeometry& geometry,
-  const ContourMesh& mesh, const PointList& points, const Eigen::Vector3d& seed,
-  const Eigen::VectorXd& shifts, const ParallelFor& parallelFor)
+  const ContourMesh& mesh, const PointList& points, const SeedSphere& seed,
+  const Eigen::VectorXd& shifts, double unanimity, const ParallelFor& parallelFor)
 {
   SurfaceConfidence confidence;
   const FloatImage image = SurroundingsOf(read, geometry, points, parallelFor);
@@ -206,10 +199,10 @@ SurfaceConfidence JudgeSurface(const VoxelReader& read, const ImageGeometry& geo
   confidence.OfVertices.resize(points.rows());
   for (Eigen::Index vertex = 0; vertex < points.rows(); ++vertex)
   {
-    confidence.OfVertices[vertex] = static_cast<float>(
-      judgment.SupportOf(vertex) * judgment.AgreementOf(vertex, shifts, HalfShiftOfVertex));
+    confidence.OfVertices[vertex] =
+      static_cast<float>(judgment.SupportOf(vertex) * judgment.AgreementOf(vertex, shifts));
   }
-  confidence.OfSurface = judgment.OfSurface(shifts, seed);
+  confidence.OfSurface = judgment.OfSurface(seed, unanimity);
   return confidence;
 }
 
