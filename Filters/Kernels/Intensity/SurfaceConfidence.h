@@ -51,11 +51,10 @@ struct SurfaceConfidence
 /// Below it, a result is doubtful.
 constexpr double DoubtfulConfidence = 0.85;
 
-/// `read` reads the image before smoothing; `shifts` are the
-/// distances of the vertices from the surface that the first run ended with, in millimeters; empty
-/// if there was none, and then nothing disagrees. `unanimity` is that of the consensus
-/// (OrganConsensus.h), 1 without one. The result depends neither on the unit of gray
-/// values nor on which side is brighter.
+/// `read` reads the image before smoothing; `shifts` are the distances of the vertices from the
+/// surface that the first run ended with, in millimeters; empty if there was none, and then nothing
+/// disagrees. `unanimity` is that of the consensus (OrganConsensus.h), 1 without one. The result
+/// depends neither on the unit of gray values nor on which side is brighter.
 SurfaceConfidence JudgeSurface(const VoxelReader& read, const ImageGeometry& geometry,
   const ContourMesh& mesh, const PointList& points, const SeedSphere& seed,
   const Eigen::VectorXd& shifts, double unanimity, const ParallelFor& parallelFor);
