@@ -214,6 +214,19 @@ TEST(OrganConsensus, RestoresWhatCarvingTookAway)
   EXPECT_GT(Dice(organ.Consensus(carved, 37), consensus), 0.999);
 }
 
+TEST(OrganConsensus, IsNotUnanimousWhereItRestores)
+{
+  const Organ organ;
+  const FloatImage image = organ.Image();
+  const BitMask carved = CutOff(organ, 42);
+  BitMask mask = carved;
+  double unanimity = 0;
+  ASSERT_TRUE(SeekConsensus(image.View(), organ.Seed, organ.Noise, Modality::MR, organ.Settings,
+    SerialFor, NeverStop, mask, &unanimity));
+  EXPECT_GT(unanimity, 0.5);
+  EXPECT_LE(unanimity, Dice(carved, mask) + 1e-9);
+}
+
 TEST(OrganConsensus, StartsAnewWhereAllHasLeaked)
 {
   const Organ organ;
