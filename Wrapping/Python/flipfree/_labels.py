@@ -18,7 +18,8 @@ def label_map_of(name: str, label_map: Any, other: Any) -> Image:
     if isinstance(label_map, (str, os.PathLike)):
         return read_image(label_map)
     if is_image(label_map):
-        return label_map
+        image: Image = label_map
+        return image
     if is_foreign(label_map):
         return adopted(name, label_map)
     if not hasattr(label_map, "__array__"):

@@ -131,6 +131,7 @@ def _segment_one(
     start = time.perf_counter()
     title = _title_of(values)
     repeated: SessionOrgan | None = values.get("repeated")
+    organ: Segmentation
     try:
         if repeated and repeated.points:
             organ = trace_vessel(
