@@ -2,6 +2,7 @@
 
 #include "Error.h"
 #include "Image/DistanceTransform.h"
+#include "Image/VoxelOffsets.h"
 #include "Intensity/LeakControl.h"
 
 #include <algorithm>
@@ -45,14 +46,9 @@ SeedSphere LargestBallIn(const BitMask& mask, const std::string& name,
     });
   const std::vector<float> depth = SquaredDistance(inside, geometry, 0, parallelFor, NeverStop);
   const auto deepest = std::max_element(depth.begin(), depth.end());
-  const std::ptrdiff_t offset = deepest - depth.begin();
-  const std::ptrdiff_t row = offset / geometry.Dimensions[0];
-  const std::ptrdiff_t i = offset % geometry.Dimensions[0];
-  const std::ptrdiff_t j = row % geometry.Dimensions[1];
-  const std::ptrdiff_t k = row / geometry.Dimensions[1];
+  const auto [i, j, k] = IndexOf(static_cast<std::size_t>(deepest - depth.begin()), geometry);
   SeedSphere ball;
-  ball.Center = geometry.ToPhysical(
-    Eigen::Vector3d(static_cast<double>(i), static_cast<double>(j), static_cast<double>(k)));
+  ball.Center = geometry.ToPhysical(Eigen::Vector3d(i, j, k));
   ball.Radius = std::sqrt(static_cast<double>(*deepest));
   // The image ends half a voxel before the layer around it.
   const ImageGeometry& image = mask.GetGeometry();

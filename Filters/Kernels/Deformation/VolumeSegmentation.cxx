@@ -4,6 +4,7 @@
 #include "Deformation/StartMask.h"
 #include "Error.h"
 #include "Geometry/DistanceQuery.h"
+#include "Image/BoxReading.h"
 #include "Image/GridCheck.h"
 #include "Stopwatch.h"
 
@@ -32,17 +33,7 @@ constexpr double MissedSilently = 0.05;
 double NoiseOf(const GrayVolume& volume, const SeedSphere& seed)
 {
   const VoxelBox box = BoxAround(volume.Geometry, seed.Center, seed.Radius);
-  FloatImage region;
-  region.Geometry = CropGeometry(volume.Geometry, box);
-  region.Voxels.resize(region.Geometry.NumberOfVoxels());
-  for (int k = 0; k < box.Size(2); ++k)
-  {
-    for (int j = 0; j < box.Size(1); ++j)
-    {
-      volume.Read(box.Begin[0], box.End[0], box.Begin[1] + j, box.Begin[2] + k,
-        region.Voxels.data() + region.Geometry.Offset(0, j, k));
-    }
-  }
+  const FloatImage region = ReadBox(volume.Read, volume.Geometry, box, SerialFor);
   return NoiseStandardDeviation(region.View(), seed);
 }
 

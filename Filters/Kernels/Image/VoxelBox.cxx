@@ -21,6 +21,16 @@ VoxelBox BoxAround(const ImageGeometry& geometry, const Eigen::Vector3d& point, 
   return box;
 }
 
+VoxelBox BoxAroundPoints(const ImageGeometry& geometry, const PointList& points, double reach)
+{
+  VoxelBox box;
+  for (Eigen::Index point = 0; point < points.rows(); ++point)
+  {
+    box = box.Joined(BoxAround(geometry, points.row(point).transpose(), reach));
+  }
+  return box;
+}
+
 std::array<int, 3> NearestVoxel(const ImageGeometry& geometry, const Eigen::Vector3d& point)
 {
   const Eigen::Vector3d index = geometry.ToIndex(point);

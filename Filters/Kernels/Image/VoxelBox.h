@@ -73,6 +73,9 @@ inline VoxelBox WholeBox(const ImageGeometry& geometry)
 /// grid's axes. Never empty: for a point outside, the voxels at the rim next to it.
 VoxelBox BoxAround(const ImageGeometry& geometry, const Eigen::Vector3d& point, double reach);
 
+/// The smallest box that holds those around all of the points.
+VoxelBox BoxAroundPoints(const ImageGeometry& geometry, const PointList& points, double reach);
+
 /// The voxel whose center is nearest to a point.
 std::array<int, 3> NearestVoxel(const ImageGeometry& geometry, const Eigen::Vector3d& point);
 

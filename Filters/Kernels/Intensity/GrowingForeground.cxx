@@ -71,12 +71,7 @@ bool GrowingForeground::SmoothAround(const PointList& points, double reach, cons
 VoxelBox GrowingForeground::BoundsOfBalls(const PointList& points, double reach,
   const std::array<int, 3>& margin) const
 {
-  VoxelBox box;
-  for (Eigen::Index point = 0; point < points.rows(); ++point)
-  {
-    box = box.Joined(BoxAround(this->Geometry, points.row(point).transpose(), reach));
-  }
-  return box.Widened(margin, this->Whole);
+  return BoxAroundPoints(this->Geometry, points, reach).Widened(margin, this->Whole);
 }
 
 // At first all that has been smoothed; later where the foreground was before, and the seed.

@@ -1,5 +1,6 @@
 #include "Intensity/SurfaceConfidence.h"
 
+#include "Image/BoxReading.h"
 #include "Image/ImageInterpolation.h"
 #include "Intensity/RobustStatistics.h"
 #include "Mesh/SurfaceNormals.h"
@@ -31,33 +32,6 @@ constexpr double WeightOfSupport = 4;
 constexpr double WeightOfSpan = -2;
 constexpr double WeightOfSeed = 0.5;
 constexpr double WeightOfUnanimity = 1;
-
-// The part of the image around the surface.
-FloatImage SurroundingsOf(const VoxelReader& read, const ImageGeometry& geometry,
-  const PointList& points, const ParallelFor& parallelFor)
-{
-  VoxelBox box;
-  for (Eigen::Index vertex = 0; vertex < points.rows(); ++vertex)
-  {
-    box = box.Joined(BoxAround(geometry, points.row(vertex).transpose(), LastStep + 1));
-  }
-  FloatImage part;
-  part.Geometry = CropGeometry(geometry, box);
-  part.Voxels.resize(part.Geometry.NumberOfVoxels());
-  parallelFor(0, box.Size(2),
-    [&](std::ptrdiff_t first, std::ptrdiff_t last)
-    {
-      for (int k = static_cast<int>(first); k < last; ++k)
-      {
-        for (int j = 0; j < box.Size(1); ++j)
-        {
-          read(box.Begin[0], box.End[0], box.Begin[1] + j, box.Begin[2] + k,
-            part.Voxels.data() + part.Geometry.Offset(0, j, k));
-        }
-      }
-    });
-  return part;
-}
 
 // The mean over a vertex and its four neighbors, again and again.
 void Pool(const ContourMesh& mesh, Eigen::VectorXd& values)
@@ -192,7 +166,8 @@ SurfaceConfidence JudgeSurface(const VoxelReader& read, const ImageGeometry& geo
   const Eigen::VectorXd& shifts, double unanimity, const ParallelFor& parallelFor)
 {
   SurfaceConfidence confidence;
-  const FloatImage image = SurroundingsOf(read, geometry, points, parallelFor);
+  const FloatImage image =
+    ReadBox(read, geometry, BoxAroundPoints(geometry, points, LastStep + 1), parallelFor);
   Judgment judgment(mesh, points);
   judgment.MeasureContrast(image.View(), parallelFor);
   judgment.MeasureSize();

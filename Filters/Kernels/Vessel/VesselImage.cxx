@@ -55,37 +55,6 @@ Eigen::Vector3d IndexOf(const ImageGeometry& geometry, std::size_t voxel)
     static_cast<double>(row % geometry.Dimensions[1]), static_cast<double>(slice) };
 }
 
-FloatImage ReadBox(const VoxelReader& read, const ImageGeometry& geometry, const VoxelBox& box,
-  const ParallelFor& parallelFor)
-{
-  FloatImage part;
-  part.Geometry = CropGeometry(geometry, box);
-  part.Voxels.resize(part.Geometry.NumberOfVoxels());
-  parallelFor(0, box.Size(2),
-    [&](std::ptrdiff_t first, std::ptrdiff_t last)
-    {
-      for (int k = static_cast<int>(first); k < last; ++k)
-      {
-        for (int j = 0; j < box.Size(1); ++j)
-        {
-          read(box.Begin[0], box.End[0], box.Begin[1] + j, box.Begin[2] + k,
-            part.Voxels.data() + part.Geometry.Offset(0, j, k));
-        }
-      }
-    });
-  return part;
-}
-
-VoxelBox BoxAroundPoints(const ImageGeometry& geometry, const PointList& points, double margin)
-{
-  VoxelBox box;
-  for (Eigen::Index point = 0; point < points.rows(); ++point)
-  {
-    box = box.Joined(BoxAround(geometry, points.row(point).transpose(), margin));
-  }
-  return box;
-}
-
 void SmoothInside(FloatImage& image, double deviation, const ParallelFor& parallelFor)
 {
   std::vector<float> weights(image.Voxels.size(), 1.0F);

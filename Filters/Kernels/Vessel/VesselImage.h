@@ -20,13 +20,6 @@ struct VesselImage
 /// Where a voxel is, given its offset.
 Eigen::Vector3d IndexOf(const ImageGeometry& geometry, std::size_t voxel);
 
-/// The voxels of the image within a box.
-FloatImage ReadBox(const VoxelReader& read, const ImageGeometry& geometry, const VoxelBox& box,
-  const ParallelFor& parallelFor);
-
-/// The box of voxels within `margin` millimeters of any of the points.
-VoxelBox BoxAroundPoints(const ImageGeometry& geometry, const PointList& points, double margin);
-
 /// Averages over a Gaussian window of the image alone; what lies beyond its rim does not count.
 void SmoothInside(FloatImage& image, double deviation, const ParallelFor& parallelFor);
 

@@ -1,6 +1,7 @@
 #include "Vessel/VesselPath.h"
 
 #include "Error.h"
+#include "Image/BoxReading.h"
 #include "Image/ImageInterpolation.h"
 #include "Intensity/Modality.h"
 #include "MessageText.h"

@@ -129,23 +129,19 @@ class SegmentationAlgorithm:
             NAMES,
             tell,
         )
-        return segmentation_of(answer, image, bool(self.settings.get("Guard")[0]))
-
-
-def segmentation_of(answer: dict[str, Any], image: Image, certified: bool) -> Segmentation:
-    """What the kernels have found in an image; issues their warnings."""
-    for text in answer["warnings"]:
-        warn(with_names(text, NAMES))
-    return Segmentation(
-        mesh=Surface(**answer["surface"], certified=certified),
-        label_map=Image(answer["labels"], image.spacing, image.origin, image.direction),
-        iterations=answer["iterations"],
-        stop_reason=answer["stop_reason"],
-        self_intersections=answer["self_intersections"],
-        history=tuple(
-            Surface(**surface, certified=certified) for surface in answer.get("history", ())
-        ),
-    )
+        for text in answer["warnings"]:
+            warn(with_names(text, NAMES))
+        certified = bool(self.settings.get("Guard")[0])
+        return Segmentation(
+            mesh=Surface(**answer["surface"], certified=certified),
+            label_map=Image(answer["labels"], image.spacing, image.origin, image.direction),
+            iterations=answer["iterations"],
+            stop_reason=answer["stop_reason"],
+            self_intersections=answer["self_intersections"],
+            history=tuple(
+                Surface(**surface, certified=certified) for surface in answer["history"]
+            ),
+        )
 
 
 class VesselAlgorithm:
