@@ -9,14 +9,15 @@ import { command, dice, liverLabel, readNifti, readNiftiFile, readPlyPoints, see
 
 const folder = process.env.FLIPFREE_BROWSER_PACKAGE;
 const urlOf = (name) => pathToFileURL(join(folder, name));
-const { FlipFree, FlipFreeError, countVoxels, fillRuns, labelMapFile, surfaceFile, surfaceFormats } = await import(
-  urlOf("index.js")
-);
+const {
+  FlipFree, FlipFreeError, countVoxels, doubtfulConfidence, fillRuns, isSameGrid, labelMapFile, labelsIn, reordered, surfaceFile, surfaceFormats,
+} = await import(urlOf("index.js"));
 
 const scratch = mkdtempSync(join(tmpdir(), "flipfree-"));
 let flipfree;
 let phantom;
 let liver;
+let printed;
 
 function labelMapOf(organ, image) {
   const voxels = new Uint8Array(countVoxels(image));
@@ -26,7 +27,7 @@ function labelMapOf(organ, image) {
 
 before(async () => {
   command(scratch, "phantom", "abdomen", "-o", ".");
-  command(scratch, "segment", "abdomen.nii.gz", "--seed", ...seed.center.map(String), "--radius", `${seed.radius}`,
+  printed = command(scratch, "segment", "abdomen.nii.gz", "--seed", ...seed.center.map(String), "--radius", `${seed.radius}`,
     "-o", "liver.ply", "--labels", "liver.nii.gz");
   flipfree = await FlipFree.load(readFileSync(urlOf("kernels.wasm")), urlOf("worker.js"));
   phantom = await flipfree.phantom("abdomen");
@@ -61,6 +62,100 @@ test("the liver is the command's", async () => {
   const farthest = points.reduce((most, value, at) => Math.max(most, Math.abs(value - liver.surface.points[at])), 0);
   console.log(`Dice with the command's liver ${dice(found, native)}, coordinates differ by at most ${farthest} mm`);
   assert.ok(dice(found, native) > 0.999);
+  assert.deepEqual(liver.seed, seed);
+});
+
+test("its confidence is the command's, as a whole and at each vertex", async () => {
+  assert.equal(liver.confidence.toFixed(2), printed.match(/confidence ([\d.]+)/)[1]);
+  assert.ok(liver.confidence > doubtfulConfidence);
+  assert.equal(liver.vertexConfidence.length, liver.surface.points.length / 3);
+  assert.ok(liver.vertexConfidence.every((value) => value >= 0 && value <= 1));
+  assert.ok(liver.vertexConfidence.some((value) => value < 0.5) && liver.vertexConfidence.some((value) => value > 0.9));
+  const header = readFileSync(join(process.env.FLIPFREE_BROWSER_SOURCE, "../../Filters/Kernels/Intensity/SurfaceConfidence.h"), "utf8");
+  assert.equal(`${doubtfulConfidence}`, header.match(/DoubtfulConfidence = ([\d.]+)/)[1]);
+  const aorta = { center: [168.75, 148.75, 139], radius: 6.2 };
+  const found = await flipfree.segment(phantom.image, aorta);
+  const native = command(scratch, "segment", "abdomen.nii.gz", "--seed", ...aorta.center.map(String), "--radius", `${aorta.radius}`, "-o", "aorta.vtp");
+  assert.equal(found.confidence.toFixed(2), native.match(/confidence ([\d.]+)/)[1]);
+  assert.match(found.warnings.join(), /doubtful: its confidence is 0\.\d\d, below 0\.85/);
+  // The command writes the same numbers.
+  assert.deepEqual(pointArrayOf(Buffer.from(await surfaceFile(found.surface, "vtp", found.vertexConfidence).arrayBuffer()), "Confidence"), found.vertexConfidence);
+});
+
+/** A point array of floats in a VTP file that the package has made. */
+function pointArrayOf(bytes, name) {
+  const text = bytes.toString("latin1");
+  const [, offset] = text.match(new RegExp(`<PointData><DataArray type="Float32" Name="${name}" NumberOfComponents="1" format="appended" offset="(\\d+)"/></PointData>`));
+  const at = text.indexOf("\n_") + 2 + Number(offset);
+  const size = bytes.readUInt32LE(at);
+  return new Float32Array(Uint8Array.from(bytes.subarray(at + 8, at + 8 + size)).buffer);
+}
+
+test("a label of a label map in place of a seed: the command's surface, corrected by points", async () => {
+  const start = { labels: phantom.labelMap, label: 1 };
+  const spleen = await flipfree.segment(phantom.image, start);
+  const fill = ["segment", "abdomen.nii.gz", "--start-labels", "abdomen-truth.nii.gz", "--start-label", "1"];
+  command(scratch, ...fill, "-o", "filled.ply", "--labels", "filled.nii.gz");
+  assert.deepEqual(readPlyPoints(join(scratch, "filled.ply")), Float32Array.from(spleen.surface.points));
+  const found = labelMapOf(spleen, phantom.image).voxels;
+  assert.ok(dice(found, phantom.labelMap.voxels.map((value) => +(value === 1))) > 0.97);
+  assert.ok(spleen.seed.radius > 10);
+
+  const outside = [beyond(spleen.surface, 0, 1, -4)];
+  const corrected = await flipfree.segment(phantom.image, start, { outside });
+  command(scratch, ...fill, "--outside", ...outside[0].map(String), "-o", "filled.ply");
+  assert.deepEqual(readPlyPoints(join(scratch, "filled.ply")), Float32Array.from(corrected.surface.points));
+  assert.ok(dice(found, labelMapOf(corrected, phantom.image).voxels) < 0.9995);
+
+  // Asked for at once, each gets its own start.
+  const quick = { parameters: { resolution: 8, levels: 1 } };
+  const starts = [{ labels: phantom.labelMap, label: 2 }, seed, start, { labels: phantom.labelMap, label: 3 }];
+  const together = await Promise.all(starts.map((one) => flipfree.segment(phantom.image, one, quick)));
+  for (const [at, one] of starts.entries()) {
+    assert.deepEqual(together[at].surface, (await flipfree.segment(phantom.image, one, quick)).surface);
+  }
+  for (const [labels, label, message] of [
+    [phantom.labelMap, 99, /The start labels have no voxel of the value 99; they have 1, 2, 3/],
+    [phantom.labelMap, -1, /label: give a whole number from 0 on, not -1/],
+    [{ ...phantom.labelMap, spacing: [2, 2, 2] }, 1, /the start labels .* differ; resample one onto the grid of the other/i],
+    [{ ...phantom.labelMap, size: [2, 2, 2] }, 1, /does not fit its size/],
+    [{ ...phantom.labelMap, voxels: new Float32Array(countVoxels(phantom.image)).fill(NaN) }, 1, /not a finite number/],
+  ]) {
+    await assert.rejects(flipfree.segment(phantom.image, { labels, label }), (error) => {
+      assert.ok(error instanceof FlipFreeError, `${error}`);
+      assert.match(error.message, message);
+      return true;
+    });
+  }
+  assert.deepEqual((await flipfree.segment(phantom.image, start)).surface, spleen.surface);
+});
+
+test("labels are counted, and brought into the order of another grid", () => {
+  const labels = labelsIn(phantom.labelMap);
+  assert.deepEqual([...labels.keys()], [1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11].filter((label) => labels.has(label)));
+  assert.equal(labels.get(liverLabel), phantom.labelMap.voxels.filter((value) => value === liverLabel).length);
+  const line = (voxels) => ({ ...phantom.labelMap, size: [voxels.length, 1, 1], voxels });
+  assert.deepEqual([...labelsIn(line(Int16Array.of(0, 7, 7, 0, 3, 7)))], [[3, 1], [7, 3]]);
+  assert.equal(labelsIn(line(new Uint8Array(4))).size, 0);
+  assert.throws(() => labelsIn(line(Float32Array.of(0, 0.5))), /the value 0.5, which is no label/);
+  assert.throws(() => labelsIn(line(Int16Array.of(0, 0, -1))), /the value -1, which is no label/);
+  assert.throws(() => labelsIn(line(Int32Array.from({ length: 5000 }, (_, at) => at))), /more than 2000 values/);
+
+  // The same volume from behind and with its axes exchanged.
+  const image = { size: [2, 3, 4], spacing: [1, 2, 3], origin: [5, 6, 7], direction: [1, 0, 0, 0, 1, 0, 0, 0, 1], voxels: Uint8Array.from({ length: 24 }, (_, at) => at) };
+  const from = (i, j, k) => image.voxels[i + 2 * (j + 3 * k)];
+  const behind = { size: [3, 4, 2], spacing: [2, 3, 1], origin: [5, 10, 7], direction: [0, 0, 1, -1, 0, 0, 0, 1, 0], voxels: new Uint8Array(24) };
+  for (let k = 0; k < 2; ++k) {
+    for (let j = 0; j < 4; ++j) {
+      for (let i = 0; i < 3; ++i) {
+        behind.voxels[i + 3 * (j + 4 * k)] = from(k, 2 - i, j);
+      }
+    }
+  }
+  assert.ok(isSameGrid(behind, image));
+  assert.deepEqual(reordered(behind, image), image);
+  assert.deepEqual(reordered(image, behind), behind);
+  assert.equal(reordered(image, image).voxels, image.voxels);
 });
 
 /** The vertex that is farthest along an axis, moved by some millimeters. */

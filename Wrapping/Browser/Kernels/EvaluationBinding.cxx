@@ -16,7 +16,7 @@ namespace FlipFree
 namespace
 {
 
-// A function object rather than a lambda: clang 14 forgets to emit some lambdas in generic ones.
+// A function object for the same reason as LabelsOfView.
 struct MaskOfView
 {
   int Label;
@@ -26,15 +26,8 @@ struct MaskOfView
   LabelMask operator()(const ImageView<T>& view) const
   {
     return { MaskOfLabel(view, this->Label, this->Name, Threading()), this->Label,
-      ValuesOfView<T>{ view } };
+      LabelsOfView<T>{ view } };
   }
-
-  template <typename T>
-  struct ValuesOfView
-  {
-    ImageView<T> View;
-    LabelValues operator()() const { return LabelsIn(this->View, SerialFor); }
-  };
 };
 
 LabelMask LabelMaskOf(const Volume& labels, int label, const std::string& name,

@@ -5,6 +5,7 @@
 #ifndef FlipFreeVolume_h
 #define FlipFreeVolume_h
 
+#include "Image/LabelValues.h"
 #include "KernelTypes.h"
 
 #include <cstdint>
@@ -46,6 +47,15 @@ public:
 private:
   Storage Voxels;
   ImageGeometry Geometry;
+};
+
+/// Which labels there are. A function object rather than a lambda: clang 14 forgets to emit some
+/// lambdas in generic ones.
+template <typename T>
+struct LabelsOfView
+{
+  ImageView<T> View;
+  LabelValues operator()() const { return LabelsIn(this->View, SerialFor); }
 };
 
 } // namespace FlipFree

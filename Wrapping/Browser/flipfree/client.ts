@@ -14,6 +14,7 @@ import {
   type Scores,
   type Seed,
   type SegmentOptions,
+  type StartLabels,
   type Surface,
   type TraceOptions,
   type Triple,
@@ -77,6 +78,7 @@ interface Pending {
 export class FlipFree {
   private worker?: Promise<WorkerLike>;
   private image?: Image;
+  private start?: StartLabels;
   private readonly pending = new Map<number, Pending>();
   private nextId = 1;
 
@@ -102,21 +104,27 @@ export class FlipFree {
     return this.ask("defaultParameters", { preset });
   }
 
-  /** The organ around a seed. Rejects with a FlipFreeError that says what to do for input that it cannot work with.
+  /** The organ around a seed, or the one that fills a label of a label map. Rejects with a FlipFreeError that says what to do for
+   * input that it cannot work with.
    *
    * The worker keeps of the last organ what corrections do not change: the same call with other points is much faster than
    * the first. */
-  async segment(image: Image, seed: Seed, options: SegmentOptions = {}): Promise<Organ> {
+  segment(image: Image, start: Seed | StartLabels, options: SegmentOptions = {}): Promise<Organ> {
     const { preset = "default", parameters = {}, inside, outside, boundary, seeds } = options;
-    await this.useImage(image, options);
-    return this.ask("segment", { seed, preset, parameters, corrections: { inside, outside, boundary, seeds } }, options);
+    const corrections = { inside, outside, boundary, seeds };
+    const needed = [() => this.useImage(image, options)];
+    if ("labels" in start) {
+      needed.push(() => this.useStart(start, options));
+    }
+    const seed = "labels" in start ? null : start;
+    return this.askAfter(needed, "segment", { seed, preset, parameters, corrections }, options);
   }
 
   /** The vessel between two points, or the tree of vessels that joins more: one at each end, more on the way or at the
    * ends of branches, in any order. Rejects as `segment` does. */
-  async trace(image: Image, points: readonly Triple[], options: TraceOptions = {}): Promise<Vessel> {
-    await this.useImage(image, options);
-    return this.ask("trace", { points, parameters: options.parameters ?? {} }, options);
+  trace(image: Image, points: readonly Triple[], options: TraceOptions = {}): Promise<Vessel> {
+    const needed = [() => this.useImage(image, options)];
+    return this.askAfter(needed, "trace", { points, parameters: options.parameters ?? {} }, options);
   }
 
   /** How well a label map or a surface agrees with a reference label map. */
@@ -138,14 +146,47 @@ export class FlipFree {
     if (this.image === image && this.worker) {
       return;
     }
-    this.image = undefined;
-    await this.ask("setImage", { image }, { signal: options.signal });
     this.image = image;
+    this.start = undefined;
+    try {
+      await this.ask("setImage", { image }, { signal: options.signal });
+    } catch (error) {
+      this.image = undefined;
+      throw error;
+    }
+  }
+
+  /** The same for the label that is filled. */
+  private async useStart(start: StartLabels, options: RunOptions): Promise<void> {
+    if (this.start?.labels === start.labels && this.start.label === start.label && this.worker) {
+      return;
+    }
+    this.start = { ...start };
+    try {
+      await this.ask("setStart", { start }, { signal: options.signal });
+    } catch (error) {
+      this.start = undefined;
+      throw error;
+    }
   }
 
   /** Bytes of the kernels' memory. */
   memory(): Promise<number> {
     return this.ask("memory", {});
+  }
+
+  /** Asks right after what is needed first: of requests made at one time, none comes between. */
+  private async askAfter<K extends Kind>(
+    needed: (() => Promise<void>)[],
+    kind: K,
+    request: Requests[K],
+    options: RunOptions,
+  ): Promise<Answers[K]> {
+    const first = needed.map((need) => need());
+    const answer = this.ask(kind, request, options);
+    answer.catch(() => {}); // where what is needed fails, that is the reason
+    await Promise.all(first);
+    return answer;
   }
 
   private async ask<K extends Kind>(kind: K, request: Requests[K], options: RunOptions = {}): Promise<Answers[K]> {
@@ -201,6 +242,7 @@ export class FlipFree {
     void this.worker?.then((worker) => worker.terminate());
     this.worker = undefined;
     this.image = undefined;
+    this.start = undefined;
     for (const { reject } of this.pending.values()) {
       reject(reason);
     }

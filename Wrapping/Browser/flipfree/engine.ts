@@ -13,6 +13,8 @@ import {
   type Preset,
   type Scores,
   type Seed,
+  type Segmentation,
+  type StartLabels,
   type Surface,
   type Triple,
   type Vessel,
@@ -27,14 +29,20 @@ type Report = (fraction: number) => boolean;
 
 /** Runs on one volume; it keeps what the corrections of the last organ do not change. */
 interface OrganRuns {
+  setStart(labels: KernelVolume, label: number): Answer<KernelSeed>;
   segment(
     seed: number[],
     preset: string,
     values: Record<string, number[]>,
     corrections: number[],
     report: Report,
-  ): Answer<Organ>;
+  ): Answer<Omit<Organ, "seed"> & { seed: KernelSeed }>;
   delete(): void;
+}
+
+interface KernelSeed {
+  center: Float64Array;
+  radius: number;
 }
 
 interface KernelPhantom {
@@ -83,6 +91,7 @@ function triple(numbers: ArrayLike<number>): [number, number, number] {
 export class Engine {
   private volume?: KernelVolume;
   private runs?: OrganRuns;
+  private isStarted = false; // whether there is a label to fill
 
   private constructor(private readonly kernels: KernelModule) {}
 
@@ -111,12 +120,28 @@ export class Engine {
     this.volume?.delete();
     this.runs = undefined;
     this.volume = undefined;
+    this.isStarted = false;
     this.volume = this.copy(image);
     this.runs = new this.kernels.OrganRuns(this.volume);
   }
 
+  /** Takes the label that runs without a seed fill. */
+  setStart({ labels, label = 1 }: StartLabels): void {
+    const { runs } = this;
+    if (!runs) {
+      throw new FlipFreeError("There is no image");
+    }
+    if (!Number.isInteger(label) || label < 0) {
+      throw new FlipFreeError(`label: give a whole number from 0 on, not ${label}`);
+    }
+    this.isStarted = false;
+    this.withVolume(labels, (volume) => this.checked(runs.setStart(volume, label)));
+    this.isStarted = true;
+  }
+
+  /** Of an organ around a seed, or of the label. */
   segment(
-    seed: Seed,
+    seed: Seed | null,
     preset: Preset = "default",
     parameters: Parameters = {},
     corrections: Corrections = {},
@@ -125,10 +150,15 @@ export class Engine {
     if (!this.runs) {
       throw new FlipFreeError("There is no image");
     }
+    if (!seed && !this.isStarted) {
+      throw new FlipFreeError("There is neither a seed nor a label");
+    }
     const known = this.kernels.segmentationParameters(preset);
     const values = kernelValues(parameters, known);
     const points = correctionNumbers(corrections);
-    return this.worded(this.runs.segment([...seed.center, seed.radius], preset, values, points, report), known);
+    const start = seed ? [...seed.center, seed.radius] : [];
+    const organ = this.worded(this.runs.segment(start, preset, values, points, report), known);
+    return { ...organ, seed: { center: triple(organ.seed.center), radius: organ.seed.radius } };
   }
 
   trace(points: readonly Triple[], parameters: Parameters = {}, report: Report = goOn): Vessel {
@@ -201,7 +231,7 @@ export class Engine {
     }
   }
 
-  private worded<T extends Organ>(answer: Answer<T>, known: KernelParameter[]): T {
+  private worded<T extends Pick<Segmentation, "warnings">>(answer: Answer<T>, known: KernelParameter[]): T {
     const organ = this.checked(answer, known);
     return { ...organ, warnings: organ.warnings.map((warning) => wordMessage(warning, known)) };
   }

@@ -2,13 +2,28 @@
  *
  * A kind of work is an entry of `Requests` and `Answers` and a case of the worker: what a page sends and gets. */
 import type { PhantomShape } from "./engine.js";
-import type { Corrections, Image, Organ, Parameters, Phantom, Preset, Scores, Seed, Surface, Triple, Vessel } from "./types.js";
+import type {
+  Corrections,
+  Image,
+  Organ,
+  Parameters,
+  Phantom,
+  Preset,
+  Scores,
+  Seed,
+  StartLabels,
+  Surface,
+  Triple,
+  Vessel,
+} from "./types.js";
 
 export interface Requests {
   defaultParameters: { preset: Preset };
   /** The image that the following runs work on. */
   setImage: { image: Image };
-  segment: { seed: Seed; preset: Preset; parameters: Parameters; corrections: Corrections };
+  /** The label that the following runs without a seed fill. */
+  setStart: { start: StartLabels };
+  segment: { seed: Seed | null; preset: Preset; parameters: Parameters; corrections: Corrections };
   trace: { points: readonly Triple[]; parameters: Parameters };
   evaluate: { segmentation: Image | Surface; reference: Image; parameters: Parameters };
   selfIntersections: { surface: Surface };
@@ -19,6 +34,7 @@ export interface Requests {
 export interface Answers {
   defaultParameters: Parameters;
   setImage: null;
+  setStart: null;
   segment: Organ;
   trace: Vessel;
   evaluate: Scores;

@@ -80,11 +80,11 @@ export function plyFile(surface: Surface): Blob {
   return new Blob([header, view.buffer as ArrayBuffer], { type: "model/ply" });
 }
 
-/** VTK's XML format: the faces as they are, coordinates in double precision. */
-export function vtpFile(surface: Surface): Blob {
+/** VTK's XML format: the faces as they are, coordinates in double precision, and the vertices' confidence as a point array. */
+export function vtpFile(surface: Surface, vertexConfidence?: Float32Array): Blob {
   const parts: Uint8Array<ArrayBuffer>[] = [];
   let offset = 0;
-  const append = (type: string, name: string, data: Float64Array | Int32Array, components = 1) => {
+  const append = (type: string, name: string, data: Float64Array | Float32Array | Int32Array, components = 1) => {
     const bytes = new Uint8Array(data.slice().buffer as ArrayBuffer);
     const size = new Uint8Array(8);
     new DataView(size.buffer).setUint32(0, bytes.length, true); // far below 4 GB
@@ -100,6 +100,7 @@ export function vtpFile(surface: Surface): Blob {
     `<Piece NumberOfPoints="${countPoints(surface)}" NumberOfVerts="0" NumberOfLines="0" NumberOfStrips="0" NumberOfPolys="${countFaces(surface)}">`,
     `<Points>${append("Float64", "Points", surface.points, 3)}</Points>`,
     `<Polys>${append("Int32", "connectivity", surface.corners)}${append("Int32", "offsets", surface.offsets.subarray(1))}</Polys>`,
+    ...(vertexConfidence ? [`<PointData>${append("Float32", "Confidence", vertexConfidence)}</PointData>`] : []),
     "</Piece>",
     "</PolyData>",
     '<AppendedData encoding="raw">\n_',
@@ -107,6 +108,7 @@ export function vtpFile(surface: Surface): Blob {
   return new Blob([xml, ...parts, "\n</AppendedData>\n</VTKFile>\n"], { type: "application/xml" });
 }
 
-export function surfaceFile(surface: Surface, format: SurfaceFormat): Blob {
-  return { vtp: vtpFile, stl: stlFile, ply: plyFile }[format](surface);
+/** Of a vertex' confidence, only VTP has a notion. */
+export function surfaceFile(surface: Surface, format: SurfaceFormat, vertexConfidence?: Float32Array): Blob {
+  return format === "vtp" ? vtpFile(surface, vertexConfidence) : { stl: stlFile, ply: plyFile }[format](surface);
 }

@@ -44,6 +44,13 @@ export interface Surface {
   offsets: Int32Array;
 }
 
+/** A label map on the image's grid (of a network, an atlas, an earlier result), of which a surface fills a label. */
+export interface StartLabels {
+  labels: Image;
+  /** 1 by default; 0 for all that are not 0. */
+  label?: number;
+}
+
 /** What a user knows of an organ. A list is a set: its order means nothing. */
 export interface Corrections {
   /** Points that the surface encloses, exactly. */
@@ -61,7 +68,8 @@ export type Preset = "default" | "published" | "naive";
 /** By name, such as { foregroundMass: 0.9, carving: false }; `defaultParameters()` has all of them. */
 export type Parameters = Record<string, number | boolean | readonly number[]>;
 
-export interface Organ {
+/** What a run finds. */
+export interface Segmentation {
   surface: Surface;
   /** The voxels inside as runs of four numbers: j, k, the first i, and one past the last i. */
   runs: Int32Array;
@@ -75,6 +83,21 @@ export interface Organ {
   warnings: string[];
 }
 
+export interface Organ extends Segmentation {
+  /** Where it started: in the seed, in the largest of several, or in the largest ball that the label holds. */
+  seed: Seed;
+  /** How far the result can be trusted, 0 to 1. It reads like the Dice score to expect; below `doubtfulConfidence` the result
+   * is doubtful, and a warning says so where nothing else does. */
+  confidence: number;
+  /** How well the image supports the surface at each vertex, 0 to 1: below `doubtfulVertexConfidence`, look there. */
+  vertexConfidence: Float32Array;
+}
+
+/** Of a surface that was found in the image from a seed alone. */
+export const doubtfulConfidence = 0.85;
+/** Where pictures draw a contour in another color. */
+export const doubtfulVertexConfidence = 0.5;
+
 /** A part of a vessel between two ends or forks. */
 export interface Branch {
   /** The centerline: x, y, z of each point. */
@@ -86,7 +109,7 @@ export interface Branch {
 }
 
 /** A vessel, or a tree of vessels. */
-export interface Vessel extends Organ {
+export interface Vessel extends Segmentation {
   branches: Branch[];
   /** The mean radius, in mm. */
   radius: number;

@@ -32,6 +32,7 @@ type Work = { [K in Kind]: (engine: Engine, request: Requests[K], report: Report
 const work: Work = {
   defaultParameters: (engine, { preset }) => engine.defaultParameters(preset),
   setImage: (engine, { image }) => (engine.setImage(image), null),
+  setStart: (engine, { start }) => (engine.setStart(start), null),
   segment: (engine, { seed, preset, parameters, corrections }, report) =>
     engine.segment(seed, preset, parameters, corrections, report),
   trace: (engine, { points, parameters }, report) => engine.trace(points, parameters, report),

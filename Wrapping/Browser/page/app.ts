@@ -1,5 +1,5 @@
 /** What all parts of the page share: the kernels, the view, the organs, and what is going on. */
-import { FlipFree } from "../flipfree/index.js";
+import { FlipFree, type Image } from "../flipfree/index.js";
 import { element } from "./dom.js";
 import { Organs } from "./organs.js";
 import { View } from "./view.js";
@@ -16,4 +16,11 @@ export const [flipfree, view] = await Promise.all([
 
 export const organs = new Organs();
 
-export const app: { opened: OpenImage | null; running: AbortController | null } = { opened: null, running: null };
+interface App {
+  opened: OpenImage | null;
+  /** The label map of which organs can fill a label, on the image's grid. */
+  labels: Image | null;
+  running: AbortController | null;
+}
+
+export const app: App = { opened: null, labels: null, running: null };

@@ -1,5 +1,5 @@
-/** Opening: images, sessions, the built-in phantom; and how gray values are shown. */
-import type { PhantomSeed } from "../flipfree/index.js";
+/** Opening: images, label maps, sessions, the built-in phantom; and how gray values are shown. */
+import { FlipFreeError, type PhantomSeed, isSameGrid, labelsIn, reordered } from "../flipfree/index.js";
 import { app, flipfree, organs, view } from "./app.js";
 import { element, select } from "./dom.js";
 import { showAll } from "./panel.js";
@@ -33,8 +33,10 @@ let phantomSeeds: PhantomSeed[] = [];
 function showImage(image: OpenImage): void {
   app.opened = image;
   organs.reset();
+  app.labels = null;
   phantomSeeds = [];
   element("phantom-row").hidden = true;
+  element("labels-row").hidden = true;
   element("drop").hidden = true;
   element("image-name").textContent = `${image.title}, ${image.image.size.join(" × ")} voxels`;
   view.show(image);
@@ -73,6 +75,43 @@ export async function openFiles(files: File[]): Promise<void> {
   }
 }
 
+/** A label map on the image's grid, of which organs can fill a label. */
+export async function openLabels(files: File[]): Promise<void> {
+  const grid = app.opened?.image;
+  if (!grid || files.length === 0) {
+    return;
+  }
+  await work("Opening the label map …", async () => {
+    const { name, image } = await readFiles(files);
+    if (!isSameGrid(image, grid)) {
+      const sizes = [image, grid].map(({ size }) => size.join(" × "));
+      throw new FlipFreeError(`${name} has other voxels than the image (${sizes[0]} and ${sizes[1]}, or elsewhere); resample it onto the image's voxels`);
+    }
+    const counts = labelsIn(image);
+    if (counts.size === 0) {
+      throw new FlipFreeError(`${name} has no label: all its voxels are 0`);
+    }
+    app.labels = reordered(image, grid);
+    const voxel = grid.spacing.reduce((a, b) => a * b, 1);
+    const choices = [...counts].map(([label, count]) => new Option(`${label}, ${((count * voxel) / 1000).toFixed(0)} ml`, String(label)));
+    select("start-label").replaceChildren(new Option("choose …", ""), ...choices);
+    element("labels-row").title = name;
+    element("labels-row").hidden = false;
+    say("Choose the label of the organ, then Segment.");
+  });
+}
+
+/** The chosen organ fills the chosen label; its seed and its points go. */
+export function takeStartLabel(): void {
+  const label = select("start-label").value;
+  if (app.labels && label !== "") {
+    const start = { labels: app.labels, label: Number(label) };
+    organs.change(organs.chosen, { start, seed: null, corrections: [], result: null });
+    say("");
+    showAll();
+  }
+}
+
 export async function openPhantom(): Promise<void> {
   await work("Making the abdomen …", async (signal) => {
     const phantom = await flipfree.phantom("abdomen", { signal, onProgress: showProgress });
@@ -92,7 +131,8 @@ export function takePhantomSeed(): void {
   const chosen = phantomSeeds.find(({ label }) => String(label) === select("phantom-seed").value);
   if (chosen) {
     const { center, radius, label } = chosen;
-    organs.change(organs.chosen, { name: phantomOrgans[label], seed: { center, radius }, corrections: [], result: null });
+    const seed = { center, radius };
+    organs.change(organs.chosen, { name: phantomOrgans[label], seed, start: null, corrections: [], result: null });
     showAll();
     view.crosshair = [...center];
   }

@@ -4,6 +4,7 @@ import { element } from "./dom.js";
 import { setWindow } from "./images.js";
 import { chooseTool, showAll } from "./panel.js";
 import { placeHere, resizeSeed } from "./placing.js";
+import { visitDoubt } from "./result.js";
 import { segment } from "./runs.js";
 import { cancel } from "./work.js";
 
@@ -19,12 +20,14 @@ export function redo(): void {
 
 const keys: Record<string, () => void> = {
   s: () => chooseTool("seed"),
+  a: () => chooseTool("further"),
   i: () => chooseTool("inside"),
   o: () => chooseTool("outside"),
   b: () => chooseTool("boundary"),
   p: () => chooseTool("point"),
   n: () => chooseTool("navigate"),
   c: placeHere,
+  d: visitDoubt,
   "+": () => resizeSeed(1),
   "-": () => resizeSeed(-1),
   z: () => view.zoomBy(1.25),

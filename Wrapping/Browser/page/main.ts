@@ -2,10 +2,11 @@
 import { organs } from "./app.js";
 import { button, element, input, select } from "./dom.js";
 import { droppedFiles } from "./drop.js";
-import { openFiles, openPhantom, setWindow, takePhantomSeed } from "./images.js";
+import { openFiles, openLabels, openPhantom, setWindow, takePhantomSeed, takeStartLabel } from "./images.js";
 import { listenToKeys, redo, undo } from "./keys.js";
 import { chooseTool, refresh, showAll } from "./panel.js";
 import { listenToPlaces } from "./placing.js";
+import { visitDoubt } from "./result.js";
 import { segment } from "./runs.js";
 import { saveLabels, saveSession, saveSurface } from "./saving.js";
 import { complain } from "./status.js";
@@ -15,12 +16,13 @@ function listenToFiles(): void {
   const viewer = element("viewer");
   button("open-files").addEventListener("click", () => input("files").click());
   button("open-folder").addEventListener("click", () => input("folder").click());
+  button("open-labels").addEventListener("click", () => input("labels").click());
   button("open-phantom").addEventListener("click", () => void openPhantom());
-  for (const id of ["files", "folder"]) {
+  for (const id of ["files", "folder", "labels"]) {
     input(id).addEventListener("change", () => {
       const files = [...(input(id).files ?? [])];
       input(id).value = "";
-      void openFiles(files);
+      void (id === "labels" ? openLabels(files) : openFiles(files));
     });
   }
   document.addEventListener("dragover", (event) => {
@@ -53,6 +55,7 @@ function setTheme(isLight: boolean): void {
 function listenToControls(): void {
   select("window").addEventListener("change", () => setWindow(Number(select("window").value)));
   select("phantom-seed").addEventListener("change", takePhantomSeed);
+  select("start-label").addEventListener("change", takeStartLabel);
   document.querySelectorAll("[name=tool]").forEach((tool) => tool.addEventListener("change", refresh));
   const actions: Record<string, () => void> = {
     "add-organ": () => add("organ"),
@@ -61,6 +64,7 @@ function listenToControls(): void {
     redo,
     run: () => void segment(),
     cancel,
+    "next-doubt": visitDoubt,
     "save-surface": () => void saveSurface(),
     "save-labels": () => void saveLabels(),
     "save-session": saveSession,

@@ -1,5 +1,5 @@
 /** The organs of a session, with undo and redo: every change makes a new state, and the former ones are kept. */
-import type { Corrections, Organ, Parameters, Preset, Seed, Triple } from "../flipfree/index.js";
+import type { Corrections, Organ, Parameters, Preset, Seed, StartLabels, Triple, Vessel } from "../flipfree/index.js";
 
 export type CorrectionKind = "inside" | "outside" | "boundary" | "seed";
 
@@ -27,8 +27,10 @@ export interface SessionOrgan {
 
 /** Never changed: `Organs.change` replaces it. */
 export interface OrganState extends SessionOrgan {
-  /** Of this very seed, these points and these parameters. */
-  result: Organ | null;
+  /** The label that an organ without a seed fills; sessions do not hold it. */
+  start: StartLabels | null;
+  /** Of this very seed or label, these points and these parameters. */
+  result: Organ | Vessel | null;
 }
 
 interface State {
@@ -36,11 +38,17 @@ interface State {
   chosen: number;
 }
 
-const colors = ["#ffd24a", "#5ad1ff", "#ff8a7a", "#8fe388", "#d9a0ff", "#ffb347", "#7fe0d0", "#ff9ed2"];
+/** None like the blue of doubtful places. */
+const colors = ["#ffd24a", "#8fe388", "#ff8a7a", "#d9a0ff", "#ffb347", "#ff9ed2", "#c8e65a", "#e6cfa8"];
+
+/** Whether a session holds all that a run needs. */
+export function canRepeat({ kind, seed, points }: SessionOrgan): boolean {
+  return kind === "vessel" ? points.length > 1 : seed !== null;
+}
 
 /** Whether there is all that a run needs. */
-export function canRun({ kind, seed, points }: SessionOrgan): boolean {
-  return kind === "vessel" ? points.length > 1 : seed !== null;
+export function canRun(organ: OrganState): boolean {
+  return organ.start !== null || canRepeat(organ);
 }
 
 /** As the package takes them. */
@@ -63,7 +71,8 @@ function newOrgan(taken: readonly OrganState[], kind: SessionOrgan["kind"] = "or
   }
   const color = colors.find((one) => taken.every((organ) => organ.color !== one)) ?? colors[taken.length % colors.length];
   const name = `${kind} ${number}`;
-  return { kind, name, color, seed: null, preset: "default", corrections: [], points: [], parameters: {}, result: null };
+  const own: SessionOrgan = { kind, name, color, seed: null, preset: "default", corrections: [], points: [], parameters: {} };
+  return { ...own, start: null, result: null };
 }
 
 /** A name that no other organ has. */
@@ -99,7 +108,7 @@ export class Organs {
 
   /** Starts anew, with nothing to undo. */
   reset(organs: readonly SessionOrgan[] = []): void {
-    const list = organs.map((organ) => ({ ...organ, result: null }));
+    const list = organs.map((organ) => ({ ...organ, start: null, result: null }));
     this.state = { list: list.length > 0 ? list : [newOrgan([])], chosen: 0 };
     this.past = [];
     this.future = [];
@@ -129,7 +138,7 @@ export class Organs {
   }
 
   /** Adds what was found; a result is not a step of its own. */
-  find(organ: OrganState, result: Organ): void {
+  find(organ: OrganState, result: Organ | Vessel): void {
     const list = this.state.list.map((one) => (one === organ ? { ...one, result } : one));
     this.state = { ...this.state, list };
   }

@@ -1,12 +1,14 @@
 /** What is drawn over the slices: contours, the seed, points, letters of orientation, window and position. */
 import type { Niivue } from "@niivue/niivue";
-import { crossSection } from "./crosssection.js";
+import { doubtfulVertexConfidence } from "../flipfree/index.js";
+import { crossSection, partsBelow } from "./crosssection.js";
 import { type Point, type Tile, axes, depthAt, pixelAt, pixelsPerMillimeter, positionOf, sidesOf, slicesOf } from "./tiles.js";
 
 export interface ShownSurface {
   points: Float64Array; // RAS
   triangles: Uint32Array;
   fractions: Float64Array; // of the volume's extents, by which NiiVue counts slices
+  confidence: Float32Array; // of the vertices
   color: string;
   isChosen: boolean;
 }
@@ -32,25 +34,34 @@ export interface Marks {
   nearby: number;
 }
 
+/** Of doubtful places, whatever the organ's color. */
+export const doubtColor = "#4099ff";
+
 type Context = CanvasRenderingContext2D;
+
+function drawSegments(context: Context, tile: Tile, segments: number[], color: string, width: number): void {
+  context.lineWidth = width * window.devicePixelRatio;
+  context.strokeStyle = color;
+  context.beginPath();
+  for (let end = 0; end < segments.length; end += 8) {
+    context.moveTo(...pixelAt(tile, segments, end));
+    context.lineTo(...pixelAt(tile, segments, end + 4));
+  }
+  context.stroke();
+}
 
 function drawContour(context: Context, niivue: Niivue, tile: Tile, surface: ShownSurface): void {
   const { away } = axes(tile);
   const slice = niivue.scene.crosshairPos[away];
-  const { points, triangles, fractions } = surface;
+  const { points, triangles, fractions, confidence } = surface;
   const values = new Float64Array(points.length / 3);
   for (let vertex = 0; vertex < values.length; ++vertex) {
     values[vertex] = fractions[3 * vertex + away] - slice;
   }
-  const segments = crossSection(points, triangles, values);
-  context.lineWidth = (surface.isChosen ? 2 : 1.2) * window.devicePixelRatio;
-  context.strokeStyle = surface.color;
-  context.beginPath();
-  for (let end = 0; end < segments.length; end += 6) {
-    context.moveTo(...pixelAt(tile, segments, end));
-    context.lineTo(...pixelAt(tile, segments, end + 3));
-  }
-  context.stroke();
+  const segments = crossSection(points, triangles, values, confidence);
+  const width = surface.isChosen ? 2 : 1.2;
+  drawSegments(context, tile, segments, surface.color, width);
+  drawSegments(context, tile, partsBelow(segments, doubtfulVertexConfidence), doubtColor, 1.5 * width);
 }
 
 /** How far a point is from a slice, in mm. */

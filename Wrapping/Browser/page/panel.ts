@@ -3,13 +3,14 @@ import type { Seed } from "../flipfree/index.js";
 import { app, organs, view } from "./app.js";
 import { button, element, input, select } from "./dom.js";
 import { showOrgans } from "./organlist.js";
-import { type OrganState, canRun } from "./organs.js";
+import { type OrganState, canRepeat, canRun } from "./organs.js";
 import { showPoints } from "./pointlist.js";
 import { showResult } from "./result.js";
 import type { Tool, ViewedOrgan } from "./view.js";
 
 const hints: Record<Tool, string> = {
   seed: "Click in the organ, drag to its boundary.",
+  further: "Click where the organ was missed, drag to its boundary.",
   inside: "Click where the organ was missed.",
   outside: "Click where it took in something else.",
   boundary: "Click on the organ's boundary.",
@@ -25,11 +26,11 @@ export function chosenTool(): Tool {
 }
 
 function canUse(tool: Tool): boolean {
-  const { kind, seed } = organs.chosen;
+  const { kind } = organs.chosen;
   if (tool === "navigate") {
     return true;
   }
-  return kind === "vessel" ? tool === "point" : tool === "seed" || (tool !== "point" && seed !== null);
+  return kind === "vessel" ? tool === "point" : tool === "seed" || (tool !== "point" && canRun(organs.chosen));
 }
 
 export function chooseTool(tool: Tool): void {
@@ -51,7 +52,9 @@ function refreshTools(): void {
   }
   element("hint").textContent = hints[chosenTool()];
   element("seed-numbers").hidden = isVessel;
-  element("phantom-row").classList.toggle("of-organs", isVessel);
+  for (const id of ["phantom-row", "labels-row"]) {
+    element(id).classList.toggle("of-organs", isVessel);
+  }
 }
 
 /** What can be done now. */
@@ -63,6 +66,7 @@ export function refresh(): void {
   for (const id of ["organ-controls", "seed-controls"]) {
     element<HTMLFieldSetElement>(id).disabled = !app.opened || isBusy;
   }
+  button("open-labels").disabled = !app.opened || isBusy;
   refreshTools();
   select("window").disabled = !app.opened;
   button("undo").disabled = !organs.canUndo;
@@ -71,7 +75,7 @@ export function refresh(): void {
   button("cancel").disabled = !isBusy;
   button("save-surface").disabled = isBusy || !organs.chosen.result;
   button("save-labels").disabled = isBusy || organs.list.every(({ result }) => !result);
-  button("save-session").disabled = isBusy || !organs.list.some(canRun);
+  button("save-session").disabled = isBusy || !organs.list.some(canRepeat);
   view.tool = !app.opened ? null : isBusy ? "navigate" : chosenTool();
   element("overlay").classList.toggle("placing", view.tool !== null && view.tool !== "navigate");
 }
@@ -91,7 +95,8 @@ export function viewedOrgans(changed: Partial<OrganState> = {}): ViewedOrgan[] {
     const isChosen = one === organs.chosen;
     const { result, seed, color, corrections, points } = isChosen ? { ...one, ...changed } : one;
     const ofVessel = points.map((position, at) => ({ kind: String(at + 1), position }));
-    return { surface: result?.surface ?? null, seed, color, isChosen, points: isChosen ? [...corrections, ...ofVessel] : [] };
+    const confidence = result && "confidence" in result ? result.vertexConfidence : null;
+    return { surface: result?.surface ?? null, confidence, seed, color, isChosen, points: isChosen ? [...corrections, ...ofVessel] : [] };
   });
 }
 
@@ -99,6 +104,7 @@ export function viewedOrgans(changed: Partial<OrganState> = {}): ViewedOrgan[] {
 export function showAll(): void {
   showOrgans(element("organs"), organs, showAll);
   showSeed(organs.chosen.seed);
+  select("start-label").value = String(organs.chosen.start?.label ?? "");
   showPoints(element("points"), organs.chosen);
   showResult(organs.chosen.result);
   if (app.opened) {

@@ -1,4 +1,4 @@
-/** Placing: the seed, points that correct an organ, and points of a vessel; by mouse, by numbers, at the cross-hair. */
+/** Placing: seeds, points that correct an organ, and points of a vessel; by mouse, by numbers, at the cross-hair. */
 import type { Seed, Triple } from "../flipfree/index.js";
 import { organs, view } from "./app.js";
 import { input, select } from "./dom.js";
@@ -10,7 +10,7 @@ import { say } from "./status.js";
 
 /** Another seed: what was found from the former one goes, and undo brings it back. */
 function setSeed(seed: Seed): void {
-  organs.change(organs.chosen, { seed, result: null });
+  organs.change(organs.chosen, { seed, start: null, result: null });
   say("");
   showAll();
 }
@@ -35,12 +35,24 @@ export function resizeSeed(by: number): void {
   }
 }
 
+/** Of a further seed that was clicked without dragging, in mm. */
+function furtherRadius(): number {
+  const { seed, corrections } = organs.chosen;
+  return corrections.filter(({ kind }) => kind === "seed").at(-1)?.radius ?? Math.min(10, seed?.radius ?? 10);
+}
+
+function withFurther({ center, radius }: Seed): Correction[] {
+  return [...organs.chosen.corrections, { kind: "seed", position: center, radius }];
+}
+
 /** What the tool places, if it places points. */
 function placePoint(position: Triple): void {
   const { corrections, points } = organs.chosen;
   const tool = chosenTool();
   if (tool === "point") {
     void changePoints({ points: [...points, position] });
+  } else if (tool === "further") {
+    void changePoints({ corrections: withFurther({ center: position, radius: furtherRadius() }) });
   } else if (tool === "inside" || tool === "outside" || tool === "boundary") {
     const point: Correction = { kind: tool, position };
     void changePoints({ corrections: [...corrections, point] });
@@ -62,8 +74,14 @@ export function placeHere(): void {
 export function listenToPlaces(): void {
   view.onSeed = (seed, placed) => {
     // Clicking without dragging keeps the radius.
-    const shown = seed.radius < 1 ? { ...seed, radius: organs.chosen.seed?.radius ?? radiusOf() } : seed;
-    if (placed) {
+    const isFurther = chosenTool() === "further";
+    const radius = isFurther ? furtherRadius() : (organs.chosen.seed?.radius ?? radiusOf());
+    const shown = seed.radius < 1 ? { ...seed, radius } : seed;
+    if (isFurther && placed) {
+      void changePoints({ corrections: withFurther(shown) });
+    } else if (isFurther) {
+      view.setMarks(viewedOrgans({ corrections: withFurther(shown) }));
+    } else if (placed) {
       setSeed(shown);
       say("Seed placed.");
     } else {

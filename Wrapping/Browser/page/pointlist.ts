@@ -14,10 +14,29 @@ export const pointActions = {
 
 const sides = ["Left", "Posterior", "Superior"];
 
+function numberField(value: number, title: string, label: string, change: (value: number) => void): HTMLInputElement {
+  const made = document.createElement("input");
+  made.type = "number";
+  made.step = "any";
+  made.autocomplete = "off";
+  made.value = String(Number(value.toFixed(1)));
+  made.title = title;
+  made.setAttribute("aria-label", label);
+  made.addEventListener("change", () => {
+    if (Number.isFinite(made.valueAsNumber)) {
+      change(made.valueAsNumber);
+    }
+  });
+  return made;
+}
+
 function kindOf(row: Row, name: string, change: (row: Row) => void): HTMLElement {
   if (!["inside", "outside", "boundary"].includes(row.kind)) {
     const text = document.createElement("span");
-    text.textContent = row.kind === "seed" ? `seed ${row.radius} mm` : `point ${row.kind}`;
+    text.textContent = row.kind === "seed" ? "seed " : `point ${row.kind}`;
+    if (row.kind === "seed") {
+      text.append(numberField(row.radius ?? 0, "Radius, mm", `Radius of ${name}, mm`, (radius) => change({ ...row, radius })));
+    }
     return text;
   }
   const choose = document.createElement("select");
@@ -29,20 +48,10 @@ function kindOf(row: Row, name: string, change: (row: Row) => void): HTMLElement
 }
 
 function coordinateOf(row: Row, axis: number, name: string, change: (row: Row) => void): HTMLInputElement {
-  const made = document.createElement("input");
-  made.type = "number";
-  made.step = "any";
-  made.autocomplete = "off";
-  made.value = String(Number(row.position[axis].toFixed(1)));
-  made.title = `${sides[axis]}, mm`;
-  made.setAttribute("aria-label", `${sides[axis]} of ${name}, mm`);
-  made.addEventListener("change", () => {
-    if (Number.isFinite(made.valueAsNumber)) {
-      const [x, y, z] = row.position.map((value, at) => (at === axis ? made.valueAsNumber : value));
-      change({ ...row, position: [x, y, z] });
-    }
+  return numberField(row.position[axis], `${sides[axis]}, mm`, `${sides[axis]} of ${name}, mm`, (typed) => {
+    const [x, y, z] = row.position.map((value, at) => (at === axis ? typed : value));
+    change({ ...row, position: [x, y, z] });
   });
-  return made;
 }
 
 function itemOf(row: Row, number: number, replace: (rows: Row[]) => void): HTMLLIElement {

@@ -1,7 +1,9 @@
 /** What was found, in numbers, and what may be wrong with it. */
-import type { Organ, Vessel } from "../flipfree/index.js";
-import { app } from "./app.js";
+import { type Organ, type Vessel, doubtfulConfidence } from "../flipfree/index.js";
+import { app, organs, view } from "./app.js";
 import { element } from "./dom.js";
+import { doubtsOf } from "./doubts.js";
+import { say } from "./status.js";
 
 function lengthOf({ branches }: Vessel): number {
   let length = 0;
@@ -11,6 +13,34 @@ function lengthOf({ branches }: Vessel): number {
     }
   }
   return length;
+}
+
+/** The number, and how much of the contour is blue. */
+function confidenceText(organ: Organ): string {
+  const { fraction } = doubtsOf(organ);
+  const number = (Math.floor(100 * organ.confidence) / 100).toFixed(2);
+  const judged = organ.confidence < doubtfulConfidence ? "doubtful" : "good";
+  return `${number}, ${judged}; ${Math.round(100 * fraction)} % blue`;
+}
+
+/** The doubtful place that was shown last, and of what. */
+let visited: { result: Organ | Vessel | null; at: number } = { result: null, at: -1 };
+
+/** Shows one doubtful place after the other, the largest first. */
+export function visitDoubt(): void {
+  const { result } = organs.chosen;
+  const places = result && "confidence" in result ? doubtsOf(result).places : [];
+  if (places.length > 0) {
+    const at = visited.result === result ? (visited.at + 1) % places.length : 0;
+    visited = { result, at };
+    view.crosshair = [...places[at]];
+    say(`Doubtful place ${at + 1} of ${places.length}.`);
+  }
+}
+
+/** The kernels' words of a surface whose doubtful places have a number, in those of one where they are blue. */
+function wordsOf(warning: string): string {
+  return warning.replace("where its confidence is low", "where it is blue");
 }
 
 function rowsOf(result: Organ | Vessel): [string, string][] {
@@ -24,6 +54,9 @@ function rowsOf(result: Organ | Vessel): [string, string][] {
     ["Surface", `closed, ${result.selfIntersections} self-intersections`],
     ["Ended", `${result.stopReason}, ${result.iterations.Iteration?.length ?? 0} iterations`],
   ];
+  if ("confidence" in result) {
+    rows.splice(1, 0, ["Confidence", confidenceText(result)]);
+  }
   if ("branches" in result) {
     const count = result.branches.length;
     const branches = count > 1 ? `, ${count} branches` : "";
@@ -32,7 +65,7 @@ function rowsOf(result: Organ | Vessel): [string, string][] {
   return rows;
 }
 
-export function showResult(result: Organ | null): void {
+export function showResult(result: Organ | Vessel | null): void {
   const cells = (result ? rowsOf(result) : []).flatMap(([name, value]) => {
     const term = document.createElement("dt");
     const text = document.createElement("dd");
@@ -43,8 +76,10 @@ export function showResult(result: Organ | null): void {
   element("result").replaceChildren(...cells);
   const warnings = (result?.warnings ?? []).map((warning) => {
     const item = document.createElement("li");
-    item.textContent = warning;
+    item.textContent = wordsOf(warning);
     return item;
   });
+  const places = result && "confidence" in result ? doubtsOf(result).places : [];
+  element("doubts").hidden = places.length === 0;
   element("warnings").replaceChildren(...warnings);
 }

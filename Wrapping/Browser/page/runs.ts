@@ -1,5 +1,5 @@
 /** Runs: of the chosen organ, again after each of its points, and of all organs of a session. */
-import type { Organ } from "../flipfree/index.js";
+import type { Organ, Vessel } from "../flipfree/index.js";
 import { app, flipfree, organs, view } from "./app.js";
 import { type OrganState, canRun, correctionsOf } from "./organs.js";
 import { showAll, viewedOrgans } from "./panel.js";
@@ -7,17 +7,17 @@ import { type Session, requireImageOf } from "./session.js";
 import { say, showProgress } from "./status.js";
 import { work } from "./work.js";
 
-async function find(organ: OrganState, signal: AbortSignal): Promise<Organ> {
+async function find(organ: OrganState, signal: AbortSignal): Promise<Organ | Vessel> {
   const { image } = app.opened!;
-  const { kind, preset, parameters, seed, points } = organ;
+  const { kind, preset, parameters, seed, start, points } = organ;
   const options = { parameters, signal, onProgress: showProgress };
   return kind === "vessel"
     ? flipfree.trace(image, points, options)
-    : flipfree.segment(image, seed!, { ...options, preset, ...correctionsOf(organ) });
+    : flipfree.segment(image, (seed ?? start)!, { ...options, preset, ...correctionsOf(organ) });
 }
 
 /** Finds an organ, shows it, and says how long it took. */
-async function run(doing: string, done: string, organ: OrganState, take: (result: Organ) => void): Promise<void> {
+async function run(doing: string, done: string, organ: OrganState, take: (result: Organ | Vessel) => void): Promise<void> {
   await work(`${doing} ${organ.name} …`, async (signal) => {
     const start = performance.now();
     performance.mark("flipfree-click");
@@ -34,7 +34,12 @@ async function run(doing: string, done: string, organ: OrganState, take: (result
 export async function segment(): Promise<void> {
   const organ = organs.chosen;
   if (app.opened && canRun(organ)) {
-    await run("Segmenting", "Segmented", organ, (result) => organs.find(organ, result));
+    await run("Segmenting", "Segmented", organ, (result) => {
+      organs.find(organ, result);
+      if (organ.start && "seed" in result) {
+        view.crosshair = [...result.seed.center];
+      }
+    });
   }
 }
 

@@ -1,6 +1,6 @@
 /** Saving: surfaces, the label map, the session. */
 import {
-  type Organ,
+  type Segmentation,
   type SurfaceFormat,
   countVoxels,
   fillRuns,
@@ -11,7 +11,7 @@ import {
 } from "../flipfree/index.js";
 import { app, flipfree, organs } from "./app.js";
 import { select } from "./dom.js";
-import { canRun } from "./organs.js";
+import { canRepeat, canRun } from "./organs.js";
 import { fileNameOf, sessionFile } from "./session.js";
 import { say } from "./status.js";
 import { work } from "./work.js";
@@ -28,7 +28,7 @@ function save(file: Blob, name: string): void {
 }
 
 /** What leaves is a valid surface: where the format rounds, the rounded one is checked. */
-async function requireValid({ surface }: Organ, format: SurfaceFormat): Promise<void> {
+async function requireValid({ surface }: Segmentation, format: SurfaceFormat): Promise<void> {
   if (format !== "vtp" && !isSinglePrecision(surface)) {
     const pairs = await flipfree.selfIntersections(roundedSurface(surface));
     if (pairs > 0) {
@@ -43,12 +43,13 @@ export const saveSurface = () =>
     const { name, result } = organs.chosen;
     if (result) {
       await requireValid(result, format);
-      save(surfaceFile(result.surface, format), `${fileNameOf(name)}.${format}`);
+      const confidence = "confidence" in result ? result.vertexConfidence : undefined;
+      save(surfaceFile(result.surface, format, confidence), `${fileNameOf(name)}.${format}`);
     }
   });
 
-/** Labels count the organs that have a seed, and vessels with points; a voxel in several belongs to the first. The command
- * does the same. */
+/** Labels count the organs that have a seed or fill a label, and vessels with points; a voxel in several belongs to the first.
+ * The command does the same. */
 export const saveLabels = () =>
   work("Saving …", async () => {
     if (app.opened) {
@@ -63,6 +64,12 @@ export const saveLabels = () =>
 
 export function saveSession(): void {
   if (app.opened) {
-    save(sessionFile(FLIPFREE_VERSION, app.opened.name, app.opened.image, organs.list), "session.json");
+    const filling = organs.list.filter((organ) => canRun(organ) && !canRepeat(organ));
+    const list = organs.list.filter((organ) => !filling.includes(organ));
+    save(sessionFile(FLIPFREE_VERSION, app.opened.name, app.opened.image, list), "session.json");
+    if (filling.length > 0) {
+      const names = filling.map(({ name }) => name).join(", ");
+      say(`Saved session.json without ${names}: a session holds no label map.`);
+    }
   }
 }

@@ -1,13 +1,15 @@
 /** Slices and surfaces on the screen. NiiVue draws the volume and the surfaces in 3D; what is drawn over its slices and
  * what the pointer does there is ours. NiiVue's coordinates are RAS, all others LPS. */
 import { type NVConfigOptions, NVMesh, Niivue, SHOW_RENDER, SLICE_TYPE } from "@niivue/niivue";
-import { type Seed, type Surface, type Triple, trianglesOf } from "../flipfree/index.js";
-import { type Marks, type ShownSurface, drawOverlay } from "./overlay.js";
+import { type Seed, type Surface, type Triple, doubtfulVertexConfidence, trianglesOf } from "../flipfree/index.js";
+import { type Marks, type ShownSurface, doubtColor, drawOverlay } from "./overlay.js";
 import { type Point, type Tile, pointAt, tileAt } from "./tiles.js";
 import type { OpenImage } from "./volumes.js";
 
 export interface ViewedOrgan {
   surface: Surface | null;
+  /** Of the surface's vertices; a vessel has none. */
+  confidence: Float32Array | null;
   seed: Seed | null;
   color: string;
   isChosen: boolean;
@@ -15,8 +17,8 @@ export interface ViewedOrgan {
   points: { kind: string; position: Triple; radius?: number }[];
 }
 
-/** What the left button does: it places the seed, moves the cross-hair, or places a point. */
-export type Tool = "seed" | "navigate" | "inside" | "outside" | "boundary" | "point";
+/** What the left button does: it places the seed or a further one, moves the cross-hair, or places a point. */
+export type Tool = "seed" | "further" | "navigate" | "inside" | "outside" | "boundary" | "point";
 
 function swapLpsRas(point: Triple | Point): Point {
   return [-point[0] + 0, -point[1] + 0, point[2]];
@@ -24,6 +26,14 @@ function swapLpsRas(point: Triple | Point): Point {
 
 function bytesOf(color: string): [number, number, number] {
   return [1, 3, 5].map((at) => Number.parseInt(color.slice(at, at + 2), 16)) as [number, number, number];
+}
+
+/** Red, green, blue and opacity of each vertex. */
+function colorsOf({ color, confidence }: ShownSurface): Uint8Array {
+  const [own, doubtful] = [[...bytesOf(color), 255], [...bytesOf(doubtColor), 255]];
+  const colors = new Uint8Array(4 * confidence.length);
+  confidence.forEach((value, vertex) => colors.set(value < doubtfulVertexConfidence ? doubtful : own, 4 * vertex));
+  return colors;
 }
 
 const common = {
@@ -154,11 +164,11 @@ export class View {
     }
     this.marks = {
       ...this.marks,
-      surfaces: organs.flatMap(({ surface, color, isChosen }) => (surface ? [this.shownSurface(surface, color, isChosen)] : [])),
+      surfaces: organs.flatMap((organ) => (organ.surface ? [this.shownSurface(organ, organ.surface)] : [])),
     };
-    for (const { points, triangles, color } of this.marks.surfaces) {
-      const rgba = new Uint8Array([...bytesOf(color), 255]);
-      this.solid.addMesh(new NVMesh(Float32Array.from(points), triangles, "surface", rgba, 1, true, this.solid.gl));
+    for (const shown of this.marks.surfaces) {
+      const points = Float32Array.from(shown.points);
+      this.solid.addMesh(new NVMesh(points, shown.triangles, "surface", colorsOf(shown), 1, true, this.solid.gl));
     }
     this.solid.drawScene();
     this.setMarks(organs);
@@ -179,13 +189,14 @@ export class View {
     this.drawMarks();
   }
 
-  private shownSurface(surface: Surface, color: string, isChosen: boolean): ShownSurface {
+  private shownSurface({ color, isChosen, confidence }: ViewedOrgan, surface: Surface): ShownSurface {
     const points = Float64Array.from(surface.points, (value, at) => (at % 3 === 2 ? value : -value));
     const fractions = new Float64Array(points.length);
     for (let at = 0; at < points.length; at += 3) {
       fractions.set(this.slices.mm2frac([points[at], points[at + 1], points[at + 2]]), at);
     }
-    return { points, triangles: trianglesOf(surface), fractions, color, isChosen };
+    const sure = () => new Float32Array(points.length / 3).fill(1);
+    return { points, triangles: trianglesOf(surface), fractions, confidence: confidence ?? sure(), color, isChosen };
   }
 
   private drawMarks(): void {
@@ -212,7 +223,7 @@ export class View {
       }
       if (drag.button === 2) {
         this.dragWindow(drag, this.pixelOf(event));
-      } else if (this.tool === "seed") {
+      } else if (this.tool === "seed" || this.tool === "further") {
         const end = pointAt(drag.tile, ...this.pixelOf(event));
         const radius = Math.hypot(...end.map((value, axis) => value - drag!.center[axis]));
         this.onSeed({ center: swapLpsRas(drag.center), radius }, isLast);
