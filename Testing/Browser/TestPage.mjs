@@ -77,7 +77,8 @@ function coloredPixels(color) {
 }
 
 const yellow = [255, 210, 74]; // the first organ's
-const cyan = [90, 209, 255]; // the second's
+const green = [143, 227, 136]; // the second's
+const blue = [64, 153, 255]; // of doubtful places
 
 before(async () => {
   command(scratch, "phantom", "abdomen", "-o", ".");
@@ -269,11 +270,121 @@ test("points by mouse and keys correct the liver: undo, redo, edit, remove", asy
   assert.equal(await volume(), before);
 });
 
+test("doubtful places are blue and shown one by one, and the number and the warning say so", async () => {
+  assert.match(await page.textContent("#result"), /Confidence0\.9\d, good; \d+ % blue/);
+  assert.equal(await page.textContent("#warnings"), "");
+  await page.click("#add-organ");
+  await page.selectOption("#phantom-seed", "8");
+  await segment();
+  assert.match(await page.textContent("#result"), /Confidence0\.[67]\d, doubtful; [1-9]\d* % blue/);
+  assert.match(await page.textContent("#warnings"), /its confidence is 0\.\d\d, below 0\.85; look at the contour where it is blue, and correct it there/);
+  // The aorta goes on where the surface ends.
+  await page.click("#next-doubt");
+  await status("Doubtful place 1 of");
+  assert.ok((await coloredPixels(blue)).slice(0, 3).reduce((sum, pixels) => sum + pixels, 0) > 40);
+  assert.equal((await coloredPixels(blue))[3], 0);
+  await picture("doubtful");
+  const count = Number((await page.textContent("#status")).match(/of (\d+)/)[1]);
+  assert.ok(count > 1 && count < 20, `${count}`);
+  for (let place = 2; place <= count + 1; ++place) {
+    await page.keyboard.press("d");
+    await status(`Doubtful place ${place > count ? 1 : place} of ${count}.`);
+  }
+  await page.click("[aria-label='Remove aorta']");
+});
+
+test("a further seed by mouse: drawn, obeyed, edited, in the session and in the command's", async () => {
+  const before = await volume();
+  await page.selectOption("#phantom-seed", "6"); // the cross-hair goes there
+  await segment();
+  await page.keyboard.press("a");
+  assert.ok(await page.isChecked("[name=tool][value=further]"));
+  const box = await page.locator("#overlay").boundingBox();
+  const [x, y] = [box.x + 0.13 * box.width, box.y + 0.3 * box.height];
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  await page.mouse.move(x + 20, y, { steps: 3 });
+  await page.mouse.up();
+  await corrected();
+  const radius = page.locator("[aria-label='Radius of point 1, mm']");
+  const dragged = Number(await radius.inputValue());
+  assert.ok(dragged > 8 && dragged < 28, `${dragged}`);
+  assert.ok(await panelFits());
+  await picture("further-seed");
+  // Clicked without dragging, it has the former's radius.
+  await page.mouse.click(x, y + 30);
+  await corrected();
+  assert.equal(Number(await page.inputValue("[aria-label='Radius of point 2, mm']")), dragged);
+  await radius.fill("9");
+  await radius.press("Tab");
+  await corrected();
+
+  const shown = readNiftiFile(await saved("#save-labels")).voxels;
+  const path = await saved("#save-session");
+  const { corrections } = JSON.parse(readFileSync(path, "utf8")).organs[0];
+  assert.deepEqual(corrections.map(({ kind }) => kind), ["seed", "seed"]);
+  assert.equal(corrections[0].radius, 9);
+  command(scratch, "segment", "--session", path, "--labels", "further.nii.gz");
+  const overlap = dice(shown, readNiftiFile(result("further.nii.gz")).voxels);
+  console.log(`Dice of the liver with further seeds with the command's: ${overlap}`);
+  assert.ok(overlap > 0.999);
+  for (let undone = 0; undone < 3; ++undone) {
+    await page.click("#undo");
+  }
+  assert.equal(await countPoints(), 0);
+  assert.equal(await volume(), before);
+});
+
+test("a label of a label map in place of a seed: filled, corrected, saved; other label maps are refused", async () => {
+  await page.click("#add-organ");
+  await page.setInputFiles("#labels", result("abdomen-truth.nii.gz"));
+  await status("Choose the label");
+  assert.match(await page.locator("#start-label option").allTextContents().then(([, one]) => one), /^1, \d+ ml$/);
+  await page.selectOption("#start-label", "1");
+  await segment();
+  assert.ok(await panelFits());
+  await picture("filled");
+  const maps = async () => readNiftiFile(await saved("#save-labels")).voxels;
+  command(scratch, "segment", "abdomen.nii.gz", "--start-labels", "abdomen-truth.nii.gz", "--start-label", "1", "--labels", "filled.nii.gz");
+  const second = (voxels) => voxels.map((value) => +(value === 2));
+  const filled = second(await maps());
+  const overlap = dice(filled, readNiftiFile(result("filled.nii.gz")).voxels);
+  console.log(`Dice of the filled label with the command's: ${overlap}`);
+  assert.ok(overlap > 0.999);
+  assert.ok((await coloredPixels(green))[0] > 100); // the slices are those through its middle
+
+  await page.keyboard.press("o");
+  for (let voxel = 0; voxel < 11; ++voxel) {
+    await page.keyboard.press("ArrowLeft");
+  }
+  await page.keyboard.press("c");
+  await corrected();
+  assert.ok(dice(second(await maps()), filled) < 0.9995);
+  const saving = page.waitForEvent("download");
+  await page.click("#save-session");
+  await saving;
+  await status("Saved session.json without organ 1");
+
+  // A seed takes its place, and undo brings it back.
+  await page.selectOption("#phantom-seed", "2");
+  assert.equal(await page.inputValue("#start-label"), "");
+  await page.click("#undo");
+  assert.equal(await page.inputValue("#start-label"), "1");
+  for (const [file, message] of [
+    ["sphere-truth.nii.gz", /sphere-truth\.nii\.gz has other voxels than the image \(64 × 64 × 40 and 220 × 170 × 90/],
+    ["abdomen.nii.gz", /A voxel has the value -?\d+, which is no label/],
+  ]) {
+    await page.setInputFiles("#labels", result(file));
+    assert.match(await errorText(), message);
+  }
+  await page.click("[aria-label='Remove organ 1']");
+});
+
 test("several organs, a session, and the command that repeats it", async () => {
   await page.click("#add-organ");
   await page.selectOption("#phantom-seed", "1");
   await segment();
-  assert.ok((await coloredPixels(cyan))[0] > 200);
+  assert.ok((await coloredPixels(green))[0] > 200);
   await picture("organs");
   const page1 = readNiftiFile(await saved("#save-labels"));
   const path = await saved("#save-session");
@@ -389,7 +500,8 @@ test("a vessel by two clicks, a third on its way, a session, and the command tha
   assert.ok(Math.abs((await page.$eval("[aria-label='Left of point 2, mm']", (field) => field.valueAsNumber)) - 81.5) < 1);
   await segment();
   assert.match(await page.textContent("#result"), /Vessel\d+ mm long, radius [34]\.\d mm/);
-  assert.ok((await coloredPixels(cyan))[1] > 200);
+  assert.ok((await coloredPixels(green))[1] > 200);
+  assert.ok(!(await page.isVisible("#next-doubt"))); // a vessel has no confidence
   await picture("vessel");
   const found = readNiftiFile(await saved("#save-labels")).voxels;
   assert.ok(dice(found, readNiftiFile(result("vessel-truth.nii.gz")).voxels) > 0.85);

@@ -39,15 +39,15 @@ function showImage(image: OpenImage): void {
   element("labels-row").hidden = true;
   element("drop").hidden = true;
   element("image-name").textContent = `${image.title}, ${image.image.size.join(" × ")} voxels`;
-  view.show(image);
-  ownRange = view.window;
   // Air at about -1000: a CT.
   presets = presetsFor((image.shown.global_min ?? 0) < -500);
+  ownRange = [image.shown.cal_min ?? 0, image.shown.cal_max ?? 1];
   const names = presets.map(({ name, window }, index) => `${index + 1} ${name}${window ? ` ${window[1]}/${window[0]}` : ""}`);
   const custom = new Option("By mouse", "");
   custom.hidden = true;
   select("window").replaceChildren(...names.map((name, index) => new Option(name, String(index))), custom);
-  setWindow(0);
+  select("window").value = "0";
+  view.show(image, rangeOf(presets[0], ownRange));
 }
 
 export function setWindow(index: number): void {

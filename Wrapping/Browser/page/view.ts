@@ -36,6 +36,17 @@ function colorsOf({ color, confidence }: ShownSurface): Uint8Array {
   return colors;
 }
 
+/** For shading a volume in 3D, which this page does not do, NiiVue computes its gradients with each window: twice the memory of
+ * the image on the screen, and most of the time. Here, they get one voxel of each slice. */
+function leaveOutGradients(niivue: Niivue): void {
+  const units: number[] = [WebGL2RenderingContext.TEXTURE6, WebGL2RenderingContext.TEXTURE8];
+  const make = niivue.rgbaTex.bind(niivue);
+  niivue.rgbaTex = (texture, unit, dims, isInit) => {
+    const isGradient = units.includes(unit) && dims === niivue.volumes[0]?.hdr?.dims;
+    return make(texture, unit, isGradient ? [dims[0], 1, 1, dims[3]] : dims, isInit);
+  };
+}
+
 const common = {
   dragAndDropEnabled: false,
   isResizeCanvas: true,
@@ -79,7 +90,7 @@ export class View {
       sagittalNoseLeft: true,
       multiplanarShowRender: SHOW_RENDER.NEVER,
       crosshairWidth: 0.5,
-      crosshairColor: [0.45, 0.75, 1, 0.6],
+      crosshairColor: [0.8, 0.8, 0.8, 0.6],
     });
     this.solid = new Niivue({ ...common, show3Dcrosshair: false, isOrientCube: true });
   }
@@ -95,6 +106,7 @@ export class View {
       { sliceType: SLICE_TYPE.CORONAL, position: [0.5, 0, 0.5, 0.5] },
       { sliceType: SLICE_TYPE.SAGITTAL, position: [0, 0.5, 0.5, 0.5] },
     ]);
+    leaveOutGradients(view.slices);
     // NiiVue has no event for it.
     const draw = view.slices.drawScene.bind(view.slices);
     view.slices.drawScene = () => {
@@ -107,12 +119,14 @@ export class View {
     return view;
   }
 
-  /** Shows a volume, and nothing else any more. */
-  show(opened: OpenImage): void {
+  /** Shows a volume, and nothing else any more. The window comes with it: with each, NiiVue makes its textures anew. */
+  show(opened: OpenImage, [least, greatest]: [number, number]): void {
     this.setOrgans([]);
     for (const volume of [...this.slices.volumes]) {
       this.slices.removeVolume(volume);
     }
+    opened.shown.cal_min = least;
+    opened.shown.cal_max = greatest;
     this.slices.addVolume(opened.shown);
     this.marks.nearby = Math.max(1, ...opened.image.spacing.map((spacing) => 0.6 * spacing));
     this.slices.scene.crosshairPos = [0.5, 0.5, 0.5];
