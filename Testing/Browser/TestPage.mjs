@@ -274,6 +274,11 @@ test("doubtful places are blue and shown one by one, and the number and the warn
   assert.match(await page.textContent("#result"), /Confidence0\.9\d, good; \d+ % blue/);
   assert.equal(await page.textContent("#warnings"), "");
   await page.click("#add-organ");
+  await page.selectOption("#phantom-seed", "7");
+  await segment();
+  await page.click("#next-doubt");
+  await status("Doubtful place 1 of");
+  await picture("places");
   await page.selectOption("#phantom-seed", "8");
   await segment();
   assert.match(await page.textContent("#result"), /Confidence0\.[67]\d, doubtful; [1-9]\d* % blue/);
@@ -310,6 +315,7 @@ test("a further seed by mouse: drawn, obeyed, edited, in the session and in the 
   const dragged = Number(await radius.inputValue());
   assert.ok(dragged > 8 && dragged < 28, `${dragged}`);
   assert.ok(await panelFits());
+  assert.match(await page.textContent("#result"), /Confidence0\.9\d; \d+ % blue/); // no threshold holds once points correct it
   await picture("further-seed");
   // Clicked without dragging, it has the former's radius.
   await page.mouse.click(x, y + 30);
@@ -525,6 +531,28 @@ test("a vessel by two clicks, a third on its way, a session, and the command tha
   await page.setInputFiles("#files", result("session.json"));
   await status("The session is repeated");
   assert.deepEqual(readNiftiFile(await saved("#save-labels")).voxels, found);
+});
+
+test("an image on the screen takes two textures of its size, once, and a window another time", async () => {
+  const context = await chromium.browser.newContext({ serviceWorkers: "block" });
+  const other = await context.newPage();
+  await other.addInitScript(() => {
+    window.textures = [];
+    const make = WebGL2RenderingContext.prototype.texStorage3D;
+    WebGL2RenderingContext.prototype.texStorage3D = function (...sizes) {
+      window.textures.push(sizes.slice(3).join(" × "));
+      return make.apply(this, sizes);
+    };
+  });
+  await other.goto(server.address);
+  await other.waitForSelector("html[data-ready]");
+  await other.setInputFiles("#files", result("sphere.nii.gz"));
+  await other.waitForFunction(() => document.getElementById("status").textContent.startsWith("Place"));
+  const count = () => other.evaluate(() => window.textures.filter((size) => size === "64 × 64 × 40").length);
+  assert.equal(await count(), 2);
+  await other.keyboard.press("1");
+  assert.equal(await count(), 4);
+  await context.close();
 });
 
 test("bad input is answered by a message", async () => {

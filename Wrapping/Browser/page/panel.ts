@@ -106,7 +106,7 @@ export function showAll(): void {
   showSeed(organs.chosen.seed);
   select("start-label").value = String(organs.chosen.start?.label ?? "");
   showPoints(element("points"), organs.chosen);
-  showResult(organs.chosen.result);
+  showResult(organs.chosen);
   if (app.opened) {
     view.setOrgans(viewedOrgans());
   }

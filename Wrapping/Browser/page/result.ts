@@ -3,6 +3,7 @@ import { type Organ, type Vessel, doubtfulConfidence } from "../flipfree/index.j
 import { app, organs, view } from "./app.js";
 import { element } from "./dom.js";
 import { doubtsOf } from "./doubts.js";
+import type { OrganState } from "./organs.js";
 import { say } from "./status.js";
 
 function lengthOf({ branches }: Vessel): number {
@@ -15,12 +16,16 @@ function lengthOf({ branches }: Vessel): number {
   return length;
 }
 
+/** Whether the threshold holds: for what was found in the image from a seed alone, with carving. */
+function isJudged({ start, corrections, preset, parameters }: OrganState): boolean {
+  return !start && corrections.length === 0 && preset === "default" && parameters.carving !== false;
+}
+
 /** The number, and how much of the contour is blue. */
-function confidenceText(organ: Organ): string {
-  const { fraction } = doubtsOf(organ);
-  const number = (Math.floor(100 * organ.confidence) / 100).toFixed(2);
-  const judged = organ.confidence < doubtfulConfidence ? "doubtful" : "good";
-  return `${number}, ${judged}; ${Math.round(100 * fraction)} % blue`;
+function confidenceText(organ: OrganState, result: Organ): string {
+  const number = (Math.floor(100 * result.confidence) / 100).toFixed(2);
+  const judgement = result.confidence < doubtfulConfidence ? ", doubtful" : ", good";
+  return `${number}${isJudged(organ) ? judgement : ""}; ${Math.round(100 * doubtsOf(result).fraction)} % blue`;
 }
 
 /** The doubtful place that was shown last, and of what. */
@@ -43,7 +48,7 @@ function wordsOf(warning: string): string {
   return warning.replace("where its confidence is low", "where it is blue");
 }
 
-function rowsOf(result: Organ | Vessel): [string, string][] {
+function rowsOf(organ: OrganState, result: Organ | Vessel): [string, string][] {
   const voxel = (app.opened?.image.spacing ?? [0, 0, 0]).reduce((a, b) => a * b, 1);
   let voxels = 0;
   for (let run = 0; run < result.runs.length; run += 4) {
@@ -55,7 +60,7 @@ function rowsOf(result: Organ | Vessel): [string, string][] {
     ["Ended", `${result.stopReason}, ${result.iterations.Iteration?.length ?? 0} iterations`],
   ];
   if ("confidence" in result) {
-    rows.splice(1, 0, ["Confidence", confidenceText(result)]);
+    rows.splice(1, 0, ["Confidence", confidenceText(organ, result)]);
   }
   if ("branches" in result) {
     const count = result.branches.length;
@@ -65,8 +70,9 @@ function rowsOf(result: Organ | Vessel): [string, string][] {
   return rows;
 }
 
-export function showResult(result: Organ | Vessel | null): void {
-  const cells = (result ? rowsOf(result) : []).flatMap(([name, value]) => {
+export function showResult(organ: OrganState): void {
+  const { result } = organ;
+  const cells = (result ? rowsOf(organ, result) : []).flatMap(([name, value]) => {
     const term = document.createElement("dt");
     const text = document.createElement("dd");
     term.textContent = name;
