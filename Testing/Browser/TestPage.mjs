@@ -485,6 +485,13 @@ test("the same organ from NRRD, MetaImage and DICOM, in an oblique volume", asyn
     assert.ok(Number(printed.match(/Dice +([\d.]+)/)[1]) > 0.999, `${name}: ${printed}`);
     command(scratch, "segment", "--session", await saved("#save-session"), "-o", "repeated.stl");
   }
+  // The command's label map, whose rows are in another order than the page's of the same series.
+  await page.setInputFiles("#labels", result("oblique.nii.gz"));
+  await status("Choose the label");
+  await page.selectOption("#start-label", "1");
+  await segment();
+  const printed = command(scratch, "evaluate", await saved("#save-surface"), "oblique.nii.gz");
+  assert.ok(Number(printed.match(/Dice +([\d.]+)/)[1]) > 0.97, printed);
 });
 
 test("a vessel by two clicks, a third on its way, a session, and the command that repeats it", async () => {
