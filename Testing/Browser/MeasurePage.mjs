@@ -133,7 +133,7 @@ for (const name of names) {
   const watch = setInterval(() => {
     const now = memoryOf(pidOfChromium());
     most = now[0] > most[0] ? now : most;
-  }, 300);
+  }, 500);
   const opening = performance.now();
   await page.setInputFiles("#files", join(data, row.image));
   await page.waitForFunction(() => document.getElementById("status").textContent.startsWith("Place"), null, { timeout: 300_000 });

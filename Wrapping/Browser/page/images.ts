@@ -85,7 +85,8 @@ export async function openLabels(files: File[]): Promise<void> {
     const { name, image } = await readFiles(files);
     if (!isSameGrid(image, grid)) {
       const sizes = [image, grid].map(({ size }) => size.join(" × "));
-      throw new FlipFreeError(`${name} has other voxels than the image (${sizes[0]} and ${sizes[1]}, or elsewhere); resample it onto the image's voxels`);
+      const remedy = "resample it onto the image's voxels";
+      throw new FlipFreeError(`${name} has other voxels than the image (${sizes[0]} and ${sizes[1]}, or elsewhere); ${remedy}`);
     }
     const counts = labelsIn(image);
     if (counts.size === 0) {

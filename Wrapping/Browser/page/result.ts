@@ -16,16 +16,19 @@ function lengthOf({ branches }: Vessel): number {
   return length;
 }
 
-/** Whether the threshold holds: for what was found in the image from a seed alone, with carving. */
-function isJudged({ start, corrections, preset, parameters }: OrganState): boolean {
-  return !start && corrections.length === 0 && preset === "default" && parameters.carving !== false;
+/** A word where the threshold holds: for what was found in the image from a seed alone, with carving. A result of which
+ * something else may be wrong is not called good. */
+function judgementOf({ start, corrections, preset, parameters }: OrganState, { confidence, warnings }: Organ): string {
+  if (start || corrections.length > 0 || preset !== "default" || parameters.carving === false) {
+    return "";
+  }
+  return confidence < doubtfulConfidence ? ", doubtful" : warnings.length === 0 ? ", good" : "";
 }
 
 /** The number, and how much of the contour is blue. */
 function confidenceText(organ: OrganState, result: Organ): string {
   const number = (Math.floor(100 * result.confidence) / 100).toFixed(2);
-  const judgement = result.confidence < doubtfulConfidence ? ", doubtful" : ", good";
-  return `${number}${isJudged(organ) ? judgement : ""}; ${Math.round(100 * doubtsOf(result).fraction)} % blue`;
+  return `${number}${judgementOf(organ, result)}; ${Math.round(100 * doubtsOf(result).fraction)} % blue`;
 }
 
 /** The doubtful place that was shown last, and of what. */
