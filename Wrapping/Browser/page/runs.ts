@@ -22,6 +22,7 @@ async function run(doing: string, done: string, organ: OrganState, take: (result
     const start = performance.now();
     performance.mark("flipfree-click");
     view.setMarks(viewedOrgans(organ));
+    setTimeout(() => void view.prepareSurfaces()); // once the worker has begun
     const result = await find(organ, signal);
     performance.mark("flipfree-found");
     take(result);

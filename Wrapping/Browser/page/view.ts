@@ -70,6 +70,7 @@ interface Drag {
 export class View {
   private readonly slices: Niivue;
   private readonly solid: Niivue;
+  private solidIsReady: Promise<void> | null = null;
   private marks: Marks = { surfaces: [], seeds: [], points: [], nearby: 1 };
 
   tool: Tool | null = null;
@@ -81,7 +82,10 @@ export class View {
   /** Called when the window was dragged. */
   onWindow: () => void = () => {};
 
-  private constructor(private readonly overlay: HTMLCanvasElement) {
+  private constructor(
+    private readonly overlay: HTMLCanvasElement,
+    private readonly solidCanvas: HTMLCanvasElement,
+  ) {
     this.slices = new Niivue({
       ...common,
       isRadiologicalConvention: true,
@@ -96,11 +100,8 @@ export class View {
   }
 
   static async open(slices: HTMLCanvasElement, overlay: HTMLCanvasElement, solid: HTMLCanvasElement): Promise<View> {
-    const view = new View(overlay);
+    const view = new View(overlay, solid);
     await view.slices.attachToCanvas(slices);
-    await view.solid.attachToCanvas(solid);
-    view.solid.setSliceType(SLICE_TYPE.RENDER);
-    view.solid.setRenderAzimuthElevation(180, 10); // from the front, as the coronal slice
     view.slices.setCustomLayout([
       { sliceType: SLICE_TYPE.AXIAL, position: [0, 0, 0.5, 0.5] },
       { sliceType: SLICE_TYPE.CORONAL, position: [0.5, 0, 0.5, 0.5] },
@@ -117,6 +118,15 @@ export class View {
     view.takePointer();
     view.takeWheel();
     return view;
+  }
+
+  /** Makes the view in 3D ready. Its shaders take almost half of the page's time to load, so that is done with the first run. */
+  prepareSurfaces(): Promise<void> {
+    this.solidIsReady ??= this.solid.attachToCanvas(this.solidCanvas).then(() => {
+      this.solid.setSliceType(SLICE_TYPE.RENDER);
+      this.solid.setRenderAzimuthElevation(180, 10); // from the front, as the coronal slice
+    });
+    return this.solidIsReady;
   }
 
   /** Shows a volume, and nothing else any more. The window comes with it: with each, NiiVue makes its textures anew. */
@@ -173,19 +183,25 @@ export class View {
   }
 
   setOrgans(organs: ViewedOrgan[]): void {
-    for (const mesh of [...this.solid.meshes]) {
-      this.solid.removeMesh(mesh);
-    }
     this.marks = {
       ...this.marks,
       surfaces: organs.flatMap((organ) => (organ.surface ? [this.shownSurface(organ, organ.surface)] : [])),
     };
+    if (this.solidIsReady || this.marks.surfaces.length > 0) {
+      void this.prepareSurfaces().then(() => this.drawSurfaces());
+    }
+    this.setMarks(organs);
+  }
+
+  private drawSurfaces(): void {
+    for (const mesh of [...this.solid.meshes]) {
+      this.solid.removeMesh(mesh);
+    }
     for (const shown of this.marks.surfaces) {
       const points = Float32Array.from(shown.points);
       this.solid.addMesh(new NVMesh(points, shown.triangles, "surface", colorsOf(shown), 1, true, this.solid.gl));
     }
     this.solid.drawScene();
-    this.setMarks(organs);
   }
 
   /** Seeds and points; the surfaces stay. */
