@@ -1,7 +1,7 @@
 // Organs of equal gray value that touch, segmented together: their surfaces never meet.
 #include "Deformation/OrganGroup.h"
 #include "Error.h"
-#include "ExampleSurfaces.h"
+#include "ExampleMasks.h"
 #include "Geometry/SelfIntersection.h"
 #include "Geometry/WindingNumber.h"
 #include "Mesh/MeshUnion.h"
