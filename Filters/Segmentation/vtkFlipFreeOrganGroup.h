@@ -69,10 +69,11 @@ public:
 
   ///@{
   /**
-   * Connects or adds a surface that stays as it is (input port 2).
+   * Connects or adds a surface that stays as it is (input port 2); removes all.
    */
   void AddFixedConnection(vtkAlgorithmOutput* output) { this->AddInputConnection(2, output); }
   void AddFixedData(vtkPolyData* surface);
+  void RemoveAllFixed() { this->RemoveAllInputConnections(2); }
   ///@}
 
   ///@{

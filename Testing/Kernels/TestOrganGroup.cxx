@@ -137,8 +137,7 @@ double DiceOf(const TouchingBalls& balls, const std::vector<VoxelRun>& runs, boo
       const SeedSphere& own = left ? balls.Left : balls.Right;
       const SeedSphere& other = left ? balls.Right : balls.Left;
       const double away = (place - own.Center).norm();
-      const bool inside =
-        away < TouchingBalls::Radius && away < (place - other.Center).norm();
+      const bool inside = away < TouchingBalls::Radius && away < (place - other.Center).norm();
       const int found = voxels[balls.Geometry.Offset(i, j, k)];
       both += inside ? 2 * found : 0;
       sum += found + (inside ? 1 : 0);
@@ -195,10 +194,10 @@ TEST(OrganGroup, DoesNotDependOnTheOrder)
 TEST(OrganGroup, OfOneIsTheOrganAlone)
 {
   const TouchingBalls balls;
-  const VolumeSegmentation alone = SegmentVolume(balls.Gray(), "it", balls.Left, nullptr,
-    TouchingBalls::Coarse(), {}, NeverStop,
-    [](const ContourMesh&, const PointList&, const CorrespondenceField&, const IterationRecord&) {
-    });
+  const VolumeSegmentation alone =
+    SegmentVolume(balls.Gray(), "it", balls.Left, nullptr, TouchingBalls::Coarse(), {}, NeverStop,
+      [](const ContourMesh&, const PointList&, const CorrespondenceField&, const IterationRecord&) {
+      });
   const std::vector<VolumeSegmentation> group = balls.Run({ { "left", balls.Left } }, { {} });
   EXPECT_EQ(group.front().Organ.Points, alone.Organ.Points);
   EXPECT_EQ(group.front().Organ.Iterations.size(), alone.Organ.Iterations.size());
@@ -216,9 +215,7 @@ TEST(OrganGroup, ObeysPoints)
   const ConstraintList right{ { ConstraintKind::Seed, { 80, 37, 52 }, 4 } };
   const auto organs = balls.Run(balls.Organs(), { left, right });
   const auto windingOf = [&](int organ, const Eigen::Vector3d& point)
-  {
-    return WindingNumber(organs[organ].Organ.Points, organs[organ].Organ.Mesh.Triangles, point);
-  };
+  { return WindingNumber(organs[organ].Organ.Points, organs[organ].Organ.Mesh.Triangles, point); };
   EXPECT_EQ(windingOf(0, beyond), 1);
   EXPECT_EQ(windingOf(1, beyond), 0);
   EXPECT_EQ(windingOf(0, left[1].Point), 0);
@@ -232,14 +229,13 @@ TEST(OrganGroup, RespectsASurfaceAtRest)
 {
   const TouchingBalls balls;
   // As large as the right organ and somewhat to the left of it.
-  const std::vector<FixedSurface> fixed{ { "the tumor",
-    MakeStartSphere(7, { 72, 37, 37 }, 17) } };
+  const std::vector<FixedSurface> fixed{ { "the tumor", MakeStartSphere(7, { 72, 37, 37 }, 17) } };
   const auto organs = balls.Run({ { "left", balls.Left } }, { {} }, fixed);
   EXPECT_EQ(CountContacts({ &organs[0].Organ }, fixed), 0);
-  EXPECT_EQ(CountCommon(organs[0].Voxels,
-              VoxelizeSurface(fixed[0].Surface.Points, fixed[0].Surface.Mesh.Triangles,
-                balls.Geometry),
-              balls.Geometry),
+  EXPECT_EQ(
+    CountCommon(organs[0].Voxels,
+      VoxelizeSurface(fixed[0].Surface.Points, fixed[0].Surface.Mesh.Triangles, balls.Geometry),
+      balls.Geometry),
     0u);
   EXPECT_GT(DiceOf(balls, organs[0].Voxels, true), 0.9);
 }
