@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 KEYS = ("seed", "radius", "inside", "outside", "boundary", "seeds")
 
 
-class Organs(Mapping[str, Segmentation]):
+class SegmentedOrgans(Mapping[str, Segmentation]):
     """What segment_organs() has found: a Segmentation by the name of each organ.
 
     The label map of each is that of all.
@@ -43,7 +43,7 @@ class Organs(Mapping[str, Segmentation]):
         return len(self._organs)
 
     def __repr__(self) -> str:
-        return f"<Organs: {', '.join(self)}>"
+        return f"<SegmentedOrgans: {', '.join(self)}>"
 
     @property
     def labels(self) -> npt.NDArray[Any]:
@@ -65,7 +65,7 @@ def segment_organs(
     fixed: Sequence[AnySurface] = (),
     progress: ProgressOption = None,
     **parameters: Any,
-) -> Organs:
+) -> SegmentedOrgans:
     """Segments several organs together: their surfaces never meet, and no voxel is in two of them.
 
     Each organ is the others' background: its seed and inside points are outside points of all others.
@@ -88,7 +88,7 @@ def segment_organs(
     >>> seeds = {organ.name.lower(): phantom.seeds[organ] for organ in (flipfree.Organ.LIVER, flipfree.Organ.SPLEEN)}
     >>> organs = flipfree.segment_organs(phantom.image, seeds)
     >>> organs, organs["liver"].self_intersections, organs.label_of("spleen")
-    (<Organs: liver, spleen>, 0, 2)
+    (<SegmentedOrgans: liver, spleen>, 0, 2)
     >>> flipfree.segment_organs(phantom.image, {"a": ((99.75, 83.75, 167), 28), "b": ((100, 84, 180), 9)})
     Traceback (most recent call last):
       ...
@@ -110,7 +110,7 @@ def segment_organs(
     volume = _image_of(image, spacing, origin, direction, progress)
     with progress_of(progress, "segmenting") as tell:
         found, label_map = algorithm.run(volume, tell)
-    return Organs(dict(zip(map(str, organs), found)), label_map, algorithm.first_label())
+    return SegmentedOrgans(dict(zip(map(str, organs), found)), label_map, algorithm.first_label())
 
 
 def _organ_of(name: Any, organ: Any) -> tuple[list[float], float, tuple[Constraint, ...]]:
