@@ -48,15 +48,18 @@ class TestOrgans(command.CommandTest):
         self.assertRegex(process.stderr, "four neighbors")
 
     def test_points_belong_to_the_organ_before(self):
-        x, y, z = map(float, self.organs["spleen"][:3])
-        far = ("--outside", x, y + 9, z)
-        common = ("-q", "--labels", self.result("a.nii"))
-        self.assert_succeeds(self.segment(*self.organ("liver"), *self.organ("spleen"), *far, *common), may_be_doubtful=True)
-        of_spleen = self.bytes_of("a.nii")
-        self.assert_succeeds(self.segment(*self.organ("spleen"), *far, *self.organ("liver"), "--label-value", 1, *common),
-                             may_be_doubtful=True)
-        self.assertNotEqual(self.bytes_of("a.nii"), of_spleen)  # of other labels
-        process = self.segment(*self.organ("spleen"), *self.organ("liver"), "--inside", x, y, z, *common)
+        x, y, z, radius = map(float, self.organs["spleen"])
+        point = ("--outside", x, y + 0.8 * radius, z)
+
+        def spleen_of(*organs):
+            self.assert_succeeds(self.segment(*organs, "-q", "-o", self.result("a.stl")), may_be_doubtful=True)
+            return self.bytes_of("a-spleen.stl")
+
+        liver, spleen = self.organ("liver"), self.organ("spleen")
+        free = spleen_of(*liver, *spleen)
+        self.assertNotEqual(spleen_of(*liver, *spleen, *point), free)
+        self.assertEqual(spleen_of(*liver, *point, *spleen), free)
+        process = self.segment(*spleen, *liver, "--inside", x, y, z, "-o", self.result("a.stl"))
         self.assertNotEqual(process.returncode, 0)
         self.assertRegex(process.stderr, "of liver lies in the seed of spleen")
 
