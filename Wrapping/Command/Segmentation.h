@@ -35,7 +35,7 @@ struct Segmentation
   bool Quiet = false;
   SegmentParameters Parameters;
   PointOptions Corrections;
-  OrganOptions Several; // in place of the seed
+  OrganOptions Several;  // in place of the seed
   SessionOrgan Repeated; // of a session
 
   bool IsVessel() const { return !this->Repeated.Points.empty(); }
