@@ -22,7 +22,7 @@ class Organs(unittest.TestCase):
         for name, organ in (("liver", flipfree.Organ.LIVER), ("spleen", flipfree.Organ.SPLEEN)):
             self.assertEqual(organs[name].self_intersections, 0)
             self.assertGreater(organs[name].confidence, 0.5)
-            self.assertGreater(flipfree.evaluate(organs[name], truth(), reference_label=organ).dice, 0.95)
+            self.assertGreater(flipfree.evaluate(organs[name], truth(), reference_label=organ).dice, 0.92)
         turned = flipfree.segment_organs(image(), {"spleen": SPLEEN, "liver": (SEED, RADIUS)}, resolution=16)
         numpy.testing.assert_array_equal(turned["liver"].points, organs["liver"].points)
 

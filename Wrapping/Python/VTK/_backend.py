@@ -110,7 +110,8 @@ class GroupAlgorithm:
     def add_organ(
         self, name: str, center: list[float], radius: float, constraints: tuple[Constraint, ...]
     ) -> None:
-        self._group.AddOrgan(name, *center, radius)
+        x, y, z = center
+        self._group.AddOrgan(name, x, y, z, radius)
         for constraint in constraints:
             add = getattr(self._group, ADDING[constraint.kind])
             more = (constraint.radius,) if constraint.kind == SEED else ()
