@@ -1,6 +1,6 @@
 /**
- * Segments several organs of the built-in phantom, each from its own seed, into one scene and one
- * label map.
+ * Segments several organs of the built-in phantom together, so that they never meet, into one scene
+ * and one label map.
  *
  *   SeveralOrgans
  *   SeveralOrgans --picture organs.png --labels organs.nii.gz
@@ -9,13 +9,11 @@
 #include "Scene.h"
 
 #include <vtkBoundingBox.h>
-#include <vtkDataArray.h>
-#include <vtkFlipFreeSegmentation.h>
+#include <vtkFlipFreeOrganGroup.h>
 #include <vtkImageData.h>
 #include <vtkMedicalImageWriter.h>
 #include <vtkNew.h>
 #include <vtkPhantomSource.h>
-#include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
 
@@ -68,29 +66,6 @@ Files ReadFiles(int argc, char* argv[])
   return files;
 }
 
-/// Adds an organ to the label map of those before it, which keep what two of them claim. Returns
-/// the number of such voxels.
-vtkIdType Merge(vtkImageData* organ, vtkImageData* all)
-{
-  vtkDataArray* const added = organ->GetPointData()->GetScalars();
-  vtkDataArray* const labels = all->GetPointData()->GetScalars();
-  vtkIdType contested = 0;
-  for (vtkIdType voxel = 0; voxel < labels->GetNumberOfTuples(); ++voxel)
-  {
-    const double value = added->GetComponent(voxel, 0);
-    if (value != 0 && labels->GetComponent(voxel, 0) != 0)
-    {
-      ++contested;
-    }
-    else if (value != 0)
-    {
-      labels->SetComponent(voxel, 0, value);
-    }
-  }
-  labels->Modified();
-  return contested;
-}
-
 void Draw(const std::string& file, vtkImageData* image, const std::vector<Organ>& organs)
 {
   const Scene::Plane& plane = Scene::Axial;
@@ -128,42 +103,31 @@ int main(int argc, char* argv[])
     { "left kidney", vtkPhantomSource::LEFT_KIDNEY, { 0.95, 0.90, 0.45 }, nullptr },
     { "stomach", vtkPhantomSource::STOMACH, { 0.45, 0.75, 0.50 }, nullptr },
   };
-  vtkNew<vtkImageData> labels;
-  vtkNew<vtkFlipFreeSegmentation> segmentation;
-  segmentation->SetInputConnection(phantom->GetOutputPort());
-  for (Organ& organ : organs)
+  vtkNew<vtkFlipFreeOrganGroup> group;
+  group->SetInputConnection(phantom->GetOutputPort());
+  for (const Organ& organ : organs)
   {
     double ball[4];
     phantom->GetSeed(organ.Label, ball);
-    segmentation->SetSeedCenter(ball);
-    segmentation->SetSeedRadius(ball[3]);
-    segmentation->SetLabelValue(static_cast<int>(&organ - organs.data()) + 1);
-    segmentation->Update();
-    if (segmentation->GetSurface()->GetNumberOfPoints() == 0)
+    group->AddOrgan(organ.Name, ball[0], ball[1], ball[2], ball[3]);
+  }
+  group->Update();
+  for (Organ& organ : organs)
+  {
+    const int index = static_cast<int>(&organ - organs.data());
+    organ.Surface = group->GetSurface(index);
+    if (!organ.Surface)
     {
       return EXIT_FAILURE; // the filter has told why
     }
-    // The filter's next run writes into its outputs again: a copy keeps what they hold now.
-    organ.Surface = vtkSmartPointer<vtkPolyData>::New();
-    organ.Surface->ShallowCopy(segmentation->GetSurface());
     std::cout << organ.Name << ": " << organ.Surface->GetNumberOfPoints() << " vertices, "
-              << segmentation->GetNumberOfSelfIntersections() << " self-intersections";
-    if (labels->GetNumberOfPoints() == 0)
-    {
-      labels->DeepCopy(segmentation->GetLabelMap());
-    }
-    else
-    {
-      std::cout << ", " << Merge(segmentation->GetLabelMap(), labels)
-                << " voxels were another organ's already";
-    }
-    std::cout << "\n";
+              << group->GetNumberOfSelfIntersections(index) << " self-intersections\n";
   }
 
   if (!files.Labels.empty())
   {
     vtkNew<vtkMedicalImageWriter> writer;
-    writer->SetInputData(labels);
+    writer->SetInputData(group->GetLabelMap());
     writer->SetFileName(files.Labels.c_str());
     writer->Write();
     if (writer->GetErrorCode() != 0)

@@ -1,4 +1,4 @@
-"""Segments several organs, each from its own seed, into one scene and one label map.
+"""Segments several organs together, so that they never meet, into one scene and one label map.
 
     python3 several_organs.py                      # five organs of the built-in phantom
     python3 several_organs.py ct.nii.gz --organ liver 83 -154 321 26 --organ spleen -92 -128 340 18
@@ -36,22 +36,12 @@ else:
         ("liver", source.LIVER), ("spleen", source.SPLEEN), ("right kidney", source.RIGHT_KIDNEY),
         ("left kidney", source.LEFT_KIDNEY), ("stomach", source.STOMACH))}
 
-# Each organ gets a value of its own. Where two claim a voxel, the one that came first keeps it.
-organs = {}
-labels = None
-for value, (name, (seed, radius)) in enumerate(seeds.items(), start=1):
-    organ = flipfree.segment(image, seed, radius, label_value=value)
-    organs[name] = organ
-    if labels is None:
-        labels, label_map = organ.labels, organ.label_map
-    else:
-        contested = int(((labels > 0) & (organ.labels > 0)).sum())
-        labels[labels == 0] = organ.labels[labels == 0]  # a view: this fills the label map, too
-        print(f"{name}: {contested} voxels were another organ's already")
+organs = flipfree.segment_organs(image, seeds)
+for name, organ in organs.items():
     print(f"{name}: {organ}")
 
 if arguments.labels:
-    flipfree.write_image(label_map, arguments.labels)
+    flipfree.write_image(organs.label_map, arguments.labels)
 
 if arguments.picture:
     center = next(iter(organs.values())).surface.GetCenter()

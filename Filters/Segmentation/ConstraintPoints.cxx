@@ -3,7 +3,9 @@
 #include "vtkDataArray.h"
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
+#include "vtkStringArray.h"
 
+#include <algorithm>
 #include <stdexcept>
 
 namespace FlipFree
@@ -58,6 +60,62 @@ ConstraintList ConstraintsOf(vtkPointSet* points, const std::string& name)
     constraints.push_back(constraint);
   }
   return constraints;
+}
+
+void AddConstraintsOf(vtkPointSet* points, const std::string& name, NamedConstraints& organs)
+{
+  const ConstraintList constraints = ConstraintsOf(points, name);
+  if (constraints.empty())
+  {
+    return;
+  }
+  auto* const names =
+    vtkStringArray::SafeDownCast(points->GetPointData()->GetAbstractArray("Organ"));
+  vtkDataArray* const numbers = names
+    ? nullptr
+    : ArrayOf(points, "Organ", name, "the name of each point's organ, or its number, from 1");
+  for (std::size_t index = 0; index < constraints.size(); ++index)
+  {
+    const auto row = static_cast<vtkIdType>(index);
+    auto organ = organs.end();
+    if (names)
+    {
+      organ = std::find_if(organs.begin(), organs.end(),
+        [&](const auto& candidate) { return candidate.first == names->GetValue(row); });
+    }
+    else
+    {
+      const double number = numbers->GetTuple1(row);
+      const auto next = static_cast<double>(organs.size() + 1);
+      if (!(number >= 1 && number <= next && number == std::floor(number)))
+      {
+        throw std::invalid_argument("the point array 'Organ' of " + name + " is " +
+          std::to_string(number) + " at point " + std::to_string(index) +
+          "; organs are numbered from 1, without gaps");
+      }
+      organ = organs.begin() + static_cast<std::ptrdiff_t>(number) - 1;
+    }
+    if (organ == organs.end())
+    {
+      organs.push_back(
+        { names ? names->GetValue(row) : "organ " + std::to_string(organs.size() + 1), {} });
+      organ = organs.end() - 1;
+    }
+    organ->second.push_back(constraints[index]);
+  }
+}
+
+void TakeSeed(const std::string& name, SeedSphere& seed, ConstraintList& constraints)
+{
+  const auto first = std::find_if(constraints.begin(), constraints.end(),
+    [](const PointConstraint& constraint) { return constraint.Kind == ConstraintKind::Seed; });
+  if (first == constraints.end())
+  {
+    throw std::invalid_argument(name + " has no seed; give a sphere that lies within it");
+  }
+  seed = { first->Point, first->Radius };
+  constraints.erase(first);
+  TakeLargestSeed(seed, constraints);
 }
 
 } // namespace FlipFree

@@ -443,6 +443,7 @@ protected:
   double StageSeconds[4] = { 0, 0, 0, 0 };
 
 private:
+  friend class vtkFlipFreeOrganGroup; // takes the parameters
   void RequireProperties() const;
   FlipFree::VolumeSegmentationSettings GetSettings() const;
   void UseSettings(const FlipFree::OrganSegmentationSettings& settings);

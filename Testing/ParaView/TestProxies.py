@@ -129,6 +129,7 @@ class Proxies(session.SessionTest):
 
     def test_ports_have_names(self):
         ports = {"FlipFreeSegmentation": ["Surface", "Label map", "Convergence"],
+                 "FlipFreeOrganGroup": ["Surfaces", "Label map", "Organs"],
                  "FlipFreeVesselSegmentation": ["Surface", "Label map", "Centerline", "Convergence"],
                  "FlipFreePhantom": ["Image", "Label map", "Surface"],
                  "FlipFreeSurfaceValidity": ["Surface", "Measures"]}

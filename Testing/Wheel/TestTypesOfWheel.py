@@ -83,7 +83,7 @@ class Mypy(unittest.TestCase):
         self.assertEqual(found, [])
 
     def test_stubs_are_there(self):
-        for name in ("_segment.pyi", "_trace.pyi", "_evaluate.pyi", "_phantom.pyi", "py.typed"):
+        for name in ("_segment.pyi", "_segment_organs.pyi", "_trace.pyi", "_evaluate.pyi", "_phantom.pyi", "py.typed"):
             self.assertTrue((PACKAGE / name).exists(), name)
 
 

@@ -80,6 +80,16 @@ void PointOptions::RequireSense() const
   }
 }
 
+CorrectionPoint PointOptions::PointOf(const std::string& kind, std::size_t number) const
+{
+  const std::vector<double>& values = kind == "inside" ? this->Inside
+    : kind == "outside"                                ? this->Outside
+                                                       : this->Boundary;
+  const double sign = this->RAS ? -1 : 1;
+  const double* const place = values.data() + 3 * number;
+  return { kind, { { sign * place[0], sign * place[1], place[2] } }, 0 };
+}
+
 std::vector<CorrectionPoint> PointOptions::Points() const
 {
   std::vector<CorrectionPoint> points;
@@ -87,13 +97,11 @@ std::vector<CorrectionPoint> PointOptions::Points() const
   {
     points = ReadPoints(this->PointsIn);
   }
-  const double sign = this->RAS ? -1 : 1;
   const auto add = [&](const char* kind, const std::vector<double>& values)
   {
-    for (std::size_t first = 0; first + 2 < values.size(); first += 3)
+    for (std::size_t number = 0; number < values.size() / 3; ++number)
     {
-      points.push_back(
-        { kind, { { sign * values[first], sign * values[first + 1], values[first + 2] } }, 0 });
+      points.push_back(this->PointOf(kind, number));
     }
   };
   add("inside", this->Inside);

@@ -34,6 +34,12 @@ public:
   /// All points in LPS millimeters, those of the file first. Throws Failure if it cannot be read.
   std::vector<CorrectionPoint> Points() const;
 
+  /// The point of that kind (inside, outside, boundary) and number, from 0, of the command line.
+  CorrectionPoint PointOf(const std::string& kind, std::size_t number) const;
+
+  /// Whether points are read from a file, or written.
+  bool HasFiles() const { return !this->PointsIn.empty() || !this->PointsOut.empty(); }
+
   /// Where all points are to be written; empty if nowhere.
   const std::string& Output() const { return this->PointsOut; }
 

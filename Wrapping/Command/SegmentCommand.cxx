@@ -4,6 +4,7 @@
 #include "OutputFile.h"
 #include "ProgressBar.h"
 #include "Run.h"
+#include "SegmentGroup.h"
 #include "SegmentParameters.h"
 #include "Segmentation.h"
 #include "SegmentationReport.h"
@@ -260,6 +261,11 @@ void Segment(const Segmentation& segmentation)
     ProgressBar::Disable();
   }
   RequireSense(segmentation);
+  if (segmentation.Several.HasOrgans())
+  {
+    SegmentGroup(segmentation);
+    return;
+  }
   if (segmentation.Session.empty())
   {
     SegmentOrgans({ segmentation }, nullptr);
@@ -287,6 +293,8 @@ const char* const Footer =
   "  flipfree segment ct.nii.gz --seed 83 -154 321 --radius 26 --preset naive -o flips.ply\n"
   "  flipfree segment ct.nii.gz --start-labels network.nii.gz --start-label 6 -o liver.stl\n"
   "  flipfree segment ct.nii.gz --session session.json -o organ.stl --labels organs.nii.gz\n"
+  "  flipfree segment ct.nii.gz --organ liver 83 -154 321 26 --organ spleen 250 -110 360 14 \\\n"
+  "      --outside 240 -80 350 -o organ.vtp --labels organs.nii.gz\n"
   "\n"
   "The seed sphere should lie within the organ and have at least half the radius of the largest\n"
   "sphere that fits there: the organ's intensities are learned from its voxels, and the surface\n"
@@ -356,6 +364,7 @@ void AddSegmentCommand(CLI::App& program)
     program.add_subcommand("segment", "Segment an organ, starting from a sphere inside it");
   AddFiles(command, *segmentation);
   segmentation->Corrections.AddOptions(*command);
+  segmentation->Several.AddOptions(*command);
   segmentation->Parameters.AddOptions(*command);
   command->footer(Footer);
   command->callback([segmentation]() { Segment(*segmentation); });

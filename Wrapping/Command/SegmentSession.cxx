@@ -7,10 +7,7 @@
 
 namespace Command
 {
-namespace
-{
 
-/// `out-liver.vtp` for `out.vtp`.
 std::string NameFor(const std::string& organ, const std::string& name)
 {
   if (name.empty())
@@ -20,8 +17,6 @@ std::string NameFor(const std::string& organ, const std::string& name)
   const std::size_t folder = name.find_last_of('/') + 1; // 0 if there is none
   return std::string(name).insert(std::min(name.find('.', folder + 1), name.size()), "-" + organ);
 }
-
-} // namespace
 
 std::vector<Segmentation> OrgansOf(const Session& session, const Segmentation& given)
 {

@@ -26,6 +26,27 @@ void RequireNoSeed(const Segmentation& segmentation)
   }
 }
 
+/// Organs by name in place of a seed.
+void RequireOnlyOrgans(const Segmentation& segmentation)
+{
+  if (!segmentation.Several.HasOrgans())
+  {
+    throw WrongUsage("--fixed is for organs that are given by --organ. Give one or more.");
+  }
+  if (!segmentation.Seed.empty() || !segmentation.SeedVoxel.empty() || segmentation.Radius != 0 ||
+    !segmentation.Session.empty() || !segmentation.StartLabels.empty())
+  {
+    throw WrongUsage("--organ has the seed. Leave out --seed, --seed-voxel, --radius, --session "
+                     "and --start-labels.");
+  }
+  if (segmentation.Corrections.HasFiles())
+  {
+    throw WrongUsage("--points and --save-points are for one organ. Give the points of several by "
+                     "--inside, --outside and --boundary, after the organ that they belong to.");
+  }
+  segmentation.Several.Organs(segmentation.Corrections);
+}
+
 /// An image and a seed, or a session.
 void RequireStart(const Segmentation& segmentation)
 {
@@ -49,7 +70,7 @@ void RequireStart(const Segmentation& segmentation)
   {
     throw WrongUsage("INPUT is required: a volume, or a folder of a DICOM series.");
   }
-  if (!segmentation.StartLabels.empty())
+  if (!segmentation.StartLabels.empty() || segmentation.Several.HasOrgans())
   {
     return;
   }
@@ -57,7 +78,8 @@ void RequireStart(const Segmentation& segmentation)
   {
     throw WrongUsage(segmentation.Seed.empty()
         ? "There is no seed. Give a point deep inside the organ: --seed X Y Z (LPS mm) or "
-          "--seed-voxel I J K; or a label map to fill: --start-labels FILE."
+          "--seed-voxel I J K; or a label map to fill: --start-labels FILE; or several organs: "
+          "--organ NAME X Y Z MM."
         : "Both --seed and --seed-voxel are given. Give only one of them.");
   }
   for (const double coordinate : segmentation.Seed)
@@ -74,6 +96,11 @@ void RequireStart(const Segmentation& segmentation)
 
 void RequireSense(const Segmentation& segmentation)
 {
+  if (!segmentation.Several.IsEmpty())
+  {
+    segmentation.Corrections.RequireSense();
+    RequireOnlyOrgans(segmentation);
+  }
   if (!segmentation.StartLabels.empty())
   {
     RequireNoSeed(segmentation);

@@ -4,6 +4,7 @@
 #ifndef FlipFreeCommandSegmentation_h
 #define FlipFreeCommandSegmentation_h
 
+#include "OrganOptions.h"
 #include "PointOptions.h"
 #include "SegmentParameters.h"
 #include "SessionFile.h"
@@ -34,6 +35,7 @@ struct Segmentation
   bool Quiet = false;
   SegmentParameters Parameters;
   PointOptions Corrections;
+  OrganOptions Several;  // in place of the seed
   SessionOrgan Repeated; // of a session
 
   bool IsVessel() const { return !this->Repeated.Points.empty(); }
@@ -44,6 +46,9 @@ void RequireSense(const Segmentation& segmentation);
 
 /// How messages call what is segmented.
 std::string TitleOf(const Segmentation& segmentation, const char* quote = "'");
+
+/// The name of an organ's own file: `out-liver.vtp` for `out.vtp`. Empty for none.
+std::string NameFor(const std::string& organ, const std::string& name);
 
 /// One for each organ of the session.
 std::vector<Segmentation> OrgansOf(const Session& session, const Segmentation& given);

@@ -13,6 +13,7 @@ set(FLIPFREE_LAYER_FILES
   _phantom.py
   _progress.py
   _segment.py
+  _segment_organs.py
   _trace.py
   _types.py
   _voxels.py

@@ -187,6 +187,18 @@ Eigen::Vector3d ConstraintEnforcer::PullOf(const PointConstraint& constraint,
 bool ConstraintEnforcer::Finish(const ContourMesh& mesh, EmbeddingGuard& guard,
   const ParallelFor& parallelFor, const Monitor& monitor, PointList& points)
 {
+  const GuardedStep step = [&](const PointList& obstacles, const PointList& from,
+                             PointList& motion) -> PointList
+  {
+    guard.SetObstacles(obstacles);
+    return guard.Limit(from, motion, parallelFor, monitor).Positions;
+  };
+  return this->Finish(mesh, guard.Hulls(), step, monitor, points);
+}
+
+bool ConstraintEnforcer::Finish(const ContourMesh& mesh, const FaceHulls& hulls,
+  const GuardedStep& step, const Monitor& monitor, PointList& points)
+{
   const PointConstraint* open = nullptr;
   double moved = this->Spacing;
   for (int round = 0; round < MaximumRounds && moved > LeastProgress * this->Spacing; ++round)
@@ -199,23 +211,22 @@ bool ConstraintEnforcer::Finish(const ContourMesh& mesh, EmbeddingGuard& guard,
       {
         return false;
       }
-      if (!this->IsOpen(constraint, mesh, guard.Hulls(), points))
+      if (!this->IsOpen(constraint, mesh, hulls, points))
       {
         continue;
       }
       open = &constraint;
       const SurfacePlace place = ClosestPlace(points, mesh.Triangles, constraint.Point);
       const Eigen::Vector3d pull = this->PullOf(constraint, mesh, points, place);
-      guard.SetObstacles(this->Obstacles);
       PointList evened =
         EvenedAt(mesh, points, place, 2 * RadiusOfPull(mesh, points, place, pull.norm()));
-      points = guard.Limit(points, evened, parallelFor, monitor).Positions;
+      points = step(this->Obstacles, points, evened);
       PointList motion =
         BulgeAt(mesh, points, ClosestPlace(points, mesh.Triangles, constraint.Point), pull);
       const PointList before = points;
-      points = guard.Limit(points, motion, parallelFor, monitor).Positions;
+      points = step(this->Obstacles, points, motion);
       moved = std::max(moved, (points - before).rowwise().norm().maxCoeff());
-      this->Update(mesh, guard.Hulls(), points);
+      this->Update(mesh, hulls, points);
     }
     if (!open)
     {

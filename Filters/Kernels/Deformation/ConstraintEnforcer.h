@@ -13,8 +13,15 @@
 #include "Guard/EmbeddingGuard.h"
 #include "Image/PointConstraint.h"
 
+#include <functional>
+
 namespace FlipFree
 {
+
+/// Moves the surface by as much of a motion as is safe, and returns where its vertices end.
+/// `obstacles` are the enforcer's.
+using GuardedStep =
+  std::function<PointList(const PointList& obstacles, const PointList& points, PointList& motion)>;
 
 class ConstraintEnforcer
 {
@@ -36,6 +43,10 @@ public:
   /// Pulls the surface toward the points that it does not obey yet. `guard` is the mesh's. Returns
   /// false if the monitor stopped it. Throws Error, naming the point, if one cannot be obeyed.
   bool Finish(const ContourMesh& mesh, EmbeddingGuard& guard, const ParallelFor& parallelFor,
+    const Monitor& monitor, PointList& points);
+
+  /// The same by any guarded steps; the hulls are of the mesh's faces.
+  bool Finish(const ContourMesh& mesh, const FaceHulls& hulls, const GuardedStep& step,
     const Monitor& monitor, PointList& points);
 
 private:

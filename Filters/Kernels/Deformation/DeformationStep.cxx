@@ -10,12 +10,10 @@
 namespace FlipFree
 {
 
-DeformationStepReport DeformOnce(DeformationSolver& solver, const EmbeddingGuard* guard,
-  const DeformationStepSettings& settings, const ParallelFor& parallelFor, const Monitor& monitor,
-  CorrespondenceField& field, PointList& points)
+PointList FindMotion(DeformationSolver& solver, const DeformationStepSettings& settings,
+  const PointList& points, CorrespondenceField& field, DeformationStepReport& report)
 {
   const ContourMesh& mesh = solver.GetMesh();
-  DeformationStepReport report;
   Stopwatch watch;
   report.Flipping = DetectFlips(mesh, points, settings.FlipThreshold, field);
   const std::vector<VertexState> detected = field.States;
@@ -28,8 +26,20 @@ DeformationStepReport DeformOnce(DeformationSolver& solver, const EmbeddingGuard
 
   PointList motion = field.Displacements;
   report.Solver = solver.Solve(points, field.Displacements, settings.Energy, motion);
+  std::transform(detected.begin(), detected.end(), field.States.begin(), field.States.begin(),
+    [](VertexState before, VertexState now)
+    { return before == VertexState::Flipping ? before : now; });
   report.SolveSeconds = watch.Lap();
+  return motion;
+}
 
+DeformationStepReport DeformOnce(DeformationSolver& solver, const EmbeddingGuard* guard,
+  const DeformationStepSettings& settings, const ParallelFor& parallelFor, const Monitor& monitor,
+  CorrespondenceField& field, PointList& points)
+{
+  DeformationStepReport report;
+  PointList motion = FindMotion(solver, settings, points, field, report);
+  Stopwatch watch;
   if (guard != nullptr)
   {
     GuardReport limited = guard->Limit(points, motion, parallelFor, monitor);
@@ -41,9 +51,6 @@ DeformationStepReport DeformOnce(DeformationSolver& solver, const EmbeddingGuard
   {
     points += motion;
   }
-  std::transform(detected.begin(), detected.end(), field.States.begin(), field.States.begin(),
-    [](VertexState before, VertexState now)
-    { return before == VertexState::Flipping ? before : now; });
   return report;
 }
 

@@ -31,6 +31,11 @@ struct DeformationStepReport
   double GuardSeconds = 0;
 };
 
+/// The motion that an iteration wants, before the guard. On return, the field is as DeformOnce()
+/// leaves it, and the report lacks what is the guard's. Throws as it does.
+PointList FindMotion(DeformationSolver& solver, const DeformationStepSettings& settings,
+  const PointList& points, CorrespondenceField& field, DeformationStepReport& report);
+
 /// Moves the points of the solver's mesh. On return, the field's states say which vertices had a
 /// target and which of these would have flipped an edge, avoided or not; its displacements are
 /// those after propagation, which the solver was given. Without a guard (null) the solved motion is

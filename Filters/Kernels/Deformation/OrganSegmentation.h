@@ -44,6 +44,8 @@ struct OrganSurface
 using IterationObserver = std::function<void(const ContourMesh&, const PointList&,
   const CorrespondenceField&, const IterationRecord&)>;
 
+class DeformingOrgan;
+
 /// What the constraints do not change is kept between calls: the smoothed image, and with carving
 /// the foreground of the first run. The surface depends on the list of constraints alone, not on
 /// its order or on earlier calls.
@@ -71,9 +73,24 @@ public:
   OrganSurface Segment(const ConstraintList& constraints, const DeformableSurface* start,
     const Monitor& monitor, const IterationObserver& observer);
 
+  // What Segment() consists of, for several organs together (OrganGroup.h).
+
+  /// Whether the levels run twice: once to find what the foreground is carved from.
+  bool RunsTwice() const;
+  /// Finds the foreground, by a first run if need be. The observer sees that run. Returns false if
+  /// the monitor, which must remember that it did, stopped it.
+  bool FindForeground(const ConstraintList& constraints, const Monitor& monitor,
+    const IterationObserver& observer);
+  /// Begins the run that ends with the result; JointDeformation does the rest.
+  void Begin(const ConstraintList& constraints, const DeformableSurface* start,
+    const IterationObserver& observer);
+  DeformingOrgan& GetOrgan();
+
 private:
-  class CoarseToFine;
-  std::unique_ptr<CoarseToFine> Levels;
+  bool RunFirst(const Monitor& monitor, const IterationObserver& observer);
+
+  struct State;
+  std::unique_ptr<State> Kept;
   const ParallelFor& Parallel;
 };
 

@@ -43,8 +43,7 @@ VoxelReader PartOf(const VoxelReader& read, const VoxelBox& box)
   { read(first[0] + begin, first[0] + end, first[1] + j, first[2] + k, to); };
 }
 
-// The start sphere, small enough to keep off the outside points.
-DeformableSurface StartWithin(const DeformableSurface& sphere, const SeedSphere& ball,
+DeformableSurface SphereWithin(const DeformableSurface& sphere, const SeedSphere& ball,
   const ConstraintList& constraints)
 {
   double scale = 1;
@@ -151,7 +150,7 @@ VoxelBox VolumeSegmenter::RegionOf(const ConstraintList& constraints) const
   return mask.IsEmpty() ? box : box.Joined(mask.Widened({ { 2, 2, 2 } }, WholeBox(geometry)));
 }
 
-void VolumeSegmenter::Prepare(const VoxelBox& box)
+void VolumeSegmenter::PrepareBox(const VoxelBox& box)
 {
   const SmoothingSettings& smoothing = this->Settings.Method.Smoothing;
   this->Release();
@@ -177,32 +176,49 @@ void VolumeSegmenter::Release()
   this->Smooth.reset();
 }
 
-VolumeSegmentation VolumeSegmenter::Segment(const ConstraintList& constraints,
-  const Monitor& monitor, const IterationObserver& observer)
+OrganSegmenter& VolumeSegmenter::Prepare(const ConstraintList& constraints)
 {
-  const OrganSegmentationSettings& method = this->Settings.Method;
-  const ImageGeometry& geometry = this->Volume.Geometry;
-  RequireConstraints(geometry, this->Seed, constraints, this->Name);
-  RequireGuard(constraints, method.Step.Guard);
-  Stopwatch watch;
+  RequireConstraints(this->Volume.Geometry, this->Seed, constraints, this->Name);
+  RequireGuard(constraints, this->Settings.Method.Step.Guard);
   const VoxelBox box = this->RegionOf(constraints);
   if (!this->Organ || !(box == this->Box))
   {
-    this->Prepare(box);
+    this->PrepareBox(box);
   }
+  return *this->Organ;
+}
+
+DeformableSurface VolumeSegmenter::StartWithin(const ConstraintList& constraints) const
+{
+  return this->IsSphere ? SphereWithin(this->Start, this->StartBall, constraints) : this->Start;
+}
+
+VolumeSegmentation VolumeSegmenter::Segment(const ConstraintList& constraints,
+  const Monitor& monitor, const IterationObserver& observer)
+{
+  Stopwatch watch;
+  OrganSegmenter& segmenter = this->Prepare(constraints);
   const double before = watch.Lap();
   VolumeSegmentation result;
-  const DeformableSurface start =
-    this->IsSphere ? StartWithin(this->Start, this->StartBall, constraints) : this->Start;
-  result.Organ = this->Organ->Segment(constraints, &start, monitor, observer);
+  const DeformableSurface start = this->StartWithin(constraints);
+  result.Organ = segmenter.Segment(constraints, &start, monitor, observer);
   const OrganSurface& organ = result.Organ;
   result.StageSeconds[0] = before + organ.SmoothingSeconds;
   result.StageSeconds[1] = organ.FeatureSeconds;
   result.StageSeconds[2] = watch.Lap() - organ.SmoothingSeconds - organ.FeatureSeconds;
-  if (organ.Reason == StopReason::Aborted)
+  if (organ.Reason != StopReason::Aborted)
   {
-    return result;
+    this->Judge(constraints, result);
+    result.StageSeconds[3] = watch.Lap();
   }
+  return result;
+}
+
+void VolumeSegmenter::Judge(const ConstraintList& constraints, VolumeSegmentation& result) const
+{
+  const OrganSegmentationSettings& method = this->Settings.Method;
+  const ImageGeometry& geometry = this->Volume.Geometry;
+  const OrganSurface& organ = result.Organ;
   if (method.Step.Guard)
   {
     RequireCertified(organ);
@@ -226,8 +242,6 @@ VolumeSegmentation VolumeSegmenter::Segment(const ConstraintList& constraints,
   {
     WarnOfMissed(FractionMissed(this->Given, result.Voxels), this->GivenName, result.Warnings);
   }
-  result.StageSeconds[3] = watch.Lap();
-  return result;
 }
 
 VolumeSegmentation SegmentVolume(const GrayVolume& volume, const std::string& name,

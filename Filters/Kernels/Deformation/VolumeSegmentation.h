@@ -88,10 +88,23 @@ public:
   /// Frees the smoothed image and what else is kept between calls.
   void Release();
 
+  // What Segment() consists of, for several organs together (OrganGroup.h).
+
+  /// Checks the constraints, and smooths anew where their region is another.
+  OrganSegmenter& Prepare(const ConstraintList& constraints);
+  /// Its start surface, small enough to keep off the outside points.
+  DeformableSurface StartWithin(const ConstraintList& constraints) const;
+  /// Confidence, warnings and voxels of a surface that was not aborted.
+  void Judge(const ConstraintList& constraints, VolumeSegmentation& result) const;
+
+  /// The part of the volume that the surface can reach, once prepared.
+  const VoxelBox& GetBox() const { return this->Box; }
+  double GetNoise() const { return this->Noise; }
+
 private:
   bool HasForeground() const { return this->Given.GetGeometry().NumberOfVoxels() > 0; }
   VoxelBox RegionOf(const ConstraintList& constraints) const;
-  void Prepare(const VoxelBox& box);
+  void PrepareBox(const VoxelBox& box);
 
   const GrayVolume Volume;
   const std::string Name;

@@ -34,6 +34,68 @@ Eigen::VectorXi EdgeDistances(const VertexGraph& graph, int start)
   return distances;
 }
 
+// The vertices that hang together, in ascending order; that of vertex 0 first.
+std::vector<std::vector<int>> ComponentsOf(const VertexGraph& graph)
+{
+  const int count = static_cast<int>(graph.size());
+  std::vector<std::vector<int>> components;
+  std::vector<char> isVisited(graph.size(), 0);
+  for (int start = 0; start < count; ++start)
+  {
+    if (isVisited[start])
+    {
+      continue;
+    }
+    std::vector<int> component(1, start);
+    isVisited[start] = 1;
+    for (std::size_t head = 0; head < component.size(); ++head)
+    {
+      for (const int neighbor : graph[component[head]])
+      {
+        if (!isVisited[neighbor])
+        {
+          isVisited[neighbor] = 1;
+          component.push_back(neighbor);
+        }
+      }
+    }
+    std::sort(component.begin(), component.end());
+    components.push_back(std::move(component));
+  }
+  return components;
+}
+
+// Sets the rows of one component's vertices.
+void LayOut(const VertexGraph& graph, const std::vector<int>& component, PointList& layout)
+{
+  const auto count = static_cast<Eigen::Index>(component.size());
+  const auto distancesFrom = [&](Eigen::Index start)
+  {
+    const Eigen::VectorXi all = EdgeDistances(graph, component[start]);
+    Eigen::VectorXi own(count);
+    for (Eigen::Index index = 0; index < count; ++index)
+    {
+      own[index] = all[component[index]];
+    }
+    return own;
+  };
+  PointList own = PointList::Zero(count, 3);
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    // Each pair starts in the middle of the earlier axes and ends far away, near the middle again.
+    Eigen::Index one = 0;
+    own.rowwise().squaredNorm().minCoeff(&one);
+    const Eigen::VectorXi fromOne = distancesFrom(one);
+    Eigen::Index two = 0;
+    (fromOne.cast<double>() - own.rowwise().norm()).maxCoeff(&two);
+    own.col(axis) = (fromOne - distancesFrom(two)).cast<double>();
+  }
+  for (Eigen::Index index = 0; index < count; ++index)
+  {
+    layout.row(component[index]) = own.row(index);
+  }
+}
+
 bool ShareVertex(const ElementList& elements, int one, int two)
 {
   for (Eigen::Index corner = 0; corner < elements.cols(); ++corner)
@@ -136,19 +198,24 @@ PointList TriangleTree::TopologicalLayout(int numberOfPoints, const FaceList& fa
     }
   }
   PointList layout = PointList::Zero(numberOfPoints, 3);
-  if (numberOfPoints == 0)
+  double end = 0;
+  for (const std::vector<int>& component : ComponentsOf(graph))
   {
-    return layout;
-  }
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    // Each pair starts in the middle of the earlier axes and ends far away, near the middle again.
-    Eigen::Index one = 0;
-    layout.rowwise().squaredNorm().minCoeff(&one);
-    const Eigen::VectorXi fromOne = EdgeDistances(graph, static_cast<int>(one));
-    Eigen::Index two = 0;
-    (fromOne.cast<double>() - layout.rowwise().norm()).maxCoeff(&two);
-    layout.col(axis) = (fromOne - EdgeDistances(graph, static_cast<int>(two))).cast<double>();
+    LayOut(graph, component, layout);
+    // Beside the one before.
+    double low = 0;
+    double high = 0;
+    for (const int vertex : component)
+    {
+      low = std::min(low, layout(vertex, 0));
+      high = std::max(high, layout(vertex, 0));
+    }
+    const double shift = component.front() == 0 ? 0 : end - low + 1;
+    for (const int vertex : component)
+    {
+      layout(vertex, 0) += shift;
+    }
+    end = shift + high;
   }
   return layout;
 }

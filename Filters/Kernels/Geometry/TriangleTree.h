@@ -79,7 +79,7 @@ public:
   TriangleTree(const PointList& layout, const ElementList& elements);
 
   /// A layout for when no positions are known yet: differences of edge distances to three pairs of
-  /// far vertices.
+  /// far vertices; components side by side.
   static PointList TopologicalLayout(int numberOfPoints, const FaceList& faces);
 
   int NumberOfNodes() const { return static_cast<int>(this->Nodes.size()); }

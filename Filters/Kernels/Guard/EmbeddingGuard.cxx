@@ -149,8 +149,8 @@ public:
       });
   }
 
-  void RunObstacles(const PointList& obstacles, const std::vector<char>& changed, StepLimiter& step,
-    const ParallelFor& parallelFor) const
+  void RunObstacles(const PointList& obstacles, const std::vector<VertexRange>& ranges,
+    const std::vector<char>& changed, StepLimiter& step, const ParallelFor& parallelFor) const
   {
     if (obstacles.rows() == 0)
     {
@@ -171,7 +171,8 @@ public:
           for (Eigen::Index row = 0; row < obstacles.rows(); ++row)
           {
             const Eigen::Vector3d obstacle = obstacles.row(row);
-            if (!MayComeNear(motion, hull, obstacle, this->Distance.Wanted))
+            if (hull[0] < ranges[row].Begin || hull[0] >= ranges[row].End ||
+              !MayComeNear(motion, hull, obstacle, this->Distance.Wanted))
             {
               continue;
             }
@@ -234,7 +235,7 @@ GuardReport EmbeddingGuard::Limit(const PointList& points, PointList& displaceme
     if (step.IsClean())
     {
       hulls.Run(this->Faces, changedForPairs, step, parallelFor);
-      hulls.RunObstacles(this->Obstacles, changedForPairs, step, parallelFor);
+      hulls.RunObstacles(this->Obstacles, this->Ranges, changedForPairs, step, parallelFor);
       std::fill(changedForPairs.begin(), changedForPairs.end(), 0);
     }
     if (step.IsClean())
@@ -245,6 +246,7 @@ GuardReport EmbeddingGuard::Limit(const PointList& points, PointList& displaceme
     {
       displacements.setZero();
       report.Positions = points;
+      report.IsGuarded.assign(points.rows(), 0);
       return report;
     }
     for (int vertex : step.ScaleDown())
@@ -254,7 +256,9 @@ GuardReport EmbeddingGuard::Limit(const PointList& points, PointList& displaceme
     }
   }
 
-  report.Guarded = step.NumberOfScaled();
+  report.IsGuarded = step.IsScaled();
+  report.Guarded =
+    static_cast<int>(std::count(report.IsGuarded.begin(), report.IsGuarded.end(), 1));
   this->RequireEmbeddedAtRest(step.Path(), parallelFor);
   report.Positions = step.Path().To;
   displacements = report.Positions - points;

@@ -13,7 +13,9 @@
 #include "Guard/CandidatePairs.h"
 #include "Mesh/ContourMesh.h"
 
+#include <limits>
 #include <utility>
+#include <vector>
 
 namespace FlipFree
 {
@@ -22,9 +24,17 @@ class StepLimiter;
 
 struct GuardReport
 {
-  int Guarded = 0;     ///< vertices whose displacement was scaled down
-  int Passes = 0;      ///< number of test passes; 1 if nothing had to be scaled down
-  PointList Positions; ///< where the vertices end, without the rounding error of a sum
+  int Guarded = 0;             ///< vertices whose displacement was scaled down
+  std::vector<char> IsGuarded; ///< one flag per vertex
+  int Passes = 0;              ///< number of test passes; 1 if nothing had to be scaled down
+  PointList Positions;         ///< where the vertices end, without the rounding error of a sum
+};
+
+/// The vertices from `Begin` to, not including, `End`.
+struct VertexRange
+{
+  int Begin = 0;
+  int End = std::numeric_limits<int>::max();
 };
 
 class EmbeddingGuard
@@ -35,8 +45,15 @@ public:
 
   /// Fixed points, one row each (mm), that the surface must not pass: each stays on its side, and
   /// keeps the distance that faces without a common vertex keep (ObstacleTest.h). None at first. A
-  /// face whose hull holds one at the start stays at rest.
-  void SetObstacles(PointList obstacles) { this->Obstacles = std::move(obstacles); }
+  /// face whose hull holds one at the start stays at rest. Of several surfaces, each is stopped by
+  /// its own obstacles only: those of `ranges`, one per obstacle, that hold its vertices; without
+  /// ranges, by all.
+  void SetObstacles(PointList obstacles, std::vector<VertexRange> ranges = {})
+  {
+    this->Obstacles = std::move(obstacles);
+    this->Ranges = std::move(ranges);
+    this->Ranges.resize(this->Obstacles.rows());
+  }
 
   /// Scales displacements down, conservatively, until it is proven that, if the surface is embedded
   /// at `points`, it stays so, however its faces are cut into triangles (FaceHulls.h), while every
@@ -71,6 +88,7 @@ private:
   std::vector<std::array<int, 4>> Neighbors;
   CandidatePairs Candidates;
   PointList Obstacles = PointList(0, 3);
+  std::vector<VertexRange> Ranges; // of the obstacles
 };
 
 } // namespace FlipFree

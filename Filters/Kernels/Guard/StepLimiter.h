@@ -71,11 +71,13 @@ public:
                                              : std::min(latest, MaximumPart / SafetyFactor);
   }
 
-  /// Vertices that have been slowed or stopped.
-  int NumberOfScaled() const
+  /// Which vertices have been slowed or stopped: 1, others 0.
+  std::vector<char> IsScaled() const
   {
-    return static_cast<int>(std::count_if(this->Scales.begin(), this->Scales.end(),
-      [](double scale) { return scale < 1; }));
+    std::vector<char> scaled(this->Scales.size());
+    std::transform(this->Scales.begin(), this->Scales.end(), scaled.begin(),
+      [](double scale) { return static_cast<char>(scale < 1 ? 1 : 0); });
+    return scaled;
   }
 
   /// Whether no test has failed since the last ScaleDown.

@@ -8,6 +8,7 @@
 #include "Guard/SinglePrecision.h"
 #include "Mesh/EdgeLength.h"
 #include "Mesh/MeshRefinement.h"
+#include "Mesh/MeshUnion.h"
 
 #include <algorithm>
 #include <iterator>
@@ -29,11 +30,12 @@ constexpr double MaximumGap = 0.1;
 // Of the way of a vertex to the mean of its neighbors.
 constexpr double Relaxation = 0.5;
 
-// Smooths the surface at some vertices.
-void RelaxOnce(const ContourMesh& mesh, const EmbeddingGuard& guard, const std::set<int>& vertices,
-  const ParallelFor& parallelFor, const Monitor& monitor, PointList& points)
+// Smooths the surface at some vertices. The guard's surface goes on with the fixed one.
+void RelaxOnce(const ContourMesh& mesh, const PointList& fixed, const EmbeddingGuard& guard,
+  const std::set<int>& vertices, const ParallelFor& parallelFor, const Monitor& monitor,
+  PointList& points)
 {
-  PointList motion = PointList::Zero(points.rows(), 3);
+  PointList motion = PointList::Zero(points.rows() + fixed.rows(), 3);
   for (int vertex : vertices)
   {
     const auto& ring = mesh.Neighbors[vertex];
@@ -42,7 +44,23 @@ void RelaxOnce(const ContourMesh& mesh, const EmbeddingGuard& guard, const std::
           (points.row(ring[0]) + points.row(ring[1]) + points.row(ring[2]) + points.row(ring[3])) -
         points.row(vertex));
   }
-  points = guard.Limit(points, motion, parallelFor, monitor).Positions;
+  PointList all = points;
+  AppendPoints(fixed, all);
+  points = guard.Limit(all, motion, parallelFor, monitor).Positions.topRows(points.rows());
+}
+
+FaceList FacesWith(const FaceList& faces, int numberOfPoints, const FaceList& fixed)
+{
+  FaceList all = faces;
+  for (int face = 0; face < fixed.NumberOfFaces(); ++face)
+  {
+    for (int corner = 0; corner < fixed.FaceSize(face); ++corner)
+    {
+      all.Connectivity.push_back(numberOfPoints + fixed.Face(face)[corner]);
+    }
+    all.Offsets.push_back(static_cast<int>(all.Connectivity.size()));
+  }
+  return all;
 }
 
 // The refined surface wherever its old vertices are.
@@ -50,13 +68,16 @@ class EmbeddedRefinement
 {
 public:
   EmbeddedRefinement(const ContourMesh& mesh, const PointList& points, const RefinedMesh& refined,
-    const TriangleList& triangles, const PointList& obstacles, double edgeLength, double gap)
+    const TriangleList& triangles, const PointList& obstacles, const ContourMesh& fixedMesh,
+    const PointList& fixedPoints, double edgeLength, double gap)
     : Mesh(mesh)
     , Parents(refined.Parents)
     , Triangles(triangles)
+    , Fixed(fixedPoints)
     , EdgeLength(edgeLength)
     , Gap(gap)
-    , Hulls(RefinePoints(mesh, points, 1), refined.Faces)
+    , Hulls(this->WithFixed(RefinePoints(mesh, points, 1)),
+        FacesWith(refined.Faces, static_cast<int>(refined.Parents.size()), fixedMesh.Faces))
     , Adjacent(this->Hulls.AdjacentPairs())
     , Quads(ListQuads(refined.Faces))
     , Obstacles(obstacles)
@@ -95,6 +116,10 @@ public:
       {
         for (int vertex : hull)
         {
+          if (!this->IsMoving(vertex))
+          {
+            continue;
+          }
           const int parent = this->Parents[vertex];
           involved.insert(parent);
           involved.insert(this->Mesh.Neighbors[parent].begin(), this->Mesh.Neighbors[parent].end());
@@ -109,13 +134,26 @@ public:
   }
 
 private:
+  bool IsMoving(int vertex) const { return vertex < static_cast<int>(this->Parents.size()); }
+
+  PointList WithFixed(PointList points) const
+  {
+    AppendPoints(this->Fixed, points);
+    return points;
+  }
+
   // What comes too near to other parts or to obstacles, or has passed one, and folded quads.
   std::vector<Hull> FindBadHulls(const PointList& refined, const ParallelFor& parallelFor) const
   {
     std::vector<Hull> bad;
+    const PointList all = this->WithFixed(refined);
     for (const HullPair& pair :
-      FindPairsNearerThan(this->Gap, refined, this->Hulls, this->Adjacent, parallelFor))
+      FindPairsNearerThan(this->Gap, all, this->Hulls, this->Adjacent, parallelFor))
     {
+      if (!this->IsMoving(pair.One[0]) && !this->IsMoving(pair.Two[0]))
+      {
+        continue; // as it is
+      }
       bad.push_back(pair.One);
       bad.push_back(pair.Two);
     }
@@ -124,8 +162,13 @@ private:
     for (std::size_t obstacle = 0; obstacle < this->Sides.size(); ++obstacle)
     {
       const Eigen::Vector3d point = this->Obstacles.row(static_cast<Eigen::Index>(obstacle));
-      const std::vector<Hull> near = HullsNearerThan(this->Gap, refined, this->Hulls, point);
-      bad.insert(bad.end(), near.begin(), near.end());
+      for (const Hull& hull : HullsNearerThan(this->Gap, all, this->Hulls, point))
+      {
+        if (this->IsMoving(hull[0]))
+        {
+          bad.push_back(hull);
+        }
+      }
       if (WindingNumber(refined, this->Triangles, point) != this->Sides[obstacle])
       {
         const auto passed =
@@ -139,6 +182,7 @@ private:
   const ContourMesh& Mesh;
   const std::vector<int>& Parents;
   const TriangleList& Triangles;
+  const PointList& Fixed;
   const double EdgeLength;
   const double Gap;
   const FaceHulls Hulls;
@@ -173,6 +217,14 @@ void AddRings(const ContourMesh& mesh, int rings, std::set<int>& vertices)
 RefinedSurface RefineSurface(const ContourMesh& mesh, const PointList& points,
   const PointList& obstacles, bool checked, const ParallelFor& parallelFor, const Monitor& monitor)
 {
+  return RefineSurface(mesh, points, obstacles, ContourMesh(), PointList(0, 3), checked,
+    parallelFor, monitor);
+}
+
+RefinedSurface RefineSurface(const ContourMesh& mesh, const PointList& points,
+  const PointList& obstacles, const ContourMesh& fixedMesh, const PointList& fixedPoints,
+  bool checked, const ParallelFor& parallelFor, const Monitor& monitor)
+{
   const RefinedMesh faces = RefineFaces(mesh);
   RefinedSurface refined;
   refined.Mesh = BuildContourMesh(static_cast<int>(faces.Parents.size()), faces.Faces);
@@ -189,10 +241,12 @@ RefinedSurface RefineSurface(const ContourMesh& mesh, const PointList& points,
   {
     return refined; // rounding errors are as large as the surface's features
   }
-  EmbeddingGuard guard(mesh);
+  ContourMesh all = mesh;
+  AppendMesh(fixedMesh, all);
+  EmbeddingGuard guard(all);
   guard.SetObstacles(obstacles);
   const EmbeddedRefinement refinement(mesh, points, faces, refined.Mesh.Triangles, obstacles,
-    edgeLength, gap);
+    fixedMesh, fixedPoints, edgeLength, gap);
   PointList coarse = points;
   std::set<int> involved;
   // Asked at each attempt, of which some are made before and after each relaxation.
@@ -205,7 +259,7 @@ RefinedSurface RefineSurface(const ContourMesh& mesh, const PointList& points,
       return refined;
     }
     AddRings(mesh, refined.Relaxations, involved);
-    RelaxOnce(mesh, guard, involved, parallelFor, monitor, coarse);
+    RelaxOnce(mesh, fixedPoints, guard, involved, parallelFor, monitor, coarse);
     ++refined.Relaxations;
   }
   refined.Embedded = true;

@@ -27,6 +27,11 @@ struct RefinedSurface
 RefinedSurface RefineSurface(const ContourMesh& mesh, const PointList& points,
   const PointList& obstacles, bool checked, const ParallelFor& parallelFor, const Monitor& monitor);
 
+/// The same beside surfaces at rest, which are not refined and must not be met.
+RefinedSurface RefineSurface(const ContourMesh& mesh, const PointList& points,
+  const PointList& obstacles, const ContourMesh& fixedMesh, const PointList& fixedPoints,
+  bool checked, const ParallelFor& parallelFor, const Monitor& monitor);
+
 inline RefinedSurface RefineSurface(const ContourMesh& mesh, const PointList& points, bool checked,
   const ParallelFor& parallelFor, const Monitor& monitor)
 {

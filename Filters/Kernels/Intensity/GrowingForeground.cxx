@@ -140,6 +140,11 @@ bool GrowingForeground::Update(const IntensityModel& model, const Monitor& monit
   return false;
 }
 
+Modality GrowingForeground::GetModality() const
+{
+  return ResolveModality(this->Settings.Modality, this->Region.GetReader(), this->Geometry);
+}
+
 bool GrowingForeground::Carve(const PointList& points, const TriangleList& triangles, double noise,
   const Monitor& monitor)
 {
@@ -157,8 +162,7 @@ bool GrowingForeground::Carve(const PointList& points, const TriangleList& trian
   {
     return false;
   }
-  const Modality modality =
-    ResolveModality(this->Settings.Modality, this->Region.GetReader(), this->Geometry);
+  const Modality modality = this->GetModality();
   bool done = CarveOrgan(this->GetImage(), inside, this->Seed, noise, modality, this->Parallel,
     proceed, this->Mask);
   this->Unanimity = 1;
@@ -176,8 +180,7 @@ bool GrowingForeground::Carve(const PointList& points, const TriangleList& trian
 bool GrowingForeground::Correct(const ConstraintList& constraints, double noise,
   const Monitor& monitor)
 {
-  const Modality modality =
-    ResolveModality(this->Settings.Modality, this->Region.GetReader(), this->Geometry);
+  const Modality modality = this->GetModality();
   const bool done = CorrectForeground(
     this->GetImage(), [&](const VoxelBox& box) { return this->Smooth(box, monitor); }, this->Seed,
     constraints, noise, modality, this->Parallel, monitor, this->Mask);

@@ -44,6 +44,9 @@ public:
 
   void SetMask(const BitMask& mask) { this->Mask = mask; }
 
+  /// Of the image, where the settings leave it open; not Automatic.
+  FlipFree::Modality GetModality() const;
+
   /// Frees the mask's memory.
   void Clear() { this->Mask = BitMask(); }
 

@@ -15,7 +15,11 @@ from ._types import Preset, Progress
 from ._update import update
 from .FlipFreeEvaluation import vtkSegmentationMetrics
 from .FlipFreePhantoms import vtkPhantomSource
-from .FlipFreeSegmentation import vtkFlipFreeSegmentation, vtkFlipFreeVesselSegmentation
+from .FlipFreeSegmentation import (
+    vtkFlipFreeOrganGroup,
+    vtkFlipFreeSegmentation,
+    vtkFlipFreeVesselSegmentation,
+)
 
 if TYPE_CHECKING:
     from ._images import AnySurface
@@ -30,6 +34,10 @@ SEGMENT_PARAMETERS = properties_of(
 )
 RADIUS = Property("radius", "SeedRadius", float, "")
 NAMES = {**names_of(SEGMENT_PARAMETERS), "SeedCenter": "seed", "SeedRadius": "radius", "StartLabel": "start_label"}
+# A history is of one organ.
+GROUP_PARAMETERS = {
+    name: parameter for name, parameter in SEGMENT_PARAMETERS.items() if name != "keep_history"
+}
 TRACE_PARAMETERS = properties_of(vtkFlipFreeVesselSegmentation())
 EVALUATE_PARAMETERS = properties_of(vtkSegmentationMetrics())
 # The shape is an argument of its own.
@@ -89,6 +97,57 @@ class SegmentationAlgorithm:
             self.settings.UpdateTimeStep(iteration)
             history.append(_detached(self.settings.GetSurface()))
         return tuple(history)
+
+
+class GroupAlgorithm:
+    """One run of several organs."""
+
+    def __init__(self) -> None:
+        self._group = vtkFlipFreeOrganGroup()
+        self.settings = self._group.GetParameters()
+        self._constraints: list[tuple[Constraint, ...]] = []
+
+    def add_organ(
+        self, name: str, center: list[float], radius: float, constraints: tuple[Constraint, ...]
+    ) -> None:
+        x, y, z = center
+        self._group.AddOrgan(name, x, y, z, radius)
+        for constraint in constraints:
+            add = getattr(self._group, ADDING[constraint.kind])
+            more = (constraint.radius,) if constraint.kind == SEED else ()
+            add(name, *constraint.place, *more)
+        self._constraints.append(constraints)
+
+    def add_fixed(self, fixed: AnySurface) -> None:
+        surface = fixed.surface if isinstance(fixed, Segmentation) else fixed
+        if not isinstance(surface, vtkPolyData):
+            raise TypeError(f"fixed: a vtkPolyData or a Segmentation is needed, not {fixed!r:.80}")
+        self._group.AddFixedData(surface)
+
+    def first_label(self) -> int:
+        """The first organ's value in the label map."""
+        return int(self.settings.GetLabelValue())
+
+    def run(
+        self, image: vtkImageData, tell: Progress | None
+    ) -> tuple[list[Segmentation], vtkImageData]:
+        group = self._group
+        group.SetLabelValue(self.first_label())
+        group.SetInputData(image)
+        update(group, SegmentationError, tell, names=NAMES)
+        label_map = group.GetLabelMap()
+        organs = [
+            Segmentation(
+                surface=group.GetSurface(organ),
+                label_map=label_map,
+                convergence=group.GetConvergence(organ),
+                stop_reason=group.GetStopReasonAsString(organ),
+                self_intersections=group.GetNumberOfSelfIntersections(organ),
+                constraints=constraints,
+            )
+            for organ, constraints in enumerate(self._constraints)
+        ]
+        return organs, label_map
 
 
 class VesselAlgorithm:

@@ -55,6 +55,12 @@ nb::dict ColumnsOf(const std::vector<IterationRecord>& records)
 
 nb::object LabelsOf(const std::vector<VoxelRun>& runs, int label, const ImageGeometry& geometry)
 {
+  return LabelsOf(std::vector<std::vector<VoxelRun>>{ runs }, label, geometry);
+}
+
+nb::object LabelsOf(const std::vector<std::vector<VoxelRun>>& organs, int first,
+  const ImageGeometry& geometry)
+{
   // The system provides large blocks cleared, page by page on first use; most of a volume is never
   // touched.
   auto* const voxels =
@@ -64,7 +70,11 @@ nb::object LabelsOf(const std::vector<VoxelRun>& runs, int label, const ImageGeo
     throw std::bad_alloc();
   }
   const nb::capsule owner(voxels, [](void* p) noexcept { std::free(p); });
-  FillRuns(runs, static_cast<std::uint8_t>(label), geometry, voxels);
+  int label = first;
+  for (const std::vector<VoxelRun>& runs : organs)
+  {
+    FillRuns(runs, static_cast<std::uint8_t>(label++), geometry, voxels);
+  }
   const auto& size = geometry.Dimensions;
   return nb::cast(nb::ndarray<nb::numpy, std::uint8_t>(voxels,
     { static_cast<std::size_t>(size[2]), static_cast<std::size_t>(size[1]),

@@ -28,6 +28,9 @@ nb::dict ColumnsOf(const std::vector<IterationRecord>& records);
 
 /// The label map: an array [k, j, i].
 nb::object LabelsOf(const std::vector<VoxelRun>& runs, int label, const ImageGeometry& geometry);
+/// The same of several organs, with consecutive labels.
+nb::object LabelsOf(const std::vector<std::vector<VoxelRun>>& organs, int first,
+  const ImageGeometry& geometry);
 
 } // namespace FlipFree
 

@@ -5,6 +5,7 @@
 #include "Report.h"
 #include "ThreadPool.h"
 
+#include "Deformation/OrganGroup.h"
 #include "Deformation/SegmentationParameters.h"
 #include "Deformation/StartMask.h"
 #include "Deformation/VolumeSegmentation.h"
@@ -27,14 +28,9 @@ const char* const LabelsName = "the start labels on port 3";
 // Points and faces of a start surface.
 using Start = std::tuple<Rows3, Indices, Indices>;
 
-std::optional<DeformableSurface> SurfaceOf(const std::optional<Start>& start, bool requireEmbedded)
+DeformableSurface SurfaceOf(const Start& start, const std::string& name, bool requireEmbedded)
 {
-  if (!start)
-  {
-    return {};
-  }
-  const auto& [points, corners, offsets] = *start;
-  const std::string name = "the start surface on port 1";
+  const auto& [points, corners, offsets] = start;
   if (points.shape(0) == 0)
   {
     throw std::invalid_argument(name + " has no points; give one that has");
@@ -83,6 +79,19 @@ BitMask StartMaskOf(const LabelMap& labels, int label, const ImageGeometry& imag
     });
 }
 
+// The surface with its confidence. Uses up both.
+nb::dict ResultDict(VolumeSegmentation& result)
+{
+  OrganSurface& organ = result.Organ;
+  nb::dict surface =
+    SurfaceDict(std::move(organ.Mesh.Faces), std::move(organ.Points), std::move(organ.Field));
+  std::vector<float>& ofVertices = result.Confidence.OfVertices;
+  const std::size_t vertices = ofVertices.size();
+  surface["vertex_confidence"] = ArrayOf<float>(std::move(ofVertices), { vertices });
+  surface["confidence"] = result.Confidence.OfSurface;
+  return surface;
+}
+
 nb::dict Segment(const Voxels& voxels, const Triple& spacing, const Triple& origin,
   const Nine& direction, const Triple& center, double radius, const std::optional<Start>& start,
   const std::optional<LabelMap>& labels, int label, const std::vector<ConstraintRow>& rows,
@@ -121,7 +130,11 @@ nb::dict Segment(const Voxels& voxels, const Triple& spacing, const Triple& orig
         seed = LargestBallIn(mask, LabelsName, PoolFor);
       }
       RequireSeed(geometry, seed, ImageName);
-      const std::optional<DeformableSurface> surface = SurfaceOf(start, settings.Method.Step.Guard);
+      std::optional<DeformableSurface> surface;
+      if (start)
+      {
+        surface = SurfaceOf(*start, "the start surface on port 1", settings.Method.Step.Guard);
+      }
       const GrayVolume volume = VisitVoxels(voxels, geometry,
         [](const auto& view) { return GrayVolumeOf(view, ImageName, PoolThreading()); });
       VolumeSegmenter segmenter(volume, ImageName, seed, surface ? &*surface : nullptr, settings,
@@ -160,13 +173,74 @@ nb::dict Segment(const Voxels& voxels, const Triple& spacing, const Triple& orig
       std::move(iteration.Field)));
   }
   answer["history"] = surfaces;
-  nb::dict surface =
-    SurfaceDict(std::move(organ.Mesh.Faces), std::move(organ.Points), std::move(organ.Field));
-  std::vector<float>& ofVertices = result.Confidence.OfVertices;
-  const std::size_t vertices = ofVertices.size();
-  surface["vertex_confidence"] = ArrayOf<float>(std::move(ofVertices), { vertices });
-  surface["confidence"] = result.Confidence.OfSurface;
-  answer["surface"] = surface;
+  answer["surface"] = ResultDict(result);
+  report(1.0);
+  return answer;
+}
+
+// Name, center and radius of the seed, constraints.
+using OrganRow = std::tuple<std::string, Triple, double, std::vector<ConstraintRow>>;
+
+nb::dict SegmentOrgans(const Voxels& voxels, const Triple& spacing, const Triple& origin,
+  const Nine& direction, const std::vector<OrganRow>& rows, const std::vector<Start>& surfaces,
+  const Settings& settings, const nb::callable& report)
+{
+  const ImageGeometry geometry = GeometryOf(voxels, spacing, origin, direction);
+  std::vector<SeededOrgan> organs;
+  std::vector<ConstraintList> constraints;
+  for (const auto& [name, center, radius, points] : rows)
+  {
+    organs.push_back({ name, { Eigen::Vector3d(center.data()), radius } });
+    constraints.push_back(ConstraintsOf(points));
+    TakeLargestSeed(organs.back().Seed, constraints.back());
+  }
+  std::vector<VolumeSegmentation> results;
+  {
+    const nb::gil_scoped_release unlocked;
+    const Monitor monitor = MonitorOf(report, 0, 0.95);
+    RequireNumbers(settings);
+    RequireVoxels(geometry);
+    if (settings.LabelValue + static_cast<int>(rows.size()) > 256)
+    {
+      throw std::invalid_argument(
+        "labels go up to 255, which leaves none for the last organ; lower LabelValue, or remove "
+        "organs");
+    }
+    std::vector<FixedSurface> fixed;
+    for (const Start& surface : surfaces)
+    {
+      const std::string name =
+        "the fixed surface " + std::to_string(fixed.size() + 1) + " on port 2";
+      fixed.push_back({ name, SurfaceOf(surface, name, true) });
+    }
+    const GrayVolume volume = VisitVoxels(voxels, geometry,
+      [](const auto& view) { return GrayVolumeOf(view, ImageName, PoolThreading()); });
+    OrganGroup group(volume, ImageName, organs, std::move(fixed), settings, PoolThreading());
+    results = group.Segment(constraints, monitor,
+      [](std::size_t, const ContourMesh&, const PointList&, const CorrespondenceField&,
+        const IterationRecord&) {});
+  }
+  nb::dict answer;
+  nb::list list;
+  std::vector<std::vector<VoxelRun>> runs;
+  for (VolumeSegmentation& result : results)
+  {
+    OrganSurface& organ = result.Organ;
+    if (organ.Reason == StopReason::Aborted)
+    {
+      return answer;
+    }
+    nb::dict entry;
+    entry["stop_reason"] = std::string(ToString(organ.Reason));
+    entry["self_intersections"] = organ.SelfIntersections;
+    entry["iterations"] = ColumnsOf(organ.Iterations);
+    entry["warnings"] = result.Warnings;
+    entry["surface"] = ResultDict(result);
+    runs.push_back(std::move(result.Voxels));
+    list.append(entry);
+  }
+  answer["organs"] = list;
+  answer["labels"] = LabelsOf(runs, settings.LabelValue, geometry);
   report(1.0);
   return answer;
 }
@@ -189,6 +263,9 @@ void BindSegmentation(nb::module_& module)
   module.def("segment", &Segment, nb::arg("voxels").noconvert(), nb::arg("spacing"),
     nb::arg("origin"), nb::arg("direction"), nb::arg("center"), nb::arg("radius"),
     nb::arg("start").none(), nb::arg("labels").none(), nb::arg("label"), nb::arg("constraints"),
+    nb::arg("settings"), nb::arg("report"));
+  module.def("segment_organs", &SegmentOrgans, nb::arg("voxels").noconvert(), nb::arg("spacing"),
+    nb::arg("origin"), nb::arg("direction"), nb::arg("organs"), nb::arg("fixed"),
     nb::arg("settings"), nb::arg("report"));
 }
 

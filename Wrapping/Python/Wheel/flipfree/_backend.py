@@ -30,6 +30,10 @@ SEGMENT_PARAMETERS = settings_of(
     ),
 )
 NAMES = {**names_of(SEGMENT_PARAMETERS), "SeedCenter": "seed", "SeedRadius": "radius", "StartLabel": "start_label"}
+# A history is of one organ.
+GROUP_PARAMETERS = {
+    name: parameter for name, parameter in SEGMENT_PARAMETERS.items() if name != "keep_history"
+}
 TRACE_PARAMETERS = settings_of(
     _kernels.VesselSettings, ("vtkVesselAlgorithm", "vtkFlipFreeVesselSegmentation")
 )
@@ -142,6 +146,65 @@ class SegmentationAlgorithm:
                 Surface(**surface, certified=certified) for surface in answer["history"]
             ),
         )
+
+
+class GroupAlgorithm:
+    """One run of several organs."""
+
+    def __init__(self) -> None:
+        self.settings = _kernels.SegmentationSettings("default")
+        self._organs: list[tuple[str, list[float], float, tuple[Constraint, ...]]] = []
+        self._fixed: list[Surface] = []
+
+    def add_organ(
+        self, name: str, center: list[float], radius: float, constraints: tuple[Constraint, ...]
+    ) -> None:
+        self._organs.append((name, center, radius, constraints))
+
+    def add_fixed(self, fixed: AnySurface) -> None:
+        if not is_surface(fixed) and not isinstance(fixed, Segmentation):
+            raise TypeError(
+                f"fixed: a flipfree.Surface or a Segmentation is needed, not {fixed!r:.80}"
+            )
+        self._fixed.append(_mesh_of(fixed))
+
+    def first_label(self) -> int:
+        """The first organ's value in the label map."""
+        return int(self.settings.get("LabelValue")[0])
+
+    def run(self, image: Image, tell: Progress | None) -> tuple[list[Segmentation], Image]:
+        answer = run(
+            lambda report: _kernels.segment_organs(
+                *_volume_of(image),
+                [
+                    (name, center, radius, [(one.kind, *one.place, one.radius) for one in points])
+                    for name, center, radius, points in self._organs
+                ],
+                [_arrays_of(surface) for surface in self._fixed],
+                self.settings,
+                report,
+            ),
+            SegmentationError,
+            "No segmentation: {}.",
+            NAMES,
+            tell,
+        )
+        label_map = Image(answer["labels"], image.spacing, image.origin, image.direction)
+        organs = []
+        for (name, _, _, constraints), organ in zip(self._organs, answer["organs"]):
+            for text in organ["warnings"]:
+                warn(f"{name}: {with_names(text, NAMES)}")
+            organs.append(
+                Segmentation(
+                    mesh=Surface(**organ["surface"], certified=True),
+                    label_map=label_map,
+                    iterations=organ["iterations"],
+                    stop_reason=organ["stop_reason"],
+                    self_intersections=organ["self_intersections"],
+                    constraints=constraints,
+                )
+            )
+        return organs, label_map
 
 
 class VesselAlgorithm:

@@ -14,6 +14,7 @@ from typing import Any, get_args
 
 from ._atomic import replacing, write_table
 from ._backend import (
+    GROUP_PARAMETERS,
     SEGMENT_PARAMETERS,
     TRACE_PARAMETERS,
     VesselAlgorithm,
@@ -32,7 +33,16 @@ from ._point_files import ENDINGS as POINT_ENDINGS
 from ._point_files import arguments_of, read_points, write_points
 from ._segment import segment as segment_organ
 from ._segmentation import Segmentation, Vessel
-from ._session import Session, SessionOrgan, image_beside, read_session, require_image_of, runs_of
+from ._segment_organs import segment_organs
+from ._session import (
+    Session,
+    SessionOrgan,
+    image_beside,
+    name_for,
+    read_session,
+    require_image_of,
+    runs_of,
+)
 from ._surface_files import ENDINGS, read_surface, write_centerline, write_surface
 from ._trace import trace as trace_vessel
 from ._types import Shape
@@ -59,6 +69,9 @@ TRACE_OUTPUTS = {
 def segment(values: dict[str, Any]) -> None:
     """`flipfree segment`."""
     progress = _wants_bar(values)
+    if {"organ", "fixed"} & values.keys():
+        _segment_group(values, progress)
+        return
     session = _session_of(values)
     runs = [values]
     if session:
@@ -79,6 +92,126 @@ def segment(values: dict[str, Any]) -> None:
             _write_to(files, values["labels"], lambda name: write_image(_label_map(said), name))
     for run, (organ, working) in zip(runs, said):
         _report(run, organ, reading, working)
+
+
+def _segment_group(values: dict[str, Any], progress: bool) -> None:
+    """`flipfree segment --organ`."""
+    organs = _organs_of(values)
+    outputs = {}
+    for organ in organs:
+        for name in OUTPUTS.keys() & values.keys() - {"labels"}:
+            outputs[organ, name] = name_for(_file_name(organ), values[name])
+    given = {name: values[name] for name in OUTPUTS if name in values}
+    _require_outputs(given)
+    for path in (*outputs.values(), *([values["labels"]] if "labels" in values else [])):
+        _require_place(path, [values["input"], *values.get("fixed", ())])
+    _require_files(values, {name: path for name, path in given.items() if name == "labels"})
+    set_threads(values.get("threads", 0))
+    start = time.perf_counter()
+    fixed = [read_surface(name) for name in values.get("fixed", ())]
+    image = read_image(values["input"], series=values.get("series"), progress=progress)
+    reading = time.perf_counter() - start
+    try:
+        found = segment_organs(
+            image,
+            organs,
+            fixed=fixed,
+            progress=progress or None,
+            **{name: value for name, value in values.items() if name in GROUP_PARAMETERS},
+        )
+    except FlipFreeError as error:
+        raise type(error)(f"'{values['input']}': {error}") from error
+    working = time.perf_counter() - start - reading
+    with contextlib.ExitStack() as files:  # either all files or none
+        for name, organ in found.items():
+            if organ.stop_reason == "no boundary found":
+                raise FlipFreeError(
+                    f"'{values['input']}', {name}: no boundary of the organ was found, so nothing is "
+                    "written."
+                )
+        for (name, output), path in outputs.items():
+            _write_to(files, path, partial(_write, output, found[name], image))
+        if "labels" in values:
+            _write_to(files, values["labels"], lambda name: write_image(found.label_map, name))
+    if "quiet" not in values:
+        for name, organ in found.items():
+            print(
+                f"{values['input']}, {name}: label {found.label_of(name)}, volume {organ.volume:.1f} "
+                f"ml, {len(organ.iterations['Iteration'])} iterations, {organ.stop_reason}, "
+                f"{organ.self_intersections} self-intersections, confidence {organ.confidence:.2f}"
+            )
+        print(
+            f"{values['input']}: organs do not meet; reading {reading:.2f} s, segmenting "
+            f"{working:.2f} s"
+        )
+
+
+def _organs_of(values: dict[str, Any]) -> dict[str, dict[str, Any]]:
+    """Seeds and points by the names of the organs; points belong to the organ before them."""
+    if "organ" not in values:
+        raise WrongUsage("--fixed is for organs that are given by --organ. Give one or more")
+    if {"seed", "seed_voxel", "radius", "session", "start_labels"} & values.keys():
+        raise WrongUsage(
+            "--organ has the seed. Leave out --seed, --seed-voxel, --radius, --session and "
+            "--start-labels"
+        )
+    if {"points", "save_points"} & values.keys():
+        raise WrongUsage(
+            "--points and --save-points are for one organ. Give the points of several by --inside, "
+            "--outside and --boundary, after the organ that they belong to"
+        )
+    if values.get("preset", "default") != "default":
+        raise WrongUsage("--preset is for one organ. Leave it out, or segment them one by one")
+    if "input" not in values:
+        raise WrongUsage("INPUT is required: a volume, or a folder of a DICOM series")
+    for name in values.get("fixed", ()):
+        _require_ending("--fixed", name, ENDINGS)
+    organs: dict[str, dict[str, Any]] = {}
+    files: dict[str, str] = {}
+    for option, given in values["order"]:
+        if option == "organ":
+            name, *numbers = given
+            if not name:
+                raise WrongUsage("--organ: a name is empty. Give each organ one of its own")
+            other = files.setdefault(_file_name(name), name)
+            if name in organs or other != name:
+                raise WrongUsage(
+                    f"--organ: '{other}' and '{name}' are the same in names of files. Give each organ "
+                    "a name of its own"
+                )
+            x, y, z, radius = (_number_of(name, text) for text in numbers)
+            if radius <= 0:
+                raise WrongUsage(
+                    f"--organ {name}: the radius must be a positive number of millimeters. The sphere "
+                    "should lie within the organ"
+                )
+            organs[name] = {"seed": _lps(values, [x, y, z]), "radius": radius}
+        elif option in ("inside", "outside", "boundary"):
+            if not organs:
+                raise WrongUsage(
+                    f"--{option}: the point comes before the first --organ. Give it after its own organ"
+                )
+            points = organs[next(reversed(organs))].setdefault(option, [])
+            points.append(_lps(values, given))
+    return organs
+
+
+def _number_of(organ: str, text: str) -> float:
+    try:
+        number = float(text)
+    except ValueError:
+        number = math.nan
+    if not math.isfinite(number):
+        raise WrongUsage(
+            f"--organ {organ}: '{text}' is not a finite number. Give a name, the seed's center, and "
+            "its radius: NAME X Y Z MM"
+        )
+    return number
+
+
+def _file_name(organ: str) -> str:
+    """As it can stand in names of files."""
+    return "".join(c if c.isalnum() or not c.isascii() else "-" for c in organ)
 
 
 def _session_of(values: dict[str, Any]) -> Session | None:
@@ -380,10 +513,17 @@ def _require_sense(values: dict[str, Any], outputs: dict[str, str]) -> None:
             "Both --seed and --seed-voxel are given. Give only one of them"
             if "seed" in values
             else "There is no seed. Give a point deep inside the organ: --seed X Y Z (LPS mm) or "
-            "--seed-voxel I J K; or a label map to fill: --start-labels FILE"
+            "--seed-voxel I J K; or a label map to fill: --start-labels FILE; or several organs: "
+            "--organ NAME X Y Z MM"
         )
     if "points" in values:
         _require_ending("--points", values["points"], POINT_ENDINGS)
+    _require_outputs(outputs)
+    _require_files(values, outputs)
+
+
+def _require_outputs(outputs: dict[str, str]) -> None:
+    """There are some, of endings that can be written."""
     if not set(outputs) - {"save_points"}:
         raise WrongUsage(
             "No output is requested. Give at least one of --output, --labels, --convergence and "
@@ -391,7 +531,6 @@ def _require_sense(values: dict[str, Any], outputs: dict[str, str]) -> None:
         )
     for name, path in outputs.items():
         _require_ending(f"--{name.replace('_', '-')}", path, OUTPUTS[name])
-    _require_files(values, outputs)
 
 
 def _require_files(values: dict[str, Any], outputs: dict[str, str]) -> None:

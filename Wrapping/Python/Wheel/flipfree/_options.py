@@ -69,6 +69,17 @@ class Parser(argparse.ArgumentParser):
         raise WrongUsage(text[0].upper() + text[1:])
 
 
+class Repeated(argparse.Action):
+    """An option that can be repeated: a list of its values.
+
+    `order` has names and values of all such options as they came.
+    """
+
+    def __call__(self, parser: Any, namespace: Any, values: Any, option_string: Any = None) -> None:
+        setattr(namespace, self.dest, [*getattr(namespace, self.dest, ()), values])
+        namespace.order = [*getattr(namespace, "order", ()), (self.dest, values)]
+
+
 def table() -> list[Entry]:
     """The program and its subcommands."""
     text = resources.files(__package__).joinpath("_options.json").read_text(encoding="utf-8")
@@ -120,7 +131,7 @@ def _add(parser: Parser, option: Entry, parameters: Mapping[str, Parameter]) -> 
     parser.add_argument(
         *on,
         dest=name,
-        action="append" if option.get("repeats") else "store",
+        action=Repeated if option.get("repeats") else "store",
         type=kind,
         nargs=count if count > 1 else None,
         choices=option["choices"] or None,

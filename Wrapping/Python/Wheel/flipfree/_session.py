@@ -233,12 +233,12 @@ def runs_of(session: Session, values: dict[str, Any], outputs: list[str]) -> lis
             run.update(seed=organ.seed, radius=organ.radius, preset=organ.preset)
         if len(session.organs) > 1:
             run["organ"] = organ.name
-            run.update({name: _name_for(organ.name, run[name]) for name in outputs if name in run})
+            run.update({name: name_for(organ.name, run[name]) for name in outputs if name in run})
         runs.append(run)
     return runs
 
 
-def _name_for(organ: str, path: str) -> str:
+def name_for(organ: str, path: str) -> str:
     """out-liver.vtp for out.vtp."""
     folder, name = os.path.split(path)
     stem, dot, ending = name[1:].partition(".")

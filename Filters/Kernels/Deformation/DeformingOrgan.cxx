@@ -1,0 +1,221 @@
+#include "Deformation/DeformingOrgan.h"
+
+#include "Intensity/ModelFit.h"
+#include "Intensity/OrganCarving.h"
+#include "Stopwatch.h"
+
+#include <utility>
+
+namespace FlipFree
+{
+namespace
+{
+
+// The iterations over which the mean distance must fall.
+constexpr std::size_t ChangeSpan = 5;
+// A surface that still finds new parts of the boundary is not at rest, even where its mean distance
+// to the targets grows: new by this fraction of its vertices.
+constexpr double Growth = 0.01;
+
+} // namespace
+
+DeformingOrgan::DeformingOrgan(SmoothRegion& region, double noise, const SeedSphere& seed,
+  const OrganSegmentationSettings& settings, const ParallelFor& parallelFor)
+  : Noise(noise)
+  , Seed(seed)
+  , Settings(settings)
+  , Parallel(parallelFor)
+  , Voxel(region.View().Geometry.Spacing.maxCoeff())
+  , Foreground(region, this->Seed, this->Settings.Feature,
+      2 * EdgeWindowOf(settings.Targets, region.View().Geometry), parallelFor)
+  , OrganRadius(seed.Radius)
+{
+}
+
+bool DeformingOrgan::FindForegroundOfSeed(const Monitor& monitor)
+{
+  Stopwatch watch;
+  this->Settled = false;
+  if (!this->Foreground.SmoothAroundSeed(monitor))
+  {
+    return false;
+  }
+  this->Model = FitToSeed(this->Foreground.GetImage(), this->Seed, this->Noise,
+    this->Settings.Feature.Intensity);
+  if (!this->Foreground.Update(this->Model, monitor))
+  {
+    return false;
+  }
+  RequireContrast(this->Foreground.GetMask());
+  this->Surface.FeatureSeconds += watch.Lap();
+  return true;
+}
+
+bool DeformingOrgan::FindForegroundOfSurface(const Monitor& monitor)
+{
+  const IntensitySettings& settings = this->Settings.Feature.Intensity;
+  Stopwatch watch;
+  this->Foreground.Clear(); // what follows needs the memory
+  if (!this->Foreground.SmoothAround(this->Surface.Points, settings.ShellEnd, monitor))
+  {
+    return false;
+  }
+  RefitToSurface(this->Foreground.GetImage(), this->Surface.Points, this->Surface.Mesh.Triangles,
+    this->Noise, settings, this->Parallel, monitor, this->Model);
+  const bool found = this->Foreground.Update(this->Model, monitor);
+  this->Surface.FeatureSeconds += watch.Lap();
+  return found && this->CorrectForeground(this->Constraints, monitor);
+}
+
+bool DeformingOrgan::CarveSurface(const Monitor& monitor)
+{
+  Stopwatch watch;
+  this->Settled = this->Foreground.Carve(this->Surface.Points, this->Surface.Mesh.Triangles,
+    this->Noise, monitor);
+  this->Surface.FeatureSeconds += watch.Lap();
+  return this->Settled;
+}
+
+bool DeformingOrgan::CorrectForeground(const ConstraintList& constraints, const Monitor& monitor)
+{
+  Stopwatch watch;
+  const bool done =
+    constraints.empty() || this->Foreground.Correct(constraints, this->Noise, monitor);
+  this->Surface.FeatureSeconds += watch.Lap();
+  return done;
+}
+
+void DeformingOrgan::SettleForeground(const BitMask& mask)
+{
+  this->Foreground.SetMask(mask);
+  this->Settled = true;
+}
+
+void DeformingOrgan::BeginAt(const DeformableSurface& start, int firstLevel,
+  const ConstraintList& constraints, const IterationObserver& observer)
+{
+  this->Surface.Mesh = start.Mesh;
+  this->Surface.Points = start.Points;
+  this->Surface.Reason = StopReason::NotRun;
+  this->FirstLevel = firstLevel;
+  this->Observe = observer;
+  this->Constraints = constraints;
+  if (this->Settled)
+  {
+    this->OrganRadius = RadiusOf(this->Foreground.GetMask(), this->Seed);
+  }
+  this->Enforcer.reset();
+  if (!constraints.empty())
+  {
+    this->Enforcer.emplace(constraints,
+      this->Foreground.GetMask().GetGeometry().Spacing.minCoeff());
+    this->Enforcer->Begin(start.Mesh, FaceHulls(start.Points, start.Mesh.Faces), start.Points);
+  }
+}
+
+void DeformingOrgan::BeginLevel(int level)
+{
+  this->Level = level;
+  this->Surface.Reason = StopReason::NotRun;
+  this->Reports.clear();
+  this->Hulls.reset();
+  if (this->Enforcer)
+  {
+    this->Hulls.emplace(this->Surface.Points, this->Surface.Mesh.Faces);
+  }
+  this->Solver = std::make_unique<DeformationSolver>(this->Surface.Mesh);
+}
+
+PointList DeformingOrgan::FindMotion()
+{
+  if (this->IsAtRest())
+  {
+    return PointList::Zero(this->Surface.Points.rows(), 3);
+  }
+  this->Record = {};
+  this->Record.Iteration = static_cast<int>(this->Surface.Iterations.size()) + 1;
+  this->Record.Level = this->FirstLevel + this->Level;
+  this->Record.Vertices = this->Surface.Mesh.NumberOfPoints();
+
+  TargetSettings targets = this->Settings.Targets;
+  targets.Correspondence.Ramp = this->Model.Ramp;
+  // The carved foreground ends where the edge is, by its own rule.
+  if (this->Level + 1 < this->Settings.Schedule.NumberOfLevels() || this->Settled)
+  {
+    targets.Correspondence.EdgeWindow = 0;
+  }
+  Stopwatch watch;
+  this->Surface.Field = FindTargets(this->Surface.Mesh, this->Surface.Points,
+    this->Foreground.GetMask(), this->Foreground.GetImage(), this->OrganRadius, targets,
+    this->Parallel, this->Record.Targets);
+  this->Record.SearchSeconds = watch.Lap();
+  return FlipFree::FindMotion(*this->Solver, this->Settings.Step, this->Surface.Points,
+    this->Surface.Field, this->Record.Step);
+}
+
+void DeformingOrgan::Move(PointList points, int guarded, double guardSeconds)
+{
+  this->Surface.Points = std::move(points);
+  this->Record.Step.Guarded = guarded;
+  this->Record.Step.GuardSeconds = guardSeconds;
+  this->Surface.Iterations.push_back(this->Record);
+  this->Observe(this->Surface.Mesh, this->Surface.Points, this->Surface.Field, this->Record);
+  this->Reports.push_back(this->Record.Targets);
+  this->Surface.Reason = this->ReasonToStop();
+}
+
+// NotRun: the level goes on.
+StopReason DeformingOrgan::ReasonToStop() const
+{
+  const ScheduleSettings& schedule = this->Settings.Schedule;
+  const TargetReport& now = this->Reports.back();
+  if (now.Matched == 0)
+  {
+    return StopReason::NoBoundaryFound;
+  }
+  if (now.MeanDistance < this->Voxel * schedule.DistanceTolerance)
+  {
+    return StopReason::DistanceBelowTolerance;
+  }
+  if (schedule.ChangeTolerance < 0 || this->Reports.size() <= ChangeSpan)
+  {
+    return StopReason::NotRun;
+  }
+  const TargetReport& before = this->Reports[this->Reports.size() - 1 - ChangeSpan];
+  const bool grows = now.Matched - before.Matched > Growth * this->Surface.Mesh.NumberOfPoints();
+  const bool rests =
+    before.MeanDistance - now.MeanDistance < this->Voxel * schedule.ChangeTolerance;
+  return rests && !grows ? StopReason::AtRest : StopReason::NotRun;
+}
+
+void DeformingOrgan::Replace(ContourMesh mesh, PointList points)
+{
+  this->Solver.reset();
+  this->Surface.Mesh = std::move(mesh);
+  this->Surface.Points = std::move(points);
+}
+
+PointList DeformingOrgan::GetObstacles() const
+{
+  return this->Enforcer ? this->Enforcer->GetObstacles() : PointList(0, 3);
+}
+
+void DeformingOrgan::UpdateObstacles()
+{
+  if (this->Enforcer)
+  {
+    this->Enforcer->Update(this->Surface.Mesh, *this->Hulls, this->Surface.Points);
+  }
+}
+
+bool DeformingOrgan::FinishConstraints(const GuardedStep& step, const Monitor& monitor)
+{
+  if (!this->Enforcer)
+  {
+    return true;
+  }
+  const FaceHulls hulls(this->Surface.Points, this->Surface.Mesh.Faces);
+  return this->Enforcer->Finish(this->Surface.Mesh, hulls, step, monitor, this->Surface.Points);
+}
+
+} // namespace FlipFree

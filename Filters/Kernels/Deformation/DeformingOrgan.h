@@ -1,0 +1,104 @@
+/**
+ * What belongs to one organ while its surface deforms: the evidence of where it ends, the points it
+ * obeys, the surface, and each iteration's targets and wanted motion. JointDeformation moves one or
+ * several of them.
+ */
+#ifndef FlipFreeDeformingOrgan_h
+#define FlipFreeDeformingOrgan_h
+
+#include "Deformation/ConstraintEnforcer.h"
+#include "Deformation/OrganSegmentation.h"
+#include "Intensity/GrowingForeground.h"
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace FlipFree
+{
+
+class DeformingOrgan
+{
+public:
+  /// The region and `parallelFor` must outlive the object. `noise` is the standard deviation before
+  /// smoothing.
+  DeformingOrgan(SmoothRegion& region, double noise, const SeedSphere& seed,
+    const OrganSegmentationSettings& settings, const ParallelFor& parallelFor);
+
+  /// Forgets the surface, not the evidence.
+  void Reset() { this->Surface = {}; }
+
+  // The evidence. What may take long returns false if the monitor stopped it.
+
+  bool FindForegroundOfSeed(const Monitor& monitor);
+  /// Refits the intensities to the surface, and corrects the foreground by the run's constraints.
+  bool FindForegroundOfSurface(const Monitor& monitor);
+  /// Makes the foreground from the inside of the surface. It is then settled.
+  bool CarveSurface(const Monitor& monitor);
+  /// Corrects the foreground by constraints (ForegroundCorrection.h).
+  bool CorrectForeground(const ConstraintList& constraints, const Monitor& monitor);
+  /// Takes a foreground from elsewhere, which is settled.
+  void SettleForeground(const BitMask& mask);
+  /// Levels find no further foreground.
+  bool IsSettled() const { return this->Settled; }
+  GrowingForeground& GetForeground() { return this->Foreground; }
+
+  // The surface.
+
+  /// Begins a run of all levels, which count from `firstLevel`. Throws Error, naming the point, if
+  /// an outside point lies in the surface or on it.
+  void BeginAt(const DeformableSurface& start, int firstLevel, const ConstraintList& constraints,
+    const IterationObserver& observer);
+  void BeginLevel(int level);
+  /// The motion that the next iteration wants; none where the level is at rest.
+  PointList FindMotion();
+  /// Ends the iteration with the vertices where the guard let them go. Not where at rest.
+  void Move(PointList points, int guarded, double guardSeconds);
+  /// Whether the level has ended for this organ, after the latest iteration; see the reason.
+  bool IsAtRest() const { return this->Surface.Reason != StopReason::NotRun; }
+  void SetReason(StopReason reason) { this->Surface.Reason = reason; }
+  void Replace(ContourMesh mesh, PointList points);
+
+  /// What the surface must not pass from now on, one row each.
+  PointList GetObstacles() const;
+  /// Looks which inside points the surface encloses by now.
+  void UpdateObstacles();
+  bool HasConstraints() const { return this->Enforcer.has_value(); }
+  /// Pulls the surface toward the points that it does not obey yet (ConstraintEnforcer.h).
+  bool FinishConstraints(const GuardedStep& step, const Monitor& monitor);
+
+  const OrganSegmentationSettings& GetSettings() const { return this->Settings; }
+  OrganSurface& GetSurface() { return this->Surface; }
+  const OrganSurface& GetSurface() const { return this->Surface; }
+
+private:
+  StopReason ReasonToStop() const;
+
+  const double Noise;
+  const SeedSphere Seed;
+  const OrganSegmentationSettings Settings;
+  const ParallelFor& Parallel;
+  const double Voxel; // the greatest spacing
+  GrowingForeground Foreground;
+  IntensityModel Model;
+  double OrganRadius; // the seed's, until more is known
+  bool Settled = false;
+
+  // Of the present run.
+  OrganSurface Surface;
+  ConstraintList Constraints;
+  std::optional<ConstraintEnforcer> Enforcer;
+  IterationObserver Observe;
+  int FirstLevel = 0;
+
+  // Of the present level.
+  int Level = 0;
+  std::optional<FaceHulls> Hulls; // if there are constraints
+  std::unique_ptr<DeformationSolver> Solver;
+  std::vector<TargetReport> Reports;
+  IterationRecord Record;
+};
+
+} // namespace FlipFree
+
+#endif

@@ -1,0 +1,317 @@
+#include "Deformation/JointDeformation.h"
+
+#include "Geometry/WindingNumber.h"
+#include "Guard/SurfaceRefinement.h"
+#include "Mesh/MeshRefinement.h"
+#include "Mesh/MeshUnion.h"
+#include "Stopwatch.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace FlipFree
+{
+
+bool NoneIsWithinAnother(const std::vector<const DeformableSurface*>& surfaces)
+{
+  for (const DeformableSurface* outer : surfaces)
+  {
+    for (const DeformableSurface* inner : surfaces)
+    {
+      if (inner != outer &&
+        WindingNumber(outer->Points, outer->Mesh.Triangles, inner->Points.row(0).transpose()) != 0)
+      {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+JointDeformation::JointDeformation(std::vector<DeformingOrgan*> organs,
+  std::vector<DeformableSurface> fixed, const ParallelFor& parallelFor)
+  : Organs(std::move(organs))
+  , FixedParts(std::move(fixed))
+  , Parallel(parallelFor)
+  , Levels(this->Organs.front()->GetSettings().Schedule.NumberOfLevels())
+{
+  this->Fixed.Points.resize(0, 3);
+  for (const DeformableSurface& part : this->FixedParts)
+  {
+    AppendMesh(part.Mesh, this->Fixed.Mesh);
+    AppendPoints(part.Points, this->Fixed.Points);
+  }
+}
+
+bool JointDeformation::Run(const Monitor& monitor)
+{
+  const auto until = [&](int level)
+  { return [&monitor, level, this](double) { return monitor(double(level) / this->Levels); }; };
+  for (int level = 0; level < this->Levels; ++level)
+  {
+    if (level > 0)
+    {
+      const Monitor proceed = until(level);
+      bool stopped = false;
+      const Monitor remember = [&](double fraction)
+      {
+        stopped = stopped || !proceed(fraction);
+        return !stopped;
+      };
+      if (!this->Refine(remember))
+      {
+        if (stopped)
+        {
+          return false;
+        }
+        for (DeformingOrgan* organ : this->Organs)
+        {
+          organ->SetReason(StopReason::NotRefined);
+        }
+        break;
+      }
+      if (!this->Refit(remember))
+      {
+        return false;
+      }
+    }
+    if (!this->IterateLevel(level, monitor))
+    {
+      return false;
+    }
+  }
+  return this->FinishConstraints(until(this->Levels));
+}
+
+bool JointDeformation::HasGuard() const
+{
+  return this->Organs.front()->GetSettings().Step.Guard;
+}
+
+void JointDeformation::Unite()
+{
+  this->Mesh = {};
+  this->Parts.clear();
+  for (const DeformingOrgan* organ : this->Organs)
+  {
+    const int begin = this->Mesh.NumberOfPoints();
+    AppendMesh(organ->GetSurface().Mesh, this->Mesh);
+    this->Parts.push_back({ begin, this->Mesh.NumberOfPoints() });
+  }
+}
+
+PointList JointDeformation::PartOf(const PointList& all, std::size_t organ) const
+{
+  const VertexRange& part = this->Parts[organ];
+  return all.middleRows(part.Begin, part.End - part.Begin);
+}
+
+// Each organ is stopped by its own obstacles only: what lies outside one may lie inside another.
+void JointDeformation::UniteObstacles(EmbeddingGuard& guard) const
+{
+  PointList obstacles(0, 3);
+  std::vector<VertexRange> ranges;
+  for (std::size_t organ = 0; organ < this->Organs.size(); ++organ)
+  {
+    AppendPoints(this->Organs[organ]->GetObstacles(), obstacles);
+    ranges.resize(obstacles.rows(), this->Parts[organ]);
+  }
+  guard.SetObstacles(std::move(obstacles), std::move(ranges));
+}
+
+bool JointDeformation::Refit(const Monitor& proceed)
+{
+  return std::all_of(this->Organs.begin(), this->Organs.end(),
+    [&](DeformingOrgan* organ)
+    {
+      return !organ->GetSettings().Feature.ReestimateIntensities || organ->IsSettled() ||
+        organ->FindForegroundOfSurface(proceed);
+    });
+}
+
+bool JointDeformation::Refine(const Monitor& proceed)
+{
+  this->Unite();
+  PointList points(0, 3);
+  PointList obstacles(0, 3);
+  for (const DeformingOrgan* organ : this->Organs)
+  {
+    AppendPoints(organ->GetSurface().Points, points);
+    AppendPoints(organ->GetObstacles(), obstacles);
+  }
+  RefinedSurface refined = RefineSurface(this->Mesh, points, obstacles, this->Fixed.Mesh,
+    this->Fixed.Points, this->HasGuard(), this->Parallel, proceed);
+  if (!refined.Embedded)
+  {
+    return false;
+  }
+  // The refinement of the union is the union of the refinements: vertices come in the order of the
+  // old corners.
+  std::vector<DeformableSurface> parts;
+  if (this->Organs.size() == 1)
+  {
+    parts.push_back({ std::move(refined.Mesh), std::move(refined.Points) });
+  }
+  else
+  {
+    Eigen::Index first = 0;
+    for (const DeformingOrgan* organ : this->Organs)
+    {
+      const FaceList faces = RefineFaces(organ->GetSurface().Mesh).Faces;
+      const auto count = static_cast<int>(organ->GetSurface().Mesh.Faces.Connectivity.size());
+      parts.push_back({ BuildContourMesh(count, faces), refined.Points.middleRows(first, count) });
+      first += count;
+    }
+  }
+  // Refinement is no motion, so that the surfaces do not meet is not enough.
+  if (this->HasGuard())
+  {
+    std::vector<const DeformableSurface*> all;
+    const auto add = [&all](const DeformableSurface& surface) { all.push_back(&surface); };
+    std::for_each(parts.begin(), parts.end(), add);
+    std::for_each(this->FixedParts.begin(), this->FixedParts.end(), add);
+    if (!NoneIsWithinAnother(all))
+    {
+      return false;
+    }
+  }
+  for (std::size_t organ = 0; organ < parts.size(); ++organ)
+  {
+    this->Organs[organ]->Replace(std::move(parts[organ].Mesh), std::move(parts[organ].Points));
+  }
+  return true;
+}
+
+bool JointDeformation::IterateLevel(int level, const Monitor& monitor)
+{
+  this->Unite();
+  std::unique_ptr<EmbeddingGuard> guard;
+  if (this->HasGuard())
+  {
+    ContourMesh mesh = this->Mesh;
+    AppendMesh(this->Fixed.Mesh, mesh);
+    guard = std::make_unique<EmbeddingGuard>(mesh);
+  }
+  for (DeformingOrgan* organ : this->Organs)
+  {
+    organ->BeginLevel(level);
+  }
+  const int iterations = this->Organs.front()->GetSettings().Schedule.MaximumIterations;
+  bool stopped = false;
+  for (int iteration = 0; iteration < iterations; ++iteration)
+  {
+    const double part = static_cast<double>(iteration) / iterations;
+    const Monitor proceed = [&](double)
+    {
+      stopped = stopped || !monitor((level + part) / this->Levels);
+      return !stopped;
+    };
+    if (!proceed(0))
+    {
+      return false;
+    }
+    if (guard)
+    {
+      for (DeformingOrgan* organ : this->Organs)
+      {
+        organ->UpdateObstacles();
+      }
+      this->UniteObstacles(*guard);
+    }
+    this->IterateOnce(guard.get(), proceed);
+    if (stopped)
+    {
+      return false;
+    }
+    if (std::all_of(this->Organs.begin(), this->Organs.end(),
+          [](const DeformingOrgan* organ) { return organ->IsAtRest(); }))
+    {
+      return true;
+    }
+  }
+  for (DeformingOrgan* organ : this->Organs)
+  {
+    if (!organ->IsAtRest())
+    {
+      organ->SetReason(StopReason::IterationLimit);
+    }
+  }
+  return true;
+}
+
+void JointDeformation::IterateOnce(const EmbeddingGuard* guard, const Monitor& proceed)
+{
+  PointList points(0, 3);
+  PointList motion(0, 3);
+  for (DeformingOrgan* organ : this->Organs)
+  {
+    AppendPoints(organ->FindMotion(), motion);
+    AppendPoints(organ->GetSurface().Points, points);
+  }
+  GuardReport limited;
+  Stopwatch watch;
+  double seconds = 0;
+  if (guard != nullptr)
+  {
+    AppendPoints(PointList::Zero(this->Fixed.Points.rows(), 3), motion);
+    AppendPoints(this->Fixed.Points, points);
+    limited = guard->Limit(points, motion, this->Parallel, proceed);
+    seconds = watch.Lap() / static_cast<double>(this->Organs.size());
+  }
+  else
+  {
+    limited.Positions = points + motion;
+    limited.IsGuarded.assign(points.rows(), 0);
+  }
+  for (std::size_t organ = 0; organ < this->Organs.size(); ++organ)
+  {
+    if (!this->Organs[organ]->IsAtRest())
+    {
+      const VertexRange& part = this->Parts[organ];
+      const auto guarded =
+        std::count(limited.IsGuarded.begin() + part.Begin, limited.IsGuarded.begin() + part.End, 1);
+      this->Organs[organ]->Move(this->PartOf(limited.Positions, organ), static_cast<int>(guarded),
+        seconds);
+    }
+  }
+}
+
+bool JointDeformation::FinishConstraints(const Monitor& monitor)
+{
+  if (std::none_of(this->Organs.begin(), this->Organs.end(),
+        [](const DeformingOrgan* organ) { return organ->HasConstraints(); }))
+  {
+    return true;
+  }
+  this->Unite();
+  ContourMesh mesh = this->Mesh;
+  AppendMesh(this->Fixed.Mesh, mesh);
+  EmbeddingGuard guard(mesh);
+  for (std::size_t pulled = 0; pulled < this->Organs.size(); ++pulled)
+  {
+    const VertexRange& part = this->Parts[pulled];
+    const GuardedStep step = [&](const PointList& obstacles, const PointList& from,
+                               PointList& motion) -> PointList
+    {
+      guard.SetObstacles(obstacles, std::vector<VertexRange>(obstacles.rows(), part));
+      PointList points(0, 3);
+      for (const DeformingOrgan* organ : this->Organs)
+      {
+        AppendPoints(organ->GetSurface().Points, points);
+      }
+      AppendPoints(this->Fixed.Points, points);
+      points.middleRows(part.Begin, from.rows()) = from;
+      PointList motions = PointList::Zero(points.rows(), 3);
+      motions.middleRows(part.Begin, from.rows()) = motion;
+      const GuardReport limited = guard.Limit(points, motions, this->Parallel, monitor);
+      return this->PartOf(limited.Positions, pulled);
+    };
+    if (!this->Organs[pulled]->FinishConstraints(step, monitor))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+} // namespace FlipFree

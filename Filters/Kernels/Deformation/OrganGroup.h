@@ -1,0 +1,80 @@
+/**
+ * Several organs of a volume, segmented together: each is the others' background, and their
+ * surfaces, grown under one guard, never meet.
+ *
+ * Each organ first finds its foreground by itself. Then what several claim is divided
+ * (OrganDivision.h), and all surfaces start anew from their seeds and deform jointly
+ * (JointDeformation.h): none passes through another, so none that begins outside another ends in
+ * it, and a voxel lies in one at most. Seeds and inside points of an organ are outside points of
+ * all others. The result does not depend on the order of the organs.
+ */
+#ifndef FlipFreeOrganGroup_h
+#define FlipFreeOrganGroup_h
+
+#include "Deformation/VolumeSegmentation.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace FlipFree
+{
+
+struct SeededOrgan
+{
+  std::string Name; ///< of its own
+  SeedSphere Seed;
+};
+
+/// A surface that stays as it is, and that the organs must not meet: an earlier result.
+struct FixedSurface
+{
+  std::string Name;
+  DeformableSurface Surface;
+};
+
+/// Sees the iterations of the organ with that index.
+using GroupObserver = std::function<void(std::size_t organ, const ContourMesh&, const PointList&,
+  const CorrespondenceField&, const IterationRecord&)>;
+
+/// Segments the organs again and again with other constraints. What these do not change is done
+/// once.
+class OrganGroup
+{
+public:
+  /// The volume's voxels outlive the object; `name` is the volume's. Guard and Carving are on, and
+  /// the fixed surfaces embedded (MakeStartSurface). Throws std::invalid_argument or Error, naming
+  /// organs, for bad input: none, two of one name, seeds of two organs that overlap, a seed that
+  /// meets a fixed surface.
+  OrganGroup(const GrayVolume& volume, const std::string& name, std::vector<SeededOrgan> organs,
+    std::vector<FixedSurface> fixed, const VolumeSegmentationSettings& settings,
+    const Threading& threading);
+  ~OrganGroup();
+  OrganGroup(const OrganGroup&) = delete;
+  OrganGroup& operator=(const OrganGroup&) = delete;
+
+  /// One list of constraints and one result per organ, in the order of the organs. Throws as the
+  /// constructor does, also for a point of one organ in a seed of another, and where a constraint
+  /// cannot be obeyed; std::logic_error if surfaces should meet all the same. A stop by the monitor
+  /// gives results that are aborted.
+  std::vector<VolumeSegmentation> Segment(const std::vector<ConstraintList>& constraints,
+    const Monitor& monitor, const GroupObserver& observer);
+
+private:
+  struct Member;
+  void RequireApart(const std::vector<ConstraintList>& constraints) const;
+  ConstraintList PointsOfOthers(const Member& member) const;
+  bool Divide(const Monitor& monitor);
+  bool Run(const Monitor& monitor, const GroupObserver& observer);
+  void RequireDisjoint(const std::vector<VolumeSegmentation>& results) const;
+
+  const ImageGeometry Geometry;
+  const std::string Name;
+  const std::vector<FixedSurface> Fixed;
+  const Threading Threads;
+  std::vector<std::unique_ptr<Member>> Members; ///< in the order of their seeds
+};
+
+} // namespace FlipFree
+
+#endif

@@ -1,0 +1,280 @@
+#include "Intensity/OrganDivision.h"
+
+#include "Image/BlockNetwork.h"
+#include "Intensity/GrayValueSimilarity.h"
+#include "Intensity/LeakControl.h"
+
+#include <algorithm>
+
+namespace FlipFree
+{
+namespace
+{
+
+// What a voxel is worth, per mm3, that looks like one organ's seed and not at all like the other's;
+// and one that is nearer to one seed than to the other by the radius of its own.
+constexpr double LikenessWorth = 0.1;
+constexpr double NearnessWorth = 0.02;
+// What a cut costs per mm2 and millimeter of the smaller organ's radius, of which these count.
+constexpr double Smoothness = 0.2;
+constexpr double LeastRadius = 5;
+constexpr double GreatestRadius = 40;
+// Voxels: what is certain around an inside point.
+constexpr double CertainVoxels = 1.01;
+
+// A box of the volume in the voxels of a claim's region.
+VoxelBox InRegion(const VoxelBox& box, const OrganClaim& claim)
+{
+  VoxelBox own = box;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    own.Begin[axis] -= claim.First[axis];
+    own.End[axis] -= claim.First[axis];
+  }
+  return own;
+}
+
+VoxelBox BoundsInVolume(const OrganClaim& claim)
+{
+  VoxelBox bounds = claim.Mask.Bounds();
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    bounds.Begin[axis] += claim.First[axis];
+    bounds.End[axis] += claim.First[axis];
+  }
+  return bounds;
+}
+
+bool IsKept(const PointConstraint& constraint)
+{
+  return constraint.Kind == ConstraintKind::Inside || constraint.Kind == ConstraintKind::Seed;
+}
+
+class Division
+{
+public:
+  Division(const OrganClaim& one, const OrganClaim& two, const VoxelBox& box, Modality modality,
+    const ParallelFor& parallelFor)
+    : Claims{ &one, &two }
+    , Masks{ one.Mask.Cropped(InRegion(box, one)), two.Mask.Cropped(InRegion(box, two)) }
+    , Image{ one.Smooth, InRegion(box, one).Begin }
+    , Similarity(std::max(one.Noise, two.Noise), modality)
+    , Noise(std::max(one.Noise, two.Noise))
+    , Parallel(parallelFor)
+    , Grid(Masks[0].GetGeometry(), 0)
+  {
+  }
+
+  // What goes to the second and to the first claim, on the grid of the box. False if stopped.
+  bool Execute(const Monitor& monitor, BitMask (&lost)[2])
+  {
+    BitMask common = this->Masks[0];
+    common.Intersect(this->Masks[1]);
+    lost[0] = BitMask(common.GetGeometry());
+    lost[1] = lost[0];
+    this->Nodes.assign(common.GetGeometry().NumberOfVoxels(), CutNode::NoNeighbor);
+    int nodes = 0;
+    common.ForEach([&](std::size_t voxel) { this->Nodes[voxel] = nodes++; });
+    const std::vector<unsigned char> isFirst = SourceSide(this->MakeNetwork(), monitor);
+    if (isFirst.empty())
+    {
+      return false;
+    }
+    common.ForEach(
+      [&](std::size_t voxel)
+      {
+        const std::array<int, 3> index = IndexOf(voxel, common.GetGeometry());
+        lost[isFirst[this->Nodes[voxel]] ? 1 : 0].Insert(index[0], index[1], index[2]);
+      });
+    return true;
+  }
+
+private:
+  CutNetwork MakeNetwork() const
+  {
+    const std::vector<float> smooth = SmoothBlockMeans(this->Image, this->Grid, this->Parallel);
+    const RobustStatistics of[2] = { this->StatisticsOf(0), this->StatisticsOf(1) };
+    double smallest = GreatestRadius;
+    for (const OrganClaim* claim : this->Claims)
+    {
+      const double volume =
+        static_cast<double>(claim->Mask.Count()) * claim->Mask.GetGeometry().VoxelVolume();
+      smallest = std::min<double>(smallest, std::cbrt(volume * 3 / (4 * EIGEN_PI)));
+    }
+    BlockLinks links;
+    links.PerArea = Smoothness * std::max(LeastRadius, smallest);
+    links.EdgeContrast =
+      3 * std::max({ of[0].StandardDeviation, of[1].StandardDeviation, 0.5 * this->Noise, 1e-12 });
+    const auto worth = [&](std::size_t voxel)
+    {
+      const double value = smooth[voxel];
+      const double likeness =
+        this->Similarity.LikenessOf(value, of[0]) - this->Similarity.LikenessOf(value, of[1]);
+      const Eigen::Vector3d place = this->Grid.CenterOf(voxel);
+      const double nearer = this->DistanceFrom(1, place) - this->DistanceFrom(0, place);
+      return LikenessWorth * likeness + NearnessWorth * std::max(-1.0, std::min(1.0, nearer));
+    };
+    const auto side = [&](std::size_t voxel)
+    {
+      const std::array<int, 3> index = IndexOf(voxel, this->Grid.Blocks);
+      return static_cast<double>(this->Masks[0](index[0], index[1], index[2])) -
+        static_cast<double>(this->Masks[1](index[0], index[1], index[2]));
+    };
+    CutNetwork network =
+      MakeBlockNetwork(this->Grid.Blocks, this->Nodes, smooth, links, worth, side, this->Parallel);
+    for (const int claim : { 0, 1 })
+    {
+      this->SetCertain(claim, network);
+    }
+    return network;
+  }
+
+  RobustStatistics StatisticsOf(int claim) const
+  {
+    // In the claim's own smoothed image, which has values at the seed.
+    const OrganClaim& own = *this->Claims[claim];
+    return StatisticsInBall({ own.Smooth, { { 0, 0, 0 } } }, own.Smooth.Geometry, own.Seed);
+  }
+
+  // In radii.
+  double DistanceFrom(int claim, const Eigen::Vector3d& place) const
+  {
+    const SeedSphere& seed = this->Claims[claim]->Seed;
+    return ((place - seed.Center).norm() - seed.Radius) / seed.Radius;
+  }
+
+  void SetCertain(int claim, CutNetwork& network) const
+  {
+    const ImageGeometry& geometry = this->Grid.Voxels;
+    const auto set = [&](const SeedSphere& ball)
+    {
+      for (const std::size_t voxel : VoxelsInSphere(geometry, ball))
+      {
+        if (this->Nodes[voxel] >= 0)
+        {
+          network[this->Nodes[voxel]].Terminal =
+            claim == 0 ? CutNode::Infinite : -CutNode::Infinite;
+        }
+      }
+    };
+    set(this->Claims[claim]->Seed);
+    for (const PointConstraint& constraint : this->Claims[claim]->Constraints)
+    {
+      if (IsKept(constraint))
+      {
+        set({ constraint.Point,
+          std::max(constraint.Radius, CertainVoxels * geometry.Spacing.maxCoeff()) });
+      }
+    }
+  }
+
+  const OrganClaim* const Claims[2];
+  const BitMask Masks[2];
+  const ImagePart Image;
+  const GrayValueSimilarity Similarity;
+  const double Noise;
+  const ParallelFor& Parallel;
+  const BlockGrid Grid; // of blocks of one voxel
+  std::vector<int> Nodes;
+};
+
+// The box of what both claim, with a voxel around it, as far as both reach; empty if nothing.
+VoxelBox BoxInCommon(const OrganClaim& one, const OrganClaim& two)
+{
+  const VoxelBox both = BoundsInVolume(one).Cropped(BoundsInVolume(two));
+  if (both.IsEmpty())
+  {
+    return {};
+  }
+  BitMask common = one.Mask.Cropped(InRegion(both, one));
+  common.Intersect(two.Mask.Cropped(InRegion(both, two)));
+  VoxelBox bounds = common.Bounds();
+  if (bounds.IsEmpty())
+  {
+    return {};
+  }
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    bounds.Begin[axis] += both.Begin[axis];
+    bounds.End[axis] += both.Begin[axis];
+  }
+  return bounds.Widened({ { 1, 1, 1 } }, both);
+}
+
+// The other's mask on the grid of a claim's region.
+BitMask InRegionOf(const OrganClaim& claim, const OrganClaim& other)
+{
+  BitMask mask(claim.Mask.GetGeometry());
+  VoxelBox region = WholeBox(mask.GetGeometry());
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    region.Begin[axis] += claim.First[axis];
+    region.End[axis] += claim.First[axis];
+  }
+  const VoxelBox box = BoundsInVolume(other).Cropped(region);
+  if (!box.IsEmpty())
+  {
+    mask.Insert(other.Mask.Cropped(InRegion(box, other)), InRegion(box, claim).Begin);
+  }
+  return mask;
+}
+
+void RemoveInVolume(const BitMask& part, const VoxelBox& box, OrganClaim& claim)
+{
+  const VoxelBox own = InRegion(box, claim);
+  part.ForEachRun(0, part.GetGeometry().Dimensions[2],
+    [&](int begin, int end, int j, int k)
+    {
+      claim.Mask.RemoveRun(own.Begin[0] + begin, own.Begin[0] + end, own.Begin[1] + j,
+        own.Begin[2] + k);
+    });
+}
+
+} // namespace
+
+bool KeepPieceOfSeed(const BitMask& others, const SeedSphere& seed, const Monitor& monitor,
+  BitMask& mask)
+{
+  if (!KeepConnected(mask, VoxelsInSphere(mask.GetGeometry(), seed), monitor) ||
+    !FillHoles(mask, monitor))
+  {
+    return false;
+  }
+  mask.Remove(others);
+  return true;
+}
+
+bool DivideClaims(OrganClaim& one, OrganClaim& two, Modality modality,
+  const ParallelFor& parallelFor, const Monitor& monitor)
+{
+  const VoxelBox both = BoxInCommon(one, two);
+  if (both.IsEmpty())
+  {
+    return true;
+  }
+  BitMask lost[2];
+  if (!Division(one, two, both, modality, parallelFor).Execute(monitor, lost))
+  {
+    return false;
+  }
+  OrganClaim* const claims[2] = { &one, &two };
+  for (const int claim : { 0, 1 })
+  {
+    RemoveInVolume(lost[claim], both, *claims[claim]);
+  }
+  for (const int claim : { 0, 1 })
+  {
+    if (lost[claim].Bounds().IsEmpty())
+    {
+      continue;
+    }
+    OrganClaim& own = *claims[claim];
+    if (!KeepPieceOfSeed(InRegionOf(own, *claims[1 - claim]), own.Seed, monitor, own.Mask))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+} // namespace FlipFree

@@ -1,0 +1,43 @@
+/**
+ * Makes the foregrounds of several organs disjoint. A voxel that two organs claim goes to one of
+ * them by a minimum cut (Y. Boykov, G. Funka-Lea: Graph cuts and efficient N-D image segmentation,
+ * 2006) among the voxels that both claim: along edges of the image and by the shortest way, between
+ * what each of them alone claims. Where a kidney's upper end has leaked from the liver, all of it
+ * is claimed twice, so that nearness would give half of it to each, and gray values know no places;
+ * the cut finds the layer between the two.
+ */
+#ifndef FlipFreeOrganDivision_h
+#define FlipFreeOrganDivision_h
+
+#include "Image/BitMask.h"
+#include "Image/PointConstraint.h"
+#include "Intensity/Modality.h"
+
+namespace FlipFree
+{
+
+/// An organ's foreground in a region of the volume.
+struct OrganClaim
+{
+  BitMask Mask; ///< on the region's grid
+  /// The smoothed image of the region; the voxels around the mask have values.
+  ImageView<float> Smooth;
+  std::array<int, 3> First{ { 0, 0, 0 } }; ///< of the region: voxel of the volume
+  SeedSphere Seed;
+  ConstraintList Constraints; ///< seeds and inside points are not given away
+  double Noise = 0;           ///< standard deviation before smoothing
+};
+
+/// Divides what two claims have in common, and takes from each what is thereby cut off from its
+/// seed. Seeds of different organs do not overlap. The modality is not Automatic. Returns false if
+/// the monitor stopped it; the masks are then useless.
+bool DivideClaims(OrganClaim& one, OrganClaim& two, Modality modality,
+  const ParallelFor& parallelFor, const Monitor& monitor);
+
+/// Keeps of the mask what is connected with the seed, and fills its holes but for `others`.
+bool KeepPieceOfSeed(const BitMask& others, const SeedSphere& seed, const Monitor& monitor,
+  BitMask& mask);
+
+} // namespace FlipFree
+
+#endif

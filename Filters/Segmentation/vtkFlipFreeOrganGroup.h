@@ -1,0 +1,185 @@
+/**
+ * @class   vtkFlipFreeOrganGroup
+ * @brief   several organs of a volume, segmented together
+ *
+ * Segments organs as vtkFlipFreeSegmentation does, each from a seed sphere, but all of them
+ * together: each organ is the others' background, and all surfaces grow under one guard, so that
+ * they never meet, and no voxel is in two of them. Seeds and inside points of an organ are outside
+ * points of all others. The result does not depend on the order of the organs.
+ *
+ * First each organ finds its foreground by itself; what several claim is divided by a minimum cut
+ * along the edges of the image; then all surfaces start anew and deform together.
+ *
+ * Input port 0: vtkImageData, as of vtkFlipFreeSegmentation.
+ * Input port 1, optional: vtkPointSet, points and further seeds of the organs, with the point
+ * arrays `Constraint` and `Radius` of vtkFlipFreeSegmentation and `Organ`: the names of organs
+ * (vtkStringArray), or their numbers, which count from 1 in the order of AddOrgan(). Seeds of a
+ * name, or of the next number, that there is not yet add an organ; one without a name is called
+ * `organ 2` or the like.
+ * Input port 2, optional, repeatable: vtkPolyData, a surface that stays as it is and that no organ
+ * meets, such as an earlier result: closed, four neighbors at every vertex, embedded.
+ *
+ * Output port 0: vtkMultiBlockDataSet, a vtkPolyData per organ, of its name, with the arrays of
+ * vtkFlipFreeSegmentation.
+ * Output port 1: vtkImageData, unsigned char `Labels` of the input's geometry: LabelValue inside
+ * the first organ, one more inside each next one.
+ * Output port 2: vtkTable, a row per organ: Organ (its name), Label, Milliliters (of its voxels),
+ * Iterations, StopReason (in words), Confidence (0 to 1), SelfIntersections.
+ *
+ * Errors: those of vtkFlipFreeSegmentation, naming the organ; no organ, or one without a seed; two
+ * organs whose seeds overlap; a point of one organ in a seed of another; a start sphere that meets
+ * a fixed surface; Guard or Carving switched off. The outputs are then empty. Warnings: those of
+ * vtkFlipFreeSegmentation, with the organ's name.
+ */
+#ifndef vtkFlipFreeOrganGroup_h
+#define vtkFlipFreeOrganGroup_h
+
+#include "FlipFreeSegmentationModule.h"
+#include "vtkAlgorithm.h"
+#include "vtkSmartPointer.h" // for the parameters
+
+#include <memory> // for std::unique_ptr
+
+class vtkFlipFreeSegmentation;
+class vtkImageData;
+class vtkMultiBlockDataSet;
+class vtkPointSet;
+class vtkPolyData;
+class vtkTable;
+
+class FLIPFREESEGMENTATION_EXPORT vtkFlipFreeOrganGroup : public vtkAlgorithm
+{
+public:
+  static vtkFlipFreeOrganGroup* New();
+  vtkTypeMacro(vtkFlipFreeOrganGroup, vtkAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /**
+   * Sets the image (input port 0); SetInputConnection() connects a reader in its place.
+   */
+  void SetInputData(vtkImageData* image);
+
+  ///@{
+  /**
+   * Connects or sets the points of the organs (input port 1).
+   */
+  void SetConstraintConnection(vtkAlgorithmOutput* output) { this->SetInputConnection(1, output); }
+  void SetConstraintData(vtkPointSet* points);
+  ///@}
+
+  ///@{
+  /**
+   * Connects or adds a surface that stays as it is (input port 2); removes all.
+   */
+  void AddFixedConnection(vtkAlgorithmOutput* output) { this->AddInputConnection(2, output); }
+  void AddFixedData(vtkPolyData* surface);
+  void RemoveAllFixed() { this->RemoveAllInputConnections(2); }
+  ///@}
+
+  ///@{
+  /**
+   * Adds an organ by its name and the seed sphere that lies within it, in millimeters; removes all.
+   */
+  void AddOrgan(const char* name, double x, double y, double z, double radius);
+  void RemoveAllOrgans();
+  int GetNumberOfOrgans() const;
+  ///@}
+
+  ///@{
+  /**
+   * Adds a point that corrects an organ that has been added, or a further seed sphere within it, in
+   * millimeters; as of vtkFlipFreeSegmentation. RemoveAllOrgans() removes them, too.
+   */
+  void AddInsidePoint(const char* organ, double x, double y, double z);
+  void AddOutsidePoint(const char* organ, double x, double y, double z);
+  void AddBoundaryPoint(const char* organ, double x, double y, double z);
+  void AddSeed(const char* organ, double x, double y, double z, double radius);
+  ///@}
+
+  ///@{
+  /**
+   * The parameters of all organs and stages: of this filter, only these are used, not its seed,
+   * points and inputs. Changing one makes the group execute again. Setting null sets the defaults.
+   */
+  vtkFlipFreeSegmentation* GetParameters() const;
+  void SetParameters(vtkFlipFreeSegmentation* parameters);
+  ///@}
+
+  ///@{
+  /**
+   * Value of the first organ's voxels in the label map. Default 1; 1 to 255.
+   */
+  vtkSetClampMacro(LabelValue, int, 1, 255);
+  vtkGetMacro(LabelValue, int);
+  ///@}
+
+  ///@{
+  /**
+   * The outputs, after Update().
+   */
+  vtkMultiBlockDataSet* GetOutput();
+  vtkImageData* GetLabelMap();
+  vtkTable* GetTable();
+  ///@}
+
+  ///@{
+  /**
+   * Of the organ with that index, which counts from 0, after Update(): its surface; the table
+   * `Convergence` of vtkFlipFreeSegmentation, null where there is no such organ; why its last level
+   * ended, one of vtkFlipFreeSegmentation::StopReasons, or the same in words.
+   */
+  vtkPolyData* GetSurface(int organ);
+  vtkTable* GetConvergence(int organ);
+  int GetStopReason(int organ) const;
+  const char* GetStopReasonAsString(int organ) const;
+  ///@}
+
+  ///@{
+  /**
+   * Of the organ with that index, after Update(): how far its surface can be trusted, 0 to 1, and
+   * the pairs of its faces that intersect, counted exactly; -1 where there is none.
+   */
+  double GetConfidence(int organ) const;
+  int GetNumberOfSelfIntersections(int organ) const;
+  ///@}
+
+  ///@{
+  /**
+   * Seconds of the last Update(), over all organs, by stage: smoothing, feature, deformation,
+   * label map.
+   */
+  vtkGetVector4Macro(StageSeconds, double);
+  ///@}
+
+  /**
+   * Includes the modification time of the parameters.
+   */
+  vtkMTimeType GetMTime() override;
+
+  vtkTypeBool ProcessRequest(vtkInformation*, vtkInformationVector**,
+    vtkInformationVector*) override;
+
+protected:
+  vtkFlipFreeOrganGroup();
+  ~vtkFlipFreeOrganGroup() override;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int FillOutputPortInformation(int port, vtkInformation* info) override;
+  int RequestData(vtkInformationVector** inputs, vtkInformationVector* outputs);
+
+  int LabelValue = 1;
+  double StageSeconds[4] = { 0, 0, 0, 0 };
+
+private:
+  void Segment(vtkInformationVector** inputs, vtkInformationVector* outputs);
+  void AddPoint(const char* organ, int kind, const double (&point)[3], double radius);
+
+  struct Internals;
+  const std::unique_ptr<Internals> Kept;
+  vtkSmartPointer<vtkFlipFreeSegmentation> Parameters;
+
+  vtkFlipFreeOrganGroup(const vtkFlipFreeOrganGroup&) = delete;
+  void operator=(const vtkFlipFreeOrganGroup&) = delete;
+};
+
+#endif

@@ -1,0 +1,97 @@
+"""Several organs by --organ: their files, points of each, surfaces that stay, and what is refused."""
+
+import os
+import unittest
+
+import command
+
+
+class TestOrgans(command.CommandTest):
+    @classmethod
+    def setUpClass(cls):
+        super().setUpClass()
+        seeds = command.make_phantom(cls.inputs, "abdomen", "--spacing", 2.5, 2.5, 2.5)
+        cls.abdomen = os.path.join(cls.inputs, "abdomen.nii.gz")
+        cls.abdomen_truth = os.path.join(cls.inputs, "abdomen-truth.nii.gz")
+        cls.organs = {}
+        for name, words in seeds.items():
+            values = words[words.index("--seed") + 1:][:3] + [words[words.index("--radius") + 1]]
+            cls.organs[name.split(" (")[0].lower()] = values
+
+    def organ(self, name):
+        return ("--organ", name, *self.organs[name])
+
+    def segment(self, *arguments):
+        return command.run("segment", self.abdomen, "--resolution", 16, *arguments)
+
+    def bytes_of(self, name):
+        with open(self.result(name), "rb") as file:
+            return file.read()
+
+    def test_together(self):
+        process = self.segment(*self.organ("liver"), *self.organ("spleen"), "-o", self.result("out.stl"),
+                               "--labels", self.result("out.nii.gz"), "--convergence", self.result("out.csv"))
+        self.assert_succeeds(process, may_be_doubtful=True)
+        self.assertRegex(process.stdout, r"liver: label 1, volume [^\n]*, 0 self-intersections, confidence [^\n]*\n"
+                                         r"[^\n]*spleen: label 2, volume [^\n]*\n[^\n]*: organs do not meet; reading")
+        self.assertEqual(sorted(os.listdir(self.results)),
+                         ["out-liver.csv", "out-liver.stl", "out-spleen.csv", "out-spleen.stl", "out.nii.gz"])
+        # Whatever their order; labels count on from --label-value.
+        process = self.segment(*self.organ("spleen"), *self.organ("liver"), "-q", "-o", self.result("turned.stl"),
+                               "--label-value", 5)
+        self.assertEqual(process.stdout, "")
+        self.assertEqual(self.bytes_of("turned-liver.stl"), self.bytes_of("out-liver.stl"))
+        # One stays as it is.
+        process = self.segment(*self.organ("spleen"), "--fixed", self.result("out-liver.stl"),
+                               "-o", self.result("beside.stl"))
+        self.assertNotEqual(process.returncode, 0)  # triangles have no four neighbors
+        self.assertRegex(process.stderr, "four neighbors")
+
+    def test_points_belong_to_the_organ_before(self):
+        x, y, z, radius = map(float, self.organs["spleen"])
+        point = ("--outside", x, y + 0.8 * radius, z)
+
+        def spleen_of(*organs):
+            self.assert_succeeds(self.segment(*organs, "-q", "-o", self.result("a.stl")), may_be_doubtful=True)
+            return self.bytes_of("a-spleen.stl")
+
+        liver, spleen = self.organ("liver"), self.organ("spleen")
+        free = spleen_of(*liver, *spleen)
+        self.assertNotEqual(spleen_of(*liver, *spleen, *point), free)
+        self.assertEqual(spleen_of(*liver, *point, *spleen), free)
+        process = self.segment(*spleen, *liver, "--inside", x, y, z, "-o", self.result("a.stl"))
+        self.assertNotEqual(process.returncode, 0)
+        self.assertRegex(process.stderr, "of liver lies in the seed of spleen")
+
+    def test_surfaces_that_stay(self):
+        self.assert_succeeds(self.segment(*self.organ("liver"), "-q", "-o", self.result("a.vtp")), may_be_doubtful=True)
+        self.assert_succeeds(self.segment(*self.organ("spleen"), "-q", "--fixed", self.result("a-liver.vtp"),
+                                          "-o", self.result("b.vtp")), may_be_doubtful=True)
+        process = self.segment(*self.organ("liver"), "--fixed", self.result("a-liver.vtp"), "-o", self.result("c.vtp"))
+        self.assertNotEqual(process.returncode, 0)
+        self.assertRegex(process.stderr, "the start sphere of liver meets the fixed surface 1")
+
+    def test_misuse_is_refused(self):
+        liver, spleen = self.organ("liver"), self.organ("spleen")
+        out = ("-o", self.result("a.vtp"))
+        for status, arguments, pattern in (
+                (2, (*liver, *liver, *out), "the same in names of files"),
+                (2, (*liver, "--organ", "", 1, 2, 3, 4, *out), "a name is empty"),
+                (2, ("--inside", 1, 2, 3, *liver, *out), "comes before the first --organ"),
+                (2, ("--organ", "liver", 1, 2, "x", 4, *out), "--organ liver: 'x' is not a finite number"),
+                (2, ("--organ", "liver", 1, 2, 3, -4, *out), "--organ liver: the radius must be positive|a positive number"),
+                (2, (*liver, "--seed", 1, 2, 3, *out), "--organ has the seed"),
+                (2, (*liver, "--points", "a.csv", *out), "--points and --save-points are for one organ"),
+                (2, ("--fixed", "a.vtp", *self.seed, *out), "--fixed is for organs"),
+                (2, (*liver, "--fixed", "a.txt", *out), "--fixed"),
+                (2, (*liver,), "No output is requested"),
+                (1, (*liver, "--fixed", "no.vtp", *out), "no.vtp"),
+                (1, (*liver, *spleen, "--no-guard", *out), "switch --guard and --carving on"),
+                (1, (*liver, "--organ", "copy", *self.organs["liver"], *out), "the seeds of (copy and liver|liver and copy) overlap"),
+        ):
+            with self.subTest(pattern):
+                self.assert_refused(self.segment(*arguments), status, pattern)
+
+
+if __name__ == "__main__":
+    unittest.main()

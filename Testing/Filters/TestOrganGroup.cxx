@@ -1,0 +1,261 @@
+// Several organs in one filter: blocks, labels and table, points by organ, surfaces at rest, and
+// what is refused.
+#include "BadInput.h"
+
+#include "vtkCompositeDataSet.h"
+#include "vtkFlipFreeOrganGroup.h"
+#include "vtkFlipFreeSegmentation.h"
+#include "vtkInformation.h"
+#include "vtkIntArray.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkStringArray.h"
+#include "vtkTable.h"
+#include "vtkVariant.h"
+
+#include <string>
+#include <vector>
+
+using namespace FlipFree;
+
+namespace
+{
+
+/// Two balls of one gray value that touch.
+vtkSmartPointer<vtkImageData> TwoBalls()
+{
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(62, 38, 38);
+  image->SetSpacing(2, 2, 2);
+  image->AllocateScalars(VTK_SHORT, 1);
+  unsigned int state = 1;
+  for (vtkIdType voxel = 0; voxel < image->GetNumberOfPoints(); ++voxel)
+  {
+    const Eigen::Vector3d point(image->GetPoint(voxel));
+    const bool inside = (point - Eigen::Vector3d(38, 37, 37)).norm() < 22 ||
+      (point - Eigen::Vector3d(80, 37, 37)).norm() < 22;
+    state = state * 1664525U + 1013904223U;
+    image->GetPointData()->GetScalars()->SetTuple1(voxel,
+      (inside ? 100 : 0) + static_cast<int>(state >> 28U));
+  }
+  return image;
+}
+
+vtkSmartPointer<vtkFlipFreeOrganGroup> MakeGroup()
+{
+  auto group = vtkSmartPointer<vtkFlipFreeOrganGroup>::New();
+  group->SetInputData(TwoBalls());
+  group->GetParameters()->SetResolution(16);
+  return group;
+}
+
+vtkSmartPointer<vtkFlipFreeOrganGroup> MakePair()
+{
+  auto group = MakeGroup();
+  group->AddOrgan("left", 38, 37, 37, 11);
+  group->AddOrgan("right", 80, 37, 37, 10);
+  return group;
+}
+
+int LabelAt(vtkFlipFreeOrganGroup* group, double x, double y, double z)
+{
+  double point[3] = { x, y, z };
+  vtkImageData* const labels = group->GetLabelMap();
+  return static_cast<int>(
+    labels->GetPointData()->GetScalars()->GetTuple1(labels->FindPoint(point)));
+}
+
+/// Seeds of two organs, with an array that says whose they are.
+vtkSmartPointer<vtkPolyData> Seeds(vtkAbstractArray* organs)
+{
+  auto seeds = vtkSmartPointer<vtkPolyData>::New();
+  vtkNew<vtkPoints> points;
+  points->InsertNextPoint(38, 37, 37);
+  points->InsertNextPoint(80, 37, 37);
+  points->InsertNextPoint(38, 57, 37);
+  seeds->SetPoints(points);
+  const double kinds[3] = { 3, 3, 0 };
+  const double radii[3] = { 11, 10, 0 };
+  for (const auto& [name, values] :
+    { std::pair<const char*, const double*>{ "Constraint", kinds }, { "Radius", radii } })
+  {
+    vtkNew<vtkDoubleArray> array;
+    array->SetName(name);
+    for (int row = 0; row < 3; ++row)
+    {
+      array->InsertNextValue(values[row]);
+    }
+    seeds->GetPointData()->AddArray(array);
+  }
+  organs->SetName("Organ");
+  seeds->GetPointData()->AddArray(organs);
+  return seeds;
+}
+
+} // namespace
+
+TEST(OrganGroupFilter, HasABlockALabelAndARowPerOrgan)
+{
+  const auto group = MakePair();
+  group->SetLabelValue(7);
+  ASSERT_EQ(ErrorOfUpdate(group), "0 errors");
+  vtkMultiBlockDataSet* const surfaces = group->GetOutput();
+  ASSERT_EQ(surfaces->GetNumberOfBlocks(), 2u);
+  EXPECT_STREQ(surfaces->GetMetaData(1u)->Get(vtkCompositeDataSet::NAME()), "right");
+  for (int organ = 0; organ < 2; ++organ)
+  {
+    vtkPolyData* const surface = group->GetSurface(organ);
+    ASSERT_TRUE(surface);
+    EXPECT_EQ(surface->GetNumberOfPoints(), 6 * 16 * 16);
+    EXPECT_TRUE(surface->GetPointData()->GetArray("Confidence"));
+    EXPECT_EQ(surface->GetFieldData()->GetArray("Certified")->GetTuple1(0), 1);
+    EXPECT_EQ(group->GetNumberOfSelfIntersections(organ), 0);
+    EXPECT_GT(group->GetConvergence(organ)->GetNumberOfRows(), 10);
+    EXPECT_GT(group->GetConfidence(organ), 0.5);
+    EXPECT_NE(group->GetStopReason(organ), vtkFlipFreeSegmentation::NOT_RUN);
+  }
+  EXPECT_EQ(LabelAt(group, 38, 37, 37), 7);
+  EXPECT_EQ(LabelAt(group, 80, 37, 37), 8);
+  EXPECT_EQ(LabelAt(group, 2, 2, 2), 0);
+  vtkTable* const table = group->GetTable();
+  ASSERT_EQ(table->GetNumberOfRows(), 2);
+  EXPECT_EQ(table->GetValueByName(1, "Organ").ToString(), "right");
+  EXPECT_EQ(table->GetValueByName(1, "Label").ToInt(), 8);
+  EXPECT_NEAR(table->GetValueByName(0, "Milliliters").ToDouble(), 44, 3);
+  EXPECT_EQ(table->GetValueByName(0, "SelfIntersections").ToInt(), 0);
+  // What there is not.
+  EXPECT_EQ(group->GetSurface(2), nullptr);
+  EXPECT_EQ(group->GetConvergence(-1), nullptr);
+  EXPECT_EQ(group->GetConfidence(2), -1);
+  EXPECT_EQ(group->GetStopReason(2), vtkFlipFreeSegmentation::NOT_RUN);
+}
+
+// By name or by number, as by the functions.
+TEST(OrganGroupFilter, TakesPointsFromItsPort)
+{
+  const auto pair = MakePair();
+  pair->AddOutsidePoint("left", 38, 57, 37);
+  ASSERT_EQ(ErrorOfUpdate(pair), "0 errors");
+  EXPECT_EQ(LabelAt(pair, 38, 57, 37), 0);
+  vtkNew<vtkStringArray> names;
+  vtkNew<vtkIntArray> numbers;
+  for (const int organ : { 0, 1, 0 })
+  {
+    names->InsertNextValue(organ == 0 ? "left" : "right");
+    numbers->InsertNextValue(organ + 1);
+  }
+  for (vtkAbstractArray* organs :
+    { static_cast<vtkAbstractArray*>(names), static_cast<vtkAbstractArray*>(numbers) })
+  {
+    const auto group = MakeGroup();
+    group->SetConstraintData(Seeds(organs));
+    ASSERT_EQ(ErrorOfUpdate(group), "0 errors");
+    EXPECT_EQ(group->GetTable()->GetValueByName(1, "Organ").ToString(),
+      organs == names ? "right" : "organ 2");
+    for (int organ = 0; organ < 2; ++organ)
+    {
+      const Eigen::Vector3d expected(pair->GetSurface(organ)->GetPoint(99));
+      EXPECT_EQ(Eigen::Vector3d(group->GetSurface(organ)->GetPoint(99)), expected);
+    }
+  }
+}
+
+TEST(OrganGroupFilter, KeepsOffSurfacesAtRest)
+{
+  const auto pair = MakePair();
+  ASSERT_EQ(ErrorOfUpdate(pair), "0 errors");
+  vtkNew<vtkPolyData> right;
+  right->DeepCopy(pair->GetSurface(1));
+  const auto group = MakeGroup();
+  group->AddOrgan("left", 38, 37, 37, 11);
+  group->AddFixedData(right);
+  ASSERT_EQ(ErrorOfUpdate(group), "0 errors");
+  for (vtkIdType voxel = 0; voxel < pair->GetLabelMap()->GetNumberOfPoints(); ++voxel)
+  {
+    ASSERT_FALSE(pair->GetLabelMap()->GetPointData()->GetScalars()->GetTuple1(voxel) == 2 &&
+      group->GetLabelMap()->GetPointData()->GetScalars()->GetTuple1(voxel) == 1);
+  }
+  group->RemoveAllFixed();
+  EXPECT_EQ(group->GetNumberOfInputConnections(2), 0);
+}
+
+TEST(OrganGroupFilter, RunsAgainWhenItsParametersChange)
+{
+  const auto group = MakePair();
+  ASSERT_EQ(ErrorOfUpdate(group), "0 errors");
+  group->GetParameters()->SetResolution(8);
+  ASSERT_EQ(ErrorOfUpdate(group), "0 errors");
+  EXPECT_EQ(group->GetSurface(0)->GetNumberOfPoints(), 6 * 8 * 8);
+  vtkNew<vtkFlipFreeSegmentation> other;
+  group->SetParameters(other);
+  EXPECT_EQ(group->GetParameters(), other.Get());
+  group->SetParameters(nullptr);
+  EXPECT_NE(group->GetParameters(), nullptr);
+  group->RemoveAllOrgans();
+  EXPECT_EQ(group->GetNumberOfOrgans(), 0);
+}
+
+TEST(OrganGroupFilter, RefusesByName)
+{
+  ExpectRefusal(MakeGroup(), { "there is no organ" });
+  auto group = MakePair();
+  group->AddOrgan("right", 80, 37, 60, 3);
+  ExpectRefusal(group, { "two organs are named right" });
+  group = MakePair();
+  group->AddInsidePoint("left", 80, 37, 38);
+  ExpectRefusal(group, { "of left lies in the seed of right" });
+  group = MakePair();
+  group->GetParameters()->SetGuard(false);
+  ExpectRefusal(group, { "switch Guard and Carving on" });
+  group = MakePair();
+  group->SetLabelValue(255);
+  ExpectRefusal(group, { "labels go up to 255, which leaves none for right" });
+  group = MakePair();
+  FilterErrors errors(group);
+  group->AddSeed("middle", 1, 2, 3, 4);
+  EXPECT_NE(errors.Only().find("there is no organ named 'middle'"), std::string::npos);
+
+  vtkNew<vtkIntArray> numbers;
+  for (const int organ : { 1, 3, 1 })
+  {
+    numbers->InsertNextValue(organ);
+  }
+  group = MakeGroup();
+  group->SetConstraintData(Seeds(numbers));
+  ExpectRefusal(group, { "'Organ'", "is 3", "at point 1" });
+  group = MakeGroup();
+  const auto seeds = Seeds(numbers);
+  seeds->GetPointData()->RemoveArray("Organ");
+  group->SetConstraintData(seeds);
+  ExpectRefusal(group, { "has no point array 'Organ'" });
+  vtkNew<vtkStringArray> names;
+  for (const char* name : { "left", "right", "third" })
+  {
+    names->InsertNextValue(name);
+  }
+  group = MakeGroup();
+  group->SetConstraintData(Seeds(names));
+  ExpectRefusal(group, { "third has no seed" });
+}
+
+TEST(OrganGroupFilter, CanBeAborted)
+{
+  const auto group = MakePair();
+  vtkNew<vtkCallbackCommand> abort;
+  abort->SetCallback(
+    [](vtkObject* caller, unsigned long, void*, void*)
+    {
+      auto* const filter = static_cast<vtkAlgorithm*>(caller);
+      if (filter->GetProgress() > 0.6)
+      {
+        filter->SetAbortExecute(1);
+      }
+    });
+  group->AddObserver(vtkCommand::ProgressEvent, abort);
+  group->Update();
+  EXPECT_EQ(group->GetStopReason(0), vtkFlipFreeSegmentation::ABORTED);
+  EXPECT_STREQ(group->GetStopReasonAsString(1), "aborted");
+  for (int port = 0; port < 3; ++port)
+  {
+    EXPECT_TRUE(IsEmpty(group->GetOutputDataObject(port))) << port;
+  }
+}

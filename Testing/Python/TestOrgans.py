@@ -1,0 +1,61 @@
+"""flipfree.segment_organs: several organs together."""
+
+import unittest
+
+import flipfree
+import numpy
+from example import RADIUS, SEED, abdomen, image, surface_of, truth
+
+SPLEEN = abdomen().seeds[flipfree.Organ.SPLEEN]
+
+
+def both(**parameters):
+    return flipfree.segment_organs(image(), {"liver": (SEED, RADIUS), "spleen": SPLEEN}, resolution=16, **parameters)
+
+
+class Organs(unittest.TestCase):
+    def test_by_name(self):
+        organs = both(label_value=3)
+        self.assertEqual(list(organs), ["liver", "spleen"])
+        self.assertEqual([organs.label_of(name) for name in organs], [3, 4])
+        self.assertEqual(sorted(numpy.unique(organs.labels)), [0, 3, 4])
+        for name, organ in (("liver", flipfree.Organ.LIVER), ("spleen", flipfree.Organ.SPLEEN)):
+            self.assertEqual(organs[name].self_intersections, 0)
+            self.assertGreater(organs[name].confidence, 0.5)
+            self.assertGreater(flipfree.evaluate(organs[name], truth(), reference_label=organ).dice, 0.92)
+        turned = flipfree.segment_organs(image(), {"spleen": SPLEEN, "liver": (SEED, RADIUS)}, resolution=16)
+        numpy.testing.assert_array_equal(turned["liver"].points, organs["liver"].points)
+
+    def test_points_and_surfaces_that_stay(self):
+        place = (60, 84, 168)
+        free = both()
+        liver = {"seed": SEED, "radius": RADIUS, "outside": [place]}
+        organs = flipfree.segment_organs(image(), {"liver": liver, "spleen": SPLEEN}, resolution=16)
+        self.assertEqual(len(organs["liver"].constraints), 1)
+        self.assertFalse(numpy.array_equal(organs["liver"].points, free["liver"].points))
+        for surface in (free["liver"], surface_of(free["liver"])):
+            beside = flipfree.segment_organs(image(), {"spleen": SPLEEN}, fixed=[surface], resolution=16)
+            self.assertFalse(numpy.any((beside.labels == 1) & (free.labels == 1)))
+
+    def test_what_is_wrong_is_named(self):
+        for organs, kind, words in (
+                ([("liver", SEED)], TypeError, "organs: a dict"),
+                ({"liver": SEED}, TypeError, "'liver' needs a pair of seed and radius"),
+                ({"liver": {"seed": SEED}}, TypeError, "'liver' has no 'radius'"),
+                ({"liver": {"seed": SEED, "radius": 5, "point": 1}}, TypeError, "'liver' has a 'point'"),
+                ({"liver": ((1, 2), 5)}, ValueError, "seed"),
+                ({}, flipfree.SegmentationError, "there is no organ"),
+                ({"liver": (SEED, RADIUS), "gut": (SEED, 5)}, flipfree.SegmentationError, "overlap"),
+                ({"liver": ((-500, 0, 0), 5)}, flipfree.SegmentationError, "liver: the seed")):
+            with self.subTest(words), self.assertRaisesRegex(kind, words):
+                flipfree.segment_organs(image(), organs)
+        with self.assertRaisesRegex(TypeError, "no parameter 'keep_history'"):
+            both(keep_history=True)
+        with self.assertRaisesRegex(TypeError, "fixed: a"):
+            both(fixed=[1])
+        with self.assertRaisesRegex(flipfree.SegmentationError, "switch guard and carving on"):
+            both(guard=False)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,135 @@
+#include "OrganOptions.h"
+
+#include "Failure.h"
+#include "OutputFile.h"
+#include "SurfaceFile.h"
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <map>
+
+namespace Command
+{
+namespace
+{
+
+constexpr std::size_t ValuesOfOrgan = 5;
+
+double NumberOf(const std::string& organ, const std::string& text)
+{
+  double number = 0;
+  if (!CLI::detail::lexical_cast(text, number) || !std::isfinite(number))
+  {
+    throw WrongUsage("--organ " + organ + ": '" + text +
+      "' is not a finite number. Give a name, the seed's center, and its radius: NAME X Y Z MM.");
+  }
+  return number;
+}
+
+GivenOrgan OrganOf(const std::string* values, double sign)
+{
+  GivenOrgan organ;
+  organ.Name = values[0];
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    organ.Seed[axis] = (axis < 2 ? sign : 1) * NumberOf(organ.Name, values[axis + 1]);
+  }
+  organ.Radius = NumberOf(organ.Name, values[4]);
+  if (!(organ.Radius > 0))
+  {
+    throw WrongUsage("--organ " + organ.Name +
+      ": the radius must be a positive number of millimeters. The sphere should lie within the "
+      "organ.");
+  }
+  return organ;
+}
+
+void RequireNames(const std::vector<GivenOrgan>& organs)
+{
+  std::map<std::string, std::string> names;
+  for (const GivenOrgan& organ : organs)
+  {
+    if (organ.Name.empty())
+    {
+      throw WrongUsage("--organ: a name is empty. Give each organ one of its own.");
+    }
+    const auto [other, isNew] = names.emplace(organ.FileName(), organ.Name);
+    if (!isNew)
+    {
+      throw WrongUsage("--organ: '" + other->second + "' and '" + organ.Name +
+        "' are the same in names of files. Give each organ a name of its own.");
+    }
+  }
+}
+
+} // namespace
+
+std::string GivenOrgan::FileName() const
+{
+  std::string file = this->Name;
+  std::replace_if(
+    file.begin(), file.end(),
+    [](char letter) { return letter >= 0 && !std::isalnum(static_cast<unsigned char>(letter)); },
+    '-');
+  return file;
+}
+
+void OrganOptions::AddOptions(CLI::App& command)
+{
+  this->Command = &command;
+  const char* const group = "Several organs";
+  command
+    .add_option("--organ", this->Values,
+      "An organ by its name, the center of its seed sphere in LPS millimeters, and the radius; can "
+      "be repeated: organs are segmented together, their surfaces never meet, and the points after "
+      "an organ are its own. Each has its name in the names of its files, as in out-liver.vtp, "
+      "and a label of its own, from --label-value on")
+    ->type_name("NAME X Y Z MM")
+    ->expected(static_cast<int>(ValuesOfOrgan), CLI::detail::expected_max_vector_size)
+    ->allow_extra_args(false)
+    ->group(group);
+  command
+    .add_option("--fixed", this->Fixed,
+      "A surface that stays as it is, such as an earlier result, and that no organ meets; can be "
+      "repeated (.vtp .stl .ply .obj)")
+    ->type_name("FILE")
+    ->expected(1, CLI::detail::expected_max_vector_size)
+    ->allow_extra_args(false)
+    ->group(group);
+}
+
+std::vector<GivenOrgan> OrganOptions::Organs(const PointOptions& corrections) const
+{
+  const double sign = corrections.AreRAS() ? -1 : 1;
+  std::vector<GivenOrgan> organs;
+  std::map<std::string, std::size_t> seen; // values of an option, up to here
+  for (const CLI::Option* option : this->Command->parse_order())
+  {
+    const std::string name = option->get_lnames().empty() ? "" : option->get_lnames().front();
+    const std::size_t count = ++seen[name];
+    if (name == "organ" && count % ValuesOfOrgan == 0)
+    {
+      organs.push_back(OrganOf(this->Values.data() + count - ValuesOfOrgan, sign));
+    }
+    else if ((name == "inside" || name == "outside" || name == "boundary") && count % 3 == 0)
+    {
+      if (organs.empty())
+      {
+        throw WrongUsage(
+          "--" + name + ": the point comes before the first --organ. Give it after its own organ.");
+      }
+      organs.back().Points.push_back(corrections.PointOf(name, count / 3 - 1));
+    }
+  }
+  RequireNames(organs);
+  for (const std::string& fixed : this->Fixed)
+  {
+    RequireEnding("--fixed", fixed, SurfaceEndings());
+  }
+  return organs;
+}
+
+} // namespace Command
