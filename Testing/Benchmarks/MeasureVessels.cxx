@@ -1,5 +1,6 @@
 // Runs the segmentation of vessels over every row of DIR/tubes.csv, one setting for all, and prints
-// a table: overlap with the reference label between the planes across the path at its ends, how
+// a table: overlap with the reference label between the planes across the path at its ends (with
+// those parts of the label alone that hold a point, by faces), how
 // much of the centerline lies within the reference, mean radius, seconds, self-intersections; and
 // a line per kind of vessel and half of the volumes (halves.csv).
 //
@@ -148,6 +149,44 @@ struct Overlap
   double Inside = 0; ///< part of the centerline
 };
 
+// The parts of a label that hold one of the points, as 1. A part that hangs together with them only
+// beyond the image, as an ascending aorta below its arch may, is another vessel here.
+vtkSmartPointer<vtkImageData> PartsWith(const std::vector<Eigen::Vector3d>& points,
+  vtkImageData* labels, int label)
+{
+  auto parts = vtkSmartPointer<vtkImageData>::New();
+  parts->CopyStructure(labels);
+  parts->AllocateScalars(VTK_UNSIGNED_CHAR, 1);
+  auto* const to = static_cast<unsigned char*>(parts->GetScalarPointer());
+  std::fill_n(to, parts->GetNumberOfPoints(), static_cast<unsigned char>(0));
+  vtkDataArray* const from = labels->GetPointData()->GetScalars();
+  int size[3];
+  labels->GetDimensions(size);
+  std::vector<vtkIdType> front;
+  for (const Eigen::Vector3d& point : points)
+  {
+    front.push_back(labels->FindPoint(point.x(), point.y(), point.z()));
+  }
+  const vtkIdType steps[3] = { 1, size[0], static_cast<vtkIdType>(size[0]) * size[1] };
+  while (!front.empty())
+  {
+    const vtkIdType voxel = front.back();
+    front.pop_back();
+    if (voxel < 0 || to[voxel] != 0 || from->GetTuple1(voxel) != label)
+    {
+      continue;
+    }
+    to[voxel] = 1;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const auto place = static_cast<int>(voxel / steps[axis] % size[axis]);
+      front.push_back(place > 0 ? voxel - steps[axis] : -1);
+      front.push_back(place + 1 < size[axis] ? voxel + steps[axis] : -1);
+    }
+  }
+  return parts;
+}
+
 Overlap MeasureOverlap(vtkImageData* found, vtkImageData* labels, int label, const Course& course)
 {
   double both = 0;
@@ -241,7 +280,7 @@ double MeasureTube(const Tube& tube, const std::vector<Eigen::Vector3d>& points,
     return 0;
   }
   const Overlap overlap =
-    MeasureOverlap(filter->GetLabelMap(), labels, tube.Label, Course(filter->GetCenterline()));
+    MeasureOverlap(filter->GetLabelMap(), labels, 1, Course(filter->GetCenterline()));
   std::printf("| %-14s | %.3f | %+.2f | %.3f | %4.1f | %5d | %.2f | %d |\n", tube.Name.c_str(),
     overlap.Dice, overlap.VolumeDifference, overlap.Inside, MeanRadius(filter->GetCenterline()),
     static_cast<int>(filter->GetSurface()->GetNumberOfPoints()), seconds,
@@ -278,10 +317,11 @@ void Measure(const Options& options)
     }
     const auto half = halves.find(tube.Name.substr(0, tube.Name.find('-')));
     std::mt19937 random(7);
+    const auto parts = PartsWith(tube.Points, labels, tube.Label);
     for (int repeat = 0; repeat < options.Repeats; ++repeat)
     {
       const auto points = Jittered(tube.Points, options.Jitter, random);
-      const double dice = MeasureTube(tube, points, image, labels, options);
+      const double dice = MeasureTube(tube, points, image, parts, options);
       scores[tube.Organ].push_back(dice);
       if (half != halves.end())
       {

@@ -98,10 +98,22 @@ class VesselAlgorithm:
         self.settings = vtkFlipFreeVesselSegmentation()
 
     def run(
-        self, image: vtkImageData, points: list[tuple[float, ...]], tell: Progress | None
+        self,
+        image: vtkImageData,
+        points: list[tuple[float, ...]],
+        constraints: tuple[Constraint, ...],
+        tell: Progress | None,
     ) -> Vessel:
+        self.settings.RemoveAllPoints()
         for point in points:
             self.settings.AddPoint(*point)
+        self.settings.RemoveAllCorrections()
+        for constraint in constraints:
+            if constraint.kind == SEED:
+                raise SegmentationError(
+                    "No segmentation: a vessel takes no further seeds; give a point on its way."
+                )
+            getattr(self.settings, ADDING[constraint.kind])(*constraint.place)
         self.settings.SetInputData(image)
         update(self.settings, SegmentationError, tell, names=names_of(TRACE_PARAMETERS))
         return Vessel(
