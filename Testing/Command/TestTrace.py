@@ -82,7 +82,7 @@ class TestTrace(command.CommandTest):
 
     def test_bad_corrections(self):
         output = ("-o", self.result("out.vtp"))
-        seeds = self.result("seeds.csv")
+        seeds = os.path.join(self.inputs, "seeds.csv")
         with open(seeds, "w") as file:
             file.write("kind,x,y,z,radius\nseed,40,40,40,5\n")
         for status, points, patterns in (
