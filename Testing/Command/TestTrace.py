@@ -69,7 +69,7 @@ class TestTrace(command.CommandTest):
         x, y, z = point_at(0)
         lines = self.result("points.csv")
         names = self.result("plain.nii.gz"), self.result("corrected.nii.gz"), self.result("again.nii.gz")
-        points = ("--inside", x, y + 6, z, "--outside", *(a + b for a, b in zip(point_at(0.5), (0, 0, 2.5))))
+        points = ("--inside", x, y, z + 6.5, "--outside", *(a + b for a, b in zip(point_at(0.5), (0, 0, 2.5))))
         self.assert_succeeds(self.trace(*self.points, "-q", "--labels", names[0]))
         self.assert_succeeds(self.trace(*self.points, "-q", "--labels", names[1], *points, "--save-points", lines))
         self.assert_succeeds(self.trace(*self.points, "-q", "--labels", names[2], "--points", lines))

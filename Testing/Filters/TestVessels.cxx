@@ -171,7 +171,7 @@ TEST_F(Vessels, PointsCorrectThem)
     return labels->GetPointData()->GetScalars()->GetTuple1(voxel);
   };
   std::array<double, 3> beside = PointOfVessel(this->Phantom, 0.0);
-  beside[1] += 6.5;
+  beside[2] += 6.5;
   std::array<double, 3> within = PointOfVessel(this->Phantom, 0.5);
   within[2] += 2;
   EXPECT_EQ(labelAt(beside), 0);

@@ -83,7 +83,7 @@ class TestTrace(unittest.TestCase):
     def test_corrections(self):
         """They are obeyed, whether given at once or later, and taking them away leaves no trace."""
         x, y, z = point_at(0)
-        beside, within = (x, y + 6, z), tuple(a + b for a, b in zip(point_at(0.5), (0, 0, 2)))
+        beside, within = (x, y, z + 6.5), tuple(a + b for a, b in zip(point_at(0.5), (0, 0, 2)))
 
         def label_at(vessel, point):
             i, j, k = (round(a / SPACING) for a in point)

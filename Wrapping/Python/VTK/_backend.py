@@ -117,12 +117,12 @@ class VesselAlgorithm:
         self.settings.SetInputData(image)
         update(self.settings, SegmentationError, tell, names=names_of(TRACE_PARAMETERS))
         return Vessel(
-            surface=self.settings.GetSurface(),
-            label_map=self.settings.GetLabelMap(),
-            convergence=self.settings.GetConvergence(),
+            surface=_detached(self.settings.GetSurface()),
+            label_map=_detached(self.settings.GetLabelMap()),
+            convergence=_detached(self.settings.GetConvergence()),
             stop_reason=self.settings.GetStopReasonAsString(),
             self_intersections=self.settings.GetNumberOfSelfIntersections(),
-            centerline=self.settings.GetCenterline(),
+            centerline=_detached(self.settings.GetCenterline()),
             stage_seconds=tuple(self.settings.GetStageSeconds()),
         )
 

@@ -62,7 +62,7 @@ def trace(
     (4.2, 100)
     >>> aorta.labels.shape, aorta.self_intersections
     ((96, 96, 96), 0)
-    >>> thicker = aorta.corrected(inside=[(51.5, 46.5, 56)])
+    >>> thicker = aorta.corrected(inside=[(47.5, 47.5, 62.8)])
     >>> len(thicker.constraints), thicker.volume > aorta.volume
     (1, True)
     >>> flipfree.trace(phantom.image, [(13.3, 44.6, 44.5)])
