@@ -21,9 +21,11 @@ struct SectionPlace
   double Angle = 0;
 };
 
+// A tree has a branch at least, and a branch a section.
 SectionPlace NearestPlace(const Eigen::Vector3d& point, VesselTree& tree)
 {
   SectionPlace place;
+  place.Sections = &tree.Branches.front().Sections;
   double nearest = std::numeric_limits<double>::infinity();
   for (VesselBranch& branch : tree.Branches)
   {
