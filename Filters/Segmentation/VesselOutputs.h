@@ -17,6 +17,7 @@ namespace FlipFree
 struct VesselPoints
 {
   std::vector<Eigen::Vector3d> All;
+  ConstraintList Corrections;
 
   PointList List() const
   {

@@ -1,5 +1,6 @@
 #include "vtkFlipFreeVesselSegmentation.h"
 
+#include "ConstraintPoints.h"
 #include "ContourMeshAdapter.h"
 #include "ConvergenceTable.h"
 #include "ExecutionAdapter.h"
@@ -14,6 +15,7 @@
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
+#include "vtkPointSet.h"
 #include "vtkPolyData.h"
 #include "vtkTable.h"
 
@@ -23,6 +25,7 @@
 
 vtkStandardNewMacro(vtkFlipFreeVesselSegmentation);
 
+using FlipFree::ConstraintKind;
 using Stage = vtkFlipFreeVesselSegmentation;
 
 #define PROPERTIES(P) FLIPFREE_VESSEL_SURFACE_PARAMETERS(P, Settings->)
@@ -31,7 +34,45 @@ PROPERTIES(FLIPFREE_DEFINE_PROPERTY)
 
 vtkFlipFreeVesselSegmentation::vtkFlipFreeVesselSegmentation()
 {
+  this->SetNumberOfInputPorts(2);
   this->SetNumberOfOutputPorts(4);
+}
+
+void vtkFlipFreeVesselSegmentation::SetConstraintData(vtkPointSet* points)
+{
+  this->SetInputDataObject(1, points);
+}
+
+void vtkFlipFreeVesselSegmentation::AddInsidePoint(double x, double y, double z)
+{
+  this->Points->Corrections.push_back({ ConstraintKind::Inside, { x, y, z }, 0 });
+  this->Modified();
+}
+
+void vtkFlipFreeVesselSegmentation::AddOutsidePoint(double x, double y, double z)
+{
+  this->Points->Corrections.push_back({ ConstraintKind::Outside, { x, y, z }, 0 });
+  this->Modified();
+}
+
+void vtkFlipFreeVesselSegmentation::AddBoundaryPoint(double x, double y, double z)
+{
+  this->Points->Corrections.push_back({ ConstraintKind::Boundary, { x, y, z }, 0 });
+  this->Modified();
+}
+
+int vtkFlipFreeVesselSegmentation::GetNumberOfCorrections() const
+{
+  return static_cast<int>(this->Points->Corrections.size());
+}
+
+void vtkFlipFreeVesselSegmentation::RemoveAllCorrections()
+{
+  if (!this->Points->Corrections.empty())
+  {
+    this->Points->Corrections.clear();
+    this->Modified();
+  }
 }
 
 vtkPolyData* vtkFlipFreeVesselSegmentation::GetSurface()
@@ -57,6 +98,17 @@ vtkTable* vtkFlipFreeVesselSegmentation::GetConvergence()
 const char* vtkFlipFreeVesselSegmentation::GetStopReasonAsString() const
 {
   return FlipFree::ToString(static_cast<FlipFree::StopReason>(this->StopReason));
+}
+
+int vtkFlipFreeVesselSegmentation::FillInputPortInformation(int port, vtkInformation* info)
+{
+  if (port == 0)
+  {
+    return this->Superclass::FillInputPortInformation(port, info);
+  }
+  info->Set(INPUT_REQUIRED_DATA_TYPE(), "vtkPointSet");
+  info->Set(INPUT_IS_OPTIONAL(), 1);
+  return 1;
 }
 
 int vtkFlipFreeVesselSegmentation::FillOutputPortInformation(int port, vtkInformation* info)
@@ -86,10 +138,11 @@ int vtkFlipFreeVesselSegmentation::RequestData(vtkInformation*, vtkInformationVe
   clear();
   this->StopReason = static_cast<int>(FlipFree::StopReason::NotRun);
   this->NumberOfSelfIntersections = -1;
+  this->Support = 0;
   std::fill_n(this->StageSeconds, 4, 0.0);
   try
   {
-    this->Segment(vtkImageData::GetData(inputs[0]), outputs);
+    this->Segment(vtkImageData::GetData(inputs[0]), vtkPointSet::GetData(inputs[1]), outputs);
   }
   catch (const std::exception& error)
   {
@@ -101,14 +154,21 @@ int vtkFlipFreeVesselSegmentation::RequestData(vtkInformation*, vtkInformationVe
   return 1;
 }
 
-void vtkFlipFreeVesselSegmentation::Segment(vtkImageData* image, vtkInformationVector* outputs)
+void vtkFlipFreeVesselSegmentation::Segment(vtkImageData* image, vtkPointSet* corrections,
+  vtkInformationVector* outputs)
 {
   this->RequireProperties();
+  FlipFree::ConstraintList constraints = this->Points->Corrections;
+  if (corrections)
+  {
+    const auto more = FlipFree::ConstraintsOf(corrections, "the point set on port 1");
+    constraints.insert(constraints.end(), more.begin(), more.end());
+  }
   const std::string name = "the image on port 0";
   FlipFree::RequireGrayImage(image, name);
   const FlipFree::VesselSegmentation result =
     FlipFree::SegmentVessel(FlipFree::GrayVolumeOf(image, name), name, this->Points->List(),
-      *this->Settings, FlipFree::SMPThreading(), FlipFree::MonitorOf(this, 0, 0.95));
+      constraints, *this->Settings, FlipFree::SMPThreading(), FlipFree::MonitorOf(this, 0, 0.95));
   std::copy(result.StageSeconds.begin(), result.StageSeconds.end(), this->StageSeconds);
   this->StopReason = static_cast<int>(result.Surface.Reason);
   FlipFree::FillConvergenceTable(result.Surface.Iterations, vtkTable::GetData(outputs, 3));
@@ -117,6 +177,7 @@ void vtkFlipFreeVesselSegmentation::Segment(vtkImageData* image, vtkInformationV
     return;
   }
   this->NumberOfSelfIntersections = static_cast<int>(result.Surface.SelfIntersections);
+  this->Support = result.Tree.Support;
   vtkPolyData* surface = vtkPolyData::GetData(outputs, 0);
   FlipFree::AttachMesh(result.Surface.Mesh, result.Surface.Points, surface);
   FlipFree::AttachField(result.Surface.Field, surface);
@@ -136,5 +197,10 @@ void vtkFlipFreeVesselSegmentation::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   PROPERTIES(FLIPFREE_PRINT_PROPERTY)
   os << indent << "StopReason: " << this->GetStopReasonAsString() << "\n";
+  for (const FlipFree::PointConstraint& correction : this->Points->Corrections)
+  {
+    os << indent << "Correction: " << FlipFree::NameOf(correction) << "\n";
+  }
+  os << indent << "Support: " << this->Support << "\n";
   os << indent << "NumberOfSelfIntersections: " << this->NumberOfSelfIntersections << "\n";
 }

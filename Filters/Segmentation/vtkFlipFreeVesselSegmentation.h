@@ -12,13 +12,25 @@
  * A vessel ends in a disk across the path at each end point. See vtkVesselAlgorithm for points,
  * input and errors.
  *
+ * Points correct the result, as those of vtkFlipFreeSegmentation do: AddInsidePoint() and so on,
+ * and input port 1. The path keeps 3 mm away from a point outside, where it can; the outline near a
+ * point is moved; and the surface obeys every point exactly, a point on the boundary within half of
+ * the image's smallest spacing.
+ *
+ * Input port 1, optional: vtkPointSet, such points, with the point array `Constraint` (0 outside, 1
+ * inside, 2 on the boundary).
+ *
+ * Further errors: a correction outside the image, within 0.5 mm of a point of the vessel if it is
+ * to lie outside, in contradiction to another one, or one that no surface of one piece can obey; a
+ * further seed.
+ *
  * Output port 0: vtkPolyData, the surface, with the arrays of vtkFlipFreeSegmentation.
  * Output port 1: vtkImageData, unsigned char `Labels` of the input's geometry: LabelValue inside.
  * Output port 2: vtkPolyData, the centerline, as vtkVesselPath gives it.
  * Output port 3: vtkTable `Convergence`, as of vtkFlipFreeSegmentation.
  *
- * Warnings, with a result all the same: the surface could not be refined, or it goes far beyond the
- * disks at the ends.
+ * Warnings, with a result all the same: the image shows less than 80 % of the boundary
+ * (GetSupport()); the surface could not be refined, or it goes far beyond the disks at the ends.
  */
 #ifndef vtkFlipFreeVesselSegmentation_h
 #define vtkFlipFreeVesselSegmentation_h
@@ -27,6 +39,7 @@
 #include "vtkVesselAlgorithm.h"
 
 class vtkImageData;
+class vtkPointSet;
 class vtkPolyData;
 class vtkTable;
 
@@ -45,6 +58,32 @@ public:
   vtkImageData* GetLabelMap();
   vtkPolyData* GetCenterline();
   vtkTable* GetConvergence();
+  ///@}
+
+  ///@{
+  /**
+   * Input port 1: points that correct the result.
+   */
+  void SetConstraintConnection(vtkAlgorithmOutput* output) { this->SetInputConnection(1, output); }
+  void SetConstraintData(vtkPointSet* points);
+  ///@}
+
+  ///@{
+  /**
+   * Adds a point that corrects the result, in millimeters, to those of input port 1: one that lies
+   * inside the vessel, outside it, or on its boundary.
+   */
+  void AddInsidePoint(double x, double y, double z);
+  void AddOutsidePoint(double x, double y, double z);
+  void AddBoundaryPoint(double x, double y, double z);
+  ///@}
+
+  ///@{
+  /**
+   * The number of these points, without those of input port 1, and their removal.
+   */
+  int GetNumberOfCorrections() const;
+  void RemoveAllCorrections();
   ///@}
 
   ///@{
@@ -87,6 +126,12 @@ public:
    */
   vtkGetMacro(NumberOfSelfIntersections, int);
 
+  /**
+   * The part of the boundary that the image shows, 0 to 1: where gray values inside and outside of
+   * the outline in cross-sections differ. 0 before Update().
+   */
+  vtkGetMacro(Support, double);
+
   ///@{
   /**
    * Seconds of the last Update() by stage: path and outline, start surface, deformation, label map.
@@ -98,16 +143,18 @@ protected:
   vtkFlipFreeVesselSegmentation();
   ~vtkFlipFreeVesselSegmentation() override = default;
 
+  int FillInputPortInformation(int port, vtkInformation* info) override;
   int FillOutputPortInformation(int port, vtkInformation* info) override;
   int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
   int StopReason = 0;
   int NumberOfSelfIntersections = -1;
+  double Support = 0;
   double StageSeconds[4] = { 0, 0, 0, 0 };
 
 private:
-  void Segment(vtkImageData* image, vtkInformationVector* outputs);
+  void Segment(vtkImageData* image, vtkPointSet* corrections, vtkInformationVector* outputs);
 
   vtkFlipFreeVesselSegmentation(const vtkFlipFreeVesselSegmentation&) = delete;
   void operator=(const vtkFlipFreeVesselSegmentation&) = delete;

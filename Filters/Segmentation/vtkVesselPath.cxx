@@ -26,9 +26,9 @@ int vtkVesselPath::RequestData(vtkInformation*, vtkInformationVector** inputs,
     vtkImageData* image = vtkImageData::GetData(inputs[0]);
     const std::string name = "the image on port 0";
     FlipFree::RequireGrayImage(image, name);
-    const FlipFree::VesselTree tree =
-      FlipFree::TraceVessel(FlipFree::GrayVolumeOf(image, name), name, this->Points->List(),
-        this->Settings->Path, FlipFree::SMPThreading(), FlipFree::MonitorOf(this));
+    const FlipFree::VesselTree tree = FlipFree::TraceVessel(FlipFree::GrayVolumeOf(image, name),
+      name, this->Points->List(), FlipFree::PointList(0, 3), this->Settings->Path,
+      FlipFree::SMPThreading(), FlipFree::MonitorOf(this));
     if (!tree.Branches.empty())
     {
       FlipFree::FillCenterline(tree, output);

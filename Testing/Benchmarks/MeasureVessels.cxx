@@ -1,10 +1,11 @@
 // Runs the segmentation of vessels over every row of DIR/tubes.csv, one setting for all, and prints
-// a table: overlap with the reference label between the planes across the path at its ends, how
-// much of the centerline lies within the reference, seconds, self-intersections.
+// a table: overlap with the reference label between the planes across the path at its ends (with
+// those parts of the label alone that hold a point, by faces), how
+// much of the centerline lies within the reference, mean radius, seconds, self-intersections; and
+// a line per kind of vessel and half of the volumes (halves.csv).
 //
 //   MeasureVessels [--data DIR] [--only TEXT] [--radius R] [--wall-thickness T] [--jitter MM]
-//   [--repeats N]
-//                  [--surfaces DIR]
+//                  [--repeats N] [--halves FILE] [--surfaces DIR]
 //
 // With --jitter, every point is moved by so much in a random direction, anew for each of the
 // repeats.
@@ -42,6 +43,7 @@ struct Options
   std::string Data = "../shared/data";
   std::string Only;
   std::string Surfaces;
+  std::string Halves = "Testing/Benchmarks/halves.csv";
   double Radius = 0;
   double WallThickness = 0;
   double Jitter = 0;
@@ -51,7 +53,7 @@ struct Options
 struct Tube
 {
   std::string Name;
-  std::string Role;
+  std::string Organ;
   std::string Image;
   std::string Labels;
   int Label = 0;
@@ -147,6 +149,44 @@ struct Overlap
   double Inside = 0; ///< part of the centerline
 };
 
+// The parts of a label that hold one of the points, as 1. A part that hangs together with them only
+// beyond the image, as an ascending aorta below its arch may, is another vessel here.
+vtkSmartPointer<vtkImageData> PartsWith(const std::vector<Eigen::Vector3d>& points,
+  vtkImageData* labels, int label)
+{
+  auto parts = vtkSmartPointer<vtkImageData>::New();
+  parts->CopyStructure(labels);
+  parts->AllocateScalars(VTK_UNSIGNED_CHAR, 1);
+  auto* const to = static_cast<unsigned char*>(parts->GetScalarPointer());
+  std::fill_n(to, parts->GetNumberOfPoints(), static_cast<unsigned char>(0));
+  vtkDataArray* const from = labels->GetPointData()->GetScalars();
+  int size[3];
+  labels->GetDimensions(size);
+  std::vector<vtkIdType> front;
+  for (const Eigen::Vector3d& point : points)
+  {
+    front.push_back(labels->FindPoint(point.x(), point.y(), point.z()));
+  }
+  const vtkIdType steps[3] = { 1, size[0], static_cast<vtkIdType>(size[0]) * size[1] };
+  while (!front.empty())
+  {
+    const vtkIdType voxel = front.back();
+    front.pop_back();
+    if (voxel < 0 || to[voxel] != 0 || from->GetTuple1(voxel) != label)
+    {
+      continue;
+    }
+    to[voxel] = 1;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const auto place = static_cast<int>(voxel / steps[axis] % size[axis]);
+      front.push_back(place > 0 ? voxel - steps[axis] : -1);
+      front.push_back(place + 1 < size[axis] ? voxel + steps[axis] : -1);
+    }
+  }
+  return parts;
+}
+
 Overlap MeasureOverlap(vtkImageData* found, vtkImageData* labels, int label, const Course& course)
 {
   double both = 0;
@@ -188,6 +228,38 @@ std::vector<Eigen::Vector3d> Jittered(std::vector<Eigen::Vector3d> points, doubl
   return points;
 }
 
+// Per volume A or B: settings are chosen on one and reported on the other.
+std::map<std::string, std::string> ReadHalves(const std::string& file)
+{
+  std::map<std::string, std::string> halves;
+  std::ifstream stream(file);
+  for (std::string line; std::getline(stream, line);)
+  {
+    const std::size_t comma = line.find(',');
+    halves[line.substr(0, comma)] = comma < line.size() ? line.substr(comma + 1) : "";
+  }
+  return halves;
+}
+
+double MeanRadius(vtkPolyData* centerline)
+{
+  vtkDataArray* const radii = centerline->GetPointData()->GetArray("Radius");
+  double sum = 0;
+  for (vtkIdType point = 0; point < radii->GetNumberOfTuples(); ++point)
+  {
+    sum += radii->GetTuple1(point);
+  }
+  return sum / static_cast<double>(radii->GetNumberOfTuples());
+}
+
+void Write(vtkPolyData* data, const std::string& file)
+{
+  vtkNew<vtkXMLPolyDataWriter> writer;
+  writer->SetInputData(data);
+  writer->SetFileName(file.c_str());
+  writer->Write();
+}
+
 double MeasureTube(const Tube& tube, const std::vector<Eigen::Vector3d>& points,
   vtkImageData* image, vtkImageData* labels, const Options& options)
 {
@@ -208,46 +280,59 @@ double MeasureTube(const Tube& tube, const std::vector<Eigen::Vector3d>& points,
     return 0;
   }
   const Overlap overlap =
-    MeasureOverlap(filter->GetLabelMap(), labels, tube.Label, Course(filter->GetCenterline()));
-  std::printf("| %-14s | %.3f | %+.2f | %.3f | %5d | %.2f | %d |\n", tube.Name.c_str(),
-    overlap.Dice, overlap.VolumeDifference, overlap.Inside,
+    MeasureOverlap(filter->GetLabelMap(), labels, 1, Course(filter->GetCenterline()));
+  std::printf("| %-14s | %.3f | %+.2f | %.3f | %4.1f | %5d | %.2f | %d |\n", tube.Name.c_str(),
+    overlap.Dice, overlap.VolumeDifference, overlap.Inside, MeanRadius(filter->GetCenterline()),
     static_cast<int>(filter->GetSurface()->GetNumberOfPoints()), seconds,
     filter->GetNumberOfSelfIntersections());
   std::fflush(stdout);
   if (!options.Surfaces.empty())
   {
     std::filesystem::create_directories(options.Surfaces);
-    vtkNew<vtkXMLPolyDataWriter> writer;
-    writer->SetInputData(filter->GetSurface());
-    writer->SetFileName((options.Surfaces + "/" + tube.Name + ".vtp").c_str());
-    writer->Write();
+    Write(filter->GetSurface(), options.Surfaces + "/" + tube.Name + ".vtp");
+    Write(filter->GetCenterline(), options.Surfaces + "/" + tube.Name + "-line.vtp");
   }
   return overlap.Dice;
 }
 
 void Measure(const Options& options)
 {
-  std::printf("| vessel | Dice | volume | inside | vertices | s | self-intersections |\n");
+  std::printf("| vessel | Dice | volume | inside | radius | vertices | s | self-intersections |\n");
+  const std::map<std::string, std::string> halves = ReadHalves(options.Halves);
   std::map<std::string, std::vector<double>> scores;
+  std::string read; // the volume at hand
+  vtkSmartPointer<vtkImageData> image;
+  vtkSmartPointer<vtkImageData> labels;
   for (const Tube& tube : ReadTubes(options.Data + "/tubes.csv"))
   {
     if (tube.Name.find(options.Only) == std::string::npos)
     {
       continue;
     }
-    const auto image = ReadVolume(options.Data + "/" + tube.Image);
-    const auto labels = ReadVolume(options.Data + "/" + tube.Labels);
+    if (read != tube.Image)
+    {
+      image = ReadVolume(options.Data + "/" + tube.Image);
+      labels = ReadVolume(options.Data + "/" + tube.Labels);
+      read = tube.Image;
+    }
+    const auto half = halves.find(tube.Name.substr(0, tube.Name.find('-')));
     std::mt19937 random(7);
+    const auto parts = PartsWith(tube.Points, labels, tube.Label);
     for (int repeat = 0; repeat < options.Repeats; ++repeat)
     {
       const auto points = Jittered(tube.Points, options.Jitter, random);
-      scores[tube.Role].push_back(MeasureTube(tube, points, image, labels, options));
+      const double dice = MeasureTube(tube, points, image, parts, options);
+      scores[tube.Organ].push_back(dice);
+      if (half != halves.end())
+      {
+        scores[tube.Organ + " " + half->second].push_back(dice);
+      }
     }
   }
-  for (auto& [role, dice] : scores)
+  for (auto& [organ, dice] : scores)
   {
     std::sort(dice.begin(), dice.end());
-    std::printf("%-8s %2zu runs, Dice: median %.3f, least %.3f\n", role.c_str(), dice.size(),
+    std::printf("%-8s %3zu runs, Dice: median %.3f, least %.3f\n", organ.c_str(), dice.size(),
       Median(dice), dice.front());
   }
 }
@@ -265,7 +350,8 @@ int main(int argc, char* argv[])
   program.add_option("--wall-thickness", options.WallThickness, "mm");
   program.add_option("--jitter", options.Jitter, "how far points are moved, mm");
   program.add_option("--repeats", options.Repeats, "runs per row");
-  program.add_option("--surfaces", options.Surfaces, "folder for surfaces");
+  program.add_option("--halves", options.Halves, "table of volumes and their halves");
+  program.add_option("--surfaces", options.Surfaces, "folder for surfaces and centerlines");
   CLI11_PARSE(program, argc, argv);
   Measure(options);
   return 0;

@@ -64,6 +64,36 @@ class TestTrace(command.CommandTest):
             self.assert_succeeds(self.trace(*self.points, *more, "--quiet", "--labels", name))
         self.assertGreater(command.dice_of(command.run("evaluate", *names).stdout), 0.95)
 
+    def test_corrections(self):
+        """A point that was missed is in the label map, one too much is not; the file repeats both."""
+        x, y, z = point_at(0)
+        lines = self.result("points.csv")
+        names = self.result("plain.nii.gz"), self.result("corrected.nii.gz"), self.result("again.nii.gz")
+        points = ("--inside", x, y, z + 6.5, "--outside", *(a + b for a, b in zip(point_at(0.5), (0, 0, 2.5))))
+        self.assert_succeeds(self.trace(*self.points, "-q", "--labels", names[0]))
+        self.assert_succeeds(self.trace(*self.points, "-q", "--labels", names[1], *points, "--save-points", lines))
+        self.assert_succeeds(self.trace(*self.points, "-q", "--labels", names[2], "--points", lines))
+        dice = [command.dice_of(command.run("evaluate", names[1], name).stdout) for name in (names[0], names[2])]
+        self.assertTrue(0.85 < dice[0] < 1, dice)
+        self.assertEqual(dice[1], 1)
+        ras = [("--point", -point_at(place)[0], -point_at(place)[1], point_at(place)[2]) for place in (-0.95, 0.95)]
+        self.assert_succeeds(self.trace("--ras", *ras[0], *ras[1], "-q", "--labels", names[2]))
+        self.assertEqual(command.dice_of(command.run("evaluate", names[0], names[2]).stdout), 1)
+
+    def test_bad_corrections(self):
+        output = ("-o", self.result("out.vtp"))
+        seeds = os.path.join(self.inputs, "seeds.csv")
+        with open(seeds, "w") as file:
+            file.write("kind,x,y,z,radius\nseed,40,40,40,5\n")
+        for status, points, patterns in (
+                (2, ("--inside", 1, 2), ("--inside",)), (2, ("--outside", "nan", 0, 0), ("--outside", "finite")),
+                (2, ("--points", "points.txt"), ("--points", ".csv")),
+                (1, ("--points", seeds), ("a seed is of no use to a vessel",)),
+                (1, ("--inside", 500, 0, 0), (r"the inside point \(500, 0, 0\) mm lies outside",)),
+                (1, ("--outside", *point_at(0.95)), ("the outside point", "lies in"))):
+            with self.subTest(points=points):
+                self.assert_refused(self.trace(*self.points, *points, *output), status, *patterns)
+
     def test_bad_points(self):
         output = ("-o", self.result("out.vtp"))
         first = self.points[:4]

@@ -14,7 +14,11 @@
 #include "vtkVesselPath.h"
 
 #include "vtkCellData.h"
+#include "vtkDoubleArray.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
 #include "vtkTable.h"
+#include "vtkUnsignedCharArray.h"
 #include "vtkVariant.h"
 
 using namespace FlipFree;
@@ -153,6 +157,54 @@ TEST_F(Vessels, PointsAreKeptAndForgotten)
   EXPECT_EQ(point[2], 3);
   this->Path->GetPoint(7, point);
   EXPECT_EQ(point[2], 0);
+}
+
+// From the filter, and from a data set on port 1.
+TEST_F(Vessels, PointsCorrectThem)
+{
+  ASSERT_EQ(ErrorOfUpdate(this->Filter), "0 errors");
+  EXPECT_GT(this->Filter->GetSupport(), 0.9);
+  const auto labelAt = [this](const std::array<double, 3>& point)
+  {
+    vtkImageData* const labels = this->Filter->GetLabelMap();
+    const vtkIdType voxel = labels->FindPoint(point[0], point[1], point[2]);
+    return labels->GetPointData()->GetScalars()->GetTuple1(voxel);
+  };
+  std::array<double, 3> beside = PointOfVessel(this->Phantom, 0.0);
+  beside[2] += 6.5;
+  std::array<double, 3> within = PointOfVessel(this->Phantom, 0.5);
+  within[2] += 2;
+  EXPECT_EQ(labelAt(beside), 0);
+  EXPECT_EQ(labelAt(within), 1);
+  this->Filter->AddInsidePoint(beside[0], beside[1], beside[2]);
+  vtkNew<vtkPolyData> more;
+  vtkNew<vtkPoints> places;
+  places->InsertNextPoint(within.data());
+  more->SetPoints(places);
+  vtkNew<vtkUnsignedCharArray> kinds;
+  kinds->SetName("Constraint");
+  kinds->InsertNextValue(0);
+  more->GetPointData()->AddArray(kinds);
+  this->Filter->SetConstraintData(more);
+  ASSERT_EQ(ErrorOfUpdate(this->Filter), "0 errors");
+  EXPECT_EQ(labelAt(beside), 1);
+  EXPECT_EQ(this->Filter->GetNumberOfSelfIntersections(), 0);
+  EXPECT_EQ(this->Filter->GetNumberOfCorrections(), 1);
+  this->Filter->RemoveAllCorrections();
+  this->Filter->SetConstraintData(nullptr);
+  ASSERT_EQ(ErrorOfUpdate(this->Filter), "0 errors");
+  EXPECT_EQ(labelAt(beside), 0);
+  // What cannot be obeyed.
+  kinds->SetValue(0, 3);
+  vtkNew<vtkDoubleArray> radii;
+  radii->SetName("Radius");
+  radii->InsertNextValue(5);
+  more->GetPointData()->AddArray(radii);
+  this->Filter->SetConstraintData(more);
+  ExpectRefusal(this->Filter, { "the further seed", "of no use to a vessel" });
+  this->Filter->SetConstraintData(nullptr);
+  this->Filter->AddBoundaryPoint(500, 0, 0);
+  ExpectRefusal(this->Filter, { "the boundary point (500, 0, 0) mm lies outside" });
 }
 
 TEST_F(Vessels, BadPointsAreRefused)

@@ -12,7 +12,7 @@ namespace
 
 VesselSegmentation SegmentTubes(const FloatImage& volume, const PointList& points)
 {
-  return SegmentVessel(GrayVolumeOf(volume), "the volume", points, LumenSettings(),
+  return SegmentVessel(GrayVolumeOf(volume), "the volume", points, {}, LumenSettings(),
     { SerialFor, 1 }, NeverStop);
 }
 

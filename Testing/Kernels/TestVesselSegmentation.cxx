@@ -1,6 +1,7 @@
 #include "ExampleMasks.h"
 #include "ExampleSurfaces.h"
 #include "ExampleVessels.h"
+#include "Geometry/WindingNumber.h"
 #include "Vessel/Polyline.h"
 #include "Vessel/VesselSegmentation.h"
 
@@ -57,7 +58,7 @@ TEST(VesselPath, RunsAlongABentTubeWithItsRadius)
     const FloatImage volume = VolumeOfTubes({ tube }, grid, 10);
     const PointList points =
       Points({ tube.Line.row(5).transpose(), tube.Line.row(194).transpose() });
-    const VesselTree tree = TraceVessel(GrayVolumeOf(volume), "the volume", points,
+    const VesselTree tree = TraceVessel(GrayVolumeOf(volume), "the volume", points, PointList(0, 3),
       LumenSettings().Path, OneThread, NeverStop);
     ASSERT_EQ(tree.Branches.size(), 1U);
     const PointList centers = tree.Branches[0].Sections.Centers();
@@ -81,7 +82,7 @@ TEST(VesselSegmentation, FindsABentTubeOfChangingRadiusBesideAnother)
     [](double) { return 8.0; });
   const FloatImage volume = VolumeOfTubes({ tube, other }, grid, 10);
   const VesselSegmentation result = SegmentVessel(GrayVolumeOf(volume), "the volume",
-    ClicksIn(tube), LumenSettings(), OneThread, NeverStop);
+    ClicksIn(tube), {}, LumenSettings(), OneThread, NeverStop);
   EXPECT_GT(DiceOf(result, { BetweenClicks(tube) }, grid), 0.95);
   EXPECT_EQ(result.Surface.SelfIntersections, 0);
   EXPECT_EQ(result.Surface.Mesh.EulerNumber(), 2);
@@ -99,7 +100,7 @@ TEST(VesselSegmentation, ATreeIsOneSurface)
   const FloatImage volume = VolumeOfTubes({ trunk, branch }, grid, 10);
   const PointList points = Points({ trunk.Line.row(FirstClick).transpose(),
     trunk.Line.row(LastClick).transpose(), branch.Line.row(LastClick).transpose() });
-  const VesselSegmentation result = SegmentVessel(GrayVolumeOf(volume), "the volume", points,
+  const VesselSegmentation result = SegmentVessel(GrayVolumeOf(volume), "the volume", points, {},
     LumenSettings(), OneThread, NeverStop);
   EXPECT_EQ(result.Tree.Branches.size(), 2U);
   EXPECT_GT(DiceOf(result, { BetweenClicks(trunk), BetweenClicks(branch, 0) }, grid), 0.95);
@@ -107,7 +108,7 @@ TEST(VesselSegmentation, ATreeIsOneSurface)
   EXPECT_EQ(result.Surface.Mesh.EulerNumber(), 2);
 
   // The same bits for any number of threads.
-  const VesselSegmentation again = SegmentVessel(GrayVolumeOf(volume), "the volume", points,
+  const VesselSegmentation again = SegmentVessel(GrayVolumeOf(volume), "the volume", points, {},
     LumenSettings(), { ScatteredFor, 3 }, NeverStop);
   EXPECT_EQ(again.Surface.Points, result.Surface.Points);
 }
@@ -121,7 +122,7 @@ TEST(VesselSegmentation, StopsWhenAsked)
   for (const int questions : { 0, 3, 8 })
   {
     int asked = 0;
-    const VesselSegmentation result = SegmentVessel(GrayVolumeOf(volume), "the volume", points,
+    const VesselSegmentation result = SegmentVessel(GrayVolumeOf(volume), "the volume", points, {},
       LumenSettings(), OneThread, [&](double) { return asked++ < questions; });
     EXPECT_EQ(result.Surface.Reason, StopReason::Aborted) << questions;
     EXPECT_TRUE(result.Voxels.empty());
@@ -137,7 +138,7 @@ TEST(VesselSegmentation, BadPointsAreNamed)
     return MessageOf(
       [&]
       {
-        SegmentVessel(GrayVolumeOf(volume), "the volume", points, LumenSettings(), OneThread,
+        SegmentVessel(GrayVolumeOf(volume), "the volume", points, {}, LumenSettings(), OneThread,
           NeverStop);
       });
   };
@@ -162,7 +163,7 @@ TEST(VesselSegmentation, BadPointsAreNamed)
     [&]
     {
       SegmentVessel(GrayVolumeOf(apart), "the volume", Points({ { 10, 30, 15 }, { 85, 30, 15 } }),
-        LumenSettings(), OneThread, NeverStop);
+        {}, LumenSettings(), OneThread, NeverStop);
     });
   EXPECT_NE(message.find("no path through gray values"), std::string::npos) << message;
   // In a vessel thinner than the image can show.
@@ -172,8 +173,141 @@ TEST(VesselSegmentation, BadPointsAreNamed)
   const std::string noBoundary = MessageOf(
     [&]
     {
-      SegmentVessel(GrayVolumeOf(fine), "the volume", ClicksIn(thread), LumenSettings(), OneThread,
-        NeverStop);
+      SegmentVessel(GrayVolumeOf(fine), "the volume", ClicksIn(thread), {}, LumenSettings(),
+        OneThread, NeverStop);
     });
   EXPECT_NE(noBoundary.find("no boundary of a vessel"), std::string::npos) << noBoundary;
+}
+
+// An arch that is far from its ends, and wider than a thin vessel: its legs are near to each other.
+TEST(VesselPath, AWideVesselIsSoughtFarFromItsEnds)
+{
+  const ExampleTube arch = MakeTube(
+    [](double t)
+    {
+      constexpr double leg = 90;
+      constexpr double bend = 22;
+      const double length = t * (2 * leg + EIGEN_PI * bend);
+      if (length < leg)
+      {
+        return Eigen::Vector3d(30, 25, 10 + length);
+      }
+      const double angle = std::min<double>(EIGEN_PI, (length - leg) / bend);
+      const double down = std::max<double>(0, length - leg - EIGEN_PI * bend);
+      return Eigen::Vector3d(30 + bend * (1 - std::cos(angle)), 25,
+        10 + leg + bend * std::sin(angle) - down);
+    },
+    [](double) { return 9.0; });
+  const FloatImage volume = VolumeOfTubes({ arch }, Grid({ { 52, 26, 72 } }, { 2, 2, 2 }), 10);
+  const VesselTree tree = TraceVessel(GrayVolumeOf(volume), "the volume", ClicksIn(arch),
+    PointList(0, 3), LumenSettings().Path, OneThread, NeverStop);
+  ASSERT_EQ(tree.Branches.size(), 1U);
+  const PointList centers = tree.Branches[0].Sections.Centers();
+  EXPECT_NEAR(centers.col(2).maxCoeff(), 122, 3);
+  EXPECT_NEAR(tree.Radius, 9, 1);
+  EXPECT_GT(tree.Support, 0.9);
+}
+
+TEST(VesselSegmentation, ObeysEveryCorrection)
+{
+  const ImageGeometry grid = Grid({ { 60, 60, 60 } }, { 1, 1, 1.5 });
+  const ExampleTube tube = MakeTube([](double t) { return Eigen::Vector3d(30, 30, 5 + 80 * t); },
+    [](double) { return 6.0; });
+  const FloatImage volume = VolumeOfTubes({ tube }, grid, 10);
+  const ConstraintList corrections = { { ConstraintKind::Inside, { 38, 30, 30 }, 0 },
+    { ConstraintKind::Outside, { 26, 30, 45 }, 0 },
+    { ConstraintKind::Boundary, { 30, 37.5, 60 }, 0 } };
+  const auto segment = [&](const ConstraintList& constraints)
+  {
+    return SegmentVessel(GrayVolumeOf(volume), "the volume", ClicksIn(tube), constraints,
+      LumenSettings(), OneThread, NeverStop);
+  };
+  const VesselSegmentation before = segment({});
+  const VesselSegmentation after = segment(corrections);
+  const auto windingAt = [](const VesselSegmentation& result, const PointConstraint& constraint)
+  { return WindingNumber(result.Surface.Points, result.Surface.Mesh.Triangles, constraint.Point); };
+  EXPECT_EQ(windingAt(before, corrections[0]), 0);
+  EXPECT_EQ(windingAt(after, corrections[0]), 1);
+  EXPECT_EQ(windingAt(before, corrections[1]), 1);
+  EXPECT_EQ(windingAt(after, corrections[1]), 0);
+  EXPECT_LE(
+    (ClosestPlace(after.Surface.Points, after.Surface.Mesh.Triangles, corrections[2].Point).Point -
+      corrections[2].Point)
+      .norm(),
+    0.5);
+  EXPECT_EQ(after.Surface.SelfIntersections, 0);
+  EXPECT_EQ(after.Surface.Mesh.EulerNumber(), 2);
+  // The vessel as a whole stays.
+  EXPECT_GT(DiceOf(after, { BetweenClicks(tube) }, grid), 0.9);
+  // Their order means nothing.
+  EXPECT_EQ(segment({ corrections.rbegin(), corrections.rend() }).Surface.Points,
+    after.Surface.Points);
+}
+
+TEST(VesselSegmentation, APointOutsideTurnsThePathAway)
+{
+  // From one end to the other there are two ways around, one of them longer.
+  const auto arc = [](double side)
+  {
+    return MakeTube(
+      [side](double t)
+      {
+        return Eigen::Vector3d(40 + side * std::sin(EIGEN_PI * t), 25,
+          45 - 35 * std::cos(EIGEN_PI * t));
+      },
+      [](double) { return 4.0; });
+  };
+  const FloatImage volume =
+    VolumeOfTubes({ arc(18), arc(-28) }, Grid({ { 72, 50, 60 } }, { 1, 1, 1.5 }), 10);
+  const PointList points = Points({ { 40, 25, 11 }, { 40, 25, 79 } });
+  const auto farthest = [&](const ConstraintList& constraints)
+  {
+    const VesselSegmentation result = SegmentVessel(GrayVolumeOf(volume), "the volume", points,
+      constraints, LumenSettings(), OneThread, NeverStop);
+    const PointList centers = result.Tree.Branches.front().Sections.Centers();
+    return centers(centers.rows() / 2, 0);
+  };
+  EXPECT_NEAR(farthest({}), 58, 2);
+  EXPECT_NEAR(farthest({ { ConstraintKind::Outside, { 58, 25, 45 }, 0 } }), 12, 2);
+}
+
+TEST(VesselSegmentation, CorrectionsThatCannotBeObeyedAreNamed)
+{
+  const ExampleTube tube = Bent(5);
+  const FloatImage volume = VolumeOfTubes({ tube }, BentGrid(), 10);
+  const PointList points = ClicksIn(tube);
+  const auto messageFor = [&](ConstraintKind kind, const Eigen::Vector3d& point)
+  {
+    return MessageOf(
+      [&]
+      {
+        SegmentVessel(GrayVolumeOf(volume), "the volume", points, { { kind, point, 4 } },
+          LumenSettings(), OneThread, NeverStop);
+      });
+  };
+  const auto expect = [&](ConstraintKind kind, const Eigen::Vector3d& point, const char* text)
+  {
+    const std::string message = messageFor(kind, point);
+    EXPECT_NE(message.find(text), std::string::npos) << message;
+  };
+  expect(ConstraintKind::Outside, points.row(0), "the outside point");
+  expect(ConstraintKind::Inside, { 40, 20, 300 }, "the inside point (40, 20, 300) mm lies outside");
+  expect(ConstraintKind::Seed, { 40, 55, 35 }, "is of no use to a vessel");
+}
+
+TEST(VesselSegmentation, WarnsWhereTheImageDoesNotShowTheBoundary)
+{
+  // Two stubs; what joins them is as dark as its surroundings.
+  const auto stub = [](double from, double to)
+  {
+    return MakeTube([=](double t) { return Eigen::Vector3d(30, 30, from + (to - from) * t); },
+      [](double) { return 5.0; });
+  };
+  const FloatImage volume =
+    VolumeOfTubes({ stub(5, 22), stub(56, 85) }, Grid({ { 60, 60, 60 } }, { 1, 1, 1.5 }), 10);
+  const VesselSegmentation result = SegmentVessel(GrayVolumeOf(volume), "the volume",
+    Points({ { 30, 30, 12 }, { 30, 30, 66 } }), {}, LumenSettings(), OneThread, NeverStop);
+  EXPECT_LT(result.Tree.Support, DoubtfulSupport);
+  ASSERT_FALSE(result.Warnings.empty());
+  EXPECT_NE(result.Warnings.front().find("the result is doubtful"), std::string::npos);
 }

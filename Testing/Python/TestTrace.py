@@ -80,9 +80,32 @@ class TestTrace(unittest.TestCase):
         with self.assertRaisesRegex(TypeError, r"^vessel: what trace\(\) has returned"):
             flipfree.write_centerline(self.vessel.mesh, "line.vtp")
 
-    def test_a_vessel_is_not_corrected(self):
-        with self.assertRaisesRegex(flipfree.FlipFreeError, "^corrected: only what segment"):
-            self.vessel.corrected(outside=[(1, 2, 3)])
+    def test_corrections(self):
+        """They are obeyed, whether given at once or later, and taking them away leaves no trace."""
+        x, y, z = point_at(0)
+        beside, within = (x, y, z + 6.5), tuple(a + b for a, b in zip(point_at(0.5), (0, 0, 2)))
+
+        def label_at(vessel, point):
+            i, j, k = (round(a / SPACING) for a in point)
+            return vessel.labels[k, j, i]
+
+        self.assertEqual([label_at(self.vessel, point) for point in (beside, within)], [0, 1])
+        once = flipfree.trace(self.phantom.image, self.points, inside=[beside], outside=[within])
+        later = self.vessel.corrected(inside=[beside]).corrected(outside=[within])
+        self.assertEqual(label_at(once, beside), 1)
+        self.assertEqual(once.self_intersections, 0)
+        self.assertEqual(len(later.constraints), 2)
+        np.testing.assert_array_equal(once.points, later.points)
+        np.testing.assert_array_equal(self.vessel.corrected().points, self.vessel.points)
+
+    def test_bad_corrections(self):
+        for parameters, words in (({"boundary": [(500, 0, 0)]}, r"the boundary point \(500, 0, 0\) mm lies outside"),
+                                  ({"outside": [self.points[0]]}, "the outside point .* lies in"),
+                                  ({"seeds": [((40, 40, 40), 5)]}, "no further seeds")):
+            with self.subTest(words=words), self.assertRaisesRegex(flipfree.SegmentationError, words):
+                self.vessel.corrected(**parameters)
+        with self.assertRaisesRegex(TypeError, "^inside: a list"):
+            flipfree.trace(self.phantom.image, self.points, inside=7)
 
     def test_points_may_be_an_array_in_any_order(self):
         again = flipfree.trace(self.phantom.image, np.array(self.points[::-1]))

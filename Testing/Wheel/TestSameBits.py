@@ -17,6 +17,7 @@ VESSELS = {
     "default": ("vessel", {}),
     "others": ("vessel", {"radius": 4, "levels": 1, "wall_thickness": 0.7, "maximum_iterations": 4, "label_value": 5}),
     "tree": ("fork", {}),
+    "corrected": ("vessel", {"inside": [(48, 60, 50)], "outside": [(20, 47, 44)], "levels": 1}),
 }
 SEED, RADIUS = (99.75, 83.75, 167), 28
 RUNS = {

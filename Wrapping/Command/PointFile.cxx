@@ -4,6 +4,7 @@
 #include "OutputFile.h"
 
 #include "vtkFlipFreeSegmentation.h"
+#include "vtkFlipFreeVesselSegmentation.h"
 
 #include <nlohmann/json.hpp>
 
@@ -328,26 +329,55 @@ void WritePoints(const std::string& name, const std::vector<CorrectionPoint>& po
   WriteBytes(name, text.data(), text.size());
 }
 
+namespace
+{
+
+/// False for a seed.
+template <typename Filter>
+bool AddPoint(const CorrectionPoint& point, Filter* filter)
+{
+  const auto& [x, y, z] = point.Place;
+  if (point.Kind == "outside")
+  {
+    filter->AddOutsidePoint(x, y, z);
+  }
+  else if (point.Kind == "inside")
+  {
+    filter->AddInsidePoint(x, y, z);
+  }
+  else if (point.Kind == "boundary")
+  {
+    filter->AddBoundaryPoint(x, y, z);
+  }
+  else
+  {
+    return false;
+  }
+  return true;
+}
+
+} // namespace
+
 void AddPoints(const std::vector<CorrectionPoint>& points, vtkFlipFreeSegmentation* filter)
 {
   for (const CorrectionPoint& point : points)
   {
-    const auto& [x, y, z] = point.Place;
-    if (point.Kind == "outside")
+    if (!AddPoint(point, filter))
     {
-      filter->AddOutsidePoint(x, y, z);
-    }
-    else if (point.Kind == "inside")
-    {
-      filter->AddInsidePoint(x, y, z);
-    }
-    else if (point.Kind == "boundary")
-    {
-      filter->AddBoundaryPoint(x, y, z);
-    }
-    else
-    {
+      const auto& [x, y, z] = point.Place;
       filter->AddSeed(x, y, z, point.Radius);
+    }
+  }
+}
+
+void AddPoints(const std::vector<CorrectionPoint>& points, vtkFlipFreeVesselSegmentation* filter)
+{
+  for (const CorrectionPoint& point : points)
+  {
+    if (!AddPoint(point, filter))
+    {
+      throw Failure(
+        "--points: a seed is of no use to a vessel. Give a further --point on its way.");
     }
   }
 }

@@ -12,6 +12,7 @@
 #include <vector>
 
 class vtkFlipFreeSegmentation;
+class vtkFlipFreeVesselSegmentation;
 
 namespace Command
 {
@@ -36,6 +37,9 @@ void WritePoints(const std::string& name, const std::vector<CorrectionPoint>& po
 
 /// Adds the points to the filter's.
 void AddPoints(const std::vector<CorrectionPoint>& points, vtkFlipFreeSegmentation* filter);
+
+/// Throws Failure for a seed, of which a vessel has none.
+void AddPoints(const std::vector<CorrectionPoint>& points, vtkFlipFreeVesselSegmentation* filter);
 
 } // namespace Command
 

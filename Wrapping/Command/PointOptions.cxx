@@ -11,10 +11,11 @@
 namespace Command
 {
 
-void PointOptions::AddOptions(CLI::App& command)
+void PointOptions::AddOptions(CLI::App& command, const std::string& what)
 {
+  const bool hasSeeds = what == "organ";
   const char* const group = "Corrections";
-  const auto add = [&](const char* name, std::vector<double>& values, const char* help)
+  const auto add = [&](const char* name, std::vector<double>& values, const std::string& help)
   {
     command.add_option(name, values, help)
       ->type_name("X Y Z")
@@ -23,13 +24,18 @@ void PointOptions::AddOptions(CLI::App& command)
       ->group(group);
   };
   add("--inside", this->Inside,
-    "A point inside the organ that was missed, in LPS millimeters; can be repeated");
-  add("--outside", this->Outside, "A point outside the organ that was taken for it, likewise");
-  add("--boundary", this->Boundary, "A point on the organ's boundary, likewise");
+    "A point inside the " + what + " that was missed, in LPS millimeters; can be repeated");
+  add("--outside", this->Outside,
+    "A point outside the " + what + " that was taken for it, likewise");
+  add("--boundary", this->Boundary, "A point on the " + what + "'s boundary, likewise");
   command
     .add_option("--points", this->PointsIn,
-      "Points and further seeds from a file: a table (.csv: kind, x, y, z, radius) or markups of "
-      "3D Slicer (.mrk.json), whose labels are outside, inside, boundary, or seed and its radius")
+      hasSeeds
+        ? "Points and further seeds from a file: a table (.csv: kind, x, y, z, radius) or markups "
+          "of 3D Slicer (.mrk.json), whose labels are outside, inside, boundary, or seed and its "
+          "radius"
+        : "Such points from a file: a table (.csv: kind, x, y, z, radius) or markups of 3D Slicer "
+          "(.mrk.json), whose labels are outside, inside or boundary")
     ->type_name("FILE")
     ->group(group);
   command

@@ -1,5 +1,6 @@
 /**
- * The options that correct a segmentation: points inside the organ, outside it, on its boundary.
+ * The options that correct a segmentation: points inside the organ or vessel, outside
+ * it, on its boundary.
  */
 #ifndef FlipFreeCommandPointOptions_h
 #define FlipFreeCommandPointOptions_h
@@ -20,7 +21,8 @@ namespace Command
 class PointOptions
 {
 public:
-  void AddOptions(CLI::App& command);
+  /// `what` is segmented: "organ", which takes further seeds, or "vessel".
+  void AddOptions(CLI::App& command, const std::string& what);
 
   /// Whether none of the options is given.
   bool IsEmpty() const;
@@ -28,7 +30,7 @@ public:
   /// Throws WrongUsage for coordinates that are not finite and files of another ending.
   void RequireSense() const;
 
-  /// Coordinates of the command line are RAS: those of the seed, too.
+  /// Coordinates of the command line are RAS: those of the seed, or of a vessel's points, too.
   bool AreRAS() const { return this->RAS; }
 
   /// All points in LPS millimeters, those of the file first. Throws Failure if it cannot be read.

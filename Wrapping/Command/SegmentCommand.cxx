@@ -363,7 +363,7 @@ void AddSegmentCommand(CLI::App& program)
   CLI::App* command =
     program.add_subcommand("segment", "Segment an organ, starting from a sphere inside it");
   AddFiles(command, *segmentation);
-  segmentation->Corrections.AddOptions(*command);
+  segmentation->Corrections.AddOptions(*command, "organ");
   segmentation->Several.AddOptions(*command);
   segmentation->Parameters.AddOptions(*command);
   command->footer(Footer);

@@ -2,6 +2,7 @@
 #include "Failure.h"
 #include "Messages.h"
 #include "OutputFile.h"
+#include "PointOptions.h"
 #include "ProgressBar.h"
 #include "Run.h"
 #include "Snapshot.h"
@@ -38,6 +39,7 @@ struct Trace
   std::string Input;
   std::string SeriesUID;
   std::vector<double> Points; // three numbers each
+  PointOptions Corrections;
   double Radius = 0;
   double WallThickness = 0;
   int Levels = 0;
@@ -106,6 +108,7 @@ void RequireSense(const Trace& trace)
         "--point: a coordinate is not a finite number. Give three numbers, in millimeters.");
     }
   }
+  trace.Corrections.RequireSense();
   const std::vector<Output> outputs = OutputsOf(trace, nullptr, nullptr);
   if (outputs.empty())
   {
@@ -120,10 +123,13 @@ void RequireSense(const Trace& trace)
 
 void Configure(const Trace& trace, Filter* filter)
 {
+  const double sign = trace.Corrections.AreRAS() ? -1 : 1;
   for (std::size_t first = 0; first + 2 < trace.Points.size(); first += 3)
   {
-    filter->AddPoint(trace.Points[first], trace.Points[first + 1], trace.Points[first + 2]);
+    filter->AddPoint(sign * trace.Points[first], sign * trace.Points[first + 1],
+      trace.Points[first + 2]);
   }
+  AddPoints(trace.Corrections.Points(), filter);
   filter->SetRadius(trace.Radius);
   if (filter->GetRadius() != trace.Radius)
   {
@@ -167,6 +173,10 @@ void TraceVessel(const Trace& trace)
   {
     files.Announce(*output.Name, { trace.Input });
   }
+  if (!trace.Corrections.Output().empty())
+  {
+    files.Announce(trace.Corrections.Output(), { trace.Input });
+  }
   if (!trace.Snapshot.empty())
   {
     RequireDisplay();
@@ -188,6 +198,11 @@ void TraceVessel(const Trace& trace)
   {
     files.Write(*output.Name, output.Write);
   }
+  if (!trace.Corrections.Output().empty())
+  {
+    files.Write(trace.Corrections.Output(),
+      [&trace](const std::string& name) { WritePoints(name, trace.Corrections.Points()); });
+  }
   files.Commit();
   if (!trace.Quiet)
   {
@@ -203,6 +218,8 @@ const char* const Footer =
   "  flipfree trace ct.nii.gz --point 212 -143 480 --point 171 -168 228 -o aorta.vtp\n"
   "  flipfree trace ct.nii.gz --point 274 -141 318 --point 145 -212 315 --point 105 -113 345 \\\n"
   "      -o portal.stl --labels portal.nii.gz --centerline portal-line.vtp\n"
+  "  flipfree trace ct.nii.gz --point 212 -143 480 --point 171 -168 228 --outside 190 -150 350 \\\n"
+  "      -o aorta.vtp\n"
   "\n"
   "The poly lines of --centerline have the radius at each point, and the length up to it.\n";
 
@@ -276,6 +293,7 @@ void AddTraceCommand(CLI::App& program)
     program.add_subcommand("trace", "Segment a vessel, or a tree of vessels, between points");
   AddFiles(command, *trace);
   AddParameters(command, *trace);
+  trace->Corrections.AddOptions(*command, "vessel");
   command->footer(Footer);
   command->callback([trace]() { TraceVessel(*trace); });
 }

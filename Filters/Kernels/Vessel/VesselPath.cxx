@@ -7,10 +7,12 @@
 #include "MessageText.h"
 #include "Vessel/MinimalPaths.h"
 #include "Vessel/Polyline.h"
+#include "Vessel/SectionSupport.h"
 #include "Vessel/VesselImage.h"
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
 #include <limits>
 #include <utility>
 
@@ -151,6 +153,19 @@ double MeanRadius(const VesselTree& tree)
   return sum / static_cast<double>(std::max<Eigen::Index>(1, sections));
 }
 
+double MeanSupport(const ImageView<float>& image, const VesselTree& tree,
+  const ParallelFor& parallelFor)
+{
+  double sum = 0;
+  Eigen::Index sections = 0;
+  for (const VesselBranch& branch : tree.Branches)
+  {
+    sum += SectionSupport(image, branch.Sections, parallelFor).sum();
+    sections += branch.Sections.Radii.rows();
+  }
+  return sum / static_cast<double>(std::max<Eigen::Index>(1, sections));
+}
+
 // Lets a line begin on the plane across it through a point near its begin: shortens or prolongs it.
 void BeginAt(const Eigen::RowVector3d& point, PointList& line)
 {
@@ -165,7 +180,8 @@ void BeginAt(const Eigen::RowVector3d& point, PointList& line)
   }
   const Eigen::RowVector3d outward = (line.row(0) - line.row(1)).normalized();
   const double beyond = (point - line.row(0)).dot(outward);
-  if (beyond > 0)
+  constexpr double least = 0.01; // mm; nearer, two points would be one but for rounding
+  if (beyond > least)
   {
     PointList longer(line.rows() + 1, 3);
     longer << line.row(0) + beyond * outward, line;
@@ -220,27 +236,40 @@ void RequirePath(const FloatImage& speed, const PointList& line)
   }
 }
 
-VesselImage ImageAround(const GrayVolume& volume, const PointList& points, double margin,
+VesselImage ImageAround(const GrayVolume& volume, const PointList& points, const VesselStyle& style,
   Modality modality, const VesselPathSettings& settings, const ParallelFor& parallelFor)
 {
-  const VoxelBox box = BoxAroundPoints(volume.Geometry, points, margin);
+  const VoxelBox box = BoxAroundPoints(volume.Geometry, points, style.Margin);
   volume.RequireFinite(box);
   FloatImage voxels = ReadBox(volume.Read, volume.Geometry, box, parallelFor);
   if (modality == Modality::MR)
   {
     ScaleToCT(points, voxels);
   }
-  return MakeVesselImage(std::move(voxels), settings.SmoothingDeviation, settings.GridSpacing,
+  return MakeVesselImage(std::move(voxels), settings.SmoothingDeviation, style.GridSpacing,
     parallelFor);
+}
+
+// As slow as where nothing is like the vessel, but no obstacle.
+void SlowDown(const PointList& places, double floor, FloatImage& speed)
+{
+  constexpr double distance = 3; // mm
+  for (Eigen::Index place = 0; place < places.rows(); ++place)
+  {
+    for (const std::size_t voxel :
+      VoxelsInSphere(speed.Geometry, { places.row(place).transpose(), distance }))
+    {
+      speed.Voxels[voxel] = static_cast<float>(floor);
+    }
+  }
 }
 
 // One pass of the whole; nothing where the monitor stopped it.
 VesselTree TraceAs(const VesselStyle& style, const GrayVolume& volume, Modality modality,
-  const PointList& clicked, double radius, const VesselPathSettings& settings,
-  const ParallelFor& parallelFor, const Monitor& monitor)
+  const PointList& clicked, const PointList& outside, double radius,
+  const VesselPathSettings& settings, const ParallelFor& parallelFor, const Monitor& monitor)
 {
-  const VesselImage image =
-    ImageAround(volume, clicked, style.Margin, modality, settings, parallelFor);
+  const VesselImage image = ImageAround(volume, clicked, style, modality, settings, parallelFor);
   constexpr double ballScale = 0.7; // of the vessel's radius
   const PointList points = Snap(image.Cubes.View(), clicked, style.SnapDistance);
   const VesselIntensities intensities =
@@ -248,8 +277,9 @@ VesselTree TraceAs(const VesselStyle& style, const GrayVolume& volume, Modality 
   FloatImage depth;
   depth.Geometry = image.Cubes.Geometry;
   depth.Voxels = DepthOf(image.Cubes.View(), intensities, parallelFor);
-  const FloatImage speed =
+  FloatImage speed =
     MakeVesselSpeed(image.Cubes, intensities, depth.Voxels, radius, style.Speed, parallelFor);
+  SlowDown(outside, style.Speed.Floor, speed);
   VesselTree tree;
   for (const MinimalPath& path : JoinPoints(speed.View(), points, ProlongDistance, monitor))
   {
@@ -275,6 +305,7 @@ VesselTree TraceAs(const VesselStyle& style, const GrayVolume& volume, Modality 
       "no boundary of a vessel is found around the path from " + TextOf(points.row(0)) +
         " mm; put all points into the vessel, or set Radius");
   }
+  tree.Support = MeanSupport(image.Own.View(), tree, parallelFor);
   for (VesselBranch& branch : tree.Branches)
   {
     branch.Sections.Radii.array() += settings.WallThickness;
@@ -293,6 +324,7 @@ VesselStyle ThinVessel()
   style.Speed.HighAllowance = 40;
   style.Speed.MaximumCap = 3;
   style.Speed.TopHat = 7.5;
+  style.Speed.Tube = 10;
   style.Sections.EdgeWeight = 15;
   style.Sections.PriorWeight = 0.1;
   style.Sections.PriorFollow = 0.5;
@@ -316,28 +348,73 @@ VesselStyle WideVessel()
   return style;
 }
 
+VesselStyle FarVessel()
+{
+  VesselStyle style = WideVessel();
+  style.Margin = 120;
+  style.GridSpacing = 2.5;
+  return style;
+}
+
 VesselTree TraceVessel(const GrayVolume& volume, const std::string& name, const PointList& points,
-  const VesselPathSettings& settings, const Threading& threading, const Monitor& monitor)
+  const PointList& outside, const VesselPathSettings& settings, const Threading& threading,
+  const Monitor& monitor)
 {
   RequirePoints(volume.Geometry, points, name);
   const Modality modality = ResolveModality(Modality::Automatic, volume.Read, volume.Geometry);
   constexpr double thinRadius = 3;
+  constexpr double wideRadius = 10;
   constexpr double insideScale = 0.6; // what the wide style takes for the radius, of that found
-  double radius = settings.Radius;
-  if (radius <= 0 || radius < settings.WideRadius)
+  const auto trace = [&](const VesselStyle& style, double radius, const Monitor& part)
   {
-    const Monitor first = PartOf(monitor, 0, 0.5);
-    VesselTree tree = TraceAs(settings.Thin, volume, modality, points,
-      radius > 0 ? radius : thinRadius, settings, threading.For, first);
-    if (tree.Branches.empty() || tree.Radius < settings.WideRadius)
-    {
-      return tree;
-    }
-    radius = tree.Radius;
-  }
+    return TraceAs(style, volume, modality, points, outside, radius, settings, threading.For, part);
+  };
+  const Monitor first = PartOf(monitor, 0, 0.5);
   const Monitor second = PartOf(monitor, 0.5, 1);
-  return TraceAs(settings.Wide, volume, modality, points, insideScale * radius, settings,
-    threading.For, second);
+  if (settings.Radius > 0)
+  {
+    return settings.Radius < settings.WideRadius
+      ? trace(settings.Thin, settings.Radius, monitor)
+      : trace(settings.Wide, insideScale * settings.Radius, monitor);
+  }
+  VesselTree thin;
+  std::exception_ptr noPath;
+  try
+  {
+    thin = trace(settings.Thin, thinRadius, first);
+    if (thin.Branches.empty())
+    {
+      return thin;
+    }
+  }
+  catch (const Error&)
+  {
+    noPath = std::current_exception();
+  }
+  if (thin.Radius >= settings.WideRadius)
+  {
+    return trace(settings.Wide, insideScale * thin.Radius, second);
+  }
+  if (thin.Support >= DoubtfulSupport)
+  {
+    return thin;
+  }
+  try
+  {
+    VesselTree wide = trace(settings.Far, insideScale * wideRadius, second);
+    if (wide.Branches.empty() || wide.Support > (noPath ? DoubtfulSupport : thin.Support))
+    {
+      return wide;
+    }
+  }
+  catch (const Error&) // there is no wide one either
+  {
+  }
+  if (noPath)
+  {
+    std::rethrow_exception(noPath);
+  }
+  return thin;
 }
 
 } // namespace FlipFree

@@ -5,7 +5,10 @@
  * Nobody is asked for the kind of vessel. The first pass takes it for a thin one: brighter than
  * what surrounds it, as portal and splenic veins are in enhanced CT. Where that pass finds a wide
  * one, such as aorta or cava, a second pass takes it for that: gray values may be those of the
- * surroundings, and a path must not run through wider bodies.
+ * surroundings, and a path must not run through wider bodies. Where the first pass finds a thin one
+ * that the image does not support, it may be a wide one all the same, which it has missed, such as
+ * an aorta with its arch: a wide one is sought in a larger part of the image, and taken if the
+ * image supports it better.
  */
 #ifndef FlipFreeVesselPath_h
 #define FlipFreeVesselPath_h
@@ -25,12 +28,17 @@ struct VesselStyle
   /// How far from the points the path may run, in millimeters along the image's axes: an aorta's
   /// arch needs room, a thin vessel's path gets lost in it.
   double Margin = 60;
+  double GridSpacing = 1.5; ///< of the grid on which the path is sought, mm
   VesselSpeedSettings Speed;
   CrossSectionSettings Sections;
 };
 
 VesselStyle ThinVessel();
 VesselStyle WideVessel();
+VesselStyle FarVessel();
+
+/// Outlines that the image supports less are doubtful.
+constexpr double DoubtfulSupport = 0.8;
 
 struct VesselPathSettings
 {
@@ -40,13 +48,13 @@ struct VesselPathSettings
 
   double WideRadius = 7;           ///< a vessel is wide from this radius on, mm
   double SmoothingDeviation = 0.8; ///< mm
-  double GridSpacing = 1.5;        ///< of the grid on which the path is sought, mm
 
   /// Added to the outline, in millimeters: gray values show the lumen.
   double WallThickness = 0.3;
 
   VesselStyle Thin = ThinVessel();
   VesselStyle Wide = WideVessel();
+  VesselStyle Far = FarVessel();
 };
 
 struct VesselBranch
@@ -59,13 +67,15 @@ struct VesselTree
 {
   std::vector<VesselBranch> Branches; ///< none where the monitor stopped it
   double Radius = 0;                  ///< mean, mm
+  double Support = 0;                 ///< mean SectionSupport
 };
 
-/// Throws Error or std::invalid_argument, naming the volume by `name`, for fewer than two points,
-/// points outside the volume or in one place, voxels that are not finite, and points that no path
-/// through like gray values joins.
+/// The path keeps away from the places `outside`. Throws Error or std::invalid_argument, naming the
+/// volume by `name`, for fewer than two points, points outside the volume or in one place, voxels
+/// that are not finite, and points that no path through like gray values joins.
 VesselTree TraceVessel(const GrayVolume& volume, const std::string& name, const PointList& points,
-  const VesselPathSettings& settings, const Threading& threading, const Monitor& monitor);
+  const PointList& outside, const VesselPathSettings& settings, const Threading& threading,
+  const Monitor& monitor);
 
 } // namespace FlipFree
 

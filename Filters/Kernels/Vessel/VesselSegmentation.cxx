@@ -1,16 +1,20 @@
 #include "Vessel/VesselSegmentation.h"
 
+#include "Deformation/ConstraintEnforcer.h"
+#include "Error.h"
 #include "Geometry/SelfIntersection.h"
 #include "Guard/SurfaceRefinement.h"
 #include "Image/VoxelTraversal.h"
 #include "Mesh/CellSurface.h"
 #include "MessageText.h"
 #include "Stopwatch.h"
+#include "Vessel/OutlineCorrection.h"
 #include "Vessel/TubeOccupancy.h"
 
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 
 namespace FlipFree
@@ -89,12 +93,38 @@ void InsertLine(const PointList& line, BitMask& cells)
   }
 }
 
+// Lets no cell of the start surface hold a point that is to lie outside, but where the path is:
+// such a point is an error.
+void LeaveOut(const ConstraintList& constraints, FloatImage& depth)
+{
+  const ImageGeometry& grid = depth.Geometry;
+  for (const PointConstraint& constraint : constraints)
+  {
+    if (constraint.Kind != ConstraintKind::Outside)
+    {
+      continue;
+    }
+    const VoxelBox box = BoxAround(grid, constraint.Point, 0.51 * grid.Spacing[0]);
+    for (int k = box.Begin[2]; k < box.End[2]; ++k)
+    {
+      for (int j = box.Begin[1]; j < box.End[1]; ++j)
+      {
+        for (int i = box.Begin[0]; i < box.End[0]; ++i)
+        {
+          depth.Voxels[grid.Offset(i, j, k)] = -1;
+        }
+      }
+    }
+  }
+}
+
 // A coarse surface within the outline, of one piece and without handles.
-DeformableSurface MakeStart(const VesselTree& tree)
+DeformableSurface MakeStart(const VesselTree& tree, const ConstraintList& constraints)
 {
   const double smallest = SmallestRadius(tree);
   const double edge = std::max(0.8, smallest / 2);
-  const FloatImage depth = DepthOnGrid(tree, edge, 30);
+  FloatImage depth = DepthOnGrid(tree, edge, 30);
+  LeaveOut(constraints, depth);
   BitMask cells = VoxelsWhere(
     depth.View(), [&](float value) { return value > 0.25 * edge; }, SerialFor);
   for (const VesselBranch& branch : tree.Branches)
@@ -118,8 +148,9 @@ DeformableSurface MakeStart(const VesselTree& tree)
 class OutlineFit
 {
 public:
-  OutlineFit(const VesselTree& tree, const VesselSegmentationSettings& settings,
-    const ParallelFor& parallelFor, const Monitor& monitor, OrganSurface& surface)
+  OutlineFit(const VesselTree& tree, const ConstraintList& constraints, double spacing,
+    const VesselSegmentationSettings& settings, const ParallelFor& parallelFor,
+    const Monitor& monitor, OrganSurface& surface)
     : Settings(settings)
     , Parallel(parallelFor)
     , Ask(monitor)
@@ -131,9 +162,40 @@ public:
       this->Edges.View(), [](float value) { return value > 0; }, parallelFor);
     std::transform(this->Edges.Voxels.begin(), this->Edges.Voxels.end(), this->Edges.Voxels.begin(),
       [](float value) { return std::tanh(value / RoundedEdge); });
+    if (!constraints.empty())
+    {
+      this->Enforcer.emplace(constraints, spacing);
+    }
   }
 
   StopReason Run()
+  {
+    if (this->Enforcer)
+    {
+      this->Enforcer->Begin(this->Surface.Mesh,
+        FaceHulls(this->Surface.Points, this->Surface.Mesh.Faces), this->Surface.Points);
+    }
+    const StopReason reason = this->IterateLevels();
+    return reason != StopReason::Aborted && this->FinishConstraints() ? reason
+                                                                      : StopReason::Aborted;
+  }
+
+private:
+  bool Proceed() const { return this->Ask(this->Done); }
+
+  bool FinishConstraints()
+  {
+    if (!this->Enforcer)
+    {
+      return true;
+    }
+    EmbeddingGuard guard(this->Surface.Mesh);
+    return this->Enforcer->Finish(
+      this->Surface.Mesh, guard, this->Parallel, [this](double) { return this->Proceed(); },
+      this->Surface.Points);
+  }
+
+  StopReason IterateLevels()
   {
     StopReason reason = StopReason::NotRun;
     for (this->Level = 0; this->Level < this->Settings.Levels; ++this->Level)
@@ -141,6 +203,7 @@ public:
       if (this->Level > 0)
       {
         RefinedSurface refined = RefineSurface(this->Surface.Mesh, this->Surface.Points,
+          this->Enforcer ? this->Enforcer->GetObstacles() : PointList(0, 3),
           this->Settings.Step.Guard, this->Parallel, [this](double) { return this->Proceed(); });
         if (!refined.Embedded)
         {
@@ -158,9 +221,6 @@ public:
     return reason;
   }
 
-private:
-  bool Proceed() const { return this->Ask(this->Done); }
-
   StopReason IterateLevel()
   {
     std::unique_ptr<EmbeddingGuard> guard;
@@ -177,6 +237,11 @@ private:
       if (!this->Proceed())
       {
         return StopReason::Aborted;
+      }
+      if (this->Enforcer)
+      {
+        this->Enforcer->Update(this->Surface.Mesh, guard->Hulls(), this->Surface.Points);
+        guard->SetObstacles(this->Enforcer->GetObstacles());
       }
       const TargetReport report = this->IterateOnce(solver, guard.get());
       const double voxel = this->Edges.Geometry.Spacing[0];
@@ -229,6 +294,7 @@ private:
   double Radius;
   FloatImage Edges;
   BitMask Foreground;
+  std::optional<ConstraintEnforcer> Enforcer;
   int Level = 0;
   double Done = 0; ///< progress
 };
@@ -271,6 +337,12 @@ void AddWarnings(const ImageGeometry& geometry, VesselSegmentation& result)
       "the surface could not be refined without intersecting itself, and is coarse; set Levels to "
       "1, or move the points apart");
   }
+  if (result.Tree.Support < DoubtfulSupport)
+  {
+    result.Warnings.push_back("the result is doubtful: the image shows only " +
+      std::to_string(std::lround(100 * result.Tree.Support)) +
+      " % of the vessel's boundary; look where the path runs, and add points on the vessel's way");
+  }
   const double beyond = BeyondEnds(result.Tree, result.Surface.Points);
   if (beyond > tolerance)
   {
@@ -296,29 +368,70 @@ void AddWarnings(const ImageGeometry& geometry, VesselSegmentation& result)
   }
 }
 
+PointList PlacesOutside(const ConstraintList& constraints)
+{
+  PointList places(0, 3);
+  for (const PointConstraint& constraint : constraints)
+  {
+    if (constraint.Kind == ConstraintKind::Outside)
+    {
+      places.conservativeResize(places.rows() + 1, 3);
+      places.bottomRows(1) = constraint.Point.transpose();
+    }
+  }
+  return places;
+}
+
+void RequireCorrections(const ImageGeometry& geometry, const PointList& points,
+  const ConstraintList& constraints, bool guard, const std::string& name)
+{
+  for (const PointConstraint& constraint : constraints)
+  {
+    if (constraint.Kind == ConstraintKind::Seed)
+    {
+      throw Error(ErrorCode::OutOfRange,
+        NameOf(constraint) + " is of no use to a vessel; give a further point on its way");
+    }
+    if (!guard)
+    {
+      throw std::invalid_argument(NameOf(constraint) +
+        " can only be obeyed under the guard; switch Guard on, or remove the constraints");
+    }
+  }
+  for (Eigen::Index point = 0; point < points.rows(); ++point)
+  {
+    constexpr double apart = 0.5; // mm; the path begins there
+    RequireConstraints(geometry, { points.row(point).transpose(), 2 * apart }, constraints, name);
+  }
+}
+
 } // namespace
 
 VesselSegmentation SegmentVessel(const GrayVolume& volume, const std::string& name,
-  const PointList& points, const VesselSegmentationSettings& settings, const Threading& threading,
-  const Monitor& monitor)
+  const PointList& points, const ConstraintList& constraints,
+  const VesselSegmentationSettings& settings, const Threading& threading, const Monitor& monitor)
 {
   VesselSegmentation result;
+  RequireCorrections(volume.Geometry, points, constraints, settings.Step.Guard, name);
   Stopwatch watch;
   const Monitor tracing = PartOf(monitor, 0, 0.5);
   const Monitor fitting = PartOf(monitor, 0.5, 1);
-  result.Tree = TraceVessel(volume, name, points, settings.Path, threading, tracing);
+  result.Tree = TraceVessel(volume, name, points, PlacesOutside(constraints), settings.Path,
+    threading, tracing);
   result.StageSeconds[0] = watch.Lap();
   if (result.Tree.Branches.empty())
   {
     result.Surface.Reason = StopReason::Aborted;
     return result;
   }
-  DeformableSurface start = MakeStart(result.Tree);
+  CorrectOutline(constraints, result.Tree);
+  DeformableSurface start = MakeStart(result.Tree, constraints);
   result.Surface.Mesh = std::move(start.Mesh);
   result.Surface.Points = std::move(start.Points);
   result.StageSeconds[1] = watch.Lap();
-  result.Surface.Reason =
-    OutlineFit(result.Tree, settings, threading.For, fitting, result.Surface).Run();
+  result.Surface.Reason = OutlineFit(result.Tree, constraints, volume.Geometry.Spacing.minCoeff(),
+    settings, threading.For, fitting, result.Surface)
+                            .Run();
   result.StageSeconds[2] = watch.Lap();
   if (result.Surface.Reason == StopReason::Aborted)
   {

@@ -1,12 +1,13 @@
 /**
  * A vessel between points, or a tree of vessels, as every shell runs it: path, outline in
  * cross-sections, start surface within the outline, and its deformation onto the outline under the
- * guard.
+ * guard; corrected by points inside, outside, and on the boundary.
  */
 #ifndef FlipFreeVesselSegmentation_h
 #define FlipFreeVesselSegmentation_h
 
 #include "Deformation/VolumeSegmentation.h"
+#include "Image/PointConstraint.h"
 #include "Vessel/VesselPath.h"
 
 namespace FlipFree
@@ -34,12 +35,14 @@ struct VesselSegmentation
   std::array<double, 4> StageSeconds{ { 0, 0, 0, 0 } };
 };
 
-/// `name` is the volume's. Throws std::invalid_argument or Error for bad input, and
+/// `name` is the volume's. The path keeps away from outside points, the outline is moved to all of
+/// the constraints, and the surface obeys them exactly; further seeds are refused. Throws
+/// std::invalid_argument or Error for bad input and for a constraint that cannot be obeyed, and
 /// std::logic_error if a guarded surface should intersect itself. A stop by the monitor gives
 /// StopReason::Aborted.
 VesselSegmentation SegmentVessel(const GrayVolume& volume, const std::string& name,
-  const PointList& points, const VesselSegmentationSettings& settings, const Threading& threading,
-  const Monitor& monitor);
+  const PointList& points, const ConstraintList& constraints,
+  const VesselSegmentationSettings& settings, const Threading& threading, const Monitor& monitor);
 
 } // namespace FlipFree
 

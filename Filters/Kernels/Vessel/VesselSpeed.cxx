@@ -2,6 +2,7 @@
 
 #include "Image/DistanceTransform.h"
 #include "Intensity/RobustStatistics.h"
+#include "Vessel/Tubeness.h"
 #include "Vessel/VesselImage.h"
 
 #include <algorithm>
@@ -96,6 +97,15 @@ FloatImage MakeVesselSpeed(const FloatImage& image, const VesselIntensities& int
   {
     SmoothInside(background, 16 / std::sqrt(12.0), parallelFor);
   }
+  std::vector<float> tubes;
+  if (settings.Tube > 0)
+  {
+    constexpr double farthest = 3; // from the vessel's gray values
+    std::vector<unsigned char> wanted(image.Voxels.size());
+    std::transform(image.Voxels.begin(), image.Voxels.end(), wanted.begin(),
+      [&](float value) { return intensities.Distance(value) < farthest ? 1 : 0; });
+    tubes = BrightTubeness(image, wanted, settings.TubeDeviation, parallelFor);
+  }
   const double cap = std::min(settings.MaximumCap, std::max(settings.MinimumCap, radius));
   const double body = std::max(settings.MinimumBody, settings.BodyScale * radius);
   FloatImage speed;
@@ -114,6 +124,11 @@ FloatImage MakeVesselSpeed(const FloatImage& image, const VesselIntensities& int
     {
       factor /=
         1 + std::exp(-(value - background.Voxels[voxel] - settings.TopHat) / settings.TopHat);
+    }
+    if (settings.Tube > 0)
+    {
+      const double tube = tubes[voxel] / settings.Tube;
+      factor *= tube * tube / (1 + tube * tube);
     }
     return static_cast<float>(factor + settings.Floor);
   };

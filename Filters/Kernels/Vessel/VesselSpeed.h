@@ -2,7 +2,7 @@
  * Where a vessel may run: a speed per voxel for the search of its path. The path decides the
  * result, so speed falls off not only with the distance of a gray value from those at the clicked
  * points, but also at edges, near the rim of the like voxels, and within wide bodies, through which
- * shortcuts would lead.
+ * shortcuts would lead; of a thin vessel also where there is nothing like a tube.
  */
 #ifndef FlipFreeVesselSpeed_h
 #define FlipFreeVesselSpeed_h
@@ -44,6 +44,8 @@ struct VesselSpeedSettings
   double MinimumBody = 12;
 
   double TopHat = 0; ///< 0: none
+  double Tube = 0;   ///< tubeness at which speed is half of what it is in a vessel; 0: not asked
+  double TubeDeviation = 3; ///< mm
   double Floor = 0.002;
 };
 

@@ -43,7 +43,7 @@ val Trace(const Volume& image, const val& points, const val& parameters, const v
       const GrayVolume volume = image.VisitVoxels(
         [](const auto& view) { return GrayVolumeOf(view, ImageName, Threading()); });
       const VesselSegmentation result =
-        SegmentVessel(volume, ImageName, list, settings, Threading(), MonitorOf(report));
+        SegmentVessel(volume, ImageName, list, {}, settings, Threading(), MonitorOf(report));
       val answer = AnswerOf(result.Surface, result.Voxels, result.Warnings);
       answer.set("branches", BranchesOf(result.Tree));
       answer.set("radius", result.Tree.Radius);

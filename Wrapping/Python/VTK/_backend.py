@@ -157,19 +157,31 @@ class VesselAlgorithm:
         self.settings = vtkFlipFreeVesselSegmentation()
 
     def run(
-        self, image: vtkImageData, points: list[tuple[float, ...]], tell: Progress | None
+        self,
+        image: vtkImageData,
+        points: list[tuple[float, ...]],
+        constraints: tuple[Constraint, ...],
+        tell: Progress | None,
     ) -> Vessel:
+        self.settings.RemoveAllPoints()
         for point in points:
             self.settings.AddPoint(*point)
+        self.settings.RemoveAllCorrections()
+        for constraint in constraints:
+            if constraint.kind == SEED:
+                raise SegmentationError(
+                    "No segmentation: a vessel takes no further seeds; give a point on its way."
+                )
+            getattr(self.settings, ADDING[constraint.kind])(*constraint.place)
         self.settings.SetInputData(image)
         update(self.settings, SegmentationError, tell, names=names_of(TRACE_PARAMETERS))
         return Vessel(
-            surface=self.settings.GetSurface(),
-            label_map=self.settings.GetLabelMap(),
-            convergence=self.settings.GetConvergence(),
+            surface=_detached(self.settings.GetSurface()),
+            label_map=_detached(self.settings.GetLabelMap()),
+            convergence=_detached(self.settings.GetConvergence()),
             stop_reason=self.settings.GetStopReasonAsString(),
             self_intersections=self.settings.GetNumberOfSelfIntersections(),
-            centerline=self.settings.GetCenterline(),
+            centerline=_detached(self.settings.GetCenterline()),
             stage_seconds=tuple(self.settings.GetStageSeconds()),
         )
 

@@ -37,9 +37,22 @@ nb::list BranchesOf(const VesselTree& tree)
   return branches;
 }
 
+// Kind, x, y, z.
+using CorrectionRow = std::tuple<int, double, double, double>;
+
+ConstraintList ConstraintsOf(const std::vector<CorrectionRow>& rows)
+{
+  ConstraintList constraints;
+  for (const auto& [kind, x, y, z] : rows)
+  {
+    constraints.push_back({ static_cast<ConstraintKind>(kind), { x, y, z }, 0 });
+  }
+  return constraints;
+}
+
 nb::dict Trace(const Voxels& voxels, const Triple& spacing, const Triple& origin,
-  const Nine& direction, const std::vector<Triple>& places, const Settings& settings,
-  const nb::callable& report)
+  const Nine& direction, const std::vector<Triple>& places, const std::vector<CorrectionRow>& rows,
+  const Settings& settings, const nb::callable& report)
 {
   const ImageGeometry geometry = GeometryOf(voxels, spacing, origin, direction);
   PointList points(static_cast<Eigen::Index>(places.size()), 3);
@@ -61,7 +74,8 @@ nb::dict Trace(const Voxels& voxels, const Triple& spacing, const Triple& origin
       RequireVoxels(geometry);
       const GrayVolume volume = VisitVoxels(voxels, geometry,
         [](const auto& view) { return GrayVolumeOf(view, ImageName, PoolThreading()); });
-      result = SegmentVessel(volume, ImageName, points, settings, PoolThreading(), monitor);
+      result = SegmentVessel(volume, ImageName, points, ConstraintsOf(rows), settings,
+        PoolThreading(), monitor);
     }
   }
   OrganSurface& surface = result.Surface;
@@ -90,7 +104,8 @@ void BindVessels(nb::module_& module)
 {
   BindSettings<Settings>(module, "VesselSettings", &VesselParameters).def(nb::init<>());
   module.def("trace", &Trace, nb::arg("voxels").noconvert(), nb::arg("spacing"), nb::arg("origin"),
-    nb::arg("direction"), nb::arg("points"), nb::arg("settings"), nb::arg("report"));
+    nb::arg("direction"), nb::arg("points"), nb::arg("corrections"), nb::arg("settings"),
+    nb::arg("report"));
 }
 
 } // namespace FlipFree

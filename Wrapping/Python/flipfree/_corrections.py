@@ -72,7 +72,7 @@ class Correctable:
         seeds: Seeds = (),
         progress: ProgressOption = None,
     ) -> Self:
-        """The segmentation with these points besides those that it has already; see segment().
+        """The segmentation with these points besides those that it has already; see segment() and trace().
 
         This result stays as it is.
 
@@ -85,7 +85,7 @@ class Correctable:
         """
         if self._again is None:
             raise FlipFreeError(
-                "corrected: only what segment() has returned can be corrected, not a copy of it"
+                "corrected: only what segment() or trace() has returned can be corrected, not a copy of it"
             )
         more = constraints_of(inside, outside, boundary, seeds)
         result: Self = self._again(self.constraints + more, progress)

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 from ._backend import TRACE_PARAMETERS, VesselAlgorithm
-from ._corrections import Points, places_of
+from ._corrections import Constraint, Points, constraints_of, places_of
 from ._parameters import described, set_parameters, signature_with
 from ._progress import progress_of
 from ._segmentation import Vessel
@@ -22,6 +23,9 @@ def trace(
     image: AnyImage,
     points: Points | npt.NDArray[Any],
     *,
+    inside: Points = (),
+    outside: Points = (),
+    boundary: Points = (),
     spacing: Sequence[float] | None = None,
     origin: Sequence[float] | None = None,
     direction: npt.ArrayLike | None = None,
@@ -37,6 +41,10 @@ def trace(
         A list of points (x, y, z) in mm, or an array of shape (n, 3), of two points or more. They lie
         in the vessel: one at either end, more on its way or at the ends of its branches, in any
         order. Points 5 mm off do little harm. Coordinates are the image's physical ones, LPS for files.
+    inside, outside, boundary
+        Lists of points (x, y, z) in mm that correct the result: the surface obeys them exactly, as that
+        of segment() does, and the path keeps 3 mm away from points outside, where it can. corrected()
+        of the result adds more.
     spacing, origin, direction, progress
         As for segment().
 
@@ -54,6 +62,9 @@ def trace(
     (4.2, 100)
     >>> aorta.labels.shape, aorta.self_intersections
     ((96, 96, 96), 0)
+    >>> thicker = aorta.corrected(inside=[(47.5, 47.5, 62.8)])
+    >>> len(thicker.constraints), thicker.volume > aorta.volume
+    (1, True)
     >>> flipfree.trace(phantom.image, [(13.3, 44.6, 44.5)])
     Traceback (most recent call last):
       ...
@@ -64,9 +75,15 @@ def trace(
     algorithm = VesselAlgorithm()
     set_parameters("trace", algorithm.settings, TRACE_PARAMETERS, parameters)
     places = places_of("points", points)
+    constraints = constraints_of(inside, outside, boundary, ())
     volume = _image_of(image, spacing, origin, direction, progress)
-    with progress_of(progress, "tracing") as tell:
-        return algorithm.run(volume, places, tell)
+
+    def run(corrections: tuple[Constraint, ...], progress: ProgressOption) -> Vessel:
+        with progress_of(progress, "tracing") as tell:
+            result = algorithm.run(volume, places, corrections, tell)
+        return replace(result, constraints=corrections, _again=run)
+
+    return run(constraints, progress)
 
 
 # Help and completion show the parameters as if they were spelled out above.

@@ -6,7 +6,7 @@ import os
 from typing import TYPE_CHECKING, Any
 
 from . import _kernels
-from ._corrections import Constraint
+from ._corrections import SEED, Constraint
 from ._errors import EvaluationError, FlipFreeError, SegmentationError
 from ._image import Image
 from ._messages import warn, with_names
@@ -213,10 +213,21 @@ class VesselAlgorithm:
     def __init__(self) -> None:
         self.settings = _kernels.VesselSettings()
 
-    def run(self, image: Image, points: list[tuple[float, ...]], tell: Progress | None) -> Vessel:
+    def run(
+        self,
+        image: Image,
+        points: list[tuple[float, ...]],
+        constraints: tuple[Constraint, ...],
+        tell: Progress | None,
+    ) -> Vessel:
+        if any(one.kind == SEED for one in constraints):
+            raise SegmentationError(
+                "No segmentation: a vessel takes no further seeds; give a point on its way."
+            )
         names = names_of(TRACE_PARAMETERS)
+        rows = [(one.kind, *one.place) for one in constraints]
         answer = run(
-            lambda report: _kernels.trace(*_volume_of(image), points, self.settings, report),
+            lambda report: _kernels.trace(*_volume_of(image), points, rows, self.settings, report),
             SegmentationError,
             "No segmentation: {}.",
             names,

@@ -21,7 +21,7 @@ from ._backend import (
     set_threads,
     surface_validity,
 )
-from ._corrections import Constraint, constraints_of
+from ._corrections import BOUNDARY, INSIDE, OUTSIDE, SEED, Constraint, constraints_of
 from ._errors import FileError, FlipFreeError
 from ._evaluate import evaluate as evaluate_segmentation
 from ._files import WRITE_ENDINGS, read_image, write_image
@@ -63,6 +63,7 @@ TRACE_OUTPUTS = {
     "centerline": (".vtp",),
     "convergence": (".csv",),
     "snapshot": (".png",),
+    "save_points": POINT_ENDINGS,
 }
 
 
@@ -330,20 +331,31 @@ def trace(values: dict[str, Any]) -> None:
     progress = _wants_bar(values)
     outputs = {name: values[name] for name in TRACE_OUTPUTS if name in values}
     _require_sense_of_trace(values, outputs)
+    corrections = _points_of(values)
+    if any(one.kind == SEED for one in corrections):
+        raise FlipFreeError(
+            "--points: a seed is of no use to a vessel. Give a further --point on its way"
+        )
     set_threads(values.get("threads", 0))
     image = read_image(values["input"], series=values.get("series"), progress=progress)
     with contextlib.ExitStack() as files:  # either all files or none
         try:
             vessel = trace_vessel(
                 image,
-                values["point"],
+                [_lps(values, point) for point in values["point"]],
+                inside=[one.place for one in corrections if one.kind == INSIDE],
+                outside=[one.place for one in corrections if one.kind == OUTSIDE],
+                boundary=[one.place for one in corrections if one.kind == BOUNDARY],
                 progress=progress or None,
                 **{name: value for name, value in values.items() if name in TRACE_PARAMETERS},
             )
         except FlipFreeError as error:
             raise type(error)(f"'{values['input']}': {error}") from error
         for name, path in outputs.items():
-            _write_to(files, path, partial(_write, name, vessel, image))
+            if name == "save_points":
+                _write_to(files, path, lambda name: write_points(name, corrections))
+            else:
+                _write_to(files, path, partial(_write, name, vessel, image))
     if "quiet" not in values:
         count = len(vessel.branches)
         names = ("path", "start", "deformation", "label map")
@@ -367,13 +379,15 @@ def _require_sense_of_trace(values: dict[str, Any], outputs: dict[str, str]) -> 
         raise WrongUsage(
             "--point: a coordinate is not a finite number. Give three numbers, in millimeters"
         )
-    if not outputs:
+    if "points" in values:
+        _require_ending("--points", values["points"], POINT_ENDINGS)
+    if not set(outputs) - {"save_points"}:
         raise WrongUsage(
             "No output is requested. Give at least one of --output, --labels, --centerline, "
             "--convergence and --snapshot"
         )
     for name, path in outputs.items():
-        _require_ending(f"--{name}", path, TRACE_OUTPUTS[name])
+        _require_ending(f"--{name.replace('_', '-')}", path, TRACE_OUTPUTS[name])
     if not 0 <= values.get("radius", 0) <= 100:
         raise WrongUsage("--radius must be a number of millimeters, 0 to 100; 0 finds it")
     if not -5 <= values.get("wall_thickness", 0) <= 5:
