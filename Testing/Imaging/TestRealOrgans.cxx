@@ -2,7 +2,9 @@
 #include "ContourMeshAdapter.h"
 #include "ExampleImages.h"
 #include "Geometry/SelfIntersection.h"
+#include "ImageAdapter.h"
 #include "Mesh/MeshUnion.h"
+#include "Mesh/SurfaceVoxelization.h"
 
 #include "vtkFlipFreeOrganGroup.h"
 #include "vtkMedicalImageReader.h"
