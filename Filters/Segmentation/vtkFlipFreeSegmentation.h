@@ -259,7 +259,7 @@ public:
 
   ///@{
   /**
-   * Number of levels from coarse to fine. Default 3; 1 to 6. Levels that would begin with fewer
+   * Number of levels from coarse to fine. Default 4; 1 to 6. Levels that would begin with fewer
    * than two vertices along an edge are left out.
    */
   void SetLevels(int value);

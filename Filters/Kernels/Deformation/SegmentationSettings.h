@@ -18,7 +18,7 @@ namespace FlipFree
 struct ScheduleSettings
 {
   int Resolution = 32; ///< vertices along an edge of a side of the final mesh (n)
-  int Levels = 3;
+  int Levels = 4;
   int MaximumIterations = 40; ///< per level
 
   /// A level ends when the mean distance to the targets is below DistanceTolerance, or fell by less
