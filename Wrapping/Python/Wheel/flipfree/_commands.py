@@ -124,10 +124,10 @@ def _segment_group(values: dict[str, Any], progress: bool) -> None:
         raise type(error)(f"'{values['input']}': {error}") from error
     working = time.perf_counter() - start - reading
     with contextlib.ExitStack() as files:  # either all files or none
-        for name, organ in found.items():
-            if organ.stop_reason == "no boundary found":
+        for organ, result in found.items():
+            if result.stop_reason == "no boundary found":
                 raise FlipFreeError(
-                    f"'{values['input']}', {name}: no boundary of the organ was found, so nothing is "
+                    f"'{values['input']}', {organ}: no boundary of the organ was found, so nothing is "
                     "written."
                 )
         for (name, output), path in outputs.items():
@@ -135,11 +135,11 @@ def _segment_group(values: dict[str, Any], progress: bool) -> None:
         if "labels" in values:
             _write_to(files, values["labels"], lambda name: write_image(found.label_map, name))
     if "quiet" not in values:
-        for name, organ in found.items():
+        for organ, result in found.items():
             print(
-                f"{values['input']}, {name}: label {found.label_of(name)}, volume {organ.volume:.1f} "
-                f"ml, {len(organ.iterations['Iteration'])} iterations, {organ.stop_reason}, "
-                f"{organ.self_intersections} self-intersections, confidence {organ.confidence:.2f}"
+                f"{values['input']}, {organ}: label {found.label_of(organ)}, volume {result.volume:.1f} "
+                f"ml, {len(result.iterations['Iteration'])} iterations, {result.stop_reason}, "
+                f"{result.self_intersections} self-intersections, confidence {result.confidence:.2f}"
             )
         print(
             f"{values['input']}: organs do not meet; reading {reading:.2f} s, segmenting "
