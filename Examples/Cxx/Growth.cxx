@@ -12,7 +12,7 @@ namespace
 {
 
 constexpr int Levels = 4;             // of the first run; the second, after carving, has as many
-constexpr int FirstResolution = 8;    // vertices along the side of the cube, doubled level by level
+constexpr int FirstResolution = 4;    // vertices along the side of the cube, doubled level by level
 constexpr int MaximumIterations = 40; // at each level
 constexpr int Span = 5;               // iterations over which a level has to get on
 

@@ -3,7 +3,7 @@
     python3 compare_settings.py --picture compared.png
     python3 compare_settings.py ct.nii.gz --seed 83 -154 321 --radius 26 --truth by-hand.nii.gz
 
-Both find the phantom's right kidney, and score alike. But one surface passes through itself: a
+Both find the phantom's esophagus, and score alike. But one surface passes through itself: a
 mesher or a printer will refuse it. Change SETTINGS to compare others, anything that
 flipfree.segment takes.
 """
@@ -33,7 +33,7 @@ if arguments.image:
     truth, label = arguments.truth, -1
 else:
     source = inputs.phantom()
-    label = source.RIGHT_KIDNEY
+    label = source.ESOPHAGUS
     image, truth = source.GetOutput(), source.GetLabelMap()
     seed, radius = inputs.seed_in(source, label)
 

@@ -9,7 +9,7 @@ import flipfree
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
-RESOLUTIONS = (8, 16, 32)  # vertices along the side of the cube, level by level
+RESOLUTIONS = (4, 8, 16, 32)  # vertices along the side of the cube, level by level
 MOST_ITERATIONS = 40  # at each level
 LEVELS = len(RESOLUTIONS)  # of the first run; the second, after carving, has as many
 

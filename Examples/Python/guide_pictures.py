@@ -46,8 +46,8 @@ PICTURES = {
 SURFACES = {
     "resolution": [
         ("resolution=8, levels=1", {"resolution": 8, "levels": 1}),
-        ("32, 3, the defaults", {}),
-        ("resolution=64, levels=4", {"resolution": 64, "levels": 4})],
+        ("32, 4, the defaults", {}),
+        ("resolution=64, levels=5", {"resolution": 64, "levels": 5})],
     "shape": [
         ("uniform_weight=0.05", {"uniform_weight": 0.05}),
         ("1, the default", {}),

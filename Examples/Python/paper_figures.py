@@ -388,7 +388,8 @@ def figure_4(path, folder):
             text.BoldOff()
     levels = vtk_to_numpy(table.GetColumnByName("Level"))
     per_run = (levels.max() + 1) // 2
-    for level, color in zip(np.unique(levels), (scene.BLUE, scene.YELLOW, scene.LIVER) * 2):
+    colors = (scene.BLUE, scene.YELLOW, scene.LIVER, GREEN)
+    for level in np.unique(levels):
         rows = vtkTable()
         for name in ("Iteration", "MeanDistance"):
             values = vtk_to_numpy(table.GetColumnByName(name))[levels == level].astype(float)
@@ -397,7 +398,7 @@ def figure_4(path, folder):
             rows.AddColumn(column)
         curve = chart.AddPlot(vtkChart.LINE)
         curve.SetInputData(rows, 0, 1)
-        curve.GetPen().SetColorF(*color)
+        curve.GetPen().SetColorF(*colors[level % per_run % len(colors)])
         curve.SetWidth(2.5 * scene.FINER)
         carved = level >= per_run  # the second run
         curve.SetLabel(f"level {level % per_run + 1}" + (", carved" if carved else ""))

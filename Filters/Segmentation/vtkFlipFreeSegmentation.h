@@ -18,7 +18,8 @@
  * Input port 0: vtkImageData with one scalar component of any type; coordinates are the image's
  * physical millimeters, the direction matrix is honored.
  * Input port 1, optional: vtkPolyData, the surface to start from in place of the sphere: closed,
- * four neighbors at every vertex, embedded. It is refined like the sphere.
+ * four neighbors at every vertex, embedded. It is refined like the sphere, to about as many
+ * vertices (see SetLevels()).
  *
  * Input port 2, optional: vtkPointSet, points that correct the result, with the point array
  * `Constraint` (any number type): 0 for a point outside the organ, 1 inside, 2 on its boundary, 3
@@ -260,7 +261,9 @@ public:
   ///@{
   /**
    * Number of levels from coarse to fine. Default 4; 1 to 6. Levels that would begin with fewer
-   * than two vertices along an edge are left out.
+   * than two vertices along an edge are left out. A start surface on port 1 has no more levels than
+   * bring its number of vertices, four times as many at each, nearest to 6 n²: one of 384 has
+   * three by default, and an earlier result, of 6,144, just one.
    */
   void SetLevels(int value);
   int GetLevels() const;

@@ -143,7 +143,7 @@ Run RunOnce(const Subject& subject)
   if (subject.Resolution > 0)
   {
     filter->SetResolution(subject.Resolution);
-    filter->SetLevels(static_cast<int>(std::round(std::log2(subject.Resolution / 8.0))) + 1);
+    filter->SetLevels(static_cast<int>(std::round(std::log2(subject.Resolution / 4.0))) + 1);
   }
   const double before = ResetPeakMemory();
   const double processor = ProcessorSeconds();

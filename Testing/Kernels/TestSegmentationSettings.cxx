@@ -64,3 +64,23 @@ TEST(SegmentationSettings, LevelsBeginWithTwoVerticesAlongAnEdge)
   expect(7, 1, 1, 7);
   expect(2, 4, 1, 2);
 }
+
+TEST(SegmentationSettings, AGivenSurfaceIsRefinedToAboutTheSpheresVertices)
+{
+  const auto levels = [](int vertices, int wanted, int resolution)
+  {
+    ScheduleSettings schedule;
+    schedule.Resolution = resolution;
+    schedule.Levels = wanted;
+    return schedule.From(vertices).NumberOfLevels();
+  };
+  EXPECT_EQ(levels(6 * 4 * 4, 4, 32), 4); // as the sphere of 4 x 4
+  EXPECT_EQ(levels(6 * 8 * 8, 4, 32), 3);
+  EXPECT_EQ(levels(6 * 32 * 32, 4, 32), 1); // an earlier result
+  EXPECT_EQ(levels(6 * 64 * 64, 4, 32), 1);
+  EXPECT_EQ(levels(480, 4, 32), 3); // 7,680 are nearer to 6,144 than 1,920
+  EXPECT_EQ(levels(800, 4, 32), 2); // and 3,200 nearer than 12,800
+  EXPECT_EQ(levels(480, 2, 32), 2); // never more than wanted
+  EXPECT_EQ(levels(480, 4, 64), 4);
+  EXPECT_EQ(levels(480, 6, 8), 1);
+}

@@ -115,6 +115,19 @@ TEST(VolumeSegmentation, StopsAndStartsWhereItIsTold)
     volume.Seed.Radius / 2, 1e-9);
 }
 
+TEST(VolumeSegmentation, RefinesAGivenSurfaceToTheSpheresVertices)
+{
+  const Volume volume;
+  VolumeSegmentationSettings settings = Coarse();
+  settings.Method.Schedule.MaximumIterations = 1;
+  for (const int first : { 4, 16 })
+  {
+    const DeformableSurface start = MakeStartSphere(first, volume.Seed.Center, 11);
+    const OrganSurface organ = SegmentIt(volume, volume.Gray(), settings, NeverStop, &start).Organ;
+    EXPECT_EQ(organ.Mesh.NumberOfPoints(), 6 * 16 * 16) << first;
+  }
+}
+
 TEST(VolumeSegmentation, RefusesWhatItCannotWorkWith)
 {
   Volume volume;

@@ -190,7 +190,7 @@ class Parameters(unittest.TestCase):
         defaults = flipfree.default_parameters()
         self.assertEqual({name.replace("_", "") for name in defaults}, {name.lower() for name in names})
         self.assertEqual([defaults[name] for name in ("levels", "minimum_component_weight", "run_length", "fairing")],
-                         [3, 0.15, 2, 0])
+                         [4, 0.15, 2, 0])
 
     @needs_vtk
     def test_reach_the_filter_and_its_stages(self):

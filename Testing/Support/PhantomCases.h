@@ -77,10 +77,12 @@ inline void SegmentLiver(vtkFlipFreeSegmentation* filter, vtkPhantomSource* phan
   StartInside(filter, phantom, vtkPhantomSource::LIVER);
 }
 
+/// As in the gallery: with four levels, the cells are less even, and the Dice score is no better.
 inline void SegmentCup(vtkFlipFreeSegmentation* filter, vtkPhantomSource* phantom)
 {
   phantom->SetShapeToCup();
   StartOutside(filter, phantom);
+  filter->SetLevels(3);
 }
 
 /// A surface too coarse to hang a web between the legs, with steps that are long enough to reach

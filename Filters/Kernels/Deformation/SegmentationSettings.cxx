@@ -1,5 +1,8 @@
 #include "Deformation/SegmentationSettings.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace FlipFree
 {
 
@@ -17,6 +20,15 @@ int ScheduleSettings::NumberOfLevels() const
 int ScheduleSettings::FirstResolution() const
 {
   return this->Resolution >> (this->NumberOfLevels() - 1);
+}
+
+ScheduleSettings ScheduleSettings::From(int vertices) const
+{
+  const double wanted = 6.0 * this->Resolution * this->Resolution;
+  const double refinements = std::round(std::log2(wanted / vertices) / 2);
+  ScheduleSettings schedule = *this;
+  schedule.Levels = std::min(this->Levels, 1 + static_cast<int>(std::max(0.0, refinements)));
+  return schedule;
 }
 
 OrganSegmentationSettings PublishedSettings()

@@ -32,6 +32,10 @@ struct ScheduleSettings
 
   /// n of the first level; each level doubles it.
   int FirstResolution() const;
+
+  /// The same with another first surface than the sphere: no more levels than bring its number of
+  /// vertices, which each further level makes four times as many, nearest to 6 n²; at least one.
+  ScheduleSettings From(int vertices) const;
 };
 
 struct OrganSegmentationSettings

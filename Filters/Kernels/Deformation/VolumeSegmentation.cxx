@@ -64,6 +64,16 @@ DeformableSurface SphereWithin(const DeformableSurface& sphere, const SeedSphere
   return start;
 }
 
+VolumeSegmentationSettings SettingsFrom(const DeformableSurface* start,
+  VolumeSegmentationSettings settings)
+{
+  if (start)
+  {
+    settings.Method.Schedule = settings.Method.Schedule.From(start->Mesh.NumberOfPoints());
+  }
+  return settings;
+}
+
 void RequireGuard(const ConstraintList& constraints, bool guard)
 {
   if (!constraints.empty() && !guard)
@@ -112,7 +122,7 @@ VolumeSegmenter::VolumeSegmenter(GrayVolume volume, std::string name, const Seed
   : Volume(std::move(volume))
   , Name(std::move(name))
   , Seed(seed)
-  , Settings(settings)
+  , Settings(SettingsFrom(start, settings))
   , Threads(std::move(threading))
 {
   RequireSeed(this->Volume.Geometry, seed, this->Name);

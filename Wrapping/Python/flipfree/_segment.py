@@ -58,7 +58,7 @@ def segment(
         identity, its origin (mm) and direction (3 x 3, the axes as columns).
     start
         A surface to start from instead of the sphere: closed, with four neighbors at every vertex,
-        without self-intersections.
+        without self-intersections. It is refined to about as many vertices as the sphere.
     start_labels, start_label
         A label map on the image's grid (of a network, an atlas, an earlier result; an image, an array
         or the name of a file) that the surface fills, in place of a seed and a radius: its voxels of
@@ -136,7 +136,7 @@ def default_parameters(preset: Preset = "default") -> dict[str, Any]:
 
     >>> import flipfree
     >>> flipfree.default_parameters()["levels"], flipfree.default_parameters("published")["levels"]
-    (3, 1)
+    (4, 1)
     """
     algorithm = _with_preset(preset)
     return {
