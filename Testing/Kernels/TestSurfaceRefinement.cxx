@@ -9,6 +9,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <set>
+#include <utility>
+#include <vector>
+
 using namespace FlipFree;
 
 namespace
@@ -60,6 +65,45 @@ TEST(SurfaceRefinement, CrumpledSurfacesStayEmbeddedAndKeepAGap)
   }
   EXPECT_GE(uncheckedIntersect, 1);
   EXPECT_GE(embedded, 6);
+}
+
+// What it remembers of the search before must be what a search of everything finds.
+TEST(SurfaceRefinement, NearPairsAreFoundAgainAfterAPartHasMoved)
+{
+  std::mt19937 random(4);
+  const TestSphere sphere(6);
+  PointList points = Crumpled(sphere, 0, 6, random);
+  const FaceHulls hulls(points, sphere.Mesh.Faces);
+  const std::vector<HullPair> adjacent = hulls.AdjacentPairs();
+  const double gap = 0.2 * sphere.EdgeLength;
+  const auto sorted = [](const std::vector<HullPair>& pairs)
+  {
+    std::vector<std::pair<Hull, Hull>> hullsOfPairs;
+    for (const HullPair& pair : pairs)
+    {
+      hullsOfPairs.emplace_back(pair.One, pair.Two);
+    }
+    std::sort(hullsOfPairs.begin(), hullsOfPairs.end());
+    return hullsOfPairs;
+  };
+  std::uniform_real_distribution<double> shift(-0.3, 0.3);
+  NearPairSearch search(gap, hulls, adjacent);
+  std::set<std::size_t> counts;
+  for (int round = 0; round < 12; ++round)
+  {
+    const auto found = sorted(search.Find(points, SerialFor));
+    EXPECT_EQ(found, sorted(FindPairsNearerThan(gap, points, hulls, adjacent, SerialFor))) << round;
+    EXPECT_GT(found.size(), 0U);
+    counts.insert(found.size());
+    // Some vertices, in the last rounds all of them, and at times none.
+    const int step = round > 9 ? 1 : 23;
+    for (Eigen::Index vertex = round % 23; round % 4 != 3 && vertex < points.rows(); vertex += step)
+    {
+      points.row(vertex) +=
+        Eigen::RowVector3d(shift(random), shift(random), shift(random)) * sphere.EdgeLength;
+    }
+  }
+  EXPECT_GT(counts.size(), 5U); // the search had something to find
 }
 
 TEST(SurfaceRefinement, SmoothSurfacesNeedNothing)

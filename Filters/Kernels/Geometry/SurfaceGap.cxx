@@ -38,6 +38,18 @@ double DistanceAlongCenters(const HullCorners& one, const HullCorners& two)
   return DistanceAlong(direction, one, two);
 }
 
+bool IsNearer(double gap, const PointList& points, const Hull& one, const Hull& two)
+{
+  const HullCorners first = CornersOf(points, one);
+  const HullCorners second = CornersOf(points, two);
+  return !(DistanceAlongCenters(first, second) >= gap || ProvenDistance(first, second) >= gap);
+}
+
+HullPair PairOf(const FaceHulls& hulls, int one, int two)
+{
+  return { hulls.HullAt(one), hulls.HullAt(two), { { hulls.FaceOf(one), hulls.FaceOf(two) } } };
+}
+
 } // namespace
 
 double MeasureMinimumGap(const PointList& points, const FaceHulls& hulls,
@@ -81,26 +93,86 @@ std::vector<HullPair> FindPairsNearerThan(double gap, const PointList& points,
 {
   const std::vector<TriangleBox> boxes = hulls.RefitBoxes(points);
   const double square = gap * gap;
-  const auto isNearer = [&](const Hull& one, const Hull& two)
-  {
-    const HullCorners first = CornersOf(points, one);
-    const HullCorners second = CornersOf(points, two);
-    return !(DistanceAlongCenters(first, second) >= gap || ProvenDistance(first, second) >= gap);
-  };
   std::vector<HullPair> near;
   for (const auto& pair : hulls.Tree().SelfPairs([&](int node, int other)
          { return SquaredDistanceOfBoxes(boxes[node], boxes[other]) <= square; },
          [&](int one, int two)
-         { return hulls.AreDisjoint(one, two) && isNearer(hulls.HullAt(one), hulls.HullAt(two)); },
+         {
+           return hulls.AreDisjoint(one, two) &&
+             IsNearer(gap, points, hulls.HullAt(one), hulls.HullAt(two));
+         },
          parallelFor))
   {
-    near.push_back({ hulls.HullAt(pair.first), hulls.HullAt(pair.second),
-      { { hulls.FaceOf(pair.first), hulls.FaceOf(pair.second) } } });
+    near.push_back(PairOf(hulls, pair.first, pair.second));
   }
   const std::vector<HullPair> nearAdjacent = Select(
-    adjacent, [&](const HullPair& pair) { return isNearer(pair.One, pair.Two); }, parallelFor);
+    adjacent, [&](const HullPair& pair) { return IsNearer(gap, points, pair.One, pair.Two); },
+    parallelFor);
   near.insert(near.end(), nearAdjacent.begin(), nearAdjacent.end());
   return near;
+}
+
+const std::vector<HullPair>& NearPairSearch::Find(const PointList& points,
+  const ParallelFor& parallelFor)
+{
+  if (this->Points.rows() == points.rows())
+  {
+    std::vector<char> moved(points.rows());
+    for (Eigen::Index vertex = 0; vertex < points.rows(); ++vertex)
+    {
+      moved[vertex] = points.row(vertex) != this->Points.row(vertex) ? 1 : 0;
+    }
+    this->Renew(points, moved, parallelFor);
+  }
+  else
+  {
+    this->Near = FindPairsNearerThan(this->Gap, points, this->Hulls, this->Adjacent, parallelFor);
+  }
+  this->Points = points;
+  return this->Near;
+}
+
+void NearPairSearch::Renew(const PointList& points, const std::vector<char>& moved,
+  const ParallelFor& parallelFor)
+{
+  const auto hasMoved = [&](const Hull& hull)
+  { return std::any_of(hull.begin(), hull.end(), [&](int vertex) { return moved[vertex] != 0; }); };
+  const auto pairHasMoved = [&](const HullPair& pair)
+  { return hasMoved(pair.One) || hasMoved(pair.Two); };
+  this->Near.erase(std::remove_if(this->Near.begin(), this->Near.end(), pairHasMoved),
+    this->Near.end());
+  const std::vector<HullPair> adjacent = Select(
+    this->Adjacent,
+    [&](const HullPair& pair)
+    { return pairHasMoved(pair) && IsNearer(this->Gap, points, pair.One, pair.Two); },
+    parallelFor);
+  this->Near.insert(this->Near.end(), adjacent.begin(), adjacent.end());
+  const std::vector<TriangleBox> boxes = this->Hulls.RefitBoxes(points);
+  const double square = this->Gap * this->Gap;
+  for (int hull = 0; hull < this->Hulls.NumberOfHulls(); ++hull)
+  {
+    const Hull corners = this->Hulls.HullAt(hull);
+    if (!hasMoved(corners))
+    {
+      continue;
+    }
+    TriangleBox box;
+    for (int vertex : corners)
+    {
+      box.Add(points.row(vertex).data());
+    }
+    this->Hulls.Tree().Query([&](int node)
+      { return SquaredDistanceOfBoxes(box, boxes[node]) <= square; },
+      [&](int other)
+      {
+        const bool isFoundTwice = other <= hull && hasMoved(this->Hulls.HullAt(other));
+        if (!isFoundTwice && this->Hulls.AreDisjoint(hull, other) &&
+          IsNearer(this->Gap, points, corners, this->Hulls.HullAt(other)))
+        {
+          this->Near.push_back(PairOf(this->Hulls, std::min(hull, other), std::max(hull, other)));
+        }
+      });
+  }
 }
 
 } // namespace FlipFree

@@ -21,6 +21,33 @@ double MeasureMinimumGap(const PointList& points, const FaceHulls& hulls,
 std::vector<HullPair> FindPairsNearerThan(double gap, const PointList& points,
   const FaceHulls& hulls, const std::vector<HullPair>& adjacent, const ParallelFor& parallelFor);
 
+/// FindPairsNearerThan() for a surface of which only small parts move between one search and the
+/// next: looks at pairs with a corner that has moved since, and remembers the others.
+class NearPairSearch
+{
+public:
+  /// Keeps references to `hulls` and `adjacent`.
+  NearPairSearch(double gap, const FaceHulls& hulls, const std::vector<HullPair>& adjacent)
+    : Gap(gap)
+    , Hulls(hulls)
+    , Adjacent(adjacent)
+  {
+  }
+
+  /// The same pairs, in any order.
+  const std::vector<HullPair>& Find(const PointList& points, const ParallelFor& parallelFor);
+
+private:
+  void Renew(const PointList& points, const std::vector<char>& moved,
+    const ParallelFor& parallelFor);
+
+  const double Gap;
+  const FaceHulls& Hulls;
+  const std::vector<HullPair>& Adjacent;
+  PointList Points; // of the search before
+  std::vector<HullPair> Near;
+};
+
 } // namespace FlipFree
 
 #endif

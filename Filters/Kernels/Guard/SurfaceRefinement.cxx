@@ -79,6 +79,7 @@ public:
     , Hulls(this->WithFixed(RefinePoints(mesh, points, 1)),
         FacesWith(refined.Faces, static_cast<int>(refined.Parents.size()), fixedMesh.Faces))
     , Adjacent(this->Hulls.AdjacentPairs())
+    , NearPairs(gap, this->Hulls, this->Adjacent)
     , Quads(ListQuads(refined.Faces))
     , Obstacles(obstacles)
   {
@@ -92,7 +93,7 @@ public:
   // Pulls the new points where the surface comes too near to itself towards their parents until
   // there are none. False if some remain; `involved` are then the old vertices near those.
   bool Run(const PointList& points, const ParallelFor& parallelFor, const Monitor& monitor,
-    PointList& refined, std::set<int>& involved) const
+    PointList& refined, std::set<int>& involved)
   {
     Eigen::VectorXd reach = Eigen::VectorXd::Ones(points.rows());
     for (int attempt = 0; attempt < MaximumAttempts; ++attempt)
@@ -143,12 +144,11 @@ private:
   }
 
   // What comes too near to other parts or to obstacles, or has passed one, and folded quads.
-  std::vector<Hull> FindBadHulls(const PointList& refined, const ParallelFor& parallelFor) const
+  std::vector<Hull> FindBadHulls(const PointList& refined, const ParallelFor& parallelFor)
   {
     std::vector<Hull> bad;
     const PointList all = this->WithFixed(refined);
-    for (const HullPair& pair :
-      FindPairsNearerThan(this->Gap, all, this->Hulls, this->Adjacent, parallelFor))
+    for (const HullPair& pair : this->NearPairs.Find(all, parallelFor))
     {
       if (!this->IsMoving(pair.One[0]) && !this->IsMoving(pair.Two[0]))
       {
@@ -187,6 +187,7 @@ private:
   const double Gap;
   const FaceHulls Hulls;
   const std::vector<HullPair> Adjacent;
+  NearPairSearch NearPairs;
   const std::vector<Hull> Quads;
   const PointList& Obstacles;
   std::vector<int> Sides; // of the obstacles
@@ -245,8 +246,8 @@ RefinedSurface RefineSurface(const ContourMesh& mesh, const PointList& points,
   AppendMesh(fixedMesh, all);
   EmbeddingGuard guard(all);
   guard.SetObstacles(obstacles);
-  const EmbeddedRefinement refinement(mesh, points, faces, refined.Mesh.Triangles, obstacles,
-    fixedMesh, fixedPoints, edgeLength, gap);
+  EmbeddedRefinement refinement(mesh, points, faces, refined.Mesh.Triangles, obstacles, fixedMesh,
+    fixedPoints, edgeLength, gap);
   PointList coarse = points;
   std::set<int> involved;
   // Asked at each attempt, of which some are made before and after each relaxation.
