@@ -71,7 +71,9 @@ if arguments.picture:
             actors.append(scene.contour_actor(organ.surface, seed, plane, color, width))
         shown = next(iter(organs.values())).surface
         slices.append(scene.slice_view(actors, shown, plane, list(zip(organs, COLORS))))
+    # From the left and behind, where the phantom's defects are.
     surfaces = [scene.space_view([with_defects(organ)],
-                                 f"{name}: {organ.self_intersections} self-intersections", zoom=1.1)
+                                 f"{name}: {organ.self_intersections} self-intersections",
+                                 towards=(1, 0.6, 0.5), zoom=1.1)
                 for name, organ in organs.items()]
     scene.write_picture(arguments.picture, [slices, surfaces], size=520)
