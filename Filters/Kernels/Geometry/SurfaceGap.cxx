@@ -115,13 +115,14 @@ std::vector<HullPair> FindPairsNearerThan(double gap, const PointList& points,
 const std::vector<HullPair>& NearPairSearch::Find(const PointList& points,
   const ParallelFor& parallelFor)
 {
-  if (this->Points.rows() == points.rows())
+  std::vector<char> moved(points.rows(), 1);
+  for (Eigen::Index vertex = 0; vertex < this->Points.rows(); ++vertex)
   {
-    std::vector<char> moved(points.rows());
-    for (Eigen::Index vertex = 0; vertex < points.rows(); ++vertex)
-    {
-      moved[vertex] = points.row(vertex) != this->Points.row(vertex) ? 1 : 0;
-    }
+    moved[vertex] = points.row(vertex) != this->Points.row(vertex) ? 1 : 0;
+  }
+  // Where much has moved, the tree's search of all pairs is the faster one, and in many threads.
+  if (4 * std::count(moved.begin(), moved.end(), 1) < points.rows())
+  {
     this->Renew(points, moved, parallelFor);
   }
   else

@@ -104,7 +104,8 @@ export function viewedOrgans(changed: Partial<OrganState> = {}): ViewedOrgan[] {
 export function showAll(): void {
   showOrgans(element("organs"), organs, showAll);
   showSeed(organs.chosen.seed);
-  select("start-label").value = String(organs.chosen.start?.label ?? "");
+  const { start } = organs.chosen; // maybe from a label map that was opened before
+  select("start-label").value = start && start.labels === app.labels ? String(start.label) : "";
   showPoints(element("points"), organs.chosen);
   showResult(organs.chosen);
   if (app.opened) {

@@ -49,7 +49,7 @@ export const saveSurface = () =>
   });
 
 /** Labels count the organs that have a seed or fill a label, and vessels with points; a voxel in several belongs to the first.
- * The command does the same. */
+ * The command does the same with a session, which holds no organs that fill a label. */
 export const saveLabels = () =>
   work("Saving …", async () => {
     if (app.opened) {
@@ -69,7 +69,7 @@ export function saveSession(): void {
     save(sessionFile(FLIPFREE_VERSION, app.opened.name, app.opened.image, list), "session.json");
     if (filling.length > 0) {
       const names = filling.map(({ name }) => name).join(", ");
-      say(`Saved session.json without ${names}: a session holds no label map.`);
+      say(`Saved session.json without ${names}: a session holds no label map. The command numbers the labels of the others alone.`);
     }
   }
 }
