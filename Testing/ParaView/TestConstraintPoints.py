@@ -1,0 +1,185 @@
+"""Points with handles correct a segmentation: connected to the filters, any number of them, moved, switched off and on,
+and kept in a state; and the macro that makes them."""
+
+import importlib.machinery
+import os
+
+import numpy
+import session
+from paraview import servermanager, simple
+from session import RADIUS, SEED, fetch, points, voxels
+
+EXAMPLES = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "Examples", "ParaView")
+# Two places in the liver: one to stay there, the other to be given up.
+WITHIN, BESIDE = [150, 100, 170], [60, 83, 167]
+
+
+def macro():
+    path = os.path.join(EXAMPLES, "correct-organ.py")
+    return importlib.machinery.SourceFileLoader("correct_organ", path).load_module()
+
+
+def label_at(organ, place):
+    labels = fetch(organ, 1)
+    return labels.GetPointData().GetScalars().GetTuple1(labels.FindPoint(place))
+
+
+class ConstraintPoints(session.SessionTest):
+    def liver(self, **properties):
+        return session.segmentation(session.abdomen(), Resolution=16, **properties)
+
+    def test_each_is_obeyed_in_any_order(self):
+        liver = self.liver()
+        free = points(fetch(liver))
+        self.assertEqual([label_at(liver, place) for place in (WITHIN, BESIDE)], [1, 1])
+        outside = simple.ConstraintPoint(Position=BESIDE)
+        boundary = simple.ConstraintPoint(Position=WITHIN, Kind="Boundary")
+        liver.Corrections = [outside, boundary]
+        corrected = points(fetch(liver))
+        self.assertEqual(label_at(liver, BESIDE), 0)
+        self.assertGreater(abs(corrected - free).max(), 5)
+        liver.Corrections = [boundary, outside]
+        self.assert_same(points(fetch(liver)), corrected)
+        liver.Corrections = [boundary]
+        self.assertEqual(label_at(liver, BESIDE), 1)
+        liver.Corrections = []
+        self.assert_same(points(fetch(liver)), free)
+
+    def test_kinds_are_values_of_the_array(self):
+        point = simple.ConstraintPoint(Position=[1, 2, 3], Radius=7, Organ=2)
+        for value, kind in enumerate(("Outside", "Inside", "Boundary", "Seed")):
+            point.Kind = kind
+            data = fetch(point)
+            self.assertEqual(data.GetPoint(0), (1, 2, 3))
+            arrays = [session.point_array(data, name)[0] for name in ("Constraint", "Radius", "Organ")]
+            self.assertEqual(arrays, [value, 7 if kind == "Seed" else 0, 2])
+
+    def test_handle_moves_the_point(self):
+        liver = self.liver()
+        point = simple.ConstraintPoint(Position=[10, 10, 10], Enabled=0)
+        liver.Corrections = [point]
+        free = points(fetch(liver))
+        # The panel's widget, linked as the panel links it: dragged, it sets the property.
+        handle = servermanager.ProxyManager().NewProxy("representations", "HandleWidgetRepresentation")
+        view = self.view()
+        view.SMProxy.GetProperty("HiddenRepresentations").AddProxy(handle)
+        view.SMProxy.UpdateVTKObjects()
+        link = servermanager.vtkSMPropertyLink()
+        link.AddLinkedProperty(handle, "WorldPosition", servermanager.vtkSMLink.INPUT)
+        link.AddLinkedProperty(point.SMProxy, "Position", servermanager.vtkSMLink.OUTPUT)
+        for index, value in enumerate(BESIDE):
+            handle.GetProperty("WorldPosition").SetElement(index, value)
+        handle.UpdateVTKObjects()
+        point.SMProxy.UpdateVTKObjects()
+        self.assertEqual(list(point.Position), BESIDE)
+        self.assert_same(points(fetch(liver)), free)
+        point.Enabled = 1
+        self.assertEqual(label_at(liver, BESIDE), 0)
+        point.Enabled = 0
+        self.assert_same(points(fetch(liver)), free)
+
+    def test_group_takes_its_organs_from_points(self):
+        def ball(organ, place, radius):
+            return simple.ConstraintPoint(Kind="Seed", Organ=organ, Position=place, Radius=radius)
+
+        # As `flipfree phantom abdomen` prints them.
+        liver, spleen = ball(1, SEED, RADIUS), ball(2, [253.75, 141.75, 136], 13.8)
+        outside = simple.ConstraintPoint(Position=BESIDE)
+        group = simple.FlipFreeOrganGroup(Input=session.abdomen(), Corrections=[outside, spleen, liver])
+        self.assertEqual(session.column(fetch(group, 2), "Label").tolist(), [1, 2])
+        self.assertEqual([label_at(group, place) for place in (SEED, spleen.Position, BESIDE)], [1, 2, 0])
+
+    def test_vessel_is_corrected(self):
+        phantom = simple.SegmentationPhantom(Shape="Vessel")
+        box = voxels(fetch(phantom, 1)).reshape(96, 96, 96)
+        ends = [[float(x), float(y), float(z)] for z in (20, 75)
+                for y, x in [numpy.argwhere(box[z]).mean(axis=0)]]
+        vessel = simple.FlipFreeVesselSegmentation(Input=phantom, Points=[*ends[0], *ends[1]])
+        middle = [float(value) for value in numpy.argwhere(box[48])[0][::-1]] + [48.0]
+        before = points(fetch(vessel))
+        vessel.Corrections = [simple.ConstraintPoint(Position=middle)]
+        self.assertGreater(abs(points(fetch(vessel)) - before).max(), 0)
+        self.assertEqual(label_at(vessel, middle), 0)
+
+    def test_state_keeps_points(self):
+        liver = self.liver(registrationName="Organ")
+        liver.Corrections = [simple.ConstraintPoint(Position=BESIDE),
+                             simple.ConstraintPoint(Position=WITHIN, Kind="Inside")]
+        expected = points(fetch(liver))
+        simple.SaveState(self.file("state.pvsm"))
+        simple.ResetSession()
+        simple.LoadState(self.file("state.pvsm"))
+        liver = simple.FindSource("Organ")
+        self.assertEqual(len(liver.Corrections), 2)
+        self.assert_same(points(fetch(liver)), expected)
+
+    def test_macro_adds_a_point_to_the_selected_filter(self):
+        example = macro()
+        with self.assertRaisesRegex(RuntimeError, "select the segmentation .* there is none"):
+            example.main()
+        liver = self.liver()
+        free = points(fetch(liver))
+        view = self.view()
+        view.CameraFocalPoint = BESIDE
+        simple.SetActiveView(view)
+        simple.SetActiveSource(liver)
+        example.main()
+        (point,) = liver.Corrections
+        self.assertEqual(simple.GetActiveSource(), point)
+        self.assertEqual(list(point.Position), BESIDE)
+        self.assert_same(points(fetch(liver)), free)
+        point.Enabled = 1
+        self.assertEqual(label_at(liver, BESIDE), 0)
+        example.add_point(liver, WITHIN, Kind="Inside")
+        self.assertEqual(len(liver.Corrections), 2)
+        other = self.liver()
+        simple.SetActiveSource(None)
+        with self.assertRaisesRegex(RuntimeError, "there are 2"):
+            example.main()
+        simple.Delete(other)
+
+    def test_picture(self):
+        """For the eye: the surface before and after, and the point."""
+        folder = os.environ.get("FLIPFREE_GUI_PICTURES", self.folder)
+        os.makedirs(folder, exist_ok=True)
+        phantom = session.abdomen()
+        liver = session.segmentation(phantom, Corrections=[simple.ConstraintPoint(Position=BESIDE)])
+        free = session.segmentation(phantom)
+        view = self.view()
+        view.ViewSize = [700, 600]
+        for source, color in ((free, [0.35, 0.65, 1]), (liver, [1, 0.76, 0.2])):
+            cut = simple.Slice(Input=source)
+            cut.SliceType.Origin = BESIDE
+            cut.SliceType.Normal = [0, 0, 1]
+            shown = simple.Show(cut, view)
+            simple.ColorBy(shown, None)
+            shown.AmbientColor = shown.DiffuseColor = color
+            shown.LineWidth = 3
+        cut = simple.Slice(Input=phantom)
+        cut.SliceType.Origin = BESIDE
+        cut.SliceType.Normal = [0, 0, 1]
+        shown = simple.Show(cut, view)
+        simple.ColorBy(shown, ("POINTS", "Intensity"))
+        colors = simple.GetColorTransferFunction("Intensity")
+        colors.ApplyPreset("Grayscale", True)
+        colors.RescaleTransferFunction(-110, 240)
+        handle = servermanager.ProxyManager().NewProxy("representations", "HandleWidgetRepresentation")
+        for index, value in enumerate(BESIDE):
+            handle.GetProperty("WorldPosition").SetElement(index, value)
+        handle.GetProperty("Visibility").SetElement(0, 1)
+        handle.UpdateVTKObjects()
+        view.SMProxy.GetProperty("HiddenRepresentations").AddProxy(handle)
+        view.SMProxy.UpdateVTKObjects()
+        view.CameraParallelProjection = 1
+        view.CameraViewUp = [0, -1, 0]
+        view.CameraPosition = [BESIDE[0] + 40, BESIDE[1], BESIDE[2] - 500]
+        view.CameraFocalPoint = [BESIDE[0] + 40, BESIDE[1], BESIDE[2]]
+        view.CameraParallelScale = 110
+        picture = os.path.join(folder, "constraint-point.png")
+        simple.SaveScreenshot(picture, view)
+        self.assertGreater(os.path.getsize(picture), 20000)
+        self.assertEqual([label_at(organ, BESIDE) for organ in (free, liver)], [1, 0])
+
+
+if __name__ == "__main__":
+    session.main()
