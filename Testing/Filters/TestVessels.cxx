@@ -180,6 +180,7 @@ TEST_F(Vessels, PointsCorrectThem)
   this->Filter->AddInsidePoint(beside[0], beside[1], beside[2]);
   vtkNew<vtkPolyData> more;
   vtkNew<vtkPoints> places;
+  places->SetDataTypeToDouble();
   places->InsertNextPoint(within.data());
   more->SetPoints(places);
   vtkNew<vtkUnsignedCharArray> kinds;
