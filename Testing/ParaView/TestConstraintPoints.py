@@ -10,8 +10,10 @@ from paraview import servermanager, simple
 from session import RADIUS, SEED, fetch, points, voxels
 
 EXAMPLES = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "Examples", "ParaView")
-# Two places in the liver: one to stay there, the other to be given up.
-WITHIN, BESIDE = [150, 100, 170], [60, 83, 167]
+# Two places in the phantom's ball, of a radius of 30 mm: one to become its boundary, the other to be given up.
+WITHIN, BESIDE = [47.5, 47.5, 70], [70, 47.5, 47.5]
+# And one in the abdomen's liver.
+IN_LIVER = [60, 83, 167]
 
 
 def macro():
@@ -25,25 +27,27 @@ def label_at(organ, place):
 
 
 class ConstraintPoints(session.SessionTest):
-    def liver(self, **properties):
-        return session.segmentation(session.abdomen(), Resolution=16, **properties)
+    def organ(self, **properties):
+        phantom = simple.SegmentationPhantom(Shape="Sphere")
+        return simple.FlipFreeSegmentation(Input=phantom, SeedCenter=[47.5, 47.5, 47.5], SeedRadius=13, Resolution=8,
+                                           Levels=2, **properties)
 
     def test_each_is_obeyed_in_any_order(self):
-        liver = self.liver()
-        free = points(fetch(liver))
-        self.assertEqual([label_at(liver, place) for place in (WITHIN, BESIDE)], [1, 1])
+        organ = self.organ()
+        free = points(fetch(organ))
+        self.assertEqual([label_at(organ, place) for place in (WITHIN, BESIDE)], [1, 1])
         outside = simple.ConstraintPoint(Position=BESIDE)
         boundary = simple.ConstraintPoint(Position=WITHIN, Kind="Boundary")
-        liver.Corrections = [outside, boundary]
-        corrected = points(fetch(liver))
-        self.assertEqual(label_at(liver, BESIDE), 0)
+        organ.Corrections = [outside, boundary]
+        corrected = points(fetch(organ))
+        self.assertEqual(label_at(organ, BESIDE), 0)
         self.assertGreater(abs(corrected - free).max(), 5)
-        liver.Corrections = [boundary, outside]
-        self.assert_same(points(fetch(liver)), corrected)
-        liver.Corrections = [boundary]
-        self.assertEqual(label_at(liver, BESIDE), 1)
-        liver.Corrections = []
-        self.assert_same(points(fetch(liver)), free)
+        organ.Corrections = [boundary, outside]
+        self.assert_same(points(fetch(organ)), corrected)
+        organ.Corrections = [boundary]
+        self.assertEqual(label_at(organ, BESIDE), 1)
+        organ.Corrections = []
+        self.assert_same(points(fetch(organ)), free)
 
     def test_kinds_are_values_of_the_array(self):
         point = simple.ConstraintPoint(Position=[1, 2, 3], Radius=7, Organ=2)
@@ -55,10 +59,10 @@ class ConstraintPoints(session.SessionTest):
             self.assertEqual(arrays, [value, 7 if kind == "Seed" else 0, 2])
 
     def test_handle_moves_the_point(self):
-        liver = self.liver()
+        organ = self.organ()
         point = simple.ConstraintPoint(Position=[10, 10, 10], Enabled=0)
-        liver.Corrections = [point]
-        free = points(fetch(liver))
+        organ.Corrections = [point]
+        free = points(fetch(organ))
         # The panel's widget, linked as the panel links it: dragged, it sets the property.
         handle = servermanager.ProxyManager().NewProxy("representations", "HandleWidgetRepresentation")
         view = self.view()
@@ -72,11 +76,11 @@ class ConstraintPoints(session.SessionTest):
         handle.UpdateVTKObjects()
         point.SMProxy.UpdateVTKObjects()
         self.assertEqual(list(point.Position), BESIDE)
-        self.assert_same(points(fetch(liver)), free)
+        self.assert_same(points(fetch(organ)), free)
         point.Enabled = 1
-        self.assertEqual(label_at(liver, BESIDE), 0)
+        self.assertEqual(label_at(organ, BESIDE), 0)
         point.Enabled = 0
-        self.assert_same(points(fetch(liver)), free)
+        self.assert_same(points(fetch(organ)), free)
 
     def test_group_takes_its_organs_from_points(self):
         def ball(organ, place, radius):
@@ -84,10 +88,10 @@ class ConstraintPoints(session.SessionTest):
 
         # As `flipfree phantom abdomen` prints them.
         liver, spleen = ball(1, SEED, RADIUS), ball(2, [253.75, 141.75, 136], 13.8)
-        outside = simple.ConstraintPoint(Position=BESIDE)
+        outside = simple.ConstraintPoint(Position=IN_LIVER)
         group = simple.FlipFreeOrganGroup(Input=session.abdomen(), Corrections=[outside, spleen, liver])
         self.assertEqual(session.column(fetch(group, 2), "Label").tolist(), [1, 2])
-        self.assertEqual([label_at(group, place) for place in (SEED, spleen.Position, BESIDE)], [1, 2, 0])
+        self.assertEqual([label_at(group, place) for place in (SEED, spleen.Position, IN_LIVER)], [1, 2, 0])
 
     def test_vessel_is_corrected(self):
         phantom = simple.SegmentationPhantom(Shape="Vessel")
@@ -102,37 +106,37 @@ class ConstraintPoints(session.SessionTest):
         self.assertEqual(label_at(vessel, middle), 0)
 
     def test_state_keeps_points(self):
-        liver = self.liver(registrationName="Organ")
-        liver.Corrections = [simple.ConstraintPoint(Position=BESIDE),
+        organ = self.organ(registrationName="Organ")
+        organ.Corrections = [simple.ConstraintPoint(Position=BESIDE),
                              simple.ConstraintPoint(Position=WITHIN, Kind="Inside")]
-        expected = points(fetch(liver))
+        expected = points(fetch(organ))
         simple.SaveState(self.file("state.pvsm"))
         simple.ResetSession()
         simple.LoadState(self.file("state.pvsm"))
-        liver = simple.FindSource("Organ")
-        self.assertEqual(len(liver.Corrections), 2)
-        self.assert_same(points(fetch(liver)), expected)
+        organ = simple.FindSource("Organ")
+        self.assertEqual(len(organ.Corrections), 2)
+        self.assert_same(points(fetch(organ)), expected)
 
     def test_macro_adds_a_point_to_the_selected_filter(self):
         example = macro()
         with self.assertRaisesRegex(RuntimeError, "select the segmentation .* there is none"):
             example.main()
-        liver = self.liver()
-        free = points(fetch(liver))
+        organ = self.organ()
+        free = points(fetch(organ))
         view = self.view()
         view.CameraFocalPoint = BESIDE
         simple.SetActiveView(view)
-        simple.SetActiveSource(liver)
+        simple.SetActiveSource(organ)
         example.main()
-        (point,) = liver.Corrections
+        (point,) = organ.Corrections
         self.assertEqual(simple.GetActiveSource(), point)
         self.assertEqual(list(point.Position), BESIDE)
-        self.assert_same(points(fetch(liver)), free)
+        self.assert_same(points(fetch(organ)), free)
         point.Enabled = 1
-        self.assertEqual(label_at(liver, BESIDE), 0)
-        example.add_point(liver, WITHIN, Kind="Inside")
-        self.assertEqual(len(liver.Corrections), 2)
-        other = self.liver()
+        self.assertEqual(label_at(organ, BESIDE), 0)
+        example.add_point(organ, WITHIN, Kind="Inside")
+        self.assertEqual(len(organ.Corrections), 2)
+        other = self.organ()
         simple.SetActiveSource(None)
         with self.assertRaisesRegex(RuntimeError, "there are 2"):
             example.main()
@@ -143,20 +147,20 @@ class ConstraintPoints(session.SessionTest):
         folder = os.environ.get("FLIPFREE_GUI_PICTURES", self.folder)
         os.makedirs(folder, exist_ok=True)
         phantom = session.abdomen()
-        liver = session.segmentation(phantom, Corrections=[simple.ConstraintPoint(Position=BESIDE)])
+        liver = session.segmentation(phantom, Corrections=[simple.ConstraintPoint(Position=IN_LIVER)])
         free = session.segmentation(phantom)
         view = self.view()
         view.ViewSize = [700, 600]
         for source, color in ((free, [0.35, 0.65, 1]), (liver, [1, 0.76, 0.2])):
             cut = simple.Slice(Input=source)
-            cut.SliceType.Origin = BESIDE
+            cut.SliceType.Origin = IN_LIVER
             cut.SliceType.Normal = [0, 0, 1]
             shown = simple.Show(cut, view)
             simple.ColorBy(shown, None)
             shown.AmbientColor = shown.DiffuseColor = color
             shown.LineWidth = 3
         cut = simple.Slice(Input=phantom)
-        cut.SliceType.Origin = BESIDE
+        cut.SliceType.Origin = IN_LIVER
         cut.SliceType.Normal = [0, 0, 1]
         shown = simple.Show(cut, view)
         simple.ColorBy(shown, ("POINTS", "Intensity"))
@@ -164,7 +168,7 @@ class ConstraintPoints(session.SessionTest):
         colors.ApplyPreset("Grayscale", True)
         colors.RescaleTransferFunction(-110, 240)
         handle = servermanager.ProxyManager().NewProxy("representations", "HandleWidgetRepresentation")
-        for index, value in enumerate(BESIDE):
+        for index, value in enumerate(IN_LIVER):
             handle.GetProperty("WorldPosition").SetElement(index, value)
         handle.GetProperty("Visibility").SetElement(0, 1)
         handle.UpdateVTKObjects()
@@ -172,13 +176,13 @@ class ConstraintPoints(session.SessionTest):
         view.SMProxy.UpdateVTKObjects()
         view.CameraParallelProjection = 1
         view.CameraViewUp = [0, -1, 0]
-        view.CameraPosition = [BESIDE[0] + 40, BESIDE[1], BESIDE[2] - 500]
-        view.CameraFocalPoint = [BESIDE[0] + 40, BESIDE[1], BESIDE[2]]
+        view.CameraPosition = [IN_LIVER[0] + 40, IN_LIVER[1], IN_LIVER[2] - 500]
+        view.CameraFocalPoint = [IN_LIVER[0] + 40, IN_LIVER[1], IN_LIVER[2]]
         view.CameraParallelScale = 110
         picture = os.path.join(folder, "constraint-point.png")
         simple.SaveScreenshot(picture, view)
         self.assertGreater(os.path.getsize(picture), 20000)
-        self.assertEqual([label_at(organ, BESIDE) for organ in (free, liver)], [1, 0])
+        self.assertEqual([label_at(organ, IN_LIVER) for organ in (free, liver)], [1, 0])
 
 
 if __name__ == "__main__":

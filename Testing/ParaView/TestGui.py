@@ -1,5 +1,5 @@
-"""A session at ParaView's window: the filter from the quick launch, the seed placed by mouse and key, Apply, and undo.
-Pictures, of failures too, are left in the folder FLIPFREE_GUI_PICTURES, if that is set."""
+"""Sessions at ParaView's window: the filter from the quick launch, the seed placed by mouse and key, Apply, and undo; and
+a point that corrects the result, placed likewise. Pictures, of failures too, are left in the folder FLIPFREE_GUI_PICTURES, if that is set."""
 
 import json
 import math
@@ -38,7 +38,8 @@ class Window(unittest.TestCase):
             [PARAVIEW, "--dr", "--script=" + os.path.join(HERE, "gui_setup.py")],
             stdin=subprocess.DEVNULL, stdout=self.log, stderr=subprocess.STDOUT,
             env={**os.environ, "HOME": self.folder, "XDG_RUNTIME_DIR": self.folder,
-                 "FLIPFREE_GUI_EXAMPLE": EXAMPLE, "FLIPFREE_GUI_NOTE": self.note})
+                 "FLIPFREE_GUI_EXAMPLE": EXAMPLE, "FLIPFREE_GUI_NOTE": self.note,
+                 "FLIPFREE_GUI_CORRECTS": str(int("correct" in self._testMethodName))})
         self.addCleanup(self.stop)
         self.wait_for(lambda: [window for window in self.desk.windows() if window[0] > 800], "ParaView's window")
         self.window = self.desk.windows()[0][2]
@@ -92,11 +93,11 @@ class Window(unittest.TestCase):
         self.desk.focus(self.window)
         self.desk.settle(1)
 
-    def is_placed(self):
-        """Presses the key, again should the sphere not have been ready yet, and waits a little."""
+    def is_placed(self, is_there=is_near_seed):
+        """Presses the key, again should the widget not have been ready yet, and waits a little."""
         self.desk.key("p")
         for _ in range(15):
-            if is_near_seed(self.state()["placed"]):
+            if is_there(self.state()["placed"]):
                 return True
             time.sleep(0.3)
         return False
@@ -115,6 +116,22 @@ class Window(unittest.TestCase):
 
         self.desk.key("z", "Control_L")
         self.wait_for_state(center=[164.25, 126.75, 133.5], visible=["Axial", "Coronal"])
+
+    def test_correct_by_a_handle(self):
+        self.wait_for_state(point=[10, 10, 10], points=1536, label=0)
+        before = self.state()["mean"]
+        # On the slice, in the liver, to the patient's right of the seed.
+        self.desk.move(MIDDLE[0] - 60, MIDDLE[1] - 8)
+        self.wait_for(lambda: self.is_placed(lambda place: math.dist(place, (60, 83.75, 167)) < 14), "the point's place")
+        self.keep_picture("point-placed")
+        self.assertEqual(self.state()["point"], [10, 10, 10])  # until it is applied
+
+        self.desk.key("a", "Alt_L")
+        self.wait_for(lambda: self.state()["point"] != [10, 10, 10] and self.state()["mean"] != before, "a correction")
+        self.keep_picture("point-applied")
+        state = self.state()
+        self.assertEqual([state["point"], state["label"], state["intersections"]], [state["placed"], 0, 0], state)
+        self.assertGreater(math.dist(state["mean"], before), 0.3)
 
 
 if __name__ == "__main__":
