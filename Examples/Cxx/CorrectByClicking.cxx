@@ -103,6 +103,7 @@ private:
   vtkNew<vtkPolyData> Surface; // what all views show
   vtkNew<vtkRenderWindow> Window;
   vtkNew<vtkRenderWindowInteractor> Interactor;
+  vtkNew<vtkInteractorStyleTrackballCamera> Style;
   vtkSmartPointer<vtkRenderer> Space;
   vtkSmartPointer<vtkRenderer> Slices[2];
   vtkSmartPointer<vtkTextActor> Words;
@@ -148,18 +149,18 @@ CorrectionWindow::CorrectionWindow(const Inputs& inputs)
   this->Segment();
 
   this->Interactor->SetRenderWindow(this->Window);
-  vtkNew<vtkInteractorStyleTrackballCamera> style;
-  this->Interactor->SetInteractorStyle(style);
+  this->Interactor->SetInteractorStyle(this->Style);
   this->Interactor->Initialize();
-  this->Interactor->AddObserver(vtkCommand::LeftButtonPressEvent, this, &CorrectionWindow::Press);
-  this->Interactor->AddObserver(vtkCommand::LeftButtonReleaseEvent, this,
-    &CorrectionWindow::Release);
-  this->Interactor->AddObserver(vtkCommand::KeyPressEvent, this, &CorrectionWindow::TakeKey);
+  // In place of what the style does by itself; it takes the mouse for itself while a button is
+  // held.
+  this->Style->AddObserver(vtkCommand::LeftButtonPressEvent, this, &CorrectionWindow::Press);
+  this->Style->AddObserver(vtkCommand::LeftButtonReleaseEvent, this, &CorrectionWindow::Release);
   for (const auto event :
     { vtkCommand::MouseWheelForwardEvent, vtkCommand::MouseWheelBackwardEvent })
   {
-    this->Interactor->AddObserver(event, this, &CorrectionWindow::TurnWheel);
+    this->Style->AddObserver(event, this, &CorrectionWindow::TurnWheel);
   }
+  this->Interactor->AddObserver(vtkCommand::KeyPressEvent, this, &CorrectionWindow::TakeKey);
   this->ShowSlices();
   if (this->Error.empty())
   {
@@ -290,11 +291,16 @@ bool CorrectionWindow::Pick(Scene::Vector& place)
 void CorrectionWindow::Press()
 {
   std::copy_n(this->Interactor->GetEventPosition(), 2, this->Pressed);
+  if (this->SliceUnderMouse() < 0)
+  {
+    this->Style->OnLeftButtonDown();
+  }
 }
 
 /// A click, unless the mouse has been dragged.
 void CorrectionWindow::Release()
 {
+  this->Style->OnLeftButtonUp();
   const int* mouse = this->Interactor->GetEventPosition();
   Scene::Vector place;
   if (std::abs(mouse[0] - this->Pressed[0]) > ClickPixels ||
@@ -310,12 +316,14 @@ void CorrectionWindow::Release()
   this->ShowSlices();
 }
 
-/// Moves the slice under the mouse by a voxel.
+/// Moves the slice under the mouse by a voxel, or the camera.
 void CorrectionWindow::TurnWheel(vtkObject*, unsigned long event, void*)
 {
   const int view = this->SliceUnderMouse();
   if (view < 0)
   {
+    event == vtkCommand::MouseWheelForwardEvent ? this->Style->OnMouseWheelForward()
+                                                : this->Style->OnMouseWheelBackward();
     return;
   }
   const int axis = view == 0 ? 2 : 1;

@@ -77,14 +77,17 @@ class CorrectionWindow:
 
         self.interactor = vtkRenderWindowInteractor()
         self.interactor.SetRenderWindow(self.window)
-        self.interactor.SetInteractorStyle(vtkInteractorStyleTrackballCamera())
+        self.style = vtkInteractorStyleTrackballCamera()
+        self.interactor.SetInteractorStyle(self.style)
         self.interactor.Initialize()
+        # In place of what the style does by itself; it takes the mouse for itself while a button is
+        # held.
         for event, answer in (("LeftButtonPressEvent", self.press),
                               ("LeftButtonReleaseEvent", self.release),
                               ("MouseWheelForwardEvent", lambda: self.turn_wheel(1)),
-                              ("MouseWheelBackwardEvent", lambda: self.turn_wheel(-1)),
-                              ("KeyPressEvent", self.take_key)):
-            self.interactor.AddObserver(event, lambda *_, answer=answer: answer())
+                              ("MouseWheelBackwardEvent", lambda: self.turn_wheel(-1))):
+            self.style.AddObserver(event, lambda *_, answer=answer: answer())
+        self.interactor.AddObserver("KeyPressEvent", lambda *_: self.take_key())
         self.space.ResetCamera(image.GetBounds())
         self.space.GetActiveCamera().Zoom(1.5)
         self.say("o, i or b, then click on what is wrong")
@@ -135,9 +138,12 @@ class CorrectionWindow:
     def press(self):
         """A click may begin."""
         self.pressed = self.interactor.GetEventPosition()
+        if not self.slice_at(self.pressed):
+            self.style.OnLeftButtonDown()
 
     def release(self):
         """A click, unless the mouse has been dragged."""
+        self.style.OnLeftButtonUp()
         mouse = self.interactor.GetEventPosition()
         if max(abs(a - b) for a, b in zip(mouse, self.pressed)) > CLICK_PIXELS:
             return
@@ -167,7 +173,7 @@ class CorrectionWindow:
         return picker.GetPickPosition() if picker.Pick(*mouse, 0, renderer) else None
 
     def turn_wheel(self, step):
-        """Moves the slice under the mouse by a voxel."""
+        """Moves the slice under the mouse by a voxel, or the camera."""
         plane = self.slice_at(self.interactor.GetEventPosition())
         if plane:
             axis = 2 if plane == scene.AXIAL else 1
@@ -175,6 +181,10 @@ class CorrectionWindow:
             moved = self.place[axis] + step * self.image.GetSpacing()[axis]
             self.place[axis] = min(max(moved, bounds[0]), bounds[1])
             self.show()
+        elif step > 0:
+            self.style.OnMouseWheelForward()
+        else:
+            self.style.OnMouseWheelBackward()
 
     def say(self, words):
         """Below the view into space."""

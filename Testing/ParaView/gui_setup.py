@@ -50,7 +50,7 @@ def show_organ_to_correct():
     contour.SliceType.Normal = [0, 0, 1]
     Hide3DWidgets(proxy=contour.SliceType)
     shown = Show(contour, view)
-    ColorBy(shown, None)
+    ColorBy(shown, ("POINTS", ""))
     shown.AmbientColor = shown.DiffuseColor = [1, 0.76, 0.2]
     shown.LineWidth = 3
     Show(point, view)
