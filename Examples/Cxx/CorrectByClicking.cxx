@@ -19,6 +19,7 @@
 #include <vtkCommand.h>
 #include <vtkCoordinate.h>
 #include <vtkDataArray.h>
+#include <vtkExecutive.h>
 #include <vtkFlipFreeSegmentation.h>
 #include <vtkInteractorStyleTrackballCamera.h>
 #include <vtkMath.h>
@@ -40,7 +41,8 @@
 namespace
 {
 
-constexpr int ClickPixels = 3; // a mouse that moves farther than this turns the view
+constexpr int ClickPixels = 3;   // a mouse that moves farther than this turns the view
+constexpr double MarkRadius = 4; // mm
 constexpr double Red[3] = { 0.9, 0.1, 0.1 };
 constexpr double Green[3] = { 0.3, 0.8, 0.35 };
 const Scene::Plane* const Planes[2] = { &Scene::Axial, &Scene::Coronal };
@@ -66,6 +68,12 @@ struct Correction
   const Meaning* What;
   Scene::Vector Place;
 };
+
+/// Across a slice.
+constexpr int AxisOf(int view)
+{
+  return view == 0 ? 2 : 1;
+}
 
 /// Three views: space with the surface, and two slices.
 class CorrectionWindow
@@ -146,6 +154,8 @@ CorrectionWindow::CorrectionWindow(const Inputs& inputs)
   this->Filter->SetSeedRadius(inputs.Radius);
   this->Filter->KeepForCorrectionsOn(); // a correction then takes a third of the time
   this->Filter->AddObserver(vtkCommand::ErrorEvent, this, &CorrectionWindow::NoteError);
+  this->Filter->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, this,
+    &CorrectionWindow::NoteError);
   this->Segment();
 
   this->Interactor->SetRenderWindow(this->Window);
@@ -181,9 +191,14 @@ bool CorrectionWindow::Segment()
   return this->Error.empty();
 }
 
-/// The filter's own words, without the place in the source that VTK puts before them.
+/// The filter's own words, without the place in the source that VTK puts before them. The pipeline
+/// says a second time that the filter has failed.
 void CorrectionWindow::NoteError(vtkObject*, unsigned long, void* words)
 {
+  if (!this->Error.empty())
+  {
+    return;
+  }
   const std::string text = static_cast<const char*>(words);
   const std::size_t start = text.find("): ");
   this->Error = start == std::string::npos ? text : text.substr(start + 3);
@@ -326,7 +341,7 @@ void CorrectionWindow::TurnWheel(vtkObject*, unsigned long event, void*)
                                                 : this->Style->OnMouseWheelBackward();
     return;
   }
-  const int axis = view == 0 ? 2 : 1;
+  const int axis = AxisOf(view);
   const double* bounds = this->Image->GetBounds();
   const double step = event == vtkCommand::MouseWheelForwardEvent ? 1 : -1;
   const double moved = this->Place[axis] + step * this->Image->GetSpacing()[axis];
@@ -377,10 +392,11 @@ void CorrectionWindow::ShowSlices()
     this->ShowIn(this->Slices[view],
       Scene::ContourActor(this->Surface, this->Place, *Planes[view], Scene::Yellow, 2));
   }
+  this->ShowMarks();
   this->Window->Render();
 }
 
-/// A ball at each point.
+/// A ball at each point, in a slice if it lies there.
 void CorrectionWindow::ShowMarks()
 {
   for (const auto& mark : this->Marks)
@@ -392,17 +408,26 @@ void CorrectionWindow::ShowMarks()
   {
     vtkNew<vtkSphereSource> ball;
     ball->SetCenter(this->Corrections[index].Place.data());
-    ball->SetRadius(4);
+    ball->SetRadius(MarkRadius);
     vtkNew<vtkPolyDataMapper> mapper;
     mapper->SetInputConnection(ball->GetOutputPort());
     vtkNew<vtkActor> actor;
     actor->SetMapper(mapper);
     const double* color = this->Corrections[index].What->Color;
     actor->GetProperty()->SetColor(color[0], color[1], color[2]);
-    for (vtkRenderer* view : { this->Space, this->Slices[0], this->Slices[1] })
+    const Scene::Vector& place = this->Corrections[index].Place;
+    const auto mark = [&](vtkRenderer* view)
     {
       view->AddActor(actor);
       this->Marks.emplace_back(view, actor);
+    };
+    mark(this->Space);
+    for (int view = 0; view < 2; ++view)
+    {
+      if (std::abs(place[AxisOf(view)] - this->Place[AxisOf(view)]) < MarkRadius)
+      {
+        mark(this->Slices[view]);
+      }
     }
   }
 }

@@ -26,6 +26,7 @@ from vtkmodules.vtkRenderingCore import (
 )
 
 CLICK_PIXELS = 3  # a mouse that moves farther than this turns the view
+MARK_RADIUS = 4  # mm
 GREEN = (0.3, 0.8, 0.35)
 # What a click means, by the key that says so: in words, as the filter's method, and as a color.
 MEANINGS = {
@@ -176,7 +177,7 @@ class CorrectionWindow:
         """Moves the slice under the mouse by a voxel, or the camera."""
         plane = self.slice_at(self.interactor.GetEventPosition())
         if plane:
-            axis = 2 if plane == scene.AXIAL else 1
+            axis = _axis(plane)
             bounds = self.image.GetBounds()[2 * axis:2 * axis + 2]
             moved = self.place[axis] + step * self.image.GetSpacing()[axis]
             self.place[axis] = min(max(moved, bounds[0]), bounds[1])
@@ -202,8 +203,11 @@ class CorrectionWindow:
             self.shown += [(renderer, self.pictures[plane]), (self.space, self.pictures[plane]),
                            (renderer, contour)]
         views = (self.space, *self.planes.values())
-        self.shown += [(view, _ball(place, MEANINGS[key][2]))
-                       for key, place in self.done for view in views]
+        for key, place in self.done:
+            ball = _ball(place, MEANINGS[key][2])
+            self.shown += [(self.space, ball)]
+            self.shown += [(renderer, ball) for plane, renderer in self.planes.items()
+                           if abs(place[_axis(plane)] - self.place[_axis(plane)]) < MARK_RADIUS]
         for renderer, actor in self.shown:
             renderer.AddActor(actor)
         for renderer in views:
@@ -221,11 +225,16 @@ class CorrectionWindow:
         writer.Write()
 
 
+def _axis(plane):
+    """Across a slice."""
+    return 2 if plane == scene.AXIAL else 1
+
+
 def _ball(place, color):
     """The mark of a point."""
     source = vtkSphereSource()
     source.SetCenter(place)
-    source.SetRadius(4)
+    source.SetRadius(MARK_RADIUS)
     mapper = vtkPolyDataMapper()
     mapper.SetInputConnection(source.GetOutputPort())
     actor = vtkActor()
