@@ -69,6 +69,23 @@ struct Correction
   Scene::Vector Place;
 };
 
+/// In lines that fit into the view.
+std::string Wrapped(std::string words)
+{
+  constexpr std::size_t width = 72;
+  for (std::size_t start = 0; words.size() - start > width;)
+  {
+    const std::size_t space = words.rfind(' ', start + width);
+    if (space == std::string::npos || space <= start)
+    {
+      break;
+    }
+    words[space] = '\n';
+    start = space + 1;
+  }
+  return words;
+}
+
 /// Across a slice.
 constexpr int AxisOf(int view)
 {
@@ -133,7 +150,7 @@ CorrectionWindow::CorrectionWindow(const Inputs& inputs)
 {
   const double* bounds = this->Image->GetBounds();
   this->SurfaceShown = Scene::SurfaceActor(this->Surface);
-  this->Space = Scene::SpaceView({ this->SurfaceShown }, bounds, "", 1.5);
+  this->Space = Scene::SpaceView({ this->SurfaceShown }, bounds, "", 1.2);
   this->Words = Scene::TextActor("", 15);
   this->Space->AddViewProp(this->Words);
   this->Space->SetViewport(0, 0, 0.5, 1);
@@ -250,7 +267,8 @@ void CorrectionWindow::Redo()
 void CorrectionWindow::Say(const std::string& words)
 {
   this->Words->SetInput(
-    ("click: " + std::string(this->Mode->Words) + " (o, i, b, n; u, y)\n" + words).c_str());
+    ("click: " + std::string(this->Mode->Words) + " (o, i, b, n; u, y)\n" + Wrapped(words))
+      .c_str());
   this->ShowMarks();
   this->Window->Render();
 }

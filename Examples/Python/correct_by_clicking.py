@@ -9,6 +9,8 @@ surface obeys. u takes the last point back, y brings it again. The wheel over a 
 beside the slices to turn the view; q ends. With --picture, the window is saved as it opens.
 """
 
+import textwrap
+
 import flipfree
 import inputs
 import scene
@@ -90,7 +92,7 @@ class CorrectionWindow:
             self.style.AddObserver(event, lambda *_, answer=answer: answer())
         self.interactor.AddObserver("KeyPressEvent", lambda *_: self.take_key())
         self.space.ResetCamera(image.GetBounds())
-        self.space.GetActiveCamera().Zoom(1.5)
+        self.space.GetActiveCamera().Zoom(1.2)
         self.say("o, i or b, then click on what is wrong")
 
     def segment(self):
@@ -189,7 +191,8 @@ class CorrectionWindow:
 
     def say(self, words):
         """Below the view into space."""
-        self.words.SetInput(f"click: {MEANINGS[self.mode][0]} (o, i, b, n; u, y)\n{words}")
+        self.words.SetInput(f"click: {MEANINGS[self.mode][0]} (o, i, b, n; u, y)\n"
+                            + textwrap.fill(words, 72))
         self.show()
 
     def show(self):

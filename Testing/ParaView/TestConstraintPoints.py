@@ -95,8 +95,10 @@ class ConstraintPoints(session.SessionTest):
     def test_vessel_is_corrected(self):
         vessel = simple.FlipFreeVesselSegmentation(Input=simple.SegmentationPhantom(Shape="Vessel"),
                                                    Points=[13.3, 44.6, 44.5, 82, 50.4, 37.6])
-        line = points(fetch(vessel, 2))
-        place = (line[len(line) // 2] + [0, 2, 0]).tolist()  # 2 mm off the centerline
+        line = fetch(vessel, 2)
+        middle = line.GetNumberOfPoints() // 2
+        reach = 0.8 * session.point_array(line, "Radius")[middle]
+        place = (points(line)[middle] + [0, reach, 0]).tolist()  # beside the centerline, near the wall
         self.assertEqual(label_at(vessel, place), 1)
         vessel.Corrections = [simple.ConstraintPoint(Position=place)]
         self.assertEqual(label_at(vessel, place), 0)
