@@ -29,6 +29,7 @@ def write_note(*_):
                                         if is_shown(source, port))})
         if organ.Corrections:
             (point,) = organ.Corrections
+            Show3DWidgets(proxy=point)  # what a script makes has its handle hidden
             placed = point.SMProxy.GetProperty("Position")
             labels, surface = (servermanager.Fetch(organ, idx=port) for port in (1, 0))
             places = vtk_to_numpy(surface.GetPoints().GetData())
