@@ -1,5 +1,5 @@
-"""Sessions at ParaView's window: the filter from the quick launch, the seed placed by mouse and key, Apply, and undo; and
-a point that corrects the result, placed likewise. Pictures, of failures too, are left in the folder
+"""Sessions at ParaView's window: the filter from the quick launch, the seed placed by mouse and key, Apply, and undo;
+and a point that corrects the result, placed likewise. Pictures, of failures too, are left in the folder
 FLIPFREE_GUI_PICTURES, if that is set."""
 
 import json
