@@ -1,12 +1,16 @@
 #include "ConstraintPoints.h"
 
 #include "vtkDataArray.h"
+#include "vtkDataObject.h"
+#include "vtkInformationVector.h"
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
 #include "vtkStringArray.h"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
+#include <utility>
 
 namespace FlipFree
 {
@@ -28,8 +32,6 @@ vtkDataArray* ArrayOf(vtkPointSet* points, const char* array, const std::string&
   }
   return values;
 }
-
-} // namespace
 
 ConstraintList ConstraintsOf(vtkPointSet* points, const std::string& name)
 {
@@ -62,47 +64,124 @@ ConstraintList ConstraintsOf(vtkPointSet* points, const std::string& name)
   return constraints;
 }
 
-void AddConstraintsOf(vtkPointSet* points, const std::string& name, NamedConstraints& organs)
+/// A data set of a port, as it is called in messages.
+struct PointInput
 {
-  const ConstraintList constraints = ConstraintsOf(points, name);
-  if (constraints.empty())
+  vtkPointSet* Points;
+  std::string Name;
+};
+
+std::vector<PointInput> PointInputsOf(vtkInformationVector* inputs, int port)
+{
+  const int count = inputs->GetNumberOfInformationObjects();
+  std::vector<PointInput> found;
+  for (int index = 0; index < count; ++index)
   {
-    return;
+    if (vtkPointSet* const points = vtkPointSet::GetData(inputs, index))
+    {
+      found.push_back({ points,
+        "the point set " + (count > 1 ? std::to_string(index + 1) + " " : std::string()) +
+          "on port " + std::to_string(port) });
+    }
   }
-  auto* const names =
-    vtkStringArray::SafeDownCast(points->GetPointData()->GetAbstractArray("Organ"));
-  vtkDataArray* const numbers = names
-    ? nullptr
-    : ArrayOf(points, "Organ", name, "the name of each point's organ, or its number, from 1");
+  return found;
+}
+
+/// A point of an organ that is given by its number.
+struct NumberedConstraint
+{
+  double Organ;
+  PointConstraint Constraint;
+  std::string Name; // of the data set
+  vtkIdType Point;
+};
+
+[[noreturn]] void RefuseOrgan(const NumberedConstraint& point)
+{
+  throw std::invalid_argument("the point array 'Organ' of " + point.Name + " is " +
+    std::to_string(point.Organ) + " at point " + std::to_string(point.Point) +
+    "; organs are numbered from 1, without gaps");
+}
+
+void AddByName(vtkStringArray* names, const ConstraintList& constraints, NamedConstraints& organs)
+{
   for (std::size_t index = 0; index < constraints.size(); ++index)
   {
-    const auto row = static_cast<vtkIdType>(index);
-    auto organ = organs.end();
-    if (names)
-    {
-      organ = std::find_if(organs.begin(), organs.end(),
-        [&](const auto& candidate) { return candidate.first == names->GetValue(row); });
-    }
-    else
-    {
-      const double number = numbers->GetTuple1(row);
-      const auto next = static_cast<double>(organs.size() + 1);
-      if (!(number >= 1 && number <= next && number == std::floor(number)))
-      {
-        throw std::invalid_argument("the point array 'Organ' of " + name + " is " +
-          std::to_string(number) + " at point " + std::to_string(index) +
-          "; organs are numbered from 1, without gaps");
-      }
-      organ = organs.begin() + static_cast<std::ptrdiff_t>(number) - 1;
-    }
+    const std::string name = names->GetValue(static_cast<vtkIdType>(index));
+    auto organ = std::find_if(organs.begin(), organs.end(),
+      [&name](const auto& candidate) { return candidate.first == name; });
     if (organ == organs.end())
     {
-      organs.push_back(
-        { names ? names->GetValue(row) : "organ " + std::to_string(organs.size() + 1), {} });
-      organ = organs.end() - 1;
+      organ = organs.insert(organ, { name, {} });
     }
     organ->second.push_back(constraints[index]);
   }
+}
+
+void AddByNumber(std::vector<NumberedConstraint> numbered, NamedConstraints& organs)
+{
+  // So that an organ that is missing is found, whichever point comes first.
+  std::stable_sort(numbered.begin(), numbered.end(),
+    [](const auto& a, const auto& b) { return a.Organ < b.Organ; });
+  for (const NumberedConstraint& point : numbered)
+  {
+    const double next = static_cast<double>(organs.size()) + 1;
+    if (point.Organ > next)
+    {
+      RefuseOrgan(point);
+    }
+    if (point.Organ == next)
+    {
+      organs.push_back({ "organ " + std::to_string(organs.size() + 1), {} });
+    }
+    organs[static_cast<std::size_t>(point.Organ) - 1].second.push_back(point.Constraint);
+  }
+}
+
+} // namespace
+
+ConstraintList ConstraintsOf(vtkInformationVector* inputs, int port)
+{
+  ConstraintList constraints;
+  for (const PointInput& input : PointInputsOf(inputs, port))
+  {
+    const ConstraintList more = ConstraintsOf(input.Points, input.Name);
+    constraints.insert(constraints.end(), more.begin(), more.end());
+  }
+  return constraints;
+}
+
+void AddConstraintsOf(vtkInformationVector* inputs, int port, NamedConstraints& organs)
+{
+  std::vector<NumberedConstraint> numbered;
+  for (const PointInput& input : PointInputsOf(inputs, port))
+  {
+    const ConstraintList constraints = ConstraintsOf(input.Points, input.Name);
+    if (constraints.empty())
+    {
+      continue;
+    }
+    auto* const names =
+      vtkStringArray::SafeDownCast(input.Points->GetPointData()->GetAbstractArray("Organ"));
+    if (names)
+    {
+      AddByName(names, constraints, organs);
+      continue;
+    }
+    vtkDataArray* const numbers = ArrayOf(input.Points, "Organ", input.Name,
+      "the name of each point's organ, or its number, from 1");
+    for (std::size_t index = 0; index < constraints.size(); ++index)
+    {
+      const auto point = static_cast<vtkIdType>(index);
+      numbered.push_back({ numbers->GetTuple1(point), constraints[index], input.Name, point });
+      const double number = numbered.back().Organ;
+      if (!(number >= 1 && number == std::floor(number)))
+      {
+        RefuseOrgan(numbered.back());
+      }
+    }
+  }
+  AddByNumber(std::move(numbered), organs);
 }
 
 void TakeSeed(const std::string& name, SeedSphere& seed, ConstraintList& constraints)

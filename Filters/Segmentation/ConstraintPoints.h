@@ -1,5 +1,5 @@
 /**
- * Private to the module: constraints from a data set of points.
+ * Private to the module: constraints from data sets of points, as many as a port has.
  */
 #ifndef FlipFreeConstraintPoints_h
 #define FlipFreeConstraintPoints_h
@@ -10,22 +10,23 @@
 #include <utility>
 #include <vector>
 
-class vtkPointSet;
+class vtkInformationVector;
 
 namespace FlipFree
 {
 
-/// The points as constraints: point arrays `Constraint` (0 outside, 1 inside, 2 boundary, 3 seed)
-/// and, where there is a seed, `Radius` (mm). `name` is the data set's, for messages. Throws
-/// std::invalid_argument, naming array and point.
-ConstraintList ConstraintsOf(vtkPointSet* points, const std::string& name);
+/// The points of all data sets of an input port as constraints: point arrays `Constraint` (0
+/// outside, 1 inside, 2 boundary, 3 seed) and, where there is a seed, `Radius` (mm). `port` is the
+/// port's number, for messages. Throws std::invalid_argument, naming data set, array and point.
+ConstraintList ConstraintsOf(vtkInformationVector* inputs, int port);
 
 /// Organs by name, each with its points and seeds.
 using NamedConstraints = std::vector<std::pair<std::string, ConstraintList>>;
 
 /// Adds the points to the organs that the point array `Organ` names, or numbers from 1; new organs
-/// come last. Throws std::invalid_argument as ConstraintsOf(), and for a number that skips one.
-void AddConstraintsOf(vtkPointSet* points, const std::string& name, NamedConstraints& organs);
+/// come last, first those with names, then by number, in whatever order points and data sets are.
+/// Throws std::invalid_argument as ConstraintsOf(), and for a number that skips one.
+void AddConstraintsOf(vtkInformationVector* inputs, int port, NamedConstraints& organs);
 
 /// Takes the largest seed of an organ from its constraints. Throws std::invalid_argument, naming
 /// the organ, where there is none.

@@ -33,10 +33,13 @@ bool SegmentationResult::IsUpToDate(vtkInformationVector** inputs, vtkMTimeType 
   }
   for (int port = 0; port < 4; ++port)
   {
-    vtkDataObject* input = vtkDataObject::GetData(inputs[port]);
-    if (input && this->Time < input->GetMTime())
+    for (int index = 0; index < inputs[port]->GetNumberOfInformationObjects(); ++index)
     {
-      return false;
+      vtkDataObject* const input = vtkDataObject::GetData(inputs[port], index);
+      if (input && this->Time < input->GetMTime())
+      {
+        return false;
+      }
     }
   }
   return true;

@@ -75,6 +75,11 @@ void vtkFlipFreeOrganGroup::SetConstraintData(vtkPointSet* points)
   this->SetInputDataObject(1, points);
 }
 
+void vtkFlipFreeOrganGroup::AddConstraintData(vtkPointSet* points)
+{
+  this->AddInputDataObject(1, points);
+}
+
 void vtkFlipFreeOrganGroup::AddFixedData(vtkPolyData* surface)
 {
   this->AddInputDataObject(2, surface);
@@ -210,7 +215,7 @@ int vtkFlipFreeOrganGroup::FillInputPortInformation(int port, vtkInformation* in
   const char* const types[3] = { "vtkImageData", "vtkPointSet", "vtkPolyData" };
   info->Set(INPUT_REQUIRED_DATA_TYPE(), types[port]);
   info->Set(INPUT_IS_OPTIONAL(), port > 0);
-  info->Set(INPUT_IS_REPEATABLE(), port == 2);
+  info->Set(INPUT_IS_REPEATABLE(), port > 0);
   return 1;
 }
 
@@ -291,10 +296,7 @@ void vtkFlipFreeOrganGroup::Segment(vtkInformationVector** inputs, vtkInformatio
   this->Parameters->RequireProperties();
   FlipFree::RequireGrayImage(image, NameOfImage);
   FlipFree::NamedConstraints named = this->Kept->Organs;
-  if (vtkPointSet* const points = vtkPointSet::GetData(inputs[1]))
-  {
-    FlipFree::AddConstraintsOf(points, "the point set on port 1", named);
-  }
+  FlipFree::AddConstraintsOf(inputs[1], 1, named);
   if (this->LabelValue + static_cast<int>(named.size()) > 256)
   {
     throw std::invalid_argument("labels go up to 255, which leaves none for " + named.back().first +

@@ -11,11 +11,12 @@
  * along the edges of the image; then all surfaces start anew and deform together.
  *
  * Input port 0: vtkImageData, as of vtkFlipFreeSegmentation.
- * Input port 1, optional: vtkPointSet, points and further seeds of the organs, with the point
- * arrays `Constraint` and `Radius` of vtkFlipFreeSegmentation and `Organ`: the names of organs
- * (vtkStringArray), or their numbers, which count from 1 in the order of AddOrgan(). Seeds of a
- * name, or of the next number, that there is not yet add an organ; one without a name is called
- * `organ 2` or the like.
+ * Input port 1, optional, repeatable: vtkPointSet, points and further seeds of the organs, with the
+ * point arrays `Constraint` and `Radius` of vtkFlipFreeSegmentation and `Organ`: the names of
+ * organs (vtkStringArray), or their numbers, which count from 1 in the order of AddOrgan(), and
+ * then of the names. Seeds of a name, or of the next number, that there is not yet add an organ;
+ * one without a name is called `organ 2` or the like. vtkConstraintPointSource makes a data set of
+ * a single point.
  * Input port 2, optional, repeatable: vtkPolyData, a surface that stays as it is and that no organ
  * meets, such as an earlier result: closed, four neighbors at every vertex, embedded.
  *
@@ -61,10 +62,14 @@ public:
 
   ///@{
   /**
-   * Connects or sets the points of the organs (input port 1).
+   * Connects or sets the points of the organs (input port 1), in place of those there; adds more;
+   * disconnects all.
    */
   void SetConstraintConnection(vtkAlgorithmOutput* output) { this->SetInputConnection(1, output); }
   void SetConstraintData(vtkPointSet* points);
+  void AddConstraintConnection(vtkAlgorithmOutput* output) { this->AddInputConnection(1, output); }
+  void AddConstraintData(vtkPointSet* points);
+  void RemoveAllConstraintConnections() { this->RemoveAllInputConnections(1); }
   ///@}
 
   ///@{

@@ -18,7 +18,6 @@
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
-#include "vtkPointSet.h"
 #include "vtkPolyData.h"
 #include "vtkSeedRegionDiffusion.h"
 #include "vtkSmartPointer.h"
@@ -94,6 +93,7 @@ int vtkFlipFreeSegmentation::FillInputPortInformation(int port, vtkInformation* 
   const char* const types[4] = { "vtkImageData", "vtkPolyData", "vtkPointSet", "vtkImageData" };
   info->Set(INPUT_REQUIRED_DATA_TYPE(), types[port]);
   info->Set(INPUT_IS_OPTIONAL(), port > 0);
+  info->Set(INPUT_IS_REPEATABLE(), port == 2);
   return 1;
 }
 

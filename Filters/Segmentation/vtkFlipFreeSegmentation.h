@@ -21,13 +21,14 @@
  * four neighbors at every vertex, embedded. It is refined like the sphere, to about as many
  * vertices (see SetLevels()).
  *
- * Input port 2, optional: vtkPointSet, points that correct the result, with the point array
- * `Constraint` (any number type): 0 for a point outside the organ, 1 inside, 2 on its boundary, 3
- * for a further seed sphere within the organ, whose radius (mm) is in the point array `Radius`.
- * AddInsidePoint() and so on add to them. The surface obeys every one, exactly: an outside point
- * is an obstacle of the guard from the start, an inside point once it is enclosed; a boundary point
- * lies within half the smallest spacing of the surface. The largest seed is the start. The result
- * depends on the set of points alone, not on their order or on earlier runs.
+ * Input port 2, optional, repeatable: vtkPointSet, points that correct the result, with the point
+ * array `Constraint` (any number type): 0 for a point outside the organ, 1 inside, 2 on its
+ * boundary, 3 for a further seed sphere within the organ, whose radius (mm) is in the point array
+ * `Radius`. All data sets together are one set of points; vtkConstraintPointSource makes one of a
+ * single point. AddInsidePoint() and so on add to them. The surface obeys every one, exactly: an
+ * outside point is an obstacle of the guard from the start, an inside point once it is enclosed; a
+ * boundary point lies within half the smallest spacing of the surface. The largest seed is the
+ * start. The result depends on the set of points alone, not on their order or on earlier runs.
  *
  * Input port 3, optional: vtkImageData, a label map with the geometry of the image: of a network,
  * an atlas, or an earlier result. The surface then fills its voxels of the value StartLabel, the
@@ -129,10 +130,14 @@ public:
 
   ///@{
   /**
-   * Connects or sets the points that correct the result (input port 2).
+   * Connects or sets the points that correct the result (input port 2), in place of those there;
+   * adds more; disconnects all.
    */
-  void SetConstraintConnection(vtkAlgorithmOutput* output) { this->SetInputConnection(2, output); }
+  void SetConstraintConnection(vtkAlgorithmOutput* output);
   void SetConstraintData(vtkPointSet* points);
+  void AddConstraintConnection(vtkAlgorithmOutput* output);
+  void AddConstraintData(vtkPointSet* points);
+  void RemoveAllConstraintConnections();
   ///@}
 
   ///@{
@@ -455,7 +460,9 @@ private:
   FlipFree::VolumeSegmentation Run(vtkInformationVector** inputs);
   std::unique_ptr<FlipFree::SegmentationState> MakeState(
     const FlipFree::SegmentationStateKey& key) const;
-  std::vector<FlipFree::PointConstraint> AllConstraints(vtkPointSet* points) const;
+  std::vector<FlipFree::PointConstraint> AllConstraints(vtkInformationVector* points) const;
+  void NoteConnection(vtkMTimeType before);
+  vtkMTimeType GetOwnTime();
   vtkMTimeType GetParameterTime();
   void AddConstraint(const FlipFree::PointConstraint& constraint);
 
@@ -468,6 +475,8 @@ private:
   std::unique_ptr<FlipFree::SegmentationState> State;
   const std::unique_ptr<std::vector<FlipFree::PointConstraint>> Constraints;
   vtkTimeStamp ConstraintTime;
+  vtkMTimeType ConnectionTime = 0;       // when port 2 was last connected,
+  vtkMTimeType TimeBeforeConnection = 0; // and when this filter had been modified before
 
   vtkFlipFreeSegmentation(const vtkFlipFreeSegmentation&) = delete;
   void operator=(const vtkFlipFreeSegmentation&) = delete;

@@ -3,13 +3,58 @@
 
 #include "ConstraintPoints.h"
 
+#include "vtkInformationVector.h"
 #include "vtkPointSet.h"
 
 using FlipFree::ConstraintKind;
 
+void vtkFlipFreeSegmentation::SetConstraintConnection(vtkAlgorithmOutput* output)
+{
+  const vtkMTimeType before = this->GetOwnTime();
+  this->SetInputConnection(2, output);
+  this->NoteConnection(before);
+}
+
 void vtkFlipFreeSegmentation::SetConstraintData(vtkPointSet* points)
 {
+  const vtkMTimeType before = this->GetOwnTime();
   this->SetInputDataObject(2, points);
+  this->NoteConnection(before);
+}
+
+void vtkFlipFreeSegmentation::AddConstraintConnection(vtkAlgorithmOutput* output)
+{
+  const vtkMTimeType before = this->GetOwnTime();
+  this->AddInputConnection(2, output);
+  this->NoteConnection(before);
+}
+
+void vtkFlipFreeSegmentation::AddConstraintData(vtkPointSet* points)
+{
+  const vtkMTimeType before = this->GetOwnTime();
+  this->AddInputDataObject(2, points);
+  this->NoteConnection(before);
+}
+
+void vtkFlipFreeSegmentation::RemoveAllConstraintConnections()
+{
+  const vtkMTimeType before = this->GetOwnTime();
+  this->RemoveAllInputConnections(2);
+  this->NoteConnection(before);
+}
+
+// Connecting points modifies this filter, but not its parameters, which stay as old as they were,
+// so that what constraints do not change can be kept.
+void vtkFlipFreeSegmentation::NoteConnection(vtkMTimeType before)
+{
+  this->TimeBeforeConnection = before;
+  this->ConnectionTime = this->Superclass::GetMTime();
+}
+
+vtkMTimeType vtkFlipFreeSegmentation::GetOwnTime()
+{
+  const vtkMTimeType time = this->Superclass::GetMTime();
+  return time == this->ConnectionTime ? this->TimeBeforeConnection : time;
 }
 
 void vtkFlipFreeSegmentation::AddInsidePoint(double x, double y, double z)
@@ -62,13 +107,10 @@ void vtkFlipFreeSegmentation::RemoveAllPoints()
   }
 }
 
-FlipFree::ConstraintList vtkFlipFreeSegmentation::AllConstraints(vtkPointSet* points) const
+FlipFree::ConstraintList vtkFlipFreeSegmentation::AllConstraints(vtkInformationVector* points) const
 {
   FlipFree::ConstraintList constraints = *this->Constraints;
-  if (points)
-  {
-    const auto more = FlipFree::ConstraintsOf(points, "the point set on port 2");
-    constraints.insert(constraints.end(), more.begin(), more.end());
-  }
+  const auto more = FlipFree::ConstraintsOf(points, 2);
+  constraints.insert(constraints.end(), more.begin(), more.end());
   return constraints;
 }

@@ -72,13 +72,14 @@ DEFINE_STAGE(Deform, vtkFlipFreeDeform)
 
 vtkMTimeType vtkFlipFreeSegmentation::GetMTime()
 {
-  return std::max(this->GetParameterTime(), this->ConstraintTime.GetMTime());
+  return std::max(
+    { this->Superclass::GetMTime(), this->GetParameterTime(), this->ConstraintTime.GetMTime() });
 }
 
 vtkMTimeType vtkFlipFreeSegmentation::GetParameterTime()
 {
-  return std::max({ this->Superclass::GetMTime(), this->Diffusion->GetMTime(),
-    this->Feature->GetMTime(), this->Search->GetMTime(), this->Deform->GetMTime() });
+  return std::max({ this->GetOwnTime(), this->Diffusion->GetMTime(), this->Feature->GetMTime(),
+    this->Search->GetMTime(), this->Deform->GetMTime() });
 }
 
 FlipFree::VolumeSegmentationSettings vtkFlipFreeSegmentation::GetSettings() const

@@ -13,7 +13,6 @@
 
 #include "vtkImageData.h"
 #include "vtkPointData.h"
-#include "vtkPointSet.h"
 #include "vtkPolyData.h"
 
 #include <memory>
@@ -55,7 +54,7 @@ FlipFree::VolumeSegmentation vtkFlipFreeSegmentation::Run(vtkInformationVector**
   key.LabelsTime = labels ? labels->GetMTime() : 0;
   key.ParameterTime = this->GetParameterTime();
   key.Seed = { Eigen::Vector3d(this->SeedCenter), this->SeedRadius };
-  FlipFree::ConstraintList constraints = this->AllConstraints(vtkPointSet::GetData(inputs[2]));
+  FlipFree::ConstraintList constraints = this->AllConstraints(inputs[2]);
   if (!labels)
   {
     FlipFree::TakeLargestSeed(key.Seed, constraints);

@@ -43,6 +43,11 @@ void vtkFlipFreeVesselSegmentation::SetConstraintData(vtkPointSet* points)
   this->SetInputDataObject(1, points);
 }
 
+void vtkFlipFreeVesselSegmentation::AddConstraintData(vtkPointSet* points)
+{
+  this->AddInputDataObject(1, points);
+}
+
 void vtkFlipFreeVesselSegmentation::AddInsidePoint(double x, double y, double z)
 {
   this->Points->Corrections.push_back({ ConstraintKind::Inside, { x, y, z }, 0 });
@@ -108,6 +113,7 @@ int vtkFlipFreeVesselSegmentation::FillInputPortInformation(int port, vtkInforma
   }
   info->Set(INPUT_REQUIRED_DATA_TYPE(), "vtkPointSet");
   info->Set(INPUT_IS_OPTIONAL(), 1);
+  info->Set(INPUT_IS_REPEATABLE(), 1);
   return 1;
 }
 
@@ -142,7 +148,7 @@ int vtkFlipFreeVesselSegmentation::RequestData(vtkInformation*, vtkInformationVe
   std::fill_n(this->StageSeconds, 4, 0.0);
   try
   {
-    this->Segment(vtkImageData::GetData(inputs[0]), vtkPointSet::GetData(inputs[1]), outputs);
+    this->Segment(vtkImageData::GetData(inputs[0]), inputs[1], outputs);
   }
   catch (const std::exception& error)
   {
@@ -154,16 +160,13 @@ int vtkFlipFreeVesselSegmentation::RequestData(vtkInformation*, vtkInformationVe
   return 1;
 }
 
-void vtkFlipFreeVesselSegmentation::Segment(vtkImageData* image, vtkPointSet* corrections,
+void vtkFlipFreeVesselSegmentation::Segment(vtkImageData* image, vtkInformationVector* corrections,
   vtkInformationVector* outputs)
 {
   this->RequireProperties();
   FlipFree::ConstraintList constraints = this->Points->Corrections;
-  if (corrections)
-  {
-    const auto more = FlipFree::ConstraintsOf(corrections, "the point set on port 1");
-    constraints.insert(constraints.end(), more.begin(), more.end());
-  }
+  const auto more = FlipFree::ConstraintsOf(corrections, 1);
+  constraints.insert(constraints.end(), more.begin(), more.end());
   const std::string name = "the image on port 0";
   FlipFree::RequireGrayImage(image, name);
   const FlipFree::VesselSegmentation result =

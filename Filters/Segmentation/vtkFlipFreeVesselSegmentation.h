@@ -17,8 +17,8 @@
  * point is moved; and the surface obeys every point exactly, a point on the boundary within half of
  * the image's smallest spacing.
  *
- * Input port 1, optional: vtkPointSet, such points, with the point array `Constraint` (0 outside, 1
- * inside, 2 on the boundary).
+ * Input port 1, optional, repeatable: vtkPointSet, such points, with the point array `Constraint`
+ * (0 outside, 1 inside, 2 on the boundary); vtkConstraintPointSource makes one of a single point.
  *
  * Further errors: a correction outside the image, within 0.5 mm of a point of the vessel if it is
  * to lie outside, in contradiction to another one, or one that no surface of one piece can obey; a
@@ -62,10 +62,14 @@ public:
 
   ///@{
   /**
-   * Input port 1: points that correct the result.
+   * Connects or sets the points that correct the result (input port 1), in place of those there;
+   * adds more; disconnects all.
    */
   void SetConstraintConnection(vtkAlgorithmOutput* output) { this->SetInputConnection(1, output); }
   void SetConstraintData(vtkPointSet* points);
+  void AddConstraintConnection(vtkAlgorithmOutput* output) { this->AddInputConnection(1, output); }
+  void AddConstraintData(vtkPointSet* points);
+  void RemoveAllConstraintConnections() { this->RemoveAllInputConnections(1); }
   ///@}
 
   ///@{
@@ -154,7 +158,8 @@ protected:
   double StageSeconds[4] = { 0, 0, 0, 0 };
 
 private:
-  void Segment(vtkImageData* image, vtkPointSet* corrections, vtkInformationVector* outputs);
+  void Segment(vtkImageData* image, vtkInformationVector* corrections,
+    vtkInformationVector* outputs);
 
   vtkFlipFreeVesselSegmentation(const vtkFlipFreeVesselSegmentation&) = delete;
   void operator=(const vtkFlipFreeVesselSegmentation&) = delete;

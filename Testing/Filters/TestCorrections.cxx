@@ -1,6 +1,8 @@
-// Points that correct vtkFlipFreeSegmentation: by its methods and by its port, and what is refused.
+// Points that correct vtkFlipFreeSegmentation: by its methods, by its port, from a source for each,
+// and what is refused.
 #include "BadInput.h"
 
+#include "vtkConstraintPointSource.h"
 #include "vtkFlipFreeDeform.h"
 #include "vtkFlipFreeSegmentation.h"
 #include "vtkImplicitPolyDataDistance.h"
@@ -10,6 +12,7 @@
 #include "vtkTriangleFilter.h"
 #include "vtkUnsignedCharArray.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <string>
@@ -77,6 +80,16 @@ double SignedDistanceOf(vtkFlipFreeSegmentation* filter, double x, double y, dou
   return distance->EvaluateFunction(x, y, z);
 }
 
+vtkSmartPointer<vtkConstraintPointSource> SourceOf(int kind, double x, double y, double z,
+  double radius = 10)
+{
+  auto source = vtkSmartPointer<vtkConstraintPointSource>::New();
+  source->SetKind(kind);
+  source->SetPosition(x, y, z);
+  source->SetRadius(radius);
+  return source;
+}
+
 } // namespace
 
 TEST(Corrections, AreTheSameByMethodsAndByThePort)
@@ -130,6 +143,117 @@ TEST(Corrections, LeaveNoTraceWhateverIsKept)
   EXPECT_NE(PlacesOf(filter), free);
 }
 
+TEST(Corrections, ComeFromASourceEachInAnyOrder)
+{
+  const auto filter = MakeFilter();
+  const std::vector<double> free = PlacesOf(filter);
+  filter->AddInsidePoint(82, 46.5, 46.5);
+  filter->AddOutsidePoint(46.5, 71.5, 46.5);
+  filter->AddSeed(13.5, 46.5, 46.5, 5);
+  const std::vector<double> corrected = PlacesOf(filter);
+  filter->RemoveAllPoints();
+
+  const auto inside = SourceOf(vtkConstraintPointSource::INSIDE, 82, 46.5, 46.5);
+  const auto outside = SourceOf(vtkConstraintPointSource::OUTSIDE, 46.5, 71.5, 46.5);
+  const auto seed = SourceOf(vtkConstraintPointSource::SEED, 13.5, 46.5, 46.5, 5);
+  for (const bool history : { false, true })
+  {
+    filter->SetKeepHistory(history);
+    filter->SetConstraintConnection(inside->GetOutputPort());
+    filter->AddConstraintConnection(seed->GetOutputPort());
+    filter->AddConstraintConnection(outside->GetOutputPort());
+    EXPECT_EQ(filter->GetNumberOfInputConnections(2), 3);
+    EXPECT_EQ(PlacesOf(filter), corrected);
+    filter->SetConstraintData(PointsOf({ { 1, 82, 46.5, 46.5, 0 } }));
+    filter->AddConstraintData(PointsOf({ { 0, 46.5, 71.5, 46.5, 0 } }));
+    filter->AddConstraintConnection(seed->GetOutputPort());
+    EXPECT_EQ(PlacesOf(filter), corrected);
+    // Any of them can be moved.
+    seed->SetPosition(20, 46.5, 46.5);
+    const std::vector<double> moved = PlacesOf(filter);
+    EXPECT_NE(moved, corrected);
+    seed->SetPosition(13.5, 46.5, 46.5);
+    EXPECT_EQ(PlacesOf(filter), corrected);
+    // Off, they are as if they were not connected.
+    seed->EnabledOff();
+    filter->SetConstraintConnection(seed->GetOutputPort());
+    EXPECT_EQ(PlacesOf(filter), free);
+    seed->EnabledOn();
+    EXPECT_NE(PlacesOf(filter), free);
+    filter->RemoveAllConstraintConnections();
+    EXPECT_EQ(PlacesOf(filter), free);
+  }
+}
+
+// By gray values that are no longer those of the image, of which the filter is not told.
+TEST(Corrections, CanBeConnectedWithoutLosingWhatIsKept)
+{
+  const auto outside = SourceOf(vtkConstraintPointSource::OUTSIDE, 46.5, 71.5, 46.5);
+  const auto expected = MakeFilter();
+  expected->AddConstraintConnection(outside->GetOutputPort());
+  const std::vector<double> corrected = PlacesOf(expected);
+  for (const bool keeps : { true, false })
+  {
+    const auto image = SphereImage();
+    const auto filter = MakeFilter();
+    filter->SetInputData(image);
+    filter->SetKeepForCorrections(keeps);
+    const std::vector<double> free = PlacesOf(filter);
+    ASSERT_EQ(image->GetScalarType(), VTK_SHORT);
+    auto* const voxels = static_cast<short*>(image->GetScalarPointer());
+    std::fill_n(voxels, image->GetNumberOfPoints(), short{ 1 });
+    filter->AddConstraintConnection(outside->GetOutputPort());
+    if (!keeps)
+    {
+      EXPECT_NE(ErrorOfUpdate(filter).find("no contrast"), std::string::npos);
+      continue;
+    }
+    EXPECT_EQ(PlacesOf(filter), corrected);
+    filter->RemoveAllConstraintConnections();
+    EXPECT_EQ(PlacesOf(filter), free);
+    // A parameter is none of what may change.
+    filter->SetResolution(8);
+    EXPECT_NE(ErrorOfUpdate(filter).find("no contrast"), std::string::npos);
+  }
+}
+
+TEST(Corrections, OfASourceAreSinglePoints)
+{
+  vtkNew<vtkConstraintPointSource> source;
+  const auto value = [&source](const char* array)
+  { return source->GetOutput()->GetPointData()->GetArray(array)->GetTuple1(0); };
+  source->SetPosition(1, -2, 3.25);
+  source->SetOrgan(4);
+  for (int kind = 0; kind < 4; ++kind)
+  {
+    source->SetKind(kind);
+    source->Update();
+    ASSERT_EQ(source->GetOutput()->GetNumberOfPoints(), 1);
+    EXPECT_EQ(source->GetOutput()->GetNumberOfVerts(), 1);
+    EXPECT_EQ(Eigen::Vector3d(source->GetOutput()->GetPoint(0)), Eigen::Vector3d(1, -2, 3.25));
+    EXPECT_EQ(value("Constraint"), kind);
+    EXPECT_EQ(value("Radius"), kind == 3 ? 10 : 0);
+    EXPECT_EQ(value("Organ"), 4);
+  }
+  source->SetKindToOutside();
+  EXPECT_EQ(source->GetKind(), 0);
+  source->SetKindToInside();
+  EXPECT_EQ(source->GetKind(), 1);
+  source->SetKindToBoundary();
+  EXPECT_EQ(source->GetKind(), 2);
+  source->SetKindToSeed();
+  source->SetRadius(NotANumber);
+  ExpectRefusal(source, { "No point: Radius (nan) of a seed", "finite" });
+  source->SetKindToInside(); // which has no radius
+  EXPECT_EQ(ErrorOfUpdate(source), "0 errors");
+  source->SetPosition(0, Infinite, 0);
+  ExpectRefusal(source, { "No point: Position (", "inf", "finite" });
+  source->SetKind(9);
+  source->SetOrgan(0);
+  EXPECT_EQ(source->GetKind(), 3);
+  EXPECT_EQ(source->GetOrgan(), 1);
+}
+
 TEST(Corrections, OfTheWrongKindAreRefused)
 {
   const auto expect = [](vtkPolyData* points, const std::string& words)
@@ -165,6 +289,12 @@ TEST(Corrections, OfTheWrongKindAreRefused)
   expect(pairs, "has 2 components; it needs one");
 
   const auto filter = MakeFilter();
+  const auto inside = SourceOf(vtkConstraintPointSource::INSIDE, 82, 46.5, 46.5);
+  filter->SetConstraintConnection(inside->GetOutputPort());
+  filter->AddConstraintData(without("Radius"));
+  EXPECT_NE(ErrorOfUpdate(filter).find("the point set 2 on port 2 has no point array 'Radius'"),
+    std::string::npos);
+  filter->RemoveAllConstraintConnections();
   filter->GetDeform()->GuardOff();
   filter->AddInsidePoint(50, 46.5, 46.5);
   EXPECT_NE(ErrorOfUpdate(filter).find("can only be obeyed under the guard"), std::string::npos);

@@ -3,6 +3,7 @@
 #include "BadInput.h"
 
 #include "vtkCompositeDataSet.h"
+#include "vtkConstraintPointSource.h"
 #include "vtkFlipFreeOrganGroup.h"
 #include "vtkFlipFreeSegmentation.h"
 #include "vtkInformation.h"
@@ -12,6 +13,7 @@
 #include "vtkTable.h"
 #include "vtkVariant.h"
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -157,6 +159,61 @@ TEST(OrganGroupFilter, TakesPointsFromItsPort)
       EXPECT_EQ(Eigen::Vector3d(group->GetSurface(organ)->GetPoint(99)), expected);
     }
   }
+}
+
+TEST(OrganGroupFilter, TakesAnyNumberOfPointSources)
+{
+  const auto pair = MakePair();
+  pair->AddOutsidePoint("left", 38, 57, 37);
+  ASSERT_EQ(ErrorOfUpdate(pair), "0 errors");
+  const auto source = [](int kind, int organ, const std::array<double, 3>& place, double radius)
+  {
+    auto made = vtkSmartPointer<vtkConstraintPointSource>::New();
+    made->SetKind(kind);
+    made->SetOrgan(organ);
+    made->SetPosition(place.data());
+    made->SetRadius(radius);
+    return made;
+  };
+  const auto outside = source(vtkConstraintPointSource::OUTSIDE, 1, { 38, 57, 37 }, 10);
+  const auto left = source(vtkConstraintPointSource::SEED, 1, { 38, 37, 37 }, 11);
+  const auto right = source(vtkConstraintPointSource::SEED, 2, { 80, 37, 37 }, 10);
+  const std::vector<vtkConstraintPointSource*> orders[2] = { { outside, left, right },
+    { right, left, outside } };
+  for (const auto& order : orders)
+  {
+    const auto group = MakeGroup();
+    for (vtkConstraintPointSource* point : order)
+    {
+      group->AddConstraintConnection(point->GetOutputPort());
+    }
+    ASSERT_EQ(ErrorOfUpdate(group), "0 errors");
+    for (int organ = 0; organ < 2; ++organ)
+    {
+      const Eigen::Vector3d expected(pair->GetSurface(organ)->GetPoint(99));
+      EXPECT_EQ(Eigen::Vector3d(group->GetSurface(organ)->GetPoint(99)), expected);
+    }
+  }
+  // Names count before numbers, wherever they are connected.
+  vtkNew<vtkStringArray> names;
+  for (const char* name : { "a", "b", "a" })
+  {
+    names->InsertNextValue(name);
+  }
+  const auto group = MakeGroup();
+  right->SetKindToInside();
+  right->SetPosition(90, 37, 37);
+  right->SetOrgan(4);
+  group->AddConstraintConnection(right->GetOutputPort());
+  group->AddConstraintData(Seeds(names));
+  ExpectRefusal(group,
+    { "'Organ' of the point set 1 on port 1 is 4", "at point 0", "without gaps" });
+  right->SetOrgan(2);
+  ASSERT_EQ(ErrorOfUpdate(group), "0 errors");
+  EXPECT_EQ(group->GetTable()->GetNumberOfRows(), 2);
+  EXPECT_EQ(group->GetTable()->GetValueByName(1, "Organ").ToString(), "b");
+  group->RemoveAllConstraintConnections();
+  ExpectRefusal(group, { "there is no organ" });
 }
 
 TEST(OrganGroupFilter, KeepsOffSurfacesAtRest)

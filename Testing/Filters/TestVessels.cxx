@@ -5,6 +5,7 @@
 #include "ProgressWatch.h"
 #include "VesselPhantom.h"
 
+#include "vtkConstraintPointSource.h"
 #include "vtkFlipFreeRefinement.h"
 #include "vtkFlipFreeSegmentation.h"
 #include "vtkFlipFreeVesselSegmentation.h"
@@ -179,6 +180,7 @@ TEST_F(Vessels, PointsCorrectThem)
   this->Filter->AddInsidePoint(beside[0], beside[1], beside[2]);
   vtkNew<vtkPolyData> more;
   vtkNew<vtkPoints> places;
+  places->SetDataTypeToDouble();
   places->InsertNextPoint(within.data());
   more->SetPoints(places);
   vtkNew<vtkUnsignedCharArray> kinds;
@@ -190,7 +192,19 @@ TEST_F(Vessels, PointsCorrectThem)
   EXPECT_EQ(labelAt(beside), 1);
   EXPECT_EQ(this->Filter->GetNumberOfSelfIntersections(), 0);
   EXPECT_EQ(this->Filter->GetNumberOfCorrections(), 1);
+  // The same, from a source for each.
+  const std::vector<double> corrected = PointsOf(this->Filter->GetSurface());
   this->Filter->RemoveAllCorrections();
+  this->Filter->RemoveAllConstraintConnections();
+  vtkNew<vtkConstraintPointSource> inside;
+  inside->SetKindToInside();
+  inside->SetPosition(beside.data());
+  vtkNew<vtkConstraintPointSource> outside;
+  outside->SetPosition(within.data());
+  this->Filter->AddConstraintConnection(outside->GetOutputPort());
+  this->Filter->AddConstraintConnection(inside->GetOutputPort());
+  ASSERT_EQ(ErrorOfUpdate(this->Filter), "0 errors");
+  EXPECT_EQ(PointsOf(this->Filter->GetSurface()), corrected);
   this->Filter->SetConstraintData(nullptr);
   ASSERT_EQ(ErrorOfUpdate(this->Filter), "0 errors");
   EXPECT_EQ(labelAt(beside), 0);

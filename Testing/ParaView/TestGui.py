@@ -1,5 +1,6 @@
-"""A session at ParaView's window: the filter from the quick launch, the seed placed by mouse and key, Apply, and undo.
-Pictures, of failures too, are left in the folder FLIPFREE_GUI_PICTURES, if that is set."""
+"""Sessions at ParaView's window: the filter from the quick launch, the seed placed by mouse and key, Apply, and undo;
+and a point that corrects the result, placed likewise. Pictures, of failures too, are left in the folder
+FLIPFREE_GUI_PICTURES, if that is set."""
 
 import json
 import math
@@ -38,7 +39,8 @@ class Window(unittest.TestCase):
             [PARAVIEW, "--dr", "--script=" + os.path.join(HERE, "gui_setup.py")],
             stdin=subprocess.DEVNULL, stdout=self.log, stderr=subprocess.STDOUT,
             env={**os.environ, "HOME": self.folder, "XDG_RUNTIME_DIR": self.folder,
-                 "FLIPFREE_GUI_EXAMPLE": EXAMPLE, "FLIPFREE_GUI_NOTE": self.note})
+                 "FLIPFREE_GUI_EXAMPLE": EXAMPLE, "FLIPFREE_GUI_NOTE": self.note,
+                 "FLIPFREE_GUI_CORRECTS": str(int("correct" in self._testMethodName))})
         self.addCleanup(self.stop)
         self.wait_for(lambda: [window for window in self.desk.windows() if window[0] > 800], "ParaView's window")
         self.window = self.desk.windows()[0][2]
@@ -79,30 +81,30 @@ class Window(unittest.TestCase):
             self.desk.settle(3)  # the window draws after its note
             self.desk.picture(WIDTH, HEIGHT).save(os.path.join(folder, f"gui-{name}.png"))
 
-    def add_filter(self, letters):
+    def add_filter(self, keys):
         """From the quick launch."""
         self.desk.move(*MIDDLE)
         self.desk.key("space", "Control_L")
         self.wait_for(lambda: len(self.desk.windows()) > 1, "the quick launch")
         self.desk.settle(1)
         self.desk.focus(self.desk.windows()[-1][2])
-        for key in (*letters, "Return"):
+        for key in (*keys, "Return"):
             self.desk.key(key)
         self.wait_for(lambda: len(self.desk.windows()) == 1, "the end of the quick launch")
         self.desk.focus(self.window)
         self.desk.settle(1)
 
-    def is_placed(self):
-        """Presses the key, again should the sphere not have been ready yet, and waits a little."""
+    def is_placed(self, is_there=is_near_seed):
+        """Presses the key, again should the widget not have been ready yet, and waits a little."""
         self.desk.key("p")
         for _ in range(15):
-            if is_near_seed(self.state()["placed"]):
+            if is_there(self.state()["placed"]):
                 return True
             time.sleep(0.3)
         return False
 
     def test_place_apply_undo(self):
-        self.add_filter("flip")
+        self.add_filter(["f", "l", "i", "p", "space", "s", "e", "g"])  # "flip" alone is the organ group first
         self.desk.move(MIDDLE[0] + 1, MIDDLE[1])
         self.wait_for_state(center=[164.25, 126.75, 133.5], points=0)  # the image's middle
         self.wait_for(self.is_placed, "the sphere's place")
@@ -115,6 +117,23 @@ class Window(unittest.TestCase):
 
         self.desk.key("z", "Control_L")
         self.wait_for_state(center=[164.25, 126.75, 133.5], visible=["Axial", "Coronal"])
+
+    def test_correct_by_a_handle(self):
+        self.wait_for_state(point=[10, 10, 10], points=1536, label=0)
+        before = self.state()["mean"]
+        # On the slice, in the liver, to the patient's right of the seed.
+        self.desk.move(MIDDLE[0] - 60, MIDDLE[1] - 8)
+        self.wait_for(lambda: self.is_placed(lambda place: math.dist(place, (60, 83.75, 167)) < 14),
+                      "the point's place")
+        self.keep_picture("point-placed")
+        self.assertEqual(self.state()["point"], [10, 10, 10])  # until it is applied
+
+        self.desk.key("a", "Alt_L")
+        self.wait_for(lambda: self.state()["point"] != [10, 10, 10] and self.state()["mean"] != before, "a correction")
+        self.keep_picture("point-applied")
+        state = self.state()
+        self.assertEqual([state["point"], state["label"], state["intersections"]], [state["placed"], 0, 0], state)
+        self.assertGreater(math.dist(state["mean"], before), 0.3)
 
 
 if __name__ == "__main__":

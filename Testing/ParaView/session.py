@@ -2,6 +2,7 @@
 
 import os
 import shutil
+import sys
 import tempfile
 import unittest
 
@@ -88,4 +89,4 @@ class SessionTest(unittest.TestCase):
 
 
 def main():
-    unittest.main(module="__main__", argv=["test"], verbosity=2)
+    unittest.main(module="__main__", argv=["test", *sys.argv[1:]], verbosity=2)
