@@ -210,6 +210,7 @@ Arrivals MarchFront(const ImageView<float>& speed, const std::vector<std::size_t
     front.Start(front.CellOf(source));
   }
   std::vector<std::pair<std::size_t, std::size_t>> cells; // of the targets
+  cells.reserve(targets.size());
   for (const std::size_t target : targets)
   {
     cells.emplace_back(front.CellOf(target), target);
