@@ -127,7 +127,7 @@ TEST(AgainstBoost, SameCutByShortestPaths)
     CutNetwork network = SmoothNetwork({ { 12, 9, 7 } }, trial % 2 ? 0.01 : 0, random);
     Graph graph = GraphOf(network);
     boost::edmonds_karp_max_flow(graph, network.size(), network.size() + 1);
-    ASSERT_EQ(SourceSide(std::move(network), NeverStop), ReachedOf(graph)) << trial;
+    ASSERT_EQ(SourceSide(std::move(network), SerialFor, NeverStop), ReachedOf(graph)) << trial;
   }
 }
 
@@ -139,7 +139,7 @@ TEST(AgainstBoost, SameCutOnALargeGrid)
   Stopwatch watch;
   boost::boykov_kolmogorov_max_flow(graph, network.size(), network.size() + 1);
   const double theirs = watch.Lap();
-  const std::vector<unsigned char> side = SourceSide(std::move(network), NeverStop);
+  const std::vector<unsigned char> side = SourceSide(std::move(network), SerialFor, NeverStop);
   std::printf("%zu nodes: Boost %.3f s, ours %.3f s\n", side.size(), theirs, watch.Lap());
   EXPECT_EQ(side, ReachedOf(graph));
 }

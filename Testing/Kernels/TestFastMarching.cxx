@@ -5,11 +5,14 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 using namespace FlipFree;
 
 namespace
 {
+
+constexpr float Always = std::numeric_limits<float>::infinity();
 
 FloatImage Uniform(const ImageGeometry& geometry, float speed)
 {
@@ -38,7 +41,7 @@ TEST(FastMarching, TimesAreDistancesOverSpeed)
   const std::size_t source = grid.Offset(20, 15, 10);
   const std::size_t corner = grid.Offset(0, 0, 0);
   const Arrivals arrivals =
-    MarchFront(speed.View(), { source }, {}, grid.NumberOfVoxels(), NeverStop);
+    MarchFront(speed.View(), { source }, {}, grid.NumberOfVoxels(), Always, NeverStop);
   const Eigen::Vector3d center = grid.ToPhysical(Eigen::Vector3d(20, 15, 10));
   ForEachVoxel(grid,
     [&](int i, int j, int k)
@@ -64,12 +67,34 @@ TEST(FastMarching, StopsAtTheFirstTargetAndWhenAsked)
   const std::size_t near = grid.Offset(10, 5, 5);
   const std::size_t far = grid.Offset(70, 50, 40);
   const Arrivals arrivals =
-    MarchFront(speed.View(), { grid.Offset(5, 5, 5) }, { far, near }, 1, NeverStop);
+    MarchFront(speed.View(), { grid.Offset(5, 5, 5) }, { far, near }, 1, Always, NeverStop);
   ASSERT_EQ(arrivals.Reached, std::vector<std::size_t>{ near });
   EXPECT_TRUE(std::isinf(arrivals.Times[far]));
-  const Arrivals stopped =
-    MarchFront(speed.View(), { grid.Offset(5, 5, 5) }, { far }, 1, [](double) { return false; });
+  const Arrivals stopped = MarchFront(speed.View(), { grid.Offset(5, 5, 5) }, { far }, 1, Always,
+    [](double) { return false; });
   EXPECT_TRUE(stopped.Reached.empty());
+}
+
+TEST(FastMarching, StopsAtTheLatestTime)
+{
+  const ImageGeometry grid = Grid({ { 40, 9, 9 } }, { 1, 1, 1 });
+  const FloatImage speed = Uniform(grid, 2);
+  const std::size_t source = grid.Offset(5, 4, 4);
+  const std::size_t target = grid.Offset(25, 4, 4); // after 10
+  EXPECT_TRUE(MarchFront(speed.View(), { source }, { target }, 1, 9.9F, NeverStop).Reached.empty());
+  EXPECT_EQ(MarchFront(speed.View(), { source }, { target }, 1, 10.1F, NeverStop).Reached.size(),
+    1U);
+}
+
+TEST(FastMarching, LeavesASourceInAWall)
+{
+  const ImageGeometry grid = Grid({ { 9, 9, 9 } }, { 1, 1, 1 });
+  FloatImage speed = Uniform(grid, 1);
+  speed.Voxels[grid.Offset(0, 4, 4)] = 0;
+  const Arrivals arrivals = MarchFront(speed.View(), { grid.Offset(0, 4, 4) }, {},
+    grid.NumberOfVoxels(), Always, NeverStop);
+  EXPECT_EQ(arrivals.Times[grid.Offset(0, 4, 4)], 0);
+  EXPECT_NEAR(arrivals.Times[grid.Offset(8, 4, 4)], 8, 1e-5);
 }
 
 TEST(FastMarching, DoesNotEnterWalls)
@@ -84,8 +109,8 @@ TEST(FastMarching, DoesNotEnterWalls)
     }
   }
   const std::size_t beyond = grid.Offset(25, 5, 1);
-  EXPECT_TRUE(
-    MarchFront(speed.View(), { grid.Offset(5, 5, 1) }, { beyond }, 1, NeverStop).Reached.empty());
+  EXPECT_TRUE(MarchFront(speed.View(), { grid.Offset(5, 5, 1) }, { beyond }, 1, Always, NeverStop)
+                .Reached.empty());
   PointList points(2, 3);
   points << 5, 5, 1, 25, 5, 1;
   EXPECT_THROW(JoinPoints(speed.View(), points, 5, NeverStop), std::invalid_argument);

@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
+#include <numeric>
 
 using namespace FlipFree;
 
@@ -93,7 +95,38 @@ TEST(MinimumCut, IsTheCheapestOfAllCuts)
       // Small capacities make many cuts equally cheap.
       CutNetwork network = RandomNetwork(Grid(size, { 1, 1, 1 }), trial % 2 ? 2 : 50, random);
       const std::vector<unsigned char> expected = CheapestOfAll(network);
-      ASSERT_EQ(SourceSide(std::move(network), NeverStop), expected) << trial;
+      ASSERT_EQ(SourceSide(std::move(network), SerialFor, NeverStop), expected) << trial;
+    }
+  }
+}
+
+// Enough nodes for several parts, which are others where the nodes come in another order.
+TEST(MinimumCut, IsTheSameWhateverTheParts)
+{
+  std::mt19937 random(7);
+  for (const int greatest : { 2, 50 })
+  {
+    CutNetwork network = RandomNetwork(Grid({ { 52, 50, 54 } }, { 1, 1, 1 }), greatest, random);
+    std::vector<std::int32_t> place(network.size());
+    std::iota(place.begin(), place.end(), 0);
+    std::shuffle(place.begin(), place.end(), random);
+    CutNetwork shuffled(network.size());
+    for (std::size_t node = 0; node < network.size(); ++node)
+    {
+      shuffled[place[node]] = network[node];
+      for (std::int32_t& neighbor : shuffled[place[node]].Neighbors)
+      {
+        neighbor = neighbor < 0 ? neighbor : place[neighbor];
+      }
+    }
+    const std::vector<unsigned char> side = SourceSide(std::move(network), SerialFor, NeverStop);
+    const std::vector<unsigned char> other = SourceSide(std::move(shuffled), SerialFor, NeverStop);
+    const auto count = static_cast<std::size_t>(std::count(side.begin(), side.end(), 1));
+    EXPECT_GT(count, side.size() / 10);
+    EXPECT_LT(count, side.size() - side.size() / 10);
+    for (std::size_t node = 0; node < side.size(); ++node)
+    {
+      ASSERT_EQ(side[node], other[place[node]]) << node;
     }
   }
 }
@@ -109,15 +142,15 @@ TEST(MinimumCut, WithoutSourceOrSink)
     {
       node.Terminal = terminal;
     }
-    EXPECT_EQ(SourceSide(std::move(copy), NeverStop),
+    EXPECT_EQ(SourceSide(std::move(copy), SerialFor, NeverStop),
       std::vector<unsigned char>(network.size(), terminal > 0 ? 1 : 0));
   }
-  EXPECT_TRUE(SourceSide({}, NeverStop).empty());
+  EXPECT_TRUE(SourceSide({}, SerialFor, NeverStop).empty());
 }
 
 TEST(MinimumCut, Stops)
 {
   std::mt19937 random(5);
   CutNetwork network = RandomNetwork(Grid({ { 4, 3, 2 } }, { 1, 1, 1 }), 9, random);
-  EXPECT_TRUE(SourceSide(std::move(network), [](double) { return false; }).empty());
+  EXPECT_TRUE(SourceSide(std::move(network), SerialFor, [](double) { return false; }).empty());
 }

@@ -154,6 +154,7 @@ bool JointDeformation::Refine(const Monitor& proceed)
   }
   else
   {
+    refined.Guard.reset(); // its faces come in another order
     Eigen::Index first = 0;
     for (const DeformingOrgan* organ : this->Organs)
     {
@@ -179,19 +180,25 @@ bool JointDeformation::Refine(const Monitor& proceed)
   {
     this->Organs[organ]->Replace(std::move(parts[organ].Mesh), std::move(parts[organ].Points));
   }
+  this->Guard = std::move(refined.Guard);
   return true;
+}
+
+// Unless the refinement has left one.
+void JointDeformation::MakeGuard()
+{
+  if (this->HasGuard() && !this->Guard)
+  {
+    ContourMesh mesh = this->Mesh;
+    AppendMesh(this->Fixed.Mesh, mesh);
+    this->Guard = std::make_unique<EmbeddingGuard>(mesh, this->Parallel);
+  }
 }
 
 bool JointDeformation::IterateLevel(int level, const Monitor& monitor)
 {
   this->Unite();
-  std::unique_ptr<EmbeddingGuard> guard;
-  if (this->HasGuard())
-  {
-    ContourMesh mesh = this->Mesh;
-    AppendMesh(this->Fixed.Mesh, mesh);
-    guard = std::make_unique<EmbeddingGuard>(mesh);
-  }
+  this->MakeGuard();
   for (DeformingOrgan* organ : this->Organs)
   {
     organ->BeginLevel(level);
@@ -210,15 +217,15 @@ bool JointDeformation::IterateLevel(int level, const Monitor& monitor)
     {
       return false;
     }
-    if (guard)
+    if (this->Guard)
     {
       for (DeformingOrgan* organ : this->Organs)
       {
         organ->UpdateObstacles();
       }
-      this->UniteObstacles(*guard);
+      this->UniteObstacles(*this->Guard);
     }
-    this->IterateOnce(guard.get(), proceed);
+    this->IterateOnce(proceed);
     if (stopped)
     {
       return false;
@@ -239,7 +246,7 @@ bool JointDeformation::IterateLevel(int level, const Monitor& monitor)
   return true;
 }
 
-void JointDeformation::IterateOnce(const EmbeddingGuard* guard, const Monitor& proceed)
+void JointDeformation::IterateOnce(const Monitor& proceed)
 {
   PointList points(0, 3);
   PointList motion(0, 3);
@@ -251,11 +258,11 @@ void JointDeformation::IterateOnce(const EmbeddingGuard* guard, const Monitor& p
   GuardReport limited;
   Stopwatch watch;
   double seconds = 0;
-  if (guard != nullptr)
+  if (this->Guard)
   {
     AppendPoints(PointList::Zero(this->Fixed.Points.rows(), 3), motion);
     AppendPoints(this->Fixed.Points, points);
-    limited = guard->Limit(points, motion, this->Parallel, proceed);
+    limited = this->Guard->Limit(points, motion, this->Parallel, proceed);
     seconds = watch.Lap() / static_cast<double>(this->Organs.size());
   }
   else
@@ -284,16 +291,13 @@ bool JointDeformation::FinishConstraints(const Monitor& monitor)
     return true;
   }
   this->Unite();
-  ContourMesh mesh = this->Mesh;
-  AppendMesh(this->Fixed.Mesh, mesh);
-  EmbeddingGuard guard(mesh);
   for (std::size_t pulled = 0; pulled < this->Organs.size(); ++pulled)
   {
     const VertexRange& part = this->Parts[pulled];
     const GuardedStep step = [&](const PointList& obstacles, const PointList& from,
                                PointList& motion) -> PointList
     {
-      guard.SetObstacles(obstacles, std::vector<VertexRange>(obstacles.rows(), part));
+      this->Guard->SetObstacles(obstacles, std::vector<VertexRange>(obstacles.rows(), part));
       PointList points(0, 3);
       for (const DeformingOrgan* organ : this->Organs)
       {
@@ -303,7 +307,7 @@ bool JointDeformation::FinishConstraints(const Monitor& monitor)
       points.middleRows(part.Begin, from.rows()) = from;
       PointList motions = PointList::Zero(points.rows(), 3);
       motions.middleRows(part.Begin, from.rows()) = motion;
-      const GuardReport limited = guard.Limit(points, motions, this->Parallel, monitor);
+      const GuardReport limited = this->Guard->Limit(points, motions, this->Parallel, monitor);
       return this->PartOf(limited.Positions, pulled);
     };
     if (!this->Organs[pulled]->FinishConstraints(step, monitor))

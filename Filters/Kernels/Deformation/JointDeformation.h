@@ -37,7 +37,8 @@ private:
   bool Refit(const Monitor& proceed);
   bool Refine(const Monitor& proceed);
   bool IterateLevel(int level, const Monitor& monitor);
-  void IterateOnce(const EmbeddingGuard* guard, const Monitor& proceed);
+  void IterateOnce(const Monitor& proceed);
+  void MakeGuard();
   bool FinishConstraints(const Monitor& monitor);
 
   const std::vector<DeformingOrgan*> Organs;
@@ -46,8 +47,9 @@ private:
   const ParallelFor& Parallel;
   const int Levels;
 
-  ContourMesh Mesh;               // of the union, the fixed surface last
-  std::vector<VertexRange> Parts; // of the organs
+  ContourMesh Mesh;                      // of the union, the fixed surface last
+  std::vector<VertexRange> Parts;        // of the organs
+  std::unique_ptr<EmbeddingGuard> Guard; // of the level's surfaces
 };
 
 } // namespace FlipFree

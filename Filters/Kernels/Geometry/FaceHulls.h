@@ -41,6 +41,9 @@ namespace FlipFree
 class FaceHulls
 {
 public:
+  /// Of no faces.
+  FaceHulls() = default;
+
   /// The tree over the faces is built with `layout`, as TriangleTree says. The faces must have
   /// valid indices and three corners or more.
   FaceHulls(const PointList& layout, const FaceList& faces);
@@ -83,7 +86,7 @@ public:
 private:
   using HullList = Eigen::Matrix<int, Eigen::Dynamic, 4, Eigen::RowMajor>;
 
-  int NumberOfPoints;
+  int NumberOfPoints = 0;
   FaceList Polygons;
   HullList Hulls;
   std::vector<int> Faces;

@@ -16,17 +16,34 @@ struct ChangeFlag
 
 } // namespace
 
-CandidatePairs::CandidatePairs(int numberOfPoints, const FaceList& faces)
-  : CandidatePairs(TriangleTree::TopologicalLayout(numberOfPoints, faces), faces)
+// The two kinds of pairs do not need each other: a thread for each.
+CandidatePairs::CandidatePairs(int numberOfPoints, const FaceList& faces,
+  const ParallelFor& parallelFor)
 {
+  parallelFor(0, 2,
+    [&](std::ptrdiff_t first, std::ptrdiff_t last)
+    {
+      if (first == 0)
+      {
+        this->ListDisjoint(TriangleTree::TopologicalLayout(numberOfPoints, faces), faces);
+      }
+      if (last == 2)
+      {
+        this->ListAdjacent(numberOfPoints, faces);
+      }
+    });
 }
 
-CandidatePairs::CandidatePairs(const PointList& layout, const FaceList& faces)
-  : HullsOfFaces(layout, faces)
+void CandidatePairs::ListAdjacent(int numberOfPoints, const FaceList& faces)
 {
-  this->Overlapping = this->HullsOfFaces.VisitAdjacentPairs(false,
+  this->Overlapping = VisitAdjacentParts(FaceParts(faces), numberOfPoints, false,
     [this](const std::vector<HullPair>& pairs)
     { this->Adjacent.insert(this->Adjacent.end(), pairs.begin(), pairs.end()); });
+}
+
+void CandidatePairs::ListDisjoint(const PointList& layout, const FaceList& faces)
+{
+  this->HullsOfFaces = FaceHulls(layout, faces);
   const auto pairs = this->HullsOfFaces.DisjointPairs(layout);
   this->FirstPartner.assign(this->HullsOfFaces.Tree().NumberOfNodes() + 1, 0);
   for (const auto& pair : pairs)

@@ -19,7 +19,8 @@ namespace FlipFree
 class CandidatePairs
 {
 public:
-  CandidatePairs(int numberOfPoints, const FaceList& faces);
+  CandidatePairs(int numberOfPoints, const FaceList& faces,
+    const ParallelFor& parallelFor = SerialFor);
 
   const FaceHulls& Hulls() const { return this->HullsOfFaces; }
 
@@ -38,7 +39,8 @@ public:
     const ParallelFor& parallelFor) const;
 
 private:
-  CandidatePairs(const PointList& layout, const FaceList& faces);
+  void ListDisjoint(const PointList& layout, const FaceList& faces);
+  void ListAdjacent(int numberOfPoints, const FaceList& faces);
 
   FaceHulls HullsOfFaces;
   std::vector<HullPair> Adjacent;

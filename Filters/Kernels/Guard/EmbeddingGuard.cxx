@@ -193,10 +193,10 @@ private:
   std::vector<MotionBox> Boxes;
 };
 
-EmbeddingGuard::EmbeddingGuard(const ContourMesh& mesh)
+EmbeddingGuard::EmbeddingGuard(const ContourMesh& mesh, const ParallelFor& parallelFor)
   : Faces(mesh.Faces)
   , Neighbors(mesh.Neighbors)
-  , Candidates(mesh.NumberOfPoints(), mesh.Faces)
+  , Candidates(mesh.NumberOfPoints(), mesh.Faces, parallelFor)
 {
   const auto& overlapping = this->Candidates.OverlappingFaces();
   if (!overlapping.empty())

@@ -41,7 +41,7 @@ class EmbeddingGuard
 {
 public:
   /// Precomputes everything that depends only on the connectivity.
-  explicit EmbeddingGuard(const ContourMesh& mesh);
+  explicit EmbeddingGuard(const ContourMesh& mesh, const ParallelFor& parallelFor = SerialFor);
 
   /// Fixed points, one row each (mm), that the surface must not pass: each stays on its side, and
   /// keeps the distance that faces without a common vertex keep (ObstacleTest.h). None at first. A
@@ -74,6 +74,8 @@ public:
 
   /// Of the mesh's faces.
   const FaceHulls& Hulls() const { return this->Candidates.Hulls(); }
+  /// AdjacentPairs() of the hulls.
+  const std::vector<HullPair>& AdjacentPairs() const { return this->Candidates.AdjacentPairs(); }
 
 private:
   void RequireFinite(const PointList& points, const char* what, double maximum) const;

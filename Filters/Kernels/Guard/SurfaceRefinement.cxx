@@ -49,18 +49,13 @@ void RelaxOnce(const ContourMesh& mesh, const PointList& fixed, const EmbeddingG
   points = guard.Limit(all, motion, parallelFor, monitor).Positions.topRows(points.rows());
 }
 
-FaceList FacesWith(const FaceList& faces, int numberOfPoints, const FaceList& fixed)
+// Of a surface and, after it, the fixed one.
+std::unique_ptr<EmbeddingGuard> MakeGuard(const ContourMesh& mesh, const ContourMesh& fixed,
+  const ParallelFor& parallelFor)
 {
-  FaceList all = faces;
-  for (int face = 0; face < fixed.NumberOfFaces(); ++face)
-  {
-    for (int corner = 0; corner < fixed.FaceSize(face); ++corner)
-    {
-      all.Connectivity.push_back(numberOfPoints + fixed.Face(face)[corner]);
-    }
-    all.Offsets.push_back(static_cast<int>(all.Connectivity.size()));
-  }
-  return all;
+  ContourMesh all = mesh;
+  AppendMesh(fixed, all);
+  return std::make_unique<EmbeddingGuard>(all, parallelFor);
 }
 
 // The refined surface wherever its old vertices are.
@@ -68,7 +63,7 @@ class EmbeddedRefinement
 {
 public:
   EmbeddedRefinement(const ContourMesh& mesh, const PointList& points, const RefinedMesh& refined,
-    const TriangleList& triangles, const PointList& obstacles, const ContourMesh& fixedMesh,
+    const TriangleList& triangles, const EmbeddingGuard& guard, const PointList& obstacles,
     const PointList& fixedPoints, double edgeLength, double gap)
     : Mesh(mesh)
     , Parents(refined.Parents)
@@ -76,10 +71,8 @@ public:
     , Fixed(fixedPoints)
     , EdgeLength(edgeLength)
     , Gap(gap)
-    , Hulls(this->WithFixed(RefinePoints(mesh, points, 1)),
-        FacesWith(refined.Faces, static_cast<int>(refined.Parents.size()), fixedMesh.Faces))
-    , Adjacent(this->Hulls.AdjacentPairs())
-    , NearPairs(gap, this->Hulls, this->Adjacent)
+    , Hulls(guard.Hulls())
+    , NearPairs(gap, guard.Hulls(), guard.AdjacentPairs())
     , Quads(ListQuads(refined.Faces))
     , Obstacles(obstacles)
   {
@@ -185,8 +178,7 @@ private:
   const PointList& Fixed;
   const double EdgeLength;
   const double Gap;
-  const FaceHulls Hulls;
-  const std::vector<HullPair> Adjacent;
+  const FaceHulls& Hulls;
   NearPairSearch NearPairs;
   const std::vector<Hull> Quads;
   const PointList& Obstacles;
@@ -242,12 +234,10 @@ RefinedSurface RefineSurface(const ContourMesh& mesh, const PointList& points,
   {
     return refined; // rounding errors are as large as the surface's features
   }
-  ContourMesh all = mesh;
-  AppendMesh(fixedMesh, all);
-  EmbeddingGuard guard(all);
-  guard.SetObstacles(obstacles);
-  EmbeddedRefinement refinement(mesh, points, faces, refined.Mesh.Triangles, obstacles, fixedMesh,
-    fixedPoints, edgeLength, gap);
+  refined.Guard = MakeGuard(refined.Mesh, fixedMesh, parallelFor);
+  EmbeddedRefinement refinement(mesh, points, faces, refined.Mesh.Triangles, *refined.Guard,
+    obstacles, fixedPoints, edgeLength, gap);
+  std::unique_ptr<EmbeddingGuard> guard; // of the coarse surface, which seldom needs to move
   PointList coarse = points;
   std::set<int> involved;
   // Asked at each attempt, of which some are made before and after each relaxation.
@@ -259,8 +249,13 @@ RefinedSurface RefineSurface(const ContourMesh& mesh, const PointList& points,
     {
       return refined;
     }
+    if (!guard)
+    {
+      guard = MakeGuard(mesh, fixedMesh, parallelFor);
+      guard->SetObstacles(obstacles);
+    }
     AddRings(mesh, refined.Relaxations, involved);
-    RelaxOnce(mesh, fixedPoints, guard, involved, parallelFor, monitor, coarse);
+    RelaxOnce(mesh, fixedPoints, *guard, involved, parallelFor, monitor, coarse);
     ++refined.Relaxations;
   }
   refined.Embedded = true;

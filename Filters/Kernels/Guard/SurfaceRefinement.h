@@ -5,7 +5,9 @@
 #ifndef FlipFreeSurfaceRefinement_h
 #define FlipFreeSurfaceRefinement_h
 
-#include "Mesh/ContourMesh.h"
+#include "Guard/EmbeddingGuard.h"
+
+#include <memory>
 
 namespace FlipFree
 {
@@ -16,6 +18,9 @@ struct RefinedSurface
   PointList Points;
   int Relaxations = 0; ///< guarded smoothing steps that the coarse surface needed first
   bool Embedded = false;
+  /// Of the refined surface and those at rest, if it was checked: the check needs most of it, and
+  /// the refined surface will be moved.
+  std::unique_ptr<EmbeddingGuard> Guard;
 };
 
 /// Refines a surface into one of four times as many vertices (MeshRefinement.h). Where the refined

@@ -9,6 +9,10 @@ namespace FlipFree
 namespace
 {
 
+// Parts of fewer nodes are not worth a thread.
+constexpr std::size_t NodesOfPart = 1U << 15U;
+constexpr std::size_t MaximumParts = 4;
+
 // Some milliseconds.
 constexpr std::size_t StepsBetweenQuestions = 1U << 16U;
 
@@ -29,13 +33,20 @@ int Opposite(int way)
   return way ^ 1;
 }
 
+// Of some consecutive nodes, as if no others were there.
 class TwoTrees
 {
 public:
-  explicit TwoTrees(CutNetwork&& network)
-    : Nodes(std::move(network))
+  TwoTrees(CutNetwork& network, std::size_t begin, std::size_t end)
+    : Nodes(network)
+    , Begin(static_cast<int>(begin))
+    , End(static_cast<int>(end))
   {
-    for (int node = 0; node < static_cast<int>(this->Nodes.size()); ++node)
+  }
+
+  void Plant()
+  {
+    for (int node = this->Begin; node < this->End; ++node)
     {
       CutNode& own = this->Nodes[node];
       own.Parent = None;
@@ -45,6 +56,25 @@ public:
         own.Parent = Terminal;
         own.Distance = 1;
         this->Activate(node);
+      }
+    }
+  }
+
+  // The trees of parts go on as the trees of the whole, from the nodes where the parts meet.
+  void Join(const std::vector<TwoTrees>& parts)
+  {
+    for (const TwoTrees& part : parts)
+    {
+      this->Time = std::max(this->Time, part.Time + 1);
+      for (int node = part.Begin; node < part.End; ++node)
+      {
+        const CutNode& own = this->Nodes[node];
+        if (own.Tree != Free &&
+          std::any_of(own.Neighbors.begin(), own.Neighbors.end(),
+            [&](int to) { return this->Holds(to) && !part.Holds(to); }))
+        {
+          this->Activate(node);
+        }
       }
     }
   }
@@ -86,15 +116,9 @@ public:
     }
   }
 
-  std::vector<unsigned char> GetSourceSide() const
-  {
-    std::vector<unsigned char> side(this->Nodes.size());
-    std::transform(this->Nodes.begin(), this->Nodes.end(), side.begin(),
-      [](const CutNode& node) { return static_cast<unsigned char>(node.Tree == Source); });
-    return side;
-  }
-
 private:
+  bool Holds(int node) const { return node >= this->Begin && node < this->End; }
+
   void Activate(int node)
   {
     if (!this->Nodes[node].IsActive)
@@ -131,7 +155,7 @@ private:
     for (int way = 0; way < 6; ++way)
     {
       const int to = own.Neighbors[way];
-      if (to < 0)
+      if (!this->Holds(to))
       {
         continue;
       }
@@ -289,7 +313,7 @@ private:
     for (int way = 0; way < 6; ++way)
     {
       const int neighbor = own.Neighbors[way];
-      if (neighbor < 0 || this->Nodes[neighbor].Tree != own.Tree ||
+      if (!this->Holds(neighbor) || this->Nodes[neighbor].Tree != own.Tree ||
         IsSaturated(own, way, this->Nodes[neighbor]))
       {
         continue;
@@ -314,7 +338,7 @@ private:
     for (int way = 0; way < 6; ++way)
     {
       const int neighbor = own.Neighbors[way];
-      if (neighbor < 0 || this->Nodes[neighbor].Tree != own.Tree)
+      if (!this->Holds(neighbor) || this->Nodes[neighbor].Tree != own.Tree)
       {
         continue;
       }
@@ -331,7 +355,9 @@ private:
     own.Parent = None;
   }
 
-  CutNetwork Nodes;
+  CutNetwork& Nodes;
+  int Begin;
+  int End;
   std::vector<int> Active;
   std::size_t FirstActive = 0;
   std::vector<int> Orphans;
@@ -340,10 +366,43 @@ private:
 
 } // namespace
 
-std::vector<unsigned char> SourceSide(CutNetwork&& network, const Monitor& monitor)
+// Most of the flow ends near where it begins. So parts are cut first, each for itself, and what is
+// left to the whole is what flows between them (J. Liu, J. Sun: Parallel graph-cuts by adaptive
+// bottom-up merging, 2010). The cut nearest to the source is the same, whatever the parts.
+std::vector<unsigned char> SourceSide(CutNetwork&& network, const ParallelFor& parallelFor,
+  const Monitor& monitor)
 {
-  TwoTrees trees(std::move(network));
-  return trees.Execute(monitor) ? trees.GetSourceSide() : std::vector<unsigned char>();
+  if (!monitor(0))
+  {
+    return {};
+  }
+  CutNetwork nodes = std::move(network);
+  const std::size_t size = nodes.size();
+  const std::size_t count = std::max<std::size_t>(1, std::min(MaximumParts, size / NodesOfPart));
+  std::vector<TwoTrees> parts;
+  for (std::size_t part = 0; part < count; ++part)
+  {
+    parts.emplace_back(nodes, size * part / count, size * (part + 1) / count);
+  }
+  parallelFor(0, static_cast<std::ptrdiff_t>(count),
+    [&](std::ptrdiff_t first, std::ptrdiff_t last)
+    {
+      for (std::ptrdiff_t part = first; part < last; ++part)
+      {
+        parts[part].Plant();
+        parts[part].Execute(NeverStop); // the monitor belongs to one thread
+      }
+    });
+  TwoTrees whole(nodes, 0, size);
+  whole.Join(parts);
+  if (!whole.Execute(monitor))
+  {
+    return {};
+  }
+  std::vector<unsigned char> side(size);
+  std::transform(nodes.begin(), nodes.end(), side.begin(),
+    [](const CutNode& node) { return static_cast<unsigned char>(node.Tree == Source); });
+  return side;
 }
 
 } // namespace FlipFree

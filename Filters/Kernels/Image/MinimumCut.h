@@ -43,7 +43,8 @@ using CutNetwork = std::vector<CutNode>;
 
 /// For each node, 1 if it is on the source's side: of all minimum cuts, the one nearest to the
 /// source. Uses up the network. Empty if the monitor, asked now and then, stopped it.
-std::vector<unsigned char> SourceSide(CutNetwork&& network, const Monitor& monitor);
+std::vector<unsigned char> SourceSide(CutNetwork&& network, const ParallelFor& parallelFor,
+  const Monitor& monitor);
 
 } // namespace FlipFree
 

@@ -75,7 +75,8 @@ public:
     {
       return false;
     }
-    const std::vector<unsigned char> switched = SourceSide(this->MakeNetwork(), monitor);
+    const std::vector<unsigned char> switched =
+      SourceSide(this->MakeNetwork(), this->Parallel, monitor);
     if (switched.empty())
     {
       return false;

@@ -69,7 +69,8 @@ public:
     {
       return false;
     }
-    const std::vector<unsigned char> kept = SourceSide(this->MakeNetwork(), this->Ask);
+    const std::vector<unsigned char> kept =
+      SourceSide(this->MakeNetwork(), this->Parallel, this->Ask);
     if (kept.empty())
     {
       return false;

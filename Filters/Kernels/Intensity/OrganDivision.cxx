@@ -75,7 +75,8 @@ public:
     this->Nodes.assign(common.GetGeometry().NumberOfVoxels(), CutNode::NoNeighbor);
     int nodes = 0;
     common.ForEach([&](std::size_t voxel) { this->Nodes[voxel] = nodes++; });
-    const std::vector<unsigned char> isFirst = SourceSide(this->MakeNetwork(), monitor);
+    const std::vector<unsigned char> isFirst =
+      SourceSide(this->MakeNetwork(), this->Parallel, monitor);
     if (isFirst.empty())
     {
       return false;

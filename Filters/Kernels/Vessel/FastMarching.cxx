@@ -3,7 +3,11 @@
 #include "Image/VoxelOffsets.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <functional>
 #include <limits>
 #include <queue>
 #include <utility>
@@ -16,97 +20,158 @@ namespace
 constexpr float Never = std::numeric_limits<float>::infinity();
 constexpr std::size_t VoxelsBetweenQuestions = 1 << 16;
 
+// A voxel's speed and time side by side, since they are read together, and around the image a layer
+// of voxels that cannot be entered, so that no voxel needs to know where it is.
 class Front
 {
 public:
-  Front(const ImageView<float>& speed, std::vector<float>& times)
-    : Speed(speed)
-    , Times(times)
-    , Final(times.size(), 0)
-    , Strides(StepsOf(speed.Geometry))
+  explicit Front(const ImageView<float>& speed)
+    : Size(speed.Geometry.Dimensions)
+    , Row(this->Size[0] + 2)
+    , Slice(this->Row * (this->Size[1] + 2))
+    , Cells(this->Slice * (this->Size[2] + 2))
   {
+    const Eigen::Vector3d& spacing = speed.Geometry.Spacing;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      this->Weights[axis] = 1 / (spacing[axis] * spacing[axis]);
+    }
+    this->ForEachRow(
+      [&](std::size_t voxel, std::size_t cell)
+      {
+        for (int i = 0; i < this->Size[0]; ++i)
+        {
+          this->Cells[cell + i].Speed = speed.Data[voxel + i];
+        }
+      });
   }
 
-  void Start(std::size_t voxel)
+  std::size_t CellOf(std::size_t voxel) const
   {
-    this->Times[voxel] = 0;
-    this->Trial.emplace(0.0F, voxel);
+    const std::size_t row = this->Size[0];
+    const std::size_t rows = this->Size[1];
+    return voxel % row + 1 + this->Row * (voxel / row % rows + 1) +
+      this->Slice * (voxel / row / rows + 1);
+  }
+
+  void Start(std::size_t cell)
+  {
+    this->Cells[cell].Speed = 1; // it may be a wall
+    this->Arrive(0, cell);
   }
 
   bool IsEmpty() const { return this->Trial.empty(); }
 
-  /// Makes the earliest trial voxel final; false if it was already.
-  bool Accept(std::size_t& voxel)
+  float EarliestTime() const
   {
-    voxel = this->Trial.top().second;
+    const auto bits = static_cast<std::uint32_t>(this->Trial.top() >> 32U);
+    float time = 0;
+    std::memcpy(&time, &bits, sizeof(time));
+    return time;
+  }
+
+  /// Makes the earliest trial cell final; false if it was already.
+  bool Accept(std::size_t& cell)
+  {
+    cell = this->Trial.top() & 0xFFFFFFFFU;
     this->Trial.pop();
-    if (this->Final[voxel])
+    if (!(this->Cells[cell].Speed > 0))
     {
       return false;
     }
-    this->Final[voxel] = 1;
+    this->Cells[cell].Speed = 0;
     return true;
   }
 
-  void UpdateNeighbors(std::size_t voxel)
+  void UpdateNeighbors(std::size_t cell)
   {
-    const std::array<int, 3> place = IndexOf(voxel, this->Speed.Geometry);
-    for (int axis = 0; axis < 3; ++axis)
+    for (const std::size_t step : { std::size_t(1), this->Row, this->Slice })
     {
-      for (const int side : { -1, 1 })
+      this->Update(cell - step);
+      this->Update(cell + step);
+    }
+  }
+
+  std::vector<float> TakeTimes()
+  {
+    std::vector<float> times(
+      static_cast<std::size_t>(this->Size[0]) * this->Size[1] * this->Size[2]);
+    this->ForEachRow(
+      [&](std::size_t voxel, std::size_t cell)
       {
-        std::array<int, 3> neighbor = place;
-        neighbor[axis] += side;
-        if (neighbor[axis] >= 0 && neighbor[axis] < this->Speed.Geometry.Dimensions[axis])
+        for (int i = 0; i < this->Size[0]; ++i)
         {
-          this->Update(voxel + side * this->Strides[axis], neighbor);
+          times[voxel + i] = this->Cells[cell + i].Time;
         }
+      });
+    return times;
+  }
+
+private:
+  struct Cell
+  {
+    float Speed = 0; // not positive: a wall, or its time is final
+    float Time = Never;
+  };
+
+  // Calls visit(first voxel, its cell).
+  template <typename Visit>
+  void ForEachRow(const Visit& visit) const
+  {
+    std::size_t voxel = 0;
+    for (int k = 0; k < this->Size[2]; ++k)
+    {
+      for (int j = 0; j < this->Size[1]; ++j)
+      {
+        visit(voxel, 1 + this->Row * (j + 1) + this->Slice * (k + 1));
+        voxel += this->Size[0];
       }
     }
   }
 
-private:
-  void Update(std::size_t voxel, const std::array<int, 3>& place)
+  // Times are not negative, so that they are ordered as their bits; equal ones by the place.
+  void Arrive(float time, std::size_t cell)
   {
-    const double speed = this->Speed.Data[voxel];
-    if (this->Final[voxel] || !(speed > 0))
+    this->Cells[cell].Time = time;
+    std::uint32_t bits = 0;
+    std::memcpy(&bits, &time, sizeof(bits));
+    this->Trial.push(std::uint64_t(bits) << 32U | cell);
+  }
+
+  void Update(std::size_t cell)
+  {
+    const double speed = this->Cells[cell].Speed;
+    if (!(speed > 0))
     {
       return;
     }
-    const auto time = static_cast<float>(this->Solve(voxel, place, 1 / speed));
-    if (time < this->Times[voxel])
+    const auto time = static_cast<float>(this->Solve(cell, 1 / speed));
+    if (time < this->Cells[cell].Time)
     {
-      this->Times[voxel] = time;
-      this->Trial.emplace(time, voxel);
+      this->Arrive(time, cell);
     }
   }
 
   // The quadratic of the axes whose earlier neighbors come before the solution.
-  double Solve(std::size_t voxel, const std::array<int, 3>& place, double slowness) const
+  double Solve(std::size_t cell, double slowness) const
   {
-    Eigen::Array3d before;
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      const double back = place[axis] > 0 ? this->FinalTime(voxel - this->Strides[axis]) : Never;
-      const bool isLast = place[axis] + 1 == this->Speed.Geometry.Dimensions[axis];
-      const double ahead = isLast ? Never : this->FinalTime(voxel + this->Strides[axis]);
-      before[axis] = std::min(back, ahead);
-    }
+    std::array<double, 3> before{ { this->FinalTimeBeside(cell, 1),
+      this->FinalTimeBeside(cell, this->Row), this->FinalTimeBeside(cell, this->Slice) } };
     double a = 0;
     double b = 0;
     double c = -slowness * slowness;
     double time = Never;
     for (int count = 0; count < 3; ++count)
     {
-      Eigen::Index axis = 0;
-      const double earliest = before.minCoeff(&axis);
+      int axis = before[1] < before[0] ? 1 : 0;
+      axis = before[2] < before[axis] ? 2 : axis;
+      const double earliest = before[axis];
       if (!(earliest < time))
       {
         break;
       }
       before[axis] = Never;
-      const double spacing = this->Speed.Geometry.Spacing[axis];
-      const double weight = 1 / (spacing * spacing);
+      const double weight = this->Weights[axis];
       a += weight;
       b += weight * earliest;
       c += weight * earliest * earliest;
@@ -115,58 +180,67 @@ private:
     return time;
   }
 
-  double FinalTime(std::size_t voxel) const
+  // The earlier one of the two neighbors along an axis.
+  float FinalTimeBeside(std::size_t cell, std::size_t step) const
   {
-    return this->Final[voxel] ? this->Times[voxel] : Never;
+    return std::min(this->FinalTime(cell - step), this->FinalTime(cell + step));
   }
 
-  // Equal times by the voxel's place.
-  using Entry = std::pair<float, std::size_t>;
+  float FinalTime(std::size_t cell) const
+  {
+    return this->Cells[cell].Speed > 0 ? Never : this->Cells[cell].Time;
+  }
 
-  const ImageView<float>& Speed;
-  std::vector<float>& Times;
-  std::vector<char> Final;
-  std::array<std::ptrdiff_t, 3> Strides;
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> Trial;
+  const std::array<int, 3> Size;
+  const std::size_t Row;
+  const std::size_t Slice;
+  std::vector<Cell> Cells;
+  std::array<double, 3> Weights{};
+  std::priority_queue<std::uint64_t, std::vector<std::uint64_t>, std::greater<>> Trial;
 };
 
 } // namespace
 
 Arrivals MarchFront(const ImageView<float>& speed, const std::vector<std::size_t>& sources,
-  const std::vector<std::size_t>& targets, std::size_t count, const Monitor& monitor)
+  const std::vector<std::size_t>& targets, std::size_t count, float latest, const Monitor& monitor)
 {
-  Arrivals arrivals;
-  arrivals.Times.assign(speed.Geometry.NumberOfVoxels(), Never);
-  std::vector<char> isTarget(arrivals.Times.size(), 0);
-  for (const std::size_t target : targets)
-  {
-    isTarget[target] = 1;
-  }
-  Front front(speed, arrivals.Times);
+  Front front(speed);
   for (const std::size_t source : sources)
   {
-    front.Start(source);
+    front.Start(front.CellOf(source));
   }
-  std::size_t accepted = 0;
-  while (!front.IsEmpty() && arrivals.Reached.size() < count)
+  std::vector<std::pair<std::size_t, std::size_t>> cells; // of the targets
+  cells.reserve(targets.size());
+  for (const std::size_t target : targets)
   {
-    std::size_t voxel = 0;
-    if (!front.Accept(voxel))
+    cells.emplace_back(front.CellOf(target), target);
+  }
+  std::sort(cells.begin(), cells.end());
+  Arrivals arrivals;
+  std::size_t accepted = 0;
+  while (!front.IsEmpty() && arrivals.Reached.size() < count && front.EarliestTime() < latest)
+  {
+    std::size_t cell = 0;
+    if (!front.Accept(cell))
     {
       continue;
     }
     if (++accepted % VoxelsBetweenQuestions == 0 &&
-      !monitor(static_cast<double>(accepted) / static_cast<double>(arrivals.Times.size())))
+      !monitor(
+        static_cast<double>(accepted) / static_cast<double>(speed.Geometry.NumberOfVoxels())))
     {
       arrivals.Reached.clear();
-      return arrivals;
+      break;
     }
-    if (isTarget[voxel])
+    const auto target =
+      std::lower_bound(cells.begin(), cells.end(), std::pair(cell, std::size_t(0)));
+    if (target != cells.end() && target->first == cell)
     {
-      arrivals.Reached.push_back(voxel);
+      arrivals.Reached.push_back(target->second);
     }
-    front.UpdateNeighbors(voxel);
+    front.UpdateNeighbors(cell);
   }
+  arrivals.Times = front.TakeTimes();
   return arrivals;
 }
 

@@ -22,10 +22,10 @@ struct Arrivals
 };
 
 /// Solves |grad T| = 1 / speed by upwind differences of the first order, until the front has
-/// reached `count` of the targets. It does not enter voxels whose speed is not positive. The
-/// monitor is asked now and then; if it stops it, nothing is reached.
+/// reached `count` of the targets, or the time is `latest`. It does not enter voxels whose speed is
+/// not positive. The monitor is asked now and then; if it stops it, nothing is reached.
 Arrivals MarchFront(const ImageView<float>& speed, const std::vector<std::size_t>& sources,
-  const std::vector<std::size_t>& targets, std::size_t count, const Monitor& monitor);
+  const std::vector<std::size_t>& targets, std::size_t count, float latest, const Monitor& monitor);
 
 /// From a voxel that the front has reached down the times to a source, by steps to the steepest of
 /// the 26 neighbors: the voxels passed, the target first.

@@ -87,16 +87,20 @@ private:
     {
       const std::vector<std::size_t> targets(
         this->Voxels.begin() + static_cast<std::ptrdiff_t>(source) + 1, this->Voxels.end());
+      // No later than the nearest pair so far.
       const Arrivals arrivals =
-        MarchFront(this->Speed, { this->Voxels[source] }, targets, 1, this->Ask);
+        MarchFront(this->Speed, { this->Voxels[source] }, targets, 1, earliest, this->Ask);
       if (!this->Ask(0))
       {
         return false;
       }
-      this->RequireReached(arrivals, targets);
-      const std::size_t target = arrivals.Reached.front();
-      if (arrivals.Times[target] < earliest)
+      if (best.empty())
       {
+        this->RequireReached(arrivals, targets);
+      }
+      if (!arrivals.Reached.empty())
+      {
+        const std::size_t target = arrivals.Reached.front();
         earliest = arrivals.Times[target];
         best = DescendToSource(arrivals, this->Speed.Geometry, target);
         from = source;
@@ -122,7 +126,8 @@ private:
     {
       sources.insert(sources.end(), chain.begin(), chain.end());
     }
-    const Arrivals arrivals = MarchFront(this->Speed, sources, this->Open, 1, this->Ask);
+    const Arrivals arrivals = MarchFront(this->Speed, sources, this->Open, 1,
+      std::numeric_limits<float>::infinity(), this->Ask);
     if (!this->Ask(0))
     {
       return false;

@@ -189,9 +189,8 @@ private:
     {
       return true;
     }
-    EmbeddingGuard guard(this->Surface.Mesh);
     return this->Enforcer->Finish(
-      this->Surface.Mesh, guard, this->Parallel, [this](double) { return this->Proceed(); },
+      this->Surface.Mesh, *this->Guard, this->Parallel, [this](double) { return this->Proceed(); },
       this->Surface.Points);
   }
 
@@ -211,6 +210,7 @@ private:
         }
         this->Surface.Mesh = std::move(refined.Mesh);
         this->Surface.Points = std::move(refined.Points);
+        this->Guard = std::move(refined.Guard);
       }
       reason = this->IterateLevel();
       if (reason == StopReason::Aborted)
@@ -223,10 +223,9 @@ private:
 
   StopReason IterateLevel()
   {
-    std::unique_ptr<EmbeddingGuard> guard;
-    if (this->Settings.Step.Guard)
+    if (this->Settings.Step.Guard && !this->Guard)
     {
-      guard = std::make_unique<EmbeddingGuard>(this->Surface.Mesh);
+      this->Guard = std::make_unique<EmbeddingGuard>(this->Surface.Mesh, this->Parallel);
     }
     DeformationSolver solver(this->Surface.Mesh);
     double before = std::numeric_limits<double>::infinity();
@@ -240,10 +239,10 @@ private:
       }
       if (this->Enforcer)
       {
-        this->Enforcer->Update(this->Surface.Mesh, guard->Hulls(), this->Surface.Points);
-        guard->SetObstacles(this->Enforcer->GetObstacles());
+        this->Enforcer->Update(this->Surface.Mesh, this->Guard->Hulls(), this->Surface.Points);
+        this->Guard->SetObstacles(this->Enforcer->GetObstacles());
       }
-      const TargetReport report = this->IterateOnce(solver, guard.get());
+      const TargetReport report = this->IterateOnce(solver);
       const double voxel = this->Edges.Geometry.Spacing[0];
       if (report.Matched == 0)
       {
@@ -265,7 +264,7 @@ private:
     return StopReason::IterationLimit;
   }
 
-  TargetReport IterateOnce(DeformationSolver& solver, const EmbeddingGuard* guard)
+  TargetReport IterateOnce(DeformationSolver& solver)
   {
     IterationRecord record;
     record.Iteration = static_cast<int>(this->Surface.Iterations.size()) + 1;
@@ -281,8 +280,8 @@ private:
       this->Edges.View(), this->Radius, targets, this->Parallel, record.Targets);
     record.SearchSeconds = watch.Lap();
     const Monitor proceed = [this](double) { return this->Proceed(); };
-    record.Step = DeformOnce(solver, guard, this->Settings.Step, this->Parallel, proceed,
-      this->Surface.Field, this->Surface.Points);
+    record.Step = DeformOnce(solver, this->Guard.get(), this->Settings.Step, this->Parallel,
+      proceed, this->Surface.Field, this->Surface.Points);
     this->Surface.Iterations.push_back(record);
     return record.Targets;
   }
@@ -295,6 +294,7 @@ private:
   FloatImage Edges;
   BitMask Foreground;
   std::optional<ConstraintEnforcer> Enforcer;
+  std::unique_ptr<EmbeddingGuard> Guard; // of the level's surface
   int Level = 0;
   double Done = 0; ///< progress
 };
