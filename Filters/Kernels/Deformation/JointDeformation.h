@@ -38,7 +38,7 @@ private:
   bool Refine(const Monitor& proceed);
   bool IterateLevel(int level, const Monitor& monitor);
   void IterateOnce(const EmbeddingGuard* guard, const Monitor& proceed);
-  bool FinishConstraints(const Monitor& monitor);
+  bool FinishConstraints(bool isLast, const Monitor& monitor);
 
   const std::vector<DeformingOrgan*> Organs;
   const std::vector<DeformableSurface> FixedParts;
