@@ -8,6 +8,7 @@
 #include <itkImage.h>
 
 #include <algorithm>
+#include <limits>
 #include <random>
 
 using namespace FlipFree;
@@ -59,8 +60,9 @@ TEST(FastMarchingByItk, ArrivesAtTheSameTimes)
   const FloatImage speed = RandomSpeed();
   const std::array<int, 3> source{ { 11, 20, 7 } };
   const std::vector<float> expected = TimesByItk(speed, source);
-  const Arrivals arrivals = MarchFront(speed.View(),
-    { speed.Geometry.Offset(source[0], source[1], source[2]) }, {}, speed.Voxels.size(), NeverStop);
+  const Arrivals arrivals =
+    MarchFront(speed.View(), { speed.Geometry.Offset(source[0], source[1], source[2]) }, {},
+      speed.Voxels.size(), std::numeric_limits<float>::infinity(), NeverStop);
   const float latest = *std::max_element(expected.begin(), expected.end());
   EXPECT_GT(latest, 10);
   for (std::size_t voxel = 0; voxel < expected.size(); ++voxel)

@@ -71,6 +71,34 @@ TEST(ConstraintEnforcer, PullsTheSurfaceToEveryPoint)
   EXPECT_EQ(CountSelfIntersections(points, sphere.Faces()), 0);
 }
 
+// The surface has passed points that lie outside.
+TEST(ConstraintEnforcer, PullsTheSurfaceBackFromOutsidePoints)
+{
+  const ConstraintList constraints{ At(ConstraintKind::Outside, 18, 0, 0),
+    At(ConstraintKind::Outside, 0, 23, 0), At(ConstraintKind::Inside, 0, 12, 12),
+    At(ConstraintKind::Outside, 0, 0, -28) };
+  const TestSphere sphere(12); // radius 25
+  PointList points = sphere.Points();
+  const PointList start =
+    ((0.4 * (points.rowwise() - Center.transpose())).rowwise() + Center.transpose());
+  EmbeddingGuard guard(sphere.Mesh);
+  ConstraintEnforcer enforcer(constraints, 1, OutsidePoints::InTheLastLevel);
+  enforcer.Begin(sphere.Mesh, guard.Hulls(), start);
+  EXPECT_EQ(enforcer.GetObstacles().rows(), 0);
+  enforcer.Update(sphere.Mesh, guard.Hulls(), points);
+  EXPECT_EQ(enforcer.GetObstacles().rows(), 1); // the inside point
+  EXPECT_EQ(CountDisobeyed(constraints, sphere.Mesh, points, 1), 2);
+  const GuardedStep step = [&](const PointList& obstacles, const PointList& from, PointList& motion)
+  {
+    guard.SetObstacles(obstacles);
+    return guard.Limit(from, motion, SerialFor, NeverStop).Positions;
+  };
+  EXPECT_TRUE(enforcer.PullBack(sphere.Mesh, guard.Hulls(), step, NeverStop, points));
+  EXPECT_EQ(enforcer.GetObstacles().rows(), 4);
+  EXPECT_EQ(CountDisobeyed(constraints, sphere.Mesh, points, 1), 0);
+  EXPECT_EQ(CountSelfIntersections(points, sphere.Faces()), 0);
+}
+
 TEST(ConstraintEnforcer, LeavesAnObedientSurfaceAlone)
 {
   const TestSphere sphere(6);
@@ -88,6 +116,10 @@ TEST(ConstraintEnforcer, NamesThePointThatCannotBeObeyed)
   EXPECT_EQ(Enforce({ At(ConstraintKind::Outside, 10, 0, 0) }, sphere, points),
     "the outside point (20, -20, 30) mm lies in the start surface or on it; start from a smaller "
     "surface, or move the point");
+  EXPECT_THROW(
+    ConstraintEnforcer({ At(ConstraintKind::Outside, 10, 0, 0) }, 1, OutsidePoints::InTheLastLevel)
+      .Begin(sphere.Mesh, EmbeddingGuard(sphere.Mesh).Hulls(), points),
+    Error);
   // A wall of outside points between the surface and the point.
   ConstraintList wall{ At(ConstraintKind::Inside, 40, 0, 0) };
   for (int j = -40; j <= 40; j += 4)

@@ -153,6 +153,57 @@ TEST(Corrections, AreLocal)
   EXPECT_LT(sum / count, 0.1);
 }
 
+// A ball with a cleft, as a kidney's sinus: a point in it must not hold back the surface around it.
+TEST(Corrections, LeaveTheRestOfTheOrganWhereAPointLiesInACleft)
+{
+  ImageGeometry geometry;
+  geometry.Dimensions = { { 48, 48, 48 } };
+  geometry.Spacing = { 2, 2, 2 };
+  const Eigen::Vector3d center(47, 47, 47);
+  std::vector<std::int16_t> voxels(geometry.NumberOfVoxels());
+  BitMask organ(geometry);
+  for (int k = 0; k < 48; ++k)
+  {
+    for (int j = 0; j < 48; ++j)
+    {
+      for (int i = 0; i < 48; ++i)
+      {
+        const Eigen::Vector3d at = geometry.ToPhysical(Eigen::Vector3d(i, j, k)) - center;
+        const bool isCleft = std::abs(at[0]) < 4 && at[1] > 2 && std::abs(at[2]) < 16;
+        const bool is = at.norm() < 30 && !isCleft;
+        voxels[geometry.Offset(i, j, k)] = static_cast<std::int16_t>(is ? 100 : 0);
+        organ.SetRun(is, i, i + 1, j, k);
+      }
+    }
+  }
+  VolumeSegmenter segmenter(
+    GrayVolumeOf(ImageView<std::int16_t>{ voxels.data(), geometry }, "it", {}), "it",
+    { center - Eigen::Vector3d(0, 14, 0), 9 }, nullptr, {}, Threading());
+  const auto scoreOf = [&](const ConstraintList& constraints)
+  {
+    const VolumeSegmentation result = segmenter.Segment(constraints, NeverStop,
+      [](const ContourMesh&, const PointList&, const CorrespondenceField&, const IterationRecord&) {
+      });
+    ExpectObeyed(result.Organ, constraints);
+    BitMask found(geometry);
+    for (const VoxelRun& run : result.Voxels)
+    {
+      found.InsertRun(run.Begin, run.End, run.J, run.K);
+    }
+    BitMask both = found;
+    both.Intersect(organ);
+    return 2.0 * static_cast<double>(both.Count()) /
+      static_cast<double>(found.Count() + organ.Count());
+  };
+  const double before = scoreOf({});
+  EXPECT_GT(before, 0.9);
+  const auto at = [&](double x, double y, double z) {
+    return PointConstraint{ ConstraintKind::Outside, center + Eigen::Vector3d(x, y, z), 0 };
+  };
+  EXPECT_GT(scoreOf({ at(3, 4, 10) }), before - 0.005);
+  EXPECT_GT(scoreOf({ at(0, 4, 14), at(0, 4, -14), at(0, 10, 0) }), before - 0.008);
+}
+
 TEST(Corrections, AreRefusedByName)
 {
   const BallSegmenter ball;

@@ -109,10 +109,12 @@ PointList EvenedAt(const ContourMesh& mesh, const PointList& points, const Surfa
 
 } // namespace
 
-ConstraintEnforcer::ConstraintEnforcer(const ConstraintList& constraints, double spacing)
+ConstraintEnforcer::ConstraintEnforcer(const ConstraintList& constraints, double spacing,
+  OutsidePoints outside)
   : Constraints(SortedConstraints(constraints))
   , IsObstacle(this->Constraints.size(), false)
   , Spacing(spacing)
+  , MayPassOutside(outside == OutsidePoints::InTheLastLevel)
 {
 }
 
@@ -125,7 +127,8 @@ void ConstraintEnforcer::Begin(const ContourMesh& mesh, const FaceHulls& hulls,
   for (std::size_t index = 0; index < this->Constraints.size(); ++index)
   {
     const PointConstraint& constraint = this->Constraints[index];
-    if (constraint.Kind == ConstraintKind::Outside && !this->IsObstacle[index])
+    if (constraint.Kind == ConstraintKind::Outside && !this->IsObstacle[index] &&
+      this->IsOpen(constraint, mesh, hulls, points))
     {
       throw Error(ErrorCode::UnreachablePoint,
         NameOf(constraint) +
@@ -150,11 +153,18 @@ bool ConstraintEnforcer::IsOpen(const PointConstraint& constraint, const Contour
 void ConstraintEnforcer::Update(const ContourMesh& mesh, const FaceHulls& hulls,
   const PointList& points)
 {
+  this->MakeObstacles(mesh, hulls, points, !this->MayPassOutside);
+}
+
+void ConstraintEnforcer::MakeObstacles(const ContourMesh& mesh, const FaceHulls& hulls,
+  const PointList& points, bool withOutside)
+{
   for (std::size_t index = 0; index < this->Constraints.size(); ++index)
   {
     const PointConstraint& constraint = this->Constraints[index];
-    if (!this->IsObstacle[index] && constraint.Kind != ConstraintKind::Boundary &&
-      !this->IsOpen(constraint, mesh, hulls, points))
+    const bool isWanted = constraint.Kind != ConstraintKind::Boundary &&
+      (withOutside || constraint.Kind != ConstraintKind::Outside);
+    if (isWanted && !this->IsObstacle[index] && !this->IsOpen(constraint, mesh, hulls, points))
     {
       this->IsObstacle[index] = true;
       this->Obstacles.conservativeResize(this->Obstacles.rows() + 1, 3);
@@ -171,8 +181,14 @@ Eigen::Vector3d ConstraintEnforcer::PullOf(const PointConstraint& constraint,
   {
     return toPoint;
   }
+  const bool isEnclosed = WindingNumber(points, mesh.Triangles, constraint.Point) == 1;
+  if (constraint.Kind == ConstraintKind::Outside && isEnclosed &&
+    toPoint.norm() > Clearance * this->Spacing)
+  {
+    return toPoint + this->Spacing / 2 * toPoint.normalized();
+  }
   // Beyond a point that is to lie inside, outward.
-  const bool isBeyond = WindingNumber(points, mesh.Triangles, constraint.Point) == 1;
+  const bool isBeyond = isEnclosed;
   Eigen::Vector3d outward = isBeyond ? -toPoint : toPoint;
   if (!(outward.norm() > Clearance * this->Spacing))
   {
@@ -196,9 +212,23 @@ bool ConstraintEnforcer::Finish(const ContourMesh& mesh, EmbeddingGuard& guard,
   return this->Finish(mesh, guard.Hulls(), step, monitor, points);
 }
 
+bool ConstraintEnforcer::PullBack(const ContourMesh& mesh, const FaceHulls& hulls,
+  const GuardedStep& step, const Monitor& monitor, PointList& points)
+{
+  return !this->MayPassOutside || this->Pull(true, mesh, hulls, step, monitor, points);
+}
+
 bool ConstraintEnforcer::Finish(const ContourMesh& mesh, const FaceHulls& hulls,
   const GuardedStep& step, const Monitor& monitor, PointList& points)
 {
+  return this->Pull(false, mesh, hulls, step, monitor, points);
+}
+
+bool ConstraintEnforcer::Pull(bool outsideOnly, const ContourMesh& mesh, const FaceHulls& hulls,
+  const GuardedStep& step, const Monitor& monitor, PointList& points)
+{
+  this->MayPassOutside = false;
+  this->MakeObstacles(mesh, hulls, points, true);
   const PointConstraint* open = nullptr;
   double moved = this->Spacing;
   for (int round = 0; round < MaximumRounds && moved > LeastProgress * this->Spacing; ++round)
@@ -211,7 +241,8 @@ bool ConstraintEnforcer::Finish(const ContourMesh& mesh, const FaceHulls& hulls,
       {
         return false;
       }
-      if (!this->IsOpen(constraint, mesh, hulls, points))
+      const bool isMeant = !outsideOnly || constraint.Kind == ConstraintKind::Outside;
+      if (!isMeant || !this->IsOpen(constraint, mesh, hulls, points))
       {
         continue;
       }
@@ -226,7 +257,7 @@ bool ConstraintEnforcer::Finish(const ContourMesh& mesh, const FaceHulls& hulls,
       const PointList before = points;
       points = step(this->Obstacles, points, motion);
       moved = std::max(moved, (points - before).rowwise().norm().maxCoeff());
-      this->Update(mesh, hulls, points);
+      this->MakeObstacles(mesh, hulls, points, true);
     }
     if (!open)
     {

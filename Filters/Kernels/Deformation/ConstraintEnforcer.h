@@ -2,9 +2,10 @@
  * Makes a deforming surface obey points that must lie inside, outside, or on it, by certified steps
  * alone.
  *
- * An outside point is an obstacle of the guard from the start, an inside point once the surface has
- * enclosed it. What the image has not brought to its side, or to the surface, by the end is reached
- * by pulling the surface toward the point, step by step under the guard.
+ * An inside point is an obstacle of the guard once the surface has enclosed it, an outside point
+ * from the start or from the last level on. What the image has not brought to its side, or to the
+ * surface, by the end is reached by pulling the surface toward the point, step by step under the
+ * guard.
  */
 #ifndef FlipFreeConstraintEnforcer_h
 #define FlipFreeConstraintEnforcer_h
@@ -28,7 +29,8 @@ class ConstraintEnforcer
 public:
   /// `spacing` is the image's smallest, in millimeters: the surface ends within half of it of every
   /// boundary point.
-  ConstraintEnforcer(const ConstraintList& constraints, double spacing);
+  ConstraintEnforcer(const ConstraintList& constraints, double spacing,
+    OutsidePoints outside = OutsidePoints::FromTheStart);
 
   /// Begins with an embedded surface; the hulls are of its faces. Throws Error, naming the point,
   /// if an outside point lies in it or on it.
@@ -40,6 +42,11 @@ public:
   /// What the surface must not pass from now on, one row each.
   const PointList& GetObstacles() const { return this->Obstacles; }
 
+  /// Before the last level: pulls the surface back from outside points that may be passed until
+  /// then, and makes obstacles of them. Otherwise as Finish().
+  bool PullBack(const ContourMesh& mesh, const FaceHulls& hulls, const GuardedStep& step,
+    const Monitor& monitor, PointList& points);
+
   /// Pulls the surface toward the points that it does not obey yet. `guard` is the mesh's. Returns
   /// false if the monitor stopped it. Throws Error, naming the point, if one cannot be obeyed.
   bool Finish(const ContourMesh& mesh, EmbeddingGuard& guard, const ParallelFor& parallelFor,
@@ -50,6 +57,10 @@ public:
     const Monitor& monitor, PointList& points);
 
 private:
+  void MakeObstacles(const ContourMesh& mesh, const FaceHulls& hulls, const PointList& points,
+    bool withOutside);
+  bool Pull(bool outsideOnly, const ContourMesh& mesh, const FaceHulls& hulls,
+    const GuardedStep& step, const Monitor& monitor, PointList& points);
   bool IsOpen(const PointConstraint& constraint, const ContourMesh& mesh, const FaceHulls& hulls,
     const PointList& points) const;
   Eigen::Vector3d PullOf(const PointConstraint& constraint, const ContourMesh& mesh,
@@ -59,6 +70,7 @@ private:
   std::vector<bool> IsObstacle; // per constraint
   PointList Obstacles = PointList(0, 3);
   const double Spacing;
+  bool MayPassOutside; ///< outside points
 };
 
 } // namespace FlipFree

@@ -92,7 +92,7 @@ void DeformingOrgan::SettleForeground(const BitMask& mask)
 }
 
 void DeformingOrgan::BeginAt(const DeformableSurface& start, int firstLevel,
-  const ConstraintList& constraints, const IterationObserver& observer)
+  const ConstraintList& constraints, OutsidePoints outside, const IterationObserver& observer)
 {
   this->Surface.Mesh = start.Mesh;
   this->Surface.Points = start.Points;
@@ -107,8 +107,8 @@ void DeformingOrgan::BeginAt(const DeformableSurface& start, int firstLevel,
   this->Enforcer.reset();
   if (!constraints.empty())
   {
-    this->Enforcer.emplace(constraints,
-      this->Foreground.GetMask().GetGeometry().Spacing.minCoeff());
+    this->Enforcer.emplace(constraints, this->Foreground.GetMask().GetGeometry().Spacing.minCoeff(),
+      outside);
     this->Enforcer->Begin(start.Mesh, FaceHulls(start.Points, start.Mesh.Faces), start.Points);
   }
 }
@@ -208,14 +208,16 @@ void DeformingOrgan::UpdateObstacles()
   }
 }
 
-bool DeformingOrgan::FinishConstraints(const GuardedStep& step, const Monitor& monitor)
+bool DeformingOrgan::FinishConstraints(bool isLast, const GuardedStep& step, const Monitor& monitor)
 {
   if (!this->Enforcer)
   {
     return true;
   }
   const FaceHulls hulls(this->Surface.Points, this->Surface.Mesh.Faces);
-  return this->Enforcer->Finish(this->Surface.Mesh, hulls, step, monitor, this->Surface.Points);
+  OrganSurface& surface = this->Surface;
+  return isLast ? this->Enforcer->Finish(surface.Mesh, hulls, step, monitor, surface.Points)
+                : this->Enforcer->PullBack(surface.Mesh, hulls, step, monitor, surface.Points);
 }
 
 } // namespace FlipFree

@@ -48,7 +48,7 @@ public:
   /// Begins a run of all levels, which count from `firstLevel`. Throws Error, naming the point, if
   /// an outside point lies in the surface or on it.
   void BeginAt(const DeformableSurface& start, int firstLevel, const ConstraintList& constraints,
-    const IterationObserver& observer);
+    OutsidePoints outside, const IterationObserver& observer);
   void BeginLevel(int level);
   /// The motion that the next iteration wants; none where the level is at rest.
   PointList FindMotion();
@@ -64,8 +64,9 @@ public:
   /// Looks which inside points the surface encloses by now.
   void UpdateObstacles();
   bool HasConstraints() const { return this->Enforcer.has_value(); }
-  /// Pulls the surface toward the points that it does not obey yet (ConstraintEnforcer.h).
-  bool FinishConstraints(const GuardedStep& step, const Monitor& monitor);
+  /// Pulls the surface toward the points that it does not obey yet, or before the last level back
+  /// from outside points alone (ConstraintEnforcer.h).
+  bool FinishConstraints(bool isLast, const GuardedStep& step, const Monitor& monitor);
 
   const OrganSegmentationSettings& GetSettings() const { return this->Settings; }
   OrganSurface& GetSurface() { return this->Surface; }

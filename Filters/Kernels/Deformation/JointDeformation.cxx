@@ -70,7 +70,8 @@ bool JointDeformation::Run(const Monitor& monitor)
         }
         break;
       }
-      if (!this->Refit(remember))
+      if (!this->Refit(remember) ||
+        (level + 1 == this->Levels && !this->FinishConstraints(false, remember)))
       {
         return false;
       }
@@ -80,7 +81,7 @@ bool JointDeformation::Run(const Monitor& monitor)
       return false;
     }
   }
-  return this->FinishConstraints(until(this->Levels));
+  return this->FinishConstraints(true, until(this->Levels));
 }
 
 bool JointDeformation::HasGuard() const
@@ -283,7 +284,7 @@ void JointDeformation::IterateOnce(const Monitor& proceed)
   }
 }
 
-bool JointDeformation::FinishConstraints(const Monitor& monitor)
+bool JointDeformation::FinishConstraints(bool isLast, const Monitor& monitor)
 {
   if (std::none_of(this->Organs.begin(), this->Organs.end(),
         [](const DeformingOrgan* organ) { return organ->HasConstraints(); }))
@@ -291,6 +292,7 @@ bool JointDeformation::FinishConstraints(const Monitor& monitor)
     return true;
   }
   this->Unite();
+  this->MakeGuard();
   for (std::size_t pulled = 0; pulled < this->Organs.size(); ++pulled)
   {
     const VertexRange& part = this->Parts[pulled];
@@ -310,7 +312,7 @@ bool JointDeformation::FinishConstraints(const Monitor& monitor)
       const GuardReport limited = this->Guard->Limit(points, motions, this->Parallel, monitor);
       return this->PartOf(limited.Positions, pulled);
     };
-    if (!this->Organs[pulled]->FinishConstraints(step, monitor))
+    if (!this->Organs[pulled]->FinishConstraints(isLast, step, monitor))
     {
       return false;
     }

@@ -39,7 +39,7 @@ private:
   bool IterateLevel(int level, const Monitor& monitor);
   void IterateOnce(const Monitor& proceed);
   void MakeGuard();
-  bool FinishConstraints(const Monitor& monitor);
+  bool FinishConstraints(bool isLast, const Monitor& monitor);
 
   const std::vector<DeformingOrgan*> Organs;
   const std::vector<DeformableSurface> FixedParts;

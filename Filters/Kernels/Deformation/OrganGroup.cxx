@@ -384,7 +384,7 @@ bool OrganGroup::Run(const Monitor& monitor, const GroupObserver& observer)
     member->Naming(
       [&]
       {
-        member->Levels->Begin(all, &start, observerOf(*member));
+        member->Levels->Begin(all, &start, OutsidePoints::FromTheStart, observerOf(*member));
         return true;
       });
     organs.push_back(&member->Organ());

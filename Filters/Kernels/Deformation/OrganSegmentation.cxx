@@ -2,6 +2,7 @@
 
 #include "Deformation/DeformingOrgan.h"
 #include "Deformation/JointDeformation.h"
+#include "Error.h"
 #include "Geometry/SelfIntersection.h"
 
 #include <memory>
@@ -67,7 +68,7 @@ bool OrganSegmenter::RunFirst(const Monitor& monitor, const IterationObserver& o
   {
     return false;
   }
-  kept.Organ.BeginAt(kept.Start, 0, {}, observer);
+  kept.Organ.BeginAt(kept.Start, 0, {}, OutsidePoints::FromTheStart, observer);
   if (!JointDeformation({ &kept.Organ }, {}, this->Parallel).Run(monitor) ||
     !kept.Organ.CarveSurface(end))
   {
@@ -106,11 +107,35 @@ bool OrganSegmenter::FindForeground(const ConstraintList& constraints, const Mon
 }
 
 void OrganSegmenter::Begin(const ConstraintList& constraints, const DeformableSurface* start,
-  const IterationObserver& observer)
+  OutsidePoints outside, const IterationObserver& observer)
 {
   DeformingOrgan& organ = this->Kept->Organ;
   organ.BeginAt(start ? *start : this->Kept->Start,
-    this->RunsTwice() ? organ.GetSettings().Schedule.NumberOfLevels() : 0, constraints, observer);
+    this->RunsTwice() ? organ.GetSettings().Schedule.NumberOfLevels() : 0, constraints, outside,
+    observer);
+}
+
+// Where the surface cannot be pulled back from an outside point, it keeps off from the start.
+bool OrganSegmenter::RunLast(const ConstraintList& constraints, const DeformableSurface* start,
+  const Monitor& monitor, const IterationObserver& observer)
+{
+  DeformingOrgan& organ = this->Kept->Organ;
+  const std::vector<IterationRecord> before = organ.GetSurface().Iterations;
+  try
+  {
+    this->Begin(constraints, start, OutsidePoints::InTheLastLevel, observer);
+    return JointDeformation({ &organ }, {}, this->Parallel).Run(monitor);
+  }
+  catch (const Error& error)
+  {
+    if (error.GetCode() != ErrorCode::UnreachablePoint)
+    {
+      throw;
+    }
+  }
+  organ.GetSurface().Iterations = before;
+  this->Begin(constraints, start, OutsidePoints::FromTheStart, observer);
+  return JointDeformation({ &organ }, {}, this->Parallel).Run(monitor);
 }
 
 OrganSurface OrganSegmenter::Segment(const ConstraintList& constraints,
@@ -128,8 +153,7 @@ OrganSurface OrganSegmenter::Segment(const ConstraintList& constraints,
   bool done = this->FindForeground(constraints, FlipFree::PartOf(ask, 0, half), observer);
   if (done)
   {
-    this->Begin(constraints, start, observer);
-    done = JointDeformation({ &organ }, {}, this->Parallel).Run(FlipFree::PartOf(ask, half, 1));
+    done = this->RunLast(constraints, start, FlipFree::PartOf(ask, half, 1), observer);
   }
   OrganSurface surface = std::move(organ.GetSurface());
   surface.SmoothingSeconds = organ.GetForeground().GetSmoothingSeconds() - smoothing;

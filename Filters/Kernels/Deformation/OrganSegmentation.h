@@ -83,11 +83,13 @@ public:
     const IterationObserver& observer);
   /// Begins the run that ends with the result; JointDeformation does the rest.
   void Begin(const ConstraintList& constraints, const DeformableSurface* start,
-    const IterationObserver& observer);
+    OutsidePoints outside, const IterationObserver& observer);
   DeformingOrgan& GetOrgan();
 
 private:
   bool RunFirst(const Monitor& monitor, const IterationObserver& observer);
+  bool RunLast(const ConstraintList& constraints, const DeformableSurface* start,
+    const Monitor& monitor, const IterationObserver& observer);
 
   struct State;
   std::unique_ptr<State> Kept;

@@ -19,6 +19,16 @@ enum class ConstraintKind : unsigned char
   Seed = 3
 };
 
+/// When outside points become obstacles. A surface that grows around an obstacle is held back
+/// beyond it, too: it ends better if it may pass the point, is pulled back before the last level,
+/// and finds the boundary around the point in that level. That may fail where other points stand in
+/// the way; from the start does not.
+enum class OutsidePoints
+{
+  FromTheStart,
+  InTheLastLevel
+};
+
 struct PointConstraint
 {
   ConstraintKind Kind = ConstraintKind::Inside;

@@ -1,5 +1,6 @@
 #include "Intensity/ForegroundCorrection.h"
 
+#include "Intensity/BoundaryShift.h"
 #include "Intensity/CorrectionCut.h"
 #include "Intensity/GrayValueSimilarity.h"
 #include "Intensity/LeakControl.h"
@@ -21,8 +22,10 @@ constexpr double LeastNeighborhood = 5;
 // The radius of what leads to a point that nothing else connects with the seed, in millimeters.
 constexpr double BridgeRadius = 3;
 
-// A correction is certain around its point by a little more than a voxel.
+// A correction is certain around its point by a little more than a voxel, but where slices are
+// thick by no more than so many millimeters, or than its distance from the right side.
 constexpr double CertainVoxels = 1.01;
+constexpr double CertainBall = 3;
 
 struct NearestPlace
 {
@@ -120,7 +123,8 @@ bool IsObeyed(const PointConstraint& constraint, const BitMask& mask)
 // What is certain around a point.
 double BallOf(const PointConstraint& constraint, const ImageGeometry& geometry)
 {
-  return std::max(constraint.Radius, CertainVoxels * geometry.Spacing.maxCoeff());
+  const double least = std::max(CertainBall, CertainVoxels * geometry.Spacing.minCoeff());
+  return std::max(constraint.Radius, std::min(least, CertainVoxels * geometry.Spacing.maxCoeff()));
 }
 
 // Where balls overlap, those outside count, but for the points' own voxels.
@@ -226,15 +230,19 @@ private:
     }
     correction.Reach = std::max({ GrayValueSimilarity(this->Noise, this->Kind)
                                     .ReachOfLikeness(this->Smooth, constraint.Point, limit),
-      geometry.Spacing.maxCoeff(), constraint.Radius });
+      std::min(geometry.Spacing.maxCoeff(), std::max(away, CertainBall)), constraint.Radius });
     const VoxelBox box = this->BoxOf(correction);
     if (!this->Make(box))
     {
       return false;
     }
-    BitMask part = this->Foreground.Cropped(box);
-    if (!CutCorrection(ImagePart{ this->Smooth, box.Begin }, this->Seed, correction, this->Noise,
-          this->Kind, this->Parallel, this->Ask, part))
+    const ImagePart image{ this->Smooth, box.Begin };
+    const BitMask before = this->Foreground.Cropped(box);
+    BitMask part = before;
+    if (!CutCorrection(image, this->Seed, correction, this->Noise, this->Kind, this->Parallel,
+          this->Ask, part) ||
+      !ShiftBoundary(image, correction, this->Noise, this->Kind, this->Parallel, this->Ask, before,
+        part))
     {
       return false;
     }
