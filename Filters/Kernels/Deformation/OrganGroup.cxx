@@ -281,6 +281,20 @@ ConstraintList OrganGroup::PointsOfOthers(const Member& member) const
   return points;
 }
 
+BitMask OrganGroup::FixedVoxels(const ImageGeometry& region) const
+{
+  BitMask voxels(region);
+  for (const FixedSurface& surface : this->Fixed)
+  {
+    for (const VoxelRun& run : VoxelizeSurface(surface.Surface.Points,
+           surface.Surface.Mesh.Triangles, region, this->Threads.For))
+    {
+      voxels.InsertRun(run.Begin, run.End, run.J, run.K);
+    }
+  }
+  return voxels;
+}
+
 // Makes the foregrounds disjoint, also with the fixed surfaces.
 bool OrganGroup::Divide(const Monitor& monitor)
 {
@@ -299,40 +313,15 @@ bool OrganGroup::Divide(const Monitor& monitor)
     {
       return false;
     }
-    claims.push_back(
-      { foreground.GetMask(), foreground.GetImage(), member->Segmenter.GetBox().Begin, member->Seed,
-        member->Constraints, member->Segmenter.GetNoise() });
-  }
-  for (OrganClaim& claim : claims)
-  {
-    BitMask fixed(claim.Mask.GetGeometry());
-    for (const FixedSurface& surface : this->Fixed)
-    {
-      for (const VoxelRun& run : VoxelizeSurface(surface.Surface.Points,
-             surface.Surface.Mesh.Triangles, claim.Mask.GetGeometry(), this->Threads.For))
-      {
-        fixed.InsertRun(run.Begin, run.End, run.J, run.K);
-      }
-    }
-    if (!this->Fixed.empty())
-    {
-      claim.Mask.Remove(fixed);
-      if (!KeepPieceOfSeed(fixed, claim.Seed, monitor, claim.Mask))
-      {
-        return false;
-      }
-    }
+    const ImageGeometry& region = foreground.GetMask().GetGeometry();
+    claims.push_back({ foreground.GetMask(), foreground.GetImage(),
+      member->Segmenter.GetBox().Begin, member->Seed, member->Constraints,
+      member->Segmenter.GetNoise(), this->Fixed.empty() ? BitMask() : this->FixedVoxels(region) });
   }
   const Modality modality = this->Members.front()->Organ().GetForeground().GetModality();
-  for (std::size_t one = 0; one < claims.size(); ++one)
+  if (!DivideClaims(claims, modality, this->Threads.For, monitor))
   {
-    for (std::size_t two = one + 1; two < claims.size(); ++two)
-    {
-      if (!DivideClaims(claims[one], claims[two], modality, this->Threads.For, monitor))
-      {
-        return false;
-      }
-    }
+    return false;
   }
   for (std::size_t index = 0; index < claims.size(); ++index)
   {

@@ -12,6 +12,7 @@
 #define FlipFreeOrganGroup_h
 
 #include "Deformation/VolumeSegmentation.h"
+#include "Image/BitMask.h"
 
 #include <memory>
 #include <string>
@@ -64,6 +65,7 @@ private:
   struct Member;
   void RequireApart(const std::vector<ConstraintList>& constraints) const;
   ConstraintList PointsOfOthers(const Member& member) const;
+  BitMask FixedVoxels(const ImageGeometry& region) const;
   bool Divide(const Monitor& monitor);
   bool Run(const Monitor& monitor, const GroupObserver& observer);
   void RequireDisjoint(const std::vector<VolumeSegmentation>& results) const;
