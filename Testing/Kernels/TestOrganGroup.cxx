@@ -306,6 +306,10 @@ TEST(OrganGroup, RefusesByName)
   has(balls.MessageOf({ { "left", balls.Left } },
         { { { ConstraintKind::Inside, { 80, 40, 37 }, 0 } } }, { ball }),
     "the inside point (80, 40, 37) mm of left lies in the tumor");
+  // The center of a further seed lies outside, its sphere not.
+  has(balls.MessageOf({ { "left", balls.Left } },
+        { { { ConstraintKind::Seed, { 62, 37, 37 }, 9 } } }, { ball }),
+    "a seed of left, the sphere of 9 mm at (62, 37, 37) mm, meets the tumor, which stays");
   VolumeSegmentationSettings settings = TouchingBalls::Coarse();
   settings.Method.Step.Guard = false;
   EXPECT_THROW(OrganGroup(balls.Gray(), "it", balls.Organs(), {}, settings, {}), Error);

@@ -10,6 +10,8 @@
 #include "Stopwatch.h"
 
 #include <algorithm>
+#include <cmath>
+#include <iterator>
 #include <stdexcept>
 #include <tuple>
 #include <utility>
@@ -62,6 +64,100 @@ bool IsWithin(const VoxelBox& box, const std::array<int, 3>& voxel)
     within = within && box.Begin[axis] <= voxel[axis] && voxel[axis] < box.End[axis];
   }
   return within;
+}
+
+// What is known of an organ before it is segmented.
+struct KnownOrgan
+{
+  std::string Name;
+  std::vector<PointConstraint> Spheres; // of the seeds
+  ConstraintList Points;
+};
+
+void RequireSpheresApart(const KnownOrgan& one, const KnownOrgan& two)
+{
+  for (const PointConstraint& sphere : one.Spheres)
+  {
+    for (const PointConstraint& other : two.Spheres)
+    {
+      if ((sphere.Point - other.Point).norm() < sphere.Radius + other.Radius)
+      {
+        throw Error(ErrorCode::OutOfRange,
+          "the seeds of " + one.Name + " and " + two.Name + " overlap: " + TextOf(sphere) +
+            " and " + TextOf(other) + "; move them apart, or lower a radius");
+      }
+    }
+  }
+}
+
+void RequireNoPointInSpheres(const KnownOrgan& one, const KnownOrgan& two)
+{
+  for (const PointConstraint& sphere : one.Spheres)
+  {
+    for (const PointConstraint& point : two.Points)
+    {
+      if (point.Kind != ConstraintKind::Outside &&
+        (sphere.Point - point.Point).norm() < sphere.Radius)
+      {
+        throw Error(ErrorCode::OutOfRange,
+          NameOf(point) + " of " + two.Name + " lies in the seed of " + one.Name +
+            "; move one of them, or lower the radius");
+      }
+    }
+  }
+}
+
+void RequirePlacesApart(const KnownOrgan& one, const KnownOrgan& two, double same)
+{
+  for (const PointConstraint& point : one.Points)
+  {
+    for (const PointConstraint& other : two.Points)
+    {
+      if (point.Kind == ConstraintKind::Inside &&
+        (other.Kind == ConstraintKind::Inside || other.Kind == ConstraintKind::Boundary) &&
+        (point.Point - other.Point).norm() <= same)
+      {
+        throw Error(ErrorCode::OutOfRange,
+          NameOf(point) + " of " + one.Name + " and " + NameOf(other) + " of " + two.Name +
+            " are at one place; take one of them away");
+      }
+    }
+  }
+}
+
+bool Contains(const FixedSurface& fixed, const Eigen::Vector3d& point)
+{
+  return WindingNumber(fixed.Surface.Points, fixed.Surface.Mesh.Triangles, point) != 0;
+}
+
+void RequireSphereOutside(const FixedSurface& fixed, const PointConstraint& sphere,
+  const std::string& organ)
+{
+  const SurfacePlace nearest =
+    ClosestPlace(fixed.Surface.Points, fixed.Surface.Mesh.Triangles, sphere.Point);
+  if ((nearest.Point - sphere.Point).norm() < sphere.Radius || Contains(fixed, sphere.Point))
+  {
+    throw Error(ErrorCode::OutOfRange,
+      "a seed of " + organ + ", " + TextOf(sphere) + ", meets " + fixed.Name +
+        ", which stays as it is; move the seed, or lower its radius");
+  }
+}
+
+void RequireOutside(const FixedSurface& fixed, const KnownOrgan& organ)
+{
+  for (const PointConstraint& point : organ.Points)
+  {
+    if (point.Kind != ConstraintKind::Outside && Contains(fixed, point.Point))
+    {
+      throw Error(ErrorCode::UnreachablePoint,
+        NameOf(point) + " of " + organ.Name + " lies in " + fixed.Name +
+          ", which stays as it is; move the point");
+    }
+    if (point.Kind == ConstraintKind::Seed)
+    {
+      RequireSphereOutside(fixed, point, organ.Name);
+    }
+  }
 }
 
 void RequireNames(const std::vector<SeededOrgan>& organs)
@@ -160,86 +256,38 @@ OrganGroup::OrganGroup(const GrayVolume& volume, const std::string& name,
       };
       return keyOf(*one) < keyOf(*two);
     });
-  this->RequireApart(std::vector<ConstraintList>(this->Members.size()));
+  this->RequirePointsApart(std::vector<ConstraintList>(this->Members.size()));
+  this->RequireStartsApart();
 }
 
 OrganGroup::~OrganGroup() = default;
 
-// The seeds and points of different organs, and the fixed surfaces.
-void OrganGroup::RequireApart(const std::vector<ConstraintList>& constraints) const
+// The start spheres and the fixed surfaces.
+void OrganGroup::RequireStartsApart() const
 {
-  const double same = 1e-3 * this->Geometry.Spacing.minCoeff();
-  for (const auto& one : this->Members)
+  for (auto one = this->Members.begin(); one != this->Members.end(); ++one)
   {
-    const std::vector<PointConstraint> spheres = SpheresOf(one->Seed, constraints[one->Index]);
-    for (const auto& two : this->Members)
+    for (auto two = one + 1; two != this->Members.end(); ++two)
     {
-      if (one == two)
-      {
-        continue;
-      }
-      for (const PointConstraint& sphere : spheres)
-      {
-        for (const PointConstraint& other : SpheresOf(two->Seed, constraints[two->Index]))
-        {
-          if ((sphere.Point - other.Point).norm() < sphere.Radius + other.Radius)
-          {
-            throw Error(ErrorCode::OutOfRange,
-              "the seeds of " + one->Name + " and " + two->Name + " overlap: " + TextOf(sphere) +
-                " and " + TextOf(other) + "; move them apart, or lower a radius");
-          }
-        }
-        for (const PointConstraint& point : constraints[two->Index])
-        {
-          if (point.Kind != ConstraintKind::Outside &&
-            (sphere.Point - point.Point).norm() < sphere.Radius)
-          {
-            throw Error(ErrorCode::OutOfRange,
-              NameOf(point) + " of " + two->Name + " lies in the seed of " + one->Name +
-                "; move one of them, or lower the radius");
-          }
-        }
-      }
-      for (const PointConstraint& point : constraints[one->Index])
-      {
-        for (const PointConstraint& other : constraints[two->Index])
-        {
-          if (point.Kind == ConstraintKind::Inside &&
-            (other.Kind == ConstraintKind::Inside || other.Kind == ConstraintKind::Boundary) &&
-            (point.Point - other.Point).norm() <= same)
-          {
-            throw Error(ErrorCode::OutOfRange,
-              NameOf(point) + " of " + one->Name + " and " + NameOf(other) + " of " + two->Name +
-                " are at one place; take one of them away");
-          }
-        }
-      }
-      if ((one->Start.Center - two->Start.Center).norm() < one->Start.Radius + two->Start.Radius)
+      const SeedSphere& start = (*one)->Start;
+      const SeedSphere& other = (*two)->Start;
+      if ((start.Center - other.Center).norm() < start.Radius + other.Radius)
       {
         throw Error(ErrorCode::OutOfRange,
-          "the start spheres of " + one->Name + " and " + two->Name +
+          "the start spheres of " + (*one)->Name + " and " + (*two)->Name +
             " overlap; lower StartScale, or move the seeds apart");
       }
     }
-    const DeformableSurface start = one->Segmenter.StartWithin({});
+    const DeformableSurface start = (*one)->Segmenter.StartWithin({});
     for (const FixedSurface& surface : this->Fixed)
     {
       if (MeetOrNest({ &start, &surface.Surface }, this->Threads.For))
       {
         throw Error(ErrorCode::OutOfRange,
-          "the start sphere of " + one->Name + " meets " + surface.Name +
+          "the start sphere of " + (*one)->Name + " meets " + surface.Name +
             ", which stays as it is; move the seed, or lower its radius");
       }
-      for (const PointConstraint& point : constraints[one->Index])
-      {
-        if (point.Kind != ConstraintKind::Outside &&
-          WindingNumber(surface.Surface.Points, surface.Surface.Mesh.Triangles, point.Point) != 0)
-        {
-          throw Error(ErrorCode::UnreachablePoint,
-            NameOf(point) + " of " + one->Name + " lies in " + surface.Name +
-              ", which stays as it is; move the point");
-        }
-      }
+      RequireSphereOutside(surface, SpheresOf((*one)->Seed, {}).front(), (*one)->Name);
     }
   }
   for (auto one = this->Fixed.begin(); one != this->Fixed.end(); ++one)
@@ -253,6 +301,35 @@ void OrganGroup::RequireApart(const std::vector<ConstraintList>& constraints) co
             " meet; of surfaces that stay as they are, none may "
             "meet another or lie in it");
       }
+    }
+  }
+}
+
+// The seeds and points of different organs, and those of each from the fixed surfaces.
+void OrganGroup::RequirePointsApart(const std::vector<ConstraintList>& constraints) const
+{
+  const double same = 1e-3 * this->Geometry.Spacing.minCoeff();
+  const auto knownOf = [&](const std::unique_ptr<Member>& member)
+  {
+    const ConstraintList& points = constraints[member->Index];
+    return KnownOrgan{ member->Name, SpheresOf(member->Seed, points), points };
+  };
+  for (const auto& member : this->Members)
+  {
+    const KnownOrgan one = knownOf(member);
+    for (const auto& other : this->Members)
+    {
+      if (other != member)
+      {
+        const KnownOrgan two = knownOf(other);
+        RequireSpheresApart(one, two);
+        RequireNoPointInSpheres(one, two);
+        RequirePlacesApart(one, two, same);
+      }
+    }
+    for (const FixedSurface& surface : this->Fixed)
+    {
+      RequireOutside(surface, one);
     }
   }
 }
@@ -438,7 +515,7 @@ std::vector<VolumeSegmentation> OrganGroup::Segment(const std::vector<Constraint
         return true;
       });
   }
-  this->RequireApart(constraints);
+  this->RequirePointsApart(constraints);
   bool stopped = false;
   const Monitor ask = [&](double fraction)
   {

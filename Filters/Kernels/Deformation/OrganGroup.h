@@ -55,15 +55,16 @@ public:
   OrganGroup& operator=(const OrganGroup&) = delete;
 
   /// One list of constraints and one result per organ, in the order of the organs. Throws as the
-  /// constructor does, also for a point of one organ in a seed of another, and where a constraint
-  /// cannot be obeyed; std::logic_error if surfaces should meet all the same. A stop by the monitor
-  /// gives results that are aborted.
+  /// constructor does, also for a point of one organ in a seed of another or in a fixed surface,
+  /// and where a constraint cannot be obeyed; std::logic_error if surfaces should meet all the
+  /// same. A stop by the monitor gives results that are aborted.
   std::vector<VolumeSegmentation> Segment(const std::vector<ConstraintList>& constraints,
     const Monitor& monitor, const GroupObserver& observer);
 
 private:
   struct Member;
-  void RequireApart(const std::vector<ConstraintList>& constraints) const;
+  void RequireStartsApart() const;
+  void RequirePointsApart(const std::vector<ConstraintList>& constraints) const;
   ConstraintList PointsOfOthers(const Member& member) const;
   BitMask FixedVoxels(const ImageGeometry& region) const;
   bool Divide(const Monitor& monitor);
