@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <limits>
 #include <random>
 #include <string>
 
@@ -49,6 +50,12 @@ public:
     VolumeSegmentationSettings settings;
     settings.Method.Schedule.Resolution = 16;
     return settings;
+  }
+
+  void SetAt(const Eigen::Vector3d& place, float value)
+  {
+    const auto [i, j, k] = NearestVoxel(this->Geometry, place);
+    this->Voxels[this->Geometry.Offset(i, j, k)] = value;
   }
 
   std::vector<SeededOrgan> Organs() const
@@ -266,6 +273,51 @@ TEST(OrganGroup, StopsWheneverItIsTold)
       EXPECT_TRUE(organ.Voxels.empty());
     }
   }
+}
+
+// What goes wrong with one of them says with which.
+TEST(OrganGroup, NamesTheOrganOfAnError)
+{
+  const auto startsWith = [](const std::string& message, const std::string& part)
+  { EXPECT_EQ(message.substr(0, part.size()), part); };
+  TouchingBalls broken;
+  broken.SetAt({ 38, 37, 45 }, std::numeric_limits<float>::quiet_NaN());
+  startsWith(broken.MessageOf(broken.Organs()), "left: a voxel of it");
+  const TouchingBalls balls;
+  const auto messageOf =
+    [&](const VolumeSegmentationSettings& settings, const std::vector<ConstraintList>& points)
+  {
+    OrganGroup group(balls.Gray(), "it", balls.Organs(), {}, settings, {});
+    try
+    {
+      group.Segment(points, NeverStop, Ignore);
+    }
+    catch (const Error& error)
+    {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  // A wall of outside points in the middle of the left ball, and an inside point beyond it.
+  ConstraintList wall{ { ConstraintKind::Inside, { 8, 37, 37 }, 0 } };
+  for (double y = 1; y < 74; y += 4)
+  {
+    for (double z = 1; z < 74; z += 4)
+    {
+      wall.push_back({ ConstraintKind::Outside, { 20, y, z }, 0 });
+    }
+  }
+  VolumeSegmentationSettings brief = TouchingBalls::Coarse();
+  brief.Method.Schedule.Resolution = 8;
+  brief.Method.Schedule.MaximumIterations = 3;
+  startsWith(messageOf(brief, { wall, {} }),
+    "left: the inside point (8, 37, 37) mm cannot be obeyed");
+  // The start is in the middle of what is known of the other.
+  brief.StartCenterOffset = { 0, 14, 0 };
+  brief.StartScale = 0.5;
+  startsWith(messageOf(brief, { {}, { { ConstraintKind::Inside, { 38, 51, 37 }, 0 } } }),
+    "left: the inside point (38, 51, 37) mm of right, which must lie outside left, lies in the "
+    "start surface");
 }
 
 TEST(OrganGroup, RefusesByName)

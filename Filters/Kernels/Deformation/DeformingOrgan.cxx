@@ -149,8 +149,12 @@ PointList DeformingOrgan::FindMotion()
     this->Foreground.GetMask(), this->Foreground.GetImage(), this->OrganRadius, targets,
     this->Parallel, this->Record.Targets);
   this->Record.SearchSeconds = watch.Lap();
-  return FlipFree::FindMotion(*this->Solver, this->Settings.Step, this->Surface.Points,
-    this->Surface.Field, this->Record.Step);
+  return this->Naming(
+    [&]
+    {
+      return FlipFree::FindMotion(*this->Solver, this->Settings.Step, this->Surface.Points,
+        this->Surface.Field, this->Record.Step);
+    });
 }
 
 void DeformingOrgan::Move(PointList points, int guarded, double guardSeconds)
@@ -215,7 +219,10 @@ bool DeformingOrgan::FinishConstraints(const GuardedStep& step, const Monitor& m
     return true;
   }
   const FaceHulls hulls(this->Surface.Points, this->Surface.Mesh.Faces);
-  return this->Enforcer->Finish(this->Surface.Mesh, hulls, step, monitor, this->Surface.Points);
+  return this->Naming(
+    [&] {
+      return this->Enforcer->Finish(this->Surface.Mesh, hulls, step, monitor, this->Surface.Points);
+    });
 }
 
 } // namespace FlipFree

@@ -203,7 +203,8 @@ struct OrganGroup::Member
 
   // Of the present call.
   ConstraintList Constraints;
-  ConstraintList OfOthers;
+  ConstraintList OfOthers;                                    // outside points
+  std::vector<std::pair<std::string, std::string>> Renamings; // of these, in messages
   OrganSegmenter* Levels = nullptr;
   double SmoothedBefore = 0;
 
@@ -215,11 +216,36 @@ struct OrganGroup::Member
     return all;
   }
 
-  // Returns call(). Errors get the organ's name in front.
+  // Returns call(). Errors get the organ's name in front, and points of others are called as the
+  // user gave them.
   template <typename Call>
   auto Naming(const Call& call) const
   {
-    return NamingSurface(this->Name, call);
+    try
+    {
+      return call();
+    }
+    catch (const Error& error)
+    {
+      throw Error(error.GetCode(), this->Name + ": " + this->Renamed(error.what()));
+    }
+    catch (const std::invalid_argument& error) // such as a voxel that is not finite
+    {
+      throw std::invalid_argument(this->Name + ": " + error.what());
+    }
+  }
+
+  std::string Renamed(std::string message) const
+  {
+    for (const auto& [from, to] : this->Renamings)
+    {
+      const std::size_t found = message.find(from);
+      if (found != std::string::npos)
+      {
+        return message.replace(found, from.size(), to);
+      }
+    }
+    return message;
   }
 };
 
@@ -242,8 +268,8 @@ OrganGroup::OrganGroup(const GrayVolume& volume, const std::string& name,
       [&]
       {
         return std::unique_ptr<Member>(new Member{ index, organ.Name, organ.Seed, start,
-          VolumeSegmenter(volume, name, organ.Seed, nullptr, settings, threading), {}, {}, nullptr,
-          0 });
+          VolumeSegmenter(volume, name, organ.Seed, nullptr, settings, threading), {}, {}, {},
+          nullptr, 0 });
       }));
   }
   std::sort(this->Members.begin(), this->Members.end(),
@@ -335,9 +361,10 @@ void OrganGroup::RequirePointsApart(const std::vector<ConstraintList>& constrain
 }
 
 // What is certain of the other organs, as far as this one can reach.
-ConstraintList OrganGroup::PointsOfOthers(const Member& member) const
+void OrganGroup::FindPointsOfOthers(Member& member) const
 {
-  ConstraintList points;
+  member.OfOthers.clear();
+  member.Renamings.clear();
   for (const auto& other : this->Members)
   {
     if (other.get() == &member)
@@ -351,11 +378,16 @@ ConstraintList OrganGroup::PointsOfOthers(const Member& member) const
       if ((point.Kind == ConstraintKind::Inside || point.Kind == ConstraintKind::Seed) &&
         IsWithin(member.Segmenter.GetBox(), NearestVoxel(this->Geometry, point.Point)))
       {
-        points.push_back({ ConstraintKind::Outside, point.Point, 0 });
+        const PointConstraint outside{ ConstraintKind::Outside, point.Point, 0 };
+        member.OfOthers.push_back(outside);
+        const std::string given = point.Kind == ConstraintKind::Seed
+          ? "the seed at " + TextOf(point.Point) + " mm"
+          : NameOf(point);
+        member.Renamings.emplace_back(NameOf(outside),
+          given + " of " + other->Name + ", which must lie outside " + member.Name + ",");
       }
     }
   }
-  return points;
 }
 
 BitMask OrganGroup::FixedVoxels(const ImageGeometry& region) const
@@ -386,7 +418,7 @@ bool OrganGroup::Divide(const Monitor& monitor)
         const auto voxel = NearestVoxel(foreground.GetMask().GetGeometry(), point.Point);
         return foreground.GetMask()(voxel[0], voxel[1], voxel[2]);
       });
-    if (!member->Organ().CorrectForeground(points, monitor))
+    if (!member->Naming([&] { return member->Organ().CorrectForeground(points, monitor); }))
     {
       return false;
     }
@@ -426,6 +458,8 @@ bool OrganGroup::Run(const Monitor& monitor, const GroupObserver& observer)
       [&]
       {
         member.Levels = &member.Segmenter.Prepare(member.Constraints);
+        member.Organ().SetName(member.Name);
+        member.Renamings.clear();
         member.SmoothedBefore = member.Organ().GetForeground().GetSmoothingSeconds();
         return member.Levels->FindForeground({}, part, observerOf(member));
       });
@@ -436,7 +470,7 @@ bool OrganGroup::Run(const Monitor& monitor, const GroupObserver& observer)
   }
   for (const auto& member : this->Members)
   {
-    member->OfOthers = this->PointsOfOthers(*member);
+    this->FindPointsOfOthers(*member);
   }
   if (!this->Divide([&](double) { return monitor(half); }))
   {
@@ -545,7 +579,12 @@ std::vector<VolumeSegmentation> OrganGroup::Segment(const std::vector<Constraint
     result.StageSeconds[1] = organ.FeatureSeconds;
     seconds -= organ.SmoothingSeconds + organ.FeatureSeconds;
     watch.Lap();
-    member->Segmenter.Judge(member->Constraints, result);
+    member->Naming(
+      [&]
+      {
+        member->Segmenter.Judge(member->Constraints, result);
+        return true;
+      });
     result.StageSeconds[3] = watch.Lap();
   }
   for (VolumeSegmentation& result : results)

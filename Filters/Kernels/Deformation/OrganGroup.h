@@ -65,7 +65,7 @@ private:
   struct Member;
   void RequireStartsApart() const;
   void RequirePointsApart(const std::vector<ConstraintList>& constraints) const;
-  ConstraintList PointsOfOthers(const Member& member) const;
+  void FindPointsOfOthers(Member& member) const;
   BitMask FixedVoxels(const ImageGeometry& region) const;
   bool Divide(const Monitor& monitor);
   bool Run(const Monitor& monitor, const GroupObserver& observer);
