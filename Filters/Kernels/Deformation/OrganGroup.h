@@ -6,7 +6,9 @@
  * (OrganDivision.h), and all surfaces start anew from their seeds and deform jointly
  * (JointDeformation.h): none passes through another, so none that begins outside another ends in
  * it, and a voxel lies in one at most. Seeds and inside points of an organ are outside points of
- * all others. The result does not depend on the order of the organs.
+ * all others. The result does not depend on the order of the organs. The surfaces are refined
+ * together: where one of them cannot be refined without meeting itself or another, all stay coarse
+ * (StopReason::NotRefined).
  */
 #ifndef FlipFreeOrganGroup_h
 #define FlipFreeOrganGroup_h
