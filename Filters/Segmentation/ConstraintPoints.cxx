@@ -1,17 +1,37 @@
 #include "ConstraintPoints.h"
 
+#include "vtkAbstractArray.h"
 #include "vtkDataArray.h"
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
 #include "vtkStringArray.h"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 namespace FlipFree
 {
 namespace
 {
+
+// One value per point.
+void RequireForm(vtkPointSet* points, vtkAbstractArray* values, const std::string& name)
+{
+  const std::string array =
+    "the point array '" + std::string(values->GetName()) + "' of " + name + " has ";
+  if (values->GetNumberOfComponents() != 1)
+  {
+    throw std::invalid_argument(
+      array + std::to_string(values->GetNumberOfComponents()) + " components; it needs one");
+  }
+  if (values->GetNumberOfTuples() != points->GetNumberOfPoints())
+  {
+    throw std::invalid_argument(array + std::to_string(values->GetNumberOfTuples()) +
+      " values for " + std::to_string(points->GetNumberOfPoints()) +
+      " points; it needs one for each");
+  }
+}
 
 vtkDataArray* ArrayOf(vtkPointSet* points, const char* array, const std::string& name,
   const char* meaning)
@@ -21,11 +41,7 @@ vtkDataArray* ArrayOf(vtkPointSet* points, const char* array, const std::string&
   {
     throw std::invalid_argument(name + " has no point array '" + array + "'; add it: " + meaning);
   }
-  if (values->GetNumberOfComponents() != 1)
-  {
-    throw std::invalid_argument("the point array '" + std::string(array) + "' of " + name +
-      " has " + std::to_string(values->GetNumberOfComponents()) + " components; it needs one");
-  }
+  RequireForm(points, values, name);
   return values;
 }
 
@@ -74,6 +90,10 @@ void AddConstraintsOf(vtkPointSet* points, const std::string& name, NamedConstra
   vtkDataArray* const numbers = names
     ? nullptr
     : ArrayOf(points, "Organ", name, "the name of each point's organ, or its number, from 1");
+  if (names)
+  {
+    RequireForm(points, names, name);
+  }
   for (std::size_t index = 0; index < constraints.size(); ++index)
   {
     const auto row = static_cast<vtkIdType>(index);
