@@ -298,19 +298,21 @@ TEST(OrganGroup, NamesTheOrganOfAnError)
     }
     return std::string();
   };
-  // A wall of outside points in the middle of the left ball, and an inside point beyond it.
-  ConstraintList wall{ { ConstraintKind::Inside, { 8, 37, 37 }, 0 } };
-  for (double y = 1; y < 74; y += 4)
+  // An inside point in a cage of outside points.
+  const Eigen::Vector3d place(8, 37, 37);
+  ConstraintList cage{ { ConstraintKind::Inside, place, 0 } };
+  for (int point = 0; point < 27; ++point)
   {
-    for (double z = 1; z < 74; z += 4)
+    const Eigen::Vector3d away(point % 3 - 1, point / 3 % 3 - 1, point / 9 - 1);
+    if (point != 13)
     {
-      wall.push_back({ ConstraintKind::Outside, { 20, y, z }, 0 });
+      cage.push_back({ ConstraintKind::Outside, place + 1.5 * away, 0 });
     }
   }
   VolumeSegmentationSettings brief = TouchingBalls::Coarse();
   brief.Method.Schedule.Resolution = 8;
   brief.Method.Schedule.MaximumIterations = 3;
-  startsWith(messageOf(brief, { wall, {} }),
+  startsWith(messageOf(brief, { cage, {} }),
     "left: the inside point (8, 37, 37) mm cannot be obeyed");
   // The start is in the middle of what is known of the other.
   brief.StartCenterOffset = { 0, 14, 0 };
