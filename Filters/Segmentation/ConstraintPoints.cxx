@@ -1,5 +1,6 @@
 #include "ConstraintPoints.h"
 
+#include "vtkAbstractArray.h"
 #include "vtkDataArray.h"
 #include "vtkDataObject.h"
 #include "vtkInformationVector.h"
@@ -17,6 +18,24 @@ namespace FlipFree
 namespace
 {
 
+// One value per point.
+void RequireForm(vtkPointSet* points, vtkAbstractArray* values, const std::string& name)
+{
+  const std::string array =
+    "the point array '" + std::string(values->GetName()) + "' of " + name + " has ";
+  if (values->GetNumberOfComponents() != 1)
+  {
+    throw std::invalid_argument(
+      array + std::to_string(values->GetNumberOfComponents()) + " components; it needs one");
+  }
+  if (values->GetNumberOfTuples() != points->GetNumberOfPoints())
+  {
+    throw std::invalid_argument(array + std::to_string(values->GetNumberOfTuples()) +
+      " values for " + std::to_string(points->GetNumberOfPoints()) +
+      " points; it needs one for each");
+  }
+}
+
 vtkDataArray* ArrayOf(vtkPointSet* points, const char* array, const std::string& name,
   const char* meaning)
 {
@@ -25,11 +44,7 @@ vtkDataArray* ArrayOf(vtkPointSet* points, const char* array, const std::string&
   {
     throw std::invalid_argument(name + " has no point array '" + array + "'; add it: " + meaning);
   }
-  if (values->GetNumberOfComponents() != 1)
-  {
-    throw std::invalid_argument("the point array '" + std::string(array) + "' of " + name +
-      " has " + std::to_string(values->GetNumberOfComponents()) + " components; it needs one");
-  }
+  RequireForm(points, values, name);
   return values;
 }
 
@@ -165,6 +180,7 @@ void AddConstraintsOf(vtkInformationVector* inputs, int port, NamedConstraints& 
       vtkStringArray::SafeDownCast(input.Points->GetPointData()->GetAbstractArray("Organ"));
     if (names)
     {
+      RequireForm(input.Points, names, input.Name);
       AddByName(names, constraints, organs);
       continue;
     }

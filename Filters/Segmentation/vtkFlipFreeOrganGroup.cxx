@@ -9,6 +9,7 @@
 #include "PipelineAdapter.h"
 
 #include "Deformation/OrganGroup.h"
+#include "MessageText.h"
 #include "Stopwatch.h"
 
 #include "vtkCompositeDataSet.h"
@@ -40,6 +41,58 @@ namespace
 
 const char* const NameOfImage = "the image on port 0";
 
+std::vector<FlipFree::FixedSurface> FixedSurfacesOf(vtkInformationVector* inputs)
+{
+  std::vector<FlipFree::FixedSurface> fixed;
+  for (int index = 0; index < inputs->GetNumberOfInformationObjects(); ++index)
+  {
+    const std::string name = "the fixed surface " + std::to_string(index + 1) + " on port 2";
+    fixed.push_back(
+      { name, FlipFree::DeformableSurfaceOf(vtkPolyData::GetData(inputs, index), name, true) });
+  }
+  return fixed;
+}
+
+// A row per organ.
+class ResultTable
+{
+public:
+  void Add(const std::string& name, int label, const FlipFree::VolumeSegmentation& result,
+    double voxelVolume)
+  {
+    this->Names->InsertNextValue(name);
+    this->Labels->InsertNextValue(label);
+    this->Volumes->InsertNextValue(
+      static_cast<double>(FlipFree::CountVoxels(result.Voxels)) * voxelVolume / 1000);
+    this->Iterations->InsertNextValue(static_cast<int>(result.Organ.Iterations.size()));
+    this->Reasons->InsertNextValue(FlipFree::ToString(result.Organ.Reason));
+    this->Confidences->InsertNextValue(result.Confidence.OfSurface);
+    this->Intersections->InsertNextValue(static_cast<int>(result.Organ.SelfIntersections));
+  }
+
+  void AddTo(vtkTable* table) const
+  {
+    const std::pair<const char*, vtkAbstractArray*> columns[] = { { "Organ", this->Names },
+      { "Label", this->Labels }, { "Milliliters", this->Volumes },
+      { "Iterations", this->Iterations }, { "StopReason", this->Reasons },
+      { "Confidence", this->Confidences }, { "SelfIntersections", this->Intersections } };
+    for (const auto& [name, column] : columns)
+    {
+      column->SetName(name);
+      table->AddColumn(column);
+    }
+  }
+
+private:
+  vtkNew<vtkStringArray> Names;
+  vtkNew<vtkIntArray> Labels;
+  vtkNew<vtkDoubleArray> Volumes;
+  vtkNew<vtkIntArray> Iterations;
+  vtkNew<vtkStringArray> Reasons;
+  vtkNew<vtkDoubleArray> Confidences;
+  vtkNew<vtkIntArray> Intersections;
+};
+
 } // namespace
 
 struct vtkFlipFreeOrganGroup::Internals
@@ -47,6 +100,12 @@ struct vtkFlipFreeOrganGroup::Internals
   FlipFree::NamedConstraints Organs;
   std::vector<FlipFree::VolumeSegmentation> Results; // without surfaces
   std::vector<vtkSmartPointer<vtkTable>> Convergence;
+
+  const FlipFree::VolumeSegmentation* Finished(int organ) const
+  {
+    const FlipFree::VolumeSegmentation* const result = this->Result(organ);
+    return result && result->Organ.Reason != FlipFree::StopReason::Aborted ? result : nullptr;
+  }
 
   const FlipFree::VolumeSegmentation* Result(int organ) const
   {
@@ -195,13 +254,13 @@ const char* vtkFlipFreeOrganGroup::GetStopReasonAsString(int organ) const
 
 double vtkFlipFreeOrganGroup::GetConfidence(int organ) const
 {
-  const auto* const result = this->Kept->Result(organ);
+  const auto* const result = this->Kept->Finished(organ);
   return result ? result->Confidence.OfSurface : -1;
 }
 
 int vtkFlipFreeOrganGroup::GetNumberOfSelfIntersections(int organ) const
 {
-  const auto* const result = this->Kept->Result(organ);
+  const auto* const result = this->Kept->Finished(organ);
   return result ? static_cast<int>(result->Organ.SelfIntersections) : -1;
 }
 
@@ -229,23 +288,6 @@ int vtkFlipFreeOrganGroup::FillOutputPortInformation(int port, vtkInformation* i
 vtkTypeBool vtkFlipFreeOrganGroup::ProcessRequest(vtkInformation* request,
   vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  if (request->Has(vtkDemandDrivenPipeline::REQUEST_DATA_OBJECT()))
-  {
-    // Of these types; the default pipeline makes none of several blocks.
-    for (int port = 0; port < 3; ++port)
-    {
-      vtkInformation* const info = outputs->GetInformationObject(port);
-      if (!info->Get(vtkDataObject::DATA_OBJECT()))
-      {
-        vtkSmartPointer<vtkDataObject> output;
-        port == 0     ? output = vtkSmartPointer<vtkMultiBlockDataSet>::New()
-          : port == 1 ? output = vtkSmartPointer<vtkImageData>::New()
-                      : output = vtkSmartPointer<vtkTable>::New();
-        info->Set(vtkDataObject::DATA_OBJECT(), output);
-      }
-    }
-    return 1;
-  }
   if (request->Has(vtkDemandDrivenPipeline::REQUEST_INFORMATION()))
   {
     FlipFree::AnnounceLabelMap(inputs[0]->GetInformationObject(0),
@@ -310,100 +352,92 @@ void vtkFlipFreeOrganGroup::Segment(vtkInformationVector** inputs, vtkInformatio
     constraints.push_back(list);
     FlipFree::TakeSeed(name, organs.back().Seed, constraints.back());
   }
-  std::vector<FlipFree::FixedSurface> fixed;
-  for (int index = 0; index < inputs[2]->GetNumberOfInformationObjects(); ++index)
-  {
-    const std::string name = "the fixed surface " + std::to_string(index + 1) + " on port 2";
-    fixed.push_back(
-      { name, FlipFree::DeformableSurfaceOf(vtkPolyData::GetData(inputs[2], index), name, true) });
-  }
   FlipFree::OrganGroup group(FlipFree::GrayVolumeOf(image, NameOfImage), NameOfImage, organs,
-    std::move(fixed), this->Parameters->GetSettings(), FlipFree::SMPThreading());
+    FixedSurfacesOf(inputs[2]), this->Parameters->GetSettings(), FlipFree::SMPThreading());
   this->Kept->Results = group.Segment(constraints, FlipFree::MonitorOf(this, 0, 0.95),
     [](std::size_t, const auto&, const auto&, const auto&, const auto&) {});
 
-  auto* const surfaces = vtkMultiBlockDataSet::GetData(outputs, 0);
-  vtkNew<vtkStringArray> names;
-  vtkNew<vtkIntArray> labels;
-  vtkNew<vtkDoubleArray> volumes;
-  vtkNew<vtkIntArray> iterations;
-  vtkNew<vtkStringArray> reasons;
-  vtkNew<vtkDoubleArray> confidences;
-  vtkNew<vtkIntArray> intersections;
-  const FlipFree::ImageGeometry geometry = FlipFree::GeometryOf(image);
   FlipFree::Stopwatch watch;
-  vtkImageData* const labelMap = vtkImageData::GetData(outputs, 1);
+  ResultTable table;
   for (std::size_t index = 0; index < organs.size(); ++index)
   {
     FlipFree::VolumeSegmentation& result = this->Kept->Results[index];
-    FlipFree::OrganSurface& organ = result.Organ;
     this->Kept->Convergence.push_back(vtkSmartPointer<vtkTable>::New());
-    if (organ.Reason == FlipFree::StopReason::Aborted)
+    if (result.Organ.Reason != FlipFree::StopReason::Aborted)
     {
-      continue;
+      const std::string& name = organs[index].Name;
+      const int label = this->LabelValue + static_cast<int>(index);
+      this->FillOutputs(static_cast<int>(index), name, image, outputs);
+      table.Add(name, label, result, FlipFree::GeometryOf(image).VoxelVolume());
+      // What the outputs hold now.
+      result.Organ.Points.resize(0, 3);
+      result.Organ.Mesh = {};
+      result.Organ.First = {};
+      result.Voxels.clear();
     }
-    FlipFree::FillConvergenceTable(organ.Iterations, this->Kept->Convergence.back());
-    vtkNew<vtkPolyData> surface;
-    FlipFree::AttachMesh(organ.Mesh, organ.Points, surface);
-    FlipFree::AttachField(organ.Field, surface);
-    FlipFree::AttachConfidence(result.Confidence, surface);
-    FlipFree::AttachCertificate(true, surface);
-    const auto block = static_cast<unsigned int>(index);
-    surfaces->SetBlock(block, surface);
-    surfaces->GetMetaData(block)->Set(vtkCompositeDataSet::NAME(), organs[index].Name.c_str());
-    const int label = this->LabelValue + static_cast<int>(index);
-    if (index == 0)
-    {
-      FlipFree::MakeLabelMap(result.Voxels, static_cast<unsigned char>(label), image, labelMap);
-    }
-    else
-    {
-      FlipFree::FillRuns(result.Voxels, static_cast<unsigned char>(label), geometry,
-        static_cast<unsigned char*>(labelMap->GetScalarPointer()));
-    }
-    names->InsertNextValue(organs[index].Name);
-    labels->InsertNextValue(label);
-    volumes->InsertNextValue(
-      static_cast<double>(FlipFree::CountVoxels(result.Voxels)) * geometry.VoxelVolume() / 1000);
-    iterations->InsertNextValue(static_cast<int>(organ.Iterations.size()));
-    reasons->InsertNextValue(FlipFree::ToString(organ.Reason));
-    confidences->InsertNextValue(result.Confidence.OfSurface);
-    intersections->InsertNextValue(static_cast<int>(organ.SelfIntersections));
-    for (const std::string& warning : result.Warnings)
-    {
-      vtkWarningMacro(<< organs[index].Name << ": " << warning);
-    }
-    for (int stage = 0; stage < 4; ++stage)
-    {
-      this->StageSeconds[stage] += result.StageSeconds[stage];
-    }
-    // What the outputs hold now.
-    organ.Points.resize(0, 3);
-    organ.Mesh = {};
-    organ.First = {};
-    result.Voxels.clear();
   }
   this->StageSeconds[3] += watch.Lap();
-  const std::pair<const char*, vtkAbstractArray*> columns[] = { { "Organ", names },
-    { "Label", labels }, { "Milliliters", volumes }, { "Iterations", iterations },
-    { "StopReason", reasons }, { "Confidence", confidences },
-    { "SelfIntersections", intersections } };
-  for (const auto& [name, column] : columns)
-  {
-    column->SetName(name);
-    vtkTable::GetData(outputs, 2)->AddColumn(column);
-  }
+  table.AddTo(vtkTable::GetData(outputs, 2));
   this->UpdateProgress(1);
+}
+
+void vtkFlipFreeOrganGroup::FillOutputs(int organ, const std::string& name, vtkImageData* image,
+  vtkInformationVector* outputs)
+{
+  const FlipFree::VolumeSegmentation& result = this->Kept->Results[organ];
+  FlipFree::FillConvergenceTable(result.Organ.Iterations, this->Kept->Convergence[organ]);
+  vtkNew<vtkPolyData> surface;
+  FlipFree::AttachMesh(result.Organ.Mesh, result.Organ.Points, surface);
+  FlipFree::AttachField(result.Organ.Field, surface);
+  FlipFree::AttachConfidence(result.Confidence, surface);
+  FlipFree::AttachCertificate(true, surface);
+  auto* const surfaces = vtkMultiBlockDataSet::GetData(outputs, 0);
+  const auto block = static_cast<unsigned int>(organ);
+  surfaces->SetBlock(block, surface);
+  surfaces->GetMetaData(block)->Set(vtkCompositeDataSet::NAME(), name.c_str());
+  vtkImageData* const labelMap = vtkImageData::GetData(outputs, 1);
+  const auto label = static_cast<unsigned char>(this->LabelValue + organ);
+  if (organ == 0)
+  {
+    FlipFree::MakeLabelMap(result.Voxels, label, image, labelMap);
+  }
+  else
+  {
+    FlipFree::FillRuns(result.Voxels, label, FlipFree::GeometryOf(image),
+      static_cast<unsigned char*>(labelMap->GetScalarPointer()));
+  }
+  for (const std::string& warning : result.Warnings)
+  {
+    vtkWarningMacro(<< name << ": " << warning);
+  }
+  for (int stage = 0; stage < 4; ++stage)
+  {
+    this->StageSeconds[stage] += result.StageSeconds[stage];
+  }
 }
 
 void vtkFlipFreeOrganGroup::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Organs:";
-  for (const auto& organ : this->Kept->Organs)
+  for (const auto& [name, constraints] : this->Kept->Organs)
   {
-    os << " " << organ.first;
+    os << indent << "Organ: " << name << "\n";
+    for (const FlipFree::PointConstraint& constraint : constraints)
+    {
+      const bool isSphere = constraint.Kind == FlipFree::ConstraintKind::Seed;
+      os << indent.GetNextIndent()
+         << (isSphere ? "a seed at " + FlipFree::TextOf(constraint.Point) +
+                  " mm, Radius: " + std::to_string(constraint.Radius)
+                      : FlipFree::NameOf(constraint))
+         << "\n";
+    }
   }
-  os << "\n" << indent << "LabelValue: " << this->LabelValue << "\n";
+  os << indent << "LabelValue: " << this->LabelValue << "\n";
+  os << indent << "StageSeconds:";
+  for (const double seconds : this->StageSeconds)
+  {
+    os << " " << seconds;
+  }
+  os << "\n";
   os << indent << "Parameters: " << this->Parameters.Get() << "\n";
 }

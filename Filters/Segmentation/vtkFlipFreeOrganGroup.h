@@ -14,9 +14,9 @@
  * Input port 1, optional, repeatable: vtkPointSet, points and further seeds of the organs, with the
  * point arrays `Constraint` and `Radius` of vtkFlipFreeSegmentation and `Organ`: the names of
  * organs (vtkStringArray), or their numbers, which count from 1 in the order of AddOrgan(), and
- * then of the names. Seeds of a name, or of the next number, that there is not yet add an organ;
- * one without a name is called `organ 2` or the like. vtkConstraintPointSource makes a data set of
- * a single point.
+ * then of the names. A point with a new name, or with the next number, adds an organ, which needs a
+ * seed; one without a name is called `organ 2` or the like. vtkConstraintPointSource makes a data
+ * set of a single point.
  * Input port 2, optional, repeatable: vtkPolyData, a surface that stays as it is and that no organ
  * meets, such as an earlier result: closed, four neighbors at every vertex, embedded.
  *
@@ -28,9 +28,9 @@
  * Iterations, StopReason (in words), Confidence (0 to 1), SelfIntersections.
  *
  * Errors: those of vtkFlipFreeSegmentation, naming the organ; no organ, or one without a seed; two
- * organs whose seeds overlap; a point of one organ in a seed of another; a start sphere that meets
- * a fixed surface; Guard or Carving switched off. The outputs are then empty. Warnings: those of
- * vtkFlipFreeSegmentation, with the organ's name.
+ * organs whose seeds overlap; a point of one organ in a seed of another; a seed or start sphere
+ * that meets a fixed surface; Guard or Carving switched off. The outputs are then empty. Warnings:
+ * those of vtkFlipFreeSegmentation, with the organ's name.
  */
 #ifndef vtkFlipFreeOrganGroup_h
 #define vtkFlipFreeOrganGroup_h
@@ -40,6 +40,7 @@
 #include "vtkSmartPointer.h" // for the parameters
 
 #include <memory> // for std::unique_ptr
+#include <string> // for names
 
 class vtkFlipFreeSegmentation;
 class vtkImageData;
@@ -104,7 +105,8 @@ public:
   ///@{
   /**
    * The parameters of all organs and stages: of this filter, only these are used, not its seed,
-   * points and inputs. Changing one makes the group execute again. Setting null sets the defaults.
+   * points and inputs; its LabelValue and KeepHistory are ignored. Changing one makes the group
+   * execute again. Setting null sets the defaults.
    */
   vtkFlipFreeSegmentation* GetParameters() const;
   void SetParameters(vtkFlipFreeSegmentation* parameters);
@@ -177,6 +179,8 @@ protected:
 
 private:
   void Segment(vtkInformationVector** inputs, vtkInformationVector* outputs);
+  void FillOutputs(int organ, const std::string& name, vtkImageData* image,
+    vtkInformationVector* outputs);
   void AddPoint(const char* organ, int kind, const double (&point)[3], double radius);
 
   struct Internals;

@@ -1,6 +1,8 @@
 """Several organs by --organ: their files, points of each, surfaces that stay, and what is refused."""
 
+import csv
 import os
+import re
 import unittest
 
 import command
@@ -70,6 +72,24 @@ class TestOrgans(command.CommandTest):
         process = self.segment(*self.organ("liver"), "--fixed", self.result("a-liver.vtp"), "-o", self.result("c.vtp"))
         self.assertNotEqual(process.returncode, 0)
         self.assertRegex(process.stderr, "the start sphere of liver meets the fixed surface 1")
+
+    def test_volume_and_preset(self):
+        # As that of one organ: the surface's. A preset is taken; the guard is needed.
+        x, y, z, radius = self.organs["liver"]
+        volumes = []
+        for arguments in (self.organ("liver"), ("--seed", x, y, z, "--radius", radius)):
+            process = self.segment(*arguments, "-o", self.result("a.vtp"))
+            self.assert_succeeds(process, may_be_doubtful=True)
+            volumes.append(re.search(r"volume ([\d.]+) ml", process.stdout)[1])
+        self.assertEqual(*volumes)
+        published = ("--preset", "published", "--convergence", self.result("a.csv"))
+        process = self.segment(*self.organ("liver"), *published)
+        self.assertEqual(process.returncode, 1)
+        self.assertRegex(process.stderr, "switch --guard and --carving on")
+        process = self.segment(*self.organ("liver"), *published, "--guard", "--carving")
+        self.assert_succeeds(process, may_be_doubtful=True)
+        with open(self.result("a-liver.csv"), encoding="utf-8") as file:
+            self.assertEqual({row["Level"] for row in csv.DictReader(file)}, {"0"})
 
     def test_misuse_is_refused(self):
         liver, spleen = self.organ("liver"), self.organ("spleen")

@@ -14,6 +14,7 @@
 #include "vtkVariant.h"
 
 #include <array>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -294,6 +295,58 @@ TEST(OrganGroupFilter, RefusesByName)
   ExpectRefusal(group, { "third has no seed" });
 }
 
+// Arrays of another form than one value per point.
+TEST(OrganGroupFilter, RefusesShortAndWideArrays)
+{
+  const auto shortened = [](vtkAbstractArray* array)
+  {
+    array->SetNumberOfTuples(2);
+    return array;
+  };
+  vtkNew<vtkStringArray> names;
+  names->SetNumberOfValues(3);
+  auto group = MakeGroup();
+  group->SetConstraintData(Seeds(shortened(names)));
+  ExpectRefusal(group, { "'Organ'", "has 2 values for 3 points" });
+  vtkNew<vtkStringArray> wide;
+  wide->SetNumberOfComponents(2);
+  wide->SetNumberOfTuples(3);
+  group = MakeGroup();
+  group->SetConstraintData(Seeds(wide));
+  ExpectRefusal(group, { "'Organ'", "has 2 components" });
+  vtkNew<vtkIntArray> numbers;
+  numbers->SetNumberOfValues(3);
+  group = MakeGroup();
+  group->SetConstraintData(Seeds(shortened(numbers)));
+  ExpectRefusal(group, { "'Organ'", "has 2 values for 3 points" });
+  for (const char* array : { "Constraint", "Radius" })
+  {
+    vtkNew<vtkIntArray> organs;
+    for (const int organ : { 1, 2, 1 })
+    {
+      organs->InsertNextValue(organ);
+    }
+    const auto seeds = Seeds(organs);
+    shortened(seeds->GetPointData()->GetArray(array));
+    group = MakeGroup();
+    group->SetConstraintData(seeds);
+    ExpectRefusal(group, { array, "has 2 values for 3 points" });
+  }
+}
+
+TEST(OrganGroupFilter, PrintsSeedsAndPoints)
+{
+  const auto group = MakePair();
+  group->AddOutsidePoint("left", 38, 57, 37);
+  std::ostringstream text;
+  group->Print(text);
+  for (const char* part : { "Organ: left", "a seed at (80, 37, 37) mm, Radius: 10",
+         "the outside point (38, 57, 37) mm", "StageSeconds: 0 0 0 0" })
+  {
+    EXPECT_NE(text.str().find(part), std::string::npos) << part;
+  }
+}
+
 TEST(OrganGroupFilter, CanBeAborted)
 {
   const auto group = MakePair();
@@ -311,6 +364,8 @@ TEST(OrganGroupFilter, CanBeAborted)
   group->Update();
   EXPECT_EQ(group->GetStopReason(0), vtkFlipFreeSegmentation::ABORTED);
   EXPECT_STREQ(group->GetStopReasonAsString(1), "aborted");
+  EXPECT_EQ(group->GetNumberOfSelfIntersections(0), -1);
+  EXPECT_EQ(group->GetConfidence(0), -1);
   for (int port = 0; port < 3; ++port)
   {
     EXPECT_TRUE(IsEmpty(group->GetOutputDataObject(port))) << port;

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <vector>
 
 using namespace FlipFree;
 
@@ -58,6 +59,34 @@ private:
   }
 };
 
+bool Divide(OrganClaim& one, OrganClaim& two, const Monitor& monitor = NeverStop)
+{
+  std::vector<OrganClaim> claims{ one, two };
+  const bool done = DivideClaims(claims, Modality::CT, SerialFor, monitor);
+  one = claims[0];
+  two = claims[1];
+  return done;
+}
+
+// A cube of voxels around a center.
+void SetCube(BitMask& mask, int center, int half, bool inside)
+{
+  for (int k = 10 - half; k <= 10 + half; ++k)
+  {
+    for (int j = 10 - half; j <= 10 + half; ++j)
+    {
+      mask.SetRun(inside, center - half, center + half + 1, j, k);
+    }
+  }
+}
+
+std::size_t CountCommon(const BitMask& one, const BitMask& two)
+{
+  BitMask both = one;
+  both.Intersect(two);
+  return both.Count();
+}
+
 int Ends(const OrganClaim& claim, bool low)
 {
   const VoxelBox bounds = claim.Mask.Bounds();
@@ -73,14 +102,14 @@ TEST(OrganDivision, FollowsTheLayerBetween)
   const TwoBoxes boxes;
   OrganClaim left = boxes.Claim(2, 35, { 10, 10, 10 });
   OrganClaim right = boxes.Claim(20, 38, { 29, 10, 10 }, 15);
-  ASSERT_TRUE(DivideClaims(left, right, Modality::CT, SerialFor, NeverStop));
+  ASSERT_TRUE(Divide(left, right));
   EXPECT_NEAR(Ends(left, false), 20, 1);
   EXPECT_EQ(Ends(right, true), Ends(left, false));
   EXPECT_EQ(left.Mask.Count() + right.Mask.Count(), 36u * 12 * 12);
   // The other way round alike.
   OrganClaim again = boxes.Claim(2, 35, { 10, 10, 10 });
   OrganClaim other = boxes.Claim(20, 38, { 29, 10, 10 }, 15);
-  ASSERT_TRUE(DivideClaims(other, again, Modality::CT, SerialFor, NeverStop));
+  ASSERT_TRUE(Divide(other, again));
   EXPECT_NEAR(Ends(again, false), Ends(left, false), 1);
 }
 
@@ -90,7 +119,7 @@ TEST(OrganDivision, LeavesAloneWhatIsClaimedOnce)
   OrganClaim left = boxes.Claim(2, 20, { 10, 10, 10 });
   OrganClaim right = boxes.Claim(20, 38, { 29, 10, 10 });
   const BitMask before = left.Mask;
-  ASSERT_TRUE(DivideClaims(left, right, Modality::CT, SerialFor, NeverStop));
+  ASSERT_TRUE(Divide(left, right));
   EXPECT_EQ(left.Mask, before);
 }
 
@@ -101,13 +130,55 @@ TEST(OrganDivision, KeepsPointsAndWholePieces)
   OrganClaim left = boxes.Claim(2, 38, { 10, 10, 10 });
   OrganClaim right = boxes.Claim(14, 30, { 25, 10, 10 });
   left.Constraints.push_back({ ConstraintKind::Inside, { 17, 10, 10 }, 0 });
-  ASSERT_TRUE(DivideClaims(left, right, Modality::CT, SerialFor, NeverStop));
+  ASSERT_TRUE(Divide(left, right));
   EXPECT_TRUE(left.Mask(17, 10, 10));
   EXPECT_FALSE(left.Mask(33, 10, 10)); // beyond the right one
   EXPECT_TRUE(right.Mask(25, 10, 10));
-  BitMask both = left.Mask;
-  both.Intersect(right.Mask);
-  EXPECT_EQ(both.Count(), 0u);
+  EXPECT_EQ(CountCommon(left.Mask, right.Mask), 0u);
+}
+
+// What one organ gets within another stays its own while the other is divided from a third, and so
+// does what is fixed. A hole within the inner organ is left to it.
+TEST(OrganDivision, LeavesInnerOrgansAndFixedSurfacesTheirHoles)
+{
+  const TwoBoxes boxes;
+  for (const bool isFixed : { false, true })
+  {
+    std::vector<OrganClaim> claims;
+    claims.push_back(boxes.Claim(2, 30, { 16, 10, 10 }));
+    BitMask inner(boxes.Image.Geometry);
+    SetCube(inner, 7, 3, true);
+    if (isFixed)
+    {
+      claims[0].Fixed = inner;
+    }
+    else
+    {
+      claims.push_back(boxes.Claim(2, 30, { 7, 10, 13 }));
+      claims.back().Mask = inner;
+      SetCube(claims.back().Mask, 7, 1, false);
+      claims.back().Seed = { { 7, 10, 12 }, 1.2 };
+      claims.back().Constraints.push_back({ ConstraintKind::Seed, { 7, 10, 10 }, 5.5 });
+    }
+    claims.push_back(boxes.Claim(20, 38, { 33, 10, 10 }));
+    ASSERT_TRUE(DivideClaims(claims, Modality::CT, SerialFor, NeverStop));
+    EXPECT_LT(claims.front().Mask.Count(), 28u * 12 * 12 - 343);
+    for (std::size_t one = 0; one < claims.size(); ++one)
+    {
+      for (std::size_t two = 0; two < one; ++two)
+      {
+        EXPECT_EQ(CountCommon(claims[one].Mask, claims[two].Mask), 0u) << one << " " << two;
+      }
+      if (isFixed)
+      {
+        EXPECT_EQ(CountCommon(claims[one].Mask, inner), 0u) << one;
+      }
+    }
+    if (!isFixed)
+    {
+      EXPECT_FALSE(claims[0].Mask(7, 10, 10));
+    }
+  }
 }
 
 TEST(OrganDivision, CanBeStopped)
@@ -115,5 +186,5 @@ TEST(OrganDivision, CanBeStopped)
   const TwoBoxes boxes;
   OrganClaim left = boxes.Claim(2, 35, { 10, 10, 10 });
   OrganClaim right = boxes.Claim(20, 38, { 29, 10, 10 });
-  EXPECT_FALSE(DivideClaims(left, right, Modality::CT, SerialFor, [](double) { return false; }));
+  EXPECT_FALSE(Divide(left, right, [](double) { return false; }));
 }

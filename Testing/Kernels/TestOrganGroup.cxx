@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <limits>
 #include <random>
 #include <string>
 
@@ -49,6 +50,12 @@ public:
     VolumeSegmentationSettings settings;
     settings.Method.Schedule.Resolution = 16;
     return settings;
+  }
+
+  void SetAt(const Eigen::Vector3d& place, float value)
+  {
+    const auto [i, j, k] = NearestVoxel(this->Geometry, place);
+    this->Voxels[this->Geometry.Offset(i, j, k)] = value;
   }
 
   std::vector<SeededOrgan> Organs() const
@@ -268,6 +275,53 @@ TEST(OrganGroup, StopsWheneverItIsTold)
   }
 }
 
+// What goes wrong with one of them says with which.
+TEST(OrganGroup, NamesTheOrganOfAnError)
+{
+  const auto startsWith = [](const std::string& message, const std::string& part)
+  { EXPECT_EQ(message.substr(0, part.size()), part); };
+  TouchingBalls broken;
+  broken.SetAt({ 38, 37, 45 }, std::numeric_limits<float>::quiet_NaN());
+  startsWith(broken.MessageOf(broken.Organs()), "left: a voxel of it");
+  const TouchingBalls balls;
+  const auto messageOf =
+    [&](const VolumeSegmentationSettings& settings, const std::vector<ConstraintList>& points)
+  {
+    OrganGroup group(balls.Gray(), "it", balls.Organs(), {}, settings, {});
+    try
+    {
+      group.Segment(points, NeverStop, Ignore);
+    }
+    catch (const Error& error)
+    {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  // An inside point in a cage of outside points.
+  const Eigen::Vector3d place(8, 37, 37);
+  ConstraintList cage{ { ConstraintKind::Inside, place, 0 } };
+  for (int point = 0; point < 27; ++point)
+  {
+    const Eigen::Vector3d away(point % 3 - 1, point / 3 % 3 - 1, point / 9 - 1);
+    if (point != 13)
+    {
+      cage.push_back({ ConstraintKind::Outside, place + 1.5 * away, 0 });
+    }
+  }
+  VolumeSegmentationSettings brief = TouchingBalls::Coarse();
+  brief.Method.Schedule.Resolution = 8;
+  brief.Method.Schedule.MaximumIterations = 3;
+  startsWith(messageOf(brief, { cage, {} }),
+    "left: the inside point (8, 37, 37) mm cannot be obeyed");
+  // The start is in the middle of what is known of the other.
+  brief.StartCenterOffset = { 0, 14, 0 };
+  brief.StartScale = 0.5;
+  startsWith(messageOf(brief, { {}, { { ConstraintKind::Inside, { 38, 51, 37 }, 0 } } }),
+    "left: the inside point (38, 51, 37) mm of right, which must lie outside left, lies in the "
+    "start surface");
+}
+
 TEST(OrganGroup, RefusesByName)
 {
   const TouchingBalls balls;
@@ -306,6 +360,10 @@ TEST(OrganGroup, RefusesByName)
   has(balls.MessageOf({ { "left", balls.Left } },
         { { { ConstraintKind::Inside, { 80, 40, 37 }, 0 } } }, { ball }),
     "the inside point (80, 40, 37) mm of left lies in the tumor");
+  // The center of a further seed lies outside, its sphere not.
+  has(balls.MessageOf({ { "left", balls.Left } },
+        { { { ConstraintKind::Seed, { 62, 37, 37 }, 9 } } }, { ball }),
+    "a seed of left, the sphere of 9 mm at (62, 37, 37) mm, meets the tumor, which stays");
   VolumeSegmentationSettings settings = TouchingBalls::Coarse();
   settings.Method.Step.Guard = false;
   EXPECT_THROW(OrganGroup(balls.Gray(), "it", balls.Organs(), {}, settings, {}), Error);

@@ -37,6 +37,10 @@ class Organs(unittest.TestCase):
             beside = flipfree.segment_organs(image(), {"spleen": SPLEEN}, fixed=[surface], resolution=16)
             self.assertFalse(numpy.any((beside.labels == 1) & (free.labels == 1)))
 
+    def test_are_corrected_by_another_call(self):
+        with self.assertRaisesRegex(flipfree.FlipFreeError, r"call segment_organs\(\) again with the points"):
+            both()["liver"].corrected(inside=[SEED])
+
     def test_what_is_wrong_is_named(self):
         for organs, kind, words in (
                 ([("liver", SEED)], TypeError, "organs: a dict"),

@@ -72,7 +72,11 @@ std::string GivenOrgan::FileName() const
   std::string file = this->Name;
   std::replace_if(
     file.begin(), file.end(),
-    [](char letter) { return letter >= 0 && !std::isalnum(static_cast<unsigned char>(letter)); },
+    [](char letter)
+    {
+      const auto code = static_cast<unsigned char>(letter);
+      return code < 128 && !std::isalnum(code);
+    },
     '-');
   return file;
 }

@@ -34,8 +34,8 @@ public:
   bool HasOrgans() const { return !this->Values.empty(); }
 
   /// The organs, after the command line was read: the points of `corrections` belong to the organ
-  /// before them. Throws WrongUsage for a number that is none, a point before the first organ, and
-  /// names that are empty or the same in names of files.
+  /// before them. Throws WrongUsage for a value that is not a number, a point before the first
+  /// organ, and names that are empty or the same in names of files.
   std::vector<GivenOrgan> Organs(const PointOptions& corrections) const;
 
   /// Files of surfaces that stay as they are.

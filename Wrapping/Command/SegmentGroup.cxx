@@ -3,6 +3,7 @@
 #include "Failure.h"
 #include "OutputFile.h"
 #include "Run.h"
+#include "SegmentationReport.h"
 #include "Snapshot.h"
 #include "SurfaceFile.h"
 #include "TableFile.h"
@@ -32,9 +33,18 @@ void AddOrgan(const GivenOrgan& organ, vtkFlipFreeOrganGroup* group)
   for (const CorrectionPoint& point : organ.Points)
   {
     const auto [x, y, z] = point.Place;
-    point.Kind == "inside"      ? group->AddInsidePoint(name, x, y, z)
-      : point.Kind == "outside" ? group->AddOutsidePoint(name, x, y, z)
-                                : group->AddBoundaryPoint(name, x, y, z);
+    if (point.Kind == "inside")
+    {
+      group->AddInsidePoint(name, x, y, z);
+    }
+    else if (point.Kind == "outside")
+    {
+      group->AddOutsidePoint(name, x, y, z);
+    }
+    else
+    {
+      group->AddBoundaryPoint(name, x, y, z);
+    }
   }
 }
 
@@ -82,7 +92,7 @@ void Report(vtkFlipFreeOrganGroup* group, const std::string& input, double readi
     std::printf("%s, %s: label %.0f, volume %.1f ml, %.0f iterations, %s, %.0f "
                 "self-intersections, confidence %.2f\n",
       input.c_str(), table->GetValueByName(row, "Organ").ToString().c_str(), number("Label"),
-      number("Milliliters"), number("Iterations"),
+      VolumeInMilliliters(group->GetSurface(static_cast<int>(row))), number("Iterations"),
       table->GetValueByName(row, "StopReason").ToString().c_str(), number("SelfIntersections"),
       number("Confidence"));
   }

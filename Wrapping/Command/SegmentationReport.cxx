@@ -17,15 +17,6 @@ namespace Command
 namespace
 {
 
-double VolumeInMilliliters(vtkPolyData* surface)
-{
-  vtkNew<vtkTriangleFilter> triangles;
-  triangles->SetInputData(surface);
-  vtkNew<vtkMassProperties> properties;
-  properties->SetInputConnection(triangles->GetOutputPort());
-  return properties->GetVolume() / 1000;
-}
-
 /// Vessels have none.
 std::string ConfidenceText(const OrganFilter& filter)
 {
@@ -60,6 +51,15 @@ bool IsGuarded(const OrganFilter& filter)
 }
 
 } // namespace
+
+double VolumeInMilliliters(vtkPolyData* surface)
+{
+  vtkNew<vtkTriangleFilter> triangles;
+  triangles->SetInputData(surface);
+  vtkNew<vtkMassProperties> properties;
+  properties->SetInputConnection(triangles->GetOutputPort());
+  return properties->GetVolume() / 1000;
+}
 
 void Report(const OrganFilter& filter, const Segmentation& segmentation, double readingSeconds)
 {

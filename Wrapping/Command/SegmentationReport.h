@@ -7,12 +7,17 @@
 #include "OrganFilter.h"
 #include "Segmentation.h"
 
+class vtkPolyData;
+
 namespace Command
 {
 
 /// A line with volume, convergence, validity, confidence and seconds, unless it is to be quiet; a
 /// warning where the surface is not certified.
 void Report(const OrganFilter& filter, const Segmentation& segmentation, double readingSeconds);
+
+/// Of the inside of a closed surface in millimeters.
+double VolumeInMilliliters(vtkPolyData* surface);
 
 } // namespace Command
 

@@ -149,8 +149,12 @@ PointList DeformingOrgan::FindMotion()
     this->Foreground.GetMask(), this->Foreground.GetImage(), this->OrganRadius, targets,
     this->Parallel, this->Record.Targets);
   this->Record.SearchSeconds = watch.Lap();
-  return FlipFree::FindMotion(*this->Solver, this->Settings.Step, this->Surface.Points,
-    this->Surface.Field, this->Record.Step);
+  return this->Naming(
+    [&]
+    {
+      return FlipFree::FindMotion(*this->Solver, this->Settings.Step, this->Surface.Points,
+        this->Surface.Field, this->Record.Step);
+    });
 }
 
 void DeformingOrgan::Move(PointList points, int guarded, double guardSeconds)
@@ -216,8 +220,12 @@ bool DeformingOrgan::FinishConstraints(bool isLast, const GuardedStep& step, con
   }
   const FaceHulls hulls(this->Surface.Points, this->Surface.Mesh.Faces);
   OrganSurface& surface = this->Surface;
-  return isLast ? this->Enforcer->Finish(surface.Mesh, hulls, step, monitor, surface.Points)
-                : this->Enforcer->PullBack(surface.Mesh, hulls, step, monitor, surface.Points);
+  return this->Naming(
+    [&]
+    {
+      return isLast ? this->Enforcer->Finish(surface.Mesh, hulls, step, monitor, surface.Points)
+                    : this->Enforcer->PullBack(surface.Mesh, hulls, step, monitor, surface.Points);
+    });
 }
 
 } // namespace FlipFree

@@ -8,10 +8,12 @@
 
 #include "Deformation/ConstraintEnforcer.h"
 #include "Deformation/OrganSegmentation.h"
+#include "Deformation/StartSurface.h"
 #include "Intensity/GrowingForeground.h"
 
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace FlipFree
@@ -25,10 +27,13 @@ public:
   DeformingOrgan(SmoothRegion& region, double noise, const SeedSphere& seed,
     const OrganSegmentationSettings& settings, const ParallelFor& parallelFor);
 
+  /// What errors of a run name the organ by, in front; none by default.
+  void SetName(const std::string& name) { this->Name = name; }
+
   /// Forgets the surface, not the evidence.
   void Reset() { this->Surface = {}; }
 
-  // The evidence. What may take long returns false if the monitor stopped it.
+  // The evidence. Functions that may take long return false if the monitor stopped them.
 
   bool FindForegroundOfSeed(const Monitor& monitor);
   /// Refits the intensities to the surface, and corrects the foreground by the run's constraints.
@@ -74,7 +79,13 @@ public:
 
 private:
   StopReason ReasonToStop() const;
+  template <typename Call>
+  auto Naming(const Call& call) const
+  {
+    return this->Name.empty() ? call() : NamingSurface(this->Name, call);
+  }
 
+  std::string Name;
   const double Noise;
   const SeedSphere Seed;
   const OrganSegmentationSettings Settings;

@@ -10,6 +10,8 @@
 #include "Stopwatch.h"
 
 #include <algorithm>
+#include <cmath>
+#include <iterator>
 #include <stdexcept>
 #include <tuple>
 #include <utility>
@@ -64,6 +66,100 @@ bool IsWithin(const VoxelBox& box, const std::array<int, 3>& voxel)
   return within;
 }
 
+// What is known of an organ before it is segmented.
+struct KnownOrgan
+{
+  std::string Name;
+  std::vector<PointConstraint> Spheres; // of the seeds
+  ConstraintList Points;
+};
+
+void RequireSpheresApart(const KnownOrgan& one, const KnownOrgan& two)
+{
+  for (const PointConstraint& sphere : one.Spheres)
+  {
+    for (const PointConstraint& other : two.Spheres)
+    {
+      if ((sphere.Point - other.Point).norm() < sphere.Radius + other.Radius)
+      {
+        throw Error(ErrorCode::OutOfRange,
+          "the seeds of " + one.Name + " and " + two.Name + " overlap: " + TextOf(sphere) +
+            " and " + TextOf(other) + "; move them apart, or lower a radius");
+      }
+    }
+  }
+}
+
+void RequireNoPointInSpheres(const KnownOrgan& one, const KnownOrgan& two)
+{
+  for (const PointConstraint& sphere : one.Spheres)
+  {
+    for (const PointConstraint& point : two.Points)
+    {
+      if (point.Kind != ConstraintKind::Outside &&
+        (sphere.Point - point.Point).norm() < sphere.Radius)
+      {
+        throw Error(ErrorCode::OutOfRange,
+          NameOf(point) + " of " + two.Name + " lies in the seed of " + one.Name +
+            "; move one of them, or lower the radius");
+      }
+    }
+  }
+}
+
+void RequirePlacesApart(const KnownOrgan& one, const KnownOrgan& two, double same)
+{
+  for (const PointConstraint& point : one.Points)
+  {
+    for (const PointConstraint& other : two.Points)
+    {
+      if (point.Kind == ConstraintKind::Inside &&
+        (other.Kind == ConstraintKind::Inside || other.Kind == ConstraintKind::Boundary) &&
+        (point.Point - other.Point).norm() <= same)
+      {
+        throw Error(ErrorCode::OutOfRange,
+          NameOf(point) + " of " + one.Name + " and " + NameOf(other) + " of " + two.Name +
+            " are at one place; take one of them away");
+      }
+    }
+  }
+}
+
+bool Contains(const FixedSurface& fixed, const Eigen::Vector3d& point)
+{
+  return WindingNumber(fixed.Surface.Points, fixed.Surface.Mesh.Triangles, point) != 0;
+}
+
+void RequireSphereOutside(const FixedSurface& fixed, const PointConstraint& sphere,
+  const std::string& organ)
+{
+  const SurfacePlace nearest =
+    ClosestPlace(fixed.Surface.Points, fixed.Surface.Mesh.Triangles, sphere.Point);
+  if ((nearest.Point - sphere.Point).norm() < sphere.Radius || Contains(fixed, sphere.Point))
+  {
+    throw Error(ErrorCode::OutOfRange,
+      "a seed of " + organ + ", " + TextOf(sphere) + ", meets " + fixed.Name +
+        ", which stays as it is; move the seed, or lower its radius");
+  }
+}
+
+void RequireOutside(const FixedSurface& fixed, const KnownOrgan& organ)
+{
+  for (const PointConstraint& point : organ.Points)
+  {
+    if (point.Kind != ConstraintKind::Outside && Contains(fixed, point.Point))
+    {
+      throw Error(ErrorCode::UnreachablePoint,
+        NameOf(point) + " of " + organ.Name + " lies in " + fixed.Name +
+          ", which stays as it is; move the point");
+    }
+    if (point.Kind == ConstraintKind::Seed)
+    {
+      RequireSphereOutside(fixed, point, organ.Name);
+    }
+  }
+}
+
 void RequireNames(const std::vector<SeededOrgan>& organs)
 {
   if (organs.empty())
@@ -107,7 +203,8 @@ struct OrganGroup::Member
 
   // Of the present call.
   ConstraintList Constraints;
-  ConstraintList OfOthers;
+  ConstraintList OfOthers;                                    // outside points
+  std::vector<std::pair<std::string, std::string>> Renamings; // of these, in messages
   OrganSegmenter* Levels = nullptr;
   double SmoothedBefore = 0;
 
@@ -119,11 +216,36 @@ struct OrganGroup::Member
     return all;
   }
 
-  // Returns call(). Errors get the organ's name in front.
+  // Returns call(). Errors get the organ's name in front, and points of others are called as the
+  // user gave them.
   template <typename Call>
   auto Naming(const Call& call) const
   {
-    return NamingSurface(this->Name, call);
+    try
+    {
+      return call();
+    }
+    catch (const Error& error)
+    {
+      throw Error(error.GetCode(), this->Name + ": " + this->Renamed(error.what()));
+    }
+    catch (const std::invalid_argument& error) // such as a voxel that is not finite
+    {
+      throw std::invalid_argument(this->Name + ": " + error.what());
+    }
+  }
+
+  std::string Renamed(std::string message) const
+  {
+    for (const auto& [from, to] : this->Renamings)
+    {
+      const std::size_t found = message.find(from);
+      if (found != std::string::npos)
+      {
+        return message.replace(found, from.size(), to);
+      }
+    }
+    return message;
   }
 };
 
@@ -146,8 +268,8 @@ OrganGroup::OrganGroup(const GrayVolume& volume, const std::string& name,
       [&]
       {
         return std::unique_ptr<Member>(new Member{ index, organ.Name, organ.Seed, start,
-          VolumeSegmenter(volume, name, organ.Seed, nullptr, settings, threading), {}, {}, nullptr,
-          0 });
+          VolumeSegmenter(volume, name, organ.Seed, nullptr, settings, threading), {}, {}, {},
+          nullptr, 0 });
       }));
   }
   std::sort(this->Members.begin(), this->Members.end(),
@@ -160,86 +282,38 @@ OrganGroup::OrganGroup(const GrayVolume& volume, const std::string& name,
       };
       return keyOf(*one) < keyOf(*two);
     });
-  this->RequireApart(std::vector<ConstraintList>(this->Members.size()));
+  this->RequirePointsApart(std::vector<ConstraintList>(this->Members.size()));
+  this->RequireStartsApart();
 }
 
 OrganGroup::~OrganGroup() = default;
 
-// The seeds and points of different organs, and the fixed surfaces.
-void OrganGroup::RequireApart(const std::vector<ConstraintList>& constraints) const
+// The start spheres and the fixed surfaces.
+void OrganGroup::RequireStartsApart() const
 {
-  const double same = 1e-3 * this->Geometry.Spacing.minCoeff();
-  for (const auto& one : this->Members)
+  for (auto one = this->Members.begin(); one != this->Members.end(); ++one)
   {
-    const std::vector<PointConstraint> spheres = SpheresOf(one->Seed, constraints[one->Index]);
-    for (const auto& two : this->Members)
+    for (auto two = one + 1; two != this->Members.end(); ++two)
     {
-      if (one == two)
-      {
-        continue;
-      }
-      for (const PointConstraint& sphere : spheres)
-      {
-        for (const PointConstraint& other : SpheresOf(two->Seed, constraints[two->Index]))
-        {
-          if ((sphere.Point - other.Point).norm() < sphere.Radius + other.Radius)
-          {
-            throw Error(ErrorCode::OutOfRange,
-              "the seeds of " + one->Name + " and " + two->Name + " overlap: " + TextOf(sphere) +
-                " and " + TextOf(other) + "; move them apart, or lower a radius");
-          }
-        }
-        for (const PointConstraint& point : constraints[two->Index])
-        {
-          if (point.Kind != ConstraintKind::Outside &&
-            (sphere.Point - point.Point).norm() < sphere.Radius)
-          {
-            throw Error(ErrorCode::OutOfRange,
-              NameOf(point) + " of " + two->Name + " lies in the seed of " + one->Name +
-                "; move one of them, or lower the radius");
-          }
-        }
-      }
-      for (const PointConstraint& point : constraints[one->Index])
-      {
-        for (const PointConstraint& other : constraints[two->Index])
-        {
-          if (point.Kind == ConstraintKind::Inside &&
-            (other.Kind == ConstraintKind::Inside || other.Kind == ConstraintKind::Boundary) &&
-            (point.Point - other.Point).norm() <= same)
-          {
-            throw Error(ErrorCode::OutOfRange,
-              NameOf(point) + " of " + one->Name + " and " + NameOf(other) + " of " + two->Name +
-                " are at one place; take one of them away");
-          }
-        }
-      }
-      if ((one->Start.Center - two->Start.Center).norm() < one->Start.Radius + two->Start.Radius)
+      const SeedSphere& start = (*one)->Start;
+      const SeedSphere& other = (*two)->Start;
+      if ((start.Center - other.Center).norm() < start.Radius + other.Radius)
       {
         throw Error(ErrorCode::OutOfRange,
-          "the start spheres of " + one->Name + " and " + two->Name +
+          "the start spheres of " + (*one)->Name + " and " + (*two)->Name +
             " overlap; lower StartScale, or move the seeds apart");
       }
     }
-    const DeformableSurface start = one->Segmenter.StartWithin({});
+    const DeformableSurface start = (*one)->Segmenter.StartWithin({});
     for (const FixedSurface& surface : this->Fixed)
     {
       if (MeetOrNest({ &start, &surface.Surface }, this->Threads.For))
       {
         throw Error(ErrorCode::OutOfRange,
-          "the start sphere of " + one->Name + " meets " + surface.Name +
+          "the start sphere of " + (*one)->Name + " meets " + surface.Name +
             ", which stays as it is; move the seed, or lower its radius");
       }
-      for (const PointConstraint& point : constraints[one->Index])
-      {
-        if (point.Kind != ConstraintKind::Outside &&
-          WindingNumber(surface.Surface.Points, surface.Surface.Mesh.Triangles, point.Point) != 0)
-        {
-          throw Error(ErrorCode::UnreachablePoint,
-            NameOf(point) + " of " + one->Name + " lies in " + surface.Name +
-              ", which stays as it is; move the point");
-        }
-      }
+      RequireSphereOutside(surface, SpheresOf((*one)->Seed, {}).front(), (*one)->Name);
     }
   }
   for (auto one = this->Fixed.begin(); one != this->Fixed.end(); ++one)
@@ -257,10 +331,40 @@ void OrganGroup::RequireApart(const std::vector<ConstraintList>& constraints) co
   }
 }
 
-// What is certain of the other organs, as far as this one can reach.
-ConstraintList OrganGroup::PointsOfOthers(const Member& member) const
+// The seeds and points of different organs, and those of each from the fixed surfaces.
+void OrganGroup::RequirePointsApart(const std::vector<ConstraintList>& constraints) const
 {
-  ConstraintList points;
+  const double same = 1e-3 * this->Geometry.Spacing.minCoeff();
+  const auto knownOf = [&](const std::unique_ptr<Member>& member)
+  {
+    const ConstraintList& points = constraints[member->Index];
+    return KnownOrgan{ member->Name, SpheresOf(member->Seed, points), points };
+  };
+  for (const auto& member : this->Members)
+  {
+    const KnownOrgan one = knownOf(member);
+    for (const auto& other : this->Members)
+    {
+      if (other != member)
+      {
+        const KnownOrgan two = knownOf(other);
+        RequireSpheresApart(one, two);
+        RequireNoPointInSpheres(one, two);
+        RequirePlacesApart(one, two, same);
+      }
+    }
+    for (const FixedSurface& surface : this->Fixed)
+    {
+      RequireOutside(surface, one);
+    }
+  }
+}
+
+// What is certain of the other organs, as far as this one can reach.
+void OrganGroup::FindPointsOfOthers(Member& member) const
+{
+  member.OfOthers.clear();
+  member.Renamings.clear();
   for (const auto& other : this->Members)
   {
     if (other.get() == &member)
@@ -274,11 +378,30 @@ ConstraintList OrganGroup::PointsOfOthers(const Member& member) const
       if ((point.Kind == ConstraintKind::Inside || point.Kind == ConstraintKind::Seed) &&
         IsWithin(member.Segmenter.GetBox(), NearestVoxel(this->Geometry, point.Point)))
       {
-        points.push_back({ ConstraintKind::Outside, point.Point, 0 });
+        const PointConstraint outside{ ConstraintKind::Outside, point.Point, 0 };
+        member.OfOthers.push_back(outside);
+        const std::string given = point.Kind == ConstraintKind::Seed
+          ? "the seed at " + TextOf(point.Point) + " mm"
+          : NameOf(point);
+        member.Renamings.emplace_back(NameOf(outside),
+          given + " of " + other->Name + ", which must lie outside " + member.Name + ",");
       }
     }
   }
-  return points;
+}
+
+BitMask OrganGroup::FixedVoxels(const ImageGeometry& region) const
+{
+  BitMask voxels(region);
+  for (const FixedSurface& surface : this->Fixed)
+  {
+    for (const VoxelRun& run : VoxelizeSurface(surface.Surface.Points,
+           surface.Surface.Mesh.Triangles, region, this->Threads.For))
+    {
+      voxels.InsertRun(run.Begin, run.End, run.J, run.K);
+    }
+  }
+  return voxels;
 }
 
 // Makes the foregrounds disjoint, also with the fixed surfaces.
@@ -295,44 +418,19 @@ bool OrganGroup::Divide(const Monitor& monitor)
         const auto voxel = NearestVoxel(foreground.GetMask().GetGeometry(), point.Point);
         return foreground.GetMask()(voxel[0], voxel[1], voxel[2]);
       });
-    if (!member->Organ().CorrectForeground(points, monitor))
+    if (!member->Naming([&] { return member->Organ().CorrectForeground(points, monitor); }))
     {
       return false;
     }
-    claims.push_back(
-      { foreground.GetMask(), foreground.GetImage(), member->Segmenter.GetBox().Begin, member->Seed,
-        member->Constraints, member->Segmenter.GetNoise() });
-  }
-  for (OrganClaim& claim : claims)
-  {
-    BitMask fixed(claim.Mask.GetGeometry());
-    for (const FixedSurface& surface : this->Fixed)
-    {
-      for (const VoxelRun& run : VoxelizeSurface(surface.Surface.Points,
-             surface.Surface.Mesh.Triangles, claim.Mask.GetGeometry(), this->Threads.For))
-      {
-        fixed.InsertRun(run.Begin, run.End, run.J, run.K);
-      }
-    }
-    if (!this->Fixed.empty())
-    {
-      claim.Mask.Remove(fixed);
-      if (!KeepPieceOfSeed(fixed, claim.Seed, monitor, claim.Mask))
-      {
-        return false;
-      }
-    }
+    const ImageGeometry& region = foreground.GetMask().GetGeometry();
+    claims.push_back({ foreground.GetMask(), foreground.GetImage(),
+      member->Segmenter.GetBox().Begin, member->Seed, member->Constraints,
+      member->Segmenter.GetNoise(), this->Fixed.empty() ? BitMask() : this->FixedVoxels(region) });
   }
   const Modality modality = this->Members.front()->Organ().GetForeground().GetModality();
-  for (std::size_t one = 0; one < claims.size(); ++one)
+  if (!DivideClaims(claims, modality, this->Threads.For, monitor))
   {
-    for (std::size_t two = one + 1; two < claims.size(); ++two)
-    {
-      if (!DivideClaims(claims[one], claims[two], modality, this->Threads.For, monitor))
-      {
-        return false;
-      }
-    }
+    return false;
   }
   for (std::size_t index = 0; index < claims.size(); ++index)
   {
@@ -360,6 +458,8 @@ bool OrganGroup::Run(const Monitor& monitor, const GroupObserver& observer)
       [&]
       {
         member.Levels = &member.Segmenter.Prepare(member.Constraints);
+        member.Organ().SetName(member.Name);
+        member.Renamings.clear();
         member.SmoothedBefore = member.Organ().GetForeground().GetSmoothingSeconds();
         return member.Levels->FindForeground({}, part, observerOf(member));
       });
@@ -370,7 +470,7 @@ bool OrganGroup::Run(const Monitor& monitor, const GroupObserver& observer)
   }
   for (const auto& member : this->Members)
   {
-    member->OfOthers = this->PointsOfOthers(*member);
+    this->FindPointsOfOthers(*member);
   }
   if (!this->Divide([&](double) { return monitor(half); }))
   {
@@ -449,7 +549,7 @@ std::vector<VolumeSegmentation> OrganGroup::Segment(const std::vector<Constraint
         return true;
       });
   }
-  this->RequireApart(constraints);
+  this->RequirePointsApart(constraints);
   bool stopped = false;
   const Monitor ask = [&](double fraction)
   {
@@ -479,7 +579,12 @@ std::vector<VolumeSegmentation> OrganGroup::Segment(const std::vector<Constraint
     result.StageSeconds[1] = organ.FeatureSeconds;
     seconds -= organ.SmoothingSeconds + organ.FeatureSeconds;
     watch.Lap();
-    member->Segmenter.Judge(member->Constraints, result);
+    member->Naming(
+      [&]
+      {
+        member->Segmenter.Judge(member->Constraints, result);
+        return true;
+      });
     result.StageSeconds[3] = watch.Lap();
   }
   for (VolumeSegmentation& result : results)

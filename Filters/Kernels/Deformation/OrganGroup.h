@@ -6,12 +6,15 @@
  * (OrganDivision.h), and all surfaces start anew from their seeds and deform jointly
  * (JointDeformation.h): none passes through another, so none that begins outside another ends in
  * it, and a voxel lies in one at most. Seeds and inside points of an organ are outside points of
- * all others. The result does not depend on the order of the organs.
+ * all others. The result does not depend on the order of the organs. The surfaces are refined
+ * together: where one of them cannot be refined without meeting itself or another, all stay coarse
+ * (StopReason::NotRefined).
  */
 #ifndef FlipFreeOrganGroup_h
 #define FlipFreeOrganGroup_h
 
 #include "Deformation/VolumeSegmentation.h"
+#include "Image/BitMask.h"
 
 #include <memory>
 #include <string>
@@ -54,16 +57,18 @@ public:
   OrganGroup& operator=(const OrganGroup&) = delete;
 
   /// One list of constraints and one result per organ, in the order of the organs. Throws as the
-  /// constructor does, also for a point of one organ in a seed of another, and where a constraint
-  /// cannot be obeyed; std::logic_error if surfaces should meet all the same. A stop by the monitor
-  /// gives results that are aborted.
+  /// constructor does, also for a point of one organ in a seed of another or in a fixed surface,
+  /// and where a constraint cannot be obeyed; std::logic_error if surfaces should meet all the
+  /// same. A stop by the monitor gives results that are aborted.
   std::vector<VolumeSegmentation> Segment(const std::vector<ConstraintList>& constraints,
     const Monitor& monitor, const GroupObserver& observer);
 
 private:
   struct Member;
-  void RequireApart(const std::vector<ConstraintList>& constraints) const;
-  ConstraintList PointsOfOthers(const Member& member) const;
+  void RequireStartsApart() const;
+  void RequirePointsApart(const std::vector<ConstraintList>& constraints) const;
+  void FindPointsOfOthers(Member& member) const;
+  BitMask FixedVoxels(const ImageGeometry& region) const;
   bool Divide(const Monitor& monitor);
   bool Run(const Monitor& monitor, const GroupObserver& observer);
   void RequireDisjoint(const std::vector<VolumeSegmentation>& results) const;

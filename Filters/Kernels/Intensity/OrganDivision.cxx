@@ -5,6 +5,8 @@
 #include "Intensity/LeakControl.h"
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
 namespace FlipFree
 {
@@ -231,22 +233,70 @@ void RemoveInVolume(const BitMask& part, const VoxelBox& box, OrganClaim& claim)
     });
 }
 
-} // namespace
-
-bool KeepPieceOfSeed(const BitMask& others, const SeedSphere& seed, const Monitor& monitor,
-  BitMask& mask)
+bool IsFixed(const OrganClaim& claim)
 {
-  if (!KeepConnected(mask, VoxelsInSphere(mask.GetGeometry(), seed), monitor) ||
-    !FillHoles(mask, monitor))
+  return !claim.Fixed.GetWords().empty();
+}
+
+bool KeepPieceOfSeed(OrganClaim& claim, const Monitor& monitor)
+{
+  claim.IsCut = true;
+  return KeepConnected(claim.Mask, VoxelsInSphere(claim.Mask.GetGeometry(), claim.Seed), monitor);
+}
+
+// Of fixed surfaces.
+bool CutFixed(OrganClaim& claim, const Monitor& monitor)
+{
+  const std::size_t before = claim.Mask.Count();
+  claim.Mask.Remove(claim.Fixed);
+  return claim.Mask.Count() == before || KeepPieceOfSeed(claim, monitor);
+}
+
+// Fills the holes of claims that were cut, but for what belongs to another. A hole may hold another
+// claim with a hole of its own, which is left to the inner one, the smaller.
+bool FillClaims(std::vector<OrganClaim>& claims, const Monitor& monitor)
+{
+  if (std::none_of(claims.begin(), claims.end(),
+        [](const OrganClaim& claim) { return claim.IsCut; }))
   {
-    return false;
+    return true;
   }
-  mask.Remove(others);
+  std::vector<OrganClaim> filled = claims;
+  std::vector<std::pair<std::size_t, std::size_t>> order; // voxels, index
+  for (OrganClaim& claim : filled)
+  {
+    if (!FillHoles(claim.Mask, monitor))
+    {
+      return false;
+    }
+    order.emplace_back(claim.Mask.Count(), order.size());
+  }
+  std::sort(order.begin(), order.end());
+  for (const auto& [voxels, index] : order)
+  {
+    OrganClaim& own = claims[index];
+    if (!own.IsCut)
+    {
+      continue;
+    }
+    own.Mask = filled[index].Mask;
+    if (IsFixed(own))
+    {
+      own.Mask.Remove(own.Fixed);
+    }
+    for (const auto& [othersVoxels, other] : order)
+    {
+      if (other != index)
+      {
+        own.Mask.Remove(InRegionOf(own, othersVoxels < voxels ? filled[other] : claims[other]));
+      }
+    }
+  }
   return true;
 }
 
-bool DivideClaims(OrganClaim& one, OrganClaim& two, Modality modality,
-  const ParallelFor& parallelFor, const Monitor& monitor)
+bool DividePair(OrganClaim& one, OrganClaim& two, Modality modality, const ParallelFor& parallelFor,
+  const Monitor& monitor)
 {
   const VoxelBox both = BoxInCommon(one, two);
   if (both.IsEmpty())
@@ -261,21 +311,42 @@ bool DivideClaims(OrganClaim& one, OrganClaim& two, Modality modality,
   OrganClaim* const claims[2] = { &one, &two };
   for (const int claim : { 0, 1 })
   {
-    RemoveInVolume(lost[claim], both, *claims[claim]);
-  }
-  for (const int claim : { 0, 1 })
-  {
-    if (lost[claim].Bounds().IsEmpty())
+    if (!lost[claim].Bounds().IsEmpty())
     {
-      continue;
+      RemoveInVolume(lost[claim], both, *claims[claim]);
+      if (!KeepPieceOfSeed(*claims[claim], monitor))
+      {
+        return false;
+      }
     }
-    OrganClaim& own = *claims[claim];
-    if (!KeepPieceOfSeed(InRegionOf(own, *claims[1 - claim]), own.Seed, monitor, own.Mask))
+  }
+  return true;
+}
+
+} // namespace
+
+bool DivideClaims(std::vector<OrganClaim>& claims, Modality modality,
+  const ParallelFor& parallelFor, const Monitor& monitor)
+{
+  for (OrganClaim& claim : claims)
+  {
+    claim.IsCut = false;
+    if (IsFixed(claim) && !CutFixed(claim, monitor))
     {
       return false;
     }
   }
-  return true;
+  for (std::size_t one = 0; one < claims.size(); ++one)
+  {
+    for (std::size_t two = one + 1; two < claims.size(); ++two)
+    {
+      if (!DividePair(claims[one], claims[two], modality, parallelFor, monitor))
+      {
+        return false;
+      }
+    }
+  }
+  return FillClaims(claims, monitor);
 }
 
 } // namespace FlipFree

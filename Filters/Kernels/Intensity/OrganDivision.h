@@ -13,6 +13,8 @@
 #include "Image/PointConstraint.h"
 #include "Intensity/Modality.h"
 
+#include <vector>
+
 namespace FlipFree
 {
 
@@ -26,17 +28,17 @@ struct OrganClaim
   SeedSphere Seed;
   ConstraintList Constraints; ///< seeds and inside points are not given away
   double Noise = 0;           ///< standard deviation before smoothing
+  /// On the region's grid: what stays of surfaces at rest, which no organ gets. May have no grid.
+  BitMask Fixed;
+  bool IsCut = false; ///< set by DivideClaims: whether the claim has lost voxels
 };
 
-/// Divides what two claims have in common, and takes from each what is thereby cut off from its
-/// seed. Seeds of different organs do not overlap. The modality is not Automatic. Returns false if
-/// the monitor stopped it; the masks are then useless.
-bool DivideClaims(OrganClaim& one, OrganClaim& two, Modality modality,
+/// Divides what claims have in common, takes from each what is thereby cut off from its seed, and
+/// fills the holes of those that were cut, but for what belongs to another: then no two have a
+/// voxel in common. Seeds of different organs do not overlap. The modality is not Automatic.
+/// Returns false if the monitor stopped it; the masks are then useless.
+bool DivideClaims(std::vector<OrganClaim>& claims, Modality modality,
   const ParallelFor& parallelFor, const Monitor& monitor);
-
-/// Keeps of the mask what is connected with the seed, and fills its holes but for `others`.
-bool KeepPieceOfSeed(const BitMask& others, const SeedSphere& seed, const Monitor& monitor,
-  BitMask& mask);
 
 } // namespace FlipFree
 

@@ -108,7 +108,7 @@ export function vtpFile(surface: Surface, vertexConfidence?: Float32Array): Blob
   return new Blob([xml, ...parts, "\n</AppendedData>\n</VTKFile>\n"], { type: "application/xml" });
 }
 
-/** Of a vertex' confidence, only VTP has a notion. */
+/** Only VTP files can hold the vertices' confidence. */
 export function surfaceFile(surface: Surface, format: SurfaceFormat, vertexConfidence?: Float32Array): Blob {
   return format === "vtp" ? vtpFile(surface, vertexConfidence) : { stl: stlFile, ply: plyFile }[format](surface);
 }

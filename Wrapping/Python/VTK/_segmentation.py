@@ -24,7 +24,7 @@ class Segmentation(Faces, Correctable):
     """Closed, with the point arrays `Displacement`, `Correspondence` and, for an organ, `Confidence`."""
 
     label_map: vtkImageData
-    """Has the image's geometry; label_value inside, 0 outside."""
+    """Has the image's geometry; label_value inside, 0 outside; of several organs, that of all."""
 
     convergence: vtkTable
     """A row per iteration; `iterations` has its columns as arrays."""

@@ -85,7 +85,8 @@ class Correctable:
         """
         if self._again is None:
             raise FlipFreeError(
-                "corrected: only what segment() or trace() has returned can be corrected, not a copy of it"
+                "corrected: only what segment() or trace() has returned can be corrected, not a copy of it; "
+                "of several organs, call segment_organs() again with the points"
             )
         more = constraints_of(inside, outside, boundary, seeds)
         result: Self = self._again(self.constraints + more, progress)

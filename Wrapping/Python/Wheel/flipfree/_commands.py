@@ -31,6 +31,7 @@ from ._phantom import Organ
 from ._phantom import phantom as make_phantom
 from ._point_files import ENDINGS as POINT_ENDINGS
 from ._point_files import arguments_of, read_points, write_points
+from ._segment import default_parameters
 from ._segment import segment as segment_organ
 from ._segmentation import Segmentation, Vessel
 from ._segment_organs import segment_organs
@@ -107,6 +108,7 @@ def _segment_group(values: dict[str, Any], progress: bool) -> None:
     for path in (*outputs.values(), *([values["labels"]] if "labels" in values else [])):
         _require_place(path, [values["input"], *values.get("fixed", ())])
     _require_files(values, {name: path for name, path in given.items() if name == "labels"})
+    parameters = {**default_parameters(values.get("preset", "default")), **values}
     set_threads(values.get("threads", 0))
     start = time.perf_counter()
     fixed = [read_surface(name) for name in values.get("fixed", ())]
@@ -118,7 +120,7 @@ def _segment_group(values: dict[str, Any], progress: bool) -> None:
             organs,
             fixed=fixed,
             progress=progress or None,
-            **{name: value for name, value in values.items() if name in GROUP_PARAMETERS},
+            **{name: value for name, value in parameters.items() if name in GROUP_PARAMETERS},
         )
     except FlipFreeError as error:
         raise type(error)(f"'{values['input']}': {error}") from error
@@ -161,8 +163,6 @@ def _organs_of(values: dict[str, Any]) -> dict[str, dict[str, Any]]:
             "--points and --save-points are for one organ. Give the points of several by --inside, "
             "--outside and --boundary, after the organ that they belong to"
         )
-    if values.get("preset", "default") != "default":
-        raise WrongUsage("--preset is for one organ. Leave it out, or segment them one by one")
     if "input" not in values:
         raise WrongUsage("INPUT is required: a volume, or a folder of a DICOM series")
     for name in values.get("fixed", ()):

@@ -57,7 +57,7 @@ class Segmentation(Faces, Correctable):
     mesh: Surface
 
     label_map: Image
-    """Has the image's geometry; label_value inside, 0 outside."""
+    """Has the image's geometry; label_value inside, 0 outside; of several organs, that of all."""
 
     iterations: dict[str, npt.NDArray[Any]]
     """The columns of the convergence table: Iteration, MeanDistance and so on."""
