@@ -280,6 +280,28 @@ TEST(VesselSegmentation, ObeysEveryCorrection)
     after.Surface.Points);
 }
 
+// The cells of its start surface are 6 mm wide at first.
+TEST(VesselSegmentation, APointNearThePathOfAWideVesselLiesOutside)
+{
+  const ImageGeometry grid = Grid({ { 45, 45, 45 } }, { 2, 2, 2 });
+  const ExampleTube tube = MakeTube([](double t) { return Eigen::Vector3d(45, 45, 5 + 80 * t); },
+    [](double) { return 12.0; });
+  const FloatImage volume = VolumeOfTubes({ tube }, grid, 10);
+  for (const double angle : { 0.0, 2.0, 4.0 })
+  {
+    SCOPED_TRACE(angle);
+    const PointConstraint outside{ ConstraintKind::Outside,
+      { 45 + 4 * std::cos(angle), 45 + 4 * std::sin(angle), 45 }, 0 };
+    const VesselSegmentation result = SegmentVessel(GrayVolumeOf(volume), "the volume",
+      ClicksIn(tube), { outside }, LumenSettings(), OneThread, NeverStop);
+    EXPECT_EQ(WindingNumber(result.Surface.Points, result.Surface.Mesh.Triangles, outside.Point),
+      0);
+    EXPECT_EQ(result.Surface.SelfIntersections, 0);
+    EXPECT_EQ(result.Surface.Mesh.EulerNumber(), 2);
+    EXPECT_GT(DiceOf(result, { BetweenClicks(tube) }, grid), 0.8);
+  }
+}
+
 TEST(VesselSegmentation, APointOutsideTurnsThePathAway)
 {
   // From one end to the other there are two ways around, one of them longer.
@@ -329,6 +351,27 @@ TEST(VesselSegmentation, CorrectionsThatCannotBeObeyedAreNamed)
   expect(ConstraintKind::Outside, points.row(0), "the outside point");
   expect(ConstraintKind::Inside, { 40, 20, 300 }, "the inside point (40, 20, 300) mm lies outside");
   expect(ConstraintKind::Seed, { 40, 55, 35 }, "is of no use to a vessel");
+  for (const auto kind : { ConstraintKind::Inside, ConstraintKind::Boundary })
+  {
+    expect(kind, { 75, 20, 70 }, "point (75, 20, 70) mm lies too far from the vessel's path");
+  }
+  // A wall of points across the vessel, which the path has to pass.
+  ConstraintList wall;
+  for (int x = 30; x <= 50; ++x)
+  {
+    for (int along = -10; along <= 10; ++along)
+    {
+      wall.push_back(
+        { ConstraintKind::Outside, { 1.0 * x, 55 + 0.7 * along, 35 - 0.7 * along }, 0 });
+    }
+  }
+  const std::string message = MessageOf(
+    [&]
+    {
+      SegmentVessel(GrayVolumeOf(volume), "the volume", points, wall, LumenSettings(), OneThread,
+        NeverStop);
+    });
+  EXPECT_NE(message.find("lies on the vessel's path or beside it"), std::string::npos) << message;
 }
 
 TEST(VesselSegmentation, WarnsWhereTheImageDoesNotShowTheBoundary)
