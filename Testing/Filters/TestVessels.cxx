@@ -15,11 +15,16 @@
 
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
+#include "vtkImplicitPolyDataDistance.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkTable.h"
+#include "vtkTriangleFilter.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkVariant.h"
+
+#include <array>
+#include <cmath>
 
 using namespace FlipFree;
 
@@ -174,9 +179,25 @@ TEST_F(Vessels, PointsCorrectThem)
   beside[2] += 6.5;
   std::array<double, 3> within = PointOfVessel(this->Phantom, 0.5);
   within[2] += 2;
+  std::array<double, 3> onBoundary = PointOfVessel(this->Phantom, -0.5);
+  onBoundary[2] += 5.5;
+  // Negative inside.
+  const auto distanceAt = [this](std::array<double, 3> point)
+  {
+    vtkNew<vtkTriangleFilter> triangles;
+    triangles->SetInputData(this->Filter->GetSurface());
+    triangles->Update();
+    vtkNew<vtkImplicitPolyDataDistance> distance;
+    distance->SetInput(triangles->GetOutput());
+    return distance->EvaluateFunction(point.data());
+  };
   EXPECT_EQ(labelAt(beside), 0);
   EXPECT_EQ(labelAt(within), 1);
+  EXPECT_GT(distanceAt(beside), 0);
+  EXPECT_LT(distanceAt(within), 0);
+  EXPECT_GT(std::abs(distanceAt(onBoundary)), 1);
   this->Filter->AddInsidePoint(beside[0], beside[1], beside[2]);
+  this->Filter->AddBoundaryPoint(onBoundary[0], onBoundary[1], onBoundary[2]);
   vtkNew<vtkPolyData> more;
   vtkNew<vtkPoints> places;
   places->InsertNextPoint(within.data());
@@ -187,9 +208,12 @@ TEST_F(Vessels, PointsCorrectThem)
   more->GetPointData()->AddArray(kinds);
   this->Filter->SetConstraintData(more);
   ASSERT_EQ(ErrorOfUpdate(this->Filter), "0 errors");
+  EXPECT_LT(distanceAt(beside), 0);
+  EXPECT_GT(distanceAt(within), 0);
+  EXPECT_LE(std::abs(distanceAt(onBoundary)), 0.75); // half a voxel
   EXPECT_EQ(labelAt(beside), 1);
   EXPECT_EQ(this->Filter->GetNumberOfSelfIntersections(), 0);
-  EXPECT_EQ(this->Filter->GetNumberOfCorrections(), 1);
+  EXPECT_EQ(this->Filter->GetNumberOfCorrections(), 2);
   this->Filter->RemoveAllCorrections();
   this->Filter->SetConstraintData(nullptr);
   ASSERT_EQ(ErrorOfUpdate(this->Filter), "0 errors");
