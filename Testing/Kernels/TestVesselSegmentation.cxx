@@ -355,23 +355,6 @@ TEST(VesselSegmentation, CorrectionsThatCannotBeObeyedAreNamed)
   {
     expect(kind, { 75, 20, 70 }, "point (75, 20, 70) mm lies too far from the vessel's path");
   }
-  // A wall of points across the vessel, which the path has to pass.
-  ConstraintList wall;
-  for (int x = 30; x <= 50; ++x)
-  {
-    for (int along = -10; along <= 10; ++along)
-    {
-      wall.push_back(
-        { ConstraintKind::Outside, { 1.0 * x, 55 + 0.7 * along, 35 - 0.7 * along }, 0 });
-    }
-  }
-  const std::string message = MessageOf(
-    [&]
-    {
-      SegmentVessel(GrayVolumeOf(volume), "the volume", points, wall, LumenSettings(), OneThread,
-        NeverStop);
-    });
-  EXPECT_NE(message.find("lies on the vessel's path or beside it"), std::string::npos) << message;
 }
 
 TEST(VesselSegmentation, WarnsWhereTheImageDoesNotShowTheBoundary)

@@ -93,39 +93,38 @@ void InsertLine(const PointList& line, BitMask& cells)
   }
 }
 
-// Calls `body` with the indices of the cells that hold a point or touch it.
-template <typename Body>
-void ForEachCellAt(const ImageGeometry& grid, const Eigen::Vector3d& point, const Body& body)
+// Lets no cell of the start surface hold a point that is to lie outside, but where the path is:
+// such a point is an error.
+void LeaveOut(const ConstraintList& constraints, FloatImage& depth)
 {
-  const VoxelBox box = BoxAround(grid, point, 0.51 * grid.Spacing[0]);
-  for (int k = box.Begin[2]; k < box.End[2]; ++k)
+  const ImageGeometry& grid = depth.Geometry;
+  for (const PointConstraint& constraint : constraints)
   {
-    for (int j = box.Begin[1]; j < box.End[1]; ++j)
+    if (constraint.Kind != ConstraintKind::Outside)
     {
-      for (int i = box.Begin[0]; i < box.End[0]; ++i)
+      continue;
+    }
+    const VoxelBox box = BoxAround(grid, constraint.Point, 0.51 * grid.Spacing[0]);
+    for (int k = box.Begin[2]; k < box.End[2]; ++k)
+    {
+      for (int j = box.Begin[1]; j < box.End[1]; ++j)
       {
-        body(i, j, k);
+        for (int i = box.Begin[0]; i < box.End[0]; ++i)
+        {
+          depth.Voxels[grid.Offset(i, j, k)] = -1;
+        }
       }
     }
   }
 }
 
-// The cells of a start surface, and how deep each lies within the outline. None holds a point of
-// `outside`, but where the path is.
-struct StartCells
+// A coarse surface within the outline, of one piece and without handles.
+DeformableSurface MakeStart(const VesselTree& tree, const ConstraintList& constraints)
 {
-  FloatImage Depth;
-  BitMask Cells;
-};
-
-StartCells CellsAlong(const VesselTree& tree, const PointList& outside, double edge)
-{
+  const double smallest = SmallestRadius(tree);
+  const double edge = std::max(0.8, smallest / 2);
   FloatImage depth = DepthOnGrid(tree, edge, 30);
-  for (Eigen::Index point = 0; point < outside.rows(); ++point)
-  {
-    ForEachCellAt(depth.Geometry, outside.row(point).transpose(),
-      [&](int i, int j, int k) { depth.Voxels[depth.Geometry.Offset(i, j, k)] = -1; });
-  }
+  LeaveOut(constraints, depth);
   BitMask cells = VoxelsWhere(
     depth.View(), [&](float value) { return value > 0.25 * edge; }, SerialFor);
   for (const VesselBranch& branch : tree.Branches)
@@ -137,51 +136,10 @@ StartCells CellsAlong(const VesselTree& tree, const PointList& outside, double e
     }
     InsertLine(line, cells);
   }
-  return { std::move(depth), std::move(cells) };
-}
-
-// The first of the points that the path shares a cell with; their number if there is none.
-Eigen::Index FirstHeld(const BitMask& cells, const PointList& outside)
-{
-  Eigen::Index point = 0;
-  for (bool isHeld = false; point < outside.rows(); ++point)
-  {
-    ForEachCellAt(cells.GetGeometry(), outside.row(point).transpose(),
-      [&](int i, int j, int k) { isHeld = isHeld || cells(i, j, k); });
-    if (isHeld)
-    {
-      break;
-    }
-  }
-  return point;
-}
-
-// A coarse surface within the outline, of one piece and without handles. Its cells are finer where
-// a point that is to lie outside is near to the path.
-DeformableSurface MakeStart(const VesselTree& tree, const PointList& outside)
-{
-  constexpr double leastEdge = 0.8; // mm
-  constexpr double finer = 0.7;
-  double edge = std::max(leastEdge, SmallestRadius(tree) / 2);
-  StartCells start = CellsAlong(tree, outside, edge);
-  for (Eigen::Index held = FirstHeld(start.Cells, outside); held < outside.rows();
-       held = FirstHeld(start.Cells, outside))
-  {
-    if (edge <= leastEdge)
-    {
-      throw Error(ErrorCode::UnreachablePoint,
-        NameOf({ ConstraintKind::Outside, outside.row(held).transpose(), 0 }) +
-          " lies on the vessel's path or beside it; move it away from the path, or give more "
-          "points on the vessel's way");
-    }
-    edge = std::max(leastEdge, finer * edge);
-    start = CellsAlong(tree, outside, edge);
-  }
   // The deepest cell, of equals the first.
-  const std::vector<float>& depths = start.Depth.Voxels;
-  const auto deepest =
-    static_cast<std::size_t>(std::max_element(depths.begin(), depths.end()) - depths.begin());
-  const CellSurface surface = MakeCellSurface(GrowBall(start.Cells, depths, deepest));
+  const auto deepest = static_cast<std::size_t>(
+    std::max_element(depth.Voxels.begin(), depth.Voxels.end()) - depth.Voxels.begin());
+  const CellSurface surface = MakeCellSurface(GrowBall(cells, depth.Voxels, deepest));
   return { BuildContourMesh(static_cast<int>(surface.Points.rows()), surface.Faces),
     surface.Points };
 }
@@ -381,10 +339,9 @@ void AddWarnings(const ImageGeometry& geometry, VesselSegmentation& result)
   }
   if (result.Tree.Support < DoubtfulSupport)
   {
-    result.Warnings.push_back(
-      "the result is doubtful: the mean contrast across the outline is only " +
+    result.Warnings.push_back("the result is doubtful: the image shows only " +
       std::to_string(std::lround(100 * result.Tree.Support)) +
-      " % of 25 gray values; look where the path runs, and add points on the vessel's way");
+      " % of the vessel's boundary; look where the path runs, and add points on the vessel's way");
   }
   const double beyond = BeyondEnds(result.Tree, result.Surface.Points);
   if (beyond > tolerance)
@@ -459,8 +416,8 @@ VesselSegmentation SegmentVessel(const GrayVolume& volume, const std::string& na
   Stopwatch watch;
   const Monitor tracing = PartOf(monitor, 0, 0.5);
   const Monitor fitting = PartOf(monitor, 0.5, 1);
-  const PointList outside = PlacesOutside(constraints);
-  result.Tree = TraceVessel(volume, name, points, outside, settings.Path, threading, tracing);
+  result.Tree = TraceVessel(volume, name, points, PlacesOutside(constraints), settings.Path,
+    threading, tracing);
   result.StageSeconds[0] = watch.Lap();
   if (result.Tree.Branches.empty())
   {
@@ -468,7 +425,7 @@ VesselSegmentation SegmentVessel(const GrayVolume& volume, const std::string& na
     return result;
   }
   CorrectOutline(constraints, result.Tree);
-  DeformableSurface start = MakeStart(result.Tree, outside);
+  DeformableSurface start = MakeStart(result.Tree, constraints);
   result.Surface.Mesh = std::move(start.Mesh);
   result.Surface.Points = std::move(start.Points);
   result.StageSeconds[1] = watch.Lap();
