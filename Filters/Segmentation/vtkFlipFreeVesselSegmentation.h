@@ -20,17 +20,18 @@
  * Input port 1, optional, repeatable: vtkPointSet, such points, with the point array `Constraint`
  * (0 outside, 1 inside, 2 on the boundary); vtkConstraintPointSource makes one of a single point.
  *
- * Further errors: a correction outside the image, within 0.5 mm of a point of the vessel if it is
- * to lie outside, in contradiction to another one, or one that no surface of one piece can obey; a
- * further seed.
+ * Further errors: a correction outside the image, within 0.5 mm of a point of the vessel or about
+ * 1 mm of the path if it is to lie outside, farther from the path than three radii and 10 mm if it
+ * is to lie inside or on the boundary, in contradiction to another one, or one that no surface of
+ * one piece can obey; a further seed.
  *
  * Output port 0: vtkPolyData, the surface, with the arrays of vtkFlipFreeSegmentation.
  * Output port 1: vtkImageData, unsigned char `Labels` of the input's geometry: LabelValue inside.
  * Output port 2: vtkPolyData, the centerline, as vtkVesselPath gives it.
  * Output port 3: vtkTable `Convergence`, as of vtkFlipFreeSegmentation.
  *
- * Warnings, with a result all the same: the image shows less than 80 % of the boundary
- * (GetSupport()); the surface could not be refined, or it goes far beyond the disks at the ends.
+ * Warnings, with a result all the same: the contrast across the outline is low (GetSupport() below
+ * 0.8); the surface could not be refined, or it goes far beyond the disks at the ends.
  */
 #ifndef vtkFlipFreeVesselSegmentation_h
 #define vtkFlipFreeVesselSegmentation_h
@@ -131,8 +132,9 @@ public:
   vtkGetMacro(NumberOfSelfIntersections, int);
 
   /**
-   * The part of the boundary that the image shows, 0 to 1: where gray values inside and outside of
-   * the outline in cross-sections differ. 0 before Update().
+   * The mean contrast across the outline in cross-sections, of 25 gray values (HU; MR scaled to
+   * CT): 1 where gray values inside and outside differ by that much or more everywhere, 0 where
+   * they do not differ. Doubtful below 0.8. 0 before Update().
    */
   vtkGetMacro(Support, double);
 

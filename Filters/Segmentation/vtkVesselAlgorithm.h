@@ -11,10 +11,10 @@
  * Input port 0: vtkImageData with one scalar component of any type; coordinates are the image's
  * physical millimeters, the direction matrix is honored.
  *
- * Errors: no scalars, several components, an empty image, voxels that are not finite near the
- * points, fewer than two points, a point outside the image, two points closer than 3 mm, points
- * that no path through like gray values joins, a property that is NaN. Each is reported once, and
- * the outputs are then empty.
+ * Errors: no scalars, several components, an empty image, voxels that are not finite within 60 mm
+ * of the points' bounding box, fewer than two points, a point outside the image, two points closer
+ * than 3 mm, points that no path through like gray values joins, a property that is NaN. Each is
+ * reported once, and the outputs are then empty.
  */
 #ifndef vtkVesselAlgorithm_h
 #define vtkVesselAlgorithm_h
@@ -49,7 +49,9 @@ public:
   ///@{
   /**
    * About the vessel's radius, in millimeters. Default 0: found in the image; 0 to 100. It helps
-   * where a path strays into a wider or thinner neighbor.
+   * where a path strays into a wider or thinner neighbor. Below 7 mm the vessel is taken for a thin
+   * one, brighter than its surroundings; from there on for a wide one, which is also sought farther
+   * from the points, up to 120 mm, where the image does not support what is found near them.
    */
   void SetRadius(double value);
   double GetRadius() const;

@@ -247,6 +247,7 @@ test("a vessel is the command's", async () => {
   assert.equal(points.length, 3 * radii.length);
   assert.equal(parent, -1);
   assert.ok(radii.every((radius) => radius > 3 && radius < 5) && vessel.radius > 3 && vessel.radius < 5);
+  assert.ok(vessel.support > 0.9 && vessel.support <= 1);
 
   for (const [wrong, options, message] of [
     [[ends[0]], {}, /A vessel needs two points or more, not 1; give one at either end/],

@@ -39,7 +39,7 @@ class TestTrace(command.CommandTest):
                  (("--output", ".stl"), ("--labels", ".nii.gz"), ("--centerline", ".vtp"), ("--convergence", ".csv"))}
         process = self.trace(*self.points, *(word for pair in names.items() for word in pair))
         self.assert_succeeds(process)
-        self.assertRegex(process.stdout, r"1 branch, \d+ vertices, .*, 0 self-intersections; path \d+\.\d+ s")
+        self.assertRegex(process.stdout, r"1 branch, \d+ vertices, .*, 0 self-intersections, support (0[.]9\d|1[.]00); path \d+\.\d+ s")
         for name in (names["--output"], names["--labels"]):
             scores = command.run("evaluate", name, self.truth)
             self.assert_succeeds(scores)

@@ -16,11 +16,16 @@
 
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
+#include "vtkImplicitPolyDataDistance.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkTable.h"
+#include "vtkTriangleFilter.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkVariant.h"
+
+#include <array>
+#include <cmath>
 
 using namespace FlipFree;
 
@@ -175,9 +180,25 @@ TEST_F(Vessels, PointsCorrectThem)
   beside[2] += 6.5;
   std::array<double, 3> within = PointOfVessel(this->Phantom, 0.5);
   within[2] += 2;
+  std::array<double, 3> onBoundary = PointOfVessel(this->Phantom, -0.5);
+  onBoundary[2] += 5.5;
+  // Negative inside.
+  const auto distanceAt = [this](std::array<double, 3> point)
+  {
+    vtkNew<vtkTriangleFilter> triangles;
+    triangles->SetInputData(this->Filter->GetSurface());
+    triangles->Update();
+    vtkNew<vtkImplicitPolyDataDistance> distance;
+    distance->SetInput(triangles->GetOutput());
+    return distance->EvaluateFunction(point.data());
+  };
   EXPECT_EQ(labelAt(beside), 0);
   EXPECT_EQ(labelAt(within), 1);
+  EXPECT_GT(distanceAt(beside), 0);
+  EXPECT_LT(distanceAt(within), 0);
+  EXPECT_GT(std::abs(distanceAt(onBoundary)), 1);
   this->Filter->AddInsidePoint(beside[0], beside[1], beside[2]);
+  this->Filter->AddBoundaryPoint(onBoundary[0], onBoundary[1], onBoundary[2]);
   vtkNew<vtkPolyData> more;
   vtkNew<vtkPoints> places;
   places->SetDataTypeToDouble();
@@ -189,9 +210,12 @@ TEST_F(Vessels, PointsCorrectThem)
   more->GetPointData()->AddArray(kinds);
   this->Filter->SetConstraintData(more);
   ASSERT_EQ(ErrorOfUpdate(this->Filter), "0 errors");
+  EXPECT_LT(distanceAt(beside), 0);
+  EXPECT_GT(distanceAt(within), 0);
+  EXPECT_LE(std::abs(distanceAt(onBoundary)), 0.75); // half a voxel
   EXPECT_EQ(labelAt(beside), 1);
   EXPECT_EQ(this->Filter->GetNumberOfSelfIntersections(), 0);
-  EXPECT_EQ(this->Filter->GetNumberOfCorrections(), 1);
+  EXPECT_EQ(this->Filter->GetNumberOfCorrections(), 2);
   // The same, from a source for each.
   const std::vector<double> corrected = PointsOf(this->Filter->GetSurface());
   this->Filter->RemoveAllCorrections();
@@ -203,6 +227,10 @@ TEST_F(Vessels, PointsCorrectThem)
   outside->SetPosition(within.data());
   this->Filter->AddConstraintConnection(outside->GetOutputPort());
   this->Filter->AddConstraintConnection(inside->GetOutputPort());
+  vtkNew<vtkConstraintPointSource> boundary;
+  boundary->SetKindToBoundary();
+  boundary->SetPosition(onBoundary.data());
+  this->Filter->AddConstraintConnection(boundary->GetOutputPort());
   ASSERT_EQ(ErrorOfUpdate(this->Filter), "0 errors");
   EXPECT_EQ(PointsOf(this->Filter->GetSurface()), corrected);
   this->Filter->SetConstraintData(nullptr);

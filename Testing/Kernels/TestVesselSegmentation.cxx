@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <string>
 
 using namespace FlipFree;
@@ -180,6 +181,7 @@ TEST(VesselSegmentation, BadPointsAreNamed)
 }
 
 // An arch that is far from its ends, and wider than a thin vessel: its legs are near to each other.
+// Whether or not its radius is told.
 TEST(VesselPath, AWideVesselIsSoughtFarFromItsEnds)
 {
   const ExampleTube arch = MakeTube(
@@ -199,13 +201,47 @@ TEST(VesselPath, AWideVesselIsSoughtFarFromItsEnds)
     },
     [](double) { return 9.0; });
   const FloatImage volume = VolumeOfTubes({ arch }, Grid({ { 52, 26, 72 } }, { 2, 2, 2 }), 10);
-  const VesselTree tree = TraceVessel(GrayVolumeOf(volume), "the volume", ClicksIn(arch),
-    PointList(0, 3), LumenSettings().Path, OneThread, NeverStop);
-  ASSERT_EQ(tree.Branches.size(), 1U);
-  const PointList centers = tree.Branches[0].Sections.Centers();
-  EXPECT_NEAR(centers.col(2).maxCoeff(), 122, 3);
-  EXPECT_NEAR(tree.Radius, 9, 1);
-  EXPECT_GT(tree.Support, 0.9);
+  VesselSegmentationSettings settings = LumenSettings();
+  for (const double radius : { 0.0, 9.0 })
+  {
+    SCOPED_TRACE(radius);
+    settings.Path.Radius = radius;
+    const VesselTree tree = TraceVessel(GrayVolumeOf(volume), "the volume", ClicksIn(arch),
+      PointList(0, 3), settings.Path, OneThread, NeverStop);
+    ASSERT_EQ(tree.Branches.size(), 1U);
+    const PointList centers = tree.Branches[0].Sections.Centers();
+    EXPECT_NEAR(centers.col(2).maxCoeff(), 122, 3);
+    EXPECT_NEAR(tree.Radius, 9, 1);
+    EXPECT_GT(tree.Support, 0.9);
+  }
+}
+
+// Where the far search would look for a wide vessel, in vain.
+TEST(VesselPath, VoxelsFarAwayNeedNotBeFinite)
+{
+  const auto stub = [](double from, double to)
+  {
+    return MakeTube([=](double t) { return Eigen::Vector3d(30, 30, from + (to - from) * t); },
+      [](double) { return 5.0; });
+  };
+  const ImageGeometry grid = Grid({ { 80, 30, 45 } }, { 2, 2, 2 });
+  const PointList points = Points({ { 30, 30, 12 }, { 30, 30, 66 } });
+  const auto trace = [&](const FloatImage& volume)
+  {
+    return TraceVessel(GrayVolumeOf(volume), "the volume", points, PointList(0, 3),
+      LumenSettings().Path, OneThread, NeverStop);
+  };
+  FloatImage volume = VolumeOfTubes({ stub(5, 22), stub(56, 85) }, grid, 10);
+  const VesselTree before = trace(volume);
+  ASSERT_LT(before.Support, DoubtfulSupport);
+  volume.Voxels[grid.Offset(60, 15, 20)] = std::numeric_limits<float>::quiet_NaN(); // x = 120 mm
+  const VesselTree after = trace(volume);
+  EXPECT_LT(after.Support, DoubtfulSupport);
+  EXPECT_NEAR(after.Radius, before.Radius, 1);
+  // Near the points, they are an error.
+  volume.Voxels[grid.Offset(20, 15, 20)] = std::numeric_limits<float>::quiet_NaN();
+  const std::string message = MessageOf([&] { trace(volume); });
+  EXPECT_NE(message.find("is not a finite number"), std::string::npos) << message;
 }
 
 TEST(VesselSegmentation, ObeysEveryCorrection)
@@ -242,6 +278,28 @@ TEST(VesselSegmentation, ObeysEveryCorrection)
   // Their order means nothing.
   EXPECT_EQ(segment({ corrections.rbegin(), corrections.rend() }).Surface.Points,
     after.Surface.Points);
+}
+
+// The cells of its start surface are 6 mm wide at first.
+TEST(VesselSegmentation, APointNearThePathOfAWideVesselLiesOutside)
+{
+  const ImageGeometry grid = Grid({ { 45, 45, 45 } }, { 2, 2, 2 });
+  const ExampleTube tube = MakeTube([](double t) { return Eigen::Vector3d(45, 45, 5 + 80 * t); },
+    [](double) { return 12.0; });
+  const FloatImage volume = VolumeOfTubes({ tube }, grid, 10);
+  for (const double angle : { 0.0, 2.0, 4.0 })
+  {
+    SCOPED_TRACE(angle);
+    const PointConstraint outside{ ConstraintKind::Outside,
+      { 45 + 4 * std::cos(angle), 45 + 4 * std::sin(angle), 45 }, 0 };
+    const VesselSegmentation result = SegmentVessel(GrayVolumeOf(volume), "the volume",
+      ClicksIn(tube), { outside }, LumenSettings(), OneThread, NeverStop);
+    EXPECT_EQ(WindingNumber(result.Surface.Points, result.Surface.Mesh.Triangles, outside.Point),
+      0);
+    EXPECT_EQ(result.Surface.SelfIntersections, 0);
+    EXPECT_EQ(result.Surface.Mesh.EulerNumber(), 2);
+    EXPECT_GT(DiceOf(result, { BetweenClicks(tube) }, grid), 0.8);
+  }
 }
 
 TEST(VesselSegmentation, APointOutsideTurnsThePathAway)
@@ -293,6 +351,10 @@ TEST(VesselSegmentation, CorrectionsThatCannotBeObeyedAreNamed)
   expect(ConstraintKind::Outside, points.row(0), "the outside point");
   expect(ConstraintKind::Inside, { 40, 20, 300 }, "the inside point (40, 20, 300) mm lies outside");
   expect(ConstraintKind::Seed, { 40, 55, 35 }, "is of no use to a vessel");
+  for (const auto kind : { ConstraintKind::Inside, ConstraintKind::Boundary })
+  {
+    expect(kind, { 75, 20, 70 }, "point (75, 20, 70) mm lies too far from the vessel's path");
+  }
 }
 
 TEST(VesselSegmentation, WarnsWhereTheImageDoesNotShowTheBoundary)

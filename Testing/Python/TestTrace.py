@@ -19,6 +19,16 @@ def point_at(place):
             center + 10 * math.cos(0.8 * math.pi * place + 0.5))
 
 
+def winding_number(vessel, point):
+    """How often the surface winds around a point: 1 inside, 0 outside."""
+    a, b, c = (vessel.points[corners].astype(float) - point for corners in vessel.triangles.T)
+    la, lb, lc = (np.linalg.norm(side, axis=1) for side in (a, b, c))
+    volume = np.einsum("ij,ij->i", a, np.cross(b, c))
+    rest = (la * lb * lc + np.einsum("ij,ij->i", a, b) * lc + np.einsum("ij,ij->i", b, c) * la
+            + np.einsum("ij,ij->i", c, a) * lb)
+    return round(np.arctan2(volume, rest).sum() / (2 * math.pi))
+
+
 class TestTrace(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
@@ -39,6 +49,7 @@ class TestTrace(unittest.TestCase):
         self.assertEqual(branch["parent"], -1)
         self.assertEqual(branch["points"].shape, (len(branch["radius"]), 3))
         self.assertEqual(len(vessel.stage_seconds), 4)
+        self.assertTrue(0.9 < vessel.support <= 1, vessel.support)
         self.assertRegex(repr(vessel), r"^<Vessel: \d+ vertices, 0 self-intersections, '")
 
     def test_centerline_is_vtks(self):
@@ -84,17 +95,25 @@ class TestTrace(unittest.TestCase):
         """They are obeyed, whether given at once or later, and taking them away leaves no trace."""
         x, y, z = point_at(0)
         beside, within = (x, y, z + 6.5), tuple(a + b for a, b in zip(point_at(0.5), (0, 0, 2)))
+        border = tuple(a + b for a, b in zip(point_at(-0.5), (0, 0, 7)))
+
+        def gap_at(vessel, point):
+            return np.linalg.norm(vessel.points - point, axis=1).min()
 
         def label_at(vessel, point):
             i, j, k = (round(a / SPACING) for a in point)
             return vessel.labels[k, j, i]
 
         self.assertEqual([label_at(self.vessel, point) for point in (beside, within)], [0, 1])
-        once = flipfree.trace(self.phantom.image, self.points, inside=[beside], outside=[within])
-        later = self.vessel.corrected(inside=[beside]).corrected(outside=[within])
+        self.assertEqual([winding_number(self.vessel, point) for point in (beside, within)], [0, 1])
+        self.assertGreater(gap_at(self.vessel, border), 2)
+        once = flipfree.trace(self.phantom.image, self.points, inside=[beside], outside=[within], boundary=[border])
+        later = self.vessel.corrected(inside=[beside]).corrected(outside=[within], boundary=[border])
         self.assertEqual(label_at(once, beside), 1)
+        self.assertEqual([winding_number(once, point) for point in (beside, within)], [1, 0])
+        self.assertLess(gap_at(once, border), 1.5)  # the surface is within 0.75 mm, a vertex near that
         self.assertEqual(once.self_intersections, 0)
-        self.assertEqual(len(later.constraints), 2)
+        self.assertEqual(len(later.constraints), 3)
         np.testing.assert_array_equal(once.points, later.points)
         np.testing.assert_array_equal(self.vessel.corrected().points, self.vessel.points)
 

@@ -294,7 +294,7 @@ class Vessels(unittest.TestCase):
             self.assertEqual((process.returncode, process.stderr), (0, ""))
             found.append(re.sub(r"\d+\.\d\d s", "0 s", process.stdout))
         self.assertEqual(*found)
-        self.assertRegex(found[0], r"vessel\.nii\.gz: 1 branch, \d+ vertices, .*, 0 self-intersections; path 0 s, start 0 s, "
+        self.assertRegex(found[0], r"vessel\.nii\.gz: 1 branch, \d+ vertices, .*, 0 self-intersections, support (0[.]9\d|1[.]00); path 0 s, start 0 s, "
                                    r"deformation 0 s, label map 0 s\n\Z")
         for ending in (".vtp", "-line.vtp"):
             contents = []

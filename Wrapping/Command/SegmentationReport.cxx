@@ -4,6 +4,7 @@
 
 #include "vtkFlipFreeDeform.h"
 #include "vtkFlipFreeSegmentation.h"
+#include "vtkFlipFreeVesselSegmentation.h"
 #include "vtkMassProperties.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
@@ -17,16 +18,20 @@ namespace Command
 namespace
 {
 
-/// Vessels have none.
-std::string ConfidenceText(const OrganFilter& filter)
+/// How far an organ or a vessel can be trusted.
+std::string TrustText(const OrganFilter& filter)
 {
   auto* const organ = vtkFlipFreeSegmentation::SafeDownCast(filter.Algorithm());
-  if (!organ)
+  auto* const vessel = vtkFlipFreeVesselSegmentation::SafeDownCast(filter.Algorithm());
+  char text[32] = "";
+  if (organ)
   {
-    return {};
+    std::snprintf(text, sizeof(text), ", confidence %.2f", organ->GetConfidence());
   }
-  char text[32];
-  std::snprintf(text, sizeof(text), ", confidence %.2f", organ->GetConfidence());
+  else if (vessel)
+  {
+    std::snprintf(text, sizeof(text), ", support %.2f", vessel->GetSupport());
+  }
   return text;
 }
 
@@ -39,7 +44,7 @@ void PrintSummary(const OrganFilter& filter, const Segmentation& segmentation,
               "%s %.2f s, %s %.2f s, deformation %.2f s, label map %.2f s\n",
     TitleOf(segmentation, "").c_str(), VolumeInMilliliters(filter.Surface()),
     static_cast<int>(filter.Convergence()->GetNumberOfRows()), filter.StopReasonText().c_str(),
-    filter.SelfIntersections(), ConfidenceText(filter).c_str(), readingSeconds,
+    filter.SelfIntersections(), TrustText(filter).c_str(), readingSeconds,
     isVessel ? "path" : "smoothing", first, isVessel ? "start" : "feature", second, third, fourth);
   std::fflush(stdout);
 }

@@ -151,11 +151,13 @@ void PrintSummary(Filter* filter, const Trace& trace)
   double seconds[4];
   filter->GetStageSeconds(seconds);
   const auto branches = static_cast<int>(line->GetNumberOfLines());
-  std::printf("%s: %d %s, %d vertices, %s, %d self-intersections; path %.2f s, start %.2f s, "
-              "deformation %.2f s, label map %.2f s\n",
+  std::printf(
+    "%s: %d %s, %d vertices, %s, %d self-intersections, support %.2f; path %.2f s, start %.2f s, "
+    "deformation %.2f s, label map %.2f s\n",
     trace.Input.c_str(), branches, branches == 1 ? "branch" : "branches",
     static_cast<int>(filter->GetSurface()->GetNumberOfPoints()), filter->GetStopReasonAsString(),
-    filter->GetNumberOfSelfIntersections(), seconds[0], seconds[1], seconds[2], seconds[3]);
+    filter->GetNumberOfSelfIntersections(), filter->GetSupport(), seconds[0], seconds[1],
+    seconds[2], seconds[3]);
   std::fflush(stdout);
 }
 

@@ -1,5 +1,7 @@
 #include "Vessel/OutlineCorrection.h"
 
+#include "Error.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -12,6 +14,10 @@ namespace
 constexpr double Margin = 1;         // between a point inside or outside and the outline, mm
 constexpr double LeastRadius = 0.5;  // mm
 constexpr double LeastDeviation = 2; // of what a point moves, mm
+
+// A point that moves the outline outward lies within this of a section's center.
+constexpr double RadiiAway = 3; // of the section's mean radius
+constexpr double AlsoAway = 10; // mm
 
 struct SectionPlace
 {
@@ -63,6 +69,37 @@ double ChangeFor(const PointConstraint& constraint, double distance, double radi
   }
 }
 
+bool IsNear(const Eigen::Vector3d& point, const VesselTree& tree)
+{
+  for (const VesselBranch& branch : tree.Branches)
+  {
+    const Eigen::VectorXd radii = branch.Sections.MeanRadii();
+    for (Eigen::Index section = 0; section < radii.size(); ++section)
+    {
+      const double distance = (point - branch.Sections.Frames[section].Origin).norm();
+      if (distance <= RadiiAway * radii[section] + AlsoAway)
+      {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+void RequireNear(const ConstraintList& constraints, const VesselTree& tree)
+{
+  for (const PointConstraint& constraint : constraints)
+  {
+    if (constraint.Kind != ConstraintKind::Outside && !IsNear(constraint.Point, tree))
+    {
+      throw Error(ErrorCode::UnreachablePoint,
+        NameOf(constraint) +
+          " lies too far from the vessel's path to correct its outline; give a point on the "
+          "vessel's way");
+    }
+  }
+}
+
 void MoveOutline(const PointConstraint& constraint, VesselTree& tree)
 {
   const SectionPlace place = NearestPlace(constraint.Point, tree);
@@ -90,6 +127,7 @@ void MoveOutline(const PointConstraint& constraint, VesselTree& tree)
 
 void CorrectOutline(const ConstraintList& constraints, VesselTree& tree)
 {
+  RequireNear(SortedConstraints(constraints), tree);
   for (const PointConstraint& constraint : SortedConstraints(constraints))
   {
     MoveOutline(constraint, tree);

@@ -10,8 +10,8 @@
 namespace FlipFree
 {
 
-/// Per section the part of its rays across whose end the gray value changes by more than noise
-/// does, 0 to 1.
+/// Per section the mean contrast across the outline, of 25 gray values (HU; MR scaled to CT): over
+/// its rays, the difference between inside and outside, 0 to 1, where 1 is that much or more.
 Eigen::VectorXd SectionSupport(const ImageView<float>& image, const VesselSections& sections,
   const ParallelFor& parallelFor);
 

@@ -12,8 +12,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <exception>
+#include <functional>
 #include <limits>
+#include <optional>
+#include <stdexcept>
 #include <utility>
 
 namespace FlipFree
@@ -313,6 +315,24 @@ VesselTree TraceAs(const VesselStyle& style, const GrayVolume& volume, Modality 
   return tree;
 }
 
+// A wide vessel in a larger part of the image, where the image supports it by more than `least`;
+// one without branches where the monitor stopped it.
+std::optional<VesselTree> SeekFar(const std::function<VesselTree()>& trace, double least)
+{
+  try
+  {
+    VesselTree wide = trace();
+    if (wide.Branches.empty() || wide.Support > least)
+    {
+      return wide;
+    }
+  }
+  catch (const std::invalid_argument&) // no path, or voxels far away that are not finite
+  {
+  }
+  return std::nullopt;
+}
+
 } // namespace
 
 VesselStyle ThinVessel()
@@ -371,50 +391,41 @@ VesselTree TraceVessel(const GrayVolume& volume, const std::string& name, const 
   };
   const Monitor first = PartOf(monitor, 0, 0.5);
   const Monitor second = PartOf(monitor, 0.5, 1);
-  if (settings.Radius > 0)
+  const bool isKnown = settings.Radius > 0;
+  const bool isWide = isKnown && settings.Radius >= settings.WideRadius;
+  if (isKnown && !isWide)
   {
-    return settings.Radius < settings.WideRadius
-      ? trace(settings.Thin, settings.Radius, monitor)
-      : trace(settings.Wide, insideScale * settings.Radius, monitor);
+    return trace(settings.Thin, settings.Radius, monitor);
   }
-  VesselTree thin;
-  std::exception_ptr noPath;
+  VesselTree found;
+  std::optional<Error> noPath;
   try
   {
-    thin = trace(settings.Thin, thinRadius, first);
-    if (thin.Branches.empty())
-    {
-      return thin;
-    }
+    found = isWide ? trace(settings.Wide, insideScale * settings.Radius, first)
+                   : trace(settings.Thin, thinRadius, first);
   }
-  catch (const Error&)
+  catch (const Error& error)
   {
-    noPath = std::current_exception();
+    noPath = error;
   }
-  if (thin.Radius >= settings.WideRadius)
+  if (!isWide && found.Radius >= settings.WideRadius)
   {
-    return trace(settings.Wide, insideScale * thin.Radius, second);
+    return trace(settings.Wide, insideScale * found.Radius, second);
   }
-  if (thin.Support >= DoubtfulSupport)
+  const bool isStopped = !noPath && found.Branches.empty();
+  if (isStopped || found.Support >= DoubtfulSupport)
   {
-    return thin;
+    return found;
   }
-  try
+  const double farRadius = insideScale * (isWide ? settings.Radius : wideRadius);
+  const std::optional<VesselTree> wide =
+    SeekFar([&] { return trace(settings.Far, farRadius, second); },
+      noPath ? DoubtfulSupport : found.Support);
+  if (!wide && noPath)
   {
-    VesselTree wide = trace(settings.Far, insideScale * wideRadius, second);
-    if (wide.Branches.empty() || wide.Support > (noPath ? DoubtfulSupport : thin.Support))
-    {
-      return wide;
-    }
+    throw Error(*noPath);
   }
-  catch (const Error&) // there is no wide one either
-  {
-  }
-  if (noPath)
-  {
-    std::rethrow_exception(noPath);
-  }
-  return thin;
+  return wide.value_or(found);
 }
 
 } // namespace FlipFree

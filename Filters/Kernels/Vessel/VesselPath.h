@@ -9,6 +9,9 @@
  * that the image does not support, it may be a wide one all the same, which it has missed, such as
  * an aorta with its arch: a wide one is sought in a larger part of the image, and taken if the
  * image supports it better.
+ *
+ * Where the radius is given, there is one pass, for the vessel's kind, and for a wide one that the
+ * image does not support the search in the larger part.
  */
 #ifndef FlipFreeVesselPath_h
 #define FlipFreeVesselPath_h
@@ -72,7 +75,8 @@ struct VesselTree
 
 /// The path keeps away from the places `outside`. Throws Error or std::invalid_argument, naming the
 /// volume by `name`, for fewer than two points, points outside the volume or in one place, voxels
-/// that are not finite, and points that no path through like gray values joins.
+/// that are not finite near the points, and points that no path through like gray values joins.
+/// Voxels that are not finite farther away only end the search there.
 VesselTree TraceVessel(const GrayVolume& volume, const std::string& name, const PointList& points,
   const PointList& outside, const VesselPathSettings& settings, const Threading& threading,
   const Monitor& monitor);

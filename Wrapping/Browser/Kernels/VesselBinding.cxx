@@ -47,6 +47,7 @@ val Trace(const Volume& image, const val& points, const val& parameters, const v
       val answer = AnswerOf(result.Surface, result.Voxels, result.Warnings);
       answer.set("branches", BranchesOf(result.Tree));
       answer.set("radius", result.Tree.Radius);
+      answer.set("support", result.Tree.Support);
       return answer;
     });
 }

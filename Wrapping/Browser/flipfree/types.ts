@@ -113,6 +113,8 @@ export interface Vessel extends Segmentation {
   branches: Branch[];
   /** The mean radius, in mm. */
   radius: number;
+  /** The mean contrast across the outline, of 25 gray values (HU; MR scaled to CT), 0 to 1: doubtful below 0.8. */
+  support: number;
 }
 
 export interface Scores {

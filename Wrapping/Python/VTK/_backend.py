@@ -183,6 +183,7 @@ class VesselAlgorithm:
             self_intersections=self.settings.GetNumberOfSelfIntersections(),
             centerline=_detached(self.settings.GetCenterline()),
             stage_seconds=tuple(self.settings.GetStageSeconds()),
+            support=self.settings.GetSupport(),
         )
 
 

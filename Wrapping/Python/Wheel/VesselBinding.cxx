@@ -90,6 +90,7 @@ nb::dict Trace(const Voxels& voxels, const Triple& spacing, const Triple& origin
   answer["warnings"] = result.Warnings;
   answer["labels"] = LabelsOf(result.Voxels, settings.LabelValue, geometry);
   answer["branches"] = BranchesOf(result.Tree);
+  answer["support"] = result.Tree.Support;
   answer["stage_seconds"] =
     std::vector<double>(result.StageSeconds.begin(), result.StageSeconds.end());
   answer["surface"] =

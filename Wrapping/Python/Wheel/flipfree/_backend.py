@@ -243,6 +243,7 @@ class VesselAlgorithm:
             self_intersections=answer["self_intersections"],
             branches=answer["branches"],
             stage_seconds=tuple(answer["stage_seconds"]),
+            support=answer["support"],
         )
 
 

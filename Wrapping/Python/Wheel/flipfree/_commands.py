@@ -317,11 +317,15 @@ def _report(values: dict[str, Any], organ: Segmentation, reading: float, working
     if not organ.mesh.certified and organ.self_intersections == 0:
         warn("The surface is not certified: --guard is off. It does not intersect itself, though.")
     if "quiet" not in values:
-        confidence = "" if isinstance(organ, Vessel) else f", confidence {organ.confidence:.2f}"
+        trust = (
+            f"support {organ.support:.2f}"
+            if isinstance(organ, Vessel)
+            else f"confidence {organ.confidence:.2f}"
+        )
         print(
             f"{_title_of(values, '')}: volume {organ.volume:.1f} ml, "
             f"{len(organ.iterations['Iteration'])} iterations, {organ.stop_reason}, "
-            f"{organ.self_intersections} self-intersections{confidence}; reading {reading:.2f} s, "
+            f"{organ.self_intersections} self-intersections, {trust}; reading {reading:.2f} s, "
             f"segmenting {working:.2f} s"
         )
 
@@ -363,7 +367,7 @@ def trace(values: dict[str, Any]) -> None:
         print(
             f"{values['input']}: {count} {'branch' if count == 1 else 'branches'}, "
             f"{len(vessel.points)} vertices, {vessel.stop_reason}, "
-            f"{vessel.self_intersections} self-intersections; {seconds}"
+            f"{vessel.self_intersections} self-intersections, support {vessel.support:.2f}; {seconds}"
         )
 
 

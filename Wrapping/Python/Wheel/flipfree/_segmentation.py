@@ -132,6 +132,10 @@ class Vessel(Segmentation):
     stage_seconds: tuple[float, ...] = ()
     """Of path and outline, start surface, deformation, label map."""
 
+    support: float = math.nan
+    """The mean contrast across the outline, of 25 gray values (HU; MR scaled to CT), 0 to 1; doubtful
+    below 0.8, which a FlipFreeWarning says."""
+
     @property
     def centerline(self) -> Any:
         """A vtkPolyData, a poly line per branch, where VTK is installed: `pip install vtk`."""
