@@ -181,7 +181,7 @@ TEST_F(Vessels, PointsCorrectThem)
   std::array<double, 3> within = PointOfVessel(this->Phantom, 0.5);
   within[2] += 2;
   std::array<double, 3> onBoundary = PointOfVessel(this->Phantom, -0.5);
-  onBoundary[2] += 5.5;
+  onBoundary[2] += 6.25;
   // Negative inside.
   const auto distanceAt = [this](std::array<double, 3> point)
   {

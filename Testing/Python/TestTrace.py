@@ -106,7 +106,7 @@ class TestTrace(unittest.TestCase):
 
         self.assertEqual([label_at(self.vessel, point) for point in (beside, within)], [0, 1])
         self.assertEqual([winding_number(self.vessel, point) for point in (beside, within)], [0, 1])
-        self.assertGreater(gap_at(self.vessel, border), 2)
+        self.assertGreater(gap_at(self.vessel, border), 1.8)
         once = flipfree.trace(self.phantom.image, self.points, inside=[beside], outside=[within], boundary=[border])
         later = self.vessel.corrected(inside=[beside]).corrected(outside=[within], boundary=[border])
         self.assertEqual(label_at(once, beside), 1)
