@@ -9,7 +9,7 @@ import { showResult } from "./result.js";
 import type { Tool, ViewedOrgan } from "./view.js";
 
 const hints: Record<Tool, string> = {
-  seed: "Click in the organ, drag to its boundary.",
+  seed: "Click in the organ, drag to its boundary. Keep vessels and other organs out of the circle, in all three slices.",
   further: "Click where the organ was missed, drag to its boundary.",
   inside: "Click where the organ was missed.",
   outside: "Click where it took in something else.",

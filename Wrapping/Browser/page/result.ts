@@ -16,13 +16,11 @@ function lengthOf({ branches }: Vessel): number {
   return length;
 }
 
-/** A word where the threshold holds: for what was found in the image from a seed alone, with carving. A result of which
- * something else may be wrong is not called good. */
-function judgementOf({ start, corrections, preset, parameters }: OrganState, { confidence, warnings }: Organ): string {
-  if (start || corrections.length > 0 || preset !== "default" || parameters.carving === false) {
-    return "";
-  }
-  return confidence < doubtfulConfidence ? ", doubtful" : warnings.length === 0 ? ", good" : "";
+/** A word where the threshold holds: for what was found in the image from a seed alone, with carving. Nothing is called
+ * good: a leak along a clear boundary is confident, too. */
+function judgementOf({ start, corrections, preset, parameters }: OrganState, { confidence }: Organ): string {
+  const holds = !start && corrections.length === 0 && preset === "default" && parameters.carving !== false;
+  return holds && confidence < doubtfulConfidence ? ", doubtful" : "";
 }
 
 /** The number, and how much of the contour is blue. */
