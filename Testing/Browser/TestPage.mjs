@@ -126,6 +126,13 @@ test("the built-in abdomen: seed by mouse, liver, saved files", async () => {
   await segment();
   await picture("liver");
   assert.match(await page.textContent("#result"), / 0 self-intersections/);
+  // A stray click moves the cross-hair, and takes no result away.
+  assert.ok(await page.isChecked("[name=tool][value=navigate]"));
+  await page.mouse.click(x, y + 20);
+  assert.equal(await numberIn("#seed-x"), seed.center[0]);
+  assert.match(await page.textContent("#result"), / 0 self-intersections/);
+  await page.selectOption("#phantom-seed", "6"); // the slices are those of the seed again
+  await page.click("#undo");
   const labels = readNiftiFile(await saved("#save-labels"));
   const native = readNiftiFile(result("native.nii.gz"));
   console.log(`Dice with the command's liver: ${dice(labels.voxels, native.voxels)}`);
@@ -424,6 +431,7 @@ test("an image with its session by the dialog; cancel and run again", async () =
   await page.waitForFunction(() => document.getElementById("progress").value > 0, null, { timeout: 60_000, polling: 50 });
   await page.keyboard.press("Escape");
   await status("Canceled");
+  assert.ok(await page.isChecked("[name=tool][value=seed]")); // of another image
   assert.match(await page.textContent("#image-name"), /^abdomen\.nii\.gz, \d+ × \d+ × \d+ voxels$/);
   assert.ok(await page.isDisabled("#save-labels"));
   assert.equal(await numberIn("#seed-radius"), seed.radius);

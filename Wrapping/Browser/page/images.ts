@@ -2,7 +2,7 @@
 import { FlipFreeError, type PhantomSeed, isSameGrid, labelsIn, reordered } from "../flipfree/index.js";
 import { app, flipfree, organs, view } from "./app.js";
 import { element, select } from "./dom.js";
-import { showAll } from "./panel.js";
+import { chooseTool, showAll } from "./panel.js";
 import { repeat } from "./runs.js";
 import { parseSession } from "./session.js";
 import { say, showProgress } from "./status.js";
@@ -33,6 +33,7 @@ let phantomSeeds: PhantomSeed[] = [];
 function showImage(image: OpenImage): void {
   app.opened = image;
   organs.reset();
+  chooseTool("seed");
   app.labels = null;
   phantomSeeds = [];
   element("phantom-row").hidden = true;

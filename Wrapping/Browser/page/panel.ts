@@ -40,6 +40,13 @@ export function chooseTool(tool: Tool): void {
   refresh();
 }
 
+/** Once there is a result, a stray click must not take it away: it would place another seed. */
+export function leaveSeedTool(): void {
+  if (chosenTool() === "seed") {
+    chooseTool("navigate");
+  }
+}
+
 /** Tools that the chosen organ has no use for are not shown or cannot be chosen. */
 function refreshTools(): void {
   const isVessel = organs.chosen.kind === "vessel";

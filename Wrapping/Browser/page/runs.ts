@@ -2,7 +2,7 @@
 import type { Organ, Vessel } from "../flipfree/index.js";
 import { app, flipfree, organs, view } from "./app.js";
 import { type OrganState, canRun, correctionsOf } from "./organs.js";
-import { showAll, viewedOrgans } from "./panel.js";
+import { leaveSeedTool, showAll, viewedOrgans } from "./panel.js";
 import { type Session, requireImageOf } from "./session.js";
 import { say, showProgress } from "./status.js";
 import { work } from "./work.js";
@@ -37,6 +37,7 @@ export async function segment(): Promise<void> {
   if (app.opened && canRun(organ)) {
     await run("Segmenting", "Segmented", organ, (result) => {
       organs.find(organ, result);
+      leaveSeedTool();
       if (organ.start && "seed" in result) {
         view.crosshair = [...result.seed.center];
       }
@@ -71,6 +72,9 @@ export async function repeat(session: Session, signal: AbortSignal): Promise<voi
   const place = seed?.center ?? points[0];
   if (place) {
     view.crosshair = [...place];
+  }
+  if (organs.chosen.result) {
+    leaveSeedTool();
   }
   say("The session is repeated.");
 }
