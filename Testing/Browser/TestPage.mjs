@@ -400,6 +400,7 @@ test("several organs, a session, and the command that repeats it", async () => {
   await segment();
   assert.ok((await coloredPixels(green))[0] > 200);
   await picture("organs");
+  assert.match(await page.getAttribute("#add-organ", "title"), /one by one; a voxel in two belongs to the first/);
   const page1 = readNiftiFile(await saved("#save-labels"));
   const path = await saved("#save-session");
   const session = JSON.parse(readFileSync(path, "utf8"));
