@@ -159,10 +159,14 @@ test("contours lie on the slices alone, and go and come back by undo and redo", 
   const without = await coloredPixels(yellow);
   assert.ok(without[0] < 0.5 * shown[0], `${without} after ${shown}`);
   assert.ok(await page.isDisabled("#save-surface"));
+  assert.equal(await page.inputValue("#phantom-seed"), ""); // it is no longer the phantom's
   await page.keyboard.press("Control+z");
+  assert.equal(await page.textContent("#status"), "Undone.");
+  assert.equal(await page.inputValue("#phantom-seed"), "6");
   assert.equal(await numberIn("#seed-radius"), seed.radius);
   assert.ok(areAlike(await coloredPixels(yellow), shown));
   await page.click("#redo");
+  assert.equal(await page.textContent("#status"), "Redone.");
   assert.equal(await numberIn("#seed-radius"), seed.radius + 1);
   await page.click("#undo");
   const again = await coloredPixels(yellow);
@@ -251,6 +255,7 @@ test("points by mouse and keys correct the liver: undo, redo, edit, remove", asy
   await page.click("#add-organ"); // the list is made anew
   await page.click("#undo");
   assert.deepEqual(await places(), valid);
+  assert.equal(await page.textContent("#error"), ""); // of what is no longer there
   await page.click("[aria-label='Remove point 2']");
   await corrected();
   assert.equal(await countPoints(), 2);

@@ -107,10 +107,17 @@ export function viewedOrgans(changed: Partial<OrganState> = {}): ViewedOrgan[] {
   });
 }
 
+/** The phantom's organ whose seed this is. */
+function phantomOrganOf({ seed }: OrganState): string {
+  const isSame = (one: Seed) => one.radius === seed?.radius && one.center.every((value, axis) => value === seed.center[axis]);
+  return String(app.phantomSeeds.find(isSame)?.label ?? "");
+}
+
 /** After any change of the organs. */
 export function showAll(): void {
   showOrgans(element("organs"), organs, showAll);
   showSeed(organs.chosen.seed);
+  select("phantom-seed").value = phantomOrganOf(organs.chosen);
   const { start } = organs.chosen; // maybe from a label map that was opened before
   select("start-label").value = start && start.labels === app.labels ? String(start.label) : "";
   showPoints(element("points"), organs.chosen);
