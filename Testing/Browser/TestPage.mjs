@@ -184,6 +184,13 @@ async function corrected() {
   assert.equal(await page.textContent("#error"), "");
 }
 
+/** The button of doubtful places is whole in sight, in the part of the panel that scrolls. */
+const nextFits = () =>
+  page.evaluate(() => {
+    const [next, part] = ["next-doubt", "run-controls"].map((id) => document.getElementById(id).getBoundingClientRect());
+    return next.height > 10 && next.top >= part.top && next.bottom <= part.bottom;
+  });
+
 /** All of the panel is to be seen at 1280 x 720. */
 const panelFits = () => page.$eval("aside", (panel) => panel.scrollHeight <= panel.clientHeight + 1 && panel.scrollWidth <= panel.clientWidth);
 
@@ -251,7 +258,9 @@ test("points by mouse and keys correct the liver: undo, redo, edit, remove", asy
     await page.press(`[aria-label='${at} of point 1, mm']`, "Tab");
   }
   assert.match(await errorText(), /The outside point \(9999.* mm lies outside the image; give it/);
+  assert.match(await page.textContent("#error"), /\(9999(, \d+(\.\d)?){2}\) mm/); // to a tenth of a millimeter
   await picture("refused");
+  assert.ok(await nextFits());
   await page.click("#add-organ"); // the list is made anew
   await page.click("#undo");
   assert.deepEqual(await places(), valid);
@@ -302,6 +311,7 @@ test("doubtful places are blue and shown one by one, and the number and the warn
   assert.ok((await coloredPixels(blue)).slice(0, 3).reduce((sum, pixels) => sum + pixels, 0) > 40);
   assert.equal((await coloredPixels(blue))[3], 0);
   await picture("doubtful");
+  assert.ok(await nextFits());
   const count = Number((await page.textContent("#status")).match(/of (\d+)/)[1]);
   assert.ok(count > 1 && count < 20, `${count}`);
   for (let place = 2; place <= count + 1; ++place) {

@@ -61,7 +61,7 @@ function rowsOf(organ: OrganState, result: Organ | Vessel): [string, string][] {
     ["Ended", `${result.stopReason}, ${result.iterations.Iteration?.length ?? 0} iterations`],
   ];
   if ("confidence" in result) {
-    rows.splice(1, 0, ["Confidence", confidenceText(organ, result)]);
+    rows.unshift(["Confidence", confidenceText(organ, result)]);
   }
   if ("branches" in result) {
     const count = result.branches.length;
@@ -80,13 +80,16 @@ export function showResult(organ: OrganState): void {
     text.textContent = value;
     return [term, text];
   });
+  const places = result && "confidence" in result ? doubtsOf(result).places : [];
+  const doubts = element("doubts");
+  doubts.hidden = places.length === 0;
+  // Beside the confidence, which comes first: there it is in sight however long the rest is.
+  (doubts.hidden ? element("run-controls") : cells[1]).append(doubts);
   element("result").replaceChildren(...cells);
   const warnings = (result?.warnings ?? []).map((warning) => {
     const item = document.createElement("li");
     item.textContent = wordsOf(warning);
     return item;
   });
-  const places = result && "confidence" in result ? doubtsOf(result).places : [];
-  element("doubts").hidden = places.length === 0;
   element("warnings").replaceChildren(...warnings);
 }
