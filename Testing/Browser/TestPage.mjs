@@ -243,6 +243,9 @@ test("points by mouse and keys correct the liver: undo, redo, edit, remove", asy
   await page.keyboard.press("c");
   await corrected();
   assert.equal(await countPoints(), 3);
+  await page.keyboard.press("c"); // once more at the same place
+  assert.match(await errorText(), /^This inside point is already there; place it elsewhere/);
+  assert.equal(await countPoints(), 3);
   assert.ok(await panelFits());
   await picture("points");
 
