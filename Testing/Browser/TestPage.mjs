@@ -285,7 +285,7 @@ test("points by mouse and keys correct the liver: undo, redo, edit, remove", asy
   await page.click("[aria-label='Remove liver']");
   assert.equal(await countPoints(), 0);
   await page.setInputFiles("#files", path);
-  await status("The session is repeated");
+  await status("Session restored");
   assert.equal(await countPoints(), 2);
   assert.equal(dice(readNiftiFile(await saved("#save-labels")).voxels, shown), 1);
   for (let point = 0; point < 2; ++point) {
@@ -296,7 +296,7 @@ test("points by mouse and keys correct the liver: undo, redo, edit, remove", asy
 });
 
 test("doubtful places are blue and shown one by one, and the number and the warning say so", async () => {
-  assert.match(await page.textContent("#result"), /Confidence0\.9\d; \d+ % blue/); // nothing is called good
+  assert.match(await page.textContent("#result"), /Confidence0\.9\d; \d+ % of the surface doubtful/); // nothing is called good
   assert.equal(await page.textContent("#warnings"), "");
   await page.click("#add-organ");
   await page.selectOption("#phantom-seed", "7");
@@ -306,13 +306,14 @@ test("doubtful places are blue and shown one by one, and the number and the warn
   await picture("places");
   await page.selectOption("#phantom-seed", "8");
   await segment();
-  assert.match(await page.textContent("#result"), /Confidence0\.[4-7]\d, doubtful; [1-9]\d* % blue/);
+  assert.match(await page.textContent("#result"), /Confidence0\.[4-7]\d, doubtful; [1-9]\d* % of the surface doubtful/);
   assert.match(await page.textContent("#warnings"), /its confidence is 0\.\d\d, below 0\.85; look at the contour where it is blue, and correct it there/);
   // The aorta goes on where the surface ends.
   await page.click("#next-doubt");
   await status("Doubtful place 1 of");
   assert.ok((await coloredPixels(blue)).slice(0, 3).reduce((sum, pixels) => sum + pixels, 0) > 40);
   assert.equal((await coloredPixels(blue))[3], 0);
+  assert.match(await page.textContent("#doubts"), /^Blue: weak boundary/);
   await picture("doubtful");
   assert.ok(await nextFits());
   const count = Number((await page.textContent("#status")).match(/of (\d+)/)[1]);
@@ -341,7 +342,7 @@ test("a further seed by mouse: drawn, obeyed, edited, in the session and in the 
   const dragged = Number(await radius.inputValue());
   assert.ok(dragged > 8 && dragged < 28, `${dragged}`);
   assert.ok(await panelFits());
-  assert.match(await page.textContent("#result"), /Confidence0\.9\d; \d+ % blue/); // no threshold holds once points correct it
+  assert.match(await page.textContent("#result"), /Confidence0\.9\d; \d+ % of the surface doubtful/); // no threshold holds once points correct it
   await picture("further-seed");
   // Clicked without dragging, it has the former's radius.
   await page.mouse.click(x, y + 30);
@@ -528,6 +529,7 @@ test("a vessel by two clicks, a third on its way, a session, and the command tha
   await open(result("vessel.nii.gz"));
   await page.click("#add-vessel");
   assert.ok(await page.isChecked("[name=tool][value=point]"));
+  assert.match(await page.textContent("#hint"), /both ends and, where the vessel winds, in between/);
   assert.ok(!(await page.isVisible("#seed-x")) && !(await page.isVisible("[name=tool][value=inside]")));
   // In the coronal slice, which shows all of the volume's 96 mm; its middle is 2.5 mm off the ends.
   const box = await page.locator("#overlay").boundingBox();
@@ -564,7 +566,7 @@ test("a vessel by two clicks, a third on its way, a session, and the command tha
   assert.ok(await page.isDisabled("#run"));
   assert.ok(await page.isDisabled("#save-surface"));
   await page.setInputFiles("#files", result("session.json"));
-  await status("The session is repeated");
+  await status("Session restored");
   assert.deepEqual(readNiftiFile(await saved("#save-labels")).voxels, found);
 });
 

@@ -14,7 +14,7 @@ const hints: Record<Tool, string> = {
   inside: "Click where the organ was missed.",
   outside: "Click where it took in something else.",
   boundary: "Click on the organ's boundary.",
-  point: "Click at its ends, and on a winding way.",
+  point: "Click at both ends and, where the vessel winds, in between.",
   navigate: "Click to move the cross-hair.",
 };
 

@@ -23,10 +23,10 @@ function judgementOf({ start, corrections, preset, parameters }: OrganState, { c
   return holds && confidence < doubtfulConfidence ? ", doubtful" : "";
 }
 
-/** The number, and how much of the contour is blue. */
+/** The number, and how much of the surface is doubtful. */
 function confidenceText(organ: OrganState, result: Organ): string {
   const number = (Math.floor(100 * result.confidence) / 100).toFixed(2);
-  return `${number}${judgementOf(organ, result)}; ${Math.round(100 * doubtsOf(result).fraction)} % blue`;
+  return `${number}${judgementOf(organ, result)}; ${Math.round(100 * doubtsOf(result).fraction)} % of the surface doubtful`;
 }
 
 /** The doubtful place that was shown last, and of what. */

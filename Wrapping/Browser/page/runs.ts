@@ -87,5 +87,5 @@ export async function repeat(session: Session, signal: AbortSignal): Promise<voi
   if (organs.chosen.result) {
     leaveSeedTool();
   }
-  say("The session is repeated.");
+  say("Session restored.");
 }
