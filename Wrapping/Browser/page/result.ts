@@ -83,8 +83,9 @@ export function showResult(organ: OrganState): void {
   const places = result && "confidence" in result ? doubtsOf(result).places : [];
   const doubts = element("doubts");
   doubts.hidden = places.length === 0;
-  // Beside the confidence, which comes first: there it is in sight however long the rest is.
+  // Beside the confidence.
   (doubts.hidden ? element("run-controls") : cells[1]).append(doubts);
+  doubts.parentElement!.classList.toggle("doubted", !doubts.hidden);
   element("result").replaceChildren(...cells);
   const warnings = (result?.warnings ?? []).map((warning) => {
     const item = document.createElement("li");
