@@ -99,6 +99,7 @@ after(async () => {
 test("the built-in abdomen: seed by mouse, liver, saved files", async () => {
   await page.click("#open-phantom");
   await status("Place the seed");
+  assert.match(await page.textContent("#hint"), /Keep vessels and other organs out of the circle, in all three slices/);
   await picture("opened");
   // The cross-hair is in the liver's seed.
   await page.keyboard.press("c");
@@ -125,6 +126,13 @@ test("the built-in abdomen: seed by mouse, liver, saved files", async () => {
   await segment();
   await picture("liver");
   assert.match(await page.textContent("#result"), / 0 self-intersections/);
+  // A stray click moves the cross-hair, and takes no result away.
+  assert.ok(await page.isChecked("[name=tool][value=navigate]"));
+  await page.mouse.click(x, y + 20);
+  assert.equal(await numberIn("#seed-x"), seed.center[0]);
+  assert.match(await page.textContent("#result"), / 0 self-intersections/);
+  await page.selectOption("#phantom-seed", "6"); // the slices are those of the seed again
+  await page.click("#undo");
   const labels = readNiftiFile(await saved("#save-labels"));
   const native = readNiftiFile(result("native.nii.gz"));
   console.log(`Dice with the command's liver: ${dice(labels.voxels, native.voxels)}`);
@@ -151,10 +159,14 @@ test("contours lie on the slices alone, and go and come back by undo and redo", 
   const without = await coloredPixels(yellow);
   assert.ok(without[0] < 0.5 * shown[0], `${without} after ${shown}`);
   assert.ok(await page.isDisabled("#save-surface"));
+  assert.equal(await page.inputValue("#phantom-seed"), ""); // it is no longer the phantom's
   await page.keyboard.press("Control+z");
+  assert.equal(await page.textContent("#status"), "Undone.");
+  assert.equal(await page.inputValue("#phantom-seed"), "6");
   assert.equal(await numberIn("#seed-radius"), seed.radius);
   assert.ok(areAlike(await coloredPixels(yellow), shown));
   await page.click("#redo");
+  assert.equal(await page.textContent("#status"), "Redone.");
   assert.equal(await numberIn("#seed-radius"), seed.radius + 1);
   await page.click("#undo");
   const again = await coloredPixels(yellow);
@@ -171,6 +183,13 @@ async function corrected() {
   await page.waitForFunction(() => /^Corrected/.test(document.getElementById("status").textContent) || document.getElementById("error").textContent, null, { timeout: 120_000 });
   assert.equal(await page.textContent("#error"), "");
 }
+
+/** The button of doubtful places is whole in sight, in the part of the panel that scrolls. */
+const nextFits = () =>
+  page.evaluate(() => {
+    const [next, part] = ["next-doubt", "run-controls"].map((id) => document.getElementById(id).getBoundingClientRect());
+    return next.height > 10 && next.top >= part.top && next.bottom <= part.bottom;
+  });
 
 /** All of the panel is to be seen at 1280 x 720. */
 const panelFits = () => page.$eval("aside", (panel) => panel.scrollHeight <= panel.clientHeight + 1 && panel.scrollWidth <= panel.clientWidth);
@@ -224,6 +243,9 @@ test("points by mouse and keys correct the liver: undo, redo, edit, remove", asy
   await page.keyboard.press("c");
   await corrected();
   assert.equal(await countPoints(), 3);
+  await page.keyboard.press("c"); // once more at the same place
+  assert.match(await errorText(), /^This inside point is already there; place it elsewhere/);
+  assert.equal(await countPoints(), 3);
   assert.ok(await panelFits());
   await picture("points");
 
@@ -239,10 +261,13 @@ test("points by mouse and keys correct the liver: undo, redo, edit, remove", asy
     await page.press(`[aria-label='${at} of point 1, mm']`, "Tab");
   }
   assert.match(await errorText(), /The outside point \(9999.* mm lies outside the image; give it/);
+  assert.match(await page.textContent("#error"), /\(9999(, \d+(\.\d)?){2}\) mm/); // to a tenth of a millimeter
   await picture("refused");
+  assert.ok(await nextFits());
   await page.click("#add-organ"); // the list is made anew
   await page.click("#undo");
   assert.deepEqual(await places(), valid);
+  assert.equal(await page.textContent("#error"), ""); // of what is no longer there
   await page.click("[aria-label='Remove point 2']");
   await corrected();
   assert.equal(await countPoints(), 2);
@@ -260,7 +285,7 @@ test("points by mouse and keys correct the liver: undo, redo, edit, remove", asy
   await page.click("[aria-label='Remove liver']");
   assert.equal(await countPoints(), 0);
   await page.setInputFiles("#files", path);
-  await status("The session is repeated");
+  await status("Session restored");
   assert.equal(await countPoints(), 2);
   assert.equal(dice(readNiftiFile(await saved("#save-labels")).voxels, shown), 1);
   for (let point = 0; point < 2; ++point) {
@@ -271,7 +296,7 @@ test("points by mouse and keys correct the liver: undo, redo, edit, remove", asy
 });
 
 test("doubtful places are blue and shown one by one, and the number and the warning say so", async () => {
-  assert.match(await page.textContent("#result"), /Confidence0\.9\d, good; \d+ % blue/);
+  assert.match(await page.textContent("#result"), /Confidence0\.9\d; \d+ % of the surface doubtful/); // nothing is called good
   assert.equal(await page.textContent("#warnings"), "");
   await page.click("#add-organ");
   await page.selectOption("#phantom-seed", "7");
@@ -281,14 +306,16 @@ test("doubtful places are blue and shown one by one, and the number and the warn
   await picture("places");
   await page.selectOption("#phantom-seed", "8");
   await segment();
-  assert.match(await page.textContent("#result"), /Confidence0\.[4-7]\d, doubtful; [1-9]\d* % blue/);
+  assert.match(await page.textContent("#result"), /Confidence0\.[4-7]\d, doubtful; [1-9]\d* % of the surface doubtful/);
   assert.match(await page.textContent("#warnings"), /its confidence is 0\.\d\d, below 0\.85; look at the contour where it is blue, and correct it there/);
   // The aorta goes on where the surface ends.
   await page.click("#next-doubt");
   await status("Doubtful place 1 of");
   assert.ok((await coloredPixels(blue)).slice(0, 3).reduce((sum, pixels) => sum + pixels, 0) > 40);
   assert.equal((await coloredPixels(blue))[3], 0);
+  assert.match(await page.textContent("#doubts"), /^Blue: weak boundary/);
   await picture("doubtful");
+  assert.ok(await nextFits());
   const count = Number((await page.textContent("#status")).match(/of (\d+)/)[1]);
   assert.ok(count > 1 && count < 20, `${count}`);
   for (let place = 2; place <= count + 1; ++place) {
@@ -315,7 +342,7 @@ test("a further seed by mouse: drawn, obeyed, edited, in the session and in the 
   const dragged = Number(await radius.inputValue());
   assert.ok(dragged > 8 && dragged < 28, `${dragged}`);
   assert.ok(await panelFits());
-  assert.match(await page.textContent("#result"), /Confidence0\.9\d; \d+ % blue/); // no threshold holds once points correct it
+  assert.match(await page.textContent("#result"), /Confidence0\.9\d; \d+ % of the surface doubtful/); // no threshold holds once points correct it
   await picture("further-seed");
   // Clicked without dragging, it has the former's radius.
   await page.mouse.click(x, y + 30);
@@ -392,6 +419,7 @@ test("several organs, a session, and the command that repeats it", async () => {
   await segment();
   assert.ok((await coloredPixels(green))[0] > 200);
   await picture("organs");
+  assert.match(await page.getAttribute("#add-organ", "title"), /one by one; a voxel in two belongs to the first/);
   const page1 = readNiftiFile(await saved("#save-labels"));
   const path = await saved("#save-session");
   const session = JSON.parse(readFileSync(path, "utf8"));
@@ -423,6 +451,7 @@ test("an image with its session by the dialog; cancel and run again", async () =
   await page.waitForFunction(() => document.getElementById("progress").value > 0, null, { timeout: 60_000, polling: 50 });
   await page.keyboard.press("Escape");
   await status("Canceled");
+  assert.ok(await page.isChecked("[name=tool][value=seed]")); // of another image
   assert.match(await page.textContent("#image-name"), /^abdomen\.nii\.gz, \d+ × \d+ × \d+ voxels$/);
   assert.ok(await page.isDisabled("#save-labels"));
   assert.equal(await numberIn("#seed-radius"), seed.radius);
@@ -500,6 +529,7 @@ test("a vessel by two clicks, a third on its way, a session, and the command tha
   await open(result("vessel.nii.gz"));
   await page.click("#add-vessel");
   assert.ok(await page.isChecked("[name=tool][value=point]"));
+  assert.match(await page.textContent("#hint"), /both ends and, where the vessel winds, in between/);
   assert.ok(!(await page.isVisible("#seed-x")) && !(await page.isVisible("[name=tool][value=inside]")));
   // In the coronal slice, which shows all of the volume's 96 mm; its middle is 2.5 mm off the ends.
   const box = await page.locator("#overlay").boundingBox();
@@ -536,7 +566,7 @@ test("a vessel by two clicks, a third on its way, a session, and the command tha
   assert.ok(await page.isDisabled("#run"));
   assert.ok(await page.isDisabled("#save-surface"));
   await page.setInputFiles("#files", result("session.json"));
-  await status("The session is repeated");
+  await status("Session restored");
   assert.deepEqual(readNiftiFile(await saved("#save-labels")).voxels, found);
 });
 

@@ -1,5 +1,5 @@
 /** What all parts of the page share: the kernels, the view, the organs, and what is going on. */
-import { FlipFree, type Image } from "../flipfree/index.js";
+import { FlipFree, type Image, type PhantomSeed } from "../flipfree/index.js";
 import { element } from "./dom.js";
 import { Organs } from "./organs.js";
 import { View } from "./view.js";
@@ -20,7 +20,9 @@ interface App {
   opened: OpenImage | null;
   /** The label map of which organs can fill a label, on the image's grid. */
   labels: Image | null;
+  /** Of the built-in image's organs. */
+  phantomSeeds: PhantomSeed[];
   running: AbortController | null;
 }
 
-export const app: App = { opened: null, labels: null, running: null };
+export const app: App = { opened: null, labels: null, phantomSeeds: [], running: null };

@@ -1,8 +1,8 @@
 /** Opening: images, label maps, sessions, the built-in phantom; and how gray values are shown. */
-import { FlipFreeError, type PhantomSeed, isSameGrid, labelsIn, reordered } from "../flipfree/index.js";
+import { FlipFreeError, isSameGrid, labelsIn, reordered } from "../flipfree/index.js";
 import { app, flipfree, organs, view } from "./app.js";
 import { element, select } from "./dom.js";
-import { showAll } from "./panel.js";
+import { chooseTool, showAll } from "./panel.js";
 import { repeat } from "./runs.js";
 import { parseSession } from "./session.js";
 import { say, showProgress } from "./status.js";
@@ -28,13 +28,13 @@ const phantomLiver = 6;
 
 let ownRange: [number, number] = [0, 1];
 let presets: WindowPreset[] = [];
-let phantomSeeds: PhantomSeed[] = [];
 
 function showImage(image: OpenImage): void {
   app.opened = image;
   organs.reset();
+  chooseTool("seed");
   app.labels = null;
-  phantomSeeds = [];
+  app.phantomSeeds = [];
   element("phantom-row").hidden = true;
   element("labels-row").hidden = true;
   element("drop").hidden = true;
@@ -118,7 +118,7 @@ export async function openPhantom(): Promise<void> {
     const phantom = await flipfree.phantom("abdomen", { signal, onProgress: showProgress });
     // The name that `flipfree phantom abdomen` gives it.
     showImage(await imageOfVoxels("abdomen.nii.gz", "Built-in abdomen", phantom.image));
-    phantomSeeds = phantom.seeds;
+    app.phantomSeeds = phantom.seeds;
     const choices = phantom.seeds.map(({ label }) => new Option(phantomOrgans[label] ?? `label ${label}`, String(label)));
     select("phantom-seed").replaceChildren(new Option("choose …", ""), ...choices);
     element("phantom-row").hidden = false;
@@ -129,7 +129,7 @@ export async function openPhantom(): Promise<void> {
 
 /** The seed of one of the phantom's organs; points of another one go. */
 export function takePhantomSeed(): void {
-  const chosen = phantomSeeds.find(({ label }) => String(label) === select("phantom-seed").value);
+  const chosen = app.phantomSeeds.find(({ label }) => String(label) === select("phantom-seed").value);
   if (chosen) {
     const { center, radius, label } = chosen;
     const seed = { center, radius };

@@ -6,16 +6,23 @@ import { chooseTool, showAll } from "./panel.js";
 import { placeHere, resizeSeed } from "./placing.js";
 import { visitDoubt } from "./result.js";
 import { segment } from "./runs.js";
+import { say } from "./status.js";
 import { cancel } from "./work.js";
 
 export function undo(): void {
-  organs.undo();
-  showAll();
+  if (organs.canUndo) {
+    organs.undo();
+    say("Undone.");
+    showAll();
+  }
 }
 
 export function redo(): void {
-  organs.redo();
-  showAll();
+  if (organs.canRedo) {
+    organs.redo();
+    say("Redone.");
+    showAll();
+  }
 }
 
 const keys: Record<string, () => void> = {

@@ -42,7 +42,6 @@ function listenToFiles(): void {
 
 function add(kind: "organ" | "vessel"): void {
   organs.add(kind);
-  select("phantom-seed").value = "";
   showAll();
   chooseTool(kind === "vessel" ? "point" : "seed");
 }

@@ -63,6 +63,15 @@ export function correctionsOf({ corrections }: SessionOrgan): Corrections {
   };
 }
 
+/** Whether a point says what an earlier one of the same kind, closer than 0.1 mm, has said; a seed of another radius does not. */
+export function isRepeated(point: Correction, earlier: readonly Correction[]): boolean {
+  const isSame = ({ kind, position, radius }: Correction) =>
+    kind === point.kind &&
+    Math.hypot(...position.map((value, axis) => value - point.position[axis])) < 0.1 &&
+    Math.abs((radius ?? 0) - (point.radius ?? 0)) < 0.1;
+  return earlier.some(isSame);
+}
+
 function newOrgan(taken: readonly OrganState[], kind: SessionOrgan["kind"] = "organ"): OrganState {
   const names = new Set(taken.map(({ name }) => name));
   let number = 1;

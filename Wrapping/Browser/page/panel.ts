@@ -9,12 +9,12 @@ import { showResult } from "./result.js";
 import type { Tool, ViewedOrgan } from "./view.js";
 
 const hints: Record<Tool, string> = {
-  seed: "Click in the organ, drag to its boundary.",
+  seed: "Click in the organ, drag to its boundary. Keep vessels and other organs out of the circle, in all three slices.",
   further: "Click where the organ was missed, drag to its boundary.",
   inside: "Click where the organ was missed.",
   outside: "Click where it took in something else.",
   boundary: "Click on the organ's boundary.",
-  point: "Click at its ends, and on a winding way.",
+  point: "Click at both ends and, where the vessel winds, in between.",
   navigate: "Click to move the cross-hair.",
 };
 
@@ -38,6 +38,13 @@ export function chooseTool(tool: Tool): void {
     radioOf(tool).checked = true;
   }
   refresh();
+}
+
+/** Once there is a result, a stray click must not take it away: it would place another seed. */
+export function leaveSeedTool(): void {
+  if (chosenTool() === "seed") {
+    chooseTool("navigate");
+  }
 }
 
 /** Tools that the chosen organ has no use for are not shown or cannot be chosen. */
@@ -100,10 +107,17 @@ export function viewedOrgans(changed: Partial<OrganState> = {}): ViewedOrgan[] {
   });
 }
 
+/** The phantom's organ whose seed this is. */
+function phantomOrganOf({ seed }: OrganState): string {
+  const isSame = (one: Seed) => one.radius === seed?.radius && one.center.every((value, axis) => value === seed.center[axis]);
+  return String(app.phantomSeeds.find(isSame)?.label ?? "");
+}
+
 /** After any change of the organs. */
 export function showAll(): void {
   showOrgans(element("organs"), organs, showAll);
   showSeed(organs.chosen.seed);
+  select("phantom-seed").value = phantomOrganOf(organs.chosen);
   const { start } = organs.chosen; // maybe from a label map that was opened before
   select("start-label").value = start && start.labels === app.labels ? String(start.label) : "";
   showPoints(element("points"), organs.chosen);

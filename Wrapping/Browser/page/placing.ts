@@ -5,7 +5,7 @@ import { input, select } from "./dom.js";
 import type { Correction } from "./organs.js";
 import { chosenTool, showAll, showSeed, viewedOrgans } from "./panel.js";
 import { pointActions } from "./pointlist.js";
-import { changePoints } from "./runs.js";
+import { addCorrection, changePoints } from "./runs.js";
 import { say } from "./status.js";
 
 /** Another seed: what was found from the former one goes, and undo brings it back. */
@@ -41,21 +41,20 @@ function furtherRadius(): number {
   return corrections.filter(({ kind }) => kind === "seed").at(-1)?.radius ?? Math.min(10, seed?.radius ?? 10);
 }
 
-function withFurther({ center, radius }: Seed): Correction[] {
-  return [...organs.chosen.corrections, { kind: "seed", position: center, radius }];
+function furtherOf({ center, radius }: Seed): Correction {
+  return { kind: "seed", position: center, radius };
 }
 
 /** What the tool places, if it places points. */
 function placePoint(position: Triple): void {
-  const { corrections, points } = organs.chosen;
+  const { points } = organs.chosen;
   const tool = chosenTool();
   if (tool === "point") {
     void changePoints({ points: [...points, position] });
   } else if (tool === "further") {
-    void changePoints({ corrections: withFurther({ center: position, radius: furtherRadius() }) });
+    void addCorrection(furtherOf({ center: position, radius: furtherRadius() }));
   } else if (tool === "inside" || tool === "outside" || tool === "boundary") {
-    const point: Correction = { kind: tool, position };
-    void changePoints({ corrections: [...corrections, point] });
+    void addCorrection({ kind: tool, position });
   }
 }
 
@@ -78,9 +77,9 @@ export function listenToPlaces(): void {
     const radius = isFurther ? furtherRadius() : (organs.chosen.seed?.radius ?? radiusOf());
     const shown = seed.radius < 1 ? { ...seed, radius } : seed;
     if (isFurther && placed) {
-      void changePoints({ corrections: withFurther(shown) });
+      void addCorrection(furtherOf(shown));
     } else if (isFurther) {
-      view.setMarks(viewedOrgans({ corrections: withFurther(shown) }));
+      view.setMarks(viewedOrgans({ corrections: [...organs.chosen.corrections, furtherOf(shown)] }));
     } else if (placed) {
       setSeed(shown);
       say("Seed placed.");

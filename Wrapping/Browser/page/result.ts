@@ -16,19 +16,17 @@ function lengthOf({ branches }: Vessel): number {
   return length;
 }
 
-/** A word where the threshold holds: for what was found in the image from a seed alone, with carving. A result of which
- * something else may be wrong is not called good. */
-function judgementOf({ start, corrections, preset, parameters }: OrganState, { confidence, warnings }: Organ): string {
-  if (start || corrections.length > 0 || preset !== "default" || parameters.carving === false) {
-    return "";
-  }
-  return confidence < doubtfulConfidence ? ", doubtful" : warnings.length === 0 ? ", good" : "";
+/** A word where the threshold holds: for what was found in the image from a seed alone, with carving. Nothing is called
+ * good: a leak along a clear boundary is confident, too. */
+function judgementOf({ start, corrections, preset, parameters }: OrganState, { confidence }: Organ): string {
+  const holds = !start && corrections.length === 0 && preset === "default" && parameters.carving !== false;
+  return holds && confidence < doubtfulConfidence ? ", doubtful" : "";
 }
 
-/** The number, and how much of the contour is blue. */
+/** The number, and how much of the surface is doubtful. */
 function confidenceText(organ: OrganState, result: Organ): string {
   const number = (Math.floor(100 * result.confidence) / 100).toFixed(2);
-  return `${number}${judgementOf(organ, result)}; ${Math.round(100 * doubtsOf(result).fraction)} % blue`;
+  return `${number}${judgementOf(organ, result)}; ${Math.round(100 * doubtsOf(result).fraction)} % of the surface doubtful`;
 }
 
 /** The doubtful place that was shown last, and of what. */
@@ -63,7 +61,7 @@ function rowsOf(organ: OrganState, result: Organ | Vessel): [string, string][] {
     ["Ended", `${result.stopReason}, ${result.iterations.Iteration?.length ?? 0} iterations`],
   ];
   if ("confidence" in result) {
-    rows.splice(1, 0, ["Confidence", confidenceText(organ, result)]);
+    rows.unshift(["Confidence", confidenceText(organ, result)]);
   }
   if ("branches" in result) {
     const count = result.branches.length;
@@ -82,13 +80,17 @@ export function showResult(organ: OrganState): void {
     text.textContent = value;
     return [term, text];
   });
+  const places = result && "confidence" in result ? doubtsOf(result).places : [];
+  const doubts = element("doubts");
+  doubts.hidden = places.length === 0;
+  // Beside the confidence.
+  (doubts.hidden ? element("run-controls") : cells[1]).append(doubts);
+  doubts.parentElement!.classList.toggle("doubted", !doubts.hidden);
   element("result").replaceChildren(...cells);
   const warnings = (result?.warnings ?? []).map((warning) => {
     const item = document.createElement("li");
     item.textContent = wordsOf(warning);
     return item;
   });
-  const places = result && "confidence" in result ? doubtsOf(result).places : [];
-  element("doubts").hidden = places.length === 0;
   element("warnings").replaceChildren(...warnings);
 }

@@ -1,10 +1,10 @@
 /** Runs: of the chosen organ, again after each of its points, and of all organs of a session. */
 import type { Organ, Vessel } from "../flipfree/index.js";
 import { app, flipfree, organs, view } from "./app.js";
-import { type OrganState, canRun, correctionsOf } from "./organs.js";
-import { showAll, viewedOrgans } from "./panel.js";
+import { type Correction, type OrganState, canRun, correctionsOf, isRepeated } from "./organs.js";
+import { leaveSeedTool, showAll, viewedOrgans } from "./panel.js";
 import { type Session, requireImageOf } from "./session.js";
-import { say, showProgress } from "./status.js";
+import { complain, say, showProgress } from "./status.js";
 import { work } from "./work.js";
 
 async function find(organ: OrganState, signal: AbortSignal): Promise<Organ | Vessel> {
@@ -37,10 +37,22 @@ export async function segment(): Promise<void> {
   if (app.opened && canRun(organ)) {
     await run("Segmenting", "Segmented", organ, (result) => {
       organs.find(organ, result);
+      leaveSeedTool();
       if (organ.start && "seed" in result) {
         view.crosshair = [...result.seed.center];
       }
     });
+  }
+}
+
+/** Another point that corrects the chosen organ. */
+export async function addCorrection(point: Correction): Promise<void> {
+  const { corrections } = organs.chosen;
+  if (isRepeated(point, corrections)) {
+    showAll();
+    complain(`This ${point.kind === "seed" ? "seed" : `${point.kind} point`} is already there; place it elsewhere, or change it in the list.`);
+  } else {
+    await changePoints({ corrections: [...corrections, point] });
   }
 }
 
@@ -72,5 +84,8 @@ export async function repeat(session: Session, signal: AbortSignal): Promise<voi
   if (place) {
     view.crosshair = [...place];
   }
-  say("The session is repeated.");
+  if (organs.chosen.result) {
+    leaveSeedTool();
+  }
+  say("Session restored.");
 }
