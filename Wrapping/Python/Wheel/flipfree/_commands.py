@@ -5,6 +5,7 @@ from __future__ import annotations
 import contextlib
 import math
 import os
+import re
 import sys
 import time
 from collections.abc import Callable
@@ -495,8 +496,15 @@ def cohort(values: dict[str, Any]) -> None:
     if "quiet" not in values:
         print(result)
     if result.failed:
+        first = [
+            f"  row {number}: {re.sub('^row [0-9]+, ', '', row['message'])}\n"
+            for number, row in enumerate(result.rows, 1)
+            if row["status"] != "done"
+        ][:3]
         raise FlipFreeError(
-            f"{len(result.failed)} of {len(result.rows)} rows failed. Their messages are in "
+            f"{len(result.failed)} of {len(result.rows)} rows failed"
+            f"{', the first of them' if len(result.failed) > len(first) else ''}:\n{''.join(first)}"
+            "All messages are in "
             f"'{os.path.join(values['output'], 'cohort.csv')}' and in report.html beside it."
         )
 
