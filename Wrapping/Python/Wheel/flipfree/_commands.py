@@ -496,15 +496,12 @@ def cohort(values: dict[str, Any]) -> None:
     if "quiet" not in values:
         print(result)
     if result.failed:
-        first = [
-            f"  row {number}: {re.sub('^row [0-9]+, ', '', row['message'])}\n"
-            for number, row in enumerate(result.rows, 1)
-            if row["status"] != "done"
-        ][:3]
+        failed = [(n, row) for n, row in enumerate(result.rows, 1) if row["status"] != "done"]
+        for number, row in failed[:3]:
+            message = re.sub("^row [0-9]+, ", "", " ".join(row["message"].split()))
+            print(f"flipfree: error: row {number}: {message}", file=sys.stderr)
         raise FlipFreeError(
-            f"{len(result.failed)} of {len(result.rows)} rows failed"
-            f"{', the first of them' if len(result.failed) > len(first) else ''}:\n{''.join(first)}"
-            "All messages are in "
+            f"{len(failed)} of {len(result.rows)} rows failed. Their messages are in "
             f"'{os.path.join(values['output'], 'cohort.csv')}' and in report.html beside it."
         )
 
