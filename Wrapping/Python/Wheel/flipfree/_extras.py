@@ -35,7 +35,7 @@ def remedy(extra: str) -> str:
     return f"pip install '.[{extra}]' in FlipFree's source folder, or pip install {PACKAGES[extra]}"
 
 
-# For whoever wants to read.
+# Without SimpleITK, for whoever wants to read.
 ARRAY_INSTEAD = "; or give an array with spacing, origin and direction, or an image of nibabel"
 
 
