@@ -38,6 +38,8 @@ class Corrections(unittest.TestCase):
         for error, message, points in (
                 (TypeError, r"^inside: a list of points is needed: \[\(x, y, z\)\], not", {"inside": (1, 2, 3)}),
                 (TypeError, "^outside: a list is needed", {"outside": 5}),
+                (TypeError, r"^corrected\(\) has no parameter 'outsid'; did you mean 'outside'. there are inside, outside, ",
+                 {"outsid": [self.outside]}),
                 (ValueError, "^boundary: 3 numbers are needed, not 2$", {"boundary": [(1, 2)]}),
                 (TypeError, "^inside: 3 numbers are needed", {"inside": ["here"]}),
                 (TypeError, "^seeds: pairs of a center and a radius", {"seeds": [(1, 2, 3)]}),

@@ -165,7 +165,7 @@ class TestTrace(unittest.TestCase):
             flipfree.trace(image, self.points, wall_thickness=50)
         with self.assertRaisesRegex(flipfree.SegmentationError, "the property radius is not a number"):
             flipfree.trace(image, self.points, radius=math.nan)
-        with self.assertRaisesRegex(TypeError, "^levels: 1.5 will not do"):
+        with self.assertRaisesRegex(TypeError, "^levels: a whole number is needed, not 1.5$"):
             flipfree.trace(image, self.points, levels=1.5)
         with self.assertRaisesRegex(flipfree.SegmentationError, "^No segmentation: the image has no voxels; give one"):
             flipfree.trace(np.zeros((0, 3, 3)), self.points, spacing=(1, 1, 1))

@@ -168,7 +168,9 @@ class Local(CohortTest):
         process = subprocess.run([COMMAND, "cohort", self.table(rows), "-o", self.out, "--workers", "1"],
                                  capture_output=True, text=True, timeout=300, check=False)
         self.assertRegex(process.stdout, r"\A11 rows: 2 segmented, 0 kept, 9 failed; \d+\.\d s; see .*report\.html\n\Z")
-        self.assertRegex(process.stderr, r"\Aflipfree: error: 9 of 11 rows failed\. Their messages are in .*csv'.*\.\n\Z")
+        self.assertRegex(process.stderr, r"\Aflipfree: error: row 3: '.*gone\.nii\.gz' does not exist.*\n"
+                         r"flipfree: error: row 4: The ending of .*\nflipfree: error: row 5: No segmentation: .*\n"
+                         r"flipfree: error: 9 of 11 rows failed\. Their messages are in .*csv'.*\.\n\Z")
         self.assertEqual(process.returncode, 1)
         found = list(csv.DictReader((self.out / "cohort.csv").read_text(encoding="utf-8").splitlines()))
         self.assertEqual([row["status"] for row in found], ["done"] * 2 + ["failed"] * 9)
@@ -376,8 +378,8 @@ class WrongInput(CohortTest):
 
     def test_tables(self):
         for message, table in (
-                ("'table' lacks the columns volume, seed_x", [{"radius": 3}]),
-                ("'table' lacks the columns volume; it has points", [{"points": "1 2 3; 4 5 6"}]),
+                ("'table' lacks the columns volume, seed_x.* Vessels have points in their place", [{"radius": 3}]),
+                ("'table' lacks the columns volume; it has points.$", [{"points": "1 2 3; 4 5 6"}]),
                 ("'correction' is nearly 'corrections'", [{**self.ROW, "correction": "a.csv"}]),
                 ("two rows are called", [{"volume": "a.nii", "points": "1 2 3; 4 5 6"}] * 2),
                 ("has the name of a result", [{**self.ROW, "dice": 1}]),
@@ -417,7 +419,8 @@ class WrongInput(CohortTest):
     def test_missing_extra(self):
         for module in ("distributed", "pyarrow", "matplotlib"):
             with self.subTest(module), mock.patch.dict(sys.modules, {module: None}):
-                self.refuses(f"a cohort needs {module}, which is not installed: pip install 'flipfree.cohort.'",
+                self.refuses(f"a cohort needs {module}, which is not installed: pip install '.\\[cohort\\]' in FlipFree's source "
+                             "folder, or pip install .*dask distributed pyarrow$",
                              [self.ROW])
 
 

@@ -156,7 +156,15 @@ class Files(FileTest):
         program = ("import sys; sys.modules['SimpleITK'] = None; import flipfree\n"
                    "try: flipfree.read_image('.')\nexcept flipfree.FileError as error: print(error)")
         output = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=True).stdout
-        self.assertRegex(output, r"^'\.': an image file needs SimpleITK.*pip install 'flipfree\[io\]'; or give an array")
+        self.assertRegex(output, r"^'\.': an image file needs SimpleITK, which is not installed: pip install '\.\[io\]' in FlipFree's source "
+                                 r"folder, or pip install SimpleITK; or give an array")
+
+    def test_simpleitk_may_be_missing_to_write(self):
+        program = ("import sys; sys.modules['SimpleITK'] = None; import flipfree\n"
+                   "try: flipfree.write_image(flipfree.phantom('sphere').image, 'a.nii')\n"
+                   "except flipfree.FileError as error: print(error)")
+        output = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=True).stdout
+        self.assertRegex(output, r"^'a\.nii': an image file needs SimpleITK.*or pip install SimpleITK\n$")
 
 
 class OtherImages(FileTest):

@@ -70,6 +70,16 @@ class Objects(unittest.TestCase):
         self.assertLess(numpy.abs(organ.points - whole.points).max(), 1)
 
 
+class Missing(unittest.TestCase):
+    def test_says_how_to_install(self):
+        for package, gone in (("pyvista", "pyvista"), ("vtk", "vtkmodules")):
+            program = (f"import sys; sys.modules['{gone}'] = None\ntry: import flipfree.{package}\n"
+                       "except ImportError as error: print(error)")
+            output = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=True).stdout
+            self.assertRegex(output, rf"^flipfree\.{package} needs {package}, which is not installed: pip install "
+                                     r"'\.\[pyvista\]' in FlipFree's source folder, or pip install pyvista\n$")
+
+
 @has_accessors
 class Accessor(unittest.TestCase):
     def test_is_there_without_an_import(self):

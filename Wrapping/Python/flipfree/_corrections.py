@@ -2,16 +2,20 @@
 
 from __future__ import annotations
 
+import functools
+import inspect
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeVar, cast
 
 from ._errors import FlipFreeError
-from ._parameters import floats
+from ._parameters import floats, suggestion
 from ._types import ProgressOption
 
 if TYPE_CHECKING:
     from typing_extensions import Self
+
+Method = TypeVar("Method", bound=Callable[..., Any])
 
 # The values of the array `Constraint`.
 OUTSIDE, INSIDE, BOUNDARY, SEED = range(4)
@@ -53,6 +57,23 @@ def constraints_of(
     return tuple(constraints)
 
 
+def _suggesting(method: Method) -> Method:
+    """A method whose error about a wrong keyword says which one was meant."""
+    known = [name for name in inspect.signature(method).parameters if name != "self"]
+
+    @functools.wraps(method)
+    def checked(*arguments: Any, **keywords: Any) -> Any:
+        for name in keywords:
+            if name not in known:
+                raise TypeError(
+                    f"{method.__name__}() has no parameter '{name}'; {suggestion(name, known)}"
+                    f"there are {', '.join(known)}"
+                )
+        return method(*arguments, **keywords)
+
+    return cast("Method", checked)
+
+
 class Correctable:
     """A result that can be corrected by points."""
 
@@ -63,6 +84,7 @@ class Correctable:
         # In another process, only the result is there.
         return {**self.__dict__, "_again": None}
 
+    @_suggesting
     def corrected(
         self,
         *,

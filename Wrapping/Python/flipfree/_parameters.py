@@ -7,8 +7,10 @@ from __future__ import annotations
 
 import difflib
 import inspect
+import math
+import operator
 import re
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from typing import Any
 
@@ -34,6 +36,7 @@ class Parameter:
         """Sets it; raises TypeError or ValueError where another value would silently be taken."""
         if self.type is bool and value not in (False, True):
             raise TypeError(f"{self.name}: True or False is needed, not {value!r}")
+        _require_number(self, value)
         try:
             self.assign(algorithm, value)
         except (TypeError, ValueError, OverflowError) as error:
@@ -54,7 +57,7 @@ def set_parameters(
     for name, value in values.items():
         if name not in parameters:
             raise TypeError(
-                f"{caller}() has no parameter '{name}'; {_suggestion(name, parameters)}"
+                f"{caller}() has no parameter '{name}'; {suggestion(name, parameters)}"
                 f"help(flipfree.{caller}) lists them"
             )
         parameters[name].set(algorithm, value)
@@ -113,6 +116,19 @@ def snake_case(name: str) -> str:
     return re.sub(r"(?<=[a-z])(?=[A-Z])", "_", name).lower()
 
 
+def _require_number(parameter: Parameter, value: Any) -> None:
+    try:
+        if parameter.type is int:
+            operator.index(value)
+        elif parameter.type is float:
+            math.isnan(value)  # text that looks like a number is none
+    except TypeError:
+        needed = "a whole number" if parameter.type is int else "a number"
+        raise TypeError(f"{parameter.name}: {needed} is needed, not {value!r:.80}") from None
+    except OverflowError:
+        pass  # an integer beyond all ranges
+
+
 def _numbers(count: int) -> str:
     return "a number is" if count == 1 else f"{count} numbers are"
 
@@ -121,7 +137,9 @@ def _annotation(parameter: Parameter) -> str:
     return "Sequence[float]" if parameter.type is tuple else parameter.type.__name__
 
 
-def _suggestion(name: str, parameters: Mapping[str, Parameter]) -> str:
+def suggestion(name: str, parameters: Iterable[str]) -> str:
+    """What may have been meant, if anything."""
+    parameters = list(parameters)
     near = difflib.get_close_matches(name, parameters, n=3)
     near = near or [other for other in parameters if len(name) > 3 and name in other]
     return f"did you mean {' or '.join(map(repr, near))}? " if near else ""

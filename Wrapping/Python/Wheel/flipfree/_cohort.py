@@ -58,7 +58,7 @@ def cohort(
 
     Each row is an organ or a vessel. Results, scores and messages go to a folder; what is done there already, from
     the same content of the same files with the same parameters, is kept. Needs
-    `pip install flipfree[cohort]`.
+    `pip install '.[cohort]'` in the source folder.
 
     table
         The name of a CSV file, a pandas.DataFrame, or a list of dictionaries. Columns: volume (a file
@@ -66,8 +66,8 @@ def cohort(
         wanted inside, outside and boundary (lists of points, LPS mm: "1 2 3; 4 5 6") and corrections
         (a file of points, .csv or .mrk.json); of a vessel points (a list or a file) in place of all
         of these; if wanted, case and organ (names), reference and reference_label (a label map to
-        compare with), preset, and any parameter of segment() or trace(). Other columns are handed
-        through. Files are found from the CSV file's folder. In dictionaries, points may be lists of
+        compare with), preset, and any parameter of segment() or trace(). Other columns are copied to
+        the results. Files are found from the CSV file's folder. In dictionaries, points may be lists of
         (x, y, z) or arrays of shape (n, 3).
     output
         The folder of the results, created if absent: cohort.csv and cohort.parquet, a row per
@@ -88,7 +88,7 @@ def cohort(
     >>> flipfree.cohort([{"volume": "ct.nii.gz", "seed": (1, 2, 3)}], "results")
     Traceback (most recent call last):
       ...
-    flipfree.FlipFreeError: 'table' lacks the columns seed_x, seed_y, seed_z, radius; it has volume, seed.
+    flipfree.FlipFreeError: 'table' lacks the columns seed_x, seed_y, seed_z, radius; it has volume, seed. Vessels have points in their place.
     """
     if threads < 1 or workers < 0:
         raise ValueError(f"threads, workers: {threads}, {workers} will not do; 1, 0 are the least")

@@ -114,6 +114,7 @@ def _require_columns(name: str, columns: list[str]) -> None:
     if lacking:
         raise FlipFreeError(
             f"'{name}' lacks the columns {', '.join(lacking)}; it has {', '.join(columns) or 'none'}."
+            + (" Vessels have points in their place." if set(lacking) & set(SEED) else "")
         )
     taken = [column for column in columns if column in RESULTS]
     if taken:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import contextlib
 import math
 import os
+import re
 import sys
 import time
 from collections.abc import Callable
@@ -499,8 +500,12 @@ def cohort(values: dict[str, Any]) -> None:
     if "quiet" not in values:
         print(result)
     if result.failed:
+        failed = [(n, row) for n, row in enumerate(result.rows, 1) if row["status"] != "done"]
+        for number, row in failed[:3]:
+            message = re.sub("^row [0-9]+, ", "", " ".join(row["message"].split()))
+            print(f"flipfree: error: row {number}: {message}", file=sys.stderr)
         raise FlipFreeError(
-            f"{len(result.failed)} of {len(result.rows)} rows failed. Their messages are in "
+            f"{len(failed)} of {len(result.rows)} rows failed. Their messages are in "
             f"'{os.path.join(values['output'], 'cohort.csv')}' and in report.html beside it."
         )
 

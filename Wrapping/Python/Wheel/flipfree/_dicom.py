@@ -7,7 +7,7 @@ from typing import Any
 
 from ._arrays import image_from_array
 from ._errors import FileError
-from ._extras import simpleitk
+from ._extras import ARRAY_INSTEAD, simpleitk
 from ._image import Image
 from ._messages import warn
 
@@ -18,7 +18,7 @@ TOLERANCES = (0.01, 0.5)
 
 def read_series(folder: str, series: str | None) -> Image:
     """Reads the series with this UID, or else the one of most files."""
-    sitk = simpleitk(folder)
+    sitk = simpleitk(folder, ARRAY_INSTEAD)
     reader = sitk.ImageSeriesReader()
     names = _files_of(reader, folder, series)
     reader.SetFileNames(names)

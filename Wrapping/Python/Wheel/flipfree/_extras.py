@@ -7,6 +7,14 @@ from typing import Any
 
 from ._errors import FileError, FlipFreeError
 
+# What the extras of pyproject.toml bring.
+PACKAGES = {
+    "io": "SimpleITK",
+    "plot": "matplotlib",
+    "pyvista": "pyvista",
+    "cohort": "SimpleITK matplotlib dask distributed pyarrow",
+}
+
 
 def needed(module: str, what: str, extra: str) -> Any:
     """Imports a module, or raises an error that says how to install it."""
@@ -19,17 +27,25 @@ def needed(module: str, what: str, extra: str) -> Any:
 def missing(module: str, what: str, extra: str) -> str:
     """The message."""
     package = module.partition(".")[0]
-    return f"{what} needs {package}, which is not installed: pip install 'flipfree[{extra}]'"
+    return f"{what} needs {package}, which is not installed: {remedy(extra)}"
 
 
-def simpleitk(name: str) -> Any:
-    """SimpleITK, which keeps its warnings to itself."""
+def remedy(extra: str) -> str:
+    """How to install what an extra brings: from the source folder, since no package index has FlipFree."""
+    return f"pip install '.[{extra}]' in FlipFree's source folder, or pip install {PACKAGES[extra]}"
+
+
+# Without SimpleITK, for whoever wants to read.
+ARRAY_INSTEAD = "; or give an array with spacing, origin and direction, or an image of nibabel"
+
+
+def simpleitk(name: str, instead: str = "") -> Any:
+    """SimpleITK, which keeps its warnings to itself; `instead` is what to do without it."""
     try:
         sitk = importlib.import_module("SimpleITK")
     except ImportError as error:
         raise FileError(
-            f"'{name}': {missing('SimpleITK', 'an image file', 'io')}; or give an array with spacing, "
-            "origin and direction, or an image of nibabel"
+            f"'{name}': {missing('SimpleITK', 'an image file', 'io')}{instead}"
         ) from error
     sitk.ProcessObject.SetGlobalWarningDisplay(False)
     return sitk

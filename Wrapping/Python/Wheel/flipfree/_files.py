@@ -8,7 +8,7 @@ from typing import Any
 from ._atomic import replacing
 from ._dicom import read_series
 from ._errors import FileError
-from ._extras import simpleitk
+from ._extras import ARRAY_INSTEAD, simpleitk
 from ._foreign import adopted
 from ._image import Image
 from ._progress import progress_of
@@ -25,7 +25,7 @@ def read_image(
 
     A folder may hold several DICOM series; `series` is the Series Instance UID of the one to read,
     by default the one of most files. Coordinates are LPS millimeters. Needs SimpleITK, which
-    `pip install flipfree[io]` brings along.
+    `pip install '.[io]'` in the source folder brings along.
 
     >>> import flipfree
     >>> flipfree.read_image("nowhere.nii.gz")
@@ -49,7 +49,7 @@ def write_image(image: Image, path: PathName) -> None:
     """Writes a label map or a gray image: NIfTI (.nii, .nii.gz), NRRD (.nrrd), MetaImage (.mha).
 
     There is either the whole file afterwards or, after an error, none of it. Needs SimpleITK, which
-    `pip install flipfree[io]` brings along.
+    `pip install '.[io]'` in the source folder brings along.
 
     >>> import flipfree
     >>> flipfree.write_image(flipfree.phantom("sphere").label_map, "truth.jpg")
@@ -81,7 +81,7 @@ def write_image(image: Image, path: PathName) -> None:
 
 def _read_file(name: str) -> Image:
     _require_ending(name, READ_ENDINGS)
-    sitk: Any = simpleitk(name)
+    sitk: Any = simpleitk(name, ARRAY_INSTEAD)
     try:
         image = sitk.ReadImage(name)
         return adopted("image", image)

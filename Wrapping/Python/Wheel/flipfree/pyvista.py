@@ -15,7 +15,12 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
-import pyvista
+from ._extras import missing
+
+try:
+    import pyvista
+except ModuleNotFoundError as error:
+    raise ImportError(missing("pyvista", "flipfree.pyvista", "pyvista")) from error
 
 from ._evaluate import Scores
 from ._evaluate import evaluate as evaluate_segmentation

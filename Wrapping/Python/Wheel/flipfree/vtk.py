@@ -14,11 +14,16 @@ from __future__ import annotations
 
 from typing import Any
 
-from vtkmodules.util.numpy_support import numpy_to_vtk
-from vtkmodules.util.vtkAlgorithm import VTKPythonAlgorithmBase
-from vtkmodules.vtkCommonCore import vtkLogger
-from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkImageData, vtkPolyData, vtkTable
-from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline
+from ._extras import missing
+
+try:
+    from vtkmodules.util.numpy_support import numpy_to_vtk
+    from vtkmodules.util.vtkAlgorithm import VTKPythonAlgorithmBase
+    from vtkmodules.vtkCommonCore import vtkLogger
+    from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkImageData, vtkPolyData, vtkTable
+    from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline
+except ModuleNotFoundError as error:
+    raise ImportError(missing("vtk", "flipfree.vtk", "pyvista")) from error
 
 from ._backend import SEGMENT_PARAMETERS, SegmentationAlgorithm
 from ._errors import FlipFreeError
