@@ -89,7 +89,7 @@ class TestOrgans(command.CommandTest):
         process = self.segment(*self.organ("liver"), *published, "--guard", "--carving")
         self.assert_succeeds(process, may_be_doubtful=True)
         with open(self.result("a-liver.csv"), encoding="utf-8") as file:
-            self.assertEqual({row["Level"] for row in csv.DictReader(file)}, {"0"})
+            self.assertEqual({row["Level"] for row in csv.DictReader(file)}, {"0", "1"})
 
     def test_misuse_is_refused(self):
         liver, spleen = self.organ("liver"), self.organ("spleen")
