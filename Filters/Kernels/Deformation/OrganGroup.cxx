@@ -167,6 +167,7 @@ void RequireNames(const std::vector<SeededOrgan>& organs)
     throw Error(ErrorCode::OutOfRange, "there is no organ; give each a name and a seed");
   }
   std::vector<std::string> names;
+  names.reserve(organs.size());
   for (const SeededOrgan& organ : organs)
   {
     names.push_back(organ.Name);
@@ -267,7 +268,7 @@ OrganGroup::OrganGroup(const GrayVolume& volume, const std::string& name,
     this->Members.push_back(NamingSurface(organ.Name,
       [&]
       {
-        return std::unique_ptr<Member>(new Member{ index, organ.Name, organ.Seed, start,
+        return std::make_unique<Member>(Member{ index, organ.Name, organ.Seed, start,
           VolumeSegmenter(volume, name, organ.Seed, nullptr, settings, threading), {}, {}, {},
           nullptr, 0 });
       }));
@@ -514,6 +515,7 @@ void OrganGroup::RequireDisjoint(const std::vector<VolumeSegmentation>& results)
     }
   }
   std::vector<const DeformableSurface*> all;
+  all.reserve(surfaces.size() + this->Fixed.size());
   for (const DeformableSurface& surface : surfaces)
   {
     all.push_back(&surface);
