@@ -12,9 +12,8 @@ class TestOrgans(command.CommandTest):
     @classmethod
     def setUpClass(cls):
         super().setUpClass()
-        seeds = command.make_phantom(cls.inputs, "abdomen", "--spacing", 2.5, 2.5, 2.5)
+        seeds = command.make_phantom(cls.inputs, "abdomen", "--size", 110, 86, 46, "--spacing", 3, 3, 6)
         cls.abdomen = os.path.join(cls.inputs, "abdomen.nii.gz")
-        cls.abdomen_truth = os.path.join(cls.inputs, "abdomen-truth.nii.gz")
         cls.organs = {}
         for name, words in seeds.items():
             values = words[words.index("--seed") + 1:][:3] + [words[words.index("--radius") + 1]]

@@ -15,7 +15,7 @@ SLOWNESS = float(os.environ.get("FLIPFREE_SLOWNESS", "1"))
 
 def run(*arguments, **options):
     """Runs `flipfree` with the arguments; gives its status, output and error text."""
-    options = {"timeout": 120, "stdout": subprocess.PIPE, **options}
+    options = {"timeout": 120 * SLOWNESS, "stdout": subprocess.PIPE, **options}
     return subprocess.run([PROGRAM, *map(str, arguments)], stdin=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True,
                           **options)
 
