@@ -15,18 +15,18 @@
 namespace
 {
 
-struct Grid
+struct VoxelGrid
 {
   double Spacing[3];
   double Ball; // radius in millimeters
 };
 
-void PrintTo(const Grid& grid, std::ostream* stream)
+void PrintTo(const VoxelGrid& grid, std::ostream* stream)
 {
   *stream << grid.Spacing[0] << " x " << grid.Spacing[1] << " x " << grid.Spacing[2] << " mm";
 }
 
-class LevelSetRim : public testing::TestWithParam<Grid>
+class LevelSetRim : public testing::TestWithParam<VoxelGrid>
 {
 protected:
   // A ball of 100 in -100, whose center is the origin.
@@ -107,8 +107,8 @@ TEST_P(LevelSetRim, AnAbortWhileItIsMadeLeavesNothing)
 }
 
 INSTANTIATE_TEST_SUITE_P(Baselines, LevelSetRim,
-  testing::Values(Grid{ { 0.3, 0.3, 0.3 }, 6 }, Grid{ { 0.7, 0.7, 2 }, 12 },
-    Grid{ { 2, 2, 2 }, 20 }));
+  testing::Values(VoxelGrid{ { 0.3, 0.3, 0.3 }, 6 }, VoxelGrid{ { 0.7, 0.7, 2 }, 12 },
+    VoxelGrid{ { 2, 2, 2 }, 20 }));
 
 // Cut off by the image, in whose outermost voxels ITK's front lags behind: the rim is as wide up to
 // there, and wider rims take more of the end.

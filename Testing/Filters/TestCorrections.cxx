@@ -25,7 +25,7 @@ namespace
 
 using Row = std::array<double, 5>; // kind, place, radius
 
-vtkSmartPointer<vtkPolyData> PointsOf(const std::vector<Row>& rows)
+vtkSmartPointer<vtkPolyData> PointsFrom(const std::vector<Row>& rows)
 {
   auto data = vtkSmartPointer<vtkPolyData>::New();
   vtkNew<vtkPoints> points;
@@ -110,7 +110,7 @@ TEST(Corrections, AreTheSameByMethodsAndByThePort)
   EXPECT_LE(std::abs(SignedDistanceOf(filter, 46.5, 46.5, 79.5)), 1.5);
 
   const auto other = MakeFilter();
-  other->SetConstraintData(PointsOf({ { 3, 13.5, 46.5, 46.5, 5 }, { 2, 46.5, 46.5, 79.5, 0 },
+  other->SetConstraintData(PointsFrom({ { 3, 13.5, 46.5, 46.5, 5 }, { 2, 46.5, 46.5, 79.5, 0 },
     { 0, 46.5, 71.5, 46.5, 0 }, { 1, 82, 46.5, 46.5, 0 } }));
   EXPECT_EQ(PlacesOf(other), corrected);
   other->SetConstraintData(nullptr);
@@ -164,8 +164,8 @@ TEST(Corrections, ComeFromASourceEachInAnyOrder)
     filter->AddConstraintConnection(outside->GetOutputPort());
     EXPECT_EQ(filter->GetNumberOfInputConnections(2), 3);
     EXPECT_EQ(PlacesOf(filter), corrected);
-    filter->SetConstraintData(PointsOf({ { 1, 82, 46.5, 46.5, 0 } }));
-    filter->AddConstraintData(PointsOf({ { 0, 46.5, 71.5, 46.5, 0 } }));
+    filter->SetConstraintData(PointsFrom({ { 1, 82, 46.5, 46.5, 0 } }));
+    filter->AddConstraintData(PointsFrom({ { 0, 46.5, 71.5, 46.5, 0 } }));
     filter->AddConstraintConnection(seed->GetOutputPort());
     EXPECT_EQ(PlacesOf(filter), corrected);
     // Any of them can be moved.
@@ -266,20 +266,21 @@ TEST(Corrections, OfTheWrongKindAreRefused)
   };
   const auto without = [](const char* array)
   {
-    auto points = PointsOf({ { 3, 46.5, 46.5, 46.5, 5 } });
+    auto points = PointsFrom({ { 3, 46.5, 46.5, 46.5, 5 } });
     points->GetPointData()->RemoveArray(array);
     return points;
   };
   expect(without("Constraint"),
     "the point set on port 2 has no point array 'Constraint'; add it: 0 for a point outside");
   expect(without("Radius"), "has no point array 'Radius'; add it: the radii of the seeds");
-  expect(PointsOf({ { 4, 46.5, 46.5, 46.5, 0 } }), "at point 0; it can be 0 (outside), 1 (inside)");
-  expect(PointsOf({ { 3, 46.5, 46.5, 46.5, 0 } }), "has a radius below a voxel");
-  expect(PointsOf({ { 1, 500, 46.5, 46.5, 0 } }),
+  expect(PointsFrom({ { 4, 46.5, 46.5, 46.5, 0 } }),
+    "at point 0; it can be 0 (outside), 1 (inside)");
+  expect(PointsFrom({ { 3, 46.5, 46.5, 46.5, 0 } }), "has a radius below a voxel");
+  expect(PointsFrom({ { 1, 500, 46.5, 46.5, 0 } }),
     "the inside point (500, 46.5, 46.5) mm lies outside the image on port 0");
-  expect(PointsOf({ { 0, 46.5, 46.5, 46.5, 0 } }), "lies in the inner half of the seed sphere");
-  expect(PointsOf({ { 0, 80, 46.5, 46.5, 0 }, { 2, 80, 46.5, 46.5, 0 } }), "are at one place");
-  auto pairs = PointsOf({ { 1, 46.5, 46.5, 46.5, 0 } });
+  expect(PointsFrom({ { 0, 46.5, 46.5, 46.5, 0 } }), "lies in the inner half of the seed sphere");
+  expect(PointsFrom({ { 0, 80, 46.5, 46.5, 0 }, { 2, 80, 46.5, 46.5, 0 } }), "are at one place");
+  auto pairs = PointsFrom({ { 1, 46.5, 46.5, 46.5, 0 } });
   vtkNew<vtkDoubleArray> two;
   two->SetName("Constraint");
   two->SetNumberOfComponents(2);

@@ -10,7 +10,7 @@ using namespace FlipFree;
 namespace
 {
 
-ImageGeometry Grid()
+ImageGeometry HillGrid()
 {
   ImageGeometry geometry;
   geometry.Dimensions = { { 48, 24, 24 } };
@@ -18,9 +18,9 @@ ImageGeometry Grid()
 }
 
 // Two balls of 8 and 10 mm whose centers are 24 mm apart, joined by a tube.
-std::vector<float> Dumbbell(double tube)
+std::vector<float> DepthOfDumbbell(double tube)
 {
-  const ImageGeometry geometry = Grid();
+  const ImageGeometry geometry = HillGrid();
   std::vector<unsigned char> inside(geometry.NumberOfVoxels());
   std::size_t voxel = 0;
   for (int k = 0; k < 24; ++k)
@@ -43,9 +43,9 @@ std::vector<float> Dumbbell(double tube)
 
 TEST(DepthHill, EndsAtTheNeck)
 {
-  const ImageGeometry geometry = Grid();
-  const DepthHill hill =
-    FindDepthHill(Dumbbell(3), geometry, geometry.Offset(34, 12, 12), geometry.Offset(10, 12, 12));
+  const ImageGeometry geometry = HillGrid();
+  const DepthHill hill = FindDepthHill(DepthOfDumbbell(3), geometry, geometry.Offset(34, 12, 12),
+    geometry.Offset(10, 12, 12));
   ASSERT_FALSE(hill.Holds.empty());
   EXPECT_NEAR(std::sqrt(hill.Saddle), 3.5, 1);
   EXPECT_NEAR(std::sqrt(hill.Peak), 10.5, 1);
@@ -54,23 +54,24 @@ TEST(DepthHill, EndsAtTheNeck)
   EXPECT_FALSE(hill.Holds[geometry.Offset(10, 12, 12)]);
   EXPECT_FALSE(hill.Holds[geometry.Offset(34, 12, 22)]); // shallower than the neck
   // From the other side, the other ball.
-  const DepthHill other =
-    FindDepthHill(Dumbbell(3), geometry, geometry.Offset(10, 12, 12), geometry.Offset(34, 12, 12));
+  const DepthHill other = FindDepthHill(DepthOfDumbbell(3), geometry, geometry.Offset(10, 12, 12),
+    geometry.Offset(34, 12, 12));
   EXPECT_NEAR(std::sqrt(other.Peak), 8.5, 1);
   EXPECT_EQ(other.Saddle, hill.Saddle);
 }
 
 TEST(DepthHill, IsNoneWithoutANeckOrAWay)
 {
-  const ImageGeometry geometry = Grid();
+  const ImageGeometry geometry = HillGrid();
   // On the slope of one ball.
-  EXPECT_TRUE(
-    FindDepthHill(Dumbbell(3), geometry, geometry.Offset(34, 12, 12), geometry.Offset(34, 18, 12))
-      .Holds.empty());
+  EXPECT_TRUE(FindDepthHill(DepthOfDumbbell(3), geometry, geometry.Offset(34, 12, 12),
+    geometry.Offset(34, 18, 12))
+                .Holds.empty());
   // Apart.
-  EXPECT_TRUE(
-    FindDepthHill(Dumbbell(-1), geometry, geometry.Offset(34, 12, 12), geometry.Offset(10, 12, 12))
-      .Holds.empty());
+  EXPECT_TRUE(FindDepthHill(DepthOfDumbbell(-1), geometry, geometry.Offset(34, 12, 12),
+    geometry.Offset(10, 12, 12))
+                .Holds.empty());
   // Outside.
-  EXPECT_TRUE(FindDepthHill(Dumbbell(3), geometry, 0, geometry.Offset(10, 12, 12)).Holds.empty());
+  EXPECT_TRUE(
+    FindDepthHill(DepthOfDumbbell(3), geometry, 0, geometry.Offset(10, 12, 12)).Holds.empty());
 }

@@ -61,7 +61,7 @@ void ExpectDistance(const ImplicitShape& shape, double size)
   EXPECT_LT(kinks, 10);
 }
 
-ImageGeometry Grid(int n, double spacing)
+ImageGeometry CubeGrid(int n, double spacing)
 {
   return FlipFree::Grid({ { n, n, n } }, { spacing, spacing, spacing });
 }
@@ -302,7 +302,7 @@ TEST(VoxelNoise, RefusesWhatIsNoStandardDeviationOrCorrelation)
 
 TEST_P(PlainPhantom, VolumeIsThatOfTheClosedFormAndScalesWithTheGrid)
 {
-  const ImageGeometry grid = Grid(96, 1);
+  const ImageGeometry grid = CubeGrid(96, 1);
   const Volume volume = Sample(MakePlainPhantom(GetParam(), GridExtent(grid), 1000, 0), grid);
   const double expected = ClosedFormVolume(GetParam());
   EXPECT_NEAR(GrayVolume(volume, grid) / expected, 1, 0.002);
@@ -338,7 +338,7 @@ TEST_P(PlainPhantom, HierarchyPaintsWhatEveryVoxelAloneWould)
 
 TEST_P(PlainPhantom, SeedLiesInsideAndTheEnclosingBallIsTight)
 {
-  const ImageGeometry grid = Grid(96, 1);
+  const ImageGeometry grid = CubeGrid(96, 1);
   const Phantom phantom = MakePlainPhantom(GetParam(), GridExtent(grid), 100, 0);
   ASSERT_EQ(phantom.Seeds.size(), 1u);
   const Ball seed = phantom.Seeds[0].Start;
@@ -383,7 +383,7 @@ TEST_P(PlainPhantom, PointsAreProjectedOntoTheSurface)
 
 TEST_P(PlainPhantom, IsCutInAnyOrderIntoTheSameBits)
 {
-  const ImageGeometry grid = Grid(70, 1);
+  const ImageGeometry grid = CubeGrid(70, 1);
   const Phantom phantom = MakePlainPhantom(GetParam(), GridExtent(grid), 100, 0);
   SamplingOptions options;
   options.NoiseStandardDeviation = 20;
@@ -400,7 +400,7 @@ INSTANTIATE_TEST_SUITE_P(Shapes, PlainPhantom,
 
 TEST(ShapeVolume, WithoutPartialVolumeEveryVoxelHasOneOfTheTwoIntensities)
 {
-  const ImageGeometry grid = Grid(40, 1);
+  const ImageGeometry grid = CubeGrid(40, 1);
   const Phantom phantom = MakePlainPhantom(PlainShape::Sphere, GridExtent(grid), 70, -30);
   SamplingOptions options;
   options.PartialVolume = false;
@@ -418,7 +418,7 @@ TEST(ShapeVolume, LaterTissuesHideEarlierOnes)
   stack.Layers.push_back({ MakeSphere(Vector3d::Zero(), 15), { 10, 0, 1 } });
   stack.Layers.push_back({ MakeSphere(Vector3d::Zero(), 8), { 20, 0, 2 } });
   stack.Layers.push_back({ MakeBox(Vector3d::Zero(), { 7, 5, 2 }), { 30, 0, 3 } });
-  const ImageGeometry grid = Grid(41, 1);
+  const ImageGeometry grid = CubeGrid(41, 1);
   Phantom phantom;
   phantom.Tissues = stack;
   const Volume volume = Sample(phantom, grid);
@@ -433,7 +433,7 @@ TEST(ShapeVolume, LaterTissuesHideEarlierOnes)
 
 TEST(ShapeVolume, ClampsToTheRangeOfShort)
 {
-  const ImageGeometry grid = Grid(20, 1);
+  const ImageGeometry grid = CubeGrid(20, 1);
   const Phantom phantom = MakePlainPhantom(PlainShape::Cube, GridExtent(grid), 1e6, -1e6);
   const Volume volume = Sample(phantom, grid);
   EXPECT_EQ(volume.Intensities[grid.Offset(10, 10, 10)], 32767);
@@ -442,7 +442,7 @@ TEST(ShapeVolume, ClampsToTheRangeOfShort)
 
 TEST(ShapeVolume, StopsWhenTheMonitorSaysSo)
 {
-  const ImageGeometry grid = Grid(64, 1);
+  const ImageGeometry grid = CubeGrid(64, 1);
   const Phantom phantom = MakePlainPhantom(PlainShape::Cube, GridExtent(grid), 1, 0);
   std::vector<std::int16_t> intensities(grid.NumberOfVoxels());
   std::vector<std::uint8_t> labels(grid.NumberOfVoxels());
@@ -456,7 +456,7 @@ TEST(ShapeVolume, RefusesWhatIsNoGridNamingIt)
 {
   const auto expectRefusal = [](const std::string& part, const auto& change)
   {
-    ImageGeometry grid = Grid(4, 1);
+    ImageGeometry grid = CubeGrid(4, 1);
     EXPECT_EQ(ErrorOf([&] { RequireGrid(grid); }), "");
     change(grid);
     const std::string error = ErrorOf([&] { RequireGrid(grid); });

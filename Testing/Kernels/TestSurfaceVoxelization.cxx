@@ -14,7 +14,7 @@ namespace
 
 const double NotANumber = std::numeric_limits<double>::quiet_NaN();
 
-ImageGeometry Grid(std::array<int, 3> dimensions, const Eigen::Vector3d& spacing,
+ImageGeometry GridOf(std::array<int, 3> dimensions, const Eigen::Vector3d& spacing,
   const Eigen::Matrix3d& direction, const Eigen::Vector3d& center)
 {
   ImageGeometry grid;
@@ -42,8 +42,8 @@ TEST(SurfaceVoxelization, IsTheWindingNumberUnderAnyDirectionAndSpacing)
   const Surface potato = Potato(4, center, 10);
   for (const auto& [name, direction] : ExampleDirections())
   {
-    const ImageGeometry grid =
-      Grid({ 26, 23, 11 }, { 1.1, 1.31, 2.7 }, direction, center + Eigen::Vector3d(0.4, 0.3, 0.2));
+    const ImageGeometry grid = GridOf({ 26, 23, 11 }, { 1.1, 1.31, 2.7 }, direction,
+      center + Eigen::Vector3d(0.4, 0.3, 0.2));
     const auto voxels = Voxelize(potato, grid);
     int inside = 0;
     ForEachVoxel(grid,
@@ -112,7 +112,7 @@ TEST(SurfaceVoxelization, AnImageCutsOffWhatLiesBeyondIt)
 {
   const Surface sphere = Sphere(8, { 0, 0, 0 }, 10);
   const ImageGeometry whole =
-    Grid({ 30, 31, 32 }, { 0.8, 0.9, 0.7 }, ObliqueRotation(), { 0.01, 0.02, 0.03 });
+    GridOf({ 30, 31, 32 }, { 0.8, 0.9, 0.7 }, ObliqueRotation(), { 0.01, 0.02, 0.03 });
   const auto voxels = Voxelize(sphere, whole);
   ImageGeometry part = whole;
   part.Dimensions = { { 9, 10, 11 } };
@@ -127,7 +127,7 @@ TEST(SurfaceVoxelization, AnImageCutsOffWhatLiesBeyondIt)
 
 TEST(SurfaceVoxelization, OrientationAndOverlapDoNotMatter)
 {
-  const ImageGeometry grid = Grid({ 25, 25, 25 }, { 1, 1, 1 }, ObliqueRotation(), { 3, 0, 0 });
+  const ImageGeometry grid = GridOf({ 25, 25, 25 }, { 1, 1, 1 }, ObliqueRotation(), { 3, 0, 0 });
   Surface sphere = Sphere(6, { 0, 0, 0 }, 7);
   const Surface other = Sphere(6, { 6, 0, 0 }, 5);
   const auto voxels = Voxelize(sphere, grid);
@@ -148,7 +148,7 @@ TEST(SurfaceVoxelization, ThreadsAndTheMonitor)
 {
   const Surface potato = Potato(8, { 0, 0, 0 }, 10);
   const ImageGeometry grid =
-    Grid({ 40, 41, 42 }, { 0.7, 0.8, 0.9 }, ObliqueRotation(), { 0, 0, 0 });
+    GridOf({ 40, 41, 42 }, { 0.7, 0.8, 0.9 }, ObliqueRotation(), { 0, 0, 0 });
   const auto serial = VoxelizeSurface(potato.Points, potato.Triangles, grid);
   const auto scattered = VoxelizeSurface(potato.Points, potato.Triangles, grid, ScatteredFor);
   ASSERT_EQ(serial.size(), scattered.size());

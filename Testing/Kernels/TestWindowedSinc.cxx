@@ -29,7 +29,7 @@ LabelSurface VoxelBall()
   return SurfaceOf(mask);
 }
 
-double Volume(const LabelSurface& surface)
+double VolumeInside(const LabelSurface& surface)
 {
   double volume = 0;
   for (Eigen::Index triangle = 0; triangle < surface.Triangles.rows(); ++triangle)
@@ -54,10 +54,10 @@ double Roughness(const PointList& points)
 TEST(WindowedSinc, RemovesTheStepsOfABallAndKeepsItsVolume)
 {
   LabelSurface ball = VoxelBall();
-  const double volume = Volume(ball);
+  const double volume = VolumeInside(ball);
   const double roughness = Roughness(ball.Points);
   SmoothByWindowedSinc(ball.Triangles, 20, 0.1, ball.Points);
-  EXPECT_NEAR(Volume(ball) / volume, 1, 0.01);
+  EXPECT_NEAR(VolumeInside(ball) / volume, 1, 0.01);
   EXPECT_LT(Roughness(ball.Points), 0.5 * roughness);
 }
 
@@ -89,7 +89,7 @@ TEST(LabelSurface, IsClosedForAnyMask)
       }
       EXPECT_NO_THROW(
         RequireClosed(static_cast<int>(surface.Points.rows()), surface.Triangles, "it"));
-      EXPECT_GT(Volume(surface), 0);
+      EXPECT_GT(VolumeInside(surface), 0);
     }
   }
 }

@@ -11,7 +11,7 @@ namespace
 {
 
 // Gray values look alike within this many standard deviations.
-constexpr double AlikeDeviations = 2;
+constexpr double SimilarDeviations = 2;
 
 // Shells about a point look like it as long as this part of their voxels lies within so many
 // deviations of the innermost ball's median; the ball in millimeters and voxels.
@@ -34,7 +34,7 @@ double GrayValueSimilarity::SpreadOf(const RobustStatistics& of) const
 double GrayValueSimilarity::LikenessOf(double value, const RobustStatistics& of) const
 {
   const double deviations = (value - of.Median) / this->SpreadOf(of);
-  const double fit = (AlikeDeviations * AlikeDeviations - deviations * deviations) / 4;
+  const double fit = (SimilarDeviations * SimilarDeviations - deviations * deviations) / 4;
   return std::max(-1.0, std::min(1.0, fit));
 }
 

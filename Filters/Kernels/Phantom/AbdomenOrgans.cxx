@@ -9,7 +9,7 @@ namespace
 
 using Eigen::Vector3d;
 
-constexpr double Fat = -95;
+constexpr double VisceralFat = -95;
 constexpr double Vein = 146;
 constexpr double Artery = 166;
 
@@ -111,7 +111,7 @@ void AddKidney(TissueLayers& layers, AbdomenLabel label, const Vector3d& center,
     6);
   const ImplicitShape hull = MakeEllipsoid(center, { 27, 22, 52 }, axes);
   const ImplicitShape kidney = SmoothIntersect({ hull, Complement(sinus) }, 7);
-  AddLayer(layers, hull, Fat, 5);
+  AddLayer(layers, hull, VisceralFat, 5);
   AddOrgan(layers, label, kidney, 162, 4);
   // Medullary pyramids around the sinus, their tips at it.
   for (int ring = -2; ring <= 2; ++ring)

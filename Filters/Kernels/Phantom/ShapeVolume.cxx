@@ -21,19 +21,19 @@ using Eigen::Vector3d;
 const Array3i BrickSize(32, 32, 8);
 constexpr int MaximumSamples = 4; // along an axis of a voxel
 
-struct VoxelBox
+struct Block
 {
   Array3i First;
   Array3i Size;
 };
 
 // Cuts a box across its longest edge that is not a single voxel.
-std::pair<VoxelBox, VoxelBox> Halve(const VoxelBox& box, const Vector3d& spacing)
+std::pair<Block, Block> Halve(const Block& box, const Vector3d& spacing)
 {
   Eigen::Index axis = 0;
   (box.Size > 1).select(box.Size.cast<double>() * spacing.array(), 0.0).maxCoeff(&axis);
-  VoxelBox lower = box;
-  VoxelBox upper = box;
+  Block lower = box;
+  Block upper = box;
   lower.Size[axis] = box.Size[axis] / 2;
   upper.Size[axis] = box.Size[axis] - lower.Size[axis];
   upper.First[axis] += lower.Size[axis];
@@ -47,7 +47,7 @@ class BrickPainter
 {
 public:
   BrickPainter(const TissueStack& stack, const ImageGeometry& geometry,
-    const SamplingOptions& options, const SmoothField& field, const VoxelBox& brick)
+    const SamplingOptions& options, const SmoothField& field, const Block& brick)
     : Stack(stack)
     , Spacing(geometry.Spacing)
     , Field(field)
@@ -119,7 +119,7 @@ private:
     return narrowed;
   }
 
-  void Paint(const VoxelBox& box, const View& view)
+  void Paint(const Block& box, const View& view)
   {
     const Vector3d drawn = this->Draw(this->CenterOf(box));
     const Tissue* atCenter = nullptr;
@@ -142,7 +142,7 @@ private:
     this->InDoubt.resize(end);
   }
 
-  void Fill(const VoxelBox& box, const Tissue& tissue)
+  void Fill(const Block& box, const Tissue& tissue)
   {
     for (int k = box.First[2]; k < box.First[2] + box.Size[2]; ++k)
     {
@@ -216,14 +216,14 @@ private:
   }
 
   // The distance, in the drawing, of a box's outermost samples from its center.
-  double ReachOf(const VoxelBox& box) const
+  double ReachOf(const Block& box) const
   {
     const Eigen::Array3d span =
       (box.Size.cast<double>() - 1.0 / this->Samples.cast<double>()) * this->Spacing;
     return 0.5 * this->Stack.Stretch * span.matrix().norm();
   }
 
-  Vector3d CenterOf(const VoxelBox& box) const
+  Vector3d CenterOf(const Block& box) const
   {
     return (box.First.cast<double>() + 0.5 * (box.Size - 1).cast<double>() - this->Middle) *
       this->Spacing;
@@ -232,7 +232,7 @@ private:
   const TissueStack& Stack;
   const Eigen::Array3d Spacing;
   const SmoothField& Field;
-  const VoxelBox Brick;
+  const Block Brick;
   const Eigen::Array3d Middle;
   Array3i Samples;
   std::vector<const TissueLayer*> InDoubt;
@@ -317,7 +317,7 @@ bool SampleTissues(const TissueStack& stack, const ImageGeometry& geometry,
   const auto paintBrick = [&](const Array3i& brick)
   {
     const Array3i begin = brick * BrickSize;
-    const VoxelBox box{ begin, BrickSize.min(dimensions - begin) };
+    const Block box{ begin, BrickSize.min(dimensions - begin) };
     BrickPainter painter(stack, geometry, options, field, box);
     painter.Paint();
     AddNoise(options.Seed, options.NoiseStandardDeviation, options.NoiseCorrelation, box.First,
