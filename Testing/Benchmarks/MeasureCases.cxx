@@ -29,6 +29,7 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <functional>
@@ -160,7 +161,7 @@ double MeasureRow(const Case& row, const Options& options)
     end - start, stages.Smoothing, stages.Feature, stages.Deformation, stages.Labels, stages.Search,
     stages.Flips, stages.Solve, stages.Guard, filter->GetNumberOfSelfIntersections(),
     SumOfColumn(filter->GetConvergence(), "Guarded"), filter->GetStopReasonAsString(),
-    filter->GetConfidence());
+    std::floor(100 * filter->GetConfidence()) / 100);
   std::fflush(stdout);
   if (!options.Surfaces.empty())
   {

@@ -21,6 +21,7 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <map>
 #include <vector>
@@ -127,7 +128,7 @@ double MeasureVolume(const std::vector<Case>& rows, const Options& options,
     std::printf("|   %-26s | %.3f | %.3f | %+.3f | %zu iterations, %.0f guarded, %s | %.2f |\n",
       rows[organ].Name.c_str(), score.Alone, score.Together, score.Together - score.Alone,
       surface.Iterations.size(), guarded, ToString(surface.Reason),
-      together[organ].Confidence.OfSurface);
+      std::floor(100 * together[organ].Confidence.OfSurface) / 100);
   }
   std::fflush(stdout);
   return ratio;

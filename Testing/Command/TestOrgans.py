@@ -1,11 +1,13 @@
 """Several organs by --organ: their files, points of each, surfaces that stay, and what is refused."""
 
 import csv
+import math
 import os
 import re
 import unittest
 
 import command
+from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 
 
 class TestOrgans(command.CommandTest):
@@ -47,6 +49,28 @@ class TestOrgans(command.CommandTest):
                                "-o", self.result("beside.stl"))
         self.assertNotEqual(process.returncode, 0)  # triangles have no four neighbors
         self.assertRegex(process.stderr, "four neighbors")
+
+    def confidence_of(self, name):
+        reader = vtkXMLPolyDataReader()
+        reader.SetFileName(self.result(name))
+        reader.Update()
+        return reader.GetOutput().GetFieldData().GetArray("Confidence").GetTuple1(0)
+
+    def test_confidence_is_rounded_down_as_in_its_warning(self):
+        organs = [self.segment(*self.organ("liver"), *self.organ("spleen"), "-o", self.result("out.vtp"))]
+        files = ["out-liver.vtp", "out-spleen.vtp"]
+        for name in ("left kidney", "aorta"):
+            x, y, z, radius = self.organs[name]
+            organs.append(self.segment("--seed", x, y, z, "--radius", radius, "-o", self.result(f"{name}.vtp")))
+            files.append(f"{name}.vtp")
+        confidences = [self.confidence_of(name) for name in files]
+        expected = [f"{math.floor(100 * confidence) / 100:.2f}" for confidence in confidences]
+        self.assertNotEqual(expected, [f"{confidence:.2f}" for confidence in confidences])  # or the test sees nothing
+        text = "".join(process.stdout for process in organs)
+        self.assertEqual(re.findall(r", confidence ([\d.]+)", text), expected)
+        for process in organs:
+            for number in re.findall(r"its confidence is ([\d.]+),", process.stderr):
+                self.assertIn(f", confidence {number}", process.stdout)
 
     def test_points_belong_to_the_organ_before(self):
         x, y, z, radius = map(float, self.organs["spleen"])

@@ -132,7 +132,32 @@ TEST(SurfaceConfidence, OfTheSurfaceFallsWhereOpinionsDiffer)
   EXPECT_EQ(unanimous.OfVertices, divided.OfVertices);
 }
 
-TEST(SurfaceConfidence, FallsWithTheSpanAndWithASmallSeed)
+TEST(SurfaceConfidence, FallsWhereTheSurroundingsAreBrighterHereAndDarkerThere)
+{
+  BallInNoise ball;
+  const SurfaceConfidence darker = ball.Judge(ball.Points);
+  const ImageGeometry& geometry = ball.Image.Geometry;
+  for (int k = 0; k < 84; ++k)
+  {
+    for (int j = 0; j < 84; ++j)
+    {
+      for (int i = 42; i < 84; ++i)
+      {
+        if (geometry.ToPhysical({ i + 0.0, j + 0.0, k + 0.0 }).norm() >= 22)
+        {
+          ball.Image.Voxels[geometry.Offset(i, j, k)] += 80;
+        }
+      }
+    }
+  }
+  const SurfaceConfidence mixed = ball.Judge(ball.Points);
+  EXPECT_LT(mixed.OfSurface, darker.OfSurface - 0.1);
+  // The image shows the boundary on both sides as well as before.
+  EXPECT_NEAR(MeanOf(ball, mixed, -1), MeanOf(ball, darker, -1), 0.05);
+  EXPECT_NEAR(MeanOf(ball, mixed, 1), MeanOf(ball, darker, 1), 0.05);
+}
+
+TEST(SurfaceConfidence, FallsWithADeeperPlaceElsewhereAndWithASmallSeed)
 {
   const BallInNoise ball;
   const auto judgeFrom = [&](double x, double radius)

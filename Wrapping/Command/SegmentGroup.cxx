@@ -90,11 +90,11 @@ void Report(vtkFlipFreeOrganGroup* group, const std::string& input, double readi
     const auto number = [&](const char* column)
     { return table->GetValueByName(row, column).ToDouble(); };
     std::printf("%s, %s: label %.0f, volume %.1f ml, %.0f iterations, %s, %.0f "
-                "self-intersections, confidence %.2f\n",
+                "self-intersections, confidence %s\n",
       input.c_str(), table->GetValueByName(row, "Organ").ToString().c_str(), number("Label"),
       VolumeInMilliliters(group->GetSurface(static_cast<int>(row))), number("Iterations"),
       table->GetValueByName(row, "StopReason").ToString().c_str(), number("SelfIntersections"),
-      number("Confidence"));
+      ConfidenceText(number("Confidence")).c_str());
   }
   double seconds[4];
   group->GetStageSeconds(seconds);

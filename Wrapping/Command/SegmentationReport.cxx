@@ -11,6 +11,7 @@
 #include "vtkTable.h"
 #include "vtkTriangleFilter.h"
 
+#include <cmath>
 #include <cstdio>
 
 namespace Command
@@ -23,12 +24,12 @@ std::string TrustText(const OrganFilter& filter)
 {
   auto* const organ = vtkFlipFreeSegmentation::SafeDownCast(filter.Algorithm());
   auto* const vessel = vtkFlipFreeVesselSegmentation::SafeDownCast(filter.Algorithm());
-  char text[32] = "";
   if (organ)
   {
-    std::snprintf(text, sizeof(text), ", confidence %.2f", organ->GetConfidence());
+    return ", confidence " + ConfidenceText(organ->GetConfidence());
   }
-  else if (vessel)
+  char text[32] = "";
+  if (vessel)
   {
     std::snprintf(text, sizeof(text), ", support %.2f", vessel->GetSupport());
   }
@@ -56,6 +57,13 @@ bool IsGuarded(const OrganFilter& filter)
 }
 
 } // namespace
+
+std::string ConfidenceText(double confidence)
+{
+  char text[32];
+  std::snprintf(text, sizeof(text), "%.2f", std::floor(100 * confidence) / 100);
+  return text;
+}
 
 double VolumeInMilliliters(vtkPolyData* surface)
 {

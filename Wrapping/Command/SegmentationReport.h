@@ -7,6 +7,8 @@
 #include "OrganFilter.h"
 #include "Segmentation.h"
 
+#include <string>
+
 class vtkPolyData;
 
 namespace Command
@@ -15,6 +17,10 @@ namespace Command
 /// A line with volume, convergence, validity, confidence and seconds, unless it is to be quiet; a
 /// warning where the surface is not certified.
 void Report(const OrganFilter& filter, const Segmentation& segmentation, double readingSeconds);
+
+/// With two digits, rounded down as in the warning of a low confidence: a number that has reached
+/// the threshold looks like it, and no other does.
+std::string ConfidenceText(double confidence);
 
 /// Of the inside of a closed surface in millimeters.
 double VolumeInMilliliters(vtkPolyData* surface);

@@ -3,6 +3,7 @@
 #include "Image/BoxReading.h"
 #include "Image/ImageInterpolation.h"
 #include "Intensity/RobustStatistics.h"
+#include "Intensity/SurfaceDepth.h"
 #include "Mesh/SurfaceNormals.h"
 
 #include <algorithm>
@@ -25,13 +26,16 @@ constexpr int Pooling = 2; // rings of neighbors
 constexpr double HalfContrast = 2;
 constexpr double HalfShiftOfVertex = 0.1;
 
-// Of the surface: the weights of the four evidences in a logistic function, that of
-// the seed for the logarithm of its radius in millimeters.
-constexpr double Bias = -0.94;
-constexpr double WeightOfSupport = 4;
-constexpr double WeightOfSpan = -2;
-constexpr double WeightOfSeed = 0.5;
+// Of the surface: the weights of the four evidences in a logistic function, those of depth and seed
+// for the logarithms of the ratio and of the radius in millimeters.
+constexpr double Bias = -2.9;
+constexpr double WeightOfSupport = 3;
+constexpr double WeightOfDepth = -1.4;
+constexpr double WeightOfSeed = 0.7;
 constexpr double WeightOfUnanimity = 1;
+
+// The edge of the cubes by which depths are measured, in radii of a ball of the organ's volume.
+constexpr double DepthStep = 1.0 / 12;
 
 // The mean over a vertex and its four neighbors, again and again.
 void Pool(const ContourMesh& mesh, Eigen::VectorXd& values)
@@ -129,28 +133,43 @@ public:
       : FallOff(shifts[vertex], HalfShiftOfVertex * this->Radius);
   }
 
-  double OfSurface(const SeedSphere& seed, double unanimity) const
+  double OfSurface(const SeedSphere& seed, double unanimity, const ParallelFor& parallelFor) const
   {
-    double support = 0;
-    double squaredSpan = 0;
-    for (Eigen::Index vertex = 0; vertex < this->Points.rows(); ++vertex)
-    {
-      const double area = this->Areas[vertex];
-      support += area * this->SupportOf(vertex);
-      squaredSpan += area * (this->Points.row(vertex).transpose() - seed.Center).squaredNorm();
-    }
     const double area = this->Areas.sum();
     if (!(area > 0 && this->Radius > 0))
     {
       return 0;
     }
-    const double sum = Bias + WeightOfSupport * support / area +
-      WeightOfSpan * std::sqrt(squaredSpan / area) / this->Radius +
+    const double sum = Bias + WeightOfSupport * this->WholeSupport() / area +
+      WeightOfDepth * std::log(this->DepthRatio(seed, parallelFor)) +
       WeightOfSeed * std::log(seed.Radius) + WeightOfUnanimity * unanimity;
     return 1 / (1 + std::exp(-sum));
   }
 
 private:
+  // Of the parts that are all brighter, or all darker, than their surroundings, whichever are
+  // supported better; times their areas.
+  double WholeSupport() const
+  {
+    double darker = 0;
+    double brighter = 0;
+    for (Eigen::Index vertex = 0; vertex < this->Points.rows(); ++vertex)
+    {
+      (this->Contrast[vertex] > 0 ? darker : brighter) +=
+        this->Areas[vertex] * this->SupportOf(vertex);
+    }
+    return std::max(darker, brighter);
+  }
+
+  // The greatest depth in comparison with that of the seed's center.
+  double DepthRatio(const SeedSphere& seed, const ParallelFor& parallelFor) const
+  {
+    const SurfaceDepths depths = FindDepths(this->Points, this->Mesh.Triangles, seed.Center,
+      DepthStep * this->Radius, parallelFor);
+    const double ofSeed = std::max(depths.OfPoint, seed.Radius);
+    return std::max(depths.Greatest, ofSeed) / ofSeed;
+  }
+
   const ContourMesh& Mesh;
   const PointList& Points;
   Eigen::VectorXd Contrast; // outside minus inside, pooled
@@ -177,7 +196,7 @@ SurfaceConfidence JudgeSurface(const VoxelReader& read, const ImageGeometry& geo
     confidence.OfVertices[vertex] =
       static_cast<float>(judgment.SupportOf(vertex) * judgment.AgreementOf(vertex, shifts));
   }
-  confidence.OfSurface = judgment.OfSurface(seed, unanimity);
+  confidence.OfSurface = judgment.OfSurface(seed, unanimity, parallelFor);
   return confidence;
 }
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 import sys
 import warnings
@@ -32,6 +33,15 @@ def with_names(text: str, names: Mapping[str, str] | None) -> str:
     spelled = {name: options.get(keyword, keyword) for name, keyword in names.items()}
     text = re.sub(r" on port \d\b| \(port \d\)", "", text)
     return re.sub(rf"\b({'|'.join(spelled)})\b", lambda name: spelled[name.group()], text)
+
+
+def confidence_text(confidence: float) -> str:
+    """With two digits, rounded down as in the warning of a low confidence.
+
+    >>> confidence_text(0.8499)
+    '0.84'
+    """
+    return f"{math.floor(100 * confidence) / 100:.2f}"
 
 
 def _level_of_caller() -> int:

@@ -7,6 +7,8 @@ import os
 from html import escape
 from typing import Any
 
+from ._messages import confidence_text
+
 # Rows whose picture is in the file; those behind them, of the highest confidence, refer to theirs.
 PICTURES = 1000
 # Rows that are listed; a browser is slow with more.
@@ -72,7 +74,7 @@ def _facts(row: dict[str, Any]) -> dict[str, str]:
         return {"volume": row.get("volume", "")}
     facts = {}
     if row["confidence"] is not None:  # vessels have none
-        facts["confidence"] = f"{row['confidence']:.2f}"
+        facts["confidence"] = confidence_text(row["confidence"])
     if row["dice"] is not None:
         facts["Dice"] = f"{row['dice']:.3f}"
         facts["distance"] = f"{row['asd_mm']:.2f} mm in the mean, 95 % within {row['hd95_mm']:.1f} mm"

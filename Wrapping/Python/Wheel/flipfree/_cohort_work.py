@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import contextlib
+import math
 import os
 import socket
 import time
@@ -109,8 +110,8 @@ def _results(row: Row, output: str, image: Image) -> dict[str, Any]:
         what, where = ("vessel", "points") if row.is_vessel else ("organ", "seed")
         raise FlipFreeError(f"no boundary of the {what} was found; place the {where} inside it")
     values: dict[str, Any] = {
-        # Which is about organs.
-        "confidence": None if row.is_vessel else round(organ.confidence, 4),
+        # Which is about organs; rounded down as in the warning.
+        "confidence": None if row.is_vessel else math.floor(1e4 * organ.confidence) / 1e4,
         "segmented_ml": round(organ.volume, 3),
         "iterations": len(organ.iterations["Iteration"]),
         "stop_reason": organ.stop_reason,

@@ -26,7 +26,7 @@ from ._corrections import BOUNDARY, INSIDE, OUTSIDE, SEED, Constraint, constrain
 from ._errors import FileError, FlipFreeError
 from ._evaluate import evaluate as evaluate_segmentation
 from ._files import WRITE_ENDINGS, read_image, write_image
-from ._messages import warn
+from ._messages import confidence_text, warn
 from ._options import WrongUsage
 from ._phantom import Organ
 from ._phantom import phantom as make_phantom
@@ -142,7 +142,8 @@ def _segment_group(values: dict[str, Any], progress: bool) -> None:
             print(
                 f"{values['input']}, {organ}: label {found.label_of(organ)}, volume {result.volume:.1f} "
                 f"ml, {len(result.iterations['Iteration'])} iterations, {result.stop_reason}, "
-                f"{result.self_intersections} self-intersections, confidence {result.confidence:.2f}"
+                f"{result.self_intersections} self-intersections, "
+                f"confidence {confidence_text(result.confidence)}"
             )
         print(
             f"{values['input']}: organs do not meet; reading {reading:.2f} s, segmenting "
@@ -321,7 +322,7 @@ def _report(values: dict[str, Any], organ: Segmentation, reading: float, working
         trust = (
             f"support {organ.support:.2f}"
             if isinstance(organ, Vessel)
-            else f"confidence {organ.confidence:.2f}"
+            else f"confidence {confidence_text(organ.confidence)}"
         )
         print(
             f"{_title_of(values, '')}: volume {organ.volume:.1f} ml, "
