@@ -23,7 +23,14 @@ public:
     , Settings(settings)
     , Grid(foreground.GetGeometry())
     , Step(0.5 * foreground.GetGeometry().Spacing.minCoeff())
+    , Reach(static_cast<int>(std::ceil(2 * settings.EdgeWindow / this->Step)))
   {
+    const double deviation = settings.EdgeWindow;
+    for (int sample = -this->Reach; sample <= this->Reach; ++sample)
+    {
+      const double offset = sample * this->Step;
+      this->Weights.push_back(std::exp(-0.5 * offset * offset / (deviation * deviation)));
+    }
   }
 
   /// The signed distance along the normal at which the boundary lies; false if there is none.
@@ -104,17 +111,14 @@ private:
   double StrongestEdge(const Eigen::Vector3d& point, const Eigen::Vector3d& normal,
     double crossing) const
   {
-    const double deviation = this->Settings.EdgeWindow;
-    const int reach = static_cast<int>(std::ceil(2 * deviation / this->Step));
     double best = 0;
     double bestOffset = 0;
-    double before = this->Edge(point + (crossing - (reach + 0.5) * this->Step) * normal);
-    for (int sample = -reach; sample <= reach; ++sample)
+    double before = this->Edge(point + (crossing - (this->Reach + 0.5) * this->Step) * normal);
+    for (int sample = -this->Reach; sample <= this->Reach; ++sample)
     {
       const double offset = sample * this->Step;
       const double after = this->Edge(point + (crossing + offset + 0.5 * this->Step) * normal);
-      const double weight = std::exp(-0.5 * offset * offset / (deviation * deviation));
-      const double strength = weight * (before - after);
+      const double strength = this->Weights[sample + this->Reach] * (before - after);
       if (strength > best)
       {
         best = strength;
@@ -139,7 +143,9 @@ private:
   const ImageView<float>& Edges;
   const CorrespondenceSettings& Settings;
   VoxelGrid Grid;
-  double Step;
+  double Step;                 // of samples around the crossing
+  int Reach;                   // in steps
+  std::vector<double> Weights; // of the samples
 };
 
 } // namespace

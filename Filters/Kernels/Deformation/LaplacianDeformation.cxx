@@ -4,7 +4,9 @@
 
 #include <Eigen/SparseCholesky>
 
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <sstream>
 
 namespace FlipFree
@@ -15,6 +17,27 @@ namespace
 // What single precision can reach, and far less than a step leaves to the next one anyway.
 constexpr double RelativeTolerance = 1e-5;
 constexpr int MaximumIterations = 400;
+
+// A field by a pointer of one's own, which need not be read again after each store, as a member's
+// must.
+class Columns
+{
+public:
+  using Column = Eigen::Map<Eigen::Vector4f, Eigen::Aligned16>;
+
+  explicit Columns(Eigen::Matrix4Xf& field)
+    : Data(field.data())
+  {
+  }
+  Column operator[](std::ptrdiff_t vertex) const { return Column(this->Data + 4 * vertex); }
+  Eigen::Vector4f SumOf(const std::array<int, 4>& ring) const
+  {
+    return ((*this)[ring[0]] + (*this)[ring[1]]) + ((*this)[ring[2]] + (*this)[ring[3]]);
+  }
+
+private:
+  float* Data;
+};
 
 } // namespace
 
@@ -40,29 +63,29 @@ DeformationSolver::DeformationSolver(const ContourMesh& mesh)
 
 DeformationSolver::~DeformationSolver() = default;
 
-// The matrix times x, into Image, by way of Inner = (L + 4 lambda_u) x. Returns the sums of x
-// Image.
-Eigen::Vector4f DeformationSolver::Apply(const SolverField& x, float shift)
+// The matrix times the field, into Image, by way of Inner = (L + 4 lambda_u) times the field.
+// Returns the sums of the field times Image.
+Eigen::Vector4f DeformationSolver::Apply(SolverField& field, float shift)
 {
-  const auto add = [this](const SolverField& field, int vertex) -> Eigen::Vector4f
-  {
-    const auto& ring = this->Mesh.Neighbors[vertex];
-    return (field.col(ring[0]) + field.col(ring[1])) + (field.col(ring[2]) + field.col(ring[3]));
-  };
+  const std::array<int, 4>* const rings = this->Mesh.Neighbors.data();
+  const float* const weights = this->Weights.data();
+  const Columns x(field);
+  const Columns inner(this->Inner);
+  const Columns image(this->Image);
   const int size = this->Mesh.NumberOfPoints();
   for (int vertex = 0; vertex < size; ++vertex)
   {
-    this->Inner.col(vertex) = (1 + shift) * x.col(vertex) - 0.25F * add(x, vertex);
+    inner[vertex] = (1 + shift) * x[vertex] - 0.25F * x.SumOf(rings[vertex]);
   }
-  Eigen::Vector4f curvature = Eigen::Vector4f::Zero();
+  Eigen::Vector4f sum = Eigen::Vector4f::Zero();
   for (int vertex = 0; vertex < size; ++vertex)
   {
-    const Eigen::Vector4f image = this->Inner.col(vertex) - 0.25F * add(this->Inner, vertex) +
-      this->Weights[vertex] * x.col(vertex);
-    this->Image.col(vertex) = image;
-    curvature += image.cwiseProduct(x.col(vertex));
+    const Eigen::Vector4f product =
+      inner[vertex] - 0.25F * inner.SumOf(rings[vertex]) + weights[vertex] * x[vertex];
+    image[vertex] = product;
+    sum += product.cwiseProduct(x[vertex]);
   }
-  return curvature;
+  return Eigen::Vector4f(sum); // a copy, so that the sum itself can stay in a register
 }
 
 // Preconditioned conjugate gradients. Each pass does all that can be done at a vertex, since the
@@ -82,6 +105,11 @@ bool DeformationSolver::IterateToSolution(double uniformWeight, int& iterations)
     return false; // too great for single precision
   }
   this->Apply(this->Solution, shift);
+  const float* const preconditioner = this->Preconditioner.data();
+  const Columns solutions(this->Solution);
+  const Columns residuals(this->Residual);
+  const Columns directions(this->Direction);
+  const Columns images(this->Image);
   Eigen::Vector4f energy = Eigen::Vector4f::Zero();
   Eigen::Vector4f error = Eigen::Vector4f::Zero();
   for (int vertex = 0; vertex < size; ++vertex)
@@ -107,19 +135,18 @@ bool DeformationSolver::IterateToSolution(double uniformWeight, int& iterations)
     {
       // Named, since what is stored and read again waits for the memory.
       const Eigen::Vector4f residual =
-        this->Residual.col(vertex) - step.cwiseProduct(this->Image.col(vertex));
-      const Eigen::Vector4f preconditioned = this->Preconditioner[vertex] * residual;
-      this->Solution.col(vertex) += step.cwiseProduct(this->Direction.col(vertex));
-      this->Residual.col(vertex) = residual;
-      this->Image.col(vertex) = preconditioned; // the product is no longer needed
+        residuals[vertex] - step.cwiseProduct(images[vertex]);
+      const Eigen::Vector4f preconditioned = preconditioner[vertex] * residual;
+      solutions[vertex] += step.cwiseProduct(directions[vertex]);
+      residuals[vertex] = residual;
+      images[vertex] = preconditioned; // the product is no longer needed
       error += residual.cwiseAbs2();
       next += residual.cwiseProduct(preconditioned);
     }
     const Eigen::Vector4f turn = (energy.array() > 0).select(next.array() / energy.array(), 0.0F);
     for (int vertex = 0; vertex < size; ++vertex)
     {
-      this->Direction.col(vertex) =
-        this->Image.col(vertex) + turn.cwiseProduct(this->Direction.col(vertex));
+      directions[vertex] = images[vertex] + turn.cwiseProduct(directions[vertex]);
     }
     energy = next;
   }

@@ -42,9 +42,9 @@ private:
   struct Factorization;
 
   /// As VertexField.
-  using SolverField = Eigen::Matrix<float, 4, Eigen::Dynamic>;
+  using SolverField = Eigen::Matrix4Xf;
 
-  Eigen::Vector4f Apply(const SolverField& x, float shift);
+  Eigen::Vector4f Apply(SolverField& field, float shift);
   bool IterateToSolution(double uniformWeight, int& iterations);
   bool Factorize(double uniformWeight, PointList& solution); ///< false: there is no solution
 

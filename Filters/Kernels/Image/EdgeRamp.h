@@ -4,6 +4,8 @@
 #ifndef FlipFreeEdgeRamp_h
 #define FlipFreeEdgeRamp_h
 
+#include <Eigen/Core>
+
 namespace FlipFree
 {
 
@@ -15,10 +17,11 @@ struct EdgeRamp
   double High = 0;
   double Width = 0; ///< zero: the gray values themselves
 
-  double operator()(double z) const
+  /// Of four gray values, if Width is not zero.
+  Eigen::Array4d operator()(const Eigen::Array4d& z) const
   {
-    const double outside = z < this->Low ? this->Low - z : (z > this->High ? z - this->High : 0);
-    return outside < this->Width ? 1 - outside / this->Width : 0;
+    const Eigen::Array4d outside = (this->Low - z).max(z - this->High).max(0.0);
+    return (1 - outside / this->Width).max(0.0);
   }
 };
 

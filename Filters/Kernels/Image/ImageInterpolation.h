@@ -11,7 +11,7 @@
 namespace FlipFree
 {
 
-/// `read` maps a voxel's value to the one that is interpolated.
+/// `read` maps the values of four voxels at once to those that are interpolated.
 template <typename Read>
 double InterpolateClamped(const ImageView<float>& image, const Eigen::Vector3d& index,
   const Read& read)
@@ -27,23 +27,27 @@ double InterpolateClamped(const ImageView<float>& image, const Eigen::Vector3d& 
     high[axis] = std::min(low[axis] + 1, dimensions[axis] - 1);
     part[axis] = x - low[axis];
   }
-  const auto along = [&](int j, int k)
+  // The four edges of the cell along x.
+  Eigen::Array4d from;
+  Eigen::Array4d to;
+  for (int edge = 0; edge < 4; ++edge)
   {
-    const double a = read(image(low[0], j, k));
-    return a + part[0] * (read(image(high[0], j, k)) - a);
-  };
-  const auto across = [&](int k)
-  {
-    const double a = along(low[1], k);
-    return a + part[1] * (along(high[1], k) - a);
-  };
-  const double a = across(low[2]);
-  return a + part[2] * (across(high[2]) - a);
+    const int j = edge % 2 == 0 ? low[1] : high[1];
+    const int k = edge / 2 == 0 ? low[2] : high[2];
+    from[edge] = image(low[0], j, k);
+    to[edge] = image(high[0], j, k);
+  }
+  from = read(from);
+  to = read(to);
+  const Eigen::Array4d along = from + part[0] * (to - from);
+  const double a = along[0] + part[1] * (along[1] - along[0]);
+  const double b = along[2] + part[1] * (along[3] - along[2]);
+  return a + part[2] * (b - a);
 }
 
 inline double InterpolateClamped(const ImageView<float>& image, const Eigen::Vector3d& index)
 {
-  return InterpolateClamped(image, index, [](float value) { return static_cast<double>(value); });
+  return InterpolateClamped(image, index, [](const Eigen::Array4d& values) { return values; });
 }
 
 } // namespace FlipFree

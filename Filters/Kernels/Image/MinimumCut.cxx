@@ -48,6 +48,13 @@ public:
   {
     for (int node = this->Begin; node < this->End; ++node)
     {
+      for (int way = 0; way < 6 && this->Nodes[node].Terminal < 0; ++way)
+      {
+        this->PullAlongLine(node, way);
+      }
+    }
+    for (int node = this->Begin; node < this->End; ++node)
+    {
       CutNode& own = this->Nodes[node];
       own.Parent = None;
       if (own.Terminal != 0)
@@ -146,6 +153,42 @@ private:
       }
     }
     return -1;
+  }
+
+  // Flow from the sources on a straight line to a sink at its end. Most sinks lie along a surface,
+  // with sources behind them, so that little is left to the search, which takes much longer.
+  void PullAlongLine(int sink, int way)
+  {
+    std::int32_t missing = -this->Nodes[sink].Terminal;
+    std::int32_t residual = CutNode::Infinite;
+    this->FlowFrom.clear();
+    int node = sink;
+    while (missing > 0 && this->Holds(this->Nodes[node].Neighbors[way]))
+    {
+      const int next = this->Nodes[node].Neighbors[way];
+      CutNode& own = this->Nodes[next];
+      residual = std::min(residual, own.Capacities[Opposite(way)]);
+      if (residual == 0 || own.Terminal < 0)
+      {
+        break;
+      }
+      const std::int32_t flow = std::min({ own.Terminal, residual, missing });
+      own.Terminal -= flow;
+      residual -= flow;
+      missing -= flow;
+      this->FlowFrom.push_back(flow);
+      node = next;
+    }
+    std::int32_t flow = 0;
+    for (; !this->FlowFrom.empty(); this->FlowFrom.pop_back())
+    {
+      flow += this->FlowFrom.back();
+      CutNode& own = this->Nodes[node];
+      own.Capacities[Opposite(way)] -= flow;
+      node = own.Neighbors[Opposite(way)];
+      this->Nodes[node].Capacities[way] += flow;
+    }
+    this->Nodes[sink].Terminal += flow;
   }
 
   // The way to a node of the other tree; -1 if there is none.
@@ -361,6 +404,7 @@ private:
   std::vector<int> Active;
   std::size_t FirstActive = 0;
   std::vector<int> Orphans;
+  std::vector<std::int32_t> FlowFrom; // the nodes of a line
   int Time = 0;
 };
 
