@@ -28,12 +28,11 @@ public:
 
   DistanceParts Execute()
   {
-    const std::vector<int> order = OrderByDistance(this->Distance);
-    for (const int voxel : order)
+    for (const int voxel : OrderByDistance(this->Distance))
     {
       this->Enter(voxel);
     }
-    return this->Number(order);
+    return this->Number();
   }
 
 private:
@@ -84,6 +83,7 @@ private:
     if (count == 0)
     {
       this->Parent[voxel] = voxel;
+      this->Peaks.push_back(voxel);
       return;
     }
     int root = roots[0];
@@ -110,20 +110,26 @@ private:
     }
   }
 
-  DistanceParts Number(const std::vector<int>& order)
+  // Parts come in the order of their peaks, but voxels in that of the memory.
+  DistanceParts Number()
   {
     DistanceParts parts;
     parts.PartOf.assign(this->Distance.size(), DistanceParts::Outside);
-    for (const int voxel : order) // roots come before the other voxels of their parts
+    for (const int peak : this->Peaks)
     {
-      const int root = this->Root(voxel);
-      if (root == voxel)
+      if (this->Parent[peak] == peak)
       {
-        parts.PartOf[voxel] = static_cast<int>(parts.Peaks.size());
-        parts.Peaks.push_back(this->Distance[voxel]);
-        parts.HoldsSeed.push_back(this->IsSeed[voxel]);
+        parts.PartOf[peak] = static_cast<int>(parts.Peaks.size());
+        parts.Peaks.push_back(this->Distance[peak]);
+        parts.HoldsSeed.push_back(this->IsSeed[peak]);
       }
-      parts.PartOf[voxel] = parts.PartOf[root];
+    }
+    for (int voxel = 0; voxel < static_cast<int>(this->Parent.size()); ++voxel)
+    {
+      if (this->Parent[voxel] >= 0)
+      {
+        parts.PartOf[voxel] = parts.PartOf[this->Root(voxel)];
+      }
     }
     return parts;
   }
@@ -132,6 +138,7 @@ private:
   const std::array<int, 3> Size;
   const float SquaredRatio;
   std::vector<int> Parent;
+  std::vector<int> Peaks; // also those of parts that have since joined others
   std::vector<bool> IsSeed; // at a root: of the whole part
 };
 

@@ -1,5 +1,6 @@
 #include "Image/DistanceTransform.h"
 
+#include <algorithm>
 #include <limits>
 
 namespace FlipFree
@@ -20,11 +21,31 @@ public:
   {
   }
 
+  // Sources stay at zero, and of those in a row only the ends reach beyond them. So lines are cut
+  // there, which leaves little of a line that mostly consists of sources.
   void Transform(float* line, std::ptrdiff_t stride, int size, double step)
+  {
+    for (int begin = 0; begin < size; ++begin)
+    {
+      if (line[begin * stride] > 0)
+      {
+        int end = begin + 1;
+        while (end < size && line[end * stride] > 0)
+        {
+          ++end;
+        }
+        this->TransformPart(line, stride, std::max(0, begin - 1), std::min(end + 1, size), step);
+        begin = end;
+      }
+    }
+  }
+
+private:
+  void TransformPart(float* line, std::ptrdiff_t stride, int begin, int end, double step)
   {
     const double square = step * step;
     int last = -1;
-    for (int q = 0; q < size; ++q)
+    for (int q = begin; q < end; ++q)
     {
       const double f = line[q * stride];
       if (f >= Far)
@@ -53,7 +74,7 @@ public:
     }
     this->Border[last + 1] = std::numeric_limits<double>::infinity();
     int current = 0;
-    for (int x = 0; x < size; ++x)
+    for (int x = begin; x < end; ++x)
     {
       while (this->Border[current + 1] < x)
       {
@@ -64,7 +85,6 @@ public:
     }
   }
 
-private:
   std::vector<double> Value;
   std::vector<int> Place;
   std::vector<double> Border;

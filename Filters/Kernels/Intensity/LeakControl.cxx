@@ -73,6 +73,15 @@ public:
       Word(1) << (index[0] % BitMask::BitsOfWord));
   }
 
+  void EnterRow(int j, int k)
+  {
+    const std::ptrdiff_t first = this->Mask.Row(j, k) - this->Mask.GetWords().data();
+    for (std::ptrdiff_t word = 0; word < this->Mask.GetWordsPerRow(); ++word)
+    {
+      this->Enter(first + word, ~Word(0));
+    }
+  }
+
   // False if the monitor stopped it.
   bool Spread(const Monitor& monitor)
   {
@@ -183,36 +192,31 @@ bool ControlLeaks(BitMask& mask, const std::vector<std::size_t>& sources,
 
 bool FillHoles(BitMask& mask, const Monitor& monitor)
 {
-  const ImageGeometry& geometry = mask.GetGeometry();
-  const auto& size = geometry.Dimensions;
+  const auto& size = mask.GetGeometry().Dimensions;
   BitMask outside = mask;
   outside.Complement();
-  std::vector<std::size_t> sides;
-  const auto add = [&](int i, int j, int k) { sides.push_back(geometry.Offset(i, j, k)); };
+  Flood flood(outside);
   for (int k = 0; k < size[2]; ++k)
   {
     for (int j = 0; j < size[1]; ++j)
     {
       if (k == 0 || k + 1 == size[2] || j == 0 || j + 1 == size[1])
       {
-        for (int i = 0; i < size[0]; ++i)
-        {
-          add(i, j, k);
-        }
+        flood.EnterRow(j, k);
       }
       else
       {
-        add(0, j, k);
-        add(size[0] - 1, j, k);
+        flood.Enter({ { 0, j, k } });
+        flood.Enter({ { size[0] - 1, j, k } });
       }
     }
   }
-  if (!KeepConnected(outside, sides, monitor))
+  if (!flood.Spread(monitor))
   {
     return false;
   }
-  outside.Complement();
-  mask = std::move(outside);
+  mask = flood.TakeReached();
+  mask.Complement();
   return true;
 }
 
