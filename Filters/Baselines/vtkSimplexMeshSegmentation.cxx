@@ -25,7 +25,8 @@ FlipFree::SimplexBalloon::Force BalloonForce(const FlipFree::BaselineTask& task,
   const auto voxels = std::make_shared<const std::vector<float>>(task.Region.Voxels);
   return [interval, grid, voxels, step](const Eigen::Vector3d& point)
   {
-    const auto speed = [&interval](float value) { return interval.Speed(value); };
+    const auto speed = [&interval](const Eigen::Array4d& values) -> Eigen::Array4d
+    { return values.unaryExpr([&interval](double value) { return interval.Speed(value); }); };
     const Eigen::Vector3d index = grid.ToIndex(point);
     for (int axis = 0; axis < 3; ++axis)
     {
