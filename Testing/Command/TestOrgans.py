@@ -59,7 +59,7 @@ class TestOrgans(command.CommandTest):
     def test_confidence_is_rounded_down_as_in_its_warning(self):
         organs = [self.segment(*self.organ("liver"), *self.organ("spleen"), "-o", self.result("out.vtp"))]
         files = ["out-liver.vtp", "out-spleen.vtp"]
-        for name in ("left kidney", "aorta"):
+        for name in ("left kidney", "vena cava"):
             x, y, z, radius = self.organs[name]
             organs.append(self.segment("--seed", x, y, z, "--radius", radius, "-o", self.result(f"{name}.vtp")))
             files.append(f"{name}.vtp")

@@ -15,9 +15,9 @@ struct SurfaceDepths
   double Greatest = 0; ///< mm; 0 where the surface is too flat for the grid
 };
 
-/// On a grid of cubes with edges of `step` millimeters, by about half of which depths are wrong; of
-/// larger ones, so that none of the grid's sides has more than 128, where the surface is that long.
-/// The surface is closed and holds a volume.
+/// On a grid of cubes with edges of `step` millimeters, by up to about one of which depths are
+/// wrong; of larger ones where the surface is longer than 128 of them. The surface is closed and
+/// holds a volume.
 SurfaceDepths FindDepths(const PointList& points, const TriangleList& triangles,
   const Eigen::Vector3d& point, double step, const ParallelFor& parallelFor);
 
