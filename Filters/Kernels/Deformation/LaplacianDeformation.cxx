@@ -134,8 +134,7 @@ bool DeformationSolver::IterateToSolution(double uniformWeight, int& iterations)
     for (int vertex = 0; vertex < size; ++vertex)
     {
       // Named, since what is stored and read again waits for the memory.
-      const Eigen::Vector4f residual =
-        residuals[vertex] - step.cwiseProduct(images[vertex]);
+      const Eigen::Vector4f residual = residuals[vertex] - step.cwiseProduct(images[vertex]);
       const Eigen::Vector4f preconditioned = preconditioner[vertex] * residual;
       solutions[vertex] += step.cwiseProduct(directions[vertex]);
       residuals[vertex] = residual;

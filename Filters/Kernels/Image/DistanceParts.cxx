@@ -138,7 +138,7 @@ private:
   const std::array<int, 3> Size;
   const float SquaredRatio;
   std::vector<int> Parent;
-  std::vector<int> Peaks; // also those of parts that have since joined others
+  std::vector<int> Peaks;   // also those of parts that have since joined others
   std::vector<bool> IsSeed; // at a root: of the whole part
 };
 
