@@ -62,10 +62,7 @@ public:
     {
       this->Inside[block] = 1;
     }
-    this->Unaries = FindUnaryTerms(std::move(this->Values), std::move(this->Weights), this->Inside,
-      this->Grid.Blocks, { this->Seed.Center, this->Ball.Radius }, this->OfBall.StandardDeviation,
-      this->IsMR, this->Parallel);
-    if (!this->FindCores())
+    if (!this->FindUnariesAndCores())
     {
       return false;
     }
@@ -106,7 +103,8 @@ private:
     }
   }
 
-  bool FindCores()
+  // Cores are found by one thread; meanwhile the others find the terms, which do not need them.
+  bool FindUnariesAndCores()
   {
     const std::vector<float> distance =
       SquaredDistance(this->Inside, this->Grid.Blocks, 0, this->Parallel, this->Ask);
@@ -114,6 +112,25 @@ private:
     {
       return false;
     }
+    this->Parallel(0, 2,
+      [&](std::ptrdiff_t first, std::ptrdiff_t last)
+      {
+        if (first == 0)
+        {
+          this->Unaries = FindUnaryTerms(std::move(this->Values), std::move(this->Weights),
+            this->Inside, this->Grid.Blocks, { this->Seed.Center, this->Ball.Radius },
+            this->OfBall.StandardDeviation, this->IsMR, this->Parallel);
+        }
+        if (last == 2)
+        {
+          this->FindCores(distance);
+        }
+      });
+    return true;
+  }
+
+  void FindCores(const std::vector<float>& distance)
+  {
     const double ratio = this->Ball.Radius < SmallBall ? 0.5 : 0.7;
     const DistanceParts parts =
       FindDistanceParts(distance, this->Grid.Blocks, this->SourceBlocks, ratio);
@@ -125,7 +142,6 @@ private:
         parts.Peaks[part] >= MinimumPeak * MinimumPeak &&
         distance[block] > CoreDepth * CoreDepth * parts.Peaks[part];
     }
-    return true;
   }
 
   CutNetwork MakeNetwork()
