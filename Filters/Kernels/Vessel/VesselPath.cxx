@@ -155,15 +155,15 @@ double MeanRadius(const VesselTree& tree)
   return sum / static_cast<double>(std::max<Eigen::Index>(1, sections));
 }
 
-double MeanSupport(const ImageView<float>& image, const VesselTree& tree,
-  const ParallelFor& parallelFor)
+// Of all sections of a tree.
+double MeanSupport(const VesselTree& tree)
 {
   double sum = 0;
   Eigen::Index sections = 0;
   for (const VesselBranch& branch : tree.Branches)
   {
-    sum += SectionSupport(image, branch.Sections, parallelFor).sum();
-    sections += branch.Sections.Radii.rows();
+    sum += branch.Support.sum();
+    sections += branch.Support.size();
   }
   return sum / static_cast<double>(std::max<Eigen::Index>(1, sections));
 }
@@ -298,7 +298,7 @@ VesselTree TraceAs(const VesselStyle& style, const GrayVolume& volume, Modality 
     }
     tree.Branches.push_back(
       { FitSections(image.Own.View(), line, FirstRadii(depth, line), style.Sections, parallelFor),
-        path.Parent });
+        path.Parent, {} });
   }
   tree.Radius = MeanRadius(tree);
   if (tree.Radius > LargestRadius)
@@ -307,11 +307,12 @@ VesselTree TraceAs(const VesselStyle& style, const GrayVolume& volume, Modality 
       "no boundary of a vessel is found around the path from " + TextOf(points.row(0)) +
         " mm; put all points into the vessel, or set Radius");
   }
-  tree.Support = MeanSupport(image.Own.View(), tree, parallelFor);
   for (VesselBranch& branch : tree.Branches)
   {
+    branch.Support = SectionSupport(image.Own.View(), branch.Sections, parallelFor);
     branch.Sections.Radii.array() += settings.WallThickness;
   }
+  tree.Support = MeanSupport(tree);
   return tree;
 }
 

@@ -63,7 +63,8 @@ struct VesselPathSettings
 struct VesselBranch
 {
   VesselSections Sections;
-  int Parent = -1; ///< the earlier branch on which it begins; none for the first
+  int Parent = -1;         ///< the earlier branch on which it begins; none for the first
+  Eigen::VectorXd Support; ///< SectionSupport of each section
 };
 
 struct VesselTree
