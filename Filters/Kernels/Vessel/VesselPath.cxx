@@ -30,6 +30,7 @@ constexpr double LineDeviation = 2;    // smoothing of paths before sections are
 constexpr double LongestGap = 40;
 constexpr double GapSpeed = 0.004;
 constexpr double LargestRadius = 45; // mm; no vessel's mean, but what outlines run away to
+constexpr double LeastSupport = 0.25; // below it, an outline is that of nothing
 // Gray values other than Hounsfield units are scaled so that most of them span what they do in CT.
 constexpr double SpanInCT = 250;
 
@@ -301,18 +302,18 @@ VesselTree TraceAs(const VesselStyle& style, const GrayVolume& volume, Modality 
         path.Parent, {} });
   }
   tree.Radius = MeanRadius(tree);
-  if (tree.Radius > LargestRadius)
-  {
-    throw Error(ErrorCode::NoContrast,
-      "no boundary of a vessel is found around the path from " + TextOf(points.row(0)) +
-        " mm; put all points into the vessel, or set Radius");
-  }
   for (VesselBranch& branch : tree.Branches)
   {
     branch.Support = SectionSupport(image.Own.View(), branch.Sections, parallelFor);
     branch.Sections.Radii.array() += settings.WallThickness;
   }
   tree.Support = MeanSupport(tree);
+  if (tree.Radius > LargestRadius || (!tree.Branches.empty() && tree.Support < LeastSupport))
+  {
+    throw Error(ErrorCode::NoContrast,
+      "no boundary of a vessel is found around the path from " + TextOf(points.row(0)) +
+        " mm; put all points into the vessel, or set Radius");
+  }
   return tree;
 }
 

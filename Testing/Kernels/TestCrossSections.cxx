@@ -1,0 +1,48 @@
+#include "ExampleMasks.h"
+#include "Vessel/VesselPath.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+using namespace FlipFree;
+
+TEST(CrossSections, KeepTheirRadiusWithinABodyAsBrightAsTheVessel)
+{
+  // An upright tube of 4 mm; from 30 to 60 mm, all around is as bright.
+  FloatImage image;
+  image.Geometry = Grid({ { 60, 60, 60 } }, { 1, 1, 1.5 });
+  image.Voxels.resize(image.Geometry.NumberOfVoxels());
+  std::mt19937 random(3);
+  ForEachVoxel(image.Geometry,
+    [&](int i, int j, int k)
+    {
+      const bool isBright = std::hypot(i - 30, j - 30) < 4 || (k >= 20 && k <= 40);
+      std::normal_distribution<double> noise(0, 5);
+      image.Voxels[image.Geometry.Offset(i, j, k)] =
+        static_cast<float>((isBright ? 150 : 40) + noise(random));
+    });
+  PointList line(48, 3);
+  for (Eigen::Index place = 0; place < line.rows(); ++place)
+  {
+    line.row(place) << 30, 30, 10 + 1.5 * static_cast<double>(place);
+  }
+  const VesselSections sections = FitSections(image.View(), line,
+    Eigen::VectorXd::Constant(line.rows(), 4), ThinVessel().Sections, SerialFor);
+  const Eigen::VectorXd radii = sections.MeanRadii();
+  for (Eigen::Index section = 2; section + 2 < radii.size(); ++section)
+  {
+    const double z = sections.Frames[section].Origin[2];
+    SCOPED_TRACE(z);
+    if (z < 26 || z > 64)
+    {
+      EXPECT_NEAR(radii[section], 4, 0.5);
+    }
+    else
+    {
+      EXPECT_GT(radii[section], 3.3);
+      EXPECT_LT(radii[section], 6); // it would run away to more than 7 mm
+    }
+  }
+}
