@@ -1,4 +1,5 @@
 #include "ExampleMasks.h"
+#include "Vessel/StyleChoice.h"
 #include "Vessel/VesselPath.h"
 
 #include <gtest/gtest.h>
@@ -45,4 +46,13 @@ TEST(CrossSections, KeepTheirRadiusWithinABodyAsBrightAsTheVessel)
       EXPECT_LT(radii[section], 6); // it would run away to more than 7 mm
     }
   }
+}
+
+TEST(StyleChoice, TheImageDecides)
+{
+  EXPECT_FALSE(MayBeWide(4, 7));
+  EXPECT_TRUE(MayBeWide(6, 7));
+  // Where the thin vessel is not that thin, a wide one need not be supported better.
+  EXPECT_LT(LeastSupportOfWide(8, 0.9, 7), 0.9);
+  EXPECT_GT(LeastSupportOfWide(6, 0.9, 7), 0.9);
 }

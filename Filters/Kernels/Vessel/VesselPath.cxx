@@ -8,6 +8,7 @@
 #include "Vessel/MinimalPaths.h"
 #include "Vessel/Polyline.h"
 #include "Vessel/SectionSupport.h"
+#include "Vessel/StyleChoice.h"
 #include "Vessel/VesselImage.h"
 
 #include <algorithm>
@@ -29,7 +30,7 @@ constexpr double LineDeviation = 2;    // smoothing of paths before sections are
 // A path over a stretch of this length, in mm, without the vessel's gray values is none.
 constexpr double LongestGap = 40;
 constexpr double GapSpeed = 0.004;
-constexpr double LargestRadius = 45; // mm; no vessel's mean, but what outlines run away to
+constexpr double LargestRadius = 45;  // mm; no vessel's mean, but what outlines run away to
 constexpr double LeastSupport = 0.25; // below it, an outline is that of nothing
 // Gray values other than Hounsfield units are scaled so that most of them span what they do in CT.
 constexpr double SpanInCT = 250;
@@ -317,16 +318,16 @@ VesselTree TraceAs(const VesselStyle& style, const GrayVolume& volume, Modality 
   return tree;
 }
 
-// A wide vessel in a larger part of the image, where the image supports it by more than `least`;
-// one without branches where the monitor stopped it.
-std::optional<VesselTree> SeekFar(const std::function<VesselTree()>& trace, double least)
+// A vessel of another style, where the image supports it by more than `least`; one without branches
+// where the monitor stopped it.
+std::optional<VesselTree> SeekOther(const std::function<VesselTree()>& trace, double least)
 {
   try
   {
-    VesselTree wide = trace();
-    if (wide.Branches.empty() || wide.Support > least)
+    VesselTree other = trace();
+    if (other.Branches.empty() || other.Support > least)
     {
-      return wide;
+      return other;
     }
   }
   catch (const std::invalid_argument&) // no path, or voxels far away that are not finite
@@ -391,8 +392,9 @@ VesselTree TraceVessel(const GrayVolume& volume, const std::string& name, const 
   {
     return TraceAs(style, volume, modality, points, outside, radius, settings, threading.For, part);
   };
-  const Monitor first = PartOf(monitor, 0, 0.5);
-  const Monitor second = PartOf(monitor, 0.5, 1);
+  const Monitor first = PartOf(monitor, 0, 0.4);
+  const Monitor second = PartOf(monitor, 0.4, 0.7);
+  const Monitor third = PartOf(monitor, 0.7, 1);
   const bool isKnown = settings.Radius > 0;
   const bool isWide = isKnown && settings.Radius >= settings.WideRadius;
   if (isKnown && !isWide)
@@ -410,18 +412,30 @@ VesselTree TraceVessel(const GrayVolume& volume, const std::string& name, const 
   {
     noPath = error;
   }
-  if (!isWide && found.Radius >= settings.WideRadius)
-  {
-    return trace(settings.Wide, insideScale * found.Radius, second);
-  }
   const bool isStopped = !noPath && found.Branches.empty();
-  if (isStopped || found.Support >= DoubtfulSupport)
+  if (isStopped)
+  {
+    return found;
+  }
+  if (!isWide && MayBeWide(found.Radius, settings.WideRadius))
+  {
+    const double radius =
+      insideScale * (found.Radius >= settings.WideRadius ? found.Radius : wideRadius);
+    const std::optional<VesselTree> wide =
+      SeekOther([&] { return trace(settings.Wide, radius, second); },
+        LeastSupportOfWide(found.Radius, found.Support, settings.WideRadius));
+    if (wide)
+    {
+      return *wide;
+    }
+  }
+  if (found.Support >= DoubtfulSupport)
   {
     return found;
   }
   const double farRadius = insideScale * (isWide ? settings.Radius : wideRadius);
   const std::optional<VesselTree> wide =
-    SeekFar([&] { return trace(settings.Far, farRadius, second); },
+    SeekOther([&] { return trace(settings.Far, farRadius, third); },
       noPath ? DoubtfulSupport : found.Support);
   if (!wide && noPath)
   {
