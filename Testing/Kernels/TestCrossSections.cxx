@@ -48,6 +48,30 @@ TEST(CrossSections, KeepTheirRadiusWithinABodyAsBrightAsTheVessel)
   }
 }
 
+TEST(CrossSections, OfHighContrastLieAtAThirdOfIt)
+{
+  // An upright tube of 10 mm, blurred by 2 mm.
+  FloatImage image;
+  image.Geometry = Grid({ { 50, 50, 30 } }, { 1, 1, 2 });
+  image.Voxels.resize(image.Geometry.NumberOfVoxels());
+  ForEachVoxel(image.Geometry,
+    [&](int i, int j, int k)
+    {
+      const double depth = 10 - std::hypot(i - 25, j - 25);
+      image.Voxels[image.Geometry.Offset(i, j, k)] =
+        static_cast<float>(60 + 140 * std::erf(depth / (2 * std::sqrt(2.0))));
+    });
+  PointList line(20, 3);
+  for (Eigen::Index place = 0; place < line.rows(); ++place)
+  {
+    line.row(place) << 25, 25, 15 + 1.5 * static_cast<double>(place);
+  }
+  const VesselSections sections = FitSections(image.View(), line,
+    Eigen::VectorXd::Constant(line.rows(), 9), WideVessel().Sections, SerialFor);
+  // A third of the contrast is 0.86 mm within the blurred boundary, 60 gray values are 1.6 mm.
+  EXPECT_NEAR(sections.MeanRadii().mean(), 9.1, 0.3);
+}
+
 TEST(StyleChoice, TheImageDecides)
 {
   EXPECT_FALSE(MayBeWide(4, 7));

@@ -172,7 +172,7 @@ private:
     const int beyond = static_cast<int>(std::ceil(4.0 / step));
     const int half = std::max(1, static_cast<int>(std::lround(0.5 / step)));
     std::vector<double> d(this->Labels + beyond + half + 1);
-    const double limit = 2 * this->Prior[section] + 1.5;
+    const double farthest = 2 * this->Prior[section] + 1.5;
     for (int ray = 0; ray < this->Settings.Rays; ++ray)
     {
       for (int label = 0; label < static_cast<int>(d.size()); ++label)
@@ -183,7 +183,9 @@ private:
         std::min(this->Labels - 1, static_cast<int>(std::lround(this->Radii(section, ray) / step)));
       const auto [least, most] = std::minmax_element(d.begin() + rim, d.begin() + rim + beyond + 1);
       const double floor = 2.5 * this->Deviation;
-      const double dark = std::max(floor, std::min(this->Settings.DarkLimit, -*least / 2));
+      // The outline is at half of the contrast, of a high one at a third.
+      const double limit = std::max(this->Settings.DarkLimit, -*least / 3);
+      const double dark = std::max(floor, std::min(limit, -*least / 2));
       const double bright = std::max(floor, std::min(this->Settings.BrightLimit, *most / 2));
       this->Limits[section * this->Settings.Rays + ray] = { dark, bright };
       float* const costs = this->CostsOf(section, ray);
@@ -195,7 +197,7 @@ private:
         const double rise =
           (std::abs(d[label + half]) - std::abs(d[std::max(0, label - half)])) / 15;
         const double prior = (label - this->Prior[section] / step);
-        costs[label] = static_cast<float>(label * step > limit || label < 2
+        costs[label] = static_cast<float>(label * step > farthest || label < 2
             ? 1e6
             : sum - this->Settings.EdgeWeight * std::max(0.0, std::min(2.0, rise)) +
               this->Settings.PriorWeight * prior * prior);
