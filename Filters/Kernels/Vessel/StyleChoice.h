@@ -9,6 +9,9 @@
 namespace FlipFree
 {
 
+/// Support by which one result is clearly better than another.
+constexpr double ClearlyMore = 0.05;
+
 /// By the mean radius of what was found as a thin vessel, of that from which on vessels are wide.
 inline bool MayBeWide(double radius, double wideRadius)
 {
@@ -18,8 +21,7 @@ inline bool MayBeWide(double radius, double wideRadius)
 /// What the support of a wide vessel must exceed, given that of the thin one in its place.
 inline double LeastSupportOfWide(double radius, double support, double wideRadius)
 {
-  constexpr double clearly = 0.05;
-  return radius >= wideRadius ? support - clearly : support + clearly;
+  return radius >= wideRadius ? support - ClearlyMore : support + ClearlyMore;
 }
 
 } // namespace FlipFree

@@ -417,6 +417,8 @@ VesselTree TraceVessel(const GrayVolume& volume, const std::string& name, const 
   {
     return found;
   }
+  const bool isDoubtful = noPath || found.Support < DoubtfulSupport;
+  double least = noPath ? DoubtfulSupport : found.Support; // support of one farther away
   if (!isWide && MayBeWide(found.Radius, settings.WideRadius))
   {
     const double radius =
@@ -424,19 +426,23 @@ VesselTree TraceVessel(const GrayVolume& volume, const std::string& name, const 
     const std::optional<VesselTree> wide =
       SeekOther([&] { return trace(settings.Wide, radius, second); },
         LeastSupportOfWide(found.Radius, found.Support, settings.WideRadius));
-    if (wide)
+    if (wide && (wide->Branches.empty() || !isDoubtful))
     {
       return *wide;
     }
+    if (wide)
+    {
+      found = *wide;
+      least = found.Support + ClearlyMore;
+    }
   }
-  if (found.Support >= DoubtfulSupport)
+  if (!isDoubtful)
   {
     return found;
   }
   const double farRadius = insideScale * (isWide ? settings.Radius : wideRadius);
   const std::optional<VesselTree> wide =
-    SeekOther([&] { return trace(settings.Far, farRadius, third); },
-      noPath ? DoubtfulSupport : found.Support);
+    SeekOther([&] { return trace(settings.Far, farRadius, third); }, least);
   if (!wide && noPath)
   {
     throw Error(*noPath);
