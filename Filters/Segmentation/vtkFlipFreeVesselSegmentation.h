@@ -31,7 +31,8 @@
  * Output port 3: vtkTable `Convergence`, as of vtkFlipFreeSegmentation.
  *
  * Warnings, with a result all the same: the contrast across the outline is low (GetSupport() below
- * 0.8); the surface could not be refined, or it goes far beyond the disks at the ends.
+ * 0.8), with the place where it is lowest; the surface could not be refined, or it goes far beyond
+ * the disks at the ends.
  */
 #ifndef vtkFlipFreeVesselSegmentation_h
 #define vtkFlipFreeVesselSegmentation_h

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdio>
 #include <limits>
 #include <string>
 
@@ -302,6 +303,23 @@ TEST(VesselSegmentation, APointNearThePathOfAWideVesselLiesOutside)
   }
 }
 
+// Its start surface has cells of 2.5 mm at first, one of which holds the point and the path.
+TEST(VesselSegmentation, APointBesideThePathLiesOutside)
+{
+  const ImageGeometry grid = Grid({ { 60, 60, 60 } }, { 1, 1, 1.5 });
+  const ExampleTube tube =
+    MakeTube([](double t) { return Eigen::Vector3d(30, 30 + 6 * std::sin(4 * t), 5 + 80 * t); },
+      [](double) { return 5.0; });
+  const FloatImage volume = VolumeOfTubes({ tube }, grid, 10);
+  Eigen::Vector3d point = tube.Line.row(110).transpose();
+  point[0] -= 1.5;
+  VesselSegmentationSettings settings = LumenSettings();
+  settings.Path.Radius = 5;
+  const VesselSegmentation result = SegmentVessel(GrayVolumeOf(volume), "the volume",
+    ClicksIn(tube), { { ConstraintKind::Outside, point, 0 } }, settings, OneThread, NeverStop);
+  EXPECT_EQ(WindingNumber(result.Surface.Points, result.Surface.Mesh.Triangles, point), 0);
+}
+
 TEST(VesselSegmentation, APointOutsideTurnsThePathAway)
 {
   // From one end to the other there are two ways around, one of them longer.
@@ -371,5 +389,15 @@ TEST(VesselSegmentation, WarnsWhereTheImageDoesNotShowTheBoundary)
     Points({ { 30, 30, 12 }, { 30, 30, 66 } }), {}, LumenSettings(), OneThread, NeverStop);
   EXPECT_LT(result.Tree.Support, DoubtfulSupport);
   ASSERT_FALSE(result.Warnings.empty());
-  EXPECT_NE(result.Warnings.front().find("the result is doubtful"), std::string::npos);
+  const std::string& warning = result.Warnings.front();
+  EXPECT_NE(warning.find("the result is doubtful"), std::string::npos);
+  // It names a place between the stubs.
+  double x = 0;
+  double y = 0;
+  double z = 0;
+  const std::size_t place = warning.find("near (");
+  ASSERT_NE(place, std::string::npos) << warning;
+  ASSERT_EQ(std::sscanf(warning.c_str() + place, "near (%lf, %lf, %lf) mm", &x, &y, &z), 3);
+  EXPECT_GT(z, 22);
+  EXPECT_LT(z, 56);
 }

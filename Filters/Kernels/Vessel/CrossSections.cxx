@@ -3,6 +3,7 @@
 #include "Image/ImageInterpolation.h"
 #include "Intensity/RobustStatistics.h"
 #include "Vessel/Polyline.h"
+#include "Vessel/SectionSupport.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,7 +16,9 @@ namespace
 {
 
 // Radii on a ray are multiples of the ray step: labels 0, 1, ...
-constexpr int LargestStep = 2; // between neighboring rays, in labels
+constexpr int LargestStep = 2;       // between neighboring rays, in labels
+constexpr double FullSupport = 0.8;  // from which on a section has a radius of its own
+constexpr double SupportLength = 15; // along the vessel, of sections that lend others theirs; mm
 
 class SectionFit
 {
@@ -39,7 +42,7 @@ public:
         this->Recenter();
       }
       this->Frames = MakeSectionFrames(this->Line);
-      this->FitOnce();
+      this->FitOnce(round);
     }
     this->Refine();
     this->DropThorns();
@@ -108,13 +111,17 @@ private:
       std::min(this->Settings.MaximumDeviation, std::max(this->Settings.MinimumDeviation, *middle));
   }
 
-  void FitOnce()
+  void FitOnce(int round)
   {
     const VesselSections now{ this->Frames, this->Radii };
     const Eigen::VectorXd mean = now.MeanRadii();
     this->ModelIntensities(mean);
     this->Prior =
       (1 - this->Settings.PriorFollow) * MedianAlong(mean, 7) + this->Settings.PriorFollow * mean;
+    if (round > 0)
+    {
+      this->LendRadii(SectionSupport(this->Image, now, this->Parallel), mean);
+    }
     this->Labels =
       1 + static_cast<int>(std::ceil((2 * this->Prior.maxCoeff() + 1.5) / this->Settings.RayStep));
     this->Costs.assign(this->Sections() * this->Settings.Rays * this->Labels, 0);
@@ -130,6 +137,30 @@ private:
     this->Decide();
   }
 
+  // An outline that the image does not show runs away. There, the prior is the mean radius nearby,
+  // by how well the image shows it.
+  void LendRadii(const Eigen::VectorXd& support, const Eigen::VectorXd& mean)
+  {
+    const double length = SupportLength / this->Settings.SectionStep;
+    for (Eigen::Index section = 0; section < support.size(); ++section)
+    {
+      double weights = 0;
+      double sum = 0;
+      for (Eigen::Index other = 0; other < support.size(); ++other)
+      {
+        const double distance = std::abs(static_cast<double>(other - section)) / length;
+        const double weight = support[other] * support[other] * std::exp(-distance);
+        weights += weight;
+        sum += weight * mean[other];
+      }
+      const double own = std::min(1.0, support[section] / FullSupport);
+      if (weights > 0)
+      {
+        this->Prior[section] = own * own * this->Prior[section] + (1 - own * own) * sum / weights;
+      }
+    }
+  }
+
   float* CostsOf(std::ptrdiff_t section, int ray)
   {
     return this->Costs.data() + (section * this->Settings.Rays + ray) * this->Labels;
@@ -141,7 +172,7 @@ private:
     const int beyond = static_cast<int>(std::ceil(4.0 / step));
     const int half = std::max(1, static_cast<int>(std::lround(0.5 / step)));
     std::vector<double> d(this->Labels + beyond + half + 1);
-    const double limit = 2 * this->Prior[section] + 1.5;
+    const double farthest = 2 * this->Prior[section] + 1.5;
     for (int ray = 0; ray < this->Settings.Rays; ++ray)
     {
       for (int label = 0; label < static_cast<int>(d.size()); ++label)
@@ -152,7 +183,9 @@ private:
         std::min(this->Labels - 1, static_cast<int>(std::lround(this->Radii(section, ray) / step)));
       const auto [least, most] = std::minmax_element(d.begin() + rim, d.begin() + rim + beyond + 1);
       const double floor = 2.5 * this->Deviation;
-      const double dark = std::max(floor, std::min(this->Settings.DarkLimit, -*least / 2));
+      // The outline is at half of the contrast, of a high one at a third.
+      const double limit = std::max(this->Settings.DarkLimit, -*least / 3);
+      const double dark = std::max(floor, std::min(limit, -*least / 2));
       const double bright = std::max(floor, std::min(this->Settings.BrightLimit, *most / 2));
       this->Limits[section * this->Settings.Rays + ray] = { dark, bright };
       float* const costs = this->CostsOf(section, ray);
@@ -164,7 +197,7 @@ private:
         const double rise =
           (std::abs(d[label + half]) - std::abs(d[std::max(0, label - half)])) / 15;
         const double prior = (label - this->Prior[section] / step);
-        costs[label] = static_cast<float>(label * step > limit || label < 2
+        costs[label] = static_cast<float>(label * step > farthest || label < 2
             ? 1e6
             : sum - this->Settings.EdgeWeight * std::max(0.0, std::min(2.0, rise)) +
               this->Settings.PriorWeight * prior * prior);

@@ -8,6 +8,7 @@
 #include "Vessel/MinimalPaths.h"
 #include "Vessel/Polyline.h"
 #include "Vessel/SectionSupport.h"
+#include "Vessel/StyleChoice.h"
 #include "Vessel/VesselImage.h"
 
 #include <algorithm>
@@ -29,7 +30,8 @@ constexpr double LineDeviation = 2;    // smoothing of paths before sections are
 // A path over a stretch of this length, in mm, without the vessel's gray values is none.
 constexpr double LongestGap = 40;
 constexpr double GapSpeed = 0.004;
-constexpr double LargestRadius = 45; // mm; no vessel's mean, but what outlines run away to
+constexpr double LargestRadius = 45;  // mm; no vessel's mean, but what outlines run away to
+constexpr double LeastSupport = 0.25; // below it, an outline is that of nothing
 // Gray values other than Hounsfield units are scaled so that most of them span what they do in CT.
 constexpr double SpanInCT = 250;
 
@@ -155,15 +157,15 @@ double MeanRadius(const VesselTree& tree)
   return sum / static_cast<double>(std::max<Eigen::Index>(1, sections));
 }
 
-double MeanSupport(const ImageView<float>& image, const VesselTree& tree,
-  const ParallelFor& parallelFor)
+// Of all sections of a tree.
+double MeanSupport(const VesselTree& tree)
 {
   double sum = 0;
   Eigen::Index sections = 0;
   for (const VesselBranch& branch : tree.Branches)
   {
-    sum += SectionSupport(image, branch.Sections, parallelFor).sum();
-    sections += branch.Sections.Radii.rows();
+    sum += branch.Support.sum();
+    sections += branch.Support.size();
   }
   return sum / static_cast<double>(std::max<Eigen::Index>(1, sections));
 }
@@ -298,33 +300,34 @@ VesselTree TraceAs(const VesselStyle& style, const GrayVolume& volume, Modality 
     }
     tree.Branches.push_back(
       { FitSections(image.Own.View(), line, FirstRadii(depth, line), style.Sections, parallelFor),
-        path.Parent });
+        path.Parent, {} });
   }
   tree.Radius = MeanRadius(tree);
-  if (tree.Radius > LargestRadius)
+  for (VesselBranch& branch : tree.Branches)
+  {
+    branch.Support = SectionSupport(image.Own.View(), branch.Sections, parallelFor);
+    branch.Sections.Radii.array() += settings.WallThickness;
+  }
+  tree.Support = MeanSupport(tree);
+  if (tree.Radius > LargestRadius || (!tree.Branches.empty() && tree.Support < LeastSupport))
   {
     throw Error(ErrorCode::NoContrast,
       "no boundary of a vessel is found around the path from " + TextOf(points.row(0)) +
         " mm; put all points into the vessel, or set Radius");
   }
-  tree.Support = MeanSupport(image.Own.View(), tree, parallelFor);
-  for (VesselBranch& branch : tree.Branches)
-  {
-    branch.Sections.Radii.array() += settings.WallThickness;
-  }
   return tree;
 }
 
-// A wide vessel in a larger part of the image, where the image supports it by more than `least`;
-// one without branches where the monitor stopped it.
-std::optional<VesselTree> SeekFar(const std::function<VesselTree()>& trace, double least)
+// A vessel of another style, where the image supports it by more than `least`; one without branches
+// where the monitor stopped it.
+std::optional<VesselTree> SeekOther(const std::function<VesselTree()>& trace, double least)
 {
   try
   {
-    VesselTree wide = trace();
-    if (wide.Branches.empty() || wide.Support > least)
+    VesselTree other = trace();
+    if (other.Branches.empty() || other.Support > least)
     {
-      return wide;
+      return other;
     }
   }
   catch (const std::invalid_argument&) // no path, or voxels far away that are not finite
@@ -389,8 +392,9 @@ VesselTree TraceVessel(const GrayVolume& volume, const std::string& name, const 
   {
     return TraceAs(style, volume, modality, points, outside, radius, settings, threading.For, part);
   };
-  const Monitor first = PartOf(monitor, 0, 0.5);
-  const Monitor second = PartOf(monitor, 0.5, 1);
+  const Monitor first = PartOf(monitor, 0, 0.4);
+  const Monitor second = PartOf(monitor, 0.4, 0.7);
+  const Monitor third = PartOf(monitor, 0.7, 1);
   const bool isKnown = settings.Radius > 0;
   const bool isWide = isKnown && settings.Radius >= settings.WideRadius;
   if (isKnown && !isWide)
@@ -408,19 +412,37 @@ VesselTree TraceVessel(const GrayVolume& volume, const std::string& name, const 
   {
     noPath = error;
   }
-  if (!isWide && found.Radius >= settings.WideRadius)
-  {
-    return trace(settings.Wide, insideScale * found.Radius, second);
-  }
   const bool isStopped = !noPath && found.Branches.empty();
-  if (isStopped || found.Support >= DoubtfulSupport)
+  if (isStopped)
+  {
+    return found;
+  }
+  const bool isDoubtful = noPath || found.Support < DoubtfulSupport;
+  double least = noPath ? DoubtfulSupport : found.Support; // support of one farther away
+  if (!isWide && MayBeWide(found.Radius, settings.WideRadius))
+  {
+    const double radius =
+      insideScale * (found.Radius >= settings.WideRadius ? found.Radius : wideRadius);
+    const std::optional<VesselTree> wide =
+      SeekOther([&] { return trace(settings.Wide, radius, second); },
+        LeastSupportOfWide(found.Radius, found.Support, settings.WideRadius));
+    if (wide && (wide->Branches.empty() || !isDoubtful))
+    {
+      return *wide;
+    }
+    if (wide)
+    {
+      found = *wide;
+      least = found.Support + ClearlyMore;
+    }
+  }
+  if (!isDoubtful)
   {
     return found;
   }
   const double farRadius = insideScale * (isWide ? settings.Radius : wideRadius);
   const std::optional<VesselTree> wide =
-    SeekFar([&] { return trace(settings.Far, farRadius, second); },
-      noPath ? DoubtfulSupport : found.Support);
+    SeekOther([&] { return trace(settings.Far, farRadius, third); }, least);
   if (!wide && noPath)
   {
     throw Error(*noPath);

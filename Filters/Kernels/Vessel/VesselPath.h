@@ -3,12 +3,12 @@
  * outline in cross-sections.
  *
  * Nobody is asked for the kind of vessel. The first pass takes it for a thin one: brighter than
- * what surrounds it, as portal and splenic veins are in enhanced CT. Where that pass finds a wide
- * one, such as aorta or cava, a second pass takes it for that: gray values may be those of the
- * surroundings, and a path must not run through wider bodies. Where the first pass finds a thin one
- * that the image does not support, it may be a wide one all the same, which it has missed, such as
- * an aorta with its arch: a wide one is sought in a larger part of the image, and taken if the
- * image supports it better.
+ * what surrounds it, as portal and splenic veins are in enhanced CT. Where that pass finds one that
+ * may be wide, such as aorta or cava, a second pass takes it for that: gray values may be those of
+ * the surroundings, and a path must not run through wider bodies. Of both, the image's support
+ * decides. Where the first pass finds a thin one that the image does not support, it may be a wide
+ * one all the same, which it has missed, such as an aorta with its arch: a wide one is sought in a
+ * larger part of the image, and taken if the image supports it better.
  *
  * Where the radius is given, there is one pass, for the vessel's kind, and for a wide one that the
  * image does not support the search in the larger part.
@@ -63,7 +63,8 @@ struct VesselPathSettings
 struct VesselBranch
 {
   VesselSections Sections;
-  int Parent = -1; ///< the earlier branch on which it begins; none for the first
+  int Parent = -1;         ///< the earlier branch on which it begins; none for the first
+  Eigen::VectorXd Support; ///< SectionSupport of each section
 };
 
 struct VesselTree

@@ -3,6 +3,7 @@
 #include "Deformation/ConstraintEnforcer.h"
 #include "Error.h"
 #include "Geometry/SelfIntersection.h"
+#include "Geometry/WindingNumber.h"
 #include "Guard/SurfaceRefinement.h"
 #include "Image/VoxelTraversal.h"
 #include "Mesh/CellSurface.h"
@@ -93,38 +94,33 @@ void InsertLine(const PointList& line, BitMask& cells)
   }
 }
 
-// Lets no cell of the start surface hold a point that is to lie outside, but where the path is:
-// such a point is an error.
-void LeaveOut(const ConstraintList& constraints, FloatImage& depth)
+// Calls `body` with the indices of the cells that hold a point or touch it.
+template <typename Body>
+void ForEachCellAt(const ImageGeometry& grid, const Eigen::Vector3d& point, const Body& body)
 {
-  const ImageGeometry& grid = depth.Geometry;
-  for (const PointConstraint& constraint : constraints)
+  const VoxelBox box = BoxAround(grid, point, 0.51 * grid.Spacing[0]);
+  for (int k = box.Begin[2]; k < box.End[2]; ++k)
   {
-    if (constraint.Kind != ConstraintKind::Outside)
+    for (int j = box.Begin[1]; j < box.End[1]; ++j)
     {
-      continue;
-    }
-    const VoxelBox box = BoxAround(grid, constraint.Point, 0.51 * grid.Spacing[0]);
-    for (int k = box.Begin[2]; k < box.End[2]; ++k)
-    {
-      for (int j = box.Begin[1]; j < box.End[1]; ++j)
+      for (int i = box.Begin[0]; i < box.End[0]; ++i)
       {
-        for (int i = box.Begin[0]; i < box.End[0]; ++i)
-        {
-          depth.Voxels[grid.Offset(i, j, k)] = -1;
-        }
+        body(i, j, k);
       }
     }
   }
 }
 
-// A coarse surface within the outline, of one piece and without handles.
-DeformableSurface MakeStart(const VesselTree& tree, const ConstraintList& constraints)
+// The cells of a start surface: a ball within the outline and along the path. They hold a point of
+// `outside` only where the path is.
+BitMask StartCells(const VesselTree& tree, const PointList& outside, double edge)
 {
-  const double smallest = SmallestRadius(tree);
-  const double edge = std::max(0.8, smallest / 2);
   FloatImage depth = DepthOnGrid(tree, edge, 30);
-  LeaveOut(constraints, depth);
+  for (Eigen::Index point = 0; point < outside.rows(); ++point)
+  {
+    ForEachCellAt(depth.Geometry, outside.row(point).transpose(),
+      [&](int i, int j, int k) { depth.Voxels[depth.Geometry.Offset(i, j, k)] = -1; });
+  }
   BitMask cells = VoxelsWhere(
     depth.View(), [&](float value) { return value > 0.25 * edge; }, SerialFor);
   for (const VesselBranch& branch : tree.Branches)
@@ -139,7 +135,57 @@ DeformableSurface MakeStart(const VesselTree& tree, const ConstraintList& constr
   // The deepest cell, of equals the first.
   const auto deepest = static_cast<std::size_t>(
     std::max_element(depth.Voxels.begin(), depth.Voxels.end()) - depth.Voxels.begin());
-  const CellSurface surface = MakeCellSurface(GrowBall(cells, depth.Voxels, deepest));
+  return GrowBall(cells, depth.Voxels, deepest);
+}
+
+bool HoldsOne(const BitMask& cells, const PointList& outside)
+{
+  bool isHeld = false;
+  for (Eigen::Index point = 0; point < outside.rows(); ++point)
+  {
+    ForEachCellAt(cells.GetGeometry(), outside.row(point).transpose(),
+      [&](int i, int j, int k) { isHeld = isHeld || cells(i, j, k); });
+  }
+  return isHeld;
+}
+
+void RequireOutside(const CellSurface& surface, const PointList& outside)
+{
+  if (outside.rows() == 0)
+  {
+    return;
+  }
+  const TriangleList triangles =
+    BuildContourMesh(static_cast<int>(surface.Points.rows()), surface.Faces).Triangles;
+  for (Eigen::Index point = 0; point < outside.rows(); ++point)
+  {
+    if (WindingNumber(surface.Points, triangles, outside.row(point).transpose()) != 0)
+    {
+      throw Error(ErrorCode::UnreachablePoint,
+        NameOf({ ConstraintKind::Outside, outside.row(point).transpose(), 0 }) +
+          " lies on the vessel's path or beside it; move it away from the path, or give more "
+          "points on the vessel's way");
+    }
+  }
+}
+
+// A coarse surface within the outline, of one piece and without handles. Its cells are finer where
+// otherwise one of them would hold both the path and a point outside.
+DeformableSurface MakeStart(const VesselTree& tree, const PointList& outside)
+{
+  constexpr double leastEdge = 0.8; // mm
+  constexpr double finer = 0.7;
+  double edge = std::max(leastEdge, SmallestRadius(tree) / 2);
+  const BitMask coarse = StartCells(tree, outside, edge);
+  BitMask cells = coarse;
+  while (edge > leastEdge && HoldsOne(cells, outside))
+  {
+    edge = std::max(leastEdge, finer * edge);
+    cells = StartCells(tree, outside, edge);
+  }
+  // Cells that a point touches are not always cells around it: then the coarse ones will do.
+  const CellSurface surface = MakeCellSurface(HoldsOne(cells, outside) ? coarse : cells);
+  RequireOutside(surface, outside);
   return { BuildContourMesh(static_cast<int>(surface.Points.rows()), surface.Faces),
     surface.Points };
 }
@@ -328,6 +374,30 @@ double BeyondEnds(const VesselTree& tree, const PointList& points)
   return farthest;
 }
 
+// The middle of the sections, over a length that strikes the eye, with the least support.
+Eigen::Vector3d FaintestPlace(const VesselTree& tree)
+{
+  constexpr Eigen::Index reach = 7; // sections to either side: about 20 mm in all
+  Eigen::Vector3d faintest = tree.Branches.front().Sections.Frames.front().Origin;
+  double least = std::numeric_limits<double>::infinity();
+  for (const VesselBranch& branch : tree.Branches)
+  {
+    const Eigen::Index sections = branch.Support.size();
+    for (Eigen::Index section = 0; section < sections; ++section)
+    {
+      const Eigen::Index first = std::max<Eigen::Index>(0, section - reach);
+      const Eigen::Index last = std::min(sections - 1, section + reach);
+      const double mean = branch.Support.segment(first, last - first + 1).mean();
+      if (mean < least)
+      {
+        least = mean;
+        faintest = branch.Sections.Frames[section].Origin;
+      }
+    }
+  }
+  return faintest;
+}
+
 void AddWarnings(const ImageGeometry& geometry, VesselSegmentation& result)
 {
   constexpr double tolerance = 3; // mm
@@ -339,9 +409,11 @@ void AddWarnings(const ImageGeometry& geometry, VesselSegmentation& result)
   }
   if (result.Tree.Support < DoubtfulSupport)
   {
-    result.Warnings.push_back("the result is doubtful: the image shows only " +
-      std::to_string(std::lround(100 * result.Tree.Support)) +
-      " % of the vessel's boundary; look where the path runs, and add points on the vessel's way");
+    result.Warnings.push_back(
+      "the result is doubtful: much of the vessel's boundary is hardly visible in the image, least "
+      "of all near " +
+      TextOf(FaintestPlace(result.Tree).array().round().matrix().transpose()) +
+      " mm; look there first: where the surface is not in the vessel, add a point of the vessel");
   }
   const double beyond = BeyondEnds(result.Tree, result.Surface.Points);
   if (beyond > tolerance)
@@ -425,7 +497,7 @@ VesselSegmentation SegmentVessel(const GrayVolume& volume, const std::string& na
     return result;
   }
   CorrectOutline(constraints, result.Tree);
-  DeformableSurface start = MakeStart(result.Tree, constraints);
+  DeformableSurface start = MakeStart(result.Tree, PlacesOutside(constraints));
   result.Surface.Mesh = std::move(start.Mesh);
   result.Surface.Points = std::move(start.Points);
   result.StageSeconds[1] = watch.Lap();

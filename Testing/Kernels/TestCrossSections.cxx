@@ -1,0 +1,82 @@
+#include "ExampleMasks.h"
+#include "Vessel/StyleChoice.h"
+#include "Vessel/VesselPath.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+using namespace FlipFree;
+
+TEST(CrossSections, KeepTheirRadiusWithinABodyAsBrightAsTheVessel)
+{
+  // An upright tube of 4 mm; from 30 to 60 mm, all around is as bright.
+  FloatImage image;
+  image.Geometry = Grid({ { 60, 60, 60 } }, { 1, 1, 1.5 });
+  image.Voxels.resize(image.Geometry.NumberOfVoxels());
+  std::mt19937 random(3);
+  ForEachVoxel(image.Geometry,
+    [&](int i, int j, int k)
+    {
+      const bool isBright = std::hypot(i - 30, j - 30) < 4 || (k >= 20 && k <= 40);
+      std::normal_distribution<double> noise(0, 5);
+      image.Voxels[image.Geometry.Offset(i, j, k)] =
+        static_cast<float>((isBright ? 150 : 40) + noise(random));
+    });
+  PointList line(48, 3);
+  for (Eigen::Index place = 0; place < line.rows(); ++place)
+  {
+    line.row(place) << 30, 30, 10 + 1.5 * static_cast<double>(place);
+  }
+  const VesselSections sections = FitSections(image.View(), line,
+    Eigen::VectorXd::Constant(line.rows(), 4), ThinVessel().Sections, SerialFor);
+  const Eigen::VectorXd radii = sections.MeanRadii();
+  for (Eigen::Index section = 2; section + 2 < radii.size(); ++section)
+  {
+    const double z = sections.Frames[section].Origin[2];
+    SCOPED_TRACE(z);
+    if (z < 26 || z > 64)
+    {
+      EXPECT_NEAR(radii[section], 4, 0.5);
+    }
+    else
+    {
+      EXPECT_GT(radii[section], 3.3);
+      EXPECT_LT(radii[section], 6); // it would run away to more than 7 mm
+    }
+  }
+}
+
+TEST(CrossSections, OfHighContrastLieAtAThirdOfIt)
+{
+  // An upright tube of 10 mm, blurred by 2 mm.
+  FloatImage image;
+  image.Geometry = Grid({ { 50, 50, 30 } }, { 1, 1, 2 });
+  image.Voxels.resize(image.Geometry.NumberOfVoxels());
+  ForEachVoxel(image.Geometry,
+    [&](int i, int j, int k)
+    {
+      const double depth = 10 - std::hypot(i - 25, j - 25);
+      image.Voxels[image.Geometry.Offset(i, j, k)] =
+        static_cast<float>(60 + 140 * std::erf(depth / (2 * std::sqrt(2.0))));
+    });
+  PointList line(20, 3);
+  for (Eigen::Index place = 0; place < line.rows(); ++place)
+  {
+    line.row(place) << 25, 25, 15 + 1.5 * static_cast<double>(place);
+  }
+  const VesselSections sections = FitSections(image.View(), line,
+    Eigen::VectorXd::Constant(line.rows(), 9), WideVessel().Sections, SerialFor);
+  // A third of the contrast is 0.86 mm within the blurred boundary, 60 gray values are 1.6 mm.
+  EXPECT_NEAR(sections.MeanRadii().mean(), 9.1, 0.3);
+}
+
+TEST(StyleChoice, TheImageDecides)
+{
+  EXPECT_FALSE(MayBeWide(4, 7));
+  EXPECT_TRUE(MayBeWide(6, 7));
+  // Where the thin vessel is not that thin, a wide one need not be supported better.
+  EXPECT_LT(LeastSupportOfWide(8, 0.9, 7), 0.9);
+  EXPECT_GT(LeastSupportOfWide(6, 0.9, 7), 0.9);
+}
