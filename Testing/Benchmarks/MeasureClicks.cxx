@@ -2,7 +2,7 @@
 // methods: after each run the next click goes to the deepest voxel of the largest connected error,
 // inside if it is missed, outside if it is too much, moved by up to two voxels at random.
 //
-//   MeasureClicks [--data DIR] [--cases FILE] [--only TEXT] [--clicks N] [--seed S]
+//   MeasureClicks [--data DIR] [--cases FILE] [--only TEXT] [--clicks N] [--seed S] [--details]
 //
 // Prints a line of Dice scores per row, after 0, 1, 2, ... clicks, and the seconds per click; then
 // per organ the median, the 10th percentile and the least by number of clicks, and the clicks that
@@ -42,6 +42,7 @@ struct Options
   int Clicks = 5;
   int Seed = 1;
   int Threads = 0;
+  bool Details = false; ///< a line per click, and what is wrong at the end
 };
 
 double DiceOf(const BitMask& a, const BitMask& b)
@@ -183,6 +184,38 @@ BitMask MaskOfRuns(const std::vector<VoxelRun>& runs, const ImageGeometry& geome
   return mask;
 }
 
+// Millimeters; an error no deeper than this is one of the rim.
+constexpr double Rim = 2.5;
+
+// What is wrong: missed and too much, at the reference's rim and beyond, in percent of it.
+std::string ErrorsOf(const BitMask& found, const BitMask& reference)
+{
+  BitMask both = found;
+  both.Unite(reference);
+  const VoxelBox box = both.Bounds().Widened({ { 9, 9, 9 } }, WholeBox(found.GetGeometry()));
+  const BitMask is = found.Cropped(box);
+  const BitMask wanted = reference.Cropped(box);
+  const ImageGeometry& geometry = wanted.GetGeometry();
+  std::vector<unsigned char> inside(geometry.NumberOfVoxels(), 0);
+  wanted.ForEach([&](std::size_t voxel) { inside[voxel] = 1; });
+  const std::vector<float> in = SquaredDistance(inside, geometry, 0, SMPFor, NeverStop);
+  const std::vector<float> out = SquaredDistance(inside, geometry, 1, SMPFor, NeverStop);
+  const auto partOf = [&](const BitMask& from, const BitMask& less, const std::vector<float>& away,
+                        bool rim)
+  {
+    BitMask error = from;
+    error.Remove(less);
+    std::size_t count = 0;
+    error.ForEach([&](std::size_t voxel) { count += (away[voxel] <= Rim * Rim) == rim ? 1 : 0; });
+    return 100.0 * static_cast<double>(count) / static_cast<double>(wanted.Count());
+  };
+  char text[200];
+  std::snprintf(text, sizeof text, "missed %.1f %% at the rim, %.1f %% beyond; too much %.1f, %.1f",
+    partOf(wanted, is, in, true), partOf(wanted, is, in, false), partOf(is, wanted, out, true),
+    partOf(is, wanted, out, false));
+  return text;
+}
+
 struct Row
 {
   std::vector<double> Scores;  ///< after 0, 1, 2, ... clicks
@@ -226,9 +259,18 @@ Row MeasureRow(const Case& row, const Options& options)
     const BitMask found = MaskOfRuns(run.Voxels, reference.GetGeometry());
     result.Scores.push_back(DiceOf(found, reference));
     PointConstraint next;
+    if (options.Details)
+    {
+      std::printf("  %d: %.3f, %s\n", click, result.Scores.back(),
+        ErrorsOf(found, reference).c_str());
+    }
     if (!NextClick(found, reference, random, next))
     {
       break;
+    }
+    if (options.Details && click < options.Clicks)
+    {
+      std::printf("  %s\n", NameOf(next).c_str());
     }
     kinds += next.Kind == ConstraintKind::Inside ? '+' : '-';
     clicks.push_back(next);
@@ -288,6 +330,7 @@ int main(int argc, char* argv[])
   app.add_option("--only", options.Only, "rows whose name contains this text");
   app.add_option("--clicks", options.Clicks, "per row")->capture_default_str();
   app.add_option("--seed", options.Seed, "of the random numbers")->capture_default_str();
+  app.add_flag("--details", options.Details, "what is wrong after each click");
   app.add_option("--threads", options.Threads, "number of threads");
   CLI11_PARSE(app, argc, argv);
   vtkSMPTools::Initialize(options.Threads);
