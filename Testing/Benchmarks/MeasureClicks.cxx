@@ -200,8 +200,8 @@ std::string ErrorsOf(const BitMask& found, const BitMask& reference)
   wanted.ForEach([&](std::size_t voxel) { inside[voxel] = 1; });
   const std::vector<float> in = SquaredDistance(inside, geometry, 0, SMPFor, NeverStop);
   const std::vector<float> out = SquaredDistance(inside, geometry, 1, SMPFor, NeverStop);
-  const auto partOf = [&](const BitMask& from, const BitMask& less, const std::vector<float>& away,
-                        bool rim)
+  const auto partOf =
+    [&](const BitMask& from, const BitMask& less, const std::vector<float>& away, bool rim)
   {
     BitMask error = from;
     error.Remove(less);

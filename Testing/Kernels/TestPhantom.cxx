@@ -89,7 +89,7 @@ double LabelVolume(const Volume& volume, const ImageGeometry& grid)
 }
 
 // Contrast 1000, so that rounding to integers does not matter.
-double GrayVolume(const Volume& volume, const ImageGeometry& grid)
+double VolumeByGrayValue(const Volume& volume, const ImageGeometry& grid)
 {
   return std::accumulate(volume.Intensities.begin(), volume.Intensities.end(), 0.0) / 1000 *
     grid.Spacing.prod();
@@ -305,12 +305,12 @@ TEST_P(PlainPhantom, VolumeIsThatOfTheClosedFormAndScalesWithTheGrid)
   const ImageGeometry grid = CubeGrid(96, 1);
   const Volume volume = Sample(MakePlainPhantom(GetParam(), GridExtent(grid), 1000, 0), grid);
   const double expected = ClosedFormVolume(GetParam());
-  EXPECT_NEAR(GrayVolume(volume, grid) / expected, 1, 0.002);
+  EXPECT_NEAR(VolumeByGrayValue(volume, grid) / expected, 1, 0.002);
   EXPECT_NEAR(LabelVolume(volume, grid) / expected, 1, 0.01);
 
   const ImageGeometry other = Grid({ { 60, 100, 40 } }, { 1, 0.6, 1.5 });
   const Volume smaller = Sample(MakePlainPhantom(GetParam(), GridExtent(other), 1000, 0), other);
-  EXPECT_NEAR(GrayVolume(smaller, other) / (expected * std::pow(60.0 / 96, 3)), 1, 0.01);
+  EXPECT_NEAR(VolumeByGrayValue(smaller, other) / (expected * std::pow(60.0 / 96, 3)), 1, 0.01);
 }
 
 // Brute force: the same rule voxel by voxel, without the hierarchy.
