@@ -101,7 +101,6 @@ int main(int argc, char* argv[])
     { "spleen", vtkPhantomSource::SPLEEN, { 0.72, 0.48, 0.80 }, nullptr },
     { "right kidney", vtkPhantomSource::RIGHT_KIDNEY, { 0.95, 0.72, 0.30 }, nullptr },
     { "left kidney", vtkPhantomSource::LEFT_KIDNEY, { 0.95, 0.90, 0.45 }, nullptr },
-    { "stomach", vtkPhantomSource::STOMACH, { 0.45, 0.75, 0.50 }, nullptr },
   };
   vtkNew<vtkFlipFreeOrganGroup> group;
   group->SetInputConnection(phantom->GetOutputPort());

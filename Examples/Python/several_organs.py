@@ -34,7 +34,7 @@ else:
     image = source.GetOutput()
     seeds = {name: inputs.seed_in(source, label) for name, label in (
         ("liver", source.LIVER), ("spleen", source.SPLEEN), ("right kidney", source.RIGHT_KIDNEY),
-        ("left kidney", source.LEFT_KIDNEY), ("stomach", source.STOMACH))}
+        ("left kidney", source.LEFT_KIDNEY))}
 
 organs = flipfree.segment_organs(image, seeds)
 for name, organ in organs.items():
