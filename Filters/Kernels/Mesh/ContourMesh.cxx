@@ -9,7 +9,7 @@ namespace
 
 // The neighbors of a vertex in one face. Seen from outside, `Before` is the next neighbor after
 // `After` counter-clockwise around the vertex.
-struct Corner
+struct CornerAtVertex
 {
   int After;
   int Before;
@@ -23,7 +23,7 @@ struct Corner
       "neighbors (the edge midpoints of any closed mesh form one)");
 }
 
-std::array<int, 4> CyclicNeighbors(int vertex, const std::vector<Corner>& corners)
+std::array<int, 4> CyclicNeighbors(int vertex, const std::vector<CornerAtVertex>& corners)
 {
   if (corners.size() != 4)
   {
@@ -36,7 +36,7 @@ std::array<int, 4> CyclicNeighbors(int vertex, const std::vector<Corner>& corner
   {
     ring[slot] = neighbor;
     int next = -1;
-    for (const Corner& corner : corners)
+    for (const CornerAtVertex& corner : corners)
     {
       if (corner.After == neighbor)
       {
@@ -144,7 +144,7 @@ ContourMesh BuildContourMesh(int numberOfPoints, const FaceList& faces)
   {
     Refuse("the mesh is empty");
   }
-  std::vector<std::vector<Corner>> corners(numberOfPoints);
+  std::vector<std::vector<CornerAtVertex>> corners(numberOfPoints);
   for (int face = 0; face < faces.NumberOfFaces(); ++face)
   {
     const int* vertices = faces.Face(face);
