@@ -82,7 +82,7 @@ if ! $quick; then
     2> >(grep -v 'warnings generated' >&2)
 
   step "ParaView plugin"
-  Wrapping/ParaView/build-plugin.sh build/paraview -DFLIPFREE_WARNINGS_AS_ERRORS=ON -DCMAKE_UNITY_BUILD=ON
+  Wrapping/ParaView/build-plugin.sh build/paraview -DFLIPFREE_WARNINGS_AS_ERRORS=ON
 fi
 
 step "Tests"
