@@ -6,6 +6,7 @@
 #define ExampleMasks_h
 
 #include "Image/BitMask.h"
+#include "Measures/VoxelOverlap.h"
 
 #include <random>
 #include <vector>
@@ -19,6 +20,11 @@ inline ImageGeometry Grid(const std::array<int, 3>& dimensions, const Eigen::Vec
   geometry.Dimensions = dimensions;
   geometry.Spacing = spacing;
   return geometry;
+}
+
+inline double Dice(const BitMask& a, const BitMask& b)
+{
+  return MeasureOverlap(a, b, SerialFor).Dice();
 }
 
 template <typename Visit>

@@ -59,13 +59,6 @@ FloatImage ImageOf(const ImageGeometry& geometry, const Shape& shape, float insi
   return image;
 }
 
-double Dice(const BitMask& a, const BitMask& b)
-{
-  BitMask both = a;
-  both.Intersect(b);
-  return 2.0 * static_cast<double>(both.Count()) / static_cast<double>(a.Count() + b.Count());
-}
-
 // Of the ball of the same volume.
 double RadiusOf(const BitMask& mask)
 {

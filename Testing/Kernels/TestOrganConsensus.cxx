@@ -62,13 +62,6 @@ struct Organ
   }
 };
 
-double OverlapOf(const BitMask& a, const BitMask& b)
-{
-  BitMask both = a;
-  both.Intersect(b);
-  return 2.0 * static_cast<double>(both.Count()) / static_cast<double>(a.Count() + b.Count());
-}
-
 // The ball without what lies beyond a plane.
 BitMask CutOff(const Organ& organ, int first)
 {
@@ -200,18 +193,18 @@ TEST(OrganConsensus, DoubtsWhatCarvingChanged)
 TEST(OrganConsensus, LeavesARightForegroundAsItIs)
 {
   const Organ organ;
-  EXPECT_GT(OverlapOf(organ.Consensus(organ.Mask), organ.Mask), 0.98);
+  EXPECT_GT(Dice(organ.Consensus(organ.Mask), organ.Mask), 0.98);
 }
 
 TEST(OrganConsensus, RestoresWhatCarvingTookAway)
 {
   const Organ organ;
   const BitMask carved = CutOff(organ, 42);
-  EXPECT_LT(OverlapOf(carved, organ.Mask), 0.9);
+  EXPECT_LT(Dice(carved, organ.Mask), 0.9);
   const BitMask consensus = organ.Consensus(carved);
-  EXPECT_GT(OverlapOf(consensus, organ.Mask), 0.97);
+  EXPECT_GT(Dice(consensus, organ.Mask), 0.97);
   EXPECT_EQ(organ.Consensus(carved, 1, ScatteredFor), consensus);
-  EXPECT_GT(OverlapOf(organ.Consensus(carved, 37), consensus), 0.999);
+  EXPECT_GT(Dice(organ.Consensus(carved, 37), consensus), 0.999);
 }
 
 TEST(OrganConsensus, IsNotUnanimousWhereItRestores)
@@ -224,15 +217,15 @@ TEST(OrganConsensus, IsNotUnanimousWhereItRestores)
   ASSERT_TRUE(SeekConsensus(image.View(), organ.Seed, organ.Noise, Modality::MR, organ.Settings,
     SerialFor, NeverStop, mask, &unanimity));
   EXPECT_GT(unanimity, 0.5);
-  EXPECT_LE(unanimity, OverlapOf(carved, mask) + 1e-9);
+  EXPECT_LE(unanimity, Dice(carved, mask) + 1e-9);
 }
 
 TEST(OrganConsensus, StartsAnewWhereAllHasLeaked)
 {
   const Organ organ;
   const BitMask leaked = BallMask(organ.Geometry, 30);
-  EXPECT_LT(OverlapOf(leaked, organ.Mask), 0.5);
-  EXPECT_GT(OverlapOf(organ.Consensus(leaked), organ.Mask), 0.95);
+  EXPECT_LT(Dice(leaked, organ.Mask), 0.5);
+  EXPECT_GT(Dice(organ.Consensus(leaked), organ.Mask), 0.95);
 }
 
 TEST(OrganConsensus, StopsAtOnce)

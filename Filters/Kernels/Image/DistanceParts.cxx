@@ -28,11 +28,12 @@ public:
 
   DistanceParts Execute()
   {
-    for (const int voxel : OrderByDistance(this->Distance))
+    const std::vector<int> order = OrderByDistance(this->Distance);
+    for (const int voxel : order)
     {
       this->Enter(voxel);
     }
-    return this->Number();
+    return this->Number(order);
   }
 
 private:
@@ -83,7 +84,6 @@ private:
     if (count == 0)
     {
       this->Parent[voxel] = voxel;
-      this->Peaks.push_back(voxel);
       return;
     }
     int root = roots[0];
@@ -110,26 +110,20 @@ private:
     }
   }
 
-  // Parts come in the order of their peaks, but voxels in that of the memory.
-  DistanceParts Number()
+  DistanceParts Number(const std::vector<int>& order)
   {
     DistanceParts parts;
     parts.PartOf.assign(this->Distance.size(), DistanceParts::Outside);
-    for (const int peak : this->Peaks)
+    for (const int voxel : order) // roots come before the other voxels of their parts
     {
-      if (this->Parent[peak] == peak)
+      const int root = this->Root(voxel);
+      if (root == voxel)
       {
-        parts.PartOf[peak] = static_cast<int>(parts.Peaks.size());
-        parts.Peaks.push_back(this->Distance[peak]);
-        parts.HoldsSeed.push_back(this->IsSeed[peak]);
+        parts.PartOf[voxel] = static_cast<int>(parts.Peaks.size());
+        parts.Peaks.push_back(this->Distance[voxel]);
+        parts.HoldsSeed.push_back(this->IsSeed[voxel]);
       }
-    }
-    for (int voxel = 0; voxel < static_cast<int>(this->Parent.size()); ++voxel)
-    {
-      if (this->Parent[voxel] >= 0)
-      {
-        parts.PartOf[voxel] = parts.PartOf[this->Root(voxel)];
-      }
+      parts.PartOf[voxel] = parts.PartOf[root];
     }
     return parts;
   }
@@ -138,7 +132,6 @@ private:
   const std::array<int, 3> Size;
   const float SquaredRatio;
   std::vector<int> Parent;
-  std::vector<int> Peaks;   // also those of parts that have since joined others
   std::vector<bool> IsSeed; // at a root: of the whole part
 };
 

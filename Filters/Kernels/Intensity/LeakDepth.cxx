@@ -12,7 +12,7 @@ namespace
 
 // A neck is narrower than this part of the hill's depth, whose core is deeper than the other part.
 constexpr double NeckRatio = 0.85;
-constexpr double DeepestShare = 0.6;
+constexpr double CoreShare = 0.6;
 // No deeper place than a point on top is farther away than this part of its depth.
 constexpr double PeakPart = 0.5;
 // No organ is deeper than so many seed radii, as far as the seed tells.
@@ -61,7 +61,7 @@ bool FindLeakDepth(const std::vector<unsigned char>& inside, const BlockGrid& gr
   result.IsCore.assign(squaredDepth.size(), false);
   if (result.HasNeck)
   {
-    const double least = std::max<double>(hill.Saddle, DeepestShare * DeepestShare * hill.Peak);
+    const double least = std::max<double>(hill.Saddle, CoreShare * CoreShare * hill.Peak);
     for (std::size_t block = 0; block < squaredDepth.size(); ++block)
     {
       result.IsCore[block] = hill.Holds[block] && squaredDepth[block] >= least;

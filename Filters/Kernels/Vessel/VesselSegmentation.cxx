@@ -149,17 +149,11 @@ bool HoldsOne(const BitMask& cells, const PointList& outside)
   return isHeld;
 }
 
-void RequireOutside(const CellSurface& surface, const PointList& outside)
+void RequireOutside(const DeformableSurface& surface, const PointList& outside)
 {
-  if (outside.rows() == 0)
-  {
-    return;
-  }
-  const TriangleList triangles =
-    BuildContourMesh(static_cast<int>(surface.Points.rows()), surface.Faces).Triangles;
   for (Eigen::Index point = 0; point < outside.rows(); ++point)
   {
-    if (WindingNumber(surface.Points, triangles, outside.row(point).transpose()) != 0)
+    if (WindingNumber(surface.Points, surface.Mesh.Triangles, outside.row(point).transpose()) != 0)
     {
       throw Error(ErrorCode::UnreachablePoint,
         NameOf({ ConstraintKind::Outside, outside.row(point).transpose(), 0 }) +
@@ -185,9 +179,10 @@ DeformableSurface MakeStart(const VesselTree& tree, const PointList& outside)
   }
   // Cells that a point touches are not always cells around it: then the coarse ones will do.
   const CellSurface surface = MakeCellSurface(HoldsOne(cells, outside) ? coarse : cells);
-  RequireOutside(surface, outside);
-  return { BuildContourMesh(static_cast<int>(surface.Points.rows()), surface.Faces),
+  DeformableSurface start{ BuildContourMesh(static_cast<int>(surface.Points.rows()), surface.Faces),
     surface.Points };
+  RequireOutside(start, outside);
+  return start;
 }
 
 // Deforms the start onto the outline.
