@@ -1,100 +1,51 @@
 // The page as a radiologist uses it, in Chromium: opens images, places seeds by mouse, runs, cancels, undoes, saves.
 import assert from "node:assert/strict";
-import { mkdirSync, mkdtempSync, readFileSync, readdirSync, rmSync, writeFileSync } from "node:fs";
-import { tmpdir } from "node:os";
+import { mkdirSync, readFileSync, readdirSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
-import { serve, startChromium } from "./Browser.mjs";
 import { dicomFiles } from "./Dicom.mjs";
+import {
+  blue,
+  chooseTool,
+  chromium,
+  clickAt,
+  closePage,
+  coloredPixels,
+  corrected,
+  countPoints,
+  errorText,
+  green,
+  nextFits,
+  numberIn,
+  open,
+  openPage,
+  page,
+  panelFits,
+  picture,
+  result,
+  saved,
+  scratch,
+  segment,
+  server,
+  status,
+  typeSeed,
+  volume,
+  yellow,
+} from "./Page.mjs";
 import { command, dice, readNiftiFile, seed, seedsOf } from "./Support.mjs";
+import { hugeHeader, metaImage, nrrd } from "./Volumes.mjs";
 
-const pictures = process.env.FLIPFREE_PICTURES;
-const scratch = mkdtempSync(join(tmpdir(), "flipfree-"));
-const result = (name) => join(scratch, name);
-
-let server;
-let chromium;
-let page;
 let sphere;
-
-const status = (text) => page.waitForFunction((wanted) => document.getElementById("status").textContent.startsWith(wanted), text, { timeout: 60_000 });
-const errorText = async () => {
-  await page.waitForFunction(() => document.getElementById("error").textContent, null, { timeout: 60_000 });
-  return page.textContent("#error");
-};
-const numberIn = async (field) => Number(await page.inputValue(field));
-
-async function picture(name) {
-  if (pictures) {
-    mkdirSync(pictures, { recursive: true });
-    await page.screenshot({ path: join(pictures, `${name}.png`) });
-  }
-}
-
-async function saved(button) {
-  const [download] = await Promise.all([page.waitForEvent("download"), page.click(button)]);
-  const path = result(download.suggestedFilename());
-  await download.saveAs(path);
-  await status("Saved");
-  return path;
-}
-
-async function open(files, input = "#files") {
-  await page.setInputFiles(input, files);
-  await status("Place the seed");
-}
-
-/** The seed's numbers typed in. */
-async function typeSeed({ center, radius }) {
-  const values = { "#seed-x": center[0], "#seed-y": center[1], "#seed-z": center[2], "#seed-radius": radius };
-  for (const [field, value] of Object.entries(values)) {
-    await page.fill(field, `${value}`);
-    await page.press(field, "Tab");
-  }
-}
-
-async function segment() {
-  await page.click("#run");
-  await page.waitForFunction(() => /^Segmented/.test(document.getElementById("status").textContent) || document.getElementById("error").textContent, null, { timeout: 120_000 });
-  assert.equal(await page.textContent("#error"), "");
-}
-
-/** Pixels of the overlay that have a color, in the four quarters. */
-function coloredPixels(color) {
-  return page.evaluate((wanted) => {
-    const overlay = document.getElementById("overlay");
-    const { data, width } = overlay.getContext("2d").getImageData(0, 0, overlay.width, overlay.height);
-    const quarters = [0, 0, 0, 0];
-    for (let pixel = 0; pixel < data.length / 4; ++pixel) {
-      if (wanted.every((value, channel) => Math.abs(data[4 * pixel + channel] - value) < 20) && data[4 * pixel + 3] > 200) {
-        const isRight = pixel % width >= width / 2;
-        const isLow = Math.floor(pixel / width) >= overlay.height / 2;
-        ++quarters[2 * isLow + isRight];
-      }
-    }
-    return quarters;
-  }, color);
-}
-
-const yellow = [255, 210, 74]; // the first organ's
-const green = [143, 227, 136]; // the second's
-const blue = [64, 153, 255]; // of doubtful places
 
 before(async () => {
   command(scratch, "phantom", "abdomen", "-o", ".");
   command(scratch, "segment", "abdomen.nii.gz", "--seed", ...seed.center.map(String), "--radius", `${seed.radius}`,
     "--labels", "native.nii.gz");
   sphere = seedsOf(command(scratch, "phantom", "sphere", "--size", "64", "64", "40", "--spacing", "1", "1", "1.6", "-o", "."))[0];
-  server = await serve(process.env.FLIPFREE_BROWSER_PAGE);
-  chromium = await startChromium();
-  page = await chromium.openPage(server.address);
+  await openPage();
 });
 
-after(async () => {
-  await chromium?.close();
-  await server?.stop();
-  rmSync(scratch, { recursive: true });
-});
+after(closePage);
 
 test("the built-in abdomen: seed by mouse, liver, saved files", async () => {
   await page.click("#open-phantom");
@@ -179,31 +130,6 @@ test("contours lie on the slices alone, and go and come back by undo and redo", 
 });
 
 /** After a click that renews the surface. */
-async function corrected() {
-  await page.waitForFunction(() => /^Corrected/.test(document.getElementById("status").textContent) || document.getElementById("error").textContent, null, { timeout: 120_000 });
-  assert.equal(await page.textContent("#error"), "");
-}
-
-/** The button of doubtful places is whole in sight, in the part of the panel that scrolls. */
-const nextFits = () =>
-  page.evaluate(() => {
-    const [next, part] = ["next-doubt", "run-controls"].map((id) => document.getElementById(id).getBoundingClientRect());
-    return next.height > 10 && next.top >= part.top && next.bottom <= part.bottom;
-  });
-
-/** All of the panel is to be seen at 1280 x 720. */
-const panelFits = () => page.$eval("aside", (panel) => panel.scrollHeight <= panel.clientHeight + 1 && panel.scrollWidth <= panel.clientWidth);
-
-const chooseTool = (tool) => page.locator(`[name=tool][value=${tool}]`).check({ force: true });
-const volume = async () => Number((await page.textContent("#result")).match(/([\d.]+) ml/)[1]);
-const countPoints = () => page.locator("#points li").count();
-
-/** Clicks in a quarter of the slices, at parts of its width and height. */
-async function clickAt(column, row, x, y) {
-  const box = await page.locator("#overlay").boundingBox();
-  await page.mouse.click(box.x + ((column + x) * box.width) / 2, box.y + ((row + y) * box.height) / 2);
-}
-
 test("points by mouse and keys correct the liver: undo, redo, edit, remove", async () => {
   await page.selectOption("#phantom-seed", "6");
   await typeSeed(seed);
@@ -691,57 +617,4 @@ function filesOf(folder, path = "/") {
   return readdirSync(join(folder, path), { withFileTypes: true }).flatMap((entry) =>
     entry.isDirectory() ? filesOf(folder, `${path}${entry.name}/`) : [`${path}${entry.name}`],
   );
-}
-
-/** A NIfTI header of a volume that no browser could hold. */
-function hugeHeader() {
-  const header = Buffer.alloc(400);
-  header.writeInt32LE(348, 0);
-  [3, 4096, 4096, 4096, 1, 1, 1, 1].forEach((value, at) => header.writeInt16LE(value, 40 + 2 * at));
-  header.writeInt16LE(4, 70);
-  header.writeInt16LE(16, 72);
-  [1, 1, 1, 1].forEach((value, at) => header.writeFloatLE(value, 76 + 4 * at));
-  header.writeFloatLE(352, 108);
-  header.write("n+1\0", 344, "latin1");
-  return header;
-}
-
-function columnsOf({ direction }) {
-  return [0, 1, 2].map((axis) => [0, 1, 2].map((row) => direction[3 * row + axis]));
-}
-
-function metaImage(grid, voxels) {
-  const header = [
-    "ObjectType = Image",
-    "NDims = 3",
-    "BinaryData = True",
-    "BinaryDataByteOrderMSB = False",
-    "CompressedData = False",
-    `TransformMatrix = ${columnsOf(grid).flat().join(" ")}`,
-    `Offset = ${grid.origin.join(" ")}`,
-    `ElementSpacing = ${grid.spacing.join(" ")}`,
-    `DimSize = ${grid.size.join(" ")}`,
-    "ElementType = MET_SHORT",
-    "ElementDataFile = LOCAL\n",
-  ].join("\n");
-  return Buffer.concat([Buffer.from(header), Buffer.from(voxels.buffer)]);
-}
-
-function nrrd(grid, voxels) {
-  const vector = (numbers) => `(${numbers.join(",")})`;
-  const directions = columnsOf(grid).map((column, axis) => vector(column.map((value) => value * grid.spacing[axis])));
-  const header = [
-    "NRRD0004",
-    "type: short",
-    "dimension: 3",
-    "space: left-posterior-superior",
-    `sizes: ${grid.size.join(" ")}`,
-    `space directions: ${directions.join(" ")}`,
-    "kinds: domain domain domain",
-    "endian: little",
-    "encoding: raw",
-    `space origin: ${vector(grid.origin)}`,
-    "\n",
-  ].join("\n");
-  return Buffer.concat([Buffer.from(header), Buffer.from(voxels.buffer)]);
 }

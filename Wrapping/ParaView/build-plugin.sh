@@ -44,7 +44,8 @@ if $gets_paraview; then
   options+=("-DParaView_DIR=$(dirname "$config")")
 fi
 
-cmake -S "$here" -B "$folder" -G Ninja -DFLIPFREE_USE_CCACHE=ON "${options[@]}"
+# Several sources at a time: most of the time goes into headers.
+cmake -S "$here" -B "$folder" -G Ninja -DFLIPFREE_USE_CCACHE=ON -DCMAKE_UNITY_BUILD=ON "${options[@]}"
 cmake --build "$folder" --parallel "${FLIPFREE_JOBS:-$(nproc)}"
 
 plugin=$(find "$folder" -name FlipFree.so -print -quit)

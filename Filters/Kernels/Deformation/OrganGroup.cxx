@@ -3,14 +3,11 @@
 #include "Deformation/JointDeformation.h"
 #include "Error.h"
 #include "Geometry/SelfIntersection.h"
-#include "Geometry/WindingNumber.h"
 #include "Intensity/OrganDivision.h"
-#include "Mesh/MeshUnion.h"
 #include "MessageText.h"
 #include "Stopwatch.h"
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
 #include <stdexcept>
 #include <tuple>
@@ -21,41 +18,6 @@ namespace FlipFree
 namespace
 {
 
-DeformableSurface UnionOf(const std::vector<const DeformableSurface*>& surfaces)
-{
-  DeformableSurface all;
-  all.Points.resize(0, 3);
-  for (const DeformableSurface* surface : surfaces)
-  {
-    AppendMesh(surface->Mesh, all.Mesh);
-    AppendPoints(surface->Points, all.Points);
-  }
-  return all;
-}
-
-// Of embedded surfaces. Exact.
-bool MeetOrNest(const std::vector<const DeformableSurface*>& surfaces,
-  const ParallelFor& parallelFor)
-{
-  const DeformableSurface all = UnionOf(surfaces);
-  return CountSelfIntersections(all.Points, all.Mesh.Faces, parallelFor) > 0 ||
-    !NoneIsWithinAnother(surfaces);
-}
-
-std::vector<PointConstraint> SpheresOf(const SeedSphere& seed, const ConstraintList& constraints)
-{
-  std::vector<PointConstraint> spheres{ { ConstraintKind::Seed, seed.Center, seed.Radius } };
-  std::copy_if(constraints.begin(), constraints.end(), std::back_inserter(spheres),
-    [](const PointConstraint& constraint) { return constraint.Kind == ConstraintKind::Seed; });
-  return spheres;
-}
-
-std::string TextOf(const PointConstraint& sphere)
-{
-  return "the sphere of " + std::to_string(std::lround(sphere.Radius)) + " mm at " +
-    FlipFree::TextOf(sphere.Point) + " mm";
-}
-
 bool IsWithin(const VoxelBox& box, const std::array<int, 3>& voxel)
 {
   bool within = true;
@@ -64,122 +26,6 @@ bool IsWithin(const VoxelBox& box, const std::array<int, 3>& voxel)
     within = within && box.Begin[axis] <= voxel[axis] && voxel[axis] < box.End[axis];
   }
   return within;
-}
-
-// What is known of an organ before it is segmented.
-struct KnownOrgan
-{
-  std::string Name;
-  std::vector<PointConstraint> Spheres; // of the seeds
-  ConstraintList Points;
-};
-
-void RequireSpheresApart(const KnownOrgan& one, const KnownOrgan& two)
-{
-  for (const PointConstraint& sphere : one.Spheres)
-  {
-    for (const PointConstraint& other : two.Spheres)
-    {
-      if ((sphere.Point - other.Point).norm() < sphere.Radius + other.Radius)
-      {
-        throw Error(ErrorCode::OutOfRange,
-          "the seeds of " + one.Name + " and " + two.Name + " overlap: " + TextOf(sphere) +
-            " and " + TextOf(other) + "; move them apart, or lower a radius");
-      }
-    }
-  }
-}
-
-void RequireNoPointInSpheres(const KnownOrgan& one, const KnownOrgan& two)
-{
-  for (const PointConstraint& sphere : one.Spheres)
-  {
-    for (const PointConstraint& point : two.Points)
-    {
-      if (point.Kind != ConstraintKind::Outside &&
-        (sphere.Point - point.Point).norm() < sphere.Radius)
-      {
-        throw Error(ErrorCode::OutOfRange,
-          NameOf(point) + " of " + two.Name + " lies in the seed of " + one.Name +
-            "; move one of them, or lower the radius");
-      }
-    }
-  }
-}
-
-void RequirePlacesApart(const KnownOrgan& one, const KnownOrgan& two, double same)
-{
-  for (const PointConstraint& point : one.Points)
-  {
-    for (const PointConstraint& other : two.Points)
-    {
-      if (point.Kind == ConstraintKind::Inside &&
-        (other.Kind == ConstraintKind::Inside || other.Kind == ConstraintKind::Boundary) &&
-        (point.Point - other.Point).norm() <= same)
-      {
-        throw Error(ErrorCode::OutOfRange,
-          NameOf(point) + " of " + one.Name + " and " + NameOf(other) + " of " + two.Name +
-            " are at one place; take one of them away");
-      }
-    }
-  }
-}
-
-bool Contains(const FixedSurface& fixed, const Eigen::Vector3d& point)
-{
-  return WindingNumber(fixed.Surface.Points, fixed.Surface.Mesh.Triangles, point) != 0;
-}
-
-void RequireSphereOutside(const FixedSurface& fixed, const PointConstraint& sphere,
-  const std::string& organ)
-{
-  const SurfacePlace nearest =
-    ClosestPlace(fixed.Surface.Points, fixed.Surface.Mesh.Triangles, sphere.Point);
-  if ((nearest.Point - sphere.Point).norm() < sphere.Radius || Contains(fixed, sphere.Point))
-  {
-    throw Error(ErrorCode::OutOfRange,
-      "a seed of " + organ + ", " + TextOf(sphere) + ", meets " + fixed.Name +
-        ", which stays as it is; move the seed, or lower its radius");
-  }
-}
-
-void RequireOutside(const FixedSurface& fixed, const KnownOrgan& organ)
-{
-  for (const PointConstraint& point : organ.Points)
-  {
-    if (point.Kind != ConstraintKind::Outside && Contains(fixed, point.Point))
-    {
-      throw Error(ErrorCode::UnreachablePoint,
-        NameOf(point) + " of " + organ.Name + " lies in " + fixed.Name +
-          ", which stays as it is; move the point");
-    }
-    if (point.Kind == ConstraintKind::Seed)
-    {
-      RequireSphereOutside(fixed, point, organ.Name);
-    }
-  }
-}
-
-void RequireNames(const std::vector<SeededOrgan>& organs)
-{
-  if (organs.empty())
-  {
-    throw Error(ErrorCode::OutOfRange, "there is no organ; give each a name and a seed");
-  }
-  std::vector<std::string> names;
-  names.reserve(organs.size());
-  for (const SeededOrgan& organ : organs)
-  {
-    names.push_back(organ.Name);
-  }
-  std::sort(names.begin(), names.end());
-  const auto twice = std::adjacent_find(names.begin(), names.end());
-  if (names.front().empty() || twice != names.end())
-  {
-    throw Error(ErrorCode::OutOfRange,
-      names.front().empty() ? "an organ has no name; give each one of its own"
-                            : "two organs are named " + *twice + "; give each a name of its own");
-  }
 }
 
 void RequireSettings(const OrganSegmentationSettings& method)
@@ -199,7 +45,6 @@ struct OrganGroup::Member
   std::size_t Index; // in the order of the caller
   std::string Name;
   SeedSphere Seed;
-  SeedSphere Start;
   VolumeSegmenter Segmenter;
 
   // Of the present call.
@@ -258,17 +103,21 @@ OrganGroup::OrganGroup(const GrayVolume& volume, const std::string& name,
   , Fixed(std::move(fixed))
   , Threads(threading)
 {
-  RequireNames(organs);
+  std::vector<std::string> names;
+  names.reserve(organs.size());
+  for (const SeededOrgan& organ : organs)
+  {
+    names.push_back(organ.Name);
+  }
+  RequireDistinctNames(names);
   RequireSettings(settings.Method);
   for (std::size_t index = 0; index < organs.size(); ++index)
   {
     const SeededOrgan& organ = organs[index];
-    const SeedSphere start{ organ.Seed.Center + settings.StartCenterOffset,
-      settings.StartScale * organ.Seed.Radius };
     this->Members.push_back(NamingSurface(organ.Name,
       [&]
       {
-        return std::make_unique<Member>(Member{ index, organ.Name, organ.Seed, start,
+        return std::make_unique<Member>(Member{ index, organ.Name, organ.Seed,
           VolumeSegmenter(volume, name, organ.Seed, nullptr, settings, threading), {}, {}, {},
           nullptr, 0 });
       }));
@@ -284,81 +133,26 @@ OrganGroup::OrganGroup(const GrayVolume& volume, const std::string& name,
       return keyOf(*one) < keyOf(*two);
     });
   this->RequirePointsApart(std::vector<ConstraintList>(this->Members.size()));
-  this->RequireStartsApart();
+  std::vector<OrganStart> starts;
+  for (const auto& member : this->Members)
+  {
+    const SeedSphere sphere{ member->Seed.Center + settings.StartCenterOffset,
+      settings.StartScale * member->Seed.Radius };
+    starts.push_back({ member->Name, member->Seed, sphere, member->Segmenter.StartWithin({}) });
+  }
+  RequireStartsApart(starts, this->Fixed, this->Threads.For);
 }
 
 OrganGroup::~OrganGroup() = default;
 
-// The start spheres and the fixed surfaces.
-void OrganGroup::RequireStartsApart() const
-{
-  for (auto one = this->Members.begin(); one != this->Members.end(); ++one)
-  {
-    for (auto two = one + 1; two != this->Members.end(); ++two)
-    {
-      const SeedSphere& start = (*one)->Start;
-      const SeedSphere& other = (*two)->Start;
-      if ((start.Center - other.Center).norm() < start.Radius + other.Radius)
-      {
-        throw Error(ErrorCode::OutOfRange,
-          "the start spheres of " + (*one)->Name + " and " + (*two)->Name +
-            " overlap; lower StartScale, or move the seeds apart");
-      }
-    }
-    const DeformableSurface start = (*one)->Segmenter.StartWithin({});
-    for (const FixedSurface& surface : this->Fixed)
-    {
-      if (MeetOrNest({ &start, &surface.Surface }, this->Threads.For))
-      {
-        throw Error(ErrorCode::OutOfRange,
-          "the start sphere of " + (*one)->Name + " meets " + surface.Name +
-            ", which stays as it is; move the seed, or lower its radius");
-      }
-      RequireSphereOutside(surface, SpheresOf((*one)->Seed, {}).front(), (*one)->Name);
-    }
-  }
-  for (auto one = this->Fixed.begin(); one != this->Fixed.end(); ++one)
-  {
-    for (auto two = one + 1; two != this->Fixed.end(); ++two)
-    {
-      if (MeetOrNest({ &one->Surface, &two->Surface }, this->Threads.For))
-      {
-        throw Error(ErrorCode::SelfIntersecting,
-          one->Name + " and " + two->Name +
-            " meet; of surfaces that stay as they are, none may "
-            "meet another or lie in it");
-      }
-    }
-  }
-}
-
-// The seeds and points of different organs, and those of each from the fixed surfaces.
 void OrganGroup::RequirePointsApart(const std::vector<ConstraintList>& constraints) const
 {
-  const double same = 1e-3 * this->Geometry.Spacing.minCoeff();
-  const auto knownOf = [&](const std::unique_ptr<Member>& member)
-  {
-    const ConstraintList& points = constraints[member->Index];
-    return KnownOrgan{ member->Name, SpheresOf(member->Seed, points), points };
-  };
+  std::vector<KnownOrgan> known;
   for (const auto& member : this->Members)
   {
-    const KnownOrgan one = knownOf(member);
-    for (const auto& other : this->Members)
-    {
-      if (other != member)
-      {
-        const KnownOrgan two = knownOf(other);
-        RequireSpheresApart(one, two);
-        RequireNoPointInSpheres(one, two);
-        RequirePlacesApart(one, two, same);
-      }
-    }
-    for (const FixedSurface& surface : this->Fixed)
-    {
-      RequireOutside(surface, one);
-    }
+    known.push_back({ member->Name, member->Seed, constraints[member->Index] });
   }
+  FlipFree::RequirePointsApart(known, this->Fixed, 1e-3 * this->Geometry.Spacing.minCoeff());
 }
 
 // What is certain of the other organs, as far as this one can reach.

@@ -13,6 +13,7 @@
 #ifndef FlipFreeOrganGroup_h
 #define FlipFreeOrganGroup_h
 
+#include "Deformation/OrganConflicts.h"
 #include "Deformation/VolumeSegmentation.h"
 #include "Image/BitMask.h"
 
@@ -27,13 +28,6 @@ struct SeededOrgan
 {
   std::string Name; ///< of its own
   SeedSphere Seed;
-};
-
-/// A surface that stays as it is, and that the organs must not meet: an earlier result.
-struct FixedSurface
-{
-  std::string Name;
-  DeformableSurface Surface;
 };
 
 /// Sees the iterations of the organ with that index.
@@ -65,7 +59,6 @@ public:
 
 private:
   struct Member;
-  void RequireStartsApart() const;
   void RequirePointsApart(const std::vector<ConstraintList>& constraints) const;
   void FindPointsOfOthers(Member& member) const;
   BitMask FixedVoxels(const ImageGeometry& region) const;

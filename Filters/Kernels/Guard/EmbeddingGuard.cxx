@@ -18,7 +18,7 @@ namespace
 {
 
 // Relative to the typical edge length.
-constexpr double RelativeGap = 1e-3;
+constexpr double WantedPartOfEdge = 1e-3;
 
 // By how much farther a vertex may move at its own scale than at its neighbor's, in typical edge
 // lengths: a region whose motion is long is slowed as a whole instead of being sheared where the
@@ -218,7 +218,7 @@ GuardReport EmbeddingGuard::Limit(const PointList& points, PointList& displaceme
   const double edgeLength = TypicalEdgeLength(this->Neighbors, points);
   MinimumDistance distance;
   distance.Resolution = RelativeResolution * (points.cwiseAbs().maxCoeff() + maximum);
-  distance.Wanted = std::max(RelativeGap * edgeLength, 2 * distance.Resolution);
+  distance.Wanted = std::max(WantedPartOfEdge * edgeLength, 2 * distance.Resolution);
 
   StepLimiter step(points, CutToLength(displacements, maximum), this->Neighbors,
     RelativeShear * edgeLength, edgeLength);

@@ -12,18 +12,19 @@ namespace
 template <typename Visit>
 void VisitWords(int begin, int end, const Visit& visit)
 {
-  using Word = BitMask::Word;
   if (begin >= end)
   {
     return;
   }
   const int first = begin / BitMask::BitsOfWord;
   const int last = (end - 1) / BitMask::BitsOfWord;
-  const Word fromBegin = ~Word(0) << (begin % BitMask::BitsOfWord);
-  const Word toEnd = ~Word(0) >> (BitMask::BitsOfWord - 1 - (end - 1) % BitMask::BitsOfWord);
+  const BitMask::Word fromBegin = ~BitMask::Word(0) << (begin % BitMask::BitsOfWord);
+  const BitMask::Word toEnd =
+    ~BitMask::Word(0) >> (BitMask::BitsOfWord - 1 - (end - 1) % BitMask::BitsOfWord);
   for (int word = first; word <= last; ++word)
   {
-    visit(word, (word == first ? fromBegin : ~Word(0)) & (word == last ? toEnd : ~Word(0)));
+    visit(word,
+      (word == first ? fromBegin : ~BitMask::Word(0)) & (word == last ? toEnd : ~BitMask::Word(0)));
   }
 }
 

@@ -1,0 +1,111 @@
+#include "CheckedPolygons.h"
+
+#include "Failure.h"
+#include "PolygonFile.h"
+
+#include "vtkIdList.h"
+
+#include <cmath>
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+
+namespace Command
+{
+
+void CheckedPolygons::AddPoint(const double* point)
+{
+  constexpr double greatest = 1e9; // mm
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    if (!(std::abs(point[axis]) <= greatest))
+    {
+      throw Failure("the position of vertex " + std::to_string(this->NumberOfPoints()) +
+        " is not finite, or beyond 1e9 mm");
+    }
+  }
+  this->Points->InsertNextPoint(point);
+}
+
+void CheckedPolygons::AddFace(const std::vector<vtkIdType>& vertices)
+{
+  const std::string face = "face " + std::to_string(this->Cells->GetNumberOfCells());
+  if (vertices.size() < 3)
+  {
+    throw Failure(face + " has fewer than three vertices");
+  }
+  for (const vtkIdType vertex : vertices)
+  {
+    if (vertex < 0 || vertex >= this->NumberOfPoints())
+    {
+      throw Failure(face + " has a vertex that does not exist");
+    }
+  }
+  this->Cells->InsertNextCell(static_cast<vtkIdType>(vertices.size()), vertices.data());
+}
+
+vtkSmartPointer<vtkPolyData> CheckedPolygons::Surface() const
+{
+  auto surface = vtkSmartPointer<vtkPolyData>::New();
+  surface->SetPoints(this->Points);
+  surface->SetPolys(this->Cells);
+  return surface;
+}
+
+std::string Contents(const std::string& name)
+{
+  std::ifstream file(name, std::ios::binary);
+  std::string bytes{ std::istreambuf_iterator<char>(file), {} };
+  if (!file)
+  {
+    throw Failure("it may not be read");
+  }
+  return bytes;
+}
+
+double NumberIn(const std::string& word)
+{
+  char* end = nullptr;
+  const double number = std::strtod(word.c_str(), &end);
+  if (word.empty() || end != word.c_str() + word.size())
+  {
+    throw Failure("a word is no number where one is wanted");
+  }
+  return number;
+}
+
+vtkIdType IndexIn(double number)
+{
+  constexpr double greatest = 9e15; // whole numbers are exact so far
+  if (!(std::abs(number) < greatest) || number != std::floor(number))
+  {
+    throw Failure("an index or a count is no whole number");
+  }
+  return static_cast<vtkIdType>(number);
+}
+
+vtkSmartPointer<vtkPolyData> JudgedPolygons(vtkPolyData* surface)
+{
+  if (!surface->GetPolys()->IsValid())
+  {
+    throw Failure("its list of faces is damaged");
+  }
+  CheckedPolygons polygons;
+  double point[3];
+  for (vtkIdType vertex = 0; vertex < surface->GetNumberOfPoints(); ++vertex)
+  {
+    surface->GetPoint(vertex, point);
+    polygons.AddPoint(point);
+  }
+  vtkNew<vtkIdList> vertices;
+  std::vector<vtkIdType> face;
+  for (vtkIdType cell = 0; cell < surface->GetNumberOfPolys(); ++cell)
+  {
+    surface->GetPolys()->GetCellAtId(cell, vertices);
+    face.assign(vertices->begin(), vertices->end());
+    polygons.AddFace(face);
+  }
+  return polygons.Surface();
+}
+
+} // namespace Command

@@ -1,0 +1,116 @@
+#include "PolygonFile.h"
+
+#include "CheckedPolygons.h"
+#include "Failure.h"
+
+#include <array>
+#include <cstdint>
+#include <cstring>
+#include <map>
+#include <sstream>
+
+namespace Command
+{
+namespace
+{
+
+constexpr std::size_t StlHeader = 84;
+constexpr std::size_t StlTriangle = 50;
+
+std::size_t NumberOfStlTriangles(const std::string& bytes)
+{
+  std::uint32_t count = 0;
+  std::memcpy(&count, &bytes[StlHeader - sizeof(count)], sizeof(count));
+  return count;
+}
+
+/// Files of text begin with `solid`, and so do some binary ones.
+bool IsBinaryStl(const std::string& bytes)
+{
+  const bool beginsAsText = bytes.compare(0, 5, "solid") == 0;
+  const bool isWhole = bytes.size() >= StlHeader &&
+    bytes.size() >= StlHeader + StlTriangle * NumberOfStlTriangles(bytes);
+  if (!beginsAsText && !isWhole)
+  {
+    throw Failure("it holds fewer triangles than its header says");
+  }
+  return !beginsAsText || (isWhole && bytes.find("facet") == std::string::npos);
+}
+
+/// Corners of triangles; those in the same place become one vertex.
+class StlCorners
+{
+public:
+  void Add(const std::array<double, 3>& point)
+  {
+    const auto found = this->Vertices.emplace(point, static_cast<vtkIdType>(this->Vertices.size()));
+    if (found.second)
+    {
+      this->Found.AddPoint(point.data());
+    }
+    this->Corners.push_back(found.first->second);
+  }
+
+  bool IsFull(const std::string& bytes) const
+  {
+    return this->Corners.size() == 3 * NumberOfStlTriangles(bytes);
+  }
+
+  vtkSmartPointer<vtkPolyData> Surface()
+  {
+    if (this->Corners.size() % 3 != 0)
+    {
+      throw Failure("its last triangle is not whole");
+    }
+    for (auto corner = this->Corners.begin(); corner != this->Corners.end(); corner += 3)
+    {
+      this->Found.AddFace({ corner, corner + 3 });
+    }
+    return this->Found.Surface();
+  }
+
+private:
+  std::map<std::array<double, 3>, vtkIdType> Vertices;
+  std::vector<vtkIdType> Corners;
+  CheckedPolygons Found;
+};
+
+} // namespace
+
+vtkSmartPointer<vtkPolyData> ReadStl(const std::string& name)
+{
+  const std::string bytes = Contents(name);
+  StlCorners corners;
+  if (IsBinaryStl(bytes))
+  {
+    for (std::size_t at = StlHeader; at + StlTriangle <= bytes.size() && !corners.IsFull(bytes);
+         at += StlTriangle)
+    {
+      float numbers[12]; // the normal, and three corners
+      std::memcpy(numbers, &bytes[at], sizeof(numbers));
+      for (int corner = 1; corner <= 3; ++corner)
+      {
+        corners.Add({ { numbers[3 * corner], numbers[3 * corner + 1], numbers[3 * corner + 2] } });
+      }
+    }
+    return corners.Surface();
+  }
+  std::istringstream words(bytes);
+  for (std::string word; words >> word;)
+  {
+    if (word == "vertex")
+    {
+      std::array<double, 3> point;
+      for (double& coordinate : point)
+      {
+        word.clear();
+        words >> word;
+        coordinate = static_cast<float>(NumberIn(word));
+      }
+      corners.Add(point);
+    }
+  }
+  return corners.Surface();
+}
+
+} // namespace Command
