@@ -45,7 +45,7 @@ std::vector<double> ValuesOf(const Json& value)
 }
 
 /// ForegroundMass for foregroundMass.
-std::string PropertyOf(std::string name)
+std::string PropertyOfKey(std::string name)
 {
   if (!name.empty())
   {
@@ -156,7 +156,7 @@ SessionOrgan OrganOf(const Json& entry)
     (IsVessel(entry) ? ReadVessel : ReadOrgan)(entry, organ);
     for (const auto& [parameter, value] : entry.at("parameters").items())
     {
-      organ.Parameters[PropertyOf(parameter)] = ValuesOf(value);
+      organ.Parameters[PropertyOfKey(parameter)] = ValuesOf(value);
     }
   }
   catch (const Json::exception& error)

@@ -11,33 +11,36 @@ namespace Command
 namespace
 {
 
-using Filter = vtkFlipFreeVesselSegmentation;
+using VesselFilter = vtkFlipFreeVesselSegmentation;
 
 /// Sets a property; false if the filter does not take the value as it is.
 template <typename T>
-bool Take(Filter* filter, double value, void (Filter::*set)(T), T (Filter::*get)() const)
+bool Take(VesselFilter* filter, double value, void (VesselFilter::*set)(T),
+  T (VesselFilter::*get)() const)
 {
   (filter->*set)(static_cast<T>(value));
   return static_cast<double>((filter->*get)()) == value;
 }
 
-bool SetProperty(Filter* filter, const std::string& property, double value)
+bool SetProperty(VesselFilter* filter, const std::string& property, double value)
 {
   if (property == "Radius")
   {
-    return Take<double>(filter, value, &Filter::SetRadius, &Filter::GetRadius);
+    return Take<double>(filter, value, &VesselFilter::SetRadius, &VesselFilter::GetRadius);
   }
   if (property == "WallThickness")
   {
-    return Take<double>(filter, value, &Filter::SetWallThickness, &Filter::GetWallThickness);
+    return Take<double>(filter, value, &VesselFilter::SetWallThickness,
+      &VesselFilter::GetWallThickness);
   }
   if (property == "Levels")
   {
-    return Take<int>(filter, value, &Filter::SetLevels, &Filter::GetLevels);
+    return Take<int>(filter, value, &VesselFilter::SetLevels, &VesselFilter::GetLevels);
   }
   if (property == "MaximumIterations")
   {
-    return Take<int>(filter, value, &Filter::SetMaximumIterations, &Filter::GetMaximumIterations);
+    return Take<int>(filter, value, &VesselFilter::SetMaximumIterations,
+      &VesselFilter::GetMaximumIterations);
   }
   throw Failure("there is no parameter '" + property +
     "' of a vessel; there are Radius, WallThickness, Levels and MaximumIterations");
@@ -45,9 +48,9 @@ bool SetProperty(Filter* filter, const std::string& property, double value)
 
 } // namespace
 
-vtkSmartPointer<Filter> VesselFilterOf(const SessionOrgan& vessel)
+vtkSmartPointer<VesselFilter> VesselFilterOf(const SessionOrgan& vessel)
 {
-  auto filter = vtkSmartPointer<Filter>::New();
+  auto filter = vtkSmartPointer<VesselFilter>::New();
   for (const auto& [x, y, z] : vessel.Points)
   {
     filter->AddPoint(x, y, z);
