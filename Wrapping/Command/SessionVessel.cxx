@@ -52,6 +52,7 @@ vtkSmartPointer<Filter> VesselFilterOf(const SessionOrgan& vessel)
   {
     filter->AddPoint(x, y, z);
   }
+  AddPoints(vessel.Corrections, filter);
   for (const auto& [property, values] : vessel.Parameters)
   {
     if (values.size() != 1 || !SetProperty(filter, property, values.front()))
