@@ -182,6 +182,12 @@ inline void AttachCertificate(bool certified, vtkPolyData* surface)
   AddFieldValues("Certified", { certified ? 1.0 : 0.0 }, surface);
 }
 
+/// Field data `Provenance`: a text (Deformation/Provenance.h).
+inline void AttachProvenance(const std::string& provenance, vtkPolyData* surface)
+{
+  AddFieldText("Provenance", { provenance }, surface);
+}
+
 } // namespace FlipFree
 
 #endif

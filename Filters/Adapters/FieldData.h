@@ -12,6 +12,7 @@
 #include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
+#include "vtkStringArray.h"
 #include "vtkVariant.h"
 
 #include <algorithm>
@@ -30,6 +31,18 @@ inline void AddFieldValues(const char* name, const std::vector<double>& values, 
   for (double value : values)
   {
     array->InsertNextValue(value);
+  }
+  data->GetFieldData()->AddArray(array);
+}
+
+inline void AddFieldText(const char* name, const std::vector<std::string>& texts,
+  vtkDataObject* data)
+{
+  vtkNew<vtkStringArray> array;
+  array->SetName(name);
+  for (const std::string& text : texts)
+  {
+    array->InsertNextValue(text);
   }
   data->GetFieldData()->AddArray(array);
 }

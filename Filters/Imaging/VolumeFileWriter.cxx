@@ -7,6 +7,7 @@
 
 #include "vtkErrorCode.h"
 
+#include "itkMetaDataObject.h"
 #include "itkMetaImageIO.h"
 #include "itkNiftiImageIO.h"
 #include "itkNrrdImageIO.h"
@@ -47,7 +48,7 @@ std::string CannotWrite(const std::string& name, const std::string& why)
 }
 
 void WriteByItk(const std::string& name, const VolumeHeader& header, const void* voxels,
-  itk::ImageIOBase* io, bool compress)
+  const FileFields& fields, itk::ImageIOBase* io, bool compress)
 {
   const ImageGeometry& geometry = header.Geometry;
   itk::ImageIORegion whole(3);
@@ -61,6 +62,10 @@ void WriteByItk(const std::string& name, const VolumeHeader& header, const void*
     io->SetOrigin(axis, geometry.Origin[axis]);
     io->SetDirection(axis, std::vector<double>(direction.data(), direction.data() + 3));
     whole.SetSize(axis, geometry.Dimensions[axis]);
+  }
+  for (const auto& [key, value] : fields)
+  {
+    itk::EncapsulateMetaData<std::string>(io->GetMetaDataDictionary(), key, value);
   }
   io->SetPixelType(itk::IOPixelEnum::SCALAR);
   io->SetNumberOfComponents(1);
@@ -177,11 +182,11 @@ void RequireSame(const Volume& found, const std::string& destination, const Volu
 }
 
 void WriteAndCheck(const std::string& written, const std::string& destination,
-  const VolumeHeader& header, const void* voxels, bool compress)
+  const VolumeHeader& header, const void* voxels, const FileFields& fields, bool compress)
 {
   try
   {
-    WriteByItk(written, header, voxels, FormatOf(destination), compress);
+    WriteByItk(written, header, voxels, fields, FormatOf(destination), compress);
   }
   catch (const itk::ExceptionObject& exception)
   {
@@ -197,7 +202,8 @@ void WriteAndCheck(const std::string& written, const std::string& destination,
 } // namespace
 
 bool WriteVolumeFile(const std::string& name, const VolumeHeader& header,
-  const vtkSmartPointer<vtkDataArray>& scalars, bool compress, const Monitor& monitor)
+  const vtkSmartPointer<vtkDataArray>& scalars, const FileFields& fields, bool compress,
+  const Monitor& monitor)
 {
   FormatOf(name); // refuses an unknown ending before anything is done
   RequireOrthogonalForNifti(name, header.Geometry);
@@ -210,7 +216,8 @@ bool WriteVolumeFile(const std::string& name, const VolumeHeader& header,
     BackgroundTask write(
       [=]()
       {
-        WriteAndCheck(file->TemporaryName(), name, header, scalars->GetVoidPointer(0), compress);
+        WriteAndCheck(file->TemporaryName(), name, header, scalars->GetVoidPointer(0), fields,
+          compress);
         file->Flush();
       });
     if (!write.Wait([&monitor]() { return monitor(0); }))

@@ -2,6 +2,7 @@
 
 #include "ExecutionAdapter.h"
 #include "ImageAdapter.h"
+#include "SegmentFields.h"
 #include "VolumeFileWriter.h"
 
 #include "vtkDataArray.h"
@@ -73,7 +74,10 @@ void vtkMedicalImageWriter::WriteData()
     vtkImageData* image = vtkImageData::SafeDownCast(this->GetInput());
     vtkDataArray* scalars = RequireScalars(image);
     const FlipFree::VolumeHeader header{ FlipFree::GeometryOf(image), scalars->GetDataType() };
-    if (!FlipFree::WriteVolumeFile(this->FileName, header, scalars, this->UseCompression,
+    const FlipFree::FileFields fields = FlipFree::IsSegmentation(this->FileName)
+      ? FlipFree::SegmentFieldsOf(image, this->FileName)
+      : FlipFree::FileFields();
+    if (!FlipFree::WriteVolumeFile(this->FileName, header, scalars, fields, this->UseCompression,
           FlipFree::MonitorOf(this)))
     {
       this->SetErrorCode(vtkErrorCode::UserError); // aborted: no message, but Write() returns 0

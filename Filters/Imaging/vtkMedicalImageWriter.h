@@ -8,6 +8,12 @@
  * same image back; NIfTI holds its geometry in single precision. Coordinates are taken as LPS
  * millimeters.
  *
+ * A name that ends on .seg.nrrd makes a label map a segmentation of 3D Slicer: the same NRRD file,
+ * in whose fields each label is a segment with a name and a color. These are the image's field data
+ * SegmentLabels (the values in the image), SegmentNames and SegmentColors (texts, such as #ffd24a;
+ * may be empty or absent), as vtkFlipFreeOrganGroup gives them. Of other labels, the only one in
+ * the image has the name of the file, and several have that of their value, as Segment_2.
+ *
  * The image is written beside its destination, read back and compared, flushed to the disk, and
  * renamed only then. So the file is whole, or, after an error or an abort, it does not exist, and a
  * former file of that name is untouched. The permissions of a file that is replaced are kept, and a
@@ -17,7 +23,8 @@
  *
  * Errors: no file name; an unknown ending; no image, no scalars, several components; a folder that
  * is missing or may not be written into; a full disk; a geometry or a type of voxels that the
- * format cannot hold (NIfTI: sheared direction matrices). Write() then returns 0 and GetErrorCode()
+ * format cannot hold (NIfTI: sheared direction matrices; .seg.nrrd: voxels that are not labels);
+ * field data of segments that do not fit together. Write() then returns 0 and GetErrorCode()
  * gives the vtkErrorCode.
  */
 #ifndef vtkMedicalImageWriter_h

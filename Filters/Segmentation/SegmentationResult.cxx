@@ -23,6 +23,7 @@ void SegmentationResult::Store(const VolumeSegmentation& result, bool guarded)
   AttachField(organ.Field, this->Surface);
   AttachConfidence(result.Confidence, this->Surface);
   AttachCertificate(guarded, this->Surface);
+  AttachProvenance(this->Provenance, this->Surface);
 }
 
 bool SegmentationResult::IsUpToDate(vtkInformationVector** inputs, vtkMTimeType filterTime) const

@@ -14,6 +14,8 @@
 #include "vtkTable.h"
 #include "vtkTimeStamp.h"
 
+#include <string>
+
 class vtkInformationVector;
 
 namespace FlipFree
@@ -25,6 +27,7 @@ struct SegmentationResult
   vtkNew<vtkImageData> Labels;
   vtkNew<vtkTable> Convergence;
   IterationHistory History;
+  std::string Provenance; ///< of the surface
   vtkTimeStamp Time;
 
   /// The convergence and, unless the run was aborted, the surface.

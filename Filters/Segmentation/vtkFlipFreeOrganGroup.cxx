@@ -4,11 +4,13 @@
 #include "ContourMeshAdapter.h"
 #include "ConvergenceTable.h"
 #include "ExecutionAdapter.h"
+#include "FieldData.h"
 #include "GrayImageAdapter.h"
 #include "LabelAdapter.h"
 #include "PipelineAdapter.h"
 
 #include "Deformation/OrganGroup.h"
+#include "Deformation/Provenance.h"
 #include "MessageText.h"
 #include "Stopwatch.h"
 
@@ -51,6 +53,24 @@ std::vector<FlipFree::FixedSurface> FixedSurfacesOf(vtkInformationVector* inputs
       { name, FlipFree::DeformableSurfaceOf(vtkPolyData::GetData(inputs, index), name, true) });
   }
   return fixed;
+}
+
+// For files that hold names of labels.
+void NameSegments(const std::vector<FlipFree::OrganProvenance>& organs, int first,
+  vtkImageData* labelMap)
+{
+  std::vector<double> labels;
+  std::vector<std::string> names;
+  std::vector<std::string> colors;
+  for (const FlipFree::OrganProvenance& organ : organs)
+  {
+    labels.push_back(first + static_cast<double>(names.size()));
+    colors.push_back(FlipFree::DefaultColor(names.size()));
+    names.push_back(organ.Name);
+  }
+  FlipFree::AddFieldValues("SegmentLabels", labels, labelMap);
+  FlipFree::AddFieldText("SegmentNames", names, labelMap);
+  FlipFree::AddFieldText("SegmentColors", colors, labelMap);
 }
 
 // A row per organ.
@@ -358,6 +378,14 @@ void vtkFlipFreeOrganGroup::Segment(vtkInformationVector** inputs, vtkInformatio
     [](std::size_t, const auto&, const auto&, const auto&, const auto&) {});
 
   FlipFree::Stopwatch watch;
+  std::vector<FlipFree::OrganProvenance> origins;
+  for (std::size_t index = 0; index < organs.size(); ++index)
+  {
+    origins.push_back({ organs[index].Name, organs[index].Seed, constraints[index] });
+  }
+  const std::string provenance = FlipFree::ProvenanceOf(origins,
+    static_cast<std::size_t>(inputs[2]->GetNumberOfInformationObjects()),
+    this->Parameters->GetSettings(), FlipFree::GeometryOf(image));
   ResultTable table;
   for (std::size_t index = 0; index < organs.size(); ++index)
   {
@@ -368,6 +396,9 @@ void vtkFlipFreeOrganGroup::Segment(vtkInformationVector** inputs, vtkInformatio
       const std::string& name = organs[index].Name;
       const int label = this->LabelValue + static_cast<int>(index);
       this->FillOutputs(static_cast<int>(index), name, image, outputs);
+      vtkPolyData* const surface = this->GetSurface(static_cast<int>(index));
+      FlipFree::AttachProvenance(provenance, surface);
+      FlipFree::AddFieldText("Organ", { name }, surface);
       table.Add(name, label, result, FlipFree::GeometryOf(image).VoxelVolume());
       // What the outputs hold now.
       result.Organ.Points.resize(0, 3);
@@ -378,6 +409,7 @@ void vtkFlipFreeOrganGroup::Segment(vtkInformationVector** inputs, vtkInformatio
   }
   this->StageSeconds[3] += watch.Lap();
   table.AddTo(vtkTable::GetData(outputs, 2));
+  NameSegments(origins, this->LabelValue, vtkImageData::GetData(outputs, 1));
   this->UpdateProgress(1);
 }
 

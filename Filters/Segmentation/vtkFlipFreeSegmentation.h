@@ -39,7 +39,9 @@
  * Output port 0: vtkPolyData, the surface, with the point arrays `Displacement` (3 doubles, mm; the
  * last one wanted), `Correspondence` (unsigned char; 0 solitary, 1 matched, 2 flipping) and
  * `Confidence` (float, 0 to 1: how well the image supports the surface there), and the field data
- * `Certified` (double): 1 if the guard was on, 0 otherwise, and `Confidence` (double, 0 to 1).
+ * `Certified` (double): 1 if the guard was on, 0 otherwise, `Confidence` (double, 0 to 1), and
+ * `Provenance` (text): where the surface comes from, as the JSON that `flipfree segment --session`
+ * repeats: version, image grid, seed, points and all parameters.
  * Output port 1: vtkImageData, unsigned char `Labels` of the input's geometry: LabelValue inside.
  * Output port 2: vtkTable `Convergence`, a row per iteration: Iteration, Level, Vertices,
  * MeanDistance (mm), Matched, Solitary, Flipping, Guarded (vertices that the guard limited), and

@@ -8,6 +8,7 @@
 #include "SegmentationResult.h"
 #include "SegmentationState.h"
 
+#include "Deformation/Provenance.h"
 #include "Deformation/StartMask.h"
 #include "Image/GridCheck.h"
 
@@ -59,6 +60,13 @@ FlipFree::VolumeSegmentation vtkFlipFreeSegmentation::Run(vtkInformationVector**
   {
     FlipFree::TakeLargestSeed(key.Seed, constraints);
   }
+  FlipFree::OrganProvenance provenance;
+  provenance.Seed = key.Seed;
+  provenance.Constraints = constraints;
+  provenance.HasStartSurface = start != nullptr;
+  provenance.StartLabel = labels ? this->StartLabel : -1;
+  this->Cache->Provenance =
+    FlipFree::ProvenanceOf(provenance, this->GetSettings(), FlipFree::GeometryOf(image));
   if (!this->State || !this->State->IsOf(key))
   {
     this->State.reset(); // what follows needs the memory

@@ -9,6 +9,7 @@
 #include "PipelineAdapter.h"
 #include "StageProperties.h"
 #include "Vessel/VesselParameters.h"
+#include "Vessel/VesselProvenance.h"
 #include "VesselOutputs.h"
 
 #include "vtkImageData.h"
@@ -185,6 +186,9 @@ void vtkFlipFreeVesselSegmentation::Segment(vtkImageData* image, vtkInformationV
   FlipFree::AttachMesh(result.Surface.Mesh, result.Surface.Points, surface);
   FlipFree::AttachField(result.Surface.Field, surface);
   FlipFree::AttachCertificate(true, surface);
+  FlipFree::AttachProvenance(FlipFree::ProvenanceOf(this->Points->List(), constraints,
+                               *this->Settings, FlipFree::GeometryOf(image)),
+    surface);
   FlipFree::FillCenterline(result.Tree, vtkPolyData::GetData(outputs, 2));
   for (const std::string& warning : result.Warnings)
   {

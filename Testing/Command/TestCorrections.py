@@ -1,6 +1,7 @@
 """Points that correct a segmentation: options, files of points, and what is refused."""
 
 import json
+import math
 import os
 import unittest
 
@@ -63,6 +64,19 @@ class TestCorrections(command.CommandTest):
     def test_seeds_in_files(self):
         seeds = self.file("seeds.csv", "seed, 62, 32, 32, 4\n\n")
         self.assertNotEqual(self.surface("f.stl", "--points", seeds), self.surface("free.stl"))
+
+    def test_points_that_contradict_each_other(self):
+        out = ("-o", self.result("bad.stl"))
+        self.assert_refused(self.segment("--inside", 32, 54, 32, "--outside", 32, 54, 32, *out), 1,
+                            r"the (in|out)side point \(32, 54, 32\) mm and the (in|out)side point \(32, 54, 32\) mm are at one place")
+        # A cage of outside points around one that is inside.
+        golden = (1 + math.sqrt(5)) / 2
+        cage = [(58.5 + 2 * a / golden, 31.5 + 2 * b / golden, 31.2 + 2 * c / golden) for s in (-1, 1) for t in (-golden, golden)
+                for a, b, c in ((0, s, t), (s, t, 0), (t, 0, s))]
+        words = [word for place in cage for word in ("--outside", *place)]
+        self.assert_refused(command.run("segment", self.volume, *self.seed, "--resolution", 8, "--levels", 1,
+                                        "--inside", 58.5, 31.5, 31.2, *words, *out), 1,
+                            r"the inside point \(58.5, 31.5, 31.2\) mm cannot be obeyed: the surface of one piece does not get there")
 
     def test_what_is_wrong_is_named(self):
         out = ("-o", self.result("bad.stl"))

@@ -50,6 +50,21 @@ class Corrections(unittest.TestCase):
             with self.subTest(points), self.assertRaisesRegex(error, message):
                 liver().corrected(**points)
 
+    def test_points_that_contradict_each_other(self):
+        x, y, z = self.outside
+        with self.assertRaisesRegex(flipfree.SegmentationError, "the (in|out)side point .* and the (in|out)side point .* are at one "
+                                                                "place; take one of them away"):
+            liver().corrected(inside=[self.outside], outside=[self.outside])
+        # A cage of outside points around one that is inside.
+        ball = flipfree.phantom("sphere", dimensions=(64, 64, 40), spacing=(1, 1, 1.6))
+        (x, y, z), radius = ball.seeds[1]
+        golden = (1 + math.sqrt(5)) / 2
+        cage = [(x + 27 + 2 * a / golden, y + 2 * b / golden, z + 2 * c / golden) for s in (-1, 1) for t in (-golden, golden)
+                for a, b, c in ((0, s, t), (s, t, 0), (t, 0, s))]
+        with self.assertRaisesRegex(flipfree.SegmentationError, r"the inside point \(58.5, 31.5, 31.2\) mm cannot be obeyed: the "
+                                                                "surface of one piece does not get there past the other points"):
+            flipfree.segment(ball.image, (x, y, z), radius, inside=[(x + 27, y, z)], outside=cage, levels=1, resolution=8)
+
 
 if __name__ == "__main__":
     unittest.main()

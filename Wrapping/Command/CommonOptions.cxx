@@ -15,6 +15,16 @@ void AddSnapshotOption(CLI::App& command, std::string& file)
   command.add_option("--snapshot", file, "Picture of the result (.png)")->type_name("FILE");
 }
 
+void AddSaveSessionOption(CLI::App& command, std::string& file)
+{
+  command
+    .add_option("--save-session", file,
+      "Where the result comes from (.json): version, image, seeds, points and parameters. "
+      "'flipfree "
+      "segment --session' repeats it")
+    ->type_name("FILE");
+}
+
 void AddThreadsOption(CLI::App& command, int& threads)
 {
   command.add_option("--threads", threads, "Number of threads; 0: all available")

@@ -16,6 +16,8 @@ namespace Command
 
 void AddConvergenceOption(CLI::App& command, std::string& file);
 void AddSnapshotOption(CLI::App& command, std::string& file);
+void AddSaveSessionOption(CLI::App& command, std::string& file);
+
 void AddThreadsOption(CLI::App& command, int& threads);
 void AddQuietOption(CLI::App& command, bool& quiet);
 

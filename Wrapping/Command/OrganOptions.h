@@ -20,6 +20,7 @@ struct GivenOrgan
   std::array<double, 3> Seed{ { 0, 0, 0 } }; // LPS millimeters
   double Radius = 0;
   std::vector<CorrectionPoint> Points;
+  std::string Color; ///< #ffd24a; empty for that of its place in the list
 
   /// The name as it can stand in names of files.
   std::string FileName() const;

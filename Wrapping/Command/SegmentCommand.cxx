@@ -41,8 +41,9 @@ using Point = std::array<double, 3>;
 
 void AnnounceOutputs(const Segmentation& segmentation, OutputFiles& outputs)
 {
-  for (const std::string* name : { &segmentation.Surface, &segmentation.Labels,
-         &segmentation.Convergence, &segmentation.Snapshot, &segmentation.Corrections.Output() })
+  for (const std::string* name :
+    { &segmentation.Surface, &segmentation.Labels, &segmentation.Convergence,
+      &segmentation.Snapshot, &segmentation.SessionOut, &segmentation.Corrections.Output() })
   {
     if (!name->empty())
     {
@@ -55,15 +56,15 @@ void AnnounceOutputs(const Segmentation& segmentation, OutputFiles& outputs)
   }
 }
 
-/// The seed in millimeters. Throws Failure if it lies outside the volume.
-Point SeedIn(vtkImageData* image, const Segmentation& segmentation)
+/// The seed of that number in millimeters. Throws Failure if it lies outside the volume.
+Point SeedIn(vtkImageData* image, const Segmentation& segmentation, std::size_t number)
 {
   Point seed;
   double index[3];
   char given[128];
   if (segmentation.SeedVoxel.empty())
   {
-    std::copy_n(segmentation.Seed.begin(), 3, seed.begin());
+    std::copy_n(segmentation.Seed.data() + 3 * number, 3, seed.begin());
     if (segmentation.Corrections.AreRAS())
     {
       seed = { { -seed[0], -seed[1], seed[2] } };
@@ -73,7 +74,7 @@ Point SeedIn(vtkImageData* image, const Segmentation& segmentation)
   }
   else
   {
-    std::copy_n(segmentation.SeedVoxel.begin(), 3, index);
+    std::copy_n(segmentation.SeedVoxel.data() + 3 * number, 3, index);
     image->TransformContinuousIndexToPhysicalPoint(index, seed.data());
     std::snprintf(given, sizeof(given), "--seed-voxel: (%g, %g, %g)", index[0], index[1], index[2]);
   }
@@ -110,7 +111,7 @@ void WriteResults(const OrganFilter& filter, vtkImageData* image, const Segmenta
     }
   };
   write(segmentation.Surface,
-    [&](const std::string& name) { WriteSurface(name, filter.Surface()); });
+    [&](const std::string& name) { WriteSurface(name, filter.Surface(), NamesOf(segmentation)); });
   write(segmentation.Convergence,
     [&](const std::string& name) { WriteTable(name, filter.Convergence()); });
   write(segmentation.Snapshot,
@@ -142,20 +143,31 @@ FilterPointer FilterOf(const Segmentation& segmentation)
     return VesselFilter(segmentation);
   }
   auto filter = vtkSmartPointer<vtkFlipFreeSegmentation>::New();
-  filter->SetSeedRadius(segmentation.Radius);
   filter->SetStartLabel(segmentation.StartLabel);
-  if (segmentation.StartLabels.empty() &&
-    filter->GetSeedRadius() != segmentation.Radius) // clamped, or NaN
-  {
-    throw WrongUsage("--radius must be a positive number of millimeters, 1e-6 to 1e6. The sphere "
-                     "should lie within the organ.");
-  }
   segmentation.Parameters.Apply(filter);
   filter->SetLabelValue(segmentation.Label);
   AddPoints(segmentation.Session.empty() ? segmentation.Corrections.Points()
                                          : segmentation.Repeated.Corrections,
     filter);
   return std::make_unique<OrganFilterOf<vtkFlipFreeSegmentation>>(filter);
+}
+
+void AddSeeds(vtkImageData* image, const Segmentation& segmentation,
+  vtkFlipFreeSegmentation* filter)
+{
+  for (std::size_t number = 0; number < segmentation.Radius.size(); ++number)
+  {
+    const auto [x, y, z] = SeedIn(image, segmentation, number);
+    if (number == 0)
+    {
+      filter->SetSeedCenter(x, y, z);
+      filter->SetSeedRadius(segmentation.Radius[number]);
+    }
+    else
+    {
+      filter->AddSeed(x, y, z, segmentation.Radius[number]);
+    }
+  }
 }
 
 void RunOn(vtkImageData* image, const Segmentation& segmentation, const OrganFilter& filter)
@@ -166,8 +178,11 @@ void RunOn(vtkImageData* image, const Segmentation& segmentation, const OrganFil
   {
     if (segmentation.StartLabels.empty())
     {
-      const Point seed = SeedIn(image, segmentation);
-      organ->SetSeedCenter(seed[0], seed[1], seed[2]);
+      AddSeeds(image, segmentation, organ);
+    }
+    else
+    {
+      organ->SetStartLabelsData(ReadVolume(segmentation.StartLabels));
     }
   }
   const std::string title = TitleOf(segmentation);
@@ -206,6 +221,18 @@ vtkSmartPointer<vtkImageData> LabelMapOf(const std::vector<FilterPointer>& filte
   return all;
 }
 
+OriginNames AllNamesOf(const std::vector<Segmentation>& organs)
+{
+  OriginNames all;
+  for (const Segmentation& organ : organs)
+  {
+    const OriginNames names = NamesOf(organ);
+    all.Organs.push_back(names.Organs.front());
+    all.Colors.push_back(names.Colors.front());
+  }
+  return all;
+}
+
 void SegmentOrgans(const std::vector<Segmentation>& organs, const Session* session)
 {
   std::vector<FilterPointer> filters;
@@ -220,12 +247,6 @@ void SegmentOrgans(const std::vector<Segmentation>& organs, const Session* sessi
 
   const auto start = std::chrono::steady_clock::now();
   const vtkSmartPointer<vtkImageData> image = ReadVolume(first.Input, first.SeriesUID);
-  if (!first.StartLabels.empty())
-  {
-    // There is one organ, whose seed they are; sessions have seeds.
-    vtkFlipFreeSegmentation::SafeDownCast(filters.front()->Algorithm())
-      ->SetStartLabelsData(ReadVolume(first.StartLabels));
-  }
   const std::chrono::duration<double> reading = std::chrono::steady_clock::now() - start;
   if (session)
   {
@@ -240,7 +261,23 @@ void SegmentOrgans(const std::vector<Segmentation>& organs, const Session* sessi
   if (!first.Labels.empty())
   {
     outputs.Write(first.Labels,
-      [&filters](const std::string& name) { WriteVolume(name, LabelMapOf(filters)); });
+      [&](const std::string& name)
+      {
+        const vtkSmartPointer<vtkImageData> labels = LabelMapOf(filters);
+        NameSegments(labels, first.Label, AllNamesOf(organs));
+        WriteVolume(name, labels);
+      });
+  }
+  if (!first.SessionOut.empty())
+  {
+    std::vector<std::string> sessions;
+    for (std::size_t organ = 0; organ < organs.size(); ++organ)
+    {
+      sessions.push_back(
+        NamedProvenance(ProvenanceOf(filters[organ]->Surface()), NamesOf(organs[organ])));
+    }
+    outputs.Write(first.SessionOut,
+      [&sessions](const std::string& name) { WriteSession(name, sessions); });
   }
   if (!first.Corrections.Output().empty())
   {
@@ -263,7 +300,8 @@ void Segment(const Segmentation& segmentation)
   RequireSense(segmentation);
   if (segmentation.Several.HasOrgans())
   {
-    SegmentGroup(segmentation);
+    SegmentGroup(segmentation, segmentation.Several.Organs(segmentation.Corrections),
+      segmentation.Several.FixedSurfaces(), nullptr);
     return;
   }
   if (segmentation.Session.empty())
@@ -276,6 +314,12 @@ void Segment(const Segmentation& segmentation)
   if (given.Input.empty())
   {
     given.Input = ImageBeside(session);
+  }
+  if (session.Together)
+  {
+    const std::vector<GivenOrgan> organs = GroupOf(session, given);
+    SegmentGroup(given, organs, FixedOf(session), &session);
+    return;
   }
   SegmentOrgans(OrgansOf(session, given), &session);
 }
@@ -307,26 +351,34 @@ void AddFiles(CLI::App* command, Segmentation& segmentation)
     "default, the session's image beside it");
   command
     ->add_option("--session", segmentation.Session,
-      "Session that the page in the browser has saved (.json): image, seeds, parameters, and "
-      "corrections of organs, and the points of vessels. Of several organs, each has its name in "
-      "the names of its files, as in out-liver.vtp, and a "
-      "label of its own")
+      "Session that the page in the browser or --save-session has saved (.json): image, seeds, "
+      "parameters, and corrections of organs, and the points of vessels. Of several organs, each "
+      "has its name in the names of its files, as in out-liver.vtp, and a label of its own")
     ->type_name("FILE");
   command
     ->add_option("--series", segmentation.SeriesUID,
       "Series Instance UID, if the folder holds several series; by default, the one with the most "
       "files")
     ->type_name("UID");
-  command->add_option("--seed", segmentation.Seed, "Center of the seed sphere, in LPS millimeters")
+  command
+    ->add_option("--seed", segmentation.Seed,
+      "Center of the seed sphere, in LPS millimeters; can be repeated for further spheres within "
+      "the organ, each with a --radius")
     ->type_name("X Y Z")
-    ->expected(3);
+    ->expected(3, CLI::detail::expected_max_vector_size)
+    ->allow_extra_args(false); // of the three that each time has
   command
     ->add_option("--seed-voxel", segmentation.SeedVoxel,
       "The same as the indices of a voxel, which count from 0")
     ->type_name("I J K")
-    ->expected(3);
-  command->add_option("--radius", segmentation.Radius, "Radius of the seed sphere, in millimeters")
-    ->type_name("MM");
+    ->expected(3, CLI::detail::expected_max_vector_size)
+    ->allow_extra_args(false);
+  command
+    ->add_option("--radius", segmentation.Radius,
+      "Radius of the seed sphere, in millimeters; can be repeated, in the order of the seeds")
+    ->type_name("MM")
+    ->expected(1, CLI::detail::expected_max_vector_size)
+    ->allow_extra_args(false);
   command
     ->add_option("--start-labels", segmentation.StartLabels,
       "Label map on the image's grid (of a network, an atlas, an earlier result) that the surface "
@@ -341,10 +393,15 @@ void AddFiles(CLI::App* command, Segmentation& segmentation)
     ->needs("--start-labels");
   command->add_option("-o,--output", segmentation.Surface, "Surface (.vtp .stl .ply .obj)")
     ->type_name("FILE");
-  command->add_option("--labels", segmentation.Labels, "Label map (.nii.gz .nii .nrrd .mha)")
+  command
+    ->add_option("--labels", segmentation.Labels,
+      "Label map (.nii.gz .nii .nrrd .mha; .seg.nrrd: a segmentation of 3D Slicer, with the "
+      "organs' "
+      "names and colors)")
     ->type_name("FILE");
   AddConvergenceOption(*command, segmentation.Convergence);
   AddSnapshotOption(*command, segmentation.Snapshot);
+  AddSaveSessionOption(*command, segmentation.SessionOut);
   command
     ->add_option("--label-value", segmentation.Label,
       "Value of the organ in the label map, 1 to 255; of several, of the first")

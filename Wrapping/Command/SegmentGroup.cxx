@@ -41,6 +41,10 @@ void AddOrgan(const GivenOrgan& organ, vtkFlipFreeOrganGroup* group)
     {
       group->AddOutsidePoint(name, x, y, z);
     }
+    else if (point.Kind == "seed")
+    {
+      group->AddSeed(name, x, y, z, point.Radius);
+    }
     else
     {
       group->AddBoundaryPoint(name, x, y, z);
@@ -64,7 +68,7 @@ struct OrganFiles
 };
 
 void Write(vtkFlipFreeOrganGroup* group, int organ, vtkImageData* image, const OrganFiles& files,
-  OutputFiles& outputs)
+  const OriginNames& names, OutputFiles& outputs)
 {
   const auto write =
     [&outputs](const std::string& name, const std::function<void(const std::string&)>& how)
@@ -75,7 +79,7 @@ void Write(vtkFlipFreeOrganGroup* group, int organ, vtkImageData* image, const O
     }
   };
   write(files.Surface,
-    [&](const std::string& name) { WriteSurface(name, group->GetSurface(organ)); });
+    [&](const std::string& name) { WriteSurface(name, group->GetSurface(organ), names); });
   write(files.Convergence,
     [&](const std::string& name) { WriteTable(name, group->GetConvergence(organ)); });
   write(files.Snapshot,
@@ -106,15 +110,14 @@ void Report(vtkFlipFreeOrganGroup* group, const std::string& input, double readi
 
 } // namespace
 
-void SegmentGroup(const Segmentation& segmentation)
+void SegmentGroup(const Segmentation& segmentation, const std::vector<GivenOrgan>& organs,
+  const std::vector<std::string>& fixedSurfaces, const Session* session)
 {
-  const std::vector<GivenOrgan> organs = segmentation.Several.Organs(segmentation.Corrections);
   vtkNew<vtkFlipFreeOrganGroup> group;
   segmentation.Parameters.Apply(group->GetParameters());
   group->SetLabelValue(segmentation.Label);
   std::vector<std::string> inputs{ segmentation.Input };
-  inputs.insert(inputs.end(), segmentation.Several.FixedSurfaces().begin(),
-    segmentation.Several.FixedSurfaces().end());
+  inputs.insert(inputs.end(), fixedSurfaces.begin(), fixedSurfaces.end());
   OutputFiles outputs;
   std::vector<OrganFiles> files;
   for (const GivenOrgan& organ : organs)
@@ -130,9 +133,12 @@ void SegmentGroup(const Segmentation& segmentation)
       }
     }
   }
-  if (!segmentation.Labels.empty())
+  for (const std::string* name : { &segmentation.Labels, &segmentation.SessionOut })
   {
-    outputs.Announce(segmentation.Labels, inputs);
+    if (!name->empty())
+    {
+      outputs.Announce(*name, inputs);
+    }
   }
   if (!segmentation.Snapshot.empty())
   {
@@ -144,8 +150,12 @@ void SegmentGroup(const Segmentation& segmentation)
   const vtkSmartPointer<vtkImageData> image =
     ReadVolume(segmentation.Input, segmentation.SeriesUID);
   const std::chrono::duration<double> reading = std::chrono::steady_clock::now() - start;
+  if (session)
+  {
+    RequireImageOf(*session, segmentation.Input, image);
+  }
   group->SetInputData(image);
-  for (const std::string& fixed : segmentation.Several.FixedSurfaces())
+  for (const std::string& fixed : fixedSurfaces)
   {
     group->AddFixedData(ReadSurface(fixed));
   }
@@ -157,6 +167,14 @@ void SegmentGroup(const Segmentation& segmentation)
   {
     throw Failure("'" + segmentation.Input + "': " + failure.what());
   }
+  OriginNames names;
+  names.Image = segmentation.Input;
+  names.Fixed = fixedSurfaces;
+  for (const GivenOrgan& organ : organs)
+  {
+    names.Organs.push_back(organ.Name);
+    names.Colors.push_back(organ.Color);
+  }
   for (std::size_t organ = 0; organ < organs.size(); ++organ)
   {
     const auto index = static_cast<int>(organ);
@@ -165,12 +183,22 @@ void SegmentGroup(const Segmentation& segmentation)
       throw Failure("'" + segmentation.Input + "', " + organs[organ].Name +
         ": no boundary of the organ was found, so nothing is written.");
     }
-    Write(group, index, image, files[organ], outputs);
+    Write(group, index, image, files[organ], names, outputs);
+  }
+  if (!segmentation.SessionOut.empty())
+  {
+    const std::string text = NamedProvenance(ProvenanceOf(group->GetSurface(0)), names);
+    outputs.Write(segmentation.SessionOut,
+      [&text](const std::string& name) { WriteSession(name, { text }); });
   }
   if (!segmentation.Labels.empty())
   {
     outputs.Write(segmentation.Labels,
-      [&group](const std::string& name) { WriteVolume(name, group->GetLabelMap()); });
+      [&](const std::string& name)
+      {
+        NameSegments(group->GetLabelMap(), segmentation.Label, names);
+        WriteVolume(name, group->GetLabelMap());
+      });
   }
   outputs.Commit();
   if (!segmentation.Quiet)

@@ -9,8 +9,10 @@
 namespace Command
 {
 
-/// Segments, writes and reports the organs of --organ. Throws Failure.
-void SegmentGroup(const Segmentation& segmentation);
+/// Segments, writes and reports organs that keep off each other and the files of surfaces that are
+/// `fixed`; the session that they come from may be null. Throws Failure.
+void SegmentGroup(const Segmentation& segmentation, const std::vector<GivenOrgan>& organs,
+  const std::vector<std::string>& fixedSurfaces, const Session* session);
 
 } // namespace Command
 

@@ -25,8 +25,18 @@ std::vector<Segmentation> OrgansOf(const Session& session, const Segmentation& g
   {
     Segmentation segmentation = given;
     segmentation.Repeated = organ;
-    segmentation.Seed.assign(organ.Seed.begin(), organ.Seed.end());
-    segmentation.Radius = organ.Radius;
+    if (organ.StartLabel >= 0)
+    {
+      segmentation.StartLabels =
+        FileBeside(session, organ.StartLabels, organ.Title + ": the label map of its start");
+      segmentation.StartLabel = organ.StartLabel;
+    }
+    else
+    {
+      segmentation.Seed.assign(organ.Seed.begin(), organ.Seed.end());
+      segmentation.Radius = { organ.Radius };
+      RequireProperRadii(segmentation.Radius);
+    }
     segmentation.Label = given.Label + static_cast<int>(organs.size());
     if (segmentation.Label > 255)
     {
@@ -56,6 +66,35 @@ std::vector<Segmentation> OrgansOf(const Session& session, const Segmentation& g
     organs.push_back(segmentation);
   }
   return organs;
+}
+
+std::vector<GivenOrgan> GroupOf(const Session& session, Segmentation& given)
+{
+  std::vector<GivenOrgan> organs;
+  for (const SessionOrgan& organ : session.Organs)
+  {
+    organs.push_back({ organ.Title, organ.Seed, organ.Radius, organ.Corrections, organ.Color });
+  }
+  const SessionOrgan& first = session.Organs.front();
+  try
+  {
+    given.Parameters = given.Parameters.With(first.Preset, first.Parameters);
+  }
+  catch (const Failure& failure)
+  {
+    throw Failure("'" + given.Session + "': " + failure.what() + ".");
+  }
+  return organs;
+}
+
+std::vector<std::string> FixedOf(const Session& session)
+{
+  std::vector<std::string> files;
+  for (const std::string& name : session.Fixed)
+  {
+    files.push_back(FileBeside(session, name, "The fixed surface"));
+  }
+  return files;
 }
 
 } // namespace Command

@@ -7,6 +7,8 @@
 
 #include "vtkMath.h"
 
+#include <algorithm>
+
 namespace Command
 {
 namespace
@@ -19,7 +21,7 @@ void RequireNoSeed(const Segmentation& segmentation)
   {
     throw WrongUsage("--session has the seed. Leave out --start-labels.");
   }
-  if (!segmentation.Seed.empty() || !segmentation.SeedVoxel.empty() || segmentation.Radius != 0)
+  if (segmentation.HasSeed())
   {
     throw WrongUsage("--start-labels takes the place of the seed. Leave out --seed, --seed-voxel "
                      "and --radius; points correct the result.");
@@ -33,8 +35,7 @@ void RequireOnlyOrgans(const Segmentation& segmentation)
   {
     throw WrongUsage("--fixed is for organs that are given by --organ. Give one or more.");
   }
-  if (!segmentation.Seed.empty() || !segmentation.SeedVoxel.empty() || segmentation.Radius != 0 ||
-    !segmentation.Session.empty() || !segmentation.StartLabels.empty())
+  if (segmentation.HasSeed() || !segmentation.Session.empty() || !segmentation.StartLabels.empty())
   {
     throw WrongUsage("--organ has the seed. Leave out --seed, --seed-voxel, --radius, --session "
                      "and --start-labels.");
@@ -47,13 +48,25 @@ void RequireOnlyOrgans(const Segmentation& segmentation)
   segmentation.Several.Organs(segmentation.Corrections);
 }
 
+/// One for each seed.
+void RequireRadii(const Segmentation& segmentation)
+{
+  const std::size_t seeds = (segmentation.Seed.size() + segmentation.SeedVoxel.size()) / 3;
+  RequireProperRadii(segmentation.Radius);
+  if (segmentation.Radius.size() != seeds)
+  {
+    throw WrongUsage("There are " + std::to_string(seeds) + " seeds and " +
+      std::to_string(segmentation.Radius.size()) +
+      " radii. Give a --radius for each seed, in the same order.");
+  }
+}
+
 /// An image and a seed, or a session.
 void RequireStart(const Segmentation& segmentation)
 {
   if (!segmentation.Session.empty())
   {
-    if (!segmentation.Seed.empty() || !segmentation.SeedVoxel.empty() || segmentation.Radius != 0 ||
-      segmentation.Parameters.HasPreset())
+    if (segmentation.HasSeed() || segmentation.Parameters.HasPreset())
     {
       throw WrongUsage("--session has the seed and the preset. Leave out --seed, --seed-voxel, "
                        "--radius and --preset.");
@@ -82,6 +95,12 @@ void RequireStart(const Segmentation& segmentation)
           "--organ NAME X Y Z MM."
         : "Both --seed and --seed-voxel are given. Give only one of them.");
   }
+  if (segmentation.Seed.size() % 3 != 0 || segmentation.SeedVoxel.size() % 3 != 0)
+  {
+    throw WrongUsage(std::string(segmentation.Seed.empty() ? "--seed-voxel" : "--seed") +
+      ": a coordinate is missing. Give three numbers each time.");
+  }
+  RequireRadii(segmentation);
   for (const double coordinate : segmentation.Seed)
   {
     if (!vtkMath::IsFinite(coordinate))
@@ -93,6 +112,16 @@ void RequireStart(const Segmentation& segmentation)
 }
 
 } // namespace
+
+void RequireProperRadii(const std::vector<double>& radii)
+{
+  const auto isProper = [](double radius) { return radius >= 1e-6 && radius <= 1e6; };
+  if (radii.empty() || !std::all_of(radii.begin(), radii.end(), isProper))
+  {
+    throw WrongUsage("--radius must be a positive number of millimeters, 1e-6 to 1e6. The sphere "
+                     "should lie within the organ.");
+  }
+}
 
 void RequireSense(const Segmentation& segmentation)
 {
@@ -107,10 +136,11 @@ void RequireSense(const Segmentation& segmentation)
   }
   RequireStart(segmentation);
   if (segmentation.Surface.empty() && segmentation.Labels.empty() &&
-    segmentation.Convergence.empty() && segmentation.Snapshot.empty())
+    segmentation.Convergence.empty() && segmentation.Snapshot.empty() &&
+    segmentation.SessionOut.empty())
   {
     throw WrongUsage("No output is requested. Give at least one of --output, --labels, "
-                     "--convergence and --snapshot.");
+                     "--convergence, --snapshot and --save-session.");
   }
   const auto require =
     [](const char* option, const std::string& name, const std::vector<std::string>& endings)
@@ -124,6 +154,7 @@ void RequireSense(const Segmentation& segmentation)
   require("--labels", segmentation.Labels, VolumeEndings());
   require("--convergence", segmentation.Convergence, { ".csv" });
   require("--snapshot", segmentation.Snapshot, { ".png" });
+  require("--save-session", segmentation.SessionOut, { ".json" });
   segmentation.Corrections.RequireSense();
 }
 
@@ -131,6 +162,24 @@ std::string TitleOf(const Segmentation& segmentation, const char* quote)
 {
   return quote + segmentation.Input + quote +
     (segmentation.Organ.empty() ? "" : ", " + segmentation.Organ);
+}
+
+OriginNames NamesOf(const Segmentation& segmentation)
+{
+  OriginNames names;
+  names.Image = segmentation.Input;
+  names.StartLabels = segmentation.StartLabels;
+  names.Organs = { segmentation.Repeated.Title };
+  names.Colors = { segmentation.Repeated.Color };
+  for (const std::string* file : { &segmentation.Surface, &segmentation.Labels,
+         &segmentation.Convergence, &segmentation.SessionOut })
+  {
+    if (names.Organs[0].empty() && !file->empty())
+    {
+      names.Organs[0] = OrganOfFile(*file);
+    }
+  }
+  return names;
 }
 
 } // namespace Command

@@ -8,6 +8,7 @@
 #include "PointOptions.h"
 #include "SegmentParameters.h"
 #include "SessionFile.h"
+#include "SessionRecord.h"
 
 #include <string>
 #include <vector>
@@ -21,15 +22,16 @@ struct Segmentation
   std::string Session;
   std::string Organ; // of a session of several
   std::string SeriesUID;
-  std::vector<double> Seed;
-  std::vector<int> SeedVoxel;
-  double Radius = 0;
-  std::string StartLabels; // in place of the seed
+  std::vector<double> Seed;   // three numbers of each
+  std::vector<int> SeedVoxel; // likewise
+  std::vector<double> Radius; // one of each
+  std::string StartLabels;    // in place of the seed
   int StartLabel = 1;
   std::string Surface;
   std::string Labels;
   std::string Convergence;
   std::string Snapshot;
+  std::string SessionOut; // where all is to be written that repeats the run
   int Label = 1;
   int Threads = 0;
   bool Quiet = false;
@@ -38,11 +40,18 @@ struct Segmentation
   OrganOptions Several;  // in place of the seed
   SessionOrgan Repeated; // of a session
 
+  bool HasSeed() const
+  {
+    return !this->Seed.empty() || !this->SeedVoxel.empty() || !this->Radius.empty();
+  }
   bool IsVessel() const { return !this->Repeated.Points.empty(); }
 };
 
 /// Checks all that can be checked before a file is read; throws WrongUsage.
 void RequireSense(const Segmentation& segmentation);
+
+/// Of seed spheres, of which there is one at least; throws WrongUsage.
+void RequireProperRadii(const std::vector<double>& radii);
 
 /// How messages call what is segmented.
 std::string TitleOf(const Segmentation& segmentation, const char* quote = "'");
@@ -50,8 +59,17 @@ std::string TitleOf(const Segmentation& segmentation, const char* quote = "'");
 /// The name of an organ's own file: `out-liver.vtp` for `out.vtp`. Empty for none.
 std::string NameFor(const std::string& organ, const std::string& name);
 
+/// What files say of an organ, or of one of a session, apart from how it was found.
+OriginNames NamesOf(const Segmentation& segmentation);
+
 /// One for each organ of the session.
 std::vector<Segmentation> OrgansOf(const Session& session, const Segmentation& given);
+
+/// The organs of a session that were segmented together; `given` gets their parameters.
+std::vector<GivenOrgan> GroupOf(const Session& session, Segmentation& given);
+
+/// The files of the surfaces that they kept off.
+std::vector<std::string> FixedOf(const Session& session);
 
 } // namespace Command
 

@@ -125,17 +125,33 @@ bool IsVessel(const Json& entry)
 /// The page keeps organs that have not been given a seed yet, and vessels without enough points.
 bool CanBeRepeated(const Json& entry)
 {
-  return IsVessel(entry) ? entry.at("points").size() > 1 : !entry.at("seed").is_null();
+  return IsVessel(entry) ? entry.at("points").size() > 1
+                         : !entry.at("seed").is_null() || entry.contains("startLabels");
 }
 
 void ReadOrgan(const Json& entry, SessionOrgan& organ)
 {
   organ.Preset = entry.at("preset").get<std::string>();
-  const Json& seed = entry.at("seed");
-  organ.Seed = Numbers<3>(seed, "center");
-  organ.Radius = seed.at("radius").get<double>();
-  ReadEntries(entry.value("corrections", Json::array()), "correction",
-    [&organ](const Json& correction) { organ.Corrections.push_back(CorrectionOf(correction)); });
+  if (entry.value("startSurface", false))
+  {
+    throw Failure("it began with a surface, which a session does not hold");
+  }
+  if (entry.contains("startLabels"))
+  {
+    const Json& labels = entry.at("startLabels");
+    organ.StartLabels = labels.at("name").get<std::string>();
+    organ.StartLabel = labels.at("label").get<int>();
+    if (organ.StartLabel < 0)
+    {
+      throw Failure("the label of its start is negative");
+    }
+  }
+  else
+  {
+    const Json& seed = entry.at("seed");
+    organ.Seed = Numbers<3>(seed, "center");
+    organ.Radius = seed.at("radius").get<double>();
+  }
 }
 
 void ReadVessel(const Json& entry, SessionOrgan& vessel)
@@ -146,14 +162,24 @@ void ReadVessel(const Json& entry, SessionOrgan& vessel)
     });
 }
 
+/// Vessels of version 2 have none.
+void ReadCorrections(const Json& entry, SessionOrgan& organ)
+{
+  ReadEntries(entry.value("corrections", Json::array()), "correction",
+    [&organ](const Json& correction) { organ.Corrections.push_back(CorrectionOf(correction)); });
+}
+
 SessionOrgan OrganOf(const Json& entry)
 {
   SessionOrgan organ;
   const auto name = entry.at("name").get<std::string>();
   organ.Name = FileNameOf(name);
+  organ.Title = name;
   try
   {
+    organ.Color = entry.value("color", std::string());
     (IsVessel(entry) ? ReadVessel : ReadOrgan)(entry, organ);
+    ReadCorrections(entry, organ);
     for (const auto& [parameter, value] : entry.at("parameters").items())
     {
       organ.Parameters[PropertyOfKey(parameter)] = ValuesOf(value);
@@ -168,6 +194,12 @@ SessionOrgan OrganOf(const Json& entry)
     throw Failure("'" + name + "': " + failure.what());
   }
   return organ;
+}
+
+bool CanGrowWithOthers(const SessionOrgan& organ, const SessionOrgan& first)
+{
+  return organ.Points.empty() && organ.StartLabel < 0 && organ.Preset == first.Preset &&
+    organ.Parameters == first.Parameters;
 }
 
 Session SessionOf(const Json& content)
@@ -202,7 +234,26 @@ Session SessionOf(const Json& content)
   {
     throw Failure("no organ has a seed");
   }
+  session.Together = content.value("together", false);
+  session.Fixed = content.value("fixed", std::vector<std::string>());
+  for (const SessionOrgan& organ : session.Organs)
+  {
+    if (session.Together && !CanGrowWithOthers(organ, session.Organs.front()))
+    {
+      throw Failure("'" + organ.Title +
+        "': organs that were segmented together have a seed each, and the same parameters");
+    }
+  }
   return session;
+}
+
+/// Empty if there is no such file.
+std::string PathBeside(const Session& session, const std::string& name)
+{
+  namespace fs = std::filesystem;
+  const fs::path path = fs::path(session.File).parent_path() / fs::path(name).filename();
+  std::error_code error;
+  return name.empty() || !fs::exists(path, error) ? std::string() : path.string();
 }
 
 using Corners = std::array<std::array<double, 3>, 8>;
@@ -284,8 +335,8 @@ Session ReadSession(const std::string& name)
   }
   catch (const Json::exception& error)
   {
-    throw Failure("'" + name + "' is not a session that the page has saved: " + ReasonOf(error) +
-      ". Save it again.");
+    throw Failure("'" + name + "' is not a session that the page or --save-session has saved: " +
+      ReasonOf(error) + ". Save it again.");
   }
   catch (const Failure& failure)
   {
@@ -296,15 +347,24 @@ Session ReadSession(const std::string& name)
 
 std::string ImageBeside(const Session& session)
 {
-  namespace fs = std::filesystem;
-  const fs::path path = fs::path(session.File).parent_path() / session.ImageName;
-  std::error_code error;
-  if (session.ImageName.empty() || !fs::exists(path, error))
+  const std::string path = PathBeside(session, session.ImageName);
+  if (path.empty())
   {
     throw Failure("The image '" + session.ImageName + "' is not beside '" + session.File +
       "'. Give it, too: flipfree segment IMAGE --session '" + session.File + "'.");
   }
-  return path.string();
+  return path;
+}
+
+std::string FileBeside(const Session& session, const std::string& name, const std::string& what)
+{
+  const std::string path = PathBeside(session, name);
+  if (path.empty())
+  {
+    throw Failure(
+      what + " '" + name + "' is not beside '" + session.File + "'. Copy the file there.");
+  }
+  return path;
 }
 
 void RequireImageOf(const Session& session, const std::string& name, vtkImageData* image)

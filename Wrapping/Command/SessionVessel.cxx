@@ -55,6 +55,7 @@ vtkSmartPointer<VesselFilter> VesselFilterOf(const SessionOrgan& vessel)
   {
     filter->AddPoint(x, y, z);
   }
+  AddPoints(vessel.Corrections, filter);
   for (const auto& [property, values] : vessel.Parameters)
   {
     if (values.size() != 1 || !SetProperty(filter, property, values.front()))

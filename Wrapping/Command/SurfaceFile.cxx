@@ -27,6 +27,7 @@
 #include <fstream>
 #include <functional>
 #include <new>
+#include <sstream>
 
 namespace Command
 {
@@ -42,17 +43,42 @@ vtkSmartPointer<vtkPolyData> ReadVtp(const std::string& name)
   return JudgedPolygons(reader->GetOutput());
 }
 
+// SPACE=LPS is what 3D Slicer looks for.
+const char* const Title = "FlipFree " FLIPFREE_VERSION ", millimeters, SPACE=LPS";
+
+/// What the file says of the surface before it.
+std::vector<std::string> CommentsOn(vtkPolyData* surface)
+{
+  std::vector<std::string> comments{ Title };
+  const std::string provenance = ProvenanceOf(surface);
+  for (const std::string& line :
+    provenance.empty() ? std::vector<std::string>() : CommentLines(provenance))
+  {
+    comments.push_back("provenance " + line);
+  }
+  return comments;
+}
+
 template <typename Writer>
-void Prepare(Writer*)
+void Prepare(Writer*, vtkPolyData*)
 {
 }
 
-void Prepare(vtkSTLWriter* writer)
+void Prepare(vtkSTLWriter* writer, vtkPolyData*)
 {
   writer->SetFileTypeToBinary();
+  writer->SetHeader(Title);
 }
 
-void Prepare(vtkXMLPolyDataWriter* writer)
+void Prepare(vtkPLYWriter* writer, vtkPolyData* surface)
+{
+  for (const std::string& comment : CommentsOn(surface))
+  {
+    writer->AddComment(comment);
+  }
+}
+
+void Prepare(vtkXMLPolyDataWriter* writer, vtkPolyData*)
 {
   writer->SetDataModeToAppended();
   writer->EncodeAppendedDataOff();
@@ -64,8 +90,22 @@ void WriteBy(const std::string& name, vtkPolyData* surface)
   vtkNew<Writer> writer;
   writer->SetFileName(name.c_str());
   writer->SetInputData(surface);
-  Prepare(writer.Get());
+  Prepare(writer.Get(), surface);
   Run(writer, "writing", {}, [&writer]() { writer->Write(); });
+}
+
+/// VTK's writer takes no comments.
+void WriteObj(const std::string& name, vtkPolyData* surface)
+{
+  WriteBy<vtkOBJWriter>(name, surface);
+  std::ostringstream text;
+  for (const std::string& comment : CommentsOn(surface))
+  {
+    text << "# " << comment << "\n";
+  }
+  text << std::ifstream(name, std::ios::binary).rdbuf();
+  const std::string bytes = text.str();
+  WriteBytes(name, bytes.data(), bytes.size());
 }
 
 struct Format
@@ -81,7 +121,7 @@ const Format& FormatOf(const std::string& name)
     { ".vtp", ReadVtp, WriteBy<vtkXMLPolyDataWriter> },
     { ".stl", ReadStl, WriteBy<vtkSTLWriter> },
     { ".ply", ReadPly, WriteBy<vtkPLYWriter> },
-    { ".obj", ReadObj, WriteBy<vtkOBJWriter> },
+    { ".obj", ReadObj, WriteObj },
   };
   for (const Format& format : formats)
   {
@@ -200,11 +240,18 @@ vtkSmartPointer<vtkPolyData> ReadSurface(const std::string& name)
   return surface;
 }
 
-void WriteSurface(const std::string& name, vtkPolyData* surface)
+void WriteSurface(const std::string& name, vtkPolyData* surface, const OriginNames& names)
 {
   const bool triangulated = HasEnding(name, { ".stl" });
-  const vtkSmartPointer<vtkPolyData> written =
-    triangulated ? TrianglesOf(surface) : vtkSmartPointer<vtkPolyData>(surface);
+  vtkSmartPointer<vtkPolyData> written = surface;
+  if (triangulated)
+  {
+    written = TrianglesOf(surface);
+  }
+  else if (HasEnding(name, { ".vtp" }))
+  {
+    written = WithNames(surface, names);
+  }
   bool whole = false;
   vtkSmartPointer<vtkPolyData> found;
   try

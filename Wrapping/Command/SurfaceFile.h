@@ -5,6 +5,8 @@
 #ifndef FlipFreeCommandSurfaceFile_h
 #define FlipFreeCommandSurfaceFile_h
 
+#include "SessionRecord.h"
+
 #include "vtkSmartPointer.h"
 
 #include <string>
@@ -22,8 +24,10 @@ vtkSmartPointer<vtkPolyData> ReadSurface(const std::string& name);
 
 /// Writes a surface and reads it back, because VTK's writers do not report every failure. STL holds
 /// triangles only; the other formats keep the faces. If the surface is certified (field data
-/// `Certified`), what is read back must be valid, too: its positions may have been rounded.
-void WriteSurface(const std::string& name, vtkPolyData* surface);
+/// `Certified`), what is read back must be valid, too: its positions may have been rounded. Where
+/// it comes from (field data `Provenance`) is in .vtp as field data, with the names, and in .ply
+/// and .obj as comments, without: the same surface is the same bytes, whatever it is called.
+void WriteSurface(const std::string& name, vtkPolyData* surface, const OriginNames& names = {});
 
 /// Writes poly lines with their arrays as .vtp, and reads them back.
 void WriteLines(const std::string& name, vtkPolyData* lines);

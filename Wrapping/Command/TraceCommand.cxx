@@ -5,6 +5,7 @@
 #include "PointOptions.h"
 #include "ProgressBar.h"
 #include "Run.h"
+#include "SessionRecord.h"
 #include "Snapshot.h"
 #include "Subcommands.h"
 #include "SurfaceFile.h"
@@ -49,6 +50,7 @@ struct Trace
   std::string Centerline;
   std::string Convergence;
   std::string Snapshot;
+  std::string SessionOut;
   int Label = 1;
   int Threads = 0;
   bool Quiet = false;
@@ -62,20 +64,43 @@ struct Output
   std::function<void(const std::string&)> Write;
 };
 
+OriginNames NamesOf(const Trace& trace)
+{
+  OriginNames names;
+  names.Image = trace.Input;
+  for (const std::string* file :
+    { &trace.Surface, &trace.Labels, &trace.Centerline, &trace.SessionOut })
+  {
+    if (names.Organs.empty() && !file->empty())
+    {
+      names.Organs = { OrganOfFile(*file) };
+    }
+  }
+  return names;
+}
+
 /// The files asked for.
 std::vector<Output> OutputsOf(const Trace& trace, Filter* filter, vtkImageData* image)
 {
+  const OriginNames names = NamesOf(trace);
   const std::vector<Output> all = {
     { "--output", &trace.Surface, SurfaceEndings(),
-      [=](const std::string& name) { WriteSurface(name, filter->GetSurface()); } },
+      [=](const std::string& name) { WriteSurface(name, filter->GetSurface(), names); } },
     { "--labels", &trace.Labels, VolumeEndings(),
-      [=](const std::string& name) { WriteVolume(name, filter->GetLabelMap()); } },
+      [=](const std::string& name)
+      {
+        NameSegments(filter->GetLabelMap(), filter->GetLabelValue(), names);
+        WriteVolume(name, filter->GetLabelMap());
+      } },
     { "--centerline", &trace.Centerline, { ".vtp" },
       [=](const std::string& name) { WriteLines(name, filter->GetCenterline()); } },
     { "--convergence", &trace.Convergence, { ".csv" },
       [=](const std::string& name) { WriteTable(name, filter->GetConvergence()); } },
     { "--snapshot", &trace.Snapshot, { ".png" },
       [=](const std::string& name) { WriteSnapshot(name, image, filter->GetSurface()); } },
+    { "--save-session", &trace.SessionOut, { ".json" },
+      [=](const std::string& name)
+      { WriteSession(name, { NamedProvenance(ProvenanceOf(filter->GetSurface()), names) }); } },
   };
   std::vector<Output> wanted;
   for (const Output& output : all)
@@ -113,7 +138,7 @@ void RequireSense(const Trace& trace)
   if (outputs.empty())
   {
     throw WrongUsage("No output is requested. Give at least one of --output, --labels, "
-                     "--centerline, --convergence and --snapshot.");
+                     "--centerline, --convergence, --snapshot and --save-session.");
   }
   for (const Output& output : outputs)
   {
@@ -244,12 +269,17 @@ void AddFiles(CLI::App* command, Trace& trace)
     ->allow_extra_args(false); // of the three that each time has
   command->add_option("-o,--output", trace.Surface, "Surface (.vtp .stl .ply .obj)")
     ->type_name("FILE");
-  command->add_option("--labels", trace.Labels, "Label map (.nii.gz .nii .nrrd .mha)")
+  command
+    ->add_option("--labels", trace.Labels,
+      "Label map (.nii.gz .nii .nrrd .mha; .seg.nrrd: a segmentation of 3D Slicer, with the "
+      "vessel's "
+      "name)")
     ->type_name("FILE");
   command->add_option("--centerline", trace.Centerline, "Poly lines with radii (.vtp)")
     ->type_name("FILE");
   AddConvergenceOption(*command, trace.Convergence);
   AddSnapshotOption(*command, trace.Snapshot);
+  AddSaveSessionOption(*command, trace.SessionOut);
 }
 
 void AddParameters(CLI::App* command, Trace& trace)

@@ -98,9 +98,20 @@ public:
           std::strtod(Attribute(tag, std::string("NumberOf") + what).c_str(), nullptr));
       }
     }
-    at = 0;
-    for (std::string tag = NextTag(this->Bytes, "DataArray", at); !tag.empty();
-         tag = NextTag(this->Bytes, "DataArray", at))
+    for (const char* const kind : { "DataArray", "Array" }) // of numbers, of texts
+    {
+      this->JudgeArrays(kind, begin, isRaw);
+    }
+  }
+
+private:
+  [[noreturn]] static void Refuse() { throw Failure("it cannot hold as much as its header says"); }
+
+  void JudgeArrays(const std::string& kind, std::size_t begin, bool isRaw) const
+  {
+    std::size_t at = 0;
+    for (std::string tag = NextTag(this->Bytes, kind, at); !tag.empty();
+         tag = NextTag(this->Bytes, kind, at))
     {
       this->RequireRoom(std::strtod(Attribute(tag, "NumberOfComponents").c_str(), nullptr));
       this->RequireRoom(std::strtod(Attribute(tag, "NumberOfTuples").c_str(), nullptr));
@@ -121,9 +132,6 @@ public:
       }
     }
   }
-
-private:
-  [[noreturn]] static void Refuse() { throw Failure("it cannot hold as much as its header says"); }
 
   /// Nothing is packed to less than that by the packers that VTK has.
   void RequireRoom(double number) const

@@ -23,8 +23,8 @@ packages=(nanobind numpy scikit-build-core)
 modules="nanobind numpy scikit_build_core"
 if [[ ${1:-} == --extras ]]; then
   shift
-  packages+=(SimpleITK nibabel matplotlib vtk pyvista distributed pyarrow nbclient ipykernel mypy)
-  modules+=" SimpleITK nibabel matplotlib vtkmodules pyvista distributed pyarrow nbclient ipykernel mypy"
+  packages+=(SimpleITK nibabel matplotlib vtk pyvista distributed pyarrow nbclient ipykernel mypy pynrrd)
+  modules+=" SimpleITK nibabel matplotlib vtkmodules pyvista distributed pyarrow nbclient ipykernel mypy nrrd"
 fi
 folder=${1:-$(dirname "${BASH_SOURCE[0]}")/../../build/wheel-env}
 python=${2:-python3}

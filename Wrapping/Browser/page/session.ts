@@ -14,6 +14,14 @@ interface SessionFile {
   flipfree: string;
   image: { name: string } & Grid;
   organs: Entry[];
+  /** Of the command: the organs were segmented together. */
+  together?: boolean;
+}
+
+/** What only the command can repeat. */
+interface OfTheCommand {
+  startLabels?: unknown;
+  startSurface?: boolean;
 }
 
 export interface Session {
@@ -65,12 +73,20 @@ function faultOfList<T>(list: unknown, name: string, faultOf: (one: T) => string
   return first < 0 ? undefined : `${name} ${first + 1}: ${faults[first]}`;
 }
 
-function faultOfEntry(entry: Entry): string | undefined {
+const byCommand = "repeat it by flipfree segment --session";
+
+function faultOfEntry(entry: Entry & OfTheCommand): string | undefined {
   const { name, color, parameters } = entry;
   if (typeof name !== "string" || !/^#[0-9a-f]{6}$/i.test(color) || typeof parameters !== "object" || parameters === null) {
     return "its name, color or parameters are damaged";
   }
+  if (entry.startLabels || entry.startSurface) {
+    return `it starts from a label map or a surface that is not in the session; ${byCommand}`;
+  }
   if (entry.kind === "vessel") {
+    if ((entry as { corrections?: readonly Correction[] }).corrections?.length) {
+      return `it is corrected by points; ${byCommand}`;
+    }
     return faultOfList(entry.points, "point", (point) => (isNumbers(point, 3) ? undefined : `give it ${positions}`));
   }
   if (entry.kind !== undefined && entry.kind !== "organ") {
@@ -104,6 +120,9 @@ export function parseSession(name: string, text: string): Session {
   const isImage = isNumbers(image?.size, 3) && isNumbers(image.spacing, 3) && isNumbers(image.origin, 3) && isNumbers(image.direction, 9);
   if (session?.format !== "flipfree-session" || ![1, 2].includes(session.version) || !isImage || !Array.isArray(organs)) {
     throw new FlipFreeError(`${name} is not a session of FlipFree that this version knows; open one that this page has saved`);
+  }
+  if (session.together && organs.length > 1) {
+    throw new FlipFreeError(`${name}: its organs were segmented together; ${byCommand}`);
   }
   organs.forEach((organ, at) => {
     const fault = organ === null || typeof organ !== "object" ? "it is none" : faultOfEntry(organ);

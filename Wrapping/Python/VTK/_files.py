@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Mapping
 from typing import Any
 
-from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkStringArray
+from vtkmodules.vtkCommonDataModel import vtkFieldData, vtkImageData
 
 from ._errors import FileError
 from ._progress import progress_of
@@ -35,10 +37,20 @@ def read_image(
     return reader.GetOutput()
 
 
-def write_image(image: vtkImageData, path: PathName) -> None:
+def write_image(
+    image: vtkImageData,
+    path: PathName,
+    *,
+    names: Mapping[int, str] | None = None,
+    colors: Mapping[int, str] | None = None,
+) -> None:
     """Writes a label map or a gray image: NIfTI (.nii, .nii.gz), NRRD (.nrrd), MetaImage (.mha).
 
     There is either the whole file afterwards or, after an error, none of it.
+
+    A path that ends on .seg.nrrd makes a label map a segmentation of 3D Slicer, in which each label has a
+    name and a color: those of `names` and `colors` by label, {1: "liver"} and {1: "#ffd24a"}, or else
+    the organs' names in what segment_organs() returns, or the file's name where there is one label.
 
     >>> import flipfree, os, tempfile
     >>> phantom = flipfree.vtkPhantomSource()
@@ -52,9 +64,29 @@ def write_image(image: vtkImageData, path: PathName) -> None:
     if not isinstance(image, vtkImageData):
         raise TypeError(f"image: a vtkImageData is needed, not {image!r:.80}; image_from_array makes one")
     writer = _imaging_class("vtkMedicalImageWriter")
-    writer.SetInputDataObject(image)
+    writer.SetInputDataObject(image if names is None else _named(image, names, colors or {}))
     writer.SetFileName(os.fspath(path))
     update(writer, FileError, run=writer.Write)
+
+
+def _named(
+    image: vtkImageData, names: Mapping[int, str], colors: Mapping[int, str]
+) -> vtkImageData:
+    """The same image with field data that name its labels."""
+    labels, texts, shades = vtkDoubleArray(), vtkStringArray(), vtkStringArray()
+    for label, name in names.items():
+        labels.InsertNextValue(label)
+        texts.InsertNextValue(name)
+        shades.InsertNextValue(colors.get(label, ""))
+    named = vtkImageData()
+    named.ShallowCopy(image)
+    fields = vtkFieldData()
+    fields.ShallowCopy(image.GetFieldData())
+    for array, title in ((labels, "Labels"), (texts, "Names"), (shades, "Colors")):
+        array.SetName(f"Segment{title}")
+        fields.AddArray(array)
+    named.SetFieldData(fields)
+    return named
 
 
 def _imaging_class(name: str) -> Any:

@@ -69,6 +69,15 @@ class Segmentation(Faces, Correctable):
         return None if confidence is None else vtk_to_numpy(confidence)
 
     @property
+    def provenance(self) -> str:
+        """Where the surface comes from, as JSON: version, image grid, seeds, points and all parameters.
+
+        In a file, it is a session that `flipfree segment IMAGE --session FILE` repeats, bit for bit.
+        """
+        text = self.surface.GetFieldData().GetAbstractArray("Provenance")
+        return "" if text is None else str(text.GetValue(0))
+
+    @property
     def labels(self) -> npt.NDArray[Any]:
         """The voxels of the label map as labels[k, j, i]."""
         return array_from_image(self.label_map)

@@ -6,6 +6,7 @@
 #include "ThreadPool.h"
 
 #include "Deformation/OrganGroup.h"
+#include "Deformation/Provenance.h"
 #include "Deformation/SegmentationParameters.h"
 #include "Deformation/StartMask.h"
 #include "Deformation/VolumeSegmentation.h"
@@ -79,8 +80,8 @@ BitMask StartMaskOf(const LabelMap& labels, int label, const ImageGeometry& imag
     });
 }
 
-// The surface with its confidence. Uses up both.
-nb::dict ResultDict(VolumeSegmentation& result)
+// The surface with its confidence, which are used up, and where it comes from.
+nb::dict ResultDict(VolumeSegmentation& result, const std::string& provenance)
 {
   OrganSurface& organ = result.Organ;
   nb::dict surface =
@@ -89,6 +90,7 @@ nb::dict ResultDict(VolumeSegmentation& result)
   const std::size_t vertices = ofVertices.size();
   surface["vertex_confidence"] = ArrayOf<float>(std::move(ofVertices), { vertices });
   surface["confidence"] = result.Confidence.OfSurface;
+  surface["provenance"] = provenance;
   return surface;
 }
 
@@ -173,7 +175,16 @@ nb::dict Segment(const Voxels& voxels, const Triple& spacing, const Triple& orig
       std::move(iteration.Field)));
   }
   answer["history"] = surfaces;
-  answer["surface"] = ResultDict(result);
+  OrganProvenance provenance;
+  provenance.Seed = { Eigen::Vector3d(center.data()), radius };
+  provenance.Constraints = ConstraintsOf(rows);
+  if (!labels)
+  {
+    TakeLargestSeed(provenance.Seed, provenance.Constraints);
+  }
+  provenance.HasStartSurface = start.has_value();
+  provenance.StartLabel = labels ? label : -1;
+  answer["surface"] = ResultDict(result, ProvenanceOf(provenance, settings, geometry));
   report(1.0);
   return answer;
 }
@@ -220,6 +231,12 @@ nb::dict SegmentOrgans(const Voxels& voxels, const Triple& spacing, const Triple
       [](std::size_t, const ContourMesh&, const PointList&, const CorrespondenceField&,
         const IterationRecord&) {});
   }
+  std::vector<OrganProvenance> origins;
+  for (std::size_t index = 0; index < organs.size(); ++index)
+  {
+    origins.push_back({ organs[index].Name, organs[index].Seed, constraints[index] });
+  }
+  const std::string provenance = ProvenanceOf(origins, surfaces.size(), settings, geometry);
   nb::dict answer;
   nb::list list;
   std::vector<std::vector<VoxelRun>> runs;
@@ -235,7 +252,7 @@ nb::dict SegmentOrgans(const Voxels& voxels, const Triple& spacing, const Triple
     entry["self_intersections"] = organ.SelfIntersections;
     entry["iterations"] = ColumnsOf(organ.Iterations);
     entry["warnings"] = result.Warnings;
-    entry["surface"] = ResultDict(result);
+    entry["surface"] = ResultDict(result, provenance);
     runs.push_back(std::move(result.Voxels));
     list.append(entry);
   }

@@ -7,6 +7,7 @@
 
 #include "Vessel/Polyline.h"
 #include "Vessel/VesselParameters.h"
+#include "Vessel/VesselProvenance.h"
 
 #include <nanobind/stl/array.h>
 
@@ -93,8 +94,10 @@ nb::dict Trace(const Voxels& voxels, const Triple& spacing, const Triple& origin
   answer["support"] = result.Tree.Support;
   answer["stage_seconds"] =
     std::vector<double>(result.StageSeconds.begin(), result.StageSeconds.end());
-  answer["surface"] =
+  nb::dict found =
     SurfaceDict(std::move(surface.Mesh.Faces), std::move(surface.Points), std::move(surface.Field));
+  found["provenance"] = ProvenanceOf(points, ConstraintsOf(rows), settings, geometry);
+  answer["surface"] = found;
   report(1.0);
   return answer;
 }

@@ -189,7 +189,8 @@ class GroupAlgorithm:
             NAMES,
             tell,
         )
-        label_map = Image(answer["labels"], image.spacing, image.origin, image.direction)
+        names = {self.first_label() + index: organ[0] for index, organ in enumerate(self._organs)}
+        label_map = Image(answer["labels"], image.spacing, image.origin, image.direction, names)
         organs = []
         for (name, _, _, constraints), organ in zip(self._organs, answer["organs"]):
             for text in organ["warnings"]:

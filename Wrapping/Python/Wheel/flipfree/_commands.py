@@ -8,8 +8,8 @@ import os
 import re
 import sys
 import time
-from collections.abc import Callable
-from dataclasses import asdict
+from collections.abc import Callable, Iterable
+from dataclasses import asdict, replace
 from functools import partial
 from typing import Any, get_args
 
@@ -39,12 +39,14 @@ from ._segment_organs import segment_organs
 from ._session import (
     Session,
     SessionOrgan,
+    file_beside,
     image_beside,
     name_for,
     read_session,
     require_image_of,
     runs_of,
 )
+from ._session_record import OriginNames, named, organ_of_file, session_text
 from ._surface_files import ENDINGS, read_surface, write_centerline, write_surface
 from ._trace import trace as trace_vessel
 from ._types import Shape
@@ -56,8 +58,11 @@ OUTPUTS = {
     "labels": WRITE_ENDINGS,
     "convergence": (".csv",),
     "snapshot": (".png",),
+    "save_session": (".json",),
     "save_points": POINT_ENDINGS,
 }
+# Of all organs of a session, one each.
+SHARED = ("labels", "save_session")
 # Of vessels, in the order of the options.
 TRACE_OUTPUTS = {
     "output": ENDINGS,
@@ -65,6 +70,7 @@ TRACE_OUTPUTS = {
     "centerline": (".vtp",),
     "convergence": (".csv",),
     "snapshot": (".png",),
+    "save_session": (".json",),
     "save_points": POINT_ENDINGS,
 }
 
@@ -73,13 +79,16 @@ def segment(values: dict[str, Any]) -> None:
     """`flipfree segment`."""
     progress = _wants_bar(values)
     if {"organ", "fixed"} & values.keys():
-        _segment_group(values, progress)
+        _segment_group(values, _organs_of(values), {}, None, progress)
         return
     session = _session_of(values)
     runs = [values]
     if session:
         values = {"input": image_beside(session) if "input" not in values else None, **values}
-        runs = runs_of(session, values, [name for name in OUTPUTS if name != "labels"])
+        if session.together:
+            _segment_together(session, values, progress)
+            return
+        runs = runs_of(session, values, [name for name in OUTPUTS if name not in SHARED])
     for run in runs:
         _require_sense(run, {name: run[name] for name in OUTPUTS if name in run})
     points = [] if session else _points_of(values)  # a session's organs have their own
@@ -92,29 +101,69 @@ def segment(values: dict[str, Any]) -> None:
     with contextlib.ExitStack() as files:  # either all files or none
         said = [_segment_one(run, image, points, files, progress) for run in runs]
         if "labels" in values:
-            _write_to(files, values["labels"], lambda name: write_image(_label_map(said), name))
+            names = [_names_of(run) for run in runs]
+            label = values.get("label_value", 1)
+            titles = {label + index: one.organs[0] for index, one in enumerate(names)}
+            colors = {label + index: one.colors[0] for index, one in enumerate(names)}
+            _write_to(
+                files,
+                values["labels"],
+                lambda name: write_image(_label_map(said), name, names=titles, colors=colors),
+            )
+        if "save_session" in values:
+            sessions = [
+                named(organ.provenance, _names_of(run)) for run, (organ, _) in zip(runs, said)
+            ]
+            _write_to(files, values["save_session"], partial(_write_text, session_text(sessions)))
     for run, (organ, working) in zip(runs, said):
         _report(run, organ, reading, working)
 
 
-def _segment_group(values: dict[str, Any], progress: bool) -> None:
+def _segment_together(session: Session, values: dict[str, Any], progress: bool) -> None:
+    """`flipfree segment --session` of organs that were segmented together."""
+    first = session.organs[0]
+    organs = {
+        organ.title: {"seed": organ.seed, "radius": organ.radius, **organ.corrections}
+        for organ in session.organs
+    }
+    fixed = [file_beside(session, name, "The fixed surface") for name in session.fixed]
+    colors = {organ.title: organ.color for organ in session.organs}
+    values = {"preset": first.preset, **first.parameters, **values, "fixed": fixed}
+    _segment_group(values, organs, colors, session, progress)
+
+
+def _segment_group(
+    values: dict[str, Any],
+    organs: dict[str, dict[str, Any]],
+    colors: dict[str, str],
+    session: Session | None,
+    progress: bool,
+) -> None:
     """`flipfree segment --organ`."""
-    organs = _organs_of(values)
     outputs = {}
     for organ in organs:
-        for name in OUTPUTS.keys() & values.keys() - {"labels"}:
+        for name in OUTPUTS.keys() & values.keys() - set(SHARED):
             outputs[organ, name] = name_for(_file_name(organ), values[name])
     given = {name: values[name] for name in OUTPUTS if name in values}
     _require_outputs(given)
-    for path in (*outputs.values(), *([values["labels"]] if "labels" in values else [])):
+    shared = {name: path for name, path in given.items() if name in SHARED}
+    for path in (*outputs.values(), *shared.values()):
         _require_place(path, [values["input"], *values.get("fixed", ())])
-    _require_files(values, {name: path for name, path in given.items() if name == "labels"})
+    _require_files(values, shared)
+    names = OriginNames(
+        values["input"],
+        fixed=values.get("fixed", ()),
+        organs=list(organs),
+        colors=[colors.get(name, "") for name in organs],
+    )
     parameters = {**default_parameters(values.get("preset", "default")), **values}
     set_threads(values.get("threads", 0))
     start = time.perf_counter()
     fixed = [read_surface(name) for name in values.get("fixed", ())]
     image = read_image(values["input"], series=values.get("series"), progress=progress)
     reading = time.perf_counter() - start
+    if session:
+        require_image_of(session, values["input"], image)
     try:
         found = segment_organs(
             image,
@@ -134,9 +183,17 @@ def _segment_group(values: dict[str, Any], progress: bool) -> None:
                     "written."
                 )
         for (name, output), path in outputs.items():
-            _write_to(files, path, partial(_write, output, found[name], image))
+            _write_to(files, path, partial(_write, output, found[name], image, names))
         if "labels" in values:
-            _write_to(files, values["labels"], lambda name: write_image(found.label_map, name))
+            shades = {found.label_of(name): color for name, color in colors.items()}
+            _write_to(
+                files,
+                values["labels"],
+                lambda name: write_image(found.label_map, name, colors=shades),
+            )
+        if "save_session" in values:
+            text = session_text([named(next(iter(found.values())).provenance, names)])
+            _write_to(files, values["save_session"], partial(_write_text, text))
     if "quiet" not in values:
         for organ, result in found.items():
             print(
@@ -229,7 +286,7 @@ def _session_of(values: dict[str, Any]) -> Session | None:
                     "--radius; points correct the result"
                 )
             return None
-        if "radius" not in values:
+        if not all(1e-6 <= radius <= 1e6 for radius in values.get("radius", [0])):
             raise WrongUsage(
                 "--radius must be a positive number of millimeters, 1e-6 to 1e6. The sphere should lie "
                 "within the organ"
@@ -274,15 +331,15 @@ def _segment_one(
                 image,
                 repeated.points,
                 progress=progress or None,
+                **repeated.corrections,
                 **{**repeated.parameters, "label_value": values["label_value"]},
             )
         else:
             organ = segment_organ(
                 image,
-                **_start_of(values, image),
+                **_start_of(values, image, points),
                 preset=values.get("preset", "default"),
                 progress=progress or None,
-                **(repeated.corrections if repeated else arguments_of(points)),
                 **{name: value for name, value in values.items() if name in SEGMENT_PARAMETERS},
             )
     except FlipFreeError as error:
@@ -293,17 +350,45 @@ def _segment_one(
     for name in OUTPUTS:
         if name in values and name == "save_points":
             _write_to(files, values[name], lambda path: write_points(path, points))
-        elif name in values and name != "labels":
-            _write_to(files, values[name], partial(_write, name, organ, image))
+        elif name in values and name not in SHARED:
+            write = partial(_write, name, organ, image, _names_of(values))
+            _write_to(files, values[name], write)
     return organ, working
 
 
-def _start_of(values: dict[str, Any], image: Any) -> dict[str, Any]:
-    """The seed, or the label map in its place."""
+def _names_of(
+    values: dict[str, Any], outputs: Iterable[str] = ("output", "labels", "convergence")
+) -> OriginNames:
+    """What files say of an organ, or of one of a session, apart from how it was found."""
+    repeated: SessionOrgan | None = values.get("repeated")
+    files = (values[name] for name in (*outputs, "save_session") if name in values)
+    return OriginNames(
+        values["input"],
+        values.get("start_labels", ""),
+        organs=[repeated.title if repeated else organ_of_file(next(files, ""))],
+        colors=[repeated.color if repeated else ""],
+    )
+
+
+def _start_of(values: dict[str, Any], image: Any, points: list[Constraint]) -> dict[str, Any]:
+    """The seed, or the label map in its place, and the corrections with all further seeds."""
+    repeated: SessionOrgan | None = values.get("repeated")
+    corrections = repeated.corrections if repeated else arguments_of(points)
     if "start_labels" in values:
-        return {"start_labels": values["start_labels"], "start_label": values.get("start_label", 1)}
-    seed = _lps(values, values["seed"]) if "seed" in values else _point_of(image, values["seed_voxel"])
-    return {"seed": seed, "radius": values["radius"]}
+        labels = {"start_labels": values["start_labels"], "start_label": values.get("start_label", 1)}
+        return {**labels, **corrections}
+    seeds = (
+        [_lps(values, seed) for seed in values["seed"]]
+        if "seed" in values
+        else [_point_of(image, voxel) for voxel in values["seed_voxel"]]
+    )
+    (seed, radius), *more = zip(seeds, values["radius"])
+    return {
+        "seed": seed,
+        "radius": radius,
+        **corrections,
+        "seeds": [*more, *corrections.get("seeds", ())],
+    }
 
 
 def _label_map(found: list[tuple[Segmentation, float]]) -> Any:
@@ -361,7 +446,8 @@ def trace(values: dict[str, Any]) -> None:
             if name == "save_points":
                 _write_to(files, path, lambda name: write_points(name, corrections))
             else:
-                _write_to(files, path, partial(_write, name, vessel, image))
+                names = _names_of(values, ("output", "labels", "centerline"))
+                _write_to(files, path, partial(_write, name, vessel, image, names))
     if "quiet" not in values:
         count = len(vessel.branches)
         names = ("path", "start", "deformation", "label map")
@@ -390,7 +476,7 @@ def _require_sense_of_trace(values: dict[str, Any], outputs: dict[str, str]) -> 
     if not set(outputs) - {"save_points"}:
         raise WrongUsage(
             "No output is requested. Give at least one of --output, --labels, --centerline, "
-            "--convergence and --snapshot"
+            "--convergence, --snapshot and --save-session"
         )
     for name, path in outputs.items():
         _require_ending(f"--{name.replace('_', '-')}", path, TRACE_OUTPUTS[name])
@@ -540,6 +626,12 @@ def _require_sense(values: dict[str, Any], outputs: dict[str, str]) -> None:
             "--seed-voxel I J K; or a label map to fill: --start-labels FILE; or several organs: "
             "--organ NAME X Y Z MM"
         )
+    seeds = len(values.get("seed", ())) + len(values.get("seed_voxel", ()))
+    if seeds and seeds != len(values["radius"]):
+        raise WrongUsage(
+            f"There are {seeds} seeds and {len(values['radius'])} radii. Give a --radius for each seed, "
+            "in the same order"
+        )
     if "points" in values:
         _require_ending("--points", values["points"], POINT_ENDINGS)
     _require_outputs(outputs)
@@ -550,8 +642,8 @@ def _require_outputs(outputs: dict[str, str]) -> None:
     """There are some, of endings that can be written."""
     if not set(outputs) - {"save_points"}:
         raise WrongUsage(
-            "No output is requested. Give at least one of --output, --labels, --convergence and "
-            "--snapshot"
+            "No output is requested. Give at least one of --output, --labels, --convergence, "
+            "--snapshot and --save-session"
         )
     for name, path in outputs.items():
         _require_ending(f"--{name.replace('_', '-')}", path, OUTPUTS[name])
@@ -617,11 +709,22 @@ def _write_to(files: contextlib.ExitStack, path: str, write: Callable[[str], Non
         raise FileError(str(error).replace(temporary, path)) from error
 
 
-def _write(name: str, organ: Segmentation, image: Any, path: str) -> None:
+def _write_text(text: str, path: str) -> None:
+    with open(path, "w", encoding="utf-8", newline="") as file:
+        file.write(text)
+
+
+def _write(name: str, organ: Segmentation, image: Any, names: OriginNames, path: str) -> None:
+    provenance = named(organ.provenance, names)
     if name == "output":
-        write_surface(organ, path)
+        # The other formats have it without names: the same surface is the same bytes.
+        is_vtp = path.lower().endswith(".vtp")
+        write_surface(replace(organ.mesh, provenance=provenance) if is_vtp else organ, path)
+    elif name == "save_session":
+        _write_text(session_text([provenance]), path)
     elif name == "labels":
-        write_image(organ.label_map, path)
+        label = int(organ.label_map.voxels.max())
+        write_image(organ.label_map, path, names={label: names.organs[0]})
     elif name == "centerline" and isinstance(organ, Vessel):
         write_centerline(organ, path)
     elif name == "convergence":

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Mapping
 from typing import Any
 
 from ._atomic import replacing
@@ -12,6 +13,7 @@ from ._extras import ARRAY_INSTEAD, simpleitk
 from ._foreign import adopted
 from ._image import Image
 from ._progress import progress_of
+from ._segments import ENDING, segment_fields
 from ._types import PathName, ProgressOption
 
 READ_ENDINGS = (".nii", ".nii.gz", ".nrrd", ".nhdr", ".mha", ".mhd")
@@ -45,11 +47,21 @@ def read_image(
     return image
 
 
-def write_image(image: Image, path: PathName) -> None:
+def write_image(
+    image: Image,
+    path: PathName,
+    *,
+    names: Mapping[int, str] | None = None,
+    colors: Mapping[int, str] | None = None,
+) -> None:
     """Writes a label map or a gray image: NIfTI (.nii, .nii.gz), NRRD (.nrrd), MetaImage (.mha).
 
     There is either the whole file afterwards or, after an error, none of it. Needs SimpleITK, which
     `pip install '.[io]'` in the source folder brings along.
+
+    A path that ends on .seg.nrrd makes a label map a segmentation of 3D Slicer, in which each label has a
+    name and a color: those of `names` and `colors` by label, {1: "liver"} and {1: "#ffd24a"}, or else
+    the organs' names in what segment_organs() returns, or the file's name where there is one label.
 
     >>> import flipfree
     >>> flipfree.write_image(flipfree.phantom("sphere").label_map, "truth.jpg")
@@ -68,6 +80,10 @@ def write_image(image: Image, path: PathName) -> None:
     itk_image.SetSpacing(image.spacing)
     itk_image.SetOrigin(image.origin)
     itk_image.SetDirection(image.direction)
+    if name.lower().endswith(ENDING):
+        known = dict(image.names if names is None else names)
+        for key, value in segment_fields(image.voxels, name, known, colors or {}).items():
+            itk_image.SetMetaData(key, value)
     with replacing(name) as temporary:
         try:
             sitk.WriteImage(itk_image, temporary, useCompression=True)

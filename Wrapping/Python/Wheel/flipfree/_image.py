@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
@@ -24,6 +25,9 @@ class Image:
 
     direction: tuple[float, ...]
     """The axes in space, as the columns of a 3 x 3 matrix given row by row."""
+
+    names: Mapping[int, str] = field(default_factory=dict)
+    """What the labels of a label map are called, for files that hold it (.seg.nrrd)."""
 
     def __repr__(self) -> str:
         columns, rows, slices = self.voxels.shape[::-1]

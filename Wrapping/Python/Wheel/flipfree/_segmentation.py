@@ -43,6 +43,9 @@ class Surface(Faces):
     vertex_confidence: npt.NDArray[Any] | None = None
     """How well the image supports the surface at each vertex, 0 to 1; None unless it is a result."""
 
+    provenance: str = ""
+    """Where it comes from, see Segmentation.provenance; empty unless it is a result."""
+
     def cells(self) -> tuple[Any, Any]:
         return self.corners, self.offsets
 
@@ -90,6 +93,14 @@ class Segmentation(Faces, Correctable):
     def vertex_confidence(self) -> npt.NDArray[Any] | None:
         """How well the image supports the surface at each vertex, 0 to 1."""
         return self.mesh.vertex_confidence
+
+    @property
+    def provenance(self) -> str:
+        """Where the surface comes from, as JSON: version, image grid, seeds, points and all parameters.
+
+        In a file, it is a session that `flipfree segment IMAGE --session FILE` repeats, bit for bit.
+        """
+        return self.mesh.provenance
 
     @property
     def labels(self) -> npt.NDArray[Any]:

@@ -1,4 +1,4 @@
-"""Sessions that the page in the browser saves, as `flipfree segment --session` repeats them."""
+"""Sessions that the page in the browser and --save-session save, as `flipfree segment --session` repeats them."""
 
 from __future__ import annotations
 
@@ -24,13 +24,17 @@ IGNORED = {"keep_history", "label_value"}
 class SessionOrgan:
     """An organ of a session: what `segment` takes; or a vessel, which has points."""
 
-    name: str
+    name: str  # as it can stand in names of files
+    title: str  # as it was given
+    color: str
     parameters: dict[str, Any]
     seed: list[float] = field(default_factory=list)
     radius: float = 0.0
     preset: str = "default"
     corrections: dict[str, list[Any]] = field(default_factory=dict)
     points: list[list[float]] = field(default_factory=list)
+    start_labels: str | None = None
+    start_label: int = 1
 
 
 @dataclass
@@ -44,6 +48,8 @@ class Session:
     origin: list[float]
     direction: list[float]
     organs: list[SessionOrgan]
+    together: bool = False
+    fixed: list[str] = field(default_factory=list)
 
 
 def read_session(name: str) -> Session:
@@ -55,7 +61,7 @@ def read_session(name: str) -> Session:
         raise FileError(f"'{name}' cannot be read. Check the name and the permissions.") from error
     except ValueError as error:
         raise FileError(
-            f"'{name}' is not a session that the page has saved: {error}. Save it again."
+            f"'{name}' is not a session that the page or --save-session has saved: {error}. Save it again."
         ) from error
     try:
         if content["format"] != "flipfree-session" or content["version"] not in (1, 2):
@@ -63,7 +69,8 @@ def read_session(name: str) -> Session:
         return _session_of(name, content)
     except (KeyError, TypeError) as error:
         raise FileError(
-            f"'{name}' is not a session that the page has saved: {error!r} is wrong in it. Save it again."
+            f"'{name}' is not a session that the page or --save-session has saved: {error!r} is wrong in it. "
+            "Save it again."
         ) from error
     except ValueError as error:
         raise FileError(
@@ -89,7 +96,22 @@ def _session_of(name: str, content: dict[str, Any]) -> Session:
         _numbers(image["origin"], 3),
         _numbers(image["direction"], 9),
         organs,
+        _together(content, organs),
+        [str(one) for one in content.get("fixed", ())],
     )
+
+
+def _together(content: dict[str, Any], organs: list[SessionOrgan]) -> bool:
+    together = bool(content.get("together", False))
+    first = organs[0]
+    for organ in organs if together else ():
+        fits = organ.preset == first.preset and organ.parameters == first.parameters
+        if not fits or organ.points or organ.start_labels is not None:
+            raise ValueError(
+                f"'{organ.title}': organs that were segmented together have a seed each, and the same "
+                "parameters"
+            )
+    return together
 
 
 def _each(entries: Iterable[Any], name: str, read: Callable[[Any], T]) -> list[T]:
@@ -111,7 +133,10 @@ def _entry_of(entry: dict[str, Any]) -> SessionOrgan | None:
     kind = entry.get("kind", "organ")
     if kind not in ("organ", "vessel"):
         raise ValueError(f"the kind is '{kind}'; it can be organ or vessel")
-    if (len(entry["points"]) < 2) if kind == "vessel" else (entry["seed"] is None):
+    if kind == "vessel":
+        if len(entry["points"]) < 2:
+            return None
+    elif entry["seed"] is None and "startLabels" not in entry:
         return None
     # Letters, digits and dashes, as in the names of the page's files.
     name = re.sub(r"[\0-\x7f]", lambda letter: letter[0] if letter[0].isalnum() else "-", entry["name"])
@@ -138,7 +163,14 @@ def _vessel_of(name: str, entry: dict[str, Any]) -> SessionOrgan:
             raise ValueError(f"the parameter '{title}' is out of its range") from error
         parameters[known[title].name] = value
     points = _each(entry["points"], "point", lambda point: _numbers(point, 3))
-    return SessionOrgan(name, parameters, points=points)
+    return SessionOrgan(
+        name,
+        entry["name"],
+        str(entry.get("color", "")),
+        parameters,
+        corrections=_corrections_of(entry, ("inside", "outside", "boundary")),
+        points=points,
+    )
 
 
 def _organ_of(name: str, entry: dict[str, Any]) -> SessionOrgan:
@@ -151,13 +183,35 @@ def _organ_of(name: str, entry: dict[str, Any]) -> SessionOrgan:
             parameters[keyword] = value
     if entry["preset"] not in ("default", "published", "naive"):
         raise ValueError(f"there is no preset '{entry['preset']}'")
-    corrections: dict[str, list[Any]] = {"inside": [], "outside": [], "boundary": [], "seeds": []}
-    for kind, point in _each(entry.get("corrections", ()), "correction", _correction_of):
-        corrections[kind].append(point)
-    seed = entry["seed"]
-    return SessionOrgan(
-        name, parameters, _numbers(seed["center"], 3), float(seed["radius"]), entry["preset"], corrections
+    if entry.get("startSurface"):
+        raise ValueError("it began with a surface, which a session does not hold")
+    kinds = ("inside", "outside", "boundary", "seeds")
+    organ = SessionOrgan(
+        name,
+        entry["name"],
+        str(entry.get("color", "")),
+        parameters,
+        preset=entry["preset"],
+        corrections=_corrections_of(entry, kinds),
     )
+    if "startLabels" in entry:
+        organ.start_labels = str(entry["startLabels"]["name"])
+        organ.start_label = int(entry["startLabels"]["label"])
+        if organ.start_label < 0:
+            raise ValueError("the label of its start is negative")
+    else:
+        organ.seed = _numbers(entry["seed"]["center"], 3)
+        organ.radius = float(entry["seed"]["radius"])
+    return organ
+
+
+def _corrections_of(entry: dict[str, Any], kinds: tuple[str, ...]) -> dict[str, list[Any]]:
+    corrections: dict[str, list[Any]] = {kind: [] for kind in kinds}
+    for kind, point in _each(entry.get("corrections", ()), "correction", _correction_of):
+        if kind not in corrections:
+            raise ValueError("a seed is of no use to a vessel")
+        corrections[kind].append(point)
+    return corrections
 
 
 def _correction_of(entry: dict[str, Any]) -> tuple[str, Any]:
@@ -188,6 +242,14 @@ def image_beside(session: Session) -> str:
             f"The image '{session.image}' is not beside '{session.file}'. Give it, too: flipfree segment "
             f"IMAGE --session '{session.file}'."
         )
+    return path
+
+
+def file_beside(session: Session, name: str, what: str) -> str:
+    """The same of another file of the session; `what` is it."""
+    path = os.path.join(os.path.dirname(session.file), os.path.basename(name))
+    if not name or not os.path.exists(path):
+        raise FileError(f"{what} '{name}' is not beside '{session.file}'. Copy the file there.")
     return path
 
 
@@ -230,7 +292,13 @@ def runs_of(session: Session, values: dict[str, Any], outputs: list[str]) -> lis
         run: dict[str, Any] = {**({} if organ.points else organ.parameters), **values}
         run.update(repeated=organ, label_value=label)
         if not organ.points:
-            run.update(seed=organ.seed, radius=organ.radius, preset=organ.preset)
+            run["preset"] = organ.preset
+        if organ.start_labels is not None:
+            what = f"{organ.title}: the label map of its start"
+            run["start_labels"] = file_beside(session, organ.start_labels, what)
+            run["start_label"] = organ.start_label
+        elif not organ.points:
+            run.update(seed=[organ.seed], radius=[organ.radius])
         if len(session.organs) > 1:
             run["organ"] = organ.name
             run.update({name: name_for(organ.name, run[name]) for name in outputs if name in run})

@@ -11,6 +11,7 @@ from ._atomic import replacing
 from ._errors import FileError
 from ._extras import needed
 from ._segmentation import Segmentation, Surface, Vessel
+from ._session_record import comment_lines
 from ._types import PathName
 
 ENDINGS = (".vtp", ".stl", ".ply", ".obj")
@@ -18,6 +19,9 @@ ENDINGS = (".vtp", ".stl", ".ply", ".obj")
 
 def write_surface(surface: Surface | Segmentation, path: PathName) -> None:
     """Writes a surface as .vtp (in double precision, with all arrays), .stl, .ply or .obj.
+
+    Where it comes from (see Segmentation.provenance) is in .vtp as field data, in .ply and .obj as
+    comments.
 
     There is either the whole file afterwards or, after an error, none of it. What was certified is
     in the file, bit for bit; only STL has triangles in place of the faces.
@@ -105,6 +109,8 @@ def _vtp(mesh: Surface) -> bytes:
     if mesh.vertex_confidence is not None:
         numbers.append(_number("Confidence", mesh.confidence))
         confidence = _array("Confidence", mesh.vertex_confidence, "Float32")
+    if mesh.provenance:
+        numbers.append(_text("Provenance", mesh.provenance))
     return _vtp_file(
         f"<FieldData>{''.join(numbers)}</FieldData>\n"
         f'<Piece NumberOfPoints="{len(mesh.points)}" NumberOfPolys="{len(ends)}">\n'
@@ -123,6 +129,21 @@ def _number(name: str, value: float) -> str:
         f'<DataArray type="Float64" Name="{name}" NumberOfTuples="1" format="binary">'
         f"{_encoded(numpy.array([value]))}</DataArray>"
     )
+
+
+def _text(name: str, text: str) -> str:
+    """As numbers of its bytes, and 0 at its end."""
+    codes = " ".join(str(code) for code in (*text.encode(), 0))
+    return f'<Array type="String" Name="{name}" NumberOfTuples="1" format="ascii">{codes}</Array>'
+
+
+def _comments(mesh: Surface) -> list[str]:
+    """What files say of the surface before it."""
+    from . import __version__
+
+    # SPACE=LPS is what 3D Slicer looks for.
+    comments = [f"FlipFree {__version__}, millimeters, SPACE=LPS"]
+    return comments + [f"provenance {line}" for line in comment_lines(mesh.provenance) if line]
 
 
 def _vtp_lines(vessel: Vessel) -> bytes:
@@ -177,14 +198,15 @@ def _stl(mesh: Surface) -> bytes:
     facets = numpy.zeros(len(corners), [("vectors", "<f4", (4, 3)), ("attribute", "<u2")])
     facets["vectors"][:, 0] = normals / numpy.where(lengths > 0, lengths, 1)
     facets["vectors"][:, 1:] = corners
-    header = b"FlipFree, LPS millimeters".ljust(80)
+    header = _comments(mesh)[0].encode().ljust(80)
     return header + struct.pack("<I", len(facets)) + facets.tobytes()
 
 
 def _ply(mesh: Surface) -> bytes:
     header = (
-        "ply\nformat binary_little_endian 1.0\ncomment FlipFree, LPS millimeters\n"
-        f"element vertex {len(mesh.points)}\nproperty float x\nproperty float y\nproperty float z\n"
+        "ply\nformat binary_little_endian 1.0\n"
+        + "".join(f"comment {line}\n" for line in _comments(mesh))
+        + f"element vertex {len(mesh.points)}\nproperty float x\nproperty float y\nproperty float z\n"
         f"element face {len(mesh.offsets) - 1}\nproperty list uchar int vertex_indices\nend_header\n"
     )
     faces = (struct.pack(f"<B{len(face)}i", len(face), *face) for face in _faces(mesh))
@@ -192,7 +214,7 @@ def _ply(mesh: Surface) -> bytes:
 
 
 def _obj(mesh: Surface) -> bytes:
-    lines = ["# FlipFree, LPS millimeters"]
+    lines = [f"# {line}" for line in _comments(mesh)]
     lines += [f"v {x:.9g} {y:.9g} {z:.9g}" for x, y, z in mesh.points.tolist()]
     lines += ["f " + " ".join(str(corner + 1) for corner in face) for face in _faces(mesh)]
     return ("\n".join(lines) + "\n").encode()

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray, vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkPoints
+from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkPoints, vtkStringArray
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkImageData, vtkPolyData
 
 from ._image import Image
@@ -37,6 +37,11 @@ def polydata_of(mesh: Surface, surface: Any = None) -> Any:
         field.SetName(name)
         field.InsertNextValue(number)
         surface.GetFieldData().AddArray(field)
+    if mesh.provenance:
+        text = vtkStringArray()
+        text.SetName("Provenance")
+        text.InsertNextValue(mesh.provenance)
+        surface.GetFieldData().AddArray(text)
     return surface
 
 

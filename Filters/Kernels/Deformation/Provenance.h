@@ -1,0 +1,56 @@
+/**
+ * Where a surface comes from, as text that travels with it: the version, the image's grid, seeds,
+ * points, and all parameters, those with their defaults among them, so that it means the same once
+ * defaults change.
+ *
+ * The text is a session: the JSON, here in one line, that shells save and repeat with the same
+ * bits. Keys that not every organ has: `together` and `fixed` of organs that were segmented
+ * together, and the surfaces that they kept off; `startLabels`, a label map in place of the seed;
+ * `startSurface`, where the start was none of ours and cannot be repeated. Coordinates are LPS
+ * millimeters. The image, and files, have no name here: who knows it adds it. Constraints are
+ * sorted, because their order means nothing.
+ */
+#ifndef FlipFreeProvenance_h
+#define FlipFreeProvenance_h
+
+#include "Deformation/VolumeSegmentation.h"
+#include "Image/PointConstraint.h"
+
+#include <string>
+#include <vector>
+
+namespace FlipFree
+{
+
+/// From what an organ is found.
+struct OrganProvenance
+{
+  std::string Name = "organ";
+  SeedSphere Seed;
+  ConstraintList Constraints;
+  bool HasStartSurface = false; ///< which the text does not hold
+  int StartLabel = -1;          ///< of a label map in place of the seed; negative if there is none
+};
+
+std::string ProvenanceOf(const OrganProvenance& organ, const VolumeSegmentationSettings& settings,
+  const ImageGeometry& geometry);
+
+/// Of organs that were segmented together, and kept off so many fixed surfaces.
+std::string ProvenanceOf(const std::vector<OrganProvenance>& organs, std::size_t fixed,
+  const VolumeSegmentationSettings& settings, const ImageGeometry& geometry);
+
+// What vessels share.
+
+/// The constraints as a list of objects.
+std::string JsonOf(ConstraintList constraints);
+
+/// The session of entries that are JSON already; `more` stands behind them.
+std::string SessionOf(const ImageGeometry& geometry, const std::vector<std::string>& organs,
+  const std::string& more = {});
+
+/// How the nth organ is shown, from 0, unless somebody chooses: #ffd24a.
+std::string DefaultColor(std::size_t organ);
+
+} // namespace FlipFree
+
+#endif

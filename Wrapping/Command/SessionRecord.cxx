@@ -1,0 +1,174 @@
+#include "SessionRecord.h"
+
+#include "Failure.h"
+#include "OutputFile.h"
+
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkImageData.h"
+#include "vtkNew.h"
+#include "vtkPolyData.h"
+#include "vtkStringArray.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <filesystem>
+
+namespace Command
+{
+namespace
+{
+
+using Json = nlohmann::ordered_json; // as people read it: the format first
+
+const char* const FieldName = "Provenance";
+
+/// Of a file, or of a folder with a slash at its end.
+std::string NameIn(const std::string& path)
+{
+  const std::filesystem::path whole(path);
+  return (whole.has_filename() ? whole : whole.parent_path()).filename().string();
+}
+
+void Fill(Json& value, const std::string& name)
+{
+  if (!name.empty())
+  {
+    value = name;
+  }
+}
+
+/// Empty where there is none.
+std::string At(const std::vector<std::string>& texts, std::size_t index)
+{
+  return index < texts.size() ? texts[index] : std::string();
+}
+
+/// In a line each unless `indent` is negative. Names that are no UTF-8 do not stop it.
+std::string TextOf(const Json& session, int indent = -1)
+{
+  return session.dump(indent, ' ', false, Json::error_handler_t::replace);
+}
+
+} // namespace
+
+std::string ProvenanceOf(vtkPolyData* surface)
+{
+  auto* const text =
+    vtkStringArray::SafeDownCast(surface->GetFieldData()->GetAbstractArray(FieldName));
+  return text && text->GetNumberOfValues() == 1 ? text->GetValue(0) : std::string();
+}
+
+std::string NamedProvenance(const std::string& provenance, const OriginNames& names)
+{
+  Json session = Json::parse(provenance, nullptr, false);
+  if (session.is_discarded()) // a name is no UTF-8
+  {
+    return provenance;
+  }
+  Json& organs = session.at("organs");
+  Fill(session.at("image").at("name"), NameIn(names.Image));
+  for (std::size_t index = 0; index < organs.size(); ++index)
+  {
+    Fill(organs[index].at("name"), At(names.Organs, index));
+    Fill(organs[index].at("color"), At(names.Colors, index));
+    if (organs[index].contains("startLabels"))
+    {
+      Fill(organs[index].at("startLabels").at("name"), NameIn(names.StartLabels));
+    }
+  }
+  for (std::size_t index = 0; index < names.Fixed.size(); ++index)
+  {
+    session.at("fixed").at(index) = NameIn(names.Fixed[index]);
+  }
+  return TextOf(session);
+}
+
+vtkSmartPointer<vtkPolyData> WithNames(vtkPolyData* surface, const OriginNames& names)
+{
+  auto copy = vtkSmartPointer<vtkPolyData>::New();
+  copy->ShallowCopy(surface);
+  const std::string provenance = ProvenanceOf(surface);
+  if (!provenance.empty())
+  {
+    vtkNew<vtkStringArray> text;
+    text->SetName(FieldName);
+    text->InsertNextValue(NamedProvenance(provenance, names));
+    vtkNew<vtkFieldData> fields;
+    fields->ShallowCopy(surface->GetFieldData());
+    fields->AddArray(text);
+    copy->SetFieldData(fields);
+  }
+  return copy;
+}
+
+void NameSegments(vtkImageData* labels, int first, const OriginNames& names)
+{
+  vtkNew<vtkDoubleArray> values;
+  values->SetName("SegmentLabels");
+  vtkNew<vtkStringArray> organs;
+  organs->SetName("SegmentNames");
+  vtkNew<vtkStringArray> colors;
+  colors->SetName("SegmentColors");
+  for (std::size_t index = 0; index < names.Organs.size(); ++index)
+  {
+    values->InsertNextValue(first + static_cast<double>(index));
+    organs->InsertNextValue(names.Organs[index]);
+    colors->InsertNextValue(At(names.Colors, index));
+  }
+  for (vtkAbstractArray* array :
+    { static_cast<vtkAbstractArray*>(values.Get()), static_cast<vtkAbstractArray*>(organs.Get()),
+      static_cast<vtkAbstractArray*>(colors.Get()) })
+  {
+    labels->GetFieldData()->AddArray(array);
+  }
+}
+
+std::vector<std::string> CommentLines(const std::string& provenance)
+{
+  constexpr std::size_t enough = 100;
+  std::vector<std::string> lines{ "" };
+  bool isQuoted = false;
+  for (std::size_t at = 0; at < provenance.size(); ++at)
+  {
+    const char letter = provenance[at];
+    lines.back() += letter;
+    if (letter == '\\')
+    {
+      lines.back() += provenance[++at];
+    }
+    isQuoted = isQuoted != (letter == '"');
+    if (letter == ',' && !isQuoted && lines.back().size() >= enough)
+    {
+      lines.emplace_back();
+    }
+  }
+  return lines;
+}
+
+std::string OrganOfFile(const std::string& file)
+{
+  const std::string name = NameIn(file);
+  return name.substr(0, name.find('.', 1));
+}
+
+void WriteSession(const std::string& name, const std::vector<std::string>& sessions)
+{
+  if (!std::all_of(sessions.begin(), sessions.end(),
+        [](const auto& text) { return Json::accept(text); }))
+  {
+    throw Failure("'" + name + "' cannot be written: the name of an organ is not in UTF-8.");
+  }
+  Json all = Json::parse(sessions.front());
+  for (auto more = sessions.begin() + 1; more != sessions.end() && !all.contains("together");
+       ++more)
+  {
+    const Json session = Json::parse(*more);
+    all["organs"].push_back(session.at("organs").at(0));
+  }
+  const std::string text = TextOf(all, 2) + "\n";
+  WriteBytes(name, text.data(), text.size());
+}
+
+} // namespace Command

@@ -1,0 +1,76 @@
+"""Where results come from: the session that travels with a surface, with the names of files and organs.
+
+The toolkit's command does the same (SessionRecord.cxx); a test holds the two together.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+ENOUGH = 100  # letters of a line of comments
+
+
+@dataclass
+class OriginNames:
+    """Names that a surface's own text leaves open; an empty one stays open."""
+
+    image: str = ""
+    start_labels: str = ""
+    fixed: Sequence[str] = ()
+    organs: Sequence[str] = ()
+    colors: Sequence[str] = ()
+
+
+def named(provenance: str, names: OriginNames) -> str:
+    """With the names, of files without their folders."""
+    session = json.loads(provenance)
+    _fill(session["image"], "name", _name_in(names.image))
+    for organ, name, color in zip(session["organs"], names.organs, names.colors):
+        _fill(organ, "name", name)
+        _fill(organ, "color", color)
+    for organ in session["organs"]:
+        if "startLabels" in organ:
+            _fill(organ["startLabels"], "name", _name_in(names.start_labels))
+    if names.fixed:
+        session["fixed"] = [_name_in(name) for name in names.fixed]
+    return json.dumps(session, ensure_ascii=False, separators=(",", ":"))
+
+
+def session_text(sessions: Sequence[str]) -> str:
+    """The sessions, one for each organ or one for all, as one."""
+    first, *more = (json.loads(text) for text in sessions)
+    if not first.get("together"):
+        for session in more:
+            first["organs"] += session["organs"]
+    return json.dumps(first, ensure_ascii=False, indent=2) + "\n"
+
+
+def comment_lines(provenance: str) -> list[str]:
+    """In lines, at most about 120 letters each, which together are the text."""
+    lines, quoted, escaped = [""], False, False
+    for letter in provenance:
+        lines[-1] += letter
+        quoted ^= letter == '"' and not escaped
+        escaped = letter == "\\" and not escaped
+        if letter == "," and not quoted and len(lines[-1].encode()) >= ENOUGH:
+            lines.append("")
+    return lines
+
+
+def organ_of_file(path: str) -> str:
+    """The name of an organ that has none, after a file: liver for out/liver.vtp."""
+    name = _name_in(path)
+    return name[:1] + name[1:].partition(".")[0]
+
+
+def _name_in(path: str) -> str:
+    return os.path.basename(path.rstrip("/")) if path else ""
+
+
+def _fill(entry: dict[str, Any], key: str, name: str) -> None:
+    if name:
+        entry[key] = name
