@@ -1,6 +1,6 @@
 #include "IntensityOdds.h"
 
-#include "Intensity/ModelFit.h"
+#include "Intensity/IntensityModel.h"
 
 #include <algorithm>
 #include <cmath>
@@ -59,8 +59,12 @@ std::vector<float> LogOddsOf(const BaselineTask& task, double noiseWidening,
 {
   IntensitySettings settings;
   settings.NoiseWidening = noiseWidening;
-  const GaussianMixture organ =
-    FitToSeed(task.Region.View(), task.Seed, task.Noise, settings).Mixture;
+  std::vector<float> seed;
+  for (const std::size_t voxel : task.SeedVoxels)
+  {
+    seed.push_back(task.Region.Voxels[voxel]);
+  }
+  const GaussianMixture organ = IntensityModel::FromSeed(seed, task.Noise, settings).Mixture;
   const Range range = SupportOf(organ);
   const GaussianMixture around = FitSurroundings(task.Region.Voxels, range);
 

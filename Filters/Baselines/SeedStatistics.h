@@ -1,5 +1,5 @@
 /**
- * Private to the module: mean and standard deviation over the seed sphere, and how fast a front
+ * Private to the module: mean and standard deviation over the seeds, and how fast a front
  * that goes by them grows or shrinks at an intensity.
  */
 #ifndef FlipFreeSeedStatistics_h
@@ -54,8 +54,7 @@ struct IntensityInterval
 /// Around the seed's mean, by so many of its deviations to either side.
 inline IntensityInterval IntervalOf(const BaselineTask& task, double deviations)
 {
-  const SeedStatistics seed =
-    StatisticsOf(task.Region.Voxels.data(), VoxelsInSphere(task.Region.Geometry, task.Seed));
+  const SeedStatistics seed = StatisticsOf(task.Region.Voxels.data(), task.SeedVoxels);
   // Of a seed of one value any other is background.
   return { seed.Mean,
     std::max(deviations * seed.StandardDeviation, 1e-6 * (1 + std::abs(seed.Mean))) };

@@ -101,7 +101,8 @@ bool CutSliceBySlice(const BaselineTask& task, const std::vector<float>& logOdds
   const ImageGeometry& geometry = task.Region.Geometry;
   const int size = geometry.Dimensions[2];
   const int first = std::max(0,
-    std::min(size - 1, static_cast<int>(std::lround(geometry.ToIndex(task.Seed.Center)[2]))));
+    std::min(size - 1,
+      static_cast<int>(std::lround(geometry.ToIndex(task.Seeds.front().Center)[2]))));
   const SliceCutter cutter(task, logOdds, candidates, seeds, settings, margin, parallelFor);
   const Monitor slice = [&](double) { return monitor(static_cast<double>(slices) / size); };
   slices = 0;

@@ -2,6 +2,8 @@
 
 #include "BaselineTask.h"
 #include "FieldSurface.h"
+#include "MaskVoxels.h"
+#include "PathEnds.h"
 
 #include "ExecutionAdapter.h"
 #include "GrayImageAdapter.h"
@@ -13,9 +15,11 @@
 #include "PropertyCheck.h"
 
 #include "vtkCellArray.h"
+#include "vtkIdList.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkNew.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 
@@ -43,6 +47,73 @@ double ReachOf(double reach, double seedRadius)
                    : std::max(MinimumReach, std::min(MaximumReach, ReachInRadii * seedRadius));
 }
 
+// Points that follow at their like are left out: a plane across the path needs a direction.
+FlipFree::PathLines LinesOf(vtkPolyData* path)
+{
+  FlipFree::PathLines lines;
+  for (vtkIdType line = 0; line < path->GetNumberOfLines(); ++line)
+  {
+    vtkNew<vtkIdList> places;
+    path->GetLines()->GetCellAtId(line, places);
+    FlipFree::PointList points(places->GetNumberOfIds(), 3);
+    Eigen::Index size = 0;
+    for (vtkIdType place = 0; place < places->GetNumberOfIds(); ++place)
+    {
+      points.row(size) = Eigen::Vector3d(path->GetPoint(places->GetId(place)));
+      size += size == 0 || points.row(size) != points.row(size - 1);
+    }
+    points.conservativeResize(size, Eigen::NoChange);
+    if (size < 2 || !points.allFinite())
+    {
+      throw std::invalid_argument("line " + std::to_string(line) +
+        " on port 1 has no two points that differ, or one that is not a number; give the lines "
+        "that vtkVesselPath finds");
+    }
+    lines.push_back(points);
+  }
+  if (lines.empty())
+  {
+    throw std::invalid_argument(
+      "there is no line on port 1; give those that vtkVesselPath finds, or disconnect it");
+  }
+  return lines;
+}
+
+// Offsets in the region that is cropped for the seeds, ascending.
+std::vector<std::size_t> VoxelsOfSeeds(const std::vector<FlipFree::SeedSphere>& seeds,
+  const FlipFree::BitMask& beyond)
+{
+  FlipFree::BitMask mask(beyond.GetGeometry());
+  for (const FlipFree::SeedSphere& seed : seeds)
+  {
+    const auto voxels = FlipFree::VoxelsInSphere(mask.GetGeometry(), seed);
+    if (voxels.empty())
+    {
+      throw std::invalid_argument("no voxel center of " + std::string(InputName) +
+        " lies in the seed sphere; enlarge it, or move it onto one");
+    }
+    for (const std::size_t voxel : voxels)
+    {
+      FlipFree::InsertVoxel(mask, voxel);
+    }
+  }
+  mask.Remove(beyond);
+  if (mask.Count() == 0)
+  {
+    throw std::invalid_argument("the seeds lie beyond the ends of the path on port 1; move them "
+                                "onto the path, or disconnect it");
+  }
+  return FlipFree::OffsetsOf(mask);
+}
+
+// To the methods, what lies beyond the ends looks like no organ.
+void HideVoxels(const FlipFree::BitMask& hidden, std::vector<float>& voxels)
+{
+  const auto [least, greatest] = std::minmax_element(voxels.begin(), voxels.end());
+  const float nothing = *least - 1000 * (1 + *greatest - *least);
+  hidden.ForEach([&voxels, nothing](std::size_t voxel) { voxels[voxel] = nothing; });
+}
+
 vtkSmartPointer<vtkCellArray> ClosedLine(vtkIdType size)
 {
   auto line = vtkSmartPointer<vtkCellArray>::New();
@@ -58,7 +129,28 @@ vtkSmartPointer<vtkCellArray> ClosedLine(vtkIdType size)
 
 vtkBaselineSegmentation::vtkBaselineSegmentation()
 {
+  this->SetNumberOfInputPorts(2);
   this->SetNumberOfOutputPorts(2);
+}
+
+void vtkBaselineSegmentation::AddFurtherSeed(double x, double y, double z, double radius)
+{
+  this->FurtherSeeds.push_back({ { x, y, z, radius } });
+  this->Modified();
+}
+
+void vtkBaselineSegmentation::RemoveAllFurtherSeeds()
+{
+  if (!this->FurtherSeeds.empty())
+  {
+    this->FurtherSeeds.clear();
+    this->Modified();
+  }
+}
+
+void vtkBaselineSegmentation::SetPathData(vtkPolyData* path)
+{
+  this->SetInputDataObject(1, path);
 }
 
 vtkPolyData* vtkBaselineSegmentation::GetSurface()
@@ -71,8 +163,14 @@ vtkImageData* vtkBaselineSegmentation::GetLabelMap()
   return vtkImageData::SafeDownCast(this->GetOutputDataObject(1));
 }
 
-int vtkBaselineSegmentation::FillInputPortInformation(int, vtkInformation* info)
+int vtkBaselineSegmentation::FillInputPortInformation(int port, vtkInformation* info)
 {
+  if (port == 1)
+  {
+    info->Set(INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+    info->Set(INPUT_IS_OPTIONAL(), 1);
+    return 1;
+  }
   info->Set(INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
   return 1;
 }
@@ -107,7 +205,8 @@ int vtkBaselineSegmentation::RequestData(vtkInformation*, vtkInformationVector**
   this->NumberOfIterations = 0;
   try
   {
-    this->Segment(vtkImageData::GetData(inputs[0]), surface, labels);
+    this->Segment(vtkImageData::GetData(inputs[0]), vtkPolyData::GetData(inputs[1]), surface,
+      labels);
   }
   catch (const std::exception& error)
   {
@@ -125,34 +224,60 @@ void vtkBaselineSegmentation::RequireProperties()
   FlipFree::RequireNumbers({ { "Reach", this->Reach } });
 }
 
-void vtkBaselineSegmentation::Segment(vtkImageData* image, vtkPolyData* surface,
+std::vector<FlipFree::SeedSphere> vtkBaselineSegmentation::Seeds() const
+{
+  std::vector<FlipFree::SeedSphere> seeds{ { Eigen::Vector3d(this->SeedCenter),
+    this->SeedRadius } };
+  for (const std::array<double, 4>& seed : this->FurtherSeeds)
+  {
+    seeds.push_back({ { seed[0], seed[1], seed[2] }, seed[3] });
+  }
+  return seeds;
+}
+
+void vtkBaselineSegmentation::Segment(vtkImageData* image, vtkPolyData* path, vtkPolyData* surface,
   vtkImageData* labels)
 {
   this->RequireProperties();
   FlipFree::RequireGrayImage(image, InputName);
   const FlipFree::ImageGeometry geometry = FlipFree::GeometryOf(image);
   FlipFree::BaselineTask task;
-  task.Seed = { Eigen::Vector3d(this->SeedCenter), this->SeedRadius };
-  FlipFree::RequireSeed(geometry, task.Seed, InputName);
-
-  const FlipFree::VoxelBox box =
-    FlipFree::BoxAround(geometry, task.Seed.Center, ReachOf(this->Reach, this->SeedRadius));
-  FlipFree::RequireFinite(image, box, InputName);
-  if (FlipFree::VoxelsInSphere(FlipFree::CropGeometry(geometry, box), task.Seed).empty())
+  task.Seeds = this->Seeds();
+  FlipFree::VoxelBox box;
+  for (const FlipFree::SeedSphere& seed : task.Seeds)
   {
-    throw std::invalid_argument("no voxel center of " + std::string(InputName) +
-      " lies in the seed sphere; enlarge it, or move it onto one");
+    FlipFree::RequireSeed(geometry, seed, InputName);
+    box = box.Joined(FlipFree::BoxAround(geometry, seed.Center, ReachOf(this->Reach, seed.Radius)));
   }
-  task.Noise = FlipFree::NoiseOf(image, task.Seed);
+  FlipFree::RequireFinite(image, box, InputName);
+  FlipFree::BitMask beyond(FlipFree::CropGeometry(geometry, box));
+  if (path)
+  {
+    beyond = FlipFree::VoxelsBeyondEnds(LinesOf(path), beyond.GetGeometry(), FlipFree::SMPFor);
+  }
+  task.SeedVoxels = VoxelsOfSeeds(task.Seeds, beyond);
+  for (const FlipFree::SeedSphere& seed : task.Seeds)
+  {
+    task.Noise += FlipFree::NoiseOf(image, seed) / static_cast<double>(task.Seeds.size());
+  }
   FlipFree::AnisotropicDiffusionSettings diffusion;
   diffusion.Iterations = this->DiffusionIterations;
   diffusion.Contrast = FlipFree::ContrastOfNoise(task.Noise);
   FlipFree::BaselineResult result;
   if (!FlipFree::SmoothRegionOf(image, box, diffusion, FlipFree::MonitorOf(this, 0, MethodBegins),
-        task.Region) ||
-    !this->Segment(task, FlipFree::MonitorOf(this, MethodBegins, MethodEnds), result))
+        task.Region))
   {
     return;
+  }
+  HideVoxels(beyond, task.Region.Voxels);
+  if (!this->Segment(task, FlipFree::MonitorOf(this, MethodBegins, MethodEnds), result))
+  {
+    return;
+  }
+  if (!result.Field.empty())
+  {
+    // A rim may have been added.
+    beyond.ForEach([&result](std::size_t voxel) { result.Field[voxel] = -1; });
   }
 
   std::vector<FlipFree::VoxelRun> runs;
@@ -196,6 +321,11 @@ void vtkBaselineSegmentation::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "SeedCenter: (" << this->SeedCenter[0] << ", " << this->SeedCenter[1] << ", "
      << this->SeedCenter[2] << ")\n";
   os << indent << "SeedRadius: " << this->SeedRadius << "\n";
+  for (const std::array<double, 4>& seed : this->FurtherSeeds)
+  {
+    os << indent << "FurtherSeed: (" << seed[0] << ", " << seed[1] << ", " << seed[2]
+       << "), radius " << seed[3] << "\n";
+  }
   os << indent << "LabelValue: " << this->LabelValue << "\n";
   os << indent << "Reach: " << this->Reach << "\n";
   os << indent << "DiffusionIterations: " << this->DiffusionIterations << "\n";

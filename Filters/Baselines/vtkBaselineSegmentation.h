@@ -10,14 +10,20 @@
  * Input port 0: vtkImageData with one scalar component of any type; coordinates are the image's
  * physical millimeters, the direction matrix is honored.
  *
+ * Input port 1, optional: vtkPolyData, the poly lines of a vessel's path, as vtkVesselPath gives
+ * them. The method then sees nothing beyond the planes across the path at its ends, and the result
+ * ends there: voxels whose nearest point of the path is one of its ends, on the far side of the
+ * plane there, are background. So can methods that know no ends be compared on vessels.
+ *
  * Output port 0: vtkPolyData, the surface: closed, of triangles, also where the organ is cut off by
  * the border of the image. Unlike that of vtkFlipFreeSegmentation, its topology is mostly unknown.
  * Output port 1: vtkImageData, unsigned char `Labels` of the input's geometry: LabelValue inside.
  *
  * Errors: no scalars, several components, an empty image, voxels that are not finite within Reach,
- * a seed outside the image, a radius below a voxel, a property that is not a number, nothing found
- * at the seed. Each is reported once and leaves the outputs empty. After an abort the outputs are
- * empty without an error.
+ * a seed outside the image, a radius below a voxel, seeds beyond the ends of the
+ * path, lines without two points that differ, a property that is not a number, nothing found at
+ * the seed, several seeds for a method that starts from one. Each is reported once and leaves the
+ * outputs empty. After an abort the outputs are empty without an error.
  */
 #ifndef vtkBaselineSegmentation_h
 #define vtkBaselineSegmentation_h
@@ -25,7 +31,9 @@
 #include "FlipFreeBaselinesModule.h"
 #include "vtkPolyDataAlgorithm.h"
 
+#include <array>      // for std::array
 #include <functional> // for std::function
+#include <vector>     // for std::vector
 
 class vtkImageData;
 class vtkPolyData;
@@ -34,6 +42,7 @@ namespace FlipFree
 {
 struct BaselineResult;
 struct BaselineTask;
+struct SeedSphere;
 }
 
 class FLIPFREEBASELINES_EXPORT vtkBaselineSegmentation : public vtkPolyDataAlgorithm
@@ -69,6 +78,25 @@ public:
 
   ///@{
   /**
+   * Adds a further seed sphere, in millimeters, to that of SeedCenter and SeedRadius, gives their
+   * number, and removes them. The voxels of all model the intensities, and the method starts from
+   * all, except for vtkSimplexMeshSegmentation and vtkGVFSnake, which take one alone.
+   */
+  void AddFurtherSeed(double x, double y, double z, double radius);
+  int GetNumberOfFurtherSeeds() const { return static_cast<int>(this->FurtherSeeds.size()); }
+  void RemoveAllFurtherSeeds();
+  ///@}
+
+  ///@{
+  /**
+   * Connects or sets the path of input port 1; nullptr removes it.
+   */
+  void SetPathConnection(vtkAlgorithmOutput* output) { this->SetInputConnection(1, output); }
+  void SetPathData(vtkPolyData* path);
+  ///@}
+
+  ///@{
+  /**
    * Value of the organ's voxels in the label map. Default 1; 1 to 255.
    */
   vtkSetClampMacro(LabelValue, int, 1, 255);
@@ -77,7 +105,7 @@ public:
 
   ///@{
   /**
-   * Half the edge length, in millimeters, of the box around the seed's center that is searched.
+   * Half the edge length, in millimeters, of the box around each seed's center that is searched.
    * Default 0: ten seed radii, at least 100 and at most 250, as in vtkFlipFreeSegmentation. 0 to
    * 1e6.
    */
@@ -131,7 +159,10 @@ private:
   vtkBaselineSegmentation(const vtkBaselineSegmentation&) = delete;
   void operator=(const vtkBaselineSegmentation&) = delete;
 
-  void Segment(vtkImageData* image, vtkPolyData* surface, vtkImageData* labels);
+  void Segment(vtkImageData* image, vtkPolyData* path, vtkPolyData* surface, vtkImageData* labels);
+  std::vector<FlipFree::SeedSphere> Seeds() const;
+
+  std::vector<std::array<double, 4>> FurtherSeeds; // centers and radii
 };
 
 #endif

@@ -31,7 +31,7 @@ struct SeedSlice
   explicit SeedSlice(const FlipFree::BaselineTask& task)
     : Region(task.Region.Geometry)
     , Pixel(Region.Spacing.head<2>().minCoeff())
-    , Center(Region.ToIndex(task.Seed.Center))
+    , Center(Region.ToIndex(FlipFree::OnlySeedOf(task).Center))
   {
     this->K = std::max(0,
       std::min(this->Region.Dimensions[2] - 1, static_cast<int>(std::lround(this->Center[2]))));
@@ -116,8 +116,8 @@ bool vtkGVFSnake::Segment(const FlipFree::BaselineTask& task,
   const SeedSlice slice(task);
   // The sphere's center may lie between two slices.
   const double aside = (slice.Center[2] - slice.K) * slice.Region.Spacing[2];
-  const double radius = std::sqrt(
-    std::max(slice.Pixel * slice.Pixel, task.Seed.Radius * task.Seed.Radius - aside * aside));
+  const double seed = FlipFree::OnlySeedOf(task).Radius;
+  const double radius = std::sqrt(std::max(slice.Pixel * slice.Pixel, seed * seed - aside * aside));
   // 0 in flat parts of the image, a half where the gradient is EdgeContrast times the seed's mean,
   // 1 at strong edges.
   const PlaneImage::Pointer edges =

@@ -50,12 +50,11 @@ bool vtkGraphCutSegmentation::Segment(const FlipFree::BaselineTask& task,
   const std::function<bool(double)>& monitor, FlipFree::BaselineResult& result)
 {
   const FlipFree::ImageGeometry& geometry = task.Region.Geometry;
-  const auto seedVoxels = FlipFree::VoxelsInSphere(geometry, task.Seed);
-  const FlipFree::BitMask seeds = FlipFree::MaskOf(seedVoxels, geometry);
+  const FlipFree::BitMask seeds = FlipFree::MaskOf(task.SeedVoxels, geometry);
   const std::vector<float> logOdds =
     FlipFree::LogOddsOf(task, this->NoiseWidening, FlipFree::SMPFor);
   FlipFree::BitMask candidates;
-  if (!FindCandidates({ logOdds.data(), geometry }, seedVoxels,
+  if (!FindCandidates({ logOdds.data(), geometry }, task.SeedVoxels,
         FlipFree::PartOf(monitor, 0, CandidatesEnd), candidates))
   {
     return false;
@@ -76,9 +75,9 @@ bool vtkGraphCutSegmentation::Segment(const FlipFree::BaselineTask& task,
         FlipFree::SMPFor, cutting, organ, result.Iterations);
   const FlipFree::Monitor rest = FlipFree::PartOf(monitor, CutEnds, 1);
   const FlipFree::LeakControlRadii radii = FlipFree::RadiiOf(
-    { this->ClosingRadius, this->OpeningScale }, task.Seed.Radius, task.Region.Geometry);
+    { this->ClosingRadius, this->OpeningScale }, task.Seeds.front().Radius, task.Region.Geometry);
   if (!done ||
-    !FlipFree::ControlLeaks(organ, task.Seed, radii, FlipFree::SMPFor,
+    !FlipFree::ControlLeaks(organ, task.SeedVoxels, radii, FlipFree::SMPFor,
       FlipFree::PartOf(rest, 0, 0.8)) ||
     !FlipFree::Dilate(organ, this->RimWidth, FlipFree::SMPFor, FlipFree::PartOf(rest, 0.8, 1)))
   {

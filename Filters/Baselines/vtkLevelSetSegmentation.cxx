@@ -16,6 +16,7 @@
 #include "itkThresholdSegmentationLevelSetImageFilter.h"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 
 vtkStandardNewMacro(vtkLevelSetSegmentation);
@@ -36,8 +37,8 @@ constexpr double CurvatureOfGeodesic = 0.5;
 constexpr double EdgesEnd = 0.1;
 constexpr double EvolutionEnds = 0.95;
 
-// Negative inside the seed sphere.
-ItkImage::Pointer SphereFunction(const FlipFree::BaselineTask& task)
+// Negative inside the seeds.
+ItkImage::Pointer SeedFunction(const FlipFree::BaselineTask& task)
 {
   const FlipFree::ImageGeometry& geometry = task.Region.Geometry;
   auto image = FlipFree::NewItkImage(geometry);
@@ -52,7 +53,12 @@ ItkImage::Pointer SphereFunction(const FlipFree::BaselineTask& task)
           for (int i = 0; i < geometry.Dimensions[0]; ++i)
           {
             const Eigen::Vector3d point = geometry.ToPhysical(Eigen::Vector3d(i, j, k));
-            *value++ = static_cast<float>((point - task.Seed.Center).norm() - task.Seed.Radius);
+            double distance = HUGE_VAL;
+            for (const FlipFree::SeedSphere& seed : task.Seeds)
+            {
+              distance = std::min(distance, (point - seed.Center).norm() - seed.Radius);
+            }
+            *value++ = static_cast<float>(distance);
           }
         }
       }
@@ -98,7 +104,7 @@ template <typename TFilter>
 bool Evolve(const FlipFree::BaselineTask& task, TFilter* filter, double rimWidth,
   const FlipFree::Monitor& monitor, FlipFree::BaselineResult& result)
 {
-  filter->SetInput(SphereFunction(task));
+  filter->SetInput(SeedFunction(task));
   filter->SetMaximumRMSError(0);
   filter->SetUseImageSpacing(true);
   const auto progress = [](const TFilter* running)
@@ -152,11 +158,10 @@ bool vtkLevelSetSegmentation::Segment(const FlipFree::BaselineTask& task,
   FlipFree::RequireGaussianWidth(task.Region.Geometry, 3);
   // 1 in flat parts of the image, a half where the gradient is EdgeContrast times the seed's mean,
   // 0 at strong edges.
-  auto potential = FlipFree::MapGradient<ItkImage>(
-    FlipFree::CopyToItk(task.Region.Voxels, task.Region.Geometry), this->EdgeSigma,
-    this->EdgeContrast, FlipFree::VoxelsInSphere(task.Region.Geometry, task.Seed),
-    FlipFree::PartOf(monitor, 0, EdgesEnd),
-    [](double squared) { return 1 / (1 + squared * squared); });
+  auto potential =
+    FlipFree::MapGradient<ItkImage>(FlipFree::CopyToItk(task.Region.Voxels, task.Region.Geometry),
+      this->EdgeSigma, this->EdgeContrast, task.SeedVoxels, FlipFree::PartOf(monitor, 0, EdgesEnd),
+      [](double squared) { return 1 / (1 + squared * squared); });
   if (!potential)
   {
     return false;

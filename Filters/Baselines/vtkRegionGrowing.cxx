@@ -26,12 +26,12 @@ using Filter = itk::ConfidenceConnectedImageFilter<FlipFree::ItkImage, ItkMask>;
 constexpr double SeedStandardDeviations = 2; // more is a vessel, or noise
 constexpr double GrowingEnds = 0.7;
 
-// ITK widens the interval until it holds all the seeds, so outliers of the sphere are none.
+// ITK widens the interval until it holds all the seeds, so outliers of the spheres are none.
 void AddSeeds(const FlipFree::BaselineTask& task, FlipFree::ItkImage* image, Filter* filter)
 {
-  const auto voxels = FlipFree::VoxelsInSphere(task.Region.Geometry, task.Seed);
-  const FlipFree::SeedStatistics seed = FlipFree::StatisticsOf(task.Region.Voxels.data(), voxels);
-  for (const std::size_t voxel : voxels)
+  const FlipFree::SeedStatistics seed =
+    FlipFree::StatisticsOf(task.Region.Voxels.data(), task.SeedVoxels);
+  for (const std::size_t voxel : task.SeedVoxels)
   {
     if (std::abs(task.Region.Voxels[voxel] - seed.Mean) <=
       SeedStandardDeviations * seed.StandardDeviation + 1e-6)
@@ -63,8 +63,8 @@ bool vtkRegionGrowing::Segment(const FlipFree::BaselineTask& task,
   FlipFree::BitMask mask = FlipFree::VoxelsWhere(
     grown, [](unsigned char value) { return value != 0; }, FlipFree::SMPFor);
   const FlipFree::LeakControlRadii radii = FlipFree::RadiiOf(
-    { this->ClosingRadius, this->OpeningScale }, task.Seed.Radius, task.Region.Geometry);
-  if (!FlipFree::ControlLeaks(mask, task.Seed, radii, FlipFree::SMPFor,
+    { this->ClosingRadius, this->OpeningScale }, task.Seeds.front().Radius, task.Region.Geometry);
+  if (!FlipFree::ControlLeaks(mask, task.SeedVoxels, radii, FlipFree::SMPFor,
         FlipFree::PartOf(monitor, GrowingEnds, 1)))
   {
     return false;

@@ -46,8 +46,9 @@ FlipFree::SimplexBalloon::Force BalloonForce(const FlipFree::BaselineTask& task,
 bool vtkSimplexMeshSegmentation::Segment(const FlipFree::BaselineTask& task,
   const std::function<bool(double)>& monitor, FlipFree::BaselineResult& result)
 {
+  const FlipFree::SeedSphere& seed = FlipFree::OnlySeedOf(task);
   const FlipFree::SimplexMesh start =
-    FlipFree::MakeSimplexSphere(this->Resolution, task.Seed.Center, task.Seed.Radius);
+    FlipFree::MakeSimplexSphere(this->Resolution, seed.Center, seed.Radius);
   auto filter = FlipFree::SimplexBalloon::New();
   filter->SetStart(start);
   filter->SetForce(BalloonForce(task, this->IntensityWidth, this->BalloonStep));

@@ -5,12 +5,16 @@
 // a line per kind of vessel and half of the volumes (halves.csv).
 //
 //   MeasureVessels [--data DIR] [--only TEXT] [--radius R] [--wall-thickness T] [--jitter MM]
-//                  [--repeats N] [--halves FILE] [--surfaces DIR]
+//                  [--repeats N] [--halves FILE] [--surfaces DIR] [--methods NAME ...]
+//                  [--set NAME=VALUE ...]
 //
 // With --jitter, every point is moved by so much in a random direction, anew for each of the
-// repeats.
+// repeats. With --methods, other methods follow on each row, from the same points and between
+// the same planes (VesselMethods.h), and a table compares them with FlipFree; --set varies their
+// parameters.
 #include "CaseList.h"
 #include "Statistics.h"
+#include "VesselMethods.h"
 
 #include "vtkCellArray.h"
 #include "vtkFlipFreeVesselSegmentation.h"
@@ -19,6 +23,7 @@
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
+#include "vtkSegmentationMetrics.h"
 #include "vtkTimerLog.h"
 #include "vtkXMLPolyDataWriter.h"
 
@@ -26,6 +31,7 @@
 #include <Eigen/Dense>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -48,6 +54,8 @@ struct Options
   double WallThickness = 0;
   double Jitter = 0;
   int Repeats = 1;
+  std::vector<std::string> Methods; // beside FlipFree
+  std::vector<std::string> Parameters;
 };
 
 struct Tube
@@ -149,6 +157,15 @@ struct Overlap
   double Inside = 0; ///< part of the centerline
 };
 
+// What methods are compared by. What found nothing has no distance.
+struct Score
+{
+  double Dice = 0;
+  double Distance = std::nan(""); ///< average symmetric surface distance, mm
+  double Seconds = std::nan("");
+  double TimesFlipFree = std::nan("");
+};
+
 // The parts of a label that hold one of the points, as 1. A part that hangs together with them only
 // beyond the image, as an ascending aorta below its arch may, is another vessel here.
 vtkSmartPointer<vtkImageData> PartsWith(const std::vector<Eigen::Vector3d>& points,
@@ -213,6 +230,30 @@ Overlap MeasureOverlap(vtkImageData* found, vtkImageData* labels, int label, con
     inside / static_cast<double>(course.Points.size()) };
 }
 
+// Between the end planes, too; of the label maps' surfaces.
+double MeanDistance(vtkImageData* found, vtkImageData* labels, const Course& course)
+{
+  const auto between = [&course](vtkImageData* mask)
+  {
+    auto kept = vtkSmartPointer<vtkImageData>::New();
+    kept->CopyStructure(mask);
+    kept->AllocateScalars(VTK_UNSIGNED_CHAR, 1);
+    auto* const to = static_cast<unsigned char*>(kept->GetScalarPointer());
+    for (vtkIdType voxel = 0; voxel < mask->GetNumberOfPoints(); ++voxel)
+    {
+      to[voxel] = mask->GetPointData()->GetScalars()->GetTuple1(voxel) != 0 &&
+        !course.IsBeyondEnds(Eigen::Vector3d(mask->GetPoint(voxel)));
+    }
+    return kept;
+  };
+  vtkNew<vtkSegmentationMetrics> metrics;
+  metrics->SetInputData(between(found));
+  metrics->SetReferenceData(between(labels));
+  metrics->SetReferenceLabel(1);
+  metrics->Update();
+  return metrics->GetASD();
+}
+
 // Moves points in random directions, the same each time.
 std::vector<Eigen::Vector3d> Jittered(std::vector<Eigen::Vector3d> points, double distance,
   std::mt19937& random)
@@ -260,10 +301,9 @@ void Write(vtkPolyData* data, const std::string& file)
   writer->Write();
 }
 
-double MeasureTube(const Tube& tube, const std::vector<Eigen::Vector3d>& points,
-  vtkImageData* image, vtkImageData* labels, const Options& options)
+Score MeasureTube(const Tube& tube, const std::vector<Eigen::Vector3d>& points, vtkImageData* image,
+  vtkImageData* labels, const Options& options, Filter* filter)
 {
-  vtkNew<Filter> filter;
   filter->SetInputData(image);
   filter->SetRadius(options.Radius);
   filter->SetWallThickness(options.WallThickness);
@@ -277,10 +317,10 @@ double MeasureTube(const Tube& tube, const std::vector<Eigen::Vector3d>& points,
   if (filter->GetSurface()->GetNumberOfPoints() == 0)
   {
     std::printf("| %-14s | no surface |\n", tube.Name.c_str());
-    return 0;
+    return {};
   }
-  const Overlap overlap =
-    MeasureOverlap(filter->GetLabelMap(), labels, 1, Course(filter->GetCenterline()));
+  const Course course(filter->GetCenterline());
+  const Overlap overlap = MeasureOverlap(filter->GetLabelMap(), labels, 1, course);
   std::printf("| %-14s | %.3f | %+.2f | %.3f | %4.1f | %5d | %.2f | %d |\n", tube.Name.c_str(),
     overlap.Dice, overlap.VolumeDifference, overlap.Inside, MeanRadius(filter->GetCenterline()),
     static_cast<int>(filter->GetSurface()->GetNumberOfPoints()), seconds,
@@ -292,14 +332,90 @@ double MeasureTube(const Tube& tube, const std::vector<Eigen::Vector3d>& points,
     Write(filter->GetSurface(), options.Surfaces + "/" + tube.Name + ".vtp");
     Write(filter->GetCenterline(), options.Surfaces + "/" + tube.Name + "-line.vtp");
   }
-  return overlap.Dice;
+  Score score{ overlap.Dice, std::nan(""), seconds, 1 };
+  if (!options.Methods.empty())
+  {
+    score.Distance = MeanDistance(filter->GetLabelMap(), labels, course);
+  }
+  return score;
+}
+
+// Another method on what FlipFree has segmented.
+Score MeasureMethod(const std::string& name, const Tube& tube,
+  const std::vector<Eigen::Vector3d>& points, vtkImageData* image, vtkImageData* labels,
+  const Options& options, Filter* flipFree, double secondsOfFlipFree)
+{
+  const auto method = PrepareMethod(VesselMethodOf(name), image, points, flipFree->GetCenterline(),
+    options.Parameters);
+  const double begin = vtkTimerLog::GetUniversalTime();
+  method->Update();
+  const double seconds = vtkTimerLog::GetUniversalTime() - begin;
+  if (method->GetLabelMap()->GetNumberOfPoints() == 0)
+  {
+    std::printf("| %-14s | nothing | | | %s |\n", tube.Name.c_str(), name.c_str());
+    return {};
+  }
+  const Course course(flipFree->GetCenterline());
+  const Overlap overlap = MeasureOverlap(method->GetLabelMap(), labels, 1, course);
+  const double distance = MeanDistance(method->GetLabelMap(), labels, course);
+  std::printf("| %-14s | %.3f | %+.2f | %.2f mm | %s | %.2f |\n", tube.Name.c_str(), overlap.Dice,
+    overlap.VolumeDifference, distance, name.c_str(), seconds);
+  std::fflush(stdout);
+  return { overlap.Dice, distance, seconds, seconds / secondsOfFlipFree };
+}
+
+// By kind of vessel, all and each half, and method.
+using Scores = std::map<std::string, std::map<std::string, std::vector<Score>>>;
+
+constexpr const char* FlipFreeName = "flipfree";
+
+// Of those that are numbers.
+double MedianOf(const std::vector<Score>& scores, double Score::*value)
+{
+  std::vector<double> values;
+  for (const Score& score : scores)
+  {
+    if (!std::isnan(score.*value))
+    {
+      values.push_back(score.*value);
+    }
+  }
+  return values.empty() ? std::nan("") : Median(values);
+}
+
+double LeastDice(const std::vector<Score>& scores)
+{
+  double least = 1;
+  for (const Score& score : scores)
+  {
+    least = std::min(least, score.Dice);
+  }
+  return least;
+}
+
+void PrintComparison(const Scores& scores, const std::vector<std::string>& methods)
+{
+  std::printf(
+    "| vessels | method | Dice, median | least | mean distance, mm | s | times FlipFree's "
+    "|\n|---|---|---|---|---|---|---|\n");
+  for (const auto& [vessels, found] : scores)
+  {
+    for (const std::string& method : methods)
+    {
+      const std::vector<Score>& own = found.at(method);
+      std::printf("| %s (%zu) | %s | %.3f | %.3f | %.2f | %.2f | %.2f |\n", vessels.c_str(),
+        own.size(), method.c_str(), MedianOf(own, &Score::Dice), LeastDice(own),
+        MedianOf(own, &Score::Distance), MedianOf(own, &Score::Seconds),
+        MedianOf(own, &Score::TimesFlipFree));
+    }
+  }
 }
 
 void Measure(const Options& options)
 {
   std::printf("| vessel | Dice | volume | inside | radius | vertices | s | self-intersections |\n");
   const std::map<std::string, std::string> halves = ReadHalves(options.Halves);
-  std::map<std::string, std::vector<double>> scores;
+  Scores scores;
   std::string read; // the volume at hand
   vtkSmartPointer<vtkImageData> image;
   vtkSmartPointer<vtkImageData> labels;
@@ -321,19 +437,37 @@ void Measure(const Options& options)
     for (int repeat = 0; repeat < options.Repeats; ++repeat)
     {
       const auto points = Jittered(tube.Points, options.Jitter, random);
-      const double dice = MeasureTube(tube, points, image, parts, options);
-      scores[tube.Organ].push_back(dice);
-      if (half != halves.end())
+      const auto add = [&](const std::string& method, const Score& score)
       {
-        scores[tube.Organ + " " + half->second].push_back(dice);
+        scores[tube.Organ][method].push_back(score);
+        if (half != halves.end())
+        {
+          scores[tube.Organ + " " + half->second][method].push_back(score);
+        }
+      };
+      vtkNew<Filter> filter;
+      const Score own = MeasureTube(tube, points, image, parts, options, filter);
+      add(FlipFreeName, own);
+      for (const std::string& method : options.Methods)
+      {
+        add(method,
+          own.Dice > 0
+            ? MeasureMethod(method, tube, points, image, parts, options, filter, own.Seconds)
+            : Score());
       }
     }
   }
-  for (auto& [organ, dice] : scores)
+  for (const auto& [organ, found] : scores)
   {
-    std::sort(dice.begin(), dice.end());
-    std::printf("%-8s %3zu runs, Dice: median %.3f, least %.3f\n", organ.c_str(), dice.size(),
-      Median(dice), dice.front());
+    const std::vector<Score>& own = found.at(FlipFreeName);
+    std::printf("%-8s %3zu runs, Dice: median %.3f, least %.3f\n", organ.c_str(), own.size(),
+      MedianOf(own, &Score::Dice), LeastDice(own));
+  }
+  if (!options.Methods.empty())
+  {
+    std::vector<std::string> methods = options.Methods;
+    methods.insert(methods.begin(), FlipFreeName);
+    PrintComparison(scores, methods);
   }
 }
 
@@ -352,6 +486,14 @@ int main(int argc, char* argv[])
   program.add_option("--repeats", options.Repeats, "runs per row");
   program.add_option("--halves", options.Halves, "table of volumes and their halves");
   program.add_option("--surfaces", options.Surfaces, "folder for surfaces and centerlines");
+  std::vector<std::string> names;
+  for (const VesselMethod& method : VesselMethods())
+  {
+    names.push_back(method.Name);
+  }
+  program.add_option("--methods", options.Methods, "methods to compare with")
+    ->check(CLI::IsMember(names));
+  program.add_option("--set", options.Parameters, "their parameters, NAME=VALUE");
   CLI11_PARSE(program, argc, argv);
   Measure(options);
   return 0;

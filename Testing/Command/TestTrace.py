@@ -9,6 +9,7 @@ import unittest
 
 import command
 from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkIOImage import vtkNIFTIImageReader
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 
 SIZE, SPACING = 64, 1.5
@@ -101,9 +102,30 @@ class TestTrace(command.CommandTest):
                 (2, (), ("two points", "--point X Y Z")), (2, first, ("two points",)),
                 (2, (*first, "--point", 1, 2), ("--point", "coordinate is missing")), (2, ("--point", 1, 2), ("--point", "3 required")), (2, (*first, "--point", "nan", 0, 0), ("--point", "finite")),
                 (1, (*first, "--point", 500, 0, 0), (r"\(500, 0, 0\) mm lies outside", "LPS")),
-                (1, (*first, *first), ("closer than 3 mm",))):
+                (1, (*first, *first), (r"points \(.*\) and \(.*\) mm are closer than 3 mm; keep one",)),
+                (1, (*first, "--point", 40, 90, 90),
+                 (r"path .* \(.*\) mm; put all points into the (same )?vessel",))):
             with self.subTest(points=points):
                 self.assert_refused(self.trace(*points, *output), status, *patterns)
+
+    def test_a_vessel_that_leaves_the_image(self):
+        """It is segmented all the same, and the warning says where, and what helps."""
+        cropped = os.path.join(self.inputs, "cropped.mha")
+        rows = int(62 / SPACING) + 1  # the vessel's bend ends behind them
+        reader = vtkNIFTIImageReader()
+        reader.SetFileName(self.volume)
+        reader.Update()
+        voxels = vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars()).reshape((SIZE,) * 3)
+        with open(cropped, "wb") as file:
+            file.write(f"ObjectType = Image\nNDims = 3\nDimSize = {SIZE} {rows} {SIZE}\n"
+                       f"ElementSpacing = {SPACING} {SPACING} {SPACING}\nElementType = MET_SHORT\n"
+                       "ElementDataFile = LOCAL\n".encode())
+            file.write(voxels[:, :rows].astype("<i2").tobytes())
+        name = self.result("vessel.vtp")
+        process = self.trace(*self.points, "-o", name, volume=cropped)
+        self.assertEqual(process.returncode, 0, process.stderr)
+        self.assertRegex(process.stderr, r"warning: the path leaves the image near \(.*\) mm; add a point")
+        self.assertTrue(os.path.exists(name))
 
     def test_bad_options(self):
         for option, value in (("--radius", -1), ("--radius", 1000), ("--radius", "nan"), ("--wall-thickness", 9),

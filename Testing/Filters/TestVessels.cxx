@@ -265,9 +265,33 @@ TEST_F(Vessels, BadPointsAreRefused)
   this->AddPoint(this->Filter, 0.01);
   refuse({ "closer than 3 mm", "keep one" });
   this->Filter->RemoveAllPoints();
+  this->AddPoint(this->Filter, -0.9);
+  this->Filter->AddPoint(40, 90, 90);
+  refuse({ " mm; put all points into the ", "vessel" });
+  this->Filter->RemoveAllPoints();
   this->AddPoint(this->Filter, 0);
   this->Filter->AddPoint(NotANumber, 0, 0);
   refuse({ "nan", "outside" });
   this->Filter->SetRadius(NotANumber);
   refuse({ "the property Radius", "NaN" });
+}
+
+// Where the vessel does, in a bend, the path goes on just outside, and says so.
+TEST_F(Vessels, ThatLeaveTheImageAreFoundWithAWarning)
+{
+  int extent[6];
+  this->Phantom->GetOutput()->GetExtent(extent);
+  extent[3] = 41; // 62 mm; the vessel's bend reaches 67
+  vtkNew<vtkImageData> cropped;
+  cropped->DeepCopy(this->Phantom->GetOutput());
+  cropped->Crop(extent);
+  this->Filter->SetInputData(cropped);
+  std::vector<std::string> warnings;
+  KeepWarnings(this->Filter, warnings);
+  EXPECT_EQ(ErrorOfUpdate(this->Filter), "0 errors");
+  EXPECT_GT(this->Filter->GetSurface()->GetNumberOfPoints(), 0);
+  ASSERT_EQ(warnings.size(), 1U);
+  EXPECT_NE(warnings.front().find("the path leaves the image near"), std::string::npos)
+    << warnings.front();
+  EXPECT_NE(warnings.front().find("add a point on the vessel's way"), std::string::npos);
 }

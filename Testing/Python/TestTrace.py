@@ -154,6 +154,10 @@ class TestTrace(unittest.TestCase):
                                     ([*self.points, (500, 0, 0)], flipfree.SegmentationError, "outside"),
                                     ([(1, 2), (3, 4)], (TypeError, ValueError), "points"),
                                     ([*self.points, (math.nan, 0, 0)], flipfree.SegmentationError, "outside"),
+                                    ([*self.points, self.points[0]], flipfree.SegmentationError,
+                                     r"the points \(.*\) and \(.*\) mm are closer than 3 mm; keep one"),
+                                    ([self.points[0], (40, 90, 90)], flipfree.SegmentationError,
+                                     r"path .* \(.*\) mm; put all points into the (same )?vessel"),
                                     ((1, 2, 3), TypeError, r"^points: a list of points is needed: \[\(x, y, z\)\]"),
                                     (7, TypeError, "^points: a list is needed, not 7"),
                                     ("abc", (TypeError, ValueError), "points")):
@@ -169,6 +173,12 @@ class TestTrace(unittest.TestCase):
             flipfree.trace(image, self.points, levels=1.5)
         with self.assertRaisesRegex(flipfree.SegmentationError, "^No segmentation: the image has no voxels; give one"):
             flipfree.trace(np.zeros((0, 3, 3)), self.points, spacing=(1, 1, 1))
+
+    def test_a_vessel_that_leaves_the_image(self):
+        rows = int(62 / SPACING) + 1  # the vessel's bend ends behind them
+        voxels = flipfree.array_from_image(self.phantom.image)[:, :rows]
+        with self.assertWarnsRegex(UserWarning, r"the path leaves the image near \(.*\) mm; add a point"):
+            flipfree.trace(np.ascontiguousarray(voxels), self.points, spacing=(SPACING,) * 3)
 
 
 if __name__ == "__main__":

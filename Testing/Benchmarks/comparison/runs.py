@@ -19,6 +19,9 @@ def run(program, case, method, results):
                for option, end in (("--labels", ".mha"), ("--surface", ".vtp"), ("--convergence", ".csv"))}
     command = [program, method.key, case.image, "--seed", *map(str, case.seed), "--radius", str(case.radius),
                *(argument for option in outputs.items() for argument in option)]
+    for path in outputs.values():  # of an earlier round, of which nothing is left to be said
+        if os.path.exists(path):
+            os.remove(path)
     reading, writing = os.pipe()
     begin = time.perf_counter()
     child = os.posix_spawn(program, command, os.environ,
@@ -34,9 +37,6 @@ def run(program, case, method, results):
     if code not in (0, 1):  # 1: the method found nothing, which counts as its result
         raise SystemExit(f"{' '.join(command)} ended with {code}")
     failed = code == 1
-    for path in outputs.values() if failed else ():  # of an earlier round, of which nothing is left to be said
-        if os.path.exists(path):
-            os.remove(path)
     iterations, read, segment, memory = ["nan"] * 4 if failed else printed
     return {"case": case.name, "method": method.key, "failed": int(failed), "iterations": iterations, "read_s": read,
             "segment_s": segment, "wall_s": f"{wall:.3f}", "cpu_s": f"{usage.ru_utime + usage.ru_stime:.3f}",
