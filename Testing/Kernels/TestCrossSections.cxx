@@ -1,4 +1,5 @@
 #include "ExampleMasks.h"
+#include "Vessel/SectionSupport.h"
 #include "Vessel/StyleChoice.h"
 #include "Vessel/VesselPath.h"
 
@@ -48,6 +49,37 @@ TEST(CrossSections, KeepTheirRadiusWithinABodyAsBrightAsTheVessel)
   }
 }
 
+// A branch that the image does not show anywhere: it knows only what radius the vessel has
+// elsewhere.
+TEST(CrossSections, BorrowTheRadiusOfTheVesselElsewhere)
+{
+  FloatImage image;
+  image.Geometry = Grid({ { 80, 80, 40 } }, { 1, 1, 1.5 });
+  image.Voxels.resize(image.Geometry.NumberOfVoxels());
+  std::mt19937 random(3);
+  std::normal_distribution<double> noise(0, 5);
+  for (float& value : image.Voxels)
+  {
+    value = static_cast<float>(150 + noise(random));
+  }
+  PointList line(24, 3);
+  for (Eigen::Index place = 0; place < line.rows(); ++place)
+  {
+    line.row(place) << 40, 40, 12 + 1.5 * static_cast<double>(place);
+  }
+  const auto largest = [&](double lent)
+  {
+    CrossSectionSettings settings = ThinVessel().Sections;
+    settings.LentRadius = lent;
+    return FitSections(image.View(), line, Eigen::VectorXd::Constant(line.rows(), 6), settings,
+      SerialFor)
+      .MeanRadii()
+      .maxCoeff();
+  };
+  EXPECT_GT(largest(0), 8);
+  EXPECT_LT(largest(5), 6.5);
+}
+
 TEST(CrossSections, OfHighContrastLieAtAThirdOfIt)
 {
   // An upright tube of 10 mm, blurred by 2 mm.
@@ -70,6 +102,16 @@ TEST(CrossSections, OfHighContrastLieAtAThirdOfIt)
     Eigen::VectorXd::Constant(line.rows(), 9), WideVessel().Sections, SerialFor);
   // A third of the contrast is 0.86 mm within the blurred boundary, 60 gray values are 1.6 mm.
   EXPECT_NEAR(sections.MeanRadii().mean(), 9.1, 0.3);
+}
+
+TEST(SectionSupport, AlongTheVesselIsAMeanOfThoseNearby)
+{
+  Eigen::VectorXd support = Eigen::VectorXd::Ones(20);
+  support[0] = 0;
+  const Eigen::VectorXd along = SupportAlong(support, 1.5, 6); // two sections to either side
+  EXPECT_NEAR(along[0], 2.0 / 3, 1e-12);
+  EXPECT_NEAR(along[2], 0.8, 1e-12);
+  EXPECT_NEAR(along[3], 1, 1e-12);
 }
 
 TEST(StyleChoice, TheImageDecides)

@@ -217,6 +217,46 @@ TEST(VesselPath, AWideVesselIsSoughtFarFromItsEnds)
   }
 }
 
+// The legs of a winding bend are joined by a haze: the way through it is much shorter, but it has
+// no boundary.
+TEST(VesselPath, AShortcutThatTheImageDoesNotSupportIsAvoided)
+{
+  const ExampleTube bend = MakeTube(
+    [](double t)
+    {
+      constexpr double leg = 20;
+      constexpr double radius = 20;
+      constexpr double turn = EIGEN_PI * radius;
+      const double length = t * (2 * leg + turn);
+      const double angle = std::max(0.0, std::min<double>(EIGEN_PI, (length - leg) / radius));
+      const double up = std::min(leg, length) - std::max(0.0, length - leg - turn);
+      const double winding = 15 * std::min(1.0, 5 * std::min(t, 1 - t));
+      return Eigen::Vector3d(40 - radius * std::cos(angle),
+        40 + winding * std::sin(6 * EIGEN_PI * t), 6 + up + radius * std::sin(angle));
+    },
+    [](double) { return 4.0; });
+  const ImageGeometry grid = Grid({ { 80, 80, 30 } }, { 1, 1, 2 });
+  FloatImage volume = VolumeOfTubes({ bend }, grid, 5);
+  const PointList clicks = ClicksIn(bend);
+  ForEachVoxel(grid,
+    [&](int i, int j, int k)
+    {
+      const Eigen::Vector3d point = grid.ToPhysical(Eigen::Vector3d(i, j, k));
+      if (k >= 2 && std::abs(point[0] - 40) < 20 && !IsInTube(bend, point))
+      {
+        const double square =
+          std::pow(point[1] - clicks(0, 1), 2) + std::pow(point[2] - clicks(0, 2) - 4, 2);
+        volume.Voxels[grid.Offset(i, j, k)] += static_cast<float>(105 * std::exp(-square / 200));
+      }
+    });
+  VesselSegmentationSettings settings = LumenSettings();
+  settings.Path.Radius = 4;
+  const VesselTree tree = TraceVessel(GrayVolumeOf(volume), "the volume", clicks, PointList(0, 3),
+    settings.Path, OneThread, NeverStop);
+  EXPECT_NEAR(tree.Branches.at(0).Sections.Centers().col(2).maxCoeff(), 46, 3);
+  EXPECT_GT(tree.Support, 0.9);
+}
+
 // Where the far search would look for a wide vessel, in vain.
 TEST(VesselPath, VoxelsFarAwayNeedNotBeFinite)
 {

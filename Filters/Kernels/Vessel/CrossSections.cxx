@@ -18,6 +18,10 @@ namespace
 // Radii on a ray are multiples of the ray step: labels 0, 1, ...
 constexpr int LargestStep = 2;       // between neighboring rays, in labels
 constexpr double FullSupport = 0.8;  // from which on a section has a radius of its own
+constexpr double NoSupport = 0.4;    // by chance
+constexpr double LeastLent = 1e-6;   // so that there is always a radius to be lent
+constexpr double Swollen = 1.1;      // of the radius nearby
+constexpr double SwollenWeight = 6;  // of the prior, more than elsewhere
 constexpr double SupportLength = 15; // along the vessel, of sections that lend others theirs; mm
 
 class SectionFit
@@ -118,6 +122,7 @@ private:
     this->ModelIntensities(mean);
     this->Prior =
       (1 - this->Settings.PriorFollow) * MedianAlong(mean, 7) + this->Settings.PriorFollow * mean;
+    this->PriorWeights = Eigen::VectorXd::Constant(this->Sections(), this->Settings.PriorWeight);
     if (round > 0)
     {
       this->LendRadii(SectionSupport(this->Image, now, this->Parallel), mean);
@@ -138,27 +143,44 @@ private:
   }
 
   // An outline that the image does not show runs away. There, the prior is the mean radius nearby,
-  // by how well the image shows it.
+  // by how well the image shows it; where the outline has swollen beyond that, the prior counts
+  // for more.
   void LendRadii(const Eigen::VectorXd& support, const Eigen::VectorXd& mean)
   {
     const double length = SupportLength / this->Settings.SectionStep;
     for (Eigen::Index section = 0; section < support.size(); ++section)
     {
-      double weights = 0;
-      double sum = 0;
+      double weights = this->Settings.LentRadius > 0 ? 1 : LeastLent;
+      double sum = weights *
+        (this->Settings.LentRadius > 0 ? this->Settings.LentRadius : this->Prior[section]);
       for (Eigen::Index other = 0; other < support.size(); ++other)
       {
         const double distance = std::abs(static_cast<double>(other - section)) / length;
-        const double weight = support[other] * support[other] * std::exp(-distance);
+        const double weight = PartShown(support[other]) * std::exp(-distance);
         weights += weight;
         sum += weight * mean[other];
       }
-      const double own = std::min(1.0, support[section] / FullSupport);
-      if (weights > 0)
+      const double lent = sum / weights;
+      const double shown = PartShown(support[section]);
+      if (mean[section] > Swollen * lent)
       {
-        this->Prior[section] = own * own * this->Prior[section] + (1 - own * own) * sum / weights;
+        this->Prior[section] = shown * this->Prior[section] + (1 - shown) * lent;
+        this->PriorWeights[section] *= 1 + SwollenWeight * (1 - shown);
+      }
+      else
+      {
+        const double own = std::min(1.0, support[section] / FullSupport);
+        this->Prior[section] = own * own * this->Prior[section] + (1 - own * own) * lent;
       }
     }
+  }
+
+  // How much of a section's outline the image shows, for what others learn from it.
+  static double PartShown(double support)
+  {
+    const double part =
+      std::max(0.0, std::min(1.0, (support - NoSupport) / (FullSupport - NoSupport)));
+    return part * part;
   }
 
   float* CostsOf(std::ptrdiff_t section, int ray)
@@ -200,7 +222,7 @@ private:
         costs[label] = static_cast<float>(label * step > farthest || label < 2
             ? 1e6
             : sum - this->Settings.EdgeWeight * std::max(0.0, std::min(2.0, rise)) +
-              this->Settings.PriorWeight * prior * prior);
+              this->PriorWeights[section] * prior * prior);
       }
     }
   }
@@ -363,6 +385,7 @@ private:
   Eigen::VectorXd Medians;
   double Deviation = 0;
   Eigen::VectorXd Prior;
+  Eigen::VectorXd PriorWeights;
   int Labels = 0;
   std::vector<float> Costs;
   std::vector<std::pair<double, double>> Limits; // dark and bright, per section and ray

@@ -28,6 +28,9 @@ struct CrossSectionSettings
   double AlongWeight = 0.15;
   double AroundWeight = 0.3;
   double LineDeviation = 2; ///< sections
+  /// Of the vessel elsewhere, mm: what sections have for which no section nearby, that the image
+  /// supports, has one. Zero: not known.
+  double LentRadius = 0;
 };
 
 /// Sections of a vessel at even distances.

@@ -32,6 +32,12 @@ constexpr double LongestGap = 40;
 constexpr double GapSpeed = 0.004;
 constexpr double LargestRadius = 45;  // mm; no vessel's mean, but what outlines run away to
 constexpr double LeastSupport = 0.25; // below it, an outline is that of nothing
+// The mean support over a stretch below which it is doubtful whether a path is in the vessel.
+constexpr double FaintSupport = 0.7;
+constexpr double FaintLength = 40; // mm
+// Where the next path should not run: faint over a shorter length, mm.
+constexpr double StraySupport = 0.6;
+constexpr double StrayLength = 15;
 // Gray values other than Hounsfield units are scaled so that most of them span what they do in CT.
 constexpr double SpanInCT = 250;
 
@@ -170,6 +176,20 @@ double MeanSupport(const VesselTree& tree)
   return sum / static_cast<double>(std::max<Eigen::Index>(1, sections));
 }
 
+// Mean of all sections, by how well the image supports them.
+double SupportedRadius(const VesselTree& tree)
+{
+  double sum = 0;
+  double weights = 0;
+  for (const VesselBranch& branch : tree.Branches)
+  {
+    const Eigen::VectorXd weight = branch.Support.cwiseAbs2();
+    sum += weight.dot(branch.Sections.MeanRadii());
+    weights += weight.sum();
+  }
+  return weights > 0 ? sum / weights : 0;
+}
+
 // Lets a line begin on the plane across it through a point near its begin: shortens or prolongs it.
 void BeginAt(const Eigen::RowVector3d& point, PointList& line)
 {
@@ -268,55 +288,185 @@ void SlowDown(const PointList& places, double floor, FloatImage& speed)
   }
 }
 
-// One pass of the whole; nothing where the monitor stopped it.
-VesselTree TraceAs(const VesselStyle& style, const GrayVolume& volume, Modality modality,
-  const PointList& clicked, const PointList& outside, double radius,
-  const VesselPathSettings& settings, const ParallelFor& parallelFor, const Monitor& monitor)
+// Lets the next path avoid places at which the outline is that of nothing; false if there are none.
+bool AvoidStrays(const VesselTree& tree, double sectionStep, double floor, FloatImage& speed)
 {
-  const VesselImage image = ImageAround(volume, clicked, style, modality, settings, parallelFor);
-  constexpr double ballScale = 0.7; // of the vessel's radius
-  const PointList points = Snap(image.Cubes.View(), clicked, style.SnapDistance);
-  const VesselIntensities intensities =
-    IntensitiesAtPoints(image.Cubes.View(), points, ballScale * radius, style.Speed);
-  FloatImage depth;
-  depth.Geometry = image.Cubes.Geometry;
-  depth.Voxels = DepthOf(image.Cubes.View(), intensities, parallelFor);
-  FloatImage speed =
-    MakeVesselSpeed(image.Cubes, intensities, depth.Voxels, radius, style.Speed, parallelFor);
-  SlowDown(outside, style.Speed.Floor, speed);
-  VesselTree tree;
-  for (const MinimalPath& path : JoinPoints(speed.View(), points, ProlongDistance, monitor))
+  constexpr double slower = 0.1;
+  constexpr double farthest = 8; // mm
+  std::vector<std::size_t> strays;
+  for (const VesselBranch& branch : tree.Branches)
   {
-    RequirePath(speed, path.Line);
-    PointList line = path.Line;
-    for (int round = 0; round < 2; ++round)
+    const Eigen::VectorXd along = SupportAlong(branch.Support, sectionStep, StrayLength);
+    const Eigen::VectorXd radii = branch.Sections.MeanRadii();
+    for (Eigen::Index section = 0; section < along.size(); ++section)
     {
-      line = ResampleLine(SmoothLine(line, LineDeviation), style.Sections.SectionStep);
+      if (along[section] < StraySupport)
+      {
+        const std::vector<std::size_t> voxels = VoxelsInSphere(speed.Geometry,
+          { branch.Sections.Frames[section].Origin, std::min(farthest, radii[section]) });
+        strays.insert(strays.end(), voxels.begin(), voxels.end());
+      }
     }
-    EndAtPoints(points, clicked, path.Parent >= 0, line);
-    if (!monitor(0.8))
-    {
-      return {};
-    }
-    tree.Branches.push_back(
-      { FitSections(image.Own.View(), line, FirstRadii(depth, line), style.Sections, parallelFor),
-        path.Parent, {} });
   }
-  tree.Radius = MeanRadius(tree);
-  for (VesselBranch& branch : tree.Branches)
+  std::sort(strays.begin(), strays.end());
+  strays.erase(std::unique(strays.begin(), strays.end()), strays.end());
+  for (const std::size_t voxel : strays)
   {
-    branch.Support = SectionSupport(image.Own.View(), branch.Sections, parallelFor);
-    branch.Sections.Radii.array() += settings.WallThickness;
+    speed.Voxels[voxel] =
+      static_cast<float>(std::max(floor, slower * static_cast<double>(speed.Voxels[voxel])));
   }
-  tree.Support = MeanSupport(tree);
-  if (tree.Radius > LargestRadius || (!tree.Branches.empty() && tree.Support < LeastSupport))
-  {
-    throw Error(ErrorCode::NoContrast,
-      "no boundary of a vessel is found around the path from " + TextOf(points.row(0)) +
-        " mm; put all points into the vessel, or set Radius");
-  }
-  return tree;
+  return !strays.empty();
 }
+
+// Whether the image hardly shows the outline, or does not over a long stretch.
+bool IsDoubtful(const VesselTree& tree, double sectionStep)
+{
+  return tree.Support < DoubtfulSupport ||
+    std::any_of(tree.Branches.begin(), tree.Branches.end(),
+      [&](const VesselBranch& branch)
+      { return SupportAlong(branch.Support, sectionStep, FaintLength).minCoeff() < FaintSupport; });
+}
+
+// The search for a vessel of one style: first as it is clicked, and where that is doubtful again.
+class VesselSearch
+{
+public:
+  VesselSearch(const VesselStyle& style, const PointList& clicked, const PointList& outside,
+    double radius, VesselImage image, const ParallelFor& parallelFor)
+    : Style(style)
+    , Clicked(clicked)
+    , Outside(outside)
+    , Radius(radius)
+    , Image(std::move(image))
+    , Parallel(parallelFor)
+  {
+  }
+
+  /// Nothing where the monitor stopped it.
+  VesselTree Seek(const Monitor& monitor)
+  {
+    this->Begin(this->Style.SnapDistance);
+    return this->Trace(monitor);
+  }
+
+  /// Where a first result is doubtful, other paths: away from where the image showed no outline,
+  /// and from the points as they are clicked, since what is brightest near them may be something
+  /// else. The first one that is not doubtful is taken, or that with the highest support. Nothing
+  /// where the monitor stopped it.
+  VesselTree SeekBetter(const VesselTree& found, const Monitor& monitor)
+  {
+    constexpr int searches = 2; // away from strays
+    VesselTree best = found;
+    double least = found.Support;
+    VesselTree last = found;
+    for (const bool isSnapped : { true, false })
+    {
+      for (int search = isSnapped ? 0 : -1; search < searches; ++search)
+      {
+        if (search < 0)
+        {
+          this->Begin(0);
+        }
+        else if (!AvoidStrays(last, this->Style.Sections.SectionStep, this->Style.Speed.Floor,
+                   this->Speed))
+        {
+          break;
+        }
+        try
+        {
+          last = this->Trace(monitor);
+        }
+        catch (const Error&) // no path, or nothing around it
+        {
+          break;
+        }
+        if (last.Branches.empty())
+        {
+          return last;
+        }
+        if (last.Support > least)
+        {
+          best = last;
+          least = last.Support;
+          if (!this->IsDoubtful(best))
+          {
+            return best;
+          }
+        }
+      }
+    }
+    return best;
+  }
+
+  bool IsDoubtful(const VesselTree& tree) const
+  {
+    return FlipFree::IsDoubtful(tree, this->Style.Sections.SectionStep);
+  }
+
+private:
+  // From points that are snapped so far: where a vessel through them may run.
+  void Begin(double snapDistance)
+  {
+    constexpr double ballScale = 0.7; // of the vessel's radius
+    const FloatImage& cubes = this->Image.Cubes;
+    this->Points = Snap(cubes.View(), this->Clicked, snapDistance);
+    const VesselIntensities intensities =
+      IntensitiesAtPoints(cubes.View(), this->Points, ballScale * this->Radius, this->Style.Speed);
+    this->Depth.Geometry = cubes.Geometry;
+    this->Depth.Voxels = DepthOf(cubes.View(), intensities, this->Parallel);
+    this->Speed = MakeVesselSpeed(cubes, intensities, this->Depth.Voxels, this->Radius,
+      this->Style.Speed, this->Parallel);
+    SlowDown(this->Outside, this->Style.Speed.Floor, this->Speed);
+  }
+
+  // The paths that join the points, and the outline around them.
+  VesselTree Trace(const Monitor& monitor) const
+  {
+    const ImageView<float> own = this->Image.Own.View();
+    VesselTree tree;
+    for (const MinimalPath& path :
+      JoinPoints(this->Speed.View(), this->Points, ProlongDistance, monitor))
+    {
+      RequirePath(this->Speed, path.Line);
+      PointList line = path.Line;
+      for (int round = 0; round < 2; ++round)
+      {
+        line = ResampleLine(SmoothLine(line, LineDeviation), this->Style.Sections.SectionStep);
+      }
+      EndAtPoints(this->Points, this->Clicked, path.Parent >= 0, line);
+      if (!monitor(0.8))
+      {
+        return {};
+      }
+      CrossSectionSettings sections = this->Style.Sections;
+      sections.LentRadius = SupportedRadius(tree);
+      VesselBranch branch{ FitSections(own, line, FirstRadii(this->Depth, line), sections,
+                             this->Parallel),
+        path.Parent, {} };
+      branch.Support = SectionSupport(own, branch.Sections, this->Parallel);
+      tree.Branches.push_back(std::move(branch));
+    }
+    tree.Radius = MeanRadius(tree);
+    tree.Support = MeanSupport(tree);
+    if (tree.Radius > LargestRadius || (!tree.Branches.empty() && tree.Support < LeastSupport))
+    {
+      throw Error(ErrorCode::NoContrast,
+        "no boundary of a vessel is found around the path from " + TextOf(this->Points.row(0)) +
+          " mm; put all points into the vessel, or set Radius");
+    }
+    return tree;
+  }
+
+  const VesselStyle& Style;
+  const PointList& Clicked;
+  const PointList& Outside;
+  double Radius;
+  VesselImage Image;
+  const ParallelFor& Parallel;
+  PointList Points;
+  FloatImage Depth;
+  FloatImage Speed;
+};
 
 // A vessel of another style, where the image supports it by more than `least`; one without branches
 // where the monitor stopped it.
@@ -379,75 +529,101 @@ VesselStyle FarVessel()
   return style;
 }
 
+namespace
+{
+
+// Thin, wide, or wide and far away, without a wall.
+VesselTree FindVessel(const GrayVolume& volume, const PointList& points, const PointList& outside,
+  const VesselPathSettings& settings, const ParallelFor& parallelFor, const Monitor& monitor)
+{
+  const Modality modality = ResolveModality(Modality::Automatic, volume.Read, volume.Geometry);
+  constexpr double thinRadius = 3;
+  constexpr double wideRadius = 10;
+  constexpr double insideScale = 0.6; // what the wide style takes for the radius, of that found
+  const auto searchAs = [&](const VesselStyle& style, double radius)
+  {
+    return VesselSearch(style, points, outside, radius,
+      ImageAround(volume, points, style, modality, settings, parallelFor), parallelFor);
+  };
+  const Monitor first = PartOf(monitor, 0, 0.3);
+  const Monitor second = PartOf(monitor, 0.3, 0.5);
+  const Monitor third = PartOf(monitor, 0.5, 0.8);
+  const Monitor fourth = PartOf(monitor, 0.8, 1);
+  const bool isKnown = settings.Radius > 0;
+  const bool isWide = isKnown && settings.Radius >= settings.WideRadius;
+  const double knownInside = insideScale * settings.Radius;
+  const double knownThin = isKnown ? settings.Radius : thinRadius;
+  VesselSearch search =
+    isWide ? searchAs(settings.Wide, knownInside) : searchAs(settings.Thin, knownThin);
+  VesselTree found;
+  std::optional<Error> noPath;
+  try
+  {
+    found = search.Seek(first);
+  }
+  catch (const Error& error)
+  {
+    if (isKnown && !isWide)
+    {
+      throw;
+    }
+    noPath = error;
+  }
+  const auto isStopped = [&] { return !noPath && found.Branches.empty(); };
+  if (isStopped())
+  {
+    return found;
+  }
+  double least = noPath ? DoubtfulSupport : found.Support; // support of one farther away
+  bool isThin = !noPath && !isWide;
+  if (!isKnown && MayBeWide(found.Radius, settings.WideRadius))
+  {
+    const double radius =
+      insideScale * (found.Radius >= settings.WideRadius ? found.Radius : wideRadius);
+    const std::optional<VesselTree> wide =
+      SeekOther([&] { return searchAs(settings.Wide, radius).Seek(second); },
+        LeastSupportOfWide(found.Radius, found.Support, settings.WideRadius));
+    if (wide)
+    {
+      found = *wide;
+      least = found.Support + ClearlyMore;
+      isThin = false;
+    }
+  }
+  if (isThin && search.IsDoubtful(found))
+  {
+    found = search.SeekBetter(found, third);
+    least = found.Support;
+  }
+  if (isStopped() || (isKnown && !isWide) || (!noPath && !search.IsDoubtful(found)))
+  {
+    return found;
+  }
+  const std::optional<VesselTree> far = SeekOther(
+    [&] {
+      return searchAs(settings.Far, isWide ? knownInside : insideScale * wideRadius).Seek(fourth);
+    },
+    least);
+  if (!far && noPath)
+  {
+    throw Error(*noPath);
+  }
+  return far.value_or(found);
+}
+
+} // namespace
+
 VesselTree TraceVessel(const GrayVolume& volume, const std::string& name, const PointList& points,
   const PointList& outside, const VesselPathSettings& settings, const Threading& threading,
   const Monitor& monitor)
 {
   RequirePoints(volume.Geometry, points, name);
-  const Modality modality = ResolveModality(Modality::Automatic, volume.Read, volume.Geometry);
-  constexpr double thinRadius = 3;
-  constexpr double wideRadius = 10;
-  constexpr double insideScale = 0.6; // what the wide style takes for the radius, of that found
-  const auto trace = [&](const VesselStyle& style, double radius, const Monitor& part)
+  VesselTree tree = FindVessel(volume, points, outside, settings, threading.For, monitor);
+  for (VesselBranch& branch : tree.Branches)
   {
-    return TraceAs(style, volume, modality, points, outside, radius, settings, threading.For, part);
-  };
-  const Monitor first = PartOf(monitor, 0, 0.4);
-  const Monitor second = PartOf(monitor, 0.4, 0.7);
-  const Monitor third = PartOf(monitor, 0.7, 1);
-  const bool isKnown = settings.Radius > 0;
-  const bool isWide = isKnown && settings.Radius >= settings.WideRadius;
-  if (isKnown && !isWide)
-  {
-    return trace(settings.Thin, settings.Radius, monitor);
+    branch.Sections.Radii.array() += settings.WallThickness;
   }
-  VesselTree found;
-  std::optional<Error> noPath;
-  try
-  {
-    found = isWide ? trace(settings.Wide, insideScale * settings.Radius, first)
-                   : trace(settings.Thin, thinRadius, first);
-  }
-  catch (const Error& error)
-  {
-    noPath = error;
-  }
-  const bool isStopped = !noPath && found.Branches.empty();
-  if (isStopped)
-  {
-    return found;
-  }
-  const bool isDoubtful = noPath || found.Support < DoubtfulSupport;
-  double least = noPath ? DoubtfulSupport : found.Support; // support of one farther away
-  if (!isWide && MayBeWide(found.Radius, settings.WideRadius))
-  {
-    const double radius =
-      insideScale * (found.Radius >= settings.WideRadius ? found.Radius : wideRadius);
-    const std::optional<VesselTree> wide =
-      SeekOther([&] { return trace(settings.Wide, radius, second); },
-        LeastSupportOfWide(found.Radius, found.Support, settings.WideRadius));
-    if (wide && (wide->Branches.empty() || !isDoubtful))
-    {
-      return *wide;
-    }
-    if (wide)
-    {
-      found = *wide;
-      least = found.Support + ClearlyMore;
-    }
-  }
-  if (!isDoubtful)
-  {
-    return found;
-  }
-  const double farRadius = insideScale * (isWide ? settings.Radius : wideRadius);
-  const std::optional<VesselTree> wide =
-    SeekOther([&] { return trace(settings.Far, farRadius, third); }, least);
-  if (!wide && noPath)
-  {
-    throw Error(*noPath);
-  }
-  return wide.value_or(found);
+  return tree;
 }
 
 } // namespace FlipFree

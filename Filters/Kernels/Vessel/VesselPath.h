@@ -10,6 +10,10 @@
  * one all the same, which it has missed, such as an aorta with its arch: a wide one is sought in a
  * larger part of the image, and taken if the image supports it better.
  *
+ * A thin one that stays doubtful is sought again: away from where the image showed no outline, and
+ * from the points as they were clicked rather than from the brightest voxels near them. Of these
+ * paths, the one with the highest support is taken.
+ *
  * Where the radius is given, there is one pass, for the vessel's kind, and for a wide one that the
  * image does not support the search in the larger part.
  */
