@@ -1,8 +1,8 @@
 /**
  * The methods that FlipFree is compared with on vessels. They start from balls at the same points,
  * whose voxels together model the intensities, and end at the planes across FlipFree's path at its
- * ends: no method knows ends by itself. Each has one setting for all vessels, the best of a search
- * over half A of the volumes (halves.csv).
+ * ends: no method knows ends by itself. Each has one setting for all vessels, chosen on half A of
+ * the volumes (halves.csv).
  */
 #ifndef VesselMethods_h
 #define VesselMethods_h
