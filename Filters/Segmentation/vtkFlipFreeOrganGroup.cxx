@@ -409,7 +409,10 @@ void vtkFlipFreeOrganGroup::Segment(vtkInformationVector** inputs, vtkInformatio
   }
   this->StageSeconds[3] += watch.Lap();
   table.AddTo(vtkTable::GetData(outputs, 2));
-  NameSegments(origins, this->LabelValue, vtkImageData::GetData(outputs, 1));
+  if (this->Kept->Finished(0)) // aborted, all outputs are empty
+  {
+    NameSegments(origins, this->LabelValue, vtkImageData::GetData(outputs, 1));
+  }
   this->UpdateProgress(1);
 }
 

@@ -31,7 +31,7 @@ std::vector<Segmentation> OrgansOf(const Session& session, const Segmentation& g
         FileBeside(session, organ.StartLabels, organ.Title + ": the label map of its start");
       segmentation.StartLabel = organ.StartLabel;
     }
-    else
+    else if (!segmentation.IsVessel())
     {
       segmentation.Seed.assign(organ.Seed.begin(), organ.Seed.end());
       segmentation.Radius = { organ.Radius };
