@@ -17,16 +17,16 @@ namespace FlipFree
 namespace
 {
 
-struct Box
+struct FieldBox
 {
   Eigen::Array3i Low;
   Eigen::Array3i High;
 };
 
-Box PositiveBox(const ImageView<float>& field)
+FieldBox PositiveBox(const ImageView<float>& field)
 {
   const auto& size = field.Geometry.Dimensions;
-  Box box{ Eigen::Array3i(size[0], size[1], size[2]), Eigen::Array3i(-1, -1, -1) };
+  FieldBox box{ Eigen::Array3i(size[0], size[1], size[2]), Eigen::Array3i(-1, -1, -1) };
   for (const VoxelRun& run : RunsOfField(field, { { 0, 0, 0 } }))
   {
     box.Low = box.Low.min(Eigen::Array3i(run.Begin, run.J, run.K));
@@ -37,7 +37,7 @@ Box PositiveBox(const ImageView<float>& field)
 
 // The box and a rim of one voxel, which closes the surface where the grid ends. Points are indices.
 // No value is zero: a contour through voxel centers would have triangles without area.
-vtkSmartPointer<vtkImageData> CropAndPad(const ImageView<float>& field, const Box& box)
+vtkSmartPointer<vtkImageData> CropAndPad(const ImageView<float>& field, const FieldBox& box)
 {
   auto image = vtkSmartPointer<vtkImageData>::New();
   image->SetExtent(box.Low[0] - 1, box.High[0] + 1, box.Low[1] - 1, box.High[1] + 1, box.Low[2] - 1,
@@ -63,7 +63,7 @@ vtkSmartPointer<vtkImageData> CropAndPad(const ImageView<float>& field, const Bo
 FieldSurface SurfaceOfField(const ImageView<float>& field)
 {
   FieldSurface surface;
-  const Box box = PositiveBox(field);
+  const FieldBox box = PositiveBox(field);
   if (box.High[0] < 0)
   {
     return surface;

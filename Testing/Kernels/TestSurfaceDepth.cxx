@@ -15,7 +15,7 @@ struct Body
   TriangleList Triangles;
 };
 
-Body Ball(const Eigen::Vector3d& center, double radius)
+Body BallBody(const Eigen::Vector3d& center, double radius)
 {
   const QuadSphere sphere = MakeQuadSphere(16, center, radius, QuadSphereSpacing::Equiangular);
   const ContourMesh mesh = BuildContourMesh(static_cast<int>(sphere.Points.rows()), sphere.Faces);
@@ -32,7 +32,7 @@ SurfaceDepths DepthsOf(const Body& body, const Eigen::Vector3d& point, double st
 TEST(SurfaceDepth, OfABallIsTheDistanceFromItsSurface)
 {
   const Eigen::Vector3d center(31, -7, 250);
-  const Body ball = Ball(center, 20);
+  const Body ball = BallBody(center, 20);
   const SurfaceDepths inMiddle = DepthsOf(ball, center, 1);
   EXPECT_NEAR(inMiddle.OfPoint, 20, 0.7);
   EXPECT_NEAR(inMiddle.Greatest, 20, 0.7);
@@ -43,15 +43,15 @@ TEST(SurfaceDepth, OfABallIsTheDistanceFromItsSurface)
 
 TEST(SurfaceDepth, OfAPointOutsideIsZero)
 {
-  const Body ball = Ball({ 0, 0, 0 }, 20);
+  const Body ball = BallBody({ 0, 0, 0 }, 20);
   EXPECT_EQ(DepthsOf(ball, { 0, 0, 21.5 }, 1).OfPoint, 0);
   EXPECT_EQ(DepthsOf(ball, { 500, 0, 0 }, 1).OfPoint, 0);
 }
 
 TEST(SurfaceDepth, SeesADeeperPartElsewhere)
 {
-  Body body = Ball({ 0, 0, 0 }, 10);
-  const Body other = Ball({ 60, 0, 0 }, 25);
+  Body body = BallBody({ 0, 0, 0 }, 10);
+  const Body other = BallBody({ 60, 0, 0 }, 25);
   const auto first = static_cast<int>(body.Points.rows());
   PointList points(2 * first, 3);
   points << body.Points, other.Points;
@@ -64,7 +64,7 @@ TEST(SurfaceDepth, SeesADeeperPartElsewhere)
 
 TEST(SurfaceDepth, TakesLargerCubesForALongSurface)
 {
-  Body body = Ball({ 0, 0, 0 }, 10);
+  Body body = BallBody({ 0, 0, 0 }, 10);
   body.Points.col(2) *= 12;
   const SurfaceDepths depths = DepthsOf(body, { 0, 0, 0 }, 0.01);
   EXPECT_NEAR(depths.OfPoint, 10, 2); // a cube
