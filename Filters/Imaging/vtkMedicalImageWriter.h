@@ -10,7 +10,7 @@
  *
  * A name that ends on .seg.nrrd makes a label map a segmentation of 3D Slicer: the same NRRD file,
  * in whose fields each label is a segment with a name and a color. These are the image's field data
- * SegmentLabels (the values in the image), SegmentNames and SegmentColors (texts, such as #ffd24a;
+ * SegmentLabels (the values in the image), SegmentNames and SegmentColors (texts, such as \#ffd24a;
  * may be empty or absent), as vtkFlipFreeOrganGroup gives them. Of other labels, the only one in
  * the image has the name of the file, and several have that of their value, as Segment_2.
  *

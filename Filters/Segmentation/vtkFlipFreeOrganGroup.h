@@ -25,7 +25,7 @@
  * all organs together.
  * Output port 1: vtkImageData, unsigned char `Labels` of the input's geometry: LabelValue inside
  * the first organ, one more inside each next one. Its field data `SegmentLabels` (double),
- * `SegmentNames` and `SegmentColors` (texts such as #ffd24a) say which organ has which label;
+ * `SegmentNames` and `SegmentColors` (texts such as \#ffd24a) say which organ has which label;
  * vtkMedicalImageWriter writes them into files of 3D Slicer (.seg.nrrd).
  * Output port 2: vtkTable, a row per organ: Organ (its name), Label, Milliliters (of its voxels),
  * Iterations, StopReason (in words), Confidence (0 to 1), SelfIntersections.

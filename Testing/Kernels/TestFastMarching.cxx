@@ -1,14 +1,11 @@
 #include "ExampleMasks.h"
-#include "Image/VoxelOffsets.h"
 #include "Vessel/FastMarching.h"
 #include "Vessel/MinimalPaths.h"
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
-#include <random>
 
 using namespace FlipFree;
 
@@ -122,79 +119,6 @@ TEST(FastMarching, DoesNotEnterWalls)
   const auto paths = JoinPoints(speed.View(), points, 5, NeverStop);
   ASSERT_EQ(paths.size(), 1U);
   EXPECT_NEAR(LengthOf(paths[0].Line), 2 * std::hypot(10, 24), 5);
-}
-
-// Against fronts that spread from one group each.
-TEST(FastMarching, FrontsMeetOnTheFastestWay)
-{
-  const ImageGeometry grid = Grid({ { 30, 25, 20 } }, { 1, 1.5, 2 });
-  std::mt19937 random(5);
-  std::uniform_int_distribution<std::size_t> voxel(0, grid.NumberOfVoxels() - 1);
-  std::uniform_real_distribution<float> logarithm(-2, 0);
-  for (int round = 0; round < 20; ++round)
-  {
-    SCOPED_TRACE(round);
-    FloatImage speed = Uniform(grid, 1);
-    for (float& value : speed.Voxels)
-    {
-      value = std::exp(logarithm(random));
-    }
-    const std::vector<std::vector<std::size_t>> groups = { { voxel(random), voxel(random) },
-      { voxel(random) }, { voxel(random) }, { voxel(random) } };
-    for (const bool first : { false, true })
-    {
-      float earliest = Always;
-      for (std::size_t from = 0; from < (first ? 1 : groups.size()); ++from)
-      {
-        std::vector<std::size_t> targets;
-        for (std::size_t to = from + 1; to < groups.size(); ++to)
-        {
-          targets.push_back(groups[to][0]);
-        }
-        const Arrivals arrivals =
-          MarchFront(speed.View(), groups[from], targets, 1, Always, NeverStop);
-        if (!targets.empty())
-        {
-          earliest = std::min(earliest, arrivals.Times[arrivals.Reached.at(0)]);
-        }
-      }
-      const Meeting meeting = MeetFronts(speed.View(), groups, first, NeverStop);
-      ASSERT_GT(meeting.Way.size(), 1U);
-      ASSERT_LT(meeting.From, meeting.To);
-      EXPECT_TRUE(!first || meeting.From == 0);
-      const auto isIn = [](const std::vector<std::size_t>& group, std::size_t place)
-      { return std::find(group.begin(), group.end(), place) != group.end(); };
-      EXPECT_TRUE(isIn(groups[meeting.From], meeting.Way.front()));
-      EXPECT_TRUE(isIn(groups[meeting.To], meeting.Way.back()));
-      // Between its ends there is no way that is much faster.
-      const Arrivals arrivals = MarchFront(speed.View(), { meeting.Way.front() },
-        { meeting.Way.back() }, 1, Always, NeverStop);
-      EXPECT_NEAR(arrivals.Times[meeting.Way.back()], earliest, 0.1 * earliest);
-      for (std::size_t place = 1; place < meeting.Way.size(); ++place)
-      {
-        const auto now = IndexOf(meeting.Way[place], grid);
-        const auto before = IndexOf(meeting.Way[place - 1], grid);
-        for (int axis = 0; axis < 3; ++axis)
-        {
-          EXPECT_LE(std::abs(now[axis] - before[axis]), 1);
-        }
-      }
-    }
-  }
-}
-
-TEST(FastMarching, FrontsBetweenWallsDoNotMeet)
-{
-  const ImageGeometry grid = Grid({ { 9, 9, 9 } }, { 1, 1, 1 });
-  FloatImage speed = Uniform(grid, 1);
-  ForEachVoxel(grid,
-    [&](int i, int j, int k) { speed.Voxels[grid.Offset(i, j, k)] = i == 4 ? 0.0F : 1.0F; });
-  const std::size_t left = grid.Offset(1, 4, 4);
-  const std::size_t right = grid.Offset(7, 4, 4);
-  EXPECT_TRUE(MeetFronts(speed.View(), { { left }, { right } }, false, NeverStop).Way.empty());
-  // Groups that share a voxel meet there.
-  const Meeting meeting = MeetFronts(speed.View(), { { left }, { right, left } }, false, NeverStop);
-  EXPECT_EQ(meeting.Way, std::vector<std::size_t>{ left });
 }
 
 TEST(MinimalPaths, PreferTheFasterWayAround)

@@ -85,87 +85,11 @@ public:
 
   void UpdateNeighbors(std::size_t cell)
   {
-    this->ForEachNeighbor(cell, [this](std::size_t neighbor) { this->Update(neighbor); });
-  }
-
-  template <typename Visit>
-  void ForEachNeighbor(std::size_t cell, const Visit& visit) const
-  {
     for (const std::size_t step : { std::size_t(1), this->Row, this->Slice })
     {
-      visit(cell - step);
-      visit(cell + step);
+      this->Update(cell - step);
+      this->Update(cell + step);
     }
-  }
-
-  std::size_t NumberOfCells() const { return this->Cells.size(); }
-
-  std::size_t VoxelOf(std::size_t cell) const
-  {
-    const std::size_t row = this->Size[0];
-    const std::size_t rows = this->Size[1];
-    return cell % this->Row - 1 +
-      row * (cell / this->Row % (rows + 2) - 1 + rows * (cell / this->Slice - 1));
-  }
-
-  /// Infinite unless final.
-  float FinalTime(std::size_t cell) const
-  {
-    return this->Cells[cell].Speed > 0 ? Never : this->Cells[cell].Time;
-  }
-
-  bool Update(std::size_t cell)
-  {
-    const double speed = this->Cells[cell].Speed;
-    if (!(speed > 0))
-    {
-      return false;
-    }
-    const auto time = static_cast<float>(this->Solve(cell, 1 / speed));
-    if (time < this->Cells[cell].Time)
-    {
-      this->Arrive(time, cell);
-      return true;
-    }
-    return false;
-  }
-
-  /// The cells from one down the final times, through those that belong, to a source.
-  template <typename Belongs>
-  std::vector<std::size_t> Descend(std::size_t cell, const Belongs& belongs) const
-  {
-    std::vector<std::size_t> path{ cell };
-    for (std::size_t next = cell; this->Cells[cell].Time > 0; cell = next)
-    {
-      double steepest = 0;
-      for (int code = 0; code < 27; ++code)
-      {
-        const int step[3] = { code % 3 - 1, code / 3 % 3 - 1, code / 9 - 1 };
-        const std::size_t neighbor = cell + step[0] + step[1] * this->Row + step[2] * this->Slice;
-        if (code == 13 || !belongs(neighbor))
-        {
-          continue;
-        }
-        double square = 0;
-        for (int axis = 0; axis < 3; ++axis)
-        {
-          square += step[axis] * step[axis] / this->Weights[axis];
-        }
-        const double slope =
-          (this->Cells[cell].Time - this->FinalTime(neighbor)) / std::sqrt(square);
-        if (slope > steepest)
-        {
-          steepest = slope;
-          next = neighbor;
-        }
-      }
-      if (next == cell)
-      {
-        break; // equal times by rounding; the front came from nowhere else
-      }
-      path.push_back(next);
-    }
-    return path;
   }
 
   std::vector<float> TakeTimes()
@@ -214,6 +138,20 @@ private:
     this->Trial.push(std::uint64_t(bits) << 32U | cell);
   }
 
+  void Update(std::size_t cell)
+  {
+    const double speed = this->Cells[cell].Speed;
+    if (!(speed > 0))
+    {
+      return;
+    }
+    const auto time = static_cast<float>(this->Solve(cell, 1 / speed));
+    if (time < this->Cells[cell].Time)
+    {
+      this->Arrive(time, cell);
+    }
+  }
+
   // The quadratic of the axes whose earlier neighbors come before the solution.
   double Solve(std::size_t cell, double slowness) const
   {
@@ -246,6 +184,11 @@ private:
   float FinalTimeBeside(std::size_t cell, std::size_t step) const
   {
     return std::min(this->FinalTime(cell - step), this->FinalTime(cell + step));
+  }
+
+  float FinalTime(std::size_t cell) const
+  {
+    return this->Cells[cell].Speed > 0 ? Never : this->Cells[cell].Time;
   }
 
   const std::array<int, 3> Size;
@@ -338,80 +281,6 @@ std::vector<std::size_t> DescendToSource(const Arrivals& arrivals, const ImageGe
     voxel = next;
   }
   return path;
-}
-
-Meeting MeetFronts(const ImageView<float>& speed,
-  const std::vector<std::vector<std::size_t>>& groups, bool first, const Monitor& monitor)
-{
-  constexpr std::uint16_t nobody = std::numeric_limits<std::uint16_t>::max();
-  Front front(speed);
-  std::vector<std::uint16_t> owners(front.NumberOfCells(), nobody);
-  for (std::size_t group = 0; group < groups.size(); ++group)
-  {
-    for (const std::size_t voxel : groups[group])
-    {
-      const std::size_t cell = front.CellOf(voxel);
-      if (owners[cell] != nobody && owners[cell] != group && (!first || owners[cell] == 0))
-      {
-        return { { voxel }, owners[cell], group };
-      }
-      owners[cell] = static_cast<std::uint16_t>(group);
-      front.Start(cell);
-    }
-  }
-  float best = Never;
-  std::size_t ends[2] = { 0, 0 };
-  std::size_t accepted = 0;
-  // Where the fastest way changes hands, both fronts arrive in half of its time or less.
-  while (!front.IsEmpty() && 2 * front.EarliestTime() < best)
-  {
-    std::size_t cell = 0;
-    if (!front.Accept(cell))
-    {
-      continue;
-    }
-    if (++accepted % VoxelsBetweenQuestions == 0 &&
-      !monitor(
-        static_cast<double>(accepted) / static_cast<double>(speed.Geometry.NumberOfVoxels())))
-    {
-      return {};
-    }
-    const std::uint16_t owner = owners[cell];
-    const float time = front.FinalTime(cell);
-    front.ForEachNeighbor(cell,
-      [&](std::size_t neighbor)
-      {
-        const std::uint16_t other = owners[neighbor];
-        if (front.Update(neighbor))
-        {
-          owners[neighbor] = owner;
-        }
-        else if (other != owner && other != nobody && (!first || owner == 0 || other == 0) &&
-          time + front.FinalTime(neighbor) < best)
-        {
-          best = time + front.FinalTime(neighbor);
-          ends[0] = owner < other ? cell : neighbor;
-          ends[1] = owner < other ? neighbor : cell;
-        }
-      });
-  }
-  Meeting meeting;
-  if (best < Never)
-  {
-    meeting.From = owners[ends[0]];
-    meeting.To = owners[ends[1]];
-    const auto wayTo = [&](std::size_t end)
-    { return front.Descend(end, [&](std::size_t cell) { return owners[cell] == owners[end]; }); };
-    meeting.Way = wayTo(ends[0]);
-    std::reverse(meeting.Way.begin(), meeting.Way.end());
-    const std::vector<std::size_t> rest = wayTo(ends[1]);
-    meeting.Way.insert(meeting.Way.end(), rest.begin(), rest.end());
-    for (std::size_t& place : meeting.Way)
-    {
-      place = front.VoxelOf(place);
-    }
-  }
-  return meeting;
 }
 
 } // namespace FlipFree

@@ -32,19 +32,6 @@ Arrivals MarchFront(const ImageView<float>& speed, const std::vector<std::size_t
 std::vector<std::size_t> DescendToSource(const Arrivals& arrivals, const ImageGeometry& geometry,
   std::size_t target);
 
-struct Meeting
-{
-  std::vector<std::size_t> Way; ///< from a voxel of one group to one of another; none: no way
-  std::size_t From = 0;         ///< the groups
-  std::size_t To = 0;
-};
-
-/// The fastest way between any two groups of voxels: fronts that spread from all of them at once
-/// visit far fewer voxels than one that spreads from one to the others. With `first`, between the
-/// first group and any other.
-Meeting MeetFronts(const ImageView<float>& speed,
-  const std::vector<std::vector<std::size_t>>& groups, bool first, const Monitor& monitor);
-
 } // namespace FlipFree
 
 #endif

@@ -67,36 +67,51 @@ private:
     return line;
   }
 
-  // Names the point at a voxel.
-  [[noreturn]] void RefusePoint(std::size_t voxel) const
+  void RequireReached(const Arrivals& arrivals, const std::vector<std::size_t>& targets) const
   {
-    const auto point = std::find(this->Voxels.begin(), this->Voxels.end(), voxel);
-    throw Error(ErrorCode::NoContrast,
-      "no path leads to the point " + TextOf(this->Points.row(point - this->Voxels.begin())) +
-        " mm; put all points into the same vessel");
+    if (arrivals.Reached.empty() && !targets.empty())
+    {
+      const auto point = std::find(this->Voxels.begin(), this->Voxels.end(), targets.front());
+      throw Error(ErrorCode::NoContrast,
+        "no path leads to the point " + TextOf(this->Points.row(point - this->Voxels.begin())) +
+          " mm; put all points into the same vessel");
+    }
   }
 
   bool JoinNearestPair()
   {
-    std::vector<std::vector<std::size_t>> groups;
-    for (const std::size_t voxel : this->Voxels)
+    float earliest = std::numeric_limits<float>::infinity();
+    std::vector<std::size_t> best;
+    std::size_t from = 0;
+    for (std::size_t source = 0; source + 1 < this->Voxels.size(); ++source)
     {
-      groups.push_back({ voxel });
+      const std::vector<std::size_t> targets(
+        this->Voxels.begin() + static_cast<std::ptrdiff_t>(source) + 1, this->Voxels.end());
+      // No later than the nearest pair so far.
+      const Arrivals arrivals =
+        MarchFront(this->Speed, { this->Voxels[source] }, targets, 1, earliest, this->Ask);
+      if (!this->Ask(0))
+      {
+        return false;
+      }
+      if (best.empty())
+      {
+        this->RequireReached(arrivals, targets);
+      }
+      if (!arrivals.Reached.empty())
+      {
+        const std::size_t target = arrivals.Reached.front();
+        earliest = arrivals.Times[target];
+        best = DescendToSource(arrivals, this->Speed.Geometry, target);
+        from = source;
+      }
     }
-    const Meeting meeting = MeetFronts(this->Speed, groups, false, this->Ask);
-    if (!this->Ask(0))
-    {
-      return false;
-    }
-    if (meeting.Way.empty())
-    {
-      this->RefusePoint(this->Voxels[1]);
-    }
-    this->Chains.push_back(meeting.Way);
-    this->Paths.push_back({ this->LineOf(meeting.Way), -1, 0 });
+    std::reverse(best.begin(), best.end());
+    this->Chains.push_back(best);
+    this->Paths.push_back({ this->LineOf(best), -1, 0 });
     for (std::size_t point = 0; point < this->Voxels.size(); ++point)
     {
-      if (point != meeting.From && point != meeting.To)
+      if (this->Voxels[point] != best.back() && point != from)
       {
         this->Open.push_back(this->Voxels[point]);
       }
@@ -106,26 +121,23 @@ private:
 
   bool JoinNext()
   {
-    std::vector<std::vector<std::size_t>> groups(1);
+    std::vector<std::size_t> sources;
     for (const auto& chain : this->Chains)
     {
-      groups[0].insert(groups[0].end(), chain.begin(), chain.end());
+      sources.insert(sources.end(), chain.begin(), chain.end());
     }
-    for (const std::size_t voxel : this->Open)
-    {
-      groups.push_back({ voxel });
-    }
-    const Meeting meeting = MeetFronts(this->Speed, groups, true, this->Ask);
+    const Arrivals arrivals = MarchFront(this->Speed, sources, this->Open, 1,
+      std::numeric_limits<float>::infinity(), this->Ask);
     if (!this->Ask(0))
     {
       return false;
     }
-    if (meeting.Way.empty())
-    {
-      this->RefusePoint(this->Open.front());
-    }
-    this->Open.erase(this->Open.begin() + static_cast<std::ptrdiff_t>(meeting.To) - 1);
-    this->Attach(meeting.Way);
+    this->RequireReached(arrivals, this->Open);
+    const std::size_t target = arrivals.Reached.front();
+    this->Open.erase(std::find(this->Open.begin(), this->Open.end(), target));
+    std::vector<std::size_t> way = DescendToSource(arrivals, this->Speed.Geometry, target);
+    std::reverse(way.begin(), way.end());
+    this->Attach(way);
     return true;
   }
 
