@@ -14,8 +14,8 @@ std::string EntryOf(const PointConstraint& constraint)
 {
   const char* const kinds[] = { "outside", "inside", "boundary", "seed" };
   const bool isSeed = constraint.Kind == ConstraintKind::Seed;
-  return std::string("{\"kind\":\"") + kinds[static_cast<int>(constraint.Kind)] +
-    "\",\"position\":" + FlipFree::JsonOf(constraint.Point.data(), 3) +
+  return std::string(R"({"kind":")") + kinds[static_cast<int>(constraint.Kind)] +
+    R"(","position":)" + FlipFree::JsonOf(constraint.Point.data(), 3) +
     (isSeed ? ",\"radius\":" + FlipFree::JsonOf(constraint.Radius) : "") + "}";
 }
 
@@ -35,21 +35,20 @@ ParameterTable<VolumeSegmentationSettings> ParametersOfSurfaces()
 
 std::string EntryOf(const OrganProvenance& organ, std::size_t index, const std::string& parameters)
 {
-  std::string entry = "{\"name\":" + FlipFree::JsonOf(organ.Name) +
-    ",\"kind\":\"organ\",\"color\":\"" + DefaultColor(index) + "\",";
+  std::string entry = "{\"name\":" + FlipFree::JsonOf(organ.Name) + R"(,"kind":"organ","color":")" +
+    DefaultColor(index) + "\",";
   if (organ.StartLabel >= 0)
   {
     entry +=
-      "\"seed\":null,\"startLabels\":{\"name\":\"\",\"label\":" + std::to_string(organ.StartLabel) +
-      "},";
+      R"("seed":null,"startLabels":{"name":"","label":)" + std::to_string(organ.StartLabel) + "},";
   }
   else
   {
-    entry += "\"seed\":{\"center\":" + FlipFree::JsonOf(organ.Seed.Center.data(), 3) +
+    entry += R"("seed":{"center":)" + FlipFree::JsonOf(organ.Seed.Center.data(), 3) +
       ",\"radius\":" + FlipFree::JsonOf(organ.Seed.Radius) + "},";
   }
   entry += organ.HasStartSurface ? "\"startSurface\":true," : "";
-  return entry + "\"preset\":\"default\",\"parameters\":" + parameters +
+  return entry + R"("preset":"default","parameters":)" + parameters +
     ",\"corrections\":" + FlipFree::JsonOf(organ.Constraints) + "}";
 }
 
@@ -89,12 +88,13 @@ std::string ProvenanceOf(const std::vector<OrganProvenance>& organs, std::size_t
 {
   const std::string parameters = JsonOf(ParametersOfSurfaces(), settings);
   std::vector<std::string> entries;
+  entries.reserve(organs.size());
   for (const OrganProvenance& organ : organs)
   {
     entries.push_back(EntryOf(organ, entries.size(), parameters));
   }
   return SessionOf(geometry, entries,
-    ",\"together\":true,\"fixed\":" + JsonList(std::vector<std::string>(fixed, "\"\"")));
+    R"(,"together":true,"fixed":)" + JsonList(std::vector<std::string>(fixed, "\"\"")));
 }
 
 std::string DefaultColor(std::size_t organ)

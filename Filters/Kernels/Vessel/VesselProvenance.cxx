@@ -27,8 +27,8 @@ std::string ProvenanceOf(const PointList& points, const ConstraintList& constrai
     }
   }
   return SessionOf(geometry,
-    { "{\"name\":\"vessel\",\"kind\":\"vessel\",\"color\":\"" + DefaultColor(0) +
-      "\",\"points\":" + JsonList(places) + ",\"parameters\":" + JsonOf(parameters, settings) +
+    { R"({"name":"vessel","kind":"vessel","color":")" + DefaultColor(0) + R"(","points":)" +
+      JsonList(places) + ",\"parameters\":" + JsonOf(parameters, settings) +
       (constraints.empty() ? "" : ",\"corrections\":" + JsonOf(constraints)) + "}" });
 }
 
