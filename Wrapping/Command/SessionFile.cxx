@@ -347,7 +347,7 @@ Session ReadSession(const std::string& name)
 
 std::string ImageBeside(const Session& session)
 {
-  const std::string path = PathBeside(session, session.ImageName);
+  std::string path = PathBeside(session, session.ImageName);
   if (path.empty())
   {
     throw Failure("The image '" + session.ImageName + "' is not beside '" + session.File +
@@ -358,7 +358,7 @@ std::string ImageBeside(const Session& session)
 
 std::string FileBeside(const Session& session, const std::string& name, const std::string& what)
 {
-  const std::string path = PathBeside(session, name);
+  std::string path = PathBeside(session, name);
   if (path.empty())
   {
     throw Failure(
