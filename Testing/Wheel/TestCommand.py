@@ -296,6 +296,7 @@ class Vessels(unittest.TestCase):
         self.assertEqual(*found)
         self.assertRegex(found[0], r"vessel\.nii\.gz: 1 branch, \d+ vertices, .*, 0 self-intersections, support (0[.]9\d|1[.]00); path 0 s, start 0 s, "
                                    r"deformation 0 s, label map 0 s\n\Z")
+        origins = []
         for ending in (".vtp", "-line.vtp"):
             contents = []
             for name in ("ours", "theirs"):
@@ -307,10 +308,15 @@ class Vessels(unittest.TestCase):
                 arrays = {"points": data.GetPoints().GetData(), "offsets": cells.GetOffsetsArray(),
                           "corners": cells.GetConnectivityArray()}
                 for group in (data.GetPointData(), data.GetCellData(), data.GetFieldData()):
-                    arrays.update({group.GetArrayName(i): group.GetArray(i) for i in range(group.GetNumberOfArrays())})
+                    arrays.update({group.GetArrayName(i): group.GetAbstractArray(i) for i in range(group.GetNumberOfArrays())})
+                if "line" not in ending:
+                    origin = json.loads(arrays.pop("Provenance").GetValue(0))
+                    self.assertEqual(origin["organs"][0].pop("name"), name)  # the file's
+                    origins.append(origin)
                 contents.append({key: (vtk_to_numpy(array).shape, vtk_to_numpy(array).tolist())
                                  for key, array in arrays.items()})
             self.assertEqual(*contents)
+        self.assertEqual(*origins)
         ours, theirs = (flipfree.read_image(self.folder / f"{name}.nii.gz") for name in ("ours", "theirs"))
         numpy.testing.assert_array_equal(ours.voxels, theirs.voxels)
         self.assertEqual(ours.voxels.max(), 7)
