@@ -195,12 +195,7 @@ class TestOrgansProvenance(ProvenanceTest):
     @classmethod
     def setUpClass(cls):
         super().setUpClass()
-        seeds = command.make_phantom(cls.inputs, "abdomen", "--size", 110, 86, 46, "--spacing", 3, 3, 6)
-        cls.abdomen = os.path.join(cls.inputs, "abdomen.nii.gz")
-        cls.organs = {}
-        for name, words in seeds.items():
-            values = words[words.index("--seed") + 1:][:3] + [words[words.index("--radius") + 1]]
-            cls.organs[name.split(" (")[0].lower()] = values
+        cls.abdomen, cls.organs = command.make_small_abdomen(cls.inputs)
 
     def segment(self, *arguments):
         process = command.run("segment", *arguments, "-q")

@@ -44,6 +44,16 @@ def make_phantom(folder, name, *options):
     return {line.split(":")[0]: line.split(":")[1].split() for line in result.stdout.splitlines()}
 
 
+def make_small_abdomen(folder):
+    """A coarse abdomen: its file, and of each organ the seed's coordinates and radius as words."""
+    seeds = make_phantom(folder, "abdomen", "--size", 110, 86, 46, "--spacing", 3, 3, 6)
+    organs = {}
+    for name, words in seeds.items():
+        seed = words[words.index("--seed") + 1:][:3] + [words[words.index("--radius") + 1]]
+        organs[name.split(" (")[0].lower()] = seed
+    return os.path.join(folder, "abdomen.nii.gz"), organs
+
+
 def dice_of(text):
     return float(re.search(r"^Dice +([0-9.]+)$", text, re.MULTILINE).group(1))
 

@@ -1,9 +1,10 @@
 #include "SessionRecord.h"
 
+#include "FieldData.h"
+
 #include "Failure.h"
 #include "OutputFile.h"
 
-#include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
@@ -92,37 +93,26 @@ vtkSmartPointer<vtkPolyData> WithNames(vtkPolyData* surface, const OriginNames& 
   const std::string provenance = ProvenanceOf(surface);
   if (!provenance.empty())
   {
-    vtkNew<vtkStringArray> text;
-    text->SetName(FieldName);
-    text->InsertNextValue(NamedProvenance(provenance, names));
-    vtkNew<vtkFieldData> fields;
+    vtkNew<vtkFieldData> fields; // the copy's own
     fields->ShallowCopy(surface->GetFieldData());
-    fields->AddArray(text);
     copy->SetFieldData(fields);
+    FlipFree::AddFieldText(FieldName, { NamedProvenance(provenance, names) }, copy);
   }
   return copy;
 }
 
 void NameSegments(vtkImageData* labels, int first, const OriginNames& names)
 {
-  vtkNew<vtkDoubleArray> values;
-  values->SetName("SegmentLabels");
-  vtkNew<vtkStringArray> organs;
-  organs->SetName("SegmentNames");
-  vtkNew<vtkStringArray> colors;
-  colors->SetName("SegmentColors");
+  std::vector<double> values;
+  std::vector<std::string> colors;
   for (std::size_t index = 0; index < names.Organs.size(); ++index)
   {
-    values->InsertNextValue(first + static_cast<double>(index));
-    organs->InsertNextValue(names.Organs[index]);
-    colors->InsertNextValue(At(names.Colors, index));
+    values.push_back(first + static_cast<double>(index));
+    colors.push_back(At(names.Colors, index));
   }
-  for (vtkAbstractArray* array :
-    { static_cast<vtkAbstractArray*>(values.Get()), static_cast<vtkAbstractArray*>(organs.Get()),
-      static_cast<vtkAbstractArray*>(colors.Get()) })
-  {
-    labels->GetFieldData()->AddArray(array);
-  }
+  FlipFree::AddFieldValues("SegmentLabels", values, labels);
+  FlipFree::AddFieldText("SegmentNames", names.Organs, labels);
+  FlipFree::AddFieldText("SegmentColors", colors, labels);
 }
 
 std::vector<std::string> CommentLines(const std::string& provenance)
