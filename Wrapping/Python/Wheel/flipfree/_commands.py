@@ -327,13 +327,9 @@ def _segment_one(
     organ: Segmentation
     try:
         if repeated and repeated.points:
-            organ = trace_vessel(
-                image,
-                repeated.points,
-                progress=progress or None,
-                **repeated.corrections,
-                **{**repeated.parameters, "label_value": values["label_value"]},
-            )
+            given: dict[str, Any] = {**repeated.corrections, **repeated.parameters}
+            given["label_value"] = values["label_value"]
+            organ = trace_vessel(image, repeated.points, progress=progress or None, **given)
         else:
             organ = segment_organ(
                 image,
@@ -446,8 +442,8 @@ def trace(values: dict[str, Any]) -> None:
             if name == "save_points":
                 _write_to(files, path, lambda name: write_points(name, corrections))
             else:
-                names = _names_of(values, ("output", "labels", "centerline"))
-                _write_to(files, path, partial(_write, name, vessel, image, names))
+                origin = _names_of(values, ("output", "labels", "centerline"))
+                _write_to(files, path, partial(_write, name, vessel, image, origin))
     if "quiet" not in values:
         count = len(vessel.branches)
         names = ("path", "start", "deformation", "label map")
