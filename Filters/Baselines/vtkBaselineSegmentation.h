@@ -12,8 +12,9 @@
  *
  * Input port 1, optional: vtkPolyData, the poly lines of a vessel's path, as vtkVesselPath gives
  * them. The method then sees nothing beyond the planes across the path at its ends, and the result
- * ends there: voxels whose nearest point of the path is one of its ends, on the far side of the
- * plane there, are background. So can methods that know no ends be compared on vessels.
+ * ends there: voxels whose nearest point on the path is one of its ends, on the far side of the
+ * plane there, are background. This allows methods that have no notion of ends to be compared on
+ * vessels.
  *
  * Output port 0: vtkPolyData, the surface: closed, of triangles, also where the organ is cut off by
  * the border of the image. Unlike that of vtkFlipFreeSegmentation, its topology is mostly unknown.

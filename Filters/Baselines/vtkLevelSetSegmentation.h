@@ -12,7 +12,8 @@
  * front. The evolution stops when the volume has settled, or after MaximumIterations.
  *
  * Ports, errors and the common properties are those of vtkBaselineSegmentation; GEODESIC refuses
- * fewer than four voxels along an axis. The surface is the zero level set, located below a voxel.
+ * fewer than four voxels along an axis. The surface is the zero level set, located with subvoxel
+ * accuracy.
  *
  * Source: P. Yushkevich et al., User-guided 3D active contour segmentation of anatomical structures
  * (2006); V. Caselles, R. Kimmel and G. Sapiro, Geodesic active contours (1997); R. Whitaker, A
@@ -69,7 +70,7 @@ public:
 
   ///@{
   /**
-   * Weight of the pull towards edges. Default 5; 0 to 100. GEODESIC only.
+   * Weight of the pull toward edges. Default 5; 0 to 100. GEODESIC only.
    */
   vtkSetClampMacro(AdvectionScaling, double, 0, 100);
   vtkGetMacro(AdvectionScaling, double);

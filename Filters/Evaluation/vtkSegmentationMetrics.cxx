@@ -25,7 +25,7 @@ namespace
 FlipFree::LabelMask LabelMaskOf(vtkImageData* image, int label, const std::string& name)
 {
   return { FlipFree::MaskOf(image, label, name), label,
-    [image] { return FlipFree::LabelsOf(image); } };
+    [image] { return FlipFree::LabelsOf(image); }, name };
 }
 
 } // namespace
@@ -106,7 +106,7 @@ bool vtkSegmentationMetrics::Measure(vtkDataObject* input, vtkImageData* referen
   settings.ScoreVoxelization = this->ScoreVoxelization;
   const LabelMask reference =
     LabelMaskOf(referenceImage, settings.ReferenceLabel, "the reference on port 1");
-  RequireLabel(reference, "the reference", "ReferenceLabel");
+  RequireLabel(reference, "ReferenceLabel");
   SegmentationScores scores;
   if (vtkPolyData* polyData = vtkPolyData::SafeDownCast(input))
   {
@@ -118,7 +118,7 @@ bool vtkSegmentationMetrics::Measure(vtkDataObject* input, vtkImageData* referen
   {
     const LabelMask segmentation = LabelMaskOf(vtkImageData::SafeDownCast(input),
       settings.SegmentationLabel, "the segmentation on port 0");
-    RequireLabel(segmentation, "the segmentation", "SegmentationLabel");
+    RequireLabel(segmentation, "SegmentationLabel");
     scores = ScoreLabels(segmentation, reference, settings, SMPFor, MonitorOf(this));
   }
   this->Store(scores);

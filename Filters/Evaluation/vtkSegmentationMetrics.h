@@ -11,7 +11,7 @@
  * pooled samples, the 95th percentile (HD95, the greater one of the two directions) and the
  * greatest (HD).
  *
- * The surface of a label map runs half-way between the voxels inside and outside and includes their
+ * The surface of a label map runs halfway between the voxels inside and outside and includes their
  * steps, as in other programs: ASD is 2.7 mm between spheres 3 mm apart on voxels of 1.2 x 1.2 x 3
  * mm, and 0.3 mm between a sphere and its own voxels. LabelSmoothing removes the steps, which is
  * more exact for smooth shapes (2.9 and 0.15 mm). A segmentation that is a surface is voxelized on
@@ -35,8 +35,8 @@
  * label maps of different geometry, a label map without scalars, with several components, of bits,
  * or with a spacing that is not positive, a surface that is empty, open or not finite, or encloses
  * no voxel center of the reference, a surface that would need more than a hundred million samples
- * (raise SampleSpacing). A warning, with measures all the same: a reference of several labels, or
- * of values that no label map has, of which none was chosen, while the segmentation has but one.
+ * (raise SampleSpacing). A warning, which still gives measures: a reference of several labels, or
+ * of values that no label map has, if none of them was chosen and the segmentation has only one.
  *
  * Definitions: L. Maier-Hein et al., Metrics reloaded, Nature Methods 21 (2024), but with
  * area-weighted samples instead of boundary voxels.
@@ -102,7 +102,7 @@ public:
   /**
    * Iterations of windowed sinc smoothing (as by vtkWindowedSincPolyDataFilter, pass band 0.1) of
    * the surfaces of label maps. 20 are customary; they keep the volume, but round off corners and
-   * what is thinner than a few voxels. Default 0, none; 0 to 100.
+   * parts thinner than a few voxels. Default 0, none; 0 to 100.
    */
   vtkSetClampMacro(LabelSmoothing, int, 0, 100);
   vtkGetMacro(LabelSmoothing, int);

@@ -14,7 +14,7 @@
  *
  * Input port 1, optional: vtkPolyData with the same polygons at other positions, such as the start
  * of a deformation (SetReferenceSurfaceData or SetReferenceSurfaceConnection). A corner of a face
- * is flipped when its normal has turned by 90 degrees or more since.
+ * is flipped when its normal has turned by 90 degrees or more relative to it.
  *
  * Output port 0: vtkPolyData, the surface with the cell arrays
  *  - `Defects`, unsigned char: the sum of 1 self-intersecting, 2 with a flipped corner, 4 on a
@@ -30,7 +30,7 @@
  * EdgeLengthVariation (standard deviation over mean), double.
  *
  * Errors, with empty outputs: a surface without points or polygons, with triangle strips, or with a
- * coordinate that is not finite; a reference with other polygons.
+ * coordinate that is not finite; a reference with different polygons.
  */
 #ifndef vtkSurfaceValidity_h
 #define vtkSurfaceValidity_h

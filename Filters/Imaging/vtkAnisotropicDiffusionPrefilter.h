@@ -94,8 +94,8 @@ public:
   ///@{
   /**
    * The gradient magnitude that counts as one, in gray values per millimeter. 0 (default) means the
-   * root mean square over the voxels of the scale sphere; if that is 0 too, all of one gray value,
-   * nothing is smoothed.
+   * root mean square over the voxels of the scale sphere; if that is 0, too, because they all have
+   * one gray value, nothing is smoothed.
    */
   vtkSetClampMacro(GradientScale, double, 0, 1e30);
   vtkGetMacro(GradientScale, double);
@@ -104,8 +104,8 @@ public:
   ///@{
   /**
    * The sphere that gives the gradient scale and `NoiseStandardDeviation`: center (default 0, 0, 0)
-   * and radius in millimeters. A radius of 0 (default) means the whole VOI for the scale, which
-   * only then depends on it, and no `NoiseStandardDeviation`.
+   * and radius in millimeters. With a radius of 0 (default), the scale is measured in the whole
+   * VOI, on which it otherwise does not depend, and there is no `NoiseStandardDeviation`.
    */
   vtkSetVector3Macro(ScaleCenter, double);
   vtkGetVector3Macro(ScaleCenter, double);

@@ -19,12 +19,12 @@
  * RequestInformation gives extent, spacing, origin, direction and scalar type from the header
  * alone.
  *
- * Errors: no file name; a missing, unreadable, truncated or damaged file; a header with a field
- * that cannot be as it is, such as a spacing of NaN, which the error names; an unknown format,
- * NIfTI-2 among them; 2D and 4D images; several components per voxel; a folder without DICOM images
- * or without the wanted series; slices that do not form one stack. GetErrorCode() gives the
- * vtkErrorCode. Slices that stray from an even stack by more than 1 % of the slice spacing give a
- * warning, by more than half of it an error.
+ * Errors: no file name; a missing, unreadable, truncated or damaged file; a header with an invalid
+ * field, such as a spacing of NaN, which the error names; an unknown format, such as NIfTI-2; 2D
+ * and 4D images; several components per voxel; a folder without DICOM images or without the wanted
+ * series; slices that do not form one stack. GetErrorCode() gives the vtkErrorCode. Slices that
+ * stray from an even stack by more than 1 % of the slice spacing give a warning, by more than half
+ * of it an error.
  */
 #ifndef vtkMedicalImageReader_h
 #define vtkMedicalImageReader_h
@@ -53,7 +53,7 @@ public:
   ///@{
   /**
    * Series Instance UID of the DICOM series to read. Empty or unset (the default) means the series
-   * with most files. Not used for single files.
+   * with the most files. Not used for single files.
    */
   vtkSetStringMacro(SeriesUID);
   vtkGetStringMacro(SeriesUID);
@@ -61,8 +61,8 @@ public:
 
   ///@{
   /**
-   * The DICOM series that the last UpdateInformation() found in the folder, the one with most files
-   * first. A single file has none. An index out of range gives a null pointer, or zero files.
+   * The DICOM series that the last UpdateInformation() found in the folder, the one with the most
+   * files first. A single file has none. An index out of range gives a null pointer, or zero files.
    */
   int GetNumberOfSeries();
   const char* GetSeriesUID(int index);

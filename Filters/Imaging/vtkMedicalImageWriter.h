@@ -8,16 +8,17 @@
  * same image back; NIfTI holds its geometry in single precision. Coordinates are taken as LPS
  * millimeters.
  *
- * A name that ends on .seg.nrrd makes a label map a segmentation of 3D Slicer: the same NRRD file,
- * in whose fields each label is a segment with a name and a color. These are the image's field data
- * SegmentLabels (the values in the image), SegmentNames and SegmentColors (texts, such as \#ffd24a;
- * may be empty or absent), as vtkFlipFreeOrganGroup gives them. Of other labels, the only one in
- * the image has the name of the file, and several have that of their value, as Segment_2.
+ * If the name ends in .seg.nrrd, a label map is written as a segmentation of 3D Slicer: the same
+ * NRRD file, in whose fields each label is a segment with a name and a color. These are the image's
+ * field data SegmentLabels (the values in the image), SegmentNames and SegmentColors (texts, such
+ * as \#ffd24a; may be empty or absent), as vtkFlipFreeOrganGroup gives them. Labels without such
+ * field data are named after the file if there is only one in the image, and after their values,
+ * such as Segment_2, if there are several.
  *
  * The image is written beside its destination, read back and compared, flushed to the disk, and
- * renamed only then. So the file is whole, or, after an error or an abort, it does not exist, and a
- * former file of that name is untouched. The permissions of a file that is replaced are kept, and a
- * symbolic link is followed.
+ * renamed only then. So the file is complete, or, after an error or an abort, it does not exist,
+ * and an earlier file of that name is untouched. The permissions of a file that is replaced are
+ * kept, and a symbolic link is followed.
  *
  * Input port 0: vtkImageData with one component of scalars.
  *

@@ -2,12 +2,12 @@
  * @class   vtkPhantomSource
  * @brief   synthetic volumes whose segmentation is known exactly
  *
- * Makes a gray volume and the label map that is its truth. The plain shapes are one object of
- * intensity Foreground in a Background: a sphere and a cube, the concave cup and the U-shaped tube
- * of Fig. 1 of the paper, and a thin curved vessel. ABDOMEN is a schematic CT of the
- * upper abdomen in the portal phase, in Hounsfield units: body wall with ribs and spine, lungs,
- * heart, liver with its vessels, spleen, kidneys, stomach, bowel and great vessels, with uneven
- * tissue, partial volume and noise. As in patients, organs touch neighbors of similar intensity.
+ * Makes a gray volume and the label map that is its ground truth. The plain shapes are one object
+ * of intensity Foreground in a Background: a sphere and a cube, the concave cup and the U-shaped
+ * tube of Fig. 1 of the paper, and a thin curved vessel. ABDOMEN is a schematic CT of the upper
+ * abdomen in the portal phase, in Hounsfield units: body wall with ribs and spine, lungs, heart,
+ * liver with its vessels, spleen, kidneys, stomach, bowel and great vessels, with uneven tissue,
+ * partial volume and noise. As in patients, organs touch neighbors of similar intensity.
  *
  * Shapes are sized in proportion to the grid, lie at its center, and are aligned with its axes: a
  * Direction turns the phantom with the grid and leaves every voxel's value as it was. For the
@@ -132,7 +132,7 @@ public:
   ///@{
   /**
    * The grid's axes in physical space, as the columns of a 3 x 3 matrix given row by row, like
-   * vtkImageData's direction matrix. Permuted, oblique and left-handed axes are fine. Default the
+   * vtkImageData's direction matrix. Permuted, oblique and left-handed axes are fine. Default: the
    * identity.
    */
   vtkSetVectorMacro(Direction, double, 9);
@@ -171,7 +171,7 @@ public:
 
   ///@{
   /**
-   * From what the random numbers are derived. Default 1; any integer.
+   * The number from which the random numbers are derived. Default 1; any integer.
    */
   vtkSetMacro(RandomSeed, int);
   vtkGetMacro(RandomSeed, int);
@@ -180,7 +180,7 @@ public:
   ///@{
   /**
    * Dark round lesions (4 to 12 mm in radius, 68 HU) in the abdomen's liver, their places and sizes
-   * drawn at random. Default 0; 0 to 20. Where that many have no room, there are fewer.
+   * drawn at random. Default 0; 0 to 20. If there is no room for that many, there are fewer.
    */
   vtkSetClampMacro(NumberOfLesions, int, 0, 20);
   vtkGetMacro(NumberOfLesions, int);

@@ -4,8 +4,8 @@
  *
  * Makes one point as the port for corrections of vtkFlipFreeSegmentation, vtkFlipFreeOrganGroup and
  * vtkFlipFreeVesselSegmentation takes it. Those ports take any number of such sources, in any
- * order: one for each point, which can be moved by a handle in ParaView, and is taken back by
- * disconnecting its source, or by Enabled.
+ * order: one for each point, which can be moved by a handle in ParaView. To remove a point,
+ * disconnect its source, or turn Enabled off.
  *
  * Output port 0: vtkPolyData, the point as a vertex, with the point arrays
  *  - `Constraint`, unsigned char: 0 outside the organ, 1 inside, 2 on its boundary, 3 a seed;
@@ -54,7 +54,7 @@ public:
   ///@{
   /**
    * The point, in millimeters (physical coordinates of the image). Default (0, 0, 0). Best in the
-   * middle of what is missed or too much.
+   * middle of the part that is missing or wrongly included.
    */
   vtkSetVector3Macro(Position, double);
   vtkGetVector3Macro(Position, double);
@@ -70,8 +70,8 @@ public:
 
   ///@{
   /**
-   * Whether there is a point. Default on; off takes it back without disconnecting the source: the
-   * output is empty.
+   * Whether there is a point. Default on; off removes it without disconnecting the source: the
+   * output is then empty.
    */
   vtkSetMacro(Enabled, bool);
   vtkGetMacro(Enabled, bool);

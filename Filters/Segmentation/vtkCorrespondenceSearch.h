@@ -3,9 +3,9 @@
  * @brief   from each vertex along its normal to the organ's boundary
  *
  * Correspondence search (section 3.3 and Eq. 2 of the paper). A vertex in the foreground looks
- * outward for a run of background voxels, one in the background inward for a run of foreground; the
- * target is the point where the line enters that run. A vertex that finds none is solitary. Lines
- * are walked voxel by voxel, exactly, under any direction matrix.
+ * outward for a run of background voxels; one in the background looks inward for a run of
+ * foreground voxels. The target is the point where the line enters that run. A vertex that finds
+ * none is solitary. Lines are walked voxel by voxel, exactly, under any direction matrix.
  *
  * Input port 0: vtkPolyData, closed, with four neighbors at every vertex.
  * Input port 1: vtkImageData, the feature: one scalar component, 0 to 1 (SetFeatureConnection).
@@ -21,8 +21,8 @@
  * writing voxels in place, call Modified() on the image.
  *
  * Errors: a surface that is open or not four-valent; images without scalars, with several
- * components or with voxels that are not finite; an edge image of another grid than the
- * feature; field data of another size or not finite; a property that is NaN.
+ * components or with voxels that are not finite; an edge image with a grid other than the
+ * feature's; field data of another size or not finite; a property that is NaN.
  */
 #ifndef vtkCorrespondenceSearch_h
 #define vtkCorrespondenceSearch_h
@@ -100,7 +100,8 @@ public:
 
   ///@{
   /**
-   * Length of the run in voxels, the paper's N + 1. Default 4; 1 to 1000. Counts if RunLength is 0.
+   * Length of the run in voxels, the paper's N + 1. Default 4; 1 to 1000. Used only if
+   * RunLength is 0.
    */
   void SetRunVoxels(int value);
   int GetRunVoxels() const;
@@ -121,7 +122,7 @@ public:
    * Standard deviation of the Gaussian window, in millimeters, in which a target snaps to the
    * strongest edge of the image on port 2. Default 3, 0 to 1000; at most 1.5 voxels are used. With
    * 0, or without that image, targets stay on the faces of voxels. The whole method snaps at its
-   * finest level only.
+   * finest level only, and not to a carved foreground, which ends at the edge by a rule of its own.
    */
   void SetEdgeWindow(double value);
   double GetEdgeWindow() const;
@@ -129,8 +130,8 @@ public:
 
   ///@{
   /**
-   * A vertex this near the image's boundary, in millimeters along its line, takes the boundary for
-   * its target. Default 12, 0 to 1e6; with 0 it is solitary.
+   * A vertex this close to the image's boundary, in millimeters along its line, takes the boundary
+   * as its target. Default 12, 0 to 1e6; with 0 it is solitary.
    */
   void SetImageBoundaryDistance(double value);
   double GetImageBoundaryDistance() const;

@@ -1,12 +1,12 @@
 /**
  * @class   vtkFlipFreeDeform
- * @brief   moves a surface towards its targets, without a flip and without a self-intersection
+ * @brief   moves a surface toward its targets, without a flip and without a self-intersection
  *
  * One iteration of sections 3.4 to 3.6 of the paper: detects the vertices whose targets would flip
  * an edge (Eq. 3), drops the targets of all but the middle vertex of each run on a contour,
  * propagates displacements to solitary vertices, and solves the Laplacian deformation (Eq. 4-8).
- * The guard then holds back what would make the surface meet itself or turn a face, so that an
- * embedded input gives an embedded output.
+ * The guard then limits any motion that would make the surface meet itself or flip a face, so that
+ * an embedded input gives an embedded output.
  *
  * Input port 0: vtkPolyData, closed, four neighbors at every vertex, with the point arrays
  * `Displacement` (3 doubles, mm) and `Correspondence` (unsigned char) of vtkCorrespondenceSearch.
@@ -89,7 +89,7 @@ public:
 
   ///@{
   /**
-   * Fraction of the present Laplacian that is given up in each iteration, 0 to 1. Default 0: Eq. 5,
+   * Fraction of the current Laplacian that is given up in each iteration, 0 to 1. Default 0: Eq. 5,
    * which keeps the shape; 1 minimizes the new Laplacian, which smooths and shrinks.
    */
   void SetFairing(double value);
@@ -98,8 +98,8 @@ public:
 
   ///@{
   /**
-   * Limit the motion so that the surface neither meets itself nor flips. Default on; off promises
-   * nothing.
+   * Limit the motion so that the surface neither meets itself nor flips. Default on; off gives no
+   * guarantee.
    */
   void SetGuard(bool value);
   bool GetGuard() const;

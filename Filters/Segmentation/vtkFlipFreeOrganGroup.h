@@ -3,12 +3,12 @@
  * @brief   several organs of a volume, segmented together
  *
  * Segments organs as vtkFlipFreeSegmentation does, each from a seed sphere, but all of them
- * together: each organ is the others' background, and all surfaces grow under one guard, so that
+ * together: each organ is background for the others, and all surfaces grow under one guard, so that
  * they never meet, and no voxel is in two of them. Seeds and inside points of an organ are outside
  * points of all others. The result does not depend on the order of the organs.
  *
- * First each organ finds its foreground by itself; what several claim is divided by a minimum cut
- * along the edges of the image; then all surfaces start anew and deform together.
+ * First each organ finds its foreground by itself; voxels that several claim are divided by a
+ * minimum cut along the edges of the image; then all surfaces start again and deform together.
  *
  * Input port 0: vtkImageData, as of vtkFlipFreeSegmentation.
  * Input port 1, optional, repeatable: vtkPointSet, points and further seeds of the organs, with the
@@ -18,13 +18,13 @@
  * seed; one without a name is called `organ 2` or the like. vtkConstraintPointSource makes a data
  * set of a single point.
  * Input port 2, optional, repeatable: vtkPolyData, a surface that stays as it is and that no organ
- * meets, such as an earlier result: closed, four neighbors at every vertex, embedded.
+ * touches, such as an earlier result: closed, four neighbors at every vertex, embedded.
  *
- * Output port 0: vtkMultiBlockDataSet, a vtkPolyData per organ, of its name, with the arrays of
+ * Output port 0: vtkMultiBlockDataSet, a vtkPolyData per organ, under its name, with the arrays of
  * vtkFlipFreeSegmentation, and the field data `Organ` (text), the name; its `Provenance` is that of
  * all organs together.
  * Output port 1: vtkImageData, unsigned char `Labels` of the input's geometry: LabelValue inside
- * the first organ, one more inside each next one. Its field data `SegmentLabels` (double),
+ * the first organ, and one more inside each further one. Its field data `SegmentLabels` (double),
  * `SegmentNames` and `SegmentColors` (texts such as \#ffd24a) say which organ has which label;
  * vtkMedicalImageWriter writes them into files of 3D Slicer (.seg.nrrd).
  * Output port 2: vtkTable, a row per organ: Organ (its name), Label, Milliliters (of its voxels),
@@ -66,7 +66,7 @@ public:
 
   ///@{
   /**
-   * Connects or sets the points of the organs (input port 1), in place of those there; adds more;
+   * Connects or sets the points of the organs (input port 1), replacing earlier ones; adds more;
    * disconnects all.
    */
   void SetConstraintConnection(vtkAlgorithmOutput* output) { this->SetInputConnection(1, output); }
@@ -107,9 +107,9 @@ public:
 
   ///@{
   /**
-   * The parameters of all organs and stages: of this filter, only these are used, not its seed,
-   * points and inputs; its LabelValue and KeepHistory are ignored. Changing one makes the group
-   * execute again. Setting null sets the defaults.
+   * The filter whose parameters all organs and stages use. Only its parameters are used, not its
+   * seed, points and inputs; its LabelValue and KeepHistory are ignored. Changing one makes the
+   * group execute again. Setting null sets the defaults.
    */
   vtkFlipFreeSegmentation* GetParameters() const;
   void SetParameters(vtkFlipFreeSegmentation* parameters);

@@ -4,8 +4,8 @@
  *
  * Refines a closed mesh with four neighbors at every vertex into one of the same kind (D. Doo and
  * M. Sabin, 1978): the sphere of resolution n becomes that of 2 n. With Check on, the refined
- * surface is embedded when the input is: where it would intersect itself, it is pulled towards the
- * old vertices, and if need be the old surface is smoothed first.
+ * surface is embedded when the input is: where it would intersect itself, it is pulled toward the
+ * old vertices, and if necessary the old surface is smoothed first.
  *
  * Input port 0: vtkPolyData, closed, four neighbors at every vertex.
  * Output port 0: the refined surface, without arrays.

@@ -5,14 +5,14 @@
  * Segments one soft organ of a CT or MR volume by the whole method of the paper (Algorithm 1). It
  * smooths the image in the region that the surface can reach, models the intensities of the seed
  * sphere by a mixture of Gaussians, and deforms a quadrilateral sphere onto the organ, from coarse
- * to fine. Each iteration searches correspondences, detects and avoids flips, propagates
+ * to fine. Each iteration searches for correspondences, detects and avoids flips, propagates
  * displacements, and solves a Laplacian deformation. A guard limits every motion, so the surface
- * stays embedded, in whatever way its faces are cut into triangles, and no face flips. Vertices
- * that have moved lie at single-precision numbers, where these are fine enough, so that every file
- * format holds the very surface that was certified.
+ * stays embedded, however its faces are cut into triangles, and no face flips. Vertices that have
+ * moved lie at single-precision numbers, where these are fine enough, so that every file format
+ * holds the very surface that was certified.
  *
  * The stages own most parameters, see GetDiffusion(), GetFeature(), GetSearch(), and GetDeform().
- * Chained by hand (vtkSeedRegionDiffusion, vtkGMMFeatureFilter, vtkCorrespondenceSearch,
+ * Chained one by one (vtkSeedRegionDiffusion, vtkGMMFeatureFilter, vtkCorrespondenceSearch,
  * vtkFlipFreeDeform, vtkFlipFreeRefinement), they give the same surface.
  *
  * Input port 0: vtkImageData with one scalar component of any type; coordinates are the image's
@@ -30,18 +30,18 @@
  * boundary point lies within half the smallest spacing of the surface. The largest seed is the
  * start. The result depends on the set of points alone, not on their order or on earlier runs.
  *
- * Input port 3, optional: vtkImageData, a label map with the geometry of the image: of a network,
- * an atlas, or an earlier result. The surface then fills its voxels of the value StartLabel, the
- * part of them that is connected with the largest ball they hold, in place of a foreground found in
- * the image; that ball takes the place of the seed, so SeedCenter and SeedRadius are not used.
- * Points of port 2 correct it like any other result.
+ * Input port 3, optional: vtkImageData, a label map with the geometry of the image, from a network,
+ * an atlas, or an earlier result. The surface then fills its voxels of the value StartLabel, or the
+ * part of them that is connected to the largest ball in them, in place of a foreground found in the
+ * image; that ball takes the place of the seed, so SeedCenter and SeedRadius are not used. Points
+ * of port 2 correct it like any other result.
  *
  * Output port 0: vtkPolyData, the surface, with the point arrays `Displacement` (3 doubles, mm; the
  * last one wanted), `Correspondence` (unsigned char; 0 solitary, 1 matched, 2 flipping) and
  * `Confidence` (float, 0 to 1: how well the image supports the surface there), and the field data
  * `Certified` (double): 1 if the guard was on, 0 otherwise, `Confidence` (double, 0 to 1), and
- * `Provenance` (text): where the surface comes from, as the JSON that `flipfree segment --session`
- * repeats: version, image grid, seed, points and all parameters.
+ * `Provenance` (text): where the surface comes from (version, image grid, seed, points and all
+ * parameters), as the JSON that `flipfree segment --session` repeats.
  * Output port 1: vtkImageData, unsigned char `Labels` of the input's geometry: LabelValue inside.
  * Output port 2: vtkTable `Convergence`, a row per iteration: Iteration, Level, Vertices,
  * MeanDistance (mm), Matched, Solitary, Flipping, Guarded (vertices that the guard limited), and
@@ -50,21 +50,21 @@
  * Errors: no scalars, several components, an empty image, voxels that are not finite near the seed,
  * a seed outside the image, a radius below a voxel, a seed without contrast to its surroundings, a
  * start surface that is open, not four-valent or self-intersecting, a property that is NaN; a
- * constraint outside the image, in contradiction to another one or to the seed, or one that no
- * surface of one piece can obey; constraints without the guard; start labels on another grid than
- * the image, without voxels of StartLabel, or nowhere thicker than two voxels. Each is reported
- * once, naming the point, and the outputs are then empty.
+ * constraint that is outside the image, contradicts another one or the seed, or cannot be obeyed by
+ * a surface of one piece; constraints without the guard; start labels on another grid than the
+ * image, without voxels of StartLabel, or nowhere thicker than two voxels. Each is reported once,
+ * naming the point, and the outputs are then empty.
  *
- * Warnings, with a result all the same: the seed sphere reaches beyond the image; no vertex found a
+ * Warnings, which still give a result: the seed sphere reaches beyond the image; no vertex found a
  * boundary; the surface could not be refined; it touches the end of Reach. A surface grown from the
  * seed under the guard also warns if more than a tenth of it found no boundary (unless search lines
  * are shorter than by default), or if more than a quarter of it lies at the image's ends along two
- * axes: the seed may lie in air. If none of these applies and the confidence is below 0.85, the
- * warning names it: look at the contour where its confidence is low, and correct it there by
- * points. Without carving, as in the presets Published and Naive, there is a confidence, but no
- * such warning: no opinions were sought, and the threshold does not hold. With constraints there is
- * none either, since the opinions know nothing of them; nor for a surface in
- * start labels, which warns if it misses more than a twentieth of their voxels.
+ * axes: the seed may lie in air. If none of these applies and the confidence is below 0.85, a
+ * warning states it: look at the contour where its confidence is low, and correct it there by
+ * points. Without carving, as in the presets Published and Naive, there is a confidence but no such
+ * warning: no further opinions were sought, and the threshold does not apply. With constraints
+ * there is no such warning, either, since the opinions do not know about them. A surface that fills
+ * start labels warns instead if it misses more than a twentieth of their voxels.
  *
  * Source: the paper, Algorithm 1 and sections 3.1 to 3.6. Each remedy beyond it has its own switch.
  */
@@ -132,7 +132,7 @@ public:
 
   ///@{
   /**
-   * Connects or sets the points that correct the result (input port 2), in place of those there;
+   * Connects or sets the points that correct the result (input port 2), replacing earlier ones;
    * adds more; disconnects all.
    */
   void SetConstraintConnection(vtkAlgorithmOutput* output);
@@ -152,8 +152,8 @@ public:
 
   ///@{
   /**
-   * Which voxels of input port 3 the surface fills: those of this value, or with 0 all that are not
-   * 0. Default 1; 0 to 2147483647. Without that input, it has no effect.
+   * Which voxels of input port 3 the surface fills: those of this value, or, if it is 0, all
+   * nonzero ones. Default 1; 0 to 2147483647. Without that input, it has no effect.
    */
   void SetStartLabel(int value);
   int GetStartLabel() const;
@@ -172,8 +172,8 @@ public:
 
   ///@{
   /**
-   * The number of points added, without those of input port 2, and their removal: of the last one
-   * added, if there is one, or of all.
+   * The number of points added, not counting those of input port 2; removes the last one added, if
+   * there is one, or all.
    */
   int GetNumberOfAddedPoints() const;
   void RemoveLastPoint();
@@ -182,9 +182,9 @@ public:
 
   ///@{
   /**
-   * Keep the smoothed image and what else constraints do not change between runs, so that a
-   * correction takes about a third of the time. Default off, since it needs memory: the smoothed
-   * part of the image as floats. Changing the image, the seed or a parameter frees it.
+   * Keep the smoothed image, and other results that constraints do not change, between runs, so
+   * that a correction takes about a third of the time. Default off, since it needs memory: the
+   * smoothed part of the image as floats. Changing the image, the seed or a parameter frees it.
    */
   void SetKeepForCorrections(bool value);
   bool GetKeepForCorrections() const;
@@ -194,9 +194,9 @@ public:
   ///@{
   /**
    * All parameters of the method at once, those of the stages included; seed, start, outputs and
-   * Reach stay. Default: what segments best. Published: the paper's own method, one level, outward
-   * search by voxels, no leak control, no guard. Naive: as published, without flip avoidance (the
-   * paper's Fig. 3b).
+   * Reach stay. Default: the best known parameters. Published: the paper's own method, one level,
+   * outward search by voxels, no leak control, no guard. Naive: as published, without flip
+   * avoidance (the paper's Fig. 3b).
    */
   void UseDefaultParameters();
   void UsePublishedParameters();
@@ -207,7 +207,7 @@ public:
   /**
    * The stages, which own the parameters of their part of the method; changing one makes this
    * filter execute again. Only their parameters are used here, not their connections, their seeds
-   * and the search's Threshold. Setting null sets a new stage with default parameters.
+   * or the search's Threshold. Setting null sets a new stage with default parameters.
    */
   vtkSeedRegionDiffusion* GetDiffusion() const;
   void SetDiffusion(vtkSeedRegionDiffusion* stage);
@@ -268,9 +268,9 @@ public:
   ///@{
   /**
    * Number of levels from coarse to fine. Default 4; 1 to 6. Levels that would begin with fewer
-   * than two vertices along an edge are left out. A start surface on port 1 has no more levels than
-   * bring its number of vertices, four times as many at each, nearest to 6 n²: one of 384 has
-   * three by default, and an earlier result, of 6,144, just one.
+   * than two vertices along an edge are left out. Each level after the first has four times as many
+   * vertices. A start surface on port 1 has only as many levels as bring its number of vertices
+   * closest to 6 n²: one of 384 has three by default, and an earlier result, of 6,144, just one.
    */
   void SetLevels(int value);
   int GetLevels() const;
@@ -350,8 +350,8 @@ public:
 
   ///@{
   /**
-   * Limit each motion so that the surface neither meets itself nor flips. Default on; off promises
-   * nothing. Of GetDeform().
+   * Limit each motion so that the surface neither meets itself nor flips. Default on; off gives no
+   * guarantee. Of GetDeform().
    */
   void SetGuard(bool value);
   bool GetGuard() const;
@@ -407,9 +407,9 @@ public:
   vtkGetMacro(NumberOfSelfIntersections, int);
 
   /**
-   * How far the result can be trusted, 0 to 1; -1 before Update(). It reads like the Dice score to
-   * expect: below 0.85 the result is doubtful, and a warning says so. The point array `Confidence`
-   * says where to look.
+   * How far the result can be trusted, 0 to 1; -1 before Update(). It estimates the Dice score:
+   * below 0.85 the result is doubtful, and a warning says so. The point array `Confidence` says
+   * where to look.
    */
   vtkGetMacro(Confidence, double);
 

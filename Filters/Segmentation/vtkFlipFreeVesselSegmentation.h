@@ -6,8 +6,8 @@
  * cross-sections along the path, and deforms a quadrilateral mesh onto the outline, from coarse to
  * fine. The mesh begins within the outline, as the surface of cells of a grid: closed, without
  * holes or handles, four neighbors at every vertex, so that a tree is one surface, too. The guard
- * limits every motion, as in vtkFlipFreeSegmentation: the surface stays embedded, in whatever way
- * its faces are cut into triangles, and vertices lie at single-precision numbers.
+ * limits every motion, as in vtkFlipFreeSegmentation: the surface stays embedded, however its faces
+ * are cut into triangles, and vertices lie at single-precision numbers.
  *
  * A vessel ends in a disk across the path at each end point. See vtkVesselAlgorithm for points,
  * input and errors.
@@ -30,7 +30,7 @@
  * Output port 2: vtkPolyData, the centerline, as vtkVesselPath gives it.
  * Output port 3: vtkTable `Convergence`, as of vtkFlipFreeSegmentation.
  *
- * Warnings, with a result all the same: the contrast across the outline is low (GetSupport() below
+ * Warnings, which still give a result: the contrast across the outline is low (GetSupport() below
  * 0.8), with the place where it is lowest; the surface could not be refined, or it goes far beyond
  * the disks at the ends.
  */
@@ -64,7 +64,7 @@ public:
 
   ///@{
   /**
-   * Connects or sets the points that correct the result (input port 1), in place of those there;
+   * Connects or sets the points that correct the result (input port 1), replacing earlier ones;
    * adds more; disconnects all.
    */
   void SetConstraintConnection(vtkAlgorithmOutput* output) { this->SetInputConnection(1, output); }
@@ -86,7 +86,7 @@ public:
 
   ///@{
   /**
-   * The number of these points, without those of input port 1, and their removal.
+   * The number of these points, not counting those of input port 1; removes them.
    */
   int GetNumberOfCorrections() const;
   void RemoveAllCorrections();
@@ -94,8 +94,8 @@ public:
 
   ///@{
   /**
-   * Number of levels from coarse to fine. Default 2; 1 to 4. The first has a vertex about every
-   * half of the thinnest branch's radius; each level doubles that.
+   * Number of levels from coarse to fine. Default 2; 1 to 4. At the first, vertices are about half
+   * the thinnest branch's radius apart; each further level doubles the resolution.
    */
   void SetLevels(int value);
   int GetLevels() const;
@@ -133,9 +133,9 @@ public:
   vtkGetMacro(NumberOfSelfIntersections, int);
 
   /**
-   * The mean contrast across the outline in cross-sections, of 25 gray values (HU; MR scaled to
-   * CT): 1 where gray values inside and outside differ by that much or more everywhere, 0 where
-   * they do not differ. Doubtful below 0.8. 0 before Update().
+   * The mean contrast across the outline in cross-sections, as a fraction of 25 gray values (HU; MR
+   * scaled to CT): 1 where gray values inside and outside differ by that much or more everywhere, 0
+   * where they do not differ. Doubtful below 0.8. 0 before Update().
    */
   vtkGetMacro(Support, double);
 

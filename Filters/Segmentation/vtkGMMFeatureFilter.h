@@ -9,13 +9,13 @@
  * around it, in [0, 1] with threshold 1/2; the outermost 2 mm inside model neither.
  *
  * Leak control (beyond the paper) closes the foreground, opens it, and keeps what is connected
- * with the seed, so that thin bridges to neighbors do not leak. Voxels that it takes away get half
- * the threshold, voxels that it fills in the threshold.
+ * with the seed, so that thin bridges to neighbors do not leak. Voxels that it removes get half the
+ * threshold; voxels that it fills get the threshold itself.
  *
  * Input port 0: vtkImageData, one scalar component, smoothed. Field data `NoiseStandardDeviation`
- * of vtkSeedRegionDiffusion is used where present; else the noise is measured in the seed. Input
- * port 1, optional: vtkPolyData, a closed surface within the organ (SetSurfaceConnection). Output
- * port 0: vtkImageData of the input's geometry, float scalars `Feature`, 0 to 1. Field data,
+ * of vtkSeedRegionDiffusion is used where present; otherwise the noise is measured in the seed.
+ * Input port 1, optional: vtkPolyData, a closed surface within the organ (SetSurfaceConnection).
+ * Output port 0: vtkImageData of the input's geometry, float scalars `Feature`, 0 to 1. Field data,
  * doubles: `FeatureThreshold` (1 value), `SeedRadius` (1 value, mm; after carving that of a ball of
  * the foreground's volume, if greater), `MixtureWeights`, `MixtureMeans`,
  * `MixtureStandardDeviations` (one per component, gray values), `EdgeRamp` (3 values: low, high,
@@ -23,10 +23,10 @@
  *
  * Errors: as vtkSeedRegionDiffusion; a surface that is open, or holds no voxel of the image; a seed
  * that holds no voxel, or, unless a surface takes its place, has no contrast to its surroundings; a
- * `NoiseStandardDeviation` that is not one finite number; a property that is NaN. Warning: of a
- * surface with 200 voxels or fewer more than 2 mm inside, too few to model the organ, the
- * intensities are those of the seed. Progress is reported and an abort obeyed between passes over
- * the image; the output is then empty.
+ * `NoiseStandardDeviation` that is not one finite number; a property that is NaN. Warning: a
+ * surface that has 200 voxels or fewer more than 2 mm inside it, too few to model the organ; the
+ * intensities are then those of the seed. Progress is reported and an abort obeyed between passes
+ * over the image; the output is then empty.
  */
 #ifndef vtkGMMFeatureFilter_h
 #define vtkGMMFeatureFilter_h
@@ -94,8 +94,8 @@ public:
   ///@{
   /**
    * By how many standard deviations of the image's noise each component is widened, added in
-   * squares: smoothed voxels of a small sphere vary less than those of the whole organ. Default 1,
-   * 0 to 100; 0 does not widen.
+   * quadrature: smoothed voxels of a small sphere vary less than those of the whole organ. Default
+   * 1, 0 to 100; 0 does not widen.
    */
   void SetNoiseWidening(double value);
   double GetNoiseWidening() const;
@@ -103,8 +103,8 @@ public:
 
   ///@{
   /**
-   * Mass of the mixture above the threshold Gamma of Eq. 2. Default 0.95; 0.01 to 0.99999. Counts
-   * if FeatureThreshold is 0.
+   * Mass of the mixture above the threshold Gamma of Eq. 2. Default 0.95; 0.01 to 0.99999. Used
+   * only if FeatureThreshold is 0.
    */
   void SetForegroundMass(double value);
   double GetForegroundMass() const;
@@ -112,8 +112,8 @@ public:
 
   ///@{
   /**
-   * Gamma itself, relative to the mode of g, 0 to 1. Default 0: by ForegroundMass, and with a
-   * surface on port 1, even odds of organ and background (0.5).
+   * Gamma itself, relative to the mode of g, 0 to 1. Default 0: derived from ForegroundMass, or,
+   * with a surface on port 1, even odds of organ and background (0.5).
    */
   void SetFeatureThreshold(double value);
   double GetFeatureThreshold() const;
@@ -141,13 +141,14 @@ public:
 
   ///@{
   /**
-   * With a surface on port 1 that has found its organ, the foreground is its inside, less what
-   * leaked through a neck (a minimum cut divides it from the seed), up to where the gray values are
-   * halfway between the organ's and those of its surroundings, both local. Default on.
-   * vtkFlipFreeSegmentation first runs all levels without, then carves, and runs all levels again,
-   * from the start, on that foreground. A pipeline of the stages does the same with CarvingOff()
-   * first and CarvingOn() later. See Y. Boykov, G. Funka-Lea: Graph cuts and efficient N-D image
-   * segmentation, 2006. Without a surface, it does nothing.
+   * With a surface on port 1 that has found its organ, the foreground is its inside, without what
+   * leaked through a neck (a minimum cut separates it from the seed), up to where the gray values
+   * are halfway between those of the organ and those of its surroundings, both taken locally.
+   * In CT, the fat in hollows that open to the outside, at most 20 mm wide, is removed from it.
+   * Default on. vtkFlipFreeSegmentation first runs all levels without, then carves, and runs all
+   * levels again, from the start, on that foreground. A pipeline of the stages does the same with
+   * CarvingOff() first and CarvingOn() later. See Y. Boykov, G. Funka-Lea: Graph cuts and efficient
+   * N-D image segmentation, 2006. Without a surface, it does nothing.
    */
   void SetCarving(bool value);
   bool GetCarving() const;
@@ -157,10 +158,10 @@ public:
   ///@{
   /**
    * Where carving changes much of the surface's inside (a Dice score below 0.92), the organ is
-   * doubtful: its foreground is grown anew from what was carved, with and without its intensity
-   * field, and each voxel goes with two of the three; what grows from the seed by a narrower
+   * doubtful: its foreground is grown again from the carved one, with and without its intensity
+   * field, and the majority of the three decides on each voxel; growth from the seed by a narrower
    * interval takes their place where its boundary is clearly better supported. Default on; takes
-   * time for doubtful organs only. Part of Carving; without LeakControl, it does nothing. See
+   * extra time for doubtful organs only. Part of Carving; without LeakControl, it does nothing. See
    * P. Aljabar et al.: Multi-atlas based segmentation of brain images, 2009.
    */
   void SetConsensus(bool value);
@@ -180,9 +181,9 @@ public:
 
   ///@{
   /**
-   * The scale of the gray values, of which Carving's tolerances are made. Default AUTOMATIC: CT if
-   * a hundredth of the voxels are as negative as fat's Hounsfield units, else MR. For MR, the scale
-   * does not matter.
+   * The scale of the gray values, from which Carving's tolerances are derived. Default AUTOMATIC:
+   * CT if a hundredth of the voxels are as negative as fat in Hounsfield units, otherwise MR. For
+   * MR, the scale does not matter.
    */
   void SetModality(int value);
   int GetModality() const;

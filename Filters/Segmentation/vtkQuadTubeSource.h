@@ -10,8 +10,8 @@
  * Input port 0: vtkPolyData with poly lines and the point array Radius (one component, mm).
  * Output port 0: vtkPolyData, the tube.
  *
- * Errors: no such line, a radius that is not positive or not finite, two points in one place, a
- * line that bends more tightly than its radius or comes too near to itself, so that the tube would
+ * Errors: no such line, a radius that is not positive or not finite, two coincident points, a line
+ * that bends more tightly than its radius or comes too close to itself, so that the tube would
  * intersect itself; the message says where. The output is then empty.
  */
 #ifndef vtkQuadTubeSource_h
@@ -30,7 +30,7 @@ public:
   ///@{
   /**
    * Number n of vertices along a side of the box's square; there are 4 n around the tube. Default
-   * 4; 2 to 256. As many follow each other along the tube as make its cells even.
+   * 4; 2 to 256. Along the tube, there are as many as make its cells even.
    */
   vtkSetClampMacro(Resolution, int, 2, 256);
   vtkGetMacro(Resolution, int);

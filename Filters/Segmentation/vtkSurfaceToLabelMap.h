@@ -3,8 +3,8 @@
  * @brief   the voxels inside a closed surface, as a label map
  *
  * Writes LabelValue into every voxel whose center is inside the surface and 0 into all others. The
- * label map has the extent, origin, spacing and direction of a reference image, be its axes
- * permuted, oblique or left-handed: the surface is brought into the image's index space and
+ * label map has the extent, origin, spacing and direction of a reference image, even if its axes
+ * are permuted, oblique or left-handed: the surface is brought into the image's index space and
  * converted row by row, exactly to rounding. Of two surfaces that share a wall, each voxel belongs
  * to exactly one, even where the wall runs through voxel centers. Where a self-intersecting surface
  * overlaps itself, the overlap is inside. What lies beyond the image is cut off.

@@ -2,18 +2,18 @@
  * @class   vtkVesselAlgorithm
  * @brief   superclass of filters that follow a vessel between points
  *
- * Holds the image, the points, and what is known of the vessel beforehand. The points lie in the
+ * Holds the image, the points, and what is known about the vessel in advance. The points lie in the
  * vessel: one at either end, more on its way or at the ends of its branches, in any order. The two
- * that are nearest to each other, by the time of travel through gray values like those at the
- * points, are joined first, then the next one to the path that is there. A point 5 mm off does
- * little harm.
+ * that are closest to each other, by travel time through gray values like those at the points, are
+ * joined first; then the next point is joined to the existing path, and so on. A point 5 mm off
+ * does little harm.
  *
  * Input port 0: vtkImageData with one scalar component of any type; coordinates are the image's
  * physical millimeters, the direction matrix is honored.
  *
  * Errors: no scalars, several components, an empty image, voxels that are not finite within 60 mm
  * of the points' bounding box, fewer than two points, a point outside the image, two points closer
- * than 3 mm, points that no path through like gray values joins, a property that is NaN. Each is
+ * than 3 mm, points that no path through similar gray values joins, a property that is NaN. Each is
  * reported once, and the outputs are then empty.
  */
 #ifndef vtkVesselAlgorithm_h
@@ -48,10 +48,10 @@ public:
 
   ///@{
   /**
-   * About the vessel's radius, in millimeters. Default 0: found in the image; 0 to 100. It helps
-   * where a path strays into a wider or thinner neighbor. Below 7 mm the vessel is taken for a thin
-   * one, brighter than its surroundings; from there on for a wide one, which is also sought farther
-   * from the points, up to 120 mm, where the image does not support what is found near them.
+   * The vessel's approximate radius, in millimeters. Default 0: found in the image; 0 to 100. It
+   * helps where a path strays into a wider or thinner neighbor. Below 7 mm, the search is for a
+   * thin vessel, brighter than its surroundings; otherwise, for a wide one, which is also sought
+   * farther from the points, up to 120 mm, if the image does not support the path found near them.
    */
   void SetRadius(double value);
   double GetRadius() const;

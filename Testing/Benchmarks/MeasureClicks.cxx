@@ -3,10 +3,13 @@
 // inside if it is missed, outside if it is too much, moved by up to two voxels at random.
 //
 //   MeasureClicks [--data DIR] [--cases FILE] [--only TEXT] [--clicks N] [--seed S] [--details]
+//                 [--locality]
 //
 // Prints a line of Dice scores per row, after 0, 1, 2, ... clicks, and the seconds per click; then
 // per organ the median, the 10th percentile and the least by number of clicks, and the clicks that
-// 0.90, 0.95 and 0.97 take.
+// 0.90, 0.95 and 0.97 take. With --locality, also how far each click moves the surface beyond 30
+// mm, or twice its distance from the surface, of the click and of what hangs together with the
+// mended place.
 #include "CaseList.h"
 #include "Statistics.h"
 
@@ -14,8 +17,10 @@
 #include "LabelAdapter.h"
 
 #include "Deformation/VolumeSegmentation.h"
+#include "Geometry/DistanceQuery.h"
 #include "Geometry/WindingNumber.h"
 #include "Image/DistanceTransform.h"
+#include "Intensity/LeakControl.h"
 #include "Stopwatch.h"
 
 #include "vtkImageData.h"
@@ -42,7 +47,8 @@ struct Options
   int Clicks = 5;
   int Seed = 1;
   int Threads = 0;
-  bool Details = false; ///< a line per click, and what is wrong at the end
+  bool Details = false;  ///< a line per click, and what is wrong at the end
+  bool Locality = false; ///< a line per click: what it moves where it should not
 };
 
 double DiceOf(const BitMask& a, const BitMask& b)
@@ -216,6 +222,75 @@ std::string ErrorsOf(const BitMask& found, const BitMask& reference)
   return text;
 }
 
+// What hangs together with a place, of what has changed.
+BitMask MendedPlace(const BitMask& changed, const Eigen::Vector3d& point)
+{
+  BitMask mended = changed;
+  const std::array<int, 3> own = NearestVoxel(mended.GetGeometry(), point);
+  mended.Insert(own[0], own[1], own[2]);
+  KeepConnected(mended, { mended.GetGeometry().Offset(own[0], own[1], own[2]) }, NeverStop);
+  return mended;
+}
+
+// A vertex that is no farther from the mended place than this, in millimeters, belongs to it.
+constexpr double OfMended = 5;
+
+struct Motion
+{
+  double Mean = 0; ///< of the vertices beyond, in millimeters
+  double Most = 0;
+  int Vertices = 0;
+  std::size_t Voxels = 0; ///< that change beyond
+};
+
+// How far a click has moved the surface where the promise of locality says that it stays.
+Motion MotionBeyond(const OrganSurface& before, const OrganSurface& after, const BitMask& changed,
+  const BitMask& mended, const Eigen::Vector3d& point)
+{
+  const double away =
+    DistanceQuery(before.Points, before.Mesh.Triangles).DistancesOf(point.transpose())[0];
+  const double domain = std::max(30.0, 2 * away);
+  const Eigen::VectorXd moved =
+    DistanceQuery(before.Points, before.Mesh.Triangles).DistancesOf(after.Points);
+  const ImageGeometry& geometry = mended.GetGeometry();
+  std::vector<unsigned char> inside(geometry.NumberOfVoxels(), 0);
+  mended.ForEach([&](std::size_t voxel) { inside[voxel] = 1; });
+  const std::vector<float> squared = SquaredDistance(inside, geometry, 1, SMPFor, NeverStop);
+  Motion motion;
+  BitMask elsewhere = changed;
+  elsewhere.Remove(mended);
+  elsewhere.ForEachRun(0, geometry.Dimensions[2],
+    [&](int begin, int end, int j, int k)
+    {
+      for (int i = begin; i < end; ++i)
+      {
+        const bool isFar = (geometry.ToPhysical(Eigen::Vector3d(i, j, k)) - point).norm() > domain;
+        motion.Voxels += isFar ? 1 : 0;
+      }
+    });
+  for (Eigen::Index vertex = 0; vertex < after.Points.rows(); ++vertex)
+  {
+    const Eigen::Vector3d at = after.Points.row(vertex).transpose();
+    const std::array<int, 3> voxel = NearestVoxel(geometry, at);
+    if ((at - point).norm() > domain &&
+      squared[geometry.Offset(voxel[0], voxel[1], voxel[2])] > OfMended * OfMended)
+    {
+      ++motion.Vertices;
+      motion.Mean += moved[vertex];
+      motion.Most = std::max(motion.Most, moved[vertex]);
+    }
+  }
+  motion.Mean /= std::max(1, motion.Vertices);
+  return motion;
+}
+
+void PrintMotion(const std::string& row, const PointConstraint& click, const Motion& motion)
+{
+  std::printf("  %s moves %s by %.3f mm in the mean, at most %.2f mm, at %d vertices; "
+              "%zu voxels change there\n",
+    NameOf(click).c_str(), row.c_str(), motion.Mean, motion.Most, motion.Vertices, motion.Voxels);
+}
+
 struct Row
 {
   std::vector<double> Scores;  ///< after 0, 1, 2, ... clicks
@@ -246,10 +321,12 @@ Row MeasureRow(const Case& row, const Options& options)
   ConstraintList clicks;
   Row result;
   std::string kinds;
+  VolumeSegmentation former;
+  BitMask formerFound;
   for (int click = 0; click <= options.Clicks; ++click)
   {
     Stopwatch watch;
-    const VolumeSegmentation run = segmenter.Segment(clicks, NeverStop,
+    VolumeSegmentation run = segmenter.Segment(clicks, NeverStop,
       [](const auto&, const auto&, const auto&, const auto&) {});
     if (click > 0)
     {
@@ -259,6 +336,18 @@ Row MeasureRow(const Case& row, const Options& options)
     const BitMask found = MaskOfRuns(run.Voxels, reference.GetGeometry());
     result.Scores.push_back(DiceOf(found, reference));
     PointConstraint next;
+    if (options.Locality)
+    {
+      if (click > 0)
+      {
+        const PointConstraint& last = clicks.back();
+        const BitMask changed = DifferenceOf(formerFound, found);
+        PrintMotion(row.Name, last,
+          MotionBeyond(former.Organ, run.Organ, changed, MendedPlace(changed, last.Point),
+            last.Point));
+      }
+      formerFound = found;
+    }
     if (options.Details)
     {
       std::printf("  %d: %.3f, %s\n", click, result.Scores.back(),
@@ -272,6 +361,7 @@ Row MeasureRow(const Case& row, const Options& options)
     {
       std::printf("  %s\n", NameOf(next).c_str());
     }
+    former = std::move(run);
     kinds += next.Kind == ConstraintKind::Inside ? '+' : '-';
     clicks.push_back(next);
   }
@@ -331,6 +421,7 @@ int main(int argc, char* argv[])
   app.add_option("--clicks", options.Clicks, "per row")->capture_default_str();
   app.add_option("--seed", options.Seed, "of the random numbers")->capture_default_str();
   app.add_flag("--details", options.Details, "what is wrong after each click");
+  app.add_flag("--locality", options.Locality, "what a click moves beyond its domain");
   app.add_option("--threads", options.Threads, "number of threads");
   CLI11_PARSE(app, argc, argv);
   vtkSMPTools::Initialize(options.Threads);

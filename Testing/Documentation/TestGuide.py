@@ -39,6 +39,20 @@ class TestGuide(unittest.TestCase):
         named = set(re.findall(r"`([A-Z]\w+)`", table))
         self.assertEqual(named, names - HELPERS)
 
+    def test_rooms_include_only_what_their_row_names(self):
+        page = text_of("Examples", "Guide", "architecture.md")
+        table = page[page.index("## Rooms"):page.index("## Kernels by stage")]
+        rows = re.findall(r"^\| `(\w+)/` \|.*\|(.*)\|$", table, re.MULTILINE)
+        rooms = [room for room, _ in rows]
+        self.assertEqual(sorted(rooms), sorted(
+            entry.name for entry in os.scandir(os.path.join(SOURCE, "Filters", "Kernels")) if entry.is_dir()))
+        for index, (room, uses) in enumerate(rows):
+            allowed = {room, *(rooms[:index] if "all of the above" in uses else re.findall(r"\w+", uses))}
+            folder = os.path.join(SOURCE, "Filters", "Kernels", room)
+            for name in sorted(os.listdir(folder)):
+                used = set(re.findall(r'^#include "(\w+)/', text_of(folder, name), re.MULTILINE))
+                self.assertLessEqual(used, allowed, f"{room}/{name}")
+
     def test_modules_and_filters_exist(self):
         page = text_of("Examples", "Guide", "architecture.md")
         modules = {re.search(r"FlipFree::\w+", text_of("Filters", name, "vtk.module")).group()

@@ -331,7 +331,9 @@ TEST(BadInput, SegmentationsToMeasure)
   const auto elsewhere = StartSphere();
   elsewhere->SetPoints(MakePoints(PointList(-CopyPoints(elsewhere))));
   metrics->SetInputDataObject(elsewhere);
-  ExpectRefusal(metrics, { noun, "encloses no voxel center", "physical coordinates" });
+  ExpectRefusal(metrics,
+    { "the segmentation, a surface, encloses no voxel center of the reference on port 1",
+      "physical coordinates" });
   metrics->SetInputDataObject(vtkSmartPointer<vtkTable>::New());
   ExpectPipelineRefusal(metrics, "input port index 0");
   metrics->SetInputDataObject(nullptr);

@@ -546,11 +546,12 @@ TEST_F(SegmentationMetricsRefuse, EmptyMasks)
 {
   this->Metrics->SetReferenceLabel(9);
   this->ExpectError(this->Segmentation, this->Reference,
-    "the reference is empty: no voxel has the label 9; set ReferenceLabel to one of 1");
+    "the reference on port 1 is empty: no voxel has the label 9; set ReferenceLabel to one of 1");
   this->Metrics->SetReferenceLabel(1);
   this->Metrics->SetSegmentationLabel(9);
   this->ExpectError(this->Segmentation, this->Reference,
-    "the segmentation is empty: no voxel has the label 9; set SegmentationLabel to one of 1");
+    "the segmentation on port 0 is empty: no voxel has the label 9; set SegmentationLabel to one "
+    "of 1");
   this->Metrics->SetSegmentationLabel(1);
   this->Metrics->Update();
   EXPECT_GT(this->Metrics->GetDice(), 0.8);
@@ -564,7 +565,7 @@ TEST_F(SegmentationMetricsRefuse, EmptyMasks)
 TEST_F(SegmentationMetricsRefuse, LabelsOfWhatIsNoLabelMap)
 {
   this->Metrics->SetReferenceLabel(9);
-  const std::string none = "the reference is empty: no voxel has the label 9";
+  const std::string none = "the reference on port 1 is empty: no voxel has the label 9";
   vtkDataArray* voxels = this->Reference->GetPointData()->GetScalars();
   voxels->Fill(0);
   this->ExpectError(this->Segmentation, this->Reference, none + ", all are 0");

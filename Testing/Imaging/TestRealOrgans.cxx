@@ -1,10 +1,15 @@
-// Organs that touch in a real volume, segmented together: exactly no contact, no voxel in both.
+// Real volumes. Organs that touch, segmented together: exactly no contact, no voxel in both. Points
+// that correct an organ: the surface stays where they change nothing.
 #include "ContourMeshAdapter.h"
+#include "Deformation/VolumeSegmentation.h"
 #include "ExampleImages.h"
 #include "Geometry/SelfIntersection.h"
+#include "Geometry/WindingNumber.h"
+#include "GrayImageAdapter.h"
 #include "ImageAdapter.h"
 #include "Mesh/MeshUnion.h"
 #include "Mesh/SurfaceVoxelization.h"
+#include "SurfaceMotion.h"
 
 #include "vtkFlipFreeOrganGroup.h"
 #include "vtkMedicalImageReader.h"
@@ -14,7 +19,7 @@
 
 using namespace FlipFree;
 
-TEST(TestRealOrgans, LiverAndRightKidneyDoNotMeet)
+TEST(RealOrgans, LiverAndRightKidneyDoNotMeet)
 {
   const char* folder = std::getenv("FLIPFREE_DATA_DIR");
   const std::string name = std::string(folder ? folder : "") + "/btcv15_ct.nii.gz";
@@ -59,4 +64,55 @@ TEST(TestRealOrgans, LiverAndRightKidneyDoNotMeet)
     labeled += values[voxel] != 0 ? 1 : 0;
   }
   EXPECT_EQ(labeled, voxels);
+}
+
+namespace
+{
+
+struct CorrectedOrgan
+{
+  std::string File;
+  SeedSphere Seed;
+  Eigen::Vector3d Outside; // at the boundary, in a little too much
+};
+
+} // namespace
+
+// The promise: by less than 0.1 mm. The same evidence alone left 0.26 and 0.28 mm.
+TEST(RealOrgans, PointsMoveNothingFarAway)
+{
+  const char* folder = std::getenv("FLIPFREE_DATA_DIR");
+  const std::vector<CorrectedOrgan> organs{
+    { "btcv06_ct.nii.gz", { { 86.40, -117.82, 387.00 }, 32.08 }, { 138.763, -141.381, 381 } },
+    { "chaos01_mr.nii.gz", { { -128.90, 38.16, 146.21 }, 32.72 },
+      { -18.9037, -0.588715, 123.108 } },
+  };
+  for (const CorrectedOrgan& organ : organs)
+  {
+    const std::string name = std::string(folder ? folder : "") + "/" + organ.File;
+    if (!std::filesystem::exists(name))
+    {
+      GTEST_SKIP() << "'" << name << "' does not exist; FLIPFREE_DATA_DIR names the folder with "
+                   << "the real volumes.";
+    }
+    vtkNew<vtkMedicalImageReader> reader;
+    reader->SetFileName(name.c_str());
+    reader->Update();
+    VolumeSegmenter segmenter(GrayVolumeOf(reader->GetOutput(), name), name, organ.Seed, nullptr,
+      {}, Threading());
+    const auto run = [&](const ConstraintList& points)
+    {
+      return segmenter
+        .Segment(points, NeverStop,
+          [](const ContourMesh&, const PointList&, const CorrespondenceField&,
+            const IterationRecord&) {})
+        .Organ;
+    };
+    const OrganSurface free = run({});
+    const OrganSurface corrected = run({ { ConstraintKind::Outside, organ.Outside, 0 } });
+    EXPECT_NE(corrected.Points, free.Points);
+    EXPECT_EQ(WindingNumber(corrected.Points, corrected.Mesh.Triangles, organ.Outside), 0);
+    EXPECT_LT(MotionBeyond(organ.Outside, corrected, free, 1000), 0.1) << organ.File;
+    EXPECT_LT(MotionBeyond(organ.Outside, free, corrected, 1000), 0.1) << organ.File;
+  }
 }

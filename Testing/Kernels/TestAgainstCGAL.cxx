@@ -63,7 +63,7 @@ TEST(SelfIntersectionAgainstCGAL, DegenerateArrangements)
   const TestSphere sphere(2);
   int compared = 0;
   std::size_t total = 0;
-  for (int repeat = 0; repeat < 8000; ++repeat)
+  for (int repeat = 0; repeat < 3000; ++repeat)
   {
     const int extent = 3 + repeat % 6;
     std::uniform_int_distribution<int> coordinate(-extent, extent);

@@ -1,10 +1,10 @@
 #include "ExampleMasks.h"
 #include "Geometry/SelfIntersection.h"
-#include "Mesh/CellSurface.h"
 #include "Mesh/ContourMesh.h"
 #include "Mesh/QuadSphere.h"
 #include "Mesh/SurfaceTopology.h"
 #include "Mesh/SurfaceVoxelization.h"
+#include "Vessel/CellSurface.h"
 
 #include <gtest/gtest.h>
 

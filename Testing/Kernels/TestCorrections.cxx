@@ -3,11 +3,15 @@
 #include "Error.h"
 #include "Geometry/SelfIntersection.h"
 #include "Geometry/WindingNumber.h"
+#include "Image/VoxelOffsets.h"
 #include "Phantom/PhantomVolume.h"
+#include "SurfaceMotion.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <random>
 #include <string>
 
 using namespace FlipFree;
@@ -132,25 +136,81 @@ TEST(Corrections, DependOnTheSetAlone)
   EXPECT_EQ(ball.Run({}).Points, free.Points);
 }
 
+// Also one after the other. A run with points is to change nothing where they change nothing; only
+// where a lobe is added far away, all levels run again.
 TEST(Corrections, AreLocal)
 {
   const BallSegmenter ball;
-  const OrganSurface free = ball.Run({});
-  const OrganSurface corrected = ball.Run({ ball.At(ConstraintKind::Inside, 34, 0, 0) });
-  const Eigen::RowVector3d point = ball.Seed.Center.transpose() + Eigen::RowVector3d(34, 0, 0);
-  double sum = 0;
-  int count = 0;
-  for (Eigen::Index vertex = 0; vertex < corrected.Points.rows(); ++vertex)
+  const ConstraintList all{ ball.At(ConstraintKind::Inside, 34, 0, 0),
+    ball.At(ConstraintKind::Outside, 0, 26, 0), ball.At(ConstraintKind::Inside, 0, 0, -43),
+    ball.At(ConstraintKind::Boundary, -27, 0, 0) };
+  OrganSurface former = ball.Run({});
+  ConstraintList points;
+  for (const PointConstraint& point : all)
   {
-    if ((corrected.Points.row(vertex) - point).norm() > 30)
-    {
-      const Eigen::Vector3d at = corrected.Points.row(vertex).transpose();
-      sum += (ClosestPlace(free.Points, free.Mesh.Triangles, at).Point - at).norm();
-      ++count;
-    }
+    points.push_back(point);
+    const OrganSurface corrected = ball.Run(points);
+    ExpectObeyed(corrected, points);
+    const double most = &point == &all[2] ? 0.1 : 0.02;
+    EXPECT_LT(MotionBeyond(point.Point, corrected, former, 100), most) << NameOf(point);
+    EXPECT_LT(MotionBeyond(point.Point, former, corrected, 100), most) << NameOf(point);
+    former = corrected;
   }
-  ASSERT_GT(count, 100);
-  EXPECT_LT(sum / count, 0.1);
+}
+
+// A ball with two brighter lobes on opposite sides, each deep enough for a run of all levels.
+// The lobe that a point has added stays as it is when the other one comes, whichever is the first.
+TEST(Corrections, OfDeepPlacesFarApartDoNotDisturbEachOther)
+{
+  ImageGeometry geometry;
+  geometry.Dimensions = { { 104, 60, 60 } };
+  geometry.Spacing.setConstant(2);
+  const Eigen::Vector3d center = geometry.ToPhysical(Eigen::Vector3d(52, 30, 30));
+  const Eigen::Vector3d side(64, 0, 0);
+  std::vector<std::int16_t> voxels(geometry.NumberOfVoxels());
+  std::mt19937 random(1);
+  std::normal_distribution<double> noise(0, 4);
+  for (std::size_t voxel = 0; voxel < voxels.size(); ++voxel)
+  {
+    const std::array<int, 3> index = IndexOf(voxel, geometry);
+    const Eigen::Vector3d at =
+      geometry.ToPhysical(Eigen::Vector3d(index[0], index[1], index[2])) - center;
+    const bool isLobe = std::min((at - side).norm(), (at + side).norm()) < 26;
+    const bool isOrgan = at.norm() < 48;
+    const double value = isOrgan ? 100 : (isLobe ? 150 : 0);
+    voxels[voxel] = static_cast<std::int16_t>(std::lround(value + noise(random)));
+  }
+  VolumeSegmentationSettings method;
+  method.Method.Schedule.Resolution = 16;
+  const auto segmenter = [&]
+  {
+    return std::make_unique<VolumeSegmenter>(
+      GrayVolumeOf(ImageView<std::int16_t>{ voxels.data(), geometry }, "it", {}), "it",
+      SeedSphere{ center, 24 }, nullptr, method, Threading());
+  };
+  const auto run = [](VolumeSegmenter& with, const ConstraintList& points)
+  {
+    return with
+      .Segment(points, NeverStop,
+        [](const ContourMesh&, const PointList&, const CorrespondenceField&,
+          const IterationRecord&) {})
+      .Organ;
+  };
+  const PointConstraint left{ ConstraintKind::Inside, center - side, 0 };
+  const PointConstraint right{ ConstraintKind::Inside, center + side, 0 };
+  const auto kept = segmenter();
+  const OrganSurface both = run(*kept, { left, right });
+  ExpectObeyed(both, { left, right });
+  for (const PointConstraint& one : { left, right })
+  {
+    const OrganSurface alone = run(*kept, { one });
+    ExpectObeyed(alone, { one });
+    EXPECT_EQ(WindingNumber(alone.Points, alone.Mesh.Triangles, 2 * center - one.Point), 0);
+    const double motion = MeanMotion(both, alone, 500,
+      [&](const Eigen::Vector3d& at) { return (at - center).dot(one.Point - center) > 0; });
+    EXPECT_LT(motion, 0.05) << NameOf(one);
+  }
+  EXPECT_EQ(run(*segmenter(), { right, left }).Points, both.Points);
 }
 
 // A ball with a cleft, as a kidney's sinus: a point in it must not hold back the surface around it.

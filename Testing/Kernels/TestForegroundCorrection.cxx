@@ -4,6 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 using namespace FlipFree;
 
 namespace
@@ -86,6 +89,18 @@ TEST(ForegroundCorrection, MovesTheBoundaryAroundThePoint)
   EXPECT_TRUE(image.IsAt(outside, -27, 0, 0));
 }
 
+// A hole elsewhere is none of the point's business.
+TEST(ForegroundCorrection, ChangesNothingFarAway)
+{
+  const BallImage image({ 1, 1, 1 });
+  BitMask found = image.Ball(18);
+  const std::array<int, 3> hole = NearestVoxel(image.Geometry, { -12, 0, 0 });
+  found.RemoveRun(hole[0], hole[0] + 2, hole[1], hole[2]);
+  const BitMask corrected = image.Corrected(found, { { ConstraintKind::Inside, { 23, 0, 0 }, 0 } });
+  EXPECT_TRUE(image.IsAt(corrected, 23, 0, 0));
+  EXPECT_FALSE(image.IsAt(corrected, -12, 0, 0));
+}
+
 // The ball that is certain around a point is not as large as thick slices are thick.
 TEST(ForegroundCorrection, TakesLittleWhereSlicesAreThick)
 {
@@ -96,4 +111,111 @@ TEST(ForegroundCorrection, TakesLittleWhereSlicesAreThick)
   EXPECT_TRUE(image.IsAt(outside, 20, 4, 0));
   EXPECT_TRUE(image.IsAt(outside, 17, 0, 0));
   EXPECT_TRUE(image.IsAt(outside, 20, -4, 0));
+}
+
+namespace
+{
+
+// A bright bar in the same grid, along the first axis from -30 to 30 mm, 14 mm thick.
+struct BarImage : BallImage
+{
+  BarImage()
+    : BallImage({ 1, 1, 1 })
+  {
+    std::fill(this->Voxels.begin(), this->Voxels.end(), 0.0F);
+    this->Bar(-30, 30).ForEach([this](std::size_t voxel) { this->Voxels[voxel] = 100; });
+  }
+
+  BitMask Bar(double begin, double end) const
+  {
+    BitMask bar(this->Geometry);
+    for (std::size_t voxel = 0; voxel < this->Voxels.size(); ++voxel)
+    {
+      const std::array<int, 3> index = IndexOf(voxel, this->Geometry);
+      const Eigen::Vector3d at =
+        this->Geometry.ToPhysical(Eigen::Vector3d(index[0], index[1], index[2]));
+      if (at[0] >= begin && at[0] <= end && std::hypot(at[1], at[2]) <= 7)
+      {
+        bar.Insert(index[0], index[1], index[2]);
+      }
+    }
+    return bar;
+  }
+
+  BitMask With(double found, double point) const
+  {
+    BitMask foreground = this->Bar(-30, found);
+    EXPECT_TRUE(CorrectForeground(
+      ImageView<float>{ this->Voxels.data(), this->Geometry }, [](const VoxelBox&) { return true; },
+      { { -23, 0, 0 }, 6 }, { { ConstraintKind::Inside, { point, 0, 0 }, 0 } }, 2, Modality::CT,
+      SerialFor, NeverStop, foreground));
+    return foreground;
+  }
+};
+
+} // namespace
+
+TEST(ForegroundCorrection, SpreadsFartherFromAPointDeepOnTheWrongSide)
+{
+  const BarImage bar;
+  const BitMask deep = bar.With(-16, 4);
+  EXPECT_TRUE(bar.IsAt(deep, 4, 0, 0));
+  EXPECT_TRUE(bar.IsAt(deep, 26, 0, 0));
+  EXPECT_TRUE(bar.IsAt(deep, -12, 5, 0));
+  EXPECT_FALSE(bar.IsAt(deep, 4, 9, 0));
+
+  const BitMask near = bar.With(1, 4);
+  EXPECT_TRUE(bar.IsAt(near, 4, 0, 0));
+  EXPECT_FALSE(bar.IsAt(near, 12, 0, 0));
+}
+
+// A small ball around a point does not show how much the organ's gray values vary.
+TEST(ForegroundCorrection, AllowsForTheSeedsVariety)
+{
+  BarImage bar;
+  const BitMask varied = bar.Bar(-30, -16);
+  const BitMask brighter = bar.Bar(14, 30);
+  int count = 0;
+  varied.ForEach(
+    [&](std::size_t voxel) { bar.Voxels[voxel] += 15.0F * static_cast<float>(++count % 3 - 1); });
+  brighter.ForEach([&](std::size_t voxel) { bar.Voxels[voxel] = 115; });
+  const BitMask found = bar.With(-16, 4);
+  EXPECT_TRUE(bar.IsAt(found, 10, 0, 0));
+  EXPECT_TRUE(bar.IsAt(found, 20, 0, 0));
+}
+
+// What one point mends, a further one of its kind does not take back.
+TEST(ForegroundCorrection, AddsUpWhatPointsOfAKindChange)
+{
+  const BallImage image({ 1, 1, 1 });
+  const auto expectSum =
+    [&](const BitMask& found, const PointConstraint& one, const PointConstraint& other)
+  {
+    BitMask both = DifferenceOf(found, image.Corrected(found, { one }));
+    const BitMask ofOther = DifferenceOf(found, image.Corrected(found, { other }));
+    EXPECT_GT(DifferenceOf(both, ofOther).Count(), 0U);
+    both.Unite(ofOther);
+    BitMask missed = both;
+    missed.Remove(DifferenceOf(found, image.Corrected(found, { one, other })));
+    EXPECT_EQ(missed.Count(), 0U) << NameOf(one);
+  };
+  expectSum(image.Ball(18), { ConstraintKind::Inside, { 23, 0, 0 }, 0 },
+    { ConstraintKind::Inside, { 17, 11, 0 }, 0 });
+  expectSum(image.Ball(28), { ConstraintKind::Outside, { 26, 0, 0 }, 0 },
+    { ConstraintKind::Outside, { 18, 18, 0 }, 0 });
+}
+
+// An outside point that is outside to begin with keeps what an inside point adds off itself, and
+// takes nothing from the rest.
+TEST(ForegroundCorrection, TakesBackWhatAnotherPointAddsAndNoMore)
+{
+  const BarImage image;
+  const BitMask found = image.Bar(-30, 12);
+  const BitMask corrected = image.Corrected(found,
+    { { ConstraintKind::Inside, { 26, 0, 0 }, 0 }, { ConstraintKind::Outside, { 17, 0, 0 }, 0 } });
+  EXPECT_TRUE(image.IsAt(corrected, 26, 0, 0));
+  EXPECT_FALSE(image.IsAt(corrected, 17, 0, 0));
+  BitMask lost = found;
+  lost.Remove(corrected);
+  EXPECT_EQ(lost.Count(), 0U);
 }

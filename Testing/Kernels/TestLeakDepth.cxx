@@ -32,7 +32,14 @@ struct Example
     return depth;
   }
 
-  BlockGrid Grid{ FlipFree::Grid({ { 64, 32, 32 } }, { 1, 1, 1 }), 1 };
+  static BlockGrid MakeGrid()
+  {
+    ImageGeometry voxels;
+    voxels.Dimensions = { { 64, 32, 32 } };
+    return { voxels, 1 };
+  }
+
+  BlockGrid Grid = MakeGrid();
   SeedSphere Seed{ { 16, 16, 16 }, 6 };
   Eigen::Vector3d Ball{ 50, 16, 16 };
   std::vector<unsigned char> Inside;

@@ -4,10 +4,14 @@
 #include "Image/BallInside.h"
 #include "Image/GaussianSmoothing.h"
 #include "Intensity/HalfContrastRim.h"
+#include "Intensity/HollowCarving.h"
 #include "Intensity/NeckCarving.h"
 #include "Intensity/OrganCarving.h"
 
 #include <gtest/gtest.h>
+
+#include <algorithm>
+#include <functional>
 
 using namespace FlipFree;
 
@@ -16,7 +20,7 @@ namespace
 
 using Shape = std::function<bool(const Eigen::Vector3d&)>;
 
-Shape Ball(const Eigen::Vector3d& center, double radius)
+Shape BallShape(const Eigen::Vector3d& center, double radius)
 {
   return [=](const Eigen::Vector3d& point) { return (point - center).norm() < radius; };
 }
@@ -70,7 +74,7 @@ struct Leak
 {
   ImageGeometry Geometry = Grid({ { 120, 60, 40 } }, { 1, 1, 1.5 });
   SeedSphere Seed{ { 30, 30, 30 }, 14 };
-  Shape Organ = Ball({ 30, 30, 30 }, 20);
+  Shape Organ = BallShape({ 30, 30, 30 }, 20);
   Shape Both = [organ = this->Organ](const Eigen::Vector3d& point)
   {
     const bool neck =
@@ -94,7 +98,7 @@ TEST(OrganCarving, CutsOffWhatLiesBehindANeck)
         continue;
       }
       FloatImage image = ImageOf(leak.Geometry, leak.Both, 100 * scale, 20 * scale, 0, 4 * scale);
-      const BitMask behind = MaskOf(leak.Geometry, Ball({ 85, 30, 30 }, 22));
+      const BitMask behind = MaskOf(leak.Geometry, BallShape({ 85, 30, 30 }, 22));
       behind.ForEach([&](std::size_t voxel) { image.Voxels[voxel] += 100 * scale; });
       const ImagePart part{ image.View() };
       BitMask mask = MaskOf(leak.Geometry, leak.Both);
@@ -135,7 +139,7 @@ TEST(OrganCarving, DoesNotDependOnTheSeedsSize)
 TEST(OrganCarving, RadiusIsThatOfABallOrTheSeeds)
 {
   const ImageGeometry geometry = Grid({ { 60, 60, 40 } }, { 1, 1, 1.5 });
-  const BitMask ball = MaskOf(geometry, Ball({ 30, 30, 30 }, 20));
+  const BitMask ball = MaskOf(geometry, BallShape({ 30, 30, 30 }, 20));
   EXPECT_NEAR(RadiusOf(ball, { { 30, 30, 30 }, 5 }), 20, 0.1);
   EXPECT_EQ(RadiusOf(ball, { { 30, 30, 30 }, 25 }), 25);
   EXPECT_EQ(RadiusOf(BitMask(geometry), { { 30, 30, 30 }, 5 }), 5);
@@ -144,7 +148,7 @@ TEST(OrganCarving, RadiusIsThatOfABallOrTheSeeds)
 TEST(OrganCarving, BallInsideEndsAtTheMask)
 {
   const ImageGeometry geometry = Grid({ { 60, 60, 40 } }, { 1, 1, 1.5 });
-  BitMask mask = MaskOf(geometry, Ball({ 30, 30, 30 }, 20));
+  BitMask mask = MaskOf(geometry, BallShape({ 30, 30, 30 }, 20));
   const SeedSphere seed{ { 30, 30, 30 }, 5 };
   EXPECT_NEAR(BallInside(mask, seed).Radius, 20, 0.01);
   EXPECT_NEAR(BallInside(mask, { { 36, 30, 30 }, 5 }).Radius, 14, 0.5);
@@ -152,7 +156,7 @@ TEST(OrganCarving, BallInsideEndsAtTheMask)
   EXPECT_EQ(BallInside(BitMask(geometry), seed).Radius, 5);
   mask.Complement();
   EXPECT_EQ(BallInside(mask, seed).Radius, 5);
-  mask.Unite(MaskOf(geometry, Ball({ 30, 30, 30 }, 21)));
+  mask.Unite(MaskOf(geometry, BallShape({ 30, 30, 30 }, 21)));
   EXPECT_EQ(BallInside(mask, seed).Radius, 5); // the whole grid
 }
 
@@ -172,7 +176,7 @@ TEST(OrganCarving, KeepsTheSeedWithoutAnyMask)
   const FloatImage image = ImageOf(leak.Geometry, leak.Organ, 100, 20, 0, 4);
   BitMask mask(leak.Geometry);
   ASSERT_TRUE(CarveNecks({ image.View() }, leak.Seed, 4, Modality::CT, SerialFor, NeverStop, mask));
-  BitMask source = MaskOf(leak.Geometry, Ball(leak.Seed.Center, 0.55 * leak.Seed.Radius));
+  BitMask source = MaskOf(leak.Geometry, BallShape(leak.Seed.Center, 0.55 * leak.Seed.Radius));
   source.Remove(mask);
   EXPECT_EQ(source.Count(), 0);
 }
@@ -181,31 +185,139 @@ TEST(OrganCarving, KeepsTheSeedWithoutAnyMask)
 TEST(HalfContrastRim, FindsTheBoundaryOfABlurredBall)
 {
   const ImageGeometry geometry = Grid({ { 80, 80, 80 } }, { 1, 1, 1 });
-  const Shape ball = Ball({ 40, 40, 40 }, 20);
+  const Shape ball = BallShape({ 40, 40, 40 }, 20);
   const double expected = RadiusOf(MaskOf(geometry, ball));
   for (const Modality modality : { Modality::CT, Modality::MR })
   {
     const FloatImage image = ImageOf(geometry, ball, 120, 20, 2, 4);
     for (const double radius : { 17.5, 18.5, 19.5 })
     {
-      BitMask mask = MaskOf(geometry, Ball({ 40, 40, 40 }, radius));
+      BitMask mask = MaskOf(geometry, BallShape({ 40, 40, 40 }, radius));
       ASSERT_TRUE(GrowRim({ image.View() }, 8, modality, SerialFor, NeverStop, mask));
       EXPECT_NEAR(RadiusOf(mask), expected, 0.7) << radius;
-      BitMask other = MaskOf(geometry, Ball({ 40, 40, 40 }, radius));
+      BitMask other = MaskOf(geometry, BallShape({ 40, 40, 40 }, radius));
       ASSERT_TRUE(GrowRim({ image.View() }, 8, modality, ScatteredFor, NeverStop, other));
       EXPECT_EQ(mask, other);
     }
   }
 }
 
+// As in a kidney soon after contrast medium was given, beside a muscle: by the gray values of
+// cortex and medulla together, the muscle would be like the kidney.
+TEST(HalfContrastRim, FindsTheBoundaryOfABrightCortex)
+{
+  const ImageGeometry geometry = Grid({ { 80, 80, 80 } }, { 1, 1, 1 });
+  const Shape kidney = BallShape({ 40, 40, 40 }, 24);
+  FloatImage image = ImageOf(geometry, kidney, 200, 90, 1, 10);
+  const FloatImage medulla = ImageOf(geometry, BallShape({ 40, 40, 40 }, 15), 90, 0, 1, 0.1);
+  std::transform(image.Voxels.begin(), image.Voxels.end(), medulla.Voxels.begin(),
+    image.Voxels.begin(), std::minus<>());
+  const double expected = RadiusOf(MaskOf(geometry, kidney));
+  for (const double radius : { 21.5, 22.5, 23.5 })
+  {
+    BitMask mask = MaskOf(geometry, BallShape({ 40, 40, 40 }, radius));
+    ASSERT_TRUE(GrowRim({ image.View() }, 8, Modality::CT, SerialFor, NeverStop, mask));
+    EXPECT_NEAR(RadiusOf(mask), expected, 0.5) << radius;
+  }
+}
+
 TEST(HalfContrastRim, LeavesAMaskWithoutACoreAlone)
 {
   const ImageGeometry geometry = Grid({ { 20, 20, 20 } }, { 1, 1, 1 });
-  const FloatImage image = ImageOf(geometry, Ball({ 10, 10, 10 }, 6), 100, 0, 0, 1);
-  const BitMask thin = MaskOf(geometry, Ball({ 10, 10, 10 }, 1.5));
+  const FloatImage image = ImageOf(geometry, BallShape({ 10, 10, 10 }, 6), 100, 0, 0, 1);
+  const BitMask thin = MaskOf(geometry, BallShape({ 10, 10, 10 }, 1.5));
   BitMask mask = thin;
   ASSERT_TRUE(GrowRim({ image.View() }, 1, Modality::CT, SerialFor, NeverStop, mask));
   EXPECT_EQ(mask, thin);
+}
+
+// A kidney, as a ball, in fat. Its sinus, a tube of fat from the hilum, is narrower than the balls
+// of leak control; up to the hilum, it has filled with the organ's voxels.
+struct Kidney
+{
+  ImageGeometry Geometry = Grid({ { 80, 80, 54 } }, { 1, 1, 1.5 });
+  Shape Whole = BallShape({ 40, 40, 40 }, 26);
+  Shape Sinus = [](const Eigen::Vector3d& point)
+  { return point.x() > 30 && std::hypot(point.y() - 40, point.z() - 40) < 6; };
+  Shape Organ = [whole = this->Whole, sinus = this->Sinus](const Eigen::Vector3d& point)
+  { return whole(point) && !sinus(point); };
+  Shape Filled = [whole = this->Whole, sinus = this->Sinus](const Eigen::Vector3d& point)
+  { return whole(point) && !(sinus(point) && point.x() > 60); };
+};
+
+BitMask Hollowed(const FloatImage& image, const BitMask& mask, Modality modality = Modality::CT)
+{
+  BitMask carved = mask;
+  EXPECT_TRUE(CarveHollows({ image.View() }, modality, SerialFor, NeverStop, carved));
+  return carved;
+}
+
+TEST(HollowCarving, CarvesTheFatOfAKidneysSinus)
+{
+  const Kidney kidney;
+  const BitMask organ = MaskOf(kidney.Geometry, kidney.Organ);
+  const BitMask filled = MaskOf(kidney.Geometry, kidney.Filled);
+  for (const float gray : { 30.0F, 150.0F })
+  {
+    SCOPED_TRACE(gray);
+    const FloatImage image = ImageOf(kidney.Geometry, kidney.Organ, gray, -100, 1.5, 6);
+    const BitMask carved = Hollowed(image, filled);
+    EXPECT_LT(Dice(filled, organ), 0.98);
+    EXPECT_GT(Dice(carved, organ), 0.99);
+    // The organ keeps its outer border, which is as dark.
+    BitMask lost = organ;
+    lost.Remove(carved);
+    EXPECT_LT(lost.Count(), organ.Count() / 200);
+    BitMask outside = carved;
+    outside.Remove(filled);
+    EXPECT_EQ(outside.Count(), 0);
+    // The same however the work is divided; little is left to carve; and nothing in MR.
+    BitMask other = filled;
+    ASSERT_TRUE(CarveHollows({ image.View() }, Modality::CT, ScatteredFor, NeverStop, other));
+    EXPECT_EQ(other, carved);
+    EXPECT_GT(Dice(Hollowed(image, carved), carved), 0.995);
+    EXPECT_EQ(Hollowed(image, filled, Modality::MR), filled);
+  }
+}
+
+// A surface of one piece has no way there.
+TEST(HollowCarving, LeavesFatThatIsClosedIn)
+{
+  const Kidney kidney;
+  const BitMask filled = MaskOf(kidney.Geometry, kidney.Whole);
+  const Shape closed = [&](const Eigen::Vector3d& point)
+  { return kidney.Whole(point) && !(kidney.Sinus(point) && point.x() < 55); };
+  EXPECT_EQ(Hollowed(ImageOf(kidney.Geometry, closed, 150, -100, 1, 6), filled), filled);
+}
+
+// Of water, within the organ and at its border, beside the fat around it.
+TEST(HollowCarving, LeavesCysts)
+{
+  const Kidney kidney;
+  const BitMask filled = MaskOf(kidney.Geometry, kidney.Whole);
+  for (const double place : { 45.0, 56.0, 60.0 })
+  {
+    SCOPED_TRACE(place);
+    FloatImage image = ImageOf(kidney.Geometry, kidney.Whole, 150, -100, 1, 6);
+    const Shape cyst = [&](const Eigen::Vector3d& point)
+    { return kidney.Whole(point) && (point - Eigen::Vector3d(place, 40, 40)).norm() < 8; };
+    const FloatImage water = ImageOf(kidney.Geometry, cyst, 145, 0, 1, 0.1);
+    std::transform(image.Voxels.begin(), image.Voxels.end(), water.Voxels.begin(),
+      image.Voxels.begin(), std::minus<>());
+    const BitMask carved = Hollowed(image, filled);
+    EXPECT_GT(carved.Count(), 0.998 * static_cast<double>(filled.Count()));
+  }
+}
+
+// A lipoma is no hollow of itself; nor is anything carved without a core.
+TEST(HollowCarving, LeavesFatAndWhatIsThinAlone)
+{
+  const Kidney kidney;
+  const BitMask filled = MaskOf(kidney.Geometry, kidney.Whole);
+  const FloatImage image = ImageOf(kidney.Geometry, kidney.Whole, -90, 20, 1, 10);
+  EXPECT_EQ(Hollowed(image, filled), filled);
+  const BitMask thin = MaskOf(kidney.Geometry, BallShape({ 40, 40, 40 }, 1.5));
+  EXPECT_EQ(Hollowed(image, thin), thin);
 }
 
 TEST(OrganCarving, Stops)

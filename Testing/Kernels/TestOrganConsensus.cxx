@@ -158,6 +158,27 @@ TEST(IntensityField, SubtractsShadingByALimitedAmount)
   }
 }
 
+TEST(IntensityField, IsTheSameInARotatedFrame)
+{
+  const Organ organ;
+  FloatImage image = Drifting(organ,
+    [](const Eigen::Vector3d& away)
+    { return 100 * (1 + 0.01 * away.z() + 0.0004 * away.x() * away.y()); });
+  const Eigen::Matrix3d turn =
+    Eigen::AngleAxisd(0.7, Eigen::Vector3d(1, -2, 3).normalized()).toRotationMatrix();
+  const auto field = IntensityField::Fit(image.View(), organ.Mask, organ.Seed, Modality::CT);
+  image.Geometry.Origin = turn * image.Geometry.Origin;
+  image.Geometry.Direction = turn * image.Geometry.Direction;
+  const SeedSphere seed{ turn * organ.Seed.Center, organ.Seed.Radius };
+  const auto turned = IntensityField::Fit(image.View(), organ.Mask, seed, Modality::CT);
+  ASSERT_TRUE(field && turned);
+  for (const Eigen::Vector3d& away :
+    { Eigen::Vector3d(15, 15, 0), Eigen::Vector3d(-15, 15, 0), Eigen::Vector3d(9, -4, 14) })
+  {
+    EXPECT_NEAR(turned->At(turn * (Center + away)), field->At(Center + away), 1e-6);
+  }
+}
+
 TEST(IntensityField, NeedsVoxelsAroundTheSeed)
 {
   const Organ organ;

@@ -1,6 +1,7 @@
 // How much a voxel resembles the middle of a bright tube.
 #include "ExampleVessels.h"
 #include "Vessel/Tubeness.h"
+#include "Vessel/VesselImage.h"
 
 #include <gtest/gtest.h>
 
@@ -9,8 +10,9 @@ using namespace FlipFree;
 namespace
 {
 
-double TubenessAt(const FloatImage& image, int i, int j, int k)
+double TubenessAt(FloatImage image, int i, int j, int k)
 {
+  SmoothInside(image, 3, SerialFor);
   const std::vector<unsigned char> all(image.Voxels.size(), 1);
   return BrightTubeness(image, all, 3, SerialFor)[image.Geometry.Offset(i, j, k)];
 }

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <limits>
@@ -47,6 +48,12 @@ std::string MessageOf(const std::function<void()>& run)
     return error.what();
   }
   return "";
+}
+
+bool HoldsText(const std::vector<std::string>& messages, const std::string& text)
+{
+  return std::any_of(messages.begin(), messages.end(),
+    [&text](const std::string& message) { return message.find(text) != std::string::npos; });
 }
 
 } // namespace
@@ -179,6 +186,47 @@ TEST(VesselSegmentation, BadPointsAreNamed)
         OneThread, NeverStop);
     });
   EXPECT_NE(noBoundary.find("no boundary of a vessel"), std::string::npos) << noBoundary;
+}
+
+TEST(VesselSegmentation, APathAtTheBorderLeavesTheImage)
+{
+  const ImageGeometry grid = Grid({ { 50, 60, 60 } }, { 1, 1, 1.5 });
+  for (const double nearest : { 0.3, 8.0 }) // mm from the centers of the outermost voxels
+  {
+    const ExampleTube tube = MakeTube([nearest](double t)
+      { return Eigen::Vector3d(nearest + 16 * std::abs(2 * t - 1), 30, 8 + 74 * t); },
+      [](double) { return 5.0; });
+    const FloatImage volume = VolumeOfTubes({ tube }, grid, 10);
+    const VesselSegmentation result = SegmentVessel(GrayVolumeOf(volume), "the volume",
+      ClicksIn(tube), {}, LumenSettings(), OneThread, NeverStop);
+    EXPECT_EQ(HoldsText(result.Warnings, "the path leaves the image near"), nearest < 1);
+  }
+}
+
+TEST(VesselSegmentation, AClickInTouchingTissueIsNamed)
+{
+  const ImageGeometry grid = Grid({ { 80, 60, 60 } }, { 1, 1, 1.5 });
+  const ExampleTube tube = MakeTube([](double t) { return Eigen::Vector3d(35, 30, 8 + 74 * t); },
+    [](double) { return 6.0; });
+  FloatImage volume = VolumeOfTubes({ tube }, grid, 10);
+  ForEachVoxel(grid,
+    [&](int i, int j, int k)
+    {
+      const Eigen::Vector3d place = grid.ToPhysical(Eigen::Vector3d(i, j, k));
+      float& value = volume.Voxels[grid.Offset(i, j, k)];
+      if (place.x() > 35 && place.z() > 60 && !IsInTube(tube, place))
+      {
+        value += 35; // 75, beside a vessel of 150
+      }
+    });
+  for (const double x : { 35.0, 52.0 })
+  {
+    const PointList points = Points({ { 35, 30, 12 }, { x, 30, 76 } });
+    const VesselSegmentation result = SegmentVessel(GrayVolumeOf(volume), "the volume", points, {},
+      LumenSettings(), OneThread, NeverStop);
+    EXPECT_EQ(HoldsText(result.Warnings, "the point (52, 30, 76) mm does not look like the vessel"),
+      x > 50);
+  }
 }
 
 // An arch that is far from its ends, and wider than a thin vessel: its legs are near to each other.

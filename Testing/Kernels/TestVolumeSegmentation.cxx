@@ -43,7 +43,7 @@ struct Volume
   {
     const ImageView<std::uint8_t> view{ this->Labels.data(), this->Geometry };
     return { MaskOfLabel(view, label, "the reference", {}), label,
-      [view] { return LabelsIn(view, SerialFor); } };
+      [view] { return LabelsIn(view, SerialFor); }, "the reference" };
   }
 };
 
@@ -175,13 +175,12 @@ TEST(SegmentationScores, OfAMaskAgainstItselfArePerfect)
 TEST(SegmentationScores, SayWhichLabelsThereAre)
 {
   Volume volume;
-  EXPECT_EQ(
-    MessageOf([&] { RequireLabel(volume.Reference(9), "the reference", "ReferenceLabel"); }),
+  EXPECT_EQ(MessageOf([&] { RequireLabel(volume.Reference(9), "ReferenceLabel"); }),
     "the reference is empty: no voxel has the label 9; set ReferenceLabel to one of 1");
   volume.Labels.front() = 5;
   const SegmentationScores scores =
     ScoreLabels(volume.Reference(1), volume.Reference(-1), {}, SerialFor, NeverStop);
-  EXPECT_EQ(scores.Warning.find("The reference (port 1) has the labels 1, 5;"), 0U);
+  EXPECT_EQ(scores.Warning.find("The reference has the labels 1, 5;"), 0U);
 }
 
 TEST(PhantomVolume, RefusesIntensitiesThatDoNotFit)

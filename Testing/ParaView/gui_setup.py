@@ -8,7 +8,6 @@ import os
 
 from paraview import servermanager
 from paraview.simple import *
-from vtkmodules.util.numpy_support import vtk_to_numpy
 
 NOTE = os.environ["FLIPFREE_GUI_NOTE"]
 CENTER = [99.75, 83.75, 167]
@@ -31,11 +30,10 @@ def write_note(*_):
             (point,) = organ.Corrections
             Show3DWidgets(proxy=point)  # what a script makes has its handle hidden
             placed = point.SMProxy.GetProperty("Position")
-            labels, surface = (servermanager.Fetch(organ, idx=port) for port in (1, 0))
-            places = vtk_to_numpy(surface.GetPoints().GetData())
-            state.update({"placed": [placed.GetUncheckedElement(index) for index in range(3)],
-                          "point": list(point.Position), "mean": places.mean(axis=0).tolist(),
-                          "label": labels.GetPointData().GetScalars().GetTuple1(labels.FindPoint(point.Position))})
+            place = [placed.GetUncheckedElement(index) for index in range(3)]
+            labels = servermanager.Fetch(organ, idx=1)
+            state.update({"placed": place, "point": list(point.Position),
+                          "label": labels.GetPointData().GetScalars().GetTuple1(labels.FindPoint(place))})
     with open(NOTE + ".part", "w", encoding="utf-8") as file:
         json.dump(state, file)
     os.rename(NOTE + ".part", NOTE)

@@ -129,7 +129,7 @@ class TestTrace(unittest.TestCase):
     def test_points_may_be_an_array_in_any_order(self):
         again = flipfree.trace(self.phantom.image, np.array(self.points[::-1]))
         self.assertEqual(len(again.branches), 1)
-        self.assertGreater(flipfree.evaluate(again, self.vessel.label_map).dice, 0.98)
+        self.assertGreater(flipfree.evaluate(again, self.vessel.label_map).dice, 0.97)
 
     def test_ctrl_c_and_a_failing_progress_end_it(self):
         for error in (KeyboardInterrupt, ZeroDivisionError):

@@ -15,11 +15,13 @@
 #include "vtkNew.h"
 #include "vtkPolyData.h"
 #include "vtkSMPTools.h"
+#include "vtkSmartPointer.h"
 #include "vtkTable.h"
 #include "vtkVariant.h"
 
 #include <chrono>
 #include <cstdio>
+#include <functional>
 
 namespace Command
 {
@@ -67,26 +69,7 @@ struct OrganFiles
   }
 };
 
-void Write(vtkFlipFreeOrganGroup* group, int organ, vtkImageData* image, const OrganFiles& files,
-  const OriginNames& names, OutputFiles& outputs)
-{
-  const auto write =
-    [&outputs](const std::string& name, const std::function<void(const std::string&)>& how)
-  {
-    if (!name.empty())
-    {
-      outputs.Write(name, how);
-    }
-  };
-  write(files.Surface,
-    [&](const std::string& name) { WriteSurface(name, group->GetSurface(organ), names); });
-  write(files.Convergence,
-    [&](const std::string& name) { WriteTable(name, group->GetConvergence(organ)); });
-  write(files.Snapshot,
-    [&](const std::string& name) { WriteSnapshot(name, image, group->GetSurface(organ)); });
-}
-
-void Report(vtkFlipFreeOrganGroup* group, const std::string& input, double readingSeconds)
+void PrintReport(vtkFlipFreeOrganGroup* group, const std::string& input, double readingSeconds)
 {
   vtkTable* const table = group->GetTable();
   for (vtkIdType row = 0; row < table->GetNumberOfRows(); ++row)
@@ -108,102 +91,161 @@ void Report(vtkFlipFreeOrganGroup* group, const std::string& input, double readi
   std::fflush(stdout);
 }
 
+/// One run of the command.
+class GroupRun
+{
+public:
+  GroupRun(const Segmentation& segmentation, const std::vector<GivenOrgan>& organs,
+    const std::vector<std::string>& fixedSurfaces)
+    : Given(segmentation)
+    , Organs(organs)
+    , Fixed(fixedSurfaces)
+  {
+    this->Names.Image = segmentation.Input;
+    this->Names.Fixed = fixedSurfaces;
+    for (const GivenOrgan& organ : organs)
+    {
+      this->Files.emplace_back(segmentation, organ);
+      this->Names.Organs.push_back(organ.Name);
+      this->Names.Colors.push_back(organ.Color);
+    }
+  }
+
+  /// Before the work is done.
+  void AnnounceFiles()
+  {
+    std::vector<std::string> inputs{ this->Given.Input };
+    inputs.insert(inputs.end(), this->Fixed.begin(), this->Fixed.end());
+    std::vector<std::string> names{ this->Given.Labels, this->Given.SessionOut };
+    for (const OrganFiles& files : this->Files)
+    {
+      names.insert(names.end(), { files.Surface, files.Convergence, files.Snapshot });
+    }
+    for (const std::string& name : names)
+    {
+      if (!name.empty())
+      {
+        this->Outputs.Announce(name, inputs);
+      }
+    }
+    if (!this->Given.Snapshot.empty())
+    {
+      RequireDisplay();
+    }
+  }
+
+  void Read(const Session* session)
+  {
+    const auto start = std::chrono::steady_clock::now();
+    this->Image = ReadVolume(this->Given.Input, this->Given.SeriesUID);
+    const std::chrono::duration<double> reading = std::chrono::steady_clock::now() - start;
+    this->ReadingSeconds = reading.count();
+    if (session)
+    {
+      RequireImageOf(*session, this->Given.Input, this->Image);
+    }
+    for (const std::string& fixed : this->Fixed)
+    {
+      this->Group->AddFixedData(ReadSurface(fixed));
+    }
+  }
+
+  void Segment()
+  {
+    this->Given.Parameters.Apply(this->Group->GetParameters());
+    this->Group->SetLabelValue(this->Given.Label);
+    this->Group->SetInputData(this->Image);
+    for (const GivenOrgan& organ : this->Organs)
+    {
+      AddOrgan(organ, this->Group);
+    }
+    try
+    {
+      Run(this->Group, "segmenting", SegmentParameters::Names());
+    }
+    catch (const Failure& failure)
+    {
+      throw Failure("'" + this->Given.Input + "': " + failure.what());
+    }
+    for (std::size_t organ = 0; organ < this->Organs.size(); ++organ)
+    {
+      if (this->Group->GetStopReason(static_cast<int>(organ)) ==
+        vtkFlipFreeSegmentation::NO_BOUNDARY_FOUND)
+      {
+        throw Failure("'" + this->Given.Input + "', " + this->Organs[organ].Name +
+          ": no boundary of the organ was found, so nothing is written.");
+      }
+    }
+  }
+
+  void Write()
+  {
+    for (std::size_t organ = 0; organ < this->Organs.size(); ++organ)
+    {
+      this->WriteOrgan(static_cast<int>(organ), this->Files[organ]);
+    }
+    this->WriteIfNamed(this->Given.SessionOut,
+      [this](const std::string& name)
+      {
+        WriteSession(name,
+          { NamedProvenance(ProvenanceOf(this->Group->GetSurface(0)), this->Names) });
+      });
+    this->WriteIfNamed(this->Given.Labels,
+      [this](const std::string& name)
+      {
+        NameSegments(this->Group->GetLabelMap(), this->Given.Label, this->Names);
+        WriteVolume(name, this->Group->GetLabelMap());
+      });
+    this->Outputs.Commit();
+  }
+
+  void Report() const { PrintReport(this->Group, this->Given.Input, this->ReadingSeconds); }
+
+private:
+  void WriteIfNamed(const std::string& name, const std::function<void(const std::string&)>& how)
+  {
+    if (!name.empty())
+    {
+      this->Outputs.Write(name, how);
+    }
+  }
+
+  void WriteOrgan(int organ, const OrganFiles& files)
+  {
+    vtkPolyData* const surface = this->Group->GetSurface(organ);
+    this->WriteIfNamed(files.Surface,
+      [&](const std::string& name) { WriteSurface(name, surface, this->Names); });
+    this->WriteIfNamed(files.Convergence,
+      [&](const std::string& name) { WriteTable(name, this->Group->GetConvergence(organ)); });
+    this->WriteIfNamed(files.Snapshot,
+      [&](const std::string& name) { WriteSnapshot(name, this->Image, surface); });
+  }
+
+  const Segmentation& Given;
+  const std::vector<GivenOrgan>& Organs;
+  const std::vector<std::string>& Fixed;
+  std::vector<OrganFiles> Files;
+  OriginNames Names;
+  OutputFiles Outputs;
+  vtkSmartPointer<vtkImageData> Image;
+  double ReadingSeconds = 0;
+  vtkNew<vtkFlipFreeOrganGroup> Group;
+};
+
 } // namespace
 
 void SegmentGroup(const Segmentation& segmentation, const std::vector<GivenOrgan>& organs,
   const std::vector<std::string>& fixedSurfaces, const Session* session)
 {
-  vtkNew<vtkFlipFreeOrganGroup> group;
-  segmentation.Parameters.Apply(group->GetParameters());
-  group->SetLabelValue(segmentation.Label);
-  std::vector<std::string> inputs{ segmentation.Input };
-  inputs.insert(inputs.end(), fixedSurfaces.begin(), fixedSurfaces.end());
-  OutputFiles outputs;
-  std::vector<OrganFiles> files;
-  for (const GivenOrgan& organ : organs)
-  {
-    AddOrgan(organ, group);
-    files.emplace_back(segmentation, organ);
-    for (const std::string* name :
-      { &files.back().Surface, &files.back().Convergence, &files.back().Snapshot })
-    {
-      if (!name->empty())
-      {
-        outputs.Announce(*name, inputs);
-      }
-    }
-  }
-  for (const std::string* name : { &segmentation.Labels, &segmentation.SessionOut })
-  {
-    if (!name->empty())
-    {
-      outputs.Announce(*name, inputs);
-    }
-  }
-  if (!segmentation.Snapshot.empty())
-  {
-    RequireDisplay();
-  }
+  GroupRun run(segmentation, organs, fixedSurfaces);
+  run.AnnounceFiles();
   vtkSMPTools::Initialize(segmentation.Threads);
-
-  const auto start = std::chrono::steady_clock::now();
-  const vtkSmartPointer<vtkImageData> image =
-    ReadVolume(segmentation.Input, segmentation.SeriesUID);
-  const std::chrono::duration<double> reading = std::chrono::steady_clock::now() - start;
-  if (session)
-  {
-    RequireImageOf(*session, segmentation.Input, image);
-  }
-  group->SetInputData(image);
-  for (const std::string& fixed : fixedSurfaces)
-  {
-    group->AddFixedData(ReadSurface(fixed));
-  }
-  try
-  {
-    Run(group, "segmenting", SegmentParameters::Names());
-  }
-  catch (const Failure& failure)
-  {
-    throw Failure("'" + segmentation.Input + "': " + failure.what());
-  }
-  OriginNames names;
-  names.Image = segmentation.Input;
-  names.Fixed = fixedSurfaces;
-  for (const GivenOrgan& organ : organs)
-  {
-    names.Organs.push_back(organ.Name);
-    names.Colors.push_back(organ.Color);
-  }
-  for (std::size_t organ = 0; organ < organs.size(); ++organ)
-  {
-    const auto index = static_cast<int>(organ);
-    if (group->GetStopReason(index) == vtkFlipFreeSegmentation::NO_BOUNDARY_FOUND)
-    {
-      throw Failure("'" + segmentation.Input + "', " + organs[organ].Name +
-        ": no boundary of the organ was found, so nothing is written.");
-    }
-    Write(group, index, image, files[organ], names, outputs);
-  }
-  if (!segmentation.SessionOut.empty())
-  {
-    const std::string text = NamedProvenance(ProvenanceOf(group->GetSurface(0)), names);
-    outputs.Write(segmentation.SessionOut,
-      [&text](const std::string& name) { WriteSession(name, { text }); });
-  }
-  if (!segmentation.Labels.empty())
-  {
-    outputs.Write(segmentation.Labels,
-      [&](const std::string& name)
-      {
-        NameSegments(group->GetLabelMap(), segmentation.Label, names);
-        WriteVolume(name, group->GetLabelMap());
-      });
-  }
-  outputs.Commit();
+  run.Read(session);
+  run.Segment();
+  run.Write();
   if (!segmentation.Quiet)
   {
-    Report(group, segmentation.Input, reading.count());
+    run.Report();
   }
 }
 

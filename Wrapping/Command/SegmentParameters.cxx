@@ -160,8 +160,9 @@ ParameterGroup SearchParameters()
         "A vertex this close to the volume's boundary takes it for its target; 0: it has none",
         &Search::GetImageBoundaryDistance, &Search::SetImageBoundaryDistance),
       Property(SearchOf, "--edge-window", "MM",
-        "Standard deviation of the window in which targets snap to the strongest edge, at most 1.5 "
-        "voxels; 0: they do not",
+        "Standard deviation of the window in which targets snap to the strongest edge before "
+        "carving, "
+        "at most 1.5 voxels; 0: they do not",
         &Search::GetEdgeWindow, &Search::SetEdgeWindow),
       Property(SearchOf, "--normal-smoothing-iterations", "N",
         "Smoothing passes over the surface's normals", &Search::GetNormalSmoothingIterations,

@@ -114,7 +114,8 @@ ConstraintEnforcer::ConstraintEnforcer(const ConstraintList& constraints, double
   : Constraints(SortedConstraints(constraints))
   , IsObstacle(this->Constraints.size(), false)
   , Spacing(spacing)
-  , MayPassOutside(outside == OutsidePoints::InTheLastLevel)
+  , MayPassOutside(outside != OutsidePoints::FromTheStart)
+  , MayBeginAround(outside == OutsidePoints::AroundThem)
 {
 }
 
@@ -128,7 +129,7 @@ void ConstraintEnforcer::Begin(const ContourMesh& mesh, const FaceHulls& hulls,
   {
     const PointConstraint& constraint = this->Constraints[index];
     if (constraint.Kind == ConstraintKind::Outside && !this->IsObstacle[index] &&
-      this->IsOpen(constraint, mesh, hulls, points))
+      !this->MayBeginAround && this->IsOpen(constraint, mesh, hulls, points))
     {
       throw Error(ErrorCode::UnreachablePoint,
         NameOf(constraint) +

@@ -3,9 +3,9 @@
  * alone.
  *
  * An inside point is an obstacle of the guard once the surface has enclosed it, an outside point
- * from the start or from the last level on. What the image has not brought to its side, or to the
- * surface, by the end is reached by pulling the surface toward the point, step by step under the
- * guard.
+ * from the start or from the last level on. If, at the end, the image has not brought a point to
+ * its side of the surface, or onto the surface, the surface is pulled toward the point, step by
+ * step under the guard.
  */
 #ifndef FlipFreeConstraintEnforcer_h
 #define FlipFreeConstraintEnforcer_h
@@ -33,7 +33,7 @@ public:
     OutsidePoints outside = OutsidePoints::FromTheStart);
 
   /// Begins with an embedded surface; the hulls are of its faces. Throws Error, naming the point,
-  /// if an outside point lies in it or on it.
+  /// if an outside point lies in it or on it where it must not.
   void Begin(const ContourMesh& mesh, const FaceHulls& hulls, const PointList& points);
 
   /// Looks which inside points the surface encloses by now, and makes obstacles of them.
@@ -71,6 +71,7 @@ private:
   PointList Obstacles = PointList(0, 3);
   const double Spacing;
   bool MayPassOutside; ///< outside points
+  const bool MayBeginAround;
 };
 
 } // namespace FlipFree

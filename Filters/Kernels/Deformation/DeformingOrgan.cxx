@@ -4,6 +4,7 @@
 #include "Intensity/OrganCarving.h"
 #include "Stopwatch.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace FlipFree
@@ -104,6 +105,9 @@ void DeformingOrgan::BeginAt(const DeformableSurface& start, int firstLevel,
   {
     this->OrganRadius = RadiusOf(this->Foreground.GetMask(), this->Seed);
   }
+  this->Ends.clear();
+  this->Mobility.resize(0);
+  this->MobileParts.clear();
   this->Enforcer.reset();
   if (!constraints.empty())
   {
@@ -113,11 +117,18 @@ void DeformingOrgan::BeginAt(const DeformableSurface& start, int firstLevel,
   }
 }
 
+void DeformingOrgan::StayIn(const UnchangedPlaces& places)
+{
+  this->Mobility = Eigen::VectorXd::Ones(this->Surface.Points.rows()) -
+    places.WeightsOf(this->Surface.Points, this->Parallel);
+}
+
 void DeformingOrgan::BeginLevel(int level)
 {
   this->Level = level;
   this->Surface.Reason = StopReason::NotRun;
   this->Reports.clear();
+  this->FindMobileParts();
   this->Hulls.reset();
   if (this->Enforcer)
   {
@@ -149,12 +160,79 @@ PointList DeformingOrgan::FindMotion()
     this->Foreground.GetMask(), this->Foreground.GetImage(), this->OrganRadius, targets,
     this->Parallel, this->Record.Targets);
   this->Record.SearchSeconds = watch.Lap();
-  return this->Naming(
+  PointList motion = this->Naming(
     [&]
     {
       return FlipFree::FindMotion(*this->Solver, this->Settings.Step, this->Surface.Points,
         this->Surface.Field, this->Record.Step);
     });
+  if (this->Mobility.size() > 0)
+  {
+    this->MeasureMobileParts();
+    motion = this->Mobility.asDiagonal() * motion;
+    for (const MobilePart& part : this->MobileParts)
+    {
+      if (part.IsAtRest)
+      {
+        for (const int vertex : part.Vertices)
+        {
+          motion.row(vertex).setZero();
+        }
+      }
+    }
+  }
+  return motion;
+}
+
+void DeformingOrgan::FindMobileParts()
+{
+  this->MobileParts.clear();
+  std::vector<bool> visited(this->Mobility.size(), false);
+  for (int first = 0; first < this->Mobility.size(); ++first)
+  {
+    if (visited[first] || !(this->Mobility[first] > 0))
+    {
+      continue;
+    }
+    visited[first] = true;
+    std::vector<int> part{ first };
+    for (std::size_t next = 0; next < part.size(); ++next)
+    {
+      for (const int neighbor : this->Surface.Mesh.Neighbors[part[next]])
+      {
+        if (!visited[neighbor] && this->Mobility[neighbor] > 0)
+        {
+          visited[neighbor] = true;
+          part.push_back(neighbor);
+        }
+      }
+    }
+    this->MobileParts.push_back({ std::move(part), {}, false });
+  }
+}
+
+// The rest of the surface is at rest, and would hide that they are not.
+void DeformingOrgan::MeasureMobileParts()
+{
+  double sumOfAll = 0;
+  double countOfAll = 0;
+  for (MobilePart& part : this->MobileParts)
+  {
+    double sum = 0;
+    double count = 0;
+    for (const int vertex : part.Vertices)
+    {
+      if (this->Surface.Field.States[vertex] != VertexState::Solitary)
+      {
+        sum += this->Mobility[vertex] * this->Surface.Field.Displacements.row(vertex).norm();
+        count += this->Mobility[vertex];
+      }
+    }
+    part.Distances.push_back(count > 0 ? sum / count : 0);
+    sumOfAll += sum;
+    countOfAll += count;
+  }
+  this->Record.Targets.MeanDistance = countOfAll > 0 ? sumOfAll / countOfAll : 0;
 }
 
 void DeformingOrgan::Move(PointList points, int guarded, double guardSeconds)
@@ -165,7 +243,23 @@ void DeformingOrgan::Move(PointList points, int guarded, double guardSeconds)
   this->Surface.Iterations.push_back(this->Record);
   this->Observe(this->Surface.Mesh, this->Surface.Points, this->Surface.Field, this->Record);
   this->Reports.push_back(this->Record.Targets);
+  for (MobilePart& part : this->MobileParts)
+  {
+    part.IsAtRest = part.IsAtRest || this->Rests(part.Distances);
+  }
   this->Surface.Reason = this->ReasonToStop();
+}
+
+bool DeformingOrgan::Rests(const std::vector<double>& distances) const
+{
+  const ScheduleSettings& schedule = this->Settings.Schedule;
+  if (distances.back() < this->Voxel * schedule.DistanceTolerance)
+  {
+    return true;
+  }
+  return schedule.ChangeTolerance >= 0 && distances.size() > ChangeSpan &&
+    distances[distances.size() - 1 - ChangeSpan] - distances.back() <
+    this->Voxel * schedule.ChangeTolerance;
 }
 
 // NotRun: the level goes on.
@@ -176,6 +270,12 @@ StopReason DeformingOrgan::ReasonToStop() const
   if (now.Matched == 0)
   {
     return StopReason::NoBoundaryFound;
+  }
+  if (this->Mobility.size() > 0)
+  {
+    const bool isAtRest = std::all_of(this->MobileParts.begin(), this->MobileParts.end(),
+      [](const MobilePart& part) { return part.IsAtRest; });
+    return isAtRest ? StopReason::AtRest : StopReason::NotRun;
   }
   if (now.MeanDistance < this->Voxel * schedule.DistanceTolerance)
   {
@@ -214,18 +314,35 @@ void DeformingOrgan::UpdateObstacles()
 
 bool DeformingOrgan::FinishConstraints(bool isLast, const GuardedStep& step, const Monitor& monitor)
 {
+  OrganSurface& surface = this->Surface;
+  for (const EndSurface& end : this->Ends)
+  {
+    if (isLast &&
+      !Attract(*end.Surface, end.WeightsOf(surface.Points), this->GetObstacles(), step,
+        this->Parallel, monitor, surface.Points))
+    {
+      return false;
+    }
+  }
   if (!this->Enforcer)
   {
     return true;
   }
-  const FaceHulls hulls(this->Surface.Points, this->Surface.Mesh.Faces);
-  OrganSurface& surface = this->Surface;
-  return this->Naming(
+  const FaceHulls hulls(surface.Points, surface.Mesh.Faces);
+  const PointList before = surface.Points;
+  const bool done = this->Naming(
     [&]
     {
       return isLast ? this->Enforcer->Finish(surface.Mesh, hulls, step, monitor, surface.Points)
                     : this->Enforcer->PullBack(surface.Mesh, hulls, step, monitor, surface.Points);
     });
+  // What has been pulled must find the boundary again.
+  for (Eigen::Index vertex = 0; vertex < this->Mobility.size(); ++vertex)
+  {
+    const double pulled = (surface.Points.row(vertex) - before.row(vertex)).norm() / this->Voxel;
+    this->Mobility[vertex] = std::max(this->Mobility[vertex], std::min(1.0, 4 * pulled));
+  }
+  return done;
 }
 
 } // namespace FlipFree

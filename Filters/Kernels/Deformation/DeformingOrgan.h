@@ -1,7 +1,7 @@
 /**
- * What belongs to one organ while its surface deforms: the evidence of where it ends, the points it
- * obeys, the surface, and each iteration's targets and wanted motion. JointDeformation moves one or
- * several of them.
+ * The state of one organ while its surface deforms: the evidence of where it ends, the points it
+ * obeys, the surface, and each iteration's targets and desired motion. JointDeformation moves one
+ * or several of them.
  */
 #ifndef FlipFreeDeformingOrgan_h
 #define FlipFreeDeformingOrgan_h
@@ -9,6 +9,7 @@
 #include "Deformation/ConstraintEnforcer.h"
 #include "Deformation/OrganSegmentation.h"
 #include "Deformation/StartSurface.h"
+#include "Deformation/UnchangedPlaces.h"
 #include "Intensity/GrowingForeground.h"
 
 #include <memory>
@@ -18,6 +19,13 @@
 
 namespace FlipFree
 {
+
+/// Where a run ends on a surface that is known: one weight per point, 0 to 1.
+struct EndSurface
+{
+  const DeformableSurface* Surface = nullptr;
+  std::function<Eigen::VectorXd(const PointList&)> WeightsOf;
+};
 
 class DeformingOrgan
 {
@@ -54,6 +62,10 @@ public:
   /// an outside point lies in the surface or on it.
   void BeginAt(const DeformableSurface& start, int firstLevel, const ConstraintList& constraints,
     OutsidePoints outside, const IterationObserver& observer);
+  /// The run that has begun ends on these surfaces, which must outlive it, one after the other.
+  void EndOn(std::vector<EndSurface> ends) { this->Ends = std::move(ends); }
+  /// The run that has begun moves nothing in unchanged places.
+  void StayIn(const UnchangedPlaces& places);
   void BeginLevel(int level);
   /// The motion that the next iteration wants; none where the level is at rest.
   PointList FindMotion();
@@ -68,7 +80,8 @@ public:
   PointList GetObstacles() const;
   /// Looks which inside points the surface encloses by now.
   void UpdateObstacles();
-  bool HasConstraints() const { return this->Enforcer.has_value(); }
+  /// Whether there is anything to finish.
+  bool HasConstraints() const { return this->Enforcer.has_value() || !this->Ends.empty(); }
   /// Pulls the surface toward the points that it does not obey yet, or before the last level back
   /// from outside points alone (ConstraintEnforcer.h).
   bool FinishConstraints(bool isLast, const GuardedStep& step, const Monitor& monitor);
@@ -79,6 +92,9 @@ public:
 
 private:
   StopReason ReasonToStop() const;
+  bool Rests(const std::vector<double>& distances) const;
+  void FindMobileParts();
+  void MeasureMobileParts();
   template <typename Call>
   auto Naming(const Call& call) const
   {
@@ -100,6 +116,18 @@ private:
   OrganSurface Surface;
   ConstraintList Constraints;
   std::optional<ConstraintEnforcer> Enforcer;
+  std::vector<EndSurface> Ends;
+  Eigen::VectorXd Mobility; // of the vertices, 0 to 1; empty if all may move
+
+  // Vertices that may move and hang together. Each part comes to rest by itself, so that what
+  // happens in one does not change another.
+  struct MobilePart
+  {
+    std::vector<int> Vertices;
+    std::vector<double> Distances; // means, by iteration
+    bool IsAtRest = false;
+  };
+  std::vector<MobilePart> MobileParts;
   IterationObserver Observe;
   int FirstLevel = 0;
 

@@ -84,6 +84,13 @@ bool JointDeformation::Run(const Monitor& monitor)
   return this->FinishConstraints(true, until(this->Levels));
 }
 
+bool JointDeformation::RunLastLevel(const Monitor& monitor)
+{
+  const int last = this->Levels - 1;
+  return this->IterateLevel(last, monitor) && this->FinishConstraints(false, monitor) &&
+    this->IterateLevel(last, monitor) && this->FinishConstraints(true, monitor);
+}
+
 bool JointDeformation::HasGuard() const
 {
   return this->Organs.front()->GetSettings().Step.Guard;

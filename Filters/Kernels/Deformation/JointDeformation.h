@@ -1,8 +1,8 @@
 /**
  * Deforms the surfaces of one or several organs from coarse to fine, all of them under one guard.
- * The guard and the refinement see one surface, the union, and keep it embedded: so no surface ever
- * meets another, or one at rest that is in the way. Each organ follows its own evidence, and rests
- * where its level has ended.
+ * The guard and the refinement see one surface, the union, and keep it embedded, so no surface ever
+ * meets another, or a fixed one that is in the way. Each organ follows its own evidence, and rests
+ * once its level has ended.
  */
 #ifndef FlipFreeJointDeformation_h
 #define FlipFreeJointDeformation_h
@@ -28,6 +28,9 @@ public:
   /// reason. The monitor is asked with the number of levels done, divided by their number. Returns
   /// false if it stopped the run. Throws Error where a constraint cannot be obeyed.
   bool Run(const Monitor& monitor);
+  /// The same of the last level alone, for surfaces that have its vertices already: first freely,
+  /// then, pulled back from outside points, once more.
+  bool RunLastLevel(const Monitor& monitor);
 
 private:
   bool HasGuard() const;

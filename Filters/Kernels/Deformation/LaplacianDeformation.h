@@ -3,7 +3,7 @@
  * three coordinates at once.
  *
  * Conjugate gradients need no matrix, and about as many iterations for any number of vertices. They
- * run in single precision, which halves what they move through the caches. Where they do not
+ * run in single precision, which halves the data they move through the caches. Where they do not
  * converge, a sparse Cholesky factorization in double precision takes over.
  */
 #ifndef FlipFreeLaplacianDeformation_h

@@ -1,7 +1,7 @@
 /**
- * What makes it impossible to segment several organs together, found before it begins: names that
- * are not distinct, and seeds, points and fixed surfaces that contradict each other. Each check
- * throws Error, naming the organs and a remedy.
+ * Conflicts that make it impossible to segment several organs together, found in advance: names
+ * that are not distinct, and seeds, points and fixed surfaces that contradict each other. Each
+ * check throws Error, naming the organs and a remedy.
  */
 #ifndef FlipFreeOrganConflicts_h
 #define FlipFreeOrganConflicts_h

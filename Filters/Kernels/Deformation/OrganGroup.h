@@ -1,14 +1,14 @@
 /**
- * Several organs of a volume, segmented together: each is the others' background, and their
+ * Several organs of a volume, segmented together: each is background for the others, and their
  * surfaces, grown under one guard, never meet.
  *
- * Each organ first finds its foreground by itself. Then what several claim is divided
- * (OrganDivision.h), and all surfaces start anew from their seeds and deform jointly
- * (JointDeformation.h): none passes through another, so none that begins outside another ends in
- * it, and a voxel lies in one at most. Seeds and inside points of an organ are outside points of
- * all others. The result does not depend on the order of the organs. The surfaces are refined
- * together: where one of them cannot be refined without meeting itself or another, all stay coarse
- * (StopReason::NotRefined).
+ * Each organ first finds its foreground by itself. Then the voxels that several claim are divided
+ * (OrganDivision.h), and all surfaces start again from their seeds and deform jointly
+ * (JointDeformation.h). None passes through another, so a surface that starts outside another does
+ * not end inside it, and a voxel lies in at most one. Seeds and inside points of an organ are
+ * outside points of all others. The result does not depend on the order of the organs. The surfaces
+ * are refined together: where one of them cannot be refined without meeting itself or another, all
+ * stay coarse (StopReason::NotRefined).
  */
 #ifndef FlipFreeOrganGroup_h
 #define FlipFreeOrganGroup_h

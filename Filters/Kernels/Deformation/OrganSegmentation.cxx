@@ -5,11 +5,54 @@
 #include "Error.h"
 #include "Geometry/SelfIntersection.h"
 
+#include <algorithm>
+#include <iterator>
 #include <memory>
 #include <utility>
 
 namespace FlipFree
 {
+namespace
+{
+
+// What changes farther away from what stays, in millimeters, changes in a run of all levels.
+constexpr double DeepChange = 15;
+
+bool IsNear(const PointConstraint& constraint, const BitMask& voxels)
+{
+  constexpr double near = 5; // millimeters
+  const double reach = std::max(near, constraint.Radius);
+  return voxels.Cropped(BoxAround(voxels.GetGeometry(), constraint.Point, reach)).Count() > 0;
+}
+
+// Iterations count on.
+void Append(const std::vector<IterationRecord>& records, std::vector<IterationRecord>& all)
+{
+  for (IterationRecord record : records)
+  {
+    record.Iteration = static_cast<int>(all.size()) + 1;
+    all.push_back(record);
+  }
+}
+
+} // namespace
+
+// A part of the foreground that constraints change deeply, and those in it. What the surface
+// becomes there depends on nothing else, so that no constraint elsewhere moves it.
+struct OrganSegmenter::DeepPart
+{
+  BitMask Voxels;
+  ConstraintList Constraints;
+  PointList Start;           ///< of the runs
+  DeformableSurface Surface; ///< with this part alone
+  std::vector<IterationRecord> Iterations;
+
+  bool IsSameAs(const DeepPart& other) const
+  {
+    return this->Constraints == other.Constraints && this->Start == other.Start &&
+      this->Voxels == other.Voxels;
+  }
+};
 
 struct OrganSegmenter::State
 {
@@ -29,6 +72,10 @@ struct OrganSegmenter::State
   std::vector<IterationRecord> FirstIterations;
   DeformableSurface FirstSurface;
   BitMask Carved;
+
+  // What the last run ends with if there are no constraints; kept, too.
+  DeformableSurface Free;
+  std::vector<DeepPart> DeepParts; // of the last call
 };
 
 OrganSegmenter::OrganSegmenter(SmoothRegion& region, double noise, const SeedSphere& seed,
@@ -46,6 +93,8 @@ void OrganSegmenter::SetForeground(BitMask mask)
   this->Kept->Carved = std::move(mask);
   this->Kept->IsCarved = true;
   this->Kept->IsGiven = true;
+  this->Kept->Free = {};
+  this->Kept->DeepParts.clear();
 }
 
 DeformingOrgan& OrganSegmenter::GetOrgan()
@@ -82,6 +131,27 @@ bool OrganSegmenter::RunFirst(const Monitor& monitor, const IterationObserver& o
   return true;
 }
 
+// The observer does not see it: it is no part of the way to the result.
+bool OrganSegmenter::RunFree(const Monitor& monitor)
+{
+  State& kept = *this->Kept;
+  this->Begin({}, nullptr, OutsidePoints::InTheLastLevel,
+    [](const auto&, const auto&, const auto&, const auto&) {});
+  if (!JointDeformation({ &kept.Organ }, {}, this->Parallel).Run(monitor))
+  {
+    return false;
+  }
+  this->KeepFree();
+  kept.Organ.Reset();
+  return true;
+}
+
+void OrganSegmenter::KeepFree()
+{
+  const OrganSurface& surface = this->Kept->Organ.GetSurface();
+  this->Kept->Free = { surface.Mesh, surface.Points };
+}
+
 // With carving, all levels run twice: a surface that has leaked would have to draw back through
 // the neck, so the second run starts anew.
 bool OrganSegmenter::FindForeground(const ConstraintList& constraints, const Monitor& monitor,
@@ -98,11 +168,15 @@ bool OrganSegmenter::FindForeground(const ConstraintList& constraints, const Mon
   {
     return false;
   }
+  kept.Organ.SettleForeground(kept.Carved);
+  if (!constraints.empty() && kept.Free.Points.rows() == 0 && !this->RunFree(monitor))
+  {
+    return false;
+  }
   OrganSurface& surface = kept.Organ.GetSurface();
   surface.Iterations = kept.FirstIterations;
   surface.First = kept.FirstSurface;
   surface.Unanimity = kept.Organ.GetForeground().GetUnanimity();
-  kept.Organ.SettleForeground(kept.Carved);
   return kept.Organ.CorrectForeground(constraints, [&](double) { return monitor(1); });
 }
 
@@ -110,21 +184,31 @@ void OrganSegmenter::Begin(const ConstraintList& constraints, const DeformableSu
   OutsidePoints outside, const IterationObserver& observer)
 {
   DeformingOrgan& organ = this->Kept->Organ;
-  organ.BeginAt(start ? *start : this->Kept->Start,
-    this->RunsTwice() ? organ.GetSettings().Schedule.NumberOfLevels() : 0, constraints, outside,
+  organ.BeginAt(start ? *start : this->Kept->Start, this->FirstLevel(), constraints, outside,
     observer);
 }
 
+int OrganSegmenter::FirstLevel() const
+{
+  return this->RunsTwice() ? this->Kept->Organ.GetSettings().Schedule.NumberOfLevels() : 0;
+}
+
 // Where the surface cannot be pulled back from an outside point, it keeps off from the start.
-bool OrganSegmenter::RunLast(const ConstraintList& constraints, const DeformableSurface* start,
-  const Monitor& monitor, const IterationObserver& observer)
+bool OrganSegmenter::RunLevels(const ConstraintList& constraints, const DeformableSurface* start,
+  const std::vector<EndSurface>& ends, const Monitor& monitor, const IterationObserver& observer)
 {
   DeformingOrgan& organ = this->Kept->Organ;
   const std::vector<IterationRecord> before = organ.GetSurface().Iterations;
+  const auto run = [&](OutsidePoints outside)
+  {
+    organ.GetSurface().Iterations = before;
+    this->Begin(constraints, start, outside, observer);
+    organ.EndOn(ends);
+    return JointDeformation({ &organ }, {}, this->Parallel).Run(monitor);
+  };
   try
   {
-    this->Begin(constraints, start, OutsidePoints::InTheLastLevel, observer);
-    return JointDeformation({ &organ }, {}, this->Parallel).Run(monitor);
+    return run(OutsidePoints::InTheLastLevel);
   }
   catch (const Error& error)
   {
@@ -133,9 +217,188 @@ bool OrganSegmenter::RunLast(const ConstraintList& constraints, const Deformable
       throw;
     }
   }
-  organ.GetSurface().Iterations = before;
-  this->Begin(constraints, start, OutsidePoints::FromTheStart, observer);
-  return JointDeformation({ &organ }, {}, this->Parallel).Run(monitor);
+  return run(OutsidePoints::FromTheStart);
+}
+
+EndSurface OrganSegmenter::FreeSurfaceFor(const ConstraintList& constraints) const
+{
+  const BitMask changed =
+    DifferenceOf(this->Kept->Carved, this->Kept->Organ.GetForeground().GetMask());
+  const auto places = std::make_shared<const UnchangedPlaces>(changed, constraints);
+  return { &this->Kept->Free,
+    [places, this](const PointList& points) { return places->WeightsOf(points, this->Parallel); } };
+}
+
+bool OrganSegmenter::RunLast(const ConstraintList& constraints, const DeformableSurface* start,
+  const Monitor& monitor, const IterationObserver& observer)
+{
+  std::vector<EndSurface> ends;
+  if (this->Kept->Free.Points.rows() > 0 &&
+    (!constraints.empty() || this->Kept->Carved != this->Kept->Organ.GetForeground().GetMask()))
+  {
+    ends.push_back(this->FreeSurfaceFor(constraints));
+  }
+  return this->RunLevels(constraints, start, ends, monitor, observer);
+}
+
+// From a surface, which moves only where `changed` and the constraints allow it.
+bool OrganSegmenter::RunLastLevel(const DeformableSurface& from, const ConstraintList& constraints,
+  const UnchangedPlaces& unchanged, const Monitor& monitor, const IterationObserver& observer)
+{
+  DeformingOrgan& organ = this->Kept->Organ;
+  organ.BeginAt(from, this->FirstLevel(), constraints, OutsidePoints::AroundThem, observer);
+  organ.StayIn(unchanged);
+  return JointDeformation({ &organ }, {}, this->Parallel).RunLastLevel(monitor);
+}
+
+// The surface would have to draw back from a leak through the neck, and to bulge far into a lobe,
+// so such parts change in runs of all levels: each by itself.
+bool OrganSegmenter::FindDeepSurfaces(const DeformableSurface* start,
+  const ConstraintList& constraints, const Monitor& monitor, const IterationObserver& observer)
+{
+  State& kept = *this->Kept;
+  DeformingOrgan& organ = kept.Organ;
+  std::vector<BitMask> deep;
+  if (!FindDeepParts(kept.Carved, organ.GetForeground().GetMask(), DeepChange, this->Parallel,
+        FlipFree::PartOf(monitor, 0, 0), deep))
+  {
+    return false;
+  }
+  std::vector<DeepPart> parts;
+  for (std::size_t number = 0; number < deep.size(); ++number)
+  {
+    DeepPart part;
+    part.Voxels = std::move(deep[number]);
+    std::copy_if(constraints.begin(), constraints.end(), std::back_inserter(part.Constraints),
+      [&](const PointConstraint& constraint) { return IsNear(constraint, part.Voxels); });
+    part.Constraints = SortedConstraints(part.Constraints);
+    part.Start = start ? start->Points : kept.Start.Points;
+    const auto same = std::find_if(kept.DeepParts.begin(), kept.DeepParts.end(),
+      [&](const DeepPart& other) { return part.IsSameAs(other); });
+    if (same != kept.DeepParts.end())
+    {
+      parts.push_back(*same);
+      continue;
+    }
+    const double first = static_cast<double>(number) / static_cast<double>(deep.size());
+    const double last = static_cast<double>(number + 1) / static_cast<double>(deep.size());
+    if (!this->RunDeepPart(start, FlipFree::PartOf(monitor, first, last), observer, part))
+    {
+      return false;
+    }
+    parts.push_back(std::move(part));
+  }
+  kept.DeepParts = std::move(parts);
+  return true;
+}
+
+bool OrganSegmenter::RunDeepPart(const DeformableSurface* start, const Monitor& monitor,
+  const IterationObserver& observer, DeepPart& part)
+{
+  DeformingOrgan& organ = this->Kept->Organ;
+  OrganSurface& surface = organ.GetSurface();
+  organ.SettleForeground(DifferenceOf(this->Kept->Carved, part.Voxels));
+  surface.Iterations.clear();
+  if (!this->RunLast(part.Constraints, start, FlipFree::PartOf(monitor, 0, 0.8), observer) ||
+    !this->RunLastLevel({ surface.Mesh, surface.Points }, part.Constraints,
+      { part.Voxels, part.Constraints }, FlipFree::PartOf(monitor, 0.8, 1), observer))
+  {
+    return false;
+  }
+  part.Surface = { surface.Mesh, surface.Points };
+  part.Iterations = surface.Iterations;
+  return true;
+}
+
+// Of several deep parts: near each, the surface with that one alone.
+bool OrganSegmenter::JoinDeepSurfaces(const DeformableSurface* start, const Monitor& monitor,
+  const IterationObserver& observer)
+{
+  State& kept = *this->Kept;
+  BitMask all(kept.Carved.GetGeometry());
+  ConstraintList constraints;
+  std::vector<EndSurface> ends(1);
+  for (const DeepPart& part : kept.DeepParts)
+  {
+    all.Unite(part.Voxels);
+    constraints.insert(constraints.end(), part.Constraints.begin(), part.Constraints.end());
+    const auto places = std::make_shared<const UnchangedPlaces>(part.Voxels, part.Constraints);
+    ends.push_back({ &part.Surface, [places, this](const PointList& points) -> Eigen::VectorXd {
+                      return (places->WeightsOf(points, this->Parallel).array() < 1).cast<double>();
+                    } });
+  }
+  kept.Organ.SettleForeground(DifferenceOf(kept.Carved, all));
+  ends.front() = this->FreeSurfaceFor(constraints);
+  return this->RunLevels(SortedConstraints(constraints), start, ends, monitor, observer);
+}
+
+// From the surface without constraints, which moves only where these have changed the foreground.
+bool OrganSegmenter::RunCorrection(const ConstraintList& constraints,
+  const DeformableSurface* start, const Monitor& monitor, const IterationObserver& observer)
+{
+  State& kept = *this->Kept;
+  DeformingOrgan& organ = kept.Organ;
+  const BitMask corrected = organ.GetForeground().GetMask();
+  std::vector<IterationRecord> iterations = organ.GetSurface().Iterations;
+  // Refuses outside points in the start.
+  this->Begin(constraints, start, OutsidePoints::InTheLastLevel, observer);
+  if (!this->FindDeepSurfaces(start, constraints, FlipFree::PartOf(monitor, 0, 0.5), observer))
+  {
+    return false;
+  }
+  const std::vector<DeepPart>& parts = kept.DeepParts;
+  BitMask changed = DifferenceOf(kept.Carved, corrected);
+  for (const DeepPart& part : parts)
+  {
+    changed.Remove(part.Voxels);
+    Append(part.Iterations, iterations);
+  }
+  organ.GetSurface().Iterations = std::move(iterations);
+  DeformableSurface base = parts.empty() ? kept.Free : parts.front().Surface;
+  if (parts.size() > 1)
+  {
+    if (!this->JoinDeepSurfaces(start, FlipFree::PartOf(monitor, 0.5, 0.8), observer))
+    {
+      return false;
+    }
+    base = { organ.GetSurface().Mesh, organ.GetSurface().Points };
+  }
+  organ.SettleForeground(corrected);
+  ConstraintList shallow;
+  std::copy_if(constraints.begin(), constraints.end(), std::back_inserter(shallow),
+    [&](const PointConstraint& constraint)
+    {
+      return std::none_of(parts.begin(), parts.end(),
+        [&](const DeepPart& part) { return IsNear(constraint, part.Voxels); });
+    });
+  return this->RunLastLevel(base, constraints, { changed, shallow },
+    FlipFree::PartOf(monitor, 0.8, 1), observer);
+}
+
+bool OrganSegmenter::RunSecond(const ConstraintList& constraints, const DeformableSurface* start,
+  const Monitor& monitor, const IterationObserver& observer)
+{
+  State& kept = *this->Kept;
+  if (constraints.empty() || kept.Free.Points.rows() == 0)
+  {
+    return this->RunLast(constraints, start, monitor, observer);
+  }
+  const BitMask corrected = kept.Organ.GetForeground().GetMask();
+  const std::vector<IterationRecord> before = kept.Organ.GetSurface().Iterations;
+  try
+  {
+    return this->RunCorrection(constraints, start, monitor, observer);
+  }
+  catch (const Error& error)
+  {
+    if (error.GetCode() != ErrorCode::UnreachablePoint)
+    {
+      throw;
+    }
+  }
+  kept.Organ.SettleForeground(corrected);
+  kept.Organ.GetSurface().Iterations = before;
+  return this->RunLast(constraints, start, monitor, observer);
 }
 
 OrganSurface OrganSegmenter::Segment(const ConstraintList& constraints,
@@ -153,7 +416,12 @@ OrganSurface OrganSegmenter::Segment(const ConstraintList& constraints,
   bool done = this->FindForeground(constraints, FlipFree::PartOf(ask, 0, half), observer);
   if (done)
   {
-    done = this->RunLast(constraints, start, FlipFree::PartOf(ask, half, 1), observer);
+    done = this->RunSecond(constraints, start, FlipFree::PartOf(ask, half, 1), observer);
+  }
+  if (done && !stopped && constraints.empty() && this->Kept->IsCarved &&
+    (!start || start->Points == this->Kept->Start.Points))
+  {
+    this->KeepFree();
   }
   OrganSurface surface = std::move(organ.GetSurface());
   surface.SmoothingSeconds = organ.GetForeground().GetSmoothingSeconds() - smoothing;

@@ -45,10 +45,12 @@ using IterationObserver = std::function<void(const ContourMesh&, const PointList
   const CorrespondenceField&, const IterationRecord&)>;
 
 class DeformingOrgan;
+class UnchangedPlaces;
+struct EndSurface;
 
 /// What the constraints do not change is kept between calls: the smoothed image, and with carving
-/// the foreground of the first run. The surface depends on the list of constraints alone, not on
-/// its order or on earlier calls.
+/// the foreground of the first run and the surface without constraints (UnchangedPlaces.h). The
+/// surface depends on the list of constraints alone, not on its order or on earlier calls.
 class OrganSegmenter
 {
 public:
@@ -88,8 +90,28 @@ public:
 
 private:
   bool RunFirst(const Monitor& monitor, const IterationObserver& observer);
+  bool RunFree(const Monitor& monitor);
+  void KeepFree();
+  int FirstLevel() const;
+  bool RunSecond(const ConstraintList& constraints, const DeformableSurface* start,
+    const Monitor& monitor, const IterationObserver& observer);
   bool RunLast(const ConstraintList& constraints, const DeformableSurface* start,
     const Monitor& monitor, const IterationObserver& observer);
+  bool RunLevels(const ConstraintList& constraints, const DeformableSurface* start,
+    const std::vector<EndSurface>& ends, const Monitor& monitor, const IterationObserver& observer);
+  bool RunLastLevel(const DeformableSurface& from, const ConstraintList& constraints,
+    const UnchangedPlaces& unchanged, const Monitor& monitor, const IterationObserver& observer);
+  EndSurface FreeSurfaceFor(const ConstraintList& constraints) const;
+
+  struct DeepPart;
+  bool RunCorrection(const ConstraintList& constraints, const DeformableSurface* start,
+    const Monitor& monitor, const IterationObserver& observer);
+  bool FindDeepSurfaces(const DeformableSurface* start, const ConstraintList& constraints,
+    const Monitor& monitor, const IterationObserver& observer);
+  bool RunDeepPart(const DeformableSurface* start, const Monitor& monitor,
+    const IterationObserver& observer, DeepPart& part);
+  bool JoinDeepSurfaces(const DeformableSurface* start, const Monitor& monitor,
+    const IterationObserver& observer);
 
   struct State;
   std::unique_ptr<State> Kept;

@@ -1,6 +1,6 @@
 /**
- * Signs that a surface is not the organ's. A seed in air, or in anything else that is no organ,
- * gives a surface all the same.
+ * Signs that a surface is not the organ's. A seed in air, or in anything else that is not an organ,
+ * still gives a surface.
  */
 #ifndef FlipFreePlausibilityCheck_h
 #define FlipFreePlausibilityCheck_h

@@ -1,14 +1,14 @@
 /**
  * Where a surface comes from, as text that travels with it: the version, the image's grid, seeds,
- * points, and all parameters, those with their defaults among them, so that it means the same once
- * defaults change.
+ * points, and all parameters, including those left at their defaults, so that it keeps its meaning
+ * when defaults change.
  *
  * The text is a session: the JSON, here in one line, that shells save and repeat with the same
- * bits. Keys that not every organ has: `together` and `fixed` of organs that were segmented
- * together, and the surfaces that they kept off; `startLabels`, a label map in place of the seed;
- * `startSurface`, where the start was none of ours and cannot be repeated. Coordinates are LPS
- * millimeters. The image, and files, have no name here: who knows it adds it. Constraints are
- * sorted, because their order means nothing.
+ * bits. Some keys are optional: `together` for organs that were segmented together, and `fixed` for
+ * the surfaces that they avoided; `startLabels`, a label map in place of the seed; `startSurface`,
+ * if the start surface came from elsewhere and cannot be repeated. Coordinates are LPS millimeters.
+ * The image and files have no names here: callers that know them add them. Constraints are sorted,
+ * because their order means nothing.
  */
 #ifndef FlipFreeProvenance_h
 #define FlipFreeProvenance_h

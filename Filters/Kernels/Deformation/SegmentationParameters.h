@@ -3,8 +3,8 @@
  * stages make their properties from these lists, and a shell without stages has all of them in one
  * table.
  *
- * A list calls P(Name, type, field, minimum, maximum) for each parameter; S is what leads to the
- * settings' fields, such as Settings-> in a stage.
+ * A list calls P(Name, type, field, minimum, maximum) for each parameter; S is the expression
+ * before the settings' fields, such as Settings-> in a stage.
  */
 #ifndef FlipFreeSegmentationParameters_h
 #define FlipFreeSegmentationParameters_h

@@ -61,4 +61,11 @@ OrganSegmentationSettings NaiveSettings()
   return settings;
 }
 
+OrganSegmentationSettings SettingsOfPreset(const std::string& name)
+{
+  return name == "published" ? PublishedSettings()
+    : name == "naive"        ? NaiveSettings()
+                             : OrganSegmentationSettings();
+}
+
 } // namespace FlipFree

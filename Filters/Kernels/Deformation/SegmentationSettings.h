@@ -11,6 +11,8 @@
 #include "Image/SmoothRegion.h"
 #include "Intensity/OrganFeature.h"
 
+#include <string>
+
 namespace FlipFree
 {
 
@@ -43,7 +45,9 @@ struct OrganSegmentationSettings
   ScheduleSettings Schedule;
   SmoothingSettings Smoothing;
   OrganFeatureSettings Feature;
-  TargetSettings Targets; ///< its EdgeWindow counts at the finest level
+  /// Its EdgeWindow counts at the finest level; of a carved foreground not at all, which ends at
+  /// the edge by a rule of its own (HalfContrastRim.h).
+  TargetSettings Targets;
   DeformationStepSettings Step;
 };
 
@@ -52,6 +56,9 @@ OrganSegmentationSettings PublishedSettings();
 
 /// As published, without flip avoidance (the paper's Fig. 3b).
 OrganSegmentationSettings NaiveSettings();
+
+/// By name: "published" or "naive"; any other name gives the defaults.
+OrganSegmentationSettings SettingsOfPreset(const std::string& name);
 
 } // namespace FlipFree
 

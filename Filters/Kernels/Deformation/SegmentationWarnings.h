@@ -1,5 +1,5 @@
 /**
- * What may be wrong with a segmentation that has a result all the same, in words.
+ * Warnings, in words, about a segmentation that has a result but may be wrong.
  */
 #ifndef FlipFreeSegmentationWarnings_h
 #define FlipFreeSegmentationWarnings_h

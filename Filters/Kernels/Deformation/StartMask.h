@@ -1,7 +1,7 @@
 /**
- * A mask that somebody else has made (a network, an atlas, an earlier result) in place of the
- * foreground that is found in the image: where a surface starts that is to fill it, and how much of
- * it a surface of one piece can fill.
+ * A mask from elsewhere (a network, an atlas, an earlier result) in place of the foreground that is
+ * found in the image: where to start a surface that fills it, and how much of it a surface of one
+ * piece can fill.
  */
 #ifndef FlipFreeStartMask_h
 #define FlipFreeStartMask_h

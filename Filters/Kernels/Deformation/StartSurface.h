@@ -1,5 +1,5 @@
 /**
- * The surface from which a segmentation starts: a sphere, or one that somebody has made.
+ * The surface from which a segmentation starts: a sphere, or a surface that the user provides.
  */
 #ifndef FlipFreeStartSurface_h
 #define FlipFreeStartSurface_h

@@ -1,5 +1,6 @@
 /**
- * What has to stay apart for a surface to be embedded however its faces are cut into triangles.
+ * Which parts of a surface must stay apart for it to be embedded, however its faces are cut into
+ * triangles.
  *
  * A quad in space has no surface until it is cut, and every writer, reader and renderer cuts it in
  * its own way. So all cuts along diagonals are considered at once.

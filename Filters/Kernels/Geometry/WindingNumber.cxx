@@ -1,5 +1,7 @@
 #include "Geometry/WindingNumber.h"
 
+#include "Geometry/TriangleTree.h"
+
 #include <Eigen/Geometry>
 
 #include <cmath>
@@ -88,6 +90,55 @@ SurfacePlace ClosestPlace(const PointList& points, const TriangleList& triangles
     }
   }
   return place;
+}
+
+PointList ClosestPlaces(const PointList& points, const TriangleList& triangles,
+  const PointList& queries, const ParallelFor& parallelFor)
+{
+  const TriangleTree tree(points, triangles);
+  const std::vector<TriangleBox> boxes = tree.RefitBoxes(points, triangles);
+  const std::vector<int> order = tree.Order();
+  PointList closest(queries.rows(), 3);
+  const auto closestTo = [&](const Vector3d& query)
+  {
+    Vector3d place = points.row(triangles(0, 0)).transpose();
+    double least = (place - query).squaredNorm();
+    tree.QueryNearestFirst(
+      [&](int node)
+      {
+        double square = 0;
+        for (int axis = 0; axis < 3; ++axis)
+        {
+          const double outside = std::fmax(0.0,
+            std::fmax(boxes[node].Low[axis] - query[axis], query[axis] - boxes[node].High[axis]));
+          square += outside * outside;
+        }
+        return square;
+      },
+      least,
+      [&](int leaf)
+      {
+        const auto corner = [&](int index) -> Vector3d
+        { return points.row(triangles(order[leaf], index)).transpose(); };
+        const Vector3d candidate = ClosestOnTriangle(corner(0), corner(1), corner(2), query);
+        if ((candidate - query).squaredNorm() < least)
+        {
+          least = (candidate - query).squaredNorm();
+          place = candidate;
+        }
+        return least;
+      });
+    return place;
+  };
+  parallelFor(0, queries.rows(),
+    [&](std::ptrdiff_t first, std::ptrdiff_t last)
+    {
+      for (std::ptrdiff_t query = first; query < last; ++query)
+      {
+        closest.row(query) = closestTo(queries.row(query).transpose()).transpose();
+      }
+    });
+  return closest;
 }
 
 } // namespace FlipFree

@@ -27,6 +27,10 @@ struct SurfacePlace
 SurfacePlace ClosestPlace(const PointList& points, const TriangleList& triangles,
   const Eigen::Vector3d& point);
 
+/// The places nearest to many points, one row each; of several, any.
+PointList ClosestPlaces(const PointList& points, const TriangleList& triangles,
+  const PointList& queries, const ParallelFor& parallelFor);
+
 } // namespace FlipFree
 
 #endif

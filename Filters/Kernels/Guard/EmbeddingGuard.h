@@ -57,8 +57,9 @@ public:
 
   /// Scales displacements down, conservatively, until it is proven that, if the surface is embedded
   /// at `points`, it stays so, however its faces are cut into triangles (FaceHulls.h), while every
-  /// vertex moves straight from `points` to `points + displacements`, and no normal of a triangle
-  /// or of a corner of a face turns by 90 degrees or more. Both have one row per vertex, in
+  /// vertex moves straight from `points` to `points + displacements`, and no normal of a corner of
+  /// a face, or of a triangle of the fan about its first vertex, turns by 90 degrees or more: of
+  /// triangles and quads, these are all triangles of every cut. Both have one row per vertex, in
   /// millimeters; a displacement of more than a hundred times the surface's extent is cut to that
   /// first. Faces without a common vertex keep a distance of a thousandth of the typical edge
   /// length, or the one they start with if that is less; so do parts of adjacent faces. Corners

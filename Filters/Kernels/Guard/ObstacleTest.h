@@ -4,8 +4,8 @@
  * Claim: a point that lies in none of the hulls of a closed surface's faces at any time of a motion
  * stays on the same side of it, however the faces are cut. Proof: every cut lies in the hulls, so
  * its winding number around the point, which is a whole number and continuous in time while the
- * surface does not pass the point, does not change. From one cut of a face to another leads a
- * motion within the face's hull.
+ * surface does not pass the point, does not change. A motion within a face's hull leads from one
+ * cut of the face to another.
  */
 #ifndef FlipFreeObstacleTest_h
 #define FlipFreeObstacleTest_h

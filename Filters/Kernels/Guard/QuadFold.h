@@ -1,9 +1,9 @@
 /**
- * Quads that are folded so sharply that a program which cuts them may take them for invalid.
+ * Quads that are folded so sharply that a program that cuts them may consider them invalid.
  *
  * A quad is folded if the normal of one of its corners points away from the normal of the whole:
- * seen along that, the quad is not convex. VTK's triangulation, for one, then leaves out a triangle
- * or both, and the surface is open.
+ * seen along that normal, the quad is not convex. VTK's triangulation, for one, then omits one or
+ * both triangles, which leaves the surface open.
  */
 #ifndef FlipFreeQuadFold_h
 #define FlipFreeQuadFold_h

@@ -1,6 +1,7 @@
 /**
  * A quick sufficient test of whether two hulls stay apart while they move: some directions are
- * tried, four at once in single precision. It spares nearly all pairs the motion test.
+ * tried, four at once in single precision. It makes the motion test unnecessary for nearly all
+ * pairs.
  */
 #ifndef FlipFreeSeparatingDirection_h
 #define FlipFreeSeparatingDirection_h

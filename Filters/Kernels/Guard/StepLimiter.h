@@ -7,10 +7,17 @@
  * scale would change too abruptly.
  *
  * Claim: repeating tests and ScaleDown until nothing fails ends, without a limit on the number of
- * passes. Proof: what is at rest never fails a test, so at least one vertex of every failing test
+ * passes. Proof: parts at rest never fail a test, so at least one vertex of every failing test
  * has a positive scale, and that scale is at least halved. Below 1/64 it becomes
  * zero, so that a vertex is halved at most seven times; scales never grow. After at most seven
  * times as many failing passes as there are vertices, everything is at rest.
+ *
+ * Claim: in a pass after which nothing has failed, every pair was tested up to time 1 with its
+ * present motion, or is at rest, although tests end at LatestUsefulTime and pairs without a changed
+ * vertex are not tested again. Proof: LatestUsefulTime is below 1 only if every moving vertex of
+ * the pair has been limited in the same pass. Then the pass has failed, and ScaleDown changes the
+ * motion of each of them, so that the pair is tested again in the next pass. A pair without a
+ * changed vertex has the motion with which its last test was not cut short.
  */
 #ifndef FlipFreeStepLimiter_h
 #define FlipFreeStepLimiter_h
@@ -56,7 +63,7 @@ public:
   }
 
   /// An impact of the two after this time cannot change what ScaleDown does, because their vertices
-  /// are limited by other tests or at rest.
+  /// are limited by other tests or at rest. So the order of the tests does not matter.
   template <std::size_t N>
   double LatestUsefulTime(const std::array<int, N>& one, const std::array<int, N>& two) const
   {

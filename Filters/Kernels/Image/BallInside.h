@@ -1,5 +1,5 @@
 /**
- * How much of a shape is known from within: the largest ball about a seed that the shape holds.
+ * How deep a shape is at a seed: the largest ball around the seed that the shape contains.
  */
 #ifndef FlipFreeBallInside_h
 #define FlipFreeBallInside_h

@@ -153,4 +153,14 @@ VoxelBox BitMask::Bounds() const
   return box;
 }
 
+BitMask DifferenceOf(const BitMask& one, const BitMask& other)
+{
+  BitMask difference = one;
+  difference.Unite(other);
+  BitMask both = one;
+  both.Intersect(other);
+  difference.Remove(both);
+  return difference;
+}
+
 } // namespace FlipFree

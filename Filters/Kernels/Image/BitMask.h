@@ -223,6 +223,9 @@ BitMask VoxelsWhere(const ImageView<T>& image, const Predicate& holds,
     parallelFor);
 }
 
+/// The voxels that are in one of two sets on the same grid, but not in both.
+BitMask DifferenceOf(const BitMask& one, const BitMask& other);
+
 } // namespace FlipFree
 
 #endif

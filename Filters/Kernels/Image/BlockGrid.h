@@ -1,5 +1,5 @@
 /**
- * A grid of blocks of voxels, for what varies too slowly to be worth a value per voxel.
+ * A grid of blocks of voxels, for quantities that vary too slowly to need a value per voxel.
  */
 #ifndef FlipFreeBlockGrid_h
 #define FlipFreeBlockGrid_h

@@ -1,5 +1,5 @@
 /**
- * The part of a shape around a point that hangs together with another point by a neck only.
+ * The part of a shape around a point that is connected to another point only by a neck.
  */
 #ifndef FlipFreeDepthHill_h
 #define FlipFreeDepthHill_h

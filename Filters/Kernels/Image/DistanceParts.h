@@ -1,6 +1,6 @@
 /**
- * The parts of a shape that hang together by necks, at any scale: around each peak of its distance
- * transform, divided where the neck is narrow compared with the smaller of both parts.
+ * The parts of a shape that are connected by necks, at any scale: one around each peak of its
+ * distance transform, divided where the neck is narrow compared with the smaller of the two parts.
  */
 #ifndef FlipFreeDistanceParts_h
 #define FlipFreeDistanceParts_h

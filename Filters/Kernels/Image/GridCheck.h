@@ -1,5 +1,5 @@
 /**
- * The checks that a voxel grid is one, and that two are the same.
+ * The checks that a voxel grid is valid, and that two grids are the same.
  */
 #ifndef FlipFreeGridCheck_h
 #define FlipFreeGridCheck_h

@@ -1,6 +1,6 @@
 /**
  * The minimum cut of a network of voxels, each joined to its six neighbors, a source and a sink, by
- * two search trees that are mended rather than grown anew (Y. Boykov, V. Kolmogorov: An
+ * two search trees that are repaired rather than grown again (Y. Boykov, V. Kolmogorov: An
  * experimental comparison of min-cut/max-flow algorithms for energy minimization in vision, 2004).
  */
 #ifndef FlipFreeMinimumCut_h

@@ -16,7 +16,7 @@ namespace
 constexpr double SamePlace = 1e-3;
 
 // The seed sphere is placed by hand, so only its inner part is certain.
-constexpr double CertainPart = 0.5;
+constexpr double CertainPartOfSeed = 0.5;
 
 auto KeyOf(const PointConstraint& constraint)
 {
@@ -108,7 +108,7 @@ void RequireConstraints(const ImageGeometry& geometry, const SeedSphere& seed,
     }
     if (one->Kind == ConstraintKind::Outside)
     {
-      RequireApart(*one, { seed.Center, CertainPart * seed.Radius },
+      RequireApart(*one, { seed.Center, CertainPartOfSeed * seed.Radius },
         "the inner half of the seed sphere");
       for (const PointConstraint& other : constraints)
       {

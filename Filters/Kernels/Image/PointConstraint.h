@@ -1,6 +1,6 @@
 /**
- * What a user knows of an organ at a place: a point that lies inside, outside, or on its boundary,
- * or a further sphere within it. A list of them is a set: its order means nothing.
+ * What a user knows about an organ at one location: a point that lies inside, outside, or on its
+ * boundary, or a further sphere within it. A list of them is a set: its order means nothing.
  */
 #ifndef FlipFreePointConstraint_h
 #define FlipFreePointConstraint_h
@@ -26,7 +26,8 @@ enum class ConstraintKind : unsigned char
 enum class OutsidePoints
 {
   FromTheStart,
-  InTheLastLevel
+  InTheLastLevel,
+  AroundThem ///< as before; the surface may even begin around them
 };
 
 struct PointConstraint
@@ -34,6 +35,11 @@ struct PointConstraint
   ConstraintKind Kind = ConstraintKind::Inside;
   Eigen::Vector3d Point = Eigen::Vector3d::Zero(); ///< millimeters
   double Radius = 0;                               ///< millimeters; of a seed
+
+  friend bool operator==(const PointConstraint& a, const PointConstraint& b)
+  {
+    return a.Kind == b.Kind && a.Point == b.Point && a.Radius == b.Radius;
+  }
 };
 
 using ConstraintList = std::vector<PointConstraint>;

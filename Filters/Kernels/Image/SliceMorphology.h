@@ -1,5 +1,6 @@
 /**
- * What treats the slices of a mask apart, since volumes are often coarser across them.
+ * Operations that treat each slice of a mask separately, since volumes are often coarser across
+ * slices.
  */
 #ifndef FlipFreeSliceMorphology_h
 #define FlipFreeSliceMorphology_h

@@ -1,6 +1,6 @@
 /**
- * Shifts the boundary of a foreground around a point that is found on the wrong side: what is wrong
- * at a point is mostly wrong around it, too, by less the farther away.
+ * Shifts the boundary of a foreground around a point that is found on the wrong side: a boundary
+ * that is wrong at a point is usually wrong around it, too, but less so with distance.
  */
 #ifndef FlipFreeBoundaryShift_h
 #define FlipFreeBoundaryShift_h

@@ -18,11 +18,20 @@ namespace
 constexpr double CertainPart = 0.8;
 
 // What a voxel is worth that looks like the point's ball (inside), or more so than like the seed's
-// (outside); and what it loses for each reach that it is farther away than the reach.
+// (outside).
 constexpr double InsideGain = 0.3;
-constexpr double InsideDecay = 0.3;
 constexpr double OutsideGain = 0.1;
-constexpr double OutsideDecay = 0.3;
+// And what it loses for each reach that it is farther away than the reach. A point in the depth of
+// the wrong side, so many millimeters from the right one, stands for something large; one near the
+// right side may lie in a bump, and a region that spreads from it would take too much.
+constexpr double DecayOfDeepPoint = 0.1;
+constexpr double DeepAway = 10;
+constexpr double DecayOfNearPoint = 0.3;
+constexpr double NearAway = 4;
+// A correction is local: within so many times the point's distance from the right side, which is at
+// least so many millimeters.
+constexpr double LocalPart = 2;
+constexpr double LeastLocal = 15;
 // What a cut costs per mm2 and millimeter of reach, of which these count.
 constexpr double InsideSmoothness = 0.2;
 constexpr double OutsideSmoothness = 0.1;
@@ -129,9 +138,25 @@ private:
     if (this->Depth.IsDeep)
     {
       const double way = (this->Wanted.Point - this->Seed.Center).norm() - 0.5 * this->Seed.Radius;
-      this->Reach = std::max(this->Reach, std::min(this->Wanted.Away, PartOfWayToSeed * way));
+      this->Reach = std::min(std::max(this->Reach, this->Wanted.Away), PartOfWayToSeed * way);
     }
     return true;
+  }
+
+  double Decay() const
+  {
+    const double depth = (this->Wanted.Away - NearAway) / (DeepAway - NearAway);
+    const double part = std::max(0.0, std::min(1.0, depth));
+    return DecayOfNearPoint + part * (DecayOfDeepPoint - DecayOfNearPoint);
+  }
+
+  // The point's surroundings, as varied as the seed's: a small ball does not show how much the gray
+  // values of an organ vary.
+  RobustStatistics PointAsOrgan() const
+  {
+    RobustStatistics organ = this->OfPoint;
+    organ.StandardDeviation = std::max(organ.StandardDeviation, this->OfSeed.StandardDeviation);
+    return organ;
   }
 
   double Smoothness() const
@@ -151,11 +176,12 @@ private:
   {
     const double away = (place - this->Wanted.Point).norm();
     const double beyond = std::max(0.0, (away - this->Reach) / std::max(1.0, this->Reach));
-    const double likeness = this->Similarity.LikenessOf(value, this->OfPoint);
     if (this->Wanted.IsInside)
     {
-      return InsideGain * likeness - InsideDecay * beyond;
+      return InsideGain * this->Similarity.LikenessOf(value, this->PointAsOrgan()) -
+        this->Decay() * beyond;
     }
+    const double likeness = this->Similarity.LikenessOf(value, this->OfPoint);
     const double likeSeed = this->Similarity.LikenessOf(value, this->OfSeed);
     if (this->Depth.HasNeck)
     {
@@ -164,7 +190,10 @@ private:
     const double unlike = OutsideGain * (likeness - likeSeed);
     if (!this->Depth.IsDeep)
     {
-      return unlike - OutsideDecay * beyond;
+      // Farther away nothing gains by going.
+      return away > LocalPart * std::max(LeastLocal, this->Wanted.Away)
+        ? std::min(0.0, unlike - this->Decay() * beyond)
+        : unlike - this->Decay() * beyond;
     }
     double toKept = (place - this->Seed.Center).norm() - this->Seed.Radius;
     for (const SeedSphere& ball : this->Wanted.Kept)
@@ -282,9 +311,9 @@ private:
 
 double DomainOf(const Correction& correction)
 {
-  constexpr double least = 30;
-  return correction.IsInside ? std::max(least, 2 * correction.Reach)
-                             : std::numeric_limits<double>::infinity();
+  return correction.IsInside
+    ? LocalPart * std::max({ LeastLocal, correction.Away, correction.Reach })
+    : std::numeric_limits<double>::infinity();
 }
 
 bool CutCorrection(const ImagePart& image, const SeedSphere& seed, const Correction& correction,

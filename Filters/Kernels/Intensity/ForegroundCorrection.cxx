@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 namespace FlipFree
 {
@@ -26,6 +27,11 @@ constexpr double BridgeRadius = 3;
 // thick by no more than so many millimeters, or than its distance from the right side.
 constexpr double CertainVoxels = 1.01;
 constexpr double CertainBall = 3;
+
+// What a point changes hangs together with what lies within this many millimeters of it, or within
+// so many times its distance from the right side.
+constexpr double LeastDomain = 30;
+constexpr double DomainInAway = 2;
 
 struct NearestPlace
 {
@@ -170,20 +176,26 @@ public:
 
   bool Execute()
   {
+    const BitMask before = this->Foreground;
+    std::optional<BitMask> mayChange; // all
     this->Corrected[1].push_back(this->Seed);
     ConstraintList open = this->Constraints;
     while (true)
     {
-      const auto [next, away] = this->FarthestOnWrongSide(open);
-      if (next == open.end())
+      const auto wrong = std::stable_partition(open.begin(), open.end(),
+        [this](const PointConstraint& constraint)
+        { return IsObeyed(constraint, this->Foreground); });
+      if (wrong == open.end())
       {
         break;
       }
-      if (!this->Correct(*next, away))
+      if (!this->Correct({ wrong, open.end() }, mayChange))
       {
         return false;
       }
-      open.erase(next);
+      open.erase(wrong, open.end());
+      // A point that was on the right side takes back what others have changed, nothing else.
+      mayChange = DifferenceOf(before, this->Foreground);
     }
     SetBalls(this->Constraints, this->Seed, this->Foreground);
     if (!FillHoles(this->Foreground, this->Ask))
@@ -191,53 +203,113 @@ public:
       return false;
     }
     SetBalls(this->Constraints, this->Seed, this->Foreground);
-    return this->Connect();
+    return this->Connect() && this->Restore(before);
   }
 
 private:
-  std::pair<ConstraintList::iterator, double> FarthestOnWrongSide(ConstraintList& open) const
+  // Undoes what does not hang together with a point's domain, such as holes that have been filled
+  // elsewhere.
+  bool Restore(const BitMask& before)
   {
-    auto next = open.end();
-    double farthest = -1;
-    for (auto constraint = open.begin(); constraint != open.end(); ++constraint)
+    BitMask changed = DifferenceOf(before, this->Foreground);
+    const ImageGeometry& geometry = before.GetGeometry();
+    std::vector<std::size_t> sources;
+    for (const PointConstraint& constraint : this->Constraints)
     {
-      if (!IsObeyed(*constraint, this->Foreground))
+      if (!IsOnSide(constraint))
       {
-        const double away = DistanceTo(this->Foreground, IsInside(*constraint), constraint->Point);
-        if (away > farthest)
-        {
-          farthest = away;
-          next = constraint;
-        }
+        continue;
       }
+      const double domain = std::max({ LeastDomain, constraint.Radius,
+        IsObeyed(constraint, before)
+          ? 0.0
+          : DomainInAway * DistanceTo(before, IsInside(constraint), constraint.Point) });
+      const VoxelBox box = BoxAround(geometry, constraint.Point, domain);
+      changed.Cropped(box).ForEachRun(0, box.Size(2),
+        [&](int begin, int end, int j, int k)
+        {
+          for (int i = box.Begin[0] + begin; i < box.Begin[0] + end; ++i)
+          {
+            const Eigen::Vector3d place =
+              geometry.ToPhysical(Eigen::Vector3d(i, box.Begin[1] + j, box.Begin[2] + k));
+            if ((place - constraint.Point).norm() <= domain)
+            {
+              sources.push_back(geometry.Offset(i, box.Begin[1] + j, box.Begin[2] + k));
+            }
+          }
+        });
     }
-    return { next, farthest };
+    BitMask kept = changed;
+    if (!KeepConnected(kept, sources, this->Ask))
+    {
+      return false;
+    }
+    changed.Remove(kept);
+    BitMask undone = before;
+    undone.Intersect(changed);
+    this->Foreground.Remove(changed);
+    this->Foreground.Unite(undone);
+    return true;
   }
 
-  bool Correct(const PointConstraint& constraint, double away)
+  // Each by itself, from the same foreground: what one adds or removes does not depend on others of
+  // its kind, so a further point never takes back what an earlier one has mended.
+  bool Correct(const ConstraintList& wrong, const std::optional<BitMask>& mayChange)
+  {
+    std::vector<Correction> corrections(wrong.size());
+    for (std::size_t number = 0; number < wrong.size(); ++number)
+    {
+      if (!this->Prepare(wrong[number], corrections[number]))
+      {
+        return false;
+      }
+    }
+    for (const Correction& correction : corrections)
+    {
+      this->Corrected[correction.IsInside ? 1 : 0].push_back(
+        { correction.Point, correction.Reach });
+    }
+    const BitMask before = this->Foreground;
+    for (Correction& correction : corrections)
+    {
+      correction.Kept = this->Corrected[correction.IsInside ? 0 : 1];
+      if (!this->Cut(correction, before, mayChange))
+      {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  bool Prepare(const PointConstraint& constraint, Correction& correction) const
   {
     const ImageGeometry& geometry = this->Foreground.GetGeometry();
-    Correction correction;
     correction.Point = constraint.Point;
     correction.IsInside = IsInside(constraint);
-    correction.Away = away;
-    correction.Kept = this->Corrected[correction.IsInside ? 0 : 1];
+    correction.Away = DistanceTo(this->Foreground, correction.IsInside, constraint.Point);
     const double limit =
-      std::min(away, correction.IsInside ? GreatestReachInside : GreatestReachOutside);
+      std::min(correction.Away, correction.IsInside ? GreatestReachInside : GreatestReachOutside);
     if (!this->Make(BoxAround(geometry, constraint.Point, std::max(limit, LeastNeighborhood))))
     {
       return false;
     }
     correction.Reach = std::max({ GrayValueSimilarity(this->Noise, this->Kind)
                                     .ReachOfLikeness(this->Smooth, constraint.Point, limit),
-      std::min(geometry.Spacing.maxCoeff(), std::max(away, CertainBall)), constraint.Radius });
-    const VoxelBox box = this->BoxOf(correction);
+      std::min(geometry.Spacing.maxCoeff(), std::max(correction.Away, CertainBall)),
+      constraint.Radius });
+    return true;
+  }
+
+  bool Cut(const Correction& correction, const BitMask& whole,
+    const std::optional<BitMask>& mayChange)
+  {
+    const VoxelBox box = this->BoxOf(correction, whole);
     if (!this->Make(box))
     {
       return false;
     }
     const ImagePart image{ this->Smooth, box.Begin };
-    const BitMask before = this->Foreground.Cropped(box);
+    const BitMask before = whole.Cropped(box);
     BitMask part = before;
     if (!CutCorrection(image, this->Seed, correction, this->Noise, this->Kind, this->Parallel,
           this->Ask, part) ||
@@ -246,35 +318,35 @@ private:
     {
       return false;
     }
-    this->Replace(part, box);
-    this->Corrected[correction.IsInside ? 1 : 0].push_back({ constraint.Point, correction.Reach });
+    BitMask changed(whole.GetGeometry());
+    changed.Insert(DifferenceOf(before, part), box.Begin);
+    if (mayChange)
+    {
+      changed.Intersect(*mayChange);
+    }
+    if (correction.IsInside)
+    {
+      this->Foreground.Unite(changed);
+    }
+    else
+    {
+      this->Foreground.Remove(changed);
+    }
     return true;
   }
 
-  VoxelBox BoxOf(const Correction& correction) const
+  VoxelBox BoxOf(const Correction& correction, const BitMask& whole) const
   {
-    const ImageGeometry& geometry = this->Foreground.GetGeometry();
+    const ImageGeometry& geometry = whole.GetGeometry();
     const VoxelBox seed = BoxAround(geometry, this->Seed.Center, this->Seed.Radius);
     if (correction.IsInside)
     {
       return BoxAround(geometry, correction.Point, DomainOf(correction)).Joined(seed);
     }
-    return this->Foreground.Bounds()
+    return whole.Bounds()
       .Widened({ { 1, 1, 1 } }, WholeBox(geometry))
       .Joined(BoxAround(geometry, correction.Point, LeastNeighborhood))
       .Joined(seed);
-  }
-
-  void Replace(const BitMask& part, const VoxelBox& box)
-  {
-    for (int k = box.Begin[2]; k < box.End[2]; ++k)
-    {
-      for (int j = box.Begin[1]; j < box.End[1]; ++j)
-      {
-        this->Foreground.RemoveRun(box.Begin[0], box.End[0], j, k);
-      }
-    }
-    this->Foreground.Insert(part, box.Begin);
   }
 
   // Keeps what is connected with the seed, and connects the inside points.

@@ -1,10 +1,13 @@
 /**
- * Obeys constraints in a foreground: where a point is on the wrong side, the part around it that
- * looks like it changes sides, up to where a minimum cut finds an edge or a neck (CorrectionCut.h).
+ * Obeys constraints in a foreground: where a point is on the wrong side, the part around it with
+ * similar gray values changes sides, up to where a minimum cut finds an edge or a neck
+ * (CorrectionCut.h).
  *
- * An inside point adds voxels, an outside point removes some. The points farthest on the wrong side
- * come first, so the order of the list means nothing. What an inside point adds far away is led to
- * the rest by a bridge.
+ * An inside point adds voxels, an outside point removes some, each as if it were the only one of
+ * its kind, so the order of the list means nothing, and a further point takes back nothing that an
+ * earlier one of its kind has mended. A point that was on the right side until others changed the
+ * foreground takes back only that. If an inside point adds a part far away, a bridge connects it to
+ * the rest.
  */
 #ifndef FlipFreeForegroundCorrection_h
 #define FlipFreeForegroundCorrection_h

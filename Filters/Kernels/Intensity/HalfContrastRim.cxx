@@ -18,7 +18,6 @@ namespace
 constexpr double CoreMargin = 2;
 constexpr double ShellBegin = 3;
 constexpr double ShellEnd = 15;
-constexpr double OrganDeviation = 15;
 constexpr double RimReach = 3;
 constexpr double OpeningRadius = 1.8;
 constexpr double BlockSize = 4;
@@ -33,20 +32,26 @@ constexpr double GreatestHalf = 12;
 
 using Word = BitMask::Word;
 
-// How the contrast is averaged over the surroundings. In CT, lung, fat and muscle lie side by side,
-// and an arithmetic mean would take muscle for organ: the harmonic mean follows what differs least.
-// In MR, slices are thick, and what surrounds the organ also holds some of it that the mask still
-// misses, so that the mean falls short of the contrast; hence more than a half of it.
+// How the organ and the contrast are averaged. In CT, what is blurred at the boundary is the
+// organ's outer layer, which differs from its inside where contrast medium has reached only the
+// cortex of a kidney; and it varies less. Of the surroundings, lung, fat and muscle lie side by
+// side, and an arithmetic mean would take muscle for organ: the harmonic mean follows what differs
+// least. In MR, slices are thick: a layer holds too few of them, and what surrounds the organ also
+// holds some of it that the mask still misses, so that the mean falls short of the contrast; hence
+// more than a half of it.
 struct ContrastRule
 {
-  double Deviation; // of the Gaussian, in millimeters
-  float Power;      // of the mean: 1 arithmetic, -1 harmonic
-  float Part;       // of the contrast by which the boundary differs from the organ
+  double LayerDepth;     // of the organ's voxels that count, in millimeters; zero: all
+  double OrganDeviation; // of the Gaussian over the organ, in millimeters
+  double Deviation;      // of the Gaussian over the surroundings, in millimeters
+  float Power;           // of the mean: 1 arithmetic, -1 harmonic
+  float Part;            // of the contrast by which the boundary differs from the organ
 };
 
 ContrastRule RuleOf(Modality modality)
 {
-  return modality == Modality::MR ? ContrastRule{ 10, 1, 0.6F } : ContrastRule{ 5, -1, 0.5F };
+  return modality == Modality::MR ? ContrastRule{ 0, 15, 10, 1, 0.6F }
+                                  : ContrastRule{ 8, 6, 5, -1, 0.5F };
 }
 
 class Rim
@@ -75,19 +80,29 @@ public:
     {
       return true;
     }
-    this->FindOrgan(core);
-    return this->FindContrast() && this->Grow(core);
+    return this->FindOrgan(core) && this->FindContrast() && this->Grow(core);
   }
 
 private:
   // The organ's local means, and its deviation from them.
-  void FindOrgan(const BitMask& core)
+  bool FindOrgan(const BitMask& core)
   {
-    this->Organ = this->AverageOf(core, OrganDeviation, [](float value, float) { return value; });
+    BitMask layer = core;
+    if (this->Rule.LayerDepth > 0)
+    {
+      BitMask deep = core;
+      if (!Erode(deep, this->Rule.LayerDepth - CoreMargin, this->Parallel, this->Ask))
+      {
+        return false;
+      }
+      layer.Remove(deep);
+    }
+    this->Organ =
+      this->AverageOf(layer, this->Rule.OrganDeviation, [](float value, float) { return value; });
     std::vector<float> deviations;
     BlockRow means(this->Grid);
-    std::vector<float> mean(core.GetGeometry().Dimensions[0]);
-    core.ForEachRun(0, core.GetGeometry().Dimensions[2],
+    std::vector<float> mean(layer.GetGeometry().Dimensions[0]);
+    layer.ForEachRun(0, layer.GetGeometry().Dimensions[2],
       [&](int begin, int end, int j, int k)
       {
         const float* const row = this->Image.Row(j, k);
@@ -99,6 +114,7 @@ private:
       });
     this->Spread = std::max(
       { RobustStatisticsOf(deviations).StandardDeviation, 0.5 * this->Noise, LeastSpread });
+    return true;
   }
 
   bool FindContrast()

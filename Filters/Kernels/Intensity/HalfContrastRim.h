@@ -1,6 +1,7 @@
 /**
- * Moves the boundary of an organ's mask outward to where the gray value is half-way between the
- * organ's, there, and its surroundings', there: where a boundary is blurred, that is where it lies.
+ * Moves the boundary of an organ's mask outward to where the gray value is halfway between the
+ * local gray values of the organ and of its surroundings: this is where a blurred boundary lies. In
+ * CT, the organ's value is that of its outer layer of 8 mm: of a kidney's cortex, not its medulla.
  * An interval of gray values ends where the blur begins.
  */
 #ifndef FlipFreeHalfContrastRim_h

@@ -16,6 +16,9 @@ constexpr double Unit = 50;
 constexpr double ConstantPrior = 0.3;
 constexpr double LinearPrior = 0.35;
 constexpr double QuadraticPrior = 0.25;
+// So that the field is the same whichever way the axes point: a quadratic form has each mixed
+// coefficient twice.
+constexpr double MixedPrior = QuadraticPrior * 1.4142135623730951;
 constexpr std::size_t MostSamples = 20000;
 constexpr std::size_t FewestSamples = 200;
 constexpr int Rounds = 6;
@@ -111,7 +114,7 @@ void IntensityField::Solve(const std::vector<Eigen::Vector3d>& points,
   const double scale = std::max(std::abs(this->AtSeed), 1e-6);
   Coefficients prior;
   prior << ConstantPrior, LinearPrior, LinearPrior, LinearPrior, QuadraticPrior, QuadraticPrior,
-    QuadraticPrior, QuadraticPrior, QuadraticPrior, QuadraticPrior;
+    QuadraticPrior, MixedPrior, MixedPrior, MixedPrior;
   const Coefficients precision = (scale * prior).array().square().inverse();
   std::vector<float> all = values;
   double deviation = std::max(RobustStatisticsOf(all).StandardDeviation, LeastDeviation * scale);

@@ -15,7 +15,7 @@ namespace
 
 // Values beyond this many standard deviations of the noise count in the histogram's end bins.
 constexpr double HalfRange = 30;
-constexpr int NumberOfBins = 600;
+constexpr int NumberOfTableBins = 600;
 constexpr double Bandwidth = 0.4;
 constexpr double MinimumDensity = 1e-6;
 
@@ -38,7 +38,7 @@ struct Bins
   int operator()(double z) const
   {
     const double place = (z - this->Begin) / this->Width;
-    return static_cast<int>(std::max(0.0, std::min(place, NumberOfBins - 1.0)));
+    return static_cast<int>(std::max(0.0, std::min(place, NumberOfTableBins - 1.0)));
   }
 };
 
@@ -46,12 +46,12 @@ struct Bins
 std::vector<std::uint32_t> CountBins(const ImageView<float>& image, const std::array<int, 3>& first,
   const BitMask& mask, const Bins& bins, const ParallelFor& parallelFor)
 {
-  std::vector<std::uint32_t> counts(NumberOfBins, 0);
+  std::vector<std::uint32_t> counts(NumberOfTableBins, 0);
   std::mutex mutex;
   parallelFor(0, mask.GetGeometry().Dimensions[2],
     [&](std::ptrdiff_t begin, std::ptrdiff_t end)
     {
-      std::vector<std::uint32_t> own(NumberOfBins, 0);
+      std::vector<std::uint32_t> own(NumberOfTableBins, 0);
       mask.ForEachRun(begin, end,
         [&](int left, int right, int j, int k)
         {
@@ -72,22 +72,22 @@ std::vector<double> SmoothHistogram(const ImageView<float>& image, const std::ar
 {
   const std::vector<std::uint32_t> counts = CountBins(image, first, mask, bins, parallelFor);
   const double size = std::accumulate(counts.begin(), counts.end(), 0.0);
-  std::vector<double> histogram(NumberOfBins, 0.0);
-  for (int bin = 0; bin < NumberOfBins && size > 0; ++bin)
+  std::vector<double> histogram(NumberOfTableBins, 0.0);
+  for (int bin = 0; bin < NumberOfTableBins && size > 0; ++bin)
   {
     histogram[bin] = counts[bin] / size;
   }
   const double s = deviation / bins.Width;
   const int reach = static_cast<int>(3 * s) + 1;
-  std::vector<double> smooth(NumberOfBins, 0.0);
+  std::vector<double> smooth(NumberOfTableBins, 0.0);
   double total = 0;
   for (int offset = -reach; offset <= reach; ++offset)
   {
     const double weight = std::exp(-0.5 * offset * offset / (s * s));
     total += weight;
-    for (int bin = 0; bin < NumberOfBins; ++bin)
+    for (int bin = 0; bin < NumberOfTableBins; ++bin)
     {
-      smooth[bin] += weight * histogram[std::max(0, std::min(NumberOfBins - 1, bin + offset))];
+      smooth[bin] += weight * histogram[std::max(0, std::min(NumberOfTableBins - 1, bin + offset))];
     }
   }
   for (double& value : smooth)
@@ -183,14 +183,14 @@ void IntensityModel::Reestimate(const ImageView<float>& image, const std::array<
 {
   const double unit = UsableNoise(noise, this->Mixture);
   const float median = MedianOf(image, first, inside);
-  const Bins bins{ median - HalfRange * unit, 2 * HalfRange * unit / NumberOfBins };
+  const Bins bins{ median - HalfRange * unit, 2 * HalfRange * unit / NumberOfTableBins };
   const std::vector<double> foreground =
     SmoothHistogram(image, first, inside, bins, Bandwidth * unit, parallelFor);
   const std::vector<double> background =
     SmoothHistogram(image, first, outside, bins, Bandwidth * unit, parallelFor);
 
-  std::vector<float> odds(NumberOfBins);
-  for (int bin = 0; bin < NumberOfBins; ++bin)
+  std::vector<float> odds(NumberOfTableBins);
+  for (int bin = 0; bin < NumberOfTableBins; ++bin)
   {
     const double f = foreground[bin] + MinimumDensity;
     const double b = settings.BackgroundRatio * (background[bin] + 2 * MinimumDensity);
@@ -203,12 +203,12 @@ void IntensityModel::Reestimate(const ImageView<float>& image, const std::array<
   {
     --least;
   }
-  while (last + 1 < NumberOfBins && odds[last + 1] > even)
+  while (last + 1 < NumberOfTableBins && odds[last + 1] > even)
   {
     ++last;
   }
   // One empty entry at either end, for all that lies beyond.
-  this->Table.assign(NumberOfBins + 2, 0.0F);
+  this->Table.assign(NumberOfTableBins + 2, 0.0F);
   std::copy(odds.begin() + least, odds.begin() + last + 1, this->Table.begin() + least + 1);
   this->Threshold = settings.Threshold > 0 ? settings.Threshold : even;
   float& atMedian = this->Table[bins(median) + 1];

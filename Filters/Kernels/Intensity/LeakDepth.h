@@ -1,6 +1,6 @@
 /**
- * What an outside point lies in: a part of the foreground that hangs on by a neck, or the depth of
- * what looks like the seed.
+ * What an outside point lies in: a part of the foreground that is attached by a neck, or the depth
+ * of a region that looks like the seed.
  */
 #ifndef FlipFreeLeakDepth_h
 #define FlipFreeLeakDepth_h

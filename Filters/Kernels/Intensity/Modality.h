@@ -1,5 +1,5 @@
 /**
- * Which kind of gray values an image has: what is known of their scale beforehand.
+ * Which kind of gray values an image has: what is known about their scale in advance.
  */
 #ifndef FlipFreeModality_h
 #define FlipFreeModality_h

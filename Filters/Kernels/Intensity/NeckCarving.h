@@ -1,8 +1,8 @@
 /**
- * Carves off a mask what hangs on to the organ by a neck. A minimum cut inside the mask divides the
- * seed from the cores of the parts behind necks (Y. Boykov, G. Funka-Lea: Graph cuts and efficient
- * N-D image segmentation, 2006), so that it is the cut that finds the organ's end, by the shortest
- * way and along edges. Gray values alone hardly count: what leaks is alike.
+ * Removes from a mask the parts that are attached to the organ by a neck. A minimum cut inside the
+ * mask separates the seed from the cores of the parts behind necks (Y. Boykov, G. Funka-Lea: Graph
+ * cuts and efficient N-D image segmentation, 2006). The cut finds the organ's end, along edges and
+ * with the smallest area. Gray values alone hardly count: a leak looks like the organ.
  */
 #ifndef FlipFreeNeckCarving_h
 #define FlipFreeNeckCarving_h

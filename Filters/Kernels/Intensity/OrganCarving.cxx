@@ -1,6 +1,7 @@
 #include "Intensity/OrganCarving.h"
 
 #include "Intensity/HalfContrastRim.h"
+#include "Intensity/HollowCarving.h"
 #include "Intensity/NeckCarving.h"
 
 #include <algorithm>
@@ -39,7 +40,7 @@ bool CarveOrgan(const ImageView<float>& smooth, const std::vector<VoxelRun>& ins
   }
   const ImagePart part{ smooth, box.Begin };
   double done = 0;
-  const Monitor proceed = [&](double) { return monitor(done / (2 * Rounds)); };
+  const Monitor proceed = [&](double) { return monitor(done / (2 * Rounds + 1)); };
   for (int round = 0; round < Rounds; ++round)
   {
     if (!CarveNecks(part, seed, noise, modality, parallelFor, proceed, mask))
@@ -52,6 +53,10 @@ bool CarveOrgan(const ImageView<float>& smooth, const std::vector<VoxelRun>& ins
       return false;
     }
     ++done;
+  }
+  if (!CarveHollows(part, modality, parallelFor, proceed, mask))
+  {
+    return false;
   }
   foreground = BitMask(smooth.Geometry);
   foreground.Insert(mask, box.Begin);

@@ -1,7 +1,8 @@
 /**
  * From the inside of a surface that has found its organ, more or less, to the organ's foreground:
- * what hangs on by a neck is carved off, then the boundary moves to half the local contrast; both
- * twice. Carving comes first, since a rim on a leak deepens the leak.
+ * parts attached by a neck are carved away, then the boundary moves to half the local contrast;
+ * both are done twice. Carving comes first, since a rim on a leak deepens the leak. Finally, in CT,
+ * the fat in hollows is removed.
  */
 #ifndef FlipFreeOrganCarving_h
 #define FlipFreeOrganCarving_h

@@ -1,11 +1,11 @@
 /**
  * Further opinions about an organ whose carving changed much of the surface that it began with, and
- * which is therefore doubtful. The foreground is grown anew from what was carved, under a wider
+ * which is therefore doubtful. The foreground is grown again from the carved one, under a wider
  * opening, once from the image and once from the image without the organ's intensity field; both
- * are carved, and each voxel goes with two of the three (majority voting, as in P. Aljabar et al.:
- * Multi-atlas based segmentation of brain images, 2009). An organ that has leaked beyond carving
- * needs another start: growth from the seed by narrower intervals of gray values. It is taken only
- * where the image supports its boundary clearly better.
+ * are carved, and each voxel is decided by the majority of the three (majority voting, as in P.
+ * Aljabar et al.: Multi-atlas based segmentation of brain images, 2009). An organ that has leaked
+ * beyond carving needs another start: growth from the seed by narrower intervals of gray values. It
+ * is taken only where the image supports its boundary clearly better.
  */
 #ifndef FlipFreeOrganConsensus_h
 #define FlipFreeOrganConsensus_h

@@ -1,10 +1,10 @@
 /**
  * Makes the foregrounds of several organs disjoint. A voxel that two organs claim goes to one of
  * them by a minimum cut (Y. Boykov, G. Funka-Lea: Graph cuts and efficient N-D image segmentation,
- * 2006) among the voxels that both claim: along edges of the image and by the shortest way, between
- * what each of them alone claims. Where a kidney's upper end has leaked from the liver, all of it
- * is claimed twice, so that nearness would give half of it to each, and gray values know no places;
- * the cut finds the layer between the two.
+ * 2006) among the voxels that both claim: along edges of the image and with the smallest area,
+ * between the voxels that each of them alone claims. Where the liver has leaked into a kidney's
+ * upper end, all of that end is claimed twice. Distance would give half of it to each organ, and
+ * gray values do not depend on location; the cut finds the layer between the two.
  */
 #ifndef FlipFreeOrganDivision_h
 #define FlipFreeOrganDivision_h

@@ -11,15 +11,15 @@ namespace FlipFree
 namespace
 {
 
-BitMask Voxelize(const PointList& points, const TriangleList& triangles,
-  const ImageGeometry& geometry, const ParallelFor& parallelFor)
+BitMask Voxelize(const PointList& points, const TriangleList& triangles, const LabelMask& reference,
+  const ParallelFor& parallelFor)
 {
+  const ImageGeometry& geometry = reference.Mask.GetGeometry();
   const std::vector<VoxelRun> runs = VoxelizeSurface(points, triangles, geometry, parallelFor);
   if (runs.empty())
   {
-    throw std::invalid_argument(
-      "the segmentation on port 0, a surface, encloses no voxel center of the reference on port 1; "
-      "check that both are in the same physical coordinates");
+    throw std::invalid_argument("the segmentation, a surface, encloses no voxel center of " +
+      reference.Name + "; check that both are in the same physical coordinates");
   }
   BitMask mask(geometry);
   for (const VoxelRun& run : runs)
@@ -70,11 +70,11 @@ std::string WarningOf(const LabelMask* segmentation, const LabelMask& reference)
   const std::string others = TextOf(values.Others);
   if (others.empty())
   {
-    return "The reference (port 1) has the labels " + labels +
+    return "The reference has the labels " + labels +
       "; the segmentation has one organ only: it is compared with all of them together; to "
       "compare it with one, set ReferenceLabel.";
   }
-  return "The reference (port 1) has the values " + others +
+  return "The reference has the values " + others +
     ", which no label map has: all that are not 0 count as inside; give it a label map" +
     (labels.empty() ? "" : ", or set ReferenceLabel to one of " + labels) + ".";
 }
@@ -106,7 +106,7 @@ const ParameterTable<ScoreSettings>& ScoreParameters()
   return table;
 }
 
-void RequireLabel(const LabelMask& labelMap, const std::string& name, const std::string& property)
+void RequireLabel(const LabelMask& labelMap, const std::string& property)
 {
   if (labelMap.Label < 0 || !labelMap.Mask.Bounds().IsEmpty())
   {
@@ -116,7 +116,7 @@ void RequireLabel(const LabelMask& labelMap, const std::string& name, const std:
   const std::string labels = TextOf(values.Labels);
   const std::string others = TextOf(values.Others);
   std::string message =
-    name + " is empty: no voxel has the label " + std::to_string(labelMap.Label);
+    labelMap.Name + " is empty: no voxel has the label " + std::to_string(labelMap.Label);
   if (!labels.empty())
   {
     message += "; set " + property + " to one of " + labels +
@@ -136,7 +136,7 @@ SegmentationScores ScoreSurface(const PointList& points, const TriangleList& tri
   const Monitor& monitor)
 {
   const ImageGeometry& geometry = reference.Mask.GetGeometry();
-  const BitMask voxels = Voxelize(points, triangles, geometry, parallelFor);
+  const BitMask voxels = Voxelize(points, triangles, reference, parallelFor);
   SegmentationScores scores;
   Store(MeasureOverlap(voxels, reference.Mask, parallelFor), geometry, scores);
   scores.OverlapOf = "voxelized mesh";

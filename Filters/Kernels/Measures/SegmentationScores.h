@@ -53,11 +53,12 @@ struct LabelMask
   BitMask Mask;
   int Label = -1;
   std::function<LabelValues()> Values;
+  std::string Name = "the label map"; ///< in messages
 };
 
 /// Throws std::invalid_argument if a label map has no voxel of the label asked for. `property` is
 /// what chooses the label.
-void RequireLabel(const LabelMask& labelMap, const std::string& name, const std::string& property);
+void RequireLabel(const LabelMask& labelMap, const std::string& property);
 
 /// Both throw std::invalid_argument for a mask that is empty, images of different geometry, a
 /// surface that is open or encloses no voxel of the reference's grid, or one that would need too

@@ -1,5 +1,5 @@
 /**
- * How long the edges of a deforming surface are: the scale of all that is relative to its
+ * How long the edges of a deforming surface are: the scale of all lengths that are relative to its
  * resolution.
  */
 #ifndef FlipFreeEdgeLength_h

@@ -1,13 +1,14 @@
 #include "Vessel/CrossSections.h"
 
-#include "Image/ImageInterpolation.h"
 #include "Intensity/RobustStatistics.h"
 #include "Vessel/Polyline.h"
+#include "Vessel/SectionRays.h"
 #include "Vessel/SectionSupport.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <utility>
 
 namespace FlipFree
@@ -46,6 +47,7 @@ public:
         this->Recenter();
       }
       this->Frames = MakeSectionFrames(this->Line);
+      this->Rays.emplace(this->Image, this->Frames, this->Settings.Rays);
       this->FitOnce(round);
     }
     this->Refine();
@@ -58,11 +60,7 @@ private:
 
   double Sample(std::ptrdiff_t section, int ray, int label) const
   {
-    const double angle = 2 * EIGEN_PI * ray / this->Settings.Rays;
-    const SectionFrame& frame = this->Frames[section];
-    return InterpolateClamped(this->Image,
-      this->Image.Geometry.ToIndex(
-        frame.Origin + label * this->Settings.RayStep * frame.Ray(angle)));
+    return this->Rays->Sample(section, ray, label * this->Settings.RayStep);
   }
 
   // Moves the line to the sections' centroids, keeps it smooth, and carries the radii over.
@@ -263,33 +261,33 @@ private:
     const int rays = this->Settings.Rays;
     const int labels = this->Labels;
     std::vector<float> total(labels);
-    std::vector<float> before(labels);
     std::vector<float> now(labels);
+    // Beyond all labels, none can come from there.
+    constexpr float never = std::numeric_limits<float>::infinity();
+    std::vector<float> padded(labels + 2 * LargestStep, never);
+    float* const before = padded.data() + LargestStep;
     std::vector<int> from(2 * rays * labels);
     for (int turn = 0; turn < 2 * rays; ++turn)
     {
       this->AddNeighbors(section, turn % rays, total);
+      int* const source = from.data() + turn * labels;
+      std::fill(now.begin(), now.end(), turn > 0 ? never : 0);
+      for (int step = -LargestStep; turn > 0 && step <= LargestStep; ++step)
+      {
+        const auto bend = static_cast<float>(this->Settings.AroundWeight * step * step);
+        for (int label = 0; label < labels; ++label)
+        {
+          const float cost = before[label + step] + bend;
+          source[label] = cost < now[label] ? label + step : source[label];
+          now[label] = std::min(cost, now[label]);
+        }
+      }
       for (int label = 0; label < labels; ++label)
       {
-        float best = std::numeric_limits<float>::infinity();
-        int bestFrom = label;
-        for (int other = std::max(0, label - LargestStep);
-             turn > 0 && other <= std::min(labels - 1, label + LargestStep); ++other)
-        {
-          const float cost = before[other] +
-            static_cast<float>(this->Settings.AroundWeight * (label - other) * (label - other));
-          if (cost < best)
-          {
-            best = cost;
-            bestFrom = other;
-          }
-        }
-        now[label] = total[label] + (turn > 0 ? best : 0);
-        from[turn * labels + label] = bestFrom;
+        before[label] = total[label] + now[label];
       }
-      before.swap(now);
     }
-    int label = static_cast<int>(std::min_element(before.begin(), before.end()) - before.begin());
+    int label = static_cast<int>(std::min_element(before, before + labels) - before);
     for (int turn = 2 * rays - 1; turn >= 0; --turn)
     {
       if (turn >= rays / 2 && turn < rays / 2 + rays)
@@ -361,18 +359,20 @@ private:
   {
     const float* const costs = this->CostsOf(section, ray);
     const int rays = this->Settings.Rays;
-    for (int label = 0; label < this->Labels; ++label)
+    std::copy_n(costs, this->Labels, total.begin());
+    const auto weight = static_cast<float>(this->Settings.AlongWeight);
+    for (const std::ptrdiff_t other : { section - 1, section + 1 })
     {
-      double along = 0;
-      for (const std::ptrdiff_t other : { section - 1, section + 1 })
+      if (other < 0 || other >= this->Sections())
       {
-        if (other >= 0 && other < this->Sections())
-        {
-          const double step = label - this->Choice[other * rays + ray];
-          along += std::min(step * step, 100.0);
-        }
+        continue;
       }
-      total[label] = costs[label] + static_cast<float>(this->Settings.AlongWeight * along);
+      const auto choice = static_cast<float>(this->Choice[other * rays + ray]);
+      for (int label = 0; label < this->Labels; ++label)
+      {
+        const float step = static_cast<float>(label) - choice;
+        total[label] += weight * std::min(step * step, 100.0F);
+      }
     }
   }
 
@@ -381,6 +381,7 @@ private:
   const ParallelFor& Parallel;
   PointList Line;
   std::vector<SectionFrame> Frames;
+  std::optional<SectionRays> Rays;
   Eigen::MatrixXd Radii;
   Eigen::VectorXd Medians;
   double Deviation = 0;

@@ -1,7 +1,8 @@
 /**
  * The outline of a vessel in cross-sections along its path: rays from the center, on each of which
- * the boundary is where gray values leave those of the vessel here for those that surround it here.
- * All rays of all sections are decided together, so that the outline is smooth around and along.
+ * the boundary is where gray values change from those of the vessel to those of its surroundings,
+ * both measured locally. All rays of all sections are decided together, so that the outline is
+ * smooth around and along.
  */
 #ifndef FlipFreeCrossSections_h
 #define FlipFreeCrossSections_h

@@ -41,7 +41,7 @@ public:
       {
         for (int i = 0; i < this->Size[0]; ++i)
         {
-          this->Cells[cell + i].Speed = speed.Data[voxel + i];
+          this->Cells[cell + i].Speed = std::max(0.0F, speed.Data[voxel + i]);
         }
       });
   }
@@ -79,8 +79,67 @@ public:
     {
       return false;
     }
-    this->Cells[cell].Speed = 0;
+    this->Cells[cell].Speed = -this->Cells[cell].Speed;
     return true;
+  }
+
+  /// From now on, cells remember from which source they were reached.
+  void KeepOwners() { this->Owners.assign(this->Cells.size(), -1); }
+
+  void StartAs(int owner, std::size_t cell)
+  {
+    this->Owners[cell] = owner;
+    this->Start(cell);
+  }
+
+  /// Gives a cell that has just become final the owner of its earliest final neighbor.
+  void Own(std::size_t cell)
+  {
+    float earliest = this->Cells[cell].Time > 0 ? Never : 0; // a source owns itself
+    this->ForEachFinalNeighbor(cell,
+      [&](std::size_t neighbor, double)
+      {
+        if (this->Cells[neighbor].Time < earliest)
+        {
+          earliest = this->Cells[neighbor].Time;
+          this->Owners[cell] = this->Owners[neighbor];
+        }
+      });
+  }
+
+  /// Calls visit(neighbor, time from source to source) for each final neighbor of another owner.
+  template <typename Visit>
+  void ForEachMeeting(std::size_t cell, const Visit& visit) const
+  {
+    this->ForEachFinalNeighbor(cell,
+      [&](std::size_t neighbor, double distance)
+      {
+        if (this->Owners[neighbor] != this->Owners[cell])
+        {
+          const Cell& here = this->Cells[cell];
+          const Cell& there = this->Cells[neighbor];
+          visit(neighbor,
+            double(here.Time) + there.Time -
+              0.5 * distance * (1.0 / here.Speed + 1.0 / there.Speed));
+        }
+      });
+  }
+
+  std::size_t VoxelOf(std::size_t cell) const
+  {
+    const std::size_t i = cell % this->Row - 1;
+    const std::size_t j = cell % this->Slice / this->Row - 1;
+    const std::size_t k = cell / this->Slice - 1;
+    return i + this->Size[0] * (j + this->Size[1] * k);
+  }
+
+  std::vector<int> TakeOwners() const
+  {
+    std::vector<int> owners(
+      static_cast<std::size_t>(this->Size[0]) * this->Size[1] * this->Size[2]);
+    this->ForEachRow([&](std::size_t voxel, std::size_t cell)
+      { std::copy_n(this->Owners.begin() + cell, this->Size[0], owners.begin() + voxel); });
+    return owners;
   }
 
   void UpdateNeighbors(std::size_t cell)
@@ -110,7 +169,7 @@ public:
 private:
   struct Cell
   {
-    float Speed = 0; // not positive: a wall, or its time is final
+    float Speed = 0; // 0: a wall; negative: its time is final
     float Time = Never;
   };
 
@@ -125,6 +184,23 @@ private:
       {
         visit(voxel, 1 + this->Row * (j + 1) + this->Slice * (k + 1));
         voxel += this->Size[0];
+      }
+    }
+  }
+
+  // Calls visit(neighbor, distance).
+  template <typename Visit>
+  void ForEachFinalNeighbor(std::size_t cell, const Visit& visit) const
+  {
+    const std::array<std::size_t, 3> steps{ { 1, this->Row, this->Slice } };
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      for (const std::size_t neighbor : { cell - steps[axis], cell + steps[axis] })
+      {
+        if (this->Cells[neighbor].Speed < 0)
+        {
+          visit(neighbor, 1 / std::sqrt(this->Weights[axis]));
+        }
       }
     }
   }
@@ -195,6 +271,7 @@ private:
   const std::size_t Row;
   const std::size_t Slice;
   std::vector<Cell> Cells;
+  std::vector<int> Owners; // where they are kept
   std::array<double, 3> Weights{};
   std::priority_queue<std::uint64_t, std::vector<std::uint64_t>, std::greater<>> Trial;
 };
@@ -244,6 +321,55 @@ Arrivals MarchFront(const ImageView<float>& speed, const std::vector<std::size_t
   return arrivals;
 }
 
+Meeting MeetFronts(const ImageView<float>& speed, const std::vector<std::size_t>& sources,
+  const Monitor& monitor)
+{
+  Front front(speed);
+  front.KeepOwners();
+  for (std::size_t source = 0; source < sources.size(); ++source)
+  {
+    front.StartAs(static_cast<int>(source), front.CellOf(sources[source]));
+  }
+  double least = Never;
+  std::pair<std::size_t, std::size_t> cells;
+  std::size_t accepted = 0;
+  // Two fronts that meet later need longer.
+  while (!front.IsEmpty() && 2 * double(front.EarliestTime()) < least)
+  {
+    std::size_t cell = 0;
+    if (!front.Accept(cell))
+    {
+      continue;
+    }
+    if (++accepted % VoxelsBetweenQuestions == 0 &&
+      !monitor(
+        static_cast<double>(accepted) / static_cast<double>(speed.Geometry.NumberOfVoxels())))
+    {
+      return {};
+    }
+    front.Own(cell);
+    front.ForEachMeeting(cell,
+      [&](std::size_t neighbor, double time)
+      {
+        const auto pair = std::minmax(cell, neighbor);
+        if (std::pair(time, std::pair<std::size_t, std::size_t>(pair)) < std::pair(least, cells))
+        {
+          least = time;
+          cells = pair;
+        }
+      });
+    front.UpdateNeighbors(cell);
+  }
+  Meeting meeting;
+  if (least < Never)
+  {
+    meeting.Times.Times = front.TakeTimes();
+    meeting.Times.Owners = front.TakeOwners();
+    meeting.Voxels = { front.VoxelOf(cells.first), front.VoxelOf(cells.second) };
+  }
+  return meeting;
+}
+
 std::vector<std::size_t> DescendToSource(const Arrivals& arrivals, const ImageGeometry& geometry,
   std::size_t target)
 {
@@ -267,7 +393,9 @@ std::vector<std::size_t> DescendToSource(const Arrivals& arrivals, const ImageGe
       const double length =
         geometry.Spacing.cwiseProduct(Eigen::Vector3d(step[0], step[1], step[2])).norm();
       const double slope = (times[voxel] - times[neighbor]) / length;
-      if (slope > steepest)
+      const bool isOwn =
+        arrivals.Owners.empty() || arrivals.Owners[voxel] == arrivals.Owners[neighbor];
+      if (isOwn && slope > steepest)
       {
         steepest = slope;
         next = neighbor;

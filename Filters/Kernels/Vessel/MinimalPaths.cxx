@@ -18,10 +18,10 @@ namespace
 class PathTree
 {
 public:
-  PathTree(const ImageView<float>& speed, const PointList& points, double prolong,
-    const Monitor& monitor)
+  PathTree(const ImageView<float>& speed, const PointList& points, const PointList& names,
+    double prolong, const Monitor& monitor)
     : Speed(speed)
-    , Points(points)
+    , Names(names)
     , Prolong(prolong)
     , Ask(monitor)
   {
@@ -67,76 +67,72 @@ private:
     return line;
   }
 
-  void RequireReached(const Arrivals& arrivals, const std::vector<std::size_t>& targets) const
+  [[noreturn]] void ThrowUnreached(std::size_t voxel) const
   {
-    if (arrivals.Reached.empty() && !targets.empty())
-    {
-      const auto point = std::find(this->Voxels.begin(), this->Voxels.end(), targets.front());
-      throw Error(ErrorCode::NoContrast,
-        "no path leads to the point " + TextOf(this->Points.row(point - this->Voxels.begin())) +
-          " mm; put all points into the same vessel");
-    }
+    const auto point = std::find(this->Voxels.begin(), this->Voxels.end(), voxel);
+    throw Error(ErrorCode::NoContrast,
+      "no path leads to the point " + TextOf(this->Names.row(point - this->Voxels.begin())) +
+        " mm; put all points into the same vessel");
   }
 
   bool JoinNearestPair()
   {
-    float earliest = std::numeric_limits<float>::infinity();
-    std::vector<std::size_t> best;
-    std::size_t from = 0;
-    for (std::size_t source = 0; source + 1 < this->Voxels.size(); ++source)
+    const Meeting meeting = MeetFronts(this->Speed, this->Voxels, this->Ask);
+    if (!this->Ask(0))
     {
-      const std::vector<std::size_t> targets(
-        this->Voxels.begin() + static_cast<std::ptrdiff_t>(source) + 1, this->Voxels.end());
-      // No later than the nearest pair so far.
-      const Arrivals arrivals =
-        MarchFront(this->Speed, { this->Voxels[source] }, targets, 1, earliest, this->Ask);
-      if (!this->Ask(0))
+      return false;
+    }
+    if (meeting.Voxels.empty())
+    {
+      this->ThrowUnreached(this->Voxels[1]);
+    }
+    // From the point that was given first to the other one.
+    std::array<std::vector<std::size_t>, 2> halves;
+    for (int side = 0; side < 2; ++side)
+    {
+      halves[side] = DescendToSource(meeting.Times, this->Speed.Geometry, meeting.Voxels[side]);
+    }
+    const auto ownerOf = [&](int side) { return meeting.Times.Owners[meeting.Voxels[side]]; };
+    if (ownerOf(1) < ownerOf(0))
+    {
+      halves[0].swap(halves[1]);
+    }
+    std::vector<std::size_t> chain(halves[0].rbegin(), halves[0].rend());
+    chain.insert(chain.end(), halves[1].begin(), halves[1].end());
+    for (const std::size_t voxel : this->Voxels)
+    {
+      if (voxel != chain.front() && voxel != chain.back())
       {
-        return false;
-      }
-      if (best.empty())
-      {
-        this->RequireReached(arrivals, targets);
-      }
-      if (!arrivals.Reached.empty())
-      {
-        const std::size_t target = arrivals.Reached.front();
-        earliest = arrivals.Times[target];
-        best = DescendToSource(arrivals, this->Speed.Geometry, target);
-        from = source;
+        this->Open.push_back(voxel);
       }
     }
-    std::reverse(best.begin(), best.end());
-    this->Chains.push_back(best);
-    this->Paths.push_back({ this->LineOf(best), -1, 0 });
-    for (std::size_t point = 0; point < this->Voxels.size(); ++point)
-    {
-      if (this->Voxels[point] != best.back() && point != from)
-      {
-        this->Open.push_back(this->Voxels[point]);
-      }
-    }
+    this->Paths.push_back({ this->LineOf(chain), -1, 0 });
+    this->Chains.push_back(std::move(chain));
     return true;
   }
 
+  // The point from which a front first reaches a path: fronts from points are smaller than those
+  // from whole paths.
   bool JoinNext()
   {
-    std::vector<std::size_t> sources;
+    std::vector<std::size_t> targets;
     for (const auto& chain : this->Chains)
     {
-      sources.insert(sources.end(), chain.begin(), chain.end());
+      targets.insert(targets.end(), chain.begin(), chain.end());
     }
-    const Arrivals arrivals = MarchFront(this->Speed, sources, this->Open, 1,
+    const Arrivals arrivals = MarchFront(this->Speed, this->Open, targets, 1,
       std::numeric_limits<float>::infinity(), this->Ask);
     if (!this->Ask(0))
     {
       return false;
     }
-    this->RequireReached(arrivals, this->Open);
-    const std::size_t target = arrivals.Reached.front();
-    this->Open.erase(std::find(this->Open.begin(), this->Open.end(), target));
-    std::vector<std::size_t> way = DescendToSource(arrivals, this->Speed.Geometry, target);
-    std::reverse(way.begin(), way.end());
+    if (arrivals.Reached.empty())
+    {
+      this->ThrowUnreached(this->Open.front());
+    }
+    const std::vector<std::size_t> way =
+      DescendToSource(arrivals, this->Speed.Geometry, arrivals.Reached.front());
+    this->Open.erase(std::find(this->Open.begin(), this->Open.end(), way.back()));
     this->Attach(way);
     return true;
   }
@@ -187,7 +183,7 @@ private:
   }
 
   const ImageView<float>& Speed;
-  const PointList& Points;
+  const PointList& Names; // of the points, in messages
   double Prolong;
   const Monitor& Ask;
   std::vector<std::size_t> Voxels;
@@ -199,9 +195,9 @@ private:
 } // namespace
 
 std::vector<MinimalPath> JoinPoints(const ImageView<float>& speed, const PointList& points,
-  double prolong, const Monitor& monitor)
+  const PointList& names, double prolong, const Monitor& monitor)
 {
-  return PathTree(speed, points, prolong, monitor).Grow();
+  return PathTree(speed, points, names, prolong, monitor).Grow();
 }
 
 } // namespace FlipFree

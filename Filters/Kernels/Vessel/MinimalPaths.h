@@ -1,6 +1,6 @@
 /**
- * The tree of fastest paths that joins points: first the two that are nearest to each other in
- * travel time, then again and again the next one to what is joined already.
+ * The tree of fastest paths that joins points: first the two that are closest to each other in
+ * travel time, then repeatedly the next one to the tree so far.
  */
 #ifndef FlipFreeMinimalPaths_h
 #define FlipFreeMinimalPaths_h
@@ -23,9 +23,9 @@ struct MinimalPath
 
 /// A point on the way, at whose end a path would begin anew, prolongs the path: within `prolong`
 /// millimeters of an end, a path goes on rather than branches off. Throws Error if a point cannot
-/// be reached; no paths if the monitor stops it.
+/// be reached, named as in `names`; no paths if the monitor stops it.
 std::vector<MinimalPath> JoinPoints(const ImageView<float>& speed, const PointList& points,
-  double prolong, const Monitor& monitor);
+  const PointList& names, double prolong, const Monitor& monitor);
 
 } // namespace FlipFree
 

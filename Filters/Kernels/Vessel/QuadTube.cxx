@@ -1,8 +1,8 @@
 #include "Vessel/QuadTube.h"
 
 #include "Geometry/SelfIntersection.h"
-#include "Mesh/CellSurface.h"
 #include "MessageText.h"
+#include "Vessel/CellSurface.h"
 #include "Vessel/Polyline.h"
 #include "Vessel/SectionFrames.h"
 

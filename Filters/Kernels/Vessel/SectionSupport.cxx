@@ -1,6 +1,6 @@
 #include "Vessel/SectionSupport.h"
 
-#include "Image/ImageInterpolation.h"
+#include "Vessel/SectionRays.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,36 +12,30 @@ Eigen::VectorXd SectionSupport(const ImageView<float>& image, const VesselSectio
   const ParallelFor& parallelFor)
 {
   constexpr double contrast = 25; // gray values
-  const auto rays = sections.Radii.cols();
+  const SectionRays rays(image, sections.Frames, static_cast<int>(sections.Radii.cols()));
   Eigen::VectorXd support(sections.Radii.rows());
   parallelFor(0, support.size(),
     [&](std::ptrdiff_t first, std::ptrdiff_t last)
     {
       for (std::ptrdiff_t section = first; section < last; ++section)
       {
-        const SectionFrame& frame = sections.Frames[section];
         double sum = 0;
-        for (Eigen::Index ray = 0; ray < rays; ++ray)
+        for (int ray = 0; ray < sections.Radii.cols(); ++ray)
         {
           const double radius = sections.Radii(section, ray);
-          const Eigen::Vector3d direction =
-            frame.Ray(2 * EIGEN_PI * static_cast<double>(ray) / static_cast<double>(rays));
           const auto meanFrom = [&](double begin)
           {
             double mean = 0;
             for (const double beyond : { 0.0, 0.5, 1.0 })
             {
-              mean += InterpolateClamped(image,
-                        image.Geometry.ToIndex(
-                          frame.Origin + std::max(0.0, begin + beyond) * direction)) /
-                3;
+              mean += rays.Sample(section, ray, std::max(0.0, begin + beyond)) / 3;
             }
             return mean;
           };
           sum +=
             std::min(1.0, std::abs(meanFrom(radius + 0.75) - meanFrom(radius - 1.75)) / contrast);
         }
-        support[section] = sum / static_cast<double>(rays);
+        support[section] = sum / static_cast<double>(sections.Radii.cols());
       }
     });
   return support;

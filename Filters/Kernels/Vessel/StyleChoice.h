@@ -1,7 +1,7 @@
 /**
- * Thin or wide: both are sought in doubt, and the image decides. A wide vessel that is taken for a
- * thin one comes out too narrow, or the path leads elsewhere; either way, the image supports the
- * outline less.
+ * Thin or wide: in doubt, both are sought, and the image decides. A wide vessel that is mistaken
+ * for a thin one comes out too narrow, or the path leads elsewhere; either way, the image supports
+ * the outline less.
  */
 #ifndef FlipFreeStyleChoice_h
 #define FlipFreeStyleChoice_h

@@ -10,11 +10,11 @@
 namespace FlipFree
 {
 
-/// In millimeters, positive inside, negative outside, -margin where no section is near. A voxel
-/// belongs to the nearest section; beyond the first and the last section the vessel ends, unless
-/// `open`.
+/// In millimeters, positive inside, negative outside, -margin farther away and where no section is
+/// near. A voxel belongs to the nearest section; beyond the first and the last section the vessel
+/// ends, unless `open`.
 void MergeTubeDepth(const VesselSections& sections, double margin, bool openStart, bool openEnd,
-  FloatImage& depth);
+  const ParallelFor& parallelFor, FloatImage& depth);
 
 } // namespace FlipFree
 

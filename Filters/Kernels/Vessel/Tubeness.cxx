@@ -1,7 +1,6 @@
 #include "Vessel/Tubeness.h"
 
 #include "Image/VoxelOffsets.h"
-#include "Vessel/VesselImage.h"
 
 #include <Eigen/Eigenvalues>
 
@@ -47,10 +46,9 @@ double TubenessOf(const Eigen::Matrix3d& hessian)
 
 } // namespace
 
-std::vector<float> BrightTubeness(FloatImage image, const std::vector<unsigned char>& wanted,
+std::vector<float> BrightTubeness(const FloatImage& image, const std::vector<unsigned char>& wanted,
   double deviation, const ParallelFor& parallelFor)
 {
-  SmoothInside(image, deviation, parallelFor);
   const ImageView<float> view = image.View();
   const auto& size = image.Geometry.Dimensions;
   const std::array<std::ptrdiff_t, 3> steps = StepsOf(image.Geometry);

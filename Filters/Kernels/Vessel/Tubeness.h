@@ -13,10 +13,11 @@
 namespace FlipFree
 {
 
-/// Per voxel, in gray values, after smoothing by `deviation` millimeters: the geometric mean of
-/// both curvatures across the tube, zero where one is not negative, times the square of the
-/// deviation. Voxels where `wanted` is zero, and those at the rim of the image, are zero.
-std::vector<float> BrightTubeness(FloatImage image, const std::vector<unsigned char>& wanted,
+/// Per voxel of an image smoothed by `deviation` millimeters (SmoothInside()), in gray values: the
+/// geometric mean of both curvatures across the tube, zero where one is not negative, times the
+/// square of the deviation. Voxels where `wanted` is zero, and those at the rim of the image, are
+/// zero.
+std::vector<float> BrightTubeness(const FloatImage& image, const std::vector<unsigned char>& wanted,
   double deviation, const ParallelFor& parallelFor);
 
 } // namespace FlipFree

@@ -57,11 +57,34 @@ Eigen::Vector3d IndexOf(const ImageGeometry& geometry, std::size_t voxel)
 
 void SmoothInside(FloatImage& image, double deviation, const ParallelFor& parallelFor)
 {
-  std::vector<float> weights(image.Voxels.size(), 1.0F);
-  SmoothGaussian(weights, image.Geometry, deviation, parallelFor);
   SmoothGaussian(image.Voxels, image.Geometry, deviation, parallelFor);
-  std::transform(image.Voxels.begin(), image.Voxels.end(), weights.begin(), image.Voxels.begin(),
-    [](float value, float weight) { return value / weight; });
+  // The part of the window within the image: that along each axis, times that along the others.
+  std::array<std::vector<float>, 3> inside;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    constexpr double far = 1e9; // no neighbors along other axes
+    ImageGeometry line;
+    line.Dimensions = { { image.Geometry.Dimensions[axis], 1, 1 } };
+    line.Spacing = { image.Geometry.Spacing[axis], far, far };
+    inside[axis].assign(line.Dimensions[0], 1.0F);
+    SmoothGaussian(inside[axis], line, deviation, SerialFor);
+  }
+  parallelFor(0, image.Geometry.Dimensions[2],
+    [&](std::ptrdiff_t first, std::ptrdiff_t last)
+    {
+      for (int k = static_cast<int>(first); k < last; ++k)
+      {
+        for (int j = 0; j < image.Geometry.Dimensions[1]; ++j)
+        {
+          const float across = inside[1][j] * inside[2][k];
+          float* const row = image.Voxels.data() + image.Geometry.Offset(0, j, k);
+          for (int i = 0; i < image.Geometry.Dimensions[0]; ++i)
+          {
+            row[i] /= across * inside[0][i];
+          }
+        }
+      }
+    });
 }
 
 VesselImage MakeVesselImage(FloatImage voxels, double deviation, double edge,

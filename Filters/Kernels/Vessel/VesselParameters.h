@@ -1,6 +1,7 @@
 /**
  * The parameters of vessels that users set, by name: where each stands in the settings, and its
- * range; see SegmentationParameters.h. S is what leads to the fields of VesselSegmentationSettings.
+ * range; see SegmentationParameters.h. S is the expression before the fields of
+ * VesselSegmentationSettings.
  */
 #ifndef FlipFreeVesselParameters_h
 #define FlipFreeVesselParameters_h

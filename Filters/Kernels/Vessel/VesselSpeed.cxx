@@ -88,15 +88,28 @@ std::vector<float> DepthOf(const ImageView<float>& image, const VesselIntensitie
   return depth;
 }
 
-FloatImage MakeVesselSpeed(const FloatImage& image, const VesselIntensities& intensities,
-  const std::vector<float>& depth, double radius, const VesselSpeedSettings& settings,
+SpeedScales MakeSpeedScales(const FloatImage& image, const VesselSpeedSettings& settings,
   const ParallelFor& parallelFor)
 {
-  FloatImage background = image;
+  const double topHatDeviation = 16 / std::sqrt(12.0); // of a box of 16 mm
+  SpeedScales scales;
   if (settings.TopHat > 0)
   {
-    SmoothInside(background, 16 / std::sqrt(12.0), parallelFor);
+    scales.Background = image;
+    SmoothInside(scales.Background, topHatDeviation, parallelFor);
   }
+  if (settings.Tube > 0)
+  {
+    scales.Tubes = image;
+    SmoothInside(scales.Tubes, settings.TubeDeviation, parallelFor);
+  }
+  return scales;
+}
+
+FloatImage MakeVesselSpeed(const FloatImage& image, const SpeedScales& scales,
+  const VesselIntensities& intensities, const std::vector<float>& depth, double radius,
+  const VesselSpeedSettings& settings, const ParallelFor& parallelFor)
+{
   std::vector<float> tubes;
   if (settings.Tube > 0)
   {
@@ -104,7 +117,7 @@ FloatImage MakeVesselSpeed(const FloatImage& image, const VesselIntensities& int
     std::vector<unsigned char> wanted(image.Voxels.size());
     std::transform(image.Voxels.begin(), image.Voxels.end(), wanted.begin(),
       [&](float value) { return intensities.Distance(value) < farthest ? 1 : 0; });
-    tubes = BrightTubeness(image, wanted, settings.TubeDeviation, parallelFor);
+    tubes = BrightTubeness(scales.Tubes, wanted, settings.TubeDeviation, parallelFor);
   }
   const double cap = std::min(settings.MaximumCap, std::max(settings.MinimumCap, radius));
   const double body = std::max(settings.MinimumBody, settings.BodyScale * radius);
@@ -122,8 +135,8 @@ FloatImage MakeVesselSpeed(const FloatImage& image, const VesselIntensities& int
     factor *= depth[voxel] > body ? std::pow(body / depth[voxel], 3) : 1;
     if (settings.TopHat > 0)
     {
-      factor /=
-        1 + std::exp(-(value - background.Voxels[voxel] - settings.TopHat) / settings.TopHat);
+      factor /= 1 +
+        std::exp(-(value - scales.Background.Voxels[voxel] - settings.TopHat) / settings.TopHat);
     }
     if (settings.Tube > 0)
     {

@@ -57,9 +57,19 @@ VesselIntensities IntensitiesAtPoints(const ImageView<float>& image, const Point
 std::vector<float> DepthOf(const ImageView<float>& image, const VesselIntensities& intensities,
   const ParallelFor& parallelFor);
 
-FloatImage MakeVesselSpeed(const FloatImage& image, const VesselIntensities& intensities,
-  const std::vector<float>& depth, double radius, const VesselSpeedSettings& settings,
+/// What the speed needs of an image whatever the points are: empty where the settings do not ask.
+struct SpeedScales
+{
+  FloatImage Background; ///< averages over the window of the top hat
+  FloatImage Tubes;      ///< smoothed by the deviation for tubes
+};
+
+SpeedScales MakeSpeedScales(const FloatImage& image, const VesselSpeedSettings& settings,
   const ParallelFor& parallelFor);
+
+FloatImage MakeVesselSpeed(const FloatImage& image, const SpeedScales& scales,
+  const VesselIntensities& intensities, const std::vector<float>& depth, double radius,
+  const VesselSpeedSettings& settings, const ParallelFor& parallelFor);
 
 } // namespace FlipFree
 

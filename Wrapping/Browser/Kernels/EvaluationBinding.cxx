@@ -26,7 +26,7 @@ struct MaskOfView
   LabelMask operator()(const ImageView<T>& view) const
   {
     return { MaskOfLabel(view, this->Label, this->Name, Threading()), this->Label,
-      LabelsOfView<T>{ view } };
+      LabelsOfView<T>{ view }, this->Name };
   }
 };
 
@@ -39,7 +39,7 @@ LabelMask LabelMaskOf(const Volume& labels, int label, const std::string& name,
   }
   RequireProperGrid(labels.GetGeometry(), name);
   LabelMask mask = labels.VisitVoxels(MaskOfView{ label, name });
-  RequireLabel(mask, name, property);
+  RequireLabel(mask, property);
   return mask;
 }
 

@@ -25,9 +25,7 @@ constexpr const char* LabelsName = "the start labels";
 Settings SettingsOf(const std::string& preset)
 {
   Settings settings;
-  settings.Method = preset == "published" ? PublishedSettings()
-    : preset == "naive"                   ? NaiveSettings()
-                                          : OrganSegmentationSettings();
+  settings.Method = SettingsOfPreset(preset);
   return settings;
 }
 

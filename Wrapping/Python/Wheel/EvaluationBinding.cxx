@@ -32,7 +32,7 @@ LabelMask LabelMaskOf(const LabelMap& labelMap, int label, const std::string& na
     [&](const auto& view) -> LabelMask
     {
       return { MaskOfLabel(view, label, name, PoolThreading()), label,
-        [view] { return LabelsIn(view, PoolFor); } };
+        [view] { return LabelsIn(view, PoolFor); }, name };
     });
 }
 
@@ -58,7 +58,7 @@ nb::dict DictOf(const SegmentationScores& scores)
 LabelMask ReferenceOf(const LabelMap& reference, const ScoreSettings& settings)
 {
   LabelMask mask = LabelMaskOf(reference, settings.ReferenceLabel, "the reference on port 1");
-  RequireLabel(mask, "the reference", "ReferenceLabel");
+  RequireLabel(mask, "ReferenceLabel");
   return mask;
 }
 
@@ -71,7 +71,7 @@ nb::dict ScoreOfLabels(const LabelMap& segmentation, const LabelMap& reference,
     const LabelMask wanted = ReferenceOf(reference, settings);
     const LabelMask mask =
       LabelMaskOf(segmentation, settings.SegmentationLabel, "the segmentation on port 0");
-    RequireLabel(mask, "the segmentation", "SegmentationLabel");
+    RequireLabel(mask, "SegmentationLabel");
     scores = ScoreLabels(mask, wanted, settings, PoolFor, MonitorOf(report));
   }
   return DictOf(scores);

@@ -94,69 +94,109 @@ nb::dict ResultDict(VolumeSegmentation& result, const std::string& provenance)
   return surface;
 }
 
+// A kept iteration.
+struct Iteration
+{
+  FaceList Faces;
+  PointList Points;
+  CorrespondenceField Field;
+};
+
+// What one organ is segmented from, beside the image.
+struct OrganRequest
+{
+  SeedSphere Seed;
+  ConstraintList Constraints;
+  const std::optional<Start>& Surface;
+  const std::optional<LabelMap>& Labels;
+  int Label;
+};
+
+// Runs without Python's lock.
+VolumeSegmentation SegmentOrgan(const Voxels& voxels, const ImageGeometry& geometry,
+  const OrganRequest& request, const Settings& settings, const Monitor& monitor,
+  std::vector<Iteration>& history)
+{
+  RequireNumbers(settings);
+  RequireVoxels(geometry);
+  BitMask mask;
+  SeedSphere seed = request.Seed;
+  if (request.Labels)
+  {
+    mask = StartMaskOf(*request.Labels, request.Label, geometry);
+    seed = LargestBallIn(mask, LabelsName, PoolFor);
+  }
+  RequireSeed(geometry, seed, ImageName);
+  std::optional<DeformableSurface> surface;
+  if (request.Surface)
+  {
+    surface =
+      SurfaceOf(*request.Surface, "the start surface on port 1", settings.Method.Step.Guard);
+  }
+  const GrayVolume volume = VisitVoxels(voxels, geometry,
+    [](const auto& view) { return GrayVolumeOf(view, ImageName, PoolThreading()); });
+  VolumeSegmenter segmenter(volume, ImageName, seed, surface ? &*surface : nullptr, settings,
+    PoolThreading());
+  if (request.Labels)
+  {
+    segmenter.SetForeground(std::move(mask), LabelsName);
+  }
+  return segmenter.Segment(request.Constraints, monitor,
+    [&](const ContourMesh& mesh, const PointList& points, const CorrespondenceField& field,
+      const IterationRecord&)
+    {
+      if (settings.KeepHistory)
+      {
+        history.push_back({ mesh.Faces, points, field });
+      }
+    });
+}
+
+OrganProvenance OriginOf(const OrganRequest& request)
+{
+  OrganProvenance provenance;
+  provenance.Seed = request.Seed;
+  provenance.Constraints = request.Constraints;
+  provenance.HasStartSurface = request.Surface.has_value();
+  provenance.StartLabel = request.Labels ? request.Label : -1;
+  return provenance;
+}
+
+nb::list HistoryList(std::vector<Iteration>& history)
+{
+  nb::list surfaces;
+  for (Iteration& iteration : history)
+  {
+    surfaces.append(SurfaceDict(std::move(iteration.Faces), std::move(iteration.Points),
+      std::move(iteration.Field)));
+  }
+  return surfaces;
+}
+
 nb::dict Segment(const Voxels& voxels, const Triple& spacing, const Triple& origin,
   const Nine& direction, const Triple& center, double radius, const std::optional<Start>& start,
   const std::optional<LabelMap>& labels, int label, const std::vector<ConstraintRow>& rows,
   const Settings& settings, const nb::callable& report)
 {
   const ImageGeometry geometry = GeometryOf(voxels, spacing, origin, direction);
-  SeedSphere seed{ Eigen::Vector3d(center.data()), radius };
-  ConstraintList constraints = ConstraintsOf(rows);
+  OrganRequest request{ { Eigen::Vector3d(center.data()), radius }, ConstraintsOf(rows), start,
+    labels, label };
   if (!labels)
   {
-    TakeLargestSeed(seed, constraints);
+    TakeLargestSeed(request.Seed, request.Constraints);
   }
-  struct Iteration
-  {
-    FaceList Faces;
-    PointList Points;
-    CorrespondenceField Field;
-  };
   std::vector<Iteration> history;
   VolumeSegmentation result;
+  result.Organ.Reason = StopReason::Aborted;
   {
     const nb::gil_scoped_release unlocked;
-    const Monitor monitor = MonitorOf(report, 0, 0.95);
-    if (!MonitorOf(report)(0))
+    if (MonitorOf(report)(0))
     {
-      result.Organ.Reason = StopReason::Aborted;
-    }
-    else
-    {
-      RequireNumbers(settings);
-      RequireVoxels(geometry);
-      BitMask mask;
-      if (labels)
-      {
-        mask = StartMaskOf(*labels, label, geometry);
-        seed = LargestBallIn(mask, LabelsName, PoolFor);
-      }
-      RequireSeed(geometry, seed, ImageName);
-      std::optional<DeformableSurface> surface;
-      if (start)
-      {
-        surface = SurfaceOf(*start, "the start surface on port 1", settings.Method.Step.Guard);
-      }
-      const GrayVolume volume = VisitVoxels(voxels, geometry,
-        [](const auto& view) { return GrayVolumeOf(view, ImageName, PoolThreading()); });
-      VolumeSegmenter segmenter(volume, ImageName, seed, surface ? &*surface : nullptr, settings,
-        PoolThreading());
-      if (labels)
-      {
-        segmenter.SetForeground(std::move(mask), LabelsName);
-      }
-      result = segmenter.Segment(constraints, monitor,
-        [&](const ContourMesh& mesh, const PointList& points, const CorrespondenceField& field,
-          const IterationRecord&)
-        {
-          if (settings.KeepHistory)
-          {
-            history.push_back({ mesh.Faces, points, field });
-          }
-        });
+      result =
+        SegmentOrgan(voxels, geometry, request, settings, MonitorOf(report, 0, 0.95), history);
     }
   }
-  OrganSurface& organ = result.Organ;
+  const OrganSurface& organ = result.Organ;
   nb::dict answer;
   answer["stop_reason"] = std::string(ToString(organ.Reason));
   answer["aborted"] = organ.Reason == StopReason::Aborted;
@@ -168,23 +208,8 @@ nb::dict Segment(const Voxels& voxels, const Triple& spacing, const Triple& orig
   answer["iterations"] = ColumnsOf(organ.Iterations);
   answer["warnings"] = result.Warnings;
   answer["labels"] = LabelsOf(result.Voxels, settings.LabelValue, geometry);
-  nb::list surfaces;
-  for (Iteration& iteration : history)
-  {
-    surfaces.append(SurfaceDict(std::move(iteration.Faces), std::move(iteration.Points),
-      std::move(iteration.Field)));
-  }
-  answer["history"] = surfaces;
-  OrganProvenance provenance;
-  provenance.Seed = { Eigen::Vector3d(center.data()), radius };
-  provenance.Constraints = ConstraintsOf(rows);
-  if (!labels)
-  {
-    TakeLargestSeed(provenance.Seed, provenance.Constraints);
-  }
-  provenance.HasStartSurface = start.has_value();
-  provenance.StartLabel = labels ? label : -1;
-  answer["surface"] = ResultDict(result, ProvenanceOf(provenance, settings, geometry));
+  answer["history"] = HistoryList(history);
+  answer["surface"] = ResultDict(result, ProvenanceOf(OriginOf(request), settings, geometry));
   report(1.0);
   return answer;
 }
@@ -265,9 +290,7 @@ nb::dict SegmentOrgans(const Voxels& voxels, const Triple& spacing, const Triple
 Settings SettingsOf(const std::string& preset)
 {
   Settings settings;
-  settings.Method = preset == "published" ? PublishedSettings()
-    : preset == "naive"                   ? NaiveSettings()
-                                          : OrganSegmentationSettings();
+  settings.Method = SettingsOfPreset(preset);
   return settings;
 }
 

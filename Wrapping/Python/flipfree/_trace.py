@@ -59,7 +59,7 @@ def trace(
     >>> branch["points"].shape == (len(branch["radius"]), 3)
     True
     >>> round(float(branch["radius"].mean()), 1), round(float(branch["length"][-1]))    # mm
-    (4.2, 100)
+    (4.2, 99)
     >>> aorta.labels.shape, aorta.self_intersections
     ((96, 96, 96), 0)
     >>> thicker = aorta.corrected(inside=[(47.5, 47.5, 62.8)])

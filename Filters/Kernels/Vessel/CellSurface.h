@@ -1,9 +1,10 @@
 /**
  * The surface of a set of cells of a grid as a mesh whose vertices all have four neighbors: a
- * vertex at the center of each side that a cell shares with none of the set, joined with those
- * across the four edges of that side; around each corner a face. For a cube of n x n x n cells it
- * is the paper's cube (section 3.1), and its contours are those of slices through the cells. So any
- * shape has such a start surface: a tube that bends sharply, or the tree of a vessel's branches.
+ * vertex at the center of each side that a cell does not share with another cell of the set, joined
+ * to those across the four edges of that side; and a face around each corner. For a cube of n x n x
+ * n cells it is the paper's cube (section 3.1), and its contours are those of slices through the
+ * cells. So any shape has such a start surface: a tube that bends sharply, or the tree of a
+ * vessel's branches.
  */
 #ifndef FlipFreeCellSurface_h
 #define FlipFreeCellSurface_h

@@ -1,4 +1,4 @@
-#include "Mesh/CellSurface.h"
+#include "Vessel/CellSurface.h"
 
 #include <algorithm>
 #include <map>

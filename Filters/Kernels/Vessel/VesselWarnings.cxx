@@ -1,0 +1,136 @@
+#include "Vessel/VesselWarnings.h"
+
+#include "MessageText.h"
+
+#include <algorithm>
+#include <limits>
+#include <optional>
+
+namespace FlipFree
+{
+namespace
+{
+
+// How far the surface goes beyond the disks at the ends, in mm.
+double BeyondEnds(const VesselTree& tree, const PointList& points)
+{
+  double farthest = 0;
+  for (Eigen::Index vertex = 0; vertex < points.rows(); ++vertex)
+  {
+    const Eigen::Vector3d point = points.row(vertex);
+    double nearest = std::numeric_limits<double>::infinity();
+    double beyond = 0;
+    for (const VesselBranch& branch : tree.Branches)
+    {
+      const auto& frames = branch.Sections.Frames;
+      for (std::size_t section = 0; section < frames.size(); ++section)
+      {
+        const Eigen::Vector3d offset = point - frames[section].Origin;
+        if (offset.squaredNorm() < nearest)
+        {
+          nearest = offset.squaredNorm();
+          const double along = offset.dot(frames[section].Tangent);
+          const bool isStart = section == 0 && branch.Parent < 0;
+          beyond = isStart ? -along : (section + 1 == frames.size() ? along : 0);
+        }
+      }
+    }
+    farthest = std::max(farthest, beyond);
+  }
+  return farthest;
+}
+
+// The middle of the sections, over a length that strikes the eye, with the least support.
+Eigen::Vector3d FaintestPlace(const VesselTree& tree)
+{
+  constexpr Eigen::Index reach = 7; // sections to either side: about 20 mm in all
+  Eigen::Vector3d faintest = tree.Branches.front().Sections.Frames.front().Origin;
+  double least = std::numeric_limits<double>::infinity();
+  for (const VesselBranch& branch : tree.Branches)
+  {
+    const Eigen::Index sections = branch.Support.size();
+    for (Eigen::Index section = 0; section < sections; ++section)
+    {
+      const Eigen::Index first = std::max<Eigen::Index>(0, section - reach);
+      const Eigen::Index last = std::min(sections - 1, section + reach);
+      const double mean = branch.Support.segment(first, last - first + 1).mean();
+      if (mean < least)
+      {
+        least = mean;
+        faintest = branch.Sections.Frames[section].Origin;
+      }
+    }
+  }
+  return faintest;
+}
+
+// Where a path runs at the border of the image, if it does: what it follows goes on beyond. The
+// ends of a vessel may lie there.
+std::optional<Eigen::Vector3d> PlaceAtBorder(const ImageGeometry& geometry, const VesselTree& tree)
+{
+  constexpr double margin = 1.5; // mm, from the outer faces of the outermost voxels
+  constexpr double end = 10;     // mm
+  for (const VesselBranch& branch : tree.Branches)
+  {
+    const auto& frames = branch.Sections.Frames;
+    for (const SectionFrame& frame : frames)
+    {
+      if ((frame.Origin - frames.front().Origin).norm() < end ||
+        (frame.Origin - frames.back().Origin).norm() < end)
+      {
+        continue;
+      }
+      const Eigen::Vector3d index = geometry.ToIndex(frame.Origin);
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        // At the centers of the outermost voxels, where these are large.
+        const double least = std::max(0.0, margin / geometry.Spacing[axis] - 0.5) + 1e-6;
+        if (index[axis] < least || index[axis] > geometry.Dimensions[axis] - 1 - least)
+        {
+          return frame.Origin;
+        }
+      }
+    }
+  }
+  return std::nullopt;
+}
+
+} // namespace
+
+void AddWarnings(const ImageGeometry& geometry, const PointList& points, VesselSegmentation& result)
+{
+  constexpr double tolerance = 3; // mm
+  if (result.Surface.Reason == StopReason::NotRefined)
+  {
+    result.Warnings.emplace_back(
+      "the surface could not be refined without intersecting itself, and is coarse; set Levels to "
+      "1, or move the points apart");
+  }
+  if (result.Tree.Support < DoubtfulSupport)
+  {
+    result.Warnings.push_back(
+      "the result is doubtful: much of the vessel's boundary is hardly visible in the image, least "
+      "of all near " +
+      TextOf(FaintestPlace(result.Tree).array().round().matrix().transpose()) +
+      " mm; look there first: where the surface is not in the vessel, add a point of the vessel");
+  }
+  const double beyond = BeyondEnds(result.Tree, result.Surface.Points);
+  if (beyond > tolerance)
+  {
+    result.Warnings.push_back("the surface goes " + TextOf(Eigen::VectorXd::Constant(1, beyond)) +
+      " mm beyond an end of the path; look at the ends, and move their points");
+  }
+  for (const int point : result.Tree.Unlike)
+  {
+    result.Warnings.push_back("the point " + TextOf(points.row(point)) +
+      " mm does not look like the vessel, which is brighter or darker near by; move the point into "
+      "the vessel");
+  }
+  if (const auto place = PlaceAtBorder(geometry, result.Tree))
+  {
+    result.Warnings.push_back(
+      "the path leaves the image near " + TextOf(*place) + " mm; add a point on the vessel's way");
+  }
+}
+
+} // namespace FlipFree

@@ -1,0 +1,36 @@
+"""What the command line gives the subcommands."""
+
+from __future__ import annotations
+
+import sys
+from typing import Any
+
+from ._corrections import Constraint, constraints_of
+from ._point_files import read_points
+
+
+def lps(values: dict[str, Any], point: list[float]) -> list[float]:
+    """A point of the command line."""
+    return [-point[0], -point[1], point[2]] if "ras" in values else point
+
+
+def points_of(values: dict[str, Any]) -> list[Constraint]:
+    """The corrections; those of the file first."""
+    points = read_points(values["points"]) if "points" in values else []
+    inside, outside, boundary = (
+        [lps(values, point) for point in values.get(kind, ())]
+        for kind in ("inside", "outside", "boundary")
+    )
+    return [*points, *constraints_of(inside, outside, boundary, ())]
+
+
+def point_of(image: Any, voxel: list[int]) -> list[float]:
+    import numpy
+
+    axes = numpy.reshape(image.direction, (3, 3)) * image.spacing
+    point: list[float] = (numpy.array(image.origin) + axes @ numpy.array(voxel, float)).tolist()
+    return point
+
+
+def wants_bar(values: dict[str, Any]) -> bool:
+    return "quiet" not in values and sys.stderr.isatty()

@@ -1,0 +1,133 @@
+"""The files that subcommands write: checked before the work is done, then written, all or none."""
+
+from __future__ import annotations
+
+import contextlib
+import os
+from collections.abc import Callable
+from dataclasses import replace
+from typing import Any
+
+from ._atomic import replacing, write_table
+from ._errors import FileError
+from ._files import WRITE_ENDINGS, write_image
+from ._options import WrongUsage
+from ._point_files import ENDINGS as POINT_ENDINGS
+from ._segmentation import Segmentation, Vessel
+from ._session_record import OriginNames, named, session_text
+from ._surface_files import ENDINGS, write_centerline, write_surface
+
+OUTPUTS = {
+    "output": ENDINGS,
+    "labels": WRITE_ENDINGS,
+    "convergence": (".csv",),
+    "snapshot": (".png",),
+    "save_session": (".json",),
+    "save_points": POINT_ENDINGS,
+}
+# Of all organs of a session, one each.
+SHARED = ("labels", "save_session")
+# Of vessels, in the order of the options.
+TRACE_OUTPUTS = {
+    "output": ENDINGS,
+    "labels": WRITE_ENDINGS,
+    "centerline": (".vtp",),
+    "convergence": (".csv",),
+    "snapshot": (".png",),
+    "save_session": (".json",),
+    "save_points": POINT_ENDINGS,
+}
+
+
+def require_outputs(
+    outputs: dict[str, str], endings: dict[str, tuple[str, ...]] = OUTPUTS
+) -> None:
+    """There are some, of endings that can be written."""
+    options = {name: f"--{name.replace('_', '-')}" for name in endings}
+    if not set(outputs) - {"save_points"}:
+        *first, last = (option for name, option in options.items() if name != "save_points")
+        raise WrongUsage(
+            f"No output is requested. Give at least one of {', '.join(first)} and {last}"
+        )
+    for name, path in outputs.items():
+        require_ending(options[name], path, endings[name])
+
+
+def require_files(values: dict[str, Any], outputs: dict[str, str]) -> None:
+    """The input is there, and the outputs can be written."""
+    inputs = [values[name] for name in ("input", "start_labels") if name in values]
+    for path in outputs.values():
+        require_place(path, inputs)
+    if not os.path.isdir(values["input"]) and "series" in values:
+        raise WrongUsage(
+            f"--series selects a series of a DICOM folder, but '{values['input']}' is a file. Omit the "
+            "option, or give the folder"
+        )
+    if not os.path.exists(values["input"]):
+        raise FileError(f"There is no file '{values['input']}'. Check the name and the folder.")
+    if "start_label" in values and "start_labels" not in values:
+        raise WrongUsage("--start-label is a value of --start-labels. Give that file, too")
+    if values.get("start_label", 0) < 0:
+        raise WrongUsage("--start-label: a label is 0 or more; 0 takes all that are not 0")
+    if "snapshot" in outputs:
+        from ._picture import require_matplotlib
+
+        require_matplotlib()
+
+
+def require_ending(option: str, name: str, endings: tuple[str, ...]) -> None:
+    if not name.lower().endswith(endings):
+        raise WrongUsage(
+            f"{option}: the ending of '{name}' stands for no format known here. Use "
+            f"{' or '.join([', '.join(endings[:-1])] * (len(endings) > 1) + [endings[-1]])}"
+        )
+
+
+def require_place(path: str, inputs: list[str]) -> None:
+    if any(os.path.realpath(path) == os.path.realpath(name) for name in inputs):
+        raise WrongUsage(
+            f"'{path}' is an input, which would be overwritten. Give the result another name"
+        )
+    folder = os.path.dirname(path) or "."
+    if os.path.isdir(path) or not os.access(folder, os.W_OK):
+        raise FileError(
+            f"'{path}' cannot be written: it is a folder, or its folder does not exist or may not be "
+            "written to."
+        )
+
+
+def write_to(files: contextlib.ExitStack, path: str, write: Callable[[str], None]) -> None:
+    """Writes under another name, which becomes the path's when `files` ends."""
+    temporary = files.enter_context(replacing(path))
+    try:
+        write(temporary)
+    except FileError as error:
+        raise FileError(str(error).replace(temporary, path)) from error
+
+
+def write_text(text: str, path: str) -> None:
+    with open(path, "w", encoding="utf-8", newline="") as file:
+        file.write(text)
+
+
+def write_output(name: str, organ: Segmentation, image: Any, names: OriginNames, path: str) -> None:
+    provenance = named(organ.provenance, names)
+    if name == "output":
+        # The other formats have it without names: the same surface is the same bytes.
+        is_vtp = path.lower().endswith(".vtp")
+        write_surface(replace(organ.mesh, provenance=provenance) if is_vtp else organ, path)
+    elif name == "save_session":
+        write_text(session_text([provenance]), path)
+    elif name == "labels":
+        label = int(organ.label_map.voxels.max())
+        write_image(organ.label_map, path, names={label: names.organs[0]})
+    elif name == "centerline" and isinstance(organ, Vessel):
+        write_centerline(organ, path)
+    elif name == "convergence":
+        columns = organ.iterations
+        rows = zip(*(values.tolist() for values in columns.values()))
+        write_table(path, list(columns), [list(row) for row in rows])
+    else:
+        from ._picture import write_picture
+
+        write_picture(path, image, organ)

@@ -1,0 +1,240 @@
+"""`flipfree segment`."""
+
+from __future__ import annotations
+
+import contextlib
+import time
+from collections.abc import Iterable
+from functools import partial
+from typing import Any
+
+from ._backend import SEGMENT_PARAMETERS, set_threads
+from ._command_group import organs_of, segment_group, segment_together
+from ._command_inputs import lps, point_of, points_of, wants_bar
+from ._command_outputs import (
+    OUTPUTS,
+    SHARED,
+    require_ending,
+    require_files,
+    require_outputs,
+    write_output,
+    write_text,
+    write_to,
+)
+from ._corrections import Constraint
+from ._errors import FlipFreeError
+from ._files import read_image, write_image
+from ._messages import confidence_text, warn
+from ._options import WrongUsage
+from ._point_files import arguments_of, write_points
+from ._point_files import ENDINGS as POINT_ENDINGS
+from ._segment import segment as segment_organ
+from ._segmentation import Segmentation, Vessel
+from ._session import Session, SessionOrgan, image_beside, read_session, require_image_of, runs_of
+from ._session_record import OriginNames, named, organ_of_file, session_text
+from ._trace import trace as trace_vessel
+
+
+def segment(values: dict[str, Any]) -> None:
+    """`flipfree segment`."""
+    progress = wants_bar(values)
+    if {"organ", "fixed"} & values.keys():
+        segment_group(values, organs_of(values), {}, None, progress)
+        return
+    session = _session_of(values)
+    runs = [values]
+    if session:
+        values = {"input": image_beside(session) if "input" not in values else None, **values}
+        if session.together:
+            segment_together(session, values, progress)
+            return
+        runs = runs_of(session, values, [name for name in OUTPUTS if name not in SHARED])
+    for run in runs:
+        _require_sense(run, {name: run[name] for name in OUTPUTS if name in run})
+    points = [] if session else points_of(values)  # a session's organs have their own
+    set_threads(values.get("threads", 0))
+    start = time.perf_counter()
+    image = read_image(values["input"], series=values.get("series"), progress=progress)
+    reading = time.perf_counter() - start
+    if session:
+        require_image_of(session, values["input"], image)
+    with contextlib.ExitStack() as files:  # either all files or none
+        said = [_segment_one(run, image, points, files, progress) for run in runs]
+        if "labels" in values:
+            names = [names_of(run) for run in runs]
+            label = values.get("label_value", 1)
+            titles = {label + index: one.organs[0] for index, one in enumerate(names)}
+            colors = {label + index: one.colors[0] for index, one in enumerate(names)}
+            write_to(
+                files,
+                values["labels"],
+                lambda name: write_image(_label_map(said), name, names=titles, colors=colors),
+            )
+        if "save_session" in values:
+            sessions = [
+                named(organ.provenance, names_of(run)) for run, (organ, _) in zip(runs, said)
+            ]
+            write_to(files, values["save_session"], partial(write_text, session_text(sessions)))
+    for run, (organ, working) in zip(runs, said):
+        _report(run, organ, reading, working)
+
+
+def _segment_one(
+    values: dict[str, Any],
+    image: Any,
+    points: list[Constraint],
+    files: contextlib.ExitStack,
+    progress: bool,
+) -> tuple[Segmentation, float]:
+    """What was found and in how many seconds; its own files are written."""
+    start = time.perf_counter()
+    title = _title_of(values)
+    repeated: SessionOrgan | None = values.get("repeated")
+    organ: Segmentation
+    try:
+        if repeated and repeated.points:
+            given: dict[str, Any] = {**repeated.corrections, **repeated.parameters}
+            given["label_value"] = values["label_value"]
+            organ = trace_vessel(image, repeated.points, progress=progress or None, **given)
+        else:
+            organ = segment_organ(
+                image,
+                **_start_of(values, image, points),
+                preset=values.get("preset", "default"),
+                progress=progress or None,
+                **{name: value for name, value in values.items() if name in SEGMENT_PARAMETERS},
+            )
+    except FlipFreeError as error:
+        raise type(error)(f"{title}: {error}") from error
+    working = time.perf_counter() - start
+    if organ.stop_reason == "no boundary found":
+        raise FlipFreeError(f"{title}: no boundary of the organ was found, so nothing is written.")
+    for name in OUTPUTS:
+        if name in values and name == "save_points":
+            write_to(files, values[name], lambda path: write_points(path, points))
+        elif name in values and name not in SHARED:
+            write = partial(write_output, name, organ, image, names_of(values))
+            write_to(files, values[name], write)
+    return organ, working
+
+
+def _session_of(values: dict[str, Any]) -> Session | None:
+    """The session of the command line; checks that there is one, or else an image and a seed."""
+    if "session" not in values:
+        if "input" not in values:
+            raise WrongUsage("INPUT is required: a volume, or a folder of a DICOM series")
+        if "start_labels" in values:
+            if {"seed", "seed_voxel", "radius"} & values.keys():
+                raise WrongUsage(
+                    "--start-labels takes the place of the seed. Leave out --seed, --seed-voxel and "
+                    "--radius; points correct the result"
+                )
+            return None
+        if not all(1e-6 <= radius <= 1e6 for radius in values.get("radius", [0])):
+            raise WrongUsage(
+                "--radius must be a positive number of millimeters, 1e-6 to 1e6. The sphere should lie "
+                "within the organ"
+            )
+        return None
+    if "start_labels" in values:
+        raise WrongUsage("--session has the seed. Leave out --start-labels")
+    given = {"seed", "seed_voxel", "radius"} & values.keys()
+    if given or values.get("preset", "default") != "default":
+        raise WrongUsage(
+            "--session has the seed and the preset. Leave out --seed, --seed-voxel, --radius and "
+            "--preset"
+        )
+    if {"inside", "outside", "boundary", "points", "save_points", "ras"} & values.keys():
+        raise WrongUsage(
+            "--session cannot be corrected by points. Give the image, --seed and --radius in its place"
+        )
+    return read_session(values["session"])
+
+
+def _title_of(values: dict[str, Any], quote: str = "'") -> str:
+    """How messages call what is segmented."""
+    organ = f", {values['organ']}" if "organ" in values else ""
+    return f"{quote}{values['input']}{quote}{organ}"
+
+
+def names_of(
+    values: dict[str, Any], outputs: Iterable[str] = ("output", "labels", "convergence")
+) -> OriginNames:
+    """What files say of an organ, or of one of a session, apart from how it was found."""
+    repeated: SessionOrgan | None = values.get("repeated")
+    files = (values[name] for name in (*outputs, "save_session") if name in values)
+    return OriginNames(
+        values["input"],
+        values.get("start_labels", ""),
+        organs=[repeated.title if repeated else organ_of_file(next(files, ""))],
+        colors=[repeated.color if repeated else ""],
+    )
+
+
+def _start_of(values: dict[str, Any], image: Any, points: list[Constraint]) -> dict[str, Any]:
+    """The seed, or the label map in its place, and the corrections with all further seeds."""
+    repeated: SessionOrgan | None = values.get("repeated")
+    corrections = repeated.corrections if repeated else arguments_of(points)
+    if "start_labels" in values:
+        labels = {"start_labels": values["start_labels"], "start_label": values.get("start_label", 1)}
+        return {**labels, **corrections}
+    seeds = (
+        [lps(values, seed) for seed in values["seed"]]
+        if "seed" in values
+        else [point_of(image, voxel) for voxel in values["seed_voxel"]]
+    )
+    (seed, radius), *more = zip(seeds, values["radius"])
+    return {
+        "seed": seed,
+        "radius": radius,
+        **corrections,
+        "seeds": [*more, *corrections.get("seeds", ())],
+    }
+
+
+def _label_map(found: list[tuple[Segmentation, float]]) -> Any:
+    """One label map of all organs. A voxel in several belongs to the first of them."""
+    merged = found[0][0].label_map
+    for organ, _ in found[1:]:
+        labels = organ.label_map.voxels
+        merged.voxels[merged.voxels == 0] = labels[merged.voxels == 0]
+    return merged
+
+
+def _report(values: dict[str, Any], organ: Segmentation, reading: float, working: float) -> None:
+    if not organ.mesh.certified and organ.self_intersections == 0:
+        warn("The surface is not certified: --guard is off. It does not intersect itself, though.")
+    if "quiet" not in values:
+        trust = (
+            f"support {organ.support:.2f}"
+            if isinstance(organ, Vessel)
+            else f"confidence {confidence_text(organ.confidence)}"
+        )
+        print(
+            f"{_title_of(values, '')}: volume {organ.volume:.1f} ml, "
+            f"{len(organ.iterations['Iteration'])} iterations, {organ.stop_reason}, "
+            f"{organ.self_intersections} self-intersections, {trust}; reading {reading:.2f} s, "
+            f"segmenting {working:.2f} s"
+        )
+
+
+def _require_sense(values: dict[str, Any], outputs: dict[str, str]) -> None:
+    """Checks all that can be checked before the volume is read."""
+    if not {"repeated", "start_labels"} & values.keys() and ("seed" in values) == ("seed_voxel" in values):
+        raise WrongUsage(
+            "Both --seed and --seed-voxel are given. Give only one of them"
+            if "seed" in values
+            else "There is no seed. Give a point deep inside the organ: --seed X Y Z (LPS mm) or "
+            "--seed-voxel I J K; or a label map to fill: --start-labels FILE; or several organs: "
+            "--organ NAME X Y Z MM"
+        )
+    seeds = len(values.get("seed", ())) + len(values.get("seed_voxel", ()))
+    if seeds and seeds != len(values["radius"]):
+        raise WrongUsage(
+            f"There are {seeds} seeds and {len(values['radius'])} radii. Give a --radius for each seed, "
+            "in the same order"
+        )
+    if "points" in values:
+        require_ending("--points", values["points"], POINT_ENDINGS)
+    require_outputs(outputs)
+    require_files(values, outputs)
