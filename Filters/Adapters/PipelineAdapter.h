@@ -16,10 +16,10 @@ namespace FlipFree
 /// an extent.
 inline void RequestWholeExtent(vtkInformation* input)
 {
-  using Pipeline = vtkStreamingDemandDrivenPipeline;
-  if (input && input->Has(Pipeline::WHOLE_EXTENT()))
+  using Executive = vtkStreamingDemandDrivenPipeline;
+  if (input && input->Has(Executive::WHOLE_EXTENT()))
   {
-    input->Set(Pipeline::UPDATE_EXTENT(), input->Get(Pipeline::WHOLE_EXTENT()), 6);
+    input->Set(Executive::UPDATE_EXTENT(), input->Get(Executive::WHOLE_EXTENT()), 6);
   }
 }
 

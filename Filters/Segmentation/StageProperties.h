@@ -5,13 +5,14 @@
  * there and nothing is copied. The stage's header declares and documents SetName() and GetName();
  * its source lists Name, type, field, minimum and maximum:
  *
+ *     #define FLIPFREE_STAGE vtkFlipFreeDeform
  *     #define PROPERTIES(P)                                     \
  *       P(FlipThreshold, double, Settings->FlipThreshold, 0, 1) \
  *       P(AvoidFlips, bool, Settings->AvoidFlips, false, true)
  *     PROPERTIES(FLIPFREE_DEFINE_PROPERTY)
  *
- * which defines the two functions of each, by the name Stage for the class. The same list prints
- * all of them, and rejects NaN.
+ * which defines the two functions of each. The same list prints all of them, and rejects NaN. The
+ * source ends with #undef of both, since several sources are compiled as one.
  */
 #ifndef FlipFreeStageProperties_h
 #define FlipFreeStageProperties_h
@@ -38,11 +39,11 @@ void SetClamped(vtkObject* stage, T value, T minimum, T maximum, T& field)
 } // namespace FlipFree
 
 #define FLIPFREE_DEFINE_PROPERTY(Name, type, field, minimum, maximum)                              \
-  void Stage::Set##Name(type value)                                                                \
+  void FLIPFREE_STAGE::Set##Name(type value)                                                       \
   {                                                                                                \
     FlipFree::SetClamped<type>(this, value, minimum, maximum, this->field);                        \
   }                                                                                                \
-  type Stage::Get##Name() const                                                                    \
+  type FLIPFREE_STAGE::Get##Name() const                                                           \
   {                                                                                                \
     return this->field;                                                                            \
   }

@@ -142,7 +142,7 @@ struct vtkCorrespondenceSearch::Workspace
   }
 };
 
-using Stage = vtkCorrespondenceSearch;
+#define FLIPFREE_STAGE vtkCorrespondenceSearch
 
 #define PROPERTIES(P)                                                                              \
   P(Threshold, double, Threshold, 0, 1)                                                            \
@@ -267,3 +267,6 @@ void vtkCorrespondenceSearch::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   PROPERTIES(FLIPFREE_PRINT_PROPERTY)
 }
+
+#undef FLIPFREE_STAGE
+#undef PROPERTIES

@@ -38,7 +38,7 @@ struct vtkFlipFreeDeform::Workspace
   }
 };
 
-using Stage = vtkFlipFreeDeform;
+#define FLIPFREE_STAGE vtkFlipFreeDeform
 
 #define PROPERTIES(P) FLIPFREE_STEP_PARAMETERS(P, Settings->)
 
@@ -109,3 +109,6 @@ void vtkFlipFreeDeform::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   PROPERTIES(FLIPFREE_PRINT_PROPERTY)
 }
+
+#undef FLIPFREE_STAGE
+#undef PROPERTIES

@@ -15,7 +15,7 @@
 #include <algorithm>
 #include <utility>
 
-using Stage = vtkFlipFreeSegmentation;
+#define FLIPFREE_STAGE vtkFlipFreeSegmentation
 
 #define PROPERTIES(P)                                                                              \
   P(StartScale, double, StartScale, 1e-3, 1e3)                                                     \
@@ -37,11 +37,11 @@ PROPERTIES(FLIPFREE_DEFINE_PROPERTY)
   P(Guard, bool, Deform, Guard)
 
 #define DEFINE_FORWARDED_PROPERTY(Name, type, stage, NameThere)                                    \
-  void Stage::Set##Name(type value)                                                                \
+  void FLIPFREE_STAGE::Set##Name(type value)                                                       \
   {                                                                                                \
     this->stage->Set##NameThere(value);                                                            \
   }                                                                                                \
-  type Stage::Get##Name() const                                                                    \
+  type FLIPFREE_STAGE::Get##Name() const                                                           \
   {                                                                                                \
     return this->stage->Get##NameThere();                                                          \
   }
@@ -51,7 +51,7 @@ FORWARDED_PROPERTIES(DEFINE_FORWARDED_PROPERTY)
 // A type cannot be put in parentheses.
 // NOLINTBEGIN(bugprone-macro-parentheses)
 #define DEFINE_STAGE(Name, type)                                                                   \
-  void Stage::Set##Name(type* stage)                                                               \
+  void FLIPFREE_STAGE::Set##Name(type* stage)                                                      \
   {                                                                                                \
     if (this->Name != stage)                                                                       \
     {                                                                                              \
@@ -59,7 +59,7 @@ FORWARDED_PROPERTIES(DEFINE_FORWARDED_PROPERTY)
       this->Modified();                                                                            \
     }                                                                                              \
   }                                                                                                \
-  type* Stage::Get##Name() const                                                                   \
+  type* FLIPFREE_STAGE::Get##Name() const                                                          \
   {                                                                                                \
     return this->Name;                                                                             \
   }
@@ -156,3 +156,6 @@ void vtkFlipFreeSegmentation::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "NumberOfSelfIntersections: " << this->NumberOfSelfIntersections << "\n";
   os << indent << "Confidence: " << this->Confidence << "\n";
 }
+
+#undef FLIPFREE_STAGE
+#undef PROPERTIES

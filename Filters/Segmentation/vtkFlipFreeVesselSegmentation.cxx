@@ -27,7 +27,7 @@
 vtkStandardNewMacro(vtkFlipFreeVesselSegmentation);
 
 using FlipFree::ConstraintKind;
-using Stage = vtkFlipFreeVesselSegmentation;
+#define FLIPFREE_STAGE vtkFlipFreeVesselSegmentation
 
 #define PROPERTIES(P) FLIPFREE_VESSEL_SURFACE_PARAMETERS(P, Settings->)
 
@@ -211,3 +211,6 @@ void vtkFlipFreeVesselSegmentation::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Support: " << this->Support << "\n";
   os << indent << "NumberOfSelfIntersections: " << this->NumberOfSelfIntersections << "\n";
 }
+
+#undef FLIPFREE_STAGE
+#undef PROPERTIES

@@ -86,7 +86,7 @@ void AttachModel(const FlipFree::IntensityModel& model, vtkImageData* output)
 
 } // namespace
 
-using Stage = vtkGMMFeatureFilter;
+#define FLIPFREE_STAGE vtkGMMFeatureFilter
 
 #define PROPERTIES(P) FLIPFREE_FEATURE_PARAMETERS(P, Settings->)
 
@@ -251,3 +251,6 @@ void vtkGMMFeatureFilter::PrintSelf(ostream& os, vtkIndent indent)
   PROPERTIES(FLIPFREE_PRINT_PROPERTY)
   os << indent << "Modality: " << this->GetModality() << "\n";
 }
+
+#undef FLIPFREE_STAGE
+#undef PROPERTIES

@@ -38,7 +38,7 @@ FlipFree::ImageGeometry AnnouncedGeometry(vtkInformation* info, const int* exten
 
 } // namespace
 
-using Stage = vtkSeedRegionDiffusion;
+#define FLIPFREE_STAGE vtkSeedRegionDiffusion
 
 #define PROPERTIES(P) FLIPFREE_SMOOTHING_PARAMETERS(P, Settings->, NumberOfIterations)
 
@@ -129,3 +129,6 @@ void vtkSeedRegionDiffusion::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "SeedRadius: " << this->SeedRadius << "\n";
   PROPERTIES(FLIPFREE_PRINT_PROPERTY)
 }
+
+#undef FLIPFREE_STAGE
+#undef PROPERTIES

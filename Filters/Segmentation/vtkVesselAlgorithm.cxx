@@ -9,7 +9,7 @@
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 
-using Stage = vtkVesselAlgorithm;
+#define FLIPFREE_STAGE vtkVesselAlgorithm
 
 #define PROPERTIES(P) FLIPFREE_VESSEL_PATH_PARAMETERS(P, Settings->)
 
@@ -83,3 +83,6 @@ void vtkVesselAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   }
   PROPERTIES(FLIPFREE_PRINT_PROPERTY)
 }
+
+#undef FLIPFREE_STAGE
+#undef PROPERTIES

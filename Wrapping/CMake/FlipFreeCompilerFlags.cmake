@@ -3,6 +3,10 @@ add_library(FlipFreeWarnings INTERFACE)
 if (CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
   target_compile_options(FlipFreeWarnings INTERFACE
     $<$<COMPILE_LANGUAGE:CXX>:-Wall;-Wextra;-Wshadow;-Wnon-virtual-dtor;-Woverloaded-virtual>)
+  if (CMAKE_UNITY_BUILD AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+    # Sources are included then, and their anonymous namespaces taken for those of headers.
+    target_compile_options(FlipFreeWarnings INTERFACE $<$<COMPILE_LANGUAGE:CXX>:-Wno-subobject-linkage>)
+  endif ()
   if (FLIPFREE_WARNINGS_AS_ERRORS)
     target_compile_options(FlipFreeWarnings INTERFACE $<$<COMPILE_LANGUAGE:CXX>:-Werror>)
   endif ()

@@ -151,7 +151,7 @@ void Evaluate(const Evaluation& evaluation)
   }
 }
 
-const char* const Footer =
+const char* const EvaluateFooter =
   "The segmentation is a label map (.nii .nii.gz .nrrd .nhdr .mha .mhd) on the reference's grid\n"
   "or a closed surface (.vtp .stl .ply .obj) in LPS millimeters. A surface is voxelized to "
   "measure\n"
@@ -189,7 +189,7 @@ void AddEvaluateCommand(CLI::App& program)
   command->add_flag("--voxelize", evaluation->Voxelize,
     "Measure distances from the surface's voxels, for a fair comparison with label maps");
   AddQuietOption(*command, evaluation->Quiet);
-  command->footer(Footer);
+  command->footer(EvaluateFooter);
   command->callback([evaluation]() { Evaluate(*evaluation); });
 }
 

@@ -20,7 +20,7 @@ namespace
 {
 
 int UserStream = STDERR_FILENO;
-std::mutex Lock; // filters may report from several threads
+std::mutex ReportLock; // filters may report from several threads
 std::string FirstError;
 OptionNames Names;
 
@@ -96,7 +96,7 @@ public:
   void DisplayDebugText(const char*) override {}
   void DisplayErrorText(const char* text) override
   {
-    const std::lock_guard<std::mutex> guard(Lock);
+    const std::lock_guard<std::mutex> guard(ReportLock);
     if (FirstError.empty()) // later ones are complaints of other filters about the first
     {
       FirstError = InOneLine(WithOptionNames(WithoutTrace(text)));
@@ -104,7 +104,7 @@ public:
   }
   void DisplayWarningText(const char* text) override
   {
-    const std::lock_guard<std::mutex> guard(Lock);
+    const std::lock_guard<std::mutex> guard(ReportLock);
     PrintWarning(WithOptionNames(WithoutTrace(text)));
   }
   void DisplayGenericWarningText(const char* text) override { this->DisplayWarningText(text); }
@@ -123,20 +123,20 @@ void CatchVtkMessages()
 
 FilterReports::FilterReports(const OptionNames& names)
 {
-  const std::lock_guard<std::mutex> guard(Lock);
+  const std::lock_guard<std::mutex> guard(ReportLock);
   FirstError.clear();
   Names = names;
 }
 
 FilterReports::~FilterReports()
 {
-  const std::lock_guard<std::mutex> guard(Lock);
+  const std::lock_guard<std::mutex> guard(ReportLock);
   Names.clear();
 }
 
 std::string FilterReports::Error() const
 {
-  const std::lock_guard<std::mutex> guard(Lock);
+  const std::lock_guard<std::mutex> guard(ReportLock);
   return FirstError;
 }
 

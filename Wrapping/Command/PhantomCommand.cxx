@@ -149,7 +149,7 @@ void Make(const Phantom& phantom)
   }
 }
 
-const char* const Footer =
+const char* const PhantomFooter =
   "Writes the volume NAME.nii.gz and its true label map NAME-truth.nii.gz, and prints a seed for\n"
   "each object, to be pasted after 'flipfree segment'.\n"
   "\n"
@@ -189,7 +189,7 @@ void AddPhantomCommand(CLI::App& program)
     ->check(CLI::Range(0, 20))
     ->capture_default_str();
   AddQuietOption(*command, phantom->Quiet);
-  command->footer(Footer);
+  command->footer(PhantomFooter);
   command->callback([phantom]() { Make(*phantom); });
 }
 

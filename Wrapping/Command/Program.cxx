@@ -28,7 +28,7 @@ const char* const Description =
   "Segments soft organs (liver, spleen, kidney) in CT and MR volumes. A sphere inside the organ "
   "grows into the organ's surface, which is closed and does not intersect itself.";
 
-const char* const Footer =
+const char* const ProgramFooter =
   "Examples:\n"
   "  flipfree phantom abdomen -o try                  # a volume to try, and its seeds\n"
   "  flipfree segment try/abdomen.nii.gz --seed 99.75 83.75 167 --radius 28 -o liver.vtp\n"
@@ -122,7 +122,7 @@ int RunCommand(int argc, char* argv[])
     program.set_version_flag("--version", "flipfree " FLIPFREE_VERSION,
       "Print the version and exit");
     program.formatter(std::make_shared<HelpFormatter>()); // the subcommands inherit it
-    program.footer(Footer);
+    program.footer(ProgramFooter);
     program.require_subcommand(1);
     AddSegmentCommand(program);
     AddTraceCommand(program);

@@ -120,7 +120,7 @@ void WriteResults(const OrganFilter& filter, vtkImageData* image, const Segmenta
 
 using FilterPointer = std::unique_ptr<OrganFilter>;
 
-FilterPointer VesselFilter(const Segmentation& segmentation)
+FilterPointer MakeVesselFilter(const Segmentation& segmentation)
 {
   try
   {
@@ -140,7 +140,7 @@ FilterPointer FilterOf(const Segmentation& segmentation)
 {
   if (segmentation.IsVessel())
   {
-    return VesselFilter(segmentation);
+    return MakeVesselFilter(segmentation);
   }
   auto filter = vtkSmartPointer<vtkFlipFreeSegmentation>::New();
   filter->SetStartLabel(segmentation.StartLabel);
@@ -324,7 +324,7 @@ void Segment(const Segmentation& segmentation)
   SegmentOrgans(OrgansOf(session, given), &session);
 }
 
-const char* const Footer =
+const char* const SegmentFooter =
   "Either all output files are written or none. The picture of --snapshot shows the contour on\n"
   "axial, sagittal and coronal slices through the surface's center, and the surface; it needs a\n"
   "display (or xvfb-run).\n"
@@ -423,7 +423,7 @@ void AddSegmentCommand(CLI::App& program)
   segmentation->Corrections.AddOptions(*command, "organ");
   segmentation->Several.AddOptions(*command);
   segmentation->Parameters.AddOptions(*command);
-  command->footer(Footer);
+  command->footer(SegmentFooter);
   command->callback([segmentation]() { Segment(*segmentation); });
 }
 

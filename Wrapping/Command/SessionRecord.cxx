@@ -21,7 +21,7 @@ namespace Command
 namespace
 {
 
-using Json = nlohmann::ordered_json; // as people read it: the format first
+using OrderedJson = nlohmann::ordered_json; // as people read it: the format first
 
 const char* const FieldName = "Provenance";
 
@@ -32,7 +32,7 @@ std::string NameIn(const std::string& path)
   return (whole.has_filename() ? whole : whole.parent_path()).filename().string();
 }
 
-void Fill(Json& value, const std::string& name)
+void Fill(OrderedJson& value, const std::string& name)
 {
   if (!name.empty())
   {
@@ -47,9 +47,9 @@ std::string At(const std::vector<std::string>& texts, std::size_t index)
 }
 
 /// In a line each unless `indent` is negative. Names that are no UTF-8 do not stop it.
-std::string TextOf(const Json& session, int indent = -1)
+std::string TextOf(const OrderedJson& session, int indent = -1)
 {
-  return session.dump(indent, ' ', false, Json::error_handler_t::replace);
+  return session.dump(indent, ' ', false, OrderedJson::error_handler_t::replace);
 }
 
 } // namespace
@@ -63,12 +63,12 @@ std::string ProvenanceOf(vtkPolyData* surface)
 
 std::string NamedProvenance(const std::string& provenance, const OriginNames& names)
 {
-  Json session = Json::parse(provenance, nullptr, false);
+  OrderedJson session = OrderedJson::parse(provenance, nullptr, false);
   if (session.is_discarded()) // a name is no UTF-8
   {
     return provenance;
   }
-  Json& organs = session.at("organs");
+  OrderedJson& organs = session.at("organs");
   Fill(session.at("image").at("name"), NameIn(names.Image));
   for (std::size_t index = 0; index < organs.size(); ++index)
   {
@@ -146,15 +146,15 @@ std::string OrganOfFile(const std::string& file)
 void WriteSession(const std::string& name, const std::vector<std::string>& sessions)
 {
   if (!std::all_of(sessions.begin(), sessions.end(),
-        [](const auto& text) { return Json::accept(text); }))
+        [](const auto& text) { return OrderedJson::accept(text); }))
   {
     throw Failure("'" + name + "' cannot be written: the name of an organ is not in UTF-8.");
   }
-  Json all = Json::parse(sessions.front());
+  OrderedJson all = OrderedJson::parse(sessions.front());
   for (auto more = sessions.begin() + 1; more != sessions.end() && !all.contains("together");
        ++more)
   {
-    const Json session = Json::parse(*more);
+    const OrderedJson session = OrderedJson::parse(*more);
     all["organs"].push_back(session.at("organs").at(0));
   }
   const std::string text = TextOf(all, 2) + "\n";

@@ -33,8 +33,6 @@ namespace Command
 namespace
 {
 
-using Filter = vtkFlipFreeVesselSegmentation;
-
 struct Trace
 {
   std::string Input;
@@ -80,7 +78,8 @@ OriginNames NamesOf(const Trace& trace)
 }
 
 /// The files asked for.
-std::vector<Output> OutputsOf(const Trace& trace, Filter* filter, vtkImageData* image)
+std::vector<Output> OutputsOf(const Trace& trace, vtkFlipFreeVesselSegmentation* filter,
+  vtkImageData* image)
 {
   const OriginNames names = NamesOf(trace);
   const std::vector<Output> all = {
@@ -146,7 +145,7 @@ void RequireSense(const Trace& trace)
   }
 }
 
-void Configure(const Trace& trace, Filter* filter)
+void Configure(const Trace& trace, vtkFlipFreeVesselSegmentation* filter)
 {
   const double sign = trace.Corrections.AreRAS() ? -1 : 1;
   for (std::size_t first = 0; first + 2 < trace.Points.size(); first += 3)
@@ -170,7 +169,7 @@ void Configure(const Trace& trace, Filter* filter)
   filter->SetLabelValue(trace.Label);
 }
 
-void PrintSummary(Filter* filter, const Trace& trace)
+void PrintSummary(vtkFlipFreeVesselSegmentation* filter, const Trace& trace)
 {
   vtkPolyData* line = filter->GetCenterline();
   double seconds[4];
@@ -193,7 +192,7 @@ void TraceVessel(const Trace& trace)
     ProgressBar::Disable();
   }
   RequireSense(trace);
-  vtkNew<Filter> filter;
+  vtkNew<vtkFlipFreeVesselSegmentation> filter;
   Configure(trace, filter);
   OutputFiles files;
   for (const Output& output : OutputsOf(trace, nullptr, nullptr))
@@ -237,7 +236,7 @@ void TraceVessel(const Trace& trace)
   }
 }
 
-const char* const Footer =
+const char* const TraceFooter =
   "Either all output files are written or none. Points lie in the vessel: one at either end, more\n"
   "on its way or at the ends of its branches, in any order. Points 5 mm off do little harm.\n"
   "\n"
@@ -284,7 +283,7 @@ void AddFiles(CLI::App* command, Trace& trace)
 
 void AddParameters(CLI::App* command, Trace& trace)
 {
-  vtkNew<Filter> defaults;
+  vtkNew<vtkFlipFreeVesselSegmentation> defaults;
   trace.Radius = defaults->GetRadius();
   trace.WallThickness = defaults->GetWallThickness();
   trace.Levels = defaults->GetLevels();
@@ -326,7 +325,7 @@ void AddTraceCommand(CLI::App& program)
   AddFiles(command, *trace);
   AddParameters(command, *trace);
   trace->Corrections.AddOptions(*command, "vessel");
-  command->footer(Footer);
+  command->footer(TraceFooter);
   command->callback([trace]() { TraceVessel(*trace); });
 }
 

@@ -19,9 +19,9 @@ constexpr double QuadraticPrior = 0.25;
 // So that the field is the same whichever way the axes point: a quadratic form has each mixed
 // coefficient twice.
 constexpr double MixedPrior = QuadraticPrior * 1.4142135623730951;
-constexpr std::size_t MostSamples = 20000;
+constexpr std::size_t MostFieldSamples = 20000;
 constexpr std::size_t FewestSamples = 200;
-constexpr int Rounds = 6;
+constexpr int FieldRounds = 6;
 // Neighboring voxels are alike: a milliliter counts as one observation.
 constexpr double CubicMillimetersPerObservation = 1000;
 constexpr double LeastDeviation = 1e-3;
@@ -63,7 +63,7 @@ std::optional<IntensityField> IntensityField::Fit(const ImageView<float>& image,
 {
   const ImageGeometry& geometry = image.Geometry;
   const std::size_t count = core.Count();
-  const std::size_t step = std::max<std::size_t>(1, count / MostSamples);
+  const std::size_t step = std::max<std::size_t>(1, count / MostFieldSamples);
   std::vector<Eigen::Vector3d> points;
   std::vector<float> values;
   std::vector<float> ofSeed;
@@ -119,7 +119,7 @@ void IntensityField::Solve(const std::vector<Eigen::Vector3d>& points,
   std::vector<float> all = values;
   double deviation = std::max(RobustStatisticsOf(all).StandardDeviation, LeastDeviation * scale);
   Eigen::VectorXd weights = Eigen::VectorXd::Ones(count);
-  for (int round = 0; round < Rounds; ++round)
+  for (int round = 0; round < FieldRounds; ++round)
   {
     const Eigen::VectorXd weighted =
       weights * (independent / (static_cast<double>(count) * deviation * deviation));

@@ -10,7 +10,7 @@ namespace
 // Fat has less, in Hounsfield units.
 constexpr float Negative = -40;
 // The darkest and the brightest part of the voxels are left out.
-constexpr double Tail = 0.01;
+constexpr double TailOfValues = 0.01;
 // Below zero, in comparison with the brightest.
 constexpr float LeastPart = 0.05F;
 constexpr int SamplesPerAxis = 64;
@@ -52,8 +52,8 @@ Modality ModalityOf(const VoxelReader& read, const ImageGeometry& geometry)
   {
     return Modality::MR;
   }
-  const float darkest = TakeQuantile(values, Tail);
-  const float brightest = TakeQuantile(values, 1 - Tail);
+  const float darkest = TakeQuantile(values, TailOfValues);
+  const float brightest = TakeQuantile(values, 1 - TailOfValues);
   return darkest < Negative && -darkest > LeastPart * brightest ? Modality::CT : Modality::MR;
 }
 

@@ -12,7 +12,7 @@ namespace FlipFree
 namespace
 {
 
-constexpr int Rounds = 2;
+constexpr int CarvingRounds = 2;
 
 } // namespace
 
@@ -24,7 +24,7 @@ VoxelBox CarvingBox(const ImageGeometry& geometry, const std::vector<VoxelRun>& 
   {
     box = box.Joined({ { { run.Begin, run.J, run.K } }, { { run.End, run.J + 1, run.K + 1 } } });
   }
-  return box.Widened(RimReachOf(geometry, Rounds), WholeBox(geometry));
+  return box.Widened(RimReachOf(geometry, CarvingRounds), WholeBox(geometry));
 }
 
 bool CarveOrgan(const ImageView<float>& smooth, const std::vector<VoxelRun>& inside,
@@ -40,8 +40,8 @@ bool CarveOrgan(const ImageView<float>& smooth, const std::vector<VoxelRun>& ins
   }
   const ImagePart part{ smooth, box.Begin };
   double done = 0;
-  const Monitor proceed = [&](double) { return monitor(done / (2 * Rounds + 1)); };
-  for (int round = 0; round < Rounds; ++round)
+  const Monitor proceed = [&](double) { return monitor(done / (2 * CarvingRounds + 1)); };
+  for (int round = 0; round < CarvingRounds; ++round)
   {
     if (!CarveNecks(part, seed, noise, modality, parallelFor, proceed, mask))
     {

@@ -22,7 +22,7 @@ constexpr double Smoothness = 0.2;
 constexpr double LeastRadius = 5;
 constexpr double GreatestRadius = 40;
 // Voxels: what is certain around an inside point.
-constexpr double CertainVoxels = 1.01;
+constexpr double CertainOrganVoxels = 1.01;
 
 // A box of the volume in the voxels of a claim's region.
 VoxelBox InRegion(const VoxelBox& box, const OrganClaim& claim)
@@ -166,7 +166,7 @@ private:
       if (IsKept(constraint))
       {
         set({ constraint.Point,
-          std::max(constraint.Radius, CertainVoxels * geometry.Spacing.maxCoeff()) });
+          std::max(constraint.Radius, CertainOrganVoxels * geometry.Spacing.maxCoeff()) });
       }
     }
   }
