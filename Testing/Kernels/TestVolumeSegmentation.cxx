@@ -144,19 +144,20 @@ TEST(VolumeSegmentation, RefusesWhatItCannotWorkWith)
 TEST(StartSurface, MustBeFourValentAndEmbedded)
 {
   const DeformableSurface sphere = MakeStartSphere(4, { 0, 0, 0 }, 10);
-  PointList points = sphere.Points;
-  EXPECT_EQ(MakeStartSurface(points, sphere.Mesh.Faces, "it", true, SerialFor).Points,
-    sphere.Points);
-  points.row(0) *= -3;
-  EXPECT_NE(MessageOf([&] { MakeStartSurface(points, sphere.Mesh.Faces, "it", true, SerialFor); })
-              .find("it intersects itself in"),
+  GivenSurface given{ "it", sphere.Points, sphere.Mesh.Faces };
+  EXPECT_EQ(MakeStartSurface(given, true, SerialFor).Points, sphere.Points);
+  given.Points.row(0) *= -3;
+  EXPECT_NE(
+    MessageOf([&] { MakeStartSurface(given, true, SerialFor); }).find("it intersects itself in"),
     std::string::npos);
-  EXPECT_EQ(MakeStartSurface(points, sphere.Mesh.Faces, "it", false, SerialFor).Points, points);
-  FaceList open = sphere.Mesh.Faces;
+  EXPECT_EQ(MakeStartSurface(given, false, SerialFor).Points, given.Points);
+  FaceList& open = given.Faces;
   open.Offsets.pop_back();
   open.Connectivity.resize(open.Offsets.back());
-  EXPECT_EQ(MessageOf([&] { MakeStartSurface(points, open, "it", false, SerialFor); }).find("it: "),
-    0U);
+  EXPECT_EQ(MessageOf([&] { MakeStartSurface(given, false, SerialFor); }).find("it: "), 0U);
+  given.Points.resize(0, 3);
+  EXPECT_EQ(MessageOf([&] { MakeStartSurface(given, false, SerialFor); }),
+    "it has no points; give one that has");
 }
 
 TEST(SegmentationScores, OfAMaskAgainstItselfArePerfect)

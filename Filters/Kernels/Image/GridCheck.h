@@ -32,6 +32,16 @@ inline void RequireProperGrid(const ImageGeometry& geometry, const std::string& 
   }
 }
 
+/// Throws std::invalid_argument, naming the image by `name`, unless it has voxels on a proper grid.
+inline void RequireVoxels(const ImageGeometry& geometry, const std::string& name)
+{
+  if (geometry.NumberOfVoxels() == 0)
+  {
+    throw std::invalid_argument(name + " has no voxels; give one that has");
+  }
+  RequireProperGrid(geometry, name);
+}
+
 /// Throws std::invalid_argument, saying what differs between the two named so, unless the grids
 /// have the same dimensions and each voxel lies within a hundredth of a voxel of its counterpart.
 void RequireSameGeometry(const ImageGeometry& one, const ImageGeometry& other,

@@ -5,6 +5,7 @@
 #define FlipFreeAnswers_h
 
 #include "Bindings.h"
+#include "Volume.h"
 
 #include "Deformation/VolumeSegmentation.h"
 
@@ -14,8 +15,8 @@ namespace FlipFree
 /// How messages call the volume.
 constexpr const char* ImageName = "the image";
 
-/// Throws std::invalid_argument for a volume without voxels and for an improper grid.
-void RequireVoxels(const ImageGeometry& geometry);
+/// The volume as runs read it; it outlives them.
+GrayVolume GrayVolumeOf(const Volume& image);
 
 /// { stopReason, aborted, selfIntersections, surface, runs, iterations, warnings }.
 val AnswerOf(const OrganSurface& organ, const std::vector<VoxelRun>& voxels,

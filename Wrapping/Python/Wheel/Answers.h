@@ -6,7 +6,7 @@
 
 #include "Numpy.h"
 
-#include "Deformation/OrganSegmentation.h"
+#include "Deformation/VolumeSegmentation.h"
 #include "Mesh/SurfaceVoxelization.h"
 
 #include <vector>
@@ -17,8 +17,8 @@ namespace FlipFree
 /// How messages call the volume; Python leaves out the port.
 inline const char* const ImageName = "the image on port 0";
 
-/// Throws std::invalid_argument, naming the image, unless it has voxels on a proper grid.
-void RequireVoxels(const ImageGeometry& geometry);
+/// The volume as runs read it; numpy's array outlives them.
+GrayVolume GrayVolumeOf(const Voxels& voxels, const ImageGeometry& geometry);
 
 /// A surface: points, corners, offsets, displacements, correspondence.
 nb::dict SurfaceDict(FaceList faces, PointList points, CorrespondenceField field);
