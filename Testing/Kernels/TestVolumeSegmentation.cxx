@@ -58,9 +58,10 @@ VolumeSegmentation SegmentIt(const Volume& volume, const GrayVolume& gray,
   const VolumeSegmentationSettings& settings, const Monitor& monitor = NeverStop,
   const DeformableSurface* start = nullptr)
 {
-  return SegmentVolume(gray, "it", volume.Seed, start, settings, {}, monitor,
-    [](const ContourMesh&, const PointList&, const CorrespondenceField&, const IterationRecord&) {
-    });
+  return VolumeSegmenter(gray, "it", volume.Seed, start, settings, {})
+    .Segment({}, monitor,
+      [](const ContourMesh&, const PointList&, const CorrespondenceField&, const IterationRecord&) {
+      });
 }
 
 template <typename Call>
