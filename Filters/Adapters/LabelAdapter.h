@@ -1,6 +1,6 @@
 /**
- * Private to the modules, never installed: one label of a label map as the mask that kernels
- * measure, and the voxels inside a surface as a label map.
+ * Private to the modules, never installed: a vtkImageData as the label map that kernels read, and
+ * the voxels inside a surface as a label map.
  */
 #ifndef FlipFreeLabelAdapter_h
 #define FlipFreeLabelAdapter_h
@@ -44,20 +44,6 @@ inline LabelVolume LabelVolumeOf(vtkImageData* image, const std::string& name)
   RequireProperGrid(image, name);
   return VisitVoxels(image, name,
     [&name](const auto& view) { return LabelVolumeOf(view, name, SMPThreading()); });
-}
-
-/// The voxels with a label, or all that are not 0 for a negative one. Throws std::invalid_argument
-/// as LabelVolumeOf(), and for a voxel that is not a finite number.
-inline BitMask MaskOf(vtkImageData* image, int label, const std::string& name)
-{
-  return LabelVolumeOf(image, name).MaskOf(label);
-}
-
-/// Of an image that has passed MaskOf().
-inline LabelValues LabelsOf(vtkImageData* image)
-{
-  return VisitVoxels(image, "the label map",
-    [](const auto& view) { return LabelsIn(view, SMPFor); });
 }
 
 /// Makes `labelMap` a label map with the geometry of `image`: scalars `Labels`, unsigned char, the

@@ -89,7 +89,7 @@ double MeasureVolume(const std::vector<Case>& rows, const Options& options,
   for (const Case& row : rows)
   {
     const auto labels = ReadVolume(options.Data + "/" + row.Labels);
-    references.push_back(MaskOf(labels, row.Label, row.Labels));
+    references.push_back(LabelVolumeOf(labels, row.Labels).MaskOf(row.Label));
     organs.push_back({ row.Name, { Eigen::Vector3d(row.Seed.data()), row.Radius } });
     watch.Lap();
     const VolumeSegmentation run =

@@ -39,11 +39,14 @@ struct Volume
     return GrayVolumeOf(ImageView<std::int16_t>{ this->Intensities.data(), this->Geometry }, "it",
       {});
   }
+  LabelVolume References() const
+  {
+    return LabelVolumeOf(ImageView<std::uint8_t>{ this->Labels.data(), this->Geometry },
+      "the reference", {});
+  }
   LabelMask Reference(int label) const
   {
-    const ImageView<std::uint8_t> view{ this->Labels.data(), this->Geometry };
-    return { MaskOfLabel(view, label, "the reference", {}), label,
-      [view] { return LabelsIn(view, SerialFor); }, "the reference" };
+    return LabelMaskOf(this->References(), label, "ReferenceLabel");
   }
 };
 
@@ -174,10 +177,23 @@ TEST(SegmentationScores, OfAMaskAgainstItselfArePerfect)
   EXPECT_TRUE(scores.Warning.empty());
 }
 
+TEST(SegmentationScores, AreOfLabelMapsWithVoxelsOnAGrid)
+{
+  const Volume volume;
+  LabelVolume labels = volume.References();
+  labels.Geometry.Spacing[1] = -1;
+  EXPECT_NE(
+    MessageOf([&] { LabelMaskOf(labels, -1, "it"); }).find("the reference has a spacing of"),
+    std::string::npos);
+  labels.Geometry.Dimensions[0] = 0;
+  EXPECT_EQ(MessageOf([&] { LabelMaskOf(labels, -1, "it"); }),
+    "the reference has no voxels; give a label map");
+}
+
 TEST(SegmentationScores, SayWhichLabelsThereAre)
 {
   Volume volume;
-  EXPECT_EQ(MessageOf([&] { RequireLabel(volume.Reference(9), "ReferenceLabel"); }),
+  EXPECT_EQ(MessageOf([&] { volume.Reference(9); }),
     "the reference is empty: no voxel has the label 9; set ReferenceLabel to one of 1");
   volume.Labels.front() = 5;
   const SegmentationScores scores =

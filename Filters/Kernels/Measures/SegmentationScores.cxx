@@ -1,5 +1,6 @@
 #include "Measures/SegmentationScores.h"
 
+#include "Image/GridCheck.h"
 #include "Measures/SurfaceDistance.h"
 #include "Measures/VoxelOverlap.h"
 #include "Mesh/SurfaceVoxelization.h"
@@ -98,14 +99,6 @@ ParameterTable<ScoreSettings> MakeTable()
       1) };
 }
 
-} // namespace
-
-const ParameterTable<ScoreSettings>& ScoreParameters()
-{
-  static const ParameterTable<ScoreSettings> table = MakeTable();
-  return table;
-}
-
 void RequireLabel(const LabelMask& labelMap, const std::string& property)
 {
   if (labelMap.Label < 0 || !labelMap.Mask.Bounds().IsEmpty())
@@ -129,6 +122,26 @@ void RequireLabel(const LabelMask& labelMap, const std::string& property)
         ", where a label map holds whole numbers from 0 up; give it a label map";
   }
   throw std::invalid_argument(message);
+}
+
+} // namespace
+
+const ParameterTable<ScoreSettings>& ScoreParameters()
+{
+  static const ParameterTable<ScoreSettings> table = MakeTable();
+  return table;
+}
+
+LabelMask LabelMaskOf(const LabelVolume& labels, int label, const std::string& property)
+{
+  if (labels.Geometry.NumberOfVoxels() == 0)
+  {
+    throw std::invalid_argument(labels.Name + " has no voxels; give a label map");
+  }
+  RequireProperGrid(labels.Geometry, labels.Name);
+  LabelMask mask{ labels.MaskOf(label), label, labels.Values, labels.Name };
+  RequireLabel(mask, property);
+  return mask;
 }
 
 SegmentationScores ScoreSurface(const PointList& points, const TriangleList& triangles,

@@ -51,6 +51,12 @@ GrayVolume GrayVolumeOf(const Volume& image)
     [](const auto& view) { return GrayVolumeOf(view, ImageName, Threading()); });
 }
 
+LabelVolume LabelVolumeOf(const Volume& labels, const std::string& name)
+{
+  return labels.VisitVoxels(
+    [&name](const auto& view) { return LabelVolumeOf(view, name, Threading()); });
+}
+
 val AnswerOf(const OrganSurface& organ, const std::vector<VoxelRun>& voxels,
   const std::vector<std::string>& warnings)
 {

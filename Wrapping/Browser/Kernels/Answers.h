@@ -8,6 +8,7 @@
 #include "Volume.h"
 
 #include "Deformation/VolumeSegmentation.h"
+#include "Image/LabelValues.h"
 
 namespace FlipFree
 {
@@ -17,6 +18,9 @@ constexpr const char* ImageName = "the image";
 
 /// The volume as runs read it; it outlives them.
 GrayVolume GrayVolumeOf(const Volume& image);
+
+/// The same of a label map, which messages call `name`.
+LabelVolume LabelVolumeOf(const Volume& labels, const std::string& name);
 
 /// { stopReason, aborted, selfIntersections, surface, runs, iterations, warnings }.
 val AnswerOf(const OrganSurface& organ, const std::vector<VoxelRun>& voxels,

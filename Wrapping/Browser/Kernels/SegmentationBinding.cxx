@@ -55,12 +55,8 @@ public:
   val SetStart(const Volume& labels, int label)
   {
     return Guarded(
-      [&]
-      {
-        return ObjectOf(
-          this->Organ.FillLabel(labels.VisitVoxels([](const auto& view)
-                                  { return LabelVolumeOf(view, "the start labels", Threading()); }),
-            label));
+      [&] {
+        return ObjectOf(this->Organ.FillLabel(LabelVolumeOf(labels, "the start labels"), label));
       });
   }
 

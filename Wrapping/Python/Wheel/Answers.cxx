@@ -17,6 +17,13 @@ GrayVolume GrayVolumeOf(const Voxels& voxels, const ImageGeometry& geometry)
     [](const auto& view) { return GrayVolumeOf(view, ImageName, PoolThreading()); });
 }
 
+LabelVolume LabelVolumeOf(const LabelMap& labels, const std::string& name)
+{
+  const auto& [voxels, spacing, origin, direction] = labels;
+  return VisitVoxels(voxels, GeometryOf(voxels, spacing, origin, direction),
+    [&name](const auto& view) { return LabelVolumeOf(view, name, PoolThreading()); });
+}
+
 nb::dict SurfaceDict(FaceList faces, PointList points, CorrespondenceField field)
 {
   const auto size = static_cast<std::size_t>(points.rows());

@@ -1,5 +1,6 @@
 /**
- * What segmentations of organs and of vessels have in common on their way to Python.
+ * What segmentations of organs and of vessels, and measures of them, have in common on their way
+ * from and to Python.
  */
 #ifndef FlipFreeAnswers_h
 #define FlipFreeAnswers_h
@@ -7,8 +8,11 @@
 #include "Numpy.h"
 
 #include "Deformation/VolumeSegmentation.h"
+#include "Image/LabelValues.h"
 #include "Mesh/SurfaceVoxelization.h"
 
+#include <string>
+#include <tuple>
 #include <vector>
 
 namespace FlipFree
@@ -19,6 +23,12 @@ inline const char* const ImageName = "the image on port 0";
 
 /// The volume as runs read it; numpy's array outlives them.
 GrayVolume GrayVolumeOf(const Voxels& voxels, const ImageGeometry& geometry);
+
+/// A label map as it comes: voxels, spacing, origin and direction.
+using LabelMap = std::tuple<Voxels, Triple, Triple, Nine>;
+
+/// The same as kernels read it; numpy's array outlives them.
+LabelVolume LabelVolumeOf(const LabelMap& labels, const std::string& name);
 
 /// A surface: points, corners, offsets, displacements, correspondence.
 nb::dict SurfaceDict(FaceList faces, PointList points, CorrespondenceField field);

@@ -48,17 +48,6 @@ ConstraintList ConstraintsOf(const std::vector<ConstraintRow>& rows)
   return constraints;
 }
 
-// Voxels, spacing, origin, direction.
-using LabelMap = std::tuple<Voxels, Triple, Triple, Nine>;
-
-LabelVolume LabelVolumeOf(const LabelMap& labels)
-{
-  const auto& [voxels, spacing, origin, direction] = labels;
-  return VisitVoxels(voxels, GeometryOf(voxels, spacing, origin, direction),
-    [](const auto& view)
-    { return LabelVolumeOf(view, "the start labels on port 3", PoolThreading()); });
-}
-
 // The surface with its confidence, which are used up, and where it comes from.
 nb::dict ResultDict(VolumeSegmentation& result, const std::string& provenance)
 {
@@ -115,7 +104,7 @@ nb::dict Segment(const Voxels& voxels, const Triple& spacing, const Triple& orig
       OrganRuns runs(GrayVolumeOf(voxels, geometry), ImageName, PoolThreading());
       if (labels)
       {
-        runs.FillLabel(LabelVolumeOf(*labels), label);
+        runs.FillLabel(LabelVolumeOf(*labels, "the start labels on port 3"), label);
       }
       if (start)
       {
