@@ -76,12 +76,11 @@ class ResultTable
 {
 public:
   void Add(const std::string& name, int label, const FlipFree::VolumeSegmentation& result,
-    double voxelVolume)
+    const FlipFree::ImageGeometry& geometry)
   {
     this->Names->InsertNextValue(name);
     this->Labels->InsertNextValue(label);
-    this->Volumes->InsertNextValue(
-      static_cast<double>(FlipFree::CountVoxels(result.Voxels)) * voxelVolume / 1000);
+    this->Volumes->InsertNextValue(geometry.Milliliters(FlipFree::CountVoxels(result.Voxels)));
     this->Iterations->InsertNextValue(static_cast<int>(result.Organ.Iterations.size()));
     this->Reasons->InsertNextValue(FlipFree::ToString(result.Organ.Reason));
     this->Confidences->InsertNextValue(result.Confidence.OfSurface);
@@ -378,7 +377,7 @@ void vtkFlipFreeOrganGroup::Segment(vtkInformationVector** inputs, vtkInformatio
       vtkPolyData* const surface = this->GetSurface(static_cast<int>(index));
       FlipFree::AttachProvenance(answer.Provenance, surface);
       FlipFree::AddFieldText("Organ", { name }, surface);
-      table.Add(name, label, result, FlipFree::GeometryOf(image).VoxelVolume());
+      table.Add(name, label, result, FlipFree::GeometryOf(image));
       // What the outputs hold now.
       result.Organ.Points.resize(0, 3);
       result.Organ.Mesh = {};

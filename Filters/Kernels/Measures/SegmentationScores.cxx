@@ -30,18 +30,13 @@ BitMask Voxelize(const PointList& points, const TriangleList& triangles, const L
   return mask;
 }
 
-double Milliliters(std::size_t numberOfVoxels, const ImageGeometry& geometry)
-{
-  return numberOfVoxels * geometry.VoxelVolume() / 1000;
-}
-
 void Store(const VoxelOverlap& overlap, const ImageGeometry& geometry, SegmentationScores& scores)
 {
   scores.Dice = overlap.Dice();
   scores.Jaccard = overlap.Jaccard();
   scores.RelativeVolumeDifference = overlap.RelativeVolumeDifference();
-  scores.SegmentationVolume = Milliliters(overlap.Segmentation, geometry);
-  scores.ReferenceVolume = Milliliters(overlap.Reference, geometry);
+  scores.SegmentationVolume = geometry.Milliliters(overlap.Segmentation);
+  scores.ReferenceVolume = geometry.Milliliters(overlap.Reference);
 }
 
 void Store(const SurfaceDistance& distance, SegmentationScores& scores)
