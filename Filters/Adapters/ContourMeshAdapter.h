@@ -67,13 +67,19 @@ inline void RequireEmbedded(const ContourMesh& mesh, const FaceHulls& hulls,
   RequireEmbedded(mesh, hulls, points, name, SMPFor);
 }
 
+/// Copies a surface, named by `name`. Throws std::invalid_argument as RequirePolygons().
+inline GivenSurface GivenSurfaceOf(vtkPolyData* data, const std::string& name)
+{
+  RequirePolygons(data, name);
+  return { name, CopyPoints(data), CopyPolys(data, name) };
+}
+
 /// Copies a surface. Throws std::invalid_argument, naming it by `name`, when it is not a closed
 /// mesh with four neighbors at every vertex, or, if asked, is not embedded.
 inline DeformableSurface DeformableSurfaceOf(vtkPolyData* data, const std::string& name,
   bool requireEmbedded)
 {
-  RequirePolygons(data, name);
-  return MakeStartSurface(CopyPoints(data), CopyPolys(data, name), name, requireEmbedded, SMPFor);
+  return MakeStartSurface(GivenSurfaceOf(data, name), requireEmbedded, SMPFor);
 }
 
 /// Where the field is of another size, no iteration has been made of this mesh: nothing is wanted.

@@ -26,10 +26,7 @@ namespace FlipFree
 /// and scalars of one component for each of them.
 inline void RequireGrayImage(vtkImageData* image, const std::string& name)
 {
-  if (!image || image->GetNumberOfPoints() == 0)
-  {
-    throw std::invalid_argument(name + " has no voxels; give one that has");
-  }
+  RequireVoxels(image ? GeometryOf(image) : ImageGeometry(), name);
   vtkDataArray* scalars = image->GetPointData()->GetScalars();
   if (!scalars)
   {
@@ -51,7 +48,6 @@ inline void RequireGrayImage(vtkImageData* image, const std::string& name)
   {
     RefuseScalarType(scalars, name);
   }
-  RequireProperGrid(image, name);
 }
 
 /// RequireFiniteAs floats for an image that has passed RequireGrayImage.

@@ -1,6 +1,6 @@
 /**
- * Private to the modules, never installed: one label of a label map as the mask that kernels
- * measure, and the voxels inside a surface as a label map.
+ * Private to the modules, never installed: a vtkImageData as the label map that kernels read, and
+ * the voxels inside a surface as a label map.
  */
 #ifndef FlipFreeLabelAdapter_h
 #define FlipFreeLabelAdapter_h
@@ -25,10 +25,10 @@
 namespace FlipFree
 {
 
-/// The voxels with a label, or all that are not 0 for a negative one. Throws std::invalid_argument,
-/// naming the image by `name`, when it has no voxels or no proper grid, no scalars of one
-/// component, scalars of bits, or a voxel that is not a finite number.
-inline BitMask MaskOf(vtkImageData* image, int label, const std::string& name)
+/// The image, named by `name`, as the label map that kernels read. It outlives the volume. Throws
+/// std::invalid_argument when it has no voxels or no proper grid, no scalars of one component, or
+/// scalars of bits.
+inline LabelVolume LabelVolumeOf(vtkImageData* image, const std::string& name)
 {
   vtkDataArray* scalars = image->GetPointData()->GetScalars();
   if (image->GetNumberOfPoints() == 0)
@@ -43,14 +43,7 @@ inline BitMask MaskOf(vtkImageData* image, int label, const std::string& name)
   }
   RequireProperGrid(image, name);
   return VisitVoxels(image, name,
-    [&](const auto& view) { return MaskOfLabel(view, label, name, SMPThreading()); });
-}
-
-/// Of an image that has passed MaskOf().
-inline LabelValues LabelsOf(vtkImageData* image)
-{
-  return VisitVoxels(image, "the label map",
-    [](const auto& view) { return LabelsIn(view, SMPFor); });
+    [&name](const auto& view) { return LabelVolumeOf(view, name, SMPThreading()); });
 }
 
 /// Makes `labelMap` a label map with the geometry of `image`: scalars `Labels`, unsigned char, the

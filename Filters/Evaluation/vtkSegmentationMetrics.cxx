@@ -15,20 +15,8 @@
 #include "vtkTable.h"
 
 #include <exception>
-#include <string>
 
 vtkStandardNewMacro(vtkSegmentationMetrics);
-
-namespace
-{
-
-FlipFree::LabelMask LabelMaskOf(vtkImageData* image, int label, const std::string& name)
-{
-  return { FlipFree::MaskOf(image, label, name), label,
-    [image] { return FlipFree::LabelsOf(image); }, name };
-}
-
-} // namespace
 
 vtkSegmentationMetrics::vtkSegmentationMetrics()
 {
@@ -104,9 +92,8 @@ bool vtkSegmentationMetrics::Measure(vtkDataObject* input, vtkImageData* referen
   settings.SampleSpacing = this->SampleSpacing;
   settings.LabelSmoothing = this->LabelSmoothing;
   settings.ScoreVoxelization = this->ScoreVoxelization;
-  const LabelMask reference =
-    LabelMaskOf(referenceImage, settings.ReferenceLabel, "the reference on port 1");
-  RequireLabel(reference, "ReferenceLabel");
+  const LabelMask reference = LabelMaskOf(LabelVolumeOf(referenceImage, "the reference on port 1"),
+    settings.ReferenceLabel, "ReferenceLabel");
   SegmentationScores scores;
   if (vtkPolyData* polyData = vtkPolyData::SafeDownCast(input))
   {
@@ -116,9 +103,9 @@ bool vtkSegmentationMetrics::Measure(vtkDataObject* input, vtkImageData* referen
   }
   else
   {
-    const LabelMask segmentation = LabelMaskOf(vtkImageData::SafeDownCast(input),
-      settings.SegmentationLabel, "the segmentation on port 0");
-    RequireLabel(segmentation, "SegmentationLabel");
+    const LabelMask segmentation =
+      LabelMaskOf(LabelVolumeOf(vtkImageData::SafeDownCast(input), "the segmentation on port 0"),
+        settings.SegmentationLabel, "SegmentationLabel");
     scores = ScoreLabels(segmentation, reference, settings, SMPFor, MonitorOf(this));
   }
   this->Store(scores);

@@ -5,6 +5,7 @@
 #include "VolumeHeader.h"
 
 #include "Deformation/Provenance.h"
+#include "Image/LabelBoxes.h"
 
 #include "vtkAbstractArray.h"
 #include "vtkDataArray.h"
@@ -14,13 +15,10 @@
 #include "vtkStringArray.h"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
-#include <map>
 
 namespace FlipFree
 {
@@ -29,65 +27,22 @@ namespace
 
 constexpr std::size_t MostSegments = 4096; // more is no label map
 
-/// First and last voxel along i, j and k.
-using VoxelExtent = std::array<int, 6>;
-
-constexpr VoxelExtent Nowhere{ { 0, -1, 0, -1, 0, -1 } };
-
 [[noreturn]] void Refuse(const std::string& name, const std::string& why)
 {
   throw ImageFileError(vtkErrorCode::FileFormatError, "'" + name + "' cannot be written: " + why);
 }
 
-void Include(VoxelExtent& extent, const std::array<int, 3>& voxel)
+LabelBoxes LabelBoxesOf(vtkImageData* labels, const std::string& name)
 {
-  for (int axis = 0; axis < 3; ++axis)
+  LabelBoxes boxes;
+  if (!VisitVoxels(labels, "the image on port 0",
+        [&boxes](const auto& view) { return FindLabelBoxes(view, MostSegments, boxes); }))
   {
-    extent[2 * axis] = std::min(extent[2 * axis], voxel[axis]);
-    extent[2 * axis + 1] = std::max(extent[2 * axis + 1], voxel[axis]);
+    Refuse(name,
+      "the voxels of a .seg.nrrd file are labels, whole numbers and few of them, and these are "
+      "not. Write a .nrrd file.");
   }
-}
-
-/// Where each label lies that is not 0, in the order of the labels.
-std::map<std::int64_t, VoxelExtent> ExtentsOf(vtkImageData* labels, const std::string& name)
-{
-  std::map<std::int64_t, VoxelExtent> extents;
-  const auto visit = [&](const auto& view)
-  {
-    const auto& size = view.Geometry.Dimensions;
-    const auto* voxel = view.Data;
-    for (int k = 0; k < size[2]; ++k)
-    {
-      for (int j = 0; j < size[1]; ++j)
-      {
-        VoxelExtent* extent = nullptr;
-        for (int i = 0; i < size[0]; ++i, ++voxel)
-        {
-          if (*voxel == 0)
-          {
-            continue;
-          }
-          if (i == 0 || !extent || voxel[-1] != *voxel)
-          {
-            const auto value = static_cast<double>(*voxel);
-            if (!(std::abs(value) < 2e9) || value != std::floor(value) ||
-              extents.size() > MostSegments)
-            {
-              Refuse(name,
-                "the voxels of a .seg.nrrd file are labels, whole numbers and few of them, and "
-                "these are not. Write a .nrrd file.");
-            }
-            extent =
-              &extents.emplace(static_cast<std::int64_t>(value), VoxelExtent{ i, i, j, j, k, k })
-                 .first->second;
-          }
-          Include(*extent, { i, j, k });
-        }
-      }
-    }
-  };
-  VisitVoxels(labels, "the image on port 0", visit);
-  return extents;
+  return boxes;
 }
 
 struct Segment
@@ -161,12 +116,14 @@ std::string OneLine(std::string text)
   return text;
 }
 
-std::string TextOf(const VoxelExtent& extent)
+/// First and last voxel along i, j and k.
+std::string ExtentText(const VoxelBox& box)
 {
   std::string text;
-  for (const int bound : extent)
+  for (int axis = 0; axis < 3; ++axis)
   {
-    text += (text.empty() ? "" : " ") + std::to_string(bound);
+    text += (axis > 0 ? " " : "") + std::to_string(box.Begin[axis]) + " " +
+      std::to_string(box.End[axis] - 1);
   }
   return text;
 }
@@ -180,17 +137,17 @@ bool IsSegmentation(const std::string& name)
 
 FileFields SegmentFieldsOf(vtkImageData* labels, const std::string& name)
 {
-  const std::map<std::int64_t, VoxelExtent> extents = ExtentsOf(labels, name);
+  const LabelBoxes boxes = LabelBoxesOf(labels, name);
   std::vector<Segment> segments = NamedSegments(labels, name);
   const std::size_t named = segments.size();
   const std::string file = std::filesystem::path(name).filename().string();
-  for (const auto& [label, extent] : extents)
+  for (const auto& [label, box] : boxes)
   {
     const bool isNamed = std::any_of(segments.begin(), segments.end(),
       [wanted = label](const Segment& segment) { return segment.Label == wanted; });
     if (!isNamed)
     {
-      const bool isOnly = extents.size() == 1;
+      const bool isOnly = boxes.size() == 1;
       segments.push_back(
         { label, isOnly ? file.substr(0, file.find('.', 1)) : "Segment_" + std::to_string(label),
           DefaultColor(segments.size()) });
@@ -204,14 +161,14 @@ FileFields SegmentFieldsOf(vtkImageData* labels, const std::string& name)
   for (std::size_t index = 0; index < segments.size(); ++index)
   {
     const Segment& segment = segments[index];
-    const auto found = extents.find(segment.Label);
+    const auto found = boxes.find(segment.Label);
     const std::string key = "Segment" + std::to_string(index) + "_";
     fields.insert(fields.end(),
       { { key + "ID", "Segment_" + std::to_string(segment.Label) },
         { key + "Name", OneLine(segment.Name) },
         { key + "NameAutoGenerated", index < named ? "0" : "1" },
         { key + "Color", ColorField(segment.Color, name) }, { key + "ColorAutoGenerated", "0" },
-        { key + "Extent", TextOf(found == extents.end() ? Nowhere : found->second) },
+        { key + "Extent", ExtentText(found == boxes.end() ? VoxelBox() : found->second) },
         { key + "LabelValue", std::to_string(segment.Label) }, { key + "Layer", "0" } });
   }
   return fields;

@@ -2,8 +2,8 @@
 
 #include "ExecutionAdapter.h"
 #include "FieldData.h"
-#include "GradientScale.h"
 #include "GrayImageAdapter.h"
+#include "Image/GradientScale.h"
 #include "ItkDiffusion.h"
 #include "PipelineAdapter.h"
 #include "PropertyCheck.h"
@@ -63,7 +63,7 @@ bool MeasureScale(vtkImageData* image, const VoxelBox& box, const FlipFree::Seed
   const VoxelBox read = box.Widened({ { 1, 1, 1 } }, whole); // with the neighbors of its voxels
   return FlipFree::RequireFinite(image, read, InputName, FlipFree::PartOf(monitor, 0, 0.2)) &&
     FlipFree::MeasureGradientScale(FlipFree::GrayReaderOf(image, whole), geometry, box, sphere,
-      FlipFree::PartOf(monitor, 0.2, 1), scale);
+      FlipFree::SMPThreading(), FlipFree::PartOf(monitor, 0.2, 1), scale);
 }
 
 /// The region as an image of its own, in float. False if the monitor said stop; the copy is then

@@ -73,6 +73,11 @@ struct ImageGeometry
   {
     return std::abs(this->Spacing.prod() * this->Direction.determinant());
   }
+  /// The volume of so many voxels.
+  double Milliliters(std::size_t voxels) const
+  {
+    return static_cast<double>(voxels) * this->VoxelVolume() / 1000;
+  }
   std::size_t NumberOfVoxels() const
   {
     return static_cast<std::size_t>(this->Dimensions[0]) * this->Dimensions[1] *

@@ -1,13 +1,14 @@
 #include "PhantomSurface.h"
 
 #include "ExecutionAdapter.h"
+#include "MeshAdapter.h"
+#include "Phantom/ShapeCube.h"
 
 #include "vtkFloatArray.h"
 #include "vtkFlyingEdges3D.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
-#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkReverseSense.h"
 
@@ -16,30 +17,12 @@ namespace FlipFree
 vtkSmartPointer<vtkPolyData> MakePhantomSurface(const ImplicitShape& shape, const Ball& ball,
   const ImageGeometry& geometry)
 {
-  using Eigen::Vector3d;
-  const int cells = 128;
-  const int size = cells + 1;
-  const double cell = 2 * ball.Radius / cells;
-  const Vector3d first = ball.Center - Vector3d::Constant(ball.Radius);
+  const ShapeCube cube = CubeAround(ball);
   vtkNew<vtkImageData> samples;
-  samples->SetDimensions(size, size, size);
+  samples->SetDimensions(ShapeCube::Size, ShapeCube::Size, ShapeCube::Size);
   vtkNew<vtkFloatArray> values;
   values->SetNumberOfValues(samples->GetNumberOfPoints());
-  SMPFor(0, size,
-    [&](std::ptrdiff_t from, std::ptrdiff_t to)
-    {
-      float* value = values->GetPointer(from * size * size);
-      for (std::ptrdiff_t k = from; k < to; ++k)
-      {
-        for (int j = 0; j < size; ++j)
-        {
-          for (int i = 0; i < size; ++i)
-          {
-            *value++ = static_cast<float>(-shape(first + cell * Vector3d(i, j, k)));
-          }
-        }
-      }
-    });
+  SampleInCube(shape, cube, SMPFor, values->GetPointer(0));
   samples->GetPointData()->SetScalars(values);
 
   vtkNew<vtkFlyingEdges3D> contour;
@@ -56,18 +39,7 @@ vtkSmartPointer<vtkPolyData> MakePhantomSurface(const ImplicitShape& shape, cons
   reverse->Update();
 
   vtkSmartPointer<vtkPolyData> surface = reverse->GetOutput();
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  points->SetNumberOfPoints(surface->GetNumberOfPoints());
-  for (vtkIdType vertex = 0; vertex < points->GetNumberOfPoints(); ++vertex)
-  {
-    Vector3d at;
-    surface->GetPoint(vertex, at.data());
-    // The contour is interpolated between samples.
-    const Vector3d onSurface = ProjectOntoSurface(shape, first + cell * at, 1e-4 * cell);
-    points->SetPoint(vertex, GridToPhysical(geometry, onSurface).data());
-  }
-  surface->SetPoints(points);
+  surface->SetPoints(MakePoints(OntoSurface(shape, cube, CopyPoints(surface), geometry)));
   return surface;
 }
 

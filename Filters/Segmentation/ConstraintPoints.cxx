@@ -118,22 +118,23 @@ struct NumberedConstraint
     "; organs are numbered from 1, without gaps");
 }
 
-void AddByName(vtkStringArray* names, const ConstraintList& constraints, NamedConstraints& organs)
+void AddByName(vtkStringArray* names, const ConstraintList& constraints,
+  std::vector<NamedOrgan>& organs)
 {
   for (std::size_t index = 0; index < constraints.size(); ++index)
   {
     const std::string name = names->GetValue(static_cast<vtkIdType>(index));
     auto organ = std::find_if(organs.begin(), organs.end(),
-      [&name](const auto& candidate) { return candidate.first == name; });
+      [&name](const NamedOrgan& candidate) { return candidate.Name == name; });
     if (organ == organs.end())
     {
       organ = organs.insert(organ, { name, {} });
     }
-    organ->second.push_back(constraints[index]);
+    organ->Constraints.push_back(constraints[index]);
   }
 }
 
-void AddByNumber(std::vector<NumberedConstraint> numbered, NamedConstraints& organs)
+void AddByNumber(std::vector<NumberedConstraint> numbered, std::vector<NamedOrgan>& organs)
 {
   // So that an organ that is missing is found, whichever point comes first.
   std::stable_sort(numbered.begin(), numbered.end(),
@@ -149,7 +150,7 @@ void AddByNumber(std::vector<NumberedConstraint> numbered, NamedConstraints& org
     {
       organs.push_back({ "organ " + std::to_string(organs.size() + 1), {} });
     }
-    organs[static_cast<std::size_t>(point.Organ) - 1].second.push_back(point.Constraint);
+    organs[static_cast<std::size_t>(point.Organ) - 1].Constraints.push_back(point.Constraint);
   }
 }
 
@@ -166,7 +167,7 @@ ConstraintList ConstraintsOf(vtkInformationVector* inputs, int port)
   return constraints;
 }
 
-void AddConstraintsOf(vtkInformationVector* inputs, int port, NamedConstraints& organs)
+void AddConstraintsOf(vtkInformationVector* inputs, int port, std::vector<NamedOrgan>& organs)
 {
   std::vector<NumberedConstraint> numbered;
   for (const PointInput& input : PointInputsOf(inputs, port))
@@ -198,19 +199,6 @@ void AddConstraintsOf(vtkInformationVector* inputs, int port, NamedConstraints& 
     }
   }
   AddByNumber(std::move(numbered), organs);
-}
-
-void TakeSeed(const std::string& name, SeedSphere& seed, ConstraintList& constraints)
-{
-  const auto first = std::find_if(constraints.begin(), constraints.end(),
-    [](const PointConstraint& constraint) { return constraint.Kind == ConstraintKind::Seed; });
-  if (first == constraints.end())
-  {
-    throw std::invalid_argument(name + " has no seed; give a sphere that lies within it");
-  }
-  seed = { first->Point, first->Radius };
-  constraints.erase(first);
-  TakeLargestSeed(seed, constraints);
 }
 
 } // namespace FlipFree

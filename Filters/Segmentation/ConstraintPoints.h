@@ -4,10 +4,8 @@
 #ifndef FlipFreeConstraintPoints_h
 #define FlipFreeConstraintPoints_h
 
-#include "Image/PointConstraint.h"
+#include "Deformation/SegmentationRequest.h"
 
-#include <string>
-#include <utility>
 #include <vector>
 
 class vtkInformationVector;
@@ -20,17 +18,10 @@ namespace FlipFree
 /// port's number, for messages. Throws std::invalid_argument, naming data set, array and point.
 ConstraintList ConstraintsOf(vtkInformationVector* inputs, int port);
 
-/// Organs by name, each with its points and seeds.
-using NamedConstraints = std::vector<std::pair<std::string, ConstraintList>>;
-
 /// Adds the points to the organs that the point array `Organ` names, or numbers from 1; new organs
 /// come last, first those with names, then by number, in whatever order points and data sets are.
 /// Throws std::invalid_argument as ConstraintsOf(), and for a number that skips one.
-void AddConstraintsOf(vtkInformationVector* inputs, int port, NamedConstraints& organs);
-
-/// Takes the largest seed of an organ from its constraints. Throws std::invalid_argument, naming
-/// the organ, where there is none.
-void TakeSeed(const std::string& name, SeedSphere& seed, ConstraintList& constraints);
+void AddConstraintsOf(vtkInformationVector* inputs, int port, std::vector<NamedOrgan>& organs);
 
 } // namespace FlipFree
 

@@ -1,25 +1,46 @@
 #include "SegmentationState.h"
 
-#include <utility>
+#include "ContourMeshAdapter.h"
+#include "ExecutionAdapter.h"
+#include "GrayImageAdapter.h"
+#include "LabelAdapter.h"
+
+#include "vtkImageData.h"
+#include "vtkPointData.h"
+
+#include <tuple>
 
 namespace FlipFree
 {
-
-SegmentationState::SegmentationState(const SegmentationStateKey& key, vtkDataArray* voxels,
-  std::unique_ptr<VolumeSegmenter> segmenter)
-  : MadeOf(key)
-  , Voxels(voxels)
-  , Volume(std::move(segmenter))
+namespace
 {
+
+auto KeyOf(const SegmentationInputs& inputs)
+{
+  return std::make_tuple(inputs.Image, inputs.ImageTime, inputs.Start, inputs.StartTime,
+    inputs.Labels, inputs.LabelsTime, inputs.Label);
 }
 
-bool SegmentationState::IsOf(const SegmentationStateKey& key) const
+} // namespace
+
+bool SegmentationInputs::operator==(const SegmentationInputs& other) const
 {
-  const SegmentationStateKey& mine = this->MadeOf;
-  return mine.Image == key.Image && mine.ImageTime == key.ImageTime && mine.Start == key.Start &&
-    mine.StartTime == key.StartTime && mine.Labels == key.Labels &&
-    mine.LabelsTime == key.LabelsTime && mine.ParameterTime == key.ParameterTime &&
-    mine.Seed.Center == key.Seed.Center && mine.Seed.Radius == key.Seed.Radius;
+  return KeyOf(*this) == KeyOf(other);
+}
+
+SegmentationState::SegmentationState(const SegmentationInputs& inputs)
+  : Inputs(inputs)
+  , Voxels(inputs.Image->GetPointData()->GetScalars())
+  , Runs(GrayVolumeOf(inputs.Image, InputImageName), InputImageName, SMPThreading())
+{
+  if (inputs.Labels)
+  {
+    this->Runs.FillLabel(LabelVolumeOf(inputs.Labels, "the start labels on port 3"), inputs.Label);
+  }
+  if (inputs.Start)
+  {
+    this->Runs.StartFrom(GivenSurfaceOf(inputs.Start, "the start surface on port 1"));
+  }
 }
 
 } // namespace FlipFree

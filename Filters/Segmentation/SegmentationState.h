@@ -1,25 +1,26 @@
 /**
- * Private to the module: what constraints do not change, kept from one run to the next while image,
- * start, seed and parameters stay the same.
+ * Private to the module: what constraints do not change, kept from one run to the next while the
+ * inputs stay the same.
  */
 #ifndef FlipFreeSegmentationState_h
 #define FlipFreeSegmentationState_h
 
-#include "Deformation/VolumeSegmentation.h"
+#include "Deformation/SegmentationRequest.h"
 
 #include "vtkDataArray.h"
-#include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 
-#include <memory>
-
 class vtkImageData;
+class vtkPolyData;
 
 namespace FlipFree
 {
 
-/// Of what the segmenter was made. The seed is compared, the rest by modification times.
-struct SegmentationStateKey
+/// How messages call the image.
+constexpr const char* InputImageName = "the image on port 0";
+
+/// The inputs that are not constraints, told apart by their modification times.
+struct SegmentationInputs
 {
   vtkImageData* Image = nullptr;
   vtkMTimeType ImageTime = 0;
@@ -27,24 +28,20 @@ struct SegmentationStateKey
   vtkMTimeType StartTime = 0;
   vtkImageData* Labels = nullptr;
   vtkMTimeType LabelsTime = 0;
-  vtkMTimeType ParameterTime = 0;
-  SeedSphere Seed;
+  int Label = 0; ///< of Labels
+
+  bool operator==(const SegmentationInputs& other) const;
 };
 
-class SegmentationState
+struct SegmentationState
 {
-public:
-  /// Keeps the voxels alive, not the image.
-  SegmentationState(const SegmentationStateKey& key, vtkDataArray* voxels,
-    std::unique_ptr<VolumeSegmenter> segmenter);
+  /// Throws std::invalid_argument or Error for a start surface or labels that cannot be used. The
+  /// image has passed RequireGrayImage. Keeps its voxels alive, not the image.
+  explicit SegmentationState(const SegmentationInputs& inputs);
 
-  bool IsOf(const SegmentationStateKey& key) const;
-  VolumeSegmenter& Segmenter() const { return *this->Volume; }
-
-private:
-  const SegmentationStateKey MadeOf;
+  const SegmentationInputs Inputs;
   const vtkSmartPointer<vtkDataArray> Voxels;
-  const std::unique_ptr<VolumeSegmenter> Volume;
+  OrganRuns Runs;
 };
 
 } // namespace FlipFree

@@ -9,8 +9,8 @@
 #include "LabelAdapter.h"
 #include "PipelineAdapter.h"
 
-#include "Deformation/OrganGroup.h"
 #include "Deformation/Provenance.h"
+#include "Deformation/SegmentationRequest.h"
 #include "MessageText.h"
 #include "Stopwatch.h"
 
@@ -31,7 +31,6 @@
 
 #include <algorithm>
 #include <exception>
-#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -43,26 +42,25 @@ namespace
 
 const char* const NameOfImage = "the image on port 0";
 
-std::vector<FlipFree::FixedSurface> FixedSurfacesOf(vtkInformationVector* inputs)
+std::vector<FlipFree::GivenSurface> FixedSurfacesOf(vtkInformationVector* inputs)
 {
-  std::vector<FlipFree::FixedSurface> fixed;
+  std::vector<FlipFree::GivenSurface> fixed;
   for (int index = 0; index < inputs->GetNumberOfInformationObjects(); ++index)
   {
-    const std::string name = "the fixed surface " + std::to_string(index + 1) + " on port 2";
-    fixed.push_back(
-      { name, FlipFree::DeformableSurfaceOf(vtkPolyData::GetData(inputs, index), name, true) });
+    fixed.push_back(FlipFree::GivenSurfaceOf(vtkPolyData::GetData(inputs, index),
+      "the fixed surface " + std::to_string(index + 1) + " on port 2"));
   }
   return fixed;
 }
 
 // For files that hold names of labels.
-void NameSegments(const std::vector<FlipFree::OrganProvenance>& organs, int first,
+void NameSegments(const std::vector<FlipFree::NamedOrgan>& organs, int first,
   vtkImageData* labelMap)
 {
   std::vector<double> labels;
   std::vector<std::string> names;
   std::vector<std::string> colors;
-  for (const FlipFree::OrganProvenance& organ : organs)
+  for (const FlipFree::NamedOrgan& organ : organs)
   {
     labels.push_back(first + static_cast<double>(names.size()));
     colors.push_back(FlipFree::DefaultColor(names.size()));
@@ -78,12 +76,11 @@ class ResultTable
 {
 public:
   void Add(const std::string& name, int label, const FlipFree::VolumeSegmentation& result,
-    double voxelVolume)
+    const FlipFree::ImageGeometry& geometry)
   {
     this->Names->InsertNextValue(name);
     this->Labels->InsertNextValue(label);
-    this->Volumes->InsertNextValue(
-      static_cast<double>(FlipFree::CountVoxels(result.Voxels)) * voxelVolume / 1000);
+    this->Volumes->InsertNextValue(geometry.Milliliters(FlipFree::CountVoxels(result.Voxels)));
     this->Iterations->InsertNextValue(static_cast<int>(result.Organ.Iterations.size()));
     this->Reasons->InsertNextValue(FlipFree::ToString(result.Organ.Reason));
     this->Confidences->InsertNextValue(result.Confidence.OfSurface);
@@ -117,7 +114,7 @@ private:
 
 struct vtkFlipFreeOrganGroup::Internals
 {
-  FlipFree::NamedConstraints Organs;
+  std::vector<FlipFree::NamedOrgan> Organs;
   std::vector<FlipFree::VolumeSegmentation> Results; // without surfaces
   std::vector<vtkSmartPointer<vtkTable>> Convergence;
 
@@ -187,13 +184,13 @@ void vtkFlipFreeOrganGroup::AddPoint(const char* organ, int kind, const double (
 {
   const std::string name = organ ? organ : "";
   const auto found = std::find_if(this->Kept->Organs.begin(), this->Kept->Organs.end(),
-    [&name](const auto& candidate) { return candidate.first == name; });
+    [&name](const FlipFree::NamedOrgan& candidate) { return candidate.Name == name; });
   if (found == this->Kept->Organs.end())
   {
     vtkErrorMacro("No point: there is no organ named '" << name << "'; add it by AddOrgan first.");
     return;
   }
-  found->second.push_back({ static_cast<FlipFree::ConstraintKind>(kind),
+  found->Constraints.push_back({ static_cast<FlipFree::ConstraintKind>(kind),
     Eigen::Vector3d(point[0], point[1], point[2]), radius });
   this->Modified();
 }
@@ -355,51 +352,32 @@ int vtkFlipFreeOrganGroup::RequestData(vtkInformationVector** inputs, vtkInforma
 void vtkFlipFreeOrganGroup::Segment(vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   vtkImageData* const image = vtkImageData::GetData(inputs[0]);
-  this->Parameters->RequireProperties();
   FlipFree::RequireGrayImage(image, NameOfImage);
-  FlipFree::NamedConstraints named = this->Kept->Organs;
-  FlipFree::AddConstraintsOf(inputs[1], 1, named);
-  if (this->LabelValue + static_cast<int>(named.size()) > 256)
-  {
-    throw std::invalid_argument("labels go up to 255, which leaves none for " + named.back().first +
-      "; lower LabelValue, or remove organs");
-  }
-  std::vector<FlipFree::SeededOrgan> organs;
-  std::vector<FlipFree::ConstraintList> constraints;
-  for (const auto& [name, list] : named)
-  {
-    organs.push_back({ name, {} });
-    constraints.push_back(list);
-    FlipFree::TakeSeed(name, organs.back().Seed, constraints.back());
-  }
-  FlipFree::OrganGroup group(FlipFree::GrayVolumeOf(image, NameOfImage), NameOfImage, organs,
-    FixedSurfacesOf(inputs[2]), this->Parameters->GetSettings(), FlipFree::SMPThreading());
-  this->Kept->Results = group.Segment(constraints, FlipFree::MonitorOf(this, 0, 0.95),
-    [](std::size_t, const auto&, const auto&, const auto&, const auto&) {});
+  FlipFree::GroupRequest request;
+  request.Organs = this->Kept->Organs;
+  FlipFree::AddConstraintsOf(inputs[1], 1, request.Organs);
+  request.Fixed = FixedSurfacesOf(inputs[2]);
+  request.Settings = this->Parameters->GetSettings();
+  request.Settings.LabelValue = this->LabelValue;
+  FlipFree::GroupAnswer answer = FlipFree::SegmentGroup(FlipFree::GrayVolumeOf(image, NameOfImage),
+    NameOfImage, request, FlipFree::SMPThreading(), FlipFree::MonitorOf(this, 0, 0.95));
+  this->Kept->Results = std::move(answer.Results);
 
   FlipFree::Stopwatch watch;
-  std::vector<FlipFree::OrganProvenance> origins;
-  for (std::size_t index = 0; index < organs.size(); ++index)
-  {
-    origins.push_back({ organs[index].Name, organs[index].Seed, constraints[index] });
-  }
-  const std::string provenance = FlipFree::ProvenanceOf(origins,
-    static_cast<std::size_t>(inputs[2]->GetNumberOfInformationObjects()),
-    this->Parameters->GetSettings(), FlipFree::GeometryOf(image));
   ResultTable table;
-  for (std::size_t index = 0; index < organs.size(); ++index)
+  for (std::size_t index = 0; index < request.Organs.size(); ++index)
   {
     FlipFree::VolumeSegmentation& result = this->Kept->Results[index];
     this->Kept->Convergence.push_back(vtkSmartPointer<vtkTable>::New());
     if (result.Organ.Reason != FlipFree::StopReason::Aborted)
     {
-      const std::string& name = organs[index].Name;
+      const std::string& name = request.Organs[index].Name;
       const int label = this->LabelValue + static_cast<int>(index);
       this->FillOutputs(static_cast<int>(index), name, image, outputs);
       vtkPolyData* const surface = this->GetSurface(static_cast<int>(index));
-      FlipFree::AttachProvenance(provenance, surface);
+      FlipFree::AttachProvenance(answer.Provenance, surface);
       FlipFree::AddFieldText("Organ", { name }, surface);
-      table.Add(name, label, result, FlipFree::GeometryOf(image).VoxelVolume());
+      table.Add(name, label, result, FlipFree::GeometryOf(image));
       // What the outputs hold now.
       result.Organ.Points.resize(0, 3);
       result.Organ.Mesh = {};
@@ -411,7 +389,7 @@ void vtkFlipFreeOrganGroup::Segment(vtkInformationVector** inputs, vtkInformatio
   table.AddTo(vtkTable::GetData(outputs, 2));
   if (this->Kept->Finished(0)) // aborted, all outputs are empty
   {
-    NameSegments(origins, this->LabelValue, vtkImageData::GetData(outputs, 1));
+    NameSegments(request.Organs, this->LabelValue, vtkImageData::GetData(outputs, 1));
   }
   this->UpdateProgress(1);
 }
@@ -454,10 +432,10 @@ void vtkFlipFreeOrganGroup::FillOutputs(int organ, const std::string& name, vtkI
 void vtkFlipFreeOrganGroup::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  for (const auto& [name, constraints] : this->Kept->Organs)
+  for (const FlipFree::NamedOrgan& organ : this->Kept->Organs)
   {
-    os << indent << "Organ: " << name << "\n";
-    for (const FlipFree::PointConstraint& constraint : constraints)
+    os << indent << "Organ: " << organ.Name << "\n";
+    for (const FlipFree::PointConstraint& constraint : organ.Constraints)
     {
       const bool isSphere = constraint.Kind == FlipFree::ConstraintKind::Seed;
       os << indent.GetNextIndent()

@@ -1,8 +1,5 @@
 #include "vtkFlipFreeSegmentation.h"
 
-#include "ContourMeshAdapter.h"
-#include "ExecutionAdapter.h"
-#include "GrayImageAdapter.h"
 #include "LabelAdapter.h"
 #include "PipelineAdapter.h"
 #include "SegmentationResult.h"
@@ -26,7 +23,6 @@
 
 #include <algorithm>
 #include <exception>
-#include <optional>
 #include <string>
 
 vtkStandardNewMacro(vtkFlipFreeSegmentation);

@@ -90,12 +90,11 @@ class vtkTable;
 
 namespace FlipFree
 {
-class SegmentationState;
-struct SegmentationStateKey;
 struct OrganSegmentationSettings;
 struct PointConstraint;
 struct ScheduleSettings;
 struct SegmentationResult;
+struct SegmentationState;
 struct VolumeSegmentation;
 struct VolumeSegmentationSettings;
 }
@@ -135,11 +134,11 @@ public:
    * Connects or sets the points that correct the result (input port 2), replacing earlier ones;
    * adds more; disconnects all.
    */
-  void SetConstraintConnection(vtkAlgorithmOutput* output);
+  void SetConstraintConnection(vtkAlgorithmOutput* output) { this->SetInputConnection(2, output); }
   void SetConstraintData(vtkPointSet* points);
-  void AddConstraintConnection(vtkAlgorithmOutput* output);
+  void AddConstraintConnection(vtkAlgorithmOutput* output) { this->AddInputConnection(2, output); }
   void AddConstraintData(vtkPointSet* points);
-  void RemoveAllConstraintConnections();
+  void RemoveAllConstraintConnections() { this->RemoveAllInputConnections(2); }
   ///@}
 
   ///@{
@@ -454,18 +453,12 @@ protected:
 
 private:
   friend class vtkFlipFreeOrganGroup; // takes the parameters
-  void RequireProperties() const;
   FlipFree::VolumeSegmentationSettings GetSettings() const;
   void UseSettings(const FlipFree::OrganSegmentationSettings& settings);
   bool IsCacheUpToDate(vtkInformationVector** inputs);
   void Segment(vtkInformationVector** inputs);
   FlipFree::VolumeSegmentation Run(vtkInformationVector** inputs);
-  std::unique_ptr<FlipFree::SegmentationState> MakeState(
-    const FlipFree::SegmentationStateKey& key) const;
   std::vector<FlipFree::PointConstraint> AllConstraints(vtkInformationVector* points) const;
-  void NoteConnection(vtkMTimeType before);
-  vtkMTimeType GetOwnTime();
-  vtkMTimeType GetParameterTime();
   void AddConstraint(const FlipFree::PointConstraint& constraint);
 
   const std::unique_ptr<FlipFree::ScheduleSettings> Schedule;
@@ -476,9 +469,6 @@ private:
   std::unique_ptr<FlipFree::SegmentationResult> Cache;
   std::unique_ptr<FlipFree::SegmentationState> State;
   const std::unique_ptr<std::vector<FlipFree::PointConstraint>> Constraints;
-  vtkTimeStamp ConstraintTime;
-  vtkMTimeType ConnectionTime = 0;       // when port 2 was last connected,
-  vtkMTimeType TimeBeforeConnection = 0; // and when this filter had been modified before
 
   vtkFlipFreeSegmentation(const vtkFlipFreeSegmentation&) = delete;
   void operator=(const vtkFlipFreeSegmentation&) = delete;

@@ -8,53 +8,14 @@
 
 using FlipFree::ConstraintKind;
 
-void vtkFlipFreeSegmentation::SetConstraintConnection(vtkAlgorithmOutput* output)
-{
-  const vtkMTimeType before = this->GetOwnTime();
-  this->SetInputConnection(2, output);
-  this->NoteConnection(before);
-}
-
 void vtkFlipFreeSegmentation::SetConstraintData(vtkPointSet* points)
 {
-  const vtkMTimeType before = this->GetOwnTime();
   this->SetInputDataObject(2, points);
-  this->NoteConnection(before);
-}
-
-void vtkFlipFreeSegmentation::AddConstraintConnection(vtkAlgorithmOutput* output)
-{
-  const vtkMTimeType before = this->GetOwnTime();
-  this->AddInputConnection(2, output);
-  this->NoteConnection(before);
 }
 
 void vtkFlipFreeSegmentation::AddConstraintData(vtkPointSet* points)
 {
-  const vtkMTimeType before = this->GetOwnTime();
   this->AddInputDataObject(2, points);
-  this->NoteConnection(before);
-}
-
-void vtkFlipFreeSegmentation::RemoveAllConstraintConnections()
-{
-  const vtkMTimeType before = this->GetOwnTime();
-  this->RemoveAllInputConnections(2);
-  this->NoteConnection(before);
-}
-
-// Connecting points modifies this filter, but not its parameters, which stay as old as they were,
-// so that what constraints do not change can be kept.
-void vtkFlipFreeSegmentation::NoteConnection(vtkMTimeType before)
-{
-  this->TimeBeforeConnection = before;
-  this->ConnectionTime = this->Superclass::GetMTime();
-}
-
-vtkMTimeType vtkFlipFreeSegmentation::GetOwnTime()
-{
-  const vtkMTimeType time = this->Superclass::GetMTime();
-  return time == this->ConnectionTime ? this->TimeBeforeConnection : time;
 }
 
 void vtkFlipFreeSegmentation::AddInsidePoint(double x, double y, double z)
@@ -77,11 +38,10 @@ void vtkFlipFreeSegmentation::AddSeed(double x, double y, double z, double radiu
   this->AddConstraint({ ConstraintKind::Seed, { x, y, z }, radius });
 }
 
-// The time of the parameters stays, so that what constraints do not change can be kept.
 void vtkFlipFreeSegmentation::AddConstraint(const FlipFree::PointConstraint& constraint)
 {
   this->Constraints->push_back(constraint);
-  this->ConstraintTime.Modified();
+  this->Modified();
 }
 
 int vtkFlipFreeSegmentation::GetNumberOfAddedPoints() const
@@ -94,7 +54,7 @@ void vtkFlipFreeSegmentation::RemoveLastPoint()
   if (!this->Constraints->empty())
   {
     this->Constraints->pop_back();
-    this->ConstraintTime.Modified();
+    this->Modified();
   }
 }
 
@@ -103,7 +63,7 @@ void vtkFlipFreeSegmentation::RemoveAllPoints()
   if (!this->Constraints->empty())
   {
     this->Constraints->clear();
-    this->ConstraintTime.Modified();
+    this->Modified();
   }
 }
 

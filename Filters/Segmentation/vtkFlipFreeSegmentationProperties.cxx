@@ -72,14 +72,8 @@ DEFINE_STAGE(Deform, vtkFlipFreeDeform)
 
 vtkMTimeType vtkFlipFreeSegmentation::GetMTime()
 {
-  return std::max(
-    { this->Superclass::GetMTime(), this->GetParameterTime(), this->ConstraintTime.GetMTime() });
-}
-
-vtkMTimeType vtkFlipFreeSegmentation::GetParameterTime()
-{
-  return std::max({ this->GetOwnTime(), this->Diffusion->GetMTime(), this->Feature->GetMTime(),
-    this->Search->GetMTime(), this->Deform->GetMTime() });
+  return std::max({ this->Superclass::GetMTime(), this->Diffusion->GetMTime(),
+    this->Feature->GetMTime(), this->Search->GetMTime(), this->Deform->GetMTime() });
 }
 
 FlipFree::VolumeSegmentationSettings vtkFlipFreeSegmentation::GetSettings() const
@@ -124,16 +118,6 @@ void vtkFlipFreeSegmentation::UsePublishedParameters()
 void vtkFlipFreeSegmentation::UseNaiveParameters()
 {
   this->UseSettings(FlipFree::NaiveSettings());
-}
-
-void vtkFlipFreeSegmentation::RequireProperties() const
-{
-  FlipFree::RequireNumbers({ PROPERTIES(FLIPFREE_NAME_PROPERTY){ "StartCenterOffset",
-    this->StartCenterOffset[0] + this->StartCenterOffset[1] + this->StartCenterOffset[2] } });
-  this->Diffusion->RequireProperties();
-  this->Feature->RequireProperties();
-  this->Search->RequireProperties();
-  this->Deform->RequireProperties();
 }
 
 void vtkFlipFreeSegmentation::PrintSelf(ostream& os, vtkIndent indent)

@@ -164,7 +164,6 @@ int vtkFlipFreeVesselSegmentation::RequestData(vtkInformation*, vtkInformationVe
 void vtkFlipFreeVesselSegmentation::Segment(vtkImageData* image, vtkInformationVector* corrections,
   vtkInformationVector* outputs)
 {
-  this->RequireProperties();
   FlipFree::ConstraintList constraints = this->Points->Corrections;
   const auto more = FlipFree::ConstraintsOf(corrections, 1);
   constraints.insert(constraints.end(), more.begin(), more.end());

@@ -5,8 +5,8 @@
 #include "GrayImageAdapter.h"
 #include "Intensity/ModelFit.h"
 #include "Intensity/OrganCarving.h"
-#include "Intensity/OrganConsensus.h"
 #include "Intensity/OrganFeature.h"
+#include "Intensity/SurfaceForeground.h"
 #include "PipelineAdapter.h"
 #include "StageProperties.h"
 #include "SurfaceAdapter.h"
@@ -24,13 +24,19 @@ vtkStandardNewMacro(vtkGMMFeatureFilter);
 namespace
 {
 
+FlipFree::PolygonalSurface ClosedSurfaceOf(vtkPolyData* data)
+{
+  const char* const name = "the surface on port 1";
+  FlipFree::PolygonalSurface surface = FlipFree::SurfaceOf(data, name);
+  FlipFree::RequireClosed(static_cast<int>(surface.Points.rows()), surface.Triangles, name);
+  return surface;
+}
+
 FlipFree::Refit RefitTo(vtkPolyData* surface, const FlipFree::ImageView<float>& smooth,
   double noise, const FlipFree::IntensitySettings& settings, const FlipFree::Monitor& monitor,
   FlipFree::IntensityModel& model)
 {
-  const FlipFree::PolygonalSurface inside = FlipFree::SurfaceOf(surface, "the surface on port 1");
-  FlipFree::RequireClosed(static_cast<int>(inside.Points.rows()), inside.Triangles,
-    "the surface on port 1");
+  const FlipFree::PolygonalSurface inside = ClosedSurfaceOf(surface);
   const FlipFree::Refit refit = FlipFree::RefitToSurface(smooth, inside.Points, inside.Triangles,
     noise, settings, FlipFree::SMPFor, monitor, model);
   if (refit == FlipFree::Refit::NothingInside)
@@ -45,24 +51,13 @@ bool Carve(vtkPolyData* surface, const FlipFree::ImageView<float>& smooth,
   const FlipFree::SeedSphere& seed, double noise, const FlipFree::OrganFeatureSettings& settings,
   const FlipFree::Monitor& monitor, FlipFree::BitMask& foreground)
 {
-  const FlipFree::PolygonalSurface inside = FlipFree::SurfaceOf(surface, "the surface on port 1");
-  FlipFree::RequireClosed(static_cast<int>(inside.Points.rows()), inside.Triangles,
-    "the surface on port 1");
-  const std::vector<FlipFree::VoxelRun> runs = FlipFree::VoxelizeSurface(inside.Points,
-    inside.Triangles, smooth.Geometry, FlipFree::SMPFor, FlipFree::PartOf(monitor, 0, 0.1));
+  const FlipFree::PolygonalSurface inside = ClosedSurfaceOf(surface);
   const FlipFree::Modality modality =
     FlipFree::ResolveModality(settings.Modality, FlipFree::ReaderOf(smooth), smooth.Geometry);
-  if (!monitor(0.1) ||
-    !FlipFree::CarveOrgan(smooth, runs, seed, noise, modality, FlipFree::SMPFor,
-      FlipFree::PartOf(monitor, 0.1, 0.4), foreground))
-  {
-    return false;
-  }
-  const bool doubtful =
-    settings.Consensus && settings.ControlLeaks && FlipFree::IsDoubtful(runs, foreground);
-  return !doubtful ||
-    FlipFree::SeekConsensus(smooth, seed, noise, modality, settings, FlipFree::SMPFor,
-      FlipFree::PartOf(monitor, 0.4, 1), foreground);
+  double unanimity = 1;
+  return FlipFree::ForegroundOfSurface(
+    smooth, [](const FlipFree::VoxelBox&) { return true; }, inside.Points, inside.Triangles, seed,
+    noise, modality, settings, FlipFree::SMPFor, monitor, foreground, unanimity);
 }
 
 void AttachModel(const FlipFree::IntensityModel& model, vtkImageData* output)

@@ -12,8 +12,10 @@
 #include "vtkPolyData.h"
 #include "vtkUnsignedCharArray.h"
 
+#include <algorithm>
 #include <cmath>
 #include <exception>
+#include <vector>
 
 vtkStandardNewMacro(vtkQuadSphereSource);
 
@@ -44,11 +46,8 @@ int vtkQuadSphereSource::RequestData(vtkInformation*, vtkInformationVector**,
     vtkNew<vtkUnsignedCharArray> checkerboard;
     checkerboard->SetName("Checkerboard");
     checkerboard->SetNumberOfValues(sphere.Points.rows());
-    for (vtkIdType vertex = 0; vertex < checkerboard->GetNumberOfValues(); ++vertex)
-    {
-      const auto& cell = sphere.Cells[vertex];
-      checkerboard->SetValue(vertex, (cell[1] / 4 + cell[2] / 4) % 2);
-    }
+    const std::vector<unsigned char> fields = FlipFree::CheckerboardOf(sphere);
+    std::copy(fields.begin(), fields.end(), checkerboard->GetPointer(0));
     output->GetPointData()->SetScalars(checkerboard);
   }
   catch (const std::exception& error)

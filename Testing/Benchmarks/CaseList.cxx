@@ -50,7 +50,7 @@ vtkSmartPointer<vtkImageData> ReadVolume(const std::string& file)
 
 std::vector<RandomSeed> RandomSeeds(vtkImageData* labels, int label, double radius, int count)
 {
-  const FlipFree::BitMask mask = FlipFree::MaskOf(labels, label, "the reference");
+  const FlipFree::BitMask mask = FlipFree::LabelVolumeOf(labels, "the reference").MaskOf(label);
   const FlipFree::ImageGeometry& geometry = mask.GetGeometry();
   std::vector<unsigned char> voxels(geometry.NumberOfVoxels(), 0);
   mask.ForEach([&voxels](std::size_t voxel) { voxels[voxel] = 1; });

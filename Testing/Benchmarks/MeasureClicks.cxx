@@ -313,7 +313,7 @@ Row MeasureRow(const Case& row, const Options& options)
 {
   const auto image = ReadVolume(options.Data + "/" + row.Image);
   const auto labels = ReadVolume(options.Data + "/" + row.Labels);
-  const BitMask reference = MaskOf(labels, row.Label, row.Labels);
+  const BitMask reference = LabelVolumeOf(labels, row.Labels).MaskOf(row.Label);
   const SeedSphere seed{ Eigen::Vector3d(row.Seed.data()), row.Radius };
   VolumeSegmenter segmenter(GrayVolumeOf(image, row.Image), row.Image, seed, nullptr, {},
     SMPThreading());

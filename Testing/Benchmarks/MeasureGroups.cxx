@@ -89,11 +89,12 @@ double MeasureVolume(const std::vector<Case>& rows, const Options& options,
   for (const Case& row : rows)
   {
     const auto labels = ReadVolume(options.Data + "/" + row.Labels);
-    references.push_back(MaskOf(labels, row.Label, row.Labels));
+    references.push_back(LabelVolumeOf(labels, row.Labels).MaskOf(row.Label));
     organs.push_back({ row.Name, { Eigen::Vector3d(row.Seed.data()), row.Radius } });
     watch.Lap();
-    const VolumeSegmentation run = SegmentVolume(volume, name, organs.back().Seed, nullptr, {},
-      SMPThreading(), NeverStop, [](const auto&, const auto&, const auto&, const auto&) {});
+    const VolumeSegmentation run =
+      VolumeSegmenter(volume, name, organs.back().Seed, nullptr, {}, SMPThreading())
+        .Segment({}, NeverStop, [](const auto&, const auto&, const auto&, const auto&) {});
     seconds += watch.Lap();
     alone.push_back(MaskOfRuns(run.Voxels, volume.Geometry));
   }

@@ -214,7 +214,7 @@ void MeasureTraffic(const Subject& subject, int runs, int threads)
   AnisotropicDiffusionSettings diffusion;
   diffusion.Contrast = ContrastOfNoise(NoiseStandardDeviation(region.View(), subject.Seed));
   std::vector<float> smooth(region.Voxels.size());
-  const BitMask mask = MaskOf(subject.Reference, subject.Label, "the reference");
+  const BitMask mask = LabelVolumeOf(subject.Reference, "the reference").MaskOf(subject.Label);
   vtkNew<vtkImageData> labelMap;
 
   std::vector<Traffic> stages = {
@@ -236,7 +236,7 @@ void MeasureTraffic(const Subject& subject, int runs, int threads)
       {} },
     { "label map: filled", inImage, [&] { MakeLabelMap({}, 1, subject.Image, labelMap); }, {} },
     { "scores: a label to a mask", inImage * (label + 1.0 / 8),
-      [&] { MaskOf(subject.Reference, subject.Label, "the reference"); }, {} },
+      [&] { LabelVolumeOf(subject.Reference, "the reference").MaskOf(subject.Label); }, {} },
     { "scores: overlap of two masks", inImage * 2 / 8, [&] { MeasureOverlap(mask, mask, SMPFor); },
       {} },
   };

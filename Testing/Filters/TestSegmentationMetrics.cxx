@@ -121,7 +121,7 @@ TEST(LabelSurface, HasTheTrianglesOfVTKsFlyingEdges)
     contour->SetInputData(image);
     contour->SetValue(0, 1);
     contour->Update();
-    const LabelSurface surface = SurfaceOf(MaskOf(image, 1, "it"));
+    const LabelSurface surface = SurfaceOf(LabelVolumeOf(image, "it").MaskOf(1));
     using Corners = std::multiset<std::array<double, 9>>;
     const auto cornersOf = [](const PointList& points, const TriangleList& triangles)
     {
@@ -170,7 +170,7 @@ TEST(MaskOf, IsThatOfComparingNumbersInAnyType)
     }
     for (const int label : { -1, 0, 5, 127, 128, 256, 261, 65541, 1 << 30 })
     {
-      const BitMask mask = MaskOf(image, label, "the labels");
+      const BitMask mask = LabelVolumeOf(image, "the labels").MaskOf(label);
       for (vtkIdType voxel = 0; voxel < image->GetNumberOfPoints(); ++voxel)
       {
         const double value = scalars->GetTuple1(voxel);
@@ -224,12 +224,17 @@ std::vector<double> Downwards(double from, double to)
   return values;
 }
 
+LabelValues ValuesIn(vtkImageData* image)
+{
+  return LabelVolumeOf(image, "it").Values();
+}
+
 } // namespace
 
 TEST(LabelsOf, AreTheLowestOfAllSlices)
 {
   const auto labelsOf = [](const std::vector<double>& values)
-  { return TextOf(LabelsOf(ImageOfValues(VTK_SHORT, values)).Labels); };
+  { return TextOf(ValuesIn(ImageOfValues(VTK_SHORT, values)).Labels); };
   const std::string twenty =
     "1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20";
   WithEachBackend(
@@ -245,13 +250,13 @@ TEST(LabelsOf, AreTheLowestOfAllSlices)
 
 TEST(LabelsOf, AreWholeNumbersFromOneWithAllTheirDigits)
 {
-  const LabelValues values = LabelsOf(
+  const LabelValues values = ValuesIn(
     ImageOfValues(VTK_DOUBLE, { 614454277, 0.5, 312782546, -5, 2147483647, 3e9, 312782546 }));
   EXPECT_EQ(TextOf(values.Labels), "312782546, 614454277, 2147483647");
   EXPECT_EQ(TextOf(values.Others), "-5, 0.5, 3000000000");
   EXPECT_TRUE(values.AreSeveral());
-  EXPECT_FALSE(LabelsOf(ImageOfValues(VTK_DOUBLE, { -5, -5 })).AreSeveral());
-  EXPECT_TRUE(LabelsOf(ImageOfValues(VTK_DOUBLE, { -5, 7 })).AreSeveral());
+  EXPECT_FALSE(ValuesIn(ImageOfValues(VTK_DOUBLE, { -5, -5 })).AreSeveral());
+  EXPECT_TRUE(ValuesIn(ImageOfValues(VTK_DOUBLE, { -5, 7 })).AreSeveral());
 }
 
 TEST(LabelsOf, AreFewWhereEveryVoxelHasItsOwn)
@@ -264,7 +269,7 @@ TEST(LabelsOf, AreFewWhereEveryVoxelHasItsOwn)
   WithEachBackend(
     [&]
     {
-      const LabelValues found = LabelsOf(ImageOfValues(VTK_DOUBLE, values));
+      const LabelValues found = ValuesIn(ImageOfValues(VTK_DOUBLE, values));
       EXPECT_EQ(TextOf(found.Labels), "1");
       EXPECT_EQ(TextOf(found.Others), "0.000125, 0.00025, 0.000375 and more");
     });

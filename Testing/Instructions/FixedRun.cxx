@@ -38,15 +38,16 @@ int main()
   const ContourMesh mesh = BuildContourMesh(static_cast<int>(sphere.Points.rows()), sphere.Faces);
   PointList before;
   const OrganSurface organ =
-    SegmentOrgan(region, noise, scan.Seed, mesh, sphere.Points, settings, SerialFor, NeverStop,
-      [&before](const ContourMesh&, const PointList& points, const CorrespondenceField&,
-        const IterationRecord& record)
-      {
-        if (record.Iteration == 6)
+    OrganSegmenter(region, noise, scan.Seed, { mesh, sphere.Points }, settings, SerialFor)
+      .Segment({}, nullptr, NeverStop,
+        [&before](const ContourMesh&, const PointList& points, const CorrespondenceField&,
+          const IterationRecord& record)
         {
-          before = points;
-        }
-      });
+          if (record.Iteration == 6)
+          {
+            before = points;
+          }
+        });
 
   std::vector<unsigned char> labels(scan.Geometry.NumberOfVoxels(), 0);
   FillRuns(VoxelizeSurface(organ.Points, organ.Mesh.Triangles, scan.Geometry, SerialFor),

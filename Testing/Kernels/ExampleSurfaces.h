@@ -4,6 +4,7 @@
 #ifndef FlipFreeExampleSurfaces_h
 #define FlipFreeExampleSurfaces_h
 
+#include "Geometry/FaceHulls.h"
 #include "Mesh/ContourMesh.h"
 #include "Mesh/QuadSphere.h"
 
@@ -145,6 +146,16 @@ inline void ScatteredFor(std::ptrdiff_t begin, std::ptrdiff_t end, const RangeBo
   std::future<void> other = std::async(std::launch::async, work, end - size);
   work(end);
   other.get();
+}
+
+/// Of parts of adjacent faces, or of one, without those that others cover.
+inline std::vector<HullPair> AdjacentPairsOf(const FaceHulls& hulls)
+{
+  std::vector<HullPair> all;
+  hulls.VisitAdjacentPairs(false,
+    [&all](const std::vector<HullPair>& pairs)
+    { all.insert(all.end(), pairs.begin(), pairs.end()); });
+  return all;
 }
 
 /// The message of the std::invalid_argument that an action throws; "" if it throws none.

@@ -34,6 +34,18 @@ TEST(ContourMesh, SphereHasThePapersCounts)
   }
 }
 
+TEST(QuadSphere, CheckerboardHasFieldsOfFourByFour)
+{
+  const QuadSphere sphere = MakeQuadSphere(8, { 0, 0, 0 }, 1, QuadSphereSpacing::Equiangular);
+  const std::vector<unsigned char> fields = CheckerboardOf(sphere);
+  ASSERT_EQ(fields.size(), 6U * 8 * 8);
+  for (std::size_t vertex = 0; vertex < fields.size(); ++vertex)
+  {
+    const auto& [side, u, v] = sphere.Cells[vertex];
+    EXPECT_EQ(fields[vertex], (u < 4) == (v < 4) ? 0 : 1) << side;
+  }
+}
+
 TEST(ContourMesh, EveryVertexOfASphereLiesOnTwoContours)
 {
   const int n = 5;

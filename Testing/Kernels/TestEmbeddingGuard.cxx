@@ -56,7 +56,7 @@ double MinimumGap(const ContourMesh& mesh, const PointList& points)
   const auto distanceOf = [&](const Hull& one, const Hull& two)
   { return ProvenDistance(cornersOf(one), cornersOf(two)); };
   double least = std::numeric_limits<double>::infinity();
-  for (const HullPair& pair : hulls.AdjacentPairs())
+  for (const HullPair& pair : AdjacentPairsOf(hulls))
   {
     least = std::min(least, distanceOf(pair.One, pair.Two));
   }

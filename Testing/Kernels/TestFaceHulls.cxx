@@ -1,3 +1,4 @@
+#include "ExampleSurfaces.h"
 #include "Geometry/FaceHulls.h"
 #include "Mesh/SurfaceTopology.h"
 #include "RandomMotions.h"
@@ -111,7 +112,7 @@ void ExpectAllCutsCovered(const FaceList& faces, int numberOfPoints)
   const FaceHulls hulls(TriangleTree::TopologicalLayout(numberOfPoints, faces), faces);
   ASSERT_TRUE(hulls.VisitAdjacentPairs(true, [](const auto&) {}).empty());
   std::vector<SetPair> listed;
-  for (const HullPair& pair : hulls.AdjacentPairs())
+  for (const HullPair& pair : AdjacentPairsOf(hulls))
   {
     ASSERT_TRUE(AreDisjoint(SetOf(pair.One), SetOf(pair.Two)));
     listed.emplace_back(SetOf(pair.One), SetOf(pair.Two));
@@ -218,7 +219,7 @@ TEST(FaceHulls, ListsEightPairsPerVertexOfARegularMesh)
 {
   const TestTorus torus(12, 12);
   const FaceHulls hulls(torus.Points, torus.Mesh.Faces);
-  EXPECT_EQ(hulls.AdjacentPairs().size(), 8u * 144u);
+  EXPECT_EQ(AdjacentPairsOf(hulls).size(), 8u * 144u);
 }
 
 TEST(FaceHulls, NamesFacesThatShareTooMuch)

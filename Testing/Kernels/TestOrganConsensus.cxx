@@ -3,7 +3,9 @@
 #include "ExampleSurfaces.h"
 #include "Intensity/BoundarySupport.h"
 #include "Intensity/IntensityField.h"
+#include "Intensity/OrganCarving.h"
 #include "Intensity/OrganConsensus.h"
+#include "Intensity/SurfaceForeground.h"
 
 #include <gtest/gtest.h>
 
@@ -267,5 +269,77 @@ TEST(OrganConsensus, StopsAtOnce)
     }
     EXPECT_EQ(asked, allowed + 1);
     EXPECT_EQ(mask, carved);
+  }
+}
+
+// Which boxes are made tells whether further opinions were sought.
+TEST(SurfaceForeground, IsCarvedAndIfInDoubtVotedOn)
+{
+  const Organ organ;
+  const FloatImage image = organ.Image();
+  for (const double radius : { 20.5, 25.0 })
+  {
+    SCOPED_TRACE(radius);
+    const Surface surface = Sphere(16, Center, radius);
+    const std::vector<VoxelRun> inside =
+      VoxelizeSurface(surface.Points, surface.Triangles, organ.Geometry);
+    BitMask expected;
+    ASSERT_TRUE(CarveOrgan(image.View(), inside, organ.Seed, organ.Noise, Modality::MR, SerialFor,
+      NeverStop, expected));
+    std::vector<VoxelBox> boxes{ CarvingBox(organ.Geometry, inside, organ.Seed) };
+    double unanimous = 1;
+    const bool doubtful = IsDoubtful(inside, expected);
+    EXPECT_EQ(doubtful, radius > 21);
+    OrganFeatureSettings settings = organ.Settings;
+    for (const bool seeks : { false, true })
+    {
+      settings.Consensus = seeks;
+      if (seeks && doubtful)
+      {
+        boxes.push_back(ConsensusBox(expected, organ.Seed));
+        ASSERT_TRUE(SeekConsensus(image.View(), organ.Seed, organ.Noise, Modality::MR, settings,
+          SerialFor, NeverStop, expected, &unanimous));
+      }
+      std::vector<VoxelBox> made;
+      BitMask found;
+      double unanimity = 0;
+      ASSERT_TRUE(ForegroundOfSurface(
+        image.View(),
+        [&made](const VoxelBox& box)
+        {
+          made.push_back(box);
+          return true;
+        },
+        surface.Points, surface.Triangles, organ.Seed, organ.Noise, Modality::MR, settings,
+        SerialFor, NeverStop, found, unanimity));
+      EXPECT_EQ(found, expected);
+      EXPECT_EQ(unanimity, unanimous);
+      EXPECT_TRUE(made == boxes);
+    }
+  }
+}
+
+TEST(SurfaceForeground, StopsAtOnce)
+{
+  const Organ organ;
+  const FloatImage image = organ.Image();
+  const Surface surface = Sphere(16, Center, 25);
+  const auto stops = [&](const ImageMaker& make, const Monitor& monitor)
+  {
+    BitMask found;
+    double unanimity = 0;
+    return !ForegroundOfSurface(image.View(), make, surface.Points, surface.Triangles, organ.Seed,
+      organ.Noise, Modality::MR, organ.Settings, SerialFor, monitor, found, unanimity);
+  };
+  int boxes = 0;
+  EXPECT_TRUE(stops([&boxes](const VoxelBox&) { return ++boxes < 2; }, NeverStop));
+  EXPECT_EQ(boxes, 2);
+  for (int allowed = 0; allowed < 24; allowed += 4)
+  {
+    int asked = 0;
+    EXPECT_TRUE(
+      stops([](const VoxelBox&) { return true; }, [&](double) { return ++asked <= allowed; }))
+      << allowed;
+    EXPECT_EQ(asked, allowed + 1);
   }
 }

@@ -202,9 +202,10 @@ TEST(OrganGroup, OfOneIsTheOrganAlone)
 {
   const TouchingBalls balls;
   const VolumeSegmentation alone =
-    SegmentVolume(balls.Gray(), "it", balls.Left, nullptr, TouchingBalls::Coarse(), {}, NeverStop,
-      [](const ContourMesh&, const PointList&, const CorrespondenceField&, const IterationRecord&) {
-      });
+    VolumeSegmenter(balls.Gray(), "it", balls.Left, nullptr, TouchingBalls::Coarse(), {})
+      .Segment({}, NeverStop,
+        [](const ContourMesh&, const PointList&, const CorrespondenceField&,
+          const IterationRecord&) {});
   const std::vector<VolumeSegmentation> group = balls.Run({ { "left", balls.Left } }, { {} });
   EXPECT_EQ(group.front().Organ.Points, alone.Organ.Points);
   EXPECT_EQ(group.front().Organ.Iterations.size(), alone.Organ.Iterations.size());

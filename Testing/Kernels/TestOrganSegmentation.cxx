@@ -63,8 +63,7 @@ struct Scene
     SmoothRegion region(ReaderOf(this->Image.View()), this->Image.Geometry, this->Diffusion,
       SerialFor);
     region.Make({ { { 0, 0, 0 } }, this->Image.Geometry.Dimensions }, NeverStop);
-    return SegmentOrgan(region, Noise, this->Seed, this->Start, this->StartPoints, this->Settings,
-      SerialFor, NeverStop, IgnoreIteration);
+    return this->Segment(region, SerialFor, NeverStop);
   }
 
   OrganSurface FromRegion(VoxelBox& made, const Monitor& monitor = NeverStop) const
@@ -74,8 +73,7 @@ struct Scene
     // What is not made is not to be looked at: whoever does, goes astray.
     std::fill_n(const_cast<float*>(region.View().Data), this->Image.Voxels.size(),
       std::numeric_limits<float>::quiet_NaN());
-    OrganSurface organ = SegmentOrgan(region, Noise, this->Seed, this->Start, this->StartPoints,
-      this->Settings, ScatteredFor, monitor, IgnoreIteration);
+    OrganSurface organ = this->Segment(region, ScatteredFor, monitor);
     made = region.GetMade();
     return organ;
   }
@@ -88,9 +86,14 @@ struct Scene
   PointList StartPoints;
 
 private:
-  static void IgnoreIteration(const ContourMesh&, const PointList&, const CorrespondenceField&,
-    const IterationRecord&)
+  OrganSurface Segment(SmoothRegion& region, const ParallelFor& parallelFor,
+    const Monitor& monitor) const
   {
+    return OrganSegmenter(region, Noise, this->Seed, { this->Start, this->StartPoints },
+      this->Settings, parallelFor)
+      .Segment({}, nullptr, monitor,
+        [](const ContourMesh&, const PointList&, const CorrespondenceField&,
+          const IterationRecord&) {});
   }
 };
 

@@ -1,6 +1,7 @@
 #include "ExampleMasks.h"
 #include "ExampleSurfaces.h"
 #include "Phantom/Phantom.h"
+#include "Phantom/ShapeCube.h"
 #include "Phantom/VoxelNoise.h"
 
 #include <gtest/gtest.h>
@@ -83,7 +84,7 @@ Volume Sample(const Phantom& phantom, const ImageGeometry& grid,
   return volume;
 }
 
-double LabelVolume(const Volume& volume, const ImageGeometry& grid)
+double VolumeByLabel(const Volume& volume, const ImageGeometry& grid)
 {
   return std::count(volume.Labels.begin(), volume.Labels.end(), 1) * grid.Spacing.prod();
 }
@@ -306,7 +307,7 @@ TEST_P(PlainPhantom, VolumeIsThatOfTheClosedFormAndScalesWithTheGrid)
   const Volume volume = Sample(MakePlainPhantom(GetParam(), GridExtent(grid), 1000, 0), grid);
   const double expected = ClosedFormVolume(GetParam());
   EXPECT_NEAR(VolumeByGrayValue(volume, grid) / expected, 1, 0.002);
-  EXPECT_NEAR(LabelVolume(volume, grid) / expected, 1, 0.01);
+  EXPECT_NEAR(VolumeByLabel(volume, grid) / expected, 1, 0.01);
 
   const ImageGeometry other = Grid({ { 60, 100, 40 } }, { 1, 0.6, 1.5 });
   const Volume smaller = Sample(MakePlainPhantom(GetParam(), GridExtent(other), 1000, 0), other);
@@ -378,6 +379,38 @@ TEST_P(PlainPhantom, PointsAreProjectedOntoTheSurface)
     const Vector3d projected = ProjectOntoSurface(phantom.Surface, point, 1e-4);
     EXPECT_NEAR(phantom.Surface(projected), 0, 1e-6);
     EXPECT_LT((projected - point).norm(), std::abs(shift) + 1);
+  }
+}
+
+TEST_P(PlainPhantom, IsSampledInACubeThatHoldsItsSurface)
+{
+  const ImageGeometry grid = CubeGrid(96, 1);
+  const Phantom phantom = MakePlainPhantom(GetParam(), GridExtent(grid), 100, 0);
+  const ShapeCube cube = CubeAround(*phantom.Enclosing);
+  constexpr int size = ShapeCube::Size;
+  std::vector<float> values(static_cast<std::size_t>(size) * size * size);
+  SampleInCube(phantom.Surface, cube, SerialFor, values.data());
+  std::vector<float> scattered(values.size());
+  SampleInCube(phantom.Surface, cube, ScatteredFor, scattered.data());
+  EXPECT_EQ(scattered, values);
+  PointList inside(0, 3);
+  for (int sample = 0; sample < size * size * size; sample += 1013)
+  {
+    const Vector3d index(sample % size, sample / size % size, sample / (size * size));
+    const double value = phantom.Surface(cube.First + cube.Step * index);
+    EXPECT_EQ(values[sample], static_cast<float>(-value));
+    if (std::abs(value) < cube.Step)
+    {
+      inside.conservativeResize(inside.rows() + 1, 3);
+      inside.bottomRows(1) = index.transpose();
+    }
+  }
+  ASSERT_GT(inside.rows(), 0);
+  const PointList moved = OntoSurface(phantom.Surface, cube, inside, grid);
+  for (Eigen::Index point = 0; point < moved.rows(); ++point)
+  {
+    const Vector3d index = grid.ToIndex(moved.row(point).transpose());
+    EXPECT_NEAR(phantom.Surface(index - Vector3d::Constant(47.5)), 0, 1e-4);
   }
 }
 

@@ -207,5 +207,6 @@ TEST(SeedRegion, VoxelVolumeIsThatOfTheParallelepiped)
     const Eigen::Vector3d y = geometry.ToPhysical({ 0, 1, 0 }) - origin;
     const Eigen::Vector3d z = geometry.ToPhysical({ 0, 0, 1 }) - origin;
     EXPECT_NEAR(geometry.VoxelVolume(), std::abs(x.dot(y.cross(z))), 1e-9) << name;
+    EXPECT_NEAR(geometry.Milliliters(500), geometry.VoxelVolume() / 2, 1e-9) << name;
   }
 }

@@ -85,9 +85,6 @@ TEST(StartMask, WithoutAnyRoomIsRefused)
 {
   const ImageGeometry geometry = Grid({ { 10, 10, 10 } }, { 1, 1, 2 });
   BitMask mask(geometry);
-  EXPECT_THROW(RequireStartLabel(
-                 mask, 1, []() { return LabelValues(); }, Name),
-    Error);
   mask.InsertRun(0, 10, 5, 5); // a row is nowhere thicker than a voxel
   EXPECT_THROW(LargestBallIn(mask, Name, SerialFor), Error);
 }

@@ -1,5 +1,6 @@
 // From a coarse surface that the guard has just been able to keep embedded to a finer one.
 #include "AdverseMotions.h"
+#include "ExampleSurfaces.h"
 #include "Geometry/SelfIntersection.h"
 #include "Geometry/SurfaceGap.h"
 #include "Guard/EmbeddingGuard.h"
@@ -74,7 +75,7 @@ TEST(SurfaceRefinement, NearPairsAreFoundAgainAfterAPartHasMoved)
   const TestSphere sphere(6);
   PointList points = Crumpled(sphere, 0, 6, random);
   const FaceHulls hulls(points, sphere.Mesh.Faces);
-  const std::vector<HullPair> adjacent = hulls.AdjacentPairs();
+  const std::vector<HullPair> adjacent = AdjacentPairsOf(hulls);
   const double gap = 0.2 * sphere.EdgeLength;
   const auto sorted = [](const std::vector<HullPair>& pairs)
   {

@@ -92,7 +92,7 @@ TEST(SurfaceGap, IsThatOfBruteForce)
     }
     std::vector<std::pair<int, int>> found;
     for (const HullPair& pair :
-      FindPairsNearerThan(gap, potato.Points, hulls, hulls.AdjacentPairs(), ScatteredFor))
+      FindPairsNearerThan(gap, potato.Points, hulls, AdjacentPairsOf(hulls), ScatteredFor))
     {
       if (!ShareVertex(potato, pair.Faces[0], pair.Faces[1]))
       {

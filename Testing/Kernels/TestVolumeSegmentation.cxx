@@ -39,11 +39,14 @@ struct Volume
     return GrayVolumeOf(ImageView<std::int16_t>{ this->Intensities.data(), this->Geometry }, "it",
       {});
   }
+  LabelVolume References() const
+  {
+    return LabelVolumeOf(ImageView<std::uint8_t>{ this->Labels.data(), this->Geometry },
+      "the reference", {});
+  }
   LabelMask Reference(int label) const
   {
-    const ImageView<std::uint8_t> view{ this->Labels.data(), this->Geometry };
-    return { MaskOfLabel(view, label, "the reference", {}), label,
-      [view] { return LabelsIn(view, SerialFor); }, "the reference" };
+    return LabelMaskOf(this->References(), label, "ReferenceLabel");
   }
 };
 
@@ -58,9 +61,10 @@ VolumeSegmentation SegmentIt(const Volume& volume, const GrayVolume& gray,
   const VolumeSegmentationSettings& settings, const Monitor& monitor = NeverStop,
   const DeformableSurface* start = nullptr)
 {
-  return SegmentVolume(gray, "it", volume.Seed, start, settings, {}, monitor,
-    [](const ContourMesh&, const PointList&, const CorrespondenceField&, const IterationRecord&) {
-    });
+  return VolumeSegmenter(gray, "it", volume.Seed, start, settings, {})
+    .Segment({}, monitor,
+      [](const ContourMesh&, const PointList&, const CorrespondenceField&, const IterationRecord&) {
+      });
 }
 
 template <typename Call>
@@ -144,19 +148,20 @@ TEST(VolumeSegmentation, RefusesWhatItCannotWorkWith)
 TEST(StartSurface, MustBeFourValentAndEmbedded)
 {
   const DeformableSurface sphere = MakeStartSphere(4, { 0, 0, 0 }, 10);
-  PointList points = sphere.Points;
-  EXPECT_EQ(MakeStartSurface(points, sphere.Mesh.Faces, "it", true, SerialFor).Points,
-    sphere.Points);
-  points.row(0) *= -3;
-  EXPECT_NE(MessageOf([&] { MakeStartSurface(points, sphere.Mesh.Faces, "it", true, SerialFor); })
-              .find("it intersects itself in"),
+  GivenSurface given{ "it", sphere.Points, sphere.Mesh.Faces };
+  EXPECT_EQ(MakeStartSurface(given, true, SerialFor).Points, sphere.Points);
+  given.Points.row(0) *= -3;
+  EXPECT_NE(
+    MessageOf([&] { MakeStartSurface(given, true, SerialFor); }).find("it intersects itself in"),
     std::string::npos);
-  EXPECT_EQ(MakeStartSurface(points, sphere.Mesh.Faces, "it", false, SerialFor).Points, points);
-  FaceList open = sphere.Mesh.Faces;
+  EXPECT_EQ(MakeStartSurface(given, false, SerialFor).Points, given.Points);
+  FaceList& open = given.Faces;
   open.Offsets.pop_back();
   open.Connectivity.resize(open.Offsets.back());
-  EXPECT_EQ(MessageOf([&] { MakeStartSurface(points, open, "it", false, SerialFor); }).find("it: "),
-    0U);
+  EXPECT_EQ(MessageOf([&] { MakeStartSurface(given, false, SerialFor); }).find("it: "), 0U);
+  given.Points.resize(0, 3);
+  EXPECT_EQ(MessageOf([&] { MakeStartSurface(given, false, SerialFor); }),
+    "it has no points; give one that has");
 }
 
 TEST(SegmentationScores, OfAMaskAgainstItselfArePerfect)
@@ -172,10 +177,23 @@ TEST(SegmentationScores, OfAMaskAgainstItselfArePerfect)
   EXPECT_TRUE(scores.Warning.empty());
 }
 
+TEST(SegmentationScores, AreOfLabelMapsWithVoxelsOnAGrid)
+{
+  const Volume volume;
+  LabelVolume labels = volume.References();
+  labels.Geometry.Spacing[1] = -1;
+  EXPECT_NE(
+    MessageOf([&] { LabelMaskOf(labels, -1, "it"); }).find("the reference has a spacing of"),
+    std::string::npos);
+  labels.Geometry.Dimensions[0] = 0;
+  EXPECT_EQ(MessageOf([&] { LabelMaskOf(labels, -1, "it"); }),
+    "the reference has no voxels; give a label map");
+}
+
 TEST(SegmentationScores, SayWhichLabelsThereAre)
 {
   Volume volume;
-  EXPECT_EQ(MessageOf([&] { RequireLabel(volume.Reference(9), "ReferenceLabel"); }),
+  EXPECT_EQ(MessageOf([&] { volume.Reference(9); }),
     "the reference is empty: no voxel has the label 9; set ReferenceLabel to one of 1");
   volume.Labels.front() = 5;
   const SegmentationScores scores =

@@ -1,9 +1,9 @@
 #include "SessionFile.h"
 
 #include "Failure.h"
+#include "ImageAdapter.h"
 
 #include "vtkImageData.h"
-#include "vtkMath.h"
 
 #include <nlohmann/json.hpp>
 
@@ -256,66 +256,15 @@ std::string PathBeside(const Session& session, const std::string& name)
   return name.empty() || !fs::exists(path, error) ? std::string() : path.string();
 }
 
-using Corners = std::array<std::array<double, 3>, 8>;
-
-Corners CornersOf(const Session& session)
+FlipFree::ImageGeometry GeometryOf(const Session& session)
 {
-  Corners corners;
-  for (int corner = 0; corner < 8; ++corner)
-  {
-    corners[corner] = session.Origin;
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      const double length =
-        ((corner >> axis) & 1) * session.Spacing[axis] * (session.Size[axis] - 1);
-      for (int row = 0; row < 3; ++row)
-      {
-        corners[corner][row] += length * session.Direction[3 * row + axis];
-      }
-    }
-  }
-  return corners;
-}
-
-Corners CornersOf(vtkImageData* image)
-{
-  Corners corners;
-  int extent[6];
-  image->GetExtent(extent);
-  for (int corner = 0; corner < 8; ++corner)
-  {
-    double index[3];
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      index[axis] = extent[2 * axis + ((corner >> axis) & 1)];
-    }
-    image->TransformContinuousIndexToPhysicalPoint(index, corners[corner].data());
-  }
-  return corners;
-}
-
-/// Up to a tenth of the least spacing, since files round differently, and in whichever order the
-/// voxels are, since readers of DICOM differ in it.
-bool HasVoxelsOf(const Session& session, vtkImageData* image)
-{
-  std::array<int, 3> size;
-  image->GetDimensions(size.data());
-  std::array<int, 3> wanted = session.Size;
-  std::sort(size.begin(), size.end());
-  std::sort(wanted.begin(), wanted.end());
-  const double tolerance = 0.1 * *std::min_element(session.Spacing.begin(), session.Spacing.end());
-  const Corners found = CornersOf(image);
-  const Corners corners = CornersOf(session);
-  return size == wanted &&
-    std::all_of(corners.begin(), corners.end(),
-      [&](const std::array<double, 3>& corner)
-      {
-        return std::any_of(found.begin(), found.end(),
-          [&](const std::array<double, 3>& other) {
-            return vtkMath::Distance2BetweenPoints(corner.data(), other.data()) <=
-              tolerance * tolerance;
-          });
-      });
+  FlipFree::ImageGeometry geometry;
+  geometry.Dimensions = session.Size;
+  geometry.Spacing = Eigen::Vector3d(session.Spacing.data());
+  geometry.Origin = Eigen::Vector3d(session.Origin.data());
+  geometry.Direction =
+    Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(session.Direction.data());
+  return geometry;
 }
 
 } // namespace
@@ -369,7 +318,7 @@ std::string FileBeside(const Session& session, const std::string& name, const st
 
 void RequireImageOf(const Session& session, const std::string& name, vtkImageData* image)
 {
-  if (!HasVoxelsOf(session, image))
+  if (!FlipFree::HaveSamePlaces(GeometryOf(session), FlipFree::GeometryOf(image)))
   {
     throw Failure("'" + name + "' is not the image of '" + session.File + "', which is '" +
       session.ImageName + "' of " + std::to_string(session.Size[0]) + " x " +

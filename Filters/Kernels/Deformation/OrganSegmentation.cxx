@@ -436,13 +436,4 @@ OrganSurface OrganSegmenter::Segment(const ConstraintList& constraints,
   return surface;
 }
 
-OrganSurface SegmentOrgan(SmoothRegion& region, double noise, const SeedSphere& seed,
-  const ContourMesh& startMesh, const PointList& startPoints,
-  const OrganSegmentationSettings& settings, const ParallelFor& parallelFor, const Monitor& monitor,
-  const IterationObserver& observer)
-{
-  return OrganSegmenter(region, noise, seed, { startMesh, startPoints }, settings, parallelFor)
-    .Segment({}, nullptr, monitor, observer);
-}
-
 } // namespace FlipFree

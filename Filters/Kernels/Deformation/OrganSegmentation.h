@@ -118,12 +118,6 @@ private:
   const ParallelFor& Parallel;
 };
 
-/// A surface without constraints.
-OrganSurface SegmentOrgan(SmoothRegion& region, double noise, const SeedSphere& seed,
-  const ContourMesh& startMesh, const PointList& startPoints,
-  const OrganSegmentationSettings& settings, const ParallelFor& parallelFor, const Monitor& monitor,
-  const IterationObserver& observer);
-
 } // namespace FlipFree
 
 #endif

@@ -2,27 +2,36 @@
 
 #include "Error.h"
 #include "Image/DistanceTransform.h"
+#include "Image/GridCheck.h"
 #include "Image/VoxelOffsets.h"
 #include "Intensity/LeakControl.h"
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 namespace FlipFree
 {
 
-void RequireStartLabel(const BitMask& mask, int label, const std::function<LabelValues()>& labels,
-  const std::string& name)
+BitMask StartMaskOf(const LabelVolume& labels, int label, const ImageGeometry& image,
+  const std::string& nameOfImage)
 {
-  if (!mask.Bounds().IsEmpty())
+  if (labels.Geometry.NumberOfVoxels() == 0)
   {
-    return;
+    throw std::invalid_argument(labels.Name + " have no voxels; give a label map");
   }
-  const std::string others = TextOf(labels().Labels);
-  throw Error(ErrorCode::EmptyMask,
-    name + " have no voxel of " +
-      (label == 0 ? "any value but 0" : "the value " + std::to_string(label)) +
-      (others.empty() ? "" : "; they have " + others));
+  RequireProperGrid(labels.Geometry, labels.Name);
+  RequireSameGeometry(labels.Geometry, image, labels.Name, nameOfImage);
+  BitMask mask = labels.MaskOf(label == 0 ? -1 : label);
+  if (mask.Bounds().IsEmpty())
+  {
+    const std::string others = TextOf(labels.Values().Labels);
+    throw Error(ErrorCode::EmptyMask,
+      labels.Name + " have no voxel of " +
+        (label == 0 ? "any value but 0" : "the value " + std::to_string(label)) +
+        (others.empty() ? "" : "; they have " + others));
+  }
+  return mask;
 }
 
 SeedSphere LargestBallIn(const BitMask& mask, const std::string& name,

@@ -11,18 +11,17 @@
 #include "Image/SeedRegion.h"
 #include "Mesh/SurfaceVoxelization.h"
 
-#include <functional>
 #include <string>
 #include <vector>
 
 namespace FlipFree
 {
 
-/// Throws Error, naming the label map by `name`, unless the mask of its label has voxels; 0 stands
-/// for all that are not 0. `labels` says which there are, and is asked only where the
-/// one is missing.
-void RequireStartLabel(const BitMask& mask, int label, const std::function<LabelValues()>& labels,
-  const std::string& name);
+/// The voxels of a label; 0 stands for all that are not 0. Throws std::invalid_argument or Error,
+/// naming the label map, unless it has the grid of the image, which is named by `nameOfImage`, no
+/// voxel that is not a finite number, and voxels of the label.
+BitMask StartMaskOf(const LabelVolume& labels, int label, const ImageGeometry& image,
+  const std::string& nameOfImage);
 
 /// The largest ball that the mask holds, up to the nearest voxel center outside it, and within
 /// the image. Of several, the first in the order of the voxels. Throws Error, naming the

@@ -30,14 +30,19 @@ void RequireEmbedded(const ContourMesh& mesh, const FaceHulls& hulls, const Poin
   RequireOutward(points, mesh.Triangles, name);
 }
 
-DeformableSurface MakeStartSurface(const PointList& points, const FaceList& faces,
-  const std::string& name, bool requireEmbedded, const ParallelFor& parallelFor)
+DeformableSurface MakeStartSurface(const GivenSurface& given, bool requireEmbedded,
+  const ParallelFor& parallelFor)
 {
-  RequireValidFaces(points, faces, name);
+  const std::string& name = given.Name;
+  if (given.Points.rows() == 0)
+  {
+    throw std::invalid_argument(name + " has no points; give one that has");
+  }
+  RequireValidFaces(given.Points, given.Faces, name);
   DeformableSurface surface;
-  surface.Points = points;
-  surface.Mesh =
-    NamingSurface(name, [&] { return BuildContourMesh(static_cast<int>(points.rows()), faces); });
+  surface.Points = given.Points;
+  surface.Mesh = NamingSurface(name,
+    [&given] { return BuildContourMesh(static_cast<int>(given.Points.rows()), given.Faces); });
   if (requireEmbedded)
   {
     RequireEmbedded(surface.Mesh, FaceHulls(surface.Points, surface.Mesh.Faces), surface.Points,

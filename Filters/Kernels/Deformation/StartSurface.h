@@ -19,6 +19,14 @@ struct DeformableSurface
   PointList Points;
 };
 
+/// A surface as somebody gives it.
+struct GivenSurface
+{
+  std::string Name; ///< in messages
+  PointList Points;
+  FaceList Faces;
+};
+
 /// A quad sphere with n vertices along an edge of a side.
 DeformableSurface MakeStartSphere(int n, const Eigen::Vector3d& center, double radius);
 
@@ -41,10 +49,10 @@ auto NamingSurface(const std::string& name, const Make& make)
 void RequireEmbedded(const ContourMesh& mesh, const FaceHulls& hulls, const PointList& points,
   const std::string& name, const ParallelFor& parallelFor);
 
-/// Throws std::invalid_argument, naming the surface by `name`, when it is not a closed mesh with
-/// four neighbors at every vertex, or, if asked, is not embedded.
-DeformableSurface MakeStartSurface(const PointList& points, const FaceList& faces,
-  const std::string& name, bool requireEmbedded, const ParallelFor& parallelFor);
+/// Throws std::invalid_argument, naming the surface, when it has no points, is not a closed mesh
+/// with four neighbors at every vertex, or, if asked, is not embedded.
+DeformableSurface MakeStartSurface(const GivenSurface& given, bool requireEmbedded,
+  const ParallelFor& parallelFor);
 
 } // namespace FlipFree
 

@@ -254,13 +254,4 @@ void VolumeSegmenter::Judge(const ConstraintList& constraints, VolumeSegmentatio
   }
 }
 
-VolumeSegmentation SegmentVolume(const GrayVolume& volume, const std::string& name,
-  const SeedSphere& seed, const DeformableSurface* start,
-  const VolumeSegmentationSettings& settings, const Threading& threading, const Monitor& monitor,
-  const IterationObserver& observer)
-{
-  return VolumeSegmenter(volume, name, seed, start, settings, threading)
-    .Segment({}, monitor, observer);
-}
-
 } // namespace FlipFree

@@ -126,12 +126,6 @@ private:
   std::unique_ptr<OrganSegmenter> Organ;
 };
 
-/// Once, without constraints.
-VolumeSegmentation SegmentVolume(const GrayVolume& volume, const std::string& name,
-  const SeedSphere& seed, const DeformableSurface* start,
-  const VolumeSegmentationSettings& settings, const Threading& threading, const Monitor& monitor,
-  const IterationObserver& observer);
-
 } // namespace FlipFree
 
 #endif

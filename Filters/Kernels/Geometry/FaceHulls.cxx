@@ -33,14 +33,6 @@ std::vector<std::pair<int, int>> FaceHulls::VisitAdjacentPairs(bool covered,
   return VisitAdjacentParts(FaceParts(this->Polygons), this->NumberOfPoints, covered, visit);
 }
 
-std::vector<HullPair> FaceHulls::AdjacentPairs() const
-{
-  std::vector<HullPair> all;
-  this->VisitAdjacentPairs(false,
-    [&](const std::vector<HullPair>& pairs) { all.insert(all.end(), pairs.begin(), pairs.end()); });
-  return all;
-}
-
 bool FaceHulls::AreDisjoint(int one, int two) const
 {
   const Hull first = this->HullAt(one);

@@ -81,9 +81,6 @@ public:
   std::vector<std::pair<int, int>> VisitAdjacentPairs(bool covered,
     const HullPairVisitor& visit) const;
 
-  /// The pairs (b) and (c) that are not covered, all at once.
-  std::vector<HullPair> AdjacentPairs() const;
-
 private:
   using HullList = Eigen::Matrix<int, Eigen::Dynamic, 4, Eigen::RowMajor>;
 

@@ -16,8 +16,8 @@ double MeasureMinimumGap(const PointList& points, const FaceHulls& hulls,
   const ParallelFor& parallelFor = SerialFor);
 
 /// The pairs (FaceHulls.h) whose distance is not proven to be at least `gap` (mm). `adjacent` are
-/// AdjacentPairs() of the hulls. If that is well above rounding errors, and there are no such
-/// pairs, the surface is embedded.
+/// the pairs of parts of adjacent faces, or of one (CandidatePairs.h). If the gap is well above
+/// rounding errors, and there are no such pairs, the surface is embedded.
 std::vector<HullPair> FindPairsNearerThan(double gap, const PointList& points,
   const FaceHulls& hulls, const std::vector<HullPair>& adjacent, const ParallelFor& parallelFor);
 

@@ -75,7 +75,7 @@ public:
 
   /// Of the mesh's faces.
   const FaceHulls& Hulls() const { return this->Candidates.Hulls(); }
-  /// AdjacentPairs() of the hulls.
+  /// Parts of adjacent faces, or of one.
   const std::vector<HullPair>& AdjacentPairs() const { return this->Candidates.AdjacentPairs(); }
 
 private:

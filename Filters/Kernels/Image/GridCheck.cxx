@@ -2,6 +2,8 @@
 
 #include "Error.h"
 
+#include <algorithm>
+
 namespace FlipFree
 {
 namespace
@@ -20,6 +22,21 @@ Eigen::Vector3d Vector(const std::array<int, 3>& values)
   return { 1.0 * values[0], 1.0 * values[1], 1.0 * values[2] };
 }
 
+using CornerVoxels = std::array<Eigen::Vector3d, 8>;
+
+// The one of least indices is the first.
+CornerVoxels CornersOf(const ImageGeometry& geometry)
+{
+  CornerVoxels corners;
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    corners[corner] =
+      geometry.ToPhysical(Eigen::Vector3d(corner & 1, (corner >> 1) & 1, corner >> 2)
+                            .cwiseProduct(Vector(geometry.Dimensions) - Eigen::Vector3d::Ones()));
+  }
+  return corners;
+}
+
 } // namespace
 
 void RequireSameGeometry(const ImageGeometry& one, const ImageGeometry& other,
@@ -33,12 +50,11 @@ void RequireSameGeometry(const ImageGeometry& one, const ImageGeometry& other,
     refuse("dimensions", Vector(one.Dimensions), Vector(other.Dimensions));
   }
   // Headers round their numbers, so compare where the corner voxels end up.
+  const CornerVoxels corners = CornersOf(one);
+  const CornerVoxels counterparts = CornersOf(other);
   for (int corner = 0; corner < 8; ++corner)
   {
-    const Eigen::Vector3d index =
-      Eigen::Vector3d(corner & 1, (corner >> 1) & 1, corner >> 2)
-        .cwiseProduct(Vector(other.Dimensions) - Eigen::Vector3d::Ones());
-    const double distance = (one.ToPhysical(index) - other.ToPhysical(index)).norm();
+    const double distance = (corners[corner] - counterparts[corner]).norm();
     if (distance <= 0.01 * other.Spacing.cwiseAbs().minCoeff())
     {
       continue;
@@ -53,6 +69,24 @@ void RequireSameGeometry(const ImageGeometry& one, const ImageGeometry& other,
     }
     refuse("direction matrices", one.Direction, other.Direction);
   }
+}
+
+bool HaveSamePlaces(const ImageGeometry& one, const ImageGeometry& other)
+{
+  std::array<int, 3> size = one.Dimensions;
+  std::array<int, 3> otherSize = other.Dimensions;
+  std::sort(size.begin(), size.end());
+  std::sort(otherSize.begin(), otherSize.end());
+  const CornerVoxels corners = CornersOf(one);
+  const CornerVoxels others = CornersOf(other);
+  const double tolerance = 0.1 * one.Spacing.minCoeff();
+  return size == otherSize &&
+    std::all_of(corners.begin(), corners.end(),
+      [&](const Eigen::Vector3d& corner)
+      {
+        return std::any_of(others.begin(), others.end(),
+          [&](const Eigen::Vector3d& at) { return (corner - at).norm() <= tolerance; });
+      });
 }
 
 } // namespace FlipFree

@@ -32,10 +32,24 @@ inline void RequireProperGrid(const ImageGeometry& geometry, const std::string& 
   }
 }
 
+/// Throws std::invalid_argument, naming the image by `name`, unless it has voxels on a proper grid.
+inline void RequireVoxels(const ImageGeometry& geometry, const std::string& name)
+{
+  if (geometry.NumberOfVoxels() == 0)
+  {
+    throw std::invalid_argument(name + " has no voxels; give one that has");
+  }
+  RequireProperGrid(geometry, name);
+}
+
 /// Throws std::invalid_argument, saying what differs between the two named so, unless the grids
 /// have the same dimensions and each voxel lies within a hundredth of a voxel of its counterpart.
 void RequireSameGeometry(const ImageGeometry& one, const ImageGeometry& other,
   const std::string& nameOfOne, const std::string& nameOfOther);
+
+/// Whether two grids have their voxels at the same places, in whichever order, since readers of
+/// DICOM differ in it: up to a tenth of the least spacing of `one`, since files round differently.
+bool HaveSamePlaces(const ImageGeometry& one, const ImageGeometry& other);
 
 } // namespace FlipFree
 

@@ -7,6 +7,7 @@
 #include "Image/BitMask.h"
 #include "Image/FiniteVoxels.h"
 
+#include <functional>
 #include <iterator>
 #include <limits>
 #include <mutex>
@@ -120,6 +121,24 @@ LabelValues LabelsIn(const ImageView<T>& image, const ParallelFor& parallelFor)
       labels.Others.Insert(found.Others);
     });
   return labels;
+}
+
+/// A label map with voxels of any type, which somebody else owns.
+struct LabelVolume
+{
+  std::string Name; ///< in messages
+  ImageGeometry Geometry;
+  std::function<BitMask(int label)> MaskOf; ///< MaskOfLabel()
+  std::function<LabelValues()> Values;      ///< LabelsIn(), if all voxels are finite
+};
+
+template <typename T>
+LabelVolume LabelVolumeOf(const ImageView<T>& labels, const std::string& name,
+  const Threading& threading)
+{
+  return { name, labels.Geometry,
+    [labels, name, threading](int label) { return MaskOfLabel(labels, label, name, threading); },
+    [labels, threading] { return LabelsIn(labels, threading.For); } };
 }
 
 /// "1, 2, 6", followed by "and more" if there are more, with enough digits to tell them apart.

@@ -8,10 +8,14 @@
 
 #include "Image/AnisotropicDiffusion.h"
 
+#include <functional>
 #include <memory>
 
 namespace FlipFree
 {
+
+/// Makes an image have values in a box. Returns false if a monitor stopped it.
+using ImageMaker = std::function<bool(const VoxelBox& box)>;
 
 struct SmoothingSettings
 {

@@ -14,13 +14,11 @@
 
 #include "Image/BitMask.h"
 #include "Image/PointConstraint.h"
+#include "Image/SmoothRegion.h"
 #include "Intensity/Modality.h"
 
 namespace FlipFree
 {
-
-/// Makes the image have values in a box. Returns false if a monitor stopped it.
-using ImageMaker = std::function<bool(const VoxelBox& box)>;
 
 /// Corrects `foreground` and keeps what is connected with the seed. Boundary points do not count
 /// here. `make` is called before voxels are read. `noise` is the standard deviation before

@@ -1,8 +1,7 @@
 #include "Intensity/GrowingForeground.h"
 
 #include "Intensity/ForegroundCorrection.h"
-#include "Intensity/OrganCarving.h"
-#include "Intensity/OrganConsensus.h"
+#include "Intensity/SurfaceForeground.h"
 #include "Stopwatch.h"
 
 #include <algorithm>
@@ -149,30 +148,10 @@ bool GrowingForeground::Carve(const PointList& points, const TriangleList& trian
   const Monitor& monitor)
 {
   this->Clear(); // smoothing needs the memory
-  // Remembered, since no runs may mean a stop or a surface that holds no voxel.
-  bool stopped = false;
-  const Monitor proceed = [&](double fraction)
-  {
-    stopped = stopped || !monitor(fraction);
-    return !stopped;
-  };
-  const std::vector<VoxelRun> inside =
-    VoxelizeSurface(points, triangles, this->Geometry, this->Parallel, proceed);
-  if (stopped || !this->Smooth(CarvingBox(this->Geometry, inside, this->Seed), proceed))
-  {
-    return false;
-  }
-  const Modality modality = this->GetModality();
-  bool done = CarveOrgan(this->GetImage(), inside, this->Seed, noise, modality, this->Parallel,
-    proceed, this->Mask);
-  this->Unanimity = 1;
-  if (done && this->Settings.Consensus && this->Settings.ControlLeaks &&
-    IsDoubtful(inside, this->Mask))
-  {
-    done = this->Smooth(ConsensusBox(this->Mask, this->Seed), proceed) &&
-      SeekConsensus(this->GetImage(), this->Seed, noise, modality, this->Settings, this->Parallel,
-        proceed, this->Mask, &this->Unanimity);
-  }
+  const bool done = ForegroundOfSurface(
+    this->GetImage(), [&](const VoxelBox& box) { return this->Smooth(box, monitor); }, points,
+    triangles, this->Seed, noise, this->GetModality(), this->Settings, this->Parallel, monitor,
+    this->Mask, this->Unanimity);
   this->Bounds = this->Mask.Bounds();
   return done;
 }

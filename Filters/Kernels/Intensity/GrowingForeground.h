@@ -31,7 +31,7 @@ public:
   /// Finds the foreground, smoothing more wherever it comes near the sides of the box.
   bool Update(const IntensityModel& model, const Monitor& monitor);
 
-  /// Makes the foreground from the inside of a closed surface (OrganCarving.h).
+  /// Makes the foreground from the inside of a closed surface (SurfaceForeground.h).
   bool Carve(const PointList& points, const TriangleList& triangles, double noise,
     const Monitor& monitor);
 

@@ -1,5 +1,6 @@
 #include "Measures/SegmentationScores.h"
 
+#include "Image/GridCheck.h"
 #include "Measures/SurfaceDistance.h"
 #include "Measures/VoxelOverlap.h"
 #include "Mesh/SurfaceVoxelization.h"
@@ -29,18 +30,13 @@ BitMask Voxelize(const PointList& points, const TriangleList& triangles, const L
   return mask;
 }
 
-double Milliliters(std::size_t numberOfVoxels, const ImageGeometry& geometry)
-{
-  return numberOfVoxels * geometry.VoxelVolume() / 1000;
-}
-
 void Store(const VoxelOverlap& overlap, const ImageGeometry& geometry, SegmentationScores& scores)
 {
   scores.Dice = overlap.Dice();
   scores.Jaccard = overlap.Jaccard();
   scores.RelativeVolumeDifference = overlap.RelativeVolumeDifference();
-  scores.SegmentationVolume = Milliliters(overlap.Segmentation, geometry);
-  scores.ReferenceVolume = Milliliters(overlap.Reference, geometry);
+  scores.SegmentationVolume = geometry.Milliliters(overlap.Segmentation);
+  scores.ReferenceVolume = geometry.Milliliters(overlap.Reference);
 }
 
 void Store(const SurfaceDistance& distance, SegmentationScores& scores)
@@ -98,14 +94,6 @@ ParameterTable<ScoreSettings> MakeTable()
       1) };
 }
 
-} // namespace
-
-const ParameterTable<ScoreSettings>& ScoreParameters()
-{
-  static const ParameterTable<ScoreSettings> table = MakeTable();
-  return table;
-}
-
 void RequireLabel(const LabelMask& labelMap, const std::string& property)
 {
   if (labelMap.Label < 0 || !labelMap.Mask.Bounds().IsEmpty())
@@ -129,6 +117,26 @@ void RequireLabel(const LabelMask& labelMap, const std::string& property)
         ", where a label map holds whole numbers from 0 up; give it a label map";
   }
   throw std::invalid_argument(message);
+}
+
+} // namespace
+
+const ParameterTable<ScoreSettings>& ScoreParameters()
+{
+  static const ParameterTable<ScoreSettings> table = MakeTable();
+  return table;
+}
+
+LabelMask LabelMaskOf(const LabelVolume& labels, int label, const std::string& property)
+{
+  if (labels.Geometry.NumberOfVoxels() == 0)
+  {
+    throw std::invalid_argument(labels.Name + " has no voxels; give a label map");
+  }
+  RequireProperGrid(labels.Geometry, labels.Name);
+  LabelMask mask{ labels.MaskOf(label), label, labels.Values, labels.Name };
+  RequireLabel(mask, property);
+  return mask;
 }
 
 SegmentationScores ScoreSurface(const PointList& points, const TriangleList& triangles,

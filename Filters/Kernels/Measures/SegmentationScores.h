@@ -56,9 +56,10 @@ struct LabelMask
   std::string Name = "the label map"; ///< in messages
 };
 
-/// Throws std::invalid_argument if a label map has no voxel of the label asked for. `property` is
-/// what chooses the label.
-void RequireLabel(const LabelMask& labelMap, const std::string& property);
+/// The voxels of a label, or all that are not 0 for a negative one. Throws std::invalid_argument
+/// for a label map without voxels or a proper grid, for a voxel that is not a finite number, and
+/// where no voxel has the label, unless it is negative. `property` is what chooses the label.
+LabelMask LabelMaskOf(const LabelVolume& labels, int label, const std::string& property);
 
 /// Both throw std::invalid_argument for a mask that is empty, images of different geometry, a
 /// surface that is open or encloses no voxel of the reference's grid, or one that would need too

@@ -156,4 +156,16 @@ QuadSphere MakeQuadSphere(int n, const Eigen::Vector3d& center, double radius,
   return sphere;
 }
 
+std::vector<unsigned char> CheckerboardOf(const QuadSphere& sphere)
+{
+  constexpr int cells = 4; // along an edge of a field
+  std::vector<unsigned char> fields;
+  fields.reserve(sphere.Cells.size());
+  for (const auto& [side, u, v] : sphere.Cells)
+  {
+    fields.push_back(static_cast<unsigned char>((u / cells + v / cells) % 2));
+  }
+  return fields;
+}
+
 } // namespace FlipFree

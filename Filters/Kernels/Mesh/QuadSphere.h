@@ -30,6 +30,10 @@ struct QuadSphere
 QuadSphere MakeQuadSphere(int n, const Eigen::Vector3d& center, double radius,
   QuadSphereSpacing spacing);
 
+/// Per vertex 0 or 1, by turns in fields of 4 x 4 cells on each side: shows on a surface that has
+/// grown from the sphere where its parts come from.
+std::vector<unsigned char> CheckerboardOf(const QuadSphere& sphere);
+
 } // namespace FlipFree
 
 #endif

@@ -2,9 +2,11 @@
 
 #include "Error.h"
 #include "Geometry/SelfIntersection.h"
+#include "Image/GridCheck.h"
 #include "Stopwatch.h"
 #include "Vessel/OutlineCorrection.h"
 #include "Vessel/OutlineFit.h"
+#include "Vessel/VesselParameters.h"
 #include "Vessel/VesselStart.h"
 #include "Vessel/VesselWarnings.h"
 
@@ -58,8 +60,10 @@ VesselSegmentation SegmentVessel(const GrayVolume& volume, const std::string& na
   const PointList& points, const ConstraintList& constraints,
   const VesselSegmentationSettings& settings, const Threading& threading, const Monitor& monitor)
 {
-  VesselSegmentation result;
+  RequireNumbers(settings);
+  RequireVoxels(volume.Geometry, name);
   RequireCorrections(volume.Geometry, points, constraints, settings.Step.Guard, name);
+  VesselSegmentation result;
   Stopwatch watch;
   const Monitor tracing = PartOf(monitor, 0, 0.5);
   const Monitor fitting = PartOf(monitor, 0.5, 1);

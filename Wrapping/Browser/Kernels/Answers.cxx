@@ -1,9 +1,6 @@
 #include "Answers.h"
 
 #include "Deformation/ConvergenceColumns.h"
-#include "Image/GridCheck.h"
-
-#include <stdexcept>
 
 namespace FlipFree
 {
@@ -48,13 +45,16 @@ val RunsOf(const std::vector<VoxelRun>& runs)
 
 } // namespace
 
-void RequireVoxels(const ImageGeometry& geometry)
+GrayVolume GrayVolumeOf(const Volume& image)
 {
-  if (geometry.NumberOfVoxels() == 0)
-  {
-    throw std::invalid_argument("the image has no voxels; give one that has");
-  }
-  RequireProperGrid(geometry, ImageName);
+  return image.VisitVoxels(
+    [](const auto& view) { return GrayVolumeOf(view, ImageName, Threading()); });
+}
+
+LabelVolume LabelVolumeOf(const Volume& labels, const std::string& name)
+{
+  return labels.VisitVoxels(
+    [&name](const auto& view) { return LabelVolumeOf(view, name, Threading()); });
 }
 
 val AnswerOf(const OrganSurface& organ, const std::vector<VoxelRun>& voxels,

@@ -5,8 +5,10 @@
 #define FlipFreeAnswers_h
 
 #include "Bindings.h"
+#include "Volume.h"
 
 #include "Deformation/VolumeSegmentation.h"
+#include "Image/LabelValues.h"
 
 namespace FlipFree
 {
@@ -14,8 +16,11 @@ namespace FlipFree
 /// How messages call the volume.
 constexpr const char* ImageName = "the image";
 
-/// Throws std::invalid_argument for a volume without voxels and for an improper grid.
-void RequireVoxels(const ImageGeometry& geometry);
+/// The volume as runs read it; it outlives them.
+GrayVolume GrayVolumeOf(const Volume& image);
+
+/// The same of a label map, which messages call `name`.
+LabelVolume LabelVolumeOf(const Volume& labels, const std::string& name);
 
 /// { stopReason, aborted, selfIntersections, surface, runs, iterations, warnings }.
 val AnswerOf(const OrganSurface& organ, const std::vector<VoxelRun>& voxels,

@@ -1,47 +1,16 @@
 // Scores of a surface or a label map against a reference; self-intersections of a surface.
-#include "Bindings.h"
-#include "Volume.h"
+#include "Answers.h"
 
 #include "Geometry/SelfIntersection.h"
-#include "Image/GridCheck.h"
 #include "Measures/SegmentationScores.h"
 #include "Mesh/SurfaceTopology.h"
 
 #include <emscripten/bind.h>
 
-#include <stdexcept>
-
 namespace FlipFree
 {
 namespace
 {
-
-// A function object for the same reason as LabelsOfView.
-struct MaskOfView
-{
-  int Label;
-  const std::string& Name;
-
-  template <typename T>
-  LabelMask operator()(const ImageView<T>& view) const
-  {
-    return { MaskOfLabel(view, this->Label, this->Name, Threading()), this->Label,
-      LabelsOfView<T>{ view }, this->Name };
-  }
-};
-
-LabelMask LabelMaskOf(const Volume& labels, int label, const std::string& name,
-  const std::string& property)
-{
-  if (labels.GetGeometry().NumberOfVoxels() == 0)
-  {
-    throw std::invalid_argument(name + " has no voxels; give a label map");
-  }
-  RequireProperGrid(labels.GetGeometry(), name);
-  LabelMask mask = labels.VisitVoxels(MaskOfView{ label, name });
-  RequireLabel(mask, property);
-  return mask;
-}
 
 val ObjectOf(const SegmentationScores& scores)
 {
@@ -87,6 +56,12 @@ ScoreSettings SettingsOf(const val& parameters)
   return settings;
 }
 
+LabelMask ReferenceOf(const Volume& reference, const ScoreSettings& settings)
+{
+  return LabelMaskOf(LabelVolumeOf(reference, "the reference"), settings.ReferenceLabel,
+    "ReferenceLabel");
+}
+
 val ScoreOfLabels(const Volume& segmentation, const Volume& reference, const val& parameters,
   const val& report)
 {
@@ -94,10 +69,9 @@ val ScoreOfLabels(const Volume& segmentation, const Volume& reference, const val
     [&]
     {
       const ScoreSettings settings = SettingsOf(parameters);
-      const LabelMask wanted =
-        LabelMaskOf(reference, settings.ReferenceLabel, "the reference", "ReferenceLabel");
-      const LabelMask mask = LabelMaskOf(segmentation, settings.SegmentationLabel,
-        "the segmentation", "SegmentationLabel");
+      const LabelMask wanted = ReferenceOf(reference, settings);
+      const LabelMask mask = LabelMaskOf(LabelVolumeOf(segmentation, "the segmentation"),
+        settings.SegmentationLabel, "SegmentationLabel");
       return ObjectOf(ScoreLabels(mask, wanted, settings, SerialFor, MonitorOf(report)));
     });
 }
@@ -109,8 +83,7 @@ val ScoreOfSurface(const val& surface, const Volume& reference, const val& param
     [&]
     {
       const ScoreSettings settings = SettingsOf(parameters);
-      const LabelMask wanted =
-        LabelMaskOf(reference, settings.ReferenceLabel, "the reference", "ReferenceLabel");
+      const LabelMask wanted = ReferenceOf(reference, settings);
       const PolygonSurface copy = SurfaceOf(surface, "the segmentation");
       return ObjectOf(ScoreSurface(copy.Points, Triangulate(copy.Faces), wanted, settings,
         SerialFor, MonitorOf(report)));

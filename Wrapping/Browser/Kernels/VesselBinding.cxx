@@ -1,6 +1,5 @@
 // A vessel, or a tree of vessels: a volume and points in; surface, voxels and centerline out.
 #include "Answers.h"
-#include "Volume.h"
 
 #include "Vessel/VesselParameters.h"
 
@@ -38,12 +37,8 @@ val Trace(const Volume& image, const val& points, const val& parameters, const v
       const std::vector<double> numbers = emscripten::vecFromJSArray<double>(points);
       const PointList list = Eigen::Map<const PointList>(numbers.data(),
         static_cast<Eigen::Index>(numbers.size() / 3), 3);
-      RequireNumbers(settings);
-      RequireVoxels(image.GetGeometry());
-      const GrayVolume volume = image.VisitVoxels(
-        [](const auto& view) { return GrayVolumeOf(view, ImageName, Threading()); });
-      const VesselSegmentation result =
-        SegmentVessel(volume, ImageName, list, {}, settings, Threading(), MonitorOf(report));
+      const VesselSegmentation result = SegmentVessel(GrayVolumeOf(image), ImageName, list, {},
+        settings, Threading(), MonitorOf(report));
       val answer = AnswerOf(result.Surface, result.Voxels, result.Warnings);
       answer.set("branches", BranchesOf(result.Tree));
       answer.set("radius", result.Tree.Radius);

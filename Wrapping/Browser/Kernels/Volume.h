@@ -5,7 +5,6 @@
 #ifndef FlipFreeVolume_h
 #define FlipFreeVolume_h
 
-#include "Image/LabelValues.h"
 #include "KernelTypes.h"
 
 #include <cstdint>
@@ -47,15 +46,6 @@ public:
 private:
   Storage Voxels;
   ImageGeometry Geometry;
-};
-
-/// Which labels there are. A function object rather than a lambda: clang 14 forgets to emit some
-/// lambdas in generic ones.
-template <typename T>
-struct LabelsOfView
-{
-  ImageView<T> View;
-  LabelValues operator()() const { return LabelsIn(this->View, SerialFor); }
 };
 
 } // namespace FlipFree

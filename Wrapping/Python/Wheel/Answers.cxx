@@ -1,15 +1,28 @@
 #include "Answers.h"
 
+#include "ThreadPool.h"
+
 #include "Deformation/ConvergenceColumns.h"
-#include "Image/GridCheck.h"
 
 #include <algorithm>
 #include <cstdlib>
 #include <new>
-#include <stdexcept>
 
 namespace FlipFree
 {
+
+GrayVolume GrayVolumeOf(const Voxels& voxels, const ImageGeometry& geometry)
+{
+  return VisitVoxels(voxels, geometry,
+    [](const auto& view) { return GrayVolumeOf(view, ImageName, PoolThreading()); });
+}
+
+LabelVolume LabelVolumeOf(const LabelMap& labels, const std::string& name)
+{
+  const auto& [voxels, spacing, origin, direction] = labels;
+  return VisitVoxels(voxels, GeometryOf(voxels, spacing, origin, direction),
+    [&name](const auto& view) { return LabelVolumeOf(view, name, PoolThreading()); });
+}
 
 nb::dict SurfaceDict(FaceList faces, PointList points, CorrespondenceField field)
 {
@@ -80,15 +93,6 @@ nb::object LabelsOf(const std::vector<std::vector<VoxelRun>>& organs, int first,
     { static_cast<std::size_t>(size[2]), static_cast<std::size_t>(size[1]),
       static_cast<std::size_t>(size[0]) },
     owner));
-}
-
-void RequireVoxels(const ImageGeometry& geometry)
-{
-  if (geometry.NumberOfVoxels() == 0)
-  {
-    throw std::invalid_argument("the image on port 0 has no voxels; give one that has");
-  }
-  RequireProperGrid(geometry, ImageName);
 }
 
 } // namespace FlipFree

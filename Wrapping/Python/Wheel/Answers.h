@@ -1,14 +1,18 @@
 /**
- * What segmentations of organs and of vessels have in common on their way to Python.
+ * What segmentations of organs and of vessels, and measures of them, have in common on their way
+ * from and to Python.
  */
 #ifndef FlipFreeAnswers_h
 #define FlipFreeAnswers_h
 
 #include "Numpy.h"
 
-#include "Deformation/OrganSegmentation.h"
+#include "Deformation/VolumeSegmentation.h"
+#include "Image/LabelValues.h"
 #include "Mesh/SurfaceVoxelization.h"
 
+#include <string>
+#include <tuple>
 #include <vector>
 
 namespace FlipFree
@@ -17,8 +21,14 @@ namespace FlipFree
 /// How messages call the volume; Python leaves out the port.
 inline const char* const ImageName = "the image on port 0";
 
-/// Throws std::invalid_argument, naming the image, unless it has voxels on a proper grid.
-void RequireVoxels(const ImageGeometry& geometry);
+/// The volume as runs read it; numpy's array outlives them.
+GrayVolume GrayVolumeOf(const Voxels& voxels, const ImageGeometry& geometry);
+
+/// A label map as it comes: voxels, spacing, origin and direction.
+using LabelMap = std::tuple<Voxels, Triple, Triple, Nine>;
+
+/// The same as kernels read it; numpy's array outlives them.
+LabelVolume LabelVolumeOf(const LabelMap& labels, const std::string& name);
 
 /// A surface: points, corners, offsets, displacements, correspondence.
 nb::dict SurfaceDict(FaceList faces, PointList points, CorrespondenceField field);

@@ -1,10 +1,10 @@
 // Scores of a surface or a label map against a reference.
+#include "Answers.h"
 #include "Bindings.h"
 #include "Numpy.h"
 #include "Report.h"
 #include "ThreadPool.h"
 
-#include "Image/GridCheck.h"
 #include "Measures/SegmentationScores.h"
 #include "Measures/SurfaceValidity.h"
 #include "Mesh/SurfaceTopology.h"
@@ -15,26 +15,6 @@ namespace FlipFree
 {
 namespace
 {
-
-// A label map as it comes: voxels, spacing, origin and direction.
-using LabelMap = std::tuple<Voxels, Triple, Triple, Nine>;
-
-LabelMask LabelMaskOf(const LabelMap& labelMap, int label, const std::string& name)
-{
-  const auto& [voxels, spacing, origin, direction] = labelMap;
-  const ImageGeometry geometry = GeometryOf(voxels, spacing, origin, direction);
-  if (geometry.NumberOfVoxels() == 0)
-  {
-    throw std::invalid_argument(name + " has no voxels; give a label map");
-  }
-  RequireProperGrid(geometry, name);
-  return VisitVoxels(voxels, geometry,
-    [&](const auto& view) -> LabelMask
-    {
-      return { MaskOfLabel(view, label, name, PoolThreading()), label,
-        [view] { return LabelsIn(view, PoolFor); }, name };
-    });
-}
 
 nb::dict DictOf(const SegmentationScores& scores)
 {
@@ -54,12 +34,10 @@ nb::dict DictOf(const SegmentationScores& scores)
   return answer;
 }
 
-// A reference with its label.
 LabelMask ReferenceOf(const LabelMap& reference, const ScoreSettings& settings)
 {
-  LabelMask mask = LabelMaskOf(reference, settings.ReferenceLabel, "the reference on port 1");
-  RequireLabel(mask, "ReferenceLabel");
-  return mask;
+  return LabelMaskOf(LabelVolumeOf(reference, "the reference on port 1"), settings.ReferenceLabel,
+    "ReferenceLabel");
 }
 
 nb::dict ScoreOfLabels(const LabelMap& segmentation, const LabelMap& reference,
@@ -69,9 +47,8 @@ nb::dict ScoreOfLabels(const LabelMap& segmentation, const LabelMap& reference,
   {
     const nb::gil_scoped_release unlocked;
     const LabelMask wanted = ReferenceOf(reference, settings);
-    const LabelMask mask =
-      LabelMaskOf(segmentation, settings.SegmentationLabel, "the segmentation on port 0");
-    RequireLabel(mask, "SegmentationLabel");
+    const LabelMask mask = LabelMaskOf(LabelVolumeOf(segmentation, "the segmentation on port 0"),
+      settings.SegmentationLabel, "SegmentationLabel");
     scores = ScoreLabels(mask, wanted, settings, PoolFor, MonitorOf(report));
   }
   return DictOf(scores);

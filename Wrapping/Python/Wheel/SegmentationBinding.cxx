@@ -5,12 +5,8 @@
 #include "Report.h"
 #include "ThreadPool.h"
 
-#include "Deformation/OrganGroup.h"
-#include "Deformation/Provenance.h"
 #include "Deformation/SegmentationParameters.h"
-#include "Deformation/StartMask.h"
-#include "Deformation/VolumeSegmentation.h"
-#include "Image/GridCheck.h"
+#include "Deformation/SegmentationRequest.h"
 
 #include <nanobind/stl/array.h>
 #include <nanobind/stl/optional.h>
@@ -24,24 +20,19 @@ namespace
 
 using Settings = VolumeSegmentationSettings;
 
-const char* const LabelsName = "the start labels on port 3";
-
 // Points and faces of a start surface.
 using Start = std::tuple<Rows3, Indices, Indices>;
 
-DeformableSurface SurfaceOf(const Start& start, const std::string& name, bool requireEmbedded)
+GivenSurface SurfaceOf(const Start& start, const std::string& name)
 {
   const auto& [points, corners, offsets] = start;
-  if (points.shape(0) == 0)
-  {
-    throw std::invalid_argument(name + " has no points; give one that has");
-  }
-  FaceList faces;
-  faces.Connectivity.assign(corners.data(), corners.data() + corners.size());
-  faces.Offsets.assign(offsets.data(), offsets.data() + offsets.size());
-  const PointList copy =
+  GivenSurface surface;
+  surface.Name = name;
+  surface.Points =
     Eigen::Map<const PointList>(points.data(), static_cast<Eigen::Index>(points.shape(0)), 3);
-  return MakeStartSurface(copy, faces, name, requireEmbedded, PoolFor);
+  surface.Faces.Connectivity.assign(corners.data(), corners.data() + corners.size());
+  surface.Faces.Offsets.assign(offsets.data(), offsets.data() + offsets.size());
+  return surface;
 }
 
 // Kind, place and radius.
@@ -55,29 +46,6 @@ ConstraintList ConstraintsOf(const std::vector<ConstraintRow>& rows)
     constraints.push_back({ static_cast<ConstraintKind>(kind), { x, y, z }, radius });
   }
   return constraints;
-}
-
-// Voxels, spacing, origin, direction.
-using LabelMap = std::tuple<Voxels, Triple, Triple, Nine>;
-
-BitMask StartMaskOf(const LabelMap& labels, int label, const ImageGeometry& image)
-{
-  const auto& [voxels, spacing, origin, direction] = labels;
-  const ImageGeometry geometry = GeometryOf(voxels, spacing, origin, direction);
-  if (geometry.NumberOfVoxels() == 0)
-  {
-    throw std::invalid_argument(std::string(LabelsName) + " have no voxels; give a label map");
-  }
-  RequireProperGrid(geometry, LabelsName);
-  RequireSameGeometry(geometry, image, LabelsName, ImageName);
-  return VisitVoxels(voxels, geometry,
-    [&](const auto& view)
-    {
-      BitMask mask = MaskOfLabel(view, label == 0 ? -1 : label, LabelsName, PoolThreading());
-      RequireStartLabel(
-        mask, label, [&view]() { return LabelsIn(view, PoolFor); }, LabelsName);
-      return mask;
-    });
 }
 
 // The surface with its confidence, which are used up, and where it comes from.
@@ -102,66 +70,6 @@ struct Iteration
   CorrespondenceField Field;
 };
 
-// What one organ is segmented from, beside the image.
-struct OrganRequest
-{
-  SeedSphere Seed;
-  ConstraintList Constraints;
-  const std::optional<Start>& Surface;
-  const std::optional<LabelMap>& Labels;
-  int Label;
-};
-
-// Runs without Python's lock.
-VolumeSegmentation SegmentOrgan(const Voxels& voxels, const ImageGeometry& geometry,
-  const OrganRequest& request, const Settings& settings, const Monitor& monitor,
-  std::vector<Iteration>& history)
-{
-  RequireNumbers(settings);
-  RequireVoxels(geometry);
-  BitMask mask;
-  SeedSphere seed = request.Seed;
-  if (request.Labels)
-  {
-    mask = StartMaskOf(*request.Labels, request.Label, geometry);
-    seed = LargestBallIn(mask, LabelsName, PoolFor);
-  }
-  RequireSeed(geometry, seed, ImageName);
-  std::optional<DeformableSurface> surface;
-  if (request.Surface)
-  {
-    surface =
-      SurfaceOf(*request.Surface, "the start surface on port 1", settings.Method.Step.Guard);
-  }
-  const GrayVolume volume = VisitVoxels(voxels, geometry,
-    [](const auto& view) { return GrayVolumeOf(view, ImageName, PoolThreading()); });
-  VolumeSegmenter segmenter(volume, ImageName, seed, surface ? &*surface : nullptr, settings,
-    PoolThreading());
-  if (request.Labels)
-  {
-    segmenter.SetForeground(std::move(mask), LabelsName);
-  }
-  return segmenter.Segment(request.Constraints, monitor,
-    [&](const ContourMesh& mesh, const PointList& points, const CorrespondenceField& field,
-      const IterationRecord&)
-    {
-      if (settings.KeepHistory)
-      {
-        history.push_back({ mesh.Faces, points, field });
-      }
-    });
-}
-
-OrganProvenance OriginOf(const OrganRequest& request)
-{
-  OrganProvenance provenance;
-  provenance.Seed = request.Seed;
-  provenance.Constraints = request.Constraints;
-  provenance.HasStartSurface = request.Surface.has_value();
-  provenance.StartLabel = request.Labels ? request.Label : -1;
-  return provenance;
-}
-
 nb::list HistoryList(std::vector<Iteration>& history)
 {
   nb::list surfaces;
@@ -179,23 +87,37 @@ nb::dict Segment(const Voxels& voxels, const Triple& spacing, const Triple& orig
   const Settings& settings, const nb::callable& report)
 {
   const ImageGeometry geometry = GeometryOf(voxels, spacing, origin, direction);
-  OrganRequest request{ { Eigen::Vector3d(center.data()), radius }, ConstraintsOf(rows), start,
-    labels, label };
+  OrganRequest request;
   if (!labels)
   {
-    TakeLargestSeed(request.Seed, request.Constraints);
+    request.Seed = SeedSphere{ Eigen::Vector3d(center.data()), radius };
   }
+  request.Constraints = ConstraintsOf(rows);
+  request.Settings = settings;
   std::vector<Iteration> history;
-  VolumeSegmentation result;
-  result.Organ.Reason = StopReason::Aborted;
+  OrganAnswer found;
+  found.Result.Organ.Reason = StopReason::Aborted;
   {
     const nb::gil_scoped_release unlocked;
     if (MonitorOf(report)(0))
     {
-      result =
-        SegmentOrgan(voxels, geometry, request, settings, MonitorOf(report, 0, 0.95), history);
+      OrganRuns runs(GrayVolumeOf(voxels, geometry), ImageName, PoolThreading());
+      if (labels)
+      {
+        runs.FillLabel(LabelVolumeOf(*labels, "the start labels on port 3"), label);
+      }
+      if (start)
+      {
+        runs.StartFrom(SurfaceOf(*start, "the start surface on port 1"));
+      }
+      found = runs.Segment(request, MonitorOf(report, 0, 0.95),
+        [&history](const ContourMesh& mesh, const PointList& points,
+          const CorrespondenceField& field, const IterationRecord&) {
+          history.push_back({ mesh.Faces, points, field });
+        });
     }
   }
+  VolumeSegmentation& result = found.Result;
   const OrganSurface& organ = result.Organ;
   nb::dict answer;
   answer["stop_reason"] = std::string(ToString(organ.Reason));
@@ -209,7 +131,7 @@ nb::dict Segment(const Voxels& voxels, const Triple& spacing, const Triple& orig
   answer["warnings"] = result.Warnings;
   answer["labels"] = LabelsOf(result.Voxels, settings.LabelValue, geometry);
   answer["history"] = HistoryList(history);
-  answer["surface"] = ResultDict(result, ProvenanceOf(OriginOf(request), settings, geometry));
+  answer["surface"] = ResultDict(result, found.Provenance);
   report(1.0);
   return answer;
 }
@@ -222,50 +144,32 @@ nb::dict SegmentOrgans(const Voxels& voxels, const Triple& spacing, const Triple
   const Settings& settings, const nb::callable& report)
 {
   const ImageGeometry geometry = GeometryOf(voxels, spacing, origin, direction);
-  std::vector<SeededOrgan> organs;
-  std::vector<ConstraintList> constraints;
+  GroupRequest request;
   for (const auto& [name, center, radius, points] : rows)
   {
-    organs.push_back({ name, { Eigen::Vector3d(center.data()), radius } });
-    constraints.push_back(ConstraintsOf(points));
-    TakeLargestSeed(organs.back().Seed, constraints.back());
+    request.Organs.push_back(
+      { name, { { ConstraintKind::Seed, Eigen::Vector3d(center.data()), radius } } });
+    ConstraintList& constraints = request.Organs.back().Constraints;
+    const ConstraintList more = ConstraintsOf(points);
+    constraints.insert(constraints.end(), more.begin(), more.end());
   }
-  std::vector<VolumeSegmentation> results;
+  for (const Start& surface : surfaces)
+  {
+    const std::size_t number = request.Fixed.size() + 1;
+    request.Fixed.push_back(
+      SurfaceOf(surface, "the fixed surface " + std::to_string(number) + " on port 2"));
+  }
+  request.Settings = settings;
+  GroupAnswer found;
   {
     const nb::gil_scoped_release unlocked;
-    const Monitor monitor = MonitorOf(report, 0, 0.95);
-    RequireNumbers(settings);
-    RequireVoxels(geometry);
-    if (settings.LabelValue + static_cast<int>(rows.size()) > 256)
-    {
-      throw std::invalid_argument(
-        "labels go up to 255, which leaves none for the last organ; lower LabelValue, or remove "
-        "organs");
-    }
-    std::vector<FixedSurface> fixed;
-    for (const Start& surface : surfaces)
-    {
-      const std::string name =
-        "the fixed surface " + std::to_string(fixed.size() + 1) + " on port 2";
-      fixed.push_back({ name, SurfaceOf(surface, name, true) });
-    }
-    const GrayVolume volume = VisitVoxels(voxels, geometry,
-      [](const auto& view) { return GrayVolumeOf(view, ImageName, PoolThreading()); });
-    OrganGroup group(volume, ImageName, organs, std::move(fixed), settings, PoolThreading());
-    results = group.Segment(constraints, monitor,
-      [](std::size_t, const ContourMesh&, const PointList&, const CorrespondenceField&,
-        const IterationRecord&) {});
+    found = SegmentGroup(GrayVolumeOf(voxels, geometry), ImageName, request, PoolThreading(),
+      MonitorOf(report, 0, 0.95));
   }
-  std::vector<OrganProvenance> origins;
-  for (std::size_t index = 0; index < organs.size(); ++index)
-  {
-    origins.push_back({ organs[index].Name, organs[index].Seed, constraints[index] });
-  }
-  const std::string provenance = ProvenanceOf(origins, surfaces.size(), settings, geometry);
   nb::dict answer;
   nb::list list;
   std::vector<std::vector<VoxelRun>> runs;
-  for (VolumeSegmentation& result : results)
+  for (VolumeSegmentation& result : found.Results)
   {
     OrganSurface& organ = result.Organ;
     if (organ.Reason == StopReason::Aborted)
@@ -277,7 +181,7 @@ nb::dict SegmentOrgans(const Voxels& voxels, const Triple& spacing, const Triple
     entry["self_intersections"] = organ.SelfIntersections;
     entry["iterations"] = ColumnsOf(organ.Iterations);
     entry["warnings"] = result.Warnings;
-    entry["surface"] = ResultDict(result, provenance);
+    entry["surface"] = ResultDict(result, found.Provenance);
     runs.push_back(std::move(result.Voxels));
     list.append(entry);
   }
@@ -289,9 +193,7 @@ nb::dict SegmentOrgans(const Voxels& voxels, const Triple& spacing, const Triple
 
 Settings SettingsOf(const std::string& preset)
 {
-  Settings settings;
-  settings.Method = SettingsOfPreset(preset);
-  return settings;
+  return { SettingsOfPreset(preset) };
 }
 
 } // namespace

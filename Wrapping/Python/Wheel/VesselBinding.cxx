@@ -71,12 +71,8 @@ nb::dict Trace(const Voxels& voxels, const Triple& spacing, const Triple& origin
     }
     else
     {
-      RequireNumbers(settings);
-      RequireVoxels(geometry);
-      const GrayVolume volume = VisitVoxels(voxels, geometry,
-        [](const auto& view) { return GrayVolumeOf(view, ImageName, PoolThreading()); });
-      result = SegmentVessel(volume, ImageName, points, ConstraintsOf(rows), settings,
-        PoolThreading(), monitor);
+      result = SegmentVessel(GrayVolumeOf(voxels, geometry), ImageName, points, ConstraintsOf(rows),
+        settings, PoolThreading(), monitor);
     }
   }
   OrganSurface& surface = result.Surface;

@@ -1,6 +1,4 @@
-#include "GradientScale.h"
-
-#include "ExecutionAdapter.h"
+#include "Image/GradientScale.h"
 
 #include <algorithm>
 #include <array>
@@ -61,11 +59,11 @@ SliceSum SumOfSlice(const VoxelReader& read, const ImageGeometry& image, const V
 } // namespace
 
 bool MeasureGradientScale(const VoxelReader& read, const ImageGeometry& image, const VoxelBox& box,
-  const SeedSphere& sphere, const Monitor& monitor, double& scale)
+  const SeedSphere& sphere, const Threading& threading, const Monitor& monitor, double& scale)
 {
   std::vector<SliceSum> sums(static_cast<std::size_t>(std::max(0, box.Size(2))));
   const std::ptrdiff_t voxelsOfSlice = static_cast<std::ptrdiff_t>(box.Size(0)) * box.Size(1);
-  if (!SMPForSlices(0, static_cast<std::ptrdiff_t>(sums.size()), voxelsOfSlice, monitor,
+  if (!ForSlices(threading, 0, static_cast<std::ptrdiff_t>(sums.size()), voxelsOfSlice, monitor,
         [&](std::ptrdiff_t first, std::ptrdiff_t last)
         {
           for (std::ptrdiff_t slice = first; slice < last; ++slice)

@@ -1,0 +1,177 @@
+#include "Deformation/SegmentationRequest.h"
+
+#include "Deformation/OrganGroup.h"
+#include "Deformation/Provenance.h"
+#include "Deformation/SegmentationParameters.h"
+#include "Deformation/StartMask.h"
+#include "Image/GridCheck.h"
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+namespace FlipFree
+{
+namespace
+{
+
+constexpr int GreatestLabel = 255; // label maps are of bytes
+
+std::vector<double> KeyOf(const SeedSphere& seed, bool fills,
+  const VolumeSegmentationSettings& settings)
+{
+  std::vector<double> key(seed.Center.begin(), seed.Center.end());
+  key.push_back(seed.Radius);
+  key.push_back(fills ? 1 : 0);
+  for (const Parameter<VolumeSegmentationSettings>& parameter : SegmentationParameters())
+  {
+    const std::vector<double> values = parameter.Get(settings);
+    key.insert(key.end(), values.begin(), values.end());
+  }
+  return key;
+}
+
+void RequireLabelsFor(const std::vector<NamedOrgan>& organs, int first)
+{
+  if (first + static_cast<int>(organs.size()) > GreatestLabel + 1)
+  {
+    throw std::invalid_argument("labels go up to " + std::to_string(GreatestLabel) +
+      ", which leaves none for " + organs.back().Name + "; lower LabelValue, or remove organs");
+  }
+}
+
+// Takes the largest seed from the constraints.
+SeedSphere TakeSeed(const std::string& organ, ConstraintList& constraints)
+{
+  const auto first = std::find_if(constraints.begin(), constraints.end(),
+    [](const PointConstraint& constraint) { return constraint.Kind == ConstraintKind::Seed; });
+  if (first == constraints.end())
+  {
+    throw std::invalid_argument(organ + " has no seed; give a sphere that lies within it");
+  }
+  SeedSphere seed{ first->Point, first->Radius };
+  constraints.erase(first);
+  TakeLargestSeed(seed, constraints);
+  return seed;
+}
+
+} // namespace
+
+OrganRuns::OrganRuns(GrayVolume volume, std::string name, Threading threading)
+  : Volume(std::move(volume))
+  , Name(std::move(name))
+  , Threads(std::move(threading))
+{
+}
+
+void OrganRuns::StartFrom(GivenSurface surface)
+{
+  this->Release();
+  this->Start = std::move(surface);
+}
+
+SeedSphere OrganRuns::FillLabel(const LabelVolume& labels, int label)
+{
+  this->Release(); // its memory is needed
+  this->Filled.reset();
+  RequireVoxels(this->Volume.Geometry, this->Name);
+  FilledLabel filled{ labels.Name, label,
+    StartMaskOf(labels, label, this->Volume.Geometry, this->Name), {} };
+  filled.Ball = LargestBallIn(filled.Mask, labels.Name, this->Threads.For);
+  this->Filled = std::move(filled);
+  return this->Filled->Ball;
+}
+
+void OrganRuns::Release()
+{
+  this->Kept.reset();
+  this->MadeOf.clear();
+}
+
+VolumeSegmenter& OrganRuns::Prepare(const SeedSphere& seed, bool fills,
+  const VolumeSegmentationSettings& settings)
+{
+  std::vector<double> key = KeyOf(seed, fills, settings);
+  if (this->Kept && key == this->MadeOf)
+  {
+    return *this->Kept;
+  }
+  this->Release(); // before another one takes memory
+  RequireNumbers(settings);
+  RequireVoxels(this->Volume.Geometry, this->Name);
+  RequireSeed(this->Volume.Geometry, seed, this->Name);
+  std::optional<DeformableSurface> start;
+  if (this->Start)
+  {
+    start = MakeStartSurface(*this->Start, settings.Method.Step.Guard, this->Threads.For);
+  }
+  this->Kept.emplace(this->Volume, this->Name, seed, start ? &*start : nullptr, settings,
+    this->Threads);
+  if (fills)
+  {
+    this->Kept->SetForeground(this->Filled->Mask, this->Filled->Name);
+  }
+  this->MadeOf = std::move(key);
+  return *this->Kept;
+}
+
+OrganAnswer OrganRuns::Segment(const OrganRequest& request, const Monitor& monitor,
+  const IterationObserver& observer)
+{
+  const bool fills = !request.Seed;
+  if (fills && !this->Filled)
+  {
+    throw std::invalid_argument("there is neither a seed nor a label to fill; give one of them");
+  }
+  OrganAnswer answer;
+  ConstraintList constraints = request.Constraints;
+  answer.Seed = fills ? this->Filled->Ball : *request.Seed;
+  if (!fills)
+  {
+    TakeLargestSeed(answer.Seed, constraints);
+  }
+  const IterationObserver unseen = [](const ContourMesh&, const PointList&,
+                                     const CorrespondenceField&, const IterationRecord&) {};
+  const bool isSeen = observer && request.Settings.KeepHistory;
+  answer.Result = this->Prepare(answer.Seed, fills, request.Settings)
+                    .Segment(constraints, monitor, isSeen ? observer : unseen);
+  OrganProvenance origin;
+  origin.Seed = answer.Seed;
+  origin.Constraints = std::move(constraints);
+  origin.HasStartSurface = this->Start.has_value();
+  origin.StartLabel = fills ? this->Filled->Label : -1;
+  answer.Provenance = ProvenanceOf(origin, request.Settings, this->Volume.Geometry);
+  return answer;
+}
+
+GroupAnswer SegmentGroup(const GrayVolume& volume, const std::string& name,
+  const GroupRequest& request, const Threading& threading, const Monitor& monitor)
+{
+  RequireNumbers(request.Settings);
+  RequireVoxels(volume.Geometry, name);
+  RequireLabelsFor(request.Organs, request.Settings.LabelValue);
+  std::vector<SeededOrgan> organs;
+  std::vector<ConstraintList> constraints;
+  std::vector<OrganProvenance> origins;
+  for (const NamedOrgan& organ : request.Organs)
+  {
+    constraints.push_back(organ.Constraints);
+    organs.push_back({ organ.Name, TakeSeed(organ.Name, constraints.back()) });
+    origins.push_back({ organ.Name, organs.back().Seed, constraints.back() });
+  }
+  std::vector<FixedSurface> fixed;
+  for (const GivenSurface& surface : request.Fixed)
+  {
+    fixed.push_back({ surface.Name, MakeStartSurface(surface, true, threading.For) });
+  }
+  OrganGroup group(volume, name, std::move(organs), std::move(fixed), request.Settings, threading);
+  GroupAnswer answer;
+  answer.Results = group.Segment(constraints, monitor,
+    [](std::size_t, const ContourMesh&, const PointList&, const CorrespondenceField&,
+      const IterationRecord&) {});
+  answer.Provenance =
+    ProvenanceOf(origins, request.Fixed.size(), request.Settings, volume.Geometry);
+  return answer;
+}
+
+} // namespace FlipFree

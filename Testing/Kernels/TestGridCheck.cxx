@@ -1,0 +1,101 @@
+// Grids that are proper, the same, and at the same places.
+#include "Image/GridCheck.h"
+
+#include "ExampleMasks.h"
+#include "ExampleSurfaces.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+using namespace FlipFree;
+
+namespace
+{
+
+ImageGeometry CheckedGrid()
+{
+  ImageGeometry geometry = Grid({ { 20, 30, 40 } }, { 1, 2, 3 });
+  geometry.Origin = { -5, 6, 7 };
+  geometry.Direction << 0, 1, 0, 1, 0, 0, 0, 0, -1;
+  return geometry;
+}
+
+std::string RefusalOf(const ImageGeometry& geometry)
+{
+  return ErrorOf([&geometry] { RequireVoxels(geometry, "it"); });
+}
+
+std::string DifferenceOf(const ImageGeometry& geometry)
+{
+  return ErrorOf([&geometry] { RequireSameGeometry(geometry, CheckedGrid(), "it", "the other"); });
+}
+
+bool IsAtItsPlaces(const ImageGeometry& geometry)
+{
+  return HaveSamePlaces(CheckedGrid(), geometry);
+}
+
+} // namespace
+
+TEST(GridCheck, OfVoxelsOnThreeAxes)
+{
+  ImageGeometry geometry = CheckedGrid();
+  EXPECT_EQ(RefusalOf(geometry), "");
+  geometry.Spacing[2] = 0;
+  EXPECT_EQ(RefusalOf(geometry).find("it has a spacing of (1, 2, 0) mm"), 0U);
+  geometry = CheckedGrid();
+  geometry.Origin[0] = std::numeric_limits<double>::infinity();
+  EXPECT_NE(RefusalOf(geometry).find("an origin that is not finite"), std::string::npos);
+  geometry = CheckedGrid();
+  geometry.Direction.col(0) = geometry.Direction.col(1);
+  EXPECT_NE(RefusalOf(geometry).find("cannot be inverted"), std::string::npos);
+  geometry.Dimensions[1] = 0;
+  EXPECT_EQ(RefusalOf(geometry), "it has no voxels; give one that has");
+}
+
+TEST(GridCheck, SaysWhatDiffers)
+{
+  EXPECT_EQ(DifferenceOf(CheckedGrid()), "");
+  ImageGeometry geometry = CheckedGrid();
+  geometry.Origin[1] += 0.009; // a hundredth of the least spacing
+  EXPECT_EQ(DifferenceOf(geometry), "");
+  geometry.Origin[1] += 0.009;
+  EXPECT_EQ(DifferenceOf(geometry).find("the origins of it (-5, 6.018, 7) and of the other"), 0U);
+  geometry = CheckedGrid();
+  geometry.Spacing[0] = 1.001;
+  EXPECT_EQ(DifferenceOf(geometry).find("the spacings of it"), 0U);
+  geometry = CheckedGrid();
+  geometry.Direction.col(2) *= -1;
+  EXPECT_EQ(DifferenceOf(geometry).find("the direction matrices of it"), 0U);
+  geometry = CheckedGrid();
+  geometry.Dimensions[2] = 39;
+  EXPECT_EQ(DifferenceOf(geometry).find("the dimensions of it (20, 30, 39)"), 0U);
+}
+
+TEST(GridCheck, FindsTheSamePlacesInAnyOrderOfVoxels)
+{
+  ImageGeometry geometry = CheckedGrid();
+  EXPECT_TRUE(IsAtItsPlaces(geometry));
+  // From the other end of an axis.
+  geometry.Origin = geometry.ToPhysical({ 0, 0, 39 });
+  geometry.Direction.col(2) *= -1;
+  EXPECT_TRUE(IsAtItsPlaces(geometry));
+  // With two axes swapped.
+  std::swap(geometry.Dimensions[0], geometry.Dimensions[1]);
+  std::swap(geometry.Spacing[0], geometry.Spacing[1]);
+  geometry.Direction.col(0).swap(geometry.Direction.col(1));
+  EXPECT_TRUE(IsAtItsPlaces(geometry));
+  geometry.Origin[0] += 0.09;
+  EXPECT_TRUE(IsAtItsPlaces(geometry));
+  geometry.Origin[0] += 0.02;
+  EXPECT_FALSE(IsAtItsPlaces(geometry));
+  geometry = CheckedGrid();
+  geometry.Spacing[1] = 2.01;
+  EXPECT_FALSE(IsAtItsPlaces(geometry));
+  // The same corners with fewer voxels between them.
+  geometry = CheckedGrid();
+  geometry.Dimensions[2] = 14;
+  geometry.Spacing[2] = 9;
+  EXPECT_FALSE(IsAtItsPlaces(geometry));
+}

@@ -1,0 +1,344 @@
+// What users ask for: each check by itself, and what is kept between runs.
+#include "Deformation/OrganGroup.h"
+#include "Deformation/SegmentationRequest.h"
+
+#include "ExampleMasks.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <random>
+
+using namespace FlipFree;
+
+namespace
+{
+
+const std::string StartLabelsName = "the start labels";
+
+// A ball in an image, and as a label map of the value 3.
+class AskedBall
+{
+public:
+  AskedBall()
+  {
+    std::mt19937 random(7);
+    std::normal_distribution<double> normal(0, 4);
+    ForEachVoxel(this->Geometry,
+      [&](int i, int j, int k)
+      {
+        const Eigen::Vector3d place = this->Geometry.ToPhysical(Eigen::Vector3d(i, j, k));
+        const bool inside = (place - this->Seed.Center).norm() < 15;
+        this->Voxels.push_back(static_cast<float>((inside ? 100 : 0) + normal(random)));
+        this->Labels.push_back(inside ? 3.0F : 0.0F);
+      });
+  }
+
+  GrayVolume Gray() const
+  {
+    GrayVolume volume =
+      GrayVolumeOf(ImageView<float>{ this->Voxels.data(), this->Geometry }, "it", {});
+    volume.RequireFinite = [this, all = volume.RequireFinite](const VoxelBox& box)
+    {
+      ++this->Preparations;
+      all(box);
+    };
+    return volume;
+  }
+
+  LabelVolume LabelMap() const
+  {
+    return LabelVolumeOf(ImageView<float>{ this->Labels.data(), this->Geometry }, StartLabelsName,
+      {});
+  }
+
+  OrganRuns Runs() const { return { this->Gray(), "it", {} }; }
+
+  OrganRequest Request() const
+  {
+    OrganRequest request;
+    request.Seed = this->Seed;
+    request.Settings.Method.Schedule.Resolution = 8;
+    request.Settings.Method.Schedule.Levels = 2;
+    request.Settings.Method.Schedule.MaximumIterations = 6;
+    return request;
+  }
+
+  GroupRequest Pair() const
+  {
+    GroupRequest request;
+    request.Settings = this->Request().Settings;
+    request.Organs = { { "left", { { ConstraintKind::Seed, { 28, 35, 35 }, 5 } } },
+      { "right", { { ConstraintKind::Seed, { 42, 35, 35 }, 5 } } } };
+    return request;
+  }
+
+  ImageGeometry Geometry = Grid({ { 36, 36, 36 } }, { 2, 2, 2 });
+  SeedSphere Seed{ { 35, 35, 35 }, 8 };
+  std::vector<float> Voxels;
+  std::vector<float> Labels;
+  mutable int Preparations = 0; // how often the volume was read anew
+};
+
+GivenSurface GivenSphere(const Eigen::Vector3d& center, double radius)
+{
+  const DeformableSurface sphere = MakeStartSphere(4, center, radius);
+  return { "the given surface", sphere.Points, sphere.Mesh.Faces };
+}
+
+OrganAnswer RunOnce(OrganRuns& runs, const OrganRequest& request)
+{
+  return runs.Segment(request, NeverStop, nullptr);
+}
+
+template <typename Call>
+void ExpectRefusalWith(const std::string& words, const Call& call)
+{
+  try
+  {
+    call();
+    ADD_FAILURE() << "not refused: " << words;
+  }
+  catch (const std::invalid_argument& error)
+  {
+    EXPECT_NE(std::string(error.what()).find(words), std::string::npos) << error.what();
+  }
+}
+
+void ExpectRunRefused(const AskedBall& ball, const OrganRequest& request, const std::string& words)
+{
+  OrganRuns runs = ball.Runs();
+  ExpectRefusalWith(words, [&] { RunOnce(runs, request); });
+}
+
+void ExpectGroupRefused(const AskedBall& ball, const GroupRequest& request,
+  const std::string& words)
+{
+  ExpectRefusalWith(words, [&] { SegmentGroup(ball.Gray(), "it", request, {}, NeverStop); });
+}
+
+void ExpectLabelRefused(const AskedBall& ball, const LabelVolume& labels, int label,
+  const std::string& words)
+{
+  OrganRuns runs = ball.Runs();
+  runs.FillLabel(ball.LabelMap(), 3);
+  ExpectRefusalWith(words, [&] { runs.FillLabel(labels, label); });
+  // The earlier label is none any more.
+  OrganRequest request = ball.Request();
+  request.Seed.reset();
+  ExpectRefusalWith("there is neither a seed nor a label", [&] { RunOnce(runs, request); });
+}
+
+} // namespace
+
+TEST(OrganRequest, IsCheckedForNumbersGridAndSeed)
+{
+  AskedBall ball;
+  OrganRequest request = ball.Request();
+  request.Settings.StartScale = std::numeric_limits<double>::quiet_NaN();
+  ExpectRunRefused(ball, request, "the property StartScale is not a number");
+  request = ball.Request();
+  request.Seed->Center[1] = 500;
+  ExpectRunRefused(ball, request, "lies outside it");
+  request.Seed.reset();
+  ExpectRunRefused(ball, request, "there is neither a seed nor a label");
+  request = ball.Request();
+  request.Constraints = { { ConstraintKind::Inside, { 500, 0, 0 }, 0 } };
+  ExpectRunRefused(ball, request, "lies outside it");
+  request = ball.Request();
+  ball.Geometry.Direction.setZero();
+  ExpectRunRefused(ball, request, "it has a direction matrix that cannot be inverted");
+  ball.Geometry.Dimensions[2] = 0;
+  ExpectRunRefused(ball, request, "it has no voxels");
+}
+
+TEST(OrganRequest, IsCheckedForTheStartSurface)
+{
+  const AskedBall ball;
+  OrganRequest request = ball.Request();
+  request.Settings.Method.Schedule.MaximumIterations = 0;
+  request.Settings.Method.Schedule.Levels = 1;
+  OrganRuns runs = ball.Runs();
+  GivenSurface surface = GivenSphere(ball.Seed.Center, 9);
+  runs.StartFrom(surface);
+  const OrganAnswer answer = RunOnce(runs, request);
+  EXPECT_EQ(answer.Result.Organ.Points, surface.Points);
+  EXPECT_NE(answer.Provenance.find("\"startSurface\":true"), std::string::npos);
+
+  surface.Points.row(0) += Eigen::RowVector3d(0, 0, 40);
+  runs.StartFrom(surface);
+  ExpectRefusalWith("the given surface intersects itself", [&] { RunOnce(runs, request); });
+  request.Settings.Method.Step.Guard = false;
+  EXPECT_EQ(RunOnce(runs, request).Result.Organ.Points, surface.Points);
+  surface.Points.resize(0, 3);
+  runs.StartFrom(surface);
+  ExpectRefusalWith("the given surface has no points", [&] { RunOnce(runs, request); });
+}
+
+TEST(OrganRequest, IsCheckedForTheLabel)
+{
+  AskedBall ball;
+  const LabelVolume good = ball.LabelMap();
+  ExpectLabelRefused(ball, good, 1, "the start labels have no voxel of the value 1; they have 3");
+  LabelVolume bad = good;
+  bad.Geometry.Dimensions = { { 0, 36, 36 } };
+  ExpectLabelRefused(ball, bad, 3, "the start labels have no voxels; give a label map");
+  bad = good;
+  bad.Geometry.Spacing[0] = 0;
+  ExpectLabelRefused(ball, bad, 3, "the start labels has a spacing of (0, 2, 2)");
+  bad = good;
+  bad.Geometry.Origin[0] = 1;
+  ExpectLabelRefused(ball, bad, 3, "the origins of the start labels (1, 0, 0) and of it (0, 0, 0)");
+  const std::vector<float> labels = ball.Labels;
+  ball.Labels[5] = std::numeric_limits<float>::infinity();
+  ExpectRefusalWith("is not a finite number",
+    [&ball] { ball.Runs().FillLabel(ball.LabelMap(), 3); });
+  ball.Labels = labels;
+  for (float& value : ball.Labels)
+  {
+    value = 0;
+  }
+  ball.Labels[ball.Geometry.Offset(9, 9, 9)] = 2;
+  ExpectRefusalWith("the start labels are nowhere thicker than two voxels",
+    [&ball] { ball.Runs().FillLabel(ball.LabelMap(), 0); });
+}
+
+TEST(OrganRequest, FillsALabelAndGoesBackToTheSeed)
+{
+  const AskedBall ball;
+  OrganRuns runs = ball.Runs();
+  OrganRequest request = ball.Request();
+  const OrganAnswer seeded = RunOnce(runs, request);
+  EXPECT_EQ(seeded.Seed.Center, ball.Seed.Center);
+  const SeedSphere largest = runs.FillLabel(ball.LabelMap(), 0);
+  EXPECT_NEAR(largest.Radius, 15, 1);
+  request.Seed.reset();
+  request.Constraints = { { ConstraintKind::Seed, { 35, 35, 35 }, 14.5 } }; // takes no place of it
+  const OrganAnswer filled = RunOnce(runs, request);
+  EXPECT_EQ(filled.Seed.Radius, largest.Radius);
+  EXPECT_NE(filled.Provenance.find("\"startLabels\":{\"name\":\"\",\"label\":0}"),
+    std::string::npos);
+  EXPECT_NE(filled.Provenance.find("\"radius\":14.5"), std::string::npos);
+  EXPECT_NE(filled.Result.Organ.Points, seeded.Result.Organ.Points);
+  const OrganAnswer again = RunOnce(runs, ball.Request());
+  EXPECT_EQ(again.Result.Organ.Points, seeded.Result.Organ.Points);
+  EXPECT_EQ(again.Provenance, seeded.Provenance);
+}
+
+TEST(OrganRequest, StartsInTheLargestSeed)
+{
+  const AskedBall ball;
+  OrganRuns runs = ball.Runs();
+  const OrganRequest plain = ball.Request();
+  OrganRequest turned = plain;
+  turned.Constraints = { { ConstraintKind::Seed, plain.Seed->Center, plain.Seed->Radius } };
+  turned.Seed = SeedSphere{ { 35, 35, 42 }, 3 };
+  const OrganAnswer answer = RunOnce(runs, turned);
+  EXPECT_EQ(answer.Seed.Center, plain.Seed->Center);
+  EXPECT_NE(answer.Provenance.find("\"seed\":{\"center\":[35,35,35],\"radius\":8}"),
+    std::string::npos);
+  EXPECT_NE(answer.Provenance.find("{\"kind\":\"seed\",\"position\":[35,35,42],\"radius\":3}"),
+    std::string::npos);
+}
+
+TEST(OrganRequest, KeepsWhatPointsDoNotChange)
+{
+  const AskedBall ball;
+  OrganRuns runs = ball.Runs();
+  const OrganRequest plain = ball.Request();
+  const OrganAnswer free = RunOnce(runs, plain);
+  EXPECT_EQ(ball.Preparations, 1);
+  OrganRequest corrected = plain;
+  corrected.Constraints = { { ConstraintKind::Outside, { 35, 35, 46 }, 0 } };
+  const OrganAnswer moved = RunOnce(runs, corrected);
+  EXPECT_NE(moved.Result.Organ.Points, free.Result.Organ.Points);
+  EXPECT_EQ(RunOnce(runs, plain).Result.Organ.Points, free.Result.Organ.Points);
+  EXPECT_EQ(ball.Preparations, 1);
+  OrganRuns others = ball.Runs();
+  EXPECT_EQ(RunOnce(others, corrected).Result.Organ.Points, moved.Result.Organ.Points);
+
+  ball.Preparations = 0;
+  OrganRequest other = plain;
+  other.Settings.Method.Targets.MaximumDisplacement = 0.5;
+  EXPECT_NE(RunOnce(runs, other).Result.Organ.Points, free.Result.Organ.Points);
+  EXPECT_EQ(ball.Preparations, 1);
+  other = plain;
+  other.Seed->Radius = 7;
+  RunOnce(runs, other);
+  EXPECT_EQ(ball.Preparations, 2);
+  RunOnce(runs, other);
+  EXPECT_EQ(ball.Preparations, 2);
+  runs.Release();
+  RunOnce(runs, other);
+  EXPECT_EQ(ball.Preparations, 3);
+  runs.StartFrom(GivenSphere(ball.Seed.Center, 9));
+  RunOnce(runs, other);
+  EXPECT_EQ(ball.Preparations, 4);
+}
+
+TEST(OrganRequest, ShowsIterationsWhoseHistoryIsKept)
+{
+  const AskedBall ball;
+  OrganRequest request = ball.Request();
+  for (const bool keeps : { false, true })
+  {
+    request.Settings.KeepHistory = keeps;
+    OrganRuns runs = ball.Runs();
+    std::size_t seen = 0;
+    const OrganAnswer answer = runs.Segment(request, NeverStop,
+      [&seen](const ContourMesh&, const PointList&, const CorrespondenceField&,
+        const IterationRecord&) { ++seen; });
+    EXPECT_EQ(seen, keeps ? answer.Result.Organ.Iterations.size() : 0);
+  }
+}
+
+TEST(GroupRequest, IsChecked)
+{
+  const AskedBall ball;
+  GroupRequest request = ball.Pair();
+  request.Settings.Method.Step.Energy.Fairing = std::numeric_limits<double>::infinity();
+  ExpectGroupRefused(ball, request, "the property Fairing is infinite");
+  request = ball.Pair();
+  request.Settings.LabelValue = 255;
+  ExpectGroupRefused(ball, request, "labels go up to 255, which leaves none for right");
+  request.Settings.LabelValue = 254;
+  request.Organs.back().Constraints.front().Kind = ConstraintKind::Inside;
+  ExpectGroupRefused(ball, request, "right has no seed");
+  request = ball.Pair();
+  request.Fixed = { GivenSphere({ 35, 35, 60 }, 4) };
+  request.Fixed.front().Points.row(0) += Eigen::RowVector3d(0, 0, 40);
+  ExpectGroupRefused(ball, request, "the given surface intersects itself");
+  request.Fixed = { GivenSphere({ 42, 35, 35 }, 4) };
+  ExpectGroupRefused(ball, request, "meets the given surface");
+  AskedBall empty;
+  empty.Geometry.Dimensions[0] = 0;
+  ExpectGroupRefused(empty, ball.Pair(), "it has no voxels");
+}
+
+TEST(GroupRequest, IsThatOfTheGroup)
+{
+  const AskedBall ball;
+  GroupRequest request = ball.Pair();
+  request.Organs.front().Constraints.push_back({ ConstraintKind::Inside, { 28, 41, 35 }, 0 });
+  request.Organs.back().Constraints.push_back({ ConstraintKind::Seed, { 42, 42, 35 }, 6 });
+  request.Fixed = { GivenSphere({ 35, 35, 62 }, 4) };
+  const GroupAnswer answer = SegmentGroup(ball.Gray(), "it", request, {}, NeverStop);
+  const DeformableSurface fixed = MakeStartSurface(request.Fixed.front(), true, SerialFor);
+  OrganGroup group(ball.Gray(), "it",
+    { { "left", { { 28, 35, 35 }, 5 } }, { "right", { { 42, 42, 35 }, 6 } } },
+    { { "the given surface", fixed } }, request.Settings, {});
+  const std::vector<VolumeSegmentation> expected =
+    group.Segment({ { { ConstraintKind::Inside, { 28, 41, 35 }, 0 } },
+                    { { ConstraintKind::Seed, { 42, 35, 35 }, 5 } } },
+      NeverStop,
+      [](std::size_t, const ContourMesh&, const PointList&, const CorrespondenceField&,
+        const IterationRecord&) {});
+  ASSERT_EQ(answer.Results.size(), 2U);
+  EXPECT_EQ(answer.Results[0].Organ.Points, expected[0].Organ.Points);
+  EXPECT_EQ(answer.Results[1].Organ.Points, expected[1].Organ.Points);
+  for (const char* words : { "\"name\":\"left\"", "\"name\":\"right\"",
+         "\"seed\":{\"center\":[42,42,35],\"radius\":6}", "\"fixed\":[\"\"]" })
+  {
+    EXPECT_NE(answer.Provenance.find(words), std::string::npos) << words;
+  }
+}
