@@ -1,6 +1,8 @@
 #include "Snapshot.h"
 
 #include "Failure.h"
+#include "Image/DisplayWindow.h"
+#include "ImageAdapter.h"
 #include "OutputFile.h"
 
 #include "vtkActor.h"
@@ -8,7 +10,6 @@
 #include "vtkCamera.h"
 #include "vtkCoordinate.h"
 #include "vtkCutter.h"
-#include "vtkDataArray.h"
 #include "vtkImageActor.h"
 #include "vtkImageData.h"
 #include "vtkImageMapper3D.h"
@@ -44,7 +45,6 @@
 
 #include <algorithm>
 #include <array>
-#include <vector>
 
 namespace Command
 {
@@ -86,7 +86,7 @@ struct Region
   Vector Center; // of the surface
   Vector Middle; // of what is shown
   double Side;
-  double Window[2];
+  std::array<double, 2> Window;
 };
 
 vtkBoundingBox BoundsOf(vtkImageData* image)
@@ -105,41 +105,6 @@ vtkBoundingBox BoundsOf(vtkImageData* image)
   return box;
 }
 
-/// For a CT, recognized by its air, the abdominal window; otherwise, from the first to the
-/// 99th percentile.
-void ChooseWindow(vtkImageData* image, double window[2])
-{
-  vtkDataArray* scalars = image->GetPointData()->GetScalars();
-  const vtkIdType step = std::max<vtkIdType>(1, scalars->GetNumberOfTuples() / 1000000);
-  std::vector<double> values;
-  for (vtkIdType voxel = 0; voxel < scalars->GetNumberOfTuples(); voxel += step)
-  {
-    const double value = scalars->GetComponent(voxel, 0);
-    if (vtkMath::IsFinite(value))
-    {
-      values.push_back(value);
-    }
-  }
-  std::sort(values.begin(), values.end());
-  const auto quantile = [&values](double q)
-  {
-    return values.empty()
-      ? 0.0
-      : values[static_cast<std::size_t>(q * static_cast<double>(values.size() - 1))];
-  };
-  window[0] = quantile(0.01);
-  window[1] = quantile(0.99);
-  if (window[0] < -700 && window[1] > 100)
-  {
-    window[0] = -150;
-    window[1] = 250;
-  }
-  if (!(window[1] > window[0]))
-  {
-    window[1] = window[0] + 1;
-  }
-}
-
 Region ChooseRegion(vtkImageData* image, vtkPolyData* surface)
 {
   Region region;
@@ -154,7 +119,8 @@ Region ChooseRegion(vtkImageData* image, vtkPolyData* surface)
     region.Middle[axis] =
       low < high ? std::clamp(region.Center[axis], low, high) : (low + high) / 2;
   }
-  ChooseWindow(image, region.Window);
+  region.Window = FlipFree::VisitVoxels(image, "the image",
+    [](const auto& view) { return FlipFree::DisplayWindowOf(view); });
   return region;
 }
 
