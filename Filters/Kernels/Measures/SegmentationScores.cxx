@@ -1,5 +1,6 @@
 #include "Measures/SegmentationScores.h"
 
+#include "Measures/ScoreParameters.h"
 #include "Measures/SurfaceDistance.h"
 #include "Measures/VoxelOverlap.h"
 #include "Mesh/SurfaceVoxelization.h"
@@ -79,32 +80,7 @@ std::string WarningOf(const LabelMask* segmentation, const LabelMask& reference)
     (labels.empty() ? "" : ", or set ReferenceLabel to one of " + labels) + ".";
 }
 
-ParameterTable<ScoreSettings> MakeTable()
-{
-  constexpr double least = std::numeric_limits<int>::min();
-  constexpr double most = std::numeric_limits<int>::max();
-  return { NumberParameter<int, ScoreSettings>(
-             "SegmentationLabel",
-             [](auto& settings) -> auto& { return settings.SegmentationLabel; }, least, most),
-    NumberParameter<int, ScoreSettings>(
-      "ReferenceLabel", [](auto& settings) -> auto& { return settings.ReferenceLabel; }, least,
-      most),
-    NumberParameter<double, ScoreSettings>(
-      "SampleSpacing", [](auto& settings) -> auto& { return settings.SampleSpacing; }, 0.001, 1000),
-    NumberParameter<int, ScoreSettings>(
-      "LabelSmoothing", [](auto& settings) -> auto& { return settings.LabelSmoothing; }, 0, 100),
-    NumberParameter<bool, ScoreSettings>(
-      "ScoreVoxelization", [](auto& settings) -> auto& { return settings.ScoreVoxelization; }, 0,
-      1) };
-}
-
 } // namespace
-
-const ParameterTable<ScoreSettings>& ScoreParameters()
-{
-  static const ParameterTable<ScoreSettings> table = MakeTable();
-  return table;
-}
 
 void RequireLabel(const LabelMask& labelMap, const std::string& property)
 {
@@ -135,6 +111,7 @@ SegmentationScores ScoreSurface(const PointList& points, const TriangleList& tri
   const LabelMask& reference, const ScoreSettings& settings, const ParallelFor& parallelFor,
   const Monitor& monitor)
 {
+  RequireNumbers(ScoreParameters(), settings);
   const ImageGeometry& geometry = reference.Mask.GetGeometry();
   const BitMask voxels = Voxelize(points, triangles, reference, parallelFor);
   SegmentationScores scores;
@@ -156,6 +133,7 @@ SegmentationScores ScoreSurface(const PointList& points, const TriangleList& tri
 SegmentationScores ScoreLabels(const LabelMask& segmentation, const LabelMask& reference,
   const ScoreSettings& settings, const ParallelFor& parallelFor, const Monitor& monitor)
 {
+  RequireNumbers(ScoreParameters(), settings);
   SegmentationScores scores;
   Store(MeasureOverlap(segmentation.Mask, reference.Mask, parallelFor),
     reference.Mask.GetGeometry(), scores);

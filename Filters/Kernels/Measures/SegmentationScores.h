@@ -7,7 +7,6 @@
 
 #include "Image/LabelValues.h"
 #include "Measures/LabelSurface.h"
-#include "ParameterTable.h"
 
 #include <functional>
 #include <limits>
@@ -24,8 +23,6 @@ struct ScoreSettings
   int LabelSmoothing = 0;         ///< iterations of windowed sinc smoothing of the labels' surfaces
   bool ScoreVoxelization = false; ///< measure the surface of a mesh's voxels, not the mesh
 };
-
-const ParameterTable<ScoreSettings>& ScoreParameters();
 
 struct SegmentationScores
 {
@@ -60,9 +57,9 @@ struct LabelMask
 /// what chooses the label.
 void RequireLabel(const LabelMask& labelMap, const std::string& property);
 
-/// Both throw std::invalid_argument for a mask that is empty, images of different geometry, a
-/// surface that is open or encloses no voxel of the reference's grid, or one that would need too
-/// many samples.
+/// Both throw std::invalid_argument for a setting that is no number, a mask that is empty, images
+/// of different geometry, a surface that is open or encloses no voxel of the reference's grid, or
+/// one that would need too many samples.
 SegmentationScores ScoreSurface(const PointList& points, const TriangleList& triangles,
   const LabelMask& reference, const ScoreSettings& settings, const ParallelFor& parallelFor,
   const Monitor& monitor);

@@ -5,11 +5,13 @@
 #include "ThreadPool.h"
 
 #include "Image/GridCheck.h"
-#include "Measures/SegmentationScores.h"
+#include "Measures/ScoreColumns.h"
+#include "Measures/ScoreParameters.h"
 #include "Measures/SurfaceValidity.h"
 #include "Mesh/SurfaceTopology.h"
 
 #include <nanobind/stl/array.h>
+#include <nanobind/stl/pair.h>
 
 namespace FlipFree
 {
@@ -36,22 +38,28 @@ LabelMask LabelMaskOf(const LabelMap& labelMap, int label, const std::string& na
     });
 }
 
+// By the names of the columns, which Python spells its own way.
 nb::dict DictOf(const SegmentationScores& scores)
 {
   nb::dict answer;
-  answer["dice"] = scores.Dice;
-  answer["jaccard"] = scores.Jaccard;
-  answer["relative_volume_difference"] = scores.RelativeVolumeDifference;
-  answer["asd"] = scores.ASD;
-  answer["rms"] = scores.RMS;
-  answer["hd95"] = scores.HD95;
-  answer["hd"] = scores.HD;
-  answer["segmentation_volume"] = scores.SegmentationVolume;
-  answer["reference_volume"] = scores.ReferenceVolume;
-  answer["overlap_of"] = scores.OverlapOf;
-  answer["distance_of"] = scores.DistanceOf;
+  ForEachScore(scores, [&answer](const char* name, const auto& value) { answer[name] = value; });
   answer["warning"] = scores.Warning;
   return answer;
+}
+
+// Names and units of the columns.
+std::vector<std::pair<std::string, std::string>> ColumnsOfScores()
+{
+  std::vector<std::pair<std::string, std::string>> columns;
+  for (const ScoreColumn& column : ScoreColumns())
+  {
+    columns.emplace_back(column.Name, column.Unit);
+  }
+  for (const ScoreTextColumn& column : ScoreTextColumns())
+  {
+    columns.emplace_back(column.Name, "");
+  }
+  return columns;
 }
 
 // A reference with its label.
@@ -130,6 +138,7 @@ nb::dict ValidityOf(const Rows3& points, const Indices& corners, const Indices& 
 void BindEvaluation(nb::module_& module)
 {
   BindSettings<ScoreSettings>(module, "ScoreSettings", &ScoreParameters).def(nb::init<>());
+  module.def("score_columns", &ColumnsOfScores);
   module.def("score_labels", &ScoreOfLabels);
   module.def("score_surface", &ScoreOfSurface);
   module.def("surface_validity", &ValidityOf);

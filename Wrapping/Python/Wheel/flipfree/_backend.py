@@ -10,7 +10,7 @@ from ._corrections import SEED, Constraint
 from ._errors import EvaluationError, FlipFreeError, SegmentationError
 from ._image import Image
 from ._messages import warn, with_names
-from ._parameters import names_of
+from ._parameters import names_of, snake_case
 from ._run import run
 from ._segmentation import Segmentation, Surface, Vessel
 from ._settings import settings_of
@@ -38,6 +38,10 @@ TRACE_PARAMETERS = settings_of(
     _kernels.VesselSettings, ("vtkVesselAlgorithm", "vtkFlipFreeVesselSegmentation")
 )
 EVALUATE_PARAMETERS = settings_of(_kernels.ScoreSettings, ("vtkSegmentationMetrics",))
+# By the fields of Scores: the columns of tables and their units, "" for fractions and texts.
+SCORE_COLUMNS: dict[str, tuple[str, str]] = {
+    snake_case(name): (name, unit) for name, unit in _kernels.score_columns()
+}
 # The shape is an argument of its own.
 PHANTOM_PARAMETERS = settings_of(
     _kernels.PhantomSettings, ("vtkPhantomSource",), without=("Shape",)
@@ -268,7 +272,7 @@ class Metrics:
         )
         if answer["warning"]:
             warn(with_names(answer["warning"], names))
-        return answer
+        return {field: answer[name] for field, (name, _) in SCORE_COLUMNS.items()}
 
 
 def surface_validity(surface: Surface) -> dict[str, Any]:

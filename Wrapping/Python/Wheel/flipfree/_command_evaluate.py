@@ -6,16 +6,13 @@ from dataclasses import asdict
 from typing import Any
 
 from ._atomic import write_table
-from ._backend import surface_validity
+from ._backend import SCORE_COLUMNS, surface_validity
 from ._command_inputs import wants_bar
 from ._command_outputs import require_ending, require_place
 from ._errors import FlipFreeError
 from ._evaluate import evaluate as evaluate_segmentation
 from ._files import read_image
 from ._surface_files import ENDINGS, read_surface
-
-# Columns of the toolkit's table that are not their field's name with a capital letter.
-COLUMNS = {"asd": "ASD", "rms": "RMS", "hd95": "HD95", "hd": "HD"}
 
 
 def evaluate(values: dict[str, Any]) -> None:
@@ -45,7 +42,8 @@ def evaluate(values: dict[str, Any]) -> None:
             f"'{names['segmentation']}' against '{names['reference']}': {error}"
         ) from error
     if "csv" in values:
-        row = {_column(name): value for name, value in {**names, **asdict(scores)}.items()}
+        row = {"Segmentation": names["segmentation"], "Reference": names["reference"]}
+        row.update((SCORE_COLUMNS[field][0], value) for field, value in asdict(scores).items())
         write_table(values["csv"], list(row), [list(row.values())])
     if "quiet" in values:
         return
@@ -67,7 +65,3 @@ def evaluate(values: dict[str, Any]) -> None:
             f"{f'{open_edges} open edges' if open_edges else 'closed'}, Euler number "
             f"{found['euler_number']}, self-intersections {found['self_intersections']}"
         )
-
-
-def _column(field: str) -> str:
-    return COLUMNS.get(field) or "".join(word.capitalize() for word in field.split("_"))

@@ -1,8 +1,8 @@
 /**
- * Private to the module: the properties of a stage, from one list.
+ * Private to the modules, never installed: the properties of a filter, from one list.
  *
- * A property is a field of the settings that the stage's kernel takes, so that its default stands
- * there and nothing is copied. The stage's header declares and documents SetName() and GetName();
+ * A property is a field of the settings that the filter's kernel takes, so that its default stands
+ * there and nothing is copied. The filter's header declares and documents SetName() and GetName();
  * its source lists Name, type, field, minimum and maximum:
  *
  *     #define PROPERTIES(P)                                     \
