@@ -9,6 +9,7 @@
 #include "Deformation/StartSurface.h"
 #include "ExecutionAdapter.h"
 #include "FieldData.h"
+#include "FilterAdvice.h"
 #include "Intensity/SurfaceConfidence.h"
 #include "Mesh/ContourMesh.h"
 #include "MeshAdapter.h"
@@ -64,7 +65,7 @@ private:
 inline void RequireEmbedded(const ContourMesh& mesh, const FaceHulls& hulls,
   const PointList& points, const std::string& name)
 {
-  RequireEmbedded(mesh, hulls, points, name, SMPFor);
+  WithAdvice([&] { RequireEmbedded(mesh, hulls, points, name, SMPFor); });
 }
 
 /// Copies a surface. Throws std::invalid_argument, naming it by `name`, when it is not a closed
@@ -73,7 +74,12 @@ inline DeformableSurface DeformableSurfaceOf(vtkPolyData* data, const std::strin
   bool requireEmbedded)
 {
   RequirePolygons(data, name);
-  return MakeStartSurface(CopyPoints(data), CopyPolys(data, name), name, requireEmbedded, SMPFor);
+  return WithAdvice(
+    [&]
+    {
+      return MakeStartSurface(CopyPoints(data), CopyPolys(data, name), name, requireEmbedded,
+        SMPFor);
+    });
 }
 
 /// Where the field is of another size, no iteration has been made of this mesh: nothing is wanted.

@@ -1,7 +1,5 @@
 #include "Image/GridCheck.h"
 
-#include "Error.h"
-
 namespace FlipFree
 {
 namespace

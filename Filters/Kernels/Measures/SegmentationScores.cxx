@@ -1,11 +1,10 @@
 #include "Measures/SegmentationScores.h"
 
+#include "Error.h"
 #include "Measures/ScoreParameters.h"
 #include "Measures/SurfaceDistance.h"
 #include "Measures/VoxelOverlap.h"
 #include "Mesh/SurfaceVoxelization.h"
-
-#include <stdexcept>
 
 namespace FlipFree
 {
@@ -19,8 +18,9 @@ BitMask Voxelize(const PointList& points, const TriangleList& triangles, const L
   const std::vector<VoxelRun> runs = VoxelizeSurface(points, triangles, geometry, parallelFor);
   if (runs.empty())
   {
-    throw std::invalid_argument("the segmentation, a surface, encloses no voxel center of " +
-      reference.Name + "; check that both are in the same physical coordinates");
+    throw Error(ErrorCode::EmptyMask,
+      "the segmentation, a surface, encloses no voxel center of " + reference.Name +
+        "; check that both are in the same physical coordinates");
   }
   BitMask mask(geometry);
   for (const VoxelRun& run : runs)
@@ -104,7 +104,7 @@ void RequireLabel(const LabelMask& labelMap, const std::string& property)
                               : "; it is no label map: it holds " + others +
         ", where a label map holds whole numbers from 0 up; give it a label map";
   }
-  throw std::invalid_argument(message);
+  throw Error(ErrorCode::EmptyMask, message);
 }
 
 SegmentationScores ScoreSurface(const PointList& points, const TriangleList& triangles,

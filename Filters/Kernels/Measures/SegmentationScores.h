@@ -53,13 +53,13 @@ struct LabelMask
   std::string Name = "the label map"; ///< in messages
 };
 
-/// Throws std::invalid_argument if a label map has no voxel of the label asked for. `property` is
-/// what chooses the label.
+/// Throws Error if a label map has no voxel of the label asked for. `property` is what chooses the
+/// label.
 void RequireLabel(const LabelMask& labelMap, const std::string& property);
 
-/// Both throw std::invalid_argument for a setting that is no number, a mask that is empty, images
-/// of different geometry, a surface that is open or encloses no voxel of the reference's grid, or
-/// one that would need too many samples.
+/// Both throw Error for a setting that is no number, a mask that is empty, images of different
+/// geometry, a surface that is open or encloses no voxel of the reference's grid, or one that would
+/// need too many samples.
 SegmentationScores ScoreSurface(const PointList& points, const TriangleList& triangles,
   const LabelMask& reference, const ScoreSettings& settings, const ParallelFor& parallelFor,
   const Monitor& monitor);
