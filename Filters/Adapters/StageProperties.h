@@ -16,6 +16,7 @@
 #ifndef FlipFreeStageProperties_h
 #define FlipFreeStageProperties_h
 
+#include "Image/SeedRegion.h"
 #include "PropertyCheck.h"
 
 #include "vtkObject.h"
@@ -33,6 +34,12 @@ void SetClamped(vtkObject* stage, T value, T minimum, T maximum, T& field)
     field = clamped;
     stage->Modified();
   }
+}
+
+/// In the range that the kernels give radii of seeds.
+inline void SetSeedRadius(vtkObject* filter, double value, double& field)
+{
+  SetClamped(filter, value, MinimumSeedRadius, MaximumSeedRadius, field);
 }
 
 } // namespace FlipFree

@@ -92,6 +92,11 @@ using Stage = vtkGMMFeatureFilter;
 
 PROPERTIES(FLIPFREE_DEFINE_PROPERTY)
 
+void vtkGMMFeatureFilter::SetSeedRadius(double value)
+{
+  FlipFree::SetSeedRadius(this, value, this->SeedRadius);
+}
+
 vtkGMMFeatureFilter::vtkGMMFeatureFilter()
   : Settings(std::make_unique<FlipFree::OrganFeatureSettings>())
 {

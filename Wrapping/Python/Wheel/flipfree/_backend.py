@@ -47,7 +47,8 @@ PHANTOM_PARAMETERS = settings_of(
     _kernels.PhantomSettings, ("vtkPhantomSource",), without=("Shape",)
 )
 
-RADII = (1e-6, 1e6)
+# The least and the greatest radius of a seed.
+RADII: tuple[float, float] = _kernels.SEED_RADII
 
 if hasattr(os, "register_at_fork"):
     os.register_at_fork(after_in_child=_kernels.forget_threads)
