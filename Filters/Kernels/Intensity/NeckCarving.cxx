@@ -254,13 +254,8 @@ bool CarveNecks(const ImagePart& image, const SeedSphere& seed, double noise, Mo
   const ImageGeometry& geometry = mask.GetGeometry();
   // The edges at the mask's rim need what lies around it.
   constexpr double margin = 6;
-  const Eigen::Vector3d voxels = geometry.IndexReach(margin);
-  const VoxelBox box =
-    mask.Bounds()
-      .Joined(BoxAround(geometry, seed.Center, seed.Radius))
-      .Widened({ { static_cast<int>(voxels[0]) + 2, static_cast<int>(voxels[1]) + 2,
-                 static_cast<int>(voxels[2]) + 2 } },
-        WholeBox(geometry));
+  const VoxelBox box = WidenedBy(
+    mask.Bounds().Joined(BoxAround(geometry, seed.Center, seed.Radius)), margin, 2, geometry);
   BitMask part = mask.Cropped(box);
   Insert(VoxelsAround(part.GetGeometry(), seed), part);
   const std::vector<std::size_t> source =
