@@ -4,6 +4,7 @@
 #include "LabelAdapter.h"
 #include "Measures/ScoreColumns.h"
 #include "Measures/ScoreParameters.h"
+#include "Measures/ScoreSummary.h"
 #include "PipelineAdapter.h"
 #include "StageProperties.h"
 #include "SurfaceAdapter.h"
@@ -63,6 +64,11 @@ std::string vtkSegmentationMetrics::GetOverlapOf() const
 std::string vtkSegmentationMetrics::GetDistanceOf() const
 {
   return this->Scores->DistanceOf;
+}
+
+std::string vtkSegmentationMetrics::GetSummary() const
+{
+  return FlipFree::SummaryOf(*this->Scores);
 }
 
 void vtkSegmentationMetrics::SetReferenceData(vtkImageData* labelMap)

@@ -139,6 +139,11 @@ public:
   std::string GetDistanceOf() const;
   ///@}
 
+  /**
+   * The measures of the last update in a few lines, with units.
+   */
+  std::string GetSummary() const;
+
 protected:
   vtkSegmentationMetrics();
   ~vtkSegmentationMetrics() override;

@@ -1,6 +1,7 @@
 // The names of the scores, and what stands behind each.
 #include "Measures/ScoreColumns.h"
 #include "Measures/ScoreParameters.h"
+#include "Measures/ScoreSummary.h"
 
 #include "ExampleSurfaces.h"
 
@@ -63,6 +64,41 @@ TEST(ScoreColumns, HaveTheirUnits)
     const bool isVolume = name == "SegmentationVolume" || name == "ReferenceVolume";
     EXPECT_STREQ(column.Unit, isLength ? "mm" : (isVolume ? "ml" : "")) << name;
   }
+}
+
+TEST(ScoreSummary, GivesScoresWithTheirUnits)
+{
+  SegmentationScores scores;
+  scores.Dice = 0.93456;
+  scores.Jaccard = 0.87717;
+  scores.RelativeVolumeDifference = -0.0123;
+  scores.ASD = 0.5004;
+  scores.RMS = 1.25;
+  scores.HD95 = 3;
+  scores.HD = 12.3456;
+  scores.SegmentationVolume = 1480.456;
+  scores.ReferenceVolume = 1500;
+  scores.OverlapOf = "voxelized mesh";
+  scores.DistanceOf = "mesh";
+  EXPECT_EQ(SummaryOf(scores),
+    "Dice                 0.9346\n"
+    "Jaccard              0.8772\n"
+    "volume               1480.46 ml, reference 1500.00 ml, difference -1.23 %\n"
+    "surface distance     mean 0.500 mm, RMS 1.250 mm\n"
+    "Hausdorff distance   12.346 mm, 95th percentile 3.000 mm\n"
+    "measured             overlap of the voxelized mesh, distances of the mesh\n");
+  scores.RelativeVolumeDifference = 0;
+  EXPECT_NE(SummaryOf(scores).find("difference +0.00 %"), std::string::npos);
+}
+
+TEST(ScoreSummary, SaysWhetherASurfaceIsValid)
+{
+  const Surface sphere = Sphere(4, Eigen::Vector3d::Zero(), 10);
+  EXPECT_EQ(SummaryOf(MeasureValidity(sphere.Points, FacesOf(sphere.Triangles), nullptr)),
+    "surface              valid: closed, Euler number 2, self-intersections 0\n");
+  const FaceList open = FacesOf(sphere.Triangles.bottomRows(sphere.Triangles.rows() - 1));
+  EXPECT_EQ(SummaryOf(MeasureValidity(sphere.Points, open, nullptr)),
+    "surface              not valid: 3 open edges, Euler number 1, self-intersections 0\n");
 }
 
 TEST(ScoreParameters, AreNumbers)

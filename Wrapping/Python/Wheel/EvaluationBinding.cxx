@@ -7,7 +7,7 @@
 #include "Image/GridCheck.h"
 #include "Measures/ScoreColumns.h"
 #include "Measures/ScoreParameters.h"
-#include "Measures/SurfaceValidity.h"
+#include "Measures/ScoreSummary.h"
 #include "Mesh/SurfaceTopology.h"
 
 #include <nanobind/stl/array.h>
@@ -116,21 +116,28 @@ nb::dict ScoreOfSurface(const Rows3& points, const Indices& corners, const Indic
   return DictOf(scores);
 }
 
-nb::dict ValidityOf(const Rows3& points, const Indices& corners, const Indices& offsets,
+// Of the columns' values by their names.
+std::string SummaryOfScores(const nb::dict& values)
+{
+  SegmentationScores scores;
+  for (const ScoreColumn& column : ScoreColumns())
+  {
+    scores.*column.Member = nb::cast<double>(values[column.Name]);
+  }
+  for (const ScoreTextColumn& column : ScoreTextColumns())
+  {
+    scores.*column.Member = nb::cast<std::string>(values[column.Name]);
+  }
+  return SummaryOf(scores);
+}
+
+std::string ValidityOf(const Rows3& points, const Indices& corners, const Indices& offsets,
   const nb::callable& report)
 {
-  SurfaceValidity validity;
-  {
-    const nb::gil_scoped_release unlocked;
-    const Polygons surface = PolygonsOf(points, corners, offsets);
-    validity = MeasureValidity(surface.Points, surface.Faces, nullptr, PoolFor, MonitorOf(report));
-  }
-  nb::dict answer;
-  answer["valid"] = validity.IsValid();
-  answer["boundary_edges"] = validity.Quality.Topology.BoundaryEdges;
-  answer["euler_number"] = validity.Quality.Topology.EulerNumber();
-  answer["self_intersections"] = validity.SelfIntersections;
-  return answer;
+  const nb::gil_scoped_release unlocked;
+  const Polygons surface = PolygonsOf(points, corners, offsets);
+  return SummaryOf(
+    MeasureValidity(surface.Points, surface.Faces, nullptr, PoolFor, MonitorOf(report)));
 }
 
 } // namespace
@@ -141,7 +148,8 @@ void BindEvaluation(nb::module_& module)
   module.def("score_columns", &ColumnsOfScores);
   module.def("score_labels", &ScoreOfLabels);
   module.def("score_surface", &ScoreOfSurface);
-  module.def("surface_validity", &ValidityOf);
+  module.def("score_summary", &SummaryOfScores);
+  module.def("validity_summary", &ValidityOf);
 }
 
 } // namespace FlipFree

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
 from . import _kernels
@@ -276,15 +277,22 @@ class Metrics:
         return {field: answer[name] for field, (name, _) in SCORE_COLUMNS.items()}
 
 
-def surface_validity(surface: Surface) -> dict[str, Any]:
-    """Whether a surface is valid, and its open edges, Euler number and self-intersections."""
-    answer: dict[str, Any] = run(
-        lambda report: _kernels.surface_validity(*_arrays_of(surface), report),
-        EvaluationError,
-        "{}",
-        {},
+def score_summary(scores: Mapping[str, Any]) -> str:
+    """What people read of the fields of Scores, in a few lines."""
+    columns = {name: scores[field] for field, (name, _) in SCORE_COLUMNS.items()}
+    return str(_kernels.score_summary(columns))
+
+
+def validity_summary(surface: Surface) -> str:
+    """A line that says whether a surface is valid, its open edges, Euler number and self-intersections."""
+    return str(
+        run(
+            lambda report: _kernels.validity_summary(*_arrays_of(surface), report),
+            EvaluationError,
+            "{}",
+            {},
+        )
     )
-    return answer
 
 
 class PhantomAlgorithm:

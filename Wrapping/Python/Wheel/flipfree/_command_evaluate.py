@@ -6,7 +6,7 @@ from dataclasses import asdict
 from typing import Any
 
 from ._atomic import write_table
-from ._backend import SCORE_COLUMNS, surface_validity
+from ._backend import SCORE_COLUMNS, score_summary, validity_summary
 from ._command_inputs import wants_bar
 from ._command_outputs import require_ending, require_place
 from ._errors import FlipFreeError
@@ -47,21 +47,6 @@ def evaluate(values: dict[str, Any]) -> None:
         write_table(values["csv"], list(row), [list(row.values())])
     if "quiet" in values:
         return
-    print(f"Dice                 {scores.dice:.4f}")
-    print(f"Jaccard              {scores.jaccard:.4f}")
-    print(
-        f"volume               {scores.segmentation_volume:.2f} ml, reference "
-        f"{scores.reference_volume:.2f} ml, difference "
-        f"{100 * scores.relative_volume_difference:+.2f} %"
-    )
-    print(f"surface distance     mean {scores.asd:.3f} mm, RMS {scores.rms:.3f} mm")
-    print(f"Hausdorff distance   {scores.hd:.3f} mm, 95th percentile {scores.hd95:.3f} mm")
-    print(f"measured             overlap of the {scores.overlap_of}, distances of the {scores.distance_of}")
+    print(score_summary(asdict(scores)), end="")
     if surface is not None:
-        found = surface_validity(surface)
-        open_edges = found["boundary_edges"]
-        print(
-            f"surface              {'valid' if found['valid'] else 'not valid'}: "
-            f"{f'{open_edges} open edges' if open_edges else 'closed'}, Euler number "
-            f"{found['euler_number']}, self-intersections {found['self_intersections']}"
-        )
+        print(validity_summary(surface), end="")
