@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from typing import Any
 
 
-def swap_lps_ras(rows: Sequence[Any]) -> list[Any]:
+def swap_lps_ras(rows: Any) -> list[Any]:
     """An LPS point as RAS, or the other way; also the three rows of a matrix.
 
     >>> swap_lps_ras([1.0, -2.0, 3.0])
