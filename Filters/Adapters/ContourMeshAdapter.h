@@ -9,6 +9,7 @@
 #include "Deformation/StartSurface.h"
 #include "ExecutionAdapter.h"
 #include "FieldData.h"
+#include "FilterAdvice.h"
 #include "Intensity/SurfaceConfidence.h"
 #include "Mesh/ContourMesh.h"
 #include "MeshAdapter.h"
@@ -64,7 +65,7 @@ private:
 inline void RequireEmbedded(const ContourMesh& mesh, const FaceHulls& hulls,
   const PointList& points, const std::string& name)
 {
-  RequireEmbedded(mesh, hulls, points, name, SMPFor);
+  WithAdvice([&] { RequireEmbedded(mesh, hulls, points, name, SMPFor); });
 }
 
 /// Copies a surface, named by `name`. Throws std::invalid_argument as RequirePolygons().
@@ -79,7 +80,8 @@ inline GivenSurface GivenSurfaceOf(vtkPolyData* data, const std::string& name)
 inline DeformableSurface DeformableSurfaceOf(vtkPolyData* data, const std::string& name,
   bool requireEmbedded)
 {
-  return MakeStartSurface(GivenSurfaceOf(data, name), requireEmbedded, SMPFor);
+  return WithAdvice(
+    [&] { return MakeStartSurface(GivenSurfaceOf(data, name), requireEmbedded, SMPFor); });
 }
 
 /// Where the field is of another size, no iteration has been made of this mesh: nothing is wanted.

@@ -1,14 +1,12 @@
 /**
- * Private to the module: masks and offsets of voxels, one from the other, and sets of voxels.
+ * Private to the module: masks and offsets of voxels, one from the other.
  */
 #ifndef FlipFreeMaskVoxels_h
 #define FlipFreeMaskVoxels_h
 
 #include "Image/BitMask.h"
 
-#include <algorithm>
 #include <cstddef>
-#include <functional>
 #include <vector>
 
 namespace FlipFree
@@ -37,18 +35,6 @@ inline std::vector<std::size_t> OffsetsOf(const BitMask& mask)
   std::vector<std::size_t> offsets;
   mask.ForEach([&offsets](std::size_t voxel) { offsets.push_back(voxel); });
   return offsets;
-}
-
-/// The voxels of one mask and of the other, on the same grid; or of one or the other.
-inline void Intersect(BitMask& mask, const BitMask& other)
-{
-  std::transform(mask.GetWords().begin(), mask.GetWords().end(), other.GetWords().begin(),
-    mask.GetWords().begin(), std::bit_and<>());
-}
-inline void Unite(BitMask& mask, const BitMask& other)
-{
-  std::transform(mask.GetWords().begin(), mask.GetWords().end(), other.GetWords().begin(),
-    mask.GetWords().begin(), std::bit_or<>());
 }
 
 } // namespace FlipFree

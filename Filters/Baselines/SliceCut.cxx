@@ -63,14 +63,13 @@ public:
       {
         return false;
       }
-      Intersect(candidates, near);
-      Intersect(core,
-        VoxelsWhere(
-          ImageView<float>{ odds, plane }, [](float value) { return value > 0; }, this->For));
-      Unite(seeds, core);
+      candidates.Intersect(near);
+      core.Intersect(VoxelsWhere(
+        ImageView<float>{ odds, plane }, [](float value) { return value > 0; }, this->For));
+      seeds.Unite(core);
       sources = OffsetsOf(*before);
     }
-    Unite(candidates, seeds);
+    candidates.Unite(seeds);
     if (!FindMinimumCut({ this->Task.Region.Voxels.data() + first, plane }, oddsOfPlane, candidates,
           seeds, this->Settings, monitor, organ))
     {

@@ -13,6 +13,7 @@
 #include "MeshAdapter.h"
 #include "PipelineAdapter.h"
 #include "PropertyCheck.h"
+#include "StageProperties.h"
 
 #include "vtkCellArray.h"
 #include "vtkIdList.h"
@@ -131,6 +132,11 @@ vtkBaselineSegmentation::vtkBaselineSegmentation()
 {
   this->SetNumberOfInputPorts(2);
   this->SetNumberOfOutputPorts(2);
+}
+
+void vtkBaselineSegmentation::SetSeedRadius(double value)
+{
+  FlipFree::SetSeedRadius(this, value, this->SeedRadius);
 }
 
 void vtkBaselineSegmentation::AddFurtherSeed(double x, double y, double z, double radius)

@@ -73,7 +73,7 @@ public:
   /**
    * Radius of the seed sphere, in millimeters. Default 10; a voxel or more.
    */
-  vtkSetClampMacro(SeedRadius, double, 1e-6, 1e6);
+  void SetSeedRadius(double value);
   vtkGetMacro(SeedRadius, double);
   ///@}
 

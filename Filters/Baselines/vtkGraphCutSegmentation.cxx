@@ -38,7 +38,7 @@ bool FindCandidates(const FlipFree::ImageView<float>& logOdds,
 {
   candidates = FlipFree::VoxelsWhere(
     logOdds, [](float odds) { return odds > WorstLogOdds; }, FlipFree::SMPFor);
-  FlipFree::Unite(candidates, FlipFree::MaskOf(seedVoxels, logOdds.Geometry));
+  candidates.Unite(FlipFree::MaskOf(seedVoxels, logOdds.Geometry));
   return FlipFree::Dilate(candidates, Bridge, FlipFree::SMPFor,
            FlipFree::PartOf(monitor, 0, 0.8)) &&
     FlipFree::KeepConnected(candidates, seedVoxels, FlipFree::PartOf(monitor, 0.8, 1));

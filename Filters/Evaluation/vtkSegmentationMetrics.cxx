@@ -2,8 +2,11 @@
 
 #include "ExecutionAdapter.h"
 #include "LabelAdapter.h"
-#include "Measures/SegmentationScores.h"
+#include "Measures/ScoreColumns.h"
+#include "Measures/ScoreParameters.h"
+#include "Measures/ScoreSummary.h"
 #include "PipelineAdapter.h"
+#include "StageProperties.h"
 #include "SurfaceAdapter.h"
 #include "TableAdapter.h"
 
@@ -18,10 +21,42 @@
 
 vtkStandardNewMacro(vtkSegmentationMetrics);
 
+#define FLIPFREE_STAGE vtkSegmentationMetrics
+
+#define PROPERTIES(P) FLIPFREE_SCORE_PARAMETERS(P, Settings->)
+
+PROPERTIES(FLIPFREE_DEFINE_PROPERTY)
+
+#define DEFINE_GETTER(Name, unit)                                                                  \
+  double vtkSegmentationMetrics::Get##Name() const                                                 \
+  {                                                                                                \
+    return this->Scores->Name;                                                                     \
+  }
+
+FLIPFREE_SCORE_COLUMNS(DEFINE_GETTER)
+
 vtkSegmentationMetrics::vtkSegmentationMetrics()
+  : Settings(std::make_unique<FlipFree::ScoreSettings>())
+  , Scores(std::make_unique<FlipFree::SegmentationScores>())
 {
   this->SetNumberOfInputPorts(2);
-  this->ForgetMeasures();
+}
+
+vtkSegmentationMetrics::~vtkSegmentationMetrics() = default;
+
+std::string vtkSegmentationMetrics::GetOverlapOf() const
+{
+  return this->Scores->OverlapOf;
+}
+
+std::string vtkSegmentationMetrics::GetDistanceOf() const
+{
+  return this->Scores->DistanceOf;
+}
+
+std::string vtkSegmentationMetrics::GetSummary() const
+{
+  return FlipFree::SummaryOf(*this->Scores);
 }
 
 void vtkSegmentationMetrics::SetReferenceData(vtkImageData* labelMap)
@@ -62,20 +97,21 @@ int vtkSegmentationMetrics::RequestData(vtkInformation*, vtkInformationVector** 
 {
   vtkTable* output = vtkTable::GetData(outputVector);
   output->Initialize();
-  this->ForgetMeasures();
+  *this->Scores = {};
   try
   {
-    if (this->Measure(vtkDataObject::GetData(inputVector[0]),
-          vtkImageData::GetData(inputVector[1])))
+    const FlipFree::SegmentationScores scores =
+      this->Measure(vtkDataObject::GetData(inputVector[0]), vtkImageData::GetData(inputVector[1]));
+    if (scores.Complete)
     {
-      this->FillTable(output);
-      return 1;
+      *this->Scores = scores;
+      FlipFree::ForEachScore(scores,
+        [output](const char* name, const auto& value)
+        { FlipFree::AddColumn(output, name, value); });
     }
-    this->ForgetMeasures();
   }
   catch (const std::exception& error)
   {
-    this->ForgetMeasures();
     vtkErrorMacro(
       "No measures of the segmentation (port 0) against the reference (port 1): " << error.what());
     return 0;
@@ -83,15 +119,11 @@ int vtkSegmentationMetrics::RequestData(vtkInformation*, vtkInformationVector** 
   return 1;
 }
 
-bool vtkSegmentationMetrics::Measure(vtkDataObject* input, vtkImageData* referenceImage)
+FlipFree::SegmentationScores vtkSegmentationMetrics::Measure(vtkDataObject* input,
+  vtkImageData* referenceImage)
 {
   using namespace FlipFree;
-  ScoreSettings settings;
-  settings.SegmentationLabel = this->SegmentationLabel;
-  settings.ReferenceLabel = this->ReferenceLabel;
-  settings.SampleSpacing = this->SampleSpacing;
-  settings.LabelSmoothing = this->LabelSmoothing;
-  settings.ScoreVoxelization = this->ScoreVoxelization;
+  const ScoreSettings& settings = *this->Settings;
   const LabelMask reference = LabelMaskOf(LabelVolumeOf(referenceImage, "the reference on port 1"),
     settings.ReferenceLabel, "ReferenceLabel");
   SegmentationScores scores;
@@ -108,66 +140,22 @@ bool vtkSegmentationMetrics::Measure(vtkDataObject* input, vtkImageData* referen
         settings.SegmentationLabel, "SegmentationLabel");
     scores = ScoreLabels(segmentation, reference, settings, SMPFor, MonitorOf(this));
   }
-  this->Store(scores);
   if (!scores.Warning.empty())
   {
     vtkWarningMacro(<< scores.Warning);
   }
-  return scores.Complete;
-}
-
-void vtkSegmentationMetrics::Store(const FlipFree::SegmentationScores& scores)
-{
-  this->Dice = scores.Dice;
-  this->Jaccard = scores.Jaccard;
-  this->RelativeVolumeDifference = scores.RelativeVolumeDifference;
-  this->ASD = scores.ASD;
-  this->RMS = scores.RMS;
-  this->HD95 = scores.HD95;
-  this->HD = scores.HD;
-  this->SegmentationVolume = scores.SegmentationVolume;
-  this->ReferenceVolume = scores.ReferenceVolume;
-  this->OverlapOf = scores.OverlapOf;
-  this->DistanceOf = scores.DistanceOf;
-}
-
-void vtkSegmentationMetrics::FillTable(vtkTable* table) const
-{
-  FlipFree::AddColumn(table, "Dice", this->Dice);
-  FlipFree::AddColumn(table, "Jaccard", this->Jaccard);
-  FlipFree::AddColumn(table, "RelativeVolumeDifference", this->RelativeVolumeDifference);
-  FlipFree::AddColumn(table, "ASD", this->ASD);
-  FlipFree::AddColumn(table, "RMS", this->RMS);
-  FlipFree::AddColumn(table, "HD95", this->HD95);
-  FlipFree::AddColumn(table, "HD", this->HD);
-  FlipFree::AddColumn(table, "SegmentationVolume", this->SegmentationVolume);
-  FlipFree::AddColumn(table, "ReferenceVolume", this->ReferenceVolume);
-  FlipFree::AddColumn(table, "OverlapOf", this->OverlapOf);
-  FlipFree::AddColumn(table, "DistanceOf", this->DistanceOf);
-}
-
-void vtkSegmentationMetrics::ForgetMeasures()
-{
-  this->Store({});
+  return scores;
 }
 
 void vtkSegmentationMetrics::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "SegmentationLabel: " << this->SegmentationLabel << "\n";
-  os << indent << "ReferenceLabel: " << this->ReferenceLabel << "\n";
-  os << indent << "SampleSpacing: " << this->SampleSpacing << "\n";
-  os << indent << "LabelSmoothing: " << this->LabelSmoothing << "\n";
-  os << indent << "ScoreVoxelization: " << this->ScoreVoxelization << "\n";
-  os << indent << "Dice: " << this->Dice << "\n";
-  os << indent << "Jaccard: " << this->Jaccard << "\n";
-  os << indent << "RelativeVolumeDifference: " << this->RelativeVolumeDifference << "\n";
-  os << indent << "ASD: " << this->ASD << "\n";
-  os << indent << "RMS: " << this->RMS << "\n";
-  os << indent << "HD95: " << this->HD95 << "\n";
-  os << indent << "HD: " << this->HD << "\n";
-  os << indent << "SegmentationVolume: " << this->SegmentationVolume << "\n";
-  os << indent << "ReferenceVolume: " << this->ReferenceVolume << "\n";
-  os << indent << "OverlapOf: " << this->OverlapOf << "\n";
-  os << indent << "DistanceOf: " << this->DistanceOf << "\n";
+  PROPERTIES(FLIPFREE_PRINT_PROPERTY)
+  FlipFree::ForEachScore(*this->Scores,
+    [&os, &indent](const char* name, const auto& value)
+    { os << indent << name << ": " << value << "\n"; });
 }
+
+#undef FLIPFREE_STAGE
+#undef PROPERTIES
+#undef DEFINE_GETTER

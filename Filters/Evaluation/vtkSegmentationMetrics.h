@@ -35,8 +35,9 @@
  * label maps of different geometry, a label map without scalars, with several components, of bits,
  * or with a spacing that is not positive, a surface that is empty, open or not finite, or encloses
  * no voxel center of the reference, a surface that would need more than a hundred million samples
- * (raise SampleSpacing). A warning, which still gives measures: a reference of several labels, or
- * of values that no label map has, if none of them was chosen and the segmentation has only one.
+ * (raise SampleSpacing), a SampleSpacing that is not a number. A warning, which still gives
+ * measures: a reference of several labels, or of values that no label map has, if none of them was
+ * chosen and the segmentation has only one.
  *
  * Definitions: L. Maier-Hein et al., Metrics reloaded, Nature Methods 21 (2024), but with
  * area-weighted samples instead of boundary voxels.
@@ -47,12 +48,14 @@
 #include "FlipFreeEvaluationModule.h"
 #include "vtkTableAlgorithm.h"
 
+#include <memory> // for std::unique_ptr
 #include <string> // for std::string
 
 class vtkImageData;
 
 namespace FlipFree
 {
+struct ScoreSettings;
 struct SegmentationScores;
 }
 
@@ -76,8 +79,8 @@ public:
    * Value of the voxels of the segmentation that count as inside; a negative one stands for every
    * value but 0. Not used where the segmentation is a surface. Default -1.
    */
-  vtkSetMacro(SegmentationLabel, int);
-  vtkGetMacro(SegmentationLabel, int);
+  void SetSegmentationLabel(int value);
+  int GetSegmentationLabel() const;
   ///@}
 
   ///@{
@@ -85,8 +88,8 @@ public:
    * Value of the voxels of the reference that count as inside; a negative one stands for every
    * value but 0. Default -1.
    */
-  vtkSetMacro(ReferenceLabel, int);
-  vtkGetMacro(ReferenceLabel, int);
+  void SetReferenceLabel(int value);
+  int GetReferenceLabel() const;
   ///@}
 
   ///@{
@@ -94,8 +97,8 @@ public:
    * Maximum distance in mm between neighboring samples of a surface; smaller triangles have one
    * sample. Default 1; 0.001 to 1000.
    */
-  vtkSetClampMacro(SampleSpacing, double, 0.001, 1000);
-  vtkGetMacro(SampleSpacing, double);
+  void SetSampleSpacing(double value);
+  double GetSampleSpacing() const;
   ///@}
 
   ///@{
@@ -104,8 +107,8 @@ public:
    * the surfaces of label maps. 20 are customary; they keep the volume, but round off corners and
    * parts thinner than a few voxels. Default 0, none; 0 to 100.
    */
-  vtkSetClampMacro(LabelSmoothing, int, 0, 100);
-  vtkGetMacro(LabelSmoothing, int);
+  void SetLabelSmoothing(int value);
+  int GetLabelSmoothing() const;
   ///@}
 
   ///@{
@@ -113,8 +116,8 @@ public:
    * Whether distances are those of the voxelized surface, to compare a surface on equal terms with
    * segmentations that are label maps. Default off: the surface itself is measured.
    */
-  vtkSetMacro(ScoreVoxelization, bool);
-  vtkGetMacro(ScoreVoxelization, bool);
+  void SetScoreVoxelization(bool value);
+  bool GetScoreVoxelization() const;
   vtkBooleanMacro(ScoreVoxelization, bool);
   ///@}
 
@@ -123,53 +126,40 @@ public:
    * The measures of the last update, as in the table. Not a number before the first update and
    * after one that failed or was aborted.
    */
-  vtkGetMacro(Dice, double);
-  vtkGetMacro(Jaccard, double);
-  vtkGetMacro(RelativeVolumeDifference, double);
-  vtkGetMacro(ASD, double);
-  vtkGetMacro(RMS, double);
-  vtkGetMacro(HD95, double);
-  vtkGetMacro(HD, double);
-  vtkGetMacro(SegmentationVolume, double);
-  vtkGetMacro(ReferenceVolume, double);
-  std::string GetOverlapOf() const { return this->OverlapOf; }
-  std::string GetDistanceOf() const { return this->DistanceOf; }
+  double GetDice() const;
+  double GetJaccard() const;
+  double GetRelativeVolumeDifference() const;
+  double GetASD() const;
+  double GetRMS() const;
+  double GetHD95() const;
+  double GetHD() const;
+  double GetSegmentationVolume() const;
+  double GetReferenceVolume() const;
+  std::string GetOverlapOf() const;
+  std::string GetDistanceOf() const;
   ///@}
+
+  /**
+   * The measures of the last update in a few lines, with units.
+   */
+  std::string GetSummary() const;
 
 protected:
   vtkSegmentationMetrics();
-  ~vtkSegmentationMetrics() override = default;
+  ~vtkSegmentationMetrics() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
-  int SegmentationLabel = -1;
-  int ReferenceLabel = -1;
-  double SampleSpacing = 1;
-  int LabelSmoothing = 0;
-  bool ScoreVoxelization = false;
-
-  double Dice;
-  double Jaccard;
-  double RelativeVolumeDifference;
-  double ASD;
-  double RMS;
-  double HD95;
-  double HD;
-  double SegmentationVolume;
-  double ReferenceVolume;
-  std::string OverlapOf;
-  std::string DistanceOf;
-
 private:
   vtkSegmentationMetrics(const vtkSegmentationMetrics&) = delete;
   void operator=(const vtkSegmentationMetrics&) = delete;
 
-  void ForgetMeasures();
-  bool Measure(vtkDataObject* input, vtkImageData* referenceImage);
-  void Store(const FlipFree::SegmentationScores& scores);
-  void FillTable(vtkTable* table) const;
+  FlipFree::SegmentationScores Measure(vtkDataObject* input, vtkImageData* referenceImage);
+
+  const std::unique_ptr<FlipFree::ScoreSettings> Settings;
+  const std::unique_ptr<FlipFree::SegmentationScores> Scores;
 };
 
 #endif

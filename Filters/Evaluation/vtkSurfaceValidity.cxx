@@ -1,6 +1,7 @@
 #include "vtkSurfaceValidity.h"
 
 #include "ExecutionAdapter.h"
+#include "Measures/ScoreSummary.h"
 #include "Measures/SurfaceValidity.h"
 #include "SurfaceAdapter.h"
 #include "TableAdapter.h"
@@ -110,6 +111,7 @@ int vtkSurfaceValidity::RequestData(vtkInformation*, vtkInformationVector** inpu
   vtkTable* table = vtkTable::GetData(outputVector, 1);
   output->Initialize();
   table->Initialize();
+  this->Summary.clear();
   try
   {
     const FlipFree::PolygonalSurface surface = FlipFree::SurfaceOf(input, "the surface on port 0");
@@ -134,6 +136,7 @@ int vtkSurfaceValidity::RequestData(vtkInformation*, vtkInformationVector** inpu
     output->ShallowCopy(input);
     AddCellArrays(output, validity);
     FillTable(table, validity);
+    this->Summary = FlipFree::SummaryOf(validity);
   }
   catch (const std::exception& error)
   {

@@ -38,6 +38,8 @@
 #include "FlipFreeEvaluationModule.h"
 #include "vtkPolyDataAlgorithm.h"
 
+#include <string> // for std::string
+
 class vtkTable;
 
 class FLIPFREEEVALUATION_EXPORT vtkSurfaceValidity : public vtkPolyDataAlgorithm
@@ -77,6 +79,12 @@ public:
    */
   bool IsValid();
 
+  /**
+   * The main measures of the last update in a line; empty before the first update and after one
+   * that failed.
+   */
+  std::string GetSummary() const { return this->Summary; }
+
 protected:
   vtkSurfaceValidity();
   ~vtkSurfaceValidity() override = default;
@@ -88,6 +96,8 @@ protected:
 private:
   vtkSurfaceValidity(const vtkSurfaceValidity&) = delete;
   void operator=(const vtkSurfaceValidity&) = delete;
+
+  std::string Summary;
 };
 
 #endif

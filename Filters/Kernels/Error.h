@@ -1,8 +1,10 @@
 /**
- * What kernels throw at input that they cannot work with.
+ * What kernels throw at input that they cannot work with. Only what should be impossible, such as a
+ * guarded surface that intersects itself, is a std::logic_error.
  *
  * Kernels know no shell. Their messages name quantities as the properties of the VTK filters do;
- * the command and Python replace these names, word by word, by their options and keywords.
+ * the command and Python replace these names, word by word, by their options and keywords. They
+ * name no filter: which one helps is for the shell to say, by the code.
  */
 #ifndef FlipFreeError_h
 #define FlipFreeError_h
@@ -19,12 +21,14 @@ enum class ErrorCode
   GeometryMismatch, ///< two images are not on the same grid
   InsideOut,
   InvalidGeometry, ///< of an image: spacing, direction, dimensions
+  InvalidLine,     ///< of a tube: too few points, radii that are none
   InvalidMesh,     ///< connectivity that is none
   NoContrast,      ///< between the seed and its surroundings
   NonFiniteValue,
   NotFourValent,
   OpenSurface,
-  OutOfRange, ///< of a parameter
+  OutOfRange,    ///< of a parameter
+  RepeatedPoint, ///< of a line
   SeedWithoutVoxels,
   SelfIntersecting,
   SingularSystem,

@@ -5,6 +5,8 @@
 #ifndef FlipFreeParameterTable_h
 #define FlipFreeParameterTable_h
 
+#include "PropertyCheck.h"
+
 #include <functional>
 #include <limits>
 #include <string>
@@ -34,6 +36,19 @@ struct Parameter
 
 template <typename Settings>
 using ParameterTable = std::vector<Parameter<Settings>>;
+
+/// Throws, naming the first parameter that is not a finite number.
+template <typename Settings>
+void RequireNumbers(const ParameterTable<Settings>& table, const Settings& settings)
+{
+  for (const Parameter<Settings>& parameter : table)
+  {
+    for (const double value : parameter.Get(settings))
+    {
+      RequireNumbers({ { parameter.Name.c_str(), value } });
+    }
+  }
+}
 
 template <typename T>
 constexpr ParameterType ParameterTypeOf()

@@ -5,9 +5,10 @@
 #ifndef FlipFreePropertyCheck_h
 #define FlipFreePropertyCheck_h
 
+#include "Error.h"
+
 #include <cmath>
 #include <initializer_list>
-#include <stdexcept>
 #include <string>
 
 namespace FlipFree
@@ -19,15 +20,17 @@ struct NamedProperty
   double Value;
 };
 
-/// Throws std::invalid_argument, naming the first property that is not a finite number.
+/// Throws Error, naming the first property that is not a finite number.
 inline void RequireNumbers(std::initializer_list<NamedProperty> properties)
 {
   for (const NamedProperty& property : properties)
   {
     if (!std::isfinite(property.Value))
     {
-      throw std::invalid_argument(std::string("the property ") + property.Name + " is " +
-        (std::isnan(property.Value) ? "not a number (NaN)" : "infinite") + "; set it to a number");
+      throw Error(ErrorCode::NonFiniteValue,
+        std::string("the property ") + property.Name + " is " +
+          (std::isnan(property.Value) ? "not a number (NaN)" : "infinite") +
+          "; set it to a number");
     }
   }
 }

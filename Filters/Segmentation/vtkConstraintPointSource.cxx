@@ -2,6 +2,7 @@
 
 #include "Image/PointConstraint.h"
 #include "MessageText.h"
+#include "StageProperties.h"
 
 #include "vtkCellArray.h"
 #include "vtkDoubleArray.h"
@@ -25,6 +26,11 @@ static_assert(vtkConstraintPointSource::SEED == static_cast<int>(FlipFree::Const
 vtkConstraintPointSource::vtkConstraintPointSource()
 {
   this->SetNumberOfInputPorts(0);
+}
+
+void vtkConstraintPointSource::SetRadius(double value)
+{
+  FlipFree::SetSeedRadius(this, value, this->Radius);
 }
 
 int vtkConstraintPointSource::RequestData(vtkInformation*, vtkInformationVector**,

@@ -64,7 +64,7 @@ public:
   /**
    * Radius of a seed sphere, in millimeters. Default 10; positive. Other points have none.
    */
-  vtkSetClampMacro(Radius, double, 1e-6, 1e6);
+  void SetRadius(double value);
   vtkGetMacro(Radius, double);
   ///@}
 

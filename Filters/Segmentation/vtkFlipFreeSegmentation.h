@@ -233,7 +233,7 @@ public:
    * sphere that fits into the organ there is good. The lengths below that are given in seed radii
    * follow it.
    */
-  vtkSetClampMacro(SeedRadius, double, 1e-6, 1e6);
+  void SetSeedRadius(double value);
   vtkGetMacro(SeedRadius, double);
   ///@}
 

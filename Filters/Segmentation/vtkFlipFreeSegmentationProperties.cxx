@@ -27,6 +27,11 @@
 
 PROPERTIES(FLIPFREE_DEFINE_PROPERTY)
 
+void vtkFlipFreeSegmentation::SetSeedRadius(double value)
+{
+  FlipFree::SetSeedRadius(this, value, this->SeedRadius);
+}
+
 // Name, type, the stage, and its name there.
 #define FORWARDED_PROPERTIES(P)                                                                    \
   P(Reach, double, Diffusion, Reach)                                                               \

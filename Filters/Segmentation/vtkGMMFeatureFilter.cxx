@@ -87,6 +87,11 @@ void AttachModel(const FlipFree::IntensityModel& model, vtkImageData* output)
 
 PROPERTIES(FLIPFREE_DEFINE_PROPERTY)
 
+void vtkGMMFeatureFilter::SetSeedRadius(double value)
+{
+  FlipFree::SetSeedRadius(this, value, this->SeedRadius);
+}
+
 vtkGMMFeatureFilter::vtkGMMFeatureFilter()
   : Settings(std::make_unique<FlipFree::OrganFeatureSettings>())
 {

@@ -70,7 +70,7 @@ public:
   /**
    * Radius of the seed sphere, in millimeters. Default 10; 1e-6 to 1e6, and a voxel at least.
    */
-  vtkSetClampMacro(SeedRadius, double, 1e-6, 1e6);
+  void SetSeedRadius(double value);
   vtkGetMacro(SeedRadius, double);
   ///@}
 

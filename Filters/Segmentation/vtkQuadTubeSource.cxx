@@ -1,6 +1,7 @@
 #include "vtkQuadTubeSource.h"
 
 #include "ExecutionAdapter.h"
+#include "FilterAdvice.h"
 #include "MeshAdapter.h"
 #include "Vessel/QuadTube.h"
 
@@ -66,8 +67,12 @@ int vtkQuadTubeSource::RequestData(vtkInformation*, vtkInformationVector** input
   try
   {
     const Line line = LineOf(vtkPolyData::GetData(inputs[0]), this->LineIndex);
-    const FlipFree::QuadTube tube = FlipFree::MakeQuadTube(line.Points, line.Radii,
-      this->Resolution, "the line on port 0", FlipFree::SMPFor);
+    const FlipFree::QuadTube tube = FlipFree::WithAdvice(
+      [&]
+      {
+        return FlipFree::MakeQuadTube(line.Points, line.Radii, this->Resolution,
+          "the line on port 0", FlipFree::SMPFor);
+      });
     output->SetPoints(FlipFree::MakePoints(tube.Points));
     output->SetPolys(FlipFree::MakePolys(tube.Faces));
   }

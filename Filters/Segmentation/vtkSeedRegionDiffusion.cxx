@@ -44,6 +44,11 @@ FlipFree::ImageGeometry AnnouncedGeometry(vtkInformation* info, const int* exten
 
 PROPERTIES(FLIPFREE_DEFINE_PROPERTY)
 
+void vtkSeedRegionDiffusion::SetSeedRadius(double value)
+{
+  FlipFree::SetSeedRadius(this, value, this->SeedRadius);
+}
+
 vtkSeedRegionDiffusion::vtkSeedRegionDiffusion()
   : Settings(std::make_unique<FlipFree::SmoothingSettings>())
 {

@@ -47,7 +47,7 @@ public:
   /**
    * Radius of the seed sphere, in millimeters. Default 10; at least a voxel.
    */
-  vtkSetClampMacro(SeedRadius, double, 1e-6, 1e6);
+  void SetSeedRadius(double value);
   vtkGetMacro(SeedRadius, double);
   ///@}
 

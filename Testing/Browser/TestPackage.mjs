@@ -279,6 +279,20 @@ test("scores are the command's", async () => {
   assert.ok(Math.abs(ofLabels.dice - Number(printed.match(/Dice +([\d.]+)/)[1])) < 1e-3);
   assert.equal(ofSurface.dice, ofLabels.dice);
   assert.equal(ofSurface.distanceOf, "mesh");
+  assert.deepEqual(Object.keys(ofLabels), [
+    "dice",
+    "jaccard",
+    "relativeVolumeDifference",
+    "asd",
+    "rms",
+    "hd95",
+    "hd",
+    "segmentationVolume",
+    "referenceVolume",
+    "overlapOf",
+    "distanceOf",
+    "warning",
+  ]);
 });
 
 test("files are what the command reads", async () => {

@@ -413,6 +413,9 @@ TEST(BadInput, PropertiesThatAreNotNumbers)
   const auto deform = MakeDeform();
   deform->SetUniformWeight(NotANumber);
   ExpectRefusal(deform, { "the property UniformWeight", "NaN", "set it" });
+  const auto metrics = MakeMetrics();
+  metrics->SetSampleSpacing(NotANumber);
+  ExpectRefusal(metrics, { "the property SampleSpacing", "NaN", "set it" });
   vtkNew<vtkQuadSphereSource> sphere;
   sphere->SetCenter(0, NotANumber, 0);
   ExpectRefusal(sphere, { "Center (", "nan", "finite" });

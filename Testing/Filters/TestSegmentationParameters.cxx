@@ -1,4 +1,5 @@
 // The stages own the parameters of the method, and the composite obeys them.
+#include "vtkConstraintPointSource.h"
 #include "vtkCorrespondenceSearch.h"
 #include "vtkFlipFreeDeform.h"
 #include "vtkFlipFreeSegmentation.h"
@@ -7,6 +8,7 @@
 
 #include "BadInput.h"
 #include "FilterErrors.h"
+#include "Image/SeedRegion.h"
 
 #include <cmath>
 #include <limits>
@@ -216,4 +218,32 @@ TEST_F(SegmentationParameters, OfAStageMakeTheCompositeExecuteAgain)
   const vtkMTimeType time = this->Segmentation->GetMTime();
   this->Segmentation->SetSearch(this->Segmentation->GetSearch());
   EXPECT_EQ(this->Segmentation->GetMTime(), time);
+}
+
+// As the kernels have it.
+TEST(SegmentationParameters, RadiiOfSeedsHaveOneRange)
+{
+  const auto expectRange = [](auto&& set, auto&& get)
+  {
+    for (const auto& [given, taken] : { std::pair(0.0, MinimumSeedRadius), std::pair(12.5, 12.5),
+           std::pair(1e9, MaximumSeedRadius) })
+    {
+      set(given);
+      EXPECT_EQ(get(), taken);
+    }
+  };
+  vtkNew<vtkFlipFreeSegmentation> whole;
+  expectRange([&](double value) { whole->SetSeedRadius(value); },
+    [&] { return whole->GetSeedRadius(); });
+  vtkNew<vtkSeedRegionDiffusion> diffusion;
+  expectRange([&](double value) { diffusion->SetSeedRadius(value); },
+    [&] { return diffusion->GetSeedRadius(); });
+  vtkNew<vtkGMMFeatureFilter> feature;
+  expectRange([&](double value) { feature->SetSeedRadius(value); },
+    [&] { return feature->GetSeedRadius(); });
+  vtkNew<vtkConstraintPointSource> point;
+  expectRange([&](double value) { point->SetRadius(value); }, [&] { return point->GetRadius(); });
+  const vtkMTimeType before = point->GetMTime();
+  point->SetRadius(1e7);
+  EXPECT_EQ(point->GetMTime(), before);
 }

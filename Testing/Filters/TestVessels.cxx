@@ -149,6 +149,13 @@ TEST_F(Vessels, ATubeAlongThePathIsAStart)
   bare->GetPointData()->AddArray(radii);
   tube->Modified();
   ExpectRefusal(tube, { "radii positive" });
+  radii->Fill(1);
+  vtkNew<vtkPoints> points;
+  points->DeepCopy(bare->GetPoints());
+  points->SetPoint(1, points->GetPoint(0));
+  bare->SetPoints(points);
+  tube->Modified();
+  ExpectRefusal(tube, { "two points at (", "in a row; remove one of them, by vtkCleanPolyData" });
 }
 
 TEST_F(Vessels, PointsAreKeptAndForgotten)

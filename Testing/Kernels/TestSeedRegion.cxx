@@ -178,6 +178,31 @@ TEST(SeedRegion, ReachInIndicesIsThatOfTheFurthestPointsOfABall)
   }
 }
 
+// All voxels that near, and no more than asked for, in any frame.
+TEST(SeedRegion, WidenedBoxesHoldAllVoxelsNearThem)
+{
+  for (const auto& [name, direction] : FramesAndShears())
+  {
+    const ImageGeometry geometry = GridAround(Center, direction);
+    const std::array<int, 3> voxel = NearestVoxel(geometry, Center);
+    const VoxelBox one{ voxel, { { voxel[0] + 1, voxel[1] + 1, voxel[2] + 1 } } };
+    const Eigen::Vector3d from = geometry.ToPhysical(Eigen::Vector3d(voxel[0], voxel[1], voxel[2]));
+    constexpr double length = 5;
+    const VoxelBox box = WidenedBy(one, length, 1, geometry);
+    const VoxelBox least = WidenedBy(one, length, 0, geometry);
+    ForEachVoxel(geometry,
+      [&](int i, int j, int k)
+      {
+        if ((geometry.ToPhysical(Eigen::Vector3d(i, j, k)) - from).norm() <= length)
+        {
+          ASSERT_TRUE(box.Holds({ { { i, j, k } }, { { i + 1, j + 1, k + 1 } } })) << name;
+        }
+      });
+    EXPECT_EQ(least.Widened({ { 1, 1, 1 } }, WholeBox(geometry)), box) << name;
+    EXPECT_EQ(WidenedBy(one, 1e4, 0, geometry), WholeBox(geometry)) << name;
+  }
+}
+
 TEST(SeedRegion, SphereIsContainedUpToTheOuterFacesOfTheVoxels)
 {
   for (const auto& [name, direction] : FramesAndShears())

@@ -1,6 +1,6 @@
 // Every parameter by its name.
 #include "Deformation/SegmentationParameters.h"
-#include "Measures/SegmentationScores.h"
+#include "Measures/ScoreParameters.h"
 #include "Phantom/PhantomVolume.h"
 #include "Vessel/VesselParameters.h"
 

@@ -124,6 +124,9 @@ class Evaluation(unittest.TestCase):
             for short in ("asd", "rms", "hd95", "hd"):
                 getter = short.upper() if name == short else getter
             self.assertEqual(value, getattr(metrics, "Get" + getter)(), name)
+        row = metrics.GetOutput()
+        self.assertEqual([row.GetColumnName(i).lower() for i in range(row.GetNumberOfColumns())],
+                         [name.replace("_", "") for name in vars(scores)])
         self.assertGreater(scores.dice, 0.92)
 
     def test_takes_arrays(self):

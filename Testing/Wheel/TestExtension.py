@@ -14,6 +14,7 @@ from pathlib import Path
 import flipfree
 import numpy
 from example import RADIUS, SEED, coarse_liver, image, liver, truth
+from flipfree._backend import SCORE_COLUMNS
 
 ENDLESS = {"maximum_iterations": 100000, "change_tolerance": -1, "distance_tolerance": 0}
 
@@ -35,6 +36,12 @@ class Import(unittest.TestCase):
     def test_package_is_small(self):
         folder = Path(flipfree.__file__).parent
         self.assertLess(sum(path.stat().st_size for path in folder.iterdir() if path.is_file()), 5e6)
+
+    def test_scores_are_the_kernels(self):
+        scores = flipfree.evaluate(liver().label_map, truth(), reference_label=6)
+        self.assertEqual(list(vars(scores)), list(SCORE_COLUMNS))
+        self.assertEqual(SCORE_COLUMNS["asd"], ("ASD", "mm"))
+        self.assertEqual(SCORE_COLUMNS["overlap_of"], ("OverlapOf", ""))
 
 
 class Threads(unittest.TestCase):

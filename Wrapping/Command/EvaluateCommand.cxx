@@ -16,7 +16,6 @@
 #include "vtkStringArray.h"
 #include "vtkSurfaceValidity.h"
 #include "vtkTable.h"
-#include "vtkVariant.h"
 
 #include <CLI/CLI.hpp>
 
@@ -45,28 +44,7 @@ void PrintValidity(vtkPolyData* surface)
   vtkNew<vtkSurfaceValidity> validity;
   validity->SetInputData(surface);
   Run(validity, "checking");
-  const auto count = [&validity](const char* name)
-  { return validity->GetMeasures()->GetValueByName(0, name).ToInt(); };
-  const int open = count("BoundaryEdges");
-  std::printf("surface              %s: %s, Euler number %d, self-intersections %d\n",
-    validity->IsValid() ? "valid" : "not valid",
-    open ? (std::to_string(open) + " open edges").c_str() : "closed", count("EulerNumber"),
-    count("SelfIntersections"));
-}
-
-void PrintMeasures(vtkSegmentationMetrics* metrics)
-{
-  std::printf("Dice                 %.4f\n", metrics->GetDice());
-  std::printf("Jaccard              %.4f\n", metrics->GetJaccard());
-  std::printf("volume               %.2f ml, reference %.2f ml, difference %+.2f %%\n",
-    metrics->GetSegmentationVolume(), metrics->GetReferenceVolume(),
-    100 * metrics->GetRelativeVolumeDifference());
-  std::printf("surface distance     mean %.3f mm, RMS %.3f mm\n", metrics->GetASD(), //
-    metrics->GetRMS());
-  std::printf("Hausdorff distance   %.3f mm, 95th percentile %.3f mm\n", metrics->GetHD(),
-    metrics->GetHD95());
-  std::printf("measured             overlap of the %s, distances of the %s\n",
-    metrics->GetOverlapOf().c_str(), metrics->GetDistanceOf().c_str());
+  std::fputs(validity->GetSummary().c_str(), stdout);
 }
 
 vtkSmartPointer<vtkTable> NamedRow(vtkSegmentationMetrics* metrics, const Evaluation& evaluation)
@@ -142,7 +120,7 @@ void Evaluate(const Evaluation& evaluation)
   }
   if (!evaluation.Quiet)
   {
-    PrintMeasures(metrics);
+    std::fputs(metrics->GetSummary().c_str(), stdout);
     if (surface)
     {
       PrintValidity(surface);

@@ -29,14 +29,15 @@ double NumberOf(const std::string& organ, const std::string& text)
   return number;
 }
 
-GivenOrgan OrganOf(const std::string* values, double sign)
+GivenOrgan OrganOf(const std::string* values, const PointOptions& corrections)
 {
   GivenOrgan organ;
   organ.Name = values[0];
   for (int axis = 0; axis < 3; ++axis)
   {
-    organ.Seed[axis] = (axis < 2 ? sign : 1) * NumberOf(organ.Name, values[axis + 1]);
+    organ.Seed[axis] = NumberOf(organ.Name, values[axis + 1]);
   }
+  organ.Seed = corrections.InLps(organ.Seed.data());
   organ.Radius = NumberOf(organ.Name, values[4]);
   if (!(organ.Radius > 0))
   {
@@ -107,7 +108,6 @@ void OrganOptions::AddOptions(CLI::App& command)
 
 std::vector<GivenOrgan> OrganOptions::Organs(const PointOptions& corrections) const
 {
-  const double sign = corrections.AreRAS() ? -1 : 1;
   std::vector<GivenOrgan> organs;
   std::map<std::string, std::size_t> seen; // values of an option, up to here
   for (const CLI::Option* option : this->Command->parse_order())
@@ -116,7 +116,7 @@ std::vector<GivenOrgan> OrganOptions::Organs(const PointOptions& corrections) co
     const std::size_t count = ++seen[name];
     if (name == "organ" && count % ValuesOfOrgan == 0)
     {
-      organs.push_back(OrganOf(this->Values.data() + count - ValuesOfOrgan, sign));
+      organs.push_back(OrganOf(this->Values.data() + count - ValuesOfOrgan, corrections));
     }
     else if ((name == "inside" || name == "outside" || name == "boundary") && count % 3 == 0)
     {

@@ -1,5 +1,6 @@
 #include "PointFile.h"
 
+#include "Coordinates.h"
 #include "Failure.h"
 #include "OutputFile.h"
 
@@ -160,8 +161,7 @@ CorrectionPoint PointOfControl(const Json& control, bool isRAS)
     [](const Json& x) { return x.get<double>(); });
   if (isRAS)
   {
-    point.Place[0] = -point.Place[0];
-    point.Place[1] = -point.Place[1];
+    point.Place = SwapLpsRas(point.Place);
   }
   try
   {

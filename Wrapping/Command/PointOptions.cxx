@@ -1,5 +1,6 @@
 #include "PointOptions.h"
 
+#include "Coordinates.h"
 #include "Failure.h"
 #include "OutputFile.h"
 
@@ -86,14 +87,18 @@ void PointOptions::RequireSense() const
   }
 }
 
+std::array<double, 3> PointOptions::InLps(const double* given) const
+{
+  const std::array<double, 3> point{ { given[0], given[1], given[2] } };
+  return this->RAS ? SwapLpsRas(point) : point;
+}
+
 CorrectionPoint PointOptions::PointOf(const std::string& kind, std::size_t number) const
 {
   const std::vector<double>& values = kind == "inside" ? this->Inside
     : kind == "outside"                                ? this->Outside
                                                        : this->Boundary;
-  const double sign = this->RAS ? -1 : 1;
-  const double* const place = values.data() + 3 * number;
-  return { kind, { { sign * place[0], sign * place[1], place[2] } }, 0 };
+  return { kind, this->InLps(values.data() + 3 * number), 0 };
 }
 
 std::vector<CorrectionPoint> PointOptions::Points() const

@@ -7,6 +7,7 @@
 
 #include "PointFile.h"
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -30,8 +31,8 @@ public:
   /// Throws WrongUsage for coordinates that are not finite and files of another ending.
   void RequireSense() const;
 
-  /// Coordinates of the command line are RAS: those of the seed, or of a vessel's points, too.
-  bool AreRAS() const { return this->RAS; }
+  /// A point of the command line, such as the seed or a vessel's point, in LPS millimeters.
+  std::array<double, 3> InLps(const double* given) const;
 
   /// All points in LPS millimeters, those of the file first. Throws Failure if it cannot be read.
   std::vector<CorrectionPoint> Points() const;

@@ -64,11 +64,7 @@ Point SeedIn(vtkImageData* image, const Segmentation& segmentation, std::size_t 
   char given[128];
   if (segmentation.SeedVoxel.empty())
   {
-    std::copy_n(segmentation.Seed.data() + 3 * number, 3, seed.begin());
-    if (segmentation.Corrections.AreRAS())
-    {
-      seed = { { -seed[0], -seed[1], seed[2] } };
-    }
+    seed = segmentation.Corrections.InLps(segmentation.Seed.data() + 3 * number);
     image->TransformPhysicalPointToContinuousIndex(seed.data(), index);
     std::snprintf(given, sizeof(given), "--seed: (%g, %g, %g) mm", seed[0], seed[1], seed[2]);
   }

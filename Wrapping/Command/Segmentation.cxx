@@ -5,7 +5,9 @@
 #include "SurfaceFile.h"
 #include "VolumeFile.h"
 
+#include "vtkConstraintPointSource.h"
 #include "vtkMath.h"
+#include "vtkNew.h"
 
 #include <algorithm>
 
@@ -115,7 +117,13 @@ void RequireStart(const Segmentation& segmentation)
 
 void RequireProperRadii(const std::vector<double>& radii)
 {
-  const auto isProper = [](double radius) { return radius >= 1e-6 && radius <= 1e6; };
+  // Whether the filters take it as it is.
+  const auto isProper = [](double radius)
+  {
+    vtkNew<vtkConstraintPointSource> seed;
+    seed->SetRadius(radius);
+    return seed->GetRadius() == radius;
+  };
   if (radii.empty() || !std::all_of(radii.begin(), radii.end(), isProper))
   {
     throw WrongUsage("--radius must be a positive number of millimeters, 1e-6 to 1e6. The sphere "

@@ -147,11 +147,10 @@ void RequireSense(const Trace& trace)
 
 void Configure(const Trace& trace, vtkFlipFreeVesselSegmentation* filter)
 {
-  const double sign = trace.Corrections.AreRAS() ? -1 : 1;
   for (std::size_t first = 0; first + 2 < trace.Points.size(); first += 3)
   {
-    filter->AddPoint(sign * trace.Points[first], sign * trace.Points[first + 1],
-      trace.Points[first + 2]);
+    const auto [x, y, z] = trace.Corrections.InLps(trace.Points.data() + first);
+    filter->AddPoint(x, y, z);
   }
   AddPoints(trace.Corrections.Points(), filter);
   filter->SetRadius(trace.Radius);

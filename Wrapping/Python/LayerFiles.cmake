@@ -1,6 +1,7 @@
 # The layer in Python that is the same over VTK's filters and over the kernels; what differs is beside it, in VTK
 # and in Wheel.
 set(FLIPFREE_LAYER_FILES
+  _coordinates.py
   _corrections.py
   _errors.py
   _evaluate.py

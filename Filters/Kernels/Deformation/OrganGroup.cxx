@@ -75,10 +75,6 @@ struct OrganGroup::Member
     {
       throw Error(error.GetCode(), this->Name + ": " + this->Renamed(error.what()));
     }
-    catch (const std::invalid_argument& error) // such as a voxel that is not finite
-    {
-      throw std::invalid_argument(this->Name + ": " + error.what());
-    }
   }
 
   std::string Renamed(std::string message) const
@@ -331,9 +327,9 @@ std::vector<VolumeSegmentation> OrganGroup::Segment(const std::vector<Constraint
 {
   if (constraints.size() != this->Members.size())
   {
-    throw std::invalid_argument("there are " + std::to_string(constraints.size()) +
-      " lists of constraints for " + std::to_string(this->Members.size()) +
-      " organs; give each organ one, which may be empty");
+    throw Error(ErrorCode::OutOfRange,
+      "there are " + std::to_string(constraints.size()) + " lists of constraints for " +
+        std::to_string(this->Members.size()) + " organs; give each organ one, which may be empty");
   }
   for (const auto& member : this->Members)
   {

@@ -40,9 +40,8 @@ class OrganGroup
 {
 public:
   /// The volume's voxels outlive the object; `name` is the volume's. Guard and Carving are on, and
-  /// the fixed surfaces embedded (MakeStartSurface). Throws std::invalid_argument or Error, naming
-  /// organs, for bad input: none, two of one name, seeds of two organs that overlap, a seed that
-  /// meets a fixed surface.
+  /// the fixed surfaces embedded (MakeStartSurface). Throws Error, naming organs, for bad input:
+  /// none, two of one name, seeds of two organs that overlap, a seed that meets a fixed surface.
   OrganGroup(const GrayVolume& volume, const std::string& name, std::vector<SeededOrgan> organs,
     std::vector<FixedSurface> fixed, const VolumeSegmentationSettings& settings,
     const Threading& threading);

@@ -1,7 +1,5 @@
 #include "Deformation/SegmentationParameters.h"
 
-#include "PropertyCheck.h"
-
 namespace FlipFree
 {
 namespace
@@ -40,13 +38,7 @@ const ParameterTable<Settings>& SegmentationParameters()
 
 void RequireNumbers(const Settings& settings)
 {
-  for (const Parameter<Settings>& parameter : SegmentationParameters())
-  {
-    for (const double value : parameter.Get(settings))
-    {
-      RequireNumbers({ { parameter.Name.c_str(), value } });
-    }
-  }
+  RequireNumbers(SegmentationParameters(), settings);
 }
 
 } // namespace FlipFree

@@ -70,7 +70,7 @@ namespace FlipFree
 /// All of them.
 const ParameterTable<VolumeSegmentationSettings>& SegmentationParameters();
 
-/// Throws std::invalid_argument, naming the first parameter that is not a finite number.
+/// Throws Error, naming the first parameter that is not a finite number.
 void RequireNumbers(const VolumeSegmentationSettings& settings);
 
 } // namespace FlipFree

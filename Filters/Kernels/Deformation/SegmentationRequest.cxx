@@ -4,10 +4,10 @@
 #include "Deformation/Provenance.h"
 #include "Deformation/SegmentationParameters.h"
 #include "Deformation/StartMask.h"
+#include "Error.h"
 #include "Image/GridCheck.h"
 
 #include <algorithm>
-#include <stdexcept>
 #include <utility>
 
 namespace FlipFree
@@ -35,8 +35,9 @@ void RequireLabelsFor(const std::vector<NamedOrgan>& organs, int first)
 {
   if (first + static_cast<int>(organs.size()) > GreatestLabel + 1)
   {
-    throw std::invalid_argument("labels go up to " + std::to_string(GreatestLabel) +
-      ", which leaves none for " + organs.back().Name + "; lower LabelValue, or remove organs");
+    throw Error(ErrorCode::OutOfRange,
+      "labels go up to " + std::to_string(GreatestLabel) + ", which leaves none for " +
+        organs.back().Name + "; lower LabelValue, or remove organs");
   }
 }
 
@@ -47,7 +48,8 @@ SeedSphere TakeSeed(const std::string& organ, ConstraintList& constraints)
     [](const PointConstraint& constraint) { return constraint.Kind == ConstraintKind::Seed; });
   if (first == constraints.end())
   {
-    throw std::invalid_argument(organ + " has no seed; give a sphere that lies within it");
+    throw Error(ErrorCode::SeedWithoutVoxels,
+      organ + " has no seed; give a sphere that lies within it");
   }
   SeedSphere seed{ first->Point, first->Radius };
   constraints.erase(first);
@@ -121,7 +123,8 @@ OrganAnswer OrganRuns::Segment(const OrganRequest& request, const Monitor& monit
   const bool fills = !request.Seed;
   if (fills && !this->Filled)
   {
-    throw std::invalid_argument("there is neither a seed nor a label to fill; give one of them");
+    throw Error(ErrorCode::SeedWithoutVoxels,
+      "there is neither a seed nor a label to fill; give one of them");
   }
   OrganAnswer answer;
   ConstraintList constraints = request.Constraints;

@@ -46,11 +46,11 @@ public:
 
   /// Takes the label that runs without a seed fill in place of a foreground that is found in the
   /// volume; 0 stands for all that are not 0. Returns the largest ball in it, in which they start.
-  /// Throws std::invalid_argument or Error as StartMaskOf() and LargestBallIn() do; then there is
+  /// Throws Error as StartMaskOf() and LargestBallIn() do; then there is
   /// none.
   SeedSphere FillLabel(const LabelVolume& labels, int label);
 
-  /// Throws std::invalid_argument or Error for a volume, seed, surface or parameter that cannot be
+  /// Throws Error for a volume, seed, surface or parameter that cannot be
   /// used, and as VolumeSegmenter::Segment(). The observer, which may be null, sees the iterations
   /// if their history is to be kept.
   OrganAnswer Segment(const OrganRequest& request, const Monitor& monitor,
@@ -100,7 +100,7 @@ struct GroupAnswer
   std::string Provenance;                  ///< of all surfaces
 };
 
-/// `name` is the volume's. Throws std::invalid_argument or Error as OrganRuns::Segment() and
+/// `name` is the volume's. Throws Error as OrganRuns::Segment() and
 /// OrganGroup do, also where an organ has no seed, or where labels do not suffice.
 GroupAnswer SegmentGroup(const GrayVolume& volume, const std::string& name,
   const GroupRequest& request, const Threading& threading, const Monitor& monitor);

@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 namespace FlipFree
 {
@@ -18,7 +17,7 @@ BitMask StartMaskOf(const LabelVolume& labels, int label, const ImageGeometry& i
 {
   if (labels.Geometry.NumberOfVoxels() == 0)
   {
-    throw std::invalid_argument(labels.Name + " have no voxels; give a label map");
+    throw Error(ErrorCode::InvalidGeometry, labels.Name + " have no voxels; give a label map");
   }
   RequireProperGrid(labels.Geometry, labels.Name);
   RequireSameGeometry(labels.Geometry, image, labels.Name, nameOfImage);
@@ -45,15 +44,10 @@ SeedSphere LargestBallIn(const BitMask& mask, const std::string& name,
   {
     size += 2;
   }
-  std::vector<unsigned char> inside(geometry.NumberOfVoxels(), 0);
-  mask.ForEachRun(box.Begin[2], box.End[2],
-    [&](int begin, int end, int j, int k)
-    {
-      const std::size_t first =
-        geometry.Offset(begin - box.Begin[0] + 1, j - box.Begin[1] + 1, k - box.Begin[2] + 1);
-      std::fill_n(inside.begin() + static_cast<std::ptrdiff_t>(first), end - begin, 1);
-    });
-  const std::vector<float> depth = SquaredDistance(inside, geometry, 0, parallelFor, NeverStop);
+  BitMask inside(geometry);
+  inside.Insert(mask.Cropped(box), { { 1, 1, 1 } });
+  const std::vector<float> depth =
+    SquaredDistance(BytesOf(inside), geometry, 0, parallelFor, NeverStop);
   const auto deepest = std::max_element(depth.begin(), depth.end());
   const auto [i, j, k] = IndexOf(static_cast<std::size_t>(deepest - depth.begin()), geometry);
   SeedSphere ball;

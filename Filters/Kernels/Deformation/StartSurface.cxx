@@ -1,11 +1,10 @@
 #include "Deformation/StartSurface.h"
 
+#include "Error.h"
 #include "Geometry/SelfIntersection.h"
 #include "Mesh/QuadSphere.h"
 #include "Mesh/SurfaceTopology.h"
 #include "MessageText.h"
-
-#include <stdexcept>
 
 namespace FlipFree
 {
@@ -22,10 +21,11 @@ void RequireEmbedded(const ContourMesh& mesh, const FaceHulls& hulls, const Poin
   const auto pairs = FindSelfIntersections(points, hulls, parallelFor);
   if (!pairs.empty())
   {
-    throw std::invalid_argument(name + " intersects itself in " + std::to_string(pairs.size()) +
-      " pairs of faces, for some way to cut them into triangles, the first near " +
-      TextOf(points.row(mesh.Faces.Face(pairs[0].first)[0])) +
-      " mm; start from an embedded surface, or switch Guard (of a refinement: Check) off");
+    throw Error(ErrorCode::SelfIntersecting,
+      name + " intersects itself in " + std::to_string(pairs.size()) +
+        " pairs of faces, for some way to cut them into triangles, the first near " +
+        TextOf(points.row(mesh.Faces.Face(pairs[0].first)[0])) +
+        " mm; start from an embedded surface, or switch Guard (of a refinement: Check) off");
   }
   RequireOutward(points, mesh.Triangles, name);
 }
@@ -36,7 +36,7 @@ DeformableSurface MakeStartSurface(const GivenSurface& given, bool requireEmbedd
   const std::string& name = given.Name;
   if (given.Points.rows() == 0)
   {
-    throw std::invalid_argument(name + " has no points; give one that has");
+    throw Error(ErrorCode::InvalidMesh, name + " has no points; give one that has");
   }
   RequireValidFaces(given.Points, given.Faces, name);
   DeformableSurface surface;

@@ -44,12 +44,12 @@ auto NamingSurface(const std::string& name, const Make& make)
   }
 }
 
-/// Throws std::invalid_argument, naming the surface by `name`, when it intersects itself or is
-/// inside out. `hulls` are those of the mesh's faces.
+/// Throws Error, naming the surface by `name`, when it intersects itself or is inside out. `hulls`
+/// are those of the mesh's faces.
 void RequireEmbedded(const ContourMesh& mesh, const FaceHulls& hulls, const PointList& points,
   const std::string& name, const ParallelFor& parallelFor);
 
-/// Throws std::invalid_argument, naming the surface, when it has no points, is not a closed mesh
+/// Throws Error, naming the surface, when it has no points, is not a closed mesh
 /// with four neighbors at every vertex, or, if asked, is not embedded.
 DeformableSurface MakeStartSurface(const GivenSurface& given, bool requireEmbedded,
   const ParallelFor& parallelFor);

@@ -25,16 +25,6 @@ constexpr double Negligible = 1e-3; // millimeters
 // What is no farther from the deep of a part than this part of the depth belongs to it.
 constexpr double PartOfDepth = 1.25;
 
-VoxelBox WidenedBy(double length, const VoxelBox& box, const ImageGeometry& geometry)
-{
-  std::array<int, 3> margin;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    margin[axis] = 1 + static_cast<int>(length / geometry.Spacing[axis]);
-  }
-  return box.Widened(margin, WholeBox(geometry));
-}
-
 // Until none is near another.
 std::vector<BitMask> UniteNear(std::vector<BitMask> parts)
 {
@@ -44,7 +34,7 @@ std::vector<BitMask> UniteNear(std::vector<BitMask> parts)
     BitMask part = std::move(parts.back());
     parts.pop_back();
     const VoxelBox box =
-      WidenedBy(2 * UnchangedPlaces::ChangeReach, part.Bounds(), part.GetGeometry());
+      WidenedBy(part.Bounds(), 2 * UnchangedPlaces::ChangeReach, 1, part.GetGeometry());
     const auto near = std::find_if(apart.begin(), apart.end(),
       [&](const BitMask& other) { return !box.Cropped(other.Bounds()).IsEmpty(); });
     if (near == apart.end())
@@ -71,13 +61,12 @@ bool FindDeepParts(const BitMask& before, const BitMask& after, double depth,
   {
     return true;
   }
-  const VoxelBox box = WidenedBy(depth, changed.Bounds(), whole);
+  const VoxelBox box = WidenedBy(changed.Bounds(), depth, 1, whole);
   BitMask same = before.Cropped(box);
   same.Intersect(after.Cropped(box));
   const ImageGeometry& geometry = same.GetGeometry();
-  std::vector<unsigned char> inside(geometry.NumberOfVoxels(), 0);
-  same.ForEach([&](std::size_t voxel) { inside[voxel] = 1; });
-  const std::vector<float> squared = SquaredDistance(inside, geometry, 1, parallelFor, monitor);
+  const std::vector<float> squared =
+    SquaredDistance(BytesOf(same), geometry, 1, parallelFor, monitor);
   if (squared.empty())
   {
     return false;
@@ -85,7 +74,7 @@ bool FindDeepParts(const BitMask& before, const BitMask& after, double depth,
   // What hangs on a deep part as a sheet is none: a sheet may go all around an organ.
   const BitMask all = changed.Cropped(box);
   std::vector<std::size_t> far;
-  std::vector<unsigned char> isFar(inside.size(), 0);
+  std::vector<unsigned char> isFar(squared.size(), 0);
   all.ForEach(
     [&](std::size_t voxel)
     {

@@ -26,7 +26,7 @@ struct GrayVolume
 {
   ImageGeometry Geometry;
   VoxelReader Read;
-  /// Throws std::invalid_argument unless all voxels of a box are finite as floats.
+  /// Throws Error unless all voxels of a box are finite as floats.
   std::function<void(const VoxelBox&)> RequireFinite;
 };
 
@@ -69,8 +69,8 @@ struct VolumeSegmentation
 class VolumeSegmenter
 {
 public:
-  /// `name` is the volume's, whose voxels outlive the object. `start` may be null. Throws
-  /// std::invalid_argument or Error for bad input.
+  /// `name` is the volume's, whose voxels outlive the object. `start` may be null. Throws Error for
+  /// bad input.
   VolumeSegmenter(GrayVolume volume, std::string name, const SeedSphere& seed,
     const DeformableSurface* start, const VolumeSegmentationSettings& settings,
     Threading threading);

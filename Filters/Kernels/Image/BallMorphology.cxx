@@ -169,9 +169,8 @@ bool DilateByDistance(BitMask& mask, double radius, const ParallelFor& parallelF
   const Monitor& monitor)
 {
   const ImageGeometry& geometry = mask.GetGeometry();
-  std::vector<unsigned char> bytes(geometry.NumberOfVoxels(), 0);
-  mask.ForEach([&bytes](std::size_t voxel) { bytes[voxel] = 1; });
-  const std::vector<float> distance = SquaredDistance(bytes, geometry, 1, parallelFor, monitor);
+  const std::vector<float> distance =
+    SquaredDistance(BytesOf(mask), geometry, 1, parallelFor, monitor);
   if (distance.empty() || !monitor(0.9))
   {
     return Stop(mask);

@@ -153,6 +153,13 @@ VoxelBox BitMask::Bounds() const
   return box;
 }
 
+std::vector<unsigned char> BytesOf(const BitMask& mask)
+{
+  std::vector<unsigned char> bytes(mask.GetGeometry().NumberOfVoxels(), 0);
+  mask.ForEach([&bytes](std::size_t voxel) { bytes[voxel] = 1; });
+  return bytes;
+}
+
 BitMask DifferenceOf(const BitMask& one, const BitMask& other)
 {
   BitMask difference = one;

@@ -223,6 +223,9 @@ BitMask VoxelsWhere(const ImageView<T>& image, const Predicate& holds,
     parallelFor);
 }
 
+/// A byte for each voxel of the grid: 1 for those of the set.
+std::vector<unsigned char> BytesOf(const BitMask& mask);
+
 /// The voxels that are in one of two sets on the same grid, but not in both.
 BitMask DifferenceOf(const BitMask& one, const BitMask& other);
 

@@ -1,6 +1,6 @@
 #include "Image/BlockNetwork.h"
 
-#include "Image/GaussianSmoothing.h"
+#include "Image/LocalMeans.h"
 #include "Image/VoxelOffsets.h"
 
 #include <algorithm>
@@ -68,12 +68,9 @@ std::vector<float> BlockMeans(const ImagePart& image, const BlockGrid& grid,
 std::vector<float> SmoothBlockMeans(const ImagePart& image, const BlockGrid& grid,
   const ParallelFor& parallelFor)
 {
-  std::vector<float> smooth = BlockMeans(image, grid, parallelFor);
-  std::vector<float> weights(smooth.size(), 1.0F);
-  SmoothGaussian(smooth, grid.Blocks, EdgeSmoothing, parallelFor);
-  SmoothGaussian(weights, grid.Blocks, EdgeSmoothing, parallelFor);
-  std::transform(smooth.begin(), smooth.end(), weights.begin(), smooth.begin(), std::divides<>());
-  return smooth;
+  const std::vector<float> ones(grid.Blocks.NumberOfVoxels(), 1.0F);
+  return LocalMeans({ BlockMeans(image, grid, parallelFor), ones }, grid.Blocks, EdgeSmoothing, 0,
+    0, parallelFor);
 }
 
 CutNetwork MakeBlockNetwork(const ImageGeometry& blocks, const std::vector<int>& nodes,

@@ -4,6 +4,7 @@
 #ifndef FlipFreeFiniteVoxels_h
 #define FlipFreeFiniteVoxels_h
 
+#include "Error.h"
 #include "Image/SliceParts.h"
 #include "Image/VoxelBox.h"
 #include "MessageText.h"
@@ -12,16 +13,15 @@
 #include <atomic>
 #include <cmath>
 #include <limits>
-#include <stdexcept>
 #include <string>
 #include <type_traits>
 
 namespace FlipFree
 {
 
-/// Throws std::invalid_argument, naming the image by `name` and the first bad voxel, unless all
-/// voxels of a box are finite as a Number. Integers pass unseen. Returns false if the monitor,
-/// asked every few slices, stopped it.
+/// Throws Error, naming the image by `name` and the first bad voxel, unless all voxels of a box are
+/// finite as a Number. Integers pass unseen. Returns false if the monitor, asked every few slices,
+/// stopped it.
 template <typename Number, typename T>
 bool RequireFiniteAs(const ImageView<T>& image, const VoxelBox& box, const std::string& name,
   const std::string& remedy, const Threading& threading, const Monitor& monitor)
@@ -63,9 +63,10 @@ bool RequireFiniteAs(const ImageView<T>& image, const VoxelBox& box, const std::
       const std::ptrdiff_t slice = row / rows;
       const Eigen::Vector3d index(box.Begin[0] + static_cast<double>(firstBad % columns),
         box.Begin[1] + static_cast<double>(row % rows), box.Begin[2] + static_cast<double>(slice));
-      throw std::invalid_argument("a voxel of " + name + ", at " +
-        TextOf(image.Geometry.ToPhysical(index)) + " mm, is not a finite number" +
-        (std::is_same_v<Number, T> ? "; " : " in the range of float; ") + remedy);
+      throw Error(ErrorCode::NonFiniteValue,
+        "a voxel of " + name + ", at " + TextOf(image.Geometry.ToPhysical(index)) +
+          " mm, is not a finite number" +
+          (std::is_same_v<Number, T> ? "; " : " in the range of float; ") + remedy);
     }
     return done;
   }

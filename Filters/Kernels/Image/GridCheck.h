@@ -4,46 +4,47 @@
 #ifndef FlipFreeGridCheck_h
 #define FlipFreeGridCheck_h
 
+#include "Error.h"
 #include "KernelTypes.h"
 #include "MessageText.h"
 
 #include <cmath>
-#include <stdexcept>
 #include <string>
 
 namespace FlipFree
 {
 
-/// Throws std::invalid_argument, naming the image by `name`, unless its voxels lie apart on three
-/// independent axes.
+/// Throws Error, naming the image by `name`, unless its voxels lie apart on three independent axes.
 inline void RequireProperGrid(const ImageGeometry& geometry, const std::string& name)
 {
   if (!(geometry.Spacing.minCoeff() > 0) || !geometry.Spacing.allFinite())
   {
-    throw std::invalid_argument(name + " has a spacing of " + TextOf(geometry.Spacing) +
-      " mm; make it positive on every axis, and turn axes by the direction matrix");
+    throw Error(ErrorCode::InvalidGeometry,
+      name + " has a spacing of " + TextOf(geometry.Spacing) +
+        " mm; make it positive on every axis, and turn axes by the direction matrix");
   }
   if (!(std::abs(geometry.Direction.determinant()) > 1e-6) || !geometry.Direction.allFinite() ||
     !geometry.Origin.allFinite())
   {
-    throw std::invalid_argument(name +
-      " has a direction matrix that cannot be inverted, or an origin that is not finite; correct "
-      "them");
+    throw Error(ErrorCode::InvalidGeometry,
+      name +
+        " has a direction matrix that cannot be inverted, or an origin that is not finite; correct "
+        "them");
   }
 }
 
-/// Throws std::invalid_argument, naming the image by `name`, unless it has voxels on a proper grid.
+/// Throws Error, naming the image by `name`, unless it has voxels on a proper grid.
 inline void RequireVoxels(const ImageGeometry& geometry, const std::string& name)
 {
   if (geometry.NumberOfVoxels() == 0)
   {
-    throw std::invalid_argument(name + " has no voxels; give one that has");
+    throw Error(ErrorCode::InvalidGeometry, name + " has no voxels; give one that has");
   }
   RequireProperGrid(geometry, name);
 }
 
-/// Throws std::invalid_argument, saying what differs between the two named so, unless the grids
-/// have the same dimensions and each voxel lies within a hundredth of a voxel of its counterpart.
+/// Throws Error, saying what differs between the two named so, unless the grids have the same
+/// dimensions and each voxel lies within a hundredth of a voxel of its counterpart.
 void RequireSameGeometry(const ImageGeometry& one, const ImageGeometry& other,
   const std::string& nameOfOne, const std::string& nameOfOther);
 

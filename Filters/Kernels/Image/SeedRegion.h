@@ -54,6 +54,10 @@ void CropToFloat(const ImageView<T>& image, const VoxelBox& box, const ParallelF
     });
 }
 
+/// In millimeters: the radii to which all shells limit those of seeds.
+constexpr double MinimumSeedRadius = 1e-6;
+constexpr double MaximumSeedRadius = 1e6;
+
 /// Throws Error unless the center lies within the image, named by `name`, and the radius is a voxel
 /// or more.
 void RequireSeed(const ImageGeometry& geometry, const SeedSphere& seed, const std::string& name);

@@ -31,6 +31,17 @@ VoxelBox BoxAroundPoints(const ImageGeometry& geometry, const PointList& points,
   return box;
 }
 
+VoxelBox WidenedBy(const VoxelBox& box, double length, int more, const ImageGeometry& geometry)
+{
+  const Eigen::Vector3d reach = geometry.IndexReach(length);
+  std::array<int, 3> voxels;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    voxels[axis] = static_cast<int>(reach[axis]) + more;
+  }
+  return box.Widened(voxels, WholeBox(geometry));
+}
+
 std::array<int, 3> NearestVoxel(const ImageGeometry& geometry, const Eigen::Vector3d& point)
 {
   const Eigen::Vector3d index = geometry.ToIndex(point);

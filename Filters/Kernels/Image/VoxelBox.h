@@ -76,6 +76,10 @@ VoxelBox BoxAround(const ImageGeometry& geometry, const Eigen::Vector3d& point, 
 /// The smallest box that holds those around all of the points.
 VoxelBox BoxAroundPoints(const ImageGeometry& geometry, const PointList& points, double reach);
 
+/// A box with the voxels of the grid within `length` millimeters of it, whatever the angles between
+/// the grid's axes, and some more on each side.
+VoxelBox WidenedBy(const VoxelBox& box, double length, int more, const ImageGeometry& geometry);
+
 /// The voxel whose center is nearest to a point.
 std::array<int, 3> NearestVoxel(const ImageGeometry& geometry, const Eigen::Vector3d& point);
 

@@ -48,8 +48,7 @@ public:
   bool Find(BitMask& changed)
   {
     const std::array<int, 3> own = NearestVoxel(this->Geometry, this->Wanted.Point);
-    std::vector<unsigned char> right(this->Geometry.NumberOfVoxels(), 0);
-    this->Before.ForEach([&](std::size_t voxel) { right[voxel] = 1; });
+    const std::vector<unsigned char> right = BytesOf(this->Before);
     const unsigned char target = this->Wanted.IsInside ? 1 : 0;
     const std::vector<float> squared =
       SquaredDistance(right, this->Geometry, target, this->Parallel, this->Ask);

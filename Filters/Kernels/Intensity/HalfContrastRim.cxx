@@ -1,13 +1,13 @@
 #include "Intensity/HalfContrastRim.h"
 
 #include "Image/BallMorphology.h"
-#include "Image/BlockGrid.h"
-#include "Image/GaussianSmoothing.h"
+#include "Image/LocalMeans.h"
 #include "Image/SliceMorphology.h"
 #include "Intensity/LeakControl.h"
 #include "Intensity/RobustStatistics.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace FlipFree
 {
@@ -99,19 +99,7 @@ private:
     }
     this->Organ =
       this->AverageOf(layer, this->Rule.OrganDeviation, [](float value, float) { return value; });
-    std::vector<float> deviations;
-    BlockRow means(this->Grid);
-    std::vector<float> mean(layer.GetGeometry().Dimensions[0]);
-    layer.ForEachRun(0, layer.GetGeometry().Dimensions[2],
-      [&](int begin, int end, int j, int k)
-      {
-        const float* const row = this->Image.Row(j, k);
-        means.Read(this->Organ, begin, end, j, k, mean.data());
-        for (int i = begin; i < end; ++i)
-        {
-          deviations.push_back(row[i] - mean[i - begin]);
-        }
-      });
+    std::vector<float> deviations = DifferencesFrom(this->Organ, this->Grid, this->Image, layer);
     this->Spread = std::max(
       { RobustStatisticsOf(deviations).StandardDeviation, 0.5 * this->Noise, LeastSpread });
     return true;
@@ -213,37 +201,23 @@ private:
   template <typename Read>
   std::vector<float> AverageOf(const BitMask& mask, double deviation, const Read& read) const
   {
-    std::vector<float> sums(this->Grid.Blocks.NumberOfVoxels(), 0.0F);
-    std::vector<float> weights(sums.size(), 0.0F);
     const bool withMeans = !this->Organ.empty();
-    this->Grid.ForEachRun(mask, this->Parallel,
-      [&](std::size_t block, int begin, int end, int j, int k)
+    BlockSums sums = SumInBlocks(mask, this->Grid, this->Parallel,
+      [&](std::size_t block, int begin, int end, int j, int k, float& sum)
       {
         const float* const row = this->Image.Row(j, k);
         const float mean = withMeans ? this->Organ[block] : 0;
-        float sum = 0;
+        float ofRun = 0;
         for (int i = begin; i < end; ++i)
         {
-          sum += read(row[i], mean);
+          ofRun += read(row[i], mean);
         }
-        sums[block] += sum;
-        weights[block] += static_cast<float>(end - begin);
+        sum += ofRun;
       });
-    double whole = 0;
-    double count = 0;
-    for (std::size_t block = 0; block < sums.size(); ++block)
-    {
-      whole += sums[block];
-      count += weights[block];
-    }
-    const auto mean = static_cast<float>(count > 0 ? whole / count : 0);
-    SmoothGaussian(sums, this->Grid.Blocks, deviation, this->Parallel);
-    SmoothGaussian(weights, this->Grid.Blocks, deviation, this->Parallel);
-    for (std::size_t block = 0; block < sums.size(); ++block)
-    {
-      sums[block] = weights[block] > 1e-9F ? sums[block] / weights[block] : mean;
-    }
-    return sums;
+    constexpr float leastWeight = 1e-9F;
+    const float ofAll = sums.Mean();
+    return LocalMeans(std::move(sums), this->Grid.Blocks, deviation, leastWeight, ofAll,
+      this->Parallel);
   }
 
   const ImagePart& Image;

@@ -1,8 +1,7 @@
 #include "Intensity/HollowCarving.h"
 
 #include "Image/BallMorphology.h"
-#include "Image/BlockGrid.h"
-#include "Image/GaussianSmoothing.h"
+#include "Image/LocalMeans.h"
 #include "Intensity/LeakControl.h"
 #include "Intensity/RobustStatistics.h"
 
@@ -30,6 +29,9 @@ constexpr double OrganDeviation = 8;
 constexpr double HollowRadius = 10;
 constexpr double FatReach = 8;
 
+// Of the core's voxels around a block, so that they have a mean.
+constexpr float LeastWeight = 1e-9F;
+
 class Hollows
 {
 public:
@@ -56,8 +58,12 @@ public:
     {
       return true;
     }
-    this->FindOrgan(core);
-    const auto difference = static_cast<float>(LeastDifference * this->SpreadIn(core));
+    // Far from the core, nothing is darker.
+    this->Organ = LocalMeans(SumInBlocks(this->Image, core, this->Grid, this->Parallel),
+      this->Grid.Blocks, OrganDeviation, LeastWeight, Lowest, this->Parallel);
+    std::vector<float> differences = DifferencesFrom(this->Organ, this->Grid, this->Image, core);
+    const auto difference =
+      static_cast<float>(LeastDifference * RobustStatisticsOf(differences).StandardDeviation);
     BitMask dark = this->Darker(this->Mask,
       [=](float organ)
       { return organ - std::max(difference, DarkPart * (organ - GrayValueOfFat)); });
@@ -83,48 +89,6 @@ public:
   }
 
 private:
-  // The organ's local means.
-  void FindOrgan(const BitMask& core)
-  {
-    this->Organ.assign(this->Grid.Blocks.NumberOfVoxels(), 0);
-    std::vector<float> weights(this->Organ.size(), 0);
-    this->Grid.ForEachRun(core, this->Parallel,
-      [&](std::size_t block, int begin, int end, int j, int k)
-      {
-        const float* const row = this->Image.Row(j, k);
-        for (int i = begin; i < end; ++i)
-        {
-          this->Organ[block] += row[i];
-        }
-        weights[block] += static_cast<float>(end - begin);
-      });
-    SmoothGaussian(this->Organ, this->Grid.Blocks, OrganDeviation, this->Parallel);
-    SmoothGaussian(weights, this->Grid.Blocks, OrganDeviation, this->Parallel);
-    for (std::size_t block = 0; block < weights.size(); ++block)
-    {
-      // Far from the core, nothing is darker.
-      this->Organ[block] = weights[block] > 1e-9F ? this->Organ[block] / weights[block] : Lowest;
-    }
-  }
-
-  double SpreadIn(const BitMask& core) const
-  {
-    std::vector<float> deviations;
-    BlockRow means(this->Grid);
-    std::vector<float> mean(BitMask::BitsOfWord);
-    core.ForEachRun(0, core.GetGeometry().Dimensions[2],
-      [&](int begin, int end, int j, int k)
-      {
-        const float* const row = this->Image.Row(j, k);
-        means.Read(this->Organ, begin, end, j, k, mean.data());
-        for (int i = begin; i < end; ++i)
-        {
-          deviations.push_back(row[i] - mean[i - begin]);
-        }
-      });
-    return RobustStatisticsOf(deviations).StandardDeviation;
-  }
-
   // The voxels of the mask darker than a limit, which depends on the organ.
   template <typename Limit>
   BitMask Darker(const BitMask& mask, const Limit& limit) const

@@ -77,29 +77,18 @@ public:
   }
 
 private:
-  // Which blocks are in the mask, and the sums and numbers of their voxels there.
+  // Which blocks are in the mask, and the sums of their gray values there.
   void FillBlocks()
   {
     const std::size_t count = this->Grid.Blocks.NumberOfVoxels();
     this->Inside.assign(count, 0);
     this->IsTouched.assign(count, 0);
-    this->Values.assign(count, 0);
-    this->Weights.assign(count, 0);
-    this->Grid.ForEachRun(this->Mask, this->Parallel,
-      [&](std::size_t block, int begin, int end, int j, int k)
-      {
-        const float* const row = this->Image.Row(j, k);
-        for (int i = begin; i < end; ++i)
-        {
-          this->Values[block] += row[i];
-        }
-        this->Weights[block] += static_cast<float>(end - begin);
-      });
+    this->Sums = SumInBlocks(this->Image, this->Mask, this->Grid, this->Parallel);
     const auto half = 0.5F * static_cast<float>(this->Grid.VoxelsPerBlock());
     for (std::size_t block = 0; block < count; ++block)
     {
-      this->Inside[block] = this->Weights[block] >= half ? 1 : 0;
-      this->IsTouched[block] = this->Weights[block] > 0 ? 1 : 0;
+      this->Inside[block] = this->Sums.Weights[block] >= half ? 1 : 0;
+      this->IsTouched[block] = this->Sums.Weights[block] > 0 ? 1 : 0;
     }
   }
 
@@ -117,9 +106,9 @@ private:
       {
         if (first == 0)
         {
-          this->Unaries = FindUnaryTerms(std::move(this->Values), std::move(this->Weights),
-            this->Inside, this->Grid.Blocks, { this->Seed.Center, this->Ball.Radius },
-            this->OfBall.StandardDeviation, this->IsMR, this->Parallel);
+          this->Unaries = FindUnaryTerms(std::move(this->Sums), this->Inside, this->Grid.Blocks,
+            { this->Seed.Center, this->Ball.Radius }, this->OfBall.StandardDeviation, this->IsMR,
+            this->Parallel);
         }
         if (last == 2)
         {
@@ -252,8 +241,7 @@ private:
   std::vector<unsigned char> Inside;    // half of the block is in the mask
   std::vector<unsigned char> IsTouched; // a voxel is
   std::vector<unsigned char> IsCore;
-  std::vector<float> Values;
-  std::vector<float> Weights;
+  BlockSums Sums;
   std::vector<float> Unaries;
   std::vector<int> Nodes;
 };
@@ -266,13 +254,8 @@ bool CarveNecks(const ImagePart& image, const SeedSphere& seed, double noise, Mo
   const ImageGeometry& geometry = mask.GetGeometry();
   // The edges at the mask's rim need what lies around it.
   constexpr double margin = 6;
-  const Eigen::Vector3d voxels = geometry.IndexReach(margin);
-  const VoxelBox box =
-    mask.Bounds()
-      .Joined(BoxAround(geometry, seed.Center, seed.Radius))
-      .Widened({ { static_cast<int>(voxels[0]) + 2, static_cast<int>(voxels[1]) + 2,
-                 static_cast<int>(voxels[2]) + 2 } },
-        WholeBox(geometry));
+  const VoxelBox box = WidenedBy(
+    mask.Bounds().Joined(BoxAround(geometry, seed.Center, seed.Radius)), margin, 2, geometry);
   BitMask part = mask.Cropped(box);
   Insert(VoxelsAround(part.GetGeometry(), seed), part);
   const std::vector<std::size_t> source =

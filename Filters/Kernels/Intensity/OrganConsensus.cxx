@@ -289,15 +289,8 @@ bool IsDoubtful(const std::vector<VoxelRun>& inside, const BitMask& carved)
 VoxelBox ConsensusBox(const BitMask& carved, const SeedSphere& seed)
 {
   const ImageGeometry& geometry = carved.GetGeometry();
-  const Eigen::Vector3d reach = geometry.IndexReach(Surroundings);
-  std::array<int, 3> voxels{};
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    voxels[axis] = static_cast<int>(reach[axis]) + 1;
-  }
-  return carved.Bounds()
-    .Joined(BoxAround(geometry, seed.Center, seed.Radius))
-    .Widened(voxels, WholeBox(geometry));
+  return WidenedBy(carved.Bounds().Joined(BoxAround(geometry, seed.Center, seed.Radius)),
+    Surroundings, 1, geometry);
 }
 
 bool SeekConsensus(const ImageView<float>& smooth, const SeedSphere& seed, double noise,

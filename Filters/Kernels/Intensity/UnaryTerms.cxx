@@ -1,10 +1,10 @@
 #include "Intensity/UnaryTerms.h"
 
-#include "Image/GaussianSmoothing.h"
 #include "Intensity/RobustStatistics.h"
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace FlipFree
 {
@@ -16,16 +16,15 @@ constexpr double LargeBall = 20;
 
 } // namespace
 
-std::vector<float> FindUnaryTerms(std::vector<float> values, std::vector<float> weights,
-  const std::vector<unsigned char>& inside, const ImageGeometry& blocks, const SeedSphere& ball,
-  double deviation, bool isMR, const ParallelFor& parallelFor)
+std::vector<float> FindUnaryTerms(BlockSums sums, const std::vector<unsigned char>& inside,
+  const ImageGeometry& blocks, const SeedSphere& ball, double deviation, bool isMR,
+  const ParallelFor& parallelFor)
 {
   const double radius = ball.Radius;
   const double smoothing = std::max(2.0, std::min(6.0, 0.3 * radius));
-  SmoothGaussian(values, blocks, smoothing, parallelFor);
-  SmoothGaussian(weights, blocks, smoothing, parallelFor);
-  std::transform(values.begin(), values.end(), weights.begin(), values.begin(),
-    [](float value, float weight) { return weight > 1e-6F ? value / weight : 0; });
+  constexpr float leastWeight = 1e-6F;
+  std::vector<float> values =
+    LocalMeans(std::move(sums), blocks, smoothing, leastWeight, 0, parallelFor);
   std::vector<float> central;
   for (const std::size_t block : VoxelsAround(blocks, ball))
   {

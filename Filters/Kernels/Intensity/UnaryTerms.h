@@ -4,16 +4,17 @@
 #ifndef FlipFreeUnaryTerms_h
 #define FlipFreeUnaryTerms_h
 
+#include "Image/LocalMeans.h"
 #include "Image/SeedRegion.h"
 
 namespace FlipFree
 {
 
-/// Per mm3, zero outside. `values` and `weights` are the sums and numbers of each block's voxels in
-/// the mask; `ball` is the largest about the seed, `deviation` that of its gray values.
-std::vector<float> FindUnaryTerms(std::vector<float> values, std::vector<float> weights,
-  const std::vector<unsigned char>& inside, const ImageGeometry& blocks, const SeedSphere& ball,
-  double deviation, bool isMR, const ParallelFor& parallelFor);
+/// Per mm3, zero outside. `sums` are of the gray values in the mask; `ball` is the largest about
+/// the seed, `deviation` that of its gray values.
+std::vector<float> FindUnaryTerms(BlockSums sums, const std::vector<unsigned char>& inside,
+  const ImageGeometry& blocks, const SeedSphere& ball, double deviation, bool isMR,
+  const ParallelFor& parallelFor);
 
 } // namespace FlipFree
 

@@ -1,11 +1,11 @@
 #include "Measures/SegmentationScores.h"
 
+#include "Error.h"
 #include "Image/GridCheck.h"
+#include "Measures/ScoreParameters.h"
 #include "Measures/SurfaceDistance.h"
 #include "Measures/VoxelOverlap.h"
 #include "Mesh/SurfaceVoxelization.h"
-
-#include <stdexcept>
 
 namespace FlipFree
 {
@@ -19,8 +19,9 @@ BitMask Voxelize(const PointList& points, const TriangleList& triangles, const L
   const std::vector<VoxelRun> runs = VoxelizeSurface(points, triangles, geometry, parallelFor);
   if (runs.empty())
   {
-    throw std::invalid_argument("the segmentation, a surface, encloses no voxel center of " +
-      reference.Name + "; check that both are in the same physical coordinates");
+    throw Error(ErrorCode::EmptyMask,
+      "the segmentation, a surface, encloses no voxel center of " + reference.Name +
+        "; check that both are in the same physical coordinates");
   }
   BitMask mask(geometry);
   for (const VoxelRun& run : runs)
@@ -75,25 +76,6 @@ std::string WarningOf(const LabelMask* segmentation, const LabelMask& reference)
     (labels.empty() ? "" : ", or set ReferenceLabel to one of " + labels) + ".";
 }
 
-ParameterTable<ScoreSettings> MakeTable()
-{
-  constexpr double least = std::numeric_limits<int>::min();
-  constexpr double most = std::numeric_limits<int>::max();
-  return { NumberParameter<int, ScoreSettings>(
-             "SegmentationLabel",
-             [](auto& settings) -> auto& { return settings.SegmentationLabel; }, least, most),
-    NumberParameter<int, ScoreSettings>(
-      "ReferenceLabel", [](auto& settings) -> auto& { return settings.ReferenceLabel; }, least,
-      most),
-    NumberParameter<double, ScoreSettings>(
-      "SampleSpacing", [](auto& settings) -> auto& { return settings.SampleSpacing; }, 0.001, 1000),
-    NumberParameter<int, ScoreSettings>(
-      "LabelSmoothing", [](auto& settings) -> auto& { return settings.LabelSmoothing; }, 0, 100),
-    NumberParameter<bool, ScoreSettings>(
-      "ScoreVoxelization", [](auto& settings) -> auto& { return settings.ScoreVoxelization; }, 0,
-      1) };
-}
-
 void RequireLabel(const LabelMask& labelMap, const std::string& property)
 {
   if (labelMap.Label < 0 || !labelMap.Mask.Bounds().IsEmpty())
@@ -116,22 +98,16 @@ void RequireLabel(const LabelMask& labelMap, const std::string& property)
                               : "; it is no label map: it holds " + others +
         ", where a label map holds whole numbers from 0 up; give it a label map";
   }
-  throw std::invalid_argument(message);
+  throw Error(ErrorCode::EmptyMask, message);
 }
 
 } // namespace
-
-const ParameterTable<ScoreSettings>& ScoreParameters()
-{
-  static const ParameterTable<ScoreSettings> table = MakeTable();
-  return table;
-}
 
 LabelMask LabelMaskOf(const LabelVolume& labels, int label, const std::string& property)
 {
   if (labels.Geometry.NumberOfVoxels() == 0)
   {
-    throw std::invalid_argument(labels.Name + " has no voxels; give a label map");
+    throw Error(ErrorCode::InvalidGeometry, labels.Name + " has no voxels; give a label map");
   }
   RequireProperGrid(labels.Geometry, labels.Name);
   LabelMask mask{ labels.MaskOf(label), label, labels.Values, labels.Name };
@@ -143,6 +119,7 @@ SegmentationScores ScoreSurface(const PointList& points, const TriangleList& tri
   const LabelMask& reference, const ScoreSettings& settings, const ParallelFor& parallelFor,
   const Monitor& monitor)
 {
+  RequireNumbers(ScoreParameters(), settings);
   const ImageGeometry& geometry = reference.Mask.GetGeometry();
   const BitMask voxels = Voxelize(points, triangles, reference, parallelFor);
   SegmentationScores scores;
@@ -164,6 +141,7 @@ SegmentationScores ScoreSurface(const PointList& points, const TriangleList& tri
 SegmentationScores ScoreLabels(const LabelMask& segmentation, const LabelMask& reference,
   const ScoreSettings& settings, const ParallelFor& parallelFor, const Monitor& monitor)
 {
+  RequireNumbers(ScoreParameters(), settings);
   SegmentationScores scores;
   Store(MeasureOverlap(segmentation.Mask, reference.Mask, parallelFor),
     reference.Mask.GetGeometry(), scores);

@@ -7,7 +7,6 @@
 
 #include "Image/LabelValues.h"
 #include "Measures/LabelSurface.h"
-#include "ParameterTable.h"
 
 #include <functional>
 #include <limits>
@@ -24,8 +23,6 @@ struct ScoreSettings
   int LabelSmoothing = 0;         ///< iterations of windowed sinc smoothing of the labels' surfaces
   bool ScoreVoxelization = false; ///< measure the surface of a mesh's voxels, not the mesh
 };
-
-const ParameterTable<ScoreSettings>& ScoreParameters();
 
 struct SegmentationScores
 {
@@ -56,14 +53,14 @@ struct LabelMask
   std::string Name = "the label map"; ///< in messages
 };
 
-/// The voxels of a label, or all that are not 0 for a negative one. Throws std::invalid_argument
+/// The voxels of a label, or all that are not 0 for a negative one. Throws Error
 /// for a label map without voxels or a proper grid, for a voxel that is not a finite number, and
 /// where no voxel has the label, unless it is negative. `property` is what chooses the label.
 LabelMask LabelMaskOf(const LabelVolume& labels, int label, const std::string& property);
 
-/// Both throw std::invalid_argument for a mask that is empty, images of different geometry, a
-/// surface that is open or encloses no voxel of the reference's grid, or one that would need too
-/// many samples.
+/// Both throw Error for a setting that is no number, a mask that is empty, images of different
+/// geometry, a surface that is open or encloses no voxel of the reference's grid, or one that would
+/// need too many samples.
 SegmentationScores ScoreSurface(const PointList& points, const TriangleList& triangles,
   const LabelMask& reference, const ScoreSettings& settings, const ParallelFor& parallelFor,
   const Monitor& monitor);

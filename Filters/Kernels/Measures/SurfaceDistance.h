@@ -27,9 +27,8 @@ struct SurfaceDistance
 };
 
 /// Neighboring samples of a triangle are at most sampleSpacing (mm) apart; small triangles have one
-/// sample. Throws std::invalid_argument when a surface has no area, is not valid
-/// (RequireValidFaces), or would need more than a hundred million samples, or when the spacing is
-/// not positive.
+/// sample. Throws Error when a surface has no area, is not valid (RequireValidFaces), or would need
+/// more than a hundred million samples, or when the spacing is not positive.
 SurfaceDistance MeasureSurfaceDistance(const PointList& firstPoints,
   const TriangleList& firstTriangles, const PointList& secondPoints,
   const TriangleList& secondTriangles, double sampleSpacing = 1.0,

@@ -32,8 +32,8 @@ struct VoxelOverlap
   }
 };
 
-/// Compares two masks. Throws std::invalid_argument when their dimensions
-/// differ, their voxels do not lie in the same places, or a mask is empty.
+/// Compares two masks. Throws Error when their dimensions differ, their voxels do not lie in the
+/// same places, or a mask is empty.
 VoxelOverlap MeasureOverlap(const BitMask& segmentation, const BitMask& reference,
   const ParallelFor& parallelFor = SerialFor);
 

@@ -40,8 +40,8 @@ struct ContourMesh
   int EulerNumber() const;
 };
 
-/// Builds the connectivity. Throws std::invalid_argument, naming the first bad vertex or face,
-/// unless the mesh is closed and oriented and every vertex has exactly four neighbors.
+/// Builds the connectivity. Throws Error, naming the first bad vertex or face, unless the mesh is
+/// closed and oriented and every vertex has exactly four neighbors.
 ContourMesh BuildContourMesh(int numberOfPoints, const FaceList& faces);
 
 } // namespace FlipFree

@@ -178,7 +178,7 @@ void RequireOutward(const PointList& points, const TriangleList& triangles, cons
   {
     std::ostringstream message;
     message << name << " is inside out: it encloses a volume of " << volume
-            << " mm3; reverse its faces, as vtkReverseSense does";
+            << " mm3; reverse its faces";
     throw Error(ErrorCode::InsideOut, message.str());
   }
 }

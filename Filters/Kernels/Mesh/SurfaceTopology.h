@@ -44,17 +44,16 @@ std::vector<SurfaceEdge> CollectEdges(int numberOfPoints, const FaceList& faces)
 /// Counts, given CollectEdges of the same faces.
 SurfaceTopology MeasureTopology(const FaceList& faces, const std::vector<SurfaceEdge>& edges);
 
-/// Throws std::invalid_argument, naming the surface by `name`, when it has no polygon, a polygon
-/// has fewer than three vertices, names a point that does not exist, or a point that is not finite.
+/// Throws Error, naming the surface by `name`, when it has no polygon, a polygon has fewer than
+/// three vertices, names a point that does not exist, or a point that is not finite.
 void RequireValidFaces(const Eigen::Ref<const PointList>& points, const FaceList& faces,
   const std::string& name);
 
-/// Throws std::invalid_argument, naming the first bad edge, unless every edge is traversed equally
-/// often in both directions: then the surface is the boundary of a volume.
+/// Throws Error, naming the first bad edge, unless every edge is traversed equally often in both
+/// directions: then the surface is the boundary of a volume.
 void RequireClosed(int numberOfPoints, const TriangleList& triangles, const std::string& name);
 
-/// Throws std::invalid_argument when a closed surface is inside out, its faces clockwise seen from
-/// outside.
+/// Throws Error when a closed surface is inside out, its faces clockwise seen from outside.
 void RequireOutward(const PointList& points, const TriangleList& triangles,
   const std::string& name);
 

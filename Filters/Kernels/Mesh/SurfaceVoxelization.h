@@ -30,9 +30,9 @@ struct VoxelRun
 };
 
 /// The voxels of the image inside the surface, as maximal runs ordered by K, J, Begin. Empty when
-/// the surface contains no voxel center, or when the monitor stops it. Throws std::invalid_argument
-/// when the surface is not closed and consistently oriented (either way round), a point is not
-/// finite or lies more than 1e15 voxels away from the image, or the geometry is singular.
+/// the surface contains no voxel center, or when the monitor stops it. Throws Error when the
+/// surface is not closed and consistently oriented (either way round), a point is not finite or
+/// lies more than 1e15 voxels away from the image, or the geometry is singular.
 std::vector<VoxelRun> VoxelizeSurface(const PointList& points, const TriangleList& triangles,
   const ImageGeometry& geometry, const ParallelFor& parallelFor = SerialFor,
   const Monitor& monitor = NeverStop);

@@ -1,9 +1,9 @@
 #include "Phantom/PhantomVolume.h"
 
+#include "Error.h"
 #include "Phantom/AbdomenPhantom.h"
 
 #include <limits>
-#include <stdexcept>
 #include <string>
 
 namespace FlipFree
@@ -88,9 +88,9 @@ Phantom PhantomOf(const PhantomSettings& settings, const ImageGeometry& grid)
     if (!(intensity >= std::numeric_limits<std::int16_t>::min() &&
           intensity <= std::numeric_limits<std::int16_t>::max()))
     {
-      throw std::invalid_argument(
+      throw Error(ErrorCode::OutOfRange,
         "Foreground and Background must lie within -32768 to 32767, not " +
-        std::to_string(intensity));
+          std::to_string(intensity));
     }
   }
   return MakePlainPhantom(static_cast<PlainShape>(settings.Shape), extent, settings.Foreground,

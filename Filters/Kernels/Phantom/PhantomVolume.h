@@ -30,10 +30,10 @@ constexpr int AbdomenShape = 5;
 
 const ParameterTable<PhantomSettings>& PhantomParameters();
 
-/// Throws std::invalid_argument for settings that make no grid.
+/// Throws Error for settings that make no grid.
 ImageGeometry GridOf(const PhantomSettings& settings);
 
-/// Throws std::invalid_argument for intensities that do not fit into the voxels.
+/// Throws Error for intensities that do not fit into the voxels.
 Phantom PhantomOf(const PhantomSettings& settings, const ImageGeometry& grid);
 
 SamplingOptions SamplingOf(const PhantomSettings& settings);

@@ -48,7 +48,7 @@ struct SamplingOptions
   std::uint64_t Seed = 0;
 };
 
-/// Throws std::invalid_argument, naming what is wrong, unless the geometry is a valid grid.
+/// Throws Error, naming what is wrong, unless the geometry is a valid grid.
 void RequireGrid(const ImageGeometry& geometry);
 
 /// The size of the grid along its axes, including the outer halves of its boundary voxels.

@@ -16,7 +16,7 @@ namespace FlipFree
 /// A uniform number in [0, 1). Indices may be negative.
 double PositionUniform(std::uint64_t seed, int i, int j, int k);
 
-/// Throws std::invalid_argument unless AddNoise accepts these.
+/// Throws Error unless AddNoise accepts these.
 void RequireNoise(double standardDeviation, double correlation);
 
 /// Adds a normal number of mean 0 to each voxel of a box, x fastest. As in a reconstructed CT, the

@@ -60,26 +60,30 @@ public:
     this->Arrive(0, cell);
   }
 
-  bool IsEmpty() const { return this->Trial.empty(); }
-
-  float EarliestTime() const
+  /// Makes cells final in the order of their times, and calls visit(cell) for each before the front
+  /// spreads from there, as long as goesOn(time of the next). Returns false if the monitor, asked
+  /// now and then, stopped it.
+  template <typename GoesOn, typename Visit>
+  bool March(const GoesOn& goesOn, const Visit& visit, const Monitor& monitor)
   {
-    const auto bits = static_cast<std::uint32_t>(this->Trial.top() >> 32U);
-    float time = 0;
-    std::memcpy(&time, &bits, sizeof(time));
-    return time;
-  }
-
-  /// Makes the earliest trial cell final; false if it was already.
-  bool Accept(std::size_t& cell)
-  {
-    cell = this->Trial.top() & 0xFFFFFFFFU;
-    this->Trial.pop();
-    if (!(this->Cells[cell].Speed > 0))
+    const auto voxels =
+      static_cast<double>(static_cast<std::size_t>(this->Size[0]) * this->Size[1] * this->Size[2]);
+    std::size_t accepted = 0;
+    while (!this->Trial.empty() && goesOn(this->EarliestTime()))
     {
-      return false;
+      std::size_t cell = 0;
+      if (!this->Accept(cell))
+      {
+        continue;
+      }
+      if (++accepted % VoxelsBetweenQuestions == 0 &&
+        !monitor(static_cast<double>(accepted) / voxels))
+      {
+        return false;
+      }
+      visit(cell);
+      this->UpdateNeighbors(cell);
     }
-    this->Cells[cell].Speed = -this->Cells[cell].Speed;
     return true;
   }
 
@@ -142,15 +146,6 @@ public:
     return owners;
   }
 
-  void UpdateNeighbors(std::size_t cell)
-  {
-    for (const std::size_t step : { std::size_t(1), this->Row, this->Slice })
-    {
-      this->Update(cell - step);
-      this->Update(cell + step);
-    }
-  }
-
   std::vector<float> TakeTimes()
   {
     std::vector<float> times(
@@ -172,6 +167,36 @@ private:
     float Speed = 0; // 0: a wall; negative: its time is final
     float Time = Never;
   };
+
+  float EarliestTime() const
+  {
+    const auto bits = static_cast<std::uint32_t>(this->Trial.top() >> 32U);
+    float time = 0;
+    std::memcpy(&time, &bits, sizeof(time));
+    return time;
+  }
+
+  // Makes the earliest trial cell final; false if it was already.
+  bool Accept(std::size_t& cell)
+  {
+    cell = this->Trial.top() & 0xFFFFFFFFU;
+    this->Trial.pop();
+    if (!(this->Cells[cell].Speed > 0))
+    {
+      return false;
+    }
+    this->Cells[cell].Speed = -this->Cells[cell].Speed;
+    return true;
+  }
+
+  void UpdateNeighbors(std::size_t cell)
+  {
+    for (const std::size_t step : { std::size_t(1), this->Row, this->Slice })
+    {
+      this->Update(cell - step);
+      this->Update(cell + step);
+    }
+  }
 
   // Calls visit(first voxel, its cell).
   template <typename Visit>
@@ -294,28 +319,20 @@ Arrivals MarchFront(const ImageView<float>& speed, const std::vector<std::size_t
   }
   std::sort(cells.begin(), cells.end());
   Arrivals arrivals;
-  std::size_t accepted = 0;
-  while (!front.IsEmpty() && arrivals.Reached.size() < count && front.EarliestTime() < latest)
+  const auto goesOn = [&](float earliest)
+  { return arrivals.Reached.size() < count && earliest < latest; };
+  const auto visit = [&](std::size_t cell)
   {
-    std::size_t cell = 0;
-    if (!front.Accept(cell))
-    {
-      continue;
-    }
-    if (++accepted % VoxelsBetweenQuestions == 0 &&
-      !monitor(
-        static_cast<double>(accepted) / static_cast<double>(speed.Geometry.NumberOfVoxels())))
-    {
-      arrivals.Reached.clear();
-      break;
-    }
     const auto target =
       std::lower_bound(cells.begin(), cells.end(), std::pair(cell, std::size_t(0)));
     if (target != cells.end() && target->first == cell)
     {
       arrivals.Reached.push_back(target->second);
     }
-    front.UpdateNeighbors(cell);
+  };
+  if (!front.March(goesOn, visit, monitor))
+  {
+    arrivals.Reached.clear();
   }
   arrivals.Times = front.TakeTimes();
   return arrivals;
@@ -332,21 +349,10 @@ Meeting MeetFronts(const ImageView<float>& speed, const std::vector<std::size_t>
   }
   double least = Never;
   std::pair<std::size_t, std::size_t> cells;
-  std::size_t accepted = 0;
   // Two fronts that meet later need longer.
-  while (!front.IsEmpty() && 2 * double(front.EarliestTime()) < least)
+  const auto goesOn = [&](float earliest) { return 2 * double(earliest) < least; };
+  const auto visit = [&](std::size_t cell)
   {
-    std::size_t cell = 0;
-    if (!front.Accept(cell))
-    {
-      continue;
-    }
-    if (++accepted % VoxelsBetweenQuestions == 0 &&
-      !monitor(
-        static_cast<double>(accepted) / static_cast<double>(speed.Geometry.NumberOfVoxels())))
-    {
-      return {};
-    }
     front.Own(cell);
     front.ForEachMeeting(cell,
       [&](std::size_t neighbor, double time)
@@ -358,10 +364,9 @@ Meeting MeetFronts(const ImageView<float>& speed, const std::vector<std::size_t>
           cells = pair;
         }
       });
-    front.UpdateNeighbors(cell);
-  }
+  };
   Meeting meeting;
-  if (least < Never)
+  if (front.March(goesOn, visit, monitor) && least < Never)
   {
     meeting.Times.Times = front.TakeTimes();
     meeting.Times.Owners = front.TakeOwners();

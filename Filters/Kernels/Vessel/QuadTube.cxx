@@ -1,5 +1,6 @@
 #include "Vessel/QuadTube.h"
 
+#include "Error.h"
 #include "Geometry/SelfIntersection.h"
 #include "MessageText.h"
 #include "Vessel/CellSurface.h"
@@ -8,7 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 namespace FlipFree
 {
@@ -19,20 +19,21 @@ void RequireLine(const PointList& line, const Eigen::VectorXd& radii, const std:
 {
   if (line.rows() < 2)
   {
-    throw std::invalid_argument(name + " has fewer than two points; give its course");
+    throw Error(ErrorCode::InvalidLine, name + " has fewer than two points; give its course");
   }
   for (Eigen::Index point = 0; point < line.rows(); ++point)
   {
     if (!line.row(point).allFinite() || !(radii[point] > 0) || !std::isfinite(radii[point]))
     {
-      throw std::invalid_argument(name + " has a point " + TextOf(line.row(point)) +
-        " mm of radius " + std::to_string(radii[point]) +
-        " mm; points must be finite and radii positive");
+      throw Error(ErrorCode::InvalidLine,
+        name + " has a point " + TextOf(line.row(point)) + " mm of radius " +
+          std::to_string(radii[point]) + " mm; points must be finite and radii positive");
     }
     if (point > 0 && line.row(point) == line.row(point - 1))
     {
-      throw std::invalid_argument(name + " has two points at " + TextOf(line.row(point)) +
-        " mm in a row; remove one of them, by vtkCleanPolyData for example");
+      throw Error(ErrorCode::RepeatedPoint,
+        name + " has two points at " + TextOf(line.row(point)) +
+          " mm in a row; remove one of them");
     }
   }
 }
@@ -107,10 +108,11 @@ QuadTube MakeQuadTube(const PointList& line, const Eigen::VectorXd& radii, int n
   const auto pairs = FindSelfIntersections(tube.Points, tube.Faces, parallelFor);
   if (!pairs.empty())
   {
-    throw std::invalid_argument("a tube along " + name + " would intersect itself near " +
-      TextOf(tube.Points.row(tube.Faces.Face(pairs.front().first)[0])) +
-      " mm; smooth the line, or lower the radii, where it bends more tightly than its radius or "
-      "comes near to itself");
+    throw Error(ErrorCode::SelfIntersecting,
+      "a tube along " + name + " would intersect itself near " +
+        TextOf(tube.Points.row(tube.Faces.Face(pairs.front().first)[0])) +
+        " mm; smooth the line, or lower the radii, where it bends more tightly than its radius or "
+        "comes near to itself");
   }
   return tube;
 }

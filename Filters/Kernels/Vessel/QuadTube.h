@@ -20,10 +20,10 @@ struct QuadTube
 };
 
 /// `radii`: at the points of the line. `n`: vertices along a side of the square; the tube has 4 n
-/// around and as many along as make its cells even. Throws std::invalid_argument, naming the line
-/// by `name`, for fewer than two points, two alike in a row, radii that are not positive, and where
-/// the tube would intersect itself: where the line bends more tightly than its radius, or comes too
-/// near to itself.
+/// around and as many along as make its cells even. Throws Error, naming the line by `name`, for
+/// fewer than two points, two alike in a row, radii that are not positive, and where the tube would
+/// intersect itself: where the line bends more tightly than its radius, or comes too near to
+/// itself.
 QuadTube MakeQuadTube(const PointList& line, const Eigen::VectorXd& radii, int n,
   const std::string& name, const ParallelFor& parallelFor);
 

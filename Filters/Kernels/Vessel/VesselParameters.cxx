@@ -1,7 +1,5 @@
 #include "Vessel/VesselParameters.h"
 
-#include "PropertyCheck.h"
-
 namespace FlipFree
 {
 namespace
@@ -31,13 +29,7 @@ const ParameterTable<Settings>& VesselParameters()
 
 void RequireNumbers(const Settings& settings)
 {
-  for (const Parameter<Settings>& parameter : VesselParameters())
-  {
-    for (const double value : parameter.Get(settings))
-    {
-      RequireNumbers({ { parameter.Name.c_str(), value } });
-    }
-  }
+  RequireNumbers(VesselParameters(), settings);
 }
 
 } // namespace FlipFree

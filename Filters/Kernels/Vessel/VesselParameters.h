@@ -29,7 +29,7 @@ namespace FlipFree
 /// All of them.
 const ParameterTable<VesselSegmentationSettings>& VesselParameters();
 
-/// Throws std::invalid_argument, naming the first parameter that is not a finite number.
+/// Throws Error, naming the first parameter that is not a finite number.
 void RequireNumbers(const VesselSegmentationSettings& settings);
 
 } // namespace FlipFree

@@ -9,7 +9,6 @@
 
 #include <functional>
 #include <optional>
-#include <stdexcept>
 #include <utility>
 
 namespace FlipFree
@@ -43,7 +42,7 @@ std::optional<VesselTree> SeekOther(const std::function<VesselTree()>& trace, do
       return other;
     }
   }
-  catch (const std::invalid_argument&) // no path, or voxels far away that are not finite
+  catch (const Error&) // no path, or voxels far away that are not finite
   {
   }
   return std::nullopt;

@@ -43,8 +43,9 @@ void RequireCorrections(const ImageGeometry& geometry, const PointList& points,
     }
     if (!guard)
     {
-      throw std::invalid_argument(NameOf(constraint) +
-        " can only be obeyed under the guard; switch Guard on, or remove the constraints");
+      throw Error(ErrorCode::OutOfRange,
+        NameOf(constraint) +
+          " can only be obeyed under the guard; switch Guard on, or remove the constraints");
     }
   }
   for (Eigen::Index point = 0; point < points.rows(); ++point)

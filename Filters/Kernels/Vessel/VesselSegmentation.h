@@ -36,10 +36,9 @@ struct VesselSegmentation
 };
 
 /// `name` is the volume's. The path keeps away from outside points, the outline is moved to all of
-/// the constraints, and the surface obeys them exactly; further seeds are refused. Throws
-/// std::invalid_argument or Error for bad input and for a constraint that cannot be obeyed, and
-/// std::logic_error if a guarded surface should intersect itself. A stop by the monitor gives
-/// StopReason::Aborted.
+/// the constraints, and the surface obeys them exactly; further seeds are refused. Throws Error for
+/// bad input and for a constraint that cannot be obeyed, and std::logic_error if a guarded surface
+/// should intersect itself. A stop by the monitor gives StopReason::Aborted.
 VesselSegmentation SegmentVessel(const GrayVolume& volume, const std::string& name,
   const PointList& points, const ConstraintList& constraints,
   const VesselSegmentationSettings& settings, const Threading& threading, const Monitor& monitor);

@@ -2,30 +2,36 @@
 #include "Answers.h"
 
 #include "Geometry/SelfIntersection.h"
+#include "Measures/ScoreColumns.h"
+#include "Measures/ScoreParameters.h"
 #include "Measures/SegmentationScores.h"
 #include "Mesh/SurfaceTopology.h"
 
 #include <emscripten/bind.h>
+
+#include <algorithm>
+#include <cctype>
 
 namespace FlipFree
 {
 namespace
 {
 
+// A column's name as a field of JavaScript: segmentationVolume, and of abbreviations asd and hd95.
+std::string FieldName(std::string name)
+{
+  const bool isAbbreviation = std::none_of(name.begin(), name.end(),
+    [](unsigned char letter) { return std::islower(letter) != 0; });
+  std::transform(name.begin(), isAbbreviation ? name.end() : name.begin() + 1, name.begin(),
+    [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
+  return name;
+}
+
 val ObjectOf(const SegmentationScores& scores)
 {
   val answer = val::object();
-  answer.set("dice", scores.Dice);
-  answer.set("jaccard", scores.Jaccard);
-  answer.set("relativeVolumeDifference", scores.RelativeVolumeDifference);
-  answer.set("asd", scores.ASD);
-  answer.set("rms", scores.RMS);
-  answer.set("hd95", scores.HD95);
-  answer.set("hd", scores.HD);
-  answer.set("segmentationVolume", scores.SegmentationVolume);
-  answer.set("referenceVolume", scores.ReferenceVolume);
-  answer.set("overlapOf", scores.OverlapOf);
-  answer.set("distanceOf", scores.DistanceOf);
+  ForEachScore(scores,
+    [&answer](const char* name, const auto& value) { answer.set(FieldName(name), value); });
   answer.set("warning", scores.Warning);
   return answer;
 }

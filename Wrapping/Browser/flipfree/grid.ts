@@ -1,29 +1,28 @@
 /** Between indices, LPS millimeters, and the RAS affine matrices of NIfTI. */
 import type { Grid, Image, Triple } from "./types.js";
 
+/** An LPS point as RAS, or the other way. */
+export function swapLpsRas(point: readonly number[]): [number, number, number] {
+  return [-point[0], -point[1], point[2]];
+}
+
 /** Maps indices to RAS millimeters: four rows of four numbers. */
 export function affineOf(grid: Grid): number[][] {
-  const sign = [-1, -1, 1];
-  const rows = sign.map((s, row) => [
-    ...grid.spacing.map((spacing, axis) => s * grid.direction[3 * row + axis] * spacing),
-    s * grid.origin[row],
-  ]);
-  return [...rows, [0, 0, 0, 1]];
+  const axes = grid.spacing.map((spacing, axis) => [0, 1, 2].map((row) => grid.direction[3 * row + axis] * spacing));
+  const columns = [...axes, grid.origin].map((column) => swapLpsRas(column));
+  return [...[0, 1, 2].map((row) => columns.map((column) => column[row])), [0, 0, 0, 1]];
 }
 
 /** The grid of a volume of this size and affine matrix. */
 export function gridOf(size: Triple, affine: readonly (readonly number[])[]): Grid {
-  const sign = [-1, -1, 1];
-  const column = (axis: number) => sign.map((s, row) => s * affine[row][axis]);
-  const spacing = [0, 1, 2].map((axis) => Math.hypot(...column(axis))) as [number, number, number];
-  const direction = [0, 1, 2].flatMap((row) =>
-    [0, 1, 2].map((axis) => (sign[row] * affine[row][axis]) / spacing[axis]),
-  );
+  const columns = [0, 1, 2, 3].map((axis) => swapLpsRas([0, 1, 2].map((row) => affine[row][axis])));
+  const spacing = columns.slice(0, 3).map((axis) => Math.hypot(...axis)) as [number, number, number];
+  const direction = [0, 1, 2].flatMap((row) => spacing.map((length, axis) => columns[axis][row] / length));
   // Without negative zeros, which text would show.
   return {
     size,
     spacing,
-    origin: column(3).map((value) => value + 0) as [number, number, number],
+    origin: columns[3].map((value) => value + 0) as [number, number, number],
     direction: direction.map((value) => value + 0),
   };
 }

@@ -1,7 +1,14 @@
 /** Slices and surfaces on the screen. NiiVue draws the volume and the surfaces in 3D; what is drawn over its slices and
  * what the pointer does there is ours. NiiVue's coordinates are RAS, all others LPS. */
 import { type NVConfigOptions, NVMesh, Niivue, SHOW_RENDER, SLICE_TYPE } from "@niivue/niivue";
-import { type Seed, type Surface, type Triple, doubtfulVertexConfidence, trianglesOf } from "../flipfree/index.js";
+import {
+  type Seed,
+  type Surface,
+  type Triple,
+  doubtfulVertexConfidence,
+  swapLpsRas,
+  trianglesOf,
+} from "../flipfree/index.js";
 import { type Marks, type ShownSurface, doubtColor, drawOverlay } from "./overlay.js";
 import { type Point, type Tile, pointAt, tileAt } from "./tiles.js";
 import type { OpenImage } from "./volumes.js";
@@ -20,8 +27,10 @@ export interface ViewedOrgan {
 /** What the left button does: it places the seed or a further one, moves the cross-hair, or places a point. */
 export type Tool = "seed" | "further" | "navigate" | "inside" | "outside" | "boundary" | "point";
 
-function swapLpsRas(point: Triple | Point): Point {
-  return [-point[0] + 0, -point[1] + 0, point[2]];
+/** LPS as RAS, or the other way; without negative zeros, which text would show. */
+function swapped(point: Triple | Point): Point {
+  const [x, y, z] = swapLpsRas(point);
+  return [x + 0, y + 0, z];
 }
 
 function bytesOf(color: string): [number, number, number] {
@@ -158,12 +167,12 @@ export class View {
 
   get crosshair(): Point {
     const [x, y, z] = this.slices.frac2mm(this.slices.scene.crosshairPos);
-    return swapLpsRas([x, y, z]);
+    return swapped([x, y, z]);
   }
 
   /** At the volume's border for a point outside. */
   set crosshair(point: Point) {
-    const [x, y, z] = [...this.slices.mm2frac(swapLpsRas(point))].map((fraction) => Math.min(1, Math.max(0, fraction)));
+    const [x, y, z] = [...this.slices.mm2frac(swapped(point))].map((fraction) => Math.min(1, Math.max(0, fraction)));
     this.slices.scene.crosshairPos = [x, y, z];
     this.slices.drawScene();
   }
@@ -211,11 +220,11 @@ export class View {
     const spheres = further.map(({ position, radius, color }) => ({ center: position, radius: radius ?? 0, color }));
     this.marks.seeds = [...seeds, ...spheres.filter(({ radius }) => radius > 0)].map((seed) => ({
       ...seed,
-      center: swapLpsRas(seed.center),
+      center: swapped(seed.center),
     }));
     this.marks.points = further
       .filter(({ kind }) => kind !== "seed")
-      .map(({ kind, position, color }) => ({ kind, place: swapLpsRas(position), color }));
+      .map(({ kind, position, color }) => ({ kind, place: swapped(position), color }));
     this.drawMarks();
   }
 
@@ -256,11 +265,11 @@ export class View {
       } else if (this.tool === "seed" || this.tool === "further") {
         const end = pointAt(drag.tile, ...this.pixelOf(event));
         const radius = Math.hypot(...end.map((value, axis) => value - drag!.center[axis]));
-        this.onSeed({ center: swapLpsRas(drag.center), radius }, isLast);
+        this.onSeed({ center: swapped(drag.center), radius }, isLast);
       } else if (this.tool === "navigate") {
-        this.crosshair = swapLpsRas(pointAt(drag.tile, ...this.pixelOf(event)));
+        this.crosshair = swapped(pointAt(drag.tile, ...this.pixelOf(event)));
       } else if (this.tool) {
-        const position = swapLpsRas(pointAt(drag.tile, ...this.pixelOf(event)));
+        const position = swapped(pointAt(drag.tile, ...this.pixelOf(event)));
         this.crosshair = position;
         if (isLast) {
           this.onPoint(position);
@@ -275,7 +284,7 @@ export class View {
         const center = pointAt(tile, ...start);
         drag = { pointer: event.pointerId, button: event.button, tile, start, center, window: this.window };
         if (event.button === 0) {
-          this.crosshair = swapLpsRas(center);
+          this.crosshair = swapped(center);
         }
       }
     });

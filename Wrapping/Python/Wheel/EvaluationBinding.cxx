@@ -5,35 +5,46 @@
 #include "Report.h"
 #include "ThreadPool.h"
 
+#include "Measures/ScoreColumns.h"
+#include "Measures/ScoreParameters.h"
+#include "Measures/ScoreSummary.h"
 #include "Measures/SegmentationScores.h"
 #include "Measures/SurfaceValidity.h"
 #include "Mesh/SurfaceTopology.h"
 
 #include <nanobind/stl/array.h>
+#include <nanobind/stl/pair.h>
 
 namespace FlipFree
 {
 namespace
 {
 
+// By the names of the columns, which Python spells its own way.
 nb::dict DictOf(const SegmentationScores& scores)
 {
   nb::dict answer;
-  answer["dice"] = scores.Dice;
-  answer["jaccard"] = scores.Jaccard;
-  answer["relative_volume_difference"] = scores.RelativeVolumeDifference;
-  answer["asd"] = scores.ASD;
-  answer["rms"] = scores.RMS;
-  answer["hd95"] = scores.HD95;
-  answer["hd"] = scores.HD;
-  answer["segmentation_volume"] = scores.SegmentationVolume;
-  answer["reference_volume"] = scores.ReferenceVolume;
-  answer["overlap_of"] = scores.OverlapOf;
-  answer["distance_of"] = scores.DistanceOf;
+  ForEachScore(scores, [&answer](const char* name, const auto& value) { answer[name] = value; });
   answer["warning"] = scores.Warning;
   return answer;
 }
 
+// Names and units of the columns.
+std::vector<std::pair<std::string, std::string>> ColumnsOfScores()
+{
+  std::vector<std::pair<std::string, std::string>> columns;
+  for (const ScoreColumn& column : ScoreColumns())
+  {
+    columns.emplace_back(column.Name, column.Unit);
+  }
+  for (const ScoreTextColumn& column : ScoreTextColumns())
+  {
+    columns.emplace_back(column.Name, "");
+  }
+  return columns;
+}
+
+// A reference with its label.
 LabelMask ReferenceOf(const LabelMap& reference, const ScoreSettings& settings)
 {
   return LabelMaskOf(LabelVolumeOf(reference, "the reference on port 1"), settings.ReferenceLabel,
@@ -85,21 +96,28 @@ nb::dict ScoreOfSurface(const Rows3& points, const Indices& corners, const Indic
   return DictOf(scores);
 }
 
-nb::dict ValidityOf(const Rows3& points, const Indices& corners, const Indices& offsets,
+// Of the columns' values by their names.
+std::string SummaryOfScores(const nb::dict& values)
+{
+  SegmentationScores scores;
+  for (const ScoreColumn& column : ScoreColumns())
+  {
+    scores.*column.Member = nb::cast<double>(values[column.Name]);
+  }
+  for (const ScoreTextColumn& column : ScoreTextColumns())
+  {
+    scores.*column.Member = nb::cast<std::string>(values[column.Name]);
+  }
+  return SummaryOf(scores);
+}
+
+std::string ValidityOf(const Rows3& points, const Indices& corners, const Indices& offsets,
   const nb::callable& report)
 {
-  SurfaceValidity validity;
-  {
-    const nb::gil_scoped_release unlocked;
-    const Polygons surface = PolygonsOf(points, corners, offsets);
-    validity = MeasureValidity(surface.Points, surface.Faces, nullptr, PoolFor, MonitorOf(report));
-  }
-  nb::dict answer;
-  answer["valid"] = validity.IsValid();
-  answer["boundary_edges"] = validity.Quality.Topology.BoundaryEdges;
-  answer["euler_number"] = validity.Quality.Topology.EulerNumber();
-  answer["self_intersections"] = validity.SelfIntersections;
-  return answer;
+  const nb::gil_scoped_release unlocked;
+  const Polygons surface = PolygonsOf(points, corners, offsets);
+  return SummaryOf(
+    MeasureValidity(surface.Points, surface.Faces, nullptr, PoolFor, MonitorOf(report)));
 }
 
 } // namespace
@@ -107,9 +125,11 @@ nb::dict ValidityOf(const Rows3& points, const Indices& corners, const Indices& 
 void BindEvaluation(nb::module_& module)
 {
   BindSettings<ScoreSettings>(module, "ScoreSettings", &ScoreParameters).def(nb::init<>());
+  module.def("score_columns", &ColumnsOfScores);
   module.def("score_labels", &ScoreOfLabels);
   module.def("score_surface", &ScoreOfSurface);
-  module.def("surface_validity", &ValidityOf);
+  module.def("score_summary", &SummaryOfScores);
+  module.def("validity_summary", &ValidityOf);
 }
 
 } // namespace FlipFree

@@ -3,12 +3,16 @@
 #include "Bindings.h"
 #include "ThreadPool.h"
 
+#include "Image/SeedRegion.h"
+
 NB_MODULE(_kernels, module)
 {
   FlipFree::BindSegmentation(module);
   FlipFree::BindEvaluation(module);
   FlipFree::BindPhantoms(module);
   FlipFree::BindVessels(module);
+  module.attr("SEED_RADII") =
+    nanobind::make_tuple(FlipFree::MinimumSeedRadius, FlipFree::MaximumSeedRadius);
   module.def("threads", &FlipFree::NumberOfThreads);
   module.def("set_threads", &FlipFree::SetNumberOfThreads);
   module.def("forget_threads", &FlipFree::ForgetThreads);

@@ -8,6 +8,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any, Protocol, Union
 
 from ._arrays import image_from_array
+from ._coordinates import swap_lps_ras
 
 if TYPE_CHECKING:
     from ._images import Image
@@ -93,7 +94,8 @@ def _from_nibabel(name: str, image: Any) -> Image:
             f"{' without an affine' if image.affine is None else ''}; a volume with an affine is "
             "needed (nibabel.four_to_three takes a series apart)"
         )
-    matrix = _millimeters(image) * numpy.diag([-1.0, -1, 1]) @ numpy.asarray(image.affine)[:3]
+    # Without negative zeros.
+    matrix = _millimeters(image) * numpy.array(swap_lps_ras(numpy.asarray(image.affine))) + 0.0
     axes, origin = matrix[:, :3], matrix[:, 3]
     spacing = numpy.sqrt((axes**2).sum(axis=0))
     if not numpy.isfinite(matrix).all() or not abs(numpy.linalg.det(axes)) > 1e-9 * spacing.prod():

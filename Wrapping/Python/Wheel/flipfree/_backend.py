@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
 from . import _kernels
@@ -10,7 +11,7 @@ from ._corrections import SEED, Constraint
 from ._errors import EvaluationError, FlipFreeError, SegmentationError
 from ._image import Image
 from ._messages import warn, with_names
-from ._parameters import names_of
+from ._parameters import names_of, snake_case
 from ._run import run
 from ._segmentation import Segmentation, Surface, Vessel
 from ._settings import settings_of
@@ -38,12 +39,17 @@ TRACE_PARAMETERS = settings_of(
     _kernels.VesselSettings, ("vtkVesselAlgorithm", "vtkFlipFreeVesselSegmentation")
 )
 EVALUATE_PARAMETERS = settings_of(_kernels.ScoreSettings, ("vtkSegmentationMetrics",))
+# By the fields of Scores: the columns of tables and their units, "" for fractions and texts.
+SCORE_COLUMNS: dict[str, tuple[str, str]] = {
+    snake_case(name): (name, unit) for name, unit in _kernels.score_columns()
+}
 # The shape is an argument of its own.
 PHANTOM_PARAMETERS = settings_of(
     _kernels.PhantomSettings, ("vtkPhantomSource",), without=("Shape",)
 )
 
-RADII = (1e-6, 1e6)
+# The least and the greatest radius of a seed.
+RADII: tuple[float, float] = _kernels.SEED_RADII
 
 if hasattr(os, "register_at_fork"):
     os.register_at_fork(after_in_child=_kernels.forget_threads)
@@ -268,18 +274,25 @@ class Metrics:
         )
         if answer["warning"]:
             warn(with_names(answer["warning"], names))
-        return answer
+        return {field: answer[name] for field, (name, _) in SCORE_COLUMNS.items()}
 
 
-def surface_validity(surface: Surface) -> dict[str, Any]:
-    """Whether a surface is valid, and its open edges, Euler number and self-intersections."""
-    answer: dict[str, Any] = run(
-        lambda report: _kernels.surface_validity(*_arrays_of(surface), report),
-        EvaluationError,
-        "{}",
-        {},
+def score_summary(scores: Mapping[str, Any]) -> str:
+    """What people read of the fields of Scores, in a few lines."""
+    columns = {name: scores[field] for field, (name, _) in SCORE_COLUMNS.items()}
+    return str(_kernels.score_summary(columns))
+
+
+def validity_summary(surface: Surface) -> str:
+    """A line that says whether a surface is valid, its open edges, Euler number and self-intersections."""
+    return str(
+        run(
+            lambda report: _kernels.validity_summary(*_arrays_of(surface), report),
+            EvaluationError,
+            "{}",
+            {},
+        )
     )
-    return answer
 
 
 class PhantomAlgorithm:

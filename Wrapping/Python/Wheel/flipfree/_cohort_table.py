@@ -12,7 +12,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, replace
 from typing import Any, get_args
 
-from ._backend import SEGMENT_PARAMETERS, TRACE_PARAMETERS
+from ._backend import SCORE_COLUMNS, SEGMENT_PARAMETERS, TRACE_PARAMETERS
 from ._cohort_points import CORRECTIONS, Cell, cell_of, text_of
 from ._errors import FileError, FlipFreeError
 from ._parameters import Parameter
@@ -21,6 +21,12 @@ from ._types import PathName, Preset
 SEED = ("seed_x", "seed_y", "seed_z", "radius")
 REQUIRED = ("volume", *SEED)
 OPTIONAL = ("case", "organ", "reference", "reference_label", "preset", "points", *CORRECTIONS)
+# The scores in a row and their columns, which name the unit: asd_mm.
+SCORES = {
+    name: "_".join(filter(None, (name, unit)))
+    for name, (_, unit) in SCORE_COLUMNS.items()
+    if name in ("dice", "jaccard", "asd", "hd95")
+}
 # What a segmentation adds to a row, and of which type it is.
 RESULTS: dict[str, type] = {
     "status": str,
@@ -30,10 +36,7 @@ RESULTS: dict[str, type] = {
     "iterations": int,
     "stop_reason": str,
     "self_intersections": int,
-    "dice": float,
-    "jaccard": float,
-    "asd_mm": float,
-    "hd95_mm": float,
+    **dict.fromkeys(SCORES.values(), float),
     "seconds_reading": float,
     "seconds": float,
     "surface": str,

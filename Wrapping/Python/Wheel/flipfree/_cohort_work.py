@@ -23,7 +23,7 @@ from ._cohort_files import (
     write_record,
 )
 from ._cohort_points import corrections_of, vessel_of
-from ._cohort_table import Row
+from ._cohort_table import SCORES, Row
 from ._errors import FlipFreeError, FlipFreeWarning
 from ._evaluate import evaluate
 from ._files import read_image, write_image
@@ -120,10 +120,8 @@ def _results(row: Row, output: str, image: Image) -> dict[str, Any]:
     if row.reference:
         scores = evaluate(organ, row.reference, reference_label=row.reference_label)
         values.update(
-            dice=round(scores.dice, 6),
-            jaccard=round(scores.jaccard, 6),
-            asd_mm=round(scores.asd, 4),
-            hd95_mm=round(scores.hd95, 4),
+            (column, round(getattr(scores, field), 4 if column.endswith("_mm") else 6))
+            for field, column in SCORES.items()
         )
     _write(row, output, image, organ)
     names = {role: f"rows/{row.name}/{name}" for role, name in outputs_of(row).items()}

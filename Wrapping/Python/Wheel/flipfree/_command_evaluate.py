@@ -6,16 +6,13 @@ from dataclasses import asdict
 from typing import Any
 
 from ._atomic import write_table
-from ._backend import surface_validity
+from ._backend import SCORE_COLUMNS, score_summary, validity_summary
 from ._command_inputs import wants_bar
 from ._command_outputs import require_ending, require_place
 from ._errors import FlipFreeError
 from ._evaluate import evaluate as evaluate_segmentation
 from ._files import read_image
 from ._surface_files import ENDINGS, read_surface
-
-# Columns of the toolkit's table that are not their field's name with a capital letter.
-COLUMNS = {"asd": "ASD", "rms": "RMS", "hd95": "HD95", "hd": "HD"}
 
 
 def evaluate(values: dict[str, Any]) -> None:
@@ -45,29 +42,11 @@ def evaluate(values: dict[str, Any]) -> None:
             f"'{names['segmentation']}' against '{names['reference']}': {error}"
         ) from error
     if "csv" in values:
-        row = {_column(name): value for name, value in {**names, **asdict(scores)}.items()}
+        row = {"Segmentation": names["segmentation"], "Reference": names["reference"]}
+        row.update((SCORE_COLUMNS[field][0], value) for field, value in asdict(scores).items())
         write_table(values["csv"], list(row), [list(row.values())])
     if "quiet" in values:
         return
-    print(f"Dice                 {scores.dice:.4f}")
-    print(f"Jaccard              {scores.jaccard:.4f}")
-    print(
-        f"volume               {scores.segmentation_volume:.2f} ml, reference "
-        f"{scores.reference_volume:.2f} ml, difference "
-        f"{100 * scores.relative_volume_difference:+.2f} %"
-    )
-    print(f"surface distance     mean {scores.asd:.3f} mm, RMS {scores.rms:.3f} mm")
-    print(f"Hausdorff distance   {scores.hd:.3f} mm, 95th percentile {scores.hd95:.3f} mm")
-    print(f"measured             overlap of the {scores.overlap_of}, distances of the {scores.distance_of}")
+    print(score_summary(asdict(scores)), end="")
     if surface is not None:
-        found = surface_validity(surface)
-        open_edges = found["boundary_edges"]
-        print(
-            f"surface              {'valid' if found['valid'] else 'not valid'}: "
-            f"{f'{open_edges} open edges' if open_edges else 'closed'}, Euler number "
-            f"{found['euler_number']}, self-intersections {found['self_intersections']}"
-        )
-
-
-def _column(field: str) -> str:
-    return COLUMNS.get(field) or "".join(word.capitalize() for word in field.split("_"))
+        print(validity_summary(surface), end="")

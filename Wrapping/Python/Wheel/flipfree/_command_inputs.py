@@ -5,13 +5,14 @@ from __future__ import annotations
 import sys
 from typing import Any
 
+from ._coordinates import swap_lps_ras
 from ._corrections import Constraint, constraints_of
 from ._point_files import read_points
 
 
 def lps(values: dict[str, Any], point: list[float]) -> list[float]:
     """A point of the command line."""
-    return [-point[0], -point[1], point[2]] if "ras" in values else point
+    return swap_lps_ras(point) if "ras" in values else point
 
 
 def points_of(values: dict[str, Any]) -> list[Constraint]:

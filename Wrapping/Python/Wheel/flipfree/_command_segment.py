@@ -8,7 +8,7 @@ from collections.abc import Iterable
 from functools import partial
 from typing import Any
 
-from ._backend import SEGMENT_PARAMETERS, set_threads
+from ._backend import RADII, SEGMENT_PARAMETERS, set_threads
 from ._command_group import organs_of, segment_group, segment_together
 from ._command_inputs import lps, point_of, points_of, wants_bar
 from ._command_outputs import (
@@ -130,7 +130,7 @@ def _session_of(values: dict[str, Any]) -> Session | None:
                     "--radius; points correct the result"
                 )
             return None
-        if not all(1e-6 <= radius <= 1e6 for radius in values.get("radius", [0])):
+        if not all(RADII[0] <= radius <= RADII[1] for radius in values.get("radius", [0])):
             raise WrongUsage(
                 "--radius must be a positive number of millimeters, 1e-6 to 1e6. The sphere should lie "
                 "within the organ"

@@ -12,6 +12,7 @@ import re
 from collections.abc import Callable, Sequence
 from typing import Any
 
+from ._coordinates import swap_lps_ras
 from ._corrections import SEED, Constraint
 from ._errors import FileError
 
@@ -148,7 +149,6 @@ def _of_markups(text: str, of_control: Callable[[dict[str, Any], list[float]], A
         name = system if isinstance(system, str) else _dumped(system)
         if name not in ("LPS", "RAS", "0", "1"):
             raise _Wrong(f"the coordinate system is {_dumped(system)}; it can be LPS or RAS")
-        sign = -1.0 if name in ("RAS", "0") else 1.0
         for control in _list(group["controlPoints"]):
             if not isinstance(control["label"], str):
                 raise TypeError("label")
@@ -156,8 +156,8 @@ def _of_markups(text: str, of_control: Callable[[dict[str, Any], list[float]], A
             try:
                 if len(place) != 3 or not all(type(x) in (int, float) for x in place):
                     raise _Wrong("its position is not three numbers")
-                x, y, z = map(float, place)
-                found.append(of_control(control, [sign * x, sign * y, z]))
+                point = [float(x) for x in place]
+                found.append(of_control(control, swap_lps_ras(point) if name in ("RAS", "0") else point))
             except _Wrong as error:
                 raise _Wrong(f"control point {_dumped(control['label'])}: {error}") from error
     return found

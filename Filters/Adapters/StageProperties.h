@@ -1,8 +1,8 @@
 /**
- * Private to the module: the properties of a stage, from one list.
+ * Private to the modules, never installed: the properties of a filter, from one list.
  *
- * A property is a field of the settings that the stage's kernel takes, so that its default stands
- * there and nothing is copied. The stage's header declares and documents SetName() and GetName();
+ * A property is a field of the settings that the filter's kernel takes, so that its default stands
+ * there and nothing is copied. The filter's header declares and documents SetName() and GetName();
  * its source lists Name, type, field, minimum and maximum:
  *
  *     #define FLIPFREE_STAGE vtkFlipFreeDeform
@@ -17,6 +17,7 @@
 #ifndef FlipFreeStageProperties_h
 #define FlipFreeStageProperties_h
 
+#include "Image/SeedRegion.h"
 #include "PropertyCheck.h"
 
 #include "vtkObject.h"
@@ -34,6 +35,12 @@ void SetClamped(vtkObject* stage, T value, T minimum, T maximum, T& field)
     field = clamped;
     stage->Modified();
   }
+}
+
+/// In the range that the kernels give radii of seeds.
+inline void SetSeedRadius(vtkObject* filter, double value, double& field)
+{
+  SetClamped(filter, value, MinimumSeedRadius, MaximumSeedRadius, field);
 }
 
 } // namespace FlipFree
