@@ -5,6 +5,7 @@
 #include "ConvergenceTable.h"
 #include "ExecutionAdapter.h"
 #include "FieldData.h"
+#include "FilterAdvice.h"
 #include "GrayImageAdapter.h"
 #include "LabelAdapter.h"
 #include "PipelineAdapter.h"
@@ -338,7 +339,7 @@ int vtkFlipFreeOrganGroup::RequestData(vtkInformationVector** inputs, vtkInforma
   clear();
   try
   {
-    this->Segment(inputs, outputs);
+    FlipFree::WithAdvice([&] { this->Segment(inputs, outputs); });
   }
   catch (const std::exception& error)
   {

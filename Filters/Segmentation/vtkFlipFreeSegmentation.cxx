@@ -168,7 +168,7 @@ int vtkFlipFreeSegmentation::RequestData(vtkInformationVector** inputs,
     this->Cache = std::make_unique<FlipFree::SegmentationResult>();
     try
     {
-      this->Segment(inputs);
+      FlipFree::WithAdvice([&] { this->Segment(inputs); });
     }
     catch (const std::exception& error)
     {

@@ -221,7 +221,7 @@ TEST_F(SegmentationParameters, OfAStageMakeTheCompositeExecuteAgain)
 }
 
 // As the kernels have it.
-TEST(SegmentationParameters, RadiiOfSeedsHaveOneRange)
+TEST_F(SegmentationParameters, RadiiOfSeedsHaveOneRange)
 {
   const auto expectRange = [](auto&& set, auto&& get)
   {

@@ -28,7 +28,7 @@ TEST(DisplayWindow, IsFromTheFirstToTheLastPercentile)
 
 TEST(DisplayWindow, OfACTIsTheAbdominalOne)
 {
-  EXPECT_EQ(DisplayWindowOf({ -1000, -1000, 40, 120 }), (Window{ { -150, 250 } }));
+  EXPECT_EQ(DisplayWindowOf({ -1000, -1000, 40, 120, 120 }), (Window{ { -150, 250 } }));
   EXPECT_EQ(DisplayWindowOf({ -1000, -1000, 40, 40 }), (Window{ { -1000, 40 } }));
 }
 
