@@ -95,7 +95,7 @@ def _from_nibabel(name: str, image: Any) -> Image:
             "needed (nibabel.four_to_three takes a series apart)"
         )
     # Without negative zeros.
-    matrix = _millimeters(image) * numpy.array(swap_lps_ras(numpy.asarray(image.affine))) + 0.0
+    matrix: Any = _millimeters(image) * numpy.array(swap_lps_ras(numpy.asarray(image.affine))) + 0.0
     axes, origin = matrix[:, :3], matrix[:, 3]
     spacing = numpy.sqrt((axes**2).sum(axis=0))
     if not numpy.isfinite(matrix).all() or not abs(numpy.linalg.det(axes)) > 1e-9 * spacing.prod():
