@@ -27,7 +27,7 @@ namespace FlipFree
 inline void RequireGrayImage(vtkImageData* image, const std::string& name)
 {
   RequireVoxels(image ? GeometryOf(image) : ImageGeometry(), name);
-  vtkDataArray* scalars = image->GetPointData()->GetScalars();
+  vtkDataArray* scalars = image ? image->GetPointData()->GetScalars() : nullptr;
   if (!scalars)
   {
     throw std::invalid_argument(
