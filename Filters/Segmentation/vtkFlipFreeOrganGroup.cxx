@@ -46,6 +46,7 @@ const char* const NameOfImage = "the image on port 0";
 std::vector<FlipFree::GivenSurface> FixedSurfacesOf(vtkInformationVector* inputs)
 {
   std::vector<FlipFree::GivenSurface> fixed;
+  fixed.reserve(inputs->GetNumberOfInformationObjects());
   for (int index = 0; index < inputs->GetNumberOfInformationObjects(); ++index)
   {
     fixed.push_back(FlipFree::GivenSurfaceOf(vtkPolyData::GetData(inputs, index),
