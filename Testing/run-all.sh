@@ -7,7 +7,8 @@
 #   4. clang-tidy
 #   5. gets ParaView and builds the plugin
 #   6. all tests, pictures included, with a virtual display and software rendering
-#   7. the tests that take no long segmentation again, under AddressSanitizer and UndefinedBehaviorSanitizer
+#   7. the tests that take no long segmentation again, under AddressSanitizer and UndefinedBehaviorSanitizer, without the
+#      baselines
 #
 #   run-all.sh [--quick]
 #
