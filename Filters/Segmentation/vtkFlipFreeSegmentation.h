@@ -183,7 +183,8 @@ public:
   /**
    * Keep the smoothed image, and other results that constraints do not change, between runs, so
    * that a correction takes about a third of the time. Default off, since it needs memory: the
-   * smoothed part of the image as floats. Changing the image, the seed or a parameter frees it.
+   * smoothed part of the image as floats. Changing the image, the seed or a parameter frees it; an
+   * image whose voxels are written in place has to be told so by its Modified().
    */
   void SetKeepForCorrections(bool value);
   bool GetKeepForCorrections() const;

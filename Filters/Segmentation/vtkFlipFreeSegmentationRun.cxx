@@ -31,7 +31,7 @@ FlipFree::VolumeSegmentation vtkFlipFreeSegmentation::Run(vtkInformationVector**
   }
   request.Constraints = this->AllConstraints(inputs[2]);
   request.Settings = this->GetSettings();
-  if (!this->State || !(this->State->Inputs == given))
+  if (!this->State || !this->KeepForCorrections || !(this->State->Inputs == given))
   {
     this->State.reset(); // what follows needs the memory
     this->State = std::make_unique<FlipFree::SegmentationState>(given);

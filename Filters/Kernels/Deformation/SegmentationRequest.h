@@ -46,13 +46,12 @@ public:
 
   /// Takes the label that runs without a seed fill in place of a foreground that is found in the
   /// volume; 0 stands for all that are not 0. Returns the largest ball in it, in which they start.
-  /// Throws Error as StartMaskOf() and LargestBallIn() do; then there is
-  /// none.
+  /// Throws Error as StartMaskOf() and LargestBallIn() do; then there is none.
   SeedSphere FillLabel(const LabelVolume& labels, int label);
 
-  /// Throws Error for a volume, seed, surface or parameter that cannot be
-  /// used, and as VolumeSegmenter::Segment(). The observer, which may be null, sees the iterations
-  /// if their history is to be kept.
+  /// Throws Error for a volume, seed, surface or parameter that cannot be used, and as
+  /// VolumeSegmenter::Segment(). The observer, which may be null, sees the iterations if their
+  /// history is to be kept. Nothing is kept of a run that was aborted.
   OrganAnswer Segment(const OrganRequest& request, const Monitor& monitor,
     const IterationObserver& observer);
 
