@@ -1,13 +1,12 @@
 #include "Segmentation.h"
 
 #include "Failure.h"
+#include "Image/SeedRegion.h"
 #include "OutputFile.h"
 #include "SurfaceFile.h"
 #include "VolumeFile.h"
 
-#include "vtkConstraintPointSource.h"
 #include "vtkMath.h"
-#include "vtkNew.h"
 
 #include <algorithm>
 
@@ -117,13 +116,8 @@ void RequireStart(const Segmentation& segmentation)
 
 void RequireProperRadii(const std::vector<double>& radii)
 {
-  // Whether the filters take it as it is.
   const auto isProper = [](double radius)
-  {
-    vtkNew<vtkConstraintPointSource> seed;
-    seed->SetRadius(radius);
-    return seed->GetRadius() == radius;
-  };
+  { return radius >= FlipFree::MinimumSeedRadius && radius <= FlipFree::MaximumSeedRadius; };
   if (radii.empty() || !std::all_of(radii.begin(), radii.end(), isProper))
   {
     throw WrongUsage("--radius must be a positive number of millimeters, 1e-6 to 1e6. The sphere "
