@@ -38,11 +38,14 @@ build_packages=(
 test_packages=(
   # In which the page is tested.
   chromium
+  # Builds what runs under the sanitizers.
+  clang
   clang-format
   clang-tidy
   doxygen
   groff-base
   libcgal-dev
+  libclang-rt-dev
   libgtest-dev
   mypy
   # For the wheel, which is built and tested in a virtual environment.

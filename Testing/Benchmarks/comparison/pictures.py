@@ -8,10 +8,11 @@ import matplotlib
 import numpy as np
 import paper_figures
 import scene
+from vtkmodules.vtkFiltersCore import vtkAppendPolyData
 
 from . import runs, tables
 from .cases import ORGANS
-from .scores import read_surface
+from .scores import read_surface, voxels
 
 matplotlib.use("Agg")
 from matplotlib import pyplot  # noqa: E402  pylint: disable=wrong-import-position
@@ -25,6 +26,7 @@ def draw(results, cases, methods, rows):
     for case in cases:
         if case.organ in ORGANS:
             organs(os.path.join(results, case.name, "methods.png"), results, case, methods, rows)
+    worst(os.path.join(results, "worst.png"), results, cases, methods[0], rows)
 
 
 def chart(path, rows, methods):
@@ -77,10 +79,46 @@ def convergence(path, results, cases, methods):
     pyplot.close(figure)
 
 
+def with_volumes(case):
+    return paper_figures.Case(case.name, flipfree.read_image(case.image), list(case.seed), case.radius,
+                              flipfree.read_image(case.labels), case.label)
+
+
+def move_to_error(shown, labels):
+    """Puts the slice where most voxels are wrong, through their center."""
+    wrong = (voxels(labels) != 0) != (voxels(shown.truth) == shown.label)
+    k = int(np.argmax(wrong.sum(axis=(1, 2))))
+    j, i = np.argwhere(wrong[k]).mean(axis=0)
+    shown.truth.TransformContinuousIndexToPhysicalPoint([i, j, k], shown.seed)
+
+
+def worst(path, results, cases, method, rows, number=10):
+    """The lowest Dice scores of a method, each in the axial slice with the largest error."""
+    found = sorted((row for row in tables.of(rows, method) if not row["failed"]), key=lambda row: row["dice"])
+    views = []
+    for row in found[:number]:
+        case = next((case for case in cases if case.name == row["case"]), None)
+        if case is None:
+            continue
+        shown = with_volumes(case)
+        move_to_error(shown, flipfree.read_image(runs.output(results, case, method, ".mha")))
+        truth = paper_figures.truth_of(shown)
+        surface = read_surface(runs.output(results, case, method, ".vtp"))
+        both = vtkAppendPolyData()
+        both.AddInputData(truth)
+        both.AddInputData(surface)
+        both.Update()
+        views.append(paper_figures.slice_of(shown, scene.AXIAL, [(truth, scene.BLUE, 3.5), (surface, scene.YELLOW, 1.8)],
+                                            [("the reference", scene.BLUE),
+                                             (f"{case.name}: Dice {row['dice']:.2f}", scene.YELLOW)],
+                                            both.GetOutput(), 1.15))
+    if views:
+        scene.write_picture(path, [views[i:i + 5] for i in range(0, len(views), 5)], size=330)
+
+
 def organs(path, results, case, methods, rows):
     """A view per method: its outline, and the reference's."""
-    shown = paper_figures.Case(case.name, flipfree.read_image(case.image), list(case.seed), case.radius,
-                               flipfree.read_image(case.labels), case.label)
+    shown = with_volumes(case)
     truth = paper_figures.truth_of(shown)
     views = []
     for method in methods:
