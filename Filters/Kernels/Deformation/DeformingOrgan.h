@@ -34,6 +34,9 @@ public:
   /// smoothing.
   DeformingOrgan(SmoothRegion& region, double noise, const SeedSphere& seed,
     const OrganSegmentationSettings& settings, const ParallelFor& parallelFor);
+  // Neither copied nor moved: the foreground refers to this object's seed and settings.
+  DeformingOrgan(const DeformingOrgan&) = delete;
+  DeformingOrgan& operator=(const DeformingOrgan&) = delete;
 
   /// What errors of a run name the organ by, in front; none by default.
   void SetName(const std::string& name) { this->Name = name; }

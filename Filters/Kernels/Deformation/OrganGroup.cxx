@@ -42,9 +42,19 @@ void RequireSettings(const OrganSegmentationSettings& method)
 
 struct OrganGroup::Member
 {
-  std::size_t Index; // in the order of the caller
-  std::string Name;
-  SeedSphere Seed;
+  Member(std::size_t index, const SeededOrgan& organ, const GrayVolume& volume,
+    const std::string& volumeName, const VolumeSegmentationSettings& settings,
+    const Threading& threading)
+    : Index(index)
+    , Name(organ.Name)
+    , Seed(organ.Seed)
+    , Segmenter(volume, volumeName, organ.Seed, nullptr, settings, threading)
+  {
+  }
+
+  const std::size_t Index; // in the order of the caller
+  const std::string Name;
+  const SeedSphere Seed;
   VolumeSegmenter Segmenter;
 
   // Of the present call.
@@ -111,12 +121,7 @@ OrganGroup::OrganGroup(const GrayVolume& volume, const std::string& name,
   {
     const SeededOrgan& organ = organs[index];
     this->Members.push_back(NamingSurface(organ.Name,
-      [&]
-      {
-        return std::make_unique<Member>(Member{ index, organ.Name, organ.Seed,
-          VolumeSegmenter(volume, name, organ.Seed, nullptr, settings, threading), {}, {}, {},
-          nullptr, 0 });
-      }));
+      [&] { return std::make_unique<Member>(index, organ, volume, name, settings, threading); }));
   }
   std::sort(this->Members.begin(), this->Members.end(),
     [](const auto& one, const auto& two)

@@ -40,6 +40,9 @@ class OrganRuns
 public:
   /// The volume's voxels outlive the object; `name` is the volume's.
   OrganRuns(GrayVolume volume, std::string name, Threading threading);
+  // Neither copied nor moved, as the VolumeSegmenter that it keeps.
+  OrganRuns(const OrganRuns&) = delete;
+  OrganRuns& operator=(const OrganRuns&) = delete;
 
   /// Starts from a surface in place of a sphere.
   void StartFrom(GivenSurface surface);

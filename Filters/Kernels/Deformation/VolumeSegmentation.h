@@ -74,6 +74,9 @@ public:
   VolumeSegmenter(GrayVolume volume, std::string name, const SeedSphere& seed,
     const DeformableSurface* start, const VolumeSegmentationSettings& settings,
     Threading threading);
+  // Neither copied nor moved: what is kept between calls refers to this object's threading.
+  VolumeSegmenter(const VolumeSegmenter&) = delete;
+  VolumeSegmenter& operator=(const VolumeSegmenter&) = delete;
 
   /// Fills a mask of the volume in place of a foreground that is found in the image. The seed lies
   /// in it (see LargestBallIn()); `name` names it in the warning that says what was not reached.

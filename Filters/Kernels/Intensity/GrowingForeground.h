@@ -21,6 +21,8 @@ public:
   /// seed, so the whole region is smoothed.
   GrowingForeground(SmoothRegion& region, const SeedSphere& seed,
     const OrganFeatureSettings& settings, double rim, const ParallelFor& parallelFor);
+  GrowingForeground(const GrowingForeground&) = delete;
+  GrowingForeground& operator=(const GrowingForeground&) = delete;
 
   // Each of these returns false if the monitor stopped it.
 
