@@ -86,9 +86,9 @@ bool DeformingOrgan::CorrectForeground(const ConstraintList& constraints, const 
   return done;
 }
 
-void DeformingOrgan::SettleForeground(const BitMask& mask)
+void DeformingOrgan::SettleForeground(BitMask mask)
 {
-  this->Foreground.SetMask(mask);
+  this->Foreground.SetMask(std::move(mask));
   this->Settled = true;
 }
 

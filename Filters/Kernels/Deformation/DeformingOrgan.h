@@ -54,7 +54,7 @@ public:
   /// Corrects the foreground by constraints (ForegroundCorrection.h).
   bool CorrectForeground(const ConstraintList& constraints, const Monitor& monitor);
   /// Takes a foreground from elsewhere, which is settled.
-  void SettleForeground(const BitMask& mask);
+  void SettleForeground(BitMask mask);
   /// Levels find no further foreground.
   bool IsSettled() const { return this->Settled; }
   GrowingForeground& GetForeground() { return this->Foreground; }

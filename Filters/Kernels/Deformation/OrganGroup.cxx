@@ -218,8 +218,8 @@ bool OrganGroup::Divide(const Monitor& monitor)
     {
       return false;
     }
-    const ImageGeometry& region = foreground.GetMask().GetGeometry();
-    claims.push_back({ foreground.GetMask(), foreground.GetImage(),
+    const ImageGeometry region = foreground.GetMask().GetGeometry();
+    claims.push_back({ foreground.TakeMask(), foreground.GetImage(),
       member->Segmenter.GetBox().Begin, member->Seed, member->Constraints,
       member->Segmenter.GetNoise(), this->Fixed.empty() ? BitMask() : this->FixedVoxels(region) });
   }
@@ -230,7 +230,7 @@ bool OrganGroup::Divide(const Monitor& monitor)
   }
   for (std::size_t index = 0; index < claims.size(); ++index)
   {
-    this->Members[index]->Organ().SettleForeground(claims[index].Mask);
+    this->Members[index]->Organ().SettleForeground(std::move(claims[index].Mask));
   }
   return true;
 }

@@ -11,6 +11,7 @@
 #include "Image/LabelValues.h"
 #include "Image/PointConstraint.h"
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -66,7 +67,7 @@ private:
   {
     std::string Name; // of the label map
     int Label;
-    BitMask Mask;
+    std::shared_ptr<const BitMask> Mask;
     SeedSphere Ball;
   };
   VolumeSegmenter& Prepare(const SeedSphere& seed, bool fills,

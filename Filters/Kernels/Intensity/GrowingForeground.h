@@ -10,6 +10,8 @@
 #include "Image/SmoothRegion.h"
 #include "Intensity/OrganFeature.h"
 
+#include <utility>
+
 namespace FlipFree
 {
 
@@ -44,7 +46,9 @@ public:
   /// Corrects the foreground by constraints (ForegroundCorrection.h).
   bool Correct(const ConstraintList& constraints, double noise, const Monitor& monitor);
 
-  void SetMask(const BitMask& mask) { this->Mask = mask; }
+  void SetMask(BitMask mask) { this->Mask = std::move(mask); }
+  /// Leaves none.
+  BitMask TakeMask() { return std::exchange(this->Mask, BitMask()); }
 
   /// Of the image, where the settings leave it open; not Automatic.
   FlipFree::Modality GetModality() const;
