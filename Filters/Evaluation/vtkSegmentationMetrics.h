@@ -140,7 +140,8 @@ public:
   ///@}
 
   /**
-   * The measures of the last update in a few lines, with units.
+   * The measures of the last update in a few lines, with units; empty before the first update and
+   * after one that failed or was aborted.
    */
   std::string GetSummary() const;
 
