@@ -363,6 +363,8 @@ std::vector<VolumeSegmentation> OrganGroup::Segment(const std::vector<Constraint
     if (!done)
     {
       result.Organ.Reason = StopReason::Aborted;
+      member->Levels = nullptr;
+      member->Segmenter.Release(); // it may be half smoothed
       continue;
     }
     OrganSurface& organ = result.Organ;

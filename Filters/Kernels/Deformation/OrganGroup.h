@@ -52,7 +52,7 @@ public:
   /// One list of constraints and one result per organ, in the order of the organs. Throws as the
   /// constructor does, also for a point of one organ in a seed of another or in a fixed surface,
   /// and where a constraint cannot be obeyed; std::logic_error if surfaces should meet all the
-  /// same. A stop by the monitor gives results that are aborted.
+  /// same. A stop by the monitor gives results that are aborted, and nothing is kept.
   std::vector<VolumeSegmentation> Segment(const std::vector<ConstraintList>& constraints,
     const Monitor& monitor, const GroupObserver& observer);
 

@@ -140,10 +140,6 @@ OrganAnswer OrganRuns::Segment(const OrganRequest& request, const Monitor& monit
   const bool isSeen = observer && request.Settings.KeepHistory;
   answer.Result = this->Prepare(answer.Seed, fills, request.Settings)
                     .Segment(constraints, monitor, isSeen ? observer : unseen);
-  if (answer.Result.Organ.Reason == StopReason::Aborted)
-  {
-    this->Release(); // it may be half smoothed
-  }
   OrganProvenance origin;
   origin.Seed = answer.Seed;
   origin.Constraints = std::move(constraints);

@@ -217,11 +217,13 @@ VolumeSegmentation VolumeSegmenter::Segment(const ConstraintList& constraints,
   result.StageSeconds[0] = before + organ.SmoothingSeconds;
   result.StageSeconds[1] = organ.FeatureSeconds;
   result.StageSeconds[2] = watch.Lap() - organ.SmoothingSeconds - organ.FeatureSeconds;
-  if (organ.Reason != StopReason::Aborted)
+  if (organ.Reason == StopReason::Aborted)
   {
-    this->Judge(constraints, result);
-    result.StageSeconds[3] = watch.Lap();
+    this->Release(); // it may be half smoothed
+    return result;
   }
+  this->Judge(constraints, result);
+  result.StageSeconds[3] = watch.Lap();
   return result;
 }
 

@@ -86,7 +86,7 @@ public:
 
   /// Throws as the constructor does, also where a constraint cannot be obeyed, naming it; and
   /// std::logic_error if a guarded surface should intersect itself. A stop by the monitor gives the
-  /// iterations so far and StopReason::Aborted.
+  /// iterations so far and StopReason::Aborted, and nothing is kept.
   VolumeSegmentation Segment(const ConstraintList& constraints, const Monitor& monitor,
     const IterationObserver& observer);
 
