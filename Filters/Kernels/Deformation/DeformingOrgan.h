@@ -7,6 +7,7 @@
 #define FlipFreeDeformingOrgan_h
 
 #include "Deformation/ConstraintEnforcer.h"
+#include "Deformation/MobileComponents.h"
 #include "Deformation/OrganSegmentation.h"
 #include "Deformation/StartSurface.h"
 #include "Deformation/UnchangedPlaces.h"
@@ -95,9 +96,6 @@ public:
 
 private:
   StopReason ReasonToStop() const;
-  bool Rests(const std::vector<double>& distances) const;
-  void FindMobileParts();
-  void MeasureMobileParts();
   template <typename Call>
   auto Naming(const Call& call) const
   {
@@ -120,17 +118,7 @@ private:
   ConstraintList Constraints;
   std::optional<ConstraintEnforcer> Enforcer;
   std::vector<EndSurface> Ends;
-  Eigen::VectorXd Mobility; // of the vertices, 0 to 1; empty if all may move
-
-  // Vertices that may move and hang together. Each part comes to rest by itself, so that what
-  // happens in one does not change another.
-  struct MobilePart
-  {
-    std::vector<int> Vertices;
-    std::vector<double> Distances; // means, by iteration
-    bool IsAtRest = false;
-  };
-  std::vector<MobilePart> MobileParts;
+  std::optional<MobileComponents> Mobile; // none if all may move freely
   IterationObserver Observe;
   int FirstLevel = 0;
 
