@@ -327,8 +327,7 @@ void OrganGroup::RequireDisjoint(const std::vector<VolumeSegmentation>& results)
   }
 }
 
-std::vector<VolumeSegmentation> OrganGroup::Segment(const std::vector<ConstraintList>& constraints,
-  const Monitor& monitor, const GroupObserver& observer)
+void OrganGroup::TakeConstraints(const std::vector<ConstraintList>& constraints)
 {
   if (constraints.size() != this->Members.size())
   {
@@ -347,6 +346,38 @@ std::vector<VolumeSegmentation> OrganGroup::Segment(const std::vector<Constraint
       });
   }
   this->RequirePointsApart(constraints);
+}
+
+// The surface of a member, its voxels, and what may be wrong with it; all seconds but those of the
+// deformation, which all members share.
+VolumeSegmentation OrganGroup::Finish(Member& member) const
+{
+  Stopwatch watch;
+  VolumeSegmentation result;
+  OrganSurface& organ = result.Organ;
+  organ = std::move(member.Organ().GetSurface());
+  organ.SmoothingSeconds =
+    member.Organ().GetForeground().GetSmoothingSeconds() - member.SmoothedBefore;
+  organ.FeatureSeconds -= organ.SmoothingSeconds;
+  organ.SelfIntersections =
+    CountSelfIntersections(organ.Points, organ.Mesh.Faces, this->Threads.For);
+  result.StageSeconds[0] = organ.SmoothingSeconds;
+  result.StageSeconds[1] = organ.FeatureSeconds;
+  watch.Lap();
+  member.Naming(
+    [&]
+    {
+      member.Segmenter.Judge(member.Constraints, result);
+      return true;
+    });
+  result.StageSeconds[3] = watch.Lap();
+  return result;
+}
+
+std::vector<VolumeSegmentation> OrganGroup::Segment(const std::vector<ConstraintList>& constraints,
+  const Monitor& monitor, const GroupObserver& observer)
+{
+  this->TakeConstraints(constraints);
   bool stopped = false;
   const Monitor ask = [&](double fraction)
   {
@@ -355,36 +386,20 @@ std::vector<VolumeSegmentation> OrganGroup::Segment(const std::vector<Constraint
   };
   Stopwatch watch;
   const bool done = this->Run(ask, observer) && !stopped;
-  std::vector<VolumeSegmentation> results(this->Members.size());
   double seconds = watch.Lap();
+  std::vector<VolumeSegmentation> results(this->Members.size());
   for (const auto& member : this->Members)
   {
     VolumeSegmentation& result = results[member->Index];
-    if (!done)
+    if (done)
     {
-      result.Organ.Reason = StopReason::Aborted;
-      member->Levels = nullptr;
-      member->Segmenter.Release(); // it may be half smoothed
+      result = this->Finish(*member);
+      seconds -= result.StageSeconds[0] + result.StageSeconds[1];
       continue;
     }
-    OrganSurface& organ = result.Organ;
-    organ = std::move(member->Organ().GetSurface());
-    organ.SmoothingSeconds =
-      member->Organ().GetForeground().GetSmoothingSeconds() - member->SmoothedBefore;
-    organ.FeatureSeconds -= organ.SmoothingSeconds;
-    organ.SelfIntersections =
-      CountSelfIntersections(organ.Points, organ.Mesh.Faces, this->Threads.For);
-    result.StageSeconds[0] = organ.SmoothingSeconds;
-    result.StageSeconds[1] = organ.FeatureSeconds;
-    seconds -= organ.SmoothingSeconds + organ.FeatureSeconds;
-    watch.Lap();
-    member->Naming(
-      [&]
-      {
-        member->Segmenter.Judge(member->Constraints, result);
-        return true;
-      });
-    result.StageSeconds[3] = watch.Lap();
+    result.Organ.Reason = StopReason::Aborted;
+    member->Levels = nullptr;
+    member->Segmenter.Release(); // it may be half smoothed
   }
   for (VolumeSegmentation& result : results)
   {

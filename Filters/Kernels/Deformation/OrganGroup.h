@@ -59,10 +59,12 @@ public:
 private:
   struct Member;
   void RequirePointsApart(const std::vector<ConstraintList>& constraints) const;
+  void TakeConstraints(const std::vector<ConstraintList>& constraints);
   void FindPointsOfOthers(Member& member) const;
   BitMask FixedVoxels(const ImageGeometry& region) const;
   bool Divide(const Monitor& monitor);
   bool Run(const Monitor& monitor, const GroupObserver& observer);
+  VolumeSegmentation Finish(Member& member) const;
   void RequireDisjoint(const std::vector<VolumeSegmentation>& results) const;
 
   const ImageGeometry Geometry;
