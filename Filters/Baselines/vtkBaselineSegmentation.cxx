@@ -27,6 +27,8 @@
 #include <algorithm>
 #include <stdexcept>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace
 {
@@ -115,6 +117,26 @@ void HideVoxels(const FlipFree::BitMask& hidden, std::vector<float>& voxels)
   hidden.ForEach([&voxels, nothing](std::size_t voxel) { voxels[voxel] = nothing; });
 }
 
+// What a method has found, as voxels of the image; a field gets a surface, unless it has an
+// outline.
+std::vector<FlipFree::VoxelRun> TakeVoxels(const FlipFree::ImageGeometry& image,
+  const FlipFree::ImageGeometry& region, const std::array<int, 3>& first,
+  FlipFree::BaselineResult& result)
+{
+  if (result.Field.empty())
+  {
+    return FlipFree::VoxelizeSurface(result.Points, result.Triangles, image, FlipFree::SMPFor);
+  }
+  const FlipFree::ImageView<float> field{ result.Field.data(), region };
+  if (result.Points.rows() == 0)
+  {
+    FlipFree::FieldSurface contour = FlipFree::SurfaceOfField(field);
+    result.Points = std::move(contour.Points);
+    result.Triangles = std::move(contour.Triangles);
+  }
+  return FlipFree::RunsOfField(field, first);
+}
+
 vtkSmartPointer<vtkCellArray> ClosedLine(vtkIdType size)
 {
   auto line = vtkSmartPointer<vtkCellArray>::New();
@@ -124,6 +146,20 @@ vtkSmartPointer<vtkCellArray> ClosedLine(vtkIdType size)
     line->InsertCellPoint(i % size);
   }
   return line;
+}
+
+// Of points without triangles, a closed line.
+void AttachSurface(const FlipFree::BaselineResult& result, vtkPolyData* surface)
+{
+  surface->SetPoints(FlipFree::MakePoints(result.Points));
+  if (result.Triangles.rows() > 0)
+  {
+    surface->SetPolys(FlipFree::MakePolys(FlipFree::FacesOf(result.Triangles)));
+  }
+  else
+  {
+    surface->SetLines(ClosedLine(surface->GetNumberOfPoints()));
+  }
 }
 
 } // namespace
@@ -285,37 +321,14 @@ void vtkBaselineSegmentation::Segment(vtkImageData* image, vtkPolyData* path, vt
     // A rim may have been added.
     beyond.ForEach([&result](std::size_t voxel) { result.Field[voxel] = -1; });
   }
-
-  std::vector<FlipFree::VoxelRun> runs;
-  if (result.Field.empty())
-  {
-    runs = FlipFree::VoxelizeSurface(result.Points, result.Triangles, geometry, FlipFree::SMPFor);
-  }
-  else
-  {
-    const FlipFree::ImageView<float> field{ result.Field.data(), task.Region.Geometry };
-    runs = FlipFree::RunsOfField(field, box.Begin);
-    if (result.Points.rows() == 0)
-    {
-      FlipFree::FieldSurface contour = FlipFree::SurfaceOfField(field);
-      result.Points = std::move(contour.Points);
-      result.Triangles = std::move(contour.Triangles);
-    }
-  }
+  const std::vector<FlipFree::VoxelRun> runs =
+    TakeVoxels(geometry, task.Region.Geometry, box.Begin, result);
   if (runs.empty())
   {
     throw std::invalid_argument("nothing was found that hangs together with the seed sphere; check "
                                 "that it lies in the organ, or enlarge it");
   }
-  surface->SetPoints(FlipFree::MakePoints(result.Points));
-  if (result.Triangles.rows() > 0)
-  {
-    surface->SetPolys(FlipFree::MakePolys(FlipFree::FacesOf(result.Triangles)));
-  }
-  else
-  {
-    surface->SetLines(ClosedLine(surface->GetNumberOfPoints()));
-  }
+  AttachSurface(result, surface);
   FlipFree::MakeLabelMap(runs, static_cast<unsigned char>(this->LabelValue), image, labels);
   this->NumberOfIterations = result.Iterations;
   this->UpdateProgress(1);

@@ -8,7 +8,7 @@
  * vtkGraphCutSegmentation, vtkSimplexMeshSegmentation and vtkGVFSnake.
  *
  * Input port 0: vtkImageData with one scalar component of any type; coordinates are the image's
- * physical millimeters, the direction matrix is honored.
+ * physical millimeters, and the direction matrix is honored.
  *
  * Input port 1, optional: vtkPolyData, the poly lines of a vessel's path, as vtkVesselPath gives
  * them. The method then sees nothing beyond the planes across the path at its ends, and the result
@@ -16,8 +16,8 @@
  * plane there, are background. This allows methods that have no notion of ends to be compared on
  * vessels.
  *
- * Output port 0: vtkPolyData, the surface: closed, of triangles, also where the organ is cut off by
- * the border of the image. Unlike that of vtkFlipFreeSegmentation, its topology is mostly unknown.
+ * Output port 0: vtkPolyData, the surface: closed, of triangles, even where the organ is cut off by
+ * the border of the image. Unlike that of vtkFlipFreeSegmentation, it may have any topology.
  * Output port 1: vtkImageData, unsigned char `Labels` of the input's geometry: LabelValue inside.
  *
  * Errors: no scalars, several components, an empty image, voxels that are not finite within Reach,
@@ -79,9 +79,10 @@ public:
 
   ///@{
   /**
-   * Adds a further seed sphere, in millimeters, to that of SeedCenter and SeedRadius, gives their
-   * number, and removes them. The voxels of all model the intensities, and the method starts from
-   * all, except for vtkSimplexMeshSegmentation and vtkGVFSnake, which take one alone.
+   * Adds a further seed sphere, in millimeters, to that of SeedCenter and SeedRadius; returns the
+   * number of further seeds; removes them. The voxels of all seeds model the intensities, and the
+   * method starts from all of them, except for vtkSimplexMeshSegmentation and vtkGVFSnake, which
+   * take only one.
    */
   void AddFurtherSeed(double x, double y, double z, double radius);
   int GetNumberOfFurtherSeeds() const { return static_cast<int>(this->FurtherSeeds.size()); }

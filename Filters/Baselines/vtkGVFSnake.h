@@ -81,7 +81,7 @@ public:
 
   ///@{
   /**
-   * Weight of the flow, which is the greatest step in pixels. Default 0.6; 0 to 10.
+   * Weight of the flow, which is the maximum step in pixels. Default 0.6; 0 to 10.
    */
   vtkSetClampMacro(FlowWeight, double, 0, 10);
   vtkGetMacro(FlowWeight, double);
@@ -98,7 +98,7 @@ public:
 
   ///@{
   /**
-   * Greatest number of iterations of the curve. Default 1000; 1 to 1e6.
+   * Maximum number of iterations of the curve. Default 1000; 1 to 1e6.
    */
   vtkSetClampMacro(MaximumIterations, int, 1, 1000000);
   vtkGetMacro(MaximumIterations, int);

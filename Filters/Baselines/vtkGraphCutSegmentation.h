@@ -7,15 +7,16 @@
  *  - regional: the odds of a voxel's intensity under a mixture of Gaussians of the seed sphere
  *    against one of its surroundings;
  *  - boundary: the area of the organ's surface, which costs less where intensities jump.
- * The seed sphere is certain organ. Voxels with very low odds and voxels that are not connected to
- * the seed are certain background, which keeps the graph small. The mixture of a smoothed sphere is
- * too narrow for partial-volume voxels, so the cut comes out about a voxel too small; a rim is
- * added to it.
+ *
+ * As hard constraints, the seed sphere is organ, and voxels with very low odds or without a
+ * connection to the seed are background, which keeps the graph small. The mixture of a smoothed
+ * sphere is too narrow for partial-volume voxels, so the cut comes out about a voxel too small; a
+ * rim is added to it.
  *
  * Mode VOLUME cuts the whole region within reach. Mode SLICES (default), that of the paper, cuts
- * slice by slice (planes of the image's first two axes), starting at the seed's center and going to
- * both sides. What lies well inside the outline of one slice is organ in the next, and what lies
- * well outside is background.
+ * slice by slice (planes of the image's first two axes), starting at the seed's center and
+ * proceeding in both directions. What lies well inside the outline of one slice is organ in the
+ * next, and what lies well outside is background.
  *
  * Ports, errors and the common properties are those of vtkBaselineSegmentation. NumberOfIterations
  * is the number of slices cut, 1 in mode VOLUME.
@@ -95,8 +96,8 @@ public:
 
   ///@{
   /**
-   * Radius of the ball of the closing after the cut, which fills vessels, in millimeters; used up
-   * to two voxels. Default 1.5; 0 (none) to 100.
+   * Radius of the ball of the closing after the cut, which fills vessels, in millimeters; at most
+   * two voxels are used. Default 1.5; 0 (none) to 100.
    */
   vtkSetClampMacro(ClosingRadius, double, 0, 100);
   vtkGetMacro(ClosingRadius, double);

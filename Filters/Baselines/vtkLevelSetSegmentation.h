@@ -8,8 +8,10 @@
  *    elsewhere. The speed grows with the distance from the ends of that interval, up to 1;
  *  - GEODESIC (itk::GeodesicActiveContourLevelSetImageFilter): the front moves outward everywhere,
  *    slowly where the image has an edge, and advection pulls it to the middle of the edge. An edge
- * is where the gradient is well above the seed's mean gradient. In both, curvature smooths the
- * front. The evolution stops when the volume has settled, or after MaximumIterations.
+ *    is where the gradient is well above the seed's mean gradient.
+ *
+ * In both, curvature smooths the front. The evolution stops when the volume has settled, or after
+ * MaximumIterations.
  *
  * Ports, errors and the common properties are those of vtkBaselineSegmentation; GEODESIC refuses
  * fewer than four voxels along an axis. The surface is the zero level set, located with subvoxel
@@ -61,8 +63,8 @@ public:
 
   ///@{
   /**
-   * Weight of the mean curvature, in millimeters, against the speed, which is 1 at
-   * most. Default 0: the best value for the speed, 2 for THRESHOLD and 0.5 for GEODESIC; 0 to 100.
+   * Weight of the mean curvature, in millimeters, relative to the speed, which is at most 1.
+   * Default 0: the best value for the speed, 2 for THRESHOLD and 0.5 for GEODESIC; 0 to 100.
    */
   vtkSetClampMacro(CurvatureScaling, double, 0, 100);
   vtkGetMacro(CurvatureScaling, double);
@@ -105,8 +107,8 @@ public:
 
   ///@{
   /**
-   * Greatest number of iterations. Default 1500; 1 to 1e6. The front moves by a sixth of a voxel at
-   * most in each.
+   * Maximum number of iterations. Default 1500; 1 to 1e6. In each, the front moves by at most a
+   * sixth of a voxel.
    */
   vtkSetClampMacro(MaximumIterations, int, 1, 1000000);
   vtkGetMacro(MaximumIterations, int);

@@ -3,10 +3,10 @@
  * @brief   segments an organ by growing a region from the seed sphere
  *
  * Confidence connected region growing (itk::ConfidenceConnectedImageFilter): the voxels that are
- * connected with the seed sphere and whose intensity is within Multiplier standard deviations of
- * the region's mean. The mean is measured again on the grown region, Repetitions times. Then the
- * region is closed, which fills vessels and noise, and opened, which cuts leaks through thin
- * bridges. What is still connected to the seed is the organ.
+ * connected to the seed sphere and whose intensity is within Multiplier standard deviations of the
+ * region's mean. The mean is measured again on the grown region, Repetitions times. Then the region
+ * is closed, which fills vessels and noise, and opened, which cuts leaks through thin bridges. What
+ * is still connected to the seed is the organ.
  *
  * Ports, errors and the common properties are those of vtkBaselineSegmentation.
  *
@@ -36,8 +36,8 @@ public:
 
   ///@{
   /**
-   * How often the statistics are measured again on the grown region, which is then grown again.
-   * Default 1; 0 to 100.
+   * How many times the statistics are measured again on the grown region, which is then grown
+   * again. Default 1; 0 to 100.
    */
   vtkSetClampMacro(Repetitions, int, 0, 100);
   vtkGetMacro(Repetitions, int);
@@ -45,8 +45,8 @@ public:
 
   ///@{
   /**
-   * Radius of the ball of the closing, in millimeters; used up to two voxels. Default 1.5; 0 (none)
-   * to 100.
+   * Radius of the ball of the closing, in millimeters; at most two voxels are used. Default 1.5; 0
+   * (none) to 100.
    */
   vtkSetClampMacro(ClosingRadius, double, 0, 100);
   vtkGetMacro(ClosingRadius, double);

@@ -49,7 +49,7 @@ public:
 
   ///@{
   /**
-   * Greatest step of a vertex by the balloon force, in millimeters per iteration. Default 0.25;
+   * Maximum step of a vertex by the balloon force, in millimeters per iteration. Default 0.25;
    * 0.001 to 10.
    */
   vtkSetClampMacro(BalloonStep, double, 0.001, 10);
@@ -58,7 +58,7 @@ public:
 
   ///@{
   /**
-   * Weight of the internal forces. Default 0.5; 0 to 1, more is stiffer.
+   * Weight of the internal forces; higher is stiffer. Default 0.5; 0 to 1.
    */
   vtkSetClampMacro(Stiffness, double, 0, 1);
   vtkGetMacro(Stiffness, double);
@@ -75,7 +75,7 @@ public:
 
   ///@{
   /**
-   * Greatest number of iterations. Default 1000; 1 to 1e6.
+   * Maximum number of iterations. Default 1000; 1 to 1e6.
    */
   vtkSetClampMacro(MaximumIterations, int, 1, 1000000);
   vtkGetMacro(MaximumIterations, int);

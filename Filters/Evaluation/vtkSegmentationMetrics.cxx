@@ -56,7 +56,7 @@ std::string vtkSegmentationMetrics::GetDistanceOf() const
 
 std::string vtkSegmentationMetrics::GetSummary() const
 {
-  return FlipFree::SummaryOf(*this->Scores);
+  return this->Scores->Complete ? FlipFree::SummaryOf(*this->Scores) : std::string();
 }
 
 void vtkSegmentationMetrics::SetReferenceData(vtkImageData* labelMap)

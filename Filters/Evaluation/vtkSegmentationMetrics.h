@@ -4,12 +4,12 @@
  *
  * Compares a segmentation, given as a label map or as a surface, with a reference label map:
  *  - overlap of the voxels: Dice 2 |A and B| / (|A| + |B|), Jaccard |A and B| / |A or B| (the
- * paper's "volume overlap"), and the relative volume difference (|A| - |B|) / |B|, negative where
- * the segmentation A is smaller than the reference B;
+ *    paper's "volume overlap"), and the relative volume difference (|A| - |B|) / |B|, negative
+ *    where the segmentation A is smaller than the reference B;
  *  - distance of the surfaces in millimeters, from area-weighted samples of both surfaces to the
  *    closest point of the other one: the average (ASD) and the root mean square (RMS) over the
- * pooled samples, the 95th percentile (HD95, the greater one of the two directions) and the
- * greatest (HD).
+ *    pooled samples, the 95th percentile (HD95, the greater one of the two directions) and the
+ *    maximum (HD).
  *
  * The surface of a label map runs halfway between the voxels inside and outside and includes their
  * steps, as in other programs: ASD is 2.7 mm between spheres 3 mm apart on voxels of 1.2 x 1.2 x 3
@@ -140,7 +140,8 @@ public:
   ///@}
 
   /**
-   * The measures of the last update in a few lines, with units.
+   * The measures of the last update in a few lines, with units; empty before the first update and
+   * after one that failed or was aborted.
    */
   std::string GetSummary() const;
 

@@ -5,10 +5,10 @@
  * Passes a surface of polygons through, marks its invalid cells, and counts the defects. A surface
  * is valid when it is closed (every edge is on two consistently oriented faces), does not intersect
  * itself, and has no flipped corner. Polygons may be cut into triangles along any of their
- * diagonals (those of more than eight corners from the first one): self-intersections are pairs of
- * faces that some cuts make intersect in more than a shared vertex or edge, decided exactly; a face
- * whose own triangles may overlap is paired with itself. The surface may be open, of any genus, and
- * have any of these defects.
+ * diagonals (polygons with more than eight corners only along those from the first corner).
+ * Self-intersections are pairs of faces that some cuts make intersect in more than a shared vertex
+ * or edge, decided exactly; a face whose own triangles may overlap is paired with itself. The
+ * surface may be open, of any genus, and have any of these defects.
  *
  * Input port 0: vtkPolyData, the surface.
  *
@@ -18,9 +18,10 @@
  *
  * Output port 0: vtkPolyData, the surface with the cell arrays
  *  - `Defects`, unsigned char: the sum of 1 self-intersecting, 2 with a flipped corner, 4 on a
- * boundary edge, 8 on an edge of three faces or more, or of two that are oriented differently;
- *  - `ScaledJacobian`, double: the least over the face's corners of the sine of its angle over that
- *    of a regular polygon, negative where it turns the wrong way: 1 is best, 0 degenerate.
+ *    boundary edge, 8 on an edge of three faces or more, or of two that are oriented differently;
+ *  - `ScaledJacobian`, double: the minimum over the face's corners of the sine of the angle,
+ *    divided by that of a regular polygon; negative where it turns the wrong way. 1 is best, 0
+ *    degenerate.
  *
  * Output port 1: vtkTable with one row (GetMeasures) and the columns Valid (0 or 1),
  * SelfIntersections (pairs of faces), FlippedCorners (-1 without a reference), EulerNumber,
@@ -80,7 +81,7 @@ public:
   bool IsValid();
 
   /**
-   * The main measures of the last update in a line; empty before the first update and after one
+   * The main measures of the last update in one line; empty before the first update and after one
    * that failed.
    */
   std::string GetSummary() const { return this->Summary; }

@@ -22,11 +22,11 @@
  * (one double, gray values), only if there is a scale sphere: the noise found in it before
  * smoothing, as by vtkSeedRegionDiffusion, for vtkGMMFeatureFilter.
  *
- * Errors: no or empty image, no scalars, several components, scalars of bits, a spacing that is not
- * positive, NaN or infinite voxels, a VOI or a sphere without a voxel of the image, a TimeStep that
- * is not stable, a property that is not a number. Each is reported once and leaves the output
- * empty. After an abort the output is empty without an error; aborts take effect within an
- * iteration.
+ * Errors: a missing or empty image, no scalars, several components, scalars of bits, a spacing that
+ * is not positive, NaN or infinite voxels, a VOI or a sphere without a voxel of the image, a
+ * TimeStep that is not stable, a property that is not a number. Each is reported once and leaves
+ * the output empty. After an abort the output is empty without an error; aborts take effect within
+ * an iteration.
  *
  * Source: ITK's itk::CurvatureAnisotropicDiffusionImageFilter (R. Whitaker and X. Xue,
  * Variable-conductance, level-set curvature for image denoising, ICIP 2001) and
@@ -76,7 +76,7 @@ public:
 
   ///@{
   /**
-   * Length of a time step. 0 (default) means the greatest stable one, a sixteenth of the least
+   * Length of a time step. 0 (default) means the largest stable one, a sixteenth of the smallest
    * spacing.
    */
   vtkSetClampMacro(TimeStep, double, 0, 1e9);
@@ -93,9 +93,9 @@ public:
 
   ///@{
   /**
-   * The gradient magnitude that counts as one, in gray values per millimeter. 0 (default) means the
-   * root mean square over the voxels of the scale sphere; if that is 0, too, because they all have
-   * one gray value, nothing is smoothed.
+   * The gradient magnitude that is taken as the unit, in gray values per millimeter. 0 (default)
+   * means the root mean square over the voxels of the scale sphere; if that is 0, too, because they
+   * all have one gray value, nothing is smoothed.
    */
   vtkSetClampMacro(GradientScale, double, 0, 1e30);
   vtkGetMacro(GradientScale, double);

@@ -23,8 +23,8 @@
  * field, such as a spacing of NaN, which the error names; an unknown format, such as NIfTI-2; 2D
  * and 4D images; several components per voxel; a folder without DICOM images or without the wanted
  * series; slices that do not form one stack. GetErrorCode() gives the vtkErrorCode. Slices that
- * stray from an even stack by more than 1 % of the slice spacing give a warning, by more than half
- * of it an error.
+ * deviate from an even stack by more than 1 % of the slice spacing give a warning, and by more than
+ * half of it an error.
  */
 #ifndef vtkMedicalImageReader_h
 #define vtkMedicalImageReader_h

@@ -2,11 +2,11 @@
  * @class   vtkMedicalImageWriter
  * @brief   writes a medical image with its orientation, by ITK
  *
- * Writes a label map or a gray volume in the format that the name's ending stands for: NIfTI (.nii,
- * .nii.gz), NRRD (.nrrd) or MetaImage (.mha, .mhd with its voxels beside it). Origin, spacing,
- * direction matrix and the type of the voxels are kept, so that vtkMedicalImageReader gives the
- * same image back; NIfTI holds its geometry in single precision. Coordinates are taken as LPS
- * millimeters.
+ * Writes a label map or a gray volume in the format that the file name's extension stands for:
+ * NIfTI (.nii, .nii.gz), NRRD (.nrrd) or MetaImage (.mha, .mhd with its voxels beside it). Origin,
+ * spacing, direction matrix and the type of the voxels are kept, so that vtkMedicalImageReader
+ * gives the same image back; NIfTI holds its geometry in single precision. Coordinates are taken as
+ * LPS millimeters.
  *
  * If the name ends in .seg.nrrd, a label map is written as a segmentation of 3D Slicer: the same
  * NRRD file, in whose fields each label is a segment with a name and a color. These are the image's
@@ -22,11 +22,11 @@
  *
  * Input port 0: vtkImageData with one component of scalars.
  *
- * Errors: no file name; an unknown ending; no image, no scalars, several components; a folder that
- * is missing or may not be written into; a full disk; a geometry or a type of voxels that the
- * format cannot hold (NIfTI: sheared direction matrices; .seg.nrrd: voxels that are not labels);
- * field data of segments that do not fit together. Write() then returns 0 and GetErrorCode()
- * gives the vtkErrorCode.
+ * Errors: no file name; an unknown extension; no image, no scalars, several components; a folder
+ * that is missing or not writable; a full disk; a geometry or a type of voxels that the format
+ * cannot hold (NIfTI: sheared direction matrices; .seg.nrrd: voxels that are not labels); field
+ * data of segments that do not fit together. Write() then returns 0 and GetErrorCode() gives the
+ * vtkErrorCode.
  */
 #ifndef vtkMedicalImageWriter_h
 #define vtkMedicalImageWriter_h
@@ -45,7 +45,7 @@ public:
 
   ///@{
   /**
-   * The file to write. Its ending chooses the format. No default.
+   * The file to write. Its extension determines the format. No default.
    */
   vtkSetFilePathMacro(FileName);
   vtkGetFilePathMacro(FileName);
@@ -53,8 +53,8 @@ public:
 
   ///@{
   /**
-   * Whether NRRD and MetaImage files are compressed. Default on. NIfTI goes by its ending: .nii.gz
-   * is compressed, .nii is not.
+   * Whether NRRD and MetaImage files are compressed. Default on. For NIfTI, the extension decides:
+   * .nii.gz is compressed, .nii is not.
    */
   vtkSetMacro(UseCompression, bool);
   vtkGetMacro(UseCompression, bool);

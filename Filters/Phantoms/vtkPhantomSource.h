@@ -10,9 +10,9 @@
  * partial volume and noise. As in patients, organs touch neighbors of similar intensity.
  *
  * Shapes are sized in proportion to the grid, lie at its center, and are aligned with its axes: a
- * Direction turns the phantom with the grid and leaves every voxel's value as it was. For the
- * abdomen the first axis points to the patient's left, the second to the back, the third to the
- * head; with the identity as Direction that is the LPS frame of DICOM and ITK.
+ * Direction turns the phantom with the grid without changing any voxel's value. For the abdomen the
+ * first axis points to the patient's left, the second to the back, the third to the head; with the
+ * identity as Direction that is the LPS frame of DICOM and ITK.
  *
  * The volume depends on the properties alone, bit for bit, not on the number of threads.
  *
@@ -60,9 +60,9 @@ public:
   };
 
   /**
-   * Values of the label map. OBJECT is that of the plain shapes, the others are the abdomen's,
-   * those of the BTCV challenge (left and right are the patient's). Vessels and lesions inside the
-   * liver belong to it, the renal sinus does not belong to the kidney. Bowel, heart, bones are 0.
+   * Values of the label map. OBJECT is that of the plain shapes; the others are the abdomen's, as
+   * in the BTCV challenge (left and right are the patient's). Vessels and lesions inside the liver
+   * are part of it; the renal sinus is not part of the kidney. Bowel, heart and bones are 0.
    */
   enum OrganLabel
   {
@@ -91,7 +91,7 @@ public:
    * length 105.
    *
    * The ABDOMEN's cross-section of 330 x 255 mm is scaled to fit the grid's first two axes; along
-   * the third the grid shows as much as it holds, at best 270 mm.
+   * the third axis, the grid shows as much as fits, at most 270 mm.
    */
   vtkSetClampMacro(Shape, int, SPHERE, ABDOMEN);
   vtkGetMacro(Shape, int);
@@ -142,9 +142,8 @@ public:
   ///@{
   /**
    * Intensities of the object and of what surrounds it, for the plain shapes. Defaults 100 and 0;
-   * they do not matter for the abdomen.
-   * Intensities are rounded to integers after partial volume and noise: leave them far enough
-   * apart.
+   * they have no effect on the abdomen. Intensities are rounded to integers after partial volume
+   * and noise: leave them far enough apart.
    */
   vtkSetMacro(Foreground, double);
   vtkGetMacro(Foreground, double);
@@ -162,8 +161,8 @@ public:
 
   ///@{
   /**
-   * Correlation of the noise of direct neighbors within a slice, such as a CT's reconstruction
-   * leaves it; slices are independent. Default 0.3; 0 (white noise) to 0.7.
+   * Correlation of the noise of direct neighbors within a slice, as CT reconstruction leaves it;
+   * slices are independent. Default 0.3; 0 (white noise) to 0.7.
    */
   vtkSetMacro(NoiseCorrelation, double);
   vtkGetMacro(NoiseCorrelation, double);

@@ -2,17 +2,17 @@
  * @class   vtkConstraintPointSource
  * @brief   a point that says what is wrong with a segmentation
  *
- * Makes one point as the port for corrections of vtkFlipFreeSegmentation, vtkFlipFreeOrganGroup and
- * vtkFlipFreeVesselSegmentation takes it. Those ports take any number of such sources, in any
- * order: one for each point, which can be moved by a handle in ParaView. To remove a point,
- * disconnect its source, or turn Enabled off.
+ * Makes one point for the correction ports of vtkFlipFreeSegmentation, vtkFlipFreeOrganGroup and
+ * vtkFlipFreeVesselSegmentation. These ports take any number of such sources, in any order: one for
+ * each point, which can be moved by a handle in ParaView. To remove a point, disconnect its source,
+ * or turn Enabled off.
  *
  * Output port 0: vtkPolyData, the point as a vertex, with the point arrays
  *  - `Constraint`, unsigned char: 0 outside the organ, 1 inside, 2 on its boundary, 3 a seed;
  *  - `Radius`, double, in millimeters: that of a seed sphere, 0 for other points;
  *  - `Organ`, int: the organ's number, from 1, which vtkFlipFreeOrganGroup reads.
  *
- * Errors: a Position or, of a seed, a Radius that is not finite. The output is then empty.
+ * Errors: a Position, or the Radius of a seed, that is not finite. The output is then empty.
  */
 #ifndef vtkConstraintPointSource_h
 #define vtkConstraintPointSource_h
@@ -53,8 +53,8 @@ public:
 
   ///@{
   /**
-   * The point, in millimeters (physical coordinates of the image). Default (0, 0, 0). Best in the
-   * middle of the part that is missing or wrongly included.
+   * The point, in millimeters (physical coordinates of the image). Default (0, 0, 0). It is best
+   * placed in the middle of the part that is missing or wrongly included.
    */
   vtkSetVector3Macro(Position, double);
   vtkGetVector3Macro(Position, double);

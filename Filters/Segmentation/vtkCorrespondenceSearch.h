@@ -12,10 +12,10 @@
  * Its field data `FeatureThreshold` (1 double), `SeedRadius` (1 double, mm) and `EdgeRamp` (3
  * doubles), as vtkGMMFeatureFilter attaches them, are used where present.
  * Input port 2, optional: vtkImageData, the smoothed image of the same grid, in whose edges the
- * target is refined (SetEdgeConnection). Output port 0: the
- * surface with the point arrays `Displacement` (3 doubles, mm: target minus point; zero where
- * solitary) and `Correspondence` (unsigned char: 0 solitary, 1 matched). Field data `MeanDistance`
- * (1 double, mm): mean distance to the targets found, before they are limited.
+ * target is refined (SetEdgeConnection).
+ * Output port 0: the surface with the point arrays `Displacement` (3 doubles, mm: target minus
+ * point; zero where solitary) and `Correspondence` (unsigned char: 0 solitary, 1 matched). Field
+ * data `MeanDistance` (1 double, mm): mean distance to the targets found, before they are limited.
  *
  * The checked images, the foreground and the mesh's contours are kept between updates: after
  * writing voxels in place, call Modified() on the image.

@@ -11,8 +11,8 @@
  * Input port 0: vtkPolyData, closed, four neighbors at every vertex, with the point arrays
  * `Displacement` (3 doubles, mm) and `Correspondence` (unsigned char) of vtkCorrespondenceSearch.
  * Output port 0: the moved surface; both arrays as flip avoidance and propagation left them. Field
- * data, one double each: `FlippingVertices` (before avoidance), `GuardedVertices` (held back), and
- * `Certified` (1 with the guard on, 0 otherwise).
+ * data, one double each: `FlippingVertices` (before avoidance), `GuardedVertices` (whose motion the
+ * guard scaled down), and `Certified` (1 with the guard on, 0 otherwise).
  *
  * Errors: missing arrays or arrays of another type, displacements that are not finite, a surface
  * that is open, not four-valent, or, with the guard on, self-intersecting.

@@ -7,16 +7,17 @@
  * they never meet, and no voxel is in two of them. Seeds and inside points of an organ are outside
  * points of all others. The result does not depend on the order of the organs.
  *
- * First each organ finds its foreground by itself; voxels that several claim are divided by a
- * minimum cut along the edges of the image; then all surfaces start again and deform together.
+ * First, the foreground of each organ is found separately; voxels that several organs claim are
+ * divided by a minimum cut along the edges of the image; then all surfaces start again and deform
+ * together.
  *
- * Input port 0: vtkImageData, as of vtkFlipFreeSegmentation.
+ * Input port 0: vtkImageData, as for vtkFlipFreeSegmentation.
  * Input port 1, optional, repeatable: vtkPointSet, points and further seeds of the organs, with the
  * point arrays `Constraint` and `Radius` of vtkFlipFreeSegmentation and `Organ`: the names of
- * organs (vtkStringArray), or their numbers, which count from 1 in the order of AddOrgan(), and
- * then of the names. A point with a new name, or with the next number, adds an organ, which needs a
- * seed; one without a name is called `organ 2` or the like. vtkConstraintPointSource makes a data
- * set of a single point.
+ * organs (vtkStringArray), or their numbers, counted from 1 in the order of AddOrgan(), and then of
+ * the names. A point with a new name, or with the next number, adds an organ, which needs a seed;
+ * one without a name is called `organ 2` or the like. vtkConstraintPointSource makes a data set of
+ * a single point.
  * Input port 2, optional, repeatable: vtkPolyData, a surface that stays as it is and that no organ
  * touches, such as an earlier result: closed, four neighbors at every vertex, embedded.
  *
@@ -78,7 +79,7 @@ public:
 
   ///@{
   /**
-   * Connects or adds a surface that stays as it is (input port 2); removes all.
+   * Connects or adds a surface that stays as it is (input port 2); removes all such surfaces.
    */
   void AddFixedConnection(vtkAlgorithmOutput* output) { this->AddInputConnection(2, output); }
   void AddFixedData(vtkPolyData* surface);
@@ -87,7 +88,8 @@ public:
 
   ///@{
   /**
-   * Adds an organ by its name and the seed sphere that lies within it, in millimeters; removes all.
+   * Adds an organ by its name and a seed sphere that lies within it, in millimeters; removes all
+   * organs; returns their number.
    */
   void AddOrgan(const char* name, double x, double y, double z, double radius);
   void RemoveAllOrgans();
@@ -97,7 +99,7 @@ public:
   ///@{
   /**
    * Adds a point that corrects an organ that has been added, or a further seed sphere within it, in
-   * millimeters; as of vtkFlipFreeSegmentation. RemoveAllOrgans() removes them, too.
+   * millimeters, as in vtkFlipFreeSegmentation. RemoveAllOrgans() removes them, too.
    */
   void AddInsidePoint(const char* organ, double x, double y, double z);
   void AddOutsidePoint(const char* organ, double x, double y, double z);
@@ -134,8 +136,8 @@ public:
 
   ///@{
   /**
-   * Of the organ with that index, which counts from 0, after Update(): its surface; the table
-   * `Convergence` of vtkFlipFreeSegmentation, null where there is no such organ; why its last level
+   * For the organ with that index, counted from 0, after Update(): its surface; the table
+   * `Convergence` of vtkFlipFreeSegmentation, null if there is no such organ; why its last level
    * ended, one of vtkFlipFreeSegmentation::StopReasons, or the same in words.
    */
   vtkPolyData* GetSurface(int organ);
@@ -146,8 +148,8 @@ public:
 
   ///@{
   /**
-   * Of the organ with that index, after Update(): how far its surface can be trusted, 0 to 1, and
-   * the pairs of its faces that intersect, counted exactly; -1 where there is none.
+   * For the organ with that index, after Update(): how far its surface can be trusted, 0 to 1, and
+   * the number of pairs of its faces that intersect, counted exactly; -1 if there is no such organ.
    */
   double GetConfidence(int organ) const;
   int GetNumberOfSelfIntersections(int organ) const;

@@ -1,6 +1,6 @@
 /**
  * @class   vtkFlipFreeRefinement
- * @brief   a surface of four times as many vertices, for working from coarse to fine
+ * @brief   refines a surface to four times as many vertices, to work from coarse to fine
  *
  * Refines a closed mesh with four neighbors at every vertex into one of the same kind (D. Doo and
  * M. Sabin, 1978): the sphere of resolution n becomes that of 2 n. With Check on, the refined

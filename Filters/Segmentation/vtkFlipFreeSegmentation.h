@@ -2,21 +2,21 @@
  * @class   vtkFlipFreeSegmentation
  * @brief   from a seed sphere in an organ to the organ's surface
  *
- * Segments one soft organ of a CT or MR volume by the whole method of the paper (Algorithm 1). It
+ * Segments one soft organ in a CT or MR volume by the whole method of the paper (Algorithm 1). It
  * smooths the image in the region that the surface can reach, models the intensities of the seed
  * sphere by a mixture of Gaussians, and deforms a quadrilateral sphere onto the organ, from coarse
  * to fine. Each iteration searches for correspondences, detects and avoids flips, propagates
  * displacements, and solves a Laplacian deformation. A guard limits every motion, so the surface
  * stays embedded, however its faces are cut into triangles, and no face flips. Vertices that have
  * moved lie at single-precision numbers, where these are fine enough, so that every file format
- * holds the very surface that was certified.
+ * contains exactly the surface that was certified.
  *
- * The stages own most parameters, see GetDiffusion(), GetFeature(), GetSearch(), and GetDeform().
+ * The stages own most parameters; see GetDiffusion(), GetFeature(), GetSearch(), and GetDeform().
  * Chained one by one (vtkSeedRegionDiffusion, vtkGMMFeatureFilter, vtkCorrespondenceSearch,
  * vtkFlipFreeDeform, vtkFlipFreeRefinement), they give the same surface.
  *
  * Input port 0: vtkImageData with one scalar component of any type; coordinates are the image's
- * physical millimeters, the direction matrix is honored.
+ * physical millimeters, and the direction matrix is honored.
  * Input port 1, optional: vtkPolyData, the surface to start from in place of the sphere: closed,
  * four neighbors at every vertex, embedded. It is refined like the sphere, to about as many
  * vertices (see SetLevels()).
@@ -24,28 +24,29 @@
  * Input port 2, optional, repeatable: vtkPointSet, points that correct the result, with the point
  * array `Constraint` (any number type): 0 for a point outside the organ, 1 inside, 2 on its
  * boundary, 3 for a further seed sphere within the organ, whose radius (mm) is in the point array
- * `Radius`. All data sets together are one set of points; vtkConstraintPointSource makes one of a
- * single point. AddInsidePoint() and so on add to them. The surface obeys every one, exactly: an
- * outside point is an obstacle of the guard from the start, an inside point once it is enclosed; a
- * boundary point lies within half the smallest spacing of the surface. The largest seed is the
- * start. The result depends on the set of points alone, not on their order or on earlier runs.
+ * `Radius`. All data sets together are one set of points; vtkConstraintPointSource makes a data set
+ * of a single point. AddInsidePoint() and similar methods add to them. The surface obeys every
+ * point exactly: an outside point is an obstacle of the guard from the start, an inside point once
+ * it is enclosed; a boundary point lies within half the smallest spacing of the surface. The
+ * surface starts from the largest seed. The result depends only on the set of points, not on their
+ * order or on earlier runs.
  *
  * Input port 3, optional: vtkImageData, a label map with the geometry of the image, from a network,
  * an atlas, or an earlier result. The surface then fills its voxels of the value StartLabel, or the
  * part of them that is connected to the largest ball in them, in place of a foreground found in the
  * image; that ball takes the place of the seed, so SeedCenter and SeedRadius are not used. Points
- * of port 2 correct it like any other result.
+ * on port 2 correct it like any other result.
  *
  * Output port 0: vtkPolyData, the surface, with the point arrays `Displacement` (3 doubles, mm; the
  * last one wanted), `Correspondence` (unsigned char; 0 solitary, 1 matched, 2 flipping) and
  * `Confidence` (float, 0 to 1: how well the image supports the surface there), and the field data
- * `Certified` (double): 1 if the guard was on, 0 otherwise, `Confidence` (double, 0 to 1), and
- * `Provenance` (text): where the surface comes from (version, image grid, seed, points and all
- * parameters), as the JSON that `flipfree segment --session` repeats.
+ * `Certified` (double: 1 if the guard was on, 0 otherwise), `Confidence` (double, 0 to 1), and
+ * `Provenance` (text: where the surface comes from, with version, image grid, seed, points and all
+ * parameters, as the JSON that `flipfree segment --session` repeats).
  * Output port 1: vtkImageData, unsigned char `Labels` of the input's geometry: LabelValue inside.
  * Output port 2: vtkTable `Convergence`, a row per iteration: Iteration, Level, Vertices,
  * MeanDistance (mm), Matched, Solitary, Flipping, Guarded (vertices that the guard limited), and
- * the seconds of its stages SearchSeconds, FlipSeconds, SolveSeconds, GuardSeconds.
+ * the seconds of its stages, SearchSeconds, FlipSeconds, SolveSeconds, GuardSeconds.
  *
  * Errors: no scalars, several components, an empty image, voxels that are not finite near the seed,
  * a seed outside the image, a radius below a voxel, a seed without contrast to its surroundings, a
@@ -62,9 +63,10 @@
  * axes: the seed may lie in air. If none of these applies and the confidence is below 0.85, a
  * warning states it: look at the contour where its confidence is low, and correct it there by
  * points. Without carving, as in the presets Published and Naive, there is a confidence but no such
- * warning: no further opinions were sought, and the threshold does not apply. With constraints
- * there is no such warning, either, since the opinions do not know about them. A surface that fills
- * start labels warns instead if it misses more than a twentieth of their voxels.
+ * warning: there is no consensus (SetConsensus() of GetFeature()), and the threshold does not
+ * apply. With constraints there is no such warning, either, since the consensus does not take them
+ * into account. A surface that fills start labels warns instead if it misses more than a twentieth
+ * of their voxels.
  *
  * Source: the paper, Algorithm 1 and sections 3.1 to 3.6. Each remedy beyond it has its own switch.
  */
@@ -183,8 +185,8 @@ public:
   /**
    * Keep the smoothed image, and other results that constraints do not change, between runs, so
    * that a correction takes about a third of the time. Default off, since it needs memory: the
-   * smoothed part of the image as floats. Changing the image, the seed or a parameter frees it; an
-   * image whose voxels are written in place has to be told so by its Modified().
+   * smoothed part of the image as floats. Changing the image, the seed or a parameter frees it;
+   * after writing voxels in place, call the image's Modified().
    */
   void SetKeepForCorrections(bool value);
   bool GetKeepForCorrections() const;
@@ -231,8 +233,8 @@ public:
   ///@{
   /**
    * Radius of the seed sphere, in millimeters. Default 10; at least half the radius of the largest
-   * sphere that fits into the organ there is good. The lengths below that are given in seed radii
-   * follow it.
+   * sphere that fits into the organ there is recommended. The lengths below that are given in seed
+   * radii scale with it.
    */
   void SetSeedRadius(double value);
   vtkGetMacro(SeedRadius, double);
@@ -295,8 +297,8 @@ public:
 
   ///@{
   /**
-   * A level ends when the mean distance fell by less than this over five iterations, in voxels of
-   * the greatest spacing. Default 0.02; a negative value never ends it.
+   * A level ends when the mean distance has fallen by less than this over five iterations, in
+   * voxels of the greatest spacing. Default 0.02; a negative value never ends it.
    */
   void SetChangeTolerance(double value);
   double GetChangeTolerance() const;
@@ -314,7 +316,7 @@ public:
   ///@{
   /**
    * Iterations of the anisotropic diffusion that smooths the image first (section 3.2). Default 5,
-   * 0 to 1000; 0 for an image that is smooth already. NumberOfIterations of GetDiffusion().
+   * 0 to 1000; 0 for an image that is already smooth. NumberOfIterations of GetDiffusion().
    */
   void SetDiffusionIterations(int value);
   int GetDiffusionIterations() const;
@@ -401,8 +403,8 @@ public:
   ///@}
 
   /**
-   * Pairs of faces of the result that intersect for some way to cut them into triangles, counted
-   * exactly and independently of the guard; -1 before Update().
+   * Pairs of faces of the result that intersect for some way of cutting them into triangles,
+   * counted exactly and independently of the guard; -1 before Update().
    */
   vtkGetMacro(NumberOfSelfIntersections, int);
 

@@ -5,20 +5,21 @@
  * Follows a vessel, or a tree of vessels, between points (vtkVesselPath), outlines it in
  * cross-sections along the path, and deforms a quadrilateral mesh onto the outline, from coarse to
  * fine. The mesh begins within the outline, as the surface of cells of a grid: closed, without
- * holes or handles, four neighbors at every vertex, so that a tree is one surface, too. The guard
- * limits every motion, as in vtkFlipFreeSegmentation: the surface stays embedded, however its faces
- * are cut into triangles, and vertices lie at single-precision numbers.
+ * holes or handles, with four neighbors at every vertex, so that a tree, too, is a single surface.
+ * The guard limits every motion, as in vtkFlipFreeSegmentation: the surface stays embedded, however
+ * its faces are cut into triangles, and vertices lie at single-precision numbers.
  *
  * A vessel ends in a disk across the path at each end point. See vtkVesselAlgorithm for points,
  * input and errors.
  *
- * Points correct the result, as those of vtkFlipFreeSegmentation do: AddInsidePoint() and so on,
- * and input port 1. The path keeps 3 mm away from a point outside, where it can; the outline near a
- * point is moved; and the surface obeys every point exactly, a point on the boundary within half of
- * the image's smallest spacing.
+ * Points correct the result, as in vtkFlipFreeSegmentation: AddInsidePoint() and similar methods,
+ * and input port 1. The path stays 3 mm away from an outside point where it can; the outline near a
+ * point is moved; and the surface obeys every point exactly, a boundary point to within half of the
+ * image's smallest spacing.
  *
  * Input port 1, optional, repeatable: vtkPointSet, such points, with the point array `Constraint`
- * (0 outside, 1 inside, 2 on the boundary); vtkConstraintPointSource makes one of a single point.
+ * (0 outside, 1 inside, 2 on the boundary); vtkConstraintPointSource makes a data set of a single
+ * point.
  *
  * Further errors: a correction outside the image, within 0.5 mm of a point of the vessel or about
  * 1 mm of the path if it is to lie outside, farther from the path than three radii and 10 mm if it
@@ -28,11 +29,11 @@
  * Output port 0: vtkPolyData, the surface, with the arrays of vtkFlipFreeSegmentation.
  * Output port 1: vtkImageData, unsigned char `Labels` of the input's geometry: LabelValue inside.
  * Output port 2: vtkPolyData, the centerline, as vtkVesselPath gives it.
- * Output port 3: vtkTable `Convergence`, as of vtkFlipFreeSegmentation.
+ * Output port 3: vtkTable `Convergence`, as from vtkFlipFreeSegmentation.
  *
  * Warnings, which still give a result: the contrast across the outline is low (GetSupport() below
- * 0.8), with the place where it is lowest; the surface could not be refined, or it goes far beyond
- * the disks at the ends.
+ * 0.8), with the place where it is lowest; the surface could not be refined, or it extends far
+ * beyond the disks at the ends.
  */
 #ifndef vtkFlipFreeVesselSegmentation_h
 #define vtkFlipFreeVesselSegmentation_h
@@ -86,7 +87,7 @@ public:
 
   ///@{
   /**
-   * The number of these points, not counting those of input port 1; removes them.
+   * The number of these points, not counting those of input port 1; removes all of them.
    */
   int GetNumberOfCorrections() const;
   void RemoveAllCorrections();
@@ -94,8 +95,8 @@ public:
 
   ///@{
   /**
-   * Number of levels from coarse to fine. Default 2; 1 to 4. At the first, vertices are about half
-   * the thinnest branch's radius apart; each further level doubles the resolution.
+   * Number of levels from coarse to fine. Default 2; 1 to 4. At the first level, vertices are about
+   * half the thinnest branch's radius apart; each further level doubles the resolution.
    */
   void SetLevels(int value);
   int GetLevels() const;
@@ -127,8 +128,8 @@ public:
   ///@}
 
   /**
-   * Pairs of faces of the result that intersect for some way to cut them into triangles, counted
-   * exactly and independently of the guard; -1 before Update().
+   * Pairs of faces of the result that intersect for some way of cutting them into triangles,
+   * counted exactly and independently of the guard; -1 before Update().
    */
   vtkGetMacro(NumberOfSelfIntersections, int);
 

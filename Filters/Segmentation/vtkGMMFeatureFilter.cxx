@@ -60,6 +60,35 @@ bool Carve(vtkPolyData* surface, const FlipFree::ImageView<float>& smooth,
     noise, modality, settings, FlipFree::SMPFor, monitor, foreground, unanimity);
 }
 
+// By carving the inside of a surface, or without one by the model, which must show contrast if it
+// is the seed's. False if the monitor stopped it.
+bool FindOrgan(vtkPolyData* carved, const FlipFree::ImageView<float>& smooth,
+  const FlipFree::IntensityModel& model, bool isOfSeed, const FlipFree::SeedSphere& seed,
+  double noise, const FlipFree::OrganFeatureSettings& settings, const FlipFree::Monitor& monitor,
+  FlipFree::BitMask& foreground)
+{
+  if (!monitor(0.4))
+  {
+    return false;
+  }
+  const FlipFree::Monitor part = FlipFree::PartOf(monitor, 0.4, 0.9);
+  if (carved)
+  {
+    return Carve(carved, smooth, seed, noise, settings, part, foreground);
+  }
+  if (!FlipFree::FindForeground(smooth, model, seed, settings, FlipFree::SMPFor, part,
+        foreground) ||
+    !monitor(0.9))
+  {
+    return false;
+  }
+  if (isOfSeed)
+  {
+    FlipFree::RequireContrast(foreground);
+  }
+  return true;
+}
+
 void AttachModel(const FlipFree::IntensityModel& model, vtkImageData* output)
 {
   std::vector<double> weights;
@@ -206,31 +235,13 @@ void vtkGMMFeatureFilter::ComputeFeature(vtkImageData* image, vtkPolyData* surfa
     }
   }
   FlipFree::BitMask foreground;
-  double radius = seed.Radius;
-  if (surface && this->Settings->Carving)
+  vtkPolyData* const carved = this->Settings->Carving ? surface : nullptr;
+  if (!FindOrgan(carved, smooth, model, refit != FlipFree::Refit::Done, seed, noise,
+        *this->Settings, whole, foreground))
   {
-    if (!whole(0.4) ||
-      !Carve(surface, smooth, seed, noise, *this->Settings, FlipFree::PartOf(whole, 0.4, 0.9),
-        foreground))
-    {
-      return;
-    }
-    radius = FlipFree::RadiusOf(foreground, seed);
+    return;
   }
-  else
-  {
-    if (!whole(0.4) ||
-      !FlipFree::FindForeground(smooth, model, seed, *this->Settings, FlipFree::SMPFor,
-        FlipFree::PartOf(whole, 0.4, 0.9), foreground) ||
-      !whole(0.9))
-    {
-      return;
-    }
-    if (refit != FlipFree::Refit::Done)
-    {
-      FlipFree::RequireContrast(foreground);
-    }
-  }
+  const double radius = carved ? FlipFree::RadiusOf(foreground, seed) : seed.Radius;
   const std::vector<float> feature =
     FlipFree::MakeFeature(smooth, model, foreground, FlipFree::SMPFor);
   if (whole(0.97))

@@ -6,18 +6,18 @@
  * paper), fitted by expectation maximization; the Bayesian information criterion chooses the number
  * of components. The feature of a voxel is g(z) over its greatest value. With a surface on port 1
  * the feature is instead the odds of the intensities inside the surface against those of a shell
- * around it, in [0, 1] with threshold 1/2; the outermost 2 mm inside model neither.
+ * around it, in [0, 1] with threshold 1/2; the outermost 2 mm inside are used for neither.
  *
- * Leak control (beyond the paper) closes the foreground, opens it, and keeps what is connected
- * with the seed, so that thin bridges to neighbors do not leak. Voxels that it removes get half the
+ * Leak control (beyond the paper) closes the foreground, opens it, and keeps what is connected to
+ * the seed, so that thin bridges to neighbors do not leak. Voxels that it removes get half the
  * threshold; voxels that it fills get the threshold itself.
  *
  * Input port 0: vtkImageData, one scalar component, smoothed. Field data `NoiseStandardDeviation`
  * of vtkSeedRegionDiffusion is used where present; otherwise the noise is measured in the seed.
  * Input port 1, optional: vtkPolyData, a closed surface within the organ (SetSurfaceConnection).
  * Output port 0: vtkImageData of the input's geometry, float scalars `Feature`, 0 to 1. Field data,
- * doubles: `FeatureThreshold` (1 value), `SeedRadius` (1 value, mm; after carving that of a ball of
- * the foreground's volume, if greater), `MixtureWeights`, `MixtureMeans`,
+ * doubles: `FeatureThreshold` (1 value), `SeedRadius` (1 value, mm; after carving, that of a ball
+ * of the foreground's volume, if greater), `MixtureWeights`, `MixtureMeans`,
  * `MixtureStandardDeviations` (one per component, gray values), `EdgeRamp` (3 values: low, high,
  * width, by which vtkCorrespondenceSearch reads edges).
  *
@@ -143,12 +143,12 @@ public:
   /**
    * With a surface on port 1 that has found its organ, the foreground is its inside, without what
    * leaked through a neck (a minimum cut separates it from the seed), up to where the gray values
-   * are halfway between those of the organ and those of its surroundings, both taken locally.
-   * In CT, the fat in hollows that open to the outside, at most 20 mm wide, is removed from it.
-   * Default on. vtkFlipFreeSegmentation first runs all levels without, then carves, and runs all
-   * levels again, from the start, on that foreground. A pipeline of the stages does the same with
-   * CarvingOff() first and CarvingOn() later. See Y. Boykov, G. Funka-Lea: Graph cuts and efficient
-   * N-D image segmentation, 2006. Without a surface, it does nothing.
+   * are halfway between those of the organ and those of its surroundings, both taken locally. In
+   * CT, the fat in hollows that open to the outside, at most 20 mm wide, is removed from it.
+   * Default on. vtkFlipFreeSegmentation first runs all levels without carving, then carves, and
+   * runs all levels again, from the start, on that foreground. A pipeline of the stages does the
+   * same with CarvingOff() at first and CarvingOn() later. See Y. Boykov, G. Funka-Lea: Graph cuts
+   * and efficient N-D image segmentation, 2006. Without a surface, it does nothing.
    */
   void SetCarving(bool value);
   bool GetCarving() const;

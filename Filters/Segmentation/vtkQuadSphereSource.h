@@ -4,11 +4,11 @@
  *
  * Makes the mesh of section 3.1 of the paper: a cube with Resolution x Resolution vertices at the
  * cell centers of each side, projected onto a sphere. It has 6 n^2 vertices, each with exactly four
- * neighbors and on exactly two closed contours; 6 n^2 - 6 quads; and 8 triangles, one where three
- * sides meet. Faces are counter-clockwise seen from outside.
+ * neighbors and on exactly two closed contours; 6 n^2 - 6 quads; and 8 triangles, one at each
+ * corner of the cube. Faces are counter-clockwise seen from outside.
  *
  * Output port 0: vtkPolyData with the point array
- *  - `Checkerboard`, unsigned char: 0 or 1 by fields of 4 x 4 cells per side, for looking at how a
+ *  - `Checkerboard`, unsigned char: 0 or 1 by fields of 4 x 4 cells per side, to show how a
  *    deformation moves the mesh (Fig. 1 of the paper).
  *
  * Errors: a Center or Radius that is not finite, no memory. A Resolution below 1 or a Radius that
@@ -48,7 +48,7 @@ public:
 
   ///@{
   /**
-   * Radius of the sphere in millimeters; for CUBE half the edge length. Default 1; positive.
+   * Radius of the sphere in millimeters; for CUBE, half the edge length. Default 1; positive.
    */
   vtkSetClampMacro(Radius, double, 1e-9, 1e9);
   vtkGetMacro(Radius, double);

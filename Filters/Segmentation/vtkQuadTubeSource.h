@@ -30,7 +30,7 @@ public:
   ///@{
   /**
    * Number n of vertices along a side of the box's square; there are 4 n around the tube. Default
-   * 4; 2 to 256. Along the tube, there are as many as make its cells even.
+   * 4; 2 to 256. The number along the tube is chosen so that its cells are even.
    */
   vtkSetClampMacro(Resolution, int, 2, 256);
   vtkGetMacro(Resolution, int);

@@ -5,7 +5,7 @@
  * Writes LabelValue into every voxel whose center is inside the surface and 0 into all others. The
  * label map has the extent, origin, spacing and direction of a reference image, even if its axes
  * are permuted, oblique or left-handed: the surface is brought into the image's index space and
- * converted row by row, exactly to rounding. Of two surfaces that share a wall, each voxel belongs
+ * converted row by row, exact up to rounding. Of two surfaces that share a wall, each voxel belongs
  * to exactly one, even where the wall runs through voxel centers. Where a self-intersecting surface
  * overlaps itself, the overlap is inside. What lies beyond the image is cut off.
  *
@@ -22,7 +22,7 @@
  * coordinate that is not finite, or not closed and consistently oriented; an image without voxels,
  * with a spacing that is not positive, or with a singular direction matrix.
  *
- * @sa vtkPolyDataToImageStencil, which knows no direction matrix.
+ * @sa vtkPolyDataToImageStencil, which does not support direction matrices.
  */
 #ifndef vtkSurfaceToLabelMap_h
 #define vtkSurfaceToLabelMap_h

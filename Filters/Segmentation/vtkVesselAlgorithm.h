@@ -3,13 +3,13 @@
  * @brief   superclass of filters that follow a vessel between points
  *
  * Holds the image, the points, and what is known about the vessel in advance. The points lie in the
- * vessel: one at either end, more on its way or at the ends of its branches, in any order. The two
- * that are closest to each other, by travel time through gray values like those at the points, are
+ * vessel: one at each end, more along it or at the ends of its branches, in any order. The two that
+ * are closest to each other, by travel time through gray values like those at the points, are
  * joined first; then the next point is joined to the existing path, and so on. A point 5 mm off
  * does little harm.
  *
  * Input port 0: vtkImageData with one scalar component of any type; coordinates are the image's
- * physical millimeters, the direction matrix is honored.
+ * physical millimeters, and the direction matrix is honored.
  *
  * Errors: no scalars, several components, an empty image, voxels that are not finite within 60 mm
  * of the points' bounding box, fewer than two points, a point outside the image, two points closer
@@ -50,7 +50,7 @@ public:
   /**
    * The vessel's approximate radius, in millimeters. Default 0: found in the image; 0 to 100. It
    * helps where a path strays into a wider or thinner neighbor. Below 7 mm, the search is for a
-   * thin vessel, brighter than its surroundings; otherwise, for a wide one, which is also sought
+   * thin vessel, brighter than its surroundings; otherwise, it is for a wide one, and extends
    * farther from the points, up to 120 mm, if the image does not support the path found near them.
    */
   void SetRadius(double value);
@@ -59,8 +59,9 @@ public:
 
   ///@{
   /**
-   * Added to the outline, in millimeters: the gray values show the vessel's lumen. Default 0.3; -5
-   * to 5. Readers draw an aorta with its wall, 0.7 mm or so, and veins nearly without.
+   * What is added to the outline, in millimeters, since the gray values show the vessel's lumen.
+   * Default 0.3; -5 to 5. Human readers draw an aorta with its wall, 0.7 mm or so, and veins almost
+   * without.
    */
   void SetWallThickness(double value);
   double GetWallThickness() const;

@@ -424,6 +424,17 @@ TEST(SegmentationMetrics, FillTheTable)
   EXPECT_EQ(table->GetValueByName(0, "DistanceOf").ToString(), "mesh");
 }
 
+TEST(SegmentationMetrics, AreSummedUpOnceThereAreAny)
+{
+  vtkNew<vtkSegmentationMetrics> metrics;
+  EXPECT_EQ(metrics->GetSummary(), "");
+  metrics->SetInputData(LabelMapOf(Sphere(6, Center, 9), Grid()));
+  metrics->SetReferenceData(LabelMapOf(Sphere(6, Center, 10), Grid()));
+  EXPECT_EQ(metrics->GetSummary(), "");
+  metrics->Update();
+  EXPECT_NE(metrics->GetSummary().find("Dice"), std::string::npos) << metrics->GetSummary();
+}
+
 TEST(SegmentationMetrics, DoNotDependOnThreads)
 {
   const auto segmentation = PolyDataOf(Sphere(12, Center, 16));
@@ -454,6 +465,7 @@ TEST(SegmentationMetrics, StopWhenAborted)
   }
   EXPECT_EQ(metrics->GetOutput()->GetNumberOfRows(), 0);
   EXPECT_TRUE(std::isnan(metrics->GetDice()));
+  EXPECT_EQ(metrics->GetSummary(), "");
   metrics->SetSampleSpacing(2);
   metrics->Update();
   EXPECT_EQ(metrics->GetOutput()->GetNumberOfRows(), 1);
@@ -540,6 +552,7 @@ protected:
     EXPECT_TRUE(std::isnan(this->Metrics->GetDice()));
     EXPECT_TRUE(std::isnan(this->Metrics->GetASD()));
     EXPECT_EQ(this->Metrics->GetDistanceOf(), "");
+    EXPECT_EQ(this->Metrics->GetSummary(), "");
   }
 
   vtkNew<vtkSegmentationMetrics> Metrics;

@@ -90,6 +90,14 @@ inline BitMask BitsOf(const std::vector<unsigned char>& mask, const ImageGeometr
     [](unsigned char voxel) { return voxel != 0; }, SerialFor);
 }
 
+/// A byte for each voxel of the grid: 1 for those of the set.
+inline std::vector<unsigned char> BytesOf(const BitMask& mask)
+{
+  std::vector<unsigned char> bytes(mask.GetGeometry().NumberOfVoxels(), 0);
+  mask.ForEach([&bytes](std::size_t voxel) { bytes[voxel] = 1; });
+  return bytes;
+}
+
 /// The square of the distance from a voxel to the nearest one of the value `target`.
 inline double SquareToNearest(const std::vector<unsigned char>& mask, const ImageGeometry& geometry,
   unsigned char target, const Eigen::Vector3d& index)

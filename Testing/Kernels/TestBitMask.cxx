@@ -78,6 +78,10 @@ TEST(BitMask, RunsOfEveryPlaceAndLength)
         expected.Insert(i, 1, 0);
       }
       ASSERT_EQ(run, expected) << begin << " to " << end;
+      const auto length = static_cast<std::size_t>(end - begin);
+      ASSERT_EQ(run.CountRun(0, 130, 1, 0), length);
+      ASSERT_EQ(run.CountRun(begin, end, 1, 0), length);
+      ASSERT_EQ(run.CountRun(0, begin, 1, 0) + run.CountRun(end, 130, 1, 0), 0U);
       BitMask rest(geometry);
       rest.Complement();
       rest.RemoveRun(begin, end, 1, 0);
@@ -128,5 +132,10 @@ TEST(BitMask, ComplementAndRemovalStayWithinTheRows)
     BitMask difference = BitsOf(a, geometry);
     difference.Remove(BitsOf(b, geometry));
     EXPECT_EQ(difference, BitsOf(onlyA, geometry));
+    BitMask onlyB = BitsOf(b, geometry);
+    onlyB.Remove(BitsOf(a, geometry));
+    difference.Unite(onlyB);
+    EXPECT_EQ(DifferenceOf(BitsOf(a, geometry), BitsOf(b, geometry)), difference);
+    EXPECT_EQ(BitMask(geometry, difference.GetWords()), difference);
   }
 }

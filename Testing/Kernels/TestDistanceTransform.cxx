@@ -29,6 +29,8 @@ TEST(DistanceTransform, IsTheBruteForceDistance)
             ASSERT_NEAR(distance[geometry.Offset(i, j, k)], expected, 1e-5 * expected);
           });
         EXPECT_EQ(SquaredDistance(mask, geometry, target, ScatteredFor, NeverStop), distance);
+        EXPECT_EQ(SquaredDistance(BitsOf(mask, geometry), target == 1, ScatteredFor, NeverStop),
+          distance);
       }
     }
   }

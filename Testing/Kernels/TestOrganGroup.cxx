@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <memory>
 #include <random>
 #include <string>
 
@@ -273,6 +274,33 @@ TEST(OrganGroup, StopsWheneverItIsTold)
       EXPECT_EQ(organ.Organ.Reason, StopReason::Aborted) << stop;
       EXPECT_TRUE(organ.Voxels.empty());
     }
+  }
+}
+
+TEST(OrganGroup, StartsAgainAfterAnAbort)
+{
+  const TouchingBalls balls;
+  VolumeSegmentationSettings brief = TouchingBalls::Coarse();
+  brief.Method.Schedule.Resolution = 8;
+  brief.Method.Schedule.MaximumIterations = 3;
+  const auto make = [&]
+  {
+    return std::make_unique<OrganGroup>(balls.Gray(), "it", balls.Organs(),
+      std::vector<FixedSurface>(), brief, Threading());
+  };
+  int questions = 0;
+  const std::vector<VolumeSegmentation> expected = make()->Segment(
+    { {}, {} }, [&questions](double) { return ++questions > 0; }, Ignore);
+  for (const int stop : { 1, questions / 4, questions / 2, questions })
+  {
+    const auto group = make();
+    int asked = 0;
+    group->Segment(
+      { {}, {} }, [&asked, stop](double) { return ++asked < stop; }, Ignore);
+    ASSERT_EQ(asked, stop);
+    const std::vector<VolumeSegmentation> again = group->Segment({ {}, {} }, NeverStop, Ignore);
+    EXPECT_EQ(again[0].Organ.Points, expected[0].Organ.Points) << stop;
+    EXPECT_EQ(again[1].Organ.Points, expected[1].Organ.Points) << stop;
   }
 }
 

@@ -91,6 +91,39 @@ OrganAnswer RunOnce(OrganRuns& runs, const OrganRequest& request)
   return runs.Segment(request, NeverStop, nullptr);
 }
 
+// Stops at the question of that number, counted from 1.
+Monitor StopAt(int question)
+{
+  return [left = question](double) mutable { return --left > 0; };
+}
+
+// Calls run(monitor) and returns how often it asked.
+template <typename Run>
+int QuestionsOf(const Run& run)
+{
+  int questions = 0;
+  run([&questions](double) { return ++questions > 0; });
+  return questions;
+}
+
+std::vector<int> SomeOf(int questions)
+{
+  return { 1, questions / 4, questions / 2, 3 * questions / 4, questions };
+}
+
+void ExpectSame(const VolumeSegmentation& one, const VolumeSegmentation& other)
+{
+  EXPECT_EQ(one.Organ.Reason, other.Organ.Reason);
+  EXPECT_EQ(one.Organ.Points, other.Organ.Points);
+  EXPECT_EQ(one.Organ.Mesh.Faces.Connectivity, other.Organ.Mesh.Faces.Connectivity);
+  EXPECT_EQ(one.Organ.Iterations.size(), other.Organ.Iterations.size());
+  EXPECT_EQ(one.Organ.Unanimity, other.Organ.Unanimity);
+  EXPECT_EQ(CountVoxels(one.Voxels), CountVoxels(other.Voxels));
+  EXPECT_EQ(one.Confidence.OfSurface, other.Confidence.OfSurface);
+  EXPECT_EQ(one.Confidence.OfVertices, other.Confidence.OfVertices);
+  EXPECT_EQ(one.Warnings, other.Warnings);
+}
+
 template <typename Call>
 void ExpectRefusalWith(const std::string& words, const Call& call)
 {
@@ -292,6 +325,52 @@ TEST(OrganRequest, ShowsIterationsWhoseHistoryIsKept)
   }
 }
 
+TEST(OrganRequest, GivesTheSameAfterAnAbort)
+{
+  const AskedBall ball;
+  const OrganRequest request = ball.Request();
+  OrganRuns fresh = ball.Runs();
+  const VolumeSegmentation expected = RunOnce(fresh, request).Result;
+  fresh.Release();
+  const int questions =
+    QuestionsOf([&](const Monitor& monitor) { fresh.Segment(request, monitor, nullptr); });
+  ASSERT_GT(questions, 20);
+  for (const int stop : SomeOf(questions))
+  {
+    SCOPED_TRACE(stop);
+    OrganRuns runs = ball.Runs();
+    const VolumeSegmentation aborted = runs.Segment(request, StopAt(stop), nullptr).Result;
+    EXPECT_EQ(aborted.Organ.Reason, StopReason::Aborted);
+    EXPECT_TRUE(aborted.Voxels.empty());
+    ExpectSame(RunOnce(runs, request).Result, expected);
+  }
+}
+
+TEST(OrganRequest, GivesTheSameAfterAnAbortOfACorrection)
+{
+  const AskedBall ball;
+  const OrganRequest plain = ball.Request();
+  OrganRequest corrected = plain;
+  corrected.Constraints = { { ConstraintKind::Outside, { 35, 35, 46 }, 0 } };
+  OrganRuns fresh = ball.Runs();
+  const VolumeSegmentation expected = RunOnce(fresh, corrected).Result;
+  OrganRuns kept = ball.Runs();
+  const VolumeSegmentation free = RunOnce(kept, plain).Result;
+  const int questions =
+    QuestionsOf([&](const Monitor& monitor) { kept.Segment(corrected, monitor, nullptr); });
+  ASSERT_GT(questions, 4);
+  for (const int stop : SomeOf(questions))
+  {
+    SCOPED_TRACE(stop);
+    OrganRuns runs = ball.Runs();
+    RunOnce(runs, plain);
+    EXPECT_EQ(runs.Segment(corrected, StopAt(stop), nullptr).Result.Organ.Reason,
+      StopReason::Aborted);
+    ExpectSame(RunOnce(runs, corrected).Result, expected);
+    ExpectSame(RunOnce(runs, plain).Result, free);
+  }
+}
+
 TEST(GroupRequest, IsChecked)
 {
   const AskedBall ball;
@@ -340,5 +419,32 @@ TEST(GroupRequest, IsThatOfTheGroup)
          "\"seed\":{\"center\":[42,42,35],\"radius\":6}", "\"fixed\":[\"\"]" })
   {
     EXPECT_NE(answer.Provenance.find(words), std::string::npos) << words;
+  }
+}
+
+TEST(GroupRequest, GivesTheSameAfterAnAbort)
+{
+  const AskedBall ball;
+  const GroupRequest request = ball.Pair();
+  const auto segment = [&](const Monitor& monitor)
+  { return SegmentGroup(ball.Gray(), "it", request, {}, monitor); };
+  const GroupAnswer expected = segment(NeverStop);
+  const int questions = QuestionsOf(segment);
+  ASSERT_GT(questions, 20);
+  for (const int stop : SomeOf(questions))
+  {
+    SCOPED_TRACE(stop);
+    for (const VolumeSegmentation& aborted : segment(StopAt(stop)).Results)
+    {
+      EXPECT_EQ(aborted.Organ.Reason, StopReason::Aborted);
+      EXPECT_TRUE(aborted.Voxels.empty());
+    }
+    const GroupAnswer again = segment(NeverStop);
+    ASSERT_EQ(again.Results.size(), expected.Results.size());
+    for (std::size_t organ = 0; organ < expected.Results.size(); ++organ)
+    {
+      ExpectSame(again.Results[organ], expected.Results[organ]);
+    }
+    EXPECT_EQ(again.Provenance, expected.Provenance);
   }
 }

@@ -59,6 +59,50 @@ std::string BashWords(const OptionEntry& option)
   return IsFile(option) ? "-f" : IsFolder(option) ? "-d" : "";
 }
 
+/// Cases that tell subcommands, and options whose values follow.
+void AddBashOptions(std::ostringstream& script, const std::vector<CommandEntry>& table)
+{
+  for (std::size_t command = 1; command < table.size(); ++command)
+  {
+    script << "      :" << table[command].Name << ") command=" << table[command].Name << " ;;\n";
+    for (const OptionEntry& option : table[command].Options)
+    {
+      if (!option.Values.empty())
+      {
+        std::string pattern;
+        for (const std::string& name : option.Names)
+        {
+          pattern += (pattern.empty() ? "" : " | ") + table[command].Name + ":" + name;
+        }
+        script << "      " << pattern << ") left=" << option.Values.size() << " values=\""
+               << BashWords(option) << "\" ;;\n";
+      }
+    }
+  }
+}
+
+/// Cases that list the options and positionals of a subcommand, and what there is before one.
+void AddBashWords(std::ostringstream& script, const std::vector<CommandEntry>& table)
+{
+  for (std::size_t command = 1; command < table.size(); ++command)
+  {
+    script << "    " << table[command].Name << ")\n      options='" << NamesOf(table[command])
+           << "'\n      positionals=(";
+    const char* separator = "";
+    for (const OptionEntry& option : table[command].Positionals)
+    {
+      script << separator << '"' << BashWords(option) << '"';
+      separator = " ";
+    }
+    script << ")\n      ;;\n";
+  }
+  script << "    *)\n      options='" << NamesOf(table.front()) << "'\n      positionals=(\"-W '"
+         << SubcommandsOf(table)
+         << "'\")\n"
+            "      given=0\n"
+            "      ;;\n";
+}
+
 /// Escapes text for single quotes, within which _arguments interprets brackets and colons.
 std::string ZshText(const std::string& text)
 {
@@ -123,46 +167,14 @@ std::string BashCompletion(const std::vector<CommandEntry>& table)
             "    fi\n"
             "    values=''\n"
             "    case $command:$word in\n";
-  for (std::size_t command = 1; command < table.size(); ++command)
-  {
-    script << "      :" << table[command].Name << ") command=" << table[command].Name << " ;;\n";
-    for (const OptionEntry& option : table[command].Options)
-    {
-      if (!option.Values.empty())
-      {
-        std::string pattern;
-        for (const std::string& name : option.Names)
-        {
-          pattern += (pattern.empty() ? "" : " | ") + table[command].Name + ":" + name;
-        }
-        script << "      " << pattern << ") left=" << option.Values.size() << " values=\""
-               << BashWords(option) << "\" ;;\n";
-      }
-    }
-  }
+  AddBashOptions(script, table);
   script << "      *:-*) ;;\n"
             "      *) given=$((given + 1)) ;;\n"
             "    esac\n"
             "  done\n"
             "  case $command in\n";
-  for (std::size_t command = 1; command < table.size(); ++command)
-  {
-    script << "    " << table[command].Name << ")\n      options='" << NamesOf(table[command])
-           << "'\n      positionals=(";
-    const char* separator = "";
-    for (const OptionEntry& option : table[command].Positionals)
-    {
-      script << separator << '"' << BashWords(option) << '"';
-      separator = " ";
-    }
-    script << ")\n      ;;\n";
-  }
-  script << "    *)\n      options='" << NamesOf(table.front()) << "'\n      positionals=(\"-W '"
-         << SubcommandsOf(table)
-         << "'\")\n"
-            "      given=0\n"
-            "      ;;\n"
-            "  esac\n"
+  AddBashWords(script, table);
+  script << "  esac\n"
             "  COMPREPLY=()\n"
             "  if ((left == 0)); then\n"
             "    if [[ $current == -* || -z ${positionals[given]:-} ]]; then\n"

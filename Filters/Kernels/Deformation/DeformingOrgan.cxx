@@ -4,7 +4,6 @@
 #include "Intensity/OrganCarving.h"
 #include "Stopwatch.h"
 
-#include <algorithm>
 #include <utility>
 
 namespace FlipFree
@@ -12,8 +11,6 @@ namespace FlipFree
 namespace
 {
 
-// The iterations over which the mean distance must fall.
-constexpr std::size_t ChangeSpan = 5;
 // A surface that still finds new parts of the boundary is not at rest, even where its mean distance
 // to the targets grows: new by this fraction of its vertices.
 constexpr double Growth = 0.01;
@@ -86,9 +83,9 @@ bool DeformingOrgan::CorrectForeground(const ConstraintList& constraints, const 
   return done;
 }
 
-void DeformingOrgan::SettleForeground(const BitMask& mask)
+void DeformingOrgan::SettleForeground(BitMask mask)
 {
-  this->Foreground.SetMask(mask);
+  this->Foreground.SetMask(std::move(mask));
   this->Settled = true;
 }
 
@@ -106,8 +103,7 @@ void DeformingOrgan::BeginAt(const DeformableSurface& start, int firstLevel,
     this->OrganRadius = RadiusOf(this->Foreground.GetMask(), this->Seed);
   }
   this->Ends.clear();
-  this->Mobility.resize(0);
-  this->MobileParts.clear();
+  this->Mobile.reset();
   this->Enforcer.reset();
   if (!constraints.empty())
   {
@@ -119,8 +115,8 @@ void DeformingOrgan::BeginAt(const DeformableSurface& start, int firstLevel,
 
 void DeformingOrgan::StayIn(const UnchangedPlaces& places)
 {
-  this->Mobility = Eigen::VectorXd::Ones(this->Surface.Points.rows()) -
-    places.WeightsOf(this->Surface.Points, this->Parallel);
+  this->Mobile.emplace(Eigen::VectorXd::Ones(this->Surface.Points.rows()) -
+    places.WeightsOf(this->Surface.Points, this->Parallel));
 }
 
 void DeformingOrgan::BeginLevel(int level)
@@ -128,7 +124,10 @@ void DeformingOrgan::BeginLevel(int level)
   this->Level = level;
   this->Surface.Reason = StopReason::NotRun;
   this->Reports.clear();
-  this->FindMobileParts();
+  if (this->Mobile)
+  {
+    this->Mobile->BeginLevel(this->Surface.Mesh);
+  }
   this->Hulls.reset();
   if (this->Enforcer)
   {
@@ -166,73 +165,12 @@ PointList DeformingOrgan::FindMotion()
       return FlipFree::FindMotion(*this->Solver, this->Settings.Step, this->Surface.Points,
         this->Surface.Field, this->Record.Step);
     });
-  if (this->Mobility.size() > 0)
+  if (this->Mobile)
   {
-    this->MeasureMobileParts();
-    motion = this->Mobility.asDiagonal() * motion;
-    for (const MobilePart& part : this->MobileParts)
-    {
-      if (part.IsAtRest)
-      {
-        for (const int vertex : part.Vertices)
-        {
-          motion.row(vertex).setZero();
-        }
-      }
-    }
+    this->Record.Targets.MeanDistance = this->Mobile->MeasureDistances(this->Surface.Field);
+    this->Mobile->Restrict(motion);
   }
   return motion;
-}
-
-void DeformingOrgan::FindMobileParts()
-{
-  this->MobileParts.clear();
-  std::vector<bool> visited(this->Mobility.size(), false);
-  for (int first = 0; first < this->Mobility.size(); ++first)
-  {
-    if (visited[first] || !(this->Mobility[first] > 0))
-    {
-      continue;
-    }
-    visited[first] = true;
-    std::vector<int> part{ first };
-    for (std::size_t next = 0; next < part.size(); ++next)
-    {
-      for (const int neighbor : this->Surface.Mesh.Neighbors[part[next]])
-      {
-        if (!visited[neighbor] && this->Mobility[neighbor] > 0)
-        {
-          visited[neighbor] = true;
-          part.push_back(neighbor);
-        }
-      }
-    }
-    this->MobileParts.push_back({ std::move(part), {}, false });
-  }
-}
-
-// The rest of the surface is at rest, and would hide that they are not.
-void DeformingOrgan::MeasureMobileParts()
-{
-  double sumOfAll = 0;
-  double countOfAll = 0;
-  for (MobilePart& part : this->MobileParts)
-  {
-    double sum = 0;
-    double count = 0;
-    for (const int vertex : part.Vertices)
-    {
-      if (this->Surface.Field.States[vertex] != VertexState::Solitary)
-      {
-        sum += this->Mobility[vertex] * this->Surface.Field.Displacements.row(vertex).norm();
-        count += this->Mobility[vertex];
-      }
-    }
-    part.Distances.push_back(count > 0 ? sum / count : 0);
-    sumOfAll += sum;
-    countOfAll += count;
-  }
-  this->Record.Targets.MeanDistance = countOfAll > 0 ? sumOfAll / countOfAll : 0;
 }
 
 void DeformingOrgan::Move(PointList points, int guarded, double guardSeconds)
@@ -243,23 +181,11 @@ void DeformingOrgan::Move(PointList points, int guarded, double guardSeconds)
   this->Surface.Iterations.push_back(this->Record);
   this->Observe(this->Surface.Mesh, this->Surface.Points, this->Surface.Field, this->Record);
   this->Reports.push_back(this->Record.Targets);
-  for (MobilePart& part : this->MobileParts)
+  if (this->Mobile)
   {
-    part.IsAtRest = part.IsAtRest || this->Rests(part.Distances);
+    this->Mobile->FindThoseAtRest(this->Settings.Schedule, this->Voxel);
   }
   this->Surface.Reason = this->ReasonToStop();
-}
-
-bool DeformingOrgan::Rests(const std::vector<double>& distances) const
-{
-  const ScheduleSettings& schedule = this->Settings.Schedule;
-  if (distances.back() < this->Voxel * schedule.DistanceTolerance)
-  {
-    return true;
-  }
-  return schedule.ChangeTolerance >= 0 && distances.size() > ChangeSpan &&
-    distances[distances.size() - 1 - ChangeSpan] - distances.back() <
-    this->Voxel * schedule.ChangeTolerance;
 }
 
 // NotRun: the level goes on.
@@ -271,21 +197,20 @@ StopReason DeformingOrgan::ReasonToStop() const
   {
     return StopReason::NoBoundaryFound;
   }
-  if (this->Mobility.size() > 0)
+  if (this->Mobile)
   {
-    const bool isAtRest = std::all_of(this->MobileParts.begin(), this->MobileParts.end(),
-      [](const MobilePart& part) { return part.IsAtRest; });
-    return isAtRest ? StopReason::AtRest : StopReason::NotRun;
+    return this->Mobile->AreAllAtRest() ? StopReason::AtRest : StopReason::NotRun;
   }
   if (now.MeanDistance < this->Voxel * schedule.DistanceTolerance)
   {
     return StopReason::DistanceBelowTolerance;
   }
-  if (schedule.ChangeTolerance < 0 || this->Reports.size() <= ChangeSpan)
+  const std::size_t span = ScheduleSettings::ChangeSpan;
+  if (schedule.ChangeTolerance < 0 || this->Reports.size() <= span)
   {
     return StopReason::NotRun;
   }
-  const TargetReport& before = this->Reports[this->Reports.size() - 1 - ChangeSpan];
+  const TargetReport& before = this->Reports[this->Reports.size() - 1 - span];
   const bool grows = now.Matched - before.Matched > Growth * this->Surface.Mesh.NumberOfPoints();
   const bool rests =
     before.MeanDistance - now.MeanDistance < this->Voxel * schedule.ChangeTolerance;
@@ -336,11 +261,9 @@ bool DeformingOrgan::FinishConstraints(bool isLast, const GuardedStep& step, con
       return isLast ? this->Enforcer->Finish(surface.Mesh, hulls, step, monitor, surface.Points)
                     : this->Enforcer->PullBack(surface.Mesh, hulls, step, monitor, surface.Points);
     });
-  // What has been pulled must find the boundary again.
-  for (Eigen::Index vertex = 0; vertex < this->Mobility.size(); ++vertex)
+  if (this->Mobile)
   {
-    const double pulled = (surface.Points.row(vertex) - before.row(vertex)).norm() / this->Voxel;
-    this->Mobility[vertex] = std::max(this->Mobility[vertex], std::min(1.0, 4 * pulled));
+    this->Mobile->FreePulled(before, surface.Points, this->Voxel);
   }
   return done;
 }

@@ -7,6 +7,7 @@
 #define FlipFreeDeformingOrgan_h
 
 #include "Deformation/ConstraintEnforcer.h"
+#include "Deformation/MobileComponents.h"
 #include "Deformation/OrganSegmentation.h"
 #include "Deformation/StartSurface.h"
 #include "Deformation/UnchangedPlaces.h"
@@ -34,6 +35,9 @@ public:
   /// smoothing.
   DeformingOrgan(SmoothRegion& region, double noise, const SeedSphere& seed,
     const OrganSegmentationSettings& settings, const ParallelFor& parallelFor);
+  // Neither copied nor moved: the foreground refers to this object's seed and settings.
+  DeformingOrgan(const DeformingOrgan&) = delete;
+  DeformingOrgan& operator=(const DeformingOrgan&) = delete;
 
   /// What errors of a run name the organ by, in front; none by default.
   void SetName(const std::string& name) { this->Name = name; }
@@ -51,7 +55,7 @@ public:
   /// Corrects the foreground by constraints (ForegroundCorrection.h).
   bool CorrectForeground(const ConstraintList& constraints, const Monitor& monitor);
   /// Takes a foreground from elsewhere, which is settled.
-  void SettleForeground(const BitMask& mask);
+  void SettleForeground(BitMask mask);
   /// Levels find no further foreground.
   bool IsSettled() const { return this->Settled; }
   GrowingForeground& GetForeground() { return this->Foreground; }
@@ -92,9 +96,6 @@ public:
 
 private:
   StopReason ReasonToStop() const;
-  bool Rests(const std::vector<double>& distances) const;
-  void FindMobileParts();
-  void MeasureMobileParts();
   template <typename Call>
   auto Naming(const Call& call) const
   {
@@ -117,17 +118,7 @@ private:
   ConstraintList Constraints;
   std::optional<ConstraintEnforcer> Enforcer;
   std::vector<EndSurface> Ends;
-  Eigen::VectorXd Mobility; // of the vertices, 0 to 1; empty if all may move
-
-  // Vertices that may move and hang together. Each part comes to rest by itself, so that what
-  // happens in one does not change another.
-  struct MobilePart
-  {
-    std::vector<int> Vertices;
-    std::vector<double> Distances; // means, by iteration
-    bool IsAtRest = false;
-  };
-  std::vector<MobilePart> MobileParts;
+  std::optional<MobileComponents> Mobile; // none if all may move freely
   IterationObserver Observe;
   int FirstLevel = 0;
 

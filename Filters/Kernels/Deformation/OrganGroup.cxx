@@ -42,9 +42,19 @@ void RequireSettings(const OrganSegmentationSettings& method)
 
 struct OrganGroup::Member
 {
-  std::size_t Index; // in the order of the caller
-  std::string Name;
-  SeedSphere Seed;
+  Member(std::size_t index, const SeededOrgan& organ, const GrayVolume& volume,
+    const std::string& volumeName, const VolumeSegmentationSettings& settings,
+    const Threading& threading)
+    : Index(index)
+    , Name(organ.Name)
+    , Seed(organ.Seed)
+    , Segmenter(volume, volumeName, organ.Seed, nullptr, settings, threading)
+  {
+  }
+
+  const std::size_t Index; // in the order of the caller
+  const std::string Name;
+  const SeedSphere Seed;
   VolumeSegmenter Segmenter;
 
   // Of the present call.
@@ -111,12 +121,7 @@ OrganGroup::OrganGroup(const GrayVolume& volume, const std::string& name,
   {
     const SeededOrgan& organ = organs[index];
     this->Members.push_back(NamingSurface(organ.Name,
-      [&]
-      {
-        return std::make_unique<Member>(Member{ index, organ.Name, organ.Seed,
-          VolumeSegmenter(volume, name, organ.Seed, nullptr, settings, threading), {}, {}, {},
-          nullptr, 0 });
-      }));
+      [&] { return std::make_unique<Member>(index, organ, volume, name, settings, threading); }));
   }
   std::sort(this->Members.begin(), this->Members.end(),
     [](const auto& one, const auto& two)
@@ -213,8 +218,8 @@ bool OrganGroup::Divide(const Monitor& monitor)
     {
       return false;
     }
-    const ImageGeometry& region = foreground.GetMask().GetGeometry();
-    claims.push_back({ foreground.GetMask(), foreground.GetImage(),
+    const ImageGeometry region = foreground.GetMask().GetGeometry();
+    claims.push_back({ foreground.TakeMask(), foreground.GetImage(),
       member->Segmenter.GetBox().Begin, member->Seed, member->Constraints,
       member->Segmenter.GetNoise(), this->Fixed.empty() ? BitMask() : this->FixedVoxels(region) });
   }
@@ -225,7 +230,7 @@ bool OrganGroup::Divide(const Monitor& monitor)
   }
   for (std::size_t index = 0; index < claims.size(); ++index)
   {
-    this->Members[index]->Organ().SettleForeground(claims[index].Mask);
+    this->Members[index]->Organ().SettleForeground(std::move(claims[index].Mask));
   }
   return true;
 }
@@ -322,8 +327,7 @@ void OrganGroup::RequireDisjoint(const std::vector<VolumeSegmentation>& results)
   }
 }
 
-std::vector<VolumeSegmentation> OrganGroup::Segment(const std::vector<ConstraintList>& constraints,
-  const Monitor& monitor, const GroupObserver& observer)
+void OrganGroup::TakeConstraints(const std::vector<ConstraintList>& constraints)
 {
   if (constraints.size() != this->Members.size())
   {
@@ -342,6 +346,38 @@ std::vector<VolumeSegmentation> OrganGroup::Segment(const std::vector<Constraint
       });
   }
   this->RequirePointsApart(constraints);
+}
+
+// The surface of a member, its voxels, and what may be wrong with it; all seconds but those of the
+// deformation, which all members share.
+VolumeSegmentation OrganGroup::Finish(Member& member) const
+{
+  Stopwatch watch;
+  VolumeSegmentation result;
+  OrganSurface& organ = result.Organ;
+  organ = std::move(member.Organ().GetSurface());
+  organ.SmoothingSeconds =
+    member.Organ().GetForeground().GetSmoothingSeconds() - member.SmoothedBefore;
+  organ.FeatureSeconds -= organ.SmoothingSeconds;
+  organ.SelfIntersections =
+    CountSelfIntersections(organ.Points, organ.Mesh.Faces, this->Threads.For);
+  result.StageSeconds[0] = organ.SmoothingSeconds;
+  result.StageSeconds[1] = organ.FeatureSeconds;
+  watch.Lap();
+  member.Naming(
+    [&]
+    {
+      member.Segmenter.Judge(member.Constraints, result);
+      return true;
+    });
+  result.StageSeconds[3] = watch.Lap();
+  return result;
+}
+
+std::vector<VolumeSegmentation> OrganGroup::Segment(const std::vector<ConstraintList>& constraints,
+  const Monitor& monitor, const GroupObserver& observer)
+{
+  this->TakeConstraints(constraints);
   bool stopped = false;
   const Monitor ask = [&](double fraction)
   {
@@ -350,34 +386,20 @@ std::vector<VolumeSegmentation> OrganGroup::Segment(const std::vector<Constraint
   };
   Stopwatch watch;
   const bool done = this->Run(ask, observer) && !stopped;
-  std::vector<VolumeSegmentation> results(this->Members.size());
   double seconds = watch.Lap();
+  std::vector<VolumeSegmentation> results(this->Members.size());
   for (const auto& member : this->Members)
   {
     VolumeSegmentation& result = results[member->Index];
-    if (!done)
+    if (done)
     {
-      result.Organ.Reason = StopReason::Aborted;
+      result = this->Finish(*member);
+      seconds -= result.StageSeconds[0] + result.StageSeconds[1];
       continue;
     }
-    OrganSurface& organ = result.Organ;
-    organ = std::move(member->Organ().GetSurface());
-    organ.SmoothingSeconds =
-      member->Organ().GetForeground().GetSmoothingSeconds() - member->SmoothedBefore;
-    organ.FeatureSeconds -= organ.SmoothingSeconds;
-    organ.SelfIntersections =
-      CountSelfIntersections(organ.Points, organ.Mesh.Faces, this->Threads.For);
-    result.StageSeconds[0] = organ.SmoothingSeconds;
-    result.StageSeconds[1] = organ.FeatureSeconds;
-    seconds -= organ.SmoothingSeconds + organ.FeatureSeconds;
-    watch.Lap();
-    member->Naming(
-      [&]
-      {
-        member->Segmenter.Judge(member->Constraints, result);
-        return true;
-      });
-    result.StageSeconds[3] = watch.Lap();
+    result.Organ.Reason = StopReason::Aborted;
+    member->Levels = nullptr;
+    member->Segmenter.Release(); // it may be half smoothed
   }
   for (VolumeSegmentation& result : results)
   {

@@ -52,17 +52,19 @@ public:
   /// One list of constraints and one result per organ, in the order of the organs. Throws as the
   /// constructor does, also for a point of one organ in a seed of another or in a fixed surface,
   /// and where a constraint cannot be obeyed; std::logic_error if surfaces should meet all the
-  /// same. A stop by the monitor gives results that are aborted.
+  /// same. A stop by the monitor gives results that are aborted, and nothing is kept.
   std::vector<VolumeSegmentation> Segment(const std::vector<ConstraintList>& constraints,
     const Monitor& monitor, const GroupObserver& observer);
 
 private:
   struct Member;
   void RequirePointsApart(const std::vector<ConstraintList>& constraints) const;
+  void TakeConstraints(const std::vector<ConstraintList>& constraints);
   void FindPointsOfOthers(Member& member) const;
   BitMask FixedVoxels(const ImageGeometry& region) const;
   bool Divide(const Monitor& monitor);
   bool Run(const Monitor& monitor, const GroupObserver& observer);
+  VolumeSegmentation Finish(Member& member) const;
   void RequireDisjoint(const std::vector<VolumeSegmentation>& results) const;
 
   const ImageGeometry Geometry;

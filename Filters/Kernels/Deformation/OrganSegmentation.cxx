@@ -222,9 +222,8 @@ bool OrganSegmenter::RunLevels(const ConstraintList& constraints, const Deformab
 
 EndSurface OrganSegmenter::FreeSurfaceFor(const ConstraintList& constraints) const
 {
-  const BitMask changed =
-    DifferenceOf(this->Kept->Carved, this->Kept->Organ.GetForeground().GetMask());
-  const auto places = std::make_shared<const UnchangedPlaces>(changed, constraints);
+  const auto places = std::make_shared<const UnchangedPlaces>(
+    DifferenceOf(this->Kept->Carved, this->Kept->Organ.GetForeground().GetMask()), constraints);
   return { &this->Kept->Free,
     [places, this](const PointList& points) { return places->WeightsOf(points, this->Parallel); } };
 }
@@ -333,12 +332,12 @@ bool OrganSegmenter::JoinDeepSurfaces(const DeformableSurface* start, const Moni
 }
 
 // From the surface without constraints, which moves only where these have changed the foreground.
-bool OrganSegmenter::RunCorrection(const ConstraintList& constraints,
+// `corrected` is the foreground by all constraints.
+bool OrganSegmenter::RunCorrection(const BitMask& corrected, const ConstraintList& constraints,
   const DeformableSurface* start, const Monitor& monitor, const IterationObserver& observer)
 {
   State& kept = *this->Kept;
   DeformingOrgan& organ = kept.Organ;
-  const BitMask corrected = organ.GetForeground().GetMask();
   std::vector<IterationRecord> iterations = organ.GetSurface().Iterations;
   // Refuses outside points in the start.
   this->Begin(constraints, start, OutsidePoints::InTheLastLevel, observer);
@@ -371,7 +370,7 @@ bool OrganSegmenter::RunCorrection(const ConstraintList& constraints,
       return std::none_of(parts.begin(), parts.end(),
         [&](const DeepPart& part) { return IsNear(constraint, part.Voxels); });
     });
-  return this->RunLastLevel(base, constraints, { changed, shallow },
+  return this->RunLastLevel(base, constraints, { std::move(changed), shallow },
     FlipFree::PartOf(monitor, 0.8, 1), observer);
 }
 
@@ -383,11 +382,11 @@ bool OrganSegmenter::RunSecond(const ConstraintList& constraints, const Deformab
   {
     return this->RunLast(constraints, start, monitor, observer);
   }
-  const BitMask corrected = kept.Organ.GetForeground().GetMask();
+  BitMask corrected = kept.Organ.GetForeground().GetMask();
   const std::vector<IterationRecord> before = kept.Organ.GetSurface().Iterations;
   try
   {
-    return this->RunCorrection(constraints, start, monitor, observer);
+    return this->RunCorrection(corrected, constraints, start, monitor, observer);
   }
   catch (const Error& error)
   {
@@ -396,7 +395,7 @@ bool OrganSegmenter::RunSecond(const ConstraintList& constraints, const Deformab
       throw;
     }
   }
-  kept.Organ.SettleForeground(corrected);
+  kept.Organ.SettleForeground(std::move(corrected));
   kept.Organ.GetSurface().Iterations = before;
   return this->RunLast(constraints, start, monitor, observer);
 }

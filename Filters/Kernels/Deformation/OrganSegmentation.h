@@ -104,8 +104,8 @@ private:
   EndSurface FreeSurfaceFor(const ConstraintList& constraints) const;
 
   struct DeepPart;
-  bool RunCorrection(const ConstraintList& constraints, const DeformableSurface* start,
-    const Monitor& monitor, const IterationObserver& observer);
+  bool RunCorrection(const BitMask& corrected, const ConstraintList& constraints,
+    const DeformableSurface* start, const Monitor& monitor, const IterationObserver& observer);
   bool FindDeepSurfaces(const DeformableSurface* start, const ConstraintList& constraints,
     const Monitor& monitor, const IterationObserver& observer);
   bool RunDeepPart(const DeformableSurface* start, const Monitor& monitor,

@@ -77,10 +77,12 @@ SeedSphere OrganRuns::FillLabel(const LabelVolume& labels, int label)
   this->Release(); // its memory is needed
   this->Filled.reset();
   RequireVoxels(this->Volume.Geometry, this->Name);
-  FilledLabel filled{ labels.Name, label,
-    StartMaskOf(labels, label, this->Volume.Geometry, this->Name), {} };
-  filled.Ball = LargestBallIn(filled.Mask, labels.Name, this->Threads.For);
-  this->Filled = std::move(filled);
+  const ImageGeometry& geometry = this->Volume.Geometry;
+  BitMask mask = StartMaskOf(labels, label, geometry, this->Name);
+  const SeedSphere ball = LargestBallIn(mask, labels.Name, this->Threads.For);
+  // On exactly the volume's grid, which headers round.
+  this->Filled = FilledLabel{ labels.Name, label,
+    std::make_shared<const BitMask>(geometry, std::move(mask.GetWords())), ball };
   return this->Filled->Ball;
 }
 
@@ -138,10 +140,6 @@ OrganAnswer OrganRuns::Segment(const OrganRequest& request, const Monitor& monit
   const bool isSeen = observer && request.Settings.KeepHistory;
   answer.Result = this->Prepare(answer.Seed, fills, request.Settings)
                     .Segment(constraints, monitor, isSeen ? observer : unseen);
-  if (answer.Result.Organ.Reason == StopReason::Aborted)
-  {
-    this->Release(); // it may be half smoothed
-  }
   OrganProvenance origin;
   origin.Seed = answer.Seed;
   origin.Constraints = std::move(constraints);

@@ -11,6 +11,7 @@
 #include "Image/LabelValues.h"
 #include "Image/PointConstraint.h"
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -40,6 +41,9 @@ class OrganRuns
 public:
   /// The volume's voxels outlive the object; `name` is the volume's.
   OrganRuns(GrayVolume volume, std::string name, Threading threading);
+  // Neither copied nor moved, as the VolumeSegmenter that it keeps.
+  OrganRuns(const OrganRuns&) = delete;
+  OrganRuns& operator=(const OrganRuns&) = delete;
 
   /// Starts from a surface in place of a sphere.
   void StartFrom(GivenSurface surface);
@@ -63,7 +67,7 @@ private:
   {
     std::string Name; // of the label map
     int Label;
-    BitMask Mask;
+    std::shared_ptr<const BitMask> Mask;
     SeedSphere Ball;
   };
   VolumeSegmenter& Prepare(const SeedSphere& seed, bool fills,

@@ -24,9 +24,10 @@ struct ScheduleSettings
   int MaximumIterations = 40; ///< per level
 
   /// A level ends when the mean distance to the targets is below DistanceTolerance, or fell by less
-  /// than ChangeTolerance over five iterations; both in voxels of the greatest spacing.
+  /// than ChangeTolerance over ChangeSpan iterations; both in voxels of the greatest spacing.
   double DistanceTolerance = 0.1;
   double ChangeTolerance = 0.02;
+  static constexpr std::size_t ChangeSpan = 5;
 
   /// How many levels there are: those that would begin with fewer than two vertices along an edge
   /// are left out.

@@ -46,8 +46,7 @@ SeedSphere LargestBallIn(const BitMask& mask, const std::string& name,
   }
   BitMask inside(geometry);
   inside.Insert(mask.Cropped(box), { { 1, 1, 1 } });
-  const std::vector<float> depth =
-    SquaredDistance(BytesOf(inside), geometry, 0, parallelFor, NeverStop);
+  const std::vector<float> depth = SquaredDistance(inside, false, parallelFor, NeverStop);
   const auto deepest = std::max_element(depth.begin(), depth.end());
   const auto [i, j, k] = IndexOf(static_cast<std::size_t>(deepest - depth.begin()), geometry);
   SeedSphere ball;
@@ -71,23 +70,22 @@ SeedSphere LargestBallIn(const BitMask& mask, const std::string& name,
   return ball;
 }
 
-BitMask PieceOf(const BitMask& mask, const SeedSphere& seed)
+BitMask PieceOf(BitMask mask, const SeedSphere& seed)
 {
-  BitMask piece = mask;
-  KeepConnected(piece, VoxelsInSphere(mask.GetGeometry(), seed), NeverStop);
-  FillHoles(piece, NeverStop);
-  return piece;
+  KeepConnected(mask, VoxelsInSphere(mask.GetGeometry(), seed), NeverStop);
+  FillHoles(mask, NeverStop);
+  return mask;
 }
 
 double FractionMissed(const BitMask& mask, const std::vector<VoxelRun>& voxels)
 {
-  BitMask missed = mask;
+  const std::size_t count = mask.Count();
+  std::size_t missed = count;
   for (const VoxelRun& run : voxels)
   {
-    missed.RemoveRun(run.Begin, run.End, run.J, run.K);
+    missed -= mask.CountRun(run.Begin, run.End, run.J, run.K);
   }
-  return static_cast<double>(missed.Count()) /
-    static_cast<double>(std::max<std::size_t>(mask.Count(), 1));
+  return static_cast<double>(missed) / static_cast<double>(std::max<std::size_t>(count, 1));
 }
 
 } // namespace FlipFree

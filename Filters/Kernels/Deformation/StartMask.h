@@ -31,9 +31,10 @@ SeedSphere LargestBallIn(const BitMask& mask, const std::string& name,
 
 /// The part of the mask that is connected, by faces, with the voxels of the seed; its holes are
 /// filled, since a surface without handles cannot have them.
-BitMask PieceOf(const BitMask& mask, const SeedSphere& seed);
+BitMask PieceOf(BitMask mask, const SeedSphere& seed);
 
-/// Which fraction of the mask's voxels is not among those of the surface, 0 to 1.
+/// Which fraction of the mask's voxels is not among those of the surface, 0 to 1. No two runs
+/// overlap.
 double FractionMissed(const BitMask& mask, const std::vector<VoxelRun>& voxels);
 
 } // namespace FlipFree

@@ -49,6 +49,58 @@ std::vector<BitMask> UniteNear(std::vector<BitMask> parts)
   return apart;
 }
 
+// Keeps the voxels that are farther than a distance from all of another set, or those that are not.
+// False if the monitor stopped it.
+bool KeepByDistance(const BitMask& other, double distance, bool isFarther,
+  const ParallelFor& parallelFor, const Monitor& monitor, BitMask& mask)
+{
+  const std::vector<float> squared = SquaredDistance(other, true, parallelFor, monitor);
+  if (squared.empty())
+  {
+    return false;
+  }
+  const ImageGeometry& geometry = mask.GetGeometry();
+  BitMask kept(geometry);
+  mask.ForEachRun(0, geometry.Dimensions[2],
+    [&](int begin, int end, int j, int k)
+    {
+      for (int i = begin; i < end; ++i)
+      {
+        if ((squared[geometry.Offset(i, j, k)] > distance * distance) == isFarther)
+        {
+          kept.Insert(i, j, k);
+        }
+      }
+    });
+  mask = std::move(kept);
+  return true;
+}
+
+// The pieces of a mask that hold voxels of another one. False if the monitor stopped it.
+bool FindPiecesAround(const BitMask& voxels, const BitMask& mask, const Monitor& monitor,
+  std::vector<BitMask>& pieces)
+{
+  std::vector<std::size_t> all;
+  voxels.ForEach([&all](std::size_t voxel) { all.push_back(voxel); });
+  BitMask found(mask.GetGeometry());
+  for (const std::size_t voxel : all)
+  {
+    const std::array<int, 3> index = IndexOf(voxel, mask.GetGeometry());
+    if (found(index[0], index[1], index[2]))
+    {
+      continue;
+    }
+    BitMask piece = mask;
+    if (!KeepConnected(piece, { voxel }, monitor))
+    {
+      return false;
+    }
+    found.Unite(piece);
+    pieces.push_back(std::move(piece));
+  }
+  return true;
+}
+
 } // namespace
 
 bool FindDeepParts(const BitMask& before, const BitMask& after, double depth,
@@ -64,64 +116,22 @@ bool FindDeepParts(const BitMask& before, const BitMask& after, double depth,
   const VoxelBox box = WidenedBy(changed.Bounds(), depth, 1, whole);
   BitMask same = before.Cropped(box);
   same.Intersect(after.Cropped(box));
-  const ImageGeometry& geometry = same.GetGeometry();
-  const std::vector<float> squared =
-    SquaredDistance(BytesOf(same), geometry, 1, parallelFor, monitor);
-  if (squared.empty())
+  BitMask far = changed.Cropped(box);
+  if (!KeepByDistance(same, depth, true, parallelFor, monitor, far))
   {
     return false;
   }
-  // What hangs on a deep part as a sheet is none: a sheet may go all around an organ.
-  const BitMask all = changed.Cropped(box);
-  std::vector<std::size_t> far;
-  std::vector<unsigned char> isFar(squared.size(), 0);
-  all.ForEach(
-    [&](std::size_t voxel)
-    {
-      if (squared[voxel] > depth * depth)
-      {
-        far.push_back(voxel);
-        isFar[voxel] = 1;
-      }
-    });
-  if (far.empty())
+  if (far.Count() == 0)
   {
     return true;
   }
-  const std::vector<float> toFar = SquaredDistance(isFar, geometry, 1, parallelFor, monitor);
-  if (toFar.empty())
+  // What hangs on a deep part as a sheet is none: a sheet may go all around an organ.
+  BitMask nearFar = changed.Cropped(box);
+  std::vector<BitMask> parts;
+  if (!KeepByDistance(far, PartOfDepth * depth, false, parallelFor, monitor, nearFar) ||
+    !FindPiecesAround(far, nearFar, monitor, parts))
   {
     return false;
-  }
-  const double reach = PartOfDepth * depth;
-  BitMask candidates(geometry);
-  all.ForEachRun(0, geometry.Dimensions[2],
-    [&](int begin, int end, int j, int k)
-    {
-      for (int i = begin; i < end; ++i)
-      {
-        if (toFar[geometry.Offset(i, j, k)] <= reach * reach)
-        {
-          candidates.Insert(i, j, k);
-        }
-      }
-    });
-  std::vector<BitMask> parts;
-  BitMask found(geometry);
-  for (const std::size_t voxel : far)
-  {
-    const std::array<int, 3> index = IndexOf(voxel, geometry);
-    if (found(index[0], index[1], index[2]))
-    {
-      continue;
-    }
-    BitMask part = candidates;
-    if (!KeepConnected(part, { voxel }, monitor))
-    {
-      return false;
-    }
-    found.Unite(part);
-    parts.push_back(std::move(part));
   }
   for (BitMask& part : UniteNear(std::move(parts)))
   {

@@ -5,7 +5,6 @@
 #include "Error.h"
 #include "Geometry/DistanceQuery.h"
 #include "Image/BoxReading.h"
-#include "Image/GridCheck.h"
 #include "Stopwatch.h"
 
 #include <algorithm>
@@ -135,12 +134,10 @@ VolumeSegmenter::VolumeSegmenter(GrayVolume volume, std::string name, const Seed
                           this->StartBall.Center, this->StartBall.Radius);
 }
 
-void VolumeSegmenter::SetForeground(BitMask mask, std::string name)
+void VolumeSegmenter::SetForeground(std::shared_ptr<const BitMask> mask, std::string name)
 {
   this->Release();
-  RequireSameGeometry(mask.GetGeometry(), this->Volume.Geometry, name, this->Name);
-  this->Given = BitMask(this->Volume.Geometry); // exactly the volume's, which headers round
-  this->Given.GetWords() = std::move(mask.GetWords());
+  this->Given = std::move(mask);
   this->GivenName = std::move(name);
 }
 
@@ -156,7 +153,11 @@ VoxelBox VolumeSegmenter::RegionOf(const ConstraintList& constraints) const
     box = box.Joined(
       BoxAround(geometry, constraint.Point, std::max(MarginOfPoint, 2 * constraint.Radius)));
   }
-  const VoxelBox mask = this->Given.Bounds();
+  if (!this->Given)
+  {
+    return box;
+  }
+  const VoxelBox mask = this->Given->Bounds();
   return mask.IsEmpty() ? box : box.Joined(mask.Widened({ { 2, 2, 2 } }, WholeBox(geometry)));
 }
 
@@ -174,9 +175,9 @@ void VolumeSegmenter::PrepareBox(const VoxelBox& box)
     diffusion, this->Threads.For);
   this->Organ = std::make_unique<OrganSegmenter>(*this->Smooth, this->Noise, this->Seed,
     this->Start, this->Settings.Method, this->Threads.For);
-  if (this->HasForeground())
+  if (this->Given)
   {
-    this->Organ->SetForeground(PieceOf(this->Given.Cropped(box), this->Seed));
+    this->Organ->SetForeground(PieceOf(this->Given->Cropped(box), this->Seed));
   }
 }
 
@@ -216,11 +217,13 @@ VolumeSegmentation VolumeSegmenter::Segment(const ConstraintList& constraints,
   result.StageSeconds[0] = before + organ.SmoothingSeconds;
   result.StageSeconds[1] = organ.FeatureSeconds;
   result.StageSeconds[2] = watch.Lap() - organ.SmoothingSeconds - organ.FeatureSeconds;
-  if (organ.Reason != StopReason::Aborted)
+  if (organ.Reason == StopReason::Aborted)
   {
-    this->Judge(constraints, result);
-    result.StageSeconds[3] = watch.Lap();
+    this->Release(); // it may be half smoothed
+    return result;
   }
+  this->Judge(constraints, result);
+  result.StageSeconds[3] = watch.Lap();
   return result;
 }
 
@@ -240,17 +243,17 @@ void VolumeSegmenter::Judge(const ConstraintList& constraints, VolumeSegmentatio
     this->Seed, isFree ? ShiftsOf(organ) : Eigen::VectorXd(), isFree ? organ.Unanimity : 1,
     this->Threads.For);
   result.Warnings = WarningsOf(organ, this->Region, geometry, this->Seed, method,
-    this->StartsAtSeed && !this->HasForeground());
+    this->StartsAtSeed && !this->Given);
   const std::string doubt = DoubtOf(result.Confidence.OfSurface, method);
   // The threshold is for what was found in the image alone.
-  if (result.Warnings.empty() && !doubt.empty() && isFree && !this->HasForeground())
+  if (result.Warnings.empty() && !doubt.empty() && isFree && !this->Given)
   {
     result.Warnings.push_back(doubt);
   }
   result.Voxels = VoxelizeSurface(organ.Points, organ.Mesh.Triangles, geometry, this->Threads.For);
-  if (this->HasForeground())
+  if (this->Given)
   {
-    WarnOfMissed(FractionMissed(this->Given, result.Voxels), this->GivenName, result.Warnings);
+    WarnOfMissed(FractionMissed(*this->Given, result.Voxels), this->GivenName, result.Warnings);
   }
 }
 

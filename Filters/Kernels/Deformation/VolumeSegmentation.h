@@ -15,6 +15,7 @@
 
 #include <array>
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -74,14 +75,18 @@ public:
   VolumeSegmenter(GrayVolume volume, std::string name, const SeedSphere& seed,
     const DeformableSurface* start, const VolumeSegmentationSettings& settings,
     Threading threading);
+  // Neither copied nor moved: what is kept between calls refers to this object's threading.
+  VolumeSegmenter(const VolumeSegmenter&) = delete;
+  VolumeSegmenter& operator=(const VolumeSegmenter&) = delete;
 
-  /// Fills a mask of the volume in place of a foreground that is found in the image. The seed lies
-  /// in it (see LargestBallIn()); `name` names it in the warning that says what was not reached.
-  void SetForeground(BitMask mask, std::string name);
+  /// Fills a mask, on exactly the volume's grid, in place of a foreground that is found in the
+  /// image. The seed lies in it (see LargestBallIn()); `name` names it in the warning that says
+  /// what was not reached.
+  void SetForeground(std::shared_ptr<const BitMask> mask, std::string name);
 
   /// Throws as the constructor does, also where a constraint cannot be obeyed, naming it; and
   /// std::logic_error if a guarded surface should intersect itself. A stop by the monitor gives the
-  /// iterations so far and StopReason::Aborted.
+  /// iterations so far and StopReason::Aborted, and nothing is kept.
   VolumeSegmentation Segment(const ConstraintList& constraints, const Monitor& monitor,
     const IterationObserver& observer);
 
@@ -102,7 +107,6 @@ public:
   double GetNoise() const { return this->Noise; }
 
 private:
-  bool HasForeground() const { return this->Given.GetGeometry().NumberOfVoxels() > 0; }
   VoxelBox RegionOf(const ConstraintList& constraints) const;
   void PrepareBox(const VoxelBox& box);
 
@@ -116,8 +120,8 @@ private:
   bool IsSphere = true; ///< the start
   bool StartsAtSeed = false;
 
-  BitMask Given;         ///< without voxels where the foreground is to be found
-  std::string GivenName; ///< of the mask
+  std::shared_ptr<const BitMask> Given; ///< null where the foreground is to be found
+  std::string GivenName;                ///< of the mask
 
   double Noise = 0;
   VoxelBox Box;

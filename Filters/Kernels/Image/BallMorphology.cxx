@@ -168,12 +168,12 @@ bool Stop(BitMask& mask)
 bool DilateByDistance(BitMask& mask, double radius, const ParallelFor& parallelFor,
   const Monitor& monitor)
 {
-  const ImageGeometry& geometry = mask.GetGeometry();
-  const std::vector<float> distance =
-    SquaredDistance(BytesOf(mask), geometry, 1, parallelFor, monitor);
+  const ImageGeometry geometry = mask.GetGeometry();
+  const std::vector<float> distance = SquaredDistance(mask, true, parallelFor, monitor);
+  mask = BitMask(); // its memory is needed
   if (distance.empty() || !monitor(0.9))
   {
-    return Stop(mask);
+    return false;
   }
   const float limit = static_cast<float>(radius * radius * Slack);
   mask = VoxelsWhere(

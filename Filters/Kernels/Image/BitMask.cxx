@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <utility>
 
 namespace FlipFree
 {
@@ -30,12 +31,18 @@ void VisitWords(int begin, int end, const Visit& visit)
 
 } // namespace
 
-BitMask::BitMask(const ImageGeometry& geometry)
+BitMask::BitMask(const ImageGeometry& geometry, std::vector<Word> words)
   : Geometry(geometry)
   , WordsPerRow((static_cast<std::ptrdiff_t>(geometry.Dimensions[0]) + BitsOfWord - 1) / BitsOfWord)
   , LastWord(~Word(0) >> ((BitsOfWord - geometry.Dimensions[0] % BitsOfWord) % BitsOfWord))
-  , Words(this->WordsPerRow * geometry.Dimensions[1] * geometry.Dimensions[2], 0)
+  , Words(std::move(words))
 {
+}
+
+BitMask::BitMask(const ImageGeometry& geometry)
+  : BitMask(geometry, {})
+{
+  this->Words.resize(this->WordsPerRow * geometry.Dimensions[1] * geometry.Dimensions[2], 0);
 }
 
 void BitMask::InsertRun(int begin, int end, int j, int k)
@@ -119,6 +126,14 @@ std::size_t BitMask::Count() const
   return count;
 }
 
+std::size_t BitMask::CountRun(int begin, int end, int j, int k) const
+{
+  std::size_t count = 0;
+  VisitWords(begin, end,
+    [&count, row = this->Row(j, k)](int word, Word bits) { count += CountBits(row[word] & bits); });
+  return count;
+}
+
 VoxelBox BitMask::Bounds() const
 {
   const std::array<int, 3>& size = this->Geometry.Dimensions;
@@ -153,20 +168,12 @@ VoxelBox BitMask::Bounds() const
   return box;
 }
 
-std::vector<unsigned char> BytesOf(const BitMask& mask)
-{
-  std::vector<unsigned char> bytes(mask.GetGeometry().NumberOfVoxels(), 0);
-  mask.ForEach([&bytes](std::size_t voxel) { bytes[voxel] = 1; });
-  return bytes;
-}
-
 BitMask DifferenceOf(const BitMask& one, const BitMask& other)
 {
   BitMask difference = one;
-  difference.Unite(other);
-  BitMask both = one;
-  both.Intersect(other);
-  difference.Remove(both);
+  std::vector<BitMask::Word>& words = difference.GetWords();
+  std::transform(words.begin(), words.end(), other.GetWords().begin(), words.begin(),
+    std::bit_xor<>());
   return difference;
 }
 

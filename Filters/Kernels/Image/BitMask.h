@@ -27,6 +27,8 @@ public:
   BitMask() = default;
   /// No voxel is in the set.
   explicit BitMask(const ImageGeometry& geometry);
+  /// Takes the words of a set on a grid of the same size.
+  BitMask(const ImageGeometry& geometry, std::vector<Word> words);
 
   const ImageGeometry& GetGeometry() const { return this->Geometry; }
 
@@ -79,6 +81,8 @@ public:
   BitMask Cropped(const VoxelBox& box) const;
 
   std::size_t Count() const;
+  /// How many of the voxels (i, j, k) with begin <= i < end are in the set.
+  std::size_t CountRun(int begin, int end, int j, int k) const;
 
   /// The smallest box that holds all voxels of the set; empty if there are none.
   VoxelBox Bounds() const;
@@ -222,9 +226,6 @@ BitMask VoxelsWhere(const ImageView<T>& image, const Predicate& holds,
     },
     parallelFor);
 }
-
-/// A byte for each voxel of the grid: 1 for those of the set.
-std::vector<unsigned char> BytesOf(const BitMask& mask);
 
 /// The voxels that are in one of two sets on the same grid, but not in both.
 BitMask DifferenceOf(const BitMask& one, const BitMask& other);

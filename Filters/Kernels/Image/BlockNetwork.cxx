@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <utility>
 
 namespace FlipFree
 {
@@ -68,9 +69,9 @@ std::vector<float> BlockMeans(const ImagePart& image, const BlockGrid& grid,
 std::vector<float> SmoothBlockMeans(const ImagePart& image, const BlockGrid& grid,
   const ParallelFor& parallelFor)
 {
-  const std::vector<float> ones(grid.Blocks.NumberOfVoxels(), 1.0F);
-  return LocalMeans({ BlockMeans(image, grid, parallelFor), ones }, grid.Blocks, EdgeSmoothing, 0,
-    0, parallelFor);
+  std::vector<float> ones(grid.Blocks.NumberOfVoxels(), 1.0F);
+  return LocalMeans({ BlockMeans(image, grid, parallelFor), std::move(ones) }, grid.Blocks,
+    EdgeSmoothing, 0, 0, parallelFor);
 }
 
 CutNetwork MakeBlockNetwork(const ImageGeometry& blocks, const std::vector<int>& nodes,

@@ -1,5 +1,6 @@
 #include "Image/DistanceOrder.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <cstring>
@@ -41,6 +42,8 @@ void SortByDigit(const std::vector<Key>& keys, int shift, std::vector<Key>& sort
 std::vector<int> OrderByDistance(const std::vector<float>& squaredDistance)
 {
   std::vector<Key> keys;
+  keys.reserve(std::count_if(squaredDistance.begin(), squaredDistance.end(),
+    [](float square) { return square > 0; }));
   for (std::size_t voxel = 0; voxel < squaredDistance.size(); ++voxel)
   {
     if (squaredDistance[voxel] > 0)
@@ -56,6 +59,7 @@ std::vector<int> OrderByDistance(const std::vector<float>& squaredDistance)
     SortByDigit(keys, shift, sorted);
     keys.swap(sorted);
   }
+  std::vector<Key>().swap(sorted); // before another one takes memory
   std::vector<int> order;
   order.reserve(keys.size());
   for (const Key& key : keys)

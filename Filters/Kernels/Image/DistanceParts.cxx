@@ -3,6 +3,7 @@
 #include "Image/DistanceOrder.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace FlipFree
 {
@@ -17,7 +18,7 @@ public:
     : Distance(squaredDistance)
     , Size(geometry.Dimensions)
     , SquaredRatio(static_cast<float>(ratio * ratio))
-    , Parent(squaredDistance.size(), -1)
+    , Parent(squaredDistance.size(), Outside)
     , IsSeed(squaredDistance.size(), false)
   {
     for (const std::size_t voxel : seed)
@@ -110,23 +111,40 @@ private:
     }
   }
 
+  // The numbers replace the parents in place.
   DistanceParts Number(const std::vector<int>& order)
   {
+    for (const int voxel : order)
+    {
+      this->Parent[voxel] = this->Root(voxel);
+    }
     DistanceParts parts;
-    parts.PartOf.assign(this->Distance.size(), DistanceParts::Outside);
     for (const int voxel : order) // roots come before the other voxels of their parts
     {
-      const int root = this->Root(voxel);
-      if (root == voxel)
+      int& parent = this->Parent[voxel];
+      if (parent == voxel)
       {
-        parts.PartOf[voxel] = static_cast<int>(parts.Peaks.size());
+        parent = MarkOf(static_cast<int>(parts.Peaks.size()));
         parts.Peaks.push_back(this->Distance[voxel]);
         parts.HoldsSeed.push_back(this->IsSeed[voxel]);
       }
-      parts.PartOf[voxel] = parts.PartOf[root];
+      else
+      {
+        parent = this->Parent[parent];
+      }
     }
+    for (int& parent : this->Parent)
+    {
+      parent = parent == Outside ? DistanceParts::Outside : MarkOf(parent);
+    }
+    parts.PartOf = std::move(this->Parent);
     return parts;
   }
+
+  static constexpr int Outside = -1;
+
+  // Of a part's number, and back: neither a voxel nor Outside.
+  static int MarkOf(int number) { return -2 - number; }
 
   const std::vector<float>& Distance;
   const std::array<int, 3> Size;

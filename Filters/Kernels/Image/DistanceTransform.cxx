@@ -109,11 +109,10 @@ void NearestAlongRow(const unsigned char* mask, unsigned char target, float* row
   }
 }
 
-} // namespace
-
-std::vector<float> SquaredDistance(const std::vector<unsigned char>& mask,
-  const ImageGeometry& geometry, unsigned char target, const ParallelFor& parallelFor,
-  const Monitor& monitor)
+// `rowOf(j, k, buffer)` gives a row of the mask, a byte per voxel; the buffer has room for it.
+template <typename RowOf>
+std::vector<float> TransformRows(const RowOf& rowOf, const ImageGeometry& geometry,
+  unsigned char target, const ParallelFor& parallelFor, const Monitor& monitor)
 {
   if (!monitor(0))
   {
@@ -127,12 +126,13 @@ std::vector<float> SquaredDistance(const std::vector<unsigned char>& mask,
     [&](std::ptrdiff_t first, std::ptrdiff_t last)
     {
       Envelope envelope(size[1]);
-      for (std::ptrdiff_t k = first; k < last; ++k)
+      std::vector<unsigned char> buffer(row);
+      for (auto k = static_cast<int>(first); k < last; ++k)
       {
         for (int j = 0; j < size[1]; ++j)
         {
           const std::ptrdiff_t offset = k * slice + j * row;
-          NearestAlongRow(mask.data() + offset, target, result.data() + offset, size[0],
+          NearestAlongRow(rowOf(j, k, buffer), target, result.data() + offset, size[0],
             geometry.Spacing[0]);
         }
         for (int i = 0; i < size[0]; ++i)
@@ -158,6 +158,33 @@ std::vector<float> SquaredDistance(const std::vector<unsigned char>& mask,
       }
     });
   return result;
+}
+
+} // namespace
+
+std::vector<float> SquaredDistance(const std::vector<unsigned char>& mask,
+  const ImageGeometry& geometry, unsigned char target, const ParallelFor& parallelFor,
+  const Monitor& monitor)
+{
+  return TransformRows([&](int j, int k, std::vector<unsigned char>&)
+    { return mask.data() + geometry.Offset(0, j, k); },
+    geometry, target, parallelFor, monitor);
+}
+
+std::vector<float> SquaredDistance(const BitMask& mask, bool target, const ParallelFor& parallelFor,
+  const Monitor& monitor)
+{
+  return TransformRows(
+    [&](int j, int k, std::vector<unsigned char>& buffer)
+    {
+      const BitMask::Word* const words = mask.Row(j, k);
+      for (std::size_t i = 0; i < buffer.size(); ++i)
+      {
+        buffer[i] = words[i / BitMask::BitsOfWord] >> (i % BitMask::BitsOfWord) & 1U;
+      }
+      return static_cast<const unsigned char*>(buffer.data());
+    },
+    mask.GetGeometry(), target ? 1 : 0, parallelFor, monitor);
 }
 
 } // namespace FlipFree

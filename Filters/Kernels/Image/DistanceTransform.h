@@ -7,9 +7,7 @@
 #ifndef FlipFreeDistanceTransform_h
 #define FlipFreeDistanceTransform_h
 
-#include "KernelTypes.h"
-
-#include <vector>
+#include "Image/BitMask.h"
 
 namespace FlipFree
 {
@@ -19,6 +17,10 @@ namespace FlipFree
 /// monitor, asked before each of two passes over the mask, stopped it.
 std::vector<float> SquaredDistance(const std::vector<unsigned char>& mask,
   const ImageGeometry& geometry, unsigned char target, const ParallelFor& parallelFor,
+  const Monitor& monitor);
+
+/// The same, to the voxels that are in the set, or to those that are not.
+std::vector<float> SquaredDistance(const BitMask& mask, bool target, const ParallelFor& parallelFor,
   const Monitor& monitor);
 
 } // namespace FlipFree

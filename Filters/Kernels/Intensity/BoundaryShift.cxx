@@ -48,10 +48,9 @@ public:
   bool Find(BitMask& changed)
   {
     const std::array<int, 3> own = NearestVoxel(this->Geometry, this->Wanted.Point);
-    const std::vector<unsigned char> right = BytesOf(this->Before);
-    const unsigned char target = this->Wanted.IsInside ? 1 : 0;
+    const bool target = this->Wanted.IsInside;
     const std::vector<float> squared =
-      SquaredDistance(right, this->Geometry, target, this->Parallel, this->Ask);
+      SquaredDistance(this->Before, target, this->Parallel, this->Ask);
     if (squared.empty())
     {
       return false;
@@ -65,9 +64,8 @@ public:
         const float* const row = this->Image.Row(j, k);
         for (int i = 0; i < size[0]; ++i)
         {
-          const std::size_t voxel = this->Geometry.Offset(i, j, k);
-          if (right[voxel] != target && this->IsAlike(row[i]) &&
-            this->IsNear({ i, j, k }, std::sqrt(squared[voxel])))
+          if (this->Before(i, j, k) != target && this->IsAlike(row[i]) &&
+            this->IsNear({ i, j, k }, std::sqrt(squared[this->Geometry.Offset(i, j, k)])))
           {
             changed.Insert(i, j, k);
           }

@@ -10,6 +10,8 @@
 #include "Image/SmoothRegion.h"
 #include "Intensity/OrganFeature.h"
 
+#include <utility>
+
 namespace FlipFree
 {
 
@@ -21,6 +23,8 @@ public:
   /// seed, so the whole region is smoothed.
   GrowingForeground(SmoothRegion& region, const SeedSphere& seed,
     const OrganFeatureSettings& settings, double rim, const ParallelFor& parallelFor);
+  GrowingForeground(const GrowingForeground&) = delete;
+  GrowingForeground& operator=(const GrowingForeground&) = delete;
 
   // Each of these returns false if the monitor stopped it.
 
@@ -42,7 +46,9 @@ public:
   /// Corrects the foreground by constraints (ForegroundCorrection.h).
   bool Correct(const ConstraintList& constraints, double noise, const Monitor& monitor);
 
-  void SetMask(const BitMask& mask) { this->Mask = mask; }
+  void SetMask(BitMask mask) { this->Mask = std::move(mask); }
+  /// Leaves none.
+  BitMask TakeMask() { return std::exchange(this->Mask, BitMask()); }
 
   /// Of the image, where the settings leave it open; not Automatic.
   FlipFree::Modality GetModality() const;

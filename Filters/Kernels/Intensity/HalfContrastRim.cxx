@@ -108,9 +108,12 @@ private:
   bool FindContrast()
   {
     BitMask shell = this->Mask;
+    if (!Dilate(shell, ShellEnd, this->Parallel, this->Ask))
+    {
+      return false;
+    }
     BitMask gap = this->Mask;
-    if (!Dilate(shell, ShellEnd, this->Parallel, this->Ask) ||
-      !Dilate(gap, ShellBegin, this->Parallel, this->Ask))
+    if (!Dilate(gap, ShellBegin, this->Parallel, this->Ask))
     {
       return false;
     }

@@ -144,13 +144,14 @@ private:
         this->Nodes[block] = nodes++;
       }
     }
+    this->KeepUnariesOfNodes(nodes);
     BlockLinks links;
     // The smoothness wanted grows with the organ, else small organs collapse.
     links.PerArea = 0.2 * std::max(5.0, std::min(40.0, this->Ball.Radius));
     links.EdgeContrast = 3 * std::max({ this->OfBall.StandardDeviation, 0.5 * this->Noise, 1e-12 });
     CutNetwork network = MakeBlockNetwork(
       this->Grid.Blocks, this->Nodes, SmoothBlockMeans(this->Image, this->Grid, this->Parallel),
-      links, [this](std::size_t block) { return this->Unaries[block]; },
+      links, [this](std::size_t block) { return this->Unaries[this->Nodes[block]]; },
       [](std::size_t) { return -1; }, this->Parallel);
     for (std::size_t block = 0; block < this->Nodes.size(); ++block)
     {
@@ -165,6 +166,21 @@ private:
     }
     std::vector<float>().swap(this->Unaries);
     return network;
+  }
+
+  // Numbers the terms as the nodes, and frees what the network does not need.
+  void KeepUnariesOfNodes(int nodes)
+  {
+    std::vector<float> unaries(nodes);
+    for (std::size_t block = 0; block < this->Nodes.size(); ++block)
+    {
+      if (this->Nodes[block] >= 0)
+      {
+        unaries[this->Nodes[block]] = this->Unaries[block];
+      }
+    }
+    this->Unaries.swap(unaries);
+    std::vector<unsigned char>().swap(this->Inside);
   }
 
   // Voxels at the mask's rim whose block is not in the network follow the blocks around.
@@ -242,7 +258,7 @@ private:
   std::vector<unsigned char> IsTouched; // a voxel is
   std::vector<unsigned char> IsCore;
   BlockSums Sums;
-  std::vector<float> Unaries;
+  std::vector<float> Unaries; // of the blocks, later of the nodes
   std::vector<int> Nodes;
 };
 

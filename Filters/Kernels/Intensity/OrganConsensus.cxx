@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 namespace FlipFree
 {
@@ -54,12 +55,16 @@ std::vector<VoxelRun> RunsOf(const BitMask& mask)
   return runs;
 }
 
-// The Dice score.
+double DiceOf(std::size_t inBoth, std::size_t inOne, std::size_t inOther)
+{
+  return 2 * static_cast<double>(inBoth) / static_cast<double>(inOne + inOther);
+}
+
 double OverlapOf(const BitMask& one, const BitMask& other)
 {
   BitMask both = one;
   both.Intersect(other);
-  return 2 * static_cast<double>(both.Count()) / static_cast<double>(one.Count() + other.Count());
+  return DiceOf(both.Count(), one.Count(), other.Count());
 }
 
 class Consensus
@@ -68,7 +73,8 @@ public:
   Consensus(const ImageView<float>& smooth, const VoxelBox& box, const SeedSphere& seed,
     double noise, Modality modality, const OrganFeatureSettings& settings,
     const ParallelFor& parallelFor, const Monitor& monitor, const BitMask& carved)
-    : Seed(seed)
+    : Smooth(smooth)
+    , Seed(seed)
     , Noise(noise)
     , OfModality(modality)
     , Settings(settings)
@@ -79,18 +85,18 @@ public:
     , Usual(carved.Cropped(box))
     , Count(static_cast<double>(this->Usual.Count()))
   {
-    CropToFloat(smooth, box, parallelFor, this->Image);
+    this->ReadImage();
   }
 
   // None if the monitor stopped it.
   std::optional<BitMask> Execute()
   {
-    const std::optional<BitMask> voted = this->Vote();
+    std::optional<BitMask> voted = this->Vote();
     if (this->Stopped)
     {
       return std::nullopt;
     }
-    BitMask best = voted ? *voted : this->Usual;
+    BitMask best = voted ? std::move(*voted) : this->Usual;
     const double leastContrast = this->LeastContrastOfSeed();
     double support = SupportMargin * BoundarySupport(this->Image.View(), best, leastContrast);
     for (const double mass : NarrowMasses)
@@ -113,6 +119,8 @@ public:
   double GetUnanimity() const { return this->Unanimity; }
 
 private:
+  void ReadImage() { CropToFloat(this->Smooth, this->Box, this->Parallel, this->Image); }
+
   // Remembers a stop. What is done is counted in foregrounds that were grown.
   Monitor Proceed()
   {
@@ -210,9 +218,11 @@ private:
     {
       return std::nullopt;
     }
-    FloatImage flat = this->Image;
-    field->Flatten(flat.Geometry, this->Parallel, flat.Voxels.data());
-    return this->GrowAgain(flat.View());
+    // In place, and read again afterwards: a copy would take as much memory as the image.
+    field->Flatten(this->Image.Geometry, this->Parallel, this->Image.Voxels.data());
+    std::optional<BitMask> opinion = this->GrowAgain(this->Image.View());
+    this->ReadImage();
+    return opinion;
   }
 
   // Where two of three agree.
@@ -258,6 +268,7 @@ private:
       std::max(RobustStatisticsOf(values).StandardDeviation, 0.5 * this->Noise);
   }
 
+  const ImageView<float> Smooth;
   const SeedSphere& Seed;
   const double Noise;
   const Modality OfModality;
@@ -278,12 +289,12 @@ private:
 
 bool IsDoubtful(const std::vector<VoxelRun>& inside, const BitMask& carved)
 {
-  BitMask first(carved.GetGeometry());
+  std::size_t inBoth = 0;
   for (const VoxelRun& run : inside)
   {
-    first.InsertRun(run.Begin, run.End, run.J, run.K);
+    inBoth += carved.CountRun(run.Begin, run.End, run.J, run.K);
   }
-  return OverlapOf(first, carved) < DoubtfulOverlap;
+  return DiceOf(inBoth, CountVoxels(inside), carved.Count()) < DoubtfulOverlap;
 }
 
 VoxelBox ConsensusBox(const BitMask& carved, const SeedSphere& seed)

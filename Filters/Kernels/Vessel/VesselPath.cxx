@@ -16,19 +16,11 @@ namespace FlipFree
 namespace
 {
 
-VesselImage ImageAround(const GrayVolume& volume, const PointList& points, const VesselStyle& style,
-  Modality modality, const VesselPathSettings& settings, const ParallelFor& parallelFor)
-{
-  const VoxelBox box = BoxAroundPoints(volume.Geometry, points, style.Margin);
-  volume.RequireFinite(box);
-  FloatImage voxels = ReadBox(volume.Read, volume.Geometry, box, parallelFor);
-  if (modality == Modality::MR)
-  {
-    ScaleToCT(points, voxels);
-  }
-  return MakeVesselImage(std::move(voxels), settings.SmoothingDeviation, style.GridSpacing,
-    parallelFor);
-}
+// Where nothing is known of the vessel, in millimeters.
+constexpr double UsualThinRadius = 3;
+constexpr double UsualWideRadius = 10;
+// What the wide style takes for the radius, of that found.
+constexpr double InsideScale = 0.6;
 
 // A vessel of another style, where the image supports it by more than `least`; one without branches
 // where the monitor stopped it.
@@ -49,83 +41,135 @@ std::optional<VesselTree> SeekOther(const std::function<VesselTree()>& trace, do
 }
 
 // Thin, wide, or wide and far away, without a wall.
-VesselTree FindVessel(const GrayVolume& volume, const PointList& points, const PointList& outside,
-  const VesselPathSettings& settings, const ParallelFor& parallelFor, const Monitor& monitor)
+class VesselOfAnyStyle
 {
-  const Modality modality = ResolveModality(Modality::Automatic, volume.Read, volume.Geometry);
-  constexpr double thinRadius = 3;
-  constexpr double wideRadius = 10;
-  constexpr double insideScale = 0.6; // what the wide style takes for the radius, of that found
-  const auto searchAs = [&](const VesselStyle& style, double radius)
+public:
+  VesselOfAnyStyle(const GrayVolume& volume, const PointList& points, const PointList& outside,
+    const VesselPathSettings& settings, const ParallelFor& parallelFor)
+    : Volume(volume)
+    , Points(points)
+    , Outside(outside)
+    , Settings(settings)
+    , Parallel(parallelFor)
+    , OfModality(ResolveModality(Modality::Automatic, volume.Read, volume.Geometry))
+    , IsKnown(settings.Radius > 0)
+    , IsWide(this->IsKnown && settings.Radius >= settings.WideRadius)
+    , Search(this->IsWide
+          ? this->SearchAs(settings.Wide, InsideScale * settings.Radius)
+          : this->SearchAs(settings.Thin, this->IsKnown ? settings.Radius : UsualThinRadius))
   {
-    return VesselSearch(style, points, outside, radius,
-      ImageAround(volume, points, style, modality, settings, parallelFor), parallelFor);
-  };
-  const Monitor first = PartOf(monitor, 0, 0.3);
-  const Monitor second = PartOf(monitor, 0.3, 0.5);
-  const Monitor third = PartOf(monitor, 0.5, 0.8);
-  const Monitor fourth = PartOf(monitor, 0.8, 1);
-  const bool isKnown = settings.Radius > 0;
-  const bool isWide = isKnown && settings.Radius >= settings.WideRadius;
-  const double knownInside = insideScale * settings.Radius;
-  const double knownThin = isKnown ? settings.Radius : thinRadius;
-  VesselSearch search =
-    isWide ? searchAs(settings.Wide, knownInside) : searchAs(settings.Thin, knownThin);
-  VesselTree found;
-  std::optional<Error> noPath;
-  try
-  {
-    found = search.Seek(first);
   }
-  catch (const Error& error)
+
+  // None where the monitor stopped it.
+  VesselTree Find(const Monitor& monitor)
   {
-    if (isKnown && !isWide)
+    this->SeekFirst(PartOf(monitor, 0, 0.3));
+    if (this->IsStopped())
     {
-      throw;
+      return this->Found;
     }
-    noPath = error;
-  }
-  const auto isStopped = [&] { return !noPath && found.Branches.empty(); };
-  if (isStopped())
-  {
-    return found;
-  }
-  double least = noPath ? DoubtfulSupport : found.Support; // support of one farther away
-  bool isThin = !noPath && !isWide;
-  if (!isKnown && MayBeWide(found.Radius, settings.WideRadius))
-  {
-    const double radius =
-      insideScale * (found.Radius >= settings.WideRadius ? found.Radius : wideRadius);
-    const std::optional<VesselTree> wide =
-      SeekOther([&] { return searchAs(settings.Wide, radius).Seek(second); },
-        LeastSupportOfWide(found.Radius, found.Support, settings.WideRadius));
-    if (wide)
+    if (!this->IsKnown && MayBeWide(this->Found.Radius, this->Settings.WideRadius))
     {
-      found = *wide;
-      least = found.Support + ClearlyMore;
-      isThin = false;
+      this->SeekWide(PartOf(monitor, 0.3, 0.5));
+    }
+    if (this->IsThin && this->Search.IsDoubtful(this->Found))
+    {
+      this->Found = this->Search.SeekBetter(this->Found, PartOf(monitor, 0.5, 0.8));
+      this->Least = this->Found.Support;
+    }
+    if (this->IsStopped() || (this->IsKnown && !this->IsWide) ||
+      (!this->NoPath && !this->Search.IsDoubtful(this->Found)))
+    {
+      return this->Found;
+    }
+    return this->SeekFar(PartOf(monitor, 0.8, 1));
+  }
+
+private:
+  VesselSearch SearchAs(const VesselStyle& style, double radius) const
+  {
+    return VesselSearch(style, this->Points, this->Outside, radius, this->ImageAround(style),
+      this->Parallel);
+  }
+
+  VesselImage ImageAround(const VesselStyle& style) const
+  {
+    const ImageGeometry& geometry = this->Volume.Geometry;
+    const VoxelBox box = BoxAroundPoints(geometry, this->Points, style.Margin);
+    this->Volume.RequireFinite(box);
+    FloatImage voxels = ReadBox(this->Volume.Read, geometry, box, this->Parallel);
+    if (this->OfModality == Modality::MR)
+    {
+      ScaleToCT(this->Points, voxels);
+    }
+    return MakeVesselImage(std::move(voxels), this->Settings.SmoothingDeviation, style.GridSpacing,
+      this->Parallel);
+  }
+
+  bool IsStopped() const { return !this->NoPath && this->Found.Branches.empty(); }
+
+  void SeekFirst(const Monitor& monitor)
+  {
+    try
+    {
+      this->Found = this->Search.Seek(monitor);
+    }
+    catch (const Error& error)
+    {
+      if (this->IsKnown && !this->IsWide)
+      {
+        throw;
+      }
+      this->NoPath = error;
+    }
+    this->Least = this->NoPath ? DoubtfulSupport : this->Found.Support;
+    this->IsThin = !this->NoPath && !this->IsWide;
+  }
+
+  void SeekWide(const Monitor& monitor)
+  {
+    const double thin = this->Found.Radius;
+    const double wide = this->Settings.WideRadius;
+    const double radius = InsideScale * (thin >= wide ? thin : UsualWideRadius);
+    const std::optional<VesselTree> other =
+      SeekOther([&] { return this->SearchAs(this->Settings.Wide, radius).Seek(monitor); },
+        LeastSupportOfWide(thin, this->Found.Support, wide));
+    if (other)
+    {
+      this->Found = *other;
+      this->Least = this->Found.Support + ClearlyMore;
+      this->IsThin = false;
     }
   }
-  if (isThin && search.IsDoubtful(found))
+
+  // Throws where there is no path at all.
+  VesselTree SeekFar(const Monitor& monitor) const
   {
-    found = search.SeekBetter(found, third);
-    least = found.Support;
+    const double radius = InsideScale * (this->IsWide ? this->Settings.Radius : UsualWideRadius);
+    const std::optional<VesselTree> far = SeekOther(
+      [&] { return this->SearchAs(this->Settings.Far, radius).Seek(monitor); }, this->Least);
+    if (!far && this->NoPath)
+    {
+      throw Error(*this->NoPath);
+    }
+    return far.value_or(this->Found);
   }
-  if (isStopped() || (isKnown && !isWide) || (!noPath && !search.IsDoubtful(found)))
-  {
-    return found;
-  }
-  const std::optional<VesselTree> far = SeekOther(
-    [&] {
-      return searchAs(settings.Far, isWide ? knownInside : insideScale * wideRadius).Seek(fourth);
-    },
-    least);
-  if (!far && noPath)
-  {
-    throw Error(*noPath);
-  }
-  return far.value_or(found);
-}
+
+  const GrayVolume& Volume;
+  const PointList& Points;
+  const PointList& Outside;
+  const VesselPathSettings& Settings;
+  const ParallelFor& Parallel;
+  const Modality OfModality;
+  const bool IsKnown; // the radius
+  const bool IsWide;  // as far as is known
+  VesselSearch Search;
+
+  VesselTree Found;
+  std::optional<Error> NoPath;
+  double Least = 0; // what the support of one farther away must exceed
+  bool IsThin = false;
+};
 
 } // namespace
 
@@ -134,7 +178,8 @@ VesselTree TraceVessel(const GrayVolume& volume, const std::string& name, const 
   const Monitor& monitor)
 {
   RequirePoints(volume.Geometry, points, name);
-  VesselTree tree = FindVessel(volume, points, outside, settings, threading.For, monitor);
+  VesselTree tree =
+    VesselOfAnyStyle(volume, points, outside, settings, threading.For).Find(monitor);
   for (VesselBranch& branch : tree.Branches)
   {
     branch.Sections.Radii.array() += settings.WallThickness;
