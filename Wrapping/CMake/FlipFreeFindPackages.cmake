@@ -82,6 +82,19 @@ if (FLIPFREE_USE_ITK)
     ITKVTK)
   find_package(ITK 5.2 REQUIRED COMPONENTS ${_flipfree_itk_components})
 
+  # An ITK refuses compilers other than the one it was built with, although Clang keeps GCC's binary interface.
+  # Clang reads a copy of the header that asks, without the refusal, ahead of all others.
+  set(FLIPFREE_ITK_COMPILE_OPTIONS "")
+  find_file(FLIPFREE_ITK_COMPILER_DETECTION itk_compiler_detection.h HINTS ${ITK_INCLUDE_DIRS} NO_DEFAULT_PATH)
+  mark_as_advanced(FLIPFREE_ITK_COMPILER_DETECTION)
+  if (CMAKE_CXX_COMPILER_ID STREQUAL "Clang" AND FLIPFREE_ITK_COMPILER_DETECTION)
+    file(READ "${FLIPFREE_ITK_COMPILER_DETECTION}" _flipfree_itk_text)
+    string(REPLACE "error Unsupported compiler" "pragma GCC system_header" _flipfree_itk_text "${_flipfree_itk_text}")
+    set(_flipfree_itk_copy "${PROJECT_BINARY_DIR}/itk-for-clang/itk_compiler_detection.h")
+    file(CONFIGURE OUTPUT "${_flipfree_itk_copy}" CONTENT "${_flipfree_itk_text}" @ONLY)
+    set(FLIPFREE_ITK_COMPILE_OPTIONS -include "${_flipfree_itk_copy}")
+  endif ()
+
   # Distributions leave the module ITKVtkGlue out. Two of its headers are all that is used of it.
   find_path(FLIPFREE_ITKVTKGLUE_INCLUDE_DIR itkVTKImageToImageFilter.h
     HINTS ${ITK_INCLUDE_DIRS}
