@@ -42,6 +42,9 @@ function (flipfree_add_unit_tests name)
   endforeach ()
 endfunction ()
 
+# Where the test Python.KeepAbdomen keeps the phantom that others read: those with the fixture Abdomen.
+set(FLIPFREE_ABDOMEN "${PROJECT_BINARY_DIR}/Testing/Python/abdomen.npz")
+
 # flipfree_add_python_tests(<files>)
 # Each file is one test of CTest: a program of Python's unittest that imports `flipfree` from the build
 # tree. The interpreter is the one VTK's wrapping was built for.
@@ -59,7 +62,8 @@ function (flipfree_add_python_tests)
     set_tests_properties("Python.${_test_name}" PROPERTIES
       LABELS python
       TIMEOUT 300
-      ENVIRONMENT "PYTHONPATH=${PROJECT_BINARY_DIR}/${FLIPFREE_PYTHON_DESTINATION};PYTHONDONTWRITEBYTECODE=1;FLIPFREE_DATA_DIR=${FLIPFREE_DATA_DIR};FLIPFREE_MODULE_FOLDERS=${_test_folders};FLIPFREE_PYTHON_SOURCE=${PROJECT_SOURCE_DIR}/Wrapping/Python")
+      FIXTURES_REQUIRED Abdomen
+      ENVIRONMENT "PYTHONPATH=${PROJECT_BINARY_DIR}/${FLIPFREE_PYTHON_DESTINATION};PYTHONDONTWRITEBYTECODE=1;FLIPFREE_ABDOMEN=${FLIPFREE_ABDOMEN};FLIPFREE_DATA_DIR=${FLIPFREE_DATA_DIR};FLIPFREE_MODULE_FOLDERS=${_test_folders};FLIPFREE_PYTHON_SOURCE=${PROJECT_SOURCE_DIR}/Wrapping/Python")
   endforeach ()
 endfunction ()
 
