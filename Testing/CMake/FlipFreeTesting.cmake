@@ -7,6 +7,9 @@ include(GoogleTest)
 set(FLIPFREE_DATA_DIR "${PROJECT_SOURCE_DIR}/../shared/data" CACHE PATH
   "Folder with real volumes and cases.csv; tests that need it are skipped where it is absent")
 
+set(FLIPFREE_PARAVIEW_BUILD "${PROJECT_SOURCE_DIR}/build/paraview" CACHE PATH
+  "Folder in which Wrapping/ParaView/build-plugin.sh has built the plugin; its tests are skipped without it")
+
 # flipfree_add_unit_tests(<name> SOURCES <files> LIBRARIES <targets> [LABEL <label>] [LONG <patterns>])
 # One GoogleTest program; each of its cases becomes one test of CTest. With sanitizers, a process per case
 # would spend most of its time loading VTK, so a few processes share the cases; those whose names match the
