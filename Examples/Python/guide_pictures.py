@@ -6,6 +6,7 @@ All show the abdomen phantom: the truth in blue, the segmentation in yellow.
 """
 
 import argparse
+import functools
 import warnings
 from pathlib import Path
 
@@ -63,6 +64,7 @@ def truth_of(label):
     return boundary.GetOutput()
 
 
+@functools.lru_cache(maxsize=None)  # the defaults are in several pictures
 def segment(label, move=(0, 0, 0), scale=1, **parameters):
     """The seed, the organ, and how well it agrees with the truth."""
     seed, radius = inputs.seed_in(PHANTOM, label)

@@ -11,6 +11,7 @@ Figure 6 the first spleen, and the first row of the role `tubular`.
 
 import argparse
 import csv
+import functools
 import warnings
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -54,10 +55,16 @@ class Case:
     parameters: dict = field(default_factory=dict)
 
 
-def phantom_case(name, shape, label, **parameters):
+@functools.lru_cache(maxsize=None)  # several figures show the abdomen
+def phantom_of(shape):
     source = flipfree.vtkPhantomSource()
     source.SetShape(shape)
     source.Update()
+    return source
+
+
+def phantom_case(name, shape, label, **parameters):
+    source = phantom_of(shape)
     return Case(f"{name} (phantom)", source.GetOutput(), *inputs.seed_in(source, label),
                 source.GetLabelMap(), label, parameters)
 

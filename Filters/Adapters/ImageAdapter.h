@@ -29,7 +29,7 @@ inline ImageGeometry GeometryOf(vtkImageData* image)
   image->GetDimensions(geometry.Dimensions.data());
   image->GetSpacing(geometry.Spacing.data());
   const double* direction = image->GetDirectionMatrix()->GetData();
-  geometry.Direction = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(direction);
+  geometry.Direction = Eigen::Map<const RowMajorMatrix>(direction);
   image->TransformContinuousIndexToPhysicalPoint(extent[0], extent[2], extent[4],
     geometry.Origin.data());
   return geometry;
@@ -92,7 +92,7 @@ inline void SetGeometry(vtkImageData* image, const ImageGeometry& geometry)
   image->SetDimensions(geometry.Dimensions.data());
   image->SetSpacing(geometry.Spacing.data());
   image->SetOrigin(geometry.Origin.data());
-  const Eigen::Matrix<double, 3, 3, Eigen::RowMajor> direction = geometry.Direction;
+  const RowMajorMatrix direction = geometry.Direction;
   image->SetDirectionMatrix(direction.data());
 }
 

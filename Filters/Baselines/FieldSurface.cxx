@@ -17,38 +17,25 @@ namespace FlipFree
 namespace
 {
 
-struct FieldBox
+bool IsPositive(float value)
 {
-  Eigen::Array3i Low;
-  Eigen::Array3i High;
-};
-
-FieldBox PositiveBox(const ImageView<float>& field)
-{
-  const auto& size = field.Geometry.Dimensions;
-  FieldBox box{ Eigen::Array3i(size[0], size[1], size[2]), Eigen::Array3i(-1, -1, -1) };
-  for (const VoxelRun& run : RunsOfField(field, { { 0, 0, 0 } }))
-  {
-    box.Low = box.Low.min(Eigen::Array3i(run.Begin, run.J, run.K));
-    box.High = box.High.max(Eigen::Array3i(run.End - 1, run.J, run.K));
-  }
-  return box;
+  return value > 0;
 }
 
 // The box and a rim of one voxel, which closes the surface where the grid ends. Points are indices.
 // No value is zero: a contour through voxel centers would have triangles without area.
-vtkSmartPointer<vtkImageData> CropAndPad(const ImageView<float>& field, const FieldBox& box)
+vtkSmartPointer<vtkImageData> CropAndPad(const ImageView<float>& field, const VoxelBox& box)
 {
   auto image = vtkSmartPointer<vtkImageData>::New();
-  image->SetExtent(box.Low[0] - 1, box.High[0] + 1, box.Low[1] - 1, box.High[1] + 1, box.Low[2] - 1,
-    box.High[2] + 1);
+  image->SetExtent(box.Begin[0] - 1, box.End[0], box.Begin[1] - 1, box.End[1], box.Begin[2] - 1,
+    box.End[2]);
   image->AllocateScalars(VTK_FLOAT, 1);
   auto* voxel = static_cast<float*>(image->GetScalarPointer());
-  for (int k = box.Low[2] - 1; k <= box.High[2] + 1; ++k)
+  for (int k = box.Begin[2] - 1; k <= box.End[2]; ++k)
   {
-    for (int j = box.Low[1] - 1; j <= box.High[1] + 1; ++j)
+    for (int j = box.Begin[1] - 1; j <= box.End[1]; ++j)
     {
-      for (int i = box.Low[0] - 1; i <= box.High[0] + 1; ++i, ++voxel)
+      for (int i = box.Begin[0] - 1; i <= box.End[0]; ++i, ++voxel)
       {
         const float value = field.Geometry.Contains(i, j, k) ? field(i, j, k) : -1.0F;
         *voxel = value > 0 ? std::max(value, 1e-3F) : std::min(value, -1e-3F);
@@ -63,8 +50,8 @@ vtkSmartPointer<vtkImageData> CropAndPad(const ImageView<float>& field, const Fi
 FieldSurface SurfaceOfField(const ImageView<float>& field)
 {
   FieldSurface surface;
-  const FieldBox box = PositiveBox(field);
-  if (box.High[0] < 0)
+  const VoxelBox box = VoxelsWhere(field, IsPositive, SerialFor).Bounds();
+  if (box.IsEmpty())
   {
     return surface;
   }
@@ -101,13 +88,12 @@ std::vector<VoxelRun> RunsOfField(const ImageView<float>& field, const std::arra
     {
       const float* row = field.Data + field.Geometry.Offset(0, j, k);
       const float* const end = row + size[0];
-      const auto isInside = [](float value) { return value > 0; };
-      for (const float* from = std::find_if(row, end, isInside); from != end;)
+      for (const float* from = std::find_if(row, end, IsPositive); from != end;)
       {
-        const float* const to = std::find_if_not(from, end, isInside);
+        const float* const to = std::find_if_not(from, end, IsPositive);
         runs.push_back({ first[1] + j, first[2] + k, first[0] + static_cast<int>(from - row),
           first[0] + static_cast<int>(to - row) });
-        from = std::find_if(to, end, isInside);
+        from = std::find_if(to, end, IsPositive);
       }
     }
   }

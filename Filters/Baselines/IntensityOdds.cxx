@@ -59,11 +59,9 @@ std::vector<float> LogOddsOf(const BaselineTask& task, double noiseWidening,
 {
   IntensitySettings settings;
   settings.NoiseWidening = noiseWidening;
-  std::vector<float> seed;
-  for (const std::size_t voxel : task.SeedVoxels)
-  {
-    seed.push_back(task.Region.Voxels[voxel]);
-  }
+  std::vector<float> seed(task.SeedVoxels.size());
+  std::transform(task.SeedVoxels.begin(), task.SeedVoxels.end(), seed.begin(),
+    [&task](std::size_t voxel) { return task.Region.Voxels[voxel]; });
   const GaussianMixture organ = IntensityModel::FromSeed(seed, task.Noise, settings).Mixture;
   const Range range = SupportOf(organ);
   const GaussianMixture around = FitSurroundings(task.Region.Voxels, range);

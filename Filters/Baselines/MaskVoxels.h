@@ -5,7 +5,9 @@
 #define FlipFreeMaskVoxels_h
 
 #include "Image/BitMask.h"
+#include "Image/VoxelOffsets.h"
 
+#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -14,10 +16,8 @@ namespace FlipFree
 
 inline void InsertVoxel(BitMask& mask, std::size_t offset)
 {
-  const std::size_t row = mask.GetGeometry().Dimensions[0];
-  const std::size_t rows = mask.GetGeometry().Dimensions[1];
-  mask.Insert(static_cast<int>(offset % row), static_cast<int>(offset / row % rows),
-    static_cast<int>(offset / row / rows));
+  const std::array<int, 3> index = IndexOf(offset, mask.GetGeometry());
+  mask.Insert(index[0], index[1], index[2]);
 }
 
 inline BitMask MaskOf(const std::vector<std::size_t>& offsets, const ImageGeometry& geometry)

@@ -3,6 +3,8 @@
 #include "GridGraph.h"
 #include "MaskVoxels.h"
 
+#include "Image/VoxelOffsets.h"
+
 #include <boost/graph/boykov_kolmogorov_max_flow.hpp>
 
 #include <array>
@@ -77,8 +79,7 @@ bool BuildGraph(const ImageView<float>& image, const std::vector<float>& logOdds
       settings.Smoothness / geometry.Spacing[axis] * std::exp(-contrast * difference * difference));
   };
   std::vector<float> preferences(graph.NumberOfNodes(), 0);
-  const std::array<std::size_t, 3> strides{ { 1, geometry.Offset(0, 1, 0),
-    geometry.Offset(0, 0, 1) } };
+  const std::array<std::ptrdiff_t, 3> steps = StepsOf(geometry);
   for (int k = 0; k < size[2]; ++k)
   {
     if (!monitor(0))
@@ -102,7 +103,7 @@ bool BuildGraph(const ImageView<float>& image, const std::vector<float>& logOdds
           {
             continue;
           }
-          const std::size_t next = voxel + strides[axis];
+          const std::size_t next = voxel + steps[axis];
           const Vertex other = nodes[next];
           if (node == GridGraph::None && other == GridGraph::None)
           {

@@ -13,19 +13,6 @@ namespace FlipFree
 namespace
 {
 
-// Plane k of a mask as a mask of its own, and back.
-BitMask PlaneOf(const BitMask& mask, int k, const ImageGeometry& geometry)
-{
-  BitMask plane(geometry);
-  std::copy_n(mask.Row(0, k), plane.GetWords().size(), plane.GetWords().begin());
-  return plane;
-}
-
-void InsertPlane(const BitMask& plane, int k, BitMask& mask)
-{
-  std::copy(plane.GetWords().begin(), plane.GetWords().end(), mask.Row(0, k));
-}
-
 class SliceCutter
 {
 public:
@@ -46,13 +33,14 @@ public:
   bool Cut(int k, const BitMask* before, const Monitor& monitor, BitMask& organ) const
   {
     const ImageGeometry& region = this->Task.Region.Geometry;
-    const ImageGeometry plane = CropGeometry(region,
-      { { { 0, 0, k } }, { { region.Dimensions[0], region.Dimensions[1], k + 1 } } });
+    const VoxelBox box{ { { 0, 0, k } },
+      { { region.Dimensions[0], region.Dimensions[1], k + 1 } } };
+    const ImageGeometry plane = CropGeometry(region, box);
     const std::size_t first = region.Offset(0, 0, k);
     const float* const odds = this->LogOdds.data() + first;
     const std::vector<float> oddsOfPlane(odds, odds + plane.NumberOfVoxels());
-    BitMask candidates = PlaneOf(this->Candidates, k, plane);
-    BitMask seeds = PlaneOf(this->Seeds, k, plane);
+    BitMask candidates = this->Candidates.Cropped(box);
+    BitMask seeds = this->Seeds.Cropped(box);
     std::vector<std::size_t> sources;
     if (before)
     {
@@ -111,7 +99,7 @@ bool CutSliceBySlice(const BaselineTask& task, const std::vector<float>& logOdds
     return false;
   }
   organ = BitMask(geometry);
-  InsertPlane(middle, first, organ);
+  organ.Insert(middle, { { 0, 0, first } });
   ++slices;
   for (const int direction : { 1, -1 })
   {
@@ -123,7 +111,7 @@ bool CutSliceBySlice(const BaselineTask& task, const std::vector<float>& logOdds
       {
         return false;
       }
-      InsertPlane(next, k, organ);
+      organ.Insert(next, { { 0, 0, k } });
       before = std::move(next);
       ++slices;
     }

@@ -3,6 +3,7 @@
 #include "ExecutionAdapter.h"
 #include "FieldData.h"
 #include "GrayImageAdapter.h"
+#include "Image/BoxReading.h"
 #include "Image/GradientScale.h"
 #include "ItkDiffusion.h"
 #include "PipelineAdapter.h"
@@ -80,22 +81,13 @@ bool CopyRegion(vtkImageData* image, const VoxelBox& region, const FlipFree::Mon
   copy->SetSpacing(image->GetSpacing());
   copy->SetDirectionMatrix(image->GetDirectionMatrix());
   copy->AllocateScalars(VTK_FLOAT, 1);
-  const FlipFree::ImageGeometry geometry = FlipFree::GeometryOf(copy);
-  const FlipFree::VoxelReader read = FlipFree::GrayReaderOf(image, region);
+  const FlipFree::VoxelReader read =
+    FlipFree::GrayReaderOf(image, FlipFree::WholeBox(FlipFree::GeometryOf(image)));
   auto* const voxels = static_cast<float*>(copy->GetScalarPointer());
-  const auto& size = geometry.Dimensions;
-  return FlipFree::SMPForSlices(0, size[2], static_cast<std::ptrdiff_t>(size[0]) * size[1],
-    FlipFree::PartOf(monitor, 0.3, 1),
+  return FlipFree::SMPForSlices(0, region.Size(2),
+    static_cast<std::ptrdiff_t>(region.Size(0)) * region.Size(1), FlipFree::PartOf(monitor, 0.3, 1),
     [&](std::ptrdiff_t first, std::ptrdiff_t last)
-    {
-      for (int k = static_cast<int>(first); k < last; ++k)
-      {
-        for (int j = 0; j < size[1]; ++j)
-        {
-          read(0, size[0], j, k, voxels + geometry.Offset(0, j, k));
-        }
-      }
-    });
+    { FlipFree::ReadSlices(read, region, first, last, voxels); });
 }
 
 } // namespace

@@ -3,6 +3,7 @@
 #include "DicomSeries.h"
 #include "ExecutionAdapter.h"
 #include "ImageAdapter.h"
+#include "PipelineAdapter.h"
 #include "VolumeFile.h"
 
 #include "vtkDataArray.h"
@@ -13,7 +14,6 @@
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
-#include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkStringArray.h"
 
 #include <cstdlib>
@@ -123,15 +123,8 @@ int vtkMedicalImageReader::RequestInformation(vtkInformation*, vtkInformationVec
     return this->Fail(error, outInfo);
   }
 
-  const FlipFree::ImageGeometry& geometry = this->Found->Header.Geometry;
-  const int extent[6] = { 0, geometry.Dimensions[0] - 1, 0, geometry.Dimensions[1] - 1, 0,
-    geometry.Dimensions[2] - 1 };
-  const Eigen::Matrix<double, 3, 3, Eigen::RowMajor> direction = geometry.Direction;
-  outInfo->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent, 6);
-  outInfo->Set(vtkDataObject::SPACING(), geometry.Spacing.data(), 3);
-  outInfo->Set(vtkDataObject::ORIGIN(), geometry.Origin.data(), 3);
-  outInfo->Set(vtkDataObject::DIRECTION(), direction.data(), 9);
-  vtkDataObject::SetPointDataActiveScalarInfo(outInfo, this->Found->Header.ScalarType, 1);
+  const FlipFree::VolumeHeader& header = this->Found->Header;
+  FlipFree::AnnounceImage(header.Geometry, header.ScalarType, outInfo);
   return 1;
 }
 

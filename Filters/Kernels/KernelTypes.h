@@ -25,6 +25,9 @@ using PointList = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>;
 /// One row per triangle: the indices of its three points, counter-clockwise seen from outside.
 using TriangleList = Eigen::Matrix<int, Eigen::Dynamic, 3, Eigen::RowMajor>;
 
+/// A direction matrix row by row, as VTK, numpy and JSON have it.
+using RowMajorMatrix = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
+
 /// Polygons as in vtkCellArray: face f has the vertices Connectivity[Offsets[f]] up to, not
 /// including, Connectivity[Offsets[f + 1]], counter-clockwise seen from outside.
 struct FaceList

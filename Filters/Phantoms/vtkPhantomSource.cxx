@@ -4,6 +4,7 @@
 #include "ImageAdapter.h"
 #include "Phantom/PhantomVolume.h"
 #include "PhantomSurface.h"
+#include "PipelineAdapter.h"
 
 #include "vtkDataObject.h"
 #include "vtkImageData.h"
@@ -14,7 +15,6 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkShortArray.h"
-#include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
@@ -147,18 +147,8 @@ int vtkPhantomSource::RequestInformation(vtkInformation*, vtkInformationVector**
     vtkErrorMacro("No phantom: " << error.what());
     return 0;
   }
-  const Eigen::Matrix<double, 3, 3, Eigen::RowMajor> direction = geometry.Direction;
-  const int extent[6] = { 0, geometry.Dimensions[0] - 1, 0, geometry.Dimensions[1] - 1, 0,
-    geometry.Dimensions[2] - 1 };
-  for (int port = 0; port < 2; ++port)
-  {
-    vtkInformation* info = outputVector->GetInformationObject(port);
-    info->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent, 6);
-    info->Set(vtkDataObject::SPACING(), geometry.Spacing.data(), 3);
-    info->Set(vtkDataObject::ORIGIN(), geometry.Origin.data(), 3);
-    info->Set(vtkDataObject::DIRECTION(), direction.data(), 9);
-    vtkDataObject::SetPointDataActiveScalarInfo(info, port == 0 ? VTK_SHORT : VTK_UNSIGNED_CHAR, 1);
-  }
+  FlipFree::AnnounceImage(geometry, VTK_SHORT, outputVector->GetInformationObject(0));
+  FlipFree::AnnounceImage(geometry, VTK_UNSIGNED_CHAR, outputVector->GetInformationObject(1));
   return 1;
 }
 

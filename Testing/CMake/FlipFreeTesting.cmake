@@ -7,6 +7,9 @@ include(GoogleTest)
 set(FLIPFREE_DATA_DIR "${PROJECT_SOURCE_DIR}/../shared/data" CACHE PATH
   "Folder with real volumes and cases.csv; tests that need it are skipped where it is absent")
 
+set(FLIPFREE_PARAVIEW_BUILD "${PROJECT_SOURCE_DIR}/build/paraview" CACHE PATH
+  "Folder in which Wrapping/ParaView/build-plugin.sh has built the plugin; its tests are skipped without it")
+
 # flipfree_add_unit_tests(<name> SOURCES <files> LIBRARIES <targets> [LABEL <label>] [LONG <patterns>])
 # One GoogleTest program; each of its cases becomes one test of CTest. With sanitizers, a process per case
 # would spend most of its time loading VTK, so a few processes share the cases; those whose names match the
@@ -42,6 +45,9 @@ function (flipfree_add_unit_tests name)
   endforeach ()
 endfunction ()
 
+# Where the test Python.KeepAbdomen keeps the phantom that others read: those with the fixture Abdomen.
+set(FLIPFREE_ABDOMEN "${PROJECT_BINARY_DIR}/Testing/Python/abdomen.npz")
+
 # flipfree_add_python_tests(<files>)
 # Each file is one test of CTest: a program of Python's unittest that imports `flipfree` from the build
 # tree. The interpreter is the one VTK's wrapping was built for.
@@ -59,7 +65,8 @@ function (flipfree_add_python_tests)
     set_tests_properties("Python.${_test_name}" PROPERTIES
       LABELS python
       TIMEOUT 300
-      ENVIRONMENT "PYTHONPATH=${PROJECT_BINARY_DIR}/${FLIPFREE_PYTHON_DESTINATION};PYTHONDONTWRITEBYTECODE=1;FLIPFREE_DATA_DIR=${FLIPFREE_DATA_DIR};FLIPFREE_MODULE_FOLDERS=${_test_folders};FLIPFREE_PYTHON_SOURCE=${PROJECT_SOURCE_DIR}/Wrapping/Python")
+      FIXTURES_REQUIRED Abdomen
+      ENVIRONMENT "PYTHONPATH=${PROJECT_BINARY_DIR}/${FLIPFREE_PYTHON_DESTINATION};PYTHONDONTWRITEBYTECODE=1;FLIPFREE_ABDOMEN=${FLIPFREE_ABDOMEN};FLIPFREE_DATA_DIR=${FLIPFREE_DATA_DIR};FLIPFREE_MODULE_FOLDERS=${_test_folders};FLIPFREE_PYTHON_SOURCE=${PROJECT_SOURCE_DIR}/Wrapping/Python")
   endforeach ()
 endfunction ()
 

@@ -38,7 +38,7 @@ inline vtkSmartPointer<vtkImageData> ImageAround(const Eigen::Vector3d& center,
   auto image = vtkSmartPointer<vtkImageData>::New();
   image->SetExtent(-3, dimensions[0] - 4, 5, dimensions[1] + 4, 2, dimensions[2] + 1);
   image->SetSpacing(spacing.data());
-  const Eigen::Matrix<double, 3, 3, Eigen::RowMajor> rows = direction;
+  const RowMajorMatrix rows = direction;
   image->SetDirectionMatrix(rows.data());
   const Eigen::Vector3d middle(-3 + (dimensions[0] - 1) / 2.0, 5 + (dimensions[1] - 1) / 2.0,
     2 + (dimensions[2] - 1) / 2.0);

@@ -1,6 +1,7 @@
 """The examples in the package's documentation, and those of the generators of its type stubs and documentation."""
 
 import doctest
+import functools
 import importlib
 import os
 import pkgutil
@@ -18,6 +19,8 @@ if HAS_VTK and not hasattr(flipfree, "vtkMedicalImageReader"):
 
 
 def load_tests(_loader, tests, _pattern):
+    # Several make the same one, which takes longer than what they do with it.
+    flipfree.phantom = functools.lru_cache(maxsize=None)(flipfree.phantom)
     source = os.environ["FLIPFREE_PYTHON_SOURCE"]
     sys.path[:0] = [source, os.path.join(source, "Wheel")]
     for name in MODULES + ["GenerateStubs", "GenerateDocumentation"]:

@@ -101,15 +101,20 @@ class Names(unittest.TestCase):
 
 @unittest.skipUnless(importlib.util.find_spec("mypy"), "mypy is not installed")
 class Mypy(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        # One for all runs, which read numpy's types for the most part.
+        folder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(folder.cleanup)
+        cls.cache = folder.name
+
     def mypy(self, *arguments):
         """VTK 9.1 itself has no types, so what comes from it is of any type."""
-        with tempfile.TemporaryDirectory() as cache:
-            process = subprocess.run(
-                [sys.executable, "-m", "mypy", "--strict", "--ignore-missing-imports",
-                 "--allow-subclassing-any", "--cache-dir", cache, *arguments],
-                env=dict(os.environ, MYPYPATH=str(PACKAGE.parent)), text=True, timeout=250,
-                stdout=subprocess.PIPE, stderr=subprocess.STDOUT, check=False)
-        return process.stdout
+        return subprocess.run(
+            [sys.executable, "-m", "mypy", "--strict", "--ignore-missing-imports",
+             "--allow-subclassing-any", "--cache-dir", self.cache, *arguments],
+            env=dict(os.environ, MYPYPATH=str(PACKAGE.parent)), text=True, timeout=250,
+            stdout=subprocess.PIPE, stderr=subprocess.STDOUT, check=False).stdout
 
     def check(self, program):
         with tempfile.TemporaryDirectory() as folder:

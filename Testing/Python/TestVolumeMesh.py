@@ -7,6 +7,7 @@ import tempfile
 import unittest
 
 import flipfree
+from example import abdomen
 
 
 def tetrahedra(organ):
@@ -23,7 +24,7 @@ def tetrahedra(organ):
 
 
 def segmentation_of(shape, label, **parameters):
-    phantom = flipfree.phantom(shape)
+    phantom = abdomen() if shape == "abdomen" else flipfree.phantom(shape)
     return flipfree.segment(phantom.image, *phantom.seeds[label], **parameters)
 
 

@@ -72,8 +72,10 @@ class CohortTest(unittest.TestCase):
                 if json.loads(path.read_text())["status"] == "done"}
 
 
-class Cluster(CohortTest):
-    """On a scheduler that exists, with two workers, each minded by a process that starts it again."""
+class SchedulerTest(CohortTest):
+    """On a scheduler that exists, with some workers, each minded by a process that starts it again."""
+
+    WORKERS = 1
 
     @classmethod
     def setUpClass(cls):
@@ -89,7 +91,7 @@ class Cluster(CohortTest):
             cls.addClassCleanup(process.terminate)
 
         start("dask_scheduler", "--host", "127.0.0.1", "--port", "0", "--no-dashboard")
-        for _ in range(2):
+        for _ in range(cls.WORKERS):
             start("dask_worker", "--host", "127.0.0.1", "--nthreads", "1", "--no-dashboard", "--local-directory",
                   folder.name)
         end = time.monotonic() + 120
@@ -97,7 +99,11 @@ class Cluster(CohortTest):
             time.sleep(0.1)
         cls.address = json.loads(address.read_text())["address"]
         with distributed.Client(cls.address, set_as_default=False) as client:
-            client.wait_for_workers(2, timeout=120)
+            client.wait_for_workers(cls.WORKERS, timeout=120)
+
+
+class Cluster(SchedulerTest):
+    WORKERS = 2
 
     def test_killed_worker(self):
         """Nothing is lost, and nothing that was done is done again."""
@@ -125,7 +131,7 @@ class Cluster(CohortTest):
         self.assertGreaterEqual(len(before), 1)
         self.assertEqual({name: after[name] for name in before}, before)
         with distributed.Client(self.address, set_as_default=False) as client:
-            client.wait_for_workers(2, timeout=60)
+            client.wait_for_workers(self.WORKERS, timeout=60)
             self.assertNotIn(killed["pid"], client.run(os.getpid).values())
 
     def test_only_what_has_changed_is_done_again(self):
@@ -230,13 +236,14 @@ class Local(CohortTest):
             self.assertEqual(_cluster.workers_for(1, 512 * 512 * 275, 100), 1)
 
 
-class Points(CohortTest):
+class Points(SchedulerTest):
     """Rows between points, and rows that points correct."""
 
     ENDS = [(13.3, 44.6, 44.5), (82.0, 50.4, 37.6)]
 
     @classmethod
     def setUpClass(cls):
+        super().setUpClass()
         folder = tempfile.TemporaryDirectory()
         cls.addClassCleanup(folder.cleanup)
         cls.inputs = Path(folder.name)
@@ -258,7 +265,7 @@ class Points(CohortTest):
         return [tuple(a + b for a, b in zip(self.ball.seeds[1][0], offset)) for offset in offsets]
 
     def done(self, rows):
-        result = flipfree.cohort(rows, self.out, workers=1)
+        result = flipfree.cohort(rows, self.out, scheduler=self.address)
         self.assertEqual([row["message"] for row in result.failed], [])
         return result
 

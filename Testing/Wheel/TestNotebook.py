@@ -68,10 +68,10 @@ class Readme(unittest.TestCase):
         programs = re.findall(r"(?s)```python\n(.*?)```", section)
         self.assertEqual(len(programs), 2)
         with tempfile.TemporaryDirectory() as folder:
-            process = subprocess.run([sys.executable, "-c", "".join(programs)], cwd=folder, capture_output=True, text=True,
+            # The first one needs no extras: TestExtension runs it.
+            process = subprocess.run([sys.executable, "-c", programs[1]], cwd=folder, capture_output=True, text=True,
                                      timeout=300, check=False)
-            self.assertEqual((process.returncode, process.stderr), (0, ""))
-            self.assertRegex(process.stdout, r"\Aat rest \(6144, 3\) \d+ voxels\n0\.93\d+\n\Z")
+            self.assertEqual((process.returncode, process.stdout, process.stderr), (0, "", ""))
             self.assertGreater((Path(folder) / "liver.png").stat().st_size, 50000)
 
 

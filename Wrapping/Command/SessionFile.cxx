@@ -262,8 +262,7 @@ FlipFree::ImageGeometry GeometryOf(const Session& session)
   geometry.Dimensions = session.Size;
   geometry.Spacing = Eigen::Vector3d(session.Spacing.data());
   geometry.Origin = Eigen::Vector3d(session.Origin.data());
-  geometry.Direction =
-    Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(session.Direction.data());
+  geometry.Direction = Eigen::Map<const FlipFree::RowMajorMatrix>(session.Direction.data());
   return geometry;
 }
 

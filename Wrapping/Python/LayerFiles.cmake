@@ -1,11 +1,13 @@
 # The layer in Python that is the same over VTK's filters and over the kernels; what differs is beside it, in VTK
 # and in Wheel.
 set(FLIPFREE_LAYER_FILES
+  _arrays.py
   _coordinates.py
   _corrections.py
   _errors.py
   _evaluate.py
   _faces.py
+  _files.py
   _foreign.py
   _interrupt.py
   _labels.py

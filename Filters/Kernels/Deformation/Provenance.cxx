@@ -67,8 +67,7 @@ std::string JsonOf(ConstraintList constraints)
 std::string SessionOf(const ImageGeometry& geometry, const std::vector<std::string>& organs,
   const std::string& more)
 {
-  using RowMajor = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
-  const RowMajor direction = geometry.Direction;
+  const RowMajorMatrix direction = geometry.Direction;
   return "{\"format\":\"flipfree-session\",\"version\":2,\"flipfree\":\"" FLIPFREE_VERSION
          "\",\"image\":{\"name\":\"\",\"size\":" +
     JsonOf(geometry.Dimensions.data(), 3) + ",\"spacing\":" + JsonOf(geometry.Spacing.data(), 3) +

@@ -3,6 +3,19 @@
 namespace FlipFree
 {
 
+void ReadSlices(const VoxelReader& read, const VoxelBox& box, std::ptrdiff_t first,
+  std::ptrdiff_t last, float* voxels)
+{
+  float* row = voxels + first * box.Size(1) * box.Size(0);
+  for (int k = static_cast<int>(first); k < last; ++k)
+  {
+    for (int j = 0; j < box.Size(1); ++j, row += box.Size(0))
+    {
+      read(box.Begin[0], box.End[0], box.Begin[1] + j, box.Begin[2] + k, row);
+    }
+  }
+}
+
 FloatImage ReadBox(const VoxelReader& read, const ImageGeometry& geometry, const VoxelBox& box,
   const ParallelFor& parallelFor)
 {
@@ -11,16 +24,7 @@ FloatImage ReadBox(const VoxelReader& read, const ImageGeometry& geometry, const
   part.Voxels.resize(part.Geometry.NumberOfVoxels());
   parallelFor(0, box.Size(2),
     [&](std::ptrdiff_t first, std::ptrdiff_t last)
-    {
-      for (int k = static_cast<int>(first); k < last; ++k)
-      {
-        for (int j = 0; j < box.Size(1); ++j)
-        {
-          read(box.Begin[0], box.End[0], box.Begin[1] + j, box.Begin[2] + k,
-            part.Voxels.data() + part.Geometry.Offset(0, j, k));
-        }
-      }
-    });
+    { ReadSlices(read, box, first, last, part.Voxels.data()); });
   return part;
 }
 

@@ -16,7 +16,7 @@ struct PhantomSettings
   std::array<int, 3> Dimensions{ { 0, 0, 0 } };      ///< zeros: as suits the shape
   Eigen::Vector3d Spacing = Eigen::Vector3d::Zero(); ///< millimeters; zeros: as suits the shape
   Eigen::Vector3d Origin = Eigen::Vector3d::Zero();
-  Eigen::Matrix<double, 3, 3, Eigen::RowMajor> Direction = Eigen::Matrix3d::Identity();
+  RowMajorMatrix Direction = Eigen::Matrix3d::Identity();
   double Foreground = 100; ///< intensities of the plain shapes
   double Background = 0;
   double NoiseStandardDeviation = 12;

@@ -10,8 +10,6 @@ namespace FlipFree
 namespace
 {
 
-using Settings = VesselSegmentationSettings;
-
 val BranchesOf(const VesselTree& tree)
 {
   val branches = val::array();
@@ -32,7 +30,7 @@ val Trace(const Volume& image, const val& points, const val& parameters, const v
   return Guarded(
     [&]
     {
-      Settings settings;
+      VesselSegmentationSettings settings;
       SetParameters(VesselParameters(), parameters, settings);
       const std::vector<double> numbers = emscripten::vecFromJSArray<double>(points);
       const PointList list = Eigen::Map<const PointList>(numbers.data(),
@@ -47,16 +45,16 @@ val Trace(const Volume& image, const val& points, const val& parameters, const v
     });
 }
 
-val DefaultParameters()
+val DefaultVesselParameters()
 {
-  return ParametersOf(VesselParameters(), Settings());
+  return ParametersOf(VesselParameters(), VesselSegmentationSettings());
 }
 
 } // namespace
 
 void BindVessels()
 {
-  emscripten::function("vesselParameters", &DefaultParameters);
+  emscripten::function("vesselParameters", &DefaultVesselParameters);
   emscripten::function("trace", &Trace);
 }
 

@@ -23,8 +23,7 @@ ImageGeometry GeometryOf(const val& image)
   }
   geometry.Spacing = Eigen::Vector3d(numbers("spacing").data());
   geometry.Origin = Eigen::Vector3d(numbers("origin").data());
-  geometry.Direction =
-    Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(numbers("direction").data());
+  geometry.Direction = Eigen::Map<const RowMajorMatrix>(numbers("direction").data());
   return geometry;
 }
 

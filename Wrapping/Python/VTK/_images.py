@@ -6,9 +6,10 @@ from typing import TYPE_CHECKING, Any, TypeAlias, Union
 
 from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData
 
-from ._arrays import image_from_array
+from ._image_arrays import image_of
 from ._segmentation import Segmentation
 from ._types import PathName
+from ._voxels import voxels_of
 
 Image: TypeAlias = vtkImageData
 IMAGE_NAME = "vtkImageData"
@@ -37,7 +38,7 @@ def geometry_like(other: vtkImageData, array: Any) -> vtkImageData:
     """The voxels of an array as an image with the geometry of another."""
     direction = other.GetDirectionMatrix()
     axes = [direction.GetElement(row, column) for row in range(3) for column in range(3)]
-    image = image_from_array(array, other.GetSpacing(), other.GetOrigin(), axes)
+    image = image_of(voxels_of(array), other.GetSpacing(), other.GetOrigin(), axes)
     if image.GetDimensions() == other.GetDimensions():
         image.SetExtent(other.GetExtent())
     return image

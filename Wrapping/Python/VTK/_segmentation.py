@@ -8,9 +8,9 @@ from typing import TYPE_CHECKING, Any
 
 from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData, vtkTable
 
-from ._arrays import array_from_image
 from ._corrections import Constraint, Correctable
 from ._faces import Faces
+from ._image_arrays import voxels_in
 
 if TYPE_CHECKING:
     import numpy.typing as npt
@@ -80,7 +80,7 @@ class Segmentation(Faces, Correctable):
     @property
     def labels(self) -> npt.NDArray[Any]:
         """The voxels of the label map as labels[k, j, i]."""
-        return array_from_image(self.label_map)
+        return voxels_in(self.label_map)
 
     @property
     def iterations(self) -> dict[str, npt.NDArray[Any]]:

@@ -42,8 +42,7 @@ inline ImageGeometry GeometryOf(const Voxels& voxels, const Triple& spacing, con
   }
   geometry.Spacing = Eigen::Vector3d(spacing.data());
   geometry.Origin = Eigen::Vector3d(origin.data());
-  geometry.Direction =
-    Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(direction.data());
+  geometry.Direction = Eigen::Map<const RowMajorMatrix>(direction.data());
   return geometry;
 }
 

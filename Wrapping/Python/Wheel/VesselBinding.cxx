@@ -16,8 +16,6 @@ namespace FlipFree
 namespace
 {
 
-using Settings = VesselSegmentationSettings;
-
 // Per branch its center, the radius and the length at each point, and the branch that it begins on.
 nb::list BranchesOf(const VesselTree& tree)
 {
@@ -53,7 +51,7 @@ ConstraintList ConstraintsOf(const std::vector<CorrectionRow>& rows)
 
 nb::dict Trace(const Voxels& voxels, const Triple& spacing, const Triple& origin,
   const Nine& direction, const std::vector<Triple>& places, const std::vector<CorrectionRow>& rows,
-  const Settings& settings, const nb::callable& report)
+  const VesselSegmentationSettings& settings, const nb::callable& report)
 {
   const ImageGeometry geometry = GeometryOf(voxels, spacing, origin, direction);
   PointList points(static_cast<Eigen::Index>(places.size()), 3);
@@ -102,7 +100,8 @@ nb::dict Trace(const Voxels& voxels, const Triple& spacing, const Triple& origin
 
 void BindVessels(nb::module_& module)
 {
-  BindSettings<Settings>(module, "VesselSettings", &VesselParameters).def(nb::init<>());
+  BindSettings<VesselSegmentationSettings>(module, "VesselSettings", &VesselParameters)
+    .def(nb::init<>());
   module.def("trace", &Trace, nb::arg("voxels").noconvert(), nb::arg("spacing"), nb::arg("origin"),
     nb::arg("direction"), nb::arg("points"), nb::arg("corrections"), nb::arg("settings"),
     nb::arg("report"));

@@ -10,7 +10,8 @@ from typing import Any
 
 from ._atomic import replacing, write_table
 from ._errors import FileError
-from ._files import WRITE_ENDINGS, write_image
+from ._files import write_image
+from ._image_files import WRITE_ENDINGS
 from ._options import WrongUsage
 from ._point_files import ENDINGS as POINT_ENDINGS
 from ._segmentation import Segmentation, Vessel

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any, Union
 
-from ._arrays import image_from_array
 from ._backend import is_surface as is_surface
 from ._image import Image as Image
+from ._image_arrays import image_of
 from ._segmentation import Segmentation
 from ._segmentation import Surface as Surface
 from ._types import PathName
+from ._voxels import voxels_of
 
 IMAGE_NAME = "flipfree.Image"
 AnySurface = Union[Surface, Segmentation]
@@ -29,4 +30,4 @@ def is_image(thing: Any) -> bool:
 
 def geometry_like(other: Image, array: Any) -> Image:
     """The voxels of an array as an image with the geometry of another."""
-    return image_from_array(array, other.spacing, other.origin, other.direction)
+    return image_of(voxels_of(array), other.spacing, other.origin, other.direction)

@@ -1,7 +1,8 @@
 """numpy arrays as images and back.
 
 An array's axes are slices, rows and columns: array[k, j, i] is the voxel (i, j, k). Spacing and
-origin go by x, y, z as everywhere in VTK and ITK.
+origin go by x, y, z as everywhere in VTK and ITK. numpy is imported only where it is used: filters
+need none.
 """
 
 from __future__ import annotations
@@ -9,12 +10,14 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
-from ._image import Image
+from ._image_arrays import image_of, voxels_in
 from ._parameters import floats
 from ._voxels import IDENTITY, voxels_of
 
 if TYPE_CHECKING:
     import numpy.typing as npt
+
+    from ._images import Image
 
 
 def image_from_array(
@@ -28,24 +31,25 @@ def image_from_array(
     Spacing (mm), origin (mm, of the center of the first voxel) and direction (3 x 3, the axes as
     columns; default the identity) are as SimpleITK, nibabel and pydicom users know them, in LPS
     coordinates. Where the array is of integers or floats of up to 64 bits and its voxels lie one
-    behind the other, the image shares its memory; otherwise it has a copy.
+    behind the other, the image shares its memory (one of VTK's only if the array may be written
+    to); otherwise it has a copy.
 
     >>> import flipfree, numpy
     >>> volume = numpy.zeros((20, 64, 48), dtype=numpy.int16)   # 20 slices, 64 rows, 48 columns
     >>> image = flipfree.image_from_array(volume, spacing=(0.8, 0.8, 3), origin=(-19, -25, 100))
     >>> volume[19, 0, 0] = 7
-    >>> int(image.voxels[19, 0, 0])
+    >>> int(flipfree.array_from_image(image)[19, 0, 0])
     7
     """
     import numpy
 
     voxels = voxels_of(array)
     axes = IDENTITY if direction is None else direction
-    return Image(
+    return image_of(
         voxels,
-        tuple(floats("spacing", spacing, 3)),
-        tuple(floats("origin", origin, 3)),
-        tuple(floats("direction", numpy.ravel(axes), 9)),
+        floats("spacing", spacing, 3),
+        floats("origin", origin, 3),
+        floats("direction", numpy.ravel(axes), 9),
     )
 
 
@@ -57,6 +61,4 @@ def array_from_image(image: Image) -> npt.NDArray[Any]:
     >>> flipfree.array_from_image(phantom.image).shape
     (20, 30, 40)
     """
-    if image.voxels.size == 0:
-        raise ValueError("image: it has no voxels, so there is nothing to make an array of")
-    return image.voxels
+    return voxels_in(image)

@@ -1,0 +1,64 @@
+"""Images from files and into them, with their orientation."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping
+from typing import TYPE_CHECKING
+
+from ._image_files import read, write
+from ._images import IMAGE_NAME, is_image
+from ._progress import progress_of
+from ._types import PathName, ProgressOption
+
+if TYPE_CHECKING:
+    from ._images import Image
+
+
+def read_image(
+    path: PathName, *, series: str | None = None, progress: ProgressOption = None
+) -> Image:
+    """Reads a NIfTI, NRRD or MetaImage file, or a folder of DICOM files.
+
+    A folder may hold several DICOM series; `series` is the Series Instance UID of the one to read,
+    by default the one of most files. Coordinates are LPS millimeters. The package without VTK needs
+    SimpleITK, which `pip install '.[io]'` in the source folder brings along.
+
+    >>> import flipfree
+    >>> flipfree.read_image("nowhere.nii.gz")
+    Traceback (most recent call last):
+      ...
+    flipfree.FileError: 'nowhere.nii.gz' does not exist or may not be read. Check its name and ...
+    """
+    with progress_of(progress, "reading") as tell:
+        return read(os.fspath(path), series, tell)
+
+
+def write_image(
+    image: Image,
+    path: PathName,
+    *,
+    names: Mapping[int, str] | None = None,
+    colors: Mapping[int, str] | None = None,
+) -> None:
+    """Writes a label map or a gray image: NIfTI (.nii, .nii.gz), NRRD (.nrrd), MetaImage (.mha).
+
+    There is either the whole file afterwards or, after an error, none of it. The package without VTK
+    needs SimpleITK, as for read_image().
+
+    A path that ends on .seg.nrrd makes a label map a segmentation of 3D Slicer, in which each label
+    has a name and a color: those of `names` and `colors` by label, {1: "liver"} and {1: "#ffd24a"},
+    or else the organs' names in what segment_organs() returns, or the file's name where there is one
+    label.
+
+    >>> import flipfree
+    >>> flipfree.write_image(flipfree.phantom("sphere").label_map, "truth.jpg")
+    Traceback (most recent call last):
+      ...
+    flipfree.FileError: The ending of 'truth.jpg' stands for no format ... Use .nii.gz, ...
+    """
+    if not is_image(image):
+        raise TypeError(
+            f"image: a {IMAGE_NAME} is needed, not {image!r:.80}; image_from_array makes one"
+        )
+    write(image, os.fspath(path), names, colors or {})
