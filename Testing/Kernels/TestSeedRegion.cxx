@@ -181,9 +181,10 @@ TEST(SeedRegion, ReachInIndicesIsThatOfTheFurthestPointsOfABall)
 // All voxels that near, and no more than asked for, in any frame.
 TEST(SeedRegion, WidenedBoxesHoldAllVoxelsNearThem)
 {
-  for (const auto& [name, direction] : FramesAndShears())
+  for (const auto& frame : FramesAndShears())
   {
-    const ImageGeometry geometry = GridAround(Center, direction);
+    SCOPED_TRACE(frame.first);
+    const ImageGeometry geometry = GridAround(Center, frame.second);
     const std::array<int, 3> voxel = NearestVoxel(geometry, Center);
     const VoxelBox one{ voxel, { { voxel[0] + 1, voxel[1] + 1, voxel[2] + 1 } } };
     const Eigen::Vector3d from = geometry.ToPhysical(Eigen::Vector3d(voxel[0], voxel[1], voxel[2]));
@@ -195,11 +196,11 @@ TEST(SeedRegion, WidenedBoxesHoldAllVoxelsNearThem)
       {
         if ((geometry.ToPhysical(Eigen::Vector3d(i, j, k)) - from).norm() <= length)
         {
-          ASSERT_TRUE(box.Holds({ { { i, j, k } }, { { i + 1, j + 1, k + 1 } } })) << name;
+          ASSERT_TRUE(box.Holds({ { { i, j, k } }, { { i + 1, j + 1, k + 1 } } }));
         }
       });
-    EXPECT_EQ(least.Widened({ { 1, 1, 1 } }, WholeBox(geometry)), box) << name;
-    EXPECT_EQ(WidenedBy(one, 1e4, 0, geometry), WholeBox(geometry)) << name;
+    EXPECT_EQ(least.Widened({ { 1, 1, 1 } }, WholeBox(geometry)), box);
+    EXPECT_EQ(WidenedBy(one, 1e4, 0, geometry), WholeBox(geometry));
   }
 }
 
