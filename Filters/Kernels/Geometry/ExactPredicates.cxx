@@ -10,8 +10,19 @@ namespace FlipFree
 namespace
 {
 
-// Half the spacing of the doubles at 1, the greatest relative error of one operation.
+// Half the spacing of the doubles at 1, the greatest relative error u of one operation, also
+// relative to its rounded result.
 constexpr double Epsilon = std::numeric_limits<double>::epsilon() / 2;
+
+// The bounds on the error of a determinant, relative to its permanent P, in which all signs are
+// positive (Shewchuk, section 4.3). P is computed in the same order, and rounding is monotone, so
+// that each intermediate result is at most its counterpart in P. In space, a product of two
+// differences is off by (1 + u)^3 - 1 of its computed self, a minor by (1 + u)^4 - 1, and its
+// product with the third difference by (1 + u)^6 - 1 of its counterpart. The first of the last two
+// sums adds u P; the second one has the sign of its exact value. The products of P sum up to at
+// most (1 + u)^2 P, so that the sign is right if the exact second sum is above
+// ((1 + u)^8 - (1 + u)^2 + u) P < (7 + 28 u) u P. The other 28 u^2 are for the rounding of that sum
+// and of the bound. In the plane, that is ((1 + u)^4 - (1 + u)) P < (3 + 7 u) u P and 9 u^2.
 constexpr double Bound3D = (7 + 56 * Epsilon) * Epsilon;
 constexpr double Bound2D = (3 + 16 * Epsilon) * Epsilon;
 

@@ -2,8 +2,9 @@
  * The sign of a determinant of coordinates, without rounding error: a double evaluation with a
  * bound on its error first and, only where that cannot tell, exact expansion arithmetic
  * (J. R. Shewchuk, "Adaptive precision floating-point arithmetic and fast robust geometric
- * predicates", 1997). Exact as long as no product of three coordinates leaves the range of a
- * double.
+ * predicates", 1997). Exact for coordinates that are zero or from 1e-91 to 1e100: they are
+ * multiples of 2^-358, so that no product of three differences has bits below the least double,
+ * 2^-1074, and none overflows.
  */
 #ifndef FlipFreeExactPredicates_h
 #define FlipFreeExactPredicates_h

@@ -25,6 +25,13 @@ constexpr double KeptFraction = 1 - 1e-6;
 // Relative to the square of the greatest length, well above the rounding errors of a normal.
 constexpr double NormalError = 1e-12;
 
+// The greatest error of a normal whose edges are at most 1 long. With u = 2^-53 and
+// gamma_n = n u / (1 - n u): a component of an edge is rounded twice, by its subtraction and its
+// division, so that each product of two carries four roundings, its own, and that of the
+// difference. A component of the normal is off by at most gamma_6 (|a_j b_k| + |a_k b_j|), and the
+// normal by sqrt(2) gamma_6 |a| |b| < 9.5e-16.
+constexpr double CrossError = 2e-15;
+
 template <std::size_t N>
 bool AreAtRest(const Motion& motion, const std::array<int, N>& vertices)
 {
@@ -56,8 +63,10 @@ struct Projection
 
 // The component of the normal along the first one is quadratic in time, and positive if its three
 // Bernstein coefficients are. That decides nearly all corners without a square root. The
-// coefficients are sums of products of four edge components, whose rounding errors are below 1e-14
-// times the fourth power of the longest edge.
+// coefficients are sums of products of four edge components. Each product is rounded at most twelve
+// times: four edges, two in each of the two normals, the sum of two of these, and three in the dot
+// product. The absolute products sum up to at most 4 times the fourth power of the longest edge,
+// the errors to 4 gamma_12 times that, which is below 1e-14.
 bool StaysClearlyUpright(const Motion& motion, const std::array<int, 3>& corner)
 {
   const auto edge = [&](const PointList& points, int end) -> Vector3d
@@ -177,12 +186,15 @@ double TimeOfFlip(const Motion& motion, const std::array<int, 3>& corner)
     return 1;
   }
   // The component of the normal along the first one, less what rounding may make of it, is
-  // b0 (1 - t)^2 + 2 b1 t (1 - t) + b2 t^2.
+  // b0 (1 - t)^2 + 2 b1 t (1 - t) + b2 t^2. The error of the first normal counts in proportion to
+  // the other one: that of a sliver says little about where its normal points. The rest, of the
+  // other normal (sqrt(2) gamma_7) and of the product (gamma_3), is below 1.5e-15 of the first.
   const double error = NormalError * length;
+  const Vector3d middle = 0.5 * (edges[0][0].cross(edges[1][1]) + edges[1][0].cross(edges[0][1]));
+  const Vector3d last = edges[1][0].cross(edges[1][1]);
   const double b0 = length * length - error;
-  const double b1 =
-    0.5 * normal.dot(edges[0][0].cross(edges[1][1]) + edges[1][0].cross(edges[0][1])) - error;
-  const double b2 = normal.dot(edges[1][0].cross(edges[1][1])) - error;
+  const double b1 = normal.dot(middle) - error - CrossError * middle.norm();
+  const double b2 = normal.dot(last) - error - CrossError * last.norm();
   const double discriminant = b1 * b1 - b0 * b2;
   if (b2 > 0 && (b1 >= 0 || discriminant < 0))
   {

@@ -34,8 +34,12 @@ inline Eigen::Matrix4f Transposed(const Lanes& a, const Lanes& b, const Lanes& c
 //   of a projection    (u G + u E) |d| by its coordinates, 3 u E |d| by its products and sums
 //   of a difference    twice that, and 2 u E |d| by the subtraction
 // together (2 G + 10 E) u |d|. (4 G + 32 E) u |d| is allowed for, which also covers the rounding of
-// the allowance itself. The gap is raised by 1e-6 = 17 u of itself for the rounding of its product
-// with the direction's length. Numbers that may underflow or overflow prove nothing.
+// the allowance itself. The gap is raised by 1e-6 = 17 u of itself for its product with the
+// direction's length, which is off by at most 12 u of itself: 1 u for the gap's conversion, 1.5 u
+// for half the error of the square, 7.5 u for its root, 2 u for the product and the sum. The root
+// is Eigen's, which for SSE is one step of Newton's method from an inverse root to e = 1.5 2^-12:
+// it is too small by 1.5 e^2 = 3.4 u, with four roundings. Numbers that may underflow or overflow
+// prove nothing.
 class DirectionTest
 {
 public:

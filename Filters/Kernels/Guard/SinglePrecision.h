@@ -10,8 +10,8 @@
 namespace FlipFree
 {
 
-/// The rounded position, if that is at most a thousandth of the typical edge length (mm) away, and
-/// else, where single precision is too coarse for the surface, the position itself.
+/// The rounded position, if that is at most a thousandth of the typical edge length (mm) away along
+/// each axis, and else, where single precision is too coarse for the surface, the position itself.
 Eigen::RowVector3d RoundToSingle(const Eigen::RowVector3d& position, double edgeLength);
 
 } // namespace FlipFree
