@@ -23,14 +23,12 @@
 #include <vtkFlipFreeSegmentation.h>
 #include <vtkInteractorStyleTrackballCamera.h>
 #include <vtkMath.h>
-#include <vtkPNGWriter.h>
 #include <vtkPointData.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderWindowInteractor.h>
 #include <vtkSphereSource.h>
-#include <vtkWindowToImageFilter.h>
 
 #include <algorithm>
 #include <cmath>
@@ -513,17 +511,6 @@ void PlayUser(CorrectionWindow& window, const Scene::Vector& seed)
   tell("refused");
 }
 
-void Save(vtkRenderWindow* window, const std::string& name)
-{
-  vtkNew<vtkWindowToImageFilter> shot;
-  shot->SetInput(window);
-  shot->ReadFrontBufferOff();
-  vtkNew<vtkPNGWriter> writer;
-  writer->SetInputConnection(shot->GetOutputPort());
-  writer->SetFileName(name.c_str());
-  writer->Write();
-}
-
 } // namespace
 
 int main(int argc, char* argv[])
@@ -538,7 +525,7 @@ int main(int argc, char* argv[])
   else
   {
     PlayUser(window, inputs.Seed);
-    Save(window.GetInteractor()->GetRenderWindow(), inputs.Picture);
+    Scene::SaveWindow(window.GetInteractor()->GetRenderWindow(), inputs.Picture);
   }
   return EXIT_SUCCESS;
 }

@@ -18,13 +18,11 @@
 #include <vtkCoordinate.h>
 #include <vtkInteractorStyleTrackballCamera.h>
 #include <vtkMath.h>
-#include <vtkPNGWriter.h>
 #include <vtkProperty.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderWindowInteractor.h>
 #include <vtkSphereRepresentation.h>
 #include <vtkSphereWidget2.h>
-#include <vtkWindowToImageFilter.h>
 
 #include <algorithm>
 #include <cmath>
@@ -235,17 +233,6 @@ void PlayUser(LiveWindow& live)
             << " iterations to " << live.GetSurface()->GetNumberOfPoints() << " vertices\n";
 }
 
-void Save(vtkRenderWindow* window, const std::string& name)
-{
-  vtkNew<vtkWindowToImageFilter> shot;
-  shot->SetInput(window);
-  shot->ReadFrontBufferOff();
-  vtkNew<vtkPNGWriter> writer;
-  writer->SetInputConnection(shot->GetOutputPort());
-  writer->SetFileName(name.c_str());
-  writer->Write();
-}
-
 } // namespace
 
 int main(int argc, char* argv[])
@@ -261,7 +248,7 @@ int main(int argc, char* argv[])
   else
   {
     PlayUser(live);
-    Save(live.GetInteractor()->GetRenderWindow(), inputs.Picture);
+    Scene::SaveWindow(live.GetInteractor()->GetRenderWindow(), inputs.Picture);
   }
   return EXIT_SUCCESS;
 }

@@ -238,4 +238,15 @@ void WritePicture(const std::string& name,
   std::cout << "picture: " << name << "\n";
 }
 
+void SaveWindow(vtkRenderWindow* window, const std::string& name)
+{
+  vtkNew<vtkWindowToImageFilter> shot;
+  shot->SetInput(window);
+  shot->ReadFrontBufferOff();
+  vtkNew<vtkPNGWriter> writer;
+  writer->SetInputConnection(shot->GetOutputPort());
+  writer->SetFileName(name.c_str());
+  writer->Write();
+}
+
 } // namespace Scene

@@ -18,6 +18,8 @@
 #include <string>
 #include <vector>
 
+class vtkRenderWindow;
+
 namespace Scene
 {
 
@@ -63,6 +65,9 @@ vtkSmartPointer<vtkRenderer> SpaceView(const Actors& actors, const double bounds
 /// Draws rows of views, each a square of so many pixels, and writes them as PNG.
 void WritePicture(const std::string& name,
   const std::vector<std::vector<vtkSmartPointer<vtkRenderer>>>& rows, int size = 480);
+
+/// Writes what a window shows as PNG.
+void SaveWindow(vtkRenderWindow* window, const std::string& name);
 
 } // namespace Scene
 

@@ -17,14 +17,11 @@ import scene
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkFiltersSources import vtkSphereSource
 from vtkmodules.vtkInteractionStyle import vtkInteractorStyleTrackballCamera
-from vtkmodules.vtkIOImage import vtkPNGWriter
 from vtkmodules.vtkRenderingCore import (
     vtkActor,
     vtkCellPicker,
     vtkPolyDataMapper,
-    vtkRenderWindow,
     vtkRenderWindowInteractor,
-    vtkWindowToImageFilter,
 )
 
 CLICK_PIXELS = 3  # a mouse that moves farther than this turns the view
@@ -59,17 +56,7 @@ class CorrectionWindow:
         self.planes = {scene.AXIAL: scene.slice_view([], image, scene.AXIAL, margin=1.05),
                        scene.CORONAL: scene.slice_view([], image, scene.CORONAL, margin=1.05)}
         self.pictures = {}  # the slices' gray values
-        scene.require_display()
-        self.window = vtkRenderWindow()
-        self.window.SetWindowName("FlipFree")
-        self.window.SetMultiSamples(0)
-        self.window.SetSize(1200, 800)
-        for renderer, viewport in zip((self.space, *self.planes.values()),
-                                      ((0, 0, 0.5, 1), (0.5, 0.5, 1, 1), (0.5, 0, 1, 0.5))):
-            renderer.SetViewport(viewport)
-            self.window.AddRenderer(renderer)
-        for renderer in self.planes.values():
-            renderer.InteractiveOff()
+        self.window = scene.open_window(self.space, self.planes.values(), 0.5)
 
         self.filter = flipfree.vtkFlipFreeSegmentation()
         self.filter.SetInputData(image)
@@ -219,13 +206,7 @@ class CorrectionWindow:
 
     def save(self, picture):
         """What the window shows, as PNG."""
-        shot = vtkWindowToImageFilter()
-        shot.SetInput(self.window)
-        shot.ReadFrontBufferOff()
-        writer = vtkPNGWriter()
-        writer.SetInputConnection(shot.GetOutputPort())
-        writer.SetFileName(picture)
-        writer.Write()
+        scene.save_window(self.window, picture)
 
 
 def _axis(plane):

@@ -15,12 +15,7 @@ from growth import Growth
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkInteractionStyle import vtkInteractorStyleTrackballCamera
 from vtkmodules.vtkInteractionWidgets import vtkSphereRepresentation, vtkSphereWidget2
-from vtkmodules.vtkIOImage import vtkPNGWriter
-from vtkmodules.vtkRenderingCore import (
-    vtkRenderWindow,
-    vtkRenderWindowInteractor,
-    vtkWindowToImageFilter,
-)
+from vtkmodules.vtkRenderingCore import vtkRenderWindowInteractor
 
 MILLISECONDS = 30  # between two iterations, in which the window listens to the mouse
 
@@ -40,17 +35,7 @@ class LiveWindow:
         self.space.AddViewProp(self.words)
         self.planes = {scene.AXIAL: scene.slice_view([], image, scene.AXIAL, margin=1.05),
                        scene.CORONAL: scene.slice_view([], image, scene.CORONAL, margin=1.05)}
-        scene.require_display()
-        self.window = vtkRenderWindow()
-        self.window.SetWindowName("FlipFree")
-        self.window.SetMultiSamples(0)
-        self.window.SetSize(1200, 800)
-        for renderer, viewport in zip((self.space, *self.planes.values()),
-                                      ((0, 0, 0.66, 1), (0.66, 0.5, 1, 1), (0.66, 0, 1, 0.5))):
-            renderer.SetViewport(viewport)
-            self.window.AddRenderer(renderer)
-        for renderer in self.planes.values():
-            renderer.InteractiveOff()
+        self.window = scene.open_window(self.space, self.planes.values(), 0.66)
 
         self.interactor = vtkRenderWindowInteractor()
         self.interactor.SetRenderWindow(self.window)
@@ -148,13 +133,7 @@ class LiveWindow:
 
     def save(self, picture):
         """What the window shows, as PNG."""
-        shot = vtkWindowToImageFilter()
-        shot.SetInput(self.window)
-        shot.ReadFrontBufferOff()
-        writer = vtkPNGWriter()
-        writer.SetInputConnection(shot.GetOutputPort())
-        writer.SetFileName(picture)
-        writer.Write()
+        scene.save_window(self.window, picture)
 
 
 if __name__ == "__main__":

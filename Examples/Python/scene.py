@@ -235,6 +235,33 @@ def write_picture(path, rows, size=480):
     print(f"picture: {path}")
 
 
+def open_window(space, slices, share):
+    """A window: the view into space, over that share of its width, and two slices beside it."""
+    require_display()
+    window = vtkRenderWindow()
+    window.SetWindowName("FlipFree")
+    window.SetMultiSamples(0)
+    window.SetSize(1200, 800)
+    for renderer, viewport in zip((space, *slices),
+                                  ((0, 0, share, 1), (share, 0.5, 1, 1), (share, 0, 1, 0.5))):
+        renderer.SetViewport(viewport)
+        window.AddRenderer(renderer)
+    for renderer in slices:
+        renderer.InteractiveOff()
+    return window
+
+
+def save_window(window, path):
+    """Writes what a window shows as PNG."""
+    shot = vtkWindowToImageFilter()
+    shot.SetInput(window)
+    shot.ReadFrontBufferOff()
+    writer = vtkPNGWriter()
+    writer.SetInputConnection(shot.GetOutputPort())
+    writer.SetFileName(path)
+    writer.Write()
+
+
 def triangles_of(surface):
     """A surface as triangles: what STL and TetGen take."""
     triangles = vtkTriangleFilter()

@@ -11,6 +11,7 @@
 // mm, or twice its distance from the surface, of the click and of what hangs together with the
 // mended place.
 #include "CaseList.h"
+#include "OrganMasks.h"
 #include "Statistics.h"
 
 #include "GrayImageAdapter.h"
@@ -50,13 +51,6 @@ struct Options
   bool Details = false;  ///< a line per click, and what is wrong at the end
   bool Locality = false; ///< a line per click: what it moves where it should not
 };
-
-double DiceOf(const BitMask& a, const BitMask& b)
-{
-  BitMask both = a;
-  both.Intersect(b);
-  return 2.0 * static_cast<double>(both.Count()) / static_cast<double>(a.Count() + b.Count());
-}
 
 // The largest part of a mask that hangs together by faces, and how many voxels it has.
 std::size_t LargestPart(const BitMask& mask, std::vector<unsigned char>& part)
@@ -178,16 +172,6 @@ bool NextClick(const BitMask& found, const BitMask& reference, std::mt19937& ran
   }
   click.Point = geometry.ToPhysical(Eigen::Vector3d(index[0], index[1], index[2]));
   return true;
-}
-
-BitMask MaskOfRuns(const std::vector<VoxelRun>& runs, const ImageGeometry& geometry)
-{
-  BitMask mask(geometry);
-  for (const VoxelRun& run : runs)
-  {
-    mask.InsertRun(run.Begin, run.End, run.J, run.K);
-  }
-  return mask;
 }
 
 // Millimeters; an error no deeper than this is one of the rim.

@@ -4,6 +4,7 @@
 //
 //   MeasureGroups [--data DIR] [--cases FILE] [--only TEXT] [--threads N]
 #include "CaseList.h"
+#include "OrganMasks.h"
 #include "Statistics.h"
 
 #include "GrayImageAdapter.h"
@@ -38,23 +39,6 @@ struct Options
   std::string Only;
   int Threads = 0;
 };
-
-BitMask MaskOfRuns(const std::vector<VoxelRun>& runs, const ImageGeometry& geometry)
-{
-  BitMask mask(geometry);
-  for (const VoxelRun& run : runs)
-  {
-    mask.InsertRun(run.Begin, run.End, run.J, run.K);
-  }
-  return mask;
-}
-
-double DiceOf(const BitMask& a, const BitMask& b)
-{
-  BitMask both = a;
-  both.Intersect(b);
-  return 2.0 * static_cast<double>(both.Count()) / static_cast<double>(a.Count() + b.Count());
-}
 
 std::ptrdiff_t CountContacts(const std::vector<VolumeSegmentation>& organs)
 {

@@ -50,13 +50,16 @@ def main():
     liver, radius = inputs.seed_in(source, source.LIVER)
     window = live_window.LiveWindow(source.GetOutput(), liver, radius)
     assert window.growth is None, "nothing grows before the sphere has been let go"
+    # Smaller than users have it: without a graphics card, most of the time goes into pixels.
+    window.window.SetSize(600, 400)
+    window.window.Render()
 
     # Out of the organ and back; the mouse moves it in the plane of the screen.
     start = on_screen(window, liver)
-    aside = (start[0] + 250, start[1] + 60)
+    aside = (start[0] + 125, start[1] + 30)
     drag(window, start, aside)
     seed, size = window.seed()
-    assert numpy.allclose(on_screen(window, seed), aside, atol=8), "the sphere follows the mouse"
+    assert numpy.allclose(on_screen(window, seed), aside, atol=4), "the sphere follows the mouse"
     assert numpy.linalg.norm(numpy.subtract(seed, liver)) > 50
     drag(window, on_screen(window, seed), start)
     seed, size = window.seed()

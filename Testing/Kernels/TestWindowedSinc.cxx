@@ -1,5 +1,6 @@
 // Smoothing keeps what is large and removes what is small.
 #include "ExampleMasks.h"
+#include "ExampleSurfaces.h"
 #include "Measures/LabelSurface.h"
 #include "Mesh/SurfaceTopology.h"
 #include "Mesh/WindowedSinc.h"
@@ -29,19 +30,6 @@ LabelSurface VoxelBall()
   return SurfaceOf(mask);
 }
 
-double VolumeInside(const LabelSurface& surface)
-{
-  double volume = 0;
-  for (Eigen::Index triangle = 0; triangle < surface.Triangles.rows(); ++triangle)
-  {
-    const Eigen::Vector3d a = surface.Points.row(surface.Triangles(triangle, 0));
-    const Eigen::Vector3d b = surface.Points.row(surface.Triangles(triangle, 1));
-    const Eigen::Vector3d c = surface.Points.row(surface.Triangles(triangle, 2));
-    volume += a.dot(b.cross(c)) / 6;
-  }
-  return volume;
-}
-
 // The root mean square of the distance from the sphere.
 double Roughness(const PointList& points)
 {
@@ -54,10 +42,10 @@ double Roughness(const PointList& points)
 TEST(WindowedSinc, RemovesTheStepsOfABallAndKeepsItsVolume)
 {
   LabelSurface ball = VoxelBall();
-  const double volume = VolumeInside(ball);
+  const double volume = EnclosedVolume({ ball.Points, ball.Triangles });
   const double roughness = Roughness(ball.Points);
   SmoothByWindowedSinc(ball.Triangles, 20, 0.1, ball.Points);
-  EXPECT_NEAR(VolumeInside(ball) / volume, 1, 0.01);
+  EXPECT_NEAR(EnclosedVolume({ ball.Points, ball.Triangles }) / volume, 1, 0.01);
   EXPECT_LT(Roughness(ball.Points), 0.5 * roughness);
 }
 
@@ -89,7 +77,7 @@ TEST(LabelSurface, IsClosedForAnyMask)
       }
       EXPECT_NO_THROW(
         RequireClosed(static_cast<int>(surface.Points.rows()), surface.Triangles, "it"));
-      EXPECT_GT(VolumeInside(surface), 0);
+      EXPECT_GT(EnclosedVolume({ surface.Points, surface.Triangles }), 0);
     }
   }
 }

@@ -30,10 +30,22 @@ ADDING = ("AddOutsidePoint", "AddInsidePoint", "AddBoundaryPoint", "AddSeed")
 # The seed has arguments of its own; the stages know two parameters by other names than the method.
 SEGMENT_PARAMETERS = properties_of(
     vtkFlipFreeSegmentation(),
-    without=("seed_center", "seed_radius", "start_label", "number_of_iterations", "threshold", "keep_for_corrections"),
+    without=(
+        "seed_center",
+        "seed_radius",
+        "start_label",
+        "number_of_iterations",
+        "threshold",
+        "keep_for_corrections",
+    ),
 )
 RADIUS = Property("radius", "SeedRadius", float, "")
-NAMES = {**names_of(SEGMENT_PARAMETERS), "SeedCenter": "seed", "SeedRadius": "radius", "StartLabel": "start_label"}
+NAMES = {
+    **names_of(SEGMENT_PARAMETERS),
+    "SeedCenter": "seed",
+    "SeedRadius": "radius",
+    "StartLabel": "start_label",
+}
 # A history is of one organ.
 GROUP_PARAMETERS = {
     name: parameter for name, parameter in SEGMENT_PARAMETERS.items() if name != "keep_history"
@@ -56,10 +68,7 @@ class SegmentationAlgorithm:
         RADIUS.set(self.settings, radius)
 
     def set_start(self, start: AnySurface) -> None:
-        surface = start.surface if isinstance(start, Segmentation) else start
-        if not isinstance(surface, vtkPolyData):
-            raise TypeError(f"start: a vtkPolyData or a Segmentation is needed, not {start!r:.80}")
-        self.settings.SetStartData(surface)
+        self.settings.SetStartData(_given("start", start))
 
     def set_start_labels(self, labels: vtkImageData, label: int) -> None:
         self.settings.SetStartLabelsData(labels)
@@ -75,18 +84,9 @@ class SegmentationAlgorithm:
         self.settings.SetInputData(image)
         self.settings.RemoveAllPoints()
         for constraint in constraints:
-            add = getattr(self.settings, ADDING[constraint.kind])
-            radius = (constraint.radius,) if constraint.kind == SEED else ()
-            add(*constraint.place, *radius)
+            _add(self.settings, constraint)
         update(self.settings, SegmentationError, tell, names=NAMES)
-        return Segmentation(
-            surface=_detached(self.settings.GetSurface()),
-            label_map=_detached(self.settings.GetLabelMap()),
-            convergence=_detached(self.settings.GetConvergence()),
-            stop_reason=self.settings.GetStopReasonAsString(),
-            self_intersections=self.settings.GetNumberOfSelfIntersections(),
-            history=self._history(),
-        )
+        return Segmentation(**_found(self.settings), history=self._history())
 
     def _history(self) -> tuple[vtkPolyData, ...]:
         """The surfaces after each iteration, which are the time steps of the first output."""
@@ -113,16 +113,11 @@ class GroupAlgorithm:
         x, y, z = center
         self._group.AddOrgan(name, x, y, z, radius)
         for constraint in constraints:
-            add = getattr(self._group, ADDING[constraint.kind])
-            more = (constraint.radius,) if constraint.kind == SEED else ()
-            add(name, *constraint.place, *more)
+            _add(self._group, constraint, name)
         self._constraints.append(constraints)
 
     def add_fixed(self, fixed: AnySurface) -> None:
-        surface = fixed.surface if isinstance(fixed, Segmentation) else fixed
-        if not isinstance(surface, vtkPolyData):
-            raise TypeError(f"fixed: a vtkPolyData or a Segmentation is needed, not {fixed!r:.80}")
-        self._group.AddFixedData(surface)
+        self._group.AddFixedData(_given("fixed", fixed))
 
     def first_label(self) -> int:
         """The first organ's value in the label map."""
@@ -172,15 +167,11 @@ class VesselAlgorithm:
                 raise SegmentationError(
                     "No segmentation: a vessel takes no further seeds; give a point on its way."
                 )
-            getattr(self.settings, ADDING[constraint.kind])(*constraint.place)
+            _add(self.settings, constraint)
         self.settings.SetInputData(image)
         update(self.settings, SegmentationError, tell, names=names_of(TRACE_PARAMETERS))
         return Vessel(
-            surface=_detached(self.settings.GetSurface()),
-            label_map=_detached(self.settings.GetLabelMap()),
-            convergence=_detached(self.settings.GetConvergence()),
-            stop_reason=self.settings.GetStopReasonAsString(),
-            self_intersections=self.settings.GetNumberOfSelfIntersections(),
+            **_found(self.settings),
             centerline=_detached(self.settings.GetCenterline()),
             stage_seconds=tuple(self.settings.GetStageSeconds()),
             support=self.settings.GetSupport(),
@@ -220,6 +211,31 @@ class PhantomAlgorithm:
             if self.settings.GetSeed(label, seed):
                 seeds[label] = (tuple(seed[:3]), seed[3])
         return self.settings.GetOutput(), self.settings.GetLabelMap(), seeds
+
+
+def _given(name: str, surface: AnySurface) -> vtkPolyData:
+    """The surface of an argument of that name."""
+    data = surface.surface if isinstance(surface, Segmentation) else surface
+    if not isinstance(data, vtkPolyData):
+        raise TypeError(f"{name}: a vtkPolyData or a Segmentation is needed, not {surface!r:.80}")
+    return data
+
+
+def _add(algorithm: Any, constraint: Constraint, *organ: str) -> None:
+    """Gives a constraint to a filter; one of a group to an organ."""
+    radius = (constraint.radius,) if constraint.kind == SEED else ()
+    getattr(algorithm, ADDING[constraint.kind])(*organ, *constraint.place, *radius)
+
+
+def _found(algorithm: Any) -> dict[str, Any]:
+    """What filters say of an organ or a vessel, as fields of a Segmentation."""
+    return {
+        "surface": _detached(algorithm.GetSurface()),
+        "label_map": _detached(algorithm.GetLabelMap()),
+        "convergence": _detached(algorithm.GetConvergence()),
+        "stop_reason": algorithm.GetStopReasonAsString(),
+        "self_intersections": algorithm.GetNumberOfSelfIntersections(),
+    }
 
 
 def _detached(output: Any) -> Any:

@@ -6,7 +6,7 @@ import math
 import re
 import sys
 import warnings
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from contextvars import ContextVar
 
 from ._errors import FlipFreeWarning
@@ -42,6 +42,16 @@ def confidence_text(confidence: float) -> str:
     '0.84'
     """
     return f"{math.floor(100 * confidence) / 100:.2f}"
+
+
+def listed(words: Iterable[str], joint: str = "and") -> str:
+    """Words one after the other.
+
+    >>> listed(["a", "b", "c"]), listed(["a", "b"], "or"), listed(["a"])
+    ('a, b and c', 'a or b', 'a')
+    """
+    *first, last = words
+    return f"{', '.join(first)} {joint} {last}" if first else last
 
 
 def _level_of_caller() -> int:

@@ -56,6 +56,17 @@ def write_table(path: PathName, columns: list[str], rows: list[list[Any]]) -> No
     write_text(path, text.getvalue())
 
 
+def make_folder(path: str) -> None:
+    """Creates a folder, unless there is one."""
+    try:
+        os.makedirs(path, exist_ok=True)
+    except OSError as error:
+        raise FileError(
+            f"The folder '{path}' cannot be created ({error.strerror}). Check the name and the "
+            "permissions of its parent folder."
+        ) from error
+
+
 def _refusal(name: str, error: OSError) -> FileError:
     return FileError(
         f"'{name}' cannot be written ({error.strerror or error}). Check that its folder exists, may "

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping
+from collections.abc import Callable, Iterable, Mapping
 from typing import TYPE_CHECKING, Any
 
 from . import _kernels
@@ -30,7 +30,12 @@ SEGMENT_PARAMETERS = settings_of(
         "vtkFlipFreeDeform",
     ),
 )
-NAMES = {**names_of(SEGMENT_PARAMETERS), "SeedCenter": "seed", "SeedRadius": "radius", "StartLabel": "start_label"}
+NAMES = {
+    **names_of(SEGMENT_PARAMETERS),
+    "SeedCenter": "seed",
+    "SeedRadius": "radius",
+    "StartLabel": "start_label",
+}
 # A history is of one organ.
 GROUP_PARAMETERS = {
     name: parameter for name, parameter in SEGMENT_PARAMETERS.items() if name != "keep_history"
@@ -99,11 +104,7 @@ class SegmentationAlgorithm:
         self._center, self._radius = center, radius
 
     def set_start(self, start: AnySurface) -> None:
-        if not is_surface(start) and not isinstance(start, Segmentation):
-            raise TypeError(
-                f"start: a flipfree.Surface or a Segmentation is needed, not {start!r:.80}"
-            )
-        self._start = _mesh_of(start)
+        self._start = _given("start", start)
 
     def set_start_labels(self, labels: Image, label: int) -> None:
         self._labels, self._label = labels, label
@@ -119,23 +120,18 @@ class SegmentationAlgorithm:
         self, image: Image, constraints: tuple[Constraint, ...], tell: Progress | None
     ) -> Segmentation:
         start = self._start
-        answer = run(
+        answer = _segmented(
             lambda report: _kernels.segment(
-                image.voxels,
-                image.spacing,
-                image.origin,
-                image.direction,
+                *_volume_of(image),
                 self._center,
                 self._radius,
                 start and _arrays_of(start),
                 self._labels and _volume_of(self._labels),
                 self._label,
-                [(one.kind, *one.place, one.radius) for one in constraints],
+                _rows_of(constraints),
                 self.settings,
                 report,
             ),
-            SegmentationError,
-            "No segmentation: {}.",
             NAMES,
             tell,
         )
@@ -143,11 +139,8 @@ class SegmentationAlgorithm:
             warn(with_names(text, NAMES))
         certified = bool(self.settings.get("Guard")[0])
         return Segmentation(
-            mesh=Surface(**answer["surface"], certified=certified),
-            label_map=Image(answer["labels"], image.spacing, image.origin, image.direction),
-            iterations=answer["iterations"],
-            stop_reason=answer["stop_reason"],
-            self_intersections=answer["self_intersections"],
+            **_found(answer, certified),
+            label_map=_labels_of(answer, image),
             history=tuple(
                 Surface(**surface, certified=certified) for surface in answer["history"]
             ),
@@ -168,47 +161,36 @@ class GroupAlgorithm:
         self._organs.append((name, center, radius, constraints))
 
     def add_fixed(self, fixed: AnySurface) -> None:
-        if not is_surface(fixed) and not isinstance(fixed, Segmentation):
-            raise TypeError(
-                f"fixed: a flipfree.Surface or a Segmentation is needed, not {fixed!r:.80}"
-            )
-        self._fixed.append(_mesh_of(fixed))
+        self._fixed.append(_given("fixed", fixed))
 
     def first_label(self) -> int:
         """The first organ's value in the label map."""
         return int(self.settings.get("LabelValue")[0])
 
     def run(self, image: Image, tell: Progress | None) -> tuple[list[Segmentation], Image]:
-        answer = run(
+        rows = [
+            (name, center, radius, _rows_of(points)) for name, center, radius, points in self._organs
+        ]
+        answer = _segmented(
             lambda report: _kernels.segment_organs(
                 *_volume_of(image),
-                [
-                    (name, center, radius, [(one.kind, *one.place, one.radius) for one in points])
-                    for name, center, radius, points in self._organs
-                ],
+                rows,
                 [_arrays_of(surface) for surface in self._fixed],
                 self.settings,
                 report,
             ),
-            SegmentationError,
-            "No segmentation: {}.",
             NAMES,
             tell,
         )
-        names = {self.first_label() + index: organ[0] for index, organ in enumerate(self._organs)}
-        label_map = Image(answer["labels"], image.spacing, image.origin, image.direction, names)
+        names = {label: organ[0] for label, organ in enumerate(self._organs, self.first_label())}
+        label_map = _labels_of(answer, image, names)
         organs = []
         for (name, _, _, constraints), organ in zip(self._organs, answer["organs"]):
             for text in organ["warnings"]:
                 warn(f"{name}: {with_names(text, NAMES)}")
             organs.append(
                 Segmentation(
-                    mesh=Surface(**organ["surface"], certified=True),
-                    label_map=label_map,
-                    iterations=organ["iterations"],
-                    stop_reason=organ["stop_reason"],
-                    self_intersections=organ["self_intersections"],
-                    constraints=constraints,
+                    **_found(organ, certified=True), label_map=label_map, constraints=constraints
                 )
             )
         return organs, label_map
@@ -233,21 +215,16 @@ class VesselAlgorithm:
             )
         names = names_of(TRACE_PARAMETERS)
         rows = [(one.kind, *one.place) for one in constraints]
-        answer = run(
+        answer = _segmented(
             lambda report: _kernels.trace(*_volume_of(image), points, rows, self.settings, report),
-            SegmentationError,
-            "No segmentation: {}.",
             names,
             tell,
         )
         for text in answer["warnings"]:
             warn(with_names(text, names))
         return Vessel(
-            mesh=Surface(**answer["surface"], certified=True),
-            label_map=Image(answer["labels"], image.spacing, image.origin, image.direction),
-            iterations=answer["iterations"],
-            stop_reason=answer["stop_reason"],
-            self_intersections=answer["self_intersections"],
+            **_found(answer, certified=True),
+            label_map=_labels_of(answer, image),
             branches=answer["branches"],
             stage_seconds=tuple(answer["stage_seconds"]),
             support=answer["support"],
@@ -321,6 +298,47 @@ class PhantomAlgorithm:
 def is_surface(thing: Any) -> bool:
     """Whether it is one, of this package or of VTK, other than a Segmentation's."""
     return isinstance(thing, Surface) or hasattr(thing, "GetPolys")
+
+
+def _segmented(
+    work: Callable[[Callable[[float], bool]], Any],
+    names: Mapping[str, str],
+    tell: Progress | None,
+) -> dict[str, Any]:
+    """The kernels' answer, or a SegmentationError."""
+    answer: dict[str, Any] = run(work, SegmentationError, "No segmentation: {}.", names, tell)
+    return answer
+
+
+def _found(answer: Mapping[str, Any], certified: bool) -> dict[str, Any]:
+    """What the kernels say of every organ and vessel, as fields of a Segmentation."""
+    return {
+        "mesh": Surface(**answer["surface"], certified=certified),
+        "iterations": answer["iterations"],
+        "stop_reason": answer["stop_reason"],
+        "self_intersections": answer["self_intersections"],
+    }
+
+
+def _labels_of(
+    answer: Mapping[str, Any], image: Image, names: Mapping[int, str] | None = None
+) -> Image:
+    """The label map, which has the image's geometry."""
+    return Image(answer["labels"], image.spacing, image.origin, image.direction, names or {})
+
+
+def _rows_of(constraints: Iterable[Constraint]) -> list[tuple[Any, ...]]:
+    """As the kernels take them: kind, x, y, z, radius."""
+    return [(one.kind, *one.place, one.radius) for one in constraints]
+
+
+def _given(name: str, surface: Any) -> Surface:
+    """The surface of an argument of that name."""
+    if not is_surface(surface) and not isinstance(surface, Segmentation):
+        raise TypeError(
+            f"{name}: a flipfree.Surface or a Segmentation is needed, not {surface!r:.80}"
+        )
+    return _mesh_of(surface)
 
 
 def _mesh_of(surface: Any) -> Surface:

@@ -8,13 +8,13 @@ import uuid
 from collections.abc import Callable, Iterator
 from typing import Any
 
-from ._atomic import replacing, write_table, write_text
+from ._atomic import make_folder, replacing, write_table, write_text
 from ._cluster import client_of
 from ._cohort_files import is_done, record_of
 from ._cohort_report import report_of
 from ._cohort_table import RESULTS, Row
 from ._cohort_work import segment_rows
-from ._errors import FileError, FlipFreeError
+from ._errors import FlipFreeError
 from ._extras import needed, simpleitk
 
 # Groups of rows that are handed to the scheduler at a time.
@@ -153,13 +153,8 @@ def _most_voxels(groups: list[list[Row]]) -> float:
 
 def _folder(output: str) -> str:
     folder = os.path.abspath(output)
-    try:
-        os.makedirs(os.path.join(folder, "rows"), exist_ok=True)
-    except OSError as error:
-        raise FileError(
-            f"The folder '{folder}' cannot be created ({error.strerror}). Check the name and the "
-            "permissions of its parent folder."
-        ) from error
+    make_folder(folder)
+    make_folder(os.path.join(folder, "rows"))
     return folder
 
 

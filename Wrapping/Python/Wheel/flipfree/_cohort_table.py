@@ -16,6 +16,7 @@ from ._backend import SCORE_COLUMNS, SEGMENT_PARAMETERS, TRACE_PARAMETERS
 from ._cohort_points import CORRECTIONS, Cell, cell_of, text_of
 from ._errors import FileError, FlipFreeError
 from ._parameters import Parameter
+from ._point_files import finite
 from ._types import PathName, Preset
 
 SEED = ("seed_x", "seed_y", "seed_z", "radius")
@@ -242,11 +243,8 @@ def _number(given: Mapping[str, str], column: str) -> float:
 
 
 def _float(column: str, text: str) -> float:
-    try:
-        number = float(text)
-    except ValueError:
-        number = math.nan
-    if not math.isfinite(number):
+    number = finite(text)
+    if math.isnan(number):
         raise ValueError(f"{column}: a number is needed, not '{text}'")
     return number
 

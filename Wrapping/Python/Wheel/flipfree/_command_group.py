@@ -5,9 +5,11 @@ from __future__ import annotations
 import contextlib
 import math
 import time
+from collections.abc import Mapping
 from functools import partial
 from typing import Any
 
+from ._atomic import write_text
 from ._backend import GROUP_PARAMETERS, set_threads
 from ._command_inputs import lps
 from ._command_outputs import (
@@ -18,44 +20,34 @@ from ._command_outputs import (
     require_outputs,
     require_place,
     write_output,
-    write_text,
     write_to,
 )
 from ._errors import FlipFreeError
 from ._files import read_image, write_image
+from ._image import Image
 from ._messages import confidence_text
 from ._options import WrongUsage
+from ._point_files import finite
 from ._segment import default_parameters
-from ._segment_organs import segment_organs
+from ._segment_organs import SegmentedOrgans, segment_organs
+from ._segmentation import Surface
 from ._session import Session, file_beside, name_for, require_image_of
-from ._session_record import OriginNames, named, session_text
+from ._session_record import OriginNames, file_name_of, named, session_text
 from ._surface_files import ENDINGS, read_surface
+
+# By name, what segment_organs() takes.
+Organs = dict[str, dict[str, Any]]
 
 
 def segment_group(
     values: dict[str, Any],
-    organs: dict[str, dict[str, Any]],
-    colors: dict[str, str],
+    organs: Organs,
+    colors: Mapping[str, str],
     session: Session | None,
     progress: bool,
 ) -> None:
     """`flipfree segment --organ`."""
-    outputs = {}
-    for organ in organs:
-        for name in OUTPUTS.keys() & values.keys() - set(SHARED):
-            outputs[organ, name] = name_for(_file_name(organ), values[name])
-    given = {name: values[name] for name in OUTPUTS if name in values}
-    require_outputs(given)
-    shared = {name: path for name, path in given.items() if name in SHARED}
-    for path in (*outputs.values(), *shared.values()):
-        require_place(path, [values["input"], *values.get("fixed", ())])
-    require_files(values, shared)
-    names = OriginNames(
-        values["input"],
-        fixed=values.get("fixed", ()),
-        organs=list(organs),
-        colors=[colors.get(name, "") for name in organs],
-    )
+    outputs = _outputs_of(values, organs)
     parameters = {**default_parameters(values.get("preset", "default")), **values}
     set_threads(values.get("threads", 0))
     start = time.perf_counter()
@@ -64,48 +56,11 @@ def segment_group(
     reading = time.perf_counter() - start
     if session:
         require_image_of(session, values["input"], image)
-    try:
-        found = segment_organs(
-            image,
-            organs,
-            fixed=fixed,
-            progress=progress or None,
-            **{name: value for name, value in parameters.items() if name in GROUP_PARAMETERS},
-        )
-    except FlipFreeError as error:
-        raise type(error)(f"'{values['input']}': {error}") from error
+    found = _found(image, organs, fixed, parameters, progress)
     working = time.perf_counter() - start - reading
-    with contextlib.ExitStack() as files:  # either all files or none
-        for organ, result in found.items():
-            if result.stop_reason == "no boundary found":
-                raise FlipFreeError(
-                    f"'{values['input']}', {organ}: no boundary of the organ was found, so nothing is "
-                    "written."
-                )
-        for (name, output), path in outputs.items():
-            write_to(files, path, partial(write_output, output, found[name], image, names))
-        if "labels" in values:
-            shades = {found.label_of(name): color for name, color in colors.items()}
-            write_to(
-                files,
-                values["labels"],
-                lambda name: write_image(found.label_map, name, colors=shades),
-            )
-        if "save_session" in values:
-            text = session_text([named(next(iter(found.values())).provenance, names)])
-            write_to(files, values["save_session"], partial(write_text, text))
+    _write(values, found, image, outputs, colors)
     if "quiet" not in values:
-        for organ, result in found.items():
-            print(
-                f"{values['input']}, {organ}: label {found.label_of(organ)}, volume {result.volume:.1f} "
-                f"ml, {len(result.iterations['Iteration'])} iterations, {result.stop_reason}, "
-                f"{result.self_intersections} self-intersections, "
-                f"confidence {confidence_text(result.confidence)}"
-            )
-        print(
-            f"{values['input']}: organs do not meet; reading {reading:.2f} s, segmenting "
-            f"{working:.2f} s"
-        )
+        _report(values["input"], found, reading, working)
 
 
 def segment_together(session: Session, values: dict[str, Any], progress: bool) -> None:
@@ -121,8 +76,102 @@ def segment_together(session: Session, values: dict[str, Any], progress: bool) -
     segment_group(values, organs, colors, session, progress)
 
 
-def organs_of(values: dict[str, Any]) -> dict[str, dict[str, Any]]:
+def _outputs_of(values: dict[str, Any], organs: Organs) -> dict[tuple[str, str], str]:
+    """Each organ's own files, by its name and the option; those of all organs are checked, too."""
+    given = {name: values[name] for name in OUTPUTS if name in values}
+    require_outputs(given)
+    shared = {name: path for name, path in given.items() if name in SHARED}
+    outputs = {
+        (organ, name): name_for(file_name_of(organ), path)
+        for organ in organs
+        for name, path in given.items()
+        if name not in SHARED
+    }
+    for path in (*outputs.values(), *shared.values()):
+        require_place(path, [values["input"], *values.get("fixed", ())])
+    require_files(values, shared)
+    return outputs
+
+
+def _found(
+    image: Image,
+    organs: Organs,
+    fixed: list[Surface],
+    parameters: dict[str, Any],
+    progress: bool,
+) -> SegmentedOrgans:
+    keywords = {name: value for name, value in parameters.items() if name in GROUP_PARAMETERS}
+    try:
+        return segment_organs(image, organs, fixed=fixed, progress=progress or None, **keywords)
+    except FlipFreeError as error:
+        raise type(error)(f"'{parameters['input']}': {error}") from error
+
+
+def _write(
+    values: dict[str, Any],
+    found: SegmentedOrgans,
+    image: Image,
+    outputs: dict[tuple[str, str], str],
+    colors: Mapping[str, str],
+) -> None:
+    for organ, result in found.items():
+        if result.stop_reason == "no boundary found":
+            raise FlipFreeError(
+                f"'{values['input']}', {organ}: no boundary of the organ was found, so nothing is "
+                "written."
+            )
+    names = OriginNames(
+        values["input"],
+        fixed=values.get("fixed", ()),
+        organs=list(found),
+        colors=[colors.get(organ, "") for organ in found],
+    )
+    with contextlib.ExitStack() as files:  # either all files or none
+        for (organ, name), path in outputs.items():
+            write_to(files, path, partial(write_output, name, found[organ], image, names))
+        if "labels" in values:
+            shades = {found.label_of(organ): color for organ, color in colors.items()}
+            write = partial(write_image, found.label_map, colors=shades)
+            write_to(files, values["labels"], write)
+        if "save_session" in values:
+            text = session_text([named(next(iter(found.values())).provenance, names)])
+            write_to(files, values["save_session"], lambda path: write_text(path, text))
+
+
+def _report(volume: str, found: SegmentedOrgans, reading: float, working: float) -> None:
+    for organ, result in found.items():
+        print(
+            f"{volume}, {organ}: label {found.label_of(organ)}, volume {result.volume:.1f} ml, "
+            f"{len(result.iterations['Iteration'])} iterations, {result.stop_reason}, "
+            f"{result.self_intersections} self-intersections, "
+            f"confidence {confidence_text(result.confidence)}"
+        )
+    print(
+        f"{volume}: organs do not meet; reading {reading:.2f} s, segmenting {working:.2f} s"
+    )
+
+
+def organs_of(values: dict[str, Any]) -> Organs:
     """Seeds and points by the names of the organs; points belong to the organ before them."""
+    _require_sense_of_group(values)
+    organs: Organs = {}
+    for option, given in values["order"]:
+        if option == "organ":
+            name, *numbers = given
+            _require_name(name, organs)
+            organs[name] = _seed_of(values, name, numbers)
+        elif option in ("inside", "outside", "boundary"):
+            if not organs:
+                raise WrongUsage(
+                    f"--{option}: the point comes before the first --organ. Give it after its own organ"
+                )
+            points = organs[next(reversed(organs))].setdefault(option, [])
+            points.append(lps(values, given))
+    return organs
+
+
+def _require_sense_of_group(values: dict[str, Any]) -> None:
+    """Checks the options beside the organs."""
     if "organ" not in values:
         raise WrongUsage("--fixed is for organs that are given by --organ. Give one or more")
     if {"seed", "seed_voxel", "radius", "session", "start_labels"} & values.keys():
@@ -139,49 +188,35 @@ def organs_of(values: dict[str, Any]) -> dict[str, dict[str, Any]]:
         raise WrongUsage("INPUT is required: a volume, or a folder of a DICOM series")
     for name in values.get("fixed", ()):
         require_ending("--fixed", name, ENDINGS)
-    organs: dict[str, dict[str, Any]] = {}
-    files: dict[str, str] = {}
-    for option, given in values["order"]:
-        if option == "organ":
-            name, *numbers = given
-            if not name:
-                raise WrongUsage("--organ: a name is empty. Give each organ one of its own")
-            other = files.setdefault(_file_name(name), name)
-            if name in organs or other != name:
-                raise WrongUsage(
-                    f"--organ: '{other}' and '{name}' are the same in names of files. Give each organ "
-                    "a name of its own"
-                )
-            x, y, z, radius = (_number_of(name, text) for text in numbers)
-            if radius <= 0:
-                raise WrongUsage(
-                    f"--organ {name}: the radius must be a positive number of millimeters. The sphere "
-                    "should lie within the organ"
-                )
-            organs[name] = {"seed": lps(values, [x, y, z]), "radius": radius}
-        elif option in ("inside", "outside", "boundary"):
-            if not organs:
-                raise WrongUsage(
-                    f"--{option}: the point comes before the first --organ. Give it after its own organ"
-                )
-            points = organs[next(reversed(organs))].setdefault(option, [])
-            points.append(lps(values, given))
-    return organs
+
+
+def _require_name(name: str, organs: Organs) -> None:
+    if not name:
+        raise WrongUsage("--organ: a name is empty. Give each organ one of its own")
+    file_name = file_name_of(name)
+    other = next((organ for organ in organs if file_name_of(organ) == file_name), None)
+    if other is not None:
+        raise WrongUsage(
+            f"--organ: '{other}' and '{name}' are the same in names of files. Give each organ "
+            "a name of its own"
+        )
+
+
+def _seed_of(values: dict[str, Any], name: str, numbers: list[str]) -> dict[str, Any]:
+    x, y, z, radius = (_number_of(name, text) for text in numbers)
+    if radius <= 0:
+        raise WrongUsage(
+            f"--organ {name}: the radius must be a positive number of millimeters. The sphere "
+            "should lie within the organ"
+        )
+    return {"seed": lps(values, [x, y, z]), "radius": radius}
 
 
 def _number_of(organ: str, text: str) -> float:
-    try:
-        number = float(text)
-    except ValueError:
-        number = math.nan
-    if not math.isfinite(number):
+    number = finite(text)
+    if math.isnan(number):
         raise WrongUsage(
             f"--organ {organ}: '{text}' is not a finite number. Give a name, the seed's center, and "
             "its radius: NAME X Y Z MM"
         )
     return number
-
-
-def _file_name(organ: str) -> str:
-    """As it can stand in names of files."""
-    return "".join(c if c.isalnum() or not c.isascii() else "-" for c in organ)

@@ -7,6 +7,7 @@ from typing import Any
 
 from ._coordinates import swap_lps_ras
 from ._corrections import Constraint, constraints_of
+from ._image import Image
 from ._point_files import read_points
 
 
@@ -25,13 +26,14 @@ def points_of(values: dict[str, Any]) -> list[Constraint]:
     return [*points, *constraints_of(inside, outside, boundary, ())]
 
 
-def point_of(image: Any, voxel: list[int]) -> list[float]:
+def point_of(image: Image, voxel: list[int]) -> list[float]:
+    """The center of a voxel."""
     import numpy
 
-    axes = numpy.reshape(image.direction, (3, 3)) * image.spacing
-    point: list[float] = (numpy.array(image.origin) + axes @ numpy.array(voxel, float)).tolist()
+    point: list[float] = (numpy.array(image.origin) + image.steps @ numpy.array(voxel, float)).tolist()
     return point
 
 
 def wants_bar(values: dict[str, Any]) -> bool:
+    """Whether somebody looks at the terminal."""
     return "quiet" not in values and sys.stderr.isatty()

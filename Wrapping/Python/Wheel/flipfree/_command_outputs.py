@@ -8,27 +8,19 @@ from collections.abc import Callable
 from dataclasses import replace
 from typing import Any
 
-from ._atomic import replacing, write_table
+from ._atomic import replacing, write_table, write_text
 from ._errors import FileError
 from ._files import write_image
+from ._image import Image
 from ._image_files import WRITE_ENDINGS
+from ._messages import listed
 from ._options import WrongUsage
 from ._point_files import ENDINGS as POINT_ENDINGS
 from ._segmentation import Segmentation, Vessel
 from ._session_record import OriginNames, named, session_text
 from ._surface_files import ENDINGS, write_centerline, write_surface
 
-OUTPUTS = {
-    "output": ENDINGS,
-    "labels": WRITE_ENDINGS,
-    "convergence": (".csv",),
-    "snapshot": (".png",),
-    "save_session": (".json",),
-    "save_points": POINT_ENDINGS,
-}
-# Of all organs of a session, one each.
-SHARED = ("labels", "save_session")
-# Of vessels, in the order of the options.
+# Of vessels, in the order of the options, and what they may end on.
 TRACE_OUTPUTS = {
     "output": ENDINGS,
     "labels": WRITE_ENDINGS,
@@ -38,6 +30,10 @@ TRACE_OUTPUTS = {
     "save_session": (".json",),
     "save_points": POINT_ENDINGS,
 }
+# Of organs.
+OUTPUTS = {name: endings for name, endings in TRACE_OUTPUTS.items() if name != "centerline"}
+# Of all organs of a session, one each.
+SHARED = ("labels", "save_session")
 
 
 def require_outputs(
@@ -46,10 +42,8 @@ def require_outputs(
     """There are some, of endings that can be written."""
     options = {name: f"--{name.replace('_', '-')}" for name in endings}
     if not set(outputs) - {"save_points"}:
-        *first, last = (option for name, option in options.items() if name != "save_points")
-        raise WrongUsage(
-            f"No output is requested. Give at least one of {', '.join(first)} and {last}"
-        )
+        results = [option for name, option in options.items() if name != "save_points"]
+        raise WrongUsage(f"No output is requested. Give at least one of {listed(results)}")
     for name, path in outputs.items():
         require_ending(options[name], path, endings[name])
 
@@ -77,14 +71,16 @@ def require_files(values: dict[str, Any], outputs: dict[str, str]) -> None:
 
 
 def require_ending(option: str, name: str, endings: tuple[str, ...]) -> None:
+    """A file of that name can be written, or read."""
     if not name.lower().endswith(endings):
         raise WrongUsage(
             f"{option}: the ending of '{name}' stands for no format known here. Use "
-            f"{' or '.join([', '.join(endings[:-1])] * (len(endings) > 1) + [endings[-1]])}"
+            f"{listed(endings, 'or')}"
         )
 
 
 def require_place(path: str, inputs: list[str]) -> None:
+    """A file can be put there, and no input is there."""
     if any(os.path.realpath(path) == os.path.realpath(name) for name in inputs):
         raise WrongUsage(
             f"'{path}' is an input, which would be overwritten. Give the result another name"
@@ -106,19 +102,17 @@ def write_to(files: contextlib.ExitStack, path: str, write: Callable[[str], None
         raise FileError(str(error).replace(temporary, path)) from error
 
 
-def write_text(text: str, path: str) -> None:
-    with open(path, "w", encoding="utf-8", newline="") as file:
-        file.write(text)
-
-
-def write_output(name: str, organ: Segmentation, image: Any, names: OriginNames, path: str) -> None:
+def write_output(
+    name: str, organ: Segmentation, image: Image, names: OriginNames, path: str
+) -> None:
+    """Writes the file that an option asks for."""
     provenance = named(organ.provenance, names)
     if name == "output":
         # The other formats have it without names: the same surface is the same bytes.
         is_vtp = path.lower().endswith(".vtp")
         write_surface(replace(organ.mesh, provenance=provenance) if is_vtp else organ, path)
     elif name == "save_session":
-        write_text(session_text([provenance]), path)
+        write_text(path, session_text([provenance]))
     elif name == "labels":
         label = int(organ.label_map.voxels.max())
         write_image(organ.label_map, path, names={label: names.organs[0]})

@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 from typing import Any, get_args
 
-from ._errors import FileError
+from ._atomic import make_folder
 from ._files import write_image
 from ._options import WrongUsage
 from ._phantom import Organ
@@ -19,13 +19,7 @@ def phantom(values: dict[str, Any]) -> None:
     if name not in get_args(Shape):
         raise WrongUsage(f"There is no phantom '{name}'. Choose {', '.join(get_args(Shape))}")
     folder = values.get("output", ".")
-    try:
-        os.makedirs(folder, exist_ok=True)
-    except OSError as error:
-        raise FileError(
-            f"The folder '{folder}' cannot be created ({error.strerror}). Check the name and the "
-            "permissions of its parent folder."
-        ) from error
+    make_folder(folder)
     keywords = {
         "size": "dimensions",
         "spacing": "spacing",

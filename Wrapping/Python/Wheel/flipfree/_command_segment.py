@@ -8,6 +8,7 @@ from collections.abc import Iterable
 from functools import partial
 from typing import Any
 
+from ._atomic import write_text
 from ._backend import RADII, SEGMENT_PARAMETERS, set_threads
 from ._command_group import organs_of, segment_group, segment_together
 from ._command_inputs import lps, point_of, points_of, wants_bar
@@ -18,12 +19,12 @@ from ._command_outputs import (
     require_files,
     require_outputs,
     write_output,
-    write_text,
     write_to,
 )
 from ._corrections import Constraint
 from ._errors import FlipFreeError
 from ._files import read_image, write_image
+from ._image import Image
 from ._messages import confidence_text, warn
 from ._options import WrongUsage
 from ._point_files import arguments_of, write_points
@@ -42,13 +43,13 @@ def segment(values: dict[str, Any]) -> None:
         segment_group(values, organs_of(values), {}, None, progress)
         return
     session = _session_of(values)
-    runs = [values]
-    if session:
-        values = {"input": image_beside(session) if "input" not in values else None, **values}
-        if session.together:
-            segment_together(session, values, progress)
-            return
-        runs = runs_of(session, values, [name for name in OUTPUTS if name not in SHARED])
+    if session and "input" not in values:
+        values = {**values, "input": image_beside(session)}
+    if session and session.together:
+        segment_together(session, values, progress)
+        return
+    own = [name for name in OUTPUTS if name not in SHARED]
+    runs = runs_of(session, values, own) if session else [values]
     for run in runs:
         _require_sense(run, {name: run[name] for name in OUTPUTS if name in run})
     points = [] if session else points_of(values)  # a session's organs have their own
@@ -59,82 +60,16 @@ def segment(values: dict[str, Any]) -> None:
     if session:
         require_image_of(session, values["input"], image)
     with contextlib.ExitStack() as files:  # either all files or none
-        said = [_segment_one(run, image, points, files, progress) for run in runs]
-        if "labels" in values:
-            names = [names_of(run) for run in runs]
-            label = values.get("label_value", 1)
-            titles = {label + index: one.organs[0] for index, one in enumerate(names)}
-            colors = {label + index: one.colors[0] for index, one in enumerate(names)}
-            write_to(
-                files,
-                values["labels"],
-                lambda name: write_image(_label_map(said), name, names=titles, colors=colors),
-            )
-        if "save_session" in values:
-            sessions = [
-                named(organ.provenance, names_of(run)) for run, (organ, _) in zip(runs, said)
-            ]
-            write_to(files, values["save_session"], partial(write_text, session_text(sessions)))
-    for run, (organ, working) in zip(runs, said):
+        found = [_segment_one(run, image, points, files, progress) for run in runs]
+        _write_shared(values, runs, [organ for organ, _ in found], files)
+    for run, (organ, working) in zip(runs, found):
         _report(run, organ, reading, working)
-
-
-def _segment_one(
-    values: dict[str, Any],
-    image: Any,
-    points: list[Constraint],
-    files: contextlib.ExitStack,
-    progress: bool,
-) -> tuple[Segmentation, float]:
-    """What was found and in how many seconds; its own files are written."""
-    start = time.perf_counter()
-    title = _title_of(values)
-    repeated: SessionOrgan | None = values.get("repeated")
-    organ: Segmentation
-    try:
-        if repeated and repeated.points:
-            given: dict[str, Any] = {**repeated.corrections, **repeated.parameters}
-            given["label_value"] = values["label_value"]
-            organ = trace_vessel(image, repeated.points, progress=progress or None, **given)
-        else:
-            organ = segment_organ(
-                image,
-                **_start_of(values, image, points),
-                preset=values.get("preset", "default"),
-                progress=progress or None,
-                **{name: value for name, value in values.items() if name in SEGMENT_PARAMETERS},
-            )
-    except FlipFreeError as error:
-        raise type(error)(f"{title}: {error}") from error
-    working = time.perf_counter() - start
-    if organ.stop_reason == "no boundary found":
-        raise FlipFreeError(f"{title}: no boundary of the organ was found, so nothing is written.")
-    for name in OUTPUTS:
-        if name in values and name == "save_points":
-            write_to(files, values[name], lambda path: write_points(path, points))
-        elif name in values and name not in SHARED:
-            write = partial(write_output, name, organ, image, names_of(values))
-            write_to(files, values[name], write)
-    return organ, working
 
 
 def _session_of(values: dict[str, Any]) -> Session | None:
     """The session of the command line; checks that there is one, or else an image and a seed."""
     if "session" not in values:
-        if "input" not in values:
-            raise WrongUsage("INPUT is required: a volume, or a folder of a DICOM series")
-        if "start_labels" in values:
-            if {"seed", "seed_voxel", "radius"} & values.keys():
-                raise WrongUsage(
-                    "--start-labels takes the place of the seed. Leave out --seed, --seed-voxel and "
-                    "--radius; points correct the result"
-                )
-            return None
-        if not all(RADII[0] <= radius <= RADII[1] for radius in values.get("radius", [0])):
-            raise WrongUsage(
-                "--radius must be a positive number of millimeters, 1e-6 to 1e6. The sphere should lie "
-                "within the organ"
-            )
+        _require_start(values)
         return None
     if "start_labels" in values:
         raise WrongUsage("--session has the seed. Leave out --start-labels")
@@ -149,6 +84,88 @@ def _session_of(values: dict[str, Any]) -> Session | None:
             "--session cannot be corrected by points. Give the image, --seed and --radius in its place"
         )
     return read_session(values["session"])
+
+
+def _require_start(values: dict[str, Any]) -> None:
+    """There is an image, and either a label map or radii, which are lengths."""
+    if "input" not in values:
+        raise WrongUsage("INPUT is required: a volume, or a folder of a DICOM series")
+    if "start_labels" in values:
+        if {"seed", "seed_voxel", "radius"} & values.keys():
+            raise WrongUsage(
+                "--start-labels takes the place of the seed. Leave out --seed, --seed-voxel and "
+                "--radius; points correct the result"
+            )
+    elif not all(RADII[0] <= radius <= RADII[1] for radius in values.get("radius", [0])):
+        raise WrongUsage(
+            "--radius must be a positive number of millimeters, 1e-6 to 1e6. The sphere should lie "
+            "within the organ"
+        )
+
+
+def _segment_one(
+    values: dict[str, Any],
+    image: Image,
+    points: list[Constraint],
+    files: contextlib.ExitStack,
+    progress: bool,
+) -> tuple[Segmentation, float]:
+    """What was found and in how many seconds; its own files are written."""
+    start = time.perf_counter()
+    title = _title_of(values)
+    try:
+        organ = _found(values, image, points, progress)
+    except FlipFreeError as error:
+        raise type(error)(f"{title}: {error}") from error
+    working = time.perf_counter() - start
+    if organ.stop_reason == "no boundary found":
+        raise FlipFreeError(f"{title}: no boundary of the organ was found, so nothing is written.")
+    for name in OUTPUTS:
+        if name in values and name == "save_points":
+            write_to(files, values[name], lambda path: write_points(path, points))
+        elif name in values and name not in SHARED:
+            write = partial(write_output, name, organ, image, names_of(values))
+            write_to(files, values[name], write)
+    return organ, working
+
+
+def _found(
+    values: dict[str, Any], image: Image, points: list[Constraint], progress: bool
+) -> Segmentation:
+    repeated: SessionOrgan | None = values.get("repeated")
+    if repeated and repeated.points:
+        given: dict[str, Any] = {**repeated.corrections, **repeated.parameters}
+        given["label_value"] = values["label_value"]
+        return trace_vessel(image, repeated.points, progress=progress or None, **given)
+    return segment_organ(
+        image,
+        **_start_of(values, image, points),
+        preset=values.get("preset", "default"),
+        progress=progress or None,
+        **{name: value for name, value in values.items() if name in SEGMENT_PARAMETERS},
+    )
+
+
+def _write_shared(
+    values: dict[str, Any],
+    runs: list[dict[str, Any]],
+    organs: list[Segmentation],
+    files: contextlib.ExitStack,
+) -> None:
+    """The files that hold all organs."""
+    names = [names_of(run) for run in runs]
+    if "labels" in values:
+        first = values.get("label_value", 1)
+        write = partial(
+            write_image,
+            _label_map(organs),
+            names={label: one.organs[0] for label, one in enumerate(names, first)},
+            colors={label: one.colors[0] for label, one in enumerate(names, first)},
+        )
+        write_to(files, values["labels"], write)
+    if "save_session" in values:
+        text = session_text([named(organ.provenance, one) for organ, one in zip(organs, names)])
+        write_to(files, values["save_session"], lambda path: write_text(path, text))
 
 
 def _title_of(values: dict[str, Any], quote: str = "'") -> str:
@@ -171,7 +188,7 @@ def names_of(
     )
 
 
-def _start_of(values: dict[str, Any], image: Any, points: list[Constraint]) -> dict[str, Any]:
+def _start_of(values: dict[str, Any], image: Image, points: list[Constraint]) -> dict[str, Any]:
     """The seed, or the label map in its place, and the corrections with all further seeds."""
     repeated: SessionOrgan | None = values.get("repeated")
     corrections = repeated.corrections if repeated else arguments_of(points)
@@ -192,12 +209,12 @@ def _start_of(values: dict[str, Any], image: Any, points: list[Constraint]) -> d
     }
 
 
-def _label_map(found: list[tuple[Segmentation, float]]) -> Any:
+def _label_map(organs: list[Segmentation]) -> Image:
     """One label map of all organs. A voxel in several belongs to the first of them."""
-    merged = found[0][0].label_map
-    for organ, _ in found[1:]:
-        labels = organ.label_map.voxels
-        merged.voxels[merged.voxels == 0] = labels[merged.voxels == 0]
+    merged = organs[0].label_map
+    for organ in organs[1:]:
+        free = merged.voxels == 0
+        merged.voxels[free] = organ.label_map.voxels[free]
     return merged
 
 

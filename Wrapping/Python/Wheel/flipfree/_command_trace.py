@@ -54,14 +54,14 @@ def trace(values: dict[str, Any]) -> None:
             raise type(error)(f"'{values['input']}': {error}") from error
         for name, path in outputs.items():
             if name == "save_points":
-                write_to(files, path, lambda name: write_points(name, corrections))
+                write_to(files, path, lambda path: write_points(path, corrections))
             else:
-                origin = names_of(values, ("output", "labels", "centerline"))
-                write_to(files, path, partial(write_output, name, vessel, image, origin))
+                names = names_of(values, ("output", "labels", "centerline"))
+                write_to(files, path, partial(write_output, name, vessel, image, names))
     if "quiet" not in values:
         count = len(vessel.branches)
-        names = ("path", "start", "deformation", "label map")
-        seconds = ", ".join(f"{name} {used:.2f} s" for name, used in zip(names, vessel.stage_seconds))
+        stages = ("path", "start", "deformation", "label map")
+        seconds = ", ".join(f"{name} {used:.2f} s" for name, used in zip(stages, vessel.stage_seconds))
         print(
             f"{values['input']}: {count} {'branch' if count == 1 else 'branches'}, "
             f"{len(vessel.points)} vertices, {vessel.stop_reason}, "
@@ -88,6 +88,7 @@ def _require_sense_of_trace(values: dict[str, Any], outputs: dict[str, str]) -> 
         raise WrongUsage("--radius must be a number of millimeters, 0 to 100; 0 finds it")
     if not -5 <= values.get("wall_thickness", 0) <= 5:
         raise WrongUsage("--wall-thickness must be a number of millimeters, -5 to 5")
+    settings = VesselAlgorithm().settings
     for name in TRACE_PARAMETERS.keys() & values.keys():
-        TRACE_PARAMETERS[name].set(VesselAlgorithm().settings, values[name])
+        TRACE_PARAMETERS[name].set(settings, values[name])
     require_files(values, outputs)

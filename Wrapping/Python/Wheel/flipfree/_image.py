@@ -29,6 +29,14 @@ class Image:
     names: Mapping[int, str] = field(default_factory=dict)
     """What the labels of a label map are called, for files that hold it (.seg.nrrd)."""
 
+    @property
+    def steps(self) -> npt.NDArray[Any]:
+        """From a voxel to the next along each axis, in mm, as the columns of a 3 x 3 matrix."""
+        import numpy
+
+        steps: npt.NDArray[Any] = numpy.reshape(self.direction, (3, 3)) * self.spacing
+        return steps
+
     def __repr__(self) -> str:
         columns, rows, slices = self.voxels.shape[::-1]
         spacing = " x ".join(f"{length:g}" for length in self.spacing)

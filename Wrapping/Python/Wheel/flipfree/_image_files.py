@@ -12,6 +12,7 @@ from ._errors import FileError
 from ._extras import ARRAY_INSTEAD, simpleitk
 from ._foreign import adopted
 from ._image import Image
+from ._messages import listed
 from ._segments import ENDING, segment_fields
 from ._types import Progress
 
@@ -74,8 +75,7 @@ def _read_file(name: str) -> Image:
 def _require_ending(name: str, endings: tuple[str, ...]) -> None:
     if not name.lower().endswith(endings):
         raise FileError(
-            f"The ending of '{name}' stands for no format known here. Use "
-            f"{', '.join(endings[:-1])} or {endings[-1]}."
+            f"The ending of '{name}' stands for no format known here. Use {listed(endings, 'or')}."
         )
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from typing import Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from ._atomic import replacing
 from ._errors import FlipFreeError
@@ -12,14 +12,31 @@ from ._image import Image as Volume
 from ._segmentation import Segmentation
 from ._types import PathName
 
-# Right and up in LPS, and the patient's sides at the left and upper edge: axial from the feet, sagittal
-# from the patient's left, coronal from the front.
+if TYPE_CHECKING:
+    import numpy.typing as npt
+
+
+class View(NamedTuple):
+    """How a slice is seen: to the right and up, in LPS, and the patient's sides at two edges."""
+
+    right: tuple[int, int, int]
+    up: tuple[int, int, int]
+    left_side: str
+    upper_side: str
+
+
+# Axial from the feet, sagittal from the patient's left, coronal from the front.
 VIEWS = (
-    ((1, 0, 0), (0, -1, 0), "R", "A"),
-    ((0, 1, 0), (0, 0, 1), "A", "S"),
-    ((1, 0, 0), (0, 0, 1), "R", "S"),
+    View((1, 0, 0), (0, -1, 0), "R", "A"),
+    View((0, 1, 0), (0, 0, 1), "A", "S"),
+    View((1, 0, 0), (0, 0, 1), "R", "S"),
 )
+# Left and lower edges of the slices and of the surface, and their width, of the picture's.
+PLACES, WIDTH = ((0, 0.5025), (0.5025, 0.5025), (0, 0), (0.5025, 0)), 0.4975
+# The side of a slice, of the surface's greatest extent; in mm at the least; and in points.
+ROOM, LEAST_SIDE, SLICE_POINTS = 1.8, 60.0, 400
 INK, CONTOUR, LETTER, ORGAN = "#0b0d0f", "#ffc233", "#d9dbe0", (0.86, 0.42, 0.33)
+FRAME = "#292b33"
 # The contour where the image does not support it: where a vertex has a lower confidence.
 DOUBT, DOUBTFUL = "#4099ff", 0.5
 
@@ -42,19 +59,13 @@ def write_picture(path: PathName, image: Volume, organ: Segmentation, size: int 
 
     if not os.fspath(path).lower().endswith((".png", ".jpg")):
         raise FlipFreeError(f"'{path}': pictures are .png or .jpg files")
-    figure = Figure(figsize=(size / 100, size / 100), dpi=100, facecolor="#292b33")
+    figure = Figure(figsize=(size / 100, size / 100), dpi=100, facecolor=FRAME)
     canvas = FigureCanvasAgg(figure)
     region = Region(image, organ.points)
-    places = ((0, 0.5025), (0.5025, 0.5025), (0, 0), (0.5025, 0))
-    for (left, bottom), view in zip(places, (*VIEWS, None)):
-        axes = figure.add_axes((left, bottom, 0.4975, 0.4975), facecolor=INK)
-        axes.set(xticks=[], yticks=[], aspect="equal")
-        for spine in axes.spines.values():
-            spine.set_visible(False)
-        if view is None:
-            _draw_surface(axes, organ, region)
-        else:
-            _draw_slice(axes, image, organ, region, view, max(size / 1200, 0.8))
+    *slices, body = (_empty_axes(figure, left, bottom) for left, bottom in PLACES)
+    for axes, view in zip(slices, VIEWS):
+        _draw_slice(axes, image, organ, region, view, max(size / 1200, 0.8))
+    _draw_surface(body, organ, region)
     canvas.draw()
     pixels = numpy.asarray(canvas.buffer_rgba())[..., :3]
     with replacing(path) as temporary:
@@ -64,31 +75,51 @@ def write_picture(path: PathName, image: Volume, organ: Segmentation, size: int 
 class Region:
     """What the slices show: a square around the surface, and the window of gray values."""
 
-    def __init__(self, image: Volume, points: Any) -> None:
-        import numpy
-
+    def __init__(self, image: Volume, points: npt.NDArray[Any]) -> None:
         low, high = points.min(axis=0), points.max(axis=0)
-        self.center = (low + high) / 2
-        self.side = float(max(1.8 * (high - low).max(), 60.0))
-        some = image.voxels.ravel()[:: max(1, image.voxels.size // 1000000)]
-        bottom, top = numpy.quantile(some[numpy.isfinite(some)], (0.01, 0.99))
-        # A CT is known by its air.
-        self.window = (-150.0, 250.0) if bottom < -700 and top > 100 else (bottom, max(top, bottom + 1))
+        self.center: npt.NDArray[Any] = (low + high) / 2
+        self.side = float(max(ROOM * (high - low).max(), LEAST_SIDE))
+        self.window = _window_of(image)
+
+    def plane(
+        self, right: npt.NDArray[Any], up: npt.NDArray[Any], steps: npt.NDArray[Any]
+    ) -> npt.NDArray[Any]:
+        """Points of space [row, column, axis], so many mm from the center along both directions."""
+        points: npt.NDArray[Any] = (
+            self.center + steps[None, :, None] * right + steps[:, None, None] * up
+        )
+        return points
+
+
+def _window_of(image: Volume) -> tuple[float, float]:
+    """The gray values that are black and white."""
+    import numpy
+
+    some = image.voxels.ravel()[:: max(1, image.voxels.size // 1000000)]
+    bottom, top = numpy.quantile(some[numpy.isfinite(some)], (0.01, 0.99))
+    # A CT is known by its air.
+    return (-150.0, 250.0) if bottom < -700 and top > 100 else (bottom, max(top, bottom + 1))
+
+
+def _empty_axes(figure: Any, left: float, bottom: float) -> Any:
+    axes = figure.add_axes((left, bottom, WIDTH, WIDTH), facecolor=INK)
+    axes.set(xticks=[], yticks=[], aspect="equal")
+    for spine in axes.spines.values():
+        spine.set_visible(False)
+    return axes
 
 
 def _draw_slice(
-    axes: Any, image: Volume, organ: Segmentation, region: Region, view: Any, scale: float
+    axes: Any, image: Volume, organ: Segmentation, region: Region, view: View, scale: float
 ) -> None:
     import numpy
     from matplotlib.collections import LineCollection
 
-    right, up = numpy.array(view[0], float), numpy.array(view[1], float)
+    right, up = numpy.array(view.right, float), numpy.array(view.up, float)
     half = region.side / 2
-    count = 400
-    steps = (numpy.arange(count) + 0.5) / count * region.side - half
-    points = region.center + steps[None, :, None] * right + steps[:, None, None] * up
+    steps = (numpy.arange(SLICE_POINTS) + 0.5) / SLICE_POINTS * region.side - half
     axes.imshow(
-        sampled(image, points, region.window[0]),
+        sampled(image, region.plane(right, up, steps), region.window[0]),
         extent=(-half, half, -half, half),
         origin="lower",
         cmap="gray",
@@ -97,21 +128,27 @@ def _draw_slice(
         interpolation="bilinear",
     )
     segments, doubtful = cut(organ, region.center, numpy.cross(right, up))
-    flat: Any = numpy.stack([(segments - region.center) @ right, (segments - region.center) @ up], axis=-1)
-    for color, width, some in ((INK, 4.5, flat), (CONTOUR, 2.2, flat[~doubtful]), (DOUBT, 2.2, flat[doubtful])):
-        axes.add_collection(LineCollection(some, colors=color, linewidths=width * scale, capstyle="round"))
+    around = segments - region.center
+    flat: npt.NDArray[Any] = numpy.stack([around @ right, around @ up], axis=-1)
+    for color, width, lines in (
+        (INK, 4.5, flat),
+        (CONTOUR, 2.2, flat[~doubtful]),
+        (DOUBT, 2.2, flat[doubtful]),
+    ):
+        axes.add_collection(
+            LineCollection(lines, colors=color, linewidths=width * scale, capstyle="round")
+        )
     axes.set(xlim=(-half, half), ylim=(-half, half))
-    for letter, place in ((view[2], (0.035, 0.5)), (view[3], (0.5, 0.965))):
-        axes.text(*place, letter, transform=axes.transAxes, color=LETTER, ha="center", va="center",
-                  fontsize=13 * scale)
+    style = {"color": LETTER, "ha": "center", "va": "center", "fontsize": 13 * scale}
+    for letter, place in ((view.left_side, (0.035, 0.5)), (view.upper_side, (0.5, 0.965))):
+        axes.text(*place, letter, transform=axes.transAxes, **style)
 
 
-def sampled(image: Volume, points: Any, outside: float) -> Any:
+def sampled(image: Volume, points: npt.NDArray[Any], outside: float) -> npt.NDArray[Any]:
     """The gray values at points of space, between voxels linear; `outside` beyond the image."""
     import numpy
 
-    axes = numpy.reshape(image.direction, (3, 3)) * image.spacing
-    index = (points - numpy.array(image.origin)) @ numpy.linalg.inv(axes).T
+    index = (points - numpy.array(image.origin)) @ numpy.linalg.inv(image.steps).T
     last = numpy.array(image.voxels.shape[::-1]) - 1
     inside = ((index >= -0.5) & (index <= last + 0.5)).all(axis=-1)
     index = numpy.clip(index, 0, last)
@@ -123,14 +160,17 @@ def sampled(image: Volume, points: Any, outside: float) -> Any:
         takes_high = [corner >> axis & 1 for axis in range(3)]
         i, j, k = ((high if upper else low)[..., axis] for axis, upper in enumerate(takes_high))
         weight = numpy.prod(
-            [part[..., a] if upper else 1 - part[..., a] for a, upper in enumerate(takes_high)], axis=0
+            [part[..., a] if upper else 1 - part[..., a] for a, upper in enumerate(takes_high)],
+            axis=0,
         )
         values += weight * image.voxels[k, j, i]
     return numpy.where(inside, values, outside)
 
 
-def cut(organ: Segmentation, point: Any, normal: Any) -> tuple[Any, Any]:
-    """Where the surface's triangles meet a plane: segments [n, 2, 3], and which of them are doubtful."""
+def cut(
+    organ: Segmentation, point: npt.NDArray[Any], normal: npt.NDArray[Any]
+) -> tuple[npt.NDArray[Any], npt.NDArray[Any]]:
+    """Where the triangles meet a plane: segments [n, 2, 3], and which of them are doubtful."""
     import numpy
 
     corners = organ.points[organ.triangles]
@@ -153,7 +193,8 @@ def cut(organ: Segmentation, point: Any, normal: Any) -> tuple[Any, Any]:
         ends.append(
             corners[rows, alone] + part[:, None] * (corners[rows, other] - corners[rows, alone])
         )
-    return numpy.stack(ends, axis=1), doubtful[crossing]
+    segments: npt.NDArray[Any] = numpy.stack(ends, axis=1)
+    return segments, doubtful[crossing]
 
 
 def _draw_surface(axes: Any, organ: Segmentation, region: Region) -> None:
@@ -173,5 +214,5 @@ def _draw_surface(axes: Any, organ: Segmentation, region: Region) -> None:
     axes.add_collection(
         PolyCollection(flat, facecolors=colors, edgecolors=colors, linewidths=0.3)
     )
-    half = 0.6 * region.side / 1.8 * 1.1
+    half = 0.6 * region.side / ROOM * 1.1
     axes.set(xlim=(-half, half), ylim=(-half, half))

@@ -12,6 +12,7 @@ import re
 from collections.abc import Callable, Sequence
 from typing import Any
 
+from ._atomic import write_text
 from ._coordinates import swap_lps_ras
 from ._corrections import SEED, Constraint
 from ._errors import FileError
@@ -51,8 +52,7 @@ def arguments_of(constraints: Sequence[Constraint]) -> dict[str, Any]:
 def write_points(path: str, constraints: Sequence[Constraint]) -> None:
     """Writes all of them."""
     text = _table(constraints) if path.lower().endswith(".csv") else _markups(constraints)
-    with open(path, "w", encoding="utf-8", newline="") as file:
-        file.write(text)
+    write_text(path, text)
 
 
 def _read(
@@ -141,7 +141,7 @@ def _place_of_cells(cells: list[str], is_first: bool) -> tuple[float, ...] | Non
 
 def _of_markups(text: str, of_control: Callable[[dict[str, Any], list[float]], Any]) -> list[Any]:
     found = []
-    content = json.loads(text, parse_float=_finite, parse_int=_whole, parse_constant=_finite)
+    content = json.loads(text, parse_float=_json_float, parse_int=_json_int, parse_constant=_json_float)
     _dumped(content).encode()  # not all that JSON can spell is text
     for group in _list(content["markups"]):
         # Files before version 1.0.1 have a number: 0 for RAS.
@@ -185,36 +185,45 @@ def _constraint(kind: str, place: list[float], radius: float) -> Constraint:
     return Constraint(KINDS.index(kind), tuple(place), radius if kind == "seed" else 0.0)
 
 
+def finite(text: str) -> float:
+    """A finite number as float() takes it, or NaN.
+
+    >>> finite("-1.5e1"), finite("1_0"), finite("inf"), finite("wide")
+    (-15.0, 10.0, nan, nan)
+    """
+    try:
+        number = float(text)
+    except ValueError:
+        return math.nan
+    return number if math.isfinite(number) else math.nan
+
+
 def decimal(text: str) -> float:
-    """A number as tables have it, or NaN; float() takes more.
+    """A number as tables have it, or NaN.
 
     >>> decimal("-1.5e1"), decimal("1_0"), decimal("inf"), decimal("1e999")
     (-15.0, nan, nan, nan)
     """
-    try:
-        number = float(text) if re.fullmatch("[0-9+.eE-]+", text) else math.nan
-    except ValueError:
-        number = math.nan
-    return number if math.isfinite(number) else math.nan
+    return finite(text) if re.fullmatch("[0-9+.eE-]+", text) else math.nan
 
 
 def _number(text: str) -> float:
     number = decimal(text)
-    if number != number:
+    if math.isnan(number):
         raise _Wrong(f"'{text}' is no number")
     return number
 
 
-def _finite(text: str) -> float:
+def _json_float(text: str) -> float:
     """A number of JSON; NaN, Infinity and 1e999 are none."""
-    number = float(text)
-    if not math.isfinite(number):
+    number = finite(text)
+    if math.isnan(number):
         raise ValueError(text)
     return number
 
 
-def _whole(text: str) -> float:
-    return int(text) if len(text) < 19 else _finite(text)
+def _json_int(text: str) -> float:
+    return int(text) if len(text) < 19 else _json_float(text)
 
 
 def _list(value: Any) -> list[Any]:

@@ -5,11 +5,11 @@ The toolkit writes the same fields (SegmentFields.cxx); a test holds the two tog
 
 from __future__ import annotations
 
-import os
 from collections.abc import Mapping
 from typing import Any
 
 from ._errors import FileError
+from ._session_record import organ_of_file
 
 ENDING = ".seg.nrrd"
 MOST = 4096  # more is no label map
@@ -21,8 +21,6 @@ def segment_fields(
 ) -> dict[str, str]:
     """The fields of a label map, for the file of that name; raises FileError where it is none."""
     extents = _extents_of(voxels, path)
-    stem = os.path.basename(path)
-    only = stem[:1] + stem[1:].partition(".")[0]
     labels = [*names, *(label for label in extents if label not in names)]
     fields = {
         "Segmentation_ContainedRepresentationNames": "Binary labelmap|Closed surface|",
@@ -31,7 +29,7 @@ def segment_fields(
         "Segmentation_ReferenceImageExtentOffset": "0 0 0",
     }
     for index, label in enumerate(labels):
-        name = names.get(label) or (only if len(extents) == 1 else f"Segment_{label}")
+        name = names.get(label) or (organ_of_file(path) if len(extents) == 1 else f"Segment_{label}")
         extent = extents.get(label, [0, -1] * 3)
         values = {
             "ID": f"Segment_{label}",

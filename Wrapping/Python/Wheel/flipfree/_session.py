@@ -6,13 +6,17 @@ import itertools
 import json
 import math
 import os
-import re
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, field
-from typing import Any, TypeVar
+from typing import Any, TypeVar, get_args
 
 from ._backend import SEGMENT_PARAMETERS, TRACE_PARAMETERS, VesselAlgorithm
 from ._errors import FileError, FlipFreeError
+from ._image import Image
+from ._messages import listed
+from ._parameters import snake_case
+from ._session_record import file_name_of
+from ._types import Preset
 
 T = TypeVar("T")
 
@@ -138,8 +142,7 @@ def _entry_of(entry: dict[str, Any]) -> SessionOrgan | None:
             return None
     elif entry["seed"] is None and "startLabels" not in entry:
         return None
-    # Letters, digits and dashes, as in the names of the page's files.
-    name = re.sub(r"[\0-\x7f]", lambda letter: letter[0] if letter[0].isalnum() else "-", entry["name"])
+    name = file_name_of(entry["name"])
     try:
         return (_vessel_of if kind == "vessel" else _organ_of)(name, entry)
     except (ValueError, FlipFreeError) as error:
@@ -153,9 +156,8 @@ def _vessel_of(name: str, entry: dict[str, Any]) -> SessionOrgan:
     for key, value in entry["parameters"].items():
         title = key[:1].upper() + key[1:]
         if title not in known:
-            *first, last = known
             raise ValueError(
-                f"there is no parameter '{title}' of a vessel; there are {', '.join(first)} and {last}"
+                f"there is no parameter '{title}' of a vessel; there are {listed(known)}"
             )
         try:
             known[title].set(settings, value)
@@ -176,12 +178,12 @@ def _vessel_of(name: str, entry: dict[str, Any]) -> SessionOrgan:
 def _organ_of(name: str, entry: dict[str, Any]) -> SessionOrgan:
     parameters = {}
     for key, value in entry["parameters"].items():
-        keyword = re.sub(r"(?<!^)(?=[A-Z])", "_", key).lower()
+        keyword = snake_case(key)
         if keyword not in SEGMENT_PARAMETERS:
             raise ValueError(f"there is no parameter '{key}'")
         if keyword not in IGNORED:
             parameters[keyword] = value
-    if entry["preset"] not in ("default", "published", "naive"):
+    if entry["preset"] not in get_args(Preset):
         raise ValueError(f"there is no preset '{entry['preset']}'")
     if entry.get("startSurface"):
         raise ValueError("it began with a surface, which a session does not hold")
@@ -253,7 +255,7 @@ def file_beside(session: Session, name: str, what: str) -> str:
     return path
 
 
-def require_image_of(session: Session, name: str, image: Any) -> None:
+def require_image_of(session: Session, name: str, image: Image) -> None:
     """Voxels in the same places, up to a tenth of the least spacing; in whichever order."""
     wanted = _corners(session.size, session.spacing, session.origin, session.direction)
     size = image.voxels.shape[::-1]
@@ -269,8 +271,14 @@ def require_image_of(session: Session, name: str, image: Any) -> None:
         )
 
 
-def _corners(size: Any, spacing: Any, origin: Any, direction: Any) -> list[list[float]]:
-    rows = [list(direction)[3 * row : 3 * row + 3] for row in range(3)]
+def _corners(
+    size: Sequence[int],
+    spacing: Sequence[float],
+    origin: Sequence[float],
+    direction: Sequence[float],
+) -> list[list[float]]:
+    """Where the outermost voxels of a grid are."""
+    rows = [direction[3 * row : 3 * row + 3] for row in range(3)]
     corners = []
     for ends in itertools.product((0, 1), repeat=3):
         lengths = [end * (count - 1) * step for end, count, step in zip(ends, size, spacing)]

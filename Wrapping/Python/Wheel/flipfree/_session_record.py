@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import json
 import os
+import re
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
@@ -65,6 +66,15 @@ def organ_of_file(path: str) -> str:
     """The name of an organ that has none, after a file: liver for out/liver.vtp."""
     name = _name_in(path)
     return name[:1] + name[1:].partition(".")[0]
+
+
+def file_name_of(organ: str) -> str:
+    """An organ's name as it can stand in names of files: letters, digits and dashes.
+
+    >>> file_name_of("left/lobe 2"), file_name_of("Müller")
+    ('left-lobe-2', 'Müller')
+    """
+    return re.sub(r"[\0-\x7f]", lambda letter: letter[0] if letter[0].isalnum() else "-", organ)
 
 
 def _name_in(path: str) -> str:

@@ -10,6 +10,7 @@ from typing import Any
 from ._atomic import replacing
 from ._errors import FileError
 from ._extras import needed
+from ._messages import listed
 from ._segmentation import Segmentation, Surface, Vessel
 from ._session_record import comment_lines
 from ._types import PathName
@@ -84,7 +85,7 @@ def ending_of(name: str) -> str:
     ending = os.path.splitext(name)[1].lower()
     if ending not in ENDINGS:
         raise FileError(
-            f"The ending of '{name}' stands for no format known here. Use .vtp, .stl, .ply or .obj."
+            f"The ending of '{name}' stands for no format known here. Use {listed(ENDINGS, 'or')}."
         )
     return ending
 

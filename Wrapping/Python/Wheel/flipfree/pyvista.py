@@ -26,14 +26,12 @@ from ._evaluate import Scores
 from ._evaluate import evaluate as evaluate_segmentation
 from ._foreign import adopted
 from ._image import Image
-from ._picture import CONTOUR, INK, VIEWS, Region, sampled
+from ._picture import CONTOUR, FRAME, INK, SLICE_POINTS, VIEWS, Region, sampled
 from ._segment import segment as segment_organ
 from ._segmentation import Segmentation, Surface
 from ._vtk_objects import imagedata_of, polydata_of
 
 ORGAN = "#db6b54"
-# Pixels of a slice along each side.
-PIXELS = 400
 
 
 def polydata(surface: Segmentation | Surface) -> pyvista.PolyData:
@@ -97,10 +95,11 @@ def plotter(
         raise ValueError("surfaces: at least one is needed, whose contours the slices show")
     volume = adopted("image", image)
     region = Region(volume, numpy.asarray(surfaces[0].points))
-    scene = pyvista.Plotter(shape=(2, 2), border=True, border_color="#292b33", **options)
-    for place, (right, up, *_) in enumerate(VIEWS):
+    scene = pyvista.Plotter(shape=(2, 2), border=True, border_color=FRAME, **options)
+    for place, view in enumerate(VIEWS):
         scene.subplot(place // 2, place % 2)
-        _add_slice(scene, volume, region, numpy.array(right, float), numpy.array(up, float))
+        right, up = numpy.array(view.right, float), numpy.array(view.up, float)
+        _add_slice(scene, volume, region, right, up)
         normal = numpy.cross(right, up)
         for surface, color in zip(surfaces, colors):
             contour = surface.slice(normal=normal, origin=region.center)
@@ -118,8 +117,8 @@ def plotter(
 def _add_slice(scene: pyvista.Plotter, volume: Image, region: Region, right: Any, up: Any) -> None:
     import numpy
 
-    steps = (numpy.arange(PIXELS) / (PIXELS - 1) - 0.5) * region.side
-    points = region.center + steps[None, :, None] * right + steps[:, None, None] * up
+    steps = (numpy.arange(SLICE_POINTS) / (SLICE_POINTS - 1) - 0.5) * region.side
+    points = region.plane(right, up, steps)
     plane = pyvista.StructuredGrid(*(points[None, ..., axis] for axis in range(3)))
     plane["gray"] = sampled(volume, points, region.window[0])[None].ravel(order="F")
     scene.set_background(INK)
