@@ -120,5 +120,9 @@ TEST(StyleChoice, TheImageDecides)
   EXPECT_TRUE(MayBeWide(6, 7));
   // Where the thin vessel is not that thin, a wide one need not be supported better.
   EXPECT_LT(LeastSupportOfWide(8, 0.9, 7), 0.9);
-  EXPECT_GT(LeastSupportOfWide(6, 0.9, 7), 0.9);
+  EXPECT_GT(LeastSupportOfWide(5, 0.9, 7), 0.9);
+  EXPECT_DOUBLE_EQ(LeastSupportOfWide(4.9, 0.9, 7), 0.9 + ClearlyMore);
+  EXPECT_NEAR(LeastSupportOfWide(5.95, 0.9, 7), 0.9, 1e-12); // half-way
+  EXPECT_DOUBLE_EQ(LeastSupportOfWide(7, 0.9, 7), 0.9 - ClearlyMore);
+  EXPECT_DOUBLE_EQ(LeastSupportOfWide(20, 0.9, 7), 0.9 - ClearlyMore);
 }
