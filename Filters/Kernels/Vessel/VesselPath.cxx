@@ -137,7 +137,7 @@ private:
     if (other)
     {
       this->Found = *other;
-      this->Least = this->Found.Support + ClearlyMore;
+      this->Least = this->Found.Support;
       this->IsThin = false;
     }
   }
