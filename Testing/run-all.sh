@@ -6,7 +6,7 @@
 #   3. build with warnings as errors
 #   4. clang-tidy
 #   5. gets ParaView and builds the plugin
-#   6. all tests, pictures included, with a virtual display and software rendering
+#   6. all tests, pictures included, with a virtual display and software rendering; the wheel takes the plugin's kernels
 #   7. the tests that take no long segmentation again, under AddressSanitizer and UndefinedBehaviorSanitizer, without the
 #      baselines
 #
@@ -73,7 +73,7 @@ PYTHON
 # AddressSanitizer finds the real ones.
 lint()
 {
-  cmake --preset asan
+  cmake --fresh --preset asan # of another compiler, nothing may be left
   find Filters Wrapping -name .clang-tidy -exec cp --parents {} build/asan \; # units stand there
   own_units | xargs --no-run-if-empty -0 -n 1 -P "$jobs" \
     clang-tidy --quiet -p build/asan --warnings-as-errors='*' --header-filter='/(Filters|Wrapping)/[^.]*\.(h|cxx)$' \

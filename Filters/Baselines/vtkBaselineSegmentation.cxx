@@ -325,7 +325,7 @@ void vtkBaselineSegmentation::Segment(vtkImageData* image, vtkPolyData* path, vt
     TakeVoxels(geometry, task.Region.Geometry, box.Begin, result);
   if (runs.empty())
   {
-    throw std::invalid_argument("nothing was found that hangs together with the seed sphere; check "
+    throw std::invalid_argument("nothing was found that is connected to the seed sphere; check "
                                 "that it lies in the organ, or enlarge it");
   }
   AttachSurface(result, surface);

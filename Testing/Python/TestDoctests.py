@@ -19,7 +19,7 @@ if HAS_VTK and not hasattr(flipfree, "vtkMedicalImageReader"):
 
 
 def load_tests(_loader, tests, _pattern):
-    # Several make the same one, which takes longer than what they do with it.
+    # Several make the same one, which takes longer than what they do with it. None changes it.
     flipfree.phantom = functools.lru_cache(maxsize=None)(flipfree.phantom)
     source = os.environ["FLIPFREE_PYTHON_SOURCE"]
     sys.path[:0] = [source, os.path.join(source, "Wheel")]

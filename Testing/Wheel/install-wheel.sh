@@ -27,11 +27,13 @@ if $only_tools; then
   exit 0
 fi
 
+# The kernels of the ParaView plugin are compiled from the same folder with the same options, unless the environment asks
+# for another compiler or other options. Where they cannot be had, the wheel compiles its own.
 kernels=
-if [[ -e $build/build.ninja ]] &&
-  grep --quiet "^CMAKE_HOME_DIRECTORY:INTERNAL=$PWD/" "$build/CMakeCache.txt" &&
-  grep --quiet '^CMAKE_BUILD_TYPE:STRING=Release$' "$build/CMakeCache.txt"; then
-  cmake --build "$build" --target FlipFreeKernels
+if [[ -z ${CXX:-}${CXXFLAGS:-} && -e $build/build.ninja ]] &&
+  grep --quiet --fixed-strings "CMAKE_HOME_DIRECTORY:INTERNAL=$PWD/" "$build/CMakeCache.txt" &&
+  grep --quiet '^CMAKE_BUILD_TYPE:STRING=Release$' "$build/CMakeCache.txt" &&
+  cmake --build "$build" --target FlipFreeKernels; then
   kernels=$(find "$build" -name libFlipFreeKernels.a -print -quit)
 fi
 if command -v ccache >/dev/null; then

@@ -85,6 +85,7 @@ if (FLIPFREE_USE_ITK)
   # An ITK refuses compilers other than the one it was built with, although Clang keeps GCC's binary interface.
   # Clang reads a copy of the header that asks, without the refusal, ahead of all others.
   set(FLIPFREE_ITK_COMPILE_OPTIONS "")
+  unset(FLIPFREE_ITK_COMPILER_DETECTION CACHE) # of this ITK, not of one before
   find_file(FLIPFREE_ITK_COMPILER_DETECTION itk_compiler_detection.h HINTS ${ITK_INCLUDE_DIRS} NO_DEFAULT_PATH)
   mark_as_advanced(FLIPFREE_ITK_COMPILER_DETECTION)
   if (CMAKE_CXX_COMPILER_ID STREQUAL "Clang" AND FLIPFREE_ITK_COMPILER_DETECTION)

@@ -47,6 +47,8 @@ test_packages=(
   libcgal-dev
   libclang-rt-dev
   libgtest-dev
+  # Names functions and lines in what the sanitizers report.
+  llvm
   mypy
   # For the wheel, which is built and tested in a virtual environment.
   python3-dev

@@ -80,7 +80,7 @@ SeedSphere OrganRuns::FillLabel(const LabelVolume& labels, int label)
   const ImageGeometry& geometry = this->Volume.Geometry;
   BitMask mask = StartMaskOf(labels, label, geometry, this->Name);
   const SeedSphere ball = LargestBallIn(mask, labels.Name, this->Threads.For);
-  // On exactly the volume's grid, which headers round.
+  // The volume's own grid: that of the label map may differ by rounding.
   this->Filled = FilledLabel{ labels.Name, label,
     std::make_shared<const BitMask>(geometry, std::move(mask.GetWords())), ball };
   return this->Filled->Ball;

@@ -11,6 +11,7 @@
 #include "Image/SmoothRegion.h"
 #include "Intensity/OrganFeature.h"
 
+#include <cstddef>
 #include <string>
 
 namespace FlipFree

@@ -136,6 +136,10 @@ VolumeSegmenter::VolumeSegmenter(GrayVolume volume, std::string name, const Seed
 
 void VolumeSegmenter::SetForeground(std::shared_ptr<const BitMask> mask, std::string name)
 {
+  if (mask && mask->GetGeometry().Dimensions != this->Volume.Geometry.Dimensions)
+  {
+    throw std::logic_error("a foreground on another grid than the volume's");
+  }
   this->Release();
   this->Given = std::move(mask);
   this->GivenName = std::move(name);

@@ -14,19 +14,19 @@ namespace FlipFree
 /// Support by which one result is clearly better than another.
 constexpr double ClearlyMore = 0.05;
 
-/// Of the radius from which on vessels are wide, what the mean radius of a wide one is at least
-/// where it was found as a thin one.
+/// A vessel that was traced as a thin one may be wide if its mean radius is at least this fraction
+/// of the radius at which wide vessels begin.
 constexpr double LeastRadiusOfWide = 0.7;
 
-/// By the mean radius of what was found as a thin vessel, of that from which on vessels are wide.
+/// Whether a vessel that was traced as a thin one, with this mean radius, may be a wide one.
 inline bool MayBeWide(double radius, double wideRadius)
 {
   return radius >= LeastRadiusOfWide * wideRadius;
 }
 
-/// What the support of a wide vessel must exceed, given that of the thin one in its place: clearly
-/// more at the least radius that may be a wide vessel's, clearly less at that from which on vessels
-/// are wide, and in between in proportion.
+/// The support above which a wide vessel takes the place of a thin one of this mean radius and
+/// support. It decreases linearly with the radius, from clearly more than the thin one's support,
+/// where a vessel may just be wide, to clearly less, where wide vessels begin.
 inline double LeastSupportOfWide(double radius, double support, double wideRadius)
 {
   const double width = (radius / wideRadius - LeastRadiusOfWide) / (1 - LeastRadiusOfWide);

@@ -94,12 +94,11 @@ def move_to_error(shown, labels):
 
 def worst(path, results, cases, method, rows, number=10):
     """The lowest Dice scores of a method, each in the axial slice with the largest error."""
-    found = sorted((row for row in tables.of(rows, method) if not row["failed"]), key=lambda row: row["dice"])
+    named = {case.name: case for case in cases}
+    found = [row for row in tables.of(rows, method) if not row["failed"] and row["case"] in named]
     views = []
-    for row in found[:number]:
-        case = next((case for case in cases if case.name == row["case"]), None)
-        if case is None:
-            continue
+    for row in sorted(found, key=lambda row: row["dice"])[:number]:
+        case = named[row["case"]]
         shown = with_volumes(case)
         move_to_error(shown, flipfree.read_image(runs.output(results, case, method, ".mha")))
         truth = paper_figures.truth_of(shown)

@@ -31,8 +31,8 @@ def image_from_array(
     Spacing (mm), origin (mm, of the center of the first voxel) and direction (3 x 3, the axes as
     columns; default the identity) are as SimpleITK, nibabel and pydicom users know them, in LPS
     coordinates. Where the array is of integers or floats of up to 64 bits and its voxels lie one
-    behind the other, the image shares its memory (one of VTK's only if the array may be written
-    to); otherwise it has a copy.
+    behind the other, the image shares its memory (over VTK, only if the array is writable);
+    otherwise it has a copy.
 
     >>> import flipfree, numpy
     >>> volume = numpy.zeros((20, 64, 48), dtype=numpy.int16)   # 20 slices, 64 rows, 48 columns
