@@ -136,6 +136,12 @@ void DeformingOrgan::BeginLevel(int level)
   this->Solver = std::make_unique<DeformationSolver>(this->Surface.Mesh);
 }
 
+// In the last level, and not to a carved foreground: it ends where the edge is, by its own rule.
+bool DeformingOrgan::SnapsToEdges() const
+{
+  return this->Level + 1 >= this->Settings.Schedule.NumberOfLevels() && !this->Settled;
+}
+
 PointList DeformingOrgan::FindMotion()
 {
   if (this->IsAtRest())
@@ -149,8 +155,7 @@ PointList DeformingOrgan::FindMotion()
 
   TargetSettings targets = this->Settings.Targets;
   targets.Correspondence.Ramp = this->Model.Ramp;
-  // The carved foreground ends where the edge is, by its own rule.
-  if (this->Level + 1 < this->Settings.Schedule.NumberOfLevels() || this->Settled)
+  if (!this->SnapsToEdges())
   {
     targets.Correspondence.EdgeWindow = 0;
   }

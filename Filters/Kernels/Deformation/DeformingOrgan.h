@@ -95,6 +95,7 @@ public:
   const OrganSurface& GetSurface() const { return this->Surface; }
 
 private:
+  bool SnapsToEdges() const;
   StopReason ReasonToStop() const;
   template <typename Call>
   auto Naming(const Call& call) const

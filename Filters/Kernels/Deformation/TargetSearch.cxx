@@ -186,13 +186,13 @@ void LimitDisplacements(double limit, CorrespondenceField& field)
   }
 }
 
-double SearchDistanceOf(const TargetSettings& settings, double seedRadius)
+double SearchDistanceOf(const TargetSettings& settings, double organRadius)
 {
   constexpr double minimum = 15;
   constexpr double maximum = 60;
   const double given = settings.Correspondence.SearchDistance;
   return given > 0 ? given
-                   : std::max(minimum, std::min(maximum, settings.SearchScale * seedRadius));
+                   : std::max(minimum, std::min(maximum, settings.SearchScale * organRadius));
 }
 
 double EdgeWindowOf(const TargetSettings& settings, const ImageGeometry& geometry)
@@ -203,13 +203,13 @@ double EdgeWindowOf(const TargetSettings& settings, const ImageGeometry& geometr
 }
 
 CorrespondenceField FindTargets(const ContourMesh& mesh, const Eigen::Ref<const PointList>& points,
-  const BitMask& foreground, const ImageView<float>& edges, double seedRadius,
+  const BitMask& foreground, const ImageView<float>& edges, double organRadius,
   const TargetSettings& settings, const ParallelFor& parallelFor, TargetReport& report)
 {
   const ImageGeometry& geometry = foreground.GetGeometry();
   const double voxel = geometry.Spacing.maxCoeff();
   CorrespondenceSettings search = settings.Correspondence;
-  search.SearchDistance = SearchDistanceOf(settings, seedRadius);
+  search.SearchDistance = SearchDistanceOf(settings, organRadius);
   search.EdgeWindow = edges.Data ? EdgeWindowOf(settings, geometry) : 0;
   const PointList normals = VertexNormals(mesh, points, settings.NormalSmoothingIterations);
   CorrespondenceField field =

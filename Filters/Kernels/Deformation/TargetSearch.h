@@ -1,6 +1,7 @@
 /**
- * One iteration's targets: normals, correspondence search, and steps beyond the paper: snapping to
- * the strongest edge, rejection of outliers, and a limit to the displacements.
+ * One iteration's targets: normals, correspondence search, and steps beyond the paper: a cap on the
+ * window in which the search snaps to the strongest edge (Correspondence.h), rejection of outliers,
+ * and a limit to the displacements.
  */
 #ifndef FlipFreeTargetSearch_h
 #define FlipFreeTargetSearch_h
@@ -15,8 +16,8 @@ struct TargetSettings
   /// If its SearchDistance is zero, SearchScale applies; its EdgeWindow is capped at 1.5 voxels.
   CorrespondenceSettings Correspondence;
 
-  /// Length of the search lines in seed radii, clamped to 15 to 60 mm; used if SearchDistance is
-  /// zero.
+  /// Length of the search lines in radii of the organ (the seed's, until more is known), clamped to
+  /// 15 to 60 mm; used if SearchDistance is zero.
   double SearchScale = 1.6;
 
   /// Averaging passes of the normals over neighbors.
@@ -30,8 +31,9 @@ struct TargetSettings
   double MaximumDisplacement = 8;
 };
 
-/// The length of the search lines, in millimeters.
-double SearchDistanceOf(const TargetSettings& settings, double seedRadius);
+/// The length of the search lines. It and `organRadius`, which is the seed's until more is known of
+/// the organ, are in millimeters.
+double SearchDistanceOf(const TargetSettings& settings, double organRadius);
 
 /// The standard deviation of the window in which targets are refined, in millimeters.
 double EdgeWindowOf(const TargetSettings& settings, const ImageGeometry& geometry);
@@ -53,9 +55,9 @@ void RejectOutliers(const ContourMesh& mesh, const PointList& normals, double de
 void LimitDisplacements(double limit, CorrespondenceField& field);
 
 /// Finds a target for every vertex that sees a boundary. If `edges` is the null view, targets stay
-/// on the faces of voxels. `seedRadius` is in millimeters.
+/// on the faces of voxels. `organRadius` is as in SearchDistanceOf().
 CorrespondenceField FindTargets(const ContourMesh& mesh, const Eigen::Ref<const PointList>& points,
-  const BitMask& foreground, const ImageView<float>& edges, double seedRadius,
+  const BitMask& foreground, const ImageView<float>& edges, double organRadius,
   const TargetSettings& settings, const ParallelFor& parallelFor, TargetReport& report);
 
 } // namespace FlipFree
