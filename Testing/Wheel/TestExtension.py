@@ -27,11 +27,12 @@ class Import(unittest.TestCase):
         output = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=True)
         self.assertIn(output.stdout.strip(), ("[]", "['numpy']"))
 
-    def test_is_quick(self):
-        program = "import time; start = time.process_time(); import flipfree; print(time.process_time() - start)"
-        seconds = [float(subprocess.run([sys.executable, "-c", program], capture_output=True, text=True,
-                                        check=True).stdout) for _ in range(5)]
-        self.assertLess(min(seconds), 0.2)
+    def test_takes_less_than_numpy(self):
+        def seconds(module):
+            program = f"import time; start = time.process_time(); import {module}; print(time.process_time() - start)"
+            return min(float(subprocess.run([sys.executable, "-c", program], capture_output=True, text=True,
+                                            check=True).stdout) for _ in range(5))
+        self.assertLess(seconds("flipfree"), seconds("numpy"))
 
     def test_package_is_small(self):
         folder = Path(flipfree.__file__).parent
