@@ -43,14 +43,13 @@ TEST(BitMask, RunsAreOfAllVoxelsInTheirOrder)
       ASSERT_TRUE(std::is_sorted(expected.begin(), expected.end()));
       std::vector<std::size_t> visited;
       const int middle = geometry.Dimensions[2] / 2;
-      for (const auto& [first, last] :
-        { std::pair(0, middle), std::pair(middle, geometry.Dimensions[2]) })
+      for (const auto& slices : { std::pair(0, middle), std::pair(middle, geometry.Dimensions[2]) })
       {
-        mask.ForEachRun(first, last,
+        mask.ForEachRun(slices.first, slices.second,
           [&](int begin, int end, int j, int k)
           {
             ASSERT_LT(begin, end);
-            ASSERT_TRUE(first <= k && k < last);
+            ASSERT_TRUE(slices.first <= k && k < slices.second);
             ASSERT_EQ(begin / BitMask::BitsOfWord, (end - 1) / BitMask::BitsOfWord);
             for (int i = begin; i < end; ++i)
             {
