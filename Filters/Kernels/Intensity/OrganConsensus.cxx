@@ -96,7 +96,7 @@ public:
     {
       return std::nullopt;
     }
-    BitMask best = voted ? std::move(*voted) : this->Usual;
+    BitMask best = std::move(voted).value_or(this->Usual);
     const double leastContrast = this->LeastContrastOfSeed();
     double support = SupportMargin * BoundarySupport(this->Image.View(), best, leastContrast);
     for (const double mass : NarrowMasses)
