@@ -1,3 +1,4 @@
+#include "BruteForceMotion.h"
 #include "Guard/QuadFold.h"
 #include "RandomMotions.h"
 
@@ -15,22 +16,6 @@ PointList UnitSquare()
   PointList square(4, 3);
   square << 0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0;
   return square;
-}
-
-// From the definition.
-bool HasBackwardCorner(const PointList& points)
-{
-  const auto at = [&](int corner) -> Eigen::RowVector3d { return points.row(corner % 4); };
-  const Eigen::RowVector3d normal = (at(2) - at(0)).cross(at(3) - at(1));
-  for (int corner = 0; corner < 4; ++corner)
-  {
-    const Eigen::RowVector3d side = at(corner + 1) - at(corner);
-    if (!(side.cross(at(corner + 2) - at(corner + 1)).dot(normal) > 0))
-    {
-      return true;
-    }
-  }
-  return false;
 }
 
 } // namespace
@@ -65,7 +50,7 @@ TEST(QuadFold, TimesAreSafeAndTight)
     const PointList from = UnitSquare() + WhiteNoise(4, 0.3, random);
     const PointList to = from + WhiteNoise(4, 0.2 * (1 + repeat % 5), random);
     const double time = TimeOfFold({ from, to }, Quad);
-    if (HasBackwardCorner(from))
+    if (IsBackward(from, Quad.data()))
     {
       EXPECT_EQ(time, 1);
       continue;
@@ -74,7 +59,7 @@ TEST(QuadFold, TimesAreSafeAndTight)
     for (int step = 400; step > 0; --step)
     {
       const double at = step / 400.0;
-      firstFold = HasBackwardCorner((1 - at) * from + at * to) ? at : firstFold;
+      firstFold = IsBackward((1 - at) * from + at * to, Quad.data()) ? at : firstFold;
     }
     EXPECT_LE(time, firstFold);
     folds += firstFold < 1 ? 1 : 0;

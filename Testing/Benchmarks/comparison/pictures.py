@@ -22,11 +22,12 @@ OURS, THEIRS = "#d1663a", "#3f6fa5"
 
 def draw(results, cases, methods, rows):
     chart(os.path.join(results, "table1.png"), rows, methods)
-    convergence(os.path.join(results, "convergence.png"), results, cases, methods)
+    if methods[0].key == "flipfree":
+        convergence(os.path.join(results, "convergence.png"), results, cases, methods[0])
+        worst(os.path.join(results, "worst.png"), results, cases, methods[0], rows)
     for case in cases:
         if case.organ in ORGANS:
             organs(os.path.join(results, case.name, "methods.png"), results, case, methods, rows)
-    worst(os.path.join(results, "worst.png"), results, cases, methods[0], rows)
 
 
 def chart(path, rows, methods):
@@ -52,13 +53,13 @@ def chart(path, rows, methods):
     pyplot.close(figure)
 
 
-def convergence(path, results, cases, methods):
+def convergence(path, results, cases, method):
     """As Fig. 4 of the paper, for the first liver and the first spleen."""
-    if not any(case.organ in ("liver", "spleen") for case in cases) or methods[0].key != "flipfree":
+    if not any(case.organ in ("liver", "spleen") for case in cases):
         return
     figure, panel = pyplot.subplots(figsize=(6.5, 4), layout="constrained")
     for organ, color in (("liver", OURS), ("spleen", THEIRS)):
-        table = next((path for path in (runs.output(results, case, methods[0], ".csv")
+        table = next((path for path in (runs.output(results, case, method, ".csv")
                                         for case in cases if case.organ == organ) if os.path.exists(path)), None)
         if table:
             with open(table, encoding="utf-8") as file:
