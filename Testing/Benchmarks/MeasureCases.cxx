@@ -1,5 +1,6 @@
 // Runs the segmentation over every row of a list of cases, one setting for all, and prints a table:
-// accuracy against the reference label, iterations, seconds, stop reason, validity, peak memory.
+// accuracy against the reference label, iterations, seconds, stop reason, validity, and the mean
+// signed offset from the reference's boundary (SurfaceOffset.h); then medians and peak memory.
 //
 //   MeasureCases [--data DIR] [--cases FILE] [--only TEXT] [--preset default|published|naive]
 //                [--seeds N | --fill] [--surfaces DIR] [--threads N] [--set Name=value ...]
@@ -10,6 +11,7 @@
 #include "CaseList.h"
 #include "SegmentationRun.h"
 #include "Statistics.h"
+#include "SurfaceOffset.h"
 
 #include "vtkCorrespondenceSearch.h"
 #include "vtkDoubleArray.h"
@@ -119,8 +121,14 @@ double Dice(vtkFlipFreeSegmentation* filter, vtkImageData* reference, int label)
   return metrics->GetDice();
 }
 
+struct RowResult
+{
+  double Dice = 0;
+  double Offset = 0; // mm
+};
+
 // From the seed of the row: one line of the table.
-double MeasureRow(const Case& row, const Options& options)
+RowResult MeasureRow(const Case& row, const Options& options)
 {
   const double begin = vtkTimerLog::GetUniversalTime();
   const auto image = ReadVolume(options.Data + "/" + row.Image);
@@ -142,7 +150,7 @@ double MeasureRow(const Case& row, const Options& options)
   if (filter->GetSurface()->GetNumberOfPoints() == 0)
   {
     std::printf("| %-26s | no surface |\n", row.Name.c_str());
-    return 0;
+    return {};
   }
 
   vtkNew<vtkSegmentationMetrics> metrics;
@@ -154,14 +162,15 @@ double MeasureRow(const Case& row, const Options& options)
   validity->SetInputData(filter->GetSurface());
   validity->Update();
   const StageSeconds stages = StageSecondsOf(filter);
+  const double offset = MeanSignedOffset(filter->GetSurface(), reference, row.Label);
   std::printf("| %-26s | %.3f | %.3f | %5.2f | %6.2f | %+5.2f | %3d | %4.2f | %4.2f | %4.2f %4.2f "
-              "%4.2f %4.2f | %4.2f %4.2f %4.2f %4.2f | %d | %6.0f | %s | %.2f |\n",
+              "%4.2f %4.2f | %4.2f %4.2f %4.2f %4.2f | %d | %6.0f | %s | %.2f | %+.2f |\n",
     row.Name.c_str(), metrics->GetDice(), metrics->GetJaccard(), metrics->GetASD(),
     metrics->GetHD95(), metrics->GetRelativeVolumeDifference(), stages.Iterations, read - begin,
     end - start, stages.Smoothing, stages.Feature, stages.Deformation, stages.Labels, stages.Search,
     stages.Flips, stages.Solve, stages.Guard, filter->GetNumberOfSelfIntersections(),
     SumOfColumn(filter->GetConvergence(), "Guarded"), filter->GetStopReasonAsString(),
-    std::floor(100 * filter->GetConfidence()) / 100);
+    std::floor(100 * filter->GetConfidence()) / 100, offset);
   std::fflush(stdout);
   if (!options.Surfaces.empty())
   {
@@ -171,7 +180,7 @@ double MeasureRow(const Case& row, const Options& options)
     writer->SetFileName((options.Surfaces + "/" + row.Name + ".vtp").c_str());
     writer->Write();
   }
-  return metrics->GetDice();
+  return { metrics->GetDice(), offset };
 }
 
 void MeasureSeeds(const Case& row, const Options& options)
@@ -233,10 +242,11 @@ int main(int argc, char* argv[])
   {
     std::puts("| case | Dice | Jaccard | ASD mm | HD95 mm | volume | iterations | read s | run s | "
               "smoothing, feature, deformation, labels s | search, flips, solve, guard s | "
-              "self-intersections | guarded | stop reason | confidence |\n"
-              "|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|");
+              "self-intersections | guarded | stop reason | confidence | offset mm |\n"
+              "|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|");
   }
   std::map<std::string, std::vector<double>> scores;
+  std::map<std::string, std::vector<double>> offsets;
   const std::vector<Case> cases = ReadCases(options.Data + "/" + options.Cases);
   if (cases.empty())
   {
@@ -256,13 +266,15 @@ int main(int argc, char* argv[])
     }
     else
     {
-      scores[row.Organ].push_back(MeasureRow(row, options));
+      const RowResult result = MeasureRow(row, options);
+      scores[row.Organ].push_back(result.Dice);
+      offsets[row.Organ].push_back(result.Offset);
     }
   }
   for (const auto& organ : scores)
   {
-    std::printf("median Dice, %s: %.3f of %zu\n", organ.first.c_str(), Median(organ.second),
-      organ.second.size());
+    std::printf("median Dice, %s: %.3f of %zu; median offset %+.2f mm\n", organ.first.c_str(),
+      Median(organ.second), organ.second.size(), Median(offsets[organ.first]));
   }
   std::vector<double> globular = scores["liver"];
   globular.insert(globular.end(), scores["spleen"].begin(), scores["spleen"].end());
