@@ -89,22 +89,48 @@ public:
   DeformingOrgan& GetOrgan();
 
 private:
-  bool RunFirst(const Monitor& monitor, const IterationObserver& observer);
-  bool RunFree(const Monitor& monitor);
-  void KeepFree();
+  // Which run calls which, and when:
+  //
+  //   FindForeground()
+  //     RunAndCarve()              with carving, in the first call: the first run, whose surface is
+  //                                carved
+  //     RunWithoutConstraints()    with constraints, if the foreground is carved or given: makes
+  //     the
+  //                                surface that they correct, unless an earlier call has made it
+  //   RunToResult()
+  //     RunAllLevels()             without constraints or such a surface, and where the correction
+  //                                cannot obey a constraint
+  //       RunAllLevelsTo()
+  //     CorrectUnconstrained()     otherwise
+  //       FindDeepSurfaces()
+  //         RunDeepPart()          for each part that is changed deeply, anew or for the first time
+  //           RunAllLevels()       with this part alone changed
+  //           RunLastLevelFrom()   that surface
+  //       JoinDeepSurfaces()       if there are several such parts
+  //         RunAllLevelsTo()       the surfaces of the parts
+  //       RunLastLevelFrom()       the surface without constraints, or that of the deep parts
+
+  bool RunAndCarve(const Monitor& monitor, const IterationObserver& observer);
+  bool RunWithoutConstraints(const Monitor& monitor);
+  void KeepUnconstrained();
+  bool RunToResult(const ConstraintList& constraints, const DeformableSurface* start,
+    const Monitor& monitor, const IterationObserver& observer);
+
   int FirstLevel() const;
-  bool RunSecond(const ConstraintList& constraints, const DeformableSurface* start,
+  EndSurface UnconstrainedWhereUnchanged(const ConstraintList& constraints) const;
+  /// From the start surface. Where the constraints change nothing, it ends on the surface without
+  /// them, if there is one.
+  bool RunAllLevels(const ConstraintList& constraints, const DeformableSurface* start,
     const Monitor& monitor, const IterationObserver& observer);
-  bool RunLast(const ConstraintList& constraints, const DeformableSurface* start,
-    const Monitor& monitor, const IterationObserver& observer);
-  bool RunLevels(const ConstraintList& constraints, const DeformableSurface* start,
-    const std::vector<EndSurface>& ends, const Monitor& monitor, const IterationObserver& observer);
-  bool RunLastLevel(const DeformableSurface& from, const ConstraintList& constraints,
+  /// From the start surface to `ends`.
+  bool RunAllLevelsTo(const std::vector<EndSurface>& ends, const ConstraintList& constraints,
+    const DeformableSurface* start, const Monitor& monitor, const IterationObserver& observer);
+  /// From a surface as fine as the result, which stays as it is in unchanged places.
+  bool RunLastLevelFrom(const DeformableSurface& from, const ConstraintList& constraints,
     const UnchangedPlaces& unchanged, const Monitor& monitor, const IterationObserver& observer);
-  EndSurface FreeSurfaceFor(const ConstraintList& constraints) const;
 
   struct DeepPart;
-  bool RunCorrection(const BitMask& corrected, const ConstraintList& constraints,
+  bool CorrectUnconstrained(const BitMask& corrected, const ConstraintList& constraints,
     const DeformableSurface* start, const Monitor& monitor, const IterationObserver& observer);
   bool FindDeepSurfaces(const DeformableSurface* start, const ConstraintList& constraints,
     const Monitor& monitor, const IterationObserver& observer);
