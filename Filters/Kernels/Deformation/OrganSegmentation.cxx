@@ -407,12 +407,8 @@ OrganSurface OrganSegmenter::Segment(const ConstraintList& constraints,
   const DeformableSurface* start, const Monitor& monitor, const IterationObserver& observer)
 {
   DeformingOrgan& organ = this->Kept->Organ;
-  bool stopped = false;
-  const Monitor ask = [&](double fraction)
-  {
-    stopped = stopped || !monitor(fraction);
-    return !stopped;
-  };
+  const RememberingMonitor remembering(monitor);
+  const Monitor& ask = remembering.Get();
   const double smoothing = organ.GetForeground().GetSmoothingSeconds();
   const double half = this->RunsTwice() ? 0.5 : 0;
   bool done = this->FindForeground(constraints, FlipFree::PartOf(ask, 0, half), observer);
@@ -420,7 +416,7 @@ OrganSurface OrganSegmenter::Segment(const ConstraintList& constraints,
   {
     done = this->RunToResult(constraints, start, FlipFree::PartOf(ask, half, 1), observer);
   }
-  if (done && !stopped && constraints.empty() && this->Kept->IsCarved &&
+  if (done && !remembering.HasStopped() && constraints.empty() && this->Kept->IsCarved &&
     (!start || start->Points == this->Kept->Start.Points))
   {
     this->KeepUnconstrained();
@@ -428,7 +424,7 @@ OrganSurface OrganSegmenter::Segment(const ConstraintList& constraints,
   OrganSurface surface = std::move(organ.GetSurface());
   surface.SmoothingSeconds = organ.GetForeground().GetSmoothingSeconds() - smoothing;
   surface.FeatureSeconds -= surface.SmoothingSeconds;
-  if (!done || stopped)
+  if (!done || remembering.HasStopped())
   {
     surface.Reason = StopReason::Aborted;
     return surface;

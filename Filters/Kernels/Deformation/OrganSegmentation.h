@@ -80,7 +80,7 @@ public:
   /// Whether the levels run twice: once to find what the foreground is carved from.
   bool RunsTwice() const;
   /// Finds the foreground, by a first run if need be. The observer sees that run. Returns false if
-  /// the monitor, which must remember that it did, stopped it.
+  /// the monitor, which must remember that it did (RememberingMonitor), stopped it.
   bool FindForeground(const ConstraintList& constraints, const Monitor& monitor,
     const IterationObserver& observer);
   /// Begins the run that ends with the result; JointDeformation does the rest.
@@ -92,11 +92,10 @@ private:
   // Which run calls which, and when:
   //
   //   FindForeground()
-  //     RunAndCarve()              with carving, in the first call: the first run, whose surface is
-  //                                carved
-  //     RunWithoutConstraints()    with constraints, if the foreground is carved or given: makes
-  //     the
-  //                                surface that they correct, unless an earlier call has made it
+  //     RunAndCarve()              with carving, in the first call: finds what the foreground is
+  //                                carved from
+  //     RunWithoutConstraints()    with constraints, if the foreground is carved or given, unless
+  //                                an earlier call has made the surface that they correct
   //   RunToResult()
   //     RunAllLevels()             without constraints or such a surface, and where the correction
   //                                cannot obey a constraint

@@ -11,16 +11,12 @@ bool ForegroundOfSurface(const ImageView<float>& smooth, const ImageMaker& make,
   Modality modality, const OrganFeatureSettings& settings, const ParallelFor& parallelFor,
   const Monitor& monitor, BitMask& foreground, double& unanimity)
 {
-  // Remembered, since no runs may mean a stop or a surface that holds no voxel.
-  bool stopped = false;
-  const Monitor proceed = [&](double fraction)
-  {
-    stopped = stopped || !monitor(fraction);
-    return !stopped;
-  };
+  // No runs may mean a stop or a surface that holds no voxel.
+  const RememberingMonitor remembering(monitor);
+  const Monitor& proceed = remembering.Get();
   const std::vector<VoxelRun> inside =
     VoxelizeSurface(points, triangles, smooth.Geometry, parallelFor, PartOf(proceed, 0, 0.1));
-  if (stopped || !make(CarvingBox(smooth.Geometry, inside, seed)) ||
+  if (remembering.HasStopped() || !make(CarvingBox(smooth.Geometry, inside, seed)) ||
     !CarveOrgan(smooth, inside, seed, noise, modality, parallelFor, PartOf(proceed, 0.1, 0.4),
       foreground))
   {
