@@ -76,7 +76,6 @@
 #include "FlipFreeSegmentationModule.h"
 #include "vtkAlgorithm.h"
 #include "vtkSmartPointer.h" // for the stages
-#include "vtkTimeStamp.h"    // for the constraints
 
 #include <memory> // for std::unique_ptr
 #include <vector> // for the constraints
