@@ -458,7 +458,7 @@ private:
   FlipFree::VolumeSegmentationSettings GetSettings() const;
   void UseSettings(const FlipFree::OrganSegmentationSettings& settings);
   bool IsCacheUpToDate(vtkInformationVector** inputs);
-  void Segment(vtkInformationVector** inputs);
+  void UpdateCache(vtkInformationVector** inputs);
   FlipFree::VolumeSegmentation Run(vtkInformationVector** inputs);
   std::vector<FlipFree::PointConstraint> AllConstraints(vtkInformationVector* points) const;
   void AddConstraint(const FlipFree::PointConstraint& constraint);

@@ -403,7 +403,7 @@ bool OrganSegmenter::RunToResult(const ConstraintList& constraints, const Deform
   return this->RunAllLevels(constraints, start, monitor, observer);
 }
 
-OrganSurface OrganSegmenter::Segment(const ConstraintList& constraints,
+OrganSurface OrganSegmenter::FindSurface(const ConstraintList& constraints,
   const DeformableSurface* start, const Monitor& monitor, const IterationObserver& observer)
 {
   DeformingOrgan& organ = this->Kept->Organ;

@@ -72,10 +72,10 @@ public:
   /// iterations that are run, not those of a first run that is kept. Constraints need the guard.
   /// `start`, if not null, takes the place of the start surface; with carving only in the second
   /// run, which alone knows of constraints.
-  OrganSurface Segment(const ConstraintList& constraints, const DeformableSurface* start,
+  OrganSurface FindSurface(const ConstraintList& constraints, const DeformableSurface* start,
     const Monitor& monitor, const IterationObserver& observer);
 
-  // What Segment() consists of, for several organs together (OrganGroup.h).
+  // What FindSurface() consists of, for several organs together (OrganGroup.h).
 
   /// Whether the levels run twice: once to find what the foreground is carved from.
   bool RunsTwice() const;
@@ -89,7 +89,7 @@ public:
   DeformingOrgan& GetOrgan();
 
 private:
-  // Which run calls which, and when:
+  // FindSurface() calls FindForeground() and RunToResult(). Which run calls which, and when:
   //
   //   FindForeground()
   //     RunAndCarve()              with carving, in the first call: finds what the foreground is
