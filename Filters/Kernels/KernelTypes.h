@@ -135,9 +135,9 @@ inline bool NeverStop(double)
   return true;
 }
 
-/// Asks a monitor until it says stop, and from then on says so itself. For work in several parts:
-/// a stop in one is one in all that follow, and what a part returns, such as nothing found, need
-/// not tell whether it was stopped.
+/// Asks a monitor until it says stop, and from then on says so by itself. For work in several
+/// parts, where a stop in one part must stop the rest, or where what a part returns does not tell
+/// whether it was stopped or found nothing.
 class RememberingMonitor
 {
 public:
