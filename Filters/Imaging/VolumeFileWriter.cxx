@@ -38,7 +38,7 @@ itk::ImageIOBase::Pointer FormatOf(const std::string& name)
     return itk::MetaImageIO::New().GetPointer();
   }
   throw ImageFileError(vtkErrorCode::UnrecognizedFileTypeError,
-    "The ending of '" + name + "' stands for no format that can be written. Use .nii.gz, .nii, " +
+    "The file extension of '" + name + "' is not supported. Use .nii.gz, .nii, " +
       ".nrrd, .mha or .mhd.");
 }
 

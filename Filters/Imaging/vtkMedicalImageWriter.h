@@ -2,7 +2,7 @@
  * @class   vtkMedicalImageWriter
  * @brief   writes a medical image with its orientation, by ITK
  *
- * Writes a label map or a gray volume in the format that the file name's extension stands for:
+ * Writes a label map or a gray volume in the format given by the file name's extension:
  * NIfTI (.nii, .nii.gz), NRRD (.nrrd) or MetaImage (.mha, .mhd with its voxels beside it). Origin,
  * spacing, direction matrix and the type of the voxels are kept, so that vtkMedicalImageReader
  * gives the same image back; NIfTI holds its geometry in single precision. Coordinates are taken as

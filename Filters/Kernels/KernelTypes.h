@@ -135,6 +135,35 @@ inline bool NeverStop(double)
   return true;
 }
 
+/// Asks a monitor until it says stop, and from then on says so by itself. For work in several
+/// parts, where a stop in one part must stop the rest, or where what a part returns does not tell
+/// whether it was stopped or found nothing.
+class RememberingMonitor
+{
+public:
+  /// Refers to `monitor`.
+  explicit RememberingMonitor(const Monitor& monitor)
+    : Remembering(
+        [this, &monitor](double fraction)
+        {
+          this->Stopped = this->Stopped || !monitor(fraction);
+          return !this->Stopped;
+        })
+  {
+  }
+  explicit RememberingMonitor(Monitor&&) = delete;
+  // Neither copied nor moved: Get() refers to this object.
+  RememberingMonitor(const RememberingMonitor&) = delete;
+  RememberingMonitor& operator=(const RememberingMonitor&) = delete;
+
+  const Monitor& Get() const { return this->Remembering; }
+  bool HasStopped() const { return this->Stopped; }
+
+private:
+  mutable bool Stopped = false; // asking changes it, also where the object is const
+  const Monitor Remembering;
+};
+
 /// The monitor of a part of the work, from the fraction `first` to `last` of the whole. Refers to
 /// the whole's monitor.
 inline Monitor PartOf(const Monitor& monitor, double first, double last)

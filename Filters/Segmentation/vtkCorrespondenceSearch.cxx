@@ -78,7 +78,7 @@ public:
   {
   }
 
-  bool IsStopped() const { return this->Stopped; }
+  bool IsStopped() const { return this->Remembering.HasStopped(); }
 
   // The part [first, last] of the whole.
   FlipFree::Monitor Part(double first, double last)
@@ -86,8 +86,7 @@ public:
     return [this, first, last](double fraction)
     {
       this->Done = std::max(this->Done, first + fraction * (last - first));
-      this->Stopped = this->Stopped || !this->Own(this->Done);
-      return !this->Stopped;
+      return this->Remembering.Get()(this->Done);
     };
   }
 
@@ -101,9 +100,9 @@ public:
   }
 
 private:
-  FlipFree::Monitor Own;
+  const FlipFree::Monitor Own;
+  const FlipFree::RememberingMonitor Remembering{ this->Own };
   double Done = 0;
-  bool Stopped = false;
 };
 
 // A search line is about as expensive as looking at so many voxels in a row.

@@ -168,7 +168,7 @@ int vtkFlipFreeSegmentation::RequestData(vtkInformationVector** inputs,
     this->Cache = std::make_unique<FlipFree::SegmentationResult>();
     try
     {
-      FlipFree::WithAdvice([&] { this->Segment(inputs); });
+      FlipFree::WithAdvice([&] { this->UpdateCache(inputs); });
     }
     catch (const std::exception& error)
     {
@@ -190,7 +190,7 @@ int vtkFlipFreeSegmentation::RequestData(vtkInformationVector** inputs,
   return 1;
 }
 
-void vtkFlipFreeSegmentation::Segment(vtkInformationVector** inputs)
+void vtkFlipFreeSegmentation::UpdateCache(vtkInformationVector** inputs)
 {
   this->StopReason = NOT_RUN;
   this->NumberOfSelfIntersections = -1;

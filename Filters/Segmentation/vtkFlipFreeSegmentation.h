@@ -76,7 +76,6 @@
 #include "FlipFreeSegmentationModule.h"
 #include "vtkAlgorithm.h"
 #include "vtkSmartPointer.h" // for the stages
-#include "vtkTimeStamp.h"    // for the constraints
 
 #include <memory> // for std::unique_ptr
 #include <vector> // for the constraints
@@ -459,7 +458,7 @@ private:
   FlipFree::VolumeSegmentationSettings GetSettings() const;
   void UseSettings(const FlipFree::OrganSegmentationSettings& settings);
   bool IsCacheUpToDate(vtkInformationVector** inputs);
-  void Segment(vtkInformationVector** inputs);
+  void UpdateCache(vtkInformationVector** inputs);
   FlipFree::VolumeSegmentation Run(vtkInformationVector** inputs);
   std::vector<FlipFree::PointConstraint> AllConstraints(vtkInformationVector* points) const;
   void AddConstraint(const FlipFree::PointConstraint& constraint);

@@ -84,8 +84,11 @@ vtkMTimeType vtkFlipFreeSegmentation::GetMTime()
 FlipFree::VolumeSegmentationSettings vtkFlipFreeSegmentation::GetSettings() const
 {
   FlipFree::VolumeSegmentationSettings settings;
-  settings.Method = { *this->Schedule, *this->Diffusion->Settings, *this->Feature->Settings,
-    *this->Search->Settings, *this->Deform->Settings };
+  settings.Method.Schedule = *this->Schedule;
+  settings.Method.Smoothing = *this->Diffusion->Settings;
+  settings.Method.Feature = *this->Feature->Settings;
+  settings.Method.Targets = *this->Search->Settings;
+  settings.Method.Step = *this->Deform->Settings;
   settings.StartScale = this->StartScale;
   settings.StartCenterOffset = Eigen::Vector3d(this->StartCenterOffset);
   settings.LabelValue = this->LabelValue;
@@ -148,3 +151,6 @@ void vtkFlipFreeSegmentation::PrintSelf(ostream& os, vtkIndent indent)
 
 #undef FLIPFREE_STAGE
 #undef PROPERTIES
+#undef FORWARDED_PROPERTIES
+#undef DEFINE_FORWARDED_PROPERTY
+#undef DEFINE_STAGE

@@ -51,13 +51,19 @@ bool Carve(vtkPolyData* surface, const FlipFree::ImageView<float>& smooth,
   const FlipFree::SeedSphere& seed, double noise, const FlipFree::OrganFeatureSettings& settings,
   const FlipFree::Monitor& monitor, FlipFree::BitMask& foreground)
 {
-  const FlipFree::PolygonalSurface inside = ClosedSurfaceOf(surface);
-  const FlipFree::Modality modality =
+  const FlipFree::PolygonalSurface closed = ClosedSurfaceOf(surface);
+  FlipFree::SurfaceForegroundInputs inputs;
+  inputs.Smooth = smooth;
+  inputs.MakeSmooth = [](const FlipFree::VoxelBox&) { return true; };
+  inputs.Points = &closed.Points;
+  inputs.Triangles = &closed.Triangles;
+  inputs.Seed = seed;
+  inputs.Noise = noise;
+  inputs.Settings = settings;
+  inputs.Settings.Modality =
     FlipFree::ResolveModality(settings.Modality, FlipFree::ReaderOf(smooth), smooth.Geometry);
   double unanimity = 1;
-  return FlipFree::ForegroundOfSurface(
-    smooth, [](const FlipFree::VoxelBox&) { return true; }, inside.Points, inside.Triangles, seed,
-    noise, modality, settings, FlipFree::SMPFor, monitor, foreground, unanimity);
+  return FlipFree::ForegroundOfSurface(inputs, FlipFree::SMPFor, monitor, foreground, unanimity);
 }
 
 // By carving the inside of a surface, or without one by the model, which must show contrast if it

@@ -247,3 +247,10 @@ TEST_F(SegmentationParameters, RadiiOfSeedsHaveOneRange)
   point->SetRadius(1e7);
   EXPECT_EQ(point->GetMTime(), before);
 }
+
+#undef PROPERTY
+#undef OF_FILTER
+#undef OF_DIFFUSION
+#undef OF_FEATURE
+#undef OF_SEARCH
+#undef OF_DEFORM

@@ -20,7 +20,7 @@ TEST(TestImageFileFaults, WriterRefusesWhatItCannotWrite)
   ExampleImages::Folder folder;
   auto image = ExampleImages::Make(VTK_SHORT, ExampleImages::Directions()[0].Matrix);
   ExpectWriteRefusal(image, "", { "FileName" });
-  ExpectWriteRefusal(image, folder / "image.png", { "image.png", "ending" });
+  ExpectWriteRefusal(image, folder / "image.png", { "image.png", "extension" });
   ExpectWriteRefusal(image, folder / "missing/image.nrrd", { "missing", "Create" });
   ExpectWriteRefusal(image, "/proc/image.nii.gz", { "/proc", "permissions" });
   ExampleImages::WriteBytes(folder / "file", "");

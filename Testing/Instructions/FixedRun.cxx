@@ -39,7 +39,7 @@ int main()
   PointList before;
   const OrganSurface organ =
     OrganSegmenter(region, noise, scan.Seed, { mesh, sphere.Points }, settings, SerialFor)
-      .Segment({}, nullptr, NeverStop,
+      .FindSurface({}, nullptr, NeverStop,
         [&before](const ContourMesh&, const PointList& points, const CorrespondenceField&,
           const IterationRecord& record)
         {

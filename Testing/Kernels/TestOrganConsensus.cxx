@@ -272,6 +272,27 @@ TEST(OrganConsensus, StopsAtOnce)
   }
 }
 
+namespace
+{
+
+// The image and the surface must outlive what is returned.
+SurfaceForegroundInputs InputsOf(const Organ& organ, const FloatImage& image,
+  const Surface& surface)
+{
+  SurfaceForegroundInputs inputs;
+  inputs.Smooth = image.View();
+  inputs.MakeSmooth = [](const VoxelBox&) { return true; };
+  inputs.Points = &surface.Points;
+  inputs.Triangles = &surface.Triangles;
+  inputs.Seed = organ.Seed;
+  inputs.Noise = organ.Noise;
+  inputs.Settings = organ.Settings;
+  inputs.Settings.Modality = Modality::MR;
+  return inputs;
+}
+
+} // namespace
+
 // Which boxes are made tells whether further opinions were sought.
 TEST(SurfaceForeground, IsCarvedAndIfInDoubtVotedOn)
 {
@@ -290,28 +311,25 @@ TEST(SurfaceForeground, IsCarvedAndIfInDoubtVotedOn)
     double unanimous = 1;
     const bool doubtful = IsDoubtful(inside, expected);
     EXPECT_EQ(doubtful, radius > 21);
-    OrganFeatureSettings settings = organ.Settings;
+    SurfaceForegroundInputs inputs = InputsOf(organ, image, surface);
     for (const bool seeks : { false, true })
     {
-      settings.Consensus = seeks;
+      inputs.Settings.Consensus = seeks;
       if (seeks && doubtful)
       {
         boxes.push_back(ConsensusBox(expected, organ.Seed));
-        ASSERT_TRUE(SeekConsensus(image.View(), organ.Seed, organ.Noise, Modality::MR, settings,
-          SerialFor, NeverStop, expected, &unanimous));
+        ASSERT_TRUE(SeekConsensus(image.View(), organ.Seed, organ.Noise, Modality::MR,
+          inputs.Settings, SerialFor, NeverStop, expected, &unanimous));
       }
       std::vector<VoxelBox> made;
+      inputs.MakeSmooth = [&made](const VoxelBox& box)
+      {
+        made.push_back(box);
+        return true;
+      };
       BitMask found;
       double unanimity = 0;
-      ASSERT_TRUE(ForegroundOfSurface(
-        image.View(),
-        [&made](const VoxelBox& box)
-        {
-          made.push_back(box);
-          return true;
-        },
-        surface.Points, surface.Triangles, organ.Seed, organ.Noise, Modality::MR, settings,
-        SerialFor, NeverStop, found, unanimity));
+      ASSERT_TRUE(ForegroundOfSurface(inputs, SerialFor, NeverStop, found, unanimity));
       EXPECT_EQ(found, expected);
       EXPECT_EQ(unanimity, unanimous);
       EXPECT_TRUE(made == boxes);
@@ -324,22 +342,21 @@ TEST(SurfaceForeground, StopsAtOnce)
   const Organ organ;
   const FloatImage image = organ.Image();
   const Surface surface = Sphere(16, Center, 25);
-  const auto stops = [&](const ImageMaker& make, const Monitor& monitor)
+  SurfaceForegroundInputs inputs = InputsOf(organ, image, surface);
+  const auto stops = [&inputs](const Monitor& monitor)
   {
     BitMask found;
     double unanimity = 0;
-    return !ForegroundOfSurface(image.View(), make, surface.Points, surface.Triangles, organ.Seed,
-      organ.Noise, Modality::MR, organ.Settings, SerialFor, monitor, found, unanimity);
+    return !ForegroundOfSurface(inputs, SerialFor, monitor, found, unanimity);
   };
-  int boxes = 0;
-  EXPECT_TRUE(stops([&boxes](const VoxelBox&) { return ++boxes < 2; }, NeverStop));
-  EXPECT_EQ(boxes, 2);
   for (int allowed = 0; allowed < 24; allowed += 4)
   {
     int asked = 0;
-    EXPECT_TRUE(
-      stops([](const VoxelBox&) { return true; }, [&](double) { return ++asked <= allowed; }))
-      << allowed;
+    EXPECT_TRUE(stops([&](double) { return ++asked <= allowed; })) << allowed;
     EXPECT_EQ(asked, allowed + 1);
   }
+  int boxes = 0;
+  inputs.MakeSmooth = [&boxes](const VoxelBox&) { return ++boxes < 2; };
+  EXPECT_TRUE(stops(NeverStop));
+  EXPECT_EQ(boxes, 2);
 }

@@ -91,7 +91,7 @@ private:
   {
     return OrganSegmenter(region, Noise, this->Seed, { this->Start, this->StartPoints },
       this->Settings, parallelFor)
-      .Segment({}, nullptr, monitor,
+      .FindSurface({}, nullptr, monitor,
         [](const ContourMesh&, const PointList&, const CorrespondenceField&,
           const IterationRecord&) {});
   }

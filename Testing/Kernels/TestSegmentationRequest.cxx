@@ -88,7 +88,7 @@ GivenSurface GivenSphere(const Eigen::Vector3d& center, double radius)
 
 OrganAnswer RunOnce(OrganRuns& runs, const OrganRequest& request)
 {
-  return runs.Segment(request, NeverStop, nullptr);
+  return runs.Answer(request, NeverStop, nullptr);
 }
 
 // Stops at the question of that number, counted from 1.
@@ -318,7 +318,7 @@ TEST(OrganRequest, ShowsIterationsWhoseHistoryIsKept)
     request.Settings.KeepHistory = keeps;
     OrganRuns runs = ball.Runs();
     std::size_t seen = 0;
-    const OrganAnswer answer = runs.Segment(request, NeverStop,
+    const OrganAnswer answer = runs.Answer(request, NeverStop,
       [&seen](const ContourMesh&, const PointList&, const CorrespondenceField&,
         const IterationRecord&) { ++seen; });
     EXPECT_EQ(seen, keeps ? answer.Result.Organ.Iterations.size() : 0);
@@ -333,13 +333,13 @@ TEST(OrganRequest, GivesTheSameAfterAnAbort)
   const VolumeSegmentation expected = RunOnce(fresh, request).Result;
   fresh.Release();
   const int questions =
-    QuestionsOf([&](const Monitor& monitor) { fresh.Segment(request, monitor, nullptr); });
+    QuestionsOf([&](const Monitor& monitor) { fresh.Answer(request, monitor, nullptr); });
   ASSERT_GT(questions, 20);
   for (const int stop : SomeOf(questions))
   {
     SCOPED_TRACE(stop);
     OrganRuns runs = ball.Runs();
-    const VolumeSegmentation aborted = runs.Segment(request, StopAt(stop), nullptr).Result;
+    const VolumeSegmentation aborted = runs.Answer(request, StopAt(stop), nullptr).Result;
     EXPECT_EQ(aborted.Organ.Reason, StopReason::Aborted);
     EXPECT_TRUE(aborted.Voxels.empty());
     ExpectSame(RunOnce(runs, request).Result, expected);
@@ -357,14 +357,14 @@ TEST(OrganRequest, GivesTheSameAfterAnAbortOfACorrection)
   OrganRuns kept = ball.Runs();
   const VolumeSegmentation free = RunOnce(kept, plain).Result;
   const int questions =
-    QuestionsOf([&](const Monitor& monitor) { kept.Segment(corrected, monitor, nullptr); });
+    QuestionsOf([&](const Monitor& monitor) { kept.Answer(corrected, monitor, nullptr); });
   ASSERT_GT(questions, 4);
   for (const int stop : SomeOf(questions))
   {
     SCOPED_TRACE(stop);
     OrganRuns runs = ball.Runs();
     RunOnce(runs, plain);
-    EXPECT_EQ(runs.Segment(corrected, StopAt(stop), nullptr).Result.Organ.Reason,
+    EXPECT_EQ(runs.Answer(corrected, StopAt(stop), nullptr).Result.Organ.Reason,
       StopReason::Aborted);
     ExpectSame(RunOnce(runs, corrected).Result, expected);
     ExpectSame(RunOnce(runs, plain).Result, free);

@@ -48,6 +48,26 @@ TEST(SegmentationSettings, LeakControlFollowsTheSeedAndTheVoxels)
   EXPECT_EQ(RadiiOf({ 0, 0 }, 10, Coarse).Opening, 0);
 }
 
+TEST(SegmentationSettings, LevelsEndByTheMeanDistance)
+{
+  ScheduleSettings schedule;
+  schedule.DistanceTolerance = 0.1;
+  schedule.ChangeTolerance = 0.02;
+  const double voxel = 2;
+  EXPECT_EQ(schedule.ReasonToStop({ 0.19 }, voxel), StopReason::DistanceBelowTolerance);
+  EXPECT_EQ(schedule.ReasonToStop({ 0.21 }, voxel), StopReason::NotRun);
+  std::vector<double> distances(ScheduleSettings::ChangeSpan, 1);
+  EXPECT_EQ(schedule.ReasonToStop(distances, voxel), StopReason::NotRun);
+  distances.push_back(0.95);
+  EXPECT_EQ(schedule.ReasonToStop(distances, voxel), StopReason::NotRun);
+  distances.back() = 0.97;
+  EXPECT_EQ(schedule.ReasonToStop(distances, voxel), StopReason::AtRest);
+  distances.back() = 2;
+  EXPECT_EQ(schedule.ReasonToStop(distances, voxel), StopReason::AtRest);
+  schedule.ChangeTolerance = -1;
+  EXPECT_EQ(schedule.ReasonToStop(distances, voxel), StopReason::NotRun);
+}
+
 TEST(SegmentationSettings, LevelsBeginWithTwoVerticesAlongAnEdge)
 {
   const auto expect = [](int resolution, int wanted, int levels, int first)

@@ -84,7 +84,7 @@ void RequireEnding(const std::string& option, const std::string& name,
       list += (list.empty() ? "" : ending == endings.back() ? " or " : ", ") + ending;
     }
     throw WrongUsage(
-      option + ": the ending of '" + name + "' stands for no format known here. Use " + list + ".");
+      option + ": the file extension of '" + name + "' is not supported. Use " + list + ".");
   }
 }
 

@@ -12,7 +12,7 @@ namespace
 {
 
 // A surface that still finds new parts of the boundary is not at rest, even where its mean distance
-// to the targets grows: new by this fraction of its vertices.
+// to the targets grows: new, over ChangeSpan iterations, by this fraction of its vertices.
 constexpr double Growth = 0.01;
 
 } // namespace
@@ -123,7 +123,8 @@ void DeformingOrgan::BeginLevel(int level)
 {
   this->Level = level;
   this->Surface.Reason = StopReason::NotRun;
-  this->Reports.clear();
+  this->Distances.clear();
+  this->Matched.clear();
   if (this->Mobile)
   {
     this->Mobile->BeginLevel(this->Surface.Mesh);
@@ -185,20 +186,27 @@ void DeformingOrgan::Move(PointList points, int guarded, double guardSeconds)
   this->Record.Step.GuardSeconds = guardSeconds;
   this->Surface.Iterations.push_back(this->Record);
   this->Observe(this->Surface.Mesh, this->Surface.Points, this->Surface.Field, this->Record);
-  this->Reports.push_back(this->Record.Targets);
+  this->Distances.push_back(this->Record.Targets.MeanDistance);
+  this->Matched.push_back(this->Record.Targets.Matched);
   if (this->Mobile)
   {
     this->Mobile->FindThoseAtRest(this->Settings.Schedule, this->Voxel);
   }
-  this->Surface.Reason = this->ReasonToStop();
+  this->Surface.Reason = this->ReasonToEndLevel();
 }
 
-// NotRun: the level goes on.
-StopReason DeformingOrgan::ReasonToStop() const
+// Asked once there are more than ChangeSpan iterations.
+bool DeformingOrgan::IsGrowing() const
 {
-  const ScheduleSettings& schedule = this->Settings.Schedule;
-  const TargetReport& now = this->Reports.back();
-  if (now.Matched == 0)
+  const int before = this->Matched[this->Matched.size() - 1 - ScheduleSettings::ChangeSpan];
+  return this->Matched.back() - before > Growth * this->Surface.Mesh.NumberOfPoints();
+}
+
+// NotRun: the level goes on. Where only some vertices may move, it ends once all their components
+// are at rest; otherwise once the surface as a whole is.
+StopReason DeformingOrgan::ReasonToEndLevel() const
+{
+  if (this->Matched.back() == 0)
   {
     return StopReason::NoBoundaryFound;
   }
@@ -206,20 +214,8 @@ StopReason DeformingOrgan::ReasonToStop() const
   {
     return this->Mobile->AreAllAtRest() ? StopReason::AtRest : StopReason::NotRun;
   }
-  if (now.MeanDistance < this->Voxel * schedule.DistanceTolerance)
-  {
-    return StopReason::DistanceBelowTolerance;
-  }
-  const std::size_t span = ScheduleSettings::ChangeSpan;
-  if (schedule.ChangeTolerance < 0 || this->Reports.size() <= span)
-  {
-    return StopReason::NotRun;
-  }
-  const TargetReport& before = this->Reports[this->Reports.size() - 1 - span];
-  const bool grows = now.Matched - before.Matched > Growth * this->Surface.Mesh.NumberOfPoints();
-  const bool rests =
-    before.MeanDistance - now.MeanDistance < this->Voxel * schedule.ChangeTolerance;
-  return rests && !grows ? StopReason::AtRest : StopReason::NotRun;
+  const StopReason reason = this->Settings.Schedule.ReasonToStop(this->Distances, this->Voxel);
+  return reason == StopReason::AtRest && this->IsGrowing() ? StopReason::NotRun : reason;
 }
 
 void DeformingOrgan::Replace(ContourMesh mesh, PointList points)

@@ -96,7 +96,8 @@ public:
 
 private:
   bool SnapsToEdges() const;
-  StopReason ReasonToStop() const;
+  bool IsGrowing() const;
+  StopReason ReasonToEndLevel() const;
   template <typename Call>
   auto Naming(const Call& call) const
   {
@@ -127,7 +128,8 @@ private:
   int Level = 0;
   std::optional<FaceHulls> Hulls; // if there are constraints
   std::unique_ptr<DeformationSolver> Solver;
-  std::vector<TargetReport> Reports;
+  std::vector<double> Distances; // mean distances to the targets, by iteration
+  std::vector<int> Matched;      // vertices, by iteration
   IterationRecord Record;
 };
 

@@ -52,15 +52,10 @@ bool JointDeformation::Run(const Monitor& monitor)
     if (level > 0)
     {
       const Monitor proceed = until(level);
-      bool stopped = false;
-      const Monitor remember = [&](double fraction)
+      const RememberingMonitor remembering(proceed);
+      if (!this->Refine(remembering.Get()))
       {
-        stopped = stopped || !proceed(fraction);
-        return !stopped;
-      };
-      if (!this->Refine(remember))
-      {
-        if (stopped)
+        if (remembering.HasStopped())
         {
           return false;
         }
@@ -70,8 +65,8 @@ bool JointDeformation::Run(const Monitor& monitor)
         }
         break;
       }
-      if (!this->Refit(remember) ||
-        (level + 1 == this->Levels && !this->FinishConstraints(false, remember)))
+      if (!this->Refit(remembering.Get()) ||
+        (level + 1 == this->Levels && !this->FinishConstraints(false, remembering.Get())))
       {
         return false;
       }
@@ -212,15 +207,12 @@ bool JointDeformation::IterateLevel(int level, const Monitor& monitor)
     organ->BeginLevel(level);
   }
   const int iterations = this->Organs.front()->GetSettings().Schedule.MaximumIterations;
-  bool stopped = false;
+  const RememberingMonitor remembering(monitor);
   for (int iteration = 0; iteration < iterations; ++iteration)
   {
     const double part = static_cast<double>(iteration) / iterations;
     const Monitor proceed = [&](double)
-    {
-      stopped = stopped || !monitor((level + part) / this->Levels);
-      return !stopped;
-    };
+    { return remembering.Get()((level + part) / this->Levels); };
     if (!proceed(0))
     {
       return false;
@@ -234,7 +226,7 @@ bool JointDeformation::IterateLevel(int level, const Monitor& monitor)
       this->UniteObstacles(*this->Guard);
     }
     this->IterateOnce(proceed);
-    if (stopped)
+    if (remembering.HasStopped())
     {
       return false;
     }

@@ -5,22 +5,6 @@
 
 namespace FlipFree
 {
-namespace
-{
-
-bool HasSettled(const std::vector<double>& distances, const ScheduleSettings& schedule,
-  double voxel)
-{
-  if (distances.back() < voxel * schedule.DistanceTolerance)
-  {
-    return true;
-  }
-  const std::size_t span = ScheduleSettings::ChangeSpan;
-  return schedule.ChangeTolerance >= 0 && distances.size() > span &&
-    distances[distances.size() - 1 - span] - distances.back() < voxel * schedule.ChangeTolerance;
-}
-
-} // namespace
 
 MobileComponents::MobileComponents(Eigen::VectorXd mobility)
   : Mobility(std::move(mobility))
@@ -97,7 +81,8 @@ void MobileComponents::FindThoseAtRest(const ScheduleSettings& schedule, double 
 {
   for (Component& component : this->Components)
   {
-    component.IsAtRest = component.IsAtRest || HasSettled(component.Distances, schedule, voxel);
+    component.IsAtRest =
+      component.IsAtRest || schedule.ReasonToStop(component.Distances, voxel) != StopReason::NotRun;
   }
 }
 

@@ -1,7 +1,7 @@
 /**
  * The vertices that may move where the rest of a surface stays: how far each of them may, and when
  * they have come to rest. They form connected components, each of which comes to rest by itself, so
- * that what happens in one does not change another.
+ * that what happens in one does not change another. Once all have, DeformingOrgan ends the level.
  */
 #ifndef FlipFreeMobileComponents_h
 #define FlipFreeMobileComponents_h
@@ -31,8 +31,9 @@ public:
   /// Scales a motion, one row per vertex, by the mobilities; components at rest do not move.
   void Restrict(PointList& motion) const;
 
-  /// Ends an iteration, in which distances were measured: a component is at rest from now on if its
-  /// mean distance is below the tolerance, or no longer falls. `voxel` is the greatest spacing.
+  /// Ends an iteration, in which distances were measured: a component whose own mean distances give
+  /// a reason to stop (ScheduleSettings::ReasonToStop()) is at rest from now on. `voxel` is the
+  /// greatest spacing.
   void FindThoseAtRest(const ScheduleSettings& schedule, double voxel);
 
   bool AreAllAtRest() const;

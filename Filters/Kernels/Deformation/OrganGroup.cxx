@@ -378,14 +378,9 @@ std::vector<VolumeSegmentation> OrganGroup::Segment(const std::vector<Constraint
   const Monitor& monitor, const GroupObserver& observer)
 {
   this->TakeConstraints(constraints);
-  bool stopped = false;
-  const Monitor ask = [&](double fraction)
-  {
-    stopped = stopped || !monitor(fraction);
-    return !stopped;
-  };
+  const RememberingMonitor remembering(monitor);
   Stopwatch watch;
-  const bool done = this->Run(ask, observer) && !stopped;
+  const bool done = this->Run(remembering.Get(), observer) && !remembering.HasStopped();
   double seconds = watch.Lap();
   std::vector<VolumeSegmentation> results(this->Members.size());
   for (const auto& member : this->Members)

@@ -73,8 +73,8 @@ struct OrganSegmenter::State
   DeformableSurface FirstSurface;
   BitMask Carved;
 
-  // What the last run ends with if there are no constraints; kept, too.
-  DeformableSurface Free;
+  // What RunToResult() gives without constraints; kept, too.
+  DeformableSurface Unconstrained;
   std::vector<DeepPart> DeepParts; // of the last call
 };
 
@@ -93,7 +93,7 @@ void OrganSegmenter::SetForeground(BitMask mask)
   this->Kept->Carved = std::move(mask);
   this->Kept->IsCarved = true;
   this->Kept->IsGiven = true;
-  this->Kept->Free = {};
+  this->Kept->Unconstrained = {};
   this->Kept->DeepParts.clear();
 }
 
@@ -108,7 +108,7 @@ bool OrganSegmenter::RunsTwice() const
 }
 
 // The monitor remembers a stop.
-bool OrganSegmenter::RunFirst(const Monitor& monitor, const IterationObserver& observer)
+bool OrganSegmenter::RunAndCarve(const Monitor& monitor, const IterationObserver& observer)
 {
   State& kept = *this->Kept;
   const Monitor begin = [&](double) { return monitor(0); };
@@ -131,8 +131,8 @@ bool OrganSegmenter::RunFirst(const Monitor& monitor, const IterationObserver& o
   return true;
 }
 
-// The observer does not see it: it is no part of the way to the result.
-bool OrganSegmenter::RunFree(const Monitor& monitor)
+// The observer does not see this run, which is no part of the way to the result.
+bool OrganSegmenter::RunWithoutConstraints(const Monitor& monitor)
 {
   State& kept = *this->Kept;
   this->Begin({}, nullptr, OutsidePoints::InTheLastLevel,
@@ -141,15 +141,15 @@ bool OrganSegmenter::RunFree(const Monitor& monitor)
   {
     return false;
   }
-  this->KeepFree();
+  this->KeepUnconstrained();
   kept.Organ.Reset();
   return true;
 }
 
-void OrganSegmenter::KeepFree()
+void OrganSegmenter::KeepUnconstrained()
 {
   const OrganSurface& surface = this->Kept->Organ.GetSurface();
-  this->Kept->Free = { surface.Mesh, surface.Points };
+  this->Kept->Unconstrained = { surface.Mesh, surface.Points };
 }
 
 // With carving, all levels run twice: a surface that has leaked would have to draw back through
@@ -164,12 +164,13 @@ bool OrganSegmenter::FindForeground(const ConstraintList& constraints, const Mon
     return kept.Organ.FindForegroundOfSeed(monitor) &&
       kept.Organ.CorrectForeground(constraints, monitor);
   }
-  if (!kept.IsCarved && !this->RunFirst(monitor, observer))
+  if (!kept.IsCarved && !this->RunAndCarve(monitor, observer))
   {
     return false;
   }
   kept.Organ.SettleForeground(kept.Carved);
-  if (!constraints.empty() && kept.Free.Points.rows() == 0 && !this->RunFree(monitor))
+  if (!constraints.empty() && kept.Unconstrained.Points.rows() == 0 &&
+    !this->RunWithoutConstraints(monitor))
   {
     return false;
   }
@@ -194,8 +195,9 @@ int OrganSegmenter::FirstLevel() const
 }
 
 // Where the surface cannot be pulled back from an outside point, it keeps off from the start.
-bool OrganSegmenter::RunLevels(const ConstraintList& constraints, const DeformableSurface* start,
-  const std::vector<EndSurface>& ends, const Monitor& monitor, const IterationObserver& observer)
+bool OrganSegmenter::RunAllLevelsTo(const std::vector<EndSurface>& ends,
+  const ConstraintList& constraints, const DeformableSurface* start, const Monitor& monitor,
+  const IterationObserver& observer)
 {
   DeformingOrgan& organ = this->Kept->Organ;
   const std::vector<IterationRecord> before = organ.GetSurface().Iterations;
@@ -220,29 +222,29 @@ bool OrganSegmenter::RunLevels(const ConstraintList& constraints, const Deformab
   return run(OutsidePoints::FromTheStart);
 }
 
-EndSurface OrganSegmenter::FreeSurfaceFor(const ConstraintList& constraints) const
+EndSurface OrganSegmenter::UnconstrainedWhereUnchanged(const ConstraintList& constraints) const
 {
   const auto places = std::make_shared<const UnchangedPlaces>(
     DifferenceOf(this->Kept->Carved, this->Kept->Organ.GetForeground().GetMask()), constraints);
-  return { &this->Kept->Free,
+  return { &this->Kept->Unconstrained,
     [places, this](const PointList& points) { return places->WeightsOf(points, this->Parallel); } };
 }
 
-bool OrganSegmenter::RunLast(const ConstraintList& constraints, const DeformableSurface* start,
+bool OrganSegmenter::RunAllLevels(const ConstraintList& constraints, const DeformableSurface* start,
   const Monitor& monitor, const IterationObserver& observer)
 {
   std::vector<EndSurface> ends;
-  if (this->Kept->Free.Points.rows() > 0 &&
+  if (this->Kept->Unconstrained.Points.rows() > 0 &&
     (!constraints.empty() || this->Kept->Carved != this->Kept->Organ.GetForeground().GetMask()))
   {
-    ends.push_back(this->FreeSurfaceFor(constraints));
+    ends.push_back(this->UnconstrainedWhereUnchanged(constraints));
   }
-  return this->RunLevels(constraints, start, ends, monitor, observer);
+  return this->RunAllLevelsTo(ends, constraints, start, monitor, observer);
 }
 
-// From a surface, which moves only where `changed` and the constraints allow it.
-bool OrganSegmenter::RunLastLevel(const DeformableSurface& from, const ConstraintList& constraints,
-  const UnchangedPlaces& unchanged, const Monitor& monitor, const IterationObserver& observer)
+bool OrganSegmenter::RunLastLevelFrom(const DeformableSurface& from,
+  const ConstraintList& constraints, const UnchangedPlaces& unchanged, const Monitor& monitor,
+  const IterationObserver& observer)
 {
   DeformingOrgan& organ = this->Kept->Organ;
   organ.BeginAt(from, this->FirstLevel(), constraints, OutsidePoints::AroundThem, observer);
@@ -298,8 +300,8 @@ bool OrganSegmenter::RunDeepPart(const DeformableSurface* start, const Monitor& 
   OrganSurface& surface = organ.GetSurface();
   organ.SettleForeground(DifferenceOf(this->Kept->Carved, part.Voxels));
   surface.Iterations.clear();
-  if (!this->RunLast(part.Constraints, start, FlipFree::PartOf(monitor, 0, 0.8), observer) ||
-    !this->RunLastLevel({ surface.Mesh, surface.Points }, part.Constraints,
+  if (!this->RunAllLevels(part.Constraints, start, FlipFree::PartOf(monitor, 0, 0.8), observer) ||
+    !this->RunLastLevelFrom({ surface.Mesh, surface.Points }, part.Constraints,
       { part.Voxels, part.Constraints }, FlipFree::PartOf(monitor, 0.8, 1), observer))
   {
     return false;
@@ -327,14 +329,15 @@ bool OrganSegmenter::JoinDeepSurfaces(const DeformableSurface* start, const Moni
                     } });
   }
   kept.Organ.SettleForeground(DifferenceOf(kept.Carved, all));
-  ends.front() = this->FreeSurfaceFor(constraints);
-  return this->RunLevels(SortedConstraints(constraints), start, ends, monitor, observer);
+  ends.front() = this->UnconstrainedWhereUnchanged(constraints);
+  return this->RunAllLevelsTo(ends, SortedConstraints(constraints), start, monitor, observer);
 }
 
-// From the surface without constraints, which moves only where these have changed the foreground.
+// Moves the surface without constraints only where these have changed the foreground.
 // `corrected` is the foreground by all constraints.
-bool OrganSegmenter::RunCorrection(const BitMask& corrected, const ConstraintList& constraints,
-  const DeformableSurface* start, const Monitor& monitor, const IterationObserver& observer)
+bool OrganSegmenter::CorrectUnconstrained(const BitMask& corrected,
+  const ConstraintList& constraints, const DeformableSurface* start, const Monitor& monitor,
+  const IterationObserver& observer)
 {
   State& kept = *this->Kept;
   DeformingOrgan& organ = kept.Organ;
@@ -353,7 +356,7 @@ bool OrganSegmenter::RunCorrection(const BitMask& corrected, const ConstraintLis
     Append(part.Iterations, iterations);
   }
   organ.GetSurface().Iterations = std::move(iterations);
-  DeformableSurface base = parts.empty() ? kept.Free : parts.front().Surface;
+  DeformableSurface base = parts.empty() ? kept.Unconstrained : parts.front().Surface;
   if (parts.size() > 1)
   {
     if (!this->JoinDeepSurfaces(start, FlipFree::PartOf(monitor, 0.5, 0.8), observer))
@@ -370,23 +373,23 @@ bool OrganSegmenter::RunCorrection(const BitMask& corrected, const ConstraintLis
       return std::none_of(parts.begin(), parts.end(),
         [&](const DeepPart& part) { return IsNear(constraint, part.Voxels); });
     });
-  return this->RunLastLevel(base, constraints, { std::move(changed), shallow },
+  return this->RunLastLevelFrom(base, constraints, { std::move(changed), shallow },
     FlipFree::PartOf(monitor, 0.8, 1), observer);
 }
 
-bool OrganSegmenter::RunSecond(const ConstraintList& constraints, const DeformableSurface* start,
+bool OrganSegmenter::RunToResult(const ConstraintList& constraints, const DeformableSurface* start,
   const Monitor& monitor, const IterationObserver& observer)
 {
   State& kept = *this->Kept;
-  if (constraints.empty() || kept.Free.Points.rows() == 0)
+  if (constraints.empty() || kept.Unconstrained.Points.rows() == 0)
   {
-    return this->RunLast(constraints, start, monitor, observer);
+    return this->RunAllLevels(constraints, start, monitor, observer);
   }
   BitMask corrected = kept.Organ.GetForeground().GetMask();
   const std::vector<IterationRecord> before = kept.Organ.GetSurface().Iterations;
   try
   {
-    return this->RunCorrection(corrected, constraints, start, monitor, observer);
+    return this->CorrectUnconstrained(corrected, constraints, start, monitor, observer);
   }
   catch (const Error& error)
   {
@@ -397,35 +400,31 @@ bool OrganSegmenter::RunSecond(const ConstraintList& constraints, const Deformab
   }
   kept.Organ.SettleForeground(std::move(corrected));
   kept.Organ.GetSurface().Iterations = before;
-  return this->RunLast(constraints, start, monitor, observer);
+  return this->RunAllLevels(constraints, start, monitor, observer);
 }
 
-OrganSurface OrganSegmenter::Segment(const ConstraintList& constraints,
+OrganSurface OrganSegmenter::FindSurface(const ConstraintList& constraints,
   const DeformableSurface* start, const Monitor& monitor, const IterationObserver& observer)
 {
   DeformingOrgan& organ = this->Kept->Organ;
-  bool stopped = false;
-  const Monitor ask = [&](double fraction)
-  {
-    stopped = stopped || !monitor(fraction);
-    return !stopped;
-  };
+  const RememberingMonitor remembering(monitor);
+  const Monitor& ask = remembering.Get();
   const double smoothing = organ.GetForeground().GetSmoothingSeconds();
   const double half = this->RunsTwice() ? 0.5 : 0;
   bool done = this->FindForeground(constraints, FlipFree::PartOf(ask, 0, half), observer);
   if (done)
   {
-    done = this->RunSecond(constraints, start, FlipFree::PartOf(ask, half, 1), observer);
+    done = this->RunToResult(constraints, start, FlipFree::PartOf(ask, half, 1), observer);
   }
-  if (done && !stopped && constraints.empty() && this->Kept->IsCarved &&
+  if (done && !remembering.HasStopped() && constraints.empty() && this->Kept->IsCarved &&
     (!start || start->Points == this->Kept->Start.Points))
   {
-    this->KeepFree();
+    this->KeepUnconstrained();
   }
   OrganSurface surface = std::move(organ.GetSurface());
   surface.SmoothingSeconds = organ.GetForeground().GetSmoothingSeconds() - smoothing;
   surface.FeatureSeconds -= surface.SmoothingSeconds;
-  if (!done || stopped)
+  if (!done || remembering.HasStopped())
   {
     surface.Reason = StopReason::Aborted;
     return surface;

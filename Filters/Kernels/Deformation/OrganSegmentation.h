@@ -72,15 +72,15 @@ public:
   /// iterations that are run, not those of a first run that is kept. Constraints need the guard.
   /// `start`, if not null, takes the place of the start surface; with carving only in the second
   /// run, which alone knows of constraints.
-  OrganSurface Segment(const ConstraintList& constraints, const DeformableSurface* start,
+  OrganSurface FindSurface(const ConstraintList& constraints, const DeformableSurface* start,
     const Monitor& monitor, const IterationObserver& observer);
 
-  // What Segment() consists of, for several organs together (OrganGroup.h).
+  // What FindSurface() consists of, for several organs together (OrganGroup.h).
 
   /// Whether the levels run twice: once to find what the foreground is carved from.
   bool RunsTwice() const;
   /// Finds the foreground, by a first run if need be. The observer sees that run. Returns false if
-  /// the monitor, which must remember that it did, stopped it.
+  /// the monitor, which must remember that it did (RememberingMonitor), stopped it.
   bool FindForeground(const ConstraintList& constraints, const Monitor& monitor,
     const IterationObserver& observer);
   /// Begins the run that ends with the result; JointDeformation does the rest.
@@ -89,22 +89,47 @@ public:
   DeformingOrgan& GetOrgan();
 
 private:
-  bool RunFirst(const Monitor& monitor, const IterationObserver& observer);
-  bool RunFree(const Monitor& monitor);
-  void KeepFree();
+  // FindSurface() calls FindForeground() and RunToResult(). Which run calls which, and when:
+  //
+  //   FindForeground()
+  //     RunAndCarve()              with carving, in the first call: finds what the foreground is
+  //                                carved from
+  //     RunWithoutConstraints()    with constraints, if the foreground is carved or given, unless
+  //                                an earlier call has made the surface that they correct
+  //   RunToResult()
+  //     RunAllLevels()             without constraints or such a surface, and where the correction
+  //                                cannot obey a constraint
+  //       RunAllLevelsTo()
+  //     CorrectUnconstrained()     otherwise
+  //       FindDeepSurfaces()
+  //         RunDeepPart()          for each part that is changed deeply, anew or for the first time
+  //           RunAllLevels()       with this part alone changed
+  //           RunLastLevelFrom()   that surface
+  //       JoinDeepSurfaces()       if there are several such parts
+  //         RunAllLevelsTo()       the surfaces of the parts
+  //       RunLastLevelFrom()       the surface without constraints, or that of the deep parts
+
+  bool RunAndCarve(const Monitor& monitor, const IterationObserver& observer);
+  bool RunWithoutConstraints(const Monitor& monitor);
+  void KeepUnconstrained();
+  bool RunToResult(const ConstraintList& constraints, const DeformableSurface* start,
+    const Monitor& monitor, const IterationObserver& observer);
+
   int FirstLevel() const;
-  bool RunSecond(const ConstraintList& constraints, const DeformableSurface* start,
+  EndSurface UnconstrainedWhereUnchanged(const ConstraintList& constraints) const;
+  /// From the start surface. Where the constraints change nothing, it ends on the surface without
+  /// them, if there is one.
+  bool RunAllLevels(const ConstraintList& constraints, const DeformableSurface* start,
     const Monitor& monitor, const IterationObserver& observer);
-  bool RunLast(const ConstraintList& constraints, const DeformableSurface* start,
-    const Monitor& monitor, const IterationObserver& observer);
-  bool RunLevels(const ConstraintList& constraints, const DeformableSurface* start,
-    const std::vector<EndSurface>& ends, const Monitor& monitor, const IterationObserver& observer);
-  bool RunLastLevel(const DeformableSurface& from, const ConstraintList& constraints,
+  /// From the start surface to `ends`.
+  bool RunAllLevelsTo(const std::vector<EndSurface>& ends, const ConstraintList& constraints,
+    const DeformableSurface* start, const Monitor& monitor, const IterationObserver& observer);
+  /// From a surface as fine as the result, which stays as it is in unchanged places.
+  bool RunLastLevelFrom(const DeformableSurface& from, const ConstraintList& constraints,
     const UnchangedPlaces& unchanged, const Monitor& monitor, const IterationObserver& observer);
-  EndSurface FreeSurfaceFor(const ConstraintList& constraints) const;
 
   struct DeepPart;
-  bool RunCorrection(const BitMask& corrected, const ConstraintList& constraints,
+  bool CorrectUnconstrained(const BitMask& corrected, const ConstraintList& constraints,
     const DeformableSurface* start, const Monitor& monitor, const IterationObserver& observer);
   bool FindDeepSurfaces(const DeformableSurface* start, const ConstraintList& constraints,
     const Monitor& monitor, const IterationObserver& observer);

@@ -119,7 +119,7 @@ VolumeSegmenter& OrganRuns::Prepare(const SeedSphere& seed, bool fills,
   return *this->Kept;
 }
 
-OrganAnswer OrganRuns::Segment(const OrganRequest& request, const Monitor& monitor,
+OrganAnswer OrganRuns::Answer(const OrganRequest& request, const Monitor& monitor,
   const IterationObserver& observer)
 {
   const bool fills = !request.Seed;

@@ -56,7 +56,7 @@ public:
   /// Throws Error for a volume, seed, surface or parameter that cannot be used, and as
   /// VolumeSegmenter::Segment(). The observer, which may be null, sees the iterations if their
   /// history is to be kept. Nothing is kept of a run that was aborted.
-  OrganAnswer Segment(const OrganRequest& request, const Monitor& monitor,
+  OrganAnswer Answer(const OrganRequest& request, const Monitor& monitor,
     const IterationObserver& observer);
 
   /// Frees what is kept between runs.
@@ -103,8 +103,8 @@ struct GroupAnswer
   std::string Provenance;                  ///< of all surfaces
 };
 
-/// `name` is the volume's. Throws Error as OrganRuns::Segment() and
-/// OrganGroup do, also where an organ has no seed, or where labels do not suffice.
+/// `name` is the volume's. Throws Error as OrganRuns::Answer() and OrganGroup do, also where an
+/// organ has no seed, or where labels do not suffice.
 GroupAnswer SegmentGroup(const GrayVolume& volume, const std::string& name,
   const GroupRequest& request, const Threading& threading, const Monitor& monitor);
 

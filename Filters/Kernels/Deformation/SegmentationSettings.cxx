@@ -6,6 +6,21 @@
 namespace FlipFree
 {
 
+StopReason ScheduleSettings::ReasonToStop(const std::vector<double>& distances, double voxel) const
+{
+  if (distances.back() < voxel * this->DistanceTolerance)
+  {
+    return StopReason::DistanceBelowTolerance;
+  }
+  if (this->ChangeTolerance < 0 || distances.size() <= ChangeSpan)
+  {
+    return StopReason::NotRun;
+  }
+  const double before = distances[distances.size() - 1 - ChangeSpan];
+  return before - distances.back() < voxel * this->ChangeTolerance ? StopReason::AtRest
+                                                                   : StopReason::NotRun;
+}
+
 int ScheduleSettings::NumberOfLevels() const
 {
   constexpr int minimumResolution = 2;

@@ -7,12 +7,14 @@
 #define FlipFreeSegmentationSettings_h
 
 #include "Deformation/DeformationStep.h"
+#include "Deformation/StopReason.h"
 #include "Deformation/TargetSearch.h"
 #include "Image/SmoothRegion.h"
 #include "Intensity/OrganFeature.h"
 
 #include <cstddef>
 #include <string>
+#include <vector>
 
 namespace FlipFree
 {
@@ -29,6 +31,10 @@ struct ScheduleSettings
   double DistanceTolerance = 0.1;
   double ChangeTolerance = 0.02;
   static constexpr std::size_t ChangeSpan = 5;
+
+  /// The same rule for the mean distances so far, one per iteration: DistanceBelowTolerance, AtRest
+  /// if they no longer fall, or NotRun if the level goes on. `voxel` is the greatest spacing.
+  StopReason ReasonToStop(const std::vector<double>& distances, double voxel) const;
 
   /// How many levels there are: those that would begin with fewer than two vertices along an edge
   /// are left out.

@@ -216,7 +216,7 @@ VolumeSegmentation VolumeSegmenter::Segment(const ConstraintList& constraints,
   const double before = watch.Lap();
   VolumeSegmentation result;
   const DeformableSurface start = this->StartWithin(constraints);
-  result.Organ = segmenter.Segment(constraints, &start, monitor, observer);
+  result.Organ = segmenter.FindSurface(constraints, &start, monitor, observer);
   const OrganSurface& organ = result.Organ;
   result.StageSeconds[0] = before + organ.SmoothingSeconds;
   result.StageSeconds[1] = organ.FeatureSeconds;

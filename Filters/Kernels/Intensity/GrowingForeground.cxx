@@ -148,10 +148,17 @@ bool GrowingForeground::Carve(const PointList& points, const TriangleList& trian
   const Monitor& monitor)
 {
   this->Clear(); // smoothing needs the memory
-  const bool done = ForegroundOfSurface(
-    this->GetImage(), [&](const VoxelBox& box) { return this->Smooth(box, monitor); }, points,
-    triangles, this->Seed, noise, this->GetModality(), this->Settings, this->Parallel, monitor,
-    this->Mask, this->Unanimity);
+  SurfaceForegroundInputs inputs;
+  inputs.Smooth = this->GetImage();
+  inputs.MakeSmooth = [&](const VoxelBox& box) { return this->Smooth(box, monitor); };
+  inputs.Points = &points;
+  inputs.Triangles = &triangles;
+  inputs.Seed = this->Seed;
+  inputs.Noise = noise;
+  inputs.Settings = this->Settings;
+  inputs.Settings.Modality = this->GetModality();
+  const bool done =
+    ForegroundOfSurface(inputs, this->Parallel, monitor, this->Mask, this->Unanimity);
   this->Bounds = this->Mask.Bounds();
   return done;
 }

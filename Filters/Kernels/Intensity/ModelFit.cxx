@@ -57,19 +57,15 @@ Refit RefitToSurface(const ImageView<float>& smooth, const PointList& points,
   const TriangleList& triangles, double noise, const IntensitySettings& settings,
   const ParallelFor& parallelFor, const Monitor& monitor, IntensityModel& model)
 {
-  // Remembered, since no runs may mean a stop or a surface that holds no voxel.
-  bool stopped = false;
-  const Monitor proceed = [&](double fraction)
-  {
-    stopped = stopped || !monitor(fraction);
-    return !stopped;
-  };
+  // No runs may mean a stop or a surface that holds no voxel.
+  const RememberingMonitor remembering(monitor);
+  const Monitor& proceed = remembering.Get();
   // Voxelized on the whole grid, whose rounding decides; the rest is done in a box.
   const std::vector<VoxelRun> runs =
     VoxelizeSurface(points, triangles, smooth.Geometry, parallelFor, PartOf(proceed, 0, 0.2));
   if (runs.empty())
   {
-    return stopped ? Refit::Stopped : Refit::NothingInside;
+    return remembering.HasStopped() ? Refit::Stopped : Refit::NothingInside;
   }
   const VoxelBox box = DilatedBounds(runs, smooth.Geometry, settings.ShellEnd);
   const auto [i, j, k] = box.Begin;

@@ -79,7 +79,7 @@ public:
     , OfModality(modality)
     , Settings(settings)
     , Parallel(parallelFor)
-    , Ask(monitor)
+    , Remembering(monitor)
     , Box(box)
     , Whole(WholeBox(smooth.Geometry))
     , Usual(carved.Cropped(box))
@@ -92,7 +92,7 @@ public:
   std::optional<BitMask> Execute()
   {
     std::optional<BitMask> voted = this->Vote();
-    if (this->Stopped)
+    if (this->Remembering.HasStopped())
     {
       return std::nullopt;
     }
@@ -102,7 +102,7 @@ public:
     for (const double mass : NarrowMasses)
     {
       std::optional<BitMask> other = this->GrowFromSeed(mass);
-      if (this->Stopped)
+      if (this->Remembering.HasStopped())
       {
         return std::nullopt;
       }
@@ -121,14 +121,13 @@ public:
 private:
   void ReadImage() { CropToFloat(this->Smooth, this->Box, this->Parallel, this->Image); }
 
-  // Remembers a stop. What is done is counted in foregrounds that were grown.
+  // What is done is counted in foregrounds that were grown.
   Monitor Proceed()
   {
     return [this](double)
     {
       constexpr double all = 2 + NarrowMasses.size();
-      this->Stopped = this->Stopped || !this->Ask(std::min(1.0, this->Grown / all));
-      return !this->Stopped;
+      return this->Remembering.Get()(std::min(1.0, this->Grown / all));
     };
   }
 
@@ -229,7 +228,7 @@ private:
   std::optional<BitMask> Vote()
   {
     const std::optional<BitMask> again = this->GrowAgain(this->Image.View());
-    if (!again || this->Stopped)
+    if (!again || this->Remembering.HasStopped())
     {
       return std::nullopt;
     }
@@ -274,7 +273,7 @@ private:
   const Modality OfModality;
   const OrganFeatureSettings& Settings;
   const ParallelFor& Parallel;
-  const Monitor& Ask;
+  const RememberingMonitor Remembering;
   const VoxelBox Box;
   const VoxelBox Whole;
   const BitMask Usual;
@@ -282,7 +281,6 @@ private:
   FloatImage Image;
   double Grown = 0;
   double Unanimity = UnanimityWithoutVote;
-  bool Stopped = false;
 };
 
 } // namespace

@@ -6,32 +6,29 @@
 namespace FlipFree
 {
 
-bool ForegroundOfSurface(const ImageView<float>& smooth, const ImageMaker& make,
-  const PointList& points, const TriangleList& triangles, const SeedSphere& seed, double noise,
-  Modality modality, const OrganFeatureSettings& settings, const ParallelFor& parallelFor,
+bool ForegroundOfSurface(const SurfaceForegroundInputs& inputs, const ParallelFor& parallelFor,
   const Monitor& monitor, BitMask& foreground, double& unanimity)
 {
-  // Remembered, since no runs may mean a stop or a surface that holds no voxel.
-  bool stopped = false;
-  const Monitor proceed = [&](double fraction)
-  {
-    stopped = stopped || !monitor(fraction);
-    return !stopped;
-  };
-  const std::vector<VoxelRun> inside =
-    VoxelizeSurface(points, triangles, smooth.Geometry, parallelFor, PartOf(proceed, 0, 0.1));
-  if (stopped || !make(CarvingBox(smooth.Geometry, inside, seed)) ||
-    !CarveOrgan(smooth, inside, seed, noise, modality, parallelFor, PartOf(proceed, 0.1, 0.4),
-      foreground))
+  const ImageView<float>& smooth = inputs.Smooth;
+  const SeedSphere& seed = inputs.Seed;
+  const OrganFeatureSettings& settings = inputs.Settings;
+  // No runs may mean a stop or a surface that holds no voxel.
+  const RememberingMonitor remembering(monitor);
+  const Monitor& proceed = remembering.Get();
+  const std::vector<VoxelRun> inside = VoxelizeSurface(*inputs.Points, *inputs.Triangles,
+    smooth.Geometry, parallelFor, PartOf(proceed, 0, 0.1));
+  if (remembering.HasStopped() || !inputs.MakeSmooth(CarvingBox(smooth.Geometry, inside, seed)) ||
+    !CarveOrgan(smooth, inside, seed, inputs.Noise, settings.Modality, parallelFor,
+      PartOf(proceed, 0.1, 0.4), foreground))
   {
     return false;
   }
   unanimity = 1;
   const bool seeks = settings.Consensus && settings.ControlLeaks && IsDoubtful(inside, foreground);
   return !seeks ||
-    (make(ConsensusBox(foreground, seed)) &&
-      SeekConsensus(smooth, seed, noise, modality, settings, parallelFor, PartOf(proceed, 0.4, 1),
-        foreground, &unanimity));
+    (inputs.MakeSmooth(ConsensusBox(foreground, seed)) &&
+      SeekConsensus(smooth, seed, inputs.Noise, settings.Modality, settings, parallelFor,
+        PartOf(proceed, 0.4, 1), foreground, &unanimity));
 }
 
 } // namespace FlipFree

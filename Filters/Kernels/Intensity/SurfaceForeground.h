@@ -12,13 +12,21 @@
 namespace FlipFree
 {
 
-/// `make` is called before voxels of the smoothed image are read. `noise` is the standard deviation
-/// before smoothing; the modality is not Automatic. `unanimity` is that of the opinions
-/// (SeekConsensus()), and 1 where no further one was asked for. Returns false if the monitor
-/// stopped it; the foreground is then useless.
-bool ForegroundOfSurface(const ImageView<float>& smooth, const ImageMaker& make,
-  const PointList& points, const TriangleList& triangles, const SeedSphere& seed, double noise,
-  Modality modality, const OrganFeatureSettings& settings, const ParallelFor& parallelFor,
+/// What is known of the organ. The surface's points and triangles must outlive it.
+struct SurfaceForegroundInputs
+{
+  ImageView<float> Smooth; ///< the smoothed image
+  ImageMaker MakeSmooth;   ///< is called before voxels of it are read
+  const PointList* Points = nullptr;
+  const TriangleList* Triangles = nullptr;
+  SeedSphere Seed;
+  double Noise = 0;              ///< standard deviation before smoothing
+  OrganFeatureSettings Settings; ///< the modality is not Automatic
+};
+
+/// `unanimity` is that of the opinions (SeekConsensus()), and 1 where no further one was asked for.
+/// Returns false if the monitor stopped it; the foreground is then useless.
+bool ForegroundOfSurface(const SurfaceForegroundInputs& inputs, const ParallelFor& parallelFor,
   const Monitor& monitor, BitMask& foreground, double& unanimity);
 
 } // namespace FlipFree

@@ -78,7 +78,7 @@ public:
         SetParameters(SegmentationParameters(), parameters, request.Settings);
         try
         {
-          const OrganAnswer found = this->Organ.Segment(request, MonitorOf(report), nullptr);
+          const OrganAnswer found = this->Organ.Answer(request, MonitorOf(report), nullptr);
           const VolumeSegmentation& result = found.Result;
           val answer = AnswerOf(result.Organ, result.Voxels, result.Warnings);
           answer.set("seed", ObjectOf(found.Seed));

@@ -110,7 +110,7 @@ nb::dict Segment(const Voxels& voxels, const Triple& spacing, const Triple& orig
       {
         runs.StartFrom(SurfaceOf(*start, "the start surface on port 1"));
       }
-      found = runs.Segment(request, MonitorOf(report, 0, 0.95),
+      found = runs.Answer(request, MonitorOf(report, 0, 0.95),
         [&history](const ContourMesh& mesh, const PointList& points,
           const CorrespondenceField& field, const IterationRecord&) {
           history.push_back({ mesh.Faces, points, field });

@@ -74,7 +74,7 @@ def require_ending(option: str, name: str, endings: tuple[str, ...]) -> None:
     """A file of that name can be written, or read."""
     if not name.lower().endswith(endings):
         raise WrongUsage(
-            f"{option}: the ending of '{name}' stands for no format known here. Use "
+            f"{option}: the file extension of '{name}' is not supported. Use "
             f"{listed(endings, 'or')}"
         )
 

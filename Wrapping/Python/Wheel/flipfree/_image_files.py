@@ -75,7 +75,7 @@ def _read_file(name: str) -> Image:
 def _require_ending(name: str, endings: tuple[str, ...]) -> None:
     if not name.lower().endswith(endings):
         raise FileError(
-            f"The ending of '{name}' stands for no format known here. Use {listed(endings, 'or')}."
+            f"The file extension of '{name}' is not supported. Use {listed(endings, 'or')}."
         )
 
 

@@ -50,7 +50,7 @@ def write_centerline(vessel: Vessel, path: PathName) -> None:
         raise TypeError(f"vessel: what trace() has returned is needed, not {vessel!r:.80}")
     name = os.fspath(path)
     if not name.lower().endswith(".vtp"):
-        raise FileError(f"The ending of '{name}' stands for no format known here. Use .vtp.")
+        raise FileError(f"The file extension of '{name}' is not supported. Use .vtp.")
     with replacing(name) as temporary:
         with open(temporary, "wb") as file:
             file.write(_vtp_lines(vessel))
@@ -85,7 +85,7 @@ def ending_of(name: str) -> str:
     ending = os.path.splitext(name)[1].lower()
     if ending not in ENDINGS:
         raise FileError(
-            f"The ending of '{name}' stands for no format known here. Use {listed(ENDINGS, 'or')}."
+            f"The file extension of '{name}' is not supported. Use {listed(ENDINGS, 'or')}."
         )
     return ending
 
