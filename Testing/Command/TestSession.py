@@ -1,5 +1,6 @@
 """Sessions that the page in the browser saves are repeated, and refused where they do not fit."""
 
+import itertools
 import json
 import math
 import os
@@ -164,8 +165,11 @@ class TestSession(command.CommandTest):
             with self.subTest(**changes):
                 path, _ = self.session(**changes)
                 self.assert_refused(command.run("segment", "--session", path, "-o", self.result("a.ply")), 1, "session.json", message)
-        path, _ = self.session(organs=[{**organ, "seed": {**organ["seed"], "radius": -1}}])
-        self.assert_refused(command.run("segment", "--session", path, "-o", self.result("a.ply")), 2, "radius")
+        for radius, together in itertools.product((0, -1, 1e-9, 2e6), (False, True)):
+            with self.subTest(radius=radius, together=together):
+                path, _ = self.session(organs=[{**organ, "seed": {**organ["seed"], "radius": radius}}], together=together)
+                self.assert_refused(command.run("segment", "--session", path, "-o", self.result("a.ply")), 1,
+                                    "organ 1: 'liver': the radius must be a positive number of millimeters, 1e-6 to 1e6")
         path, _ = self.session(organs=[{**organ, "parameters": {"levels": 99}}])
         self.assert_refused(command.run("segment", "--session", path, "-o", self.result("a.ply")), 2, "--levels")
         with open(path, "w", encoding="utf-8") as file:

@@ -1,12 +1,10 @@
 #include "PointOptions.h"
 
 #include "Coordinates.h"
-#include "Failure.h"
 #include "OutputFile.h"
 
 #include <CLI/CLI.hpp>
 
-#include <cmath>
 #include <utility>
 
 namespace Command
@@ -62,19 +60,7 @@ void PointOptions::RequireSense() const
     { "--outside", &this->Outside }, { "--boundary", &this->Boundary } };
   for (const auto& [name, values] : options)
   {
-    if (values->size() % 3 != 0)
-    {
-      throw WrongUsage(
-        std::string(name) + ": a coordinate is missing. Give three numbers each time.");
-    }
-    for (const double value : *values)
-    {
-      if (!std::isfinite(value))
-      {
-        throw WrongUsage(std::string(name) +
-          ": a coordinate is not a finite number. Give three numbers, in millimeters.");
-      }
-    }
+    RequireCoordinates(name, *values);
   }
   const std::pair<const char*, const std::string*> files[] = { { "--points", &this->PointsIn },
     { "--save-points", &this->PointsOut } };

@@ -2,6 +2,7 @@
 
 #include "Failure.h"
 #include "ImageAdapter.h"
+#include "SeedRadius.h"
 
 #include "vtkImageData.h"
 
@@ -151,6 +152,10 @@ void ReadOrgan(const Json& entry, SessionOrgan& organ)
     const Json& seed = entry.at("seed");
     organ.Seed = Numbers<3>(seed, "center");
     organ.Radius = seed.at("radius").get<double>();
+    if (!IsSeedRadius(organ.Radius))
+    {
+      throw Failure(std::string("the radius ") + SeedRadiusRule);
+    }
   }
 }
 
