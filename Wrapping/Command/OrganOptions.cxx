@@ -117,14 +117,14 @@ std::vector<GivenOrgan> OrganOptions::Organs(const PointOptions& corrections) co
     {
       organs.push_back(OrganOf(this->Values.data() + count - ValuesOfOrgan, corrections));
     }
-    else if ((name == "inside" || name == "outside" || name == "boundary") && count % 3 == 0)
+    else if (const auto kind = PointOptions::KindOfOption(name); kind && count % 3 == 0)
     {
       if (organs.empty())
       {
         throw WrongUsage(
           "--" + name + ": the point comes before the first --organ. Give it after its own organ.");
       }
-      organs.back().Points.push_back(corrections.PointOf(name, count / 3 - 1));
+      organs.back().Points.push_back(corrections.PointOf(*kind, count / 3 - 1));
     }
   }
   RequireNames(organs);

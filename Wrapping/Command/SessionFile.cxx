@@ -102,13 +102,13 @@ void ReadEntries(const Json& list, const std::string& name, const Read& read)
 CorrectionPoint CorrectionOf(const Json& entry)
 {
   CorrectionPoint point;
-  point.Kind = entry.at("kind").get<std::string>();
+  point.Kind = KindOf(entry.at("kind").get<std::string>());
   point.Place = Numbers<3>(entry, "position");
-  if (point.Kind == "seed")
+  if (point.Kind == FlipFree::ConstraintKind::Seed)
   {
     point.Radius = entry.at("radius").get<double>();
   }
-  RequireProper(point);
+  RequireRadius(point);
   return point;
 }
 
