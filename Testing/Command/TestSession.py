@@ -104,6 +104,8 @@ class TestSession(command.CommandTest):
                  ({**vessel}, "key 'points' not found"),
                  ({**vessel, "points": [[1, 2, 3], [1, 2]]}, "organ 1: 'aorta': point 2: "),
                  ({**vessel, "points": [[1, 2, 3]]}, "no organ has a seed"),
+                 ({**vessel, "points": ends, "corrections": [{"kind": "seed", "position": [30, 30, 30], "radius": 3}]},
+                  "organ 1: 'aorta': a seed is of no use to a vessel. Open it in the page"),
                  ({**vessel, "points": ends, "parameters": {"speling": 1}}, "aorta: there is no parameter 'Speling' of a vessel"),
                  ({**vessel, "points": ends, "parameters": {"levels": 9}}, "aorta: the parameter 'Levels' is out of its range")]
         for entry, message in cases:

@@ -181,10 +181,12 @@ class Work(unittest.TestCase):
             self.assertGreater(ours.sum(), 500)
         wrong = [{**organ, "corrections": [{"kind": "near", "position": [1, 2, 3]}]},
                  {**organ, "corrections": [{"kind": "seed", "position": [1, 2, 3], "radius": 0}]},
-                 {**vessel, "parameters": {"speling": 1}}, {**vessel, "parameters": {"levels": 9}}, {**organ, "kind": "tumor"}]
+                 {**vessel, "parameters": {"speling": 1}}, {**vessel, "parameters": {"levels": 9}}, {**organ, "kind": "tumor"},
+                 {**vessel, "corrections": [{"kind": "seed", "position": [1, 2, 3], "radius": 2}]}]
         for entry, message in zip(wrong, ("organ 1: 'liver': correction 1: the kind is 'near'; it can be",
                                           "correction 1: a seed has no radius", "there is no parameter 'Speling' of a vessel",
-                                          "the parameter 'Levels' is out of its range", "the kind is 'tumor'; it can be")):
+                                          "the parameter 'Levels' is out of its range", "the kind is 'tumor'; it can be",
+                                          "organ 1: 'aorta': a seed is of no use to a vessel. Open it in the page")):
             write(sphere, entry)
             for program in (OURS, TOOLKIT):
                 process = run("segment", "--session", path, "-o", self.folder / "wrong.ply", program=program)

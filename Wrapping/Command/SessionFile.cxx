@@ -159,6 +159,15 @@ void ReadOrgan(const Json& entry, SessionOrgan& organ)
   }
 }
 
+void RequireNoSeeds(const std::vector<CorrectionPoint>& corrections)
+{
+  if (std::any_of(corrections.begin(), corrections.end(),
+        [](const CorrectionPoint& point) { return point.Kind == FlipFree::ConstraintKind::Seed; }))
+  {
+    throw Failure("a seed is of no use to a vessel");
+  }
+}
+
 void ReadVessel(const Json& entry, SessionOrgan& vessel)
 {
   ReadEntries(entry.at("points"), "point",
@@ -185,6 +194,10 @@ SessionOrgan OrganOf(const Json& entry)
     organ.Color = entry.value("color", std::string());
     (IsVessel(entry) ? ReadVessel : ReadOrgan)(entry, organ);
     ReadCorrections(entry, organ);
+    if (IsVessel(entry))
+    {
+      RequireNoSeeds(organ.Corrections);
+    }
     for (const auto& [parameter, value] : entry.at("parameters").items())
     {
       organ.Parameters[PropertyOfKey(parameter)] = ValuesOf(value);

@@ -34,7 +34,7 @@ from ._image import Image
 from ._messages import confidence_text, warn
 from ._options import WrongUsage
 from ._point_files import arguments_of, write_points
-from ._seed_radius import RULE, is_seed_radius
+from ._seed_radius import SEED_RADIUS_RULE, is_seed_radius
 from ._segment import segment as segment_organ
 from ._segmentation import Segmentation, Vessel
 from ._session import Session, SessionOrgan, image_beside, read_session, require_image_of, runs_of
@@ -121,7 +121,7 @@ def _require_seed(values: dict[str, Any]) -> None:
     require_coordinates("--seed", values.get("seed", ()))
     radii = values.get("radius", ())
     if not radii or not all(map(is_seed_radius, radii)):
-        raise WrongUsage(f"--radius {RULE}")
+        raise WrongUsage(f"--radius {SEED_RADIUS_RULE}")
     seeds = len(values.get("seed", ())) + len(values.get("seed_voxel", ()))
     if len(radii) != seeds:
         raise WrongUsage(

@@ -8,7 +8,7 @@ from __future__ import annotations
 from ._backend import RADII
 
 # What a message says of any other radius, after its name.
-RULE = (
+SEED_RADIUS_RULE = (
     "must be a positive number of millimeters, 1e-6 to 1e6. The sphere should lie within the organ"
 )
 
