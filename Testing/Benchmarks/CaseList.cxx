@@ -13,6 +13,11 @@
 #include <random>
 #include <sstream>
 
+std::string DefaultDataFolder()
+{
+  return FLIPFREE_DATA_DIR;
+}
+
 std::vector<Case> ReadCases(const std::string& file)
 {
   std::vector<Case> cases;

@@ -22,6 +22,9 @@ struct Case
   double Radius = 0;
 };
 
+/// The folder of real volumes that the build was configured with, FLIPFREE_DATA_DIR.
+std::string DefaultDataFolder();
+
 /// The rows of a list such as cases.csv; none where the file does not exist.
 std::vector<Case> ReadCases(const std::string& file);
 

@@ -44,7 +44,7 @@ namespace
 
 struct Options
 {
-  std::string Data = "../shared/data";
+  std::string Data = DefaultDataFolder();
   std::string Cases = "cases.csv"; ///< in that folder
   std::string Only;
   std::string Preset = "default";

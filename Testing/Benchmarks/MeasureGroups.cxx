@@ -34,7 +34,7 @@ namespace
 
 struct Options
 {
-  std::string Data = "../shared/data";
+  std::string Data = DefaultDataFolder();
   std::string Cases = "development.csv"; ///< in that folder
   std::string Only;
   int Threads = 0;

@@ -388,7 +388,7 @@ void MeasureSeries(const std::string& series, int runs)
 
 int main(int argc, char* argv[])
 {
-  std::string folder = "../shared/data";
+  std::string folder = DefaultDataFolder();
   std::string only;
   std::string size;
   std::string series;

@@ -111,7 +111,7 @@ void PrintRow(const Case& row, const std::string& folder)
 
 int main(int argc, char* argv[])
 {
-  std::string data = "../shared/data";
+  std::string data = DefaultDataFolder();
   std::string only;
   CLI::App app("Counts the self-intersections and flips that each form of the method leaves.");
   app.add_option("--data", data, "folder with cases.csv")->capture_default_str();

@@ -46,7 +46,7 @@ using Filter = vtkFlipFreeVesselSegmentation;
 
 struct Options
 {
-  std::string Data = "../shared/data";
+  std::string Data = DefaultDataFolder();
   std::string Only;
   std::string Surfaces;
   std::string Halves = "Testing/Benchmarks/halves.csv";
@@ -478,7 +478,8 @@ int main(int argc, char* argv[])
   Options options;
   options.WallThickness = vtkNew<Filter>()->GetWallThickness();
   CLI::App program("Measures the segmentation of vessels.");
-  program.add_option("--data", options.Data, "folder with tubes.csv and its volumes");
+  program.add_option("--data", options.Data, "folder with tubes.csv and its volumes")
+    ->capture_default_str();
   program.add_option("--only", options.Only, "rows whose name contains this");
   program.add_option("--radius", options.Radius, "of all vessels, mm");
   program.add_option("--wall-thickness", options.WallThickness, "mm");

@@ -3,10 +3,6 @@
 find_package(GTest REQUIRED)
 include(GoogleTest)
 
-# Real volumes, where they exist; tests that need them skip themselves, saying so, where they do not.
-set(FLIPFREE_DATA_DIR "${PROJECT_SOURCE_DIR}/../shared/data" CACHE PATH
-  "Folder with real volumes and cases.csv; tests that need it are skipped where it is absent")
-
 set(FLIPFREE_PARAVIEW_BUILD "${PROJECT_SOURCE_DIR}/build/paraview" CACHE PATH
   "Folder in which Wrapping/ParaView/build-plugin.sh has built the plugin; its tests are skipped without it")
 

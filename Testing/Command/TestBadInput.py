@@ -53,7 +53,9 @@ class TestBadInput(command.CommandTest):
                  (1, (*center, "--radius", 0.1), ("'" + self.volume, "radius")),
                  (2, (*self.seed, "--seed-voxel", 1, 2, 3), ("--seed-voxel",)),
                  (2, radius, ("--seed",))]
-        cases += [(2, (*center, "--radius", value), ("--radius",)) for value in (0, -5, 1e-9, 2e6, "nan", "inf", "large")]
+        cases += [(2, (*center, "--radius", value), ("--radius must be a positive number of millimeters, 1e-6 to 1e6",))
+                  for value in (0, -5, 1e-9, 2e6, "nan", "inf")]
+        cases += [(2, (*center, "--radius", "large"), ("--radius",))]
         cases += [(2, ("--seed", *point, *radius), ("--seed",)) for point in (("nan", 0, 0), (1, 2), ("here", 0, 0))]
         for status, seed, patterns in cases:
             with self.subTest(seed=seed):

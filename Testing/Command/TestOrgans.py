@@ -116,8 +116,11 @@ class TestOrgans(command.CommandTest):
                 (2, (*liver, *liver, *out), "the same in names of files"),
                 (2, (*liver, "--organ", "", 1, 2, 3, 4, *out), "a name is empty"),
                 (2, ("--inside", 1, 2, 3, *liver, *out), "comes before the first --organ"),
-                (2, ("--organ", "liver", 1, 2, "x", 4, *out), "--organ liver: 'x' is not a finite number"),
-                (2, ("--organ", "liver", 1, 2, 3, -4, *out), "--organ liver: the radius must be positive|a positive number"),
+                (2, ("--organ", "liver", 1, 2, "x", 4, *out), "--organ liver: 'x' is not a number"),
+                (2, ("--organ", "liver", 1, "nan", 3, 4, *out), "--organ liver: a coordinate is not a finite number"),
+                *((2, ("--organ", "liver", 1, 2, 3, radius, *out),
+                   "--organ liver: the radius must be a positive number of millimeters, 1e-6 to 1e6")
+                  for radius in (0, -4, 1e-9, 2e6, "nan", "inf")),
                 (2, (*liver, "--seed", 1, 2, 3, *out), "--organ has the seed"),
                 (2, (*liver, "--points", "a.csv", *out), "--points and --save-points are for one organ"),
                 (2, ("--fixed", "a.vtp", *self.seed, *out), "--fixed is for organs"),
@@ -127,7 +130,7 @@ class TestOrgans(command.CommandTest):
                 (1, (*liver, *spleen, "--no-guard", *out), "switch --guard and --carving on"),
                 (1, (*liver, "--organ", "copy", *self.organs["liver"], *out), "the seeds of (copy and liver|liver and copy) overlap"),
         ):
-            with self.subTest(pattern):
+            with self.subTest(pattern, arguments=arguments):
                 self.assert_refused(self.segment(*arguments), status, pattern)
 
 

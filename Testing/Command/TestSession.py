@@ -1,5 +1,6 @@
 """Sessions that the page in the browser saves are repeated, and refused where they do not fit."""
 
+import itertools
 import json
 import math
 import os
@@ -103,6 +104,8 @@ class TestSession(command.CommandTest):
                  ({**vessel}, "key 'points' not found"),
                  ({**vessel, "points": [[1, 2, 3], [1, 2]]}, "organ 1: 'aorta': point 2: "),
                  ({**vessel, "points": [[1, 2, 3]]}, "no organ has a seed"),
+                 ({**vessel, "points": ends, "corrections": [{"kind": "seed", "position": [30, 30, 30], "radius": 3}]},
+                  "organ 1: 'aorta': a seed is of no use to a vessel. Open it in the page"),
                  ({**vessel, "points": ends, "parameters": {"speling": 1}}, "aorta: there is no parameter 'Speling' of a vessel"),
                  ({**vessel, "points": ends, "parameters": {"levels": 9}}, "aorta: the parameter 'Levels' is out of its range")]
         for entry, message in cases:
@@ -164,8 +167,11 @@ class TestSession(command.CommandTest):
             with self.subTest(**changes):
                 path, _ = self.session(**changes)
                 self.assert_refused(command.run("segment", "--session", path, "-o", self.result("a.ply")), 1, "session.json", message)
-        path, _ = self.session(organs=[{**organ, "seed": {**organ["seed"], "radius": -1}}])
-        self.assert_refused(command.run("segment", "--session", path, "-o", self.result("a.ply")), 2, "radius")
+        for radius, together in itertools.product((0, -1, 1e-9, 2e6), (False, True)):
+            with self.subTest(radius=radius, together=together):
+                path, _ = self.session(organs=[{**organ, "seed": {**organ["seed"], "radius": radius}}], together=together)
+                self.assert_refused(command.run("segment", "--session", path, "-o", self.result("a.ply")), 1,
+                                    "organ 1: 'liver': the radius must be a positive number of millimeters, 1e-6 to 1e6")
         path, _ = self.session(organs=[{**organ, "parameters": {"levels": 99}}])
         self.assert_refused(command.run("segment", "--session", path, "-o", self.result("a.ply")), 2, "--levels")
         with open(path, "w", encoding="utf-8") as file:

@@ -9,24 +9,21 @@
 #include "ImageAdapter.h"
 #include "Mesh/MeshUnion.h"
 #include "Mesh/SurfaceVoxelization.h"
+#include "RealVolume.h"
 #include "SurfaceMotion.h"
 
 #include "vtkFlipFreeOrganGroup.h"
 #include "vtkMedicalImageReader.h"
 #include "vtkPolyData.h"
 
-#include <cstdlib>
-
 using namespace FlipFree;
 
 TEST(RealOrgans, LiverAndRightKidneyDoNotMeet)
 {
-  const char* folder = std::getenv("FLIPFREE_DATA_DIR");
-  const std::string name = std::string(folder ? folder : "") + "/btcv15_ct.nii.gz";
+  const std::string name = RealVolume("btcv15_ct.nii.gz");
   if (!std::filesystem::exists(name))
   {
-    GTEST_SKIP() << "'" << name << "' does not exist; FLIPFREE_DATA_DIR names the folder with the "
-                 << "real volumes.";
+    GTEST_SKIP() << NoRealVolume(name);
   }
   vtkNew<vtkMedicalImageReader> reader;
   reader->SetFileName(name.c_str());
@@ -81,7 +78,6 @@ struct CorrectedOrgan
 // The promise: by less than 0.1 mm. The same evidence alone left 0.26 and 0.28 mm.
 TEST(RealOrgans, PointsMoveNothingFarAway)
 {
-  const char* folder = std::getenv("FLIPFREE_DATA_DIR");
   const std::vector<CorrectedOrgan> organs{
     { "btcv06_ct.nii.gz", { { 86.40, -117.82, 387.00 }, 32.08 }, { 138.763, -141.381, 381 } },
     { "chaos01_mr.nii.gz", { { -128.90, 38.16, 146.21 }, 32.72 },
@@ -89,11 +85,10 @@ TEST(RealOrgans, PointsMoveNothingFarAway)
   };
   for (const CorrectedOrgan& organ : organs)
   {
-    const std::string name = std::string(folder ? folder : "") + "/" + organ.File;
+    const std::string name = RealVolume(organ.File);
     if (!std::filesystem::exists(name))
     {
-      GTEST_SKIP() << "'" << name << "' does not exist; FLIPFREE_DATA_DIR names the folder with "
-                   << "the real volumes.";
+      GTEST_SKIP() << NoRealVolume(name);
     }
     vtkNew<vtkMedicalImageReader> reader;
     reader->SetFileName(name.c_str());

@@ -2,12 +2,12 @@
 #include "vtkMedicalImageReader.h"
 
 #include "ExampleImages.h"
+#include "RealVolume.h"
 
 #include "itk_zlib.h"
 
 #include <cmath>
 #include <cstdint>
-#include <cstdlib>
 #include <cstring>
 
 namespace
@@ -64,12 +64,10 @@ class TestRealVolumes : public testing::TestWithParam<const char*>
 
 TEST_P(TestRealVolumes, GeometryIsTheHeaders)
 {
-  const char* folder = std::getenv("FLIPFREE_DATA_DIR");
-  const std::string name = std::string(folder ? folder : "") + "/" + GetParam();
+  const std::string name = RealVolume(GetParam());
   if (!std::filesystem::exists(name))
   {
-    GTEST_SKIP() << "'" << name << "' does not exist; FLIPFREE_DATA_DIR names the folder with the "
-                 << "real volumes.";
+    GTEST_SKIP() << NoRealVolume(name);
   }
   std::vector<char> header(348);
   gzFile file = gzopen(name.c_str(), "rb");

@@ -181,10 +181,12 @@ class Work(unittest.TestCase):
             self.assertGreater(ours.sum(), 500)
         wrong = [{**organ, "corrections": [{"kind": "near", "position": [1, 2, 3]}]},
                  {**organ, "corrections": [{"kind": "seed", "position": [1, 2, 3], "radius": 0}]},
-                 {**vessel, "parameters": {"speling": 1}}, {**vessel, "parameters": {"levels": 9}}, {**organ, "kind": "tumor"}]
+                 {**vessel, "parameters": {"speling": 1}}, {**vessel, "parameters": {"levels": 9}}, {**organ, "kind": "tumor"},
+                 {**vessel, "corrections": [{"kind": "seed", "position": [1, 2, 3], "radius": 2}]}]
         for entry, message in zip(wrong, ("organ 1: 'liver': correction 1: the kind is 'near'; it can be",
                                           "correction 1: a seed has no radius", "there is no parameter 'Speling' of a vessel",
-                                          "the parameter 'Levels' is out of its range", "the kind is 'tumor'; it can be")):
+                                          "the parameter 'Levels' is out of its range", "the kind is 'tumor'; it can be",
+                                          "organ 1: 'aorta': a seed is of no use to a vessel. Open it in the page")):
             write(sphere, entry)
             for program in (OURS, TOOLKIT):
                 process = run("segment", "--session", path, "-o", self.folder / "wrong.ply", program=program)
@@ -239,6 +241,38 @@ class Work(unittest.TestCase):
                 self.assertRegex(process.stderr, rf"\Aflipfree: error: [^\n]*{message}[^\n]*\.\n\Z")
         self.assertFalse(here.exists())
         self.assertEqual([name for name in os.listdir(self.folder) if name.startswith(".")], [])
+
+    def test_wrong_seeds_are_refused_in_the_toolkits_words(self):
+        """Radii of options and sessions by one rule, which names where they are."""
+        here = self.folder / "never.vtp"
+        rule = "must be a positive number of millimeters, 1e-6 to 1e6"
+        center, radius = self.seed[:4], self.seed[4:]
+        cases = [(["--organ", "liver", 1, 2, "x", 4], 2, "--organ liver: 'x' is not a number"),
+                 (["--organ", "liver", 1, 2, "inf", 4], 2, "--organ liver: a coordinate is not a finite number"),
+                 (["--seed", 1, 2, "nan", *radius], 2, "--seed: a coordinate is not a finite number"),
+                 ([*self.seed, "--inside", 1, 2, "nan"], 2, "--inside: a coordinate is not a finite number"),
+                 ([], 2, "There is no seed"), (center, 2, f"--radius {rule}"),
+                 ([*self.seed, *radius], 2, "There are 1 seeds and 2 radii")]
+        for wrong in (0, -5, 1e-9, 2e6, "nan", "inf"):
+            cases += [([*center, "--radius", wrong], 2, f"--radius {rule}"),
+                      (["--organ", "liver", *center[1:], wrong], 2, f"--organ liver: the radius {rule}")]
+        image = {"name": self.volume.name, "size": [48, 48, 32], "spacing": [1, 1, 1.6], "origin": [0, 0, 0],
+                 "direction": [1, 0, 0, 0, 1, 0, 0, 0, 1]}
+        organ = {"name": "liver", "color": "#ffd24a", "preset": "default", "parameters": {}}
+        for wrong in (0, -5, 1e-9, 2e6):
+            for together in (False, True):
+                path = self.folder / f"radius-{wrong}-{together}.json"
+                seed = {"center": list(map(float, center[1:])), "radius": wrong}
+                path.write_text(json.dumps({"format": "flipfree-session", "version": 2, "image": image, "together": together,
+                                            "organs": [{**organ, "seed": seed}]}), encoding="utf-8")
+                cases.append((["--session", path], 1, f"organ 1: 'liver': the radius {rule}"))
+        for arguments, status, message in cases:
+            with self.subTest(message, arguments=arguments):
+                ours, theirs = (run("segment", self.volume, *arguments, "-o", here, program=program) for program in (OURS, TOOLKIT))
+                self.assertEqual((ours.returncode, ours.stdout), (status, ""), ours.stderr)
+                self.assertRegex(ours.stderr, rf"\Aflipfree: error: [^\n]*{message}[^\n]*\.\n\Z")
+                self.assertEqual((ours.returncode, ours.stderr), (theirs.returncode, theirs.stderr))
+        self.assertFalse(here.exists())
 
     def test_seeds_may_be_points_of_the_command_line(self):
         """In RAS, too, and what is saved has the order of the toolkit's."""

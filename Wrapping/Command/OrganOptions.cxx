@@ -1,14 +1,15 @@
 #include "OrganOptions.h"
 
+#include "Coordinates.h"
 #include "Failure.h"
 #include "OutputFile.h"
+#include "SeedRadius.h"
 #include "SurfaceFile.h"
 
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <cctype>
-#include <cmath>
 #include <map>
 
 namespace Command
@@ -21,10 +22,10 @@ constexpr std::size_t ValuesOfOrgan = 5;
 double NumberOf(const std::string& organ, const std::string& text)
 {
   double number = 0;
-  if (!CLI::detail::lexical_cast(text, number) || !std::isfinite(number))
+  if (!CLI::detail::lexical_cast(text, number))
   {
     throw WrongUsage("--organ " + organ + ": '" + text +
-      "' is not a finite number. Give a name, the seed's center, and its radius: NAME X Y Z MM.");
+      "' is not a number. Give a name, the seed's center, and its radius: NAME X Y Z MM.");
   }
   return number;
 }
@@ -33,17 +34,15 @@ GivenOrgan OrganOf(const std::string* values, const PointOptions& corrections)
 {
   GivenOrgan organ;
   organ.Name = values[0];
-  for (int axis = 0; axis < 3; ++axis)
+  const auto number = [&](int index) { return NumberOf(organ.Name, values[index]); };
+  const std::vector<double> center{ number(1), number(2), number(3) };
+  organ.Radius = number(4);
+  const std::string option = "--organ " + organ.Name;
+  RequireCoordinates(option, center);
+  organ.Seed = corrections.InLps(center.data());
+  if (!IsSeedRadius(organ.Radius))
   {
-    organ.Seed[axis] = NumberOf(organ.Name, values[axis + 1]);
-  }
-  organ.Seed = corrections.InLps(organ.Seed.data());
-  organ.Radius = NumberOf(organ.Name, values[4]);
-  if (!(organ.Radius > 0))
-  {
-    throw WrongUsage("--organ " + organ.Name +
-      ": the radius must be a positive number of millimeters. The sphere should lie within the "
-      "organ.");
+    throw WrongUsage(option + ": the radius " + SeedRadiusRule + ".");
   }
   return organ;
 }
@@ -118,14 +117,14 @@ std::vector<GivenOrgan> OrganOptions::Organs(const PointOptions& corrections) co
     {
       organs.push_back(OrganOf(this->Values.data() + count - ValuesOfOrgan, corrections));
     }
-    else if ((name == "inside" || name == "outside" || name == "boundary") && count % 3 == 0)
+    else if (const auto kind = PointOptions::KindOfOption(name); kind && count % 3 == 0)
     {
       if (organs.empty())
       {
         throw WrongUsage(
           "--" + name + ": the point comes before the first --organ. Give it after its own organ.");
       }
-      organs.back().Points.push_back(corrections.PointOf(name, count / 3 - 1));
+      organs.back().Points.push_back(corrections.PointOf(*kind, count / 3 - 1));
     }
   }
   RequireNames(organs);

@@ -23,14 +23,11 @@ namespace Command
 namespace
 {
 
+using FlipFree::ConstraintKind;
 using Json = nlohmann::json;
 
-const std::string Kinds = "outside, inside, boundary or seed";
-
-bool IsKind(const std::string& word)
-{
-  return word == "outside" || word == "inside" || word == "boundary" || word == "seed";
-}
+/// In the order of ConstraintKind.
+constexpr std::array<const char*, 4> KindNames{ { "outside", "inside", "boundary", "seed" } };
 
 std::string Lower(std::string word)
 {
@@ -104,13 +101,13 @@ CorrectionPoint PointOfLine(const std::vector<std::string>& cells)
       " cells; there are kind, x, y, z and, of a seed, radius");
   }
   CorrectionPoint point;
-  point.Kind = Lower(cells[0]);
   for (int axis = 0; axis < 3; ++axis)
   {
     point.Place[axis] = NumberOf(cells[axis + 1]);
   }
   point.Radius = cells.size() == 5 && !cells[4].empty() ? NumberOf(cells[4]) : 0;
-  RequireProper(point);
+  point.Kind = KindOf(Lower(cells[0]));
+  RequireRadius(point);
   return point;
 }
 
@@ -147,10 +144,9 @@ CorrectionPoint PointOfControl(const Json& control, bool isRAS)
 {
   CorrectionPoint point;
   std::istringstream label(control.at("label").get<std::string>());
+  std::string kind;
   std::string radius;
-  label >> point.Kind >> radius;
-  // 3D Slicer numbers its points: inside-1.
-  point.Kind = Lower(point.Kind.substr(0, point.Kind.find_first_of("-_")));
+  label >> kind >> radius;
   const auto& position = control.at("position").get_ref<const Json::array_t&>();
   if (position.size() != 3 ||
     !std::all_of(position.begin(), position.end(), [](const Json& x) { return x.is_number(); }))
@@ -165,8 +161,13 @@ CorrectionPoint PointOfControl(const Json& control, bool isRAS)
   }
   try
   {
-    point.Radius = point.Kind != "seed" || radius.empty() ? 0 : NumberOf(radius);
-    RequireProper(point);
+    // 3D Slicer numbers its points: inside-1.
+    point.Kind = KindOf(Lower(kind.substr(0, kind.find_first_of("-_"))));
+    if (point.Kind == ConstraintKind::Seed && !radius.empty())
+    {
+      point.Radius = NumberOf(radius);
+    }
+    RequireRadius(point);
   }
   catch (const Failure& failure)
   {
@@ -246,10 +247,10 @@ std::string TableOf(const std::vector<CorrectionPoint>& points)
   for (const CorrectionPoint& point : points)
   {
     char line[160];
-    std::snprintf(line, sizeof(line), "%s,%.17g,%.17g,%.17g,", point.Kind.c_str(), point.Place[0],
+    std::snprintf(line, sizeof(line), "%s,%.17g,%.17g,%.17g,", KindName(point.Kind), point.Place[0],
       point.Place[1], point.Place[2]);
     text += line;
-    if (point.Kind == "seed")
+    if (point.Kind == ConstraintKind::Seed)
     {
       std::snprintf(line, sizeof(line), "%.17g", point.Radius);
       text += line;
@@ -266,8 +267,8 @@ std::string MarkupsOf(const std::vector<CorrectionPoint>& points)
   {
     std::ostringstream label;
     label.precision(17);
-    label << point.Kind;
-    if (point.Kind == "seed")
+    label << KindName(point.Kind);
+    if (point.Kind == ConstraintKind::Seed)
     {
       label << " " << point.Radius;
     }
@@ -286,13 +287,24 @@ std::string MarkupsOf(const std::vector<CorrectionPoint>& points)
 
 } // namespace
 
-void RequireProper(const CorrectionPoint& point)
+const char* KindName(ConstraintKind kind)
 {
-  if (!IsKind(point.Kind))
+  return KindNames.at(static_cast<std::size_t>(kind));
+}
+
+ConstraintKind KindOf(const std::string& name)
+{
+  const auto found = std::find(KindNames.begin(), KindNames.end(), name);
+  if (found == KindNames.end())
   {
-    throw Failure("the kind is '" + point.Kind + "'; it can be " + Kinds);
+    throw Failure("the kind is '" + name + "'; it can be outside, inside, boundary or seed");
   }
-  if (point.Kind == "seed" && !(point.Radius > 0))
+  return static_cast<ConstraintKind>(found - KindNames.begin());
+}
+
+void RequireRadius(const CorrectionPoint& point)
+{
+  if (point.Kind == ConstraintKind::Seed && !(point.Radius > 0))
   {
     throw Failure("a seed has no radius");
   }
@@ -337,23 +349,21 @@ template <typename Filter>
 bool AddPoint(const CorrectionPoint& point, Filter* filter)
 {
   const auto& [x, y, z] = point.Place;
-  if (point.Kind == "outside")
+  switch (point.Kind)
   {
-    filter->AddOutsidePoint(x, y, z);
+    case ConstraintKind::Outside:
+      filter->AddOutsidePoint(x, y, z);
+      return true;
+    case ConstraintKind::Inside:
+      filter->AddInsidePoint(x, y, z);
+      return true;
+    case ConstraintKind::Boundary:
+      filter->AddBoundaryPoint(x, y, z);
+      return true;
+    case ConstraintKind::Seed:
+      break;
   }
-  else if (point.Kind == "inside")
-  {
-    filter->AddInsidePoint(x, y, z);
-  }
-  else if (point.Kind == "boundary")
-  {
-    filter->AddBoundaryPoint(x, y, z);
-  }
-  else
-  {
-    return false;
-  }
-  return true;
+  return false;
 }
 
 } // namespace

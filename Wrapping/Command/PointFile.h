@@ -7,6 +7,8 @@
 #ifndef FlipFreeCommandPointFile_h
 #define FlipFreeCommandPointFile_h
 
+#include "Image/PointConstraint.h"
+
 #include <array>
 #include <string>
 #include <vector>
@@ -19,13 +21,19 @@ namespace Command
 
 struct CorrectionPoint
 {
-  std::string Kind; ///< outside, inside, boundary, or seed
+  FlipFree::ConstraintKind Kind = FlipFree::ConstraintKind::Inside;
   std::array<double, 3> Place{ { 0, 0, 0 } };
   double Radius = 0; ///< of a seed
 };
 
-/// Throws Failure for a kind that there is not, and for a seed without radius.
-void RequireProper(const CorrectionPoint& point);
+/// How options and files call a kind: outside, inside, boundary or seed.
+const char* KindName(FlipFree::ConstraintKind kind);
+
+/// The kind of that name. Throws Failure if there is none.
+FlipFree::ConstraintKind KindOf(const std::string& name);
+
+/// Throws Failure for a seed without radius.
+void RequireRadius(const CorrectionPoint& point);
 
 /// The endings of files of points.
 const std::vector<std::string>& PointEndings();

@@ -1,34 +1,47 @@
 #include "PointOptions.h"
 
 #include "Coordinates.h"
-#include "Failure.h"
 #include "OutputFile.h"
 
 #include <CLI/CLI.hpp>
 
-#include <cmath>
+#include <algorithm>
 #include <utility>
 
 namespace Command
 {
+namespace
+{
+
+using FlipFree::ConstraintKind;
+
+/// In the order of --help and of the points.
+constexpr std::array<ConstraintKind, 3> KindsOfOptions{ { ConstraintKind::Inside,
+  ConstraintKind::Outside, ConstraintKind::Boundary } };
+
+std::string OptionOf(ConstraintKind kind)
+{
+  return std::string("--") + KindName(kind);
+}
+
+} // namespace
 
 void PointOptions::AddOptions(CLI::App& command, const std::string& what)
 {
   const bool hasSeeds = what == "organ";
   const char* const group = "Corrections";
-  const auto add = [&](const char* name, std::vector<double>& values, const std::string& help)
+  const auto add = [&](ConstraintKind kind, const std::string& help)
   {
-    command.add_option(name, values, help)
+    command.add_option(OptionOf(kind), this->Coordinates.at(static_cast<std::size_t>(kind)), help)
       ->type_name("X Y Z")
       ->expected(3, CLI::detail::expected_max_vector_size)
       ->allow_extra_args(false) // of the three that each time has
       ->group(group);
   };
-  add("--inside", this->Inside,
+  add(ConstraintKind::Inside,
     "A point inside the " + what + " that was missed, in LPS millimeters; can be repeated");
-  add("--outside", this->Outside,
-    "A point outside the " + what + " that was taken for it, likewise");
-  add("--boundary", this->Boundary, "A point on the " + what + "'s boundary, likewise");
+  add(ConstraintKind::Outside, "A point outside the " + what + " that was taken for it, likewise");
+  add(ConstraintKind::Boundary, "A point on the " + what + "'s boundary, likewise");
   command
     .add_option("--points", this->PointsIn,
       hasSeeds
@@ -51,30 +64,16 @@ void PointOptions::AddOptions(CLI::App& command, const std::string& what)
 
 bool PointOptions::IsEmpty() const
 {
-  return this->Inside.empty() && this->Outside.empty() && this->Boundary.empty() &&
+  return std::all_of(this->Coordinates.begin(), this->Coordinates.end(),
+           [](const auto& values) { return values.empty(); }) &&
     this->PointsIn.empty() && this->PointsOut.empty() && !this->RAS;
 }
 
 void PointOptions::RequireSense() const
 {
-  const std::pair<const char*, const std::vector<double>*> options[] = { { "--inside",
-                                                                           &this->Inside },
-    { "--outside", &this->Outside }, { "--boundary", &this->Boundary } };
-  for (const auto& [name, values] : options)
+  for (const ConstraintKind kind : KindsOfOptions)
   {
-    if (values->size() % 3 != 0)
-    {
-      throw WrongUsage(
-        std::string(name) + ": a coordinate is missing. Give three numbers each time.");
-    }
-    for (const double value : *values)
-    {
-      if (!std::isfinite(value))
-      {
-        throw WrongUsage(std::string(name) +
-          ": a coordinate is not a finite number. Give three numbers, in millimeters.");
-      }
-    }
+    RequireCoordinates(OptionOf(kind), this->CoordinatesOf(kind));
   }
   const std::pair<const char*, const std::string*> files[] = { { "--points", &this->PointsIn },
     { "--save-points", &this->PointsOut } };
@@ -93,12 +92,26 @@ std::array<double, 3> PointOptions::InLps(const double* given) const
   return this->RAS ? SwapLpsRas(point) : point;
 }
 
-CorrectionPoint PointOptions::PointOf(const std::string& kind, std::size_t number) const
+const std::vector<double>& PointOptions::CoordinatesOf(ConstraintKind kind) const
 {
-  const std::vector<double>& values = kind == "inside" ? this->Inside
-    : kind == "outside"                                ? this->Outside
-                                                       : this->Boundary;
-  return { kind, this->InLps(values.data() + 3 * number), 0 };
+  return this->Coordinates.at(static_cast<std::size_t>(kind));
+}
+
+std::optional<ConstraintKind> PointOptions::KindOfOption(const std::string& name)
+{
+  for (const ConstraintKind kind : KindsOfOptions)
+  {
+    if (name == KindName(kind))
+    {
+      return kind;
+    }
+  }
+  return std::nullopt;
+}
+
+CorrectionPoint PointOptions::PointOf(ConstraintKind kind, std::size_t number) const
+{
+  return { kind, this->InLps(this->CoordinatesOf(kind).data() + 3 * number), 0 };
 }
 
 std::vector<CorrectionPoint> PointOptions::Points() const
@@ -108,16 +121,14 @@ std::vector<CorrectionPoint> PointOptions::Points() const
   {
     points = ReadPoints(this->PointsIn);
   }
-  const auto add = [&](const char* kind, const std::vector<double>& values)
+  for (const ConstraintKind kind : KindsOfOptions)
   {
-    for (std::size_t number = 0; number < values.size() / 3; ++number)
+    const std::size_t count = this->CoordinatesOf(kind).size() / 3;
+    for (std::size_t number = 0; number < count; ++number)
     {
       points.push_back(this->PointOf(kind, number));
     }
-  };
-  add("inside", this->Inside);
-  add("outside", this->Outside);
-  add("boundary", this->Boundary);
+  }
   return points;
 }
 

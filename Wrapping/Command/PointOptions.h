@@ -8,6 +8,7 @@
 #include "PointFile.h"
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -37,8 +38,11 @@ public:
   /// All points in LPS millimeters, those of the file first. Throws Failure if it cannot be read.
   std::vector<CorrectionPoint> Points() const;
 
-  /// The point of that kind (inside, outside, boundary) and number, from 0, of the command line.
-  CorrectionPoint PointOf(const std::string& kind, std::size_t number) const;
+  /// The kind of the points that an option takes, named without its dashes; none of other options.
+  static std::optional<FlipFree::ConstraintKind> KindOfOption(const std::string& name);
+
+  /// The point of that kind, which is not a seed, and number, from 0, of the command line.
+  CorrectionPoint PointOf(FlipFree::ConstraintKind kind, std::size_t number) const;
 
   /// Whether points are read from a file, or written.
   bool HasFiles() const { return !this->PointsIn.empty() || !this->PointsOut.empty(); }
@@ -47,9 +51,9 @@ public:
   const std::string& Output() const { return this->PointsOut; }
 
 private:
-  std::vector<double> Inside;
-  std::vector<double> Outside;
-  std::vector<double> Boundary;
+  const std::vector<double>& CoordinatesOf(FlipFree::ConstraintKind kind) const;
+
+  std::array<std::vector<double>, 3> Coordinates; // by the kind, three numbers of each point
   std::string PointsIn;
   std::string PointsOut;
   bool RAS = false;

@@ -34,22 +34,21 @@ void AddOrgan(const GivenOrgan& organ, vtkFlipFreeOrganGroup* group)
   group->AddOrgan(name, organ.Seed[0], organ.Seed[1], organ.Seed[2], organ.Radius);
   for (const CorrectionPoint& point : organ.Points)
   {
-    const auto [x, y, z] = point.Place;
-    if (point.Kind == "inside")
+    const auto& [x, y, z] = point.Place;
+    switch (point.Kind)
     {
-      group->AddInsidePoint(name, x, y, z);
-    }
-    else if (point.Kind == "outside")
-    {
-      group->AddOutsidePoint(name, x, y, z);
-    }
-    else if (point.Kind == "seed")
-    {
-      group->AddSeed(name, x, y, z, point.Radius);
-    }
-    else
-    {
-      group->AddBoundaryPoint(name, x, y, z);
+      case FlipFree::ConstraintKind::Outside:
+        group->AddOutsidePoint(name, x, y, z);
+        break;
+      case FlipFree::ConstraintKind::Inside:
+        group->AddInsidePoint(name, x, y, z);
+        break;
+      case FlipFree::ConstraintKind::Boundary:
+        group->AddBoundaryPoint(name, x, y, z);
+        break;
+      case FlipFree::ConstraintKind::Seed:
+        group->AddSeed(name, x, y, z, point.Radius);
+        break;
     }
   }
 }

@@ -35,7 +35,6 @@ std::vector<Segmentation> OrgansOf(const Session& session, const Segmentation& g
     {
       segmentation.Seed.assign(organ.Seed.begin(), organ.Seed.end());
       segmentation.Radius = { organ.Radius };
-      RequireProperRadii(segmentation.Radius);
     }
     segmentation.Label = given.Label + static_cast<int>(organs.size());
     if (segmentation.Label > 255)

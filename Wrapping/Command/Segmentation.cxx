@@ -1,12 +1,11 @@
 #include "Segmentation.h"
 
+#include "Coordinates.h"
 #include "Failure.h"
-#include "Image/SeedRegion.h"
 #include "OutputFile.h"
+#include "SeedRadius.h"
 #include "SurfaceFile.h"
 #include "VolumeFile.h"
-
-#include "vtkMath.h"
 
 #include <algorithm>
 
@@ -52,13 +51,16 @@ void RequireOnlyOrgans(const Segmentation& segmentation)
 /// One for each seed.
 void RequireRadii(const Segmentation& segmentation)
 {
+  const std::vector<double>& radii = segmentation.Radius;
+  if (radii.empty() || !std::all_of(radii.begin(), radii.end(), IsSeedRadius))
+  {
+    throw WrongUsage(std::string("--radius ") + SeedRadiusRule + ".");
+  }
   const std::size_t seeds = (segmentation.Seed.size() + segmentation.SeedVoxel.size()) / 3;
-  RequireProperRadii(segmentation.Radius);
-  if (segmentation.Radius.size() != seeds)
+  if (radii.size() != seeds)
   {
     throw WrongUsage("There are " + std::to_string(seeds) + " seeds and " +
-      std::to_string(segmentation.Radius.size()) +
-      " radii. Give a --radius for each seed, in the same order.");
+      std::to_string(radii.size()) + " radii. Give a --radius for each seed, in the same order.");
   }
 }
 
@@ -96,40 +98,19 @@ void RequireStart(const Segmentation& segmentation)
           "--organ NAME X Y Z MM."
         : "Both --seed and --seed-voxel are given. Give only one of them.");
   }
-  if (segmentation.Seed.size() % 3 != 0 || segmentation.SeedVoxel.size() % 3 != 0)
-  {
-    throw WrongUsage(std::string(segmentation.Seed.empty() ? "--seed-voxel" : "--seed") +
-      ": a coordinate is missing. Give three numbers each time.");
-  }
+  RequireCoordinates("--seed", segmentation.Seed);
+  RequireCoordinates("--seed-voxel",
+    { segmentation.SeedVoxel.begin(), segmentation.SeedVoxel.end() });
   RequireRadii(segmentation);
-  for (const double coordinate : segmentation.Seed)
-  {
-    if (!vtkMath::IsFinite(coordinate))
-    {
-      throw WrongUsage(
-        "--seed: a coordinate is not a finite number. Give three numbers, in millimeters.");
-    }
-  }
 }
 
 } // namespace
 
-void RequireProperRadii(const std::vector<double>& radii)
-{
-  const auto isProper = [](double radius)
-  { return radius >= FlipFree::MinimumSeedRadius && radius <= FlipFree::MaximumSeedRadius; };
-  if (radii.empty() || !std::all_of(radii.begin(), radii.end(), isProper))
-  {
-    throw WrongUsage("--radius must be a positive number of millimeters, 1e-6 to 1e6. The sphere "
-                     "should lie within the organ.");
-  }
-}
-
 void RequireSense(const Segmentation& segmentation)
 {
+  segmentation.Corrections.RequireSense();
   if (!segmentation.Several.IsEmpty())
   {
-    segmentation.Corrections.RequireSense();
     RequireOnlyOrgans(segmentation);
   }
   if (!segmentation.StartLabels.empty())
@@ -157,7 +138,6 @@ void RequireSense(const Segmentation& segmentation)
   require("--convergence", segmentation.Convergence, { ".csv" });
   require("--snapshot", segmentation.Snapshot, { ".png" });
   require("--save-session", segmentation.SessionOut, { ".json" });
-  segmentation.Corrections.RequireSense();
 }
 
 std::string TitleOf(const Segmentation& segmentation, const char* quote)

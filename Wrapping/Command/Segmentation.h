@@ -50,9 +50,6 @@ struct Segmentation
 /// Checks all that can be checked before a file is read; throws WrongUsage.
 void RequireSense(const Segmentation& segmentation);
 
-/// Of seed spheres, of which there is one at least; throws WrongUsage.
-void RequireProperRadii(const std::vector<double>& radii);
-
 /// How messages call what is segmented.
 std::string TitleOf(const Segmentation& segmentation, const char* quote = "'");
 

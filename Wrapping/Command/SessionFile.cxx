@@ -2,6 +2,7 @@
 
 #include "Failure.h"
 #include "ImageAdapter.h"
+#include "SeedRadius.h"
 
 #include "vtkImageData.h"
 
@@ -101,13 +102,13 @@ void ReadEntries(const Json& list, const std::string& name, const Read& read)
 CorrectionPoint CorrectionOf(const Json& entry)
 {
   CorrectionPoint point;
-  point.Kind = entry.at("kind").get<std::string>();
+  point.Kind = KindOf(entry.at("kind").get<std::string>());
   point.Place = Numbers<3>(entry, "position");
-  if (point.Kind == "seed")
+  if (point.Kind == FlipFree::ConstraintKind::Seed)
   {
     point.Radius = entry.at("radius").get<double>();
   }
-  RequireProper(point);
+  RequireRadius(point);
   return point;
 }
 
@@ -151,6 +152,19 @@ void ReadOrgan(const Json& entry, SessionOrgan& organ)
     const Json& seed = entry.at("seed");
     organ.Seed = Numbers<3>(seed, "center");
     organ.Radius = seed.at("radius").get<double>();
+    if (!IsSeedRadius(organ.Radius))
+    {
+      throw Failure(std::string("the radius ") + SeedRadiusRule);
+    }
+  }
+}
+
+void RequireNoSeeds(const std::vector<CorrectionPoint>& corrections)
+{
+  if (std::any_of(corrections.begin(), corrections.end(),
+        [](const CorrectionPoint& point) { return point.Kind == FlipFree::ConstraintKind::Seed; }))
+  {
+    throw Failure("a seed is of no use to a vessel");
   }
 }
 
@@ -180,6 +194,10 @@ SessionOrgan OrganOf(const Json& entry)
     organ.Color = entry.value("color", std::string());
     (IsVessel(entry) ? ReadVessel : ReadOrgan)(entry, organ);
     ReadCorrections(entry, organ);
+    if (IsVessel(entry))
+    {
+      RequireNoSeeds(organ.Corrections);
+    }
     for (const auto& [parameter, value] : entry.at("parameters").items())
     {
       organ.Parameters[PropertyOfKey(parameter)] = ValuesOf(value);

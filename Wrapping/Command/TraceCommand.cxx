@@ -1,4 +1,5 @@
 #include "CommonOptions.h"
+#include "Coordinates.h"
 #include "Failure.h"
 #include "Messages.h"
 #include "OutputFile.h"
@@ -21,7 +22,6 @@
 
 #include <CLI/CLI.hpp>
 
-#include <cmath>
 #include <cstdio>
 #include <functional>
 #include <memory>
@@ -115,22 +115,11 @@ std::vector<Output> OutputsOf(const Trace& trace, vtkFlipFreeVesselSegmentation*
 /// Checks all that can be checked before the volume is read.
 void RequireSense(const Trace& trace)
 {
-  if (trace.Points.size() % 3 != 0)
-  {
-    throw WrongUsage("--point: a coordinate is missing. Give three numbers each time.");
-  }
+  RequireCoordinates("--point", trace.Points);
   if (trace.Points.size() < 6)
   {
     throw WrongUsage("A vessel needs two points or more. Give one at either end: "
                      "--point X Y Z --point X Y Z (LPS mm).");
-  }
-  for (const double coordinate : trace.Points)
-  {
-    if (!std::isfinite(coordinate))
-    {
-      throw WrongUsage(
-        "--point: a coordinate is not a finite number. Give three numbers, in millimeters.");
-    }
   }
   trace.Corrections.RequireSense();
   const std::vector<Output> outputs = OutputsOf(trace, nullptr, nullptr);

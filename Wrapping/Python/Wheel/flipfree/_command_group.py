@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import contextlib
-import math
 import time
 from collections.abc import Mapping
 from functools import partial
@@ -11,7 +10,7 @@ from typing import Any
 
 from ._atomic import write_text
 from ._backend import GROUP_PARAMETERS, set_threads
-from ._command_inputs import lps
+from ._command_inputs import lps, require_coordinates
 from ._command_outputs import (
     OUTPUTS,
     SHARED,
@@ -27,9 +26,9 @@ from ._files import read_image, write_image
 from ._image import Image
 from ._messages import confidence_text
 from ._options import WrongUsage
-from ._point_files import finite
 from ._segment import default_parameters
 from ._segment_organs import SegmentedOrgans, segment_organs
+from ._seed_radius import SEED_RADIUS_RULE, is_seed_radius
 from ._segmentation import Surface
 from ._session import Session, file_beside, name_for, require_image_of
 from ._session_record import OriginNames, file_name_of, named, session_text
@@ -203,20 +202,18 @@ def _require_name(name: str, organs: Organs) -> None:
 
 
 def _seed_of(values: dict[str, Any], name: str, numbers: list[str]) -> dict[str, Any]:
-    x, y, z, radius = (_number_of(name, text) for text in numbers)
-    if radius <= 0:
-        raise WrongUsage(
-            f"--organ {name}: the radius must be a positive number of millimeters. The sphere "
-            "should lie within the organ"
-        )
-    return {"seed": lps(values, [x, y, z]), "radius": radius}
+    *center, radius = (_number_of(name, text) for text in numbers)
+    require_coordinates(f"--organ {name}", [center])
+    if not is_seed_radius(radius):
+        raise WrongUsage(f"--organ {name}: the radius {SEED_RADIUS_RULE}")
+    return {"seed": lps(values, center), "radius": radius}
 
 
 def _number_of(organ: str, text: str) -> float:
-    number = finite(text)
-    if math.isnan(number):
+    try:
+        return float(text)
+    except ValueError:
         raise WrongUsage(
-            f"--organ {organ}: '{text}' is not a finite number. Give a name, the seed's center, and "
-            "its radius: NAME X Y Z MM"
-        )
-    return number
+            f"--organ {organ}: '{text}' is not a number. Give a name, the seed's center, and its "
+            "radius: NAME X Y Z MM"
+        ) from None

@@ -2,18 +2,38 @@
 
 from __future__ import annotations
 
+import math
 import sys
+from collections.abc import Iterable
 from typing import Any
 
 from ._coordinates import swap_lps_ras
 from ._corrections import Constraint, constraints_of
+from ._command_outputs import require_ending
 from ._image import Image
-from ._point_files import read_points
+from ._options import WrongUsage
+from ._point_files import ENDINGS, read_points
 
 
 def lps(values: dict[str, Any], point: list[float]) -> list[float]:
     """A point of the command line."""
     return swap_lps_ras(point) if "ras" in values else point
+
+
+def require_coordinates(option: str, points: Iterable[list[float]]) -> None:
+    """Checks the values of an option that takes a point each time."""
+    if not all(math.isfinite(x) for point in points for x in point):
+        raise WrongUsage(
+            f"{option}: a coordinate is not a finite number. Give three numbers, in millimeters"
+        )
+
+
+def require_sense_of_corrections(values: dict[str, Any]) -> None:
+    """Checks the options that correct a segmentation."""
+    for kind in ("inside", "outside", "boundary"):
+        require_coordinates(f"--{kind}", values.get(kind, ()))
+    if "points" in values:
+        require_ending("--points", values["points"], ENDINGS)
 
 
 def points_of(values: dict[str, Any]) -> list[Constraint]:

@@ -9,13 +9,19 @@ from functools import partial
 from typing import Any
 
 from ._atomic import write_text
-from ._backend import RADII, SEGMENT_PARAMETERS, set_threads
+from ._backend import SEGMENT_PARAMETERS, set_threads
 from ._command_group import organs_of, segment_group, segment_together
-from ._command_inputs import lps, point_of, points_of, wants_bar
+from ._command_inputs import (
+    lps,
+    point_of,
+    points_of,
+    require_coordinates,
+    require_sense_of_corrections,
+    wants_bar,
+)
 from ._command_outputs import (
     OUTPUTS,
     SHARED,
-    require_ending,
     require_files,
     require_outputs,
     write_output,
@@ -28,7 +34,7 @@ from ._image import Image
 from ._messages import confidence_text, warn
 from ._options import WrongUsage
 from ._point_files import arguments_of, write_points
-from ._point_files import ENDINGS as POINT_ENDINGS
+from ._seed_radius import SEED_RADIUS_RULE, is_seed_radius
 from ._segment import segment as segment_organ
 from ._segmentation import Segmentation, Vessel
 from ._session import Session, SessionOrgan, image_beside, read_session, require_image_of, runs_of
@@ -39,6 +45,7 @@ from ._trace import trace as trace_vessel
 def segment(values: dict[str, Any]) -> None:
     """`flipfree segment`."""
     progress = wants_bar(values)
+    require_sense_of_corrections(values)
     if {"organ", "fixed"} & values.keys():
         segment_group(values, organs_of(values), {}, None, progress)
         return
@@ -51,7 +58,9 @@ def segment(values: dict[str, Any]) -> None:
     own = [name for name in OUTPUTS if name not in SHARED]
     runs = runs_of(session, values, own) if session else [values]
     for run in runs:
-        _require_sense(run, {name: run[name] for name in OUTPUTS if name in run})
+        outputs = {name: run[name] for name in OUTPUTS if name in run}
+        require_outputs(outputs)
+        require_files(run, outputs)
     points = [] if session else points_of(values)  # a session's organs have their own
     set_threads(values.get("threads", 0))
     start = time.perf_counter()
@@ -87,19 +96,37 @@ def _session_of(values: dict[str, Any]) -> Session | None:
 
 
 def _require_start(values: dict[str, Any]) -> None:
-    """There is an image, and either a label map or radii, which are lengths."""
+    """There is an image, and either a label map or a seed."""
+    if "start_labels" in values and {"seed", "seed_voxel", "radius"} & values.keys():
+        raise WrongUsage(
+            "--start-labels takes the place of the seed. Leave out --seed, --seed-voxel and "
+            "--radius; points correct the result"
+        )
     if "input" not in values:
         raise WrongUsage("INPUT is required: a volume, or a folder of a DICOM series")
-    if "start_labels" in values:
-        if {"seed", "seed_voxel", "radius"} & values.keys():
-            raise WrongUsage(
-                "--start-labels takes the place of the seed. Leave out --seed, --seed-voxel and "
-                "--radius; points correct the result"
-            )
-    elif not all(RADII[0] <= radius <= RADII[1] for radius in values.get("radius", [0])):
+    if "start_labels" not in values:
+        _require_seed(values)
+
+
+def _require_seed(values: dict[str, Any]) -> None:
+    """There are seeds, each with a radius."""
+    if ("seed" in values) == ("seed_voxel" in values):
         raise WrongUsage(
-            "--radius must be a positive number of millimeters, 1e-6 to 1e6. The sphere should lie "
-            "within the organ"
+            "Both --seed and --seed-voxel are given. Give only one of them"
+            if "seed" in values
+            else "There is no seed. Give a point deep inside the organ: --seed X Y Z (LPS mm) or "
+            "--seed-voxel I J K; or a label map to fill: --start-labels FILE; or several organs: "
+            "--organ NAME X Y Z MM"
+        )
+    require_coordinates("--seed", values.get("seed", ()))
+    radii = values.get("radius", ())
+    if not radii or not all(map(is_seed_radius, radii)):
+        raise WrongUsage(f"--radius {SEED_RADIUS_RULE}")
+    seeds = len(values.get("seed", ())) + len(values.get("seed_voxel", ()))
+    if len(radii) != seeds:
+        raise WrongUsage(
+            f"There are {seeds} seeds and {len(radii)} radii. Give a --radius for each seed, in the "
+            "same order"
         )
 
 
@@ -233,25 +260,3 @@ def _report(values: dict[str, Any], organ: Segmentation, reading: float, working
             f"{organ.self_intersections} self-intersections, {trust}; reading {reading:.2f} s, "
             f"segmenting {working:.2f} s"
         )
-
-
-def _require_sense(values: dict[str, Any], outputs: dict[str, str]) -> None:
-    """Checks all that can be checked before the volume is read."""
-    if not {"repeated", "start_labels"} & values.keys() and ("seed" in values) == ("seed_voxel" in values):
-        raise WrongUsage(
-            "Both --seed and --seed-voxel are given. Give only one of them"
-            if "seed" in values
-            else "There is no seed. Give a point deep inside the organ: --seed X Y Z (LPS mm) or "
-            "--seed-voxel I J K; or a label map to fill: --start-labels FILE; or several organs: "
-            "--organ NAME X Y Z MM"
-        )
-    seeds = len(values.get("seed", ())) + len(values.get("seed_voxel", ()))
-    if seeds and seeds != len(values["radius"]):
-        raise WrongUsage(
-            f"There are {seeds} seeds and {len(values['radius'])} radii. Give a --radius for each seed, "
-            "in the same order"
-        )
-    if "points" in values:
-        require_ending("--points", values["points"], POINT_ENDINGS)
-    require_outputs(outputs)
-    require_files(values, outputs)

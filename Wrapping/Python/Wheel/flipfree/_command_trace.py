@@ -3,15 +3,19 @@
 from __future__ import annotations
 
 import contextlib
-import math
 from functools import partial
 from typing import Any
 
 from ._backend import TRACE_PARAMETERS, VesselAlgorithm, set_threads
-from ._command_inputs import lps, points_of, wants_bar
+from ._command_inputs import (
+    lps,
+    points_of,
+    require_coordinates,
+    require_sense_of_corrections,
+    wants_bar,
+)
 from ._command_outputs import (
     TRACE_OUTPUTS,
-    require_ending,
     require_files,
     require_outputs,
     write_output,
@@ -22,7 +26,6 @@ from ._corrections import BOUNDARY, INSIDE, OUTSIDE, SEED
 from ._errors import FlipFreeError
 from ._files import read_image
 from ._options import WrongUsage
-from ._point_files import ENDINGS as POINT_ENDINGS
 from ._point_files import write_points
 from ._trace import trace as trace_vessel
 
@@ -72,17 +75,13 @@ def trace(values: dict[str, Any]) -> None:
 def _require_sense_of_trace(values: dict[str, Any], outputs: dict[str, str]) -> None:
     """Checks all that can be checked before the volume is read."""
     points = values.get("point", [])
+    require_coordinates("--point", points)
     if len(points) < 2:
         raise WrongUsage(
             "A vessel needs two points or more. Give one at either end: --point X Y Z --point X Y Z "
             "(LPS mm)"
         )
-    if not all(math.isfinite(x) for point in points for x in point):
-        raise WrongUsage(
-            "--point: a coordinate is not a finite number. Give three numbers, in millimeters"
-        )
-    if "points" in values:
-        require_ending("--points", values["points"], POINT_ENDINGS)
+    require_sense_of_corrections(values)
     require_outputs(outputs, TRACE_OUTPUTS)
     if not 0 <= values.get("radius", 0) <= 100:
         raise WrongUsage("--radius must be a number of millimeters, 0 to 100; 0 finds it")

@@ -15,6 +15,7 @@ from ._errors import FileError, FlipFreeError
 from ._image import Image
 from ._messages import listed
 from ._parameters import snake_case
+from ._seed_radius import SEED_RADIUS_RULE, is_seed_radius
 from ._session_record import file_name_of
 from ._types import Preset
 
@@ -204,6 +205,8 @@ def _organ_of(name: str, entry: dict[str, Any]) -> SessionOrgan:
     else:
         organ.seed = _numbers(entry["seed"]["center"], 3)
         organ.radius = float(entry["seed"]["radius"])
+        if not is_seed_radius(organ.radius):
+            raise ValueError(f"the radius {SEED_RADIUS_RULE}")
     return organ
 
 

@@ -1,0 +1,25 @@
+/**
+ * The radii of seed spheres, which options and sessions give: one check and one text for all. The
+ * package without VTK has the same (_seed_radius.py); a test holds the two together.
+ */
+#ifndef FlipFreeCommandSeedRadius_h
+#define FlipFreeCommandSeedRadius_h
+
+#include "Image/SeedRegion.h"
+
+namespace Command
+{
+
+/// False for NaN, too.
+inline bool IsSeedRadius(double radius)
+{
+  return radius >= FlipFree::MinimumSeedRadius && radius <= FlipFree::MaximumSeedRadius;
+}
+
+/// What a message says of any other radius, after its name.
+constexpr const char* SeedRadiusRule =
+  "must be a positive number of millimeters, 1e-6 to 1e6. The sphere should lie within the organ";
+
+} // namespace Command
+
+#endif

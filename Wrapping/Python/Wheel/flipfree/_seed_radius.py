@@ -1,0 +1,22 @@
+"""The radii of seed spheres, which options and sessions give: one check and one text for all.
+
+The toolkit's command has the same (SeedRadius.h); a test holds the two together.
+"""
+
+from __future__ import annotations
+
+from ._backend import RADII
+
+# What a message says of any other radius, after its name.
+SEED_RADIUS_RULE = (
+    "must be a positive number of millimeters, 1e-6 to 1e6. The sphere should lie within the organ"
+)
+
+
+def is_seed_radius(radius: float) -> bool:
+    """False for NaN, too.
+
+    >>> is_seed_radius(28), is_seed_radius(0), is_seed_radius(float("nan"))
+    (True, False, False)
+    """
+    return RADII[0] <= radius <= RADII[1]
