@@ -59,7 +59,7 @@ public:
   {
     throw ImageFileError(vtkErrorCode::PrematureEndOfFileError,
       "The DICOM file '" + this->Name + "' cannot be read: " + why +
-        ". It is truncated or damaged: get its series anew.");
+        ". It is truncated or damaged. Download or copy its series again.");
   }
 
   std::string Text(std::uint32_t length)

@@ -56,7 +56,8 @@ itk::GDCMImageIO::Pointer OpenDicomFile(const std::string& name)
   {
     throw ImageFileError(vtkErrorCode::FileFormatError,
       "The DICOM file '" + name + "' cannot be read: it is truncated, damaged or not an image. " +
-        "Get the series anew, or remove the file. (ITK: " + exception.GetDescription() + ")");
+        "Download or copy the series again, or remove the file. (ITK: " +
+        exception.GetDescription() + ")");
   }
 }
 

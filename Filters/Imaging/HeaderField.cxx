@@ -43,7 +43,7 @@ void RefuseField(const std::string& file, const std::string& field, const std::s
 {
   throw ImageFileError(vtkErrorCode::FileFormatError,
     "The header of '" + file + "' cannot be used: " + field + " " + what +
-      ". Repair the field, or get the file anew.");
+      ". Repair the field, or download or copy the file again.");
 }
 
 void RequireLength(const std::string& file, const std::string& field, double value)

@@ -94,7 +94,8 @@ Header ReadHeader(const std::string& name)
     if (!LooksLikeField(line))
     {
       throw ImageFileError(vtkErrorCode::FileFormatError,
-        "The header of '" + name + "' is not NRRD to its end: the file is damaged. Get it anew.");
+        "The header of '" + name +
+          "' is not valid NRRD to its end: the file is damaged. Download or copy it again.");
     }
     const std::size_t colon = line.find(':');
     if (line[0] != '#' && line.compare(colon, 2, ":=") != 0) // a pair of a user's own

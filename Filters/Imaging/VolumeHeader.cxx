@@ -60,7 +60,7 @@ void RequireOneVolume(const itk::ImageIOBase* io, const std::string& name)
     {
       throw ImageFileError(vtkErrorCode::FileFormatError,
         "'" + name + "' claims to have " + DimensionsText(io) +
-          " voxels. Its header is damaged: " + "get the file anew.");
+          " voxels. Its header is damaged. Download or copy the file again.");
     }
     // A fourth axis of one time point is only a way of writing a volume.
     if (axis >= 3 && size > 1)
@@ -169,8 +169,8 @@ void ReadVoxels(itk::ImageIOBase* io, const std::string& name, void* voxels)
   catch (const itk::ExceptionObject& exception)
   {
     throw ImageFileError(vtkErrorCode::PrematureEndOfFileError,
-      "The voxels of '" + name + "' cannot be read: the file is truncated or damaged. Get it " +
-        "anew. (ITK: " + exception.GetDescription() + ")");
+      "The voxels of '" + name + "' cannot be read: the file is truncated or damaged. " +
+        "Download or copy it again. (ITK: " + exception.GetDescription() + ")");
   }
 }
 

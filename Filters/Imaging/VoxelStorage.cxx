@@ -31,7 +31,7 @@ ImageFileError Incomplete(const std::string& name, const std::string& what)
 {
   return { vtkErrorCode::PrematureEndOfFileError,
     "The voxels of '" + name + "' cannot be read: " + what +
-      ". The file is truncated or damaged: get it anew." };
+      ". The file is truncated or damaged. Download or copy it again." };
 }
 
 /// Before memory is allocated: voxels that cannot be there, and files that would never end.

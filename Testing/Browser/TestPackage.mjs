@@ -120,7 +120,7 @@ test("a label of a label map in place of a seed: the command's surface, correcte
     assert.deepEqual(together[at].surface, (await flipfree.segment(phantom.image, one, quick)).surface);
   }
   for (const [labels, label, message] of [
-    [phantom.labelMap, 99, /The start labels have no voxel of the value 99; they have 1, 2, 3/],
+    [phantom.labelMap, 99, /The start labels have no voxels with the value 99; they have 1, 2, 3/],
     [phantom.labelMap, -1, /label: give a whole number from 0 on, not -1/],
     [{ ...phantom.labelMap, spacing: [2, 2, 2] }, 1, /the start labels .* differ; resample one onto the grid of the other/i],
     [{ ...phantom.labelMap, size: [2, 2, 2] }, 1, /does not fit its size/],

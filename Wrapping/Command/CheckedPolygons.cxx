@@ -58,7 +58,7 @@ std::string Contents(const std::string& name)
   std::string bytes{ std::istreambuf_iterator<char>(file), {} };
   if (!file)
   {
-    throw Failure("it may not be read");
+    throw Failure("permission denied");
   }
   return bytes;
 }

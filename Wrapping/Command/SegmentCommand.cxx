@@ -87,7 +87,7 @@ Point SeedIn(vtkImageData* image, const Segmentation& segmentation, std::size_t 
       char place[256];
       std::snprintf(place, sizeof(place),
         "which has %d x %d x %d voxels centered at (%g, %g, %g) mm. Coordinates are LPS: viewers "
-        "that show RAS have the opposite signs of x and y.",
+        "that use RAS show x and y with opposite signs.",
         extent[1] + 1, extent[3] + 1, extent[5] + 1, middle[0], middle[1], middle[2]);
       throw Failure(std::string(given) + " lies outside '" + segmentation.Input + "', " + place);
     }

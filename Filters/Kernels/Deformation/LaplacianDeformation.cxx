@@ -18,8 +18,7 @@ namespace
 constexpr double RelativeTolerance = 1e-5;
 constexpr int MaximumIterations = 400;
 
-// A field by a pointer of one's own, which need not be read again after each store, as a member's
-// must.
+// Local copy of the pointer, so it need not be reloaded after each store.
 class Columns
 {
 public:

@@ -1,7 +1,7 @@
 /**
- * What users ask for, in one place for all shells: an organ, again and again with other points, or
- * several organs together. A shell converts its own types to these and back; what is given is
- * checked here. Messages call images, label maps and surfaces by the names that come with them.
+ * What users ask for, in one place for all front ends: an organ, again and again with other points,
+ * or several organs together. A front end converts its own types to these and back; what is given
+ * is checked here. Messages call images, label maps and surfaces by the names that come with them.
  */
 #ifndef FlipFreeSegmentationRequest_h
 #define FlipFreeSegmentationRequest_h

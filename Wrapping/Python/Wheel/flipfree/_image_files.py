@@ -24,7 +24,7 @@ def read(name: str, series: str | None, tell: Progress | None) -> Image:
     """The image of a file, or of a folder's DICOM series."""
     if not os.access(name, os.R_OK):
         raise FileError(
-            f"'{name}' does not exist or may not be read. Check its name and permissions."
+            f"'{name}' does not exist or cannot be read. Check its name and permissions."
         )
     image = read_series(name, series) if os.path.isdir(name) else _read_file(name)
     if tell is not None:

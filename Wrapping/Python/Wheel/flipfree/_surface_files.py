@@ -61,7 +61,7 @@ def read_surface(path: PathName) -> Surface:
     name = os.fspath(path)
     ending = ending_of(name)
     if not os.path.isfile(name) or not os.access(name, os.R_OK):
-        raise FileError(f"'{name}' does not exist or may not be read. Check its name and permissions.")
+        raise FileError(f"'{name}' does not exist or cannot be read. Check its name and permissions.")
     module, kind = {
         ".vtp": ("vtkIOXML", "vtkXMLPolyDataReader"),
         ".stl": ("vtkIOGeometry", "vtkSTLReader"),
