@@ -91,7 +91,7 @@ std::vector<double> TextFields::Numbers(const std::string& field, std::size_t co
     double number = 0;
     if (!ToNumber(word, number))
     {
-      this->Refuse(field, "holds " + Printable(word) + ", which is no number");
+      this->Refuse(field, "holds " + Printable(word) + ", which is not a number");
     }
     numbers.push_back(number);
   }

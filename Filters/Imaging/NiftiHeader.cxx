@@ -173,7 +173,7 @@ void RequireOrientation(const std::string& name, const Header& header)
     const float sign = header.Field<float>(76);
     if (!std::isfinite(sign))
     {
-      RefuseField(name, "pixdim[0]", "is not a finite number, where 1 or -1 is wanted");
+      RefuseField(name, "pixdim[0]", "is not a finite number, where 1 or -1 is expected");
     }
     const char* const fields[] = { "quatern_b", "quatern_c", "quatern_d", "qoffset_x", "qoffset_y",
       "qoffset_z" };

@@ -152,7 +152,7 @@ std::vector<std::vector<double>> Vectors(const TextFields& fields, const std::st
         double number = 0;
         if (!ToNumber(word, number))
         {
-          fields.Refuse(field, "holds what is no number");
+          fields.Refuse(field, "holds what is not a number");
         }
         vector.push_back(number);
       }

@@ -74,8 +74,8 @@ void RequireOneVolume(const itk::ImageIOBase* io, const std::string& name)
   {
     throw ImageFileError(vtkErrorCode::FileFormatError,
       "'" + name + "' has " + std::to_string(io->GetNumberOfComponents()) +
-        " components per voxel, where one is wanted. Extract one component, or convert colors " +
-        "to gray.");
+        " components per voxel, but only one is supported. Extract one component, or convert "
+        "colors to gray.");
   }
 }
 
@@ -135,8 +135,8 @@ int ScalarTypeOf(Component component)
     }
   }
   throw ImageFileError(vtkErrorCode::FileFormatError,
-    "The voxels are of a type that VTK does not have. Convert them to an integer type of up to 64 "
-    "bits, to float or to double.");
+    "The voxels are of a type that VTK does not support. Convert them to an integer type of up to "
+    "64 bits, to float or to double.");
 }
 
 itk::ImageIOBase::IOComponentEnum ComponentOf(int scalarType)

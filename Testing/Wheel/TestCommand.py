@@ -339,8 +339,8 @@ class Vessels(unittest.TestCase):
         out = ("-o", self.folder / "never.vtp")
         first, second = self.POINTS[:4], self.POINTS[4:]
         for arguments, status, message, same in (
-                ([self.volume, *out], 2, "two points or more", True),
-                ([self.volume, *first, *out], 2, "two points or more", True),
+                ([self.volume, *out], 2, "at least two points", True),
+                ([self.volume, *first, *out], 2, "at least two points", True),
                 ([self.volume, *first, "--point", "nan", 0, 0, *out], 2, "--point: a coordinate is not", True),
                 ([self.volume, *first, "--point", 1, 2, *out], 2, "--point", False),
                 ([self.volume, *self.POINTS], 2, "No output is requested", True),

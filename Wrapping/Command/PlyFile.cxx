@@ -116,7 +116,7 @@ private:
     }
     if (!hasForm)
     {
-      throw Failure("its header does not tell the format");
+      throw Failure("its header does not state the format");
     }
     for (const PlyElement& element : this->Elements)
     {

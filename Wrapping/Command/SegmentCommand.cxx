@@ -127,7 +127,7 @@ FilterPointer MakeVesselFilter(const Segmentation& segmentation)
   catch (const Failure& failure)
   {
     throw Failure("'" + segmentation.Session + "': " + segmentation.Repeated.Name + ": " +
-      failure.what() + ". Correct it, or take it away.");
+      failure.what() + ". Correct it, or remove it.");
   }
 }
 

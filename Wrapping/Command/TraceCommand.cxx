@@ -121,7 +121,7 @@ void RequireSense(const Trace& trace)
   }
   if (trace.Points.size() < 6)
   {
-    throw WrongUsage("A vessel needs two points or more. Give one at either end: "
+    throw WrongUsage("A vessel needs at least two points. Give one at each end: "
                      "--point X Y Z --point X Y Z (LPS mm).");
   }
   for (const double coordinate : trace.Points)

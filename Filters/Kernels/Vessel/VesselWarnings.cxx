@@ -129,7 +129,7 @@ void AddWarnings(const ImageGeometry& geometry, const PointList& points, VesselS
   if (const auto place = PlaceAtBorder(geometry, result.Tree))
   {
     result.Warnings.push_back(
-      "the path leaves the image near " + TextOf(*place) + " mm; add a point on the vessel's way");
+      "the path leaves the image near " + TextOf(*place) + " mm; add a point along the vessel");
   }
 }
 

@@ -11,7 +11,7 @@ export function labelsIn({ voxels }: Image): Map<number, number> {
   const take = (end: number) => {
     const value = voxels[first];
     if (!(Number.isInteger(value) && value >= 0)) {
-      throw new FlipFreeError(`A voxel has the value ${value}, which is no label; give a label map, of whole numbers from 0 on`);
+      throw new FlipFreeError(`A voxel has the value ${value}, which is not a label; give a label map, of whole numbers from 0 on`);
     }
     if (value > 0 && end > first) {
       counts.set(value, (counts.get(value) ?? 0) + end - first);

@@ -115,7 +115,7 @@ def segment(
     volume = _image_of(image, spacing, origin, direction, progress)
     if start_labels is not None:
         if isinstance(start_label, bool) or not isinstance(start_label, int) or start_label < 0:
-            raise ValueError(f"start_label: {start_label!r} is no label; 0 takes all that are not 0")
+            raise ValueError(f"start_label: {start_label!r} is not a label; 0 takes all nonzero voxels")
         labels = label_map_of("start_labels", start_labels, volume)
         algorithm.set_start_labels(labels, start_label)
 

@@ -96,8 +96,8 @@ def _require_single_precision(mesh: Surface, name: str) -> None:
 
     if mesh.certified and (mesh.points.astype(numpy.float32) != mesh.points).any():
         raise FileError(
-            f"'{name}' cannot hold this surface: the format rounds positions, and what was certified "
-            "are others. Write a .vtp file, which holds positions in double precision."
+            f"'{name}' cannot hold this surface: the format rounds positions, so the file would "
+            "not hold the certified surface. Write a .vtp file, which holds positions in double precision."
         )
 
 
