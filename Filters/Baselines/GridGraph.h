@@ -1,7 +1,7 @@
 /**
- * Private to the module: a graph as Boost.Graph wants it for maximum flows, whose nodes are voxels
- * with up to six neighbors and one terminal each. Boost's own graph types take several times the
- * memory, since they cannot know this.
+ * Private to the module: a graph as Boost.Graph requires it for maximum flows, whose nodes are
+ * voxels with up to six neighbors and one terminal each. Boost's own graph types take several times
+ * the memory, since they cannot know this.
  */
 #ifndef FlipFreeGridGraph_h
 #define FlipFreeGridGraph_h

@@ -30,7 +30,7 @@ struct Encoding
   bool BigEndian = false;
 };
 
-/// A data element without its value, at which the file stands.
+/// A data element's header; the file is positioned at its value.
 struct Element
 {
   std::uint32_t Tag = 0;
@@ -138,7 +138,7 @@ public:
     return element;
   }
 
-  /// Goes behind the value of an element.
+  /// Skips the value of an element.
   void SkipValue(const Element& element, const Encoding& encoding, int depth = 0)
   {
     if (element.Length != Undefined)

@@ -135,7 +135,7 @@ std::string CheckSpacing(const DicomSeries& series, const ImageGeometry& stack)
 }
 
 /// Slices may come in different types, since each has a rescale slope of its own; floating-point
-/// voxels take them all in.
+/// voxels can hold all of them.
 void ReadConverted(itk::ImageIOBase* io, const std::string& name, int type, int wantedType,
   void* voxels)
 {

@@ -265,7 +265,7 @@ void RequireShortWords(const std::string& name, const VoxelStorage& storage)
   }
 }
 
-/// Where so many lines end; lines are skipped before anything else is.
+/// The position after this many lines; lines are skipped before anything else.
 std::uint64_t AfterLines(const VoxelStorage& storage, long lines)
 {
   std::error_code ignored;

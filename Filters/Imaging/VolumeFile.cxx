@@ -112,7 +112,7 @@ void ReadVolumeFile(const itk::ImageIOBase::Pointer& io, const std::string& name
         return goOn = monitor(checked);
       });
   };
-  // ITK's MetaImage library goes on for ever with some broken streams. The others are checked in
+  // ITK's MetaImage library loops forever on some damaged streams. The others are checked in
   // this thread while they are read, so that the check costs no time of its own.
   const bool mayNotEnd = dynamic_cast<itk::MetaImageIO*>(io.GetPointer()) != nullptr;
   if (mayNotEnd)

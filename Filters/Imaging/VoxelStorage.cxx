@@ -52,7 +52,7 @@ void RequireFiles(const std::string& name, const VoxelStorage& storage)
     }
     size += static_cast<double>(std::filesystem::file_size(file, failure));
   }
-  // Nothing is deflated to less than that.
+  // Deflate cannot exceed this ratio.
   constexpr double greatestRatio = 1032;
   const double greatest = storage.Encoding == VoxelStorage::Form::Deflated
     ? greatestRatio * size

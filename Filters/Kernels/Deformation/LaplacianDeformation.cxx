@@ -14,7 +14,7 @@ namespace FlipFree
 namespace
 {
 
-// What single precision can reach, and far less than a step leaves to the next one anyway.
+// Attainable in single precision, and far below what a step leaves to the next one anyway.
 constexpr double RelativeTolerance = 1e-5;
 constexpr int MaximumIterations = 400;
 

@@ -1,7 +1,7 @@
 /**
  * A mask from elsewhere (a network, an atlas, an earlier result) in place of the foreground that is
- * found in the image: where to start a surface that fills it, and how much of it a surface of one
- * piece can fill.
+ * found in the image: where to start a surface that fills it, and how much of it a single connected
+ * surface can fill.
  */
 #ifndef FlipFreeStartMask_h
 #define FlipFreeStartMask_h

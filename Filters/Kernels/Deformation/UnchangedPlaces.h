@@ -1,8 +1,8 @@
 /**
- * Where constraints have changed nothing in a foreground. That a correction is local is a promise
- * about the surface, and the same evidence alone does not keep it: a mesh whose vertices have come
- * another way rests elsewhere on the voxels of a mask, by some tenths of a millimeter. So in these
- * places the surface without constraints stays.
+ * Where constraints have changed nothing in a foreground. Corrections promise to move the surface
+ * only locally, and the same evidence alone does not ensure that: a mesh whose vertices arrived by
+ * another route comes to rest elsewhere on the voxels of a mask, by some tenths of a millimeter. So
+ * in these places the surface without constraints is kept.
  */
 #ifndef FlipFreeUnchangedPlaces_h
 #define FlipFreeUnchangedPlaces_h

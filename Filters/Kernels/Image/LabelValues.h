@@ -81,7 +81,7 @@ private:
 };
 
 /// The values of a label map's voxels. Valid labels are kept apart from other values, of which an
-/// image that is no label map, a scan or a probability map, has many.
+/// image that is not a label map, a scan or a probability map, has many.
 struct LabelValues
 {
   LowestValues Labels{ 20 }; ///< whole numbers from 1 to the greatest int

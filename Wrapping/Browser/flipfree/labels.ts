@@ -4,7 +4,7 @@ import { FlipFreeError, type Image } from "./types.js";
 /** More are those of a scan or of a probability map. */
 const mostLabels = 2000;
 
-/** The labels, ascending, and how many voxels each has. Throws a FlipFreeError for what is no label map. */
+/** The labels, ascending, and how many voxels each has. Throws a FlipFreeError for what is not a label map. */
 export function labelsIn({ voxels }: Image): Map<number, number> {
   const counts = new Map<number, number>();
   let first = 0; // of a run of voxels with one value
