@@ -382,7 +382,7 @@ void AddFiles(CLI::App* command, Segmentation& segmentation)
     ->type_name("FILE");
   command
     ->add_option("--start-label", segmentation.StartLabel,
-      "The value of the organ in --start-labels; 0 for all that are not 0")
+      "The value of the organ in --start-labels; 0 for all nonzero voxels")
     ->type_name("N")
     ->check(CLI::NonNegativeNumber)
     ->capture_default_str()

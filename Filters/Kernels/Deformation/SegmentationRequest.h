@@ -49,7 +49,7 @@ public:
   void StartFrom(GivenSurface surface);
 
   /// Takes the label that runs without a seed fill in place of a foreground that is found in the
-  /// volume; 0 stands for all that are not 0. Returns the largest ball in it, in which they start.
+  /// volume; 0 stands for all nonzero voxels. Returns the largest ball in it, in which they start.
   /// Throws Error as StartMaskOf() and LargestBallIn() do; then there is none.
   SeedSphere FillLabel(const LabelVolume& labels, int label);
 

@@ -17,7 +17,7 @@
 namespace FlipFree
 {
 
-/// The voxels of a label; 0 stands for all that are not 0. Throws Error,
+/// The voxels of a label; 0 stands for all nonzero voxels. Throws Error,
 /// naming the label map, unless it has the grid of the image, which is named by `nameOfImage`, no
 /// voxel that is not a finite number, and voxels of the label.
 BitMask StartMaskOf(const LabelVolume& labels, int label, const ImageGeometry& image,

@@ -19,7 +19,7 @@
 namespace FlipFree
 {
 
-/// The voxels with a label, or all that are not 0 for a negative one. Throws Error, naming the
+/// The voxels with a label, or all nonzero voxels for a negative one. Throws Error, naming the
 /// image by `name`, when a voxel is not a finite number.
 template <typename T>
 BitMask MaskOfLabel(const ImageView<T>& image, int label, const std::string& name,
