@@ -155,7 +155,7 @@ public:
     {
       if (item.Tag != Item)
       {
-        this->Refuse("a sequence holds what is no item");
+        this->Refuse("a sequence holds what is not an item");
       }
       if (item.Length != Undefined)
       {
