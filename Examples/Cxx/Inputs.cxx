@@ -102,7 +102,7 @@ Inputs ReadInputs(int argc, char* argv[])
   }
   catch (const std::logic_error&) // of std::stod and at
   {
-    Refuse(argv[0], "An option lacks its value, or it is no number.");
+    Refuse(argv[0], "An option lacks its value, or it is not a number.");
   }
   if (!inputs.Picture.empty())
   {

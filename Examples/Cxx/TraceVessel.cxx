@@ -2,7 +2,7 @@
  * Segments a vessel between points, and corrects it by another point.
  *
  *   TraceVessel                                       the vessel of the built-in phantom
- *   TraceVessel ct.nii.gz 212 -143 480 171 -168 228   a point at either end, LPS millimeters
+ *   TraceVessel ct.nii.gz 212 -143 480 171 -168 228   a point at each end, LPS millimeters
  *
  * With --picture PNG, it draws what came out.
  */
@@ -40,7 +40,7 @@ struct Options
 {
   (asked ? std::cout : std::cerr)
     << "Usage: " << program << " [FILE X Y Z X Y Z ...] [--picture PNG]\n"
-    << "The points lie in the vessel, one at either end; LPS millimeters.\n";
+    << "The points lie in the vessel, one at each end; LPS millimeters.\n";
   std::exit(asked ? 0 : 2);
 }
 

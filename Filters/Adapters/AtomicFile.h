@@ -93,7 +93,7 @@ public:
       if (!flushed)
       {
         throw FileError(this->Name,
-          std::generic_category().message(reason) + ". Make room on the disk, or write elsewhere.");
+          std::generic_category().message(reason) + ". Free some disk space, or write elsewhere.");
       }
     }
   }

@@ -1,6 +1,6 @@
 /**
  * Private to the modules, never installed: which filter of VTK does what a kernel's message asks
- * for. Kernels know no filter, and other shells have other remedies.
+ * for. Kernels know no filter, and other front ends have other remedies.
  */
 #ifndef FlipFreeFilterAdvice_h
 #define FlipFreeFilterAdvice_h

@@ -94,7 +94,7 @@ inline FaceList CopyPolys(vtkPolyData* surface, const std::string& name = "the s
       if (vertices[corner] > limit || vertices[corner] < -limit)
       {
         throw Error(ErrorCode::InvalidMesh,
-          "polygon " + std::to_string(face) + " of " + name + " names point " +
+          "polygon " + std::to_string(face) + " of " + name + " refers to point " +
             std::to_string(vertices[corner]) + ", but there are " +
             std::to_string(surface->GetNumberOfPoints()) + " points; repair the connectivity");
       }

@@ -68,7 +68,7 @@ FlowImage::Pointer GradientOf(const PlaneImage::Pointer& edges)
   return gradient;
 }
 
-/// Half of what keeps all modes of the explicit scheme from growing.
+/// Half of the largest time step at which no mode of the explicit scheme grows.
 double StableTimeStep(const FlowImage& gradient, double smoothness)
 {
   const auto* begin = gradient.GetBufferPointer();

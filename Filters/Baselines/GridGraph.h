@@ -1,7 +1,7 @@
 /**
- * Private to the module: a graph as Boost.Graph wants it for maximum flows, whose nodes are voxels
- * with up to six neighbors and one terminal each. Boost's own graph types take several times the
- * memory, since they cannot know this.
+ * Private to the module: a graph as Boost.Graph requires it for maximum flows, whose nodes are
+ * voxels with up to six neighbors and one terminal each. Boost's own graph types take several times
+ * the memory, since they cannot know this.
  */
 #ifndef FlipFreeGridGraph_h
 #define FlipFreeGridGraph_h
@@ -39,8 +39,8 @@ public:
     friend bool operator!=(Edge a, Edge b) { return a.Slot != b.Slot; }
   };
 
-  /// All nodes hang on the sink, no edge has a capacity. `beat` is called now and then; it may
-  /// throw.
+  /// All nodes are connected to the sink, no edge has a capacity. `beat` is called now and then; it
+  /// may throw.
   GridGraph(Vertex nodes, std::function<void()> beat)
     : Neighbors(nodes, { { None, None, None, None, None, None } })
     , Capacities(nodes * Slots, 0)
@@ -61,7 +61,7 @@ public:
     this->Capacities[a * Slots + slot] = capacity;
     this->Capacities[b * Slots + slot + 1] = capacity;
   }
-  /// Hangs a node on the source by a positive preference, on the sink by a negative one.
+  /// Connects a node to the source by a positive preference, to the sink by a negative one.
   void Hang(Vertex node, float preference)
   {
     this->HangsOnSource[node] = preference > 0;

@@ -114,7 +114,7 @@ bool BuildGraph(const ImageView<float>& image, const std::vector<float>& logOdds
           {
             graph.Join(node, other, 2 * axis, cost);
           }
-          else // the one that is no candidate is background
+          else // the one that is not a candidate is background
           {
             preferences[node != GridGraph::None ? node : other] -= cost;
           }

@@ -1,6 +1,6 @@
 /**
  * Private to the module: mean and standard deviation over the seeds, and how fast a front
- * that goes by them grows or shrinks at an intensity.
+ * that is driven by them grows or shrinks at an intensity.
  */
 #ifndef FlipFreeSeedStatistics_h
 #define FlipFreeSeedStatistics_h

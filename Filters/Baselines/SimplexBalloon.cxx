@@ -35,7 +35,7 @@ void SimplexBalloon::SetStart(const SimplexMesh& mesh)
   }
   this->SetInput(input);
 
-  // Required, but not looked at.
+  // Required, but unused.
   auto gradient = GradientImageType::New();
   gradient->SetRegions(GradientImageType::SizeType::Filled(1));
   gradient->Allocate();

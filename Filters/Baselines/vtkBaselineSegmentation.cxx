@@ -50,7 +50,7 @@ double ReachOf(double reach, double seedRadius)
                    : std::max(MinimumReach, std::min(MaximumReach, ReachInRadii * seedRadius));
 }
 
-// Points that follow at their like are left out: a plane across the path needs a direction.
+// Repeated points are left out: a plane across the path needs a direction.
 FlipFree::PathLines LinesOf(vtkPolyData* path)
 {
   FlipFree::PathLines lines;
@@ -109,7 +109,7 @@ std::vector<std::size_t> VoxelsOfSeeds(const std::vector<FlipFree::SeedSphere>& 
   return FlipFree::OffsetsOf(mask);
 }
 
-// To the methods, what lies beyond the ends looks like no organ.
+// To the methods, what lies beyond the ends does not look like an organ.
 void HideVoxels(const FlipFree::BitMask& hidden, std::vector<float>& voxels)
 {
   const auto [least, greatest] = std::minmax_element(voxels.begin(), voxels.end());

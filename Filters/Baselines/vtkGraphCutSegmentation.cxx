@@ -23,14 +23,14 @@ namespace
 
 // Voxels of worse odds are background for certain.
 constexpr float WorstLogOdds = -4;
-// Candidates hang together across what is thinner than that, in millimeters.
+// Candidates are connected across gaps thinner than that, in millimeters.
 constexpr double Bridge = 1.5;
 constexpr double SmoothnessOfSlices = 20;
 constexpr double SmoothnessOfVolume = 10;
 constexpr double CandidatesEnd = 0.1;
 constexpr double CutEnds = 0.9;
 
-// What may be organ: favorable voxels that hang together with the seed, and all around them whose
+// What may be organ: favorable voxels that are connected to the seed, and all around them whose
 // odds are not hopeless. False if the monitor stopped it.
 bool FindCandidates(const FlipFree::ImageView<float>& logOdds,
   const std::vector<std::size_t>& seedVoxels, const FlipFree::Monitor& monitor,

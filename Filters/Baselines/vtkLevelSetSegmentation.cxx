@@ -75,7 +75,7 @@ ItkImage::Pointer ThresholdSpeed(const FlipFree::BaselineTask& task, double widt
   return image;
 }
 
-// Moves the front outward. What the level set function holds is no distance: it counts the least
+// Moves the front outward. The level set function is not a distance: it counts the least
 // spacing for a voxel on any axis, and stops at four of them. False if the monitor stopped it.
 bool MoveOutward(ItkImage::Pointer& level, double width, const FlipFree::Monitor& monitor)
 {

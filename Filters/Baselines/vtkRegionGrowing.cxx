@@ -26,7 +26,7 @@ using Filter = itk::ConfidenceConnectedImageFilter<FlipFree::ItkImage, ItkMask>;
 constexpr double SeedStandardDeviations = 2; // more is a vessel, or noise
 constexpr double GrowingEnds = 0.7;
 
-// ITK widens the interval until it holds all the seeds, so outliers of the spheres are none.
+// ITK widens the interval until it holds all the seeds, so outlying voxels are not made seeds.
 void AddSeeds(const FlipFree::BaselineTask& task, FlipFree::ItkImage* image, Filter* filter)
 {
   const FlipFree::SeedStatistics seed =

@@ -20,7 +20,7 @@ ImageFileError Incomplete(const std::string& name, const std::string& what)
 {
   return { vtkErrorCode::PrematureEndOfFileError,
     "The voxels of '" + name + "' cannot be read: " + what +
-      ". The file is truncated or damaged: get it anew." };
+      ". The file is truncated or damaged. Download or copy it again." };
 }
 
 /// Inflates what follows in the file, of zlib or gzip, until it has given as many bytes as wanted,

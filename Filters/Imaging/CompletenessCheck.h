@@ -1,8 +1,8 @@
 /**
- * Private to the module: is a compressed file all there? ITK 5.2 does not notice when it is not.
- * Its NIfTI library compares the result of a short read as an unsigned number and its MetaImage
- * library prints a line and goes on, so that the missing voxels stay undefined; its NRRD library
- * does not look at the checksum. The size of other files is judged with their header.
+ * Private to the module: checks that a compressed file is complete. ITK 5.2 does not notice when it
+ * is not. Its NIfTI library compares the result of a short read as an unsigned number and its
+ * MetaImage library prints a line and goes on, so that the missing voxels stay undefined; its NRRD
+ * library does not look at the checksum. The size of other files is judged with their header.
  */
 #ifndef FlipFreeCompletenessCheck_h
 #define FlipFreeCompletenessCheck_h

@@ -30,7 +30,7 @@ struct Encoding
   bool BigEndian = false;
 };
 
-/// A data element without its value, at which the file stands.
+/// A data element's header; the file is positioned at its value.
 struct Element
 {
   std::uint32_t Tag = 0;
@@ -59,7 +59,7 @@ public:
   {
     throw ImageFileError(vtkErrorCode::PrematureEndOfFileError,
       "The DICOM file '" + this->Name + "' cannot be read: " + why +
-        ". It is truncated or damaged: get its series anew.");
+        ". It is truncated or damaged. Download or copy its series again.");
   }
 
   std::string Text(std::uint32_t length)
@@ -138,7 +138,7 @@ public:
     return element;
   }
 
-  /// Goes behind the value of an element.
+  /// Skips the value of an element.
   void SkipValue(const Element& element, const Encoding& encoding, int depth = 0)
   {
     if (element.Length != Undefined)
@@ -155,7 +155,7 @@ public:
     {
       if (item.Tag != Item)
       {
-        this->Refuse("a sequence holds what is no item");
+        this->Refuse("a sequence holds what is not an item");
       }
       if (item.Length != Undefined)
       {

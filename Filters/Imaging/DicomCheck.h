@@ -1,6 +1,7 @@
 /**
- * Private to the module: is a DICOM file all there? GDCM's parser does not report some truncated
- * and foreign files but stops the program, so each file is walked through before GDCM sees it.
+ * Private to the module: checks that a DICOM file is complete. GDCM's parser does not report some
+ * truncated and foreign files but stops the program, so each file is walked through before GDCM
+ * sees it.
  */
 #ifndef FlipFreeDicomCheck_h
 #define FlipFreeDicomCheck_h

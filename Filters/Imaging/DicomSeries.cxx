@@ -56,7 +56,8 @@ itk::GDCMImageIO::Pointer OpenDicomFile(const std::string& name)
   {
     throw ImageFileError(vtkErrorCode::FileFormatError,
       "The DICOM file '" + name + "' cannot be read: it is truncated, damaged or not an image. " +
-        "Get the series anew, or remove the file. (ITK: " + exception.GetDescription() + ")");
+        "Download or copy the series again, or remove the file. (ITK: " +
+        exception.GetDescription() + ")");
   }
 }
 
@@ -94,8 +95,8 @@ void RequireSameGrid(const DicomSlice& first, const DicomSlice& slice)
   {
     throw ImageFileError(vtkErrorCode::FileFormatError,
       "'" + slice.File + "' and '" + first.File + "' are of one series but differ in size, pixel " +
-        "spacing or orientation, or hold several slices each, so that the series is no volume. " +
-        "Move such files out of the folder.");
+        "spacing or orientation, or hold several slices each, so the series is not a "
+        "volume. Move such files out of the folder.");
   }
 }
 
@@ -134,7 +135,7 @@ std::string CheckSpacing(const DicomSeries& series, const ImageGeometry& stack)
 }
 
 /// Slices may come in different types, since each has a rescale slope of its own; floating-point
-/// voxels take them all in.
+/// voxels can hold all of them.
 void ReadConverted(itk::ImageIOBase* io, const std::string& name, int type, int wantedType,
   void* voxels)
 {
@@ -251,9 +252,9 @@ VolumeHeader HeaderOfSeries(const DicomSeries& series, std::string& warning)
   if (along.dot(stack.Direction.col(2)) <= 0)
   {
     throw ImageFileError(vtkErrorCode::FileFormatError,
-      "The " + std::to_string(count) + " images of series " + series.UID + " all lie in one " +
-        "place: their positions are missing, or they show one slice at several times. Choose " +
-        "another series by its UID.");
+      "The " + std::to_string(count) + " images of series " + series.UID + " are all in the " +
+        "same place: their positions are missing, or they show one slice at several times. "
+        "Choose another series by its UID.");
   }
   stack.Dimensions[2] = static_cast<int>(count);
   stack.Spacing[2] = along.norm() / static_cast<double>(count - 1);

@@ -43,7 +43,7 @@ void RefuseField(const std::string& file, const std::string& field, const std::s
 {
   throw ImageFileError(vtkErrorCode::FileFormatError,
     "The header of '" + file + "' cannot be used: " + field + " " + what +
-      ". Repair the field, or get the file anew.");
+      ". Repair the field, or download or copy the file again.");
 }
 
 void RequireLength(const std::string& file, const std::string& field, double value)
@@ -91,7 +91,7 @@ std::vector<double> TextFields::Numbers(const std::string& field, std::size_t co
     double number = 0;
     if (!ToNumber(word, number))
     {
-      this->Refuse(field, "holds " + Printable(word) + ", which is no number");
+      this->Refuse(field, "holds " + Printable(word) + ", which is not a number");
     }
     numbers.push_back(number);
   }

@@ -13,7 +13,7 @@ namespace FlipFree
 {
 
 /// Throws the ImageFileError "The header of ... cannot be used: FIELD WHAT. Repair the field, or
-/// get the file anew."
+/// download or copy the file again."
 [[noreturn]] void RefuseField(const std::string& file, const std::string& field,
   const std::string& what);
 

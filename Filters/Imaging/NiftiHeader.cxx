@@ -173,7 +173,7 @@ void RequireOrientation(const std::string& name, const Header& header)
     const float sign = header.Field<float>(76);
     if (!std::isfinite(sign))
     {
-      RefuseField(name, "pixdim[0]", "is not a finite number, where 1 or -1 is wanted");
+      RefuseField(name, "pixdim[0]", "is not a finite number, where 1 or -1 is expected");
     }
     const char* const fields[] = { "quatern_b", "quatern_c", "quatern_d", "qoffset_x", "qoffset_y",
       "qoffset_z" };
@@ -193,7 +193,7 @@ void RequireOrientation(const std::string& name, const Header& header)
     for (int row = 0; row < 3; ++row)
     {
       const auto entry = [&](int axis) { return header.Field<float>(280 + 16 * row + 4 * axis); };
-      // Readers fall back to another orientation without a word.
+      // Readers silently fall back to another orientation.
       if (entry(0) == 0 && entry(1) == 0 && entry(2) == 0)
       {
         RefuseField(name, rows[row],

@@ -94,7 +94,8 @@ Header ReadHeader(const std::string& name)
     if (!LooksLikeField(line))
     {
       throw ImageFileError(vtkErrorCode::FileFormatError,
-        "The header of '" + name + "' is not NRRD to its end: the file is damaged. Get it anew.");
+        "The header of '" + name +
+          "' is not valid NRRD to its end: the file is damaged. Download or copy it again.");
     }
     const std::size_t colon = line.find(':');
     if (line[0] != '#' && line.compare(colon, 2, ":=") != 0) // a pair of a user's own
@@ -151,7 +152,7 @@ std::vector<std::vector<double>> Vectors(const TextFields& fields, const std::st
         double number = 0;
         if (!ToNumber(word, number))
         {
-          fields.Refuse(field, "holds what is no number");
+          fields.Refuse(field, "holds what is not a number");
         }
         vector.push_back(number);
       }
@@ -264,7 +265,7 @@ void RequireShortWords(const std::string& name, const VoxelStorage& storage)
   }
 }
 
-/// Where so many lines end; lines are skipped before anything else is.
+/// The position after this many lines; lines are skipped before anything else.
 std::uint64_t AfterLines(const VoxelStorage& storage, long lines)
 {
   std::error_code ignored;

@@ -25,7 +25,7 @@ namespace FlipFree
 namespace
 {
 
-constexpr std::size_t MostSegments = 4096; // more is no label map
+constexpr std::size_t MostSegments = 4096; // more is not a label map
 
 [[noreturn]] void Refuse(const std::string& name, const std::string& why)
 {

@@ -23,7 +23,7 @@ bool IsSegmentation(const std::string& name);
 /// The fields of a label map with scalars, for the file of that name. Names and colors are those of
 /// its field data (SegmentLabels, SegmentNames, SegmentColors); a label that these do not name is
 /// called by its value, or, the only one of the file, by the file. Throws an ImageFileError where
-/// the voxels are no labels, or the field data do not fit together.
+/// the voxels are not labels, or the field data do not fit together.
 FileFields SegmentFieldsOf(vtkImageData* labels, const std::string& name);
 
 } // namespace FlipFree

@@ -39,8 +39,9 @@ ImageFileError WhyNotReadable(const std::string& name)
   if (HasKnownEnding(name))
   {
     return { vtkErrorCode::FileFormatError,
-      "'" + name + "' does not begin as the format of its ending does: the file is empty, " +
-        "truncated, damaged, or of another format. Get it anew, or give it its own ending." };
+      "'" + name +
+        "' does not begin as its file extension requires: the file is empty, truncated, " +
+        "damaged, or in another format. Download or copy it again, or correct the extension." };
   }
   return { vtkErrorCode::UnrecognizedFileTypeError,
     "The format of '" + name + "' is unknown. Known are NIfTI (.nii, .nii.gz), NRRD (.nrrd, " +
@@ -68,7 +69,7 @@ itk::ImageIOBase::Pointer OpenVolumeFile(const std::string& name)
   if (!std::ifstream(name))
   {
     throw ImageFileError(vtkErrorCode::FileNotFoundError,
-      "'" + name + "' does not exist or may not be read. Check its name and permissions.");
+      "'" + name + "' does not exist or cannot be read. Check its name and permissions.");
   }
   if (StorageOf(name).Files.empty())
   {
@@ -111,7 +112,7 @@ void ReadVolumeFile(const itk::ImageIOBase::Pointer& io, const std::string& name
         return goOn = monitor(checked);
       });
   };
-  // ITK's MetaImage library goes on for ever with some broken streams. The others are checked in
+  // ITK's MetaImage library loops forever on some damaged streams. The others are checked in
   // this thread while they are read, so that the check costs no time of its own.
   const bool mayNotEnd = dynamic_cast<itk::MetaImageIO*>(io.GetPointer()) != nullptr;
   if (mayNotEnd)

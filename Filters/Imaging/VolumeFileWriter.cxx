@@ -121,7 +121,7 @@ void RequireOrthogonalForNifti(const std::string& name, const ImageGeometry& geo
   {
     throw ImageFileError(vtkErrorCode::FileFormatError,
       CannotWrite(name,
-        "its direction matrix is not orthonormal, and NIfTI files do not hold such. Use .nrrd or "
+        "its direction matrix is not orthonormal, which NIfTI files cannot store. Use .nrrd or "
         ".mha."));
   }
 }
@@ -150,8 +150,8 @@ Volume ReadBack(const std::string& written, const std::string& destination)
   {
     throw ImageFileError(vtkErrorCode::OutOfDiskSpaceError,
       CannotWrite(destination,
-        "it does not come out whole. The disk is full, or a limit on the size of files is reached: "
-        "make room, or write elsewhere."));
+        "it is incomplete. The disk is full, or a file size limit has been reached: "
+        "free some space, or write elsewhere."));
   }
 }
 
@@ -162,7 +162,7 @@ void RequireSame(const Volume& found, const std::string& destination, const Volu
   { throw ImageFileError(vtkErrorCode::FileFormatError, CannotWrite(destination, why)); };
   if (found.Header.ScalarType != ScalarTypeOf(ComponentOf(header.ScalarType)))
   {
-    refuse(std::string("its format does not hold voxels of type ") +
+    refuse(std::string("its format cannot store voxels of type ") +
       vtkImageScalarTypeNameMacro(header.ScalarType) +
       ". Use another format, or convert the voxels.");
   }
@@ -192,8 +192,8 @@ void WriteAndCheck(const std::string& written, const std::string& destination,
   {
     throw ImageFileError(vtkErrorCode::OutOfDiskSpaceError,
       CannotWrite(destination,
-        std::string("the disk is full, or the format does not hold this image. Make room, or use "
-                    "another format. (ITK: ") +
+        std::string("the disk is full, or the format cannot store this image. Free some space, "
+                    "or use another format. (ITK: ") +
           exception.GetDescription() + ")"));
   }
   RequireSame(ReadBack(written, destination), destination, header, voxels);

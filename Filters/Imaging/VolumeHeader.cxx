@@ -60,7 +60,7 @@ void RequireOneVolume(const itk::ImageIOBase* io, const std::string& name)
     {
       throw ImageFileError(vtkErrorCode::FileFormatError,
         "'" + name + "' claims to have " + DimensionsText(io) +
-          " voxels. Its header is damaged: " + "get the file anew.");
+          " voxels. Its header is damaged. Download or copy the file again.");
     }
     // A fourth axis of one time point is only a way of writing a volume.
     if (axis >= 3 && size > 1)
@@ -74,8 +74,8 @@ void RequireOneVolume(const itk::ImageIOBase* io, const std::string& name)
   {
     throw ImageFileError(vtkErrorCode::FileFormatError,
       "'" + name + "' has " + std::to_string(io->GetNumberOfComponents()) +
-        " components per voxel, where one is wanted. Extract one component, or convert colors " +
-        "to gray.");
+        " components per voxel, but only one is supported. Extract one component, or convert "
+        "colors to gray.");
   }
 }
 
@@ -135,8 +135,8 @@ int ScalarTypeOf(Component component)
     }
   }
   throw ImageFileError(vtkErrorCode::FileFormatError,
-    "The voxels are of a type that VTK does not have. Convert them to an integer type of up to 64 "
-    "bits, to float or to double.");
+    "The voxels are of a type that VTK does not support. Convert them to an integer type of up to "
+    "64 bits, to float or to double.");
 }
 
 itk::ImageIOBase::IOComponentEnum ComponentOf(int scalarType)
@@ -169,8 +169,8 @@ void ReadVoxels(itk::ImageIOBase* io, const std::string& name, void* voxels)
   catch (const itk::ExceptionObject& exception)
   {
     throw ImageFileError(vtkErrorCode::PrematureEndOfFileError,
-      "The voxels of '" + name + "' cannot be read: the file is truncated or damaged. Get it " +
-        "anew. (ITK: " + exception.GetDescription() + ")");
+      "The voxels of '" + name + "' cannot be read: the file is truncated or damaged. " +
+        "Download or copy it again. (ITK: " + exception.GetDescription() + ")");
   }
 }
 

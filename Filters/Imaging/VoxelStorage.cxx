@@ -31,7 +31,7 @@ ImageFileError Incomplete(const std::string& name, const std::string& what)
 {
   return { vtkErrorCode::PrematureEndOfFileError,
     "The voxels of '" + name + "' cannot be read: " + what +
-      ". The file is truncated or damaged: get it anew." };
+      ". The file is truncated or damaged. Download or copy it again." };
 }
 
 /// Before memory is allocated: voxels that cannot be there, and files that would never end.
@@ -52,7 +52,7 @@ void RequireFiles(const std::string& name, const VoxelStorage& storage)
     }
     size += static_cast<double>(std::filesystem::file_size(file, failure));
   }
-  // Nothing is deflated to less than that.
+  // Deflate cannot exceed this ratio.
   constexpr double greatestRatio = 1032;
   const double greatest = storage.Encoding == VoxelStorage::Form::Deflated
     ? greatestRatio * size

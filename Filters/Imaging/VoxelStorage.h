@@ -1,6 +1,6 @@
 /**
- * Private to the module: where the header of a file says that its voxels are. The header is judged
- * here before ITK sees it, because ITK's libraries abort, loop without end or overrun buffers on
+ * Private to the module: where the header of a file says that its voxels are. The header is checked
+ * here before ITK sees it, because ITK's libraries abort, loop forever or overrun buffers on
  * some damaged ones.
  */
 #ifndef FlipFreeVoxelStorage_h

@@ -196,7 +196,7 @@ int vtkMedicalImageReader::Fail(const std::exception& error, vtkInformation* out
   {
     this->SetErrorCode(vtkErrorCode::UnknownError);
     vtkErrorMacro(<< "'" << this->FileName << "' cannot be read (" << error.what()
-                  << "). Check the file and the memory left.");
+                  << "). Check the file and the available memory.");
   }
   return 0;
 }

@@ -35,7 +35,7 @@ vtkDataArray* RequireScalars(vtkImageData* image)
   {
     refuse("The scalars of the image on input port 0 have " +
       std::to_string(scalars->GetNumberOfComponents()) +
-      " components, where one is wanted. Extract one component.");
+      " components, but only one is supported. Extract one component.");
   }
   if (scalars->GetNumberOfTuples() != image->GetNumberOfPoints() ||
     !scalars->HasStandardMemoryLayout())
@@ -92,7 +92,7 @@ void vtkMedicalImageWriter::WriteData()
   {
     this->SetErrorCode(vtkErrorCode::UnknownError);
     vtkErrorMacro(<< "'" << this->FileName << "' cannot be written (" << error.what()
-                  << "). Check the folder and the memory left.");
+                  << "). Check the folder and the available memory.");
   }
 }
 

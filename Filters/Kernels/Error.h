@@ -2,9 +2,9 @@
  * What kernels throw at input that they cannot work with. Only what should be impossible, such as a
  * guarded surface that intersects itself, is a std::logic_error.
  *
- * Kernels know no shell. Their messages name quantities as the properties of the VTK filters do;
- * the command and Python replace these names, word by word, by their options and keywords. They
- * name no filter: which one helps is for the shell to say, by the code.
+ * Kernels know no front end. Their messages name quantities as the properties of the VTK filters
+ * do; the command and Python replace these names, word by word, by their options and keywords. They
+ * name no filter: which one helps is for the front end to say, by the code.
  */
 #ifndef FlipFreeError_h
 #define FlipFreeError_h
@@ -37,7 +37,7 @@ enum class ErrorCode
 };
 
 /// A message says what is wrong, where, and what to do; it begins in lower case and has no period,
-/// so that a shell can embed it.
+/// so that a front end can embed it.
 class Error : public std::invalid_argument
 {
 public:

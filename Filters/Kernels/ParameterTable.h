@@ -1,6 +1,6 @@
 /**
- * The parameters of a settings struct by name, for shells that take them as they come: a table with
- * an entry for each, numbers of any type as doubles.
+ * The parameters of a settings struct by name, for front ends that take them as they come: a table
+ * with an entry for each, numbers of any type as doubles.
  */
 #ifndef FlipFreeParameterTable_h
 #define FlipFreeParameterTable_h

@@ -59,8 +59,8 @@
  * Warnings, which still give a result: the seed sphere reaches beyond the image; no vertex found a
  * boundary; the surface could not be refined; it touches the end of Reach. A surface grown from the
  * seed under the guard also warns if more than a tenth of it found no boundary (unless search lines
- * are shorter than by default), or if more than a quarter of it lies at the image's ends along two
- * axes: the seed may lie in air. If none of these applies and the confidence is below 0.85, a
+ * are shorter than by default), or if more than a quarter of it lies at the image's border along
+ * two axes: the seed may lie in air. If none of these applies and the confidence is below 0.85, a
  * warning states it: look at the contour where its confidence is low, and correct it there by
  * points. Without carving, as in the presets Published and Naive, there is a confidence but no such
  * warning: there is no consensus (SetConsensus() of GetFeature()), and the threshold does not

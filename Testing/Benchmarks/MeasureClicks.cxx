@@ -8,7 +8,7 @@
 // Prints a line of Dice scores per row, after 0, 1, 2, ... clicks, and the seconds per click; then
 // per organ the median, the 10th percentile and the least by number of clicks, and the clicks that
 // 0.90, 0.95 and 0.97 take. With --locality, also how far each click moves the surface beyond 30
-// mm, or twice its distance from the surface, of the click and of what hangs together with the
+// mm, or twice its distance from the surface, of the click and of what is connected to the
 // mended place.
 #include "CaseList.h"
 #include "OrganMasks.h"
@@ -52,7 +52,7 @@ struct Options
   bool Locality = false; ///< a line per click: what it moves where it should not
 };
 
-// The largest part of a mask that hangs together by faces, and how many voxels it has.
+// The largest part of a mask that is connected by faces, and how many voxels it has.
 std::size_t LargestPart(const BitMask& mask, std::vector<unsigned char>& part)
 {
   const ImageGeometry& geometry = mask.GetGeometry();
@@ -206,7 +206,7 @@ std::string ErrorsOf(const BitMask& found, const BitMask& reference)
   return text;
 }
 
-// What hangs together with a place, of what has changed.
+// Of what has changed, what is connected to a place.
 BitMask MendedPlace(const BitMask& changed, const Eigen::Vector3d& point)
 {
   BitMask mended = changed;

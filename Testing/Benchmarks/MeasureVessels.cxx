@@ -166,7 +166,7 @@ struct Score
   double TimesFlipFree = std::nan("");
 };
 
-// The parts of a label that hold one of the points, as 1. A part that hangs together with them only
+// The parts of a label that hold one of the points, as 1. A part that is connected to them only
 // beyond the image, as an ascending aorta below its arch may, is another vessel here.
 vtkSmartPointer<vtkImageData> PartsWith(const std::vector<Eigen::Vector3d>& points,
   vtkImageData* labels, int label)

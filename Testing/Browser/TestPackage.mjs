@@ -120,7 +120,7 @@ test("a label of a label map in place of a seed: the command's surface, correcte
     assert.deepEqual(together[at].surface, (await flipfree.segment(phantom.image, one, quick)).surface);
   }
   for (const [labels, label, message] of [
-    [phantom.labelMap, 99, /The start labels have no voxel of the value 99; they have 1, 2, 3/],
+    [phantom.labelMap, 99, /The start labels have no voxels with the value 99; they have 1, 2, 3/],
     [phantom.labelMap, -1, /label: give a whole number from 0 on, not -1/],
     [{ ...phantom.labelMap, spacing: [2, 2, 2] }, 1, /the start labels .* differ; resample one onto the grid of the other/i],
     [{ ...phantom.labelMap, size: [2, 2, 2] }, 1, /does not fit its size/],
@@ -255,7 +255,7 @@ test("a vessel is the command's", async () => {
   assert.ok(vessel.support > 0.9 && vessel.support <= 1);
 
   for (const [wrong, options, message] of [
-    [[ends[0]], {}, /A vessel needs two points or more, not 1; give one at either end/],
+    [[ends[0]], {}, /A vessel needs at least two points, not 1; give one at each end/],
     [[ends[0], [9999, 0, 0]], {}, /The point \(9999, 0, 0\) mm lies outside the image/],
     [[ends[0], ends[0]], {}, /closer than 3 mm/],
     [[ends[0], [1, 2]], {}, /points, entry 2, is not a point; give \[x, y, z\]/],
@@ -392,7 +392,7 @@ test("bad input is named", async () => {
     [{ ...small, spacing: [0, 1, 1], voxels: new Int16Array(8) }, seed, {}, /spacing/],
     [phantom.image, seed, { inside: [[9999, 0, 0]] }, /The inside point \(9999, 0, 0\) mm lies outside the image; give it/],
     [phantom.image, seed, { outside: [seed.center] }, /The outside point .* lies in the inner half of the seed sphere; move/],
-    [phantom.image, seed, { inside: [[60, 83, 167]], boundary: [[60, 83, 167]] }, /are at one place; take one of them away/],
+    [phantom.image, seed, { inside: [[60, 83, 167]], boundary: [[60, 83, 167]] }, /are in the same place; remove one of them/],
     [phantom.image, seed, { inside: [[1, 2]] }, /inside, entry 1, is not a point; give \[x, y, z\]/],
     [phantom.image, seed, { boundary: [[60, 83, 167], [NaN, 0, 0]] }, /boundary, entry 2, is not a point/],
     [phantom.image, seed, { outside: 3 }, /outside: give a list of points/],

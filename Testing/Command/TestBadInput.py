@@ -207,12 +207,12 @@ class TestBadInput(command.CommandTest):
         far = (*self.CORNERS[:3], (0, 0, 1e30))
         beyond = (*self.FACES[:3], (1, 2, 4))
         cases = [("obj", self.obj(beyond), "face 3 has a vertex that does not exist"),
-                 ("obj", self.obj(word="{}e99"), "whole number"), ("obj", self.obj(word="x{}"), "no number"),
+                 ("obj", self.obj(word="{}e99"), "whole number"), ("obj", self.obj(word="x{}"), "not a number"),
                  ("obj", self.obj().replace(b"28.0", b"nan"), "vertex 0 is not finite"),
                  ("obj", self.obj(((0, 1),)), "fewer than three"),
                  ("stl", self.stl(5), "fewer triangles"), ("stl", self.stl(2**32 - 1), "fewer triangles"),
                  ("stl", self.stl()[:60], "fewer triangles"),
-                 ("stl", self.stl_text().replace(b"endsolid", b"vertex 1 2"), "no number"),
+                 ("stl", self.stl_text().replace(b"endsolid", b"vertex 1 2"), "not a number"),
                  ("stl", self.stl_text().replace(b"endsolid", b"vertex 1 2 3"), "last triangle"),
                  ("vtp", self.vtp(points="99999999999"), "cannot hold"), ("vtp", self.vtp(last="13"), "damaged"),
                  ("vtp", self.vtp().replace(b"0 2 1", b"0 2 4"), "does not exist"),
@@ -226,7 +226,7 @@ class TestBadInput(command.CommandTest):
         cases += [("vtp", packed % struct.pack("<4I", *words), "cannot hold")
                   for words in ((2**31, 2**31, 0, 9), (0, 48, 12, 0), (1, 48, 99, 9), (1, 48, 0, 2**31))]
         for form in ("ascii", "binary_little_endian", "binary_big_endian"):
-            cases += [("ply", self.ply(form, counts=(4, 5)), "ends too early"),
+            cases += [("ply", self.ply(form, counts=(4, 5)), "the file is truncated"),
                       ("ply", self.ply(form, counts=(2**31 - 1, 4)), "early|number"),
                       ("ply", self.ply(form, faces=beyond), "face 3 has a vertex that does not exist"),
                       ("ply", self.ply(form, corners=far), "vertex 3 is not finite")]

@@ -68,7 +68,7 @@ class TestCorrections(command.CommandTest):
     def test_points_that_contradict_each_other(self):
         out = ("-o", self.result("bad.stl"))
         self.assert_refused(self.segment("--inside", 32, 54, 32, "--outside", 32, 54, 32, *out), 1,
-                            r"the (in|out)side point \(32, 54, 32\) mm and the (in|out)side point \(32, 54, 32\) mm are at one place")
+                            r"the (in|out)side point \(32, 54, 32\) mm and the (in|out)side point \(32, 54, 32\) mm are in the same place")
         # A cage of outside points around one that is inside.
         golden = (1 + math.sqrt(5)) / 2
         cage = [(58.5 + 2 * a / golden, 31.5 + 2 * b / golden, 31.2 + 2 * c / golden) for s in (-1, 1) for t in (-golden, golden)
@@ -92,7 +92,7 @@ class TestCorrections(command.CommandTest):
                 (1, ("--no-guard", "--inside", 32, 32, 34), ("switch --guard on",)),
                 (1, ("--points", self.file("a.csv", "kind,x,y,z\nabove,1,2,3\n")), ("a.csv", "line 2", "'above'")),
                 (1, ("--points", self.file("b.csv", "inside,1,2\n")), ("b.csv", "line 1", "3 cells")),
-                (1, ("--points", self.file("c.csv", "inside,1,2,3mm\n")), ("c.csv", "'3mm' is no number")),
+                (1, ("--points", self.file("c.csv", "inside,1,2,3mm\n")), ("c.csv", "'3mm' is not a number")),
                 (1, ("--points", self.file("d.csv", "seed,1,2,3\n")), ("d.csv", "no radius")),
                 (1, ("--points", self.file("a.mrk.json", "{")), ("a.mrk.json", "3D Slicer")),
                 (1, ("--points", self.file("b.mrk.json", '{"markups": [{"controlPoints": [{"label": "F-1", '

@@ -113,7 +113,7 @@ class TestOrgans(command.CommandTest):
         liver, spleen = self.organ("liver"), self.organ("spleen")
         out = ("-o", self.result("a.vtp"))
         for status, arguments, pattern in (
-                (2, (*liver, *liver, *out), "the same in names of files"),
+                (2, (*liver, *liver, *out), "would give the same file name"),
                 (2, (*liver, "--organ", "", 1, 2, 3, 4, *out), "a name is empty"),
                 (2, ("--inside", 1, 2, 3, *liver, *out), "comes before the first --organ"),
                 (2, ("--organ", "liver", 1, 2, "x", 4, *out), "--organ liver: 'x' is not a number"),

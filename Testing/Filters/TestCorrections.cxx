@@ -279,7 +279,8 @@ TEST(Corrections, OfTheWrongKindAreRefused)
   expect(PointsFrom({ { 1, 500, 46.5, 46.5, 0 } }),
     "the inside point (500, 46.5, 46.5) mm lies outside the image on port 0");
   expect(PointsFrom({ { 0, 46.5, 46.5, 46.5, 0 } }), "lies in the inner half of the seed sphere");
-  expect(PointsFrom({ { 0, 80, 46.5, 46.5, 0 }, { 2, 80, 46.5, 46.5, 0 } }), "are at one place");
+  expect(PointsFrom({ { 0, 80, 46.5, 46.5, 0 }, { 2, 80, 46.5, 46.5, 0 } }),
+    "are in the same place");
   auto pairs = PointsFrom({ { 1, 46.5, 46.5, 46.5, 0 } });
   vtkNew<vtkDoubleArray> two;
   two->SetName("Constraint");

@@ -527,7 +527,7 @@ TEST(SegmentationMetrics, WarnOfAReferenceThatIsNoLabelMap)
   metrics->Update();
   ASSERT_EQ(warnings.size(), 1U);
   EXPECT_NE(warnings[0].find(
-              "the values -1000, which no label map has: all that are not 0 count as "
+              "the values -1000, which are not valid labels; every nonzero voxel counts as "
               "inside; give it a label map, or set ReferenceLabel to one of 40."),
     std::string::npos)
     << warnings[0];
@@ -590,10 +590,10 @@ TEST_F(SegmentationMetricsRefuse, LabelsOfWhatIsNoLabelMap)
   voxels->Fill(-1000);
   voxels->SetComponent(7, 0, -990);
   this->ExpectError(this->Segmentation, this->Reference,
-    none + "; it is no label map: it holds -1000, -990, where a label map holds whole numbers");
+    none + "; it is not a label map; it contains -1000, -990, but a label map contains only whole");
   voxels->SetComponent(8, 0, 40);
   this->ExpectError(this->Segmentation, this->Reference,
-    none + "; set ReferenceLabel to one of 40, if it is a label map: it holds -1000, -990, too");
+    none + "; set ReferenceLabel to one of 40, if it is a label map: it also contains -1000, -990");
 }
 
 TEST_F(SegmentationMetricsRefuse, OtherGeometriesNamingThePorts)

@@ -156,9 +156,9 @@ TEST(StartLabels, ThatCannotBeUsedAreRefused)
     EXPECT_EQ(filter->GetSurface()->GetNumberOfPoints(), 0);
   };
   const auto labels = LabelsOfShape(IsInPear);
-  expect(labels, 1, "have no voxel of the value 1; they have 3");
+  expect(labels, 1, "have no voxels with the value 1; they have 3");
   const auto none = LabelsOfShape([](const Eigen::Vector3d&) { return false; });
-  expect(none, 0, "have no voxel of any value but 0");
+  expect(none, 0, "have no nonzero voxels");
   const auto sheet =
     LabelsOfShape([](const Eigen::Vector3d& point) { return std::abs(point[0] - 40) < 1; });
   expect(sheet, 3, "nowhere thicker than two voxels");
@@ -194,5 +194,5 @@ TEST(StartLabels, AndPointsThatChangeAreSeenWhereTheHistoryIsKept)
   labels->GetPointData()->GetScalars()->Fill(0);
   labels->GetPointData()->GetScalars()->Modified();
   labels->Modified();
-  EXPECT_NE(ErrorOfUpdate(filter).find("no voxel of the value 3"), std::string::npos);
+  EXPECT_NE(ErrorOfUpdate(filter).find("no voxels with the value 3"), std::string::npos);
 }

@@ -266,9 +266,9 @@ TEST_F(Vessels, BadPointsAreRefused)
   this->Filter->AddPoint(500, 0, 0);
   refuse({ "(500, 0, 0) mm lies outside the image on port 0" });
   this->Filter->RemoveAllPoints();
-  refuse({ "two points or more, not 0" });
+  refuse({ "at least two points, not 0" });
   this->AddPoint(this->Filter, 0);
-  refuse({ "two points or more, not 1" });
+  refuse({ "at least two points, not 1" });
   this->AddPoint(this->Filter, 0.01);
   refuse({ "closer than 3 mm", "keep one" });
   this->Filter->RemoveAllPoints();
@@ -300,5 +300,5 @@ TEST_F(Vessels, ThatLeaveTheImageAreFoundWithAWarning)
   ASSERT_EQ(warnings.size(), 1U);
   EXPECT_NE(warnings.front().find("the path leaves the image near"), std::string::npos)
     << warnings.front();
-  EXPECT_NE(warnings.front().find("add a point on the vessel's way"), std::string::npos);
+  EXPECT_NE(warnings.front().find("add a point along the vessel"), std::string::npos);
 }

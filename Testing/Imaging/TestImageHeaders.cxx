@@ -232,7 +232,7 @@ TEST(TestImageHeaders, NrrdFieldsAreJudgedOneByOne)
   refuse(space + "space directions: 1,0,0", "parentheses");
   refuse(space + "space directions: (1,0,0) (0,1,0) (0,0,1)\nspace origin: (0,0,3e200)",
     "space origin");
-  refuse(good + "kinds: domain " + std::string(5000, '4'), "not NRRD to its end");
+  refuse(good + "kinds: domain " + std::string(5000, '4'), "not valid NRRD to its end");
   refuse(good + "line skip: 1", "fewer voxels");
   refuse(good + "byte skip: -2", "byte skip is -2");
   refuse(good + "byte skip: 1", "fewer voxels");

@@ -159,7 +159,7 @@ TEST(AbdomenAnatomy, OrgansHavePlausibleVolumes)
   EXPECT_EQ(*std::max_element(volume.Labels.begin(), volume.Labels.end()), 11);
 }
 
-// Where three organs meet, a voxel may hang on by a corner; more than a handful may not.
+// Where three organs meet, a voxel may be connected by a corner; more than a handful may not.
 TEST(AbdomenAnatomy, EveryOrganIsInOnePiece)
 {
   const Volume& volume = DefaultVolume();

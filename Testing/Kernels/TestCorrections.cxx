@@ -272,7 +272,7 @@ TEST(Corrections, AreRefusedByName)
   has(ball.MessageOf({ ball.At(ConstraintKind::Inside, 500, 0, 0) }), "mm lies outside it; give");
   has(ball.MessageOf(
         { ball.At(ConstraintKind::Inside, 9, 0, 0), ball.At(ConstraintKind::Outside, 9, 0, 0) }),
-    "mm are at one place; take one of them away");
+    "mm are in the same place; remove one of them");
   has(ball.MessageOf({ ball.At(ConstraintKind::Outside, 1, 0, 0) }),
     "lies in the inner half of the seed sphere");
   has(ball.MessageOf({ ball.At(ConstraintKind::Seed, 9, 0, 0, 0.5) }),

@@ -1,4 +1,4 @@
-// Where labels lie, against brute force, and what is no label map.
+// Where labels lie, against brute force, and what is not a label map.
 #include "Image/LabelBoxes.h"
 
 #include "ExampleMasks.h"

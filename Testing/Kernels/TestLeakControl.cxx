@@ -113,7 +113,7 @@ TEST(LeakControl, CutsAThinBridgeAndKeepsTheSeedsSide)
   EXPECT_EQ(BytesOf(open), mask);
 }
 
-// All by itself, and once more asked what hangs together with the seed.
+// All by itself, and once more asked what is connected to the seed.
 TEST(LeakControl, IsClosingOpeningAndConnectionOneAfterTheOther)
 {
   const ImageGeometry geometry = Grid({ { 140, 40, 30 } }, { 0.7, 0.9, 1.5 });

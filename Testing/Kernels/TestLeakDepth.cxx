@@ -8,7 +8,8 @@ using namespace FlipFree;
 namespace
 {
 
-// An organ about the seed, and a ball that hangs on to it by a neck of the radius given, along x.
+// An organ about the seed, and a ball that is connected to it by a neck of the radius given, along
+// x.
 struct Example
 {
   explicit Example(double neck)

@@ -373,7 +373,7 @@ TEST(OrganGroup, RefusesByName)
         { { { ConstraintKind::Inside, { 60, 37, 37 }, 0 } },
           { { ConstraintKind::Boundary, { 60, 37, 37 }, 0 } } }),
     "the inside point (60, 37, 37) mm of left and the boundary point (60, 37, 37) mm of right are "
-    "at one place");
+    "in the same place");
   has(balls.MessageOf(balls.Organs(), { { { ConstraintKind::Seed, { 66, 37, 37 }, 6 } }, {} }),
     "the seeds of left and right overlap");
   has(balls.MessageOf(balls.Organs(), { { { ConstraintKind::Inside, { 500, 37, 37 }, 0 } }, {} }),

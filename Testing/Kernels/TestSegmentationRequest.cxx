@@ -212,7 +212,8 @@ TEST(OrganRequest, IsCheckedForTheLabel)
 {
   AskedBall ball;
   const LabelVolume good = ball.LabelMap();
-  ExpectLabelRefused(ball, good, 1, "the start labels have no voxel of the value 1; they have 3");
+  ExpectLabelRefused(ball, good, 1,
+    "the start labels have no voxels with the value 1; they have 3");
   LabelVolume bad = good;
   bad.Geometry.Dimensions = { { 0, 36, 36 } };
   ExpectLabelRefused(ball, bad, 3, "the start labels have no voxels; give a label map");

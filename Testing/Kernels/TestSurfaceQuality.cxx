@@ -205,6 +205,6 @@ TEST(SurfaceQuality, RefusesBadFaces)
   EXPECT_NE(
     errorOf(BoxFaces({ 1, 2 })).find("polygon 6 of the surface has fewer than three vertices"),
     std::string::npos);
-  EXPECT_NE(errorOf(BoxFaces({ 1, 2, -1 })).find("names point -1"), std::string::npos);
+  EXPECT_NE(errorOf(BoxFaces({ 1, 2, -1 })).find("refers to point -1"), std::string::npos);
   EXPECT_NE(errorOf(FaceList()).find("no polygons"), std::string::npos);
 }

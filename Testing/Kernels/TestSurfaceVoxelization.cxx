@@ -207,7 +207,7 @@ TEST(SurfaceVoxelization, RefusesBadInput)
 
   Surface astray = box;
   astray.Triangles(0, 0) = 8;
-  EXPECT_NE(errorOf(astray, grid).find("names point 8"), std::string::npos);
+  EXPECT_NE(errorOf(astray, grid).find("refers to point 8"), std::string::npos);
 
   EXPECT_NE(errorOf(Surface(), grid).find("no polygons"), std::string::npos);
 

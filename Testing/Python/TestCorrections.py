@@ -52,8 +52,8 @@ class Corrections(unittest.TestCase):
 
     def test_points_that_contradict_each_other(self):
         x, y, z = self.outside
-        with self.assertRaisesRegex(flipfree.SegmentationError, "the (in|out)side point .* and the (in|out)side point .* are at one "
-                                                                "place; take one of them away"):
+        with self.assertRaisesRegex(flipfree.SegmentationError, "the (in|out)side point .* and the (in|out)side point .* are in the "
+                                                                "same place; remove one of them"):
             liver().corrected(inside=[self.outside], outside=[self.outside])
         # A cage of outside points around one that is inside.
         ball = flipfree.phantom("sphere", dimensions=(64, 64, 40), spacing=(1, 1, 1.6))

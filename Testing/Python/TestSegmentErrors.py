@@ -38,7 +38,7 @@ class Failures(unittest.TestCase):
                 (TypeError, "^fairing: a number is needed, not '0.5'$", {"fairing": "0.5"}),
                 (TypeError, "^fairing: a number is needed, not None$", {"fairing": None}),
                 (TypeError, "^guard: True or False is needed, not 'no'$", {"guard": "no"}),
-                (TypeError, "^start_center_offset: 3 will not do", {"start_center_offset": 3}),
+                (TypeError, "^start_center_offset: 3 is not accepted", {"start_center_offset": 3}),
                 (flipfree.SegmentationError, "change_tolerance is not a number", {"change_tolerance": math.nan}),
                 (flipfree.SegmentationError, "search_distance is not a number", {"search_distance": math.nan}),
                 (flipfree.SegmentationError, "opening_scale is not a number", {"opening_scale": math.nan}),

@@ -346,11 +346,11 @@ class Points(SchedulerTest):
         (self.folder / "one.csv").write_text("1,2,3\n")
         (self.folder / "kind.csv").write_text("above,1,2,3\n")
         bad = {
-            "column points: 'somewhere' is no list of points; give x y z of each.*or a file of points": self.vessel("a", "somewhere"),
+            "column points: 'somewhere' is not a list of points; give x y z of each.*or a file of points": self.vessel("a", "somewhere"),
             "column points: '1 2; 3 4 5' is no list": self.vessel("b", "1 2; 3 4 5"),
             "column points: '1 2 nan; 3 4 5' is no list": self.vessel("c", "1 2 nan; 3 4 5"),
-            "column points: a vessel needs two points or more, not 1; give": self.vessel("d", [(1, 2, 3)]),
-            r"column points: '.*bad.csv', line 2: '3mm' is no number\. Correct the file": self.vessel("e", self.folder / "bad.csv"),
+            "column points: a vessel needs at least two points, not 1; give": self.vessel("d", [(1, 2, 3)]),
+            r"column points: '.*bad.csv', line 2: '3mm' is not a number\. Correct the file": self.vessel("e", self.folder / "bad.csv"),
             "column points: '.*one.csv' holds 1 points, and a vessel needs": self.vessel("f", self.folder / "one.csv"),
             "column points: '.*gone.mrk.json' cannot be read. Check": self.vessel("g", self.folder / "gone.mrk.json"),
             "column seed_x: a row with points is a vessel, which has none; empty": self.vessel("h", self.ENDS, seed_x=1),
@@ -358,8 +358,8 @@ class Points(SchedulerTest):
             "column resolution: a vessel has no such parameter; empty": self.vessel("j", self.ENDS, resolution=8),
             "column wall_thickness: an organ has no such parameter; empty": self.organ("k", wall_thickness=1),
             "column seed_x: the cell is empty; a row needs a seed, or points": {"case": "l", "volume": "a.nii"},
-            "column inside: '1 2' is no list of points.*corrections takes a file": self.organ("m", inside="1 2"),
-            "column outside: '.*' is no list of points": self.organ("n", outside="[(1, 2, 3)] and (4, 5, 6)"),
+            "column inside: '1 2' is not a list of points.*corrections takes a file": self.organ("m", inside="1 2"),
+            "column outside: '.*' is not a list of points": self.organ("n", outside="[(1, 2, 3)] and (4, 5, 6)"),
             "column corrections: a file of points .* is needed, not '1 2 3'": self.organ("o", corrections="1 2 3"),
             "column corrections: '.*kind.csv', line 1: the kind is 'above'.*Correct": self.organ("p", corrections=self.folder / "kind.csv"),
             r"the inside point \(900, 0, 0\) mm lies outside": self.organ("q", inside="900 0 0"),
@@ -403,7 +403,7 @@ class WrongInput(CohortTest):
         self.refuses("cannot be read.*Check its name", path)
         head = ",".join(self.ROW)
         for message, data in (
-                ("is no CSV file in UTF-8", b"\xff\xfe\x00v"),
+                ("is not a CSV file in UTF-8", b"\xff\xfe\x00v"),
                 ("'.*' lacks the columns", b""),
                 ("has no rows", head.encode()),
                 ("a row has more cells", f"{head}\na,1,2,3,4,5\n".encode()),
@@ -420,7 +420,7 @@ class WrongInput(CohortTest):
     def test_scheduler_that_does_not_answer(self):
         with mock.patch.object(_cluster, "PATIENCE", 1.0):
             for address in ("tcp://127.0.0.1:9", "127.0.0.1:99999", "what://is.this"):
-                self.refuses(f"^scheduler: nothing answers as a Dask scheduler at '{address}'.*dask scheduler",
+                self.refuses(f"^scheduler: no Dask scheduler answers at '{address}'.*dask scheduler",
                              [self.ROW], scheduler=address)
 
     def test_missing_extra(self):

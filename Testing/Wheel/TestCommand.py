@@ -107,7 +107,7 @@ class Work(unittest.TestCase):
         for arguments, status, message in (
                 ([*self.seed, "--start-labels", self.truth], 2, "--start-labels takes the place of the seed"),
                 (["--start-labels", self.truth, "--session", "a.json"], 2, "--session has the seed"),
-                (["--start-labels", self.truth, "--start-label", 9], 1, "the start labels have no voxel of the value 9; they have 1"),
+                (["--start-labels", self.truth, "--start-label", 9], 1, "the start labels have no voxels with the value 9; they have 1"),
                 (["--start-labels", "nowhere.nii"], 1, "'nowhere.nii'"),
                 ([*self.seed, "--start-label", 9], 2, "--start-label")):
             with self.subTest(message):
@@ -373,8 +373,8 @@ class Vessels(unittest.TestCase):
         out = ("-o", self.folder / "never.vtp")
         first, second = self.POINTS[:4], self.POINTS[4:]
         for arguments, status, message, same in (
-                ([self.volume, *out], 2, "two points or more", True),
-                ([self.volume, *first, *out], 2, "two points or more", True),
+                ([self.volume, *out], 2, "at least two points", True),
+                ([self.volume, *first, *out], 2, "at least two points", True),
                 ([self.volume, *first, "--point", "nan", 0, 0, *out], 2, "--point: a coordinate is not", True),
                 ([self.volume, *first, "--point", 1, 2, *out], 2, "--point", False),
                 ([self.volume, *self.POINTS], 2, "No output is requested", True),

@@ -58,7 +58,7 @@ std::string Contents(const std::string& name)
   std::string bytes{ std::istreambuf_iterator<char>(file), {} };
   if (!file)
   {
-    throw Failure("it may not be read");
+    throw Failure("permission denied");
   }
   return bytes;
 }
@@ -69,7 +69,7 @@ double NumberIn(const std::string& word)
   const double number = std::strtod(word.c_str(), &end);
   if (word.empty() || end != word.c_str() + word.size())
   {
-    throw Failure("a word is no number where one is wanted");
+    throw Failure("a word is not a number where one is expected");
   }
   return number;
 }
@@ -79,7 +79,7 @@ vtkIdType IndexIn(double number)
   constexpr double greatest = 9e15; // whole numbers are exact so far
   if (!(std::abs(number) < greatest) || number != std::floor(number))
   {
-    throw Failure("an index or a count is no whole number");
+    throw Failure("an index or a count is not a whole number");
   }
   return static_cast<vtkIdType>(number);
 }

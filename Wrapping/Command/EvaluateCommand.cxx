@@ -150,7 +150,7 @@ void AddEvaluateCommand(CLI::App& program)
     ->required();
   command
     ->add_option("--label", evaluation->Label,
-      "Value of the inside in both label maps; by default, every value but 0")
+      "Value of the inside in both label maps; by default, every nonzero value")
     ->type_name("N")
     ->check(CLI::NonNegativeNumber);
   command

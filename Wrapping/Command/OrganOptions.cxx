@@ -60,7 +60,7 @@ void RequireNames(const std::vector<GivenOrgan>& organs)
     if (!isNew)
     {
       throw WrongUsage("--organ: '" + other->second + "' and '" + organ.Name +
-        "' are the same in names of files. Give each organ a name of its own.");
+        "' would give the same file name; choose distinct names.");
     }
   }
 }

@@ -142,7 +142,7 @@ void WriteBytes(const std::string& name, const char* bytes, std::size_t count)
   if (!stream)
   {
     throw Failure("'" + name + "' cannot be written: " + std::strerror(errno) +
-      ". Make room on the disk, or write elsewhere.");
+      ". Free some disk space, or write elsewhere.");
   }
 }
 

@@ -116,7 +116,7 @@ private:
     }
     if (!hasForm)
     {
-      throw Failure("its header does not tell the format");
+      throw Failure("its header does not state the format");
     }
     for (const PlyElement& element : this->Elements)
     {
@@ -187,7 +187,7 @@ private:
     const std::size_t begin = this->Bytes.find_first_not_of(blanks, this->At);
     if (begin == std::string::npos)
     {
-      throw Failure("it ends too early");
+      throw Failure("the file is truncated");
     }
     this->At = std::min(this->Bytes.find_first_of(blanks, begin), this->Bytes.size());
     return this->Bytes.substr(begin, this->At - begin);
@@ -199,7 +199,7 @@ private:
     char bytes[sizeof(T)];
     if (this->Bytes.size() - this->At < sizeof(T))
     {
-      throw Failure("it ends too early");
+      throw Failure("the file is truncated");
     }
     std::copy_n(&this->Bytes[this->At], sizeof(T), bytes);
     this->At += sizeof(T);

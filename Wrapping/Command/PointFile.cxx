@@ -44,7 +44,7 @@ double NumberOf(const std::string& text)
   if (text.empty() || text.find_first_not_of("0123456789+-.eE") != std::string::npos ||
     end != text.c_str() + text.size() || !std::isfinite(number))
   {
-    throw Failure("'" + text + "' is no number");
+    throw Failure("'" + text + "' is not a number");
   }
   return number;
 }
@@ -236,7 +236,7 @@ std::string TextOf(const std::string& name)
   const std::string text = content.str();
   if (!IsText(text))
   {
-    throw Failure("'" + name + "' is no text in UTF-8. Save it as one.");
+    throw Failure("'" + name + "' is not UTF-8 text. Save it as UTF-8.");
   }
   return text.rfind("\xEF\xBB\xBF", 0) == 0 ? text.substr(3) : text;
 }
@@ -386,8 +386,7 @@ void AddPoints(const std::vector<CorrectionPoint>& points, vtkFlipFreeVesselSegm
   {
     if (!AddPoint(point, filter))
     {
-      throw Failure(
-        "--points: a seed is of no use to a vessel. Give a further --point on its way.");
+      throw Failure("--points: a seed is of no use to a vessel. Give a further --point along it.");
     }
   }
 }

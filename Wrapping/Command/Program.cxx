@@ -35,9 +35,9 @@ const char* const ProgramFooter =
   "  flipfree evaluate liver.vtp try/abdomen-truth.nii.gz --reference-label 6\n"
   "\n"
   "Each subcommand has its own --help, with units, defaults and examples. Coordinates are LPS\n"
-  "millimeters: x to the patient's left, y to the back, z to the head. Viewers that show RAS, "
+  "millimeters: x to the patient's left, y to the back, z to the head. Viewers that use RAS, "
   "such\n"
-  "as 3D Slicer, have the opposite signs of x and y.\n"
+  "as 3D Slicer, show x and y with opposite signs.\n"
   "Exit status: 0 success, 1 failure, 2 wrong usage, 130 interrupted.\n";
 
 /// Points to the help of the subcommand.

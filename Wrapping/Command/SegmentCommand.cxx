@@ -87,7 +87,7 @@ Point SeedIn(vtkImageData* image, const Segmentation& segmentation, std::size_t 
       char place[256];
       std::snprintf(place, sizeof(place),
         "which has %d x %d x %d voxels centered at (%g, %g, %g) mm. Coordinates are LPS: viewers "
-        "that show RAS have the opposite signs of x and y.",
+        "that use RAS show x and y with opposite signs.",
         extent[1] + 1, extent[3] + 1, extent[5] + 1, middle[0], middle[1], middle[2]);
       throw Failure(std::string(given) + " lies outside '" + segmentation.Input + "', " + place);
     }
@@ -127,7 +127,7 @@ FilterPointer MakeVesselFilter(const Segmentation& segmentation)
   catch (const Failure& failure)
   {
     throw Failure("'" + segmentation.Session + "': " + segmentation.Repeated.Name + ": " +
-      failure.what() + ". Correct it, or take it away.");
+      failure.what() + ". Correct it, or remove it.");
   }
 }
 
@@ -382,7 +382,7 @@ void AddFiles(CLI::App* command, Segmentation& segmentation)
     ->type_name("FILE");
   command
     ->add_option("--start-label", segmentation.StartLabel,
-      "The value of the organ in --start-labels; 0 for all that are not 0")
+      "The value of the organ in --start-labels; 0 for all nonzero voxels")
     ->type_name("N")
     ->check(CLI::NonNegativeNumber)
     ->capture_default_str()

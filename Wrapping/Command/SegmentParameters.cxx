@@ -128,11 +128,11 @@ ParameterGroup FeatureParameters()
         "Fit the intensities again inside the growing surface", &Feature::GetReestimateIntensities,
         &Feature::SetReestimateIntensities),
       Property(FeatureOf, "--carving", "",
-        "Carve off what hangs on by a neck, move the boundary to half the local contrast, and run "
-        "again",
+        "Carve off what is connected only by a neck, move the boundary to half the local contrast, "
+        "and run again",
         &Feature::GetCarving, &Feature::SetCarving),
       Property(FeatureOf, "--consensus", "",
-        "Where --carving changes much, grow the foreground anew in other ways, and keep what most "
+        "Where --carving changes much, grow the foreground again in other ways, and keep what most "
         "agree on",
         &Feature::GetConsensus, &Feature::SetConsensus),
       Property(FeatureOf, "--modality", "N",

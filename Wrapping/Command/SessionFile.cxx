@@ -226,7 +226,7 @@ Session SessionOf(const Json& content)
   if (content.at("format") != "flipfree-session" ||
     std::find(known.begin(), known.end(), content.at("version")) == known.end())
   {
-    throw Failure("it is of another format or of a newer version");
+    throw Failure("it has another format or a newer version");
   }
   Session session;
   const Json& image = content.at("image");

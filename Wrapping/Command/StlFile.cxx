@@ -60,7 +60,7 @@ public:
   {
     if (this->Corners.size() % 3 != 0)
     {
-      throw Failure("its last triangle is not whole");
+      throw Failure("its last triangle is incomplete");
     }
     for (auto corner = this->Corners.begin(); corner != this->Corners.end(); corner += 3)
     {

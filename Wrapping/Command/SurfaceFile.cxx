@@ -225,17 +225,18 @@ vtkSmartPointer<vtkPolyData> ReadSurface(const std::string& name)
   catch (const std::bad_alloc&)
   {
     throw Failure("'" + name +
-      "' cannot be read: it asks for more memory than there is. It is damaged: create it again.");
+      "' cannot be read: it asks for more memory than is available. It is damaged; "
+      "create it again.");
   }
   catch (const Failure& failure)
   {
     throw Failure("'" + name +
-      "' cannot be read: it is damaged or has another format than its ending says (" +
-      failure.what() + "). Check its ending, or create it again.");
+      "' cannot be read: it is damaged or its format does not match its extension (" +
+      failure.what() + "). Check its extension, or create it again.");
   }
   if (surface->GetNumberOfPolys() == 0)
   {
-    throw Failure("'" + name + "' has no faces. Check its ending, or create it again.");
+    throw Failure("'" + name + "' has no faces. Check its extension, or create it again.");
   }
   return surface;
 }
@@ -271,8 +272,8 @@ void WriteSurface(const std::string& name, vtkPolyData* surface, const OriginNam
   if (!whole)
   {
     throw Failure("'" + name +
-      "' cannot be written completely: the disk is full, or a limit on file sizes is reached. Make "
-      "room, or write elsewhere.");
+      "' cannot be written completely: the disk is full, or a file size limit has been reached. "
+      "Free some space, or write elsewhere.");
   }
   if (IsCertified(surface))
   {
@@ -301,8 +302,8 @@ void WriteLines(const std::string& name, vtkPolyData* lines)
   if (!whole)
   {
     throw Failure("'" + name +
-      "' cannot be written completely: the disk is full, or a limit on file sizes is reached. Make "
-      "room, or write elsewhere.");
+      "' cannot be written completely: the disk is full, or a file size limit has been reached. "
+      "Free some space, or write elsewhere.");
   }
 }
 

@@ -118,7 +118,7 @@ void RequireSense(const Trace& trace)
   RequireCoordinates("--point", trace.Points);
   if (trace.Points.size() < 6)
   {
-    throw WrongUsage("A vessel needs two points or more. Give one at either end: "
+    throw WrongUsage("A vessel needs at least two points. Give one at each end: "
                      "--point X Y Z --point X Y Z (LPS mm).");
   }
   trace.Corrections.RequireSense();
@@ -225,8 +225,8 @@ void TraceVessel(const Trace& trace)
 }
 
 const char* const TraceFooter =
-  "Either all output files are written or none. Points lie in the vessel: one at either end, more\n"
-  "on its way or at the ends of its branches, in any order. Points 5 mm off do little harm.\n"
+  "Either all output files are written or none. Points lie in the vessel: one at each end, more\n"
+  "along it or at the ends of its branches, in any order. Points 5 mm off do little harm.\n"
   "\n"
   "Examples:\n"
   "  flipfree trace ct.nii.gz --point 212 -143 480 --point 171 -168 228 -o aorta.vtp\n"
@@ -276,7 +276,9 @@ void AddParameters(CLI::App* command, Trace& trace)
   trace.WallThickness = defaults->GetWallThickness();
   trace.Levels = defaults->GetLevels();
   trace.Iterations = defaults->GetMaximumIterations();
-  command->add_option("--radius", trace.Radius, "About the vessel's radius; 0: found in the volume")
+  command
+    ->add_option("--radius", trace.Radius,
+      "The vessel's approximate radius; 0: found in the volume")
     ->type_name("MM")
     ->capture_default_str();
   command

@@ -30,7 +30,7 @@ std::string Attribute(const std::string& tag, const std::string& name)
   return {};
 }
 
-/// The next tag of the name, from its bracket to the other; `at` goes behind it.
+/// The next tag with this name, with its brackets; moves `at` past it.
 std::string NextTag(const std::string& bytes, const std::string& name, std::size_t& at)
 {
   const std::size_t begin = bytes.find("<" + name, at);
@@ -43,7 +43,7 @@ std::string NextTag(const std::string& bytes, const std::string& name, std::size
   return bytes.substr(begin, at - begin);
 }
 
-/// The bytes that stand in base 64 at a place, at most so many.
+/// The bytes encoded in base64 at a place, `most` at most.
 std::string FromBase64(const std::string& bytes, std::size_t at, std::size_t most)
 {
   const std::string digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
@@ -133,7 +133,7 @@ private:
     }
   }
 
-  /// Nothing is packed to less than that by the packers that VTK has.
+  /// None of VTK's compressors can exceed this ratio.
   void RequireRoom(double number) const
   {
     constexpr double greatestRatio = 10000;

@@ -37,7 +37,7 @@ double LongestEdge(const PointList& points, const Eigen::RowVector3i& triangle)
   return longest;
 }
 
-// The vertices that hang together with a place within a radius.
+// The vertices within a radius of a place that are connected to it within that radius.
 std::vector<int> VerticesAround(const ContourMesh& mesh, const PointList& points,
   const SurfacePlace& place, double radius)
 {

@@ -56,7 +56,7 @@ public:
   bool CorrectForeground(const ConstraintList& constraints, const Monitor& monitor);
   /// Takes a foreground from elsewhere, which is settled.
   void SettleForeground(BitMask mask);
-  /// Levels find no further foreground.
+  /// Whether later levels keep the foreground as it is.
   bool IsSettled() const { return this->Settled; }
   GrowingForeground& GetForeground() { return this->Foreground; }
 

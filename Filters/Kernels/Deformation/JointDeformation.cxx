@@ -167,7 +167,7 @@ bool JointDeformation::Refine(const Monitor& proceed)
       first += count;
     }
   }
-  // Refinement is no motion, so that the surfaces do not meet is not enough.
+  // Refinement is not a motion, so it is not enough that the surfaces do not meet.
   if (this->HasGuard())
   {
     std::vector<const DeformableSurface*> all;

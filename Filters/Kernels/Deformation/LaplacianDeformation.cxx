@@ -14,12 +14,11 @@ namespace FlipFree
 namespace
 {
 
-// What single precision can reach, and far less than a step leaves to the next one anyway.
+// Attainable in single precision, and far below what a step leaves to the next one anyway.
 constexpr double RelativeTolerance = 1e-5;
 constexpr int MaximumIterations = 400;
 
-// A field by a pointer of one's own, which need not be read again after each store, as a member's
-// must.
+// Local copy of the pointer, so it need not be reloaded after each store.
 class Columns
 {
 public:

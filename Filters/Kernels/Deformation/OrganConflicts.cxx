@@ -93,7 +93,7 @@ void RequirePlacesApart(const KnownOrgan& one, const KnownOrgan& two, double sam
       {
         throw Error(ErrorCode::OutOfRange,
           NameOf(point) + " of " + one.Name + " and " + NameOf(other) + " of " + two.Name +
-            " are at one place; take one of them away");
+            " are in the same place; remove one of them");
       }
     }
   }

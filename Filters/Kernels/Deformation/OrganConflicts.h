@@ -43,7 +43,7 @@ struct OrganStart
 void RequireDistinctNames(const std::vector<std::string>& names);
 
 /// Seeds and points of different organs, and those of each from the fixed surfaces. Points nearer
-/// than `same` are at one place.
+/// than `same` are in the same place.
 void RequirePointsApart(const std::vector<KnownOrgan>& organs,
   const std::vector<FixedSurface>& fixed, double same);
 

@@ -57,7 +57,7 @@ struct OrganGroup::Member
   const SeedSphere Seed;
   VolumeSegmenter Segmenter;
 
-  // Of the present call.
+  // Of the current call.
   ConstraintList Constraints;
   ConstraintList OfOthers;                                    // outside points
   std::vector<std::pair<std::string, std::string>> Renamings; // of these, in messages

@@ -7,7 +7,7 @@ namespace FlipFree
 namespace
 {
 
-// On organs less than a twentieth of the vertices find no boundary, and hardly any lie at the
+// On organs fewer than a twentieth of the vertices find no boundary, and hardly any lie at the
 // image's boundary along two axes, even where a slab cuts off a liver above and below.
 constexpr double MaximumWithoutBoundary = 0.1;
 constexpr double MaximumAtImageBoundary = 0.25;
@@ -35,7 +35,7 @@ bool TouchesEnd(const ImageGeometry& region, const ImageGeometry& image, const P
 
 // The fraction of the points that lie in the image's outermost voxels along any axis but the one
 // along which most of them do: a stack of few slices, or a slab that cuts off an organ above and
-// below, is no sign of a leak.
+// below, is not a sign of a leak.
 double FractionAtBoundary(const ImageGeometry& image, const PointList& points)
 {
   const Eigen::Array3d last(image.Dimensions[0] - 1, image.Dimensions[1] - 1,

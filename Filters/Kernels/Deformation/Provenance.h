@@ -3,12 +3,12 @@
  * points, and all parameters, including those left at their defaults, so that it keeps its meaning
  * when defaults change.
  *
- * The text is a session: the JSON, here in one line, that shells save and repeat with the same
- * bits. Some keys are optional: `together` for organs that were segmented together, and `fixed` for
- * the surfaces that they avoided; `startLabels`, a label map in place of the seed; `startSurface`,
- * if the start surface came from elsewhere and cannot be repeated. Coordinates are LPS millimeters.
- * The image and files have no names here: callers that know them add them. Constraints are sorted,
- * because their order means nothing.
+ * The text is a session: the JSON, here in one line, that front ends save and repeat with the
+ * same bits. Some keys are optional: `together` for organs that were segmented together, and
+ * `fixed` for the surfaces that they avoided; `startLabels`, a label map in place of the seed;
+ * `startSurface`, if the start surface came from elsewhere and cannot be repeated. Coordinates are
+ * LPS millimeters. The image and files have no names here: callers that know them add them.
+ * Constraints are sorted, because their order means nothing.
  */
 #ifndef FlipFreeProvenance_h
 #define FlipFreeProvenance_h

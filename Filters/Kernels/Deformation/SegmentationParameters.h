@@ -1,7 +1,7 @@
 /**
  * The parameters that users set, by name: where each stands in the settings, and its range. The
- * stages make their properties from these lists, and a shell without stages has all of them in one
- * table.
+ * stages make their properties from these lists, and a front end without stages has all of them in
+ * one table.
  *
  * A list calls P(Name, type, field, minimum, maximum) for each parameter; S is the expression
  * before the settings' fields, such as Settings-> in a stage.

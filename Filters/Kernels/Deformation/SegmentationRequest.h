@@ -1,7 +1,7 @@
 /**
- * What users ask for, in one place for all shells: an organ, again and again with other points, or
- * several organs together. A shell converts its own types to these and back; what is given is
- * checked here. Messages call images, label maps and surfaces by the names that come with them.
+ * What users ask for, in one place for all front ends: an organ, again and again with other points,
+ * or several organs together. A front end converts its own types to these and back; what is given
+ * is checked here. Messages call images, label maps and surfaces by the names that come with them.
  */
 #ifndef FlipFreeSegmentationRequest_h
 #define FlipFreeSegmentationRequest_h
@@ -49,7 +49,7 @@ public:
   void StartFrom(GivenSurface surface);
 
   /// Takes the label that runs without a seed fill in place of a foreground that is found in the
-  /// volume; 0 stands for all that are not 0. Returns the largest ball in it, in which they start.
+  /// volume; 0 stands for all nonzero voxels. Returns the largest ball in it, in which they start.
   /// Throws Error as StartMaskOf() and LargestBallIn() do; then there is none.
   SeedSphere FillLabel(const LabelVolume& labels, int label);
 

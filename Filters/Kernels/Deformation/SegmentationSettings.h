@@ -1,7 +1,7 @@
 /**
  * All parameters of the method, with their defaults and presets, in the units of whoever sets them:
- * seed radii, voxels, and millimeters. Stages hold one of these structs each, and every shell takes
- * its defaults from them.
+ * seed radii, voxels, and millimeters. Stages hold one of these structs each, and every front end
+ * takes its defaults from them.
  */
 #ifndef FlipFreeSegmentationSettings_h
 #define FlipFreeSegmentationSettings_h

@@ -25,7 +25,7 @@ std::string TextOf(const Implausibility& finding, double reach)
   switch (finding.Reason)
   {
     case ImplausibilityReason::EndOfReach:
-      return "The surface has got to the end of what it may reach, " + TextOf(reach) +
+      return "The surface has reached the limit of its range, " + TextOf(reach) +
         " mm from the seed's center, and is cut there: it may have leaked, or the seed may lie in "
         "air; look at it, and raise Reach where the organ is that large.";
     case ImplausibilityReason::NoBoundary:
@@ -34,7 +34,7 @@ std::string TextOf(const Implausibility& finding, double reach)
         "sphere lies within the organ and not in air, or move SeedCenter.";
     case ImplausibilityReason::ImageBoundary:
       return percent +
-        " of the surface lies at the image's ends along two axes, so it may be that of what "
+        " of the surface lies at the image's border along two axes, so it may follow what "
         "surrounds the organ; check that the seed sphere lies within the organ and not in air, or "
         "move SeedCenter.";
     case ImplausibilityReason::None:
@@ -71,9 +71,10 @@ std::vector<std::string> WarningsOf(const OrganSurface& organ, const ImageGeomet
   }
   if (organ.Reason == StopReason::NotRefined)
   {
-    warnings.push_back("The surface could not be refined without intersecting itself, so it has " +
+    warnings.push_back(
+      "The surface could not be refined without intersecting itself, so it has only " +
       std::to_string(organ.Mesh.NumberOfPoints()) +
-      " vertices only; lower Levels to start from a finer one.");
+      " vertices; lower Levels to start from a finer one.");
   }
   const Implausibility finding =
     CheckPlausibility(organ, region, image, seed.Radius, settings, startsAtSeed && !foundNothing);

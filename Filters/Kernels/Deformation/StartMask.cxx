@@ -26,8 +26,8 @@ BitMask StartMaskOf(const LabelVolume& labels, int label, const ImageGeometry& i
   {
     const std::string others = TextOf(labels.Values().Labels);
     throw Error(ErrorCode::EmptyMask,
-      labels.Name + " have no voxel of " +
-        (label == 0 ? "any value but 0" : "the value " + std::to_string(label)) +
+      labels.Name + " have no " +
+        (label == 0 ? "nonzero voxels" : "voxels with the value " + std::to_string(label)) +
         (others.empty() ? "" : "; they have " + others));
   }
   return mask;

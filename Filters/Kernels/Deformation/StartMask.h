@@ -1,7 +1,7 @@
 /**
  * A mask from elsewhere (a network, an atlas, an earlier result) in place of the foreground that is
- * found in the image: where to start a surface that fills it, and how much of it a surface of one
- * piece can fill.
+ * found in the image: where to start a surface that fills it, and how much of it a single connected
+ * surface can fill.
  */
 #ifndef FlipFreeStartMask_h
 #define FlipFreeStartMask_h
@@ -17,7 +17,7 @@
 namespace FlipFree
 {
 
-/// The voxels of a label; 0 stands for all that are not 0. Throws Error,
+/// The voxels of a label; 0 stands for all nonzero voxels. Throws Error,
 /// naming the label map, unless it has the grid of the image, which is named by `nameOfImage`, no
 /// voxel that is not a finite number, and voxels of the label.
 BitMask StartMaskOf(const LabelVolume& labels, int label, const ImageGeometry& image,

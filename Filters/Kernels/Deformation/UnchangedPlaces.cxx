@@ -125,7 +125,7 @@ bool FindDeepParts(const BitMask& before, const BitMask& after, double depth,
   {
     return true;
   }
-  // What hangs on a deep part as a sheet is none: a sheet may go all around an organ.
+  // A sheet that is connected to a deep part does not belong to it: it may go all around an organ.
   BitMask nearFar = changed.Cropped(box);
   std::vector<BitMask> parts;
   if (!KeepByDistance(far, PartOfDepth * depth, false, parallelFor, monitor, nearFar) ||

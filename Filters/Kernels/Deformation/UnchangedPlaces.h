@@ -1,8 +1,8 @@
 /**
- * Where constraints have changed nothing in a foreground. That a correction is local is a promise
- * about the surface, and the same evidence alone does not keep it: a mesh whose vertices have come
- * another way rests elsewhere on the voxels of a mask, by some tenths of a millimeter. So in these
- * places the surface without constraints stays.
+ * Where constraints have changed nothing in a foreground. Corrections promise to move the surface
+ * only locally, and the same evidence alone does not ensure that: a mesh whose vertices arrived by
+ * another route comes to rest elsewhere on the voxels of a mask, by some tenths of a millimeter. So
+ * in these places the surface without constraints is kept.
  */
 #ifndef FlipFreeUnchangedPlaces_h
 #define FlipFreeUnchangedPlaces_h
@@ -15,10 +15,9 @@ namespace FlipFree
 {
 
 /// Of what differs, the parts that reach farther than `depth` millimeters away from what the masks
-/// have in common: leaks that go, and lobes that are added, without what hangs on them farther away
-/// from where they are deep. Parts whose boxes are so near that
-/// their surroundings (UnchangedPlaces::ChangeReach) may overlap are one. Returns false if the
-/// monitor stopped it.
+/// have in common: leaks that go, and lobes that are added, without what is connected to them
+/// farther away from where they are deep. Parts whose boxes are so near that their surroundings
+/// (UnchangedPlaces::ChangeReach) may overlap are one. Returns false if the monitor stopped it.
 bool FindDeepParts(const BitMask& before, const BitMask& after, double depth,
   const ParallelFor& parallelFor, const Monitor& monitor, std::vector<BitMask>& deep);
 

@@ -88,9 +88,9 @@ void WarnOfMissed(double fraction, const std::string& name, std::vector<std::str
   if (fraction > MissedSilently)
   {
     warnings.push_back(std::to_string(std::lround(100 * fraction)) + " % of " + name +
-      " lie outside the surface, which is of one piece and does not enter what is thinner than "
-      "about two voxels; remove parts that lie apart, add inside points where some are missed, or "
-      "segment the parts one by one.");
+      " lie outside the surface. The surface is a single piece and cannot enter structures thinner "
+      "than about two voxels; remove separate parts, add inside points where something is missed, "
+      "or segment the parts one by one.");
   }
 }
 

@@ -1,5 +1,5 @@
 /**
- * The whole method on a volume, as every shell runs it: the checks of the input, the noise, the
+ * The whole method on a volume, as every front end runs it: the checks of the input, the noise, the
  * region that the surface can reach, the organ's surface, what may be wrong with it, and its
  * voxels.
  */

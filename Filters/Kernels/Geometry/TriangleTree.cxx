@@ -34,7 +34,7 @@ Eigen::VectorXi EdgeDistances(const VertexGraph& graph, int start)
   return distances;
 }
 
-// The vertices that hang together, in ascending order; that of vertex 0 first.
+// The connected components, each with its vertices in ascending order; that of vertex 0 first.
 std::vector<std::vector<int>> ComponentsOf(const VertexGraph& graph)
 {
   const int count = static_cast<int>(graph.size());

@@ -270,8 +270,8 @@ void EmbeddingGuard::RequireFinite(const PointList& points, const char* what, do
   if (points.rows() != static_cast<Eigen::Index>(this->Neighbors.size()))
   {
     throw Error(ErrorCode::InvalidMesh,
-      "the guard was made for a mesh of " + std::to_string(this->Neighbors.size()) +
-        " vertices, but there is one " + what + " for each of " + std::to_string(points.rows()));
+      "expected " + std::to_string(this->Neighbors.size()) + " " + what +
+        "s, one per vertex, but got " + std::to_string(points.rows()));
   }
   for (Eigen::Index vertex = 0; vertex < points.rows(); ++vertex)
   {

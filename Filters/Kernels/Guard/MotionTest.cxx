@@ -18,8 +18,8 @@ using Eigen::Vector3d;
 // Of the motion: the search ends with a step shorter than this, the parts being about to touch.
 constexpr double MinimumAdvance = 0.01;
 
-// Parts that are nearer than wanted at the start keep this fraction of their distance: to keep all
-// of it, no rounding error could be allowed for.
+// Parts that are nearer than wanted at the start keep this fraction of their distance; keeping all
+// of it would leave no room for rounding.
 constexpr double KeptFraction = 1 - 1e-6;
 
 // Relative to the square of the greatest length, well above the rounding errors of a normal.

@@ -22,7 +22,7 @@ namespace
 
 constexpr int MaximumAttempts = 9;
 constexpr int MaximumRelaxations = 30;
-// That the refined surface keeps from itself, relative to the typical edge length of the old one,
+// Gap the refined surface keeps from itself, relative to the typical edge length of the old one,
 // after it has been rounded to single precision.
 constexpr double RelativeGap = 1e-4;
 // Relative to the typical edge length.
@@ -30,7 +30,7 @@ constexpr double MaximumGap = 0.1;
 // Of the way of a vertex to the mean of its neighbors.
 constexpr double Relaxation = 0.5;
 
-// Smooths the surface at some vertices. The guard's surface goes on with the fixed one.
+// Smooths the surface at some vertices. The fixed surface's vertices follow its own.
 void RelaxOnce(const ContourMesh& mesh, const PointList& fixed, const EmbeddingGuard& guard,
   const std::set<int>& vertices, const ParallelFor& parallelFor, const Monitor& monitor,
   PointList& points)

@@ -15,8 +15,8 @@ struct DepthHill
 {
   float Saddle = 0; ///< squared distance from the outside where the hill meets the other one
   float Peak = 0;   ///< the hill's greatest squared distance
-  /// Per voxel whether it belongs to the hill: it is deeper than the saddle, and hangs together
-  /// with the point there. Empty if there is none: the way from the point to the other one never
+  /// Per voxel whether it belongs to the hill: it is deeper than the saddle, and is connected
+  /// to the point there. Empty if there is none: the way from the point to the other one never
   /// becomes narrower than it begins or ends.
   std::vector<bool> Holds;
 };

@@ -16,7 +16,7 @@ struct Key
   int Voxel;
 };
 
-// By some of the bits; what is equal in them stays in order.
+// Stable sort by one 11-bit digit.
 void SortByDigit(const std::vector<Key>& keys, int shift, std::vector<Key>& sorted)
 {
   constexpr std::uint32_t mask = (1U << 11U) - 1;

@@ -16,8 +16,8 @@ namespace FlipFree
 using LabelBoxes = std::map<std::int64_t, VoxelBox>;
 
 /// The least box that holds all voxels of a label, for each that is not 0. Returns false for an
-/// image that is no label map: with more than `most` labels, or with a voxel that is no whole
-/// number between -2e9 and 2e9.
+/// image that is not a label map: with more than `most` labels, or with a voxel that is not a
+/// whole number between -2e9 and 2e9.
 template <typename T>
 bool FindLabelBoxes(const ImageView<T>& labels, std::size_t most, LabelBoxes& boxes)
 {

@@ -19,7 +19,7 @@
 namespace FlipFree
 {
 
-/// The voxels with a label, or all that are not 0 for a negative one. Throws Error, naming the
+/// The voxels with a label, or all nonzero voxels for a negative one. Throws Error, naming the
 /// image by `name`, when a voxel is not a finite number.
 template <typename T>
 BitMask MaskOfLabel(const ImageView<T>& image, int label, const std::string& name,
@@ -81,7 +81,7 @@ private:
 };
 
 /// The values of a label map's voxels. Valid labels are kept apart from other values, of which an
-/// image that is no label map, a scan or a probability map, has many.
+/// image that is not a label map, a scan or a probability map, has many.
 struct LabelValues
 {
   LowestValues Labels{ 20 }; ///< whole numbers from 1 to the greatest int

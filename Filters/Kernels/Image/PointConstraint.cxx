@@ -38,7 +38,7 @@ void RequireProper(const ImageGeometry& geometry, const PointConstraint& constra
   {
     throw Error(ErrorCode::OutOfRange,
       NameOf(constraint) + " lies outside " + name +
-        "; give it in the image's physical coordinates, or take it away");
+        "; give it in the image's physical coordinates, or remove it");
   }
   if (constraint.Kind == ConstraintKind::Seed &&
     !(constraint.Radius >= geometry.Spacing.minCoeff() && std::isfinite(constraint.Radius)))
@@ -103,7 +103,7 @@ void RequireConstraints(const ImageGeometry& geometry, const SeedSphere& seed,
       if (one->Kind != two->Kind && (one->Point - two->Point).norm() <= same)
       {
         throw Error(ErrorCode::OutOfRange,
-          NameOf(*one) + " and " + NameOf(*two) + " are at one place; take one of them away");
+          NameOf(*one) + " and " + NameOf(*two) + " are in the same place; remove one of them");
       }
     }
     if (one->Kind == ConstraintKind::Outside)

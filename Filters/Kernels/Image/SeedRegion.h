@@ -54,7 +54,7 @@ void CropToFloat(const ImageView<T>& image, const VoxelBox& box, const ParallelF
     });
 }
 
-/// In millimeters: the radii to which all shells limit those of seeds.
+/// In millimeters: the radii to which all front ends limit those of seeds.
 constexpr double MinimumSeedRadius = 1e-6;
 constexpr double MaximumSeedRadius = 1e6;
 

@@ -16,7 +16,7 @@ constexpr double BoundaryShiftReach = 30;
 /// Changes the sides of voxels within BoundaryShiftReach of the point: those no farther from the
 /// right side than a part of the point's distance that fades out, and that look like the point, or
 /// like what lies between it and the organ (inside), or are as unlike the organ as it (outside).
-/// They hang together with the point. `before` is the mask before CutCorrection() changed it;
+/// They are connected to the point. `before` is the mask before CutCorrection() changed it;
 /// `noise` is the standard deviation before smoothing; the modality is not Automatic. Returns false
 /// if the monitor stopped it.
 bool ShiftBoundary(const ImagePart& image, const Correction& correction, double noise,

@@ -28,7 +28,7 @@ struct Correction
 double DomainOf(const Correction& correction);
 
 /// Changes the sides of voxels around the point, those to the right side only. An outside point
-/// that lies in a part which hangs on by a neck takes that part away, up to the neck; one in the
+/// that lies in a part connected only by a neck takes that part away, up to the neck; one in the
 /// depth of what looks like the seed takes what is nearer to it than to the seed; else what looks
 /// more like the point's surroundings than like the seed's goes. A point deep on the wrong side
 /// spreads farther than one near the right side. `noise` is the standard deviation

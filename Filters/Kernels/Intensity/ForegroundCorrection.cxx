@@ -20,7 +20,7 @@ constexpr double GreatestReachInside = 40;
 constexpr double GreatestReachOutside = 20;
 constexpr double LeastNeighborhood = 5;
 
-// The radius of what leads to a point that nothing else connects with the seed, in millimeters.
+// Radius (mm) of the bridge to a point not otherwise connected to the seed.
 constexpr double BridgeRadius = 3;
 
 // A correction is certain around its point by a little more than a voxel, but where slices are
@@ -28,8 +28,8 @@ constexpr double BridgeRadius = 3;
 constexpr double CertainVoxels = 1.01;
 constexpr double CertainBall = 3;
 
-// What a point changes hangs together with what lies within this many millimeters of it, or within
-// so many times its distance from the right side.
+// What a point changes is connected to what lies within this many millimeters of it, or within so
+// many times its distance from the right side.
 constexpr double LeastDomain = 30;
 constexpr double DomainInAway = 2;
 
@@ -207,7 +207,7 @@ public:
   }
 
 private:
-  // Undoes what does not hang together with a point's domain, such as holes that have been filled
+  // Undoes what is not connected to a point's domain, such as holes that have been filled
   // elsewhere.
   bool Restore(const BitMask& before)
   {

@@ -84,7 +84,7 @@ public:
     dark.Intersect(hollow);
     dark.Intersect(nearFat);
     this->Mask.Remove(dark);
-    // What the outside does not reach is no hollow.
+    // What the outside does not reach is not a hollow.
     return FillHoles(this->Mask, this->Ask) && KeepConnected(this->Mask, sources, this->Ask);
   }
 

@@ -14,7 +14,7 @@ namespace FlipFree
 struct LeakDepth
 {
   bool IsDeep = false;      ///< in what looks like the seed: too deep for the organ, or on top
-  bool HasNeck = false;     ///< the part that the point lies in hangs on by a neck
+  bool HasNeck = false;     ///< the part that the point lies in is connected by a neck
   std::vector<bool> IsCore; ///< of each block: in the depth of a part that has a neck
 };
 

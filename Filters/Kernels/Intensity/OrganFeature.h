@@ -19,8 +19,8 @@ struct OrganFeatureSettings
   /// Fit the intensities again to the inside of the surface, once there is one.
   bool ReestimateIntensities = true;
 
-  /// Once all levels have run, carve off what hangs on to the surface's inside by a neck and move
-  /// its boundary to half the local contrast; then run all levels again with that for the
+  /// Once all levels have run, carve off what is connected to the surface's inside only by a neck
+  /// and move its boundary to half the local contrast; then run all levels again with that for the
   /// foreground.
   bool Carving = true;
 

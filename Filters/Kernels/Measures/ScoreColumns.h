@@ -1,6 +1,6 @@
 /**
- * The scores by name, in the order in which every shell gives them: the filter's table, the fields
- * of Python and of the browser, and the columns of files.
+ * The scores by name, in the order in which every front end gives them: the filter's table, the
+ * fields of Python and of the browser, and the columns of files.
  */
 #ifndef FlipFreeScoreColumns_h
 #define FlipFreeScoreColumns_h

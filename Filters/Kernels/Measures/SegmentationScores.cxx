@@ -72,7 +72,7 @@ std::string WarningOf(const LabelMask* segmentation, const LabelMask& reference)
       "compare it with one, set ReferenceLabel.";
   }
   return "The reference has the values " + others +
-    ", which no label map has: all that are not 0 count as inside; give it a label map" +
+    ", which are not valid labels; every nonzero voxel counts as inside; give it a label map" +
     (labels.empty() ? "" : ", or set ReferenceLabel to one of " + labels) + ".";
 }
 
@@ -90,13 +90,13 @@ void RequireLabel(const LabelMask& labelMap, const std::string& property)
   if (!labels.empty())
   {
     message += "; set " + property + " to one of " + labels +
-      (others.empty() ? "" : ", if it is a label map: it holds " + others + ", too");
+      (others.empty() ? "" : ", if it is a label map: it also contains " + others);
   }
   else
   {
     message += others.empty() ? ", all are 0; check that it is the intended label map"
-                              : "; it is no label map: it holds " + others +
-        ", where a label map holds whole numbers from 0 up; give it a label map";
+                              : "; it is not a label map; it contains " + others +
+        ", but a label map contains only whole numbers from 0 up; give it a label map";
   }
   throw Error(ErrorCode::EmptyMask, message);
 }

@@ -53,12 +53,12 @@ struct LabelMask
   std::string Name = "the label map"; ///< in messages
 };
 
-/// The voxels of a label, or all that are not 0 for a negative one. Throws Error
+/// The voxels of a label, or all nonzero voxels for a negative one. Throws Error
 /// for a label map without voxels or a proper grid, for a voxel that is not a finite number, and
 /// where no voxel has the label, unless it is negative. `property` is what chooses the label.
 LabelMask LabelMaskOf(const LabelVolume& labels, int label, const std::string& property);
 
-/// Both throw Error for a setting that is no number, a mask that is empty, images of different
+/// Both throw Error for a setting that is not a number, a mask that is empty, images of different
 /// geometry, a surface that is open or encloses no voxel of the reference's grid, or one that would
 /// need too many samples.
 SegmentationScores ScoreSurface(const PointList& points, const TriangleList& triangles,

@@ -8,7 +8,7 @@ namespace FlipFree
 namespace
 {
 
-// An edge that many times as long as the mean, or as the upper quartile, is no usual one.
+// An edge that many times as long as the mean, or as the upper quartile, is not a usual one.
 constexpr double MaximumRatio = 8;
 
 // Each edge is visited from both ends.

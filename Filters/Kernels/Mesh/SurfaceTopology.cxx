@@ -134,7 +134,7 @@ void RequireValidFaces(const Eigen::Ref<const PointList>& points, const FaceList
       if (vertex < 0 || vertex >= points.rows())
       {
         throw Error(ErrorCode::InvalidMesh,
-          where() + " names point " + std::to_string(vertex) + ", but there are " +
+          where() + " refers to point " + std::to_string(vertex) + ", but there are " +
             std::to_string(points.rows()) + " points; repair the connectivity");
       }
       if (!points.row(vertex).allFinite())

@@ -159,7 +159,7 @@ ImplicitShape MakeTube(const std::vector<Vector3d>& centerline, const std::vecto
   if (centerline.size() < 2 || radii.size() != centerline.size())
   {
     throw Error(ErrorCode::OutOfRange,
-      "a tube needs two points or more and one radius for each, not " +
+      "a tube needs at least two points and one radius for each, not " +
         std::to_string(centerline.size()) + " points and " + std::to_string(radii.size()) +
         " radii");
   }

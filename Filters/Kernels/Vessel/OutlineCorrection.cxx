@@ -94,8 +94,8 @@ void RequireNear(const ConstraintList& constraints, const VesselTree& tree)
     {
       throw Error(ErrorCode::UnreachablePoint,
         NameOf(constraint) +
-          " lies too far from the vessel's path to correct its outline; give a point on the "
-          "vessel's way");
+          " lies too far from the vessel's path to correct its outline; give a point along the "
+          "vessel");
     }
   }
 }

@@ -11,7 +11,7 @@ namespace FlipFree
 {
 
 /// Which points are unlike the vessel: the gray value around one is clearly beyond those along the
-/// center of the vessel near by, but not at the point itself.
+/// center of the vessel nearby, but not at the point itself.
 std::vector<int> PointsUnlike(const ImageView<float>& image, const VesselTree& tree,
   const PointList& points);
 

@@ -44,8 +44,8 @@ void RequirePoints(const ImageGeometry& geometry, const PointList& points, const
   if (points.rows() < 2)
   {
     throw Error(ErrorCode::OutOfRange,
-      "a vessel needs two points or more, not " + std::to_string(points.rows()) +
-        "; give one at either end");
+      "a vessel needs at least two points, not " + std::to_string(points.rows()) +
+        "; give one at each end");
   }
   for (Eigen::Index point = 0; point < points.rows(); ++point)
   {

@@ -82,7 +82,7 @@ void RequirePath(const FloatImage& speed, const PointList& line, const PointList
       "no path through gray values like those at the points joins " +
         NameOfEnd(line.row(0), snapped, points) + " and " +
         NameOfEnd(line.row(line.rows() - 1), snapped, points) +
-        " mm; put all points into the same vessel, and more of them on its way");
+        " mm; put all points into the same vessel, and more of them along it");
   }
 }
 
@@ -254,7 +254,7 @@ VesselTree VesselSearch::Trace(const Monitor& monitor) const
   if (tree.Radius > LargestRadius || (!tree.Branches.empty() && tree.Support < LeastSupport))
   {
     throw Error(ErrorCode::NoContrast,
-      "no boundary of a vessel is found around the path from " + TextOf(this->Clicked.row(0)) +
+      "no vessel boundary was found around the path from " + TextOf(this->Clicked.row(0)) +
         " mm; put all points into the vessel, or set Radius");
   }
   tree.Unlike = PointsUnlike(own, tree, this->Points);

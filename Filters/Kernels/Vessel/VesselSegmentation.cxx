@@ -39,7 +39,7 @@ void RequireCorrections(const ImageGeometry& geometry, const PointList& points,
     if (constraint.Kind == ConstraintKind::Seed)
     {
       throw Error(ErrorCode::OutOfRange,
-        NameOf(constraint) + " is of no use to a vessel; give a further point on its way");
+        NameOf(constraint) + " is of no use to a vessel; give a further point along it");
     }
     if (!guard)
     {

@@ -1,7 +1,7 @@
 /**
- * A vessel between points, or a tree of vessels, as every shell runs it: path, outline in
- * cross-sections, start surface within the outline, and its deformation onto the outline under the
- * guard; corrected by points inside, outside, and on the boundary.
+ * A vessel between points, or a tree of vessels, as every front end runs it: path, outline
+ * in cross-sections, start surface within the outline, and its deformation onto the outline under
+ * the guard; corrected by points inside, outside, and on the boundary.
  */
 #ifndef FlipFreeVesselSegmentation_h
 #define FlipFreeVesselSegmentation_h

@@ -109,7 +109,7 @@ void RequireOutside(const DeformableSurface& surface, const PointList& outside)
       throw Error(ErrorCode::UnreachablePoint,
         NameOf({ ConstraintKind::Outside, outside.row(point).transpose(), 0 }) +
           " lies on the vessel's path or beside it; move it away from the path, or give more "
-          "points on the vessel's way");
+          "points along the vessel");
     }
   }
 }

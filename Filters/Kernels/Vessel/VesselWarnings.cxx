@@ -11,7 +11,7 @@ namespace FlipFree
 namespace
 {
 
-// How far the surface goes beyond the disks at the ends, in mm.
+// How far the surface extends beyond the disks at the ends, in mm.
 double BeyondEnds(const VesselTree& tree, const PointList& points)
 {
   double farthest = 0;
@@ -117,19 +117,20 @@ void AddWarnings(const ImageGeometry& geometry, const PointList& points, VesselS
   const double beyond = BeyondEnds(result.Tree, result.Surface.Points);
   if (beyond > tolerance)
   {
-    result.Warnings.push_back("the surface goes " + TextOf(Eigen::VectorXd::Constant(1, beyond)) +
+    result.Warnings.push_back("the surface extends " +
+      TextOf(Eigen::VectorXd::Constant(1, beyond)) +
       " mm beyond an end of the path; look at the ends, and move their points");
   }
   for (const int point : result.Tree.Unlike)
   {
     result.Warnings.push_back("the point " + TextOf(points.row(point)) +
-      " mm does not look like the vessel, which is brighter or darker near by; move the point into "
+      " mm does not look like the vessel, which is brighter or darker nearby; move the point into "
       "the vessel");
   }
   if (const auto place = PlaceAtBorder(geometry, result.Tree))
   {
     result.Warnings.push_back(
-      "the path leaves the image near " + TextOf(*place) + " mm; add a point on the vessel's way");
+      "the path leaves the image near " + TextOf(*place) + " mm; add a point along the vessel");
   }
 }
 

@@ -285,7 +285,7 @@ std::string Judge(const Child& child, int state, double seconds, long megabytes,
   }
   if (errors.find("Out of memory") != std::string::npos)
   {
-    return "it wants more memory than there is";
+    return "it wants more memory than is available";
   }
   long files = 0;
   for (const auto& entry : fs::directory_iterator(child.Folder + "/out"))

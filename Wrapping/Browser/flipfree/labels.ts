@@ -4,14 +4,14 @@ import { FlipFreeError, type Image } from "./types.js";
 /** More are those of a scan or of a probability map. */
 const mostLabels = 2000;
 
-/** The labels, ascending, and how many voxels each has. Throws a FlipFreeError for what is no label map. */
+/** The labels, ascending, and how many voxels each has. Throws a FlipFreeError for what is not a label map. */
 export function labelsIn({ voxels }: Image): Map<number, number> {
   const counts = new Map<number, number>();
   let first = 0; // of a run of voxels with one value
   const take = (end: number) => {
     const value = voxels[first];
     if (!(Number.isInteger(value) && value >= 0)) {
-      throw new FlipFreeError(`A voxel has the value ${value}, which is no label; give a label map, of whole numbers from 0 on`);
+      throw new FlipFreeError(`A voxel has the value ${value}, which is not a label; give a label map, of whole numbers from 0 on`);
     }
     if (value > 0 && end > first) {
       counts.set(value, (counts.get(value) ?? 0) + end - first);

@@ -47,7 +47,7 @@ export interface Surface {
 /** A label map on the image's grid (of a network, an atlas, an earlier result), of which a surface fills a label. */
 export interface StartLabels {
   labels: Image;
-  /** 1 by default; 0 for all that are not 0. */
+  /** 1 by default; 0 for all nonzero voxels. */
   label?: number;
 }
 

@@ -69,7 +69,7 @@ export function saveSession(): void {
     save(sessionFile(FLIPFREE_VERSION, app.opened.name, app.opened.image, list), "session.json");
     if (filling.length > 0) {
       const names = filling.map(({ name }) => name).join(", ");
-      say(`Saved session.json without ${names}: a session holds no label map. The command numbers the labels of the others alone.`);
+      say(`Saved session.json without ${names}: a session cannot hold a label map. The command numbers the labels of the other organs only.`);
     }
   }
 }

@@ -56,7 +56,7 @@ function openImageOf(shown: NVImage, name: string, title: string): OpenImage {
   }
   const count = grid.size[0] * grid.size[1] * grid.size[2];
   if (shown.img.length !== count) {
-    throw new FlipFreeError(`${name} has colors or is cut short; a volume of gray values is wanted`);
+    throw new FlipFreeError(`${name} has colors or is truncated; a grayscale volume is needed`);
   }
   const voxels = scaled(shown.img as Voxels, header.scl_slope, header.scl_inter);
   return { name, title, image: { ...grid, voxels }, shown };

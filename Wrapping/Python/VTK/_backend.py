@@ -165,7 +165,7 @@ class VesselAlgorithm:
         for constraint in constraints:
             if constraint.kind == SEED:
                 raise SegmentationError(
-                    "No segmentation: a vessel takes no further seeds; give a point on its way."
+                    "No segmentation: a vessel takes no further seeds; give a point along it."
                 )
             _add(self.settings, constraint)
         self.settings.SetInputData(image)

@@ -17,7 +17,7 @@ def image_of(
     origin: Sequence[float],
     direction: Sequence[float],
 ) -> vtkImageData:
-    """An image that shares the voxels, or has a copy of those that may not be written to."""
+    """An image that shares the voxels, or has a copy of those that are not writable."""
     from vtkmodules.util.numpy_support import numpy_to_vtk
 
     if not voxels.flags.writeable:  # which an image cannot tell those who get it

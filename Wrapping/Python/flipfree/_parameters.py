@@ -40,7 +40,7 @@ class Parameter:
         try:
             self.assign(algorithm, value)
         except (TypeError, ValueError, OverflowError) as error:
-            raise TypeError(f"{self.name}: {value!r} will not do; {_reason(error)}") from None
+            raise TypeError(f"{self.name}: {value!r} is not accepted; {_reason(error)}") from None
         if self.type in (int, float) and value == value and self.get(algorithm) != value:
             raise ValueError(
                 f"{self.name}: {value!r} is out of range; the nearest is {self.get(algorithm)!r}"

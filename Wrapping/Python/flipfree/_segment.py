@@ -62,7 +62,7 @@ def segment(
     start_labels, start_label
         A label map on the image's grid (of a network, an atlas, an earlier result; an image, an array
         or the name of a file) that the surface fills, in place of a seed and a radius: its voxels of
-        the value start_label, or with 0 all that are not 0. Points correct the result as always.
+        the value start_label, or with 0 all nonzero voxels. Points correct the result as always.
     inside, outside, boundary
         Lists of points (x, y, z) in mm that the surface obeys exactly: they end inside it, outside
         it, and within half the smallest spacing of it. Their order means nothing. corrected() of the
@@ -115,7 +115,7 @@ def segment(
     volume = _image_of(image, spacing, origin, direction, progress)
     if start_labels is not None:
         if isinstance(start_label, bool) or not isinstance(start_label, int) or start_label < 0:
-            raise ValueError(f"start_label: {start_label!r} is no label; 0 takes all that are not 0")
+            raise ValueError(f"start_label: {start_label!r} is not a label; 0 takes all nonzero voxels")
         labels = label_map_of("start_labels", start_labels, volume)
         algorithm.set_start_labels(labels, start_label)
 

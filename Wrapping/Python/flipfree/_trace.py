@@ -39,7 +39,7 @@ def trace(
         and, if wanted, its origin (mm) and direction (3 x 3).
     points
         A list of points (x, y, z) in mm, or an array of shape (n, 3), of two points or more. They lie
-        in the vessel: one at either end, more on its way or at the ends of its branches, in any
+        in the vessel: one at each end, more along it or at the ends of its branches, in any
         order. Points 5 mm off do little harm. Coordinates are the image's physical ones, LPS for files.
     inside, outside, boundary
         Lists of points (x, y, z) in mm that correct the result: the surface obeys them exactly, as that
@@ -68,7 +68,7 @@ def trace(
     >>> flipfree.trace(phantom.image, [(13.3, 44.6, 44.5)])
     Traceback (most recent call last):
       ...
-    flipfree.SegmentationError: No segmentation: a vessel needs two points or more, not 1; ...
+    flipfree.SegmentationError: No segmentation: a vessel needs at least two points, not 1; ...
     """
     from ._segment import _image_of  # not in its type stub
 

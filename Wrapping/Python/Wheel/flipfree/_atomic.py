@@ -69,6 +69,6 @@ def make_folder(path: str) -> None:
 
 def _refusal(name: str, error: OSError) -> FileError:
     return FileError(
-        f"'{name}' cannot be written ({error.strerror or error}). Check that its folder exists, may "
-        "be written to and has room."
+        f"'{name}' cannot be written ({error.strerror or error}). Check that its folder exists, is "
+        "writable and has free space."
     )

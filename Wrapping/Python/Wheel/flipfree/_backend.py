@@ -211,7 +211,7 @@ class VesselAlgorithm:
     ) -> Vessel:
         if any(one.kind == SEED for one in constraints):
             raise SegmentationError(
-                "No segmentation: a vessel takes no further seeds; give a point on its way."
+                "No segmentation: a vessel takes no further seeds; give a point along it."
             )
         names = names_of(TRACE_PARAMETERS)
         rows = [(one.kind, *one.place) for one in constraints]

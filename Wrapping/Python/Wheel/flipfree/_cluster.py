@@ -95,7 +95,7 @@ def _connected(distributed: Any, scheduler: str) -> Any:
         return distributed.Client(scheduler, timeout=PATIENCE, set_as_default=False)
     except (OSError, ValueError, OverflowError, ImportError) as error:
         raise FlipFreeError(
-            f"scheduler: nothing answers as a Dask scheduler at '{scheduler}'. Start one there "
+            f"scheduler: no Dask scheduler answers at '{scheduler}'. Start one there "
             "(dask scheduler), or correct the address (tcp://HOST:PORT)."
         ) from error
 

@@ -91,7 +91,7 @@ def cohort(
     flipfree.FlipFreeError: 'table' lacks the columns seed_x, seed_y, seed_z, radius; it has volume, seed. Vessels have points in their place.
     """
     if threads < 1 or workers < 0:
-        raise ValueError(f"threads, workers: {threads}, {workers} will not do; 1, 0 are the least")
+        raise ValueError(f"threads, workers: {threads}, {workers} are out of range; the least values are 1, 0")
     # What it imports would make the package slow to import.
     from ._cohort_run import run_cohort
     from ._cohort_table import rows_of

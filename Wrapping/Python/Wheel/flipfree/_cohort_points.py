@@ -44,11 +44,11 @@ def cell_of(column: str, text: str, folder: str) -> Cell:
             else "; the column corrections takes a file"
         )
         raise ValueError(
-            f"{column}: '{text:.60}' is no list of points; give x y z of each in LPS mm, with a semicolon "
+            f"{column}: '{text:.60}' is not a list of points; give x y z of each in LPS mm, with a semicolon "
             f"between points: 1 2 3; 4 5 6{files}"
         )
     if column == "points" and len(points) < 2:
-        raise ValueError(f"{column}: a vessel needs two points or more, not {len(points)}; give one at either end")
+        raise ValueError(f"{column}: a vessel needs at least two points, not {len(points)}; give one at each end")
     return points
 
 
@@ -57,7 +57,7 @@ def vessel_of(cell: Cell) -> list[tuple[float, ...]]:
     points = _from_file("points", read_vessel, cell) if isinstance(cell, str) else cell
     if len(points) < 2:
         raise ValueError(
-            f"points: '{cell}' holds {len(points)} points, and a vessel needs two or more; give one at either end"
+            f"points: '{cell}' holds {len(points)} points, and a vessel needs at least two; give one at each end"
         )
     return points
 

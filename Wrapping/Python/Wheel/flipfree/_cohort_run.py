@@ -107,7 +107,7 @@ def _answers(
         # Rows catch what is wrong with them; this is of the scheduler.
         except (Exception, asyncio.CancelledError) as error:
             raise FlipFreeError(
-                f"scheduler: it or its workers are lost ({type(error).__name__}). What is done is kept: "
+                f"scheduler: it or its workers are lost ({type(error).__name__}). Finished rows are kept: "
                 "start the cohort again."
             ) from error
 

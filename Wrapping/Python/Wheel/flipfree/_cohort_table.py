@@ -104,7 +104,7 @@ def _read(name: str) -> tuple[list[str], list[dict[str, str]]]:
             f"'{name}' cannot be read ({error.strerror}). Check its name and permissions."
         ) from error
     except (UnicodeDecodeError, csv.Error) as error:
-        raise FileError(f"'{name}' is no CSV file in UTF-8 ({error}). Save the table as one.") from error
+        raise FileError(f"'{name}' is not a CSV file in UTF-8 ({error}). Save the table as CSV in UTF-8.") from error
     long = next((row for row in rows if "" in row), None)
     if long is not None:
         raise FileError(f"'{name}': a row has more cells than there are columns: {list(long.values())}.")

@@ -196,8 +196,7 @@ def _require_name(name: str, organs: Organs) -> None:
     other = next((organ for organ in organs if file_name_of(organ) == file_name), None)
     if other is not None:
         raise WrongUsage(
-            f"--organ: '{other}' and '{name}' are the same in names of files. Give each organ "
-            "a name of its own"
+            f"--organ: '{other}' and '{name}' would give the same file name; choose distinct names"
         )
 
 

@@ -61,9 +61,9 @@ def require_files(values: dict[str, Any], outputs: dict[str, str]) -> None:
     if not os.path.exists(values["input"]):
         raise FileError(f"There is no file '{values['input']}'. Check the name and the folder.")
     if "start_label" in values and "start_labels" not in values:
-        raise WrongUsage("--start-label is a value of --start-labels. Give that file, too")
+        raise WrongUsage("--start-label selects a value of --start-labels. Give that file, too")
     if values.get("start_label", 0) < 0:
-        raise WrongUsage("--start-label: a label is 0 or more; 0 takes all that are not 0")
+        raise WrongUsage("--start-label: a label is 0 or more; 0 takes all nonzero voxels")
     if "snapshot" in outputs:
         from ._picture import require_matplotlib
 
@@ -88,8 +88,8 @@ def require_place(path: str, inputs: list[str]) -> None:
     folder = os.path.dirname(path) or "."
     if os.path.isdir(path) or not os.access(folder, os.W_OK):
         raise FileError(
-            f"'{path}' cannot be written: it is a folder, or its folder does not exist or may not be "
-            "written to."
+            f"'{path}' cannot be written: it is a folder, or its folder does not exist or is not "
+            "writable."
         )
 
 

@@ -38,7 +38,7 @@ def trace(values: dict[str, Any]) -> None:
     corrections = points_of(values)
     if any(one.kind == SEED for one in corrections):
         raise FlipFreeError(
-            "--points: a seed is of no use to a vessel. Give a further --point on its way"
+            "--points: a seed is of no use to a vessel. Give a further --point along it"
         )
     set_threads(values.get("threads", 0))
     image = read_image(values["input"], series=values.get("series"), progress=progress)
@@ -78,7 +78,7 @@ def _require_sense_of_trace(values: dict[str, Any], outputs: dict[str, str]) -> 
     require_coordinates("--point", points)
     if len(points) < 2:
         raise WrongUsage(
-            "A vessel needs two points or more. Give one at either end: --point X Y Z --point X Y Z "
+            "A vessel needs at least two points. Give one at each end: --point X Y Z --point X Y Z "
             "(LPS mm)"
         )
     require_sense_of_corrections(values)

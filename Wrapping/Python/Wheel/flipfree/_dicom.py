@@ -31,7 +31,7 @@ def read_series(folder: str, series: str | None) -> Image:
             f"({str(error).strip().splitlines()[-1][-120:]})."
         ) from error
     if image.GetDimension() != 3 or image.GetNumberOfComponentsPerPixel() != 1:
-        raise FileError(f"'{folder}': its series is no volume of gray values.")
+        raise FileError(f"'{folder}': its series is not a volume of gray values.")
     return _placed(sitk, image, _positions(reader, len(names)), folder)
 
 

@@ -24,7 +24,7 @@ def read(name: str, series: str | None, tell: Progress | None) -> Image:
     """The image of a file, or of a folder's DICOM series."""
     if not os.access(name, os.R_OK):
         raise FileError(
-            f"'{name}' does not exist or may not be read. Check its name and permissions."
+            f"'{name}' does not exist or cannot be read. Check its name and permissions."
         )
     image = read_series(name, series) if os.path.isdir(name) else _read_file(name)
     if tell is not None:
@@ -54,7 +54,7 @@ def write(
         except RuntimeError as error:
             raise FileError(f"'{name}' cannot be written: {_last_line(error)}") from error
         if not whole:
-            raise FileError(f"'{name}' cannot be written completely. Make room on the disk.")
+            raise FileError(f"'{name}' cannot be written completely. Free some disk space.")
 
 
 def _read_file(name: str) -> Image:
@@ -65,7 +65,7 @@ def _read_file(name: str) -> Image:
         return adopted("image", image)
     except RuntimeError as error:
         raise FileError(
-            f"'{name}' cannot be read: it is damaged, or of another format than its ending says "
+            f"'{name}' cannot be read: it is damaged, or its format does not match its extension "
             f"({_last_line(error)})."
         ) from error
     except ValueError as error:

@@ -85,7 +85,7 @@ def _text_of(path: str) -> str:
     except UnicodeDecodeError:
         text = "\0"
     if "\0" in text:
-        raise FileError(f"'{path}' is no text in UTF-8. Save it as one.")
+        raise FileError(f"'{path}' is not UTF-8 text. Save it as UTF-8.")
     return text
 
 
@@ -210,7 +210,7 @@ def decimal(text: str) -> float:
 def _number(text: str) -> float:
     number = decimal(text)
     if math.isnan(number):
-        raise _Wrong(f"'{text}' is no number")
+        raise _Wrong(f"'{text}' is not a number")
     return number
 
 

@@ -12,7 +12,7 @@ from ._errors import FileError
 from ._session_record import organ_of_file
 
 ENDING = ".seg.nrrd"
-MOST = 4096  # more is no label map
+MOST = 4096  # more is not a label map
 COLORS = ("#ffd24a", "#8fe388", "#ff8a7a", "#d9a0ff", "#ffb347", "#ff9ed2", "#c8e65a", "#e6cfa8")
 
 

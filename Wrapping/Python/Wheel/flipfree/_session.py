@@ -70,7 +70,7 @@ def read_session(name: str) -> Session:
         ) from error
     try:
         if content["format"] != "flipfree-session" or content["version"] not in (1, 2):
-            raise ValueError("it is of another format or of a newer version")
+            raise ValueError("it has another format or a newer version")
         return _session_of(name, content)
     except (KeyError, TypeError) as error:
         raise FileError(

@@ -37,7 +37,7 @@ def _number(setting: Setting, value: Any) -> float:
         raise TypeError("integer argument expected, got float")
     if setting.kind is int:
         return float(operator.index(value))
-    return math.ldexp(value, 0)  # refuses what is no number, text that looks like one included
+    return math.ldexp(value, 0)  # refuses what is not a number, text that looks like one included
 
 
 def settings_of(

@@ -61,7 +61,7 @@ def read_surface(path: PathName) -> Surface:
     name = os.fspath(path)
     ending = ending_of(name)
     if not os.path.isfile(name) or not os.access(name, os.R_OK):
-        raise FileError(f"'{name}' does not exist or may not be read. Check its name and permissions.")
+        raise FileError(f"'{name}' does not exist or cannot be read. Check its name and permissions.")
     module, kind = {
         ".vtp": ("vtkIOXML", "vtkXMLPolyDataReader"),
         ".stl": ("vtkIOGeometry", "vtkSTLReader"),
@@ -96,8 +96,8 @@ def _require_single_precision(mesh: Surface, name: str) -> None:
 
     if mesh.certified and (mesh.points.astype(numpy.float32) != mesh.points).any():
         raise FileError(
-            f"'{name}' cannot hold this surface: the format rounds positions, and what was certified "
-            "are others. Write a .vtp file, which holds positions in double precision."
+            f"'{name}' cannot hold this surface: the format rounds positions, so the file would "
+            "not hold the certified surface. Write a .vtp file, which holds positions in double precision."
         )
 
 
