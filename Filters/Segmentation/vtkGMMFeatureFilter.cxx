@@ -3,10 +3,10 @@
 #include "Deformation/SegmentationParameters.h"
 #include "FieldData.h"
 #include "GrayImageAdapter.h"
+#include "Intensity/CarvedForeground.h"
 #include "Intensity/ModelFit.h"
 #include "Intensity/OrganCarving.h"
 #include "Intensity/OrganFeature.h"
-#include "Intensity/SurfaceForeground.h"
 #include "PipelineAdapter.h"
 #include "StageProperties.h"
 #include "SurfaceAdapter.h"
@@ -52,7 +52,7 @@ bool Carve(vtkPolyData* surface, const FlipFree::ImageView<float>& smooth,
   const FlipFree::Monitor& monitor, FlipFree::BitMask& foreground)
 {
   const FlipFree::PolygonalSurface closed = ClosedSurfaceOf(surface);
-  FlipFree::SurfaceForegroundInputs inputs;
+  FlipFree::CarvedForegroundInputs inputs;
   inputs.Smooth = smooth;
   inputs.MakeSmooth = [](const FlipFree::VoxelBox&) { return true; };
   inputs.Points = &closed.Points;
@@ -63,7 +63,7 @@ bool Carve(vtkPolyData* surface, const FlipFree::ImageView<float>& smooth,
   inputs.Settings.Modality =
     FlipFree::ResolveModality(settings.Modality, FlipFree::ReaderOf(smooth), smooth.Geometry);
   double unanimity = 1;
-  return FlipFree::ForegroundOfSurface(inputs, FlipFree::SMPFor, monitor, foreground, unanimity);
+  return FlipFree::CarveForeground(inputs, FlipFree::SMPFor, monitor, foreground, unanimity);
 }
 
 // By carving the inside of a surface, or without one by the model, which must show contrast if it

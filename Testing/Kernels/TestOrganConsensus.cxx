@@ -2,10 +2,10 @@
 #include "ExampleMasks.h"
 #include "ExampleSurfaces.h"
 #include "Intensity/BoundarySupport.h"
+#include "Intensity/CarvedForeground.h"
 #include "Intensity/IntensityField.h"
 #include "Intensity/OrganCarving.h"
 #include "Intensity/OrganConsensus.h"
-#include "Intensity/SurfaceForeground.h"
 
 #include <gtest/gtest.h>
 
@@ -276,10 +276,9 @@ namespace
 {
 
 // The image and the surface must outlive what is returned.
-SurfaceForegroundInputs InputsOf(const Organ& organ, const FloatImage& image,
-  const Surface& surface)
+CarvedForegroundInputs InputsOf(const Organ& organ, const FloatImage& image, const Surface& surface)
 {
-  SurfaceForegroundInputs inputs;
+  CarvedForegroundInputs inputs;
   inputs.Smooth = image.View();
   inputs.MakeSmooth = [](const VoxelBox&) { return true; };
   inputs.Points = &surface.Points;
@@ -294,7 +293,7 @@ SurfaceForegroundInputs InputsOf(const Organ& organ, const FloatImage& image,
 } // namespace
 
 // Which boxes are made tells whether further opinions were sought.
-TEST(SurfaceForeground, IsCarvedAndIfInDoubtVotedOn)
+TEST(CarvedForeground, IsCarvedAndIfInDoubtVotedOn)
 {
   const Organ organ;
   const FloatImage image = organ.Image();
@@ -311,7 +310,7 @@ TEST(SurfaceForeground, IsCarvedAndIfInDoubtVotedOn)
     double unanimous = 1;
     const bool doubtful = IsDoubtful(inside, expected);
     EXPECT_EQ(doubtful, radius > 21);
-    SurfaceForegroundInputs inputs = InputsOf(organ, image, surface);
+    CarvedForegroundInputs inputs = InputsOf(organ, image, surface);
     for (const bool seeks : { false, true })
     {
       inputs.Settings.Consensus = seeks;
@@ -329,7 +328,7 @@ TEST(SurfaceForeground, IsCarvedAndIfInDoubtVotedOn)
       };
       BitMask found;
       double unanimity = 0;
-      ASSERT_TRUE(ForegroundOfSurface(inputs, SerialFor, NeverStop, found, unanimity));
+      ASSERT_TRUE(CarveForeground(inputs, SerialFor, NeverStop, found, unanimity));
       EXPECT_EQ(found, expected);
       EXPECT_EQ(unanimity, unanimous);
       EXPECT_TRUE(made == boxes);
@@ -337,17 +336,17 @@ TEST(SurfaceForeground, IsCarvedAndIfInDoubtVotedOn)
   }
 }
 
-TEST(SurfaceForeground, StopsAtOnce)
+TEST(CarvedForeground, StopsAtOnce)
 {
   const Organ organ;
   const FloatImage image = organ.Image();
   const Surface surface = Sphere(16, Center, 25);
-  SurfaceForegroundInputs inputs = InputsOf(organ, image, surface);
+  CarvedForegroundInputs inputs = InputsOf(organ, image, surface);
   const auto stops = [&inputs](const Monitor& monitor)
   {
     BitMask found;
     double unanimity = 0;
-    return !ForegroundOfSurface(inputs, SerialFor, monitor, found, unanimity);
+    return !CarveForeground(inputs, SerialFor, monitor, found, unanimity);
   };
   for (int allowed = 0; allowed < 24; allowed += 4)
   {

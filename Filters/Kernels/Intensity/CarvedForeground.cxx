@@ -1,4 +1,4 @@
-#include "Intensity/SurfaceForeground.h"
+#include "Intensity/CarvedForeground.h"
 
 #include "Intensity/OrganCarving.h"
 #include "Intensity/OrganConsensus.h"
@@ -6,7 +6,7 @@
 namespace FlipFree
 {
 
-bool ForegroundOfSurface(const SurfaceForegroundInputs& inputs, const ParallelFor& parallelFor,
+bool CarveForeground(const CarvedForegroundInputs& inputs, const ParallelFor& parallelFor,
   const Monitor& monitor, BitMask& foreground, double& unanimity)
 {
   const ImageView<float>& smooth = inputs.Smooth;
