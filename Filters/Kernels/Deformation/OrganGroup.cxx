@@ -367,7 +367,7 @@ VolumeSegmentation OrganGroup::Finish(Member& member) const
   member.Naming(
     [&]
     {
-      member.Segmenter.Judge(member.Constraints, result);
+      member.Segmenter.Complete(member.Constraints, result);
       return true;
     });
   result.StageSeconds[3] = watch.Lap();

@@ -99,8 +99,8 @@ public:
   OrganSegmenter& Prepare(const ConstraintList& constraints);
   /// Its start surface, small enough to keep off the outside points.
   DeformableSurface StartWithin(const ConstraintList& constraints) const;
-  /// Confidence, warnings and voxels of a surface that was not aborted.
-  void Judge(const ConstraintList& constraints, VolumeSegmentation& result) const;
+  /// Adds the confidence, warnings and voxels of a surface that was not aborted.
+  void Complete(const ConstraintList& constraints, VolumeSegmentation& result) const;
 
   /// The part of the volume that the surface can reach, once prepared.
   const VoxelBox& GetBox() const { return this->Box; }
