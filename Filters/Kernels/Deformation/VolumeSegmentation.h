@@ -61,7 +61,8 @@ struct VolumeSegmentation
   std::vector<VoxelRun> Voxels;      ///< inside; none where it was aborted
   SurfaceConfidence Confidence;      ///< empty where it was aborted
   std::vector<std::string> Warnings; ///< a message each, with its remedy
-  /// Smoothing, feature, deformation, label map.
+  /// Smoothing, feature, deformation with the exact count of self-intersections (which a group does
+  /// not include), label map with confidence and warnings.
   std::array<double, 4> StageSeconds{ { 0, 0, 0, 0 } };
 };
 
