@@ -67,11 +67,14 @@ struct OrganSegmenter::State
   const DeformableSurface Start;
   bool IsGiven = false; // the foreground; there is no first run then
 
-  // Of the first run, kept between calls.
-  bool IsCarved = false;
+  // The settled foreground before constraints correct it: carved after the first run, or given.
+  // Kept between calls.
+  bool HasUncorrected = false;
+  BitMask Uncorrected;
+
+  // Of the first run, if there is one; kept, too.
   std::vector<IterationRecord> FirstIterations;
   DeformableSurface FirstSurface;
-  BitMask Carved;
 
   // What RunToResult() gives without constraints; kept, too.
   DeformableSurface Unconstrained;
@@ -90,8 +93,8 @@ OrganSegmenter::~OrganSegmenter() = default;
 
 void OrganSegmenter::SetForeground(BitMask mask)
 {
-  this->Kept->Carved = std::move(mask);
-  this->Kept->IsCarved = true;
+  this->Kept->Uncorrected = std::move(mask);
+  this->Kept->HasUncorrected = true;
   this->Kept->IsGiven = true;
   this->Kept->Unconstrained = {};
   this->Kept->DeepParts.clear();
@@ -126,8 +129,8 @@ bool OrganSegmenter::RunAndCarve(const Monitor& monitor, const IterationObserver
   const OrganSurface& surface = kept.Organ.GetSurface();
   kept.FirstSurface = { surface.Mesh, surface.Points };
   kept.FirstIterations = surface.Iterations;
-  kept.Carved = kept.Organ.GetForeground().GetMask();
-  kept.IsCarved = true;
+  kept.Uncorrected = kept.Organ.GetForeground().GetMask();
+  kept.HasUncorrected = true;
   return true;
 }
 
@@ -164,11 +167,11 @@ bool OrganSegmenter::FindForeground(const ConstraintList& constraints, const Mon
     return kept.Organ.FindForegroundOfSeed(monitor) &&
       kept.Organ.CorrectForeground(constraints, monitor);
   }
-  if (!kept.IsCarved && !this->RunAndCarve(monitor, observer))
+  if (!kept.HasUncorrected && !this->RunAndCarve(monitor, observer))
   {
     return false;
   }
-  kept.Organ.SettleForeground(kept.Carved);
+  kept.Organ.SettleForeground(kept.Uncorrected);
   if (!constraints.empty() && kept.Unconstrained.Points.rows() == 0 &&
     !this->RunWithoutConstraints(monitor))
   {
@@ -225,7 +228,8 @@ bool OrganSegmenter::RunAllLevelsTo(const std::vector<EndSurface>& ends,
 EndSurface OrganSegmenter::UnconstrainedWhereUnchanged(const ConstraintList& constraints) const
 {
   const auto places = std::make_shared<const UnchangedPlaces>(
-    DifferenceOf(this->Kept->Carved, this->Kept->Organ.GetForeground().GetMask()), constraints);
+    DifferenceOf(this->Kept->Uncorrected, this->Kept->Organ.GetForeground().GetMask()),
+    constraints);
   return { &this->Kept->Unconstrained,
     [places, this](const PointList& points) { return places->WeightsOf(points, this->Parallel); } };
 }
@@ -235,7 +239,8 @@ bool OrganSegmenter::RunAllLevels(const ConstraintList& constraints, const Defor
 {
   std::vector<EndSurface> ends;
   if (this->Kept->Unconstrained.Points.rows() > 0 &&
-    (!constraints.empty() || this->Kept->Carved != this->Kept->Organ.GetForeground().GetMask()))
+    (!constraints.empty() ||
+      this->Kept->Uncorrected != this->Kept->Organ.GetForeground().GetMask()))
   {
     ends.push_back(this->UnconstrainedWhereUnchanged(constraints));
   }
@@ -260,7 +265,7 @@ bool OrganSegmenter::FindDeepSurfaces(const DeformableSurface* start,
   State& kept = *this->Kept;
   DeformingOrgan& organ = kept.Organ;
   std::vector<BitMask> deep;
-  if (!FindDeepParts(kept.Carved, organ.GetForeground().GetMask(), DeepChange, this->Parallel,
+  if (!FindDeepParts(kept.Uncorrected, organ.GetForeground().GetMask(), DeepChange, this->Parallel,
         FlipFree::PartOf(monitor, 0, 0), deep))
   {
     return false;
@@ -298,7 +303,7 @@ bool OrganSegmenter::RunDeepPart(const DeformableSurface* start, const Monitor& 
 {
   DeformingOrgan& organ = this->Kept->Organ;
   OrganSurface& surface = organ.GetSurface();
-  organ.SettleForeground(DifferenceOf(this->Kept->Carved, part.Voxels));
+  organ.SettleForeground(DifferenceOf(this->Kept->Uncorrected, part.Voxels));
   surface.Iterations.clear();
   if (!this->RunAllLevels(part.Constraints, start, FlipFree::PartOf(monitor, 0, 0.8), observer) ||
     !this->RunLastLevelFrom({ surface.Mesh, surface.Points }, part.Constraints,
@@ -316,7 +321,7 @@ bool OrganSegmenter::JoinDeepSurfaces(const DeformableSurface* start, const Moni
   const IterationObserver& observer)
 {
   State& kept = *this->Kept;
-  BitMask all(kept.Carved.GetGeometry());
+  BitMask all(kept.Uncorrected.GetGeometry());
   ConstraintList constraints;
   std::vector<EndSurface> ends(1);
   for (const DeepPart& part : kept.DeepParts)
@@ -328,7 +333,7 @@ bool OrganSegmenter::JoinDeepSurfaces(const DeformableSurface* start, const Moni
                       return (places->WeightsOf(points, this->Parallel).array() < 1).cast<double>();
                     } });
   }
-  kept.Organ.SettleForeground(DifferenceOf(kept.Carved, all));
+  kept.Organ.SettleForeground(DifferenceOf(kept.Uncorrected, all));
   ends.front() = this->UnconstrainedWhereUnchanged(constraints);
   return this->RunAllLevelsTo(ends, SortedConstraints(constraints), start, monitor, observer);
 }
@@ -349,7 +354,7 @@ bool OrganSegmenter::CorrectUnconstrained(const BitMask& corrected,
     return false;
   }
   const std::vector<DeepPart>& parts = kept.DeepParts;
-  BitMask changed = DifferenceOf(kept.Carved, corrected);
+  BitMask changed = DifferenceOf(kept.Uncorrected, corrected);
   for (const DeepPart& part : parts)
   {
     changed.Remove(part.Voxels);
@@ -416,7 +421,7 @@ OrganSurface OrganSegmenter::FindSurface(const ConstraintList& constraints,
   {
     done = this->RunToResult(constraints, start, FlipFree::PartOf(ask, half, 1), observer);
   }
-  if (done && !remembering.HasStopped() && constraints.empty() && this->Kept->IsCarved &&
+  if (done && !remembering.HasStopped() && constraints.empty() && this->Kept->HasUncorrected &&
     (!start || start->Points == this->Kept->Start.Points))
   {
     this->KeepUnconstrained();
