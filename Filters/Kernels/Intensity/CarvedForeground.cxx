@@ -12,14 +12,12 @@ bool CarveForeground(const CarvedForegroundInputs& inputs, const ParallelFor& pa
   const ImageView<float>& smooth = inputs.Smooth;
   const SeedSphere& seed = inputs.Seed;
   const OrganFeatureSettings& settings = inputs.Settings;
-  // No runs may mean a stop or a surface that holds no voxel.
-  const RememberingMonitor remembering(monitor);
-  const Monitor& proceed = remembering.Get();
-  const std::vector<VoxelRun> inside = VoxelizeSurface(*inputs.Points, *inputs.Triangles,
-    smooth.Geometry, parallelFor, PartOf(proceed, 0, 0.1));
-  if (remembering.HasStopped() || !inputs.MakeSmooth(CarvingBox(smooth.Geometry, inside, seed)) ||
+  std::vector<VoxelRun> inside;
+  if (!VoxelizeSurface(*inputs.Points, *inputs.Triangles, smooth.Geometry, parallelFor,
+        PartOf(monitor, 0, 0.1), inside) ||
+    !inputs.MakeSmooth(CarvingBox(smooth.Geometry, inside, seed)) ||
     !CarveOrgan(smooth, inside, seed, inputs.Noise, settings.Modality, parallelFor,
-      PartOf(proceed, 0.1, 0.4), foreground))
+      PartOf(monitor, 0.1, 0.4), foreground))
   {
     return false;
   }
@@ -28,7 +26,7 @@ bool CarveForeground(const CarvedForegroundInputs& inputs, const ParallelFor& pa
   return !seeks ||
     (inputs.MakeSmooth(ConsensusBox(foreground, seed)) &&
       SeekConsensus(smooth, seed, inputs.Noise, settings.Modality, settings, parallelFor,
-        PartOf(proceed, 0.4, 1), foreground, &unanimity));
+        PartOf(monitor, 0.4, 1), foreground, &unanimity));
 }
 
 } // namespace FlipFree
