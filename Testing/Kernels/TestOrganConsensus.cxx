@@ -39,6 +39,8 @@ struct Organ
   double Noise = 4;
   OrganFeatureSettings Settings;
 
+  Organ() { this->Settings.Modality = Modality::MR; }
+
   FloatImage Image(float scale = 1) const
   {
     FloatImage image{ this->Geometry, {} };
@@ -58,8 +60,8 @@ struct Organ
   {
     const FloatImage image = this->Image(scale);
     BitMask mask = carved;
-    EXPECT_TRUE(SeekConsensus(image.View(), this->Seed, scale * this->Noise, Modality::MR,
-      this->Settings, parallelFor, NeverStop, mask));
+    EXPECT_TRUE(SeekConsensus(image.View(), this->Seed, scale * this->Noise, this->Settings,
+      parallelFor, NeverStop, mask));
     return mask;
   }
 };
@@ -237,8 +239,8 @@ TEST(OrganConsensus, IsNotUnanimousWhereItRestores)
   const BitMask carved = CutOff(organ, 42);
   BitMask mask = carved;
   double unanimity = 0;
-  ASSERT_TRUE(SeekConsensus(image.View(), organ.Seed, organ.Noise, Modality::MR, organ.Settings,
-    SerialFor, NeverStop, mask, &unanimity));
+  ASSERT_TRUE(SeekConsensus(image.View(), organ.Seed, organ.Noise, organ.Settings, SerialFor,
+    NeverStop, mask, &unanimity));
   EXPECT_GT(unanimity, 0.5);
   EXPECT_LE(unanimity, Dice(carved, mask) + 1e-9);
 }
@@ -261,8 +263,8 @@ TEST(OrganConsensus, StopsAtOnce)
     int asked = 0;
     const Monitor monitor = [&](double) { return ++asked <= allowed; };
     BitMask mask = carved;
-    if (SeekConsensus(image.View(), organ.Seed, organ.Noise, Modality::MR, organ.Settings,
-          SerialFor, monitor, mask))
+    if (SeekConsensus(image.View(), organ.Seed, organ.Noise, organ.Settings, SerialFor, monitor,
+          mask))
     {
       EXPECT_LE(asked, allowed);
       continue;
@@ -317,8 +319,8 @@ TEST(CarvedForeground, IsCarvedAndIfInDoubtVotedOn)
       if (seeks && doubtful)
       {
         boxes.push_back(ConsensusBox(expected, organ.Seed));
-        ASSERT_TRUE(SeekConsensus(image.View(), organ.Seed, organ.Noise, Modality::MR,
-          inputs.Settings, SerialFor, NeverStop, expected, &unanimous));
+        ASSERT_TRUE(SeekConsensus(image.View(), organ.Seed, organ.Noise, inputs.Settings, SerialFor,
+          NeverStop, expected, &unanimous));
       }
       std::vector<VoxelBox> made;
       inputs.MakeSmooth = [&made](const VoxelBox& box)

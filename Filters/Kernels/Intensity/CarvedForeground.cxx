@@ -25,8 +25,8 @@ bool CarveForeground(const CarvedForegroundInputs& inputs, const ParallelFor& pa
   const bool seeks = settings.Consensus && settings.ControlLeaks && IsDoubtful(inside, foreground);
   return !seeks ||
     (inputs.MakeSmooth(ConsensusBox(foreground, seed)) &&
-      SeekConsensus(smooth, seed, inputs.Noise, settings.Modality, settings, parallelFor,
-        PartOf(monitor, 0.4, 1), foreground, &unanimity));
+      SeekConsensus(smooth, seed, inputs.Noise, settings, parallelFor, PartOf(monitor, 0.4, 1),
+        foreground, &unanimity));
 }
 
 } // namespace FlipFree
