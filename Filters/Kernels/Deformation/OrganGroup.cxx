@@ -250,6 +250,7 @@ bool OrganGroup::Run(const Monitor& monitor, const GroupObserver& observer)
     Member& member = *this->Members[index];
     const Monitor part = FlipFree::PartOf(monitor, half * static_cast<double>(index) / count,
       half * static_cast<double>(index + 1) / count);
+    const RememberingMonitor remembering(part);
     const bool found = member.Naming(
       [&]
       {
@@ -257,7 +258,7 @@ bool OrganGroup::Run(const Monitor& monitor, const GroupObserver& observer)
         member.Organ().SetName(member.Name);
         member.Renamings.clear();
         member.SmoothedBefore = member.Organ().GetForeground().GetSmoothingSeconds();
-        return member.Levels->FindForeground({}, part, observerOf(member));
+        return member.Levels->FindForeground({}, remembering, observerOf(member));
       });
     if (!found)
     {

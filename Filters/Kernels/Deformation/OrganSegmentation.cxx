@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <iterator>
 #include <memory>
+#include <optional>
 #include <utility>
 
 namespace FlipFree
@@ -23,6 +24,24 @@ bool IsNear(const PointConstraint& constraint, const BitMask& voxels)
   constexpr double near = 5; // millimeters
   const double reach = std::max(near, constraint.Radius);
   return voxels.Cropped(BoxAround(voxels.GetGeometry(), constraint.Point, reach)).Count() > 0;
+}
+
+// What the call returns, or nothing where a constraint cannot be obeyed.
+template <typename Call>
+std::optional<bool> UnlessUnreachable(const Call& call)
+{
+  try
+  {
+    return call();
+  }
+  catch (const Error& error)
+  {
+    if (error.GetCode() != ErrorCode::UnreachablePoint)
+    {
+      throw;
+    }
+    return std::nullopt;
+  }
 }
 
 // Iterations count on.
@@ -53,6 +72,16 @@ struct OrganSegmenter::DeepPart
       this->Voxels == other.Voxels;
   }
 };
+
+OrganSegmenter::RunInputs OrganSegmenter::RunInputs::With(const ConstraintList& constraints) const
+{
+  return { constraints, this->Start, this->Proceed, this->Observer };
+}
+
+OrganSegmenter::RunInputs OrganSegmenter::RunInputs::Part(double first, double last) const
+{
+  return { this->Constraints, this->Start, PartOf(this->Proceed, first, last), this->Observer };
+}
 
 struct OrganSegmenter::State
 {
@@ -110,18 +139,18 @@ bool OrganSegmenter::RunsTwice() const
   return this->Kept->Organ.GetSettings().Feature.Carving && !this->Kept->IsGiven;
 }
 
-// The monitor remembers a stop.
-bool OrganSegmenter::RunAndCarve(const Monitor& monitor, const IterationObserver& observer)
+bool OrganSegmenter::RunAndCarve(const RememberingMonitor& monitor,
+  const IterationObserver& observer)
 {
   State& kept = *this->Kept;
-  const Monitor begin = [&](double) { return monitor(0); };
-  const Monitor end = [&](double) { return monitor(1); };
+  const Monitor begin = [&](double) { return monitor.Get()(0); };
+  const Monitor end = [&](double) { return monitor.Get()(1); };
   if (!kept.Organ.FindForegroundOfSeed(begin))
   {
     return false;
   }
   kept.Organ.BeginAt(kept.Start, 0, {}, OutsidePoints::FromTheStart, observer);
-  if (!JointDeformation({ &kept.Organ }, {}, this->Parallel).Run(monitor) ||
+  if (!JointDeformation({ &kept.Organ }, {}, this->Parallel).Run(monitor.Get()) ||
     !kept.Organ.CarveSurface(end))
   {
     return false;
@@ -157,15 +186,15 @@ void OrganSegmenter::KeepUnconstrained()
 
 // With carving, all levels run twice: a surface that has leaked would have to draw back through
 // the neck, so the second run starts anew.
-bool OrganSegmenter::FindForeground(const ConstraintList& constraints, const Monitor& monitor,
-  const IterationObserver& observer)
+bool OrganSegmenter::FindForeground(const ConstraintList& constraints,
+  const RememberingMonitor& monitor, const IterationObserver& observer)
 {
   State& kept = *this->Kept;
   kept.Organ.Reset();
   if (!this->RunsTwice() && !kept.IsGiven)
   {
-    return kept.Organ.FindForegroundOfSeed(monitor) &&
-      kept.Organ.CorrectForeground(constraints, monitor);
+    return kept.Organ.FindForegroundOfSeed(monitor.Get()) &&
+      kept.Organ.CorrectForeground(constraints, monitor.Get());
   }
   if (!kept.HasUncorrected && !this->RunAndCarve(monitor, observer))
   {
@@ -173,7 +202,7 @@ bool OrganSegmenter::FindForeground(const ConstraintList& constraints, const Mon
   }
   kept.Organ.SettleForeground(kept.Uncorrected);
   if (!constraints.empty() && kept.Unconstrained.Points.rows() == 0 &&
-    !this->RunWithoutConstraints(monitor))
+    !this->RunWithoutConstraints(monitor.Get()))
   {
     return false;
   }
@@ -181,7 +210,7 @@ bool OrganSegmenter::FindForeground(const ConstraintList& constraints, const Mon
   surface.Iterations = kept.FirstIterations;
   surface.First = kept.FirstSurface;
   surface.Unanimity = kept.Organ.GetForeground().GetUnanimity();
-  return kept.Organ.CorrectForeground(constraints, [&](double) { return monitor(1); });
+  return kept.Organ.CorrectForeground(constraints, [&](double) { return monitor.Get()(1); });
 }
 
 void OrganSegmenter::Begin(const ConstraintList& constraints, const DeformableSurface* start,
@@ -198,31 +227,20 @@ int OrganSegmenter::FirstLevel() const
 }
 
 // Where the surface cannot be pulled back from an outside point, it keeps off from the start.
-bool OrganSegmenter::RunAllLevelsTo(const std::vector<EndSurface>& ends,
-  const ConstraintList& constraints, const DeformableSurface* start, const Monitor& monitor,
-  const IterationObserver& observer)
+bool OrganSegmenter::RunAllLevelsTo(const std::vector<EndSurface>& ends, const RunInputs& inputs)
 {
   DeformingOrgan& organ = this->Kept->Organ;
   const std::vector<IterationRecord> before = organ.GetSurface().Iterations;
   const auto run = [&](OutsidePoints outside)
   {
     organ.GetSurface().Iterations = before;
-    this->Begin(constraints, start, outside, observer);
+    this->Begin(inputs.Constraints, inputs.Start, outside, inputs.Observer);
     organ.EndOn(ends);
-    return JointDeformation({ &organ }, {}, this->Parallel).Run(monitor);
+    return JointDeformation({ &organ }, {}, this->Parallel).Run(inputs.Proceed);
   };
-  try
-  {
-    return run(OutsidePoints::InTheLastLevel);
-  }
-  catch (const Error& error)
-  {
-    if (error.GetCode() != ErrorCode::UnreachablePoint)
-    {
-      throw;
-    }
-  }
-  return run(OutsidePoints::FromTheStart);
+  const std::optional<bool> done =
+    UnlessUnreachable([&] { return run(OutsidePoints::InTheLastLevel); });
+  return done ? *done : run(OutsidePoints::FromTheStart);
 }
 
 EndSurface OrganSegmenter::UnconstrainedWhereUnchanged(const ConstraintList& constraints) const
@@ -234,39 +252,37 @@ EndSurface OrganSegmenter::UnconstrainedWhereUnchanged(const ConstraintList& con
     [places, this](const PointList& points) { return places->WeightsOf(points, this->Parallel); } };
 }
 
-bool OrganSegmenter::RunAllLevels(const ConstraintList& constraints, const DeformableSurface* start,
-  const Monitor& monitor, const IterationObserver& observer)
+bool OrganSegmenter::RunAllLevels(const RunInputs& inputs)
 {
   std::vector<EndSurface> ends;
   if (this->Kept->Unconstrained.Points.rows() > 0 &&
-    (!constraints.empty() ||
+    (!inputs.Constraints.empty() ||
       this->Kept->Uncorrected != this->Kept->Organ.GetForeground().GetMask()))
   {
-    ends.push_back(this->UnconstrainedWhereUnchanged(constraints));
+    ends.push_back(this->UnconstrainedWhereUnchanged(inputs.Constraints));
   }
-  return this->RunAllLevelsTo(ends, constraints, start, monitor, observer);
+  return this->RunAllLevelsTo(ends, inputs);
 }
 
 bool OrganSegmenter::RunLastLevelFrom(const DeformableSurface& from,
-  const ConstraintList& constraints, const UnchangedPlaces& unchanged, const Monitor& monitor,
-  const IterationObserver& observer)
+  const UnchangedPlaces& unchanged, const RunInputs& inputs)
 {
   DeformingOrgan& organ = this->Kept->Organ;
-  organ.BeginAt(from, this->FirstLevel(), constraints, OutsidePoints::AroundThem, observer);
+  organ.BeginAt(from, this->FirstLevel(), inputs.Constraints, OutsidePoints::AroundThem,
+    inputs.Observer);
   organ.StayIn(unchanged);
-  return JointDeformation({ &organ }, {}, this->Parallel).RunLastLevel(monitor);
+  return JointDeformation({ &organ }, {}, this->Parallel).RunLastLevel(inputs.Proceed);
 }
 
 // The surface would have to draw back from a leak through the neck, and to bulge far into a lobe,
 // so such parts change in runs of all levels: each by itself.
-bool OrganSegmenter::FindDeepSurfaces(const DeformableSurface* start,
-  const ConstraintList& constraints, const Monitor& monitor, const IterationObserver& observer)
+bool OrganSegmenter::FindDeepSurfaces(const RunInputs& inputs)
 {
   State& kept = *this->Kept;
   DeformingOrgan& organ = kept.Organ;
   std::vector<BitMask> deep;
   if (!FindDeepParts(kept.Uncorrected, organ.GetForeground().GetMask(), DeepChange, this->Parallel,
-        FlipFree::PartOf(monitor, 0, 0), deep))
+        PartOf(inputs.Proceed, 0, 0), deep))
   {
     return false;
   }
@@ -275,10 +291,11 @@ bool OrganSegmenter::FindDeepSurfaces(const DeformableSurface* start,
   {
     DeepPart part;
     part.Voxels = std::move(deep[number]);
-    std::copy_if(constraints.begin(), constraints.end(), std::back_inserter(part.Constraints),
+    std::copy_if(inputs.Constraints.begin(), inputs.Constraints.end(),
+      std::back_inserter(part.Constraints),
       [&](const PointConstraint& constraint) { return IsNear(constraint, part.Voxels); });
     part.Constraints = SortedConstraints(part.Constraints);
-    part.Start = start ? start->Points : kept.Start.Points;
+    part.Start = inputs.Start ? inputs.Start->Points : kept.Start.Points;
     const auto same = std::find_if(kept.DeepParts.begin(), kept.DeepParts.end(),
       [&](const DeepPart& other) { return part.IsSameAs(other); });
     if (same != kept.DeepParts.end())
@@ -288,7 +305,7 @@ bool OrganSegmenter::FindDeepSurfaces(const DeformableSurface* start,
     }
     const double first = static_cast<double>(number) / static_cast<double>(deep.size());
     const double last = static_cast<double>(number + 1) / static_cast<double>(deep.size());
-    if (!this->RunDeepPart(start, FlipFree::PartOf(monitor, first, last), observer, part))
+    if (!this->RunDeepPart(inputs.Part(first, last), part))
     {
       return false;
     }
@@ -298,16 +315,16 @@ bool OrganSegmenter::FindDeepSurfaces(const DeformableSurface* start,
   return true;
 }
 
-bool OrganSegmenter::RunDeepPart(const DeformableSurface* start, const Monitor& monitor,
-  const IterationObserver& observer, DeepPart& part)
+bool OrganSegmenter::RunDeepPart(const RunInputs& inputs, DeepPart& part)
 {
+  const RunInputs ofPart = inputs.With(part.Constraints);
   DeformingOrgan& organ = this->Kept->Organ;
   OrganSurface& surface = organ.GetSurface();
   organ.SettleForeground(DifferenceOf(this->Kept->Uncorrected, part.Voxels));
   surface.Iterations.clear();
-  if (!this->RunAllLevels(part.Constraints, start, FlipFree::PartOf(monitor, 0, 0.8), observer) ||
-    !this->RunLastLevelFrom({ surface.Mesh, surface.Points }, part.Constraints,
-      { part.Voxels, part.Constraints }, FlipFree::PartOf(monitor, 0.8, 1), observer))
+  if (!this->RunAllLevels(ofPart.Part(0, 0.8)) ||
+    !this->RunLastLevelFrom({ surface.Mesh, surface.Points }, { part.Voxels, part.Constraints },
+      ofPart.Part(0.8, 1)))
   {
     return false;
   }
@@ -317,8 +334,7 @@ bool OrganSegmenter::RunDeepPart(const DeformableSurface* start, const Monitor& 
 }
 
 // Of several deep parts: near each, the surface with that one alone.
-bool OrganSegmenter::JoinDeepSurfaces(const DeformableSurface* start, const Monitor& monitor,
-  const IterationObserver& observer)
+bool OrganSegmenter::JoinDeepSurfaces(const RunInputs& inputs)
 {
   State& kept = *this->Kept;
   BitMask all(kept.Uncorrected.GetGeometry());
@@ -335,21 +351,19 @@ bool OrganSegmenter::JoinDeepSurfaces(const DeformableSurface* start, const Moni
   }
   kept.Organ.SettleForeground(DifferenceOf(kept.Uncorrected, all));
   ends.front() = this->UnconstrainedWhereUnchanged(constraints);
-  return this->RunAllLevelsTo(ends, SortedConstraints(constraints), start, monitor, observer);
+  return this->RunAllLevelsTo(ends, inputs.With(SortedConstraints(constraints)));
 }
 
 // Moves the surface without constraints only where these have changed the foreground.
 // `corrected` is the foreground by all constraints.
-bool OrganSegmenter::CorrectUnconstrained(const BitMask& corrected,
-  const ConstraintList& constraints, const DeformableSurface* start, const Monitor& monitor,
-  const IterationObserver& observer)
+bool OrganSegmenter::CorrectUnconstrained(const BitMask& corrected, const RunInputs& inputs)
 {
   State& kept = *this->Kept;
   DeformingOrgan& organ = kept.Organ;
   std::vector<IterationRecord> iterations = organ.GetSurface().Iterations;
   // Refuses outside points in the start.
-  this->Begin(constraints, start, OutsidePoints::InTheLastLevel, observer);
-  if (!this->FindDeepSurfaces(start, constraints, FlipFree::PartOf(monitor, 0, 0.5), observer))
+  this->Begin(inputs.Constraints, inputs.Start, OutsidePoints::InTheLastLevel, inputs.Observer);
+  if (!this->FindDeepSurfaces(inputs.Part(0, 0.5)))
   {
     return false;
   }
@@ -364,7 +378,7 @@ bool OrganSegmenter::CorrectUnconstrained(const BitMask& corrected,
   DeformableSurface base = parts.empty() ? kept.Unconstrained : parts.front().Surface;
   if (parts.size() > 1)
   {
-    if (!this->JoinDeepSurfaces(start, FlipFree::PartOf(monitor, 0.5, 0.8), observer))
+    if (!this->JoinDeepSurfaces(inputs.Part(0.5, 0.8)))
     {
       return false;
     }
@@ -372,40 +386,32 @@ bool OrganSegmenter::CorrectUnconstrained(const BitMask& corrected,
   }
   organ.SettleForeground(corrected);
   ConstraintList shallow;
-  std::copy_if(constraints.begin(), constraints.end(), std::back_inserter(shallow),
+  std::copy_if(inputs.Constraints.begin(), inputs.Constraints.end(), std::back_inserter(shallow),
     [&](const PointConstraint& constraint)
     {
       return std::none_of(parts.begin(), parts.end(),
         [&](const DeepPart& part) { return IsNear(constraint, part.Voxels); });
     });
-  return this->RunLastLevelFrom(base, constraints, { std::move(changed), shallow },
-    FlipFree::PartOf(monitor, 0.8, 1), observer);
+  return this->RunLastLevelFrom(base, { std::move(changed), shallow }, inputs.Part(0.8, 1));
 }
 
-bool OrganSegmenter::RunToResult(const ConstraintList& constraints, const DeformableSurface* start,
-  const Monitor& monitor, const IterationObserver& observer)
+bool OrganSegmenter::RunToResult(const RunInputs& inputs)
 {
   State& kept = *this->Kept;
-  if (constraints.empty() || kept.Unconstrained.Points.rows() == 0)
+  if (inputs.Constraints.empty() || kept.Unconstrained.Points.rows() == 0)
   {
-    return this->RunAllLevels(constraints, start, monitor, observer);
+    return this->RunAllLevels(inputs);
   }
   BitMask corrected = kept.Organ.GetForeground().GetMask();
   const std::vector<IterationRecord> before = kept.Organ.GetSurface().Iterations;
-  try
+  if (const std::optional<bool> done =
+        UnlessUnreachable([&] { return this->CorrectUnconstrained(corrected, inputs); }))
   {
-    return this->CorrectUnconstrained(corrected, constraints, start, monitor, observer);
-  }
-  catch (const Error& error)
-  {
-    if (error.GetCode() != ErrorCode::UnreachablePoint)
-    {
-      throw;
-    }
+    return *done;
   }
   kept.Organ.SettleForeground(std::move(corrected));
   kept.Organ.GetSurface().Iterations = before;
-  return this->RunAllLevels(constraints, start, monitor, observer);
+  return this->RunAllLevels(inputs);
 }
 
 OrganSurface OrganSegmenter::FindSurface(const ConstraintList& constraints,
@@ -416,10 +422,11 @@ OrganSurface OrganSegmenter::FindSurface(const ConstraintList& constraints,
   const Monitor& ask = remembering.Get();
   const double smoothing = organ.GetForeground().GetSmoothingSeconds();
   const double half = this->RunsTwice() ? 0.5 : 0;
-  bool done = this->FindForeground(constraints, FlipFree::PartOf(ask, 0, half), observer);
+  const Monitor askFirst = PartOf(ask, 0, half);
+  bool done = this->FindForeground(constraints, RememberingMonitor(askFirst), observer);
   if (done)
   {
-    done = this->RunToResult(constraints, start, FlipFree::PartOf(ask, half, 1), observer);
+    done = this->RunToResult({ constraints, start, PartOf(ask, half, 1), observer });
   }
   if (done && !remembering.HasStopped() && constraints.empty() && this->Kept->HasUncorrected &&
     (!start || start->Points == this->Kept->Start.Points))

@@ -48,9 +48,11 @@ class DeformingOrgan;
 class UnchangedPlaces;
 struct EndSurface;
 
-/// What the constraints do not change is kept between calls: the smoothed image, and with carving
-/// the foreground of the first run and the surface without constraints (UnchangedPlaces.h). The
-/// surface depends on the list of constraints alone, not on its order or on earlier calls.
+/// Finds the surface of one organ in a smoothed image, from a seed and a start surface, again and
+/// again with other constraints. What these do not change is kept between calls: the smoothed
+/// image, and with carving the foreground of the first run and the surface without constraints
+/// (UnchangedPlaces.h). The surface depends on the list of constraints alone, not on its order or
+/// on earlier calls.
 class OrganSegmenter
 {
 public:
@@ -80,8 +82,8 @@ public:
   /// Whether the levels run twice: once to find what the foreground is carved from.
   bool RunsTwice() const;
   /// Finds the foreground, by a first run if need be. The observer sees that run. Returns false if
-  /// the monitor, which must remember that it did (RememberingMonitor), stopped it.
-  bool FindForeground(const ConstraintList& constraints, const Monitor& monitor,
+  /// the monitor stopped it.
+  bool FindForeground(const ConstraintList& constraints, const RememberingMonitor& monitor,
     const IterationObserver& observer);
   /// Begins the run that ends with the result; JointDeformation does the rest.
   void Begin(const ConstraintList& constraints, const DeformableSurface* start,
@@ -109,34 +111,43 @@ private:
   //         RunAllLevelsTo()       the surfaces of the parts
   //       RunLastLevelFrom()       the surface without constraints, or that of the deep parts
 
-  bool RunAndCarve(const Monitor& monitor, const IterationObserver& observer);
+  bool RunAndCarve(const RememberingMonitor& monitor, const IterationObserver& observer);
   bool RunWithoutConstraints(const Monitor& monitor);
   void KeepUnconstrained();
-  bool RunToResult(const ConstraintList& constraints, const DeformableSurface* start,
-    const Monitor& monitor, const IterationObserver& observer);
+
+  /// What FindSurface() is called with, for all or a part of its work.
+  struct RunInputs
+  {
+    const ConstraintList& Constraints;
+    const DeformableSurface* Start; ///< null for the start surface that the object was made with
+    Monitor Proceed;
+    const IterationObserver& Observer;
+
+    /// The same with other constraints.
+    RunInputs With(const ConstraintList& constraints) const;
+    /// For the part of the work from the fraction `first` to `last`. Refers to this object.
+    RunInputs Part(double first, double last) const;
+  };
+  bool RunToResult(const RunInputs& inputs);
 
   int FirstLevel() const;
   EndSurface UnconstrainedWhereUnchanged(const ConstraintList& constraints) const;
   /// From the start surface. Where the constraints change nothing, it ends on the surface without
   /// them, if there is one.
-  bool RunAllLevels(const ConstraintList& constraints, const DeformableSurface* start,
-    const Monitor& monitor, const IterationObserver& observer);
+  bool RunAllLevels(const RunInputs& inputs);
   /// From the start surface to `ends`.
-  bool RunAllLevelsTo(const std::vector<EndSurface>& ends, const ConstraintList& constraints,
-    const DeformableSurface* start, const Monitor& monitor, const IterationObserver& observer);
+  bool RunAllLevelsTo(const std::vector<EndSurface>& ends, const RunInputs& inputs);
   /// From a surface as fine as the result, which stays as it is in unchanged places.
-  bool RunLastLevelFrom(const DeformableSurface& from, const ConstraintList& constraints,
-    const UnchangedPlaces& unchanged, const Monitor& monitor, const IterationObserver& observer);
+  bool RunLastLevelFrom(const DeformableSurface& from, const UnchangedPlaces& unchanged,
+    const RunInputs& inputs);
 
   struct DeepPart;
-  bool CorrectUnconstrained(const BitMask& corrected, const ConstraintList& constraints,
-    const DeformableSurface* start, const Monitor& monitor, const IterationObserver& observer);
-  bool FindDeepSurfaces(const DeformableSurface* start, const ConstraintList& constraints,
-    const Monitor& monitor, const IterationObserver& observer);
-  bool RunDeepPart(const DeformableSurface* start, const Monitor& monitor,
-    const IterationObserver& observer, DeepPart& part);
-  bool JoinDeepSurfaces(const DeformableSurface* start, const Monitor& monitor,
-    const IterationObserver& observer);
+  bool CorrectUnconstrained(const BitMask& corrected, const RunInputs& inputs);
+  bool FindDeepSurfaces(const RunInputs& inputs);
+  /// With the part's constraints.
+  bool RunDeepPart(const RunInputs& inputs, DeepPart& part);
+  /// With the constraints of all parts.
+  bool JoinDeepSurfaces(const RunInputs& inputs);
 
   struct State;
   std::unique_ptr<State> Kept;
