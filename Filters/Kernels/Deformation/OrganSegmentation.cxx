@@ -2,86 +2,14 @@
 
 #include "Deformation/DeformingOrgan.h"
 #include "Deformation/JointDeformation.h"
-#include "Error.h"
+#include "Deformation/UnconstrainedCorrection.h"
 #include "Geometry/SelfIntersection.h"
 
-#include <algorithm>
-#include <iterator>
 #include <memory>
-#include <optional>
 #include <utility>
 
 namespace FlipFree
 {
-namespace
-{
-
-// What changes farther away from what stays, in millimeters, changes in a run of all levels.
-constexpr double DeepChange = 15;
-
-bool IsNear(const PointConstraint& constraint, const BitMask& voxels)
-{
-  constexpr double near = 5; // millimeters
-  const double reach = std::max(near, constraint.Radius);
-  return voxels.Cropped(BoxAround(voxels.GetGeometry(), constraint.Point, reach)).Count() > 0;
-}
-
-// What the call returns, or nothing where a constraint cannot be obeyed.
-template <typename Call>
-std::optional<bool> UnlessUnreachable(const Call& call)
-{
-  try
-  {
-    return call();
-  }
-  catch (const Error& error)
-  {
-    if (error.GetCode() != ErrorCode::UnreachablePoint)
-    {
-      throw;
-    }
-    return std::nullopt;
-  }
-}
-
-// Iterations count on.
-void Append(const std::vector<IterationRecord>& records, std::vector<IterationRecord>& all)
-{
-  for (IterationRecord record : records)
-  {
-    record.Iteration = static_cast<int>(all.size()) + 1;
-    all.push_back(record);
-  }
-}
-
-} // namespace
-
-// A part of the foreground that constraints change deeply, and those in it. What the surface
-// becomes there depends on nothing else, so that no constraint elsewhere moves it.
-struct OrganSegmenter::DeepPart
-{
-  BitMask Voxels;
-  ConstraintList Constraints;
-  PointList Start;           ///< of the runs
-  DeformableSurface Surface; ///< with this part alone
-  std::vector<IterationRecord> Iterations;
-
-  bool IsSameAs(const DeepPart& other) const
-  {
-    return this->Constraints == other.Constraints && this->Start == other.Start &&
-      this->Voxels == other.Voxels;
-  }
-};
-
-OrganSegmenter::RunInputs OrganSegmenter::RunInputs::With(const ConstraintList& constraints) const
-{
-  return { constraints, this->Start, this->Proceed, this->Observer };
-}
-
-OrganSegmenter::RunInputs OrganSegmenter::RunInputs::Part(double first, double last) const
-{
-  return { this->Constraints, this->Start, PartOf(this->Proceed, first, last), this->Observer };
-}
 
 struct OrganSegmenter::State
 {
@@ -89,6 +17,7 @@ struct OrganSegmenter::State
     const OrganSegmentationSettings& settings, const ParallelFor& parallelFor)
     : Organ(region, noise, seed, settings, parallelFor)
     , Start(start)
+    , Correction(this->Organ, parallelFor)
   {
   }
 
@@ -105,9 +34,7 @@ struct OrganSegmenter::State
   std::vector<IterationRecord> FirstIterations;
   DeformableSurface FirstSurface;
 
-  // What RunToResult() gives without constraints; kept, too.
-  DeformableSurface Unconstrained;
-  std::vector<DeepPart> DeepParts; // of the last call
+  UnconstrainedCorrection Correction; // keeps the surface without constraints
 };
 
 OrganSegmenter::OrganSegmenter(SmoothRegion& region, double noise, const SeedSphere& seed,
@@ -125,8 +52,7 @@ void OrganSegmenter::SetForeground(BitMask mask)
   this->Kept->Uncorrected = std::move(mask);
   this->Kept->HasUncorrected = true;
   this->Kept->IsGiven = true;
-  this->Kept->Unconstrained = {};
-  this->Kept->DeepParts.clear();
+  this->Kept->Correction.Forget();
 }
 
 DeformingOrgan& OrganSegmenter::GetOrgan()
@@ -181,7 +107,7 @@ bool OrganSegmenter::RunWithoutConstraints(const Monitor& monitor)
 void OrganSegmenter::KeepUnconstrained()
 {
   const OrganSurface& surface = this->Kept->Organ.GetSurface();
-  this->Kept->Unconstrained = { surface.Mesh, surface.Points };
+  this->Kept->Correction.SetSurface({ surface.Mesh, surface.Points });
 }
 
 // With carving, all levels run twice: a surface that has leaked would have to draw back through
@@ -201,7 +127,7 @@ bool OrganSegmenter::FindForeground(const ConstraintList& constraints,
     return false;
   }
   kept.Organ.SettleForeground(kept.Uncorrected);
-  if (!constraints.empty() && kept.Unconstrained.Points.rows() == 0 &&
+  if (!constraints.empty() && !kept.Correction.HasSurface() &&
     !this->RunWithoutConstraints(monitor.Get()))
   {
     return false;
@@ -226,194 +152,6 @@ int OrganSegmenter::FirstLevel() const
   return this->RunsTwice() ? this->Kept->Organ.GetSettings().Schedule.NumberOfLevels() : 0;
 }
 
-// Where the surface cannot be pulled back from an outside point, it keeps off from the start.
-bool OrganSegmenter::RunAllLevelsTo(const std::vector<EndSurface>& ends, const RunInputs& inputs)
-{
-  DeformingOrgan& organ = this->Kept->Organ;
-  const std::vector<IterationRecord> before = organ.GetSurface().Iterations;
-  const auto run = [&](OutsidePoints outside)
-  {
-    organ.GetSurface().Iterations = before;
-    this->Begin(inputs.Constraints, inputs.Start, outside, inputs.Observer);
-    organ.EndOn(ends);
-    return JointDeformation({ &organ }, {}, this->Parallel).Run(inputs.Proceed);
-  };
-  const std::optional<bool> done =
-    UnlessUnreachable([&] { return run(OutsidePoints::InTheLastLevel); });
-  return done ? *done : run(OutsidePoints::FromTheStart);
-}
-
-EndSurface OrganSegmenter::UnconstrainedWhereUnchanged(const ConstraintList& constraints) const
-{
-  const auto places = std::make_shared<const UnchangedPlaces>(
-    DifferenceOf(this->Kept->Uncorrected, this->Kept->Organ.GetForeground().GetMask()),
-    constraints);
-  return { &this->Kept->Unconstrained,
-    [places, this](const PointList& points) { return places->WeightsOf(points, this->Parallel); } };
-}
-
-bool OrganSegmenter::RunAllLevels(const RunInputs& inputs)
-{
-  std::vector<EndSurface> ends;
-  if (this->Kept->Unconstrained.Points.rows() > 0 &&
-    (!inputs.Constraints.empty() ||
-      this->Kept->Uncorrected != this->Kept->Organ.GetForeground().GetMask()))
-  {
-    ends.push_back(this->UnconstrainedWhereUnchanged(inputs.Constraints));
-  }
-  return this->RunAllLevelsTo(ends, inputs);
-}
-
-bool OrganSegmenter::RunLastLevelFrom(const DeformableSurface& from,
-  const UnchangedPlaces& unchanged, const RunInputs& inputs)
-{
-  DeformingOrgan& organ = this->Kept->Organ;
-  organ.BeginAt(from, this->FirstLevel(), inputs.Constraints, OutsidePoints::AroundThem,
-    inputs.Observer);
-  organ.StayIn(unchanged);
-  return JointDeformation({ &organ }, {}, this->Parallel).RunLastLevel(inputs.Proceed);
-}
-
-// The surface would have to draw back from a leak through the neck, and to bulge far into a lobe,
-// so such parts change in runs of all levels: each by itself.
-bool OrganSegmenter::FindDeepSurfaces(const RunInputs& inputs)
-{
-  State& kept = *this->Kept;
-  DeformingOrgan& organ = kept.Organ;
-  std::vector<BitMask> deep;
-  if (!FindDeepParts(kept.Uncorrected, organ.GetForeground().GetMask(), DeepChange, this->Parallel,
-        PartOf(inputs.Proceed, 0, 0), deep))
-  {
-    return false;
-  }
-  std::vector<DeepPart> parts;
-  for (std::size_t number = 0; number < deep.size(); ++number)
-  {
-    DeepPart part;
-    part.Voxels = std::move(deep[number]);
-    std::copy_if(inputs.Constraints.begin(), inputs.Constraints.end(),
-      std::back_inserter(part.Constraints),
-      [&](const PointConstraint& constraint) { return IsNear(constraint, part.Voxels); });
-    part.Constraints = SortedConstraints(part.Constraints);
-    part.Start = inputs.Start ? inputs.Start->Points : kept.Start.Points;
-    const auto same = std::find_if(kept.DeepParts.begin(), kept.DeepParts.end(),
-      [&](const DeepPart& other) { return part.IsSameAs(other); });
-    if (same != kept.DeepParts.end())
-    {
-      parts.push_back(*same);
-      continue;
-    }
-    const double first = static_cast<double>(number) / static_cast<double>(deep.size());
-    const double last = static_cast<double>(number + 1) / static_cast<double>(deep.size());
-    if (!this->RunDeepPart(inputs.Part(first, last), part))
-    {
-      return false;
-    }
-    parts.push_back(std::move(part));
-  }
-  kept.DeepParts = std::move(parts);
-  return true;
-}
-
-bool OrganSegmenter::RunDeepPart(const RunInputs& inputs, DeepPart& part)
-{
-  const RunInputs ofPart = inputs.With(part.Constraints);
-  DeformingOrgan& organ = this->Kept->Organ;
-  OrganSurface& surface = organ.GetSurface();
-  organ.SettleForeground(DifferenceOf(this->Kept->Uncorrected, part.Voxels));
-  surface.Iterations.clear();
-  if (!this->RunAllLevels(ofPart.Part(0, 0.8)) ||
-    !this->RunLastLevelFrom({ surface.Mesh, surface.Points }, { part.Voxels, part.Constraints },
-      ofPart.Part(0.8, 1)))
-  {
-    return false;
-  }
-  part.Surface = { surface.Mesh, surface.Points };
-  part.Iterations = surface.Iterations;
-  return true;
-}
-
-// Of several deep parts: near each, the surface with that one alone.
-bool OrganSegmenter::JoinDeepSurfaces(const RunInputs& inputs)
-{
-  State& kept = *this->Kept;
-  BitMask all(kept.Uncorrected.GetGeometry());
-  ConstraintList constraints;
-  std::vector<EndSurface> ends(1);
-  for (const DeepPart& part : kept.DeepParts)
-  {
-    all.Unite(part.Voxels);
-    constraints.insert(constraints.end(), part.Constraints.begin(), part.Constraints.end());
-    const auto places = std::make_shared<const UnchangedPlaces>(part.Voxels, part.Constraints);
-    ends.push_back({ &part.Surface, [places, this](const PointList& points) -> Eigen::VectorXd {
-                      return (places->WeightsOf(points, this->Parallel).array() < 1).cast<double>();
-                    } });
-  }
-  kept.Organ.SettleForeground(DifferenceOf(kept.Uncorrected, all));
-  ends.front() = this->UnconstrainedWhereUnchanged(constraints);
-  return this->RunAllLevelsTo(ends, inputs.With(SortedConstraints(constraints)));
-}
-
-// Moves the surface without constraints only where these have changed the foreground.
-// `corrected` is the foreground by all constraints.
-bool OrganSegmenter::CorrectUnconstrained(const BitMask& corrected, const RunInputs& inputs)
-{
-  State& kept = *this->Kept;
-  DeformingOrgan& organ = kept.Organ;
-  std::vector<IterationRecord> iterations = organ.GetSurface().Iterations;
-  // Refuses outside points in the start.
-  this->Begin(inputs.Constraints, inputs.Start, OutsidePoints::InTheLastLevel, inputs.Observer);
-  if (!this->FindDeepSurfaces(inputs.Part(0, 0.5)))
-  {
-    return false;
-  }
-  const std::vector<DeepPart>& parts = kept.DeepParts;
-  BitMask changed = DifferenceOf(kept.Uncorrected, corrected);
-  for (const DeepPart& part : parts)
-  {
-    changed.Remove(part.Voxels);
-    Append(part.Iterations, iterations);
-  }
-  organ.GetSurface().Iterations = std::move(iterations);
-  DeformableSurface base = parts.empty() ? kept.Unconstrained : parts.front().Surface;
-  if (parts.size() > 1)
-  {
-    if (!this->JoinDeepSurfaces(inputs.Part(0.5, 0.8)))
-    {
-      return false;
-    }
-    base = { organ.GetSurface().Mesh, organ.GetSurface().Points };
-  }
-  organ.SettleForeground(corrected);
-  ConstraintList shallow;
-  std::copy_if(inputs.Constraints.begin(), inputs.Constraints.end(), std::back_inserter(shallow),
-    [&](const PointConstraint& constraint)
-    {
-      return std::none_of(parts.begin(), parts.end(),
-        [&](const DeepPart& part) { return IsNear(constraint, part.Voxels); });
-    });
-  return this->RunLastLevelFrom(base, { std::move(changed), shallow }, inputs.Part(0.8, 1));
-}
-
-bool OrganSegmenter::RunToResult(const RunInputs& inputs)
-{
-  State& kept = *this->Kept;
-  if (inputs.Constraints.empty() || kept.Unconstrained.Points.rows() == 0)
-  {
-    return this->RunAllLevels(inputs);
-  }
-  BitMask corrected = kept.Organ.GetForeground().GetMask();
-  const std::vector<IterationRecord> before = kept.Organ.GetSurface().Iterations;
-  if (const std::optional<bool> done =
-        UnlessUnreachable([&] { return this->CorrectUnconstrained(corrected, inputs); }))
-  {
-    return *done;
-  }
-  kept.Organ.SettleForeground(std::move(corrected));
-  kept.Organ.GetSurface().Iterations = before;
-  return this->RunAllLevels(inputs);
-}
-
 OrganSurface OrganSegmenter::FindSurface(const ConstraintList& constraints,
   const DeformableSurface* start, const Monitor& monitor, const IterationObserver& observer)
 {
@@ -426,7 +164,8 @@ OrganSurface OrganSegmenter::FindSurface(const ConstraintList& constraints,
   bool done = this->FindForeground(constraints, RememberingMonitor(askFirst), observer);
   if (done)
   {
-    done = this->RunToResult({ constraints, start, PartOf(ask, half, 1), observer });
+    done = this->Kept->Correction.Run({ constraints, start ? *start : this->Kept->Start,
+      this->FirstLevel(), this->Kept->Uncorrected, PartOf(ask, half, 1), observer });
   }
   if (done && !remembering.HasStopped() && constraints.empty() && this->Kept->HasUncorrected &&
     (!start || start->Points == this->Kept->Start.Points))

@@ -45,8 +45,6 @@ using IterationObserver = std::function<void(const ContourMesh&, const PointList
   const CorrespondenceField&, const IterationRecord&)>;
 
 class DeformingOrgan;
-class UnchangedPlaces;
-struct EndSurface;
 
 /// Finds the surface of one organ in a smoothed image, from a seed and a start surface, again and
 /// again with other constraints. What these do not change is kept between calls: the smoothed
@@ -91,63 +89,18 @@ public:
   DeformingOrgan& GetOrgan();
 
 private:
-  // FindSurface() calls FindForeground() and RunToResult(). Which run calls which, and when:
+  // FindSurface() calls these, and UnconstrainedCorrection::Run():
   //
   //   FindForeground()
   //     RunAndCarve()              with carving, in the first call: finds what the foreground is
   //                                carved from
   //     RunWithoutConstraints()    with constraints, if the foreground is carved or given, unless
   //                                an earlier call has made the surface that they correct
-  //   RunToResult()
-  //     RunAllLevels()             without constraints or such a surface, and where the correction
-  //                                cannot obey a constraint
-  //       RunAllLevelsTo()
-  //     CorrectUnconstrained()     otherwise
-  //       FindDeepSurfaces()
-  //         RunDeepPart()          for each part that is changed deeply, anew or for the first time
-  //           RunAllLevels()       with this part alone changed
-  //           RunLastLevelFrom()   that surface
-  //       JoinDeepSurfaces()       if there are several such parts
-  //         RunAllLevelsTo()       the surfaces of the parts
-  //       RunLastLevelFrom()       the surface without constraints, or that of the deep parts
 
   bool RunAndCarve(const RememberingMonitor& monitor, const IterationObserver& observer);
   bool RunWithoutConstraints(const Monitor& monitor);
   void KeepUnconstrained();
-
-  /// What FindSurface() is called with, for all or a part of its work.
-  struct RunInputs
-  {
-    const ConstraintList& Constraints;
-    const DeformableSurface* Start; ///< null for the start surface that the object was made with
-    Monitor Proceed;
-    const IterationObserver& Observer;
-
-    /// The same with other constraints.
-    RunInputs With(const ConstraintList& constraints) const;
-    /// For the part of the work from the fraction `first` to `last`. Refers to this object.
-    RunInputs Part(double first, double last) const;
-  };
-  bool RunToResult(const RunInputs& inputs);
-
   int FirstLevel() const;
-  EndSurface UnconstrainedWhereUnchanged(const ConstraintList& constraints) const;
-  /// From the start surface. Where the constraints change nothing, it ends on the surface without
-  /// them, if there is one.
-  bool RunAllLevels(const RunInputs& inputs);
-  /// From the start surface to `ends`.
-  bool RunAllLevelsTo(const std::vector<EndSurface>& ends, const RunInputs& inputs);
-  /// From a surface as fine as the result, which stays as it is in unchanged places.
-  bool RunLastLevelFrom(const DeformableSurface& from, const UnchangedPlaces& unchanged,
-    const RunInputs& inputs);
-
-  struct DeepPart;
-  bool CorrectUnconstrained(const BitMask& corrected, const RunInputs& inputs);
-  bool FindDeepSurfaces(const RunInputs& inputs);
-  /// With the part's constraints.
-  bool RunDeepPart(const RunInputs& inputs, DeepPart& part);
-  /// With the constraints of all parts.
-  bool JoinDeepSurfaces(const RunInputs& inputs);
 
   struct State;
   std::unique_ptr<State> Kept;
