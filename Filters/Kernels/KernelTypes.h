@@ -135,9 +135,9 @@ inline bool NeverStop(double)
   return true;
 }
 
-/// Asks a monitor until it says stop, and from then on says so by itself. For work in several
-/// parts, where a stop in one part must stop the rest, or where what a part returns does not tell
-/// whether it was stopped or found nothing.
+/// Forwards to a monitor until it asks to stop; from then on returns false without asking again. So
+/// a stop in one part of the work stops the rest, and can be told later where what a part returns
+/// does not tell it.
 class RememberingMonitor
 {
 public:

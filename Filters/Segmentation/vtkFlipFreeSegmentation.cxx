@@ -27,7 +27,24 @@
 
 vtkStandardNewMacro(vtkFlipFreeSegmentation);
 
-static_assert(vtkFlipFreeSegmentation::ABORTED == static_cast<int>(FlipFree::StopReason::Aborted),
+namespace
+{
+
+constexpr bool IsSame(vtkFlipFreeSegmentation::StopReasons one, FlipFree::StopReason other)
+{
+  return static_cast<int>(one) == static_cast<int>(other);
+}
+
+} // namespace
+
+static_assert(IsSame(vtkFlipFreeSegmentation::NOT_RUN, FlipFree::StopReason::NotRun) &&
+    IsSame(vtkFlipFreeSegmentation::DISTANCE_BELOW_TOLERANCE,
+      FlipFree::StopReason::DistanceBelowTolerance) &&
+    IsSame(vtkFlipFreeSegmentation::AT_REST, FlipFree::StopReason::AtRest) &&
+    IsSame(vtkFlipFreeSegmentation::ITERATION_LIMIT, FlipFree::StopReason::IterationLimit) &&
+    IsSame(vtkFlipFreeSegmentation::NO_BOUNDARY_FOUND, FlipFree::StopReason::NoBoundaryFound) &&
+    IsSame(vtkFlipFreeSegmentation::NOT_REFINED, FlipFree::StopReason::NotRefined) &&
+    IsSame(vtkFlipFreeSegmentation::ABORTED, FlipFree::StopReason::Aborted),
   "the public enumeration follows the kernel's");
 
 vtkFlipFreeSegmentation::vtkFlipFreeSegmentation()

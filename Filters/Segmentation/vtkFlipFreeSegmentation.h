@@ -53,8 +53,8 @@
  * start surface that is open, not four-valent or self-intersecting, a property that is NaN; a
  * constraint that is outside the image, contradicts another one or the seed, or cannot be obeyed by
  * a surface of one piece; constraints without the guard; start labels on another grid than the
- * image, without voxels of StartLabel, or nowhere thicker than two voxels. Each is reported once,
- * naming the point, and the outputs are then empty.
+ * image, without voxels of StartLabel, or nowhere thicker than two voxels. Each is reported once;
+ * errors of constraints name the point. The outputs are then empty.
  *
  * Warnings, which still give a result: the seed sphere reaches beyond the image; no vertex found a
  * boundary; the surface could not be refined; it touches the end of Reach. A surface grown from the
@@ -184,8 +184,8 @@ public:
   /**
    * Keep the smoothed image, and other results that constraints do not change, between runs, so
    * that a correction takes about a third of the time. Default off, since it needs memory: the
-   * smoothed part of the image as floats. Changing the image, the seed or a parameter frees it;
-   * after writing voxels in place, call the image's Modified().
+   * smoothed part of the image as floats. The next Update() after the image, the seed or a
+   * parameter has changed frees it; after writing voxels in place, call the image's Modified().
    */
   void SetKeepForCorrections(bool value);
   bool GetKeepForCorrections() const;
@@ -409,14 +409,15 @@ public:
 
   /**
    * How far the result can be trusted, 0 to 1; -1 before Update(). It estimates the Dice score:
-   * below 0.85 the result is doubtful, and a warning says so. The point array `Confidence` says
-   * where to look.
+   * below 0.85 the result is doubtful, and usually a warning says so; see Warnings above. The point
+   * array `Confidence` says where to look.
    */
   vtkGetMacro(Confidence, double);
 
   ///@{
   /**
-   * Seconds of the last Update() by stage: smoothing, feature, deformation, label map.
+   * Seconds of the last Update() by stage: smoothing, feature, deformation, label map. Deformation
+   * includes the exact count of self-intersections; label map includes confidence and warnings.
    */
   vtkGetVector4Macro(StageSeconds, double);
   ///@}

@@ -3,10 +3,10 @@
 #include "Deformation/SegmentationParameters.h"
 #include "FieldData.h"
 #include "GrayImageAdapter.h"
+#include "Intensity/CarvedForeground.h"
 #include "Intensity/ModelFit.h"
 #include "Intensity/OrganCarving.h"
 #include "Intensity/OrganFeature.h"
-#include "Intensity/SurfaceForeground.h"
 #include "PipelineAdapter.h"
 #include "StageProperties.h"
 #include "SurfaceAdapter.h"
@@ -52,7 +52,7 @@ bool Carve(vtkPolyData* surface, const FlipFree::ImageView<float>& smooth,
   const FlipFree::Monitor& monitor, FlipFree::BitMask& foreground)
 {
   const FlipFree::PolygonalSurface closed = ClosedSurfaceOf(surface);
-  FlipFree::SurfaceForegroundInputs inputs;
+  FlipFree::CarvedForegroundInputs inputs;
   inputs.Smooth = smooth;
   inputs.MakeSmooth = [](const FlipFree::VoxelBox&) { return true; };
   inputs.Points = &closed.Points;
@@ -63,12 +63,12 @@ bool Carve(vtkPolyData* surface, const FlipFree::ImageView<float>& smooth,
   inputs.Settings.Modality =
     FlipFree::ResolveModality(settings.Modality, FlipFree::ReaderOf(smooth), smooth.Geometry);
   double unanimity = 1;
-  return FlipFree::ForegroundOfSurface(inputs, FlipFree::SMPFor, monitor, foreground, unanimity);
+  return FlipFree::CarveForeground(inputs, FlipFree::SMPFor, monitor, foreground, unanimity);
 }
 
 // By carving the inside of a surface, or without one by the model, which must show contrast if it
 // is the seed's. False if the monitor stopped it.
-bool FindOrgan(vtkPolyData* carved, const FlipFree::ImageView<float>& smooth,
+bool FindOrgan(vtkPolyData* toCarve, const FlipFree::ImageView<float>& smooth,
   const FlipFree::IntensityModel& model, bool isOfSeed, const FlipFree::SeedSphere& seed,
   double noise, const FlipFree::OrganFeatureSettings& settings, const FlipFree::Monitor& monitor,
   FlipFree::BitMask& foreground)
@@ -78,9 +78,9 @@ bool FindOrgan(vtkPolyData* carved, const FlipFree::ImageView<float>& smooth,
     return false;
   }
   const FlipFree::Monitor part = FlipFree::PartOf(monitor, 0.4, 0.9);
-  if (carved)
+  if (toCarve)
   {
-    return Carve(carved, smooth, seed, noise, settings, part, foreground);
+    return Carve(toCarve, smooth, seed, noise, settings, part, foreground);
   }
   if (!FlipFree::FindForeground(smooth, model, seed, settings, FlipFree::SMPFor, part,
         foreground) ||
@@ -241,13 +241,13 @@ void vtkGMMFeatureFilter::ComputeFeature(vtkImageData* image, vtkPolyData* surfa
     }
   }
   FlipFree::BitMask foreground;
-  vtkPolyData* const carved = this->Settings->Carving ? surface : nullptr;
-  if (!FindOrgan(carved, smooth, model, refit != FlipFree::Refit::Done, seed, noise,
+  vtkPolyData* const toCarve = this->Settings->Carving ? surface : nullptr;
+  if (!FindOrgan(toCarve, smooth, model, refit != FlipFree::Refit::Done, seed, noise,
         *this->Settings, whole, foreground))
   {
     return;
   }
-  const double radius = carved ? FlipFree::RadiusOf(foreground, seed) : seed.Radius;
+  const double radius = toCarve ? FlipFree::RadiusOf(foreground, seed) : seed.Radius;
   const std::vector<float> feature =
     FlipFree::MakeFeature(smooth, model, foreground, FlipFree::SMPFor);
   if (whole(0.97))

@@ -59,9 +59,10 @@ int vtkSurfaceToLabelMap::RequestData(vtkInformation*, vtkInformationVector** in
     FlipFree::RequireProperGrid(reference, "the reference image on port 1");
     const FlipFree::PolygonalSurface surface =
       FlipFree::SurfaceOf(vtkPolyData::GetData(inputVector[0]), "the surface on port 0");
-    const auto runs = FlipFree::VoxelizeSurface(surface.Points, surface.Triangles,
-      FlipFree::GeometryOf(reference), FlipFree::SMPFor, FlipFree::MonitorOf(this));
-    if (FlipFree::IsAborted(this))
+    std::vector<FlipFree::VoxelRun> runs;
+    if (!FlipFree::VoxelizeSurface(surface.Points, surface.Triangles,
+          FlipFree::GeometryOf(reference), FlipFree::SMPFor, FlipFree::MonitorOf(this), runs) ||
+      FlipFree::IsAborted(this))
     {
       return 1;
     }

@@ -2,10 +2,10 @@
 #include "ExampleMasks.h"
 #include "ExampleSurfaces.h"
 #include "Intensity/BoundarySupport.h"
+#include "Intensity/CarvedForeground.h"
 #include "Intensity/IntensityField.h"
 #include "Intensity/OrganCarving.h"
 #include "Intensity/OrganConsensus.h"
-#include "Intensity/SurfaceForeground.h"
 
 #include <gtest/gtest.h>
 
@@ -39,6 +39,8 @@ struct Organ
   double Noise = 4;
   OrganFeatureSettings Settings;
 
+  Organ() { this->Settings.Modality = Modality::MR; }
+
   FloatImage Image(float scale = 1) const
   {
     FloatImage image{ this->Geometry, {} };
@@ -58,8 +60,8 @@ struct Organ
   {
     const FloatImage image = this->Image(scale);
     BitMask mask = carved;
-    EXPECT_TRUE(SeekConsensus(image.View(), this->Seed, scale * this->Noise, Modality::MR,
-      this->Settings, parallelFor, NeverStop, mask));
+    EXPECT_TRUE(SeekConsensus(image.View(), this->Seed, scale * this->Noise, this->Settings,
+      parallelFor, NeverStop, mask));
     return mask;
   }
 };
@@ -237,8 +239,8 @@ TEST(OrganConsensus, IsNotUnanimousWhereItRestores)
   const BitMask carved = CutOff(organ, 42);
   BitMask mask = carved;
   double unanimity = 0;
-  ASSERT_TRUE(SeekConsensus(image.View(), organ.Seed, organ.Noise, Modality::MR, organ.Settings,
-    SerialFor, NeverStop, mask, &unanimity));
+  ASSERT_TRUE(SeekConsensus(image.View(), organ.Seed, organ.Noise, organ.Settings, SerialFor,
+    NeverStop, mask, &unanimity));
   EXPECT_GT(unanimity, 0.5);
   EXPECT_LE(unanimity, Dice(carved, mask) + 1e-9);
 }
@@ -261,8 +263,8 @@ TEST(OrganConsensus, StopsAtOnce)
     int asked = 0;
     const Monitor monitor = [&](double) { return ++asked <= allowed; };
     BitMask mask = carved;
-    if (SeekConsensus(image.View(), organ.Seed, organ.Noise, Modality::MR, organ.Settings,
-          SerialFor, monitor, mask))
+    if (SeekConsensus(image.View(), organ.Seed, organ.Noise, organ.Settings, SerialFor, monitor,
+          mask))
     {
       EXPECT_LE(asked, allowed);
       continue;
@@ -276,10 +278,9 @@ namespace
 {
 
 // The image and the surface must outlive what is returned.
-SurfaceForegroundInputs InputsOf(const Organ& organ, const FloatImage& image,
-  const Surface& surface)
+CarvedForegroundInputs InputsOf(const Organ& organ, const FloatImage& image, const Surface& surface)
 {
-  SurfaceForegroundInputs inputs;
+  CarvedForegroundInputs inputs;
   inputs.Smooth = image.View();
   inputs.MakeSmooth = [](const VoxelBox&) { return true; };
   inputs.Points = &surface.Points;
@@ -294,7 +295,7 @@ SurfaceForegroundInputs InputsOf(const Organ& organ, const FloatImage& image,
 } // namespace
 
 // Which boxes are made tells whether further opinions were sought.
-TEST(SurfaceForeground, IsCarvedAndIfInDoubtVotedOn)
+TEST(CarvedForeground, IsCarvedAndIfInDoubtVotedOn)
 {
   const Organ organ;
   const FloatImage image = organ.Image();
@@ -311,15 +312,15 @@ TEST(SurfaceForeground, IsCarvedAndIfInDoubtVotedOn)
     double unanimous = 1;
     const bool doubtful = IsDoubtful(inside, expected);
     EXPECT_EQ(doubtful, radius > 21);
-    SurfaceForegroundInputs inputs = InputsOf(organ, image, surface);
+    CarvedForegroundInputs inputs = InputsOf(organ, image, surface);
     for (const bool seeks : { false, true })
     {
       inputs.Settings.Consensus = seeks;
       if (seeks && doubtful)
       {
         boxes.push_back(ConsensusBox(expected, organ.Seed));
-        ASSERT_TRUE(SeekConsensus(image.View(), organ.Seed, organ.Noise, Modality::MR,
-          inputs.Settings, SerialFor, NeverStop, expected, &unanimous));
+        ASSERT_TRUE(SeekConsensus(image.View(), organ.Seed, organ.Noise, inputs.Settings, SerialFor,
+          NeverStop, expected, &unanimous));
       }
       std::vector<VoxelBox> made;
       inputs.MakeSmooth = [&made](const VoxelBox& box)
@@ -329,7 +330,7 @@ TEST(SurfaceForeground, IsCarvedAndIfInDoubtVotedOn)
       };
       BitMask found;
       double unanimity = 0;
-      ASSERT_TRUE(ForegroundOfSurface(inputs, SerialFor, NeverStop, found, unanimity));
+      ASSERT_TRUE(CarveForeground(inputs, SerialFor, NeverStop, found, unanimity));
       EXPECT_EQ(found, expected);
       EXPECT_EQ(unanimity, unanimous);
       EXPECT_TRUE(made == boxes);
@@ -337,17 +338,17 @@ TEST(SurfaceForeground, IsCarvedAndIfInDoubtVotedOn)
   }
 }
 
-TEST(SurfaceForeground, StopsAtOnce)
+TEST(CarvedForeground, StopsAtOnce)
 {
   const Organ organ;
   const FloatImage image = organ.Image();
   const Surface surface = Sphere(16, Center, 25);
-  SurfaceForegroundInputs inputs = InputsOf(organ, image, surface);
+  CarvedForegroundInputs inputs = InputsOf(organ, image, surface);
   const auto stops = [&inputs](const Monitor& monitor)
   {
     BitMask found;
     double unanimity = 0;
-    return !ForegroundOfSurface(inputs, SerialFor, monitor, found, unanimity);
+    return !CarveForeground(inputs, SerialFor, monitor, found, unanimity);
   };
   for (int allowed = 0; allowed < 24; allowed += 4)
   {

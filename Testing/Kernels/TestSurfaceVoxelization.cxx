@@ -157,10 +157,10 @@ TEST(SurfaceVoxelization, ThreadsAndTheMonitor)
     EXPECT_EQ(serial[run].Begin, scattered[run].Begin);
     EXPECT_EQ(serial[run].End, scattered[run].End);
   }
-  EXPECT_TRUE(VoxelizeSurface(potato.Points, potato.Triangles, grid, SerialFor,
-    [](double) {
-      return false;
-    }).empty());
+  std::vector<VoxelRun> untouched(1);
+  EXPECT_FALSE(VoxelizeSurface(
+    potato.Points, potato.Triangles, grid, SerialFor, [](double) { return false; }, untouched));
+  EXPECT_EQ(untouched.size(), 1U);
 }
 
 // Finite, but in the image's frame not, or so far that differences overflow.

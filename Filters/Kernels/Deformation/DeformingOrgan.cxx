@@ -49,7 +49,7 @@ bool DeformingOrgan::FindForegroundOfSeed(const Monitor& monitor)
   return true;
 }
 
-bool DeformingOrgan::FindForegroundOfSurface(const Monitor& monitor)
+bool DeformingOrgan::RefitForeground(const Monitor& monitor)
 {
   const IntensitySettings& settings = this->Settings.Feature.Intensity;
   Stopwatch watch;

@@ -48,8 +48,9 @@ public:
   // The evidence. Functions that may take long return false if the monitor stopped them.
 
   bool FindForegroundOfSeed(const Monitor& monitor);
-  /// Refits the intensities to the surface, and corrects the foreground by the run's constraints.
-  bool FindForegroundOfSurface(const Monitor& monitor);
+  /// Refits the intensities to the surface, finds the foreground anew by their threshold, and
+  /// corrects it by the run's constraints.
+  bool RefitForeground(const Monitor& monitor);
   /// Makes the foreground from the inside of the surface. It is then settled.
   bool CarveSurface(const Monitor& monitor);
   /// Corrects the foreground by constraints (ForegroundCorrection.h).

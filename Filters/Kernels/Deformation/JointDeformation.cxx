@@ -128,7 +128,7 @@ bool JointDeformation::Refit(const Monitor& proceed)
     [&](DeformingOrgan* organ)
     {
       return !organ->GetSettings().Feature.ReestimateIntensities || organ->IsSettled() ||
-        organ->FindForegroundOfSurface(proceed);
+        organ->RefitForeground(proceed);
     });
 }
 

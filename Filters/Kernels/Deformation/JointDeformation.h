@@ -50,7 +50,7 @@ private:
   const ParallelFor& Parallel;
   const int Levels;
 
-  ContourMesh Mesh;                      // of the union, the fixed surface last
+  ContourMesh Mesh;                      // of the organs' union, without the fixed surface
   std::vector<VertexRange> Parts;        // of the organs
   std::unique_ptr<EmbeddingGuard> Guard; // of the level's surfaces
 };

@@ -250,6 +250,7 @@ bool OrganGroup::Run(const Monitor& monitor, const GroupObserver& observer)
     Member& member = *this->Members[index];
     const Monitor part = FlipFree::PartOf(monitor, half * static_cast<double>(index) / count,
       half * static_cast<double>(index + 1) / count);
+    const RememberingMonitor remembering(part);
     const bool found = member.Naming(
       [&]
       {
@@ -257,7 +258,7 @@ bool OrganGroup::Run(const Monitor& monitor, const GroupObserver& observer)
         member.Organ().SetName(member.Name);
         member.Renamings.clear();
         member.SmoothedBefore = member.Organ().GetForeground().GetSmoothingSeconds();
-        return member.Levels->FindForeground({}, part, observerOf(member));
+        return member.Levels->FindForeground({}, remembering, observerOf(member));
       });
     if (!found)
     {
@@ -367,7 +368,7 @@ VolumeSegmentation OrganGroup::Finish(Member& member) const
   member.Naming(
     [&]
     {
-      member.Segmenter.Judge(member.Constraints, result);
+      member.Segmenter.Complete(member.Constraints, result);
       return true;
     });
   result.StageSeconds[3] = watch.Lap();

@@ -2,57 +2,14 @@
 
 #include "Deformation/DeformingOrgan.h"
 #include "Deformation/JointDeformation.h"
-#include "Error.h"
+#include "Deformation/UnconstrainedCorrection.h"
 #include "Geometry/SelfIntersection.h"
 
-#include <algorithm>
-#include <iterator>
 #include <memory>
 #include <utility>
 
 namespace FlipFree
 {
-namespace
-{
-
-// What changes farther away from what stays, in millimeters, changes in a run of all levels.
-constexpr double DeepChange = 15;
-
-bool IsNear(const PointConstraint& constraint, const BitMask& voxels)
-{
-  constexpr double near = 5; // millimeters
-  const double reach = std::max(near, constraint.Radius);
-  return voxels.Cropped(BoxAround(voxels.GetGeometry(), constraint.Point, reach)).Count() > 0;
-}
-
-// Iterations count on.
-void Append(const std::vector<IterationRecord>& records, std::vector<IterationRecord>& all)
-{
-  for (IterationRecord record : records)
-  {
-    record.Iteration = static_cast<int>(all.size()) + 1;
-    all.push_back(record);
-  }
-}
-
-} // namespace
-
-// A part of the foreground that constraints change deeply, and those in it. What the surface
-// becomes there depends on nothing else, so that no constraint elsewhere moves it.
-struct OrganSegmenter::DeepPart
-{
-  BitMask Voxels;
-  ConstraintList Constraints;
-  PointList Start;           ///< of the runs
-  DeformableSurface Surface; ///< with this part alone
-  std::vector<IterationRecord> Iterations;
-
-  bool IsSameAs(const DeepPart& other) const
-  {
-    return this->Constraints == other.Constraints && this->Start == other.Start &&
-      this->Voxels == other.Voxels;
-  }
-};
 
 struct OrganSegmenter::State
 {
@@ -60,6 +17,7 @@ struct OrganSegmenter::State
     const OrganSegmentationSettings& settings, const ParallelFor& parallelFor)
     : Organ(region, noise, seed, settings, parallelFor)
     , Start(start)
+    , Correction(this->Organ, parallelFor)
   {
   }
 
@@ -67,15 +25,16 @@ struct OrganSegmenter::State
   const DeformableSurface Start;
   bool IsGiven = false; // the foreground; there is no first run then
 
-  // Of the first run, kept between calls.
-  bool IsCarved = false;
+  // The settled foreground before constraints correct it: carved after the first run, or given.
+  // Kept between calls.
+  bool HasUncorrected = false;
+  BitMask Uncorrected;
+
+  // Of the first run, if there is one; kept, too.
   std::vector<IterationRecord> FirstIterations;
   DeformableSurface FirstSurface;
-  BitMask Carved;
 
-  // What RunToResult() gives without constraints; kept, too.
-  DeformableSurface Unconstrained;
-  std::vector<DeepPart> DeepParts; // of the last call
+  UnconstrainedCorrection Correction; // keeps the surface without constraints
 };
 
 OrganSegmenter::OrganSegmenter(SmoothRegion& region, double noise, const SeedSphere& seed,
@@ -90,11 +49,10 @@ OrganSegmenter::~OrganSegmenter() = default;
 
 void OrganSegmenter::SetForeground(BitMask mask)
 {
-  this->Kept->Carved = std::move(mask);
-  this->Kept->IsCarved = true;
+  this->Kept->Uncorrected = std::move(mask);
+  this->Kept->HasUncorrected = true;
   this->Kept->IsGiven = true;
-  this->Kept->Unconstrained = {};
-  this->Kept->DeepParts.clear();
+  this->Kept->Correction.Forget();
 }
 
 DeformingOrgan& OrganSegmenter::GetOrgan()
@@ -107,18 +65,18 @@ bool OrganSegmenter::RunsTwice() const
   return this->Kept->Organ.GetSettings().Feature.Carving && !this->Kept->IsGiven;
 }
 
-// The monitor remembers a stop.
-bool OrganSegmenter::RunAndCarve(const Monitor& monitor, const IterationObserver& observer)
+bool OrganSegmenter::RunAndCarve(const RememberingMonitor& monitor,
+  const IterationObserver& observer)
 {
   State& kept = *this->Kept;
-  const Monitor begin = [&](double) { return monitor(0); };
-  const Monitor end = [&](double) { return monitor(1); };
+  const Monitor begin = [&](double) { return monitor.Get()(0); };
+  const Monitor end = [&](double) { return monitor.Get()(1); };
   if (!kept.Organ.FindForegroundOfSeed(begin))
   {
     return false;
   }
   kept.Organ.BeginAt(kept.Start, 0, {}, OutsidePoints::FromTheStart, observer);
-  if (!JointDeformation({ &kept.Organ }, {}, this->Parallel).Run(monitor) ||
+  if (!JointDeformation({ &kept.Organ }, {}, this->Parallel).Run(monitor.Get()) ||
     !kept.Organ.CarveSurface(end))
   {
     return false;
@@ -126,8 +84,8 @@ bool OrganSegmenter::RunAndCarve(const Monitor& monitor, const IterationObserver
   const OrganSurface& surface = kept.Organ.GetSurface();
   kept.FirstSurface = { surface.Mesh, surface.Points };
   kept.FirstIterations = surface.Iterations;
-  kept.Carved = kept.Organ.GetForeground().GetMask();
-  kept.IsCarved = true;
+  kept.Uncorrected = kept.Organ.GetForeground().GetMask();
+  kept.HasUncorrected = true;
   return true;
 }
 
@@ -149,28 +107,28 @@ bool OrganSegmenter::RunWithoutConstraints(const Monitor& monitor)
 void OrganSegmenter::KeepUnconstrained()
 {
   const OrganSurface& surface = this->Kept->Organ.GetSurface();
-  this->Kept->Unconstrained = { surface.Mesh, surface.Points };
+  this->Kept->Correction.SetSurface({ surface.Mesh, surface.Points });
 }
 
 // With carving, all levels run twice: a surface that has leaked would have to draw back through
 // the neck, so the second run starts anew.
-bool OrganSegmenter::FindForeground(const ConstraintList& constraints, const Monitor& monitor,
-  const IterationObserver& observer)
+bool OrganSegmenter::FindForeground(const ConstraintList& constraints,
+  const RememberingMonitor& monitor, const IterationObserver& observer)
 {
   State& kept = *this->Kept;
   kept.Organ.Reset();
   if (!this->RunsTwice() && !kept.IsGiven)
   {
-    return kept.Organ.FindForegroundOfSeed(monitor) &&
-      kept.Organ.CorrectForeground(constraints, monitor);
+    return kept.Organ.FindForegroundOfSeed(monitor.Get()) &&
+      kept.Organ.CorrectForeground(constraints, monitor.Get());
   }
-  if (!kept.IsCarved && !this->RunAndCarve(monitor, observer))
+  if (!kept.HasUncorrected && !this->RunAndCarve(monitor, observer))
   {
     return false;
   }
-  kept.Organ.SettleForeground(kept.Carved);
-  if (!constraints.empty() && kept.Unconstrained.Points.rows() == 0 &&
-    !this->RunWithoutConstraints(monitor))
+  kept.Organ.SettleForeground(kept.Uncorrected);
+  if (!constraints.empty() && !kept.Correction.HasSurface() &&
+    !this->RunWithoutConstraints(monitor.Get()))
   {
     return false;
   }
@@ -178,7 +136,7 @@ bool OrganSegmenter::FindForeground(const ConstraintList& constraints, const Mon
   surface.Iterations = kept.FirstIterations;
   surface.First = kept.FirstSurface;
   surface.Unanimity = kept.Organ.GetForeground().GetUnanimity();
-  return kept.Organ.CorrectForeground(constraints, [&](double) { return monitor(1); });
+  return kept.Organ.CorrectForeground(constraints, [&](double) { return monitor.Get()(1); });
 }
 
 void OrganSegmenter::Begin(const ConstraintList& constraints, const DeformableSurface* start,
@@ -194,215 +152,6 @@ int OrganSegmenter::FirstLevel() const
   return this->RunsTwice() ? this->Kept->Organ.GetSettings().Schedule.NumberOfLevels() : 0;
 }
 
-// Where the surface cannot be pulled back from an outside point, it keeps off from the start.
-bool OrganSegmenter::RunAllLevelsTo(const std::vector<EndSurface>& ends,
-  const ConstraintList& constraints, const DeformableSurface* start, const Monitor& monitor,
-  const IterationObserver& observer)
-{
-  DeformingOrgan& organ = this->Kept->Organ;
-  const std::vector<IterationRecord> before = organ.GetSurface().Iterations;
-  const auto run = [&](OutsidePoints outside)
-  {
-    organ.GetSurface().Iterations = before;
-    this->Begin(constraints, start, outside, observer);
-    organ.EndOn(ends);
-    return JointDeformation({ &organ }, {}, this->Parallel).Run(monitor);
-  };
-  try
-  {
-    return run(OutsidePoints::InTheLastLevel);
-  }
-  catch (const Error& error)
-  {
-    if (error.GetCode() != ErrorCode::UnreachablePoint)
-    {
-      throw;
-    }
-  }
-  return run(OutsidePoints::FromTheStart);
-}
-
-EndSurface OrganSegmenter::UnconstrainedWhereUnchanged(const ConstraintList& constraints) const
-{
-  const auto places = std::make_shared<const UnchangedPlaces>(
-    DifferenceOf(this->Kept->Carved, this->Kept->Organ.GetForeground().GetMask()), constraints);
-  return { &this->Kept->Unconstrained,
-    [places, this](const PointList& points) { return places->WeightsOf(points, this->Parallel); } };
-}
-
-bool OrganSegmenter::RunAllLevels(const ConstraintList& constraints, const DeformableSurface* start,
-  const Monitor& monitor, const IterationObserver& observer)
-{
-  std::vector<EndSurface> ends;
-  if (this->Kept->Unconstrained.Points.rows() > 0 &&
-    (!constraints.empty() || this->Kept->Carved != this->Kept->Organ.GetForeground().GetMask()))
-  {
-    ends.push_back(this->UnconstrainedWhereUnchanged(constraints));
-  }
-  return this->RunAllLevelsTo(ends, constraints, start, monitor, observer);
-}
-
-bool OrganSegmenter::RunLastLevelFrom(const DeformableSurface& from,
-  const ConstraintList& constraints, const UnchangedPlaces& unchanged, const Monitor& monitor,
-  const IterationObserver& observer)
-{
-  DeformingOrgan& organ = this->Kept->Organ;
-  organ.BeginAt(from, this->FirstLevel(), constraints, OutsidePoints::AroundThem, observer);
-  organ.StayIn(unchanged);
-  return JointDeformation({ &organ }, {}, this->Parallel).RunLastLevel(monitor);
-}
-
-// The surface would have to draw back from a leak through the neck, and to bulge far into a lobe,
-// so such parts change in runs of all levels: each by itself.
-bool OrganSegmenter::FindDeepSurfaces(const DeformableSurface* start,
-  const ConstraintList& constraints, const Monitor& monitor, const IterationObserver& observer)
-{
-  State& kept = *this->Kept;
-  DeformingOrgan& organ = kept.Organ;
-  std::vector<BitMask> deep;
-  if (!FindDeepParts(kept.Carved, organ.GetForeground().GetMask(), DeepChange, this->Parallel,
-        FlipFree::PartOf(monitor, 0, 0), deep))
-  {
-    return false;
-  }
-  std::vector<DeepPart> parts;
-  for (std::size_t number = 0; number < deep.size(); ++number)
-  {
-    DeepPart part;
-    part.Voxels = std::move(deep[number]);
-    std::copy_if(constraints.begin(), constraints.end(), std::back_inserter(part.Constraints),
-      [&](const PointConstraint& constraint) { return IsNear(constraint, part.Voxels); });
-    part.Constraints = SortedConstraints(part.Constraints);
-    part.Start = start ? start->Points : kept.Start.Points;
-    const auto same = std::find_if(kept.DeepParts.begin(), kept.DeepParts.end(),
-      [&](const DeepPart& other) { return part.IsSameAs(other); });
-    if (same != kept.DeepParts.end())
-    {
-      parts.push_back(*same);
-      continue;
-    }
-    const double first = static_cast<double>(number) / static_cast<double>(deep.size());
-    const double last = static_cast<double>(number + 1) / static_cast<double>(deep.size());
-    if (!this->RunDeepPart(start, FlipFree::PartOf(monitor, first, last), observer, part))
-    {
-      return false;
-    }
-    parts.push_back(std::move(part));
-  }
-  kept.DeepParts = std::move(parts);
-  return true;
-}
-
-bool OrganSegmenter::RunDeepPart(const DeformableSurface* start, const Monitor& monitor,
-  const IterationObserver& observer, DeepPart& part)
-{
-  DeformingOrgan& organ = this->Kept->Organ;
-  OrganSurface& surface = organ.GetSurface();
-  organ.SettleForeground(DifferenceOf(this->Kept->Carved, part.Voxels));
-  surface.Iterations.clear();
-  if (!this->RunAllLevels(part.Constraints, start, FlipFree::PartOf(monitor, 0, 0.8), observer) ||
-    !this->RunLastLevelFrom({ surface.Mesh, surface.Points }, part.Constraints,
-      { part.Voxels, part.Constraints }, FlipFree::PartOf(monitor, 0.8, 1), observer))
-  {
-    return false;
-  }
-  part.Surface = { surface.Mesh, surface.Points };
-  part.Iterations = surface.Iterations;
-  return true;
-}
-
-// Of several deep parts: near each, the surface with that one alone.
-bool OrganSegmenter::JoinDeepSurfaces(const DeformableSurface* start, const Monitor& monitor,
-  const IterationObserver& observer)
-{
-  State& kept = *this->Kept;
-  BitMask all(kept.Carved.GetGeometry());
-  ConstraintList constraints;
-  std::vector<EndSurface> ends(1);
-  for (const DeepPart& part : kept.DeepParts)
-  {
-    all.Unite(part.Voxels);
-    constraints.insert(constraints.end(), part.Constraints.begin(), part.Constraints.end());
-    const auto places = std::make_shared<const UnchangedPlaces>(part.Voxels, part.Constraints);
-    ends.push_back({ &part.Surface, [places, this](const PointList& points) -> Eigen::VectorXd {
-                      return (places->WeightsOf(points, this->Parallel).array() < 1).cast<double>();
-                    } });
-  }
-  kept.Organ.SettleForeground(DifferenceOf(kept.Carved, all));
-  ends.front() = this->UnconstrainedWhereUnchanged(constraints);
-  return this->RunAllLevelsTo(ends, SortedConstraints(constraints), start, monitor, observer);
-}
-
-// Moves the surface without constraints only where these have changed the foreground.
-// `corrected` is the foreground by all constraints.
-bool OrganSegmenter::CorrectUnconstrained(const BitMask& corrected,
-  const ConstraintList& constraints, const DeformableSurface* start, const Monitor& monitor,
-  const IterationObserver& observer)
-{
-  State& kept = *this->Kept;
-  DeformingOrgan& organ = kept.Organ;
-  std::vector<IterationRecord> iterations = organ.GetSurface().Iterations;
-  // Refuses outside points in the start.
-  this->Begin(constraints, start, OutsidePoints::InTheLastLevel, observer);
-  if (!this->FindDeepSurfaces(start, constraints, FlipFree::PartOf(monitor, 0, 0.5), observer))
-  {
-    return false;
-  }
-  const std::vector<DeepPart>& parts = kept.DeepParts;
-  BitMask changed = DifferenceOf(kept.Carved, corrected);
-  for (const DeepPart& part : parts)
-  {
-    changed.Remove(part.Voxels);
-    Append(part.Iterations, iterations);
-  }
-  organ.GetSurface().Iterations = std::move(iterations);
-  DeformableSurface base = parts.empty() ? kept.Unconstrained : parts.front().Surface;
-  if (parts.size() > 1)
-  {
-    if (!this->JoinDeepSurfaces(start, FlipFree::PartOf(monitor, 0.5, 0.8), observer))
-    {
-      return false;
-    }
-    base = { organ.GetSurface().Mesh, organ.GetSurface().Points };
-  }
-  organ.SettleForeground(corrected);
-  ConstraintList shallow;
-  std::copy_if(constraints.begin(), constraints.end(), std::back_inserter(shallow),
-    [&](const PointConstraint& constraint)
-    {
-      return std::none_of(parts.begin(), parts.end(),
-        [&](const DeepPart& part) { return IsNear(constraint, part.Voxels); });
-    });
-  return this->RunLastLevelFrom(base, constraints, { std::move(changed), shallow },
-    FlipFree::PartOf(monitor, 0.8, 1), observer);
-}
-
-bool OrganSegmenter::RunToResult(const ConstraintList& constraints, const DeformableSurface* start,
-  const Monitor& monitor, const IterationObserver& observer)
-{
-  State& kept = *this->Kept;
-  if (constraints.empty() || kept.Unconstrained.Points.rows() == 0)
-  {
-    return this->RunAllLevels(constraints, start, monitor, observer);
-  }
-  BitMask corrected = kept.Organ.GetForeground().GetMask();
-  const std::vector<IterationRecord> before = kept.Organ.GetSurface().Iterations;
-  try
-  {
-    return this->CorrectUnconstrained(corrected, constraints, start, monitor, observer);
-  }
-  catch (const Error& error)
-  {
-    if (error.GetCode() != ErrorCode::UnreachablePoint)
-    {
-      throw;
-    }
-  }
-  kept.Organ.SettleForeground(std::move(corrected));
-  kept.Organ.GetSurface().Iterations = before;
-  return this->RunAllLevels(constraints, start, monitor, observer);
-}
-
 OrganSurface OrganSegmenter::FindSurface(const ConstraintList& constraints,
   const DeformableSurface* start, const Monitor& monitor, const IterationObserver& observer)
 {
@@ -411,12 +160,14 @@ OrganSurface OrganSegmenter::FindSurface(const ConstraintList& constraints,
   const Monitor& ask = remembering.Get();
   const double smoothing = organ.GetForeground().GetSmoothingSeconds();
   const double half = this->RunsTwice() ? 0.5 : 0;
-  bool done = this->FindForeground(constraints, FlipFree::PartOf(ask, 0, half), observer);
+  const Monitor askFirst = PartOf(ask, 0, half);
+  bool done = this->FindForeground(constraints, RememberingMonitor(askFirst), observer);
   if (done)
   {
-    done = this->RunToResult(constraints, start, FlipFree::PartOf(ask, half, 1), observer);
+    done = this->Kept->Correction.Run({ constraints, start ? *start : this->Kept->Start,
+      this->FirstLevel(), this->Kept->Uncorrected, PartOf(ask, half, 1), observer });
   }
-  if (done && !remembering.HasStopped() && constraints.empty() && this->Kept->IsCarved &&
+  if (done && !remembering.HasStopped() && constraints.empty() && this->Kept->HasUncorrected &&
     (!start || start->Points == this->Kept->Start.Points))
   {
     this->KeepUnconstrained();

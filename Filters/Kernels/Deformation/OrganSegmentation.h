@@ -45,12 +45,12 @@ using IterationObserver = std::function<void(const ContourMesh&, const PointList
   const CorrespondenceField&, const IterationRecord&)>;
 
 class DeformingOrgan;
-class UnchangedPlaces;
-struct EndSurface;
 
-/// What the constraints do not change is kept between calls: the smoothed image, and with carving
-/// the foreground of the first run and the surface without constraints (UnchangedPlaces.h). The
-/// surface depends on the list of constraints alone, not on its order or on earlier calls.
+/// Finds the surface of one organ in a smoothed image, from a seed and a start surface, again and
+/// again with other constraints. What these do not change is kept between calls: the smoothed
+/// image, and with carving the foreground of the first run and the surface without constraints
+/// (UnchangedPlaces.h). The surface depends on the list of constraints alone, not on its order or
+/// on earlier calls.
 class OrganSegmenter
 {
 public:
@@ -80,8 +80,8 @@ public:
   /// Whether the levels run twice: once to find what the foreground is carved from.
   bool RunsTwice() const;
   /// Finds the foreground, by a first run if need be. The observer sees that run. Returns false if
-  /// the monitor, which must remember that it did (RememberingMonitor), stopped it.
-  bool FindForeground(const ConstraintList& constraints, const Monitor& monitor,
+  /// the monitor stopped it.
+  bool FindForeground(const ConstraintList& constraints, const RememberingMonitor& monitor,
     const IterationObserver& observer);
   /// Begins the run that ends with the result; JointDeformation does the rest.
   void Begin(const ConstraintList& constraints, const DeformableSurface* start,
@@ -89,54 +89,18 @@ public:
   DeformingOrgan& GetOrgan();
 
 private:
-  // FindSurface() calls FindForeground() and RunToResult(). Which run calls which, and when:
+  // FindSurface() calls these, and UnconstrainedCorrection::Run():
   //
   //   FindForeground()
   //     RunAndCarve()              with carving, in the first call: finds what the foreground is
   //                                carved from
   //     RunWithoutConstraints()    with constraints, if the foreground is carved or given, unless
   //                                an earlier call has made the surface that they correct
-  //   RunToResult()
-  //     RunAllLevels()             without constraints or such a surface, and where the correction
-  //                                cannot obey a constraint
-  //       RunAllLevelsTo()
-  //     CorrectUnconstrained()     otherwise
-  //       FindDeepSurfaces()
-  //         RunDeepPart()          for each part that is changed deeply, anew or for the first time
-  //           RunAllLevels()       with this part alone changed
-  //           RunLastLevelFrom()   that surface
-  //       JoinDeepSurfaces()       if there are several such parts
-  //         RunAllLevelsTo()       the surfaces of the parts
-  //       RunLastLevelFrom()       the surface without constraints, or that of the deep parts
 
-  bool RunAndCarve(const Monitor& monitor, const IterationObserver& observer);
+  bool RunAndCarve(const RememberingMonitor& monitor, const IterationObserver& observer);
   bool RunWithoutConstraints(const Monitor& monitor);
   void KeepUnconstrained();
-  bool RunToResult(const ConstraintList& constraints, const DeformableSurface* start,
-    const Monitor& monitor, const IterationObserver& observer);
-
   int FirstLevel() const;
-  EndSurface UnconstrainedWhereUnchanged(const ConstraintList& constraints) const;
-  /// From the start surface. Where the constraints change nothing, it ends on the surface without
-  /// them, if there is one.
-  bool RunAllLevels(const ConstraintList& constraints, const DeformableSurface* start,
-    const Monitor& monitor, const IterationObserver& observer);
-  /// From the start surface to `ends`.
-  bool RunAllLevelsTo(const std::vector<EndSurface>& ends, const ConstraintList& constraints,
-    const DeformableSurface* start, const Monitor& monitor, const IterationObserver& observer);
-  /// From a surface as fine as the result, which stays as it is in unchanged places.
-  bool RunLastLevelFrom(const DeformableSurface& from, const ConstraintList& constraints,
-    const UnchangedPlaces& unchanged, const Monitor& monitor, const IterationObserver& observer);
-
-  struct DeepPart;
-  bool CorrectUnconstrained(const BitMask& corrected, const ConstraintList& constraints,
-    const DeformableSurface* start, const Monitor& monitor, const IterationObserver& observer);
-  bool FindDeepSurfaces(const DeformableSurface* start, const ConstraintList& constraints,
-    const Monitor& monitor, const IterationObserver& observer);
-  bool RunDeepPart(const DeformableSurface* start, const Monitor& monitor,
-    const IterationObserver& observer, DeepPart& part);
-  bool JoinDeepSurfaces(const DeformableSurface* start, const Monitor& monitor,
-    const IterationObserver& observer);
 
   struct State;
   std::unique_ptr<State> Kept;

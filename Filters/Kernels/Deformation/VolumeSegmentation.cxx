@@ -226,12 +226,12 @@ VolumeSegmentation VolumeSegmenter::Segment(const ConstraintList& constraints,
     this->Release(); // it may be half smoothed
     return result;
   }
-  this->Judge(constraints, result);
+  this->Complete(constraints, result);
   result.StageSeconds[3] = watch.Lap();
   return result;
 }
 
-void VolumeSegmenter::Judge(const ConstraintList& constraints, VolumeSegmentation& result) const
+void VolumeSegmenter::Complete(const ConstraintList& constraints, VolumeSegmentation& result) const
 {
   const OrganSegmentationSettings& method = this->Settings.Method;
   const ImageGeometry& geometry = this->Volume.Geometry;

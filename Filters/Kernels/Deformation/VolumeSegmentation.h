@@ -61,7 +61,8 @@ struct VolumeSegmentation
   std::vector<VoxelRun> Voxels;      ///< inside; none where it was aborted
   SurfaceConfidence Confidence;      ///< empty where it was aborted
   std::vector<std::string> Warnings; ///< a message each, with its remedy
-  /// Smoothing, feature, deformation, label map.
+  /// Smoothing, feature, deformation with the exact count of self-intersections (which a group does
+  /// not include), label map with confidence and warnings.
   std::array<double, 4> StageSeconds{ { 0, 0, 0, 0 } };
 };
 
@@ -99,8 +100,8 @@ public:
   OrganSegmenter& Prepare(const ConstraintList& constraints);
   /// Its start surface, small enough to keep off the outside points.
   DeformableSurface StartWithin(const ConstraintList& constraints) const;
-  /// Confidence, warnings and voxels of a surface that was not aborted.
-  void Judge(const ConstraintList& constraints, VolumeSegmentation& result) const;
+  /// Adds the confidence, warnings and voxels of a surface that was not aborted.
+  void Complete(const ConstraintList& constraints, VolumeSegmentation& result) const;
 
   /// The part of the volume that the surface can reach, once prepared.
   const VoxelBox& GetBox() const { return this->Box; }

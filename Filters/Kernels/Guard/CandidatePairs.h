@@ -13,6 +13,10 @@
 #include "Geometry/FaceHulls.h"
 #include "Guard/MotionBox.h"
 
+#include <functional>
+#include <utility>
+#include <vector>
+
 namespace FlipFree
 {
 

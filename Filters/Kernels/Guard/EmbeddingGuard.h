@@ -2,10 +2,17 @@
  * Limits a step of the deformation so that the surface neither intersects itself nor flips a face
  * during the step. If the first surface is embedded, so is every iterate.
  *
- * The whole motion is certified, every vertex moving along a straight line, in three parts:
- * CandidatePairs finds the parts that may meet, MotionTest computes conservative times of
- * impact and of flips, StepLimiter scales displacements down where something fails. This is
- * repeated until a pass is clean.
+ * The whole motion is certified, every vertex moving along a straight line, by
+ *
+ *   CandidatePairs        finds the parts that may meet,
+ *   SeparatingDirection   settles most of these quickly,
+ *   MotionTest            computes conservative times of impact of the others, and of flips,
+ *   QuadFold              computes conservative times until a quad is folded,
+ *   ObstacleTest          computes those of impact on fixed points,
+ *   StepLimiter           scales displacements down where something fails,
+ *   SinglePrecision       rounds where they end, so that files can hold what is certified.
+ *
+ * This is repeated until a pass is clean.
  */
 #ifndef FlipFreeEmbeddingGuard_h
 #define FlipFreeEmbeddingGuard_h
@@ -13,6 +20,7 @@
 #include "Guard/CandidatePairs.h"
 #include "Mesh/ContourMesh.h"
 
+#include <array>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -82,7 +90,7 @@ private:
   void RequireFinite(const PointList& points, const char* what, double maximum) const;
   void RequireEmbeddedAtRest(const Motion& motion, const ParallelFor& parallelFor) const;
 
-  // Retest features with a changed vertex; limit the vertices of those that fail.
+  // Tests the corners and quads with a changed vertex; limits the vertices of those that fail.
   void TestShapes(const std::vector<char>& changed, StepLimiter& step,
     const ParallelFor& parallelFor) const;
   class HullTest;

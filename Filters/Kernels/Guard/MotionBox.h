@@ -16,6 +16,8 @@
 
 #include "Guard/MotionTest.h"
 
+#include <array>
+
 namespace FlipFree
 {
 

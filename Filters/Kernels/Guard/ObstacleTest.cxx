@@ -17,7 +17,7 @@ HullCorners CornersOf(const PointList& points, const Hull& hull)
 } // namespace
 
 double TimeToObstacle(const Motion& motion, const Hull& hull, const Eigen::Vector3d& obstacle,
-  const MinimumDistance& distance, double maximumTime)
+  const MinimumDistance& distance)
 {
   PointList from(5, 3);
   PointList to(5, 3);
@@ -28,8 +28,7 @@ double TimeToObstacle(const Motion& motion, const Hull& hull, const Eigen::Vecto
   }
   from.row(4) = obstacle.transpose();
   to.row(4) = obstacle.transpose();
-  return TimeOfImpact(Motion{ from, to }, Hull{ { 0, 1, 2, 3 } }, Hull{ { 4, 4, 4, 4 } }, distance,
-    maximumTime);
+  return TimeOfImpact(Motion{ from, to }, Hull{ { 0, 1, 2, 3 } }, Hull{ { 4, 4, 4, 4 } }, distance);
 }
 
 bool MayComeNear(const Motion& motion, const Hull& hull, const Eigen::Vector3d& obstacle,

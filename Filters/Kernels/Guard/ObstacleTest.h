@@ -17,7 +17,7 @@ namespace FlipFree
 
 /// TimeOfImpact of a hull and a fixed point.
 double TimeToObstacle(const Motion& motion, const Hull& hull, const Eigen::Vector3d& obstacle,
-  const MinimumDistance& distance, double maximumTime = 1);
+  const MinimumDistance& distance);
 
 /// Whether a motion may bring a hull nearer to a fixed point than `gap`, by their boxes.
 bool MayComeNear(const Motion& motion, const Hull& hull, const Eigen::Vector3d& obstacle,

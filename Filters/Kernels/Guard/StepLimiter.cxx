@@ -48,8 +48,8 @@ std::vector<int> StepLimiter::ScaleDown()
     const double time = this->SafeTimes[vertex];
     if (time < 1 && this->Scales[vertex] > 0)
     {
-      const double scale =
-        this->Scales[vertex] * std::max(MinimumPart, std::min(MaximumPart, SafetyFactor * time));
+      const double scale = this->Scales[vertex] *
+        std::max(MinimumFraction, std::min(MaximumFraction, SafetyFactor * time));
       this->Scales[vertex] = scale < MinimumScale ? 0 : scale;
       queue.push_back(vertex);
     }

@@ -73,9 +73,9 @@ public:
       latest = std::max({ latest, this->SafeTimeOf(one[i]), this->SafeTimeOf(two[i]) });
     }
     // Beyond these bounds, all times are cut to the same part of the motion.
-    return latest >= 1                       ? 1.0
-      : SafetyFactor * latest <= MinimumPart ? 0.0
-                                             : std::min(latest, MaximumPart / SafetyFactor);
+    return latest >= 1                           ? 1.0
+      : SafetyFactor * latest <= MinimumFraction ? 0.0
+                                                 : std::min(latest, MaximumFraction / SafetyFactor);
   }
 
   /// Which vertices have been slowed or stopped: 1, others 0.
@@ -95,10 +95,11 @@ public:
 
 private:
   // A limited vertex keeps this fraction of its motion up to the time of impact, clamped to
-  // [MinimumPart, MaximumPart]. The lower bound leaves it room to move once others have slowed.
+  // [MinimumFraction, MaximumFraction]. The lower bound leaves it room to move once others have
+  // slowed.
   static constexpr double SafetyFactor = 0.9;
-  static constexpr double MaximumPart = 0.5;
-  static constexpr double MinimumPart = 0.12;
+  static constexpr double MaximumFraction = 0.5;
+  static constexpr double MinimumFraction = 0.12;
 
   // Zero for a vertex at rest, which no test needs to limit.
   double SafeTimeOf(int vertex) const

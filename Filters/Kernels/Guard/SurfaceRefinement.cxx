@@ -110,7 +110,7 @@ public:
       {
         for (int vertex : hull)
         {
-          if (!this->IsMoving(vertex))
+          if (!this->IsRefined(vertex))
           {
             continue;
           }
@@ -128,7 +128,8 @@ public:
   }
 
 private:
-  bool IsMoving(int vertex) const { return vertex < static_cast<int>(this->Parents.size()); }
+  // Whether the vertex is not one of the fixed surface, which follow.
+  bool IsRefined(int vertex) const { return vertex < static_cast<int>(this->Parents.size()); }
 
   PointList WithFixed(PointList points) const
   {
@@ -143,7 +144,7 @@ private:
     const PointList all = this->WithFixed(refined);
     for (const HullPair& pair : this->NearPairs.Find(all, parallelFor))
     {
-      if (!this->IsMoving(pair.One[0]) && !this->IsMoving(pair.Two[0]))
+      if (!this->IsRefined(pair.One[0]) && !this->IsRefined(pair.Two[0]))
       {
         continue; // as it is
       }
@@ -157,7 +158,7 @@ private:
       const Eigen::Vector3d point = this->Obstacles.row(static_cast<Eigen::Index>(obstacle));
       for (const Hull& hull : HullsNearerThan(this->Gap, all, this->Hulls, point))
       {
-        if (this->IsMoving(hull[0]))
+        if (this->IsRefined(hull[0]))
         {
           bad.push_back(hull);
         }

@@ -73,6 +73,21 @@ struct BlockGrid
     return this->Blocks.ToPhysical(Eigen::Vector3d(index[0], index[1], index[2]));
   }
 
+  /// Inserts the voxels of block (i, j, k) into a mask of the voxels, or removes them.
+  void SetBlock(bool inside, int i, int j, int k, BitMask& mask) const
+  {
+    const std::array<int, 3>& size = this->Voxels.Dimensions;
+    const std::array<int, 3>& factor = this->Factor;
+    const int end = std::min(size[0], (i + 1) * factor[0]);
+    for (int z = k * factor[2]; z < std::min(size[2], (k + 1) * factor[2]); ++z)
+    {
+      for (int y = j * factor[1]; y < std::min(size[1], (j + 1) * factor[1]); ++y)
+      {
+        mask.SetRun(inside, i * factor[0], end, y, z);
+      }
+    }
+  }
+
   std::size_t VoxelsPerBlock() const
   {
     return static_cast<std::size_t>(this->Factor[0]) * this->Factor[1] * this->Factor[2];

@@ -268,23 +268,9 @@ private:
             : isSwitched(i, j, k);
           if (changes)
           {
-            this->SetBlock(i, j, k);
+            this->Grid.SetBlock(this->Wanted.IsInside, i, j, k, this->Mask);
           }
         }
-      }
-    }
-  }
-
-  void SetBlock(int i, int j, int k)
-  {
-    const auto& size = this->Mask.GetGeometry().Dimensions;
-    const std::array<int, 3>& factor = this->Grid.Factor;
-    const int end = std::min(size[0], (i + 1) * factor[0]);
-    for (int z = k * factor[2]; z < std::min(size[2], (k + 1) * factor[2]); ++z)
-    {
-      for (int y = j * factor[1]; y < std::min(size[1], (j + 1) * factor[1]); ++y)
-      {
-        this->Mask.SetRun(this->Wanted.IsInside, i * factor[0], end, y, z);
       }
     }
   }

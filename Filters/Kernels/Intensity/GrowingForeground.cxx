@@ -1,7 +1,7 @@
 #include "Intensity/GrowingForeground.h"
 
+#include "Intensity/CarvedForeground.h"
 #include "Intensity/ForegroundCorrection.h"
-#include "Intensity/SurfaceForeground.h"
 #include "Stopwatch.h"
 
 #include <algorithm>
@@ -148,7 +148,7 @@ bool GrowingForeground::Carve(const PointList& points, const TriangleList& trian
   const Monitor& monitor)
 {
   this->Clear(); // smoothing needs the memory
-  SurfaceForegroundInputs inputs;
+  CarvedForegroundInputs inputs;
   inputs.Smooth = this->GetImage();
   inputs.MakeSmooth = [&](const VoxelBox& box) { return this->Smooth(box, monitor); };
   inputs.Points = &points;
@@ -157,8 +157,7 @@ bool GrowingForeground::Carve(const PointList& points, const TriangleList& trian
   inputs.Noise = noise;
   inputs.Settings = this->Settings;
   inputs.Settings.Modality = this->GetModality();
-  const bool done =
-    ForegroundOfSurface(inputs, this->Parallel, monitor, this->Mask, this->Unanimity);
+  const bool done = CarveForeground(inputs, this->Parallel, monitor, this->Mask, this->Unanimity);
   this->Bounds = this->Mask.Bounds();
   return done;
 }

@@ -35,7 +35,7 @@ public:
   /// Finds the foreground, smoothing more wherever it comes near the sides of the box.
   bool Update(const IntensityModel& model, const Monitor& monitor);
 
-  /// Makes the foreground from the inside of a closed surface (SurfaceForeground.h).
+  /// Makes the foreground from the inside of a closed surface (CarvedForeground.h).
   bool Carve(const PointList& points, const TriangleList& triangles, double noise,
     const Monitor& monitor);
 

@@ -1,5 +1,7 @@
 #include "Intensity/Modality.h"
 
+#include "Intensity/RobustStatistics.h"
+
 #include <algorithm>
 
 namespace FlipFree
@@ -14,14 +16,6 @@ constexpr double TailOfValues = 0.01;
 // Below zero, in comparison with the brightest.
 constexpr float LeastPart = 0.05F;
 constexpr int SamplesPerAxis = 64;
-
-float TakeQuantile(std::vector<float>& values, double part)
-{
-  const auto place =
-    values.begin() + static_cast<std::ptrdiff_t>(part * static_cast<double>(values.size() - 1));
-  std::nth_element(values.begin(), place, values.end());
-  return *place;
-}
 
 } // namespace
 

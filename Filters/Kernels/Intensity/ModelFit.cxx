@@ -57,15 +57,16 @@ Refit RefitToSurface(const ImageView<float>& smooth, const PointList& points,
   const TriangleList& triangles, double noise, const IntensitySettings& settings,
   const ParallelFor& parallelFor, const Monitor& monitor, IntensityModel& model)
 {
-  // No runs may mean a stop or a surface that holds no voxel.
-  const RememberingMonitor remembering(monitor);
-  const Monitor& proceed = remembering.Get();
   // Voxelized on the whole grid, whose rounding decides; the rest is done in a box.
-  const std::vector<VoxelRun> runs =
-    VoxelizeSurface(points, triangles, smooth.Geometry, parallelFor, PartOf(proceed, 0, 0.2));
+  std::vector<VoxelRun> runs;
+  if (!VoxelizeSurface(points, triangles, smooth.Geometry, parallelFor, PartOf(monitor, 0, 0.2),
+        runs))
+  {
+    return Refit::Stopped;
+  }
   if (runs.empty())
   {
-    return remembering.HasStopped() ? Refit::Stopped : Refit::NothingInside;
+    return Refit::NothingInside;
   }
   const VoxelBox box = DilatedBounds(runs, smooth.Geometry, settings.ShellEnd);
   const auto [i, j, k] = box.Begin;
@@ -75,8 +76,8 @@ Refit RefitToSurface(const ImageView<float>& smooth, const PointList& points,
     inside.InsertRun(run.Begin - i, run.End - i, run.J - j, run.K - k);
   }
   BitMask shell;
-  if (!MakeInsideAndShell(settings, parallelFor, PartOf(proceed, 0.2, 0.9), inside, shell) ||
-    !proceed(0.9))
+  if (!MakeInsideAndShell(settings, parallelFor, PartOf(monitor, 0.2, 0.9), inside, shell) ||
+    !monitor(0.9))
   {
     return Refit::Stopped;
   }

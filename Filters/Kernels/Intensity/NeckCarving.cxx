@@ -219,26 +219,12 @@ private:
             {
               if (this->IsTouched[blocks.Offset(i, j, k)] && isRemoved(i, j, k))
               {
-                this->RemoveBlock(i, j, k);
+                this->Grid.SetBlock(false, i, j, k, this->Mask);
               }
             }
           }
         }
       });
-  }
-
-  void RemoveBlock(int i, int j, int k)
-  {
-    const auto& size = this->Mask.GetGeometry().Dimensions;
-    const std::array<int, 3>& factor = this->Grid.Factor;
-    const int end = std::min(size[0], (i + 1) * factor[0]);
-    for (int z = k * factor[2]; z < std::min(size[2], (k + 1) * factor[2]); ++z)
-    {
-      for (int y = j * factor[1]; y < std::min(size[1], (j + 1) * factor[1]); ++y)
-      {
-        this->Mask.RemoveRun(i * factor[0], end, y, z);
-      }
-    }
   }
 
   const ImagePart Image;

@@ -71,12 +71,11 @@ class Consensus
 {
 public:
   Consensus(const ImageView<float>& smooth, const VoxelBox& box, const SeedSphere& seed,
-    double noise, Modality modality, const OrganFeatureSettings& settings,
-    const ParallelFor& parallelFor, const Monitor& monitor, const BitMask& carved)
+    double noise, const OrganFeatureSettings& settings, const ParallelFor& parallelFor,
+    const Monitor& monitor, const BitMask& carved)
     : Smooth(smooth)
     , Seed(seed)
     , Noise(noise)
-    , OfModality(modality)
     , Settings(settings)
     , Parallel(parallelFor)
     , Remembering(monitor)
@@ -166,8 +165,8 @@ private:
     BitMask carved;
     const double most = this->IsCut(grown) ? GreatestCutGrowth : GreatestGrowth;
     if (count < LeastGrowth * this->Count || count > most * this->Count ||
-      !CarveOrgan(image, RunsOf(grown), this->Seed, this->Noise, this->OfModality, this->Parallel,
-        proceed, carved))
+      !CarveOrgan(image, RunsOf(grown), this->Seed, this->Noise, this->Settings.Modality,
+        this->Parallel, proceed, carved))
     {
       ++this->Grown;
       return std::nullopt;
@@ -212,7 +211,7 @@ private:
       return std::nullopt;
     }
     const std::optional<IntensityField> field =
-      IntensityField::Fit(this->Image.View(), core, this->Seed, this->OfModality);
+      IntensityField::Fit(this->Image.View(), core, this->Seed, this->Settings.Modality);
     if (!field)
     {
       return std::nullopt;
@@ -270,7 +269,6 @@ private:
   const ImageView<float> Smooth;
   const SeedSphere& Seed;
   const double Noise;
-  const Modality OfModality;
   const OrganFeatureSettings& Settings;
   const ParallelFor& Parallel;
   const RememberingMonitor Remembering;
@@ -303,11 +301,11 @@ VoxelBox ConsensusBox(const BitMask& carved, const SeedSphere& seed)
 }
 
 bool SeekConsensus(const ImageView<float>& smooth, const SeedSphere& seed, double noise,
-  Modality modality, const OrganFeatureSettings& settings, const ParallelFor& parallelFor,
-  const Monitor& monitor, BitMask& carved, double* unanimity)
+  const OrganFeatureSettings& settings, const ParallelFor& parallelFor, const Monitor& monitor,
+  BitMask& carved, double* unanimity)
 {
   const VoxelBox box = ConsensusBox(carved, seed);
-  Consensus seeker(smooth, box, seed, noise, modality, settings, parallelFor, monitor, carved);
+  Consensus seeker(smooth, box, seed, noise, settings, parallelFor, monitor, carved);
   const std::optional<BitMask> consensus = seeker.Execute();
   if (!consensus)
   {

@@ -28,12 +28,12 @@ VoxelBox ConsensusBox(const BitMask& carved, const SeedSphere& seed);
 /// than half or more than twice its volume are about another organ, and a foreground that fills
 /// thrice its volume, or twice and goes on beyond ConsensusBox(), has leaked; neither counts, and
 /// with fewer than two opinions, nothing is voted on. `noise` is the standard deviation before
-/// smoothing; the modality is not Automatic. `unanimity` is the least Dice score between one of the
-/// three opinions and their vote, and 1/2 where there was none. Returns false if the monitor, asked
-/// before each pass over the image, stopped it; the foreground is then as it was.
+/// smoothing; the settings' modality is not Automatic. `unanimity` is the least Dice score between
+/// one of the three opinions and their vote, and 1/2 where there was none. Returns false if the
+/// monitor, asked before each pass over the image, stopped it; the foreground is then as it was.
 bool SeekConsensus(const ImageView<float>& smooth, const SeedSphere& seed, double noise,
-  Modality modality, const OrganFeatureSettings& settings, const ParallelFor& parallelFor,
-  const Monitor& monitor, BitMask& carved, double* unanimity = nullptr);
+  const OrganFeatureSettings& settings, const ParallelFor& parallelFor, const Monitor& monitor,
+  BitMask& carved, double* unanimity = nullptr);
 
 } // namespace FlipFree
 

@@ -35,4 +35,12 @@ RobustStatistics RobustStatisticsOf(std::vector<float>& values)
   return { median, normal * TakeMedian(values) };
 }
 
+float TakeQuantile(std::vector<float>& values, double part)
+{
+  const auto place =
+    values.begin() + static_cast<std::ptrdiff_t>(part * static_cast<double>(values.size() - 1));
+  std::nth_element(values.begin(), place, values.end());
+  return *place;
+}
+
 } // namespace FlipFree

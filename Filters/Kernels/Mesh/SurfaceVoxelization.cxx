@@ -160,8 +160,9 @@ void AppendRuns(const std::vector<RowCrossing>& crossings, int k, int rowLength,
 
 } // namespace
 
-std::vector<VoxelRun> VoxelizeSurface(const PointList& points, const TriangleList& triangles,
-  const ImageGeometry& geometry, const ParallelFor& parallelFor, const Monitor& monitor)
+bool VoxelizeSurface(const PointList& points, const TriangleList& triangles,
+  const ImageGeometry& geometry, const ParallelFor& parallelFor, const Monitor& monitor,
+  std::vector<VoxelRun>& runs)
 {
   RequireValidFaces(points, FacesOf(triangles), "the surface");
   RequireClosed(static_cast<int>(points.rows()), triangles, "the surface");
@@ -171,7 +172,7 @@ std::vector<VoxelRun> VoxelizeSurface(const PointList& points, const TriangleLis
   const auto trianglesByPlane = TrianglesByPlane(index, triangles, numberOfPlanes);
   if (!monitor(0.5))
   {
-    return {};
+    return false;
   }
 
   std::vector<std::vector<VoxelRun>> planeRuns(numberOfPlanes);
@@ -192,11 +193,19 @@ std::vector<VoxelRun> VoxelizeSurface(const PointList& points, const TriangleLis
       }
     });
 
-  std::vector<VoxelRun> runs;
+  runs.clear();
   for (const auto& plane : planeRuns)
   {
     runs.insert(runs.end(), plane.begin(), plane.end());
   }
+  return true;
+}
+
+std::vector<VoxelRun> VoxelizeSurface(const PointList& points, const TriangleList& triangles,
+  const ImageGeometry& geometry, const ParallelFor& parallelFor)
+{
+  std::vector<VoxelRun> runs;
+  VoxelizeSurface(points, triangles, geometry, parallelFor, NeverStop, runs);
   return runs;
 }
 

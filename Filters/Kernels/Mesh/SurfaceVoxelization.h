@@ -29,13 +29,18 @@ struct VoxelRun
   int End = 0;
 };
 
-/// The voxels of the image inside the surface, as maximal runs ordered by K, J, Begin. Empty when
-/// the surface contains no voxel center, or when the monitor stops it. Throws Error when the
-/// surface is not closed and consistently oriented (either way round), a point is not finite or
-/// lies more than 1e15 voxels away from the image, or the geometry is singular.
+/// The voxels of the image inside the surface, as maximal runs ordered by K, J, Begin; none when
+/// the surface contains no voxel center. Returns false if the monitor stopped it; the runs are then
+/// as they were. Throws Error when the surface is not closed and consistently oriented (either way
+/// round), a point is not finite or lies more than 1e15 voxels away from the image, or the geometry
+/// is singular.
+bool VoxelizeSurface(const PointList& points, const TriangleList& triangles,
+  const ImageGeometry& geometry, const ParallelFor& parallelFor, const Monitor& monitor,
+  std::vector<VoxelRun>& runs);
+
+/// The same, without a stop.
 std::vector<VoxelRun> VoxelizeSurface(const PointList& points, const TriangleList& triangles,
-  const ImageGeometry& geometry, const ParallelFor& parallelFor = SerialFor,
-  const Monitor& monitor = NeverStop);
+  const ImageGeometry& geometry, const ParallelFor& parallelFor = SerialFor);
 
 std::size_t CountVoxels(const std::vector<VoxelRun>& runs);
 

@@ -29,14 +29,6 @@ double MedianAround(const ImageView<float>& image, const Eigen::Vector3d& place)
   return RobustStatisticsOf(values).Median;
 }
 
-double TakeQuantile(std::vector<float>& values, double part)
-{
-  const auto place =
-    values.begin() + static_cast<std::ptrdiff_t>(part * static_cast<double>(values.size() - 1));
-  std::nth_element(values.begin(), place, values.end());
-  return *place;
-}
-
 } // namespace
 
 std::vector<int> PointsUnlike(const ImageView<float>& image, const VesselTree& tree,

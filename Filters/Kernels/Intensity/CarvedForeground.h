@@ -3,8 +3,8 @@
  * inside is carved (OrganCarving.h), and where that changes much of it, further opinions are sought
  * (OrganConsensus.h).
  */
-#ifndef FlipFreeSurfaceForeground_h
-#define FlipFreeSurfaceForeground_h
+#ifndef FlipFreeCarvedForeground_h
+#define FlipFreeCarvedForeground_h
 
 #include "Image/SmoothRegion.h"
 #include "Intensity/OrganFeature.h"
@@ -13,7 +13,7 @@ namespace FlipFree
 {
 
 /// What is known of the organ. The surface's points and triangles must outlive it.
-struct SurfaceForegroundInputs
+struct CarvedForegroundInputs
 {
   ImageView<float> Smooth; ///< the smoothed image
   ImageMaker MakeSmooth;   ///< is called before voxels of it are read
@@ -24,9 +24,10 @@ struct SurfaceForegroundInputs
   OrganFeatureSettings Settings; ///< the modality is not Automatic
 };
 
-/// `unanimity` is that of the opinions (SeekConsensus()), and 1 where no further one was asked for.
-/// Returns false if the monitor stopped it; the foreground is then useless.
-bool ForegroundOfSurface(const SurfaceForegroundInputs& inputs, const ParallelFor& parallelFor,
+/// Carves the foreground from the inside of the surface. `unanimity` is that of the opinions
+/// (SeekConsensus()), and 1 where no further one was asked for. Returns false if the monitor
+/// stopped it; the foreground is then useless.
+bool CarveForeground(const CarvedForegroundInputs& inputs, const ParallelFor& parallelFor,
   const Monitor& monitor, BitMask& foreground, double& unanimity);
 
 } // namespace FlipFree

@@ -1,0 +1,98 @@
+/**
+ * The runs of an OrganSegmenter that end with the result. Where the surface without constraints is
+ * known, constraints correct it only where they have changed the foreground, so that no constraint
+ * moves the surface elsewhere.
+ */
+#ifndef FlipFreeUnconstrainedCorrection_h
+#define FlipFreeUnconstrainedCorrection_h
+
+#include "Deformation/DeformingOrgan.h"
+
+#include <utility>
+#include <vector>
+
+namespace FlipFree
+{
+
+/// What all these runs are called with, for all or a part of the work. Refers to everything but the
+/// monitor.
+struct RunInputs
+{
+  const ConstraintList& Constraints;
+  const DeformableSurface& Start;
+  int FirstLevel;             ///< from which levels are counted
+  const BitMask& Uncorrected; ///< the foreground without constraints, if the surface is known
+  Monitor Proceed;
+  const IterationObserver& Observer;
+
+  /// The same with other constraints.
+  RunInputs With(const ConstraintList& constraints) const;
+  /// For the part of the work from the fraction `first` to `last`. Refers to this object.
+  RunInputs Part(double first, double last) const;
+};
+
+class UnconstrainedCorrection
+{
+public:
+  /// Both must outlive the object.
+  UnconstrainedCorrection(DeformingOrgan& organ, const ParallelFor& parallelFor);
+  ~UnconstrainedCorrection();
+  // Neither copied nor moved: the organ refers to what is kept here.
+  UnconstrainedCorrection(const UnconstrainedCorrection&) = delete;
+  UnconstrainedCorrection& operator=(const UnconstrainedCorrection&) = delete;
+
+  /// What Run() gives without constraints.
+  void SetSurface(DeformableSurface surface) { this->Surface = std::move(surface); }
+  bool HasSurface() const { return this->Surface.Points.rows() > 0; }
+  /// The surface, and what is kept of earlier runs.
+  void Forget();
+
+  /// Runs the organ, whose foreground the constraints have corrected, to the result. Returns false
+  /// if the monitor stopped it. Throws Error where a constraint cannot be obeyed.
+  bool Run(const RunInputs& inputs);
+
+private:
+  // Which run calls which, and when:
+  //
+  //   Run()
+  //     RunAllLevels()             without constraints or such a surface, and where the correction
+  //                                cannot obey a constraint
+  //       RunAllLevelsTo()
+  //     Correct()                  otherwise
+  //       FindDeepSurfaces()
+  //         RunDeepPart()          for each part that is changed deeply, anew or for the first time
+  //           RunAllLevels()       with this part alone changed
+  //           RunLastLevelFrom()   that surface
+  //       JoinDeepSurfaces()       if there are several such parts
+  //         RunAllLevelsTo()       the surfaces of the parts
+  //       RunLastLevelFrom()       the surface without constraints, or that of the deep parts
+
+  void Begin(OutsidePoints outside, const RunInputs& inputs);
+  EndSurface SurfaceWhereUnchanged(const ConstraintList& constraints,
+    const BitMask& uncorrected) const;
+  /// From the start surface. Where the constraints change nothing, it ends on the surface without
+  /// them, if there is one.
+  bool RunAllLevels(const RunInputs& inputs);
+  /// From the start surface to `ends`.
+  bool RunAllLevelsTo(const std::vector<EndSurface>& ends, const RunInputs& inputs);
+  /// From a surface as fine as the result, which stays as it is in unchanged places.
+  bool RunLastLevelFrom(const DeformableSurface& from, const UnchangedPlaces& unchanged,
+    const RunInputs& inputs);
+
+  struct DeepPart;
+  bool Correct(const BitMask& corrected, const RunInputs& inputs);
+  bool FindDeepSurfaces(const RunInputs& inputs);
+  /// With the part's constraints.
+  bool RunDeepPart(const RunInputs& inputs, DeepPart& part);
+  /// With the constraints of all parts.
+  bool JoinDeepSurfaces(const RunInputs& inputs);
+
+  DeformingOrgan& Organ;
+  const ParallelFor& Parallel;
+  DeformableSurface Surface;       // without constraints
+  std::vector<DeepPart> DeepParts; // of the last call
+};
+
+} // namespace FlipFree
+
+#endif
