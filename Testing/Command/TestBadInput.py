@@ -227,7 +227,7 @@ class TestBadInput(command.CommandTest):
                   for words in ((2**31, 2**31, 0, 9), (0, 48, 12, 0), (1, 48, 99, 9), (1, 48, 0, 2**31))]
         for form in ("ascii", "binary_little_endian", "binary_big_endian"):
             cases += [("ply", self.ply(form, counts=(4, 5)), "the file is truncated"),
-                      ("ply", self.ply(form, counts=(2**31 - 1, 4)), "early|number"),
+                      ("ply", self.ply(form, counts=(2**31 - 1, 4)), "truncated|number"),
                       ("ply", self.ply(form, faces=beyond), "face 3 has a vertex that does not exist"),
                       ("ply", self.ply(form, corners=far), "vertex 3 is not finite")]
         for index, (ending, data, pattern) in enumerate(cases):

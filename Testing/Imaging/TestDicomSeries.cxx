@@ -261,7 +261,7 @@ TEST(TestDicomSeries, UnevenStackWarnsAndMissingSliceIsRefused)
 
   ExampleImages::Folder same; // one place at five times
   write(same, [](int slice) { return -3.5 * slice; });
-  ExpectRefusal(ReaderOf(same), { "one place", UID + ".1" });
+  ExpectRefusal(ReaderOf(same), { "the same place", UID + ".1" });
 }
 
 TEST(TestDicomSeries, SlicesOfTwoSizesAreNoVolume)
