@@ -142,8 +142,8 @@ test("labels are counted, and brought into the order of another grid", () => {
   const line = (voxels) => ({ ...phantom.labelMap, size: [voxels.length, 1, 1], voxels });
   assert.deepEqual([...labelsIn(line(Int16Array.of(0, 7, 7, 0, 3, 7)))], [[3, 1], [7, 3]]);
   assert.equal(labelsIn(line(new Uint8Array(4))).size, 0);
-  assert.throws(() => labelsIn(line(Float32Array.of(0, 0.5))), /the value 0.5, which is no label/);
-  assert.throws(() => labelsIn(line(Int16Array.of(0, 0, -1))), /the value -1, which is no label/);
+  assert.throws(() => labelsIn(line(Float32Array.of(0, 0.5))), /the value 0.5, which is not a label/);
+  assert.throws(() => labelsIn(line(Int16Array.of(0, 0, -1))), /the value -1, which is not a label/);
   assert.throws(() => labelsIn(line(Int32Array.from({ length: 5000 }, (_, at) => at))), /more than 2000 values/);
 
   // The same volume from behind and with its axes exchanged.

@@ -347,8 +347,8 @@ class Points(SchedulerTest):
         (self.folder / "kind.csv").write_text("above,1,2,3\n")
         bad = {
             "column points: 'somewhere' is not a list of points; give x y z of each.*or a file of points": self.vessel("a", "somewhere"),
-            "column points: '1 2; 3 4 5' is no list": self.vessel("b", "1 2; 3 4 5"),
-            "column points: '1 2 nan; 3 4 5' is no list": self.vessel("c", "1 2 nan; 3 4 5"),
+            "column points: '1 2; 3 4 5' is not a list": self.vessel("b", "1 2; 3 4 5"),
+            "column points: '1 2 nan; 3 4 5' is not a list": self.vessel("c", "1 2 nan; 3 4 5"),
             "column points: a vessel needs at least two points, not 1; give": self.vessel("d", [(1, 2, 3)]),
             r"column points: '.*bad.csv', line 2: '3mm' is not a number\. Correct the file": self.vessel("e", self.folder / "bad.csv"),
             "column points: '.*one.csv' holds 1 points, and a vessel needs": self.vessel("f", self.folder / "one.csv"),
