@@ -2,9 +2,9 @@
 
 #include "LabelAdapter.h"
 #include "Measures/LabelSurface.h"
+#include "Mesh/SurfaceTopology.h"
 #include "MeshAdapter.h"
 
-#include "vtkCellArray.h"
 #include "vtkImageData.h"
 #include "vtkImplicitPolyDataDistance.h"
 #include "vtkNew.h"
@@ -19,14 +19,9 @@ constexpr double FARTHEST = 5; // mm
 
 vtkNew<vtkPolyData> PolyDataOf(const FlipFree::LabelSurface& surface)
 {
-  vtkNew<vtkCellArray> triangles;
-  for (const auto& triangle : surface.Triangles.rowwise())
-  {
-    triangles->InsertNextCell({ triangle(0), triangle(1), triangle(2) });
-  }
   vtkNew<vtkPolyData> data;
   data->SetPoints(FlipFree::MakePoints(surface.Points));
-  data->SetPolys(triangles);
+  data->SetPolys(FlipFree::MakePolys(FlipFree::FacesOf(surface.Triangles)));
   return data;
 }
 

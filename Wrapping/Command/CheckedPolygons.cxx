@@ -58,7 +58,7 @@ std::string Contents(const std::string& name)
   std::string bytes{ std::istreambuf_iterator<char>(file), {} };
   if (!file)
   {
-    throw Failure("permission denied");
+    throw Failure("it cannot be opened");
   }
   return bytes;
 }

@@ -43,7 +43,7 @@ std::string NextTag(const std::string& bytes, const std::string& name, std::size
   return bytes.substr(begin, at - begin);
 }
 
-/// The bytes encoded in base64 at a place, `most` at most.
+/// The bytes encoded in base64 at a place, no more than `most` of them.
 std::string FromBase64(const std::string& bytes, std::size_t at, std::size_t most)
 {
   const std::string digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";

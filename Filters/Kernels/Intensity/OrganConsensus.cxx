@@ -36,7 +36,7 @@ constexpr std::array<double, 2> NarrowMasses{ { 0.8, 0.9 } };
 constexpr double UnanimityWithoutVote = 0.5;
 // By which growth from the seed must be better supported.
 constexpr double SupportMargin = 1.25;
-// In standard deviations of the seed's gray values. Less is not a contrast.
+// In standard deviations of the seed's gray values. Less does not count as contrast.
 constexpr double LeastContrast = 0.1;
 
 std::vector<VoxelRun> RunsOf(const BitMask& mask)
