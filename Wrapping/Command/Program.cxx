@@ -142,6 +142,10 @@ int RunCommand(int argc, char* argv[])
   }
   catch (const std::exception& error)
   {
+    if (WasInterrupted()) // while what cannot be aborted went on, such as reading
+    {
+      EndInterrupted();
+    }
     PrintError(error.what());
   }
   return FAILURE;
