@@ -16,15 +16,8 @@ namespace
 class SliceCutter
 {
 public:
-  SliceCutter(const BaselineTask& task, const std::vector<float>& logOdds,
-    const BitMask& candidates, const BitMask& seeds, const MinimumCutSettings& settings,
-    double margin, const ParallelFor& parallelFor)
-    : Task(task)
-    , LogOdds(logOdds)
-    , Candidates(candidates)
-    , Seeds(seeds)
-    , Settings(settings)
-    , Margin(margin)
+  SliceCutter(const SliceCutInputs& inputs, const ParallelFor& parallelFor)
+    : Inputs(inputs)
     , For(parallelFor)
   {
   }
@@ -32,22 +25,22 @@ public:
   // The organ in plane k, given that in the plane before, or none for the first. False if stopped.
   bool Cut(int k, const BitMask* before, const Monitor& monitor, BitMask& organ) const
   {
-    const ImageGeometry& region = this->Task.Region.Geometry;
+    const ImageGeometry& region = this->Inputs.Task.Region.Geometry;
     const VoxelBox box{ { { 0, 0, k } },
       { { region.Dimensions[0], region.Dimensions[1], k + 1 } } };
     const ImageGeometry plane = CropGeometry(region, box);
     const std::size_t first = region.Offset(0, 0, k);
-    const float* const odds = this->LogOdds.data() + first;
+    const float* const odds = this->Inputs.LogOdds.data() + first;
     const std::vector<float> oddsOfPlane(odds, odds + plane.NumberOfVoxels());
-    BitMask candidates = this->Candidates.Cropped(box);
-    BitMask seeds = this->Seeds.Cropped(box);
+    BitMask candidates = this->Inputs.Candidates.Cropped(box);
+    BitMask seeds = this->Inputs.Seeds.Cropped(box);
     std::vector<std::size_t> sources;
     if (before)
     {
       BitMask near = *before;
       BitMask core = *before;
-      if (!Dilate(near, this->Margin, this->For, monitor) ||
-        !Erode(core, this->Margin, this->For, monitor))
+      if (!Dilate(near, this->Inputs.Margin, this->For, monitor) ||
+        !Erode(core, this->Inputs.Margin, this->For, monitor))
       {
         return false;
       }
@@ -58,8 +51,8 @@ public:
       sources = OffsetsOf(*before);
     }
     candidates.Unite(seeds);
-    if (!FindMinimumCut({ this->Task.Region.Voxels.data() + first, plane }, oddsOfPlane, candidates,
-          seeds, this->Settings, monitor, organ))
+    if (!FindMinimumCut({ this->Inputs.Task.Region.Voxels.data() + first, plane }, oddsOfPlane,
+          candidates, seeds, this->Inputs.Settings, monitor, organ))
     {
       return false;
     }
@@ -69,38 +62,31 @@ public:
   }
 
 private:
-  const BaselineTask& Task;
-  const std::vector<float>& LogOdds;
-  const BitMask& Candidates;
-  const BitMask& Seeds;
-  const MinimumCutSettings& Settings;
-  double Margin;
+  const SliceCutInputs& Inputs;
   const ParallelFor& For;
 };
 
 } // namespace
 
-bool CutSliceBySlice(const BaselineTask& task, const std::vector<float>& logOdds,
-  const BitMask& candidates, const BitMask& seeds, const MinimumCutSettings& settings,
-  double margin, const ParallelFor& parallelFor, const Monitor& monitor, BitMask& organ,
-  int& slices)
+bool CutSliceBySlice(const SliceCutInputs& inputs, const ParallelFor& parallelFor,
+  const Monitor& monitor, SliceCutResult& result)
 {
-  const ImageGeometry& geometry = task.Region.Geometry;
+  const ImageGeometry& geometry = inputs.Task.Region.Geometry;
   const int size = geometry.Dimensions[2];
   const int first = std::max(0,
     std::min(size - 1,
-      static_cast<int>(std::lround(geometry.ToIndex(task.Seeds.front().Center)[2]))));
-  const SliceCutter cutter(task, logOdds, candidates, seeds, settings, margin, parallelFor);
-  const Monitor slice = [&](double) { return monitor(static_cast<double>(slices) / size); };
-  slices = 0;
+      static_cast<int>(std::lround(geometry.ToIndex(inputs.Task.Seeds.front().Center)[2]))));
+  const SliceCutter cutter(inputs, parallelFor);
+  const Monitor slice = [&](double) { return monitor(static_cast<double>(result.Slices) / size); };
+  result.Slices = 0;
   BitMask middle;
   if (!cutter.Cut(first, nullptr, slice, middle))
   {
     return false;
   }
-  organ = BitMask(geometry);
-  organ.Insert(middle, { { 0, 0, first } });
-  ++slices;
+  result.Organ = BitMask(geometry);
+  result.Organ.Insert(middle, { { 0, 0, first } });
+  ++result.Slices;
   for (const int direction : { 1, -1 })
   {
     BitMask before = middle;
@@ -111,9 +97,9 @@ bool CutSliceBySlice(const BaselineTask& task, const std::vector<float>& logOdds
       {
         return false;
       }
-      organ.Insert(next, { { 0, 0, k } });
+      result.Organ.Insert(next, { { 0, 0, k } });
       before = std::move(next);
-      ++slices;
+      ++result.Slices;
     }
   }
   return true;

@@ -10,14 +10,28 @@
 namespace FlipFree
 {
 
+/// What is cut. Refers to the task, the odds and the masks.
+struct SliceCutInputs
+{
+  const BaselineTask& Task;
+  const std::vector<float>& LogOdds;
+  const BitMask& Candidates; ///< what may be organ
+  const BitMask& Seeds;      ///< what is organ for certain
+  MinimumCutSettings Settings;
+  double Margin; ///< in millimeters
+};
+
+struct SliceCutResult
+{
+  BitMask Organ;
+  int Slices = 0; ///< that were cut
+};
+
 /// Cuts the plane k through the seed's center, then those above and below it until one is empty.
-/// `margin` millimeters inside the outline of the slice before, voxels with favorable odds are
-/// organ; as far outside of it, all are background. Counts the slices. Returns false if the monitor
-/// stopped it.
-bool CutSliceBySlice(const BaselineTask& task, const std::vector<float>& logOdds,
-  const BitMask& candidates, const BitMask& seeds, const MinimumCutSettings& settings,
-  double margin, const ParallelFor& parallelFor, const Monitor& monitor, BitMask& organ,
-  int& slices);
+/// The margin inside the outline of the slice before, voxels with favorable odds are organ; as far
+/// outside of it, all are background. Returns false if the monitor stopped it.
+bool CutSliceBySlice(const SliceCutInputs& inputs, const ParallelFor& parallelFor,
+  const Monitor& monitor, SliceCutResult& result);
 
 } // namespace FlipFree
 

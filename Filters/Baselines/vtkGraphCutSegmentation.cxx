@@ -66,13 +66,15 @@ bool vtkGraphCutSegmentation::Segment(const FlipFree::BaselineTask& task,
     : (this->Mode == SLICES ? SmoothnessOfSlices : SmoothnessOfVolume);
   settings.EdgeContrast = std::max(this->EdgeContrast * task.Noise, 1e-6);
   const FlipFree::Monitor cutting = FlipFree::PartOf(monitor, CandidatesEnd, CutEnds);
-  FlipFree::BitMask organ;
-  result.Iterations = 1;
+  FlipFree::SliceCutResult cut;
+  cut.Slices = 1;
   const bool done = this->Mode == VOLUME
     ? FlipFree::FindMinimumCut(task.Region.View(), logOdds, candidates, seeds, settings, cutting,
-        organ)
-    : FlipFree::CutSliceBySlice(task, logOdds, candidates, seeds, settings, this->SliceMargin,
-        FlipFree::SMPFor, cutting, organ, result.Iterations);
+        cut.Organ)
+    : FlipFree::CutSliceBySlice({ task, logOdds, candidates, seeds, settings, this->SliceMargin },
+        FlipFree::SMPFor, cutting, cut);
+  result.Iterations = cut.Slices;
+  FlipFree::BitMask& organ = cut.Organ;
   const FlipFree::Monitor rest = FlipFree::PartOf(monitor, CutEnds, 1);
   const FlipFree::LeakControlRadii radii = FlipFree::RadiiOf(
     { this->ClosingRadius, this->OpeningScale }, task.Seeds.front().Radius, task.Region.Geometry);

@@ -111,6 +111,41 @@ constexpr std::ptrdiff_t VoxelsPerVertex = 1000;
 // For a feature without the field data: gives search lines of 40 mm by default.
 constexpr double UsualSeedRadius = 25;
 
+// How messages call the inputs.
+constexpr const char* SearchedSurface = "the surface on port 0";
+constexpr const char* SearchedFeature = "the feature on port 1";
+constexpr const char* SearchedEdges = "the edge image on port 2";
+
+double ThresholdFor(double wanted, vtkImageData* feature)
+{
+  const std::vector<double> given =
+    FlipFree::FieldValues("FeatureThreshold", 1, false, feature, SearchedFeature);
+  if (wanted > 0)
+  {
+    return wanted;
+  }
+  return !given.empty() && given.front() > 0 ? given.front() : 0.5;
+}
+
+double SeedRadiusOf(vtkImageData* feature)
+{
+  const std::vector<double> radius =
+    FlipFree::FieldValues("SeedRadius", 1, false, feature, SearchedFeature);
+  return radius.empty() ? UsualSeedRadius : radius.front();
+}
+
+// With the feature's own ramp, if it has one.
+FlipFree::TargetSettings SettingsFor(vtkImageData* feature, FlipFree::TargetSettings settings)
+{
+  const std::vector<double> ramp =
+    FlipFree::FieldValues("EdgeRamp", 3, true, feature, SearchedFeature);
+  if (ramp.size() == 3)
+  {
+    settings.Correspondence.Ramp = { ramp[0], ramp[1], ramp[2] };
+  }
+  return settings;
+}
+
 } // namespace
 
 vtkStandardNewMacro(vtkCorrespondenceSearch);
@@ -124,6 +159,18 @@ struct vtkCorrespondenceSearch::Workspace
   // What the foreground was made from; no version is 0.
   int Version = 0;
   double Threshold = 0;
+
+  // Returns false if the monitor stopped it.
+  bool UpdateEdges(vtkImageData* image, Passes& passes)
+  {
+    if (!this->Edges.Update(image, SearchedEdges, passes.Part(0.3, 0.4)))
+    {
+      return false;
+    }
+    FlipFree::RequireSameGeometry(this->Edges.GetView().Geometry, this->Feature.GetView().Geometry,
+      SearchedEdges, SearchedFeature);
+    return true;
+  }
 
   void UpdateForeground(double threshold, Passes& passes)
   {
@@ -201,49 +248,31 @@ int vtkCorrespondenceSearch::RequestData(vtkInformation*, vtkInformationVector**
   try
   {
     this->RequireProperties();
-    const std::string surfaceName = "the surface on port 0";
-    const std::string featureName = "the feature on port 1";
-    const std::string edgeName = "the edge image on port 2";
     Passes passes(this);
     FlipFree::PointList copy;
     const auto points = FlipFree::ViewPoints(input, copy);
-    const auto mesh = this->Kept->Meshes.MeshOf(input, points, surfaceName);
-    if (!this->Kept->Feature.Update(featureImage, featureName, passes.Part(0, 0.1)))
+    const auto mesh = this->Kept->Meshes.MeshOf(input, points, SearchedSurface);
+    if (!this->Kept->Feature.Update(featureImage, SearchedFeature, passes.Part(0, 0.1)))
     {
       return 1;
     }
-    const FlipFree::ImageView<float>& feature = this->Kept->Feature.GetView();
-    const std::vector<double> given =
-      FlipFree::FieldValues("FeatureThreshold", 1, false, featureImage, featureName);
-    this->Kept->UpdateForeground(this->Threshold > 0 ? this->Threshold
-        : !given.empty() && given.front() > 0        ? given.front()
-                                                     : 0.5,
-      passes);
+    this->Kept->UpdateForeground(ThresholdFor(this->Threshold, featureImage), passes);
     FlipFree::ImageView<float> edges;
     if (edgeImage && this->Settings->Correspondence.EdgeWindow > 0)
     {
-      if (!this->Kept->Edges.Update(edgeImage, edgeName, passes.Part(0.3, 0.4)))
+      if (!this->Kept->UpdateEdges(edgeImage, passes))
       {
         return 1;
       }
       edges = this->Kept->Edges.GetView();
-      FlipFree::RequireSameGeometry(edges.Geometry, feature.Geometry, edgeName, featureName);
     }
 
-    const std::vector<double> radius =
-      FlipFree::FieldValues("SeedRadius", 1, false, featureImage, featureName);
-    FlipFree::TargetSettings settings = *this->Settings;
-    const std::vector<double> ramp =
-      FlipFree::FieldValues("EdgeRamp", 3, true, featureImage, featureName);
-    if (ramp.size() == 3)
-    {
-      settings.Correspondence.Ramp = { ramp[0], ramp[1], ramp[2] };
-    }
-
+    const double radius = SeedRadiusOf(featureImage);
+    const FlipFree::TargetSettings settings = SettingsFor(featureImage, *this->Settings);
     FlipFree::TargetReport report;
-    const FlipFree::CorrespondenceField field = FlipFree::FindTargets(*mesh, points,
-      this->Kept->Foreground, edges, radius.empty() ? UsualSeedRadius : radius.front(), settings,
-      passes.Threads(0.4, 1, VoxelsPerVertex), report);
+    const FlipFree::CorrespondenceField field =
+      FlipFree::FindTargets(*mesh, points, this->Kept->Foreground, edges, radius, settings,
+        passes.Threads(0.4, 1, VoxelsPerVertex), report);
     if (passes.IsStopped())
     {
       return 1;

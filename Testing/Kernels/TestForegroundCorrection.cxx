@@ -42,9 +42,9 @@ struct BallImage
   BitMask Corrected(BitMask foreground, const ConstraintList& constraints) const
   {
     const SeedSphere seed{ Eigen::Vector3d::Zero(), 6 };
-    EXPECT_TRUE(CorrectForeground(
-      ImageView<float>{ this->Voxels.data(), this->Geometry }, [](const VoxelBox&) { return true; },
-      seed, constraints, 2, Modality::CT, SerialFor, NeverStop, foreground));
+    EXPECT_TRUE(CorrectForeground({ { this->Voxels.data(), this->Geometry },
+                                    [](const VoxelBox&) { return true; }, 2, Modality::CT },
+      seed, constraints, SerialFor, NeverStop, foreground));
     return foreground;
   }
 
@@ -145,10 +145,10 @@ struct BarImage : BallImage
   BitMask With(double found, double point) const
   {
     BitMask foreground = this->Bar(-30, found);
-    EXPECT_TRUE(CorrectForeground(
-      ImageView<float>{ this->Voxels.data(), this->Geometry }, [](const VoxelBox&) { return true; },
-      { { -23, 0, 0 }, 6 }, { { ConstraintKind::Inside, { point, 0, 0 }, 0 } }, 2, Modality::CT,
-      SerialFor, NeverStop, foreground));
+    EXPECT_TRUE(CorrectForeground({ { this->Voxels.data(), this->Geometry },
+                                    [](const VoxelBox&) { return true; }, 2, Modality::CT },
+      { { -23, 0, 0 }, 6 }, { { ConstraintKind::Inside, { point, 0, 0 }, 0 } }, SerialFor,
+      NeverStop, foreground));
     return foreground;
   }
 };

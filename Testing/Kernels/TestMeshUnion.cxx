@@ -106,8 +106,8 @@ TEST(SurfaceRefinement, KeepsOffASurfaceAtRest)
   }
   const Ball near(8, { 0, 0, highest + 3.0001 }, 3);
   const RefinedSurface free = RefineSurface(ball.Mesh, ball.Points, true, SerialFor, NeverStop);
-  const RefinedSurface refined = RefineSurface(ball.Mesh, ball.Points, PointList(0, 3), near.Mesh,
-    near.Points, true, SerialFor, NeverStop);
+  const RefinedSurface refined = RefineSurface(ball.Mesh, ball.Points,
+    { PointList(0, 3), near.Mesh, near.Points }, true, SerialFor, NeverStop);
   ASSERT_TRUE(refined.Embedded);
   EXPECT_EQ(refined.Mesh.NumberOfPoints(), free.Mesh.NumberOfPoints());
   ContourMesh mesh = refined.Mesh;
@@ -117,7 +117,7 @@ TEST(SurfaceRefinement, KeepsOffASurfaceAtRest)
   EXPECT_EQ(CountSelfIntersections(points, mesh.Faces), 0);
   // Far away, nothing is in the way.
   const Ball far(8, { 0, 0, 50 }, 3);
-  EXPECT_EQ(RefineSurface(ball.Mesh, ball.Points, PointList(0, 3), far.Mesh, far.Points, true,
+  EXPECT_EQ(RefineSurface(ball.Mesh, ball.Points, { PointList(0, 3), far.Mesh, far.Points }, true,
               SerialFor, NeverStop)
               .Points,
     free.Points);

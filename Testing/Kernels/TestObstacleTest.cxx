@@ -109,7 +109,7 @@ TEST(ObstacleTest, RefinementPassesNone)
     RefineSurface(sphere.Mesh, sphere.Points(), true, SerialFor, NeverStop);
   EXPECT_GT(CountPassed(free.Points, free.Mesh.Triangles, obstacles, sides), 50);
   const RefinedSurface held =
-    RefineSurface(sphere.Mesh, sphere.Points(), obstacles, true, SerialFor, NeverStop);
+    RefineSurface(sphere.Mesh, sphere.Points(), { obstacles }, true, SerialFor, NeverStop);
   ASSERT_TRUE(held.Embedded);
   EXPECT_EQ(CountPassed(held.Points, held.Mesh.Triangles, obstacles, sides), 0);
 }

@@ -6,7 +6,7 @@
 #include "Run.h"
 #include "SegmentGroup.h"
 #include "SegmentParameters.h"
-#include "Segmentation.h"
+#include "SegmentRequest.h"
 #include "SegmentationReport.h"
 #include "SessionFile.h"
 #include "SessionVessel.h"
@@ -39,38 +39,37 @@ namespace
 
 using Point = std::array<double, 3>;
 
-void AnnounceOutputs(const Segmentation& segmentation, OutputFiles& outputs)
+void AnnounceOutputs(const SegmentRequest& request, OutputFiles& outputs)
 {
-  for (const std::string* name :
-    { &segmentation.Surface, &segmentation.Labels, &segmentation.Convergence,
-      &segmentation.Snapshot, &segmentation.SessionOut, &segmentation.Corrections.Output() })
+  for (const std::string* name : { &request.Surface, &request.Labels, &request.Convergence,
+         &request.Snapshot, &request.SessionOut, &request.Corrections.Output() })
   {
     if (!name->empty())
     {
-      outputs.Announce(*name, { segmentation.Input, segmentation.StartLabels });
+      outputs.Announce(*name, { request.Input, request.StartLabels });
     }
   }
-  if (!segmentation.Snapshot.empty())
+  if (!request.Snapshot.empty())
   {
     RequireDisplay();
   }
 }
 
 /// The seed of that number in millimeters. Throws Failure if it lies outside the volume.
-Point SeedIn(vtkImageData* image, const Segmentation& segmentation, std::size_t number)
+Point SeedIn(vtkImageData* image, const SegmentRequest& request, std::size_t number)
 {
   Point seed;
   double index[3];
   char given[128];
-  if (segmentation.SeedVoxel.empty())
+  if (request.SeedVoxel.empty())
   {
-    seed = segmentation.Corrections.InLps(segmentation.Seed.data() + 3 * number);
+    seed = request.Corrections.InLps(request.Seed.data() + 3 * number);
     image->TransformPhysicalPointToContinuousIndex(seed.data(), index);
     std::snprintf(given, sizeof(given), "--seed: (%g, %g, %g) mm", seed[0], seed[1], seed[2]);
   }
   else
   {
-    std::copy_n(segmentation.SeedVoxel.data() + 3 * number, 3, index);
+    std::copy_n(request.SeedVoxel.data() + 3 * number, 3, index);
     image->TransformContinuousIndexToPhysicalPoint(index, seed.data());
     std::snprintf(given, sizeof(given), "--seed-voxel: (%g, %g, %g)", index[0], index[1], index[2]);
   }
@@ -89,13 +88,13 @@ Point SeedIn(vtkImageData* image, const Segmentation& segmentation, std::size_t 
         "which has %d x %d x %d voxels centered at (%g, %g, %g) mm. Coordinates are LPS: viewers "
         "that use RAS show x and y with opposite signs.",
         extent[1] + 1, extent[3] + 1, extent[5] + 1, middle[0], middle[1], middle[2]);
-      throw Failure(std::string(given) + " lies outside '" + segmentation.Input + "', " + place);
+      throw Failure(std::string(given) + " lies outside '" + request.Input + "', " + place);
     }
   }
   return seed;
 }
 
-void WriteResults(const OrganFilter& filter, vtkImageData* image, const Segmentation& segmentation,
+void WriteResults(const OrganFilter& filter, vtkImageData* image, const SegmentRequest& request,
   OutputFiles& outputs)
 {
   const auto write =
@@ -106,85 +105,83 @@ void WriteResults(const OrganFilter& filter, vtkImageData* image, const Segmenta
       outputs.Write(name, how);
     }
   };
-  write(segmentation.Surface,
-    [&](const std::string& name) { WriteSurface(name, filter.Surface(), NamesOf(segmentation)); });
-  write(segmentation.Convergence,
+  write(request.Surface,
+    [&](const std::string& name) { WriteSurface(name, filter.Surface(), NamesOf(request)); });
+  write(request.Convergence,
     [&](const std::string& name) { WriteTable(name, filter.Convergence()); });
-  write(segmentation.Snapshot,
+  write(request.Snapshot,
     [&](const std::string& name) { WriteSnapshot(name, image, filter.Surface()); });
 }
 
 using FilterPointer = std::unique_ptr<OrganFilter>;
 
-FilterPointer MakeVesselFilter(const Segmentation& segmentation)
+FilterPointer MakeVesselFilter(const SegmentRequest& request)
 {
   try
   {
-    const auto filter = VesselFilterOf(segmentation.Repeated);
-    filter->SetLabelValue(segmentation.Label);
+    const auto filter = VesselFilterOf(request.Repeated);
+    filter->SetLabelValue(request.Label);
     return std::make_unique<OrganFilterOf<vtkFlipFreeVesselSegmentation>>(filter);
   }
   catch (const Failure& failure)
   {
-    throw Failure("'" + segmentation.Session + "': " + segmentation.Repeated.Name + ": " +
-      failure.what() + ". Correct it, or remove it.");
+    throw Failure("'" + request.Session + "': " + request.Repeated.Name + ": " + failure.what() +
+      ". Correct it, or remove it.");
   }
 }
 
 /// Throws WrongUsage for parameters that the filter does not take.
-FilterPointer FilterOf(const Segmentation& segmentation)
+FilterPointer FilterOf(const SegmentRequest& request)
 {
-  if (segmentation.IsVessel())
+  if (request.IsVessel())
   {
-    return MakeVesselFilter(segmentation);
+    return MakeVesselFilter(request);
   }
   auto filter = vtkSmartPointer<vtkFlipFreeSegmentation>::New();
-  filter->SetStartLabel(segmentation.StartLabel);
-  segmentation.Parameters.Apply(filter);
-  filter->SetLabelValue(segmentation.Label);
-  AddPoints(segmentation.Session.empty() ? segmentation.Corrections.Points()
-                                         : segmentation.Repeated.Corrections,
+  filter->SetStartLabel(request.StartLabel);
+  request.Parameters.Apply(filter);
+  filter->SetLabelValue(request.Label);
+  AddPoints(request.Session.empty() ? request.Corrections.Points() : request.Repeated.Corrections,
     filter);
   return std::make_unique<OrganFilterOf<vtkFlipFreeSegmentation>>(filter);
 }
 
-void AddSeeds(vtkImageData* image, const Segmentation& segmentation,
-  vtkFlipFreeSegmentation* filter)
+void AddSeeds(vtkImageData* image, const SegmentRequest& request, vtkFlipFreeSegmentation* filter)
 {
-  for (std::size_t number = 0; number < segmentation.Radius.size(); ++number)
+  for (std::size_t number = 0; number < request.Radius.size(); ++number)
   {
-    const auto [x, y, z] = SeedIn(image, segmentation, number);
+    const auto [x, y, z] = SeedIn(image, request, number);
     if (number == 0)
     {
       filter->SetSeedCenter(x, y, z);
-      filter->SetSeedRadius(segmentation.Radius[number]);
+      filter->SetSeedRadius(request.Radius[number]);
     }
     else
     {
-      filter->AddSeed(x, y, z, segmentation.Radius[number]);
+      filter->AddSeed(x, y, z, request.Radius[number]);
     }
   }
 }
 
-void RunOn(vtkImageData* image, const Segmentation& segmentation, const OrganFilter& filter)
+void RunOn(vtkImageData* image, const SegmentRequest& request, const OrganFilter& filter)
 {
   vtkAlgorithm* const algorithm = filter.Algorithm();
   algorithm->SetInputDataObject(image);
   if (auto* const organ = vtkFlipFreeSegmentation::SafeDownCast(algorithm))
   {
-    if (segmentation.StartLabels.empty())
+    if (request.StartLabels.empty())
     {
-      AddSeeds(image, segmentation, organ);
+      AddSeeds(image, request, organ);
     }
     else
     {
-      organ->SetStartLabelsData(ReadVolume(segmentation.StartLabels));
+      organ->SetStartLabelsData(ReadVolume(request.StartLabels));
     }
   }
-  const std::string title = TitleOf(segmentation);
+  const std::string title = TitleOf(request);
   try
   {
-    Run(algorithm, segmentation.Organ.empty() ? "segmenting" : segmentation.Organ,
+    Run(algorithm, request.Organ.empty() ? "segmenting" : request.Organ,
       SegmentParameters::Names());
   }
   catch (const Failure& failure)
@@ -217,10 +214,10 @@ vtkSmartPointer<vtkImageData> LabelMapOf(const std::vector<FilterPointer>& filte
   return all;
 }
 
-OriginNames AllNamesOf(const std::vector<Segmentation>& organs)
+OriginNames AllNamesOf(const std::vector<SegmentRequest>& organs)
 {
   OriginNames all;
-  for (const Segmentation& organ : organs)
+  for (const SegmentRequest& organ : organs)
   {
     const OriginNames names = NamesOf(organ);
     all.Organs.push_back(names.Organs.front());
@@ -229,16 +226,16 @@ OriginNames AllNamesOf(const std::vector<Segmentation>& organs)
   return all;
 }
 
-void SegmentOrgans(const std::vector<Segmentation>& organs, const Session* session)
+void SegmentOrgans(const std::vector<SegmentRequest>& organs, const Session* session)
 {
   std::vector<FilterPointer> filters;
   OutputFiles outputs;
-  for (const Segmentation& organ : organs)
+  for (const SegmentRequest& organ : organs)
   {
     filters.push_back(FilterOf(organ));
     AnnounceOutputs(organ, outputs);
   }
-  const Segmentation& first = organs.front();
+  const SegmentRequest& first = organs.front();
   vtkSMPTools::Initialize(first.Threads);
 
   const auto start = std::chrono::steady_clock::now();
@@ -287,26 +284,26 @@ void SegmentOrgans(const std::vector<Segmentation>& organs, const Session* sessi
   }
 }
 
-void Segment(const Segmentation& segmentation)
+void Segment(const SegmentRequest& request)
 {
-  if (segmentation.Quiet)
+  if (request.Quiet)
   {
     ProgressBar::Disable();
   }
-  RequireSense(segmentation);
-  if (segmentation.Several.HasOrgans())
+  RequireSense(request);
+  if (request.Several.HasOrgans())
   {
-    SegmentGroup(segmentation, segmentation.Several.Organs(segmentation.Corrections),
-      segmentation.Several.FixedSurfaces(), nullptr);
+    SegmentGroup(request, request.Several.Organs(request.Corrections),
+      request.Several.FixedSurfaces(), nullptr);
     return;
   }
-  if (segmentation.Session.empty())
+  if (request.Session.empty())
   {
-    SegmentOrgans({ segmentation }, nullptr);
+    SegmentOrgans({ request }, nullptr);
     return;
   }
-  const Session session = ReadSession(segmentation.Session);
-  Segmentation given = segmentation;
+  const Session session = ReadSession(request.Session);
+  SegmentRequest given = request;
   if (given.Input.empty())
   {
     given.Input = ImageBeside(session);
@@ -340,87 +337,87 @@ const char* const SegmentFooter =
   "sphere that fits there: the organ's intensities are learned from its voxels, and the surface\n"
   "starts from it.\n";
 
-void AddFiles(CLI::App* command, Segmentation& segmentation)
+void AddFiles(CLI::App* command, SegmentRequest& request)
 {
-  command->add_option("INPUT", segmentation.Input,
+  command->add_option("INPUT", request.Input,
     "Volume (.nii .nii.gz .nrrd .nhdr .mha .mhd) or folder of a DICOM series; with --session, by "
     "default, the session's image beside it");
   command
-    ->add_option("--session", segmentation.Session,
+    ->add_option("--session", request.Session,
       "Session that the page in the browser or --save-session has saved (.json): image, seeds, "
       "parameters, and corrections of organs, and the points of vessels. Of several organs, each "
       "has its name in the names of its files, as in out-liver.vtp, and a label of its own")
     ->type_name("FILE");
   command
-    ->add_option("--series", segmentation.SeriesUID,
+    ->add_option("--series", request.SeriesUID,
       "Series Instance UID, if the folder holds several series; by default, the one with the most "
       "files")
     ->type_name("UID");
   command
-    ->add_option("--seed", segmentation.Seed,
+    ->add_option("--seed", request.Seed,
       "Center of the seed sphere, in LPS millimeters; can be repeated for further spheres within "
       "the organ, each with a --radius")
     ->type_name("X Y Z")
     ->expected(3, CLI::detail::expected_max_vector_size)
     ->allow_extra_args(false); // of the three that each time has
   command
-    ->add_option("--seed-voxel", segmentation.SeedVoxel,
+    ->add_option("--seed-voxel", request.SeedVoxel,
       "The same as the indices of a voxel, which count from 0")
     ->type_name("I J K")
     ->expected(3, CLI::detail::expected_max_vector_size)
     ->allow_extra_args(false);
   command
-    ->add_option("--radius", segmentation.Radius,
+    ->add_option("--radius", request.Radius,
       "Radius of the seed sphere, in millimeters; can be repeated, in the order of the seeds")
     ->type_name("MM")
     ->expected(1, CLI::detail::expected_max_vector_size)
     ->allow_extra_args(false);
   command
-    ->add_option("--start-labels", segmentation.StartLabels,
+    ->add_option("--start-labels", request.StartLabels,
       "Label map on the image's grid (of a network, an atlas, an earlier result) that the surface "
       "fills, in place of a seed; points correct it (.nii .nii.gz .nrrd .nhdr .mha .mhd)")
     ->type_name("FILE");
   command
-    ->add_option("--start-label", segmentation.StartLabel,
+    ->add_option("--start-label", request.StartLabel,
       "The value of the organ in --start-labels; 0 for all nonzero voxels")
     ->type_name("N")
     ->check(CLI::NonNegativeNumber)
     ->capture_default_str()
     ->needs("--start-labels");
-  command->add_option("-o,--output", segmentation.Surface, "Surface (.vtp .stl .ply .obj)")
+  command->add_option("-o,--output", request.Surface, "Surface (.vtp .stl .ply .obj)")
     ->type_name("FILE");
   command
-    ->add_option("--labels", segmentation.Labels,
+    ->add_option("--labels", request.Labels,
       "Label map (.nii.gz .nii .nrrd .mha; .seg.nrrd: a segmentation of 3D Slicer, with the "
       "organs' "
       "names and colors)")
     ->type_name("FILE");
-  AddConvergenceOption(*command, segmentation.Convergence);
-  AddSnapshotOption(*command, segmentation.Snapshot);
-  AddSaveSessionOption(*command, segmentation.SessionOut);
+  AddConvergenceOption(*command, request.Convergence);
+  AddSnapshotOption(*command, request.Snapshot);
+  AddSaveSessionOption(*command, request.SessionOut);
   command
-    ->add_option("--label-value", segmentation.Label,
+    ->add_option("--label-value", request.Label,
       "Value of the organ in the label map, 1 to 255; of several, of the first")
     ->type_name("N")
     ->check(CLI::Range(1, 255))
     ->capture_default_str();
-  AddThreadsOption(*command, segmentation.Threads);
-  AddQuietOption(*command, segmentation.Quiet);
+  AddThreadsOption(*command, request.Threads);
+  AddQuietOption(*command, request.Quiet);
 }
 
 } // namespace
 
 void AddSegmentCommand(CLI::App& program)
 {
-  const auto segmentation = std::make_shared<Segmentation>();
+  const auto request = std::make_shared<SegmentRequest>();
   CLI::App* command =
     program.add_subcommand("segment", "Segment an organ, starting from a sphere inside it");
-  AddFiles(command, *segmentation);
-  segmentation->Corrections.AddOptions(*command, "organ");
-  segmentation->Several.AddOptions(*command);
-  segmentation->Parameters.AddOptions(*command);
+  AddFiles(command, *request);
+  request->Corrections.AddOptions(*command, "organ");
+  request->Several.AddOptions(*command);
+  request->Parameters.AddOptions(*command);
   command->footer(SegmentFooter);
-  command->callback([segmentation]() { Segment(*segmentation); });
+  command->callback([request]() { Segment(*request); });
 }
 
 } // namespace Command

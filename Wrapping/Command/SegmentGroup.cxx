@@ -60,7 +60,7 @@ struct OrganFiles
   std::string Convergence;
   std::string Snapshot;
 
-  OrganFiles(const Segmentation& given, const GivenOrgan& organ)
+  OrganFiles(const SegmentRequest& given, const GivenOrgan& organ)
     : Surface(NameFor(organ.FileName(), given.Surface))
     , Convergence(NameFor(organ.FileName(), given.Convergence))
     , Snapshot(NameFor(organ.FileName(), given.Snapshot))
@@ -94,17 +94,17 @@ void PrintReport(vtkFlipFreeOrganGroup* group, const std::string& input, double 
 class GroupRun
 {
 public:
-  GroupRun(const Segmentation& segmentation, const std::vector<GivenOrgan>& organs,
+  GroupRun(const SegmentRequest& request, const std::vector<GivenOrgan>& organs,
     const std::vector<std::string>& fixedSurfaces)
-    : Given(segmentation)
+    : Given(request)
     , Organs(organs)
     , Fixed(fixedSurfaces)
   {
-    this->Names.Image = segmentation.Input;
+    this->Names.Image = request.Input;
     this->Names.Fixed = fixedSurfaces;
     for (const GivenOrgan& organ : organs)
     {
-      this->Files.emplace_back(segmentation, organ);
+      this->Files.emplace_back(request, organ);
       this->Names.Organs.push_back(organ.Name);
       this->Names.Colors.push_back(organ.Color);
     }
@@ -220,7 +220,7 @@ private:
       [&](const std::string& name) { WriteSnapshot(name, this->Image, surface); });
   }
 
-  const Segmentation& Given;
+  const SegmentRequest& Given;
   const std::vector<GivenOrgan>& Organs;
   const std::vector<std::string>& Fixed;
   std::vector<OrganFiles> Files;
@@ -233,16 +233,16 @@ private:
 
 } // namespace
 
-void SegmentGroup(const Segmentation& segmentation, const std::vector<GivenOrgan>& organs,
+void SegmentGroup(const SegmentRequest& request, const std::vector<GivenOrgan>& organs,
   const std::vector<std::string>& fixedSurfaces, const Session* session)
 {
-  GroupRun run(segmentation, organs, fixedSurfaces);
+  GroupRun run(request, organs, fixedSurfaces);
   run.AnnounceFiles();
-  vtkSMPTools::Initialize(segmentation.Threads);
+  vtkSMPTools::Initialize(request.Threads);
   run.Read(session);
   run.Segment();
   run.Write();
-  if (!segmentation.Quiet)
+  if (!request.Quiet)
   {
     run.Report();
   }

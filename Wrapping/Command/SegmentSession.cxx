@@ -1,5 +1,5 @@
-// The organs of a session as segmentations of their own.
-#include "Segmentation.h"
+// The organs of a session as requests of their own.
+#include "SegmentRequest.h"
 
 #include "Failure.h"
 
@@ -18,35 +18,35 @@ std::string NameFor(const std::string& organ, const std::string& name)
   return std::string(name).insert(std::min(name.find('.', folder + 1), name.size()), "-" + organ);
 }
 
-std::vector<Segmentation> OrgansOf(const Session& session, const Segmentation& given)
+std::vector<SegmentRequest> OrgansOf(const Session& session, const SegmentRequest& given)
 {
-  std::vector<Segmentation> organs;
+  std::vector<SegmentRequest> organs;
   for (const SessionOrgan& organ : session.Organs)
   {
-    Segmentation segmentation = given;
-    segmentation.Repeated = organ;
+    SegmentRequest request = given;
+    request.Repeated = organ;
     if (organ.StartLabel >= 0)
     {
-      segmentation.StartLabels =
+      request.StartLabels =
         FileBeside(session, organ.StartLabels, organ.Title + ": the label map of its start");
-      segmentation.StartLabel = organ.StartLabel;
+      request.StartLabel = organ.StartLabel;
     }
-    else if (!segmentation.IsVessel())
+    else if (!request.IsVessel())
     {
-      segmentation.Seed.assign(organ.Seed.begin(), organ.Seed.end());
-      segmentation.Radius = { organ.Radius };
+      request.Seed.assign(organ.Seed.begin(), organ.Seed.end());
+      request.Radius = { organ.Radius };
     }
-    segmentation.Label = given.Label + static_cast<int>(organs.size());
-    if (segmentation.Label > 255)
+    request.Label = given.Label + static_cast<int>(organs.size());
+    if (request.Label > 255)
     {
       throw Failure(
         "'" + given.Session + "': labels go up to 255. Remove organs, or leave out --label-value.");
     }
     try
     {
-      if (!segmentation.IsVessel())
+      if (!request.IsVessel())
       {
-        segmentation.Parameters = given.Parameters.With(organ.Preset, organ.Parameters);
+        request.Parameters = given.Parameters.With(organ.Preset, organ.Parameters);
       }
     }
     catch (const Failure& failure)
@@ -55,19 +55,18 @@ std::vector<Segmentation> OrgansOf(const Session& session, const Segmentation& g
     }
     if (session.Organs.size() > 1)
     {
-      segmentation.Organ = organ.Name;
-      for (std::string* name :
-        { &segmentation.Surface, &segmentation.Convergence, &segmentation.Snapshot })
+      request.Organ = organ.Name;
+      for (std::string* name : { &request.Surface, &request.Convergence, &request.Snapshot })
       {
         *name = NameFor(organ.Name, *name);
       }
     }
-    organs.push_back(segmentation);
+    organs.push_back(request);
   }
   return organs;
 }
 
-std::vector<GivenOrgan> GroupOf(const Session& session, Segmentation& given)
+std::vector<GivenOrgan> GroupOf(const Session& session, SegmentRequest& given)
 {
   std::vector<GivenOrgan> organs;
   for (const SessionOrgan& organ : session.Organs)

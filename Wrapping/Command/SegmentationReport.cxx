@@ -36,14 +36,13 @@ std::string TrustText(const OrganFilter& filter)
   return text;
 }
 
-void PrintSummary(const OrganFilter& filter, const Segmentation& segmentation,
-  double readingSeconds)
+void PrintSummary(const OrganFilter& filter, const SegmentRequest& request, double readingSeconds)
 {
   const auto [first, second, third, fourth] = filter.StageSeconds();
-  const bool isVessel = segmentation.IsVessel();
+  const bool isVessel = request.IsVessel();
   std::printf("%s: volume %.1f ml, %d iterations, %s, %d self-intersections%s; reading %.2f s, "
               "%s %.2f s, %s %.2f s, deformation %.2f s, label map %.2f s\n",
-    TitleOf(segmentation, "").c_str(), VolumeInMilliliters(filter.Surface()),
+    TitleOf(request, "").c_str(), VolumeInMilliliters(filter.Surface()),
     static_cast<int>(filter.Convergence()->GetNumberOfRows()), filter.StopReasonText().c_str(),
     filter.SelfIntersections(), TrustText(filter).c_str(), readingSeconds,
     isVessel ? "path" : "smoothing", first, isVessel ? "start" : "feature", second, third, fourth);
@@ -74,16 +73,16 @@ double VolumeInMilliliters(vtkPolyData* surface)
   return properties->GetVolume() / 1000;
 }
 
-void Report(const OrganFilter& filter, const Segmentation& segmentation, double readingSeconds)
+void Report(const OrganFilter& filter, const SegmentRequest& request, double readingSeconds)
 {
   if (!IsGuarded(filter) && filter.SelfIntersections() == 0)
   {
     PrintWarning(
       "The surface is not certified: --guard is off. It does not intersect itself, though.");
   }
-  if (!segmentation.Quiet)
+  if (!request.Quiet)
   {
-    PrintSummary(filter, segmentation, readingSeconds);
+    PrintSummary(filter, request, readingSeconds);
   }
 }
 

@@ -5,7 +5,7 @@
 #define FlipFreeCommandSegmentationReport_h
 
 #include "OrganFilter.h"
-#include "Segmentation.h"
+#include "SegmentRequest.h"
 
 #include <string>
 
@@ -16,7 +16,7 @@ namespace Command
 
 /// A line with volume, convergence, validity, confidence and seconds, unless it is to be quiet; a
 /// warning where the surface is not certified.
-void Report(const OrganFilter& filter, const Segmentation& segmentation, double readingSeconds);
+void Report(const OrganFilter& filter, const SegmentRequest& request, double readingSeconds);
 
 /// With two digits, rounded down as in the warning of a low confidence: a number that has reached
 /// the threshold looks like it, and no other does.

@@ -142,8 +142,8 @@ bool JointDeformation::Refine(const Monitor& proceed)
     AppendPoints(organ->GetSurface().Points, points);
     AppendPoints(organ->GetObstacles(), obstacles);
   }
-  RefinedSurface refined = RefineSurface(this->Mesh, points, obstacles, this->Fixed.Mesh,
-    this->Fixed.Points, this->HasGuard(), this->Parallel, proceed);
+  RefinedSurface refined = RefineSurface(this->Mesh, points,
+    { obstacles, this->Fixed.Mesh, this->Fixed.Points }, this->HasGuard(), this->Parallel, proceed);
   if (!refined.Embedded)
   {
     return false;

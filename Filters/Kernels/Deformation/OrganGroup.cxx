@@ -18,6 +18,9 @@ namespace FlipFree
 namespace
 {
 
+// Of the work: until all foregrounds are found.
+constexpr double ForegroundsEnd = 0.5;
+
 bool IsWithin(const VoxelBox& box, const std::array<int, 3>& voxel)
 {
   bool within = true;
@@ -70,6 +73,14 @@ struct OrganGroup::Member
     ConstraintList all = this->Constraints;
     all.insert(all.end(), this->OfOthers.begin(), this->OfOthers.end());
     return all;
+  }
+
+  // Refers to the group's.
+  IterationObserver ObserverOf(const GroupObserver& observer) const
+  {
+    return [&observer, index = this->Index](const ContourMesh& mesh, const PointList& points,
+             const CorrespondenceField& field, const IterationRecord& record)
+    { observer(index, mesh, points, field, record); };
   }
 
   // Returns call(). Errors get the organ's name in front, and points of others are called as the
@@ -237,20 +248,28 @@ bool OrganGroup::Divide(const Monitor& monitor)
 
 bool OrganGroup::Run(const Monitor& monitor, const GroupObserver& observer)
 {
-  const double half = 0.5;
-  const auto count = static_cast<double>(this->Members.size());
-  const auto observerOf = [&observer](const Member& member) -> IterationObserver
+  if (!this->FindForegrounds(monitor, observer))
   {
-    return [&observer, index = member.Index](const ContourMesh& mesh, const PointList& points,
-             const CorrespondenceField& field, const IterationRecord& record)
-    { observer(index, mesh, points, field, record); };
-  };
+    return false;
+  }
+  for (const auto& member : this->Members)
+  {
+    this->FindPointsOfOthers(*member);
+  }
+  return this->Divide([&](double) { return monitor(ForegroundsEnd); }) &&
+    this->Deform(monitor, observer);
+}
+
+// Each organ's by itself.
+bool OrganGroup::FindForegrounds(const Monitor& monitor, const GroupObserver& observer)
+{
+  const auto count = static_cast<double>(this->Members.size());
   for (std::size_t index = 0; index < this->Members.size(); ++index)
   {
     Member& member = *this->Members[index];
-    const Monitor part = FlipFree::PartOf(monitor, half * static_cast<double>(index) / count,
-      half * static_cast<double>(index + 1) / count);
-    const RememberingMonitor remembering(part);
+    const Monitor part =
+      FlipFree::PartOf(monitor, ForegroundsEnd * static_cast<double>(index) / count,
+        ForegroundsEnd * static_cast<double>(index + 1) / count);
     const bool found = member.Naming(
       [&]
       {
@@ -258,21 +277,19 @@ bool OrganGroup::Run(const Monitor& monitor, const GroupObserver& observer)
         member.Organ().SetName(member.Name);
         member.Renamings.clear();
         member.SmoothedBefore = member.Organ().GetForeground().GetSmoothingSeconds();
-        return member.Levels->FindForeground({}, remembering, observerOf(member));
+        return member.Levels->FindForeground({}, part, member.ObserverOf(observer));
       });
     if (!found)
     {
       return false;
     }
   }
-  for (const auto& member : this->Members)
-  {
-    this->FindPointsOfOthers(*member);
-  }
-  if (!this->Divide([&](double) { return monitor(half); }))
-  {
-    return false;
-  }
+  return true;
+}
+
+// All surfaces together.
+bool OrganGroup::Deform(const Monitor& monitor, const GroupObserver& observer)
+{
   std::vector<DeformingOrgan*> organs;
   for (const auto& member : this->Members)
   {
@@ -281,7 +298,8 @@ bool OrganGroup::Run(const Monitor& monitor, const GroupObserver& observer)
     member->Naming(
       [&]
       {
-        member->Levels->Begin(all, &start, OutsidePoints::FromTheStart, observerOf(*member));
+        member->Levels->Begin(all, &start, OutsidePoints::FromTheStart,
+          member->ObserverOf(observer));
         return true;
       });
     organs.push_back(&member->Organ());
@@ -292,7 +310,7 @@ bool OrganGroup::Run(const Monitor& monitor, const GroupObserver& observer)
     fixed.push_back(surface.Surface);
   }
   return JointDeformation(std::move(organs), std::move(fixed), this->Threads.For)
-    .Run(FlipFree::PartOf(monitor, half, 1));
+    .Run(FlipFree::PartOf(monitor, ForegroundsEnd, 1));
 }
 
 // By construction. Exact.

@@ -63,6 +63,8 @@ private:
   void FindPointsOfOthers(Member& member) const;
   BitMask FixedVoxels(const ImageGeometry& region) const;
   bool Divide(const Monitor& monitor);
+  bool FindForegrounds(const Monitor& monitor, const GroupObserver& observer);
+  bool Deform(const Monitor& monitor, const GroupObserver& observer);
   bool Run(const Monitor& monitor, const GroupObserver& observer);
   VolumeSegmentation Finish(Member& member) const;
   void RequireDisjoint(const std::vector<VolumeSegmentation>& results) const;

@@ -65,18 +65,17 @@ bool OrganSegmenter::RunsTwice() const
   return this->Kept->Organ.GetSettings().Feature.Carving && !this->Kept->IsGiven;
 }
 
-bool OrganSegmenter::RunAndCarve(const RememberingMonitor& monitor,
-  const IterationObserver& observer)
+bool OrganSegmenter::RunAndCarve(const Monitor& monitor, const IterationObserver& observer)
 {
   State& kept = *this->Kept;
-  const Monitor begin = [&](double) { return monitor.Get()(0); };
-  const Monitor end = [&](double) { return monitor.Get()(1); };
+  const Monitor begin = [&](double) { return monitor(0); };
+  const Monitor end = [&](double) { return monitor(1); };
   if (!kept.Organ.FindForegroundOfSeed(begin))
   {
     return false;
   }
   kept.Organ.BeginAt(kept.Start, 0, {}, OutsidePoints::FromTheStart, observer);
-  if (!JointDeformation({ &kept.Organ }, {}, this->Parallel).Run(monitor.Get()) ||
+  if (!JointDeformation({ &kept.Organ }, {}, this->Parallel).Run(monitor) ||
     !kept.Organ.CarveSurface(end))
   {
     return false;
@@ -112,15 +111,15 @@ void OrganSegmenter::KeepUnconstrained()
 
 // With carving, all levels run twice: a surface that has leaked would have to draw back through
 // the neck, so the second run starts anew.
-bool OrganSegmenter::FindForeground(const ConstraintList& constraints,
-  const RememberingMonitor& monitor, const IterationObserver& observer)
+bool OrganSegmenter::FindForeground(const ConstraintList& constraints, const Monitor& monitor,
+  const IterationObserver& observer)
 {
   State& kept = *this->Kept;
   kept.Organ.Reset();
   if (!this->RunsTwice() && !kept.IsGiven)
   {
-    return kept.Organ.FindForegroundOfSeed(monitor.Get()) &&
-      kept.Organ.CorrectForeground(constraints, monitor.Get());
+    return kept.Organ.FindForegroundOfSeed(monitor) &&
+      kept.Organ.CorrectForeground(constraints, monitor);
   }
   if (!kept.HasUncorrected && !this->RunAndCarve(monitor, observer))
   {
@@ -128,7 +127,7 @@ bool OrganSegmenter::FindForeground(const ConstraintList& constraints,
   }
   kept.Organ.SettleForeground(kept.Uncorrected);
   if (!constraints.empty() && !kept.Correction.HasSurface() &&
-    !this->RunWithoutConstraints(monitor.Get()))
+    !this->RunWithoutConstraints(monitor))
   {
     return false;
   }
@@ -136,20 +135,22 @@ bool OrganSegmenter::FindForeground(const ConstraintList& constraints,
   surface.Iterations = kept.FirstIterations;
   surface.First = kept.FirstSurface;
   surface.Unanimity = kept.Organ.GetForeground().GetUnanimity();
-  return kept.Organ.CorrectForeground(constraints, [&](double) { return monitor.Get()(1); });
+  return kept.Organ.CorrectForeground(constraints, [&](double) { return monitor(1); });
 }
 
 void OrganSegmenter::Begin(const ConstraintList& constraints, const DeformableSurface* start,
   OutsidePoints outside, const IterationObserver& observer)
 {
   DeformingOrgan& organ = this->Kept->Organ;
-  organ.BeginAt(start ? *start : this->Kept->Start, this->FirstLevel(), constraints, outside,
-    observer);
+  const RunStart from = this->StartOf(start);
+  organ.BeginAt(from.Surface, from.Level, constraints, outside, observer);
 }
 
-int OrganSegmenter::FirstLevel() const
+OrganSegmenter::RunStart OrganSegmenter::StartOf(const DeformableSurface* given) const
 {
-  return this->RunsTwice() ? this->Kept->Organ.GetSettings().Schedule.NumberOfLevels() : 0;
+  const State& kept = *this->Kept;
+  return { given ? *given : kept.Start,
+    this->RunsTwice() ? kept.Organ.GetSettings().Schedule.NumberOfLevels() : 0 };
 }
 
 OrganSurface OrganSegmenter::FindSurface(const ConstraintList& constraints,
@@ -161,11 +162,12 @@ OrganSurface OrganSegmenter::FindSurface(const ConstraintList& constraints,
   const double smoothing = organ.GetForeground().GetSmoothingSeconds();
   const double half = this->RunsTwice() ? 0.5 : 0;
   const Monitor askFirst = PartOf(ask, 0, half);
-  bool done = this->FindForeground(constraints, RememberingMonitor(askFirst), observer);
+  bool done = this->FindForeground(constraints, askFirst, observer);
   if (done)
   {
-    done = this->Kept->Correction.Run({ constraints, start ? *start : this->Kept->Start,
-      this->FirstLevel(), this->Kept->Uncorrected, PartOf(ask, half, 1), observer });
+    const RunStart from = this->StartOf(start);
+    done = this->Kept->Correction.Run({ constraints, from.Surface, from.Level,
+      this->Kept->Uncorrected, PartOf(ask, half, 1), observer });
   }
   if (done && !remembering.HasStopped() && constraints.empty() && this->Kept->HasUncorrected &&
     (!start || start->Points == this->Kept->Start.Points))

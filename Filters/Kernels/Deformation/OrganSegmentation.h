@@ -80,8 +80,8 @@ public:
   /// Whether the levels run twice: once to find what the foreground is carved from.
   bool RunsTwice() const;
   /// Finds the foreground, by a first run if need be. The observer sees that run. Returns false if
-  /// the monitor stopped it.
-  bool FindForeground(const ConstraintList& constraints, const RememberingMonitor& monitor,
+  /// the monitor, which remembers a stop (RememberingMonitor), stopped it.
+  bool FindForeground(const ConstraintList& constraints, const Monitor& monitor,
     const IterationObserver& observer);
   /// Begins the run that ends with the result; JointDeformation does the rest.
   void Begin(const ConstraintList& constraints, const DeformableSurface* start,
@@ -97,10 +97,17 @@ private:
   //     RunWithoutConstraints()    with constraints, if the foreground is carved or given, unless
   //                                an earlier call has made the surface that they correct
 
-  bool RunAndCarve(const RememberingMonitor& monitor, const IterationObserver& observer);
+  bool RunAndCarve(const Monitor& monitor, const IterationObserver& observer);
   bool RunWithoutConstraints(const Monitor& monitor);
   void KeepUnconstrained();
-  int FirstLevel() const;
+
+  // Where the run that ends with the result starts. Refers to the surface.
+  struct RunStart
+  {
+    const DeformableSurface& Surface;
+    int Level; // from which levels are counted
+  };
+  RunStart StartOf(const DeformableSurface* given) const;
 
   struct State;
   std::unique_ptr<State> Kept;

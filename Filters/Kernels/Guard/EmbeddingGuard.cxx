@@ -2,9 +2,8 @@
 
 #include "Error.h"
 #include "Geometry/SelfIntersection.h"
-#include "Guard/ObstacleTest.h"
+#include "Guard/HullTest.h"
 #include "Guard/QuadFold.h"
-#include "Guard/SeparatingDirection.h"
 #include "Guard/StepLimiter.h"
 #include "Mesh/EdgeLength.h"
 
@@ -49,31 +48,6 @@ void VisitCorners(const int* face, int size, const Visit& visit)
   }
 }
 
-// Whether a vertex of the face has its flag set.
-bool AnyOf(const std::vector<char>& flags, const FaceList& faces, int face)
-{
-  const int* const vertices = faces.Face(face);
-  return std::any_of(vertices, vertices + faces.FaceSize(face),
-    [&](int vertex) { return flags[vertex] != 0; });
-}
-
-template <typename Item, typename Visit>
-void ForEach(const std::vector<Item>& items, const ParallelFor& parallelFor, const Visit& visit)
-{
-  parallelFor(0, static_cast<std::ptrdiff_t>(items.size()),
-    [&](std::ptrdiff_t first, std::ptrdiff_t last)
-    { std::for_each(items.begin() + first, items.begin() + last, visit); });
-}
-
-// A place near most vertices, even if one lies astray. There is at least one vertex.
-Eigen::Vector3d MedianOfThree(const PointList& points)
-{
-  const Eigen::Vector3d first = points.row(0);
-  const Eigen::Vector3d middle = points.row(points.rows() / 2);
-  const Eigen::Vector3d last = points.row(points.rows() - 1);
-  return first.cwiseMin(middle).cwiseMax(first.cwiseMax(middle).cwiseMin(last));
-}
-
 PointList CutToLength(const PointList& displacements, double maximum)
 {
   PointList cut = displacements;
@@ -89,109 +63,6 @@ PointList CutToLength(const PointList& displacements, double maximum)
 }
 
 } // namespace
-
-// The test of hulls, with what it keeps between the passes of a step.
-class EmbeddingGuard::HullTest
-{
-public:
-  HullTest(const CandidatePairs& candidates, const PointList& points,
-    const MinimumDistance& distance)
-    : Candidates(candidates)
-    , Distance(distance)
-    , Rounded(points.rows(), MedianOfThree(points))
-  {
-  }
-
-  void Run(const FaceList& faces, const std::vector<char>& changed, StepLimiter& step,
-    const ParallelFor& parallelFor)
-  {
-    const Motion motion = step.Path();
-    parallelFor(0, motion.From.rows(),
-      [&](std::ptrdiff_t first, std::ptrdiff_t last)
-      {
-        for (std::ptrdiff_t vertex = first; vertex < last; ++vertex)
-        {
-          if (changed[vertex])
-          {
-            this->Rounded.Update(motion, static_cast<int>(vertex));
-          }
-        }
-      });
-    const auto test = [&](const Hull& one, const Hull& two)
-    {
-      if (HaveSeparatingDirection(this->Rounded, one, two, this->Distance.Wanted))
-      {
-        return;
-      }
-      // An impact may no longer matter at all.
-      const double latest = step.LatestUsefulTime(one, two);
-      const double time = latest > 0 ? TimeOfImpact(motion, one, two, this->Distance, latest) : 1;
-      if (!(time >= 1))
-      {
-        step.Limit(one, time);
-        step.Limit(two, time);
-      }
-    };
-    this->Candidates.VisitDisjointHulls(motion, this->Distance.Wanted, changed, this->Boxes, test,
-      parallelFor);
-    std::vector<char> isFaceChanged(faces.NumberOfFaces());
-    for (int face = 0; face < faces.NumberOfFaces(); ++face)
-    {
-      isFaceChanged[face] = AnyOf(changed, faces, face) ? 1 : 0;
-    }
-    ForEach(this->Candidates.AdjacentPairs(), parallelFor,
-      [&](const HullPair& pair)
-      {
-        if (isFaceChanged[pair.Faces[0]] || isFaceChanged[pair.Faces[1]])
-        {
-          test(pair.One, pair.Two);
-        }
-      });
-  }
-
-  void RunObstacles(const PointList& obstacles, const std::vector<VertexRange>& ranges,
-    const std::vector<char>& changed, StepLimiter& step, const ParallelFor& parallelFor) const
-  {
-    if (obstacles.rows() == 0)
-    {
-      return;
-    }
-    const Motion motion = step.Path();
-    const FaceHulls& hulls = this->Candidates.Hulls();
-    parallelFor(0, hulls.NumberOfHulls(),
-      [&](std::ptrdiff_t first, std::ptrdiff_t last)
-      {
-        for (std::ptrdiff_t index = first; index < last; ++index)
-        {
-          const Hull hull = hulls.HullAt(static_cast<int>(index));
-          if (std::none_of(hull.begin(), hull.end(), [&](int v) { return changed[v] != 0; }))
-          {
-            continue;
-          }
-          for (Eigen::Index row = 0; row < obstacles.rows(); ++row)
-          {
-            const Eigen::Vector3d obstacle = obstacles.row(row);
-            if (hull[0] < ranges[row].Begin || hull[0] >= ranges[row].End ||
-              !MayComeNear(motion, hull, obstacle, this->Distance.Wanted))
-            {
-              continue;
-            }
-            const double time = TimeToObstacle(motion, hull, obstacle, this->Distance);
-            if (!(time >= 1))
-            {
-              step.Limit(hull, time);
-            }
-          }
-        }
-      });
-  }
-
-private:
-  const CandidatePairs& Candidates;
-  const MinimumDistance Distance;
-  SinglePrecisionMotion Rounded;
-  std::vector<MotionBox> Boxes;
-};
 
 EmbeddingGuard::EmbeddingGuard(const ContourMesh& mesh, const ParallelFor& parallelFor)
   : Faces(mesh.Faces)
@@ -222,7 +93,7 @@ GuardReport EmbeddingGuard::Limit(const PointList& points, PointList& displaceme
 
   StepLimiter step(points, CutToLength(displacements, maximum), this->Neighbors,
     RelativeShear * edgeLength, edgeLength);
-  HullTest hulls(this->Candidates, points, distance);
+  HullTest hulls(this->Faces, this->Candidates, points, distance);
   // Vertices whose motion has changed since the test was last run.
   std::vector<char> changedForShapes(points.rows(), 1);
   std::vector<char> changedForPairs(points.rows(), 1);
@@ -234,7 +105,7 @@ GuardReport EmbeddingGuard::Limit(const PointList& points, PointList& displaceme
     std::fill(changedForShapes.begin(), changedForShapes.end(), 0);
     if (step.IsClean())
     {
-      hulls.Run(this->Faces, changedForPairs, step, parallelFor);
+      hulls.Run(changedForPairs, step, parallelFor);
       hulls.RunObstacles(this->Obstacles, this->Ranges, changedForPairs, step, parallelFor);
       std::fill(changedForPairs.begin(), changedForPairs.end(), 0);
     }
@@ -342,7 +213,7 @@ void EmbeddingGuard::TestShapes(const std::vector<char>& changed, StepLimiter& s
       {
         const int* const v = this->Faces.Face(face);
         const int size = this->Faces.FaceSize(face);
-        if (!AnyOf(changed, this->Faces, face))
+        if (!HasFlaggedVertex(changed, this->Faces, face))
         {
           continue;
         }

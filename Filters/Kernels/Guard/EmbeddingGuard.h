@@ -5,6 +5,7 @@
  * The whole motion is certified, every vertex moving along a straight line, by
  *
  *   CandidatePairs        finds the parts that may meet,
+ *   HullTest              tests these by the next two, and obstacles by ObstacleTest,
  *   SeparatingDirection   settles most of these quickly,
  *   MotionTest            computes conservative times of impact of the others, and of flips,
  *   QuadFold              computes conservative times until a quad is folded,
@@ -18,10 +19,10 @@
 #define FlipFreeEmbeddingGuard_h
 
 #include "Guard/CandidatePairs.h"
+#include "Guard/ObstacleTest.h"
 #include "Mesh/ContourMesh.h"
 
 #include <array>
-#include <limits>
 #include <utility>
 #include <vector>
 
@@ -36,13 +37,6 @@ struct GuardReport
   std::vector<char> IsGuarded; ///< one flag per vertex
   int Passes = 0;              ///< number of test passes; 1 if nothing had to be scaled down
   PointList Positions;         ///< where the vertices end, without the rounding error of a sum
-};
-
-/// The vertices from `Begin` to, not including, `End`.
-struct VertexRange
-{
-  int Begin = 0;
-  int End = std::numeric_limits<int>::max();
 };
 
 class EmbeddingGuard
@@ -93,7 +87,6 @@ private:
   // Tests the corners and quads with a changed vertex; limits the vertices of those that fail.
   void TestShapes(const std::vector<char>& changed, StepLimiter& step,
     const ParallelFor& parallelFor) const;
-  class HullTest;
 
   FaceList Faces;
   std::vector<std::array<int, 4>> Neighbors;

@@ -12,8 +12,17 @@
 
 #include "Guard/MotionTest.h"
 
+#include <limits>
+
 namespace FlipFree
 {
+
+/// The vertices from `Begin` to, not including, `End`.
+struct VertexRange
+{
+  int Begin = 0;
+  int End = std::numeric_limits<int>::max();
+};
 
 /// TimeOfImpact of a hull and a fixed point.
 double TimeToObstacle(const Motion& motion, const Hull& hull, const Eigen::Vector3d& obstacle,

@@ -58,28 +58,40 @@ std::unique_ptr<EmbeddingGuard> MakeGuard(const ContourMesh& mesh, const Contour
   return std::make_unique<EmbeddingGuard>(all, parallelFor);
 }
 
+struct CoarseSurface
+{
+  const ContourMesh& Mesh;
+  const PointList& Points;
+};
+
+struct FineFaces
+{
+  const RefinedMesh& Refined;
+  const TriangleList& Triangles;
+  const EmbeddingGuard& Guard;
+};
+
 // The refined surface wherever its old vertices are.
 class EmbeddedRefinement
 {
 public:
-  EmbeddedRefinement(const ContourMesh& mesh, const PointList& points, const RefinedMesh& refined,
-    const TriangleList& triangles, const EmbeddingGuard& guard, const PointList& obstacles,
-    const PointList& fixedPoints, double edgeLength, double gap)
-    : Mesh(mesh)
-    , Parents(refined.Parents)
-    , Triangles(triangles)
-    , Fixed(fixedPoints)
+  EmbeddedRefinement(const CoarseSurface& coarse, const FineFaces& fine,
+    const RefinementSurroundings& surroundings, double edgeLength, double gap)
+    : Mesh(coarse.Mesh)
+    , Parents(fine.Refined.Parents)
+    , Triangles(fine.Triangles)
+    , Fixed(surroundings.FixedPoints)
     , EdgeLength(edgeLength)
     , Gap(gap)
-    , Hulls(guard.Hulls())
-    , NearPairs(gap, guard.Hulls(), guard.AdjacentPairs())
-    , Quads(ListQuads(refined.Faces))
-    , Obstacles(obstacles)
+    , Hulls(fine.Guard.Hulls())
+    , NearPairs(gap, fine.Guard.Hulls(), fine.Guard.AdjacentPairs())
+    , Quads(ListQuads(fine.Refined.Faces))
+    , Obstacles(surroundings.Obstacles)
   {
-    for (Eigen::Index obstacle = 0; obstacle < obstacles.rows(); ++obstacle)
+    for (Eigen::Index obstacle = 0; obstacle < this->Obstacles.rows(); ++obstacle)
     {
-      this->Sides.push_back(
-        WindingNumber(points, mesh.Triangles, obstacles.row(obstacle).transpose()));
+      this->Sides.push_back(WindingNumber(coarse.Points, coarse.Mesh.Triangles,
+        this->Obstacles.row(obstacle).transpose()));
     }
   }
 
@@ -209,15 +221,8 @@ void AddRings(const ContourMesh& mesh, int rings, std::set<int>& vertices)
 } // namespace
 
 RefinedSurface RefineSurface(const ContourMesh& mesh, const PointList& points,
-  const PointList& obstacles, bool checked, const ParallelFor& parallelFor, const Monitor& monitor)
-{
-  return RefineSurface(mesh, points, obstacles, ContourMesh(), PointList(0, 3), checked,
-    parallelFor, monitor);
-}
-
-RefinedSurface RefineSurface(const ContourMesh& mesh, const PointList& points,
-  const PointList& obstacles, const ContourMesh& fixedMesh, const PointList& fixedPoints,
-  bool checked, const ParallelFor& parallelFor, const Monitor& monitor)
+  const RefinementSurroundings& surroundings, bool checked, const ParallelFor& parallelFor,
+  const Monitor& monitor)
 {
   const RefinedMesh faces = RefineFaces(mesh);
   RefinedSurface refined;
@@ -235,9 +240,9 @@ RefinedSurface RefineSurface(const ContourMesh& mesh, const PointList& points,
   {
     return refined; // rounding errors are as large as the surface's features
   }
-  refined.Guard = MakeGuard(refined.Mesh, fixedMesh, parallelFor);
-  EmbeddedRefinement refinement(mesh, points, faces, refined.Mesh.Triangles, *refined.Guard,
-    obstacles, fixedPoints, edgeLength, gap);
+  refined.Guard = MakeGuard(refined.Mesh, surroundings.FixedMesh, parallelFor);
+  EmbeddedRefinement refinement({ mesh, points }, { faces, refined.Mesh.Triangles, *refined.Guard },
+    surroundings, edgeLength, gap);
   std::unique_ptr<EmbeddingGuard> guard; // of the coarse surface, which seldom needs to move
   PointList coarse = points;
   std::set<int> involved;
@@ -252,11 +257,11 @@ RefinedSurface RefineSurface(const ContourMesh& mesh, const PointList& points,
     }
     if (!guard)
     {
-      guard = MakeGuard(mesh, fixedMesh, parallelFor);
-      guard->SetObstacles(obstacles);
+      guard = MakeGuard(mesh, surroundings.FixedMesh, parallelFor);
+      guard->SetObstacles(surroundings.Obstacles);
     }
     AddRings(mesh, refined.Relaxations, involved);
-    RelaxOnce(mesh, fixedPoints, *guard, involved, parallelFor, monitor, coarse);
+    RelaxOnce(mesh, surroundings.FixedPoints, *guard, involved, parallelFor, monitor, coarse);
     ++refined.Relaxations;
   }
   refined.Embedded = true;

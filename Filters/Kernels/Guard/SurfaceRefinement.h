@@ -23,24 +23,28 @@ struct RefinedSurface
   std::unique_ptr<EmbeddingGuard> Guard;
 };
 
+/// What the refined surface must not meet.
+struct RefinementSurroundings
+{
+  PointList Obstacles = PointList(0, 3); ///< fixed points, one row each, which stay on their side
+  ContourMesh FixedMesh = {};            ///< of surfaces at rest, which are not refined
+  PointList FixedPoints = PointList(0, 3);
+};
+
 /// Refines a surface into one of four times as many vertices (MeshRefinement.h). Where the refined
 /// surface would intersect itself, it is pulled towards the old vertices there, and if that does
 /// not help, the old surface is smoothed there, in growing neighborhoods if needed, under the
 /// guard, which opens its sharpest folds. `checked` false skips all that. Embedded is false when no
-/// attempt succeeded or the monitor stopped it; the mesh must then not be used. `obstacles` are
-/// fixed points, one row each, which stay on their side of the surface if it is checked.
+/// attempt succeeded or the monitor stopped it; the mesh must then not be used. The
+/// surroundings matter only if it is checked.
 RefinedSurface RefineSurface(const ContourMesh& mesh, const PointList& points,
-  const PointList& obstacles, bool checked, const ParallelFor& parallelFor, const Monitor& monitor);
-
-/// The same beside surfaces at rest, which are not refined and must not be met.
-RefinedSurface RefineSurface(const ContourMesh& mesh, const PointList& points,
-  const PointList& obstacles, const ContourMesh& fixedMesh, const PointList& fixedPoints,
-  bool checked, const ParallelFor& parallelFor, const Monitor& monitor);
+  const RefinementSurroundings& surroundings, bool checked, const ParallelFor& parallelFor,
+  const Monitor& monitor);
 
 inline RefinedSurface RefineSurface(const ContourMesh& mesh, const PointList& points, bool checked,
   const ParallelFor& parallelFor, const Monitor& monitor)
 {
-  return RefineSurface(mesh, points, PointList(0, 3), checked, parallelFor, monitor);
+  return RefineSurface(mesh, points, RefinementSurroundings(), checked, parallelFor, monitor);
 }
 
 } // namespace FlipFree

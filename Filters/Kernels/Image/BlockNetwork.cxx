@@ -64,6 +64,115 @@ std::vector<float> BlockMeans(const ImagePart& image, const BlockGrid& grid,
   return means;
 }
 
+// Links the blocks that are nodes with each other and with the terminals.
+class BlockLinker
+{
+public:
+  using BlockValue = std::function<double(std::size_t block)>;
+
+  BlockLinker(const ImageGeometry& blocks, const std::vector<int>& nodes,
+    const std::vector<float>& smooth, const BlockLinks& links)
+    : Blocks(blocks)
+    , Nodes(nodes)
+    , Smooth(smooth)
+    , Links(links)
+    , Volume(blocks.VoxelVolume())
+    , Area{ { this->Volume / blocks.Spacing[0], this->Volume / blocks.Spacing[1],
+        this->Volume / blocks.Spacing[2] } }
+    , Unit(
+        links.PerArea * *std::max_element(this->Area.begin(), this->Area.end()) / GreatestCapacity)
+    , Step(StepsOf(blocks))
+  {
+  }
+
+  CutNetwork Link(const BlockValue& unary, const BlockValue& side,
+    const ParallelFor& parallelFor) const
+  {
+    CutNetwork network(static_cast<std::size_t>(
+      std::count_if(this->Nodes.begin(), this->Nodes.end(), [](int node) { return node >= 0; })));
+    const auto& size = this->Blocks.Dimensions;
+    parallelFor(0, size[2],
+      [&](std::ptrdiff_t first, std::ptrdiff_t last)
+      {
+        std::size_t block = this->Blocks.Offset(0, 0, static_cast<int>(first));
+        for (int k = static_cast<int>(first); k < last; ++k)
+        {
+          for (int j = 0; j < size[1]; ++j)
+          {
+            for (int i = 0; i < size[0]; ++i, ++block)
+            {
+              if (this->Nodes[block] >= 0)
+              {
+                const double terminal = this->LinkNeighbors(block, { { i, j, k } },
+                  unary(block) * this->Volume / this->Unit, side, network);
+                network[this->Nodes[block]].Terminal = RoundedTerminal(terminal);
+              }
+            }
+          }
+        }
+      });
+    return network;
+  }
+
+private:
+  static std::int32_t RoundedTerminal(double terminal)
+  {
+    constexpr std::int32_t greatest = CutNode::Infinite / 4;
+    return static_cast<std::int32_t>(
+      std::lround(std::max<double>(-greatest, std::min<double>(greatest, terminal))));
+  }
+
+  double CapacityOf(std::size_t block, std::size_t other, int axis) const
+  {
+    const double jump = (this->Smooth[block] - this->Smooth[other]) / this->Links.EdgeContrast;
+    // Also where a voxel is not a number.
+    const double square = jump * jump < GreatestJump ? jump * jump : GreatestJump;
+    return this->Links.PerArea * this->Area[axis] / this->Unit * std::exp(-0.5 * square);
+  }
+
+  // Returns the terminal's capacity with what neighbors that are no nodes add to it.
+  double LinkNeighbors(std::size_t block, const std::array<int, 3>& index, double terminal,
+    const BlockValue& side, CutNetwork& network) const
+  {
+    CutNode& own = network[this->Nodes[block]];
+    for (int way = 0; way < 6; ++way)
+    {
+      const int axis = way / 2;
+      const bool up = way % 2 == 1;
+      if (up ? index[axis] + 1 >= this->Blocks.Dimensions[axis] : index[axis] == 0)
+      {
+        continue;
+      }
+      const std::size_t other = block + (up ? this->Step[axis] : -this->Step[axis]);
+      const int neighbor = this->Nodes[other];
+      if (neighbor < 0)
+      {
+        terminal += side(other) * this->CapacityOf(block, other, axis);
+        continue;
+      }
+      own.Neighbors[way] = neighbor;
+      // The same in both directions: the lower block's turn.
+      if (up)
+      {
+        const auto capacity =
+          static_cast<std::int32_t>(std::lround(this->CapacityOf(block, other, axis)));
+        own.Capacities[way] = capacity;
+        network[neighbor].Capacities[way - 1] = capacity;
+      }
+    }
+    return terminal;
+  }
+
+  const ImageGeometry& Blocks;
+  const std::vector<int>& Nodes;
+  const std::vector<float>& Smooth;
+  const BlockLinks& Links;
+  const double Volume;
+  const std::array<double, 3> Area; // of a block's faces, by axis
+  const double Unit;                // of capacities
+  const std::array<std::ptrdiff_t, 3> Step;
+};
+
 } // namespace
 
 std::vector<float> SmoothBlockMeans(const ImagePart& image, const BlockGrid& grid,
@@ -79,73 +188,7 @@ CutNetwork MakeBlockNetwork(const ImageGeometry& blocks, const std::vector<int>&
   const std::function<double(std::size_t block)>& unary,
   const std::function<double(std::size_t block)>& side, const ParallelFor& parallelFor)
 {
-  CutNetwork network(static_cast<std::size_t>(
-    std::count_if(nodes.begin(), nodes.end(), [](int node) { return node >= 0; })));
-  const auto& size = blocks.Dimensions;
-  const double volume = blocks.VoxelVolume();
-  const std::array<double, 3> area{ { volume / blocks.Spacing[0], volume / blocks.Spacing[1],
-    volume / blocks.Spacing[2] } };
-  const double unit =
-    links.PerArea * *std::max_element(area.begin(), area.end()) / GreatestCapacity;
-  constexpr std::int32_t greatest = CutNode::Infinite / 4;
-  const std::array<std::ptrdiff_t, 3> step = StepsOf(blocks);
-  const auto capacityOf = [&](std::size_t block, std::size_t other, int axis)
-  {
-    const double jump = (smooth[block] - smooth[other]) / links.EdgeContrast;
-    // Also where a voxel is not a number.
-    const double square = jump * jump < GreatestJump ? jump * jump : GreatestJump;
-    return links.PerArea * area[axis] / unit * std::exp(-0.5 * square);
-  };
-  const auto link = [&](std::size_t block, const std::array<int, 3>& index)
-  {
-    CutNode& own = network[nodes[block]];
-    double terminal = unary(block) * volume / unit;
-    for (int way = 0; way < 6; ++way)
-    {
-      const int axis = way / 2;
-      const bool up = way % 2 == 1;
-      if (up ? index[axis] + 1 >= size[axis] : index[axis] == 0)
-      {
-        continue;
-      }
-      const std::size_t other = block + (up ? step[axis] : -step[axis]);
-      if (nodes[other] < 0)
-      {
-        terminal += side(other) * capacityOf(block, other, axis);
-        continue;
-      }
-      own.Neighbors[way] = nodes[other];
-      // The same in both directions: the lower block's turn.
-      if (up)
-      {
-        const auto capacity =
-          static_cast<std::int32_t>(std::lround(capacityOf(block, other, axis)));
-        own.Capacities[way] = capacity;
-        network[nodes[other]].Capacities[way - 1] = capacity;
-      }
-    }
-    own.Terminal = static_cast<std::int32_t>(
-      std::lround(std::max<double>(-greatest, std::min<double>(greatest, terminal))));
-  };
-  parallelFor(0, size[2],
-    [&](std::ptrdiff_t first, std::ptrdiff_t last)
-    {
-      std::size_t block = blocks.Offset(0, 0, static_cast<int>(first));
-      for (int k = static_cast<int>(first); k < last; ++k)
-      {
-        for (int j = 0; j < size[1]; ++j)
-        {
-          for (int i = 0; i < size[0]; ++i, ++block)
-          {
-            if (nodes[block] >= 0)
-            {
-              link(block, { { i, j, k } });
-            }
-          }
-        }
-      }
-    });
-  return network;
+  return BlockLinker(blocks, nodes, smooth, links).Link(unary, side, parallelFor);
 }
 
 } // namespace FlipFree

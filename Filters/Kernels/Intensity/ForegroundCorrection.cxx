@@ -159,15 +159,12 @@ void SetBalls(const ConstraintList& constraints, const SeedSphere& seed, BitMask
 class ForegroundCorrector
 {
 public:
-  ForegroundCorrector(const ImageView<float>& smooth, const ImageMaker& make,
-    const SeedSphere& seed, const ConstraintList& constraints, double noise, Modality modality,
-    const ParallelFor& parallelFor, const Monitor& monitor, BitMask& foreground)
-    : Smooth(smooth)
-    , Make(make)
+  ForegroundCorrector(const ForegroundImage& image, const SeedSphere& seed,
+    const ConstraintList& constraints, const ParallelFor& parallelFor, const Monitor& monitor,
+    BitMask& foreground)
+    : Given(image)
     , Seed(seed)
     , Constraints(SortedConstraints(constraints))
-    , Noise(noise)
-    , Kind(modality)
     , Parallel(parallelFor)
     , Ask(monitor)
     , Foreground(foreground)
@@ -289,12 +286,13 @@ private:
     correction.Away = DistanceTo(this->Foreground, correction.IsInside, constraint.Point);
     const double limit =
       std::min(correction.Away, correction.IsInside ? GreatestReachInside : GreatestReachOutside);
-    if (!this->Make(BoxAround(geometry, constraint.Point, std::max(limit, LeastNeighborhood))))
+    if (!this->Given.Make(
+          BoxAround(geometry, constraint.Point, std::max(limit, LeastNeighborhood))))
     {
       return false;
     }
-    correction.Reach = std::max({ GrayValueSimilarity(this->Noise, this->Kind)
-                                    .ReachOfLikeness(this->Smooth, constraint.Point, limit),
+    correction.Reach = std::max({ GrayValueSimilarity(this->Given.Noise, this->Given.Kind)
+                                    .ReachOfLikeness(this->Given.Smooth, constraint.Point, limit),
       std::min(geometry.Spacing.maxCoeff(), std::max(correction.Away, CertainBall)),
       constraint.Radius });
     return true;
@@ -304,17 +302,17 @@ private:
     const std::optional<BitMask>& mayChange)
   {
     const VoxelBox box = this->BoxOf(correction, whole);
-    if (!this->Make(box))
+    if (!this->Given.Make(box))
     {
       return false;
     }
-    const ImagePart image{ this->Smooth, box.Begin };
+    const ImagePart image{ this->Given.Smooth, box.Begin };
     const BitMask before = whole.Cropped(box);
     BitMask part = before;
-    if (!CutCorrection(image, this->Seed, correction, this->Noise, this->Kind, this->Parallel,
-          this->Ask, part) ||
-      !ShiftBoundary(image, correction, this->Noise, this->Kind, this->Parallel, this->Ask, before,
-        part))
+    if (!CutCorrection(image, this->Seed, correction, this->Given.Noise, this->Given.Kind,
+          this->Parallel, this->Ask, part) ||
+      !ShiftBoundary(image, correction, this->Given.Noise, this->Given.Kind, this->Parallel,
+        this->Ask, before, part))
     {
       return false;
     }
@@ -382,12 +380,9 @@ private:
     return KeepConnected(this->Foreground, source, this->Ask);
   }
 
-  const ImageView<float> Smooth;
-  const ImageMaker& Make;
+  const ForegroundImage& Given;
   const SeedSphere& Seed;
   const ConstraintList Constraints;
-  const double Noise;
-  const Modality Kind;
   const ParallelFor& Parallel;
   const Monitor& Ask;
   BitMask& Foreground;
@@ -397,13 +392,11 @@ private:
 
 } // namespace
 
-bool CorrectForeground(const ImageView<float>& smooth, const ImageMaker& make,
-  const SeedSphere& seed, const ConstraintList& constraints, double noise, Modality modality,
-  const ParallelFor& parallelFor, const Monitor& monitor, BitMask& foreground)
+bool CorrectForeground(const ForegroundImage& image, const SeedSphere& seed,
+  const ConstraintList& constraints, const ParallelFor& parallelFor, const Monitor& monitor,
+  BitMask& foreground)
 {
-  return ForegroundCorrector(smooth, make, seed, constraints, noise, modality, parallelFor, monitor,
-    foreground)
-    .Execute();
+  return ForegroundCorrector(image, seed, constraints, parallelFor, monitor, foreground).Execute();
 }
 
 } // namespace FlipFree

@@ -20,13 +20,20 @@
 namespace FlipFree
 {
 
+/// What a foreground is corrected in.
+struct ForegroundImage
+{
+  ImageView<float> Smooth;
+  ImageMaker Make; ///< called before voxels are read
+  double Noise;    ///< standard deviation before smoothing
+  Modality Kind;   ///< not Automatic
+};
+
 /// Corrects `foreground` and keeps what is connected with the seed. Boundary points do not count
-/// here. `make` is called before voxels are read. `noise` is the standard deviation before
-/// smoothing; the modality is not Automatic. Returns false if the monitor stopped it; the
-/// foreground is then useless.
-bool CorrectForeground(const ImageView<float>& smooth, const ImageMaker& make,
-  const SeedSphere& seed, const ConstraintList& constraints, double noise, Modality modality,
-  const ParallelFor& parallelFor, const Monitor& monitor, BitMask& foreground);
+/// here. Returns false if the monitor stopped it; the foreground is then useless.
+bool CorrectForeground(const ForegroundImage& image, const SeedSphere& seed,
+  const ConstraintList& constraints, const ParallelFor& parallelFor, const Monitor& monitor,
+  BitMask& foreground);
 
 } // namespace FlipFree
 

@@ -165,10 +165,10 @@ bool GrowingForeground::Carve(const PointList& points, const TriangleList& trian
 bool GrowingForeground::Correct(const ConstraintList& constraints, double noise,
   const Monitor& monitor)
 {
-  const Modality modality = this->GetModality();
-  const bool done = CorrectForeground(
-    this->GetImage(), [&](const VoxelBox& box) { return this->Smooth(box, monitor); }, this->Seed,
-    constraints, noise, modality, this->Parallel, monitor, this->Mask);
+  const ForegroundImage image{ this->GetImage(),
+    [&](const VoxelBox& box) { return this->Smooth(box, monitor); }, noise, this->GetModality() };
+  const bool done =
+    CorrectForeground(image, this->Seed, constraints, this->Parallel, monitor, this->Mask);
   this->Bounds = this->Mask.Bounds();
   return done;
 }

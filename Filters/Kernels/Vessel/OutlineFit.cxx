@@ -74,9 +74,14 @@ private:
     {
       if (this->Level > 0)
       {
-        RefinedSurface refined = RefineSurface(this->Surface.Mesh, this->Surface.Points,
-          this->Enforcer ? this->Enforcer->GetObstacles() : PointList(0, 3),
-          this->Settings.Step.Guard, this->Parallel, [this](double) { return this->Proceed(); });
+        RefinementSurroundings surroundings;
+        if (this->Enforcer)
+        {
+          surroundings.Obstacles = this->Enforcer->GetObstacles();
+        }
+        RefinedSurface refined =
+          RefineSurface(this->Surface.Mesh, this->Surface.Points, surroundings,
+            this->Settings.Step.Guard, this->Parallel, [this](double) { return this->Proceed(); });
         if (!refined.Embedded)
         {
           return this->Proceed() ? StopReason::NotRefined : StopReason::Aborted;

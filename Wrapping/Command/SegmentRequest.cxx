@@ -1,4 +1,4 @@
-#include "Segmentation.h"
+#include "SegmentRequest.h"
 
 #include "Coordinates.h"
 #include "Failure.h"
@@ -15,13 +15,13 @@ namespace
 {
 
 /// A label map in place of a seed.
-void RequireNoSeed(const Segmentation& segmentation)
+void RequireNoSeed(const SegmentRequest& request)
 {
-  if (!segmentation.Session.empty())
+  if (!request.Session.empty())
   {
     throw WrongUsage("--session has the seed. Leave out --start-labels.");
   }
-  if (segmentation.HasSeed())
+  if (request.HasSeed())
   {
     throw WrongUsage("--start-labels takes the place of the seed. Leave out --seed, --seed-voxel "
                      "and --radius; points correct the result.");
@@ -29,34 +29,34 @@ void RequireNoSeed(const Segmentation& segmentation)
 }
 
 /// Organs by name in place of a seed.
-void RequireOnlyOrgans(const Segmentation& segmentation)
+void RequireOnlyOrgans(const SegmentRequest& request)
 {
-  if (!segmentation.Several.HasOrgans())
+  if (!request.Several.HasOrgans())
   {
     throw WrongUsage("--fixed is for organs that are given by --organ. Give one or more.");
   }
-  if (segmentation.HasSeed() || !segmentation.Session.empty() || !segmentation.StartLabels.empty())
+  if (request.HasSeed() || !request.Session.empty() || !request.StartLabels.empty())
   {
     throw WrongUsage("--organ has the seed. Leave out --seed, --seed-voxel, --radius, --session "
                      "and --start-labels.");
   }
-  if (segmentation.Corrections.HasFiles())
+  if (request.Corrections.HasFiles())
   {
     throw WrongUsage("--points and --save-points are for one organ. Give the points of several by "
                      "--inside, --outside and --boundary, after the organ that they belong to.");
   }
-  segmentation.Several.Organs(segmentation.Corrections);
+  request.Several.Organs(request.Corrections);
 }
 
 /// One for each seed.
-void RequireRadii(const Segmentation& segmentation)
+void RequireRadii(const SegmentRequest& request)
 {
-  const std::vector<double>& radii = segmentation.Radius;
+  const std::vector<double>& radii = request.Radius;
   if (radii.empty() || !std::all_of(radii.begin(), radii.end(), IsSeedRadius))
   {
     throw WrongUsage(std::string("--radius ") + SeedRadiusRule + ".");
   }
-  const std::size_t seeds = (segmentation.Seed.size() + segmentation.SeedVoxel.size()) / 3;
+  const std::size_t seeds = (request.Seed.size() + request.SeedVoxel.size()) / 3;
   if (radii.size() != seeds)
   {
     throw WrongUsage("There are " + std::to_string(seeds) + " seeds and " +
@@ -65,16 +65,16 @@ void RequireRadii(const Segmentation& segmentation)
 }
 
 /// An image and a seed, or a session.
-void RequireStart(const Segmentation& segmentation)
+void RequireStart(const SegmentRequest& request)
 {
-  if (!segmentation.Session.empty())
+  if (!request.Session.empty())
   {
-    if (segmentation.HasSeed() || segmentation.Parameters.HasPreset())
+    if (request.HasSeed() || request.Parameters.HasPreset())
     {
       throw WrongUsage("--session has the seed and the preset. Leave out --seed, --seed-voxel, "
                        "--radius and --preset.");
     }
-    if (!segmentation.Corrections.IsEmpty())
+    if (!request.Corrections.IsEmpty())
     {
       throw WrongUsage(
         "--session cannot be corrected by points. Give the image, --seed and --radius "
@@ -82,45 +82,43 @@ void RequireStart(const Segmentation& segmentation)
     }
     return;
   }
-  if (segmentation.Input.empty())
+  if (request.Input.empty())
   {
     throw WrongUsage("INPUT is required: a volume, or a folder of a DICOM series.");
   }
-  if (!segmentation.StartLabels.empty() || segmentation.Several.HasOrgans())
+  if (!request.StartLabels.empty() || request.Several.HasOrgans())
   {
     return;
   }
-  if (segmentation.Seed.empty() == segmentation.SeedVoxel.empty())
+  if (request.Seed.empty() == request.SeedVoxel.empty())
   {
-    throw WrongUsage(segmentation.Seed.empty()
+    throw WrongUsage(request.Seed.empty()
         ? "There is no seed. Give a point deep inside the organ: --seed X Y Z (LPS mm) or "
           "--seed-voxel I J K; or a label map to fill: --start-labels FILE; or several organs: "
           "--organ NAME X Y Z MM."
         : "Both --seed and --seed-voxel are given. Give only one of them.");
   }
-  RequireCoordinates("--seed", segmentation.Seed);
-  RequireCoordinates("--seed-voxel",
-    { segmentation.SeedVoxel.begin(), segmentation.SeedVoxel.end() });
-  RequireRadii(segmentation);
+  RequireCoordinates("--seed", request.Seed);
+  RequireCoordinates("--seed-voxel", { request.SeedVoxel.begin(), request.SeedVoxel.end() });
+  RequireRadii(request);
 }
 
 } // namespace
 
-void RequireSense(const Segmentation& segmentation)
+void RequireSense(const SegmentRequest& request)
 {
-  segmentation.Corrections.RequireSense();
-  if (!segmentation.Several.IsEmpty())
+  request.Corrections.RequireSense();
+  if (!request.Several.IsEmpty())
   {
-    RequireOnlyOrgans(segmentation);
+    RequireOnlyOrgans(request);
   }
-  if (!segmentation.StartLabels.empty())
+  if (!request.StartLabels.empty())
   {
-    RequireNoSeed(segmentation);
+    RequireNoSeed(request);
   }
-  RequireStart(segmentation);
-  if (segmentation.Surface.empty() && segmentation.Labels.empty() &&
-    segmentation.Convergence.empty() && segmentation.Snapshot.empty() &&
-    segmentation.SessionOut.empty())
+  RequireStart(request);
+  if (request.Surface.empty() && request.Labels.empty() && request.Convergence.empty() &&
+    request.Snapshot.empty() && request.SessionOut.empty())
   {
     throw WrongUsage("No output is requested. Give at least one of --output, --labels, "
                      "--convergence, --snapshot and --save-session.");
@@ -133,28 +131,27 @@ void RequireSense(const Segmentation& segmentation)
       RequireEnding(option, name, endings);
     }
   };
-  require("--output", segmentation.Surface, SurfaceEndings());
-  require("--labels", segmentation.Labels, VolumeEndings());
-  require("--convergence", segmentation.Convergence, { ".csv" });
-  require("--snapshot", segmentation.Snapshot, { ".png" });
-  require("--save-session", segmentation.SessionOut, { ".json" });
+  require("--output", request.Surface, SurfaceEndings());
+  require("--labels", request.Labels, VolumeEndings());
+  require("--convergence", request.Convergence, { ".csv" });
+  require("--snapshot", request.Snapshot, { ".png" });
+  require("--save-session", request.SessionOut, { ".json" });
 }
 
-std::string TitleOf(const Segmentation& segmentation, const char* quote)
+std::string TitleOf(const SegmentRequest& request, const char* quote)
 {
-  return quote + segmentation.Input + quote +
-    (segmentation.Organ.empty() ? "" : ", " + segmentation.Organ);
+  return quote + request.Input + quote + (request.Organ.empty() ? "" : ", " + request.Organ);
 }
 
-OriginNames NamesOf(const Segmentation& segmentation)
+OriginNames NamesOf(const SegmentRequest& request)
 {
   OriginNames names;
-  names.Image = segmentation.Input;
-  names.StartLabels = segmentation.StartLabels;
-  names.Organs = { segmentation.Repeated.Title };
-  names.Colors = { segmentation.Repeated.Color };
-  for (const std::string* file : { &segmentation.Surface, &segmentation.Labels,
-         &segmentation.Convergence, &segmentation.SessionOut })
+  names.Image = request.Input;
+  names.StartLabels = request.StartLabels;
+  names.Organs = { request.Repeated.Title };
+  names.Colors = { request.Repeated.Color };
+  for (const std::string* file :
+    { &request.Surface, &request.Labels, &request.Convergence, &request.SessionOut })
   {
     if (names.Organs[0].empty() && !file->empty())
     {

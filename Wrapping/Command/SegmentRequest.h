@@ -1,8 +1,8 @@
 /**
  * What `flipfree segment` is asked for, one organ or vessel at a time.
  */
-#ifndef FlipFreeCommandSegmentation_h
-#define FlipFreeCommandSegmentation_h
+#ifndef FlipFreeCommandSegmentRequest_h
+#define FlipFreeCommandSegmentRequest_h
 
 #include "OrganOptions.h"
 #include "PointOptions.h"
@@ -16,7 +16,7 @@
 namespace Command
 {
 
-struct Segmentation
+struct SegmentRequest
 {
   std::string Input;
   std::string Session;
@@ -48,22 +48,22 @@ struct Segmentation
 };
 
 /// Checks all that can be checked before a file is read; throws WrongUsage.
-void RequireSense(const Segmentation& segmentation);
+void RequireSense(const SegmentRequest& request);
 
 /// How messages call what is segmented.
-std::string TitleOf(const Segmentation& segmentation, const char* quote = "'");
+std::string TitleOf(const SegmentRequest& request, const char* quote = "'");
 
 /// The name of an organ's own file: `out-liver.vtp` for `out.vtp`. Empty for none.
 std::string NameFor(const std::string& organ, const std::string& name);
 
 /// What files say of an organ, or of one of a session, apart from how it was found.
-OriginNames NamesOf(const Segmentation& segmentation);
+OriginNames NamesOf(const SegmentRequest& request);
 
 /// One for each organ of the session.
-std::vector<Segmentation> OrgansOf(const Session& session, const Segmentation& given);
+std::vector<SegmentRequest> OrgansOf(const Session& session, const SegmentRequest& given);
 
 /// The organs of a session that were segmented together; `given` gets their parameters.
-std::vector<GivenOrgan> GroupOf(const Session& session, Segmentation& given);
+std::vector<GivenOrgan> GroupOf(const Session& session, SegmentRequest& given);
 
 /// The files of the surfaces that they kept off.
 std::vector<std::string> FixedOf(const Session& session);
