@@ -75,16 +75,18 @@ class Work(unittest.TestCase):
     def test_results_are_the_toolkits(self):
         """Files of each are read by the other, and a surface has the same scores wherever it is measured."""
         options = ("--resolution", 16, "--no-leak-control", "--start-offset", 1, -2, -1e-1)
-        scores = []
+        scores, volumes = [], set()
         for name, program in (("ours", OURS), ("theirs", TOOLKIT)):
             text = self.segment(program, *options, "-o", self.folder / f"{name}.vtp", "--labels",
                                 self.folder / f"{name}.nii.gz", "--convergence", self.folder / f"{name}.csv")
             self.assertRegex(text, r"volume \d+\.\d ml, \d+ iterations, [a-z ]+, 0 self-intersections, confidence 0\.9\d; reading ")
+            volumes.add(re.search(r"volume (\S+) ml", text)[1])
             surfaces = {run("evaluate", self.folder / f"{name}.vtp", self.truth, program=judge).stdout
                         for judge in (OURS, TOOLKIT)}
             self.assertEqual(len(surfaces), 1, surfaces)
             scores.append(surfaces.pop())
         self.assertEqual(*scores)
+        self.assertEqual(len(volumes), 1, volumes)
         self.assertRegex(scores[0], r"Dice +0\.9[5-9].*\n(.*\n)*surface +valid: closed, Euler number 2, self-inter")
         ours, theirs = (flipfree.read_image(self.folder / f"{name}.nii.gz") for name in ("ours", "theirs"))
         numpy.testing.assert_array_equal(ours.voxels, theirs.voxels)
