@@ -198,7 +198,7 @@ void RunOn(vtkImageData* image, const Segmentation& segmentation, const OrganFil
   }
   if (filter.StopReason() == vtkFlipFreeSegmentation::NO_BOUNDARY_FOUND)
   {
-    throw Failure(title + ": no boundary of the organ was found, so nothing is written.");
+    throw Failure(title + ": No segmentation: " + NoBoundaryText);
   }
 }
 
