@@ -114,6 +114,30 @@ bool vtkPhantomSource::GetEnclosingSphere(double sphere[4])
   return false;
 }
 
+bool vtkPhantomSource::GetVesselEnds(double ends[6])
+{
+  try
+  {
+    const FlipFree::PhantomSettings settings = SettingsOf(this);
+    const FlipFree::ImageGeometry geometry = FlipFree::GridOf(settings);
+    const FlipFree::Phantom phantom = FlipFree::PhantomOf(settings, geometry);
+    if (phantom.Ends)
+    {
+      for (const Eigen::Vector3d& end : *phantom.Ends)
+      {
+        const Eigen::Vector3d place = FlipFree::GridToPhysical(geometry, end);
+        ends = std::copy_n(place.data(), 3, ends);
+      }
+      return true;
+    }
+  }
+  catch (const std::exception& error)
+  {
+    vtkErrorMacro("No ends of a vessel: " << error.what());
+  }
+  return false;
+}
+
 vtkImageData* vtkPhantomSource::GetLabelMap()
 {
   return vtkImageData::SafeDownCast(this->GetOutputDataObject(1));

@@ -219,6 +219,12 @@ public:
   bool GetEnclosingSphere(double sphere[4]);
 
   /**
+   * Two points on the axis of the vessel near its ends, between which it can be traced. False for
+   * other shapes. Needs no update.
+   */
+  bool GetVesselEnds(double ends[6]);
+
+  /**
    * The label map, output port 1.
    */
   vtkImageData* GetLabelMap();

@@ -30,9 +30,10 @@ class TestBadInput(command.CommandTest):
         return path
 
     def test_mistyped_words(self):
-        self.assert_refused(command.run("segmant", self.volume), 2, "subcommand 'segmant'", "flipfree --help")
+        self.assert_refused(command.run("segmant", self.volume), 2, r"subcommand 'segmant'\. Did you mean 'segment'\?", "flipfree --help")
         self.assert_refused(command.run("--foo"), 2, "option '--foo'", "flipfree --help")
-        for words, message in ((("--resolutoin", 5), "no option '--resolutoin'"),
+        for words, message in ((("--resolutoin", 5), r"no option '--resolutoin'\. Did you mean '--resolution'\?"),
+                               (("--qwertyuiop",), r"no option '--qwertyuiop'\. See"),
                                (("another.nii.gz",), "Unexpected argument 'another.nii.gz'")):
             self.assert_refused(self.segment(*self.seed, *self.output(), *words), 2, message, "segment --help")
 
@@ -50,6 +51,7 @@ class TestBadInput(command.CommandTest):
         center, radius = self.seed[:4], self.seed[4:]
         cases = [(1, ("--seed", 500, 32, 32, *radius), ("--seed:", r"\(500, 32, 32\) mm", "64 x 64 x 40", "LPS")),
                  (1, ("--seed-voxel", 20, 20, 40, *radius), ("--seed-voxel:", r"\(20, 20, 40\)")),
+                 (2, center, ("--radius is missing", "--radius MM")),
                  (1, (*center, "--radius", 0.1), ("'" + self.volume, "radius")),
                  (2, (*self.seed, "--seed-voxel", 1, 2, 3), ("--seed-voxel",)),
                  (2, radius, ("--seed",))]
@@ -60,6 +62,28 @@ class TestBadInput(command.CommandTest):
         for status, seed, patterns in cases:
             with self.subTest(seed=seed):
                 self.assert_refused(self.segment(*seed, *self.output()), status, *patterns)
+
+    def test_what_options_take(self):
+        missing = "--organ: a value is missing. Give --organ NAME X Y Z MM."
+        for words, message in ((("--organ", "a", 1, 2, 3, 4, "--organ", "b", 1, "-o", self.result("out.vtp")), missing),
+                               (("--quiet=a",), "--quiet: it takes no value. Leave it out."),
+                               (("--organ", "liver", 1, 2), missing),
+                               (("--radius", "large"), "--radius: 'large' is not a number. Give --radius MM."),
+                               (("--levels", 2.5), "--levels: '2.5' is not a whole number, or is too large. Give --levels N."),
+                               (("--threads", -1), "--threads: -1 is out of range. Give 0 to 1024."),
+                               (("--preset", "best"), "--preset: there is no 'best'. Choose one of default, published, naive."),
+                               (("-o", "a.vtp", "-o", "b.vtp"), "--output: it is given too often. Give it once: --output FILE."),
+                               (("--start-label", 3), "--start-label requires --start-labels. Give both, or none.")):
+            with self.subTest(words):
+                process = self.segment(*words)
+                self.assertEqual((process.returncode, process.stderr),
+                                 (2, f"flipfree: error: {message} See 'flipfree segment --help'.\n"))
+
+    def test_a_sphere_larger_than_the_image(self):
+        process = self.segment(*self.seed[:4], "--radius", 500, "--resolution", 8, *self.output())
+        self.assertEqual(process.returncode, 1)
+        self.assertIn("no boundary of the organ was found; check that the seed sphere lies within", process.stderr)
+        self.assertEqual(os.listdir(self.results), [])
 
     def test_options(self):
         for option, value in (("--resolution", 100000), ("--levels", 0), ("--opening", -1), ("--fairing", "nan"), ("--preset", "best"),

@@ -81,7 +81,7 @@ class TestCorrections(command.CommandTest):
     def test_what_is_wrong_is_named(self):
         out = ("-o", self.result("bad.stl"))
         for status, arguments, patterns in (
-                (2, ("--inside", 1, 2), ("--inside", "3 required")),
+                (2, ("--inside", 1, 2), ("--inside", "value is missing")),
                 (2, ("--inside", 1, 2, 3, "--inside", 1, 2), ("--inside", "coordinate is missing")),
                 (2, ("--outside", "nan", 2, 3), ("--outside", "finite")),
                 (2, ("--points", "points.txt"), ("--points", ".csv or .mrk.json")),

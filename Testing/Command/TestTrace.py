@@ -27,13 +27,20 @@ class TestTrace(command.CommandTest):
     def setUpClass(cls):
         cls.inputs = tempfile.mkdtemp(prefix="flipfree-test-")
         cls.addClassCleanup(shutil.rmtree, cls.inputs)
-        command.make_phantom(cls.inputs, "vessel", "--size", SIZE, SIZE, SIZE, "--spacing", SPACING, SPACING, SPACING)
+        seeds = command.make_phantom(cls.inputs, "vessel", "--size", SIZE, SIZE, SIZE, "--spacing", SPACING, SPACING, SPACING)
         cls.volume = os.path.join(cls.inputs, "vessel.nii.gz")
         cls.truth = os.path.join(cls.inputs, "vessel-truth.nii.gz")
+        cls.printed = seeds["object, from end to end"]
         cls.points = ("--point", *point_at(-0.95), "--point", *point_at(0.95))
 
     def trace(self, *arguments, volume=None):
         return command.run("trace", volume or self.volume, *arguments)
+
+    def test_points_that_the_phantom_prints(self):
+        self.assertEqual((self.printed.count("--point"), len(self.printed)), (2, 8))
+        process = self.trace(*self.printed, "-o", self.result("vessel.vtp"))
+        self.assert_succeeds(process)
+        self.assertIn("1 branch, ", process.stdout)
 
     def test_every_output(self):
         names = {option: self.result("vessel" + ending) for option, ending in
@@ -100,7 +107,7 @@ class TestTrace(command.CommandTest):
         first = self.points[:4]
         for status, points, patterns in (
                 (2, (), ("two points", "--point X Y Z")), (2, first, ("two points",)),
-                (2, (*first, "--point", 1, 2), ("--point", "coordinate is missing")), (2, ("--point", 1, 2), ("--point", "3 required")), (2, (*first, "--point", "nan", 0, 0), ("--point", "finite")),
+                (2, (*first, "--point", 1, 2), ("--point", "coordinate is missing")), (2, ("--point", 1, 2), ("--point", "value is missing")), (2, (*first, "--point", "nan", 0, 0), ("--point", "finite")),
                 (1, (*first, "--point", 500, 0, 0), (r"\(500, 0, 0\) mm lies outside", "LPS")),
                 (1, (*first, *first), (r"points \(.*\) and \(.*\) mm are closer than 3 mm; keep one",)),
                 (1, (*first, "--point", 40, 90, 90),

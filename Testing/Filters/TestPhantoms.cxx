@@ -292,6 +292,25 @@ TEST(PhantomSource, AbdomenHasSeedsButNoEnclosingSphere)
   double ball[4];
   EXPECT_FALSE(source->GetSeed(12, ball));
   EXPECT_FALSE(source->GetEnclosingSphere(ball));
+  double ends[6];
+  EXPECT_FALSE(source->GetVesselEnds(ends));
+}
+
+TEST(PhantomSource, VesselsHaveTwoEndsOnTheirAxis)
+{
+  vtkNew<vtkPhantomSource> source;
+  source->SetShapeToVessel();
+  source->SetDirection(Oblique);
+  source->Update();
+  double ends[6];
+  ASSERT_TRUE(source->GetVesselEnds(ends));
+  for (const double* end : { ends, ends + 3 })
+  {
+    const double ball[4] = { end[0], end[1], end[2], 1 };
+    ExpectBallInside(source->GetLabelMap(), ball, 1);
+  }
+  source->SetShapeToSphere();
+  EXPECT_FALSE(source->GetVesselEnds(ends));
 }
 
 TEST(PhantomSource, WorksOnASingleSliceAndASingleVoxel)

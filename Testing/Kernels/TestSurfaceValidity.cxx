@@ -166,6 +166,14 @@ TEST(SurfaceValidity, OfASphereIsPerfect)
     sphere.Triangles.rows());
 }
 
+TEST(EnclosedVolume, OfABoxIsExactAndNegativeInsideOut)
+{
+  Surface box = Box({ 100, -20, 30 }, { 102, -17, 34 });
+  EXPECT_NEAR(EnclosedVolume(box.Points, box.Triangles), 24, 1e-12);
+  box.Triangles.col(1).swap(box.Triangles.col(2));
+  EXPECT_NEAR(EnclosedVolume(box.Points, box.Triangles), -24, 1e-12);
+}
+
 TEST(SurfaceValidity, MarksWhatIntersects)
 {
   const Surface box = Box({ 0, 0, 0 }, { 4, 4, 4 });

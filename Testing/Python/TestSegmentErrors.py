@@ -64,12 +64,21 @@ class Failures(unittest.TestCase):
                 (ValueError, "^seed: 3 numbers are needed, not 2$", (1, 2), RADIUS),
                 (TypeError, "^seed: 3 numbers are needed, not 5$", 5, RADIUS),
                 (TypeError, "^radius: a number is needed, not", SEED, "wide"),
+                (ValueError, r"^radius: nan is not a number \(NaN\); give the radius", SEED, math.nan),
                 (ValueError, "^radius: -1.0 is out of range", SEED, -1),
                 (ValueError, "^radius: 1000000000.0 is out of range", SEED, 1e9),
                 (flipfree.SegmentationError, r"radius of 1e-05 mm is below a voxel of the image \(", SEED, 1e-5),
                 (flipfree.SegmentationError, r"^No segmentation: the seed's center \(-50, 0, 0\) mm lies outside .*\.$",
                  (-50, 0, 0), RADIUS)):
             self.refuse(error, message, image(), seed, radius)
+
+    def test_a_sphere_larger_than_the_image(self):
+        words = "^No segmentation: .*no boundary of the organ was found; check that the seed sphere .* raise search_distance"
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            self.refuse(flipfree.SegmentationError, words, image(), SEED, 500, resolution=8)
+            with self.assertRaisesRegex(flipfree.SegmentationError, words):
+                flipfree.segment_organs(image(), {"liver": (SEED, 500)}, resolution=8)
 
     def test_images(self):
         array = flipfree.array_from_image(image())

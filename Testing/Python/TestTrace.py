@@ -36,6 +36,11 @@ class TestTrace(unittest.TestCase):
         cls.points = [point_at(-0.95), point_at(0.95)]
         cls.vessel = flipfree.trace(cls.phantom.image, cls.points)
 
+    def test_ends_of_the_phantom(self):
+        self.assertEqual(len(self.phantom.ends), 2)
+        self.assertEqual(len(flipfree.trace(self.phantom.image, self.phantom.ends).branches), 1)
+        self.assertEqual(flipfree.phantom("sphere", dimensions=(16,) * 3).ends, ())
+
     def test_surface_labels_and_branches(self):
         vessel = self.vessel
         self.assertEqual(vessel.self_intersections, 0)

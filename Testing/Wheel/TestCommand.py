@@ -75,16 +75,18 @@ class Work(unittest.TestCase):
     def test_results_are_the_toolkits(self):
         """Files of each are read by the other, and a surface has the same scores wherever it is measured."""
         options = ("--resolution", 16, "--no-leak-control", "--start-offset", 1, -2, -1e-1)
-        scores = []
+        scores, volumes = [], set()
         for name, program in (("ours", OURS), ("theirs", TOOLKIT)):
             text = self.segment(program, *options, "-o", self.folder / f"{name}.vtp", "--labels",
                                 self.folder / f"{name}.nii.gz", "--convergence", self.folder / f"{name}.csv")
             self.assertRegex(text, r"volume \d+\.\d ml, \d+ iterations, [a-z ]+, 0 self-intersections, confidence 0\.9\d; reading ")
+            volumes.add(re.search(r"volume (\S+) ml", text)[1])
             surfaces = {run("evaluate", self.folder / f"{name}.vtp", self.truth, program=judge).stdout
                         for judge in (OURS, TOOLKIT)}
             self.assertEqual(len(surfaces), 1, surfaces)
             scores.append(surfaces.pop())
         self.assertEqual(*scores)
+        self.assertEqual(len(volumes), 1, volumes)
         self.assertRegex(scores[0], r"Dice +0\.9[5-9].*\n(.*\n)*surface +valid: closed, Euler number 2, self-inter")
         ours, theirs = (flipfree.read_image(self.folder / f"{name}.nii.gz") for name in ("ours", "theirs"))
         numpy.testing.assert_array_equal(ours.voxels, theirs.voxels)
@@ -223,6 +225,8 @@ class Work(unittest.TestCase):
         for arguments, status, message in (
                 ([], 2, "A subcommand is required. See 'flipfree --help'"),
                 (["transmogrify"], 2, "There is no subcommand 'transmogrify'"),
+                (["segmant"], 2, r"no subcommand 'segmant'\. Did you mean 'segment'\? See"),
+                (["segment", "a", "--resolutoin", 3], 2, r"no option '--resolutoin'\. Did you mean '--resolution'\? See"),
                 (["segment", "a", "--radius", 3, "--frobnicate"], 2, "There is no option '--frobnicate'"),
                 (["segment", self.volume, "--radius", 3, "-o", here], 2, "There is no seed"),
                 (["segment", self.volume, *self.seed], 2, "No output is requested"),
@@ -232,7 +236,10 @@ class Work(unittest.TestCase):
                 (["segment", self.volume, *self.seed, "-o", here, "--preset", "fast"], 2, "--preset: .*'fast'"),
                 (["segment", "nowhere.nii", *self.seed, "-o", here], 1, "There is no file 'nowhere.nii'"),
                 (["segment", self.volume, *self.seed, "-o", self.folder / "no" / "a.vtp"], 1, "cannot be written"),
-                (["segment", self.volume, "--seed", 500, 0, 0, "--radius", 9, "-o", here], 1, "lies outside"),
+                (["segment", self.volume, "--seed", 500, 0, 0, "--radius", 9, "-o", here], 1,
+                 r"--seed: \(500, 0, 0\) mm lies outside '.*', which has 48 x 48 x 32 voxels .* LPS: .* RAS"),
+                (["segment", self.volume, "--seed-voxel", 9, 9, 32, "--radius", 9, "-o", here], 1,
+                 r"--seed-voxel: \(9, 9, 32\) lies outside"),
                 (["evaluate", self.volume, self.truth, "--reference-label", 7], 1, "--reference-label"),
         ):
             with self.subTest(message):
@@ -251,7 +258,7 @@ class Work(unittest.TestCase):
                  (["--organ", "liver", 1, 2, "inf", 4], 2, "--organ liver: a coordinate is not a finite number"),
                  (["--seed", 1, 2, "nan", *radius], 2, "--seed: a coordinate is not a finite number"),
                  ([*self.seed, "--inside", 1, 2, "nan"], 2, "--inside: a coordinate is not a finite number"),
-                 ([], 2, "There is no seed"), (center, 2, f"--radius {rule}"),
+                 ([], 2, "There is no seed"), (center, 2, "--radius is missing"),
                  ([*self.seed, *radius], 2, "There are 1 seeds and 2 radii")]
         for wrong in (0, -5, 1e-9, 2e6, "nan", "inf"):
             cases += [([*center, "--radius", wrong], 2, f"--radius {rule}"),

@@ -107,6 +107,11 @@ void OrganOptions::AddOptions(CLI::App& command)
 
 std::vector<GivenOrgan> OrganOptions::Organs(const PointOptions& corrections) const
 {
+  // CLI11 checks only that there are five values in all.
+  if (this->Values.size() % ValuesOfOrgan != 0)
+  {
+    throw WrongUsage("--organ: a value is missing. Give --organ NAME X Y Z MM.");
+  }
   std::vector<GivenOrgan> organs;
   std::map<std::string, std::size_t> seen; // values of an option, up to here
   for (const CLI::Option* option : this->Command->parse_order())

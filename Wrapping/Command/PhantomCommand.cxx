@@ -73,6 +73,17 @@ std::vector<Label> LabelsOf(int shape)
   };
 }
 
+/// What `flipfree trace` takes.
+void PrintVesselEnds(vtkPhantomSource* source)
+{
+  double ends[6];
+  if (source->GetVesselEnds(ends))
+  {
+    std::printf("object, from end to end: --point %.2f %.2f %.2f --point %.2f %.2f %.2f\n", ends[0],
+      ends[1], ends[2], ends[3], ends[4], ends[5]);
+  }
+}
+
 void PrintSeeds(vtkPhantomSource* source)
 {
   for (const Label& label : LabelsOf(source->GetShape()))
@@ -97,6 +108,7 @@ void PrintSeeds(vtkPhantomSource* source)
       seed[0], seed[1], seed[2], seed[3], around[3] / seed[3], around[0] - seed[0],
       around[1] - seed[1], around[2] - seed[2], 2 * around[3]);
   }
+  PrintVesselEnds(source);
   std::fflush(stdout);
 }
 
@@ -151,7 +163,9 @@ void Make(const Phantom& phantom)
 
 const char* const PhantomFooter =
   "Writes the volume NAME.nii.gz and its true label map NAME-truth.nii.gz, and prints a seed for\n"
-  "each object, to be pasted after 'flipfree segment'.\n"
+  "each object, to be pasted after 'flipfree segment'; of the vessel also two points, for "
+  "'flipfree\n"
+  "trace'.\n"
   "\n"
   "Examples:\n"
   "  flipfree phantom abdomen -o try         # a CT of the upper abdomen, in Hounsfield units\n"

@@ -6,10 +6,10 @@
 #include "Interrupt.h"
 #include "Messages.h"
 #include "Subcommands.h"
+#include "UsageMessage.h"
 
 #include <CLI/CLI.hpp>
 
-#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -17,7 +17,6 @@
 #include <memory>
 #include <new>
 #include <string>
-#include <vector>
 
 namespace Command
 {
@@ -51,28 +50,6 @@ std::string HelpFor(const CLI::App& program)
   return " See '" + command + " --help'.";
 }
 
-/// CLI11's message, except for mistyped words: CLI11 reports a mistyped subcommand as a missing
-/// one.
-std::string MessageOf(const CLI::ParseError& error, const CLI::App& program)
-{
-  const std::vector<CLI::App*> subcommands = program.get_subcommands();
-  const std::vector<std::string> unknown =
-    subcommands.empty() ? program.remaining() : subcommands.front()->remaining();
-  // The word after an unknown option may be its value, so the option is named first.
-  const auto option = std::find_if(unknown.begin(), unknown.end(),
-    [](const std::string& word) { return word.rfind('-', 0) == 0; });
-  if (option != unknown.end())
-  {
-    return "There is no option '" + *option + "'";
-  }
-  if (!unknown.empty())
-  {
-    return subcommands.empty() ? "There is no subcommand '" + unknown.front() + "'"
-                               : "Unexpected argument '" + unknown.front() + "'";
-  }
-  return error.what();
-}
-
 void RequireOutputArrived()
 {
   errno = 0;
@@ -99,8 +76,9 @@ ExitStatus RunProgram(CLI::App& program, int argc, char* argv[])
   }
   catch (const CLI::ParseError& error)
   {
-    const std::string message = MessageOf(error, program);
-    PrintError(message + (message.empty() || message.back() == '.' ? "" : ".") + HelpFor(program));
+    const std::string message = UsageMessage(error, program);
+    const bool ends = message.empty() || message.back() == '.' || message.back() == '?';
+    PrintError(message + (ends ? "" : ".") + HelpFor(program));
   }
   catch (const WrongUsage& error)
   {

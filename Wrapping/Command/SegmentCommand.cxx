@@ -195,7 +195,7 @@ void RunOn(vtkImageData* image, const SegmentRequest& request, const OrganFilter
   }
   if (filter.StopReason() == vtkFlipFreeSegmentation::NO_BOUNDARY_FOUND)
   {
-    throw Failure(title + ": no boundary of the organ was found, so nothing is written.");
+    throw Failure(title + ": No segmentation: " + NoBoundaryText);
   }
 }
 

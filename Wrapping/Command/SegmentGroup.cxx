@@ -171,8 +171,8 @@ public:
       if (this->Group->GetStopReason(static_cast<int>(organ)) ==
         vtkFlipFreeSegmentation::NO_BOUNDARY_FOUND)
       {
-        throw Failure("'" + this->Given.Input + "', " + this->Organs[organ].Name +
-          ": no boundary of the organ was found, so nothing is written.");
+        throw Failure("'" + this->Given.Input + "': No segmentation: " + this->Organs[organ].Name +
+          ": " + NoBoundaryText);
       }
     }
   }

@@ -52,7 +52,13 @@ void RequireOnlyOrgans(const SegmentRequest& request)
 void RequireRadii(const SegmentRequest& request)
 {
   const std::vector<double>& radii = request.Radius;
-  if (radii.empty() || !std::all_of(radii.begin(), radii.end(), IsSeedRadius))
+  if (radii.empty())
+  {
+    throw WrongUsage(
+      "--radius is missing. The seed is a sphere within the organ: give its radius in "
+      "millimeters, --radius MM.");
+  }
+  if (!std::all_of(radii.begin(), radii.end(), IsSeedRadius))
   {
     throw WrongUsage(std::string("--radius ") + SeedRadiusRule + ".");
   }

@@ -1,15 +1,15 @@
 #include "SegmentationReport.h"
 
+#include "MeshAdapter.h"
 #include "Messages.h"
 
 #include "vtkFlipFreeDeform.h"
 #include "vtkFlipFreeSegmentation.h"
 #include "vtkFlipFreeVesselSegmentation.h"
-#include "vtkMassProperties.h"
-#include "vtkNew.h"
 #include "vtkPolyData.h"
 #include "vtkTable.h"
-#include "vtkTriangleFilter.h"
+
+#include "Mesh/SurfaceTopology.h"
 
 #include <cmath>
 #include <cstdio>
@@ -66,11 +66,10 @@ std::string ConfidenceText(double confidence)
 
 double VolumeInMilliliters(vtkPolyData* surface)
 {
-  vtkNew<vtkTriangleFilter> triangles;
-  triangles->SetInputData(surface);
-  vtkNew<vtkMassProperties> properties;
-  properties->SetInputConnection(triangles->GetOutputPort());
-  return properties->GetVolume() / 1000;
+  FlipFree::PointList copy;
+  return FlipFree::EnclosedVolume(FlipFree::ViewPoints(surface, copy),
+           FlipFree::Triangulate(FlipFree::CopyPolys(surface))) /
+    1000;
 }
 
 void Report(const OrganFilter& filter, const SegmentRequest& request, double readingSeconds)

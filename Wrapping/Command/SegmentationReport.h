@@ -22,6 +22,12 @@ void Report(const OrganFilter& filter, const SegmentRequest& request, double rea
 /// the threshold looks like it, and no other does.
 std::string ConfidenceText(double confidence);
 
+/// Where no vertex found a boundary, the surface is not an organ's: nothing is written. Python has
+/// the same words (_boundary_found.py).
+constexpr const char* NoBoundaryText =
+  "no boundary of the organ was found; check that the seed sphere lies within the organ, or raise "
+  "--search-distance.";
+
 /// Of the inside of a closed surface in millimeters.
 double VolumeInMilliliters(vtkPolyData* surface);
 

@@ -4,6 +4,7 @@ set(FLIPFREE_LAYER_FILES
   _arrays.py
   _coordinates.py
   _corrections.py
+  _boundary_found.py
   _errors.py
   _evaluate.py
   _faces.py

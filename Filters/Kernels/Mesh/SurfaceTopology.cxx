@@ -163,8 +163,9 @@ void RequireClosed(int numberOfPoints, const TriangleList& triangles, const std:
   }
 }
 
-void RequireOutward(const PointList& points, const TriangleList& triangles, const std::string& name)
+double EnclosedVolume(const Eigen::Ref<const PointList>& points, const TriangleList& triangles)
 {
+  // Any point will do; far away, rounding would cost digits.
   const Eigen::RowVector3d center = points.colwise().mean();
   double volume = 0;
   for (Eigen::Index triangle = 0; triangle < triangles.rows(); ++triangle)
@@ -174,6 +175,12 @@ void RequireOutward(const PointList& points, const TriangleList& triangles, cons
     const Eigen::RowVector3d c = points.row(triangles(triangle, 2)) - center;
     volume += a.dot(b.cross(c)) / 6;
   }
+  return volume;
+}
+
+void RequireOutward(const PointList& points, const TriangleList& triangles, const std::string& name)
+{
+  const double volume = EnclosedVolume(points, triangles);
   if (volume < 0)
   {
     std::ostringstream message;

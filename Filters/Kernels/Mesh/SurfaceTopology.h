@@ -53,6 +53,10 @@ void RequireValidFaces(const Eigen::Ref<const PointList>& points, const FaceList
 /// directions: then the surface is the boundary of a volume.
 void RequireClosed(int numberOfPoints, const TriangleList& triangles, const std::string& name);
 
+/// What a closed surface holds, in the cube of its unit: the sum of the signed tetrahedra between
+/// the triangles and a point. Negative where the surface is inside out.
+double EnclosedVolume(const Eigen::Ref<const PointList>& points, const TriangleList& triangles);
+
 /// Throws Error when a closed surface is inside out, its faces clockwise seen from outside.
 void RequireOutward(const PointList& points, const TriangleList& triangles,
   const std::string& name);

@@ -19,6 +19,7 @@ struct PlainObject
   ImplicitShape Shape;
   Vector3d Inside;
   double Radius;
+  std::optional<std::array<Vector3d, 2>> Ends = std::nullopt;
 };
 
 PlainObject MakePlainSphere(double unit)
@@ -69,8 +70,10 @@ PlainObject MakePlainVessel(double unit)
       10 * unit * std::cos(0.8 * pi * t + 0.5));
     farthest = std::max(farthest, centerline.back().norm());
   }
+  // A little inward, as one would click.
   return { MakeTube(centerline, std::vector<double>(centerline.size(), radius)),
-    centerline[pieces / 2], farthest + radius };
+    centerline[pieces / 2], farthest + radius,
+    std::array<Vector3d, 2>{ { centerline[2], centerline[pieces - 2] } } };
 }
 
 PlainObject MakePlainObject(PlainShape shape, double unit)
@@ -102,6 +105,7 @@ Phantom MakePlainPhantom(PlainShape shape, const Vector3d& extent, double foregr
   phantom.Seeds.push_back({ 1, { object.Inside, -SeedShare * object.Shape(object.Inside) } });
   phantom.Surface = object.Shape;
   phantom.Enclosing = Ball{ Vector3d::Zero(), EnclosingShare * object.Radius };
+  phantom.Ends = object.Ends;
   return phantom;
 }
 

@@ -7,6 +7,7 @@
 
 #include "Phantom/ShapeVolume.h"
 
+#include <array>
 #include <optional>
 
 namespace FlipFree
@@ -33,6 +34,8 @@ struct Phantom
   ImplicitShape Surface; ///< of the one object of a plain phantom; empty otherwise
   /// Of a plain phantom: a ball around the object, with a clearance of 5 %, to start from outside.
   std::optional<Ball> Enclosing;
+  /// Of the vessel: points on its axis near its ends, between which it can be traced.
+  std::optional<std::array<Eigen::Vector3d, 2>> Ends;
 };
 
 enum class PlainShape

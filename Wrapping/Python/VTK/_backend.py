@@ -203,14 +203,17 @@ class PhantomAlgorithm:
         self.settings = vtkPhantomSource()
         self.settings.SetShape(shape)
 
-    def run(self) -> tuple[vtkImageData, vtkImageData, dict[int, Any]]:
+    def run(self) -> tuple[vtkImageData, vtkImageData, dict[int, Any], tuple[Any, ...]]:
         update(self.settings, names=names_of(PHANTOM_PARAMETERS))
         seeds = {}
         for label in range(1, vtkPhantomSource.PANCREAS + 1):
             seed = [0.0] * 4
             if self.settings.GetSeed(label, seed):
                 seeds[label] = (tuple(seed[:3]), seed[3])
-        return self.settings.GetOutput(), self.settings.GetLabelMap(), seeds
+        places = [0.0] * 6
+        has_ends = self.settings.GetVesselEnds(places)
+        ends = (tuple(places[:3]), tuple(places[3:])) if has_ends else ()
+        return self.settings.GetOutput(), self.settings.GetLabelMap(), seeds, ends
 
 
 def _given(name: str, surface: AnySurface) -> vtkPolyData:

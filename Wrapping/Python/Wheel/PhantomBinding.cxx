@@ -46,6 +46,16 @@ nb::dict MakeVolume(const PhantomSettings& settings, const nb::callable& report)
   std::copy_n(settings.Direction.data(), 9, direction.begin());
   answer["direction"] = direction;
   answer["seeds"] = seeds;
+  nb::list ends;
+  if (phantom.Ends)
+  {
+    for (const Eigen::Vector3d& end : *phantom.Ends)
+    {
+      const Eigen::Vector3d place = GridToPhysical(grid, end);
+      ends.append(nb::make_tuple(place.x(), place.y(), place.z()));
+    }
+  }
+  answer["ends"] = ends;
   return answer;
 }
 

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, TypeVar, cast
 
 from ._errors import FlipFreeError
-from ._parameters import floats, suggestion
+from ._parameters import floats, radius_of, suggestion
 from ._types import ProgressOption
 
 if TYPE_CHECKING:
@@ -53,7 +53,7 @@ def constraints_of(
                 f"seeds: pairs of a center and a radius are needed, not {seed!r:.80}"
             ) from None
         place = tuple(floats("seeds", center, 3))
-        constraints.append(Constraint(SEED, place, floats("seeds", [radius], 1)[0]))
+        constraints.append(Constraint(SEED, place, radius_of("seeds", radius)))
     return tuple(constraints)
 
 

@@ -105,6 +105,22 @@ def floats(name: str, values: Any, count: int) -> list[float]:
     return numbers
 
 
+def radius_of(name: str, value: Any) -> float:
+    """The radius of a seed sphere, or an error that says which argument needs it.
+
+    >>> radius_of("radius", float("nan"))
+    Traceback (most recent call last):
+      ...
+    ValueError: radius: nan is not a number (NaN); give the radius of a sphere within the organ, in mm
+    """
+    radius = floats(name, [value], 1)[0]
+    if math.isnan(radius):
+        raise ValueError(
+            f"{name}: nan is not a number (NaN); give the radius of a sphere within the organ, in mm"
+        )
+    return radius
+
+
 def snake_case(name: str) -> str:
     """How Python spells the name of a property.
 

@@ -43,6 +43,9 @@ class Phantom:
     seeds: dict[int, tuple[tuple[float, float, float], float]]
     """By label, the center (mm) and the radius (mm) of a ball deep inside the organ."""
 
+    ends: tuple[tuple[float, float, float], ...] = ()
+    """Of the vessel, the points (mm) between which trace() finds it."""
+
 
 def phantom(shape: Shape = "abdomen", **parameters: Any) -> Phantom:
     """Makes a volume in which the organs are known.
@@ -61,8 +64,7 @@ def phantom(shape: Shape = "abdomen", **parameters: Any) -> Phantom:
         raise ValueError(f"shape: {shape!r} does not exist; there are {', '.join(SHAPES)}")
     algorithm = PhantomAlgorithm(SHAPES.index(shape))
     set_parameters("phantom", algorithm.settings, PHANTOM_PARAMETERS, parameters)
-    image, label_map, seeds = algorithm.run()
-    return Phantom(image, label_map, seeds)
+    return Phantom(*algorithm.run())
 
 
 # Help and completion show the parameters as if they were spelled out above.

@@ -9,12 +9,13 @@ from typing import TYPE_CHECKING, Any, get_args
 
 from ._arrays import image_from_array
 from ._backend import SEGMENT_PARAMETERS, SegmentationAlgorithm
+from ._boundary_found import require_boundary
 from ._corrections import Constraint, Points, Seeds, constraints_of
 from ._files import read_image
 from ._foreign import adopted, is_foreign
 from ._images import IMAGE_NAME, is_image
 from ._labels import label_map_of
-from ._parameters import described, floats, set_parameters, signature_with
+from ._parameters import described, floats, radius_of, set_parameters, signature_with
 from ._progress import progress_of
 from ._segmentation import Segmentation
 from ._types import Preset, ProgressOption
@@ -106,7 +107,7 @@ def segment(
     if start_labels is None:
         if seed is None or radius is None:
             raise TypeError("seed and radius are needed, a sphere within the organ, or start_labels")
-        algorithm.set_seed(floats("seed", seed, 3), floats("radius", [radius], 1)[0])
+        algorithm.set_seed(floats("seed", seed, 3), radius_of("radius", radius))
     elif seed is not None or radius is not None:
         raise TypeError("start_labels takes the place of seed and radius; leave these out")
     if start is not None:
@@ -122,6 +123,7 @@ def segment(
     def run(points: tuple[Constraint, ...], progress: ProgressOption) -> Segmentation:
         with progress_of(progress, "segmenting") as tell:
             result = algorithm.run(volume, points, tell)
+        require_boundary(result)
         return replace(result, constraints=points, _again=again)
 
     def again(points: tuple[Constraint, ...], progress: ProgressOption) -> Segmentation:

@@ -7,8 +7,9 @@ from typing import TYPE_CHECKING, Any
 
 from ._arrays import array_from_image
 from ._backend import GROUP_PARAMETERS, GroupAlgorithm
+from ._boundary_found import require_boundary
 from ._corrections import Constraint, constraints_of
-from ._parameters import described, floats, set_parameters, signature_with
+from ._parameters import described, floats, radius_of, set_parameters, signature_with
 from ._progress import progress_of
 from ._segmentation import Segmentation
 from ._types import ProgressOption
@@ -110,6 +111,8 @@ def segment_organs(
     volume = _image_of(image, spacing, origin, direction, progress)
     with progress_of(progress, "segmenting") as tell:
         found, label_map = algorithm.run(volume, tell)
+    for name, result in zip(organs, found):
+        require_boundary(result, str(name))
     return SegmentedOrgans(dict(zip(map(str, organs), found)), label_map, algorithm.first_label())
 
 
@@ -132,7 +135,7 @@ def _organ_of(name: Any, organ: Any) -> tuple[list[float], float, tuple[Constrai
             + f"; its keys are {', '.join(KEYS)}"
         )
     points = constraints_of(*(organ.get(key, ()) for key in KEYS[2:]))
-    return floats("seed", organ["seed"], 3), floats("radius", [organ["radius"]], 1)[0], points
+    return floats("seed", organ["seed"], 3), radius_of("radius", organ["radius"]), points
 
 
 # Help and completion show the parameters as if they were spelled out above.

@@ -279,7 +279,7 @@ class PhantomAlgorithm:
         self.settings = _kernels.PhantomSettings()
         self.settings.set("Shape", [shape])
 
-    def run(self) -> tuple[Image, Image, dict[int, Any]]:
+    def run(self) -> tuple[Image, Image, dict[int, Any], tuple[Any, ...]]:
         answer = run(
             lambda report: _kernels.make_phantom(self.settings, report),
             FlipFreeError,
@@ -292,6 +292,7 @@ class PhantomAlgorithm:
             Image(answer["intensities"], *geometry),
             Image(answer["labels"], *geometry),
             seeds,
+            tuple(answer["ends"]),
         )
 
 

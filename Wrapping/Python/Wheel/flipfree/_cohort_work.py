@@ -106,9 +106,8 @@ def _segmented(row: Row, output: str, volume: _Volume) -> dict[str, Any]:
 
 def _results(row: Row, output: str, image: Image) -> dict[str, Any]:
     organ = _found(row, image)
-    if organ.stop_reason == "no boundary found":
-        what, where = ("vessel", "points") if row.is_vessel else ("organ", "seed")
-        raise FlipFreeError(f"no boundary of the {what} was found; place the {where} inside it")
+    if organ.stop_reason == "no boundary found":  # of a vessel: for an organ, segment() has raised
+        raise FlipFreeError("no boundary of the vessel was found; place the points inside it")
     values: dict[str, Any] = {
         # Which is about organs; rounded down as in the warning.
         "confidence": None if row.is_vessel else math.floor(1e4 * organ.confidence) / 1e4,

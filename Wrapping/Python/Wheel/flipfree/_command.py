@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import difflib
 import sys
 import warnings
 from collections.abc import Callable, Sequence
@@ -57,7 +58,8 @@ def _run(words: list[str]) -> None:
     entry = next((entry for entry in commands[1:] if entry["name"] == words[0]), None)
     if entry is None:
         kind = "option" if words[0].startswith("-") else "subcommand"
-        raise WrongUsage(f"There is no {kind} '{words[0]}'")
+        near = _suggestion(words[0], [str(entry["name"]) for entry in commands[1:]])
+        raise WrongUsage(f"There is no {kind} '{words[0]}'{near}")
     if "-h" in words or "--help" in words:
         print(help_of(entry, commands))
         return
@@ -65,9 +67,10 @@ def _run(words: list[str]) -> None:
     values, unknown = parser.parse_known_args(words[1:])
     if unknown:
         option = next((word for word in unknown if word.startswith("-")), None)
-        raise WrongUsage(
-            f"There is no option '{option}'" if option else f"Unexpected argument '{unknown[0]}'"
-        )
+        if option is None:
+            raise WrongUsage(f"Unexpected argument '{unknown[0]}'")
+        known = [name for one in entry["options"] for name in one["names"] if name.startswith("--")]
+        raise WrongUsage(f"There is no option '{option}'{_suggestion(option.partition('=')[0], known)}")
     _do(entry, vars(values))
 
 
@@ -88,6 +91,12 @@ def _do(entry: Entry, values: dict[str, Any]) -> None:
         spelling.reset(token)
 
 
+def _suggestion(word: str, known: list[str]) -> str:
+    """What may have been meant, as a sentence after another; empty if nothing is near."""
+    near = difflib.get_close_matches(word, known, n=1)
+    return f". Did you mean '{near[0]}'?" if near else ""
+
+
 def _help_for(words: list[str]) -> str:
     known = [entry["name"] for entry in table()[1:]]
     return "flipfree " + (f"{words[0]} " if words and words[0] in known else "") + "--help"
@@ -95,7 +104,7 @@ def _help_for(words: list[str]) -> str:
 
 def _sentence(text: str) -> str:
     text = " ".join(text.split())
-    return text if text.endswith(".") else text + "."
+    return text if text.endswith((".", "?")) else text + "."
 
 
 def _complain(kind: str, text: str) -> None:

@@ -113,12 +113,6 @@ def _write(
     outputs: dict[tuple[str, str], str],
     colors: Mapping[str, str],
 ) -> None:
-    for organ, result in found.items():
-        if result.stop_reason == "no boundary found":
-            raise FlipFreeError(
-                f"'{values['input']}', {organ}: no boundary of the organ was found, so nothing is "
-                "written."
-            )
     names = OriginNames(
         values["input"],
         fixed=values.get("fixed", ()),

@@ -37,3 +37,6 @@ def phantom(values: dict[str, Any]) -> None:
         (x, y, z), radius = made.seeds[label]
         organ = Organ(label).name.lower().replace("_", " ") if name == "abdomen" else "object"
         print(f"{organ} (label {label}): --seed {x:.2f} {y:.2f} {z:.2f} --radius {radius:.2f}")
+    if made.ends:
+        points = " ".join(f"--point {x:.2f} {y:.2f} {z:.2f}" for x, y, z in made.ends)
+        print(f"object, from end to end: {points}")

@@ -10,10 +10,9 @@ from typing import Any
 
 from ._atomic import write_text
 from ._backend import SEGMENT_PARAMETERS, set_threads
+from ._boundary_found import require_boundary
 from ._command_group import organs_of, segment_group, segment_together
 from ._command_inputs import (
-    lps,
-    point_of,
     points_of,
     require_coordinates,
     require_sense_of_corrections,
@@ -27,6 +26,7 @@ from ._command_outputs import (
     write_output,
     write_to,
 )
+from ._command_seed import seeds_in
 from ._corrections import Constraint
 from ._errors import FlipFreeError
 from ._files import read_image, write_image
@@ -120,7 +120,12 @@ def _require_seed(values: dict[str, Any]) -> None:
         )
     require_coordinates("--seed", values.get("seed", ()))
     radii = values.get("radius", ())
-    if not radii or not all(map(is_seed_radius, radii)):
+    if not radii:
+        raise WrongUsage(
+            "--radius is missing. The seed is a sphere within the organ: give its radius in "
+            "millimeters, --radius MM"
+        )
+    if not all(map(is_seed_radius, radii)):
         raise WrongUsage(f"--radius {SEED_RADIUS_RULE}")
     seeds = len(values.get("seed", ())) + len(values.get("seed_voxel", ()))
     if len(radii) != seeds:
@@ -140,13 +145,13 @@ def _segment_one(
     """What was found and in how many seconds; its own files are written."""
     start = time.perf_counter()
     title = _title_of(values)
+    if {"seed", "seed_voxel"} & values.keys():
+        values = {**values, "centers": seeds_in(image, values)}
     try:
         organ = _found(values, image, points, progress)
     except FlipFreeError as error:
         raise type(error)(f"{title}: {error}") from error
     working = time.perf_counter() - start
-    if organ.stop_reason == "no boundary found":
-        raise FlipFreeError(f"{title}: no boundary of the organ was found, so nothing is written.")
     for name in OUTPUTS:
         if name in values and name == "save_points":
             write_to(files, values[name], lambda path: write_points(path, points))
@@ -163,10 +168,12 @@ def _found(
     if repeated and repeated.points:
         given: dict[str, Any] = {**repeated.corrections, **repeated.parameters}
         given["label_value"] = values["label_value"]
-        return trace_vessel(image, repeated.points, progress=progress or None, **given)
+        vessel = trace_vessel(image, repeated.points, progress=progress or None, **given)
+        require_boundary(vessel)
+        return vessel
     return segment_organ(
         image,
-        **_start_of(values, image, points),
+        **_start_of(values, points),
         preset=values.get("preset", "default"),
         progress=progress or None,
         **{name: value for name, value in values.items() if name in SEGMENT_PARAMETERS},
@@ -215,19 +222,14 @@ def names_of(
     )
 
 
-def _start_of(values: dict[str, Any], image: Image, points: list[Constraint]) -> dict[str, Any]:
+def _start_of(values: dict[str, Any], points: list[Constraint]) -> dict[str, Any]:
     """The seed, or the label map in its place, and the corrections with all further seeds."""
     repeated: SessionOrgan | None = values.get("repeated")
     corrections = repeated.corrections if repeated else arguments_of(points)
     if "start_labels" in values:
         labels = {"start_labels": values["start_labels"], "start_label": values.get("start_label", 1)}
         return {**labels, **corrections}
-    seeds = (
-        [lps(values, seed) for seed in values["seed"]]
-        if "seed" in values
-        else [point_of(image, voxel) for voxel in values["seed_voxel"]]
-    )
-    (seed, radius), *more = zip(seeds, values["radius"])
+    (seed, radius), *more = zip(values["centers"], values["radius"])
     return {
         "seed": seed,
         "radius": radius,

@@ -1,0 +1,25 @@
+"""A surface whose vertices found no boundary is not an organ's: one rule and one text for all."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from ._errors import SegmentationError
+from ._messages import with_names
+
+if TYPE_CHECKING:
+    from ._segmentation import Segmentation
+
+# The toolkit's command fails for the same reason.
+NOTHING_FOUND = "no boundary found"
+
+
+def require_boundary(organ: Segmentation, name: str = "") -> None:
+    """Raises an error unless the organ's boundary was found; `name` is one of several organs."""
+    if organ.stop_reason == NOTHING_FOUND:
+        where = f"{name}: " if name else ""
+        text = (
+            f"No segmentation: {where}no boundary of the organ was found; check that the seed sphere "
+            "lies within the organ, or raise SearchDistance."
+        )
+        raise SegmentationError(with_names(text, {"SearchDistance": "search_distance"}))
