@@ -110,8 +110,8 @@ std::string RefusedValueMessage(const CLI::Option& option, const std::string& te
 {
   const std::string name = option.get_name();
   std::smatch found;
-  static const std::regex choices("^\\S+: (.*) not in \\{(.*)\\}$");
-  static const std::regex range("^\\S+: Value (.*) not in range (\\S+) to (\\S+)$");
+  static const std::regex choices(R"(^\S+: (.*) not in \{(.*)\}$)");
+  static const std::regex range(R"(^\S+: Value (.*) not in range (\S+) to (\S+)$)");
   if (std::regex_match(text, found, range))
   {
     const bool bounded = found[3].str().size() < 12; // not the greatest double
@@ -130,12 +130,12 @@ std::string RefusedValueMessage(const CLI::Option& option, const std::string& te
 
 std::string UsageMessage(const CLI::ParseError& error, const CLI::App& program)
 {
-  const std::string unknown = UnknownWordMessage(program);
+  std::string unknown = UnknownWordMessage(program);
   if (!unknown.empty())
   {
     return unknown;
   }
-  const std::string text = error.what();
+  std::string text = error.what();
   const CLI::Option* const option = OptionIn(text, program);
   if (!option)
   {

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import sys
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from typing import Any
 
 from ._coordinates import swap_lps_ras
@@ -46,8 +46,8 @@ def points_of(values: dict[str, Any]) -> list[Constraint]:
     return [*points, *constraints_of(inside, outside, boundary, ())]
 
 
-def point_of(image: Image, voxel: list[int]) -> list[float]:
-    """The center of a voxel."""
+def point_of(image: Image, voxel: Sequence[float]) -> list[float]:
+    """Where a voxel's center is, or a place between voxels."""
     import numpy
 
     point: list[float] = (numpy.array(image.origin) + image.steps @ numpy.array(voxel, float)).tolist()

@@ -31,7 +31,7 @@ def _require_inside(image: Image, seed: list[float], complaint: str) -> None:
     index = numpy.linalg.solve(image.steps, numpy.array(seed) - image.origin)
     if ((index >= -0.5) & (index <= size - 0.5)).all():
         return
-    middle = point_of(image, (size - 1) / 2)
+    middle = point_of(image, ((size - 1) / 2).tolist())
     raise FlipFreeError(
         f"{complaint}, which has {size[0]} x {size[1]} x {size[2]} voxels centered at "
         f"{_text_of(middle)} mm. Coordinates are LPS: viewers that use RAS show x and y with opposite "
