@@ -9,7 +9,8 @@
 // per organ the median, the 10th percentile and the least by number of clicks, and the clicks that
 // 0.90, 0.95 and 0.97 take. With --locality, also how far each click moves the surface beyond 30
 // mm, or twice its distance from the surface, of the click and of what is connected to the
-// mended place.
+// mended place. A click that no surface of one piece can obey is refused with an error, which is
+// printed; the row keeps the scores that it had.
 #include "CaseList.h"
 #include "OrganMasks.h"
 #include "Statistics.h"
@@ -280,6 +281,7 @@ struct Row
   std::vector<double> Scores;  ///< after 0, 1, 2, ... clicks
   std::vector<double> Seconds; ///< of each run after a click
   int Disobeyed = 0;
+  int Refused = 0; ///< with an error
 };
 
 // Counts what the surface does not obey, looked at from scratch.
@@ -310,8 +312,22 @@ Row MeasureRow(const Case& row, const Options& options)
   for (int click = 0; click <= options.Clicks; ++click)
   {
     Stopwatch watch;
-    VolumeSegmentation run = segmenter.Segment(clicks, NeverStop,
-      [](const auto&, const auto&, const auto&, const auto&) {});
+    VolumeSegmentation run;
+    try
+    {
+      run = segmenter.Segment(clicks, NeverStop,
+        [](const auto&, const auto&, const auto&, const auto&) {});
+    }
+    catch (const Error& refusal)
+    {
+      std::printf("  %s: %s\n", row.Name.c_str(), refusal.what());
+      if (clicks.empty())
+      {
+        throw;
+      }
+      ++result.Refused;
+      break;
+    }
     if (click > 0)
     {
       result.Seconds.push_back(watch.Lap());
@@ -413,6 +429,7 @@ int main(int argc, char* argv[])
   std::map<std::string, std::vector<Row>> groups;
   std::vector<double> seconds;
   int disobeyed = 0;
+  int refused = 0;
   for (const Case& row : ReadCases(options.Data + "/" + options.Cases))
   {
     if (row.Name.find(options.Only) == std::string::npos)
@@ -423,13 +440,14 @@ int main(int argc, char* argv[])
     groups[row.Organ].push_back(result);
     seconds.insert(seconds.end(), result.Seconds.begin(), result.Seconds.end());
     disobeyed += result.Disobeyed;
+    refused += result.Refused;
   }
   std::puts("Median, 10th percentile and least by number of clicks; clicks to 0.90, 0.95, 0.97");
   for (const auto& [name, rows] : groups)
   {
     PrintGroup(name, rows);
   }
-  std::printf("seconds per click: median %.2f; clicks disobeyed: %d\n",
-    seconds.empty() ? 0 : Median(seconds), disobeyed);
+  std::printf("seconds per click: median %.2f; clicks disobeyed: %d, refused: %d\n",
+    seconds.empty() ? 0 : Median(seconds), disobeyed, refused);
   return disobeyed == 0 ? 0 : 1;
 }
