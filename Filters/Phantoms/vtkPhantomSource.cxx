@@ -64,6 +64,23 @@ auto* AttachScalars(vtkImageData* image, const FlipFree::ImageGeometry& geometry
   return values->GetPointer(0);
 }
 
+// Copies a part of the phantom; false where it has none, and an error where it cannot be made.
+template <typename Copy>
+bool CopyOf(vtkPhantomSource* source, const char* what, const Copy& copy)
+{
+  try
+  {
+    const FlipFree::PhantomSettings settings = SettingsOf(source);
+    const FlipFree::ImageGeometry geometry = FlipFree::GridOf(settings);
+    return copy(FlipFree::PhantomOf(settings, geometry), geometry);
+  }
+  catch (const std::exception& error)
+  {
+    vtkErrorWithObjectMacro(source, "No " << what << ": " << error.what());
+    return false;
+  }
+}
+
 } // namespace
 
 vtkPhantomSource::vtkPhantomSource()
@@ -74,68 +91,50 @@ vtkPhantomSource::vtkPhantomSource()
 
 bool vtkPhantomSource::GetSeed(int label, double seed[4])
 {
-  try
-  {
-    const FlipFree::PhantomSettings settings = SettingsOf(this);
-    const FlipFree::ImageGeometry geometry = FlipFree::GridOf(settings);
-    for (const FlipFree::PhantomSeed& organ : FlipFree::PhantomOf(settings, geometry).Seeds)
+  return CopyOf(this, "seed",
+    [=](const FlipFree::Phantom& phantom, const FlipFree::ImageGeometry& geometry)
     {
-      if (organ.Label == label)
+      for (const FlipFree::PhantomSeed& organ : phantom.Seeds)
       {
-        CopyBall(geometry, organ.Start, seed);
-        return true;
+        if (organ.Label == label)
+        {
+          CopyBall(geometry, organ.Start, seed);
+          return true;
+        }
       }
-    }
-  }
-  catch (const std::exception& error)
-  {
-    vtkErrorMacro("No seed: " << error.what());
-  }
-  return false;
+      return false;
+    });
 }
 
 bool vtkPhantomSource::GetEnclosingSphere(double sphere[4])
 {
-  try
-  {
-    const FlipFree::PhantomSettings settings = SettingsOf(this);
-    const FlipFree::ImageGeometry geometry = FlipFree::GridOf(settings);
-    const FlipFree::Phantom phantom = FlipFree::PhantomOf(settings, geometry);
-    if (phantom.Enclosing)
+  return CopyOf(this, "enclosing sphere",
+    [=](const FlipFree::Phantom& phantom, const FlipFree::ImageGeometry& geometry)
     {
-      CopyBall(geometry, *phantom.Enclosing, sphere);
-      return true;
-    }
-  }
-  catch (const std::exception& error)
-  {
-    vtkErrorMacro("No enclosing sphere: " << error.what());
-  }
-  return false;
+      if (phantom.Enclosing)
+      {
+        CopyBall(geometry, *phantom.Enclosing, sphere);
+      }
+      return phantom.Enclosing.has_value();
+    });
 }
 
 bool vtkPhantomSource::GetVesselEnds(double ends[6])
 {
-  try
-  {
-    const FlipFree::PhantomSettings settings = SettingsOf(this);
-    const FlipFree::ImageGeometry geometry = FlipFree::GridOf(settings);
-    const FlipFree::Phantom phantom = FlipFree::PhantomOf(settings, geometry);
-    if (phantom.Ends)
+  return CopyOf(this, "ends of a vessel",
+    [=](const FlipFree::Phantom& phantom, const FlipFree::ImageGeometry& geometry)
     {
-      for (const Eigen::Vector3d& end : *phantom.Ends)
+      if (phantom.Ends)
       {
-        const Eigen::Vector3d place = FlipFree::GridToPhysical(geometry, end);
-        ends = std::copy_n(place.data(), 3, ends);
+        double* next = ends;
+        for (const Eigen::Vector3d& end : *phantom.Ends)
+        {
+          const Eigen::Vector3d place = FlipFree::GridToPhysical(geometry, end);
+          next = std::copy_n(place.data(), 3, next);
+        }
       }
-      return true;
-    }
-  }
-  catch (const std::exception& error)
-  {
-    vtkErrorMacro("No ends of a vessel: " << error.what());
-  }
-  return false;
+      return phantom.Ends.has_value();
+    });
 }
 
 vtkImageData* vtkPhantomSource::GetLabelMap()

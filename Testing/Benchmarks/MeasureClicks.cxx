@@ -320,11 +320,11 @@ Row MeasureRow(const Case& row, const Options& options)
     }
     catch (const Error& refusal)
     {
-      std::printf("  %s: %s\n", row.Name.c_str(), refusal.what());
       if (clicks.empty())
       {
         throw;
       }
+      std::printf("  %s: %s\n", row.Name.c_str(), refusal.what());
       ++result.Refused;
       break;
     }
