@@ -195,7 +195,8 @@ void RunOn(vtkImageData* image, const SegmentRequest& request, const OrganFilter
   }
   if (filter.StopReason() == vtkFlipFreeSegmentation::NO_BOUNDARY_FOUND)
   {
-    throw Failure(title + ": No segmentation: " + NoBoundaryText);
+    throw Failure(
+      title + ": No segmentation: " + (request.IsVessel() ? NoVesselBoundaryText : NoBoundaryText));
   }
 }
 

@@ -28,6 +28,9 @@ constexpr const char* NoBoundaryText =
   "no boundary of the organ was found; check that the seed sphere lies within the organ, or raise "
   "--search-distance.";
 
+constexpr const char* NoVesselBoundaryText =
+  "no boundary of the vessel was found; place the points inside it.";
+
 /// Of the inside of a closed surface in millimeters.
 double VolumeInMilliliters(vtkPolyData* surface);
 

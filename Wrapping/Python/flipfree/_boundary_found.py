@@ -23,3 +23,9 @@ def require_boundary(organ: Segmentation, name: str = "") -> None:
             "lies within the organ, or raise SearchDistance."
         )
         raise SegmentationError(with_names(text, {"SearchDistance": "search_distance"}))
+
+
+def require_vessel_boundary(vessel: Segmentation) -> None:
+    """Raises an error unless the boundary of a vessel between points was found."""
+    if vessel.stop_reason == NOTHING_FOUND:
+        raise SegmentationError("no boundary of the vessel was found; place the points inside it")

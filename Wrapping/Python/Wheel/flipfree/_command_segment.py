@@ -10,7 +10,7 @@ from typing import Any
 
 from ._atomic import write_text
 from ._backend import SEGMENT_PARAMETERS, set_threads
-from ._boundary_found import require_boundary
+from ._boundary_found import require_vessel_boundary
 from ._command_group import organs_of, segment_group, segment_together
 from ._command_inputs import (
     points_of,
@@ -169,7 +169,7 @@ def _found(
         given: dict[str, Any] = {**repeated.corrections, **repeated.parameters}
         given["label_value"] = values["label_value"]
         vessel = trace_vessel(image, repeated.points, progress=progress or None, **given)
-        require_boundary(vessel)
+        require_vessel_boundary(vessel)
         return vessel
     return segment_organ(
         image,
