@@ -184,6 +184,28 @@ TEST(ForegroundCorrection, AllowsForTheSeedsVariety)
   EXPECT_TRUE(bar.IsAt(found, 20, 0, 0));
 }
 
+// As in a kidney whose seed lies in the medulla, and of which fat and vessels are not a part: they
+// are so varied that the organ looks like them.
+TEST(ForegroundCorrection, KeepsAnOrganOfTwoGrayValuesAroundVariedSurroundings)
+{
+  BallImage image({ 1, 1, 1 });
+  const Eigen::Vector3d point(18, 0, 0);
+  int count = 0;
+  const auto next = [&count] { return static_cast<float>(++count % 7 - 3); };
+  image.Ball(24).ForEach([&](std::size_t voxel) { image.Voxels[voxel] = 75 + next(); });
+  image.Ball(8).ForEach([&](std::size_t voxel) { image.Voxels[voxel] = 100 + next(); });
+  for (const std::size_t voxel : VoxelsInSphere(image.Geometry, { point, 6 }))
+  {
+    image.Voxels[voxel] = 75 + 25 * next();
+  }
+  const BitMask corrected =
+    image.Corrected(image.Ball(24), { { ConstraintKind::Outside, point, 0 } });
+  EXPECT_FALSE(image.IsAt(corrected, 18, 0, 0));
+  EXPECT_TRUE(image.IsAt(corrected, 18, 9, 0));
+  EXPECT_TRUE(image.IsAt(corrected, 18, -9, 0));
+  EXPECT_TRUE(image.IsAt(corrected, 10, 0, 0));
+}
+
 // What one point mends, a further one of its kind does not take back.
 TEST(ForegroundCorrection, AddsUpWhatPointsOfAKindChange)
 {

@@ -2,6 +2,7 @@
 
 #include "Image/BallInside.h"
 #include "Image/BlockNetwork.h"
+#include "Image/VoxelOffsets.h"
 #include "Intensity/GrayValueSimilarity.h"
 #include "Intensity/LeakDepth.h"
 
@@ -17,7 +18,7 @@ namespace
 // Of the reach: what changes sides in any case.
 constexpr double CertainPart = 0.8;
 
-// What a voxel is worth that looks like the point's ball (inside), or more so than like the seed's
+// What a voxel is worth that looks like the point's ball (inside), or more so than like the organ
 // (outside).
 constexpr double InsideGain = 0.3;
 constexpr double OutsideGain = 0.1;
@@ -55,6 +56,37 @@ constexpr double BallPart = 0.7;
 constexpr double LeastBall = 2;
 constexpr double GreatestBall = 8;
 
+// An outside point's ball is at most so many times as varied as the seed: one that reaches across
+// the boundary holds gray values of both sides, and would look like either.
+constexpr double VarietyInSeedSpreads = 1.5;
+
+// What the mask holds within so many seed radii of the seed's center shows more of the organ than
+// the seed does, such as both the cortex and the medulla of a kidney; fewer voxels tell nothing.
+constexpr double OrganInSeedRadii = 2.5;
+constexpr std::size_t LeastOrganVoxels = 30;
+
+// For an outside point: of what the mask holds around the seed, but for what is as near to the
+// point as the right side.
+RobustStatistics StatisticsOfOrgan(const ImagePart& image, const BitMask& mask,
+  const SeedSphere& seed, const Correction& correction)
+{
+  const ImageGeometry& geometry = mask.GetGeometry();
+  std::vector<float> values;
+  for (const std::size_t voxel :
+    VoxelsInSphere(geometry, { seed.Center, OrganInSeedRadii * seed.Radius }))
+  {
+    const std::array<int, 3> index = IndexOf(voxel, geometry);
+    const Eigen::Vector3d center =
+      geometry.ToPhysical(Eigen::Vector3d(index[0], index[1], index[2]));
+    if (mask(index[0], index[1], index[2]) && (center - correction.Point).norm() > correction.Away)
+    {
+      values.push_back(image.Row(index[1], index[2])[index[0]]);
+    }
+  }
+  return values.size() < LeastOrganVoxels ? StatisticsInBall(image, geometry, seed)
+                                          : RobustStatisticsOf(values);
+}
+
 class Cut
 {
 public:
@@ -73,6 +105,7 @@ public:
         { correction.Point,
           std::max(LeastBall, std::min(GreatestBall, BallPart * correction.Reach)) }))
     , OfSeed(StatisticsInBall(image, Grid.Voxels, seed))
+    , OfOrgan(correction.IsInside ? OfSeed : StatisticsOfOrgan(image, mask, seed, correction))
     , OwnBlock(Grid.BlockAt(correction.Point))
   {
   }
@@ -159,6 +192,14 @@ private:
     return organ;
   }
 
+  RobustStatistics PointAsBackground() const
+  {
+    RobustStatistics background = this->OfPoint;
+    background.StandardDeviation = std::min(background.StandardDeviation,
+      VarietyInSeedSpreads * this->Similarity.SpreadOf(this->OfSeed));
+    return background;
+  }
+
   double Smoothness() const
   {
     const auto clamped = [](double length, double least)
@@ -181,13 +222,14 @@ private:
       return InsideGain * this->Similarity.LikenessOf(value, this->PointAsOrgan()) -
         this->Decay() * beyond;
     }
-    const double likeness = this->Similarity.LikenessOf(value, this->OfPoint);
-    const double likeSeed = this->Similarity.LikenessOf(value, this->OfSeed);
+    const double likeness = this->Similarity.LikenessOf(value, this->PointAsBackground());
+    const double likeOrgan = std::max(this->Similarity.LikenessOf(value, this->OfSeed),
+      this->Similarity.LikenessOf(value, this->OfOrgan));
     if (this->Depth.HasNeck)
     {
-      return -NeckBase - NeckGain * likeSeed;
+      return -NeckBase - NeckGain * likeOrgan;
     }
-    const double unlike = OutsideGain * (likeness - likeSeed);
+    const double unlike = OutsideGain * (likeness - likeOrgan);
     if (!this->Depth.IsDeep)
     {
       // Farther away nothing gains by going.
@@ -286,6 +328,7 @@ private:
   const BlockGrid Grid;
   const RobustStatistics OfPoint;
   const RobustStatistics OfSeed;
+  const RobustStatistics OfOrgan;
   const std::size_t OwnBlock; // the point's
 
   std::vector<unsigned char> IsRight;
