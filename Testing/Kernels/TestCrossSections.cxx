@@ -119,10 +119,20 @@ TEST(StyleChoice, TheImageDecides)
   EXPECT_FALSE(MayBeWide(4, 7));
   EXPECT_TRUE(MayBeWide(6, 7));
   // Where the thin vessel is not that thin, a wide one need not be supported better.
-  EXPECT_LT(LeastSupportOfWide(8, 0.9, 7), 0.9);
-  EXPECT_GT(LeastSupportOfWide(5, 0.9, 7), 0.9);
-  EXPECT_DOUBLE_EQ(LeastSupportOfWide(4.9, 0.9, 7), 0.9 + ClearlyMore);
-  EXPECT_NEAR(LeastSupportOfWide(5.95, 0.9, 7), 0.9, 1e-12); // half-way
-  EXPECT_DOUBLE_EQ(LeastSupportOfWide(7, 0.9, 7), 0.9 - ClearlyMore);
-  EXPECT_DOUBLE_EQ(LeastSupportOfWide(20, 0.9, 7), 0.9 - ClearlyMore);
+  EXPECT_TRUE(IsWideRather({ 8, 0.89 }, { 8, 0.9 }, 7));
+  EXPECT_FALSE(IsWideRather({ 8, 0.91 }, { 5, 0.9 }, 7));
+  const auto needs = [](double wide, double thin, double support)
+  {
+    constexpr double little = 1e-9;
+    EXPECT_TRUE(IsWideRather({ wide, support + little }, { thin, 0.9 }, 7)) << wide << ' ' << thin;
+    EXPECT_FALSE(IsWideRather({ wide, support - little }, { thin, 0.9 }, 7)) << wide << ' ' << thin;
+  };
+  needs(4.9, 4.9, 0.9 + ClearlyMore);
+  needs(5.95, 5.95, 0.9); // half-way
+  needs(7, 7, 0.9 - ClearlyMore);
+  needs(20, 20, 0.9 - ClearlyMore);
+  // What is clearly wider contains the thin one.
+  needs(10, 4.9, 0.9 + ClearlyMore);
+  needs(10, 5.95, 0.9 - 0.5 * ClearlyMore);
+  needs(10, 7, 0.9 - 2 * ClearlyMore);
 }

@@ -22,14 +22,15 @@ constexpr double UsualWideRadius = 10;
 // What the wide style takes for the radius, of that found.
 constexpr double InsideScale = 0.6;
 
-// A vessel of another style, where the image supports it by more than `least`; one without branches
-// where the monitor stopped it.
-std::optional<VesselTree> SeekOther(const std::function<VesselTree()>& trace, double least)
+// A vessel of another style, where it is the better one; one without branches where the monitor
+// stopped it.
+std::optional<VesselTree> SeekOther(const std::function<VesselTree()>& trace,
+  const std::function<bool(const VesselTree&)>& isBetter)
 {
   try
   {
     VesselTree other = trace();
-    if (other.Branches.empty() || other.Support > least)
+    if (other.Branches.empty() || isBetter(other))
     {
       return other;
     }
@@ -128,12 +129,14 @@ private:
 
   void SeekWide(const Monitor& monitor)
   {
-    const double thin = this->Found.Radius;
-    const double wide = this->Settings.WideRadius;
-    const double radius = InsideScale * (thin >= wide ? thin : UsualWideRadius);
+    const TracedStyle thin{ this->Found.Radius, this->Found.Support };
+    const double least = this->Settings.WideRadius;
+    const double radius = InsideScale * (thin.Radius >= least ? thin.Radius : UsualWideRadius);
     const std::optional<VesselTree> other =
       SeekOther([&] { return this->SearchAs(this->Settings.Wide, radius).Seek(monitor); },
-        LeastSupportOfWide(thin, this->Found.Support, wide));
+        [&](const VesselTree& wide) {
+          return IsWideRather({ wide.Radius, wide.Support }, thin, least);
+        });
     if (other)
     {
       this->Found = *other;
@@ -146,8 +149,9 @@ private:
   VesselTree SeekFar(const Monitor& monitor) const
   {
     const double radius = InsideScale * (this->IsWide ? this->Settings.Radius : UsualWideRadius);
-    const std::optional<VesselTree> far = SeekOther(
-      [&] { return this->SearchAs(this->Settings.Far, radius).Seek(monitor); }, this->Least);
+    const std::optional<VesselTree> far =
+      SeekOther([&] { return this->SearchAs(this->Settings.Far, radius).Seek(monitor); },
+        [this](const VesselTree& other) { return other.Support > this->Least; });
     if (!far && this->NoPath)
     {
       throw Error(*this->NoPath);
