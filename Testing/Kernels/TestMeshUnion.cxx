@@ -1,6 +1,7 @@
 // Several surfaces as one: their union, its guard, and its refinement beside surfaces at rest.
 #include "ExampleSurfaces.h"
 #include "Geometry/SelfIntersection.h"
+#include "Geometry/WindingNumber.h"
 #include "Guard/EmbeddingGuard.h"
 #include "Guard/SurfaceRefinement.h"
 #include "Mesh/MeshUnion.h"
@@ -92,6 +93,36 @@ TEST(MeshUnion, HasObstaclesOfEachSurface)
     const double lowest = report.Positions.bottomRows(count).col(2).minCoeff();
     EXPECT_EQ(highest < 12, own);
     EXPECT_EQ(lowest > 28, own);
+  }
+}
+
+// Of two surfaces, refinement keeps only the one to which it belongs off a point.
+TEST(SurfaceRefinement, HasObstaclesOfEachSurface)
+{
+  const Ball one(4, { 0, 0, 0 }, 10);
+  const Ball two(4, { 0, 0, 40 }, 10);
+  const Ball both = Both(one, two);
+  const int count = one.Mesh.NumberOfPoints();
+  RefinementSurroundings surroundings;
+  // Just below the vertices of the second one, where a refined sphere is flatter.
+  surroundings.Obstacles =
+    (0.995 * (two.Points.rowwise() - Eigen::RowVector3d(0, 0, 40))).rowwise() +
+    Eigen::RowVector3d(0, 0, 40);
+  const auto refine = [&](const VertexRange& range)
+  {
+    surroundings.Ranges.assign(surroundings.Obstacles.rows(), range);
+    return RefineSurface(both.Mesh, both.Points, surroundings, true, SerialFor, NeverStop);
+  };
+  const RefinedSurface free = RefineSurface(both.Mesh, both.Points, true, SerialFor, NeverStop);
+  const RefinedSurface ofOne = refine({ 0, count });
+  EXPECT_TRUE(ofOne.Embedded);
+  EXPECT_EQ(ofOne.Points, free.Points);
+  const RefinedSurface ofTwo = refine({ count, 2 * count });
+  EXPECT_TRUE(ofTwo.Embedded);
+  EXPECT_EQ(ofTwo.Points.topRows(4 * count), free.Points.topRows(4 * count));
+  for (const Eigen::RowVector3d obstacle : surroundings.Obstacles.rowwise())
+  {
+    EXPECT_EQ(WindingNumber(ofTwo.Points, ofTwo.Mesh.Triangles, obstacle.transpose()), 1);
   }
 }
 

@@ -110,16 +110,16 @@ PointList JointDeformation::PartOf(const PointList& all, std::size_t organ) cons
 }
 
 // Each organ is stopped by its own obstacles only: what lies outside one may lie inside another.
-void JointDeformation::UniteObstacles(EmbeddingGuard& guard) const
+PointList JointDeformation::UniteObstacles(std::vector<VertexRange>& ranges) const
 {
   PointList obstacles(0, 3);
-  std::vector<VertexRange> ranges;
+  ranges.clear();
   for (std::size_t organ = 0; organ < this->Organs.size(); ++organ)
   {
     AppendPoints(this->Organs[organ]->GetObstacles(), obstacles);
     ranges.resize(obstacles.rows(), this->Parts[organ]);
   }
-  guard.SetObstacles(std::move(obstacles), std::move(ranges));
+  return obstacles;
 }
 
 bool JointDeformation::Refit(const Monitor& proceed)
@@ -136,14 +136,16 @@ bool JointDeformation::Refine(const Monitor& proceed)
 {
   this->Unite();
   PointList points(0, 3);
-  PointList obstacles(0, 3);
   for (const DeformingOrgan* organ : this->Organs)
   {
     AppendPoints(organ->GetSurface().Points, points);
-    AppendPoints(organ->GetObstacles(), obstacles);
   }
-  RefinedSurface refined = RefineSurface(this->Mesh, points,
-    { obstacles, this->Fixed.Mesh, this->Fixed.Points }, this->HasGuard(), this->Parallel, proceed);
+  RefinementSurroundings surroundings;
+  surroundings.Obstacles = this->UniteObstacles(surroundings.Ranges);
+  surroundings.FixedMesh = this->Fixed.Mesh;
+  surroundings.FixedPoints = this->Fixed.Points;
+  RefinedSurface refined =
+    RefineSurface(this->Mesh, points, surroundings, this->HasGuard(), this->Parallel, proceed);
   if (!refined.Embedded)
   {
     return false;
@@ -223,7 +225,9 @@ bool JointDeformation::IterateLevel(int level, const Monitor& monitor)
       {
         organ->UpdateObstacles();
       }
-      this->UniteObstacles(*this->Guard);
+      std::vector<VertexRange> ranges;
+      PointList obstacles = this->UniteObstacles(ranges);
+      this->Guard->SetObstacles(std::move(obstacles), std::move(ranges));
     }
     this->IterateOnce(proceed);
     if (remembering.HasStopped())

@@ -35,7 +35,7 @@ public:
 private:
   bool HasGuard() const;
   void Unite();
-  void UniteObstacles(EmbeddingGuard& guard) const;
+  PointList UniteObstacles(std::vector<VertexRange>& ranges) const;
   PointList PartOf(const PointList& all, std::size_t organ) const;
   bool Refit(const Monitor& proceed);
   bool Refine(const Monitor& proceed);

@@ -102,7 +102,7 @@ void HullTest::RunObstacles(const PointList& obstacles, const std::vector<Vertex
         for (Eigen::Index row = 0; row < obstacles.rows(); ++row)
         {
           const Eigen::Vector3d obstacle = obstacles.row(row);
-          if (hull[0] < ranges[row].Begin || hull[0] >= ranges[row].End ||
+          if (!ranges[row].Holds(hull[0]) ||
             !MayComeNear(motion, hull, obstacle, this->Distance.Wanted))
           {
             continue;

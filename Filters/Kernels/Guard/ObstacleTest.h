@@ -22,6 +22,8 @@ struct VertexRange
 {
   int Begin = 0;
   int End = std::numeric_limits<int>::max();
+
+  bool Holds(int vertex) const { return this->Begin <= vertex && vertex < this->End; }
 };
 
 /// TimeOfImpact of a hull and a fixed point.

@@ -58,6 +58,23 @@ std::unique_ptr<EmbeddingGuard> MakeGuard(const ContourMesh& mesh, const Contour
   return std::make_unique<EmbeddingGuard>(all, parallelFor);
 }
 
+// Those of one of several surfaces: of its triangles, it has all corners or none.
+template <typename Predicate>
+TriangleList TrianglesWhere(const TriangleList& triangles, const Predicate& isVertexOf)
+{
+  TriangleList some(triangles.rows(), 3);
+  Eigen::Index count = 0;
+  for (const auto& triangle : triangles.rowwise())
+  {
+    if (isVertexOf(triangle[0]))
+    {
+      some.row(count++) = triangle;
+    }
+  }
+  some.conservativeResize(count, 3);
+  return some;
+}
+
 struct CoarseSurface
 {
   const ContourMesh& Mesh;
@@ -87,11 +104,16 @@ public:
     , NearPairs(gap, fine.Guard.Hulls(), fine.Guard.AdjacentPairs())
     , Quads(ListQuads(fine.Refined.Faces))
     , Obstacles(surroundings.Obstacles)
+    , Ranges(surroundings.Ranges)
   {
-    for (Eigen::Index obstacle = 0; obstacle < this->Obstacles.rows(); ++obstacle)
+    this->Ranges.resize(this->Obstacles.rows());
+    for (std::size_t obstacle = 0; obstacle < this->Ranges.size(); ++obstacle)
     {
-      this->Sides.push_back(WindingNumber(coarse.Points, coarse.Mesh.Triangles,
-        this->Obstacles.row(obstacle).transpose()));
+      const VertexRange& range = this->Ranges[obstacle];
+      const TriangleList bound =
+        TrianglesWhere(coarse.Mesh.Triangles, [&range](int vertex) { return range.Holds(vertex); });
+      this->Sides.push_back(WindingNumber(coarse.Points, bound,
+        this->Obstacles.row(static_cast<Eigen::Index>(obstacle)).transpose()));
     }
   }
 
@@ -143,6 +165,12 @@ private:
   // Whether the vertex is not one of the fixed surface, which follow.
   bool IsRefined(int vertex) const { return vertex < static_cast<int>(this->Parents.size()); }
 
+  // Whether an obstacle of that range has a say over the vertex.
+  bool IsBound(int vertex, const VertexRange& range) const
+  {
+    return this->IsRefined(vertex) && range.Holds(this->Parents[vertex]);
+  }
+
   PointList WithFixed(PointList points) const
   {
     AppendPoints(this->Fixed, points);
@@ -168,17 +196,19 @@ private:
     for (std::size_t obstacle = 0; obstacle < this->Sides.size(); ++obstacle)
     {
       const Eigen::Vector3d point = this->Obstacles.row(static_cast<Eigen::Index>(obstacle));
+      const auto isBound = [&](int vertex)
+      { return this->IsBound(vertex, this->Ranges[obstacle]); };
       for (const Hull& hull : HullsNearerThan(this->Gap, all, this->Hulls, point))
       {
-        if (this->IsRefined(hull[0]))
+        if (isBound(hull[0]))
         {
           bad.push_back(hull);
         }
       }
-      if (WindingNumber(refined, this->Triangles, point) != this->Sides[obstacle])
+      const TriangleList bound = TrianglesWhere(this->Triangles, isBound);
+      if (WindingNumber(refined, bound, point) != this->Sides[obstacle])
       {
-        const auto passed =
-          this->Triangles.row(ClosestPlace(refined, this->Triangles, point).Triangle);
+        const auto passed = bound.row(ClosestPlace(refined, bound, point).Triangle);
         bad.push_back({ { passed[0], passed[1], passed[2], passed[2] } });
       }
     }
@@ -195,7 +225,8 @@ private:
   NearPairSearch NearPairs;
   const std::vector<Hull> Quads;
   const PointList& Obstacles;
-  std::vector<int> Sides; // of the obstacles
+  std::vector<VertexRange> Ranges; // of the obstacles
+  std::vector<int> Sides;          // where these lie of the surfaces that they bind
 };
 
 void AddRings(const ContourMesh& mesh, int rings, std::set<int>& vertices)
@@ -258,7 +289,7 @@ RefinedSurface RefineSurface(const ContourMesh& mesh, const PointList& points,
     if (!guard)
     {
       guard = MakeGuard(mesh, surroundings.FixedMesh, parallelFor);
-      guard->SetObstacles(surroundings.Obstacles);
+      guard->SetObstacles(surroundings.Obstacles, surroundings.Ranges);
     }
     AddRings(mesh, refined.Relaxations, involved);
     RelaxOnce(mesh, surroundings.FixedPoints, *guard, involved, parallelFor, monitor, coarse);

@@ -29,6 +29,9 @@ struct RefinementSurroundings
   PointList Obstacles = PointList(0, 3); ///< fixed points, one row each, which stay on their side
   ContourMesh FixedMesh = {};            ///< of surfaces at rest, which are not refined
   PointList FixedPoints = PointList(0, 3);
+  /// Of the obstacles: the old surface's vertices that each one binds, which are those of one of
+  /// several surfaces; without ranges, all (EmbeddingGuard::SetObstacles()).
+  std::vector<VertexRange> Ranges = {};
 };
 
 /// Refines a surface into one of four times as many vertices (MeshRefinement.h). Where the refined
