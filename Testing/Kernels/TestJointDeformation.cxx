@@ -101,3 +101,19 @@ TEST(JointDeformation, IsHeldByEachOrgansOwnPoints)
   EXPECT_EQ(other->GetSurface().Points, right->GetSurface().Points);
   EXPECT_EQ(bound->GetSurface().Points, left->GetSurface().Points);
 }
+
+// The graver of two reasons: a surface that is nobody's is worse than a coarse one.
+TEST(JointDeformation, StillSaysThatNoBoundaryWasFoundWhereItCannotRefine)
+{
+  DistantBalls balls;
+  OrganSegmentationSettings blind = balls.Settings;
+  blind.Targets.Correspondence.SearchDistance = 1;
+  blind.Targets.Correspondence.RunLength = 0;
+  const auto left = balls.MakeOrgan(balls.Left, blind);
+  const auto right = balls.MakeOrgan(balls.Right, balls.Settings);
+  // It lies within the right one, from the start, which the refinement refuses.
+  const DeformableSurface within = MakeStartSphere(3, balls.Right.Center, 1);
+  ASSERT_TRUE(balls.Run({ left.get(), right.get() }, { within }));
+  EXPECT_EQ(left->GetSurface().Reason, StopReason::NoBoundaryFound);
+  EXPECT_EQ(right->GetSurface().Reason, StopReason::NotRefined);
+}

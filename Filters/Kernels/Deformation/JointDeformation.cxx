@@ -61,7 +61,10 @@ bool JointDeformation::Run(const Monitor& monitor)
         }
         for (DeformingOrgan* organ : this->Organs)
         {
-          organ->SetReason(StopReason::NotRefined);
+          if (organ->GetSurface().Reason != StopReason::NoBoundaryFound) // which is graver
+          {
+            organ->SetReason(StopReason::NotRefined);
+          }
         }
         break;
       }

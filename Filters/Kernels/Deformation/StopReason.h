@@ -13,7 +13,7 @@ enum class StopReason
   DistanceBelowTolerance, ///< the mean distance to the targets is small enough
   AtRest,                 ///< the mean distance no longer falls
   IterationLimit,
-  NoBoundaryFound, ///< by any vertex
+  NoBoundaryFound, ///< by any vertex; takes precedence over NotRefined
   NotRefined,      ///< the coarse surface could not be refined without intersecting itself
   Aborted
 };

@@ -84,7 +84,11 @@ private:
             this->Settings.Step.Guard, this->Parallel, [this](double) { return this->Proceed(); });
         if (!refined.Embedded)
         {
-          return this->Proceed() ? StopReason::NotRefined : StopReason::Aborted;
+          if (!this->Proceed())
+          {
+            return StopReason::Aborted;
+          }
+          return reason == StopReason::NoBoundaryFound ? reason : StopReason::NotRefined;
         }
         this->Surface.Mesh = std::move(refined.Mesh);
         this->Surface.Points = std::move(refined.Points);
