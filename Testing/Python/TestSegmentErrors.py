@@ -1,5 +1,6 @@
 """What goes wrong is an exception with the message from below, or a warning, and nothing is printed."""
 
+import dataclasses
 import math
 import os
 import pickle
@@ -13,6 +14,7 @@ from pathlib import Path
 
 import flipfree
 import numpy
+from flipfree import _boundary_found
 from example import (HAS_VTK, RADIUS, SEED, image, liver, needs_files, needs_vtk, start_python, surface_of,
                      truth)
 
@@ -79,6 +81,13 @@ class Failures(unittest.TestCase):
             self.refuse(flipfree.SegmentationError, words, image(), SEED, 500, resolution=8)
             with self.assertRaisesRegex(flipfree.SegmentationError, words):
                 flipfree.segment_organs(image(), {"liver": (SEED, 500)}, resolution=8)
+
+    def test_a_surface_without_a_boundary_is_known_by_its_state_not_its_words(self):
+        self.assertTrue(liver().boundary_found)
+        for require in (_boundary_found.require_boundary, _boundary_found.require_vessel_boundary):
+            with self.assertRaisesRegex(flipfree.SegmentationError, "no boundary of the (organ|vessel) was found"):
+                require(dataclasses.replace(liver(), stop_reason="in other words", boundary_found=False))
+            require(dataclasses.replace(liver(), stop_reason="no boundary found"))
 
     def test_images(self):
         array = flipfree.array_from_image(image())

@@ -137,6 +137,7 @@ class GroupAlgorithm:
                 label_map=label_map,
                 convergence=group.GetConvergence(organ),
                 stop_reason=group.GetStopReasonAsString(organ),
+                boundary_found=_has_boundary(group.GetStopReason(organ)),
                 self_intersections=group.GetNumberOfSelfIntersections(organ),
                 constraints=constraints,
             )
@@ -237,8 +238,13 @@ def _found(algorithm: Any) -> dict[str, Any]:
         "label_map": _detached(algorithm.GetLabelMap()),
         "convergence": _detached(algorithm.GetConvergence()),
         "stop_reason": algorithm.GetStopReasonAsString(),
+        "boundary_found": _has_boundary(algorithm.GetStopReason()),
         "self_intersections": algorithm.GetNumberOfSelfIntersections(),
     }
+
+
+def _has_boundary(stop_reason: int) -> bool:
+    return stop_reason != vtkFlipFreeSegmentation.NO_BOUNDARY_FOUND
 
 
 def _detached(output: Any) -> Any:

@@ -126,6 +126,7 @@ nb::dict Segment(const Voxels& voxels, const Triple& spacing, const Triple& orig
   {
     return answer;
   }
+  answer["boundary_found"] = organ.Reason != StopReason::NoBoundaryFound;
   answer["self_intersections"] = organ.SelfIntersections;
   answer["iterations"] = ColumnsOf(organ.Iterations);
   answer["warnings"] = result.Warnings;
@@ -178,6 +179,7 @@ nb::dict SegmentOrgans(const Voxels& voxels, const Triple& spacing, const Triple
     }
     nb::dict entry;
     entry["stop_reason"] = std::string(ToString(organ.Reason));
+    entry["boundary_found"] = organ.Reason != StopReason::NoBoundaryFound;
     entry["self_intersections"] = organ.SelfIntersections;
     entry["iterations"] = ColumnsOf(organ.Iterations);
     entry["warnings"] = result.Warnings;

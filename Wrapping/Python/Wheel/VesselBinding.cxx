@@ -80,6 +80,7 @@ nb::dict Trace(const Voxels& voxels, const Triple& spacing, const Triple& origin
   {
     return answer;
   }
+  answer["boundary_found"] = surface.Reason != StopReason::NoBoundaryFound;
   answer["self_intersections"] = surface.SelfIntersections;
   answer["iterations"] = ColumnsOf(surface.Iterations);
   answer["warnings"] = result.Warnings;

@@ -1,4 +1,7 @@
-"""A surface whose vertices found no boundary is not an organ's: one rule and one text for all."""
+"""A surface whose vertices found no boundary is not an organ's: one rule and one text for all.
+
+The toolkit's command fails for the same reason.
+"""
 
 from __future__ import annotations
 
@@ -10,13 +13,10 @@ from ._messages import with_names
 if TYPE_CHECKING:
     from ._segmentation import Segmentation
 
-# The toolkit's command fails for the same reason.
-NOTHING_FOUND = "no boundary found"
-
 
 def require_boundary(organ: Segmentation, name: str = "") -> None:
     """Raises an error unless the organ's boundary was found; `name` is one of several organs."""
-    if organ.stop_reason == NOTHING_FOUND:
+    if not organ.boundary_found:
         where = f"{name}: " if name else ""
         text = (
             f"No segmentation: {where}no boundary of the organ was found; check that the seed sphere "
@@ -27,5 +27,5 @@ def require_boundary(organ: Segmentation, name: str = "") -> None:
 
 def require_vessel_boundary(vessel: Segmentation) -> None:
     """Raises an error unless the boundary of a vessel between points was found."""
-    if vessel.stop_reason == NOTHING_FOUND:
+    if not vessel.boundary_found:
         raise SegmentationError("no boundary of the vessel was found; place the points inside it")

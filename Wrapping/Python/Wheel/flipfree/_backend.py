@@ -317,6 +317,7 @@ def _found(answer: Mapping[str, Any], certified: bool) -> dict[str, Any]:
         "mesh": Surface(**answer["surface"], certified=certified),
         "iterations": answer["iterations"],
         "stop_reason": answer["stop_reason"],
+        "boundary_found": answer["boundary_found"],
         "self_intersections": answer["self_intersections"],
     }
 

@@ -68,6 +68,12 @@ class Segmentation(Faces, Correctable):
     stop_reason: str
     """Such as 'at rest'."""
 
+    boundary_found: bool
+    """Whether any vertex found the boundary; if not, the surface is that of no organ or vessel.
+
+    segment() and segment_organs() raise an error then, so that it is False of a Vessel alone.
+    """
+
     self_intersections: int
     """Pairs of faces that intersect for some way to cut them: 0, unless the guard was switched off."""
 
