@@ -349,6 +349,15 @@ TEST(OrganGroup, NamesTheOrganOfAnError)
   startsWith(messageOf(brief, { {}, { { ConstraintKind::Inside, { 38, 51, 37 }, 0 } } }),
     "left: the inside point (38, 51, 37) mm of right, which must lie outside left, lies in the "
     "start surface");
+  // One of the organ's own is not taken for another's in the same place, or with the same numbers
+  // in messages.
+  for (const double z : { 37.0, 37.00001 })
+  {
+    startsWith(messageOf(brief,
+                 { { { ConstraintKind::Outside, { 38, 51, 37 }, 0 } },
+                   { { ConstraintKind::Inside, { 38, 51, z }, 0 } } }),
+      "left: the outside point (38, 51, 37) mm lies in the start surface");
+  }
 }
 
 TEST(OrganGroup, RefusesByName)

@@ -62,8 +62,7 @@ struct OrganGroup::Member
 
   // Of the current call.
   ConstraintList Constraints;
-  ConstraintList OfOthers;                                    // outside points
-  std::vector<std::pair<std::string, std::string>> Renamings; // of these, in messages
+  ConstraintList OfOthers; // outside points
   OrganSegmenter* Levels = nullptr;
   double SmoothedBefore = 0;
 
@@ -83,8 +82,7 @@ struct OrganGroup::Member
     { observer(index, mesh, points, field, record); };
   }
 
-  // Returns call(). Errors get the organ's name in front, and points of others are called as the
-  // user gave them.
+  // Returns call(). Errors get the organ's name in front.
   template <typename Call>
   auto Naming(const Call& call) const
   {
@@ -94,21 +92,8 @@ struct OrganGroup::Member
     }
     catch (const Error& error)
     {
-      throw Error(error.GetCode(), this->Name + ": " + this->Renamed(error.what()));
+      throw Error(error.GetCode(), this->Name + ": " + error.what());
     }
-  }
-
-  std::string Renamed(std::string message) const
-  {
-    for (const auto& [from, to] : this->Renamings)
-    {
-      const std::size_t found = message.find(from);
-      if (found != std::string::npos)
-      {
-        return message.replace(found, from.size(), to);
-      }
-    }
-    return message;
   }
 };
 
@@ -171,7 +156,6 @@ void OrganGroup::RequirePointsApart(const std::vector<ConstraintList>& constrain
 void OrganGroup::FindPointsOfOthers(Member& member) const
 {
   member.OfOthers.clear();
-  member.Renamings.clear();
   for (const auto& other : this->Members)
   {
     if (other.get() == &member)
@@ -185,13 +169,12 @@ void OrganGroup::FindPointsOfOthers(Member& member) const
       if ((point.Kind == ConstraintKind::Inside || point.Kind == ConstraintKind::Seed) &&
         IsWithin(member.Segmenter.GetBox(), NearestVoxel(this->Geometry, point.Point)))
       {
-        const PointConstraint outside{ ConstraintKind::Outside, point.Point, 0 };
-        member.OfOthers.push_back(outside);
+        // The user knows it as what it is to the other organ.
         const std::string given = point.Kind == ConstraintKind::Seed
           ? "the seed at " + TextOf(point.Point) + " mm"
           : NameOf(point);
-        member.Renamings.emplace_back(NameOf(outside),
-          given + " of " + other->Name + ", which must lie outside " + member.Name + ",");
+        member.OfOthers.push_back({ ConstraintKind::Outside, point.Point, 0,
+          given + " of " + other->Name + ", which must lie outside " + member.Name + "," });
       }
     }
   }
@@ -275,7 +258,6 @@ bool OrganGroup::FindForegrounds(const Monitor& monitor, const GroupObserver& ob
       {
         member.Levels = &member.Segmenter.Prepare(member.Constraints);
         member.Organ().SetName(member.Name);
-        member.Renamings.clear();
         member.SmoothedBefore = member.Organ().GetForeground().GetSmoothingSeconds();
         return member.Levels->FindForeground({}, part, member.ObserverOf(observer));
       });

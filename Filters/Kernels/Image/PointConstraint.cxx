@@ -61,7 +61,7 @@ void RequireApart(const PointConstraint& outside, const SeedSphere& seed, const 
 
 ConstraintList SortedConstraints(ConstraintList constraints)
 {
-  std::sort(constraints.begin(), constraints.end(),
+  std::stable_sort(constraints.begin(), constraints.end(),
     [](const auto& a, const auto& b) { return KeyOf(a) < KeyOf(b); });
   constraints.erase(std::unique(constraints.begin(), constraints.end(),
                       [](const auto& a, const auto& b) { return KeyOf(a) == KeyOf(b); }),
@@ -86,6 +86,10 @@ void TakeLargestSeed(SeedSphere& seed, ConstraintList& constraints)
 
 std::string NameOf(const PointConstraint& constraint)
 {
+  if (!constraint.Name.empty())
+  {
+    return constraint.Name;
+  }
   static constexpr const char* names[4] = { "the outside point ", "the inside point ",
     "the boundary point ", "the further seed at " };
   return names[static_cast<int>(constraint.Kind)] + TextOf(constraint.Point) + " mm";

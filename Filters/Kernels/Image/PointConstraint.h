@@ -7,6 +7,9 @@
 
 #include "Image/SeedRegion.h"
 
+#include <string>
+#include <vector>
+
 namespace FlipFree
 {
 
@@ -35,6 +38,9 @@ struct PointConstraint
   ConstraintKind Kind = ConstraintKind::Inside;
   Eigen::Vector3d Point = Eigen::Vector3d::Zero(); ///< millimeters
   double Radius = 0;                               ///< millimeters; of a seed
+  /// In messages, where kind and place are not how the user knows it. Two that differ in it alone
+  /// are the same.
+  std::string Name = {};
 
   friend bool operator==(const PointConstraint& a, const PointConstraint& b)
   {
@@ -44,14 +50,14 @@ struct PointConstraint
 
 using ConstraintList = std::vector<PointConstraint>;
 
-/// In one order for the same set, each once.
+/// In one order for the same set, each once; of the same ones, the first of the list.
 ConstraintList SortedConstraints(ConstraintList constraints);
 
 /// Makes the largest sphere the seed, of equal ones that of the least coordinates, and the other
 /// ones constraints.
 void TakeLargestSeed(SeedSphere& seed, ConstraintList& constraints);
 
-/// "the inside point (1, 2, 3) mm", for messages.
+/// "the inside point (1, 2, 3) mm", or its name, for messages.
 std::string NameOf(const PointConstraint& constraint);
 
 /// Throws Error, naming the constraint, where one lies outside the image, named by `name`, has a
