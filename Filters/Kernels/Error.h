@@ -3,8 +3,9 @@
  * guarded surface that intersects itself, is a std::logic_error.
  *
  * Kernels know no front end. Their messages name quantities as the properties of the VTK filters
- * do; the command and Python replace these names, word by word, by their options and keywords. They
- * name no filter: which one helps is for the front end to say, by the code.
+ * do; the command and Python replace these names, word by word, by their options and keywords, but
+ * not within single quotes, in which names stand that users give (MessageText.h). They name no
+ * filter: which one helps is for the front end to say, by the code.
  */
 #ifndef FlipFreeError_h
 #define FlipFreeError_h

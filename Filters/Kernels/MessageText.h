@@ -1,5 +1,5 @@
 /**
- * Numbers as messages show them.
+ * Numbers and names as messages show them.
  */
 #ifndef FlipFreeMessageText_h
 #define FlipFreeMessageText_h
@@ -20,6 +20,12 @@ inline std::string TextOf(const Eigen::MatrixXd& numbers)
   std::ostringstream text;
   text << numbers.format(oneLine);
   return text.str();
+}
+
+/// What a user has named. Front ends replace no names of properties within the quotes.
+inline std::string Quoted(const std::string& name)
+{
+  return "'" + name + "'";
 }
 
 } // namespace FlipFree

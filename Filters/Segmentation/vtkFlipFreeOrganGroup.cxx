@@ -189,7 +189,8 @@ void vtkFlipFreeOrganGroup::AddPoint(const char* organ, int kind, const double (
     [&name](const FlipFree::NamedOrgan& candidate) { return candidate.Name == name; });
   if (found == this->Kept->Organs.end())
   {
-    vtkErrorMacro("No point: there is no organ named '" << name << "'; add it by AddOrgan first.");
+    vtkErrorMacro("No point: there is no organ named " << FlipFree::Quoted(name)
+                                                       << "; add it by AddOrgan first.");
     return;
   }
   found->Constraints.push_back({ static_cast<FlipFree::ConstraintKind>(kind),
@@ -423,7 +424,7 @@ void vtkFlipFreeOrganGroup::FillOutputs(int organ, const std::string& name, vtkI
   }
   for (const std::string& warning : result.Warnings)
   {
-    vtkWarningMacro(<< name << ": " << warning);
+    vtkWarningMacro(<< FlipFree::Quoted(name) << ": " << warning);
   }
   for (int stage = 0; stage < 4; ++stage)
   {

@@ -81,7 +81,7 @@ class TestOrgans(command.CommandTest):
         self.assertEqual(spleen_of(*liver, *point, *spleen), free)
         process = self.segment(*spleen, *liver, "--inside", x, y, z, "-o", self.result("a.stl"))
         self.assertNotEqual(process.returncode, 0)
-        self.assertRegex(process.stderr, "of liver lies in the seed of spleen")
+        self.assertRegex(process.stderr, "of 'liver' lies in the seed of 'spleen'")
 
     def test_surfaces_that_stay(self):
         self.assert_succeeds(self.segment(*self.organ("liver"), "-q", "-o", self.result("a.vtp")), may_be_doubtful=True)
@@ -89,7 +89,7 @@ class TestOrgans(command.CommandTest):
                                           "-o", self.result("b.vtp")), may_be_doubtful=True)
         process = self.segment(*self.organ("liver"), "--fixed", self.result("a-liver.vtp"), "-o", self.result("c.vtp"))
         self.assertNotEqual(process.returncode, 0)
-        self.assertRegex(process.stderr, "the start sphere of liver meets the fixed surface 1")
+        self.assertRegex(process.stderr, "the start sphere of 'liver' meets the fixed surface 1")
 
     def test_volume_and_preset(self):
         # As that of one organ: the surface's. A preset is taken; the guard is needed.
@@ -128,7 +128,11 @@ class TestOrgans(command.CommandTest):
                 (2, (*liver,), "No output is requested"),
                 (1, (*liver, "--fixed", "no.vtp", *out), "no.vtp"),
                 (1, (*liver, *spleen, "--no-guard", *out), "switch --guard and --carving on"),
-                (1, (*liver, "--organ", "copy", *self.organs["liver"], *out), "the seeds of (copy and liver|liver and copy) overlap"),
+                (1, (*liver, "--organ", "copy", *self.organs["liver"], *out), "the seeds of ('copy' and 'liver'|'liver' and 'copy') overlap"),
+                # A name is no option, whatever it is.
+                (1, (*liver, "--organ", "Levels", *self.organs["liver"], *out),
+                 "the seeds of ('Levels' and 'liver'|'liver' and 'Levels') overlap"),
+                (1, ("--organ", "the Guard's", 9e3, 2, 3, 4, *out), "'the Guard's': the seed"),
         ):
             with self.subTest(pattern, arguments=arguments):
                 self.assert_refused(self.segment(*arguments), status, pattern)

@@ -91,7 +91,7 @@ class CommandTest(unittest.TestCase):
     def assert_succeeds(self, process, may_be_doubtful=False):
         """Without a word of complaint, but for that of a low confidence if it may be."""
         self.assertEqual(process.returncode, 0, process.stderr)
-        doubt = r"(flipfree: warning: (\w+: )?The result is doubtful: its confidence is 0\.\d\d, [^\n]+\n)*"
+        doubt = r"(flipfree: warning: ('\w+': )?The result is doubtful: its confidence is 0\.\d\d, [^\n]+\n)*"
         self.assertRegex(process.stderr, rf"\A{doubt if may_be_doubtful else ''}\Z")
 
     def assert_refused(self, process, status, *patterns):

@@ -257,16 +257,16 @@ TEST(OrganGroupFilter, RefusesByName)
   ExpectRefusal(MakeGroup(), { "there is no organ" });
   auto group = MakePair();
   group->AddOrgan("right", 80, 37, 60, 3);
-  ExpectRefusal(group, { "two organs are named right" });
+  ExpectRefusal(group, { "two organs are named 'right'" });
   group = MakePair();
   group->AddInsidePoint("left", 80, 37, 38);
-  ExpectRefusal(group, { "of left lies in the seed of right" });
+  ExpectRefusal(group, { "of 'left' lies in the seed of 'right'" });
   group = MakePair();
   group->GetParameters()->SetGuard(false);
   ExpectRefusal(group, { "switch Guard and Carving on" });
   group = MakePair();
   group->SetLabelValue(255);
-  ExpectRefusal(group, { "labels go up to 255, which leaves none for right" });
+  ExpectRefusal(group, { "labels go up to 255, which leaves none for 'right'" });
   group = MakePair();
   FilterErrors errors(group);
   group->AddSeed("middle", 1, 2, 3, 4);
@@ -292,7 +292,7 @@ TEST(OrganGroupFilter, RefusesByName)
   }
   group = MakeGroup();
   group->SetConstraintData(Seeds(names));
-  ExpectRefusal(group, { "third has no seed" });
+  ExpectRefusal(group, { "'third' has no seed" });
 }
 
 // Arrays of another form than one value per point.

@@ -311,7 +311,7 @@ TEST(OrganGroup, NamesTheOrganOfAnError)
   { EXPECT_EQ(message.substr(0, part.size()), part); };
   TouchingBalls broken;
   broken.SetAt({ 38, 37, 45 }, std::numeric_limits<float>::quiet_NaN());
-  startsWith(broken.MessageOf(broken.Organs()), "left: a voxel of it");
+  startsWith(broken.MessageOf(broken.Organs()), "'left': a voxel of it");
   const TouchingBalls balls;
   const auto messageOf =
     [&](const VolumeSegmentationSettings& settings, const std::vector<ConstraintList>& points)
@@ -342,12 +342,13 @@ TEST(OrganGroup, NamesTheOrganOfAnError)
   brief.Method.Schedule.Resolution = 8;
   brief.Method.Schedule.MaximumIterations = 3;
   startsWith(messageOf(brief, { cage, {} }),
-    "left: the inside point (8, 37, 37) mm cannot be obeyed");
+    "'left': the inside point (8, 37, 37) mm cannot be obeyed");
   // The start is in the middle of what is known of the other.
   brief.StartCenterOffset = { 0, 14, 0 };
   brief.StartScale = 0.5;
   startsWith(messageOf(brief, { {}, { { ConstraintKind::Inside, { 38, 51, 37 }, 0 } } }),
-    "left: the inside point (38, 51, 37) mm of right, which must lie outside left, lies in the "
+    "'left': the inside point (38, 51, 37) mm of 'right', which must lie outside 'left', lies in "
+    "the "
     "start surface");
   // One of the organ's own is not taken for another's in the same place, or with the same numbers
   // in messages.
@@ -356,7 +357,7 @@ TEST(OrganGroup, NamesTheOrganOfAnError)
     startsWith(messageOf(brief,
                  { { { ConstraintKind::Outside, { 38, 51, 37 }, 0 } },
                    { { ConstraintKind::Inside, { 38, 51, z }, 0 } } }),
-      "left: the outside point (38, 51, 37) mm lies in the start surface");
+      "'left': the outside point (38, 51, 37) mm lies in the start surface");
   }
 }
 
@@ -368,40 +369,42 @@ TEST(OrganGroup, RefusesByName)
   const SeedSphere wide{ balls.Right.Center, 35 };
   has(balls.MessageOf({}, {}), "there is no organ; give each a name and a seed");
   has(balls.MessageOf({ { "left", balls.Left }, { "left", balls.Right } }),
-    "two organs are named left; give each a name of its own");
+    "two organs are named 'left'; give each a name of its own");
   has(balls.MessageOf({ { "", balls.Left }, { "right", balls.Right } }), "an organ has no name");
   has(balls.MessageOf({ { "left", balls.Left }, { "right", wide } }),
-    "the seeds of left and right overlap: the sphere of 11 mm at (38, 37, 37) mm and the sphere "
+    "the seeds of 'left' and 'right' overlap: the sphere of 11 mm at (38, 37, 37) mm and the "
+    "sphere "
     "of 35 mm at (80, 37, 37) mm; move them apart, or lower a radius");
   has(balls.MessageOf({ { "left", balls.Left }, { "right", { { 500, 0, 0 }, 10 } } }),
-    "right: the seed");
+    "'right': the seed");
   has(balls.MessageOf(balls.Organs(), { {} }), "there are 1 lists of constraints for 2 organs");
   has(balls.MessageOf(balls.Organs(), { { { ConstraintKind::Inside, { 80, 40, 37 }, 0 } }, {} }),
-    "the inside point (80, 40, 37) mm of left lies in the seed of right");
+    "the inside point (80, 40, 37) mm of 'left' lies in the seed of 'right'");
   has(balls.MessageOf(balls.Organs(),
         { { { ConstraintKind::Inside, { 60, 37, 37 }, 0 } },
           { { ConstraintKind::Boundary, { 60, 37, 37 }, 0 } } }),
-    "the inside point (60, 37, 37) mm of left and the boundary point (60, 37, 37) mm of right are "
+    "the inside point (60, 37, 37) mm of 'left' and the boundary point (60, 37, 37) mm of 'right' "
+    "are "
     "in the same place");
   has(balls.MessageOf(balls.Organs(), { { { ConstraintKind::Seed, { 66, 37, 37 }, 6 } }, {} }),
-    "the seeds of left and right overlap");
+    "the seeds of 'left' and 'right' overlap");
   has(balls.MessageOf(balls.Organs(), { { { ConstraintKind::Inside, { 500, 37, 37 }, 0 } }, {} }),
-    "left: the inside point (500, 37, 37) mm lies outside it");
+    "'left': the inside point (500, 37, 37) mm lies outside it");
   const FixedSurface ball{ "the tumor", MakeStartSphere(5, { 80, 37, 37 }, 12) };
   const FixedSurface small{ "the cyst", MakeStartSphere(5, { 80, 37, 37 }, 3) };
   has(balls.MessageOf(balls.Organs(), { {}, {} }, { ball }),
-    "the start sphere of right meets the tumor, which stays as it is");
+    "the start sphere of 'right' meets the tumor, which stays as it is");
   has(balls.MessageOf(balls.Organs(), { {}, {} }, { small }),
-    "the start sphere of right meets the cyst");
+    "the start sphere of 'right' meets the cyst");
   has(balls.MessageOf({ { "left", balls.Left } }, { {} }, { ball, small }),
     "the tumor and the cyst meet");
   has(balls.MessageOf({ { "left", balls.Left } },
         { { { ConstraintKind::Inside, { 80, 40, 37 }, 0 } } }, { ball }),
-    "the inside point (80, 40, 37) mm of left lies in the tumor");
+    "the inside point (80, 40, 37) mm of 'left' lies in the tumor");
   // The center of a further seed lies outside, its sphere not.
   has(balls.MessageOf({ { "left", balls.Left } },
         { { { ConstraintKind::Seed, { 62, 37, 37 }, 9 } } }, { ball }),
-    "a seed of left, the sphere of 9 mm at (62, 37, 37) mm, meets the tumor, which stays");
+    "a seed of 'left', the sphere of 9 mm at (62, 37, 37) mm, meets the tumor, which stays");
   VolumeSegmentationSettings settings = TouchingBalls::Coarse();
   settings.Method.Step.Guard = false;
   EXPECT_THROW(OrganGroup(balls.Gray(), "it", balls.Organs(), {}, settings, {}), Error);

@@ -380,10 +380,10 @@ TEST(GroupRequest, IsChecked)
   ExpectGroupRefused(ball, request, "the property Fairing is infinite");
   request = ball.Pair();
   request.Settings.LabelValue = 255;
-  ExpectGroupRefused(ball, request, "labels go up to 255, which leaves none for right");
+  ExpectGroupRefused(ball, request, "labels go up to 255, which leaves none for 'right'");
   request.Settings.LabelValue = 254;
   request.Organs.back().Constraints.front().Kind = ConstraintKind::Inside;
-  ExpectGroupRefused(ball, request, "right has no seed");
+  ExpectGroupRefused(ball, request, "'right' has no seed");
   request = ball.Pair();
   request.Fixed = { GivenSphere({ 35, 35, 60 }, 4) };
   request.Fixed.front().Points.row(0) += Eigen::RowVector3d(0, 0, 40);

@@ -50,7 +50,8 @@ class Organs(unittest.TestCase):
                 ({"liver": ((1, 2), 5)}, ValueError, "seed"),
                 ({}, flipfree.SegmentationError, "there is no organ"),
                 ({"liver": (SEED, RADIUS), "gut": (SEED, 5)}, flipfree.SegmentationError, "overlap"),
-                ({"liver": ((-500, 0, 0), 5)}, flipfree.SegmentationError, "liver: the seed")):
+                ({"liver": ((-500, 0, 0), 5)}, flipfree.SegmentationError, "'liver': the seed"),
+                ({"Levels": ((-500, 0, 0), 5)}, flipfree.SegmentationError, "'Levels': the seed")):
             with self.subTest(words), self.assertRaisesRegex(kind, words):
                 flipfree.segment_organs(image(), organs)
         with self.assertRaisesRegex(TypeError, "no parameter 'keep_history'"):

@@ -58,26 +58,34 @@ std::string InOneLine(const std::string& text)
   return line;
 }
 
-/// Word by word, so that the names of properties do not depend on the phrases they stand in.
+/// Word by word, so that the names of properties do not depend on the phrases they stand in. What
+/// is quoted is the user's and stays: an organ may have the name of a property. Quotes begin where
+/// no word ends and end where none begins, so they are no apostrophes.
 std::string WithOptionNames(const std::string& text)
 {
   if (Names.empty())
   {
     return text;
   }
-  static const std::regex port(" on port [0-9]| \\(port [0-9]\\)");
-  static const std::regex word("[A-Za-z0-9]+");
-  const std::string source = std::regex_replace(text, port, "");
+  static const std::regex part(
+    "'[\\s\\S]*?'(?![A-Za-z0-9])|( on port [0-9]| \\(port [0-9]\\))|([A-Za-z0-9]+)'*");
   std::string result;
-  std::string::const_iterator rest = source.begin();
-  for (std::sregex_iterator match(source.begin(), source.end(), word), end; match != end; ++match)
+  std::string::const_iterator rest = text.begin();
+  for (std::sregex_iterator match(text.begin(), text.end(), part), end; match != end; ++match)
   {
-    const auto name = Names.find(match->str());
     result.append(rest, (*match)[0].first);
-    result += name == Names.end() ? match->str() : name->second;
     rest = (*match)[0].second;
+    const auto name = Names.find((*match)[2].str());
+    if (name != Names.end())
+    {
+      result.append(name->second).append((*match)[2].second, rest);
+    }
+    else if (!(*match)[1].matched) // a port
+    {
+      result.append(match->str());
+    }
   }
-  return result.append(rest, source.end());
+  return result.append(rest, text.end());
 }
 
 void Print(const char* kind, const std::string& message)

@@ -171,8 +171,8 @@ public:
       if (this->Group->GetStopReason(static_cast<int>(organ)) ==
         vtkFlipFreeSegmentation::NO_BOUNDARY_FOUND)
       {
-        throw Failure("'" + this->Given.Input + "': No segmentation: " + this->Organs[organ].Name +
-          ": " + NoBoundaryText);
+        throw Failure("'" + this->Given.Input + "': No segmentation: '" + this->Organs[organ].Name +
+          "': " + NoBoundaryText);
       }
     }
   }

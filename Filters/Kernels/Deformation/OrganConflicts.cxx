@@ -57,8 +57,8 @@ void RequireSpheresApart(const KnownOrgan& one, const KnownOrgan& two)
       if ((sphere.Point - other.Point).norm() < sphere.Radius + other.Radius)
       {
         throw Error(ErrorCode::OutOfRange,
-          "the seeds of " + one.Name + " and " + two.Name + " overlap: " + TextOf(sphere) +
-            " and " + TextOf(other) + "; move them apart, or lower a radius");
+          "the seeds of " + Quoted(one.Name) + " and " + Quoted(two.Name) + " overlap: " +
+            TextOf(sphere) + " and " + TextOf(other) + "; move them apart, or lower a radius");
       }
     }
   }
@@ -74,7 +74,7 @@ void RequireNoPointInSpheres(const KnownOrgan& one, const KnownOrgan& two)
         (sphere.Point - point.Point).norm() < sphere.Radius)
       {
         throw Error(ErrorCode::OutOfRange,
-          NameOf(point) + " of " + two.Name + " lies in the seed of " + one.Name +
+          NameOf(point) + " of " + Quoted(two.Name) + " lies in the seed of " + Quoted(one.Name) +
             "; move one of them, or lower the radius");
       }
     }
@@ -92,8 +92,8 @@ void RequirePlacesApart(const KnownOrgan& one, const KnownOrgan& two, double sam
         (point.Point - other.Point).norm() <= same)
       {
         throw Error(ErrorCode::OutOfRange,
-          NameOf(point) + " of " + one.Name + " and " + NameOf(other) + " of " + two.Name +
-            " are in the same place; remove one of them");
+          NameOf(point) + " of " + Quoted(one.Name) + " and " + NameOf(other) + " of " +
+            Quoted(two.Name) + " are in the same place; remove one of them");
       }
     }
   }
@@ -112,7 +112,7 @@ void RequireSphereOutside(const FixedSurface& fixed, const PointConstraint& sphe
   if ((nearest.Point - sphere.Point).norm() < sphere.Radius || Contains(fixed, sphere.Point))
   {
     throw Error(ErrorCode::OutOfRange,
-      "a seed of " + organ + ", " + TextOf(sphere) + ", meets " + fixed.Name +
+      "a seed of " + Quoted(organ) + ", " + TextOf(sphere) + ", meets " + fixed.Name +
         ", which stays as it is; move the seed, or lower its radius");
   }
 }
@@ -124,7 +124,7 @@ void RequireOutside(const FixedSurface& fixed, const KnownOrgan& organ)
     if (point.Kind != ConstraintKind::Outside && Contains(fixed, point.Point))
     {
       throw Error(ErrorCode::UnreachablePoint,
-        NameOf(point) + " of " + organ.Name + " lies in " + fixed.Name +
+        NameOf(point) + " of " + Quoted(organ.Name) + " lies in " + fixed.Name +
           ", which stays as it is; move the point");
     }
     if (point.Kind == ConstraintKind::Seed)
@@ -156,8 +156,9 @@ void RequireDistinctNames(const std::vector<std::string>& names)
   if (sorted.front().empty() || twice != sorted.end())
   {
     throw Error(ErrorCode::OutOfRange,
-      sorted.front().empty() ? "an organ has no name; give each one of its own"
-                             : "two organs are named " + *twice + "; give each a name of its own");
+      sorted.front().empty()
+        ? "an organ has no name; give each one of its own"
+        : "two organs are named " + Quoted(*twice) + "; give each a name of its own");
   }
 }
 
@@ -193,7 +194,7 @@ void RequireStartsApart(const std::vector<OrganStart>& starts,
         one->Sphere.Radius + two->Sphere.Radius)
       {
         throw Error(ErrorCode::OutOfRange,
-          "the start spheres of " + one->Name + " and " + two->Name +
+          "the start spheres of " + Quoted(one->Name) + " and " + Quoted(two->Name) +
             " overlap; lower StartScale, or move the seeds apart");
       }
     }
@@ -202,7 +203,7 @@ void RequireStartsApart(const std::vector<OrganStart>& starts,
       if (MeetOrNest({ &one->Surface, &surface.Surface }, parallelFor))
       {
         throw Error(ErrorCode::OutOfRange,
-          "the start sphere of " + one->Name + " meets " + surface.Name +
+          "the start sphere of " + Quoted(one->Name) + " meets " + surface.Name +
             ", which stays as it is; move the seed, or lower its radius");
       }
       RequireSphereOutside(surface, SphereOf(one->Seed), one->Name);

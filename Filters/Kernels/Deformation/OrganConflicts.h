@@ -19,7 +19,7 @@ namespace FlipFree
 /// A surface that stays as it is, and that the organs must not meet: an earlier result.
 struct FixedSurface
 {
-  std::string Name;
+  std::string Name; ///< in messages as it is, unlike names of organs, which are quoted
   DeformableSurface Surface;
 };
 

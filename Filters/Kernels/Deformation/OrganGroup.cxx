@@ -92,7 +92,7 @@ struct OrganGroup::Member
     }
     catch (const Error& error)
     {
-      throw Error(error.GetCode(), this->Name + ": " + error.what());
+      throw Error(error.GetCode(), Quoted(this->Name) + ": " + error.what());
     }
   }
 };
@@ -116,7 +116,7 @@ OrganGroup::OrganGroup(const GrayVolume& volume, const std::string& name,
   for (std::size_t index = 0; index < organs.size(); ++index)
   {
     const SeededOrgan& organ = organs[index];
-    this->Members.push_back(NamingSurface(organ.Name,
+    this->Members.push_back(NamingSurface(Quoted(organ.Name),
       [&] { return std::make_unique<Member>(index, organ, volume, name, settings, threading); }));
   }
   std::sort(this->Members.begin(), this->Members.end(),
@@ -174,7 +174,8 @@ void OrganGroup::FindPointsOfOthers(Member& member) const
           ? "the seed at " + TextOf(point.Point) + " mm"
           : NameOf(point);
         member.OfOthers.push_back({ ConstraintKind::Outside, point.Point, 0,
-          given + " of " + other->Name + ", which must lie outside " + member.Name + "," });
+          given + " of " + Quoted(other->Name) + ", which must lie outside " + Quoted(member.Name) +
+            "," });
       }
     }
   }
@@ -257,7 +258,7 @@ bool OrganGroup::FindForegrounds(const Monitor& monitor, const GroupObserver& ob
       [&]
       {
         member.Levels = &member.Segmenter.Prepare(member.Constraints);
-        member.Organ().SetName(member.Name);
+        member.Organ().SetName(Quoted(member.Name));
         member.SmoothedBefore = member.Organ().GetForeground().GetSmoothingSeconds();
         return member.Levels->FindForeground({}, part, member.ObserverOf(observer));
       });

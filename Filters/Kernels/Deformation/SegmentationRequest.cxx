@@ -6,6 +6,7 @@
 #include "Deformation/StartMask.h"
 #include "Error.h"
 #include "Image/GridCheck.h"
+#include "MessageText.h"
 
 #include <algorithm>
 #include <utility>
@@ -37,7 +38,7 @@ void RequireLabelsFor(const std::vector<NamedOrgan>& organs, int first)
   {
     throw Error(ErrorCode::OutOfRange,
       "labels go up to " + std::to_string(GreatestLabel) + ", which leaves none for " +
-        organs.back().Name + "; lower LabelValue, or remove organs");
+        Quoted(organs.back().Name) + "; lower LabelValue, or remove organs");
   }
 }
 
@@ -49,7 +50,7 @@ SeedSphere TakeSeed(const std::string& organ, ConstraintList& constraints)
   if (first == constraints.end())
   {
     throw Error(ErrorCode::SeedWithoutVoxels,
-      organ + " has no seed; give a sphere that lies within it");
+      Quoted(organ) + " has no seed; give a sphere that lies within it");
   }
   SeedSphere seed{ first->Point, first->Radius };
   constraints.erase(first);

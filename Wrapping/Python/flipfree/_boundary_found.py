@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 def require_boundary(organ: Segmentation, name: str = "") -> None:
     """Raises an error unless the organ's boundary was found; `name` is one of several organs."""
     if not organ.boundary_found:
-        where = f"{name}: " if name else ""
+        where = f"'{name}': " if name else ""
         text = (
             f"No segmentation: {where}no boundary of the organ was found; check that the seed sphere "
             "lies within the organ, or raise SearchDistance."

@@ -15,6 +15,9 @@ from ._errors import FlipFreeWarning
 # How the caller spells keywords, if not as in Python: the command has options.
 spelling: ContextVar[Mapping[str, str]] = ContextVar("spelling", default={})
 
+# Apostrophes are within a word or at its end.
+_QUOTED = r"(?<!\w)'.*?'(?!\w)"
+
 
 def warn(text: str) -> None:
     """Issues a warning that points to the caller of the package."""
@@ -24,15 +27,24 @@ def warn(text: str) -> None:
 def with_names(text: str, names: Mapping[str, str] | None) -> str:
     """Calls properties by the caller's arguments, and leaves out ports.
 
+    What is quoted is the caller's, and stays as it is.
+
     >>> with_names("the image on port 0 ends here; raise Reach", {"Reach": "reach"})
     'the image ends here; raise reach'
+    >>> with_names("the organ's Reach, as that of 'Reach', is too low", {"Reach": "reach"})
+    "the organ's reach, as that of 'Reach', is too low"
     """
     if not names:
         return text
     options = spelling.get()
     spelled = {name: options.get(keyword, keyword) for name, keyword in names.items()}
-    text = re.sub(r" on port \d\b| \(port \d\)", "", text)
-    return re.sub(rf"\b({'|'.join(spelled)})\b", lambda name: spelled[name.group()], text)
+    pattern = rf"({_QUOTED})|( on port \d\b| \(port \d\))|\b({'|'.join(spelled)})\b"
+    return re.sub(
+        pattern,
+        lambda part: part[1] or ("" if part[2] else spelled[part[3]]),
+        text,
+        flags=re.DOTALL,
+    )
 
 
 def confidence_text(confidence: float) -> str:

@@ -187,7 +187,7 @@ class GroupAlgorithm:
         organs = []
         for (name, _, _, constraints), organ in zip(self._organs, answer["organs"]):
             for text in organ["warnings"]:
-                warn(f"{name}: {with_names(text, NAMES)}")
+                warn(f"'{name}': {with_names(text, NAMES)}")
             organs.append(
                 Segmentation(
                     **_found(organ, certified=True), label_map=label_map, constraints=constraints
