@@ -285,6 +285,19 @@ TEST(Corrections, AreRefusedByName)
   has(ball.MessageOf({ nan }), "lies outside it");
 }
 
+// The first call with points also runs without them, which must not lose the seconds so far: of
+// finding and carving the foreground, which the second call does not repeat.
+TEST(Corrections, TakeTimeInEachStage)
+{
+  const BallSegmenter ball;
+  const ConstraintList points{ ball.At(ConstraintKind::Inside, 36, 0, 0) };
+  const OrganSurface first = ball.Run(points);
+  const OrganSurface second = ball.Run(points);
+  EXPECT_GT(first.SmoothingSeconds, 0);
+  EXPECT_GE(second.FeatureSeconds, 0);
+  EXPECT_GT(first.FeatureSeconds, second.FeatureSeconds);
+}
+
 TEST(Corrections, BeginAtTheLargestSeed)
 {
   SeedSphere seed{ { 1, 2, 3 }, 5 };

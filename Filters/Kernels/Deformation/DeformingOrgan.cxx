@@ -15,6 +15,23 @@ namespace
 // to the targets grows: new, over ChangeSpan iterations, by this fraction of its vertices.
 constexpr double Growth = 0.01;
 
+/// Adds to a sum how long a block takes, wherever the block is left.
+class SecondsOfBlock
+{
+public:
+  explicit SecondsOfBlock(double& sum)
+    : Sum(sum)
+  {
+  }
+  SecondsOfBlock(const SecondsOfBlock&) = delete;
+  SecondsOfBlock& operator=(const SecondsOfBlock&) = delete;
+  ~SecondsOfBlock() { this->Sum += this->Watch.Lap(); }
+
+private:
+  double& Sum;
+  Stopwatch Watch;
+};
+
 } // namespace
 
 DeformingOrgan::DeformingOrgan(SmoothRegion& region, double noise, const SeedSphere& seed,
@@ -30,9 +47,16 @@ DeformingOrgan::DeformingOrgan(SmoothRegion& region, double noise, const SeedSph
 {
 }
 
+void DeformingOrgan::ResetForNextRun()
+{
+  const double seconds = this->Surface.FeatureSeconds;
+  this->Reset();
+  this->Surface.FeatureSeconds = seconds;
+}
+
 bool DeformingOrgan::FindForegroundOfSeed(const Monitor& monitor)
 {
-  Stopwatch watch;
+  const SecondsOfBlock timing(this->Surface.FeatureSeconds);
   this->Settled = false;
   if (!this->Foreground.SmoothAroundSeed(monitor))
   {
@@ -45,14 +69,19 @@ bool DeformingOrgan::FindForegroundOfSeed(const Monitor& monitor)
     return false;
   }
   RequireContrast(this->Foreground.GetMask());
-  this->Surface.FeatureSeconds += watch.Lap();
   return true;
 }
 
 bool DeformingOrgan::RefitForeground(const Monitor& monitor)
 {
+  return this->FindForegroundOfSurface(monitor) &&
+    this->CorrectForeground(this->Constraints, monitor);
+}
+
+bool DeformingOrgan::FindForegroundOfSurface(const Monitor& monitor)
+{
   const IntensitySettings& settings = this->Settings.Feature.Intensity;
-  Stopwatch watch;
+  const SecondsOfBlock timing(this->Surface.FeatureSeconds);
   this->Foreground.Clear(); // what follows needs the memory
   if (!this->Foreground.SmoothAround(this->Surface.Points, settings.ShellEnd, monitor))
   {
@@ -60,27 +89,21 @@ bool DeformingOrgan::RefitForeground(const Monitor& monitor)
   }
   RefitToSurface(this->Foreground.GetImage(), this->Surface.Points, this->Surface.Mesh.Triangles,
     this->Noise, settings, this->Parallel, monitor, this->Model);
-  const bool found = this->Foreground.Update(this->Model, monitor);
-  this->Surface.FeatureSeconds += watch.Lap();
-  return found && this->CorrectForeground(this->Constraints, monitor);
+  return this->Foreground.Update(this->Model, monitor);
 }
 
 bool DeformingOrgan::CarveSurface(const Monitor& monitor)
 {
-  Stopwatch watch;
+  const SecondsOfBlock timing(this->Surface.FeatureSeconds);
   this->Settled = this->Foreground.Carve(this->Surface.Points, this->Surface.Mesh.Triangles,
     this->Noise, monitor);
-  this->Surface.FeatureSeconds += watch.Lap();
   return this->Settled;
 }
 
 bool DeformingOrgan::CorrectForeground(const ConstraintList& constraints, const Monitor& monitor)
 {
-  Stopwatch watch;
-  const bool done =
-    constraints.empty() || this->Foreground.Correct(constraints, this->Noise, monitor);
-  this->Surface.FeatureSeconds += watch.Lap();
-  return done;
+  const SecondsOfBlock timing(this->Surface.FeatureSeconds);
+  return constraints.empty() || this->Foreground.Correct(constraints, this->Noise, monitor);
 }
 
 void DeformingOrgan::SettleForeground(BitMask mask)

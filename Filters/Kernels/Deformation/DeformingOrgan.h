@@ -42,8 +42,10 @@ public:
   /// What errors of a run name the organ by, in front; none by default.
   void SetName(const std::string& name) { this->Name = name; }
 
-  /// Forgets the surface, not the evidence.
+  /// Forgets the surface, not the evidence; another call's seconds begin at 0.
   void Reset() { this->Surface = {}; }
+  /// The same for a further run of the same call, which adds to its seconds.
+  void ResetForNextRun();
 
   // The evidence. Functions that may take long return false if the monitor stopped them.
 
@@ -96,6 +98,7 @@ public:
   const OrganSurface& GetSurface() const { return this->Surface; }
 
 private:
+  bool FindForegroundOfSurface(const Monitor& monitor);
   bool SnapsToEdges() const;
   bool IsGrowing() const;
   StopReason ReasonToEndLevel() const;

@@ -99,7 +99,7 @@ bool OrganSegmenter::RunWithoutConstraints(const Monitor& monitor)
     return false;
   }
   this->KeepUnconstrained();
-  kept.Organ.Reset();
+  kept.Organ.ResetForNextRun();
   return true;
 }
 
