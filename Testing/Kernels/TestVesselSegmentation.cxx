@@ -2,6 +2,7 @@
 #include "ExampleSurfaces.h"
 #include "ExampleVessels.h"
 #include "Geometry/WindingNumber.h"
+#include "MessageText.h"
 #include "Vessel/Polyline.h"
 #include "Vessel/VesselSegmentation.h"
 
@@ -449,12 +450,14 @@ TEST(VesselSegmentation, CorrectionsThatCannotBeObeyedAreNamed)
           LumenSettings(), OneThread, NeverStop);
       });
   };
-  const auto expect = [&](ConstraintKind kind, const Eigen::Vector3d& point, const char* text)
+  const auto expect =
+    [&](ConstraintKind kind, const Eigen::Vector3d& point, const std::string& text)
   {
     const std::string message = messageFor(kind, point);
     EXPECT_NE(message.find(text), std::string::npos) << message;
   };
-  expect(ConstraintKind::Outside, points.row(0), "the outside point");
+  const Eigen::Vector3d near = points.row(0).transpose() + Eigen::Vector3d(0, 0.4, 0);
+  expect(ConstraintKind::Outside, near, "lies at the vessel's point " + TextOf(points.row(0)));
   expect(ConstraintKind::Inside, { 40, 20, 300 }, "the inside point (40, 20, 300) mm lies outside");
   expect(ConstraintKind::Seed, { 40, 55, 35 }, "is of no use to a vessel");
   for (const auto kind : { ConstraintKind::Inside, ConstraintKind::Boundary })

@@ -124,7 +124,7 @@ class TestTrace(unittest.TestCase):
 
     def test_bad_corrections(self):
         for parameters, words in (({"boundary": [(500, 0, 0)]}, r"the boundary point \(500, 0, 0\) mm lies outside"),
-                                  ({"outside": [self.points[0]]}, "the outside point .* lies in"),
+                                  ({"outside": [self.points[0]]}, "the outside point .* lies at the vessel's point"),
                                   ({"seeds": [((40, 40, 40), 5)]}, "no further seeds")):
             with self.subTest(words=words), self.assertRaisesRegex(flipfree.SegmentationError, words):
                 self.vessel.corrected(**parameters)

@@ -95,8 +95,8 @@ std::string NameOf(const PointConstraint& constraint)
   return names[static_cast<int>(constraint.Kind)] + TextOf(constraint.Point) + " mm";
 }
 
-void RequireConstraints(const ImageGeometry& geometry, const SeedSphere& seed,
-  const ConstraintList& constraints, const std::string& name)
+void RequireConstraints(const ImageGeometry& geometry, const ConstraintList& constraints,
+  const std::string& name)
 {
   const double same = SamePlace * geometry.Spacing.minCoeff();
   for (auto one = constraints.begin(); one != constraints.end(); ++one)
@@ -112,8 +112,6 @@ void RequireConstraints(const ImageGeometry& geometry, const SeedSphere& seed,
     }
     if (one->Kind == ConstraintKind::Outside)
     {
-      RequireApart(*one, { seed.Center, CertainPartOfSeed * seed.Radius },
-        "the inner half of the seed sphere");
       for (const PointConstraint& other : constraints)
       {
         if (other.Kind == ConstraintKind::Seed)
@@ -121,6 +119,20 @@ void RequireConstraints(const ImageGeometry& geometry, const SeedSphere& seed,
           RequireApart(*one, { other.Point, other.Radius }, "the sphere of " + NameOf(other));
         }
       }
+    }
+  }
+}
+
+void RequireConstraints(const ImageGeometry& geometry, const SeedSphere& seed,
+  const ConstraintList& constraints, const std::string& name)
+{
+  RequireConstraints(geometry, constraints, name);
+  for (const PointConstraint& constraint : constraints)
+  {
+    if (constraint.Kind == ConstraintKind::Outside)
+    {
+      RequireApart(constraint, { seed.Center, CertainPartOfSeed * seed.Radius },
+        "the inner half of the seed sphere");
     }
   }
 }

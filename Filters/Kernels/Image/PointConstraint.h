@@ -61,8 +61,12 @@ void TakeLargestSeed(SeedSphere& seed, ConstraintList& constraints);
 std::string NameOf(const PointConstraint& constraint);
 
 /// Throws Error, naming the constraint, where one lies outside the image, named by `name`, has a
-/// coordinate or a radius that is not finite, or contradicts another: an outside point in a seed,
-/// or two kinds at one place.
+/// coordinate or a radius that is not finite, or contradicts another: an outside point in a further
+/// seed, or two kinds at one place.
+void RequireConstraints(const ImageGeometry& geometry, const ConstraintList& constraints,
+  const std::string& name);
+
+/// Likewise, and where an outside point lies deep in the seed.
 void RequireConstraints(const ImageGeometry& geometry, const SeedSphere& seed,
   const ConstraintList& constraints, const std::string& name);
 

@@ -3,6 +3,7 @@
 #include "Error.h"
 #include "Geometry/SelfIntersection.h"
 #include "Image/GridCheck.h"
+#include "MessageText.h"
 #include "Stopwatch.h"
 #include "Vessel/OutlineCorrection.h"
 #include "Vessel/OutlineFit.h"
@@ -48,10 +49,20 @@ void RequireCorrections(const ImageGeometry& geometry, const PointList& points,
           " can only be obeyed under the guard; switch Guard on, or remove the constraints");
     }
   }
-  for (Eigen::Index point = 0; point < points.rows(); ++point)
+  RequireConstraints(geometry, constraints, name);
+  for (const PointConstraint& constraint : constraints)
   {
-    constexpr double apart = 0.5; // mm; the path begins there
-    RequireConstraints(geometry, { points.row(point).transpose(), 2 * apart }, constraints, name);
+    for (Eigen::Index point = 0; point < points.rows(); ++point)
+    {
+      constexpr double apart = 0.5; // mm; the path begins there
+      if (constraint.Kind == ConstraintKind::Outside &&
+        (constraint.Point - points.row(point).transpose()).norm() < apart)
+      {
+        throw Error(ErrorCode::OutOfRange,
+          NameOf(constraint) + " lies at the vessel's point " + TextOf(points.row(point)) +
+            " mm; move one of them");
+      }
+    }
   }
 }
 
