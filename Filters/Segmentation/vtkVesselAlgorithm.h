@@ -61,7 +61,8 @@ public:
   /**
    * What is added to the outline, in millimeters, since the gray values show the vessel's lumen.
    * Default 0.3; -5 to 5. Human readers draw an aorta with its wall, 0.7 mm or so, and veins almost
-   * without.
+   * without. A negative thickness makes the vessel thinner; it is an error where less than 0.5 mm
+   * of a branch's mean radius would remain.
    */
   void SetWallThickness(double value);
   double GetWallThickness() const;

@@ -466,6 +466,29 @@ TEST(VesselSegmentation, CorrectionsThatCannotBeObeyedAreNamed)
   }
 }
 
+TEST(VesselPath, AThinnerWallLeavesATubeOrIsNamed)
+{
+  const ExampleTube tube = Bent(5);
+  const FloatImage volume = VolumeOfTubes({ tube }, BentGrid(), 10);
+  const auto trace = [&](double thickness)
+  {
+    VesselPathSettings settings;
+    settings.WallThickness = thickness;
+    return TraceVessel(GrayVolumeOf(volume), "the volume", ClicksIn(tube), PointList(0, 3),
+      settings, OneThread, NeverStop);
+  };
+  const Eigen::MatrixXd lumen = trace(0).Branches.front().Sections.Radii;
+  const Eigen::MatrixXd thinner = trace(-1).Branches.front().Sections.Radii;
+  EXPECT_NEAR((lumen - thinner).minCoeff(), 1, 1e-9);
+  const double most = lumen.mean() - 0.6;
+  EXPECT_GE(trace(-most).Branches.front().Sections.Radii.minCoeff(), 0.5);
+  const std::string message = MessageOf([&] { trace(-5); });
+  EXPECT_NE(
+    message.find("a WallThickness of -5 mm leaves less than 0.5 mm of a branch with a mean radius"),
+    std::string::npos)
+    << message;
+}
+
 TEST(VesselSegmentation, WarnsWhereTheImageDoesNotShowTheBoundary)
 {
   // Two stubs; what joins them is as dark as its surroundings.

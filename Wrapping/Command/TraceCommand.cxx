@@ -6,6 +6,7 @@
 #include "PointOptions.h"
 #include "ProgressBar.h"
 #include "Run.h"
+#include "SegmentationReport.h"
 #include "SessionRecord.h"
 #include "Snapshot.h"
 #include "Subcommands.h"
@@ -13,6 +14,7 @@
 #include "TableFile.h"
 #include "VolumeFile.h"
 
+#include "vtkFlipFreeSegmentation.h"
 #include "vtkFlipFreeVesselSegmentation.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
@@ -208,6 +210,10 @@ void TraceVessel(const Trace& trace)
   {
     throw Failure("'" + trace.Input + "': " + failure.what());
   }
+  if (filter->GetStopReason() == vtkFlipFreeSegmentation::NO_BOUNDARY_FOUND)
+  {
+    throw Failure("'" + trace.Input + "': No segmentation: " + NoVesselBoundaryText);
+  }
   for (const Output& output : OutputsOf(trace, filter, image))
   {
     files.Write(*output.Name, output.Write);
@@ -278,12 +284,14 @@ void AddParameters(CLI::App* command, Trace& trace)
   trace.Iterations = defaults->GetMaximumIterations();
   command
     ->add_option("--radius", trace.Radius,
-      "The vessel's approximate radius; 0: found in the volume")
+      "The vessel's approximate radius, up to 100; 0: found in the volume")
     ->type_name("MM")
     ->capture_default_str();
   command
     ->add_option("--wall-thickness", trace.WallThickness,
-      "Added to the outline, which gray values show without the vessel's wall")
+      "Added to the outline, which gray values show without the vessel's wall, -5 to 5; less than "
+      "0 makes "
+      "the vessel thinner, of which 0.5 mm must remain")
     ->type_name("MM")
     ->capture_default_str();
   command->add_option("--levels", trace.Levels, "Levels from coarse to fine")

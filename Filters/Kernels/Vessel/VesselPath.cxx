@@ -8,7 +8,9 @@
 #include "Vessel/VesselPoints.h"
 
 #include <functional>
+#include <iomanip>
 #include <optional>
+#include <sstream>
 #include <utility>
 
 namespace FlipFree
@@ -175,6 +177,23 @@ private:
   bool IsThin = false;
 };
 
+// A negative thickness leaves a tube everywhere, or is an error.
+void AddWall(double thickness, VesselSections& sections)
+{
+  constexpr double least = 0.5; // mm
+  const double radius = sections.Radii.mean();
+  if (thickness < 0 && radius + thickness < least)
+  {
+    std::ostringstream text;
+    text << "a WallThickness of " << thickness << " mm leaves less than " << least
+         << " mm of a branch with a mean radius of " << std::fixed << std::setprecision(1) << radius
+         << " mm; raise WallThickness";
+    throw Error(ErrorCode::OutOfRange, text.str());
+  }
+  sections.Radii =
+    (sections.Radii.array() + thickness).max(sections.Radii.array().min(least)).matrix();
+}
+
 } // namespace
 
 VesselTree TraceVessel(const GrayVolume& volume, const std::string& name, const PointList& points,
@@ -186,7 +205,7 @@ VesselTree TraceVessel(const GrayVolume& volume, const std::string& name, const 
     VesselOfAnyStyle(volume, points, outside, settings, threading.For).Find(monitor);
   for (VesselBranch& branch : tree.Branches)
   {
-    branch.Sections.Radii.array() += settings.WallThickness;
+    AddWall(settings.WallThickness, branch.Sections);
   }
   return tree;
 }

@@ -7,6 +7,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 from ._backend import TRACE_PARAMETERS, VesselAlgorithm
+from ._boundary_found import require_vessel_boundary
 from ._corrections import Constraint, Points, constraints_of, places_of
 from ._parameters import described, set_parameters, signature_with
 from ._progress import progress_of
@@ -81,6 +82,7 @@ def trace(
     def run(corrections: tuple[Constraint, ...], progress: ProgressOption) -> Vessel:
         with progress_of(progress, "tracing") as tell:
             result = algorithm.run(volume, places, corrections, tell)
+        require_vessel_boundary(result)
         return replace(result, constraints=corrections, _again=run)
 
     return run(constraints, progress)

@@ -12,7 +12,6 @@ from typing import Any
 
 from ._atomic import replacing
 from ._backend import set_threads
-from ._boundary_found import require_vessel_boundary
 from ._cohort_files import (
     Stamp,
     folder_of,
@@ -107,8 +106,6 @@ def _segmented(row: Row, output: str, volume: _Volume) -> dict[str, Any]:
 
 def _results(row: Row, output: str, image: Image) -> dict[str, Any]:
     organ = _found(row, image)
-    if row.is_vessel:
-        require_vessel_boundary(organ)
     values: dict[str, Any] = {
         # Which is about organs; rounded down as in the warning.
         "confidence": None if row.is_vessel else math.floor(1e4 * organ.confidence) / 1e4,

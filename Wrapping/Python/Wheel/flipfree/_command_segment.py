@@ -10,7 +10,6 @@ from typing import Any
 
 from ._atomic import write_text
 from ._backend import SEGMENT_PARAMETERS, set_threads
-from ._boundary_found import require_vessel_boundary
 from ._command_group import organs_of, segment_group, segment_together
 from ._command_inputs import (
     points_of,
@@ -168,9 +167,7 @@ def _found(
     if repeated and repeated.points:
         given: dict[str, Any] = {**repeated.corrections, **repeated.parameters}
         given["label_value"] = values["label_value"]
-        vessel = trace_vessel(image, repeated.points, progress=progress or None, **given)
-        require_vessel_boundary(vessel)
-        return vessel
+        return trace_vessel(image, repeated.points, progress=progress or None, **given)
     return segment_organ(
         image,
         **_start_of(values, points),
