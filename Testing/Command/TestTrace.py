@@ -140,6 +140,20 @@ class TestTrace(command.CommandTest):
             with self.subTest(option=option, value=value):
                 self.assert_refused(self.trace(*self.points, "-o", self.result("out.vtp"), option, value), 2, option)
 
+    def test_a_vessel_of_which_nothing_is_left(self):
+        process = self.trace(*self.points, "-o", self.result("out.vtp"), "--wall-thickness", -5)
+        self.assert_refused(process, 1, r"a --wall-thickness of -5 mm leaves less than 0.5 mm of a branch with a mean radius of \d\.\d mm; raise")
+
+    def test_a_file_is_the_result_of_one_option(self):
+        one = self.result("out.vtp")
+        other = os.path.join(self.results, ".", "out.vtp")
+        for arguments, words in ((("-o", one, "--centerline", one), "--output and --centerline name the same file"),
+                                 (("-o", one, "--centerline", other), "--output and --centerline name the same file"),
+                                 (("--convergence", "a.csv", "--save-points", "a.csv"), "--convergence and --save-points"),
+                                 (("--points", "a.csv", "--convergence", "a.csv"), "'a.csv' is an input")):
+            with self.subTest(arguments=arguments):
+                self.assert_refused(self.trace(*self.points, *arguments), 2, words)
+
     def test_results_are_checked_before_any_work(self):
         self.assert_refused(self.trace(*self.points), 2, "--output", "--centerline")
         for option, name in (("-o", "out.vtk"), ("--labels", "out.png"), ("--centerline", "out.stl")):

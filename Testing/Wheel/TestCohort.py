@@ -186,6 +186,15 @@ class Local(CohortTest):
         self.check_files(found, good)
         self.check_report(found)
 
+    def test_the_table_is_not_overwritten(self):
+        self.out.mkdir(parents=True, exist_ok=True)
+        table = self.out / "cohort.csv"
+        table.write_text("volume\n", encoding="utf-8")
+        process = subprocess.run([COMMAND, "cohort", table, "-o", self.out], capture_output=True, text=True, timeout=60, check=False)
+        self.assertEqual(process.returncode, 2)
+        self.assertRegex(process.stderr, r"\Aflipfree: error: '.*cohort\.csv' is an input, which would be overwritten.*\n\Z")
+        self.assertEqual(table.read_text(encoding="utf-8"), "volume\n")
+
     def check_files(self, found, good):
         """A row's surface and label map are those of segment()."""
         ball = flipfree.read_image(good[0]["volume"])

@@ -259,7 +259,11 @@ class Work(unittest.TestCase):
                  (["--seed", 1, 2, "nan", *radius], 2, "--seed: a coordinate is not a finite number"),
                  ([*self.seed, "--inside", 1, 2, "nan"], 2, "--inside: a coordinate is not a finite number"),
                  ([], 2, "There is no seed"), (center, 2, "--radius is missing"),
-                 ([*self.seed, *radius], 2, "There are 1 seeds and 2 radii")]
+                 ([*self.seed, *radius], 2, r"There are more radii \(2\) than seeds \(1\)"),
+                 (["--seed-voxel", 9, 9, 32, *radius], 1, r"\(9, 9, 32\) lies outside .* The indices of a voxel count from 0"),
+                 ([*self.seed, "--convergence", "a.csv", "--save-points", "./a.csv"], 2,
+                  "--convergence and --save-points name the same file, './a.csv'"),
+                 ([*self.seed, "--points", "a.csv", "--convergence", "a.csv"], 2, "'a.csv' is an input")]
         for wrong in (0, -5, 1e-9, 2e6, "nan", "inf"):
             cases += [([*center, "--radius", wrong], 2, f"--radius {rule}"),
                       (["--organ", "liver", *center[1:], wrong], 2, f"--organ liver: the radius {rule}")]
@@ -398,6 +402,9 @@ class Vessels(unittest.TestCase):
                 ([*self.POINTS, *out], 2, "INPUT|input", False),
                 ([self.volume, *self.POINTS, "-o", self.volume.with_suffix("").with_suffix(".vtp"), "--labels", self.volume], 2,
                  "is an input, which would be overwritten", True),
+                ([self.volume, *self.POINTS, *out, "--centerline", out[1]], 2, "--output and --centerline name the same file", True),
+                ([self.volume, *self.POINTS, *out, "--wall-thickness", -5], 1, "a --wall-thickness of -5 mm leaves less than 0.5 mm", True),
+                ([self.volume, *self.POINTS, *out, "--outside", *first[1:]], 1, "lies at the vessel's point", True),
                 ([self.volume, *first, "--point", 500, 0, 0, *out], 1, r"\(500, 0, 0\) mm lies outside", True),
                 ([self.volume, *first, *first, *out], 1, "closer than 3 mm", True),
                 (["nowhere.nii", *self.POINTS, *out], 1, "'nowhere.nii'", False),

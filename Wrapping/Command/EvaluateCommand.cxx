@@ -91,7 +91,7 @@ void Evaluate(const Evaluation& evaluation)
   if (!evaluation.Csv.empty())
   {
     RequireEnding("--csv", evaluation.Csv, { ".csv" });
-    outputs.Announce(evaluation.Csv, { evaluation.Segmentation, evaluation.Reference });
+    outputs.Announce("--csv", evaluation.Csv, { evaluation.Segmentation, evaluation.Reference });
   }
 
   const auto labelOr = [&evaluation](int own) { return own >= 0 ? own : evaluation.Label; };

@@ -88,7 +88,8 @@ void RequireEnding(const std::string& option, const std::string& name,
   }
 }
 
-void OutputFiles::Announce(const std::string& name, const std::vector<std::string>& inputs)
+void OutputFiles::Announce(const std::string& option, const std::string& name,
+  const std::vector<std::string>& inputs)
 {
   for (const std::string& input : inputs)
   {
@@ -98,6 +99,15 @@ void OutputFiles::Announce(const std::string& name, const std::vector<std::strin
         "'" + name + "' is an input, which would be overwritten. Give the result another name.");
     }
   }
+  for (const auto& [other, file] : this->Announced)
+  {
+    if (other != option && SameFile(name, file)) // the same option has a file of all organs
+    {
+      throw WrongUsage(other + " and " + option + " name the same file, '" + name +
+        "'. Give each one of its own.");
+    }
+  }
+  this->Announced.emplace_back(option, name);
   const Uninterrupted whole;
   WithFile([&name]() { FlipFree::AtomicFile probe(name); });
 }

@@ -11,6 +11,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace Command
@@ -26,9 +27,10 @@ void RequireEnding(const std::string& option, const std::string& name,
 class OutputFiles
 {
 public:
-  /// Announces a file before the work is done: its folder must take files, and it must not be one
-  /// of the `inputs`.
-  void Announce(const std::string& name, const std::vector<std::string>& inputs = {});
+  /// Announces an option's file before the work is done: its folder must take files, and it must
+  /// be neither one of the `inputs` nor another option's file. Throws Failure or WrongUsage.
+  void Announce(const std::string& option, const std::string& name,
+    const std::vector<std::string>& inputs = {});
 
   /// Lets `write` make the file under the temporary name that it is called with. Throws Failure.
   void Write(const std::string& name, const std::function<void(const std::string&)>& write);
@@ -38,6 +40,7 @@ public:
   void Commit();
 
 private:
+  std::vector<std::pair<std::string, std::string>> Announced; // option and name
   std::vector<std::unique_ptr<FlipFree::AtomicFile>> Files;
 };
 

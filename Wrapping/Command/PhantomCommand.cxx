@@ -141,8 +141,8 @@ void Make(const Phantom& phantom)
   const std::string gray = stem + ".nii.gz";
   const std::string truth = stem + "-truth.nii.gz";
   OutputFiles outputs;
-  outputs.Announce(gray);
-  outputs.Announce(truth);
+  outputs.Announce("--output", gray);
+  outputs.Announce("--output", truth);
 
   vtkNew<vtkPhantomSource> source;
   source->SetShape(shape->second);

@@ -47,6 +47,9 @@ public:
   /// Whether points are read from a file, or written.
   bool HasFiles() const { return !this->PointsIn.empty() || !this->PointsOut.empty(); }
 
+  /// Where points are read from; empty if nowhere.
+  const std::string& Input() const { return this->PointsIn; }
+
   /// Where all points are to be written; empty if nowhere.
   const std::string& Output() const { return this->PointsOut; }
 

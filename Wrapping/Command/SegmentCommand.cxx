@@ -41,14 +41,22 @@ using Point = std::array<double, 3>;
 
 void AnnounceOutputs(const SegmentRequest& request, OutputFiles& outputs)
 {
-  for (const std::string* name : { &request.Surface, &request.Labels, &request.Convergence,
-         &request.Snapshot, &request.SessionOut, &request.Corrections.Output() })
+  std::vector<std::string> inputs{ request.Input, request.StartLabels, request.Session };
+  const auto announce = [&](const char* option, const std::string& name)
   {
-    if (!name->empty())
+    if (!name.empty())
     {
-      outputs.Announce(*name, { request.Input, request.StartLabels });
+      outputs.Announce(option, name, inputs);
     }
-  }
+  };
+  inputs.push_back(request.Corrections.Input());
+  announce("--output", request.Surface);
+  announce("--labels", request.Labels);
+  announce("--convergence", request.Convergence);
+  announce("--snapshot", request.Snapshot);
+  announce("--save-session", request.SessionOut);
+  inputs.pop_back(); // all points may take the place of those that were given
+  announce("--save-points", request.Corrections.Output());
   if (!request.Snapshot.empty())
   {
     RequireDisplay();
@@ -233,8 +241,8 @@ void SegmentOrgans(const std::vector<SegmentRequest>& organs, const Session* ses
   OutputFiles outputs;
   for (const SegmentRequest& organ : organs)
   {
-    filters.push_back(FilterOf(organ));
     AnnounceOutputs(organ, outputs);
+    filters.push_back(FilterOf(organ));
   }
   const SegmentRequest& first = organs.front();
   vtkSMPTools::Initialize(first.Threads);

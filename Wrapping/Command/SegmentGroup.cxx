@@ -113,19 +113,22 @@ public:
   /// Before the work is done.
   void AnnounceFiles()
   {
-    std::vector<std::string> inputs{ this->Given.Input };
+    std::vector<std::string> inputs{ this->Given.Input, this->Given.Session };
     inputs.insert(inputs.end(), this->Fixed.begin(), this->Fixed.end());
-    std::vector<std::string> names{ this->Given.Labels, this->Given.SessionOut };
-    for (const OrganFiles& files : this->Files)
-    {
-      names.insert(names.end(), { files.Surface, files.Convergence, files.Snapshot });
-    }
-    for (const std::string& name : names)
+    const auto announce = [&](const char* option, const std::string& name)
     {
       if (!name.empty())
       {
-        this->Outputs.Announce(name, inputs);
+        this->Outputs.Announce(option, name, inputs);
       }
+    };
+    announce("--labels", this->Given.Labels);
+    announce("--save-session", this->Given.SessionOut);
+    for (const OrganFiles& files : this->Files)
+    {
+      announce("--output", files.Surface);
+      announce("--convergence", files.Convergence);
+      announce("--snapshot", files.Snapshot);
     }
     if (!this->Given.Snapshot.empty())
     {

@@ -182,17 +182,17 @@ void TraceVessel(const Trace& trace)
     ProgressBar::Disable();
   }
   RequireSense(trace);
-  vtkNew<vtkFlipFreeVesselSegmentation> filter;
-  Configure(trace, filter);
   OutputFiles files;
   for (const Output& output : OutputsOf(trace, nullptr, nullptr))
   {
-    files.Announce(*output.Name, { trace.Input });
+    files.Announce(output.Option, *output.Name, { trace.Input, trace.Corrections.Input() });
   }
   if (!trace.Corrections.Output().empty())
   {
-    files.Announce(trace.Corrections.Output(), { trace.Input });
+    files.Announce("--save-points", trace.Corrections.Output(), { trace.Input });
   }
+  vtkNew<vtkFlipFreeVesselSegmentation> filter;
+  Configure(trace, filter);
   if (!trace.Snapshot.empty())
   {
     RequireDisplay();

@@ -86,8 +86,9 @@ def _outputs_of(values: dict[str, Any], organs: Organs) -> dict[tuple[str, str],
         for name, path in given.items()
         if name not in SHARED
     }
+    session = [values["session"]] if "session" in values else []
     for path in (*outputs.values(), *shared.values()):
-        require_place(path, [values["input"], *values.get("fixed", ())])
+        require_place(path, [values["input"], *values.get("fixed", ()), *session])
     require_files(values, shared)
     return outputs
 

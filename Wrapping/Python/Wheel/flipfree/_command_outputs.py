@@ -39,20 +39,27 @@ SHARED = ("labels", "save_session")
 def require_outputs(
     outputs: dict[str, str], endings: dict[str, tuple[str, ...]] = OUTPUTS
 ) -> None:
-    """There are some, of endings that can be written."""
+    """There are some, of endings that can be written, each with a name of its own."""
     options = {name: f"--{name.replace('_', '-')}" for name in endings}
     if not set(outputs) - {"save_points"}:
         results = [option for name, option in options.items() if name != "save_points"]
         raise WrongUsage(f"No output is requested. Give at least one of {listed(results)}")
+    places: dict[str, str] = {}
     for name, path in outputs.items():
         require_ending(options[name], path, endings[name])
+        other = places.setdefault(os.path.realpath(path), options[name])
+        if other != options[name]:
+            raise WrongUsage(
+                f"{other} and {options[name]} name the same file, '{path}'. Give each one of its own"
+            )
 
 
 def require_files(values: dict[str, Any], outputs: dict[str, str]) -> None:
     """The input is there, and the outputs can be written."""
-    inputs = [values[name] for name in ("input", "start_labels") if name in values]
-    for path in outputs.values():
-        require_place(path, inputs)
+    for name, path in outputs.items():
+        # Points may take the place of those that were given.
+        others = ("input", "start_labels", "session", *(() if name == "save_points" else ("points",)))
+        require_place(path, [values[other] for other in others if other in values])
     if not os.path.isdir(values["input"]) and "series" in values:
         raise WrongUsage(
             f"--series selects a series of a DICOM folder, but '{values['input']}' is a file. Omit the "
