@@ -27,6 +27,18 @@ class TestStartLabels(command.CommandTest):
         with open(self.result("a.stl"), "rb") as one, open(self.result("b.stl"), "rb") as other:
             self.assertEqual(one.read(), other.read())
 
+    def test_of_several_the_first_is_taken_with_a_warning(self):
+        volume, _ = command.make_small_abdomen(self.inputs)
+        truth = volume.replace(".nii.gz", "-truth.nii.gz")
+        given = ("--start-labels", truth, "--resolution", 8)
+        process = command.run("segment", volume, *given, "-o", self.result("a.stl"))
+        self.assertEqual(process.returncode, 0, process.stderr)
+        self.assertRegex(process.stderr, r"warning: '.*truth\.nii\.gz' has the labels 1, 2, .*, 11; the surface fills label 1; "
+                                         r"to fill another one, set --start-label\.\n\Z")
+        self.assert_succeeds(command.run("segment", volume, *given, "--start-label", 1, "-o", self.result("b.stl")))
+        with open(self.result("a.stl"), "rb") as one, open(self.result("b.stl"), "rb") as other:
+            self.assertEqual(one.read(), other.read())
+
     def test_is_corrected_by_points(self):
         self.assert_succeeds(self.fill("-q", "--labels", self.result("a.nii")))
         self.assert_succeeds(self.fill("-q", "--outside", 32, 50, 32, "--labels", self.result("b.nii")))

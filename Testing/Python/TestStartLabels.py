@@ -3,6 +3,7 @@
 import os
 import tempfile
 import unittest
+import warnings
 
 import flipfree
 import numpy
@@ -28,6 +29,16 @@ class StartLabels(unittest.TestCase):
         # However they come.
         numpy.testing.assert_array_equal(fill(mask(), 1).points, liver.points)
         numpy.testing.assert_array_equal(fill(mask() > 0, 0).points, liver.points)
+
+    def test_of_several_the_first_is_taken_with_a_warning(self):
+        words = "The start labels have the labels 1, 2, .*; the surface fills label 1; to fill another one, set start_label"
+        with self.assertWarnsRegex(flipfree.FlipFreeWarning, words):
+            spleen = flipfree.segment(image(), start_labels=truth(), resolution=8)
+        numpy.testing.assert_array_equal(spleen.points, fill(label=1, resolution=8).points)
+        with warnings.catch_warnings(record=True) as caught:
+            warnings.simplefilter("always")
+            flipfree.segment(image(), start_labels=mask(), resolution=8)
+        self.assertFalse([warning for warning in caught if "the labels" in str(warning.message)])
 
     @needs_files
     def test_may_be_a_file(self):

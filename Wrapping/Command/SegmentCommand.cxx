@@ -1,5 +1,7 @@
 #include "CommonOptions.h"
 #include "Failure.h"
+#include "LabelAdapter.h"
+#include "Messages.h"
 #include "OrganFilter.h"
 #include "OutputFile.h"
 #include "ProgressBar.h"
@@ -171,8 +173,25 @@ void AddSeeds(vtkImageData* image, const SegmentRequest& request, vtkFlipFreeSeg
   }
 }
 
+/// A choice among several labels that nobody made.
+void WarnOfOtherLabels(vtkImageData* labels, const SegmentRequest& request)
+{
+  if (request.HasStartLabel)
+  {
+    return;
+  }
+  const FlipFree::LabelValues values = FlipFree::LabelVolumeOf(labels, "it").Values();
+  if (values.AreSeveral())
+  {
+    PrintWarning("'" + request.StartLabels + "' has the labels " + TextOf(values.Labels) +
+      "; the surface fills label " + std::to_string(request.StartLabel) +
+      "; to fill another one, set --start-label.");
+  }
+}
+
 void RunOn(vtkImageData* image, const SegmentRequest& request, const OrganFilter& filter)
 {
+  vtkSmartPointer<vtkImageData> startLabels;
   vtkAlgorithm* const algorithm = filter.Algorithm();
   algorithm->SetInputDataObject(image);
   if (auto* const organ = vtkFlipFreeSegmentation::SafeDownCast(algorithm))
@@ -183,7 +202,8 @@ void RunOn(vtkImageData* image, const SegmentRequest& request, const OrganFilter
     }
     else
     {
-      organ->SetStartLabelsData(ReadVolume(request.StartLabels));
+      startLabels = ReadVolume(request.StartLabels);
+      organ->SetStartLabelsData(startLabels);
     }
   }
   const std::string title = TitleOf(request);
@@ -205,6 +225,10 @@ void RunOn(vtkImageData* image, const SegmentRequest& request, const OrganFilter
   {
     throw Failure(
       title + ": No segmentation: " + (request.IsVessel() ? NoVesselBoundaryText : NoBoundaryText));
+  }
+  if (startLabels)
+  {
+    WarnOfOtherLabels(startLabels, request); // voxels and label are proper, or it had failed
   }
 }
 
@@ -426,7 +450,13 @@ void AddSegmentCommand(CLI::App& program)
   request->Several.AddOptions(*command);
   request->Parameters.AddOptions(*command);
   command->footer(SegmentFooter);
-  command->callback([request]() { Segment(*request); });
+  const CLI::Option* const startLabel = command->get_option("--start-label");
+  command->callback(
+    [request, startLabel]()
+    {
+      request->HasStartLabel = startLabel->count() > 0;
+      Segment(*request);
+    });
 }
 
 } // namespace Command

@@ -27,6 +27,7 @@ struct SegmentRequest
   std::vector<double> Radius; // one of each
   std::string StartLabels;    // in place of the seed
   int StartLabel = 1;
+  bool HasStartLabel = false; // given, not by default
   std::string Surface;
   std::string Labels;
   std::string Convergence;

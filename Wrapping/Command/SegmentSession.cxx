@@ -30,6 +30,7 @@ std::vector<SegmentRequest> OrgansOf(const Session& session, const SegmentReques
       request.StartLabels =
         FileBeside(session, organ.StartLabels, organ.Title + ": the label map of its start");
       request.StartLabel = organ.StartLabel;
+      request.HasStartLabel = true;
     }
     else if (!request.IsVessel())
     {

@@ -7,10 +7,28 @@ from typing import TYPE_CHECKING, Any
 
 from ._files import read_image
 from ._foreign import adopted, is_foreign
+from ._image_arrays import voxels_in
 from ._images import IMAGE_NAME, geometry_like, is_image
+from ._messages import spelling, warn
 
 if TYPE_CHECKING:
     from ._images import Image
+
+
+def warn_of_other_labels(labels: Image, given: Any) -> None:
+    """That label 1 is filled, where there are several and nobody has chosen."""
+    import numpy
+
+    values = [value for value in numpy.unique(voxels_in(labels)).tolist() if value != 0]
+    if len(values) > 1:
+        names = [str(int(value)) for value in values if value >= 1 and value == int(value)]
+        most = 20  # of a list that people read
+        text = ", ".join(names[:most]) + (" and more" if names[most:] else "")
+        name = f"'{os.fspath(given)}' has" if isinstance(given, (str, os.PathLike)) else "The start labels have"
+        option = spelling.get().get("start_label", "start_label")
+        warn(
+            f"{name} the labels {text}; the surface fills label 1; to fill another one, set {option}."
+        )
 
 
 def label_map_of(name: str, label_map: Any, other: Any) -> Image:

@@ -224,7 +224,7 @@ def _start_of(values: dict[str, Any], points: list[Constraint]) -> dict[str, Any
     repeated: SessionOrgan | None = values.get("repeated")
     corrections = repeated.corrections if repeated else arguments_of(points)
     if "start_labels" in values:
-        labels = {"start_labels": values["start_labels"], "start_label": values.get("start_label", 1)}
+        labels = {name: values[name] for name in ("start_labels", "start_label") if name in values}
         return {**labels, **corrections}
     (seed, radius), *more = zip(values["centers"], values["radius"])
     return {
