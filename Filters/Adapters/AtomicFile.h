@@ -46,7 +46,10 @@ public:
     std::error_code ignored;
     if (!std::filesystem::is_directory(parent, ignored))
     {
-      throw FileError(name, "there is no folder '" + parent.string() + "'. Create it first.");
+      throw FileError(name,
+        std::filesystem::exists(parent, ignored)
+          ? "'" + parent.string() + "' is not a folder. Write elsewhere."
+          : "there is no folder '" + parent.string() + "'. Create it first.");
     }
     const auto status = std::filesystem::status(this->Destination, ignored);
     if (std::filesystem::is_directory(status))

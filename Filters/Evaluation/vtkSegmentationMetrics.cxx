@@ -112,8 +112,8 @@ int vtkSegmentationMetrics::RequestData(vtkInformation*, vtkInformationVector** 
   }
   catch (const std::exception& error)
   {
-    vtkErrorMacro(
-      "No measures of the segmentation (port 0) against the reference (port 1): " << error.what());
+    vtkErrorMacro("The segmentation (port 0) and the reference (port 1) cannot be compared: "
+      << error.what() << ".");
     return 0;
   }
   return 1;

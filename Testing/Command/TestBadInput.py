@@ -50,7 +50,8 @@ class TestBadInput(command.CommandTest):
     def test_seeds(self):
         center, radius = self.seed[:4], self.seed[4:]
         cases = [(1, ("--seed", 500, 32, 32, *radius), ("--seed:", r"\(500, 32, 32\) mm", "64 x 64 x 40", "LPS")),
-                 (1, ("--seed-voxel", 20, 20, 40, *radius), ("--seed-voxel:", r"\(20, 20, 40\)")),
+                 (1, ("--seed-voxel", 20, 20, 40, *radius), ("--seed-voxel:", r"\(20, 20, 40\)", "indices of a voxel count from 0")),
+                 (2, (*self.seed, *radius), (r"There are more radii \(2\) than seeds \(1\)",)),
                  (2, center, ("--radius is missing", "--radius MM")),
                  (1, (*center, "--radius", 0.1), ("'" + self.volume, "radius")),
                  (2, (*self.seed, "--seed-voxel", 1, 2, 3), ("--seed-voxel",)),
@@ -72,7 +73,7 @@ class TestBadInput(command.CommandTest):
                                (("--levels", 2.5), "--levels: '2.5' is not a whole number, or is too large. Give --levels N."),
                                (("--threads", -1), "--threads: -1 is out of range. Give 0 to 1024."),
                                (("--preset", "best"), "--preset: there is no 'best'. Choose one of default, published, naive."),
-                               (("-o", "a.vtp", "-o", "b.vtp"), "--output: it is given too often. Give it once: --output FILE."),
+                               (("-o", "a.vtp", "-o", "b.vtp"), "--output: it is given more than once. Give it once: --output FILE."),
                                (("--start-label", 3), "--start-label requires --start-labels. Give both, or none.")):
             with self.subTest(words):
                 process = self.segment(*words)
@@ -149,7 +150,8 @@ class TestBadInput(command.CommandTest):
     def test_phantom(self):
         for status, arguments, patterns in ((2, ("teapot", "-o", self.results), ("teapot", "u-tube")),
                                             (1, ("sphere", "-o", self.result("a/b/c")), ("a/b/c",)),
-                                            (1, ("sphere", "-o", self.results, "--spacing", -1, 1, 1), ("[Ss]pacing",))):
+                                            (2, ("sphere", "-o", self.results, "--spacing", -1, 1, 1), ("--spacing: -1 is not positive. Give",)),
+                                            (2, ("sphere", "-o", self.results, "--size", 0, 0, 0), ("--size: 0 is not positive. Give",))):
             with self.subTest(arguments=arguments):
                 self.assert_refused(command.run("phantom", *arguments), status, *patterns)
 

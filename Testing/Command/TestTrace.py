@@ -131,7 +131,7 @@ class TestTrace(command.CommandTest):
         name = self.result("vessel.vtp")
         process = self.trace(*self.points, "-o", name, volume=cropped)
         self.assertEqual(process.returncode, 0, process.stderr)
-        self.assertRegex(process.stderr, r"warning: the path leaves the image near \(.*\) mm; add a point")
+        self.assertRegex(process.stderr, r"warning: The path leaves the image near \(.*\) mm; add a point")
         self.assertTrue(os.path.exists(name))
 
     def test_bad_options(self):

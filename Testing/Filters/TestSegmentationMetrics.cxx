@@ -598,7 +598,8 @@ TEST_F(SegmentationMetricsRefuse, LabelsOfWhatIsNoLabelMap)
 
 TEST_F(SegmentationMetricsRefuse, OtherGeometriesNamingThePorts)
 {
-  const std::string ports = "the segmentation (port 0) against the reference (port 1)";
+  const std::string ports =
+    "The segmentation (port 0) and the reference (port 1) cannot be compared";
   const auto smaller = LabelMapOf(Sphere(6, Center, 9),
     ImageAround(Center, { 50, 50, 41 }, { 1, 1.2, 1.5 }, Eigen::Matrix3d::Identity()));
   this->ExpectError(smaller, this->Reference, ports);

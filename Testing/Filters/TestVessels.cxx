@@ -298,7 +298,7 @@ TEST_F(Vessels, ThatLeaveTheImageAreFoundWithAWarning)
   EXPECT_EQ(ErrorOfUpdate(this->Filter), "0 errors");
   EXPECT_GT(this->Filter->GetSurface()->GetNumberOfPoints(), 0);
   ASSERT_EQ(warnings.size(), 1U);
-  EXPECT_NE(warnings.front().find("the path leaves the image near"), std::string::npos)
+  EXPECT_NE(warnings.front().find("The path leaves the image near"), std::string::npos)
     << warnings.front();
   EXPECT_NE(warnings.front().find("add a point along the vessel"), std::string::npos);
 }

@@ -94,6 +94,7 @@ TEST(TestAtomicFile, WhatCannotBecomeAFileIsRefusedByName)
   const auto open = [](const std::string& name) { return [name]() { AtomicFile file(name); }; };
   refuse(folder.Name(), "it is a folder", open(folder.Name()));
   refuse(folder / "none/file", "there is no folder", open(folder / "none/file"));
+  refuse("/dev/null/file", "'/dev/null' is not a folder", open("/dev/null/file"));
   refuse("/dev/null", "not a regular file", open("/dev/null"));
   refuse("/proc/file", "does not take files", open("/proc/file"));
   refuse(folder / "unwritten", "No such file",

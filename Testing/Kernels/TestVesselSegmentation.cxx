@@ -200,7 +200,7 @@ TEST(VesselSegmentation, APathAtTheBorderLeavesTheImage)
     const FloatImage volume = VolumeOfTubes({ tube }, grid, 10);
     const VesselSegmentation result = SegmentVessel(GrayVolumeOf(volume), "the volume",
       ClicksIn(tube), {}, LumenSettings(), OneThread, NeverStop);
-    EXPECT_EQ(HoldsText(result.Warnings, "the path leaves the image near"), nearest < 1);
+    EXPECT_EQ(HoldsText(result.Warnings, "The path leaves the image near"), nearest < 1);
   }
 }
 
@@ -225,7 +225,7 @@ TEST(VesselSegmentation, AClickInTouchingTissueIsNamed)
     const PointList points = Points({ { 35, 30, 12 }, { x, 30, 76 } });
     const VesselSegmentation result = SegmentVessel(GrayVolumeOf(volume), "the volume", points, {},
       LumenSettings(), OneThread, NeverStop);
-    EXPECT_EQ(HoldsText(result.Warnings, "the point (52, 30, 76) mm does not look like the vessel"),
+    EXPECT_EQ(HoldsText(result.Warnings, "The point (52, 30, 76) mm does not look like the vessel"),
       x > 50);
   }
 }
@@ -504,7 +504,7 @@ TEST(VesselSegmentation, WarnsWhereTheImageDoesNotShowTheBoundary)
   EXPECT_LT(result.Tree.Support, DoubtfulSupport);
   ASSERT_FALSE(result.Warnings.empty());
   const std::string& warning = result.Warnings.front();
-  EXPECT_NE(warning.find("the result is doubtful"), std::string::npos);
+  EXPECT_NE(warning.find("The result is doubtful"), std::string::npos);
   // It names a place between the stubs.
   double x = 0;
   double y = 0;

@@ -182,7 +182,7 @@ class TestTrace(unittest.TestCase):
     def test_a_vessel_that_leaves_the_image(self):
         rows = int(62 / SPACING) + 1  # the vessel's bend ends behind them
         voxels = flipfree.array_from_image(self.phantom.image)[:, :rows]
-        with self.assertWarnsRegex(UserWarning, r"the path leaves the image near \(.*\) mm; add a point"):
+        with self.assertWarnsRegex(UserWarning, r"The path leaves the image near \(.*\) mm; add a point"):
             flipfree.trace(np.ascontiguousarray(voxels), self.points, spacing=(SPACING,) * 3)
 
 

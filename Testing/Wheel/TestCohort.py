@@ -361,7 +361,7 @@ class Points(SchedulerTest):
             "column points: a vessel needs at least two points, not 1; give": self.vessel("d", [(1, 2, 3)]),
             r"column points: '.*bad.csv', line 2: '3mm' is not a number\. Correct the file": self.vessel("e", self.folder / "bad.csv"),
             "column points: '.*one.csv' holds 1 points, and a vessel needs": self.vessel("f", self.folder / "one.csv"),
-            "column points: '.*gone.mrk.json' cannot be read. Check": self.vessel("g", self.folder / "gone.mrk.json"),
+            "column points: There is no file '.*gone.mrk.json'. Check": self.vessel("g", self.folder / "gone.mrk.json"),
             "column seed_x: a row with points is a vessel, which has none; empty": self.vessel("h", self.ENDS, seed_x=1),
             "column inside: a row with points is a vessel, which has none; empty": self.vessel("i", self.ENDS, inside="1 2 3"),
             "column resolution: a vessel has no such parameter; empty": self.vessel("j", self.ENDS, resolution=8),

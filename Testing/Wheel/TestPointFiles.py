@@ -183,13 +183,14 @@ class PointFiles(unittest.TestCase):
 
     def test_bad_files_are_refused_in_the_same_words(self):
         (self.folder / "folder.csv").mkdir()
-        missing = {name: (None, "cannot be read. Check the name and the permissions") for name in ("gone.csv", "folder.csv")}
+        missing = {"gone.csv": (None, "Check the name and the folder"),
+                   "folder.csv": (None, "cannot be read. Check the name and the permissions")}
         for name, (content, message) in {**BAD, **missing}.items():
             if content is not None:
                 self.write(name, content)
             found = {program: self.segment(program, "--points", name, "-o", "never.stl") for program in PROGRAMS}
             with self.subTest(name):
-                self.assertRegex(found["wheel"].stderr, rf"\Aflipfree: error: '{name}'[^\n]*{message}[^\n]*\.\n\Z")
+                self.assertRegex(found["wheel"].stderr, rf"\Aflipfree: error: (There is no file )?'{name}'[^\n]*{message}[^\n]*\.\n\Z")
                 self.assertEqual(found["wheel"].stderr, found["toolkit"].stderr)
                 self.assertEqual([process.returncode for process in found.values()], [1, 1])
         self.assertFalse((self.folder / "never.stl").exists())

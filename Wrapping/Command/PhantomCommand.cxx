@@ -16,6 +16,7 @@
 #include <array>
 #include <cstdio>
 #include <filesystem>
+#include <functional>
 #include <iostream>
 #include <map>
 #include <memory>
@@ -124,6 +125,19 @@ void MakeFolder(const std::string& folder)
   }
 }
 
+/// Checks values of an option, one by one.
+std::function<std::string(const std::string&)> MustBePositive(const char* values)
+{
+  return [values](const std::string& text)
+  {
+    double number = 0;
+    const bool isNumber = CLI::detail::lexical_cast(text, number);
+    return !isNumber || number > 0 // what is no number has a message of its own
+      ? std::string()
+      : text + " is not positive. Give " + values + ".";
+  };
+}
+
 void Make(const Phantom& phantom)
 {
   if (phantom.Quiet)
@@ -151,7 +165,9 @@ void Make(const Phantom& phantom)
   source->SetNoiseStandardDeviation(phantom.Noise);
   source->SetRandomSeed(phantom.RandomSeed);
   source->SetNumberOfLesions(phantom.Lesions);
-  Run(source, "drawing");
+  Run(source, "drawing",
+    { { "Dimensions", "--size" }, { "Spacing", "--spacing" },
+      { "NoiseStandardDeviation", "--noise" } });
   outputs.Write(gray, [&](const std::string& name) { WriteVolume(name, source->GetOutput()); });
   outputs.Write(truth, [&](const std::string& name) { WriteVolume(name, source->GetLabelMap()); });
   outputs.Commit();
@@ -187,9 +203,11 @@ void AddPhantomCommand(CLI::App& program)
     ->capture_default_str();
   command->add_option("--size", phantom->Dimensions, "Number of voxels along each axis")
     ->type_name("NX NY NZ")
+    ->check(MustBePositive("--size NX NY NZ"))
     ->default_str("depends on the phantom");
   command->add_option("--spacing", phantom->Spacing, "Voxel spacing along each axis, in mm")
     ->type_name("X Y Z")
+    ->check(MustBePositive("--spacing X Y Z, in mm"))
     ->default_str("depends on the phantom");
   command->add_option("--noise", phantom->Noise, "Standard deviation of the noise")
     ->type_name("S")

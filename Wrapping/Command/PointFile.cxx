@@ -231,7 +231,9 @@ std::string TextOf(const std::string& name)
   }
   if (!isFile || content.bad())
   {
-    throw Failure("'" + name + "' cannot be read. Check the name and the permissions.");
+    throw Failure(std::filesystem::exists(name, ignored)
+        ? "'" + name + "' cannot be read. Check the name and the permissions."
+        : "There is no file '" + name + "'. Check the name and the folder.");
   }
   const std::string text = content.str();
   if (!IsText(text))

@@ -95,10 +95,12 @@ Point SeedIn(vtkImageData* image, const SegmentRequest& request, std::size_t num
       image->TransformContinuousIndexToPhysicalPoint(center, middle);
       char place[256];
       std::snprintf(place, sizeof(place),
-        "which has %d x %d x %d voxels centered at (%g, %g, %g) mm. Coordinates are LPS: viewers "
-        "that use RAS show x and y with opposite signs.",
-        extent[1] + 1, extent[3] + 1, extent[5] + 1, middle[0], middle[1], middle[2]);
-      throw Failure(std::string(given) + " lies outside '" + request.Input + "', " + place);
+        "which has %d x %d x %d voxels centered at (%g, %g, %g) mm. ", extent[1] + 1, extent[3] + 1,
+        extent[5] + 1, middle[0], middle[1], middle[2]);
+      throw Failure(std::string(given) + " lies outside '" + request.Input + "', " + place +
+        (request.SeedVoxel.empty()
+            ? "Coordinates are LPS: viewers that use RAS show x and y with opposite signs."
+            : "The indices of a voxel count from 0."));
     }
   }
   return seed;

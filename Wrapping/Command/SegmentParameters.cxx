@@ -11,6 +11,7 @@
 #include <CLI/CLI.hpp>
 
 #include <cctype>
+#include <limits>
 #include <sstream>
 #include <type_traits>
 
@@ -249,14 +250,25 @@ std::string TextOf(double value)
   return text.str();
 }
 
+/// Such as `0 to 6`, by what the filter takes in place of numbers that no range has.
+std::string RangeOf(const Parameter& parameter, Filter* filter)
+{
+  const double most =
+    parameter.IsInteger ? std::numeric_limits<int>::max() : std::numeric_limits<double>::max();
+  parameter.Set(filter, -most);
+  const std::string from = TextOf(parameter.Get(filter));
+  parameter.Set(filter, most);
+  const double to = parameter.Get(filter);
+  return from + (to == most ? " or more" : " to " + TextOf(to));
+}
+
 void SetOrRefuse(const Parameter& parameter, Filter* filter, double value)
 {
   parameter.Set(filter, value);
-  const double taken = parameter.Get(filter);
-  if (!(taken == value))
+  if (!(parameter.Get(filter) == value))
   {
-    throw WrongUsage(FirstNameOf(parameter) + ": " + TextOf(value) + " is out of range" +
-      (value == value ? "; the nearest is " + TextOf(taken) + "." : "."));
+    throw WrongUsage(FirstNameOf(parameter) + ": " + TextOf(value) + " is out of range. Give " +
+      RangeOf(parameter, filter) + ".");
   }
 }
 

@@ -65,8 +65,9 @@ void RequireRadii(const SegmentRequest& request)
   const std::size_t seeds = (request.Seed.size() + request.SeedVoxel.size()) / 3;
   if (radii.size() != seeds)
   {
-    throw WrongUsage("There are " + std::to_string(seeds) + " seeds and " +
-      std::to_string(radii.size()) + " radii. Give a --radius for each seed, in the same order.");
+    throw WrongUsage(std::string("There are ") + (radii.size() > seeds ? "more" : "fewer") +
+      " radii (" + std::to_string(radii.size()) + ") than seeds (" + std::to_string(seeds) +
+      "). Give a --radius for each seed, in the same order.");
   }
 }
 

@@ -291,7 +291,10 @@ Session ReadSession(const std::string& name)
   std::ifstream file(name, std::ios::binary);
   if (!file)
   {
-    throw Failure("'" + name + "' cannot be read. Check the name and the permissions.");
+    std::error_code ignored;
+    throw Failure(std::filesystem::exists(name, ignored)
+        ? "'" + name + "' cannot be read. Check the name and the permissions."
+        : "There is no file '" + name + "'. Check the name and the folder.");
   }
   try
   {

@@ -102,7 +102,7 @@ std::string CountMessage(const CLI::Option& option)
 {
   const bool tooMany = static_cast<int>(option.results().size()) > option.get_items_expected_max();
   return option.get_name() +
-    (tooMany ? ": it is given too often. Give it once: " : ": a value is missing. Give ") +
+    (tooMany ? ": it is given more than once. Give it once: " : ": a value is missing. Give ") +
     UseOf(option) + ".";
 }
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <sstream>
 #include <string>
 #include <utility>
 
@@ -266,8 +267,10 @@ void RequireGrid(const ImageGeometry& geometry)
     }
     if (!(geometry.Spacing[axis] > 0) || !std::isfinite(geometry.Spacing[axis]))
     {
+      std::ostringstream number;
+      number << geometry.Spacing[axis];
       throw Error(ErrorCode::InvalidGeometry,
-        "the spacing" + which + " must be positive, not " + std::to_string(geometry.Spacing[axis]));
+        "the spacing" + which + " must be positive, not " + number.str());
     }
     if (!std::isfinite(geometry.Origin[axis]))
     {

@@ -3,6 +3,7 @@
 #include "MessageText.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <optional>
 
@@ -103,34 +104,33 @@ void AddWarnings(const ImageGeometry& geometry, const PointList& points, VesselS
   if (result.Surface.Reason == StopReason::NotRefined)
   {
     result.Warnings.emplace_back(
-      "the surface could not be refined without intersecting itself, and is coarse; set Levels to "
-      "1, or move the points apart");
+      "The surface could not be refined without intersecting itself, and is coarse; set Levels to "
+      "1, or move the points apart.");
   }
   if (result.Tree.Support < DoubtfulSupport)
   {
     result.Warnings.push_back(
-      "the result is doubtful: much of the vessel's boundary is hardly visible in the image, least "
+      "The result is doubtful: much of the vessel's boundary is hardly visible in the image, least "
       "of all near " +
       TextOf(FaintestPlace(result.Tree).array().round().matrix().transpose()) +
-      " mm; look there first: where the surface is not in the vessel, add a point of the vessel");
+      " mm; look there first: where the surface is not in the vessel, add a point of the vessel.");
   }
   const double beyond = BeyondEnds(result.Tree, result.Surface.Points);
   if (beyond > tolerance)
   {
-    result.Warnings.push_back("the surface extends " +
-      TextOf(Eigen::VectorXd::Constant(1, beyond)) +
-      " mm beyond an end of the path; look at the ends, and move their points");
+    result.Warnings.push_back("The surface extends " + std::to_string(std::lround(beyond)) +
+      " mm beyond an end of the path; look at the ends, and move their points.");
   }
   for (const int point : result.Tree.Unlike)
   {
-    result.Warnings.push_back("the point " + TextOf(points.row(point)) +
+    result.Warnings.push_back("The point " + TextOf(points.row(point)) +
       " mm does not look like the vessel, which is brighter or darker nearby; move the point into "
-      "the vessel");
+      "the vessel.");
   }
   if (const auto place = PlaceAtBorder(geometry, result.Tree))
   {
     result.Warnings.push_back(
-      "the path leaves the image near " + TextOf(*place) + " mm; add a point along the vessel");
+      "The path leaves the image near " + TextOf(*place) + " mm; add a point along the vessel.");
   }
 }
 

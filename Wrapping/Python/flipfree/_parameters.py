@@ -10,6 +10,7 @@ import inspect
 import math
 import operator
 import re
+import sys
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from typing import Any
@@ -43,8 +44,17 @@ class Parameter:
             raise TypeError(f"{self.name}: {value!r} is not accepted; {_reason(error)}") from None
         if self.type in (int, float) and value == value and self.get(algorithm) != value:
             raise ValueError(
-                f"{self.name}: {value!r} is out of range; the nearest is {self.get(algorithm)!r}"
+                f"{self.name}: {value!r} is out of range; give {self._range(algorithm)}"
             )
+
+    def _range(self, algorithm: Any) -> str:
+        """In words, by what is taken in place of numbers that no range has."""
+        most = 2**31 - 1 if self.type is int else sys.float_info.max
+        self.assign(algorithm, -most)
+        least = self.get(algorithm)
+        self.assign(algorithm, most)
+        greatest = self.get(algorithm)
+        return f"{least:g} or more" if greatest == most else f"{least:g} to {greatest:g}"
 
 
 def set_parameters(
@@ -117,6 +127,10 @@ def radius_of(name: str, value: Any) -> float:
     if math.isnan(radius):
         raise ValueError(
             f"{name}: nan is not a number (NaN); give the radius of a sphere within the organ, in mm"
+        )
+    if radius <= 0:
+        raise ValueError(
+            f"{name}: {value!r} is not positive; give the radius of a sphere within the organ, in mm"
         )
     return radius
 

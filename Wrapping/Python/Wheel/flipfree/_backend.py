@@ -100,7 +100,9 @@ class SegmentationAlgorithm:
     def set_seed(self, center: list[float], radius: float) -> None:
         nearest = min(max(radius, RADII[0]), RADII[1])
         if radius == radius and radius != nearest:
-            raise ValueError(f"radius: {radius!r} is out of range; the nearest is {nearest!r}")
+            raise ValueError(
+                f"radius: {radius!r} is out of range; give {RADII[0]:g} to {RADII[1]:g}"
+            )
         self._center, self._radius = center, radius
 
     def set_start(self, start: AnySurface) -> None:
@@ -246,7 +248,7 @@ class Metrics:
         answer: dict[str, Any] = run(
             lambda report: score(*arguments, _volume_of(reference), self.settings, report),
             EvaluationError,
-            "No measures of the segmentation (port 0) against the reference (port 1): {}",
+            "The segmentation (port 0) and the reference (port 1) cannot be compared: {}.",
             names,
         )
         if answer["warning"]:

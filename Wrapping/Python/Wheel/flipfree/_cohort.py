@@ -37,7 +37,8 @@ class Cohort:
     def __str__(self) -> str:
         done = len(self.rows) - len(self.failed) - self.kept
         return (
-            f"{len(self.rows)} rows: {done} segmented, {self.kept} kept, {len(self.failed)} failed; "
+            f"{len(self.rows)} {'row' if len(self.rows) == 1 else 'rows'}: {done} segmented, "
+            f"{self.kept} kept, {len(self.failed)} failed; "
             f"{self.seconds:.1f} s; see {self.report}"
         )
 

@@ -93,6 +93,8 @@ def require_place(path: str, inputs: list[str]) -> None:
             f"'{path}' is an input, which would be overwritten. Give the result another name"
         )
     folder = os.path.dirname(path) or "."
+    if os.path.exists(folder) and not os.path.isdir(folder):
+        raise FileError(f"'{path}' cannot be written: '{folder}' is not a folder. Write elsewhere.")
     if os.path.isdir(path) or not os.access(folder, os.W_OK):
         raise FileError(
             f"'{path}' cannot be written: it is a folder, or its folder does not exist or is not "

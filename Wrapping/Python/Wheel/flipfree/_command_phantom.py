@@ -18,6 +18,10 @@ def phantom(values: dict[str, Any]) -> None:
     name = values["name"]
     if name not in get_args(Shape):
         raise WrongUsage(f"There is no phantom '{name}'. Choose {', '.join(get_args(Shape))}")
+    for option, unit in (("size", "NX NY NZ"), ("spacing", "X Y Z, in mm")):
+        wrong = next((number for number in values.get(option, ()) if not number > 0), None)
+        if wrong is not None:
+            raise WrongUsage(f"--{option}: {wrong:g} is not positive. Give --{option} {unit}")
     folder = values.get("output", ".")
     make_folder(folder)
     keywords = {

@@ -16,15 +16,17 @@ def seeds_in(image: Image, values: dict[str, Any]) -> list[list[float]]:
     if "seed" in values:
         seeds = [lps(values, seed) for seed in values["seed"]]
         given = [f"--seed: {_text_of(seed)} mm" for seed in seeds]
+        hint = "Coordinates are LPS: viewers that use RAS show x and y with opposite signs."
     else:
         seeds = [point_of(image, voxel) for voxel in values["seed_voxel"]]
         given = [f"--seed-voxel: {_text_of(voxel)}" for voxel in values["seed_voxel"]]
+        hint = "The indices of a voxel count from 0."
     for seed, text in zip(seeds, given):
-        _require_inside(image, seed, f"{text} lies outside '{values['input']}'")
+        _require_inside(image, seed, f"{text} lies outside '{values['input']}'", hint)
     return seeds
 
 
-def _require_inside(image: Image, seed: list[float], complaint: str) -> None:
+def _require_inside(image: Image, seed: list[float], complaint: str, hint: str) -> None:
     import numpy
 
     size = numpy.array(image.voxels.shape[::-1])
@@ -34,8 +36,7 @@ def _require_inside(image: Image, seed: list[float], complaint: str) -> None:
     middle = point_of(image, ((size - 1) / 2).tolist())
     raise FlipFreeError(
         f"{complaint}, which has {size[0]} x {size[1]} x {size[2]} voxels centered at "
-        f"{_text_of(middle)} mm. Coordinates are LPS: viewers that use RAS show x and y with opposite "
-        "signs."
+        f"{_text_of(middle)} mm. {hint}"
     )
 
 

@@ -129,8 +129,8 @@ def _require_seed(values: dict[str, Any]) -> None:
     seeds = len(values.get("seed", ())) + len(values.get("seed_voxel", ()))
     if len(radii) != seeds:
         raise WrongUsage(
-            f"There are {seeds} seeds and {len(radii)} radii. Give a --radius for each seed, in the "
-            "same order"
+            f"There are {'more' if len(radii) > seeds else 'fewer'} radii ({len(radii)}) than seeds "
+            f"({seeds}). Give a --radius for each seed, in the same order"
         )
 
 

@@ -80,6 +80,8 @@ def _text_of(path: str) -> str:
     try:
         with open(path, encoding="utf-8-sig", newline="") as file:
             text = file.read()
+    except FileNotFoundError as error:
+        raise FileError(f"There is no file '{path}'. Check the name and the folder.") from error
     except OSError as error:
         raise FileError(f"'{path}' cannot be read. Check the name and the permissions.") from error
     except UnicodeDecodeError:

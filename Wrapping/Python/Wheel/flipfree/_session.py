@@ -62,6 +62,8 @@ def read_session(name: str) -> Session:
     try:
         with open(name, encoding="utf-8") as file:
             content = json.load(file)
+    except FileNotFoundError as error:
+        raise FileError(f"There is no file '{name}'. Check the name and the folder.") from error
     except OSError as error:
         raise FileError(f"'{name}' cannot be read. Check the name and the permissions.") from error
     except ValueError as error:
