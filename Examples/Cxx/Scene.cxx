@@ -26,7 +26,7 @@ namespace Scene
 namespace
 {
 
-constexpr int Finer = 2; // drawn so many times as large and scaled down, for smooth lines
+constexpr int Finer = 2; // drawn this many times as large and scaled down, for smooth lines
 constexpr double Ink[3] = { 0.045, 0.05, 0.06 };
 constexpr double Frame[3] = { 0.2, 0.21, 0.24 };
 

@@ -62,7 +62,7 @@ vtkSmartPointer<vtkRenderer> SliceView(const Actors& actors, const double bounds
 vtkSmartPointer<vtkRenderer> SpaceView(const Actors& actors, const double bounds[6],
   const std::string& caption = "", double zoom = 1.3);
 
-/// Draws rows of views, each a square of so many pixels, and writes them as PNG.
+/// Draws rows of views, each a square of this many pixels, and writes them as PNG.
 void WritePicture(const std::string& name,
   const std::vector<std::vector<vtkSmartPointer<vtkRenderer>>>& rows, int size = 480);
 

@@ -36,7 +36,7 @@ LIVER = (0.86, 0.42, 0.33)
 RED = (0.90, 0.10, 0.10)
 YELLOW = (1.0, 0.76, 0.2)
 BLUE = (0.35, 0.65, 1.0)
-FINER = 2  # drawn so many times as large and scaled down, for smooth lines
+FINER = 2  # drawn this many times as large and scaled down, for smooth lines
 
 # To the right and up, in LPS coordinates; the viewer is where their cross product points.
 AXIAL = ((1, 0, 0), (0, -1, 0))
@@ -204,7 +204,7 @@ def require_display():
 
 
 def write_picture(path, rows, size=480):
-    """Draws rows of views, each a square of so many pixels, and writes them as PNG."""
+    """Draws rows of views, each a square of this many pixels, and writes them as PNG."""
     require_display()
     columns = max(len(row) for row in rows)
     window = vtkRenderWindow()

@@ -27,8 +27,8 @@ struct Stopped
 {
 };
 
-// Asks the monitor now and then. How long a maximum flow takes is not known beforehand; so many
-// looks at a node are common.
+// Asks the monitor now and then. How long a maximum flow takes is not known beforehand; 20
+// looks at each node are common.
 class Heart
 {
 public:

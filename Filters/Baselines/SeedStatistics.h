@@ -51,7 +51,7 @@ struct IntensityInterval
   }
 };
 
-/// Around the seed's mean, by so many of its deviations to either side.
+/// Reaches from the seed's mean by this many of its deviations to either side.
 inline IntensityInterval IntervalOf(const BaselineTask& task, double deviations)
 {
   const SeedStatistics seed = StatisticsOf(task.Region.Voxels.data(), task.SeedVoxels);

@@ -108,7 +108,7 @@ public:
   ///@{
   /**
    * Half the edge length, in millimeters, of the box around each seed's center that is searched.
-   * Default 0: ten seed radii, at least 100 and at most 250, as in vtkFlipFreeSegmentation. 0 to
+   * Default 0: ten seed radii, at least 100 and at most 250 mm, as in vtkFlipFreeSegmentation. 0 to
    * 1e6.
    */
   vtkSetClampMacro(Reach, double, 0, 1e6);

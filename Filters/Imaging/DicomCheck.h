@@ -15,7 +15,7 @@ namespace FlipFree
 bool HasDicomMark(const std::string& name);
 
 /// Is the file, which bears the mark, an image? Contours, plans, reports, presentation states and
-/// directories are none. Throws an ImageFileError where an element runs past the end of the file,
+/// directories are not. Throws an ImageFileError where an element runs past the end of the file,
 /// or where an image has no, or too few, pixels.
 bool IsCompleteDicomImage(const std::string& name);
 

@@ -63,7 +63,7 @@ std::string Trimmed(const std::string& text);
 /// The words of a text, between white space.
 std::vector<std::string> Words(const std::string& text);
 
-/// A number that takes up the whole text; NaN and infinity are numbers. False if it is none.
+/// A number that takes up the whole text; NaN and infinity are numbers. False if it is not one.
 bool ToNumber(const std::string& text, double& number);
 
 /// Files that a header gives by a pattern such as `slice%03d.raw`, numbered from `first` to `last`.

@@ -53,7 +53,7 @@ std::size_t ChooseSeries(const std::vector<FlipFree::DicomSeries>& list, const c
       known + ".");
 }
 
-/// An array without initial values that owns `bytes` of memory; null if there is not so much.
+/// An array without initial values that owns `bytes` of memory; null if there is not that much.
 vtkSmartPointer<vtkDataArray> AllocateScalars(const FlipFree::VolumeHeader& header)
 {
   void* voxels = std::malloc(header.NumberOfBytes());

@@ -22,8 +22,8 @@ enum class ErrorCode
   GeometryMismatch, ///< two images are not on the same grid
   InsideOut,
   InvalidGeometry, ///< of an image: spacing, direction, dimensions
-  InvalidLine,     ///< of a tube: too few points, radii that are none
-  InvalidMesh,     ///< connectivity that is none
+  InvalidLine,     ///< of a tube: too few points, radii that are not positive
+  InvalidMesh,     ///< faces that do not make up a surface
   NoContrast,      ///< between the seed and its surroundings
   NonFiniteValue,
   NotFourValent,

@@ -76,7 +76,7 @@ struct ImageGeometry
   {
     return std::abs(this->Spacing.prod() * this->Direction.determinant());
   }
-  /// The volume of so many voxels.
+  /// The volume of this many voxels.
   double Milliliters(std::size_t voxels) const
   {
     return static_cast<double>(voxels) * this->VoxelVolume() / 1000;

@@ -30,7 +30,7 @@ struct Parameter
   ParameterType Type;
   int Count; ///< of its numbers
   std::function<std::vector<double>(const Settings&)> Get;
-  /// Takes so many numbers, each the nearest of its range; NaN passes.
+  /// Takes `Count` numbers and clamps each to its range; NaN passes.
   std::function<void(Settings&, const std::vector<double>&)> Set;
 };
 

@@ -27,7 +27,7 @@ public:
   /// Tells the pipeline of the time steps.
   void Announce(vtkInformation* output) const;
 
-  /// Before the run, their number is not known, only that there are at most so many.
+  /// Before the run, their number is not known, only an upper limit.
   static void AnnounceAtMost(double iterations, vtkInformation* output);
 
   /// The surface of the time that the pipeline asks for. The last one is that of the result.

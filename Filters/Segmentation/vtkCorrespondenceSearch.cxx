@@ -105,7 +105,7 @@ private:
   double Done = 0;
 };
 
-// A search line is about as expensive as looking at so many voxels in a row.
+// A search line is about as expensive as looking at this many voxels in a row.
 constexpr std::ptrdiff_t VoxelsPerVertex = 1000;
 
 // For a feature without the field data: gives search lines of 40 mm by default.

@@ -110,8 +110,9 @@ public:
   ///@{
   /**
    * The filter whose parameters all organs and stages use. Only its parameters are used, not its
-   * seed, points and inputs; its LabelValue and KeepHistory are ignored. Changing one makes the
-   * group execute again. Setting null sets the defaults.
+   * seed, points and inputs; its LabelValue and KeepHistory are ignored, as well as what it ignores
+   * of its stages (see vtkFlipFreeSegmentation::GetDiffusion()). Changing one makes the group
+   * execute again. Setting null sets the defaults.
    */
   vtkFlipFreeSegmentation* GetParameters() const;
   void SetParameters(vtkFlipFreeSegmentation* parameters);

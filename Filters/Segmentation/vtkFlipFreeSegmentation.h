@@ -19,7 +19,8 @@
  * physical millimeters, and the direction matrix is honored.
  * Input port 1, optional: vtkPolyData, the surface to start from in place of the sphere: closed,
  * four neighbors at every vertex, embedded. It is refined like the sphere, to about as many
- * vertices (see SetLevels()).
+ * vertices (see SetLevels()). Less is promised for some of its faces: one of more than eight
+ * corners counts only as a fan of triangles, and a degenerate corner may flip.
  *
  * Input port 2, optional, repeatable: vtkPointSet, points that correct the result, with the point
  * array `Constraint` (any number type): 0 for a point outside the organ, 1 inside, 2 on its
@@ -207,8 +208,11 @@ public:
   ///@{
   /**
    * The stages, which own the parameters of their part of the method; changing one makes this
-   * filter execute again. Only their parameters are used here, not their connections, their seeds
-   * or the search's Threshold. Setting null sets a new stage with default parameters.
+   * filter execute again. Only their parameters are used here. Their connections are ignored, and
+   * so are SeedCenter and SeedRadius of GetDiffusion() and GetFeature(), for which this filter has
+   * its own, and Threshold of GetSearch(), in place of which FeatureThreshold of GetFeature()
+   * counts: setting these also makes this filter execute again, but changes nothing. Setting null
+   * sets a new stage with default parameters.
    */
   vtkSeedRegionDiffusion* GetDiffusion() const;
   void SetDiffusion(vtkSeedRegionDiffusion* stage);

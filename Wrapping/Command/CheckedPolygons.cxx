@@ -76,7 +76,7 @@ double NumberIn(const std::string& word)
 
 vtkIdType IndexIn(double number)
 {
-  constexpr double greatest = 9e15; // whole numbers are exact so far
+  constexpr double greatest = 9e15; // whole numbers are exact up to here
   if (!(std::abs(number) < greatest) || number != std::floor(number))
   {
     throw Failure("an index or a count is not a whole number");

@@ -394,7 +394,7 @@ void AddFiles(CLI::App* command, SegmentRequest& request)
       "the organ, each with a --radius")
     ->type_name("X Y Z")
     ->expected(3, CLI::detail::expected_max_vector_size)
-    ->allow_extra_args(false); // of the three that each time has
+    ->allow_extra_args(false); // --seed takes exactly three each time
   command
     ->add_option("--seed-voxel", request.SeedVoxel,
       "The same as the indices of a voxel, which count from 0")

@@ -89,7 +89,8 @@ ParameterGroup MainParameters()
         "Length of the search lines; 0: proportional to the radius", &Filter::GetSearchDistance,
         &Filter::SetSearchDistance),
       Property(Whole, "--reach", "MM",
-        "How far from the seed the surface may get; 0: ten radii, but 100 to 250 mm",
+        "How far from the seed the surface may get; 0: ten seed radii, at least 100 and at most "
+        "250 mm",
         &Filter::GetReach, &Filter::SetReach),
       Property(Whole, "--diffusion-iterations", "N",
         "Iterations of the diffusion that smooths the volume", &Filter::GetDiffusionIterations,

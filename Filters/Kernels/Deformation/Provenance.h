@@ -35,7 +35,7 @@ struct OrganProvenance
 std::string ProvenanceOf(const OrganProvenance& organ, const VolumeSegmentationSettings& settings,
   const ImageGeometry& geometry);
 
-/// Of organs that were segmented together, and kept off so many fixed surfaces.
+/// Of organs that were segmented together, and kept off this many fixed surfaces.
 std::string ProvenanceOf(const std::vector<OrganProvenance>& organs, std::size_t fixed,
   const VolumeSegmentationSettings& settings, const ImageGeometry& geometry);
 

@@ -22,7 +22,7 @@
   P(DistanceTolerance, double, S DistanceTolerance, 0, 1e6)                                        \
   P(ChangeTolerance, double, S ChangeTolerance, -1e6, 1e6)
 
-// The stage calls its iterations otherwise than the whole method does.
+// The stage and the whole method have different names for its iterations.
 #define FLIPFREE_SMOOTHING_PARAMETERS(P, S, Iterations_)                                           \
   P(Reach, double, S Reach, 0, 1e6)                                                                \
   P(Iterations_, int, S Iterations, 0, 1000)

@@ -53,9 +53,9 @@ public:
   /// Throws Error as StartMaskOf() and LargestBallIn() do; then there is none.
   SeedSphere FillLabel(const LabelVolume& labels, int label);
 
-  /// Throws Error for a volume, seed, surface or parameter that cannot be used, and as
-  /// VolumeSegmenter::Segment(). The observer, which may be null, sees the iterations if their
-  /// history is to be kept. Nothing is kept of a run that was aborted.
+  /// Throws Error for a volume, seed, surface or parameter that cannot be used, and whatever
+  /// VolumeSegmenter::Segment() throws. The observer, which may be null, sees the iterations if
+  /// their history is to be kept. Nothing is kept of a run that was aborted.
   OrganAnswer Answer(const OrganRequest& request, const Monitor& monitor,
     const IterationObserver& observer);
 

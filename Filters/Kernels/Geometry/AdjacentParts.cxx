@@ -240,7 +240,11 @@ private:
     }
   }
 
-  // (c); what lies in two different faces is covered by these.
+  // (c). What lies in two different parts, `one` in F and `two` in G, is covered by these. Proof:
+  // if F and G have no common vertex, it lies in a pair (a). Otherwise let S be their common
+  // vertices, at most two (others overlap and are reported), and P those of them in `one`: F
+  // without S but with P contains `one`, and G without P contains `two`, which has no vertex in
+  // common with `one`. That is a pair (b), which is tested unless a pair (a) covers it.
   void ListOwn(int part)
   {
     const CornerSet& corners = this->Corners[part];

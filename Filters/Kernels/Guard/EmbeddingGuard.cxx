@@ -174,6 +174,8 @@ void EmbeddingGuard::RequireEmbeddedAtRest(const Motion& motion,
   {
     return;
   }
+  // Not empty: it makes the same exact tests of the same hulls and parts, at all vertices instead
+  // of those at rest, so it finds at least what has just been found.
   const auto pairs = FindSelfIntersections(points, hulls, parallelFor);
   const auto textOf = [&](int face)
   {

@@ -31,6 +31,14 @@ double TimeToObstacle(const Motion& motion, const Hull& hull, const Eigen::Vecto
   return TimeOfImpact(Motion{ from, to }, Hull{ { 0, 1, 2, 3 } }, Hull{ { 4, 4, 4, 4 } }, distance);
 }
 
+// Along an axis, the hull stays between the least and the greatest coordinate at both ends.
+//
+// Rounding: only the two sums are rounded, to u = 2^-53 of themselves, so that of the gap all but
+// u (X + gap) is kept, X being the hull's greatest coordinate at either end. The gaps of the guard
+// and of the refinement are about 1e-12 X or more, so they lose less than a thousandth. The
+// obstacle's own coordinates are compared as they are, however great. One that is not passed over
+// lies within the gap of the hull's box, so its coordinates are at most X + gap, and the bound of
+// MotionTest.h holds for it, too.
 bool MayComeNear(const Motion& motion, const Hull& hull, const Eigen::Vector3d& obstacle,
   double gap)
 {

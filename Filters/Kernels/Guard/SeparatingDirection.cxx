@@ -37,9 +37,15 @@ inline Eigen::Matrix4f Transposed(const Lanes& a, const Lanes& b, const Lanes& c
 // the allowance itself. The gap is raised by 1e-6 = 17 u of itself for its product with the
 // direction's length, which is off by at most 12 u of itself: 1 u for the gap's conversion, 1.5 u
 // for half the error of the square, 7.5 u for its root, 2 u for the product and the sum. The root
-// is Eigen's, which for SSE is one step of Newton's method from an inverse root to e = 1.5 2^-12:
-// it is too small by 1.5 e^2 = 3.4 u, with four roundings. Numbers that may underflow or overflow
-// prove nothing.
+// is that of Eigen 3.4 (and 3.3 for SSE), which depends on the vector unit:
+//   SSE            one step of Newton's method from an approximate inverse root, whose error is
+//                  e = 1.5 2^-12: too small by 1.5 e^2 = 3.4 u, and 4 u of roundings
+//   WebAssembly    the same code, from an inverse root that is rounded twice: 4 u
+//   64-bit ARM     an instruction, rounded correctly: 1 u
+//   32-bit ARM     two such steps from e = 2^-8, of which 0.02 u are left, and 4 u of roundings
+//                  (not tested there)
+//   no vectors     std::sqrt, rounded correctly: 1 u
+// A root that is off by 12 u would still do. Numbers that may underflow or overflow prove nothing.
 class DirectionTest
 {
 public:

@@ -15,9 +15,11 @@
  * Claim: in a pass after which nothing has failed, every pair was tested up to time 1 with its
  * present motion, or is at rest, although tests end at LatestUsefulTime and pairs without a changed
  * vertex are not tested again. Proof: LatestUsefulTime is below 1 only if every moving vertex of
- * the pair has been limited in the same pass. Then the pass has failed, and ScaleDown changes the
- * motion of each of them, so that the pair is tested again in the next pass. A pair without a
- * changed vertex has the motion with which its last test was not cut short.
+ * the pair has been limited in the same pass. Then the pass has failed, and ScaleDown lowers the
+ * scale of each of them and returns it as changed, so that the pair is tested again before a pass
+ * can end clean. (Where its end is rounded to the same numbers as before, its motion is the same;
+ * it is tested again all the same.) A pair without a changed vertex has the motion with which its
+ * last test was not cut short.
  */
 #ifndef FlipFreeStepLimiter_h
 #define FlipFreeStepLimiter_h
@@ -90,7 +92,7 @@ public:
   /// Whether no test has failed since the last ScaleDown.
   bool IsClean() const { return this->NothingFailed; }
 
-  /// Scales down what was limited. Returns the vertices whose motion has changed.
+  /// Scales down what was limited. Returns the vertices whose scale it has lowered.
   std::vector<int> ScaleDown();
 
 private:

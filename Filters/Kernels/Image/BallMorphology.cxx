@@ -13,7 +13,7 @@ namespace
 {
 
 // Balls whose box has more rows are left to the distance transform, whose time does not depend on
-// the radius and is about that of so many rows.
+// the radius and is about that of this many rows.
 constexpr double MaximumRows = 1300;
 // A voxel whose center is on the ball's surface belongs to it, whatever the rounding.
 constexpr double Slack = 1 + 1e-6;

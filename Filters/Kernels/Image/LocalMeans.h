@@ -44,8 +44,8 @@ BlockSums SumInBlocks(const BitMask& mask, const BlockGrid& grid, const Parallel
 BlockSums SumInBlocks(const ImagePart& image, const BitMask& mask, const BlockGrid& grid,
   const ParallelFor& parallelFor);
 
-/// The local means per block, by a Gaussian of so many millimeters; `elsewhere` where the weight is
-/// not above the least.
+/// The local means per block, by a Gaussian of this standard deviation (mm); `elsewhere` where the
+/// weight is not above the least.
 std::vector<float> LocalMeans(BlockSums sums, const ImageGeometry& blocks, double deviation,
   float leastWeight, float elsewhere, const ParallelFor& parallelFor);
 

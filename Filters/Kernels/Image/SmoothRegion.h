@@ -20,7 +20,7 @@ using ImageMaker = std::function<bool(const VoxelBox& box)>;
 struct SmoothingSettings
 {
   /// How far from the seed's center the surface may get, in millimeters; only this box of the image
-  /// is read. Zero: ten seed radii, at least 100 and at most 250.
+  /// is read. Zero: ten seed radii, at least 100 and at most 250 mm.
   double Reach = 0;
 
   int Iterations = 5; ///< of the diffusion

@@ -23,14 +23,14 @@ constexpr double CertainPart = 0.8;
 constexpr double InsideGain = 0.3;
 constexpr double OutsideGain = 0.1;
 // And what it loses for each reach that it is farther away than the reach. A point in the depth of
-// the wrong side, so many millimeters from the right one, stands for something large; one near the
-// right side may lie in a bump, and a region that spreads from it would take too much.
+// the wrong side, this many millimeters from the right one, stands for something large; one near
+// the right side may lie in a bump, and a region that spreads from it would take too much.
 constexpr double DecayOfDeepPoint = 0.1;
 constexpr double DeepAway = 10;
 constexpr double DecayOfNearPoint = 0.3;
 constexpr double NearAway = 4;
-// A correction is local: within so many times the point's distance from the right side, which is at
-// least so many millimeters.
+// A correction is local: within this many times the point's distance from the right side, which is
+// at least this many millimeters.
 constexpr double LocalPart = 2;
 constexpr double LeastLocal = 15;
 // What a cut costs per mm2 and millimeter of reach, of which these count.
@@ -44,7 +44,7 @@ constexpr double NeckGain = 0.3;
 constexpr double NeckSmoothness = 0.2;
 
 // A point in the depth of what looks like the seed: its reach is at most this part of the way to
-// the seed; what is nearer to it than to the seed is worth so much, and loses so much for each
+// the seed; what is nearer to it than to the seed is worth this much, and loses this much for each
 // reach beyond twice the reach.
 constexpr double LikeSeedDeviations = 2.5;
 constexpr double PartOfWayToSeed = 0.6;

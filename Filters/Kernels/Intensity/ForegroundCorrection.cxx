@@ -24,12 +24,12 @@ constexpr double LeastNeighborhood = 5;
 constexpr double BridgeRadius = 3;
 
 // A correction is certain around its point by a little more than a voxel, but where slices are
-// thick by no more than so many millimeters, or than its distance from the right side.
+// thick by no more than this many millimeters, or than its distance from the right side.
 constexpr double CertainVoxels = 1.01;
 constexpr double CertainBall = 3;
 
-// What a point changes is connected to what lies within this many millimeters of it, or within so
-// many times its distance from the right side.
+// What a point changes is connected to what lies within this many millimeters of it, or within
+// this many times its distance from the right side.
 constexpr double LeastDomain = 30;
 constexpr double DomainInAway = 2;
 

@@ -13,7 +13,7 @@ namespace
 // Gray values look alike within this many standard deviations.
 constexpr double SimilarDeviations = 2;
 
-// Shells about a point look like it as long as this part of their voxels lies within so many
+// Shells about a point look like it as long as this part of their voxels lies within this many
 // deviations of the innermost ball's median; the ball in millimeters and voxels.
 constexpr double AlikePart = 0.5;
 constexpr double ShellDeviations = 2.5;

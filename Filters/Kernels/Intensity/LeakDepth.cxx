@@ -15,7 +15,7 @@ constexpr double NeckRatio = 0.85;
 constexpr double CoreShare = 0.6;
 // No deeper place than a point on top is farther away than this part of its depth.
 constexpr double PeakPart = 0.5;
-// No organ is deeper than so many seed radii, as far as the seed tells.
+// No organ is deeper than this many seed radii, as far as the seed tells.
 constexpr double DeepInSeedRadii = 1.5;
 
 // Else the point lies on the slope of some other depth, such as the organ's own.

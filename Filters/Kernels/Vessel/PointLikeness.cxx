@@ -11,7 +11,7 @@ namespace
 {
 
 constexpr double Ball = 2.2; // mm
-// Sections so far from a point tell what the vessel looks like there, mm.
+// Sections this far from a point tell what the vessel looks like there, mm.
 constexpr double NearestSection = 12;
 constexpr double FarthestSection = 60;
 constexpr std::size_t FewestSections = 8;

@@ -8,7 +8,7 @@ namespace FlipFree
 namespace
 {
 
-// Most gray values of CT are within so much.
+// Most gray values of CT are within this range.
 constexpr double SpanInCT = 250;
 
 double Quantile(std::vector<float> values, double part)

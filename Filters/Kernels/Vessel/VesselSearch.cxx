@@ -20,7 +20,8 @@ namespace
 
 constexpr double ProlongDistance = 15; // of a point from a path's end that prolongs it, mm
 constexpr double LineDeviation = 2;    // smoothing of paths before sections are fitted, in sections
-// A path over a stretch of this length, in mm, without the vessel's gray values is none.
+// A path over a stretch of this length, in mm, without the vessel's gray values is not the
+// vessel's.
 constexpr double LongestGap = 40;
 constexpr double GapSpeed = 0.004;
 constexpr double LargestRadius = 45;  // mm; no vessel's mean, but what outlines run away to

@@ -30,7 +30,7 @@ export interface Marks {
   surfaces: ShownSurface[];
   seeds: ShownSeed[];
   points: ShownPoint[];
-  /** A point at most so far from a slice is on it, in mm. */
+  /** A point at most this far from a slice is on it, in mm. */
   nearby: number;
 }
 

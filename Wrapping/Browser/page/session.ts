@@ -108,7 +108,7 @@ function organOf(entry: Entry): SessionOrgan {
     : { ...entry, kind: "organ", corrections: entry.corrections ?? [], points: [] };
 }
 
-/** Throws a FlipFreeError for a file that is none; it names the file, the organ, the entry, and the remedy. */
+/** Throws a FlipFreeError for a file that is not a session; it names the file, the organ, the entry, and the remedy. */
 export function parseSession(name: string, text: string): Session {
   let session: SessionFile;
   try {

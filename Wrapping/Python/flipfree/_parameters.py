@@ -105,7 +105,7 @@ def names_of(parameters: Mapping[str, Parameter]) -> dict[str, str]:
 
 
 def floats(name: str, values: Any, count: int) -> list[float]:
-    """So many numbers, or an error that says which argument needs them."""
+    """`count` numbers, or an error that says which argument needs them."""
     try:
         numbers = [float(value) for value in values]
     except (TypeError, ValueError):

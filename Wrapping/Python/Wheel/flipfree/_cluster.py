@@ -43,7 +43,7 @@ def client_of(
 
 
 def workers_for(threads: int, voxels: float, volumes: int) -> int:
-    """As many as processors, memory and the number of volumes allow, for volumes of so many voxels."""
+    """As many as processors, memory and the number of volumes allow; `voxels` is that of a volume."""
     processors = (os.cpu_count() or 1) // max(threads, 1)
     memory = needed("psutil", "a cohort", "cohort").virtual_memory().available
     return int(max(1, min(processors, memory // (BASE + PER_VOXEL * voxels), volumes)))

@@ -84,7 +84,7 @@ class Region:
     def plane(
         self, right: npt.NDArray[Any], up: npt.NDArray[Any], steps: npt.NDArray[Any]
     ) -> npt.NDArray[Any]:
-        """Points of space [row, column, axis], so many mm from the center along both directions."""
+        """Points of space [row, column, axis], `steps` (mm) from the center along both directions."""
         points: npt.NDArray[Any] = (
             self.center + steps[None, :, None] * right + steps[:, None, None] * up
         )
