@@ -108,8 +108,8 @@ class TestProvenance(ProvenanceTest):
             os.remove(self.result(name))
         out = ("-o", self.result("e.ply"))
         for status, arguments, pattern in (
-                (2, (*self.seed, "--seed", 1, 2, 3), "There are 2 seeds and 1 radii. Give a --radius for each"),
-                (2, (*self.seed, "--radius", 3), "There are 1 seeds and 2 radii"),
+                (2, (*self.seed, "--seed", 1, 2, 3), r"There are fewer radii \(1\) than seeds \(2\)\. Give a --radius for each seed"),
+                (2, (*self.seed, "--radius", 3), r"There are more radii \(2\) than seeds \(1\)"),
                 (2, (*self.seed, "--seed", 1, 2, "--radius", 3), "--seed: a coordinate is missing"),
                 (2, (*self.seed, "--seed", 1, 2, 3, "--radius", -3), "--radius must be a positive number"),
                 (2, (*self.seed, "--seed", 1, 2, "nan", "--radius", 3), "--seed: a coordinate is not a finite"),
