@@ -224,8 +224,8 @@ def _start_of(values: dict[str, Any], points: list[Constraint]) -> dict[str, Any
     repeated: SessionOrgan | None = values.get("repeated")
     corrections = repeated.corrections if repeated else arguments_of(points)
     if "start_labels" in values:
-        labels = {name: values[name] for name in ("start_labels", "start_label") if name in values}
-        return {**labels, **corrections}
+        given: set[str] = {"start_labels", "start_label"} & values.keys()
+        return {**{name: values[name] for name in given}, **corrections}
     (seed, radius), *more = zip(values["centers"], values["radius"])
     return {
         "seed": seed,
