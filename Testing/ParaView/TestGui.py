@@ -1,6 +1,6 @@
 """Sessions at ParaView's window: the filter from the quick launch, the seed placed by mouse and key, Apply, and undo;
-and a point that corrects the result, placed likewise. Pictures, of failures too, are left in the folder
-FLIPFREE_GUI_PICTURES, if that is set."""
+a point that corrects the result, placed likewise; and the end of a vessel, dragged by its handle. Pictures, of failures
+too, are left in the folder FLIPFREE_GUI_PICTURES, if that is set."""
 
 import json
 import math
@@ -27,6 +27,9 @@ def is_near_seed(place):
 
 
 class Window(unittest.TestCase):
+    SCENES = {"test_place_apply_undo": "organ", "test_correct_by_a_handle": "correction",
+              "test_drag_the_end_of_a_vessel": "vessel"}
+
     def setUp(self):
         self.folder = tempfile.mkdtemp(prefix="flipfree-test-")
         self.addCleanup(shutil.rmtree, self.folder)
@@ -40,7 +43,7 @@ class Window(unittest.TestCase):
             stdin=subprocess.DEVNULL, stdout=self.log, stderr=subprocess.STDOUT,
             env={**os.environ, "HOME": self.folder, "XDG_RUNTIME_DIR": self.folder,
                  "FLIPFREE_GUI_EXAMPLE": EXAMPLE, "FLIPFREE_GUI_NOTE": self.note,
-                 "FLIPFREE_GUI_CORRECTS": str(int("correct" in self._testMethodName))})
+                 "FLIPFREE_GUI_SCENE": self.SCENES[self._testMethodName]})
         self.addCleanup(self.stop)
         self.wait_for(lambda: [window for window in self.desk.windows() if window[0] > 800], "ParaView's window")
         self.window = self.desk.windows()[0][2]
@@ -134,6 +137,30 @@ class Window(unittest.TestCase):
         self.keep_picture("point-applied")
         state = self.state()
         self.assertEqual([state["point"], state["intersections"]], [state["placed"], 0], state)
+
+    def test_drag_the_end_of_a_vessel(self):
+        before = self.state()
+        first, second = before["points"]
+        goal = before["way"][-1]
+        self.assertGreater(math.dist(second, goal), 20)
+        self.assertEqual([before["placed"], before["label"]], [before["points"], 1], before)
+        self.keep_picture("vessel")
+
+        self.desk.drag([(MIDDLE[0] + across, MIDDLE[1] + down) for across, down in before["seen_way"]])
+        self.wait_for(lambda: math.dist(self.state()["placed"][1], goal) < 2, "the handle's place")
+        self.keep_picture("vessel-dragged")
+        # The other handle has stayed; and until it is applied, so has the vessel.
+        state = self.state()
+        self.assertEqual({**state, "placed": before["placed"]}, before)
+        self.assertEqual(state["placed"][0], first)
+
+        self.desk.key("a", "Alt_L")
+        self.wait_for(lambda: self.state()["points"] != before["points"] and self.state()["label"] == 0, "a new end")
+        self.keep_picture("vessel-applied")
+        after = self.state()
+        self.assertEqual([after["points"], after["intersections"]], [state["placed"], 0], after)
+        self.assertLess(math.dist(after["ends"][0], before["ends"][0]), 1, after)
+        self.assertLess(math.dist(after["ends"][1], goal), 3, after)
 
 
 if __name__ == "__main__":

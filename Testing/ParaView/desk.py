@@ -67,6 +67,17 @@ class Desk:
         self.xtst.XTestFakeMotionEvent(self.display, -1, int(x), int(y), ctypes.c_ulong(0))
         self.settle(0.1)
 
+    def drag(self, places):
+        """Holds the left button from the first of these places to the last."""
+        self.move(*places[0])
+        self.xtst.XTestFakeButtonEvent(self.display, 1, 1, ctypes.c_ulong(0))
+        try:
+            for place in places[1:]:
+                self.move(*place)
+        finally:
+            self.xtst.XTestFakeButtonEvent(self.display, 1, 0, ctypes.c_ulong(0))
+            self.settle()
+
     def key(self, name, *held):
         """Presses a key, as `key("z", "Control_L")`."""
         codes = [self.x11.XKeysymToKeycode(self.display, ctypes.c_ulong(self.x11.XStringToKeysym(key.encode())))

@@ -1,16 +1,27 @@
-"""Run by ParaView's window at its start, for TestGui.py: shows the abdomen on two slices, with the camera on its liver,
-and notes after each drawing, in the file FLIPFREE_GUI_NOTE, the view's size and what the segmentation is by then. With
-FLIPFREE_GUI_CORRECTS=1, the liver has been segmented, and a point that may correct it is selected."""
+"""Run by ParaView's window at its start, for TestGui.py: shows a scene, and notes after each drawing, in the file
+FLIPFREE_GUI_NOTE, the view's size and what the segmentation is by then. FLIPFREE_GUI_SCENE names the scene:
+
+    organ       the abdomen on two slices, with the camera on its liver
+    correction  the same, the liver segmented, and a point selected that may correct it
+    vessel      a vessel between two points, segmented and selected, on a slice along the end that is to be moved
+"""
 
 import importlib.machinery
 import json
 import os
 
+import numpy
 from paraview import servermanager
 from paraview.simple import *
+from vtkmodules.util.numpy_support import vtk_to_numpy
 
 NOTE = os.environ["FLIPFREE_GUI_NOTE"]
+SCENE = os.environ["FLIPFREE_GUI_SCENE"]
 CENTER = [99.75, 83.75, 167]
+# The ends of the vessel phantom, as `flipfree phantom vessel` prints them; and how far the second one is to be moved
+# along the vessel, in points of the centerline, which are 1.5 mm apart.
+VESSEL = [13.3, 44.6, 44.5, 82, 50.4, 37.6]
+MOVED = 22
 
 
 def write_note(*_):
@@ -34,9 +45,38 @@ def write_note(*_):
             labels = servermanager.Fetch(organ, idx=1)
             state.update({"placed": place, "point": list(point.Position),
                           "label": labels.GetPointData().GetScalars().GetTuple1(labels.FindPoint(place))})
+    vessel = FindSource("FlipFreeVesselSegmentation1")
+    if vessel is not None:
+        state.update(state_of(vessel))
     with open(NOTE + ".part", "w", encoding="utf-8") as file:
         json.dump(state, file)
     os.rename(NOTE + ".part", NOTE)
+
+
+def state_of(vessel):
+    Show3DWidgets(proxy=vessel)
+    vessel.UpdatePropertyInformation()
+    placed = vessel.SMProxy.GetProperty("Points")
+    placed = [placed.GetUncheckedElement(index) for index in range(placed.GetNumberOfUncheckedElements())]
+    line = centerline(vessel)
+    labels = servermanager.Fetch(vessel, idx=1)
+    return {"placed": [placed[:3], placed[3:]], "points": [vessel.Points[:3], vessel.Points[3:]],
+            "ends": [line[0].tolist(), line[-1].tolist()], "intersections": vessel.NumberOfSelfIntersections,
+            "label": labels.GetPointData().GetScalars().GetTuple1(labels.FindPoint(way[MOVED // 4])),
+            "way": way.tolist(), "seen_way": [seen_at(place) for place in way]}
+
+
+def centerline(vessel):
+    return vtk_to_numpy(servermanager.Fetch(vessel, idx=2).GetPoints().GetData()).astype(float)
+
+
+def seen_at(place):
+    """Pixels to the right of and below the view's middle."""
+    renderer = view.GetClientSideObject().GetRenderer()
+    renderer.SetWorldPoint(*place, 1)
+    renderer.WorldToDisplay()
+    across, up, _ = renderer.GetDisplayPoint()
+    return [across - view.ViewSize[0] / 2, view.ViewSize[1] / 2 - up]
 
 
 def show_organ_to_correct():
@@ -61,19 +101,56 @@ def is_shown(source, port):
     return found is not None and servermanager._getPyProxy(found).Visibility
 
 
-example = importlib.machinery.SourceFileLoader("segment_organ", os.environ["FLIPFREE_GUI_EXAMPLE"]).load_module()
-ct = SegmentationPhantom(registrationName="CT", Shape="Abdomen")
-ct.UpdatePipeline()
+def show_abdomen():
+    example = importlib.machinery.SourceFileLoader("segment_organ", os.environ["FLIPFREE_GUI_EXAMPLE"]).load_module()
+    ct.Shape = "Abdomen"
+    ct.UpdatePipeline()
+    example.show_slices(ct, CENTER, view)
+    GetColorTransferFunction("Intensity").AutomaticRescaleRangeMode = "Never"
+    look_at(CENTER, [245, -635, 280])
+    return show_organ_to_correct() if SCENE == "correction" else ct
+
+
+def show_vessel():
+    """Its surface, and the plane of the end and of the way along which it is to be moved; the camera looks straight at
+    this plane, in which a handle then moves. Returns the vessel and the way."""
+    ct.Shape = "Vessel"
+    vessel = FlipFreeVesselSegmentation(registrationName="FlipFreeVesselSegmentation1", Input=ct, Points=VESSEL)
+    vessel.UpdatePipeline()
+    track = numpy.array([VESSEL[3:], *centerline(vessel)[-2:-MOVED - 1:-1]])
+    normal = numpy.cross(track[-1] - track[0], track[len(track) // 2] - track[0])
+    normal /= numpy.linalg.norm(normal) * (1 if normal[1] < 0 else -1)
+    cut = Slice(registrationName="Along", Input=ct)
+    cut.SliceType.Origin = track[0].tolist()
+    cut.SliceType.Normal = normal.tolist()
+    Hide3DWidgets(proxy=cut.SliceType)
+    ColorBy(Show(cut, view), ("POINTS", "Intensity"))
+    colors = GetColorTransferFunction("Intensity")
+    colors.ApplyPreset("Grayscale", True)
+    surface = Show(OutputPort(vessel, 0), view)
+    ColorBy(surface, ("POINTS", ""))
+    surface.AmbientColor = surface.DiffuseColor = [0.86, 0.45, 0.36]
+    surface.Opacity = 0.3  # or the handles, which are within it, could not be seen
+    look_at([47.5, 47.5, 47.5], (normal * 240).tolist())
+    return vessel, track
+
+
+def look_at(place, offset):
+    # The window itself looks at everything after its first drawing; only then is the camera moved.
+    Render(view)
+    view.CameraViewUp = [0, 0, 1]
+    view.CameraFocalPoint = place
+    view.CameraPosition = [place[axis] + offset[axis] for axis in range(3)]
+    Render(view)
+
+
+ct = SegmentationPhantom(registrationName="CT")
 view = GetActiveViewOrCreate("RenderView")
-example.show_slices(ct, CENTER, view)
-GetColorTransferFunction("Intensity").AutomaticRescaleRangeMode = "Never"
-# The window itself looks at everything after its first drawing; only then is the camera moved.
-Render(view)
-view.CameraViewUp = [0, 0, 1]
-view.CameraFocalPoint = CENTER
-view.CameraPosition = [CENTER[0] + 245, CENTER[1] - 635, CENTER[2] + 280]
-Render(view)
-SetActiveSource(show_organ_to_correct() if os.environ["FLIPFREE_GUI_CORRECTS"] == "1" else ct)
+if SCENE == "vessel":
+    selected, way = show_vessel()
+else:
+    selected = show_abdomen()
+SetActiveSource(selected)
 Render(view)
 view.SMProxy.AddObserver("EndEvent", write_note)
 write_note()

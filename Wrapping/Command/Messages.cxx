@@ -68,7 +68,7 @@ std::string WithOptionNames(const std::string& text)
     return text;
   }
   static const std::regex part(
-    "'[\\s\\S]*?'(?![A-Za-z0-9])|( on port [0-9]| \\(port [0-9]\\))|([A-Za-z0-9]+)'*");
+    R"('[\s\S]*?'(?![A-Za-z0-9])|( on port [0-9]| \(port [0-9]\))|([A-Za-z0-9]+)'*)");
   std::string result;
   std::string::const_iterator rest = text.begin();
   for (std::sregex_iterator match(text.begin(), text.end(), part), end; match != end; ++match)

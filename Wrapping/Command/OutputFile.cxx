@@ -10,6 +10,7 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <sstream>
 
 namespace Command
 {
@@ -103,8 +104,10 @@ void OutputFiles::Announce(const std::string& option, const std::string& name,
   {
     if (other != option && SameFile(name, file)) // the same option has a file of all organs
     {
-      throw WrongUsage(other + " and " + option + " name the same file, '" + name +
-        "'. Give each one of its own.");
+      std::ostringstream text;
+      text << other << " and " << option << " name the same file, '" << name
+           << "'. Give each one of its own.";
+      throw WrongUsage(text.str());
     }
   }
   this->Announced.emplace_back(option, name);
