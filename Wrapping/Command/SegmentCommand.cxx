@@ -183,7 +183,7 @@ void WarnOfOtherLabels(vtkImageData* labels, const SegmentRequest& request)
     return;
   }
   const FlipFree::LabelValues values = FlipFree::LabelVolumeOf(labels, "it").Values();
-  if (values.AreSeveral())
+  if (values.Labels.Get().size() > 1) // no other values can be chosen
   {
     PrintWarning("'" + request.StartLabels + "' has the labels " + TextOf(values.Labels) +
       "; the surface fills label " + std::to_string(request.StartLabel) +

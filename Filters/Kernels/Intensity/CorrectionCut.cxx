@@ -56,11 +56,11 @@ constexpr double BallPart = 0.7;
 constexpr double LeastBall = 2;
 constexpr double GreatestBall = 8;
 
-// An outside point's ball is at most so many times as varied as the seed: one that reaches across
-// the boundary holds gray values of both sides, and would look like either.
+// An outside point's ball counts as at most this many times as varied as the seed: one that reaches
+// across the boundary holds gray values of both sides, and would look like either.
 constexpr double VarietyInSeedSpreads = 1.5;
 
-// What the mask holds within so many seed radii of the seed's center shows more of the organ than
+// What the mask holds within this many seed radii of the seed's center shows more of the organ than
 // the seed does, such as both the cortex and the medulla of a kidney; fewer voxels tell nothing.
 constexpr double OrganInSeedRadii = 2.5;
 constexpr std::size_t LeastOrganVoxels = 30;

@@ -14,7 +14,7 @@ namespace FlipFree
 /// Support by which one result is clearly better than another.
 constexpr double ClearlyMore = 0.05;
 
-/// A wide outline so many times wider than the thin one contains it.
+/// A wide outline that is wider than the thin one by this factor is taken to contain it.
 constexpr double ClearlyWider = 1.2;
 
 /// A vessel that was traced as a thin one may be wide if its mean radius is at least this fraction

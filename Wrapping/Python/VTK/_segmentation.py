@@ -33,9 +33,9 @@ class Segmentation(Faces, Correctable):
     """Such as 'at rest'; vtkFlipFreeSegmentation.GetStopReasonAsString() lists them."""
 
     boundary_found: bool
-    """Whether any vertex found the boundary; if not, the surface is that of no organ or vessel.
+    """Whether any vertex found the boundary.
 
-    segment() and segment_organs() raise an error then, so that it is False of a Vessel alone.
+    Where none did, segment(), segment_organs() and trace() raise an error.
     """
 
     self_intersections: int

@@ -19,9 +19,10 @@ def warn_of_other_labels(labels: Image, given: Any) -> None:
     """That label 1 is filled, where there are several and nobody has chosen."""
     import numpy
 
-    values = [value for value in numpy.unique(voxels_in(labels)).tolist() if value != 0]
-    if len(values) > 1:
-        names = [str(int(value)) for value in values if value >= 1 and value == int(value)]
+    voxels = voxels_in(labels)
+    values = numpy.unique(voxels[voxels > 0]).tolist()  # few voxels are in an organ
+    names = [str(int(value)) for value in values if value >= 1 and value == int(value)]
+    if len(names) > 1:
         most = 20  # of a list that people read
         text = ", ".join(names[:most]) + (" and more" if names[most:] else "")
         name = f"'{os.fspath(given)}' has" if isinstance(given, (str, os.PathLike)) else "The start labels have"
