@@ -1,5 +1,6 @@
 #include "HeaderField.h"
 
+#include "MessageText.h"
 #include "VolumeHeader.h"
 
 #include "vtkErrorCode.h"
@@ -8,19 +9,11 @@
 #include <cmath>
 #include <cstdlib>
 #include <iterator>
-#include <sstream>
 
 namespace FlipFree
 {
 namespace
 {
-
-std::string TextOf(double value)
-{
-  std::ostringstream text;
-  text << value;
-  return text.str();
-}
 
 /// Values go into messages, which are one line of text.
 std::string Printable(const std::string& text)

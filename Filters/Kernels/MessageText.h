@@ -22,6 +22,14 @@ inline std::string TextOf(const Eigen::MatrixXd& numbers)
   return text.str();
 }
 
+/// As streams show it: 2.5, 1e-06.
+inline std::string TextOf(double number)
+{
+  std::ostringstream text;
+  text << number;
+  return text.str();
+}
+
 /// What a user has named. Front ends replace no names of properties within the quotes.
 inline std::string Quoted(const std::string& name)
 {

@@ -3,6 +3,7 @@
 #include "Coordinates.h"
 #include "Failure.h"
 #include "OutputFile.h"
+#include "UnreadableFile.h"
 
 #include "vtkFlipFreeSegmentation.h"
 #include "vtkFlipFreeVesselSegmentation.h"
@@ -231,9 +232,7 @@ std::string TextOf(const std::string& name)
   }
   if (!isFile || content.bad())
   {
-    throw Failure(std::filesystem::exists(name, ignored)
-        ? "'" + name + "' cannot be read. Check the name and the permissions."
-        : "There is no file '" + name + "'. Check the name and the folder.");
+    throw UnreadableFile(name);
   }
   const std::string text = content.str();
   if (!IsText(text))

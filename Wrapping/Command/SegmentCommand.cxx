@@ -43,22 +43,24 @@ using Point = std::array<double, 3>;
 
 void AnnounceOutputs(const SegmentRequest& request, OutputFiles& outputs)
 {
-  std::vector<std::string> inputs{ request.Input, request.StartLabels, request.Session };
-  const auto announce = [&](const char* option, const std::string& name)
+  const std::vector<std::string> kept{ request.Input, request.StartLabels, request.Session };
+  std::vector<std::string> inputs = kept;
+  inputs.push_back(request.Corrections.Input());
+  const auto announce =
+    [&](const char* option, const std::string& name, const std::vector<std::string>& others)
   {
     if (!name.empty())
     {
-      outputs.Announce(option, name, inputs);
+      outputs.Announce(option, name, others);
     }
   };
-  inputs.push_back(request.Corrections.Input());
-  announce("--output", request.Surface);
-  announce("--labels", request.Labels);
-  announce("--convergence", request.Convergence);
-  announce("--snapshot", request.Snapshot);
-  announce("--save-session", request.SessionOut);
-  inputs.pop_back(); // all points may take the place of those that were given
-  announce("--save-points", request.Corrections.Output());
+  announce("--output", request.Surface, inputs);
+  announce("--labels", request.Labels, inputs);
+  announce("--convergence", request.Convergence, inputs);
+  announce("--snapshot", request.Snapshot, inputs);
+  announce("--save-session", request.SessionOut, inputs);
+  // All points may take the place of those that were given.
+  announce("--save-points", request.Corrections.Output(), kept);
   if (!request.Snapshot.empty())
   {
     RequireDisplay();

@@ -1,6 +1,7 @@
 #include "SegmentParameters.h"
 
 #include "Failure.h"
+#include "MessageText.h"
 
 #include "vtkCorrespondenceSearch.h"
 #include "vtkFlipFreeDeform.h"
@@ -12,7 +13,6 @@
 
 #include <cctype>
 #include <limits>
-#include <sstream>
 #include <type_traits>
 
 namespace Command
@@ -244,23 +244,16 @@ std::string PropertyOf(const std::string& option)
   return property;
 }
 
-std::string TextOf(double value)
-{
-  std::ostringstream text;
-  text << value;
-  return text.str();
-}
-
 /// Such as `0 to 6`, by what the filter takes in place of numbers that no range has.
 std::string RangeOf(const Parameter& parameter, Filter* filter)
 {
   const double most =
     parameter.IsInteger ? std::numeric_limits<int>::max() : std::numeric_limits<double>::max();
   parameter.Set(filter, -most);
-  const std::string from = TextOf(parameter.Get(filter));
+  const std::string from = FlipFree::TextOf(parameter.Get(filter));
   parameter.Set(filter, most);
   const double to = parameter.Get(filter);
-  return from + (to == most ? " or more" : " to " + TextOf(to));
+  return from + (to == most ? " or more" : " to " + FlipFree::TextOf(to));
 }
 
 void SetOrRefuse(const Parameter& parameter, Filter* filter, double value)
@@ -268,8 +261,8 @@ void SetOrRefuse(const Parameter& parameter, Filter* filter, double value)
   parameter.Set(filter, value);
   if (!(parameter.Get(filter) == value))
   {
-    throw WrongUsage(FirstNameOf(parameter) + ": " + TextOf(value) + " is out of range. Give " +
-      RangeOf(parameter, filter) + ".");
+    throw WrongUsage(FirstNameOf(parameter) + ": " + FlipFree::TextOf(value) +
+      " is out of range. Give " + RangeOf(parameter, filter) + ".");
   }
 }
 
@@ -340,7 +333,7 @@ void SegmentParameters::AddOptions(CLI::App& command)
       };
       const double value = parameter.Get(defaults);
       AddOption(command, parameter, keep)
-        ->default_str(parameter.Unit.empty() ? value != 0 ? "on" : "off" : TextOf(value))
+        ->default_str(parameter.Unit.empty() ? value != 0 ? "on" : "off" : FlipFree::TextOf(value))
         ->group(group.Name);
     }
   }

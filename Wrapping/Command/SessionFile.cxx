@@ -3,6 +3,7 @@
 #include "Failure.h"
 #include "ImageAdapter.h"
 #include "SeedRadius.h"
+#include "UnreadableFile.h"
 
 #include "vtkImageData.h"
 
@@ -291,10 +292,7 @@ Session ReadSession(const std::string& name)
   std::ifstream file(name, std::ios::binary);
   if (!file)
   {
-    std::error_code ignored;
-    throw Failure(std::filesystem::exists(name, ignored)
-        ? "'" + name + "' cannot be read. Check the name and the permissions."
-        : "There is no file '" + name + "'. Check the name and the folder.");
+    throw UnreadableFile(name);
   }
   try
   {

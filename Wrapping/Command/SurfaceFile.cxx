@@ -4,6 +4,7 @@
 #include "OutputFile.h"
 #include "PolygonFile.h"
 #include "Run.h"
+#include "UnreadableFile.h"
 #include "VtpHeader.h"
 
 #include "vtkCellArray.h"
@@ -211,7 +212,7 @@ vtkSmartPointer<vtkPolyData> ReadSurface(const std::string& name)
   std::error_code ignored;
   if (!std::filesystem::exists(name, ignored))
   {
-    throw Failure("There is no file '" + name + "'. Check the name and the folder.");
+    throw UnreadableFile(name);
   }
   if (!std::filesystem::is_regular_file(name, ignored))
   {

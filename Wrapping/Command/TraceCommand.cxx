@@ -290,8 +290,7 @@ void AddParameters(CLI::App* command, Trace& trace)
   command
     ->add_option("--wall-thickness", trace.WallThickness,
       "Added to the outline, which gray values show without the vessel's wall, -5 to 5; less than "
-      "0 makes "
-      "the vessel thinner, of which 0.5 mm must remain")
+      "0 makes the vessel thinner, of which 0.5 mm must remain")
     ->type_name("MM")
     ->capture_default_str();
   command->add_option("--levels", trace.Levels, "Levels from coarse to fine")

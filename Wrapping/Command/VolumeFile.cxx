@@ -3,6 +3,7 @@
 #include "Failure.h"
 #include "Messages.h"
 #include "Run.h"
+#include "UnreadableFile.h"
 
 #include "vtkImageData.h"
 #include "vtkMedicalImageReader.h"
@@ -26,7 +27,7 @@ vtkSmartPointer<vtkImageData> ReadVolume(const std::string& name, const std::str
   const bool folder = std::filesystem::is_directory(name, ignored);
   if (!folder && !std::filesystem::exists(name, ignored))
   {
-    throw Failure("There is no file '" + name + "'. Check the name and the folder.");
+    throw UnreadableFile(name);
   }
   if (!folder && !seriesUID.empty())
   {

@@ -61,10 +61,7 @@ bool JointDeformation::Run(const Monitor& monitor)
         }
         for (DeformingOrgan* organ : this->Organs)
         {
-          if (organ->GetSurface().Reason != StopReason::NoBoundaryFound) // which is graver
-          {
-            organ->SetReason(StopReason::NotRefined);
-          }
+          organ->SetReason(ReasonOfUnrefined(organ->GetSurface().Reason));
         }
         break;
       }

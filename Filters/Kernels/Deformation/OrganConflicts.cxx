@@ -42,7 +42,7 @@ std::vector<PointConstraint> SpheresOf(const KnownOrgan& organ)
   return spheres;
 }
 
-std::string TextOf(const PointConstraint& sphere)
+std::string TextOfSphere(const PointConstraint& sphere)
 {
   return "the sphere of " + std::to_string(std::lround(sphere.Radius)) + " mm at " +
     FlipFree::TextOf(sphere.Point) + " mm";
@@ -57,8 +57,9 @@ void RequireSpheresApart(const KnownOrgan& one, const KnownOrgan& two)
       if ((sphere.Point - other.Point).norm() < sphere.Radius + other.Radius)
       {
         throw Error(ErrorCode::OutOfRange,
-          "the seeds of " + Quoted(one.Name) + " and " + Quoted(two.Name) + " overlap: " +
-            TextOf(sphere) + " and " + TextOf(other) + "; move them apart, or lower a radius");
+          "the seeds of " + Quoted(one.Name) + " and " + Quoted(two.Name) +
+            " overlap: " + TextOfSphere(sphere) + " and " + TextOfSphere(other) +
+            "; move them apart, or lower a radius");
       }
     }
   }
@@ -112,7 +113,7 @@ void RequireSphereOutside(const FixedSurface& fixed, const PointConstraint& sphe
   if ((nearest.Point - sphere.Point).norm() < sphere.Radius || Contains(fixed, sphere.Point))
   {
     throw Error(ErrorCode::OutOfRange,
-      "a seed of " + Quoted(organ) + ", " + TextOf(sphere) + ", meets " + fixed.Name +
+      "a seed of " + Quoted(organ) + ", " + TextOfSphere(sphere) + ", meets " + fixed.Name +
         ", which stays as it is; move the seed, or lower its radius");
   }
 }

@@ -2,24 +2,17 @@
 
 #include "Deformation/PlausibilityCheck.h"
 #include "Intensity/SurfaceConfidence.h"
+#include "MessageText.h"
 
 #include <cmath>
 #include <cstdio>
-#include <sstream>
 
 namespace FlipFree
 {
 namespace
 {
 
-std::string TextOf(double value)
-{
-  std::ostringstream text;
-  text << value;
-  return text.str();
-}
-
-std::string TextOf(const Implausibility& finding, double reach)
+std::string WarningOf(const Implausibility& finding, double reach)
 {
   const std::string percent = std::to_string(std::lround(100 * finding.Fraction)) + " %";
   switch (finding.Reason)
@@ -80,7 +73,7 @@ std::vector<std::string> WarningsOf(const OrganSurface& organ, const ImageGeomet
     CheckPlausibility(organ, region, image, seed.Radius, settings, startsAtSeed && !foundNothing);
   if (finding.Reason != ImplausibilityReason::None)
   {
-    warnings.push_back(TextOf(finding, ReachOf(settings.Smoothing, seed.Radius)));
+    warnings.push_back(WarningOf(finding, ReachOf(settings.Smoothing, seed.Radius)));
   }
   return warnings;
 }

@@ -18,6 +18,12 @@ enum class StopReason
   Aborted
 };
 
+/// Of a surface that could not be refined and ended its last level for `reason`.
+inline StopReason ReasonOfUnrefined(StopReason reason)
+{
+  return reason == StopReason::NoBoundaryFound ? reason : StopReason::NotRefined;
+}
+
 /// In words, such as "at rest"; empty for NotRun.
 inline const char* ToString(StopReason reason)
 {

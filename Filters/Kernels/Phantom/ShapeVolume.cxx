@@ -1,12 +1,12 @@
 #include "Phantom/ShapeVolume.h"
 
 #include "Error.h"
+#include "MessageText.h"
 #include "Phantom/VoxelNoise.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <sstream>
 #include <string>
 #include <utility>
 
@@ -267,10 +267,8 @@ void RequireGrid(const ImageGeometry& geometry)
     }
     if (!(geometry.Spacing[axis] > 0) || !std::isfinite(geometry.Spacing[axis]))
     {
-      std::ostringstream number;
-      number << geometry.Spacing[axis];
       throw Error(ErrorCode::InvalidGeometry,
-        "the spacing" + which + " must be positive, not " + number.str());
+        "the spacing" + which + " must be positive, not " + TextOf(geometry.Spacing[axis]));
     }
     if (!std::isfinite(geometry.Origin[axis]))
     {

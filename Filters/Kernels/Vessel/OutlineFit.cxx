@@ -84,11 +84,7 @@ private:
             this->Settings.Step.Guard, this->Parallel, [this](double) { return this->Proceed(); });
         if (!refined.Embedded)
         {
-          if (!this->Proceed())
-          {
-            return StopReason::Aborted;
-          }
-          return reason == StopReason::NoBoundaryFound ? reason : StopReason::NotRefined;
+          return this->Proceed() ? ReasonOfUnrefined(reason) : StopReason::Aborted;
         }
         this->Surface.Mesh = std::move(refined.Mesh);
         this->Surface.Points = std::move(refined.Points);

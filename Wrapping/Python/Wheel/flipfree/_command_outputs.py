@@ -19,6 +19,7 @@ from ._point_files import ENDINGS as POINT_ENDINGS
 from ._segmentation import Segmentation, Vessel
 from ._session_record import OriginNames, named, session_text
 from ._surface_files import ENDINGS, write_centerline, write_surface
+from ._unreadable import unreadable
 
 # Of vessels, in the order of the options, and what they may end on.
 TRACE_OUTPUTS = {
@@ -66,7 +67,7 @@ def require_files(values: dict[str, Any], outputs: dict[str, str]) -> None:
             "option, or give the folder"
         )
     if not os.path.exists(values["input"]):
-        raise FileError(f"There is no file '{values['input']}'. Check the name and the folder.")
+        raise unreadable(values["input"])
     if "start_label" in values and "start_labels" not in values:
         raise WrongUsage("--start-label selects a value of --start-labels. Give that file, too")
     if values.get("start_label", 0) < 0:

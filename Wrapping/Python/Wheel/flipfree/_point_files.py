@@ -16,6 +16,7 @@ from ._atomic import write_text
 from ._coordinates import swap_lps_ras
 from ._corrections import SEED, Constraint
 from ._errors import FileError
+from ._unreadable import unreadable
 
 ENDINGS = (".csv", ".mrk.json")
 KINDS = ("outside", "inside", "boundary", "seed")
@@ -80,10 +81,8 @@ def _text_of(path: str) -> str:
     try:
         with open(path, encoding="utf-8-sig", newline="") as file:
             text = file.read()
-    except FileNotFoundError as error:
-        raise FileError(f"There is no file '{path}'. Check the name and the folder.") from error
     except OSError as error:
-        raise FileError(f"'{path}' cannot be read. Check the name and the permissions.") from error
+        raise unreadable(path) from error
     except UnicodeDecodeError:
         text = "\0"
     if "\0" in text:

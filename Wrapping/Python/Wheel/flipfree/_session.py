@@ -18,6 +18,7 @@ from ._parameters import snake_case
 from ._seed_radius import SEED_RADIUS_RULE, is_seed_radius
 from ._session_record import file_name_of
 from ._types import Preset
+from ._unreadable import unreadable
 
 T = TypeVar("T")
 
@@ -62,10 +63,8 @@ def read_session(name: str) -> Session:
     try:
         with open(name, encoding="utf-8") as file:
             content = json.load(file)
-    except FileNotFoundError as error:
-        raise FileError(f"There is no file '{name}'. Check the name and the folder.") from error
     except OSError as error:
-        raise FileError(f"'{name}' cannot be read. Check the name and the permissions.") from error
+        raise unreadable(name) from error
     except ValueError as error:
         raise FileError(
             f"'{name}' is not a session that the page or --save-session has saved: {error}. Save it again."
