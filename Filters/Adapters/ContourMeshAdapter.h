@@ -7,6 +7,7 @@
 
 #include "Deformation/Correspondence.h"
 #include "Deformation/StartSurface.h"
+#include "Error.h"
 #include "ExecutionAdapter.h"
 #include "FieldData.h"
 #include "FilterAdvice.h"
@@ -24,7 +25,6 @@
 
 #include <algorithm>
 #include <memory>
-#include <stdexcept>
 #include <string>
 
 namespace FlipFree
@@ -37,7 +37,7 @@ class ContourMeshCache
 public:
   using Mesh = std::shared_ptr<const ContourMesh>;
 
-  /// The same pointer as before for the same connectivity. Throws std::invalid_argument, naming the
+  /// The same pointer as before for the same connectivity. Throws Error, naming the
   /// surface by `name`, when it is not a closed mesh with four neighbors at every vertex. `points`
   /// are those of the surface.
   Mesh MeshOf(vtkPolyData* data, const Eigen::Ref<const PointList>& points, const std::string& name)
@@ -68,14 +68,14 @@ inline void RequireEmbedded(const ContourMesh& mesh, const FaceHulls& hulls,
   WithAdvice([&] { RequireEmbedded(mesh, hulls, points, name, SMPFor); });
 }
 
-/// Copies a surface, named by `name`. Throws std::invalid_argument as RequirePolygons().
+/// Copies a surface, named by `name`. Throws Error as RequirePolygons().
 inline GivenSurface GivenSurfaceOf(vtkPolyData* data, const std::string& name)
 {
   RequirePolygons(data, name);
   return { name, CopyPoints(data), CopyPolys(data, name) };
 }
 
-/// Copies a surface. Throws std::invalid_argument, naming it by `name`, when it is not a closed
+/// Copies a surface. Throws Error, naming it by `name`, when it is not a closed
 /// mesh with four neighbors at every vertex, or, if asked, is not embedded.
 inline DeformableSurface DeformableSurfaceOf(vtkPolyData* data, const std::string& name,
   bool requireEmbedded)
@@ -115,7 +115,7 @@ inline std::string DescribeArray(vtkAbstractArray* array)
                : "";
 }
 
-/// Throws std::invalid_argument unless the surface carries both arrays as the search makes them.
+/// Throws Error unless the surface carries both arrays as the search makes them.
 inline CorrespondenceField FieldOf(vtkPolyData* surface, const std::string& name)
 {
   const vtkIdType size = surface->GetNumberOfPoints();
@@ -125,16 +125,17 @@ inline CorrespondenceField FieldOf(vtkPolyData* surface, const std::string& name
   if (!displacement || displacement->GetNumberOfComponents() != 3 ||
     displacement->GetNumberOfTuples() != size)
   {
-    throw std::invalid_argument(name +
-      " lacks the point array Displacement of 3 doubles per point" +
-      DescribeArray(data->GetAbstractArray("Displacement")) + "; connect vtkCorrespondenceSearch");
+    throw Error(ErrorCode::InvalidInput,
+      name + " lacks the point array Displacement of 3 doubles per point" +
+        DescribeArray(data->GetAbstractArray("Displacement")) +
+        "; connect vtkCorrespondenceSearch");
   }
   if (!state || state->GetNumberOfComponents() != 1 || state->GetNumberOfTuples() != size)
   {
-    throw std::invalid_argument(name +
-      " lacks the point array Correspondence of 1 unsigned char per point" +
-      DescribeArray(data->GetAbstractArray("Correspondence")) +
-      "; connect vtkCorrespondenceSearch");
+    throw Error(ErrorCode::InvalidInput,
+      name + " lacks the point array Correspondence of 1 unsigned char per point" +
+        DescribeArray(data->GetAbstractArray("Correspondence")) +
+        "; connect vtkCorrespondenceSearch");
   }
   CorrespondenceField field;
   field.Displacements = Eigen::Map<const PointList>(displacement->GetPointer(0), size, 3);
@@ -145,8 +146,9 @@ inline CorrespondenceField FieldOf(vtkPolyData* surface, const std::string& name
     {
       ++vertex;
     }
-    throw std::invalid_argument("the array Displacement of " + name + " is not finite at point " +
-      std::to_string(vertex) + "; set it to zero there, and Correspondence to 0");
+    throw Error(ErrorCode::InvalidInput,
+      "the array Displacement of " + name + " is not finite at point " + std::to_string(vertex) +
+        "; set it to zero there, and Correspondence to 0");
   }
   field.States.resize(size);
   for (vtkIdType vertex = 0; vertex < size; ++vertex)
@@ -154,9 +156,10 @@ inline CorrespondenceField FieldOf(vtkPolyData* surface, const std::string& name
     const unsigned char value = state->GetValue(vertex);
     if (value > static_cast<unsigned char>(VertexState::Flipping))
     {
-      throw std::invalid_argument("the array Correspondence of " + name + " has the value " +
-        std::to_string(value) + " at point " + std::to_string(vertex) +
-        "; use 0 for solitary, 1 for matched, 2 for flipping");
+      throw Error(ErrorCode::InvalidInput,
+        "the array Correspondence of " + name + " has the value " + std::to_string(value) +
+          " at point " + std::to_string(vertex) +
+          "; use 0 for solitary, 1 for matched, 2 for flipping");
     }
     field.States[vertex] = value == 0 ? VertexState::Solitary : VertexState::Matched;
     if (value == 0)

@@ -5,6 +5,8 @@
 #ifndef FlipFreeFieldData_h
 #define FlipFreeFieldData_h
 
+#include "Error.h"
+
 #include "vtkDataObject.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
@@ -17,7 +19,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -47,7 +48,7 @@ inline void AddFieldText(const char* name, const std::vector<std::string>& texts
   data->GetFieldData()->AddArray(array);
 }
 
-/// The values of a field array of numbers; empty where there is none. Throws std::invalid_argument,
+/// The values of a field array of numbers; empty where there is none. Throws Error,
 /// naming the data object by `owner`, unless they are `size` finite numbers, not negative if asked.
 inline std::vector<double> FieldValues(const std::string& name, vtkIdType size, bool negative,
   vtkDataObject* data, const std::string& owner)
@@ -66,9 +67,11 @@ inline std::vector<double> FieldValues(const std::string& name, vtkIdType size, 
   }
   if (!valid)
   {
-    throw std::invalid_argument("the field array " + name + " of " + owner + " must hold " +
-      (size == 1 ? "one finite number" : std::to_string(size) + " finite numbers") +
-      (negative ? "" : ", not negative") + "; remove it, or take it from the filter that makes it");
+    throw Error(ErrorCode::InvalidInput,
+      "the field array " + name + " of " + owner + " must hold " +
+        (size == 1 ? "one finite number" : std::to_string(size) + " finite numbers") +
+        (negative ? "" : ", not negative") +
+        "; remove it, or take it from the filter that makes it");
   }
   return values;
 }

@@ -34,7 +34,7 @@ auto WithAdvice(const Make& make)
   }
   catch (const Error& error)
   {
-    throw Error(error.GetCode(), std::string(error.what()) + AdviceFor(error.GetCode()));
+    throw Error(error.GetCode(), error.GetText() + AdviceFor(error.GetCode()));
   }
 }
 

@@ -6,6 +6,7 @@
 #define FlipFreeGrayImageAdapter_h
 
 #include "Deformation/VolumeSegmentation.h"
+#include "Error.h"
 #include "ExecutionAdapter.h"
 #include "Image/AnisotropicDiffusion.h"
 #include "Image/FiniteVoxels.h"
@@ -16,13 +17,12 @@
 #include "vtkPointData.h"
 #include "vtkSetGet.h"
 
-#include <stdexcept>
 #include <string>
 
 namespace FlipFree
 {
 
-/// Throws std::invalid_argument, naming the image by `name`, unless it has voxels on a proper grid,
+/// Throws Error, naming the image by `name`, unless it has voxels on a proper grid,
 /// and scalars of one component for each of them.
 inline void RequireGrayImage(vtkImageData* image, const std::string& name)
 {
@@ -30,19 +30,20 @@ inline void RequireGrayImage(vtkImageData* image, const std::string& name)
   vtkDataArray* scalars = image ? image->GetPointData()->GetScalars() : nullptr;
   if (!scalars)
   {
-    throw std::invalid_argument(
+    throw Error(ErrorCode::InvalidInput,
       name + " has no point scalars; make the array of its intensities the active scalars");
   }
   if (scalars->GetNumberOfTuples() != image->GetNumberOfPoints())
   {
-    throw std::invalid_argument(name + " has " + std::to_string(scalars->GetNumberOfTuples()) +
-      " scalars for " + std::to_string(image->GetNumberOfPoints()) +
-      " voxels; give it one for each");
+    throw Error(ErrorCode::InvalidInput,
+      name + " has " + std::to_string(scalars->GetNumberOfTuples()) + " scalars for " +
+        std::to_string(image->GetNumberOfPoints()) + " voxels; give it one for each");
   }
   if (scalars->GetNumberOfComponents() != 1)
   {
-    throw std::invalid_argument(name + " has " + std::to_string(scalars->GetNumberOfComponents()) +
-      " components per voxel; extract one of them by vtkImageExtractComponents");
+    throw Error(ErrorCode::InvalidInput,
+      name + " has " + std::to_string(scalars->GetNumberOfComponents()) +
+        " components per voxel; extract one of them by vtkImageExtractComponents");
   }
   if (scalars->GetDataType() == VTK_BIT)
   {

@@ -4,8 +4,10 @@
 #ifndef FlipFreeImageAdapter_h
 #define FlipFreeImageAdapter_h
 
+#include "Error.h"
 #include "Image/GridCheck.h"
 #include "Image/VoxelBox.h"
+#include "MessageText.h"
 
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
@@ -14,7 +16,6 @@
 #include "vtkSetGet.h"
 
 #include <array>
-#include <stdexcept>
 #include <string>
 
 namespace FlipFree
@@ -60,13 +61,14 @@ inline void RequireProperGrid(vtkImageData* image, const std::string& name)
   RequireProperGrid(GeometryOf(image), name);
 }
 
-/// For the types that vtkTemplateMacro has no case for: bits. Throws std::invalid_argument, naming
+/// For the types that vtkTemplateMacro has no case for: bits. Throws Error, naming
 /// the array, its type, and the image by `name`.
 [[noreturn]] inline void RefuseScalarType(vtkDataArray* scalars, const std::string& name)
 {
-  throw std::invalid_argument("the scalars '" +
-    std::string(scalars->GetName() ? scalars->GetName() : "") + "' of " + name + " are of type " +
-    scalars->GetDataTypeAsString() + "; copy them into an array of another, as unsigned char");
+  throw Error(ErrorCode::InvalidInput,
+    "the scalars " + Quoted(scalars->GetName() ? scalars->GetName() : "") + " of " + name +
+      " are of type " + scalars->GetDataTypeAsString() +
+      "; copy them into an array of another, as unsigned char");
 }
 
 /// Returns visit(view) for the scalars of an image, one component each, as an ImageView of their

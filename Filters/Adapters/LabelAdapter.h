@@ -5,6 +5,7 @@
 #ifndef FlipFreeLabelAdapter_h
 #define FlipFreeLabelAdapter_h
 
+#include "Error.h"
 #include "ExecutionAdapter.h"
 #include "Image/LabelValues.h"
 #include "ImageAdapter.h"
@@ -18,7 +19,6 @@
 #include <algorithm>
 #include <cstdlib>
 #include <new>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -26,19 +26,19 @@ namespace FlipFree
 {
 
 /// The image, named by `name`, as the label map that kernels read. It outlives the volume. Throws
-/// std::invalid_argument when it has no voxels or no proper grid, no scalars of one component, or
+/// Error when it has no voxels or no proper grid, no scalars of one component, or
 /// scalars of bits.
 inline LabelVolume LabelVolumeOf(vtkImageData* image, const std::string& name)
 {
   vtkDataArray* scalars = image->GetPointData()->GetScalars();
   if (image->GetNumberOfPoints() == 0)
   {
-    throw std::invalid_argument(name + " has no voxels; connect a label map");
+    throw Error(ErrorCode::InvalidInput, name + " has no voxels; connect a label map");
   }
   if (!scalars || scalars->GetNumberOfComponents() != 1 ||
     scalars->GetNumberOfTuples() != image->GetNumberOfPoints())
   {
-    throw std::invalid_argument(
+    throw Error(ErrorCode::InvalidInput,
       name + " has no scalars of one component per voxel; make its label array the active scalars");
   }
   RequireProperGrid(image, name);

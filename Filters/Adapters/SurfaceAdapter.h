@@ -5,10 +5,10 @@
 #ifndef FlipFreeSurfaceAdapter_h
 #define FlipFreeSurfaceAdapter_h
 
+#include "Error.h"
 #include "Mesh/SurfaceTopology.h"
 #include "MeshAdapter.h"
 
-#include <stdexcept>
 #include <string>
 
 namespace FlipFree
@@ -21,22 +21,23 @@ struct PolygonalSurface
   TriangleList Triangles; ///< of the faces, in their order
 };
 
-/// Throws std::invalid_argument, naming the surface by `name`, when it has no points or has
+/// Throws Error, naming the surface by `name`, when it has no points or has
 /// triangle strips.
 inline void RequirePolygons(vtkPolyData* data, const std::string& name)
 {
   if (data->GetNumberOfPoints() == 0)
   {
-    throw std::invalid_argument(name + " has no points; connect a filter that makes a surface");
+    throw Error(ErrorCode::InvalidInput,
+      name + " has no points; connect a filter that makes a surface");
   }
   if (data->GetNumberOfStrips() > 0)
   {
-    throw std::invalid_argument(
+    throw Error(ErrorCode::InvalidInput,
       name + " has triangle strips; convert them to polygons by vtkTriangleFilter");
   }
 }
 
-/// Copies a surface. Throws std::invalid_argument, naming the surface by `name`, when it has no
+/// Copies a surface. Throws Error, naming the surface by `name`, when it has no
 /// points or no polygons, has triangle strips, or is not valid (RequireValidFaces).
 inline PolygonalSurface SurfaceOf(vtkPolyData* data, const std::string& name)
 {

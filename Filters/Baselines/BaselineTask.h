@@ -4,9 +4,9 @@
 #ifndef FlipFreeBaselineTask_h
 #define FlipFreeBaselineTask_h
 
+#include "Error.h"
 #include "Image/SeedRegion.h"
 
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -26,8 +26,9 @@ inline const SeedSphere& OnlySeedOf(const BaselineTask& task)
 {
   if (task.Seeds.size() > 1)
   {
-    throw std::invalid_argument("the method starts from one seed, and has " +
-      std::to_string(task.Seeds.size()) + "; remove the further seeds, or take another method");
+    throw Error(ErrorCode::InvalidInput,
+      "the method starts from one seed, and has " + std::to_string(task.Seeds.size()) +
+        "; remove the further seeds, or take another method");
   }
   return task.Seeds.front();
 }

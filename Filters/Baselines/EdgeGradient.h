@@ -5,6 +5,7 @@
 #ifndef FlipFreeEdgeGradient_h
 #define FlipFreeEdgeGradient_h
 
+#include "Error.h"
 #include "ItkRegion.h"
 #include "SeedStatistics.h"
 
@@ -13,14 +14,13 @@
 #include "itkGradientMagnitudeRecursiveGaussianImageFilter.h"
 
 #include <algorithm>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
 namespace FlipFree
 {
 
-/// Throws std::invalid_argument if the region within reach has fewer than four voxels along one of
+/// Throws Error if the region within reach has fewer than four voxels along one of
 /// its first `axes` axes.
 inline void RequireGaussianWidth(const ImageGeometry& region, int axes)
 {
@@ -29,9 +29,11 @@ inline void RequireGaussianWidth(const ImageGeometry& region, int axes)
   {
     if (region.Dimensions[axis] < minimum)
     {
-      throw std::invalid_argument("only " + std::to_string(region.Dimensions[axis]) +
-        " voxels of the image on port 0 can be reached along axis " + std::to_string(axis) +
-        ", and gradients need four; give it a larger image, raise Reach, or choose another method");
+      throw Error(ErrorCode::InvalidInput,
+        "only " + std::to_string(region.Dimensions[axis]) +
+          " voxels of the image{ on port 0} can be reached along axis " + std::to_string(axis) +
+          ", and gradients need four; give it a larger image, raise {Reach}, or choose another "
+          "method");
     }
   }
 }

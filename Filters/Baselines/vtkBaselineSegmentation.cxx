@@ -2,6 +2,7 @@
 
 #include "BaselineTask.h"
 #include "FieldSurface.h"
+#include "FilterReport.h"
 #include "MaskVoxels.h"
 #include "PathEnds.h"
 
@@ -33,7 +34,7 @@
 namespace
 {
 
-constexpr const char* InputName = "the image on port 0";
+constexpr const char* InputName = "the image{ on port 0}";
 
 // As vtkFlipFreeSegmentation has them.
 constexpr double ReachInRadii = 10;
@@ -68,16 +69,17 @@ FlipFree::PathLines LinesOf(vtkPolyData* path)
     points.conservativeResize(size, Eigen::NoChange);
     if (size < 2 || !points.allFinite())
     {
-      throw std::invalid_argument("line " + std::to_string(line) +
-        " on port 1 has no two points that differ, or one that is not a number; give the lines "
-        "that vtkVesselPath finds");
+      throw FlipFree::Error(FlipFree::ErrorCode::InvalidInput,
+        "line " + std::to_string(line) +
+          "{ on port 1} has no two points that differ, or one that is not a number; give the lines "
+          "that vtkVesselPath finds");
     }
     lines.push_back(points);
   }
   if (lines.empty())
   {
-    throw std::invalid_argument(
-      "there is no line on port 1; give those that vtkVesselPath finds, or disconnect it");
+    throw FlipFree::Error(FlipFree::ErrorCode::InvalidInput,
+      "there is no line{ on port 1}; give those that vtkVesselPath finds, or disconnect it");
   }
   return lines;
 }
@@ -92,8 +94,9 @@ std::vector<std::size_t> VoxelsOfSeeds(const std::vector<FlipFree::SeedSphere>& 
     const auto voxels = FlipFree::VoxelsInSphere(mask.GetGeometry(), seed);
     if (voxels.empty())
     {
-      throw std::invalid_argument("no voxel center of " + std::string(InputName) +
-        " lies in the seed sphere; enlarge it, or move it onto one");
+      throw FlipFree::Error(FlipFree::ErrorCode::InvalidInput,
+        "no voxel center of " + std::string(InputName) +
+          " lies in the seed sphere; enlarge it, or move it onto one");
     }
     for (const std::size_t voxel : voxels)
     {
@@ -103,8 +106,9 @@ std::vector<std::size_t> VoxelsOfSeeds(const std::vector<FlipFree::SeedSphere>& 
   mask.Remove(beyond);
   if (mask.Count() == 0)
   {
-    throw std::invalid_argument("the seeds lie beyond the ends of the path on port 1; move them "
-                                "onto the path, or disconnect it");
+    throw FlipFree::Error(FlipFree::ErrorCode::InvalidInput,
+      "the seeds lie beyond the ends of the path{ on port 1}; move them "
+      "onto the path, or disconnect it");
   }
   return FlipFree::OffsetsOf(mask);
 }
@@ -240,6 +244,7 @@ int vtkBaselineSegmentation::RequestInformation(vtkInformation*, vtkInformationV
 int vtkBaselineSegmentation::RequestData(vtkInformation*, vtkInformationVector** inputs,
   vtkInformationVector* outputs)
 {
+  this->SetErrorCode(vtkErrorCode::NoError);
   vtkPolyData* surface = vtkPolyData::GetData(outputs, 0);
   vtkImageData* labels = vtkImageData::GetData(outputs, 1);
   surface->Initialize();
@@ -255,7 +260,7 @@ int vtkBaselineSegmentation::RequestData(vtkInformation*, vtkInformationVector**
     surface->Initialize();
     labels->Initialize();
     this->NumberOfIterations = 0;
-    vtkErrorMacro("No segmentation: " << error.what() << ".");
+    FlipFreeErrorMacro("No segmentation: ", error, ".");
     return 0;
   }
   return 1;
@@ -325,8 +330,9 @@ void vtkBaselineSegmentation::Segment(vtkImageData* image, vtkPolyData* path, vt
     TakeVoxels(geometry, task.Region.Geometry, box.Begin, result);
   if (runs.empty())
   {
-    throw std::invalid_argument("nothing was found that is connected to the seed sphere; check "
-                                "that it lies in the organ, or enlarge it");
+    throw FlipFree::Error(FlipFree::ErrorCode::InvalidInput,
+      "nothing was found that is connected to the seed sphere; check "
+      "that it lies in the organ, or enlarge it");
   }
   AttachSurface(result, surface);
   FlipFree::MakeLabelMap(runs, static_cast<unsigned char>(this->LabelValue), image, labels);

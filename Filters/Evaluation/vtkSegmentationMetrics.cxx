@@ -1,6 +1,7 @@
 #include "vtkSegmentationMetrics.h"
 
 #include "ExecutionAdapter.h"
+#include "FilterReport.h"
 #include "LabelAdapter.h"
 #include "Measures/ScoreColumns.h"
 #include "Measures/ScoreParameters.h"
@@ -95,6 +96,7 @@ int vtkSegmentationMetrics::RequestUpdateExtent(vtkInformation*, vtkInformationV
 int vtkSegmentationMetrics::RequestData(vtkInformation*, vtkInformationVector** inputVector,
   vtkInformationVector* outputVector)
 {
+  this->SetErrorCode(vtkErrorCode::NoError);
   vtkTable* output = vtkTable::GetData(outputVector);
   output->Initialize();
   *this->Scores = {};
@@ -112,8 +114,8 @@ int vtkSegmentationMetrics::RequestData(vtkInformation*, vtkInformationVector** 
   }
   catch (const std::exception& error)
   {
-    vtkErrorMacro("The segmentation (port 0) and the reference (port 1) cannot be compared: "
-      << error.what() << ".");
+    FlipFreeErrorMacro(
+      "The segmentation{ (port 0)} and the reference{ (port 1)} cannot be compared: ", error, ".");
     return 0;
   }
   return 1;
@@ -124,25 +126,26 @@ FlipFree::SegmentationScores vtkSegmentationMetrics::Measure(vtkDataObject* inpu
 {
   using namespace FlipFree;
   const ScoreSettings& settings = *this->Settings;
-  const LabelMask reference = LabelMaskOf(LabelVolumeOf(referenceImage, "the reference on port 1"),
-    settings.ReferenceLabel, "ReferenceLabel");
+  const LabelMask reference =
+    LabelMaskOf(LabelVolumeOf(referenceImage, "the reference{ on port 1}"), settings.ReferenceLabel,
+      "ReferenceLabel");
   SegmentationScores scores;
   if (vtkPolyData* polyData = vtkPolyData::SafeDownCast(input))
   {
-    const PolygonalSurface mesh = SurfaceOf(polyData, "the segmentation on port 0");
+    const PolygonalSurface mesh = SurfaceOf(polyData, "the segmentation{ on port 0}");
     scores =
       ScoreSurface(mesh.Points, mesh.Triangles, reference, settings, SMPFor, MonitorOf(this));
   }
   else
   {
     const LabelMask segmentation =
-      LabelMaskOf(LabelVolumeOf(vtkImageData::SafeDownCast(input), "the segmentation on port 0"),
+      LabelMaskOf(LabelVolumeOf(vtkImageData::SafeDownCast(input), "the segmentation{ on port 0}"),
         settings.SegmentationLabel, "SegmentationLabel");
     scores = ScoreLabels(segmentation, reference, settings, SMPFor, MonitorOf(this));
   }
   if (!scores.Warning.empty())
   {
-    vtkWarningMacro(<< scores.Warning);
+    FlipFreeWarningMacro(scores.Warning);
   }
   return scores;
 }

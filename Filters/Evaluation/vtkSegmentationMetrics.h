@@ -31,13 +31,13 @@
  * all double, and two strings: OverlapOf, "label map" or "voxelized mesh", and DistanceOf, "surface
  * of label map", "mesh" or "surface of voxelized mesh".
  *
- * Errors, with an empty table and measures that are not a number: an empty mask on either port,
- * label maps of different geometry, a label map without scalars, with several components, of bits,
- * or with a spacing that is not positive, a surface that is empty, open or not finite, or encloses
- * no voxel center of the reference, a surface that would need more than a hundred million samples
- * (raise SampleSpacing), a SampleSpacing that is not a number. A warning, which still gives
- * measures: a reference of several labels, or of values that no label map has, if none of them was
- * chosen and the segmentation has only one.
+ * Errors, with a code of FlipFreeErrorCode.h and with an empty table and measures that are not a
+ * number: an empty mask on either port, label maps of different geometry, a label map without
+ * scalars, with several components, of bits, or with a spacing that is not positive, a surface that
+ * is empty, open or not finite, or encloses no voxel center of the reference, a surface that would
+ * need more than a hundred million samples (raise SampleSpacing), a SampleSpacing that is not a
+ * number. A warning, which still gives measures: a reference of several labels, or of values that
+ * no label map has, if none of them was chosen and the segmentation has only one.
  *
  * Definitions: L. Maier-Hein et al., Metrics reloaded, Nature Methods 21 (2024), but with
  * area-weighted samples instead of boundary voxels.

@@ -1,6 +1,7 @@
 #include "vtkSurfaceValidity.h"
 
 #include "ExecutionAdapter.h"
+#include "FilterReport.h"
 #include "Measures/ScoreSummary.h"
 #include "Measures/SurfaceValidity.h"
 #include "SurfaceAdapter.h"
@@ -105,6 +106,7 @@ int vtkSurfaceValidity::FillOutputPortInformation(int port, vtkInformation* info
 int vtkSurfaceValidity::RequestData(vtkInformation*, vtkInformationVector** inputVector,
   vtkInformationVector* outputVector)
 {
+  this->SetErrorCode(vtkErrorCode::NoError);
   vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
   vtkPolyData* inputReference = vtkPolyData::GetData(inputVector[1]);
   vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
@@ -114,16 +116,18 @@ int vtkSurfaceValidity::RequestData(vtkInformation*, vtkInformationVector** inpu
   this->Summary.clear();
   try
   {
-    const FlipFree::PolygonalSurface surface = FlipFree::SurfaceOf(input, "the surface on port 0");
+    const FlipFree::PolygonalSurface surface =
+      FlipFree::SurfaceOf(input, "the surface{ on port 0}");
     FlipFree::PolygonalSurface reference;
     if (inputReference)
     {
-      reference = FlipFree::SurfaceOf(inputReference, "the reference surface on port 1");
+      reference = FlipFree::SurfaceOf(inputReference, "the reference surface{ on port 1}");
       if (reference.Faces.Connectivity != surface.Faces.Connectivity ||
         reference.Faces.Offsets != surface.Faces.Offsets)
       {
-        throw std::invalid_argument("the reference surface on port 1 has other polygons than the "
-                                    "surface on port 0; connect the same mesh at other positions");
+        throw FlipFree::Error(FlipFree::ErrorCode::InvalidInput,
+          "the reference surface{ on port 1} has other polygons than the "
+          "surface{ on port 0}; connect the same mesh at other positions");
       }
     }
     const FlipFree::SurfaceValidity validity =
@@ -140,7 +144,7 @@ int vtkSurfaceValidity::RequestData(vtkInformation*, vtkInformationVector** inpu
   }
   catch (const std::exception& error)
   {
-    vtkErrorMacro("No measures of validity: " << error.what());
+    FlipFreeErrorMacro("No measures of validity: ", error, ".");
     return 0;
   }
   return 1;

@@ -30,8 +30,9 @@
  * between the convex hulls of faces that share no vertex; 0 where there are self-intersections) and
  * EdgeLengthVariation (standard deviation over mean), double.
  *
- * Errors, with empty outputs: a surface without points or polygons, with triangle strips, or with a
- * coordinate that is not finite; a reference with different polygons.
+ * Errors, with a code of FlipFreeErrorCode.h and with empty outputs: a surface without points or
+ * polygons, with triangle strips, or with a coordinate that is not finite; a reference with
+ * different polygons.
  */
 #ifndef vtkSurfaceValidity_h
 #define vtkSurfaceValidity_h

@@ -35,7 +35,7 @@ constexpr std::size_t MostSegments = 4096; // more is not a label map
 LabelBoxes LabelBoxesOf(vtkImageData* labels, const std::string& name)
 {
   LabelBoxes boxes;
-  if (!VisitVoxels(labels, "the image on port 0",
+  if (!VisitVoxels(labels, "the image{ on port 0}",
         [&boxes](const auto& view) { return FindLabelBoxes(view, MostSegments, boxes); }))
   {
     Refuse(name,

@@ -2,6 +2,7 @@
 
 #include "ExecutionAdapter.h"
 #include "FieldData.h"
+#include "FilterReport.h"
 #include "GrayImageAdapter.h"
 #include "Image/BoxReading.h"
 #include "Image/GradientScale.h"
@@ -28,7 +29,7 @@ namespace
 
 using FlipFree::VoxelBox;
 
-constexpr const char* InputName = "the image on port 0";
+constexpr const char* InputName = "the image{ on port 0}";
 // Of the progress: what comes before is short.
 constexpr double ScaleEnds = 0.03;
 constexpr double DiffusionBegins = 0.05;
@@ -49,8 +50,9 @@ double NoiseOfSphere(vtkImageData* image, const FlipFree::SeedSphere& sphere)
     InputName);
   if (FlipFree::VoxelsInSphere(geometry, sphere).empty())
   {
-    throw std::invalid_argument("the scale sphere holds no voxel of " + std::string(InputName) +
-      "; put ScaleCenter into the image, and give a ScaleRadius of a voxel or more");
+    throw FlipFree::Error(FlipFree::ErrorCode::InvalidInput,
+      "the scale sphere holds no voxel of " + std::string(InputName) +
+        "; put {ScaleCenter} into the image, and give a {ScaleRadius} of a voxel or more");
   }
   return FlipFree::NoiseOf(image, sphere);
 }
@@ -117,6 +119,7 @@ int vtkAnisotropicDiffusionPrefilter::RequestUpdateExtent(vtkInformation*,
 int vtkAnisotropicDiffusionPrefilter::RequestData(vtkInformation*,
   vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
+  this->SetErrorCode(vtkErrorCode::NoError);
   vtkImageData* input = vtkImageData::GetData(inputVector[0]);
   vtkImageData* output = vtkImageData::GetData(outputVector);
   output->Initialize();
@@ -128,16 +131,17 @@ int vtkAnisotropicDiffusionPrefilter::RequestData(vtkInformation*,
     const VoxelBox region = ChooseRegion(this->VOI, input->GetExtent());
     if (region.IsEmpty())
     {
-      throw std::invalid_argument("VOI holds no voxel of " + std::string(InputName) +
-        "; give an extent within the image's own, or an empty one for all of it");
+      throw FlipFree::Error(FlipFree::ErrorCode::InvalidInput,
+        "{VOI} holds no voxel of " + std::string(InputName) +
+          "; give an extent within the image's own, or an empty one for all of it");
     }
     const double* spacing = input->GetSpacing();
     const double stable = *std::min_element(spacing, spacing + 3) / 16;
     if (this->TimeStep > stable)
     {
-      throw std::invalid_argument("TimeStep " + std::to_string(this->TimeStep) +
-        " is not stable for the spacing of " + InputName + "; give at most " +
-        std::to_string(stable) + ", or 0 to have it chosen");
+      throw FlipFree::Error(FlipFree::ErrorCode::InvalidInput,
+        "{TimeStep} " + std::to_string(this->TimeStep) + " is not stable for the spacing of " +
+          InputName + "; give at most " + std::to_string(stable) + ", or 0 to have it chosen");
     }
     this->TimeStepUsed = this->TimeStep > 0 ? this->TimeStep : stable;
 
@@ -178,7 +182,7 @@ int vtkAnisotropicDiffusionPrefilter::RequestData(vtkInformation*,
   catch (const std::exception& error)
   {
     output->Initialize();
-    vtkErrorMacro("Nothing smoothed: " << error.what() << ".");
+    FlipFreeErrorMacro("Nothing smoothed: ", error, ".");
     return 0;
   }
 }

@@ -22,11 +22,11 @@
  * (one double, gray values), only if there is a scale sphere: the noise found in it before
  * smoothing, as by vtkSeedRegionDiffusion, for vtkGMMFeatureFilter.
  *
- * Errors: a missing or empty image, no scalars, several components, scalars of bits, a spacing that
- * is not positive, NaN or infinite voxels, a VOI or a sphere without a voxel of the image, a
- * TimeStep that is not stable, a property that is not a number. Each is reported once and leaves
- * the output empty. After an abort the output is empty without an error; aborts take effect within
- * an iteration.
+ * Errors, with a code of FlipFreeErrorCode.h: a missing or empty image, no scalars, several
+ * components, scalars of bits, a spacing that is not positive, NaN or infinite voxels, a VOI or a
+ * sphere without a voxel of the image, a TimeStep that is not stable, a property that is not a
+ * number. Each is reported once and leaves the output empty. After an abort the output is empty
+ * without an error; aborts take effect within an iteration.
  *
  * Source: ITK's itk::CurvatureAnisotropicDiffusionImageFilter (R. Whitaker and X. Xue,
  * Variable-conductance, level-set curvature for image denoising, ICIP 2001) and

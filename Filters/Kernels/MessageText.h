@@ -4,6 +4,8 @@
 #ifndef FlipFreeMessageText_h
 #define FlipFreeMessageText_h
 
+#include "QuantityNames.h"
+
 #include <Eigen/Dense>
 
 #include <sstream>
@@ -30,10 +32,10 @@ inline std::string TextOf(double number)
   return text.str();
 }
 
-/// What a user has named. Front ends replace no names of properties within the quotes.
+/// What a user has named, as part of a message.
 inline std::string Quoted(const std::string& name)
 {
-  return "'" + name + "'";
+  return "'" + Escaped(name) + "'";
 }
 
 } // namespace FlipFree

@@ -1,6 +1,7 @@
 #include "vtkPhantomSource.h"
 
 #include "ExecutionAdapter.h"
+#include "FilterReport.h"
 #include "ImageAdapter.h"
 #include "Phantom/PhantomVolume.h"
 #include "PhantomSurface.h"
@@ -76,7 +77,7 @@ bool CopyOf(vtkPhantomSource* source, const char* what, const Copy& copy)
   }
   catch (const std::exception& error)
   {
-    vtkErrorWithObjectMacro(source, "No " << what << ": " << error.what());
+    vtkErrorWithObjectMacro(source, "No " << what << ": " << error.what() << ".");
     return false;
   }
 }
@@ -156,6 +157,7 @@ int vtkPhantomSource::FillOutputPortInformation(int port, vtkInformation* info)
 int vtkPhantomSource::RequestInformation(vtkInformation*, vtkInformationVector**,
   vtkInformationVector* outputVector)
 {
+  this->SetErrorCode(vtkErrorCode::NoError);
   FlipFree::ImageGeometry geometry;
   try
   {
@@ -167,7 +169,7 @@ int vtkPhantomSource::RequestInformation(vtkInformation*, vtkInformationVector**
     {
       vtkDataObject::GetData(outputVector, port)->Initialize();
     }
-    vtkErrorMacro("No phantom: " << error.what());
+    FlipFreeErrorMacro("No phantom: ", error, ".");
     return 0;
   }
   FlipFree::AnnounceImage(geometry, VTK_SHORT, outputVector->GetInformationObject(0));
@@ -178,6 +180,7 @@ int vtkPhantomSource::RequestInformation(vtkInformation*, vtkInformationVector**
 int vtkPhantomSource::RequestData(vtkInformation*, vtkInformationVector**,
   vtkInformationVector* outputVector)
 {
+  this->SetErrorCode(vtkErrorCode::NoError);
   vtkImageData* image = vtkImageData::GetData(outputVector, 0);
   vtkImageData* labelMap = vtkImageData::GetData(outputVector, 1);
   try
@@ -204,7 +207,7 @@ int vtkPhantomSource::RequestData(vtkInformation*, vtkInformationVector**,
   {
     image->Initialize();
     labelMap->Initialize();
-    vtkErrorMacro("No phantom: " << error.what());
+    FlipFreeErrorMacro("No phantom: ", error, ".");
     return 0;
   }
   return 1;

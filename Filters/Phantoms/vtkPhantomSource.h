@@ -26,10 +26,10 @@
  * Output port 2: vtkPolyData, the surface of a plain shape as triangles whose points lie exactly on
  * it, if GenerateSurface is on; empty otherwise, and for the abdomen.
  *
- * Errors: a dimension below 1, more than 2^31 - 1 voxels, a spacing that is not positive, a
- * Direction that cannot be inverted, intensities outside the range of short, a negative
- * NoiseStandardDeviation, a NoiseCorrelation outside 0 to 0.7. They are reported once and leave the
- * outputs empty.
+ * Errors, with a code of FlipFreeErrorCode.h: a dimension below 1, more than 2^31 - 1 voxels, a
+ * spacing that is not positive, a Direction that cannot be inverted, intensities outside the range
+ * of short, a negative NoiseStandardDeviation, a NoiseCorrelation outside 0 to 0.7. They are
+ * reported once and leave the outputs empty.
  */
 #ifndef vtkPhantomSource_h
 #define vtkPhantomSource_h

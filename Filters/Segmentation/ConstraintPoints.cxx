@@ -1,5 +1,7 @@
 #include "ConstraintPoints.h"
 
+#include "Error.h"
+
 #include "vtkAbstractArray.h"
 #include "vtkDataArray.h"
 #include "vtkDataObject.h"
@@ -10,7 +12,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 #include <utility>
 
 namespace FlipFree
@@ -25,14 +26,14 @@ void RequireForm(vtkPointSet* points, vtkAbstractArray* values, const std::strin
     "the point array '" + std::string(values->GetName()) + "' of " + name + " has ";
   if (values->GetNumberOfComponents() != 1)
   {
-    throw std::invalid_argument(
+    throw Error(ErrorCode::InvalidInput,
       array + std::to_string(values->GetNumberOfComponents()) + " components; it needs one");
   }
   if (values->GetNumberOfTuples() != points->GetNumberOfPoints())
   {
-    throw std::invalid_argument(array + std::to_string(values->GetNumberOfTuples()) +
-      " values for " + std::to_string(points->GetNumberOfPoints()) +
-      " points; it needs one for each");
+    throw Error(ErrorCode::InvalidInput,
+      array + std::to_string(values->GetNumberOfTuples()) + " values for " +
+        std::to_string(points->GetNumberOfPoints()) + " points; it needs one for each");
   }
 }
 
@@ -42,7 +43,8 @@ vtkDataArray* ArrayOf(vtkPointSet* points, const char* array, const std::string&
   vtkDataArray* const values = points->GetPointData()->GetArray(array);
   if (!values)
   {
-    throw std::invalid_argument(name + " has no point array '" + array + "'; add it: " + meaning);
+    throw Error(ErrorCode::InvalidInput,
+      name + " has no point array '" + array + "'; add it: " + meaning);
   }
   RequireForm(points, values, name);
   return values;
@@ -62,9 +64,10 @@ ConstraintList ConstraintsOf(vtkPointSet* points, const std::string& name)
     const double kind = kinds->GetTuple1(index);
     if (kind != 0 && kind != 1 && kind != 2 && kind != 3)
     {
-      throw std::invalid_argument("the point array 'Constraint' of " + name + " is " +
-        std::to_string(kind) + " at point " + std::to_string(index) +
-        "; it can be 0 (outside), 1 (inside), 2 (on the boundary) or 3 (a seed)");
+      throw Error(ErrorCode::InvalidInput,
+        "the point array 'Constraint' of " + name + " is " + std::to_string(kind) + " at point " +
+          std::to_string(index) +
+          "; it can be 0 (outside), 1 (inside), 2 (on the boundary) or 3 (a seed)");
     }
     PointConstraint constraint;
     constraint.Kind = static_cast<ConstraintKind>(static_cast<int>(kind));
@@ -95,8 +98,8 @@ std::vector<PointInput> PointInputsOf(vtkInformationVector* inputs, int port)
     if (vtkPointSet* const points = vtkPointSet::GetData(inputs, index))
     {
       found.push_back({ points,
-        "the point set " + (count > 1 ? std::to_string(index + 1) + " " : std::string()) +
-          "on port " + std::to_string(port) });
+        "the point set" + (count > 1 ? " " + std::to_string(index + 1) : std::string()) +
+          "{ on port " + std::to_string(port) + "}" });
     }
   }
   return found;
@@ -113,9 +116,9 @@ struct NumberedConstraint
 
 [[noreturn]] void RefuseOrgan(const NumberedConstraint& point)
 {
-  throw std::invalid_argument("the point array 'Organ' of " + point.Name + " is " +
-    std::to_string(point.Organ) + " at point " + std::to_string(point.Point) +
-    "; organs are numbered from 1, without gaps");
+  throw Error(ErrorCode::InvalidInput,
+    "the point array 'Organ' of " + point.Name + " is " + std::to_string(point.Organ) +
+      " at point " + std::to_string(point.Point) + "; organs are numbered from 1, without gaps");
 }
 
 void AddByName(vtkStringArray* names, const ConstraintList& constraints,

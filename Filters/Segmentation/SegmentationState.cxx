@@ -35,11 +35,12 @@ SegmentationState::SegmentationState(const SegmentationInputs& inputs)
 {
   if (inputs.Labels)
   {
-    this->Runs.FillLabel(LabelVolumeOf(inputs.Labels, "the start labels on port 3"), inputs.Label);
+    this->Runs.FillLabel(LabelVolumeOf(inputs.Labels, "the start labels{ on port 3}"),
+      inputs.Label);
   }
   if (inputs.Start)
   {
-    this->Runs.StartFrom(GivenSurfaceOf(inputs.Start, "the start surface on port 1"));
+    this->Runs.StartFrom(GivenSurfaceOf(inputs.Start, "the start surface{ on port 1}"));
   }
 }
 

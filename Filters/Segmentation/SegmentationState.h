@@ -17,7 +17,7 @@ namespace FlipFree
 {
 
 /// How messages call the image.
-constexpr const char* InputImageName = "the image on port 0";
+constexpr const char* InputImageName = "the image{ on port 0}";
 
 /// The inputs that are not constraints, told apart by their modification times.
 struct SegmentationInputs
@@ -35,7 +35,7 @@ struct SegmentationInputs
 
 struct SegmentationState
 {
-  /// Throws std::invalid_argument or Error for a start surface or labels that cannot be used. The
+  /// Throws Error for a start surface or labels that cannot be used. The
   /// image has passed RequireGrayImage. Keeps its voxels alive, not the image.
   explicit SegmentationState(const SegmentationInputs& inputs);
 

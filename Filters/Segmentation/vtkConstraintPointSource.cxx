@@ -1,5 +1,6 @@
 #include "vtkConstraintPointSource.h"
 
+#include "FilterReport.h"
 #include "Image/PointConstraint.h"
 #include "MessageText.h"
 #include "StageProperties.h"
@@ -36,6 +37,7 @@ void vtkConstraintPointSource::SetRadius(double value)
 int vtkConstraintPointSource::RequestData(vtkInformation*, vtkInformationVector**,
   vtkInformationVector* outputVector)
 {
+  this->SetErrorCode(vtkErrorCode::NoError);
   if (!this->Enabled)
   {
     return 1;
@@ -43,15 +45,20 @@ int vtkConstraintPointSource::RequestData(vtkInformation*, vtkInformationVector*
   const bool isSeed = this->Kind == SEED;
   if (!Eigen::Vector3d(this->Position).allFinite())
   {
-    vtkErrorMacro("No point: Position " << FlipFree::TextOf(Eigen::Vector3d(this->Position))
-                                        << " must be finite numbers; set it, in millimeters.");
+    FlipFreeErrorMacro("No point: ",
+      FlipFree::Error(FlipFree::ErrorCode::NonFiniteValue,
+        "{Position} " + FlipFree::TextOf(Eigen::Vector3d(this->Position)) +
+          " must be finite numbers; set it, in millimeters"),
+      ".");
     return 0;
   }
   if (isSeed && !std::isfinite(this->Radius))
   {
-    vtkErrorMacro("No point: Radius (" << this->Radius
-                                       << ") of a seed must be a finite number; set it, in "
-                                          "millimeters.");
+    FlipFreeErrorMacro("No point: ",
+      FlipFree::Error(FlipFree::ErrorCode::NonFiniteValue,
+        "{Radius} (" + FlipFree::TextOf(this->Radius) +
+          ") of a seed must be a finite number; set it, in millimeters"),
+      ".");
     return 0;
   }
   vtkPolyData* const output = vtkPolyData::GetData(outputVector);

@@ -12,7 +12,8 @@
  *  - `Radius`, double, in millimeters: that of a seed sphere, 0 for other points;
  *  - `Organ`, int: the organ's number, from 1, which vtkFlipFreeOrganGroup reads.
  *
- * Errors: a Position, or the Radius of a seed, that is not finite. The output is then empty.
+ * Errors, with a code of FlipFreeErrorCode.h: a Position, or the Radius of a seed, that is not
+ * finite. The output is then empty.
  */
 #ifndef vtkConstraintPointSource_h
 #define vtkConstraintPointSource_h

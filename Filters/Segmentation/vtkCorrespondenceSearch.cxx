@@ -4,6 +4,7 @@
 #include "Deformation/SegmentationParameters.h"
 #include "Deformation/TargetSearch.h"
 #include "FieldData.h"
+#include "FilterReport.h"
 #include "GrayImageAdapter.h"
 #include "Image/GridCheck.h"
 #include "PipelineAdapter.h"
@@ -33,7 +34,7 @@ bool SameGrid(const FlipFree::ImageGeometry& one, const FlipFree::ImageGeometry&
 class CheckedImage
 {
 public:
-  // Throws std::invalid_argument for an image that cannot be searched. Returns false if the monitor
+  // Throws Error for an image that cannot be searched. Returns false if the monitor
   // stopped it.
   bool Update(vtkImageData* image, const std::string& name, const FlipFree::Monitor& monitor)
   {
@@ -112,9 +113,9 @@ constexpr std::ptrdiff_t VoxelsPerVertex = 1000;
 constexpr double UsualSeedRadius = 25;
 
 // How messages call the inputs.
-constexpr const char* SearchedSurface = "the surface on port 0";
-constexpr const char* SearchedFeature = "the feature on port 1";
-constexpr const char* SearchedEdges = "the edge image on port 2";
+constexpr const char* SearchedSurface = "the surface{ on port 0}";
+constexpr const char* SearchedFeature = "the feature{ on port 1}";
+constexpr const char* SearchedEdges = "the edge image{ on port 2}";
 
 double ThresholdFor(double wanted, vtkImageData* feature)
 {
@@ -240,6 +241,7 @@ int vtkCorrespondenceSearch::RequestUpdateExtent(vtkInformation*,
 int vtkCorrespondenceSearch::RequestData(vtkInformation*, vtkInformationVector** inputVector,
   vtkInformationVector* outputVector)
 {
+  this->SetErrorCode(vtkErrorCode::NoError);
   vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
   vtkImageData* featureImage = vtkImageData::GetData(inputVector[1]);
   vtkImageData* edgeImage = vtkImageData::GetData(inputVector[2]);
@@ -284,7 +286,7 @@ int vtkCorrespondenceSearch::RequestData(vtkInformation*, vtkInformationVector**
   catch (const std::exception& error)
   {
     output->Initialize();
-    vtkErrorMacro("No correspondence: " << error.what() << ".");
+    FlipFreeErrorMacro("No correspondence: ", error, ".");
     return 0;
   }
   return 1;

@@ -20,9 +20,9 @@
  * The checked images, the foreground and the mesh's contours are kept between updates: after
  * writing voxels in place, call Modified() on the image.
  *
- * Errors: a surface that is open or not four-valent; images without scalars, with several
- * components or with voxels that are not finite; an edge image with a grid other than the
- * feature's; field data of another size or not finite; a property that is NaN.
+ * Errors, with a code of FlipFreeErrorCode.h: a surface that is open or not four-valent; images
+ * without scalars, with several components or with voxels that are not finite; an edge image with a
+ * grid other than the feature's; field data of another size or not finite; a property that is NaN.
  */
 #ifndef vtkCorrespondenceSearch_h
 #define vtkCorrespondenceSearch_h

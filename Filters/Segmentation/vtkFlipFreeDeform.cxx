@@ -5,6 +5,7 @@
 #include "Deformation/SegmentationParameters.h"
 #include "ExecutionAdapter.h"
 #include "FieldData.h"
+#include "FilterReport.h"
 #include "StageProperties.h"
 
 #include "vtkCellData.h"
@@ -60,13 +61,14 @@ void vtkFlipFreeDeform::RequireProperties() const
 int vtkFlipFreeDeform::RequestData(vtkInformation*, vtkInformationVector** inputVector,
   vtkInformationVector* outputVector)
 {
+  this->SetErrorCode(vtkErrorCode::NoError);
   vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   output->Initialize();
   try
   {
     this->RequireProperties();
-    const std::string name = "the surface on port 0";
+    const std::string name = "the surface{ on port 0}";
     const bool guarded = this->Settings->Guard;
     FlipFree::PointList points = FlipFree::CopyPoints(input);
     const auto mesh = this->Kept->Meshes.MeshOf(input, points, name);
@@ -98,7 +100,7 @@ int vtkFlipFreeDeform::RequestData(vtkInformation*, vtkInformationVector** input
   catch (const std::exception& error)
   {
     output->Initialize();
-    vtkErrorMacro("Nothing deformed: " << error.what() << ".");
+    FlipFreeErrorMacro("Nothing deformed: ", error, ".");
     return 0;
   }
   return 1;

@@ -14,8 +14,9 @@
  * data, one double each: `FlippingVertices` (before avoidance), `GuardedVertices` (whose motion the
  * guard scaled down), and `Certified` (1 with the guard on, 0 otherwise).
  *
- * Errors: missing arrays or arrays of another type, displacements that are not finite, a surface
- * that is open, not four-valent, or, with the guard on, self-intersecting.
+ * Errors, with a code of FlipFreeErrorCode.h: missing arrays or arrays of another type,
+ * displacements that are not finite, a surface that is open, not four-valent, or, with the guard
+ * on, self-intersecting.
  */
 #ifndef vtkFlipFreeDeform_h
 #define vtkFlipFreeDeform_h

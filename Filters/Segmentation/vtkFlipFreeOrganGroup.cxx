@@ -6,6 +6,7 @@
 #include "ExecutionAdapter.h"
 #include "FieldData.h"
 #include "FilterAdvice.h"
+#include "FilterReport.h"
 #include "GrayImageAdapter.h"
 #include "LabelAdapter.h"
 #include "PipelineAdapter.h"
@@ -41,7 +42,7 @@ vtkStandardNewMacro(vtkFlipFreeOrganGroup);
 namespace
 {
 
-const char* const NameOfImage = "the image on port 0";
+const char* const NameOfImage = "the image{ on port 0}";
 
 std::vector<FlipFree::GivenSurface> FixedSurfacesOf(vtkInformationVector* inputs)
 {
@@ -50,7 +51,7 @@ std::vector<FlipFree::GivenSurface> FixedSurfacesOf(vtkInformationVector* inputs
   for (int index = 0; index < inputs->GetNumberOfInformationObjects(); ++index)
   {
     fixed.push_back(FlipFree::GivenSurfaceOf(vtkPolyData::GetData(inputs, index),
-      "the fixed surface " + std::to_string(index + 1) + " on port 2"));
+      "the fixed surface " + std::to_string(index + 1) + "{ on port 2}"));
   }
   return fixed;
 }
@@ -189,8 +190,10 @@ void vtkFlipFreeOrganGroup::AddPoint(const char* organ, int kind, const double (
     [&name](const FlipFree::NamedOrgan& candidate) { return candidate.Name == name; });
   if (found == this->Kept->Organs.end())
   {
-    vtkErrorMacro("No point: there is no organ named " << FlipFree::Quoted(name)
-                                                       << "; add it by AddOrgan first.");
+    FlipFreeErrorMacro("No point: ",
+      FlipFree::Error(FlipFree::ErrorCode::OutOfRange,
+        "there is no organ named " + FlipFree::Quoted(name) + "; add it by AddOrgan first"),
+      ".");
     return;
   }
   found->Constraints.push_back({ static_cast<FlipFree::ConstraintKind>(kind),
@@ -328,6 +331,7 @@ vtkTypeBool vtkFlipFreeOrganGroup::ProcessRequest(vtkInformation* request,
 
 int vtkFlipFreeOrganGroup::RequestData(vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
+  this->SetErrorCode(vtkErrorCode::NoError);
   const auto clear = [this, outputs]
   {
     for (int port = 0; port < 3; ++port)
@@ -346,7 +350,7 @@ int vtkFlipFreeOrganGroup::RequestData(vtkInformationVector** inputs, vtkInforma
   catch (const std::exception& error)
   {
     clear();
-    vtkErrorMacro("No segmentation: " << error.what() << ".");
+    FlipFreeErrorMacro("No segmentation: ", error, ".");
     return 0;
   }
   return 1;
@@ -424,7 +428,7 @@ void vtkFlipFreeOrganGroup::FillOutputs(int organ, const std::string& name, vtkI
   }
   for (const std::string& warning : result.Warnings)
   {
-    vtkWarningMacro(<< FlipFree::Quoted(name) << ": " << warning);
+    FlipFreeWarningMacro(FlipFree::Quoted(name) + ": " + warning);
   }
   for (int stage = 0; stage < 4; ++stage)
   {

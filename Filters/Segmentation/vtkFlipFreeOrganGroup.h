@@ -31,10 +31,10 @@
  * Output port 2: vtkTable, a row per organ: Organ (its name), Label, Milliliters (of its voxels),
  * Iterations, StopReason (in words), Confidence (0 to 1), SelfIntersections.
  *
- * Errors: those of vtkFlipFreeSegmentation, naming the organ; no organ, or one without a seed; two
- * organs whose seeds overlap; a point of one organ in a seed of another; a seed or start sphere
- * that meets a fixed surface; Guard or Carving switched off. The outputs are then empty. Warnings:
- * those of vtkFlipFreeSegmentation, with the organ's name.
+ * Errors, with a code of FlipFreeErrorCode.h: those of vtkFlipFreeSegmentation, naming the organ;
+ * no organ, or one without a seed; two organs whose seeds overlap; a point of one organ in a seed
+ * of another; a seed or start sphere that meets a fixed surface; Guard or Carving switched off. The
+ * outputs are then empty. Warnings: those of vtkFlipFreeSegmentation, with the organ's name.
  */
 #ifndef vtkFlipFreeOrganGroup_h
 #define vtkFlipFreeOrganGroup_h

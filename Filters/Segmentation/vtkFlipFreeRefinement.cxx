@@ -2,6 +2,7 @@
 
 #include "ContourMeshAdapter.h"
 #include "ExecutionAdapter.h"
+#include "FilterReport.h"
 #include "Guard/SurfaceRefinement.h"
 
 #include "vtkObjectFactory.h"
@@ -12,12 +13,13 @@ vtkStandardNewMacro(vtkFlipFreeRefinement);
 int vtkFlipFreeRefinement::RequestData(vtkInformation*, vtkInformationVector** inputVector,
   vtkInformationVector* outputVector)
 {
+  this->SetErrorCode(vtkErrorCode::NoError);
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   output->Initialize();
   try
   {
     const FlipFree::DeformableSurface surface = FlipFree::DeformableSurfaceOf(
-      vtkPolyData::GetData(inputVector[0]), "the surface on port 0", this->Check);
+      vtkPolyData::GetData(inputVector[0]), "the surface{ on port 0}", this->Check);
     const FlipFree::RefinedSurface refined = FlipFree::RefineSurface(surface.Mesh, surface.Points,
       this->Check, FlipFree::SMPFor, FlipFree::MonitorOf(this));
     if (FlipFree::IsAborted(this))
@@ -26,8 +28,8 @@ int vtkFlipFreeRefinement::RequestData(vtkInformation*, vtkInformationVector** i
     }
     if (!refined.Embedded)
     {
-      throw std::invalid_argument(
-        "the surface on port 0 is folded too sharply; smooth it, or deform it with more fairing");
+      throw FlipFree::Error(FlipFree::ErrorCode::InvalidInput,
+        "the surface{ on port 0} is folded too sharply; smooth it, or deform it with more fairing");
     }
     FlipFree::AttachMesh(refined.Mesh, refined.Points, output);
     FlipFree::AttachCertificate(this->Check, output);
@@ -35,7 +37,7 @@ int vtkFlipFreeRefinement::RequestData(vtkInformation*, vtkInformationVector** i
   catch (const std::exception& error)
   {
     output->Initialize();
-    vtkErrorMacro("Nothing refined: " << error.what() << ".");
+    FlipFreeErrorMacro("Nothing refined: ", error, ".");
     return 0;
   }
   return 1;

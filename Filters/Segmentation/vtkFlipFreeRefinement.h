@@ -10,8 +10,8 @@
  * Input port 0: vtkPolyData, closed, four neighbors at every vertex.
  * Output port 0: the refined surface, without arrays.
  *
- * Errors: a surface that is open, not four-valent, or, with Check on, self-intersecting or
- * impossible to refine.
+ * Errors, with a code of FlipFreeErrorCode.h: a surface that is open, not four-valent, or, with
+ * Check on, self-intersecting or impossible to refine.
  */
 #ifndef vtkFlipFreeRefinement_h
 #define vtkFlipFreeRefinement_h

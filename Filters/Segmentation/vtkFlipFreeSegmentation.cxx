@@ -1,5 +1,6 @@
 #include "vtkFlipFreeSegmentation.h"
 
+#include "FilterReport.h"
 #include "LabelAdapter.h"
 #include "PipelineAdapter.h"
 #include "SegmentationResult.h"
@@ -180,6 +181,7 @@ bool vtkFlipFreeSegmentation::IsCacheUpToDate(vtkInformationVector** inputs)
 int vtkFlipFreeSegmentation::RequestData(vtkInformationVector** inputs,
   vtkInformationVector* outputs)
 {
+  this->SetErrorCode(vtkErrorCode::NoError);
   if (!this->KeepHistory || !this->IsCacheUpToDate(inputs))
   {
     this->Cache = std::make_unique<FlipFree::SegmentationResult>();
@@ -194,7 +196,7 @@ int vtkFlipFreeSegmentation::RequestData(vtkInformationVector** inputs,
       this->Cache.reset();
       this->State.reset();
       this->StopReason = NOT_RUN;
-      vtkErrorMacro("No segmentation: " << error.what() << ".");
+      FlipFreeErrorMacro("No segmentation: ", error, ".");
       return 0;
     }
     this->Cache->Time.Modified();
@@ -226,7 +228,7 @@ void vtkFlipFreeSegmentation::UpdateCache(vtkInformationVector** inputs)
   this->Confidence = result.Confidence.OfSurface;
   for (const std::string& warning : result.Warnings)
   {
-    vtkWarningMacro(<< warning);
+    FlipFreeWarningMacro(warning);
   }
   FlipFree::Stopwatch watch;
   FlipFree::MakeLabelMap(result.Voxels, static_cast<unsigned char>(this->LabelValue),

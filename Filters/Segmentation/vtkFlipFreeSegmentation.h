@@ -49,13 +49,14 @@
  * MeanDistance (mm), Matched, Solitary, Flipping, Guarded (vertices that the guard limited), and
  * the seconds of its stages, SearchSeconds, FlipSeconds, SolveSeconds, GuardSeconds.
  *
- * Errors: no scalars, several components, an empty image, voxels that are not finite near the seed,
- * a seed outside the image, a radius below a voxel, a seed without contrast to its surroundings, a
- * start surface that is open, not four-valent or self-intersecting, a property that is NaN; a
- * constraint that is outside the image, contradicts another one or the seed, or cannot be obeyed by
- * a surface of one piece; constraints without the guard; start labels on another grid than the
- * image, without voxels of StartLabel, or nowhere thicker than two voxels. Each is reported once;
- * errors of constraints name the point. The outputs are then empty.
+ * Errors, with a code of FlipFreeErrorCode.h: no scalars, several components, an empty image,
+ * voxels that are not finite near the seed, a seed outside the image, a radius below a voxel, a
+ * seed without contrast to its surroundings, a start surface that is open, not four-valent or
+ * self-intersecting, a property that is NaN; a constraint that is outside the image, contradicts
+ * another one or the seed, or cannot be obeyed by a surface of one piece; constraints without the
+ * guard; start labels on another grid than the image, without voxels of StartLabel, or nowhere
+ * thicker than two voxels. Each is reported once; errors of constraints name the point. The outputs
+ * are then empty.
  *
  * Warnings, which still give a result: the seed sphere reaches beyond the image; no vertex found a
  * boundary; the surface could not be refined; it touches the end of Reach. A surface grown from the

@@ -4,6 +4,7 @@
 #include "ContourMeshAdapter.h"
 #include "ConvergenceTable.h"
 #include "ExecutionAdapter.h"
+#include "FilterReport.h"
 #include "GrayImageAdapter.h"
 #include "LabelAdapter.h"
 #include "PipelineAdapter.h"
@@ -135,6 +136,7 @@ int vtkFlipFreeVesselSegmentation::RequestInformation(vtkInformation*,
 int vtkFlipFreeVesselSegmentation::RequestData(vtkInformation*, vtkInformationVector** inputs,
   vtkInformationVector* outputs)
 {
+  this->SetErrorCode(vtkErrorCode::NoError);
   const auto clear = [outputs]
   {
     for (int port = 0; port < 4; ++port)
@@ -155,7 +157,7 @@ int vtkFlipFreeVesselSegmentation::RequestData(vtkInformation*, vtkInformationVe
   {
     clear();
     this->StopReason = static_cast<int>(FlipFree::StopReason::NotRun);
-    vtkErrorMacro("No segmentation: " << error.what() << ".");
+    FlipFreeErrorMacro("No segmentation: ", error, ".");
     return 0;
   }
   return 1;
@@ -167,7 +169,7 @@ void vtkFlipFreeVesselSegmentation::Segment(vtkImageData* image, vtkInformationV
   FlipFree::ConstraintList constraints = this->Points->Corrections;
   const auto more = FlipFree::ConstraintsOf(corrections, 1);
   constraints.insert(constraints.end(), more.begin(), more.end());
-  const std::string name = "the image on port 0";
+  const std::string name = "the image{ on port 0}";
   FlipFree::RequireGrayImage(image, name);
   const FlipFree::VesselSegmentation result =
     FlipFree::SegmentVessel(FlipFree::GrayVolumeOf(image, name), name, this->Points->List(),
@@ -191,7 +193,7 @@ void vtkFlipFreeVesselSegmentation::Segment(vtkImageData* image, vtkInformationV
   FlipFree::FillCenterline(result.Tree, vtkPolyData::GetData(outputs, 2));
   for (const std::string& warning : result.Warnings)
   {
-    vtkWarningMacro(<< warning);
+    FlipFreeWarningMacro(warning);
   }
   FlipFree::MakeLabelMap(result.Voxels, static_cast<unsigned char>(this->GetLabelValue()), image,
     vtkImageData::GetData(outputs, 1));

@@ -2,6 +2,7 @@
 
 #include "Deformation/SegmentationParameters.h"
 #include "FieldData.h"
+#include "FilterReport.h"
 #include "GrayImageAdapter.h"
 #include "Intensity/CarvedForeground.h"
 #include "Intensity/ModelFit.h"
@@ -26,7 +27,7 @@ namespace
 
 FlipFree::PolygonalSurface ClosedSurfaceOf(vtkPolyData* data)
 {
-  const char* const name = "the surface on port 1";
+  const char* const name = "the surface{ on port 1}";
   FlipFree::PolygonalSurface surface = FlipFree::SurfaceOf(data, name);
   FlipFree::RequireClosed(static_cast<int>(surface.Points.rows()), surface.Triangles, name);
   return surface;
@@ -41,8 +42,9 @@ FlipFree::Refit RefitTo(vtkPolyData* surface, const FlipFree::ImageView<float>& 
     noise, settings, FlipFree::SMPFor, monitor, model);
   if (refit == FlipFree::Refit::NothingInside)
   {
-    throw std::invalid_argument("the surface on port 1 holds no voxel of the image on port 0; "
-                                "check that both are in the same physical coordinates");
+    throw FlipFree::Error(FlipFree::ErrorCode::InvalidInput,
+      "the surface{ on port 1} holds no voxel of the image{ on port 0}; "
+      "check that both are in the same physical coordinates");
   }
   return refit;
 }
@@ -182,6 +184,7 @@ int vtkGMMFeatureFilter::RequestUpdateExtent(vtkInformation*, vtkInformationVect
 int vtkGMMFeatureFilter::RequestData(vtkInformation*, vtkInformationVector** inputVector,
   vtkInformationVector* outputVector)
 {
+  this->SetErrorCode(vtkErrorCode::NoError);
   vtkImageData* output = vtkImageData::GetData(outputVector);
   output->Initialize();
   try
@@ -193,7 +196,7 @@ int vtkGMMFeatureFilter::RequestData(vtkInformation*, vtkInformationVector** inp
   catch (const std::exception& error)
   {
     output->Initialize();
-    vtkErrorMacro("No feature: " << error.what() << ".");
+    FlipFreeErrorMacro("No feature: ", error, ".");
     return 0;
   }
   return 1;
@@ -204,13 +207,13 @@ void vtkGMMFeatureFilter::ComputeFeature(vtkImageData* image, vtkPolyData* surfa
   vtkImageData* output)
 {
   const FlipFree::SeedSphere seed{ Eigen::Vector3d(this->SeedCenter), this->SeedRadius };
-  FlipFree::RequireGrayImage(image, "the image on port 0");
+  FlipFree::RequireGrayImage(image, "the image{ on port 0}");
   const FlipFree::ImageGeometry geometry = FlipFree::GeometryOf(image);
-  FlipFree::RequireSeed(geometry, seed, "the image on port 0");
+  FlipFree::RequireSeed(geometry, seed, "the image{ on port 0}");
   const std::vector<double> given =
-    FlipFree::FieldValues("NoiseStandardDeviation", 1, false, image, "the image on port 0");
+    FlipFree::FieldValues("NoiseStandardDeviation", 1, false, image, "the image{ on port 0}");
   const FlipFree::Monitor whole = FlipFree::MonitorOf(this);
-  if (!FlipFree::RequireFinite(image, FlipFree::WholeBox(geometry), "the image on port 0",
+  if (!FlipFree::RequireFinite(image, FlipFree::WholeBox(geometry), "the image{ on port 0}",
         FlipFree::PartOf(whole, 0, 0.05)) ||
     !whole(0.05))
   {
@@ -233,11 +236,11 @@ void vtkGMMFeatureFilter::ComputeFeature(vtkImageData* image, vtkPolyData* surfa
       FlipFree::PartOf(whole, 0.1, 0.4), model);
     if (refit == FlipFree::Refit::TooFewInside)
     {
-      vtkWarningMacro("The surface on port 1 has no more than "
-        << FlipFree::MinimumRefitSample << " voxels that are more than "
-        << this->Settings->Intensity.InnerMargin
-        << " mm inside, too few to model the organ, so its intensities are those of the seed; "
-           "enlarge the surface, or disconnect it.");
+      FlipFreeWarningMacro("The surface{ on port 1} has no more than " +
+        std::to_string(FlipFree::MinimumRefitSample) + " voxels that are more than " +
+        FlipFree::TextOf(this->Settings->Intensity.InnerMargin) +
+        " mm inside, too few to model the organ, so its intensities are those of the seed; "
+        "enlarge the surface, or disconnect it.");
     }
   }
   FlipFree::BitMask foreground;

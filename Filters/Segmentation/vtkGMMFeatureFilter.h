@@ -21,12 +21,12 @@
  * `MixtureStandardDeviations` (one per component, gray values), `EdgeRamp` (3 values: low, high,
  * width, by which vtkCorrespondenceSearch reads edges).
  *
- * Errors: as vtkSeedRegionDiffusion; a surface that is open, or holds no voxel of the image; a seed
- * that holds no voxel, or, unless a surface takes its place, has no contrast to its surroundings; a
- * `NoiseStandardDeviation` that is not one finite number; a property that is NaN. Warning: a
- * surface that has 200 voxels or fewer more than 2 mm inside it, too few to model the organ; the
- * intensities are then those of the seed. Progress is reported and an abort obeyed between passes
- * over the image; the output is then empty.
+ * Errors, with a code of FlipFreeErrorCode.h: as vtkSeedRegionDiffusion; a surface that is open, or
+ * holds no voxel of the image; a seed that holds no voxel, or, unless a surface takes its place,
+ * has no contrast to its surroundings; a `NoiseStandardDeviation` that is not one finite number; a
+ * property that is NaN. Warning: a surface that has 200 voxels or fewer more than 2 mm inside it,
+ * too few to model the organ; the intensities are then those of the seed. Progress is reported and
+ * an abort obeyed between passes over the image; the output is then empty.
  */
 #ifndef vtkGMMFeatureFilter_h
 #define vtkGMMFeatureFilter_h

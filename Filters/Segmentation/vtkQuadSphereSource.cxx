@@ -1,5 +1,6 @@
 #include "vtkQuadSphereSource.h"
 
+#include "FilterReport.h"
 #include "Mesh/QuadSphere.h"
 #include "MeshAdapter.h"
 #include "MessageText.h"
@@ -27,11 +28,14 @@ vtkQuadSphereSource::vtkQuadSphereSource()
 int vtkQuadSphereSource::RequestData(vtkInformation*, vtkInformationVector**,
   vtkInformationVector* outputVector)
 {
+  this->SetErrorCode(vtkErrorCode::NoError);
   if (!Eigen::Vector3d(this->Center).allFinite() || !std::isfinite(this->Radius))
   {
-    vtkErrorMacro("No sphere: Center " << FlipFree::TextOf(Eigen::Vector3d(this->Center))
-                                       << " and Radius (" << this->Radius
-                                       << ") must be finite numbers; set them, in millimeters.");
+    FlipFreeErrorMacro("No sphere: ",
+      FlipFree::Error(FlipFree::ErrorCode::NonFiniteValue,
+        "{Center} " + FlipFree::TextOf(Eigen::Vector3d(this->Center)) + " and {Radius} (" +
+          FlipFree::TextOf(this->Radius) + ") must be finite numbers; set them, in millimeters"),
+      ".");
     return 0;
   }
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
@@ -53,8 +57,9 @@ int vtkQuadSphereSource::RequestData(vtkInformation*, vtkInformationVector**,
   catch (const std::exception& error)
   {
     output->Initialize();
-    vtkErrorMacro("No sphere: " << error.what() << "; lower Resolution (" << this->Resolution
-                                << "), on which the memory depends.");
+    FlipFreeErrorMacro("No sphere: ", error,
+      "; lower {Resolution} (" + std::to_string(this->Resolution) +
+        "), on which the memory depends.");
     return 0;
   }
   return 1;

@@ -11,8 +11,8 @@
  *  - `Checkerboard`, unsigned char: 0 or 1 by fields of 4 x 4 cells per side, to show how a
  *    deformation moves the mesh (Fig. 1 of the paper).
  *
- * Errors: a Center or Radius that is not finite, no memory. A Resolution below 1 or a Radius that
- * is not positive cannot be set; they are clamped.
+ * Errors, with a code of FlipFreeErrorCode.h: a Center or Radius that is not finite, no memory. A
+ * Resolution below 1 or a Radius that is not positive cannot be set; they are clamped.
  */
 #ifndef vtkQuadSphereSource_h
 #define vtkQuadSphereSource_h

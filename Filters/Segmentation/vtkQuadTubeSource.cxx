@@ -2,6 +2,7 @@
 
 #include "ExecutionAdapter.h"
 #include "FilterAdvice.h"
+#include "FilterReport.h"
 #include "MeshAdapter.h"
 #include "Vessel/QuadTube.h"
 
@@ -33,16 +34,17 @@ Line LineOf(vtkPolyData* lines, int index)
 {
   if (index >= lines->GetNumberOfLines())
   {
-    throw std::invalid_argument("the lines on port 0 are " +
-      std::to_string(lines->GetNumberOfLines()) + ", and LineIndex is " + std::to_string(index) +
-      "; connect poly lines, or lower it");
+    throw FlipFree::Error(FlipFree::ErrorCode::InvalidInput,
+      "the lines{ on port 0} are " + std::to_string(lines->GetNumberOfLines()) +
+        ", and {LineIndex} is " + std::to_string(index) + "; connect poly lines, or lower it");
   }
   vtkDataArray* radii = lines->GetPointData()->GetArray("Radius");
   if (!radii || radii->GetNumberOfComponents() != 1 ||
     radii->GetNumberOfTuples() != lines->GetNumberOfPoints())
   {
-    throw std::invalid_argument("the lines on port 0 have no point array Radius with one number "
-                                "per point; add one, in millimeters");
+    throw FlipFree::Error(FlipFree::ErrorCode::InvalidInput,
+      "the lines{ on port 0} have no point array 'Radius' with one number "
+      "per point; add one, in millimeters");
   }
   vtkNew<vtkIdList> places;
   lines->GetLines()->GetCellAtId(index, places);
@@ -62,6 +64,7 @@ Line LineOf(vtkPolyData* lines, int index)
 int vtkQuadTubeSource::RequestData(vtkInformation*, vtkInformationVector** inputs,
   vtkInformationVector* outputs)
 {
+  this->SetErrorCode(vtkErrorCode::NoError);
   vtkPolyData* output = vtkPolyData::GetData(outputs);
   output->Initialize();
   try
@@ -71,7 +74,7 @@ int vtkQuadTubeSource::RequestData(vtkInformation*, vtkInformationVector** input
       [&]
       {
         return FlipFree::MakeQuadTube(line.Points, line.Radii, this->Resolution,
-          "the line on port 0", FlipFree::SMPFor);
+          "the line{ on port 0}", FlipFree::SMPFor);
       });
     output->SetPoints(FlipFree::MakePoints(tube.Points));
     output->SetPolys(FlipFree::MakePolys(tube.Faces));
@@ -79,7 +82,7 @@ int vtkQuadTubeSource::RequestData(vtkInformation*, vtkInformationVector** input
   catch (const std::exception& error)
   {
     output->Initialize();
-    vtkErrorMacro("No tube: " << error.what() << ".");
+    FlipFreeErrorMacro("No tube: ", error, ".");
     return 0;
   }
   return 1;

@@ -10,9 +10,10 @@
  * Input port 0: vtkPolyData with poly lines and the point array Radius (one component, mm).
  * Output port 0: vtkPolyData, the tube.
  *
- * Errors: no such line, a radius that is not positive or not finite, two coincident points, a line
- * that bends more tightly than its radius or comes too close to itself, so that the tube would
- * intersect itself; the message says where. The output is then empty.
+ * Errors, with a code of FlipFreeErrorCode.h: no such line, a radius that is not positive or not
+ * finite, two coincident points, a line that bends more tightly than its radius or comes too close
+ * to itself, so that the tube would intersect itself; the message says where. The output is then
+ * empty.
  */
 #ifndef vtkQuadTubeSource_h
 #define vtkQuadTubeSource_h

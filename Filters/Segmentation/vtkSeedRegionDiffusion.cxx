@@ -2,6 +2,7 @@
 
 #include "Deformation/SegmentationParameters.h"
 #include "FieldData.h"
+#include "FilterReport.h"
 #include "GrayImageAdapter.h"
 #include "Image/SmoothRegion.h"
 #include "PipelineAdapter.h"
@@ -90,18 +91,19 @@ int vtkSeedRegionDiffusion::RequestUpdateExtent(vtkInformation*, vtkInformationV
 int vtkSeedRegionDiffusion::RequestData(vtkInformation*, vtkInformationVector** inputVector,
   vtkInformationVector* outputVector)
 {
+  this->SetErrorCode(vtkErrorCode::NoError);
   vtkImageData* image = vtkImageData::GetData(inputVector[0]);
   vtkImageData* output = vtkImageData::GetData(outputVector);
   const FlipFree::SeedSphere seed{ Eigen::Vector3d(this->SeedCenter), this->SeedRadius };
   try
   {
     this->RequireProperties();
-    FlipFree::RequireGrayImage(image, "the image on port 0");
+    FlipFree::RequireGrayImage(image, "the image{ on port 0}");
     const FlipFree::ImageGeometry geometry = FlipFree::GeometryOf(image);
-    FlipFree::RequireSeed(geometry, seed, "the image on port 0");
+    FlipFree::RequireSeed(geometry, seed, "the image{ on port 0}");
     const FlipFree::VoxelBox box =
       FlipFree::BoxAround(geometry, seed.Center, FlipFree::ReachOf(*this->Settings, seed.Radius));
-    FlipFree::RequireFinite(image, box, "the image on port 0");
+    FlipFree::RequireFinite(image, box, "the image{ on port 0}");
     const double noise = FlipFree::NoiseOf(image, seed);
     FlipFree::FloatImage region;
     if (!FlipFree::SmoothRegionOf(image, box, FlipFree::DiffusionOf(*this->Settings, noise),
@@ -120,7 +122,7 @@ int vtkSeedRegionDiffusion::RequestData(vtkInformation*, vtkInformationVector** 
   catch (const std::exception& error)
   {
     output->Initialize();
-    vtkErrorMacro("Nothing smoothed: " << error.what() << ".");
+    FlipFreeErrorMacro("Nothing smoothed: ", error, ".");
     return 0;
   }
   return 1;

@@ -12,8 +12,9 @@
  * in its place. Field data `NoiseStandardDeviation` (one double, gray values): the noise found
  * before smoothing.
  *
- * Errors: an image without scalars or with several components, voxels that are not finite, a seed
- * outside the image or smaller than a voxel, a property that is NaN.
+ * Errors, with a code of FlipFreeErrorCode.h: an image without scalars or with several components,
+ * voxels that are not finite, a seed outside the image or smaller than a voxel, a property that is
+ * NaN.
  */
 #ifndef vtkSeedRegionDiffusion_h
 #define vtkSeedRegionDiffusion_h

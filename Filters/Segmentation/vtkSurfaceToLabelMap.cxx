@@ -1,6 +1,7 @@
 #include "vtkSurfaceToLabelMap.h"
 
 #include "ExecutionAdapter.h"
+#include "FilterReport.h"
 #include "LabelAdapter.h"
 #include "Mesh/SurfaceVoxelization.h"
 #include "PipelineAdapter.h"
@@ -46,6 +47,7 @@ int vtkSurfaceToLabelMap::RequestInformation(vtkInformation*, vtkInformationVect
 int vtkSurfaceToLabelMap::RequestData(vtkInformation*, vtkInformationVector** inputVector,
   vtkInformationVector* outputVector)
 {
+  this->SetErrorCode(vtkErrorCode::NoError);
   vtkImageData* reference = vtkImageData::GetData(inputVector[1]);
   vtkImageData* output = vtkImageData::GetData(outputVector);
   output->Initialize();
@@ -53,12 +55,12 @@ int vtkSurfaceToLabelMap::RequestData(vtkInformation*, vtkInformationVector** in
   {
     if (reference->GetNumberOfPoints() == 0)
     {
-      throw std::invalid_argument(
-        "the reference image on port 1 has no voxels; give it a non-empty extent");
+      throw FlipFree::Error(FlipFree::ErrorCode::InvalidInput,
+        "the reference image{ on port 1} has no voxels; give it a non-empty extent");
     }
-    FlipFree::RequireProperGrid(reference, "the reference image on port 1");
+    FlipFree::RequireProperGrid(reference, "the reference image{ on port 1}");
     const FlipFree::PolygonalSurface surface =
-      FlipFree::SurfaceOf(vtkPolyData::GetData(inputVector[0]), "the surface on port 0");
+      FlipFree::SurfaceOf(vtkPolyData::GetData(inputVector[0]), "the surface{ on port 0}");
     std::vector<FlipFree::VoxelRun> runs;
     if (!FlipFree::VoxelizeSurface(surface.Points, surface.Triangles,
           FlipFree::GeometryOf(reference), FlipFree::SMPFor, FlipFree::MonitorOf(this), runs) ||
@@ -70,7 +72,7 @@ int vtkSurfaceToLabelMap::RequestData(vtkInformation*, vtkInformationVector** in
   }
   catch (const std::exception& error)
   {
-    vtkErrorMacro("No label map: " << error.what());
+    FlipFreeErrorMacro("No label map: ", error, ".");
     return 0;
   }
   return 1;

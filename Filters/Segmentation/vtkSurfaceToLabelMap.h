@@ -18,9 +18,10 @@
  * Output port 0: vtkImageData with the scalars
  *  - `Labels`, unsigned char, one component: LabelValue inside, 0 outside.
  *
- * Errors, with an empty output: a surface without points or polygons, with triangle strips, with a
- * coordinate that is not finite, or not closed and consistently oriented; an image without voxels,
- * with a spacing that is not positive, or with a singular direction matrix.
+ * Errors, with a code of FlipFreeErrorCode.h and with an empty output: a surface without points or
+ * polygons, with triangle strips, with a coordinate that is not finite, or not closed and
+ * consistently oriented; an image without voxels, with a spacing that is not positive, or with a
+ * singular direction matrix.
  *
  * @sa vtkPolyDataToImageStencil, which does not support direction matrices.
  */

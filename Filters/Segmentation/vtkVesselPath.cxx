@@ -1,6 +1,7 @@
 #include "vtkVesselPath.h"
 
 #include "ExecutionAdapter.h"
+#include "FilterReport.h"
 #include "GrayImageAdapter.h"
 #include "VesselOutputs.h"
 
@@ -18,13 +19,14 @@ vtkStandardNewMacro(vtkVesselPath);
 int vtkVesselPath::RequestData(vtkInformation*, vtkInformationVector** inputs,
   vtkInformationVector* outputs)
 {
+  this->SetErrorCode(vtkErrorCode::NoError);
   vtkPolyData* output = vtkPolyData::GetData(outputs);
   output->Initialize();
   try
   {
     this->RequireProperties();
     vtkImageData* image = vtkImageData::GetData(inputs[0]);
-    const std::string name = "the image on port 0";
+    const std::string name = "the image{ on port 0}";
     FlipFree::RequireGrayImage(image, name);
     const FlipFree::VesselTree tree = FlipFree::TraceVessel(FlipFree::GrayVolumeOf(image, name),
       name, this->Points->List(), FlipFree::PointList(0, 3), this->Settings->Path,
@@ -37,7 +39,7 @@ int vtkVesselPath::RequestData(vtkInformation*, vtkInformationVector** inputs,
   catch (const std::exception& error)
   {
     output->Initialize();
-    vtkErrorMacro("No path: " << error.what() << ".");
+    FlipFreeErrorMacro("No path: ", error, ".");
     return 0;
   }
   return 1;

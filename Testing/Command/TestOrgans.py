@@ -130,8 +130,8 @@ class TestOrgans(command.CommandTest):
                 (1, (*liver, *spleen, "--no-guard", *out), "switch --guard and --carving on"),
                 (1, (*liver, "--organ", "copy", *self.organs["liver"], *out), "the seeds of ('copy' and 'liver'|'liver' and 'copy') overlap"),
                 # A name is no option, whatever it is.
-                (1, (*liver, "--organ", "Levels", *self.organs["liver"], *out),
-                 "the seeds of ('Levels' and 'liver'|'liver' and 'Levels') overlap"),
+                (1, (*liver, "--organ", "{Levels}", *self.organs["liver"], *out),
+                 "the seeds of ('{Levels}' and 'liver'|'liver' and '{Levels}') overlap"),
                 (1, ("--organ", "the Guard's", 9e3, 2, 3, 4, *out), "'the Guard's': the seed"),
         ):
             with self.subTest(pattern, arguments=arguments):

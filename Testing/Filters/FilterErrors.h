@@ -7,6 +7,7 @@
 #include "vtkAlgorithm.h"
 #include "vtkCallbackCommand.h"
 #include "vtkDataObject.h"
+#include "vtkErrorCode.h"
 #include "vtkExecutive.h"
 #include "vtkNew.h"
 
@@ -91,8 +92,8 @@ inline bool IsEmpty(vtkDataObject* output)
 }
 
 /// Updates an algorithm that must refuse its input: with a single error of its own, which contains
-/// all parts and, behind a semicolon, a remedy; and with empty outputs. The message is printed, so
-/// that a run of these tests lists what users read.
+/// all parts and, behind a semicolon, a remedy; with an error code; and with empty outputs. The
+/// message is printed, so that a run of these tests lists what users read.
 inline void ExpectRefusal(vtkAlgorithm* algorithm, const std::vector<std::string>& parts)
 {
   const std::string message = ErrorOfUpdate(algorithm);
@@ -102,6 +103,8 @@ inline void ExpectRefusal(vtkAlgorithm* algorithm, const std::vector<std::string
   }
   const std::size_t remedy = message.find("; ");
   EXPECT_NE(remedy, std::string::npos) << "no remedy in: " << message;
+  EXPECT_EQ(message.find_first_of("{}"), std::string::npos) << "quantities in: " << message;
+  EXPECT_NE(algorithm->GetErrorCode(), static_cast<unsigned long>(vtkErrorCode::NoError));
   for (int port = 0; port < algorithm->GetNumberOfOutputPorts(); ++port)
   {
     EXPECT_TRUE(IsEmpty(algorithm->GetOutputDataObject(port))) << "output " << port;

@@ -15,8 +15,10 @@
 #include "vtkVesselPath.h"
 
 #include "BadInput.h"
+#include "FlipFreeErrorCode.h"
 #include "MemoryLimit.h"
 
+#include "vtkErrorCode.h"
 #include "vtkFieldData.h"
 #include "vtkFloatArray.h"
 #include "vtkTable.h"
@@ -638,9 +640,12 @@ TEST(BadInput, LeavesNothingOfTheFormerSegmentationAndCanBeMended)
     filter->SetKeepHistory(history);
     filter->SetSeedCenter(ExampleCenter.data());
     EXPECT_EQ(ErrorOfUpdate(filter), "0 errors");
+    EXPECT_EQ(filter->GetErrorCode(), static_cast<unsigned long>(vtkErrorCode::NoError));
     EXPECT_EQ(filter->GetNumberOfSelfIntersections(), 0);
     filter->SetSeedCenter(-1000, 0, 0);
     ExpectRefusal(filter, { "outside the image" });
+    EXPECT_EQ(filter->GetErrorCode(),
+      vtkErrorCode::UserError + static_cast<unsigned long>(ErrorCode::OutOfRange));
     EXPECT_EQ(filter->GetNumberOfSelfIntersections(), -1);
     EXPECT_EQ(filter->GetStopReason(), vtkFlipFreeSegmentation::NOT_RUN);
   }

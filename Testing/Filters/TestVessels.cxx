@@ -141,7 +141,7 @@ TEST_F(Vessels, ATubeAlongThePathIsAStart)
   vtkNew<vtkPolyData> bare;
   bare->CopyStructure(this->Path->GetOutput());
   tube->SetInputData(bare);
-  ExpectRefusal(tube, { "no point array Radius" });
+  ExpectRefusal(tube, { "no point array 'Radius'" });
   vtkNew<vtkDoubleArray> radii;
   radii->SetName("Radius");
   radii->SetNumberOfTuples(bare->GetNumberOfPoints());

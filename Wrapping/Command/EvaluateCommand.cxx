@@ -68,7 +68,7 @@ vtkSmartPointer<vtkTable> NamedRow(vtkSegmentationMetrics* metrics, const Evalua
 
 void Measure(vtkSegmentationMetrics* metrics, const Evaluation& evaluation)
 {
-  const OptionNames names{ { "SegmentationLabel", "--segmentation-label" },
+  const FlipFree::QuantityNames names{ { "SegmentationLabel", "--segmentation-label" },
     { "ReferenceLabel", "--reference-label" } };
   try
   {

@@ -1,7 +1,10 @@
 #include "Messages.h"
 
+#include "FilterReport.h"
 #include "ProgressBar.h"
 
+#include "vtkAlgorithm.h"
+#include "vtkCommand.h"
 #include "vtkLogger.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
@@ -9,7 +12,6 @@
 
 #include <cstdio>
 #include <mutex>
-#include <regex>
 
 #include <fcntl.h>
 #include <unistd.h>
@@ -22,7 +24,6 @@ namespace
 int UserStream = STDERR_FILENO;
 std::mutex ReportLock; // filters may report from several threads
 std::string FirstError;
-OptionNames Names;
 
 /// Strips VTK's frame from `ERROR: In file, line n\nvtkClass (0x1234): what happened\n\n`.
 std::string WithoutTrace(const std::string& report)
@@ -58,42 +59,23 @@ std::string InOneLine(const std::string& text)
   return line;
 }
 
-/// Word by word, so that the names of properties do not depend on the phrases they stand in. What
-/// is quoted is the user's and stays: an organ may have the name of a property. Quotes begin where
-/// no word ends and end where none begins, so they are no apostrophes.
-std::string WithOptionNames(const std::string& text)
-{
-  if (Names.empty())
-  {
-    return text;
-  }
-  static const std::regex part(
-    R"('[\s\S]*?'(?![A-Za-z0-9])|( on port [0-9]| \(port [0-9]\))|([A-Za-z0-9]+)'*)");
-  std::string result;
-  std::string::const_iterator rest = text.begin();
-  for (std::sregex_iterator match(text.begin(), text.end(), part), end; match != end; ++match)
-  {
-    result.append(rest, (*match)[0].first);
-    rest = (*match)[0].second;
-    const auto name = Names.find((*match)[2].str());
-    if (name != Names.end())
-    {
-      result.append(name->second).append((*match)[2].second, rest);
-    }
-    else if (!(*match)[1].matched) // a port
-    {
-      result.append(match->str());
-    }
-  }
-  return result.append(rest, text.end());
-}
-
 void Print(const char* kind, const std::string& message)
 {
   ProgressBar::Clear();
   WriteToUser(std::string("flipfree: ") + kind + ": " + InOneLine(message) + "\n");
 }
 
+/// Later ones are complaints of other filters about the first.
+void KeepFirstError(const std::string& text)
+{
+  const std::lock_guard<std::mutex> guard(ReportLock);
+  if (FirstError.empty())
+  {
+    FirstError = InOneLine(text);
+  }
+}
+
+/// What no FilterReports hears of.
 class MessageCollector : public vtkOutputWindow
 {
 public:
@@ -102,18 +84,11 @@ public:
 
   void DisplayText(const char*) override {}
   void DisplayDebugText(const char*) override {}
-  void DisplayErrorText(const char* text) override
-  {
-    const std::lock_guard<std::mutex> guard(ReportLock);
-    if (FirstError.empty()) // later ones are complaints of other filters about the first
-    {
-      FirstError = InOneLine(WithOptionNames(WithoutTrace(text)));
-    }
-  }
+  void DisplayErrorText(const char* text) override { KeepFirstError(WithoutTrace(text)); }
   void DisplayWarningText(const char* text) override
   {
     const std::lock_guard<std::mutex> guard(ReportLock);
-    PrintWarning(WithOptionNames(WithoutTrace(text)));
+    PrintWarning(WithoutTrace(text));
   }
   void DisplayGenericWarningText(const char* text) override { this->DisplayWarningText(text); }
 };
@@ -122,6 +97,28 @@ vtkStandardNewMacro(MessageCollector);
 
 } // namespace
 
+class ReportListener : public vtkCommand
+{
+public:
+  static ReportListener* New() { return new ReportListener; }
+
+  void Execute(vtkObject* caller, unsigned long event, void* text) override
+  {
+    const char* const message = FlipFree::MessageOf(caller);
+    const std::string report = message ? FlipFree::WithNames(message, this->Names)
+                                       : WithoutTrace(static_cast<const char*>(text));
+    if (event == vtkCommand::ErrorEvent)
+    {
+      KeepFirstError(report);
+      return;
+    }
+    const std::lock_guard<std::mutex> guard(ReportLock);
+    PrintWarning(report);
+  }
+
+  FlipFree::QuantityNames Names;
+};
+
 void CatchVtkMessages()
 {
   vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
@@ -129,17 +126,19 @@ void CatchVtkMessages()
   vtkOutputWindow::SetInstance(collector);
 }
 
-FilterReports::FilterReports(const OptionNames& names)
+FilterReports::FilterReports(vtkAlgorithm* filter, const FlipFree::QuantityNames& names)
+  : Filter(filter)
 {
   const std::lock_guard<std::mutex> guard(ReportLock);
   FirstError.clear();
-  Names = names;
+  this->Listener->Names = names;
+  filter->AddObserver(vtkCommand::ErrorEvent, this->Listener);
+  filter->AddObserver(vtkCommand::WarningEvent, this->Listener);
 }
 
 FilterReports::~FilterReports()
 {
-  const std::lock_guard<std::mutex> guard(ReportLock);
-  Names.clear();
+  this->Filter->RemoveObserver(this->Listener);
 }
 
 std::string FilterReports::Error() const

@@ -6,30 +6,38 @@
 #ifndef FlipFreeCommandMessages_h
 #define FlipFreeCommandMessages_h
 
-#include <map>
+#include "QuantityNames.h"
+
+#include "vtkNew.h"
+
 #include <string>
+
+class vtkAlgorithm;
 
 namespace Command
 {
 
-/// What the command calls a filter's properties: options by property.
-using OptionNames = std::map<std::string, std::string>;
+class ReportListener;
 
 /// From now on VTK prints nothing itself.
 void CatchVtkMessages();
 
-/// Collects what a filter reports while this object lives. Warnings are printed at once. In both,
-/// properties are called by their options, and ports are left out, if `names` is not empty.
+/// Collects what a filter and its pipeline report while this object lives. Warnings are printed at
+/// once. `names` are the options that set the filter's properties.
 class FilterReports
 {
 public:
-  explicit FilterReports(const OptionNames& names);
+  FilterReports(vtkAlgorithm* filter, const FlipFree::QuantityNames& names);
   ~FilterReports();
   FilterReports(const FilterReports&) = delete;
   void operator=(const FilterReports&) = delete;
 
   /// The first error so far; empty if there is none.
   std::string Error() const;
+
+private:
+  vtkAlgorithm* Filter;
+  vtkNew<ReportListener> Listener;
 };
 
 /// While this object lives, libraries that write to the standard error stream themselves write

@@ -35,11 +35,11 @@ public:
 
 } // namespace
 
-void Run(vtkAlgorithm* algorithm, const std::string& title, const OptionNames& names,
+void Run(vtkAlgorithm* algorithm, const std::string& title, const FlipFree::QuantityNames& names,
   const std::function<void()>& work)
 {
   StopIfInterrupted();
-  const FilterReports reports(names);
+  const FilterReports reports(algorithm, names);
   vtkNew<Watcher> watcher;
   watcher->Title = title;
   const unsigned long tag = algorithm->AddObserver(vtkCommand::ProgressEvent, watcher);

@@ -17,8 +17,8 @@ namespace Command
 
 /// Updates the filter, or calls `work` in place of its Update(). What it reports calls properties
 /// by `names`. Throws Interrupted or Failure.
-void Run(vtkAlgorithm* algorithm, const std::string& title, const OptionNames& names = {},
-  const std::function<void()>& work = {});
+void Run(vtkAlgorithm* algorithm, const std::string& title,
+  const FlipFree::QuantityNames& names = {}, const std::function<void()>& work = {});
 
 /// Throws Interrupted once the user has asked to stop.
 void StopIfInterrupted();

@@ -403,9 +403,9 @@ SegmentParameters SegmentParameters::With(const std::string& preset,
   return parameters;
 }
 
-OptionNames SegmentParameters::Names()
+FlipFree::QuantityNames SegmentParameters::Names()
 {
-  OptionNames names{ { "SeedCenter", "--seed" }, { "SeedRadius", "--radius" },
+  FlipFree::QuantityNames names{ { "SeedCenter", "--seed" }, { "SeedRadius", "--radius" },
     { "StartLabel", "--start-label" }, { "StartCenterOffset", "--start-offset" } };
   for (const ParameterGroup& group : Table())
   {

@@ -41,7 +41,7 @@ public:
     const std::map<std::string, std::vector<double>>& values) const;
 
   /// What the options are called, by the properties that they set.
-  static OptionNames Names();
+  static FlipFree::QuantityNames Names();
 
 private:
   std::string Preset = "default";

@@ -190,7 +190,7 @@ DeformationReport DeformationSolver::Solve(const PointList& points, const PointL
     std::ostringstream message;
     message << "the system of the deformation has no finite solution for displacements of up to "
             << targets.cwiseAbs().maxCoeff()
-            << " mm; limit them (MaximumDisplacement), or check the surface";
+            << " mm; limit them ({MaximumDisplacement}), or check the surface";
     throw Error(ErrorCode::SingularSystem, message.str());
   }
   return report;

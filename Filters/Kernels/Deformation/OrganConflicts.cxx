@@ -196,7 +196,7 @@ void RequireStartsApart(const std::vector<OrganStart>& starts,
       {
         throw Error(ErrorCode::OutOfRange,
           "the start spheres of " + Quoted(one->Name) + " and " + Quoted(two->Name) +
-            " overlap; lower StartScale, or move the seeds apart");
+            " overlap; lower {StartScale}, or move the seeds apart");
       }
     }
     for (const FixedSurface& surface : fixed)

@@ -36,8 +36,8 @@ void RequireSettings(const OrganSegmentationSettings& method)
   if (!method.Step.Guard || !method.Feature.Carving)
   {
     throw Error(ErrorCode::OutOfRange,
-      "several organs are segmented together under the guard, and with carving; switch Guard and "
-      "Carving on, or segment them one by one");
+      "several organs are segmented together under the guard, and with carving; switch {Guard} and "
+      "{Carving} on, or segment them one by one");
   }
 }
 
@@ -92,7 +92,7 @@ struct OrganGroup::Member
     }
     catch (const Error& error)
     {
-      throw Error(error.GetCode(), Quoted(this->Name) + ": " + error.what());
+      throw Error(error.GetCode(), Quoted(this->Name) + ": " + error.GetText());
     }
   }
 };

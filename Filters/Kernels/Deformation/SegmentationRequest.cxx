@@ -38,7 +38,7 @@ void RequireLabelsFor(const std::vector<NamedOrgan>& organs, int first)
   {
     throw Error(ErrorCode::OutOfRange,
       "labels go up to " + std::to_string(GreatestLabel) + ", which leaves none for " +
-        Quoted(organs.back().Name) + "; lower LabelValue, or remove organs");
+        Quoted(organs.back().Name) + "; lower {LabelValue}, or remove organs");
   }
 }
 

@@ -25,7 +25,7 @@ void RequireEmbedded(const ContourMesh& mesh, const FaceHulls& hulls, const Poin
       name + " intersects itself in " + std::to_string(pairs.size()) +
         " pairs of faces, for some way to cut them into triangles, the first near " +
         TextOf(points.row(mesh.Faces.Face(pairs[0].first)[0])) +
-        " mm; start from an embedded surface, or switch Guard (of a refinement: Check) off");
+        " mm; start from an embedded surface, or switch {Guard} (of a refinement: {Check}) off");
   }
   RequireOutward(points, mesh.Triangles, name);
 }

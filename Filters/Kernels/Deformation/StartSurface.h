@@ -40,7 +40,7 @@ auto NamingSurface(const std::string& name, const Make& make)
   }
   catch (const Error& error)
   {
-    throw Error(error.GetCode(), name + ": " + error.what());
+    throw Error(error.GetCode(), name + ": " + error.GetText());
   }
 }
 

@@ -119,7 +119,7 @@ void RequireContrast(const BitMask& foreground)
       "the seed has no contrast to its surroundings: of the " + std::to_string(size) +
         " voxels within reach only " + std::to_string(background) +
         " differ from its intensities; check the image, or narrow the foreground's intensities "
-        "(ForegroundMass, NoiseWidening)");
+        "({ForegroundMass}, {NoiseWidening})");
   }
 }
 

@@ -69,11 +69,11 @@ std::string WarningOf(const LabelMask* segmentation, const LabelMask& reference)
   {
     return "The reference has the labels " + labels +
       "; the segmentation has one organ only: it is compared with all of them together; to "
-      "compare it with one, set ReferenceLabel.";
+      "compare it with one, set {ReferenceLabel}.";
   }
   return "The reference has the values " + others +
     ", which are not valid labels; every nonzero voxel counts as inside; give it a label map" +
-    (labels.empty() ? "" : ", or set ReferenceLabel to one of " + labels) + ".";
+    (labels.empty() ? "" : ", or set {ReferenceLabel} to one of " + labels) + ".";
 }
 
 void RequireLabel(const LabelMask& labelMap, const std::string& property)
@@ -89,7 +89,7 @@ void RequireLabel(const LabelMask& labelMap, const std::string& property)
     labelMap.Name + " is empty: no voxel has the label " + std::to_string(labelMap.Label);
   if (!labels.empty())
   {
-    message += "; set " + property + " to one of " + labels +
+    message += "; set {" + property + "} to one of " + labels +
       (others.empty() ? "" : ", if it is a label map: it also contains " + others);
   }
   else

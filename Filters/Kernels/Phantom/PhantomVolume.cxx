@@ -89,7 +89,7 @@ Phantom PhantomOf(const PhantomSettings& settings, const ImageGeometry& grid)
           intensity <= std::numeric_limits<std::int16_t>::max()))
     {
       throw Error(ErrorCode::OutOfRange,
-        "Foreground and Background must lie within -32768 to 32767, not " +
+        "{Foreground} and {Background} must lie within -32768 to 32767, not " +
           std::to_string(intensity));
     }
   }

@@ -185,9 +185,9 @@ void AddWall(double thickness, VesselSections& sections)
   if (thickness < 0 && radius + thickness < least)
   {
     std::ostringstream text;
-    text << "a WallThickness of " << thickness << " mm leaves less than " << least
+    text << "a {WallThickness} of " << thickness << " mm leaves less than " << least
          << " mm of a branch with a mean radius of " << std::fixed << std::setprecision(1) << radius
-         << " mm; raise WallThickness";
+         << " mm; raise {WallThickness}";
     throw Error(ErrorCode::OutOfRange, text.str());
   }
   sections.Radii =

@@ -256,7 +256,7 @@ VesselTree VesselSearch::Trace(const Monitor& monitor) const
   {
     throw Error(ErrorCode::NoContrast,
       "no vessel boundary was found around the path from " + TextOf(this->Clicked.row(0)) +
-        " mm; put all points into the vessel, or set Radius");
+        " mm; put all points into the vessel, or set {Radius}");
   }
   tree.Unlike = PointsUnlike(own, tree, this->Points);
   return tree;

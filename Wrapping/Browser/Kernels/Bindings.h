@@ -6,6 +6,7 @@
 #ifndef FlipFreeBindings_h
 #define FlipFreeBindings_h
 
+#include "Error.h"
 #include "KernelTypes.h"
 #include "ParameterTable.h"
 
@@ -27,7 +28,8 @@ void BindEvaluation();
 void BindPhantoms();
 void BindVolumes();
 
-/// Exceptions of C++ are opaque to JavaScript. Returns make(), or { error: message }, or
+/// Exceptions of C++ are opaque to JavaScript. Returns make(), or { error: message } with
+/// quantities in braces, or
 /// { error: "", outOfMemory: true }.
 template <typename Make>
 val Guarded(const Make& make)
@@ -49,7 +51,7 @@ val Guarded(const Make& make)
   }
   catch (const std::exception& error)
   {
-    failure.set("error", std::string(error.what()));
+    failure.set("error", MessageOf(error));
   }
   return failure;
 }

@@ -40,12 +40,12 @@ export function packageValues(known: KernelParameter[]): Parameters {
   return parameters;
 }
 
-/** The kernels' messages name their parameters; this names the package's. The first letter becomes a capital. */
+/** The kernels' messages name quantities in braces; this says them in the package's words. The first letter becomes a capital. */
 export function wordMessage(message: string, known: KernelParameter[]): string {
-  const names = new Set(known.map((parameter) => parameter.name));
-  const worded = message
-    .replace(/\bSeedCenter\b/g, "the seed's center")
-    .replace(/\bSeedRadius\b/g, "the seed's radius")
-    .replace(/\b[A-Z][A-Za-z]+\b/g, (word) => (names.has(word) ? packageName(word) : word));
+  const names = new Map(known.map((parameter) => [parameter.name, packageName(parameter.name)]));
+  names.set("SeedCenter", "the seed's center").set("SeedRadius", "the seed's radius");
+  const worded = message.replace(/\{\{|\}\}|\{([^{}]+)\}/g, (part, quantity?: string) =>
+    quantity === undefined ? part[0] : (names.get(quantity) ?? quantity),
+  );
   return worded.charAt(0).toUpperCase() + worded.slice(1);
 }

@@ -12,12 +12,12 @@ from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 from typing import Any
 
-from vtkmodules.vtkCommonCore import vtkObject
+from vtkmodules.vtkCommonCore import vtkInformationKeyLookup, vtkObject
 from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
 
 from ._errors import FlipFreeError
 from ._interrupt import Interrupt
-from ._messages import warn, with_names
+from ._messages import escaped, warn, with_names
 from ._types import Progress
 
 
@@ -53,11 +53,11 @@ def update(
     if listener.exception is not None:
         raise listener.exception
     for text in listener.warnings:
-        warn(with_names(text, names))
+        warn(with_names(text, names or {}))
     # The pipeline only reports that its algorithm failed.
     errors = listener.errors + listener.pipeline_errors
     if errors:
-        raise failure(with_names(errors[0], names))
+        raise failure(with_names(errors[0], names or {}))
 
 
 class _Listener:
@@ -105,11 +105,20 @@ class _Listener:
 
 
 def _keeper_of_messages(messages: list[str]) -> Callable[..., None]:
-    def keep(_object: vtkObject, _event: str, text: str) -> None:
-        messages.append(_message_in(text))
+    def keep(observed: vtkObject, _event: str, text: str) -> None:
+        messages.append(_message_of(observed) or escaped(_message_in(text)))
 
     keep.CallDataType = "string0"  # type: ignore[attr-defined]  # makes VTK pass the text
     return keep
+
+
+def _message_of(observed: vtkObject) -> str | None:
+    """What one of FlipFree's filters is reporting, with quantities in braces; None for others."""
+    key = vtkInformationKeyLookup.Find("MESSAGE", "FlipFree")
+    if key is None or not isinstance(observed, vtkAlgorithm):
+        return None
+    message: str | None = observed.GetInformation().Get(key)
+    return message
 
 
 def _message_in(text: str) -> str:

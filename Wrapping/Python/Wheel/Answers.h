@@ -18,8 +18,8 @@
 namespace FlipFree
 {
 
-/// How messages call the volume; Python leaves out the port.
-inline const char* const ImageName = "the image on port 0";
+/// How messages call the volume.
+inline const char* const ImageName = "the image";
 
 /// The volume as runs read it; numpy's array outlives them.
 GrayVolume GrayVolumeOf(const Voxels& voxels, const ImageGeometry& geometry);

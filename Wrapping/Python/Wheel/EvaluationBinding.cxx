@@ -47,7 +47,7 @@ std::vector<std::pair<std::string, std::string>> ColumnsOfScores()
 // A reference with its label.
 LabelMask ReferenceOf(const LabelMap& reference, const ScoreSettings& settings)
 {
-  return LabelMaskOf(LabelVolumeOf(reference, "the reference on port 1"), settings.ReferenceLabel,
+  return LabelMaskOf(LabelVolumeOf(reference, "the reference"), settings.ReferenceLabel,
     "ReferenceLabel");
 }
 
@@ -58,7 +58,7 @@ nb::dict ScoreOfLabels(const LabelMap& segmentation, const LabelMap& reference,
   {
     const nb::gil_scoped_release unlocked;
     const LabelMask wanted = ReferenceOf(reference, settings);
-    const LabelMask mask = LabelMaskOf(LabelVolumeOf(segmentation, "the segmentation on port 0"),
+    const LabelMask mask = LabelMaskOf(LabelVolumeOf(segmentation, "the segmentation"),
       settings.SegmentationLabel, "SegmentationLabel");
     scores = ScoreLabels(mask, wanted, settings, PoolFor, MonitorOf(report));
   }
@@ -78,7 +78,7 @@ Polygons PolygonsOf(const Rows3& points, const Indices& corners, const Indices& 
     Eigen::Map<const PointList>(points.data(), static_cast<Eigen::Index>(points.shape(0)), 3);
   polygons.Faces.Connectivity.assign(corners.data(), corners.data() + corners.size());
   polygons.Faces.Offsets.assign(offsets.data(), offsets.data() + offsets.size());
-  RequireValidFaces(polygons.Points, polygons.Faces, "the segmentation on port 0");
+  RequireValidFaces(polygons.Points, polygons.Faces, "the segmentation");
   return polygons;
 }
 

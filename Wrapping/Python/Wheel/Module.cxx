@@ -3,10 +3,38 @@
 #include "Bindings.h"
 #include "ThreadPool.h"
 
+#include "Error.h"
 #include "Image/SeedRegion.h"
+
+namespace
+{
+
+// A ValueError whose text has quantities in braces.
+void BindError(nanobind::module_& module)
+{
+  const auto error =
+    nanobind::steal(PyErr_NewException("flipfree._kernels.Error", PyExc_ValueError, nullptr));
+  module.attr("Error") = error;
+  nanobind::register_exception_translator(
+    [](const std::exception_ptr& failure, void* type)
+    {
+      try
+      {
+        std::rethrow_exception(failure);
+      }
+      catch (const FlipFree::Error& thrown)
+      {
+        PyErr_SetString(static_cast<PyObject*>(type), thrown.GetText().c_str());
+      }
+    },
+    error.ptr());
+}
+
+} // namespace
 
 NB_MODULE(_kernels, module)
 {
+  BindError(module);
   FlipFree::BindSegmentation(module);
   FlipFree::BindEvaluation(module);
   FlipFree::BindPhantoms(module);

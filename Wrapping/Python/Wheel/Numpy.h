@@ -35,8 +35,7 @@ inline ImageGeometry GeometryOf(const Voxels& voxels, const Triple& spacing, con
     const std::size_t size = voxels.shape(2 - axis);
     if (size > static_cast<std::size_t>(std::numeric_limits<int>::max()))
     {
-      throw std::invalid_argument(
-        "the image on port 0 has more than 2^31 - 1 voxels along an axis");
+      throw std::invalid_argument("the image has more than 2^31 - 1 voxels along an axis");
     }
     geometry.Dimensions[axis] = static_cast<int>(size);
   }

@@ -104,11 +104,11 @@ nb::dict Segment(const Voxels& voxels, const Triple& spacing, const Triple& orig
       OrganRuns runs(GrayVolumeOf(voxels, geometry), ImageName, PoolThreading());
       if (labels)
       {
-        runs.FillLabel(LabelVolumeOf(*labels, "the start labels on port 3"), label);
+        runs.FillLabel(LabelVolumeOf(*labels, "the start labels"), label);
       }
       if (start)
       {
-        runs.StartFrom(SurfaceOf(*start, "the start surface on port 1"));
+        runs.StartFrom(SurfaceOf(*start, "the start surface"));
       }
       found = runs.Answer(request, MonitorOf(report, 0, 0.95),
         [&history](const ContourMesh& mesh, const PointList& points,
@@ -157,8 +157,7 @@ nb::dict SegmentOrgans(const Voxels& voxels, const Triple& spacing, const Triple
   for (const Start& surface : surfaces)
   {
     const std::size_t number = request.Fixed.size() + 1;
-    request.Fixed.push_back(
-      SurfaceOf(surface, "the fixed surface " + std::to_string(number) + " on port 2"));
+    request.Fixed.push_back(SurfaceOf(surface, "the fixed surface " + std::to_string(number)));
   }
   request.Settings = settings;
   GroupAnswer found;

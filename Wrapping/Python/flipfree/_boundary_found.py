@@ -8,7 +8,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from ._errors import SegmentationError
-from ._messages import with_names
+from ._messages import escaped, with_names
 
 if TYPE_CHECKING:
     from ._segmentation import Segmentation
@@ -17,10 +17,10 @@ if TYPE_CHECKING:
 def require_boundary(organ: Segmentation, name: str = "") -> None:
     """Raises an error unless the organ's boundary was found; `name` is one of several organs."""
     if not organ.boundary_found:
-        where = f"'{name}': " if name else ""
+        where = f"'{escaped(name)}': " if name else ""
         text = (
             f"No segmentation: {where}no boundary of the organ was found; check that the seed sphere "
-            "lies within the organ, or raise SearchDistance."
+            "lies within the organ, or raise {SearchDistance}."
         )
         raise SegmentationError(with_names(text, {"SearchDistance": "search_distance"}))
 

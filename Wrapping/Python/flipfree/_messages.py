@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-import re
 import sys
 import warnings
 from collections.abc import Iterable, Mapping
@@ -15,36 +14,40 @@ from ._errors import FlipFreeWarning
 # How the caller spells keywords, if not as in Python: the command has options.
 spelling: ContextVar[Mapping[str, str]] = ContextVar("spelling", default={})
 
-# Apostrophes are within a word or at its end.
-_QUOTED = r"(?<!\w)'.*?'(?!\w)"
-
-
 def warn(text: str) -> None:
     """Issues a warning that points to the caller of the package."""
     warnings.warn(text, FlipFreeWarning, stacklevel=_level_of_caller())
 
 
-def with_names(text: str, names: Mapping[str, str] | None) -> str:
-    """Calls properties by the caller's arguments, and leaves out ports.
+def with_names(message: str, names: Mapping[str, str]) -> str:
+    """A message of the C++ code, which names quantities in braces, in the caller's words.
 
-    What is quoted is the caller's, and stays as it is.
+    Without names, the properties and the ports of VTK's filters are named.
 
-    >>> with_names("the image on port 0 ends here; raise Reach", {"Reach": "reach"})
+    >>> with_names("the image{ on port 0} ends here; raise {Reach}", {"Reach": "reach"})
     'the image ends here; raise reach'
-    >>> with_names("the organ's Reach, as that of 'Reach', is too low", {"Reach": "reach"})
-    "the organ's reach, as that of 'Reach', is too low"
+    >>> with_names("the image{ on port 0} ends here; raise {Reach}", {})
+    'the image on port 0 ends here; raise Reach'
     """
-    if not names:
-        return text
     options = spelling.get()
-    spelled = {name: options.get(keyword, keyword) for name, keyword in names.items()}
-    pattern = rf"({_QUOTED})|( on port \d\b| \(port \d\))|\b({'|'.join(spelled)})\b"
-    return re.sub(
-        pattern,
-        lambda part: part[1] or ("" if part[2] else spelled[part[3]]),
-        text,
-        flags=re.DOTALL,
+    return message.format_map(
+        _Names({name: options.get(keyword, keyword) for name, keyword in names.items()})
     )
+
+
+def escaped(text: str) -> str:
+    """A text to be part of a message: its braces doubled.
+
+    >>> with_names(escaped("'{Reach}' stays"), {"Reach": "reach"})
+    "'{Reach}' stays"
+    """
+    return text.replace("{", "{{").replace("}", "}}")
+
+
+class _Names(dict[str, str]):
+    def __missing__(self, name: str) -> str:
+        is_port = name.startswith(" ")
+        return "" if is_port and self else name
 
 
 def confidence_text(confidence: float) -> str:

@@ -248,7 +248,7 @@ class Metrics:
         answer: dict[str, Any] = run(
             lambda report: score(*arguments, _volume_of(reference), self.settings, report),
             EvaluationError,
-            "The segmentation (port 0) and the reference (port 1) cannot be compared: {}.",
+            "The segmentation and the reference cannot be compared: {}.",
             names,
         )
         if answer["warning"]:
@@ -285,7 +285,7 @@ class PhantomAlgorithm:
         answer = run(
             lambda report: _kernels.make_phantom(self.settings, report),
             FlipFreeError,
-            "No phantom: {}",
+            "No phantom: {}.",
             names_of(PHANTOM_PARAMETERS),
         )
         geometry = (tuple(answer["spacing"]), tuple(answer["origin"]), tuple(answer["direction"]))

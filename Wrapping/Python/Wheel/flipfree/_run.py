@@ -11,7 +11,8 @@ from typing import Any
 
 from ._errors import FlipFreeError
 from ._interrupt import Interrupt
-from ._messages import with_names
+from . import _kernels
+from ._messages import escaped, with_names
 from ._types import Progress
 
 
@@ -31,8 +32,10 @@ def run(
         reporter = _Reporter(interrupt, progress)
         try:
             answer = work(reporter.report)
-        except (ValueError, RuntimeError) as error:
+        except _kernels.Error as error:
             message = wording.format(error)
+        except (ValueError, RuntimeError) as error:
+            message = wording.format(escaped(str(error)))
     if reporter.exception is not None:
         raise reporter.exception
     if message:
