@@ -146,7 +146,7 @@ inline CorrespondenceField FieldOf(vtkPolyData* surface, const std::string& name
     {
       ++vertex;
     }
-    throw Error(ErrorCode::InvalidInput,
+    throw Error(ErrorCode::NonFiniteValue,
       "the array Displacement of " + name + " is not finite at point " + std::to_string(vertex) +
         "; set it to zero there, and Correspondence to 0");
   }

@@ -23,12 +23,15 @@ namespace FlipFree
 {
 
 /// One for all modules, each of which compiles this.
-inline vtkInformationStringKey* MessageKey()
+inline vtkInformationStringKey* FindOrMakeMessageKey()
 {
   vtkInformationKey* const known = vtkInformationKeyLookup::Find("MESSAGE", "FlipFree");
   return known ? static_cast<vtkInformationStringKey*>(known)
                : vtkInformationStringKey::MakeKey("MESSAGE", "FlipFree");
 }
+
+// When the module is loaded, since VTK's list of keys is not safe for threads.
+inline vtkInformationStringKey* const MessageKey = FindOrMakeMessageKey();
 
 inline unsigned long ErrorCodeOf(const std::exception& error)
 {
@@ -43,9 +46,9 @@ public:
   FilterMessage(vtkAlgorithm* filter, const std::string& message)
     : Filter(filter)
   {
-    this->Filter->GetInformation()->Set(MessageKey(), message);
+    this->Filter->GetInformation()->Set(MessageKey, message);
   }
-  ~FilterMessage() { this->Filter->GetInformation()->Remove(MessageKey()); }
+  ~FilterMessage() { this->Filter->GetInformation()->Remove(MessageKey); }
   FilterMessage(const FilterMessage&) = delete;
   void operator=(const FilterMessage&) = delete;
 
@@ -53,32 +56,40 @@ private:
   vtkAlgorithm* Filter;
 };
 
-/// What the filter is reporting: with quantities in braces; null for another's text.
-inline const char* MessageOf(vtkObject* filter)
+/// What the filter is reporting, with quantities in braces; null for another's text.
+inline const char* ReportOf(vtkObject* filter)
 {
   auto* const algorithm = vtkAlgorithm::SafeDownCast(filter);
-  return algorithm ? algorithm->GetInformation()->Get(MessageKey()) : nullptr;
+  return algorithm ? algorithm->GetInformation()->Get(MessageKey) : nullptr;
 }
 
 } // namespace FlipFree
 
-/// In a filter: vtkErrorMacro and the error's code. `before` and `after` enclose its message.
+/// In a filter: vtkErrorMacro. `before` and `after` enclose the message of the error.
+#define FlipFreeReportMacro(before, error, after)                                                  \
+  do                                                                                               \
+  {                                                                                                \
+    const std::string reportedText = (before) + FlipFree::MessageOf(error) + (after);              \
+    const FlipFree::FilterMessage reportedMessage(this, reportedText);                             \
+    vtkErrorMacro(<< FlipFree::WithNames(reportedText));                                           \
+  } while (false)
+
+/// The same where the filter's work has failed: with the error's code.
 #define FlipFreeErrorMacro(before, error, after)                                                   \
   do                                                                                               \
   {                                                                                                \
-    const std::string reported = (before) + FlipFree::MessageOf(error) + (after);                  \
-    this->SetErrorCode(FlipFree::ErrorCodeOf(error));                                              \
-    const FlipFree::FilterMessage message(this, reported);                                         \
-    vtkErrorMacro(<< FlipFree::WithNames(reported));                                               \
+    const auto& reportedError = error;                                                             \
+    this->SetErrorCode(FlipFree::ErrorCodeOf(reportedError));                                      \
+    FlipFreeReportMacro(before, reportedError, after);                                             \
   } while (false)
 
 /// In a filter: vtkWarningMacro for a kernel's message.
 #define FlipFreeWarningMacro(text)                                                                 \
   do                                                                                               \
   {                                                                                                \
-    const std::string reported = text;                                                             \
-    const FlipFree::FilterMessage message(this, reported);                                         \
-    vtkWarningMacro(<< FlipFree::WithNames(reported));                                             \
+    const std::string reportedText = (text);                                                       \
+    const FlipFree::FilterMessage reportedMessage(this, reportedText);                             \
+    vtkWarningMacro(<< FlipFree::WithNames(reportedText));                                         \
   } while (false)
 
 #endif

@@ -33,7 +33,7 @@ inline LabelVolume LabelVolumeOf(vtkImageData* image, const std::string& name)
   vtkDataArray* scalars = image->GetPointData()->GetScalars();
   if (image->GetNumberOfPoints() == 0)
   {
-    throw Error(ErrorCode::InvalidInput, name + " has no voxels; connect a label map");
+    throw Error(ErrorCode::InvalidGeometry, name + " has no voxels; connect a label map");
   }
   if (!scalars || scalars->GetNumberOfComponents() != 1 ||
     scalars->GetNumberOfTuples() != image->GetNumberOfPoints())

@@ -27,7 +27,7 @@ inline void RequirePolygons(vtkPolyData* data, const std::string& name)
 {
   if (data->GetNumberOfPoints() == 0)
   {
-    throw Error(ErrorCode::InvalidInput,
+    throw Error(ErrorCode::InvalidMesh,
       name + " has no points; connect a filter that makes a surface");
   }
   if (data->GetNumberOfStrips() > 0)

@@ -26,7 +26,7 @@ inline const SeedSphere& OnlySeedOf(const BaselineTask& task)
 {
   if (task.Seeds.size() > 1)
   {
-    throw Error(ErrorCode::InvalidInput,
+    throw Error(ErrorCode::OutOfRange,
       "the method starts from one seed, and has " + std::to_string(task.Seeds.size()) +
         "; remove the further seeds, or take another method");
   }

@@ -29,7 +29,7 @@ inline void RequireGaussianWidth(const ImageGeometry& region, int axes)
   {
     if (region.Dimensions[axis] < minimum)
     {
-      throw Error(ErrorCode::InvalidInput,
+      throw Error(ErrorCode::OutOfRange,
         "only " + std::to_string(region.Dimensions[axis]) +
           " voxels of the image{ on port 0} can be reached along axis " + std::to_string(axis) +
           ", and gradients need four; give it a larger image, raise {Reach}, or choose another "

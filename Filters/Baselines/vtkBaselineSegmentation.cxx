@@ -69,7 +69,7 @@ FlipFree::PathLines LinesOf(vtkPolyData* path)
     points.conservativeResize(size, Eigen::NoChange);
     if (size < 2 || !points.allFinite())
     {
-      throw FlipFree::Error(FlipFree::ErrorCode::InvalidInput,
+      throw FlipFree::Error(FlipFree::ErrorCode::InvalidLine,
         "line " + std::to_string(line) +
           "{ on port 1} has no two points that differ, or one that is not a number; give the lines "
           "that vtkVesselPath finds");
@@ -78,7 +78,7 @@ FlipFree::PathLines LinesOf(vtkPolyData* path)
   }
   if (lines.empty())
   {
-    throw FlipFree::Error(FlipFree::ErrorCode::InvalidInput,
+    throw FlipFree::Error(FlipFree::ErrorCode::InvalidLine,
       "there is no line{ on port 1}; give those that vtkVesselPath finds, or disconnect it");
   }
   return lines;
@@ -94,7 +94,7 @@ std::vector<std::size_t> VoxelsOfSeeds(const std::vector<FlipFree::SeedSphere>& 
     const auto voxels = FlipFree::VoxelsInSphere(mask.GetGeometry(), seed);
     if (voxels.empty())
     {
-      throw FlipFree::Error(FlipFree::ErrorCode::InvalidInput,
+      throw FlipFree::Error(FlipFree::ErrorCode::SeedWithoutVoxels,
         "no voxel center of " + std::string(InputName) +
           " lies in the seed sphere; enlarge it, or move it onto one");
     }
@@ -106,7 +106,7 @@ std::vector<std::size_t> VoxelsOfSeeds(const std::vector<FlipFree::SeedSphere>& 
   mask.Remove(beyond);
   if (mask.Count() == 0)
   {
-    throw FlipFree::Error(FlipFree::ErrorCode::InvalidInput,
+    throw FlipFree::Error(FlipFree::ErrorCode::SeedWithoutVoxels,
       "the seeds lie beyond the ends of the path{ on port 1}; move them "
       "onto the path, or disconnect it");
   }
@@ -330,7 +330,7 @@ void vtkBaselineSegmentation::Segment(vtkImageData* image, vtkPolyData* path, vt
     TakeVoxels(geometry, task.Region.Geometry, box.Begin, result);
   if (runs.empty())
   {
-    throw FlipFree::Error(FlipFree::ErrorCode::InvalidInput,
+    throw FlipFree::Error(FlipFree::ErrorCode::NoContrast,
       "nothing was found that is connected to the seed sphere; check "
       "that it lies in the organ, or enlarge it");
   }

@@ -125,7 +125,7 @@ int vtkSurfaceValidity::RequestData(vtkInformation*, vtkInformationVector** inpu
       if (reference.Faces.Connectivity != surface.Faces.Connectivity ||
         reference.Faces.Offsets != surface.Faces.Offsets)
       {
-        throw FlipFree::Error(FlipFree::ErrorCode::InvalidInput,
+        throw FlipFree::Error(FlipFree::ErrorCode::GeometryMismatch,
           "the reference surface{ on port 1} has other polygons than the "
           "surface{ on port 0}; connect the same mesh at other positions");
       }

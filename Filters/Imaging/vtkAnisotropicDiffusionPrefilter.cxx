@@ -50,7 +50,7 @@ double NoiseOfSphere(vtkImageData* image, const FlipFree::SeedSphere& sphere)
     InputName);
   if (FlipFree::VoxelsInSphere(geometry, sphere).empty())
   {
-    throw FlipFree::Error(FlipFree::ErrorCode::InvalidInput,
+    throw FlipFree::Error(FlipFree::ErrorCode::SeedWithoutVoxels,
       "the scale sphere holds no voxel of " + std::string(InputName) +
         "; put {ScaleCenter} into the image, and give a {ScaleRadius} of a voxel or more");
   }
@@ -131,7 +131,7 @@ int vtkAnisotropicDiffusionPrefilter::RequestData(vtkInformation*,
     const VoxelBox region = ChooseRegion(this->VOI, input->GetExtent());
     if (region.IsEmpty())
     {
-      throw FlipFree::Error(FlipFree::ErrorCode::InvalidInput,
+      throw FlipFree::Error(FlipFree::ErrorCode::OutOfRange,
         "{VOI} holds no voxel of " + std::string(InputName) +
           "; give an extent within the image's own, or an empty one for all of it");
     }
@@ -139,7 +139,7 @@ int vtkAnisotropicDiffusionPrefilter::RequestData(vtkInformation*,
     const double stable = *std::min_element(spacing, spacing + 3) / 16;
     if (this->TimeStep > stable)
     {
-      throw FlipFree::Error(FlipFree::ErrorCode::InvalidInput,
+      throw FlipFree::Error(FlipFree::ErrorCode::OutOfRange,
         "{TimeStep} " + std::to_string(this->TimeStep) + " is not stable for the spacing of " +
           InputName + "; give at most " + std::to_string(stable) + ", or 0 to have it chosen");
     }

@@ -131,6 +131,7 @@ int vtkMedicalImageReader::RequestInformation(vtkInformation*, vtkInformationVec
 int vtkMedicalImageReader::RequestData(vtkInformation*, vtkInformationVector**,
   vtkInformationVector* outputVector)
 {
+  this->SetErrorCode(vtkErrorCode::NoError);
   vtkImageData* output = vtkImageData::GetData(outputVector);
   output->Initialize();
   const Source& found = *this->Found;

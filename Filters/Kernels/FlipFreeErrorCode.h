@@ -1,8 +1,9 @@
 /**
- * Why a filter failed: GetErrorCode() of FlipFree's filters is vtkErrorCode::UserError plus one of
- * these numbers, which do not change between versions, and vtkErrorCode::NoError after a success.
- * vtkErrorCode::UserError itself is a failure of another kind, such as a lack of memory. The reader
- * and the writer of images give VTK's own codes.
+ * Why a filter failed: after its own work has failed, GetErrorCode() of each of FlipFree's filters
+ * in C++ is vtkErrorCode::UserError plus one of these numbers, which keep their meaning; after its
+ * work has succeeded it is vtkErrorCode::NoError. vtkErrorCode::UserError itself is a failure of
+ * another kind, such as a lack of memory. The pipeline's own failures, such as a missing input, do
+ * not change it, and the reader and the writer of images give VTK's own codes.
  *
  *     filter->Update();
  *     if (filter->GetErrorCode() ==
@@ -16,24 +17,42 @@ namespace FlipFree
 
 enum class ErrorCode
 {
-  EmptyMask = 1,        ///< a label map without the label, or a surface around no voxel
-  GeometryMismatch = 2, ///< two images are not on the same grid
-  InsideOut = 3,        ///< a surface whose faces are clockwise, seen from outside
-  InvalidGeometry = 4,  ///< of an image: spacing, direction, dimensions
-  InvalidLine = 5,      ///< of a tube: too few points, radii that are not positive
-  InvalidMesh = 6,      ///< faces that do not make up a surface
-  NoContrast = 7,       ///< between the seed and its surroundings
-  NonFiniteValue = 8,   ///< NaN or infinity
-  NotFourValent = 9,    ///< a surface to be deformed without four edges at each vertex
-  OpenSurface = 10,     ///< a surface with a boundary
-  OutOfRange = 11,      ///< of a parameter or a position
-  RepeatedPoint = 12,   ///< of a line
+  /// A label map without the label, or hardly any of it; a surface around no voxel.
+  EmptyMask = 1,
+  /// Images on two grids, or meshes with other polygons.
+  GeometryMismatch = 2,
+  /// A surface whose faces are clockwise, seen from outside.
+  InsideOut = 3,
+  /// Of an image: no voxels; its spacing, or its direction.
+  InvalidGeometry = 4,
+  /// Too few points, or radii that are not positive.
+  InvalidLine = 5,
+  /// Points or faces that do not make up a surface.
+  InvalidMesh = 6,
+  /// To the surroundings: of the seed, of a vessel, or of what was found.
+  NoContrast = 7,
+  /// NaN or infinity.
+  NonFiniteValue = 8,
+  /// A surface to be deformed without four edges at each vertex.
+  NotFourValent = 9,
+  /// A surface with a boundary.
+  OpenSurface = 10,
+  /// A parameter, a number of things, or a position.
+  OutOfRange = 11,
+  /// Of a line.
+  RepeatedPoint = 12,
+  /// A sphere, or what is left of it, that holds no voxel center.
   SeedWithoutVoxels = 13,
+  /// A surface, or what would become of it by a refinement.
   SelfIntersecting = 14,
-  SingularSystem = 15,   ///< the equations of a deformation have no unique solution
-  TooLarge = 16,         ///< for the type of an index
-  UnreachablePoint = 17, ///< a constraint that cannot be obeyed
-  InvalidInput = 18      ///< a data set without what the filter needs: points, scalars, an array
+  /// The equations of a deformation have no unique solution.
+  SingularSystem = 15,
+  /// For the type of an index.
+  TooLarge = 16,
+  /// A constraint that cannot be obeyed.
+  UnreachablePoint = 17,
+  /// A data set without what the filter needs, such as scalars or an array.
+  InvalidInput = 18
 };
 
 } // namespace FlipFree

@@ -190,7 +190,7 @@ void vtkFlipFreeOrganGroup::AddPoint(const char* organ, int kind, const double (
     [&name](const FlipFree::NamedOrgan& candidate) { return candidate.Name == name; });
   if (found == this->Kept->Organs.end())
   {
-    FlipFreeErrorMacro("No point: ",
+    FlipFreeReportMacro("No point: ",
       FlipFree::Error(FlipFree::ErrorCode::OutOfRange,
         "there is no organ named " + FlipFree::Quoted(name) + "; add it by AddOrgan first"),
       ".");

@@ -28,7 +28,7 @@ int vtkFlipFreeRefinement::RequestData(vtkInformation*, vtkInformationVector** i
     }
     if (!refined.Embedded)
     {
-      throw FlipFree::Error(FlipFree::ErrorCode::InvalidInput,
+      throw FlipFree::Error(FlipFree::ErrorCode::SelfIntersecting,
         "the surface{ on port 0} is folded too sharply; smooth it, or deform it with more fairing");
     }
     FlipFree::AttachMesh(refined.Mesh, refined.Points, output);

@@ -42,7 +42,7 @@ FlipFree::Refit RefitTo(vtkPolyData* surface, const FlipFree::ImageView<float>& 
     noise, settings, FlipFree::SMPFor, monitor, model);
   if (refit == FlipFree::Refit::NothingInside)
   {
-    throw FlipFree::Error(FlipFree::ErrorCode::InvalidInput,
+    throw FlipFree::Error(FlipFree::ErrorCode::EmptyMask,
       "the surface{ on port 1} holds no voxel of the image{ on port 0}; "
       "check that both are in the same physical coordinates");
   }

@@ -34,7 +34,7 @@ Line LineOf(vtkPolyData* lines, int index)
 {
   if (index >= lines->GetNumberOfLines())
   {
-    throw FlipFree::Error(FlipFree::ErrorCode::InvalidInput,
+    throw FlipFree::Error(FlipFree::ErrorCode::OutOfRange,
       "the lines{ on port 0} are " + std::to_string(lines->GetNumberOfLines()) +
         ", and {LineIndex} is " + std::to_string(index) + "; connect poly lines, or lower it");
   }

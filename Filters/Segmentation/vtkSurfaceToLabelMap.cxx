@@ -55,7 +55,7 @@ int vtkSurfaceToLabelMap::RequestData(vtkInformation*, vtkInformationVector** in
   {
     if (reference->GetNumberOfPoints() == 0)
     {
-      throw FlipFree::Error(FlipFree::ErrorCode::InvalidInput,
+      throw FlipFree::Error(FlipFree::ErrorCode::InvalidGeometry,
         "the reference image{ on port 1} has no voxels; give it a non-empty extent");
     }
     FlipFree::RequireProperGrid(reference, "the reference image{ on port 1}");

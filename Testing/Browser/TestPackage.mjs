@@ -293,6 +293,8 @@ test("scores are the command's", async () => {
     "distanceOf",
     "warning",
   ]);
+  const ofAll = await flipfree.evaluate(labelMapOf(liver, phantom.image), phantom.labelMap);
+  assert.match(ofAll.warning, /^The reference has the labels .*; to compare it with one, set referenceLabel\.$/);
 });
 
 test("files are what the command reads", async () => {

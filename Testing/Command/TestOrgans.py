@@ -129,6 +129,7 @@ class TestOrgans(command.CommandTest):
                 (1, (*liver, "--fixed", "no.vtp", *out), "no.vtp"),
                 (1, (*liver, *spleen, "--no-guard", *out), "switch --guard and --carving on"),
                 (1, (*liver, "--organ", "copy", *self.organs["liver"], *out), "the seeds of ('copy' and 'liver'|'liver' and 'copy') overlap"),
+                (1, (*liver, *spleen, "--label-value", 255, *out), "lower --label-value, or remove organs"),
                 # A name is no option, whatever it is.
                 (1, (*liver, "--organ", "{Levels}", *self.organs["liver"], *out),
                  "the seeds of ('{Levels}' and 'liver'|'liver' and '{Levels}') overlap"),

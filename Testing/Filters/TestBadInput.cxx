@@ -392,6 +392,34 @@ TEST(BadInput, SurfacesThatAreNotEmbedded)
   EXPECT_EQ(ErrorOfUpdate(deform), "0 errors");
 }
 
+// Code that asks for the kind of an error relies on it.
+TEST(BadInput, HasTheCodeOfItsKind)
+{
+  const auto codeOf = [](vtkAlgorithm* filter)
+  {
+    EXPECT_EQ(ErrorOfUpdate(filter).find(" errors"), std::string::npos);
+    return static_cast<ErrorCode>(filter->GetErrorCode() - vtkErrorCode::UserError);
+  };
+  const auto deform = MakeDeform();
+  deform->SetInputDataObject(SelfIntersectingSphere());
+  EXPECT_EQ(codeOf(deform), ErrorCode::SelfIntersecting);
+  deform->GuardOff();
+  EXPECT_EQ(codeOf(deform), ErrorCode::InvalidInput); // it has no displacements
+  const auto refinement = MakeRefinement();
+  refinement->SetInputDataObject(SelfIntersectingSphere());
+  EXPECT_EQ(codeOf(refinement), ErrorCode::SelfIntersecting);
+  refinement->SetInputDataObject(SphereInsideOut());
+  EXPECT_EQ(codeOf(refinement), ErrorCode::InsideOut);
+  refinement->SetInputDataObject(vtkSmartPointer<vtkPolyData>::New());
+  EXPECT_EQ(codeOf(refinement), ErrorCode::InvalidMesh);
+  const auto segmentation = MakeSegmentation();
+  segmentation->SetSeedCenter(-1000, 0, 0);
+  EXPECT_EQ(codeOf(segmentation), ErrorCode::OutOfRange);
+  segmentation->SetSeedCenter(ExampleCenter.data());
+  segmentation->SetInputDataObject(vtkSmartPointer<vtkImageData>::New());
+  EXPECT_EQ(codeOf(segmentation), ErrorCode::InvalidGeometry);
+}
+
 TEST(BadInput, Seeds)
 {
   ExpectBadSeedsRefused(MakeSeeded<vtkSeedRegionDiffusion>().Get());

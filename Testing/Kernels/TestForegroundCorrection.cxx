@@ -39,6 +39,21 @@ struct BallImage
     return ball;
   }
 
+  /// What is left of x, in mm.
+  BitMask BoxBelow(double x) const
+  {
+    BitMask box(this->Geometry);
+    const int end = NearestVoxel(this->Geometry, { x, 0, 0 })[0];
+    for (int k = 0; k < this->Geometry.Dimensions[2]; ++k)
+    {
+      for (int j = 0; j < this->Geometry.Dimensions[1]; ++j)
+      {
+        box.InsertRun(0, end, j, k);
+      }
+    }
+    return box;
+  }
+
   BitMask Corrected(BitMask foreground, const ConstraintList& constraints) const
   {
     const SeedSphere seed{ Eigen::Vector3d::Zero(), 6 };
@@ -204,6 +219,48 @@ TEST(ForegroundCorrection, KeepsAnOrganOfTwoGrayValuesAroundVariedSurroundings)
   EXPECT_TRUE(image.IsAt(corrected, 18, 9, 0));
   EXPECT_TRUE(image.IsAt(corrected, 18, -9, 0));
   EXPECT_TRUE(image.IsAt(corrected, 10, 0, 0));
+}
+
+// As in a kidney of which a cyst has hidden the other half: the point's surroundings show one of
+// the organ's gray values only.
+TEST(ForegroundCorrection, FillsAnOrganOfSeveralGrayValuesAroundAPointInItsDepth)
+{
+  BallImage image({ 1, 1, 1 });
+  image.Ball(24).ForEach(
+    [&](std::size_t voxel)
+    {
+      const int j = IndexOf(voxel, image.Geometry)[1];
+      image.Voxels[voxel] = 75.0F + 25.0F * static_cast<float>(j / 7 % 3);
+    });
+  image.Ball(7).ForEach([&](std::size_t voxel) { image.Voxels[voxel] = 100; });
+  BitMask found = image.Ball(24);
+  found.Intersect(image.BoxBelow(2));
+  const BitMask corrected = image.Corrected(found, { { ConstraintKind::Inside, { 14, 0, 0 }, 0 } });
+  EXPECT_TRUE(image.IsAt(corrected, 14, 12, 0));
+  EXPECT_TRUE(image.IsAt(corrected, 14, -12, 0));
+  EXPECT_FALSE(image.IsAt(corrected, 27, 0, 0));
+}
+
+// Most of what is around a point in a thin part is background, and its gray values are so varied
+// that anything looks like it.
+TEST(ForegroundCorrection, AddsNoBackgroundAroundAPointInAThinPart)
+{
+  BallImage image({ 1, 1, 1 });
+  const BitMask found = image.Ball(12);
+  image.Ball(24).ForEach(
+    [&](std::size_t voxel)
+    {
+      const std::array<int, 3> index = IndexOf(voxel, image.Geometry);
+      const int away = std::abs(index[2] - 32);
+      image.Voxels[voxel] = found(index[0], index[1], index[2])
+        ? 100.0F
+        : std::max(0.0F, 100.0F - 20.0F * static_cast<float>(away));
+    });
+  const BitMask corrected = image.Corrected(found, { { ConstraintKind::Inside, { 21, 0, 2 }, 0 } });
+  EXPECT_TRUE(image.IsAt(corrected, 21, 0, 2));
+  EXPECT_TRUE(image.IsAt(corrected, 18, 0, 0));
+  EXPECT_FALSE(image.IsAt(corrected, 21, 0, 8));
+  EXPECT_FALSE(image.IsAt(corrected, 19, 4, -7));
 }
 
 // What one point mends, a further one of its kind does not take back.

@@ -104,7 +104,7 @@ public:
 
   void Execute(vtkObject* caller, unsigned long event, void* text) override
   {
-    const char* const message = FlipFree::MessageOf(caller);
+    const char* const message = FlipFree::ReportOf(caller);
     const std::string report = message ? FlipFree::WithNames(message, this->Names)
                                        : WithoutTrace(static_cast<const char*>(text));
     if (event == vtkCommand::ErrorEvent)

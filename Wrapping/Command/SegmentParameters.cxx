@@ -406,7 +406,8 @@ SegmentParameters SegmentParameters::With(const std::string& preset,
 FlipFree::QuantityNames SegmentParameters::Names()
 {
   FlipFree::QuantityNames names{ { "SeedCenter", "--seed" }, { "SeedRadius", "--radius" },
-    { "StartLabel", "--start-label" }, { "StartCenterOffset", "--start-offset" } };
+    { "StartLabel", "--start-label" }, { "StartCenterOffset", "--start-offset" },
+    { "LabelValue", "--label-value" } };
   for (const ParameterGroup& group : Table())
   {
     for (const Parameter& parameter : group.Parameters)

@@ -49,7 +49,7 @@ SeedSphere TakeSeed(const std::string& organ, ConstraintList& constraints)
     [](const PointConstraint& constraint) { return constraint.Kind == ConstraintKind::Seed; });
   if (first == constraints.end())
   {
-    throw Error(ErrorCode::SeedWithoutVoxels,
+    throw Error(ErrorCode::OutOfRange,
       Quoted(organ) + " has no seed; give a sphere that lies within it");
   }
   SeedSphere seed{ first->Point, first->Radius };

@@ -64,7 +64,7 @@ SeedSphere LargestBallIn(const BitMask& mask, const std::string& name,
   constexpr double neighbor = 1.001;
   if (ball.Radius <= neighbor * geometry.Spacing.minCoeff())
   {
-    throw Error(ErrorCode::SeedWithoutVoxels,
+    throw Error(ErrorCode::EmptyMask,
       name + " are nowhere thicker than two voxels, so no surface can start in them");
   }
   return ball;

@@ -18,8 +18,8 @@ namespace
 // Of the reach: what changes sides in any case.
 constexpr double CertainPart = 0.8;
 
-// What a voxel is worth that looks like the point's ball (inside), or more so than like the organ
-// (outside).
+// What a voxel is worth that looks like the point's ball or like the organ (inside), or more like
+// the ball than like the organ (outside).
 constexpr double InsideGain = 0.3;
 constexpr double OutsideGain = 0.1;
 // And what it loses for each reach that it is farther away than the reach. A point in the depth of
@@ -51,13 +51,17 @@ constexpr double PartOfWayToSeed = 0.6;
 constexpr double NearerGain = 0.2;
 constexpr double NearerDecay = 0.1;
 
+// What looks like the organ around an inside point is the organ's for this part of the way to it,
+// and loses as much with distance as around a point near the right side: a neighbor may look so.
+constexpr double PartOfWayToOrgan = 0.6;
+
 // The ball whose gray values stand for the point's surroundings, in reaches and millimeters.
 constexpr double BallPart = 0.7;
 constexpr double LeastBall = 2;
 constexpr double GreatestBall = 8;
 
-// An outside point's ball counts as at most this many times as varied as the seed: one that reaches
-// across the boundary holds gray values of both sides, and would look like either.
+// A point's ball counts as at most this many times as varied as the seed: one that reaches across
+// the boundary holds gray values of both sides, and would look like either.
 constexpr double VarietyInSeedSpreads = 1.5;
 
 // What the mask holds within this many seed radii of the seed's center shows more of the organ than
@@ -65,8 +69,13 @@ constexpr double VarietyInSeedSpreads = 1.5;
 constexpr double OrganInSeedRadii = 2.5;
 constexpr std::size_t LeastOrganVoxels = 30;
 
-// For an outside point: of what the mask holds around the seed, but for what is as near to the
-// point as the right side.
+// How many reaches farther away than the reach.
+double Beyond(double away, double reach)
+{
+  return std::max(0.0, (away - reach) / std::max(1.0, reach));
+}
+
+// Of what the mask holds around the seed, but for what is as near to the point as the right side.
 RobustStatistics StatisticsOfOrgan(const ImagePart& image, const BitMask& mask,
   const SeedSphere& seed, const Correction& correction)
 {
@@ -105,7 +114,7 @@ public:
         { correction.Point,
           std::max(LeastBall, std::min(GreatestBall, BallPart * correction.Reach)) }))
     , OfSeed(StatisticsInBall(image, Grid.Voxels, seed))
-    , OfOrgan(correction.IsInside ? OfSeed : StatisticsOfOrgan(image, mask, seed, correction))
+    , OfOrgan(StatisticsOfOrgan(image, mask, seed, correction))
     , OwnBlock(Grid.BlockAt(correction.Point))
   {
   }
@@ -113,7 +122,12 @@ public:
   bool Execute(const Monitor& monitor)
   {
     this->MarkBlocks();
-    if (!this->Wanted.IsInside && !this->LookForDepth(monitor))
+    if (this->Wanted.IsInside)
+    {
+      this->OrganReach = this->ReachOfOrgan();
+      this->Reach = std::max(LeastReach, std::min(this->Reach, this->OrganReach));
+    }
+    else if (!this->LookForDepth(monitor))
     {
       return false;
     }
@@ -176,6 +190,42 @@ private:
     return true;
   }
 
+  // How far around an inside point most voxels look like it or like the organ, for a part of the
+  // way to the organ. A ball across the boundary would look like anything.
+  double ReachOfOrgan() const
+  {
+    const double away = this->Wanted.Away;
+    const double limit =
+      std::min({ GreatestReach, away, std::max(DeepAway, PartOfWayToOrgan * away) });
+    const RobustStatistics point = this->PointWithoutVariety();
+    struct Shell
+    {
+      int Size = 0;
+      int Alike = 0;
+    };
+    const ImageGeometry& voxels = this->Grid.Voxels;
+    const double step = voxels.Spacing.maxCoeff();
+    std::vector<Shell> shells(static_cast<std::size_t>(limit / step) + 2);
+    for (const std::size_t voxel : VoxelsInSphere(voxels, { this->Wanted.Point, limit }))
+    {
+      const std::array<int, 3> index = IndexOf(voxel, voxels);
+      const Eigen::Vector3d place =
+        voxels.ToPhysical(Eigen::Vector3d(index[0], index[1], index[2]));
+      const float value = this->Image.Row(index[1], index[2])[index[0]];
+      const bool isAlike = this->Similarity.LikenessOf(value, point) > 0 ||
+        this->Similarity.LikenessOf(value, this->OfOrgan) > 0;
+      Shell& shell = shells[static_cast<std::size_t>((place - this->Wanted.Point).norm() / step)];
+      ++shell.Size;
+      shell.Alike += isAlike ? 1 : 0;
+    }
+    std::size_t count = 0;
+    while (count < shells.size() && 2 * shells[count].Alike >= shells[count].Size)
+    {
+      ++count;
+    }
+    return std::min(static_cast<double>(count) * step, limit);
+  }
+
   double Decay() const
   {
     const double depth = (this->Wanted.Away - NearAway) / (DeepAway - NearAway);
@@ -192,12 +242,12 @@ private:
     return organ;
   }
 
-  RobustStatistics PointAsBackground() const
+  RobustStatistics PointWithoutVariety() const
   {
-    RobustStatistics background = this->OfPoint;
-    background.StandardDeviation = std::min(background.StandardDeviation,
+    RobustStatistics point = this->OfPoint;
+    point.StandardDeviation = std::min(point.StandardDeviation,
       VarietyInSeedSpreads * this->Similarity.SpreadOf(this->OfSeed));
-    return background;
+    return point;
   }
 
   double Smoothness() const
@@ -216,13 +266,15 @@ private:
   double WorthOf(double value, const Eigen::Vector3d& place) const
   {
     const double away = (place - this->Wanted.Point).norm();
-    const double beyond = std::max(0.0, (away - this->Reach) / std::max(1.0, this->Reach));
     if (this->Wanted.IsInside)
     {
-      return InsideGain * this->Similarity.LikenessOf(value, this->PointAsOrgan()) -
-        this->Decay() * beyond;
+      return std::max(InsideGain * this->Similarity.LikenessOf(value, this->PointAsOrgan()) -
+          this->Decay() * Beyond(away, this->Reach),
+        InsideGain * this->Similarity.LikenessOf(value, this->OfOrgan) -
+          DecayOfNearPoint * Beyond(away, this->OrganReach));
     }
-    const double likeness = this->Similarity.LikenessOf(value, this->PointAsBackground());
+    const double beyond = Beyond(away, this->Reach);
+    const double likeness = this->Similarity.LikenessOf(value, this->PointWithoutVariety());
     const double likeOrgan = std::max(this->Similarity.LikenessOf(value, this->OfSeed),
       this->Similarity.LikenessOf(value, this->OfOrgan));
     if (this->Depth.HasNeck)
@@ -321,6 +373,7 @@ private:
   const SeedSphere& Seed;
   const Correction& Wanted;
   double Reach;
+  double OrganReach = 0; // of an inside point
   const double Noise;
   const GrayValueSimilarity Similarity;
   const ParallelFor& Parallel;

@@ -178,13 +178,14 @@ export class Engine {
   ): Scores {
     const known = this.kernels.scoreParameters();
     const values = kernelValues(parameters, known);
-    return this.withVolume(reference, (wanted) =>
+    const scores = this.withVolume(reference, (wanted) =>
       "points" in segmentation
         ? this.checked(this.kernels.scoreSurface(segmentation, wanted, values, report), known)
         : this.withVolume(segmentation, (found) =>
             this.checked(this.kernels.scoreLabels(found, wanted, values, report), known),
           ),
     );
+    return { ...scores, warning: wordMessage(scores.warning, known) };
   }
 
   /** Pairs of faces that intersect for some cut of the faces, by an exact count. */

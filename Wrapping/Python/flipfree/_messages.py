@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 import sys
 import warnings
 from collections.abc import Iterable, Mapping
@@ -13,6 +14,7 @@ from ._errors import FlipFreeWarning
 
 # How the caller spells keywords, if not as in Python: the command has options.
 spelling: ContextVar[Mapping[str, str]] = ContextVar("spelling", default={})
+
 
 def warn(text: str) -> None:
     """Issues a warning that points to the caller of the package."""
@@ -28,11 +30,21 @@ def with_names(message: str, names: Mapping[str, str]) -> str:
     'the image ends here; raise reach'
     >>> with_names("the image{ on port 0} ends here; raise {Reach}", {})
     'the image on port 0 ends here; raise Reach'
+    >>> with_names("what encloses nothing, as { or {}, stays", {"Reach": "reach"})
+    'what encloses nothing, as { or {}, stays'
     """
     options = spelling.get()
-    return message.format_map(
-        _Names({name: options.get(keyword, keyword) for name, keyword in names.items()})
-    )
+
+    def worded(part: re.Match[str]) -> str:
+        quantity = part[1]
+        if quantity is None:
+            return part[0][0]
+        if quantity.startswith(" "):  # a port
+            return "" if names else quantity
+        keyword = names.get(quantity, quantity)
+        return options.get(keyword, keyword)
+
+    return re.sub(r"\{\{|\}\}|\{([^{}]+)\}", worded, message)
 
 
 def escaped(text: str) -> str:
@@ -42,12 +54,6 @@ def escaped(text: str) -> str:
     "'{Reach}' stays"
     """
     return text.replace("{", "{{").replace("}", "}}")
-
-
-class _Names(dict[str, str]):
-    def __missing__(self, name: str) -> str:
-        is_port = name.startswith(" ")
-        return "" if is_port and self else name
 
 
 def confidence_text(confidence: float) -> str:
