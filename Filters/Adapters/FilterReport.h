@@ -87,7 +87,7 @@ inline const char* ReportOf(vtkObject* filter)
 #define FlipFreeWarningMacro(text)                                                                 \
   do                                                                                               \
   {                                                                                                \
-    const std::string reportedText = (text);                                                       \
+    const std::string& reportedText = (text);                                                      \
     const FlipFree::FilterMessage reportedMessage(this, reportedText);                             \
     vtkWarningMacro(<< FlipFree::WithNames(reportedText));                                         \
   } while (false)
