@@ -37,9 +37,9 @@ class ContourMeshCache
 public:
   using Mesh = std::shared_ptr<const ContourMesh>;
 
-  /// The same pointer as before for the same connectivity. Throws Error, naming the
-  /// surface by `name`, when it is not a closed mesh with four neighbors at every vertex. `points`
-  /// are those of the surface.
+  /// The same pointer as before for the same connectivity. Throws Error, naming the surface by
+  /// `name`, when it is not a closed mesh with four neighbors at every vertex. `points` are those
+  /// of the surface.
   Mesh MeshOf(vtkPolyData* data, const Eigen::Ref<const PointList>& points, const std::string& name)
   {
     RequirePolygons(data, name);
@@ -75,8 +75,8 @@ inline GivenSurface GivenSurfaceOf(vtkPolyData* data, const std::string& name)
   return { name, CopyPoints(data), CopyPolys(data, name) };
 }
 
-/// Copies a surface. Throws Error, naming it by `name`, when it is not a closed
-/// mesh with four neighbors at every vertex, or, if asked, is not embedded.
+/// Copies a surface. Throws Error, naming it by `name`, when it is not a closed mesh with four
+/// neighbors at every vertex, or, if asked, is not embedded.
 inline DeformableSurface DeformableSurfaceOf(vtkPolyData* data, const std::string& name,
   bool requireEmbedded)
 {

@@ -48,8 +48,8 @@ inline void AddFieldText(const char* name, const std::vector<std::string>& texts
   data->GetFieldData()->AddArray(array);
 }
 
-/// The values of a field array of numbers; empty where there is none. Throws Error,
-/// naming the data object by `owner`, unless they are `size` finite numbers, not negative if asked.
+/// The values of a field array of numbers; empty where there is none. Throws Error, naming the data
+/// object by `owner`, unless they are `size` finite numbers, not negative if asked.
 inline std::vector<double> FieldValues(const std::string& name, vtkIdType size, bool negative,
   vtkDataObject* data, const std::string& owner)
 {

@@ -22,8 +22,8 @@
 namespace FlipFree
 {
 
-/// Throws Error, naming the image by `name`, unless it has voxels on a proper grid,
-/// and scalars of one component for each of them.
+/// Throws Error, naming the image by `name`, unless it has voxels on a proper grid, and scalars of
+/// one component for each of them.
 inline void RequireGrayImage(vtkImageData* image, const std::string& name)
 {
   RequireVoxels(image ? GeometryOf(image) : ImageGeometry(), name);

@@ -61,8 +61,8 @@ inline void RequireProperGrid(vtkImageData* image, const std::string& name)
   RequireProperGrid(GeometryOf(image), name);
 }
 
-/// For the types that vtkTemplateMacro has no case for: bits. Throws Error, naming
-/// the array, its type, and the image by `name`.
+/// For the types that vtkTemplateMacro has no case for: bits. Throws Error, naming the array, its
+/// type, and the image by `name`.
 [[noreturn]] inline void RefuseScalarType(vtkDataArray* scalars, const std::string& name)
 {
   throw Error(ErrorCode::InvalidInput,

@@ -26,8 +26,7 @@ namespace FlipFree
 {
 
 /// The image, named by `name`, as the label map that kernels read. It outlives the volume. Throws
-/// Error when it has no voxels or no proper grid, no scalars of one component, or
-/// scalars of bits.
+/// Error when it has no voxels or no proper grid, no scalars of one component, or scalars of bits.
 inline LabelVolume LabelVolumeOf(vtkImageData* image, const std::string& name)
 {
   vtkDataArray* scalars = image->GetPointData()->GetScalars();

@@ -21,8 +21,7 @@ struct PolygonalSurface
   TriangleList Triangles; ///< of the faces, in their order
 };
 
-/// Throws Error, naming the surface by `name`, when it has no points or has
-/// triangle strips.
+/// Throws Error, naming the surface by `name`, when it has no points or has triangle strips.
 inline void RequirePolygons(vtkPolyData* data, const std::string& name)
 {
   if (data->GetNumberOfPoints() == 0)
@@ -37,8 +36,8 @@ inline void RequirePolygons(vtkPolyData* data, const std::string& name)
   }
 }
 
-/// Copies a surface. Throws Error, naming the surface by `name`, when it has no
-/// points or no polygons, has triangle strips, or is not valid (RequireValidFaces).
+/// Copies a surface. Throws Error, naming the surface by `name`, when it has no points or no
+/// polygons, has triangle strips, or is not valid (RequireValidFaces).
 inline PolygonalSurface SurfaceOf(vtkPolyData* data, const std::string& name)
 {
   RequirePolygons(data, name);

@@ -20,8 +20,8 @@
 namespace FlipFree
 {
 
-/// Throws Error if the region within reach has fewer than four voxels along one of
-/// its first `axes` axes.
+/// Throws Error if the region within reach has fewer than four voxels along one of its first `axes`
+/// axes.
 inline void RequireGaussianWidth(const ImageGeometry& region, int axes)
 {
   constexpr int minimum = 4;

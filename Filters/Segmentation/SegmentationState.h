@@ -35,8 +35,8 @@ struct SegmentationInputs
 
 struct SegmentationState
 {
-  /// Throws Error for a start surface or labels that cannot be used. The
-  /// image has passed RequireGrayImage. Keeps its voxels alive, not the image.
+  /// Throws Error for a start surface or labels that cannot be used. The image has passed
+  /// RequireGrayImage. Keeps its voxels alive, not the image.
   explicit SegmentationState(const SegmentationInputs& inputs);
 
   const SegmentationInputs Inputs;

@@ -165,9 +165,7 @@ void Make(const Phantom& phantom)
   source->SetNoiseStandardDeviation(phantom.Noise);
   source->SetRandomSeed(phantom.RandomSeed);
   source->SetNumberOfLesions(phantom.Lesions);
-  Run(source, "drawing",
-    { { "Dimensions", "--size" }, { "Spacing", "--spacing" },
-      { "NoiseStandardDeviation", "--noise" } });
+  Run(source, "drawing");
   outputs.Write(gray, [&](const std::string& name) { WriteVolume(name, source->GetOutput()); });
   outputs.Write(truth, [&](const std::string& name) { WriteVolume(name, source->GetLabelMap()); });
   outputs.Commit();

@@ -198,32 +198,19 @@ private:
     const double limit =
       std::min({ GreatestReach, away, std::max(DeepAway, PartOfWayToOrgan * away) });
     const RobustStatistics point = this->PointWithoutVariety();
-    struct Shell
-    {
-      int Size = 0;
-      int Alike = 0;
-    };
     const ImageGeometry& voxels = this->Grid.Voxels;
-    const double step = voxels.Spacing.maxCoeff();
-    std::vector<Shell> shells(static_cast<std::size_t>(limit / step) + 2);
+    AlikeShells shells(voxels.Spacing.maxCoeff(), limit);
     for (const std::size_t voxel : VoxelsInSphere(voxels, { this->Wanted.Point, limit }))
     {
       const std::array<int, 3> index = IndexOf(voxel, voxels);
       const Eigen::Vector3d place =
         voxels.ToPhysical(Eigen::Vector3d(index[0], index[1], index[2]));
       const float value = this->Image.Row(index[1], index[2])[index[0]];
-      const bool isAlike = this->Similarity.LikenessOf(value, point) > 0 ||
-        this->Similarity.LikenessOf(value, this->OfOrgan) > 0;
-      Shell& shell = shells[static_cast<std::size_t>((place - this->Wanted.Point).norm() / step)];
-      ++shell.Size;
-      shell.Alike += isAlike ? 1 : 0;
+      shells.Add((place - this->Wanted.Point).norm(),
+        this->Similarity.LikenessOf(value, point) > 0 ||
+          this->Similarity.LikenessOf(value, this->OfOrgan) > 0);
     }
-    std::size_t count = 0;
-    while (count < shells.size() && 2 * shells[count].Alike >= shells[count].Size)
-    {
-      ++count;
-    }
-    return std::min(static_cast<double>(count) * step, limit);
+    return shells.Reach();
   }
 
   double Decay() const

@@ -32,8 +32,8 @@ double DomainOf(const Correction& correction);
 /// depth of what looks like the seed takes what is nearer to it than to the seed; else what looks
 /// more like the point's surroundings than like the organ's around the seed goes. An inside point
 /// adds what looks like either. A point deep on the wrong side spreads farther than one near the
-/// right side. `noise` is the standard deviation
-/// before smoothing; the modality is not Automatic. Returns false if the monitor stopped it.
+/// right side. `noise` is the standard deviation before smoothing; the modality is not Automatic.
+/// Returns false if the monitor stopped it.
 bool CutCorrection(const ImagePart& image, const SeedSphere& seed, const Correction& correction,
   double noise, Modality modality, const ParallelFor& parallelFor, const Monitor& monitor,
   BitMask& mask);

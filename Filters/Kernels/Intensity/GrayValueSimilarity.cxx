@@ -13,14 +13,30 @@ namespace
 // Gray values look alike within this many standard deviations.
 constexpr double SimilarDeviations = 2;
 
-// Shells about a point look like it as long as this part of their voxels lies within this many
-// deviations of the innermost ball's median; the ball in millimeters and voxels.
-constexpr double AlikePart = 0.5;
+// Shells about a point look like it where their voxels lie within this many deviations of the
+// innermost ball's median; the ball in millimeters and voxels.
 constexpr double ShellDeviations = 2.5;
 constexpr double FirstBall = 3;
 constexpr double FirstBallVoxels = 1.5;
 
 } // namespace
+
+void AlikeShells::Add(double away, bool isAlike)
+{
+  const auto number = static_cast<std::size_t>(away / this->Step);
+  if (number < this->Shells.size())
+  {
+    ++this->Shells[number].Size;
+    this->Shells[number].Alike += isAlike ? 1 : 0;
+  }
+}
+
+double AlikeShells::Reach() const
+{
+  const auto end = std::find_if(this->Shells.begin(), this->Shells.end(),
+    [](const Shell& shell) { return 2 * shell.Alike < shell.Size; });
+  return std::min(static_cast<double>(end - this->Shells.begin()) * this->Step, this->Limit);
+}
 
 double GrayValueSimilarity::SpreadOf(const RobustStatistics& of) const
 {
@@ -45,41 +61,35 @@ double GrayValueSimilarity::ReachOfLikeness(const ImageView<float>& image,
   const double step = geometry.Spacing.maxCoeff();
   const double first = std::max(FirstBall, FirstBallVoxels * geometry.Spacing.minCoeff());
   const VoxelBox box = BoxAround(geometry, point, std::max(limit, first));
-  std::vector<float> inner;
-  std::vector<std::vector<float>> shells(static_cast<std::size_t>(limit / step) + 2);
-  for (int k = box.Begin[2]; k < box.End[2]; ++k)
+  // Calls visit(distance, value).
+  const auto forEachVoxel = [&](const auto& visit)
   {
-    for (int j = box.Begin[1]; j < box.End[1]; ++j)
+    for (int k = box.Begin[2]; k < box.End[2]; ++k)
     {
-      for (int i = box.Begin[0]; i < box.End[0]; ++i)
+      for (int j = box.Begin[1]; j < box.End[1]; ++j)
       {
-        const double away = (geometry.ToPhysical(Eigen::Vector3d(i, j, k)) - point).norm();
-        if (away <= first)
+        for (int i = box.Begin[0]; i < box.End[0]; ++i)
         {
-          inner.push_back(image(i, j, k));
-        }
-        const auto shell = static_cast<std::size_t>(away / step);
-        if (shell < shells.size())
-        {
-          shells[shell].push_back(image(i, j, k));
+          visit((geometry.ToPhysical(Eigen::Vector3d(i, j, k)) - point).norm(), image(i, j, k));
         }
       }
     }
-  }
+  };
+  std::vector<float> inner;
+  forEachVoxel(
+    [&](double away, float value)
+    {
+      if (away <= first)
+      {
+        inner.push_back(value);
+      }
+    });
   const RobustStatistics of = RobustStatisticsOf(inner);
   const double spread = this->SpreadOf(of);
-  double reach = step;
-  for (std::size_t shell = 0; shell < shells.size(); ++shell)
-  {
-    const auto alike = std::count_if(shells[shell].begin(), shells[shell].end(),
-      [&](float value) { return std::abs(value - of.Median) < ShellDeviations * spread; });
-    if (static_cast<double>(alike) < AlikePart * static_cast<double>(shells[shell].size()))
-    {
-      break;
-    }
-    reach = static_cast<double>(shell + 1) * step;
-  }
-  return std::min(reach, limit);
+  AlikeShells shells(step, limit);
+  forEachVoxel([&](double away, float value)
+    { shells.Add(away, std::abs(value - of.Median) < ShellDeviations * spread); });
+  return std::min(std::max(step, shells.Reach()), limit);
 }
 
 RobustStatistics StatisticsInBall(const ImagePart& image, const ImageGeometry& geometry,

@@ -9,8 +9,40 @@
 #include "Intensity/Modality.h"
 #include "Intensity/RobustStatistics.h"
 
+#include <vector>
+
 namespace FlipFree
 {
+
+/// Shells about a point, from the innermost, as long as at least half of the voxels in each look
+/// alike.
+class AlikeShells
+{
+public:
+  /// As thick as `step`, up to the first that reaches beyond `limit`; both in millimeters.
+  AlikeShells(double step, double limit)
+    : Step(step)
+    , Limit(limit)
+    , Shells(static_cast<std::size_t>(limit / step) + 2)
+  {
+  }
+
+  void Add(double away, bool isAlike);
+
+  /// The radius of the last shell, at most the limit; 0 without any.
+  double Reach() const;
+
+private:
+  struct Shell
+  {
+    int Size = 0;
+    int Alike = 0;
+  };
+
+  double Step;
+  double Limit;
+  std::vector<Shell> Shells;
+};
 
 class GrayValueSimilarity
 {

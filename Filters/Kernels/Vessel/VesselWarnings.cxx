@@ -103,9 +103,9 @@ void AddWarnings(const ImageGeometry& geometry, const PointList& points, VesselS
   constexpr double tolerance = 3; // mm
   if (result.Surface.Reason == StopReason::NotRefined)
   {
-    result.Warnings.emplace_back("The surface could not be refined without intersecting itself, "
-                                 "and is coarse; set {Levels} to "
-                                 "1, or move the points apart.");
+    result.Warnings.emplace_back(
+      "The surface could not be refined without intersecting itself, and "
+      "is coarse; set {Levels} to 1, or move the points apart.");
   }
   if (result.Tree.Support < DoubtfulSupport)
   {

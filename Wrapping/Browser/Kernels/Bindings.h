@@ -29,8 +29,7 @@ void BindPhantoms();
 void BindVolumes();
 
 /// Exceptions of C++ are opaque to JavaScript. Returns make(), or { error: message } with
-/// quantities in braces, or
-/// { error: "", outOfMemory: true }.
+/// quantities in braces, or { error: "", outOfMemory: true }.
 template <typename Make>
 val Guarded(const Make& make)
 {

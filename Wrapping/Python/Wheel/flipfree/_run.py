@@ -9,9 +9,9 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from typing import Any
 
+from . import _kernels
 from ._errors import FlipFreeError
 from ._interrupt import Interrupt
-from . import _kernels
 from ._messages import escaped, with_names
 from ._types import Progress
 
