@@ -96,7 +96,7 @@ std::vector<std::size_t> VoxelsOfSeeds(const std::vector<FlipFree::SeedSphere>& 
     {
       throw FlipFree::Error(FlipFree::ErrorCode::SeedWithoutVoxels,
         "no voxel center of " + std::string(InputName) +
-          " lies in the seed sphere; enlarge it, or move it onto one");
+          " lies in the seed sphere; raise {SeedRadius} beyond a voxel, or move the sphere onto one");
     }
     for (const std::size_t voxel : voxels)
     {
@@ -332,7 +332,7 @@ void vtkBaselineSegmentation::Segment(vtkImageData* image, vtkPolyData* path, vt
   {
     throw FlipFree::Error(FlipFree::ErrorCode::NoContrast,
       "nothing was found that is connected to the seed sphere; check "
-      "that it lies in the organ, or enlarge it");
+      "that it lies in the organ, or raise {SeedRadius}");
   }
   AttachSurface(result, surface);
   FlipFree::MakeLabelMap(runs, static_cast<unsigned char>(this->LabelValue), image, labels);

@@ -28,7 +28,7 @@ inline void RequireNumbers(std::initializer_list<NamedProperty> properties)
     if (!std::isfinite(property.Value))
     {
       throw Error(ErrorCode::NonFiniteValue,
-        std::string("the property {") + property.Name + "} is " +
+        std::string("the value of {") + property.Name + "} is " +
           (std::isnan(property.Value) ? "not a number (NaN)" : "infinite") +
           "; set it to a number");
     }

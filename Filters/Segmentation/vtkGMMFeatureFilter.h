@@ -181,9 +181,9 @@ public:
 
   ///@{
   /**
-   * The scale of the gray values, from which Carving's tolerances are derived. Default AUTOMATIC:
-   * CT if a hundredth of the voxels are as negative as fat in Hounsfield units, otherwise MR. For
-   * MR, the scale does not matter.
+   * The scale of the gray values, from which Carving's tolerances are derived: AUTOMATIC (0), CT
+   * (1) or MR (2). Default AUTOMATIC: CT if a hundredth of the voxels are as negative as fat in
+   * Hounsfield units, otherwise MR. For MR, the scale does not matter.
    */
   void SetModality(int value);
   int GetModality() const;

@@ -87,7 +87,7 @@ TEST_P(BaselineRefuses, ThinImagesByAWordOfItsOwn)
 TEST_P(BaselineRefuses, PropertiesThatAreNotNumbers)
 {
   this->Filter->SetReach(NotANumber);
-  ExpectRefusal(this->Filter, { "the property Reach", "NaN", "set it" });
+  ExpectRefusal(this->Filter, { "the value of Reach", "NaN", "set it" });
 }
 
 // The slice through the sphere's center: what the snake outlines, it needs no others for.

@@ -1,6 +1,7 @@
 """Whatever is wrong: one line that helps, the right status, and no file."""
 
 import os
+import re
 import resource
 import shutil
 import struct
@@ -56,7 +57,7 @@ class TestBadInput(command.CommandTest):
                  (1, (*center, "--radius", 0.1), ("'" + self.volume, "radius")),
                  (2, (*self.seed, "--seed-voxel", 1, 2, 3), ("--seed-voxel",)),
                  (2, radius, ("--seed",))]
-        cases += [(2, (*center, "--radius", value), ("--radius must be a positive number of millimeters, 1e-6 to 1e6",))
+        cases += [(2, (*center, "--radius", value), (rf"--radius must be a positive number of millimeters, 1e-6 to 1e6, not {re.escape(format(float(value), "g"))}\. The sphere",))
                   for value in (0, -5, 1e-9, 2e6, "nan", "inf")]
         cases += [(2, (*center, "--radius", "large"), ("--radius",))]
         cases += [(2, ("--seed", *point, *radius), ("--seed",)) for point in (("nan", 0, 0), (1, 2), ("here", 0, 0))]

@@ -243,13 +243,13 @@ void ExpectBadSeedsRefused(Filter* filter)
     { "(46, 46, 94.6) mm", "outside the image on port 0", "to (93, 93, 93) mm",
       "physical coordinates" });
   filter->SetSeedCenter(NotANumber, 46, 46);
-  ExpectRefusal(filter, { "nan", "outside the image on port 0" });
+  ExpectRefusal(filter, { "the seed's center (nan, 46, 46) mm", "not a finite number" });
   filter->SetSeedCenter(ExampleCenter.data());
   for (const double radius : { 2.9, 0.0, -10.0, NotANumber })
   {
     filter->SetSeedRadius(radius);
     filter->Modified(); // the minimum radius may be set already
-    ExpectRefusal(filter, { "radius", "below a voxel of the image on port 0 (3 mm)", "enlarge" });
+    ExpectRefusal(filter, { "radius", "below a voxel of the image on port 0 (3 mm)", "raise SeedRadius" });
   }
 }
 
@@ -262,7 +262,7 @@ void ExpectSeedBetweenSlicesRefused(Filter* filter)
   filter->SetInputDataObject(0, image);
   filter->SetSeedCenter(45, 45, 139.5);
   filter->SetSeedRadius(3.5);
-  ExpectRefusal(filter, { "no voxel center", "seed sphere", "enlarge" });
+  ExpectRefusal(filter, { "no voxel center", "seed sphere", "raise SeedRadius" });
 }
 
 } // namespace FlipFree

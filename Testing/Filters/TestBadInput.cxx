@@ -433,19 +433,19 @@ TEST(BadInput, PropertiesThatAreNotNumbers)
 {
   const auto diffusion = MakeSeeded<vtkSeedRegionDiffusion>();
   diffusion->SetReach(NotANumber);
-  ExpectRefusal(diffusion, { "the property Reach", "NaN", "set it" });
+  ExpectRefusal(diffusion, { "the value of Reach", "NaN", "set it" });
   const auto feature = MakeSeeded<vtkGMMFeatureFilter>();
   feature->SetForegroundMass(NotANumber);
-  ExpectRefusal(feature, { "the property ForegroundMass", "NaN", "set it" });
+  ExpectRefusal(feature, { "the value of ForegroundMass", "NaN", "set it" });
   const auto search = MakeSearch();
   search->SetSearchDistance(NotANumber);
-  ExpectRefusal(search, { "the property SearchDistance", "NaN", "set it" });
+  ExpectRefusal(search, { "the value of SearchDistance", "NaN", "set it" });
   const auto deform = MakeDeform();
   deform->SetUniformWeight(NotANumber);
-  ExpectRefusal(deform, { "the property UniformWeight", "NaN", "set it" });
+  ExpectRefusal(deform, { "the value of UniformWeight", "NaN", "set it" });
   const auto metrics = MakeMetrics();
   metrics->SetSampleSpacing(NotANumber);
-  ExpectRefusal(metrics, { "the property SampleSpacing", "NaN", "set it" });
+  ExpectRefusal(metrics, { "the value of SampleSpacing", "NaN", "set it" });
   vtkNew<vtkQuadSphereSource> sphere;
   sphere->SetCenter(0, NotANumber, 0);
   ExpectRefusal(sphere, { "Center (", "nan", "finite" });

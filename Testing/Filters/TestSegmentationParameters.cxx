@@ -156,16 +156,16 @@ TEST_F(SegmentationParameters, ThatAreNotNumbersAreRefusedByName)
     if (property.IsNumber)
     {
       property.Set(this->Segmentation, NotANumber);
-      ExpectRefusal(this->Segmentation, { "the property " + property.Name + " ", "NaN", "set it" });
+      ExpectRefusal(this->Segmentation, { "the value of " + property.Name + " ", "NaN", "set it" });
       property.Set(this->Segmentation, property.Get(defaults));
       ++numbers;
     }
   }
   EXPECT_EQ(numbers, 21);
   this->Segmentation->SetStartCenterOffset(0, NotANumber, 0);
-  ExpectRefusal(this->Segmentation, { "the property StartCenterOffset", "NaN", "set it" });
+  ExpectRefusal(this->Segmentation, { "the value of StartCenterOffset", "NaN", "set it" });
   this->Segmentation->SetStartCenterOffset(0, std::numeric_limits<double>::infinity(), 0);
-  ExpectRefusal(this->Segmentation, { "the property StartCenterOffset", "infinite", "set it" });
+  ExpectRefusal(this->Segmentation, { "the value of StartCenterOffset", "infinite", "set it" });
 }
 
 TEST_F(SegmentationParameters, AreClampedToTheirRange)

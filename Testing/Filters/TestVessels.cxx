@@ -280,7 +280,7 @@ TEST_F(Vessels, BadPointsAreRefused)
   this->Filter->AddPoint(NotANumber, 0, 0);
   refuse({ "nan", "outside" });
   this->Filter->SetRadius(NotANumber);
-  refuse({ "the property Radius", "NaN" });
+  refuse({ "the value of Radius", "NaN" });
 }
 
 // Where the vessel does, in a bend, the path goes on just outside, and says so.

@@ -430,10 +430,10 @@ TEST(TestDiffusionPrefilter, BadInputIsRefusedWithOneError)
   refuse(image, "VOI", [](auto* filter) { filter->SetVOI(100, 110, 0, 9, 0, 7); });
   refuse(image, "TimeStep", [](auto* filter) { filter->SetTimeStep(0.06); });
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  refuse(image, "the property TimeStep", [=](auto* filter) { filter->SetTimeStep(nan); });
-  refuse(image, "the property Conductance", [=](auto* filter) { filter->SetConductance(nan); });
-  refuse(image, "the property GradientScale", [=](auto* filter) { filter->SetGradientScale(nan); });
-  refuse(image, "the property ScaleRadius", [=](auto* filter) { filter->SetScaleRadius(nan); });
+  refuse(image, "the value of TimeStep", [=](auto* filter) { filter->SetTimeStep(nan); });
+  refuse(image, "the value of Conductance", [=](auto* filter) { filter->SetConductance(nan); });
+  refuse(image, "the value of GradientScale", [=](auto* filter) { filter->SetGradientScale(nan); });
+  refuse(image, "the value of ScaleRadius", [=](auto* filter) { filter->SetScaleRadius(nan); });
   refuse(image, "scale sphere",
     [=](auto* filter)
     {

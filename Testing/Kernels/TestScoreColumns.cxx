@@ -107,7 +107,7 @@ TEST(ScoreParameters, AreNumbers)
   settings.SampleSpacing = std::numeric_limits<double>::quiet_NaN();
   const LabelMask nothing{};
   const std::string expected =
-    "the property SampleSpacing is not a number (NaN); set it to a number";
+    "the value of SampleSpacing is not a number (NaN); set it to a number";
   EXPECT_EQ(ErrorOf([&] { ScoreLabels(nothing, nothing, settings, SerialFor, NeverStop); }),
     expected);
   EXPECT_EQ(ErrorOf([&] { ScoreSurface({}, {}, nothing, settings, SerialFor, NeverStop); }),

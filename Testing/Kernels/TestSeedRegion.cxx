@@ -1,6 +1,7 @@
 #include "Error.h"
 #include "ExampleMasks.h"
 #include "ExampleSurfaces.h"
+#include "Image/PointCheck.h"
 #include "Image/SeedRegion.h"
 
 #include <gtest/gtest.h>
@@ -60,8 +61,10 @@ TEST(SeedRegion, SeedsOutsideOrBelowAVoxelAreRefused)
     }
     catch (const Error& error)
     {
-      EXPECT_EQ(error.GetCode(), ErrorCode::OutOfRange);
-      EXPECT_NE(std::string(error.what()).find("the image"), std::string::npos);
+      EXPECT_EQ(error.GetCode(),
+        seed.Center.allFinite() ? ErrorCode::OutOfRange : ErrorCode::NonFiniteValue);
+      EXPECT_NE(std::string(error.what()).find(seed.Center.allFinite() ? "the image" : "finite"),
+        std::string::npos);
       return false;
     }
   };
@@ -87,6 +90,30 @@ TEST(SeedRegion, SeedsOutsideOrBelowAVoxelAreRefused)
     EXPECT_FALSE(isAccepted(geometry, { Center, 0.69 })) << name;
     EXPECT_FALSE(isAccepted(geometry, { Center, nan })) << name;
   }
+}
+
+TEST(SeedRegion, APointInRasIsRecognized)
+{
+  const ImageGeometry geometry = GridAround(Center, Eigen::Matrix3d::Identity());
+  const auto messageFor = [&](const Eigen::Vector3d& point)
+  {
+    try
+    {
+      RequirePoint(geometry, point, "the point", "the image");
+    }
+    catch (const Error& error)
+    {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  const std::string outside =
+    "the point lies outside the image, which reaches from (-41.41, 5.9, 130.24) to (-18.31, 34.9, "
+    "168.24) mm; give it in the image's physical coordinates";
+  EXPECT_EQ(messageFor(Center), "");
+  EXPECT_EQ(messageFor({ 30, 20, 150 }), outside);
+  EXPECT_EQ(messageFor({ 30, -20, 150 }),
+    outside + ": with x and y negated it would lie inside, so it may be in RAS instead of LPS");
 }
 
 TEST(SeedRegion, PartsAsFloatsAreInTheirPlaces)

@@ -100,7 +100,7 @@ TEST(SegmentationParameters, ThatAreNoNumbersAreNamed)
     catch (const std::invalid_argument& error)
     {
       EXPECT_EQ(error.what(),
-        "the property " + parameter.Name + " is not a number (NaN); set it to a number");
+        "the value of " + parameter.Name + " is not a number (NaN); set it to a number");
     }
   }
 }

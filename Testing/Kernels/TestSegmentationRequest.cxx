@@ -169,10 +169,16 @@ TEST(OrganRequest, IsCheckedForNumbersGridAndSeed)
   AskedBall ball;
   OrganRequest request = ball.Request();
   request.Settings.StartScale = std::numeric_limits<double>::quiet_NaN();
-  ExpectRunRefused(ball, request, "the property StartScale is not a number");
+  ExpectRunRefused(ball, request, "the value of StartScale is not a number");
   request = ball.Request();
   request.Seed->Center[1] = 500;
   ExpectRunRefused(ball, request, "lies outside it");
+  request = ball.Request();
+  request.Seed->Radius = 500;
+  ExpectRunRefused(ball, request, "the seed sphere, with a radius of 500 mm, is larger than it");
+  request = ball.Request();
+  request.Settings.Method.Smoothing.Reach = 0.5 * request.Seed->Radius;
+  ExpectRunRefused(ball, request, "less than the seed's radius");
   request.Seed.reset();
   ExpectRunRefused(ball, request, "there is neither a seed nor a label");
   request = ball.Request();
@@ -377,7 +383,7 @@ TEST(GroupRequest, IsChecked)
   const AskedBall ball;
   GroupRequest request = ball.Pair();
   request.Settings.Method.Step.Energy.Fairing = std::numeric_limits<double>::infinity();
-  ExpectGroupRefused(ball, request, "the property Fairing is infinite");
+  ExpectGroupRefused(ball, request, "the value of Fairing is infinite");
   request = ball.Pair();
   request.Settings.LabelValue = 255;
   ExpectGroupRefused(ball, request, "labels go up to 255, which leaves none for 'right'");

@@ -45,8 +45,9 @@ class Organs(unittest.TestCase):
         for organs, kind, words in (
                 ([("liver", SEED)], TypeError, "organs: a dict"),
                 ({"liver": SEED}, TypeError, "'liver' needs a pair of seed and radius"),
-                ({"liver": {"seed": SEED}}, TypeError, "'liver' has no 'radius'"),
-                ({"liver": {"seed": SEED, "radius": 5, "point": 1}}, TypeError, "'liver' has a 'point'"),
+                ({"liver": {"seed": SEED}}, TypeError, "'liver': 'radius' is missing"),
+                ({"liver": {"seed": SEED, "radius": 5, "point": 1}}, TypeError, "'liver': there is no key 'point'; its keys are"),
+                ({"liver": {"seed": SEED, "radius": 5, "insde": []}}, TypeError, "no key 'insde'; did you mean 'inside'"),
                 ({"liver": ((1, 2), 5)}, ValueError, "seed"),
                 ({}, flipfree.SegmentationError, "there is no organ"),
                 ({"liver": (SEED, RADIUS), "gut": (SEED, 5)}, flipfree.SegmentationError, "overlap"),

@@ -172,7 +172,7 @@ class TestTrace(unittest.TestCase):
             flipfree.trace(image, self.points, radios=4)
         with self.assertRaisesRegex(ValueError, "wall_thickness"):
             flipfree.trace(image, self.points, wall_thickness=50)
-        with self.assertRaisesRegex(flipfree.SegmentationError, "the property radius is not a number"):
+        with self.assertRaisesRegex(flipfree.SegmentationError, "the value of radius is not a number"):
             flipfree.trace(image, self.points, radius=math.nan)
         with self.assertRaisesRegex(TypeError, "^levels: a whole number is needed, not 1.5$"):
             flipfree.trace(image, self.points, levels=1.5)

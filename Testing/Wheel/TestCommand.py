@@ -109,7 +109,7 @@ class Work(unittest.TestCase):
         for arguments, status, message in (
                 ([*self.seed, "--start-labels", self.truth], 2, "--start-labels takes the place of the seed"),
                 (["--start-labels", self.truth, "--session", "a.json"], 2, "--session has the seed"),
-                (["--start-labels", self.truth, "--start-label", 9], 1, "the start labels have no voxels with the value 9; they have 1"),
+                (["--start-labels", self.truth, "--start-label", 9], 1, "the start labels have no voxels with the value 9; they have 1: set --start-label to one of them"),
                 (["--start-labels", "nowhere.nii"], 1, "'nowhere.nii'"),
                 ([*self.seed, "--start-label", 9], 2, "--start-label")):
             with self.subTest(message):

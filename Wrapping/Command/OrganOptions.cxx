@@ -42,7 +42,7 @@ GivenOrgan OrganOf(const std::string* values, const PointOptions& corrections)
   organ.Seed = corrections.InLps(center.data());
   if (!IsSeedRadius(organ.Radius))
   {
-    throw WrongUsage(option + ": the radius " + SeedRadiusRule + ".");
+    throw WrongUsage(option + ": the radius " + SeedRadiusRule(organ.Radius) + ".");
   }
   return organ;
 }

@@ -6,6 +6,9 @@
 #define FlipFreeCommandSeedRadius_h
 
 #include "Image/SeedRegion.h"
+#include "MessageText.h"
+
+#include <string>
 
 namespace Command
 {
@@ -17,8 +20,11 @@ inline bool IsSeedRadius(double radius)
 }
 
 /// What a message says of any other radius, after its name.
-constexpr const char* SeedRadiusRule =
-  "must be a positive number of millimeters, 1e-6 to 1e6. The sphere should lie within the organ";
+inline std::string SeedRadiusRule(double radius)
+{
+  return "must be a positive number of millimeters, 1e-6 to 1e6, not " + FlipFree::TextOf(radius) +
+    ". The sphere should lie within the organ";
+}
 
 } // namespace Command
 

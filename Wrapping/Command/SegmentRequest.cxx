@@ -58,9 +58,10 @@ void RequireRadii(const SegmentRequest& request)
       "--radius is missing. The seed is a sphere within the organ: give its radius in "
       "millimeters, --radius MM.");
   }
-  if (!std::all_of(radii.begin(), radii.end(), IsSeedRadius))
+  const auto wrong = std::find_if_not(radii.begin(), radii.end(), IsSeedRadius);
+  if (wrong != radii.end())
   {
-    throw WrongUsage(std::string("--radius ") + SeedRadiusRule + ".");
+    throw WrongUsage("--radius " + SeedRadiusRule(*wrong) + ".");
   }
   const std::size_t seeds = (request.Seed.size() + request.SeedVoxel.size()) / 3;
   if (radii.size() != seeds)

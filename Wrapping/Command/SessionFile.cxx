@@ -155,7 +155,7 @@ void ReadOrgan(const Json& entry, SessionOrgan& organ)
     organ.Radius = seed.at("radius").get<double>();
     if (!IsSeedRadius(organ.Radius))
     {
-      throw Failure(std::string("the radius ") + SeedRadiusRule);
+      throw Failure("the radius " + SeedRadiusRule(organ.Radius));
     }
   }
 }

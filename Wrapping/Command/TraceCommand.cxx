@@ -1,6 +1,7 @@
 #include "CommonOptions.h"
 #include "Coordinates.h"
 #include "Failure.h"
+#include "MessageText.h"
 #include "Messages.h"
 #include "OutputFile.h"
 #include "PointOptions.h"
@@ -147,12 +148,14 @@ void Configure(const Trace& trace, vtkFlipFreeVesselSegmentation* filter)
   filter->SetRadius(trace.Radius);
   if (filter->GetRadius() != trace.Radius)
   {
-    throw WrongUsage("--radius must be a number of millimeters, 0 to 100; 0 finds it.");
+    throw WrongUsage("--radius must be a number of millimeters, 0 to 100, not " +
+      FlipFree::TextOf(trace.Radius) + ". 0 finds it.");
   }
   filter->SetWallThickness(trace.WallThickness);
   if (filter->GetWallThickness() != trace.WallThickness)
   {
-    throw WrongUsage("--wall-thickness must be a number of millimeters, -5 to 5.");
+    throw WrongUsage("--wall-thickness must be a number of millimeters, -5 to 5, not " +
+      FlipFree::TextOf(trace.WallThickness) + ".");
   }
   filter->SetLevels(trace.Levels);
   filter->SetMaximumIterations(trace.Iterations);

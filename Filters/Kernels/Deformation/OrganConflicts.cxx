@@ -44,7 +44,7 @@ std::vector<PointConstraint> SpheresOf(const KnownOrgan& organ)
 
 std::string TextOfSphere(const PointConstraint& sphere)
 {
-  return "the sphere of " + std::to_string(std::lround(sphere.Radius)) + " mm at " +
+  return "the sphere of " + FlipFree::TextOf(sphere.Radius) + " mm at " +
     FlipFree::TextOf(sphere.Point) + " mm";
 }
 

@@ -18,6 +18,16 @@ namespace
 
 constexpr int GreatestLabel = 255; // label maps are of bytes
 
+void RequireReach(double reach, double seedRadius)
+{
+  if (reach > 0 && reach < seedRadius)
+  {
+    throw Error(ErrorCode::OutOfRange,
+      "{Reach} is " + TextOf(reach) + " mm, less than the seed's radius of " + TextOf(seedRadius) +
+        " mm; raise {Reach}, or lower {SeedRadius}");
+  }
+}
+
 std::vector<double> KeyOf(const SeedSphere& seed, bool fills,
   const VolumeSegmentationSettings& settings)
 {
@@ -105,6 +115,10 @@ VolumeSegmenter& OrganRuns::Prepare(const SeedSphere& seed, bool fills,
   RequireNumbers(settings);
   RequireVoxels(this->Volume.Geometry, this->Name);
   RequireSeed(this->Volume.Geometry, seed, this->Name);
+  if (!fills)
+  {
+    RequireReach(settings.Method.Smoothing.Reach, seed.Radius);
+  }
   std::optional<DeformableSurface> start;
   if (this->Start)
   {

@@ -28,7 +28,8 @@ BitMask StartMaskOf(const LabelVolume& labels, int label, const ImageGeometry& i
     throw Error(ErrorCode::EmptyMask,
       labels.Name + " have no " +
         (label == 0 ? "nonzero voxels" : "voxels with the value " + std::to_string(label)) +
-        (others.empty() ? "" : "; they have " + others));
+        (others.empty() ? "; give a label map of the organ"
+                        : "; they have " + others + ": set {StartLabel} to one of them"));
   }
   return mask;
 }

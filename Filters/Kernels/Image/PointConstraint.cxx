@@ -1,6 +1,7 @@
 #include "Image/PointConstraint.h"
 
 #include "Error.h"
+#include "Image/PointCheck.h"
 #include "MessageText.h"
 
 #include <algorithm>
@@ -24,36 +25,27 @@ auto KeyOf(const PointConstraint& constraint)
   return std::make_tuple(constraint.Kind, at[0], at[1], at[2], constraint.Radius);
 }
 
-bool IsWithin(const ImageGeometry& geometry, const Eigen::Vector3d& point)
-{
-  const Eigen::Array3d index = geometry.ToIndex(point);
-  const auto& size = geometry.Dimensions;
-  return (index >= -0.5).all() && (index <= Eigen::Array3d(size[0], size[1], size[2]) - 0.5).all();
-}
-
 void RequireProper(const ImageGeometry& geometry, const PointConstraint& constraint,
   const std::string& name)
 {
-  if (!constraint.Point.allFinite() || !IsWithin(geometry, constraint.Point))
-  {
-    throw Error(ErrorCode::OutOfRange,
-      NameOf(constraint) + " lies outside " + name +
-        "; give it in the image's physical coordinates, or remove it");
-  }
+  RequirePoint(geometry, constraint.Point, NameOf(constraint), name);
   if (constraint.Kind == ConstraintKind::Seed &&
     !(constraint.Radius >= geometry.Spacing.minCoeff() && std::isfinite(constraint.Radius)))
   {
     throw Error(ErrorCode::OutOfRange,
-      NameOf(constraint) + " has a radius below a voxel of " + name + "; enlarge it");
+      NameOf(constraint) + " has a radius of " + TextOf(constraint.Radius) +
+        " mm, where at least a voxel of " + name + " (" + TextOf(geometry.Spacing.minCoeff()) +
+        " mm) is needed; raise it");
   }
 }
 
-void RequireApart(const PointConstraint& outside, const SeedSphere& seed, const std::string& which)
+void RequireApart(const PointConstraint& outside, const SeedSphere& seed, const std::string& which,
+  const std::string& radius)
 {
   if ((outside.Point - seed.Center).norm() < seed.Radius)
   {
     throw Error(ErrorCode::OutOfRange,
-      NameOf(outside) + " lies in " + which + "; move one of them, or lower the radius");
+      NameOf(outside) + " lies in " + which + "; move one of them, or lower " + radius);
   }
 }
 
@@ -116,7 +108,8 @@ void RequireConstraints(const ImageGeometry& geometry, const ConstraintList& con
       {
         if (other.Kind == ConstraintKind::Seed)
         {
-          RequireApart(*one, { other.Point, other.Radius }, "the sphere of " + NameOf(other));
+          RequireApart(*one, { other.Point, other.Radius }, "the sphere of " + NameOf(other),
+            "its radius");
         }
       }
     }
@@ -132,7 +125,7 @@ void RequireConstraints(const ImageGeometry& geometry, const SeedSphere& seed,
     if (constraint.Kind == ConstraintKind::Outside)
     {
       RequireApart(constraint, { seed.Center, CertainPartOfSeed * seed.Radius },
-        "the inner half of the seed sphere");
+        "the inner half of the seed sphere", "{SeedRadius}");
     }
   }
 }

@@ -1,37 +1,34 @@
 #include "Image/SeedRegion.h"
 
 #include "Error.h"
+#include "Image/PointCheck.h"
 #include "MessageText.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <sstream>
 
 namespace FlipFree
 {
 
 void RequireSeed(const ImageGeometry& geometry, const SeedSphere& seed, const std::string& name)
 {
-  const Eigen::Vector3d index = geometry.ToIndex(seed.Center);
-  const auto& size = geometry.Dimensions;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    if (!(index[axis] >= -0.5 && index[axis] <= size[axis] - 0.5))
-    {
-      throw Error(ErrorCode::OutOfRange,
-        "the seed's center " + TextOf(seed.Center) + " mm lies outside " + name +
-          ", which reaches from " + TextOf(geometry.ToPhysical(Eigen::Vector3d::Zero())) + " to " +
-          TextOf(geometry.ToPhysical(Eigen::Vector3d(size[0] - 1, size[1] - 1, size[2] - 1))) +
-          " mm; give it in the image's physical coordinates");
-    }
-  }
+  RequirePoint(geometry, seed.Center, "the seed's center " + TextOf(seed.Center) + " mm", name);
   if (!(seed.Radius >= geometry.Spacing.minCoeff()))
   {
-    std::ostringstream message;
-    message << "the seed's radius of " << seed.Radius << " mm is below a voxel of " << name << " ("
-            << geometry.Spacing.minCoeff() << " mm); enlarge it";
-    throw Error(ErrorCode::OutOfRange, message.str());
+    throw Error(ErrorCode::OutOfRange,
+      "the seed's radius of " + TextOf(seed.Radius) + " mm is below a voxel of " + name + " (" +
+        TextOf(geometry.Spacing.minCoeff()) + " mm); raise {SeedRadius}");
+  }
+  const auto& voxels = geometry.Dimensions;
+  const double longest =
+    geometry.Spacing.cwiseProduct(Eigen::Vector3d(voxels[0], voxels[1], voxels[2])).maxCoeff();
+  if (!(2 * seed.Radius <= longest))
+  {
+    throw Error(ErrorCode::OutOfRange,
+      "the seed sphere, with a radius of " + TextOf(seed.Radius) + " mm, is larger than " + name +
+        ", which is at most " + TextOf(longest) + " mm long; lower {SeedRadius} so that the "
+        "sphere lies within the organ");
   }
 }
 

@@ -58,8 +58,8 @@ void CropToFloat(const ImageView<T>& image, const VoxelBox& box, const ParallelF
 constexpr double MinimumSeedRadius = 1e-6;
 constexpr double MaximumSeedRadius = 1e6;
 
-/// Throws Error unless the center lies within the image, named by `name`, and the radius is a voxel
-/// or more.
+/// Throws Error unless the center lies within the image, named by `name`, and the sphere is neither
+/// smaller than a voxel nor wider than the image's longest side.
 void RequireSeed(const ImageGeometry& geometry, const SeedSphere& seed, const std::string& name);
 
 /// Whether the image, up to the outer faces of its outermost voxels, holds the whole sphere.

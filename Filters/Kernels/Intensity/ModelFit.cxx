@@ -47,8 +47,8 @@ IntensityModel FitToSeed(const ImageView<float>& smooth, const SeedSphere& seed,
   if (values.empty())
   {
     throw Error(ErrorCode::SeedWithoutVoxels,
-      "no voxel center lies in the seed sphere; enlarge its radius beyond "
-      "a voxel, or move its center into the image");
+      "no voxel center lies in the seed sphere; raise {SeedRadius} beyond a voxel, or move the "
+      "sphere onto one");
   }
   return IntensityModel::FromSeed(values, noise, settings);
 }

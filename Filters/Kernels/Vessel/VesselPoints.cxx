@@ -1,6 +1,7 @@
 #include "Vessel/VesselPoints.h"
 
 #include "Error.h"
+#include "Image/PointCheck.h"
 #include "MessageText.h"
 #include "Vessel/VesselImage.h"
 
@@ -49,18 +50,8 @@ void RequirePoints(const ImageGeometry& geometry, const PointList& points, const
   }
   for (Eigen::Index point = 0; point < points.rows(); ++point)
   {
-    const Eigen::Vector3d index = geometry.ToIndex(points.row(point).transpose());
-    bool inside = index.allFinite();
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      inside = inside && index[axis] >= -0.5 && index[axis] <= geometry.Dimensions[axis] - 0.5;
-    }
-    if (!inside)
-    {
-      throw Error(ErrorCode::OutOfRange,
-        "the point " + TextOf(points.row(point)) + " mm lies outside " + name +
-          "; put it into the vessel, in LPS millimeters");
-    }
+    RequirePoint(geometry, points.row(point).transpose(),
+      "the point " + TextOf(points.row(point)) + " mm", name);
     for (Eigen::Index other = 0; other < point; ++other)
     {
       if ((points.row(point) - points.row(other)).norm() < LeastDistance)

@@ -107,7 +107,10 @@ def names_of(parameters: Mapping[str, Parameter]) -> dict[str, str]:
 def floats(name: str, values: Any, count: int) -> list[float]:
     """`count` numbers, or an error that says which argument needs them."""
     try:
-        numbers = [float(value) for value in values]
+        given = list(values)
+        if any(isinstance(value, (str, bytes)) for value in given):
+            raise TypeError  # text that looks like a number is none
+        numbers = [float(value) for value in given]
     except (TypeError, ValueError):
         raise TypeError(f"{name}: {_numbers(count)} needed, not {values!r:.80}") from None
     if len(numbers) != count:

@@ -9,7 +9,7 @@ from ._arrays import array_from_image
 from ._backend import GROUP_PARAMETERS, GroupAlgorithm
 from ._boundary_found import require_boundary
 from ._corrections import Constraint, constraints_of
-from ._parameters import described, floats, radius_of, set_parameters, signature_with
+from ._parameters import described, floats, radius_of, set_parameters, signature_with, suggestion
 from ._progress import progress_of
 from ._segmentation import Segmentation
 from ._types import ProgressOption
@@ -130,9 +130,10 @@ def _organ_of(name: Any, organ: Any) -> tuple[list[float], float, tuple[Constrai
     missing = [key for key in ("seed", "radius") if key not in organ]
     if unknown or missing:
         raise TypeError(
-            f"organs: '{name}' has "
-            + (f"no '{missing[0]}'" if missing else f"a '{unknown[0]}'")
-            + f"; its keys are {', '.join(KEYS)}"
+            f"organs: '{name}': "
+            + (f"'{missing[0]}' is missing; " if missing else f"there is no key '{unknown[0]}'; ")
+            + suggestion(str(unknown[0]) if unknown else "", KEYS)
+            + f"its keys are {', '.join(KEYS)}"
         )
     points = constraints_of(*(organ.get(key, ()) for key in KEYS[2:]))
     return floats("seed", organ["seed"], 3), radius_of("radius", organ["radius"]), points

@@ -28,7 +28,7 @@ from ._messages import confidence_text
 from ._options import WrongUsage
 from ._segment import default_parameters
 from ._segment_organs import SegmentedOrgans, segment_organs
-from ._seed_radius import SEED_RADIUS_RULE, is_seed_radius
+from ._seed_radius import is_seed_radius, seed_radius_rule
 from ._segmentation import Surface
 from ._session import Session, file_beside, name_for, require_image_of
 from ._session_record import OriginNames, file_name_of, named, session_text
@@ -199,7 +199,7 @@ def _seed_of(values: dict[str, Any], name: str, numbers: list[str]) -> dict[str,
     *center, radius = (_number_of(name, text) for text in numbers)
     require_coordinates(f"--organ {name}", [center])
     if not is_seed_radius(radius):
-        raise WrongUsage(f"--organ {name}: the radius {SEED_RADIUS_RULE}")
+        raise WrongUsage(f"--organ {name}: the radius {seed_radius_rule(radius)}")
     return {"seed": lps(values, center), "radius": radius}
 
 

@@ -33,7 +33,7 @@ from ._image import Image
 from ._messages import confidence_text, warn
 from ._options import WrongUsage
 from ._point_files import arguments_of, write_points
-from ._seed_radius import SEED_RADIUS_RULE, is_seed_radius
+from ._seed_radius import is_seed_radius, seed_radius_rule
 from ._segment import segment as segment_organ
 from ._segmentation import Segmentation, Vessel
 from ._session import Session, SessionOrgan, image_beside, read_session, require_image_of, runs_of
@@ -124,8 +124,9 @@ def _require_seed(values: dict[str, Any]) -> None:
             "--radius is missing. The seed is a sphere within the organ: give its radius in "
             "millimeters, --radius MM"
         )
-    if not all(map(is_seed_radius, radii)):
-        raise WrongUsage(f"--radius {SEED_RADIUS_RULE}")
+    for radius in radii:
+        if not is_seed_radius(radius):
+            raise WrongUsage(f"--radius {seed_radius_rule(radius)}")
     seeds = len(values.get("seed", ())) + len(values.get("seed_voxel", ()))
     if len(radii) != seeds:
         raise WrongUsage(

@@ -83,10 +83,11 @@ def _require_sense_of_trace(values: dict[str, Any], outputs: dict[str, str]) -> 
         )
     require_sense_of_corrections(values)
     require_outputs(outputs, TRACE_OUTPUTS)
-    if not 0 <= values.get("radius", 0) <= 100:
-        raise WrongUsage("--radius must be a number of millimeters, 0 to 100; 0 finds it")
-    if not -5 <= values.get("wall_thickness", 0) <= 5:
-        raise WrongUsage("--wall-thickness must be a number of millimeters, -5 to 5")
+    radius, wall = values.get("radius", 0), values.get("wall_thickness", 0)
+    if not 0 <= radius <= 100:
+        raise WrongUsage(f"--radius must be a number of millimeters, 0 to 100, not {radius:g}. 0 finds it")
+    if not -5 <= wall <= 5:
+        raise WrongUsage(f"--wall-thickness must be a number of millimeters, -5 to 5, not {wall:g}")
     settings = VesselAlgorithm().settings
     for name in TRACE_PARAMETERS.keys() & values.keys():
         TRACE_PARAMETERS[name].set(settings, values[name])

@@ -7,12 +7,6 @@ from __future__ import annotations
 
 from ._backend import RADII
 
-# What a message says of any other radius, after its name.
-SEED_RADIUS_RULE = (
-    "must be a positive number of millimeters, 1e-6 to 1e6. The sphere should lie within the organ"
-)
-
-
 def is_seed_radius(radius: float) -> bool:
     """False for NaN, too.
 
@@ -20,3 +14,11 @@ def is_seed_radius(radius: float) -> bool:
     (True, False, False)
     """
     return RADII[0] <= radius <= RADII[1]
+
+
+def seed_radius_rule(radius: float) -> str:
+    """What a message says of any other radius, after its name."""
+    return (
+        f"must be a positive number of millimeters, 1e-6 to 1e6, not {radius:g}. "
+        "The sphere should lie within the organ"
+    )

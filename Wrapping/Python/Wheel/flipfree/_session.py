@@ -15,7 +15,7 @@ from ._errors import FileError, FlipFreeError
 from ._image import Image
 from ._messages import listed
 from ._parameters import snake_case
-from ._seed_radius import SEED_RADIUS_RULE, is_seed_radius
+from ._seed_radius import is_seed_radius, seed_radius_rule
 from ._session_record import file_name_of
 from ._types import Preset
 from ._unreadable import unreadable
@@ -207,7 +207,7 @@ def _organ_of(name: str, entry: dict[str, Any]) -> SessionOrgan:
         organ.seed = _numbers(entry["seed"]["center"], 3)
         organ.radius = float(entry["seed"]["radius"])
         if not is_seed_radius(organ.radius):
-            raise ValueError(f"the radius {SEED_RADIUS_RULE}")
+            raise ValueError(f"the radius {seed_radius_rule(organ.radius)}")
     return organ
 
 
