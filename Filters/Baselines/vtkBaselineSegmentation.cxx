@@ -96,7 +96,8 @@ std::vector<std::size_t> VoxelsOfSeeds(const std::vector<FlipFree::SeedSphere>& 
     {
       throw FlipFree::Error(FlipFree::ErrorCode::SeedWithoutVoxels,
         "no voxel center of " + std::string(InputName) +
-          " lies in the seed sphere; raise {SeedRadius} beyond a voxel, or move the sphere onto one");
+          " lies in the seed sphere; raise {SeedRadius} beyond a voxel, or move the sphere onto "
+          "one");
     }
     for (const std::size_t voxel : voxels)
     {

@@ -57,7 +57,7 @@ class TestBadInput(command.CommandTest):
                  (1, (*center, "--radius", 0.1), ("'" + self.volume, "radius")),
                  (2, (*self.seed, "--seed-voxel", 1, 2, 3), ("--seed-voxel",)),
                  (2, radius, ("--seed",))]
-        cases += [(2, (*center, "--radius", value), (rf"--radius must be a positive number of millimeters, 1e-6 to 1e6, not {re.escape(format(float(value), "g"))}\. The sphere",))
+        cases += [(2, (*center, "--radius", value), ("--radius must be a positive number of millimeters, 1e-6 to 1e6, not " + re.escape(f"{float(value):g}. The sphere"),))
                   for value in (0, -5, 1e-9, 2e6, "nan", "inf")]
         cases += [(2, (*center, "--radius", "large"), ("--radius",))]
         cases += [(2, ("--seed", *point, *radius), ("--seed",)) for point in (("nan", 0, 0), (1, 2), ("here", 0, 0))]
@@ -83,6 +83,14 @@ class TestBadInput(command.CommandTest):
 
     def test_a_sphere_larger_than_the_image(self):
         process = self.segment(*self.seed[:4], "--radius", 500, "--resolution", 8, *self.output())
+        self.assertEqual(process.returncode, 1)
+        self.assertIn("the seed sphere, with a radius of 500 mm, is larger than the image, which is at most 64 mm long; lower --radius",
+                      process.stderr)
+        self.assertEqual(os.listdir(self.results), [])
+
+    def test_an_organ_without_a_boundary(self):
+        process = self.segment(*self.seed[:4], "--radius", 4, "--search-distance", 1, "--resolution", 8, "--levels", 1,
+                               "--iterations", 1, "--no-carving", *self.output())
         self.assertEqual(process.returncode, 1)
         self.assertIn("no boundary of the organ was found; check that the seed sphere lies within", process.stderr)
         self.assertEqual(os.listdir(self.results), [])

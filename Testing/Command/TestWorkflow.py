@@ -88,9 +88,10 @@ class TestWorkflow(command.CommandTest):
         self.assertEqual(len(distances), 4)
 
     def test_warnings_name_options(self):
-        for radius, options, words in ((40, (), "lower --radius or move --seed"),
-                                       (self.seed[-1], ("--reach", 16), "raise --reach ")):
-            process = command.run("segment", self.volume, *self.seed[:-1], radius, *options, "-o",
+        large = ("--seed", 40, 32, 32, "--radius", 31)
+        for seed, options, words in ((large, (), "lower --radius or move --seed"),
+                                     (self.seed, ("--reach", 16), "raise --reach ")):
+            process = command.run("segment", self.volume, *seed, *options, "-o",
                                   self.result("sphere.vtp"))
             self.assertEqual(process.returncode, 0, process.stderr)
             self.assertRegex(process.stderr, r"\Aflipfree: warning: [^\n]*" + words)

@@ -249,7 +249,8 @@ void ExpectBadSeedsRefused(Filter* filter)
   {
     filter->SetSeedRadius(radius);
     filter->Modified(); // the minimum radius may be set already
-    ExpectRefusal(filter, { "radius", "below a voxel of the image on port 0 (3 mm)", "raise SeedRadius" });
+    ExpectRefusal(filter,
+      { "radius", "below a voxel of the image on port 0 (3 mm)", "raise SeedRadius" });
   }
 }
 

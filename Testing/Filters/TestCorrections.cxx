@@ -275,7 +275,8 @@ TEST(Corrections, OfTheWrongKindAreRefused)
   expect(without("Radius"), "has no point array 'Radius'; add it: the radii of the seeds");
   expect(PointsFrom({ { 4, 46.5, 46.5, 46.5, 0 } }),
     "at point 0; it can be 0 (outside), 1 (inside)");
-  expect(PointsFrom({ { 3, 46.5, 46.5, 46.5, 0 } }), "has a radius of 0 mm, where at least a voxel of the image on port 0 (3 mm) is needed");
+  expect(PointsFrom({ { 3, 46.5, 46.5, 46.5, 0 } }),
+    "has a radius of 0 mm, where at least a voxel of the image on port 0 (3 mm) is needed");
   expect(PointsFrom({ { 1, 500, 46.5, 46.5, 0 } }),
     "the inside point (500, 46.5, 46.5) mm lies outside the image on port 0, which reaches from ");
   expect(PointsFrom({ { 0, 46.5, 46.5, 46.5, 0 } }), "lies in the inner half of the seed sphere");

@@ -245,7 +245,8 @@ TEST_F(SegmentationRequests, ASeedOrSurfaceThatReachesTooFarWarns)
   EXPECT_EQ(WarningsOf(this->Filter).size(), 0u);
   this->Filter->SetReach(25);
   ExpectOneWarning(this->Filter, "raise Reach");
-  this->Filter->SetSeedRadius(300);
+  this->Filter->SetReach(0);
+  this->Filter->SetSeedRadius(160);
   this->Filter->SetMaximumIterations(0);
   const std::vector<std::string> warnings = WarningsOf(this->Filter);
   ASSERT_FALSE(warnings.empty());

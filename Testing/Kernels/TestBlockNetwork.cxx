@@ -4,6 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <iterator>
+
 using namespace FlipFree;
 
 namespace
@@ -16,12 +19,9 @@ struct Example
     : Blocks(blocks)
   {
     std::normal_distribution<float> normal(0, 1);
-    int nodes = 0;
-    for (const unsigned char inside : RandomMask(blocks, 0.7, random))
-    {
-      this->Nodes.push_back(inside ? nodes++ : CutNode::NoNeighbor);
-      this->Smooth.push_back(normal(random));
-    }
+    const std::vector<unsigned char> mask = RandomMask(blocks, 0.7, random);
+    this->Nodes = BlockNodes(mask.size(), [&](std::size_t block) { return mask[block] != 0; });
+    std::generate_n(std::back_inserter(this->Smooth), mask.size(), [&] { return normal(random); });
   }
 
   double Side(std::size_t block) const { return this->Smooth[block] > 0 ? 1 : -1; }
@@ -42,11 +42,31 @@ struct Example
   }
 
   ImageGeometry Blocks;
-  std::vector<int> Nodes;
+  BlockNodes Nodes;
   std::vector<float> Smooth;
 };
 
 } // namespace
+
+TEST(BlockNodes, AreNumberedInTheirOrder)
+{
+  std::mt19937 random(7);
+  EXPECT_EQ(BlockNodes().NumberOfBlocks(), 0U);
+  for (const std::size_t blocks : { 0U, 1U, 63U, 64U, 65U, 1000U })
+  {
+    std::vector<bool> isNode(blocks);
+    std::generate(isNode.begin(), isNode.end(), [&] { return random() % 3 == 0; });
+    const BlockNodes nodes(blocks, [&](std::size_t block) { return isNode[block]; });
+    int next = 0;
+    for (std::size_t block = 0; block < blocks; ++block)
+    {
+      EXPECT_EQ(nodes.IsNode(block), isNode[block]);
+      EXPECT_EQ(nodes[block], isNode[block] ? next++ : CutNode::NoNeighbor);
+    }
+    EXPECT_EQ(nodes.NumberOfNodes(), next);
+    EXPECT_EQ(nodes.NumberOfBlocks(), blocks);
+  }
+}
 
 TEST(BlockNetwork, LinksCostWhatTheirFacesDo)
 {

@@ -269,20 +269,21 @@ TEST(Corrections, AreRefusedByName)
   const BallSegmenter ball;
   const auto has = [](const std::string& message, const std::string& part)
   { EXPECT_NE(message.find(part), std::string::npos) << message; };
-  has(ball.MessageOf({ ball.At(ConstraintKind::Inside, 500, 0, 0) }), "mm lies outside it; give");
+  has(ball.MessageOf({ ball.At(ConstraintKind::Inside, 500, 0, 0) }),
+    "mm lies outside it, which reaches from");
   has(ball.MessageOf(
         { ball.At(ConstraintKind::Inside, 9, 0, 0), ball.At(ConstraintKind::Outside, 9, 0, 0) }),
     "mm are in the same place; remove one of them");
   has(ball.MessageOf({ ball.At(ConstraintKind::Outside, 1, 0, 0) }),
     "lies in the inner half of the seed sphere");
   has(ball.MessageOf({ ball.At(ConstraintKind::Seed, 9, 0, 0, 0.5) }),
-    "has a radius below a voxel of it");
+    "has a radius of 0.5 mm, where at least a voxel of it");
   has(ball.MessageOf(
         { ball.At(ConstraintKind::Seed, 32, 0, 0, 5), ball.At(ConstraintKind::Outside, 34, 0, 0) }),
     "lies in the sphere of the further seed at");
   PointConstraint nan = ball.At(ConstraintKind::Inside, 0, 0, 0);
   nan.Point[1] = std::nan("");
-  has(ball.MessageOf({ nan }), "lies outside it");
+  has(ball.MessageOf({ nan }), "not a finite number");
 }
 
 // The first call with points also runs without them, which must not lose the seconds so far: of

@@ -109,11 +109,11 @@ TEST(SeedRegion, APointInRasIsRecognized)
   };
   const std::string outside =
     "the point lies outside the image, which reaches from (-41.41, 5.9, 130.24) to (-18.31, 34.9, "
-    "168.24) mm; give it in the image's physical coordinates";
+    "168.24) mm; give it in the image's physical coordinates, LPS for medical files";
   EXPECT_EQ(messageFor(Center), "");
   EXPECT_EQ(messageFor({ 30, 20, 150 }), outside);
   EXPECT_EQ(messageFor({ 30, -20, 150 }),
-    outside + ": with x and y negated it would lie inside, so it may be in RAS instead of LPS");
+    outside + ": with x and y negated it would lie inside, so it may be in RAS");
 }
 
 TEST(SeedRegion, PartsAsFloatsAreInTheirPlaces)

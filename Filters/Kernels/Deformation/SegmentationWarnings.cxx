@@ -14,7 +14,8 @@ namespace
 
 std::string WarningOf(const Implausibility& finding, double reach)
 {
-  const std::string percent = std::to_string(std::lround(100 * finding.Fraction)) + " %";
+  // Rounded down: all of a surface is no warning, but a failure.
+  const std::string percent = std::to_string(static_cast<int>(100 * finding.Fraction)) + " %";
   switch (finding.Reason)
   {
     case ImplausibilityReason::EndOfReach:

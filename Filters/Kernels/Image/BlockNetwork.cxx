@@ -70,7 +70,7 @@ class BlockLinker
 public:
   using BlockValue = std::function<double(std::size_t block)>;
 
-  BlockLinker(const ImageGeometry& blocks, const std::vector<int>& nodes,
+  BlockLinker(const ImageGeometry& blocks, const BlockNodes& nodes,
     const std::vector<float>& smooth, const BlockLinks& links)
     : Blocks(blocks)
     , Nodes(nodes)
@@ -88,8 +88,7 @@ public:
   CutNetwork Link(const BlockValue& unary, const BlockValue& side,
     const ParallelFor& parallelFor) const
   {
-    CutNetwork network(static_cast<std::size_t>(
-      std::count_if(this->Nodes.begin(), this->Nodes.end(), [](int node) { return node >= 0; })));
+    CutNetwork network(this->Nodes.NumberOfNodes());
     const auto& size = this->Blocks.Dimensions;
     parallelFor(0, size[2],
       [&](std::ptrdiff_t first, std::ptrdiff_t last)
@@ -101,7 +100,7 @@ public:
           {
             for (int i = 0; i < size[0]; ++i, ++block)
             {
-              if (this->Nodes[block] >= 0)
+              if (this->Nodes.IsNode(block))
               {
                 const double terminal = this->LinkNeighbors(block, { { i, j, k } },
                   unary(block) * this->Volume / this->Unit, side, network);
@@ -164,7 +163,7 @@ private:
   }
 
   const ImageGeometry& Blocks;
-  const std::vector<int>& Nodes;
+  const BlockNodes& Nodes;
   const std::vector<float>& Smooth;
   const BlockLinks& Links;
   const double Volume;
@@ -183,7 +182,7 @@ std::vector<float> SmoothBlockMeans(const ImagePart& image, const BlockGrid& gri
     EdgeSmoothing, 0, 0, parallelFor);
 }
 
-CutNetwork MakeBlockNetwork(const ImageGeometry& blocks, const std::vector<int>& nodes,
+CutNetwork MakeBlockNetwork(const ImageGeometry& blocks, const BlockNodes& nodes,
   const std::vector<float>& smooth, const BlockLinks& links,
   const std::function<double(std::size_t block)>& unary,
   const std::function<double(std::size_t block)>& side, const ParallelFor& parallelFor)

@@ -5,6 +5,7 @@
 #define FlipFreeBlockNetwork_h
 
 #include "Image/BlockGrid.h"
+#include "Image/BlockNodes.h"
 #include "Image/ImagePart.h"
 #include "Image/MinimumCut.h"
 
@@ -23,10 +24,10 @@ struct BlockLinks
   double EdgeContrast = 1; ///< the difference of gray values that makes an edge
 };
 
-/// A network whose nodes are those blocks of which `nodes` has the number, not negative. `unary` is
-/// what a block's being on the source's side is worth, per mm3; `side` says for a block that is no
-/// node on which side it is: 1 with the source, -1 with the sink. Both are asked in parallel.
-CutNetwork MakeBlockNetwork(const ImageGeometry& blocks, const std::vector<int>& nodes,
+/// `unary` is what a block's being on the source's side is worth, per mm3; `side` says for a block
+/// that is no node on which side it is: 1 with the source, -1 with the sink. Both are asked in
+/// parallel.
+CutNetwork MakeBlockNetwork(const ImageGeometry& blocks, const BlockNodes& nodes,
   const std::vector<float>& smooth, const BlockLinks& links,
   const std::function<double(std::size_t block)>& unary,
   const std::function<double(std::size_t block)>& side, const ParallelFor& parallelFor);

@@ -35,9 +35,9 @@ void RequirePoint(const ImageGeometry& geometry, const Eigen::Vector3d& point,
   throw Error(ErrorCode::OutOfRange,
     what + " lies outside " + name + ", which reaches from " +
       TextOf(geometry.ToPhysical(Eigen::Vector3d::Zero())) + " to " +
-      TextOf(geometry.ToPhysical(last)) + " mm; give it in the image's physical coordinates" +
-      (isRas ? ": with x and y negated it would lie inside, so it may be in RAS instead of LPS"
-             : ""));
+      TextOf(geometry.ToPhysical(last)) +
+      " mm; give it in the image's physical coordinates, LPS for medical files" +
+      (isRas ? ": with x and y negated it would lie inside, so it may be in RAS" : ""));
 }
 
 } // namespace FlipFree

@@ -11,9 +11,9 @@
 namespace FlipFree
 {
 
-/// Throws Error, naming the point by `what`, such as "the seed (1, 2, 3) mm", and the image by `name`, unless the point has finite
-/// coordinates in a voxel of the image. Says so if it would lie inside with x and y negated, as it
-/// does where RAS coordinates were taken for LPS.
+/// Throws Error, naming the point by `what`, such as "the seed (1, 2, 3) mm", and the image by
+/// `name`, unless the point has finite coordinates in a voxel of the image. Says so if it would lie
+/// inside with x and y negated, as it does where RAS coordinates were taken for LPS.
 void RequirePoint(const ImageGeometry& geometry, const Eigen::Vector3d& point,
   const std::string& what, const std::string& name);
 

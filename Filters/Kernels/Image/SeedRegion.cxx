@@ -27,8 +27,8 @@ void RequireSeed(const ImageGeometry& geometry, const SeedSphere& seed, const st
   {
     throw Error(ErrorCode::OutOfRange,
       "the seed sphere, with a radius of " + TextOf(seed.Radius) + " mm, is larger than " + name +
-        ", which is at most " + TextOf(longest) + " mm long; lower {SeedRadius} so that the "
-        "sphere lies within the organ");
+        ", which is at most " + TextOf(longest) +
+        " mm long; lower {SeedRadius} so that the sphere lies within the organ");
   }
 }
 

@@ -150,29 +150,30 @@ private:
     this->Grid.ForEachRun(this->Mask, this->Parallel,
       [&](std::size_t block, int begin, int end, int, int) { counts[block] += end - begin; });
     this->IsRight.assign(counts.size(), 0);
-    this->Nodes.assign(counts.size(), CutNode::NoNeighbor);
     const std::size_t half = (this->Grid.VoxelsPerBlock() + 1) / 2;
     const double domain = DomainOf(this->Wanted);
-    int nodes = 0;
     for (std::size_t block = 0; block < counts.size(); ++block)
     {
       this->IsRight[block] =
         block != this->OwnBlock && (counts[block] >= half) == this->Wanted.IsInside ? 1 : 0;
-      if (!this->IsRight[block] &&
-        (block == this->OwnBlock ||
-          (this->Grid.CenterOf(block) - this->Wanted.Point).norm() <= domain))
-      {
-        this->Nodes[block] = nodes++;
-      }
     }
+    this->Nodes = BlockNodes(counts.size(),
+      [&](std::size_t block)
+      {
+        return !this->IsRight[block] &&
+          (block == this->OwnBlock ||
+            (this->Grid.CenterOf(block) - this->Wanted.Point).norm() <= domain);
+      });
   }
 
   // Of an outside point. False if the monitor stopped it.
   bool LookForDepth(const Monitor& monitor)
   {
-    std::vector<unsigned char> wrong(this->Nodes.size());
-    std::transform(this->Nodes.begin(), this->Nodes.end(), wrong.begin(),
-      [](int node) { return static_cast<unsigned char>(node >= 0); });
+    std::vector<unsigned char> wrong(this->Nodes.NumberOfBlocks());
+    for (std::size_t block = 0; block < wrong.size(); ++block)
+    {
+      wrong[block] = this->Nodes.IsNode(block) ? 1 : 0;
+    }
     const double spread =
       std::max(this->Similarity.SpreadOf(this->OfPoint), this->Similarity.SpreadOf(this->OfSeed));
     const bool looksLikeSeed =
@@ -297,9 +298,9 @@ private:
       this->Grid.Blocks, this->Nodes, smooth, links,
       [&](std::size_t block) { return this->WorthOf(smooth[block], this->Grid.CenterOf(block)); },
       [this](std::size_t block) { return this->IsRight[block] ? 1 : -1; }, this->Parallel);
-    for (std::size_t block = 0; block < this->Nodes.size(); ++block)
+    for (std::size_t block = 0; block < this->Nodes.NumberOfBlocks(); ++block)
     {
-      if (this->Nodes[block] >= 0)
+      if (this->Nodes.IsNode(block))
       {
         this->SetCertain(block, network[this->Nodes[block]].Terminal);
       }
@@ -372,7 +373,7 @@ private:
   const std::size_t OwnBlock; // the point's
 
   std::vector<unsigned char> IsRight;
-  std::vector<int> Nodes;
+  BlockNodes Nodes;
   LeakDepth Depth;
 };
 

@@ -82,13 +82,13 @@ private:
   {
     const std::size_t count = this->Grid.Blocks.NumberOfVoxels();
     this->Inside.assign(count, 0);
-    this->IsTouched.assign(count, 0);
+    this->IsTouched.assign(count, false);
     this->Sums = SumInBlocks(this->Image, this->Mask, this->Grid, this->Parallel);
     const auto half = 0.5F * static_cast<float>(this->Grid.VoxelsPerBlock());
     for (std::size_t block = 0; block < count; ++block)
     {
       this->Inside[block] = this->Sums.Weights[block] >= half ? 1 : 0;
-      this->IsTouched[block] = this->Sums.Weights[block] > 0 ? 1 : 0;
+      this->IsTouched[block] = this->Sums.Weights[block] > 0;
     }
   }
 
@@ -123,7 +123,7 @@ private:
     const double ratio = this->Ball.Radius < SmallBall ? 0.5 : 0.7;
     const DistanceParts parts =
       FindDistanceParts(distance, this->Grid.Blocks, this->SourceBlocks, ratio);
-    this->IsCore.assign(distance.size(), 0);
+    this->IsCore.assign(distance.size(), false);
     for (std::size_t block = 0; block < distance.size(); ++block)
     {
       const int part = parts.PartOf[block];
@@ -135,16 +135,9 @@ private:
 
   CutNetwork MakeNetwork()
   {
-    this->Nodes.assign(this->Inside.size(), CutNode::NoNeighbor);
-    int nodes = 0;
-    for (std::size_t block = 0; block < this->Nodes.size(); ++block)
-    {
-      if (this->Inside[block])
-      {
-        this->Nodes[block] = nodes++;
-      }
-    }
-    this->KeepUnariesOfNodes(nodes);
+    this->Nodes = BlockNodes(this->Inside.size(),
+      [this](std::size_t block) { return this->Inside[block] != 0; });
+    this->KeepUnariesOfNodes();
     BlockLinks links;
     // The smoothness wanted grows with the organ, else small organs collapse.
     links.PerArea = 0.2 * std::max(5.0, std::min(40.0, this->Ball.Radius));
@@ -153,9 +146,9 @@ private:
       this->Grid.Blocks, this->Nodes, SmoothBlockMeans(this->Image, this->Grid, this->Parallel),
       links, [this](std::size_t block) { return this->Unaries[this->Nodes[block]]; },
       [](std::size_t) { return -1; }, this->Parallel);
-    for (std::size_t block = 0; block < this->Nodes.size(); ++block)
+    for (std::size_t block = 0; block < this->IsCore.size(); ++block)
     {
-      if (this->IsCore[block] && this->Nodes[block] >= 0)
+      if (this->IsCore[block] && this->Nodes.IsNode(block))
       {
         network[this->Nodes[block]].Terminal = -CutNode::Infinite;
       }
@@ -169,14 +162,15 @@ private:
   }
 
   // Numbers the terms as the nodes, and frees what the network does not need.
-  void KeepUnariesOfNodes(int nodes)
+  void KeepUnariesOfNodes()
   {
-    std::vector<float> unaries(nodes);
-    for (std::size_t block = 0; block < this->Nodes.size(); ++block)
+    std::vector<float> unaries;
+    unaries.reserve(this->Nodes.NumberOfNodes());
+    for (std::size_t block = 0; block < this->Unaries.size(); ++block)
     {
-      if (this->Nodes[block] >= 0)
+      if (this->Nodes.IsNode(block))
       {
-        unaries[this->Nodes[block]] = this->Unaries[block];
+        unaries.push_back(this->Unaries[block]);
       }
     }
     this->Unaries.swap(unaries);
@@ -240,12 +234,12 @@ private:
   const RobustStatistics OfBall;
 
   std::vector<std::size_t> SourceBlocks;
-  std::vector<unsigned char> Inside;    // half of the block is in the mask
-  std::vector<unsigned char> IsTouched; // a voxel is
-  std::vector<unsigned char> IsCore;
+  std::vector<unsigned char> Inside; // half of the block is in the mask
+  std::vector<bool> IsTouched;       // a voxel is
+  std::vector<bool> IsCore;
   BlockSums Sums;
   std::vector<float> Unaries; // of the blocks, later of the nodes
-  std::vector<int> Nodes;
+  BlockNodes Nodes;
 };
 
 } // namespace
@@ -253,12 +247,13 @@ private:
 bool CarveNecks(const ImagePart& image, const SeedSphere& seed, double noise, Modality modality,
   const ParallelFor& parallelFor, const Monitor& monitor, BitMask& mask)
 {
-  const ImageGeometry& geometry = mask.GetGeometry();
+  const ImageGeometry geometry = mask.GetGeometry();
   // The edges at the mask's rim need what lies around it.
   constexpr double margin = 6;
   const VoxelBox box = WidenedBy(
     mask.Bounds().Joined(BoxAround(geometry, seed.Center, seed.Radius)), margin, 2, geometry);
   BitMask part = mask.Cropped(box);
+  mask = BitMask(); // its memory is needed
   Insert(VoxelsAround(part.GetGeometry(), seed), part);
   const std::vector<std::size_t> source =
     VoxelsAround(part.GetGeometry(), { seed.Center, SourceRadius * seed.Radius });

@@ -74,9 +74,9 @@ public:
     common.Intersect(this->Masks[1]);
     lost[0] = BitMask(common.GetGeometry());
     lost[1] = lost[0];
-    this->Nodes.assign(common.GetGeometry().NumberOfVoxels(), CutNode::NoNeighbor);
-    int nodes = 0;
-    common.ForEach([&](std::size_t voxel) { this->Nodes[voxel] = nodes++; });
+    std::vector<bool> isCommon(common.GetGeometry().NumberOfVoxels(), false);
+    common.ForEach([&](std::size_t voxel) { isCommon[voxel] = true; });
+    this->Nodes = BlockNodes(isCommon.size(), [&](std::size_t voxel) { return isCommon[voxel]; });
     const std::vector<unsigned char> isFirst =
       SourceSide(this->MakeNetwork(), this->Parallel, monitor);
     if (isFirst.empty())
@@ -153,7 +153,7 @@ private:
     {
       for (const std::size_t voxel : VoxelsInSphere(geometry, ball))
       {
-        if (this->Nodes[voxel] >= 0)
+        if (this->Nodes.IsNode(voxel))
         {
           network[this->Nodes[voxel]].Terminal =
             claim == 0 ? CutNode::Infinite : -CutNode::Infinite;
@@ -178,7 +178,7 @@ private:
   const double Noise;
   const ParallelFor& Parallel;
   const BlockGrid Grid; // of blocks of one voxel
-  std::vector<int> Nodes;
+  BlockNodes Nodes;
 };
 
 // The box of what both claim, with a voxel around it, as far as both reach; empty if nothing.

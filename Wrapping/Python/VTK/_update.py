@@ -14,6 +14,7 @@ from typing import Any
 
 from vtkmodules.vtkCommonCore import vtkInformationKeyLookup, vtkObject
 from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
+from vtkmodules.vtkCommonMisc import vtkErrorCode
 
 from ._errors import FlipFreeError
 from ._interrupt import Interrupt
@@ -58,6 +59,11 @@ def update(
     errors = listener.errors + listener.pipeline_errors
     if errors:
         raise failure(with_names(errors[0], names or {}))
+    if algorithm.GetErrorCode() >= vtkErrorCode.UserError:
+        raise failure(
+            f"{algorithm.GetClassName()} has failed before, and VTK does not run it again, since neither "
+            "it nor its inputs have changed since then; change them, or call Modified() to see the error."
+        )
 
 
 class _Listener:
