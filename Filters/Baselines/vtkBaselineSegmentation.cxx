@@ -8,6 +8,7 @@
 
 #include "ExecutionAdapter.h"
 #include "GrayImageAdapter.h"
+#include "Image/SmoothRegion.h"
 #include "LabelAdapter.h"
 #include "Mesh/SurfaceTopology.h"
 #include "Mesh/SurfaceVoxelization.h"
@@ -36,20 +37,9 @@ namespace
 
 constexpr const char* InputName = "the image{ on port 0}";
 
-// As vtkFlipFreeSegmentation has them.
-constexpr double ReachInRadii = 10;
-constexpr double MinimumReach = 100;
-constexpr double MaximumReach = 250;
-
 // Shares of the progress.
 constexpr double MethodBegins = 0.1;
 constexpr double MethodEnds = 0.95;
-
-double ReachOf(double reach, double seedRadius)
-{
-  return reach > 0 ? reach
-                   : std::max(MinimumReach, std::min(MaximumReach, ReachInRadii * seedRadius));
-}
 
 // Repeated points are left out: a plane across the path needs a direction.
 FlipFree::PathLines LinesOf(vtkPolyData* path)
@@ -295,7 +285,11 @@ void vtkBaselineSegmentation::Segment(vtkImageData* image, vtkPolyData* path, vt
   for (const FlipFree::SeedSphere& seed : task.Seeds)
   {
     FlipFree::RequireSeed(geometry, seed, InputName);
-    box = box.Joined(FlipFree::BoxAround(geometry, seed.Center, ReachOf(this->Reach, seed.Radius)));
+    FlipFree::RequireReach(this->Reach, seed.Radius);
+    FlipFree::SmoothingSettings settings; // for the default reach
+    settings.Reach = this->Reach;
+    box = box.Joined(
+      FlipFree::BoxAround(geometry, seed.Center, FlipFree::ReachOf(settings, seed.Radius)));
   }
   FlipFree::RequireFinite(image, box, InputName);
   FlipFree::BitMask beyond(FlipFree::CropGeometry(geometry, box));

@@ -21,11 +21,11 @@
  * Output port 1: vtkImageData, unsigned char `Labels` of the input's geometry: LabelValue inside.
  *
  * Errors, with a code of FlipFreeErrorCode.h: no scalars, several components, an empty image,
- * voxels that are not finite within Reach, a seed outside the image, a radius below a voxel, seeds
- * beyond the ends of the path, lines without two points that differ, a property that is not a
- * number, nothing found at the seed, several seeds for a method that starts from one. Each is
- * reported once and leaves the outputs empty. After an abort the outputs are empty without an
- * error.
+ * voxels that are not finite within Reach, a seed outside the image, smaller than a voxel or wider
+ * than the image, a Reach that ends within a seed, seeds beyond the ends of the path, lines without
+ * two points that differ, a property that is not a number, nothing found at the seed, several seeds
+ * for a method that starts from one. Each is reported once and leaves the outputs empty. After an
+ * abort the outputs are empty without an error.
  */
 #ifndef vtkBaselineSegmentation_h
 #define vtkBaselineSegmentation_h

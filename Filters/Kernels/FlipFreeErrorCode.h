@@ -1,9 +1,9 @@
 /**
- * Why a filter failed: after its own work has failed, GetErrorCode() of each of FlipFree's filters
- * in C++ is vtkErrorCode::UserError plus one of these numbers, which keep their meaning; after its
- * work has succeeded it is vtkErrorCode::NoError. vtkErrorCode::UserError itself is a failure of
- * another kind, such as a lack of memory. The pipeline's own failures, such as a missing input, do
- * not change it, and the reader and the writer of images give VTK's own codes.
+ * Why a filter of FlipFree has failed, in C++. After a failure, its GetErrorCode() is
+ * vtkErrorCode::UserError plus one of these numbers, which keep their meaning; after a success,
+ * vtkErrorCode::NoError; after any other failure, such as a lack of memory, plain
+ * vtkErrorCode::UserError. Failures of the pipeline, such as a missing input, do not change it, and
+ * the reader and the writer of images give VTK's own codes.
  *
  *     filter->Update();
  *     if (filter->GetErrorCode() ==
@@ -23,13 +23,13 @@ enum class ErrorCode
   GeometryMismatch = 2,
   /// A surface whose faces are clockwise, seen from outside.
   InsideOut = 3,
-  /// Of an image: no voxels; its spacing, or its direction.
+  /// An image without voxels, or with an invalid spacing or direction.
   InvalidGeometry = 4,
   /// Too few points, or radii that are not positive.
   InvalidLine = 5,
   /// Points or faces that do not make up a surface.
   InvalidMesh = 6,
-  /// To the surroundings: of the seed, of a vessel, or of what was found.
+  /// The seed, a vessel, or what was found has too little contrast to its surroundings.
   NoContrast = 7,
   /// NaN or infinity.
   NonFiniteValue = 8,
@@ -39,7 +39,7 @@ enum class ErrorCode
   OpenSurface = 10,
   /// A parameter, a number of things, or a position.
   OutOfRange = 11,
-  /// Of a line.
+  /// A line with the same point twice.
   RepeatedPoint = 12,
   /// A sphere, or what is left of it, that holds no voxel center.
   SeedWithoutVoxels = 13,
@@ -47,7 +47,7 @@ enum class ErrorCode
   SelfIntersecting = 14,
   /// The equations of a deformation have no unique solution.
   SingularSystem = 15,
-  /// For the type of an index.
+  /// More elements than the type of an index can number.
   TooLarge = 16,
   /// A constraint that cannot be obeyed.
   UnreachablePoint = 17,

@@ -19,6 +19,9 @@ using QuantityNames = std::map<std::string, std::string>;
 /// front end with names has no ports, and VTK's, without any, says them.
 std::string WithNames(const std::string& message, const QuantityNames& names = {});
 
+/// The message with those of its quantities that have words said in words, whatever the front end.
+std::string WithWords(const std::string& message, const QuantityNames& words);
+
 /// A text to be part of a message: its braces doubled.
 std::string Escaped(const std::string& text);
 

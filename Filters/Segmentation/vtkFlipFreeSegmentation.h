@@ -49,28 +49,31 @@
  * MeanDistance (mm), Matched, Solitary, Flipping, Guarded (vertices that the guard limited), and
  * the seconds of its stages, SearchSeconds, FlipSeconds, SolveSeconds, GuardSeconds.
  *
- * Errors, with a code of FlipFreeErrorCode.h: no scalars, several components, an empty image,
- * voxels that are not finite near the seed, a seed outside the image, a radius below a voxel, a
- * seed without contrast to its surroundings, a start surface that is open, not four-valent or
- * self-intersecting, a property that is NaN; a constraint that is outside the image, contradicts
- * another one or the seed, or cannot be obeyed by a surface of one piece; constraints without the
- * guard; start labels on another grid than the image, without voxels of StartLabel, or nowhere
- * thicker than two voxels. Each is reported once; errors of constraints name the point. The outputs
- * are then empty.
+ * Errors, with a code of FlipFreeErrorCode.h. Each is reported once, and the outputs are then
+ * empty.
+ * - Image: no scalars, several components, no voxels, or voxels that are not finite near the seed.
+ * - Seed: its center outside the image; smaller than a voxel, or wider than the image's longest
+ * side; a Reach that ends within it; no contrast to its surroundings.
+ * - Start surface: open, not four-valent, or self-intersecting.
+ * - Constraint, which the error names: outside the image, contradicting another one or the seed,
+ *   not to be obeyed by a surface of one piece, or given without the guard.
+ * - Start labels: on another grid than the image, without voxels of StartLabel, or nowhere thicker
+ *   than two voxels.
+ * - A property that is NaN.
  *
- * Warnings, which still give a result: the seed sphere reaches beyond the image; no vertex found a
- * boundary; the surface could not be refined; it touches the end of Reach. A surface grown from the
- * seed under the guard also warns if more than a tenth of it found no boundary (unless search lines
- * are shorter than by default), or if more than a quarter of it lies at the image's border along
- * two axes: the seed may lie in air. If none of these applies and the confidence is below 0.85, a
- * warning states it: look at the contour where its confidence is low, and correct it there by
- * points. Without carving, as in the presets Published and Naive, there is a confidence but no such
- * warning: there is no consensus (SetConsensus() of GetFeature()), and the threshold does not
- * apply. With constraints there is no such warning, either, since the consensus does not take them
- * into account. A surface that fills start labels warns instead if it misses more than a twentieth
- * of their voxels.
+ * Warnings, which still give a result:
+ * - The seed sphere reaches beyond the image, or the surface touches the end of Reach.
+ * - No vertex found a boundary, or the surface could not be refined.
+ * - A surface grown from the seed under the guard may be air's: more than a tenth of it found no
+ *   boundary (unless search lines are shorter than by default), or more than a quarter of it lies
+ * at the image's border along two axes.
+ * - If none of these applies: the confidence is below 0.85. Look at the contour where its
+ * confidence is low, and correct it there by points. There is no such warning with constraints, of
+ * which the confidence's threshold knows nothing, nor without carving, as in the presets Published
+ * and Naive.
+ * - A surface that fills start labels misses more than a twentieth of their voxels.
  *
- * Source: the paper, Algorithm 1 and sections 3.1 to 3.6. Each remedy beyond it has its own switch.
+ * Source: the paper, Algorithm 1 and sections 3.1 to 3.6. Each extension has its own switch.
  */
 #ifndef vtkFlipFreeSegmentation_h
 #define vtkFlipFreeSegmentation_h
@@ -134,8 +137,9 @@ public:
 
   ///@{
   /**
-   * Connects or sets the points that correct the result (input port 2), replacing earlier ones;
-   * adds more; disconnects all.
+   * The points that correct the result (input port 2): SetConstraintConnection() and
+   * SetConstraintData() replace earlier ones, AddConstraintConnection() and AddConstraintData() add
+   * more, and RemoveAllConstraintConnections() disconnects all.
    */
   void SetConstraintConnection(vtkAlgorithmOutput* output) { this->SetInputConnection(2, output); }
   void SetConstraintData(vtkPointSet* points);
@@ -236,9 +240,9 @@ public:
 
   ///@{
   /**
-   * Radius of the seed sphere, in millimeters. Default 10; at least half the radius of the largest
-   * sphere that fits into the organ there is recommended. The lengths below that are given in seed
-   * radii scale with it.
+   * Radius of the seed sphere, in millimeters. Default 10; 1e-6 to 1e6. At least half the radius of
+   * the largest sphere that fits into the organ there is recommended. The lengths below that are
+   * given in seed radii scale with it.
    */
   void SetSeedRadius(double value);
   vtkGetMacro(SeedRadius, double);
@@ -246,8 +250,8 @@ public:
 
   ///@{
   /**
-   * Radius of the mesh's first sphere in seed radii. Default 1. Together with StartCenterOffset
-   * it lets the mesh start elsewhere, e.g. around the object, as in the paper's
+   * Radius of the mesh's first sphere in seed radii. Default 1; 1e-3 to 1e3. Together with
+   * StartCenterOffset it lets the mesh start elsewhere, e.g. around the object, as in the paper's
    * Fig. 1.
    */
   void SetStartScale(double value);
@@ -302,7 +306,7 @@ public:
   ///@{
   /**
    * A level ends when the mean distance has fallen by less than this over five iterations, in
-   * voxels of the greatest spacing. Default 0.02; a negative value never ends it.
+   * voxels of the greatest spacing. Default 0.02; -1e6 to 1e6. A negative value never ends it.
    */
   void SetChangeTolerance(double value);
   double GetChangeTolerance() const;
@@ -311,7 +315,8 @@ public:
   ///@{
   /**
    * How far from the seed's center, in millimeters, the surface may get; only this box of the image
-   * is read. Default 0: ten seed radii, at least 100 and at most 250 mm. Of GetDiffusion().
+   * is read. At least SeedRadius. Default 0: ten seed radii, at least 100 and at most 250 mm. Of
+   * GetDiffusion().
    */
   void SetReach(double value);
   double GetReach() const;

@@ -21,10 +21,12 @@
  * (0 outside, 1 inside, 2 on the boundary); vtkConstraintPointSource makes a data set of a single
  * point.
  *
- * Further errors: a correction outside the image, within 0.5 mm of a point of the vessel or about
- * 1 mm of the path if it is to lie outside, farther from the path than three radii and 10 mm if it
- * is to lie inside or on the boundary, in contradiction to another one, or one that no surface of
- * one piece can obey; a further seed.
+ * Further errors:
+ * - a correction outside the image, or one that contradicts another;
+ * - an outside point within 0.5 mm of a point of the vessel, or within about 1 mm of the path;
+ * - an inside or boundary point farther from the path than three radii and 10 mm;
+ * - a correction that no surface of one piece can obey;
+ * - a further seed.
  *
  * Output port 0: vtkPolyData, the surface, with the arrays of vtkFlipFreeSegmentation.
  * Output port 1: vtkImageData, unsigned char `Labels` of the input's geometry: LabelValue inside.

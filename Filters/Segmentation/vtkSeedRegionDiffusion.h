@@ -13,8 +13,8 @@
  * before smoothing.
  *
  * Errors, with a code of FlipFreeErrorCode.h: an image without scalars or with several components,
- * voxels that are not finite, a seed outside the image or smaller than a voxel, a property that is
- * NaN.
+ * voxels that are not finite, a seed outside the image, smaller than a voxel or wider than the
+ * image, a Reach that ends within the seed, a property that is NaN.
  */
 #ifndef vtkSeedRegionDiffusion_h
 #define vtkSeedRegionDiffusion_h

@@ -392,7 +392,7 @@ test("bad input is named", async () => {
     [{ ...small, voxels: new Int16Array(7) }, seed, {}, /7 voxels, which does not fit its size, 2 x 2 x 2; give 8/],
     [{ ...small, voxels: new BigInt64Array(8) }, seed, {}, /BigInt64Array/],
     [{ ...small, spacing: [0, 1, 1], voxels: new Int16Array(8) }, seed, {}, /spacing/],
-    [phantom.image, seed, { inside: [[9999, 0, 0]] }, /The inside point \(9999, 0, 0\) mm lies outside the image, which reaches from /],
+    [phantom.image, seed, { inside: [[9999, 0, 0]] }, /The inside point \(9999, 0, 0\) mm lies outside the image, which spans /],
     [phantom.image, seed, { outside: [seed.center] }, /The outside point .* lies in the inner half of the seed sphere; move/],
     [phantom.image, seed, { inside: [[60, 83, 167]], boundary: [[60, 83, 167]] }, /are in the same place; remove one of them/],
     [phantom.image, seed, { inside: [[1, 2]] }, /inside, entry 1, is not a point; give \[x, y, z\]/],

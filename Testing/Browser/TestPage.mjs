@@ -186,7 +186,7 @@ test("points by mouse and keys correct the liver: undo, redo, edit, remove", asy
     await page.fill(`[aria-label='${at} of point 1, mm']`, axis === 0 ? "9999" : "");
     await page.press(`[aria-label='${at} of point 1, mm']`, "Tab");
   }
-  assert.match(await errorText(), /The outside point \(9999.* mm lies outside the image, which reaches from /);
+  assert.match(await errorText(), /The outside point \(9999.* mm lies outside the image, which spans /);
   assert.match(await page.textContent("#error"), /\(9999(, \d+(\.\d)?){2}\) mm/); // to a tenth of a millimeter
   await picture("refused");
   assert.ok(await nextFits());

@@ -50,7 +50,9 @@ class TestBadInput(command.CommandTest):
 
     def test_seeds(self):
         center, radius = self.seed[:4], self.seed[4:]
-        cases = [(1, ("--seed", 500, 32, 32, *radius), ("--seed:", r"\(500, 32, 32\) mm", "64 x 64 x 40", "LPS")),
+        cases = [(1, ("--seed", 500, 32, 32, *radius), (r"the seed's center \(500, 32, 32\) mm lies outside the image, which spans .* \(LPS\)",)),
+                 (1, ("--seed", 500, 32, 32, *radius, "--ras"), (r"the seed's center \(-500, -32, 32\) mm lies outside the image",)),
+                 (1, ("--seed", 32, 32, 32, *radius, "--ras"), ("with x and y negated it would lie inside: check whether it is LPS or RAS",)),
                  (1, ("--seed-voxel", 20, 20, 40, *radius), ("--seed-voxel:", r"\(20, 20, 40\)", "indices of a voxel count from 0")),
                  (2, (*self.seed, *radius), (r"There are more radii \(2\) than seeds \(1\)",)),
                  (2, center, ("--radius is missing", "--radius MM")),

@@ -58,7 +58,7 @@ class TestStartLabels(command.CommandTest):
                 (command.run("segment", self.volume, *self.seed, "--start-label", 6, *out), 2, "--start-labels"),
                 (self.fill("--start-label", -1, *out), 2, "--start-label"),
                 (command.run("segment", self.volume, *out), 2, "--start-labels FILE|--radius"),
-                (self.fill("--start-label", 6, *out), 1, "the start labels have no voxels with the value 6; they have 1: set --start-label to one of them"),
+                (self.fill("--start-label", 6, *out), 1, "the start labels have no voxels with the value 6; they have 1: set --start-label to a value that they have"),
                 (command.run("segment", self.volume, "--start-labels", self.result("no.nii"), *out), 1, r"no\.nii"),
                 (command.run("segment", self.volume, "--start-labels", coarse, *out), 1,
                  "the dimensions of the start labels .* differ; resample one onto the grid of the other"),

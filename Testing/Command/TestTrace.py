@@ -108,7 +108,7 @@ class TestTrace(command.CommandTest):
         for status, points, patterns in (
                 (2, (), ("two points", "--point X Y Z")), (2, first, ("two points",)),
                 (2, (*first, "--point", 1, 2), ("--point", "coordinate is missing")), (2, ("--point", 1, 2), ("--point", "value is missing")), (2, (*first, "--point", "nan", 0, 0), ("--point", "finite")),
-                (1, (*first, "--point", 500, 0, 0), (r"\(500, 0, 0\) mm lies outside", "LPS")),
+                (1, (*first, "--point", 500, 0, 0), (r"\(500, 0, 0\) mm lies outside the image, which spans \(.*\) to \(.*\) mm; .* \(LPS\)",)),
                 (1, (*first, *first), (r"points \(.*\) and \(.*\) mm are closer than 3 mm; keep one",)),
                 (1, (*first, "--point", 40, 90, 90),
                  (r"path .* \(.*\) mm; put all points into the (same )?vessel",))):

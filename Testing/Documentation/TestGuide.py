@@ -47,7 +47,7 @@ class TestGuide(unittest.TestCase):
         self.assertEqual(sorted(rooms), sorted(
             entry.name for entry in os.scandir(os.path.join(SOURCE, "Filters", "Kernels")) if entry.is_dir()))
         for index, (room, uses) in enumerate(rows):
-            allowed = {room, *(rooms[:index] if "all of the above" in uses else re.findall(r"\w+", uses))}
+            allowed = {room, *(rooms[:index] if "all rows above" in uses else re.findall(r"\w+", uses))}
             folder = os.path.join(SOURCE, "Filters", "Kernels", room)
             for name in sorted(os.listdir(folder)):
                 used = set(re.findall(r'^#include "(\w+)/', text_of(folder, name), re.MULTILINE))

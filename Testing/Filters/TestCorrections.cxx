@@ -278,7 +278,7 @@ TEST(Corrections, OfTheWrongKindAreRefused)
   expect(PointsFrom({ { 3, 46.5, 46.5, 46.5, 0 } }),
     "has a radius of 0 mm, where at least a voxel of the image on port 0 (3 mm) is needed");
   expect(PointsFrom({ { 1, 500, 46.5, 46.5, 0 } }),
-    "the inside point (500, 46.5, 46.5) mm lies outside the image on port 0, which reaches from ");
+    "the inside point (500, 46.5, 46.5) mm lies outside the image on port 0, which spans ");
   expect(PointsFrom({ { 0, 46.5, 46.5, 46.5, 0 } }), "lies in the inner half of the seed sphere");
   expect(PointsFrom({ { 0, 80, 46.5, 46.5, 0 }, { 2, 80, 46.5, 46.5, 0 } }),
     "are in the same place");

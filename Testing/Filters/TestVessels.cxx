@@ -278,7 +278,7 @@ TEST_F(Vessels, BadPointsAreRefused)
   this->Filter->RemoveAllPoints();
   this->AddPoint(this->Filter, 0);
   this->Filter->AddPoint(NotANumber, 0, 0);
-  refuse({ "nan", "not a finite number" });
+  refuse({ "nan", "finite numbers" });
   this->Filter->SetRadius(NotANumber);
   refuse({ "the value of Radius", "NaN" });
 }

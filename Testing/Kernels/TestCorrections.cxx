@@ -270,7 +270,7 @@ TEST(Corrections, AreRefusedByName)
   const auto has = [](const std::string& message, const std::string& part)
   { EXPECT_NE(message.find(part), std::string::npos) << message; };
   has(ball.MessageOf({ ball.At(ConstraintKind::Inside, 500, 0, 0) }),
-    "mm lies outside it, which reaches from");
+    "mm lies outside it, which spans");
   has(ball.MessageOf(
         { ball.At(ConstraintKind::Inside, 9, 0, 0), ball.At(ConstraintKind::Outside, 9, 0, 0) }),
     "mm are in the same place; remove one of them");
@@ -283,7 +283,7 @@ TEST(Corrections, AreRefusedByName)
     "lies in the sphere of the further seed at");
   PointConstraint nan = ball.At(ConstraintKind::Inside, 0, 0, 0);
   nan.Point[1] = std::nan("");
-  has(ball.MessageOf({ nan }), "not a finite number");
+  has(ball.MessageOf({ nan }), "is not a place; give three finite numbers");
 }
 
 // The first call with points also runs without them, which must not lose the seconds so far: of

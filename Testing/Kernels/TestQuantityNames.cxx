@@ -46,6 +46,16 @@ TEST(QuantityNames, TakeBracesThatEncloseNothingAsTheyAre)
   }
 }
 
+TEST(QuantityNames, MayBeSaidInWordsBeforeTheFrontEndKnowsThem)
+{
+  const std::string message =
+    Quoted("{Reach}") + ": the image{ on port 0} ends here; raise {Reach}, or move {SeedCenter}";
+  const std::string worded = WithWords(message, { { "SeedCenter", "its {seed}" } });
+  EXPECT_EQ(WithNames(worded, Options),
+    "'{Reach}': the image ends here; raise --reach, or move its {seed}");
+  EXPECT_EQ(WithWords(message, {}), message);
+}
+
 TEST(QuantityNames, OfAnErrorAreThoseOfPropertiesUntilAFrontEndWordsIt)
 {
   const Error error(ErrorCode::OutOfRange, "lower {Reach} of " + Quoted("{liver}"));

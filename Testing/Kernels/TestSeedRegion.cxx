@@ -1,7 +1,6 @@
 #include "Error.h"
 #include "ExampleMasks.h"
 #include "ExampleSurfaces.h"
-#include "Image/PointCheck.h"
 #include "Image/SeedRegion.h"
 
 #include <gtest/gtest.h>
@@ -92,28 +91,12 @@ TEST(SeedRegion, SeedsOutsideOrBelowAVoxelAreRefused)
   }
 }
 
-TEST(SeedRegion, APointInRasIsRecognized)
+TEST(SeedRegion, ASphereIsNoWiderThanTheLongestSide)
 {
   const ImageGeometry geometry = GridAround(Center, Eigen::Matrix3d::Identity());
-  const auto messageFor = [&](const Eigen::Vector3d& point)
-  {
-    try
-    {
-      RequirePoint(geometry, point, "the point", "the image");
-    }
-    catch (const Error& error)
-    {
-      return std::string(error.what());
-    }
-    return std::string();
-  };
-  const std::string outside =
-    "the point lies outside the image, which reaches from (-41.41, 5.9, 130.24) to (-18.31, 34.9, "
-    "168.24) mm; give it in the image's physical coordinates, LPS for medical files";
-  EXPECT_EQ(messageFor(Center), "");
-  EXPECT_EQ(messageFor({ 30, 20, 150 }), outside);
-  EXPECT_EQ(messageFor({ 30, -20, 150 }),
-    outside + ": with x and y negated it would lie inside, so it may be in RAS");
+  const double longest = 21 * 1.9;
+  EXPECT_NO_THROW(RequireSeed(geometry, { Center, 0.5 * longest }, "the image"));
+  EXPECT_THROW(RequireSeed(geometry, { Center, 0.5 * longest + 1e-6 }, "the image"), Error);
 }
 
 TEST(SeedRegion, PartsAsFloatsAreInTheirPlaces)

@@ -391,6 +391,13 @@ TEST(GroupRequest, IsChecked)
   request.Organs.back().Constraints.front().Kind = ConstraintKind::Inside;
   ExpectGroupRefused(ball, request, "'right' has no seed");
   request = ball.Pair();
+  request.Settings.Method.Smoothing.Reach = 5;
+  ExpectGroupRefused(ball, request, "less than the seed's radius");
+  ExpectGroupRefused(ball, request, "or lower its radius");
+  request = ball.Pair();
+  request.Organs.front().Constraints.front().Radius = 500;
+  ExpectGroupRefused(ball, request, "mm long; lower its radius so that");
+  request = ball.Pair();
   request.Fixed = { GivenSphere({ 35, 35, 60 }, 4) };
   request.Fixed.front().Points.row(0) += Eigen::RowVector3d(0, 0, 40);
   ExpectGroupRefused(ball, request, "the given surface intersects itself");

@@ -46,7 +46,7 @@ class Corrections(unittest.TestCase):
                 (flipfree.SegmentationError, r"the inside point \(500, 0, 0\) mm lies outside the image",
                  {"inside": [(500, 0, 0)]}),
                 (flipfree.SegmentationError, "the outside point .* inner half of the seed", {"outside": [SEED]}),
-                (flipfree.SegmentationError, r"the inside point \(nan, 1, 2\) mm has a coordinate that is not a finite number", {"inside": [(math.nan, 1, 2)]})):
+                (flipfree.SegmentationError, r"the inside point \(nan, 1, 2\) mm is not a place; give three finite numbers", {"inside": [(math.nan, 1, 2)]})):
             with self.subTest(points), self.assertRaisesRegex(error, message):
                 liver().corrected(**points)
 

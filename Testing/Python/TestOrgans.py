@@ -48,6 +48,7 @@ class Organs(unittest.TestCase):
                 ({"liver": {"seed": SEED}}, TypeError, "'liver': 'radius' is missing"),
                 ({"liver": {"seed": SEED, "radius": 5, "point": 1}}, TypeError, "'liver': there is no key 'point'; its keys are"),
                 ({"liver": {"seed": SEED, "radius": 5, "insde": []}}, TypeError, "no key 'insde'; did you mean 'inside'"),
+                ({"liver": {"seed": SEED, "raduis": 5}}, TypeError, "'liver': there is no key 'raduis'; did you mean 'radius'"),
                 ({"liver": ((1, 2), 5)}, ValueError, "seed"),
                 ({}, flipfree.SegmentationError, "there is no organ"),
                 ({"liver": (SEED, RADIUS), "gut": (SEED, 5)}, flipfree.SegmentationError, "overlap"),

@@ -53,7 +53,7 @@ class Failures(unittest.TestCase):
     def test_a_filter_that_has_failed_fails_until_it_changes(self):
         sphere = flipfree.vtkQuadSphereSource()
         sphere.SetCenter(0, 0, math.nan)
-        for words in ("Center", "vtkQuadSphereSource has failed before, .* or call Modified"):
+        for words in ("Center", "vtkQuadSphereSource failed in an earlier update and has not run again: .*call Modified"):
             with self.assertRaisesRegex(flipfree.FlipFreeError, words):
                 flipfree.update(sphere)
         sphere.Modified()
@@ -78,6 +78,9 @@ class Failures(unittest.TestCase):
     def test_seed_and_radius(self):
         for error, message, seed, radius in (
                 (ValueError, "^seed: 3 numbers are needed, not 2$", (1, 2), RADIUS),
+                (TypeError, "^seed: 3 numbers are needed, not", ("99", "84", "167"), RADIUS),
+                (TypeError, "^seed: 3 numbers are needed, not b'222'$", b"222", RADIUS),
+                (TypeError, "^radius: a number is needed, not", SEED, "28"),
                 (TypeError, "^seed: 3 numbers are needed, not 5$", 5, RADIUS),
                 (TypeError, "^radius: a number is needed, not", SEED, "wide"),
                 (ValueError, r"^radius: nan is not a number \(NaN\); give the radius", SEED, math.nan),
@@ -86,11 +89,13 @@ class Failures(unittest.TestCase):
                 (ValueError, r"^radius: 1000000000.0 is out of range; give 1e-06 to 1e\+06$", SEED, 1e9),
                 (flipfree.SegmentationError, r"radius of 1e-05 mm is below a voxel of the image \(", SEED, 1e-5),
                 (flipfree.SegmentationError, r"^No segmentation: the seed's center \(-50, 0, 0\) mm lies outside .*\.$",
-                 (-50, 0, 0), RADIUS)):
+                 (-50, 0, 0), RADIUS),
+                (flipfree.SegmentationError, "; with x and y negated it would lie inside: check whether it is LPS or RAS",
+                 (-99.75, -83.75, 167), RADIUS)):
             self.refuse(error, message, image(), seed, radius)
 
     def test_a_sphere_larger_than_the_image(self):
-        words = "^No segmentation: .*the seed sphere, with a radius of 500 mm, is larger than the image, .*; lower radius so"
+        words = "^No segmentation: .*the seed sphere, with a radius of 500 mm, is larger than the image, .*; lower (its )?radius so"
         self.refuse(flipfree.SegmentationError, words, image(), SEED, 500, resolution=8)
         with self.assertRaisesRegex(flipfree.SegmentationError, words):
             flipfree.segment_organs(image(), {"liver": (SEED, 500)}, resolution=8)

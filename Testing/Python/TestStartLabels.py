@@ -57,7 +57,7 @@ class StartLabels(unittest.TestCase):
 
     def test_that_do_not_fit_are_refused(self):
         for arguments, kind, words in (
-                ({"label": 99}, flipfree.SegmentationError, "have no voxels with the value 99; they have 1, 2.*: set start_label to one of them"),
+                ({"label": 99}, flipfree.SegmentationError, "have no voxels with the value 99; they have 1, 2.*: set start_label to a value that they have"),
                 ({"label": -1}, ValueError, "start_label"),
                 ({"label": 1.5}, ValueError, "start_label"),
                 ({"labels": mask()[1:], "label": 1}, flipfree.SegmentationError, "the dimensions of the start labels"),

@@ -158,7 +158,7 @@ class TestTrace(unittest.TestCase):
         for points, kind, words in ((self.points[:1], flipfree.SegmentationError, "two points"),
                                     ([*self.points, (500, 0, 0)], flipfree.SegmentationError, "outside"),
                                     ([(1, 2), (3, 4)], (TypeError, ValueError), "points"),
-                                    ([*self.points, (math.nan, 0, 0)], flipfree.SegmentationError, "not a finite number"),
+                                    ([*self.points, (math.nan, 0, 0)], flipfree.SegmentationError, "finite numbers"),
                                     ([*self.points, self.points[0]], flipfree.SegmentationError,
                                      r"the points \(.*\) and \(.*\) mm are closer than 3 mm; keep one"),
                                     ([self.points[0], (40, 90, 90)], flipfree.SegmentationError,

@@ -109,7 +109,7 @@ class Work(unittest.TestCase):
         for arguments, status, message in (
                 ([*self.seed, "--start-labels", self.truth], 2, "--start-labels takes the place of the seed"),
                 (["--start-labels", self.truth, "--session", "a.json"], 2, "--session has the seed"),
-                (["--start-labels", self.truth, "--start-label", 9], 1, "the start labels have no voxels with the value 9; they have 1: set --start-label to one of them"),
+                (["--start-labels", self.truth, "--start-label", 9], 1, "the start labels have no voxels with the value 9; they have 1: set --start-label to a value that they have"),
                 (["--start-labels", "nowhere.nii"], 1, "'nowhere.nii'"),
                 ([*self.seed, "--start-label", 9], 2, "--start-label")):
             with self.subTest(message):
@@ -237,7 +237,7 @@ class Work(unittest.TestCase):
                 (["segment", "nowhere.nii", *self.seed, "-o", here], 1, "There is no file 'nowhere.nii'"),
                 (["segment", self.volume, *self.seed, "-o", self.folder / "no" / "a.vtp"], 1, "cannot be written"),
                 (["segment", self.volume, "--seed", 500, 0, 0, "--radius", 9, "-o", here], 1,
-                 r"--seed: \(500, 0, 0\) mm lies outside '.*', which has 48 x 48 x 32 voxels .* LPS: .* RAS"),
+                 r"the seed's center \(500, 0, 0\) mm lies outside the image, which spans .* \(LPS\)"),
                 (["segment", self.volume, "--seed-voxel", 9, 9, 32, "--radius", 9, "-o", here], 1,
                  r"--seed-voxel: \(9, 9, 32\) lies outside"),
                 (["evaluate", self.volume, self.truth, "--reference-label", 7], 1, "--reference-label"),

@@ -33,6 +33,7 @@
 #include <chrono>
 #include <cstdio>
 #include <memory>
+#include <sstream>
 
 namespace Command
 {
@@ -67,44 +68,28 @@ void AnnounceOutputs(const SegmentRequest& request, OutputFiles& outputs)
   }
 }
 
-/// The seed of that number in millimeters. Throws Failure if it lies outside the volume.
+/// The seed of that number in LPS millimeters. Throws Failure for a voxel outside the volume.
 Point SeedIn(vtkImageData* image, const SegmentRequest& request, std::size_t number)
 {
-  Point seed;
-  double index[3];
-  char given[128];
   if (request.SeedVoxel.empty())
   {
-    seed = request.Corrections.InLps(request.Seed.data() + 3 * number);
-    image->TransformPhysicalPointToContinuousIndex(seed.data(), index);
-    std::snprintf(given, sizeof(given), "--seed: (%g, %g, %g) mm", seed[0], seed[1], seed[2]);
+    return request.Corrections.InLps(request.Seed.data() + 3 * number);
   }
-  else
-  {
-    std::copy_n(request.SeedVoxel.data() + 3 * number, 3, index);
-    image->TransformContinuousIndexToPhysicalPoint(index, seed.data());
-    std::snprintf(given, sizeof(given), "--seed-voxel: (%g, %g, %g)", index[0], index[1], index[2]);
-  }
-  int extent[6];
-  image->GetExtent(extent);
+  const int* const size = image->GetDimensions();
+  const int* const index = request.SeedVoxel.data() + 3 * number;
   for (int axis = 0; axis < 3; ++axis)
   {
-    if (!(index[axis] >= extent[2 * axis] - 0.5 && index[axis] <= extent[2 * axis + 1] + 0.5))
+    if (index[axis] < 0 || index[axis] >= size[axis])
     {
-      const double center[3] = { 0.5 * (extent[0] + extent[1]), 0.5 * (extent[2] + extent[3]),
-        0.5 * (extent[4] + extent[5]) };
-      double middle[3];
-      image->TransformContinuousIndexToPhysicalPoint(center, middle);
-      char place[256];
-      std::snprintf(place, sizeof(place),
-        "which has %d x %d x %d voxels centered at (%g, %g, %g) mm. ", extent[1] + 1, extent[3] + 1,
-        extent[5] + 1, middle[0], middle[1], middle[2]);
-      throw Failure(std::string(given) + " lies outside '" + request.Input + "', " + place +
-        (request.SeedVoxel.empty()
-            ? "Coordinates are LPS: viewers that use RAS show x and y with opposite signs."
-            : "The indices of a voxel count from 0."));
+      std::ostringstream text;
+      text << "--seed-voxel: (" << index[0] << ", " << index[1] << ", " << index[2]
+           << ") lies outside '" << request.Input << "', which has " << size[0] << " x " << size[1]
+           << " x " << size[2] << " voxels. The indices of a voxel count from 0.";
+      throw Failure(text.str());
     }
   }
+  Point seed;
+  image->TransformIndexToPhysicalPoint(index, seed.data());
   return seed;
 }
 

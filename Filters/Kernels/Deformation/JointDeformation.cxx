@@ -189,7 +189,7 @@ bool JointDeformation::Refine(const Monitor& proceed)
   return true;
 }
 
-// Unless the refinement has left one.
+// The refinement leaves one that it has checked the refined surface with.
 void JointDeformation::MakeGuard()
 {
   if (this->HasGuard() && !this->Guard)

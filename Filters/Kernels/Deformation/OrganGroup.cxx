@@ -244,7 +244,7 @@ bool OrganGroup::Run(const Monitor& monitor, const GroupObserver& observer)
     this->Deform(monitor, observer);
 }
 
-// Each organ's by itself.
+// Each organ by itself: only where all have a foreground is it known what they contend for.
 bool OrganGroup::FindForegrounds(const Monitor& monitor, const GroupObserver& observer)
 {
   const auto count = static_cast<double>(this->Members.size());
@@ -296,7 +296,7 @@ bool OrganGroup::Deform(const Monitor& monitor, const GroupObserver& observer)
     .Run(FlipFree::PartOf(monitor, ForegroundsEnd, 1));
 }
 
-// By construction. Exact.
+// Should be impossible; counted exactly all the same, since users rely on it.
 void OrganGroup::RequireDisjoint(const std::vector<VolumeSegmentation>& results) const
 {
   std::vector<DeformableSurface> surfaces;
@@ -343,7 +343,7 @@ void OrganGroup::TakeConstraints(const std::vector<ConstraintList>& constraints)
     member->Naming(
       [&]
       {
-        RequireConstraints(this->Geometry, member->Seed, member->Constraints, this->Name);
+        RequireConstraints(this->Geometry, member->Seed, member->Constraints, this->Name, {});
         return true;
       });
   }

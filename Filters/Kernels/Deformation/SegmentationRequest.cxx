@@ -18,16 +18,6 @@ namespace
 
 constexpr int GreatestLabel = 255; // label maps are of bytes
 
-void RequireReach(double reach, double seedRadius)
-{
-  if (reach > 0 && reach < seedRadius)
-  {
-    throw Error(ErrorCode::OutOfRange,
-      "{Reach} is " + TextOf(reach) + " mm, less than the seed's radius of " + TextOf(seedRadius) +
-        " mm; raise {Reach}, or lower {SeedRadius}");
-  }
-}
-
 std::vector<double> KeyOf(const SeedSphere& seed, bool fills,
   const VolumeSegmentationSettings& settings)
 {
@@ -115,10 +105,6 @@ VolumeSegmenter& OrganRuns::Prepare(const SeedSphere& seed, bool fills,
   RequireNumbers(settings);
   RequireVoxels(this->Volume.Geometry, this->Name);
   RequireSeed(this->Volume.Geometry, seed, this->Name);
-  if (!fills)
-  {
-    RequireReach(settings.Method.Smoothing.Reach, seed.Radius);
-  }
   std::optional<DeformableSurface> start;
   if (this->Start)
   {
@@ -184,11 +170,28 @@ GroupAnswer SegmentGroup(const GrayVolume& volume, const std::string& name,
   {
     fixed.push_back({ surface.Name, MakeStartSurface(surface, true, threading.For) });
   }
-  OrganGroup group(volume, name, std::move(organs), std::move(fixed), request.Settings, threading);
+  // Seeds of a group are not properties.
+  const QuantityNames words{ { "SeedRadius", "its radius" }, { "SeedCenter", "its seed" } };
   GroupAnswer answer;
-  answer.Results = group.Segment(constraints, monitor,
-    [](std::size_t, const ContourMesh&, const PointList&, const CorrespondenceField&,
-      const IterationRecord&) {});
+  try
+  {
+    OrganGroup group(volume, name, std::move(organs), std::move(fixed), request.Settings,
+      threading);
+    answer.Results = group.Segment(constraints, monitor,
+      [](std::size_t, const ContourMesh&, const PointList&, const CorrespondenceField&,
+        const IterationRecord&) {});
+  }
+  catch (const Error& error)
+  {
+    throw Error(error.GetCode(), WithWords(error.GetText(), words));
+  }
+  for (VolumeSegmentation& result : answer.Results)
+  {
+    for (std::string& warning : result.Warnings)
+    {
+      warning = WithWords(warning, words);
+    }
+  }
   answer.Provenance =
     ProvenanceOf(origins, request.Fixed.size(), request.Settings, volume.Geometry);
   return answer;

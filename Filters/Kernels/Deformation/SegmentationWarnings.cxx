@@ -4,6 +4,7 @@
 #include "Intensity/SurfaceConfidence.h"
 #include "MessageText.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
@@ -14,8 +15,9 @@ namespace
 
 std::string WarningOf(const Implausibility& finding, double reach)
 {
-  // Rounded down: all of a surface is no warning, but a failure.
-  const std::string percent = std::to_string(static_cast<int>(100 * finding.Fraction)) + " %";
+  // All of a surface is no warning, but a failure.
+  const std::string percent =
+    std::to_string(std::min(99L, std::lround(100 * finding.Fraction))) + " %";
   switch (finding.Reason)
   {
     case ImplausibilityReason::EndOfReach:

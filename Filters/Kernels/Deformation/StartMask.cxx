@@ -28,8 +28,9 @@ BitMask StartMaskOf(const LabelVolume& labels, int label, const ImageGeometry& i
     throw Error(ErrorCode::EmptyMask,
       labels.Name + " have no " +
         (label == 0 ? "nonzero voxels" : "voxels with the value " + std::to_string(label)) +
-        (others.empty() ? "; give a label map of the organ"
-                        : "; they have " + others + ": set {StartLabel} to one of them"));
+        (others.empty()
+            ? "; give a label map of the organ"
+            : "; they have " + others + ": set {StartLabel} to a value that they have"));
   }
   return mask;
 }

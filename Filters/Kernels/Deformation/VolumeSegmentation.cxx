@@ -193,7 +193,11 @@ void VolumeSegmenter::Release()
 
 OrganSegmenter& VolumeSegmenter::Prepare(const ConstraintList& constraints)
 {
-  RequireConstraints(this->Volume.Geometry, this->Seed, constraints, this->Name);
+  RequireConstraints(this->Volume.Geometry, this->Seed, constraints, this->Name, this->GivenName);
+  if (!this->Given)
+  {
+    RequireReach(this->Settings.Method.Smoothing.Reach, this->Seed.Radius);
+  }
   RequireGuard(constraints, this->Settings.Method.Step.Guard);
   const VoxelBox box = this->RegionOf(constraints);
   if (!this->Organ || !(box == this->Box))

@@ -68,7 +68,7 @@ DistanceQuery::Triangle::Triangle(const Vector3d& a, const Vector3d& b, const Ve
   }
 }
 
-// Eight points.
+// Eight points near each other, which share one descent through the tree.
 struct DistanceQuery::Packet
 {
   PointPacket Points;

@@ -2,10 +2,10 @@
  * The broad phase of the guard: which parts of a moving surface have to be tested against each
  * other.
  *
- * Claim: a surface stays embedded however its faces are cut, as long as each pair of hulls that
- * FaceHulls names stays apart: those of faces without a common vertex, found by a tree over boxes
- * of motions, and those of parts of adjacent faces, or of one, all of which are candidates. Proof:
- * at each time, FaceHulls.h applies.
+ * Claim: a surface stays embedded, however its faces are cut, as long as each pair of hulls that
+ * FaceHulls names stays apart. Pairs of faces without a common vertex are found by a tree over
+ * boxes of motions. Pairs of parts of adjacent faces, or of a single one, are all candidates.
+ * Proof: at each time, FaceHulls.h applies.
  */
 #ifndef FlipFreeCandidatePairs_h
 #define FlipFreeCandidatePairs_h

@@ -47,9 +47,8 @@ public:
 
   /// Fixed points, one row each (mm), that the surface must not pass: each stays on its side, and
   /// keeps the distance that faces without a common vertex keep (ObstacleTest.h). None at first. A
-  /// face whose hull holds one at the start stays at rest. Of several surfaces, each is stopped by
-  /// its own obstacles only: those of `ranges`, one per obstacle, that hold its vertices; without
-  /// ranges, by all.
+  /// face whose hull holds one at the start stays at rest. With several surfaces, an obstacle stops
+  /// only the vertices in its range; without ranges, each stops all.
   void SetObstacles(PointList obstacles, std::vector<VertexRange> ranges = {})
   {
     this->Obstacles = std::move(obstacles);
@@ -57,21 +56,23 @@ public:
     this->Ranges.resize(this->Obstacles.rows());
   }
 
-  /// Scales displacements down, conservatively, until it is proven that, if the surface is embedded
-  /// at `points`, it stays so, however its faces are cut into triangles (FaceHulls.h), while every
-  /// vertex moves straight from `points` to `points + displacements`, and no normal of a corner of
-  /// a face, or of a triangle of the fan about its first vertex, turns by 90 degrees or more: of
-  /// triangles and quads, these are all triangles of every cut. Both have one row per vertex, in
-  /// millimeters; a displacement of more than a hundred times the surface's extent is cut to that
-  /// first. Faces without a common vertex keep a distance of a thousandth of the typical edge
-  /// length, or the one they start with if that is less; so do parts of adjacent faces. Corners
-  /// that are degenerate at the start (TimeOfFlip) are not tested. Quads do not become folded
-  /// (QuadFold.h). Hulls that overlap at the start although no cut intersects stay at rest.
-  /// Vertices that move end at single-precision numbers, so that a file of single precision holds
-  /// the surface that was certified, if these are fine enough (SinglePrecision.h). `monitor` is
-  /// asked between passes; if it returns false, the displacements become zero. Throws Error for a
-  /// wrong number of rows, a number that is not finite, a coordinate beyond 1e30 mm, and, naming
-  /// the first pair of faces, if the surface intersects itself at `points`.
+  /// Scales displacements down, conservatively, until two things are proven of the motion of every
+  /// vertex straight from `points` to `points + displacements`. If the surface is embedded at
+  /// `points`, it stays so, however its faces are cut into triangles (FaceHulls.h). And no normal
+  /// of a corner of a face, or of a triangle of the fan about its first vertex, turns by 90 degrees
+  /// or more: of triangles and quads, these are all triangles of every cut.
+  ///
+  /// Both arguments have one row per vertex, in millimeters; a displacement of more than a hundred
+  /// times the surface's extent is cut to that first. Faces without a common vertex keep a distance
+  /// of a thousandth of the typical edge length, or the one they start with if that is less; so do
+  /// parts of adjacent faces. Corners that are degenerate at the start (TimeOfFlip) are not tested.
+  /// Quads do not become folded (QuadFold.h). Hulls that overlap at the start although no cut
+  /// intersects stay at rest. Vertices that move end at single-precision numbers, so that a file of
+  /// single precision holds the surface that was certified, if these are fine enough
+  /// (SinglePrecision.h). `monitor` is asked between passes; if it returns false, the displacements
+  /// become zero. Throws Error for a wrong number of rows, a number that is not finite, a
+  /// coordinate beyond 1e30 mm, and, naming the first pair of faces, if the surface intersects
+  /// itself at `points`.
   GuardReport Limit(const PointList& points, PointList& displacements,
     const ParallelFor& parallelFor, const Monitor& monitor) const;
 

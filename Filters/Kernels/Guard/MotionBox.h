@@ -7,9 +7,9 @@
  * the other is linear in time and positive at both ends. Shared motion cancels, however long it is.
  *
  * Rounding: boxes are kept in single precision. Conversion is monotone, so that a box that is below
- * another after conversion was below it before. A sum with a margin is rounded in double precision
- * first, to u = 2^-53 of itself, so that of twice the margin all but 2 u of a coordinate is kept;
- * the guard's margins are at least 1e-12 of any.
+ * another after conversion was below it before. Margins are added in double precision, which rounds
+ * a sum by at most u = 2^-53 of itself. Two boxes lose at most 2 u of a coordinate of their margins
+ * that way, which is far less than the margins: these are at least 1e-12 of any coordinate.
  */
 #ifndef FlipFreeMotionBox_h
 #define FlipFreeMotionBox_h

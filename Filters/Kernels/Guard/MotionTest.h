@@ -59,8 +59,8 @@ double TimeOfImpact(const Motion& motion, const Hull& one, const Hull& two,
   const MinimumDistance& distance, double maximumTime = 1);
 
 /// The time at which the normal of the corner before-vertex-after has turned by 90 degrees; 1 if it
-/// does not, for a corner at rest, and for one that is degenerate at the start: twice its area is
-/// at most 1e-12 of the square of its longest edge at either end.
+/// never does, if the corner is at rest, or if it is degenerate: twice its area is at most 1e-12 of
+/// the square of its longest edge at either end.
 double TimeOfFlip(const Motion& motion, const std::array<int, 3>& corner);
 
 } // namespace FlipFree

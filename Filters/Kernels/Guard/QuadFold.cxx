@@ -49,7 +49,7 @@ double LongestSquare(const Sides& sides)
   return longest;
 }
 
-// Of two vectors that change linearly.
+// Vectors that change linearly in time have a cross product that is quadratic in it.
 inline Quadratic Cross(const Vector3d& oneStart, const Vector3d& oneEnd, const Vector3d& twoStart,
   const Vector3d& twoEnd)
 {

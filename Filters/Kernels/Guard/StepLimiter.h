@@ -37,10 +37,10 @@ namespace FlipFree
 class StepLimiter
 {
 public:
-  /// Refers to the points and neighbors; `maximumShear` (mm) is by how much farther a vertex
-  /// may move at its own scale than at a neighbor's. Vertices that move end at single-precision
-  /// numbers, if these are fine enough for the typical edge length (mm; SinglePrecision.h): what is
-  /// tested is the motion to there.
+  /// Refers to the points and neighbors; `maximumShear` (mm) is how much farther a vertex
+  /// may move at its own scale than it would at a neighbor's. Vertices that move end at
+  /// single-precision numbers, if these are fine enough for the typical edge length (mm;
+  /// SinglePrecision.h): what is tested is the motion to there.
   StepLimiter(const PointList& points, const PointList& displacements,
     const std::vector<std::array<int, 4>>& neighbors, double maximumShear, double edgeLength);
 

@@ -49,7 +49,7 @@ void RelaxOnce(const ContourMesh& mesh, const PointList& fixed, const EmbeddingG
   points = guard.Limit(all, motion, parallelFor, monitor).Positions.topRows(points.rows());
 }
 
-// Of a surface and, after it, the fixed one.
+// One guard for both, so that they cannot meet; the fixed vertices come last.
 std::unique_ptr<EmbeddingGuard> MakeGuard(const ContourMesh& mesh, const ContourMesh& fixed,
   const ParallelFor& parallelFor)
 {

@@ -18,8 +18,8 @@ struct RefinedSurface
   PointList Points;
   int Relaxations = 0; ///< guarded smoothing steps that the coarse surface needed first
   bool Embedded = false;
-  /// Of the refined surface and those at rest, if it was checked: the check needs most of it, and
-  /// the refined surface will be moved.
+  /// The guard of the refined surface and those at rest, to be used again when they move. Null
+  /// unless checked.
   std::unique_ptr<EmbeddingGuard> Guard;
 };
 
@@ -29,8 +29,8 @@ struct RefinementSurroundings
   PointList Obstacles = PointList(0, 3); ///< fixed points, one row each, which stay on their side
   ContourMesh FixedMesh = {};            ///< of surfaces at rest, which are not refined
   PointList FixedPoints = PointList(0, 3);
-  /// Of the obstacles: the old surface's vertices that each one binds, which are those of one of
-  /// several surfaces; without ranges, all (EmbeddingGuard::SetObstacles()).
+  /// Per obstacle, the vertices of the old surface that it stops; without ranges, each stops all
+  /// (EmbeddingGuard::SetObstacles()).
   std::vector<VertexRange> Ranges = {};
 };
 

@@ -13,7 +13,7 @@ namespace
 constexpr std::size_t NodesOfPart = 1U << 15U;
 constexpr std::size_t MaximumParts = 4;
 
-// Some milliseconds.
+// Asked every few milliseconds, so that an abort is prompt and asking costs nothing.
 constexpr std::size_t StepsBetweenQuestions = 1U << 16U;
 
 // Ways to the parent: one of the six neighbors, or one of these.

@@ -15,6 +15,24 @@ bool IsWithin(const ImageGeometry& geometry, const Eigen::Vector3d& point)
   return (index >= -0.5).all() && (index <= Eigen::Array3d(size[0], size[1], size[2]) - 0.5).all();
 }
 
+// Of the box around all voxels, to a tenth of a millimeter.
+std::string ExtentText(const ImageGeometry& geometry)
+{
+  Eigen::AlignedBox3d box;
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    Eigen::Vector3d index;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      index[axis] = (corner >> axis & 1 ? geometry.Dimensions[axis] : 0) - 0.5;
+    }
+    box.extend(geometry.ToPhysical(index));
+  }
+  const auto rounded = [](const Eigen::Vector3d& place)
+  { return TextOf(((10 * place.array()).round() / 10).matrix()); };
+  return rounded(box.min()) + " to " + rounded(box.max()) + " mm";
+}
+
 } // namespace
 
 void RequirePoint(const ImageGeometry& geometry, const Eigen::Vector3d& point,
@@ -22,22 +40,16 @@ void RequirePoint(const ImageGeometry& geometry, const Eigen::Vector3d& point,
 {
   if (!point.allFinite())
   {
-    throw Error(ErrorCode::NonFiniteValue,
-      what + " has a coordinate that is not a finite number; set it to one");
+    throw Error(ErrorCode::NonFiniteValue, what + " is not a place; give three finite numbers");
   }
-  if (IsWithin(geometry, point))
+  if (!IsWithin(geometry, point))
   {
-    return;
+    const bool isMirrored = IsWithin(geometry, Eigen::Vector3d(-point[0], -point[1], point[2]));
+    throw Error(ErrorCode::OutOfRange,
+      what + " lies outside " + name + ", which spans " + ExtentText(geometry) +
+        (isMirrored ? "; with x and y negated it would lie inside: check whether it is LPS or RAS"
+                    : "; correct its physical coordinates (LPS)"));
   }
-  const auto& size = geometry.Dimensions;
-  const Eigen::Vector3d last(size[0] - 1, size[1] - 1, size[2] - 1);
-  const bool isRas = IsWithin(geometry, Eigen::Vector3d(-point[0], -point[1], point[2]));
-  throw Error(ErrorCode::OutOfRange,
-    what + " lies outside " + name + ", which reaches from " +
-      TextOf(geometry.ToPhysical(Eigen::Vector3d::Zero())) + " to " +
-      TextOf(geometry.ToPhysical(last)) +
-      " mm; give it in the image's physical coordinates, LPS for medical files" +
-      (isRas ? ": with x and y negated it would lie inside, so it may be in RAS" : ""));
 }
 
 } // namespace FlipFree

@@ -40,12 +40,11 @@ void RequireProper(const ImageGeometry& geometry, const PointConstraint& constra
 }
 
 void RequireApart(const PointConstraint& outside, const SeedSphere& seed, const std::string& which,
-  const std::string& radius)
+  const std::string& remedy)
 {
   if ((outside.Point - seed.Center).norm() < seed.Radius)
   {
-    throw Error(ErrorCode::OutOfRange,
-      NameOf(outside) + " lies in " + which + "; move one of them, or lower " + radius);
+    throw Error(ErrorCode::OutOfRange, NameOf(outside) + " lies in " + which + "; " + remedy);
   }
 }
 
@@ -109,7 +108,7 @@ void RequireConstraints(const ImageGeometry& geometry, const ConstraintList& con
         if (other.Kind == ConstraintKind::Seed)
         {
           RequireApart(*one, { other.Point, other.Radius }, "the sphere of " + NameOf(other),
-            "its radius");
+            "move one of them, or lower the radius");
         }
       }
     }
@@ -117,7 +116,7 @@ void RequireConstraints(const ImageGeometry& geometry, const ConstraintList& con
 }
 
 void RequireConstraints(const ImageGeometry& geometry, const SeedSphere& seed,
-  const ConstraintList& constraints, const std::string& name)
+  const ConstraintList& constraints, const std::string& name, const std::string& filled)
 {
   RequireConstraints(geometry, constraints, name);
   for (const PointConstraint& constraint : constraints)
@@ -125,7 +124,9 @@ void RequireConstraints(const ImageGeometry& geometry, const SeedSphere& seed,
     if (constraint.Kind == ConstraintKind::Outside)
     {
       RequireApart(constraint, { seed.Center, CertainPartOfSeed * seed.Radius },
-        "the inner half of the seed sphere", "{SeedRadius}");
+        "the inner half of " +
+          (filled.empty() ? "the seed sphere" : "the largest sphere in " + filled),
+        filled.empty() ? "move one of them, or lower {SeedRadius}" : "move it");
     }
   }
 }

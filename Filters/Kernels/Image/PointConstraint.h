@@ -61,14 +61,15 @@ void TakeLargestSeed(SeedSphere& seed, ConstraintList& constraints);
 std::string NameOf(const PointConstraint& constraint);
 
 /// Throws Error, naming the constraint, where one lies outside the image, named by `name`, has a
-/// coordinate or a radius that is not finite, or contradicts another: an outside point in a further
-/// seed, or two kinds at one place.
+/// coordinate or a radius that is not finite, or a radius below a voxel, or contradicts another: an
+/// outside point in a further seed, or two kinds at one place.
 void RequireConstraints(const ImageGeometry& geometry, const ConstraintList& constraints,
   const std::string& name);
 
-/// Likewise, and where an outside point lies deep in the seed.
+/// Likewise, and where an outside point lies deep in the seed, which is the largest sphere in the
+/// label map named by `filled`, unless that is empty.
 void RequireConstraints(const ImageGeometry& geometry, const SeedSphere& seed,
-  const ConstraintList& constraints, const std::string& name);
+  const ConstraintList& constraints, const std::string& name, const std::string& filled);
 
 } // namespace FlipFree
 

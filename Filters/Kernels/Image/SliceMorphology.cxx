@@ -115,7 +115,7 @@ void MedianInSlices(BitMask& mask, const ParallelFor& parallelFor)
                 carry = next;
               }
             }
-            // Five or more.
+            // Of the nine pixels around, five are the majority.
             row[word] = digits[3] | (digits[2] & (digits[1] | digits[0]));
           }
         }

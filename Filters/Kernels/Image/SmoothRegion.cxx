@@ -1,5 +1,8 @@
 #include "Image/SmoothRegion.h"
 
+#include "Error.h"
+#include "MessageText.h"
+
 #include <algorithm>
 
 namespace FlipFree
@@ -12,6 +15,17 @@ double ReachOf(const SmoothingSettings& settings, double seedRadius)
   constexpr double maximum = 250;
   return settings.Reach > 0 ? settings.Reach
                             : std::max(minimum, std::min(maximum, radii * seedRadius));
+}
+
+void RequireReach(double reach, double seedRadius)
+{
+  constexpr double rounding = 1e-6;
+  if (reach > 0 && reach < (1 - rounding) * seedRadius)
+  {
+    throw Error(ErrorCode::OutOfRange,
+      "{Reach} is " + TextOf(reach) + " mm, less than the seed's radius of " + TextOf(seedRadius) +
+        " mm; raise {Reach}, or lower {SeedRadius}");
+  }
 }
 
 AnisotropicDiffusionSettings DiffusionOf(const SmoothingSettings& settings,

@@ -29,6 +29,9 @@ struct SmoothingSettings
 /// The reach in millimeters.
 double ReachOf(const SmoothingSettings& settings, double seedRadius);
 
+/// Throws Error where a reach is set that ends within the seed sphere.
+void RequireReach(double reach, double seedRadius);
+
 /// The diffusion that keeps edges above noise of the given standard deviation.
 AnisotropicDiffusionSettings DiffusionOf(const SmoothingSettings& settings,
   double noiseStandardDeviation);

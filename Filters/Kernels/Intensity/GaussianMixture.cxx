@@ -265,7 +265,7 @@ GaussianMixture FitGaussianMixture(const std::vector<float>& values,
   if (values.empty())
   {
     throw Error(ErrorCode::SeedWithoutVoxels,
-      "there are no voxels to fit the foreground's mixture to; enlarge the seed");
+      "there are no voxels to fit the foreground's mixture to; raise {SeedRadius}");
   }
   const Histogram histogram = MakeHistogram(values);
   const double minimumStandardDeviation = settings.MinimumStandardDeviation * histogram.Grain;

@@ -74,9 +74,13 @@ public:
     common.Intersect(this->Masks[1]);
     lost[0] = BitMask(common.GetGeometry());
     lost[1] = lost[0];
-    std::vector<bool> isCommon(common.GetGeometry().NumberOfVoxels(), false);
-    common.ForEach([&](std::size_t voxel) { isCommon[voxel] = true; });
-    this->Nodes = BlockNodes(isCommon.size(), [&](std::size_t voxel) { return isCommon[voxel]; });
+    const ImageGeometry& geometry = common.GetGeometry();
+    this->Nodes = BlockNodes(geometry.NumberOfVoxels(),
+      [&](std::size_t voxel)
+      {
+        const std::array<int, 3> index = IndexOf(voxel, geometry);
+        return common(index[0], index[1], index[2]);
+      });
     const std::vector<unsigned char> isFirst =
       SourceSide(this->MakeNetwork(), this->Parallel, monitor);
     if (isFirst.empty())
@@ -86,7 +90,7 @@ public:
     common.ForEach(
       [&](std::size_t voxel)
       {
-        const std::array<int, 3> index = IndexOf(voxel, common.GetGeometry());
+        const std::array<int, 3> index = IndexOf(voxel, geometry);
         lost[isFirst[this->Nodes[voxel]] ? 1 : 0].Insert(index[0], index[1], index[2]);
       });
     return true;
@@ -244,7 +248,7 @@ bool KeepPieceOfSeed(OrganClaim& claim, const Monitor& monitor)
   return KeepConnected(claim.Mask, VoxelsInSphere(claim.Mask.GetGeometry(), claim.Seed), monitor);
 }
 
-// Of fixed surfaces.
+// What lies in fixed surfaces is theirs.
 bool CutFixed(OrganClaim& claim, const Monitor& monitor)
 {
   const std::size_t before = claim.Mask.Count();

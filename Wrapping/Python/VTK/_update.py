@@ -31,6 +31,8 @@ def update(
 ) -> None:
     """Updates a filter, and raises `failure` with VTK's message if it reports an error.
 
+    VTK does not run a filter again that has not changed; one that has failed then fails again.
+
     For filters that are connected by hand. Only this filter is observed: in a pipeline, update each
     filter that may fail. `run` is called instead of Update(), if given. `names` maps properties to
     the arguments that set them, for use in messages; these then leave out ports.
@@ -61,8 +63,8 @@ def update(
         raise failure(with_names(errors[0], names or {}))
     if algorithm.GetErrorCode() >= vtkErrorCode.UserError:
         raise failure(
-            f"{algorithm.GetClassName()} has failed before, and VTK does not run it again, since neither "
-            "it nor its inputs have changed since then; change them, or call Modified() to see the error."
+            f"{algorithm.GetClassName()} failed in an earlier update and has not run again: nothing "
+            "has changed, or a filter before it has failed; call Modified() to see its error again."
         )
 
 

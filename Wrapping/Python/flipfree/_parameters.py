@@ -108,7 +108,7 @@ def floats(name: str, values: Any, count: int) -> list[float]:
     """`count` numbers, or an error that says which argument needs them."""
     try:
         given = list(values)
-        if any(isinstance(value, (str, bytes)) for value in given):
+        if any(isinstance(value, (str, bytes)) for value in (values, *given)):
             raise TypeError  # text that looks like a number is none
         numbers = [float(value) for value in given]
     except (TypeError, ValueError):

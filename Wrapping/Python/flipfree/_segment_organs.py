@@ -131,8 +131,8 @@ def _organ_of(name: Any, organ: Any) -> tuple[list[float], float, tuple[Constrai
     if unknown or missing:
         raise TypeError(
             f"organs: '{name}': "
-            + (f"'{missing[0]}' is missing; " if missing else f"there is no key '{unknown[0]}'; ")
-            + suggestion(str(unknown[0]) if unknown else "", KEYS)
+            + (f"there is no key '{unknown[0]}'; " if unknown else f"'{missing[0]}' is missing; ")
+            + (suggestion(str(unknown[0]), KEYS) if unknown else "")
             + f"its keys are {', '.join(KEYS)}"
         )
     points = constraints_of(*(organ.get(key, ()) for key in KEYS[2:]))

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from ._backend import RADII
 
+
 def is_seed_radius(radius: float) -> bool:
     """False for NaN, too.
 
