@@ -234,5 +234,5 @@ TEST(GaussianMixture, ThresholdHoldsTheMass)
 TEST(GaussianMixture, NoValuesAreRefused)
 {
   const std::string error = ErrorOf([] { FitGaussianMixture({}, MixtureSettings()); });
-  EXPECT_NE(error.find("enlarge the seed"), std::string::npos) << error;
+  EXPECT_NE(error.find("raise SeedRadius"), std::string::npos) << error;
 }

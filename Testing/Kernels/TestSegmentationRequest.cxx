@@ -391,7 +391,7 @@ TEST(GroupRequest, IsChecked)
   request.Organs.back().Constraints.front().Kind = ConstraintKind::Inside;
   ExpectGroupRefused(ball, request, "'right' has no seed");
   request = ball.Pair();
-  request.Settings.Method.Smoothing.Reach = 5;
+  request.Settings.Method.Smoothing.Reach = 0.5 * request.Organs.front().Constraints.front().Radius;
   ExpectGroupRefused(ball, request, "less than the seed's radius");
   ExpectGroupRefused(ball, request, "or lower its radius");
   request = ball.Pair();
