@@ -74,6 +74,6 @@ if arguments.picture:
     # From the left and behind, where the phantom's defects are.
     surfaces = [scene.space_view([with_defects(organ)],
                                  f"{name}: {organ.self_intersections} self-intersections",
-                                 towards=(1, 0.6, 0.5), zoom=1.1)
+                                 toward=(1, 0.6, 0.5), zoom=1.1)
                 for name, organ in organs.items()]
     scene.write_picture(arguments.picture, [slices, surfaces], size=520)

@@ -255,17 +255,17 @@ def figure_1(path, _):
     source = flipfree.vtkPhantomSource
     tube_settings = {"levels": 4, "diffusion_iterations": 0, "maximum_displacement": 0,
                      "uniform_weight": 0.1, "fairing": 1}
-    for letters, name, shape, settings, towards, row in (
+    for letters, name, shape, settings, toward, row in (
             ("cd", "cup", source.CUP, {"levels": 3}, FROM_ABOVE, 0),
             ("ef", "U-tube", source.U_TUBE, tube_settings, (-1, -3, 1), 1)):
         volume, seed, radius, start = enclosed(shape)
         organ = flipfree.segment(volume.GetOutput(), seed, radius, **{**start, **settings})
         rows[row] += [
             scene.space_view([scene.surface_actor(volume.GetSurface(), GREEN)],
-                             f"{letters[0]}  {name}, the object", towards),
+                             f"{letters[0]}  {name}, the object", toward),
             scene.space_view(with_checkerboard(organ.surface, 32, settings["levels"]),
                              f"{letters[1]}  {name}, from the sphere: "
-                             f"{organ.self_intersections} self-intersections", towards)]
+                             f"{organ.self_intersections} self-intersections", toward)]
     draw(path, rows)
 
 

@@ -128,13 +128,13 @@ def contour_actor(surface, center, plane, color=YELLOW, width=2.2):
     cutting.SetOrigin(center)
     cutting.SetNormal(normal)
     lines = vtkStripper()  # joined, so that there are no gaps between their ends
-    if surface.GetNumberOfPolys():
+    if surface.GetNumberOfLines():  # an outline of that slice already
+        lines.SetInputData(surface)
+    else:  # which may still be empty, and grow
         cutter = vtkCutter()
         cutter.SetInputData(surface)
         cutter.SetCutFunction(cutting)
         lines.SetInputConnection(cutter.GetOutputPort())
-    else:  # an outline of that slice already
-        lines.SetInputData(surface)
     mapper = vtkPolyDataMapper()
     mapper.SetInputConnection(lines.GetOutputPort())
     mapper.ScalarVisibilityOff()
@@ -175,12 +175,12 @@ def slice_view(actors, surface, plane, caption="", margin=1.4):
     return renderer
 
 
-def space_view(actors, caption="", towards=(-0.35, -1, 0.3), zoom=1.2, bounds=None):
+def space_view(actors, caption="", toward=(-0.35, -1, 0.3), zoom=1.2, bounds=None):
     """A view into space, from the front, a little from the right and from above."""
     renderer = _renderer(actors, caption)
     camera = renderer.GetActiveCamera()
     camera.SetFocalPoint(0, 0, 0)
-    camera.SetPosition(towards)
+    camera.SetPosition(toward)
     camera.SetViewUp(0, 0, 1)
     if bounds is None:
         renderer.ResetCamera()

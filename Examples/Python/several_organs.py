@@ -62,5 +62,5 @@ if arguments.picture:
     scene.write_picture(arguments.picture, [[
         scene.slice_view(axial, image, scene.AXIAL, legend, margin=1.02),
         scene.space_view([spine, *surfaces], "from the front", zoom=1.2, bounds=bounds),
-        scene.space_view(surfaces, "from behind", towards=(0.35, 1, 0.3), bounds=bounds)]],
+        scene.space_view(surfaces, "from behind", toward=(0.35, 1, 0.3), bounds=bounds)]],
         size=560)

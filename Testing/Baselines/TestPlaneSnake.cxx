@@ -25,7 +25,7 @@ int WindingNumber(const Outline& outline, const Eigen::Vector2d& point)
   return static_cast<int>(std::lround(angle / (2 * std::acos(-1))));
 }
 
-// Unit forces towards a circle.
+// Unit forces toward a circle.
 PlaneField FieldOfCircle(int size, const Eigen::Vector2d& center, double radius)
 {
   PlaneField field{ size, size, {} };

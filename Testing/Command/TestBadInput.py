@@ -32,6 +32,7 @@ class TestBadInput(command.CommandTest):
 
     def test_mistyped_words(self):
         self.assert_refused(command.run("segmant", self.volume), 2, r"subcommand 'segmant'\. Did you mean 'segment'\?", "flipfree --help")
+        self.assert_refused(command.run("segmant", self.volume, *self.seed), 2, r"subcommand 'segmant'\. Did you mean 'segment'\?")
         self.assert_refused(command.run("--foo"), 2, "option '--foo'", "flipfree --help")
         for words, message in ((("--resolutoin", 5), r"no option '--resolutoin'\. Did you mean '--resolution'\?"),
                                (("--qwertyuiop",), r"no option '--qwertyuiop'\. See"),

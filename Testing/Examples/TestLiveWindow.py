@@ -73,6 +73,9 @@ def main():
     assert rings > 10, f"the surface evolves while one watches, not in {rings} iterations"
     grown = window.surface.GetLength() / first
     assert grown > 1.3, f"the surface grows, not by {grown}"
+    for _, contour in window.slices[2::3]:
+        lines = contour.GetMapper().GetInput()
+        assert lines.GetNumberOfLines() > 0 and lines.GetNumberOfPolys() == 0, "slices show contours, no areas"
     os.makedirs(os.path.dirname(PICTURE), exist_ok=True)
     window.save(PICTURE)
 

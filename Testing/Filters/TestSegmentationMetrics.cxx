@@ -307,7 +307,7 @@ TEST(SegmentationMetrics, OfConcentricSpheresAreTheDifferenceOfRadii)
   EXPECT_NEAR(ofLabels->GetRelativeVolumeDifference(), std::pow(21 / 18.0, 3) - 1, 1e-2);
   EXPECT_EQ(ofLabels->GetOverlapOf(), "label map");
   EXPECT_EQ(ofLabels->GetDistanceOf(), "surface of label map");
-  // The steps of voxels reach towards each other.
+  // The steps of voxels reach toward each other.
   EXPECT_NEAR(ofLabels->GetASD(), 3, 0.25);
   ofLabels->SetLabelSmoothing(20);
   ofLabels->Update();

@@ -276,6 +276,8 @@ TEST(Corrections, AreRefusedByName)
     "mm are in the same place; remove one of them");
   has(ball.MessageOf({ ball.At(ConstraintKind::Outside, 1, 0, 0) }),
     "lies in the inner half of the seed sphere");
+  has(ball.MessageOf({ ball.At(ConstraintKind::Boundary, 1, 0, 0) }),
+    "lies in the inner half of the seed sphere");
   has(ball.MessageOf({ ball.At(ConstraintKind::Seed, 9, 0, 0, 0.5) }),
     "has a radius of 0.5 mm, where at least a voxel of it");
   has(ball.MessageOf(

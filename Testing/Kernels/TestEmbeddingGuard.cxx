@@ -300,7 +300,7 @@ TEST(EmbeddingGuard, MovedVerticesEndAtSinglePrecision)
   }
 }
 
-// Sheets that lie nearer than the gap from the start: they may move, but not towards each other.
+// Sheets that lie nearer than the gap from the start: they may move, but not toward each other.
 TEST(EmbeddingGuard, ThinSurfaces)
 {
   std::mt19937 random(6);

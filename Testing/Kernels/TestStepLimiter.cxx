@@ -175,9 +175,9 @@ void ExpectLimitsOfBruteForce(const GuardedScene& scene, std::uint32_t seed, int
   for (int repeat = 0; repeat < 20; ++repeat)
   {
     // Smooth and rough, so that now a shape ends the motion, now a contact.
-    const PointList towards = (-scene.Points).rowwise() + Eigen::RowVector3d(scene.Points.row(0));
+    const PointList toward = (-scene.Points).rowwise() + Eigen::RowVector3d(scene.Points.row(0));
     const PointList wanted = WhiteNoise(scene.Points.rows(), scene.Edge, random) +
-      static_cast<double>(repeat % 3) * towards * Eigen::DiagonalMatrix<double, 3>(1, 0.3, 0.1);
+      static_cast<double>(repeat % 3) * toward * Eigen::DiagonalMatrix<double, 3>(1, 0.3, 0.1);
     const double shape = TimeOfLostShape(scene.Mesh, scene.Points, scene.Points + wanted, 1024);
     const double contact = scene.TimeNearerThan(0.9 * scene.WantedDistance(), wanted);
     const double before =

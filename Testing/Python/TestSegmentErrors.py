@@ -80,7 +80,7 @@ class Failures(unittest.TestCase):
                 (ValueError, "^seed: 3 numbers are needed, not 2$", (1, 2), RADIUS),
                 (TypeError, "^seed: 3 numbers are needed, not", ("99", "84", "167"), RADIUS),
                 (TypeError, "^seed: 3 numbers are needed, not b'222'$", b"222", RADIUS),
-                (TypeError, "^radius: a number is needed, not", SEED, "28"),
+                (TypeError, "^radius: a number is needed, not '28'$", SEED, "28"),
                 (TypeError, "^seed: 3 numbers are needed, not 5$", 5, RADIUS),
                 (TypeError, "^radius: a number is needed, not", SEED, "wide"),
                 (ValueError, r"^radius: nan is not a number \(NaN\); give the radius", SEED, math.nan),

@@ -152,6 +152,36 @@ class Files(FileTest):
         with self.assertRaisesRegex(flipfree.FileError, "cannot be written.*folder exists"):
             flipfree.write_image(example(OBLIQUE), self.folder / "nowhere" / "a.nii")
 
+    def test_damaged_files_are_refused(self):
+        """SimpleITK reads some of them, with zeros in place of what is missing."""
+        voxels = numpy.random.default_rng(0).integers(0, 1000, (20, 30, 40)).astype(numpy.int16)
+        image = SimpleITK.GetImageFromArray(voxels)
+        data_of = {"packed.mhd": "packed.zraw", "plain.mhd": "plain.raw", "packed.nhdr": "packed.raw.gz"}
+        for stem, packs in (("packed", True), ("plain", False)):
+            for ending in (".nii.gz", ".nii", ".mha", ".mhd", ".nrrd", ".nhdr")[0 if packs else 1:]:
+                SimpleITK.WriteImage(image, str(self.folder / (stem + ending)), useCompression=packs)
+        scaled = nibabel.Nifti1Image(voxels, numpy.eye(4))
+        scaled.header.set_slope_inter(0.5, 3)  # of another type in memory than in the file
+        nibabel.save(scaled, self.folder / "plain.scaled.nii")
+        heads = sorted(path for path in self.folder.iterdir()
+                       if path.suffix in (".nii", ".gz", ".mha", ".mhd", ".nrrd", ".nhdr") and ".raw" not in path.suffixes)
+        self.assertGreater(len(heads), 10)
+        for head in heads:
+            flipfree.read_image(head)
+            data = self.folder / data_of.get(head.name, head.name)
+            whole = data.read_bytes()
+            damaged = {"cut": whole[:int(0.6 * len(whole))], "ends early": whole[:-20]}
+            # What is not compressed has no checksum; SimpleITK packs no plain .nii.
+            if head.name.startswith("packed") and head.name != "packed.nii":
+                middle = len(whole) // 2
+                damaged["overwritten"] = whole[:middle] + bytes(200) + whole[middle + 200:]
+            for damage, content in damaged.items():
+                data.write_bytes(content)
+                with self.subTest(head.name, damage=damage), self.assertRaisesRegex(
+                        flipfree.FileError, "truncated or damaged|cannot be read: it is damaged"):
+                    flipfree.read_image(head)
+            data.write_bytes(whole)
+
     def test_simpleitk_may_be_missing(self):
         program = ("import sys; sys.modules['SimpleITK'] = None; import flipfree\n"
                    "try: flipfree.read_image('.')\nexcept flipfree.FileError as error: print(error)")

@@ -2,7 +2,7 @@
 
   TestNotebook.py [--renew]
 
-With --renew, what the cells print and draw is written into the notebook; look at it afterwards.
+With --renew, what the cells print and draw is written into the notebook; look at it afterward.
 """
 
 import os

@@ -63,9 +63,9 @@ GOOD = {
 
 # What each is refused for.
 BAD = {
-    "cells.csv": ("inside,1,2\n", "line 1: there are 3 cells"),
-    "many.csv": ("\ninside,1,2,3,4,5\n", "line 2: there are 6 cells"),
-    "german.csv": ("kind;x;y;z\ninside;1;2;3\n", "line 1: there are 1 cells"),
+    "cells.csv": ("inside,1,2\n", "line 1: cells separated by commas: 3"),
+    "many.csv": ("\ninside,1,2,3,4,5\n", "line 2: cells separated by commas: 6"),
+    "german.csv": ("kind;x;y;z\ninside;1;2;3\n", "line 1: cells separated by commas: 1"),
     "order.csv": ("kind,z,y,x\ninside,1,2,3\n", "line 1: the columns are kind, x, y, z and"),
     "columns.csv": ("Kind,x,y,z,radius,name\n", "line 1: the columns are kind, x, y, z and"),
     "twice.csv": ("kind,x,y,z\nkind,x,y,z\n", "line 2: 'x' is not a number"),
@@ -214,7 +214,7 @@ class VesselFiles(unittest.TestCase):
                 self.assertEqual(self.read(name, content), expected)
 
     def test_bad(self):
-        for message, name, content in ((r"line 1: there are 4 cells; there are x, y, z\.$", "a.csv", "inside,1,2,3\n"),
+        for message, name, content in ((r"line 1: cells separated by commas: 4; needed are x, y, z\.$", "a.csv", "inside,1,2,3\n"),
                                        ("line 1: the columns are x, y, z, in this order", "a.csv", "x,z,y\n"),
                                        ("line 2: 'y' is not a number", "a.csv", "1,2,3\n1,y,3\n"),
                                        ("with the columns x, y and z", "a.mrk.json", "{"),

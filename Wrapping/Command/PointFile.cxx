@@ -98,8 +98,8 @@ CorrectionPoint PointOfLine(const std::vector<std::string>& cells)
 {
   if (cells.size() < 4 || cells.size() > 5)
   {
-    throw Failure("there are " + std::to_string(cells.size()) +
-      " cells; there are kind, x, y, z and, of a seed, radius");
+    throw Failure("cells separated by commas: " + std::to_string(cells.size()) +
+      "; needed are kind, x, y, z and, of a seed, radius");
   }
   CorrectionPoint point;
   for (int axis = 0; axis < 3; ++axis)

@@ -342,7 +342,7 @@ void Segment(const SegmentRequest& request)
 const char* const SegmentFooter =
   "Either all output files are written or none. The picture of --snapshot shows the contour on\n"
   "axial, sagittal and coronal slices through the surface's center, and the surface; it needs a\n"
-  "display (or xvfb-run).\n"
+  "display (or xvfb-run -a).\n"
   "\n"
   "Examples:\n"
   "  flipfree segment ct.nii.gz --seed 83 -154 321 --radius 26 -o liver.vtp\n"

@@ -42,6 +42,11 @@ std::string UnknownWordMessage(const CLI::App& program)
   const std::vector<CLI::App*> subcommands = program.get_subcommands();
   const CLI::App& command = subcommands.empty() ? program : *subcommands.front();
   const std::vector<std::string> unknown = command.remaining();
+  if (subcommands.empty() && !unknown.empty() && unknown.front().rfind('-', 0) != 0)
+  {
+    return "There is no subcommand '" + unknown.front() + "'." +
+      Suggestion(unknown.front(), SubcommandNamesOf(program));
+  }
   // The word after an unknown option may be its value, so the option is named first.
   const auto option = std::find_if(unknown.begin(), unknown.end(),
     [](const std::string& word) { return word.rfind('-', 0) == 0; });
@@ -54,9 +59,7 @@ std::string UnknownWordMessage(const CLI::App& program)
   {
     return {};
   }
-  return subcommands.empty() ? "There is no subcommand '" + unknown.front() + "'." +
-      Suggestion(unknown.front(), SubcommandNamesOf(program))
-                             : "Unexpected argument '" + unknown.front() + "'.";
+  return "Unexpected argument '" + unknown.front() + "'.";
 }
 
 /// The option that CLI11's message names; null if it names none.

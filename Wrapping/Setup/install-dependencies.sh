@@ -5,7 +5,7 @@
 #   install-dependencies.sh [build|test|paraview|browser]
 #
 #   build     what the toolkit, its Python package and the flipfree command need (default)
-#   test      besides, what the tests, the style checks and the benchmarks need
+#   test      in addition, what the tests, the style checks and the benchmarks need
 #   paraview  what the ParaView plugin needs, ParaView itself aside: that is what install-paraview.sh,
 #             beside this script, is for
 #   browser   what the page for the browser is built with, npm's packages aside: they are what

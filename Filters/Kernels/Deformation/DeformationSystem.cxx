@@ -7,7 +7,7 @@ namespace FlipFree
 namespace
 {
 
-// Pulls each edge towards the mean length of its contour, along its present direction.
+// Pulls each edge toward the mean length of its contour, along its present direction.
 void AddUniformTerm(const ContourMesh& mesh, const PointList& points, double weight,
   VertexField& right)
 {

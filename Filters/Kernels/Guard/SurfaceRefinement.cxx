@@ -117,7 +117,7 @@ public:
     }
   }
 
-  // Pulls the new points where the surface comes too near to itself towards their parents until
+  // Pulls the new points where the surface comes too near to itself toward their parents until
   // there are none. False if some remain; `involved` are then the old vertices near those.
   bool Run(const PointList& points, const ParallelFor& parallelFor, const Monitor& monitor,
     PointList& refined, std::set<int>& involved)

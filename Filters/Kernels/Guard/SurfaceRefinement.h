@@ -35,7 +35,7 @@ struct RefinementSurroundings
 };
 
 /// Refines a surface into one of four times as many vertices (MeshRefinement.h). Where the refined
-/// surface would intersect itself, it is pulled towards the old vertices there, and if that does
+/// surface would intersect itself, it is pulled toward the old vertices there, and if that does
 /// not help, the old surface is smoothed there, in growing neighborhoods if needed, under the
 /// guard, which opens its sharpest folds. `checked` false skips all that. Embedded is false when no
 /// attempt succeeded or the monitor stopped it; the mesh must then not be used. The

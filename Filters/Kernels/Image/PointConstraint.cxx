@@ -39,12 +39,12 @@ void RequireProper(const ImageGeometry& geometry, const PointConstraint& constra
   }
 }
 
-void RequireApart(const PointConstraint& outside, const SeedSphere& seed, const std::string& which,
+void RequireApart(const PointConstraint& point, const SeedSphere& seed, const std::string& which,
   const std::string& remedy)
 {
-  if ((outside.Point - seed.Center).norm() < seed.Radius)
+  if ((point.Point - seed.Center).norm() < seed.Radius)
   {
-    throw Error(ErrorCode::OutOfRange, NameOf(outside) + " lies in " + which + "; " + remedy);
+    throw Error(ErrorCode::OutOfRange, NameOf(point) + " lies in " + which + "; " + remedy);
   }
 }
 
@@ -121,7 +121,7 @@ void RequireConstraints(const ImageGeometry& geometry, const SeedSphere& seed,
   RequireConstraints(geometry, constraints, name);
   for (const PointConstraint& constraint : constraints)
   {
-    if (constraint.Kind == ConstraintKind::Outside)
+    if (constraint.Kind == ConstraintKind::Outside || constraint.Kind == ConstraintKind::Boundary)
     {
       RequireApart(constraint, { seed.Center, CertainPartOfSeed * seed.Radius },
         "the inner half of " +

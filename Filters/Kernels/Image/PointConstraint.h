@@ -66,8 +66,8 @@ std::string NameOf(const PointConstraint& constraint);
 void RequireConstraints(const ImageGeometry& geometry, const ConstraintList& constraints,
   const std::string& name);
 
-/// Likewise, and where an outside point lies deep in the seed, which is the largest sphere in the
-/// label map named by `filled`, unless that is empty.
+/// Likewise, and where an outside or a boundary point lies deep in the seed, which is the largest
+/// sphere in the label map named by `filled`, unless that is empty.
 void RequireConstraints(const ImageGeometry& geometry, const SeedSphere& seed,
   const ConstraintList& constraints, const std::string& name, const std::string& filled);
 

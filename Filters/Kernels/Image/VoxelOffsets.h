@@ -25,7 +25,7 @@ inline std::array<std::ptrdiff_t, 3> StepsOf(const ImageGeometry& geometry)
   return { { 1, row, row * geometry.Dimensions[1] } };
 }
 
-/// Calls visit(offset) for the voxels on the grid that share a face with one: towards -x, +x, -y,
+/// Calls visit(offset) for the voxels on the grid that share a face with one: toward -x, +x, -y,
 /// +y, -z, +z.
 template <typename Visit>
 void VisitNeighbors(std::size_t voxel, const ImageGeometry& geometry, const Visit& visit)

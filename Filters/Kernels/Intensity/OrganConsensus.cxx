@@ -216,7 +216,7 @@ private:
     {
       return std::nullopt;
     }
-    // In place, and read again afterwards: a copy would take as much memory as the image.
+    // In place, and read again afterward: a copy would take as much memory as the image.
     field->Flatten(this->Image.Geometry, this->Parallel, this->Image.Voxels.data());
     std::optional<BitMask> opinion = this->GrowAgain(this->Image.View());
     this->ReadImage();

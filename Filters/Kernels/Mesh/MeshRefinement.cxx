@@ -57,17 +57,17 @@ Eigen::RowVector3d TowardsTriangles(const PointList& points, const int* vertices
   int corner)
 {
   const Eigen::RowVector3d parent = points.row(vertices[corner]);
-  const auto towards = [&](int other) -> Eigen::RowVector3d
+  const auto toward = [&](int other) -> Eigen::RowVector3d
   { return 0.25 * (points.row(vertices[other % size]) - parent); };
   if (corner == 0 && size > 3)
   {
-    return towards(size / 2);
+    return toward(size / 2);
   }
   if (corner <= 1 || corner == size - 1)
   {
-    return towards(corner + 1) + towards(corner + size - 1);
+    return toward(corner + 1) + toward(corner + size - 1);
   }
-  return towards(0);
+  return toward(0);
 }
 
 } // namespace

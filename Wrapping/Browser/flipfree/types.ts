@@ -23,7 +23,7 @@ export interface Grid {
   direction: readonly number[];
 }
 
-/** A volume or a label map. The package keeps a copy of it in the worker: voxels must not change afterwards. */
+/** A volume or a label map. The package keeps a copy of it in the worker: voxels must not change afterward. */
 export interface Image extends Grid {
   voxels: Voxels;
 }

@@ -43,7 +43,7 @@ def write_image(
 ) -> None:
     """Writes a label map or a gray image: NIfTI (.nii, .nii.gz), NRRD (.nrrd), MetaImage (.mha).
 
-    There is either the whole file afterwards or, after an error, none of it. The package without VTK
+    There is either the whole file afterward or, after an error, none of it. The package without VTK
     needs SimpleITK, as for read_image().
 
     A path that ends on .seg.nrrd makes a label map a segmentation of 3D Slicer, in which each label

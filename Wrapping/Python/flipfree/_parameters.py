@@ -112,7 +112,8 @@ def floats(name: str, values: Any, count: int) -> list[float]:
             raise TypeError  # text that looks like a number is none
         numbers = [float(value) for value in given]
     except (TypeError, ValueError):
-        raise TypeError(f"{name}: {_numbers(count)} needed, not {values!r:.80}") from None
+        wrong = values[0] if count == 1 else values
+        raise TypeError(f"{name}: {_numbers(count)} needed, not {wrong!r:.80}") from None
     if len(numbers) != count:
         raise ValueError(f"{name}: {_numbers(count)} needed, not {len(numbers)}")
     return numbers

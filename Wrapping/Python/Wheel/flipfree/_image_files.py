@@ -7,6 +7,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from ._atomic import replacing
+from ._completeness import require_complete
 from ._dicom import read_series
 from ._errors import FileError
 from ._extras import ARRAY_INSTEAD, simpleitk
@@ -52,7 +53,7 @@ def write(
             # Not every writer notices a full disk.
             whole = sitk.ReadImage(temporary).GetSize() == itk_image.GetSize()
         except RuntimeError as error:
-            raise FileError(f"'{name}' cannot be written: {_last_line(error)}") from error
+            raise FileError(f"'{name}' cannot be written: {_last_line(error) or error}") from error
         if not whole:
             raise FileError(f"'{name}' cannot be written completely. Free some disk space.")
 
@@ -62,12 +63,15 @@ def _read_file(name: str) -> Image:
     sitk: Any = simpleitk(name, ARRAY_INSTEAD)
     try:
         image = sitk.ReadImage(name)
-        return adopted("image", image)
     except RuntimeError as error:
+        reason = _last_line(error)
         raise FileError(
-            f"'{name}' cannot be read: it is damaged, or its format does not match its extension "
-            f"({_last_line(error)})."
+            f"'{name}' cannot be read: it is damaged, or its format does not match its extension"
+            + (f" ({reason})." if reason else ".")
         ) from error
+    require_complete(name, image)
+    try:
+        return adopted("image", image)
     except ValueError as error:
         raise FileError(f"'{name}': {str(error).partition(': ')[2]}") from error
 
@@ -81,4 +85,4 @@ def _require_ending(name: str, endings: tuple[str, ...]) -> None:
 
 def _last_line(error: Exception) -> str:
     """What ITK says, without where in its source."""
-    return str(error).strip().splitlines()[-1].partition("): ")[2].strip(" .") or "no reason given"
+    return str(error).strip().splitlines()[-1].partition("): ")[2].strip(" .")

@@ -125,7 +125,7 @@ def _constraint_of_cells(cells: list[str], is_first: bool) -> Constraint | None:
             raise _Wrong("the columns are kind, x, y, z and, for seeds, radius, in this order")
         return None
     if len(cells) not in (4, 5):
-        raise _Wrong(f"there are {len(cells)} cells; there are kind, x, y, z and, of a seed, radius")
+        raise _Wrong(f"cells separated by commas: {len(cells)}; needed are kind, x, y, z and, of a seed, radius")
     place = [_number(cell) for cell in cells[1:4]]
     return _constraint(_lower(cells[0]), place, _number(cells[4]) if len(cells) == 5 else 0.0)
 
@@ -136,7 +136,7 @@ def _place_of_cells(cells: list[str], is_first: bool) -> tuple[float, ...] | Non
             raise _Wrong("the columns are x, y, z, in this order")
         return None
     if len(cells) != 3:
-        raise _Wrong(f"there are {len(cells)} cells; there are x, y, z")
+        raise _Wrong(f"cells separated by commas: {len(cells)}; needed are x, y, z")
     return tuple(_number(cell) for cell in cells)
 
 

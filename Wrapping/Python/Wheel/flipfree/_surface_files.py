@@ -24,7 +24,7 @@ def write_surface(surface: Surface | Segmentation, path: PathName) -> None:
     Where it comes from (see Segmentation.provenance) is in .vtp as field data, in .ply and .obj as
     comments.
 
-    There is either the whole file afterwards or, after an error, none of it. What was certified is
+    There is either the whole file afterward or, after an error, none of it. What was certified is
     in the file, bit for bit; only STL has triangles in place of the faces.
     """
     mesh = surface.mesh if isinstance(surface, Segmentation) else surface
@@ -44,7 +44,7 @@ def write_centerline(vessel: Vessel, path: PathName) -> None:
     """Writes the centerline of what trace() has returned as a .vtp file, in double precision.
 
     A poly line per branch, with the point arrays `Radius` and `ArcLength` (mm) and the cell array `Parent`.
-    There is either the whole file afterwards or, after an error, none of it.
+    There is either the whole file afterward or, after an error, none of it.
     """
     if not isinstance(vessel, Vessel):
         raise TypeError(f"vessel: what trace() has returned is needed, not {vessel!r:.80}")
