@@ -1,6 +1,7 @@
 #include "Deformation/SegmentationWarnings.h"
 
 #include "Deformation/PlausibilityCheck.h"
+#include "Intensity/RobustStatistics.h"
 #include "Intensity/SurfaceConfidence.h"
 #include "MessageText.h"
 
@@ -12,6 +13,24 @@ namespace FlipFree
 {
 namespace
 {
+
+// Of 98 seeds within organs none has more than 3.9, two-colored kidneys included; a sphere that is
+// twice as large as a liver has 3.4, and then it grows quickly.
+constexpr double MixedSeedScatter = 4.5;
+constexpr std::size_t FewestVoxelsInSeed = 100; // of the inner half; of fewer, scatter is chance
+
+// Between the tenth and the ninetieth percentile.
+double ScatterIn(const ImageView<float>& image, const std::vector<std::size_t>& voxels)
+{
+  std::vector<float> values;
+  values.reserve(voxels.size());
+  for (const std::size_t voxel : voxels)
+  {
+    values.push_back(image.Data[voxel]);
+  }
+  const float high = TakeQuantile(values, 0.9);
+  return high - TakeQuantile(values, 0.1);
+}
 
 std::string WarningOf(const Implausibility& finding, double reach)
 {
@@ -79,6 +98,25 @@ std::vector<std::string> WarningsOf(const OrganSurface& organ, const ImageGeomet
     warnings.push_back(WarningOf(finding, ReachOf(settings.Smoothing, seed.Radius)));
   }
   return warnings;
+}
+
+std::string WarningOfMixedSeed(const ImageView<float>& image, const SeedSphere& seed)
+{
+  const std::vector<std::size_t> inner =
+    VoxelsInSphere(image.Geometry, { seed.Center, 0.5 * seed.Radius });
+  if (inner.size() < FewestVoxelsInSeed)
+  {
+    return {};
+  }
+  const double scatter = ScatterIn(image, VoxelsInSphere(image.Geometry, seed));
+  const double ofInner = ScatterIn(image, inner);
+  if (!(scatter > MixedSeedScatter * ofInner))
+  {
+    return {};
+  }
+  return "The gray values in the seed sphere of " + TextOf(seed.Radius) +
+    " mm scatter far more than those in its inner half, so the sphere may reach out of the organ; "
+    "lower {SeedRadius} or move {SeedCenter}.";
 }
 
 std::string DoubtOf(double confidence, const OrganSegmentationSettings& settings)

@@ -18,6 +18,10 @@ std::vector<std::string> WarningsOf(const OrganSurface& organ, const ImageGeomet
   const ImageGeometry& image, const SeedSphere& seed, const OrganSegmentationSettings& settings,
   bool startsAtSeed);
 
+/// A message for a seed sphere whose gray values scatter far more than those of its inner half,
+/// with its remedy; empty for any other. `image` has values in the sphere, before smoothing.
+std::string WarningOfMixedSeed(const ImageView<float>& image, const SeedSphere& seed);
+
 /// A message for a result of low confidence, with its remedy; empty for any other, and without
 /// carving, for which the threshold does not hold.
 std::string DoubtOf(double confidence, const OrganSegmentationSettings& settings);

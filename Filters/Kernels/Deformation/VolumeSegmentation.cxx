@@ -29,11 +29,16 @@ constexpr double MarginOfPoint = 30;
 // A surface rounds off the corners of voxels: this part of a mask.
 constexpr double MissedSilently = 0.05;
 
-double NoiseOf(const GrayVolume& volume, const SeedSphere& seed)
+FloatImage BoxOf(const GrayVolume& volume, const SeedSphere& seed)
 {
   const VoxelBox box = BoxAround(volume.Geometry, seed.Center, seed.Radius);
-  const FloatImage region = ReadBox(volume.Read, volume.Geometry, box, SerialFor);
-  return NoiseStandardDeviation(region.View(), seed);
+  return ReadBox(volume.Read, volume.Geometry, box, SerialFor);
+}
+
+double NoiseOf(const GrayVolume& volume, const SeedSphere& seed)
+{
+  const FloatImage box = BoxOf(volume, seed);
+  return NoiseStandardDeviation(box.View(), seed);
 }
 
 VoxelReader PartOf(const VoxelReader& read, const VoxelBox& box)
@@ -252,6 +257,13 @@ void VolumeSegmenter::Complete(const ConstraintList& constraints, VolumeSegmenta
     this->Threads.For);
   result.Warnings = WarningsOf(organ, this->Region, geometry, this->Seed, method,
     this->StartsAtSeed && !this->Given);
+  const FloatImage ofSeed = this->Given ? FloatImage() : BoxOf(this->Volume, this->Seed);
+  const std::string mixed =
+    this->Given ? std::string() : WarningOfMixedSeed(ofSeed.View(), this->Seed);
+  if (!mixed.empty())
+  {
+    result.Warnings.push_back(mixed);
+  }
   const std::string doubt = DoubtOf(result.Confidence.OfSurface, method);
   // The threshold is for what was found in the image alone.
   if (result.Warnings.empty() && !doubt.empty() && isFree && !this->Given)

@@ -22,8 +22,8 @@ class _Voxels(NamedTuple):
     deflated: bool
     """By zlib or gzip, from the offset on."""
 
-    count: int
-    """How many bytes they are, inflated."""
+    size: int
+    """In bytes, inflated."""
 
 
 def require_complete(name: str, image: Any) -> None:
@@ -48,8 +48,8 @@ def require_complete(name: str, image: Any) -> None:
     with open(voxels.name, "rb") as file:
         file.seek(voxels.offset)
         if voxels.deflated:
-            _require_stream(name, file, voxels.count)
-        elif os.path.getsize(voxels.name) < voxels.offset + voxels.count:
+            _require_stream(name, file, voxels.size)
+        elif os.path.getsize(voxels.name) < voxels.offset + voxels.size:
             raise _incomplete(name, "it holds fewer voxels than its header says")
 
 
