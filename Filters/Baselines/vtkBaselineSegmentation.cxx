@@ -281,13 +281,13 @@ void vtkBaselineSegmentation::Segment(vtkImageData* image, vtkPolyData* path, vt
   const FlipFree::ImageGeometry geometry = FlipFree::GeometryOf(image);
   FlipFree::BaselineTask task;
   task.Seeds = this->Seeds();
+  FlipFree::SmoothingSettings settings; // for the default reach
+  settings.Reach = this->Reach;
   FlipFree::VoxelBox box;
   for (const FlipFree::SeedSphere& seed : task.Seeds)
   {
     FlipFree::RequireSeed(geometry, seed, InputName);
-    FlipFree::RequireReach(this->Reach, seed.Radius);
-    FlipFree::SmoothingSettings settings; // for the default reach
-    settings.Reach = this->Reach;
+    FlipFree::RequireReach(settings, seed.Radius);
     box = box.Joined(
       FlipFree::BoxAround(geometry, seed.Center, FlipFree::ReachOf(settings, seed.Radius)));
   }

@@ -53,7 +53,7 @@
  * empty.
  * - Image: no scalars, several components, no voxels, or voxels that are not finite near the seed.
  * - Seed: its center outside the image; smaller than a voxel, or wider than the image's longest
- * side; a Reach that ends within it; no contrast to its surroundings.
+ *   side; a Reach that ends within it; no contrast to its surroundings.
  * - Start surface: open, not four-valent, or self-intersecting.
  * - Constraint, which the error names: outside the image, contradicting another one or the seed,
  *   not to be obeyed by a surface of one piece, or given without the guard.
@@ -63,15 +63,15 @@
  *
  * Warnings, which still give a result:
  * - The seed sphere reaches beyond the image, its gray values scatter far more than those in its
- * inner half, or the surface touches the end of Reach.
+ *   inner half, or the surface touches the end of Reach.
  * - No vertex found a boundary, or the surface could not be refined.
  * - A surface grown from the seed under the guard may be air's: more than a tenth of it found no
  *   boundary (unless search lines are shorter than by default), or more than a quarter of it lies
- * at the image's border along two axes.
+ *   at the image's border along two axes.
  * - If none of these applies: the confidence is below 0.85. Look at the contour where its
- * confidence is low, and correct it there by points. There is no such warning with constraints, of
- * which the confidence's threshold knows nothing, nor without carving, as in the presets Published
- * and Naive.
+ *   confidence is low, and correct it there by points. There is no such warning with constraints,
+ *   of which the confidence's threshold knows nothing, nor without carving, as in the presets
+ *   Published and Naive.
  * - A surface that fills start labels misses more than a twentieth of their voxels.
  *
  * Source: the paper, Algorithm 1 and sections 3.1 to 3.6. Each extension has its own switch.

@@ -14,12 +14,12 @@
  *
  * Input port 0: vtkImageData, one scalar component, smoothed. Field data `NoiseStandardDeviation`
  * of vtkSeedRegionDiffusion is used where present; otherwise the noise is measured in the seed.
- * Input port 1, optional: vtkPolyData, a closed surface that has found the organ
- * (SetSurfaceConnection). Output port 0: vtkImageData of the input's geometry, float scalars
- * `Feature`, 0 to 1. Field data, doubles: `FeatureThreshold` (1 value), `SeedRadius` (1 value, mm;
- * after carving, that of a ball of the foreground's volume, if greater), `MixtureWeights`,
- * `MixtureMeans`, `MixtureStandardDeviations` (one per component, gray values), `EdgeRamp` (3
- * values: low, high, width, by which vtkCorrespondenceSearch reads edges).
+ * Input port 1, optional: vtkPolyData, a closed surface of the organ (SetSurfaceConnection).
+ * Output port 0: vtkImageData of the input's geometry, float scalars `Feature`, 0 to 1. Field data,
+ * doubles: `FeatureThreshold` (1 value), `SeedRadius` (1 value, mm; after carving, that of a ball
+ * of the foreground's volume, if greater), `MixtureWeights`, `MixtureMeans`,
+ * `MixtureStandardDeviations` (one per component, gray values), `EdgeRamp` (3 values: low, high,
+ * width, by which vtkCorrespondenceSearch reads edges).
  *
  * Errors, with a code of FlipFreeErrorCode.h: as vtkSeedRegionDiffusion; a surface that is open, or
  * holds no voxel of the image; a seed that holds no voxel, or, unless a surface takes its place,

@@ -101,7 +101,7 @@ int vtkSeedRegionDiffusion::RequestData(vtkInformation*, vtkInformationVector** 
     FlipFree::RequireGrayImage(image, "the image{ on port 0}");
     const FlipFree::ImageGeometry geometry = FlipFree::GeometryOf(image);
     FlipFree::RequireSeed(geometry, seed, "the image{ on port 0}");
-    FlipFree::RequireReach(this->Settings->Reach, seed.Radius);
+    FlipFree::RequireReach(*this->Settings, seed.Radius);
     const FlipFree::VoxelBox box =
       FlipFree::BoxAround(geometry, seed.Center, FlipFree::ReachOf(*this->Settings, seed.Radius));
     FlipFree::RequireFinite(image, box, "the image{ on port 0}");

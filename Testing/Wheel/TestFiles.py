@@ -1,5 +1,6 @@
 """Files by SimpleITK, and images of SimpleITK and nibabel: every voxel is where the toolkit's own reader has it."""
 
+import gzip
 import itertools
 import json
 import os
@@ -181,6 +182,14 @@ class Files(FileTest):
                         flipfree.FileError, "truncated or damaged|cannot be read: it is damaged"):
                     flipfree.read_image(head)
             data.write_bytes(whole)
+        # A stream that is whole, but too short.
+        whole = gzip.decompress((self.folder / "packed.nii.gz").read_bytes())
+        (self.folder / "short.nii.gz").write_bytes(gzip.compress(whole[:-2000]))
+        with self.assertRaisesRegex(flipfree.FileError, "fewer voxels than its header says"):
+            flipfree.read_image(self.folder / "short.nii.gz")
+        half = len(whole) // 2
+        (self.folder / "members.nii.gz").write_bytes(gzip.compress(whole[:half]) + gzip.compress(whole[half:]))
+        flipfree.read_image(self.folder / "members.nii.gz")
 
     def test_simpleitk_may_be_missing(self):
         program = ("import sys; sys.modules['SimpleITK'] = None; import flipfree\n"

@@ -29,18 +29,6 @@ constexpr double MarginOfPoint = 30;
 // A surface rounds off the corners of voxels: this part of a mask.
 constexpr double MissedSilently = 0.05;
 
-FloatImage BoxOf(const GrayVolume& volume, const SeedSphere& seed)
-{
-  const VoxelBox box = BoxAround(volume.Geometry, seed.Center, seed.Radius);
-  return ReadBox(volume.Read, volume.Geometry, box, SerialFor);
-}
-
-double NoiseOf(const GrayVolume& volume, const SeedSphere& seed)
-{
-  const FloatImage box = BoxOf(volume, seed);
-  return NoiseStandardDeviation(box.View(), seed);
-}
-
 VoxelReader PartOf(const VoxelReader& read, const VoxelBox& box)
 {
   return [read, first = box.Begin](int begin, int end, int j, int k, float* to)
@@ -176,7 +164,7 @@ void VolumeSegmenter::PrepareBox(const VoxelBox& box)
   this->Release();
   this->Volume.RequireFinite(box);
   this->Box = box;
-  this->Noise = NoiseOf(this->Volume, this->Seed);
+  this->LookAtSeed();
   this->Region = CropGeometry(this->Volume.Geometry, box);
   AnisotropicDiffusionSettings diffusion = DiffusionOf(smoothing, this->Noise);
   diffusion.Threads = this->Threads.Number;
@@ -190,6 +178,15 @@ void VolumeSegmenter::PrepareBox(const VoxelBox& box)
   }
 }
 
+void VolumeSegmenter::LookAtSeed()
+{
+  const ImageGeometry& geometry = this->Volume.Geometry;
+  const FloatImage around = ReadBox(this->Volume.Read, geometry,
+    BoxAround(geometry, this->Seed.Center, this->Seed.Radius), SerialFor);
+  this->Noise = NoiseStandardDeviation(around.View(), this->Seed);
+  this->MixedSeed = this->Given ? std::string() : WarningOfMixedSeed(around.View(), this->Seed);
+}
+
 void VolumeSegmenter::Release()
 {
   this->Organ.reset();
@@ -201,7 +198,7 @@ OrganSegmenter& VolumeSegmenter::Prepare(const ConstraintList& constraints)
   RequireConstraints(this->Volume.Geometry, this->Seed, constraints, this->Name, this->GivenName);
   if (!this->Given)
   {
-    RequireReach(this->Settings.Method.Smoothing.Reach, this->Seed.Radius);
+    RequireReach(this->Settings.Method.Smoothing, this->Seed.Radius);
   }
   RequireGuard(constraints, this->Settings.Method.Step.Guard);
   const VoxelBox box = this->RegionOf(constraints);
@@ -257,12 +254,9 @@ void VolumeSegmenter::Complete(const ConstraintList& constraints, VolumeSegmenta
     this->Threads.For);
   result.Warnings = WarningsOf(organ, this->Region, geometry, this->Seed, method,
     this->StartsAtSeed && !this->Given);
-  const FloatImage ofSeed = this->Given ? FloatImage() : BoxOf(this->Volume, this->Seed);
-  const std::string mixed =
-    this->Given ? std::string() : WarningOfMixedSeed(ofSeed.View(), this->Seed);
-  if (!mixed.empty())
+  if (!this->MixedSeed.empty())
   {
-    result.Warnings.push_back(mixed);
+    result.Warnings.push_back(this->MixedSeed);
   }
   const std::string doubt = DoubtOf(result.Confidence.OfSurface, method);
   // The threshold is for what was found in the image alone.

@@ -110,6 +110,7 @@ public:
 private:
   VoxelBox RegionOf(const ConstraintList& constraints) const;
   void PrepareBox(const VoxelBox& box);
+  void LookAtSeed();
 
   const GrayVolume Volume;
   const std::string Name;
@@ -125,6 +126,7 @@ private:
   std::string GivenName;                ///< of the mask
 
   double Noise = 0;
+  std::string MixedSeed; ///< a warning, if any
   VoxelBox Box;
   ImageGeometry Region;
   std::unique_ptr<SmoothRegion> Smooth;

@@ -1,19 +1,13 @@
 #include "Image/PointCheck.h"
 
 #include "Error.h"
+#include "Image/SeedRegion.h"
 #include "MessageText.h"
 
 namespace FlipFree
 {
 namespace
 {
-
-bool IsWithin(const ImageGeometry& geometry, const Eigen::Vector3d& point)
-{
-  const Eigen::Array3d index = geometry.ToIndex(point);
-  const auto& size = geometry.Dimensions;
-  return (index >= -0.5).all() && (index <= Eigen::Array3d(size[0], size[1], size[2]) - 0.5).all();
-}
 
 // Of the box around all voxels, to a tenth of a millimeter.
 std::string ExtentText(const ImageGeometry& geometry)
@@ -42,9 +36,10 @@ void RequirePoint(const ImageGeometry& geometry, const Eigen::Vector3d& point,
   {
     throw Error(ErrorCode::NonFiniteValue, what + " is not a place; give three finite numbers");
   }
-  if (!IsWithin(geometry, point))
+  if (!ContainsSphere(geometry, { point, 0 }))
   {
-    const bool isMirrored = IsWithin(geometry, Eigen::Vector3d(-point[0], -point[1], point[2]));
+    const bool isMirrored =
+      ContainsSphere(geometry, { Eigen::Vector3d(-point[0], -point[1], point[2]), 0 });
     throw Error(ErrorCode::OutOfRange,
       what + " lies outside " + name + ", which spans " + ExtentText(geometry) +
         (isMirrored ? "; with x and y negated it would lie inside: check whether it is LPS or RAS"

@@ -17,8 +17,9 @@ double ReachOf(const SmoothingSettings& settings, double seedRadius)
                             : std::max(minimum, std::min(maximum, radii * seedRadius));
 }
 
-void RequireReach(double reach, double seedRadius)
+void RequireReach(const SmoothingSettings& settings, double seedRadius)
 {
+  const double reach = settings.Reach;
   constexpr double rounding = 1e-6;
   if (reach > 0 && reach < (1 - rounding) * seedRadius)
   {

@@ -30,7 +30,7 @@ struct SmoothingSettings
 double ReachOf(const SmoothingSettings& settings, double seedRadius);
 
 /// Throws Error where a reach is set that ends within the seed sphere.
-void RequireReach(double reach, double seedRadius);
+void RequireReach(const SmoothingSettings& settings, double seedRadius);
 
 /// The diffusion that keeps edges above noise of the given standard deviation.
 AnisotropicDiffusionSettings DiffusionOf(const SmoothingSettings& settings,

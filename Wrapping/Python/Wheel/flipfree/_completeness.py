@@ -111,24 +111,22 @@ def _header(name: str, end: bytes) -> str:
 
 
 def _require_stream(name: str, file: BinaryIO, wanted: int) -> None:
-    """Inflates to the end, of several gzip members one after the other."""
+    """Inflates to the end, of several gzip members one after the other, a part at a time."""
     found = 0
     inflating = zlib.decompressobj(zlib.MAX_WBITS + 32)
     packed = file.read(CHUNK)
     while packed:
         try:
-            found += len(inflating.decompress(packed))
+            found += len(inflating.decompress(packed, CHUNK))
         except zlib.error:
             break
-        if not inflating.eof:
-            packed = file.read(CHUNK)
-            continue
-        if found >= wanted:
+        packed = inflating.unconsumed_tail or inflating.unused_data or file.read(CHUNK)
+        if inflating.eof and found >= wanted:
             return
-        packed = inflating.unused_data or file.read(CHUNK)
-        inflating = zlib.decompressobj(zlib.MAX_WBITS + 32)
-    if found < wanted and not packed and inflating.eof:
-        raise _incomplete(name, "it holds fewer voxels than its header says")
+        if inflating.eof and not packed:
+            raise _incomplete(name, "it holds fewer voxels than its header says")
+        if inflating.eof:
+            inflating = zlib.decompressobj(zlib.MAX_WBITS + 32)
     raise _incomplete(name, "its compressed stream breaks off or fails its checksum")
 
 
