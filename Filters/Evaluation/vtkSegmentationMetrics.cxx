@@ -143,9 +143,9 @@ FlipFree::SegmentationScores vtkSegmentationMetrics::Measure(vtkDataObject* inpu
         settings.SegmentationLabel, "SegmentationLabel");
     scores = ScoreLabels(segmentation, reference, settings, SMPFor, MonitorOf(this));
   }
-  if (!scores.Warning.empty())
+  for (const std::string& warning : scores.Warnings)
   {
-    FlipFreeWarningMacro(scores.Warning);
+    FlipFreeWarningMacro(warning);
   }
   return scores;
 }

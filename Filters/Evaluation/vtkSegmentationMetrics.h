@@ -36,8 +36,10 @@
  * scalars, with several components, of bits, or with a spacing that is not positive, a surface that
  * is empty, open or not finite, or encloses no voxel center of the reference, a surface that would
  * need more than a hundred million samples (raise SampleSpacing), a SampleSpacing that is not a
- * number. A warning, which still gives measures: a reference of several labels, or of values that
- * no label map has, if none of them was chosen and the segmentation has only one.
+ * number. Warnings, which still give measures:
+ *  - a reference of several labels, or of values that no label map has, if none of them was chosen
+ *    and the segmentation has only one;
+ *  - a surface with points more than a voxel outside the reference's grid.
  *
  * Definitions: L. Maier-Hein et al., Metrics reloaded, Nature Methods 21 (2024), but with
  * area-weighted samples instead of boundary voxels.

@@ -291,10 +291,10 @@ test("scores are the command's", async () => {
     "referenceVolume",
     "overlapOf",
     "distanceOf",
-    "warning",
+    "warnings",
   ]);
   const ofAll = await flipfree.evaluate(labelMapOf(liver, phantom.image), phantom.labelMap);
-  assert.match(ofAll.warning, /^The reference has the labels .*; to compare it with one, set referenceLabel\.$/);
+  assert.match(ofAll.warnings.join(), /^The reference has the labels .*; to compare it with one, set referenceLabel\.$/);
 });
 
 test("files are what the command reads", async () => {

@@ -1,8 +1,7 @@
 // Carving on phantoms whose necks and boundaries are known.
-#include "ExampleMasks.h"
 #include "ExampleSurfaces.h"
+#include "ExampleVolumes.h"
 #include "Image/BallInside.h"
-#include "Image/GaussianSmoothing.h"
 #include "Intensity/HalfContrastRim.h"
 #include "Intensity/HollowCarving.h"
 #include "Intensity/NeckCarving.h"
@@ -11,57 +10,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <functional>
 
 using namespace FlipFree;
 
 namespace
 {
-
-using Shape = std::function<bool(const Eigen::Vector3d&)>;
-
-Shape BallShape(const Eigen::Vector3d& center, double radius)
-{
-  return [=](const Eigen::Vector3d& point) { return (point - center).norm() < radius; };
-}
-
-BitMask MaskOf(const ImageGeometry& geometry, const Shape& shape)
-{
-  BitMask mask(geometry);
-  ForEachVoxel(geometry,
-    [&](int i, int j, int k)
-    {
-      if (shape(geometry.ToPhysical(Eigen::Vector3d(i, j, k))))
-      {
-        mask.Insert(i, j, k);
-      }
-    });
-  return mask;
-}
-
-// `inside` in the shape, `outside` around it, blurred by a Gaussian.
-FloatImage ImageOf(const ImageGeometry& geometry, const Shape& shape, float inside, float outside,
-  double blur, double noise)
-{
-  FloatImage image{ geometry, {} };
-  ForEachVoxel(geometry,
-    [&](int i, int j, int k)
-    {
-      const bool is = shape(geometry.ToPhysical(Eigen::Vector3d(i, j, k)));
-      image.Voxels.push_back(is ? inside - outside : 0);
-    });
-  if (blur > 0)
-  {
-    SmoothGaussian(image.Voxels, geometry, blur, SerialFor);
-  }
-  std::mt19937 random(1);
-  std::normal_distribution<double> normal(0, noise);
-  for (float& voxel : image.Voxels)
-  {
-    voxel += outside + static_cast<float>(normal(random));
-  }
-  return image;
-}
 
 // Of the ball of the same volume.
 double RadiusOf(const BitMask& mask)

@@ -174,7 +174,7 @@ TEST(SegmentationScores, OfAMaskAgainstItselfArePerfect)
   EXPECT_NEAR(scores.ASD, 0, 1e-12);
   EXPECT_NEAR(scores.HD, 0, 1e-12);
   EXPECT_EQ(scores.OverlapOf, "label map");
-  EXPECT_TRUE(scores.Warning.empty());
+  EXPECT_TRUE(scores.Warnings.empty());
 }
 
 TEST(SegmentationScores, AreOfLabelMapsWithVoxelsOnAGrid)
@@ -198,7 +198,27 @@ TEST(SegmentationScores, SayWhichLabelsThereAre)
   volume.Labels.front() = 5;
   const SegmentationScores scores =
     ScoreLabels(volume.Reference(1), volume.Reference(-1), {}, SerialFor, NeverStop);
-  EXPECT_EQ(scores.Warning.find("The reference has the labels 1, 5;"), 0U);
+  ASSERT_EQ(scores.Warnings.size(), 1U);
+  EXPECT_EQ(scores.Warnings[0].find("The reference has the labels 1, 5;"), 0U);
+}
+
+TEST(SegmentationScores, SayHowMuchOfASurfaceLiesOutsideTheReference)
+{
+  const Volume volume; // ends at 95 mm
+  const auto warningsOf = [&](double x)
+  {
+    const DeformableSurface ball = MakeStartSphere(16, { x, 48, 48 }, 11);
+    return ScoreSurface(ball.Points, ball.Mesh.Triangles, volume.Reference(1), {}, SerialFor,
+      NeverStop)
+      .Warnings;
+  };
+  EXPECT_TRUE(warningsOf(85).empty()); // less than a voxel
+  ASSERT_EQ(warningsOf(97).size(), 1U);
+  EXPECT_EQ(warningsOf(97)[0].find("50 % of the segmentation's points lie outside the reference;"),
+    0U)
+    << warningsOf(97)[0];
+  ASSERT_EQ(warningsOf(86.05).size(), 1U);
+  EXPECT_EQ(warningsOf(86.05)[0].find("Less than 1 % of the segmentation's points"), 0U);
 }
 
 TEST(PhantomVolume, RefusesIntensitiesThatDoNotFit)

@@ -2,6 +2,7 @@
 
 #include "Intensity/OrganCarving.h"
 #include "Intensity/OrganConsensus.h"
+#include "Intensity/VenaCavaCarving.h"
 
 namespace FlipFree
 {
@@ -23,10 +24,12 @@ bool CarveForeground(const CarvedForegroundInputs& inputs, const ParallelFor& pa
   }
   unanimity = 1;
   const bool seeks = settings.Consensus && settings.ControlLeaks && IsDoubtful(inside, foreground);
-  return !seeks ||
-    (inputs.MakeSmooth(ConsensusBox(foreground, seed)) &&
-      SeekConsensus(smooth, seed, inputs.Noise, settings, parallelFor, PartOf(monitor, 0.4, 1),
-        foreground, &unanimity));
+  return (!seeks ||
+           (inputs.MakeSmooth(ConsensusBox(foreground, seed)) &&
+             SeekConsensus(smooth, seed, inputs.Noise, settings, parallelFor,
+               PartOf(monitor, 0.4, 0.95), foreground, &unanimity))) &&
+    CarveVenaCava(smooth, inputs.MakeSmooth, inside, seed, settings.Modality, parallelFor,
+      PartOf(monitor, 0.95, 1), foreground);
 }
 
 } // namespace FlipFree

@@ -7,6 +7,8 @@
 #include "Measures/VoxelOverlap.h"
 #include "Mesh/SurfaceVoxelization.h"
 
+#include <cmath>
+
 namespace FlipFree
 {
 namespace
@@ -49,31 +51,54 @@ void Store(const SurfaceDistance& distance, SegmentationScores& scores)
   scores.Complete = distance.Complete;
 }
 
+// A surface may follow the border of the image; what lies further out is another image's.
+void WarnOfPointsOutside(const PointList& points, const LabelMask& reference,
+  std::vector<std::string>& warnings)
+{
+  constexpr double margin = 1; // voxels beyond the outer faces
+  const ImageGeometry& geometry = reference.Mask.GetGeometry();
+  const Eigen::Array3d end =
+    Eigen::Array3i(geometry.Dimensions[0], geometry.Dimensions[1], geometry.Dimensions[2])
+      .cast<double>();
+  Eigen::Index outside = 0;
+  for (Eigen::Index point = 0; point < points.rows(); ++point)
+  {
+    const Eigen::Array3d index = geometry.ToIndex(points.row(point)).array() + 0.5;
+    outside += (index < -margin).any() || (index > end + margin).any() ? 1 : 0;
+  }
+  if (outside > 0)
+  {
+    const long percent = std::lround(100.0 * outside / points.rows());
+    warnings.push_back((percent < 1 ? "Less than 1" : std::to_string(percent)) +
+      " % of the segmentation's points lie outside " + reference.Name +
+      "; overlap and volume count only what lies within it; check that both are in the same "
+      "physical coordinates.");
+  }
+}
+
 // A segmentation of one organ, or a surface, against a reference of several.
-std::string WarningOf(const LabelMask* segmentation, const LabelMask& reference)
+void WarnOfLabels(const LabelMask* segmentation, const LabelMask& reference,
+  std::vector<std::string>& warnings)
 {
   if (reference.Label >= 0)
   {
-    return {};
+    return;
   }
   // Mostly there is but one, and the segmentation need not be looked through.
   const LabelValues values = reference.Values();
   if (!values.AreSeveral() ||
     (segmentation && segmentation->Label < 0 && segmentation->Values().AreSeveral()))
   {
-    return {};
+    return;
   }
   const std::string labels = TextOf(values.Labels);
   const std::string others = TextOf(values.Others);
-  if (others.empty())
-  {
-    return "The reference has the labels " + labels +
-      "; the segmentation has one organ only: it is compared with all of them together; to "
-      "compare it with one, set {ReferenceLabel}.";
-  }
-  return "The reference has the values " + others +
-    ", which are not valid labels; every nonzero voxel counts as inside; give it a label map" +
-    (labels.empty() ? "" : ", or set {ReferenceLabel} to one of " + labels) + ".";
+  warnings.push_back(others.empty() ? "The reference has the labels " + labels +
+        "; the segmentation has one organ only: it is compared with all of them together; to "
+        "compare it with one, set {ReferenceLabel}."
+                                    : "The reference has the values " + others +
+        ", which are not valid labels; every nonzero voxel counts as inside; give it a label map" +
+        (labels.empty() ? "" : ", or set {ReferenceLabel} to one of " + labels) + ".");
 }
 
 void RequireLabel(const LabelMask& labelMap, const std::string& property)
@@ -134,7 +159,11 @@ SegmentationScores ScoreSurface(const PointList& points, const TriangleList& tri
           settings.SampleSpacing, parallelFor, monitor),
     scores);
   // After all errors: one of them is enough.
-  scores.Warning = scores.Complete ? WarningOf(nullptr, reference) : "";
+  if (scores.Complete)
+  {
+    WarnOfPointsOutside(points, reference, scores.Warnings);
+    WarnOfLabels(nullptr, reference, scores.Warnings);
+  }
   return scores;
 }
 
@@ -152,7 +181,10 @@ SegmentationScores ScoreLabels(const LabelMask& segmentation, const LabelMask& r
   Store(MeasureSurfaceDistance(surface.Points, surface.Triangles, wanted.Points, wanted.Triangles,
           settings.SampleSpacing, parallelFor, monitor),
     scores);
-  scores.Warning = scores.Complete ? WarningOf(&segmentation, reference) : "";
+  if (scores.Complete)
+  {
+    WarnOfLabels(&segmentation, reference, scores.Warnings);
+  }
   return scores;
 }
 

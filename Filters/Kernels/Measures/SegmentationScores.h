@@ -11,6 +11,7 @@
 #include <functional>
 #include <limits>
 #include <string>
+#include <vector>
 
 namespace FlipFree
 {
@@ -39,7 +40,7 @@ struct SegmentationScores
   double ReferenceVolume = None;
   std::string OverlapOf;  ///< "label map" or "voxelized mesh"
   std::string DistanceOf; ///< "surface of label map", "mesh" or "surface of voxelized mesh"
-  std::string Warning;    ///< empty if there is none
+  std::vector<std::string> Warnings;
   /// False when the monitor stopped it; the numbers are then meaningless.
   bool Complete = false;
 };

@@ -32,7 +32,7 @@ val ObjectOf(const SegmentationScores& scores)
   val answer = val::object();
   ForEachScore(scores,
     [&answer](const char* name, const auto& value) { answer.set(FieldName(name), value); });
-  answer.set("warning", scores.Warning);
+  answer.set("warnings", val::array(scores.Warnings));
   return answer;
 }
 

@@ -178,14 +178,13 @@ export class Engine {
   ): Scores {
     const known = this.kernels.scoreParameters();
     const values = kernelValues(parameters, known);
-    const scores = this.withVolume(reference, (wanted) =>
+    return this.withVolume(reference, (wanted) =>
       "points" in segmentation
-        ? this.checked(this.kernels.scoreSurface(segmentation, wanted, values, report), known)
+        ? this.worded(this.kernels.scoreSurface(segmentation, wanted, values, report), known)
         : this.withVolume(segmentation, (found) =>
-            this.checked(this.kernels.scoreLabels(found, wanted, values, report), known),
+            this.worded(this.kernels.scoreLabels(found, wanted, values, report), known),
           ),
     );
-    return { ...scores, warning: wordMessage(scores.warning, known) };
   }
 
   /** Pairs of faces that intersect for some cut of the faces, by an exact count. */
@@ -233,8 +232,8 @@ export class Engine {
   }
 
   private worded<T extends Pick<Segmentation, "warnings">>(answer: Answer<T>, known: KernelParameter[]): T {
-    const organ = this.checked(answer, known);
-    return { ...organ, warnings: organ.warnings.map((warning) => wordMessage(warning, known)) };
+    const result = this.checked(answer, known);
+    return { ...result, warnings: result.warnings.map((warning) => wordMessage(warning, known)) };
   }
 
   private checked<T>(answer: Answer<T>, known: KernelParameter[] = []): T {

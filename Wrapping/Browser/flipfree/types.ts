@@ -131,7 +131,7 @@ export interface Scores {
   referenceVolume: number;
   overlapOf: string;
   distanceOf: string;
-  warning: string;
+  warnings: string[];
 }
 
 export interface PhantomSeed extends Seed {

@@ -25,7 +25,7 @@ nb::dict DictOf(const SegmentationScores& scores)
 {
   nb::dict answer;
   ForEachScore(scores, [&answer](const char* name, const auto& value) { answer[name] = value; });
-  answer["warning"] = scores.Warning;
+  answer["warnings"] = scores.Warnings;
   return answer;
 }
 

@@ -251,8 +251,8 @@ class Metrics:
             "The segmentation and the reference cannot be compared: {}.",
             names,
         )
-        if answer["warning"]:
-            warn(with_names(answer["warning"], names))
+        for warning in answer["warnings"]:
+            warn(with_names(warning, names))
         return {field: answer[name] for field, (name, _) in SCORE_COLUMNS.items()}
 
 

@@ -1,0 +1,293 @@
+#include "Intensity/VenaCavaCarving.h"
+
+#include "Image/BallMorphology.h"
+#include "Image/VoxelOffsets.h"
+#include "Intensity/LeakControl.h"
+#include "Intensity/RobustStatistics.h"
+#include "Intensity/VesselTrack.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace FlipFree
+{
+namespace
+{
+
+constexpr double SmallestLiver = 7e5; // cubic millimeters
+
+// Where the vein may lie, from the organ's center, in radii of a ball of the organ's volume.
+constexpr double LeftFrom = 0.2;
+constexpr double LeftTo = 1.05;
+constexpr double PosteriorFrom = -0.4;
+constexpr double PosteriorTo = 0.65;
+
+// In millimeters.
+constexpr double BeyondOrgan = 40;
+constexpr double SliceThickness = 5;
+constexpr double LeastInOrgan = 40;
+constexpr double LeastBelow = 30;
+constexpr double LeastAbove = 15;
+constexpr double Wall = 1;          // of the vein
+constexpr double Remnant = 6;       // of the mask, beside the vein
+constexpr double RemnantRadius = 2; // what is thinner is no organ's
+
+// The axes of an image that are nearest to those of the body, each with its direction.
+struct BodyAxes
+{
+  std::array<int, 3> Axis; // left, posterior, superior
+  std::array<double, 3> Sign;
+};
+
+BodyAxes AxesOf(const ImageGeometry& geometry)
+{
+  BodyAxes axes{};
+  const Eigen::Matrix3d& direction = geometry.Direction;
+  direction.row(2).cwiseAbs().maxCoeff(&axes.Axis[2]);
+  const int one = (axes.Axis[2] + 1) % 3;
+  const int other = (axes.Axis[2] + 2) % 3;
+  const bool isLeft = std::abs(direction(0, one)) >= std::abs(direction(0, other));
+  axes.Axis[0] = isLeft ? one : other;
+  axes.Axis[1] = isLeft ? other : one;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    axes.Sign[axis] = direction(axis, axes.Axis[axis]) < 0 ? -1 : 1;
+  }
+  return axes;
+}
+
+// Of the voxels of a mask, in millimeters along the image's axes from its first voxel.
+Eigen::Vector3d CenterOf(const BitMask& mask, std::size_t count)
+{
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  mask.ForEachRun(0, mask.GetGeometry().Dimensions[2],
+    [&sum](int begin, int end, int j, int k)
+    { sum += (end - begin) * Eigen::Vector3d(0.5 * (begin + end - 1), j, k); });
+  return mask.GetGeometry().Spacing.cwiseProduct(sum / static_cast<double>(count));
+}
+
+class VenaCava
+{
+public:
+  VenaCava(const ImageView<float>& smooth, const ImageMaker& make, const ParallelFor& parallelFor)
+    : Smooth(smooth)
+    , Make(make)
+    , Parallel(parallelFor)
+  {
+  }
+
+  // Returns false if it was stopped.
+  bool Find(const BitMask& organ)
+  {
+    const std::size_t count = organ.Count();
+    const double volume = static_cast<double>(count) * organ.GetGeometry().VoxelVolume();
+    if (volume < SmallestLiver)
+    {
+      return true;
+    }
+    this->Grid =
+      this->GridFor(organ, CenterOf(organ, count), std::cbrt(volume * 3 / (4 * EIGEN_PI)));
+    if (this->Grid.Size() == 0 || this->Grid.Slices.size() < 2)
+    {
+      return true;
+    }
+    if (!this->Make(BoxOf(this->Grid, this->Smooth.Geometry)))
+    {
+      return false;
+    }
+    const std::vector<DiskSlice> slices =
+      MeasureDisks(this->Smooth, organ, this->Grid, this->Parallel);
+    this->Track = FindVesselTrack(this->Grid, slices, this->GrayValueOf(organ), this->Parallel);
+    return true;
+  }
+
+  bool IsClear() const
+  {
+    const double length = static_cast<double>(this->Track.InOrgan.size()) * this->Grid.Thickness;
+    const bool isUp = AxesOf(this->Smooth.Geometry).Sign[2] > 0;
+    const double below = isUp ? this->Track.LengthBefore : this->Track.LengthBehind;
+    const double above = isUp ? this->Track.LengthBehind : this->Track.LengthBefore;
+    return length >= LeastInOrgan && (below >= LeastBelow || above >= LeastAbove);
+  }
+
+  BitMask MaskOf() const
+  {
+    BitMask vein(this->Smooth.Geometry);
+    const auto& disks = this->Track.InOrgan;
+    for (std::size_t next = 1; next < disks.size(); ++next)
+    {
+      const int from = this->Grid.Slices[disks[next - 1].Slice];
+      const int to = this->Grid.Slices[disks[next].Slice];
+      for (int slice = from; slice <= to; ++slice)
+      {
+        const double part = static_cast<double>(slice - from) / (to - from);
+        this->Insert(slice, Between(disks[next - 1], disks[next], part), vein);
+      }
+    }
+    return vein;
+  }
+
+private:
+  static VesselTrack::Disk Between(const VesselTrack::Disk& one, const VesselTrack::Disk& other,
+    double part)
+  {
+    const auto mix = [part](double a, double b) { return a + part * (b - a); };
+    return { one.Slice,
+      { { mix(one.Center[0], other.Center[0]), mix(one.Center[1], other.Center[1]) } },
+      mix(one.Radius, other.Radius) };
+  }
+
+  void Insert(int slice, const VesselTrack::Disk& disk, BitMask& vein) const
+  {
+    const ImageGeometry& geometry = this->Smooth.Geometry;
+    const double radius = disk.Radius + Wall;
+    std::array<int, 2> begin{};
+    std::array<int, 2> end{};
+    for (int axis = 0; axis < 2; ++axis)
+    {
+      const int along = this->Grid.Within[axis];
+      const double spacing = geometry.Spacing[along];
+      begin[axis] =
+        std::max(0, static_cast<int>(std::ceil((disk.Center[axis] - radius) / spacing)));
+      end[axis] = std::min(geometry.Dimensions[along],
+        static_cast<int>(std::floor((disk.Center[axis] + radius) / spacing)) + 1);
+    }
+    std::array<int, 3> voxel{};
+    voxel[this->Grid.Across] = slice;
+    for (int second = begin[1]; second < end[1]; ++second)
+    {
+      for (int first = begin[0]; first < end[0]; ++first)
+      {
+        voxel[this->Grid.Within[0]] = first;
+        voxel[this->Grid.Within[1]] = second;
+        const double x = first * geometry.Spacing[this->Grid.Within[0]] - disk.Center[0];
+        const double y = second * geometry.Spacing[this->Grid.Within[1]] - disk.Center[1];
+        if (x * x + y * y <= radius * radius)
+        {
+          vein.Insert(voxel[0], voxel[1], voxel[2]);
+        }
+      }
+    }
+  }
+
+  DiskGrid GridFor(const BitMask& organ, const Eigen::Vector3d& center, double radius) const
+  {
+    const ImageGeometry& geometry = organ.GetGeometry();
+    const BodyAxes axes = AxesOf(geometry);
+    const VoxelBox bounds = organ.Bounds();
+    DiskGrid grid;
+    grid.Across = axes.Axis[2];
+    grid.Within = { { axes.Axis[0], axes.Axis[1] } };
+    const double spacing = geometry.Spacing[grid.Across];
+    const int step = std::max(1, static_cast<int>(std::lround(SliceThickness / spacing)));
+    const int beyond = static_cast<int>(BeyondOrgan / spacing);
+    grid.Thickness = step * spacing;
+    const int last = std::min(geometry.Dimensions[grid.Across], bounds.End[grid.Across] + beyond);
+    for (int slice = std::max(0, bounds.Begin[grid.Across] - beyond); slice < last; slice += step)
+    {
+      grid.Slices.push_back(slice);
+    }
+    const double from[] = { LeftFrom, PosteriorFrom };
+    const double to[] = { LeftTo, PosteriorTo };
+    for (int axis = 0; axis < 2; ++axis)
+    {
+      const int along = grid.Within[axis];
+      const double one = center[along] + axes.Sign[axis] * from[axis] * radius;
+      const double other = center[along] + axes.Sign[axis] * to[axis] * radius;
+      const double end = (geometry.Dimensions[along] - 1) * geometry.Spacing[along];
+      grid.First[axis] = std::max(0.0, std::min(one, other));
+      const double length = std::min(end, std::max(one, other)) - grid.First[axis];
+      grid.Count[axis] = length < 0 ? 0 : static_cast<int>(length / DiskGrid::Step) + 1;
+    }
+    return grid;
+  }
+
+  // The median over the slices of the grid.
+  double GrayValueOf(const BitMask& organ) const
+  {
+    std::vector<float> values;
+    const VoxelBox box = BoxOf(this->Grid, this->Smooth.Geometry);
+    organ.ForEachRun(box.Begin[2], box.End[2],
+      [&](int begin, int end, int j, int k)
+      {
+        if (j < box.Begin[1] || j >= box.End[1])
+        {
+          return;
+        }
+        for (int i = std::max(begin, box.Begin[0]); i < std::min(end, box.End[0]); ++i)
+        {
+          values.push_back(this->Smooth(i, j, k));
+        }
+      });
+    return RobustStatisticsOf(values).Median;
+  }
+
+  const ImageView<float>& Smooth;
+  const ImageMaker& Make;
+  const ParallelFor& Parallel;
+  DiskGrid Grid;
+  VesselTrack Track;
+};
+
+// Beside the vein, what is left of the mask may be thin sheets of its wall.
+bool RemoveRemnants(const BitMask& vein, const ParallelFor& parallelFor, const Monitor& monitor,
+  BitMask& mask)
+{
+  const ImageGeometry& geometry = mask.GetGeometry();
+  const VoxelBox box =
+    WidenedBy(vein.Bounds(), Remnant + 2 * RemnantRadius, 1, geometry).Cropped(WholeBox(geometry));
+  BitMask near = vein.Cropped(box);
+  BitMask opened = mask.Cropped(box);
+  if (!Dilate(near, Remnant, parallelFor, monitor) ||
+    !Erode(opened, RemnantRadius, parallelFor, monitor) ||
+    !Dilate(opened, RemnantRadius, parallelFor, monitor))
+  {
+    return false;
+  }
+  near.Remove(opened);
+  BitMask thin(geometry);
+  thin.Insert(near, box.Begin);
+  mask.Remove(thin);
+  return true;
+}
+
+} // namespace
+
+bool CarveVenaCava(const ImageView<float>& smooth, const ImageMaker& make,
+  const std::vector<VoxelRun>& inside, const SeedSphere& seed, Modality modality,
+  const ParallelFor& parallelFor, const Monitor& monitor, BitMask& mask)
+{
+  if (modality != Modality::CT)
+  {
+    return true;
+  }
+  BitMask organ = mask;
+  for (const VoxelRun& run : inside)
+  {
+    organ.InsertRun(run.Begin, run.End, run.J, run.K);
+  }
+  VenaCava cava(smooth, make, parallelFor);
+  if (!cava.Find(organ))
+  {
+    return false;
+  }
+  if (!cava.IsClear())
+  {
+    return true;
+  }
+  const BitMask vein = cava.MaskOf();
+  const std::vector<std::size_t> sources = VoxelsAround(smooth.Geometry, seed);
+  const auto isInVein = [&](std::size_t voxel)
+  {
+    const auto [i, j, k] = IndexOf(voxel, smooth.Geometry);
+    return vein(i, j, k);
+  };
+  if (std::any_of(sources.begin(), sources.end(), isInVein))
+  {
+    return true;
+  }
+  mask.Remove(vein);
+  return RemoveRemnants(vein, parallelFor, monitor, mask) && KeepConnected(mask, sources, monitor);
+}
+
+} // namespace FlipFree

@@ -1,0 +1,29 @@
+/**
+ * Carves the inferior vena cava out of a liver in CT. The vein runs along the liver's border, is
+ * as bright, or nearly so, and often no edge lies between the two; but it is round, and above and
+ * below the liver it stands alone.
+ */
+#ifndef FlipFreeVenaCavaCarving_h
+#define FlipFreeVenaCavaCarving_h
+
+#include "Image/SmoothRegion.h"
+#include "Intensity/Modality.h"
+#include "Mesh/SurfaceVoxelization.h"
+
+namespace FlipFree
+{
+
+/// Removes the vein from the mask, which is on the grid of the image, if there is one. It is sought
+/// for an organ of at least 400 ml in CT, along the body's axis, left and posterior of the organ's
+/// center, and through what is in the mask or in `inside`, the inside of a surface that has found
+/// the organ, more or less. It is taken for the vein where it follows the organ for at least 40 mm
+/// and stands alone for some way above or below, and it is no part of the seed sphere. `make` is
+/// called before voxels of the image are read. Returns false if the monitor stopped it; the mask is
+/// then useless.
+bool CarveVenaCava(const ImageView<float>& smooth, const ImageMaker& make,
+  const std::vector<VoxelRun>& inside, const SeedSphere& seed, Modality modality,
+  const ParallelFor& parallelFor, const Monitor& monitor, BitMask& mask);
+
+} // namespace FlipFree
+
+#endif
