@@ -144,7 +144,8 @@ public:
    * With a surface on port 1 that has found its organ, the foreground is its inside, without what
    * leaked through a neck (a minimum cut separates it from the seed), up to where the gray values
    * are halfway between those of the organ and those of its surroundings, both taken locally. In
-   * CT, the fat in hollows that open to the outside, at most 20 mm wide, is removed from it.
+   * CT, the fat in hollows that open to the outside, at most 20 mm wide, is removed from it, and
+   * so is the inferior vena cava beside an organ of at least 700 ml, a liver.
    * Default on. vtkFlipFreeSegmentation first runs all levels without carving, then carves, and
    * runs all levels again, from the start, on that foreground. A pipeline of the stages does the
    * same with CarvingOff() at first and CarvingOn() later. See Y. Boykov, G. Funka-Lea: Graph cuts

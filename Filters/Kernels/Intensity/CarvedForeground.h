@@ -1,7 +1,7 @@
 /**
  * From a closed surface that has found its organ, more or less, to the organ's foreground: what is
  * inside is carved (OrganCarving.h), and where that changes much of it, further opinions are sought
- * (OrganConsensus.h).
+ * (OrganConsensus.h). In CT, the vena cava beside a liver is removed at last (VenaCavaCarving.h).
  */
 #ifndef FlipFreeCarvedForeground_h
 #define FlipFreeCarvedForeground_h

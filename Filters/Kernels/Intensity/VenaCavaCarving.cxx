@@ -287,7 +287,8 @@ bool CarveVenaCava(const ImageView<float>& smooth, const ImageMaker& make,
     return true;
   }
   mask.Remove(vein);
-  return RemoveRemnants(vein, parallelFor, monitor, mask) && KeepConnected(mask, sources, monitor);
+  const Monitor proceed = [&monitor](double) { return monitor(0.5); };
+  return RemoveRemnants(vein, parallelFor, proceed, mask) && KeepConnected(mask, sources, proceed);
 }
 
 } // namespace FlipFree

@@ -14,7 +14,7 @@ namespace FlipFree
 {
 
 /// Removes the vein from the mask, which is on the grid of the image, if there is one. It is sought
-/// for an organ of at least 400 ml in CT, along the body's axis, left and posterior of the organ's
+/// for an organ of at least 700 ml in CT, along the body's axis, left and posterior of the organ's
 /// center, and through what is in the mask or in `inside`, the inside of a surface that has found
 /// the organ, more or less. It is taken for the vein where it follows the organ for at least 40 mm
 /// and stands alone for some way above or below, and it is no part of the seed sphere. `make` is
