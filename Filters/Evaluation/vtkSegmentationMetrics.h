@@ -39,7 +39,7 @@
  * number. Warnings, which still give measures:
  *  - a reference of several labels, or of values that no label map has, if none of them was chosen
  *    and the segmentation has only one;
- *  - a surface with points more than a voxel outside the reference's grid.
+ *  - a surface that lies, in part, more than a voxel outside the reference's grid.
  *
  * Definitions: L. Maier-Hein et al., Metrics reloaded, Nature Methods 21 (2024), but with
  * area-weighted samples instead of boundary voxels.

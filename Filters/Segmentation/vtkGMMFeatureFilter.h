@@ -145,7 +145,7 @@ public:
    * leaked through a neck (a minimum cut separates it from the seed), up to where the gray values
    * are halfway between those of the organ and those of its surroundings, both taken locally. In
    * CT, the fat in hollows that open to the outside, at most 20 mm wide, is removed from it, and
-   * so is the inferior vena cava beside an organ of at least 700 ml, a liver.
+   * so is the inferior vena cava from an organ of 0.7 to 4 l, as a liver is.
    * Default on. vtkFlipFreeSegmentation first runs all levels without carving, then carves, and
    * runs all levels again, from the start, on that foreground. A pipeline of the stages does the
    * same with CarvingOff() at first and CarvingOn() later. See Y. Boykov, G. Funka-Lea: Graph cuts

@@ -214,11 +214,12 @@ TEST(SegmentationScores, SayHowMuchOfASurfaceLiesOutsideTheReference)
   };
   EXPECT_TRUE(warningsOf(85).empty()); // less than a voxel
   ASSERT_EQ(warningsOf(97).size(), 1U);
-  EXPECT_EQ(warningsOf(97)[0].find("50 % of the segmentation's points lie outside the reference;"),
+  EXPECT_EQ(
+    warningsOf(97)[0].find("About 50 % of the segmentation's surface lies outside the reference, "),
     0U)
     << warningsOf(97)[0];
   ASSERT_EQ(warningsOf(86.05).size(), 1U);
-  EXPECT_EQ(warningsOf(86.05)[0].find("Less than 1 % of the segmentation's points"), 0U);
+  EXPECT_EQ(warningsOf(86.05)[0].find("About 1 % of the segmentation's surface"), 0U);
 }
 
 TEST(PhantomVolume, RefusesIntensitiesThatDoNotFit)

@@ -24,7 +24,7 @@ constexpr int Rays = 24;
 
 using Offset = std::array<double, 2>;
 
-// Of a circle, and of the disk in it.
+// Millimeters from the center.
 std::vector<Offset> CircleOf(double radius, int count)
 {
   std::vector<Offset> offsets;
@@ -66,7 +66,7 @@ public:
       {
         for (const Offset& offset : offsets)
         {
-          const double length = grid.First[axis] + place * DiskGrid::Step + offset[axis];
+          const double length = grid.At(axis, place + offset[axis] / DiskGrid::Step);
           const double index = length / geometry.Spacing[along];
           this->Indices[axis].push_back(static_cast<int>(
             std::lround(std::max(0.0, std::min(index, geometry.Dimensions[along] - 1.0)))));
@@ -203,16 +203,18 @@ std::vector<DiskSlice> MeasureDisks(const ImageView<float>& image, const BitMask
 VoxelBox BoxOf(const DiskGrid& grid, const ImageGeometry& geometry)
 {
   VoxelBox box;
-  box.Begin[grid.Across] = grid.Slices.front();
-  box.End[grid.Across] = grid.Slices.back() + 1;
+  const auto [bottom, top] = std::minmax(grid.Slices.front(), grid.Slices.back());
+  box.Begin[grid.Across] = bottom;
+  box.End[grid.Across] = top + 1;
   const double margin = DiskGrid::Radii.back() + FarFromRim;
   for (int axis = 0; axis < 2; ++axis)
   {
     const int along = grid.Within[axis];
     const double spacing = geometry.Spacing[along];
-    const double last = grid.First[axis] + (grid.Count[axis] - 1) * DiskGrid::Step;
-    box.Begin[along] = static_cast<int>(std::floor((grid.First[axis] - margin) / spacing));
-    box.End[along] = static_cast<int>(std::ceil((last + margin) / spacing)) + 1;
+    const double last = grid.At(axis, grid.Count[axis] - 1);
+    const auto [low, high] = std::minmax(grid.First[axis], last);
+    box.Begin[along] = static_cast<int>(std::floor((low - margin) / spacing));
+    box.End[along] = static_cast<int>(std::ceil((high + margin) / spacing)) + 1;
   }
   return box.Cropped(WholeBox(geometry));
 }

@@ -8,13 +8,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace FlipFree
 {
 namespace
 {
 
-constexpr double SmallestLiver = 7e5; // cubic millimeters
+// In cubic millimeters.
+constexpr double SmallestLiver = 7e5;
+constexpr double LargestLiver = 4e6;
 
 // Where the vein may lie, from the organ's center, in radii of a ball of the organ's volume.
 constexpr double LeftFrom = 0.2;
@@ -25,12 +28,21 @@ constexpr double PosteriorTo = 0.65;
 // In millimeters.
 constexpr double BeyondOrgan = 40;
 constexpr double SliceThickness = 5;
+constexpr double ThickestSlices = 10; // a vein cannot be followed through thicker ones
 constexpr double LeastInOrgan = 40;
 constexpr double LeastBelow = 30;
 constexpr double LeastAbove = 15;
 constexpr double Wall = 1;          // of the vein
 constexpr double Remnant = 6;       // of the mask, beside the vein
-constexpr double RemnantRadius = 2; // what is thinner is no organ's
+constexpr double RemnantRadius = 2; // what is thinner than twice as much is taken for its wall
+
+// In volumes of the vein: what else hangs on to the organ only by it is kept with it.
+constexpr double MostLost = 1.5;
+
+double VolumeOf(std::size_t voxels, const ImageGeometry& geometry)
+{
+  return static_cast<double>(voxels) * geometry.VoxelVolume();
+}
 
 // The axes of an image that are nearest to those of the body, each with its direction.
 struct BodyAxes
@@ -66,48 +78,100 @@ Eigen::Vector3d CenterOf(const BitMask& mask, std::size_t count)
   return mask.GetGeometry().Spacing.cwiseProduct(sum / static_cast<double>(count));
 }
 
+// Along the body's axes: from the bottom to the top, and by the signs of the others.
+DiskGrid GridFor(const BitMask& organ, double volume)
+{
+  const ImageGeometry& geometry = organ.GetGeometry();
+  const Eigen::Vector3d center = CenterOf(organ, organ.Count());
+  const double radius = std::cbrt(volume * 3 / (4 * EIGEN_PI));
+  const BodyAxes axes = AxesOf(geometry);
+  DiskGrid grid;
+  grid.Across = axes.Axis[2];
+  grid.Within = { { axes.Axis[0], axes.Axis[1] } };
+  grid.Sign = { { axes.Sign[0], axes.Sign[1] } };
+  const double spacing = geometry.Spacing[grid.Across];
+  const VoxelBox bounds = organ.Bounds();
+  const int step = std::max(1, static_cast<int>(std::lround(SliceThickness / spacing)));
+  const int beyond = static_cast<int>(BeyondOrgan / spacing);
+  const int first = std::max(0, bounds.Begin[grid.Across] - beyond);
+  const int end = std::min(geometry.Dimensions[grid.Across], bounds.End[grid.Across] + beyond);
+  grid.Thickness = step * spacing;
+  const int middle = static_cast<int>(std::lround(center[grid.Across] / spacing));
+  for (int slice = middle - (middle - first) / step * step; slice < end; slice += step)
+  {
+    grid.Slices.push_back(slice);
+  }
+  if (axes.Sign[2] < 0)
+  {
+    std::reverse(grid.Slices.begin(), grid.Slices.end());
+  }
+  const double from[] = { LeftFrom, PosteriorFrom };
+  const double to[] = { LeftTo, PosteriorTo };
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    const int along = grid.Within[axis];
+    const double last = (geometry.Dimensions[along] - 1) * geometry.Spacing[along];
+    // Whole steps from the center, so that what the image's end cuts off moves no other place.
+    const int begin = static_cast<int>(std::ceil(from[axis] * radius / DiskGrid::Step));
+    const int stop = static_cast<int>(std::floor(to[axis] * radius / DiskGrid::Step));
+    for (int place = begin; place <= stop; ++place)
+    {
+      const double at = center[along] + axes.Sign[axis] * place * DiskGrid::Step;
+      if (at >= 0 && at <= last)
+      {
+        grid.First[axis] = grid.Count[axis] == 0 ? at : grid.First[axis];
+        ++grid.Count[axis];
+      }
+    }
+  }
+  return grid;
+}
+
 class VenaCava
 {
 public:
-  VenaCava(const ImageView<float>& smooth, const ImageMaker& make, const ParallelFor& parallelFor)
+  VenaCava(const ImageView<float>& smooth, const ImageMaker& make, const ParallelFor& parallelFor,
+    const Monitor& monitor)
     : Smooth(smooth)
     , Make(make)
     , Parallel(parallelFor)
+    , Ask(monitor)
   {
   }
 
   // Returns false if it was stopped.
   bool Find(const BitMask& organ)
   {
-    const std::size_t count = organ.Count();
-    const double volume = static_cast<double>(count) * organ.GetGeometry().VoxelVolume();
-    if (volume < SmallestLiver)
+    const double volume = VolumeOf(organ.Count(), organ.GetGeometry());
+    if (volume < SmallestLiver || volume > LargestLiver ||
+      organ.GetGeometry().Spacing.maxCoeff() > ThickestSlices)
     {
       return true;
     }
-    this->Grid =
-      this->GridFor(organ, CenterOf(organ, count), std::cbrt(volume * 3 / (4 * EIGEN_PI)));
-    if (this->Grid.Size() == 0 || this->Grid.Slices.size() < 2)
+    this->Grid = GridFor(organ, volume);
+    if (this->Grid.Size() == 0)
     {
       return true;
     }
-    if (!this->Make(BoxOf(this->Grid, this->Smooth.Geometry)))
+    if (!this->Make(BoxOf(this->Grid, this->Smooth.Geometry)) || !this->Ask(0))
     {
       return false;
     }
     const std::vector<DiskSlice> slices =
       MeasureDisks(this->Smooth, organ, this->Grid, this->Parallel);
-    this->Track = FindVesselTrack(this->Grid, slices, this->GrayValueOf(organ), this->Parallel);
+    if (!this->Ask(0.5))
+    {
+      return false;
+    }
+    this->Track = FindVesselTrack(this->Grid, slices, this->Parallel);
     return true;
   }
 
   bool IsClear() const
   {
-    const double length = static_cast<double>(this->Track.InOrgan.size()) * this->Grid.Thickness;
-    const bool isUp = AxesOf(this->Smooth.Geometry).Sign[2] > 0;
-    const double below = isUp ? this->Track.LengthBefore : this->Track.LengthBehind;
-    const double above = isUp ? this->Track.LengthBehind : this->Track.LengthBefore;
-    return length >= LeastInOrgan && (below >= LeastBelow || above >= LeastAbove);
+    const auto disks = this->Track.InOrgan.size();
+    return disks > 1 && static_cast<double>(disks) * this->Grid.Thickness >= LeastInOrgan &&
+      (this->Track.LengthBefore >= LeastBelow || this->Track.LengthBehind >= LeastAbove);
   }
 
   BitMask MaskOf() const
@@ -118,10 +182,11 @@ public:
     {
       const int from = this->Grid.Slices[disks[next - 1].Slice];
       const int to = this->Grid.Slices[disks[next].Slice];
-      for (int slice = from; slice <= to; ++slice)
+      const int steps = std::abs(to - from);
+      for (int step = 0; step <= steps; ++step)
       {
-        const double part = static_cast<double>(slice - from) / (to - from);
-        this->Insert(slice, Between(disks[next - 1], disks[next], part), vein);
+        this->Insert(to > from ? from + step : from - step,
+          Between(disks[next - 1], disks[next], static_cast<double>(step) / steps), vein);
       }
     }
     return vein;
@@ -170,61 +235,10 @@ private:
     }
   }
 
-  DiskGrid GridFor(const BitMask& organ, const Eigen::Vector3d& center, double radius) const
-  {
-    const ImageGeometry& geometry = organ.GetGeometry();
-    const BodyAxes axes = AxesOf(geometry);
-    const VoxelBox bounds = organ.Bounds();
-    DiskGrid grid;
-    grid.Across = axes.Axis[2];
-    grid.Within = { { axes.Axis[0], axes.Axis[1] } };
-    const double spacing = geometry.Spacing[grid.Across];
-    const int step = std::max(1, static_cast<int>(std::lround(SliceThickness / spacing)));
-    const int beyond = static_cast<int>(BeyondOrgan / spacing);
-    grid.Thickness = step * spacing;
-    const int last = std::min(geometry.Dimensions[grid.Across], bounds.End[grid.Across] + beyond);
-    for (int slice = std::max(0, bounds.Begin[grid.Across] - beyond); slice < last; slice += step)
-    {
-      grid.Slices.push_back(slice);
-    }
-    const double from[] = { LeftFrom, PosteriorFrom };
-    const double to[] = { LeftTo, PosteriorTo };
-    for (int axis = 0; axis < 2; ++axis)
-    {
-      const int along = grid.Within[axis];
-      const double one = center[along] + axes.Sign[axis] * from[axis] * radius;
-      const double other = center[along] + axes.Sign[axis] * to[axis] * radius;
-      const double end = (geometry.Dimensions[along] - 1) * geometry.Spacing[along];
-      grid.First[axis] = std::max(0.0, std::min(one, other));
-      const double length = std::min(end, std::max(one, other)) - grid.First[axis];
-      grid.Count[axis] = length < 0 ? 0 : static_cast<int>(length / DiskGrid::Step) + 1;
-    }
-    return grid;
-  }
-
-  // The median over the slices of the grid.
-  double GrayValueOf(const BitMask& organ) const
-  {
-    std::vector<float> values;
-    const VoxelBox box = BoxOf(this->Grid, this->Smooth.Geometry);
-    organ.ForEachRun(box.Begin[2], box.End[2],
-      [&](int begin, int end, int j, int k)
-      {
-        if (j < box.Begin[1] || j >= box.End[1])
-        {
-          return;
-        }
-        for (int i = std::max(begin, box.Begin[0]); i < std::min(end, box.End[0]); ++i)
-        {
-          values.push_back(this->Smooth(i, j, k));
-        }
-      });
-    return RobustStatisticsOf(values).Median;
-  }
-
   const ImageView<float>& Smooth;
   const ImageMaker& Make;
   const ParallelFor& Parallel;
+  const Monitor& Ask;
   DiskGrid Grid;
   VesselTrack Track;
 };
@@ -261,12 +275,22 @@ bool CarveVenaCava(const ImageView<float>& smooth, const ImageMaker& make,
   {
     return true;
   }
+  std::size_t most = mask.Count();
+  for (const VoxelRun& run : inside)
+  {
+    most += run.End - run.Begin;
+  }
+  if (VolumeOf(most, smooth.Geometry) < SmallestLiver) // as most organs are
+  {
+    return true;
+  }
   BitMask organ = mask;
   for (const VoxelRun& run : inside)
   {
     organ.InsertRun(run.Begin, run.End, run.J, run.K);
   }
-  VenaCava cava(smooth, make, parallelFor);
+  const Monitor proceed = [&monitor](double fraction) { return monitor(0.5 * fraction); };
+  VenaCava cava(smooth, make, parallelFor, proceed);
   if (!cava.Find(organ))
   {
     return false;
@@ -286,9 +310,20 @@ bool CarveVenaCava(const ImageView<float>& smooth, const ImageMaker& make,
   {
     return true;
   }
-  mask.Remove(vein);
-  const Monitor proceed = [&monitor](double) { return monitor(0.5); };
-  return RemoveRemnants(vein, parallelFor, proceed, mask) && KeepConnected(mask, sources, proceed);
+  BitMask& carved = organ;
+  carved = mask;
+  carved.Remove(vein);
+  const Monitor goOn = [&monitor](double) { return monitor(0.5); };
+  if (!RemoveRemnants(vein, parallelFor, goOn, carved) || !KeepConnected(carved, sources, goOn))
+  {
+    return false;
+  }
+  const double lost = static_cast<double>(mask.Count() - carved.Count());
+  if (lost <= MostLost * static_cast<double>(vein.Count()))
+  {
+    mask = std::move(carved);
+  }
+  return true;
 }
 
 } // namespace FlipFree

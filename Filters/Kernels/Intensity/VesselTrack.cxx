@@ -4,7 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <utility>
 
 namespace FlipFree
 {
@@ -26,8 +26,8 @@ constexpr float LeastOutside = -1;
 constexpr float PartInOrgan = 0.5F;
 
 // From the organ, in Hounsfield units: contrast medium may be denser in the vessel.
-constexpr double MuchDarker = 60;
-constexpr double MuchBrighter = 200;
+constexpr float MuchDarker = 60;
+constexpr float MuchBrighter = 200;
 constexpr float OtherTissue = -1;
 
 // A spread that is more than that of the organ's noise tells of more than one tissue.
@@ -38,7 +38,7 @@ constexpr float WhollyCovered = 0.99F;
 
 // From slice to slice.
 constexpr double Slope = 1.2;
-constexpr double CostOfBend = 0.05; // per square millimeter, over the millimeters between slices
+constexpr double CostOfShift = 0.05; // per square millimeter, over the millimeters between slices
 constexpr float CostOfRadius = 0.1F;
 constexpr float CostOfValue = 1.0F / 60; // per Hounsfield unit, beyond those of noise
 constexpr float ValueOfNoise = 8;
@@ -60,48 +60,51 @@ struct Move
 
 std::vector<Move> MovesOf(double thickness)
 {
-  const int most = static_cast<int>(Slope * thickness / DiskGrid::Step);
+  constexpr double rounding = 1e-4; // spacings that were stored as floats count as they were meant
+  const double farthest = Slope * thickness / DiskGrid::Step + rounding;
+  const int most = static_cast<int>(farthest);
   std::vector<Move> moves;
   for (int second = -most; second <= most; ++second)
   {
     for (int first = -most; first <= most; ++first)
     {
       const int squared = first * first + second * second;
-      for (int radius = -1; squared <= most * most && radius <= 1; ++radius)
+      for (int radius = -1; squared <= farthest * farthest && radius <= 1; ++radius)
       {
-        const double bend = CostOfBend * squared * DiskGrid::Step * DiskGrid::Step / thickness;
+        const double shift = CostOfShift * squared * DiskGrid::Step * DiskGrid::Step / thickness;
         moves.push_back({ first, second, radius,
-          static_cast<float>(bend) + CostOfRadius * static_cast<float>(std::abs(radius)) });
+          static_cast<float>(shift) + CostOfRadius * static_cast<float>(std::abs(radius)) });
       }
     }
   }
   return moves;
 }
 
-float SpreadOfOrgan(const std::vector<DiskSlice>& slices)
+// The median over the disks that the mask covers wholly.
+float MedianInOrgan(const std::vector<DiskSlice>& slices, std::vector<float> DiskSlice::*values)
 {
-  std::vector<float> spreads;
+  std::vector<float> all;
   for (const DiskSlice& slice : slices)
   {
-    for (std::size_t disk = 0; disk < slice.Spread.size(); ++disk)
+    for (std::size_t disk = 0; disk < slice.Covered.size(); ++disk)
     {
       if (slice.Covered[disk] > WhollyCovered)
       {
-        spreads.push_back(slice.Spread[disk]);
+        all.push_back((slice.*values)[disk]);
       }
     }
   }
-  return static_cast<float>(RobustStatisticsOf(spreads).Median);
+  return all.empty() ? 0 : TakeQuantile(all, 0.5);
 }
 
 class TrackSearch
 {
 public:
-  TrackSearch(const DiskGrid& grid, const std::vector<DiskSlice>& slices, double organ)
+  TrackSearch(const DiskGrid& grid, const std::vector<DiskSlice>& slices)
     : Grid(grid)
     , Slices(slices)
-    , Organ(organ)
-    , NoiseSpread(SpreadOfOrgan(slices))
+    , Organ(MedianInOrgan(slices, &DiskSlice::Value))
+    , NoiseSpread(MedianInOrgan(slices, &DiskSlice::Spread))
     , Weight(static_cast<float>(grid.Thickness / UnitOfLength))
     , Moves(MovesOf(grid.Thickness))
   {
@@ -126,7 +129,7 @@ public:
     End best{ Never, 0, 0, 0 };
     for (int slice = 0; slice < count; ++slice)
     {
-      last = this->EnterOrgan(slice, last, slice > 0 ? &before[slice - 1] : nullptr);
+      last = this->EnterOrgan(slice, std::move(last), slice > 0 ? &before[slice - 1] : nullptr);
       this->FindEnd(slice, last, slice + 1 < count ? &behind[slice + 1] : nullptr, best);
     }
     return best.Score > 0 ? this->TraceBack(best, before) : VesselTrack();
@@ -140,13 +143,6 @@ private:
     std::vector<float> Length;
   };
 
-  // The way to a disk in the organ: the move by which it was reached, and whether from outside.
-  struct Step
-  {
-    short Move;
-    bool FromOutside;
-  };
-
   struct End
   {
     float Score;
@@ -154,6 +150,8 @@ private:
     std::size_t Disk;
     double LengthBehind;
   };
+
+  static constexpr int Beginning = -1; // in place of a move
 
   struct Place
   {
@@ -166,7 +164,7 @@ private:
   {
     float Score = Never;
     std::size_t Disk = 0;
-    short Move = -1;
+    int Move = Beginning;
   };
 
   Place PlaceOf(std::size_t disk) const
@@ -184,10 +182,15 @@ private:
       place.Radius < static_cast<int>(DiskGrid::Radii.size());
   }
 
+  bool IsInOrgan(int slice, std::size_t disk) const
+  {
+    return this->Slices[slice].Covered[disk] >= PartInOrgan;
+  }
+
   float EvidenceOf(int slice, std::size_t disk) const
   {
     const DiskSlice& disks = this->Slices[slice];
-    const double difference = disks.Value[disk] - this->Organ;
+    const float difference = disks.Value[disk] - this->Organ;
     if (difference < -MuchDarker || difference > MuchBrighter)
     {
       return OtherTissue;
@@ -217,7 +220,7 @@ private:
       const float score = scores[other] - step.Cost - CostOfValue * std::max(0.0F, change);
       if (score > best.Score)
       {
-        best = { score, other, static_cast<short>(move) };
+        best = { score, other, static_cast<int>(move) };
       }
     }
     return best;
@@ -234,7 +237,7 @@ private:
       now.Length.assign(this->Grid.Size(), 0);
       for (std::size_t disk = 0; disk < this->Grid.Size(); ++disk)
       {
-        if (this->Slices[slice].Covered[disk] >= PartInOrgan)
+        if (this->IsInOrgan(slice, disk))
         {
           continue;
         }
@@ -257,26 +260,34 @@ private:
   }
 
   // The scores of paths that end in a disk within the organ.
-  std::vector<float> EnterOrgan(int slice, const std::vector<float>& last, const Outside* before)
+  std::vector<float> EnterOrgan(int slice, std::vector<float> last, const Outside* before)
   {
     std::vector<float> scores(this->Grid.Size(), Never);
-    this->From[slice].assign(this->Grid.Size(), { -1, false });
+    this->From[slice].assign(this->Grid.Size(), Beginning);
+    for (std::size_t disk = 0; before && disk < this->Grid.Size(); ++disk)
+    {
+      if (!this->IsInOrgan(slice - 1, disk))
+      {
+        last[disk] = before->Score[disk];
+      }
+    }
     for (std::size_t disk = 0; disk < this->Grid.Size(); ++disk)
     {
-      if (this->Slices[slice].Covered[disk] < PartInOrgan)
+      if (!this->IsInOrgan(slice, disk))
       {
         continue;
       }
-      float score = 0;
-      if (before)
+      const Predecessor way = before ? this->Best(last, slice - 1, slice, disk) : Predecessor();
+      if (way.Score > 0)
       {
-        const Predecessor outside = this->Best(before->Score, slice - 1, slice, disk);
-        const Predecessor inside = this->Best(last, slice - 1, slice, disk);
-        const bool isFromOutside = !(inside.Score > outside.Score);
-        score = isFromOutside ? outside.Score : inside.Score;
-        this->From[slice][disk] = { isFromOutside ? outside.Move : inside.Move, isFromOutside };
+        this->From[slice][disk] = way.Move;
+        scores[disk] = way.Score;
       }
-      scores[disk] = score + (this->EvidenceOf(slice, disk) - ContrastInOrgan) * this->Weight;
+      else
+      {
+        scores[disk] = 0;
+      }
+      scores[disk] += (this->EvidenceOf(slice, disk) - ContrastInOrgan) * this->Weight;
     }
     return scores;
   }
@@ -310,13 +321,13 @@ private:
     for (int slice = end.Slice; slice >= 0; --slice)
     {
       track.InOrgan.push_back(this->DiskOf(slice, disk));
-      const Step& step = this->From[slice][disk];
-      if (step.Move < 0)
+      const int move = this->From[slice][disk];
+      if (move == Beginning)
       {
         break;
       }
-      disk = this->Before(disk, this->Moves[step.Move]);
-      if (step.FromOutside)
+      disk = this->Before(disk, this->Moves[move]);
+      if (!this->IsInOrgan(slice - 1, disk))
       {
         track.LengthBefore = before[slice - 1].Length[disk];
         break;
@@ -335,27 +346,25 @@ private:
   VesselTrack::Disk DiskOf(int slice, std::size_t disk) const
   {
     const Place place = this->PlaceOf(disk);
-    return { slice,
-      { { this->Grid.First[0] + place.First * DiskGrid::Step,
-        this->Grid.First[1] + place.Second * DiskGrid::Step } },
+    return { slice, { { this->Grid.At(0, place.First), this->Grid.At(1, place.Second) } },
       DiskGrid::Radii[place.Radius] };
   }
 
   const DiskGrid& Grid;
   const std::vector<DiskSlice>& Slices;
-  const double Organ;
+  const float Organ; // its gray value
   const float NoiseSpread;
   const float Weight; // of a slice
   const std::vector<Move> Moves;
-  std::vector<std::vector<Step>> From; // in the organ, by slice and disk
+  std::vector<std::vector<int>> From; // the move to each disk in the organ, by slice
 };
 
 } // namespace
 
 VesselTrack FindVesselTrack(const DiskGrid& grid, const std::vector<DiskSlice>& slices,
-  double organ, const ParallelFor& parallelFor)
+  const ParallelFor& parallelFor)
 {
-  return TrackSearch(grid, slices, organ).Execute(parallelFor);
+  return TrackSearch(grid, slices).Execute(parallelFor);
 }
 
 } // namespace FlipFree

@@ -1,13 +1,14 @@
 /**
  * The path of a vessel through the slices of an image: outside the organ, then along the organ's
  * border within its mask, then outside again. Of all ways to place a disk in each slice, dynamic
- * programming finds the one that stands out most and bends least.
+ * programming finds the one that stands out most and moves least from slice to slice.
  */
 #ifndef FlipFreeVesselTrack_h
 #define FlipFreeVesselTrack_h
 
 #include "Intensity/DiskEvidence.h"
 
+#include <array>
 #include <vector>
 
 namespace FlipFree
@@ -27,9 +28,10 @@ struct VesselTrack
   double LengthBehind = 0;
 };
 
-/// `organ` is the organ's median gray value. Without any disk in the mask, the track is empty.
+/// Disks are compared with those that the mask covers wholly, and that tell the organ's gray value
+/// and noise. Without any disk in the mask, the track is empty.
 VesselTrack FindVesselTrack(const DiskGrid& grid, const std::vector<DiskSlice>& slices,
-  double organ, const ParallelFor& parallelFor);
+  const ParallelFor& parallelFor);
 
 } // namespace FlipFree
 

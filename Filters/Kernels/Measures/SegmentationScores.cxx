@@ -7,6 +7,7 @@
 #include "Measures/VoxelOverlap.h"
 #include "Mesh/SurfaceVoxelization.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace FlipFree
@@ -52,27 +53,35 @@ void Store(const SurfaceDistance& distance, SegmentationScores& scores)
 }
 
 // A surface may follow the border of the image; what lies further out is another image's.
-void WarnOfPointsOutside(const PointList& points, const LabelMask& reference,
-  std::vector<std::string>& warnings)
+void WarnOfPointsOutside(const PointList& points, const TriangleList& triangles,
+  const LabelMask& reference, std::vector<std::string>& warnings)
 {
   constexpr double margin = 1; // voxels beyond the outer faces
   const ImageGeometry& geometry = reference.Mask.GetGeometry();
   const Eigen::Array3d end =
     Eigen::Array3i(geometry.Dimensions[0], geometry.Dimensions[1], geometry.Dimensions[2])
       .cast<double>();
-  Eigen::Index outside = 0;
-  for (Eigen::Index point = 0; point < points.rows(); ++point)
+  const auto isOutside = [&](Eigen::Index point)
   {
     const Eigen::Array3d index = geometry.ToIndex(points.row(point)).array() + 0.5;
-    outside += (index < -margin).any() || (index > end + margin).any() ? 1 : 0;
+    return (index < -margin).any() || (index > end + margin).any();
+  };
+  Eigen::Index outside = 0;
+  for (Eigen::Index triangle = 0; triangle < triangles.rows(); ++triangle)
+  {
+    for (const int corner : triangles.row(triangle))
+    {
+      outside += isOutside(corner) ? 1 : 0;
+    }
   }
   if (outside > 0)
   {
-    const long percent = std::lround(100.0 * outside / points.rows());
-    warnings.push_back((percent < 1 ? "Less than 1" : std::to_string(percent)) +
-      " % of the segmentation's points lie outside " + reference.Name +
-      "; overlap and volume count only what lies within it; check that both are in the same "
-      "physical coordinates.");
+    const long percent =
+      std::max(1L, std::min(99L, std::lround(100.0 * outside / triangles.size())));
+    warnings.push_back("About " + std::to_string(percent) +
+      " % of the segmentation's surface lies outside " + reference.Name +
+      ", by more than a voxel; overlap and volume count only what lies within it; check that both "
+      "are in the same physical coordinates.");
   }
 }
 
@@ -161,7 +170,7 @@ SegmentationScores ScoreSurface(const PointList& points, const TriangleList& tri
   // After all errors: one of them is enough.
   if (scores.Complete)
   {
-    WarnOfPointsOutside(points, reference, scores.Warnings);
+    WarnOfPointsOutside(points, triangles, reference, scores.Warnings);
     WarnOfLabels(nullptr, reference, scores.Warnings);
   }
   return scores;

@@ -231,7 +231,7 @@ export class Engine {
     }
   }
 
-  private worded<T extends Pick<Segmentation, "warnings">>(answer: Answer<T>, known: KernelParameter[]): T {
+  private worded<T extends { warnings: string[] }>(answer: Answer<T>, known: KernelParameter[]): T {
     const result = this.checked(answer, known);
     return { ...result, warnings: result.warnings.map((warning) => wordMessage(warning, known)) };
   }

@@ -131,6 +131,7 @@ export interface Scores {
   referenceVolume: number;
   overlapOf: string;
   distanceOf: string;
+  /** Whole sentences; none where nothing is wrong. */
   warnings: string[];
 }
 
