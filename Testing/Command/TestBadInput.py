@@ -241,6 +241,13 @@ class TestBadInput(command.CommandTest):
                 scores.add(process.stdout)
         self.assertEqual(len(scores), 1)
 
+    def test_surface_beyond_the_reference(self):
+        far = ((28, 28, 28), (600, 28, 28), (28, 36, 28), (28, 28, 36))
+        process = command.run("evaluate", self.input("far.ply", self.ply("ascii", corners=far)), self.truth)
+        self.assertEqual(process.returncode, 0, process.stderr)
+        self.assertIn("Dice", process.stdout)
+        self.assertRegex(process.stderr, "warning: About 25 % of the segmentation's surface lies outside the reference")
+
     def test_damaged_surfaces(self):
         far = (*self.CORNERS[:3], (0, 0, 1e30))
         beyond = (*self.FACES[:3], (1, 2, 4))

@@ -3,7 +3,6 @@
 #include "Image/BallMorphology.h"
 #include "Image/VoxelOffsets.h"
 #include "Intensity/LeakControl.h"
-#include "Intensity/RobustStatistics.h"
 #include "Intensity/VesselTrack.h"
 
 #include <algorithm>
@@ -243,6 +242,15 @@ private:
   VesselTrack Track;
 };
 
+BitMask Joined(BitMask mask, const std::vector<VoxelRun>& runs)
+{
+  for (const VoxelRun& run : runs)
+  {
+    mask.InsertRun(run.Begin, run.End, run.J, run.K);
+  }
+  return mask;
+}
+
 // Beside the vein, what is left of the mask may be thin sheets of its wall.
 bool RemoveRemnants(const BitMask& vein, const ParallelFor& parallelFor, const Monitor& monitor,
   BitMask& mask)
@@ -284,14 +292,9 @@ bool CarveVenaCava(const ImageView<float>& smooth, const ImageMaker& make,
   {
     return true;
   }
-  BitMask organ = mask;
-  for (const VoxelRun& run : inside)
-  {
-    organ.InsertRun(run.Begin, run.End, run.J, run.K);
-  }
   const Monitor proceed = [&monitor](double fraction) { return monitor(0.5 * fraction); };
   VenaCava cava(smooth, make, parallelFor, proceed);
-  if (!cava.Find(organ))
+  if (!cava.Find(Joined(mask, inside)))
   {
     return false;
   }
@@ -310,8 +313,7 @@ bool CarveVenaCava(const ImageView<float>& smooth, const ImageMaker& make,
   {
     return true;
   }
-  BitMask& carved = organ;
-  carved = mask;
+  BitMask carved = mask;
   carved.Remove(vein);
   const Monitor goOn = [&monitor](double) { return monitor(0.5); };
   if (!RemoveRemnants(vein, parallelFor, goOn, carved) || !KeepConnected(carved, sources, goOn))
