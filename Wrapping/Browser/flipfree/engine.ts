@@ -13,7 +13,6 @@ import {
   type Preset,
   type Scores,
   type Seed,
-  type Segmentation,
   type StartLabels,
   type Surface,
   type Triple,
