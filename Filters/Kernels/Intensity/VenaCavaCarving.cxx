@@ -3,6 +3,7 @@
 #include "Image/BallMorphology.h"
 #include "Image/VoxelOffsets.h"
 #include "Intensity/LeakControl.h"
+#include "Intensity/OrganCarving.h"
 #include "Intensity/VesselTrack.h"
 
 #include <algorithm>
@@ -14,9 +15,9 @@ namespace FlipFree
 namespace
 {
 
-// In cubic millimeters.
-constexpr double SmallestLiver = 7e5;
-constexpr double LargestLiver = 4e6;
+// In milliliters.
+constexpr double SmallestLiver = 700;
+constexpr double LargestLiver = 4000;
 
 // Where the vein may lie, from the organ's center, in radii of a ball of the organ's volume.
 constexpr double LeftFrom = 0.2;
@@ -37,11 +38,6 @@ constexpr double RemnantRadius = 2; // what is thinner than twice as much is tak
 
 // In volumes of the vein: what else hangs on to the organ only by it is kept with it.
 constexpr double MostLost = 1.5;
-
-double VolumeOf(std::size_t voxels, const ImageGeometry& geometry)
-{
-  return static_cast<double>(voxels) * geometry.VoxelVolume();
-}
 
 // The axes of an image that are nearest to those of the body, each with its direction.
 struct BodyAxes
@@ -68,21 +64,21 @@ BodyAxes AxesOf(const ImageGeometry& geometry)
 }
 
 // Of the voxels of a mask, in millimeters along the image's axes from its first voxel.
-Eigen::Vector3d CenterOf(const BitMask& mask, std::size_t count)
+Eigen::Vector3d CenterOf(const BitMask& mask)
 {
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   mask.ForEachRun(0, mask.GetGeometry().Dimensions[2],
     [&sum](int begin, int end, int j, int k)
     { sum += (end - begin) * Eigen::Vector3d(0.5 * (begin + end - 1), j, k); });
-  return mask.GetGeometry().Spacing.cwiseProduct(sum / static_cast<double>(count));
+  return mask.GetGeometry().Spacing.cwiseProduct(sum / static_cast<double>(mask.Count()));
 }
 
 // Along the body's axes: from the bottom to the top, and by the signs of the others.
-DiskGrid GridFor(const BitMask& organ, double volume)
+DiskGrid GridFor(const BitMask& organ)
 {
   const ImageGeometry& geometry = organ.GetGeometry();
-  const Eigen::Vector3d center = CenterOf(organ, organ.Count());
-  const double radius = std::cbrt(volume * 3 / (4 * EIGEN_PI));
+  const Eigen::Vector3d center = CenterOf(organ);
+  const double radius = RadiusOf(organ, { center, 0 });
   const BodyAxes axes = AxesOf(geometry);
   DiskGrid grid;
   grid.Across = axes.Axis[2];
@@ -141,13 +137,13 @@ public:
   // Returns false if it was stopped.
   bool Find(const BitMask& organ)
   {
-    const double volume = VolumeOf(organ.Count(), organ.GetGeometry());
+    const double volume = organ.GetGeometry().Milliliters(organ.Count());
     if (volume < SmallestLiver || volume > LargestLiver ||
       organ.GetGeometry().Spacing.maxCoeff() > ThickestSlices)
     {
       return true;
     }
-    this->Grid = GridFor(organ, volume);
+    this->Grid = GridFor(organ);
     if (this->Grid.Size() == 0)
     {
       return true;
@@ -288,7 +284,7 @@ bool CarveVenaCava(const ImageView<float>& smooth, const ImageMaker& make,
   {
     most += run.End - run.Begin;
   }
-  if (VolumeOf(most, smooth.Geometry) < SmallestLiver) // as most organs are
+  if (smooth.Geometry.Milliliters(most) < SmallestLiver) // as most organs are
   {
     return true;
   }
