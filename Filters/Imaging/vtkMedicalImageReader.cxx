@@ -115,7 +115,12 @@ int vtkMedicalImageReader::RequestInformation(vtkInformation*, vtkInformationVec
     }
     else
     {
-      found.Header = FlipFree::HeaderOf(FlipFree::OpenVolumeFile(name), name);
+      const FlipFree::VolumeFileHeader file = FlipFree::OpenVolumeFile(name);
+      for (const std::string& warning : file.Warnings)
+      {
+        vtkWarningMacro(<< warning);
+      }
+      found.Header = { file.Geometry, FlipFree::ScalarTypeOf(file.ValueType()) };
     }
   }
   catch (const std::exception& error)
@@ -149,14 +154,15 @@ int vtkMedicalImageReader::RequestData(vtkInformation*, vtkInformationVector**,
     const std::string name = this->FileName;
     if (found.Series.empty())
     {
-      const auto io = FlipFree::OpenVolumeFile(name);
-      if (FlipFree::HeaderOf(io, name).NumberOfBytes() != found.Header.NumberOfBytes())
+      const FlipFree::VolumeFileHeader file = FlipFree::OpenVolumeFile(name);
+      if (file.Geometry.Dimensions != found.Header.Geometry.Dimensions ||
+        FlipFree::ScalarTypeOf(file.ValueType()) != found.Header.ScalarType)
       {
         throw FlipFree::ImageFileError(vtkErrorCode::FileFormatError,
           "'" + name +
             "' has changed since its header was read. Call Modified() and update again.");
       }
-      FlipFree::ReadVolumeFile(io, name, scalars, monitor);
+      FlipFree::ReadVolumeFile(file, scalars->GetVoidPointer(0), monitor);
     }
     else
     {
@@ -188,7 +194,12 @@ int vtkMedicalImageReader::Fail(const std::exception& error, vtkInformation* out
   {
     stale->Initialize();
   }
-  if (const auto* expected = dynamic_cast<const FlipFree::ImageFileError*>(&error))
+  if (const auto* problem = dynamic_cast<const FlipFree::FileProblem*>(&error))
+  {
+    this->SetErrorCode(FlipFree::ErrorCodeOf(problem->GetKind()));
+    vtkErrorMacro(<< problem->what());
+  }
+  else if (const auto* expected = dynamic_cast<const FlipFree::ImageFileError*>(&error))
   {
     this->SetErrorCode(expected->Code);
     vtkErrorMacro(<< expected->what());
