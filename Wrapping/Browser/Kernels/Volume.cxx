@@ -11,22 +11,6 @@ namespace FlipFree
 namespace
 {
 
-ImageGeometry GeometryOf(const val& image)
-{
-  const auto numbers = [&image](const char* name)
-  { return emscripten::vecFromJSArray<double>(image[name]); };
-  const std::vector<double> size = numbers("size");
-  ImageGeometry geometry;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    geometry.Dimensions[axis] = static_cast<int>(size[axis]);
-  }
-  geometry.Spacing = Eigen::Vector3d(numbers("spacing").data());
-  geometry.Origin = Eigen::Vector3d(numbers("origin").data());
-  geometry.Direction = Eigen::Map<const RowMajorMatrix>(numbers("direction").data());
-  return geometry;
-}
-
 template <typename T>
 Volume::Storage CopyOf(const val& voxels)
 {
@@ -74,6 +58,22 @@ val MakeVolume(const val& image)
 }
 
 } // namespace
+
+ImageGeometry GeometryOf(const val& image)
+{
+  const auto numbers = [&image](const char* name)
+  { return emscripten::vecFromJSArray<double>(image[name]); };
+  const std::vector<double> size = numbers("size");
+  ImageGeometry geometry;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    geometry.Dimensions[axis] = static_cast<int>(size[axis]);
+  }
+  geometry.Spacing = Eigen::Vector3d(numbers("spacing").data());
+  geometry.Origin = Eigen::Vector3d(numbers("origin").data());
+  geometry.Direction = Eigen::Map<const RowMajorMatrix>(numbers("direction").data());
+  return geometry;
+}
 
 void BindVolumes()
 {

@@ -13,20 +13,6 @@ export function affineOf(grid: Grid): number[][] {
   return [...[0, 1, 2].map((row) => columns.map((column) => column[row])), [0, 0, 0, 1]];
 }
 
-/** The grid of a volume of this size and affine matrix. */
-export function gridOf(size: Triple, affine: readonly (readonly number[])[]): Grid {
-  const columns = [0, 1, 2, 3].map((axis) => swapLpsRas([0, 1, 2].map((row) => affine[row][axis])));
-  const spacing = columns.slice(0, 3).map((axis) => Math.hypot(...axis)) as [number, number, number];
-  const direction = [0, 1, 2].flatMap((row) => spacing.map((length, axis) => columns[axis][row] / length));
-  // Without negative zeros, which text would show.
-  return {
-    size,
-    spacing,
-    origin: columns[3].map((value) => value + 0) as [number, number, number],
-    direction: direction.map((value) => value + 0),
-  };
-}
-
 function cornersOf(grid: Grid): number[][] {
   return [0, 1, 2, 3, 4, 5, 6, 7].map((corner) =>
     [0, 1, 2].map((row) =>

@@ -5,6 +5,8 @@ import type { PhantomShape } from "./engine.js";
 import type {
   Corrections,
   Image,
+  NamedFile,
+  OpenedVolume,
   Organ,
   Parameters,
   Phantom,
@@ -27,6 +29,8 @@ export interface Requests {
   trace: { points: readonly Triple[]; parameters: Parameters };
   evaluate: { segmentation: Image | Surface; reference: Image; parameters: Parameters };
   selfIntersections: { surface: Surface };
+  readVolume: { files: readonly NamedFile[] };
+  labelMapFile: { labelMap: Image };
   phantom: { shape: PhantomShape; parameters: Parameters };
   memory: Record<string, never>;
 }
@@ -39,6 +43,8 @@ export interface Answers {
   trace: Vessel;
   evaluate: Scores;
   selfIntersections: number;
+  readVolume: OpenedVolume;
+  labelMapFile: Blob;
   phantom: Phantom;
   memory: number;
 }
