@@ -119,7 +119,7 @@ TEST(LatticePlacement, RefusesGridsThatDoNotMeet)
   {
     part.Origin = lattice.ToPhysical({ voxels, 0, 0 });
     EXPECT_EQ(DifferenceOf(part),
-      "it and the image do not overlap; check that both are in the same physical coordinates")
+      "the image and it do not overlap; check that both are in the same physical coordinates")
       << voxels;
     EXPECT_FALSE(HaveSamePlaces(lattice, part));
   }

@@ -234,7 +234,7 @@ TEST(OrganRequest, IsCheckedForTheLabel)
   ExpectLabelRefused(ball, bad, 3,
     "the voxels of the start labels and of it differ by a shift of (0.4, 0, 0) voxels");
   bad.Geometry.Origin[0] = 72;
-  ExpectLabelRefused(ball, bad, 3, "the start labels and it do not overlap");
+  ExpectLabelRefused(ball, bad, 3, "it and the start labels do not overlap");
   bad.Geometry.Origin[0] = 60;
   ExpectLabelRefused(ball, bad, 3, "the start labels have the label only outside it");
   const std::vector<float> labels = ball.Labels;

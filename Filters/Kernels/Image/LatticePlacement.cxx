@@ -192,7 +192,7 @@ LatticePlacement PlacementOn(const ImageGeometry& lattice, const ImageGeometry& 
   if (comparison.AreApart())
   {
     throw Error(ErrorCode::GeometryMismatch,
-      nameOfPart + " and " + nameOfLattice +
+      nameOfLattice + " and " + nameOfPart +
         " do not overlap; check that both are in the same physical coordinates");
   }
   if (!comparison.IsOnLattice())

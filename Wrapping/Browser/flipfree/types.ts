@@ -23,6 +23,13 @@ export interface Grid {
   direction: readonly number[];
 }
 
+/** Whether two grids have the same voxels, in whichever order, and, in words, why the second is not on the lattice of the first:
+ * "" where it is one, cropped or wider, in whichever order. */
+export interface GridComparison {
+  samePlaces: boolean;
+  difference: string;
+}
+
 /** A volume or a label map. The package keeps a copy of it in the worker: voxels must not change afterward. */
 export interface Image extends Grid {
   voxels: Voxels;

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
-namespace Command
+namespace FlipFree
 {
 namespace
 {
@@ -45,4 +45,4 @@ std::string Suggestion(const std::string& word, const std::vector<std::string>& 
   return nearest.empty() ? "" : " Did you mean '" + nearest + "'?";
 }
 
-} // namespace Command
+} // namespace FlipFree
