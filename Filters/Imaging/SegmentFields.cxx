@@ -1,10 +1,10 @@
 #include "SegmentFields.h"
 
 #include "ImageAdapter.h"
-#include "VolumeFile.h"
 #include "VolumeHeader.h"
 
 #include "Deformation/Provenance.h"
+#include "Exchange/VolumeFileHeader.h"
 #include "Image/LabelBoxes.h"
 
 #include "vtkAbstractArray.h"
@@ -132,7 +132,7 @@ std::string ExtentText(const VoxelBox& box)
 
 bool IsSegmentation(const std::string& name)
 {
-  return EndsWith(name, ".seg.nrrd");
+  return HasEnding(name, ".seg.nrrd");
 }
 
 FileFields SegmentFieldsOf(vtkImageData* labels, const std::string& name)

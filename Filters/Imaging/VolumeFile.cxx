@@ -1,153 +1,205 @@
 #include "VolumeFile.h"
 
-#include "BackgroundTask.h"
-#include "CompletenessCheck.h"
-#include "DicomCheck.h"
-#include "VoxelStorage.h"
+#include "InflatedFile.h"
 
-#include "vtkErrorCode.h"
-
-#include "itkMetaImageIO.h"
-#include "itkNiftiImageIO.h"
-#include "itkNrrdImageIO.h"
+#include "Exchange/SegmentationLayers.h"
+#include "Exchange/VoxelDecoding.h"
 
 #include <algorithm>
-#include <cctype>
 #include <filesystem>
 #include <fstream>
+#include <vector>
 
 namespace FlipFree
 {
 namespace
 {
 
-bool HasKnownEnding(const std::string& name)
+std::string FirstBytes(const std::string& name)
 {
-  const char* const known[] = { ".nii", ".nii.gz", ".hdr", ".img", ".img.gz", ".nrrd", ".nhdr",
-    ".mha", ".mhd" };
-  return std::any_of(std::begin(known), std::end(known),
-    [&name](const char* ending) { return EndsWith(name, ending); });
+  InflatedFile file(name, IsPackedFile(name));
+  std::string start(BytesOfHeader, '\0');
+  start.resize(file.Read(&start[0], start.size()));
+  return start;
 }
 
-ImageFileError WhyNotReadable(const std::string& name)
+/// The file whose header describes this one.
+std::string HeaderFileOf(const std::string& name)
 {
-  if (HasDicomMark(name))
+  for (const std::string& file : HeaderFilesOf(name))
   {
-    return { vtkErrorCode::UnrecognizedFileTypeError,
-      "'" + name + "' is a single DICOM file. Give the folder of its series instead." };
+    if (std::ifstream(file))
+    {
+      return file;
+    }
   }
-  if (HasKnownEnding(name))
-  {
-    return { vtkErrorCode::FileFormatError,
-      "'" + name +
-        "' does not begin as its file extension requires: the file is empty, truncated, " +
-        "damaged, or in another format. Download or copy it again, or correct the extension." };
-  }
-  return { vtkErrorCode::UnrecognizedFileTypeError,
-    "The format of '" + name + "' is unknown. Known are NIfTI (.nii, .nii.gz), NRRD (.nrrd, " +
-      ".nhdr), MetaImage (.mha, .mhd) and folders of DICOM files." };
+  return name;
 }
 
-} // namespace
-
-bool EndsWith(const std::string& name, const std::string& ending)
-{
-  return name.size() >= ending.size() &&
-    std::equal(ending.rbegin(), ending.rend(), name.rbegin(),
-      [](char a, char b) { return a == std::tolower(static_cast<unsigned char>(b)); });
-}
-
-itk::ImageIOBase::Pointer OpenVolumeFile(const std::string& name)
+void RequireReadable(const std::string& name)
 {
   std::error_code ignored;
   const auto status = std::filesystem::status(name, ignored);
   if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
   {
-    throw ImageFileError(vtkErrorCode::CannotOpenFileError,
+    throw FileProblem(FileProblem::Kind::Missing,
       "'" + name + "' is not a regular file. Give a file, or the folder of a DICOM series.");
   }
   if (!std::ifstream(name))
   {
-    throw ImageFileError(vtkErrorCode::FileNotFoundError,
+    throw FileProblem(FileProblem::Kind::Missing,
       "'" + name + "' does not exist or cannot be read. Check its name and permissions.");
   }
-  if (StorageOf(name).Files.empty())
-  {
-    throw WhyNotReadable(name);
-  }
-  try
-  {
-    const itk::ImageIOBase::Pointer candidates[] = { itk::NiftiImageIO::New().GetPointer(),
-      itk::NrrdImageIO::New().GetPointer(), itk::MetaImageIO::New().GetPointer() };
-    for (const itk::ImageIOBase::Pointer& io : candidates)
-    {
-      if (io->CanReadFile(name.c_str()))
-      {
-        io->SetFileName(name);
-        io->ReadImageInformation();
-        return io;
-      }
-    }
-  }
-  catch (const itk::ExceptionObject& exception)
-  {
-    throw ImageFileError(vtkErrorCode::FileFormatError,
-      "The header of '" + name + "' cannot be understood. Repair or convert the file. (ITK: " +
-        exception.GetDescription() + ")");
-  }
-  throw WhyNotReadable(name);
 }
 
-void ReadVolumeFile(const itk::ImageIOBase::Pointer& io, const std::string& name,
-  const vtkSmartPointer<vtkDataArray>& scalars, const Monitor& monitor)
+double SizeOfFile(const std::string& name)
 {
-  double fraction = 0;
-  bool goOn = true;
-  const auto check = [&]()
+  std::error_code ignored;
+  const auto status = std::filesystem::status(name, ignored);
+  if (!std::filesystem::exists(status))
   {
-    RequireComplete(name,
-      [&](double checked)
-      {
-        fraction = checked;
-        return goOn = monitor(checked);
-      });
-  };
-  // ITK's MetaImage library loops forever on some damaged streams. The others are checked in
-  // this thread while they are read, so that the check costs no time of its own.
-  const bool mayNotEnd = dynamic_cast<itk::MetaImageIO*>(io.GetPointer()) != nullptr;
-  if (mayNotEnd)
-  {
-    check();
+    return MissingFile;
   }
-  if (!goOn)
+  return std::filesystem::is_regular_file(status)
+    ? static_cast<double>(std::filesystem::file_size(name, ignored))
+    : IrregularFile;
+}
+
+/// Names of files relative to the header's become paths; of a pair, the voxels may be packed.
+void FindFiles(const std::string& headerFile, VoxelStorage& storage)
+{
+  const std::filesystem::path folder = std::filesystem::path(headerFile).parent_path();
+  for (std::string& file : storage.Files)
   {
+    file = file.empty() ? headerFile : (folder / file).string();
+    std::error_code ignored;
+    if (storage.MayBePacked && !std::filesystem::exists(file, ignored) &&
+      std::filesystem::exists(file + ".gz", ignored))
+    {
+      file += ".gz";
+    }
+  }
+  // Only of a regular file: others may never end.
+  if (storage.MayBePacked && SizeOfFile(storage.Files.front()) > 0 &&
+    IsPackedFile(storage.Files.front()))
+  {
+    TakePacked(storage);
+  }
+}
+
+/// Where the voxels begin in one of several files of as many bytes each.
+std::uint64_t BeginOfVoxels(const VoxelStorage& storage, const std::string& file,
+  std::uint64_t bytes)
+{
+  if (!storage.IsAtEnd)
+  {
+    return storage.Offset;
+  }
+  const auto size = static_cast<std::uint64_t>(std::max(0., SizeOfFile(file)));
+  return size - std::min(size, bytes);
+}
+
+/// Skips a number of bytes once they are inflated; false where there are fewer.
+bool SkipBytes(InflatedFile& file, std::uint64_t count)
+{
+  std::vector<char> ignored(std::min<std::uint64_t>(count, 1 << 16));
+  while (count > 0)
+  {
+    const std::size_t part = std::min<std::uint64_t>(count, ignored.size());
+    if (file.Read(ignored.data(), part) != part)
+    {
+      return false;
+    }
+    count -= part;
+  }
+  return true;
+}
+
+/// All that follows in the file.
+std::string Rest(InflatedFile& file)
+{
+  std::string text;
+  std::vector<char> part(1 << 16);
+  for (std::size_t found = part.size(); found == part.size();)
+  {
+    found = file.Read(part.data(), part.size());
+    text.append(part.data(), found);
+  }
+  return text;
+}
+
+/// All layers.
+void ReadStoredVoxels(const VolumeFileHeader& header, void* values, const Monitor& monitor)
+{
+  const VoxelStorage& storage = header.Storage;
+  const std::size_t ofFile = header.NumberOfStoredVoxels() / storage.Files.size();
+  const std::size_t stored = SizeOf(storage.Type);
+  const std::size_t ofValue = SizeOf(header.ValueType());
+  constexpr std::size_t atATime = 1 << 18; // voxels
+  std::vector<char> bytes(atATime * stored);
+  auto* place = static_cast<char*>(values);
+  std::size_t done = 0;
+  for (const std::string& name : storage.Files)
+  {
+    InflatedFile file(name, storage.Form == VoxelStorage::Coding::Deflated,
+      BeginOfVoxels(storage, name, ofFile * stored));
+    file.SkipLines(storage.Lines);
+    bool isWhole = SkipBytes(file, storage.Skipped);
+    if (storage.Form == VoxelStorage::Coding::Text || storage.Form == VoxelStorage::Coding::Hex)
+    {
+      DecodeDigits(header, Rest(file), values);
+      return;
+    }
+    for (std::size_t left = ofFile; isWhole && left > 0;)
+    {
+      const std::size_t count = std::min(atATime, left);
+      isWhole = file.Read(bytes.data(), count * stored) == count * stored;
+      DecodeVoxels(header, bytes.data(), count, place);
+      place += count * ofValue;
+      left -= count;
+      done += count;
+      if (!monitor(static_cast<double>(done) / static_cast<double>(header.NumberOfStoredVoxels())))
+      {
+        return;
+      }
+    }
+    const bool endsProperly = file.EndsProperly();
+    if (!endsProperly || !isWhole)
+    {
+      throw IncompleteVoxels(header.Name,
+        endsProperly ? Incompleteness::TooFewVoxels : Incompleteness::BrokenStream);
+    }
+  }
+}
+
+} // namespace
+
+VolumeFileHeader OpenVolumeFile(const std::string& name)
+{
+  RequireReadable(name);
+  const std::string headerFile = HeaderFileOf(name);
+  VolumeFileHeader header = ReadVolumeFileHeader(headerFile, FirstBytes(headerFile));
+  FindFiles(headerFile, header.Storage);
+  std::vector<double> sizes;
+  for (const std::string& file : header.Storage.Files)
+  {
+    sizes.push_back(SizeOfFile(file));
+  }
+  RequireFiles(header, sizes);
+  return header;
+}
+
+void ReadVolumeFile(const VolumeFileHeader& header, int layer, void* values, const Monitor& monitor)
+{
+  if (header.Layers.Count == 1)
+  {
+    ReadStoredVoxels(header, values, monitor);
     return;
   }
-  BackgroundTask read([io, name, scalars]() { ReadVoxels(io, name, scalars->GetVoidPointer(0)); });
-  const auto wait = [&]() { return read.Wait([&]() { return monitor(fraction); }); };
-  try
-  {
-    if (!mayNotEnd)
-    {
-      check();
-    }
-  }
-  catch (const ImageFileError&)
-  {
-    // ITK prints what it has to say about it while the caller still keeps it quiet.
-    try
-    {
-      wait();
-    }
-    catch (const ImageFileError&) // the check knows better
-    {
-    }
-    throw;
-  }
-  if (goOn)
-  {
-    wait();
-  }
+  const std::size_t bytes = SizeOf(header.ValueType());
+  std::vector<char> all(header.NumberOfStoredVoxels() * bytes);
+  ReadStoredVoxels(header, all.data(), monitor);
+  CopyLayer(all.data(), header.Geometry.NumberOfVoxels(), bytes, header.Layers, layer, values);
 }
 
 } // namespace FlipFree

@@ -4,25 +4,23 @@
 #ifndef FlipFreeVolumeFile_h
 #define FlipFreeVolumeFile_h
 
-#include "VolumeHeader.h"
+#include "KernelTypes.h"
 
-#include "vtkDataArray.h"
-#include "vtkSmartPointer.h"
+#include "Exchange/VolumeFileHeader.h"
+
+#include <string>
 
 namespace FlipFree
 {
 
-/// Whatever the case of the letters; the ending is given in small ones.
-bool EndsWith(const std::string& name, const std::string& ending);
+/// The header of a file, whose storage names files that are there and large enough. A FileProblem
+/// if there are none, or if it is of none of these formats.
+VolumeFileHeader OpenVolumeFile(const std::string& name);
 
-/// ITK's reader for the file, its header read; an ImageFileError if there is none.
-itk::ImageIOBase::Pointer OpenVolumeFile(const std::string& name);
-
-/// Reads the voxels of a file that has just been opened into `scalars`, which have their size. ITK
-/// reads a file in one go and cannot be stopped, so it does so in a thread of its own; where the
-/// monitor says stop, that thread is left to end alone, and `scalars` stay its own until then.
-void ReadVolumeFile(const itk::ImageIOBase::Pointer& io, const std::string& name,
-  const vtkSmartPointer<vtkDataArray>& scalars, const Monitor& monitor);
+/// Reads one layer of a file that has just been opened; `values` have room for it. A FileProblem
+/// where they are damaged or too few. Where the monitor says stop, the rest is left as it was.
+void ReadVolumeFile(const VolumeFileHeader& header, int layer, void* values,
+  const Monitor& monitor);
 
 } // namespace FlipFree
 

@@ -2,18 +2,21 @@
 
 #include "AtomicFile.h"
 #include "BackgroundTask.h"
-#include "CompletenessCheck.h"
 #include "VolumeFile.h"
+
+#include "Exchange/NiftiHeader.h"
+#include "Exchange/NiftiOrientation.h"
 
 #include "vtkErrorCode.h"
 
 #include "itkMetaDataObject.h"
 #include "itkMetaImageIO.h"
-#include "itkNiftiImageIO.h"
 #include "itkNrrdImageIO.h"
+#include "itk_zlib.h"
 
-#include <cmath>
+#include <algorithm>
 #include <cstring>
+#include <fstream>
 #include <memory>
 #include <sstream>
 #include <vector>
@@ -23,23 +26,22 @@ namespace FlipFree
 namespace
 {
 
-itk::ImageIOBase::Pointer FormatOf(const std::string& name)
+bool IsNiftiName(const std::string& name)
 {
-  if (EndsWith(name, ".nii") || EndsWith(name, ".nii.gz"))
+  return HasEnding(name, ".nii") || HasEnding(name, ".nii.gz");
+}
+
+void RequireKnownEnding(const std::string& name)
+{
+  const char* const endings[] = { ".nrrd", ".mha", ".mhd" };
+  if (!IsNiftiName(name) &&
+    std::none_of(std::begin(endings), std::end(endings),
+      [&name](const char* ending) { return HasEnding(name, ending); }))
   {
-    return itk::NiftiImageIO::New().GetPointer();
+    throw ImageFileError(vtkErrorCode::UnrecognizedFileTypeError,
+      "The file extension of '" + name + "' is not supported. Use .nii.gz, .nii, " +
+        ".nrrd, .mha or .mhd.");
   }
-  if (EndsWith(name, ".nrrd"))
-  {
-    return itk::NrrdImageIO::New().GetPointer();
-  }
-  if (EndsWith(name, ".mha") || EndsWith(name, ".mhd"))
-  {
-    return itk::MetaImageIO::New().GetPointer();
-  }
-  throw ImageFileError(vtkErrorCode::UnrecognizedFileTypeError,
-    "The file extension of '" + name + "' is not supported. Use .nii.gz, .nii, " +
-      ".nrrd, .mha or .mhd.");
 }
 
 std::string CannotWrite(const std::string& name, const std::string& why)
@@ -48,8 +50,11 @@ std::string CannotWrite(const std::string& name, const std::string& why)
 }
 
 void WriteByItk(const std::string& name, const VolumeHeader& header, const void* voxels,
-  const FileFields& fields, itk::ImageIOBase* io, bool compress)
+  const FileFields& fields, bool compress)
 {
+  const itk::ImageIOBase::Pointer io = HasEnding(name, ".nrrd")
+    ? itk::ImageIOBase::Pointer(itk::NrrdImageIO::New().GetPointer())
+    : itk::ImageIOBase::Pointer(itk::MetaImageIO::New().GetPointer());
   const ImageGeometry& geometry = header.Geometry;
   itk::ImageIORegion whole(3);
   io->SetFileName(name);
@@ -75,78 +80,52 @@ void WriteByItk(const std::string& name, const VolumeHeader& header, const void*
   io->Write(voxels);
 }
 
-/// The greatest distance between the places that two grids give to a voxel. It is reached in a
-/// corner.
-double MaximumShift(const ImageGeometry& a, const ImageGeometry& b)
+/// By zlib, or plainly; false where the disk does not take it all.
+bool WriteBytes(const std::string& name, const std::string& header, const char* voxels,
+  std::size_t size)
 {
-  double greatest = 0;
-  for (int corner = 0; corner < 8; ++corner)
+  if (!HasEnding(name, ".gz"))
   {
-    const Eigen::Vector3d index((corner & 1) * (a.Dimensions[0] - 1),
-      (corner >> 1 & 1) * (a.Dimensions[1] - 1), (corner >> 2 & 1) * (a.Dimensions[2] - 1));
-    greatest = std::max(greatest, (a.ToPhysical(index) - b.ToPhysical(index)).norm());
+    std::ofstream file(name, std::ios::binary);
+    file.write(header.data(), static_cast<std::streamsize>(header.size()));
+    file.write(voxels, static_cast<std::streamsize>(size));
+    file.close();
+    return file.good();
   }
-  return greatest;
-}
-
-/// ITK's NIfTI reader turns NaN and infinity into zero: where the original has them, anything goes.
-template <typename T>
-bool SameFiniteValues(const void* a, const void* original, std::size_t count)
-{
-  const T* first = static_cast<const T*>(a);
-  const T* second = static_cast<const T*>(original);
-  return std::equal(first, first + count, second,
-    [](T value, T wanted) { return value == wanted || !std::isfinite(wanted); });
-}
-
-bool SameVoxels(const void* a, const void* original, const VolumeHeader& header)
-{
-  const std::size_t count = header.Geometry.NumberOfVoxels();
-  switch (header.ScalarType)
+  const gzFile file = gzopen(name.c_str(), "wb");
+  if (!file)
   {
-    case VTK_FLOAT:
-      return SameFiniteValues<float>(a, original, count);
-    case VTK_DOUBLE:
-      return SameFiniteValues<double>(a, original, count);
-    default:
-      return std::memcmp(a, original, header.NumberOfBytes()) == 0;
+    return false;
   }
-}
-
-/// ITK would not read back what it writes of such an image.
-void RequireOrthogonalForNifti(const std::string& name, const ImageGeometry& geometry)
-{
-  const Eigen::Matrix3d product = geometry.Direction.transpose() * geometry.Direction;
-  if ((EndsWith(name, ".nii") || EndsWith(name, ".nii.gz")) && !product.isIdentity(1e-4))
+  bool isWhole = gzwrite(file, header.data(), static_cast<unsigned int>(header.size())) > 0;
+  constexpr std::size_t atATime = std::size_t(1) << 28;
+  for (std::size_t done = 0; isWhole && done < size; done += atATime)
   {
-    throw ImageFileError(vtkErrorCode::FileFormatError,
-      CannotWrite(name,
-        "its direction matrix is not orthonormal, which NIfTI files cannot store. Use .nrrd or "
-        ".mha."));
+    isWhole =
+      gzwrite(file, voxels + done, static_cast<unsigned int>(std::min(atATime, size - done))) > 0;
   }
+  return gzclose(file) == Z_OK && isWhole;
 }
 
 struct Volume
 {
-  VolumeHeader Header;
+  VolumeFileHeader Header;
   std::vector<char> Voxels;
 };
 
-/// ITK's writers do not tell of every failure, a full disk among them; but what they then leave
-/// cannot be read.
+/// Writers do not tell of every failure, a full disk among them; but what they then leave cannot be
+/// read.
 Volume ReadBack(const std::string& written, const std::string& destination)
 {
   try
   {
     Volume volume;
-    const auto io = OpenVolumeFile(written);
-    volume.Header = HeaderOf(io, written);
-    RequireComplete(written, NeverStop);
-    volume.Voxels.resize(volume.Header.NumberOfBytes());
-    ReadVoxels(io, written, volume.Voxels.data());
+    volume.Header = OpenVolumeFile(written);
+    volume.Voxels.resize(volume.Header.NumberOfStoredBytes());
+    ReadVolumeFile(volume.Header, volume.Voxels.data(), NeverStop);
     return volume;
   }
-  catch (const ImageFileError&)
+  catch (const FileProblem&)
   {
     throw ImageFileError(vtkErrorCode::OutOfDiskSpaceError,
       CannotWrite(destination,
@@ -160,13 +139,13 @@ void RequireSame(const Volume& found, const std::string& destination, const Volu
 {
   const auto refuse = [&destination](const std::string& why)
   { throw ImageFileError(vtkErrorCode::FileFormatError, CannotWrite(destination, why)); };
-  if (found.Header.ScalarType != ScalarTypeOf(ComponentOf(header.ScalarType)))
+  if (found.Header.ValueType() != VoxelTypeOf(header.ScalarType))
   {
     refuse(std::string("its format cannot store voxels of type ") +
       vtkImageScalarTypeNameMacro(header.ScalarType) +
       ". Use another format, or convert the voxels.");
   }
-  const double shift = MaximumShift(found.Header.Geometry, header.Geometry);
+  const double shift = GreatestShift(found.Header.Geometry, header.Geometry);
   if (shift > 0.01 * header.Geometry.Spacing.minCoeff())
   {
     std::ostringstream why;
@@ -175,7 +154,7 @@ void RequireSame(const Volume& found, const std::string& destination, const Volu
     refuse(why.str());
   }
   if (found.Header.Geometry.Dimensions != header.Geometry.Dimensions ||
-    !SameVoxels(found.Voxels.data(), voxels, header))
+    std::memcmp(found.Voxels.data(), voxels, header.NumberOfBytes()) != 0)
   {
     refuse("what was read back is not what was written. Check the disk.");
   }
@@ -186,7 +165,16 @@ void WriteAndCheck(const std::string& written, const std::string& destination,
 {
   try
   {
-    WriteByItk(written, header, voxels, fields, FormatOf(destination), compress);
+    if (IsNiftiName(destination))
+    {
+      WriteBytes(written,
+        NiftiHeaderOf(destination, header.Geometry, VoxelTypeOf(header.ScalarType)),
+        static_cast<const char*>(voxels), header.NumberOfBytes());
+    }
+    else
+    {
+      WriteByItk(written, header, voxels, fields, compress);
+    }
   }
   catch (const itk::ExceptionObject& exception)
   {
@@ -205,9 +193,13 @@ bool WriteVolumeFile(const std::string& name, const VolumeHeader& header,
   const vtkSmartPointer<vtkDataArray>& scalars, const FileFields& fields, bool compress,
   const Monitor& monitor)
 {
-  FormatOf(name); // refuses an unknown ending before anything is done
-  RequireOrthogonalForNifti(name, header.Geometry);
-  ComponentOf(header.ScalarType);
+  // Before anything is done.
+  RequireKnownEnding(name);
+  const VoxelType type = VoxelTypeOf(header.ScalarType);
+  if (IsNiftiName(name))
+  {
+    NiftiHeaderOf(name, header.Geometry, type);
+  }
 
   try
   {

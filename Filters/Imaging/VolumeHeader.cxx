@@ -139,6 +139,44 @@ int ScalarTypeOf(Component component)
     "64 bits, to float or to double.");
 }
 
+unsigned long ErrorCodeOf(FileProblem::Kind kind)
+{
+  switch (kind)
+  {
+    case FileProblem::Kind::Missing:
+      return vtkErrorCode::FileNotFoundError;
+    case FileProblem::Kind::Unrecognized:
+      return vtkErrorCode::UnrecognizedFileTypeError;
+    case FileProblem::Kind::Incomplete:
+      return vtkErrorCode::PrematureEndOfFileError;
+    case FileProblem::Kind::Unusable:
+      break;
+  }
+  return vtkErrorCode::FileFormatError;
+}
+
+int ScalarTypeOf(VoxelType type)
+{
+  constexpr int types[] = { VTK_SIGNED_CHAR, VTK_UNSIGNED_CHAR, VTK_SHORT, VTK_UNSIGNED_SHORT,
+    VTK_INT, VTK_UNSIGNED_INT, VTK_TYPE_INT64, VTK_TYPE_UINT64, VTK_FLOAT, VTK_DOUBLE };
+  return types[static_cast<int>(type)];
+}
+
+VoxelType VoxelTypeOf(int scalarType)
+{
+  const int read = ScalarTypeOf(ComponentOf(scalarType));
+  for (const VoxelType type :
+    { VoxelType::Int8, VoxelType::UInt8, VoxelType::Int16, VoxelType::UInt16, VoxelType::Int32,
+      VoxelType::UInt32, VoxelType::Int64, VoxelType::UInt64, VoxelType::Float32 })
+  {
+    if (ScalarTypeOf(type) == read)
+    {
+      return type;
+    }
+  }
+  return VoxelType::Float64;
+}
+
 itk::ImageIOBase::IOComponentEnum ComponentOf(int scalarType)
 {
   for (const TypePair& pair : TypePairs)

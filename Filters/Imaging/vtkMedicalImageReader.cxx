@@ -6,6 +6,8 @@
 #include "PipelineAdapter.h"
 #include "VolumeFile.h"
 
+#include "Exchange/SegmentationLayers.h"
+
 #include "vtkDataArray.h"
 #include "vtkErrorCode.h"
 #include "vtkFieldData.h"
@@ -27,6 +29,7 @@ struct vtkMedicalImageReader::Source
   std::vector<FlipFree::DicomSeries> Series;
   std::size_t Chosen = 0;
   FlipFree::VolumeHeader Header;
+  FlipFree::LabelChoice Label;
 };
 
 namespace
@@ -80,6 +83,7 @@ vtkMedicalImageReader::~vtkMedicalImageReader()
 {
   this->SetFileName(nullptr);
   this->SetSeriesUID(nullptr);
+  this->SetSegment(nullptr);
 }
 
 int vtkMedicalImageReader::RequestInformation(vtkInformation*, vtkInformationVector**,
@@ -115,7 +119,14 @@ int vtkMedicalImageReader::RequestInformation(vtkInformation*, vtkInformationVec
     }
     else
     {
-      found.Header = FlipFree::HeaderOf(FlipFree::OpenVolumeFile(name), name);
+      const FlipFree::VolumeFileHeader file = FlipFree::OpenVolumeFile(name);
+      for (const std::string& warning : file.Warnings)
+      {
+        vtkWarningMacro(<< warning);
+      }
+      found.Header = { file.Geometry, FlipFree::ScalarTypeOf(file.ValueType()) };
+      found.Label = FlipFree::ChooseLabel(FlipFree::SegmentsOf(file.Pairs, name), file.Layers.Count,
+        this->Segment ? this->Segment : "", name);
     }
   }
   catch (const std::exception& error)
@@ -149,14 +160,15 @@ int vtkMedicalImageReader::RequestData(vtkInformation*, vtkInformationVector**,
     const std::string name = this->FileName;
     if (found.Series.empty())
     {
-      const auto io = FlipFree::OpenVolumeFile(name);
-      if (FlipFree::HeaderOf(io, name).NumberOfBytes() != found.Header.NumberOfBytes())
+      const FlipFree::VolumeFileHeader file = FlipFree::OpenVolumeFile(name);
+      if (file.Geometry.Dimensions != found.Header.Geometry.Dimensions ||
+        FlipFree::ScalarTypeOf(file.ValueType()) != found.Header.ScalarType)
       {
         throw FlipFree::ImageFileError(vtkErrorCode::FileFormatError,
           "'" + name +
             "' has changed since its header was read. Call Modified() and update again.");
       }
-      FlipFree::ReadVolumeFile(io, name, scalars, monitor);
+      FlipFree::ReadVolumeFile(file, found.Label.Layer, scalars->GetVoidPointer(0), monitor);
     }
     else
     {
@@ -188,7 +200,12 @@ int vtkMedicalImageReader::Fail(const std::exception& error, vtkInformation* out
   {
     stale->Initialize();
   }
-  if (const auto* expected = dynamic_cast<const FlipFree::ImageFileError*>(&error))
+  if (const auto* problem = dynamic_cast<const FlipFree::FileProblem*>(&error))
+  {
+    this->SetErrorCode(FlipFree::ErrorCodeOf(problem->GetKind()));
+    vtkErrorMacro(<< problem->what());
+  }
+  else if (const auto* expected = dynamic_cast<const FlipFree::ImageFileError*>(&error))
   {
     this->SetErrorCode(expected->Code);
     vtkErrorMacro(<< expected->what());
@@ -200,6 +217,11 @@ int vtkMedicalImageReader::Fail(const std::exception& error, vtkInformation* out
                   << "). Check the file and the available memory.");
   }
   return 0;
+}
+
+int vtkMedicalImageReader::GetSegmentLabel()
+{
+  return this->Found->Label.Label.value_or(-1);
 }
 
 int vtkMedicalImageReader::GetNumberOfSeries()
@@ -237,5 +259,6 @@ void vtkMedicalImageReader::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n";
   os << indent << "SeriesUID: " << (this->SeriesUID ? this->SeriesUID : "(most files)") << "\n";
+  os << indent << "Segment: " << (this->Segment ? this->Segment : "(none)") << "\n";
   os << indent << "NumberOfSeries: " << this->GetNumberOfSeries() << "\n";
 }

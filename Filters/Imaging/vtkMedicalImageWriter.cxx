@@ -83,6 +83,11 @@ void vtkMedicalImageWriter::WriteData()
       this->SetErrorCode(vtkErrorCode::UserError); // aborted: no message, but Write() returns 0
     }
   }
+  catch (const FlipFree::FileProblem& problem)
+  {
+    this->SetErrorCode(FlipFree::ErrorCodeOf(problem.GetKind()));
+    vtkErrorMacro(<< problem.what());
+  }
   catch (const FlipFree::ImageFileError& error)
   {
     this->SetErrorCode(error.Code);

@@ -129,14 +129,11 @@ TEST(TestImageHeaders, NiftiFieldsAreJudgedOneByOne)
       }
     }
   };
-  for (const int form : { 0, 1 })
-  {
-    refuse(Nifti(form, 0), always);
-    refuse(Nifti(0, form), always);
-  }
+  refuse(Nifti(0, 0), always);
+  refuse(Nifti(1, 0), always);
+  refuse(Nifti(0, 1), { always.front() }); // the sform says how large voxels are
   refuse(Nifti(1, 0), qform);
   refuse(Nifti(0, 1), sform);
-  refuse(Nifti(2, 4), sform);
 
   const auto refuseNumber = [&](std::size_t offset, std::int16_t value, const std::string& name)
   {
@@ -164,7 +161,7 @@ TEST(TestImageHeaders, NiftiOrientationMustBeCertain)
   };
   for (int axis = 1; axis <= 3; ++axis)
   {
-    for (const auto& [qform, sform] : { std::pair(0, 0), std::pair(1, 0), std::pair(0, 1) })
+    for (const auto& [qform, sform] : { std::pair(0, 0), std::pair(1, 0) })
     {
       std::string bytes = Nifti(qform, sform);
       const float spacing = -2;
@@ -196,16 +193,6 @@ TEST(TestImageHeaders, WhatNiftiDoesNotUseIsNotJudged)
   }
 }
 
-TEST(TestImageHeaders, OtherVersionsOfNiftiAreNamed)
-{
-  ExampleImages::Folder folder;
-  std::string bytes(2000, '\0');
-  const std::int32_t size = 540;
-  std::memcpy(&bytes[0], &size, sizeof(size));
-  ExampleImages::WriteBytes(folder / "image.nii", bytes);
-  ExpectRefusal(folder / "image.nii", { "image.nii", "NIfTI-2", "NIfTI-1" });
-}
-
 TEST(TestImageHeaders, NrrdFieldsAreJudgedOneByOne)
 {
   ExampleImages::Folder folder;
@@ -232,7 +219,7 @@ TEST(TestImageHeaders, NrrdFieldsAreJudgedOneByOne)
   refuse(space + "space directions: 1,0,0", "parentheses");
   refuse(space + "space directions: (1,0,0) (0,1,0) (0,0,1)\nspace origin: (0,0,3e200)",
     "space origin");
-  refuse(good + "kinds: domain " + std::string(5000, '4'), "not valid NRRD to its end");
+  refuse(good + "kinds: domain " + std::string(5000, '4'), "kinds");
   refuse(good + "line skip: 1", "fewer voxels");
   refuse(good + "byte skip: -2", "byte skip is -2");
   refuse(good + "byte skip: 1", "fewer voxels");
@@ -322,7 +309,7 @@ TEST(TestImageHeaders, MetaImageFieldsAreJudgedOneByOne)
   refuse("ElementType", "MET_SHORT\nElementNumberOfChannels = 1000000", "ElementNumberOfChannels");
   refuse("ElementType", "MET_SHORT\n" + std::string(5000, 'x') + " = 1", "a line");
   refuse("ElementType", "MET_SHORT\nNDims = 3", "NDims stands there twice");
-  refuse("CompressedData", "True\nCompressedDataSize = 1000000000000", "CompressedDataSize");
+  refuse("CompressedData", "True\nCompressedDataSize = 1000000000000", "breaks off");
   for (const std::string file : { "/dev/zero", "missing.raw", ".", "slice%s.raw 1 5 1", "LIST" })
   {
     refuse("ElementDataFile", file, "image.mha");

@@ -122,8 +122,8 @@ TEST(SegmentationLayers, AreCopiedHoweverTheyAreStored)
   {
     std::vector<short> one(2);
     std::vector<short> other(2);
-    CopyLayer(byVoxel.data(), 2, 3, layer, LayerOrder::VoxelByVoxel, one.data());
-    CopyLayer(byLayer.data(), 2, 3, layer, LayerOrder::LayerByLayer, other.data());
+    CopyLayer(byVoxel.data(), 2, sizeof(short), { 3, true }, layer, one.data());
+    CopyLayer(byLayer.data(), 2, sizeof(short), { 3, false }, layer, other.data());
     EXPECT_EQ(one, other);
     EXPECT_EQ(one[1], 2 * one[0]);
   }

@@ -218,4 +218,17 @@ LabelChoice ChooseLabel(const std::vector<Segment>& segments, int numberOfLayers
     " There are " + ListOf(all) + ".");
 }
 
+void CopyLayer(const void* voxels, std::size_t count, std::size_t bytes, const VoxelLayers& layers,
+  int layer, void* labels)
+{
+  const std::size_t step = layers.AreInterleaved ? static_cast<std::size_t>(layers.Count) : 1;
+  const std::size_t first = static_cast<std::size_t>(layer) * (layers.AreInterleaved ? 1 : count);
+  const char* from = static_cast<const char*>(voxels) + first * bytes;
+  char* to = static_cast<char*>(labels);
+  for (std::size_t voxel = 0; voxel < count; ++voxel, from += step * bytes, to += bytes)
+  {
+    std::copy_n(from, bytes, to);
+  }
+}
+
 } // namespace FlipFree

@@ -7,6 +7,8 @@
 #ifndef FlipFreeSegmentationLayers_h
 #define FlipFreeSegmentationLayers_h
 
+#include "Exchange/VolumeFileHeader.h"
+
 #include <cstddef>
 #include <map>
 #include <optional>
@@ -43,26 +45,9 @@ struct LabelChoice
 LabelChoice ChooseLabel(const std::vector<Segment>& segments, int numberOfLayers,
   const std::string& choice, const std::string& file);
 
-/// How the voxels of several layers are stored.
-enum class LayerOrder
-{
-  VoxelByVoxel, ///< all layers' values of a voxel together: the axis of layers is the first
-  LayerByLayer  ///< it is the last
-};
-
-/// One layer as a label map, of `count` voxels.
-template <typename T>
-void CopyLayer(const T* voxels, std::size_t count, int numberOfLayers, int layer, LayerOrder order,
-  T* labels)
-{
-  const bool isByVoxel = order == LayerOrder::VoxelByVoxel;
-  const std::size_t step = isByVoxel ? static_cast<std::size_t>(numberOfLayers) : 1;
-  const T* from = voxels + static_cast<std::size_t>(layer) * (isByVoxel ? 1 : count);
-  for (std::size_t voxel = 0; voxel < count; ++voxel)
-  {
-    labels[voxel] = from[voxel * step];
-  }
-}
+/// One layer as a label map, of `count` voxels of so many bytes each.
+void CopyLayer(const void* voxels, std::size_t count, std::size_t bytes, const VoxelLayers& layers,
+  int layer, void* labels);
 
 } // namespace FlipFree
 

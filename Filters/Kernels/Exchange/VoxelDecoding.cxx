@@ -1,0 +1,209 @@
+#include "Exchange/VoxelDecoding.h"
+
+#include "Exchange/HeaderField.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <limits>
+
+namespace FlipFree
+{
+namespace
+{
+
+/// Calls visit with a null pointer of the type.
+template <typename Visit>
+void WithType(VoxelType type, const Visit& visit)
+{
+  switch (type)
+  {
+    case VoxelType::Int8:
+      return visit(static_cast<std::int8_t*>(nullptr));
+    case VoxelType::UInt8:
+      return visit(static_cast<std::uint8_t*>(nullptr));
+    case VoxelType::Int16:
+      return visit(static_cast<std::int16_t*>(nullptr));
+    case VoxelType::UInt16:
+      return visit(static_cast<std::uint16_t*>(nullptr));
+    case VoxelType::Int32:
+      return visit(static_cast<std::int32_t*>(nullptr));
+    case VoxelType::UInt32:
+      return visit(static_cast<std::uint32_t*>(nullptr));
+    case VoxelType::Int64:
+      return visit(static_cast<std::int64_t*>(nullptr));
+    case VoxelType::UInt64:
+      return visit(static_cast<std::uint64_t*>(nullptr));
+    case VoxelType::Float32:
+      return visit(static_cast<float*>(nullptr));
+    case VoxelType::Float64:
+      return visit(static_cast<double*>(nullptr));
+  }
+}
+
+bool BytesAreReversed(const VoxelStorage& storage)
+{
+  const std::uint16_t one = 1;
+  unsigned char first = 0;
+  std::memcpy(&first, &one, 1);
+  return SizeOf(storage.Type) > 1 && storage.IsBigEndian != (first == 0);
+}
+
+template <typename T>
+T StoredVoxel(const unsigned char* bytes, bool isReversed)
+{
+  unsigned char ordered[sizeof(T)];
+  std::memcpy(ordered, bytes, sizeof(T));
+  if (isReversed)
+  {
+    std::reverse(ordered, ordered + sizeof(T));
+  }
+  T voxel;
+  std::memcpy(&voxel, ordered, sizeof(T));
+  return voxel;
+}
+
+template <typename T>
+void Scale(const VolumeFileHeader& header, T voxel, std::size_t index, void* values)
+{
+  const double value = header.Slope * static_cast<double>(voxel) + header.Intercept;
+  if (header.ValueType() == VoxelType::Float32)
+  {
+    static_cast<float*>(values)[index] = static_cast<float>(value);
+  }
+  else
+  {
+    static_cast<double*>(values)[index] = value;
+  }
+}
+
+template <typename T>
+bool Fits(double number)
+{
+  return !std::is_integral<T>::value ||
+    (number == std::floor(number) &&
+      number >= static_cast<double>(std::numeric_limits<T>::lowest()) &&
+      number < std::ldexp(1., std::numeric_limits<T>::digits));
+}
+
+[[noreturn]] void RefuseDigits(const VolumeFileHeader& header, const std::string& what)
+{
+  RefuseField(header.Name, "encoding", "is " + what);
+}
+
+void DecodeText(const VolumeFileHeader& header, const std::string& stored, void* values)
+{
+  constexpr std::size_t longestWord = 100;
+  const std::size_t count = header.NumberOfStoredVoxels();
+  const char* const space = " \t\r\n\f\v,";
+  std::size_t begin = stored.find_first_not_of(space);
+  for (std::size_t index = 0; index < count; ++index)
+  {
+    if (begin >= stored.size())
+    {
+      throw IncompleteVoxels(header.Name, Incompleteness::TooFewVoxels);
+    }
+    const std::size_t end = std::min(stored.find_first_of(space, begin), stored.size());
+    double number = 0;
+    if (end - begin > longestWord || !ToNumber(stored.substr(begin, end - begin), number))
+    {
+      RefuseDigits(header, "text, but the voxels are not numbers");
+    }
+    WithType(header.Storage.Type,
+      [&](auto* type)
+      {
+        using T = std::remove_pointer_t<decltype(type)>;
+        if (!Fits<T>(number))
+        {
+          RefuseDigits(header, "text, but the numbers do not fit the type of the voxels");
+        }
+        static_cast<T*>(values)[index] = static_cast<T>(number);
+      });
+    begin = stored.find_first_not_of(space, end);
+  }
+}
+
+int HexDigit(char letter)
+{
+  const char* const digits = "0123456789abcdef";
+  const char small = letter >= 'A' && letter <= 'F' ? static_cast<char>(letter + 32) : letter;
+  const char* const found = std::find(digits, digits + 16, small);
+  return found == digits + 16 ? -1 : static_cast<int>(found - digits);
+}
+
+std::string BytesOfHex(const VolumeFileHeader& header, const std::string& stored)
+{
+  std::string bytes;
+  int high = -1;
+  for (const char letter : stored)
+  {
+    const int digit = HexDigit(letter);
+    if (digit < 0 && !std::isspace(static_cast<unsigned char>(letter)))
+    {
+      RefuseDigits(header, "hex, but the voxels are not pairs of such digits");
+    }
+    if (digit >= 0 && high >= 0)
+    {
+      bytes.push_back(static_cast<char>(16 * high + digit));
+      high = -1;
+    }
+    else if (digit >= 0)
+    {
+      high = digit;
+    }
+  }
+  return bytes;
+}
+
+} // namespace
+
+void DecodeVoxels(const VolumeFileHeader& header, const void* stored, std::size_t count,
+  void* values)
+{
+  const bool isReversed = BytesAreReversed(header.Storage);
+  const std::size_t size = SizeOf(header.Storage.Type);
+  if (!isReversed && !header.IsScaled())
+  {
+    if (values != stored)
+    {
+      std::memcpy(values, stored, count * size);
+    }
+    return;
+  }
+  const auto* const bytes = static_cast<const unsigned char*>(stored);
+  WithType(header.Storage.Type,
+    [&](auto* type)
+    {
+      using T = std::remove_pointer_t<decltype(type)>;
+      for (std::size_t index = 0; index < count; ++index)
+      {
+        const T voxel = StoredVoxel<T>(bytes + index * size, isReversed);
+        if (header.IsScaled())
+        {
+          Scale(header, voxel, index, values);
+        }
+        else
+        {
+          static_cast<T*>(values)[index] = voxel;
+        }
+      }
+    });
+}
+
+void DecodeDigits(const VolumeFileHeader& header, const std::string& stored, void* values)
+{
+  if (header.Storage.Form == VoxelStorage::Coding::Text)
+  {
+    DecodeText(header, stored, values);
+    return;
+  }
+  const std::string bytes = BytesOfHex(header, stored);
+  if (bytes.size() < header.NumberOfStoredBytes())
+  {
+    throw IncompleteVoxels(header.Name, Incompleteness::TooFewVoxels);
+  }
+  DecodeVoxels(header, bytes.data(), header.NumberOfStoredVoxels(), values);
+}
+
+} // namespace FlipFree
