@@ -101,6 +101,7 @@ int vtkMedicalImageReader::RequestInformation(vtkInformation*, vtkInformationVec
     }
     Source& found = *this->Found;
     const std::string name = this->FileName;
+    const std::string segment = this->Segment ? this->Segment : "";
     std::error_code ignored;
     if (std::filesystem::is_directory(name, ignored))
     {
@@ -110,6 +111,7 @@ int vtkMedicalImageReader::RequestInformation(vtkInformation*, vtkInformationVec
         return 0;
       }
       found.Chosen = ChooseSeries(found.Series, this->SeriesUID, name);
+      found.Label = FlipFree::ChooseLabel({}, 1, segment, name);
       std::string warning;
       found.Header = FlipFree::HeaderOfSeries(found.Series[found.Chosen], warning);
       if (!warning.empty())
@@ -126,7 +128,7 @@ int vtkMedicalImageReader::RequestInformation(vtkInformation*, vtkInformationVec
       }
       found.Header = { file.Geometry, FlipFree::ScalarTypeOf(file.ValueType()) };
       found.Label = FlipFree::ChooseLabel(FlipFree::SegmentsOf(file.Pairs, name), file.Layers.Count,
-        this->Segment ? this->Segment : "", name);
+        segment, name);
     }
   }
   catch (const std::exception& error)

@@ -65,7 +65,7 @@ public:
    * whichever case; of any file, the value of its voxels, "6". Of several layers, which hold
    * segments that overlap, the output is the one that holds it; all labels of that layer are there,
    * and GetSegmentLabel() says which value is meant. Empty or unset (the default), there may be but
-   * one layer. Not used for DICOM.
+   * one layer.
    */
   vtkSetStringMacro(Segment);
   vtkGetStringMacro(Segment);

@@ -1,6 +1,7 @@
 #include "Exchange/SegmentationLayers.h"
 
 #include "Exchange/FileProblem.h"
+#include "Exchange/HeaderField.h"
 #include "Suggestion.h"
 
 #include <algorithm>
@@ -71,13 +72,6 @@ std::string ColorIn(const std::string& text)
     color += digits;
   }
   return color;
-}
-
-std::string InSmallLetters(std::string text)
-{
-  std::transform(text.begin(), text.end(), text.begin(),
-    [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
-  return text;
 }
 
 std::string ListOf(const std::vector<const Segment*>& segments)

@@ -6,6 +6,7 @@ import os
 from collections.abc import Mapping
 from typing import Any
 
+from . import _kernels
 from ._atomic import replacing
 from ._completeness import require_complete
 from ._dicom import read_series
@@ -27,10 +28,24 @@ def read(name: str, series: str | None, tell: Progress | None) -> Image:
         raise FileError(
             f"'{name}' does not exist or cannot be read. Check its name and permissions."
         )
-    image = read_series(name, series) if os.path.isdir(name) else _read_file(name)
+    image = read_series(name, series) if os.path.isdir(name) else _read_file(name, "")[0]
     if tell is not None:
         tell(1.0)
     return image
+
+
+def read_labels(name: str, label: str) -> tuple[Image, int | None]:
+    """The label map that holds a label, by a segment's name or by its value; and the value.
+
+    Without a choice, "", there may be but one label map in the file, and no value.
+    """
+    if os.path.isdir(name):
+        return read(name, None, None), _choice({}, 1, label, name)[1]
+    if not os.access(name, os.R_OK):
+        raise FileError(
+            f"'{name}' does not exist or cannot be read. Check its name and permissions."
+        )
+    return _read_file(name, label)
 
 
 def write(
@@ -58,7 +73,7 @@ def write(
             raise FileError(f"'{name}' cannot be written completely. Free some disk space.")
 
 
-def _read_file(name: str) -> Image:
+def _read_file(name: str, label: str) -> tuple[Image, int | None]:
     _require_ending(name, READ_ENDINGS)
     sitk: Any = simpleitk(name, ARRAY_INSTEAD)
     try:
@@ -70,10 +85,28 @@ def _read_file(name: str) -> Image:
             + (f" ({reason})." if reason else ".")
         ) from error
     require_complete(name, image)
+    value = None
+    layers = image.GetNumberOfComponentsPerPixel()
+    pairs = {key: image.GetMetaData(key) for key in image.GetMetaDataKeys()}
+    if layers == 1 or "Segment0_ID" in pairs:
+        layer, value = _choice(pairs, layers, label, name)
+        if layers > 1:
+            image = sitk.VectorIndexSelectionCast(image, layer)
     try:
-        return adopted("image", image)
+        return adopted("image", image), value
     except ValueError as error:
         raise FileError(f"'{name}': {str(error).partition(': ')[2]}") from error
+
+
+def _choice(
+    pairs: Mapping[str, str], layers: int, label: str, name: str
+) -> tuple[int, int | None]:
+    """The layer of a file's label maps that holds a label, and its value if one is chosen."""
+    try:
+        choice: tuple[int, int | None] = _kernels.choose_label(dict(pairs), layers, label, name)
+    except _kernels.FileProblem as problem:
+        raise FileError(str(problem)) from None
+    return choice
 
 
 def _require_ending(name: str, endings: tuple[str, ...]) -> None:

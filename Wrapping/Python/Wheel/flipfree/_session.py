@@ -14,6 +14,7 @@ from ._backend import SEGMENT_PARAMETERS, TRACE_PARAMETERS, VesselAlgorithm
 from ._errors import FileError, FlipFreeError
 from ._image import Image
 from ._messages import listed
+from ._options import is_label
 from ._parameters import snake_case
 from ._seed_radius import is_seed_radius, seed_radius_rule
 from ._session_record import file_name_of
@@ -40,7 +41,7 @@ class SessionOrgan:
     corrections: dict[str, list[Any]] = field(default_factory=dict)
     points: list[list[float]] = field(default_factory=list)
     start_labels: str | None = None
-    start_label: int = 1
+    start_label: str = "1"
 
 
 @dataclass
@@ -200,9 +201,9 @@ def _organ_of(name: str, entry: dict[str, Any]) -> SessionOrgan:
     )
     if "startLabels" in entry:
         organ.start_labels = str(entry["startLabels"]["name"])
-        organ.start_label = int(entry["startLabels"]["label"])
-        if organ.start_label < 0:
-            raise ValueError("the label of its start is negative")
+        organ.start_label = str(entry["startLabels"]["label"])
+        if not is_label(organ.start_label):
+            raise ValueError("the label of its start is negative, or empty")
     else:
         organ.seed = _numbers(entry["seed"]["center"], 3)
         organ.radius = float(entry["seed"]["radius"])

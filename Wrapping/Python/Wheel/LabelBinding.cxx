@@ -1,10 +1,14 @@
-// Voxel grids: where one lies on another.
+// Label maps: where their grids lie, and which label of a file is meant.
 #include "Bindings.h"
 #include "Numpy.h"
 
+#include "Exchange/SegmentationLayers.h"
 #include "Image/LatticePlacement.h"
 
 #include <nanobind/stl/array.h>
+#include <nanobind/stl/map.h>
+#include <nanobind/stl/optional.h>
+#include <nanobind/stl/pair.h>
 
 namespace FlipFree
 {
@@ -30,10 +34,20 @@ bool AreSamePlaces(const GridRow& one, const GridRow& other)
   return HaveSamePlaces(GridOf(one), GridOf(other));
 }
 
+// The layer, and the value of the label if one was chosen.
+std::pair<int, std::optional<int>> ChooseLabelOf(const std::map<std::string, std::string>& pairs,
+  int numberOfLayers, const std::string& choice, const std::string& file)
+{
+  const LabelChoice chosen = ChooseLabel(SegmentsOf(pairs, file), numberOfLayers, choice, file);
+  return { chosen.Layer, chosen.Label };
+}
+
 } // namespace
 
-void BindGrids(nb::module_& module)
+void BindLabels(nb::module_& module)
 {
+  static const nb::exception<FileProblem> problem(module, "FileProblem");
+  module.def("choose_label", &ChooseLabelOf);
   module.def("have_same_places", &AreSamePlaces);
 }
 
