@@ -51,7 +51,8 @@ export interface Surface {
   offsets: Int32Array;
 }
 
-/** A label map on the image's grid (of a network, an atlas, an earlier result), of which a surface fills a label. */
+/** A label map with the image's voxels, cropped or not (of a network, an atlas, an earlier result), of which a surface fills a
+ * label. */
 export interface StartLabels {
   labels: Image;
   /** 1 by default; 0 for all nonzero voxels. */
