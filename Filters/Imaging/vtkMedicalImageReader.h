@@ -1,12 +1,13 @@
 /**
  * @class   vtkMedicalImageReader
- * @brief   reads a medical image with its orientation, by ITK
+ * @brief   reads a medical image with its orientation
  *
  * Reads a volume from a NIfTI (.nii, .nii.gz), NRRD (.nrrd, .nhdr) or MetaImage (.mha, .mhd) file,
- * or from a folder of DICOM files. Origin, spacing and direction matrix are those that ITK gives:
- * physical coordinates are LPS (x to the patient's left, y to the back, z to the head) millimeters;
- * NIfTI's RAS is converted. The voxels keep the type of the file, or that of its rescale slope. ITK
- * reads NaN and infinite voxels of NIfTI files as 0.
+ * or from a folder of DICOM files. Physical coordinates are LPS (x to the patient's left, y to the
+ * back, z to the head) millimeters; those of NIfTI and NRRD are converted. Axes need not be at
+ * right angles. The voxels keep the type of the file, or are float or double where the file scales
+ * them. Of a NIfTI file with two orientations, the sform is taken, if its code is above 0 and it
+ * can be inverted. NaN voxels stay so.
  *
  * A folder may hold several DICOM series. They are listed by GetNumberOfSeries() and its companions
  * once the information has been updated; SeriesUID chooses one, and GetChosenSeriesUID() says which
@@ -20,11 +21,12 @@
  * alone.
  *
  * Errors: no file name; a missing, unreadable, truncated or damaged file; a header with an invalid
- * field, such as a spacing of NaN, which the error names; an unknown format, such as NIfTI-2; 2D
- * and 4D images; several components per voxel; a folder without DICOM images or without the wanted
+ * field, such as a spacing of NaN, which the error names; an unknown format; 2D and 4D images;
+ * several components per voxel; a folder without DICOM images or without the wanted
  * series; slices that do not form one stack. GetErrorCode() gives the vtkErrorCode. Slices that
  * deviate from an even stack by more than 1 % of the slice spacing give a warning, and by more than
- * half of it an error.
+ * half of it an error. What a file does not say, or says twice, such as the voxel size or how its
+ * axes lie in the patient, gives a warning of what was taken.
  */
 #ifndef vtkMedicalImageReader_h
 #define vtkMedicalImageReader_h

@@ -1,12 +1,12 @@
 /**
  * @class   vtkMedicalImageWriter
- * @brief   writes a medical image with its orientation, by ITK
+ * @brief   writes a medical image with its orientation
  *
  * Writes a label map or a gray volume in the format given by the file name's extension:
  * NIfTI (.nii, .nii.gz), NRRD (.nrrd) or MetaImage (.mha, .mhd with its voxels beside it). Origin,
  * spacing, direction matrix and the type of the voxels are kept, so that vtkMedicalImageReader
- * gives the same image back; NIfTI holds its geometry in single precision. Coordinates are taken as
- * LPS millimeters.
+ * gives the same image back; NIfTI holds its geometry in single precision, as an sform, and as a
+ * qform, too, where axes are at right angles. Coordinates are taken as LPS millimeters.
  *
  * If the name ends in .seg.nrrd, a label map is written as a segmentation of 3D Slicer: the same
  * NRRD file, in whose fields each label is a segment with a name and a color. These are the image's
@@ -24,9 +24,9 @@
  *
  * Errors: no file name; an unknown extension; no image, no scalars, several components; a folder
  * that is missing or not writable; a full disk; a geometry or a type of voxels that the format
- * cannot hold (NIfTI: sheared direction matrices; .seg.nrrd: voxels that are not labels); field
- * data of segments that do not fit together. Write() then returns 0 and GetErrorCode() gives the
- * vtkErrorCode.
+ * cannot hold (NIfTI: more than 32767 voxels along an axis; .seg.nrrd: voxels that are not labels);
+ * field data of segments that do not fit together. Write() then returns 0 and GetErrorCode() gives
+ * the vtkErrorCode.
  */
 #ifndef vtkMedicalImageWriter_h
 #define vtkMedicalImageWriter_h

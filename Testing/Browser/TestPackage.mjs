@@ -5,12 +5,13 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
 import { pathToFileURL } from "node:url";
+import { gunzipSync, gzipSync } from "node:zlib";
 import { command, dice, liverLabel, readNifti, readNiftiFile, readPlyPoints, seed } from "./Support.mjs";
 
 const folder = process.env.FLIPFREE_BROWSER_PACKAGE;
 const urlOf = (name) => pathToFileURL(join(folder, name));
 const {
-  FlipFree, FlipFreeError, countVoxels, doubtfulConfidence, fillRuns, labelMapFile, labelsIn, surfaceFile, surfaceFormats,
+  FlipFree, FlipFreeError, countVoxels, doubtfulConfidence, fillRuns, labelsIn, surfaceFile, surfaceFormats,
 } = await import(urlOf("index.js"));
 
 const scratch = mkdtempSync(join(tmpdir(), "flipfree-"));
@@ -317,7 +318,7 @@ test("scores are the command's", async () => {
 });
 
 test("files are what the command reads", async () => {
-  const blob = await labelMapFile(labelMapOf(liver, phantom.image));
+  const blob = await flipfree.labelMapFile(labelMapOf(liver, phantom.image));
   const bytes = Buffer.from(await blob.arrayBuffer());
   assert.deepEqual(readNifti(bytes).voxels, labelMapOf(liver, phantom.image).voxels);
   writeFileSync(join(scratch, "saved.nii.gz"), bytes);
@@ -347,10 +348,68 @@ test("label maps of any grid come back on it", async () => {
     const parameters = { dimensions: [48, 40, 36], spacing: [1.5, 1.8, 2], origin: [-31.5, 12.25, 104], direction };
     const { image, labelMap, seeds } = await flipfree.phantom("sphere", { parameters });
     const sphere = await flipfree.segment(image, seeds[0], { parameters: { resolution: 16, levels: 1 } });
-    writeFileSync(join(scratch, "grid.nii.gz"), Buffer.from(await (await labelMapFile(labelMap)).arrayBuffer()));
+    writeFileSync(join(scratch, "grid.nii.gz"), Buffer.from(await (await flipfree.labelMapFile(labelMap)).arrayBuffer()));
     writeFileSync(join(scratch, "grid.stl"), Buffer.from(await surfaceFile(sphere.surface, "stl").arrayBuffer()));
     const printed = command(scratch, "evaluate", "grid.stl", "grid.nii.gz");
     assert.ok(Number(printed.match(/Dice +([\d.]+)/)[1]) > 0.97, `${direction}: ${printed}`);
+  }
+});
+
+async function opened(name, ...beside) {
+  const files = [name, ...beside].map((file) => ({ name: file, data: new Blob([readFileSync(join(scratch, file))]) }));
+  return flipfree.readVolume(files);
+}
+
+test("files are read as the command reads them", async () => {
+  const { image, warnings } = await opened("abdomen.nii.gz");
+  assert.deepEqual(image.voxels, phantom.image.voxels);
+  assert.deepEqual(warnings, []);
+  for (const [at, value] of phantom.image.origin.entries()) {
+    assert.ok(Math.abs(image.origin[at] - value) < 1e-4);
+  }
+  assert.deepEqual(image.spacing, phantom.image.spacing);
+
+  // Cut off, packed in two members, and without an orientation.
+  const packed = readFileSync(join(scratch, "abdomen.nii.gz"));
+  const plain = gunzipSync(packed);
+  const write = (name, bytes) => writeFileSync(join(scratch, name), bytes);
+  write("cut.nii.gz", packed.subarray(0, packed.length / 2));
+  await assert.rejects(opened("cut.nii.gz"), /'cut\.nii\.gz' cannot be read: its compressed stream breaks off/);
+  write("cut.nii", plain.subarray(0, plain.length / 2));
+  await assert.rejects(opened("cut.nii"), /holds fewer voxels than its header says/);
+  write("members.nii.gz", Buffer.concat([gzipSync(plain.subarray(0, 5000)), gzipSync(plain.subarray(5000))]));
+  assert.deepEqual((await opened("members.nii.gz")).image.voxels, phantom.image.voxels);
+  const nowhere = Buffer.from(plain);
+  nowhere.writeInt32LE(0, 252);
+  write("nowhere.nii", nowhere);
+  assert.match((await opened("nowhere.nii")).warnings.join(), /neither a qform nor an sform/);
+  write("text.nii", "no volume");
+  await assert.rejects(opened("text.nii"), /does not begin as its file extension requires/);
+
+  // A header and its voxels.
+  const grid = { ...phantom.image };
+  write("pair.mhd", `ObjectType = Image\nNDims = 3\nDimSize = ${grid.size.join(" ")}\nElementSpacing = ${grid.spacing.join(" ")}\n`
+    + `Offset = ${grid.origin.join(" ")}\nElementType = MET_SHORT\nElementDataFile = pair.raw\n`);
+  write("pair.raw", Buffer.from(grid.voxels.buffer));
+  const pair = await opened("pair.raw", "pair.mhd");
+  assert.deepEqual(pair.image.voxels, grid.voxels);
+  assert.deepEqual(pair.image.origin, [...grid.origin]);
+  await assert.rejects(opened("pair.mhd"), /'pair\.raw' is missing/);
+});
+
+test("label maps of sheared grids are written by an sform", async () => {
+  const tilt = 0.3;
+  const labelMap = {
+    size: [3, 4, 5], spacing: [1, 2, 3], origin: [10, 20, 30], voxels: Uint8Array.from({ length: 60 }, (_, at) => at % 3),
+    direction: [1, 0, 0, 0, 1, Math.sin(tilt), 0, 0, Math.cos(tilt)],
+  };
+  const bytes = Buffer.from(await (await flipfree.labelMapFile(labelMap)).arrayBuffer());
+  assert.deepEqual([gunzipSync(bytes).readInt16LE(252), gunzipSync(bytes).readInt16LE(254)], [0, 1]);
+  writeFileSync(join(scratch, "sheared.nii.gz"), bytes);
+  const { image } = await opened("sheared.nii.gz");
+  assert.deepEqual(image.voxels, labelMap.voxels);
+  for (const [at, value] of labelMap.direction.entries()) {
+    assert.ok(Math.abs(image.direction[at] - value) < 1e-6);
   }
 });
 

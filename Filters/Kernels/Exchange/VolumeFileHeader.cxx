@@ -111,12 +111,6 @@ void TakePacked(VoxelStorage& storage)
 void RequireFiles(const VolumeFileHeader& header, const std::vector<double>& sizes)
 {
   const VoxelStorage& storage = header.Storage;
-  if (header.NumberOfStoredVoxels() % sizes.size() != 0)
-  {
-    throw NoVoxels(header.Name,
-      "its header names " + std::to_string(sizes.size()) +
-        " files, which cannot hold as many voxels each");
-  }
   double found = 0;
   for (std::size_t index = 0; index < sizes.size(); ++index)
   {
@@ -131,8 +125,12 @@ void RequireFiles(const VolumeFileHeader& header, const std::vector<double>& siz
     }
     found += std::max(0., sizes[index] - static_cast<double>(storage.Offset));
   }
-  double wanted = static_cast<double>(header.NumberOfStoredBytes());
-  const auto voxels = static_cast<double>(header.NumberOfStoredVoxels());
+  double voxels = header.Layers.Count; // more than an integer can number, maybe
+  for (const int size : header.Geometry.Dimensions)
+  {
+    voxels *= size;
+  }
+  double wanted = voxels * static_cast<double>(SizeOf(storage.Type));
   // Deflate cannot exceed this ratio.
   constexpr double greatestRatio = 1032;
   switch (storage.Form)
@@ -155,6 +153,12 @@ void RequireFiles(const VolumeFileHeader& header, const std::vector<double>& siz
     throw NoVoxels(header.Name,
       (isOther ? "'" + storage.Files.front() + "'" : "it") +
         " holds fewer voxels than its header says");
+  }
+  if (header.NumberOfStoredVoxels() % sizes.size() != 0)
+  {
+    throw NoVoxels(header.Name,
+      "its header names " + std::to_string(sizes.size()) +
+        " files, which cannot hold as many voxels each");
   }
 }
 

@@ -207,7 +207,6 @@ void AddVolumes(const std::string& folder, std::vector<FuzzInput>& inputs)
   pair.replace(344, 4, std::string(4, '\0'));
   binary("ANALYZE 7.5", "a.hdr", { { "a.hdr", pair }, { "a.img", voxels } });
   binary("NIfTI-2", "a.nii", { { "a.nii", Nifti2(voxels) } });
-  inputs.back().IsRead = false;
 
   const std::string detached = "data file: a.raw\n";
   text("NRRD, raw", "a.nrrd", { { "a.nrrd", NrrdHeader("raw") + voxels } });

@@ -8,5 +8,6 @@ EMSCRIPTEN_BINDINGS(flipfree)
   FlipFree::BindSegmentation();
   FlipFree::BindVessels();
   FlipFree::BindEvaluation();
+  FlipFree::BindExchange();
   FlipFree::BindPhantoms();
 }

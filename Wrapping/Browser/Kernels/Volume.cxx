@@ -16,22 +16,6 @@ namespace FlipFree
 namespace
 {
 
-ImageGeometry GeometryOf(const val& image)
-{
-  const auto numbers = [&image](const char* name)
-  { return emscripten::vecFromJSArray<double>(image[name]); };
-  const std::vector<double> size = numbers("size");
-  ImageGeometry geometry;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    geometry.Dimensions[axis] = static_cast<int>(size[axis]);
-  }
-  geometry.Spacing = Eigen::Vector3d(numbers("spacing").data());
-  geometry.Origin = Eigen::Vector3d(numbers("origin").data());
-  geometry.Direction = Eigen::Map<const RowMajorMatrix>(numbers("direction").data());
-  return geometry;
-}
-
 template <typename T>
 Volume::Storage CopyOf(const val& voxels)
 {
@@ -103,6 +87,22 @@ val CompareGrids(const val& lattice, const val& part, const std::string& nameOfP
 }
 
 } // namespace
+
+ImageGeometry GeometryOf(const val& image)
+{
+  const auto numbers = [&image](const char* name)
+  { return emscripten::vecFromJSArray<double>(image[name]); };
+  const std::vector<double> size = numbers("size");
+  ImageGeometry geometry;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    geometry.Dimensions[axis] = static_cast<int>(size[axis]);
+  }
+  geometry.Spacing = Eigen::Vector3d(numbers("spacing").data());
+  geometry.Origin = Eigen::Vector3d(numbers("origin").data());
+  geometry.Direction = Eigen::Map<const RowMajorMatrix>(numbers("direction").data());
+  return geometry;
+}
 
 void BindVolumes()
 {

@@ -7,6 +7,8 @@
 
 #include "KernelTypes.h"
 
+#include <emscripten/val.h>
+
 #include <cstdint>
 #include <memory>
 #include <variant>
@@ -47,6 +49,9 @@ private:
   Storage Voxels;
   ImageGeometry Geometry;
 };
+
+/// Of { size, spacing, origin, direction }.
+ImageGeometry GeometryOf(const emscripten::val& image);
 
 } // namespace FlipFree
 

@@ -7,6 +7,8 @@ import {
   type Grid,
   type GridComparison,
   type Image,
+  type NamedFile,
+  type OpenedVolume,
   type Organ,
   type Parameters,
   type Phantom,
@@ -144,6 +146,19 @@ export class FlipFree {
   /** Pairs of faces of a surface that intersect for some cut of the faces, by an exact count. */
   selfIntersections(surface: Surface): Promise<number> {
     return this.ask("selfIntersections", { surface });
+  }
+
+  /** The volume in a NIfTI, NRRD or MetaImage file, or in a header and the files that it names. What one file says is the
+   * same here, in Python and in the command. Rejects with a FlipFreeError for what cannot be read. */
+  readVolume(files: readonly NamedFile[], options: RunOptions = {}): Promise<OpenedVolume> {
+    // A part of a file may be sent to a worker everywhere; a file may not.
+    const sent = files.map(({ name, data }) => ({ name, data: data.slice() }));
+    return this.ask("readVolume", { files: sent }, options);
+  }
+
+  /** A compressed NIfTI-1 file of a label map of 8 bits. */
+  labelMapFile(labelMap: Image): Promise<Blob> {
+    return this.ask("labelMapFile", { labelMap });
   }
 
   phantom(shape: PhantomShape, options: PhantomOptions = {}): Promise<Phantom> {

@@ -1,6 +1,8 @@
 /** The kernels, called where they are loaded: a call returns when the work is done. A page uses them through `FlipFree`,
  * whose worker holds an engine. */
 import { correctionNumbers, pointNumbers } from "./corrections.js";
+import { countVoxels } from "./grid.js";
+import { packed } from "./inflated.js";
 import { type KernelParameter, kernelValues, packageValues, wordMessage } from "./parameters.js";
 import {
   type Corrections,
@@ -8,6 +10,8 @@ import {
   type Grid,
   type GridComparison,
   type Image,
+  type NamedFile,
+  type OpenedVolume,
   type Organ,
   type Parameters,
   type Phantom,
@@ -20,12 +24,12 @@ import {
   type Triple,
   type Vessel,
 } from "./types.js";
+import { type Answer, type KernelFiles, readVolume } from "./volumefiles.js";
 
 interface KernelVolume {
   delete(): void;
 }
 
-type Answer<T> = T & { error?: string; outOfMemory?: boolean };
 type Report = (fraction: number) => boolean;
 
 /** Runs on one volume; it keeps what the corrections of the last organ do not change. */
@@ -57,7 +61,8 @@ interface KernelPhantom {
 }
 
 /** The module that emscripten makes of Kernels/. */
-export interface KernelModule {
+export interface KernelModule extends KernelFiles {
+  niftiHeader(name: string, image: Image): Answer<{ bytes: Uint8Array<ArrayBuffer> }>;
   compareGrids(grid: Grid, part: Grid, name: string): Answer<GridComparison>;
   makeVolume(image: Image): Answer<{ volume: KernelVolume }>;
   segmentationParameters(preset: string): KernelParameter[];
@@ -197,6 +202,21 @@ export class Engine {
   /** Pairs of faces that intersect for some cut of the faces, by an exact count. */
   selfIntersections(surface: Surface): number {
     return this.checked(this.kernels.selfIntersections(surface)).count;
+  }
+
+  /** The volume in a file, or in a header and the files that it names. */
+  readVolume(files: readonly NamedFile[], report: Report = goOn): Promise<OpenedVolume> {
+    return readVolume(this.kernels, files, (answer) => this.checked(answer), report);
+  }
+
+  /** A compressed NIfTI-1 file of labels of 8 bits. */
+  async labelMapFile(labelMap: Image): Promise<Blob> {
+    const { voxels } = labelMap;
+    if (!(voxels instanceof Uint8Array) || voxels.length !== countVoxels(labelMap)) {
+      throw new FlipFreeError("A label map has a byte for each voxel of its grid");
+    }
+    const { bytes } = this.checked(this.kernels.niftiHeader("the label map", labelMap));
+    return packed([bytes, voxels as Uint8Array<ArrayBuffer>]);
   }
 
   phantom(shape: PhantomShape, parameters: Parameters = {}, report: Report = goOn): Phantom {

@@ -1,5 +1,5 @@
 /** Between indices, LPS millimeters, and the RAS affine matrices of NIfTI. */
-import type { Grid, Triple } from "./types.js";
+import type { Grid } from "./types.js";
 
 /** An LPS point as RAS, or the other way. */
 export function swapLpsRas(point: readonly number[]): [number, number, number] {
@@ -11,20 +11,6 @@ export function affineOf(grid: Grid): number[][] {
   const axes = grid.spacing.map((spacing, axis) => [0, 1, 2].map((row) => grid.direction[3 * row + axis] * spacing));
   const columns = [...axes, grid.origin].map((column) => swapLpsRas(column));
   return [...[0, 1, 2].map((row) => columns.map((column) => column[row])), [0, 0, 0, 1]];
-}
-
-/** The grid of a volume of this size and affine matrix. */
-export function gridOf(size: Triple, affine: readonly (readonly number[])[]): Grid {
-  const columns = [0, 1, 2, 3].map((axis) => swapLpsRas([0, 1, 2].map((row) => affine[row][axis])));
-  const spacing = columns.slice(0, 3).map((axis) => Math.hypot(...axis)) as [number, number, number];
-  const direction = [0, 1, 2].flatMap((row) => spacing.map((length, axis) => columns[axis][row] / length));
-  // Without negative zeros, which text would show.
-  return {
-    size,
-    spacing,
-    origin: columns[3].map((value) => value + 0) as [number, number, number],
-    direction: direction.map((value) => value + 0),
-  };
 }
 
 export function countVoxels(grid: Grid): number {

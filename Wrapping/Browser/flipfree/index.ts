@@ -1,8 +1,7 @@
 export { FlipFree } from "./client.js";
 export type { PhantomShape } from "./engine.js";
-export { affineOf, countVoxels, fillRuns, gridOf, swapLpsRas } from "./grid.js";
+export { affineOf, countVoxels, fillRuns, swapLpsRas } from "./grid.js";
 export { labelsIn } from "./labels.js";
-export { labelMapFile } from "./nifti.js";
 export {
   type SurfaceFormat,
   isSinglePrecision,

@@ -7,6 +7,8 @@ import type {
   Grid,
   GridComparison,
   Image,
+  NamedFile,
+  OpenedVolume,
   Organ,
   Parameters,
   Phantom,
@@ -30,6 +32,8 @@ export interface Requests {
   trace: { points: readonly Triple[]; parameters: Parameters };
   evaluate: { segmentation: Image | Surface; reference: Image; parameters: Parameters };
   selfIntersections: { surface: Surface };
+  readVolume: { files: readonly NamedFile[] };
+  labelMapFile: { labelMap: Image };
   phantom: { shape: PhantomShape; parameters: Parameters };
   memory: Record<string, never>;
 }
@@ -43,6 +47,8 @@ export interface Answers {
   trace: Vessel;
   evaluate: Scores;
   selfIntersections: number;
+  readVolume: OpenedVolume;
+  labelMapFile: Blob;
   phantom: Phantom;
   memory: number;
 }

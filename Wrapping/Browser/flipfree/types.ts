@@ -35,6 +35,21 @@ export interface Image extends Grid {
   voxels: Voxels;
 }
 
+/** A file, with the folders above it in its name where there are any. */
+export interface NamedFile {
+  name: string;
+  data: Blob;
+}
+
+/** A volume as a file has it. */
+export interface OpenedVolume {
+  /** The file's, of several the one that has the header. */
+  name: string;
+  image: Image;
+  /** What the file does not say, or says twice, and what was taken; whole sentences. */
+  warnings: string[];
+}
+
 /** A sphere inside the organ. */
 export interface Seed {
   center: Triple;

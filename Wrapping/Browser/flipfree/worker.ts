@@ -27,7 +27,7 @@ async function openPort(): Promise<Port> {
 }
 
 type Report = (fraction: number) => boolean;
-type Work = { [K in Kind]: (engine: Engine, request: Requests[K], report: Report) => Answers[K] };
+type Work = { [K in Kind]: (engine: Engine, request: Requests[K], report: Report) => Answers[K] | Promise<Answers[K]> };
 
 const work: Work = {
   defaultParameters: (engine, { preset }) => engine.defaultParameters(preset),
@@ -40,6 +40,8 @@ const work: Work = {
   evaluate: (engine, { segmentation, reference, parameters }, report) =>
     engine.evaluate(segmentation, reference, parameters, report),
   selfIntersections: (engine, { surface }) => engine.selfIntersections(surface),
+  readVolume: (engine, { files }, report) => engine.readVolume(files, report),
+  labelMapFile: (engine, { labelMap }) => engine.labelMapFile(labelMap),
   phantom: (engine, { shape, parameters }, report) => engine.phantom(shape, parameters, report),
   memory: (engine) => engine.memory,
 };
@@ -70,8 +72,8 @@ port.on(async (message) => {
   }
   const { id, kind, request } = message;
   try {
-    const run = work[kind] as (engine: Engine, request: unknown, report: Report) => Answers[Kind];
-    port.postMessage({ id, answer: run(await engine, request, reporter(port, id)) });
+    const run = work[kind] as (engine: Engine, request: unknown, report: Report) => Answers[Kind] | Promise<Answers[Kind]>;
+    port.postMessage({ id, answer: await run(await engine, request, reporter(port, id)) });
   } catch (error) {
     const text = error instanceof Error ? error.message : String(error);
     port.postMessage({ id, error: text, isInput: error instanceof FlipFreeError });

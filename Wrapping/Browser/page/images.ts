@@ -64,8 +64,9 @@ export async function openFiles(files: File[]): Promise<void> {
   const images = files.filter((file) => file !== session);
   if (images.length > 0) {
     await work("Opening …", async () => {
-      showImage(await readFiles(images));
-      say("Place the seed in the organ.");
+      const opened = await readFiles(images);
+      showImage(opened);
+      say(["Place the seed in the organ.", ...opened.warnings].join(" "));
     });
   }
   if (session) {

@@ -5,7 +5,6 @@ import {
   countVoxels,
   fillRuns,
   isSinglePrecision,
-  labelMapFile,
   roundedSurface,
   surfaceFile,
 } from "../flipfree/index.js";
@@ -58,7 +57,7 @@ export const saveLabels = () =>
       for (let at = seeded.length - 1; at >= 0; --at) {
         fillRuns(seeded[at].result?.runs ?? new Int32Array(), at + 1, app.opened.image, voxels);
       }
-      save(await labelMapFile({ ...app.opened.image, voxels }), "organs.nii.gz");
+      save(await flipfree.labelMapFile({ ...app.opened.image, voxels }), "organs.nii.gz");
     }
   });
 

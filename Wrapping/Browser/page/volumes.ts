@@ -1,7 +1,7 @@
-/** Files from the local disk as images: NIfTI, NRRD and MetaImage by NiiVue, DICOM by dcm2niix. */
+/** Files from the local disk as images: NIfTI, NRRD and MetaImage by the kernels, DICOM by dcm2niix. */
 import { NVImage } from "@niivue/niivue";
-import { FlipFreeError, type Grid, type Image, affineOf, gridOf } from "../flipfree/index.js";
-import type { Voxels } from "../flipfree/index.js";
+import { FlipFreeError, type Image, type Voxels, affineOf } from "../flipfree/index.js";
+import { flipfree } from "./app.js";
 
 export interface OpenImage {
   /** Of the file or folder. */
@@ -12,9 +12,11 @@ export interface OpenImage {
   image: Image;
   /** What is shown. */
   shown: NVImage;
+  /** Of the file: what it does not say, or says twice. */
+  warnings: string[];
 }
 
-const volumeEndings = /\.(nii|nii\.gz|nrrd|mha)$/i;
+const volumeEndings = /\.(nii|nii\.gz|hdr|hdr\.gz|img|img\.gz|nrrd|nhdr|mha|mhd)$/i;
 
 /** NiiVue shows a volume that is in memory as it shows a NIfTI file. */
 export async function imageOfVoxels(name: string, title: string, image: Image): Promise<OpenImage> {
@@ -27,39 +29,7 @@ export async function imageOfVoxels(name: string, title: string, image: Image): 
     image.voxels as Int16Array,
   );
   const shown = await NVImage.loadFromUrl({ url: file, name: "volume.nii" });
-  return { name, title, image, shown };
-}
-
-function scaled(voxels: Voxels, slope: number, intercept: number): Voxels {
-  if ((slope === 1 && intercept === 0) || slope === 0 || !Number.isFinite(slope)) {
-    return voxels;
-  }
-  // Whole numbers, such as those of CT scanners, stay so.
-  const isWhole = Number.isInteger(slope) && Number.isInteger(intercept) && !(voxels instanceof Float32Array);
-  return isWhole && voxels instanceof Int16Array && slope === 1
-    ? voxels.map((value) => value + intercept)
-    : Float32Array.from(voxels, (value) => value * slope + intercept);
-}
-
-function openImageOf(shown: NVImage, name: string, title: string): OpenImage {
-  const header = shown.hdr;
-  if (!header || !shown.img) {
-    throw new FlipFreeError(`${name} has no voxels that this page can read`);
-  }
-  const [dimensions, ...size] = header.dims;
-  if (dimensions > 3 && size.slice(3, dimensions).some((count) => count > 1)) {
-    throw new FlipFreeError(`${name} has several volumes or several numbers per voxel; save one of them as a file of its own`);
-  }
-  const grid: Grid = gridOf([size[0], size[1], Math.max(1, size[2])], header.affine);
-  if (![...grid.spacing, ...grid.origin, ...grid.direction].every(Number.isFinite)) {
-    throw new FlipFreeError(`${name} does not say where its voxels are; save it with spacing, origin and direction`);
-  }
-  const count = grid.size[0] * grid.size[1] * grid.size[2];
-  if (shown.img.length !== count) {
-    throw new FlipFreeError(`${name} has colors or is truncated; a grayscale volume is needed`);
-  }
-  const voxels = scaled(shown.img as Voxels, header.scl_slope, header.scl_inter);
-  return { name, title, image: { ...grid, voxels }, shown };
+  return { name, title, image, shown, warnings: [] };
 }
 
 interface Converter {
@@ -85,26 +55,26 @@ async function convertDicom(files: File[]): Promise<File[]> {
   }
 }
 
-async function readVolume(file: File, name = file.name, title = name): Promise<OpenImage> {
-  let shown: NVImage;
-  try {
-    shown = await NVImage.loadFromFile({ file, name: file.name });
-  } catch (error) {
-    const reason = error instanceof Error ? error.message : String(error);
-    throw new FlipFreeError(`${name} cannot be read (${reason}); is the file complete?`);
-  }
-  return openImageOf(shown, name, title);
+/** What NiiVue shows; it has no other types of voxels. */
+const shownTypes = [Uint8Array, Int16Array, Float32Array, Uint16Array] as const;
+
+function shownVoxels(voxels: Voxels): Voxels {
+  return shownTypes.some((type) => voxels instanceof type) ? voxels : Float32Array.from(voxels);
+}
+
+async function readVolume(files: File[], title?: string): Promise<OpenImage> {
+  const named = files.map((file) => ({ name: file.webkitRelativePath || file.name, data: file }));
+  const { name, image, warnings } = await flipfree.readVolume(named);
+  const opened = await imageOfVoxels(title ?? name, title ?? name, { ...image, voxels: shownVoxels(image.voxels) });
+  return { ...opened, image, warnings };
 }
 
 /** The volume in a file, or the largest series among DICOM files. */
 export async function readFiles(files: File[]): Promise<OpenImage> {
+  if (files.some((file) => volumeEndings.test(file.name))) {
+    return readVolume(files);
+  }
   const [first] = files;
-  if (files.length === 1 && volumeEndings.test(first.name)) {
-    return readVolume(first);
-  }
-  if (files.length === 1 && /\.(mhd|nhdr|hdr|img|raw)$/i.test(first.name)) {
-    throw new FlipFreeError(`${first.name} is only a part of an image; save it as one file (.nii.gz, .nrrd or .mha)`);
-  }
   const series = await convertDicom(files);
   if (series.length === 0) {
     const what = files.length === 1 ? first.name : `The ${files.length} files`;
@@ -113,5 +83,6 @@ export async function readFiles(files: File[]): Promise<OpenImage> {
   const largest = series.reduce((a, b) => (b.size > a.size ? b : a));
   const name = first.webkitRelativePath.split("/")[0] || largest.name;
   const more = series.length > 1 ? `, the largest of ${series.length} series` : "";
-  return readVolume(largest, name, name + more);
+  const opened = await readVolume([largest], name);
+  return { ...opened, title: name + more };
 }

@@ -22,6 +22,7 @@ namespace FlipFree
 void BindSegmentation(nanobind::module_& module);
 void BindVessels(nanobind::module_& module);
 void BindEvaluation(nanobind::module_& module);
+void BindExchange(nanobind::module_& module);
 void BindLabels(nanobind::module_& module);
 void BindPhantoms(nanobind::module_& module);
 

@@ -46,7 +46,6 @@ std::pair<int, std::optional<int>> ChooseLabelOf(const std::map<std::string, std
 
 void BindLabels(nb::module_& module)
 {
-  static const nb::exception<FileProblem> problem(module, "FileProblem");
   module.def("choose_label", &ChooseLabelOf);
   module.def("have_same_places", &AreSamePlaces);
 }

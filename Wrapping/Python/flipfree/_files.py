@@ -21,8 +21,9 @@ def read_image(
     """Reads a NIfTI, NRRD or MetaImage file, or a folder of DICOM files.
 
     A folder may hold several DICOM series; `series` is the Series Instance UID of the one to read,
-    by default the one of most files. Coordinates are LPS millimeters. The package without VTK needs
-    SimpleITK, which `pip install '.[io]'` in the source folder brings along.
+    by default the one of most files. Coordinates are LPS millimeters. What a file does not say, or
+    says twice, is a FlipFreeWarning. The package without VTK needs SimpleITK for DICOM, which
+    `pip install '.[io]'` in the source folder brings along.
 
     >>> import flipfree
     >>> flipfree.read_image("nowhere.nii.gz")
@@ -44,7 +45,7 @@ def write_image(
     """Writes a label map or a gray image: NIfTI (.nii, .nii.gz), NRRD (.nrrd), MetaImage (.mha).
 
     There is either the whole file afterward or, after an error, none of it. The package without VTK
-    needs SimpleITK, as for read_image().
+    needs SimpleITK for NRRD and MetaImage.
 
     A path that ends on .seg.nrrd makes a label map a segmentation of 3D Slicer, in which each label
     has a name and a color: those of `names` and `colors` by label, {1: "liver"} and {1: "#ffd24a"},

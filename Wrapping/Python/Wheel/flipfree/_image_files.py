@@ -1,25 +1,23 @@
-"""Files by SimpleITK."""
+"""Images from files and into them."""
 
 from __future__ import annotations
 
 import os
 from collections.abc import Mapping
-from typing import Any
 
 from . import _kernels
 from ._atomic import replacing
-from ._completeness import require_complete
 from ._dicom import read_series
 from ._errors import FileError
-from ._extras import ARRAY_INSTEAD, simpleitk
-from ._foreign import adopted
+from ._extras import simpleitk
 from ._image import Image
 from ._messages import listed
 from ._segments import ENDING, segment_fields
 from ._types import Progress
+from ._volume_files import read_volume, write_nifti
 
-READ_ENDINGS = (".nii", ".nii.gz", ".nrrd", ".nhdr", ".mha", ".mhd")
-WRITE_ENDINGS = (".nii.gz", ".nii", ".nrrd", ".mha")
+NIFTI_ENDINGS = (".nii.gz", ".nii")
+WRITE_ENDINGS = (*NIFTI_ENDINGS, ".nrrd", ".mha")
 
 
 def read(name: str, series: str | None, tell: Progress | None) -> Image:
@@ -28,7 +26,7 @@ def read(name: str, series: str | None, tell: Progress | None) -> Image:
         raise FileError(
             f"'{name}' does not exist or cannot be read. Check its name and permissions."
         )
-    image = read_series(name, series) if os.path.isdir(name) else _read_file(name, "")[0]
+    image = read_series(name, series) if os.path.isdir(name) else read_volume(name, tell)[0]
     if tell is not None:
         tell(1.0)
     return image
@@ -39,28 +37,40 @@ def read_labels(name: str, label: str) -> tuple[Image, int | None]:
 
     Without a choice, "", there may be but one label map in the file, and no value.
     """
-    if os.path.isdir(name):
-        return read(name, None, None), _choice({}, 1, label, name)[1]
-    if not os.access(name, os.R_OK):
-        raise FileError(
-            f"'{name}' does not exist or cannot be read. Check its name and permissions."
-        )
-    return _read_file(name, label)
+    if not os.path.isdir(name) and os.access(name, os.R_OK):
+        return read_volume(name, None, label)
+    image = read(name, None, None)  # a series, or why there is nothing
+    try:
+        return image, _kernels.choose_label({}, 1, label, name)[1]
+    except _kernels.FileProblem as problem:
+        raise FileError(str(problem)) from None
 
 
 def write(
     image: Image, name: str, names: Mapping[int, str] | None, colors: Mapping[int, str]
 ) -> None:
     """Writes an image; without names, its labels have its own."""
-    _require_ending(name, WRITE_ENDINGS)
+    if not name.lower().endswith(WRITE_ENDINGS):
+        raise FileError(
+            f"The file extension of '{name}' is not supported. Use {listed(WRITE_ENDINGS, 'or')}."
+        )
+    if name.lower().endswith(NIFTI_ENDINGS):
+        write_nifti(image, name)
+    else:
+        _write_by_simpleitk(image, name, dict(image.names if names is None else names), colors)
+
+
+def _write_by_simpleitk(
+    image: Image, name: str, names: Mapping[int, str], colors: Mapping[int, str]
+) -> None:
+    """NRRD and MetaImage."""
     sitk = simpleitk(name)
     itk_image = sitk.GetImageFromArray(image.voxels)
     itk_image.SetSpacing(image.spacing)
     itk_image.SetOrigin(image.origin)
     itk_image.SetDirection(image.direction)
     if name.lower().endswith(ENDING):
-        known = dict(image.names if names is None else names)
-        for key, value in segment_fields(image.voxels, name, known, colors).items():
+        for key, value in segment_fields(image.voxels, name, names, colors).items():
             itk_image.SetMetaData(key, value)
     with replacing(name) as temporary:
         try:
@@ -68,54 +78,7 @@ def write(
             # Not every writer notices a full disk.
             whole = sitk.ReadImage(temporary).GetSize() == itk_image.GetSize()
         except RuntimeError as error:
-            raise FileError(f"'{name}' cannot be written: {_last_line(error) or error}") from error
+            reason = str(error).strip().splitlines()[-1].partition("): ")[2].strip(" .")
+            raise FileError(f"'{name}' cannot be written: {reason or error}") from error
         if not whole:
             raise FileError(f"'{name}' cannot be written completely. Free some disk space.")
-
-
-def _read_file(name: str, label: str) -> tuple[Image, int | None]:
-    _require_ending(name, READ_ENDINGS)
-    sitk: Any = simpleitk(name, ARRAY_INSTEAD)
-    try:
-        image = sitk.ReadImage(name)
-    except RuntimeError as error:
-        reason = _last_line(error)
-        raise FileError(
-            f"'{name}' cannot be read: it is damaged, or its format does not match its extension"
-            + (f" ({reason})." if reason else ".")
-        ) from error
-    require_complete(name, image)
-    value = None
-    layers = image.GetNumberOfComponentsPerPixel()
-    pairs = {key: image.GetMetaData(key) for key in image.GetMetaDataKeys()}
-    if layers == 1 or "Segment0_ID" in pairs:
-        layer, value = _choice(pairs, layers, label, name)
-        if layers > 1:
-            image = sitk.VectorIndexSelectionCast(image, layer)
-    try:
-        return adopted("image", image), value
-    except ValueError as error:
-        raise FileError(f"'{name}': {str(error).partition(': ')[2]}") from error
-
-
-def _choice(
-    pairs: Mapping[str, str], layers: int, label: str, name: str
-) -> tuple[int, int | None]:
-    """The layer of a file's label maps that holds a label, and its value if one is chosen."""
-    try:
-        choice: tuple[int, int | None] = _kernels.choose_label(dict(pairs), layers, label, name)
-    except _kernels.FileProblem as problem:
-        raise FileError(str(problem)) from None
-    return choice
-
-
-def _require_ending(name: str, endings: tuple[str, ...]) -> None:
-    if not name.lower().endswith(endings):
-        raise FileError(
-            f"The file extension of '{name}' is not supported. Use {listed(endings, 'or')}."
-        )
-
-
-def _last_line(error: Exception) -> str:
-    """What ITK says, without where in its source."""
-    return str(error).strip().splitlines()[-1].partition("): ")[2].strip(" .")

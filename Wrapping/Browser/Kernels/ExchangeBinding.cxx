@@ -1,0 +1,189 @@
+// Headers of image files, and the voxels that they describe.
+#include "Bindings.h"
+#include "Volume.h"
+
+#include "Exchange/NiftiHeader.h"
+#include "Exchange/VolumeFileHeader.h"
+#include "Exchange/VoxelDecoding.h"
+
+#include <emscripten/bind.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace FlipFree
+{
+namespace
+{
+
+/// A header whose files the package has found.
+class VolumeFile
+{
+public:
+  explicit VolumeFile(VolumeFileHeader header)
+    : Header(std::move(header))
+  {
+  }
+
+  void TakePackedFile() { TakePacked(this->Header.Storage); }
+
+  val CheckFiles(const val& names, const val& sizes)
+  {
+    return Guarded(
+      [&]
+      {
+        this->Header.Storage.Files = emscripten::vecFromJSArray<std::string>(names);
+        RequireFiles(this->Header, emscripten::vecFromJSArray<double>(sizes));
+        return this->Fields();
+      });
+  }
+
+  /// { voxels } of as many voxels as the bytes hold, in their own typed array.
+  val Decode(const std::string& stored)
+  {
+    return this->Decoded(stored.size() / SizeOf(this->Header.Storage.Type),
+      [&](std::size_t count, void* values)
+      { DecodeVoxels(this->Header, stored.data(), count, values); });
+  }
+
+  val DecodeText(const std::string& stored)
+  {
+    return this->Decoded(this->Header.NumberOfStoredVoxels(),
+      [&](std::size_t, void* values) { DecodeDigits(this->Header, stored, values); });
+  }
+
+  val Fields() const
+  {
+    const VolumeFileHeader& header = this->Header;
+    const char* const forms[] = { "raw", "deflated", "text", "hex" };
+    const RowMajorMatrix direction = header.Geometry.Direction;
+    val fields = val::object();
+    fields.set("size", ArrayOf(header.Geometry.Dimensions));
+    fields.set("spacing", ArrayOf(header.Geometry.Spacing));
+    fields.set("origin", ArrayOf(header.Geometry.Origin));
+    fields.set("direction", ArrayOf(direction));
+    fields.set("type", std::string(NameOf(header.ValueType())));
+    fields.set("voxelBytes", static_cast<double>(SizeOf(header.Storage.Type)));
+    fields.set("files", val::array(header.Storage.Files));
+    fields.set("mayBePacked", header.Storage.MayBePacked);
+    fields.set("form", std::string(forms[static_cast<int>(header.Storage.Form)]));
+    fields.set("offset", static_cast<double>(header.Storage.Offset));
+    fields.set("lines", static_cast<double>(header.Storage.Lines));
+    fields.set("skipped", static_cast<double>(header.Storage.Skipped));
+    fields.set("isAtEnd", header.Storage.IsAtEnd);
+    fields.set("layers", header.Layers.Count);
+    fields.set("warnings", val::array(header.Warnings));
+    return fields;
+  }
+
+private:
+  template <typename T, typename Fill>
+  static val Typed(std::size_t count, const Fill& fill)
+  {
+    std::vector<T> values(count);
+    fill(count, values.data());
+    return ArrayOf(values);
+  }
+
+  template <typename Fill>
+  static val TypedArray(VoxelType type, std::size_t count, const Fill& fill)
+  {
+    switch (type)
+    {
+      case VoxelType::Int8:
+        return Typed<std::int8_t>(count, fill);
+      case VoxelType::UInt8:
+        return Typed<std::uint8_t>(count, fill);
+      case VoxelType::Int16:
+        return Typed<std::int16_t>(count, fill);
+      case VoxelType::UInt16:
+        return Typed<std::uint16_t>(count, fill);
+      case VoxelType::Int32:
+        return Typed<std::int32_t>(count, fill);
+      case VoxelType::UInt32:
+        return Typed<std::uint32_t>(count, fill);
+      case VoxelType::Float32:
+        return Typed<float>(count, fill);
+      case VoxelType::Float64:
+        return Typed<double>(count, fill);
+      case VoxelType::Int64:
+      case VoxelType::UInt64:
+        break;
+    }
+    throw std::invalid_argument("voxels of 64-bit integers, for which a browser has no numbers; "
+                                "save them with 32 bits");
+  }
+
+  template <typename Fill>
+  val Decoded(std::size_t count, const Fill& fill)
+  {
+    return Guarded(
+      [&]
+      {
+        val answer = val::object();
+        answer.set("voxels", TypedArray(this->Header.ValueType(), count, fill));
+        return answer;
+      });
+  }
+
+  VolumeFileHeader Header;
+};
+
+// { file: VolumeFile, ... its fields } of the first bytes of a file.
+val ReadHeader(const std::string& name, const std::string& start)
+{
+  return Guarded(
+    [&]
+    {
+      const auto file = std::make_shared<VolumeFile>(ReadVolumeFileHeader(name, start));
+      val answer = file->Fields();
+      answer.set("file", file);
+      return answer;
+    });
+}
+
+val HeaderFiles(const std::string& name)
+{
+  return val::array(HeaderFilesOf(name));
+}
+
+// { bytes } that stand before voxels of one byte each.
+val NiftiBytes(const std::string& name, const val& image)
+{
+  return Guarded(
+    [&]
+    {
+      const std::string bytes = NiftiHeaderOf(name, GeometryOf(image), VoxelType::UInt8);
+      val answer = val::object();
+      answer.set("bytes", ArrayOf(reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size()));
+      return answer;
+    });
+}
+
+std::string WhyIncomplete(const std::string& name, bool isBroken)
+{
+  return IncompleteVoxels(
+    name, isBroken ? Incompleteness::BrokenStream : Incompleteness::TooFewVoxels)
+    .what();
+}
+
+} // namespace
+
+void BindExchange()
+{
+  emscripten::class_<VolumeFile>("VolumeFile")
+    .smart_ptr<std::shared_ptr<VolumeFile>>("VolumeFile")
+    .function("takePacked", &VolumeFile::TakePackedFile)
+    .function("checkFiles", &VolumeFile::CheckFiles)
+    .function("decode", &VolumeFile::Decode)
+    .function("decodeText", &VolumeFile::DecodeText);
+  emscripten::constant("headerBytes", static_cast<double>(BytesOfHeader));
+  emscripten::constant("missingFile", MissingFile);
+  emscripten::function("headerFiles", &HeaderFiles);
+  emscripten::function("readHeader", &ReadHeader);
+  emscripten::function("niftiHeader", &NiftiBytes);
+  emscripten::function("whyIncomplete", &WhyIncomplete);
+}
+
+} // namespace FlipFree

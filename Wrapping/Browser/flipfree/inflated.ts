@@ -1,0 +1,118 @@
+/** Bytes of files, packed by gzip or zlib. */
+import { Inflate, type Data } from "pako";
+
+export const isPacked = async (file: Blob): Promise<boolean> => {
+  const mark = new Uint8Array(await file.slice(0, 2).arrayBuffer());
+  return mark[0] === 0x1f && mark[1] === 0x8b;
+};
+
+/** Reads a file from its beginning on, a part at a time. */
+export class InflatedFile {
+  private inflate?: Inflate;
+  private hasEnded = false; // the stream, or a member of gzip
+  private parts: Uint8Array[] = [];
+  private available = 0;
+  private place = 0;
+
+  constructor(
+    private readonly file: Blob,
+    packed: boolean,
+  ) {
+    if (packed) {
+      this.inflate = this.newStream();
+    }
+  }
+
+  /** So many bytes, or fewer at the end or where the stream breaks off. */
+  async read(size: number): Promise<Uint8Array> {
+    while (this.available < size && (await this.more())) {
+      // goes on
+    }
+    const bytes = new Uint8Array(Math.min(size, this.available));
+    for (let filled = 0; filled < bytes.length; ) {
+      const [part] = this.parts;
+      const taken = part.subarray(0, bytes.length - filled);
+      bytes.set(taken, filled);
+      filled += taken.length;
+      this.parts[0] = part.subarray(taken.length);
+      if (this.parts[0].length === 0) {
+        this.parts.shift();
+      }
+    }
+    this.available -= bytes.length;
+    return bytes;
+  }
+
+  /** Past so many bytes. */
+  async skip(size: number): Promise<void> {
+    for (let left = size; left > 0; ) {
+      const { length } = await this.read(Math.min(left, partSize));
+      left = length > 0 ? left - length : 0;
+    }
+  }
+
+  /** Past the ends of so many lines. */
+  async skipLines(lines: number): Promise<void> {
+    for (let left = lines; left > 0; ) {
+      const letter = await this.read(1);
+      left -= letter.length === 0 || letter[0] === lineEnd ? 1 : 0;
+    }
+  }
+
+  /** All that follows. */
+  async rest(): Promise<Uint8Array> {
+    while (await this.more()) {
+      // goes on
+    }
+    return this.read(this.available);
+  }
+
+  /** Whether the stream is whole, once it is read to its end. */
+  async endsProperly(): Promise<boolean> {
+    while (this.inflate && !this.hasEnded && (await this.more())) {
+      this.parts = [];
+      this.available = 0;
+    }
+    return !this.inflate || (this.hasEnded && this.inflate.err === 0);
+  }
+
+  private newStream(): Inflate {
+    const stream = new Inflate();
+    stream.onData = (part) => this.keep(part as Uint8Array);
+    stream.onEnd = (status) => {
+      this.hasEnded = status === 0;
+    };
+    this.hasEnded = false;
+    return stream;
+  }
+
+  private keep(part: Uint8Array): void {
+    this.parts.push(part);
+    this.available += part.length;
+  }
+
+  /** False at the end. */
+  private async more(): Promise<boolean> {
+    if (this.place >= this.file.size || (this.inflate && this.inflate.err !== 0)) {
+      return false;
+    }
+    const part = new Uint8Array(await this.file.slice(this.place, this.place + partSize).arrayBuffer());
+    this.place += part.length;
+    if (this.inflate) {
+      this.inflate = this.hasEnded ? this.newStream() : this.inflate;
+      this.inflate.push(part as Data, false);
+    } else {
+      this.keep(part);
+    }
+    return true;
+  }
+}
+
+const partSize = 1 << 20;
+const lineEnd = 10;
+
+/** A file packed by gzip. */
+export async function packed(parts: BlobPart[]): Promise<Blob> {
+  const stream = new Blob(parts).stream().pipeThrough(new CompressionStream("gzip"));
+  return new Blob([await new Response(stream).arrayBuffer()], { type: "application/gzip" });
+}

@@ -1,0 +1,149 @@
+// Headers of image files, and the voxels that they describe.
+#include "Bindings.h"
+#include "Numpy.h"
+
+#include "Exchange/NiftiHeader.h"
+#include "Exchange/VolumeFileHeader.h"
+#include "Exchange/VoxelDecoding.h"
+
+#include <nanobind/stl/array.h>
+#include <nanobind/stl/map.h>
+
+namespace FlipFree
+{
+namespace
+{
+
+using Values = nb::ndarray<nb::numpy, nb::ndim<1>, nb::c_contig, nb::device::cpu>;
+
+std::string TextOf(const nb::bytes& bytes)
+{
+  return { bytes.c_str(), bytes.size() };
+}
+
+const char* NameOf(VoxelStorage::Coding form)
+{
+  const char* const names[] = { "raw", "deflated", "text", "hex" };
+  return names[static_cast<int>(form)];
+}
+
+/// As many of the values, from `first` on, as the bytes hold.
+void DecodePart(const VolumeFileHeader& header, const nb::bytes& stored, Values& values,
+  std::size_t first)
+{
+  const std::size_t count = stored.size() / SizeOf(header.Storage.Type);
+  const std::size_t size = SizeOf(header.ValueType());
+  if (values.itemsize() != size || first > values.size() || count > values.size() - first)
+  {
+    throw std::out_of_range("more voxels than values");
+  }
+  DecodeVoxels(header, stored.c_str(), count, static_cast<char*>(values.data()) + first * size);
+}
+
+void DecodeAllDigits(const VolumeFileHeader& header, const nb::bytes& stored, Values& values)
+{
+  if (values.itemsize() != SizeOf(header.ValueType()) ||
+    values.size() != header.NumberOfStoredVoxels())
+  {
+    throw std::out_of_range("another number of voxels than of values");
+  }
+  DecodeDigits(header, TextOf(stored), values.data());
+}
+
+nb::bytes NiftiBytes(const std::string& name, const std::string& type, const Triple& size,
+  const Triple& spacing, const Triple& origin, const Nine& direction)
+{
+  ImageGeometry grid;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    grid.Dimensions[axis] = static_cast<int>(size[axis]);
+  }
+  grid.Spacing = Eigen::Vector3d(spacing.data());
+  grid.Origin = Eigen::Vector3d(origin.data());
+  grid.Direction = Eigen::Map<const RowMajorMatrix>(direction.data());
+  int code = 0;
+  while (type != NameOf(static_cast<VoxelType>(code)))
+  {
+    if (static_cast<VoxelType>(code++) == VoxelType::Float64)
+    {
+      throw std::invalid_argument("voxels of type " + type);
+    }
+  }
+  const std::string bytes = NiftiHeaderOf(name, grid, static_cast<VoxelType>(code));
+  return nb::bytes(bytes.data(), bytes.size());
+}
+
+void BindFileProblem(nb::module_& module)
+{
+  static const nb::exception<FileProblem> problem(module, "FileProblem");
+}
+
+} // namespace
+
+void BindExchange(nb::module_& module)
+{
+  BindFileProblem(module);
+  nb::class_<VolumeFileHeader>(module, "VolumeFileHeader")
+    .def("__init__",
+      [](VolumeFileHeader* header, const std::string& name, const nb::bytes& start)
+      { new (header) VolumeFileHeader(ReadVolumeFileHeader(name, TextOf(start))); })
+    .def_ro("name", &VolumeFileHeader::Name)
+    .def_ro("warnings", &VolumeFileHeader::Warnings)
+    .def_ro("pairs", &VolumeFileHeader::Pairs)
+    .def_prop_ro("value_type",
+      [](const VolumeFileHeader& header) { return NameOf(header.ValueType()); })
+    .def_prop_ro("voxel_bytes",
+      [](const VolumeFileHeader& header) { return SizeOf(header.Storage.Type); })
+    .def_prop_ro("size", [](const VolumeFileHeader& header) { return header.Geometry.Dimensions; })
+    .def_prop_ro("layers", [](const VolumeFileHeader& header) { return header.Layers.Count; })
+    .def_prop_ro("are_interleaved",
+      [](const VolumeFileHeader& header) { return header.Layers.AreInterleaved; })
+    .def_prop_ro("spacing",
+      [](const VolumeFileHeader& header)
+      {
+        const Eigen::Vector3d& spacing = header.Geometry.Spacing;
+        return Triple{ { spacing[0], spacing[1], spacing[2] } };
+      })
+    .def_prop_ro("origin",
+      [](const VolumeFileHeader& header)
+      {
+        const Eigen::Vector3d& origin = header.Geometry.Origin;
+        return Triple{ { origin[0], origin[1], origin[2] } };
+      })
+    .def_prop_ro("direction",
+      [](const VolumeFileHeader& header)
+      {
+        Nine direction;
+        Eigen::Map<RowMajorMatrix>(direction.data()) = header.Geometry.Direction;
+        return direction;
+      })
+    .def_prop_rw(
+      "files", [](const VolumeFileHeader& header) { return header.Storage.Files; },
+      [](VolumeFileHeader& header, const std::vector<std::string>& files)
+      { header.Storage.Files = files; })
+    .def_prop_ro("may_be_packed",
+      [](const VolumeFileHeader& header) { return header.Storage.MayBePacked; })
+    .def("take_packed", [](VolumeFileHeader& header) { TakePacked(header.Storage); })
+    .def_prop_ro("form", [](const VolumeFileHeader& header) { return NameOf(header.Storage.Form); })
+    .def_prop_ro("offset", [](const VolumeFileHeader& header) { return header.Storage.Offset; })
+    .def_prop_ro("lines", [](const VolumeFileHeader& header) { return header.Storage.Lines; })
+    .def_prop_ro("skipped", [](const VolumeFileHeader& header) { return header.Storage.Skipped; })
+    .def_prop_ro("is_at_end", [](const VolumeFileHeader& header) { return header.Storage.IsAtEnd; })
+    .def("require_files", &RequireFiles)
+    .def("decode", &DecodePart)
+    .def("decode_digits", &DecodeAllDigits);
+  module.def("header_files", &HeaderFilesOf);
+  module.def("nifti_header", &NiftiBytes);
+  module.def("broken_stream",
+    [](const std::string& name)
+    { return std::string(IncompleteVoxels(name, Incompleteness::BrokenStream).what()); });
+  module.def("too_few_voxels",
+    [](const std::string& name)
+    { return std::string(IncompleteVoxels(name, Incompleteness::TooFewVoxels).what()); });
+  module.attr("HEADER_BYTES") = BytesOfHeader;
+  module.attr("PACKED_MARK") = nb::bytes(PackedMark, 2);
+  module.attr("MISSING_FILE") = MissingFile;
+  module.attr("IRREGULAR_FILE") = IrregularFile;
+}
+
+} // namespace FlipFree
