@@ -24,8 +24,8 @@ constexpr std::size_t FewestVoxelsInSeed = 100; // of the inner half; of fewer, 
 // A surface rounds off the corners of voxels: this part of a mask.
 constexpr double MissedSilently = 0.05;
 
-// Of the labels of 115 organs, each filled, the surface adds at most 4 %; where they are an organ's
-// wall of 6 mm, it fills what they enclose.
+// To the labels of 62 organs, as they are, moved, wider and narrower, the surface adds at most 4 %
+// of 227 results. Of closed walls of 6 mm, it adds 27 % and more. A fifth more or less is the same.
 constexpr double GainedSilently = 0.1;
 
 // Between the tenth and the ninetieth percentile.

@@ -47,8 +47,8 @@ LatticePlacement OrderOn(const ImageGeometry& lattice, const ImageGeometry& part
   return best;
 }
 
-// How a grid lies on the lattice, and how far off: all differences are lengths at the compared
-// voxels, so that they tell which of them matters.
+// How a grid lies on the lattice, and how far off. What differs is what moves the farthest of the
+// compared voxels most.
 class Comparison
 {
 public:
@@ -86,8 +86,9 @@ public:
         this->Compared.Begin[axis] = static_cast<int>(place[axis]);
       }
       // At least two voxels, which tell the spacing.
+      const int second = this->Compared.Begin[axis] + 2;
       this->Compared.End[axis] =
-        std::max(this->Overlap ? this->Compared.End[axis] : 0, this->Compared.Begin[axis] + 2);
+        this->Overlap ? std::max(this->Compared.End[axis], second) : second;
     }
   }
 
