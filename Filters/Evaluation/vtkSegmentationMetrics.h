@@ -23,8 +23,9 @@
  * or a vtkPolyData (closed surface of polygons, in the reference's physical coordinates).
  *
  * Input port 1: vtkImageData, the reference label map (SetReferenceData or SetReferenceConnection).
- * Two label maps must have the same dimensions and lie in the same place, to a hundredth of a
- * voxel.
+ * The voxels of two label maps must lie in the same places, up to a tenth of the least spacing;
+ * either may be cropped, and have its axes in any order. Both are compared on a grid that holds
+ * them: what lies outside the grid of one of them counts as not in it.
  *
  * Output port 0: vtkTable with one row and the columns Dice, Jaccard, RelativeVolumeDifference
  * (fractions), ASD, RMS, HD95, HD (mm), SegmentationVolume, ReferenceVolume (ml, of the voxels),
@@ -32,14 +33,15 @@
  * of label map", "mesh" or "surface of voxelized mesh".
  *
  * Errors, with a code of FlipFreeErrorCode.h and with an empty table and measures that are not a
- * number: an empty mask on either port, label maps of different geometry, a label map without
+ * number: an empty mask on either port, label maps with other voxels, a label map without
  * scalars, with several components, of bits, or with a spacing that is not positive, a surface that
  * is empty, open or not finite, or encloses no voxel center of the reference, a surface that would
  * need more than a hundred million samples (raise SampleSpacing), a SampleSpacing that is not a
  * number. Warnings, which still give measures:
  *  - a reference of several labels, or of values that no label map has, if none of them was chosen
  *    and the segmentation has only one;
- *  - a surface that lies, in part, more than a voxel outside the reference's grid.
+ *  - a surface that lies, in part, more than a voxel outside the reference's grid, or label maps
+ *    with voxels outside the grid of the other.
  *
  * Definitions: L. Maier-Hein et al., Metrics reloaded, Nature Methods 21 (2024), but with
  * area-weighted samples instead of boundary voxels.

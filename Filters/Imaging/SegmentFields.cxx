@@ -4,8 +4,10 @@
 #include "VolumeHeader.h"
 
 #include "Deformation/Provenance.h"
+#include "Exchange/SegmentationLayers.h"
 #include "Exchange/VolumeFileHeader.h"
 #include "Image/LabelBoxes.h"
+#include "MessageText.h"
 
 #include "vtkAbstractArray.h"
 #include "vtkDataArray.h"
@@ -15,7 +17,7 @@
 #include "vtkStringArray.h"
 
 #include <algorithm>
-#include <cstdint>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -45,13 +47,6 @@ LabelBoxes LabelBoxesOf(vtkImageData* labels, const std::string& name)
   return boxes;
 }
 
-struct Segment
-{
-  std::int64_t Label;
-  std::string Name;
-  std::string Color; ///< #ffd24a
-};
-
 vtkAbstractArray* FieldOf(vtkImageData* labels, const char* name)
 {
   return labels->GetFieldData()->GetAbstractArray(name);
@@ -79,8 +74,15 @@ std::vector<Segment> NamedSegments(vtkImageData* labels, const std::string& name
   for (vtkIdType index = 0; index < count; ++index)
   {
     const std::string color = colors ? colors->GetValue(index) : std::string();
-    segments.push_back({ static_cast<std::int64_t>(values->GetComponent(index, 0)),
-      names->GetValue(index), color.empty() ? DefaultColor(segments.size()) : color });
+    const double label = values->GetComponent(index, 0);
+    if (!(std::abs(label) <= VTK_INT_MAX))
+    {
+      Refuse(name,
+        "the field array SegmentLabels of the image on port 0 holds " + TextOf(label) +
+          ", which is no label. Give whole numbers.");
+    }
+    segments.push_back({ names->GetValue(index),
+      color.empty() ? DefaultColor(segments.size()) : color, static_cast<int>(label) });
   }
   return segments;
 }
@@ -149,8 +151,8 @@ FileFields SegmentFieldsOf(vtkImageData* labels, const std::string& name)
     {
       const bool isOnly = boxes.size() == 1;
       segments.push_back(
-        { label, isOnly ? file.substr(0, file.find('.', 1)) : "Segment_" + std::to_string(label),
-          DefaultColor(segments.size()) });
+        { isOnly ? file.substr(0, file.find('.', 1)) : "Segment_" + std::to_string(label),
+          DefaultColor(segments.size()), static_cast<int>(label) });
     }
   }
   FileFields fields{ { "Segmentation_ContainedRepresentationNames",

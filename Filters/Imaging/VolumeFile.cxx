@@ -2,6 +2,7 @@
 
 #include "InflatedFile.h"
 
+#include "Exchange/SegmentationLayers.h"
 #include "Exchange/VoxelDecoding.h"
 
 #include <algorithm>
@@ -127,24 +128,8 @@ std::string Rest(InflatedFile& file)
   return text;
 }
 
-} // namespace
-
-VolumeFileHeader OpenVolumeFile(const std::string& name)
-{
-  RequireReadable(name);
-  const std::string headerFile = HeaderFileOf(name);
-  VolumeFileHeader header = ReadVolumeFileHeader(headerFile, FirstBytes(headerFile));
-  FindFiles(headerFile, header.Storage);
-  std::vector<double> sizes;
-  for (const std::string& file : header.Storage.Files)
-  {
-    sizes.push_back(SizeOfFile(file));
-  }
-  RequireFiles(header, sizes);
-  return header;
-}
-
-void ReadVolumeFile(const VolumeFileHeader& header, void* values, const Monitor& monitor)
+/// All layers.
+void ReadStoredVoxels(const VolumeFileHeader& header, void* values, const Monitor& monitor)
 {
   const VoxelStorage& storage = header.Storage;
   const std::size_t ofFile = header.NumberOfStoredVoxels() / storage.Files.size();
@@ -185,6 +170,36 @@ void ReadVolumeFile(const VolumeFileHeader& header, void* values, const Monitor&
         endsProperly ? Incompleteness::TooFewVoxels : Incompleteness::BrokenStream);
     }
   }
+}
+
+} // namespace
+
+VolumeFileHeader OpenVolumeFile(const std::string& name)
+{
+  RequireReadable(name);
+  const std::string headerFile = HeaderFileOf(name);
+  VolumeFileHeader header = ReadVolumeFileHeader(headerFile, FirstBytes(headerFile));
+  FindFiles(headerFile, header.Storage);
+  std::vector<double> sizes;
+  for (const std::string& file : header.Storage.Files)
+  {
+    sizes.push_back(SizeOfFile(file));
+  }
+  RequireFiles(header, sizes);
+  return header;
+}
+
+void ReadVolumeFile(const VolumeFileHeader& header, int layer, void* values, const Monitor& monitor)
+{
+  if (header.Layers.Count == 1)
+  {
+    ReadStoredVoxels(header, values, monitor);
+    return;
+  }
+  const std::size_t bytes = SizeOf(header.ValueType());
+  std::vector<char> all(header.NumberOfStoredVoxels() * bytes);
+  ReadStoredVoxels(header, all.data(), monitor);
+  CopyLayer(all.data(), header.Geometry.NumberOfVoxels(), bytes, header.Layers, layer, values);
 }
 
 } // namespace FlipFree

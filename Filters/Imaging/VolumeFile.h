@@ -17,9 +17,10 @@ namespace FlipFree
 /// if there are none, or if it is of none of these formats.
 VolumeFileHeader OpenVolumeFile(const std::string& name);
 
-/// Reads the voxels of a file that has just been opened; `values` have room for them. A FileProblem
+/// Reads one layer of a file that has just been opened; `values` have room for it. A FileProblem
 /// where they are damaged or too few. Where the monitor says stop, the rest is left as it was.
-void ReadVolumeFile(const VolumeFileHeader& header, void* values, const Monitor& monitor);
+void ReadVolumeFile(const VolumeFileHeader& header, int layer, void* values,
+  const Monitor& monitor);
 
 } // namespace FlipFree
 

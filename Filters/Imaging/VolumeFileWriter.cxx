@@ -122,7 +122,7 @@ Volume ReadBack(const std::string& written, const std::string& destination)
     Volume volume;
     volume.Header = OpenVolumeFile(written);
     volume.Voxels.resize(volume.Header.NumberOfStoredBytes());
-    ReadVolumeFile(volume.Header, volume.Voxels.data(), NeverStop);
+    ReadVolumeFile(volume.Header, 0, volume.Voxels.data(), NeverStop);
     return volume;
   }
   catch (const FileProblem&)

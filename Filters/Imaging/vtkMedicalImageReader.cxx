@@ -6,6 +6,8 @@
 #include "PipelineAdapter.h"
 #include "VolumeFile.h"
 
+#include "Exchange/SegmentationLayers.h"
+
 #include "vtkDataArray.h"
 #include "vtkErrorCode.h"
 #include "vtkFieldData.h"
@@ -27,6 +29,7 @@ struct vtkMedicalImageReader::Source
   std::vector<FlipFree::DicomSeries> Series;
   std::size_t Chosen = 0;
   FlipFree::VolumeHeader Header;
+  FlipFree::LabelChoice Label;
 };
 
 namespace
@@ -80,6 +83,7 @@ vtkMedicalImageReader::~vtkMedicalImageReader()
 {
   this->SetFileName(nullptr);
   this->SetSeriesUID(nullptr);
+  this->SetSegment(nullptr);
 }
 
 int vtkMedicalImageReader::RequestInformation(vtkInformation*, vtkInformationVector**,
@@ -97,6 +101,7 @@ int vtkMedicalImageReader::RequestInformation(vtkInformation*, vtkInformationVec
     }
     Source& found = *this->Found;
     const std::string name = this->FileName;
+    const std::string segment = this->Segment ? this->Segment : "";
     std::error_code ignored;
     if (std::filesystem::is_directory(name, ignored))
     {
@@ -106,6 +111,7 @@ int vtkMedicalImageReader::RequestInformation(vtkInformation*, vtkInformationVec
         return 0;
       }
       found.Chosen = ChooseSeries(found.Series, this->SeriesUID, name);
+      found.Label = FlipFree::ChooseLabel({}, 1, segment, name);
       std::string warning;
       found.Header = FlipFree::HeaderOfSeries(found.Series[found.Chosen], warning);
       if (!warning.empty())
@@ -121,6 +127,8 @@ int vtkMedicalImageReader::RequestInformation(vtkInformation*, vtkInformationVec
         vtkWarningMacro(<< warning);
       }
       found.Header = { file.Geometry, FlipFree::ScalarTypeOf(file.ValueType()) };
+      found.Label = FlipFree::ChooseLabel(FlipFree::SegmentsOf(file.Pairs, name), file.Layers.Count,
+        segment, name);
     }
   }
   catch (const std::exception& error)
@@ -162,7 +170,7 @@ int vtkMedicalImageReader::RequestData(vtkInformation*, vtkInformationVector**,
           "'" + name +
             "' has changed since its header was read. Call Modified() and update again.");
       }
-      FlipFree::ReadVolumeFile(file, scalars->GetVoidPointer(0), monitor);
+      FlipFree::ReadVolumeFile(file, found.Label.Layer, scalars->GetVoidPointer(0), monitor);
     }
     else
     {
@@ -213,6 +221,11 @@ int vtkMedicalImageReader::Fail(const std::exception& error, vtkInformation* out
   return 0;
 }
 
+int vtkMedicalImageReader::GetSegmentLabel()
+{
+  return this->Found->Label.Label.value_or(-1);
+}
+
 int vtkMedicalImageReader::GetNumberOfSeries()
 {
   return static_cast<int>(this->Found->Series.size());
@@ -248,5 +261,6 @@ void vtkMedicalImageReader::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n";
   os << indent << "SeriesUID: " << (this->SeriesUID ? this->SeriesUID : "(most files)") << "\n";
+  os << indent << "Segment: " << (this->Segment ? this->Segment : "(none)") << "\n";
   os << indent << "NumberOfSeries: " << this->GetNumberOfSeries() << "\n";
 }

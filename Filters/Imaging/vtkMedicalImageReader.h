@@ -63,6 +63,23 @@ public:
 
   ///@{
   /**
+   * A label of a label map: of a segmentation of 3D Slicer (.seg.nrrd), a segment by its name, in
+   * whichever case; of any file, the value of its voxels, "6". Of several layers, which hold
+   * segments that overlap, the output is the one that holds it; all labels of that layer are there,
+   * and GetSegmentLabel() says which value is meant. Empty or unset (the default), there may be but
+   * one layer.
+   */
+  vtkSetStringMacro(Segment);
+  vtkGetStringMacro(Segment);
+  ///@}
+
+  /**
+   * The value of the voxels of Segment; -1 where none was chosen.
+   */
+  int GetSegmentLabel();
+
+  ///@{
+  /**
    * The DICOM series that the last UpdateInformation() found in the folder, the one with the most
    * files first. A single file has none. An index out of range gives a null pointer, or zero files.
    */
@@ -86,6 +103,7 @@ protected:
 
   char* FileName = nullptr;
   char* SeriesUID = nullptr;
+  char* Segment = nullptr;
 
 private:
   vtkMedicalImageReader(const vtkMedicalImageReader&) = delete;

@@ -8,6 +8,8 @@
 
 #include <Eigen/Dense>
 
+#include <algorithm>
+#include <cmath>
 #include <sstream>
 #include <string>
 
@@ -30,6 +32,12 @@ inline std::string TextOf(double number)
   std::ostringstream text;
   text << number;
   return text.str();
+}
+
+/// Of a part that is neither nothing nor all, and not shown as if it were: 1 % to 99 %.
+inline std::string PercentOf(double fraction)
+{
+  return std::to_string(std::max(1L, std::min(99L, std::lround(100 * fraction)))) + " %";
 }
 
 /// What a user has named, as part of a message.

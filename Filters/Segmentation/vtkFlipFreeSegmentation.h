@@ -32,8 +32,9 @@
  * surface starts from the largest seed. The result depends only on the set of points, not on their
  * order or on earlier runs.
  *
- * Input port 3, optional: vtkImageData, a label map with the geometry of the image, from a network,
- * an atlas, or an earlier result. The surface then fills its voxels of the value StartLabel, or the
+ * Input port 3, optional: vtkImageData, a label map with the voxels of the image (up to a tenth of
+ * the least spacing), cropped or not and with its axes in any order, from a network, an atlas, or
+ * an earlier result. The surface then fills its voxels of the value StartLabel, or the
  * part of them that is connected to the largest ball in them, in place of a foreground found in the
  * image; that ball takes the place of the seed, so SeedCenter and SeedRadius are not used. Points
  * on port 2 correct it like any other result.
@@ -57,7 +58,7 @@
  * - Start surface: open, not four-valent, or self-intersecting.
  * - Constraint, which the error names: outside the image, contradicting another one or the seed,
  *   not to be obeyed by a surface of one piece, or given without the guard.
- * - Start labels: on another grid than the image, without voxels of StartLabel, or nowhere thicker
+ * - Start labels: with other voxels than the image's, without voxels of StartLabel, or nowhere thicker
  *   than two voxels.
  * - A property that is NaN.
  *
@@ -68,11 +69,12 @@
  * - A surface grown from the seed under the guard may be air's: more than a tenth of it found no
  *   boundary (unless search lines are shorter than by default), or more than a quarter of it lies
  *   at the image's border along two axes.
+ * - Start labels: the surface misses more than a twentieth of their voxels, or, without constraints,
+ *   adds more than a tenth to them; some of them lie outside the image.
  * - If none of these applies: the confidence is below 0.85. Look at the contour where its
  *   confidence is low, and correct it there by points. There is no such warning with constraints,
  *   of which the confidence's threshold knows nothing, nor without carving, as in the presets
  *   Published and Naive.
- * - A surface that fills start labels misses more than a twentieth of their voxels.
  *
  * Source: the paper, Algorithm 1 and sections 3.1 to 3.6. Each extension has its own switch.
  */

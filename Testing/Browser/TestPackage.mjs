@@ -11,7 +11,7 @@ import { command, dice, liverLabel, readNifti, readNiftiFile, readPlyPoints, see
 const folder = process.env.FLIPFREE_BROWSER_PACKAGE;
 const urlOf = (name) => pathToFileURL(join(folder, name));
 const {
-  FlipFree, FlipFreeError, countVoxels, doubtfulConfidence, fillRuns, isSameGrid, labelsIn, reordered, surfaceFile, surfaceFormats,
+  FlipFree, FlipFreeError, countVoxels, doubtfulConfidence, fillRuns, labelsIn, surfaceFile, surfaceFormats,
 } = await import(urlOf("index.js"));
 
 const scratch = mkdtempSync(join(tmpdir(), "flipfree-"));
@@ -146,22 +146,40 @@ test("labels are counted, and brought into the order of another grid", () => {
   assert.throws(() => labelsIn(line(Float32Array.of(0, 0.5))), /the value 0.5, which is not a label/);
   assert.throws(() => labelsIn(line(Int16Array.of(0, 0, -1))), /the value -1, which is not a label/);
   assert.throws(() => labelsIn(line(Int32Array.from({ length: 5000 }, (_, at) => at))), /more than 2000 values/);
+});
 
-  // The same volume from behind and with its axes exchanged.
-  const image = { size: [2, 3, 4], spacing: [1, 2, 3], origin: [5, 6, 7], direction: [1, 0, 0, 0, 1, 0, 0, 0, 1], voxels: Uint8Array.from({ length: 24 }, (_, at) => at) };
-  const from = (i, j, k) => image.voxels[i + 2 * (j + 3 * k)];
-  const behind = { size: [3, 4, 2], spacing: [2, 3, 1], origin: [5, 10, 7], direction: [0, 0, 1, -1, 0, 0, 0, 1, 0], voxels: new Uint8Array(24) };
-  for (let k = 0; k < 2; ++k) {
-    for (let j = 0; j < 4; ++j) {
-      for (let i = 0; i < 3; ++i) {
-        behind.voxels[i + 3 * (j + 4 * k)] = from(k, 2 - i, j);
+/** An image without its first and last voxels along k, from behind and with its axes exchanged. */
+function behind({ size, spacing, origin, direction, voxels }) {
+  const [columns, rows, slices] = size;
+  const turned = { size: [rows, slices - 2, columns], spacing: [spacing[1], spacing[2], spacing[0]] };
+  const place = [0, 1, 2].map((row) => direction[3 * row + 1] * spacing[1] * (rows - 1) + direction[3 * row + 2] * spacing[2]);
+  turned.origin = origin.map((value, row) => value + place[row]);
+  turned.direction = [0, 1, 2].flatMap((row) => [-direction[3 * row + 1], direction[3 * row + 2], direction[3 * row]]);
+  turned.voxels = new voxels.constructor(rows * (slices - 2) * columns);
+  let to = 0;
+  for (let i = 0; i < columns; ++i) {
+    for (let k = 1; k < slices - 1; ++k) {
+      for (let j = rows - 1; j >= 0; --j) {
+        turned.voxels[to++] = voxels[i + columns * (j + rows * k)];
       }
     }
   }
-  assert.ok(isSameGrid(behind, image));
-  assert.deepEqual(reordered(behind, image), image);
-  assert.deepEqual(reordered(image, behind), behind);
-  assert.equal(reordered(image, image).voxels, image.voxels);
+  return turned;
+}
+
+test("label maps that are cropped and whose axes are in another order", async () => {
+  const labels = behind(phantom.labelMap);
+  assert.deepEqual(await flipfree.compareGrids(phantom.image, labels, "labels.nii"), { samePlaces: false, difference: "" });
+  assert.equal((await flipfree.compareGrids(phantom.image, phantom.labelMap, "labels.nii")).samePlaces, true);
+  const coarse = { ...labels, spacing: [9, 9, 9] };
+  assert.match((await flipfree.compareGrids(phantom.image, coarse, "labels.nii")).difference, /The spacings of labels\.nii \(9, 9, 9\) mm .* differ; resample/);
+  const quick = { parameters: { resolution: 8, levels: 1 } };
+  const [whole, cropped] = await Promise.all(
+    [phantom.labelMap, labels].map((one) => flipfree.segment(phantom.image, { labels: one, label: 2 }, quick)),
+  );
+  assert.deepEqual(cropped.surface, whole.surface);
+  const scores = await flipfree.evaluate(labels, phantom.labelMap, { parameters: { segmentationLabel: 2, referenceLabel: 2 } });
+  assert.equal(scores.dice, 1);
 });
 
 /** The vertex that is farthest along an axis, moved by some millimeters. */

@@ -601,15 +601,18 @@ TEST_F(SegmentationMetricsRefuse, OtherGeometriesNamingThePorts)
   const std::string ports =
     "The segmentation (port 0) and the reference (port 1) cannot be compared";
   const auto smaller = LabelMapOf(Sphere(6, Center, 9),
-    ImageAround(Center, { 50, 50, 41 }, { 1, 1.2, 1.5 }, Eigen::Matrix3d::Identity()));
+    ImageAround(Center, { 50, 50, 41 }, { 1, 1.3, 1.5 }, Eigen::Matrix3d::Identity()));
   this->ExpectError(smaller, this->Reference, ports);
-  this->ExpectError(smaller, this->Reference, "dimensions of the segmentation (50, 50, 41)");
+  this->ExpectError(smaller, this->Reference, "spacings of the segmentation (1, 1.3, 1.5) mm");
   // An error is enough: there is no warning of several labels.
   std::vector<std::string> warnings;
   FlipFree::KeepWarnings(this->Metrics, warnings);
   this->Reference->GetPointData()->GetScalars()->SetComponent(0, 0, 2);
-  this->Segmentation->SetOrigin(0, 0, 0);
-  this->ExpectError(this->Segmentation, this->Reference, "origins");
+  const Eigen::Vector3d origin(this->Segmentation->GetOrigin());
+  this->Segmentation->SetOrigin(origin[0] + 0.4, origin[1], origin[2]);
+  this->ExpectError(this->Segmentation, this->Reference, "differ by a shift of (0.4, 0, 0) voxels");
+  this->Segmentation->SetOrigin(origin[0] + 900, origin[1], origin[2]);
+  this->ExpectError(this->Segmentation, this->Reference, "do not overlap");
   EXPECT_TRUE(warnings.empty());
   this->ExpectError(LabelMapOf(Sphere(6, Center, 9), Grid(ObliqueRotation())), this->Reference,
     "differ");

@@ -1,4 +1,4 @@
-// Grids that are proper, the same, and at the same places.
+// Grids that are proper, and the same.
 #include "Image/GridCheck.h"
 
 #include "ExampleMasks.h"
@@ -29,11 +29,6 @@ std::string RefusalOf(const ImageGeometry& geometry)
 std::string DifferenceOf(const ImageGeometry& geometry)
 {
   return ErrorOf([&geometry] { RequireSameGeometry(geometry, CheckedGrid(), "it", "the other"); });
-}
-
-bool IsAtItsPlaces(const ImageGeometry& geometry)
-{
-  return HaveSamePlaces(CheckedGrid(), geometry);
 }
 
 } // namespace
@@ -71,31 +66,4 @@ TEST(GridCheck, SaysWhatDiffers)
   geometry = CheckedGrid();
   geometry.Dimensions[2] = 39;
   EXPECT_EQ(DifferenceOf(geometry).find("the dimensions of it (20, 30, 39)"), 0U);
-}
-
-TEST(GridCheck, FindsTheSamePlacesInAnyOrderOfVoxels)
-{
-  ImageGeometry geometry = CheckedGrid();
-  EXPECT_TRUE(IsAtItsPlaces(geometry));
-  // From the other end of an axis.
-  geometry.Origin = geometry.ToPhysical({ 0, 0, 39 });
-  geometry.Direction.col(2) *= -1;
-  EXPECT_TRUE(IsAtItsPlaces(geometry));
-  // With two axes swapped.
-  std::swap(geometry.Dimensions[0], geometry.Dimensions[1]);
-  std::swap(geometry.Spacing[0], geometry.Spacing[1]);
-  geometry.Direction.col(0).swap(geometry.Direction.col(1));
-  EXPECT_TRUE(IsAtItsPlaces(geometry));
-  geometry.Origin[0] += 0.09;
-  EXPECT_TRUE(IsAtItsPlaces(geometry));
-  geometry.Origin[0] += 0.02;
-  EXPECT_FALSE(IsAtItsPlaces(geometry));
-  geometry = CheckedGrid();
-  geometry.Spacing[1] = 2.01;
-  EXPECT_FALSE(IsAtItsPlaces(geometry));
-  // The same corners with fewer voxels between them.
-  geometry = CheckedGrid();
-  geometry.Dimensions[2] = 14;
-  geometry.Spacing[2] = 9;
-  EXPECT_FALSE(IsAtItsPlaces(geometry));
 }

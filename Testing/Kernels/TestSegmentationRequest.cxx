@@ -1,11 +1,14 @@
 // What users ask for: each check by itself, and what is kept between runs.
 #include "Deformation/OrganGroup.h"
 #include "Deformation/SegmentationRequest.h"
+#include "MessageText.h"
 
 #include "ExampleMasks.h"
+#include "GridParts.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 #include <random>
 
@@ -227,8 +230,13 @@ TEST(OrganRequest, IsCheckedForTheLabel)
   bad.Geometry.Spacing[0] = 0;
   ExpectLabelRefused(ball, bad, 3, "the start labels has a spacing of (0, 2, 2)");
   bad = good;
-  bad.Geometry.Origin[0] = 1;
-  ExpectLabelRefused(ball, bad, 3, "the origins of the start labels (1, 0, 0) and of it (0, 0, 0)");
+  bad.Geometry.Origin[0] = 0.8;
+  ExpectLabelRefused(ball, bad, 3,
+    "the voxels of the start labels and of it differ by a shift of (0.4, 0, 0) voxels");
+  bad.Geometry.Origin[0] = 72;
+  ExpectLabelRefused(ball, bad, 3, "it and the start labels do not overlap");
+  bad.Geometry.Origin[0] = 60;
+  ExpectLabelRefused(ball, bad, 3, "the start labels have the label only outside it");
   const std::vector<float> labels = ball.Labels;
   ball.Labels[5] = std::numeric_limits<float>::infinity();
   ExpectRefusalWith("is not a finite number",
@@ -263,6 +271,55 @@ TEST(OrganRequest, FillsALabelAndGoesBackToTheSeed)
   const OrganAnswer again = RunOnce(runs, ball.Request());
   EXPECT_EQ(again.Result.Organ.Points, seeded.Result.Organ.Points);
   EXPECT_EQ(again.Provenance, seeded.Provenance);
+}
+
+TEST(OrganRequest, FillsALabelOfACroppedAndReorderedMapAsOfAWholeOne)
+{
+  const AskedBall ball;
+  OrganRuns runs = ball.Runs();
+  OrganRequest request = ball.Request();
+  request.Seed.reset();
+  const auto fill = [&](const VoxelBox& box)
+  {
+    const ImageGeometry part = PartOf(ball.Geometry, box, { { 2, 0, 1 } }, { { 1, -1, -1 } });
+    const std::vector<float> labels = VoxelsIn(part, ball.Labels, ball.Geometry);
+    runs.FillLabel(LabelVolumeOf(ImageView<float>{ labels.data(), part }, StartLabelsName, {}), 3);
+    return RunOnce(runs, request);
+  };
+  runs.FillLabel(ball.LabelMap(), 3);
+  const OrganAnswer whole = RunOnce(runs, request);
+  const VoxelBox around = { { { 8, 8, 8 } }, { { 30, 28, 29 } } };
+  for (const VoxelBox& box : { around, around.Joined({ { { -3, 0, 0 } }, { { 1, 1, 41 } } }) })
+  {
+    const OrganAnswer answer = fill(box);
+    EXPECT_EQ(answer.Result.Organ.Points, whole.Result.Organ.Points);
+    EXPECT_EQ(answer.Result.Warnings, whole.Result.Warnings);
+    EXPECT_EQ(answer.Provenance, whole.Provenance);
+  }
+}
+
+TEST(OrganRequest, SaysHowMuchOfALabelLiesOutsideTheVolume)
+{
+  const AskedBall ball;
+  const ImageGeometry wide = PartOf(ball.Geometry, { { { 0, 0, 0 } }, { { 72, 36, 36 } } },
+    { { 0, 1, 2 } }, { { 1, 1, 1 } });
+  std::vector<float> labels = VoxelsIn(wide, ball.Labels, ball.Geometry);
+  const auto inside = static_cast<double>(std::count(labels.begin(), labels.end(), 3));
+  const int outside = 400;
+  for (int voxel = 0; voxel < outside; ++voxel)
+  {
+    labels[wide.Offset(40 + voxel % 20, 10 + voxel / 20, 10)] = 3;
+  }
+  OrganRuns runs = ball.Runs();
+  runs.FillLabel(LabelVolumeOf(ImageView<float>{ labels.data(), wide }, StartLabelsName, {}), 3);
+  OrganRequest request = ball.Request();
+  request.Seed.reset();
+  const std::vector<std::string> warnings = RunOnce(runs, request).Result.Warnings;
+  ASSERT_FALSE(warnings.empty());
+  EXPECT_EQ(warnings.back(),
+    PercentOf(outside / (inside + outside)) +
+      " of the start labels lie outside it and are left out; give an image that holds the whole "
+      "organ.");
 }
 
 TEST(OrganRequest, StartsInTheLargestSeed)

@@ -3,8 +3,12 @@
 #include "Measures/SegmentationScores.h"
 #include "Phantom/PhantomVolume.h"
 
+#include "ExampleSurfaces.h"
+#include "GridParts.h"
+
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 
 using namespace FlipFree;
@@ -200,6 +204,99 @@ TEST(SegmentationScores, SayWhichLabelsThereAre)
     ScoreLabels(volume.Reference(1), volume.Reference(-1), {}, SerialFor, NeverStop);
   ASSERT_EQ(scores.Warnings.size(), 1U);
   EXPECT_EQ(scores.Warnings[0].find("The reference has the labels 1, 5;"), 0U);
+}
+
+// Of label maps on parts of one lattice, the scores are those on a grid that holds both.
+TEST(SegmentationScores, AreThoseOfAllVoxelsWhateverTheGridsHold)
+{
+  Volume volume;
+  const ImageGeometry& whole = volume.Geometry;
+  std::vector<std::uint8_t> moved = volume.Labels;
+  std::rotate(moved.begin(), moved.begin() + 3, moved.end());
+  const auto maskIn = [&](const std::vector<std::uint8_t>& labels, const ImageGeometry& part,
+                        std::vector<std::uint8_t>& kept, const std::string& name)
+  {
+    kept = VoxelsIn(part, labels, whole);
+    return LabelMaskOf(LabelVolumeOf(ImageView<std::uint8_t>{ kept.data(), part }, name, {}), 1,
+      "Label");
+  };
+  const auto scoresOf = [&](const ImageGeometry& ofSegmentation, const ImageGeometry& ofReference)
+  {
+    std::vector<std::uint8_t> one;
+    std::vector<std::uint8_t> other;
+    return ScoreLabels(maskIn(moved, ofSegmentation, one, "the segmentation"),
+      maskIn(volume.Labels, ofReference, other, "the reference"), {}, SerialFor, NeverStop);
+  };
+  const auto expectSame = [](const SegmentationScores& one, const SegmentationScores& other)
+  {
+    EXPECT_EQ(one.Dice, other.Dice);
+    EXPECT_NEAR(one.SegmentationVolume, other.SegmentationVolume, 1e-9);
+    EXPECT_NEAR(one.ReferenceVolume, other.ReferenceVolume, 1e-9);
+    EXPECT_NEAR(one.ASD, other.ASD, 1e-4); // triangles are cut otherwise
+    EXPECT_NEAR(one.HD, other.HD, 1e-9);
+  };
+  const SegmentationScores all = scoresOf(whole, whole);
+  EXPECT_GT(all.Dice, 0.5);
+  EXPECT_LT(all.Dice, 0.95);
+  const VoxelBox ball = volume.Reference(1).Mask.Bounds();
+  const ImageGeometry tight = PartOf(whole, ball, { { 1, 2, 0 } }, { { -1, 1, -1 } });
+  const ImageGeometry turned = PartOf(whole, WholeBox(whole), { { 0, 2, 1 } }, { { 1, -1, 1 } });
+  expectSame(scoresOf(whole, turned), all);
+  expectSame(scoresOf(turned, whole), all);
+  EXPECT_TRUE(scoresOf(turned, whole).Warnings.empty());
+  // The reference's box does not hold all of the segmentation, nor the other way round.
+  const SegmentationScores cropped = scoresOf(turned, tight);
+  expectSame(cropped, all);
+  ASSERT_EQ(cropped.Warnings.size(), 1U);
+  EXPECT_NE(cropped.Warnings[0].find(
+              " of the voxels of the segmentation lie outside the grid of the reference, and count "
+              "as wrong."),
+    std::string::npos);
+  // What the segmentation's grid has lost is missed.
+  VoxelBox half = WholeBox(whole);
+  half.Begin[2] = (ball.Begin[2] + ball.End[2]) / 2;
+  const SegmentationScores lost =
+    scoresOf(PartOf(whole, half, { { 0, 1, 2 } }, { { 1, 1, 1 } }), whole);
+  EXPECT_NEAR(lost.ReferenceVolume, all.ReferenceVolume, 1e-9);
+  EXPECT_LT(lost.Dice, 0.7);
+  ASSERT_EQ(lost.Warnings.size(), 1U);
+  EXPECT_EQ(lost.Warnings[0].find("50 % of the voxels of the reference lie outside the grid of the "
+                                  "segmentation, and count as missed."),
+    0U)
+    << lost.Warnings[0];
+}
+
+TEST(SegmentationScores, OfASurfaceAreThoseOfAllVoxelsWhateverTheReferenceHolds)
+{
+  const Volume volume;
+  const DeformableSurface ball = MakeStartSphere(16, { 32, 48, 48 }, 20);
+  const auto scoresIn = [&](const ImageGeometry& part)
+  {
+    const std::vector<std::uint8_t> labels = VoxelsIn(part, volume.Labels, volume.Geometry);
+    const LabelVolume map =
+      LabelVolumeOf(ImageView<std::uint8_t>{ labels.data(), part }, "the reference", {});
+    return ScoreSurface(ball.Points, ball.Mesh.Triangles, LabelMaskOf(map, 1, "ReferenceLabel"), {},
+      SerialFor, NeverStop);
+  };
+  const SegmentationScores all = scoresIn(volume.Geometry);
+  EXPECT_TRUE(all.Warnings.empty());
+  const VoxelBox box = volume.Reference(1).Mask.Bounds();
+  const SegmentationScores cropped =
+    scoresIn(PartOf(volume.Geometry, box, { { 2, 1, 0 } }, { { 1, -1, 1 } }));
+  EXPECT_NEAR(cropped.SegmentationVolume, all.SegmentationVolume, 1e-9);
+  EXPECT_NEAR(cropped.ReferenceVolume, all.ReferenceVolume, 1e-9);
+  EXPECT_EQ(cropped.Dice, all.Dice);
+  EXPECT_EQ(cropped.Warnings.size(), 1U);
+  // In other units.
+  const DeformableSurface large = MakeStartSphere(16, { 48, 48, 48 }, 2e5);
+  EXPECT_NE(ErrorOf(
+              [&]
+              {
+                ScoreSurface(large.Points, large.Mesh.Triangles, volume.Reference(1), {}, SerialFor,
+                  NeverStop);
+              })
+              .find("the segmentation reaches too far beyond the reference"),
+    std::string::npos);
 }
 
 TEST(SegmentationScores, SayHowMuchOfASurfaceLiesOutsideTheReference)

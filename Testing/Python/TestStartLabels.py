@@ -21,6 +21,16 @@ def mask():
     return numpy.where(voxels == LIVER, 1, 0).astype(numpy.uint8)
 
 
+def turned(voxels):
+    """As an image without the first voxels along x, its axes z, x and y, the last one backwards."""
+    known = image()
+    (dx, dy, dz), (x, y, z) = ((known.GetSpacing(), known.GetOrigin()) if hasattr(known, "GetSpacing")
+                               else (known.spacing, known.origin))
+    part = voxels[:, ::-1, 10:].transpose(1, 2, 0)
+    return flipfree.image_from_array(part, (dz, dx, dy), (x + 10 * dx, y + (voxels.shape[1] - 1) * dy, z),
+                                     [[0, 1, 0], [0, 0, -1], [1, 0, 0]])
+
+
 class StartLabels(unittest.TestCase):
     def test_are_filled(self):
         liver = fill()
@@ -39,6 +49,21 @@ class StartLabels(unittest.TestCase):
             warnings.simplefilter("always")
             flipfree.segment(image(), start_labels=mask(), resolution=8)
         self.assertFalse([warning for warning in caught if "the labels" in str(warning.message)])
+
+    def test_may_be_cropped_and_in_another_order(self):
+        labels = turned(mask())
+        numpy.testing.assert_array_equal(fill(labels, 1, resolution=8).points, fill(mask(), 1, resolution=8).points)
+        self.assertEqual(flipfree.evaluate(labels, truth(), reference_label=LIVER).dice, 1)
+        self.assertEqual(flipfree.evaluate(truth(), labels, segmentation_label=LIVER).dice, 1)
+
+    def test_that_are_hollow_or_beside_the_organ_give_a_warning(self):
+        hollow = mask()
+        hollow[1:-1, 4:-4, 4:-4] &= 1 - (hollow[:-2, 4:-4, 4:-4] & hollow[2:, 4:-4, 4:-4] & hollow[1:-1, :-8, 4:-4]
+                                         & hollow[1:-1, 8:, 4:-4] & hollow[1:-1, 4:-4, :-8] & hollow[1:-1, 4:-4, 8:])
+        with self.assertWarnsRegex(flipfree.FlipFreeWarning, r"^The surface encloses [\d.]+ ml, but the start labels have"):
+            fill(hollow, 1, resolution=8)
+        with self.assertWarnsRegex(flipfree.FlipFreeWarning, "^The result is doubtful: its confidence is"):
+            fill(numpy.roll(mask(), 20, axis=2), 1, resolution=8)
 
     @needs_files
     def test_may_be_a_file(self):
@@ -60,7 +85,9 @@ class StartLabels(unittest.TestCase):
                 ({"label": 99}, flipfree.SegmentationError, "have no voxels with the value 99; they have 1, 2.*: set start_label to a value that they have"),
                 ({"label": -1}, ValueError, "start_label"),
                 ({"label": 1.5}, ValueError, "start_label"),
-                ({"labels": mask()[1:], "label": 1}, flipfree.SegmentationError, "the dimensions of the start labels"),
+                ({"labels": mask()[1:], "label": 1}, ValueError, "start_labels: an array gets its geometry from the other image, of the shape"),
+                ({"label": ""}, ValueError, "start_label"),
+                ({"label": "liver"}, TypeError, "start_labels: 'liver' names a segment of a file"),
                 ({"labels": 7}, TypeError, "start_labels: a label map"),
                 ({"seed": SEED}, TypeError, "takes the place of seed and radius"),
                 ({"radius": RADIUS}, TypeError, "takes the place of seed and radius")):

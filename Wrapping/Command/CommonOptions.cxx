@@ -1,5 +1,7 @@
 #include "CommonOptions.h"
 
+#include "VolumeFile.h"
+
 #include <CLI/CLI.hpp>
 
 namespace Command
@@ -23,6 +25,21 @@ void AddSaveSessionOption(CLI::App& command, std::string& file)
       "'flipfree "
       "segment --session' repeats it")
     ->type_name("FILE");
+}
+
+CLI::Option* AddLabelOption(CLI::App& command, const std::string& name, std::string& label,
+  const std::string& description)
+{
+  return command.add_option(name, label, description)
+    ->type_name("LABEL")
+    ->check(
+      [](const std::string& text)
+      {
+        return IsLabel(text) ? std::string()
+                             : "'" + text +
+            "' is no label: give a segment's name, or a whole number "
+            "from 0 on";
+      });
 }
 
 void AddThreadsOption(CLI::App& command, int& threads)

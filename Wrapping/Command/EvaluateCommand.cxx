@@ -31,9 +31,9 @@ struct Evaluation
 {
   std::string Segmentation;
   std::string Reference;
-  int Label = -1;
-  int SegmentationLabel = -1;
-  int ReferenceLabel = -1;
+  std::string Label;
+  std::string SegmentationLabel;
+  std::string ReferenceLabel;
   std::string Csv;
   bool Voxelize = false;
   bool Quiet = false;
@@ -94,10 +94,9 @@ void Evaluate(const Evaluation& evaluation)
     outputs.Announce("--csv", evaluation.Csv, { evaluation.Segmentation, evaluation.Reference });
   }
 
-  const auto labelOr = [&evaluation](int own) { return own >= 0 ? own : evaluation.Label; };
+  const auto labelOr = [&evaluation](const std::string& own)
+  { return own.empty() ? evaluation.Label : own; };
   vtkNew<vtkSegmentationMetrics> metrics;
-  metrics->SetSegmentationLabel(labelOr(evaluation.SegmentationLabel));
-  metrics->SetReferenceLabel(labelOr(evaluation.ReferenceLabel));
   metrics->SetScoreVoxelization(evaluation.Voxelize);
   vtkSmartPointer<vtkPolyData> surface;
   if (HasEnding(evaluation.Segmentation, SurfaceEndings()))
@@ -107,9 +106,15 @@ void Evaluate(const Evaluation& evaluation)
   }
   else
   {
-    metrics->SetInputData(ReadVolume(evaluation.Segmentation));
+    const ChosenLabels labels =
+      ReadLabels(evaluation.Segmentation, labelOr(evaluation.SegmentationLabel));
+    metrics->SetInputData(labels.Map);
+    metrics->SetSegmentationLabel(labels.Label);
   }
-  metrics->SetReferenceData(ReadVolume(evaluation.Reference));
+  const ChosenLabels reference =
+    ReadLabels(evaluation.Reference, labelOr(evaluation.ReferenceLabel));
+  metrics->SetReferenceData(reference.Map);
+  metrics->SetReferenceLabel(reference.Label);
   Measure(metrics, evaluation);
 
   if (!evaluation.Csv.empty())
@@ -130,10 +135,10 @@ void Evaluate(const Evaluation& evaluation)
 }
 
 const char* const EvaluateFooter =
-  "The segmentation is a label map (.nii .nii.gz .nrrd .nhdr .mha .mhd) on the reference's grid\n"
-  "or a closed surface (.vtp .stl .ply .obj) in LPS millimeters. A surface is voxelized to "
-  "measure\n"
-  "the overlap; distances are measured from the surface itself.\n"
+  "The segmentation is a label map (.nii .nii.gz .nrrd .nhdr .mha .mhd) with the reference's\n"
+  "voxels, cropped or not, or a closed surface (.vtp .stl .ply .obj) in LPS millimeters. A "
+  "surface\n"
+  "is voxelized to measure the overlap; distances are measured from the surface itself.\n"
   "\n"
   "Examples:\n"
   "  flipfree evaluate liver.nii.gz truth.nii.gz --reference-label 6\n"
@@ -148,20 +153,13 @@ void AddEvaluateCommand(CLI::App& program)
   command->add_option("SEGMENTATION", evaluation->Segmentation, "Label map or surface")->required();
   command->add_option("REFERENCE", evaluation->Reference, "Label map that counts as the truth")
     ->required();
-  command
-    ->add_option("--label", evaluation->Label,
-      "Value of the inside in both label maps; by default, every nonzero value")
-    ->type_name("N")
-    ->check(CLI::NonNegativeNumber);
-  command
-    ->add_option("--segmentation-label", evaluation->SegmentationLabel,
-      "The same for the segmentation only")
-    ->type_name("N")
-    ->check(CLI::NonNegativeNumber);
-  command
-    ->add_option("--reference-label", evaluation->ReferenceLabel, "The same for the reference only")
-    ->type_name("N")
-    ->check(CLI::NonNegativeNumber);
+  AddLabelOption(*command, "--label", evaluation->Label,
+    "Inside in both label maps: a value, or the name of a segment of 3D Slicer (.seg.nrrd); by "
+    "default, every nonzero value");
+  AddLabelOption(*command, "--segmentation-label", evaluation->SegmentationLabel,
+    "The same for the segmentation only");
+  AddLabelOption(*command, "--reference-label", evaluation->ReferenceLabel,
+    "The same for the reference only");
   command->add_option("--csv", evaluation->Csv, "Also write the measures to this file")
     ->type_name("FILE");
   command->add_flag("--voxelize", evaluation->Voxelize,

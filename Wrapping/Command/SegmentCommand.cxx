@@ -137,7 +137,6 @@ FilterPointer FilterOf(const SegmentRequest& request)
     return MakeVesselFilter(request);
   }
   auto filter = vtkSmartPointer<vtkFlipFreeSegmentation>::New();
-  filter->SetStartLabel(request.StartLabel);
   request.Parameters.Apply(filter);
   filter->SetLabelValue(request.Label);
   AddPoints(request.Session.empty() ? request.Corrections.Points() : request.Repeated.Corrections,
@@ -165,7 +164,7 @@ void AddSeeds(vtkImageData* image, const SegmentRequest& request, vtkFlipFreeSeg
 /// A choice among several labels that nobody made.
 void WarnOfOtherLabels(vtkImageData* labels, const SegmentRequest& request)
 {
-  if (request.HasStartLabel)
+  if (!request.StartLabel.empty())
   {
     return;
   }
@@ -173,8 +172,7 @@ void WarnOfOtherLabels(vtkImageData* labels, const SegmentRequest& request)
   if (values.Labels.Get().size() > 1) // no other values can be chosen
   {
     PrintWarning("'" + request.StartLabels + "' has the labels " + TextOf(values.Labels) +
-      "; the surface fills label " + std::to_string(request.StartLabel) +
-      "; to fill another one, set --start-label.");
+      "; the surface fills label 1; to fill another one, set --start-label.");
   }
 }
 
@@ -191,8 +189,10 @@ void RunOn(vtkImageData* image, const SegmentRequest& request, const OrganFilter
     }
     else
     {
-      startLabels = ReadVolume(request.StartLabels);
+      const ChosenLabels chosen = ReadLabels(request.StartLabels, request.StartLabel);
+      startLabels = chosen.Map;
       organ->SetStartLabelsData(startLabels);
+      organ->SetStartLabel(chosen.Label < 0 ? 1 : chosen.Label);
     }
   }
   const std::string title = TitleOf(request);
@@ -396,15 +396,16 @@ void AddFiles(CLI::App* command, SegmentRequest& request)
     ->allow_extra_args(false);
   command
     ->add_option("--start-labels", request.StartLabels,
-      "Label map on the image's grid (of a network, an atlas, an earlier result) that the surface "
-      "fills, in place of a seed; points correct it (.nii .nii.gz .nrrd .nhdr .mha .mhd)")
+      "Label map with the image's voxels, cropped or not (of a network, an atlas, an earlier "
+      "result), "
+      "that the surface fills, in place of a seed; points correct it (.nii .nii.gz .nrrd .nhdr "
+      ".mha "
+      ".mhd)")
     ->type_name("FILE");
-  command
-    ->add_option("--start-label", request.StartLabel,
-      "The value of the organ in --start-labels; 0 for all nonzero voxels")
-    ->type_name("N")
-    ->check(CLI::NonNegativeNumber)
-    ->capture_default_str()
+  AddLabelOption(*command, "--start-label", request.StartLabel,
+    "The organ in --start-labels: its value, by default 1, or 0 for all nonzero voxels; or the "
+    "name "
+    "of a segment of 3D Slicer (.seg.nrrd)")
     ->needs("--start-labels");
   command->add_option("-o,--output", request.Surface, "Surface (.vtp .stl .ply .obj)")
     ->type_name("FILE");
@@ -439,13 +440,7 @@ void AddSegmentCommand(CLI::App& program)
   request->Several.AddOptions(*command);
   request->Parameters.AddOptions(*command);
   command->footer(SegmentFooter);
-  const CLI::Option* const startLabel = command->get_option("--start-label");
-  command->callback(
-    [request, startLabel]()
-    {
-      request->HasStartLabel = startLabel->count() > 0;
-      Segment(*request);
-    });
+  command->callback([request]() { Segment(*request); });
 }
 
 } // namespace Command

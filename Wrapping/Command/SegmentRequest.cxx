@@ -156,6 +156,7 @@ OriginNames NamesOf(const SegmentRequest& request)
   OriginNames names;
   names.Image = request.Input;
   names.StartLabels = request.StartLabels;
+  names.StartLabel = request.StartLabel;
   names.Organs = { request.Repeated.Title };
   names.Colors = { request.Repeated.Color };
   for (const std::string* file :

@@ -26,8 +26,7 @@ struct SegmentRequest
   std::vector<int> SeedVoxel; // likewise
   std::vector<double> Radius; // one of each
   std::string StartLabels;    // in place of the seed
-  int StartLabel = 1;
-  bool HasStartLabel = false; // given, not by default
+  std::string StartLabel;     // a segment's name or a value; empty where nobody has chosen
   std::string Surface;
   std::string Labels;
   std::string Convergence;

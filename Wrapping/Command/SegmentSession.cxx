@@ -25,12 +25,11 @@ std::vector<SegmentRequest> OrgansOf(const Session& session, const SegmentReques
   {
     SegmentRequest request = given;
     request.Repeated = organ;
-    if (organ.StartLabel >= 0)
+    if (!organ.StartLabel.empty())
     {
       request.StartLabels =
         FileBeside(session, organ.StartLabels, organ.Title + ": the label map of its start");
       request.StartLabel = organ.StartLabel;
-      request.HasStartLabel = true;
     }
     else if (!request.IsVessel())
     {

@@ -1,9 +1,11 @@
 #include "SessionFile.h"
 
 #include "Failure.h"
+#include "Image/LatticePlacement.h"
 #include "ImageAdapter.h"
 #include "SeedRadius.h"
 #include "UnreadableFile.h"
+#include "VolumeFile.h"
 
 #include "vtkImageData.h"
 
@@ -142,10 +144,12 @@ void ReadOrgan(const Json& entry, SessionOrgan& organ)
   {
     const Json& labels = entry.at("startLabels");
     organ.StartLabels = labels.at("name").get<std::string>();
-    organ.StartLabel = labels.at("label").get<int>();
-    if (organ.StartLabel < 0)
+    const Json& label = labels.at("label");
+    organ.StartLabel =
+      label.is_string() ? label.get<std::string>() : std::to_string(label.get<int>());
+    if (!IsLabel(organ.StartLabel))
     {
-      throw Failure("the label of its start is negative");
+      throw Failure("the label of its start is negative, or empty");
     }
   }
   else
@@ -217,7 +221,7 @@ SessionOrgan OrganOf(const Json& entry)
 
 bool CanGrowWithOthers(const SessionOrgan& organ, const SessionOrgan& first)
 {
-  return organ.Points.empty() && organ.StartLabel < 0 && organ.Preset == first.Preset &&
+  return organ.Points.empty() && organ.StartLabel.empty() && organ.Preset == first.Preset &&
     organ.Parameters == first.Parameters;
 }
 

@@ -26,7 +26,7 @@ struct SessionOrgan
   std::array<double, 3> Seed{ { 0, 0, 0 } }; // LPS millimeters
   double Radius = 0;
   std::string StartLabels; // a file in place of the seed, without a folder
-  int StartLabel = -1;     // in it; negative if there is none
+  std::string StartLabel;  // in it, a segment's name or a value; empty if there is none
   std::string Preset;
   std::vector<CorrectionPoint> Corrections;
   std::vector<std::array<double, 3>> Points;             // of a vessel

@@ -76,7 +76,13 @@ std::string NamedProvenance(const std::string& provenance, const OriginNames& na
     Fill(organs[index].at("color"), At(names.Colors, index));
     if (organs[index].contains("startLabels"))
     {
-      Fill(organs[index].at("startLabels").at("name"), NameIn(names.StartLabels));
+      OrderedJson& start = organs[index].at("startLabels");
+      Fill(start.at("name"), NameIn(names.StartLabels));
+      // A name stays one: in other layers of the file, its value means other segments.
+      if (!names.StartLabel.empty() && names.StartLabel != start.at("label").dump())
+      {
+        start.at("label") = names.StartLabel;
+      }
     }
   }
   for (std::size_t index = 0; index < names.Fixed.size(); ++index)

@@ -23,6 +23,7 @@ struct OriginNames
 {
   std::string Image;       ///< a file or folder
   std::string StartLabels; ///< a file
+  std::string StartLabel;  ///< in it, if it was chosen: a segment's name or a value
   std::vector<std::string> Fixed;
   std::vector<std::string> Organs; ///< in their order
   std::vector<std::string> Colors; ///< likewise, as #ffd24a

@@ -45,7 +45,7 @@ std::string UnknownWordMessage(const CLI::App& program)
   if (subcommands.empty() && !unknown.empty() && unknown.front().rfind('-', 0) != 0)
   {
     return "There is no subcommand '" + unknown.front() + "'." +
-      Suggestion(unknown.front(), SubcommandNamesOf(program));
+      FlipFree::Suggestion(unknown.front(), SubcommandNamesOf(program));
   }
   // The word after an unknown option may be its value, so the option is named first.
   const auto option = std::find_if(unknown.begin(), unknown.end(),
@@ -53,7 +53,7 @@ std::string UnknownWordMessage(const CLI::App& program)
   if (option != unknown.end())
   {
     return "There is no option '" + *option + "'." +
-      Suggestion(option->substr(0, option->find('=')), OptionNamesOf(command));
+      FlipFree::Suggestion(option->substr(0, option->find('=')), OptionNamesOf(command));
   }
   if (unknown.empty())
   {

@@ -10,7 +10,9 @@
 #include "vtkMedicalImageWriter.h"
 #include "vtkNew.h"
 
+#include <cstdlib>
 #include <filesystem>
+#include <limits>
 
 namespace Command
 {
@@ -20,6 +22,18 @@ const std::vector<std::string>& VolumeEndings()
   static const std::vector<std::string> endings{ ".nii.gz", ".nii", ".nrrd", ".mha" };
   return endings;
 }
+
+namespace
+{
+
+void Read(vtkMedicalImageReader* reader, const std::string& name)
+{
+  reader->SetFileName(name.c_str());
+  const SilentLibraries silent;
+  Run(reader, "reading");
+}
+
+} // namespace
 
 vtkSmartPointer<vtkImageData> ReadVolume(const std::string& name, const std::string& seriesUID)
 {
@@ -35,11 +49,32 @@ vtkSmartPointer<vtkImageData> ReadVolume(const std::string& name, const std::str
       "' is a file. Omit the option, or give the folder.");
   }
   vtkNew<vtkMedicalImageReader> reader;
-  reader->SetFileName(name.c_str());
   reader->SetSeriesUID(seriesUID.c_str());
-  const SilentLibraries silent;
-  Run(reader, "reading");
+  Read(reader, name);
   return reader->GetOutput();
+}
+
+ChosenLabels ReadLabels(const std::string& name, const std::string& label)
+{
+  std::error_code ignored;
+  if (!std::filesystem::exists(name, ignored))
+  {
+    throw UnreadableFile(name);
+  }
+  vtkNew<vtkMedicalImageReader> reader;
+  reader->SetSegment(label.c_str());
+  Read(reader, name);
+  return { reader->GetOutput(), reader->GetSegmentLabel() };
+}
+
+bool IsLabel(const std::string& text)
+{
+  char* end = nullptr;
+  const double number = std::strtod(text.c_str(), &end);
+  const bool isNumber = *end == '\0';
+  const bool isValue = text.find_first_not_of("0123456789") == std::string::npos &&
+    number <= std::numeric_limits<int>::max();
+  return !text.empty() && (!isNumber || isValue);
 }
 
 void WriteVolume(const std::string& name, vtkImageData* image)

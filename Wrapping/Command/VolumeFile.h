@@ -22,6 +22,20 @@ const std::vector<std::string>& VolumeEndings();
 vtkSmartPointer<vtkImageData> ReadVolume(const std::string& name,
   const std::string& seriesUID = std::string());
 
+/// A label map with a label that was chosen.
+struct ChosenLabels
+{
+  vtkSmartPointer<vtkImageData> Map;
+  int Label = -1; ///< negative where none was
+};
+
+/// Reads a label map. A label is a segment's name or a value; an empty text chooses none, and then
+/// a segmentation of 3D Slicer may have but one layer.
+ChosenLabels ReadLabels(const std::string& name, const std::string& label);
+
+/// Whether a text can choose a label: whatever is not a number other than a value.
+bool IsLabel(const std::string& text);
+
 void WriteVolume(const std::string& name, vtkImageData* image);
 
 } // namespace Command

@@ -78,12 +78,10 @@ SeedSphere OrganRuns::FillLabel(const LabelVolume& labels, int label)
   this->Release(); // its memory is needed
   this->Filled.reset();
   RequireVoxels(this->Volume.Geometry, this->Name);
-  const ImageGeometry& geometry = this->Volume.Geometry;
-  BitMask mask = StartMaskOf(labels, label, geometry, this->Name);
-  const SeedSphere ball = LargestBallIn(mask, labels.Name, this->Threads.For);
-  // The volume's own grid: that of the label map may differ by rounding.
+  StartMask start = StartMaskOf(labels, label, this->Volume.Geometry, this->Name);
+  const SeedSphere ball = LargestBallIn(start.Voxels, labels.Name, this->Threads.For);
   this->Filled = FilledLabel{ labels.Name, label,
-    std::make_shared<const BitMask>(geometry, std::move(mask.GetWords())), ball };
+    std::make_shared<const BitMask>(std::move(start.Voxels)), start.Outside, ball };
   return this->Filled->Ball;
 }
 
@@ -141,6 +139,12 @@ OrganAnswer OrganRuns::Answer(const OrganRequest& request, const Monitor& monito
   const bool isSeen = observer && request.Settings.KeepHistory;
   answer.Result = this->Prepare(answer.Seed, fills, request.Settings)
                     .Segment(constraints, monitor, isSeen ? observer : unseen);
+  if (fills && this->Filled->Outside > 0)
+  {
+    answer.Result.Warnings.push_back(PercentOf(this->Filled->Outside) + " of " +
+      this->Filled->Name + " lie outside " + this->Name +
+      " and are left out; give an image that holds the whole organ.");
+  }
   OrganProvenance origin;
   origin.Seed = answer.Seed;
   origin.Constraints = std::move(constraints);

@@ -67,7 +67,8 @@ private:
   {
     std::string Name; // of the label map
     int Label;
-    std::shared_ptr<const BitMask> Mask;
+    std::shared_ptr<const BitMask> Mask; // on the volume's grid
+    double Outside;                      // which fraction of the label lies outside the volume
     SeedSphere Ball;
   };
   VolumeSegmenter& Prepare(const SeedSphere& seed, bool fills,

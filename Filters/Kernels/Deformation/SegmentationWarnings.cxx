@@ -1,6 +1,7 @@
 #include "Deformation/SegmentationWarnings.h"
 
 #include "Deformation/PlausibilityCheck.h"
+#include "Deformation/StartMask.h"
 #include "Intensity/RobustStatistics.h"
 #include "Intensity/SurfaceConfidence.h"
 #include "MessageText.h"
@@ -20,6 +21,13 @@ namespace
 constexpr double MixedSeedScatter = 4.5;
 constexpr std::size_t FewestVoxelsInSeed = 100; // of the inner half; of fewer, scatter is chance
 
+// A surface rounds off the corners of voxels: this part of a mask.
+constexpr double MissedSilently = 0.05;
+
+// To the labels of 62 organs, as they are, moved, wider and narrower, the surface adds at most 4 %
+// of 227 results. Of closed walls of 6 mm, it adds 27 % and more. A fifth more or less is the same.
+constexpr double GainedSilently = 0.1;
+
 // Between the tenth and the ninetieth percentile.
 double ScatterIn(const ImageView<float>& image, const std::vector<std::size_t>& voxels)
 {
@@ -35,9 +43,7 @@ double ScatterIn(const ImageView<float>& image, const std::vector<std::size_t>& 
 
 std::string WarningOf(const Implausibility& finding, double reach)
 {
-  // All of a surface is no warning, but a failure.
-  const std::string percent =
-    std::to_string(std::min(99L, std::lround(100 * finding.Fraction))) + " %";
+  const std::string percent = PercentOf(finding.Fraction);
   switch (finding.Reason)
   {
     case ImplausibilityReason::EndOfReach:
@@ -118,6 +124,37 @@ std::string WarningOfMixedSeed(const ImageView<float>& image, const SeedSphere& 
   return "The gray values in the seed sphere of " + TextOf(seed.Radius) +
     " mm scatter far more than those in its inner half, so the sphere may reach out of the organ; "
     "lower {SeedRadius} or move {SeedCenter}.";
+}
+
+std::vector<std::string> WarningsOfFilling(const BitMask& labels,
+  const std::vector<VoxelRun>& voxels, const std::string& name, bool isFree)
+{
+  const double missed = FractionMissed(labels, voxels);
+  const std::size_t count = labels.Count();
+  const std::size_t found = CountVoxels(voxels);
+  std::vector<std::string> warnings;
+  if (missed > MissedSilently)
+  {
+    warnings.push_back(PercentOf(missed) + " of " + name +
+      " lie outside the surface. The surface is a single piece and cannot enter structures thinner "
+      "than about two voxels; remove separate parts, add inside points where something is missed, "
+      "or segment the parts one by one.");
+  }
+  const double gained = static_cast<double>(found) / static_cast<double>(count) - (1 - missed);
+  if (isFree && gained > GainedSilently)
+  {
+    const auto milliliters = [&labels](std::size_t of)
+    {
+      char text[32];
+      std::snprintf(text, sizeof(text), "%.1f ml", labels.GetGeometry().Milliliters(of));
+      return std::string(text);
+    };
+    warnings.push_back("The surface encloses " + milliliters(found) + ", but " + name + " have " +
+      milliliters(count) +
+      ". The surface has no holes and fills those of the labels; look at it, and add outside "
+      "points where it encloses too much.");
+  }
+  return warnings;
 }
 
 std::string DoubtOf(double confidence, const OrganSegmentationSettings& settings)

@@ -5,7 +5,9 @@
 #define FlipFreeSegmentationWarnings_h
 
 #include "Deformation/OrganSegmentation.h"
+#include "Image/BitMask.h"
 #include "Image/SeedRegion.h"
+#include "Mesh/SurfaceVoxelization.h"
 
 #include <string>
 #include <vector>
@@ -21,6 +23,12 @@ std::vector<std::string> WarningsOf(const OrganSurface& organ, const ImageGeomet
 /// A message for a seed sphere whose gray values scatter far more than those of its inner half,
 /// with its remedy; empty for any other. `image` has values in the sphere, before smoothing.
 std::string WarningOfMixedSeed(const ImageView<float>& image, const SeedSphere& seed);
+
+/// A message for each, with its remedy, about a surface that fills labels: it misses a part of
+/// them, or, if it is free of constraints, which may add to them, it encloses much more. `voxels`
+/// are the surface's; `name` is the labels'.
+std::vector<std::string> WarningsOfFilling(const BitMask& labels,
+  const std::vector<VoxelRun>& voxels, const std::string& name, bool isFree);
 
 /// A message for a result of low confidence, with its remedy; empty for any other, and without
 /// carving, for which the threshold does not hold.

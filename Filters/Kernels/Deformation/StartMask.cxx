@@ -3,6 +3,7 @@
 #include "Error.h"
 #include "Image/DistanceTransform.h"
 #include "Image/GridCheck.h"
+#include "Image/LatticePlacement.h"
 #include "Image/VoxelOffsets.h"
 #include "Intensity/LeakControl.h"
 
@@ -12,7 +13,7 @@
 namespace FlipFree
 {
 
-BitMask StartMaskOf(const LabelVolume& labels, int label, const ImageGeometry& image,
+StartMask StartMaskOf(const LabelVolume& labels, int label, const ImageGeometry& image,
   const std::string& nameOfImage)
 {
   if (labels.Geometry.NumberOfVoxels() == 0)
@@ -20,9 +21,10 @@ BitMask StartMaskOf(const LabelVolume& labels, int label, const ImageGeometry& i
     throw Error(ErrorCode::InvalidGeometry, labels.Name + " have no voxels; give a label map");
   }
   RequireProperGrid(labels.Geometry, labels.Name);
-  RequireSameGeometry(labels.Geometry, image, labels.Name, nameOfImage);
-  BitMask mask = labels.MaskOf(label == 0 ? -1 : label);
-  if (mask.Bounds().IsEmpty())
+  const LatticePlacement placement = PlacementOn(image, labels.Geometry, nameOfImage, labels.Name);
+  const BitMask mask = labels.MaskOf(label == 0 ? -1 : label);
+  const std::size_t count = mask.Count();
+  if (count == 0)
   {
     const std::string others = TextOf(labels.Values().Labels);
     throw Error(ErrorCode::EmptyMask,
@@ -32,7 +34,16 @@ BitMask StartMaskOf(const LabelVolume& labels, int label, const ImageGeometry& i
             ? "; give a label map of the organ"
             : "; they have " + others + ": set {StartLabel} to a value that they have"));
   }
-  return mask;
+  StartMask start{ PlacedIn(WholeBox(image), image, placement, mask) };
+  const std::size_t inside = start.Voxels.Count();
+  if (inside == 0)
+  {
+    throw Error(ErrorCode::EmptyMask,
+      labels.Name + " have the label only outside " + nameOfImage +
+        "; give an image that holds the organ, or another label");
+  }
+  start.Outside = 1 - static_cast<double>(inside) / static_cast<double>(count);
+  return start;
 }
 
 SeedSphere LargestBallIn(const BitMask& mask, const std::string& name,

@@ -17,10 +17,18 @@
 namespace FlipFree
 {
 
-/// The voxels of a label; 0 stands for all nonzero voxels. Throws Error,
-/// naming the label map, unless it has the grid of the image, which is named by `nameOfImage`, no
-/// voxel that is not a finite number, and voxels of the label.
-BitMask StartMaskOf(const LabelVolume& labels, int label, const ImageGeometry& image,
+/// A label, on the grid of an image.
+struct StartMask
+{
+  BitMask Voxels;
+  double Outside = 0; ///< which fraction of the label lies outside the image
+};
+
+/// The voxels of a label; 0 stands for all nonzero voxels. Throws Error, naming the label map,
+/// unless its voxels are those of the image, which is named by `nameOfImage`, up to cropping and
+/// the order of axes (LatticePlacement.h), all are finite numbers, and some in the image have the
+/// label.
+StartMask StartMaskOf(const LabelVolume& labels, int label, const ImageGeometry& image,
   const std::string& nameOfImage);
 
 /// The largest ball that the mask holds, up to the nearest voxel center outside it, and within

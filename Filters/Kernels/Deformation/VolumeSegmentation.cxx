@@ -26,9 +26,6 @@ constexpr double ShrinkTo = 0.9;
 // In millimeters; the surface may bulge that far around a constraint.
 constexpr double MarginOfPoint = 30;
 
-// A surface rounds off the corners of voxels: this part of a mask.
-constexpr double MissedSilently = 0.05;
-
 VoxelReader PartOf(const VoxelReader& read, const VoxelBox& box)
 {
   return [read, first = box.Begin](int begin, int end, int j, int k, float* to)
@@ -73,17 +70,6 @@ void RequireGuard(const ConstraintList& constraints, bool guard)
     throw Error(ErrorCode::OutOfRange,
       NameOf(constraints.front()) +
         " can only be obeyed under the guard; switch {Guard} on, or remove the constraints");
-  }
-}
-
-void WarnOfMissed(double fraction, const std::string& name, std::vector<std::string>& warnings)
-{
-  if (fraction > MissedSilently)
-  {
-    warnings.push_back(std::to_string(std::lround(100 * fraction)) + " % of " + name +
-      " lie outside the surface. The surface is a single piece and cannot enter structures thinner "
-      "than about two voxels; remove separate parts, add inside points where something is missed, "
-      "or segment the parts one by one.");
   }
 }
 
@@ -258,16 +244,17 @@ void VolumeSegmenter::Complete(const ConstraintList& constraints, VolumeSegmenta
   {
     result.Warnings.push_back(this->MixedSeed);
   }
-  const std::string doubt = DoubtOf(result.Confidence.OfSurface, method);
-  // The threshold is for what was found in the image alone.
-  if (result.Warnings.empty() && !doubt.empty() && isFree && !this->Given)
-  {
-    result.Warnings.push_back(doubt);
-  }
   result.Voxels = VoxelizeSurface(organ.Points, organ.Mesh.Triangles, geometry, this->Threads.For);
   if (this->Given)
   {
-    WarnOfMissed(FractionMissed(*this->Given, result.Voxels), this->GivenName, result.Warnings);
+    const std::vector<std::string> warnings =
+      WarningsOfFilling(*this->Given, result.Voxels, this->GivenName, isFree);
+    result.Warnings.insert(result.Warnings.end(), warnings.begin(), warnings.end());
+  }
+  const std::string doubt = DoubtOf(result.Confidence.OfSurface, method);
+  if (result.Warnings.empty() && !doubt.empty() && isFree)
+  {
+    result.Warnings.push_back(doubt);
   }
 }
 

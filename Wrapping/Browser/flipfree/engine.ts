@@ -7,6 +7,8 @@ import { type KernelParameter, kernelValues, packageValues, wordMessage } from "
 import {
   type Corrections,
   FlipFreeError,
+  type Grid,
+  type GridComparison,
   type Image,
   type NamedFile,
   type OpenedVolume,
@@ -61,6 +63,7 @@ interface KernelPhantom {
 /** The module that emscripten makes of Kernels/. */
 export interface KernelModule extends KernelFiles {
   niftiHeader(name: string, image: Image): Answer<{ bytes: Uint8Array<ArrayBuffer> }>;
+  compareGrids(grid: Grid, part: Grid, name: string): Answer<GridComparison>;
   makeVolume(image: Image): Answer<{ volume: KernelVolume }>;
   segmentationParameters(preset: string): KernelParameter[];
   OrganRuns: new (volume: KernelVolume) => OrganRuns;
@@ -116,6 +119,11 @@ export class Engine {
 
   defaultParameters(preset: Preset = "default"): Parameters {
     return packageValues(this.kernels.segmentationParameters(preset));
+  }
+
+  compareGrids(grid: Grid, part: Grid, name: string): GridComparison {
+    const { samePlaces, difference } = this.checked(this.kernels.compareGrids(grid, part, name));
+    return { samePlaces, difference: difference && wordMessage(difference, []) };
   }
 
   /** Takes a copy of the image that `segment` works on. */

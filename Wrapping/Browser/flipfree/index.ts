@@ -1,6 +1,6 @@
 export { FlipFree } from "./client.js";
 export type { PhantomShape } from "./engine.js";
-export { affineOf, countVoxels, fillRuns, isSameGrid, reordered, swapLpsRas } from "./grid.js";
+export { affineOf, countVoxels, fillRuns, swapLpsRas } from "./grid.js";
 export { labelsIn } from "./labels.js";
 export {
   type SurfaceFormat,

@@ -4,6 +4,8 @@
 import type { PhantomShape } from "./engine.js";
 import type {
   Corrections,
+  Grid,
+  GridComparison,
   Image,
   NamedFile,
   OpenedVolume,
@@ -21,6 +23,7 @@ import type {
 
 export interface Requests {
   defaultParameters: { preset: Preset };
+  compareGrids: { grid: Grid; part: Grid; name: string };
   /** The image that the following runs work on. */
   setImage: { image: Image };
   /** The label that the following runs without a seed fill. */
@@ -37,6 +40,7 @@ export interface Requests {
 
 export interface Answers {
   defaultParameters: Parameters;
+  compareGrids: GridComparison;
   setImage: null;
   setStart: null;
   segment: Organ;

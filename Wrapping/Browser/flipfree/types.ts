@@ -23,6 +23,13 @@ export interface Grid {
   direction: readonly number[];
 }
 
+/** Whether two grids have the same voxels, in whichever order, and, in words, why the second is not on the lattice of the first:
+ * "" where it is one, cropped or wider, in whichever order. */
+export interface GridComparison {
+  samePlaces: boolean;
+  difference: string;
+}
+
 /** A volume or a label map. The package keeps a copy of it in the worker: voxels must not change afterward. */
 export interface Image extends Grid {
   voxels: Voxels;
@@ -59,7 +66,8 @@ export interface Surface {
   offsets: Int32Array;
 }
 
-/** A label map on the image's grid (of a network, an atlas, an earlier result), of which a surface fills a label. */
+/** A label map with the image's voxels, cropped or not (of a network, an atlas, an earlier result), of which a surface fills a
+ * label. */
 export interface StartLabels {
   labels: Image;
   /** 1 by default; 0 for all nonzero voxels. */

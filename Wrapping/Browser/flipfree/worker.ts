@@ -31,6 +31,7 @@ type Work = { [K in Kind]: (engine: Engine, request: Requests[K], report: Report
 
 const work: Work = {
   defaultParameters: (engine, { preset }) => engine.defaultParameters(preset),
+  compareGrids: (engine, { grid, part, name }) => engine.compareGrids(grid, part, name),
   setImage: (engine, { image }) => (engine.setImage(image), null),
   setStart: (engine, { start }) => (engine.setStart(start), null),
   segment: (engine, { seed, preset, parameters, corrections }, report) =>

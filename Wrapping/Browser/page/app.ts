@@ -18,7 +18,7 @@ export const organs = new Organs();
 
 interface App {
   opened: OpenImage | null;
-  /** The label map of which organs can fill a label, on the image's grid. */
+  /** The label map of which organs can fill a label, on the image's lattice. */
   labels: Image | null;
   /** Of the built-in image's organs. */
   phantomSeeds: PhantomSeed[];

@@ -1,5 +1,5 @@
 /** Opening: images, label maps, sessions, the built-in phantom; and how gray values are shown. */
-import { FlipFreeError, isSameGrid, labelsIn, reordered } from "../flipfree/index.js";
+import { FlipFreeError, labelsIn } from "../flipfree/index.js";
 import { app, flipfree, organs, view } from "./app.js";
 import { element, select } from "./dom.js";
 import { chooseTool, showAll } from "./panel.js";
@@ -76,7 +76,7 @@ export async function openFiles(files: File[]): Promise<void> {
   }
 }
 
-/** A label map on the image's grid, of which organs can fill a label. */
+/** A label map on the image's lattice, of which organs can fill a label. */
 export async function openLabels(files: File[]): Promise<void> {
   const grid = app.opened?.image;
   if (!grid || files.length === 0) {
@@ -84,16 +84,15 @@ export async function openLabels(files: File[]): Promise<void> {
   }
   await work("Opening the label map …", async () => {
     const { name, image } = await readFiles(files);
-    if (!isSameGrid(image, grid)) {
-      const sizes = [image, grid].map(({ size }) => size.join(" × "));
-      const remedy = "resample it onto the image's voxels";
-      throw new FlipFreeError(`${name} has other voxels than the image (${sizes[0]} and ${sizes[1]}, or elsewhere); ${remedy}`);
+    const { difference } = await flipfree.compareGrids(grid, image, name);
+    if (difference) {
+      throw new FlipFreeError(difference);
     }
     const counts = labelsIn(image);
     if (counts.size === 0) {
       throw new FlipFreeError(`${name} has no label: all its voxels are 0`);
     }
-    app.labels = reordered(image, grid);
+    app.labels = image;
     const voxel = grid.spacing.reduce((a, b) => a * b, 1);
     const choices = [...counts].map(([label, count]) => new Option(`${label}, ${((count * voxel) / 1000).toFixed(0)} ml`, String(label)));
     select("start-label").replaceChildren(new Option("choose …", ""), ...choices);

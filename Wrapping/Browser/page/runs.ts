@@ -1,9 +1,9 @@
 /** Runs: of the chosen organ, again after each of its points, and of all organs of a session. */
-import type { Organ, Vessel } from "../flipfree/index.js";
+import { FlipFreeError, type Organ, type Vessel } from "../flipfree/index.js";
 import { app, flipfree, organs, view } from "./app.js";
 import { type Correction, type OrganState, canRun, correctionsOf, isRepeated } from "./organs.js";
 import { leaveSeedTool, showAll, viewedOrgans } from "./panel.js";
-import { type Session, requireImageOf } from "./session.js";
+import type { Session } from "./session.js";
 import { complain, say, showProgress } from "./status.js";
 import { work } from "./work.js";
 
@@ -70,8 +70,17 @@ export async function changePoints(change: Partial<OrganState>): Promise<void> {
   }
 }
 
+/** Throws a FlipFreeError if a session is of another image. */
+async function requireImageOf(session: Session): Promise<void> {
+  const { name, size } = session.image;
+  const opened = app.opened?.image;
+  if (!opened || !(await flipfree.compareGrids(session.image, opened, name)).samePlaces) {
+    throw new FlipFreeError(`The session is of another image; open ${name} (${size.join(" × ")} voxels) first, then the session`);
+  }
+}
+
 export async function repeat(session: Session, signal: AbortSignal): Promise<void> {
-  requireImageOf(session, app.opened?.image ?? null);
+  await requireImageOf(session);
   organs.reset(session.organs);
   showAll();
   for (const organ of organs.list.filter(canRun)) {

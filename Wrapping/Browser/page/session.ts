@@ -1,5 +1,5 @@
 /** What was done to an image, as a file: enough to repeat it, here or by `flipfree segment --session FILE`. */
-import { FlipFreeError, type Grid, type Parameters, type Preset, type Seed, type Triple, isSameGrid } from "../flipfree/index.js";
+import { FlipFreeError, type Grid, type Parameters, type Preset, type Seed, type Triple } from "../flipfree/index.js";
 import type { Correction, SessionOrgan } from "./organs.js";
 
 /** An organ, or a vessel. Those of version 1 have neither kind nor corrections. */
@@ -132,14 +132,6 @@ export function parseSession(name: string, text: string): Session {
     }
   });
   return { image, organs: organs.map(organOf) };
-}
-
-/** Throws a FlipFreeError if a session is of another image. */
-export function requireImageOf(session: Session, opened: Grid | null): void {
-  if (!opened || !isSameGrid(session.image, opened)) {
-    const { name, size } = session.image;
-    throw new FlipFreeError(`The session is of another image; open ${name} (${size.join(" × ")} voxels) first, then the session`);
-  }
 }
 
 /** An organ's name as a part of a file's name; the command makes the same of it. */

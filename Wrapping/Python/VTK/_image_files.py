@@ -22,6 +22,18 @@ def read(name: str, series: str | None, tell: Progress | None) -> vtkImageData:
     return reader.GetOutput()
 
 
+def read_labels(name: str, label: str) -> tuple[vtkImageData, int | None]:
+    """The label map that holds a label, by a segment's name or by its value; and the value.
+
+    Without a choice, "", there may be but one label map in the file, and no value.
+    """
+    reader = _imaging_class("vtkMedicalImageReader")
+    reader.SetFileName(name)
+    reader.SetSegment(label)
+    update(reader, FileError)
+    return reader.GetOutput(), reader.GetSegmentLabel() if label else None
+
+
 def write(
     image: vtkImageData, name: str, names: Mapping[int, str] | None, colors: Mapping[int, str]
 ) -> None:

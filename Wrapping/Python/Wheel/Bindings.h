@@ -23,6 +23,7 @@ void BindSegmentation(nanobind::module_& module);
 void BindVessels(nanobind::module_& module);
 void BindEvaluation(nanobind::module_& module);
 void BindExchange(nanobind::module_& module);
+void BindLabels(nanobind::module_& module);
 void BindPhantoms(nanobind::module_& module);
 
 /// The parameters of some settings: names, types ("bool", "int", "float") and numbers.

@@ -96,6 +96,8 @@ void BindExchange(nb::module_& module)
       [](const VolumeFileHeader& header) { return SizeOf(header.Storage.Type); })
     .def_prop_ro("size", [](const VolumeFileHeader& header) { return header.Geometry.Dimensions; })
     .def_prop_ro("layers", [](const VolumeFileHeader& header) { return header.Layers.Count; })
+    .def_prop_ro("are_interleaved",
+      [](const VolumeFileHeader& header) { return header.Layers.AreInterleaved; })
     .def_prop_ro("spacing",
       [](const VolumeFileHeader& header)
       {

@@ -38,6 +38,7 @@ NB_MODULE(_kernels, module)
   FlipFree::BindSegmentation(module);
   FlipFree::BindEvaluation(module);
   FlipFree::BindExchange(module);
+  FlipFree::BindLabels(module);
   FlipFree::BindPhantoms(module);
   FlipFree::BindVessels(module);
   module.attr("SEED_RADII") =

@@ -12,7 +12,7 @@ from ._parameters import described, set_parameters, signature_with
 from ._segmentation import Segmentation
 
 if TYPE_CHECKING:
-    from ._images import AnyImage, Surface
+    from ._images import AnyImage, Image, Surface
 
 
 @dataclass(frozen=True)
@@ -42,8 +42,10 @@ def evaluate(
     """Compares a segmentation with a reference label map.
 
     A label map may be an image, also of SimpleITK or nibabel, the name of a file, or an array, which
-    gets the geometry of the other argument. Of a Segmentation the surface is measured. Raises EvaluationError if the two
-    cannot be compared.
+    gets the geometry of the other argument. Its voxels must be those of the reference, cropped or not,
+    its axes in any order: what lies outside the grid of one of the two counts as not in it. In a file
+    of 3D Slicer (.seg.nrrd), the label may be a segment's name. Of a Segmentation the surface is
+    measured. Raises EvaluationError if the two cannot be compared.
 
     >>> import flipfree
     >>> phantom = flipfree.phantom("abdomen")
@@ -58,13 +60,23 @@ def evaluate(
     known: Any = segmentation
     if isinstance(segmentation, Segmentation):
         known = segmentation.label_map
-    reference = label_map_of("reference", reference, known)
+    reference = _with_label("reference", reference, known, parameters)
     if not isinstance(compared, Segmentation) and not is_surface(compared):
-        compared = label_map_of("segmentation", compared, reference)
+        compared = _with_label("segmentation", compared, reference, parameters)
     metrics = Metrics()
     set_parameters("evaluate", metrics.settings, EVALUATE_PARAMETERS, parameters)
     values = metrics.run(compared, reference)
     return Scores(**{field.name: values[field.name] for field in fields(Scores)})
+
+
+def _with_label(name: str, label_map: Any, other: Any, parameters: dict[str, Any]) -> Image:
+    """The label map; its label among the parameters becomes a value."""
+    given = parameters.get(f"{name}_label", -1)
+    chosen = given if isinstance(given, str) or (isinstance(given, int) and given >= 0) else None
+    image, label = label_map_of(name, label_map, other, chosen)
+    if isinstance(given, str):
+        parameters[f"{name}_label"] = label
+    return image
 
 
 # Help and completion show the parameters as if they were spelled out above.

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 from ._files import read_image
 from ._foreign import adopted, is_foreign
 from ._image_arrays import voxels_in
+from ._image_files import read_labels
 from ._images import IMAGE_NAME, geometry_like, is_image
 from ._messages import spelling, warn
 
@@ -32,15 +33,33 @@ def warn_of_other_labels(labels: Image, given: Any) -> None:
         )
 
 
-def label_map_of(name: str, label_map: Any, other: Any) -> Image:
-    """As an image; an array gets the geometry of the other one. `name` is the argument's."""
+def require_label(name: str, label: int | str | None) -> None:
+    """None, a segment's name, or a value from 0 on; `name` is the argument's."""
+    if isinstance(label, bool) or not (label is None or isinstance(label, (int, str))):
+        raise ValueError(f"{name}: {label!r} is neither a label nor the name of a segment")
+    if label == "" or (isinstance(label, int) and label < 0):
+        raise ValueError(f"{name}: {label!r} is not a label; 0 takes all nonzero voxels")
+
+
+def label_map_of(
+    name: str, label_map: Any, other: Any, label: int | str | None = None
+) -> tuple[Image, int | None]:
+    """As an image, and the value of its label; an array gets the geometry of the other image.
+
+    `name` is the argument's. A text is the name of a segment, which a file has.
+    """
     if isinstance(label_map, (str, os.PathLike)):
-        return read_image(label_map)
+        return read_labels(os.fspath(label_map), "" if label is None else str(label))
+    if isinstance(label, str):
+        raise TypeError(
+            f"{name}: {label!r} names a segment of a file (.seg.nrrd), and this is none; give the "
+            "label's value"
+        )
     if is_image(label_map):
         image: Image = label_map
-        return image
+        return image, label
     if is_foreign(label_map):
-        return adopted(name, label_map)
+        return adopted(name, label_map), label
     if not hasattr(label_map, "__array__"):
         raise TypeError(
             f"{name}: a label map ({IMAGE_NAME}, array or name of a file) is needed, "
@@ -52,4 +71,10 @@ def label_map_of(name: str, label_map: Any, other: Any) -> Image:
         other = adopted("segmentation", other)
     if not is_image(other):
         raise TypeError(f"{name}: an array without geometry; use image_from_array(...)")
-    return geometry_like(other, label_map)
+    shape = voxels_in(other).shape[:3]
+    if getattr(label_map, "shape", None) != shape:
+        raise ValueError(
+            f"{name}: an array gets its geometry from the other image, of the shape {shape}, but has "
+            f"the shape {getattr(label_map, 'shape', None)}; use image_from_array(...)"
+        )
+    return geometry_like(other, label_map), label

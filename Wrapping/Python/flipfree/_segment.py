@@ -14,7 +14,7 @@ from ._corrections import Constraint, Points, Seeds, constraints_of
 from ._files import read_image
 from ._foreign import adopted, is_foreign
 from ._images import IMAGE_NAME, is_image
-from ._labels import label_map_of, warn_of_other_labels
+from ._labels import label_map_of, require_label, warn_of_other_labels
 from ._parameters import described, floats, radius_of, set_parameters, signature_with
 from ._progress import progress_of
 from ._segmentation import Segmentation
@@ -36,7 +36,7 @@ def segment(
     direction: npt.ArrayLike | None = None,
     start: AnySurface | None = None,
     start_labels: AnyImage | None = None,
-    start_label: int | None = None,
+    start_label: int | str | None = None,
     inside: Points = (),
     outside: Points = (),
     boundary: Points = (),
@@ -61,10 +61,11 @@ def segment(
         A surface to start from instead of the sphere: closed, with four neighbors at every vertex,
         without self-intersections. It is refined to about as many vertices as the sphere.
     start_labels, start_label
-        A label map on the image's grid (of a network, an atlas, an earlier result; an image, an array
-        or the name of a file) that the surface fills, in place of a seed and a radius: its voxels of
-        the value start_label, by default 1, or with 0 all nonzero voxels. Points correct the result as
-        always.
+        A label map with the image's voxels, cropped or not, its axes in any order (of a network, an
+        atlas, an earlier result; an image, an array or the name of a file) that the surface fills, in
+        place of a seed and a radius: its voxels of the value start_label, by default 1, or with 0 all
+        nonzero voxels; in a file of 3D Slicer (.seg.nrrd) also a segment, by its name. Points correct
+        the result as always.
     inside, outside, boundary
         Lists of points (x, y, z) in mm that the surface obeys exactly: they end inside it, outside
         it, and within half the smallest spacing of it. Their order means nothing. corrected() of the
@@ -117,11 +118,9 @@ def segment(
     volume = _image_of(image, spacing, origin, direction, progress)
     labels: Image | None = None
     if start_labels is not None:
-        label = 1 if start_label is None else start_label
-        if isinstance(label, bool) or not isinstance(label, int) or label < 0:
-            raise ValueError(f"start_label: {start_label!r} is not a label; 0 takes all nonzero voxels")
-        labels = label_map_of("start_labels", start_labels, volume)
-        algorithm.set_start_labels(labels, label)
+        require_label("start_label", start_label)
+        labels, label = label_map_of("start_labels", start_labels, volume, start_label)
+        algorithm.set_start_labels(labels, 1 if label is None else label)
 
     def run(points: tuple[Constraint, ...], progress: ProgressOption) -> Segmentation:
         with progress_of(progress, "segmenting") as tell:

@@ -7,35 +7,38 @@ from typing import Any
 
 from ._atomic import write_table
 from ._backend import SCORE_COLUMNS, score_summary, validity_summary
-from ._command_inputs import wants_bar
 from ._command_outputs import require_ending, require_place
 from ._errors import FlipFreeError
 from ._evaluate import evaluate as evaluate_segmentation
-from ._files import read_image
+from ._image_files import read_labels
 from ._surface_files import ENDINGS, read_surface
 
 
 def evaluate(values: dict[str, Any]) -> None:
     """`flipfree evaluate`."""
-    progress = wants_bar(values)
     names = {"segmentation": values["segmentation"], "reference": values["reference"]}
     if "csv" in values:
         require_ending("--csv", values["csv"], (".csv",))
         require_place(values["csv"], list(names.values()))
-    label = values.get("label", -1)
+    label = values.get("label", "")
+    labels: dict[str, int] = {}
+
+    def read(name: str) -> Any:
+        image, value = read_labels(names[name], values.get(f"{name}_label", label))
+        if value is not None:
+            labels[f"{name}_label"] = value
+        return image
+
     surface = None
     compared: Any
     if names["segmentation"].lower().endswith(ENDINGS):
         compared = surface = read_surface(names["segmentation"])
     else:
-        compared = read_image(names["segmentation"], progress=progress)
+        compared = read("segmentation")
+    reference = read("reference")
     try:
         scores = evaluate_segmentation(
-            compared,
-            read_image(names["reference"], progress=progress),
-            segmentation_label=values.get("segmentation_label", label),
-            reference_label=values.get("reference_label", label),
-            score_voxelization="voxelize" in values,
+            compared, reference, **labels, score_voxelization="voxelize" in values
         )
     except FlipFreeError as error:
         raise type(error)(

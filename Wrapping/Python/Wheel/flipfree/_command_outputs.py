@@ -70,8 +70,6 @@ def require_files(values: dict[str, Any], outputs: dict[str, str]) -> None:
         raise unreadable(values["input"])
     if "start_label" in values and "start_labels" not in values:
         raise WrongUsage("--start-label selects a value of --start-labels. Give that file, too")
-    if values.get("start_label", 0) < 0:
-        raise WrongUsage("--start-label: a label is 0 or more; 0 takes all nonzero voxels")
     if "snapshot" in outputs:
         from ._picture import require_matplotlib
 

@@ -215,6 +215,7 @@ def names_of(
     return OriginNames(
         values["input"],
         values.get("start_labels", ""),
+        values.get("start_label", ""),
         organs=[repeated.title if repeated else organ_of_file(next(files, ""))],
         colors=[repeated.color if repeated else ""],
     )

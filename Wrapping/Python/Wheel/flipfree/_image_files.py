@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 from collections.abc import Mapping
 
+from . import _kernels
 from ._atomic import replacing
 from ._dicom import read_series
 from ._errors import FileError
@@ -25,10 +26,24 @@ def read(name: str, series: str | None, tell: Progress | None) -> Image:
         raise FileError(
             f"'{name}' does not exist or cannot be read. Check its name and permissions."
         )
-    image = read_series(name, series) if os.path.isdir(name) else read_volume(name, tell)
+    image = read_series(name, series) if os.path.isdir(name) else read_volume(name, tell)[0]
     if tell is not None:
         tell(1.0)
     return image
+
+
+def read_labels(name: str, label: str) -> tuple[Image, int | None]:
+    """The label map that holds a label, by a segment's name or by its value; and the value.
+
+    Without a choice, "", there may be but one label map in the file, and no value.
+    """
+    if not os.path.isdir(name) and os.access(name, os.R_OK):
+        return read_volume(name, None, label)
+    image = read(name, None, None)  # a series, or why there is nothing
+    try:
+        return image, _kernels.choose_label({}, 1, label, name)[1]
+    except _kernels.FileProblem as problem:
+        raise FileError(str(problem)) from None
 
 
 def write(

@@ -111,6 +111,23 @@ def destination(option: Entry) -> str:
     return str(names[-1]).lstrip("-").replace("-", "_")
 
 
+def is_label(text: str) -> bool:
+    """Whether a text can choose a label: whatever is not a number other than a value."""
+    try:
+        float(text)
+    except ValueError:
+        return bool(text)
+    return text.isascii() and text.isdigit() and int(text) < 2**31
+
+
+def _label(text: str) -> str:
+    if not is_label(text):
+        raise argparse.ArgumentTypeError(
+            f"'{text}' is no label: give a segment's name, or a whole number from 0 on"
+        )
+    return text
+
+
 def _add(parser: Parser, option: Entry, parameters: Mapping[str, Parameter]) -> None:
     name = destination(option)
     on = [spelled for spelled in option["names"] if not spelled.startswith("--no-")]
@@ -127,6 +144,8 @@ def _add(parser: Parser, option: Entry, parameters: Mapping[str, Parameter]) -> 
         kind = int
     elif known is None and unit in TEXTS:
         kind = str
+    elif unit == "LABEL":
+        kind = _label
     count = len(option["values"])
     parser.add_argument(
         *on,

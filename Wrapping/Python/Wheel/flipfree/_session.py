@@ -2,18 +2,19 @@
 
 from __future__ import annotations
 
-import itertools
 import json
 import math
 import os
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field
 from typing import Any, TypeVar, get_args
 
+from . import _kernels
 from ._backend import SEGMENT_PARAMETERS, TRACE_PARAMETERS, VesselAlgorithm
 from ._errors import FileError, FlipFreeError
 from ._image import Image
 from ._messages import listed
+from ._options import is_label
 from ._parameters import snake_case
 from ._seed_radius import is_seed_radius, seed_radius_rule
 from ._session_record import file_name_of
@@ -40,7 +41,7 @@ class SessionOrgan:
     corrections: dict[str, list[Any]] = field(default_factory=dict)
     points: list[list[float]] = field(default_factory=list)
     start_labels: str | None = None
-    start_label: int = 1
+    start_label: str = "1"
 
 
 @dataclass
@@ -200,9 +201,9 @@ def _organ_of(name: str, entry: dict[str, Any]) -> SessionOrgan:
     )
     if "startLabels" in entry:
         organ.start_labels = str(entry["startLabels"]["name"])
-        organ.start_label = int(entry["startLabels"]["label"])
-        if organ.start_label < 0:
-            raise ValueError("the label of its start is negative")
+        organ.start_label = str(entry["startLabels"]["label"])
+        if not is_label(organ.start_label):
+            raise ValueError("the label of its start is negative, or empty")
     else:
         organ.seed = _numbers(entry["seed"]["center"], 3)
         organ.radius = float(entry["seed"]["radius"])
@@ -261,35 +262,13 @@ def file_beside(session: Session, name: str, what: str) -> str:
 
 def require_image_of(session: Session, name: str, image: Image) -> None:
     """Voxels in the same places, up to a tenth of the least spacing; in whichever order."""
-    wanted = _corners(session.size, session.spacing, session.origin, session.direction)
-    size = image.voxels.shape[::-1]
-    found = _corners(size, image.spacing, image.origin, image.direction)
-    tolerance = 0.1 * min(session.spacing)
-    is_same = sorted(size) == sorted(session.size) and all(
-        any(math.dist(corner, other) <= tolerance for other in found) for corner in wanted
-    )
-    if not is_same:
+    wanted = session.size, session.spacing, session.origin, session.direction
+    found = image.voxels.shape[::-1], image.spacing, image.origin, image.direction
+    if not _kernels.have_same_places(wanted, found):
         raise FlipFreeError(
             f"'{name}' is not the image of '{session.file}', which is '{session.image}' of "
             f"{' x '.join(map(str, session.size))} voxels: its voxels are elsewhere. Give that image."
         )
-
-
-def _corners(
-    size: Sequence[int],
-    spacing: Sequence[float],
-    origin: Sequence[float],
-    direction: Sequence[float],
-) -> list[list[float]]:
-    """Where the outermost voxels of a grid are."""
-    rows = [direction[3 * row : 3 * row + 3] for row in range(3)]
-    corners = []
-    for ends in itertools.product((0, 1), repeat=3):
-        lengths = [end * (count - 1) * step for end, count, step in zip(ends, size, spacing)]
-        corners.append(
-            [start + sum(a * b for a, b in zip(row, lengths)) for start, row in zip(origin, rows)]
-        )
-    return corners
 
 
 def runs_of(session: Session, values: dict[str, Any], outputs: list[str]) -> list[dict[str, Any]]:

@@ -21,6 +21,7 @@ class OriginNames:
 
     image: str = ""
     start_labels: str = ""
+    start_label: str = ""
     fixed: Sequence[str] = ()
     organs: Sequence[str] = ()
     colors: Sequence[str] = ()
@@ -35,7 +36,11 @@ def named(provenance: str, names: OriginNames) -> str:
         _fill(organ, "color", color)
     for organ in session["organs"]:
         if "startLabels" in organ:
-            _fill(organ["startLabels"], "name", _name_in(names.start_labels))
+            start = organ["startLabels"]
+            _fill(start, "name", _name_in(names.start_labels))
+            # A name stays one: in other layers of the file, its value means other segments.
+            if names.start_label not in ("", str(start["label"])):
+                start["label"] = names.start_label
     if names.fixed:
         session["fixed"] = [_name_in(name) for name in names.fixed]
     return json.dumps(session, ensure_ascii=False, separators=(",", ":"))

@@ -26,8 +26,11 @@ if TYPE_CHECKING:
 VOXELS_AT_A_TIME = 1 << 19
 
 
-def read_volume(name: str, tell: Progress | None) -> Image:
-    """The image; raises FileError for what is none."""
+def read_volume(name: str, tell: Progress | None, label: str = "") -> tuple[Image, int | None]:
+    """The image; of a label map, the one that holds a label, and the value that is chosen.
+
+    Raises FileError for what is none.
+    """
     if os.path.exists(name) and not os.path.isfile(name):
         raise FileError(
             f"'{name}' is not a regular file. Give a file, or the folder of a DICOM series."
@@ -36,20 +39,22 @@ def read_volume(name: str, tell: Progress | None) -> Image:
         header = _open(name)
         for warning in header.warnings:
             warn(warning)
-        if header.layers > 1:
-            raise FileError(
-                f"'{name}' has {header.layers} layers of labels. Save each as a file of its own."
-            )
+        layer, value = _kernels.choose_label(header.pairs, header.layers, label, header.name)
         voxels = _voxels_of(header, tell)
+        if header.layers > 1:
+            axis = 1 if header.are_interleaved else 0
+            shape = (-1, header.layers) if header.are_interleaved else (header.layers, -1)
+            voxels = voxels.reshape(shape).take(layer, axis)
     except _kernels.FileProblem as problem:
         raise FileError(str(problem)) from None
     except FileError:
         raise
     except OSError as error:
         raise FileError(f"'{error.filename or name}' cannot be read ({error.strerror}).") from error
-    return image_from_array(
+    image = image_from_array(
         voxels.reshape(header.size[::-1]), header.spacing, header.origin, header.direction
     )
+    return image, value
 
 
 def write_nifti(image: Image, name: str) -> None:
@@ -103,10 +108,10 @@ def _size_of(path: str) -> float:
 
 
 def _voxels_of(header: Any, tell: Progress | None) -> npt.NDArray[Any]:
-    """All voxels, one behind the other."""
+    """All voxels of all layers, one behind the other."""
     import numpy
 
-    values = numpy.empty(math.prod(header.size), dtype=header.value_type)
+    values = numpy.empty(math.prod(header.size) * header.layers, dtype=header.value_type)
     count = values.size // len(header.files)
     done = 0
     for path in header.files:

@@ -1,14 +1,20 @@
 #include "Suggestion.h"
 
 #include <algorithm>
+#include <cctype>
 #include <numeric>
 
-namespace Command
+namespace FlipFree
 {
 namespace
 {
 
-/// Levenshtein's: how many letters to insert, remove or replace.
+bool AreAlike(unsigned char one, unsigned char other)
+{
+  return std::tolower(one) == std::tolower(other);
+}
+
+/// Levenshtein's: how many letters to insert, remove or replace, whatever their case.
 std::size_t EditDistance(const std::string& one, const std::string& other)
 {
   std::vector<std::size_t> row(other.size() + 1);
@@ -18,7 +24,7 @@ std::size_t EditDistance(const std::string& one, const std::string& other)
     std::size_t diagonal = row[0]++;
     for (std::size_t j = 0; j < other.size(); ++j)
     {
-      const std::size_t replaced = diagonal + (letter == other[j] ? 0 : 1);
+      const std::size_t replaced = diagonal + (AreAlike(letter, other[j]) ? 0 : 1);
       diagonal = row[j + 1];
       row[j + 1] = std::min({ replaced, row[j] + 1, row[j + 1] + 1 });
     }
@@ -45,4 +51,4 @@ std::string Suggestion(const std::string& word, const std::vector<std::string>& 
   return nearest.empty() ? "" : " Did you mean '" + nearest + "'?";
 }
 
-} // namespace Command
+} // namespace FlipFree

@@ -1,18 +1,18 @@
 /**
  * What may have been meant by a mistyped word.
  */
-#ifndef FlipFreeCommandSuggestion_h
-#define FlipFreeCommandSuggestion_h
+#ifndef FlipFreeSuggestion_h
+#define FlipFreeSuggestion_h
 
 #include <string>
 #include <vector>
 
-namespace Command
+namespace FlipFree
 {
 
 /// ` Did you mean 'segment'?`, which follows a sentence; empty if no candidate is near.
 std::string Suggestion(const std::string& word, const std::vector<std::string>& candidates);
 
-} // namespace Command
+} // namespace FlipFree
 
 #endif
