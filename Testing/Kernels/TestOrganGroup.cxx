@@ -43,7 +43,7 @@ public:
 
   GrayVolume Gray() const
   {
-    return GrayVolumeOf(ImageView<float>{ this->Voxels.data(), this->Geometry }, "it", {});
+    return GrayVolumeOf(ImageView<float>{ this->Voxels.data(), this->Geometry });
   }
 
   static VolumeSegmentationSettings Coarse()

@@ -5,6 +5,7 @@
 #include "Error.h"
 #include "Geometry/DistanceQuery.h"
 #include "Image/BoxReading.h"
+#include "Image/NoData.h"
 #include "Stopwatch.h"
 
 #include <algorithm>
@@ -162,7 +163,6 @@ void VolumeSegmenter::PrepareBox(const VoxelBox& box)
 {
   const SmoothingSettings& smoothing = this->Settings.Method.Smoothing;
   this->Release();
-  this->Volume.RequireFinite(box);
   this->Box = box;
   this->LookAtSeed();
   this->Region = CropGeometry(this->Volume.Geometry, box);
@@ -174,7 +174,9 @@ void VolumeSegmenter::PrepareBox(const VoxelBox& box)
     this->Start, this->Settings.Method, this->Threads.For);
   if (this->Given)
   {
-    this->Organ->SetForeground(PieceOf(this->Given->Cropped(box), this->Seed));
+    BitMask mask = this->Given->Cropped(box);
+    RemoveNoData(this->Smooth->GetReader(), this->Threads.For, mask);
+    this->Organ->SetForeground(PieceOf(std::move(mask), this->Seed));
   }
 }
 
@@ -185,6 +187,20 @@ void VolumeSegmenter::LookAtSeed()
     BoxAround(geometry, this->Seed.Center, this->Seed.Radius), SerialFor);
   this->Noise = NoiseStandardDeviation(around.View(), this->Seed);
   this->MixedSeed = this->Given ? std::string() : WarningOfMixedSeed(around.View(), this->Seed);
+}
+
+void VolumeSegmenter::RequireDataAtSeeds(const ConstraintList& constraints) const
+{
+  if (this->Given)
+  {
+    RequireData(this->Volume.Read, this->Volume.Geometry, this->Seed,
+      "the largest sphere in " + this->GivenName, "remove such voxels from them");
+  }
+  else
+  {
+    RequireData(this->Volume.Read, this->Volume.Geometry, this->Seed);
+  }
+  RequireData(this->Volume.Read, this->Volume.Geometry, constraints);
 }
 
 void VolumeSegmenter::Release()
@@ -201,6 +217,7 @@ OrganSegmenter& VolumeSegmenter::Prepare(const ConstraintList& constraints)
     RequireReach(this->Settings.Method.Smoothing, this->Seed.Radius);
   }
   RequireGuard(constraints, this->Settings.Method.Step.Guard);
+  this->RequireDataAtSeeds(constraints);
   const VoxelBox box = this->RegionOf(constraints);
   if (!this->Organ || !(box == this->Box))
   {

@@ -19,7 +19,8 @@ FLIPFREE_INLINE void FluxOfRow(const float* near, const float* far,
   for (int i = 0; i < size; ++i)
   {
     const float difference = far[i] - near[i];
-    flux[i] = difference / (1 + difference * difference * fall);
+    const float flow = difference / (1 + difference * difference * fall);
+    flux[i] = flow == flow ? flow : 0.0F; // NaN: a voxel has no data, or both are infinite
   }
 }
 

@@ -58,7 +58,7 @@ std::vector<std::uint32_t> CountBins(const ImageView<float>& image, const std::a
           const float* const values = &image(first[0] + left, first[1] + j, first[2] + k);
           for (int voxel = 0; voxel < right - left; ++voxel)
           {
-            ++own[bins(values[voxel])];
+            own[bins(values[voxel])] += HasData(values[voxel]) ? 1 : 0;
           }
         });
       const std::lock_guard<std::mutex> lock(mutex);
@@ -135,7 +135,7 @@ BitMask IntensityModel::Foreground(const ImageView<float>& image, const VoxelBox
       }
       for (int voxel = 0; voxel < count; ++voxel)
       {
-        inside[voxel] = isForeground[places[voxel]];
+        inside[voxel] = HasData(voxels[voxel]) ? isForeground[places[voxel]] : 0;
       }
     },
     parallelFor);
@@ -225,9 +225,7 @@ float MedianOf(const ImageView<float>& image, const std::array<int, 3>& first, c
     [&](int begin, int end, int j, int k)
     {
       const float* const row = &image(first[0], first[1] + j, first[2] + k);
-      // Diffusion of values near the end of the range may give NaN, which has no order.
-      std::copy_if(row + begin, row + end, std::back_inserter(values),
-        [](float value) { return std::isfinite(value); });
+      std::copy_if(row + begin, row + end, std::back_inserter(values), HasData);
     });
   if (values.empty())
   {

@@ -7,6 +7,7 @@
 
 #include "Image/BitMask.h"
 #include "Image/EdgeRamp.h"
+#include "Image/NoData.h"
 #include "Intensity/GaussianMixture.h"
 
 namespace FlipFree
@@ -46,14 +47,14 @@ public:
   double Threshold = 0.5; ///< of the feature (Gamma)
   EdgeRamp Ramp;
 
-  /// The feature of a gray value, in [0, 1]; tabulated.
-  float operator()(float z) const { return this->Table[this->PlaceOf(z)]; }
+  /// The feature of a gray value, in [0, 1]; tabulated. Zero where there is no data.
+  float operator()(float z) const { return HasData(z) ? this->Table[this->PlaceOf(z)] : 0; }
 
   /// The smallest float at or above the threshold.
   float ThresholdRoundedUp() const;
 
   /// The voxels of a part of an image whose feature is at or above the threshold, on the part's
-  /// grid.
+  /// grid; none without data.
   BitMask Foreground(const ImageView<float>& image, const VoxelBox& box,
     const ParallelFor& parallelFor) const;
 

@@ -27,9 +27,14 @@ bool FindForeground(const ImageView<float>& smooth, const IntensityModel& model,
     return false;
   }
   foreground = model.Foreground(smooth, WholeBox(smooth.Geometry), parallelFor);
-  return !settings.ControlLeaks ||
-    ControlLeaks(foreground, seed, RadiiOf(settings.Leaks, seed.Radius, smooth.Geometry),
-      parallelFor, PartOf(monitor, 0.1, 1));
+  if (settings.ControlLeaks &&
+    !ControlLeaks(foreground, seed, RadiiOf(settings.Leaks, seed.Radius, smooth.Geometry),
+      parallelFor, PartOf(monitor, 0.1, 1)))
+  {
+    return false;
+  }
+  RemoveNoData(ReaderOf(smooth), parallelFor, foreground); // that leak control has closed
+  return true;
 }
 
 bool FindForegroundInBox(const ImageView<float>& smooth, const VoxelBox& box,
@@ -63,6 +68,7 @@ bool FindForegroundInBox(const ImageView<float>& smooth, const VoxelBox& box,
   {
     return false;
   }
+  RemoveNoData(ReaderOf(smooth, box.Begin), parallelFor, part);
   foreground = BitMask(smooth.Geometry);
   part.ForEachRun(0, box.Size(2),
     [&foreground, first = box.Begin](int begin, int end, int j, int k)

@@ -179,6 +179,7 @@ VesselTree VesselSearch::SeekBetter(const VesselTree& found, const Monitor& moni
       {
         break;
       }
+      this->CloseNoData();
       try
       {
         last = this->Trace(monitor);
@@ -214,7 +215,7 @@ void VesselSearch::Begin(double snapDistance)
 {
   constexpr double ballScale = 0.7; // of the vessel's radius
   const FloatImage& cubes = this->Image.Cubes;
-  this->Points = Snap(cubes.View(), this->Clicked, snapDistance);
+  this->Points = Snap(this->Image, this->Clicked, snapDistance);
   const VesselIntensities intensities =
     IntensitiesAtPoints(cubes.View(), this->Points, ballScale * this->Radius, this->Style.Speed);
   this->Depth.Geometry = cubes.Geometry;
@@ -222,6 +223,17 @@ void VesselSearch::Begin(double snapDistance)
   this->Speed = MakeVesselSpeed(cubes, this->Scales, intensities, this->Depth.Voxels, this->Radius,
     this->Style.Speed, this->Parallel);
   SlowDown(this->Outside, this->Style.Speed.Floor, this->Speed);
+  this->CloseNoData();
+}
+
+// No path enters it.
+void VesselSearch::CloseNoData()
+{
+  for (const std::size_t cube : this->Image.WithoutData)
+  {
+    this->Depth.Voxels[cube] = 0;
+    this->Speed.Voxels[cube] = 0;
+  }
 }
 
 VesselTree VesselSearch::Trace(const Monitor& monitor) const
