@@ -7,6 +7,7 @@
 #include "FilterReport.h"
 #include "GrayImageAdapter.h"
 #include "Image/GridCheck.h"
+#include "Image/NoData.h"
 #include "PipelineAdapter.h"
 #include "StageProperties.h"
 
@@ -150,7 +151,8 @@ struct vtkCorrespondenceSearch::Workspace
   KeptImage Feature;
   KeptImage Edges;
   FlipFree::BitMask Foreground;
-  // What the foreground was made from; no version is 0.
+  FlipFree::BitMask NoData;
+  // What they were made from; no version is 0.
   int Version = 0;
   double Threshold = 0;
 
@@ -161,7 +163,7 @@ struct vtkCorrespondenceSearch::Workspace
       SearchedEdges, SearchedFeature);
   }
 
-  void UpdateForeground(double threshold, Passes& passes)
+  void UpdateMasks(double threshold, Passes& passes)
   {
     const FlipFree::ImageView<float>& feature = this->Feature.GetView();
     if (this->Version == this->Feature.GetVersion() && this->Threshold == threshold)
@@ -171,7 +173,9 @@ struct vtkCorrespondenceSearch::Workspace
     const auto& size = feature.Geometry.Dimensions;
     this->Foreground = FlipFree::VoxelsWhere(
       feature, [threshold](float value) { return value >= threshold; },
-      passes.Threads(0, 0.4, static_cast<std::ptrdiff_t>(size[0]) * size[1]));
+      passes.Threads(0, 0.2, static_cast<std::ptrdiff_t>(size[0]) * size[1]));
+    this->NoData = FlipFree::FindNoData(FlipFree::ReaderOf(feature), feature.Geometry,
+      passes.Threads(0.2, 0.4, static_cast<std::ptrdiff_t>(size[0]) * size[1]));
     this->Version = passes.IsStopped() ? 0 : this->Feature.GetVersion();
     this->Threshold = threshold;
   }
@@ -243,7 +247,7 @@ int vtkCorrespondenceSearch::RequestData(vtkInformation*, vtkInformationVector**
     const auto points = FlipFree::ViewPoints(input, copy);
     const auto mesh = this->Kept->Meshes.MeshOf(input, points, SearchedSurface);
     this->Kept->Feature.Update(featureImage, SearchedFeature);
-    this->Kept->UpdateForeground(ThresholdFor(this->Threshold, featureImage), passes);
+    this->Kept->UpdateMasks(ThresholdFor(this->Threshold, featureImage), passes);
     FlipFree::ImageView<float> edges;
     if (edgeImage && this->Settings->Correspondence.EdgeWindow > 0)
     {
@@ -255,8 +259,8 @@ int vtkCorrespondenceSearch::RequestData(vtkInformation*, vtkInformationVector**
     const FlipFree::TargetSettings settings = SettingsFor(featureImage, *this->Settings);
     FlipFree::TargetReport report;
     const FlipFree::CorrespondenceField field =
-      FlipFree::FindTargets(*mesh, points, this->Kept->Foreground, edges, radius, settings,
-        passes.Threads(0.4, 1, VoxelsPerVertex), report);
+      FlipFree::FindTargets(*mesh, points, this->Kept->Foreground, this->Kept->NoData, edges,
+        radius, settings, passes.Threads(0.4, 1, VoxelsPerVertex), report);
     if (passes.IsStopped())
     {
       return 1;

@@ -236,8 +236,7 @@ TEST(Corrections, LeaveTheRestOfTheOrganWhereAPointLiesInACleft)
       }
     }
   }
-  VolumeSegmenter segmenter(
-    GrayVolumeOf(ImageView<std::int16_t>{ voxels.data(), geometry }), "it",
+  VolumeSegmenter segmenter(GrayVolumeOf(ImageView<std::int16_t>{ voxels.data(), geometry }), "it",
     { center - Eigen::Vector3d(0, 14, 0), 9 }, nullptr, {}, Threading());
   const auto scoreOf = [&](const ConstraintList& constraints)
   {

@@ -6,9 +6,9 @@
 
 #include <gtest/gtest.h>
 
-#include <limits>
 #include <array>
 #include <atomic>
+#include <limits>
 #include <random>
 
 using namespace FlipFree;
@@ -84,7 +84,7 @@ public:
   SeedSphere Seed{ { 35, 35, 35 }, 8 };
   std::vector<float> Voxels;
   std::vector<float> Labels;
-  static constexpr double OtherRadius = 7; // of a seed
+  static constexpr double OtherRadius = 7;    // of a seed
   mutable std::atomic<int> Preparations{ 0 }; // how often the volume was read anew
 };
 

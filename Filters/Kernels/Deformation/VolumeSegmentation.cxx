@@ -169,13 +169,16 @@ void VolumeSegmenter::PrepareBox(const VoxelBox& box)
   AnisotropicDiffusionSettings diffusion = DiffusionOf(smoothing, this->Noise);
   diffusion.Threads = this->Threads.Number;
   this->Smooth = std::make_unique<SmoothRegion>(PartOf(this->Volume.Read, box), this->Region,
-    diffusion, this->Threads.For);
+    diffusion, this->Threads.For, this->Volume.IsComplete);
   this->Organ = std::make_unique<OrganSegmenter>(*this->Smooth, this->Noise, this->Seed,
     this->Start, this->Settings.Method, this->Threads.For);
   if (this->Given)
   {
     BitMask mask = this->Given->Cropped(box);
-    RemoveNoData(this->Smooth->GetReader(), this->Threads.For, mask);
+    if (!this->Smooth->GetNoData().GetWords().empty())
+    {
+      mask.Remove(this->Smooth->GetNoData());
+    }
     this->Organ->SetForeground(PieceOf(std::move(mask), this->Seed));
   }
 }

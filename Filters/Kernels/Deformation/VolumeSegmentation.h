@@ -26,13 +26,14 @@ namespace FlipFree
 struct GrayVolume
 {
   ImageGeometry Geometry;
-  VoxelReader Read; ///< voxels that are not finite as floats are without data (NoData.h)
+  VoxelReader Read;        ///< voxels that are not finite as floats are without data (NoData.h)
+  bool IsComplete = false; ///< known to have data everywhere
 };
 
 template <typename T>
 GrayVolume GrayVolumeOf(const ImageView<T>& image)
 {
-  return { image.Geometry, ReaderOf(image) };
+  return { image.Geometry, ReaderOf(image), !std::is_floating_point_v<T> };
 }
 
 struct VolumeSegmentationSettings
@@ -64,7 +65,8 @@ class VolumeSegmenter
 {
 public:
   /// `name` is the volume's, whose voxels outlive the object. `start` may be null. Throws Error for
-  /// bad input, such as a seed that touches voxels without data, when it is segmented at the latest.
+  /// bad input, such as a seed that touches voxels without data, when it is segmented at the
+  /// latest.
   VolumeSegmenter(GrayVolume volume, std::string name, const SeedSphere& seed,
     const DeformableSurface* start, const VolumeSegmentationSettings& settings,
     Threading threading);

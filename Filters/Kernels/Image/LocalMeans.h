@@ -32,10 +32,8 @@ BlockSums SumInBlocks(const BitMask& mask, const BlockGrid& grid, const Parallel
   const std::size_t count = grid.Blocks.NumberOfVoxels();
   BlockSums sums{ std::vector<float>(count, 0.0F), std::vector<float>(count, 0.0F) };
   grid.ForEachRun(mask, parallelFor,
-    [&](std::size_t block, int begin, int end, int j, int k)
-    {
-      sums.Weights[block] +=
-        static_cast<float>(add(block, begin, end, j, k, sums.Values[block]));
+    [&](std::size_t block, int begin, int end, int j, int k) {
+      sums.Weights[block] += static_cast<float>(add(block, begin, end, j, k, sums.Values[block]));
     });
   return sums;
 }

@@ -4,6 +4,7 @@
 #include "Image/VoxelOffsets.h"
 #include "MessageText.h"
 
+#include <algorithm>
 #include <vector>
 
 namespace FlipFree
@@ -11,34 +12,66 @@ namespace FlipFree
 namespace
 {
 
-// The first voxel of the list without data, or the list's end.
-std::vector<std::size_t>::const_iterator FindNoData(const VoxelReader& read,
-  const ImageGeometry& geometry, const std::vector<std::size_t>& voxels)
-{
-  return std::find_if(voxels.begin(), voxels.end(),
-    [&](std::size_t voxel)
-    {
-      const auto [i, j, k] = IndexOf(voxel, geometry);
-      float value = 0;
-      read(i, i + 1, j, k, &value);
-      return !HasData(value);
-    });
-}
-
 void RequireDataAt(const VoxelReader& read, const ImageGeometry& geometry,
   const std::vector<std::size_t>& voxels, const std::string& name, const std::string& remedy)
 {
-  const auto found = FindNoData(read, geometry, voxels);
-  if (found != voxels.end())
+  for (const std::size_t voxel : voxels)
   {
-    const auto [i, j, k] = IndexOf(*found, geometry);
-    throw Error(ErrorCode::NonFiniteValue,
-      name + " touches a voxel without data (not a finite number), at " +
-        TextOf(geometry.ToPhysical(Eigen::Vector3d(i, j, k))) + " mm; " + remedy);
+    const auto [i, j, k] = IndexOf(voxel, geometry);
+    float value = 0;
+    read(i, i + 1, j, k, &value);
+    if (!HasData(value))
+    {
+      throw Error(ErrorCode::NonFiniteValue,
+        name + " touches a voxel without data (not a finite number), at " +
+          TextOf(geometry.ToPhysical(Eigen::Vector3d(i, j, k))) + " mm; " + remedy);
+    }
   }
 }
 
 } // namespace
+
+BitMask FindNoData(const VoxelReader& read, const ImageGeometry& geometry,
+  const ParallelFor& parallelFor)
+{
+  const auto& size = geometry.Dimensions;
+  std::vector<unsigned char> lacksData(size[2], 0); // by slice
+  const auto forEachRow = [&](const auto& visit)
+  {
+    parallelFor(0, size[2],
+      [&](std::ptrdiff_t first, std::ptrdiff_t last)
+      {
+        std::vector<float> row(size[0]);
+        for (int k = static_cast<int>(first); k < last; ++k)
+        {
+          for (int j = 0; j < size[1]; ++j)
+          {
+            read(0, size[0], j, k, row.data());
+            visit(row, j, k);
+          }
+        }
+      });
+  };
+  forEachRow([&](const std::vector<float>& row, int, int k)
+    { lacksData[k] |= std::all_of(row.begin(), row.end(), HasData) ? 0 : 1; });
+  if (std::find(lacksData.begin(), lacksData.end(), 1) == lacksData.end())
+  {
+    return {};
+  }
+  BitMask mask(geometry);
+  forEachRow(
+    [&](const std::vector<float>& row, int j, int k)
+    {
+      for (int i = 0; i < size[0]; ++i)
+      {
+        if (!HasData(row[i]))
+        {
+          mask.Insert(i, j, k);
+        }
+      }
+    });
+  return mask;
+}
 
 void RemoveNoData(const VoxelReader& read, const ParallelFor& parallelFor, BitMask& mask)
 {

@@ -22,6 +22,10 @@ inline bool HasData(float value)
   return std::isfinite(value);
 }
 
+/// The voxels without data; an empty mask without any.
+BitMask FindNoData(const VoxelReader& read, const ImageGeometry& geometry,
+  const ParallelFor& parallelFor);
+
 /// Removes from a mask, which is on the grid of the voxels that `read` reads, those without data.
 void RemoveNoData(const VoxelReader& read, const ParallelFor& parallelFor, BitMask& mask);
 

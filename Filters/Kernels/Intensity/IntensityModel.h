@@ -47,8 +47,8 @@ public:
   double Threshold = 0.5; ///< of the feature (Gamma)
   EdgeRamp Ramp;
 
-  /// The feature of a gray value, in [0, 1]; tabulated. Zero where there is no data.
-  float operator()(float z) const { return HasData(z) ? this->Table[this->PlaceOf(z)] : 0; }
+  /// The feature of a gray value, in [0, 1]; tabulated.
+  float operator()(float z) const { return this->Table[this->PlaceOf(z)]; }
 
   /// The smallest float at or above the threshold.
   float ThresholdRoundedUp() const;

@@ -54,11 +54,10 @@ Modality ModalityOf(const VoxelReader& read, const ImageGeometry& geometry)
   }
   const float darkest = TakeQuantile(values, TailOfValues);
   const float brightest = TakeQuantile(values, 1 - TailOfValues);
-  const bool isBrightAsInCT = brightest > LeastBright &&
-    brightest <= (darkest < LowestIn12Bits ? BrightTissue : MostBright);
-  return darkest < Negative && -darkest > LeastPart * brightest && isBrightAsInCT
-    ? Modality::CT
-    : Modality::MR;
+  const bool isBrightAsInCT =
+    brightest > LeastBright && brightest <= (darkest < LowestIn12Bits ? BrightTissue : MostBright);
+  return darkest < Negative && -darkest > LeastPart * brightest && isBrightAsInCT ? Modality::CT
+                                                                                  : Modality::MR;
 }
 
 Modality ResolveModality(Modality given, const VoxelReader& read, const ImageGeometry& geometry)

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <limits>
 #include <string>
 
 namespace FlipFree
@@ -106,8 +107,12 @@ std::vector<float> MakeFeature(const ImageView<float>& smooth, const IntensityMo
           {
             const float value = model(smooth(i, j, k));
             const bool wanted = foreground(i, j, k);
-            feature[smooth.Geometry.Offset(i, j, k)] =
-              (value >= model.Threshold) == wanted ? value : (wanted ? threshold : below);
+            float& result = feature[smooth.Geometry.Offset(i, j, k)];
+            result = (value >= model.Threshold) == wanted ? value : (wanted ? threshold : below);
+            if (!wanted && !HasData(smooth(i, j, k)))
+            {
+              result = std::numeric_limits<float>::quiet_NaN();
+            }
           }
         }
       }

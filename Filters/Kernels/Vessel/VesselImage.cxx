@@ -135,8 +135,8 @@ void ContinueData(FloatImage& image)
 VesselImage MakeVesselImage(FloatImage voxels, double deviation, double edge,
   const ParallelFor& parallelFor)
 {
-  BitMask withoutData =
-    VoxelsWhere(voxels.View(), [](float value) { return !HasData(value); }, parallelFor);
+  BitMask withoutData = VoxelsWhere(
+    voxels.View(), [](float value) { return !HasData(value); }, parallelFor);
   const bool isComplete = withoutData.Bounds().IsEmpty();
   if (!isComplete)
   {
@@ -172,8 +172,7 @@ VesselImage MakeVesselImage(FloatImage voxels, double deviation, double edge,
     });
   for (std::size_t cube = 0; cube < image.Cubes.Voxels.size() && !isComplete; ++cube)
   {
-    const auto [i, j, k] =
-      NearestVoxel(voxels.Geometry, cubes.ToPhysical(IndexOf(cubes, cube)));
+    const auto [i, j, k] = NearestVoxel(voxels.Geometry, cubes.ToPhysical(IndexOf(cubes, cube)));
     if (withoutData(i, j, k))
     {
       image.WithoutData.push_back(cube);
