@@ -43,6 +43,7 @@ public:
     vtkDataArray* scalars = image->GetPointData()->GetScalars();
     const bool isSame = this->Scalars == scalars && this->Time == image->GetMTime() &&
       SameGrid(geometry, this->View.Geometry);
+    this->Time = 0; // until it is there
     if (!isSame || scalars->GetDataType() == VTK_FLOAT)
     {
       this->View = FlipFree::GrayViewOf(image, this->Copy);

@@ -11,7 +11,8 @@
  * Leak control (beyond the paper) closes the foreground, opens it, and keeps what is connected to
  * the seed, so that thin bridges to neighbors do not leak. Voxels that it removes get half the
  * threshold; voxels that it fills get the threshold itself. Voxels that are not finite have no
- * data: nothing is learned from them, and their feature is NaN, unless the foreground encloses them.
+ * data: nothing is learned from them, and their feature is NaN, unless the foreground encloses
+ * them.
  *
  * Input port 0: vtkImageData, one scalar component, smoothed. Field data `NoiseStandardDeviation`
  * of vtkSeedRegionDiffusion is used where present; otherwise the noise is measured in the seed.

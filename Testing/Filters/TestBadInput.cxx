@@ -314,8 +314,8 @@ TEST(BadInput, SeedsThatTouchVoxelsWithoutDataAreRefused)
     MakeSeeded<vtkGMMFeatureFilter>(), MakeSegmentation() };
   for (const auto& filter : filters)
   {
-    ExpectRefusedAndRecovered(
-      ImagesWithoutData(), filter.Get(), 0, "the seed sphere touches a voxel without data");
+    ExpectRefusedAndRecovered(ImagesWithoutData(), filter.Get(), 0,
+      "the seed sphere touches a voxel without data");
   }
 }
 

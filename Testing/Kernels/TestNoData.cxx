@@ -280,6 +280,18 @@ TEST(NoData, IsWhereNoVesselRuns)
   const VesselTree beside = trace(volume);
   EXPECT_NEAR(beside.Radius, before.Radius, 0.2);
   EXPECT_GT(beside.Support, before.Support - 0.02);
+  FloatImage half = volume;
+  clear(half, [](const Eigen::Vector3d& place) { return place[0] > 22; });
+  const VesselSections sections = trace(half).Branches[0].Sections;
+  for (Eigen::Index section = 0; section < sections.Radii.rows(); ++section)
+  {
+    for (Eigen::Index ray = 0; ray < sections.Radii.cols(); ++ray)
+    {
+      const SectionFrame& frame = sections.Frames[section];
+      const Eigen::Vector3d along = frame.Ray(2 * EIGEN_PI * ray / sections.Radii.cols());
+      EXPECT_LT((frame.Origin + sections.Radii(section, ray) * along)[0], 23.5);
+    }
+  }
   FloatImage across = volume;
   clear(across, [](const Eigen::Vector3d& place) { return std::abs(place[2] - 40) < 3; });
   EXPECT_NE(MessageOf([&] { trace(across); }).find("no path leads to the point"),

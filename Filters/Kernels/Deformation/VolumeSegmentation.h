@@ -14,9 +14,9 @@
 #include "Mesh/SurfaceVoxelization.h"
 
 #include <array>
-#include <functional>
 #include <memory>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 namespace FlipFree

@@ -1,5 +1,7 @@
 #include "Image/DiffusionRows.h"
 
+#include <cmath>
+
 // Inlined into the functions for each instruction set.
 #if defined(__GNUC__)
 #define FLIPFREE_INLINE [[gnu::always_inline]] inline
@@ -20,7 +22,7 @@ FLIPFREE_INLINE void FluxOfRow(const float* near, const float* far,
   {
     const float difference = far[i] - near[i];
     const float flow = difference / (1 + difference * difference * fall);
-    flux[i] = flow == flow ? flow : 0.0F; // NaN: a voxel has no data, or both are infinite
+    flux[i] = std::isnan(flow) ? 0 : flow; // a voxel has no data
   }
 }
 

@@ -5,6 +5,7 @@
 #ifndef FlipFreeLeakControl_h
 #define FlipFreeLeakControl_h
 
+#include "Image/AnisotropicDiffusion.h"
 #include "Image/BitMask.h"
 #include "Image/SeedRegion.h"
 

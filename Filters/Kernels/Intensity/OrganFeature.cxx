@@ -2,6 +2,7 @@
 
 #include "Error.h"
 #include "Image/BallMorphology.h"
+#include "Image/NoData.h"
 #include "Image/VoxelOffsets.h"
 
 #include <algorithm>

@@ -9,8 +9,8 @@
 namespace FlipFree
 {
 
-/// Of values that are all the same, in place of zero: below any difference of gray values, whatever
-/// their unit is.
+/// In gray values: of those that are all the same, in place of zero; below any difference of gray
+/// values, whatever their unit is.
 constexpr double LeastDeviation = 1e-30;
 
 struct RobustStatistics

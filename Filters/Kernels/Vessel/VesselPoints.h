@@ -5,6 +5,7 @@
 #ifndef FlipFreeVesselPoints_h
 #define FlipFreeVesselPoints_h
 
+#include "Deformation/VolumeSegmentation.h"
 #include "Vessel/VesselImage.h"
 
 #include <string>

@@ -131,6 +131,35 @@ bool AvoidStrays(const VesselTree& tree, double sectionStep, double floor, Float
   return !strays.empty();
 }
 
+// An outline goes no further than the image has data.
+void EndAtNoData(const VesselImage& image, VesselSections& sections)
+{
+  constexpr double step = 0.25; // mm
+  constexpr double least = 0.5; // mm; so that a tube is left
+  const ImageGeometry& cubes = image.Cubes.Geometry;
+  const Eigen::Index rays = sections.Radii.cols();
+  for (Eigen::Index section = 0; section < sections.Radii.rows() && !image.WithoutData.empty();
+       ++section)
+  {
+    for (Eigen::Index ray = 0; ray < rays; ++ray)
+    {
+      const SectionFrame& frame = sections.Frames[section];
+      const Eigen::Vector3d along =
+        frame.Ray(2 * EIGEN_PI * static_cast<double>(ray) / static_cast<double>(rays));
+      double& radius = sections.Radii(section, ray);
+      for (double length = least; length < radius; length += step)
+      {
+        const auto [i, j, k] = NearestVoxel(cubes, frame.Origin + length * along);
+        if (std::binary_search(image.WithoutData.begin(), image.WithoutData.end(),
+              cubes.Offset(i, j, k)))
+        {
+          radius = length;
+        }
+      }
+    }
+  }
+}
+
 // Whether the image hardly shows the outline, or does not over a long stretch.
 bool IsDoubtful(const VesselTree& tree, double sectionStep)
 {
@@ -259,6 +288,7 @@ VesselTree VesselSearch::Trace(const Monitor& monitor) const
     VesselBranch branch{ FitSections(own, line, FirstRadii(this->Depth, line), sections,
                            this->Parallel),
       path.Parent, {} };
+    EndAtNoData(this->Image, branch.Sections);
     branch.Support = SectionSupport(own, branch.Sections, this->Parallel);
     tree.Branches.push_back(std::move(branch));
   }
