@@ -177,7 +177,7 @@ public:
    */
   enum ModalityType
   {
-    AUTOMATIC = 0, ///< CT if enough gray values are as negative as fat's, else MR
+    AUTOMATIC = 0, ///< CT if the range of gray values is that of Hounsfield units, else MR
     CT = 1,        ///< Hounsfield units
     MR = 2         ///< any unit
   };
@@ -186,7 +186,8 @@ public:
   /**
    * The scale of the gray values, from which Carving's tolerances are derived: AUTOMATIC (0), CT
    * (1) or MR (2). Default AUTOMATIC: CT if a hundredth of the voxels are as negative as fat in
-   * Hounsfield units, otherwise MR. For MR, the scale does not matter.
+   * Hounsfield units, and a hundredth as bright as tissue to bone, otherwise MR. For MR, the scale
+   * does not matter.
    */
   void SetModality(int value);
   int GetModality() const;
