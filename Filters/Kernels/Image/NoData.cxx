@@ -12,6 +12,13 @@ namespace FlipFree
 namespace
 {
 
+// In vectors: zero times infinity or NaN is NaN.
+bool AllHaveData(const std::vector<float>& row)
+{
+  const Eigen::Map<const Eigen::ArrayXf> values(row.data(), static_cast<Eigen::Index>(row.size()));
+  return (0 * values).sum() == 0;
+}
+
 void RequireDataAt(const VoxelReader& read, const ImageGeometry& geometry,
   const std::vector<std::size_t>& voxels, const std::string& name, const std::string& remedy)
 {
@@ -52,8 +59,8 @@ BitMask FindNoData(const VoxelReader& read, const ImageGeometry& geometry,
         }
       });
   };
-  forEachRow([&](const std::vector<float>& row, int, int k)
-    { lacksData[k] |= std::all_of(row.begin(), row.end(), HasData) ? 0 : 1; });
+  forEachRow(
+    [&](const std::vector<float>& row, int, int k) { lacksData[k] |= AllHaveData(row) ? 0 : 1; });
   if (std::find(lacksData.begin(), lacksData.end(), 1) == lacksData.end())
   {
     return {};

@@ -123,6 +123,8 @@ BitMask IntensityModel::Foreground(const ImageView<float>& image, const VoxelBox
   {
     isForeground.push_back(feature >= this->Threshold ? 1 : 0);
   }
+  const auto noData = static_cast<int>(isForeground.size());
+  isForeground.push_back(0);
   return MaskOfBox(
     image, box,
     [&](const float* voxels, int count, unsigned char* inside)
@@ -131,11 +133,11 @@ BitMask IntensityModel::Foreground(const ImageView<float>& image, const VoxelBox
       std::array<int, BitMask::BitsOfWord> places;
       for (int voxel = 0; voxel < count; ++voxel)
       {
-        places[voxel] = this->PlaceOf(voxels[voxel]);
+        places[voxel] = HasData(voxels[voxel]) ? this->PlaceOf(voxels[voxel]) : noData;
       }
       for (int voxel = 0; voxel < count; ++voxel)
       {
-        inside[voxel] = HasData(voxels[voxel]) ? isForeground[places[voxel]] : 0;
+        inside[voxel] = isForeground[places[voxel]];
       }
     },
     parallelFor);
