@@ -51,7 +51,8 @@ inline void RequireGrayImage(vtkImageData* image, const std::string& name)
   }
 }
 
-/// RequireFiniteAs floats for an image that has passed RequireGrayImage.
+/// RequireFiniteAs floats for an image that has passed RequireGrayImage, where voxels without data
+/// (NoData.h) cannot be left out.
 inline bool RequireFinite(vtkImageData* image, const VoxelBox& box, const std::string& name,
   const Monitor& monitor = NeverStop)
 {
@@ -67,8 +68,7 @@ inline bool RequireFinite(vtkImageData* image, const VoxelBox& box, const std::s
 /// RequireGrayImage and outlives the volume.
 inline GrayVolume GrayVolumeOf(vtkImageData* image, const std::string& name)
 {
-  return VisitVoxels(image, name,
-    [&name](const auto& view) { return GrayVolumeOf(view, name, SMPThreading()); });
+  return VisitVoxels(image, name, [](const auto& view) { return GrayVolumeOf(view); });
 }
 
 /// A part of the image as floats; reuses the memory of `region`. The image has passed

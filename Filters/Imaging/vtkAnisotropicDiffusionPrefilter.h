@@ -17,10 +17,11 @@
  * As in ITK, gradients are measured along the grid's axes. If these are not at right angles (tilted
  * gantry), the smoothing is sheared with the grid.
  *
- * Input port 0: vtkImageData with one component of finite scalars. Output port 0: vtkImageData, the
- * VOI with the input's indices and geometry; scalars float. Field data `NoiseStandardDeviation`
- * (one double, gray values), only if there is a scale sphere: the noise found in it before
- * smoothing, as by vtkSeedRegionDiffusion, for vtkGMMFeatureFilter.
+ * Input port 0: vtkImageData with one component of finite scalars; vtkSeedRegionDiffusion leaves
+ * others out. Output port 0: vtkImageData, the VOI with the input's indices and geometry; scalars
+ * float. Field data `NoiseStandardDeviation` (one double, gray values), only if there is a scale
+ * sphere: the noise found in it before smoothing, as by vtkSeedRegionDiffusion, for
+ * vtkGMMFeatureFilter.
  *
  * Errors, with a code of FlipFreeErrorCode.h: a missing or empty image, no scalars, several
  * components, scalars of bits, a spacing that is not positive, NaN or infinite voxels, a VOI or a

@@ -7,6 +7,7 @@
 #include "FilterReport.h"
 #include "GrayImageAdapter.h"
 #include "Image/GridCheck.h"
+#include "Image/NoData.h"
 #include "PipelineAdapter.h"
 #include "StageProperties.h"
 
@@ -30,24 +31,19 @@ bool SameGrid(const FlipFree::ImageGeometry& one, const FlipFree::ImageGeometry&
     one.Spacing == other.Spacing && one.Direction == other.Direction;
 }
 
-// An image that has been checked, as floats. It is not checked again while it stays the same.
-class CheckedImage
+// An image as floats. It is not copied again while it stays the same.
+class KeptImage
 {
 public:
-  // Throws Error for an image that cannot be searched. Returns false if the monitor
-  // stopped it.
-  bool Update(vtkImageData* image, const std::string& name, const FlipFree::Monitor& monitor)
+  // Throws Error for an image that cannot be searched.
+  void Update(vtkImageData* image, const std::string& name)
   {
     FlipFree::RequireGrayImage(image, name);
     const FlipFree::ImageGeometry geometry = FlipFree::GeometryOf(image);
     vtkDataArray* scalars = image->GetPointData()->GetScalars();
     const bool isSame = this->Scalars == scalars && this->Time == image->GetMTime() &&
       SameGrid(geometry, this->View.Geometry);
-    this->Time = 0;
-    if (!isSame && !FlipFree::RequireFinite(image, FlipFree::WholeBox(geometry), name, monitor))
-    {
-      return false;
-    }
+    this->Time = 0; // until it is there
     if (!isSame || scalars->GetDataType() == VTK_FLOAT)
     {
       this->View = FlipFree::GrayViewOf(image, this->Copy);
@@ -55,7 +51,6 @@ public:
     this->Version += isSame ? 0 : 1;
     this->Scalars = scalars;
     this->Time = image->GetMTime();
-    return true;
   }
 
   const FlipFree::ImageView<float>& GetView() const { return this->View; }
@@ -154,26 +149,22 @@ vtkStandardNewMacro(vtkCorrespondenceSearch);
 struct vtkCorrespondenceSearch::Workspace
 {
   FlipFree::ContourMeshCache Meshes;
-  CheckedImage Feature;
-  CheckedImage Edges;
+  KeptImage Feature;
+  KeptImage Edges;
   FlipFree::BitMask Foreground;
-  // What the foreground was made from; no version is 0.
+  FlipFree::BitMask NoData;
+  // What they were made from; no version is 0.
   int Version = 0;
   double Threshold = 0;
 
-  // Returns false if the monitor stopped it.
-  bool UpdateEdges(vtkImageData* image, Passes& passes)
+  void UpdateEdges(vtkImageData* image)
   {
-    if (!this->Edges.Update(image, SearchedEdges, passes.Part(0.3, 0.4)))
-    {
-      return false;
-    }
+    this->Edges.Update(image, SearchedEdges);
     FlipFree::RequireSameGeometry(this->Edges.GetView().Geometry, this->Feature.GetView().Geometry,
       SearchedEdges, SearchedFeature);
-    return true;
   }
 
-  void UpdateForeground(double threshold, Passes& passes)
+  void UpdateMasks(double threshold, Passes& passes)
   {
     const FlipFree::ImageView<float>& feature = this->Feature.GetView();
     if (this->Version == this->Feature.GetVersion() && this->Threshold == threshold)
@@ -183,7 +174,9 @@ struct vtkCorrespondenceSearch::Workspace
     const auto& size = feature.Geometry.Dimensions;
     this->Foreground = FlipFree::VoxelsWhere(
       feature, [threshold](float value) { return value >= threshold; },
-      passes.Threads(0.1, 0.3, static_cast<std::ptrdiff_t>(size[0]) * size[1]));
+      passes.Threads(0, 0.2, static_cast<std::ptrdiff_t>(size[0]) * size[1]));
+    this->NoData = FlipFree::FindNoData(FlipFree::ReaderOf(feature), feature.Geometry,
+      passes.Threads(0.2, 0.4, static_cast<std::ptrdiff_t>(size[0]) * size[1]));
     this->Version = passes.IsStopped() ? 0 : this->Feature.GetVersion();
     this->Threshold = threshold;
   }
@@ -254,18 +247,12 @@ int vtkCorrespondenceSearch::RequestData(vtkInformation*, vtkInformationVector**
     FlipFree::PointList copy;
     const auto points = FlipFree::ViewPoints(input, copy);
     const auto mesh = this->Kept->Meshes.MeshOf(input, points, SearchedSurface);
-    if (!this->Kept->Feature.Update(featureImage, SearchedFeature, passes.Part(0, 0.1)))
-    {
-      return 1;
-    }
-    this->Kept->UpdateForeground(ThresholdFor(this->Threshold, featureImage), passes);
+    this->Kept->Feature.Update(featureImage, SearchedFeature);
+    this->Kept->UpdateMasks(ThresholdFor(this->Threshold, featureImage), passes);
     FlipFree::ImageView<float> edges;
     if (edgeImage && this->Settings->Correspondence.EdgeWindow > 0)
     {
-      if (!this->Kept->UpdateEdges(edgeImage, passes))
-      {
-        return 1;
-      }
+      this->Kept->UpdateEdges(edgeImage);
       edges = this->Kept->Edges.GetView();
     }
 
@@ -273,8 +260,8 @@ int vtkCorrespondenceSearch::RequestData(vtkInformation*, vtkInformationVector**
     const FlipFree::TargetSettings settings = SettingsFor(featureImage, *this->Settings);
     FlipFree::TargetReport report;
     const FlipFree::CorrespondenceField field =
-      FlipFree::FindTargets(*mesh, points, this->Kept->Foreground, edges, radius, settings,
-        passes.Threads(0.4, 1, VoxelsPerVertex), report);
+      FlipFree::FindTargets(*mesh, points, this->Kept->Foreground, this->Kept->NoData, edges,
+        radius, settings, passes.Threads(0.4, 1, VoxelsPerVertex), report);
     if (passes.IsStopped())
     {
       return 1;

@@ -8,7 +8,8 @@
  * none is solitary. Lines are walked voxel by voxel, exactly, under any direction matrix.
  *
  * Input port 0: vtkPolyData, closed, with four neighbors at every vertex.
- * Input port 1: vtkImageData, the feature: one scalar component, 0 to 1 (SetFeatureConnection).
+ * Input port 1: vtkImageData, the feature: one scalar component, 0 to 1 (SetFeatureConnection);
+ * where it is not finite there is no data, and a search line ends as at the image's border.
  * Its field data `FeatureThreshold` (1 double), `SeedRadius` (1 double, mm) and `EdgeRamp` (3
  * doubles), as vtkGMMFeatureFilter attaches them, are used where present.
  * Input port 2, optional: vtkImageData, the smoothed image of the same grid, in whose edges the
@@ -17,12 +18,12 @@
  * point; zero where solitary) and `Correspondence` (unsigned char: 0 solitary, 1 matched). Field
  * data `MeanDistance` (1 double, mm): mean distance to the targets found, before they are limited.
  *
- * The checked images, the foreground and the mesh's contours are kept between updates: after
+ * The images, the foreground and the mesh's contours are kept between updates: after
  * writing voxels in place, call Modified() on the image.
  *
  * Errors, with a code of FlipFreeErrorCode.h: a surface that is open or not four-valent; images
- * without scalars, with several components or with voxels that are not finite; an edge image with a
- * grid other than the feature's; field data of another size or not finite; a property that is NaN.
+ * without scalars or with several components; an edge image with a grid other than the feature's;
+ * field data of another size or not finite; a property that is NaN.
  */
 #ifndef vtkCorrespondenceSearch_h
 #define vtkCorrespondenceSearch_h

@@ -17,6 +17,11 @@
  *
  * Input port 0: vtkImageData with one scalar component of any type; coordinates are the image's
  * physical millimeters, and the direction matrix is honored.
+ * Voxels that are not finite (NaN, infinity, beyond the range of float) have no data, such as
+ * padding, or what lies outside the field of view. They are as what lies beyond the image's end:
+ * nothing is learned from them, and the surface goes no further than their border. What the organ
+ * encloses is inside the surface, as any hole is.
+ *
  * Input port 1, optional: vtkPolyData, the surface to start from in place of the sphere: closed,
  * four neighbors at every vertex, embedded. It is refined like the sphere, to about as many
  * vertices (see SetLevels()). Less is promised for some of its faces: one of more than eight
@@ -52,11 +57,12 @@
  *
  * Errors, with a code of FlipFreeErrorCode.h. Each is reported once, and the outputs are then
  * empty.
- * - Image: no scalars, several components, no voxels, or voxels that are not finite near the seed.
+ * - Image: no scalars, several components, or no voxels.
  * - Seed: its center outside the image; smaller than a voxel, or wider than the image's longest
- *   side; a Reach that ends within it; no contrast to its surroundings.
+ *   side; a Reach that ends within it; a voxel without data in it; no contrast to its surroundings.
  * - Start surface: open, not four-valent, or self-intersecting.
- * - Constraint, which the error names: outside the image, contradicting another one or the seed,
+ * - Constraint, which the error names: outside the image, where there is no data (unless it is an
+ *   outside point), contradicting another one or the seed,
  *   not to be obeyed by a surface of one piece, or given without the guard.
  * - Start labels: with other voxels than the image's, without voxels of StartLabel, or nowhere thicker
  *   than two voxels.

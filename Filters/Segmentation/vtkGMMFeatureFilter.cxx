@@ -213,12 +213,6 @@ void vtkGMMFeatureFilter::ComputeFeature(vtkImageData* image, vtkPolyData* surfa
   const std::vector<double> given =
     FlipFree::FieldValues("NoiseStandardDeviation", 1, false, image, "the image{ on port 0}");
   const FlipFree::Monitor whole = FlipFree::MonitorOf(this);
-  if (!FlipFree::RequireFinite(image, FlipFree::WholeBox(geometry), "the image{ on port 0}",
-        FlipFree::PartOf(whole, 0, 0.05)) ||
-    !whole(0.05))
-  {
-    return;
-  }
   FlipFree::FloatImage copy;
   const FlipFree::ImageView<float> smooth = FlipFree::GrayViewOf(image, copy);
   if (!whole(0.08))

@@ -10,7 +10,9 @@
  *
  * Leak control (beyond the paper) closes the foreground, opens it, and keeps what is connected to
  * the seed, so that thin bridges to neighbors do not leak. Voxels that it removes get half the
- * threshold; voxels that it fills get the threshold itself.
+ * threshold; voxels that it fills get the threshold itself. Voxels that are not finite have no
+ * data: nothing is learned from them, and their feature is NaN, unless the foreground encloses
+ * them.
  *
  * Input port 0: vtkImageData, one scalar component, smoothed. Field data `NoiseStandardDeviation`
  * of vtkSeedRegionDiffusion is used where present; otherwise the noise is measured in the seed.
@@ -175,7 +177,7 @@ public:
    */
   enum ModalityType
   {
-    AUTOMATIC = 0, ///< CT if enough gray values are as negative as fat's, else MR
+    AUTOMATIC = 0, ///< CT if the range of gray values is that of Hounsfield units, else MR
     CT = 1,        ///< Hounsfield units
     MR = 2         ///< any unit
   };
@@ -184,7 +186,8 @@ public:
   /**
    * The scale of the gray values, from which Carving's tolerances are derived: AUTOMATIC (0), CT
    * (1) or MR (2). Default AUTOMATIC: CT if a hundredth of the voxels are as negative as fat in
-   * Hounsfield units, otherwise MR. For MR, the scale does not matter.
+   * Hounsfield units, and a hundredth as bright as tissue to bone, otherwise MR. For MR, the scale
+   * does not matter.
    */
   void SetModality(int value);
   int GetModality() const;

@@ -4,6 +4,7 @@
 #include "FieldData.h"
 #include "FilterReport.h"
 #include "GrayImageAdapter.h"
+#include "Image/NoData.h"
 #include "Image/SmoothRegion.h"
 #include "PipelineAdapter.h"
 #include "StageProperties.h"
@@ -104,7 +105,8 @@ int vtkSeedRegionDiffusion::RequestData(vtkInformation*, vtkInformationVector** 
     FlipFree::RequireReach(*this->Settings, seed.Radius);
     const FlipFree::VoxelBox box =
       FlipFree::BoxAround(geometry, seed.Center, FlipFree::ReachOf(*this->Settings, seed.Radius));
-    FlipFree::RequireFinite(image, box, "the image{ on port 0}");
+    FlipFree::RequireData(FlipFree::GrayReaderOf(image, FlipFree::WholeBox(geometry)), geometry,
+      seed);
     const double noise = FlipFree::NoiseOf(image, seed);
     FlipFree::FloatImage region;
     if (!FlipFree::SmoothRegionOf(image, box, FlipFree::DiffusionOf(*this->Settings, noise),

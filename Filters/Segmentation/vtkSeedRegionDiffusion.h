@@ -7,14 +7,15 @@
  * derived from the noise in the seed sphere, so cropping the image elsewhere changes nothing.
  * vtkAnisotropicDiffusionPrefilter runs ITK's equations instead.
  *
- * Input port 0: vtkImageData with one scalar component of any type.
+ * Input port 0: vtkImageData with one scalar component of any type. Voxels that are not finite
+ * have no data: nothing flows to or from them, as across the image's border, and they stay so.
  * Output port 0: vtkImageData of the box, float; its extent, origin and direction keep every voxel
  * in its place. Field data `NoiseStandardDeviation` (one double, gray values): the noise found
  * before smoothing.
  *
  * Errors, with a code of FlipFreeErrorCode.h: an image without scalars or with several components,
- * voxels that are not finite, a seed outside the image, smaller than a voxel or wider than the
- * image, a Reach that ends within the seed, a property that is NaN.
+ * a seed outside the image, smaller than a voxel or wider than the image, or with voxels that are
+ * not finite, a Reach that ends within the seed, a property that is NaN.
  */
 #ifndef vtkSeedRegionDiffusion_h
 #define vtkSeedRegionDiffusion_h

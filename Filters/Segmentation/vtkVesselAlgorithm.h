@@ -9,12 +9,13 @@
  * does little harm.
  *
  * Input port 0: vtkImageData with one scalar component of any type; coordinates are the image's
- * physical millimeters, and the direction matrix is honored.
+ * physical millimeters, and the direction matrix is honored. No path runs through voxels without
+ * data, those that are not finite, and nothing is learned from them.
  *
- * Errors, with a code of FlipFreeErrorCode.h: no scalars, several components, an empty image,
- * voxels that are not finite within 60 mm of the points' bounding box, fewer than two points, a
- * point outside the image, two points closer than 3 mm, points that no path through similar gray
- * values joins, a property that is NaN. Each is reported once, and the outputs are then empty.
+ * Errors, with a code of FlipFreeErrorCode.h: no scalars, several components, an empty image, fewer
+ * than two points, a point outside the image or in a voxel without data, two points closer than 3
+ * mm, points that no path through similar gray values joins, a property that is NaN. Each is
+ * reported once, and the outputs are then empty.
  */
 #ifndef vtkVesselAlgorithm_h
 #define vtkVesselAlgorithm_h

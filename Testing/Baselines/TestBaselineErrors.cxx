@@ -39,7 +39,10 @@ protected:
 TEST_P(BaselineRefuses, BadImagesAlone)
 {
   this->ExpectSegmentation();
-  for (const Bad<vtkImageData>& bad : BadImages())
+  std::vector<Bad<vtkImageData>> images = BadImages();
+  const std::vector<Bad<vtkImageData>> more = ImagesWithoutData();
+  images.insert(images.end(), more.begin(), more.end());
+  for (const Bad<vtkImageData>& bad : images)
   {
     ExpectRefused<vtkImageData>({ bad }, this->Filter, 0, "the image on port 0");
     EXPECT_EQ(this->Filter->GetNumberOfIterations(), 0) << bad.Name;

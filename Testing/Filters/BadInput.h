@@ -174,10 +174,17 @@ inline std::vector<Bad<vtkImageData>> BadImages()
       { "several components", ImageOfType(VTK_SHORT, 3),
         { "3 components", "vtkImageExtractComponents" } },
     });
+  return images;
+}
+
+/// Images that lack data in the seed.
+inline std::vector<Bad<vtkImageData>> ImagesWithoutData()
+{
+  std::vector<Bad<vtkImageData>> images;
   for (const double value : { NotANumber, Infinite, -Infinite })
   {
     images.push_back({ "voxel of " + std::to_string(value), ImageWith(value),
-      { "(45, 48, 51) mm", "not a finite number", "replace" } });
+      { "(45, 48, 51) mm", "not a finite number" } });
   }
   return images;
 }

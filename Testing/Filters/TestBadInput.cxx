@@ -297,6 +297,28 @@ TEST_P(ImagePort, RefusesBadImagesAlone)
   ExpectMissingOrOtherTypeRefused(GetParam(), StartSphere());
 }
 
+TEST_P(ImagePort, TakesVoxelsWithoutData)
+{
+  for (const double value : { NotANumber, Infinite, -Infinite })
+  {
+    const auto image = SphereImage();
+    image->SetScalarComponentFromDouble(0, 0, 0, 0, value);
+    this->Filter->SetInputDataObject(GetParam().Index, image);
+    EXPECT_EQ(ErrorOfUpdate(this->Filter), "0 errors") << value;
+  }
+}
+
+TEST(BadInput, SeedsThatTouchVoxelsWithoutDataAreRefused)
+{
+  const vtkSmartPointer<vtkAlgorithm> filters[] = { MakeSeeded<vtkSeedRegionDiffusion>(),
+    MakeSeeded<vtkGMMFeatureFilter>(), MakeSegmentation() };
+  for (const auto& filter : filters)
+  {
+    ExpectRefusedAndRecovered(ImagesWithoutData(), filter.Get(), 0,
+      "the seed sphere touches a voxel without data");
+  }
+}
+
 TEST_P(SurfacePort, RefusesBadSurfacesAlone)
 {
   ExpectGoodInputAccepted(this->Filter, GetParam());
@@ -635,13 +657,12 @@ TEST(GoodInput, ASurfaceThatNothingMovesRemains)
   EXPECT_LE((CopyPoints(filter->GetOutput()) - CopyPoints(sphere)).cwiseAbs().maxCoeff(), 1e-9);
 }
 
-TEST(GoodInput, NaNFarFromTheSeedAndSeedsOfOneValueAreSegmented)
+TEST(GoodInput, NoDataFarFromTheSeedAndSeedsOfOneValueAreSegmented)
 {
   const auto filter = MakeSegmentation();
   const auto image = ImageWith(0);
   image->SetScalarComponentFromDouble(0, 0, 0, 0, NotANumber);
   filter->SetInputDataObject(image);
-  filter->SetReach(40);
   vtkNew<vtkPhantomSource> noiseless;
   noiseless->SetDimensions(32, 32, 32);
   noiseless->SetSpacing(3, 3, 3);

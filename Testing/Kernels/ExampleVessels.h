@@ -84,7 +84,7 @@ inline FloatImage VolumeOfTubes(const std::vector<ExampleTube>& tubes,
 
 inline GrayVolume GrayVolumeOf(const FloatImage& image)
 {
-  return GrayVolumeOf(image.View(), "the volume", { SerialFor, 1 });
+  return GrayVolumeOf(image.View());
 }
 
 inline PointList Points(const std::vector<Eigen::Vector3d>& points)

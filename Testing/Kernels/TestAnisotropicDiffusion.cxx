@@ -324,5 +324,6 @@ TEST(AnisotropicDiffusion, AsksAfterSomePartsPerThread)
 TEST(AnisotropicDiffusion, ContrastLiesAboveTheNoise)
 {
   EXPECT_NEAR(ContrastOfNoise(10), 2 * std::sqrt(2.0) * 10, 1e-9);
-  EXPECT_GT(ContrastOfNoise(0), 0);
+  EXPECT_EQ(ContrastOfNoise(0), 0);
+  EXPECT_EQ(ContrastOfNoise(1e-9), 1e-9 * ContrastOfNoise(1));
 }

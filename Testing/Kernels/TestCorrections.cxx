@@ -39,7 +39,7 @@ public:
     VolumeSegmentationSettings method;
     method.Method.Schedule.Resolution = 16;
     this->Again = std::make_unique<VolumeSegmenter>(
-      GrayVolumeOf(ImageView<std::int16_t>{ this->Voxels.data(), this->Geometry }, "it", {}), "it",
+      GrayVolumeOf(ImageView<std::int16_t>{ this->Voxels.data(), this->Geometry }), "it",
       this->Seed, nullptr, method, Threading());
   }
 
@@ -185,7 +185,7 @@ TEST(Corrections, OfDeepPlacesFarApartDoNotDisturbEachOther)
   const auto segmenter = [&]
   {
     return std::make_unique<VolumeSegmenter>(
-      GrayVolumeOf(ImageView<std::int16_t>{ voxels.data(), geometry }, "it", {}), "it",
+      GrayVolumeOf(ImageView<std::int16_t>{ voxels.data(), geometry }), "it",
       SeedSphere{ center, 24 }, nullptr, method, Threading());
   };
   const auto run = [](VolumeSegmenter& with, const ConstraintList& points)
@@ -236,8 +236,7 @@ TEST(Corrections, LeaveTheRestOfTheOrganWhereAPointLiesInACleft)
       }
     }
   }
-  VolumeSegmenter segmenter(
-    GrayVolumeOf(ImageView<std::int16_t>{ voxels.data(), geometry }, "it", {}), "it",
+  VolumeSegmenter segmenter(GrayVolumeOf(ImageView<std::int16_t>{ voxels.data(), geometry }), "it",
     { center - Eigen::Vector3d(0, 14, 0), 9 }, nullptr, {}, Threading());
   const auto scoreOf = [&](const ConstraintList& constraints)
   {

@@ -1,6 +1,7 @@
 #include "Deformation/Correspondence.h"
 #include "ExampleMasks.h"
 #include "ExampleSurfaces.h"
+#include "Image/NoData.h"
 
 #include <gtest/gtest.h>
 
@@ -31,15 +32,23 @@ struct TestImage
     return VoxelsWhere(
       this->View, [](float value) { return value >= 0.5F; }, SerialFor);
   }
+  BitMask NoData() const
+  {
+    return FindNoData(ReaderOf(this->View), this->View.Geometry, SerialFor);
+  }
   std::vector<float> Voxels;
   ImageView<float> View;
 };
 
-// A row of voxels along x: '#' is foreground.
+// A row of voxels along x: '#' is foreground, '?' has no data.
 TestImage Row(const std::string& voxels, double spacing = 1)
 {
   return TestImage(Grid({ { static_cast<int>(voxels.size()), 1, 1 } }, { spacing, 1, 1 }),
-    [&](const Eigen::Vector3d& index) { return voxels[static_cast<int>(index[0])] == '#'; });
+    [&](const Eigen::Vector3d& index)
+    {
+      const char voxel = voxels[static_cast<int>(index[0])];
+      return voxel == '?' ? std::numeric_limits<double>::quiet_NaN() : (voxel == '#' ? 1 : 0);
+    });
 }
 
 struct Answer
@@ -56,7 +65,7 @@ Answer Search(const TestImage& image, const Eigen::Vector3d& point, const Eigen:
   points.row(0) = point;
   normals.row(0) = normal;
   const CorrespondenceField field = FindCorrespondences(points, normals, image.Foreground(),
-    edges != nullptr ? edges->View : ImageView<float>(), settings, SerialFor);
+    image.NoData(), edges != nullptr ? edges->View : ImageView<float>(), settings, SerialFor);
   EXPECT_NE(field.States[0], VertexState::Flipping);
   return { field.States[0] == VertexState::Matched,
     field.Displacements.row(0).dot(normals.row(0)) };
@@ -142,7 +151,7 @@ TEST(Correspondence, ReachesTheFaceOfABoxExactly)
     const PointList normals = Directions(500);
     const PointList points = geometry.ToPhysical(start).transpose().replicate(500, 1);
     const CorrespondenceField field =
-      FindCorrespondences(points, normals, image.Foreground(), {}, RunOf(2), SerialFor);
+      FindCorrespondences(points, normals, image.Foreground(), {}, {}, RunOf(2), SerialFor);
     for (int vertex = 0; vertex < 500; ++vertex)
     {
       const Eigen::Vector3d slope =
@@ -166,9 +175,9 @@ TEST(Correspondence, ReachesTheSameFaceFromOutside)
   // Beyond the image's end as well: the search may begin there.
   const PointList outer = inner + 36 * normals;
   const CorrespondenceField fromInside =
-    FindCorrespondences(inner, normals, image.Foreground(), {}, RunOf(1), SerialFor);
+    FindCorrespondences(inner, normals, image.Foreground(), {}, {}, RunOf(1), SerialFor);
   const CorrespondenceField fromOutside =
-    FindCorrespondences(outer, normals, image.Foreground(), {}, RunOf(1), SerialFor);
+    FindCorrespondences(outer, normals, image.Foreground(), {}, {}, RunOf(1), SerialFor);
   for (int vertex = 0; vertex < 500; ++vertex)
   {
     ASSERT_EQ(fromOutside.States[vertex], VertexState::Matched);
@@ -227,6 +236,12 @@ TEST(Correspondence, FindsTheFirstRunOfARow)
     { "..########", 5, 3, 40, 0, true, Solitary },
     { "..########", 5, 3, 40, 4.4, true, Solitary },
     { "..########", 5, 3, 40, 4.6, true, 4.5 },
+    // So is the border of what has no data, behind which there may be more.
+    { "..########????????", 5, 3, 40, 0, true, Solitary },
+    { "..########????????", 5, 3, 40, 4.4, true, Solitary },
+    { "..########????????", 5, 3, 40, 4.6, true, 4.5 },
+    { "..########.???????", 5, 3, 40, 0, true, 4.5 },
+    { "..####??####......", 3, 3, 40, 0, true, 8.5 },
     // A run that the boundary cuts off begins where it begins.
     { "..######..", 5, 3, 40, 4.6, true, 2.5 },
     { "..######..", 5, 3, 40, 0, true, Solitary },
@@ -292,10 +307,10 @@ TEST(Correspondence, AnyNumberOfPartsGivesTheSameBits)
   CorrespondenceSettings settings = RunOf(3);
   settings.EdgeWindow = 2;
   const CorrespondenceField serial =
-    FindCorrespondences(points, normals, noise.Foreground(), noise.View, settings, SerialFor);
+    FindCorrespondences(points, normals, noise.Foreground(), {}, noise.View, settings, SerialFor);
   EXPECT_GT(std::count(serial.States.begin(), serial.States.end(), VertexState::Matched), 300);
-  const CorrespondenceField parts =
-    FindCorrespondences(points, normals, noise.Foreground(), noise.View, settings, ScatteredFor);
+  const CorrespondenceField parts = FindCorrespondences(points, normals, noise.Foreground(), {},
+    noise.View, settings, ScatteredFor);
   EXPECT_EQ(parts.States, serial.States);
   EXPECT_EQ(parts.Displacements, serial.Displacements);
 }
@@ -312,7 +327,7 @@ TEST(Correspondence, MovesWithTheImage)
   CorrespondenceSettings settings = RunOfLength(3);
   settings.EdgeWindow = 2;
   const CorrespondenceField still =
-    FindCorrespondences(points, normals, image.Foreground(), image.View, settings, SerialFor);
+    FindCorrespondences(points, normals, image.Foreground(), {}, image.View, settings, SerialFor);
   for (const auto& [name, matrix] : ExampleDirections())
   {
     const Eigen::RowVector3d shift(100, -50, 7);
@@ -320,7 +335,7 @@ TEST(Correspondence, MovesWithTheImage)
     image.View.Geometry.Origin = shift.transpose();
     const CorrespondenceField moved =
       FindCorrespondences((points * matrix.transpose()).rowwise() + shift,
-        normals * matrix.transpose(), image.Foreground(), image.View, settings, SerialFor);
+        normals * matrix.transpose(), image.Foreground(), {}, image.View, settings, SerialFor);
     EXPECT_EQ(moved.States, still.States) << name;
     EXPECT_LT(
       (moved.Displacements - still.Displacements * matrix.transpose()).cwiseAbs().maxCoeff(), 1e-9)

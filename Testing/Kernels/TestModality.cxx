@@ -49,6 +49,17 @@ TEST(Modality, OfMRDoesNotDependOnTheScale)
   }
 }
 
+// They are not Hounsfield units any more.
+TEST(Modality, OfCTOnAnotherScaleIsMR)
+{
+  for (const double scale : { 1e-6, 1e-3, 0.01, 10.0, 100.0, 1e3, 1e9 })
+  {
+    EXPECT_EQ(Of(-1000, 40, 110, 20, scale), Modality::MR) << scale;
+  }
+  EXPECT_EQ(Of(-3024, 40, 110, 20), Modality::CT); // padding
+  EXPECT_EQ(Of(-32768, 40, 110, 20), Modality::CT);
+}
+
 TEST(Modality, OfNothing)
 {
   FloatImage image;

@@ -43,7 +43,7 @@ public:
 
   GrayVolume Gray() const
   {
-    return GrayVolumeOf(ImageView<float>{ this->Voxels.data(), this->Geometry }, "it", {});
+    return GrayVolumeOf(ImageView<float>{ this->Voxels.data(), this->Geometry });
   }
 
   static VolumeSegmentationSettings Coarse()
@@ -311,7 +311,8 @@ TEST(OrganGroup, NamesTheOrganOfAnError)
   { EXPECT_EQ(message.substr(0, part.size()), part); };
   TouchingBalls broken;
   broken.SetAt({ 38, 37, 45 }, std::numeric_limits<float>::quiet_NaN());
-  startsWith(broken.MessageOf(broken.Organs()), "'left': a voxel of it");
+  startsWith(broken.MessageOf(broken.Organs()),
+    "'left': the seed sphere touches a voxel without data");
   const TouchingBalls balls;
   const auto messageOf =
     [&](const VolumeSegmentationSettings& settings, const std::vector<ConstraintList>& points)

@@ -9,6 +9,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <atomic>
 #include <limits>
 #include <random>
 
@@ -39,12 +41,17 @@ public:
 
   GrayVolume Gray() const
   {
-    GrayVolume volume =
-      GrayVolumeOf(ImageView<float>{ this->Voxels.data(), this->Geometry }, "it", {});
-    volume.RequireFinite = [this, all = volume.RequireFinite](const VoxelBox& box)
+    GrayVolume volume = GrayVolumeOf(ImageView<float>{ this->Voxels.data(), this->Geometry });
+    volume.Read = [this, all = volume.Read](int begin, int end, int j, int k, float* to)
     {
-      ++this->Preparations;
-      all(box);
+      // Each time, the seed's box is read from its first row on.
+      for (const double radius : { this->Seed.Radius, OtherRadius })
+      {
+        const VoxelBox seed = BoxAround(this->Geometry, this->Seed.Center, radius);
+        const bool isFirst = std::array<int, 3>{ { begin, j, k } } == seed.Begin;
+        this->Preparations += isFirst && end == seed.End[0] ? 1 : 0;
+      }
+      all(begin, end, j, k, to);
     };
     return volume;
   }
@@ -80,7 +87,8 @@ public:
   SeedSphere Seed{ { 35, 35, 35 }, 8 };
   std::vector<float> Voxels;
   std::vector<float> Labels;
-  mutable int Preparations = 0; // how often the volume was read anew
+  static constexpr double OtherRadius = 7;    // of a seed
+  mutable std::atomic<int> Preparations{ 0 }; // how often the volume was read anew
 };
 
 GivenSurface GivenSphere(const Eigen::Vector3d& center, double radius)
@@ -360,7 +368,7 @@ TEST(OrganRequest, KeepsWhatPointsDoNotChange)
   EXPECT_NE(RunOnce(runs, other).Result.Organ.Points, free.Result.Organ.Points);
   EXPECT_EQ(ball.Preparations, 1);
   other = plain;
-  other.Seed->Radius = 7;
+  other.Seed->Radius = ball.OtherRadius;
   RunOnce(runs, other);
   EXPECT_EQ(ball.Preparations, 2);
   RunOnce(runs, other);

@@ -126,8 +126,8 @@ TEST(TargetSearch, OutliersAreNotWithoutBoundary)
   const auto search = [&]
   {
     TargetReport report;
-    FindTargets(sphere.Mesh, sphere.Points(), foreground, { edges.data(), geometry }, 10, settings,
-      SerialFor, report);
+    FindTargets(sphere.Mesh, sphere.Points(), foreground, {}, { edges.data(), geometry }, 10,
+      settings, SerialFor, report);
     return report;
   };
   const TargetReport all = search();

@@ -307,7 +307,7 @@ TEST(VesselPath, AShortcutThatTheImageDoesNotSupportIsAvoided)
 }
 
 // Where the far search would look for a wide vessel, in vain.
-TEST(VesselPath, VoxelsFarAwayNeedNotBeFinite)
+TEST(VesselPath, VoxelsFarAwayNeedNoData)
 {
   const auto stub = [](double from, double to)
   {
@@ -328,10 +328,6 @@ TEST(VesselPath, VoxelsFarAwayNeedNotBeFinite)
   const VesselTree after = trace(volume);
   EXPECT_LT(after.Support, DoubtfulSupport);
   EXPECT_NEAR(after.Radius, before.Radius, 1);
-  // Near the points, they are an error.
-  volume.Voxels[grid.Offset(20, 15, 20)] = std::numeric_limits<float>::quiet_NaN();
-  const std::string message = MessageOf([&] { trace(volume); });
-  EXPECT_NE(message.find("is not a finite number"), std::string::npos) << message;
 }
 
 TEST(VesselSegmentation, ObeysEveryCorrection)

@@ -21,6 +21,27 @@ class Arrays(unittest.TestCase):
                 back = flipfree.array_from_image(flipfree.image_from_array(array, (1, 2, 3)))
                 numpy.testing.assert_array_equal(back, array)
 
+    def test_what_is_masked_has_no_data(self):
+        for name in ("int16", "uint8", "float32", "float64"):
+            with self.subTest(name):
+                voxels = numpy.arange(24).reshape(2, 3, 4).astype(name)
+                masked = numpy.ma.array(voxels, mask=voxels % 5 == 0)
+                back = flipfree.array_from_image(flipfree.image_from_array(masked, (1, 2, 3)))
+                self.assertEqual(back.dtype, "float64" if name == "float64" else "float32")
+                numpy.testing.assert_array_equal(numpy.isnan(back), masked.mask)
+                numpy.testing.assert_array_equal(back[~masked.mask], voxels[~masked.mask])
+                numpy.testing.assert_array_equal(voxels, numpy.arange(24).reshape(2, 3, 4))
+                for nothing in (False, numpy.zeros(voxels.shape, bool)):
+                    whole = numpy.ma.array(voxels, mask=nothing)
+                    back = flipfree.array_from_image(flipfree.image_from_array(whole, (1, 2, 3)))
+                    self.assertTrue(numpy.shares_memory(back, voxels))
+
+    def test_what_is_masked_has_no_label(self):
+        labels = flipfree.array_from_image(truth())
+        other = numpy.where(labels == LIVER, labels, LIVER)
+        masked = numpy.ma.array(other, mask=labels != LIVER)
+        self.assertEqual(flipfree.evaluate(truth(), masked, label=LIVER).dice, 1)
+
     @needs_vtk
     def test_geometry(self):
         image = flipfree.image_from_array(numpy.zeros((2, 3, 4)), (1, 2, 3), (4, 5, 6),

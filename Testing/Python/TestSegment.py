@@ -115,6 +115,20 @@ class Input(unittest.TestCase):
         self.assertGreater(2 * overlap / (result.labels.sum() + liver().labels.sum()), 0.97)
 
     @needs_files
+    def test_voxels_without_data(self):
+        voxels = flipfree.array_from_image(image())
+        columns = numpy.arange(voxels.shape[2]) * 1.5
+        rows = numpy.arange(voxels.shape[1])[:, None] * 1.5
+        outside = numpy.broadcast_to(numpy.hypot(columns - SEED[0], rows - SEED[1]) > 95, voxels.shape)
+        masked = numpy.ma.array(voxels, mask=outside)
+        result = flipfree.segment(masked, SEED, RADIUS, spacing=(1.5, 1.5, 3))
+        self.assertEqual(numpy.count_nonzero(result.labels[outside]), 0)
+        self.assertAlmostEqual(flipfree.evaluate(result, truth(), reference_label=flipfree.Organ.LIVER).dice,
+                               flipfree.evaluate(liver(), truth(), reference_label=flipfree.Organ.LIVER).dice, delta=0.03)
+        numbers = numpy.where(outside, numpy.inf, voxels.astype(numpy.float64))
+        same = flipfree.segment(numbers, SEED, RADIUS, spacing=(1.5, 1.5, 3))
+        numpy.testing.assert_array_equal(same.points, result.points)
+
     def test_file(self):
         with tempfile.TemporaryDirectory() as folder:
             path = Path(folder) / "abdomen.mha"

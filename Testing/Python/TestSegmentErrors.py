@@ -68,12 +68,24 @@ class Failures(unittest.TestCase):
         self.refuse(flipfree.SegmentationError, "the start surface ", start=vtkPolyData())
         self.refuse(flipfree.SegmentationError, ".", vtkImageData(), SEED, RADIUS)
 
-    def test_voxels_that_are_not_finite(self):
+    def test_seeds_and_points_without_data(self):
+        array = flipfree.array_from_image(image())
         for bad in (math.nan, math.inf, 1e300):
-            array = flipfree.array_from_image(image()).astype(float)
-            array[55, 55, 66] = bad
-            self.refuse(flipfree.SegmentationError, r"a voxel of the image, at \(99, 82.5, 165\) mm, is not a finite",
-                        array, SEED, RADIUS, spacing=(1.5, 1.5, 3))
+            voxels = array.astype(float)
+            voxels[55, 55, 66] = bad
+            self.refuse(flipfree.SegmentationError,
+                        r"the seed sphere touches a voxel without data \(not a finite number\), at \(99, 82.5, 165\) mm",
+                        voxels, SEED, RADIUS, spacing=(1.5, 1.5, 3))
+        masked = numpy.ma.array(array, mask=False)
+        masked[55, 55, 66] = numpy.ma.masked
+        self.refuse(flipfree.SegmentationError, r"the seed sphere touches a voxel without data", masked, SEED, RADIUS,
+                    spacing=(1.5, 1.5, 3))
+        masked = numpy.ma.array(array, mask=False)
+        masked[:, :, 120:] = numpy.ma.masked
+        for kind in ("inside", "boundary"):
+            self.refuse(flipfree.SegmentationError,
+                        rf"the {kind} point \(200, 80, 167\) mm touches a voxel without data", masked, SEED, RADIUS,
+                        spacing=(1.5, 1.5, 3), **{kind: [(200, 80, 167)]})
 
     def test_seed_and_radius(self):
         for error, message, seed, radius in (

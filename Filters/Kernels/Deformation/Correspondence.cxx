@@ -16,9 +16,10 @@ constexpr double RoundingSlack = 1 - 1e-9;
 class LineSearch
 {
 public:
-  LineSearch(const BitMask& foreground, const ImageView<float>& edges,
+  LineSearch(const BitMask& foreground, const BitMask& noData, const ImageView<float>& edges,
     const CorrespondenceSettings& settings)
     : Foreground(foreground)
+    , NoData(noData)
     , Edges(edges)
     , Settings(settings)
     , Grid(foreground.GetGeometry())
@@ -67,6 +68,22 @@ private:
     return this->Foreground(voxel[0], voxel[1], voxel[2]);
   }
 
+  bool HasNoData(const VoxelTraversal& walk) const
+  {
+    if (this->NoData.GetWords().empty() || !walk.IsInside())
+    {
+      return false;
+    }
+    const auto& voxel = walk.GetVoxel();
+    return this->NoData(voxel[0], voxel[1], voxel[2]);
+  }
+
+  bool EndsAtImage(double distance) const
+  {
+    return this->Settings.ImageBoundaryDistance > 0 &&
+      distance <= this->Settings.ImageBoundaryDistance;
+  }
+
   // Walks to the first run of voxels that are foreground (or not, as `wanted` says) and gives the
   // distance at which the line enters it.
   bool Walk(const Eigen::Vector3d& point, const Eigen::Vector3d& direction, bool wanted,
@@ -74,6 +91,7 @@ private:
   {
     int run = 0;
     double entry = 0;
+    bool beginsWithoutData = false; // the run
     VoxelTraversal walk(this->Grid, point, direction);
     for (; walk.GetEntry() <= this->Settings.SearchDistance; walk.Advance())
     {
@@ -81,8 +99,7 @@ private:
       if (!wanted && !walk.IsInside())
       {
         distance = run > 0 ? entry : walk.GetEntry();
-        return this->Settings.ImageBoundaryDistance > 0 &&
-          distance <= this->Settings.ImageBoundaryDistance;
+        return this->EndsAtImage(distance);
       }
       if (this->IsForeground(walk) != wanted)
       {
@@ -92,6 +109,7 @@ private:
       if (run == 0)
       {
         entry = walk.GetEntry();
+        beginsWithoutData = this->HasNoData(walk);
       }
       ++run;
       const bool complete = this->Settings.RunLength > 0
@@ -100,7 +118,7 @@ private:
       if (complete)
       {
         distance = entry;
-        return true;
+        return !beginsWithoutData || this->EndsAtImage(distance);
       }
     }
     return false;
@@ -140,6 +158,7 @@ private:
   }
 
   const BitMask& Foreground;
+  const BitMask& NoData;
   const ImageView<float>& Edges;
   const CorrespondenceSettings& Settings;
   VoxelGrid Grid;
@@ -151,13 +170,14 @@ private:
 } // namespace
 
 CorrespondenceField FindCorrespondences(const Eigen::Ref<const PointList>& points,
-  const PointList& normals, const BitMask& foreground, const ImageView<float>& edges,
-  const CorrespondenceSettings& settings, const ParallelFor& parallelFor)
+  const PointList& normals, const BitMask& foreground, const BitMask& noData,
+  const ImageView<float>& edges, const CorrespondenceSettings& settings,
+  const ParallelFor& parallelFor)
 {
   CorrespondenceField field;
   field.Displacements = PointList::Zero(points.rows(), 3);
   field.States.assign(points.rows(), VertexState::Solitary);
-  const LineSearch search(foreground, edges, settings);
+  const LineSearch search(foreground, noData, edges, settings);
   parallelFor(0, points.rows(),
     [&](std::ptrdiff_t first, std::ptrdiff_t last)
     {

@@ -33,8 +33,9 @@ struct CorrespondenceSettings
   /// A vertex in the background looks inward for the foreground. Off: Eq. 2 read literally.
   bool SearchInward = true;
 
-  /// A search line that leaves the image within this distance, in millimeters, has its target where
-  /// it leaves: an organ that the image cuts off has its boundary there. Zero: solitary.
+  /// A search line that leaves the image, or enters a place without data, within this distance, in
+  /// millimeters, has its target there: an organ that the image cuts off has its boundary there.
+  /// Zero: solitary.
   double ImageBoundaryDistance = 12;
 
   /// Standard deviation, in millimeters, of the Gaussian window around the crossing in which the
@@ -53,11 +54,13 @@ struct CorrespondenceField
 };
 
 /// Searches all vertices. `normals` are unit vectors; `foreground` holds the voxels whose feature
-/// is at or above its threshold (Gamma); `edges` is the image in which targets are refined, on the
-/// same grid (may be the null view if EdgeWindow is zero).
+/// is at or above its threshold (Gamma), and `noData` those without data, unless it is empty;
+/// `edges` is the image in which targets are refined (may be the null view if EdgeWindow is zero).
+/// All are on one grid.
 CorrespondenceField FindCorrespondences(const Eigen::Ref<const PointList>& points,
-  const PointList& normals, const BitMask& foreground, const ImageView<float>& edges,
-  const CorrespondenceSettings& settings, const ParallelFor& parallelFor);
+  const PointList& normals, const BitMask& foreground, const BitMask& noData,
+  const ImageView<float>& edges, const CorrespondenceSettings& settings,
+  const ParallelFor& parallelFor);
 
 } // namespace FlipFree
 

@@ -185,8 +185,8 @@ PointList DeformingOrgan::FindMotion()
   }
   Stopwatch watch;
   this->Surface.Field = FindTargets(this->Surface.Mesh, this->Surface.Points,
-    this->Foreground.GetMask(), this->Foreground.GetImage(), this->OrganRadius, targets,
-    this->Parallel, this->Record.Targets);
+    this->Foreground.GetMask(), this->Foreground.GetNoData(), this->Foreground.GetImage(),
+    this->OrganRadius, targets, this->Parallel, this->Record.Targets);
   this->Record.SearchSeconds = watch.Lap();
   PointList motion = this->Naming(
     [&]

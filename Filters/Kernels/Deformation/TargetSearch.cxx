@@ -203,8 +203,9 @@ double EdgeWindowOf(const TargetSettings& settings, const ImageGeometry& geometr
 }
 
 CorrespondenceField FindTargets(const ContourMesh& mesh, const Eigen::Ref<const PointList>& points,
-  const BitMask& foreground, const ImageView<float>& edges, double organRadius,
-  const TargetSettings& settings, const ParallelFor& parallelFor, TargetReport& report)
+  const BitMask& foreground, const BitMask& noData, const ImageView<float>& edges,
+  double organRadius, const TargetSettings& settings, const ParallelFor& parallelFor,
+  TargetReport& report)
 {
   const ImageGeometry& geometry = foreground.GetGeometry();
   const double voxel = geometry.Spacing.maxCoeff();
@@ -213,7 +214,7 @@ CorrespondenceField FindTargets(const ContourMesh& mesh, const Eigen::Ref<const 
   search.EdgeWindow = edges.Data ? EdgeWindowOf(settings, geometry) : 0;
   const PointList normals = VertexNormals(mesh, points, settings.NormalSmoothingIterations);
   CorrespondenceField field =
-    FindCorrespondences(points, normals, foreground, edges, search, parallelFor);
+    FindCorrespondences(points, normals, foreground, noData, edges, search, parallelFor);
   const auto withoutBoundary =
     std::count(field.States.begin(), field.States.end(), VertexState::Solitary);
   if (settings.OutlierStandardDeviations > 0)

@@ -54,11 +54,13 @@ void RejectOutliers(const ContourMesh& mesh, const PointList& normals, double de
 /// Shortens displacements to at most `limit` millimeters.
 void LimitDisplacements(double limit, CorrespondenceField& field);
 
-/// Finds a target for every vertex that sees a boundary. If `edges` is the null view, targets stay
-/// on the faces of voxels. `organRadius` is as in SearchDistanceOf().
+/// Finds a target for every vertex that sees a boundary. The masks are those of
+/// FindCorrespondences(). If `edges` is the null view, targets stay on the faces of voxels.
+/// `organRadius` is as in SearchDistanceOf().
 CorrespondenceField FindTargets(const ContourMesh& mesh, const Eigen::Ref<const PointList>& points,
-  const BitMask& foreground, const ImageView<float>& edges, double organRadius,
-  const TargetSettings& settings, const ParallelFor& parallelFor, TargetReport& report);
+  const BitMask& foreground, const BitMask& noData, const ImageView<float>& edges,
+  double organRadius, const TargetSettings& settings, const ParallelFor& parallelFor,
+  TargetReport& report);
 
 } // namespace FlipFree
 

@@ -5,6 +5,7 @@
 #include "Error.h"
 #include "Geometry/DistanceQuery.h"
 #include "Image/BoxReading.h"
+#include "Image/NoData.h"
 #include "Stopwatch.h"
 
 #include <algorithm>
@@ -148,19 +149,23 @@ void VolumeSegmenter::PrepareBox(const VoxelBox& box)
 {
   const SmoothingSettings& smoothing = this->Settings.Method.Smoothing;
   this->Release();
-  this->Volume.RequireFinite(box);
   this->Box = box;
   this->LookAtSeed();
   this->Region = CropGeometry(this->Volume.Geometry, box);
   AnisotropicDiffusionSettings diffusion = DiffusionOf(smoothing, this->Noise);
   diffusion.Threads = this->Threads.Number;
   this->Smooth = std::make_unique<SmoothRegion>(PartOf(this->Volume.Read, box), this->Region,
-    diffusion, this->Threads.For);
+    diffusion, this->Threads.For, this->Volume.IsComplete);
   this->Organ = std::make_unique<OrganSegmenter>(*this->Smooth, this->Noise, this->Seed,
     this->Start, this->Settings.Method, this->Threads.For);
   if (this->Given)
   {
-    this->Organ->SetForeground(PieceOf(this->Given->Cropped(box), this->Seed));
+    BitMask mask = this->Given->Cropped(box);
+    if (!this->Smooth->GetNoData().GetWords().empty())
+    {
+      mask.Remove(this->Smooth->GetNoData());
+    }
+    this->Organ->SetForeground(PieceOf(std::move(mask), this->Seed));
   }
 }
 
@@ -171,6 +176,20 @@ void VolumeSegmenter::LookAtSeed()
     BoxAround(geometry, this->Seed.Center, this->Seed.Radius), SerialFor);
   this->Noise = NoiseStandardDeviation(around.View(), this->Seed);
   this->MixedSeed = this->Given ? std::string() : WarningOfMixedSeed(around.View(), this->Seed);
+}
+
+void VolumeSegmenter::RequireDataAtSeeds(const ConstraintList& constraints) const
+{
+  if (this->Given)
+  {
+    RequireData(this->Volume.Read, this->Volume.Geometry, this->Seed,
+      "the largest sphere in " + this->GivenName, "remove such voxels from them");
+  }
+  else
+  {
+    RequireData(this->Volume.Read, this->Volume.Geometry, this->Seed);
+  }
+  RequireData(this->Volume.Read, this->Volume.Geometry, constraints);
 }
 
 void VolumeSegmenter::Release()
@@ -187,6 +206,7 @@ OrganSegmenter& VolumeSegmenter::Prepare(const ConstraintList& constraints)
     RequireReach(this->Settings.Method.Smoothing, this->Seed.Radius);
   }
   RequireGuard(constraints, this->Settings.Method.Step.Guard);
+  this->RequireDataAtSeeds(constraints);
   const VoxelBox box = this->RegionOf(constraints);
   if (!this->Organ || !(box == this->Box))
   {

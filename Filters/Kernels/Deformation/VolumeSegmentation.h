@@ -9,14 +9,14 @@
 #include "Deformation/OrganSegmentation.h"
 #include "Deformation/StartSurface.h"
 #include "Image/BitMask.h"
-#include "Image/FiniteVoxels.h"
+#include "Image/SliceParts.h"
 #include "Intensity/SurfaceConfidence.h"
 #include "Mesh/SurfaceVoxelization.h"
 
 #include <array>
-#include <functional>
 #include <memory>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 namespace FlipFree
@@ -26,21 +26,14 @@ namespace FlipFree
 struct GrayVolume
 {
   ImageGeometry Geometry;
-  VoxelReader Read;
-  /// Throws Error unless all voxels of a box are finite as floats.
-  std::function<void(const VoxelBox&)> RequireFinite;
+  VoxelReader Read;        ///< voxels that are not finite as floats are without data (NoData.h)
+  bool IsComplete = false; ///< known to have data everywhere
 };
 
 template <typename T>
-GrayVolume GrayVolumeOf(const ImageView<T>& image, const std::string& name,
-  const Threading& threading)
+GrayVolume GrayVolumeOf(const ImageView<T>& image)
 {
-  GrayVolume volume;
-  volume.Geometry = image.Geometry;
-  volume.Read = ReaderOf(image);
-  volume.RequireFinite = [image, name, threading](const VoxelBox& box)
-  { RequireFiniteAs<float>(image, box, name, "replace such voxels first", threading, NeverStop); };
-  return volume;
+  return { image.Geometry, ReaderOf(image), !std::is_floating_point_v<T> };
 }
 
 struct VolumeSegmentationSettings
@@ -72,7 +65,8 @@ class VolumeSegmenter
 {
 public:
   /// `name` is the volume's, whose voxels outlive the object. `start` may be null. Throws Error for
-  /// bad input.
+  /// bad input, such as a seed that touches voxels without data, when it is segmented at the
+  /// latest.
   VolumeSegmenter(GrayVolume volume, std::string name, const SeedSphere& seed,
     const DeformableSurface* start, const VolumeSegmentationSettings& settings,
     Threading threading);
@@ -111,6 +105,7 @@ private:
   VoxelBox RegionOf(const ConstraintList& constraints) const;
   void PrepareBox(const VoxelBox& box);
   void LookAtSeed();
+  void RequireDataAtSeeds(const ConstraintList& constraints) const;
 
   const GrayVolume Volume;
   const std::string Name;

@@ -283,9 +283,8 @@ bool DiffuseAnisotropically(const VoxelReader& read, const ImageGeometry& geomet
 
 double ContrastOfNoise(double noiseStandardDeviation)
 {
-  // Differences of neighbors scatter by sqrt(2) of the noise; twice that is an edge. Positive even
-  // without noise, where there is nothing to smooth.
-  return std::max(1e-3, 2 * std::sqrt(2.0) * noiseStandardDeviation);
+  // Differences of neighbors scatter by sqrt(2) of the noise; twice that is an edge.
+  return 2 * std::sqrt(2.0) * noiseStandardDeviation;
 }
 
 } // namespace FlipFree

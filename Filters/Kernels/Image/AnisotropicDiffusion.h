@@ -7,6 +7,9 @@
  * On a sheared grid (a tilted gantry's) the angles between the axes are ignored, so the smoothing
  * is sheared with the grid; it stays stable and keeps edges.
  *
+ * Across the border of voxels without data (NoData.h), nothing flows, as across the image's; they
+ * keep their values.
+ *
  * The contrast is given, not measured on the image. The result at a voxel therefore depends only on
  * voxels within as many places as there are iterations, and a smoothed crop with that margin has
  * exactly the bits of the whole.
@@ -27,7 +30,7 @@ struct AnisotropicDiffusionSettings
 {
   int Iterations = 5;
 
-  /// Differences between neighboring voxels well above it are edges and are kept.
+  /// Differences between neighboring voxels well above it are edges and are kept. Zero: all are.
   double Contrast = 20;
 
   /// Number of threads that the ParallelFor runs; 0: as many as the machine has. The monitor is
@@ -67,7 +70,7 @@ bool DiffuseBox(const VoxelReader& read, const ImageGeometry& geometry,
 /// More iterations take several passes: the margins of the parts would cost too much.
 constexpr int DiffusionIterationsAtOnce = 10;
 
-/// The contrast that keeps edges above noise of the given standard deviation.
+/// The contrast that keeps edges above noise of the given standard deviation; zero without noise.
 double ContrastOfNoise(double noiseStandardDeviation);
 
 } // namespace FlipFree

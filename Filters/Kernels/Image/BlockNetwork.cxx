@@ -1,11 +1,13 @@
 #include "Image/BlockNetwork.h"
 
 #include "Image/LocalMeans.h"
+#include "Image/NoData.h"
 #include "Image/VoxelOffsets.h"
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <utility>
 
 namespace FlipFree
@@ -20,13 +22,14 @@ constexpr double GreatestCapacity = 1 << 20;
 // Differences of more than this many contrasts, squared, do not matter.
 constexpr double GreatestJump = 24;
 
-std::vector<float> BlockMeans(const ImagePart& image, const BlockGrid& grid,
-  const ParallelFor& parallelFor)
+// With the weight 0 where a block has no data, otherwise 1.
+BlockSums BlockMeans(const ImagePart& image, const BlockGrid& grid, const ParallelFor& parallelFor)
 {
   const auto& blocks = grid.Blocks.Dimensions;
   const auto& size = grid.Voxels.Dimensions;
   const std::array<int, 3>& factor = grid.Factor;
-  std::vector<float> means(grid.Blocks.NumberOfVoxels(), 0.0F);
+  const std::size_t count = grid.Blocks.NumberOfVoxels();
+  BlockSums means{ std::vector<float>(count, 0.0F), std::vector<float>(count, 0.0F) };
   parallelFor(0, blocks[2],
     [&](std::ptrdiff_t first, std::ptrdiff_t last)
     {
@@ -40,7 +43,8 @@ std::vector<float> BlockMeans(const ImagePart& image, const BlockGrid& grid,
       {
         for (int j = 0; j < blocks[1]; ++j)
         {
-          float* const sums = means.data() + grid.Blocks.Offset(0, j, k);
+          float* const sums = means.Values.data() + grid.Blocks.Offset(0, j, k);
+          float* const weights = means.Weights.data() + grid.Blocks.Offset(0, j, k);
           std::fill(counts.begin(), counts.end(), 0.0F);
           for (int z = k * factor[2]; z < std::min(size[2], (k + 1) * factor[2]); ++z)
           {
@@ -49,14 +53,16 @@ std::vector<float> BlockMeans(const ImagePart& image, const BlockGrid& grid,
               const float* const row = image.Row(y, z);
               for (int i = 0; i < size[0]; ++i)
               {
-                sums[blockOf[i]] += row[i];
-                counts[blockOf[i]] += 1;
+                const bool hasData = HasData(row[i]);
+                sums[blockOf[i]] += hasData ? row[i] : 0;
+                counts[blockOf[i]] += hasData ? 1 : 0;
               }
             }
           }
           for (int i = 0; i < blocks[0]; ++i)
           {
-            sums[i] /= counts[i];
+            weights[i] = std::min(counts[i], 1.0F);
+            sums[i] /= std::max(counts[i], 1.0F);
           }
         }
       }
@@ -124,7 +130,7 @@ private:
   double CapacityOf(std::size_t block, std::size_t other, int axis) const
   {
     const double jump = (this->Smooth[block] - this->Smooth[other]) / this->Links.EdgeContrast;
-    // Also where a voxel is not a number.
+    // Also where there is no data.
     const double square = jump * jump < GreatestJump ? jump * jump : GreatestJump;
     return this->Links.PerArea * this->Area[axis] / this->Unit * std::exp(-0.5 * square);
   }
@@ -177,9 +183,22 @@ private:
 std::vector<float> SmoothBlockMeans(const ImagePart& image, const BlockGrid& grid,
   const ParallelFor& parallelFor)
 {
-  std::vector<float> ones(grid.Blocks.NumberOfVoxels(), 1.0F);
-  return LocalMeans({ BlockMeans(image, grid, parallelFor), std::move(ones) }, grid.Blocks,
-    EdgeSmoothing, 0, 0, parallelFor);
+  BlockSums means = BlockMeans(image, grid, parallelFor);
+  std::vector<std::size_t> without;
+  for (std::size_t block = 0; block < means.Weights.size(); ++block)
+  {
+    if (means.Weights[block] == 0)
+    {
+      without.push_back(block);
+    }
+  }
+  std::vector<float> smooth =
+    LocalMeans(std::move(means), grid.Blocks, EdgeSmoothing, 0, 0, parallelFor);
+  for (const std::size_t block : without)
+  {
+    smooth[block] = std::numeric_limits<float>::quiet_NaN();
+  }
+  return smooth;
 }
 
 CutNetwork MakeBlockNetwork(const ImageGeometry& blocks, const BlockNodes& nodes,

@@ -1,5 +1,7 @@
 #include "Image/DiffusionRows.h"
 
+#include <cmath>
+
 // Inlined into the functions for each instruction set.
 #if defined(__GNUC__)
 #define FLIPFREE_INLINE [[gnu::always_inline]] inline
@@ -19,7 +21,8 @@ FLIPFREE_INLINE void FluxOfRow(const float* near, const float* far,
   for (int i = 0; i < size; ++i)
   {
     const float difference = far[i] - near[i];
-    flux[i] = difference / (1 + difference * difference * fall);
+    const float flow = difference / (1 + difference * difference * fall);
+    flux[i] = std::isnan(flow) ? 0 : flow; // a voxel has no data
   }
 }
 

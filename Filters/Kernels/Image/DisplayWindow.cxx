@@ -14,7 +14,8 @@ std::array<double, 2> DisplayWindowOf(std::vector<double> values)
   };
   const double low = quantile(0.01);
   const double high = quantile(0.99);
-  if (low < -700 && high > 100)
+  constexpr double least = -4096; // 12 bits; gray values of other scales have less
+  if (low < -700 && low >= least && high > 100)
   {
     return { { -150, 250 } };
   }

@@ -1,6 +1,7 @@
 #include "Image/LocalMeans.h"
 
 #include "Image/GaussianSmoothing.h"
+#include "Image/NoData.h"
 
 #include <algorithm>
 #include <utility>
@@ -27,10 +28,16 @@ BlockSums SumInBlocks(const ImagePart& image, const BitMask& mask, const BlockGr
     [&image](std::size_t, int begin, int end, int j, int k, float& sum)
     {
       const float* const row = image.Row(j, k);
+      int count = 0;
       for (int i = begin; i < end; ++i)
       {
-        sum += row[i];
+        if (HasData(row[i]))
+        {
+          sum += row[i];
+          ++count;
+        }
       }
+      return count;
     });
 }
 
@@ -57,7 +64,10 @@ std::vector<float> DifferencesFrom(const std::vector<float>& means, const BlockG
       interpolate.Read(means, begin, end, j, k, mean.data());
       for (int i = begin; i < end; ++i)
       {
-        differences.push_back(row[i] - mean[i - begin]);
+        if (HasData(row[i]))
+        {
+          differences.push_back(row[i] - mean[i - begin]);
+        }
       }
     });
   return differences;

@@ -17,14 +17,14 @@ namespace FlipFree
 struct BlockSums
 {
   std::vector<float> Values;
-  std::vector<float> Weights; ///< numbers of voxels
+  std::vector<float> Weights; ///< numbers of voxels with data
 
   /// Of all blocks; zero where there are no voxels.
   float Mean() const;
 };
 
-/// Calls add(block, begin, end, j, k, sum) for the runs of the mask's voxels in each block, to add
-/// their values to the block's sum.
+/// Calls add(block, begin, end, j, k, sum) for the runs of the mask's voxels in each block, which
+/// adds the values of those with data to the block's sum and returns how many these are.
 template <typename Add>
 BlockSums SumInBlocks(const BitMask& mask, const BlockGrid& grid, const ParallelFor& parallelFor,
   const Add& add)
@@ -32,10 +32,8 @@ BlockSums SumInBlocks(const BitMask& mask, const BlockGrid& grid, const Parallel
   const std::size_t count = grid.Blocks.NumberOfVoxels();
   BlockSums sums{ std::vector<float>(count, 0.0F), std::vector<float>(count, 0.0F) };
   grid.ForEachRun(mask, parallelFor,
-    [&](std::size_t block, int begin, int end, int j, int k)
-    {
-      add(block, begin, end, j, k, sums.Values[block]);
-      sums.Weights[block] += static_cast<float>(end - begin);
+    [&](std::size_t block, int begin, int end, int j, int k) {
+      sums.Weights[block] += static_cast<float>(add(block, begin, end, j, k, sums.Values[block]));
     });
   return sums;
 }
@@ -49,7 +47,7 @@ BlockSums SumInBlocks(const ImagePart& image, const BitMask& mask, const BlockGr
 std::vector<float> LocalMeans(BlockSums sums, const ImageGeometry& blocks, double deviation,
   float leastWeight, float elsewhere, const ParallelFor& parallelFor);
 
-/// By how much the mask's voxels differ from the local means, which are interpolated.
+/// By how much the mask's voxels with data differ from the local means, which are interpolated.
 std::vector<float> DifferencesFrom(const std::vector<float>& means, const BlockGrid& grid,
   const ImagePart& image, const BitMask& mask);
 

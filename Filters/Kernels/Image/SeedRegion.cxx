@@ -87,7 +87,11 @@ double MedianDifference(const ImageView<float>& image, const std::vector<std::si
     if (voxel / stride % size[axis] != last &&
       std::binary_search(voxels.begin(), voxels.end(), next))
     {
-      differences.push_back(std::abs(image.Data[next] - image.Data[voxel]));
+      const float difference = std::abs(image.Data[next] - image.Data[voxel]);
+      if (std::isfinite(difference))
+      {
+        differences.push_back(difference);
+      }
     }
   }
   if (differences.empty())

@@ -1,6 +1,7 @@
 #include "Image/SmoothRegion.h"
 
 #include "Error.h"
+#include "Image/NoData.h"
 #include "MessageText.h"
 
 #include <algorithm>
@@ -39,11 +40,12 @@ AnisotropicDiffusionSettings DiffusionOf(const SmoothingSettings& settings,
 }
 
 SmoothRegion::SmoothRegion(VoxelReader read, const ImageGeometry& geometry,
-  const AnisotropicDiffusionSettings& settings, ParallelFor parallelFor)
+  const AnisotropicDiffusionSettings& settings, ParallelFor parallelFor, bool complete)
   : Read(std::move(read))
   , Geometry(geometry)
   , Settings(settings)
   , Parallel(std::move(parallelFor))
+  , NoData(complete ? BitMask() : FindNoData(this->Read, geometry, this->Parallel))
   , Voxels(new float[geometry.NumberOfVoxels()]) // uninitialized, so that no page is touched
 {
 }

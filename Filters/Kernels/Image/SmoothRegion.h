@@ -7,6 +7,7 @@
 #define FlipFreeSmoothRegion_h
 
 #include "Image/AnisotropicDiffusion.h"
+#include "Image/BitMask.h"
 
 #include <functional>
 #include <memory>
@@ -39,9 +40,10 @@ AnisotropicDiffusionSettings DiffusionOf(const SmoothingSettings& settings,
 class SmoothRegion
 {
 public:
-  /// The voxels that `read` reads must outlive the region.
+  /// The voxels that `read` reads must outlive the region. Unless they are `complete`, as integers
+  /// are, all are looked at once.
   SmoothRegion(VoxelReader read, const ImageGeometry& geometry,
-    const AnisotropicDiffusionSettings& settings, ParallelFor parallelFor);
+    const AnisotropicDiffusionSettings& settings, ParallelFor parallelFor, bool complete = false);
 
   /// The whole region. Only the voxels of the box made so far have values; the others take no
   /// memory, since the operating system provides it on first use.
@@ -49,6 +51,9 @@ public:
 
   /// Reads the voxels before smoothing, all of them.
   const VoxelReader& GetReader() const { return this->Read; }
+
+  /// Where the region has no data; empty without such voxels.
+  const BitMask& GetNoData() const { return this->NoData; }
 
   /// The box that has been made so far; empty at first.
   const VoxelBox& GetMade() const { return this->Made; }
@@ -64,6 +69,7 @@ private:
   ImageGeometry Geometry;
   AnisotropicDiffusionSettings Settings;
   ParallelFor Parallel;
+  BitMask NoData;
   std::unique_ptr<float[]> Voxels;
   VoxelBox Made;
 };

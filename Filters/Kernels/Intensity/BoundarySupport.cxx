@@ -1,5 +1,7 @@
 #include "Intensity/BoundarySupport.h"
 
+#include "Image/NoData.h"
+
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -129,13 +131,14 @@ private:
       const int i = static_cast<int>(std::lround(index[0]));
       const int j = static_cast<int>(std::lround(index[1]));
       const int k = static_cast<int>(std::lround(index[2]));
-      if (this->Geometry.Contains(i, j, k) && this->Mask(i, j, k) == inside)
+      if (this->Geometry.Contains(i, j, k) && this->Mask(i, j, k) == inside &&
+        HasData(this->Image(i, j, k)))
       {
         sum += this->Image(i, j, k);
         ++count;
       }
     }
-    return count > 0 && std::isfinite(sum) ? std::optional<double>(sum / count) : std::nullopt;
+    return count > 0 ? std::optional<double>(sum / count) : std::nullopt;
   }
 
   std::optional<double> ContrastAt(const std::array<int, 3>& voxel) const

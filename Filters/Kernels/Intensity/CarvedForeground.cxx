@@ -1,5 +1,6 @@
 #include "Intensity/CarvedForeground.h"
 
+#include "Intensity/LeakControl.h"
 #include "Intensity/OrganCarving.h"
 #include "Intensity/OrganConsensus.h"
 #include "Intensity/VenaCavaCarving.h"
@@ -24,12 +25,13 @@ bool CarveForeground(const CarvedForegroundInputs& inputs, const ParallelFor& pa
   }
   unanimity = 1;
   const bool seeks = settings.Consensus && settings.ControlLeaks && IsDoubtful(inside, foreground);
-  return (!seeks ||
-           (inputs.MakeSmooth(ConsensusBox(foreground, seed)) &&
-             SeekConsensus(smooth, seed, inputs.Noise, settings, parallelFor,
-               PartOf(monitor, 0.4, 0.95), foreground, &unanimity))) &&
+  const bool done = (!seeks ||
+                      (inputs.MakeSmooth(ConsensusBox(foreground, seed)) &&
+                        SeekConsensus(smooth, seed, inputs.Noise, settings, parallelFor,
+                          PartOf(monitor, 0.4, 0.95), foreground, &unanimity))) &&
     CarveVenaCava(smooth, inputs.MakeSmooth, inside, seed, settings.Modality, parallelFor,
       PartOf(monitor, 0.95, 1), foreground);
+  return done && CutAtNoData(ReaderOf(smooth), seed, parallelFor, monitor, foreground);
 }
 
 } // namespace FlipFree

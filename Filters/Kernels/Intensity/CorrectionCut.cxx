@@ -293,7 +293,7 @@ private:
     BlockLinks links;
     links.PerArea = this->Smoothness();
     links.EdgeContrast =
-      3 * std::max({ this->OfPoint.StandardDeviation, 0.5 * this->Noise, 1e-12 });
+      3 * std::max({ this->OfPoint.StandardDeviation, 0.5 * this->Noise, LeastDeviation });
     CutNetwork network = MakeBlockNetwork(
       this->Grid.Blocks, this->Nodes, smooth, links,
       [&](std::size_t block) { return this->WorthOf(smooth[block], this->Grid.CenterOf(block)); },

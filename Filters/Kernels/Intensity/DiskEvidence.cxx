@@ -1,7 +1,10 @@
 #include "Intensity/DiskEvidence.h"
 
+#include "Image/NoData.h"
+
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace FlipFree
 {
@@ -126,6 +129,7 @@ public:
   }
 
 private:
+  // Where there is no data, NaN.
   float ValueAt(const SampledVoxels& samples, std::size_t sample)
   {
     for (int axis = 0; axis < 2; ++axis)
@@ -133,7 +137,9 @@ private:
       this->Voxel[this->Grid.Within[axis]] = samples.IndexOf(axis, this->Place[axis], sample);
     }
     const auto [i, j, k] = this->Voxel;
-    return std::max(DarkestTissue, std::min(this->Image(i, j, k), BrightestTissue));
+    const float value = this->Image(i, j, k);
+    return HasData(value) ? std::max(DarkestTissue, std::min(value, BrightestTissue))
+                          : std::numeric_limits<float>::quiet_NaN();
   }
 
   void MeasureInside(const SampledVoxels& samples, std::size_t disk)
@@ -142,8 +148,16 @@ private:
     int covered = 0;
     for (std::size_t sample = 0; sample < samples.Size(); ++sample)
     {
-      this->Values.push_back(this->ValueAt(samples, sample));
+      const float value = this->ValueAt(samples, sample);
+      if (HasData(value))
+      {
+        this->Values.push_back(value);
+      }
       covered += this->Mask(this->Voxel[0], this->Voxel[1], this->Voxel[2]) ? 1 : 0;
+    }
+    if (this->Values.empty())
+    {
+      this->Values.push_back(DarkestTissue); // a disk without data is no vessel
     }
     std::sort(this->Values.begin(), this->Values.end());
     const auto quantile = [&](double part)
@@ -158,10 +172,13 @@ private:
     float sum = 0;
     for (std::size_t ray = 0; ray < samples.Near.Size(); ++ray)
     {
-      const float beyond =
-        std::min(this->ValueAt(samples.Near, ray), this->ValueAt(samples.Far, ray));
-      const float difference = this->Result.Value[disk] - beyond;
-      sum += std::max(0.0F, std::min((difference - NoEdge) / (ClearEdge - NoEdge), 1.0F));
+      const float near = this->ValueAt(samples.Near, ray);
+      const float far = this->ValueAt(samples.Far, ray);
+      if (HasData(near) && HasData(far))
+      {
+        const float difference = this->Result.Value[disk] - std::min(near, far);
+        sum += std::max(0.0F, std::min((difference - NoEdge) / (ClearEdge - NoEdge), 1.0F));
+      }
     }
     this->Result.Contrast[disk] = sum / Rays;
   }

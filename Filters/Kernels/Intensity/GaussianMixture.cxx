@@ -1,6 +1,7 @@
 #include "Intensity/GaussianMixture.h"
 
 #include "Error.h"
+#include "Intensity/RobustStatistics.h"
 
 #include <Eigen/Dense>
 
@@ -67,7 +68,7 @@ double GrainOf(const std::vector<float>& values, double low, double high)
   {
     return std::max(TypicalStep(values), (high - low) / 64);
   }
-  return magnitude > 0 ? 0.01 * magnitude : 1;
+  return std::max(0.01 * magnitude, LeastDeviation);
 }
 
 // A stone or a clip in the seed would stretch the bins until the organ falls into a single one. The

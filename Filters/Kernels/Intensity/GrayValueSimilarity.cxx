@@ -43,7 +43,7 @@ double GrayValueSimilarity::SpreadOf(const RobustStatistics& of) const
   constexpr double ofMR = 0.03; // of the median
   constexpr double ofCT = 5;    // Hounsfield units
   const double least =
-    std::max({ 0.5 * this->Noise, this->IsMR ? ofMR * std::abs(of.Median) : ofCT, 1e-12 });
+    std::max({ 0.5 * this->Noise, this->IsMR ? ofMR * std::abs(of.Median) : ofCT, LeastDeviation });
   return std::max(of.StandardDeviation, least);
 }
 
@@ -51,7 +51,7 @@ double GrayValueSimilarity::LikenessOf(double value, const RobustStatistics& of)
 {
   const double deviations = (value - of.Median) / this->SpreadOf(of);
   const double fit = (SimilarDeviations * SimilarDeviations - deviations * deviations) / 4;
-  return std::max(-1.0, std::min(1.0, fit));
+  return std::max(-1.0, std::min(fit, 1.0)); // -1 of no data, too
 }
 
 double GrayValueSimilarity::ReachOfLikeness(const ImageView<float>& image,

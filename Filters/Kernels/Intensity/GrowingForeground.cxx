@@ -167,8 +167,10 @@ bool GrowingForeground::Correct(const ConstraintList& constraints, double noise,
 {
   const ForegroundImage image{ this->GetImage(),
     [&](const VoxelBox& box) { return this->Smooth(box, monitor); }, noise, this->GetModality() };
+  // What points add may lie where nothing has been smoothed.
   const bool done =
-    CorrectForeground(image, this->Seed, constraints, this->Parallel, monitor, this->Mask);
+    CorrectForeground(image, this->Seed, constraints, this->Parallel, monitor, this->Mask) &&
+    CutAtNoData(this->Region.GetReader(), this->Seed, this->Parallel, monitor, this->Mask);
   this->Bounds = this->Mask.Bounds();
   return done;
 }

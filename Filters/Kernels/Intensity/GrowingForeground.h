@@ -57,6 +57,7 @@ public:
   void Clear() { this->Mask = BitMask(); }
 
   const BitMask& GetMask() const { return this->Mask; }
+  const BitMask& GetNoData() const { return this->Region.GetNoData(); }
   /// Has values in the box that has been smoothed.
   ImageView<float> GetImage() const { return this->Region.View(); }
   double GetSmoothingSeconds() const { return this->SmoothingSeconds; }

@@ -2,6 +2,7 @@
 
 #include "Image/BallMorphology.h"
 #include "Image/LocalMeans.h"
+#include "Image/NoData.h"
 #include "Image/SliceMorphology.h"
 #include "Intensity/LeakControl.h"
 #include "Intensity/RobustStatistics.h"
@@ -21,9 +22,6 @@ constexpr double ShellEnd = 15;
 constexpr double RimReach = 3;
 constexpr double OpeningRadius = 1.8;
 constexpr double BlockSize = 4;
-
-// Of a phantom without noise.
-constexpr double LeastSpread = 1e-12;
 
 // In robust standard deviations of the organ about its local mean.
 constexpr double GreatestContrast = 40;
@@ -101,7 +99,7 @@ private:
       this->AverageOf(layer, this->Rule.OrganDeviation, [](float value, float) { return value; });
     std::vector<float> deviations = DifferencesFrom(this->Organ, this->Grid, this->Image, layer);
     this->Spread = std::max(
-      { RobustStatisticsOf(deviations).StandardDeviation, 0.5 * this->Noise, LeastSpread });
+      { RobustStatisticsOf(deviations).StandardDeviation, 0.5 * this->Noise, LeastDeviation });
     return true;
   }
 
@@ -211,11 +209,17 @@ private:
         const float* const row = this->Image.Row(j, k);
         const float mean = withMeans ? this->Organ[block] : 0;
         float ofRun = 0;
+        int count = 0;
         for (int i = begin; i < end; ++i)
         {
-          ofRun += read(row[i], mean);
+          if (HasData(row[i]))
+          {
+            ofRun += read(row[i], mean);
+            ++count;
+          }
         }
         sum += ofRun;
+        return count;
       });
     constexpr float leastWeight = 1e-9F;
     const float ofAll = sums.Mean();

@@ -24,7 +24,8 @@ constexpr std::size_t FewestSamples = 200;
 constexpr int FieldRounds = 6;
 // Neighboring voxels are alike: a milliliter counts as one observation.
 constexpr double CubicMillimetersPerObservation = 1000;
-constexpr double LeastDeviation = 1e-3;
+// Of the gray value at the seed.
+constexpr double LeastFieldDeviation = 1e-3;
 
 constexpr double LeastFactor = 0.4;
 constexpr double GreatestFactor = 2.5;
@@ -111,13 +112,14 @@ void IntensityField::Solve(const std::vector<Eigen::Vector3d>& points,
     basis.row(sample) = this->BasisAt(points[sample]).transpose();
     drift[sample] = values[sample] - this->AtSeed;
   }
-  const double scale = std::max(std::abs(this->AtSeed), 1e-6);
+  const double scale = std::max(std::abs(this->AtSeed), LeastDeviation);
   Coefficients prior;
   prior << ConstantPrior, LinearPrior, LinearPrior, LinearPrior, QuadraticPrior, QuadraticPrior,
     QuadraticPrior, MixedPrior, MixedPrior, MixedPrior;
   const Coefficients precision = (scale * prior).array().square().inverse();
   std::vector<float> all = values;
-  double deviation = std::max(RobustStatisticsOf(all).StandardDeviation, LeastDeviation * scale);
+  double deviation =
+    std::max(RobustStatisticsOf(all).StandardDeviation, LeastFieldDeviation * scale);
   Eigen::VectorXd weights = Eigen::VectorXd::Ones(count);
   for (int round = 0; round < FieldRounds; ++round)
   {
@@ -128,7 +130,7 @@ void IntensityField::Solve(const std::vector<Eigen::Vector3d>& points,
     const Coefficients right = basis.transpose() * weighted.cwiseProduct(drift);
     this->Drift = normal.ldlt().solve(right);
     const Eigen::VectorXd rest = drift - basis * this->Drift;
-    deviation = std::max(1.4826 * MedianMagnitude(rest), LeastDeviation * scale);
+    deviation = std::max(1.4826 * MedianMagnitude(rest), LeastFieldDeviation * scale);
     weights = (1 + (rest / (2 * deviation)).array().square()).square().inverse();
   }
 }

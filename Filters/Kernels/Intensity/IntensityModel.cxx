@@ -58,7 +58,7 @@ std::vector<std::uint32_t> CountBins(const ImageView<float>& image, const std::a
           const float* const values = &image(first[0] + left, first[1] + j, first[2] + k);
           for (int voxel = 0; voxel < right - left; ++voxel)
           {
-            ++own[bins(values[voxel])];
+            own[bins(values[voxel])] += HasData(values[voxel]) ? 1 : 0;
           }
         });
       const std::lock_guard<std::mutex> lock(mutex);
@@ -123,6 +123,8 @@ BitMask IntensityModel::Foreground(const ImageView<float>& image, const VoxelBox
   {
     isForeground.push_back(feature >= this->Threshold ? 1 : 0);
   }
+  const auto noData = static_cast<int>(isForeground.size());
+  isForeground.push_back(0);
   return MaskOfBox(
     image, box,
     [&](const float* voxels, int count, unsigned char* inside)
@@ -131,7 +133,7 @@ BitMask IntensityModel::Foreground(const ImageView<float>& image, const VoxelBox
       std::array<int, BitMask::BitsOfWord> places;
       for (int voxel = 0; voxel < count; ++voxel)
       {
-        places[voxel] = this->PlaceOf(voxels[voxel]);
+        places[voxel] = HasData(voxels[voxel]) ? this->PlaceOf(voxels[voxel]) : noData;
       }
       for (int voxel = 0; voxel < count; ++voxel)
       {
@@ -225,9 +227,7 @@ float MedianOf(const ImageView<float>& image, const std::array<int, 3>& first, c
     [&](int begin, int end, int j, int k)
     {
       const float* const row = &image(first[0], first[1] + j, first[2] + k);
-      // Diffusion of values near the end of the range may give NaN, which has no order.
-      std::copy_if(row + begin, row + end, std::back_inserter(values),
-        [](float value) { return std::isfinite(value); });
+      std::copy_if(row + begin, row + end, std::back_inserter(values), HasData);
     });
   if (values.empty())
   {

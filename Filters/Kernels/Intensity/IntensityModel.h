@@ -7,6 +7,7 @@
 
 #include "Image/BitMask.h"
 #include "Image/EdgeRamp.h"
+#include "Image/NoData.h"
 #include "Intensity/GaussianMixture.h"
 
 namespace FlipFree
@@ -53,7 +54,7 @@ public:
   float ThresholdRoundedUp() const;
 
   /// The voxels of a part of an image whose feature is at or above the threshold, on the part's
-  /// grid.
+  /// grid; none without data.
   BitMask Foreground(const ImageView<float>& image, const VoxelBox& box,
     const ParallelFor& parallelFor) const;
 

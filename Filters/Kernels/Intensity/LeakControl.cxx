@@ -1,6 +1,7 @@
 #include "Intensity/LeakControl.h"
 
 #include "Image/BallMorphology.h"
+#include "Image/NoData.h"
 #include "Image/VoxelOffsets.h"
 
 #include <algorithm>
@@ -218,6 +219,16 @@ bool FillHoles(BitMask& mask, const Monitor& monitor)
   mask = flood.TakeReached();
   mask.Complement();
   return true;
+}
+
+bool CutAtNoData(const VoxelReader& read, const SeedSphere& seed, const ParallelFor& parallelFor,
+  const Monitor& monitor, BitMask& foreground)
+{
+  const std::size_t before = foreground.Count();
+  RemoveNoData(read, parallelFor, foreground);
+  return foreground.Count() == before ||
+    (KeepConnected(foreground, VoxelsAround(foreground.GetGeometry(), seed), monitor) &&
+      FillHoles(foreground, monitor));
 }
 
 } // namespace FlipFree

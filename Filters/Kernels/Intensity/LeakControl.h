@@ -5,6 +5,7 @@
 #ifndef FlipFreeLeakControl_h
 #define FlipFreeLeakControl_h
 
+#include "Image/AnisotropicDiffusion.h"
 #include "Image/BitMask.h"
 #include "Image/SeedRegion.h"
 
@@ -50,6 +51,12 @@ bool KeepConnected(BitMask& mask, const std::vector<std::size_t>& sources, const
 /// Fills the holes of a mask: what is not connected, by faces, with the sides of its grid. Returns
 /// false if the monitor stopped it; the mask is then as it was.
 bool FillHoles(BitMask& mask, const Monitor& monitor);
+
+/// Removes the voxels without data from a foreground on the grid of the voxels that `read` reads,
+/// and what only they connect with the seed; holes of them are filled, as others are. Returns false
+/// if the monitor stopped it; the foreground is then useless.
+bool CutAtNoData(const VoxelReader& read, const SeedSphere& seed, const ParallelFor& parallelFor,
+  const Monitor& monitor, BitMask& foreground);
 
 } // namespace FlipFree
 

@@ -9,8 +9,14 @@ namespace FlipFree
 namespace
 {
 
-// Fat has less, in Hounsfield units.
+// In Hounsfield units: fat has less; soft tissue has more, and bone and contrast medium at most so
+// much, of which the brightest are left out.
 constexpr float Negative = -40;
+constexpr float LeastBright = 40;
+constexpr float MostBright = 2000;
+// Paddings have at least this in 12 bits; with others, the brightest must be plain tissue.
+constexpr float LowestIn12Bits = -4096;
+constexpr float BrightTissue = 500;
 // The darkest and the brightest part of the voxels are left out.
 constexpr double TailOfValues = 0.01;
 // Below zero, in comparison with the brightest.
@@ -48,7 +54,10 @@ Modality ModalityOf(const VoxelReader& read, const ImageGeometry& geometry)
   }
   const float darkest = TakeQuantile(values, TailOfValues);
   const float brightest = TakeQuantile(values, 1 - TailOfValues);
-  return darkest < Negative && -darkest > LeastPart * brightest ? Modality::CT : Modality::MR;
+  const bool isBrightAsInCT =
+    brightest > LeastBright && brightest <= (darkest < LowestIn12Bits ? BrightTissue : MostBright);
+  return darkest < Negative && -darkest > LeastPart * brightest && isBrightAsInCT ? Modality::CT
+                                                                                  : Modality::MR;
 }
 
 Modality ResolveModality(Modality given, const VoxelReader& read, const ImageGeometry& geometry)

@@ -17,8 +17,9 @@ enum class Modality
 };
 
 /// CT if a hundredth of the voxels are as negative as fat in Hounsfield units, and not just a
-/// little below zero in comparison with the brightest, as interpolation leaves them; else MR, whose
-/// values have no sign. A grid of samples decides.
+/// little below zero in comparison with the brightest, as interpolation leaves them, while the
+/// brightest hundredth begins where tissue, bone or contrast medium may; else MR, whose values have
+/// no sign, or any unit. A grid of samples with data decides.
 Modality ModalityOf(const VoxelReader& read, const ImageGeometry& geometry);
 
 /// The modality given, or what the image looks like if it is Automatic.

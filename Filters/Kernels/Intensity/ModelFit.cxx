@@ -2,6 +2,7 @@
 
 #include "Error.h"
 #include "Image/BallMorphology.h"
+#include "Image/NoData.h"
 #include "Mesh/SurfaceVoxelization.h"
 
 #include <cmath>
@@ -34,14 +35,10 @@ VoxelBox DilatedBounds(const std::vector<VoxelRun>& runs, const ImageGeometry& g
 IntensityModel FitToSeed(const ImageView<float>& smooth, const SeedSphere& seed, double noise,
   const IntensitySettings& settings)
 {
+  RequireData(ReaderOf(smooth), smooth.Geometry, seed);
   std::vector<float> values;
   for (std::size_t voxel : VoxelsInSphere(smooth.Geometry, seed))
   {
-    if (!std::isfinite(smooth.Data[voxel]))
-    {
-      throw Error(ErrorCode::NonFiniteValue,
-        "the seed sphere holds voxels that are not finite numbers; replace them first");
-    }
     values.push_back(smooth.Data[voxel]);
   }
   if (values.empty())

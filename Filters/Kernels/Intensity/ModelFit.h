@@ -10,7 +10,7 @@
 namespace FlipFree
 {
 
-/// Fits the model to the seed.
+/// Fits the model to the seed. Throws Error where that touches voxels without data.
 IntensityModel FitToSeed(const ImageView<float>& smooth, const SeedSphere& seed, double noise,
   const IntensitySettings& settings);
 

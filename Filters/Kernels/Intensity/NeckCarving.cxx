@@ -141,7 +141,8 @@ private:
     BlockLinks links;
     // The smoothness wanted grows with the organ, else small organs collapse.
     links.PerArea = 0.2 * std::max(5.0, std::min(40.0, this->Ball.Radius));
-    links.EdgeContrast = 3 * std::max({ this->OfBall.StandardDeviation, 0.5 * this->Noise, 1e-12 });
+    links.EdgeContrast =
+      3 * std::max({ this->OfBall.StandardDeviation, 0.5 * this->Noise, LeastDeviation });
     CutNetwork network = MakeBlockNetwork(
       this->Grid.Blocks, this->Nodes, SmoothBlockMeans(this->Image, this->Grid, this->Parallel),
       links, [this](std::size_t block) { return this->Unaries[this->Nodes[block]]; },

@@ -1,5 +1,6 @@
 #include "Intensity/OrganCarving.h"
 
+#include "Image/NoData.h"
 #include "Intensity/HalfContrastRim.h"
 #include "Intensity/HollowCarving.h"
 #include "Intensity/NeckCarving.h"
@@ -38,6 +39,7 @@ bool CarveOrgan(const ImageView<float>& smooth, const std::vector<VoxelRun>& ins
   {
     mask.InsertRun(run.Begin - i, run.End - i, run.J - j, run.K - k);
   }
+  RemoveNoData(ReaderOf(smooth, box.Begin), parallelFor, mask);
   const ImagePart part{ smooth, box.Begin };
   double done = 0;
   const Monitor proceed = [&](double) { return monitor(done / (2 * CarvingRounds + 1)); };

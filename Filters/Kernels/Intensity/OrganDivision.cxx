@@ -110,8 +110,9 @@ private:
     }
     BlockLinks links;
     links.PerArea = Smoothness * std::max(LeastRadius, smallest);
-    links.EdgeContrast =
-      3 * std::max({ of[0].StandardDeviation, of[1].StandardDeviation, 0.5 * this->Noise, 1e-12 });
+    links.EdgeContrast = 3 *
+      std::max(
+        { of[0].StandardDeviation, of[1].StandardDeviation, 0.5 * this->Noise, LeastDeviation });
     const auto worth = [&](std::size_t voxel)
     {
       const double value = smooth[voxel];

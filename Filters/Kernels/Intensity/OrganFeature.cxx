@@ -2,10 +2,12 @@
 
 #include "Error.h"
 #include "Image/BallMorphology.h"
+#include "Image/NoData.h"
 #include "Image/VoxelOffsets.h"
 
 #include <algorithm>
 #include <functional>
+#include <limits>
 #include <string>
 
 namespace FlipFree
@@ -27,9 +29,14 @@ bool FindForeground(const ImageView<float>& smooth, const IntensityModel& model,
     return false;
   }
   foreground = model.Foreground(smooth, WholeBox(smooth.Geometry), parallelFor);
-  return !settings.ControlLeaks ||
-    ControlLeaks(foreground, seed, RadiiOf(settings.Leaks, seed.Radius, smooth.Geometry),
-      parallelFor, PartOf(monitor, 0.1, 1));
+  if (settings.ControlLeaks &&
+    !ControlLeaks(foreground, seed, RadiiOf(settings.Leaks, seed.Radius, smooth.Geometry),
+      parallelFor, PartOf(monitor, 0.1, 1)))
+  {
+    return false;
+  }
+  RemoveNoData(ReaderOf(smooth), parallelFor, foreground); // that leak control has closed
+  return true;
 }
 
 bool FindForegroundInBox(const ImageView<float>& smooth, const VoxelBox& box,
@@ -63,6 +70,7 @@ bool FindForegroundInBox(const ImageView<float>& smooth, const VoxelBox& box,
   {
     return false;
   }
+  RemoveNoData(ReaderOf(smooth, box.Begin), parallelFor, part);
   foreground = BitMask(smooth.Geometry);
   part.ForEachRun(0, box.Size(2),
     [&foreground, first = box.Begin](int begin, int end, int j, int k)
@@ -100,8 +108,12 @@ std::vector<float> MakeFeature(const ImageView<float>& smooth, const IntensityMo
           {
             const float value = model(smooth(i, j, k));
             const bool wanted = foreground(i, j, k);
-            feature[smooth.Geometry.Offset(i, j, k)] =
-              (value >= model.Threshold) == wanted ? value : (wanted ? threshold : below);
+            float& result = feature[smooth.Geometry.Offset(i, j, k)];
+            result = (value >= model.Threshold) == wanted ? value : (wanted ? threshold : below);
+            if (!wanted && !HasData(smooth(i, j, k)))
+            {
+              result = std::numeric_limits<float>::quiet_NaN();
+            }
           }
         }
       }

@@ -56,7 +56,7 @@ bool FindForegroundInBox(const ImageView<float>& smooth, const VoxelBox& box,
 std::array<int, 3> ForegroundMargin(const ImageGeometry& geometry, const LeakControlRadii& leaks);
 
 /// The feature of a smoothed image. Voxels that leak control removed get half the model's
-/// threshold, voxels that it filled in get the threshold.
+/// threshold, voxels that it filled in get the threshold, and others without data NaN.
 std::vector<float> MakeFeature(const ImageView<float>& smooth, const IntensityModel& model,
   const BitMask& foreground, const ParallelFor& parallelFor);
 

@@ -9,6 +9,10 @@
 namespace FlipFree
 {
 
+/// In gray values: of those that are all the same, in place of zero; below any difference of gray
+/// values, whatever their unit is.
+constexpr double LeastDeviation = 1e-30;
+
 struct RobustStatistics
 {
   double Median = 0; ///< of an even number of values the upper one

@@ -91,7 +91,9 @@ public:
           {
             const double own = sample(-FirstStep - step);
             inside[steps * vertex + step] = static_cast<float>(own);
-            this->Contrast[vertex] += (sample(FirstStep + step) - own) / steps;
+            const double contrast = sample(FirstStep + step) - own;
+            // Where there is no data, there is no contrast, as at the image's end.
+            this->Contrast[vertex] += std::isfinite(contrast) ? contrast / steps : 0;
           }
         }
       });

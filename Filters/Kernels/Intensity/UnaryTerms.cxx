@@ -32,7 +32,7 @@ std::vector<float> FindUnaryTerms(BlockSums sums, const std::vector<unsigned cha
   }
   const RobustStatistics of = RobustStatisticsOf(central);
   const double least = isMR ? 0.02 * std::abs(of.Median) : 3;
-  const double spread = std::max({ of.StandardDeviation, 0.5 * deviation, least, 1e-12 });
+  const double spread = std::max({ of.StandardDeviation, 0.5 * deviation, least, LeastDeviation });
   const double drift = isMR ? 0.15 * std::abs(of.Median) : 12;
   const double driftUp = radius >= LargeBall ? (isMR ? 0.03 * std::abs(of.Median) : 2.4) : drift;
   const double base = radius >= LargeBall ? 0.2 : 0.3;

@@ -155,7 +155,7 @@ private:
     targets.Correspondence.ImageBoundaryDistance = 0;
     Stopwatch watch;
     this->Surface.Field = FindTargets(this->Surface.Mesh, this->Surface.Points, this->Foreground,
-      this->Edges.View(), this->Radius, targets, this->Parallel, record.Targets);
+      {}, this->Edges.View(), this->Radius, targets, this->Parallel, record.Targets);
     record.SearchSeconds = watch.Lap();
     const Monitor proceed = [this](double) { return this->Proceed(); };
     record.Step = DeformOnce(solver, this->Guard.get(), this->Settings.Step, this->Parallel,

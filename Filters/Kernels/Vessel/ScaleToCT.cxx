@@ -1,7 +1,11 @@
 #include "Vessel/ScaleToCT.h"
 
+#include "Image/NoData.h"
+#include "Intensity/RobustStatistics.h"
+
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace FlipFree
 {
@@ -11,35 +15,32 @@ namespace
 // Most gray values of CT are within this range.
 constexpr double SpanInCT = 250;
 
-double Quantile(std::vector<float> values, double part)
-{
-  const auto place =
-    values.begin() + static_cast<std::ptrdiff_t>(part * static_cast<double>(values.size() - 1));
-  std::nth_element(values.begin(), place, values.end());
-  return *place;
-}
-
 // In which a thin vessel may be so few voxels that only its points tell of its contrast.
 double SpanOf(const FloatImage& image, const PointList& points)
 {
   constexpr double spanOverContrast = 2.5; // in CT, of vessels with contrast medium
   constexpr double ball = 1.5;             // mm
-  const double median = Quantile(image.Voxels, 0.5);
+  std::vector<float> values;
+  std::copy_if(image.Voxels.begin(), image.Voxels.end(), std::back_inserter(values), HasData);
+  const double median = TakeQuantile(values, 0.5);
   double contrast = 0;
   for (Eigen::Index point = 0; point < points.rows(); ++point)
   {
     double sum = 0;
-    const auto voxels = VoxelsInSphere(image.Geometry, { points.row(point).transpose(), ball });
-    for (const std::size_t voxel : voxels)
+    int count = 0;
+    for (const std::size_t voxel :
+      VoxelsInSphere(image.Geometry, { points.row(point).transpose(), ball }))
     {
-      sum += image.Voxels[voxel];
+      if (HasData(image.Voxels[voxel]))
+      {
+        sum += image.Voxels[voxel];
+        ++count;
+      }
     }
-    contrast = voxels.empty()
-      ? contrast
-      : std::max(contrast, std::abs(sum / static_cast<double>(voxels.size()) - median));
+    contrast = count == 0 ? contrast : std::max(contrast, std::abs(sum / count - median));
   }
-  return std::max(Quantile(image.Voxels, 0.9) - Quantile(image.Voxels, 0.1),
-    spanOverContrast * contrast);
+  const double brightest = TakeQuantile(values, 0.9);
+  return std::max(brightest - TakeQuantile(values, 0.1), spanOverContrast * contrast);
 }
 
 } // namespace

@@ -10,7 +10,8 @@
 namespace FlipFree
 {
 
-/// Most of the gray values span what they do in CT then. In the image a thin vessel may be so few
+/// Most of the gray values span what they do in CT then; those without data stay so, but a point's
+/// voxel has data. In the image a thin vessel may be so few
 /// voxels that only its points tell of its contrast.
 void ScaleToCT(const PointList& points, FloatImage& image);
 

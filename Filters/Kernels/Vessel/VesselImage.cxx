@@ -1,7 +1,10 @@
 #include "Vessel/VesselImage.h"
 
+#include "Image/BitMask.h"
 #include "Image/GaussianSmoothing.h"
 #include "Image/ImageInterpolation.h"
+#include "Image/NoData.h"
+#include "Image/VoxelOffsets.h"
 
 #include <algorithm>
 #include <cmath>
@@ -43,6 +46,29 @@ ImageGeometry CubesOver(const ImageGeometry& geometry, double edge)
       static_cast<int>(std::floor((high[axis] - low[axis]) / edge + 1e-6)) + 1;
   }
   return cubes;
+}
+
+// From both sides; a line without data stays so.
+void ContinueLine(float* first, int size, std::ptrdiff_t step)
+{
+  int last = -1; // with data
+  for (int place = 0; place < size; ++place)
+  {
+    if (!HasData(first[place * step]))
+    {
+      continue;
+    }
+    for (int gap = last + 1; gap < place; ++gap)
+    {
+      const bool isNearerToLast = last >= 0 && gap - last <= place - gap;
+      first[gap * step] = first[(isNearerToLast ? last : place) * step];
+    }
+    last = place;
+  }
+  for (int gap = last + 1; gap < size && last >= 0; ++gap)
+  {
+    first[gap * step] = first[last * step];
+  }
 }
 
 } // namespace
@@ -87,9 +113,35 @@ void SmoothInside(FloatImage& image, double deviation, const ParallelFor& parall
     });
 }
 
+void ContinueData(FloatImage& image)
+{
+  const auto& size = image.Geometry.Dimensions;
+  const std::array<std::ptrdiff_t, 3> steps = StepsOf(image.Geometry);
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const int second = (axis + 1) % 3;
+    const int third = (axis + 2) % 3;
+    for (int k = 0; k < size[third]; ++k)
+    {
+      for (int j = 0; j < size[second]; ++j)
+      {
+        ContinueLine(image.Voxels.data() + j * steps[second] + k * steps[third], size[axis],
+          steps[axis]);
+      }
+    }
+  }
+}
+
 VesselImage MakeVesselImage(FloatImage voxels, double deviation, double edge,
   const ParallelFor& parallelFor)
 {
+  BitMask withoutData = VoxelsWhere(
+    voxels.View(), [](float value) { return !HasData(value); }, parallelFor);
+  const bool isComplete = withoutData.Bounds().IsEmpty();
+  if (!isComplete)
+  {
+    ContinueData(voxels);
+  }
   SmoothInside(voxels, deviation, parallelFor);
   VesselImage image;
   image.Cubes.Geometry = CubesOver(voxels.Geometry, edge);
@@ -118,6 +170,14 @@ VesselImage MakeVesselImage(FloatImage voxels, double deviation, double edge,
         }
       }
     });
+  for (std::size_t cube = 0; cube < image.Cubes.Voxels.size() && !isComplete; ++cube)
+  {
+    const auto [i, j, k] = NearestVoxel(voxels.Geometry, cubes.ToPhysical(IndexOf(cubes, cube)));
+    if (withoutData(i, j, k))
+    {
+      image.WithoutData.push_back(cube);
+    }
+  }
   image.Own = std::move(voxels);
   return image;
 }

@@ -37,7 +37,7 @@ std::optional<VesselTree> SeekOther(const std::function<VesselTree()>& trace,
       return other;
     }
   }
-  catch (const Error&) // no path, or voxels far away that are not finite
+  catch (const Error&) // no path
   {
   }
   return std::nullopt;
@@ -99,7 +99,6 @@ private:
   {
     const ImageGeometry& geometry = this->Volume.Geometry;
     const VoxelBox box = BoxAroundPoints(geometry, this->Points, style.Margin);
-    this->Volume.RequireFinite(box);
     FloatImage voxels = ReadBox(this->Volume.Read, geometry, box, this->Parallel);
     if (this->OfModality == Modality::MR)
     {
@@ -200,7 +199,7 @@ VesselTree TraceVessel(const GrayVolume& volume, const std::string& name, const 
   const PointList& outside, const VesselPathSettings& settings, const Threading& threading,
   const Monitor& monitor)
 {
-  RequirePoints(volume.Geometry, points, name);
+  RequirePoints(volume, points, name);
   VesselTree tree =
     VesselOfAnyStyle(volume, points, outside, settings, threading.For).Find(monitor);
   for (VesselBranch& branch : tree.Branches)

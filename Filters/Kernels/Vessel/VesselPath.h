@@ -44,9 +44,8 @@ struct VesselPathSettings
 };
 
 /// The path keeps away from the places `outside`. Throws Error, naming the volume by `name`, for
-/// fewer than two points, points outside the volume or in one place, voxels that are not finite
-/// near the points, and points that no path through like gray values joins. Voxels that are not
-/// finite farther away only end the search there.
+/// fewer than two points, points outside the volume, in one place or in voxels without data,
+/// through which no path runs, and points that no path through like gray values joins.
 VesselTree TraceVessel(const GrayVolume& volume, const std::string& name, const PointList& points,
   const PointList& outside, const VesselPathSettings& settings, const Threading& threading,
   const Monitor& monitor);

@@ -1,9 +1,9 @@
 #include "Vessel/VesselPoints.h"
 
 #include "Error.h"
+#include "Image/NoData.h"
 #include "Image/PointCheck.h"
 #include "MessageText.h"
-#include "Vessel/VesselImage.h"
 
 #include <algorithm>
 #include <limits>
@@ -40,8 +40,9 @@ void BeginAt(const Eigen::RowVector3d& point, PointList& line)
 
 } // namespace
 
-void RequirePoints(const ImageGeometry& geometry, const PointList& points, const std::string& name)
+void RequirePoints(const GrayVolume& volume, const PointList& points, const std::string& name)
 {
+  const ImageGeometry& geometry = volume.Geometry;
   if (points.rows() < 2)
   {
     throw Error(ErrorCode::OutOfRange,
@@ -62,22 +63,26 @@ void RequirePoints(const ImageGeometry& geometry, const PointList& points, const
             " mm; keep one of them");
       }
     }
+    RequireData(volume.Read, geometry, points.row(point).transpose(),
+      "the point " + TextOf(points.row(point)) + " mm");
   }
 }
 
-PointList Snap(const ImageView<float>& image, const PointList& points, double distance)
+PointList Snap(const VesselImage& image, const PointList& points, double distance)
 {
+  const ImageView<float> cubes = image.Cubes.View();
   PointList snapped = points;
   for (Eigen::Index point = 0; point < points.rows() && distance > 0; ++point)
   {
     float brightest = -std::numeric_limits<float>::infinity();
     for (const std::size_t voxel :
-      VoxelsInSphere(image.Geometry, { points.row(point).transpose(), distance }))
+      VoxelsInSphere(cubes.Geometry, { points.row(point).transpose(), distance }))
     {
-      if (image.Data[voxel] > brightest)
+      if (cubes.Data[voxel] > brightest &&
+        !std::binary_search(image.WithoutData.begin(), image.WithoutData.end(), voxel))
       {
-        brightest = image.Data[voxel];
-        snapped.row(point) = image.Geometry.ToPhysical(IndexOf(image.Geometry, voxel));
+        brightest = cubes.Data[voxel];
+        snapped.row(point) = cubes.Geometry.ToPhysical(IndexOf(cubes.Geometry, voxel));
       }
     }
   }

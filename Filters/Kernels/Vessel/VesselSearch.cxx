@@ -131,6 +131,35 @@ bool AvoidStrays(const VesselTree& tree, double sectionStep, double floor, Float
   return !strays.empty();
 }
 
+// An outline goes no further than the image has data.
+void EndAtNoData(const VesselImage& image, VesselSections& sections)
+{
+  constexpr double step = 0.25; // mm
+  constexpr double least = 0.5; // mm; so that a tube is left
+  const ImageGeometry& cubes = image.Cubes.Geometry;
+  const Eigen::Index rays = sections.Radii.cols();
+  for (Eigen::Index section = 0; section < sections.Radii.rows() && !image.WithoutData.empty();
+       ++section)
+  {
+    for (Eigen::Index ray = 0; ray < rays; ++ray)
+    {
+      const SectionFrame& frame = sections.Frames[section];
+      const Eigen::Vector3d along =
+        frame.Ray(2 * EIGEN_PI * static_cast<double>(ray) / static_cast<double>(rays));
+      double& radius = sections.Radii(section, ray);
+      for (double length = least; length < radius; length += step)
+      {
+        const auto [i, j, k] = NearestVoxel(cubes, frame.Origin + length * along);
+        if (std::binary_search(image.WithoutData.begin(), image.WithoutData.end(),
+              cubes.Offset(i, j, k)))
+        {
+          radius = length;
+        }
+      }
+    }
+  }
+}
+
 // Whether the image hardly shows the outline, or does not over a long stretch.
 bool IsDoubtful(const VesselTree& tree, double sectionStep)
 {
@@ -179,6 +208,7 @@ VesselTree VesselSearch::SeekBetter(const VesselTree& found, const Monitor& moni
       {
         break;
       }
+      this->CloseNoData();
       try
       {
         last = this->Trace(monitor);
@@ -214,7 +244,7 @@ void VesselSearch::Begin(double snapDistance)
 {
   constexpr double ballScale = 0.7; // of the vessel's radius
   const FloatImage& cubes = this->Image.Cubes;
-  this->Points = Snap(cubes.View(), this->Clicked, snapDistance);
+  this->Points = Snap(this->Image, this->Clicked, snapDistance);
   const VesselIntensities intensities =
     IntensitiesAtPoints(cubes.View(), this->Points, ballScale * this->Radius, this->Style.Speed);
   this->Depth.Geometry = cubes.Geometry;
@@ -222,6 +252,17 @@ void VesselSearch::Begin(double snapDistance)
   this->Speed = MakeVesselSpeed(cubes, this->Scales, intensities, this->Depth.Voxels, this->Radius,
     this->Style.Speed, this->Parallel);
   SlowDown(this->Outside, this->Style.Speed.Floor, this->Speed);
+  this->CloseNoData();
+}
+
+// No path enters it.
+void VesselSearch::CloseNoData()
+{
+  for (const std::size_t cube : this->Image.WithoutData)
+  {
+    this->Depth.Voxels[cube] = 0;
+    this->Speed.Voxels[cube] = 0;
+  }
 }
 
 VesselTree VesselSearch::Trace(const Monitor& monitor) const
@@ -247,6 +288,7 @@ VesselTree VesselSearch::Trace(const Monitor& monitor) const
     VesselBranch branch{ FitSections(own, line, FirstRadii(this->Depth, line), sections,
                            this->Parallel),
       path.Parent, {} };
+    EndAtNoData(this->Image, branch.Sections);
     branch.Support = SectionSupport(own, branch.Sections, this->Parallel);
     tree.Branches.push_back(std::move(branch));
   }

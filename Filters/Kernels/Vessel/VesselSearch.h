@@ -37,6 +37,7 @@ public:
 private:
   // From points that are snapped so far: where a vessel through them may run.
   void Begin(double snapDistance);
+  void CloseNoData();
 
   // The paths that join the points, and the outline around them.
   VesselTree Trace(const Monitor& monitor) const;

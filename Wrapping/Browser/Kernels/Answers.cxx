@@ -47,8 +47,7 @@ val RunsOf(const std::vector<VoxelRun>& runs)
 
 GrayVolume GrayVolumeOf(const Volume& image)
 {
-  return image.VisitVoxels(
-    [](const auto& view) { return GrayVolumeOf(view, ImageName, Threading()); });
+  return image.VisitVoxels([](const auto& view) { return GrayVolumeOf(view); });
 }
 
 LabelVolume LabelVolumeOf(const Volume& labels, const std::string& name)

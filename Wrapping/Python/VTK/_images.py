@@ -38,7 +38,7 @@ def geometry_like(other: vtkImageData, array: Any) -> vtkImageData:
     """The voxels of an array as an image with the geometry of another."""
     direction = other.GetDirectionMatrix()
     axes = [direction.GetElement(row, column) for row in range(3) for column in range(3)]
-    image = image_of(voxels_of(array), other.GetSpacing(), other.GetOrigin(), axes)
+    image = image_of(voxels_of(array, masked=0), other.GetSpacing(), other.GetOrigin(), axes)
     if image.GetDimensions() == other.GetDimensions():
         image.SetExtent(other.GetExtent())
     return image

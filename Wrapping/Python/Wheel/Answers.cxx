@@ -13,8 +13,7 @@ namespace FlipFree
 
 GrayVolume GrayVolumeOf(const Voxels& voxels, const ImageGeometry& geometry)
 {
-  return VisitVoxels(voxels, geometry,
-    [](const auto& view) { return GrayVolumeOf(view, ImageName, PoolThreading()); });
+  return VisitVoxels(voxels, geometry, [](const auto& view) { return GrayVolumeOf(view); });
 }
 
 LabelVolume LabelVolumeOf(const LabelMap& labels, const std::string& name)

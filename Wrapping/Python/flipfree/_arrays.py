@@ -34,6 +34,10 @@ def image_from_array(
     behind the other, the image shares its memory (over VTK, only if the array is writable);
     otherwise it has a copy.
 
+    Voxels that are not finite numbers have no data: nothing is learned from them, and no surface
+    goes there. So are those that a masked array masks; the image then has a copy in which they are
+    NaN, and integers are floats of 32 bits.
+
     >>> import flipfree, numpy
     >>> volume = numpy.zeros((20, 64, 48), dtype=numpy.int16)   # 20 slices, 64 rows, 48 columns
     >>> image = flipfree.image_from_array(volume, spacing=(0.8, 0.8, 3), origin=(-19, -25, 100))

@@ -56,7 +56,8 @@ def segment(
         An image (a vtkImageData, or in a package without VTK a flipfree.Image), of SimpleITK or of
         nibabel (whose RAS coordinates become LPS); the name of a file or of a folder of DICOM files;
         or an array of voxels array[k, j, i] with its spacing (mm) and, unless they are zero and the
-        identity, its origin (mm) and direction (3 x 3, the axes as columns).
+        identity, its origin (mm) and direction (3 x 3, the axes as columns). Voxels that are not
+        finite, or that a masked array masks, have no data: no surface goes there.
     start
         A surface to start from instead of the sphere: closed, with four neighbors at every vertex,
         without self-intersections. It is refined to about as many vertices as the sphere.

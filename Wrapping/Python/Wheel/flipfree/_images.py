@@ -30,4 +30,4 @@ def is_image(thing: Any) -> bool:
 
 def geometry_like(other: Image, array: Any) -> Image:
     """The voxels of an array as an image with the geometry of another."""
-    return image_of(voxels_of(array), other.spacing, other.origin, other.direction)
+    return image_of(voxels_of(array, masked=0), other.spacing, other.origin, other.direction)

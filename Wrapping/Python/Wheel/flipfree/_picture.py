@@ -97,8 +97,10 @@ def _window_of(image: Volume) -> tuple[float, float]:
 
     some = image.voxels.ravel()[:: max(1, image.voxels.size // 1000000)]
     bottom, top = numpy.quantile(some[numpy.isfinite(some)], (0.01, 0.99))
-    # A CT is known by its air.
-    return (-150.0, 250.0) if bottom < -700 and top > 100 else (bottom, max(top, bottom + 1))
+    # A CT is known by its air, which other scales have elsewhere.
+    if -4096 <= bottom < -700 and top > 100:
+        return -150.0, 250.0
+    return bottom, top if top > bottom else bottom + 1
 
 
 def _empty_axes(figure: Any, left: float, bottom: float) -> Any:
