@@ -3,6 +3,7 @@ export type { PhantomShape } from "./engine.js";
 export { affineOf, countVoxels, fillRuns, gridOf, isSameGrid, reordered, swapLpsRas } from "./grid.js";
 export { labelsIn } from "./labels.js";
 export { labelMapFile } from "./nifti.js";
+export { type OriginNames, namedProvenance } from "./provenance.js";
 export {
   type SurfaceFormat,
   isSinglePrecision,
