@@ -55,6 +55,19 @@ inline void SetSeedRadius(vtkObject* filter, double value, double& field)
     return this->field;                                                                            \
   }
 
+/// The same of an enumeration, which users give as a number.
+#define FLIPFREE_DEFINE_ENUMERATION(Name, type, field, minimum, maximum)                           \
+  void FLIPFREE_STAGE::Set##Name(int value)                                                        \
+  {                                                                                                \
+    int number = this->Get##Name();                                                                \
+    FlipFree::SetClamped<int>(this, value, minimum, maximum, number);                              \
+    this->field = static_cast<type>(number);                                                       \
+  }                                                                                                \
+  int FLIPFREE_STAGE::Get##Name() const                                                            \
+  {                                                                                                \
+    return static_cast<int>(this->field);                                                          \
+  }
+
 /// In PrintSelf(os, indent).
 #define FLIPFREE_PRINT_PROPERTY(Name, type, field, minimum, maximum)                               \
   os << indent << #Name << ": " << this->field << "\n";

@@ -12,12 +12,12 @@
  *    maximum (HD).
  *
  * The surface of a label map runs halfway between the voxels inside and outside and includes their
- * steps, as in other programs: ASD is 2.7 mm between spheres 3 mm apart on voxels of 1.2 x 1.2 x 3
- * mm, and 0.3 mm between a sphere and its own voxels. LabelSmoothing removes the steps, which is
- * more exact for smooth shapes (2.9 and 0.15 mm). A segmentation that is a surface is voxelized on
- * the reference's grid for the overlap, as by vtkSurfaceToLabelMap. Its distances are measured
- * directly, or from the surface of its voxels if ScoreVoxelization is on; the table says which.
- * Voxel spacing and direction matrices are honored.
+ * steps: ASD is 2.7 mm between spheres 3 mm apart on voxels of 1.2 x 1.2 x 3 mm, and 0.3 mm
+ * between a sphere and its own voxels. LabelSmoothing removes the steps, which is more exact for
+ * smooth shapes (2.9 and 0.15 mm). A segmentation that is a surface is voxelized on the reference's
+ * grid for the overlap, as by vtkSurfaceToLabelMap. Its distances are measured directly, or from
+ * the surface of its voxels if ScoreVoxelization is on; the table says which. Voxel spacing and
+ * direction matrices are honored.
  *
  * Input port 0: the segmentation, a vtkImageData (label map, scalars of one component of any type)
  * or a vtkPolyData (closed surface of polygons, in the reference's physical coordinates).
@@ -44,7 +44,8 @@
  *    with voxels outside the grid of the other.
  *
  * Definitions: L. Maier-Hein et al., Metrics reloaded, Nature Methods 21 (2024), but with
- * area-weighted samples instead of boundary voxels.
+ * area-weighted samples instead of boundary voxels, by which many other programs measure: their ASD
+ * of the same masks was 0.59 to 1.14 times this one in 23 organs.
  */
 #ifndef vtkSegmentationMetrics_h
 #define vtkSegmentationMetrics_h

@@ -7,6 +7,9 @@
  * they never meet, and no voxel is in two of them. Seeds and inside points of an organ are outside
  * points of all others. The result does not depend on the order of the organs.
  *
+ * Points are obeyed as by vtkFlipFreeSegmentation, but nothing is kept between runs: with other
+ * points, all organs are segmented anew, and surfaces may move slightly everywhere.
+ *
  * First, the foreground of each organ is found separately; voxels that several organs claim are
  * divided by a minimum cut along the edges of the image; then all surfaces start again and deform
  * together.

@@ -32,8 +32,8 @@
  * boundary, 3 for a further seed sphere within the organ, whose radius (mm) is in the point array
  * `Radius`. All data sets together are one set of points; vtkConstraintPointSource makes a data set
  * of a single point. AddInsidePoint() and similar methods add to them. The surface obeys every
- * point exactly: an outside point is an obstacle of the guard from the start, an inside point once
- * it is enclosed; a boundary point lies within half the smallest spacing of the surface. The
+ * point: outside and inside points end on their side of it exactly, being obstacles of the guard
+ * once they are there, and a boundary point lies within half the smallest spacing of it. The
  * surface starts from the largest seed. The result depends only on the set of points, not on their
  * order or on earlier runs.
  *
@@ -82,7 +82,8 @@
  *   of which the confidence's threshold knows nothing, nor without carving, as in the presets
  *   Published and Naive.
  *
- * Source: the paper, Algorithm 1 and sections 3.1 to 3.6. Each extension has its own switch.
+ * Source: the paper, Algorithm 1 and sections 3.1 to 3.6. Extensions can be switched off; the rules
+ * of Carving share a switch.
  */
 #ifndef vtkFlipFreeSegmentation_h
 #define vtkFlipFreeSegmentation_h

@@ -14,8 +14,8 @@
  *
  * Points correct the result, as in vtkFlipFreeSegmentation: AddInsidePoint() and similar methods,
  * and input port 1. The path stays 3 mm away from an outside point where it can; the outline near a
- * point is moved; and the surface obeys every point exactly, a boundary point to within half of the
- * image's smallest spacing.
+ * point is moved; and the surface obeys every point: inside and outside points exactly, a boundary
+ * point to within half of the image's smallest spacing.
  *
  * Input port 1, optional, repeatable: vtkPointSet, such points, with the point array `Constraint`
  * (0 outside, 1 inside, 2 on the boundary); vtkConstraintPointSource makes a data set of a single

@@ -123,6 +123,7 @@ void AttachModel(const FlipFree::IntensityModel& model, vtkImageData* output)
 #define PROPERTIES(P) FLIPFREE_FEATURE_PARAMETERS(P, Settings->)
 
 PROPERTIES(FLIPFREE_DEFINE_PROPERTY)
+FLIPFREE_DEFINE_ENUMERATION(Modality, FlipFree::Modality, Settings->Modality, AUTOMATIC, MR)
 
 void vtkGMMFeatureFilter::SetSeedRadius(double value)
 {
@@ -140,19 +141,6 @@ vtkGMMFeatureFilter::~vtkGMMFeatureFilter() = default;
 void vtkGMMFeatureFilter::RequireProperties() const
 {
   FlipFree::RequireNumbers({ PROPERTIES(FLIPFREE_NAME_PROPERTY) });
-}
-
-// Its field is an enumeration.
-void vtkGMMFeatureFilter::SetModality(int value)
-{
-  int modality = this->GetModality();
-  FlipFree::SetClamped<int>(this, value, AUTOMATIC, MR, modality);
-  this->Settings->Modality = static_cast<FlipFree::Modality>(modality);
-}
-
-int vtkGMMFeatureFilter::GetModality() const
-{
-  return static_cast<int>(this->Settings->Modality);
 }
 
 void vtkGMMFeatureFilter::SetSurfaceData(vtkPolyData* surface)

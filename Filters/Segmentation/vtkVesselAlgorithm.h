@@ -69,6 +69,17 @@ public:
   double GetWallThickness() const;
   ///@}
 
+  ///@{
+  /**
+   * The scale of the gray values, by which the contrast across the outline is judged: one of
+   * vtkGMMFeatureFilter::ModalityType, automatic (0), CT in Hounsfield units (1), or MR in any unit
+   * (2), which is scaled to CT. Default 0: CT if a hundredth of the voxels are as negative as fat,
+   * otherwise MR. Set it to CT for a part of a CT without fat and air.
+   */
+  void SetModality(int value);
+  int GetModality() const;
+  ///@}
+
 protected:
   vtkVesselAlgorithm();
   ~vtkVesselAlgorithm() override;

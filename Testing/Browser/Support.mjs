@@ -50,6 +50,25 @@ export function readPlyPoints(path) {
   return new Float32Array(bytes.buffer.slice(start, start + 12 * count));
 }
 
+/** The field data of a VTP file as VTK reads them: lists of numbers, or of texts. */
+export function fieldDataOf(path) {
+  const script = `
+import json, sys
+from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
+reader = vtkXMLPolyDataReader()
+reader.SetFileName(sys.argv[1])
+reader.Update()
+fields = reader.GetOutput().GetFieldData()
+arrays = [fields.GetAbstractArray(index) for index in range(fields.GetNumberOfArrays())]
+value = lambda array, at: array.GetValue(at) if array.IsA("vtkStringArray") else array.GetTuple1(at)
+print(json.dumps({array.GetName(): [value(array, at) for at in range(array.GetNumberOfTuples())] for array in arrays}))`;
+  const run = spawnSync(process.env.FLIPFREE_PYTHON, ["-c", script, path], { encoding: "utf8" });
+  if (run.status !== 0) {
+    throw new Error(`${path}: ${run.stderr}`);
+  }
+  return JSON.parse(run.stdout);
+}
+
 export function dice(a, b) {
   let inA = 0;
   let inB = 0;

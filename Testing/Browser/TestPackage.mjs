@@ -6,7 +6,7 @@ import { join } from "node:path";
 import { after, before, test } from "node:test";
 import { pathToFileURL } from "node:url";
 import { gunzipSync, gzipSync } from "node:zlib";
-import { command, dice, liverLabel, readNifti, readNiftiFile, readPlyPoints, seed } from "./Support.mjs";
+import { command, dice, fieldDataOf, liverLabel, readNifti, readNiftiFile, readPlyPoints, seed } from "./Support.mjs";
 
 const folder = process.env.FLIPFREE_BROWSER_PACKAGE;
 const urlOf = (name) => pathToFileURL(join(folder, name));
@@ -85,7 +85,7 @@ test("its confidence is the command's, as a whole and at each vertex", async () 
   assert.equal(floored(found.confidence), native.match(/confidence ([\d.]+)/)[1]);
   assert.match(found.warnings.join(), /doubtful: its confidence is 0\.\d\d, below 0\.85/);
   // The command writes the same numbers.
-  assert.deepEqual(pointArrayOf(Buffer.from(await surfaceFile(found.surface, "vtp", found.vertexConfidence).arrayBuffer()), "Confidence"), found.vertexConfidence);
+  assert.deepEqual(pointArrayOf(Buffer.from(await surfaceFile(found, "vtp").arrayBuffer()), "Confidence"), found.vertexConfidence);
 });
 
 /** A point array of floats in a VTP file that the package has made. */
@@ -279,7 +279,7 @@ test("a vessel is the command's", async () => {
     [[ends[0], ends[0]], {}, /closer than 3 mm/],
     [[ends[0], [1, 2]], {}, /points, entry 2, is not a point; give \[x, y, z\]/],
     [7, {}, /points: give a list of points/],
-    [ends, { parameters: { seed: 1 } }, /no parameter seed; there are radius, wallThickness, levels, maximumIterations/],
+    [ends, { parameters: { seed: 1 } }, /no parameter seed; there are radius, wallThickness, modality, levels, maximumIterations/],
     [ends, { parameters: { radius: NaN } }, /radius/],
   ]) {
     await assert.rejects(flipfree.trace(image, wrong, options), (error) => {
@@ -326,11 +326,65 @@ test("files are what the command reads", async () => {
     command(scratch, "evaluate", name, "abdomen-truth.nii.gz", "--reference-label", `${liverLabel}`);
   const expected = evaluate("saved.nii.gz").match(/Dice +([\d.]+)/)[1];
   for (const format of surfaceFormats) {
-    writeFileSync(join(scratch, `saved.${format}`), Buffer.from(await surfaceFile(liver.surface, format).arrayBuffer()));
+    writeFileSync(join(scratch, `saved.${format}`), Buffer.from(await surfaceFile(liver, format).arrayBuffer()));
     const printed = evaluate(`saved.${format}`);
     assert.match(printed, /valid: closed, Euler number 2, self-intersections 0/, format);
     assert.equal(printed.match(/Dice +([\d.]+)/)[1], expected, format);
   }
+});
+
+/** Writes a result in every format, and expects the command's files to say the same of where it comes from. */
+async function expectSameOrigin(name, result, names) {
+  for (const format of surfaceFormats) {
+    writeFileSync(join(scratch, `ours.${format}`), Buffer.from(await surfaceFile(result, format, names).arrayBuffer()));
+  }
+  const [ours, theirs] = ["ours", name].map((file) => fieldDataOf(join(scratch, `${file}.vtp`)));
+  assert.deepEqual(JSON.parse(ours.Provenance[0]), JSON.parse(theirs.Provenance[0]));
+  assert.deepEqual(ours.Certified, theirs.Certified);
+  assert.deepEqual(ours.Confidence?.map(floored), theirs.Confidence?.map(floored));
+  const commentsIn = (file) => readFileSync(join(scratch, file), "latin1").split("end_header")[0].match(/^comment (FlipFree|provenance) .*$/gm);
+  assert.ok(commentsIn("ours.ply").length > 2);
+  assert.deepEqual(commentsIn("ours.ply"), commentsIn(`${name}.ply`));
+  const headerOf = (file) => readFileSync(join(scratch, file)).subarray(0, 80).toString().replace(/[\0 ]*$/, "");
+  assert.match(headerOf("ours.stl"), /^FlipFree [\d.]+, millimeters, SPACE=LPS$/);
+  assert.equal(headerOf("ours.stl"), headerOf(`${name}.stl`));
+}
+
+test("surfaces say where they come from, and whether they are certified, as the command's do", async () => {
+  const native = (name, ...words) => surfaceFormats.map((format) => command(scratch, ...words, "-o", `${name}.${format}`, "-q"));
+  const quick = ["--resolution", "8", "--levels", "1"];
+  const parameters = { resolution: 8, levels: 1 };
+  const sphere = [...seed.center, seed.radius].map(String);
+  const seeded = ["segment", "abdomen.nii.gz", "--seed", ...sphere.slice(0, 3), "--radius", sphere[3], ...quick];
+  const names = { image: "abdomen.nii.gz", organ: "organ" };
+
+  native("organ", ...seeded, "--outside", "60", "83", "167");
+  const organ = await flipfree.segment(phantom.image, seed, { parameters, outside: [[60, 83, 167]] });
+  assert.equal(organ.certified, true);
+  await expectSameOrigin("organ", organ, names);
+
+  native("organ", ...seeded, "--no-guard", "--no-carving");
+  const unguarded = await flipfree.segment(phantom.image, seed, { parameters: { ...parameters, guard: false, carving: false } });
+  assert.equal(unguarded.certified, false);
+  await expectSameOrigin("organ", unguarded, names);
+
+  native("organ", "segment", "abdomen.nii.gz", "--start-labels", "abdomen-truth.nii.gz", "--start-label", "1", ...quick);
+  const filled = await flipfree.segment(phantom.image, { labels: phantom.labelMap, label: 1 }, { parameters });
+  await expectSameOrigin("organ", filled, { ...names, startLabels: "abdomen-truth.nii.gz" });
+
+  command(scratch, "phantom", "vessel", "--size", "48", "48", "48", "--spacing", "2", "2", "2", "-o", ".");
+  const grid = { dimensions: [48, 48, 48], spacing: [2, 2, 2] };
+  const { image } = await flipfree.phantom("vessel", { parameters: grid });
+  const ends = [-0.9, 0.9].map((place) => [47 + 36 * place, 47 + 16 * Math.sin(Math.PI * place), 47 + 10 * Math.cos(0.8 * Math.PI * place + 0.5)]);
+  native("aorta", "trace", "vessel.nii.gz", ...ends.flatMap((end) => ["--point", ...end.map(String)]), "--modality", "1");
+  const vessel = await flipfree.trace(image, ends, { parameters: { modality: 1 } });
+  assert.equal(vessel.certified, true);
+  await expectSameOrigin("aorta", vessel, { image: "vessel.nii.gz", organ: "aorta" });
+
+  // The text is a session by itself.
+  writeFileSync(join(scratch, "text.json"), organ.provenance);
+  command(scratch, "segment", "abdomen.nii.gz", "--session", "text.json", "-o", "again.ply", "-q");
+  assert.deepEqual(readPlyPoints(join(scratch, "again.ply")), Float32Array.from(organ.surface.points));
 });
 
 test("label maps of any grid come back on it", async () => {
@@ -349,7 +403,7 @@ test("label maps of any grid come back on it", async () => {
     const { image, labelMap, seeds } = await flipfree.phantom("sphere", { parameters });
     const sphere = await flipfree.segment(image, seeds[0], { parameters: { resolution: 16, levels: 1 } });
     writeFileSync(join(scratch, "grid.nii.gz"), Buffer.from(await (await flipfree.labelMapFile(labelMap)).arrayBuffer()));
-    writeFileSync(join(scratch, "grid.stl"), Buffer.from(await surfaceFile(sphere.surface, "stl").arrayBuffer()));
+    writeFileSync(join(scratch, "grid.stl"), Buffer.from(await surfaceFile(sphere, "stl").arrayBuffer()));
     const printed = command(scratch, "evaluate", "grid.stl", "grid.nii.gz");
     assert.ok(Number(printed.match(/Dice +([\d.]+)/)[1]) > 0.97, `${direction}: ${printed}`);
   }

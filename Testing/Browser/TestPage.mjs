@@ -32,7 +32,7 @@ import {
   volume,
   yellow,
 } from "./Page.mjs";
-import { command, dice, readNiftiFile, seed, seedsOf } from "./Support.mjs";
+import { command, dice, fieldDataOf, readNiftiFile, seed, seedsOf } from "./Support.mjs";
 import { hugeHeader, metaImage, nrrd } from "./Volumes.mjs";
 
 let sphere;
@@ -95,6 +95,10 @@ test("the built-in abdomen: seed by mouse, liver, saved files", async () => {
     assert.ok(Number(printed.match(/Dice +([\d.]+)/)[1]) > 0.999);
   }
   assert.ok(readdirSync(scratch).includes("liver.stl"));
+  const { Certified, Provenance } = fieldDataOf(result("liver.vtp"));
+  assert.deepEqual(Certified, [1]);
+  const { image, organs: [{ name, color }] } = JSON.parse(Provenance[0]);
+  assert.deepEqual([image.name, name, color], ["abdomen.nii.gz", "liver", "#ffd24a"]);
 });
 
 /** The browser draws lines a little otherwise once pixels have been read. */
@@ -303,6 +307,9 @@ test("a label of a label map in place of a seed: filled, corrected, saved; other
   await segment();
   assert.ok(await panelFits());
   await picture("filled");
+  await page.selectOption("#surface-format", "vtp");
+  const { Provenance } = fieldDataOf(await saved("#save-surface"));
+  assert.deepEqual(JSON.parse(Provenance[0]).organs[0].startLabels, { name: "abdomen-truth.nii.gz", label: 1 });
   const maps = async () => readNiftiFile(await saved("#save-labels")).voxels;
   command(scratch, "segment", "abdomen.nii.gz", "--start-labels", "abdomen-truth.nii.gz", "--start-label", "1", "--labels", "filled.nii.gz");
   const second = (voxels) => voxels.map((value) => +(value === 2));

@@ -130,14 +130,14 @@ class TestSession(command.CommandTest):
         image = {"name": "vessel.nii.gz", "size": [64, 64, 64], "spacing": [1.5, 1.5, 1.5], "origin": [0, 0, 0],
                  "direction": [1, 0, 0, 0, 1, 0, 0, 0, 1]}
         vessel = {"name": "aorta", "kind": "vessel", "color": "#ffffff", "points": ends,
-                  "parameters": {"wallThickness": 0.5, "levels": 1}}
+                  "parameters": {"wallThickness": 0.5, "modality": 2, "levels": 1}}
         start = [center + 36 * 0.2, center + 16 * math.sin(math.pi * 0.2), center + 10 * math.cos(0.8 * math.pi * 0.2 + 0.5)]
         organ = {"name": "piece", "kind": "organ", "color": "#ffffff", "seed": {"center": start, "radius": 3},
                  "preset": "default", "parameters": {"resolution": 8, "levels": 1}, "corrections": []}
         waiting = {**vessel, "name": "later", "points": ends[:1]}
         path, _ = self.session(version=2, image=image, organs=[vessel, waiting, organ])
         points = [word for end in ends for word in ("--point", *end)]
-        self.assert_succeeds(command.run("trace", volume, *points, "--wall-thickness", 0.5, "--levels", 1,
+        self.assert_succeeds(command.run("trace", volume, *points, "--wall-thickness", 0.5, "--modality", 2, "--levels", 1,
                                          "-o", self.result("a.ply"), "--convergence", self.result("a.csv")))
         process = command.run("segment", "--session", path, "-o", self.result("b.ply"), "--labels", self.result("b.nii"),
                               "--convergence", self.result("b.csv"))

@@ -141,6 +141,29 @@ TEST(Provenance, OfSeveralOrgansIsOne)
   EXPECT_NE(DefaultColor(0), DefaultColor(1));
 }
 
+TEST(Provenance, FilesHoldItInComments)
+{
+  EXPECT_EQ(CommentsOn("").size(), 1U);
+  ExpectPart(CommentsOn("").front(), ", millimeters, SPACE=LPS");
+  std::vector<OrganProvenance> organs(1);
+  organs[0].Name =
+    R"(a "quoted", very long name with, commas, \ and spaces, )" + std::string(90, ',');
+  const std::string text = ProvenanceOf(organs, 0, {}, GridOfProvenance());
+  const std::vector<std::string> comments = CommentsOn(text);
+  EXPECT_EQ(comments.front(), CommentsOn("").front());
+  ASSERT_GT(comments.size(), 10U);
+  const std::string word = "provenance ";
+  std::string together;
+  for (auto comment = comments.begin() + 1; comment != comments.end(); ++comment)
+  {
+    EXPECT_EQ(comment->compare(0, word.size(), word), 0) << *comment;
+    EXPECT_LT(comment->size(), 350U);
+    EXPECT_NE(comment->back(), ' ');
+    together += comment->substr(word.size());
+  }
+  EXPECT_EQ(together, text);
+}
+
 TEST(Provenance, OfAVesselKeepsItsPointsInOrder)
 {
   PointList points(2, 3);
@@ -152,5 +175,6 @@ TEST(Provenance, OfAVesselKeepsItsPointsInOrder)
   ExpectPart(text, "\"kind\":\"vessel\"");
   ExpectPart(text, "\"points\":[[4,5,6],[1,2,3]]");
   ExpectPart(text, "\"wallThickness\":0.5");
+  ExpectPart(text, "\"modality\":0");
   ExpectPart(text, "\"corrections\":[{\"kind\":\"outside\",\"position\":[1,1,1]}]");
 }

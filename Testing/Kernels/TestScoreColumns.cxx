@@ -86,7 +86,8 @@ TEST(ScoreSummary, GivesScoresWithTheirUnits)
     "volume               1480.46 ml, reference 1500.00 ml, difference -1.23 %\n"
     "surface distance     mean 0.500 mm, RMS 1.250 mm\n"
     "Hausdorff distance   12.346 mm, 95th percentile 3.000 mm\n"
-    "measured             overlap of the voxelized mesh, distances of the mesh\n");
+    "measured             overlap of the voxelized mesh, distances of the mesh, weighted by "
+    "area\n");
   scores.RelativeVolumeDifference = 0;
   EXPECT_NE(SummaryOf(scores).find("difference +0.00 %"), std::string::npos);
 }

@@ -123,6 +123,8 @@ TEST(VesselParameters, AreWithinTheirRangesAndNumbers)
   }
   Find(VesselParameters(), "WallThickness").Set(settings, { -9 });
   EXPECT_EQ(settings.Path.WallThickness, -5);
+  Find(VesselParameters(), "Modality").Set(settings, { 7 });
+  EXPECT_EQ(settings.Path.Modality, Modality::MR);
   Find(VesselParameters(), "LabelValue").Set(settings, { 300 });
   EXPECT_EQ(settings.LabelValue, 255);
 }

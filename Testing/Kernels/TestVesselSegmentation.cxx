@@ -1,3 +1,4 @@
+#include "Error.h"
 #include "ExampleMasks.h"
 #include "ExampleSurfaces.h"
 #include "ExampleVessels.h"
@@ -483,6 +484,34 @@ TEST(VesselPath, AThinnerWallLeavesATubeOrIsNamed)
     message.find("a WallThickness of -5 mm leaves less than 0.5 mm of a branch with a mean radius"),
     std::string::npos)
     << message;
+}
+
+// A weak contrast, which is none in Hounsfield units.
+TEST(VesselPath, UsersSayWhatTheScaleOfTheGrayValuesIs)
+{
+  const ExampleTube tube = Bent(5);
+  FloatImage volume = VolumeOfTubes({ tube }, BentGrid(), 10);
+  for (float& value : volume.Voxels)
+  {
+    value *= 0.16F;
+  }
+  const auto support = [&](Modality modality)
+  {
+    VesselPathSettings settings;
+    settings.Modality = modality;
+    return TraceVessel(GrayVolumeOf(volume), "the volume", ClicksIn(tube), PointList(0, 3),
+      settings, OneThread, NeverStop)
+      .Support;
+  };
+  EXPECT_GT(support(Modality::MR), 0.95);
+  EXPECT_THROW(support(Modality::CT), Error);
+  EXPECT_THROW(support(Modality::Automatic), Error); // there is air
+  for (float& value : volume.Voxels)
+  {
+    value = std::max(value, 0.0F);
+  }
+  EXPECT_EQ(support(Modality::Automatic), support(Modality::MR));
+  EXPECT_THROW(support(Modality::CT), Error);
 }
 
 TEST(VesselSegmentation, WarnsWhereTheImageDoesNotShowTheBoundary)

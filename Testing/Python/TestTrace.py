@@ -136,6 +136,18 @@ class TestTrace(unittest.TestCase):
         self.assertEqual(len(again.branches), 1)
         self.assertGreater(flipfree.evaluate(again, self.vessel.label_map).dice, 0.97)
 
+    def test_users_say_what_the_scale_of_the_gray_values_is(self):
+        """A contrast of 10 is a vessel's in MR, but not in CT."""
+        weak = flipfree.array_from_image(self.phantom.image) / 10
+        for modality in ({}, {"modality": 0}, {"modality": 2}):
+            found = flipfree.trace(weak, self.points, spacing=(SPACING,) * 3, **modality)
+            self.assertGreater(found.support, 0.95)
+            self.assertIn(f'"modality":{modality.get("modality", 0)}', found.provenance)
+        with self.assertRaisesRegex(flipfree.SegmentationError, "no path|no vessel boundary"):
+            flipfree.trace(weak, self.points, spacing=(SPACING,) * 3, modality=1)
+        with self.assertRaisesRegex(ValueError, "modality: 3 is out of range"):
+            flipfree.trace(weak, self.points, spacing=(SPACING,) * 3, modality=3)
+
     def test_ctrl_c_and_a_failing_progress_end_it(self):
         for error in (KeyboardInterrupt, ZeroDivisionError):
             def tell(_part, error=error):

@@ -121,28 +121,6 @@ void NameSegments(vtkImageData* labels, int first, const OriginNames& names)
   FlipFree::AddFieldText("SegmentColors", colors, labels);
 }
 
-std::vector<std::string> CommentLines(const std::string& provenance)
-{
-  constexpr std::size_t enough = 100;
-  std::vector<std::string> lines{ "" };
-  bool isQuoted = false;
-  for (std::size_t at = 0; at < provenance.size(); ++at)
-  {
-    const char letter = provenance[at];
-    lines.back() += letter;
-    if (letter == '\\')
-    {
-      lines.back() += provenance[++at];
-    }
-    isQuoted = isQuoted != (letter == '"');
-    if (letter == ',' && !isQuoted && lines.back().size() >= enough)
-    {
-      lines.emplace_back();
-    }
-  }
-  return lines;
-}
-
 std::string OrganOfFile(const std::string& file)
 {
   const std::string name = NameIn(file);

@@ -42,9 +42,6 @@ vtkSmartPointer<vtkPolyData> WithNames(vtkPolyData* surface, const OriginNames& 
 /// that hold it (.seg.nrrd).
 void NameSegments(vtkImageData* labels, int first, const OriginNames& names);
 
-/// In lines of comments, at most about 120 letters each, which together are the text.
-std::vector<std::string> CommentLines(const std::string& provenance);
-
 /// The name of an organ that has none, after a file: `liver` for `out/liver.vtp`.
 std::string OrganOfFile(const std::string& file);
 

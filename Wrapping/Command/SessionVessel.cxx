@@ -33,6 +33,10 @@ bool SetProperty(VesselFilter* filter, const std::string& property, double value
     return Take<double>(filter, value, &VesselFilter::SetWallThickness,
       &VesselFilter::GetWallThickness);
   }
+  if (property == "Modality")
+  {
+    return Take<int>(filter, value, &VesselFilter::SetModality, &VesselFilter::GetModality);
+  }
   if (property == "Levels")
   {
     return Take<int>(filter, value, &VesselFilter::SetLevels, &VesselFilter::GetLevels);
@@ -43,7 +47,7 @@ bool SetProperty(VesselFilter* filter, const std::string& property, double value
       &VesselFilter::GetMaximumIterations);
   }
   throw Failure("there is no parameter '" + property +
-    "' of a vessel; there are Radius, WallThickness, Levels and MaximumIterations");
+    "' of a vessel; there are Radius, WallThickness, Modality, Levels and MaximumIterations");
 }
 
 } // namespace

@@ -1,5 +1,6 @@
 #include "SurfaceFile.h"
 
+#include "Deformation/Provenance.h"
 #include "Failure.h"
 #include "OutputFile.h"
 #include "PolygonFile.h"
@@ -44,36 +45,20 @@ vtkSmartPointer<vtkPolyData> ReadVtp(const std::string& name)
   return JudgedPolygons(reader->GetOutput());
 }
 
-// SPACE=LPS is what 3D Slicer looks for.
-const char* const Title = "FlipFree " FLIPFREE_VERSION ", millimeters, SPACE=LPS";
-
-/// What the file says of the surface before it.
-std::vector<std::string> CommentsOn(vtkPolyData* surface)
-{
-  std::vector<std::string> comments{ Title };
-  const std::string provenance = ProvenanceOf(surface);
-  for (const std::string& line :
-    provenance.empty() ? std::vector<std::string>() : CommentLines(provenance))
-  {
-    comments.push_back("provenance " + line);
-  }
-  return comments;
-}
-
 template <typename Writer>
 void Prepare(Writer*, vtkPolyData*)
 {
 }
 
-void Prepare(vtkSTLWriter* writer, vtkPolyData*)
+void Prepare(vtkSTLWriter* writer, vtkPolyData* surface)
 {
   writer->SetFileTypeToBinary();
-  writer->SetHeader(Title);
+  writer->SetHeader(FlipFree::CommentsOn(ProvenanceOf(surface)).front().c_str());
 }
 
 void Prepare(vtkPLYWriter* writer, vtkPolyData* surface)
 {
-  for (const std::string& comment : CommentsOn(surface))
+  for (const std::string& comment : FlipFree::CommentsOn(ProvenanceOf(surface)))
   {
     writer->AddComment(comment);
   }
@@ -100,7 +85,7 @@ void WriteObj(const std::string& name, vtkPolyData* surface)
 {
   WriteBy<vtkOBJWriter>(name, surface);
   std::ostringstream text;
-  for (const std::string& comment : CommentsOn(surface))
+  for (const std::string& comment : FlipFree::CommentsOn(ProvenanceOf(surface)))
   {
     text << "# " << comment << "\n";
   }

@@ -44,6 +44,7 @@ struct Trace
   PointOptions Corrections;
   double Radius = 0;
   double WallThickness = 0;
+  int Modality = 0;
   int Levels = 0;
   int Iterations = 0;
   std::string Surface;
@@ -157,6 +158,7 @@ void Configure(const Trace& trace, vtkFlipFreeVesselSegmentation* filter)
     throw WrongUsage("--wall-thickness must be a number of millimeters, -5 to 5, not " +
       FlipFree::TextOf(trace.WallThickness) + ".");
   }
+  filter->SetModality(trace.Modality);
   filter->SetLevels(trace.Levels);
   filter->SetMaximumIterations(trace.Iterations);
   filter->SetLabelValue(trace.Label);
@@ -283,6 +285,7 @@ void AddParameters(CLI::App* command, Trace& trace)
   vtkNew<vtkFlipFreeVesselSegmentation> defaults;
   trace.Radius = defaults->GetRadius();
   trace.WallThickness = defaults->GetWallThickness();
+  trace.Modality = defaults->GetModality();
   trace.Levels = defaults->GetLevels();
   trace.Iterations = defaults->GetMaximumIterations();
   command
@@ -295,6 +298,13 @@ void AddParameters(CLI::App* command, Trace& trace)
       "Added to the outline, which gray values show without the vessel's wall, -5 to 5; less than "
       "0 makes the vessel thinner, of which 0.5 mm must remain")
     ->type_name("MM")
+    ->capture_default_str();
+  command
+    ->add_option("--modality", trace.Modality,
+      "Scale of the gray values, by which the contrast across the outline is judged; 0: automatic, "
+      "1: CT, 2: MR")
+    ->type_name("N")
+    ->check(CLI::Range(0, 2))
     ->capture_default_str();
   command->add_option("--levels", trace.Levels, "Levels from coarse to fine")
     ->type_name("N")

@@ -52,6 +52,29 @@ std::string EntryOf(const OrganProvenance& organ, std::size_t index, const std::
     ",\"corrections\":" + FlipFree::JsonOf(organ.Constraints) + "}";
 }
 
+// Ends lines only between entries, where there is no space that readers of comments might drop.
+std::vector<std::string> LinesOf(const std::string& provenance)
+{
+  constexpr std::size_t enough = 100; // letters
+  std::vector<std::string> lines{ "" };
+  bool isQuoted = false;
+  for (std::size_t at = 0; at < provenance.size(); ++at)
+  {
+    const char letter = provenance[at];
+    lines.back() += letter;
+    if (letter == '\\')
+    {
+      lines.back() += provenance[++at];
+    }
+    isQuoted = isQuoted != (letter == '"');
+    if (letter == ',' && !isQuoted && lines.back().size() >= enough)
+    {
+      lines.emplace_back();
+    }
+  }
+  return lines;
+}
+
 } // namespace
 
 std::string JsonOf(ConstraintList constraints)
@@ -94,6 +117,20 @@ std::string ProvenanceOf(const std::vector<OrganProvenance>& organs, std::size_t
   }
   return SessionOf(geometry, entries,
     R"(,"together":true,"fixed":)" + JsonList(std::vector<std::string>(fixed, "\"\"")));
+}
+
+std::vector<std::string> CommentsOn(const std::string& provenance)
+{
+  // SPACE=LPS is what 3D Slicer looks for.
+  std::vector<std::string> comments{ "FlipFree " FLIPFREE_VERSION ", millimeters, SPACE=LPS" };
+  if (!provenance.empty())
+  {
+    for (const std::string& line : LinesOf(provenance))
+    {
+      comments.push_back("provenance " + line);
+    }
+  }
+  return comments;
 }
 
 std::string DefaultColor(std::size_t organ)

@@ -9,6 +9,8 @@
  * `startSurface`, if the start surface came from elsewhere and cannot be repeated. Coordinates are
  * LPS millimeters. The image and files have no names here: callers that know them add them.
  * Constraints are sorted, because their order means nothing.
+ *
+ * Files of surfaces that have no other place for it hold it in comments.
  */
 #ifndef FlipFreeProvenance_h
 #define FlipFreeProvenance_h
@@ -47,6 +49,11 @@ std::string JsonOf(ConstraintList constraints);
 /// The session of entries that are JSON already; `more` stands behind them.
 std::string SessionOf(const ImageGeometry& geometry, const std::vector<std::string>& organs,
   const std::string& more = {});
+
+/// What a file of a surface says before the data, a comment each: the version and the coordinate
+/// system, and the provenance, unless it is empty, in lines of about 100 letters after the word
+/// `provenance`. Together they are the text.
+std::vector<std::string> CommentsOn(const std::string& provenance);
 
 /// How the nth organ is shown, from 0, unless somebody chooses: #ffd24a.
 std::string DefaultColor(std::size_t organ);

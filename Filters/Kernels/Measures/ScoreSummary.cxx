@@ -22,7 +22,7 @@ std::string SummaryOf(const SegmentationScores& scores)
   text << "surface distance     mean " << scores.ASD << " mm, RMS " << scores.RMS << " mm\n";
   text << "Hausdorff distance   " << scores.HD << " mm, 95th percentile " << scores.HD95 << " mm\n";
   text << "measured             overlap of the " << scores.OverlapOf << ", distances of the "
-       << scores.DistanceOf << "\n";
+       << scores.DistanceOf << ", weighted by area\n";
   return text.str();
 }
 

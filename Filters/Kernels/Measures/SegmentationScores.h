@@ -32,7 +32,7 @@ struct SegmentationScores
   double Dice = None;
   double Jaccard = None;
   double RelativeVolumeDifference = None; ///< negative where the segmentation is smaller
-  double ASD = None;                      ///< millimeters, as are the next three
+  double ASD = None;                      ///< weighted by area; mm, as are the next three
   double RMS = None;
   double HD95 = None;
   double HD = None;

@@ -16,7 +16,7 @@ namespace FlipFree
 /// All in millimeters.
 struct SurfaceDistance
 {
-  double Average = 0;        ///< average symmetric surface distance (ASD)
+  double Average = 0;        ///< average symmetric surface distance (ASD), weighted by area
   double RootMeanSquare = 0; ///< over the same samples
   /// The 95th percentile over a surface's area; the maximum over both surfaces.
   double Hausdorff95 = 0;

@@ -14,6 +14,7 @@ ParameterTable<Settings> MakeTable()
   table.push_back(NumberParameter<type, Settings>(                                                 \
     #Name, [](auto& settings) -> auto& { return field; }, minimum, maximum));
   FLIPFREE_VESSEL_PATH_PARAMETERS(ADD, settings.)
+  ADD(Modality, Modality, settings.Path.Modality, 0, 2)
   FLIPFREE_VESSEL_SURFACE_PARAMETERS(ADD, settings.)
 #undef ADD
   return table;

@@ -2,7 +2,6 @@
 
 #include "Error.h"
 #include "Image/BoxReading.h"
-#include "Intensity/Modality.h"
 #include "Vessel/ScaleToCT.h"
 #include "Vessel/StyleChoice.h"
 #include "Vessel/VesselPoints.h"
@@ -54,7 +53,7 @@ public:
     , Outside(outside)
     , Settings(settings)
     , Parallel(parallelFor)
-    , OfModality(ResolveModality(Modality::Automatic, volume.Read, volume.Geometry))
+    , OfModality(ResolveModality(settings.Modality, volume.Read, volume.Geometry))
     , IsKnown(settings.Radius > 0)
     , IsWide(this->IsKnown && settings.Radius >= settings.WideRadius)
     , Search(this->IsWide

@@ -21,6 +21,7 @@
 #define FlipFreeVesselPath_h
 
 #include "Deformation/VolumeSegmentation.h"
+#include "Intensity/Modality.h"
 #include "Vessel/VesselSearch.h"
 
 namespace FlipFree
@@ -37,6 +38,10 @@ struct VesselPathSettings
 
   /// Added to the outline, in millimeters: gray values show the lumen.
   double WallThickness = 0.3;
+
+  /// Of the gray values, whose contrast tells where a vessel ends: those of MR are scaled to about
+  /// Hounsfield units first.
+  FlipFree::Modality Modality = FlipFree::Modality::Automatic;
 
   VesselStyle Thin = ThinVessel();
   VesselStyle Wide = WideVessel();

@@ -120,8 +120,8 @@ def case_table(rows, methods):
 
 def write(results, rows, methods):
     text = ["# Table 1", "", f"{datetime.date.today():%d %B %Y}; {machine()}.", "",
-            "V: reference volume; D: average symmetric surface distance; VO: volume overlap (Jaccard); K: iterations; "
-            "T: seconds of the segmentation, reading aside; T': the same per slice of the organ. Means and "
+            "V: reference volume; D: average symmetric surface distance, weighted by area (the paper does not say how it "
+            "averages); VO: volume overlap (Jaccard); K: iterations; T: seconds of the segmentation, reading aside; T': the same per slice of the organ. Means and "
             "standard deviations over the livers, spleens and kidneys of the lists; the GVF snake has one slice, and is "
             "scored there. Where a method found nothing, its VO is 0, and D, K and T are of the other rows.", "",
             *paper_table(rows, methods), "", "## Medians", "",

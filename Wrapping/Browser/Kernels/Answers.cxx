@@ -1,6 +1,7 @@
 #include "Answers.h"
 
 #include "Deformation/ConvergenceColumns.h"
+#include "Deformation/Provenance.h"
 
 namespace FlipFree
 {
@@ -56,7 +57,7 @@ LabelVolume LabelVolumeOf(const Volume& labels, const std::string& name)
     [&name](const auto& view) { return LabelVolumeOf(view, name, Threading()); });
 }
 
-val AnswerOf(const OrganSurface& organ, const std::vector<VoxelRun>& voxels,
+val AnswerOf(const OrganSurface& organ, const Origin& origin, const std::vector<VoxelRun>& voxels,
   const std::vector<std::string>& warnings)
 {
   val answer = val::object();
@@ -64,6 +65,9 @@ val AnswerOf(const OrganSurface& organ, const std::vector<VoxelRun>& voxels,
   answer.set("aborted", organ.Reason == StopReason::Aborted);
   answer.set("selfIntersections", static_cast<double>(organ.SelfIntersections));
   answer.set("surface", ObjectOf(organ));
+  answer.set("certified", origin.IsCertified);
+  answer.set("provenance", origin.Provenance);
+  answer.set("comments", val::array(CommentsOn(origin.Provenance)));
   answer.set("runs", RunsOf(voxels));
   answer.set("iterations", ColumnsOf(organ.Iterations));
   answer.set("warnings", val::array(warnings));

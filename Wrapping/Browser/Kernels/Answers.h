@@ -22,8 +22,16 @@ GrayVolume GrayVolumeOf(const Volume& image);
 /// The same of a label map, which messages call `name`.
 LabelVolume LabelVolumeOf(const Volume& labels, const std::string& name);
 
-/// { stopReason, aborted, selfIntersections, surface, runs, iterations, warnings }.
-val AnswerOf(const OrganSurface& organ, const std::vector<VoxelRun>& voxels,
+/// Where a surface comes from, and whether it is proven to be embedded.
+struct Origin
+{
+  std::string Provenance;
+  bool IsCertified;
+};
+
+/// { stopReason, aborted, selfIntersections, surface, certified, provenance, comments, runs,
+/// iterations, warnings }.
+val AnswerOf(const OrganSurface& organ, const Origin& origin, const std::vector<VoxelRun>& voxels,
   const std::vector<std::string>& warnings);
 
 } // namespace FlipFree

@@ -80,7 +80,9 @@ public:
         {
           const OrganAnswer found = this->Organ.Answer(request, MonitorOf(report), nullptr);
           const VolumeSegmentation& result = found.Result;
-          val answer = AnswerOf(result.Organ, result.Voxels, result.Warnings);
+          val answer =
+            AnswerOf(result.Organ, { found.Provenance, request.Settings.Method.Step.Guard },
+              result.Voxels, result.Warnings);
           answer.set("seed", ObjectOf(found.Seed));
           answer.set("confidence", result.Confidence.OfSurface);
           answer.set("vertexConfidence", ArrayOf(result.Confidence.OfVertices));

@@ -2,6 +2,7 @@
 #include "Answers.h"
 
 #include "Vessel/VesselParameters.h"
+#include "Vessel/VesselProvenance.h"
 
 #include <emscripten/bind.h>
 
@@ -37,7 +38,9 @@ val Trace(const Volume& image, const val& points, const val& parameters, const v
         static_cast<Eigen::Index>(numbers.size() / 3), 3);
       const VesselSegmentation result = SegmentVessel(GrayVolumeOf(image), ImageName, list, {},
         settings, Threading(), MonitorOf(report));
-      val answer = AnswerOf(result.Surface, result.Voxels, result.Warnings);
+      const std::string provenance = ProvenanceOf(list, {}, settings, image.GetGeometry());
+      val answer = AnswerOf(result.Surface, { provenance, settings.Step.Guard }, result.Voxels,
+        result.Warnings);
       answer.set("branches", BranchesOf(result.Tree));
       answer.set("radius", result.Tree.Radius);
       answer.set("support", result.Tree.Support);

@@ -1,5 +1,6 @@
-/** Surfaces as files, as the command writes them: coordinates in LPS millimeters. */
-import type { Surface } from "./types.js";
+/** Results as files of surfaces, as the command writes them: coordinates in LPS millimeters, and where they come from. */
+import { type OriginNames, namedProvenance } from "./provenance.js";
+import type { Organ, Surface, Vessel } from "./types.js";
 
 export const surfaceFormats = ["vtp", "stl", "ply"] as const;
 export type SurfaceFormat = (typeof surfaceFormats)[number];
@@ -34,11 +35,11 @@ export function roundedSurface(surface: Surface): Surface {
   return { ...surface, points: Float64Array.from(surface.points, Math.fround) };
 }
 
-/** Binary STL: triangles. */
-export function stlFile(surface: Surface): Blob {
+/** Binary STL: triangles. It has no room for the provenance. */
+export function stlFile({ surface, comments }: Organ | Vessel): Blob {
   const triangles = trianglesOf(surface);
   const view = new DataView(new ArrayBuffer(84 + 50 * (triangles.length / 3)));
-  new Uint8Array(view.buffer).set(new TextEncoder().encode("FlipFree, LPS millimeters"));
+  new Uint8Array(view.buffer).set(new TextEncoder().encode(comments[0].padEnd(80)));
   view.setUint32(80, triangles.length / 3, true);
   for (let triangle = 0; triangle < triangles.length; triangle += 3) {
     const [a, b, c] = [0, 1, 2].map((corner) =>
@@ -53,13 +54,13 @@ export function stlFile(surface: Surface): Blob {
   return new Blob([view.buffer as ArrayBuffer], { type: "model/stl" });
 }
 
-/** Binary PLY: the faces as they are. */
-export function plyFile(surface: Surface): Blob {
+/** Binary PLY: the faces as they are, and the provenance in comments. */
+export function plyFile({ surface, comments }: Organ | Vessel): Blob {
   const { points, corners, offsets } = surface;
   const header = [
     "ply",
     "format binary_little_endian 1.0",
-    "comment FlipFree, LPS millimeters",
+    ...comments.map((comment) => `comment ${comment}`),
     `element vertex ${countPoints(surface)}`,
     "property float x",
     "property float y",
@@ -80,27 +81,42 @@ export function plyFile(surface: Surface): Blob {
   return new Blob([header, view.buffer as ArrayBuffer], { type: "model/ply" });
 }
 
-/** VTK's XML format: the faces as they are, coordinates in double precision, and the vertices' confidence as a point array. */
-export function vtpFile(surface: Surface, vertexConfidence?: Float32Array): Blob {
+/** VTK's XML format: the faces as they are, coordinates in double precision, the vertices' confidence as a point array, and
+ * as field data the certificate, the confidence, and the provenance, with the names. */
+export function vtpFile(result: Organ | Vessel, names: OriginNames = {}): Blob {
+  const { surface, certified, provenance } = result;
   const parts: Uint8Array<ArrayBuffer>[] = [];
   let offset = 0;
-  const append = (type: string, name: string, data: Float64Array | Float32Array | Int32Array, components = 1) => {
+  const append = (data: Float64Array | Float32Array | Int32Array | Uint8Array) => {
     const bytes = new Uint8Array(data.slice().buffer as ArrayBuffer);
     const size = new Uint8Array(8);
     new DataView(size.buffer).setUint32(0, bytes.length, true); // far below 4 GB
     parts.push(size, bytes);
-    const element = `<DataArray type="${type}" Name="${name}" NumberOfComponents="${components}" format="appended" offset="${offset}"/>`;
+    const attributes = `format="appended" offset="${offset}"`;
     offset += 8 + bytes.length;
-    return element;
+    return attributes;
   };
+  const array = (type: string, name: string, data: Float64Array | Float32Array | Int32Array, components = 1) =>
+    `<DataArray type="${type}" Name="${name}" NumberOfComponents="${components}" ${append(data)}/>`;
+  const number = (name: string, value: number) =>
+    `<DataArray type="Float64" Name="${name}" NumberOfTuples="1" ${append(Float64Array.of(value))}/>`;
+  const text = (name: string, value: string) =>
+    `<Array type="String" Name="${name}" NumberOfTuples="1" ${append(new TextEncoder().encode(`${value}\0`))}/>`;
+  const fields = [number("Certified", Number(certified)), text("Provenance", namedProvenance(provenance, names))];
+  const pointData: string[] = [];
+  if ("confidence" in result) {
+    fields.push(number("Confidence", result.confidence));
+    pointData.push(array("Float32", "Confidence", result.vertexConfidence));
+  }
   const xml = [
     '<?xml version="1.0"?>',
     '<VTKFile type="PolyData" version="1.0" byte_order="LittleEndian" header_type="UInt64">',
     "<PolyData>",
+    `<FieldData>${fields.join("")}</FieldData>`,
     `<Piece NumberOfPoints="${countPoints(surface)}" NumberOfVerts="0" NumberOfLines="0" NumberOfStrips="0" NumberOfPolys="${countFaces(surface)}">`,
-    `<Points>${append("Float64", "Points", surface.points, 3)}</Points>`,
-    `<Polys>${append("Int32", "connectivity", surface.corners)}${append("Int32", "offsets", surface.offsets.subarray(1))}</Polys>`,
-    ...(vertexConfidence ? [`<PointData>${append("Float32", "Confidence", vertexConfidence)}</PointData>`] : []),
+    `<PointData>${pointData.join("")}</PointData>`,
+    `<Points>${array("Float64", "Points", surface.points, 3)}</Points>`,
+    `<Polys>${array("Int32", "connectivity", surface.corners)}${array("Int32", "offsets", surface.offsets.subarray(1))}</Polys>`,
     "</Piece>",
     "</PolyData>",
     '<AppendedData encoding="raw">\n_',
@@ -108,7 +124,7 @@ export function vtpFile(surface: Surface, vertexConfidence?: Float32Array): Blob
   return new Blob([xml, ...parts, "\n</AppendedData>\n</VTKFile>\n"], { type: "application/xml" });
 }
 
-/** Only VTP files can hold the vertices' confidence. */
-export function surfaceFile(surface: Surface, format: SurfaceFormat, vertexConfidence?: Float32Array): Blob {
-  return format === "vtp" ? vtpFile(surface, vertexConfidence) : { stl: stlFile, ply: plyFile }[format](surface);
+/** Only VTP files hold the confidence and the names. */
+export function surfaceFile(result: Organ | Vessel, format: SurfaceFormat, names: OriginNames = {}): Blob {
+  return format === "vtp" ? vtpFile(result, names) : { stl: stlFile, ply: plyFile }[format](result);
 }

@@ -76,9 +76,9 @@ export interface StartLabels {
 
 /** What a user knows of an organ. A list is a set: its order means nothing. */
 export interface Corrections {
-  /** Points that the surface encloses, exactly. */
+  /** Points that the surface encloses. */
   inside?: readonly Triple[];
-  /** Points that it leaves out, exactly. */
+  /** Points that it leaves out. */
   outside?: readonly Triple[];
   /** Points that it passes within half the least spacing. */
   boundary?: readonly Triple[];
@@ -94,6 +94,12 @@ export type Parameters = Record<string, number | boolean | readonly number[]>;
 /** What a run finds. */
 export interface Segmentation {
   surface: Surface;
+  /** Whether every step was certified, as it is wherever the guard is on: no faces intersect, however they are cut. */
+  certified: boolean;
+  /** Where the surface comes from: a session in JSON, with version, grid, seeds, points and all parameters. */
+  provenance: string;
+  /** The version, the coordinate system and the provenance, as files without another place for it hold them. */
+  comments: string[];
   /** The voxels inside as runs of four numbers: j, k, the first i, and one past the last i. */
   runs: Int32Array;
   /** Why the iterations ended, such as "at rest". */
@@ -144,7 +150,7 @@ export interface Scores {
   dice: number;
   jaccard: number;
   relativeVolumeDifference: number;
-  /** Average symmetric surface distance, in mm, as are the next three. */
+  /** Average symmetric surface distance, in mm, as are the next three; weighted by area, not over border voxels. */
   asd: number;
   rms: number;
   hd95: number;
@@ -183,7 +189,7 @@ export interface SegmentOptions extends RunOptions, Corrections {
 }
 
 export interface TraceOptions extends RunOptions {
-  /** radius, wallThickness, levels, maximumIterations. */
+  /** radius, wallThickness, modality, levels, maximumIterations. */
   parameters?: Parameters;
 }
 

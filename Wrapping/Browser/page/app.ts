@@ -18,11 +18,12 @@ export const organs = new Organs();
 
 interface App {
   opened: OpenImage | null;
-  /** The label map of which organs can fill a label, on the image's lattice. */
+  /** The label map of which organs can fill a label, on the image's lattice, and the name of its file. */
   labels: Image | null;
+  labelsName: string;
   /** Of the built-in image's organs. */
   phantomSeeds: PhantomSeed[];
   running: AbortController | null;
 }
 
-export const app: App = { opened: null, labels: null, phantomSeeds: [], running: null };
+export const app: App = { opened: null, labels: null, labelsName: "", phantomSeeds: [], running: null };

@@ -93,6 +93,7 @@ export async function openLabels(files: File[]): Promise<void> {
       throw new FlipFreeError(`${name} has no label: all its voxels are 0`);
     }
     app.labels = image;
+    app.labelsName = name;
     const voxel = grid.spacing.reduce((a, b) => a * b, 1);
     const choices = [...counts].map(([label, count]) => new Option(`${label}, ${((count * voxel) / 1000).toFixed(0)} ml`, String(label)));
     select("start-label").replaceChildren(new Option("choose …", ""), ...choices);
@@ -106,7 +107,7 @@ export async function openLabels(files: File[]): Promise<void> {
 export function takeStartLabel(): void {
   const label = select("start-label").value;
   if (app.labels && label !== "") {
-    const start = { labels: app.labels, label: Number(label) };
+    const start = { labels: app.labels, label: Number(label), name: app.labelsName };
     organs.change(organs.chosen, { start, seed: null, corrections: [], result: null });
     say("");
     showAll();

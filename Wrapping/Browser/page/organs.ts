@@ -25,10 +25,15 @@ export interface SessionOrgan {
   parameters: Parameters;
 }
 
+/** A label map with the name of its file. */
+export interface NamedLabels extends StartLabels {
+  name: string;
+}
+
 /** Never changed: `Organs.change` replaces it. */
 export interface OrganState extends SessionOrgan {
   /** The label that an organ without a seed fills; sessions do not hold it. */
-  start: StartLabels | null;
+  start: NamedLabels | null;
   /** Of this very seed or label, these points and these parameters. */
   result: Organ | Vessel | null;
 }

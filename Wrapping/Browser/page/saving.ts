@@ -26,9 +26,9 @@ function save(file: Blob, name: string): void {
   say(`Saved ${name}.`);
 }
 
-/** What leaves is a valid surface: where the format rounds, the rounded one is checked. */
-async function requireValid({ surface }: Segmentation, format: SurfaceFormat): Promise<void> {
-  if (format !== "vtp" && !isSinglePrecision(surface)) {
+/** What was certified leaves as a valid surface: where the format rounds, the rounded one is checked. */
+async function requireValid({ surface, certified }: Segmentation, format: SurfaceFormat): Promise<void> {
+  if (certified && format !== "vtp" && !isSinglePrecision(surface)) {
     const pairs = await flipfree.selfIntersections(roundedSurface(surface));
     if (pairs > 0) {
       throw new Error(`${format.toUpperCase()} rounds the vertices, and the surface would intersect itself (${pairs} pairs of faces); save it as VTP`);
@@ -39,11 +39,11 @@ async function requireValid({ surface }: Segmentation, format: SurfaceFormat): P
 export const saveSurface = () =>
   work("Saving …", async () => {
     const format = select("surface-format").value as SurfaceFormat;
-    const { name, result } = organs.chosen;
+    const { name, color, start, result } = organs.chosen;
     if (result) {
       await requireValid(result, format);
-      const confidence = "confidence" in result ? result.vertexConfidence : undefined;
-      save(surfaceFile(result.surface, format, confidence), `${fileNameOf(name)}.${format}`);
+      const names = { image: app.opened?.name, organ: name, color, startLabels: start?.name };
+      save(surfaceFile(result, format, names), `${fileNameOf(name)}.${format}`);
     }
   });
 

@@ -5,6 +5,7 @@
 #include "Report.h"
 #include "ThreadPool.h"
 
+#include "Deformation/Provenance.h"
 #include "Deformation/SegmentationParameters.h"
 #include "Deformation/SegmentationRequest.h"
 
@@ -203,6 +204,7 @@ void BindSegmentation(nb::module_& module)
 {
   BindSettings<Settings>(module, "SegmentationSettings", &SegmentationParameters)
     .def(nb::new_(&SettingsOf), nb::arg("preset"));
+  module.def("comments_on", &CommentsOn, nb::arg("provenance"));
   module.def("segment", &Segment, nb::arg("voxels").noconvert(), nb::arg("spacing"),
     nb::arg("origin"), nb::arg("direction"), nb::arg("center"), nb::arg("radius"),
     nb::arg("start").none(), nb::arg("labels").none(), nb::arg("label"), nb::arg("constraints"),

@@ -24,7 +24,7 @@ class Scores:
     relative_volume_difference: float
     """Negative where the segmentation is smaller than the reference."""
     asd: float
-    """Mean distance of the surfaces, over the pooled points of both."""
+    """Mean distance of the surfaces over the area of both, not over border voxels as elsewhere."""
     rms: float
     hd95: float
     hd: float

@@ -68,8 +68,8 @@ def segment(
         nonzero voxels; in a file of 3D Slicer (.seg.nrrd) also a segment, by its name. Points correct
         the result as always.
     inside, outside, boundary
-        Lists of points (x, y, z) in mm that the surface obeys exactly: they end inside it, outside
-        it, and within half the smallest spacing of it. Their order means nothing. corrected() of the
+        Lists of points (x, y, z) in mm that the surface obeys: they end inside it, outside it, and
+        within half the smallest spacing of it. Their order means nothing. corrected() of the
         result adds more.
     seeds
         Further spheres within the organ, as pairs of center and radius. The surface starts from the

@@ -43,8 +43,8 @@ def trace(
         in the vessel: one at each end, more along it or at the ends of its branches, in any
         order. Points 5 mm off do little harm. Coordinates are the image's physical ones, LPS for files.
     inside, outside, boundary
-        Lists of points (x, y, z) in mm that correct the result: the surface obeys them exactly, as that
-        of segment() does, and the path keeps 3 mm away from points outside, where it can. corrected()
+        Lists of points (x, y, z) in mm that correct the result: the surface obeys them as that of
+        segment() does, and the path keeps 3 mm away from points outside, where it can. corrected()
         of the result adds more.
     spacing, origin, direction, progress
         As for segment().

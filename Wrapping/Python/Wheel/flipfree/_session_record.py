@@ -12,8 +12,6 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
-ENOUGH = 100  # letters of a line of comments
-
 
 @dataclass
 class OriginNames:
@@ -53,18 +51,6 @@ def session_text(sessions: Sequence[str]) -> str:
         for session in more:
             first["organs"] += session["organs"]
     return json.dumps(first, ensure_ascii=False, indent=2) + "\n"
-
-
-def comment_lines(provenance: str) -> list[str]:
-    """In lines, at most about 120 letters each, which together are the text."""
-    lines, quoted, escaped = [""], False, False
-    for letter in provenance:
-        lines[-1] += letter
-        quoted ^= letter == '"' and not escaped
-        escaped = letter == "\\" and not escaped
-        if letter == "," and not quoted and len(lines[-1].encode()) >= ENOUGH:
-            lines.append("")
-    return lines
 
 
 def organ_of_file(path: str) -> str:

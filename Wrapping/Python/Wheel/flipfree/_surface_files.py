@@ -7,12 +7,12 @@ import os
 import struct
 from typing import Any
 
+from . import _kernels
 from ._atomic import replacing
 from ._errors import FileError
 from ._extras import needed
 from ._messages import listed
 from ._segmentation import Segmentation, Surface, Vessel
-from ._session_record import comment_lines
 from ._types import PathName
 
 ENDINGS = (".vtp", ".stl", ".ply", ".obj")
@@ -140,11 +140,8 @@ def _text(name: str, text: str) -> str:
 
 def _comments(mesh: Surface) -> list[str]:
     """What files say of the surface before it."""
-    from . import __version__
-
-    # SPACE=LPS is what 3D Slicer looks for.
-    comments = [f"FlipFree {__version__}, millimeters, SPACE=LPS"]
-    return comments + [f"provenance {line}" for line in comment_lines(mesh.provenance) if line]
+    comments: list[str] = _kernels.comments_on(mesh.provenance)
+    return comments
 
 
 def _vtp_lines(vessel: Vessel) -> bytes:
