@@ -63,7 +63,7 @@ endif ()
 
 if (FLIPFREE_USE_ITK)
   # Graphs for the baselines; headers alone.
-  find_package(Boost 1.71 REQUIRED)
+  find_package(Boost 1.71 REQUIRED CONFIG)
 
   # By name: the full list of components wants development files that nothing pulls in.
   set(_flipfree_itk_components

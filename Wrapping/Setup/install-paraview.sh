@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Gets ParaView of Debian 12, to build the plugin with and to run it in, and what both need.
+# Gets ParaView of Debian 12 or 13, to build the plugin with and to run it in, and what both need.
 #
 #   install-paraview.sh [FOLDER]
 #
@@ -54,7 +54,7 @@ fi
 
 if ! apt-cache show "${packages[@]}" >/dev/null 2>&1; then
   echo "The package sources of this machine have no package ${packages[*]}; the plugin is made for" \
-    "ParaView 5.11 as in Debian 12." >&2
+    "ParaView 5.11 and 5.13 as in Debian 12 and 13." >&2
   exit 1
 fi
 
