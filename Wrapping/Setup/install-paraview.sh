@@ -70,6 +70,11 @@ satisfy "$(<"$folder/depends")"
 for archive in "$downloads"/*.deb; do
   dpkg-deb --extract "$archive" "$folder"
 done
+# In Debian 13, ParaView's CMake files know Python's extensions by the names that they had before they were packaged.
+find "$folder/usr/lib/python3" -name '*.cpython-*.so' -exec sh -c '
+  for extension; do
+    ln --symbolic --force "${extension##*/}" "${extension%%.cpython-*}.so"
+  done' sh {} +
 # Written last, so that an interrupted download is taken up again.
 # shellcheck disable=SC2016 # the variables are dpkg-deb's
 dpkg-deb --show --showformat='${Package} ${Version}\n' "$downloads"/paraview_*.deb >"$folder/complete"
