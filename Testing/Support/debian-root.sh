@@ -14,6 +14,7 @@ make_root()
     root=$(cd -P "$2" && pwd)
   else
     root=$(mktemp -d)
+    chmod 755 "$root" # apt downloads as a user of its own
     trap 'rm -rf --one-file-system "$root"' EXIT
   fi
   if [[ ! -e $root/usr/bin/apt-get || -e $root/debootstrap ]]; then
