@@ -33,12 +33,13 @@ make_root()
   inside apt-get update --quiet
 }
 
-# inside COMMAND...: runs it there, on devices and processes of its own, which go when it ends.
+# inside COMMAND...: runs it there, on devices and processes of its own, which go when it ends. The shell stays as the
+# first of these processes, which gets no signal that it has no handler for: xvfb-run waits for one.
 inside()
 {
   # shellcheck disable=SC2016 # the variables are the inner shell's
   unshare --mount --pid --fork --kill-child --mount-proc="$root/proc" /bin/sh -ec '
     mount --rbind /dev "$1/dev"
-    exec chroot "$@"
+    chroot "$@" || exit
   ' sh "$root" /usr/bin/env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root DEBIAN_FRONTEND=noninteractive "$@"
 }
