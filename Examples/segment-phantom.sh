@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# From a bare Debian 12 machine to a first segmentation: installs what is missing, builds FlipFree,
+# From a bare Debian 12 or 13 machine to a first segmentation: installs what is missing, builds FlipFree,
 # segments the liver of the built-in abdomen phantom, and scores it against the phantom's truth.
 #
 #   segment-phantom.sh [folder for the results, default: ./flipfree-results]

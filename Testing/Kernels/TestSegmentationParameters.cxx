@@ -17,7 +17,7 @@ namespace
 constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
 
 template <typename Settings>
-const Parameter<Settings>& Find(const ParameterTable<Settings>& table, const std::string& name)
+const Parameter<Settings>& Find(const ParameterTable<Settings>& table, const char* name)
 {
   for (const Parameter<Settings>& parameter : table)
   {

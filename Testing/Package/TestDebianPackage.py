@@ -5,6 +5,7 @@ unpacks it elsewhere, and works from there in the shell and in Python.
 """
 
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -62,9 +63,9 @@ class TestDebianPackage(unittest.TestCase):
     def test_dependencies_are_those_of_the_libraries(self):
         depends = field("Depends")
         packages = [package.split(" ")[0] for package in depends.split(", ")]
-        for package in ("libc6", "libstdc++6", "libvtk9.1", "libinsighttoolkit5.2", "python3-vtk9",
+        for package in ("libc6", r"libstdc\+\+6", r"libvtk9\.\d+", r"libinsighttoolkit5\.\d+", "python3-vtk9",
                         "python3-numpy"):
-            self.assertIn(package, packages)
+            self.assertTrue(any(re.fullmatch(package, name) for name in packages), (package, packages))
         self.assertRegex(depends, r"\bpython3 \(>= 3\.\d+\), python3 \(<< 3\.\d+\)")
         self.assertNotIn("-dev", depends)
         self.assertNotRegex(depends, r"(^|, )flipfree\b")

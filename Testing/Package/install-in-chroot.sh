@@ -1,37 +1,22 @@
 #!/usr/bin/env bash
-# Installs the Debian package on a clean Debian 12, in a folder made for it by debootstrap, and works with
-# it there: the command, its manual page, and Python. Wants root and a Debian mirror.
+# Installs the Debian package on a clean Debian, in a folder made for it by debootstrap, and works with it there: the
+# command, its manual page, and Python. Wants root.
 #
-#   install-in-chroot.sh PACKAGE.deb [FOLDER]
+#   install-in-chroot.sh PACKAGE.deb [RELEASE [FOLDER]]
 #
-# FOLDER, by default a temporary one that is removed at the end, is made where it is absent; where it is a
-# clean system already, that is taken.
+# RELEASE, by default this machine's, is the one that the package was built on. FOLDER, by default a temporary one that
+# is removed at the end, is made where it is absent; where it is a clean system already, that is taken.
 set -euo pipefail
 
 if (($# < 1)) || [[ $1 == -* ]]; then
   sed -n '2,/^set/{/^set/d;s/^# \{0,1\}//;p}' "$0"
   [[ ${1:-} == -h || ${1:-} == --help ]] && exit 0 || exit 2
 fi
-package=$1
-if (($# > 1)); then
-  root=$2
-else
-  root=$(mktemp -d)
-  trap 'rm -rf --one-file-system "$root"' EXIT
-fi
-if [[ ! -e $root/usr/bin/apt-get ]]; then
-  debootstrap --variant=minbase bookworm "$root"
-fi
-cp "$package" "$root/tmp/flipfree.deb"
-cp /etc/resolv.conf "$root/etc/resolv.conf"
+source "$(dirname "${BASH_SOURCE[0]}")/../Support/debian-root.sh"
 
-inside()
-{
-  chroot "$root" /usr/bin/env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root \
-    DEBIAN_FRONTEND=noninteractive "$@"
-}
+make_root "${2:-$(sed -n 's/^VERSION_CODENAME=//p' /etc/os-release)}" "${3:-}"
+cp "$1" "$root/tmp/flipfree.deb"
 
-inside apt-get update --quiet
 inside apt-get install --quiet --yes --no-install-recommends /tmp/flipfree.deb
 inside flipfree --version
 inside flipfree phantom sphere -o /tmp/try --quiet

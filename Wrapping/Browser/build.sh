@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Builds FlipFree for the browser, on Debian 12:
+# Builds FlipFree for the browser, on Debian 12 or 13:
 #
 #   build.sh [FOLDER]
 #

@@ -63,7 +63,7 @@ endif ()
 
 if (FLIPFREE_USE_ITK)
   # Graphs for the baselines; headers alone.
-  find_package(Boost 1.71 REQUIRED)
+  find_package(Boost 1.71 REQUIRED CONFIG)
 
   # By name: the full list of components wants development files that nothing pulls in.
   set(_flipfree_itk_components
@@ -80,6 +80,9 @@ if (FLIPFREE_USE_ITK)
     ITKLevelSets
     ITKRegionGrowing
     ITKVTK)
+  # ITK reads the configurations of all its modules, and ITKVtkGlue's finds the VTK that ITK was built with, which need
+  # not be the one at hand. So that one counts as read: two of its headers are all that is used of it.
+  set(ITKVtkGlue_LOADED TRUE)
   find_package(ITK 5.2 REQUIRED COMPONENTS ${_flipfree_itk_components})
 
   # An ITK refuses compilers other than the one it was built with, although Clang keeps GCC's binary interface.
@@ -96,7 +99,7 @@ if (FLIPFREE_USE_ITK)
     set(FLIPFREE_ITK_COMPILE_OPTIONS -include "${_flipfree_itk_copy}")
   endif ()
 
-  # Distributions leave the module ITKVtkGlue out. Two of its headers are all that is used of it.
+  # Some distributions leave the module ITKVtkGlue out.
   find_path(FLIPFREE_ITKVTKGLUE_INCLUDE_DIR itkVTKImageToImageFilter.h
     HINTS ${ITK_INCLUDE_DIRS}
     NO_DEFAULT_PATH

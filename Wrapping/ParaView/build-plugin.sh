@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Builds the ParaView plugin from a bare Debian 12 and a clean clone: gets ParaView 5.11, configures, builds.
+# Builds the ParaView plugin from a bare Debian 12 or 13 and a clean clone: gets ParaView, configures, builds.
 #
 #   build-plugin.sh [FOLDER] [CMAKE-OPTION...]
 #

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Installs what FlipFree is built on, on Debian 12 and its descendants: only what is missing, only from
+# Installs what FlipFree is built on, on Debian 12, Debian 13 and their descendants: only what is missing, only from
 # the package sources that the machine already has.
 #
 #   install-dependencies.sh [build|test|paraview|browser]
@@ -121,28 +121,37 @@ MESSAGE
   exit 1
 fi
 
-missing=()
-for package in "${wanted[@]}"; do
-  status=$(dpkg-query --show --showformat='${db:Status-Status}' "$package" 2>/dev/null || true)
-  if [[ $status != installed ]]; then
-    missing+=("$package")
-  fi
-done
-if ((${#missing[@]} == 0)); then
-  echo "Nothing to install: all ${#wanted[@]} packages are there."
-  exit 0
-fi
-
 as_root=()
 if ((EUID != 0)); then
-  if ! command -v sudo >/dev/null; then
-    echo "Missing packages, and neither root nor sudo to install them: ${missing[*]}" >&2
-    exit 1
-  fi
   as_root=(sudo)
 fi
 
-echo "Installing: ${missing[*]}"
-"${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get update --quiet
-"${as_root[@]}" env DEBIAN_FRONTEND=noninteractive \
-  apt-get install --quiet --yes --no-install-recommends "${missing[@]}"
+install_missing()
+{
+  local package status missing=()
+  for package in "$@"; do
+    status=$(dpkg-query --show --showformat='${db:Status-Status}' "$package" 2>/dev/null || true)
+    if [[ $status != installed ]]; then
+      missing+=("$package")
+    fi
+  done
+  if ((${#missing[@]} == 0)); then
+    return
+  fi
+  if ((EUID != 0)) && ! command -v sudo >/dev/null; then
+    echo "Missing packages, and neither root nor sudo to install them: ${missing[*]}" >&2
+    exit 1
+  fi
+  echo "Installing: ${missing[*]}"
+  "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get update --quiet
+  "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive \
+    apt-get install --quiet --yes --no-install-recommends "${missing[@]}"
+}
+
+install_missing "${wanted[@]}"
+# ITK 5.4 is linked with FFTW by whoever links its filters, but Debian's package does not depend on it.
+itk=$(dpkg-query --show --showformat='${Version}' libinsighttoolkit5-dev 2>/dev/null || true)
+if dpkg --compare-versions "$itk" ge 5.4; then
+  install_missing libfftw3-dev
+fi
+echo "All packages are there."

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Gets ParaView of Debian 12, to build the plugin with and to run it in, and what both need.
+# Gets ParaView of Debian 12 or 13, to build the plugin with and to run it in, and what both need.
 #
 #   install-paraview.sh [FOLDER]
 #
@@ -54,7 +54,7 @@ fi
 
 if ! apt-cache show "${packages[@]}" >/dev/null 2>&1; then
   echo "The package sources of this machine have no package ${packages[*]}; the plugin is made for" \
-    "ParaView 5.11 as in Debian 12." >&2
+    "ParaView 5.11 and 5.13 as in Debian 12 and 13." >&2
   exit 1
 fi
 
@@ -70,6 +70,11 @@ satisfy "$(<"$folder/depends")"
 for archive in "$downloads"/*.deb; do
   dpkg-deb --extract "$archive" "$folder"
 done
+# In Debian 13, ParaView's CMake files know Python's extensions by the names that they had before they were packaged.
+find "$folder/usr/lib/python3" -name '*.cpython-*.so' -exec sh -c '
+  for extension; do
+    ln --symbolic --force "${extension##*/}" "${extension%%.cpython-*}.so"
+  done' sh {} +
 # Written last, so that an interrupted download is taken up again.
 # shellcheck disable=SC2016 # the variables are dpkg-deb's
 dpkg-deb --show --showformat='${Package} ${Version}\n' "$downloads"/paraview_*.deb >"$folder/complete"
