@@ -111,7 +111,7 @@ def _require_columns(name: str, columns: list[str]) -> None:
         raise FlipFreeError(
             f"'{name}' lacks the columns {', '.join(lacking)}; it has {', '.join(columns) or 'none'}."
             + (" Vessels have points in their place." if set(lacking) & set(SEED) else "")
-            + (" Separate cells by commas, semicolons or tabs." if lacking == list(required) else "")
+            + (" Separate cells by commas, semicolons or tabs." if not set(columns) & set(KNOWN) else "")
         )
     taken = [column for column in columns if column in RESULTS]
     if taken:

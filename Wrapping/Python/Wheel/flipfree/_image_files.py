@@ -64,6 +64,7 @@ def _read_file(name: str) -> Image:
     try:
         image = sitk.ReadImage(name)
     except RuntimeError as error:
+        _require_memory(name, sitk)
         reason = _last_line(error)
         raise FileError(
             f"'{name}' cannot be read: it is damaged, or its format does not match its extension"
@@ -74,6 +75,21 @@ def _read_file(name: str) -> Image:
         return adopted("image", image)
     except ValueError as error:
         raise FileError(f"'{name}': {str(error).partition(': ')[2]}") from error
+
+
+def _require_memory(name: str, sitk: Any) -> None:
+    """Raises MemoryError where there is no room for the voxels, of which readers say that the file is damaged."""
+    reader = sitk.ImageFileReader()
+    reader.SetFileName(name)
+    try:
+        reader.ReadImageInformation()
+    except RuntimeError:
+        return
+    image = (reader.GetSize(), reader.GetPixelID(), reader.GetNumberOfComponents())
+    try:
+        _room = [sitk.Image(*image) for _ in range(2)]  # for what is read, and a copy of it
+    except RuntimeError as error:
+        raise MemoryError(f"'{name}' needs more memory than there is") from error
 
 
 def _require_ending(name: str, endings: tuple[str, ...]) -> None:
