@@ -123,6 +123,49 @@ assert signal.getsignal(signal.SIGINT).__name__ == "<lambda>"
         output, errors = process.communicate(timeout=200)
         self.assertEqual((output, errors), (f"handled after 50\nTrue {coarse_liver()!r}\n", ""))
 
+    def test_any_signals_handler_may_raise(self):
+        """As that of a timeout does."""
+        process = self.start(INTERRUPT_AT_50.replace("SIGINT", "SIGALRM") + f"""
+class Timeout(Exception):
+    pass
+
+def handle(number, frame):
+    raise Timeout(signal.Signals(number).name)
+
+signal.signal(signal.SIGALRM, handle)
+try:
+    flipfree.segment(image(), SEED, RADIUS, progress=tell, **{ENDLESS})
+except Timeout as timeout:
+    print(timeout, len(told))
+assert signal.getsignal(signal.SIGALRM) is handle
+assert signal.getsignal(signal.SIGINT) is signal.default_int_handler
+""")
+        self.assertEqual(process.communicate(timeout=200), ("SIGALRM 50\n", ""))
+
+    def test_signals_that_come_between_callbacks_are_not_lost(self):
+        """Whichever instruction they come at: none of a hundred is swallowed."""
+        process = self.start("""
+import signal
+
+class Timeout(Exception):
+    pass
+
+def handle(*_):
+    raise Timeout
+
+signal.signal(signal.SIGALRM, handle)
+raised = 0
+for attempt in range(100):
+    try:
+        signal.setitimer(signal.ITIMER_REAL, 0.002 + 0.0007 * attempt)
+        while True:
+            flipfree.segment(image(), SEED, RADIUS, levels=1, maximum_iterations=2, resolution=4)
+    except Timeout:
+        raised += 1
+print(raised)
+""")
+        self.assertEqual(process.communicate(timeout=200), ("100\n", ""))
+
     @needs_files
     def test_while_a_file_is_read(self):
         process = self.start_and_wait("""

@@ -1,6 +1,8 @@
 """flipfree.segment: what it takes, what it gives, and that it is the filter's own result."""
 
+import copy
 import os
+import pickle
 import tempfile
 import unittest
 from pathlib import Path
@@ -8,7 +10,7 @@ from pathlib import Path
 import flipfree
 import numpy
 from example import (HAS_VTK, RADIUS, SEED, axes_of, image, liver, needs_files, needs_vtk, needs_wheel,
-                     points_of)
+                     points_of, spacing_of, surface_of)
 
 if HAS_VTK:
     from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData, vtkTable
@@ -97,6 +99,55 @@ class Output(unittest.TestCase):
 
     def test_repr_tells_what_one_wants_to_know(self):
         self.assertRegex(repr(liver()), "^<Segmentation: 6144 vertices, 0 self-intersections, ")
+
+
+class Pickles(unittest.TestCase):
+    """Results go into files and to other processes."""
+
+    def assert_same(self, one, two):
+        numpy.testing.assert_array_equal(points_of(surface_of(one)), points_of(surface_of(two)))
+        numpy.testing.assert_array_equal(one.faces, two.faces)
+        numpy.testing.assert_array_equal(one.labels, two.labels)
+        numpy.testing.assert_array_equal(axes_of(one.label_map), axes_of(two.label_map))
+        self.assertEqual(one.iterations.keys(), two.iterations.keys())
+        for name, column in one.iterations.items():
+            numpy.testing.assert_array_equal(column, two.iterations[name])
+        for name in ("stop_reason", "self_intersections", "constraints", "provenance"):
+            self.assertEqual(getattr(one, name), getattr(two, name))
+
+    def test_an_organ_comes_back_as_it_was(self):
+        array = flipfree.array_from_image(image())[::2, ::2, ::2]
+        origin, spacing = numpy.array((1 / 7, -20, 3.5)), numpy.array((3, 10 / 3, 6.1))
+        turned = flipfree.image_from_array(array, spacing, origin, oblique())
+        liver_in_it = origin + oblique() @ (numpy.array(SEED) / 2 / spacing_of(image()) * spacing)
+        organ = flipfree.segment(turned, liver_in_it, 20, resolution=8, levels=1, keep_history=True,
+                                 maximum_iterations=3)
+        for again in (pickle.loads(pickle.dumps(organ)), copy.deepcopy(organ)):
+            self.assert_same(again, organ)
+            numpy.testing.assert_array_equal(again.vertex_confidence, organ.vertex_confidence)
+            self.assertEqual(again.confidence, organ.confidence)
+            self.assertEqual(len(again.history), len(organ.history))
+            with self.assertRaisesRegex(flipfree.FlipFreeError, "not a copy of it"):
+                again.corrected(inside=[(1, 2, 3)])
+
+    def test_a_phantom_and_a_vessel(self):
+        phantom = pickle.loads(pickle.dumps(flipfree.phantom("cup")))
+        self.assertEqual(phantom.seeds, flipfree.phantom("cup").seeds)
+        self.assertEqual(phantom.image.__class__, image().__class__)
+        tube = flipfree.phantom("vessel")
+        vessel = flipfree.trace(tube.image, tube.ends)
+        again = pickle.loads(pickle.dumps(vessel))
+        self.assert_same(again, vessel)
+        self.assertEqual(len(again.branches), 1)
+        numpy.testing.assert_array_equal(again.branches[0]["radius"], vessel.branches[0]["radius"])
+
+    def test_an_image_keeps_its_geometry(self):
+        volume = flipfree.image_from_array(numpy.arange(24, dtype="int16").reshape(2, 3, 4), (0.1, 1 / 3, 3),
+                                           (1 / 7, 2, 3), oblique())
+        again = pickle.loads(pickle.dumps(volume))
+        self.assertEqual(tuple(spacing_of(again)), (0.1, 1 / 3, 3))
+        numpy.testing.assert_array_equal(flipfree.array_from_image(again), flipfree.array_from_image(volume))
+        numpy.testing.assert_array_equal(axes_of(again), axes_of(volume))
 
 
 class Input(unittest.TestCase):

@@ -63,6 +63,10 @@ def axes_of(image):
     return numpy.array([[matrix.GetElement(row, column) for column in range(3)] for row in range(3)])
 
 
+def spacing_of(image):
+    return image.GetSpacing() if HAS_VTK else image.spacing
+
+
 @functools.lru_cache(maxsize=None)
 def liver():
     return flipfree.segment(image(), SEED, RADIUS)

@@ -397,11 +397,13 @@ class WrongInput(CohortTest):
                 ("'table' lacks the columns volume, seed_x.* Vessels have points in their place", [{"radius": 3}]),
                 ("'table' lacks the columns volume; it has points.$", [{"points": "1 2 3; 4 5 6"}]),
                 ("'correction' is nearly 'corrections'", [{**self.ROW, "correction": "a.csv"}]),
-                ("two rows are called", [{"volume": "a.nii", "points": "1 2 3; 4 5 6"}] * 2),
+                ("rows 1 and 2 are all called", [{"volume": "a.nii", "points": "1 2 3; 4 5 6"}] * 2),
+                ("has the name of a result", [{**self.ROW, "Dice": 1}]),
+                ("there are two columns 'volume'", [{**self.ROW, "Volume": "b"}]),
                 ("has the name of a result", [{**self.ROW, "dice": 1}]),
                 ("'resolutoin' is nearly 'resolution'", [{**self.ROW, "resolutoin": 1}]),
-                ("two rows are called 'a-b'", [{**self.ROW, "case": "a", "organ": "b"}] * 2),
-                ("two rows are called", [self.ROW] * 2),
+                ("rows 2, 3 and 4 are all called 'a-b'. Give each", [
+                    {**self.ROW, "case": "c"}, *[{**self.ROW, "case": "a", "organ": name} for name in ("b", "B", "b")]]),
                 ("has no rows|lacks", []),
         ):
             with self.subTest(message):
@@ -415,11 +417,54 @@ class WrongInput(CohortTest):
                 ("is not a CSV file in UTF-8", b"\xff\xfe\x00v"),
                 ("'.*' lacks the columns", b""),
                 ("has no rows", head.encode()),
-                ("a row has more cells", f"{head}\na,1,2,3,4,5\n".encode()),
+                ("row 2 has more cells", f"{head}\na,1,2,3,4\n\na,1,2,3,4,5\n".encode()),
+                ("row 1 has more cells", f"{head},\na,1,2,3,4,5\n".encode()),
+                ("row 1 has more cells", f"{head}\na,1,5,2,3,4\n".encode()),
+                ("there are two columns 'radius'", f"{head},radius\n".encode()),
+                ("lacks the columns.*Separate cells by commas, semicolons or tabs", head.replace(",", "|").encode()),
+                (r"decimal point \(3.5\), and others a comma \(1,234\)",
+                 f"{head}\na,'1,234',2,3.5,4\n".replace(",", ";").replace("'1;234'", "1,234").encode()),
         ):
             with self.subTest(message):
                 path.write_bytes(data)
                 self.refuses(message, path)
+
+    def test_forms_of_files(self):
+        """As spreadsheet programs write them: all hold the same rows."""
+        plain = ("volume,seed_x,seed_y,seed_z,radius,inside,case,note\n"
+                 "a.nii,1.5,-2,3,4,1.5 2 3; 4 5 6,a,x\n"
+                 "b.nii,.5,2e1,3,4.25,,b,\"1,5\"\n")
+        quoted = plain.replace("1.5 2 3; 4 5 6", '"1.5 2 3; 4 5 6"')
+        semicolons = quoted.replace('"1,5"', "1~5").replace(",", ";").replace("1~5", "1,5")
+        commas = semicolons.replace("1.5", "1,5").replace(".5", ",5").replace("4.25", "4,25")
+        path = self.folder / "table.csv"
+        path.write_text(plain)
+        expected = _cohort_table.rows_of(path)
+        self.assertEqual([row.problem for row in expected], ["", ""])
+        self.assertEqual(expected[0].points, {"inside": [(1.5, 2, 3), (4, 5, 6)]})
+        for name, text in {
+            "mark": "\ufeff" + plain,
+            "windows": plain.replace("\n", "\r\n"),
+            "capitals": plain.replace("volume", "Volume").replace("seed_x", "SEED_X").replace("case", "Case"),
+            "spaces": plain.replace("seed_y", " seed_y "),
+            "empty rows": plain.replace("\n", "\n,,,,,,,\n\n") + ",\n  \n",
+            "empty columns": plain.replace("\n", ",,\n").replace("radius,", "radius,,").replace(",4,", ",4,,").replace("4.25,", "4.25,,"),
+            "sep": "sep=,\r\n" + plain,
+            "semicolons": semicolons,
+            "decimal commas": commas,
+            "sep and decimal commas": "SEP=;\n" + commas,
+            "tabs": semicolons.replace("1.5 2 3; 4", "1.5 2 3~ 4").replace(";", "\t").replace("~", ";"),
+            "bars": "sep=|\n" + semicolons.replace("1.5 2 3; 4", "1.5 2 3~ 4").replace(";", "|").replace("~", ";"),
+        }.items():
+            with self.subTest(name):
+                path.write_bytes(text.encode())
+                self.assertEqual(_cohort_table.rows_of(path), expected)
+
+    def test_forms_of_records(self):
+        expected = _cohort_table.rows_of([self.ROW])
+        for row in ({name.upper(): value for name, value in self.ROW.items()}, {**self.ROW, "": "", "Unnamed: 6": float("nan")}):
+            with self.subTest(row):
+                self.assertEqual(_cohort_table.rows_of([{}, row, {"volume": float("nan")}]), expected)
 
     def test_folder(self):
         path = self.folder / "file"

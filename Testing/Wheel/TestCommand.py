@@ -197,6 +197,64 @@ class Work(unittest.TestCase):
         write(sphere, {**organ, "corrections": [{"kind": "inside"}]})
         self.assertRegex(run("segment", "--session", path, "-o", self.folder / "wrong.ply").stderr, "correction 1: .*position")
 
+    def test_surroundings_that_differ(self):
+        """Standard streams that are closed, and outputs that are symbolic links."""
+        plain, other, link = (self.folder / name for name in ("plain.stl", "other.stl", "link.stl"))
+        arguments = [str(word) for word in ("segment", self.volume, *self.seed, "--resolution", 8, "-o")]
+        self.assertEqual(run(*arguments, plain).returncode, 0)
+        for closed in ("2>&-", ">&-", "<&- >&- 2>&-"):
+            with self.subTest(closed):
+                subprocess.run(["sh", "-c", f'"$@" {closed}', "sh", OURS, *arguments, other], capture_output=True,
+                               timeout=120, check=True)
+                self.assertEqual(other.read_bytes(), plain.read_bytes())
+                other.unlink()
+        (self.folder / "target").mkdir()
+        target = self.folder / "target" / "real.stl"
+        link.symlink_to(target)
+        for program in (OURS, TOOLKIT):
+            with self.subTest("link", program=program):
+                target.write_bytes(b"former")
+                target.chmod(0o640)
+                self.assertEqual(run(*arguments, link, program=program).returncode, 0)
+                self.assertTrue(link.is_symlink())
+                self.assertGreater(len(target.read_bytes()), 1000)
+                self.assertEqual(target.stat().st_mode & 0o777, 0o640)
+                self.assertEqual(os.listdir(target.parent), ["real.stl"])
+                self.assertEqual(run(*arguments, os.devnull, program=program).returncode, 2)  # of no known ending
+
+    def test_simpleitk_that_cannot_be_loaded(self):
+        package = self.folder / "broken" / "SimpleITK"
+        package.mkdir(parents=True)
+        for raised, message in (("ImportError('libz.so.9: cannot open it')", r"which is installed but cannot be loaded \(libz.so.9: c"),
+                                ("ModuleNotFoundError('No module', name='other')", r"cannot be loaded \(No module\): install it anew"),
+                                ("ModuleNotFoundError('No module', name='SimpleITK')", "which is not installed: pip install")):
+            (package / "__init__.py").write_text(f"raise {raised}")
+            process = run("segment", self.volume, *self.seed, "-o", self.folder / "never.stl",
+                          env={**os.environ, "PYTHONPATH": str(package.parent)})
+            with self.subTest(raised):
+                self.assertEqual(process.returncode, 1)
+                self.assertRegex(process.stderr, rf"\Aflipfree: error: [^\n]*{message}[^\n]*\n\Z")
+
+    @unittest.skipUnless(sys.platform == "linux", "limits memory as Linux does")
+    def test_no_memory_for_the_voxels(self):
+        """It is not the file that is damaged."""
+        program = """
+import resource, sys
+import numpy, SimpleITK
+from flipfree._command import main
+SimpleITK.Image(2, 2, SimpleITK.sitkInt16)
+pages = int(open("/proc/self/statm").read().split()[0])
+limit = pages * resource.getpagesize() + 8_000_000
+resource.setrlimit(resource.RLIMIT_AS, (limit, limit))
+sys.exit(main(sys.argv[1:]))
+"""
+        large = flipfree.image_from_array(numpy.zeros((100, 200, 200), "float32"), (1, 1, 1))
+        flipfree.write_image(large, self.folder / "large.nii.gz")
+        process = subprocess.run([sys.executable, "-c", program, "segment", self.folder / "large.nii.gz", *self.seed, "-o",
+                                  self.folder / "never.stl"], capture_output=True, text=True, timeout=120, check=False)
+        self.assertEqual((process.returncode, process.stderr),
+                         (1, "flipfree: error: Out of memory. Crop the volume, or use a machine with more memory.\n"))
+
     def test_every_surface_format_is_read_by_the_toolkit(self):
         for ending in ("vtp", "stl", "ply", "obj"):
             path = self.folder / f"each.{ending}"

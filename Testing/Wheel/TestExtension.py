@@ -59,6 +59,30 @@ class Threads(unittest.TestCase):
             numpy.testing.assert_array_equal(again.labels, liver().labels)
             self.assertEqual(flipfree.evaluate(again, truth(), reference_label=6), scores)
 
+    @unittest.skipUnless(sys.platform == "linux", "limits threads as Linux does")
+    def test_where_the_system_starts_no_more_of_them(self):
+        """As in a container that limits processes; root is not limited, so that it becomes somebody else."""
+        program = """
+import os, resource, sys
+import flipfree
+volume = flipfree.phantom("sphere", dimensions=(48, 48, 48)).image
+def points():
+    return flipfree.segment(volume, (23.5, 23.5, 23.5), 6, resolution=8).points.tobytes()
+flipfree.set_threads(1)
+expected = points()
+limit = int(sys.argv[1])
+resource.setrlimit(resource.RLIMIT_NPROC, (limit, limit))
+if os.getuid() == 0:
+    os.setuid(65534)
+flipfree.set_threads(8)
+print([points() == expected for _ in range(3)])
+"""
+        for limit in (1, 3):
+            process = subprocess.run([sys.executable, "-c", program, str(limit)], capture_output=True, text=True,
+                                     timeout=200, check=False)
+            with self.subTest(limit):
+                self.assertEqual((process.returncode, process.stdout), (0, "[True, True, True]\n"), process.stderr)
+
     def test_number_is_checked(self):
         with self.assertRaisesRegex(ValueError, "^number: -1 is negative"):
             flipfree.set_threads(-1)

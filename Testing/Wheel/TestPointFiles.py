@@ -26,13 +26,18 @@ POINTS = "inside,62,32,32,\noutside,32,54,32,\nseed,40,32,32,4\n"
 
 
 def markups(*controls, **entries):
-    """As 3D Slicer saves them; controls are pairs of label and position."""
-    points = [{"id": str(number), "label": label, "position": position} for number, (label, position) in enumerate(controls)]
+    """As 3D Slicer saves them; controls are label, position and, if wanted, positionStatus."""
+    points = [dict(zip(("label", "position", "positionStatus"), control), id=str(number)) for number, control in enumerate(controls)]
     return json.dumps({"markups": [{"type": "Fiducial", "coordinateSystem": "LPS", "controlPoints": points, **entries}]})
 
 
 LPS = (("inside-1", [62, 32, 32]), ("Outside_2", [32, 54, 32.0]), ("seed 4", [40, 32, 32]))
 RAS = tuple((label, [-x, -y, z]) for label, (x, y, z) in LPS)
+
+
+def scaled(factor, points=LPS):
+    return [(label, [factor * x for x in place]) for label, place in points]
+
 
 # All of them hold the points above.
 GOOD = {
@@ -57,6 +62,15 @@ GOOD = {
     "mark.mrk.json": MARK + markups(*LPS).encode(),
     "words.mrk.json": markups(("inside the left lobe", [62, 32, 32]), *LPS[1:2], ("\tSEED-1 4.0 mm", [40, 32, 32])),
     "floats.mrk.json": markups(*LPS).replace("62", "6.2e1"),
+    "defined.mrk.json": markups(*((*control, "defined") for control in LPS), type="Curve"),
+    "undefined.mrk.json": markups(*LPS, ("inside-4", "", "undefined"), ("outside-5", [0, 0, 0], "undefined")),
+    "missing.mrk.json": markups(("F-1", "", "missing"), *LPS[:2], ("F-2", [1, 2, 3], "preview"), *LPS[2:]),
+    "unplaced.mrk.json": markups(*LPS, ("inside-4", "")),
+    "nanometers.mrk.json": markups(*scaled(1000000), coordinateUnits="nm"),
+    "micrometers.mrk.json": markups(*scaled(1000, RAS), coordinateSystem="RAS", coordinateUnits="um"),
+    "millimeters.mrk.json": markups(*LPS, coordinateUnits=["mm", "UCUM", "millimeter"]),
+    "centimeters.mrk.json": markups(*scaled(0.1), coordinateUnits=["cm", "UCUM", "centimeter"]),
+    "meters.mrk.json": markups(*scaled(0.001), coordinateUnits="m"),
     "lists.mrk.json": json.dumps({"other": 1, "markups": [json.loads(markups(LPS[0]))["markups"][0], {"controlPoints": []},
                                                           json.loads(markups(*LPS[1:]))["markups"][0]]}),
 }
@@ -103,7 +117,7 @@ BAD = {
     "word.mrk.json": (markups(controlPoints=""), "does not hold markups"),
     "mapping.mrk.json": (markups(controlPoints={}), "does not hold markups"),
     "label.mrk.json": (markups((7, [1, 2, 3])), "does not hold markups"),
-    "no-label.mrk.json": (markups(*LPS).replace("label", "name"), "does not hold markups"),
+    "no-label.mrk.json": (markups(*LPS).replace("label", "name"), "control point 1: the kind is ''.*begins with its kind"),
     "no-place.mrk.json": (markups(*LPS).replace("position", "place"), "does not hold markups"),
     "null-place.mrk.json": (markups(("inside", None)), "does not hold markups"),
     "not-a-number.mrk.json": (markups(("inside", [1, 2, float("nan")])), "does not hold markups"),
@@ -116,12 +130,15 @@ BAD = {
     "true.mrk.json": (markups(*LPS, coordinateSystem=True), "the coordinate system is true"),
     "part.mrk.json": (markups(*LPS, coordinateSystem=0.0), "the coordinate system is 0.0"),
     "tree.mrk.json": (markups(*LPS, coordinateSystem={"b": [1, 2], "a": "x"}), r'is {"a":"x","b":\[1,2\]}'),
+    "pixels.mrk.json": (markups(*LPS, coordinateUnits="px"), r'the unit of coordinates is "px"; it can be nm, um, .*or \[in_i\]'),
+    "no-unit.mrk.json": (markups(*LPS, coordinateUnits=None), "the unit of coordinates is null"),
+    "no-code.mrk.json": (markups(*LPS, coordinateUnits=[]), r"the unit of coordinates is \[\]"),
     "flat.mrk.json": (markups(("inside", [1, 2])), 'control point "inside": its position is not three numbers'),
     "four.mrk.json": (markups(("inside", [1, 2, 3, 4])), "its position is not three numbers"),
     "quoted.mrk.json": (markups(("inside", ["1", "2", "3"])), "its position is not three numbers"),
     "truth.mrk.json": (markups(("inside", [True, 2, 3])), "its position is not three numbers"),
     "default.mrk.json": (markups(("F-1", [1, 2, 3])), 'control point "F-1": the kind is \'f\'.*begins with its kind'),
-    "no-word.mrk.json": (markups(("", [1, 2, 3])), "control point \"\": the kind is ''"),
+    "no-word.mrk.json": (markups(*LPS, ("", [1, 2, 3])), "control point 4: the kind is ''"),
     "quote.mrk.json": (markups(('say "ö"\n', [1, 2, 3])), r'control point "say \\"ö\\"\\n": the kind is \'say\''),
     "seed.mrk.json": (markups(("Seed-1", [1, 2, 3])), "a seed has no radius"),
     "big.mrk.json": (markups(("seed big", [1, 2, 3])), "'big' is not a number"),
@@ -209,7 +226,9 @@ class VesselFiles(unittest.TestCase):
         expected = [(1.0, 2.0, 3.5), (-4.0, 5.0, 6.0)]
         for name, content in {"a.csv": "1,2,3.5\n-4,5,6\n", "b.csv": "X,Y,Z\n\n1 , 2,3.5,\n-4,5,6\n",
                               "a.mrk.json": markups(("F-1", [1, 2, 3.5]), ("", [-4, 5, 6])),
-                              "b.mrk.json": markups(("P", [-1, -2, 3.5]), ("Q", [4, -5, 6]), coordinateSystem="RAS")}.items():
+                              "b.mrk.json": markups(("P", [-1, -2, 3.5]), ("Q", [4, -5, 6]), coordinateSystem="RAS"),
+                              "c.mrk.json": markups(("", [1000, 2000, 3500], "defined"), ("F", "", "undefined"),
+                                                    ("G", [-4000, 5000, 6000]), coordinateUnits="um")}.items():
             with self.subTest(name):
                 self.assertEqual(self.read(name, content), expected)
 

@@ -141,10 +141,67 @@ std::vector<CorrectionPoint> PointsOfTable(const std::string& text)
   return points;
 }
 
-CorrectionPoint PointOfControl(const Json& control, bool isRAS)
+/// How the coordinates of a list of control points become LPS millimeters.
+struct MarkupsFrame
+{
+  bool IsRAS = false;
+  double Factor = 1;
+  double Divisor = 1; ///< apart from the factor, so that whole micrometers are exact
+};
+
+/// Millimeters per unit, as a factor and a divisor. By UCUM's codes.
+const std::vector<std::pair<std::string, std::array<double, 2>>> LengthUnits{
+  { "nm", { { 1, 1e6 } } },
+  { "um", { { 1, 1e3 } } },
+  { "mm", { { 1, 1 } } },
+  { "cm", { { 10, 1 } } },
+  { "dm", { { 100, 1 } } },
+  { "m", { { 1000, 1 } } },
+  { "[in_i]", { { 25.4, 1 } } },
+};
+
+MarkupsFrame FrameOf(const Json& list)
+{
+  MarkupsFrame frame;
+  // Files before version 1.0.1 have a number: 0 for RAS.
+  const Json system = list.value("coordinateSystem", Json("LPS"));
+  const std::string name = system.is_string() ? system.get<std::string>() : system.dump();
+  frame.IsRAS = name == "RAS" || name == "0";
+  if (!frame.IsRAS && name != "LPS" && name != "1")
+  {
+    throw Failure("the coordinate system is " + system.dump() + "; it can be LPS or RAS");
+  }
+  // From version 1.0.4 on, the code is the first word of a coded entry.
+  Json unit = list.value("coordinateUnits", Json("mm"));
+  unit = unit.is_array() && !unit.empty() ? unit.front() : unit;
+  const auto found = std::find_if(LengthUnits.begin(), LengthUnits.end(),
+    [&unit](const auto& known) { return unit == known.first; });
+  if (found == LengthUnits.end())
+  {
+    throw Failure(
+      "the unit of coordinates is " + unit.dump() + "; it can be nm, um, mm, cm, dm, m or [in_i]");
+  }
+  frame.Factor = found->second[0];
+  frame.Divisor = found->second[1];
+  return frame;
+}
+
+/// 3D Slicer also saves points that are yet to be placed, with or without a position.
+bool IsPlaced(const Json& control)
+{
+  return control.value("positionStatus", Json("defined")) == "defined" &&
+    control.at("position") != "";
+}
+
+std::string LabelOf(const Json& control)
+{
+  return control.value("label", Json("")).get<std::string>();
+}
+
+CorrectionPoint PointOfControl(const Json& control, const MarkupsFrame& frame)
 {
   CorrectionPoint point;
-  std::istringstream label(control.at("label").get<std::string>());
+  std::istringstream label(LabelOf(control));
   std::string kind;
   std::string radius;
   label >> kind >> radius;
@@ -155,8 +212,8 @@ CorrectionPoint PointOfControl(const Json& control, bool isRAS)
     throw Failure("its position is not three numbers");
   }
   std::transform(position.begin(), position.end(), point.Place.begin(),
-    [](const Json& x) { return x.get<double>(); });
-  if (isRAS)
+    [&frame](const Json& x) { return x.get<double>() * frame.Factor / frame.Divisor; });
+  if (frame.IsRAS)
   {
     point.Place = SwapLpsRas(point.Place);
   }
@@ -183,23 +240,24 @@ std::vector<CorrectionPoint> PointsOfMarkups(const std::string& text)
   const Json content = Json::parse(text);
   for (const Json& list : content.at("markups").get_ref<const Json::array_t&>())
   {
-    // Files before version 1.0.1 have a number: 0 for RAS.
-    const Json system = list.value("coordinateSystem", Json("LPS"));
-    const std::string name = system.is_string() ? system.get<std::string>() : system.dump();
-    const bool isRAS = name == "RAS" || name == "0";
-    if (!isRAS && name != "LPS" && name != "1")
-    {
-      throw Failure("the coordinate system is " + system.dump() + "; it can be LPS or RAS");
-    }
+    const MarkupsFrame frame = FrameOf(list);
+    int number = 0;
     for (const Json& control : list.at("controlPoints").get_ref<const Json::array_t&>())
     {
+      ++number;
+      if (!IsPlaced(control))
+      {
+        continue;
+      }
       try
       {
-        points.push_back(PointOfControl(control, isRAS));
+        points.push_back(PointOfControl(control, frame));
       }
       catch (const Failure& failure)
       {
-        throw Failure("control point " + control.at("label").dump() + ": " + failure.what());
+        const std::string label = LabelOf(control);
+        throw Failure("control point " +
+          (label.empty() ? std::to_string(number) : Json(label).dump()) + ": " + failure.what());
       }
     }
   }

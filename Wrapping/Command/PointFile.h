@@ -1,7 +1,8 @@
 /**
  * Points that correct a segmentation, as files: tables (.csv) with the columns kind, x, y, z and
- * radius in LPS millimeters, and 3D Slicer's markups (.mrk.json), LPS or RAS as the file says,
- * where the kind is the first word of a control point's label, and a seed's radius the second one.
+ * radius in LPS millimeters, and 3D Slicer's markups (.mrk.json), LPS or RAS and in the unit that
+ * the file says, where the kind is the first word of a control point's label, and a seed's radius
+ * (mm) the second one. Control points that have not been placed are left out.
  * The package without VTK reads them, too (_point_files.py); a test holds the two together.
  */
 #ifndef FlipFreeCommandPointFile_h

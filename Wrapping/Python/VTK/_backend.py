@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkImageData, vtkPolyData
 
+from . import _pickles as _pickles  # of what results hold
 from ._corrections import SEED, Constraint
 from ._errors import EvaluationError, SegmentationError
 from ._parameters import names_of, snake_case

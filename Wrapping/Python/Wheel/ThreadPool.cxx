@@ -95,9 +95,9 @@ public:
   {
     const std::lock_guard<std::mutex> lock(this->Mutex);
     this->Works.push_back(work);
-    for (; this->Helpers < helpers; ++this->Helpers)
+    while (this->Helpers < helpers && this->HasStartedHelper())
     {
-      std::thread([this] { this->Help(); }).detach();
+      ++this->Helpers;
     }
     this->Changed.notify_all();
   }
@@ -109,6 +109,21 @@ public:
   }
 
 private:
+  // Containers and login nodes limit threads. Where no more can be had, those that there are do the
+  // work, the caller among them.
+  bool HasStartedHelper()
+  {
+    try
+    {
+      std::thread([this] { this->Help(); }).detach();
+    }
+    catch (const std::exception&) // std::system_error, or no memory for its stack
+    {
+      return false;
+    }
+    return true;
+  }
+
   void Help()
   {
     for (;;)

@@ -2,8 +2,9 @@
  * Threads for the kernels, where there are no VTK's.
  *
  * Whoever calls For() works along, and waits only for parts that another thread has begun. So work
- * gets done however few threads there are, several callers may come at once, and what a part calls
- * in turn runs in the part's own thread.
+ * gets done however few threads there are, be they fewer than asked for because the system starts
+ * no more, several callers may come at once, and what a part calls in turn runs in the part's own
+ * thread.
  */
 #ifndef FlipFreeThreadPool_h
 #define FlipFreeThreadPool_h

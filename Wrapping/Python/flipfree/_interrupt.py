@@ -1,4 +1,4 @@
-"""Ctrl-C while C++ code runs that calls back into Python now and then.
+"""Ctrl-C, timeouts and other signals while C++ code runs that calls back into Python now and then.
 
 Python runs a signal's handler between any two of its instructions, the first ones of a callback
 included, before they can catch what the handler raises. So another handler takes its place, which
@@ -14,32 +14,40 @@ from typing import Any
 
 
 class Interrupt:
-    """Holds SIGINT back until deliver(), or until the end of the with statement."""
+    """Holds signals that the program handles back until deliver(), or until the with statement ends."""
 
     def __init__(self) -> None:
-        self._handler: Any = None
-        self._frame: FrameType | None = None
-        self._is_pending = False
+        self._handlers: dict[int, Any] = {}
+        self._pending: dict[int, FrameType | None] = {}
+        self._is_holding = False
 
     def __enter__(self) -> Interrupt:
-        handler = signal.getsignal(signal.SIGINT)
         # Handlers run in the main thread alone; and one that is no function is the system's own.
-        if callable(handler) and threading.current_thread() is threading.main_thread():
-            self._handler = handler
-            signal.signal(signal.SIGINT, self._note)
+        if threading.current_thread() is threading.main_thread():
+            for number in signal.valid_signals():
+                handler = signal.getsignal(number)
+                if callable(handler):
+                    self._handlers[number] = handler
+                    signal.signal(number, self._note)
+        self._is_holding = True
         return self
 
     def __exit__(self, *_: object) -> None:
-        if self._handler is not None:
-            signal.signal(signal.SIGINT, self._handler)
-            self.deliver()
+        self._is_holding = False
+        for number, handler in self._handlers.items():
+            signal.signal(number, handler)
+        self.deliver()
 
     def deliver(self) -> None:
-        """Calls the program's own handler, which usually raises KeyboardInterrupt."""
-        if self._is_pending:
-            self._is_pending = False
-            self._handler(signal.SIGINT, self._frame)
+        """Calls the program's own handlers; that of Ctrl-C usually raises KeyboardInterrupt."""
+        while self._pending:
+            number, frame = self._pending.popitem()
+            self._handlers[number](number, frame)
 
-    def _note(self, _signal: int, frame: FrameType | None) -> None:
-        self._frame = frame
-        self._is_pending = True
+    def _note(self, number: int, frame: FrameType | None) -> None:
+        # A handler may raise while others are being replaced or put back; what then stays behind
+        # passes its signal on.
+        if self._is_holding:
+            self._pending[number] = frame
+        else:
+            self._handlers[number](number, frame)

@@ -80,7 +80,8 @@ def segment(
         intersect itself.
     progress
         A function that is called with fractions from 0 to 1, or True for a bar. An exception that
-        it raises ends the segmentation and is raised again, as is the KeyboardInterrupt of Ctrl-C.
+        it raises ends the segmentation and is raised again, as is the KeyboardInterrupt of Ctrl-C or
+        what the handler of another signal raises (a timeout).
 
     Raises SegmentationError if there is no segmentation, FileError if the file cannot be read,
     TypeError and ValueError for parameters that do not exist or are out of range. Issues a

@@ -22,8 +22,10 @@ def replacing(path: PathName) -> Iterator[str]:
     The name has the ending of the path's. Raises FileError for what the operating system refuses.
     """
     name = os.fspath(path)
+    # Of a symbolic link, what it leads to is replaced.
+    target = os.path.realpath(name)
     try:
-        folder = tempfile.mkdtemp(prefix=".flipfree-", dir=os.path.dirname(name) or ".")
+        folder = tempfile.mkdtemp(prefix=".flipfree-", dir=os.path.dirname(target))
     except OSError as error:
         raise _refusal(name, error) from error
     try:
@@ -31,7 +33,9 @@ def replacing(path: PathName) -> Iterator[str]:
         yield temporary
         with open(temporary, "rb+") as file:
             os.fsync(file.fileno())
-        os.replace(temporary, name)
+        if os.path.isfile(target):
+            shutil.copymode(target, temporary)
+        os.replace(temporary, target)
     except FileError:
         raise
     except OSError as error:

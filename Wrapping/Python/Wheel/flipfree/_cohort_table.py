@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import csv
 import difflib
 import hashlib
 import math
@@ -13,8 +12,10 @@ from dataclasses import dataclass, field, replace
 from typing import Any, get_args
 
 from ._backend import SCORE_COLUMNS, SEGMENT_PARAMETERS, TRACE_PARAMETERS
+from ._cohort_csv import read_csv, set_decimal_points, tidied
 from ._cohort_points import CORRECTIONS, Cell, cell_of, text_of
-from ._errors import FileError, FlipFreeError
+from ._errors import FlipFreeError
+from ._messages import listed
 from ._parameters import Parameter
 from ._point_files import finite
 from ._types import PathName, Preset
@@ -22,6 +23,10 @@ from ._types import PathName, Preset
 SEED = ("seed_x", "seed_y", "seed_z", "radius")
 REQUIRED = ("volume", *SEED)
 OPTIONAL = ("case", "organ", "reference", "reference_label", "preset", "points", *CORRECTIONS)
+KNOWN = (*REQUIRED, *OPTIONAL, *SEGMENT_PARAMETERS, *TRACE_PARAMETERS)
+# All but the texts are numbers, or lists of them.
+TEXTS = ("volume", "case", "organ", "reference", "preset", "corrections")
+NUMERIC = tuple(column for column in KNOWN if column not in TEXTS)
 # The scores in a row and their columns, which name the unit: asd_mm.
 SCORES = {
     name: "_".join(filter(None, (name, unit)))
@@ -76,39 +81,26 @@ class Row:
 
 def rows_of(table: PathName | Iterable[Mapping[str, Any]]) -> list[Row]:
     """The rows of a CSV file, a list of mappings or a data frame; files are found from the table's folder."""
+    may_have_commas = False
     if isinstance(table, (str, os.PathLike)):
         name = os.fspath(table)
-        columns, rows = _read(name)
+        columns, rows, may_have_commas = read_csv(name)
         folder = os.path.dirname(os.path.abspath(name))
     else:
         name, folder = "table", os.getcwd()
         records = table.to_dict("records") if hasattr(table, "to_dict") else list(table)
-        rows = [{key: text_of(value) for key, value in record.items()} for record in records]
+        texts = [{str(key): text_of(value) for key, value in record.items()} for record in records]
+        rows = [row for row in texts if any(text.strip() for text in row.values())]
         columns = list(dict.fromkeys(column for row in rows for column in row))
+    columns, rows = tidied(name, columns, rows, {*KNOWN, *RESULTS})
     _require_columns(name, columns)
+    if may_have_commas:
+        set_decimal_points(name, rows, NUMERIC)
     if not rows:
         raise FlipFreeError(f"'{name}' has no rows. Give one row per organ or vessel.")
     made = [_row(cells, folder, number) for number, cells in enumerate(rows, 1)]
     _require_distinct(name, made)
     return made
-
-
-def _read(name: str) -> tuple[list[str], list[dict[str, str]]]:
-    try:
-        with open(name, encoding="utf-8-sig", newline="") as file:
-            reader = csv.DictReader(file, restkey="", restval="")
-            rows = [row for row in reader if any(row.values())]
-            columns = list(reader.fieldnames or [])
-    except OSError as error:
-        raise FileError(
-            f"'{name}' cannot be read ({error.strerror}). Check its name and permissions."
-        ) from error
-    except (UnicodeDecodeError, csv.Error) as error:
-        raise FileError(f"'{name}' is not a CSV file in UTF-8 ({error}). Save the table as CSV in UTF-8.") from error
-    long = next((row for row in rows if "" in row), None)
-    if long is not None:
-        raise FileError(f"'{name}': a row has more cells than there are columns: {list(long.values())}.")
-    return columns, rows
 
 
 def _require_columns(name: str, columns: list[str]) -> None:
@@ -119,16 +111,16 @@ def _require_columns(name: str, columns: list[str]) -> None:
         raise FlipFreeError(
             f"'{name}' lacks the columns {', '.join(lacking)}; it has {', '.join(columns) or 'none'}."
             + (" Vessels have points in their place." if set(lacking) & set(SEED) else "")
+            + (" Separate cells by commas, semicolons or tabs." if not set(columns) & set(KNOWN) else "")
         )
     taken = [column for column in columns if column in RESULTS]
     if taken:
         raise FlipFreeError(
             f"'{name}': the column '{taken[0]}' has the name of a result. Rename it or leave it out."
         )
-    known = [*REQUIRED, *OPTIONAL, *SEGMENT_PARAMETERS, *TRACE_PARAMETERS]
     for column in columns:
-        near = difflib.get_close_matches(column, known, n=1, cutoff=0.85)
-        if column not in known and near:
+        near = difflib.get_close_matches(column.lower(), KNOWN, n=1, cutoff=0.85)
+        if column not in KNOWN and near:
             raise FlipFreeError(
                 f"'{name}': the column '{column}' is nearly '{near[0]}'. Correct it, or rename it if it "
                 "is something else."
@@ -189,13 +181,16 @@ def _name(given: Mapping[str, str]) -> str:
 
 
 def _require_distinct(name: str, rows: list[Row]) -> None:
-    seen: set[str] = set()
+    numbers: dict[str, list[int]] = {}
     for row in rows:
-        if row.name.lower() in seen:
+        numbers.setdefault(row.name.lower(), []).append(row.number)
+    for row in rows:
+        same = numbers[row.name.lower()]
+        if len(same) > 1:
             raise FlipFreeError(
-                f"'{name}': two rows are called '{row.name}'. Give each its own pair of case and organ."
+                f"'{name}': rows {listed(map(str, same))} are all called '{row.name}'. Give each its own pair of "
+                "case and organ, or remove what is there twice."
             )
-        seen.add(row.name.lower())
 
 
 def _parameters(

@@ -91,13 +91,14 @@ def require_place(path: str, inputs: list[str]) -> None:
         raise WrongUsage(
             f"'{path}' is an input, which would be overwritten. Give the result another name"
         )
-    folder = os.path.dirname(path) or "."
+    folder = os.path.dirname(os.path.realpath(path))
     if os.path.exists(folder) and not os.path.isdir(folder):
         raise FileError(f"'{path}' cannot be written: '{folder}' is not a folder. Write elsewhere.")
-    if os.path.isdir(path) or not os.access(folder, os.W_OK):
+    if os.path.exists(path) and not os.path.isfile(path):
+        raise FileError(f"'{path}' cannot be written: it is no regular file. Give another name.")
+    if not os.access(folder, os.W_OK):
         raise FileError(
-            f"'{path}' cannot be written: it is a folder, or its folder does not exist or is not "
-            "writable."
+            f"'{path}' cannot be written: its folder does not exist or is not writable. Write elsewhere."
         )
 
 

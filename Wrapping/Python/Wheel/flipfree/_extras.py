@@ -21,13 +21,17 @@ def needed(module: str, what: str, extra: str) -> Any:
     try:
         return importlib.import_module(module)
     except ImportError as error:
-        raise FlipFreeError(missing(module, what, extra)) from error
+        raise FlipFreeError(missing(module, what, extra, error)) from error
 
 
-def missing(module: str, what: str, extra: str) -> str:
-    """The message."""
+def missing(module: str, what: str, extra: str, error: ImportError) -> str:
+    """The message: whether it is not installed, or why it cannot be loaded."""
     package = module.partition(".")[0]
-    return f"{what} needs {package}, which is not installed: {remedy(extra)}"
+    # VTK's is vtkmodules.
+    if isinstance(error, ModuleNotFoundError) and (error.name or "").startswith(package):
+        return f"{what} needs {package}, which is not installed: {remedy(extra)}"
+    reason = " ".join(str(error).split())
+    return f"{what} needs {package}, which is installed but cannot be loaded ({reason}): install it anew"
 
 
 def remedy(extra: str) -> str:
@@ -45,7 +49,7 @@ def simpleitk(name: str, instead: str = "") -> Any:
         sitk = importlib.import_module("SimpleITK")
     except ImportError as error:
         raise FileError(
-            f"'{name}': {missing('SimpleITK', 'an image file', 'io')}{instead}"
+            f"'{name}': {missing('SimpleITK', 'an image file', 'io', error)}{instead}"
         ) from error
     sitk.ProcessObject.SetGlobalWarningDisplay(False)
     return sitk

@@ -16,6 +16,7 @@ from ._atomic import write_text
 from ._coordinates import swap_lps_ras
 from ._corrections import SEED, Constraint
 from ._errors import FileError
+from ._messages import listed
 from ._unreadable import unreadable
 
 ENDINGS = (".csv", ".mrk.json")
@@ -26,6 +27,16 @@ SCHEMA = (
     "Schema/markups-schema-v1.0.3.json#"
 )
 SPACE = " \t\r"
+# Millimeters per unit, by UCUM's codes: a factor, and a divisor, so that whole micrometers are exact.
+UNITS = {
+    "nm": (1.0, 1e6),
+    "um": (1.0, 1e3),
+    "mm": (1.0, 1.0),
+    "cm": (10.0, 1.0),
+    "dm": (100.0, 1.0),
+    "m": (1000.0, 1.0),
+    "[in_i]": (25.4, 1.0),
+}
 
 
 class _Wrong(Exception):
@@ -59,7 +70,7 @@ def write_points(path: str, constraints: Sequence[Constraint]) -> None:
 def _read(
     path: str,
     of_cells: Callable[[list[str], bool], Any],
-    of_control: Callable[[dict[str, Any], list[float]], Any],
+    of_control: Callable[[str, list[float]], Any],
     columns: str,
 ) -> list[Any]:
     text = _text_of(path)
@@ -140,32 +151,51 @@ def _place_of_cells(cells: list[str], is_first: bool) -> tuple[float, ...] | Non
     return tuple(_number(cell) for cell in cells)
 
 
-def _of_markups(text: str, of_control: Callable[[dict[str, Any], list[float]], Any]) -> list[Any]:
+def _of_markups(text: str, of_control: Callable[[str, list[float]], Any]) -> list[Any]:
     found = []
     content = json.loads(text, parse_float=_json_float, parse_int=_json_int, parse_constant=_json_float)
     _dumped(content).encode()  # not all that JSON can spell is text
     for group in _list(content["markups"]):
-        # Files before version 1.0.1 have a number: 0 for RAS.
-        system = group.get("coordinateSystem", "LPS")
-        name = system if isinstance(system, str) else _dumped(system)
-        if name not in ("LPS", "RAS", "0", "1"):
-            raise _Wrong(f"the coordinate system is {_dumped(system)}; it can be LPS or RAS")
-        for control in _list(group["controlPoints"]):
-            if not isinstance(control["label"], str):
+        is_ras, unit = _frame(group)
+        for number, control in enumerate(_list(group["controlPoints"]), 1):
+            if not _is_placed(control):
+                continue
+            label = control.get("label", "")
+            if not isinstance(label, str):
                 raise TypeError("label")
-            place = _list(control["position"])
+            position = _list(control["position"])
             try:
-                if len(place) != 3 or not all(type(x) in (int, float) for x in place):
+                if len(position) != 3 or not all(type(x) in (int, float) for x in position):
                     raise _Wrong("its position is not three numbers")
-                point = [float(x) for x in place]
-                found.append(of_control(control, swap_lps_ras(point) if name in ("RAS", "0") else point))
+                place = [float(x) * UNITS[unit][0] / UNITS[unit][1] for x in position]
+                found.append(of_control(label, swap_lps_ras(place) if is_ras else place))
             except _Wrong as error:
-                raise _Wrong(f"control point {_dumped(control['label'])}: {error}") from error
+                raise _Wrong(f"control point {_dumped(label) if label else number}: {error}") from error
     return found
 
 
-def _constraint_of_control(control: dict[str, Any], place: list[float]) -> Constraint:
-    words = [*re.findall(r"[^ \t\n\v\f\r]+", control["label"]), "", ""]
+def _frame(group: dict[str, Any]) -> tuple[bool, str]:
+    """Whether the coordinates are RAS, and their unit."""
+    # Files before version 1.0.1 have a number: 0 for RAS.
+    system = group.get("coordinateSystem", "LPS")
+    name = system if isinstance(system, str) else _dumped(system)
+    if name not in ("LPS", "RAS", "0", "1"):
+        raise _Wrong(f"the coordinate system is {_dumped(system)}; it can be LPS or RAS")
+    # From version 1.0.4 on, the code is the first word of a coded entry.
+    unit = group.get("coordinateUnits", "mm")
+    unit = unit[0] if isinstance(unit, list) and unit else unit
+    if not isinstance(unit, str) or unit not in UNITS:
+        raise _Wrong(f"the unit of coordinates is {_dumped(unit)}; it can be {listed(tuple(UNITS), 'or')}")
+    return name in ("RAS", "0"), unit
+
+
+def _is_placed(control: dict[str, Any]) -> bool:
+    """3D Slicer also saves points that are yet to be placed, with or without a position."""
+    return bool(control.get("positionStatus", "defined") == "defined" and control["position"] != "")
+
+
+def _constraint_of_control(label: str, place: list[float]) -> Constraint:
+    words = [*re.findall(r"[^ \t\n\v\f\r]+", label), "", ""]
     # 3D Slicer numbers its points: inside-1.
     kind = _lower(re.split("[-_]", words[0])[0])
     try:
@@ -174,7 +204,7 @@ def _constraint_of_control(control: dict[str, Any], place: list[float]) -> Const
         raise _Wrong(f"{error}; its label begins with its kind") from error
 
 
-def _place_of_control(_control: dict[str, Any], place: list[float]) -> tuple[float, ...]:
+def _place_of_control(_label: str, place: list[float]) -> tuple[float, ...]:
     return tuple(place)
 
 

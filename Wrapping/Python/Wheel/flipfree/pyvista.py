@@ -20,7 +20,7 @@ from ._extras import missing
 try:
     import pyvista
 except ModuleNotFoundError as error:
-    raise ImportError(missing("pyvista", "flipfree.pyvista", "pyvista")) from error
+    raise ImportError(missing("pyvista", "flipfree.pyvista", "pyvista", error)) from error
 
 from ._evaluate import Scores
 from ._evaluate import evaluate as evaluate_segmentation

@@ -23,7 +23,7 @@ try:
     from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkImageData, vtkPolyData, vtkTable
     from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline
 except ModuleNotFoundError as error:
-    raise ImportError(missing("vtk", "flipfree.vtk", "pyvista")) from error
+    raise ImportError(missing("vtk", "flipfree.vtk", "pyvista", error)) from error
 
 from ._backend import SEGMENT_PARAMETERS, SegmentationAlgorithm
 from ._errors import FlipFreeError
