@@ -137,4 +137,62 @@ TEST(TestSegmentFiles, RefuseWhatIsNoLabelMap)
   EXPECT_EQ(folder.NumberOfFiles(), 0);
 }
 
+/// Two layers of 2 x 2 x 1 voxels, in which label 1 means two segments.
+std::string TwoLayers(bool interleaved)
+{
+  const std::string sizes = interleaved ? "2 2 2 1" : "2 2 1 2";
+  const std::string first = interleaved ? "none " : "";
+  const std::string last = interleaved ? "" : " none";
+  const std::string voxels =
+    interleaved ? std::string("\1\0\1\1\0\1\2\1", 8) : std::string("\1\1\0\2\0\1\1\1", 8);
+  return "NRRD0004\ntype: uint8\ndimension: 4\nspace: left-posterior-superior\nsizes: " + sizes +
+    "\nspace directions: " + first + "(1,0,0) (0,1,0) (0,0,1)" + last +
+    "\nkinds: " + (interleaved ? "list domain domain domain" : "domain domain domain list") +
+    "\nencoding: raw\nspace origin: (0,0,0)\nSegment0_ID:=a\nSegment0_Name:=Liver\n"
+    "Segment0_LabelValue:=1\nSegment0_Layer:=0\nSegment1_ID:=b\nSegment1_Name:=left kidney\n"
+    "Segment1_LabelValue:=2\nSegment1_Layer:=0\nSegment2_ID:=c\nSegment2_Name:=tumor\n"
+    "Segment2_LabelValue:=1\nSegment2_Layer:=1\n\n" +
+    voxels;
+}
+
+TEST(TestSegmentFiles, AreReadByLayersOfNamedSegments)
+{
+  ExampleImages::Folder folder;
+  for (const bool interleaved : { true, false })
+  {
+    const std::string name = folder / "layers.seg.nrrd";
+    ExampleImages::WriteBytes(name, TwoLayers(interleaved));
+    ImageFiles::ExpectRefusal(name, { "2 layers", "'Liver', 'left kidney', 'tumor'" });
+    vtkNew<vtkMedicalImageReader> reader;
+    reader->SetFileName(name.c_str());
+    const auto expect = [&](const char* segment, int label, const std::vector<int>& voxels)
+    {
+      reader->SetSegment(segment);
+      reader->Update();
+      EXPECT_EQ(reader->GetErrorCode(), vtkErrorCode::NoError);
+      EXPECT_EQ(reader->GetSegmentLabel(), label);
+      ASSERT_EQ(reader->GetOutput()->GetNumberOfPoints(), 4);
+      for (int voxel = 0; voxel < 4; ++voxel)
+      {
+        EXPECT_EQ(reader->GetOutput()->GetPointData()->GetScalars()->GetTuple1(voxel),
+          voxels[voxel]);
+      }
+    };
+    expect("Left Kidney", 2, { 1, 1, 0, 2 });
+    expect("tumor", 1, { 0, 1, 1, 1 });
+  }
+  const auto labels = TwoLabels();
+  ASSERT_EQ(Write(labels, folder / "labels.nii.gz"), 1);
+  vtkNew<vtkMedicalImageReader> reader;
+  reader->SetFileName((folder / "labels.nii.gz").c_str());
+  reader->Update();
+  EXPECT_EQ(reader->GetSegmentLabel(), -1);
+  reader->SetSegment("5");
+  reader->Update();
+  EXPECT_EQ(reader->GetSegmentLabel(), 5);
+  reader->SetSegment("liver");
+  ExampleImages::ExpectRefusal(reader, { "labels.nii.gz", "names no segments" },
+    [&reader]() { reader->Update(); });
+}
+
 } // namespace
