@@ -79,12 +79,12 @@ struct BallVolume
     return part;
   }
 
-  VolumeSegmentation Segment(const ConstraintList& constraints = {}) const
+  VolumeSegmentation Segment(const ConstraintList& constraints = {}, double seedRadius = 8) const
   {
     VolumeSegmentationSettings settings;
     settings.Method.Schedule.Resolution = 12;
     return VolumeSegmenter(GrayVolumeOf(ImageView<float>{ this->Voxels.data(), this->Geometry }),
-      "it", { this->Center, 8 }, nullptr, settings, {})
+      "it", { this->Center, seedRadius }, nullptr, settings, {})
       .Segment(constraints, NeverStop,
         [](const ContourMesh&, const PointList&, const CorrespondenceField&,
           const IterationRecord&) {});
@@ -219,8 +219,8 @@ TEST(NoData, InAnOrganIsEnclosedAsAHole)
 {
   BallVolume ball;
   ball.Clear(NotANumber,
-    [&](const Eigen::Vector3d& place) { return (place - Eigen::Vector3d(40, 40, 51)).norm() < 3; });
-  const VolumeSegmentation result = ball.Segment();
+    [&](const Eigen::Vector3d& place) { return (place - Eigen::Vector3d(50, 40, 40)).norm() < 3; });
+  const VolumeSegmentation result = ball.Segment({}, 5);
   EXPECT_GT(ball.WithoutDataIn(result), 5U);
   EXPECT_GT(Dice(ball.MaskOf(result), ball.Truth(IsEverywhere)), 0.96);
 }
@@ -229,16 +229,16 @@ TEST(NoData, NeitherSeedsNorInsideNorBoundaryPointsMayTouchIt)
 {
   BallVolume ball;
   ball.Clear(NotANumber, [](const Eigen::Vector3d& place) { return place[0] > 53; });
-  const Eigen::Vector3d in(55, 40, 40);
+  const Eigen::Vector3d in(54.5, 40, 40);
   const auto expectRefused = [&](const ConstraintList& constraints, const std::string& start)
   {
     const std::string message = MessageOf([&] { ball.Segment(constraints); });
     EXPECT_EQ(message.substr(0, start.size()), start);
   };
   expectRefused({ { ConstraintKind::Inside, in, 0 } },
-    "the inside point (55, 40, 40) mm touches a voxel without data (not a finite number), at "
+    "the inside point (54.5, 40, 40) mm touches a voxel without data (not a finite number), at "
     "(54, ");
-  expectRefused({ { ConstraintKind::Boundary, in, 0 } }, "the boundary point (55, 40, 40) mm ");
+  expectRefused({ { ConstraintKind::Boundary, in, 0 } }, "the boundary point (54.5, 40, 40) mm ");
   expectRefused({ { ConstraintKind::Seed, { 50, 40, 40 }, 5 } },
     "the sphere of the further seed at (50, 40, 40) mm touches a voxel without data");
   EXPECT_EQ(MessageOf(
