@@ -40,6 +40,7 @@ inside()
   # shellcheck disable=SC2016 # the variables are the inner shell's
   unshare --mount --pid --fork --kill-child --mount-proc="$root/proc" /bin/sh -ec '
     mount --rbind /dev "$1/dev"
+    mount --rbind /sys "$1/sys"
     chroot "$@" || exit
   ' sh "$root" /usr/bin/env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root DEBIAN_FRONTEND=noninteractive "$@"
 }
