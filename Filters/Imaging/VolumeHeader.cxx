@@ -139,6 +139,29 @@ int ScalarTypeOf(Component component)
     "64 bits, to float or to double.");
 }
 
+unsigned long ErrorCodeOf(FileProblem::Kind kind)
+{
+  switch (kind)
+  {
+    case FileProblem::Kind::Missing:
+      return vtkErrorCode::FileNotFoundError;
+    case FileProblem::Kind::Unrecognized:
+      return vtkErrorCode::UnrecognizedFileTypeError;
+    case FileProblem::Kind::Incomplete:
+      return vtkErrorCode::PrematureEndOfFileError;
+    case FileProblem::Kind::Unusable:
+      break;
+  }
+  return vtkErrorCode::FileFormatError;
+}
+
+int ScalarTypeOf(VoxelType type)
+{
+  constexpr int types[] = { VTK_SIGNED_CHAR, VTK_UNSIGNED_CHAR, VTK_SHORT, VTK_UNSIGNED_SHORT,
+    VTK_INT, VTK_UNSIGNED_INT, VTK_TYPE_INT64, VTK_TYPE_UINT64, VTK_FLOAT, VTK_DOUBLE };
+  return types[static_cast<int>(type)];
+}
+
 itk::ImageIOBase::IOComponentEnum ComponentOf(int scalarType)
 {
   for (const TypePair& pair : TypePairs)

@@ -7,6 +7,9 @@
 
 #include "KernelTypes.h"
 
+#include "Exchange/FileProblem.h"
+#include "Exchange/VoxelType.h"
+
 #include "itkImageIOBase.h"
 
 #include <stdexcept>
@@ -39,6 +42,12 @@ struct VolumeHeader
 /// The header that `io` has read from the file called `name`. Refuses what is not a volume of one
 /// number per voxel: 2D and 4D images, several components, a grid that is not invertible.
 VolumeHeader HeaderOf(const itk::ImageIOBase* io, const std::string& name);
+
+/// Of a problem of a file that is read: one of vtkErrorCode's.
+unsigned long ErrorCodeOf(FileProblem::Kind kind);
+
+/// VTK's name for the type.
+int ScalarTypeOf(VoxelType type);
 
 /// The VTK scalar type for ITK's; one and the same for all integers of 64 bits.
 int ScalarTypeOf(itk::ImageIOBase::IOComponentEnum component);

@@ -22,6 +22,7 @@ namespace Command
 struct OriginNames
 {
   std::string Image;       ///< a file or folder
+  std::string Series;      ///< of a folder of DICOM files
   std::string StartLabels; ///< a file
   std::vector<std::string> Fixed;
   std::vector<std::string> Organs; ///< in their order

@@ -5,10 +5,12 @@
 #include "Run.h"
 #include "UnreadableFile.h"
 
+#include "vtkFieldData.h"
 #include "vtkImageData.h"
 #include "vtkMedicalImageReader.h"
 #include "vtkMedicalImageWriter.h"
 #include "vtkNew.h"
+#include "vtkStringArray.h"
 
 #include <filesystem>
 
@@ -40,6 +42,18 @@ vtkSmartPointer<vtkImageData> ReadVolume(const std::string& name, const std::str
   const SilentLibraries silent;
   Run(reader, "reading");
   return reader->GetOutput();
+}
+
+std::string SeriesOf(vtkImageData* image)
+{
+  auto* const uid =
+    vtkStringArray::SafeDownCast(image->GetFieldData()->GetAbstractArray("SeriesUID"));
+  return uid && uid->GetNumberOfValues() == 1 ? uid->GetValue(0) : std::string();
+}
+
+std::string InputTitle(const std::string& name, const std::string& seriesUID)
+{
+  return name + (seriesUID.empty() ? "" : ", series " + seriesUID);
 }
 
 void WriteVolume(const std::string& name, vtkImageData* image)
