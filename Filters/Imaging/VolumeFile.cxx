@@ -2,7 +2,7 @@
 
 #include "BackgroundTask.h"
 #include "CompletenessCheck.h"
-#include "DicomFolder.h"
+#include "DicomLibraries.h"
 #include "VoxelStorage.h"
 
 #include "vtkErrorCode.h"

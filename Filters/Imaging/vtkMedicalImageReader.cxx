@@ -1,6 +1,6 @@
 #include "vtkMedicalImageReader.h"
 
-#include "DicomFolder.h"
+#include "DicomLibraries.h"
 #include "ExecutionAdapter.h"
 #include "ImageAdapter.h"
 #include "PipelineAdapter.h"
@@ -79,7 +79,8 @@ int vtkMedicalImageReader::RequestInformation(vtkInformation*, vtkInformationVec
     std::error_code ignored;
     if (std::filesystem::is_directory(name, ignored))
     {
-      found.Folder = FlipFree::ReadDicomFolder(name, FlipFree::MonitorOf(this, 0, 0.5));
+      found.Folder = FlipFree::ReadDicomFolder(name, FlipFree::FilesInFolder(name),
+        FlipFree::DicomByLibraries(), FlipFree::MonitorOf(this, 0, 0.5));
       if (FlipFree::IsAborted(this))
       {
         return 0;
@@ -144,7 +145,8 @@ int vtkMedicalImageReader::RequestData(vtkInformation*, vtkInformationVector**,
     }
     else
     {
-      FlipFree::ReadDicomVoxels(found.Folder, *found.Chosen, scalars->GetVoidPointer(0), monitor);
+      FlipFree::ReadDicomVoxels(found.Folder, *found.Chosen, FlipFree::DicomByLibraries(),
+        scalars->GetVoidPointer(0), monitor);
       vtkNew<vtkStringArray> uid;
       uid->SetName("SeriesUID");
       uid->InsertNextValue(found.Chosen->Identifier());
@@ -204,10 +206,15 @@ bool vtkMedicalImageReader::FindSeries()
         "'" + std::string(this->FileName ? this->FileName : "") +
           "' is not a folder. Give the folder of DICOM files.");
     }
-    this->Found->Folder =
-      FlipFree::ReadDicomFolder(this->FileName, FlipFree::MonitorOf(this, 0, 1));
+    const std::string name = this->FileName;
+    this->Found->Folder = FlipFree::ReadDicomFolder(name, FlipFree::FilesInFolder(name),
+      FlipFree::DicomByLibraries(), FlipFree::MonitorOf(this, 0, 1));
+    if (FlipFree::IsAborted(this))
+    {
+      return false;
+    }
     FlipFree::RequireDicomVolumes(this->Found->Folder);
-    return !FlipFree::IsAborted(this);
+    return true;
   }
   catch (const std::exception& error)
   {

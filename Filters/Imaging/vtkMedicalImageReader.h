@@ -10,12 +10,13 @@
  *
  * A folder may hold several DICOM series, with and without preambles, of slices or of multi-frame
  * images, and much else beside them. A series may hold several volumes (times, echoes, stacks,
- * acquisitions at one place); each is chosen by `UID#1`, `UID#2` and so on, and in the following counts as a series.
- * They are listed by GetNumberOfSeries() and its companions once the information has been updated, or
- * FindSeries() was called; SeriesUID chooses one, and GetChosenSeriesUID() says which one was read.
- * Its slices are ordered by position. A tilted gantry gives a direction matrix that is not orthogonal,
- * so that each voxel stays where it was measured. Voxels are gray values, of the least integer type
- * that holds all that the pixels and the rescale slopes allow, or float where these are not whole.
+ * acquisitions at one place); each is chosen by `UID#1`, `UID#2` and so on, and in the following
+ * counts as a series. They are listed by GetNumberOfSeries() and its companions once the
+ * information has been updated, or FindSeries() was called; SeriesUID chooses one, and
+ * GetChosenSeriesUID() says which one was read. Its slices are ordered by position. A tilted gantry
+ * gives a direction matrix that is not orthogonal, so that each voxel stays where it was measured.
+ * Voxels are gray values, of the least integer type that holds all that the pixels and the rescale
+ * slopes allow, or float where these are not whole.
  *
  * What is no slice of the series is left out: objects without pixels, scouts, a slice that is there
  * twice, damaged files of other series. One warning says how many files, and why.
@@ -31,8 +32,8 @@
  * and 4D images; several components per voxel; a folder without DICOM images or without the wanted
  * series; a series of several volumes of which none is chosen; a damaged or unreadable file of the
  * series; missing slices; slices without a pixel spacing, a position or an orientation; slices that
- * are unevenly spaced. GetErrorCode() gives the vtkErrorCode. Slices that deviate from an even stack
- * by more than 1 % of the slice spacing give a warning, and by more than half of it an error.
+ * are unevenly spaced. GetErrorCode() gives the vtkErrorCode. Slices that deviate from an even
+ * stack by more than 1 % of the slice spacing give a warning, and by more than half of it an error.
  */
 #ifndef vtkMedicalImageReader_h
 #define vtkMedicalImageReader_h
@@ -66,17 +67,17 @@ public:
 
   ///@{
   /**
-   * Series Instance UID of the DICOM series to read, followed by `#1`, `#2` and so on where it holds
-   * several volumes. Empty or unset (the default) means the series with the greatest volume, that of
-   * the most slices. Not used for single files.
+   * Series Instance UID of the DICOM series to read, followed by `#1`, `#2` and so on where it
+   * holds several volumes. Empty or unset (the default) means the series with the greatest volume,
+   * that of the most slices. Not used for single files.
    */
   vtkSetStringMacro(SeriesUID);
   vtkGetStringMacro(SeriesUID);
   ///@}
 
   /**
-   * Lists the series of the folder FileName without choosing one, so that none needs to be readable.
-   * False, with an error, if there is none.
+   * Lists the series of the folder FileName without choosing one, so that none needs to be
+   * readable. False, with an error, if there is none.
    */
   bool FindSeries();
 
@@ -84,8 +85,8 @@ public:
   /**
    * The DICOM series that the last UpdateInformation() or FindSeries() found in the folder, the one
    * with the greatest volume first: what SeriesUID takes, Series Number, description, modality,
-   * number of slices, and why it cannot be read, if so. A single file has none. An index out of range
-   * gives empty texts, or no slices.
+   * number of slices, and why it cannot be read, if so. A single file has none. An index out of
+   * range gives empty texts, or no slices.
    */
   int GetNumberOfSeries();
   std::string GetSeriesUID(int index);

@@ -160,8 +160,8 @@ TEST(DicomDataSet, NeverMoreThanTheFileHolds)
   {
     ExampleDicom::Options options = SliceOptions();
     options.Pixels += options.Pixels;
-    originals.push_back(ExampleDicom::FileOf(ExampleDicom::Enhanced(options,
-      { { R"(0\0\0)" }, { R"(0\0\3)" } }, isDelimited)));
+    originals.push_back(ExampleDicom::FileOf(
+      ExampleDicom::Enhanced(options, { { R"(0\0\0)" }, { R"(0\0\3)" } }, isDelimited)));
   }
   std::mt19937 random(5);
   for (int attempt = 0; attempt < 3000; ++attempt)
@@ -216,10 +216,12 @@ TEST(DicomDataSet, TextForPeople)
 {
   DicomAttributes latin;
   latin.Add(DicomTag::SpecificCharacterSet, "ISO_IR 100");
-  latin.Add(DicomTag::SeriesDescription, "Sch\xE4"
-                                         "del\n");
-  EXPECT_EQ(DicomTextForPeople(latin, DicomTag::SeriesDescription), "Sch\xC3\xA4"
-                                                                    "del ");
+  latin.Add(DicomTag::SeriesDescription,
+    "Sch\xE4"
+    "del\n");
+  EXPECT_EQ(DicomTextForPeople(latin, DicomTag::SeriesDescription),
+    "Sch\xC3\xA4"
+    "del ");
   DicomAttributes broken;
   broken.Add(DicomTag::SpecificCharacterSet, "ISO_IR 192");
   broken.Add(DicomTag::SeriesDescription, "a\xC3");

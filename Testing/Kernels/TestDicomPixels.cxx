@@ -51,8 +51,9 @@ TEST(DicomPixels, TheLeastTypeThatHoldsAllValues)
     }
     return range.Type();
   };
-  const auto type = [&types](int stored, bool isSigned, double slope, double intercept)
-  { return types(stored, isSigned, { { slope, intercept } }); };
+  const auto type = [&types](int stored, bool isSigned, double slope, double intercept) {
+    return types(stored, isSigned, { { slope, intercept } });
+  };
   EXPECT_EQ(type(8, false, 1, 0), VoxelType::UInt8);
   EXPECT_EQ(type(12, false, 1, 0), VoxelType::UInt16);
   EXPECT_EQ(type(12, false, 1, -1024), VoxelType::Int16);
@@ -87,7 +88,7 @@ TEST(DicomPixels, RunLengthsOfEachFrame)
     bytes[8] = static_cast<char>(second);
     return bytes;
   };
-  const std::string high("\xFD\x01", 2);          // 1 1 1 1
+  const std::string high("\xFD\x01", 2);            // 1 1 1 1
   const std::string low("\xFF\x05\x01\x06\x07", 5); // 5 5 6 7
   const std::string frame = header(66) + high + low + std::string(1, '\0');
   ExampleDicom::Options options;
@@ -144,8 +145,8 @@ TEST(DicomPixels, WhatIsNotGrayOrNotThereIsSaid)
     std::istringstream stream(ExampleDicom::FileOf(ExampleDicom::Slice(wanted), syntax));
     return ReadDicomDataSet(stream);
   };
-  const auto why = [&](const ExampleDicom::Options& wanted,
-                     const std::string& syntax = "1.2.840.10008.1.2.1")
+  const auto why =
+    [&](const ExampleDicom::Options& wanted, const std::string& syntax = "1.2.840.10008.1.2.1")
   {
     const DicomDataSet data = parsed(wanted, syntax);
     return WhyNotGray(data) + WhyPixelsAreIncomplete(data);

@@ -27,7 +27,8 @@ public:
   }
 
   /// A slice with pixels of one value, at this height.
-  void AddSlice(const std::string& name, double z, ExampleDicom::Options options = {}, int value = 0)
+  void AddSlice(const std::string& name, double z, ExampleDicom::Options options = {},
+    int value = 0)
   {
     options.Instance += name;
     std::ostringstream position;
@@ -64,8 +65,8 @@ public:
     for (std::size_t index = 0; index < this->Names.size(); ++index)
     {
       std::istringstream stream(this->Bytes[index]);
-      files.push_back({ "folder/" + this->Names[index], this->Bytes[index].empty() ? "it is empty" : "",
-        ReadDicomDataSet(stream) });
+      files.push_back({ "folder/" + this->Names[index],
+        this->Bytes[index].empty() ? "it is empty" : "", ReadDicomDataSet(stream) });
     }
     return FindDicomVolumes("folder", std::move(files),
       [this](const DicomFile& file, std::size_t frame)
@@ -154,6 +155,12 @@ TEST(DicomVolumes, UnevenSlicesAreNotMissingOnes)
     z += slice < 10 ? 3 : 5;
   }
   ExpectRefusal(folder.Read(), { "unevenly spaced", "3 to 5 mm" });
+  ExampleFolder coarser; // every second one from the middle on
+  for (int slice = 0; slice < 20; ++slice)
+  {
+    coarser.AddSlice("a" + std::to_string(slice), 3 * (slice < 12 ? slice : 2 * slice - 11));
+  }
+  ExpectRefusal(coarser.Read(), { "unevenly spaced", "3 to 6 mm" });
   ExampleFolder little;
   for (int slice = 0; slice < 20; ++slice)
   {
@@ -201,8 +208,7 @@ TEST(DicomVolumes, EnhancedFramesByTheirPlaces)
   EXPECT_EQ(order, (std::vector<std::size_t>{ 1, 3, 0, 2 }));
   EXPECT_EQ(intercepts, (std::vector<double>{ 2, 4, 1, 3 }));
   EXPECT_EQ(volume.Type, VoxelType::Float32);
-  EXPECT_NEAR(
-    (volume.Geometry.ToPhysical({ 0, 0, 3 }) - Eigen::Vector3d(0, 3, 9)).norm(), 0, 1e-9);
+  EXPECT_NEAR((volume.Geometry.ToPhysical({ 0, 0, 3 }) - Eigen::Vector3d(0, 3, 9)).norm(), 0, 1e-9);
 
   auto gap = frames;
   gap[2].Position = R"(0\4\12)";
@@ -288,8 +294,8 @@ TEST(DicomVolumes, TheSameSliceTwice)
 {
   ExampleFolder folder;
   folder.AddSeries("a", 6);
-  folder.Add("a2 (copy).dcm", folder.Bytes[2]);       // the same instance
-  folder.AddSlice("again.dcm", 9, {}, 300);           // sent again as another
+  folder.Add("a2 (copy).dcm", folder.Bytes[2]); // the same instance
+  folder.AddSlice("again.dcm", 9, {}, 300);     // sent again as another
   const DicomFolder found = folder.Read();
   const DicomVolume& volume = ChooseDicomVolume(found, "");
   EXPECT_EQ(volume.Frames.size(), 6U);
@@ -350,6 +356,23 @@ TEST(DicomVolumes, ADamagedFileOfTheSeriesIsAnError)
   ExpectRefusal(folder.Read(), { "a3.dcm", "may be a slice" });
   folder.Bytes[3].clear();
   ExpectRefusal(folder.Read(), { "a3.dcm", "empty" });
+}
+
+TEST(DicomVolumes, ASliceCutOffAnywhereIsMissed)
+{
+  ExampleFolder folder;
+  folder.AddSeries("a", 4);
+  const std::string whole = folder.Bytes[0];
+  for (std::size_t size = 0; size < whole.size(); ++size)
+  {
+    folder.Bytes[0] = whole.substr(0, size);
+    if (size > 0 && size < 132)
+    {
+      continue; // no mark yet: another file
+    }
+    SCOPED_TRACE(size);
+    ExpectRefusal(folder.Read(), { "a0.dcm" });
+  }
 }
 
 TEST(DicomVolumes, BitDepthsAreWidened)

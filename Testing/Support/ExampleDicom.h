@@ -44,7 +44,8 @@ public:
   }
 
   /// With items of known length, or delimited ones.
-  DataSet& AddSequence(std::uint32_t tag, const std::vector<DataSet>& items, bool isDelimited = false)
+  DataSet& AddSequence(std::uint32_t tag, const std::vector<DataSet>& items,
+    bool isDelimited = false)
   {
     DataSet content(this->CodingOf);
     for (const DataSet& item : items)
@@ -171,8 +172,8 @@ struct Options
   std::string Colors = "MONOCHROME2";
   std::string Slope = "1";
   std::string Intercept = "0";
-  std::string Frames; // NumberOfFrames; none if it is empty
-  std::string Pixels; // of all frames
+  std::string Frames;                 // NumberOfFrames; none if it is empty
+  std::string Pixels;                 // of all frames
   std::vector<std::string> Fragments; // in place of these
 };
 
@@ -275,8 +276,8 @@ inline DataSet Enhanced(Options options, const std::vector<Frame>& frames, bool 
   const auto rescale = [how](const std::string& slope, const std::string& intercept)
   { return DataSet(how).Add(0x00281052, "DS", intercept).Add(0x00281053, "DS", slope); };
   DataSet shared(how);
-  shared.AddSequence(0x00209116,
-    { DataSet(how).Add(0x00200037, "DS", options.Orientation) }, isDelimited);
+  shared.AddSequence(0x00209116, { DataSet(how).Add(0x00200037, "DS", options.Orientation) },
+    isDelimited);
   shared.AddSequence(0x00289110, { DataSet(how).Add(0x00280030, "DS", options.Spacing) },
     isDelimited);
   shared.AddSequence(0x00289145, { rescale(options.Slope, options.Intercept) }, isDelimited);

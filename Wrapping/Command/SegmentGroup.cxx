@@ -202,8 +202,11 @@ public:
     this->Outputs.Commit();
   }
 
-  void Report() const { PrintReport(this->Group, InputTitle(this->Given.Input, this->Names.Series),
-      this->ReadingSeconds); }
+  void Report() const
+  {
+    PrintReport(this->Group, InputTitle(this->Given.Input, this->Names.Series),
+      this->ReadingSeconds);
+  }
 
 private:
   void WriteIfNamed(const std::string& name, const std::function<void(const std::string&)>& how)

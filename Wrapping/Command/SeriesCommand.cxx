@@ -65,6 +65,10 @@ void PrintSeries(vtkMedicalImageReader* reader)
       reader->GetSeriesDescription(index).c_str());
   }
   std::fflush(stdout);
+}
+
+void WarnOfProblems(vtkMedicalImageReader* reader)
+{
   for (int index = 0; index < reader->GetNumberOfSeries(); ++index)
   {
     if (!reader->GetSeriesProblem(index).empty())
@@ -140,10 +144,12 @@ void ListSeries(const SeriesList& list)
   {
     PrintSeries(reader);
   }
+  WarnOfProblems(reader);
 }
 
 const char* const SeriesFooter =
-  "What stands under UID is what 'flipfree segment --series' and 'flipfree trace --series' take. A\n"
+  "What stands under UID is what 'flipfree segment --series' and 'flipfree trace --series' take. "
+  "A\n"
   "series that holds several volumes (times, echoes, stacks) has a line for each: UID#1, UID#2.\n"
   "Objects without pixels, scouts and other files that are no slices are not listed. A series\n"
   "without a spacing cannot be read; a warning says why.\n"

@@ -172,7 +172,8 @@ void PrintSummary(vtkFlipFreeVesselSegmentation* filter, const Trace& trace)
   std::printf(
     "%s: %d %s, %d vertices, %s, %d self-intersections, support %.2f; path %.2f s, start %.2f s, "
     "deformation %.2f s, label map %.2f s\n",
-    InputTitle(trace.Input, trace.SeriesUID).c_str(), branches, branches == 1 ? "branch" : "branches",
+    InputTitle(trace.Input, trace.SeriesUID).c_str(), branches,
+    branches == 1 ? "branch" : "branches",
     static_cast<int>(filter->GetSurface()->GetNumberOfPoints()), filter->GetStopReasonAsString(),
     filter->GetNumberOfSelfIntersections(), filter->GetSupport(), seconds[0], seconds[1],
     seconds[2], seconds[3]);

@@ -1,5 +1,7 @@
 #include "Exchange/DicomDataSet.h"
 
+#include "Exchange/FileProblem.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -16,6 +18,7 @@ constexpr std::uint32_t UndefinedLength = 0xFFFFFFFF;
 constexpr std::uint32_t ItemTag = 0xFFFEE000;
 constexpr std::uint32_t EndOfItem = 0xFFFEE00D;
 constexpr std::uint32_t EndOfSequence = 0xFFFEE0DD;
+constexpr std::uint32_t MediaStorageSOPClassUID = 0x00020002;
 constexpr std::uint32_t FloatPixelData = 0x7FE00008;
 constexpr std::uint32_t DoubleFloatPixelData = 0x7FE00009;
 constexpr std::uint32_t PixelDataTag = 0x7FE00010;
@@ -74,7 +77,8 @@ bool IsFunctionalGroup(std::uint32_t tag)
 
 bool IsShortType(const std::string& type)
 {
-  static const std::string types = "AE AS AT CS DA DS DT FD FL IS LO LT PN SH SL SS ST TM UI UL US ";
+  static const std::string types =
+    "AE AS AT CS DA DS DT FD FL IS LO LT PN SH SL SS ST TM UI UL US ";
   return types.find(type + ' ') != std::string::npos;
 }
 
@@ -88,8 +92,9 @@ std::string WithoutPadding(const std::string& text)
 {
   const std::string padding(" \0\t\r\n", 5);
   const std::size_t first = text.find_first_not_of(padding);
-  return first == std::string::npos ? std::string()
-                                    : text.substr(first, text.find_last_not_of(padding) + 1 - first);
+  return first == std::string::npos
+    ? std::string()
+    : text.substr(first, text.find_last_not_of(padding) + 1 - first);
 }
 
 /// Numbers as DICOM writes them, whatever the locale of the program.
@@ -114,11 +119,11 @@ struct DicomElement
   std::string Type; // empty where the coding is implicit
 };
 
-/// Thrown and caught here alone.
-struct DicomDamage
+/// Thrown and caught here alone: what has been read stays.
+[[noreturn]] void StopReading(const std::string& why)
 {
-  std::string Why;
-};
+  throw FileProblem(FileProblem::Kind::Incomplete, why);
+}
 
 /// Reads forward within bounds; every length is checked before it is used.
 class DicomBytes
@@ -152,7 +157,7 @@ public:
     this->File.read(&bytes[0], length);
     if (!this->File)
     {
-      throw DicomDamage{ "the disk or the network failed while it was read" };
+      StopReading("the disk or the network failed while it was read");
     }
     this->At += length;
     return bytes;
@@ -162,8 +167,8 @@ public:
   std::string Peek(std::uint32_t length)
   {
     const std::uint64_t start = this->At;
-    const std::string bytes = this->Read(
-      static_cast<std::uint32_t>(std::min<std::uint64_t>(length, this->End - this->At)));
+    const std::string bytes =
+      this->Read(static_cast<std::uint32_t>(std::min<std::uint64_t>(length, this->End - this->At)));
     this->MoveTo(start);
     return bytes;
   }
@@ -185,7 +190,7 @@ public:
   {
     if (length > this->End - this->At)
     {
-      throw DicomDamage{ "it ends within an element" };
+      StopReading("it ends within an element");
     }
   }
 
@@ -293,7 +298,7 @@ public:
     {
       if (this->Data.IsDicom)
       {
-        throw DicomDamage{ "no data set follows its header" };
+        StopReading("no data set follows its header");
       }
       return;
     }
@@ -302,7 +307,7 @@ public:
     {
       this->ReadElements(this->Bytes.Size(), false, coding, &this->Data.Attributes, true, 0);
     }
-    catch (const DicomDamage&)
+    catch (const FileProblem&)
     {
       this->Recognize();
       throw;
@@ -334,13 +339,16 @@ private:
     const DicomCoding coding;
     for (std::string next = this->Bytes.Peek(6);
          next.size() == 6 && DicomNumberAt<std::uint16_t>(next, 0, false) == 2 &&
-         (IsShortType(next.substr(4)) || IsLongType(next.substr(4)) || this->Bytes.Position() > 128);
+         (IsShortType(next.substr(4)) || IsLongType(next.substr(4)) ||
+           this->Bytes.Position() > 128);
          next = this->Bytes.Peek(6))
     {
       const DicomElement element = this->Next(coding);
-      if (element.Tag == DicomTag::TransferSyntaxUID && element.Length <= LongestValue)
+      const bool isClass = element.Tag == MediaStorageSOPClassUID;
+      if ((element.Tag == DicomTag::TransferSyntaxUID || isClass) && element.Length <= LongestValue)
       {
-        this->Data.TransferSyntax = WithoutPadding(this->Bytes.Read(element.Length));
+        (isClass ? this->Data.MediaClass : this->Data.TransferSyntax) =
+          WithoutPadding(this->Bytes.Read(element.Length));
       }
       else
       {
@@ -395,7 +403,7 @@ private:
     }
     if (!IsLongType(element.Type))
     {
-      throw DicomDamage{ "an element has no known type" };
+      StopReading("an element has no known type");
     }
     element.Length = DicomNumberAt<std::uint32_t>(this->Bytes.Read(4), 0, big);
     return element;
@@ -408,7 +416,7 @@ private:
   {
     if (depth > DeepestSequence)
     {
-      throw DicomDamage{ "its sequences are nested without end" };
+      StopReading("its sequences are nested without end");
     }
     while (this->Bytes.Position() < end)
     {
@@ -419,11 +427,12 @@ private:
       }
       if (element.Tag >> 16 == 0xFFFE)
       {
-        throw DicomDamage{ "an item stands outside of a sequence" };
+        StopReading("an item stands outside of a sequence");
       }
       const bool isFloat = element.Tag == FloatPixelData || element.Tag == DoubleFloatPixelData;
       if (isTop && (element.Tag == PixelDataTag || isFloat))
       {
+        this->Data.HasFloatPixels = isFloat;
         if (!isFloat)
         {
           this->FindPixels(element, coding);
@@ -434,7 +443,7 @@ private:
     }
     if (isDelimited || this->Bytes.Position() > end)
     {
-      throw DicomDamage{ "it ends within a sequence" };
+      StopReading("it ends within a sequence");
     }
   }
 
@@ -464,7 +473,7 @@ private:
     }
     if (element.Length > LongestValue)
     {
-      throw DicomDamage{ "an element that describes the image is too long" };
+      StopReading("an element that describes the image is too long");
     }
     const bool isTyped = !element.Type.empty() && element.Type != "UN";
     into->Add(element.Tag,
@@ -488,7 +497,7 @@ private:
       }
       if (item.Tag != ItemTag)
       {
-        throw DicomDamage{ "a sequence holds what is not an item" };
+        StopReading("a sequence holds what is not an item");
       }
       if (hasFrames)
       {
@@ -501,7 +510,7 @@ private:
     }
     if (isOpen || this->Bytes.Position() > end)
     {
-      throw DicomDamage{ "it ends within a sequence" };
+      StopReading("it ends within a sequence");
     }
   }
 
@@ -509,7 +518,7 @@ private:
   {
     if (length > limit - std::min(limit, this->Bytes.Position()))
     {
-      throw DicomDamage{ "it ends within a sequence" };
+      StopReading("it ends within a sequence");
     }
     return this->Bytes.Position() + length;
   }
@@ -522,7 +531,7 @@ private:
       this->Data.Pixels = { this->Bytes.Position(), element.Length };
       if (element.Length > this->Bytes.Size() - this->Bytes.Position())
       {
-        throw DicomDamage{ "it ends within its pixels" };
+        StopReading("it ends within its pixels");
       }
       return;
     }
@@ -541,7 +550,7 @@ private:
       this->Data.Fragments.push_back({ this->Bytes.Position(), item.Length });
       this->Bytes.Skip(item.Length);
     }
-    throw DicomDamage{ "it ends within its pixels" };
+    StopReading("it ends within its pixels");
   }
 
   DicomBytes Bytes;
@@ -558,7 +567,8 @@ std::size_t Utf8LengthAt(const std::string& text, std::size_t at)
   // Second bytes that would make a letter longer than it has to be, or none.
   const int least = first == 0xE0 ? 0xA0 : first == 0xF0 ? 0x90 : 0x80;
   const int greatest = first == 0xED ? 0x9F : first == 0xF4 ? 0x8F : 0xBF;
-  bool isValid = first >= 0xC2 && first <= 0xF4 && byte(at + 1) >= least && byte(at + 1) <= greatest;
+  bool isValid =
+    first >= 0xC2 && first <= 0xF4 && byte(at + 1) >= least && byte(at + 1) <= greatest;
   for (std::size_t index = 2; index < length; ++index)
   {
     isValid = isValid && byte(at + index) >= 0x80 && byte(at + index) <= 0xBF;
@@ -625,11 +635,17 @@ DicomDataSet ReadDicomDataSet(std::istream& file, bool unpacked)
   {
     DicomParser(file, data).Run(unpacked);
   }
-  catch (const DicomDamage& damage)
+  catch (const FileProblem& damage)
   {
-    data.Damage = damage.Why;
+    data.Damage = damage.what();
   }
   return data;
+}
+
+std::string ClassOf(const DicomDataSet& data)
+{
+  const std::string& own = data.Attributes.Text(DicomTag::SOPClassUID);
+  return own.empty() ? data.MediaClass : own;
 }
 
 std::string DicomTextForPeople(const DicomAttributes& attributes, std::uint32_t tag)

@@ -1,8 +1,8 @@
 /**
  * What one DICOM file says, as far as volumes need it, and where its pixels are (DICOM PS3.5 and
  * PS3.10). Files come as archives leave them: with or without preamble and file meta information,
- * with padding behind the pixels, or cut off. Nothing in a file makes this code fail: where it cannot
- * go on, it stops, and says why.
+ * with padding behind the pixels, or cut off. Nothing in a file makes this code fail: where it
+ * cannot go on, it stops, and says why.
  */
 #ifndef FlipFreeDicomDataSet_h
 #define FlipFreeDicomDataSet_h
@@ -102,6 +102,7 @@ struct DicomDataSet
   /// Why the file could not be read to its pixels, or to its end if it has none; as the end of the
   /// sentence "... cannot be read: ". Empty where it could.
   std::string Damage;
+  std::string MediaClass;     ///< the SOP class, as the file meta information tells it
   std::string TransferSyntax; ///< empty if the file does not tell
   bool IsBigEndian = false;   ///< the pixels, too
   /// Whether the rest of the file, from DeflatedOffset on, is packed (RFC 1951) and was not read.
@@ -114,6 +115,7 @@ struct DicomDataSet
   std::vector<DicomAttributes> Frames;
 
   bool HasPixels = false;
+  bool HasFloatPixels = false; ///< instead: a map, not gray values
   bool IsEncapsulated = false;
   DicomRange Pixels; ///< not encapsulated
   /// Encapsulated: the first one holds the offsets of the frames, or nothing.
@@ -127,10 +129,13 @@ private:
   const DicomAttributes& Holder(std::uint32_t tag, std::size_t frame) const;
 };
 
-/// Reads what a file says; never throws because of what it is. A deflated file is read up to where it
-/// is packed. Its reader unpacks the rest, appends it to the beginning, and passes both together
+/// Reads what a file says; never throws because of what it is. A deflated file is read up to where
+/// it is packed. Its reader unpacks the rest, appends it to the beginning, and passes both together
 /// with `unpacked`.
 DicomDataSet ReadDicomDataSet(std::istream& file, bool unpacked = false);
+
+/// The SOP class: what kind of object the file holds; empty where it does not tell.
+std::string ClassOf(const DicomDataSet& data);
 
 /// Text in UTF-8 for people, by the file's character set; what that does not tell is shown as `?`.
 std::string DicomTextForPeople(const DicomAttributes& attributes, std::uint32_t tag);

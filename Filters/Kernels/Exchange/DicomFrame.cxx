@@ -34,7 +34,8 @@ std::string ReadSpacing(const DicomDataSet& data, DicomFrame& frame)
   {
     return data.TextOf(DicomTag::ImagerPixelSpacing, frame.Number).empty()
       ? "has no PixelSpacing" + remedy
-      : "has no PixelSpacing but only ImagerPixelSpacing, which is measured at the detector and not "
+      : "has no PixelSpacing but only ImagerPixelSpacing, which is measured at the detector and "
+        "not "
         "in the patient" +
         remedy;
   }
@@ -54,7 +55,8 @@ std::string ReadAxes(const DicomDataSet& data, DicomFrame& frame)
 {
   const std::string remedy = ", so its place in the patient is unknown. Export the series again "
                              "with it, or choose another one";
-  const std::vector<double> numbers = data.NumbersOf(DicomTag::ImageOrientationPatient, frame.Number);
+  const std::vector<double> numbers =
+    data.NumbersOf(DicomTag::ImageOrientationPatient, frame.Number);
   if (numbers.empty() && data.TextOf(DicomTag::ImageOrientationPatient, frame.Number).empty())
   {
     return "has no ImageOrientationPatient" + remedy;
@@ -64,9 +66,9 @@ std::string ReadAxes(const DicomDataSet& data, DicomFrame& frame)
   if (isGood)
   {
     frame.Axes = Eigen::Map<const Eigen::Matrix<double, 3, 2>>(numbers.data()).array() + 0.0;
-    isGood = (frame.Axes.transpose() * frame.Axes - Eigen::Matrix2d::Identity())
-               .cwiseAbs()
-               .maxCoeff() < tolerance;
+    isGood =
+      (frame.Axes.transpose() * frame.Axes - Eigen::Matrix2d::Identity()).cwiseAbs().maxCoeff() <
+      tolerance;
   }
   return isGood ? ""
                 : "has the ImageOrientationPatient " +

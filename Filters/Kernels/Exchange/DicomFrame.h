@@ -1,7 +1,7 @@
 /**
  * One frame of a DICOM file: a file that is a slice has one, enhanced and other multi-frame images
- * have many. Says where the frame lies in the patient and which gray values its pixels mean, or what
- * the file leaves open.
+ * have many. Says where the frame lies in the patient and which gray values its pixels mean, or
+ * what the file leaves open.
  */
 #ifndef FlipFreeDicomFrame_h
 #define FlipFreeDicomFrame_h
@@ -39,7 +39,9 @@ struct DicomFrame
 
   Eigen::Vector3d Normal() const
   {
-    return Eigen::Vector3d(this->Axes.col(0)).cross(Eigen::Vector3d(this->Axes.col(1))).normalized();
+    return Eigen::Vector3d(this->Axes.col(0))
+      .cross(Eigen::Vector3d(this->Axes.col(1)))
+      .normalized();
   }
 };
 

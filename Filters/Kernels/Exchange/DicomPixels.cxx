@@ -37,7 +37,8 @@ std::uint32_t LittleEndianNumber(const std::string& bytes, std::size_t offset)
   std::uint32_t number = 0;
   for (int byte = 3; byte >= 0; --byte)
   {
-    number = number << 8 | static_cast<unsigned char>(bytes[offset + static_cast<std::size_t>(byte)]);
+    number =
+      number << 8 | static_cast<unsigned char>(bytes[offset + static_cast<std::size_t>(byte)]);
   }
   return number;
 }
@@ -82,9 +83,8 @@ std::vector<DicomRange> FragmentsOf(std::istream& file, const DicomDataSet& data
   }
   const std::uint64_t start = fragments.front().Offset - 8;
   const std::uint64_t first = start + LittleEndianNumber(offsets, 4 * frame);
-  const std::uint64_t next = frame + 1 < frames
-    ? start + LittleEndianNumber(offsets, 4 * frame + 4)
-    : std::numeric_limits<std::uint64_t>::max();
+  const std::uint64_t next = frame + 1 < frames ? start + LittleEndianNumber(offsets, 4 * frame + 4)
+                                                : std::numeric_limits<std::uint64_t>::max();
   std::vector<DicomRange> own;
   for (const DicomRange& fragment : fragments)
   {
@@ -96,7 +96,8 @@ std::vector<DicomRange> FragmentsOf(std::istream& file, const DicomDataSet& data
   return own;
 }
 
-/// PackBits; false where it does not give all bytes of a plane. Bytes go to every `stride`-th place.
+/// PackBits; false where it does not give all bytes of a plane. Bytes go to every `stride`-th
+/// place.
 bool UnpackRun(const std::string& packed, std::size_t begin, std::size_t end, std::size_t count,
   std::size_t stride, char* plane)
 {
@@ -139,8 +140,7 @@ std::string UnpackRle(const std::string& packed, const DicomPixelFormat& format)
     const std::size_t end =
       plane + 1 < planes ? LittleEndianNumber(packed, 4 * plane + 8) : packed.size();
     if (begin < headerSize || begin > end || end > packed.size() ||
-      !UnpackRun(packed, begin, end, format.NumberOfPixels(), planes,
-        &stored[planes - 1 - plane]))
+      !UnpackRun(packed, begin, end, format.NumberOfPixels(), planes, &stored[planes - 1 - plane]))
     {
       return {};
     }
@@ -262,8 +262,8 @@ constexpr TypeRange IntegerRanges[] = { { VoxelType::UInt8, 0, 255 },
 
 std::size_t NumberOfDicomFrames(const DicomDataSet& data)
 {
-  return static_cast<std::size_t>(data.Attributes.Integer(DicomTag::NumberOfFrames, 1,
-    std::numeric_limits<int>::max(), 1));
+  return static_cast<std::size_t>(
+    data.Attributes.Integer(DicomTag::NumberOfFrames, 1, std::numeric_limits<int>::max(), 1));
 }
 
 std::string WhyNotGray(const DicomDataSet& data)
@@ -338,7 +338,8 @@ void DicomValueRange::Add(const DicomPixelFormat& format, const DicomRescale& re
 {
   constexpr int digitsOfFloat = 24;
   const double half = std::ldexp(1., format.BitsStored - 1);
-  for (const double stored : { format.IsSigned ? -half : 0, format.IsSigned ? half - 1 : 2 * half - 1 })
+  for (const double stored :
+    { format.IsSigned ? -half : 0, format.IsSigned ? half - 1 : 2 * half - 1 })
   {
     const double value = stored * rescale.Slope + rescale.Intercept;
     this->Least = std::min(this->Least, value);

@@ -1,10 +1,10 @@
 /**
- * The pixels of a DICOM file: how they are stored, which gray values they mean, and how the bytes of
- * a frame become voxels.
+ * The pixels of a DICOM file: how they are stored, which gray values they mean, and how the bytes
+ * of a frame become voxels.
  *
- * Native pixels are read from their place in the file. So are run-length encoded ones (RLE Lossless,
- * PS3.5 annex G). Those of other compressed transfer syntaxes (JPEG, JPEG-LS, JPEG 2000) are
- * decoded by a library, which gets to see nothing of the file but a clean one made here
+ * Native pixels are read from their place in the file. So are run-length encoded ones (RLE
+ * Lossless, PS3.5 annex G). Those of other compressed transfer syntaxes (JPEG, JPEG-LS, JPEG 2000)
+ * are decoded by a library, which gets to see nothing of the file but a clean one made here
  * (MinimalDicomFile), and returns them as if they were native.
  */
 #ifndef FlipFreeDicomPixels_h

@@ -41,40 +41,48 @@ double MedianGap(const std::vector<double>& places)
 }
 
 /// Why gaps between neighbors are not even; empty where they are, but for half of the usual one.
+/// Slices are missing where single gaps are whole multiples of the usual one.
 std::string WhyGapsDiffer(const std::vector<DicomFrame>& frames, const std::vector<double>& places,
   const DicomFrameName& nameOf)
 {
+  constexpr double tolerance = 0.1; // of the usual gap
   const double usual = MedianGap(places);
   std::size_t missing = 0;
   std::size_t worst = 0;
+  std::size_t lastGap = 0;
   double least = usual;
   double greatest = usual;
-  bool areSlicesMissing = true;
+  bool areSingle = true;
   for (std::size_t index = 1; index < places.size(); ++index)
   {
     const double gap = places[index] - places[index - 1];
-    const double count = std::round(gap / usual);
-    const bool isWhole = count >= 1 && std::abs(gap - count * usual) < 0.1 * usual;
-    areSlicesMissing = areSlicesMissing && (isWhole || std::abs(gap - usual) < NoEvenStack * usual);
-    missing += count > 1 ? static_cast<std::size_t>(count) - 1 : 0;
     worst = gap > greatest ? index : worst;
     least = std::min(least, gap);
     greatest = std::max(greatest, gap);
+    if (gap - usual > NoEvenStack * usual)
+    {
+      const double count = std::round(gap / usual);
+      areSingle = areSingle && std::abs(gap - count * usual) < tolerance * usual &&
+        (lastGap == 0 || lastGap + 1 < index);
+      missing += static_cast<std::size_t>(count) - 1;
+      lastGap = index;
+    }
   }
-  const bool isGap = greatest - usual > NoEvenStack * usual;
-  if (isGap && areSlicesMissing && missing < places.size())
+  const bool isShort = usual - least > NoEvenStack * usual;
+  if (lastGap == 0 && !isShort)
+  {
+    return {};
+  }
+  if (areSingle && !isShort)
   {
     return std::to_string(missing) + (missing == 1 ? " slice is" : " slices are") +
       " missing, at least between " + nameOf(frames[worst - 1]) + " and " + nameOf(frames[worst]) +
       ", which are " + TextOf(greatest) + " mm apart instead of " + TextOf(usual) +
       " mm. Download or copy the series again.";
   }
-  if (isGap || usual - least > NoEvenStack * usual)
-  {
-    return "its slices are unevenly spaced: they are " + TextOf(least) + " to " + TextOf(greatest) +
-      " mm apart. Resample the series to even slices, or export one with even slices.";
-  }
-  return {};
+  return "its slices are unevenly spaced: they are " + TextOf(least) + " to " + TextOf(greatest) +
+    " mm apart. Download the series again if slices may be missing; otherwise resample it to even "
+    "slices.";
 }
 
 /// How frames stray from an even stack.
@@ -124,8 +132,7 @@ void SortAlongNormal(std::vector<DicomFrame>& frames)
 
 bool AreAtOnePlace(const DicomFrame& a, const DicomFrame& b)
 {
-  return std::abs(a.Normal().dot(a.Position - b.Position)) <
-    OnePlace * a.Spacing.minCoeff();
+  return std::abs(a.Normal().dot(a.Position - b.Position)) < OnePlace * a.Spacing.minCoeff();
 }
 
 std::size_t GreatestRepetition(const std::vector<DicomFrame>& frames)

@@ -1,6 +1,6 @@
 /**
- * Frames that lie one behind the other: the grid that they make up, with a third axis that leans where
- * the gantry was tilted, and how they stray from an even stack.
+ * Frames that lie one behind the other: the grid that they make up, with a third axis that leans
+ * where the gantry was tilted, and how they stray from an even stack.
  */
 #ifndef FlipFreeDicomStack_h
 #define FlipFreeDicomStack_h
@@ -22,7 +22,8 @@ using DicomFrameName = std::function<std::string(const DicomFrame&)>;
 struct DicomStack
 {
   ImageGeometry Geometry;
-  /// Whole sentences; empty where there is nothing to say. With a problem, the frames are no volume.
+  /// Whole sentences; empty where there is nothing to say. With a problem, the frames are no
+  /// volume.
   std::string Problem;
   std::string Warning;
 };

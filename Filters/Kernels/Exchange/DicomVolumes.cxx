@@ -17,6 +17,17 @@ using Reason = DicomLeftOut::Reason;
 
 const char* const DicomDirectory = "1.2.840.10008.1.3.10";
 
+/// Whether an object of this SOP class has pixels, so that without them it is cut off.
+bool IsImageClass(const std::string& uid)
+{
+  const std::string storage = "1.2.840.10008.5.1.4.1.1.";
+  const char* const images[] = { "1", "1.1", "2", "2.1", "2.2", "3.1", "4", "4.1", "4.3", "4.4",
+    "6.1", "6.2", "7", "7.1", "7.2", "7.3", "7.4", "12.1", "12.1.1", "12.2", "12.2.1", "13.1.1",
+    "13.1.2", "20", "128", "128.1", "130", "481.2" };
+  return uid.compare(0, storage.size(), storage) == 0 &&
+    std::find(std::begin(images), std::end(images), uid.substr(storage.size())) != std::end(images);
+}
+
 /// A part of a series this much smaller than the greatest one is beside the point.
 constexpr std::size_t FewBesideMany = 4;
 
@@ -150,7 +161,7 @@ private:
       }
       return;
     }
-    if (data.Attributes.Text(DicomTag::SOPClassUID) == DicomDirectory)
+    if (ClassOf(data) == DicomDirectory)
     {
       this->LeaveOut(Reason::NoPixels, number, uid);
       return;
@@ -165,6 +176,11 @@ private:
         (isGray ? series.Gray : series.NotGray).push_back(number);
         return;
       }
+    }
+    if (data.Damage.empty() && !data.HasFloatPixels &&
+      (ClassOf(data).empty() || IsImageClass(ClassOf(data))))
+    {
+      data.Damage = "it ends before its pixels";
     }
     if (!data.Damage.empty())
     {
@@ -414,7 +430,8 @@ private:
       {
         const DicomFrame& without = frame.HasRescale ? frames.front() : frame;
         volume.Problem = beginning + this->NameOf(without) +
-          " has no RescaleSlope and RescaleIntercept, but other slices have, so its gray values are "
+          " has no RescaleSlope and RescaleIntercept, but other slices have, so its gray values "
+          "are "
           "unknown. Export the series again.";
       }
     }
@@ -423,7 +440,8 @@ private:
 
   std::string ProblemOf(const DicomVolume& volume, std::size_t file, const std::string& what) const
   {
-    return "Series " + volume.SeriesUID + ": " + InQuotes(this->Folder.Files[file].Name) + " " + what;
+    return "Series " + volume.SeriesUID + ": " + InQuotes(this->Folder.Files[file].Name) + " " +
+      what;
   }
 
   std::string DamageOf(std::size_t file, const std::string& uid) const
@@ -460,8 +478,8 @@ std::string VolumesText(const std::vector<const DicomVolume*>& volumes)
   for (std::size_t index = 0; index < std::min(volumes.size(), enough); ++index)
   {
     const DicomVolume& volume = *volumes[index];
-    text += (index ? ", " : "") + volume.Identifier() + " (" + std::to_string(volume.Frames.size()) +
-      " slices" +
+    text += (index ? ", " : "") + volume.Identifier() + " (" +
+      std::to_string(volume.Frames.size()) + " slices" +
       (volume.Description.empty() ? "" : ", " + InQuotes(volume.Description)) + ")";
   }
   return text + (volumes.size() > enough ? ", ..." : "");
@@ -494,29 +512,30 @@ void RequireNothingLost(const DicomFolder& folder, const DicomVolume& volume)
       continue;
     }
     throw FileProblem(FileProblem::Kind::Incomplete,
-      "The DICOM file " + InQuotes(file.Name) + " cannot be read: " +
-        (file.Unreadable.empty() ? file.Data.Damage : file.Unreadable) +
+      "The DICOM file " + InQuotes(file.Name) +
+        " cannot be read: " + (file.Unreadable.empty() ? file.Data.Damage : file.Unreadable) +
         ". It may be a slice of the series. Download or copy it again, check its permissions, or "
         "remove it.");
   }
 }
 
-FileProblem WhyNoVolume(const DicomFolder& folder)
+[[noreturn]] void RefuseFolder(const DicomFolder& folder)
 {
   for (const DicomLeftOut& left : folder.LeftOut)
   {
     if (left.Why == Reason::Damaged)
     {
       const DicomFile& file = folder.Files[left.File];
-      return { FileProblem::Kind::Incomplete,
-        "The DICOM file " + InQuotes(file.Name) + " cannot be read: " +
-          (file.Unreadable.empty() ? file.Data.Damage : file.Unreadable) +
-          ". It is truncated or damaged. Download or copy its series again." };
+      throw FileProblem(FileProblem::Kind::Incomplete,
+        "The DICOM file " + InQuotes(file.Name) +
+          " cannot be read: " + (file.Unreadable.empty() ? file.Data.Damage : file.Unreadable) +
+          ". It is truncated or damaged. Download or copy its series again.");
     }
   }
-  return { FileProblem::Kind::Missing,
-    "The folder " + InQuotes(folder.Name) + " holds no DICOM image. Give the folder that directly " +
-      "holds the files of the series; of a volume in another format, the file itself." };
+  throw FileProblem(FileProblem::Kind::Missing,
+    "The folder " + InQuotes(folder.Name) +
+      " holds no DICOM image. Give the folder that directly " +
+      "holds the files of the series; of a volume in another format, the file itself.");
 }
 
 /// The greatest volume, if it is much greater than the others.
@@ -576,7 +595,7 @@ void RequireDicomVolumes(const DicomFolder& folder)
 {
   if (folder.Volumes.empty())
   {
-    throw WhyNoVolume(folder);
+    RefuseFolder(folder);
   }
 }
 
@@ -612,8 +631,8 @@ std::string WarningOfLeftOut(const DicomFolder& folder, const DicomVolume& volum
   };
   for (const DicomLeftOut& left : folder.LeftOut)
   {
-    const bool isOfAny = left.Why == Reason::Damaged || left.Why == Reason::NoDicom ||
-      left.Why == Reason::NoPixels;
+    const bool isOfAny =
+      left.Why == Reason::Damaged || left.Why == Reason::NoDicom || left.Why == Reason::NoPixels;
     if (isOfAny || left.SeriesUID == volume.SeriesUID)
     {
       count(left.Why, left.File);

@@ -37,6 +37,7 @@ NB_MODULE(_kernels, module)
   BindError(module);
   FlipFree::BindSegmentation(module);
   FlipFree::BindEvaluation(module);
+  FlipFree::BindDicom(module);
   FlipFree::BindPhantoms(module);
   FlipFree::BindVessels(module);
   module.attr("SEED_RADII") =

@@ -27,7 +27,7 @@ def read(name: str, series: str | None, tell: Progress | None) -> Image:
         raise FileError(
             f"'{name}' does not exist or cannot be read. Check its name and permissions."
         )
-    image = read_series(name, series) if os.path.isdir(name) else _read_file(name)
+    image = read_series(name, series, tell) if os.path.isdir(name) else _read_file(name)
     if tell is not None:
         tell(1.0)
     return image
