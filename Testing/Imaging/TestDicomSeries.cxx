@@ -44,6 +44,8 @@ struct SeriesOptions
   std::string Series = UID + ".1";
   std::string Description = "Example";
   std::string Prefix = "a";
+  bool IsCompressed = false;
+  itk::GDCMImageIO::CompressionEnum Compression = itk::GDCMImageIO::CompressionEnum::JPEG;
   /// Moves slices; the second is the number of the slice.
   std::function<itk::Point<double, 3>(itk::Point<double, 3>, int)> Move =
     [](itk::Point<double, 3> point, int) { return point; };
@@ -93,6 +95,8 @@ void WriteSeries(vtkImageData* image, const ExampleImages::Folder& folder,
   writer->SetImageIO(io);
   writer->SetFileNames(names);
   writer->SetMetaDataDictionaryArray(&pointers);
+  io->SetCompressionType(options.Compression);
+  writer->SetUseCompression(options.IsCompressed);
   writer->Update();
   gdcm::Trace::WarningOn();
 }
@@ -318,6 +322,32 @@ TEST(TestDicomSeries, OneWarningSaysWhatIsLeftOut)
     EXPECT_NE(errors.Warning().find(word), std::string::npos) << errors.Warning();
   }
   ExampleImages::ExpectSameVoxels(reader->GetOutput(), image);
+}
+
+TEST(TestDicomSeries, CompressedSlices)
+{
+  auto image = ObliqueImage();
+  for (const auto compression : { itk::GDCMImageIO::CompressionEnum::JPEG,
+         itk::GDCMImageIO::CompressionEnum::JPEG2000, itk::GDCMImageIO::CompressionEnum::RLE })
+  {
+    ExampleImages::Folder folder;
+    SeriesOptions options;
+    options.IsCompressed = true;
+    options.Compression = compression;
+    WriteSeries(image, folder, options);
+    auto reader = ReaderOf(folder);
+    reader->Update();
+    ExampleImages::ExpectSameVoxels(reader->GetOutput(), image);
+    // Cut off within the last slice's pixels, or damaged there.
+    const std::string bytes = ExampleImages::ReadBytes(folder / "a3.dcm");
+    ExampleImages::WriteBytes(folder / "a3.dcm", bytes.substr(0, bytes.size() - 20));
+    ExpectRefusal(ReaderOf(folder), { "a3.dcm" });
+    std::string damaged = bytes;
+    const std::size_t item = bytes.rfind(std::string("\xFE\xFF\x00\xE0", 4));
+    std::fill(damaged.begin() + static_cast<std::ptrdiff_t>(item) + 8, damaged.end() - 8, '\0');
+    ExampleImages::WriteBytes(folder / "a3.dcm", damaged);
+    ExpectRefusal(ReaderOf(folder), { "a3.dcm", "damaged" });
+  }
 }
 
 TEST(TestDicomSeries, AnUnreadableSliceIsAnError)

@@ -418,6 +418,11 @@ TEST(DicomVolumes, NoNumberIsInvented)
   refused([](Options& options) { options.Slope = ""; }, { "RescaleIntercept but no RescaleSlope" });
   refused([](Options& options) { options.Slope = "1,5"; }, { "1,5" });
   refused([](Options& options) { options.Slope = "0"; }, { "RescaleSlope '0'" });
+  ExampleFolder stored;
+  ExampleDicom::Options without;
+  without.Slope = without.Intercept = "";
+  stored.AddSeries("a", 4, without);
+  ExpectWords(ChooseDicomVolume(stored.Read(), "").Warning, { "Hounsfield" });
   refused([](Options& options) { options.Slope = options.Intercept = ""; },
     { "'a2' has no RescaleSlope" }, 2);
 }
@@ -465,6 +470,16 @@ TEST(DicomVolumes, TheGreatestSeriesUnlessToldOtherwise)
   EXPECT_EQ(ChooseDicomVolume(found, "1.1").Identifier(), "1.1");
   ExpectRefusal(found, { "holds colors", "RGB" }, "3.3");
   ExpectRefusal(found, { "no series '4.4'", "1.1 (4 slices", "2.2 (6 slices" }, "4.4");
+  // A dose, or pictures from nowhere, are not meant, however many they are.
+  options = {};
+  options.Series = "4.5";
+  options.Modality = "RTDOSE";
+  folder.AddSeries("d", 12, options);
+  options.Series = "5.5";
+  options.Modality = "OT";
+  options.Position = "";
+  folder.AddSeries("e", 12, options);
+  EXPECT_EQ(ChooseDicomVolume(folder.Read(), "").Identifier(), "2.2");
   ExampleFolder single;
   single.AddSeries("a", 1);
   ExpectRefusal(single.Read(), { "single slice" });

@@ -180,6 +180,7 @@ std::vector<DicomFrame> DicomFramesOf(const DicomDataSet& data, std::size_t file
     frame.Number = number;
     frame.Format = format;
     frame.IsLocalizer = isLocalizer;
+    frame.HasPosition = !data.TextOf(DicomTag::ImagePositionPatient, number).empty();
     frame.Instance = data.Attributes.Text(DicomTag::SOPInstanceUID);
     for (const auto read : { ReadSpacing, ReadAxes, ReadPosition, ReadRescale })
     {

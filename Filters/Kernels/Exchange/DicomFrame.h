@@ -29,6 +29,7 @@ struct DicomFrame
   /// Unit axes: along a row and along a column.
   Eigen::Matrix<double, 3, 2> Axes = Eigen::Matrix<double, 3, 2>::Zero();
   Eigen::Vector2d Spacing = Eigen::Vector2d::Zero(); ///< likewise, in millimeters
+  bool HasPosition = false;                          ///< whatever it is
   bool IsLocalizer = false;
   std::string Instance; ///< SOP Instance UID
   /// What may tell frames at one place apart, in the order in which it is tried: stack, time,

@@ -310,7 +310,12 @@ std::string WhyPixelsAreIncomplete(const DicomDataSet& data)
     return "its pixels are coded in a way that is not supported (transfer syntax '" +
       data.TransferSyntax + "')";
   }
+  constexpr std::uint64_t most = 100000;
   const auto count = static_cast<std::uint64_t>(NumberOfDicomFrames(data));
+  if (count > most)
+  {
+    return "it claims to have " + std::to_string(count) + " frames";
+  }
   const bool isShort = data.IsEncapsulated ? data.Fragments.size() < count + 1
                                            : data.Pixels.Length / format.BytesPerFrame() < count;
   if (!data.Frames.empty() && data.Frames.size() != count)

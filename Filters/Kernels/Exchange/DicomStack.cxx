@@ -73,7 +73,7 @@ std::string WhyGapsDiffer(const std::vector<DicomFrame>& frames, const std::vect
   {
     return {};
   }
-  if (areSingle && !isShort)
+  if (areSingle && !isShort && missing < places.size())
   {
     return std::to_string(missing) + (missing == 1 ? " slice is" : " slices are") +
       " missing, at least between " + nameOf(frames[worst - 1]) + " and " + nameOf(frames[worst]) +

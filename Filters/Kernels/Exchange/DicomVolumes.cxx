@@ -272,11 +272,12 @@ private:
       return { unplaced };
     }
     std::vector<Frames> groups = GroupsByGrid(placed);
-    const DicomFrame& typical = groups.front().front();
+    const std::size_t greatest = groups.front().size();
+    const DicomPixelFormat typical = groups.front().front().Format;
     for (const DicomFrame& frame : unplaced)
     {
-      const bool isLikeOthers = frame.Format.Columns == typical.Format.Columns &&
-        frame.Format.Rows == typical.Format.Rows && !frame.IsLocalizer;
+      const bool isLikeOthers = frame.Format.Columns == typical.Columns &&
+        frame.Format.Rows == typical.Rows && !frame.IsLocalizer;
       if (isLikeOthers)
       {
         groups.front().push_back(frame); // whose problem is that of the volume
@@ -290,7 +291,7 @@ private:
     for (Frames& group : groups)
     {
       const bool isScout = group.size() == 1 || group.front().IsLocalizer;
-      if (isScout && group.size() < groups.front().size())
+      if (isScout && group.size() < greatest)
       {
         for (const DicomFrame& frame : group)
         {
@@ -436,6 +437,13 @@ private:
       }
     }
     volume.Type = values.Type();
+    if (volume.Modality == "CT" && !frames.front().HasRescale && volume.Warning.empty())
+    {
+      volume.Warning = beginning +
+        "it has no RescaleSlope and RescaleIntercept; its gray values are taken as they are "
+        "stored, "
+        "which may not be Hounsfield units.";
+    }
   }
 
   std::string ProblemOf(const DicomVolume& volume, std::size_t file, const std::string& what) const
@@ -452,14 +460,17 @@ private:
       ". It is truncated or damaged. Download or copy its series again.";
   }
 
-  /// The series with the greatest volume of gray values first; its volumes stay in their order.
+  /// The series with the greatest volume first; its volumes stay in their order. What is no picture
+  /// of the body, or from nowhere in it, comes last.
   void Order()
   {
     std::map<std::string, std::size_t> sizes;
     for (const DicomVolume& volume : this->Folder.Volumes)
     {
+      const bool isPicture =
+        !volume.Frames.empty() && volume.Frames.front().HasPosition && volume.Modality != "RTDOSE";
       std::size_t& size = sizes[volume.SeriesUID];
-      size = std::max(size, volume.Frames.size());
+      size = std::max(size, isPicture ? volume.Frames.size() : 0);
     }
     std::stable_sort(this->Folder.Volumes.begin(), this->Folder.Volumes.end(),
       [&sizes](const DicomVolume& a, const DicomVolume& b)
@@ -490,7 +501,7 @@ std::vector<const DicomVolume*> VolumesOf(const DicomFolder& folder, const std::
   std::vector<const DicomVolume*> volumes;
   for (const DicomVolume& volume : folder.Volumes)
   {
-    if (uid.empty() || volume.SeriesUID == uid)
+    if (volume.SeriesUID == uid)
     {
       volumes.push_back(&volume);
     }
@@ -573,9 +584,14 @@ const DicomVolume& NamedVolume(const DicomFolder& folder, const std::string& wan
       return *volume;
     }
   }
+  std::vector<const DicomVolume*> all;
+  for (const DicomVolume& volume : folder.Volumes)
+  {
+    all.push_back(&volume);
+  }
   throw FileProblem(FileProblem::Kind::Missing,
     "The folder " + InQuotes(folder.Name) + " holds no series " + InQuotes(wanted) + ". It holds " +
-      VolumesText(VolumesOf(folder, "")) + ".");
+      VolumesText(all) + ".");
 }
 
 } // namespace
