@@ -1,4 +1,5 @@
 // From stored pixels to gray values: bits, signs, rescale, types, run lengths.
+#include "Exchange/DicomCodestream.h"
 #include "Exchange/DicomPixels.h"
 
 #include "ExampleDicom.h"
@@ -118,11 +119,23 @@ TEST(DicomPixels, RunLengthsOfEachFrame)
   EXPECT_EQ(ReadStoredFrame(damaged, short1, 1), "");
 }
 
+/// Lossless JPEG up to its scan, whose data are `rest`.
+std::string JpegOf(int columns, int rows, int bits, const std::string& rest)
+{
+  const auto byte = [](int number) { return static_cast<char>(number); };
+  const std::string table("\xFF\xC4\x00\x04\x00\x00", 6);
+  std::string frame("\xFF\xC3\x00\x0B", 4);
+  frame +=
+    { byte(bits), byte(rows >> 8), byte(rows), byte(columns >> 8), byte(columns), 1, 1, 0x11, 0 };
+  const std::string scan("\xFF\xDA\x00\x08\x01\x01\x00\x01\x00\x00", 10);
+  return "\xFF\xD8" + table + frame + scan + rest;
+}
+
 TEST(DicomPixels, AMinimalFileHasTheSamePixelsAndNothingElse)
 {
   ExampleDicom::Options options;
   options.Frames = "2";
-  options.Fragments = { "", "ab", "cdef" };
+  options.Fragments = { "", JpegOf(4, 3, 16, "ab"), JpegOf(4, 3, 12, "cdef") };
   const std::string syntax = "1.2.840.10008.1.2.4.70";
   std::istringstream stream(ExampleDicom::FileOf(ExampleDicom::Slice(options), syntax));
   const DicomDataSet data = ReadDicomDataSet(stream);
@@ -132,8 +145,54 @@ TEST(DicomPixels, AMinimalFileHasTheSamePixelsAndNothingElse)
   EXPECT_EQ(clean.Damage, "");
   EXPECT_EQ(clean.TransferSyntax, syntax);
   EXPECT_FALSE(clean.Attributes.Has(DicomTag::SeriesInstanceUID));
-  EXPECT_EQ(ReadCodedFrame(minimal, clean, 0), "ab");
-  EXPECT_EQ(ReadCodedFrame(minimal, clean, 1), "cdef");
+  for (const std::size_t frame : { 0U, 1U })
+  {
+    const std::string coded = ReadCodedFrame(minimal, clean, frame);
+    EXPECT_EQ(coded.substr(0, options.Fragments[frame + 1].size()), options.Fragments[frame + 1]);
+  }
+  // Of another size than the file says: no decoder gets to see it.
+  options.Fragments[2] = JpegOf(5, 3, 16, "cdef");
+  std::istringstream other(ExampleDicom::FileOf(ExampleDicom::Slice(options), syntax));
+  EXPECT_EQ(MinimalDicomFile(other, ReadDicomDataSet(other)), "");
+}
+
+TEST(DicomPixels, CodestreamsOfTheFilesOwnSize)
+{
+  const std::string lossless = "1.2.840.10008.1.2.4.70";
+  const DicomPixelFormat format = [&]
+  {
+    DicomPixelFormat made = Format(16, 12, 11, false);
+    made.Rows = 3;
+    return made;
+  }();
+  const std::string good = JpegOf(4, 3, 12, "data");
+  EXPECT_TRUE(IsCodestreamOf(good, lossless, format));
+  EXPECT_FALSE(IsCodestreamOf(good, "1.2.840.10008.1.2.4.50", format)); // another process
+  for (const std::string& wrong : { JpegOf(4, 4, 12, ""), JpegOf(3, 3, 12, ""), JpegOf(4, 3, 0, ""),
+         JpegOf(4, 3, 17, ""), JpegOf(4, 3, 8, ""), std::string(), std::string(100, '\0') })
+  {
+    EXPECT_FALSE(IsCodestreamOf(wrong, lossless, format));
+  }
+  for (std::size_t size = 0; size < good.size() - 4; ++size)
+  {
+    EXPECT_FALSE(IsCodestreamOf(good.substr(0, size), lossless, format)) << size;
+  }
+
+  const std::string jpeg2000 = "1.2.840.10008.1.2.4.90";
+  std::string stream("\xFF\x4F\xFF\x51\x00\x29\x00\x00", 8);
+  for (const int number : { 4, 3, 0, 0, 4, 3, 0, 0 })
+  {
+    stream += std::string(3, '\0') + static_cast<char>(number);
+  }
+  stream += std::string("\x00\x01\x0B\x01\x01", 5);
+  EXPECT_TRUE(IsCodestreamOf(stream, jpeg2000, format));
+  for (const std::size_t place : { 3U, 11U, 15U, 19U, 41U, 42U, 43U })
+  {
+    std::string wrong = stream;
+    wrong[place] = static_cast<char>(wrong[place] ^ 0x15);
+    EXPECT_FALSE(IsCodestreamOf(wrong, jpeg2000, format)) << place;
+  }
+  EXPECT_FALSE(IsCodestreamOf(stream.substr(0, 40), jpeg2000, format));
 }
 
 TEST(DicomPixels, WhatIsNotGrayOrNotThereIsSaid)

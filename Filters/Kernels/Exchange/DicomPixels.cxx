@@ -1,5 +1,7 @@
 #include "Exchange/DicomPixels.h"
 
+#include "Exchange/DicomCodestream.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -433,6 +435,10 @@ std::string MinimalDicomFile(std::istream& file, const DicomDataSet& data)
   {
     // One fragment for each frame, so that no table of offsets is needed.
     std::string coded = ReadCodedFrame(file, data, frame);
+    if (!IsCodestreamOf(coded, data.TransferSyntax, format))
+    {
+      return {};
+    }
     coded.append(coded.size() % 2, '\0');
     AppendDicomItem(bytes, coded);
   }

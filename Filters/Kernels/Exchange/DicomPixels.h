@@ -94,6 +94,7 @@ std::string ReadStoredFrame(std::istream& file, const DicomDataSet& data, std::s
 std::string ReadCodedFrame(std::istream& file, const DicomDataSet& data, std::size_t frame);
 
 /// A DICOM file with the compressed pixels of all frames, and no more than their decoder needs.
+/// Empty where a frame is not one of the file's size.
 std::string MinimalDicomFile(std::istream& file, const DicomDataSet& data);
 
 /// Writes the gray values of a frame whose stored bytes are given into `voxels` of this type.

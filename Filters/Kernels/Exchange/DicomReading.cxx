@@ -92,7 +92,8 @@ public:
     {
       if (this->Decoded.empty())
       {
-        this->Decoded = this->Access.Decode(MinimalDicomFile(*this->Stream, file.Data));
+        const std::string minimal = MinimalDicomFile(*this->Stream, file.Data);
+        this->Decoded = minimal.empty() ? minimal : this->Access.Decode(minimal);
       }
       if (this->Decoded.size() == size * NumberOfDicomFrames(file.Data))
       {
