@@ -352,6 +352,12 @@ TEST(DicomVolumes, ADamagedFileOfTheSeriesIsAnError)
   folder.AddSeries("a", 8);
   folder.Bytes[3].resize(folder.Bytes[3].size() - 10);
   ExpectRefusal(folder.Read(), { "a3.dcm", "ends within its pixels", "again" });
+  // It does not make another series of as many slices the greatest.
+  ExampleFolder two = folder;
+  ExampleDicom::Options other;
+  other.Series += ".2";
+  two.AddSeries("b", 8, other);
+  ExpectRefusal(two.Read(), { "a3.dcm", "ends within its pixels" });
   folder.Bytes[3].resize(200); // so short that its series is not known
   ExpectRefusal(folder.Read(), { "a3.dcm", "may be a slice" });
   folder.Bytes[3].clear();

@@ -247,6 +247,7 @@ private:
     {
       volumes[index].Number = index + 1;
       volumes[index].Count = volumes.size();
+      volumes[index].DamagedFiles = files.Damaged.size();
       if (!files.Damaged.empty())
       {
         volumes[index].Problem = this->DamageOf(files.Damaged.front(), uid);
@@ -470,7 +471,7 @@ private:
       const bool isPicture =
         !volume.Frames.empty() && volume.Frames.front().HasPosition && volume.Modality != "RTDOSE";
       std::size_t& size = sizes[volume.SeriesUID];
-      size = std::max(size, isPicture ? volume.Frames.size() : 0);
+      size = std::max(size, isPicture ? volume.Frames.size() + volume.DamagedFiles : 0);
     }
     std::stable_sort(this->Folder.Volumes.begin(), this->Folder.Volumes.end(),
       [&sizes](const DicomVolume& a, const DicomVolume& b)

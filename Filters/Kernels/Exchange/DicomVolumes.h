@@ -38,6 +38,7 @@ struct DicomVolume
   std::string Description;
   std::string Modality;
   std::vector<DicomFrame> Frames; ///< in the order of their slices
+  std::size_t DamagedFiles = 0;   ///< of its series
   ImageGeometry Geometry;
   VoxelType Type = VoxelType::Int16;
   std::string Problem; ///< for the user, where it cannot be read
