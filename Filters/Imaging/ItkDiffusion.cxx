@@ -2,7 +2,6 @@
 
 #include "BackgroundTask.h"
 #include "ItkVtkBridge.h"
-#include "VolumeHeader.h"
 
 #include "vtkSMPTools.h"
 
@@ -16,6 +15,24 @@ namespace FlipFree
 {
 namespace
 {
+
+/// ITK's warnings go to the terminal, past VTK's; within a scope that holds one of these they are
+/// off. What matters among them is checked, and reported, here.
+class ItkWarningsOff
+{
+public:
+  ItkWarningsOff()
+    : WasOn(itk::Object::GetGlobalWarningDisplay())
+  {
+    itk::Object::SetGlobalWarningDisplay(false);
+  }
+  ~ItkWarningsOff() { itk::Object::SetGlobalWarningDisplay(this->WasOn); }
+  ItkWarningsOff(const ItkWarningsOff&) = delete;
+  void operator=(const ItkWarningsOff&) = delete;
+
+private:
+  bool WasOn;
+};
 
 using ItkImage = itk::Image<float, 3>;
 

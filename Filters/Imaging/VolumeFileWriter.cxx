@@ -49,6 +49,15 @@ std::string CannotWrite(const std::string& name, const std::string& why)
   return "'" + name + "' cannot be written: " + why;
 }
 
+itk::ImageIOBase::IOComponentEnum ComponentOf(VoxelType type)
+{
+  using Component = itk::ImageIOBase::IOComponentEnum;
+  constexpr Component components[] = { Component::CHAR, Component::UCHAR, Component::SHORT,
+    Component::USHORT, Component::INT, Component::UINT, Component::LONGLONG, Component::ULONGLONG,
+    Component::FLOAT, Component::DOUBLE };
+  return components[static_cast<int>(type)];
+}
+
 void WriteByItk(const std::string& name, const VolumeHeader& header, const void* voxels,
   const FileFields& fields, bool compress)
 {
@@ -74,7 +83,7 @@ void WriteByItk(const std::string& name, const VolumeHeader& header, const void*
   }
   io->SetPixelType(itk::IOPixelEnum::SCALAR);
   io->SetNumberOfComponents(1);
-  io->SetComponentType(ComponentOf(header.ScalarType));
+  io->SetComponentType(ComponentOf(VoxelTypeOf(header.ScalarType)));
   io->SetIORegion(whole);
   io->SetUseCompression(compress);
   io->Write(voxels);

@@ -1,6 +1,6 @@
 /**
- * Private to the module: what the header of a medical image says, taken from one of ITK's image
- * readers, and the error that explains why an image cannot be read or written.
+ * Private to the module: the grid and the voxel type of an image in VTK's terms, and the errors of
+ * its reader and its writer.
  */
 #ifndef FlipFreeVolumeHeader_h
 #define FlipFreeVolumeHeader_h
@@ -9,8 +9,6 @@
 
 #include "Exchange/FileProblem.h"
 #include "Exchange/VoxelType.h"
-
-#include "itkImageIOBase.h"
 
 #include <stdexcept>
 #include <string>
@@ -35,47 +33,16 @@ struct VolumeHeader
   ImageGeometry Geometry;
   int ScalarType = 0;
 
-  std::size_t ScalarSize() const;
   std::size_t NumberOfBytes() const;
 };
-
-/// The header that `io` has read from the file called `name`. Refuses what is not a volume of one
-/// number per voxel: 2D and 4D images, several components, a grid that is not invertible.
-VolumeHeader HeaderOf(const itk::ImageIOBase* io, const std::string& name);
 
 /// Of a problem of a file that is read: one of vtkErrorCode's.
 unsigned long ErrorCodeOf(FileProblem::Kind kind);
 
-/// VTK's name for the type, and back; an ImageFileError for types that no file holds.
+/// VTK's name for the type, and back; one and the same for all integers of 64 bits. An
+/// ImageFileError for types that no file holds.
 int ScalarTypeOf(VoxelType type);
 VoxelType VoxelTypeOf(int scalarType);
-
-/// The VTK scalar type for ITK's; one and the same for all integers of 64 bits.
-int ScalarTypeOf(itk::ImageIOBase::IOComponentEnum component);
-
-/// ITK's name for a VTK scalar type; an ImageFileError for types that no file holds.
-itk::ImageIOBase::IOComponentEnum ComponentOf(int scalarType);
-
-/// Tells `io` that the whole image is meant, and reads it into `voxels`.
-void ReadVoxels(itk::ImageIOBase* io, const std::string& name, void* voxels);
-
-/// ITK's warnings go to the terminal, past VTK's; within a scope that holds one of these they are
-/// off. What matters among them is checked, and reported, here.
-class ItkWarningsOff
-{
-public:
-  ItkWarningsOff()
-    : WasOn(itk::Object::GetGlobalWarningDisplay())
-  {
-    itk::Object::SetGlobalWarningDisplay(false);
-  }
-  ~ItkWarningsOff() { itk::Object::SetGlobalWarningDisplay(this->WasOn); }
-  ItkWarningsOff(const ItkWarningsOff&) = delete;
-  void operator=(const ItkWarningsOff&) = delete;
-
-private:
-  bool WasOn;
-};
 
 } // namespace FlipFree
 

@@ -1,6 +1,6 @@
 #include "vtkMedicalImageReader.h"
 
-#include "DicomSeries.h"
+#include "DicomLibraries.h"
 #include "ExecutionAdapter.h"
 #include "ImageAdapter.h"
 #include "PipelineAdapter.h"
@@ -23,38 +23,17 @@
 
 vtkStandardNewMacro(vtkMedicalImageReader);
 
-/// What FileName has turned out to be. No series: a single file.
+/// What FileName has turned out to be. No volume: a single file.
 struct vtkMedicalImageReader::Source
 {
-  std::vector<FlipFree::DicomSeries> Series;
-  std::size_t Chosen = 0;
+  FlipFree::DicomFolder Folder;
+  const FlipFree::DicomVolume* Chosen = nullptr;
   FlipFree::VolumeHeader Header;
   FlipFree::LabelChoice Label;
 };
 
 namespace
 {
-
-std::size_t ChooseSeries(const std::vector<FlipFree::DicomSeries>& list, const char* uid,
-  const std::string& folder)
-{
-  if (!uid || !*uid)
-  {
-    return 0; // the one with most files
-  }
-  std::string known;
-  for (std::size_t index = 0; index < list.size(); ++index)
-  {
-    if (list[index].UID == uid)
-    {
-      return index;
-    }
-    known += (index ? ", " : "") + list[index].UID;
-  }
-  throw FlipFree::ImageFileError(vtkErrorCode::FileNotFoundError,
-    "The folder '" + folder + "' holds no series with the SeriesUID " + uid + ". It holds " +
-      known + ".");
-}
 
 /// An array without initial values that owns `bytes` of memory; null if there is not that much.
 vtkSmartPointer<vtkDataArray> AllocateScalars(const FlipFree::VolumeHeader& header)
@@ -105,18 +84,24 @@ int vtkMedicalImageReader::RequestInformation(vtkInformation*, vtkInformationVec
     std::error_code ignored;
     if (std::filesystem::is_directory(name, ignored))
     {
-      found.Series = FlipFree::ListDicomSeries(name, FlipFree::MonitorOf(this, 0, 0.5));
+      found.Folder = FlipFree::ReadDicomFolder(name, FlipFree::FilesInFolder(name),
+        FlipFree::DicomByLibraries(), FlipFree::MonitorOf(this, 0, 0.5));
       if (FlipFree::IsAborted(this))
       {
         return 0;
       }
-      found.Chosen = ChooseSeries(found.Series, this->SeriesUID, name);
+      found.Chosen =
+        &FlipFree::ChooseDicomVolume(found.Folder, this->SeriesUID ? this->SeriesUID : "");
       found.Label = FlipFree::ChooseLabel({}, 1, segment, name);
-      std::string warning;
-      found.Header = FlipFree::HeaderOfSeries(found.Series[found.Chosen], warning);
-      if (!warning.empty())
+      const FlipFree::DicomVolume& volume = *found.Chosen;
+      found.Header = { volume.Geometry, FlipFree::ScalarTypeOf(volume.Type) };
+      for (const std::string& warning :
+        { volume.Warning, FlipFree::WarningOfLeftOut(found.Folder, volume) })
       {
-        vtkWarningMacro(<< warning);
+        if (!warning.empty())
+        {
+          vtkWarningMacro(<< warning);
+        }
       }
     }
     else
@@ -148,7 +133,7 @@ int vtkMedicalImageReader::RequestData(vtkInformation*, vtkInformationVector**,
   vtkImageData* output = vtkImageData::GetData(outputVector);
   output->Initialize();
   const Source& found = *this->Found;
-  const FlipFree::Monitor monitor = FlipFree::MonitorOf(this, found.Series.empty() ? 0 : 0.5, 1);
+  const FlipFree::Monitor monitor = FlipFree::MonitorOf(this, found.Chosen ? 0.5 : 0, 1);
   try
   {
     vtkSmartPointer<vtkDataArray> scalars = AllocateScalars(found.Header);
@@ -160,7 +145,7 @@ int vtkMedicalImageReader::RequestData(vtkInformation*, vtkInformationVector**,
           this->FileName + "' claims to have. Crop the image, or check its header.");
     }
     const std::string name = this->FileName;
-    if (found.Series.empty())
+    if (!found.Chosen)
     {
       const FlipFree::VolumeFileHeader file = FlipFree::OpenVolumeFile(name);
       if (file.Geometry.Dimensions != found.Header.Geometry.Dimensions ||
@@ -174,11 +159,11 @@ int vtkMedicalImageReader::RequestData(vtkInformation*, vtkInformationVector**,
     }
     else
     {
-      const FlipFree::DicomSeries& series = found.Series[found.Chosen];
-      FlipFree::ReadSeriesVoxels(series, found.Header, scalars->GetVoidPointer(0), monitor);
+      FlipFree::ReadDicomVoxels(found.Folder, *found.Chosen, FlipFree::DicomByLibraries(),
+        scalars->GetVoidPointer(0), monitor);
       vtkNew<vtkStringArray> uid;
       uid->SetName("SeriesUID");
-      uid->InsertNextValue(series.UID);
+      uid->InsertNextValue(found.Chosen->Identifier());
       output->GetFieldData()->AddArray(uid);
     }
     if (FlipFree::IsAborted(this))
@@ -198,7 +183,7 @@ int vtkMedicalImageReader::RequestData(vtkInformation*, vtkInformationVector**,
 
 int vtkMedicalImageReader::Fail(const std::exception& error, vtkInformation* outInfo)
 {
-  if (vtkImageData* stale = vtkImageData::GetData(outInfo))
+  if (vtkImageData* stale = outInfo ? vtkImageData::GetData(outInfo) : nullptr)
   {
     stale->Initialize();
   }
@@ -226,41 +211,105 @@ int vtkMedicalImageReader::GetSegmentLabel()
   return this->Found->Label.Label.value_or(-1);
 }
 
-int vtkMedicalImageReader::GetNumberOfSeries()
+bool vtkMedicalImageReader::FindSeries()
 {
-  return static_cast<int>(this->Found->Series.size());
+  this->SetErrorCode(vtkErrorCode::NoError);
+  *this->Found = Source();
+  this->Modified(); // nothing is chosen any more
+  try
+  {
+    std::error_code ignored;
+    if (!this->FileName || !std::filesystem::is_directory(this->FileName, ignored))
+    {
+      throw FlipFree::FileProblem(FlipFree::FileProblem::Kind::Missing,
+        "'" + std::string(this->FileName ? this->FileName : "") +
+          "' is not a folder. Give the folder of DICOM files.");
+    }
+    const std::string name = this->FileName;
+    this->Found->Folder = FlipFree::ReadDicomFolder(name, FlipFree::FilesInFolder(name),
+      FlipFree::DicomByLibraries(), FlipFree::MonitorOf(this, 0, 1));
+    if (FlipFree::IsAborted(this))
+    {
+      return false;
+    }
+    FlipFree::RequireDicomVolumes(this->Found->Folder);
+    return true;
+  }
+  catch (const std::exception& error)
+  {
+    this->Fail(error, nullptr);
+    return false;
+  }
 }
 
-const char* vtkMedicalImageReader::GetSeriesUID(int index)
-{
-  return index >= 0 && index < this->GetNumberOfSeries() ? this->Found->Series[index].UID.c_str()
-                                                         : nullptr;
-}
-
-const char* vtkMedicalImageReader::GetSeriesDescription(int index)
+const FlipFree::DicomVolume* vtkMedicalImageReader::SeriesAt(int index)
 {
   return index >= 0 && index < this->GetNumberOfSeries()
-    ? this->Found->Series[index].Description.c_str()
+    ? &this->Found->Folder.Volumes[static_cast<std::size_t>(index)]
     : nullptr;
 }
 
-int vtkMedicalImageReader::GetSeriesNumberOfFiles(int index)
+int vtkMedicalImageReader::GetNumberOfSeries()
 {
-  return index >= 0 && index < this->GetNumberOfSeries()
-    ? static_cast<int>(this->Found->Series[index].Slices.size())
-    : 0;
+  return static_cast<int>(this->Found->Folder.Volumes.size());
 }
 
-const char* vtkMedicalImageReader::GetChosenSeriesUID()
+std::string vtkMedicalImageReader::GetSeriesUID(int index)
 {
-  return this->GetSeriesUID(static_cast<int>(this->Found->Chosen));
+  const FlipFree::DicomVolume* const volume = this->SeriesAt(index);
+  return volume ? volume->Identifier() : std::string();
+}
+
+std::string vtkMedicalImageReader::GetSeriesNumber(int index)
+{
+  const FlipFree::DicomVolume* const volume = this->SeriesAt(index);
+  return volume ? volume->SeriesNumber : std::string();
+}
+
+std::string vtkMedicalImageReader::GetSeriesDescription(int index)
+{
+  const FlipFree::DicomVolume* const volume = this->SeriesAt(index);
+  return volume ? volume->Description : std::string();
+}
+
+std::string vtkMedicalImageReader::GetSeriesModality(int index)
+{
+  const FlipFree::DicomVolume* const volume = this->SeriesAt(index);
+  return volume ? volume->Modality : std::string();
+}
+
+std::string vtkMedicalImageReader::GetSeriesProblem(int index)
+{
+  const FlipFree::DicomVolume* const volume = this->SeriesAt(index);
+  return volume ? volume->Problem : std::string();
+}
+
+int vtkMedicalImageReader::GetSeriesNumberOfSlices(int index)
+{
+  const FlipFree::DicomVolume* const volume = this->SeriesAt(index);
+  return volume ? static_cast<int>(volume->Frames.size()) : 0;
+}
+
+void vtkMedicalImageReader::GetSeriesSpacing(int index, double spacing[3])
+{
+  const FlipFree::DicomVolume* const volume = this->SeriesAt(index);
+  const bool isKnown = volume && volume->Problem.empty();
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    spacing[axis] = isKnown ? volume->Geometry.Spacing[axis] : 0;
+  }
+}
+
+std::string vtkMedicalImageReader::GetChosenSeriesUID()
+{
+  return this->Found->Chosen ? this->Found->Chosen->Identifier() : std::string();
 }
 
 void vtkMedicalImageReader::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n";
-  os << indent << "SeriesUID: " << (this->SeriesUID ? this->SeriesUID : "(most files)") << "\n";
+  os << indent << "SeriesUID: " << (this->SeriesUID ? this->SeriesUID : "(the greatest)") << "\n";
   os << indent << "Segment: " << (this->Segment ? this->Segment : "(none)") << "\n";
   os << indent << "NumberOfSeries: " << this->GetNumberOfSeries() << "\n";
 }

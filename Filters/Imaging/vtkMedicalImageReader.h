@@ -9,24 +9,34 @@
  * them. Of a NIfTI file with two orientations, the sform is taken, if its code is above 0 and it
  * can be inverted. NaN voxels stay so.
  *
- * A folder may hold several DICOM series. They are listed by GetNumberOfSeries() and its companions
- * once the information has been updated; SeriesUID chooses one, and GetChosenSeriesUID() says which
- * one was read. Its slices are ordered by position. A tilted gantry gives a direction matrix that
- * is not orthogonal, so that each voxel stays where it was measured.
+ * A folder may hold several DICOM series, with and without preambles, of slices or of multi-frame
+ * images, and much else beside them. A series may hold several volumes (times, echoes, stacks,
+ * acquisitions at one place); each is chosen by `UID#1`, `UID#2` and so on, and in the following
+ * counts as a series. They are listed by GetNumberOfSeries() and its companions once the
+ * information has been updated, or FindSeries() was called; SeriesUID chooses one, and
+ * GetChosenSeriesUID() says which one was read. Its slices are ordered by position. A tilted gantry
+ * gives a direction matrix that is not orthogonal, so that each voxel stays where it was measured.
+ * Voxels are gray values, of the least integer type that holds all that the pixels and the rescale
+ * slopes allow, or float where these are not whole.
+ *
+ * What is no slice of the series is left out: objects without pixels, scouts, a slice that is there
+ * twice, damaged files of other series. One warning says how many files, and why.
  *
  * Output port 0: vtkImageData with one component of scalars, `ImageScalars`. Image field data, for
- * DICOM only: `SeriesUID`, one string.
+ * DICOM only: `SeriesUID`, one string, which SeriesUID would take to read the same again.
  *
  * RequestInformation gives extent, spacing, origin, direction and scalar type from the header
  * alone.
  *
  * Errors: no file name; a missing, unreadable, truncated or damaged file; a header with an invalid
  * field, such as a spacing of NaN, which the error names; an unknown format; 2D and 4D images;
- * several components per voxel; a folder without DICOM images or without the wanted
- * series; slices that do not form one stack. GetErrorCode() gives the vtkErrorCode. Slices that
- * deviate from an even stack by more than 1 % of the slice spacing give a warning, and by more than
- * half of it an error. What a file does not say, or says twice, such as the voxel size or how its
- * axes lie in the patient, gives a warning of what was taken.
+ * several components per voxel; a folder without DICOM images or without the wanted series; a
+ * series of several volumes of which none is chosen; a damaged or unreadable file of the series;
+ * missing slices; slices without a pixel spacing, a position or an orientation; slices that are
+ * unevenly spaced. GetErrorCode() gives the vtkErrorCode. Slices that deviate from an even stack by
+ * more than 1 % of the slice spacing give a warning, and by more than half of it an error. What a
+ * file does not say, or says twice, such as the voxel size or how its axes lie in the patient,
+ * gives a warning of what was taken.
  */
 #ifndef vtkMedicalImageReader_h
 #define vtkMedicalImageReader_h
@@ -36,6 +46,12 @@
 
 #include <exception>
 #include <memory>
+#include <string>
+
+namespace FlipFree
+{
+struct DicomVolume;
+}
 
 class FLIPFREEIMAGING_EXPORT vtkMedicalImageReader : public vtkImageAlgorithm
 {
@@ -54,12 +70,19 @@ public:
 
   ///@{
   /**
-   * Series Instance UID of the DICOM series to read. Empty or unset (the default) means the series
-   * with the most files. Not used for single files.
+   * Series Instance UID of the DICOM series to read, followed by `#1`, `#2` and so on where it
+   * holds several volumes. Empty or unset (the default) means the series with the greatest volume,
+   * that of the most slices. Not used for single files.
    */
   vtkSetStringMacro(SeriesUID);
   vtkGetStringMacro(SeriesUID);
   ///@}
+
+  /**
+   * Lists the series of the folder FileName without choosing one, so that none needs to be
+   * readable. False, with an error, if there is none.
+   */
+  bool FindSeries();
 
   ///@{
   /**
@@ -80,19 +103,29 @@ public:
 
   ///@{
   /**
-   * The DICOM series that the last UpdateInformation() found in the folder, the one with the most
-   * files first. A single file has none. An index out of range gives a null pointer, or zero files.
+   * The DICOM series that the last UpdateInformation() or FindSeries() found in the folder, the one
+   * with the greatest volume first: what SeriesUID takes, Series Number, description, modality,
+   * number of slices, and why it cannot be read, if so. A single file has none. An index out of
+   * range gives empty texts, or no slices.
    */
   int GetNumberOfSeries();
-  const char* GetSeriesUID(int index);
-  const char* GetSeriesDescription(int index);
-  int GetSeriesNumberOfFiles(int index);
+  std::string GetSeriesUID(int index);
+  std::string GetSeriesNumber(int index);
+  std::string GetSeriesDescription(int index);
+  std::string GetSeriesModality(int index);
+  int GetSeriesNumberOfSlices(int index);
+  std::string GetSeriesProblem(int index);
   ///@}
 
   /**
-   * Series Instance UID of the series that was chosen; null if the image is not DICOM.
+   * Voxel spacing of a series in millimeters; zeros if it cannot be read.
    */
-  const char* GetChosenSeriesUID();
+  void GetSeriesSpacing(int index, double spacing[3]);
+
+  /**
+   * The series that was chosen, as SeriesUID takes it; empty if the image is not DICOM.
+   */
+  std::string GetChosenSeriesUID();
 
 protected:
   vtkMedicalImageReader();
@@ -110,6 +143,7 @@ private:
   void operator=(const vtkMedicalImageReader&) = delete;
 
   int Fail(const std::exception& error, vtkInformation* outInfo);
+  const FlipFree::DicomVolume* SeriesAt(int index);
 
   struct Source;
   std::unique_ptr<Source> Found;

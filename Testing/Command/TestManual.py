@@ -13,7 +13,7 @@ import unittest
 
 import command
 
-SUBCOMMANDS = ("segment", "trace", "evaluate", "phantom")
+SUBCOMMANDS = ("segment", "trace", "evaluate", "series", "phantom")
 
 
 def generated(kind):

@@ -2,12 +2,16 @@
 
 import math
 import os
+import sys
 
-import dicom
 import numpy
 import session
 from paraview import servermanager, simple
 from session import fetch, voxels
+
+sys.path.append(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "Support"))
+
+import dicom  # pylint: disable=wrong-import-position
 
 # Oblique and left-handed.
 TURN = math.radians(25)

@@ -45,7 +45,7 @@ class Options(unittest.TestCase):
                          json.loads(run("--generate", "json", program=TOOLKIT).stdout))
 
     def test_help_is_the_toolkits(self):
-        for name in ("segment", "trace", "evaluate", "phantom"):
+        for name in ("segment", "trace", "evaluate", "series", "phantom"):
             ours, theirs = (re.sub(" +\n", "\n", run(name, "--help", program=program).stdout)
                             for program in (OURS, TOOLKIT))
             self.assertEqual(ours, theirs)

@@ -129,13 +129,28 @@ class Files(FileTest):
                 numpy.testing.assert_array_equal(read.voxels, image.voxels)
                 self.assert_same(read, read_by_vtk(self.folder)[0])
                 self.assert_same(flipfree.read_image(self.folder, series="1.2.3"), read)
-        with self.assertRaisesRegex(flipfree.FileError, "has no series '9'. It has 1.2.3"):
+        with self.assertRaisesRegex(flipfree.FileError, "holds no series '9'. It holds 1.2.3"):
             flipfree.read_image(self.folder, series="9")
 
     def test_dicom_with_a_slice_missing(self):
         self.write_series(numpy.eye(3), without=(2,))
-        with self.assertWarnsRegex(flipfree.FlipFreeWarning, "slices stray from an even stack by up to 1.5 mm"):
+        with self.assertRaisesRegex(flipfree.FileError, "1 slice is missing, at least between '1.dcm' and '3.dcm'"):
             flipfree.read_image(self.folder)
+
+    def test_compressed_dicom(self):
+        """As the slices that are not compressed, whatever SimpleITK does with the rest of the file."""
+        self.write_series(DIRECTIONS["oblique"])
+        plain = flipfree.read_image(self.folder)
+        for name in list(self.folder.iterdir()):
+            image = SimpleITK.ReadImage(str(name))
+            writer = SimpleITK.ImageFileWriter()
+            writer.KeepOriginalImageUIDOn()
+            writer.UseCompressionOn()
+            writer.SetCompressor("JPEG2000")
+            writer.SetFileName(str(name))
+            writer.Execute(image)
+        self.assert_same(flipfree.read_image(self.folder), plain)
+        numpy.testing.assert_array_equal(flipfree.read_image(self.folder).voxels, plain.voxels)
 
     def test_what_is_wrong_is_said(self):
         (self.folder / "text.nii.gz").write_text("no volume")
@@ -143,8 +158,8 @@ class Files(FileTest):
         (self.folder / "empty").mkdir()
         SimpleITK.WriteImage(SimpleITK.Image([4, 4], SimpleITK.sitkInt16), str(self.folder / "flat.mha"))
         for name, message in (("text.nii.gz", "does not begin as its file extension requires"), ("text.nrrd", "not valid NRRD"),
-                              ("empty", "holds no DICOM images"), ("flat.mha", "of 2 dimensions"),
-                              ("nowhere.nii", "does not exist"), (".", "holds no DICOM images")):
+                              ("empty", "holds no DICOM image"), ("flat.mha", "of 2 dimensions"),
+                              ("nowhere.nii", "does not exist"), (".", "holds no DICOM image")):
             with self.subTest(name), self.assertRaisesRegex(flipfree.FileError, message):
                 flipfree.read_image(self.folder / name)
         (self.folder / "ct.jpg").write_text("")

@@ -105,6 +105,7 @@ int RunCommand(int argc, char* argv[])
     AddSegmentCommand(program);
     AddTraceCommand(program);
     AddEvaluateCommand(program);
+    AddSeriesCommand(program);
     AddPhantomCommand(program);
     AddGenerateOption(program);
 

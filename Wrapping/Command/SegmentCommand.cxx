@@ -32,6 +32,7 @@
 #include <array>
 #include <chrono>
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 #include <sstream>
 
@@ -248,7 +249,7 @@ OriginNames AllNamesOf(const std::vector<SegmentRequest>& organs)
   return all;
 }
 
-void SegmentOrgans(const std::vector<SegmentRequest>& organs, const Session* session)
+void SegmentOrgans(std::vector<SegmentRequest> organs, const Session* session)
 {
   std::vector<FilterPointer> filters;
   OutputFiles outputs;
@@ -266,6 +267,11 @@ void SegmentOrgans(const std::vector<SegmentRequest>& organs, const Session* ses
   if (session)
   {
     RequireImageOf(*session, first.Input, image);
+  }
+
+  for (SegmentRequest& organ : organs)
+  {
+    organ.SeriesUID = SeriesOf(image);
   }
 
   for (std::size_t organ = 0; organ < organs.size(); ++organ)
@@ -330,6 +336,11 @@ void Segment(const SegmentRequest& request)
   {
     given.Input = ImageBeside(session);
   }
+  std::error_code ignored;
+  if (given.SeriesUID.empty() && std::filesystem::is_directory(given.Input, ignored))
+  {
+    given.SeriesUID = session.SeriesUID;
+  }
   if (session.Together)
   {
     const std::vector<GivenOrgan> organs = GroupOf(session, given);
@@ -373,7 +384,7 @@ void AddFiles(CLI::App* command, SegmentRequest& request)
   command
     ->add_option("--series", request.SeriesUID,
       "Series Instance UID, if the folder holds several series; by default, the one with the most "
-      "files")
+      "slices; of one with several volumes, UID#1, UID#2 and so on ('flipfree series' lists them)")
     ->type_name("UID");
   command
     ->add_option("--seed", request.Seed,

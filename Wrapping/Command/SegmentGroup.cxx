@@ -142,6 +142,7 @@ public:
     this->Image = ReadVolume(this->Given.Input, this->Given.SeriesUID);
     const std::chrono::duration<double> reading = std::chrono::steady_clock::now() - start;
     this->ReadingSeconds = reading.count();
+    this->Names.Series = SeriesOf(this->Image);
     if (session)
     {
       RequireImageOf(*session, this->Given.Input, this->Image);
@@ -201,7 +202,11 @@ public:
     this->Outputs.Commit();
   }
 
-  void Report() const { PrintReport(this->Group, this->Given.Input, this->ReadingSeconds); }
+  void Report() const
+  {
+    PrintReport(this->Group, InputTitle(this->Given.Input, this->Names.Series),
+      this->ReadingSeconds);
+  }
 
 private:
   void WriteIfNamed(const std::string& name, const std::function<void(const std::string&)>& how)

@@ -148,13 +148,15 @@ void RequireSense(const SegmentRequest& request)
 
 std::string TitleOf(const SegmentRequest& request, const char* quote)
 {
-  return quote + request.Input + quote + (request.Organ.empty() ? "" : ", " + request.Organ);
+  return InputTitle(quote + request.Input + quote, request.SeriesUID) +
+    (request.Organ.empty() ? "" : ", " + request.Organ);
 }
 
 OriginNames NamesOf(const SegmentRequest& request)
 {
   OriginNames names;
   names.Image = request.Input;
+  names.Series = request.SeriesUID;
   names.StartLabels = request.StartLabels;
   names.StartLabel = request.StartLabel;
   names.Organs = { request.Repeated.Title };

@@ -236,6 +236,7 @@ Session SessionOf(const Json& content)
   Session session;
   const Json& image = content.at("image");
   session.ImageName = image.at("name").get<std::string>();
+  session.SeriesUID = image.value("series", std::string());
   session.Size = image.at("size").get<std::array<int, 3>>();
   session.Spacing = Numbers<3>(image, "spacing");
   session.Origin = Numbers<3>(image, "origin");

@@ -37,6 +37,7 @@ struct Session
 {
   std::string File;
   std::string ImageName; // without a folder, which a browser does not tell
+  std::string SeriesUID; // of an image that is a folder of DICOM files; may be empty
   std::array<int, 3> Size;
   std::array<double, 3> Spacing;
   std::array<double, 3> Origin;

@@ -70,6 +70,10 @@ std::string NamedProvenance(const std::string& provenance, const OriginNames& na
   }
   OrderedJson& organs = session.at("organs");
   Fill(session.at("image").at("name"), NameIn(names.Image));
+  if (!names.Series.empty())
+  {
+    session.at("image")["series"] = names.Series;
+  }
   for (std::size_t index = 0; index < organs.size(); ++index)
   {
     Fill(organs[index].at("name"), At(names.Organs, index));

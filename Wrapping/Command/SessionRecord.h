@@ -22,6 +22,7 @@ namespace Command
 struct OriginNames
 {
   std::string Image;       ///< a file or folder
+  std::string Series;      ///< of a folder of DICOM files
   std::string StartLabels; ///< a file
   std::string StartLabel;  ///< in it, if it was chosen: a segment's name or a value
   std::vector<std::string> Fixed;

@@ -70,6 +70,7 @@ OriginNames NamesOf(const Trace& trace)
 {
   OriginNames names;
   names.Image = trace.Input;
+  names.Series = trace.SeriesUID;
   for (const std::string* file :
     { &trace.Surface, &trace.Labels, &trace.Centerline, &trace.SessionOut })
   {
@@ -173,14 +174,15 @@ void PrintSummary(vtkFlipFreeVesselSegmentation* filter, const Trace& trace)
   std::printf(
     "%s: %d %s, %d vertices, %s, %d self-intersections, support %.2f; path %.2f s, start %.2f s, "
     "deformation %.2f s, label map %.2f s\n",
-    trace.Input.c_str(), branches, branches == 1 ? "branch" : "branches",
+    InputTitle(trace.Input, trace.SeriesUID).c_str(), branches,
+    branches == 1 ? "branch" : "branches",
     static_cast<int>(filter->GetSurface()->GetNumberOfPoints()), filter->GetStopReasonAsString(),
     filter->GetNumberOfSelfIntersections(), filter->GetSupport(), seconds[0], seconds[1],
     seconds[2], seconds[3]);
   std::fflush(stdout);
 }
 
-void TraceVessel(const Trace& trace)
+void TraceVessel(Trace trace)
 {
   if (trace.Quiet)
   {
@@ -204,6 +206,7 @@ void TraceVessel(const Trace& trace)
   }
   vtkSMPTools::Initialize(trace.Threads);
   const vtkSmartPointer<vtkImageData> image = ReadVolume(trace.Input, trace.SeriesUID);
+  trace.SeriesUID = SeriesOf(image);
   filter->SetInputData(image);
   try
   {
@@ -257,7 +260,7 @@ void AddFiles(CLI::App* command, Trace& trace)
   command
     ->add_option("--series", trace.SeriesUID,
       "Series Instance UID, if the folder holds several series; by default, the one with the most "
-      "files")
+      "slices; of one with several volumes, UID#1, UID#2 and so on ('flipfree series' lists them)")
     ->type_name("UID");
   command
     ->add_option("--point", trace.Points,

@@ -5,10 +5,12 @@
 #include "Run.h"
 #include "UnreadableFile.h"
 
+#include "vtkFieldData.h"
 #include "vtkImageData.h"
 #include "vtkMedicalImageReader.h"
 #include "vtkMedicalImageWriter.h"
 #include "vtkNew.h"
+#include "vtkStringArray.h"
 
 #include <cstdlib>
 #include <filesystem>
@@ -75,6 +77,18 @@ bool IsLabel(const std::string& text)
   const bool isValue = text.find_first_not_of("0123456789") == std::string::npos &&
     number <= std::numeric_limits<int>::max();
   return !text.empty() && (!isNumber || isValue);
+}
+
+std::string SeriesOf(vtkImageData* image)
+{
+  auto* const uid =
+    vtkStringArray::SafeDownCast(image->GetFieldData()->GetAbstractArray("SeriesUID"));
+  return uid && uid->GetNumberOfValues() == 1 ? uid->GetValue(0) : std::string();
+}
+
+std::string InputTitle(const std::string& name, const std::string& seriesUID)
+{
+  return name + (seriesUID.empty() ? "" : ", series " + seriesUID);
 }
 
 void WriteVolume(const std::string& name, vtkImageData* image)

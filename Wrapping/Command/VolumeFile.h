@@ -18,7 +18,7 @@ namespace Command
 const std::vector<std::string>& VolumeEndings();
 
 /// Reads a volume from a file or a DICOM folder; of several series, the one with the given UID, or
-/// else the one with the most files.
+/// else the one with the most slices.
 vtkSmartPointer<vtkImageData> ReadVolume(const std::string& name,
   const std::string& seriesUID = std::string());
 
@@ -35,6 +35,12 @@ ChosenLabels ReadLabels(const std::string& name, const std::string& label);
 
 /// Whether a text can choose a label: whatever is not a number other than a value.
 bool IsLabel(const std::string& text);
+
+/// The DICOM series that a volume was read from, as ReadVolume() takes it; empty for other files.
+std::string SeriesOf(vtkImageData* image);
+
+/// What a summary calls a volume: the file, or the folder and the series in it.
+std::string InputTitle(const std::string& name, const std::string& seriesUID);
 
 void WriteVolume(const std::string& name, vtkImageData* image);
 

@@ -18,6 +18,7 @@ set(FLIPFREE_LAYER_FILES
   _progress.py
   _segment.py
   _segment_organs.py
+  _series.py
   _trace.py
   _types.py
   _voxels.py

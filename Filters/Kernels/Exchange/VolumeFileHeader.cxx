@@ -19,8 +19,14 @@ FileProblem NoVoxels(const std::string& name, const std::string& what)
       ". The file is truncated or damaged. Download or copy it again." };
 }
 
-FileProblem WhyNotReadable(const std::string& name)
+FileProblem WhyNotReadable(const std::string& name, const std::string& start)
 {
+  constexpr std::size_t preamble = 128;
+  if (start.size() > preamble && start.compare(preamble, 4, "DICM") == 0)
+  {
+    return { FileProblem::Kind::Unrecognized,
+      "'" + name + "' is a single DICOM file. Give the folder of its series instead." };
+  }
   const char* const known[] = { ".nii", ".nii.gz", ".hdr", ".img", ".img.gz", ".nrrd", ".nhdr",
     ".mha", ".mhd" };
   if (std::any_of(std::begin(known), std::end(known),
@@ -98,7 +104,7 @@ VolumeFileHeader ReadVolumeFileHeader(const std::string& name, const std::string
   {
     return ReadMetaImageHeader(name, start);
   }
-  throw WhyNotReadable(name);
+  throw WhyNotReadable(name, start);
 }
 
 void TakePacked(VoxelStorage& storage)

@@ -1,5 +1,6 @@
 #include "FuzzInputs.h"
 
+#include "ExampleDicom.h"
 #include "SurfaceFile.h"
 #include "VolumeFile.h"
 
@@ -50,75 +51,87 @@ void Put(std::string& bytes, std::size_t offset, std::initializer_list<T> values
   }
 }
 
-void AppendNumber(std::string& bytes, std::uint32_t number, int count)
+/// Of a label map's slices, two bytes for each voxel.
+std::vector<std::string> WideSlices(const std::string& voxels)
 {
-  for (int byte = 0; byte < count; ++byte)
+  constexpr std::size_t inSlice = 12 * 10;
+  std::vector<std::string> slices(Sizes[2]);
+  for (std::size_t index = 0; index < voxels.size(); ++index)
   {
-    bytes += static_cast<char>(number >> 8 * byte & 255);
+    slices[index / inSlice] += std::string{ voxels[index], '\0' };
   }
+  return slices;
 }
 
-/// One element of a DICOM file, little-endian with explicit types.
-void AppendElement(std::string& bytes, std::uint32_t tag, const std::string& type,
-  std::string value)
+std::string HeightOf(int slice)
 {
-  value += value.size() % 2 ? (type == "UI" ? std::string(1, '\0') : " ") : "";
-  AppendNumber(bytes, tag >> 16, 2);
-  AppendNumber(bytes, tag & 0xFFFF, 2);
-  bytes += type;
-  const bool isLong = type == "OB" || type == "OW" || type == "SQ";
-  if (isLong)
+  return "0\\0\\" + std::to_string(Spacing[2] * slice);
+}
+
+ExampleDicom::Options DicomOptions(int slice)
+{
+  ExampleDicom::Options options;
+  options.Instance = std::string(ExampleDicom::RootUID) + ".1." + std::to_string(slice + 1);
+  options.Position = HeightOf(slice);
+  options.Spacing = "1\\1";
+  options.Rows = Sizes[1];
+  options.Columns = Sizes[0];
+  options.HighBit = 15;
+  return options;
+}
+
+/// Copies of up to 128 bytes; two planes, the high bytes first.
+std::string RunLengths(const std::string& wide)
+{
+  std::string header(64, '\0');
+  std::string planes[2];
+  for (const std::size_t plane : { 0U, 1U })
   {
-    AppendNumber(bytes, 0, 2);
+    for (std::size_t at = 1 - plane; at < wide.size(); at += 2)
+    {
+      planes[plane] += wide[at];
+    }
+    planes[plane].insert(0, 1, static_cast<char>(planes[plane].size() - 1));
+    planes[plane].append(planes[plane].size() % 2, '\x80');
   }
-  AppendNumber(bytes, static_cast<std::uint32_t>(value.size()), isLong ? 4 : 2);
-  bytes += value;
+  header[0] = 2;
+  header[4] = 64;
+  header[8] = static_cast<char>(64 + planes[0].size());
+  return header + planes[0] + planes[1];
 }
 
-std::string Short(int number)
+std::map<std::string, std::string> DicomSlices(const std::string& voxels, ExampleDicom::Coding how,
+  bool hasHeader, bool isPacked)
 {
-  std::string bytes;
-  AppendNumber(bytes, static_cast<std::uint32_t>(number), 2);
-  return bytes;
+  std::map<std::string, std::string> files;
+  int number = 0;
+  for (const std::string& pixels : WideSlices(voxels))
+  {
+    ExampleDicom::Options options = DicomOptions(number);
+    options.How = how;
+    options.Pixels = pixels;
+    if (isPacked)
+    {
+      options.Fragments = { "", RunLengths(pixels) };
+    }
+    const ExampleDicom::DataSet data = ExampleDicom::Slice(options);
+    files["slice" + std::to_string(number++) + ".dcm"] = hasHeader
+      ? ExampleDicom::FileOf(data, isPacked ? "1.2.840.10008.1.2.5" : "1.2.840.10008.1.2.1")
+      : data.Bytes;
+  }
+  return files;
 }
 
-std::string DicomSlice(const std::string& voxels, int slice)
+std::string EnhancedDicom(const std::string& voxels, bool isDelimited)
 {
-  const std::string uid = "1.2.826.0.1.3680043.2.1143.78";
-  const std::string instance = uid + ".1." + std::to_string(slice + 1);
-  const std::string kind = "1.2.840.10008.5.1.4.1.1.2"; // CT
-  std::string group;
-  AppendElement(group, 0x00020001, "OB", std::string("\0\1", 2));
-  AppendElement(group, 0x00020002, "UI", kind);
-  AppendElement(group, 0x00020003, "UI", instance);
-  AppendElement(group, 0x00020010, "UI", "1.2.840.10008.1.2.1");
-  std::string bytes(128, '\0');
-  bytes += "DICM";
-  std::string length;
-  AppendNumber(length, static_cast<std::uint32_t>(group.size()), 4);
-  AppendElement(bytes, 0x00020000, "UL", length);
-  bytes += group;
-  AppendElement(bytes, 0x00080016, "UI", kind);
-  AppendElement(bytes, 0x00080018, "UI", instance);
-  AppendElement(bytes, 0x00080060, "CS", "CT");
-  AppendElement(bytes, 0x0020000D, "UI", uid);
-  AppendElement(bytes, 0x0020000E, "UI", uid + ".1");
-  AppendElement(bytes, 0x00200013, "IS", std::to_string(slice + 1));
-  AppendElement(bytes, 0x00200032, "DS", "0\\0\\" + std::to_string(Spacing[2] * slice));
-  AppendElement(bytes, 0x00200037, "DS", R"(1\0\0\0\1\0)");
-  AppendElement(bytes, 0x00280002, "US", Short(1));
-  AppendElement(bytes, 0x00280004, "CS", "MONOCHROME2");
-  AppendElement(bytes, 0x00280010, "US", Short(Sizes[1]));
-  AppendElement(bytes, 0x00280011, "US", Short(Sizes[0]));
-  AppendElement(bytes, 0x00280030, "DS", "1\\1");
-  AppendElement(bytes, 0x00280100, "US", Short(16));
-  AppendElement(bytes, 0x00280101, "US", Short(16));
-  AppendElement(bytes, 0x00280102, "US", Short(15));
-  AppendElement(bytes, 0x00280103, "US", Short(1));
-  AppendElement(bytes, 0x00281052, "DS", "0");
-  AppendElement(bytes, 0x00281053, "DS", "1");
-  AppendElement(bytes, 0x7FE00010, "OW", voxels);
-  return bytes;
+  ExampleDicom::Options options = DicomOptions(0);
+  std::vector<ExampleDicom::Frame> frames;
+  for (const std::string& pixels : WideSlices(voxels))
+  {
+    options.Pixels += pixels;
+    frames.push_back({ HeightOf(static_cast<int>(frames.size())), "1", 1, "1", "0" });
+  }
+  return ExampleDicom::FileOf(ExampleDicom::Enhanced(options, frames, isDelimited));
 }
 
 std::string NrrdHeader(const std::string& encoding, const std::string& more = "")
@@ -226,19 +239,16 @@ void AddVolumes(const std::string& folder, std::vector<FuzzInput>& inputs)
   text("MetaImage, detached, packed", "a.mhd",
     { { "a.mhd", MetaImageHeader(true, "a.zraw", packed.size()) }, { "a.zraw", packed } });
 
-  FuzzInput series{ "DICOM", "", {}, false, false, false, 900 };
-  constexpr std::size_t inSlice = 12 * 10;
-  for (int slice = 0; slice < Sizes[2]; ++slice)
-  {
-    std::string wide;
-    for (const char voxel : voxels.substr(static_cast<std::size_t>(slice) * inSlice, inSlice))
-    {
-      wide += voxel;
-      wide += '\0';
-    }
-    series.Files["slice" + std::to_string(slice) + ".dcm"] = DicomSlice(wide, slice);
-  }
-  add(series);
+  using ExampleDicom::Coding;
+  const auto folderOf = [&](const std::string& name,
+                          const std::map<std::string, std::string>& files, std::size_t header) {
+    add({ name, "", files, false, false, false, header });
+  };
+  folderOf("DICOM", DicomSlices(voxels, Coding::Explicit, true, false), 900);
+  folderOf("DICOM, implicit, no header", DicomSlices(voxels, Coding::Implicit, false, false), 500);
+  folderOf("DICOM, run lengths", DicomSlices(voxels, Coding::Explicit, true, true), 900);
+  folderOf("DICOM, enhanced", { { "e.dcm", EnhancedDicom(voxels, false) } }, 4000);
+  folderOf("DICOM, enhanced, delimited", { { "e.dcm", EnhancedDicom(voxels, true) } }, 4000);
 }
 
 template <typename Writer>

@@ -72,10 +72,10 @@ export async function changePoints(change: Partial<OrganState>): Promise<void> {
 
 /** Throws a FlipFreeError if a session is of another image. */
 async function requireImageOf(session: Session): Promise<void> {
-  const { name, size } = session.image;
+  const { name, series, size } = session.image;
   const opened = app.opened?.image;
   if (!opened || !(await flipfree.compareGrids(session.image, opened, name)).samePlaces) {
-    throw new FlipFreeError(`The session is of another image; open ${name} (${size.join(" × ")} voxels) first, then the session`);
+    throw new FlipFreeError(`The session is of another image; open ${series ? `${name}, series ${series}` : name} (${size.join(" × ")} voxels) first, then the session`);
   }
 }
 

@@ -8,11 +8,14 @@ type Entry = { name: string; color: string; parameters: Parameters } & (
   | { kind: "vessel"; points: readonly Triple[] }
 );
 
+/** Of a folder of DICOM files, the command also records the series that it read. */
+type ImageOfSession = { name: string; series?: string } & Grid;
+
 interface SessionFile {
   format: "flipfree-session";
   version: 1 | 2;
   flipfree: string;
-  image: { name: string } & Grid;
+  image: ImageOfSession;
   organs: Entry[];
   /** Of the command: the organs were segmented together. */
   together?: boolean;
@@ -25,7 +28,7 @@ interface OfTheCommand {
 }
 
 export interface Session {
-  image: { name: string } & Grid;
+  image: ImageOfSession;
   organs: SessionOrgan[];
 }
 

@@ -15,7 +15,7 @@ from ._update import update
 
 def read(name: str, series: str | None, tell: Progress | None) -> vtkImageData:
     """The image of a file, or of a folder's DICOM series."""
-    reader = _imaging_class("vtkMedicalImageReader")
+    reader = imaging_class("vtkMedicalImageReader")
     reader.SetFileName(name)
     reader.SetSeriesUID(series)
     update(reader, FileError, tell)
@@ -38,7 +38,7 @@ def write(
     image: vtkImageData, name: str, names: Mapping[int, str] | None, colors: Mapping[int, str]
 ) -> None:
     """Writes an image; without names, its labels have those of its field data."""
-    writer = _imaging_class("vtkMedicalImageWriter")
+    writer = imaging_class("vtkMedicalImageWriter")
     writer.SetInputDataObject(image if names is None else _named(image, names, colors))
     writer.SetFileName(name)
     update(writer, FileError, run=writer.Write)
@@ -64,7 +64,8 @@ def _named(
     return named
 
 
-def _imaging_class(name: str) -> Any:
+def imaging_class(name: str) -> Any:
+    """A filter of the module that needs ITK."""
     import flipfree
 
     if not hasattr(flipfree, name):

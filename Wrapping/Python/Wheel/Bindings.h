@@ -21,6 +21,7 @@ namespace FlipFree
 
 void BindSegmentation(nanobind::module_& module);
 void BindVessels(nanobind::module_& module);
+void BindDicom(nanobind::module_& module);
 void BindEvaluation(nanobind::module_& module);
 void BindExchange(nanobind::module_& module);
 void BindLabels(nanobind::module_& module);

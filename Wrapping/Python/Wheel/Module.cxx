@@ -37,6 +37,7 @@ NB_MODULE(_kernels, module)
   BindError(module);
   FlipFree::BindSegmentation(module);
   FlipFree::BindEvaluation(module);
+  FlipFree::BindDicom(module);
   FlipFree::BindExchange(module);
   FlipFree::BindLabels(module);
   FlipFree::BindPhantoms(module);

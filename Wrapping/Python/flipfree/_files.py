@@ -21,9 +21,10 @@ def read_image(
     """Reads a NIfTI, NRRD or MetaImage file, or a folder of DICOM files.
 
     A folder may hold several DICOM series; `series` is the Series Instance UID of the one to read,
-    by default the one of most files. Coordinates are LPS millimeters. What a file does not say, or
-    says twice, is a FlipFreeWarning. The package without VTK needs SimpleITK for DICOM, which
-    `pip install '.[io]'` in the source folder brings along.
+    by default the one of most slices. A series may hold several volumes (times, echoes, stacks):
+    "UID#1", "UID#2" and so on. flipfree.series() lists them. Coordinates are LPS millimeters. What a
+    file does not say, or says twice, is a FlipFreeWarning. The package without VTK needs SimpleITK
+    for compressed DICOM files, which `pip install '.[io]'` in the source folder brings along.
 
     >>> import flipfree
     >>> flipfree.read_image("nowhere.nii.gz")

@@ -1,4 +1,4 @@
-"""The command `flipfree` of the package that pip installs: segment, trace, evaluate, phantom, cohort."""
+"""The command `flipfree` of the package that pip installs: segment, trace, evaluate, series, phantom, cohort."""
 
 from __future__ import annotations
 

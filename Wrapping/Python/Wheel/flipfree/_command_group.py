@@ -10,7 +10,7 @@ from typing import Any
 
 from ._atomic import write_text
 from ._backend import GROUP_PARAMETERS, set_threads
-from ._command_inputs import lps, require_coordinates
+from ._command_inputs import input_title, lps, require_coordinates
 from ._command_outputs import (
     OUTPUTS,
     SHARED,
@@ -55,11 +55,12 @@ def segment_group(
     reading = time.perf_counter() - start
     if session:
         require_image_of(session, values["input"], image)
+    values = {**values, "series": image.series}
     found = _found(image, organs, fixed, parameters, progress)
     working = time.perf_counter() - start - reading
     _write(values, found, image, outputs, colors)
     if "quiet" not in values:
-        _report(values["input"], found, reading, working)
+        _report(input_title(values), found, reading, working)
 
 
 def segment_together(session: Session, values: dict[str, Any], progress: bool) -> None:
@@ -116,6 +117,7 @@ def _write(
 ) -> None:
     names = OriginNames(
         values["input"],
+        values["series"],
         fixed=values.get("fixed", ()),
         organs=list(found),
         colors=[colors.get(organ, "") for organ in found],

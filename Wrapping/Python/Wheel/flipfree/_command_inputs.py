@@ -54,6 +54,12 @@ def point_of(image: Image, voxel: Sequence[float]) -> list[float]:
     return point
 
 
+def input_title(values: dict[str, Any], quote: str = "") -> str:
+    """How messages call the volume: the file, or the folder and the series in it."""
+    series = f", series {values['series']}" if values.get("series") else ""
+    return f"{quote}{values['input']}{quote}{series}"
+
+
 def wants_bar(values: dict[str, Any]) -> bool:
     """Whether somebody looks at the terminal."""
     return "quiet" not in values and sys.stderr.isatty()

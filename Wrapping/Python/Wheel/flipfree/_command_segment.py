@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import contextlib
+import os
 import time
 from collections.abc import Iterable
 from functools import partial
@@ -12,6 +13,7 @@ from ._atomic import write_text
 from ._backend import SEGMENT_PARAMETERS, set_threads
 from ._command_group import organs_of, segment_group, segment_together
 from ._command_inputs import (
+    input_title,
     points_of,
     require_coordinates,
     require_sense_of_corrections,
@@ -51,6 +53,8 @@ def segment(values: dict[str, Any]) -> None:
     session = _session_of(values)
     if session and "input" not in values:
         values = {**values, "input": image_beside(session)}
+    if session and session.series and "series" not in values and os.path.isdir(values["input"]):
+        values = {**values, "series": session.series}
     if session and session.together:
         segment_together(session, values, progress)
         return
@@ -67,6 +71,7 @@ def segment(values: dict[str, Any]) -> None:
     reading = time.perf_counter() - start
     if session:
         require_image_of(session, values["input"], image)
+    runs = [{**run, "series": image.series} for run in runs]
     with contextlib.ExitStack() as files:  # either all files or none
         found = [_segment_one(run, image, points, files, progress) for run in runs]
         _write_shared(values, runs, [organ for organ, _ in found], files)
@@ -203,7 +208,7 @@ def _write_shared(
 def _title_of(values: dict[str, Any], quote: str = "'") -> str:
     """How messages call what is segmented."""
     organ = f", {values['organ']}" if "organ" in values else ""
-    return f"{quote}{values['input']}{quote}{organ}"
+    return f"{input_title(values, quote)}{organ}"
 
 
 def names_of(
@@ -214,6 +219,7 @@ def names_of(
     files = (values[name] for name in (*outputs, "save_session") if name in values)
     return OriginNames(
         values["input"],
+        values.get("series", ""),
         values.get("start_labels", ""),
         values.get("start_label", ""),
         organs=[repeated.title if repeated else organ_of_file(next(files, ""))],

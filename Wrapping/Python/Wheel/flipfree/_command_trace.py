@@ -8,6 +8,7 @@ from typing import Any
 
 from ._backend import TRACE_PARAMETERS, VesselAlgorithm, set_threads
 from ._command_inputs import (
+    input_title,
     lps,
     points_of,
     require_coordinates,
@@ -42,6 +43,7 @@ def trace(values: dict[str, Any]) -> None:
         )
     set_threads(values.get("threads", 0))
     image = read_image(values["input"], series=values.get("series"), progress=progress)
+    values = {**values, "series": image.series}
     with contextlib.ExitStack() as files:  # either all files or none
         try:
             vessel = trace_vessel(
@@ -54,7 +56,8 @@ def trace(values: dict[str, Any]) -> None:
                 **{name: value for name, value in values.items() if name in TRACE_PARAMETERS},
             )
         except FlipFreeError as error:
-            raise type(error)(f"'{values['input']}': {error}") from error
+            title = input_title(values, "'")
+            raise type(error)(f"{title}: {error}") from error
         for name, path in outputs.items():
             if name == "save_points":
                 write_to(files, path, lambda path: write_points(path, corrections))
@@ -66,7 +69,7 @@ def trace(values: dict[str, Any]) -> None:
         stages = ("path", "start", "deformation", "label map")
         seconds = ", ".join(f"{name} {used:.2f} s" for name, used in zip(stages, vessel.stage_seconds))
         print(
-            f"{values['input']}: {count} {'branch' if count == 1 else 'branches'}, "
+            f"{input_title(values)}: {count} {'branch' if count == 1 else 'branches'}, "
             f"{len(vessel.points)} vertices, {vessel.stop_reason}, "
             f"{vessel.self_intersections} self-intersections, support {vessel.support:.2f}; {seconds}"
         )

@@ -1,82 +1,90 @@
-"""A series of DICOM slices as a volume; its slices' own positions say where it lies."""
+"""Folders of DICOM files.
+
+The kernels understand them, for this package as for the toolkit; zlib inflates, and SimpleITK decodes
+compressed pixels.
+"""
 
 from __future__ import annotations
 
 import os
-from typing import Any
+import tempfile
+import zlib
+from collections.abc import Callable
+from typing import Any, TypeVar
 
-from ._arrays import image_from_array
+from . import _kernels
 from ._errors import FileError
 from ._extras import ARRAY_INSTEAD, simpleitk
 from ._image import Image
 from ._messages import warn
+from ._run import run
+from ._types import Progress
 
-POSITION = "0020|0032"
-# Of the slice spacing: beyond the first there is a warning, beyond the second an error.
-TOLERANCES = (0.01, 0.5)
-
-
-def read_series(folder: str, series: str | None) -> Image:
-    """Reads the series with this UID, or else the one of most files."""
-    sitk = simpleitk(folder, ARRAY_INSTEAD)
-    reader = sitk.ImageSeriesReader()
-    names = _files_of(reader, folder, series)
-    reader.SetFileNames(names)
-    reader.MetaDataDictionaryArrayUpdateOn()
-    try:
-        image = reader.Execute()
-    except RuntimeError as error:
-        raise FileError(
-            f"'{folder}': the slices of the series do not form one volume, or one of them is damaged "
-            f"({str(error).strip().splitlines()[-1][-120:]})."
-        ) from error
-    if image.GetDimension() != 3 or image.GetNumberOfComponentsPerPixel() != 1:
-        raise FileError(f"'{folder}': its series is not a volume of gray values.")
-    return _placed(sitk, image, _positions(reader, len(names)), folder)
+T = TypeVar("T")
 
 
-def _files_of(reader: Any, folder: str, series: str | None) -> list[str]:
-    found = {uid: reader.GetGDCMSeriesFileNames(folder, uid) for uid in reader.GetGDCMSeriesIDs(folder)}
-    if not found:
-        raise FileError(f"'{folder}' holds no DICOM images. Give the folder of a series, or a file.")
-    if series is None:
-        series = max(found, key=lambda uid: len(found[uid]))
-    if series not in found:
-        raise FileError(f"'{folder}' has no series '{series}'. It has {', '.join(sorted(found))}.")
-    return [os.fspath(name) for name in found[series]]
+def series_in(folder: str, tell: Progress | None) -> list[tuple[Any, ...]]:
+    """The fields of each Series."""
 
-
-def _positions(reader: Any, count: int) -> Any:
-    """Where the first voxel of each slice is; nothing where a slice does not say."""
-    import numpy
-
-    if not all(reader.HasMetaDataKey(index, POSITION) for index in range(count)):
-        return None
-    return numpy.array(
-        [
-            [float(number) for number in reader.GetMetaData(index, POSITION).split("\\")]
-            for index in range(count)
+    def list_series(report: Callable[[float], bool]) -> list[tuple[Any, ...]]:
+        found = _opened(folder, report)
+        found.require_volumes()
+        return [
+            (*names, None if spacing is None else tuple(spacing), problem)
+            for *names, spacing, problem in found.list()
         ]
+
+    if not os.path.isdir(folder):
+        raise FileError(f"'{folder}' is not a folder. Give the folder of DICOM files.")
+    return _run(list_series, tell)
+
+
+def read_series(folder: str, series: str | None, tell: Progress | None) -> Image:
+    """Reads the volume that `series` names, or else the one of most slices."""
+    answer = _run(lambda report: _opened(folder, report).read(series or "", report), tell)
+    for warning in filter(None, answer["warnings"]):
+        warn(warning)
+    shape = answer["shape"]
+    voxels = answer["words"].view(answer["type"])[: shape[0] * shape[1] * shape[2]].reshape(shape)
+    return Image(
+        voxels,
+        tuple(answer["spacing"]),
+        tuple(answer["origin"]),
+        tuple(answer["direction"]),
+        series=answer["series"],
     )
 
 
-def _placed(sitk: Any, image: Any, positions: Any, folder: str) -> Image:
-    """With the third axis along the slices' positions, which a tilted gantry turns."""
-    import numpy
+def _opened(folder: str, report: Callable[[float], bool]) -> Any:
+    return _kernels.DicomFolder(folder, _inflated, lambda file: _decoded(folder, file), report)
 
-    spacing = numpy.array(image.GetSpacing())
-    axes = numpy.reshape(image.GetDirection(), (3, 3)).copy()
-    if positions is not None and len(positions) > 1:
-        step = (positions[-1] - positions[0]) / (len(positions) - 1)
-        length = numpy.linalg.norm(step)
-        even = positions[0] + step * numpy.arange(len(positions))[:, None]
-        astray = numpy.linalg.norm(positions - even, axis=1).max()
-        if not length > 0 or astray > TOLERANCES[1] * length:
-            raise FileError(
-                f"'{folder}': the slices do not form an even stack; one lies {astray:.3g} mm from its "
-                f"place, at a spacing of {length:.3g} mm. Slices are missing, or there are two series."
-            )
-        if astray > TOLERANCES[0] * length:
-            warn(f"'{folder}': slices stray from an even stack by up to {astray:.3g} mm.")
-        spacing[2], axes[:, 2] = length, step / length
-    return image_from_array(sitk.GetArrayFromImage(image), spacing.tolist(), image.GetOrigin(), axes)
+
+def _run(work: Callable[[Callable[[float], bool]], T], tell: Progress | None) -> T:
+    try:
+        answer: T = run(work, FileError, "{}", {}, tell)
+    except _kernels.FileProblem as problem:
+        raise FileError(str(problem)) from None
+    return answer
+
+
+def _inflated(packed: bytes) -> bytes:
+    """As far as it goes."""
+    stream = zlib.decompressobj(-zlib.MAX_WBITS)
+    try:
+        return stream.decompress(packed, 1 << 31)
+    except zlib.error:
+        return b""
+
+
+def _decoded(folder: str, file: bytes) -> bytes:
+    """The pixels of a minimal DICOM file; none where they are damaged."""
+    sitk = simpleitk(folder, ARRAY_INSTEAD)
+    with tempfile.TemporaryDirectory() as place:
+        name = os.path.join(place, "compressed.dcm")
+        with open(name, "wb") as stream:
+            stream.write(file)
+        try:
+            image = sitk.ReadImage(name)
+        except RuntimeError:
+            return b""
+    return bytes(sitk.GetArrayViewFromImage(image).tobytes())

@@ -29,6 +29,9 @@ class Image:
     names: Mapping[int, str] = field(default_factory=dict)
     """What the labels of a label map are called, for files that hold it (.seg.nrrd)."""
 
+    series: str = ""
+    """The DICOM series that was read, as read_image(..., series=...) takes it."""
+
     @property
     def steps(self) -> npt.NDArray[Any]:
         """From a voxel to the next along each axis, in mm, as the columns of a 3 x 3 matrix."""

@@ -26,7 +26,7 @@ def read(name: str, series: str | None, tell: Progress | None) -> Image:
         raise FileError(
             f"'{name}' does not exist or cannot be read. Check its name and permissions."
         )
-    image = read_series(name, series) if os.path.isdir(name) else read_volume(name, tell)[0]
+    image = read_series(name, series, tell) if os.path.isdir(name) else read_volume(name, tell)[0]
     if tell is not None:
         tell(1.0)
     return image

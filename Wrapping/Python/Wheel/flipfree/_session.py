@@ -57,6 +57,7 @@ class Session:
     organs: list[SessionOrgan]
     together: bool = False
     fixed: list[str] = field(default_factory=list)
+    series: str = ""  # of an image that is a folder of DICOM files
 
 
 def read_session(name: str) -> Session:
@@ -105,6 +106,7 @@ def _session_of(name: str, content: dict[str, Any]) -> Session:
         organs,
         _together(content, organs),
         [str(one) for one in content.get("fixed", ())],
+        str(image.get("series", "")),
     )
 
 

@@ -18,6 +18,7 @@ class OriginNames:
     """Names that a surface's own text leaves open; an empty one stays open."""
 
     image: str = ""
+    series: str = ""
     start_labels: str = ""
     start_label: str = ""
     fixed: Sequence[str] = ()
@@ -29,6 +30,7 @@ def named(provenance: str, names: OriginNames) -> str:
     """With the names, of files without their folders."""
     session = json.loads(provenance)
     _fill(session["image"], "name", _name_in(names.image))
+    _fill(session["image"], "series", names.series)
     for organ, name, color in zip(session["organs"], names.organs, names.colors):
         _fill(organ, "name", name)
         _fill(organ, "color", color)

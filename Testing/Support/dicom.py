@@ -19,7 +19,7 @@ def element(group, number, kind, value):
     return struct.pack("<HH", group, number) + kind.encode() + length + value
 
 
-def write_series(folder, volume, spacing, origin, series):
+def write_series(folder, volume, spacing, origin, series, prefix="slice"):
     """A volume of short, indexed [z, y, x]; spacing and origin along x, y, z."""
     for index, pixels in enumerate(volume.astype("<i2")):
         instance = f"{series}.{index + 1}"
@@ -40,5 +40,5 @@ def write_series(folder, volume, spacing, origin, series):
             element(0x28, 0x101, "US", 16), element(0x28, 0x102, "US", 15), element(0x28, 0x103, "US", 1),
             element(0x28, 0x1052, "DS", "0"), element(0x28, 0x1053, "DS", "1"),
             element(0x7FE0, 0x10, "OW", numpy.ascontiguousarray(pixels).tobytes())])
-        with open(os.path.join(folder, f"slice{len(volume) - index:03}"), "wb") as file:  # in no order
+        with open(os.path.join(folder, f"{prefix}{len(volume) - index:03}"), "wb") as file:  # in no order
             file.write(b"\0" * 128 + b"DICM" + element(2, 0, "UL", struct.pack("<I", len(meta))) + meta + data)

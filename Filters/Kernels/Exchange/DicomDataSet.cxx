@@ -1,0 +1,688 @@
+#include "Exchange/DicomDataSet.h"
+
+#include "Exchange/FileProblem.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <locale>
+#include <sstream>
+
+namespace FlipFree
+{
+namespace
+{
+
+constexpr std::uint32_t UndefinedLength = 0xFFFFFFFF;
+constexpr std::uint32_t ItemTag = 0xFFFEE000;
+constexpr std::uint32_t EndOfItem = 0xFFFEE00D;
+constexpr std::uint32_t EndOfSequence = 0xFFFEE0DD;
+constexpr std::uint32_t MediaStorageSOPClassUID = 0x00020002;
+constexpr std::uint32_t FloatPixelData = 0x7FE00008;
+constexpr std::uint32_t DoubleFloatPixelData = 0x7FE00009;
+constexpr std::uint32_t PixelDataTag = 0x7FE00010;
+constexpr std::uint32_t SharedGroups = 0x52009229;
+constexpr std::uint32_t PerFrameGroups = 0x52009230;
+constexpr std::uint32_t DetectorInformation = 0x00540022; // of nuclear medicine
+constexpr int DeepestSequence = 64;
+constexpr std::uint32_t LongestValue = 1 << 20;
+
+const char* const ExplicitBigEndian = "1.2.840.10008.1.2.2";
+const char* const DeflatedLittleEndian = "1.2.840.10008.1.2.1.99";
+
+/// Of the elements that matter, the coding of those that are not text, where the file does not say.
+const std::map<std::uint32_t, const char*>& WantedElements()
+{
+  using namespace DicomTag;
+  static const std::map<std::uint32_t, const char*> wanted{ { TransferSyntaxUID, "UI" },
+    { SpecificCharacterSet, "CS" }, { ImageType, "CS" }, { SOPClassUID, "UI" },
+    { SOPInstanceUID, "UI" }, { AcquisitionTime, "TM" }, { Modality, "CS" },
+    { SeriesDescription, "LO" }, { FrameType, "CS" }, { KVP, "DS" }, { EchoTime, "DS" },
+    { EchoNumbers, "IS" }, { SpacingBetweenSlices, "DS" }, { TriggerTime, "DS" },
+    { ConvolutionKernel, "SH" }, { ImagerPixelSpacing, "DS" }, { EffectiveEchoTime, "FD" },
+    { DiffusionBValue, "FD" }, { DiffusionGradientOrientation, "FD" }, { SeriesInstanceUID, "UI" },
+    { SeriesNumber, "IS" }, { AcquisitionNumber, "IS" }, { ImagePositionPatient, "DS" },
+    { ImageOrientationPatient, "DS" }, { TemporalPositionIdentifier, "IS" }, { StackID, "SH" },
+    { TemporalPositionIndex, "UL" }, { NominalCardiacTriggerDelayTime, "FD" },
+    { FrameAcquisitionNumber, "US" }, { TemporalPositionTimeOffset, "FD" },
+    { SamplesPerPixel, "US" }, { PhotometricInterpretation, "CS" }, { NumberOfFrames, "IS" },
+    { Rows, "US" }, { Columns, "US" }, { PixelSpacing, "DS" }, { BitsAllocated, "US" },
+    { BitsStored, "US" }, { HighBit, "US" }, { PixelRepresentation, "US" },
+    { RescaleIntercept, "DS" }, { RescaleSlope, "DS" }, { FrameReferenceTime, "DS" },
+    { GridFrameOffsetVector, "DS" }, { DoseGridScaling, "DS" } };
+  return wanted;
+}
+
+/// The functional groups whose elements matter; others may hold the same tags in another sense.
+bool IsFunctionalGroup(std::uint32_t tag)
+{
+  constexpr std::uint32_t groups[] = {
+    0x00189114, // MR echo
+    0x00189117, // MR diffusion
+    0x00189076, // diffusion gradient direction, within it
+    0x00189118, // cardiac synchronization
+    0x00189226, // MR image frame type
+    0x00189329, // CT image frame type
+    0x00189751, // PET image frame type
+    0x00209111, // frame content
+    0x00209113, // plane position
+    0x00209116, // plane orientation
+    0x00209310, // temporal position
+    0x00289110, // pixel measures
+    0x00289145  // pixel value transformation
+  };
+  return std::find(std::begin(groups), std::end(groups), tag) != std::end(groups);
+}
+
+bool IsShortType(const std::string& type)
+{
+  static const std::string types =
+    "AE AS AT CS DA DS DT FD FL IS LO LT PN SH SL SS ST TM UI UL US ";
+  return types.find(type + ' ') != std::string::npos;
+}
+
+bool IsLongType(const std::string& type)
+{
+  static const std::string types = "OB OD OF OL OV OW SQ SV UC UN UR UT UV ";
+  return types.find(type + ' ') != std::string::npos;
+}
+
+std::string WithoutPadding(const std::string& text)
+{
+  const std::string padding(" \0\t\r\n", 5);
+  const std::size_t first = text.find_first_not_of(padding);
+  return first == std::string::npos
+    ? std::string()
+    : text.substr(first, text.find_last_not_of(padding) + 1 - first);
+}
+
+/// Numbers as DICOM writes them, whatever the locale of the program.
+bool ToDicomNumber(const std::string& text, double& number)
+{
+  std::istringstream stream(WithoutPadding(text));
+  stream.imbue(std::locale::classic());
+  return stream >> number && stream.peek() == std::istringstream::traits_type::eof() &&
+    std::isfinite(number);
+}
+
+struct DicomCoding
+{
+  bool IsExplicit = true;
+  bool IsBigEndian = false;
+};
+
+struct DicomElement
+{
+  std::uint32_t Tag = 0;
+  std::uint32_t Length = 0;
+  std::string Type; // empty where the coding is implicit
+};
+
+/// Thrown and caught here alone: what has been read stays.
+[[noreturn]] void StopReading(const std::string& why)
+{
+  throw FileProblem(FileProblem::Kind::Incomplete, why);
+}
+
+/// Reads forward within bounds; every length is checked before it is used.
+class DicomBytes
+{
+public:
+  explicit DicomBytes(std::istream& file)
+    : File(file)
+  {
+    file.clear();
+    file.seekg(0, std::ios::end);
+    const auto end = static_cast<std::streamoff>(file.tellg());
+    this->End = end < 0 ? 0 : static_cast<std::uint64_t>(end);
+    file.clear();
+    file.seekg(0);
+  }
+
+  std::uint64_t Position() const { return this->At; }
+  std::uint64_t Size() const { return this->End; }
+
+  void MoveTo(std::uint64_t position)
+  {
+    this->At = position;
+    this->File.clear();
+    this->File.seekg(static_cast<std::streamoff>(position));
+  }
+
+  std::string Read(std::uint32_t length)
+  {
+    this->Require(length);
+    std::string bytes(length, '\0');
+    this->File.read(&bytes[0], length);
+    if (!this->File)
+    {
+      StopReading("the disk or the network failed while it was read");
+    }
+    this->At += length;
+    return bytes;
+  }
+
+  /// The bytes that follow, as many as there are up to `length`.
+  std::string Peek(std::uint32_t length)
+  {
+    const std::uint64_t start = this->At;
+    const std::string bytes =
+      this->Read(static_cast<std::uint32_t>(std::min<std::uint64_t>(length, this->End - this->At)));
+    this->MoveTo(start);
+    return bytes;
+  }
+
+  void Skip(std::uint32_t length)
+  {
+    this->Require(length);
+    constexpr std::uint32_t few = 4096;
+    if (length > few)
+    {
+      this->MoveTo(this->At + length);
+      return;
+    }
+    this->File.ignore(length); // keeps what the stream has buffered
+    this->At += length;
+  }
+
+  void Require(std::uint32_t length) const
+  {
+    if (length > this->End - this->At)
+    {
+      StopReading("it ends within an element");
+    }
+  }
+
+private:
+  std::istream& File;
+  std::uint64_t At = 0;
+  std::uint64_t End = 0;
+};
+
+template <typename T>
+T DicomNumberAt(const std::string& bytes, std::size_t offset, bool bigEndian)
+{
+  std::uint64_t value = 0;
+  for (std::size_t index = 0; index < sizeof(T); ++index)
+  {
+    const std::size_t byte = bigEndian ? index : sizeof(T) - 1 - index;
+    value = value << 8 | static_cast<unsigned char>(bytes[offset + byte]);
+  }
+  if constexpr (sizeof(T) == 8)
+  {
+    T number;
+    std::memcpy(&number, &value, 8);
+    return number;
+  }
+  else
+  {
+    const auto narrow = static_cast<std::uint32_t>(value);
+    T number;
+    if constexpr (sizeof(T) == 4)
+    {
+      std::memcpy(&number, &narrow, 4);
+    }
+    else
+    {
+      number = static_cast<T>(narrow);
+    }
+    return number;
+  }
+}
+
+template <typename T>
+std::string DicomNumbersText(const std::string& bytes, bool bigEndian)
+{
+  std::ostringstream text;
+  text.imbue(std::locale::classic());
+  text.precision(17);
+  for (std::size_t at = 0; at + sizeof(T) <= bytes.size(); at += sizeof(T))
+  {
+    text << (at ? "\\" : "") << DicomNumberAt<T>(bytes, at, bigEndian);
+  }
+  return text.str();
+}
+
+std::string DicomValueText(const std::string& bytes, const std::string& type, bool bigEndian)
+{
+  if (type == "US")
+  {
+    return DicomNumbersText<std::uint16_t>(bytes, bigEndian);
+  }
+  if (type == "SS")
+  {
+    return DicomNumbersText<std::int16_t>(bytes, bigEndian);
+  }
+  if (type == "UL")
+  {
+    return DicomNumbersText<std::uint32_t>(bytes, bigEndian);
+  }
+  if (type == "SL")
+  {
+    return DicomNumbersText<std::int32_t>(bytes, bigEndian);
+  }
+  if (type == "FL")
+  {
+    return DicomNumbersText<float>(bytes, bigEndian);
+  }
+  if (type == "FD")
+  {
+    return DicomNumbersText<double>(bytes, bigEndian);
+  }
+  return WithoutPadding(bytes);
+}
+
+class DicomParser
+{
+public:
+  DicomParser(std::istream& file, DicomDataSet& data)
+    : Bytes(file)
+    , Data(data)
+  {
+  }
+
+  void Run(bool unpacked)
+  {
+    this->Data.IsDicom = this->FindStart();
+    this->ReadFileMetaInformation();
+    this->Data.IsDicom = this->Data.IsDicom || !this->Data.TransferSyntax.empty();
+    if (this->Data.TransferSyntax == DeflatedLittleEndian && !unpacked)
+    {
+      this->Data.IsDeflated = true;
+      this->Data.DeflatedOffset = this->Bytes.Position();
+      return;
+    }
+    DicomCoding coding;
+    if (!this->GuessCoding(coding))
+    {
+      if (this->Data.IsDicom)
+      {
+        StopReading("no data set follows its header");
+      }
+      return;
+    }
+    this->Data.IsBigEndian = coding.IsBigEndian;
+    try
+    {
+      this->ReadElements(this->Bytes.Size(), false, coding, &this->Data.Attributes, true, 0);
+    }
+    catch (const FileProblem&)
+    {
+      this->Recognize();
+      throw;
+    }
+    this->Recognize();
+  }
+
+private:
+  /// Moves behind the preamble, if there is one; whether the file is marked as DICOM.
+  bool FindStart()
+  {
+    const std::string head = this->Bytes.Peek(132);
+    if (head.size() == 132 && head.compare(128, 4, "DICM") == 0)
+    {
+      this->Bytes.MoveTo(132);
+      return true;
+    }
+    if (head.compare(0, 4, "DICM") == 0)
+    {
+      this->Bytes.MoveTo(4);
+      return true;
+    }
+    return false;
+  }
+
+  /// Group 2, which is always explicit and little-endian.
+  void ReadFileMetaInformation()
+  {
+    const DicomCoding coding;
+    for (std::string next = this->Bytes.Peek(6);
+         next.size() == 6 && DicomNumberAt<std::uint16_t>(next, 0, false) == 2 &&
+         (IsShortType(next.substr(4)) || IsLongType(next.substr(4)) ||
+           this->Bytes.Position() > 128);
+         next = this->Bytes.Peek(6))
+    {
+      const DicomElement element = this->Next(coding);
+      const bool isClass = element.Tag == MediaStorageSOPClassUID;
+      if ((element.Tag == DicomTag::TransferSyntaxUID || isClass) && element.Length <= LongestValue)
+      {
+        (isClass ? this->Data.MediaClass : this->Data.TransferSyntax) =
+          WithoutPadding(this->Bytes.Read(element.Length));
+      }
+      else
+      {
+        this->Bytes.Skip(element.Length);
+      }
+    }
+  }
+
+  /// By the first element: headers lie, or are missing.
+  bool GuessCoding(DicomCoding& coding)
+  {
+    const std::string head = this->Bytes.Peek(8);
+    if (head.size() < 8)
+    {
+      return false;
+    }
+    const std::string type = head.substr(4, 2);
+    coding.IsExplicit = IsShortType(type) || IsLongType(type);
+    const auto little = DicomNumberAt<std::uint16_t>(head, 0, false);
+    const auto big = DicomNumberAt<std::uint16_t>(head, 0, true);
+    coding.IsBigEndian = this->Data.TransferSyntax == ExplicitBigEndian ||
+      (this->Data.TransferSyntax.empty() && coding.IsExplicit && big == 8 && little != 8);
+    // Without a header, only what begins as images do is taken for one.
+    return this->Data.IsDicom || (coding.IsBigEndian ? big : little) == 8;
+  }
+
+  /// A file without a mark is DICOM if it says what it is.
+  void Recognize()
+  {
+    const DicomAttributes& known = this->Data.Attributes;
+    this->Data.IsDicom = this->Data.IsDicom || known.Has(DicomTag::SOPClassUID) ||
+      known.Has(DicomTag::SeriesInstanceUID) || this->Data.HasPixels;
+  }
+
+  DicomElement Next(const DicomCoding& coding)
+  {
+    const bool big = coding.IsBigEndian;
+    const std::string head = this->Bytes.Read(8);
+    DicomElement element;
+    element.Tag = static_cast<std::uint32_t>(DicomNumberAt<std::uint16_t>(head, 0, big)) << 16;
+    element.Tag |= DicomNumberAt<std::uint16_t>(head, 2, big);
+    if (element.Tag >> 16 == 0xFFFE || !coding.IsExplicit)
+    {
+      element.Length = DicomNumberAt<std::uint32_t>(head, 4, big);
+      return element;
+    }
+    element.Type = head.substr(4, 2);
+    if (IsShortType(element.Type))
+    {
+      element.Length = DicomNumberAt<std::uint16_t>(head, 6, big);
+      return element;
+    }
+    if (!IsLongType(element.Type))
+    {
+      StopReading("an element has no known type");
+    }
+    element.Length = DicomNumberAt<std::uint32_t>(this->Bytes.Read(4), 0, big);
+    return element;
+  }
+
+  /// Up to `end`, or to the delimiter of the item. Elements that matter go `into` something, if
+  /// their sequence matters.
+  void ReadElements(std::uint64_t end, bool isDelimited, const DicomCoding& coding,
+    DicomAttributes* into, bool isTop, int depth)
+  {
+    if (depth > DeepestSequence)
+    {
+      StopReading("its sequences are nested without end");
+    }
+    while (this->Bytes.Position() < end)
+    {
+      const DicomElement element = this->Next(coding);
+      if (isDelimited && element.Tag == EndOfItem)
+      {
+        return;
+      }
+      if (element.Tag >> 16 == 0xFFFE)
+      {
+        StopReading("an item stands outside of a sequence");
+      }
+      const bool isFloat = element.Tag == FloatPixelData || element.Tag == DoubleFloatPixelData;
+      if (isTop && (element.Tag == PixelDataTag || isFloat))
+      {
+        this->Data.HasFloatPixels = isFloat;
+        if (!isFloat)
+        {
+          this->FindPixels(element, coding);
+        }
+        return; // what follows does not matter
+      }
+      this->ReadElement(element, end, coding, into, isTop, depth);
+    }
+    if (isDelimited || this->Bytes.Position() > end)
+    {
+      StopReading("it ends within a sequence");
+    }
+  }
+
+  void ReadElement(const DicomElement& element, std::uint64_t end, const DicomCoding& coding,
+    DicomAttributes* into, bool isTop, int depth)
+  {
+    const bool hasFrames = isTop && element.Tag == PerFrameGroups;
+    DicomAttributes* target = nullptr;
+    if (isTop && element.Tag == SharedGroups)
+    {
+      target = &this->Data.Shared;
+    }
+    else if (isTop ? element.Tag == DetectorInformation : IsFunctionalGroup(element.Tag))
+    {
+      target = into;
+    }
+    if (element.Length == UndefinedLength || target || hasFrames)
+    {
+      this->ReadSequence(element, end, coding, target, hasFrames, depth);
+      return;
+    }
+    const auto wanted = WantedElements().find(element.Tag);
+    if (!into || wanted == WantedElements().end())
+    {
+      this->Bytes.Skip(element.Length);
+      return;
+    }
+    if (element.Length > LongestValue)
+    {
+      StopReading("an element that describes the image is too long");
+    }
+    const bool isTyped = !element.Type.empty() && element.Type != "UN";
+    into->Add(element.Tag,
+      DicomValueText(this->Bytes.Read(element.Length), isTyped ? element.Type : wanted->second,
+        coding.IsBigEndian));
+  }
+
+  void ReadSequence(const DicomElement& sequence, std::uint64_t limit, const DicomCoding& coding,
+    DicomAttributes* target, bool hasFrames, int depth)
+  {
+    // What is of unknown type is implicit, whatever surrounds it.
+    const DicomCoding inner = sequence.Type == "UN" ? DicomCoding{ false, false } : coding;
+    const bool isOpen = sequence.Length == UndefinedLength;
+    const std::uint64_t end = isOpen ? limit : this->EndOf(sequence.Length, limit);
+    while (this->Bytes.Position() < end)
+    {
+      const DicomElement item = this->Next(inner);
+      if (item.Tag == EndOfSequence)
+      {
+        return;
+      }
+      if (item.Tag != ItemTag)
+      {
+        StopReading("a sequence holds what is not an item");
+      }
+      if (hasFrames)
+      {
+        this->Data.Frames.emplace_back();
+        target = &this->Data.Frames.back();
+      }
+      const bool isDelimited = item.Length == UndefinedLength;
+      this->ReadElements(isDelimited ? end : this->EndOf(item.Length, end), isDelimited, inner,
+        target, false, depth + 1);
+    }
+    if (isOpen || this->Bytes.Position() > end)
+    {
+      StopReading("it ends within a sequence");
+    }
+  }
+
+  std::uint64_t EndOf(std::uint32_t length, std::uint64_t limit) const
+  {
+    if (length > limit - std::min(limit, this->Bytes.Position()))
+    {
+      StopReading("it ends within a sequence");
+    }
+    return this->Bytes.Position() + length;
+  }
+
+  void FindPixels(const DicomElement& element, const DicomCoding& coding)
+  {
+    this->Data.HasPixels = true;
+    if (element.Length != UndefinedLength)
+    {
+      this->Data.Pixels = { this->Bytes.Position(), element.Length };
+      if (element.Length > this->Bytes.Size() - this->Bytes.Position())
+      {
+        StopReading("it ends within its pixels");
+      }
+      return;
+    }
+    this->Data.IsEncapsulated = true;
+    while (this->Bytes.Position() < this->Bytes.Size())
+    {
+      const DicomElement item = this->Next(coding);
+      if (item.Tag == EndOfSequence)
+      {
+        return;
+      }
+      if (item.Tag != ItemTag || item.Length > this->Bytes.Size() - this->Bytes.Position())
+      {
+        break;
+      }
+      this->Data.Fragments.push_back({ this->Bytes.Position(), item.Length });
+      this->Bytes.Skip(item.Length);
+    }
+    StopReading("it ends within its pixels");
+  }
+
+  DicomBytes Bytes;
+  DicomDataSet& Data;
+};
+
+/// Of a valid letter beyond ASCII in UTF-8; 0 where there is none.
+std::size_t Utf8LengthAt(const std::string& text, std::size_t at)
+{
+  const auto byte = [&](std::size_t index)
+  { return index < text.size() ? static_cast<unsigned char>(text[index]) : 0; };
+  const int first = byte(at);
+  const std::size_t length = first >= 0xF0 ? 4 : first >= 0xE0 ? 3 : 2;
+  // Second bytes that would make a letter longer than it has to be, or none.
+  const int least = first == 0xE0 ? 0xA0 : first == 0xF0 ? 0x90 : 0x80;
+  const int greatest = first == 0xED ? 0x9F : first == 0xF4 ? 0x8F : 0xBF;
+  bool isValid =
+    first >= 0xC2 && first <= 0xF4 && byte(at + 1) >= least && byte(at + 1) <= greatest;
+  for (std::size_t index = 2; index < length; ++index)
+  {
+    isValid = isValid && byte(at + index) >= 0x80 && byte(at + index) <= 0xBF;
+  }
+  return isValid ? length : 0;
+}
+
+} // namespace
+
+const std::string& DicomAttributes::Text(std::uint32_t tag) const
+{
+  static const std::string none;
+  const auto found = this->Values.find(tag);
+  return found == this->Values.end() ? none : found->second;
+}
+
+std::vector<double> DicomAttributes::Numbers(std::uint32_t tag) const
+{
+  std::vector<double> numbers;
+  std::istringstream stream(this->Text(tag));
+  for (std::string part; std::getline(stream, part, '\\');)
+  {
+    double number = 0;
+    if (!ToDicomNumber(part, number))
+    {
+      return {};
+    }
+    numbers.push_back(number);
+  }
+  return numbers;
+}
+
+int DicomAttributes::Integer(std::uint32_t tag, int least, int greatest, int otherwise) const
+{
+  const std::vector<double> numbers = this->Numbers(tag);
+  const bool isGood = numbers.size() == 1 && numbers[0] >= least && numbers[0] <= greatest &&
+    numbers[0] == std::floor(numbers[0]);
+  return isGood ? static_cast<int>(numbers[0]) : otherwise;
+}
+
+const DicomAttributes& DicomDataSet::Holder(std::uint32_t tag, std::size_t frame) const
+{
+  if (frame < this->Frames.size() && this->Frames[frame].Has(tag))
+  {
+    return this->Frames[frame];
+  }
+  return this->Shared.Has(tag) ? this->Shared : this->Attributes;
+}
+
+const std::string& DicomDataSet::TextOf(std::uint32_t tag, std::size_t frame) const
+{
+  return this->Holder(tag, frame).Text(tag);
+}
+
+std::vector<double> DicomDataSet::NumbersOf(std::uint32_t tag, std::size_t frame) const
+{
+  return this->Holder(tag, frame).Numbers(tag);
+}
+
+DicomDataSet ReadDicomDataSet(std::istream& file, bool unpacked)
+{
+  DicomDataSet data;
+  try
+  {
+    DicomParser(file, data).Run(unpacked);
+  }
+  catch (const FileProblem& damage)
+  {
+    data.Damage = damage.what();
+  }
+  return data;
+}
+
+std::string ClassOf(const DicomDataSet& data)
+{
+  const std::string& own = data.Attributes.Text(DicomTag::SOPClassUID);
+  return own.empty() ? data.MediaClass : own;
+}
+
+std::string DicomTextForPeople(const DicomAttributes& attributes, std::uint32_t tag)
+{
+  const std::string& set = attributes.Text(DicomTag::SpecificCharacterSet);
+  const bool isUtf8 = set.find("192") != std::string::npos;
+  const bool isLatin1 = set.find("100") != std::string::npos;
+  const std::string& original = attributes.Text(tag);
+  std::string text;
+  for (std::size_t at = 0; at < original.size(); ++at)
+  {
+    const auto code = static_cast<unsigned char>(original[at]);
+    const std::size_t length = isUtf8 ? Utf8LengthAt(original, at) : 0;
+    if (code < 0x20 || code == 0x7F)
+    {
+      text += ' ';
+    }
+    else if (code < 0x80)
+    {
+      text += original[at];
+    }
+    else if (length > 0)
+    {
+      text.append(original, at, length);
+      at += length - 1;
+    }
+    else if (isLatin1)
+    {
+      text += static_cast<char>(0xC0 | code >> 6);
+      text += static_cast<char>(0x80 | (code & 0x3F));
+    }
+    else
+    {
+      text += '?';
+    }
+  }
+  return text;
+}
+
+} // namespace FlipFree

@@ -1,0 +1,689 @@
+#include "Exchange/DicomVolumes.h"
+
+#include "Exchange/FileProblem.h"
+
+#include <algorithm>
+#include <cctype>
+#include <map>
+#include <set>
+
+namespace FlipFree
+{
+namespace
+{
+
+using Frames = std::vector<DicomFrame>;
+using Reason = DicomLeftOut::Reason;
+
+const char* const DicomDirectory = "1.2.840.10008.1.3.10";
+
+/// Whether an object of this SOP class has pixels, so that without them it is cut off.
+bool IsImageClass(const std::string& uid)
+{
+  const std::string storage = "1.2.840.10008.5.1.4.1.1.";
+  const char* const images[] = { "1", "1.1", "2", "2.1", "2.2", "3.1", "4", "4.1", "4.3", "4.4",
+    "6.1", "6.2", "7", "7.1", "7.2", "7.3", "7.4", "12.1", "12.1.1", "12.2", "12.2.1", "13.1.1",
+    "13.1.2", "20", "128", "128.1", "130", "481.2" };
+  return uid.compare(0, storage.size(), storage) == 0 &&
+    std::find(std::begin(images), std::end(images), uid.substr(storage.size())) != std::end(images);
+}
+
+/// A part of a series this much smaller than the greatest one is beside the point.
+constexpr std::size_t FewBesideMany = 4;
+
+std::string InQuotes(const std::string& name)
+{
+  return "'" + name + "'";
+}
+
+std::string FileNameOf(const std::string& path)
+{
+  const std::size_t slash = path.find_last_of("/\\");
+  return slash == std::string::npos ? path : path.substr(slash + 1);
+}
+
+/// In small letters, with its period.
+std::string ExtensionOf(const std::string& path)
+{
+  const std::string name = FileNameOf(path);
+  const std::size_t period = name.find_last_of('.');
+  std::string extension = period == std::string::npos ? "" : name.substr(period);
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+    [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
+  return extension;
+}
+
+/// Everything of one series, file by file.
+struct SeriesFiles
+{
+  std::vector<std::size_t> Gray;
+  std::vector<std::size_t> NotGray;
+  std::vector<std::size_t> Damaged;
+};
+
+bool IsOnOneGrid(const DicomFrame& a, const DicomFrame& b)
+{
+  constexpr double tolerance = 1e-3;
+  return a.Format.Columns == b.Format.Columns && a.Format.Rows == b.Format.Rows &&
+    (a.Spacing - b.Spacing).norm() < tolerance * a.Spacing[0] &&
+    (a.Axes - b.Axes).norm() < tolerance;
+}
+
+/// The greatest first.
+std::vector<Frames> GroupsByGrid(const Frames& frames)
+{
+  std::vector<Frames> groups;
+  for (const DicomFrame& frame : frames)
+  {
+    auto group = std::find_if(groups.begin(), groups.end(),
+      [&frame](const Frames& other) { return IsOnOneGrid(other.front(), frame); });
+    if (group == groups.end())
+    {
+      group = groups.insert(group, Frames());
+    }
+    group->push_back(frame);
+  }
+  std::stable_sort(groups.begin(), groups.end(),
+    [](const Frames& a, const Frames& b) { return a.size() > b.size(); });
+  return groups;
+}
+
+/// Numbers by their size, other texts by their letters.
+struct KeyOrder
+{
+  bool operator()(const std::string& a, const std::string& b) const
+  {
+    DicomAttributes numbers;
+    numbers.Add(0, a);
+    numbers.Add(1, b);
+    const std::vector<double> first = numbers.Numbers(0);
+    const std::vector<double> second = numbers.Numbers(1);
+    if (first.empty() != second.empty())
+    {
+      return second.empty();
+    }
+    return first != second ? first < second : a < b;
+  }
+};
+
+class FolderSearch
+{
+public:
+  FolderSearch(const std::string& name, std::vector<DicomFile> files,
+    const DicomFrameBytes& bytesOf)
+    : BytesOf(bytesOf)
+  {
+    this->Folder.Name = name;
+    this->Folder.Files = std::move(files);
+  }
+
+  DicomFolder Run()
+  {
+    for (std::size_t file = 0; file < this->Folder.Files.size(); ++file)
+    {
+      this->Sort(file);
+    }
+    for (const auto& series : this->Series)
+    {
+      this->AddVolumes(series.first, series.second);
+    }
+    this->Order();
+    return std::move(this->Folder);
+  }
+
+private:
+  void LeaveOut(Reason why, std::size_t file, const std::string& uid)
+  {
+    this->Folder.LeftOut.push_back({ why, file, uid });
+  }
+
+  const DicomAttributes& AttributesOf(std::size_t file) const
+  {
+    return this->Folder.Files[file].Data.Attributes;
+  }
+
+  /// By what a file is.
+  void Sort(std::size_t number)
+  {
+    DicomFile& file = this->Folder.Files[number];
+    DicomDataSet& data = file.Data;
+    const std::string uid = data.Attributes.Text(DicomTag::SeriesInstanceUID);
+    if (!file.Unreadable.empty())
+    {
+      this->LeaveOut(Reason::Damaged, number, uid);
+      return;
+    }
+    if (!data.IsDicom)
+    {
+      if (ExtensionOf(file.Name) == ".dcm")
+      {
+        this->LeaveOut(Reason::NoDicom, number, uid);
+      }
+      return;
+    }
+    if (ClassOf(data) == DicomDirectory)
+    {
+      this->LeaveOut(Reason::NoPixels, number, uid);
+      return;
+    }
+    if (data.Damage.empty() && data.HasPixels)
+    {
+      const bool isGray = WhyNotGray(data).empty();
+      data.Damage = isGray ? WhyPixelsAreIncomplete(data) : std::string();
+      if (data.Damage.empty())
+      {
+        SeriesFiles& series = this->Series[uid];
+        (isGray ? series.Gray : series.NotGray).push_back(number);
+        return;
+      }
+    }
+    if (data.Damage.empty() && !data.HasFloatPixels &&
+      (ClassOf(data).empty() || IsImageClass(ClassOf(data))))
+    {
+      data.Damage = "it ends before its pixels";
+    }
+    if (!data.Damage.empty())
+    {
+      this->LeaveOut(Reason::Damaged, number, uid);
+      if (!uid.empty())
+      {
+        this->Series[uid].Damaged.push_back(number);
+      }
+      return;
+    }
+    this->LeaveOut(Reason::NoPixels, number, uid);
+  }
+
+  std::string NameOf(const DicomFrame& frame) const
+  {
+    const DicomFile& file = this->Folder.Files[frame.File];
+    return (NumberOfDicomFrames(file.Data) > 1
+               ? "frame " + std::to_string(frame.Number + 1) + " of "
+               : "") +
+      InQuotes(FileNameOf(file.Name));
+  }
+
+  /// An empty volume with the names of its series.
+  DicomVolume NewVolume(const std::string& uid, std::size_t file) const
+  {
+    DicomVolume volume;
+    volume.SeriesUID = uid;
+    const DicomAttributes& known = this->AttributesOf(file);
+    volume.SeriesNumber = DicomTextForPeople(known, DicomTag::SeriesNumber);
+    volume.Description = DicomTextForPeople(known, DicomTag::SeriesDescription);
+    volume.Modality = DicomTextForPeople(known, DicomTag::Modality);
+    return volume;
+  }
+
+  void AddVolumes(const std::string& uid, const SeriesFiles& files)
+  {
+    if (files.Gray.empty() && files.NotGray.empty())
+    {
+      return; // damaged ones alone have been counted
+    }
+    std::vector<DicomVolume> volumes;
+    if (files.Gray.empty())
+    {
+      DicomVolume volume = this->NewVolume(uid, files.NotGray.front());
+      volume.Problem = this->ProblemOf(volume, files.NotGray.front(),
+        WhyNotGray(this->Folder.Files[files.NotGray.front()].Data) +
+          ". Choose another series, or convert it to gray values.");
+      volumes.push_back(volume);
+    }
+    else
+    {
+      for (const std::size_t file : files.NotGray)
+      {
+        this->LeaveOut(Reason::NoGrayValues, file, uid);
+      }
+      for (Frames& frames : this->PartsOf(uid, files.Gray))
+      {
+        volumes.push_back(this->NewVolume(uid, frames.front().File));
+        volumes.back().Frames = std::move(frames);
+        this->Finish(volumes.back());
+      }
+    }
+    for (std::size_t index = 0; index < volumes.size(); ++index)
+    {
+      volumes[index].Number = index + 1;
+      volumes[index].Count = volumes.size();
+      volumes[index].DamagedFiles = files.Damaged.size();
+      if (!files.Damaged.empty())
+      {
+        volumes[index].Problem = this->DamageOf(files.Damaged.front(), uid);
+      }
+      this->Folder.Volumes.push_back(std::move(volumes[index]));
+    }
+  }
+
+  /// The frames of each volume of a series.
+  std::vector<Frames> PartsOf(const std::string& uid, const std::vector<std::size_t>& files)
+  {
+    Frames placed;
+    Frames unplaced;
+    for (const std::size_t file : files)
+    {
+      for (const DicomFrame& frame : DicomFramesOf(this->Folder.Files[file].Data, file))
+      {
+        (frame.Problem.empty() ? placed : unplaced).push_back(frame);
+      }
+    }
+    if (placed.empty())
+    {
+      return { unplaced };
+    }
+    std::vector<Frames> groups = GroupsByGrid(placed);
+    const std::size_t greatest = groups.front().size();
+    const DicomPixelFormat typical = groups.front().front().Format;
+    for (const DicomFrame& frame : unplaced)
+    {
+      const bool isLikeOthers = frame.Format.Columns == typical.Columns &&
+        frame.Format.Rows == typical.Rows && !frame.IsLocalizer;
+      if (isLikeOthers)
+      {
+        groups.front().push_back(frame); // whose problem is that of the volume
+      }
+      else
+      {
+        this->LeaveOut(Reason::NoPlace, frame.File, uid);
+      }
+    }
+    std::vector<Frames> parts;
+    for (Frames& group : groups)
+    {
+      const bool isScout = group.size() == 1 || group.front().IsLocalizer;
+      if (isScout && group.size() < greatest)
+      {
+        for (const DicomFrame& frame : group)
+        {
+          this->LeaveOut(Reason::OtherGrid, frame.File, uid);
+        }
+        continue;
+      }
+      const bool isSound = std::all_of(group.begin(), group.end(),
+        [](const DicomFrame& frame) { return frame.Problem.empty(); });
+      if (isSound)
+      {
+        SortAlongNormal(group);
+        this->RemoveTheSame(group, uid);
+        for (Frames& part : this->Divided(group))
+        {
+          parts.push_back(std::move(part));
+        }
+      }
+      else
+      {
+        parts.push_back(std::move(group));
+      }
+    }
+    return parts;
+  }
+
+  /// Of ordered frames.
+  void RemoveTheSame(Frames& frames, const std::string& uid)
+  {
+    Frames kept;
+    std::map<std::size_t, std::size_t> removed; // files, with how many frames of each
+    for (const DicomFrame& frame : frames)
+    {
+      bool isThere = false;
+      for (auto other = kept.rbegin();
+           other != kept.rend() && AreAtOnePlace(*other, frame) && !isThere; ++other)
+      {
+        const bool mayBe = other->Instance == frame.Instance ? other->Number == frame.Number
+                                                             : other->Keys == frame.Keys;
+        isThere = mayBe && other->Rescale == frame.Rescale && other->File != frame.File &&
+          this->HaveSamePixels(*other, frame);
+      }
+      if (isThere)
+      {
+        ++removed[frame.File];
+      }
+      else
+      {
+        kept.push_back(frame);
+      }
+    }
+    for (const auto& file : removed)
+    {
+      this->LeaveOut(Reason::TheSame, file.first, uid);
+    }
+    frames = std::move(kept);
+  }
+
+  bool HaveSamePixels(const DicomFrame& a, const DicomFrame& b) const
+  {
+    const auto bytesOf = [this](const DicomFrame& frame)
+    { return this->BytesOf(this->Folder.Files[frame.File], frame.Number); };
+    const std::string bytes = bytesOf(a);
+    return !bytes.empty() && bytes == bytesOf(b);
+  }
+
+  bool IsEvenStack(const Frames& frames) const
+  {
+    return frames.size() > 1 &&
+      StackOf(frames, [](const DicomFrame&) { return std::string(); }).Problem.empty();
+  }
+
+  /// Ordered frames of one grid, taken apart into volumes as far as possible.
+  std::vector<Frames> Divided(const Frames& frames) const
+  {
+    if (this->IsEvenStack(frames))
+    {
+      return { frames };
+    }
+    const std::size_t repetition = GreatestRepetition(frames);
+    const std::size_t keys = frames.front().Keys.size();
+    for (std::size_t key = 0; key <= keys; ++key)
+    {
+      std::map<std::string, Frames, KeyOrder> byKey;
+      for (const DicomFrame& frame : frames)
+      {
+        // The file tells apart what nothing else does.
+        byKey[key < keys ? frame.Keys[key] : std::to_string(frame.File)].push_back(frame);
+      }
+      std::vector<Frames> parts;
+      bool helps = byKey.size() > 1 && byKey.size() <= std::max<std::size_t>(2, frames.size() / 2);
+      for (auto& part : byKey)
+      {
+        helps = helps &&
+          (repetition > 1 ? GreatestRepetition(part.second) < repetition
+                          : this->IsEvenStack(part.second));
+      }
+      // A value for each slice, such as a time, tells no volumes apart.
+      helps = helps && (repetition == 1 || byKey.size() <= repetition);
+      if (!helps)
+      {
+        continue;
+      }
+      for (auto& part : byKey)
+      {
+        for (Frames& divided : this->Divided(part.second))
+        {
+          parts.push_back(std::move(divided));
+        }
+      }
+      return parts;
+    }
+    return { frames };
+  }
+
+  void Finish(DicomVolume& volume) const
+  {
+    const Frames& frames = volume.Frames;
+    const auto wrong = std::find_if(frames.begin(), frames.end(),
+      [](const DicomFrame& frame) { return !frame.Problem.empty(); });
+    if (wrong != frames.end())
+    {
+      volume.Problem = this->ProblemOf(volume, wrong->File, wrong->Problem + ".");
+      return;
+    }
+    const DicomStack stack =
+      StackOf(frames, [this](const DicomFrame& frame) { return this->NameOf(frame); });
+    volume.Geometry = stack.Geometry;
+    const std::string beginning = "Series " + volume.SeriesUID + ": ";
+    volume.Problem = stack.Problem.empty() ? "" : beginning + stack.Problem;
+    volume.Warning = stack.Warning.empty() ? "" : beginning + stack.Warning;
+    DicomValueRange values;
+    for (const DicomFrame& frame : frames)
+    {
+      values.Add(frame.Format, frame.Rescale);
+      if (frame.HasRescale != frames.front().HasRescale && volume.Problem.empty())
+      {
+        const DicomFrame& without = frame.HasRescale ? frames.front() : frame;
+        volume.Problem = beginning + this->NameOf(without) +
+          " has no RescaleSlope and RescaleIntercept, but other slices have, so its gray values "
+          "are "
+          "unknown. Export the series again.";
+      }
+    }
+    volume.Type = values.Type();
+    if (volume.Modality == "CT" && !frames.front().HasRescale && volume.Warning.empty())
+    {
+      volume.Warning = beginning +
+        "it has no RescaleSlope and RescaleIntercept; its gray values are taken as they are "
+        "stored, "
+        "which may not be Hounsfield units.";
+    }
+  }
+
+  std::string ProblemOf(const DicomVolume& volume, std::size_t file, const std::string& what) const
+  {
+    return "Series " + volume.SeriesUID + ": " + InQuotes(this->Folder.Files[file].Name) + " " +
+      what;
+  }
+
+  std::string DamageOf(std::size_t file, const std::string& uid) const
+  {
+    const DicomFile& damaged = this->Folder.Files[file];
+    return "The DICOM file " + InQuotes(damaged.Name) + " of series " + uid +
+      " cannot be read: " + damaged.Data.Damage +
+      ". It is truncated or damaged. Download or copy its series again.";
+  }
+
+  /// The series with the greatest volume first; its volumes stay in their order. What is no picture
+  /// of the body, or from nowhere in it, comes last.
+  void Order()
+  {
+    std::map<std::string, std::size_t> sizes;
+    for (const DicomVolume& volume : this->Folder.Volumes)
+    {
+      const bool isPicture =
+        !volume.Frames.empty() && volume.Frames.front().HasPosition && volume.Modality != "RTDOSE";
+      std::size_t& size = sizes[volume.SeriesUID];
+      size = std::max(size, isPicture ? volume.Frames.size() + volume.DamagedFiles : 0);
+    }
+    std::stable_sort(this->Folder.Volumes.begin(), this->Folder.Volumes.end(),
+      [&sizes](const DicomVolume& a, const DicomVolume& b)
+      { return sizes[a.SeriesUID] > sizes[b.SeriesUID]; });
+  }
+
+  const DicomFrameBytes& BytesOf;
+  DicomFolder Folder;
+  std::map<std::string, SeriesFiles> Series;
+};
+
+std::string VolumesText(const std::vector<const DicomVolume*>& volumes)
+{
+  constexpr std::size_t enough = 12;
+  std::string text;
+  for (std::size_t index = 0; index < std::min(volumes.size(), enough); ++index)
+  {
+    const DicomVolume& volume = *volumes[index];
+    text += (index ? ", " : "") + volume.Identifier() + " (" +
+      std::to_string(volume.Frames.size()) + " slices" +
+      (volume.Description.empty() ? "" : ", " + InQuotes(volume.Description)) + ")";
+  }
+  return text + (volumes.size() > enough ? ", ..." : "");
+}
+
+std::vector<const DicomVolume*> VolumesOf(const DicomFolder& folder, const std::string& uid)
+{
+  std::vector<const DicomVolume*> volumes;
+  for (const DicomVolume& volume : folder.Volumes)
+  {
+    if (volume.SeriesUID == uid)
+    {
+      volumes.push_back(&volume);
+    }
+  }
+  return volumes;
+}
+
+/// A file that may belong to any series.
+void RequireNothingLost(const DicomFolder& folder, const DicomVolume& volume)
+{
+  const std::string extension =
+    ExtensionOf(folder.Files[volume.Frames.empty() ? 0 : volume.Frames.front().File].Name);
+  for (const DicomLeftOut& left : folder.LeftOut)
+  {
+    const DicomFile& file = folder.Files[left.File];
+    if (left.Why != Reason::Damaged || !left.SeriesUID.empty() ||
+      (!file.Unreadable.empty() && ExtensionOf(file.Name) != extension))
+    {
+      continue;
+    }
+    throw FileProblem(FileProblem::Kind::Incomplete,
+      "The DICOM file " + InQuotes(file.Name) +
+        " cannot be read: " + (file.Unreadable.empty() ? file.Data.Damage : file.Unreadable) +
+        ". It may be a slice of the series. Download or copy it again, check its permissions, or "
+        "remove it.");
+  }
+}
+
+[[noreturn]] void RefuseFolder(const DicomFolder& folder)
+{
+  for (const DicomLeftOut& left : folder.LeftOut)
+  {
+    if (left.Why == Reason::Damaged)
+    {
+      const DicomFile& file = folder.Files[left.File];
+      throw FileProblem(FileProblem::Kind::Incomplete,
+        "The DICOM file " + InQuotes(file.Name) +
+          " cannot be read: " + (file.Unreadable.empty() ? file.Data.Damage : file.Unreadable) +
+          ". It is truncated or damaged. Download or copy its series again.");
+    }
+  }
+  throw FileProblem(FileProblem::Kind::Missing,
+    "The folder " + InQuotes(folder.Name) +
+      " holds no DICOM image. Give the folder that directly " +
+      "holds the files of the series; of a volume in another format, the file itself.");
+}
+
+/// The greatest volume, if it is much greater than the others.
+const DicomVolume& TheOneOf(const std::vector<const DicomVolume*>& volumes)
+{
+  const auto order = [](const DicomVolume* a, const DicomVolume* b)
+  { return a->Frames.size() < b->Frames.size(); };
+  const DicomVolume* const greatest = *std::max_element(volumes.begin(), volumes.end(), order);
+  for (const DicomVolume* const other : volumes)
+  {
+    if (other != greatest && other->Frames.size() * FewBesideMany > greatest->Frames.size())
+    {
+      throw FileProblem(FileProblem::Kind::Missing,
+        "Series " + greatest->SeriesUID + " holds " + std::to_string(volumes.size()) +
+          " volumes: " + VolumesText(volumes) + ". Choose one of them, for instance " +
+          volumes.front()->Identifier() + ".");
+    }
+  }
+  return *greatest;
+}
+
+const DicomVolume& NamedVolume(const DicomFolder& folder, const std::string& wanted)
+{
+  const std::string uid =
+    wanted.empty() ? folder.Volumes.front().SeriesUID : wanted.substr(0, wanted.find('#'));
+  const std::vector<const DicomVolume*> volumes = VolumesOf(folder, uid);
+  if (!volumes.empty() && wanted.find('#') == std::string::npos)
+  {
+    return TheOneOf(volumes);
+  }
+  for (const DicomVolume* const volume : volumes)
+  {
+    if (!uid.empty() && wanted == uid + "#" + std::to_string(volume->Number))
+    {
+      return *volume;
+    }
+  }
+  std::vector<const DicomVolume*> all;
+  for (const DicomVolume& volume : folder.Volumes)
+  {
+    all.push_back(&volume);
+  }
+  throw FileProblem(FileProblem::Kind::Missing,
+    "The folder " + InQuotes(folder.Name) + " holds no series " + InQuotes(wanted) + ". It holds " +
+      VolumesText(all) + ".");
+}
+
+} // namespace
+
+std::string DicomVolume::Identifier() const
+{
+  return this->SeriesUID + (this->Count > 1 ? "#" + std::to_string(this->Number) : "");
+}
+
+DicomFolder FindDicomVolumes(const std::string& name, std::vector<DicomFile> files,
+  const DicomFrameBytes& bytesOf)
+{
+  return FolderSearch(name, std::move(files), bytesOf).Run();
+}
+
+void RequireDicomVolumes(const DicomFolder& folder)
+{
+  if (folder.Volumes.empty())
+  {
+    RefuseFolder(folder);
+  }
+}
+
+const DicomVolume& ChooseDicomVolume(const DicomFolder& folder, const std::string& wanted)
+{
+  RequireDicomVolumes(folder);
+  const DicomVolume& volume = NamedVolume(folder, wanted);
+  RequireNothingLost(folder, volume);
+  if (!volume.Problem.empty())
+  {
+    throw FileProblem(FileProblem::Kind::Unusable, volume.Problem);
+  }
+  return volume;
+}
+
+std::string WarningOfLeftOut(const DicomFolder& folder, const DicomVolume& volume)
+{
+  static const std::map<Reason, std::string> reasons{
+    { Reason::Damaged, "damaged, unreadable or empty, not of this series" },
+    { Reason::NoDicom, "not DICOM" }, { Reason::NoPixels, "without gray values of an image" },
+    { Reason::NoGrayValues, "in colors" }, { Reason::NoPlace, "without a place in the patient" },
+    { Reason::OtherGrid, "a scout or of another size or orientation" },
+    { Reason::TheSame, "the same slice again" }
+  };
+  std::map<Reason, std::set<std::size_t>> files;
+  std::set<std::size_t> all;
+  const auto count = [&](Reason why, std::size_t file)
+  {
+    if (all.insert(file).second)
+    {
+      files[why].insert(file);
+    }
+  };
+  for (const DicomLeftOut& left : folder.LeftOut)
+  {
+    const bool isOfAny =
+      left.Why == Reason::Damaged || left.Why == Reason::NoDicom || left.Why == Reason::NoPixels;
+    if (isOfAny || left.SeriesUID == volume.SeriesUID)
+    {
+      count(left.Why, left.File);
+    }
+  }
+  std::size_t others = 0;
+  std::string identifiers;
+  for (const DicomVolume& other : folder.Volumes)
+  {
+    if (other.SeriesUID == volume.SeriesUID && other.Number != volume.Number)
+    {
+      others += other.Frames.size();
+      identifiers += (identifiers.empty() ? "" : ", ") + other.Identifier();
+    }
+  }
+  std::string text;
+  for (const auto& reason : files)
+  {
+    text += (text.empty() ? "" : "; ") + std::to_string(reason.second.size()) + " " +
+      reasons.at(reason.first) + " (" +
+      InQuotes(FileNameOf(folder.Files[*reason.second.begin()].Name)) +
+      (reason.second.size() > 1 ? ", ..." : "") + ")";
+  }
+  if (!text.empty())
+  {
+    text = std::to_string(all.size()) + (all.size() == 1 ? " file is" : " files are") +
+      " left out: " + text + ".";
+  }
+  if (others > 0)
+  {
+    text += (text.empty() ? "" : " ") + std::to_string(others) +
+      " slices belong to other volumes of the series: " + identifiers + ".";
+  }
+  return text.empty() ? text : "In the folder " + InQuotes(folder.Name) + ", " + text;
+}
+
+} // namespace FlipFree
