@@ -5,6 +5,7 @@
 #include "ImageAdapter.h"
 #include "PipelineAdapter.h"
 #include "VolumeFile.h"
+#include "VolumeHeader.h"
 
 #include "Exchange/SegmentationLayers.h"
 

@@ -74,7 +74,6 @@ if (FLIPFREE_USE_ITK)
     ITKIOGDCM
     ITKIOImageBase
     ITKIOMeta
-    ITKIONIFTI
     ITKIONRRD
     ITKImageFeature
     ITKLevelSets
