@@ -603,7 +603,8 @@ TEST_F(SegmentationMetricsRefuse, OtherGeometriesNamingThePorts)
   const auto smaller = LabelMapOf(Sphere(6, Center, 9),
     ImageAround(Center, { 50, 50, 41 }, { 1, 1.3, 1.5 }, Eigen::Matrix3d::Identity()));
   this->ExpectError(smaller, this->Reference, ports);
-  this->ExpectError(smaller, this->Reference, "spacings of the segmentation (1, 1.3, 1.5) mm");
+  this->ExpectError(smaller, this->Reference,
+    "spacings of the segmentation on port 0 (1, 1.3, 1.5) mm");
   // An error is enough: there is no warning of several labels.
   std::vector<std::string> warnings;
   FlipFree::KeepWarnings(this->Metrics, warnings);
