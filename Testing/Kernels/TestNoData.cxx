@@ -258,10 +258,12 @@ TEST(NoData, IsWhereNoVesselRuns)
   const ExampleTube tube = MakeTube([](double t) { return Eigen::Vector3d(20, 20, 3 + 70 * t); },
     [](double) { return 4.0; });
   const PointList points = Points({ { 20, 20, 12 }, { 20, 20, 66 } });
-  const auto trace = [&](const FloatImage& volume)
+  const auto trace = [&](const FloatImage& volume, double radius = 0)
   {
-    return TraceVessel(GrayVolumeOf(volume), "the volume", points, PointList(0, 3),
-      VesselPathSettings(), { SerialFor, 1 }, NeverStop);
+    VesselPathSettings settings;
+    settings.Radius = radius;
+    return TraceVessel(GrayVolumeOf(volume), "the volume", points, PointList(0, 3), settings,
+      { SerialFor, 1 }, NeverStop);
   };
   const auto clear = [&](FloatImage& volume, const Where& where)
   {
@@ -281,15 +283,15 @@ TEST(NoData, IsWhereNoVesselRuns)
   EXPECT_NEAR(beside.Radius, before.Radius, 0.2);
   EXPECT_GT(beside.Support, before.Support - 0.02);
   FloatImage half = volume;
-  clear(half, [](const Eigen::Vector3d& place) { return place[0] > 22; });
-  const VesselSections sections = trace(half).Branches[0].Sections;
+  clear(half, [](const Eigen::Vector3d& place) { return place[0] > 23; });
+  const VesselSections sections = trace(half, 4).Branches[0].Sections;
   for (Eigen::Index section = 0; section < sections.Radii.rows(); ++section)
   {
     for (Eigen::Index ray = 0; ray < sections.Radii.cols(); ++ray)
     {
       const SectionFrame& frame = sections.Frames[section];
       const Eigen::Vector3d along = frame.Ray(2 * EIGEN_PI * ray / sections.Radii.cols());
-      EXPECT_LT((frame.Origin + sections.Radii(section, ray) * along)[0], 23.5);
+      EXPECT_LT((frame.Origin + sections.Radii(section, ray) * along)[0], 24.1);
     }
   }
   FloatImage across = volume;
