@@ -29,7 +29,14 @@ public:
       { static_cast<ProgressWatch*>(self)->Look(*static_cast<double*>(progress)); });
     filter->AddObserver(vtkCommand::ProgressEvent, this->Command);
   }
-  ~ProgressWatch() { this->Filter->RemoveObserver(this->Command); }
+  ~ProgressWatch()
+  {
+    this->Filter->RemoveObserver(this->Command);
+    if (this->Aborted())
+    {
+      this->Filter->AbortExecuteOff(); // from VTK 9.2 on, a request stands until it is taken back
+    }
+  }
   ProgressWatch(const ProgressWatch&) = delete;
   void operator=(const ProgressWatch&) = delete;
 
