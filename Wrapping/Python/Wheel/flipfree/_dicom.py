@@ -1,7 +1,7 @@
 """Folders of DICOM files.
 
-The kernels understand them, for this package as for the toolkit; zlib inflates, and SimpleITK decodes
-compressed pixels.
+The kernels understand them, for this package as for the toolkit; zlib inflates, and SimpleITK
+decodes compressed pixels.
 """
 
 from __future__ import annotations
