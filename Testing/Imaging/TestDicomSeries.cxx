@@ -336,7 +336,7 @@ TEST(TestDicomSeries, CompressedSlices)
       static_cast<double>(voxel * 37 % 2000 - 1000));
   }
   for (const auto compression : { itk::GDCMImageIO::CompressionEnum::JPEG,
-         itk::GDCMImageIO::CompressionEnum::JPEG2000, itk::GDCMImageIO::CompressionEnum::RLE })
+         itk::GDCMImageIO::CompressionEnum::JPEG2000, itk::GDCMImageIO::CompressionEnum::JPEGLS })
   {
     ExampleImages::Folder folder;
     SeriesOptions options;
