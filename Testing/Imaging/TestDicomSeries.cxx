@@ -326,9 +326,17 @@ TEST(TestDicomSeries, OneWarningSaysWhatIsLeftOut)
 
 TEST(TestDicomSeries, CompressedSlices)
 {
-  auto image = ObliqueImage();
-  for (const auto compression : { itk::GDCMImageIO::CompressionEnum::JPEG,
-         itk::GDCMImageIO::CompressionEnum::JPEG2000, itk::GDCMImageIO::CompressionEnum::RLE })
+  // Not as small as the others: GDCM's encoder of JPEG 2000 fails at those.
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(64, 48, 4);
+  image->AllocateScalars(VTK_SHORT, 1);
+  for (vtkIdType voxel = 0; voxel < image->GetNumberOfPoints(); ++voxel)
+  {
+    image->GetPointData()->GetScalars()->SetComponent(voxel, 0,
+      static_cast<double>(voxel * 37 % 2000 - 1000));
+  }
+  for (const auto compression :
+    { itk::GDCMImageIO::CompressionEnum::JPEG, itk::GDCMImageIO::CompressionEnum::JPEG2000 })
   {
     ExampleImages::Folder folder;
     SeriesOptions options;

@@ -145,6 +145,14 @@ TEST(DicomVolumes, MissingSlicesWhereverTheyAre)
   }
 }
 
+TEST(DicomVolumes, AMissingSliceOfFew)
+{
+  ExampleFolder folder;
+  folder.AddSeries("a", 4);
+  folder.Remove("a2.dcm");
+  ExpectRefusal(folder.Read(), { "1 slice is missing", "6 mm apart instead of 3 mm" });
+}
+
 TEST(DicomVolumes, UnevenSlicesAreNotMissingOnes)
 {
   ExampleFolder folder;

@@ -28,6 +28,7 @@ std::vector<double> PlacesAlongNormal(const std::vector<DicomFrame>& frames)
   return places;
 }
 
+/// Of two in the middle, the lesser one: a missing slice makes gaps greater.
 double MedianGap(const std::vector<double>& places)
 {
   std::vector<double> gaps;
@@ -35,7 +36,7 @@ double MedianGap(const std::vector<double>& places)
   {
     gaps.push_back(places[index] - places[index - 1]);
   }
-  const auto middle = gaps.begin() + static_cast<std::ptrdiff_t>(gaps.size() / 2);
+  const auto middle = gaps.begin() + static_cast<std::ptrdiff_t>((gaps.size() - 1) / 2);
   std::nth_element(gaps.begin(), middle, gaps.end());
   return *middle;
 }

@@ -161,7 +161,10 @@ private:
       }
       return;
     }
-    if (ClassOf(data) == DicomDirectory)
+    // A directory, or what is too damaged to tell more than that it is no image.
+    const std::string kind = ClassOf(data);
+    if (kind == DicomDirectory ||
+      (!data.Damage.empty() && uid.empty() && !kind.empty() && !IsImageClass(kind)))
     {
       this->LeaveOut(Reason::NoPixels, number, uid);
       return;
@@ -177,8 +180,7 @@ private:
         return;
       }
     }
-    if (data.Damage.empty() && !data.HasFloatPixels &&
-      (ClassOf(data).empty() || IsImageClass(ClassOf(data))))
+    if (data.Damage.empty() && !data.HasFloatPixels && (kind.empty() || IsImageClass(kind)))
     {
       data.Damage = "it ends before its pixels";
     }
@@ -535,9 +537,9 @@ void RequireNothingLost(const DicomFolder& folder, const DicomVolume& volume)
 {
   for (const DicomLeftOut& left : folder.LeftOut)
   {
-    if (left.Why == Reason::Damaged)
+    const DicomFile& file = folder.Files[left.File];
+    if (left.Why == Reason::Damaged && (file.Data.IsDicom || ExtensionOf(file.Name) == ".dcm"))
     {
-      const DicomFile& file = folder.Files[left.File];
       throw FileProblem(FileProblem::Kind::Incomplete,
         "The DICOM file " + InQuotes(file.Name) +
           " cannot be read: " + (file.Unreadable.empty() ? file.Data.Damage : file.Unreadable) +

@@ -42,6 +42,9 @@ public:
     this->Folder = ReadDicomFolder(name, FilesInFolder(name), access, MonitorOf(report, 0, 0.5));
   }
 
+  /// By the report, while it was read: it is empty then.
+  bool WasStopped() const { return this->Folder.Name.empty(); }
+
   /// The fields of each Series.
   std::vector<nb::tuple> List() const
   {
@@ -114,6 +117,7 @@ void BindDicom(nb::module_& module)
   static const nb::exception<FileProblem> problem(module, "FileProblem");
   nb::class_<ReadFolder>(module, "DicomFolder")
     .def(nb::init<const std::string&, nb::callable, nb::callable, const nb::callable&>())
+    .def("was_stopped", &ReadFolder::WasStopped)
     .def("list", &ReadFolder::List)
     .def("require_volumes", &ReadFolder::RequireVolumes)
     .def("read", &ReadFolder::Read);

@@ -45,4 +45,5 @@ def _print(found: list[Series]) -> None:
         spacing = " x ".join(f"{length:g}" for length in one.spacing) if one.spacing else "-"
         rows.append((one.number, one.uid, one.modality, str(one.slices), spacing, one.description))
     for number, uid, modality, slices, spacing, description in rows:
-        print(f"{number:>6}  {uid:<{widest}}  {modality:<8}  {slices:>6}  {spacing:<24}  {description}")
+        names = f"{number:>6}  {uid:<{widest}}  {modality:<8}"
+        print(f"{names}  {slices:>6}  {spacing:<24}  {description}")

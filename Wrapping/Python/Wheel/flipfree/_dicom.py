@@ -1,7 +1,7 @@
 """Folders of DICOM files.
 
-The kernels understand them, for this package as for the toolkit; zlib inflates, and SimpleITK decodes
-compressed pixels.
+The kernels understand them, for this package as for the toolkit; zlib inflates, and SimpleITK
+decodes compressed pixels.
 """
 
 from __future__ import annotations
@@ -28,6 +28,8 @@ def series_in(folder: str, tell: Progress | None) -> list[tuple[Any, ...]]:
 
     def list_series(report: Callable[[float], bool]) -> list[tuple[Any, ...]]:
         found = _opened(folder, report)
+        if found is None:
+            return []
         found.require_volumes()
         return [
             (*names, None if spacing is None else tuple(spacing), problem)
@@ -41,7 +43,12 @@ def series_in(folder: str, tell: Progress | None) -> list[tuple[Any, ...]]:
 
 def read_series(folder: str, series: str | None, tell: Progress | None) -> Image:
     """Reads the volume that `series` names, or else the one of most slices."""
-    answer = _run(lambda report: _opened(folder, report).read(series or "", report), tell)
+
+    def read(report: Callable[[float], bool]) -> Any:
+        found = _opened(folder, report)
+        return found and found.read(series or "", report)
+
+    answer = _run(read, tell)
     for warning in filter(None, answer["warnings"]):
         warn(warning)
     shape = answer["shape"]
@@ -56,7 +63,9 @@ def read_series(folder: str, series: str | None, tell: Progress | None) -> Image
 
 
 def _opened(folder: str, report: Callable[[float], bool]) -> Any:
-    return _kernels.DicomFolder(folder, _inflated, lambda file: _decoded(folder, file), report)
+    """What the kernels know of a folder; None where the report has stopped them."""
+    found = _kernels.DicomFolder(folder, _inflated, lambda file: _decoded(folder, file), report)
+    return None if found.was_stopped() else found
 
 
 def _run(work: Callable[[Callable[[float], bool]], T], tell: Progress | None) -> T:
