@@ -18,8 +18,9 @@
  * Input port 0: vtkImageData with one scalar component of any type; coordinates are the image's
  * physical millimeters, and the direction matrix is honored.
  * Input port 1, optional: vtkPolyData, the surface to start from in place of the sphere: closed,
- * four neighbors at every vertex, embedded. It is refined like the sphere, to about as many
- * vertices (see SetLevels()). Less is promised for some of its faces: one of more than eight
+ * embedded. Unless every vertex has four neighbors, the midpoints of its edges are the vertices of
+ * the start, which every closed mesh has four neighbors at; it cuts corners off, less so where it
+ * is fine. It is refined like the sphere, to about as many vertices (see SetLevels()). Less is promised for some of its faces: one of more than eight
  * corners counts only as a fan of triangles, and a degenerate corner may flip.
  *
  * Input port 2, optional, repeatable: vtkPointSet, points that correct the result, with the point
@@ -54,7 +55,7 @@
  * - Image: no scalars, several components, no voxels, or voxels that are not finite near the seed.
  * - Seed: its center outside the image; smaller than a voxel, or wider than the image's longest
  *   side; a Reach that ends within it; no contrast to its surroundings.
- * - Start surface: open, not four-valent, or self-intersecting.
+ * - Start surface: open, not a consistently oriented 2-manifold, or self-intersecting.
  * - Constraint, which the error names: outside the image, contradicting another one or the seed,
  *   not to be obeyed by a surface of one piece, or given without the guard.
  * - Start labels: on another grid than the image, without voxels of StartLabel, or nowhere thicker

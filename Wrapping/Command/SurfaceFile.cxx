@@ -1,6 +1,8 @@
 #include "SurfaceFile.h"
 
 #include "Failure.h"
+#include "Mesh/SurfaceTopology.h"
+#include "MeshAdapter.h"
 #include "OutputFile.h"
 #include "PolygonFile.h"
 #include "Run.h"
@@ -18,7 +20,6 @@
 #include "vtkSTLWriter.h"
 #include "vtkSurfaceValidity.h"
 #include "vtkTable.h"
-#include "vtkTriangleFilter.h"
 #include "vtkVariant.h"
 #include "vtkXMLPolyDataReader.h"
 #include "vtkXMLPolyDataWriter.h"
@@ -166,12 +167,16 @@ bool EndsWhole(const std::string& name)
     (file.seekg(-1, std::ios::end) && file.get(last) && last == '\n');
 }
 
+/// Each face cut from its first vertex, as the kernels measure it, and as the wheel and the page
+/// do.
 vtkSmartPointer<vtkPolyData> TrianglesOf(vtkPolyData* surface)
 {
-  vtkNew<vtkTriangleFilter> triangles;
-  triangles->SetInputData(surface);
-  triangles->Update();
-  return triangles->GetOutput();
+  auto triangles = vtkSmartPointer<vtkPolyData>::New();
+  triangles->SetPoints(surface->GetPoints());
+  triangles->SetPolys(
+    FlipFree::MakePolys(FlipFree::FacesOf(FlipFree::Triangulate(FlipFree::CopyPolys(surface)))));
+  triangles->SetFieldData(surface->GetFieldData());
+  return triangles;
 }
 
 /// Field data of FlipFree's filters: the surface is proven to be embedded.
@@ -244,9 +249,9 @@ vtkSmartPointer<vtkPolyData> ReadSurface(const std::string& name)
 
 void WriteSurface(const std::string& name, vtkPolyData* surface, const OriginNames& names)
 {
-  const bool triangulated = HasEnding(name, { ".stl" });
+  const bool isStl = HasEnding(name, { ".stl" });
   vtkSmartPointer<vtkPolyData> written = surface;
-  if (triangulated)
+  if (isStl || HasEnding(name, { ".ply" }))
   {
     written = TrianglesOf(surface);
   }
@@ -262,8 +267,8 @@ void WriteSurface(const std::string& name, vtkPolyData* surface, const OriginNam
     format.Write(name, written);
     found = format.Read(name);
     // STL has no vertex indices to compare.
-    whole = triangulated ? found->GetNumberOfPolys() == written->GetNumberOfPolys()
-                         : SameFaces(found, written);
+    whole =
+      isStl ? found->GetNumberOfPolys() == written->GetNumberOfPolys() : SameFaces(found, written);
     whole = whole && EndsWhole(name);
   }
   catch (const Failure&)
