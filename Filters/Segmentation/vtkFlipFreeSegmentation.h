@@ -18,10 +18,11 @@
  * Input port 0: vtkImageData with one scalar component of any type; coordinates are the image's
  * physical millimeters, and the direction matrix is honored.
  * Input port 1, optional: vtkPolyData, the surface to start from in place of the sphere: closed,
- * embedded. Unless every vertex has four neighbors, the midpoints of its edges are the vertices of
- * the start, which every closed mesh has four neighbors at; it cuts corners off, less so where it
- * is fine. It is refined like the sphere, to about as many vertices (see SetLevels()). Less is promised for some of its faces: one of more than eight
- * corners counts only as a fan of triangles, and a degenerate corner may flip.
+ * embedded. Unless every vertex has four neighbors, the start is the mesh of the midpoints of its
+ * edges, whose vertices all have them; it cuts corners off, less so where the surface is fine. It
+ * is refined like the sphere, to about as many vertices (see SetLevels()). Less is
+ * promised for some of its faces: one of more than eight corners counts only as a fan of triangles,
+ * and a degenerate corner may flip.
  *
  * Input port 2, optional, repeatable: vtkPointSet, points that correct the result, with the point
  * array `Constraint` (any number type): 0 for a point outside the organ, 1 inside, 2 on its

@@ -59,8 +59,8 @@ def segment(
         identity, its origin (mm) and direction (3 x 3, the axes as columns).
     start
         A surface to start from instead of the sphere: closed, without self-intersections. Unless every
-        vertex has four neighbors, the midpoints of its edges become the vertices, of which every closed
-        mesh has them. It is refined to about as many vertices as the sphere.
+        vertex has four neighbors, it is the mesh of the midpoints of its edges, whose vertices all have
+        them. It is refined to about as many vertices as the sphere.
     start_labels, start_label
         A label map on the image's grid (of a network, an atlas, an earlier result; an image, an array
         or the name of a file) that the surface fills, in place of a seed and a radius: its voxels of
