@@ -12,12 +12,61 @@
 #include "vtkSMPTools.h"
 #include "vtkVersionMacros.h"
 
+#include <algorithm>
+#include <future>
+#include <system_error>
+#include <thread>
+#include <vector>
+
 namespace FlipFree
 {
+
+/// How many threads the system starts besides those that there are, up to a number.
+inline int StartableThreads(int wanted)
+{
+  std::promise<void> end;
+  const std::shared_future<void> ended = end.get_future().share();
+  std::vector<std::thread> threads;
+  try
+  {
+    while (static_cast<int>(threads.size()) < wanted)
+    {
+      threads.emplace_back([ended] { ended.wait(); });
+    }
+  }
+  catch (const std::system_error&)
+  {
+    // As in a container that limits them.
+  }
+  end.set_value();
+  for (std::thread& thread : threads)
+  {
+    thread.join();
+  }
+  return static_cast<int>(threads.size());
+}
+
+/// Asks VTK for no more threads than the system starts, where it has to, since VTK's libraries of
+/// threads fail there. One of those that it starts is left for the reading of files.
+inline void LimitThreads()
+{
+  static const bool isDone = []
+  {
+    const int wanted = vtkSMPTools::GetEstimatedNumberOfThreads() - 1;
+    const int startable = StartableThreads(wanted);
+    if (startable < wanted)
+    {
+      vtkSMPTools::Initialize(std::max(1, startable));
+    }
+    return true;
+  }();
+  static_cast<void>(isDone);
+}
 
 /// ParallelFor by VTK's threads.
 inline void SMPFor(std::ptrdiff_t begin, std::ptrdiff_t end, const RangeBody& body)
 {
+  LimitThreads();
   vtkSMPTools::For(static_cast<vtkIdType>(begin), static_cast<vtkIdType>(end),
     [&body](vtkIdType first, vtkIdType last) { body(first, last); });
 }
@@ -25,6 +74,7 @@ inline void SMPFor(std::ptrdiff_t begin, std::ptrdiff_t end, const RangeBody& bo
 /// How many threads SMPFor has.
 inline int NumberOfThreads()
 {
+  LimitThreads();
   return vtkSMPTools::GetEstimatedNumberOfThreads();
 }
 

@@ -1,6 +1,7 @@
 /**
  * Private to the module: runs what cannot be stopped, such as ITK's reading and writing of a file,
- * in a thread of its own, so that the caller can be stopped at once all the same.
+ * in a thread of its own, so that the caller can be stopped at once all the same. Where the system
+ * starts no more threads, as in containers that limit them, the caller's own thread does the work.
  */
 #ifndef FlipFreeBackgroundTask_h
 #define FlipFreeBackgroundTask_h
@@ -10,6 +11,7 @@
 #include <functional>
 #include <future>
 #include <mutex>
+#include <system_error>
 #include <vector>
 
 namespace FlipFree
@@ -19,9 +21,16 @@ class BackgroundTask
 {
 public:
   /// Starts the body. It may outlive the caller: all that it uses must be its own, or shared.
-  explicit BackgroundTask(std::function<void()> body)
-    : Done(std::async(std::launch::async, std::move(body)))
+  explicit BackgroundTask(const std::function<void()>& body)
   {
+    try
+    {
+      this->Done = std::async(std::launch::async, body);
+    }
+    catch (const std::system_error&)
+    {
+      this->Done = std::async(std::launch::deferred, body); // until it is waited for
+    }
   }
   ~BackgroundTask()
   {
@@ -50,9 +59,10 @@ public:
   }
 
 private:
+  /// Or put off until somebody waits for it.
   static bool IsReady(const std::future<void>& done, std::chrono::milliseconds patience)
   {
-    return done.wait_for(patience) == std::future_status::ready;
+    return done.wait_for(patience) != std::future_status::timeout;
   }
 
   /// Keeps the tasks for which nobody waits. The end of the program does, in the destructors of the

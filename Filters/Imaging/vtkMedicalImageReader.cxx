@@ -201,7 +201,7 @@ int vtkMedicalImageReader::Fail(const std::exception& error, vtkInformation* out
   else
   {
     this->SetErrorCode(vtkErrorCode::UnknownError);
-    vtkErrorMacro(<< "'" << this->FileName << "' cannot be read (" << error.what()
+    vtkErrorMacro(<< "'" << this->FileName << "' cannot be read (" << FlipFree::MessageOf(error)
                   << "). Check the file and the available memory.");
   }
   return 0;

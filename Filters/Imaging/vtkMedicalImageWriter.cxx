@@ -96,7 +96,7 @@ void vtkMedicalImageWriter::WriteData()
   catch (const std::exception& error)
   {
     this->SetErrorCode(vtkErrorCode::UnknownError);
-    vtkErrorMacro(<< "'" << this->FileName << "' cannot be written (" << error.what()
+    vtkErrorMacro(<< "'" << this->FileName << "' cannot be written (" << FlipFree::MessageOf(error)
                   << "). Check the folder and the available memory.");
   }
 }

@@ -11,6 +11,7 @@
 #include "FlipFreeErrorCode.h"
 #include "QuantityNames.h"
 
+#include <new>
 #include <stdexcept>
 #include <string>
 
@@ -43,6 +44,11 @@ private:
 /// With quantities in braces, whatever the error is.
 inline std::string MessageOf(const std::exception& error)
 {
+  // The latter is of more than a vector could hold.
+  if (dynamic_cast<const std::bad_alloc*>(&error) || dynamic_cast<const std::length_error*>(&error))
+  {
+    return "out of memory; crop the volume, or use a machine with more memory";
+  }
   const auto* const known = dynamic_cast<const Error*>(&error);
   return known ? known->GetText() : Escaped(error.what());
 }

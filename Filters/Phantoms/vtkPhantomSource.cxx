@@ -77,7 +77,7 @@ bool CopyOf(vtkPhantomSource* source, const char* what, const Copy& copy)
   }
   catch (const std::exception& error)
   {
-    vtkErrorWithObjectMacro(source, "No " << what << ": " << error.what() << ".");
+    vtkErrorWithObjectMacro(source, "No " << what << ": " << FlipFree::MessageOf(error) << ".");
     return false;
   }
 }

@@ -22,7 +22,7 @@
  * one without a name is called `organ 2` or the like. vtkConstraintPointSource makes a data set of
  * a single point.
  * Input port 2, optional, repeatable: vtkPolyData, a surface that stays as it is and that no organ
- * touches, such as an earlier result: closed, four neighbors at every vertex, embedded.
+ * touches, such as an earlier result or a mesh in STL: closed and embedded.
  *
  * Output port 0: vtkMultiBlockDataSet, a vtkPolyData per organ, under its name, with the arrays of
  * vtkFlipFreeSegmentation, and the field data `Organ` (text), the name; its `Provenance` is that of

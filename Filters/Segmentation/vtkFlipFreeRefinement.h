@@ -7,11 +7,12 @@
  * surface is embedded when the input is: where it would intersect itself, it is pulled toward the
  * old vertices, and if necessary the old surface is smoothed first.
  *
- * Input port 0: vtkPolyData, closed, four neighbors at every vertex.
+ * Input port 0: vtkPolyData, closed. Unless every vertex has four neighbors, the mesh of the
+ * midpoints of its edges, which has them, is refined in its place.
  * Output port 0: the refined surface, without arrays.
  *
- * Errors, with a code of FlipFreeErrorCode.h: a surface that is open, not four-valent, or, with
- * Check on, self-intersecting or impossible to refine.
+ * Errors, with a code of FlipFreeErrorCode.h: a surface that is open, not a consistently
+ * oriented 2-manifold, or, with Check on, self-intersecting or impossible to refine.
  */
 #ifndef vtkFlipFreeRefinement_h
 #define vtkFlipFreeRefinement_h

@@ -23,9 +23,11 @@
  * encloses is inside the surface, as any hole is.
  *
  * Input port 1, optional: vtkPolyData, the surface to start from in place of the sphere: closed,
- * four neighbors at every vertex, embedded. It is refined like the sphere, to about as many
- * vertices (see SetLevels()). Less is promised for some of its faces: one of more than eight
- * corners counts only as a fan of triangles, and a degenerate corner may flip.
+ * embedded. Unless every vertex has four neighbors, the start is the mesh of the midpoints of its
+ * edges, whose vertices all have them; it cuts corners off, less so where the surface is fine. It
+ * is refined like the sphere, to about as many vertices (see SetLevels()). Less is
+ * promised for some of its faces: one of more than eight corners counts only as a fan of triangles,
+ * and a degenerate corner may flip.
  *
  * Input port 2, optional, repeatable: vtkPointSet, points that correct the result, with the point
  * array `Constraint` (any number type): 0 for a point outside the organ, 1 inside, 2 on its
@@ -60,12 +62,12 @@
  * - Image: no scalars, several components, or no voxels.
  * - Seed: its center outside the image; smaller than a voxel, or wider than the image's longest
  *   side; a Reach that ends within it; a voxel without data in it; no contrast to its surroundings.
- * - Start surface: open, not four-valent, or self-intersecting.
+ * - Start surface: open, not a consistently oriented 2-manifold, or self-intersecting.
  * - Constraint, which the error names: outside the image, where there is no data (unless it is an
  *   outside point), contradicting another one or the seed,
  *   not to be obeyed by a surface of one piece, or given without the guard.
- * - Start labels: with other voxels than the image's, without voxels of StartLabel, or nowhere thicker
- *   than two voxels.
+ * - Start labels: with other voxels than the image's, without voxels of StartLabel, or nowhere
+ * thicker than two voxels.
  * - A property that is NaN.
  *
  * Warnings, which still give a result:
@@ -75,8 +77,8 @@
  * - A surface grown from the seed under the guard may be air's: more than a tenth of it found no
  *   boundary (unless search lines are shorter than by default), or more than a quarter of it lies
  *   at the image's border along two axes.
- * - Start labels: the surface misses more than a twentieth of their voxels, or, without constraints,
- *   adds more than a tenth to them; some of them lie outside the image.
+ * - Start labels: the surface misses more than a twentieth of their voxels, or, without
+ * constraints, adds more than a tenth to them; some of them lie outside the image.
  * - If none of these applies: the confidence is below 0.85. Look at the contour where its
  *   confidence is low, and correct it there by points. There is no such warning with constraints,
  *   of which the confidence's threshold knows nothing, nor without carving, as in the presets

@@ -4,8 +4,10 @@ import csv
 import gzip
 import os
 import pty
+import resource
 import struct
 import subprocess
+import sys
 import unittest
 
 import command
@@ -112,6 +114,27 @@ class TestWorkflow(command.CommandTest):
             self.segment("--threads", threads, "--resolution", 16, "-o", self.result("%d.ply" % threads))
         with open(self.result("1.ply"), "rb") as one, open(self.result("2.ply"), "rb") as two:
             self.assertEqual(one.read(), two.read())
+
+    @unittest.skipUnless(sys.platform == "linux", "limits threads as Linux does")
+    def test_where_the_system_starts_no_threads(self):
+        """As in a container that limits processes; root is not limited, so that it becomes somebody else."""
+        self.segment("-q", "--resolution", 16, "-o", self.result("free.stl"))
+        for folder in (self.inputs, self.results):
+            os.chmod(folder, 0o777)
+
+        def limit():
+            resource.setrlimit(resource.RLIMIT_NPROC, (1, 1))
+            if os.getuid() == 0:
+                os.setuid(65534)
+
+        try:
+            process = command.run("segment", self.volume, *self.seed, "-q", "--resolution", 16, "-o",
+                                  self.result("limited.stl"), preexec_fn=limit)
+        except PermissionError:
+            self.skipTest("the command is where others cannot read it")
+        self.assert_succeeds(process)
+        with open(self.result("free.stl"), "rb") as free, open(self.result("limited.stl"), "rb") as limited:
+            self.assertEqual(free.read(), limited.read())
 
     def test_labels_of_an_abdomen(self):
         seeds = command.make_phantom(self.results, "abdomen", "--size", 55, 43, 23, "--spacing", 6, 6, 12)

@@ -386,6 +386,25 @@ INSTANTIATE_TEST_SUITE_P(BadInput, PolygonPort, testing::ValuesIn(PolygonPorts),
 INSTANTIATE_TEST_SUITE_P(BadInput, ImagePort, testing::ValuesIn(ImagePorts), NameOf);
 INSTANTIATE_TEST_SUITE_P(BadInput, SurfacePort, testing::ValuesIn(SurfacePorts), NameOf);
 
+// The stages move the very vertices that they are given; the others take any closed mesh.
+TEST(BadInput, SurfacesThatAreNotFourValent)
+{
+  for (const vtkSmartPointer<vtkAlgorithm>& stage :
+    { vtkSmartPointer<vtkAlgorithm>(MakeSearch()), vtkSmartPointer<vtkAlgorithm>(MakeDeform()) })
+  {
+    stage->SetInputDataObject(0, TriangulatedBox());
+    ExpectRefusal(stage, { "the surface on port 0", "vertex 0", "four neighbors" });
+  }
+  const auto refinement = MakeRefinement();
+  refinement->SetInputDataObject(TriangulatedBox());
+  EXPECT_EQ(ErrorOfUpdate(refinement), "0 errors");
+  EXPECT_EQ(refinement->GetOutput()->GetNumberOfPoints(), 4 * 18); // of the edges' midpoints
+  const auto segmentation = MakeSegmentation();
+  segmentation->SetStartData(TriangulatedBox());
+  EXPECT_EQ(ErrorOfUpdate(segmentation), "0 errors");
+  EXPECT_EQ(segmentation->GetNumberOfSelfIntersections(), 0);
+}
+
 // Where the guard relies on it.
 TEST(BadInput, SurfacesThatAreNotEmbedded)
 {

@@ -185,6 +185,28 @@ class Failures(unittest.TestCase):
         thread.join()
         self.assertIn("outside", caught[0])
 
+    @unittest.skipUnless(sys.platform == "linux", "limits memory as Linux does")
+    def test_no_memory_is_said_with_what_to_do(self):
+        program = start_python("""
+import resource
+def segment(size):
+    ball = flipfree.phantom("sphere", dimensions=(size,) * 3)
+    ((center, radius),) = ball.seeds.values()
+    pages = int(open("/proc/self/statm").read().split()[0])
+    limit = pages * resource.getpagesize() + 20_000_000
+    if size > 100:
+        resource.setrlimit(resource.RLIMIT_AS, (limit, limit))
+    flipfree.segment(ball.image, center, radius, levels=1, resolution=8)
+segment(48)  # loads all that is needed
+try:
+    segment(240)
+except (flipfree.SegmentationError, MemoryError) as error:
+    print(error)
+""")
+        output, errors = program.communicate(timeout=200)
+        self.assertRegex(output, r"(?i)^(no segmentation: )?out of memory; crop the volume, or use a machine with more "
+                                 r"memory\.?\n\Z", errors)
+
     def test_exceptions_can_be_pickled(self):
         for name in ("SegmentationError", "EvaluationError", "FileError"):
             error = pickle.loads(pickle.dumps(getattr(flipfree, name)("why")))

@@ -264,6 +264,59 @@ sys.exit(main(sys.argv[1:]))
                     process = run("evaluate", path, self.truth, program=judge)
                     self.assertIn("valid: closed, Euler number 2, self-intersections 0", process.stdout, process)
 
+    def test_surfaces_of_other_programs_are_read_alike(self):
+        """A tetrahedron with normals and texture, as one strip, and with more than its faces need."""
+        try:
+            import vtkmodules  # pylint: disable=unused-import
+        except ImportError:
+            self.skipTest("VTK is not installed")
+        points = [(10, 10, 40), (38, 10, 40), (10, 38, 40), (14, 14, 8)]
+        faces = [(0, 1, 2), (2, 1, 3), (2, 3, 0), (0, 3, 1)]
+        obj = ["# by hand", "mtllib none.mtl", "o Solid", *(f"v {x} {y} {z}" for x, y, z in points),
+               "vt 0 0", "vt 1 0", "vt 1 1", "vn 0 0 1", "vn 1 0 0", "vn 0 1 0", "vn 0 0 -1", "s 0", "usemtl none",
+               *("f " + " ".join(f"{corner + 1}/{at + 1}/{face + 1}" for at, corner in enumerate(corners))
+                 for face, corners in enumerate(faces[:2])),
+               f"f {faces[2][0] - 4}//1 {faces[2][1] - 4}//1 \\", f" {faces[2][2] - 4}//1", "f 1 4 2"]
+        text = " ".join(str(x) for point in points for x in point)
+        vtp = ('<VTKFile type="PolyData"><PolyData><Piece NumberOfPoints="4" NumberOfStrips="1">'
+               f'<Points><DataArray type="Float32" NumberOfComponents="3" format="ascii">{text}</DataArray></Points>'
+               '<Strips><DataArray type="Int64" Name="connectivity" format="ascii">0 1 2 3 0 1</DataArray>'
+               '<DataArray type="Int64" Name="offsets" format="ascii">6</DataArray></Strips></Piece></PolyData></VTKFile>\n')
+        ply = ["ply", "format ascii 1.0", "comment by hand", "element vertex 4", *(f"property double {axis}" for axis in "xyz"),
+               "property uchar red", "property float quality", "element face 4", "property list uchar uint vertex_index",
+               "property uchar red", "element edge 0", "property int vertex1", "property int vertex2", "end_header",
+               *(f"{x} {y} {z} 9 0.5" for x, y, z in points), *(f"3 {a} {b} {c} 7" for a, b, c in faces)]
+        answers = set()
+        for name, content in (("a.obj", "\n".join(obj) + "\n"), ("a.vtp", vtp), ("a.ply", "\n".join(ply) + "\n")):
+            (self.folder / name).write_text(content)
+            for program in (OURS, TOOLKIT):
+                with self.subTest(name, program=program):
+                    process = run("evaluate", self.folder / name, self.truth, program=program)
+                    self.assertIn("valid: closed, Euler number 2, self-intersections 0", process.stdout, process.stderr)
+                    answers.add(process.stdout)
+        self.assertEqual(len(answers), 1)
+        for content in ("v 0 0 0\nf 1 2 3\n", "v 0 0\n", "v 0 0 nan\nf 1 1 1\n", "v 0 0 0\nf 1 1\n", "v 0 0 0\nf 1 1 one\n", ""):
+            (self.folder / "bad.obj").write_text(content)
+            for program in (OURS, TOOLKIT):
+                with self.subTest(content, program=program):
+                    process = run("evaluate", self.folder / "bad.obj", self.truth, program=program)
+                    self.assertRegex(process.stderr, r"\Aflipfree: error: '[^\n]*bad.obj' (cannot be read|has no faces)[^\n]*\n\Z")
+
+    def test_written_surfaces_serve_again(self):
+        """As triangles, of which most programs read no other faces; as what stays, and as a start."""
+        for name in ("again.ply", "again.stl"):
+            path = self.folder / name
+            self.segment(OURS, "--resolution", 8, "-q", "-o", path)
+            mesh = flipfree.read_surface(path)
+            self.assertEqual(set(numpy.diff(mesh.offsets)), {3})
+            x, y, z = map(float, self.seed[1:4])
+            organ = flipfree.segment(str(self.volume), (x, y, z), float(self.seed[-1]), start=mesh, resolution=8, levels=1)
+            self.assertEqual(organ.self_intersections, 0)
+            self.assertGreater(flipfree.evaluate(organ, str(self.truth)).dice, 0.95)
+            self.assertEqual(len(organ.points), 3 * len(mesh.triangles) // 2)
+            process = run("segment", self.volume, "--organ", "other", x, y, z, 3, "--fixed", path, "-o", self.folder / "never.vtp")
+            self.assertRegex(process.stderr, "the start sphere of 'other' meets the fixed surface 1")
+
     def test_picture(self):
         try:
             from PIL import Image

@@ -86,7 +86,7 @@ vtkIdType IndexIn(double number)
 
 vtkSmartPointer<vtkPolyData> JudgedPolygons(vtkPolyData* surface)
 {
-  if (!surface->GetPolys()->IsValid())
+  if (!surface->GetPolys()->IsValid() || !surface->GetStrips()->IsValid())
   {
     throw Failure("its list of faces is damaged");
   }
@@ -104,6 +104,17 @@ vtkSmartPointer<vtkPolyData> JudgedPolygons(vtkPolyData* surface)
     surface->GetPolys()->GetCellAtId(cell, vertices);
     face.assign(vertices->begin(), vertices->end());
     polygons.AddFace(face);
+  }
+  for (vtkIdType strip = 0; strip < surface->GetNumberOfStrips(); ++strip)
+  {
+    surface->GetStrips()->GetCellAtId(strip, vertices);
+    for (vtkIdType first = 0; first + 2 < vertices->GetNumberOfIds(); ++first)
+    {
+      // Every other triangle of a strip is turned round.
+      const vtkIdType turn = first % 2;
+      polygons.AddFace({ vertices->GetId(first + turn), vertices->GetId(first + 1 - turn),
+        vertices->GetId(first + 2) });
+    }
   }
   return polygons.Surface();
 }

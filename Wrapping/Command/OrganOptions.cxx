@@ -97,8 +97,8 @@ void OrganOptions::AddOptions(CLI::App& command)
     ->group(group);
   command
     .add_option("--fixed", this->Fixed,
-      "A surface that stays as it is, such as an earlier result, and that no organ meets; can be "
-      "repeated (.vtp .stl .ply .obj)")
+      "A closed surface that stays as it is, such as an earlier result, and that no organ meets; "
+      "can be repeated (.vtp .stl .ply .obj)")
     ->type_name("FILE")
     ->expected(1, CLI::detail::expected_max_vector_size)
     ->allow_extra_args(false)

@@ -22,8 +22,8 @@ vtkSmartPointer<vtkPolyData> ReadObj(const std::string& name);
 /// Corners in the same place become one vertex.
 vtkSmartPointer<vtkPolyData> ReadStl(const std::string& name);
 
-/// Points and polygons of a surface that VTK has read. Throws a Failure where a polygon has a
-/// vertex that does not exist, or a vertex no finite position.
+/// Points and polygons of a surface that VTK has read, triangles in place of strips. Throws a
+/// Failure where a polygon has a vertex that does not exist, or a vertex no finite position.
 vtkSmartPointer<vtkPolyData> JudgedPolygons(vtkPolyData* surface);
 
 } // namespace Command

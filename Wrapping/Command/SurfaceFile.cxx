@@ -2,6 +2,8 @@
 
 #include "Deformation/Provenance.h"
 #include "Failure.h"
+#include "Mesh/SurfaceTopology.h"
+#include "MeshAdapter.h"
 #include "OutputFile.h"
 #include "PolygonFile.h"
 #include "Run.h"
@@ -19,7 +21,6 @@
 #include "vtkSTLWriter.h"
 #include "vtkSurfaceValidity.h"
 #include "vtkTable.h"
-#include "vtkTriangleFilter.h"
 #include "vtkVariant.h"
 #include "vtkXMLPolyDataReader.h"
 #include "vtkXMLPolyDataWriter.h"
@@ -151,12 +152,16 @@ bool EndsWhole(const std::string& name)
     (file.seekg(-1, std::ios::end) && file.get(last) && last == '\n');
 }
 
+/// Each face cut from its first vertex, as the kernels measure it, and as the wheel and the page
+/// do.
 vtkSmartPointer<vtkPolyData> TrianglesOf(vtkPolyData* surface)
 {
-  vtkNew<vtkTriangleFilter> triangles;
-  triangles->SetInputData(surface);
-  triangles->Update();
-  return triangles->GetOutput();
+  auto triangles = vtkSmartPointer<vtkPolyData>::New();
+  triangles->SetPoints(surface->GetPoints());
+  triangles->SetPolys(
+    FlipFree::MakePolys(FlipFree::FacesOf(FlipFree::Triangulate(FlipFree::CopyPolys(surface)))));
+  triangles->SetFieldData(surface->GetFieldData());
+  return triangles;
 }
 
 /// Field data of FlipFree's filters: the surface is proven to be embedded.
@@ -229,9 +234,9 @@ vtkSmartPointer<vtkPolyData> ReadSurface(const std::string& name)
 
 void WriteSurface(const std::string& name, vtkPolyData* surface, const OriginNames& names)
 {
-  const bool triangulated = HasEnding(name, { ".stl" });
+  const bool isStl = HasEnding(name, { ".stl" });
   vtkSmartPointer<vtkPolyData> written = surface;
-  if (triangulated)
+  if (isStl || HasEnding(name, { ".ply" }))
   {
     written = TrianglesOf(surface);
   }
@@ -247,8 +252,8 @@ void WriteSurface(const std::string& name, vtkPolyData* surface, const OriginNam
     format.Write(name, written);
     found = format.Read(name);
     // STL has no vertex indices to compare.
-    whole = triangulated ? found->GetNumberOfPolys() == written->GetNumberOfPolys()
-                         : SameFaces(found, written);
+    whole =
+      isStl ? found->GetNumberOfPolys() == written->GetNumberOfPolys() : SameFaces(found, written);
     whole = whole && EndsWhole(name);
   }
   catch (const Failure&)

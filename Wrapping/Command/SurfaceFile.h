@@ -22,11 +22,12 @@ const std::vector<std::string>& SurfaceEndings();
 
 vtkSmartPointer<vtkPolyData> ReadSurface(const std::string& name);
 
-/// Writes a surface and reads it back, because VTK's writers do not report every failure. STL holds
-/// triangles only; the other formats keep the faces. If the surface is certified (field data
-/// `Certified`), what is read back must be valid, too: its positions may have been rounded. Where
-/// it comes from (field data `Provenance`) is in .vtp as field data, with the names, and in .ply
-/// and .obj as comments, without: the same surface is the same bytes, whatever it is called.
+/// Writes a surface and reads it back, because VTK's writers do not report every failure. STL and
+/// PLY get triangles: what STL holds, and what most programs can read of PLY; .vtp and .obj keep
+/// the faces. If the surface is certified (field data `Certified`), what is read back must be
+/// valid, too: its positions may have been rounded. Where it comes from (field data `Provenance`)
+/// is in .vtp as field data, with the names, and in .ply and .obj as comments, without: the same
+/// surface is the same bytes, whatever it is called.
 void WriteSurface(const std::string& name, vtkPolyData* surface, const OriginNames& names = {});
 
 /// Writes poly lines with their arrays as .vtp, and reads them back.

@@ -172,7 +172,7 @@ GroupAnswer SegmentGroup(const GrayVolume& volume, const std::string& name,
   std::vector<FixedSurface> fixed;
   for (const GivenSurface& surface : request.Fixed)
   {
-    fixed.push_back({ surface.Name, MakeStartSurface(surface, true, threading.For) });
+    fixed.push_back({ surface.Name, MakeFixedSurface(surface, threading.For) });
   }
   // Seeds of a group are not properties.
   const QuantityNames words{ { "SeedRadius", "its radius" }, { "SeedCenter", "its seed" } };

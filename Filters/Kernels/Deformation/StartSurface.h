@@ -49,10 +49,19 @@ auto NamingSurface(const std::string& name, const Make& make)
 void RequireEmbedded(const ContourMesh& mesh, const FaceHulls& hulls, const PointList& points,
   const std::string& name, const ParallelFor& parallelFor);
 
-/// Throws Error, naming the surface, when it has no points, is not a closed mesh
-/// with four neighbors at every vertex, or, if asked, is not embedded.
+/// The surface itself if every vertex has four neighbors, and else its midpoint mesh
+/// (Mesh/MidpointMesh.h), relaxed where faces around a vertex are not convex, since the surface has
+/// to be embedded for any cut; where corners that it cuts off meet others, of the surface with each
+/// triangle cut into four. Points that no face uses are left out. Throws Error, naming the surface,
+/// when it has no points, is not a closed and consistently oriented 2-manifold, or, if asked, is
+/// not embedded.
 DeformableSurface MakeStartSurface(const GivenSurface& given, bool requireEmbedded,
   const ParallelFor& parallelFor);
+
+/// A surface that stays as it is, whatever the neighbors of its vertices: its mesh is one at rest
+/// (BuildMeshAtRest). Throws Error, naming the surface, when it has no points, is not closed and
+/// consistently oriented, or is not embedded.
+DeformableSurface MakeFixedSurface(const GivenSurface& given, const ParallelFor& parallelFor);
 
 } // namespace FlipFree
 

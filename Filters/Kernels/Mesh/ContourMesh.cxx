@@ -2,6 +2,8 @@
 
 #include "Error.h"
 
+#include <algorithm>
+
 namespace FlipFree
 {
 namespace
@@ -136,6 +138,29 @@ int ContourMesh::EulerNumber() const
 {
   const int edges = 2 * this->NumberOfPoints();
   return this->NumberOfPoints() - edges + this->Faces.NumberOfFaces();
+}
+
+ContourMesh BuildMeshAtRest(int numberOfPoints, const FaceList& faces)
+{
+  ContourMesh mesh;
+  mesh.Faces = faces;
+  mesh.Neighbors.resize(numberOfPoints);
+  std::vector<int> found(numberOfPoints, 0);
+  for (int face = 0; face < faces.NumberOfFaces(); ++face)
+  {
+    const int size = faces.FaceSize(face);
+    for (int corner = 0; corner < size; ++corner)
+    {
+      const int vertex = faces.Face(face)[corner];
+      const int next = faces.Face(face)[(corner + 1) % size];
+      // The last one found also takes the places of those that there are not.
+      auto& ring = mesh.Neighbors[vertex];
+      std::fill(ring.begin() + std::min(found[vertex], 4), ring.end(), next);
+      ++found[vertex];
+    }
+  }
+  mesh.Triangles = Triangulate(faces);
+  return mesh;
 }
 
 ContourMesh BuildContourMesh(int numberOfPoints, const FaceList& faces)

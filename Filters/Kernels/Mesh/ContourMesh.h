@@ -40,6 +40,11 @@ struct ContourMesh
   int EulerNumber() const;
 };
 
+/// The same of any closed mesh that stays as it is: `Neighbors` has four of each vertex, one of
+/// them twice where there are three, and there are no contours. The faces must be valid, and each
+/// point be used by one.
+ContourMesh BuildMeshAtRest(int numberOfPoints, const FaceList& faces);
+
 /// Builds the connectivity. Throws Error, naming the first bad vertex or face, unless the mesh is
 /// closed and oriented and every vertex has exactly four neighbors.
 ContourMesh BuildContourMesh(int numberOfPoints, const FaceList& faces);

@@ -23,6 +23,19 @@ struct HalfEdge
   }
 };
 
+std::string ProblemOf(const SurfaceEdge& edge)
+{
+  switch (const int uses = edge.Forward + edge.Backward)
+  {
+    case 1:
+      return "on one face only; fill holes, and merge coincident points";
+    case 2:
+      return "used twice in the same direction; orient the faces alike";
+    default:
+      return "on " + std::to_string(uses) + " faces; part what touches along it";
+  }
+}
+
 } // namespace
 
 FaceList FacesOf(const TriangleList& triangles)
@@ -159,6 +172,34 @@ void RequireClosed(int numberOfPoints, const TriangleList& triangles, const std:
           std::to_string(edge.Higher) + " and " + std::to_string(edge.Backward) +
           " traverse it backwards; merge coincident points, fill holes, and orient the faces "
           "alike");
+    }
+  }
+}
+
+void RequireManifoldEdges(const FaceList& faces, const std::vector<SurfaceEdge>& edges,
+  const std::string& name)
+{
+  for (int face = 0; face < faces.NumberOfFaces(); ++face)
+  {
+    const int size = faces.FaceSize(face);
+    for (int corner = 0; corner < size; ++corner)
+    {
+      if (faces.Face(face)[corner] == faces.Face(face)[(corner + 1) % size])
+      {
+        throw Error(ErrorCode::InvalidMesh,
+          "polygon " + std::to_string(face) + " of " + name +
+            " has the same point twice in a row; remove it");
+      }
+    }
+  }
+  for (const SurfaceEdge& edge : edges)
+  {
+    if (edge.Forward != 1 || edge.Backward != 1)
+    {
+      throw Error(ErrorCode::NotFourValent,
+        name + " is not a closed, consistently oriented surface: the edge from point " +
+          std::to_string(edge.Lower) + " to point " + std::to_string(edge.Higher) + " is " +
+          ProblemOf(edge));
     }
   }
 }

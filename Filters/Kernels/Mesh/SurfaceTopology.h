@@ -53,6 +53,11 @@ void RequireValidFaces(const Eigen::Ref<const PointList>& points, const FaceList
 /// directions: then the surface is the boundary of a volume.
 void RequireClosed(int numberOfPoints, const TriangleList& triangles, const std::string& name);
 
+/// Throws Error, naming the first bad edge, unless every edge is on two faces, which traverse it in
+/// opposite directions. `edges` are those of CollectEdges, of valid faces.
+void RequireManifoldEdges(const FaceList& faces, const std::vector<SurfaceEdge>& edges,
+  const std::string& name);
+
 /// What a closed surface holds, in the cube of its unit: the sum of the signed tetrahedra between
 /// the triangles and a point. Negative where the surface is inside out.
 double EnclosedVolume(const Eigen::Ref<const PointList>& points, const TriangleList& triangles);

@@ -54,9 +54,10 @@ export function stlFile({ surface, comments }: Organ | Vessel): Blob {
   return new Blob([view.buffer as ArrayBuffer], { type: "model/stl" });
 }
 
-/** Binary PLY: the faces as they are, and the provenance in comments. */
+/** Binary PLY: triangles, since many programs read no other faces, and the provenance in comments. */
 export function plyFile({ surface, comments }: Organ | Vessel): Blob {
-  const { points, corners, offsets } = surface;
+  const { points } = surface;
+  const triangles = trianglesOf(surface);
   const header = [
     "ply",
     "format binary_little_endian 1.0",
@@ -65,19 +66,18 @@ export function plyFile({ surface, comments }: Organ | Vessel): Blob {
     "property float x",
     "property float y",
     "property float z",
-    `element face ${countFaces(surface)}`,
+    `element face ${triangles.length / 3}`,
     "property list uchar int vertex_indices",
     "end_header\n",
   ].join("\n");
-  const view = new DataView(new ArrayBuffer(4 * points.length + countFaces(surface) + 4 * corners.length));
+  const size = 1 + 3 * 4; // of a face
+  const view = new DataView(new ArrayBuffer(4 * points.length + size * (triangles.length / 3)));
   points.forEach((value, at) => view.setFloat32(4 * at, value, true));
-  let at = 4 * points.length;
-  for (let face = 0; face + 1 < offsets.length; ++face) {
-    view.setUint8(at++, offsets[face + 1] - offsets[face]);
-    for (let corner = offsets[face]; corner < offsets[face + 1]; ++corner, at += 4) {
-      view.setInt32(at, corners[corner], true);
-    }
-  }
+  triangles.forEach((corner, at) => {
+    const face = 4 * points.length + size * Math.floor(at / 3);
+    view.setUint8(face, 3);
+    view.setInt32(face + 1 + 4 * (at % 3), corner, true);
+  });
   return new Blob([header, view.buffer as ArrayBuffer], { type: "model/ply" });
 }
 

@@ -9,7 +9,7 @@
 namespace
 {
 
-// A ValueError whose text has quantities in braces.
+// A ValueError whose text has quantities in braces; and a MemoryError that says what to do.
 void BindError(nanobind::module_& module)
 {
   const auto error =
@@ -25,6 +25,14 @@ void BindError(nanobind::module_& module)
       catch (const FlipFree::Error& thrown)
       {
         PyErr_SetString(static_cast<PyObject*>(type), thrown.GetText().c_str());
+      }
+      catch (const std::bad_alloc& thrown)
+      {
+        PyErr_SetString(PyExc_MemoryError, FlipFree::MessageOf(thrown).c_str());
+      }
+      catch (const std::length_error& thrown)
+      {
+        PyErr_SetString(PyExc_MemoryError, FlipFree::MessageOf(thrown).c_str());
       }
     },
     error.ptr());

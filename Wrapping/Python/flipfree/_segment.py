@@ -59,8 +59,9 @@ def segment(
         identity, its origin (mm) and direction (3 x 3, the axes as columns). Voxels that are not
         finite, or that a masked array masks, have no data: no surface goes there.
     start
-        A surface to start from instead of the sphere: closed, with four neighbors at every vertex,
-        without self-intersections. It is refined to about as many vertices as the sphere.
+        A surface to start from instead of the sphere: closed, without self-intersections. Unless every
+        vertex has four neighbors, it is the mesh of the midpoints of its edges, whose vertices all have
+        them. It is refined to about as many vertices as the sphere.
     start_labels, start_label
         A label map with the image's voxels, cropped or not, its axes in any order (of a network, an
         atlas, an earlier result; an image, an array or the name of a file) that the surface fills, in

@@ -78,7 +78,7 @@ def segment_organs(
         that correct it, a dict(seed=..., radius=..., inside=..., outside=..., boundary=...,
         seeds=...). Their order only numbers them in the label map.
     fixed
-        Surfaces that stay as they are, such as earlier results, and that no organ meets.
+        Closed surfaces that stay as they are, such as earlier results, and that no organ meets.
 
     Raises SegmentationError if there is no segmentation, naming the organ, FileError if the file
     cannot be read, TypeError and ValueError for arguments that do not exist or are out of range.

@@ -12,6 +12,7 @@ from ._atomic import replacing
 from ._errors import FileError
 from ._extras import needed
 from ._messages import listed
+from ._point_files import finite
 from ._segmentation import Segmentation, Surface, Vessel
 from ._types import PathName
 
@@ -25,7 +26,8 @@ def write_surface(surface: Surface | Segmentation, path: PathName) -> None:
     comments.
 
     There is either the whole file afterward or, after an error, none of it. What was certified is
-    in the file, bit for bit; only STL has triangles in place of the faces.
+    in the file, bit for bit; STL and PLY, of which many programs read nothing else, have triangles in
+    place of the faces.
     """
     mesh = surface.mesh if isinstance(surface, Segmentation) else surface
     if not isinstance(mesh, Surface):
@@ -57,16 +59,23 @@ def write_centerline(vessel: Vessel, path: PathName) -> None:
 
 
 def read_surface(path: PathName) -> Surface:
-    """Reads a surface from a .vtp, .stl, .ply or .obj file, by VTK (`pip install vtk`)."""
+    """Reads a surface from a .vtp, .stl, .ply or .obj file; all but .obj by VTK (`pip install vtk`)."""
     name = os.fspath(path)
     ending = ending_of(name)
     if not os.path.isfile(name) or not os.access(name, os.R_OK):
         raise FileError(f"'{name}' does not exist or cannot be read. Check its name and permissions.")
+    surface = _read_obj(name) if ending == ".obj" else _read_by_vtk(name, ending)
+    if surface is None or len(surface.offsets) < 2:
+        raise FileError(f"'{name}' cannot be read: it is damaged, or has no faces. Create it again.")
+    return surface
+
+
+def _read_by_vtk(name: str, ending: str) -> Surface | None:
+    """None where VTK reports an error."""
     module, kind = {
         ".vtp": ("vtkIOXML", "vtkXMLPolyDataReader"),
         ".stl": ("vtkIOGeometry", "vtkSTLReader"),
         ".ply": ("vtkIOPLY", "vtkPLYReader"),
-        ".obj": ("vtkIOGeometry", "vtkOBJReader"),
     }[ending]
     reader: Any = getattr(needed(f"vtkmodules.{module}", "to read surface files", "pyvista"), kind)()
     from ._vtk_objects import surface_of_vtk
@@ -75,9 +84,46 @@ def read_surface(path: PathName) -> Surface:
     reader.AddObserver("ErrorEvent", lambda *_: errors.append(name))
     reader.SetFileName(name)
     reader.Update()
-    if errors or reader.GetErrorCode() or not reader.GetOutput().GetNumberOfPolys():
-        raise FileError(f"'{name}' cannot be read: it is damaged, or has no faces. Create it again.")
-    return surface_of_vtk(reader.GetOutput())
+    return None if errors or reader.GetErrorCode() else surface_of_vtk(reader.GetOutput())
+
+
+def _read_obj(name: str) -> Surface | None:
+    """Vertices and faces; None where they are damaged.
+
+    VTK's reader makes a vertex for each of its normals and texture coordinates, which opens the surface.
+    """
+    import numpy
+
+    points: list[list[float]] = []
+    faces: list[list[int]] = []
+    try:
+        with open(name, encoding="utf-8", errors="replace") as file:
+            for line in file.read().replace("\\\n", " ").splitlines():
+                word, *words = line.split() or [""]
+                if word == "v":
+                    points.append([finite(word) for word in words[:3]])
+                elif word == "f":
+                    corners = [int(word.partition("/")[0]) for word in words]
+                    # Counted from 1, or, where negative, back from the last vertex.
+                    faces.append([corner - 1 if corner > 0 else len(points) + corner for corner in corners])
+        places = numpy.array(points, float).reshape(-1, 3)
+    except ValueError:
+        return None
+    vertices = [vertex for face in faces for vertex in face]
+    is_whole = (
+        numpy.isfinite(places).all()
+        and all(len(face) > 2 for face in faces)
+        and all(0 <= vertex < len(points) for vertex in vertices)
+    )
+    if not is_whole:
+        return None
+    return Surface(
+        points=places,
+        corners=numpy.array(vertices, numpy.int32),
+        offsets=numpy.cumsum([0, *map(len, faces)]).astype(numpy.int32),
+        displacements=numpy.zeros((len(places), 3)),
+        correspondence=numpy.zeros(len(places), numpy.uint8),
+    )
 
 
 def ending_of(name: str) -> str:
@@ -201,14 +247,18 @@ def _stl(mesh: Surface) -> bytes:
 
 
 def _ply(mesh: Surface) -> bytes:
+    import numpy
+
     header = (
         "ply\nformat binary_little_endian 1.0\n"
         + "".join(f"comment {line}\n" for line in _comments(mesh))
         + f"element vertex {len(mesh.points)}\nproperty float x\nproperty float y\nproperty float z\n"
-        f"element face {len(mesh.offsets) - 1}\nproperty list uchar int vertex_indices\nend_header\n"
+        f"element face {len(mesh.triangles)}\nproperty list uchar int vertex_indices\nend_header\n"
     )
-    faces = (struct.pack(f"<B{len(face)}i", len(face), *face) for face in _faces(mesh))
-    return header.encode() + mesh.points.astype("<f4").tobytes() + b"".join(faces)
+    faces = numpy.zeros(len(mesh.triangles), [("size", "u1"), ("corners", "<i4", 3)])
+    faces["size"] = 3
+    faces["corners"] = mesh.triangles
+    return header.encode() + mesh.points.astype("<f4").tobytes() + faces.tobytes()
 
 
 def _obj(mesh: Surface) -> bytes:

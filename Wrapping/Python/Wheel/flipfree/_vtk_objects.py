@@ -87,18 +87,34 @@ def imagedata_of(image: Image, data: Any = None) -> Any:
 
 
 def surface_of_vtk(data: Any) -> Surface:
-    """The polygons of a vtkPolyData, such as a pyvista.PolyData."""
+    """The polygons of a vtkPolyData, such as a pyvista.PolyData; triangles in place of its strips."""
     import numpy
 
-    polys = data.GetPolys()
+    corners, offsets = _cells_of(data.GetPolys())
+    strips = _triangles_of_strips(*_cells_of(data.GetStrips()))
+    ends = len(corners) + 3 * numpy.arange(1, len(strips) + 1)
     has_points = data.GetNumberOfPoints() > 0
     points = vtk_to_numpy(data.GetPoints().GetData()) if has_points else numpy.zeros((0, 3))
     certified = data.GetFieldData().GetArray("Certified")
     return Surface(
         points=points.astype(numpy.float64),
-        corners=vtk_to_numpy(polys.GetConnectivityArray()).astype(numpy.int32),
-        offsets=vtk_to_numpy(polys.GetOffsetsArray()).astype(numpy.int32),
+        corners=numpy.concatenate([corners, numpy.ravel(strips)]).astype(numpy.int32),
+        offsets=numpy.concatenate([offsets, ends]).astype(numpy.int32),
         displacements=numpy.zeros((len(points), 3)),
         correspondence=numpy.zeros(len(points), numpy.uint8),
         certified=certified is not None and certified.GetTuple1(0) == 1,
     )
+
+
+def _cells_of(cells: Any) -> tuple[Any, Any]:
+    return vtk_to_numpy(cells.GetConnectivityArray()), vtk_to_numpy(cells.GetOffsetsArray())
+
+
+def _triangles_of_strips(corners: Any, offsets: Any) -> list[tuple[int, int, int]]:
+    """Every other triangle of a strip is turned round."""
+    triangles = []
+    for begin, end in zip(offsets[:-1], offsets[1:]):
+        strip = corners[begin:end].tolist()
+        for turn, (a, b, c) in enumerate(zip(strip, strip[1:], strip[2:])):
+            triangles.append((b, a, c) if turn % 2 else (a, b, c))
+    return triangles
