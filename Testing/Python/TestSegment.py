@@ -8,7 +8,7 @@ from pathlib import Path
 import flipfree
 import numpy
 from example import (HAS_VTK, RADIUS, SEED, axes_of, image, liver, needs_files, needs_vtk, needs_wheel,
-                     points_of)
+                     points_of, truth)
 
 if HAS_VTK:
     from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData, vtkTable
