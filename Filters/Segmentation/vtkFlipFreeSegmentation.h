@@ -19,8 +19,8 @@
  * physical millimeters, and the direction matrix is honored.
  * Voxels that are not finite (NaN, infinity, beyond the range of float) have no data, such as
  * padding, or what lies outside the field of view. They are as what lies beyond the image's end:
- * nothing is learned from them, and the surface goes no further than their border. What the organ
- * encloses is inside the surface, as any hole is.
+ * nothing is learned from them, and the surface goes no further than their border, to within a
+ * voxel. What the organ encloses is inside the surface, as any hole is.
  *
  * Input port 1, optional: vtkPolyData, the surface to start from in place of the sphere: closed,
  * embedded. Unless every vertex has four neighbors, the start is the mesh of the midpoints of its

@@ -40,7 +40,7 @@ class Arrays(unittest.TestCase):
         labels = flipfree.array_from_image(truth())
         other = numpy.where(labels == LIVER, labels, LIVER)
         masked = numpy.ma.array(other, mask=labels != LIVER)
-        self.assertEqual(flipfree.evaluate(truth(), masked, label=LIVER).dice, 1)
+        self.assertEqual(flipfree.evaluate(truth(), masked, segmentation_label=LIVER, reference_label=LIVER).dice, 1)
 
     @needs_vtk
     def test_geometry(self):

@@ -23,6 +23,10 @@
 #include "Image/VoxelBox.h"
 #include "KernelTypes.h"
 
+#include <cmath>
+#include <limits>
+#include <type_traits>
+
 namespace FlipFree
 {
 
@@ -41,7 +45,8 @@ struct AnisotropicDiffusionSettings
 /// Copies the voxels (begin, j, k) to (end - 1, j, k) of an image, as floats. Called concurrently.
 using VoxelReader = std::function<void(int begin, int end, int j, int k, float* to)>;
 
-/// Reads the part of an image that begins at the voxel `first`. The voxels must outlive the reader.
+/// Reads the part of an image that begins at the voxel `first`; what has no data (NoData.h) is NaN.
+/// The voxels must outlive the reader.
 template <typename T>
 VoxelReader ReaderOf(const ImageView<T>& image, const std::array<int, 3>& first = { { 0, 0, 0 } })
 {
@@ -50,7 +55,10 @@ VoxelReader ReaderOf(const ImageView<T>& image, const std::array<int, 3>& first 
     const T* const from = &image(first[0] + begin, first[1] + j, first[2] + k);
     for (int i = 0; i < end - begin; ++i)
     {
-      to[i] = static_cast<float>(from[i]);
+      const auto value = static_cast<float>(from[i]);
+      to[i] = std::is_integral_v<T> || std::isfinite(value)
+        ? value
+        : std::numeric_limits<float>::quiet_NaN();
     }
   };
 }
