@@ -6,6 +6,8 @@
 #include "PipelineAdapter.h"
 #include "VolumeFile.h"
 
+#include "Exchange/DicomChoice.h"
+
 #include "vtkDataArray.h"
 #include "vtkErrorCode.h"
 #include "vtkFieldData.h"
@@ -26,6 +28,7 @@ struct vtkMedicalImageReader::Source
 {
   FlipFree::DicomFolder Folder;
   const FlipFree::DicomVolume* Chosen = nullptr;
+  std::string ChosenUID;
   FlipFree::VolumeHeader Header;
 };
 
@@ -88,6 +91,7 @@ int vtkMedicalImageReader::RequestInformation(vtkInformation*, vtkInformationVec
       found.Chosen =
         &FlipFree::ChooseDicomVolume(found.Folder, this->SeriesUID ? this->SeriesUID : "");
       const FlipFree::DicomVolume& volume = *found.Chosen;
+      found.ChosenUID = volume.Identifier();
       found.Header = { volume.Geometry, FlipFree::ScalarTypeOf(volume.Type) };
       for (const std::string& warning :
         { volume.Warning, FlipFree::WarningOfLeftOut(found.Folder, volume) })
@@ -149,7 +153,7 @@ int vtkMedicalImageReader::RequestData(vtkInformation*, vtkInformationVector**,
         scalars->GetVoidPointer(0), monitor);
       vtkNew<vtkStringArray> uid;
       uid->SetName("SeriesUID");
-      uid->InsertNextValue(found.Chosen->Identifier());
+      uid->InsertNextValue(found.ChosenUID);
       output->GetFieldData()->AddArray(uid);
     }
     if (FlipFree::IsAborted(this))
@@ -281,9 +285,9 @@ void vtkMedicalImageReader::GetSeriesSpacing(int index, double spacing[3])
   }
 }
 
-std::string vtkMedicalImageReader::GetChosenSeriesUID()
+const char* vtkMedicalImageReader::GetChosenSeriesUID()
 {
-  return this->Found->Chosen ? this->Found->Chosen->Identifier() : std::string();
+  return this->Found->Chosen ? this->Found->ChosenUID.c_str() : nullptr;
 }
 
 void vtkMedicalImageReader::PrintSelf(ostream& os, vtkIndent indent)
