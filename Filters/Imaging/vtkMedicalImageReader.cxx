@@ -9,6 +9,8 @@
 
 #include "Exchange/SegmentationLayers.h"
 
+#include "Exchange/DicomChoice.h"
+
 #include "vtkDataArray.h"
 #include "vtkErrorCode.h"
 #include "vtkFieldData.h"
@@ -29,6 +31,7 @@ struct vtkMedicalImageReader::Source
 {
   FlipFree::DicomFolder Folder;
   const FlipFree::DicomVolume* Chosen = nullptr;
+  std::string ChosenUID;
   FlipFree::VolumeHeader Header;
   FlipFree::LabelChoice Label;
 };
@@ -95,6 +98,7 @@ int vtkMedicalImageReader::RequestInformation(vtkInformation*, vtkInformationVec
         &FlipFree::ChooseDicomVolume(found.Folder, this->SeriesUID ? this->SeriesUID : "");
       found.Label = FlipFree::ChooseLabel({}, 1, segment, name);
       const FlipFree::DicomVolume& volume = *found.Chosen;
+      found.ChosenUID = volume.Identifier();
       found.Header = { volume.Geometry, FlipFree::ScalarTypeOf(volume.Type) };
       for (const std::string& warning :
         { volume.Warning, FlipFree::WarningOfLeftOut(found.Folder, volume) })
@@ -164,7 +168,7 @@ int vtkMedicalImageReader::RequestData(vtkInformation*, vtkInformationVector**,
         scalars->GetVoidPointer(0), monitor);
       vtkNew<vtkStringArray> uid;
       uid->SetName("SeriesUID");
-      uid->InsertNextValue(found.Chosen->Identifier());
+      uid->InsertNextValue(found.ChosenUID);
       output->GetFieldData()->AddArray(uid);
     }
     if (FlipFree::IsAborted(this))
@@ -301,9 +305,9 @@ void vtkMedicalImageReader::GetSeriesSpacing(int index, double spacing[3])
   }
 }
 
-std::string vtkMedicalImageReader::GetChosenSeriesUID()
+const char* vtkMedicalImageReader::GetChosenSeriesUID()
 {
-  return this->Found->Chosen ? this->Found->Chosen->Identifier() : std::string();
+  return this->Found->Chosen ? this->Found->ChosenUID.c_str() : nullptr;
 }
 
 void vtkMedicalImageReader::PrintSelf(ostream& os, vtkIndent indent)

@@ -123,9 +123,9 @@ public:
   void GetSeriesSpacing(int index, double spacing[3]);
 
   /**
-   * The series that was chosen, as SeriesUID takes it; empty if the image is not DICOM.
+   * The series that was chosen, as SeriesUID takes it; null if the image is not DICOM.
    */
-  std::string GetChosenSeriesUID();
+  const char* GetChosenSeriesUID();
 
 protected:
   vtkMedicalImageReader();

@@ -293,7 +293,7 @@ TEST(TestDicomSeries, VolumesOfOneSeriesAreListedAndChosen)
   ASSERT_TRUE(reader->FindSeries());
   ASSERT_EQ(reader->GetNumberOfSeries(), 2);
   EXPECT_EQ(reader->GetSeriesUID(1), UID + ".1#2");
-  EXPECT_EQ(reader->GetChosenSeriesUID(), "");
+  EXPECT_EQ(reader->GetChosenSeriesUID(), nullptr);
   reader->SetSeriesUID((UID + ".1#1").c_str());
   reader->Update();
   ExampleImages::ExpectSameVoxels(reader->GetOutput(), image);

@@ -1,4 +1,5 @@
 // Which files of a folder make up which volumes, where these lie, and what is left out.
+#include "Exchange/DicomChoice.h"
 #include "Exchange/DicomVolumes.h"
 #include "Exchange/FileProblem.h"
 

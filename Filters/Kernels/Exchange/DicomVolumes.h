@@ -82,17 +82,6 @@ using DicomFrameBytes = std::function<std::string(const DicomFile& file, std::si
 DicomFolder FindDicomVolumes(const std::string& name, std::vector<DicomFile> files,
   const DicomFrameBytes& bytesOf);
 
-/// Throws a FileProblem where a folder has none.
-void RequireDicomVolumes(const DicomFolder& folder);
-
-/// The volume that `wanted` names: a Series Instance UID, or one followed by #n; if it is empty,
-/// the greatest. A FileProblem where there is no such volume, where it is not the only one, or
-/// where it cannot be read.
-const DicomVolume& ChooseDicomVolume(const DicomFolder& folder, const std::string& wanted);
-
-/// How many files of the folder are left out if a volume is read, and why; empty where none is.
-std::string WarningOfLeftOut(const DicomFolder& folder, const DicomVolume& volume);
-
 } // namespace FlipFree
 
 #endif

@@ -3,6 +3,7 @@
 #include "Numpy.h"
 #include "Report.h"
 
+#include "Exchange/DicomChoice.h"
 #include "Exchange/DicomReading.h"
 #include "Exchange/FileProblem.h"
 
