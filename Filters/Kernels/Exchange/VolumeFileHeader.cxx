@@ -104,7 +104,7 @@ VolumeFileHeader ReadVolumeFileHeader(const std::string& name, const std::string
   {
     return ReadMetaImageHeader(name, start);
   }
-  throw WhyNotReadable(name, start);
+  throw FileProblem(WhyNotReadable(name, start));
 }
 
 void TakePacked(VoxelStorage& storage)
@@ -123,11 +123,11 @@ void RequireFiles(const VolumeFileHeader& header, const std::vector<double>& siz
     const std::string file = "'" + storage.Files[index] + "'";
     if (sizes[index] == MissingFile)
     {
-      throw NoVoxels(header.Name, file + " is missing");
+      throw FileProblem(NoVoxels(header.Name, file + " is missing"));
     }
     if (sizes[index] < 0)
     {
-      throw NoVoxels(header.Name, file + " is not a regular file");
+      throw FileProblem(NoVoxels(header.Name, file + " is not a regular file"));
     }
     found += std::max(0., sizes[index] - static_cast<double>(storage.Offset));
   }
@@ -156,15 +156,15 @@ void RequireFiles(const VolumeFileHeader& header, const std::vector<double>& siz
   if (found < wanted)
   {
     const bool isOther = storage.Files.size() == 1 && storage.Files.front() != header.Name;
-    throw NoVoxels(header.Name,
+    throw FileProblem(NoVoxels(header.Name,
       (isOther ? "'" + storage.Files.front() + "'" : "it") +
-        " holds fewer voxels than its header says");
+        " holds fewer voxels than its header says"));
   }
   if (header.NumberOfStoredVoxels() % sizes.size() != 0)
   {
-    throw NoVoxels(header.Name,
+    throw FileProblem(NoVoxels(header.Name,
       "its header names " + std::to_string(sizes.size()) +
-        " files, which cannot hold as many voxels each");
+        " files, which cannot hold as many voxels each"));
   }
 }
 

@@ -102,7 +102,7 @@ void DecodeText(const VolumeFileHeader& header, const std::string& stored, void*
   {
     if (begin >= stored.size())
     {
-      throw IncompleteVoxels(header.Name, Incompleteness::TooFewVoxels);
+      throw FileProblem(IncompleteVoxels(header.Name, Incompleteness::TooFewVoxels));
     }
     const std::size_t end = std::min(stored.find_first_of(space, begin), stored.size());
     double number = 0;
@@ -201,7 +201,7 @@ void DecodeDigits(const VolumeFileHeader& header, const std::string& stored, voi
   const std::string bytes = BytesOfHex(header, stored);
   if (bytes.size() < header.NumberOfStoredBytes())
   {
-    throw IncompleteVoxels(header.Name, Incompleteness::TooFewVoxels);
+    throw FileProblem(IncompleteVoxels(header.Name, Incompleteness::TooFewVoxels));
   }
   DecodeVoxels(header, bytes.data(), header.NumberOfStoredVoxels(), values);
 }

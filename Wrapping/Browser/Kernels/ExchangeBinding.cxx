@@ -156,15 +156,16 @@ val NiftiBytes(const std::string& name, const val& image)
     {
       const std::string bytes = NiftiHeaderOf(name, GeometryOf(image), VoxelType::UInt8);
       val answer = val::object();
-      answer.set("bytes", ArrayOf(reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size()));
+      answer.set("bytes",
+        ArrayOf(reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size()));
       return answer;
     });
 }
 
 std::string WhyIncomplete(const std::string& name, bool isBroken)
 {
-  return IncompleteVoxels(
-    name, isBroken ? Incompleteness::BrokenStream : Incompleteness::TooFewVoxels)
+  return IncompleteVoxels(name,
+    isBroken ? Incompleteness::BrokenStream : Incompleteness::TooFewVoxels)
     .what();
 }
 
