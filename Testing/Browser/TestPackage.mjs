@@ -6,6 +6,7 @@ import { join } from "node:path";
 import { after, before, test } from "node:test";
 import { pathToFileURL } from "node:url";
 import { gunzipSync, gzipSync } from "node:zlib";
+import { dicomFiles } from "./Dicom.mjs";
 import { command, dice, fieldDataOf, liverLabel, readNifti, readNiftiFile, readPlyPoints, seed } from "./Support.mjs";
 
 const folder = process.env.FLIPFREE_BROWSER_PACKAGE;
@@ -449,6 +450,29 @@ test("files are read as the command reads them", async () => {
   assert.deepEqual(pair.image.voxels, grid.voxels);
   assert.deepEqual(pair.image.origin, [...grid.origin]);
   await assert.rejects(opened("pair.mhd"), /'pair\.raw' is missing/);
+});
+
+test("DICOM files are read as the command reads them", async () => {
+  const grid = { size: [6, 5, 4], spacing: [2, 1.5, 3], origin: [-40, -150, 300], direction: [1, 0, 0, 0, 1, 0, 0, 0, 1] };
+  const voxels = Int16Array.from({ length: 120 }, (_, at) => at * 7 - 400);
+  const slices = dicomFiles(grid, voxels);
+  const files = slices.map((bytes, at) => ({ name: `ct/${9 - at}.dcm`, data: new Blob([bytes]) })); // in no order of places
+  const [series, ...others] = await flipfree.listSeries(files);
+  assert.deepEqual(others, []);
+  assert.deepEqual([series.slices, series.modality, series.spacing, series.problem], [4, "CT", grid.spacing, ""]);
+  const { image, warnings, series: uid } = await flipfree.readVolume(files, { series: series.uid });
+  assert.equal(uid, series.uid);
+  assert.deepEqual(warnings, []);
+  assert.deepEqual([...image.voxels], [...voxels]);
+  assert.deepEqual([image.size, image.spacing, image.origin, image.direction], [grid.size, grid.spacing, grid.origin, grid.direction]);
+
+  const other = [...files, { name: "ct/report.txt", data: new Blob(["no image"]) }];
+  assert.deepEqual([...(await flipfree.readVolume(other)).image.voxels], [...voxels]);
+  await assert.rejects(flipfree.readVolume(files, { series: "9" }), /9/);
+  await assert.rejects(flipfree.readVolume(files.filter((_, at) => at !== 1)), /missing|even/);
+  await assert.rejects(flipfree.readVolume([{ name: "notes.txt", data: new Blob(["no image"]) }]), FlipFreeError);
+  const cut = files.map((file, at) => (at === 2 ? { ...file, data: file.data.slice(0, 500) } : file));
+  await assert.rejects(flipfree.readVolume(cut), /7\.dcm/);
 });
 
 test("label maps of sheared grids are written by an sform", async () => {

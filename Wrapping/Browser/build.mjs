@@ -55,11 +55,6 @@ for (const folder of [packageFolder, page]) {
 for (const file of ["index.html", "style.css"]) {
   await cp(join(here, "page", file), join(page, file));
 }
-const dicom = join(here, "node_modules/@niivue/dcm2niix/dist");
-for (const file of ["index.jpeg.js", "worker.jpeg.js", "dcm2niix.jpeg.js", "dcm2niix.jpeg.wasm"]) {
-  await cp(join(dicom, file), join(page, "dcm2niix", file));
-}
-
 // What the service worker keeps.
 const files = (await readdir(page, { recursive: true, withFileTypes: true }))
   .filter((entry) => entry.isFile() && !entry.name.startsWith("LICENSE"))

@@ -25,6 +25,7 @@ using emscripten::val;
 void BindSegmentation();
 void BindVessels();
 void BindEvaluation();
+void BindDicom();
 void BindExchange();
 void BindPhantoms();
 void BindVolumes();

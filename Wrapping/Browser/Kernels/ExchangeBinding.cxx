@@ -1,6 +1,7 @@
 // Headers of image files, and the voxels that they describe.
 #include "Bindings.h"
 #include "Volume.h"
+#include "VoxelArrays.h"
 
 #include "Exchange/NiftiHeader.h"
 #include "Exchange/VolumeFileHeader.h"
@@ -57,12 +58,8 @@ public:
   {
     const VolumeFileHeader& header = this->Header;
     const char* const forms[] = { "raw", "deflated", "text", "hex" };
-    const RowMajorMatrix direction = header.Geometry.Direction;
     val fields = val::object();
-    fields.set("size", ArrayOf(header.Geometry.Dimensions));
-    fields.set("spacing", ArrayOf(header.Geometry.Spacing));
-    fields.set("origin", ArrayOf(header.Geometry.Origin));
-    fields.set("direction", ArrayOf(direction));
+    SetGrid(fields, header.Geometry);
     fields.set("type", std::string(NameOf(header.ValueType())));
     fields.set("voxelBytes", static_cast<double>(SizeOf(header.Storage.Type)));
     fields.set("files", val::array(header.Storage.Files));
@@ -78,43 +75,6 @@ public:
   }
 
 private:
-  template <typename T, typename Fill>
-  static val Typed(std::size_t count, const Fill& fill)
-  {
-    std::vector<T> values(count);
-    fill(count, values.data());
-    return ArrayOf(values);
-  }
-
-  template <typename Fill>
-  static val TypedArray(VoxelType type, std::size_t count, const Fill& fill)
-  {
-    switch (type)
-    {
-      case VoxelType::Int8:
-        return Typed<std::int8_t>(count, fill);
-      case VoxelType::UInt8:
-        return Typed<std::uint8_t>(count, fill);
-      case VoxelType::Int16:
-        return Typed<std::int16_t>(count, fill);
-      case VoxelType::UInt16:
-        return Typed<std::uint16_t>(count, fill);
-      case VoxelType::Int32:
-        return Typed<std::int32_t>(count, fill);
-      case VoxelType::UInt32:
-        return Typed<std::uint32_t>(count, fill);
-      case VoxelType::Float32:
-        return Typed<float>(count, fill);
-      case VoxelType::Float64:
-        return Typed<double>(count, fill);
-      case VoxelType::Int64:
-      case VoxelType::UInt64:
-        break;
-    }
-    throw std::invalid_argument("voxels of 64-bit integers, for which a browser has no numbers; "
-                                "save them with 32 bits");
-  }
-
   template <typename Fill>
   val Decoded(std::size_t count, const Fill& fill)
   {
@@ -122,7 +82,8 @@ private:
       [&]
       {
         val answer = val::object();
-        answer.set("voxels", TypedArray(this->Header.ValueType(), count, fill));
+        answer.set("voxels",
+          FilledArray(this->Header.ValueType(), count, [&](void* values) { fill(count, values); }));
         return answer;
       });
   }

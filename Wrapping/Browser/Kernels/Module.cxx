@@ -9,5 +9,6 @@ EMSCRIPTEN_BINDINGS(flipfree)
   FlipFree::BindVessels();
   FlipFree::BindEvaluation();
   FlipFree::BindExchange();
+  FlipFree::BindDicom();
   FlipFree::BindPhantoms();
 }

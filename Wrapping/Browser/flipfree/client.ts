@@ -2,6 +2,7 @@
 import type { PhantomShape } from "./engine.js";
 import type { Answers, FromWorker, Kind, Requests, ToWorker } from "./messages.js";
 import {
+  type DicomSeries,
   type EvaluateOptions,
   FlipFreeError,
   type Grid,
@@ -13,6 +14,7 @@ import {
   type Parameters,
   type Phantom,
   type PhantomOptions,
+  type ReadOptions,
   type Preset,
   type RunOptions,
   type Scores,
@@ -59,6 +61,11 @@ async function compile(wasm: URL | BufferSource): Promise<WebAssembly.Module> {
   return response.headers.get("Content-Type") === "application/wasm"
     ? WebAssembly.compileStreaming(response)
     : WebAssembly.compile(await response.arrayBuffer());
+}
+
+/** A part of a file may be sent to a worker everywhere; a file may not. */
+function forWorker(files: readonly NamedFile[]): NamedFile[] {
+  return files.map(({ name, data }) => ({ name, data: data.slice() }));
 }
 
 interface Pending {
@@ -148,12 +155,15 @@ export class FlipFree {
     return this.ask("selfIntersections", { surface });
   }
 
-  /** The volume in a NIfTI, NRRD or MetaImage file, or in a header and the files that it names. What one file says is the
-   * same here, in Python and in the command. Rejects with a FlipFreeError for what cannot be read. */
-  readVolume(files: readonly NamedFile[], options: RunOptions = {}): Promise<OpenedVolume> {
-    // A part of a file may be sent to a worker everywhere; a file may not.
-    const sent = files.map(({ name, data }) => ({ name, data: data.slice() }));
-    return this.ask("readVolume", { files: sent }, options);
+  /** The volume in a NIfTI, NRRD or MetaImage file, in a header and the files that it names, or in DICOM files. What a file says
+   * is the same here, in Python and in the command. Rejects with a FlipFreeError for what cannot be read. */
+  readVolume(files: readonly NamedFile[], options: ReadOptions = {}): Promise<OpenedVolume> {
+    return this.ask("readVolume", { files: forWorker(files), series: options.series ?? "" }, options);
+  }
+
+  /** The series among DICOM files. */
+  listSeries(files: readonly NamedFile[], options: RunOptions = {}): Promise<DicomSeries[]> {
+    return this.ask("listSeries", { files: forWorker(files) }, options);
   }
 
   /** A compressed NIfTI-1 file of a label map of 8 bits. */

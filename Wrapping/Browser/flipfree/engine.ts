@@ -2,10 +2,12 @@
  * whose worker holds an engine. */
 import { correctionNumbers, pointNumbers } from "./corrections.js";
 import { countVoxels } from "./grid.js";
+import { type KernelDicom, listSeries, readSeries } from "./dicom.js";
 import { packed } from "./inflated.js";
 import { type KernelParameter, kernelValues, packageValues, wordMessage } from "./parameters.js";
 import {
   type Corrections,
+  type DicomSeries,
   FlipFreeError,
   type Grid,
   type GridComparison,
@@ -24,7 +26,7 @@ import {
   type Triple,
   type Vessel,
 } from "./types.js";
-import { type Answer, type KernelFiles, readVolume } from "./volumefiles.js";
+import { type Answer, type KernelFiles, hasVolumeFile, readVolume } from "./volumefiles.js";
 
 interface KernelVolume {
   delete(): void;
@@ -61,7 +63,7 @@ interface KernelPhantom {
 }
 
 /** The module that emscripten makes of Kernels/. */
-export interface KernelModule extends KernelFiles {
+export interface KernelModule extends KernelFiles, KernelDicom {
   niftiHeader(name: string, image: Image): Answer<{ bytes: Uint8Array<ArrayBuffer> }>;
   compareGrids(grid: Grid, part: Grid, name: string): Answer<GridComparison>;
   makeVolume(image: Image): Answer<{ volume: KernelVolume }>;
@@ -204,9 +206,16 @@ export class Engine {
     return this.checked(this.kernels.selfIntersections(surface)).count;
   }
 
-  /** The volume in a file, or in a header and the files that it names. */
-  readVolume(files: readonly NamedFile[], report: Report = goOn): Promise<OpenedVolume> {
-    return readVolume(this.kernels, files, (answer) => this.checked(answer), report);
+  /** The volume in a file, in a header and the files that it names, or in DICOM files. */
+  readVolume(files: readonly NamedFile[], series = "", report: Report = goOn): Promise<OpenedVolume> {
+    const checked = <T>(answer: Answer<T>) => this.checked(answer);
+    return hasVolumeFile(files)
+      ? readVolume(this.kernels, files, checked, report)
+      : readSeries(this.kernels, files, series, checked, report);
+  }
+
+  listSeries(files: readonly NamedFile[], report: Report = goOn): Promise<DicomSeries[]> {
+    return listSeries(this.kernels, files, (answer) => this.checked(answer), report);
   }
 
   /** A compressed NIfTI-1 file of labels of 8 bits. */

@@ -4,6 +4,7 @@
 import type { PhantomShape } from "./engine.js";
 import type {
   Corrections,
+  DicomSeries,
   Grid,
   GridComparison,
   Image,
@@ -32,7 +33,8 @@ export interface Requests {
   trace: { points: readonly Triple[]; parameters: Parameters };
   evaluate: { segmentation: Image | Surface; reference: Image; parameters: Parameters };
   selfIntersections: { surface: Surface };
-  readVolume: { files: readonly NamedFile[] };
+  readVolume: { files: readonly NamedFile[]; series: string };
+  listSeries: { files: readonly NamedFile[] };
   labelMapFile: { labelMap: Image };
   phantom: { shape: PhantomShape; parameters: Parameters };
   memory: Record<string, never>;
@@ -48,6 +50,7 @@ export interface Answers {
   evaluate: Scores;
   selfIntersections: number;
   readVolume: OpenedVolume;
+  listSeries: DicomSeries[];
   labelMapFile: Blob;
   phantom: Phantom;
   memory: number;

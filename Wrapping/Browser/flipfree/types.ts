@@ -41,10 +41,27 @@ export interface NamedFile {
   data: Blob;
 }
 
+/** A series in a folder of DICOM files, or one of several volumes in a series. */
+export interface DicomSeries {
+  /** What `series` takes to read it: the Series Instance UID, and #1, #2 and so on where a series has several volumes. */
+  uid: string;
+  /** Series Number. */
+  number: string;
+  description: string;
+  modality: string;
+  slices: number;
+  /** Millimeters; null where it cannot be read. */
+  spacing: Triple | null;
+  /** Why it cannot be read; empty where it can. */
+  problem: string;
+}
+
 /** A volume as a file has it. */
 export interface OpenedVolume {
   /** The file's, of several the one that has the header. */
   name: string;
+  /** Of DICOM: which series it is. */
+  series?: string;
   image: Image;
   /** What the file does not say, or says twice, and what was taken; whole sentences. */
   warnings: string[];
@@ -181,6 +198,11 @@ export interface RunOptions {
   onProgress?: (fraction: number) => void;
   /** Stops the run at once; the promise is rejected with the signal's reason. */
   signal?: AbortSignal;
+}
+
+export interface ReadOptions extends RunOptions {
+  /** Of DICOM: what `listSeries` calls the series to read, by default the one of most slices. */
+  series?: string;
 }
 
 export interface SegmentOptions extends RunOptions, Corrections {

@@ -41,7 +41,8 @@ export interface KernelFiles {
   whyIncomplete(name: string, isBroken: boolean): string;
 }
 
-type Check = <T>(answer: Answer<T>) => T;
+/** What an answer holds, or the error in it. */
+export type Check = <T>(answer: Answer<T>) => T;
 
 const voxelsAtATime = 1 << 20;
 const arrays = {
@@ -59,6 +60,13 @@ const arrays = {
 function besides(files: readonly NamedFile[], header: NamedFile, name: string): NamedFile | undefined {
   const folder = header.name.slice(0, header.name.lastIndexOf("/") + 1);
   return files.find((file) => file.name === folder + name) ?? files.find((file) => file.name === name);
+}
+
+const volumeEndings = /\.(nii|nii\.gz|hdr|hdr\.gz|img|img\.gz|nrrd|nhdr|mha|mhd)$/i;
+
+/** Whether a volume is in one of the files, by their names; else they are DICOM, which has none. */
+export function hasVolumeFile(files: readonly NamedFile[]): boolean {
+  return files.some(({ name }) => volumeEndings.test(name));
 }
 
 /** The volume that one of the files is the header of. Throws a FlipFreeError for what is none. */

@@ -40,7 +40,8 @@ const work: Work = {
   evaluate: (engine, { segmentation, reference, parameters }, report) =>
     engine.evaluate(segmentation, reference, parameters, report),
   selfIntersections: (engine, { surface }) => engine.selfIntersections(surface),
-  readVolume: (engine, { files }, report) => engine.readVolume(files, report),
+  readVolume: (engine, { files, series }, report) => engine.readVolume(files, series, report),
+  listSeries: (engine, { files }, report) => engine.listSeries(files, report),
   labelMapFile: (engine, { labelMap }) => engine.labelMapFile(labelMap),
   phantom: (engine, { shape, parameters }, report) => engine.phantom(shape, parameters, report),
   memory: (engine) => engine.memory,

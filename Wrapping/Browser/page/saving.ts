@@ -65,7 +65,7 @@ export function saveSession(): void {
   if (app.opened) {
     const filling = organs.list.filter((organ) => canRun(organ) && !canRepeat(organ));
     const list = organs.list.filter((organ) => !filling.includes(organ));
-    save(sessionFile(FLIPFREE_VERSION, app.opened.name, app.opened.image, list), "session.json");
+    save(sessionFile(FLIPFREE_VERSION, { name: app.opened.name, series: app.opened.series, ...app.opened.image }, list), "session.json");
     if (filling.length > 0) {
       const names = filling.map(({ name }) => name).join(", ");
       say(`Saved session.json without ${names}: a session cannot hold a label map. The command numbers the labels of the other organs only.`);

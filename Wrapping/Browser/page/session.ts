@@ -8,7 +8,7 @@ type Entry = { name: string; color: string; parameters: Parameters } & (
   | { kind: "vessel"; points: readonly Triple[] }
 );
 
-/** Of a folder of DICOM files, the command also records the series that it read. */
+/** Of a folder of DICOM files, also the series that was read. */
 type ImageOfSession = { name: string; series?: string } & Grid;
 
 interface SessionFile {
@@ -38,13 +38,13 @@ function entryOf({ kind, name, color, seed, preset, corrections, points, paramet
     : { name, kind, color, seed, preset, parameters, corrections };
 }
 
-export function sessionFile(flipfree: string, name: string, grid: Grid, organs: readonly SessionOrgan[]): Blob {
-  const { size, spacing, origin, direction } = grid;
+export function sessionFile(flipfree: string, image: ImageOfSession, organs: readonly SessionOrgan[]): Blob {
+  const { name, series, size, spacing, origin, direction } = image;
   const session: SessionFile = {
     format: "flipfree-session",
     version: 2,
     flipfree,
-    image: { name, size, spacing, origin, direction },
+    image: { name, series, size, spacing, origin, direction },
     organs: organs.map(entryOf),
   };
   return new Blob([`${JSON.stringify(session, null, 2)}\n`], { type: "application/json" });

@@ -5,7 +5,6 @@
 
 #include "Exchange/DicomChoice.h"
 #include "Exchange/DicomReading.h"
-#include "Exchange/FileProblem.h"
 
 #include <nanobind/stl/array.h>
 #include <nanobind/stl/optional.h>
@@ -115,7 +114,6 @@ private:
 
 void BindDicom(nb::module_& module)
 {
-  static const nb::exception<FileProblem> problem(module, "FileProblem");
   nb::class_<ReadFolder>(module, "DicomFolder")
     .def(nb::init<const std::string&, nb::callable, nb::callable, const nb::callable&>())
     .def("was_stopped", &ReadFolder::WasStopped)

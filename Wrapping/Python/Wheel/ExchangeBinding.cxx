@@ -73,16 +73,10 @@ nb::bytes NiftiBytes(const std::string& name, const std::string& type, const Tri
   return nb::bytes(bytes.data(), bytes.size());
 }
 
-void BindFileProblem(nb::module_& module)
-{
-  static const nb::exception<FileProblem> problem(module, "FileProblem");
-}
-
 } // namespace
 
 void BindExchange(nb::module_& module)
 {
-  BindFileProblem(module);
   nb::class_<VolumeFileHeader>(module, "VolumeFileHeader")
     .def("__init__",
       [](VolumeFileHeader* header, const std::string& name, const nb::bytes& start)

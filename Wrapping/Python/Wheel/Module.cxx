@@ -4,6 +4,7 @@
 #include "ThreadPool.h"
 
 #include "Error.h"
+#include "Exchange/FileProblem.h"
 #include "Image/SeedRegion.h"
 
 namespace
@@ -43,6 +44,7 @@ void BindError(nanobind::module_& module)
 NB_MODULE(_kernels, module)
 {
   BindError(module);
+  static const nanobind::exception<FlipFree::FileProblem> problem(module, "FileProblem");
   FlipFree::BindSegmentation(module);
   FlipFree::BindEvaluation(module);
   FlipFree::BindDicom(module);
