@@ -29,6 +29,14 @@ const common = {
       name: "kernels",
       setup: ({ onResolve }) => onResolve({ filter: /\/kernels\.mjs$/ }, () => ({ path: join(kernels, "flipfree.mjs") })),
     },
+    {
+      // A decoder of daikon's asks for them where it runs in Node; it needs neither.
+      name: "files of Node",
+      setup: ({ onResolve, onLoad }) => {
+        onResolve({ filter: /^(fs|path)$/ }, ({ path }) => ({ path, namespace: "nothing" }));
+        onLoad({ filter: /./, namespace: "nothing" }, () => ({ contents: "" }));
+      },
+    },
   ],
 };
 
@@ -40,6 +48,7 @@ await build({
   entryPoints: [join(here, "flipfree/index.ts"), join(here, "flipfree/worker.ts"), join(here, "flipfree/engine.ts")],
   outdir: packageFolder,
   platform: "neutral",
+  mainFields: ["module", "main"],
 });
 await build({
   ...common,
