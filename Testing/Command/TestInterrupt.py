@@ -92,6 +92,8 @@ class TestInterrupt(command.CommandTest):
         struct.pack_into("<2h", header, 70, 4, 16)
         struct.pack_into("<8f", header, 76, 1, 1, 1, 1, 0, 0, 0, 0)
         struct.pack_into("<f", header, 108, 352)
+        struct.pack_into("<h", header, 254, 1) # an sform
+        struct.pack_into("<12f", header, 280, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0)
         header[344:348] = b"n+1\0"
         name = os.path.join(self.inputs, "large.nii.gz")
         slices = gzip.compress(b"\1\0" * (size[0] * size[1] * 20), 1)

@@ -505,13 +505,7 @@ TEST(VesselPath, UsersSayWhatTheScaleOfTheGrayValuesIs)
   };
   EXPECT_GT(support(Modality::MR), 0.95);
   EXPECT_THROW(support(Modality::CT), Error);
-  EXPECT_THROW(support(Modality::Automatic), Error); // there is air
-  for (float& value : volume.Voxels)
-  {
-    value = std::max(value, 0.0F);
-  }
-  EXPECT_EQ(support(Modality::Automatic), support(Modality::MR));
-  EXPECT_THROW(support(Modality::CT), Error);
+  EXPECT_EQ(support(Modality::Automatic), support(Modality::MR)); // nothing is as bright as tissue
 }
 
 TEST(VesselSegmentation, WarnsWhereTheImageDoesNotShowTheBoundary)

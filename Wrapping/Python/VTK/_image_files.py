@@ -27,7 +27,7 @@ def read_labels(name: str, label: str) -> tuple[vtkImageData, int | None]:
 
     Without a choice, "", there may be but one label map in the file, and no value.
     """
-    reader = _imaging_class("vtkMedicalImageReader")
+    reader = imaging_class("vtkMedicalImageReader")
     reader.SetFileName(name)
     reader.SetSegment(label)
     update(reader, FileError)
