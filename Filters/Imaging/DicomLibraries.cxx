@@ -36,17 +36,15 @@ private:
   bool Errors = gdcm::Trace::GetErrorFlag();
 };
 
-/// Cut off where it is too large to be true.
-std::string InflateBytes(const std::string& packed)
+std::string InflateBytes(const std::string& packed, std::size_t most)
 {
-  constexpr std::size_t greatest = std::size_t(1) << 31;
   z_stream stream = {};
   inflateInit2(&stream, -MAX_WBITS); // without a header of its own
   stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(packed.data()));
   stream.avail_in = static_cast<uInt>(packed.size());
   std::string plain;
   std::string part(1 << 16, '\0');
-  for (int state = Z_OK; state == Z_OK && plain.size() < greatest;)
+  for (int state = Z_OK; state == Z_OK && plain.size() < most;)
   {
     stream.next_out = reinterpret_cast<Bytef*>(&part[0]);
     stream.avail_out = static_cast<uInt>(part.size());

@@ -43,17 +43,20 @@ std::size_t InflatedFile::Inflate(unsigned char* bytes, std::size_t size, bool i
   std::size_t found = 0;
   while (found < size && (packed.State == Z_OK || (packed.State == Z_STREAM_END && !isInOneMember)))
   {
-    if (packed.Zlib.avail_in == 0)
+    if (packed.Zlib.avail_in < 2) // bytes of a mark
     {
-      this->File.read(packed.Input.data(), static_cast<std::streamsize>(packed.Input.size()));
+      std::copy_n(packed.Zlib.next_in, packed.Zlib.avail_in, packed.Input.data());
+      this->File.read(packed.Input.data() + packed.Zlib.avail_in,
+        static_cast<std::streamsize>(packed.Input.size() - packed.Zlib.avail_in));
       packed.Zlib.next_in = reinterpret_cast<unsigned char*>(packed.Input.data());
-      packed.Zlib.avail_in = static_cast<unsigned int>(this->File.gcount());
+      packed.Zlib.avail_in += static_cast<unsigned int>(this->File.gcount());
     }
     if (packed.State == Z_STREAM_END)
     {
-      if (packed.Zlib.avail_in == 0)
+      if (packed.Zlib.avail_in < 2 ||
+        !std::equal(PackedMark, PackedMark + 2, reinterpret_cast<char*>(packed.Zlib.next_in)))
       {
-        return found;
+        return found; // padding, if anything
       }
       packed.State = inflateReset(&packed.Zlib); // another member of gzip
     }

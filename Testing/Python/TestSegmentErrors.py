@@ -157,7 +157,7 @@ class Failures(unittest.TestCase):
         empty = numpy.zeros_like(liver().labels)
         for error, message, arguments, parameters in (
                 (flipfree.EvaluationError, "empty", (liver(), empty), {}),
-                (flipfree.EvaluationError, ".", (liver(), empty[:5]), {}),
+                (ValueError, "^reference: an array gets its geometry from the other image", (liver(), empty[:5]), {}),
                 (TypeError, "did you mean 'reference_label'", (liver(), truth()), {"reference_labels": 6}),
                 (TypeError, "^reference: an array without geometry", (surface_of(liver()), empty), {}),
                 (TypeError, "^segmentation: a label map", (None, truth()), {})):

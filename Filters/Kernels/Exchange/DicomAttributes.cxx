@@ -1,5 +1,7 @@
 #include "Exchange/DicomAttributes.h"
 
+#include "Exchange/HeaderField.h"
+
 #include <cmath>
 #include <locale>
 #include <sstream>
@@ -16,25 +18,6 @@ bool ToDicomNumber(const std::string& text, double& number)
   stream.imbue(std::locale::classic());
   return stream >> number && stream.peek() == std::istringstream::traits_type::eof() &&
     std::isfinite(number);
-}
-
-/// Of a valid letter beyond ASCII in UTF-8; 0 where there is none.
-std::size_t Utf8LengthAt(const std::string& text, std::size_t at)
-{
-  const auto byte = [&](std::size_t index)
-  { return index < text.size() ? static_cast<unsigned char>(text[index]) : 0; };
-  const int first = byte(at);
-  const std::size_t length = first >= 0xF0 ? 4 : first >= 0xE0 ? 3 : 2;
-  // Second bytes that would make a letter longer than it has to be, or none.
-  const int least = first == 0xE0 ? 0xA0 : first == 0xF0 ? 0x90 : 0x80;
-  const int greatest = first == 0xED ? 0x9F : first == 0xF4 ? 0x8F : 0xBF;
-  bool isValid =
-    first >= 0xC2 && first <= 0xF4 && byte(at + 1) >= least && byte(at + 1) <= greatest;
-  for (std::size_t index = 2; index < length; ++index)
-  {
-    isValid = isValid && byte(at + index) >= 0x80 && byte(at + index) <= 0xBF;
-  }
-  return isValid ? length : 0;
 }
 
 } // namespace
@@ -84,36 +67,7 @@ std::string DicomTextForPeople(const DicomAttributes& attributes, std::uint32_t 
   const std::string& set = attributes.Text(DicomTag::SpecificCharacterSet);
   const bool isUtf8 = set.find("192") != std::string::npos;
   const bool isLatin1 = set.find("100") != std::string::npos;
-  const std::string& original = attributes.Text(tag);
-  std::string text;
-  for (std::size_t at = 0; at < original.size(); ++at)
-  {
-    const auto code = static_cast<unsigned char>(original[at]);
-    const std::size_t length = isUtf8 ? Utf8LengthAt(original, at) : 0;
-    if (code < 0x20 || code == 0x7F)
-    {
-      text += ' ';
-    }
-    else if (code < 0x80)
-    {
-      text += original[at];
-    }
-    else if (length > 0)
-    {
-      text.append(original, at, length);
-      at += length - 1;
-    }
-    else if (isLatin1)
-    {
-      text += static_cast<char>(0xC0 | code >> 6);
-      text += static_cast<char>(0x80 | (code & 0x3F));
-    }
-    else
-    {
-      text += '?';
-    }
-  }
-  return text;
+  return TextForPeople(attributes.Text(tag), isUtf8, isLatin1);
 }
 
 } // namespace FlipFree

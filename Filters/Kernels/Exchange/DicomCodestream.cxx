@@ -120,12 +120,14 @@ bool IsJpeg2000Of(const std::string& stream, const DicomPixelFormat& format)
   const std::uint32_t tileRows = bytes.Number(4);
   const bool hasTileOffset = bytes.Number(4) != 0 || bytes.Number(4) != 0;
   const std::uint32_t components = bytes.Number(2);
-  const std::uint32_t bits = (bytes.Number(1) & 0x7F) + 1;
+  const std::uint32_t depth = bytes.Number(1);
+  const std::uint32_t bits = (depth & 0x7F) + 1;
+  const bool isSigned = (depth & 0x80) != 0;
   const bool isFull = bytes.Number(1) == 1 && bytes.Number(1) == 1;
   return bytes.IsGood() && isMarked && length == 41 && !hasOffset && !hasTileOffset && isFull &&
     columns == static_cast<std::uint32_t>(format.Columns) &&
     rows == static_cast<std::uint32_t>(format.Rows) && tileColumns > 0 && tileRows > 0 &&
-    components == 1 && FitsIntoPixels(bits, format);
+    components == 1 && isSigned == format.IsSigned && FitsIntoPixels(bits, format);
 }
 
 } // namespace

@@ -7,6 +7,7 @@
 #include <cstring>
 #include <limits>
 #include <locale>
+#include <new>
 #include <sstream>
 
 namespace FlipFree
@@ -24,9 +25,11 @@ constexpr std::uint32_t DoubleFloatPixelData = 0x7FE00009;
 constexpr std::uint32_t PixelDataTag = 0x7FE00010;
 constexpr std::uint32_t SharedGroups = 0x52009229;
 constexpr std::uint32_t PerFrameGroups = 0x52009230;
+constexpr std::uint32_t ModalityLutSequence = 0x00283000;
 constexpr std::uint32_t DetectorInformation = 0x00540022; // of nuclear medicine
 constexpr int DeepestSequence = 64;
 constexpr std::uint32_t LongestValue = 1 << 20;
+constexpr std::size_t MostFragments = 1 << 20; // far beyond one for each frame
 
 const char* const ExplicitBigEndian = "1.2.840.10008.1.2.2";
 const char* const DeflatedLittleEndian = "1.2.840.10008.1.2.1.99";
@@ -47,10 +50,10 @@ const std::map<std::uint32_t, const char*>& WantedElements()
     { TemporalPositionIndex, "UL" }, { NominalCardiacTriggerDelayTime, "FD" },
     { FrameAcquisitionNumber, "US" }, { TemporalPositionTimeOffset, "FD" },
     { SamplesPerPixel, "US" }, { PhotometricInterpretation, "CS" }, { NumberOfFrames, "IS" },
-    { Rows, "US" }, { Columns, "US" }, { PixelSpacing, "DS" }, { BitsAllocated, "US" },
-    { BitsStored, "US" }, { HighBit, "US" }, { PixelRepresentation, "US" },
-    { RescaleIntercept, "DS" }, { RescaleSlope, "DS" }, { FrameReferenceTime, "DS" },
-    { GridFrameOffsetVector, "DS" }, { DoseGridScaling, "DS" } };
+    { FrameIncrementPointer, "AT" }, { SliceVector, "US" }, { Rows, "US" }, { Columns, "US" },
+    { PixelSpacing, "DS" }, { BitsAllocated, "US" }, { BitsStored, "US" }, { HighBit, "US" },
+    { PixelRepresentation, "US" }, { RescaleIntercept, "DS" }, { RescaleSlope, "DS" },
+    { FrameReferenceTime, "DS" }, { GridFrameOffsetVector, "DS" }, { DoseGridScaling, "DS" } };
   return wanted;
 }
 
@@ -226,6 +229,19 @@ std::string DicomNumbersText(const std::string& bytes, bool bigEndian)
   return text.str();
 }
 
+/// Tags as numbers. The group comes first, whatever the order of bytes.
+std::string DicomTagsText(const std::string& bytes, bool bigEndian)
+{
+  std::string text;
+  for (std::size_t at = 0; at + 4 <= bytes.size(); at += 4)
+  {
+    const std::uint32_t group = DicomNumberAt<std::uint16_t>(bytes, at, bigEndian);
+    const std::uint32_t element = DicomNumberAt<std::uint16_t>(bytes, at + 2, bigEndian);
+    text += (at ? "\\" : "") + std::to_string(group << 16 | element);
+  }
+  return text;
+}
+
 std::string DicomValueText(const std::string& bytes, const std::string& type, bool bigEndian)
 {
   if (type == "US")
@@ -243,6 +259,10 @@ std::string DicomValueText(const std::string& bytes, const std::string& type, bo
   if (type == "SL")
   {
     return DicomNumbersText<std::int32_t>(bytes, bigEndian);
+  }
+  if (type == "AT")
+  {
+    return DicomTagsText(bytes, bigEndian);
   }
   if (type == "FL")
   {
@@ -432,6 +452,16 @@ private:
   void ReadElement(const DicomElement& element, std::uint64_t end, const DicomCoding& coding,
     DicomAttributes* into, bool isTop, int depth)
   {
+    // Compressed pixels of an icon, say, which matter as little as what surrounds them.
+    const bool isPacked =
+      element.Tag == PixelDataTag || element.Type == "OB" || element.Type == "OW";
+    if (element.Length == UndefinedLength && isPacked)
+    {
+      this->ReadFragments(coding, nullptr);
+      return;
+    }
+    this->Data.HasModalityLut = this->Data.HasModalityLut ||
+      (isTop && element.Tag == ModalityLutSequence && element.Length > 0);
     const bool hasFrames = isTop && element.Tag == PerFrameGroups;
     DicomAttributes* target = nullptr;
     if (isTop && element.Tag == SharedGroups)
@@ -483,6 +513,10 @@ private:
       }
       if (hasFrames)
       {
+        if (this->Data.Frames.size() == MostDicomFrames)
+        {
+          StopReading("it describes more than " + std::to_string(MostDicomFrames) + " frames");
+        }
         this->Data.Frames.emplace_back();
         target = &this->Data.Frames.back();
       }
@@ -518,6 +552,12 @@ private:
       return;
     }
     this->Data.IsEncapsulated = true;
+    this->ReadFragments(coding, &this->Data.Fragments);
+  }
+
+  /// Up to their delimiter. Adds where they are to `fragments`, if there is such a list.
+  void ReadFragments(const DicomCoding& coding, std::vector<DicomRange>* fragments)
+  {
     while (this->Bytes.Position() < this->Bytes.Size())
     {
       const DicomElement item = this->Next(coding);
@@ -529,7 +569,14 @@ private:
       {
         break;
       }
-      this->Data.Fragments.push_back({ this->Bytes.Position(), item.Length });
+      if (fragments && fragments->size() == MostFragments)
+      {
+        StopReading("its pixels are in more than " + std::to_string(MostFragments) + " parts");
+      }
+      if (fragments)
+      {
+        fragments->push_back({ this->Bytes.Position(), item.Length });
+      }
       this->Bytes.Skip(item.Length);
     }
     StopReading("it ends within its pixels");
@@ -570,6 +617,10 @@ DicomDataSet ReadDicomDataSet(std::istream& file, bool unpacked)
   catch (const FileProblem& damage)
   {
     data.Damage = damage.what();
+  }
+  catch (const std::bad_alloc&)
+  {
+    data.Damage = "there is not enough memory for what it says";
   }
   return data;
 }

@@ -9,6 +9,7 @@
 
 #include "Exchange/DicomAttributes.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <istream>
 #include <string>
@@ -16,6 +17,9 @@
 
 namespace FlipFree
 {
+
+/// Files that claim more are damaged.
+constexpr std::size_t MostDicomFrames = 100000;
 
 /// A part of a file, in bytes.
 struct DicomRange
@@ -42,6 +46,7 @@ struct DicomDataSet
   DicomAttributes Shared;
   std::vector<DicomAttributes> Frames;
 
+  bool HasModalityLut = false; ///< a table of gray values, which is not read
   bool HasPixels = false;
   bool HasFloatPixels = false; ///< instead: a map, not gray values
   bool IsEncapsulated = false;

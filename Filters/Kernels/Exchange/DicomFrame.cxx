@@ -69,6 +69,7 @@ std::string ReadAxes(const DicomDataSet& data, DicomFrame& frame)
     isGood =
       (frame.Axes.transpose() * frame.Axes - Eigen::Matrix2d::Identity()).cwiseAbs().maxCoeff() <
       tolerance;
+    frame.Axes.colwise().normalize(); // lengths are those of PixelSpacing alone
   }
   return isGood ? ""
                 : "has the ImageOrientationPatient " +
@@ -77,28 +78,47 @@ std::string ReadAxes(const DicomDataSet& data, DicomFrame& frame)
 }
 
 /// Where a multi-frame image that is not enhanced says how far its frames are from the first one.
-std::string ReadOffset(const DicomDataSet& data, std::size_t frame, double& offset)
+/// Frames that also differ in time, energy or detector are no volume, so their number places them
+/// only where nothing else than the slice counts them.
+std::string ReadOffsets(const DicomDataSet& data, std::vector<double>& offsets)
 {
-  offset = 0;
   const std::size_t frames = NumberOfDicomFrames(data);
+  offsets.assign(frames, 0);
   if (frames == 1 || !data.Frames.empty())
   {
     return {};
   }
-  const std::vector<double> offsets = data.Attributes.Numbers(DicomTag::GridFrameOffsetVector);
-  const std::vector<double> spacing = data.Attributes.Numbers(DicomTag::SpacingBetweenSlices);
-  if (offsets.size() == frames)
+  const DicomAttributes& known = data.Attributes;
+  const std::vector<double> distances = known.Numbers(DicomTag::GridFrameOffsetVector);
+  const std::vector<double> spacing = known.Numbers(DicomTag::SpacingBetweenSlices);
+  const std::vector<double> slices = known.Numbers(DicomTag::SliceVector);
+  const std::string& pointer = known.Text(DicomTag::FrameIncrementPointer);
+  const bool isBySlice = pointer.empty() || pointer == std::to_string(DicomTag::SliceVector);
+  if (distances.size() == frames)
   {
-    offset = offsets[frame] - offsets[0];
+    for (std::size_t frame = 0; frame < frames; ++frame)
+    {
+      offsets[frame] = distances[frame] - distances[0];
+    }
+    return {};
   }
-  else if (offsets.empty() && spacing.size() == 1)
+  if (distances.empty() && spacing.size() == 1 && !isBySlice)
   {
-    offset = spacing[0] * static_cast<double>(frame); // a negative one leads against the normal
+    return "counts its " + std::to_string(frames) +
+      " frames by other things than slices (FrameIncrementPointer), such as times, energies or "
+      "detectors, so their places in the patient are unknown. Export it as an enhanced image, or "
+      "choose another series";
   }
-  else
+  if (!distances.empty() || spacing.size() != 1 || (!slices.empty() && slices.size() != frames))
   {
     return "does not say where its " + std::to_string(frames) +
       " frames lie in the patient. Export it as an enhanced image, or choose another series";
+  }
+  for (std::size_t frame = 0; frame < frames; ++frame)
+  {
+    // A negative spacing leads against the normal.
+    offsets[frame] =
+      spacing[0] * (slices.empty() ? static_cast<double>(frame) : slices[frame] - slices[0]);
   }
   return {};
 }
@@ -124,10 +144,30 @@ std::string ReadPosition(const DicomDataSet& data, DicomFrame& frame)
       QuotedDicomText(data, DicomTag::ImagePositionPatient, frame.Number) +
       ", which is not a point in millimeters" + remedy;
   }
-  double offset = 0;
-  const std::string problem = ReadOffset(data, frame.Number, offset);
-  frame.Position += offset * frame.Normal();
-  return problem;
+  return {};
+}
+
+std::string ReadStorage(const DicomDataSet& data, DicomFrame& frame)
+{
+  const DicomAttributes& known = data.Attributes;
+  if (!known.Has(DicomTag::BitsStored))
+  {
+    frame.Assumption = "has no BitsStored, so all " + std::to_string(frame.Format.BitsAllocated) +
+      " bits of its pixels are taken";
+  }
+  if (!known.Has(DicomTag::PixelRepresentation))
+  {
+    frame.Assumption = (frame.Assumption.empty() ? "" : frame.Assumption + "; it ") +
+      std::string("has no PixelRepresentation, so its pixels are taken as unsigned");
+  }
+  else if (known.Integer(DicomTag::PixelRepresentation, 0, 1, -1) < 0)
+  {
+    return "has the PixelRepresentation " +
+      QuotedDicomText(data, DicomTag::PixelRepresentation, frame.Number) +
+      ", which is neither 0 (unsigned) nor 1 (signed), so its gray values are unknown. Export the "
+      "series again";
+  }
+  return {};
 }
 
 std::string ReadRescale(const DicomDataSet& data, DicomFrame& frame)
@@ -142,6 +182,11 @@ std::string ReadRescale(const DicomDataSet& data, DicomFrame& frame)
     hasSlope = true;
   }
   frame.HasRescale = hasSlope || hasIntercept;
+  if (data.HasModalityLut && !hasSlope)
+  {
+    return "has a table of gray values (ModalityLUTSequence) in place of a RescaleSlope, which is "
+           "not supported. Export the series again with RescaleSlope and RescaleIntercept";
+  }
   if (hasSlope != hasIntercept && slopeTag == DicomTag::RescaleSlope)
   {
     return std::string("has a ") + (hasSlope ? "RescaleSlope" : "RescaleIntercept") + " but no " +
@@ -172,6 +217,8 @@ std::vector<DicomFrame> DicomFramesOf(const DicomDataSet& data, std::size_t file
   const DicomPixelFormat format = PixelFormatOf(data);
   const bool isLocalizer =
     data.Attributes.Text(DicomTag::ImageType).find("LOCALIZER") != std::string::npos;
+  std::vector<double> offsets;
+  const std::string problemOfOffsets = ReadOffsets(data, offsets);
   std::vector<DicomFrame> frames(NumberOfDicomFrames(data));
   for (std::size_t number = 0; number < frames.size(); ++number)
   {
@@ -182,12 +229,17 @@ std::vector<DicomFrame> DicomFramesOf(const DicomDataSet& data, std::size_t file
     frame.IsLocalizer = isLocalizer;
     frame.HasPosition = !data.TextOf(DicomTag::ImagePositionPatient, number).empty();
     frame.Instance = data.Attributes.Text(DicomTag::SOPInstanceUID);
-    for (const auto read : { ReadSpacing, ReadAxes, ReadPosition, ReadRescale })
+    for (const auto read : { ReadSpacing, ReadAxes, ReadPosition, ReadStorage, ReadRescale })
     {
       if (frame.Problem.empty())
       {
         frame.Problem = read(data, frame);
       }
+    }
+    if (frame.Problem.empty())
+    {
+      frame.Problem = problemOfOffsets;
+      frame.Position += offsets[number] * frame.Normal();
     }
     for (const std::uint32_t tag : TellingTags)
     {

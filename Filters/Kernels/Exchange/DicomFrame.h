@@ -37,6 +37,8 @@ struct DicomFrame
   std::vector<std::string> Keys;
   /// What is missing or wrong, as the end of the sentence "'file' ..."; empty where nothing is.
   std::string Problem;
+  /// What was taken because the file does not say, likewise; empty where it says all.
+  std::string Assumption;
 
   Eigen::Vector3d Normal() const
   {

@@ -55,47 +55,94 @@ std::string BytesAt(std::istream& file, std::uint64_t offset, std::uint64_t leng
   return file ? bytes : std::string();
 }
 
-/// The fragments of a frame; none where that is not to be told.
-std::vector<DicomRange> FragmentsOf(std::istream& file, const DicomDataSet& data, std::size_t frame)
+/// Consecutive fragments of a file.
+struct FragmentSpan
 {
-  if (data.Fragments.empty())
+  const DicomRange* First = nullptr;
+  const DicomRange* Last = nullptr; // behind the last one
+
+  const DicomRange* begin() const { return this->First; }
+  const DicomRange* end() const { return this->Last; }
+};
+
+/// The fragments of a frame; none where that is not to be told.
+FragmentSpan FragmentsOf(std::istream& file, const DicomDataSet& data, std::size_t frame)
+{
+  if (data.Fragments.size() < 2)
   {
     return {};
   }
-  const std::vector<DicomRange> fragments(data.Fragments.begin() + 1, data.Fragments.end());
+  const DicomRange* const begin = data.Fragments.data() + 1;
+  const DicomRange* const end = data.Fragments.data() + data.Fragments.size();
   const std::size_t frames = NumberOfDicomFrames(data);
   if (frames == 1)
   {
-    return fragments;
+    return { begin, end };
   }
-  if (fragments.size() == frames)
+  if (data.Fragments.size() == frames + 1)
   {
-    return { fragments[frame] };
+    return { begin + frame, begin + frame + 1 };
   }
   const DicomRange& table = data.Fragments.front();
   if (table.Length != 4 * static_cast<std::uint64_t>(frames))
   {
     return {};
   }
-  // Offsets count from the first fragment's item, whose header has 8 bytes.
-  const std::string offsets = BytesAt(file, table.Offset, table.Length);
+  // Offsets count from the first fragment's item, as fragments' own do from the first fragment.
+  const bool isLast = frame + 1 == frames;
+  const std::string offsets = BytesAt(file, table.Offset + 4 * frame, isLast ? 4 : 8);
   if (offsets.empty())
   {
     return {};
   }
-  const std::uint64_t start = fragments.front().Offset - 8;
-  const std::uint64_t first = start + LittleEndianNumber(offsets, 4 * frame);
-  const std::uint64_t next = frame + 1 < frames ? start + LittleEndianNumber(offsets, 4 * frame + 4)
-                                                : std::numeric_limits<std::uint64_t>::max();
-  std::vector<DicomRange> own;
-  for (const DicomRange& fragment : fragments)
+  const auto from = [begin, end](std::uint64_t offset)
   {
-    if (fragment.Offset - 8 >= first && fragment.Offset - 8 < next)
-    {
-      own.push_back(fragment);
-    }
+    return std::lower_bound(begin, end, begin->Offset + offset,
+      [](const DicomRange& fragment, std::uint64_t place) { return fragment.Offset < place; });
+  };
+  const DicomRange* const first = from(LittleEndianNumber(offsets, 0));
+  const DicomRange* const last = isLast ? end : from(LittleEndianNumber(offsets, 4));
+  return { first, std::max(first, last) };
+}
+
+/// The least number of bytes that so many pixels can be compressed to. A file that has fewer lies
+/// about its size, and no memory must be taken by what it says.
+std::uint64_t LeastCompressedSize(const std::string& syntax, const DicomPixelFormat& format,
+  std::uint64_t frames)
+{
+  const std::uint64_t pixels = format.NumberOfPixels();
+  if (syntax == RLELossless)
+  {
+    // A header for each frame; two bytes at least for 128 of a plane.
+    return frames *
+      (64 + static_cast<std::uint64_t>(format.BitsAllocated / 8) * 2 * ((pixels + 127) / 128));
   }
-  return own;
+  const std::string process = syntax.substr(syntax.find_last_of('.') + 1);
+  constexpr std::uint64_t lossless = 8; // one bit for each pixel
+  constexpr std::uint64_t lossy = 256;  // two bits for each block of 64
+  constexpr std::uint64_t others =
+    16384; // no bound, but blank slices of 1024 x 1024 take 100 bytes
+  const bool isLossless = process == "57" || process == "70";
+  const bool isLossy = process == "50" || process == "51";
+  return frames * pixels / (isLossless ? lossless : isLossy ? lossy : others);
+}
+
+bool HasEnoughPixels(const DicomDataSet& data, const DicomPixelFormat& format, std::uint64_t frames)
+{
+  if (!data.IsEncapsulated)
+  {
+    return data.Pixels.Length / format.BytesPerFrame() >= frames;
+  }
+  if (data.Fragments.size() < frames + 1)
+  {
+    return false;
+  }
+  std::uint64_t size = 0;
+  for (auto fragment = data.Fragments.begin() + 1; fragment != data.Fragments.end(); ++fragment)
+  {
+    size += fragment->Length;
+  }
+  return size >= LeastCompressedSize(data.TransferSyntax, format, frames);
 }
 
 /// PackBits; false where it does not give all bytes of a plane. Bytes go to every `stride`-th
@@ -312,20 +359,19 @@ std::string WhyPixelsAreIncomplete(const DicomDataSet& data)
     return "its pixels are coded in a way that is not supported (transfer syntax '" +
       data.TransferSyntax + "')";
   }
-  constexpr std::uint64_t most = 100000;
   const auto count = static_cast<std::uint64_t>(NumberOfDicomFrames(data));
-  if (count > most)
+  if (count > MostDicomFrames)
   {
     return "it claims to have " + std::to_string(count) + " frames";
   }
-  const bool isShort = data.IsEncapsulated ? data.Fragments.size() < count + 1
-                                           : data.Pixels.Length / format.BytesPerFrame() < count;
   if (!data.Frames.empty() && data.Frames.size() != count)
   {
     return "it describes " + std::to_string(data.Frames.size()) + " frames, but has " +
       std::to_string(count);
   }
-  return isShort ? "it holds fewer pixels than its rows, columns and frames say" : "";
+  return HasEnoughPixels(data, format, count)
+    ? ""
+    : "it holds fewer pixels than its rows, columns and frames say";
 }
 
 DicomPixelFormat PixelFormatOf(const DicomDataSet& data)
@@ -335,8 +381,11 @@ DicomPixelFormat PixelFormatOf(const DicomDataSet& data)
   format.Columns = known.Integer(DicomTag::Columns, 0, 0xFFFF, 0);
   format.Rows = known.Integer(DicomTag::Rows, 0, 0xFFFF, 0);
   format.BitsAllocated = known.Integer(DicomTag::BitsAllocated, 0, 0xFFFF, 0);
-  format.BitsStored = known.Integer(DicomTag::BitsStored, 0, 0xFFFF, format.BitsAllocated);
-  format.HighBit = known.Integer(DicomTag::HighBit, 0, 0xFFFF, format.BitsStored - 1);
+  // What is missing follows from the rest; what is no number is left out of bounds.
+  const auto bits = [&known](std::uint32_t tag, int otherwise)
+  { return known.Has(tag) ? known.Integer(tag, 0, 0xFFFF, -1) : otherwise; };
+  format.BitsStored = bits(DicomTag::BitsStored, format.BitsAllocated);
+  format.HighBit = bits(DicomTag::HighBit, format.BitsStored - 1);
   format.IsSigned = known.Integer(DicomTag::PixelRepresentation, 0, 1, 0) == 1;
   return format;
 }
@@ -444,6 +493,28 @@ std::string MinimalDicomFile(std::istream& file, const DicomDataSet& data)
   }
   bytes += std::string("\xFE\xFF\xDD\xE0\x00\x00\x00\x00", 8);
   return bytes;
+}
+
+bool HasOnlyStoredBits(const std::string& stored, const DicomPixelFormat& format)
+{
+  const auto size = static_cast<std::size_t>(format.BitsAllocated / 8);
+  const std::uint64_t beyond =
+    (std::uint64_t(1) << format.BitsAllocated) - (std::uint64_t(1) << (format.HighBit + 1));
+  const std::uint64_t signBit = std::uint64_t(1) << format.HighBit;
+  for (std::size_t at = 0; beyond != 0 && at + size <= stored.size(); at += size)
+  {
+    std::uint64_t bits = 0;
+    for (std::size_t byte = size; byte-- > 0;)
+    {
+      bits = bits << 8 | static_cast<unsigned char>(stored[at + byte]);
+    }
+    const bool isNegative = format.IsSigned && (bits & signBit);
+    if ((bits & beyond) != 0 && !(isNegative && (bits & beyond) == beyond))
+    {
+      return false;
+    }
+  }
+  return true;
 }
 
 void ToVoxels(const char* stored, const DicomPixelFormat& format, const DicomRescale& rescale,

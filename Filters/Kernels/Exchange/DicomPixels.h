@@ -97,6 +97,10 @@ std::string ReadCodedFrame(std::istream& file, const DicomDataSet& data, std::si
 /// Empty where a frame is not one of the file's size.
 std::string MinimalDicomFile(std::istream& file, const DicomDataSet& data);
 
+/// Whether decoded pixels have nothing in the bits above the stored ones but their sign: compressed
+/// streams may have more bits than the file says, and then these must not be cut off.
+bool HasOnlyStoredBits(const std::string& stored, const DicomPixelFormat& format);
+
 /// Writes the gray values of a frame whose stored bytes are given into `voxels` of this type.
 void ToVoxels(const char* stored, const DicomPixelFormat& format, const DicomRescale& rescale,
   VoxelType type, void* voxels);

@@ -8,12 +8,16 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <new>
 #include <sstream>
 
 namespace FlipFree
 {
 namespace
 {
+
+/// A file that grows beyond this is none of a scanner, but meant to fill the memory.
+constexpr std::size_t MostInflatedBytes = std::size_t(1) << 30;
 
 /// A file as it is parsed: inflated, if it is deflated.
 std::unique_ptr<std::istream> OpenInflated(const DicomAccess& access, const std::string& name,
@@ -27,7 +31,7 @@ std::unique_ptr<std::istream> OpenInflated(const DicomAccess& access, const std:
   const std::string bytes{ std::istreambuf_iterator<char>(*file), {} };
   const std::size_t begin = std::min<std::size_t>(deflatedOffset, bytes.size());
   return std::make_unique<std::istringstream>(
-    bytes.substr(0, begin) + access.Inflate(bytes.substr(begin)));
+    bytes.substr(0, begin) + access.Inflate(bytes.substr(begin), MostInflatedBytes));
 }
 
 std::unique_ptr<std::istream> OpenInflated(const DicomAccess& access, const DicomFile& file)
@@ -56,11 +60,31 @@ DicomFile ReadDicomFile(const std::string& name, const DicomAccess& access)
   if (file.Data.IsDeflated)
   {
     const std::uint64_t offset = file.Data.DeflatedOffset;
-    file.Data = ReadDicomDataSet(*OpenInflated(access, name, offset), true);
+    try
+    {
+      file.Data = ReadDicomDataSet(*OpenInflated(access, name, offset), true);
+    }
+    catch (const std::bad_alloc&)
+    {
+      file.Unreadable = "there is not enough memory to inflate it";
+      return file;
+    }
     file.Data.IsDeflated = true;
     file.Data.DeflatedOffset = offset;
   }
   return file;
+}
+
+void RequireStoredBits(const std::string& name, const std::string& stored,
+  const DicomPixelFormat& format)
+{
+  if (!HasOnlyStoredBits(stored, format))
+  {
+    throw FileProblem(FileProblem::Kind::Unusable,
+      "The compressed pixels of '" + name + "' have more bits than the " +
+        std::to_string(format.BitsStored) +
+        " of its BitsStored, so its gray values are unknown. Export the series again.");
+  }
 }
 
 /// The stored bytes of frames. A compressed file is decoded once for all of its frames.
@@ -94,6 +118,7 @@ public:
       {
         const std::string minimal = MinimalDicomFile(*this->Stream, file.Data);
         this->Decoded = minimal.empty() ? minimal : this->Access.Decode(minimal);
+        RequireStoredBits(file.Name, this->Decoded, frame.Format);
       }
       if (this->Decoded.size() == size * NumberOfDicomFrames(file.Data))
       {
@@ -104,8 +129,8 @@ public:
     {
       throw FileProblem(FileProblem::Kind::Incomplete,
         "The pixels of '" + file.Name +
-          "' cannot be read: the file is truncated or damaged, or has " +
-          "changed since its header was read. Download or copy it again.");
+          "' cannot be read: the file is truncated or damaged, its compressed pixels contradict " +
+          "its header, or it has changed since its header was read. Download or copy it again.");
     }
     return stored;
   }
@@ -129,13 +154,15 @@ std::vector<std::string> FilesInFolder(const std::string& folder)
 {
   std::vector<std::string> files;
   std::error_code failure;
-  for (const auto& entry : std::filesystem::directory_iterator(folder, failure))
+  // A range-based loop would throw where the disk fails between two files.
+  for (std::filesystem::directory_iterator entry(folder, failure), end; !failure && entry != end;
+       entry.increment(failure))
   {
     std::error_code ignored;
-    const bool isHidden = entry.path().filename().string().front() == '.';
-    if (!isHidden && (entry.is_regular_file(ignored) || !entry.exists(ignored)))
+    const bool isHidden = entry->path().filename().string().front() == '.';
+    if (!isHidden && (entry->is_regular_file(ignored) || !entry->exists(ignored)))
     {
-      files.push_back(entry.path().string());
+      files.push_back(entry->path().string());
     }
   }
   if (failure)
@@ -160,9 +187,15 @@ DicomFolder ReadDicomFolder(const std::string& name, const std::vector<std::stri
     }
     read.push_back(ReadDicomFile(files[index], access));
   }
-  return FindDicomVolumes(name, std::move(read),
-    [&access](const DicomFile& file, std::size_t frame)
-    { return ReadCodedFrame(*OpenInflated(access, file), file.Data, frame); });
+  bool isStopped = false;
+  DicomFolder folder = FindDicomVolumes(name, std::move(read),
+    [&](const DicomFile& file, std::size_t frame)
+    {
+      isStopped = isStopped || !monitor(1);
+      return isStopped ? std::string()
+                       : ReadCodedFrame(*OpenInflated(access, file), file.Data, frame);
+    });
+  return isStopped ? DicomFolder() : std::move(folder);
 }
 
 void ReadDicomVoxels(const DicomFolder& folder, const DicomVolume& volume,

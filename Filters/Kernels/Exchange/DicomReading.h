@@ -9,6 +9,7 @@
 
 #include "KernelTypes.h"
 
+#include <cstddef>
 #include <functional>
 #include <istream>
 #include <memory>
@@ -22,8 +23,9 @@ struct DicomAccess
 {
   /// Opens a file by its name; in a state of failure, or empty, if it cannot be read.
   std::function<std::unique_ptr<std::istream>(const std::string& name)> Open;
-  /// Inflates bytes without a header of their own (RFC 1951), as far as they go.
-  std::function<std::string(const std::string& packed)> Inflate;
+  /// Inflates bytes without a header of their own (RFC 1951), as far as they are sound, and up to
+  /// about `most` bytes.
+  std::function<std::string(const std::string& packed, std::size_t most)> Inflate;
   /// The stored bytes, little-endian, of all frames of a MinimalDicomFile(); empty where they
   /// cannot be decoded.
   std::function<std::string(const std::string& file)> Decode;

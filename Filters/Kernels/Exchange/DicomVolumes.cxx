@@ -413,6 +413,13 @@ private:
       }
     }
     volume.Type = values.Type();
+    const auto assumed = std::find_if(frames.begin(), frames.end(),
+      [](const DicomFrame& frame) { return !frame.Assumption.empty(); });
+    if (assumed != frames.end())
+    {
+      volume.Warning += (volume.Warning.empty() ? beginning : " ") + this->NameOf(*assumed) + " " +
+        assumed->Assumption + ".";
+    }
     if (volume.Modality == "CT" && !frames.front().HasRescale && volume.Warning.empty())
     {
       volume.Warning = beginning +

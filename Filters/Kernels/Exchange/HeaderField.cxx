@@ -41,6 +41,25 @@ std::string SizesText(const std::vector<double>& sizes)
   return text.str();
 }
 
+/// Of a valid letter beyond ASCII in UTF-8; 0 where there is none.
+std::size_t Utf8LengthAt(const std::string& text, std::size_t at)
+{
+  const auto byte = [&](std::size_t index)
+  { return index < text.size() ? static_cast<unsigned char>(text[index]) : 0; };
+  const int first = byte(at);
+  const std::size_t length = first >= 0xF0 ? 4 : first >= 0xE0 ? 3 : 2;
+  // Second bytes that would make a letter longer than it has to be, or none.
+  const int least = first == 0xE0 ? 0xA0 : first == 0xF0 ? 0x90 : 0x80;
+  const int greatest = first == 0xED ? 0x9F : first == 0xF4 ? 0x8F : 0xBF;
+  bool isValid =
+    first >= 0xC2 && first <= 0xF4 && byte(at + 1) >= least && byte(at + 1) <= greatest;
+  for (std::size_t index = 2; index < length; ++index)
+  {
+    isValid = isValid && byte(at + index) >= 0x80 && byte(at + index) <= 0xBF;
+  }
+  return isValid ? length : 0;
+}
+
 /// Files numbered from `first` to `last`. Throws where the pattern has anything but one whole
 /// number.
 std::vector<std::string> NumberedFiles(const TextFields& fields, const std::string& field,
@@ -83,8 +102,7 @@ void RefuseField(const std::string& file, const std::string& field, const std::s
 
 bool IsLength(double value)
 {
-  constexpr double greatest = 1e9; // mm
-  return std::abs(value) <= greatest;
+  return std::abs(value) <= GreatestLength;
 }
 
 void RequireLength(const std::string& file, const std::string& field, double value)
@@ -95,15 +113,19 @@ void RequireLength(const std::string& file, const std::string& field, double val
   }
   if (!IsLength(value))
   {
-    RefuseField(file, field, "is " + TextOf(value) + ", beyond 1e9 mm");
+    RefuseField(file, field, "is " + TextOf(value) + ", beyond " + TextOf(GreatestLength) + " mm");
   }
 }
 
 void RequireSpacing(const std::string& file, const std::string& field, double value)
 {
   RequireLength(file, field, value);
-  constexpr double least = 1e-9; // mm
-  if (std::abs(value) < least)
+  // Readers disagree whether a negative spacing mirrors the image; left and right are at stake.
+  if (value < 0)
+  {
+    RefuseField(file, field, "is negative, but a spacing must be positive");
+  }
+  if (value < LeastSpacing)
   {
     RefuseField(file, field, "is " + TextOf(value) + ", but voxels have a size");
   }
@@ -145,9 +167,8 @@ ImageGeometry GridOfSteps(const std::string& file, const std::array<int, 3>& siz
   grid.Origin = origin.array() + 0.0; // no minus zero
   grid.Spacing = steps.colwise().norm();
   grid.Direction = (steps * grid.Spacing.cwiseInverse().asDiagonal()).array() + 0.0;
-  constexpr double flattest = 1e-6;
   if (!grid.Origin.allFinite() || !grid.Direction.allFinite() ||
-    std::abs(grid.Direction.determinant()) < flattest)
+    std::abs(grid.Direction.determinant()) < LeastDeterminant)
   {
     throw FileProblem(FileProblem::Kind::Unusable,
       "'" + file + "' has no usable geometry: origin " + TextOf(grid.Origin) + ", spacing " +
@@ -156,6 +177,37 @@ ImageGeometry GridOfSteps(const std::string& file, const std::array<int, 3>& siz
         ". Spacings must be positive and the directions independent: mend its header.");
   }
   return grid;
+}
+
+void RequireLengthOfVoxels(const std::string& file, const std::string& field,
+  const VoxelStorage& storage)
+{
+  if (storage.IsAtEnd && storage.Form != VoxelStorage::Coding::Raw)
+  {
+    RefuseField(file, field,
+      "is -1, for voxels at the end of the file, but only raw ones have a length that is known");
+  }
+}
+
+void WarnOfUnsaid(const std::string& file, const std::vector<Unsaid>& unsaid,
+  std::vector<std::string>& warnings)
+{
+  const char* const taken[] = { "how large its voxels are (1 mm was taken)",
+    "how its axes lie in the patient (left, posterior and superior were taken)",
+    "how its axes lie in its space (along the axes of the space was taken)",
+    "where its first voxel is (the origin was taken)",
+    "in which order the bytes of its voxels are (the least significant first was taken)" };
+  std::string list;
+  for (std::size_t index = 0; index < unsaid.size(); ++index)
+  {
+    const bool isLast = index > 0 && index + 1 == unsaid.size();
+    list += isLast ? " and " : (index > 0 ? ", " : "");
+    list += taken[static_cast<int>(unsaid[index])];
+  }
+  if (!list.empty())
+  {
+    warnings.push_back("'" + file + "' does not say " + list + ".");
+  }
 }
 
 void TextFields::Add(const std::string& field, const std::string& value)
@@ -260,6 +312,39 @@ std::string InSmallLetters(std::string text)
 {
   std::transform(text.begin(), text.end(), text.begin(),
     [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
+  return text;
+}
+
+std::string TextForPeople(const std::string& original, bool isUtf8, bool isLatin1)
+{
+  std::string text;
+  for (std::size_t at = 0; at < original.size(); ++at)
+  {
+    const auto code = static_cast<unsigned char>(original[at]);
+    const std::size_t length = isUtf8 ? Utf8LengthAt(original, at) : 0;
+    if (code < 0x20 || code == 0x7F)
+    {
+      text += ' ';
+    }
+    else if (code < 0x80)
+    {
+      text += original[at];
+    }
+    else if (length > 0)
+    {
+      text.append(original, at, length);
+      at += length - 1;
+    }
+    else if (isLatin1)
+    {
+      text += static_cast<char>(0xC0 | code >> 6);
+      text += static_cast<char>(0x80 | (code & 0x3F));
+    }
+    else
+    {
+      text += '?';
+    }
+  }
   return text;
 }
 

@@ -19,14 +19,18 @@ namespace FlipFree
 [[noreturn]] void RefuseField(const std::string& file, const std::string& field,
   const std::string& what);
 
-/// Whether it can be a length or a coordinate in millimeters: finite, and small enough for squares
-/// in single precision.
+constexpr double GreatestLength = 1e9; ///< mm, of which squares fit in single precision
+constexpr double LeastSpacing = 1e-9;  ///< mm
+/// Of unit vectors along the axes; axes with a smaller one lie in a plane.
+constexpr double LeastDeterminant = 1e-6;
+
+/// Whether it can be a length or a coordinate in millimeters.
 bool IsLength(double value);
 
 /// Throws unless it is one.
 void RequireLength(const std::string& file, const std::string& field, double value);
 
-/// The same, and not zero.
+/// The same, and positive.
 void RequireSpacing(const std::string& file, const std::string& field, double value);
 
 /// Of three dimensions, voxels along each; further ones are of one voxel. Throws a FileProblem
@@ -40,6 +44,24 @@ std::array<int, 3> VolumeSize(const std::string& file, const std::vector<double>
 /// FileProblem where that cannot be inverted.
 ImageGeometry GridOfSteps(const std::string& file, const std::array<int, 3>& size,
   const Eigen::Matrix3d& steps, const Eigen::Vector3d& origin);
+
+/// Only raw voxels can be found from the end of the file; throws where `field` puts others there.
+void RequireLengthOfVoxels(const std::string& file, const std::string& field,
+  const VoxelStorage& storage);
+
+/// What a header may leave out, for which something is taken.
+enum class Unsaid
+{
+  VoxelSize,
+  Axes,
+  AxesInSpace, ///< where the file says how its space lies in the patient
+  Origin,
+  ByteOrder
+};
+
+/// One warning of all that the header leaves out, and of what was taken.
+void WarnOfUnsaid(const std::string& file, const std::vector<Unsaid>& unsaid,
+  std::vector<std::string>& warnings);
 
 /// Fields of a header that is text, each one a line.
 class TextFields
@@ -101,6 +123,9 @@ private:
 bool IsPrintable(const std::string& line);
 
 std::string InSmallLetters(std::string text);
+
+/// In UTF-8, without characters of control. What is not UTF-8 is read as Latin-1, or shown as `?`.
+std::string TextForPeople(const std::string& original, bool isUtf8, bool isLatin1);
 
 /// Without white space at both ends.
 std::string Trimmed(const std::string& text);

@@ -1,6 +1,7 @@
 #include "Exchange/MetaImageHeader.h"
 
 #include "Exchange/HeaderField.h"
+#include "MessageText.h"
 
 #include <climits>
 #include <cmath>
@@ -101,7 +102,7 @@ Eigen::Vector3d MetaImageVector(const std::string& name, const TextFields& field
 
 /// LPS millimeters are the format's own.
 ImageGeometry MetaImageGrid(const std::string& name, const TextFields& fields,
-  const std::vector<double>& sizes, std::vector<std::string>& warnings)
+  const std::vector<double>& sizes, std::vector<Unsaid>& unsaid)
 {
   const std::array<int, 3> size = VolumeSize(name, sizes);
   const std::size_t dimension = sizes.size();
@@ -109,7 +110,7 @@ ImageGeometry MetaImageGrid(const std::string& name, const TextFields& fields,
   const std::string ofSpacing = NameThatIsThere(fields, { "ElementSpacing", "ElementSize" });
   if (ofSpacing.empty())
   {
-    warnings.push_back("'" + name + "' does not say how large its voxels are. 1 mm was taken.");
+    unsaid.push_back(Unsaid::VoxelSize);
   }
   else
   {
@@ -117,14 +118,22 @@ ImageGeometry MetaImageGrid(const std::string& name, const TextFields& fields,
   }
   Eigen::Vector3d origin = Eigen::Vector3d::Zero();
   const std::string ofOrigin = NameThatIsThere(fields, { "Offset", "Position", "Origin" });
-  if (!ofOrigin.empty())
+  if (ofOrigin.empty())
+  {
+    unsaid.push_back(Unsaid::Origin);
+  }
+  else
   {
     origin = MetaImageVector(name, fields, ofOrigin, dimension, RequireLength);
   }
   Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
   const std::string ofAxes =
     NameThatIsThere(fields, { "TransformMatrix", "Rotation", "Orientation" });
-  if (!ofAxes.empty())
+  if (ofAxes.empty())
+  {
+    unsaid.push_back(Unsaid::Axes);
+  }
+  else
   {
     const std::vector<double> numbers = fields.Numbers(ofAxes, dimension * dimension);
     for (std::size_t axis = 0; axis < 3; ++axis)
@@ -138,6 +147,36 @@ ImageGeometry MetaImageGrid(const std::string& name, const TextFields& fields,
     }
   }
   return GridOfSteps(name, size, axes * spacing.asDiagonal(), origin);
+}
+
+/// MetaIO's scale of the stored voxels.
+void ReadMetaImageScale(const TextFields& fields, VolumeFileHeader& header)
+{
+  for (const auto& [field, value] : { std::pair("ElementToIntensityFunctionSlope", &header.Slope),
+         std::pair("ElementToIntensityFunctionOffset", &header.Intercept) })
+  {
+    if (fields.Has(field))
+    {
+      *value = fields.Numbers(field, 1).front();
+      if (!std::isfinite(*value) || header.Slope == 0)
+      {
+        fields.Refuse(field, "is " + TextOf(*value) + ", which leaves nothing of the voxels");
+      }
+    }
+  }
+}
+
+/// What a file without it has is the byte order of the machine that wrote it.
+void ReadMetaImageByteOrder(const TextFields& fields, VoxelStorage& storage,
+  std::vector<Unsaid>& unsaid)
+{
+  const std::string field =
+    NameThatIsThere(fields, { "ElementByteOrderMSB", "BinaryDataByteOrderMSB" });
+  storage.IsBigEndian = IsTrue(fields.Text(field));
+  if (field.empty() && storage.Form != VoxelStorage::Coding::Text && SizeOf(storage.Type) > 1)
+  {
+    unsaid.push_back(Unsaid::ByteOrder);
+  }
 }
 
 } // namespace
@@ -167,10 +206,10 @@ VolumeFileHeader ReadMetaImageHeader(const std::string& name, const std::string&
   }
   VoxelStorage& storage = header.Storage;
   storage.Type = MetaImageType(fields);
-  header.Geometry = MetaImageGrid(name, fields, sizes, header.Warnings);
+  std::vector<Unsaid> unsaid;
+  header.Geometry = MetaImageGrid(name, fields, sizes, unsaid);
+  ReadMetaImageScale(fields, header);
 
-  storage.IsBigEndian = IsTrue(
-    fields.Text(NameThatIsThere(fields, { "ElementByteOrderMSB", "BinaryDataByteOrderMSB" })));
   const std::string place = InSmallLetters(fields.Text(PlaceOfVoxels));
   const bool isLocal = place == "local";
   if (!isLocal)
@@ -189,6 +228,9 @@ VolumeFileHeader ReadMetaImageHeader(const std::string& name, const std::string&
   {
     storage.Form = VoxelStorage::Coding::Deflated;
   }
+  RequireLengthOfVoxels(name, "HeaderSize", storage);
+  ReadMetaImageByteOrder(fields, storage, unsaid);
+  WarnOfUnsaid(name, unsaid, header.Warnings);
   return header;
 }
 

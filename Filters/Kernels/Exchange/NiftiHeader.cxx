@@ -83,12 +83,22 @@ std::uint64_t NiftiOffset(const std::string& name, const NiftiFields& fields)
   return static_cast<std::uint64_t>(std::max(least, offset));
 }
 
-/// A slope of zero means none. So does what is no number, of which programs make use.
+/// A slope of zero means none. So does what is no number, of which programs make use. Analyze has no
+/// scale, but SPM puts one in the same place.
 void ReadScale(const std::string& name, const NiftiFields& fields, VolumeFileHeader& header)
 {
   const double slope = fields.Slope();
-  if (fields.IsAnalyze() || slope == 0 || !std::isfinite(slope))
+  if (slope == 0 || !std::isfinite(slope))
   {
+    return;
+  }
+  if (fields.IsAnalyze())
+  {
+    if (slope != 1)
+    {
+      header.Warnings.push_back("'" + name + "' has the scale " + TextOf(slope) +
+        ", as SPM writes it, which is not part of the Analyze format. It was not applied.");
+    }
     return;
   }
   if (!std::isfinite(fields.Intercept()))
@@ -99,7 +109,7 @@ void ReadScale(const std::string& name, const NiftiFields& fields, VolumeFileHea
   header.Intercept = fields.Intercept();
 }
 
-/// The first of a pair that exists is taken.
+/// The other file of a pair, whose ending is in the same case.
 std::string VoxelsOfPair(const std::string& name)
 {
   const std::string file = name.substr(name.find_last_of("/\\") + 1);
@@ -188,15 +198,14 @@ std::string NiftiHeaderOf(const std::string& name, const ImageGeometry& grid, Vo
   constexpr char millimeters = 2;
   bytes[123] = millimeters;
 
-  const Eigen::Vector3d mirrored(-1, -1, 1); // LPS to RAS
-  Eigen::Matrix3d axes = mirrored.asDiagonal() * grid.Direction;
-  const Eigen::Vector3d origin = mirrored.cwiseProduct(grid.Origin);
+  Eigen::Matrix3d axes = MirroredAxes.asDiagonal() * grid.Direction;
+  const Eigen::Vector3d origin = MirroredAxes.cwiseProduct(grid.Origin);
   const double handedness = axes.determinant() < 0 ? -1 : 1;
   Put(bytes, 76, static_cast<float>(handedness));
   axes.col(2) *= handedness;
   const Eigen::Vector3d quaternion = QuaternionOf(axes).cast<float>().cast<double>();
   ImageGeometry turned = grid;
-  turned.Direction = mirrored.asDiagonal() * RotationOf(quaternion);
+  turned.Direction = MirroredAxes.asDiagonal() * RotationOf(quaternion);
   turned.Direction.col(2) *= handedness;
   // In single precision, a quaternion turns a large grid by some micrometers.
   constexpr double same = 0.01; // of a voxel
@@ -210,7 +219,7 @@ std::string NiftiHeaderOf(const std::string& name, const ImageGeometry& grid, Vo
   for (int row = 0; row < 3; ++row)
   {
     Eigen::Vector4d entries;
-    entries << mirrored[row] * (grid.Direction.row(row).transpose().cwiseProduct(grid.Spacing)),
+    entries << MirroredAxes[row] * (grid.Direction.row(row).transpose().cwiseProduct(grid.Spacing)),
       origin[row];
     PutReals(bytes, 280 + 16 * static_cast<std::size_t>(row), entries);
   }

@@ -11,9 +11,6 @@ namespace FlipFree
 namespace
 {
 
-/// Right, anterior, superior to left, posterior, superior, and back.
-const Eigen::Vector3d MirroredAxes(-1, -1, 1);
-
 /// Columns: steps of the voxels' axes, and the first voxel; in RAS.
 using Affine = Eigen::Matrix<double, 3, 4>;
 
@@ -59,10 +56,9 @@ bool CanBeInverted(const Affine& affine)
 {
   const Eigen::Matrix3d steps = affine.leftCols<3>();
   const Eigen::Vector3d lengths = steps.colwise().norm();
-  constexpr double shortest = 1e-9; // mm
-  constexpr double flattest = 1e-6;
-  return affine.allFinite() && affine.cwiseAbs().maxCoeff() <= 1e9 &&
-    lengths.minCoeff() > shortest && std::abs(steps.determinant()) > flattest * lengths.prod();
+  return affine.allFinite() && affine.cwiseAbs().maxCoeff() <= GreatestLength &&
+    lengths.minCoeff() > LeastSpacing &&
+std::abs(steps.determinant()) > LeastDeterminant * lengths.prod();
 }
 
 /// What makes the sform unusable.
@@ -89,14 +85,8 @@ Eigen::Vector3d PixelSizes(const std::string& name, const NiftiFields& fields)
   Eigen::Vector3d sizes;
   for (int axis = 0; axis < 3; ++axis)
   {
-    const std::string field = "pixdim[" + std::to_string(axis + 1) + "]";
     sizes[axis] = fields.PixelDimension(axis + 1);
-    RequireSpacing(name, field, sizes[axis]);
-    // Readers disagree whether a negative spacing mirrors the image; left and right are at stake.
-    if (sizes[axis] < 0)
-    {
-      RefuseField(name, field, "is negative, but a spacing must be positive");
-    }
+    RequireSpacing(name, "pixdim[" + std::to_string(axis + 1) + "]", sizes[axis]);
   }
   return sizes * NiftiUnit(fields);
 }

@@ -14,6 +14,9 @@
 namespace FlipFree
 {
 
+/// Right, anterior, superior to left, posterior, superior, and back.
+inline const Eigen::Vector3d MirroredAxes(-1, -1, 1);
+
 /// The grid in LPS millimeters, and warnings of what was taken in its place where the file does not
 /// say it, or says it twice.
 ImageGeometry NiftiGrid(const std::string& name, const NiftiFields& fields,

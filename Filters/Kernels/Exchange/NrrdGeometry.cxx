@@ -156,6 +156,21 @@ Eigen::Vector3d NrrdSpacings(const std::string& name, const TextFields& fields,
   return steps;
 }
 
+/// Bounds of axes place voxels by a centering that files hardly ever say. NaN stands for none.
+void RefuseBounds(const TextFields& fields)
+{
+  for (const char* const field : { "axis mins", "axis maxs" })
+  {
+    const std::vector<double> bounds = fields.Numbers(field);
+    if (std::any_of(bounds.begin(), bounds.end(), [](double bound) { return !std::isnan(bound); }))
+    {
+      fields.Refuse(field,
+        "places the voxels without saying whether their centers or their borders are meant. Give "
+        "the file space directions and a space origin in its place");
+    }
+  }
+}
+
 } // namespace
 
 NrrdAxes FindNrrdAxes(const TextFields& fields, std::size_t dimension)
@@ -194,8 +209,13 @@ ImageGeometry NrrdGrid(const std::string& name, const TextFields& fields, const 
   const std::optional<Eigen::Vector3d> signs = SignsOfSpace(fields);
   const Eigen::Vector3d scale =
     signs.value_or(Eigen::Vector3d::Ones()).cwiseProduct(UnitsOfSpace(fields));
-  Eigen::Matrix3d steps = Eigen::Matrix3d::Identity();
+  Eigen::Matrix3d steps;
+  std::vector<Unsaid> unsaid;
   const bool hasDirections = fields.Has("space directions");
+  if (!hasDirections)
+  {
+    RefuseBounds(fields);
+  }
   if (hasDirections)
   {
     const std::vector<std::vector<double>> vectors = NrrdVectors(fields, "space directions");
@@ -207,7 +227,21 @@ ImageGeometry NrrdGrid(const std::string& name, const TextFields& fields, const 
   }
   else if (fields.Has("spacings"))
   {
-    steps = NrrdSpacings(name, fields, axes, sizes.size()).asDiagonal();
+    const Eigen::Vector3d spacings = NrrdSpacings(name, fields, axes, sizes.size());
+    steps = spacings.cwiseProduct(signs.value_or(Eigen::Vector3d::Ones())).asDiagonal();
+  }
+  else
+  {
+    steps = signs.value_or(Eigen::Vector3d::Ones()).asDiagonal();
+    unsaid.push_back(Unsaid::VoxelSize);
+  }
+  if (!signs)
+  {
+    unsaid.push_back(Unsaid::Axes);
+  }
+  else if (!hasDirections)
+  {
+    unsaid.push_back(Unsaid::AxesInSpace);
   }
   Eigen::Vector3d origin = Eigen::Vector3d::Zero();
   if (fields.Has("space origin"))
@@ -219,16 +253,11 @@ ImageGeometry NrrdGrid(const std::string& name, const TextFields& fields, const 
     }
     origin = scale.cwiseProduct(VectorOfSpace(name, fields, "space origin", vectors.front()));
   }
-  if (!hasDirections && !fields.Has("spacings"))
+  else
   {
-    warnings.push_back("'" + name + "' does not say how large its voxels are. 1 mm was taken.");
+    unsaid.push_back(Unsaid::Origin);
   }
-  if (!hasDirections || !signs)
-  {
-    warnings.push_back("'" + name +
-      "' does not say how its axes lie in the patient. They were "
-      "taken for left, posterior and superior.");
-  }
+  WarnOfUnsaid(name, unsaid, warnings);
   return GridOfSteps(name, size, steps, origin);
 }
 

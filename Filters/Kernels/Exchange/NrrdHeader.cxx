@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <climits>
+#include <set>
 
 namespace FlipFree
 {
@@ -31,23 +32,42 @@ struct NrrdText
   std::size_t End = 0;           ///< where an attached file's voxels begin
 };
 
-/// A field, `name: value`, or a pair of a user's own, `name:=value`.
+bool IsNrrdField(const std::string& name)
+{
+  static const std::set<std::string> fields{ "content", "number", "type", "block size",
+    "dimension", "space", "space dimension", "sizes", "spacings", "thicknesses", "axis mins",
+    "axis maxs", "space directions", "centerings", "kinds", "labels", "units", "min", "max",
+    "old min", "old max", "endian", "encoding", "line skip", "byte skip", "sample units",
+    "space units", "space origin", "measurement frame", "data file" };
+  return fields.count(NrrdFieldOf(name)) > 0;
+}
+
+/// A field, `name: value`, or a pair of a user's own, `name:=value`, whose name may hold colons.
+/// Old files have fields without the blank.
 void ReadNrrdLine(const std::string& name, const std::string& line, NrrdText& text)
 {
   const std::size_t colon = line.find(':');
-  if (colon == std::string::npos || !IsPrintable(line))
+  const std::size_t pair = line.find(":=");
+  const std::string field = line.substr(0, colon);
+  const bool hasBlank = colon != std::string::npos &&
+    (colon + 1 == line.size() || line[colon + 1] == ' ' || line[colon + 1] == '\t');
+  const bool isPair = pair != std::string::npos && !(hasBlank && IsNrrdField(field));
+  const bool isField = hasBlank || (colon != std::string::npos && IsNrrdField(field));
+  if (!(isPair || isField) || !IsPrintable(line))
   {
     throw FileProblem(FileProblem::Kind::Unusable,
       "The header of '" + name +
         "' is not valid NRRD to its end: the file is damaged. Download or copy it again.");
   }
-  if (line.compare(colon, 2, ":=") == 0)
+  if (isPair)
   {
-    text.Pairs.emplace(line.substr(0, colon), line.substr(colon + 2));
+    const std::string valid = TextForPeople(line, true, true); // the format has ASCII alone
+    const std::size_t split = valid.find(":=");
+    text.Pairs.emplace(valid.substr(0, split), valid.substr(split + 2));
   }
   else
   {
-    text.Fields.Add(NrrdFieldOf(line.substr(0, colon)), Trimmed(line.substr(colon + 1)));
+    text.Fields.Add(NrrdFieldOf(field), Trimmed(line.substr(colon + 1)));
   }
 }
 
@@ -135,7 +155,7 @@ bool NrrdIsBigEndian(const TextFields& fields, const VoxelStorage& storage)
   return endian == "big";
 }
 
-VoxelStorage NrrdStorage(const NrrdText& text)
+VoxelStorage NrrdStorage(const std::string& name, const NrrdText& text)
 {
   const TextFields& fields = text.Fields;
   VoxelStorage storage;
@@ -154,6 +174,7 @@ VoxelStorage NrrdStorage(const NrrdText& text)
   const long bytes = fields.Integer("byte skip", -1, INT_MAX, 0);
   storage.IsAtEnd = bytes < 0;
   storage.Skipped = static_cast<std::uint64_t>(std::max(0L, bytes));
+  RequireLengthOfVoxels(name, "byte skip", storage);
   return storage;
 }
 
@@ -180,6 +201,11 @@ VoxelLayers NrrdLayers(const std::string& name, const NrrdText& text, const Nrrd
     }
     if (size > 1)
     {
+      if (!isFirst && axis < axes.OfSpace.back())
+      {
+        text.Fields.Refuse("kinds",
+          "puts the layers of segments between axes of space, but they must come first or last");
+      }
       layers = { size, isFirst };
     }
   }
@@ -213,7 +239,7 @@ VolumeFileHeader ReadNrrdHeader(const std::string& name, const std::string& star
   }
   VolumeSize(name, ofSpace); // refuses fewer than three
   header.Layers = NrrdLayers(name, text, axes, sizes);
-  header.Storage = NrrdStorage(text);
+  header.Storage = NrrdStorage(name, text);
   header.Geometry = NrrdGrid(name, fields, axes, sizes, header.Warnings);
   header.Pairs = text.Pairs;
   return header;

@@ -17,6 +17,14 @@ namespace FlipFree
 namespace
 {
 
+[[noreturn]] void RefuseSegmentField(const std::string& file, const std::string& field,
+  const std::string& text)
+{
+  throw FileProblem(FileProblem::Kind::Unusable,
+    "The field " + field + " of '" + file + "' is '" + text +
+      "', not a whole number from 0 on. Save the segmentation again.");
+}
+
 using SegmentPairs = std::map<std::string, std::string>;
 
 constexpr std::size_t MostNamedSegments = 20; // of a list that people read
@@ -137,9 +145,7 @@ std::vector<Segment> SegmentsOf(const std::map<std::string, std::string>& pairs,
       const std::optional<int> value = text.empty() ? otherwise : LabelIn(text);
       if (!value)
       {
-        throw FileProblem(FileProblem::Kind::Unusable,
-          "The field " + start + field + " of '" + file + "' is '" + text +
-            "', not a whole number from 0 on. Save the segmentation again.");
+        RefuseSegmentField(file, start + field, text);
       }
       return *value;
     };
@@ -204,6 +210,7 @@ LabelChoice ChooseLabel(const std::vector<Segment>& segments, int numberOfLayers
       "'" + file + "' names no segments, so there is no '" + choice + "'. Give the label's value.");
   }
   std::vector<std::string> names;
+  names.reserve(all.size());
   for (const Segment* segment : all)
   {
     names.push_back(segment->Name);

@@ -1,5 +1,6 @@
 #include "Exchange/VolumeFileHeader.h"
 
+#include "Exchange/HeaderField.h"
 #include "Exchange/MetaImageHeader.h"
 #include "Exchange/NiftiHeader.h"
 #include "Exchange/NrrdHeader.h"
@@ -40,6 +41,12 @@ FileProblem WhyNotReadable(const std::string& name, const std::string& start)
   return { FileProblem::Kind::Unrecognized,
     "The format of '" + name + "' is unknown. Known are NIfTI (.nii, .nii.gz), NRRD (.nrrd, " +
       ".nhdr), MetaImage (.mha, .mhd) and folders of DICOM files." };
+}
+
+/// A header may name files in another encoding.
+std::string InQuotedUtf8(const std::string& file)
+{
+  return "'" + TextForPeople(file, true, true) + "'";
 }
 
 /// The path with another ending, in the case of the letters that it has.
@@ -120,7 +127,7 @@ void RequireFiles(const VolumeFileHeader& header, const std::vector<double>& siz
   double found = 0;
   for (std::size_t index = 0; index < sizes.size(); ++index)
   {
-    const std::string file = "'" + storage.Files[index] + "'";
+    const std::string file = InQuotedUtf8(storage.Files[index]);
     if (sizes[index] == MissingFile)
     {
       throw FileProblem(NoVoxels(header.Name, file + " is missing"));
@@ -157,7 +164,7 @@ void RequireFiles(const VolumeFileHeader& header, const std::vector<double>& siz
   {
     const bool isOther = storage.Files.size() == 1 && storage.Files.front() != header.Name;
     throw FileProblem(NoVoxels(header.Name,
-      (isOther ? "'" + storage.Files.front() + "'" : "it") +
+      (isOther ? InQuotedUtf8(storage.Files.front()) : "it") +
         " holds fewer voxels than its header says"));
   }
   if (header.NumberOfStoredVoxels() % sizes.size() != 0)

@@ -54,6 +54,13 @@ struct VoxelLayers
   bool AreInterleaved = false; ///< the layers of a voxel follow each other; else layers are volumes
 };
 
+/// For front ends.
+inline const char* NameOf(VoxelStorage::Coding form)
+{
+  constexpr const char* names[] = { "raw", "deflated", "text", "hex" };
+  return names[static_cast<int>(form)];
+}
+
 struct VolumeFileHeader
 {
   std::string Name; ///< of the file, for messages
@@ -63,7 +70,7 @@ struct VolumeFileHeader
   double Slope = 1; ///< a value is Slope times what is stored, plus Intercept
   double Intercept = 0;
   std::vector<std::string> Warnings;        ///< whole sentences that name the file
-  std::map<std::string, std::string> Pairs; ///< the user's own fields in NRRD
+  std::map<std::string, std::string> Pairs; ///< the user's own fields in NRRD, in UTF-8
 
   bool IsScaled() const { return this->Slope != 1 || this->Intercept != 0; }
   /// Of the values: that of the stored voxels, or of numbers with fractions where they are scaled.

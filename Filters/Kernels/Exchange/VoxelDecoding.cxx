@@ -118,7 +118,14 @@ void DecodeText(const VolumeFileHeader& header, const std::string& stored, void*
         {
           RefuseDigits(header, "text, but the numbers do not fit the type of the voxels");
         }
-        static_cast<T*>(values)[index] = static_cast<T>(number);
+        if (header.IsScaled())
+        {
+          Scale(header, static_cast<T>(number), index, values);
+        }
+        else
+        {
+          static_cast<T*>(values)[index] = static_cast<T>(number);
+        }
       });
     begin = stored.find_first_not_of(space, end);
   }

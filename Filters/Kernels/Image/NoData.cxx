@@ -19,6 +19,14 @@ bool AllHaveData(const std::vector<float>& row)
   return (0 * values).sum() == 0;
 }
 
+[[noreturn]] void RefuseVoxelAt(const Eigen::Vector3d& place, const std::string& name,
+  const std::string& remedy)
+{
+  throw Error(ErrorCode::NonFiniteValue,
+    name + " touches a voxel without data (not a finite number), at " + TextOf(place) + " mm; " +
+      remedy);
+}
+
 void RequireDataAt(const VoxelReader& read, const ImageGeometry& geometry,
   const std::vector<std::size_t>& voxels, const std::string& name, const std::string& remedy)
 {
@@ -29,9 +37,7 @@ void RequireDataAt(const VoxelReader& read, const ImageGeometry& geometry,
     read(i, i + 1, j, k, &value);
     if (!HasData(value))
     {
-      throw Error(ErrorCode::NonFiniteValue,
-        name + " touches a voxel without data (not a finite number), at " +
-          TextOf(geometry.ToPhysical(Eigen::Vector3d(i, j, k))) + " mm; " + remedy);
+      RefuseVoxelAt(geometry.ToPhysical(Eigen::Vector3d(i, j, k)), name, remedy);
     }
   }
 }

@@ -89,30 +89,39 @@ private:
   ArrayBuffer Buffer;
 };
 
-/// A function of JavaScript from bytes to bytes.
-std::function<std::string(const std::string&)> ByJavaScript(const val& function)
+/// A function of JavaScript from bytes, and what numbers it takes, to bytes.
+template <typename... Numbers>
+std::function<std::string(const std::string&, Numbers...)> ByJavaScript(const val& function)
 {
-  return [function](const std::string& bytes)
+  return [function](const std::string& bytes, Numbers... numbers)
   {
     const val view(emscripten::typed_memory_view(bytes.size(),
       reinterpret_cast<const unsigned char*>(bytes.data())));
-    const auto answer =
-      emscripten::convertJSArrayToNumberVector<unsigned char>(function(view.call<val>("slice")));
+    const auto answer = emscripten::convertJSArrayToNumberVector<unsigned char>(
+      function(view.call<val>("slice"), static_cast<double>(numbers)...));
     return std::string(answer.begin(), answer.end());
   };
 }
 
-/// Files are { name, bytes }.
-DicomAccess AccessTo(const val& files, const val& inflate, const val& decode)
+/// Files are { name, bytes }. `names` gets a name for each: files of several folders may have the
+/// same one, and then a number stands before it, as if it were their folder's.
+DicomAccess AccessTo(const val& files, const val& inflate, const val& decode,
+  std::vector<std::string>& names)
 {
   auto contents = std::make_shared<std::map<std::string, val>>();
   for (const val& file : emscripten::vecFromJSArray<val>(files))
   {
-    contents->emplace(file["name"].as<std::string>(), file["bytes"]);
+    const auto given = file["name"].as<std::string>();
+    std::string name = given;
+    for (int number = 2; !contents->emplace(name, file["bytes"]).second; ++number)
+    {
+      name = std::to_string(number) + "/" + given;
+    }
+    names.push_back(name);
   }
   const auto open = [contents](const std::string& name) -> std::unique_ptr<std::istream>
   { return std::make_unique<ArrayStream>(contents->at(name)); };
-  return { open, ByJavaScript(inflate), ByJavaScript(decode) };
+  return { open, ByJavaScript<std::size_t>(inflate), ByJavaScript<>(decode) };
 }
 
 /// A folder that has been read.
@@ -192,12 +201,8 @@ val OpenFolder(const std::string& name, const val& files, const val& inflate, co
   return Guarded(
     [&]
     {
-      DicomAccess access = AccessTo(files, inflate, decode);
       std::vector<std::string> names;
-      for (const val& file : emscripten::vecFromJSArray<val>(files))
-      {
-        names.push_back(file["name"].as<std::string>());
-      }
+      DicomAccess access = AccessTo(files, inflate, decode, names);
       DicomFolder folder = ReadDicomFolder(name, names, access, MonitorOf(report, 0, 0.5));
       val answer = val::object();
       answer.set("folder", std::make_shared<ReadFolder>(std::move(access), std::move(folder)));

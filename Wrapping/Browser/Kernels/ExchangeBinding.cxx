@@ -57,14 +57,13 @@ public:
   val Fields() const
   {
     const VolumeFileHeader& header = this->Header;
-    const char* const forms[] = { "raw", "deflated", "text", "hex" };
     val fields = val::object();
     SetGrid(fields, header.Geometry);
     fields.set("type", std::string(NameOf(header.ValueType())));
     fields.set("voxelBytes", static_cast<double>(SizeOf(header.Storage.Type)));
     fields.set("files", val::array(header.Storage.Files));
     fields.set("mayBePacked", header.Storage.MayBePacked);
-    fields.set("form", std::string(forms[static_cast<int>(header.Storage.Form)]));
+    fields.set("form", std::string(NameOf(header.Storage.Form)));
     fields.set("offset", static_cast<double>(header.Storage.Offset));
     fields.set("lines", static_cast<double>(header.Storage.Lines));
     fields.set("skipped", static_cast<double>(header.Storage.Skipped));

@@ -1,6 +1,6 @@
 /** Folders of DICOM files. The kernels understand them; pako inflates, and daikon decodes compressed pixels. */
 import daikon from "daikon";
-import { inflateRaw } from "pako";
+import { Inflate } from "pako";
 import type { DicomSeries, NamedFile, OpenedVolume, Triple, Voxels } from "./types.js";
 import type { Answer, Check } from "./volumefiles.js";
 
@@ -26,20 +26,37 @@ export interface KernelDicom {
   openDicom(
     name: string,
     files: { name: string; bytes: Uint8Array }[],
-    inflate: Bytes,
+    inflate: (bytes: Uint8Array, most: number) => Uint8Array,
     decode: Bytes,
     report: Report,
   ): Answer<{ folder: KernelFolder }>;
 }
 
-/** As far as it goes. */
-const inflate: Bytes = (bytes) => {
+/** As far as it is sound, in whole chunks, and up to about `most` bytes. */
+function inflate(bytes: Uint8Array, most: number): Uint8Array {
+  const chunks: Uint8Array[] = [];
+  let size = 0;
+  const stream = new Inflate({ raw: true, chunkSize: 4096 });
+  stream.onData = (chunk) => {
+    chunks.push(chunk as Uint8Array);
+    size += chunks[chunks.length - 1].length;
+    if (size >= most) {
+      throw new RangeError(); // nothing else stops it
+    }
+  };
   try {
-    return inflateRaw(bytes);
+    stream.push(bytes, true);
   } catch {
-    return new Uint8Array();
+    // What there is of it is enough.
   }
-};
+  const plain = new Uint8Array(size);
+  let end = 0;
+  for (const chunk of chunks) {
+    plain.set(chunk, end);
+    end += chunk.length;
+  }
+  return plain;
+}
 
 /** The pixels of a file; none where they are damaged. */
 const decode: Bytes = (bytes) => {

@@ -2,9 +2,15 @@
 import { Inflate, type Data } from "pako";
 
 export const isPacked = async (file: Blob): Promise<boolean> => {
-  const mark = new Uint8Array(await file.slice(0, 2).arrayBuffer());
-  return mark[0] === 0x1f && mark[1] === 0x8b;
+  return hasMark(new Uint8Array(await file.slice(0, 2).arrayBuffer()), 0);
 };
+
+const hasMark = (bytes: Uint8Array, at: number): boolean => bytes[at] === 0x1f && bytes[at + 1] === 0x8b;
+
+/** What pako keeps of a stream, beyond its declared types. */
+interface PakoStream {
+  strm: { next_in: number; avail_in: number; total_in: number; output: Uint8Array; next_out: number };
+}
 
 /** Reads a file from its beginning on, a part at a time. */
 export class InflatedFile {
@@ -55,7 +61,10 @@ export class InflatedFile {
   async skipLines(lines: number): Promise<void> {
     for (let left = lines; left > 0; ) {
       const letter = await this.read(1);
-      left -= letter.length === 0 || letter[0] === lineEnd ? 1 : 0;
+      if (letter.length === 0) {
+        return;
+      }
+      left -= letter[0] === lineEnd ? 1 : 0;
     }
   }
 
@@ -99,12 +108,31 @@ export class InflatedFile {
     const part = new Uint8Array(await this.file.slice(this.place, this.place + partSize).arrayBuffer());
     this.place += part.length;
     if (this.inflate) {
+      if (this.hasEnded && !hasMark(part, 0)) {
+        this.place = this.file.size;
+        return false;
+      }
       this.inflate = this.hasEnded ? this.newStream() : this.inflate;
       this.inflate.push(part as Data, false);
+      this.endAtPadding(this.inflate, part);
     } else {
       this.keep(part);
     }
     return true;
+  }
+
+  /** What stands behind a member of gzip and is none is padding; but pako inflates whatever does not begin with a zero. */
+  private endAtPadding(inflate: Inflate, part: Uint8Array): void {
+    const { strm } = inflate as unknown as PakoStream;
+    const begin = strm.next_in - strm.total_in; // of the last member, if it is in this part
+    if (inflate.err !== 0 && begin > 0 && !hasMark(part, begin)) {
+      this.keep(strm.output.subarray(0, strm.next_out));
+      inflate.err = 0;
+      this.hasEnded = true;
+      this.place = this.file.size;
+    } else if (this.hasEnded && strm.avail_in > 0) {
+      this.place = this.file.size;
+    }
   }
 }
 

@@ -7,6 +7,7 @@ rounds its spacing and origin, so these travel beside it.
 from __future__ import annotations
 
 import copyreg
+from collections.abc import Callable
 from typing import Any
 
 from vtkmodules.vtkCommonCore import vtkCharArray
@@ -16,7 +17,7 @@ from vtkmodules.vtkParallelCore import vtkCommunicator
 Geometry = tuple[tuple[float, ...], tuple[float, ...], tuple[float, ...]]
 
 
-def _reduced(data: vtkDataObject) -> tuple[Any, ...]:
+def _reduced(data: vtkDataObject) -> tuple[Callable[..., Any], tuple[Any, ...]]:
     buffer = vtkCharArray()
     vtkCommunicator.MarshalDataObject(data, buffer)
     return _restored, (type(data), bytes(buffer), _geometry_of(data))

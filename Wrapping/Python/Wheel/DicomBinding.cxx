@@ -17,13 +17,16 @@ namespace FlipFree
 namespace
 {
 
-/// A function of Python from bytes to bytes, which is called without its lock.
-std::function<std::string(const std::string&)> ByPython(const nb::handle& function)
+/// A function of Python from bytes, and what else it takes, to bytes. It is called without Python's
+/// lock.
+template <typename... Arguments>
+std::function<std::string(const std::string&, Arguments...)> ByPython(const nb::handle& function)
 {
-  return [function](const std::string& bytes)
+  return [function](const std::string& bytes, Arguments... arguments)
   {
     const nb::gil_scoped_acquire locked;
-    const auto answer = nb::cast<nb::bytes>(function(nb::bytes(bytes.data(), bytes.size())));
+    const auto answer =
+      nb::cast<nb::bytes>(function(nb::bytes(bytes.data(), bytes.size()), arguments...));
     return std::string(answer.c_str(), answer.size());
   };
 }
@@ -96,7 +99,7 @@ public:
 private:
   DicomAccess Access() const
   {
-    return { OpenDicomFile, ByPython(this->Inflate), ByPython(this->Decode) };
+    return { OpenDicomFile, ByPython<std::size_t>(this->Inflate), ByPython<>(this->Decode) };
   }
 
   static Triple SpacingOf(const DicomVolume& volume)

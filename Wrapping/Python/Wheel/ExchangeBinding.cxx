@@ -21,10 +21,24 @@ std::string TextOf(const nb::bytes& bytes)
   return { bytes.c_str(), bytes.size() };
 }
 
-const char* NameOf(VoxelStorage::Coding form)
+/// Names of files, in whichever encoding.
+std::vector<nb::bytes> FilesOf(const VolumeFileHeader& header)
 {
-  const char* const names[] = { "raw", "deflated", "text", "hex" };
-  return names[static_cast<int>(form)];
+  std::vector<nb::bytes> files;
+  for (const std::string& file : header.Storage.Files)
+  {
+    files.emplace_back(file.data(), file.size());
+  }
+  return files;
+}
+
+void SetFiles(VolumeFileHeader& header, const std::vector<nb::bytes>& files)
+{
+  header.Storage.Files.clear();
+  for (const nb::bytes& file : files)
+  {
+    header.Storage.Files.push_back(TextOf(file));
+  }
 }
 
 /// As many of the values, from `first` on, as the bytes hold.
@@ -111,10 +125,7 @@ void BindExchange(nb::module_& module)
         Eigen::Map<RowMajorMatrix>(direction.data()) = header.Geometry.Direction;
         return direction;
       })
-    .def_prop_rw(
-      "files", [](const VolumeFileHeader& header) { return header.Storage.Files; },
-      [](VolumeFileHeader& header, const std::vector<std::string>& files)
-      { header.Storage.Files = files; })
+    .def_prop_rw("files", &FilesOf, &SetFiles)
     .def_prop_ro("may_be_packed",
       [](const VolumeFileHeader& header) { return header.Storage.MayBePacked; })
     .def("take_packed", [](VolumeFileHeader& header) { TakePacked(header.Storage); })

@@ -34,7 +34,7 @@ def _unmasked(array: npt.ArrayLike, value: float) -> npt.NDArray[Any]:
     if not isinstance(array, numpy.ma.MaskedArray):
         return numpy.asarray(array)
     voxels: npt.NDArray[Any] = array.data
-    mask = numpy.ma.getmaskarray(array)
+    mask = numpy.broadcast_to(numpy.asarray(array.mask), voxels.shape)
     if not mask.any():
         return voxels
     kind: Any = numpy.float32 if math.isnan(value) and voxels.dtype.kind in "biu" else voxels.dtype

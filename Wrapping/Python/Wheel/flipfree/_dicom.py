@@ -76,13 +76,19 @@ def _run(work: Callable[[Callable[[float], bool]], T], tell: Progress | None) ->
     return answer
 
 
-def _inflated(packed: bytes) -> bytes:
-    """As far as it goes."""
+def _inflated(packed: bytes, most: int) -> bytes:
+    """As far as it is sound, and up to `most` bytes."""
     stream = zlib.decompressobj(-zlib.MAX_WBITS)
+    plain = bytearray()
+    step = 1024  # Where bytes are damaged, zlib gives nothing of what it was called with.
     try:
-        return stream.decompress(packed, 1 << 31)
+        for start in range(0, len(packed), step):
+            if stream.eof or len(plain) >= most:
+                break
+            plain += stream.decompress(packed[start : start + step], most - len(plain))
     except zlib.error:
-        return b""
+        pass
+    return bytes(plain)
 
 
 def _decoded(folder: str, file: bytes) -> bytes:

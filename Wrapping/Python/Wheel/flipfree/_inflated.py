@@ -52,7 +52,9 @@ class InflatedFile:
         """Past the ends of so many lines."""
         while lines > 0:
             letter = self.read(1)
-            lines -= letter == b"\n" or not letter
+            if not letter:
+                break
+            lines -= letter == b"\n"
 
     def rest(self) -> bytes:
         """All that follows."""
@@ -68,12 +70,17 @@ class InflatedFile:
         return FileError(_kernels.broken_stream(self.name))
 
     def _inflate(self, size: int) -> bytes:
-        """Some bytes; none at the end of the file. Of several gzip members, one after the other."""
+        """Some bytes; none at the end. Of several gzip members, one after the other.
+
+        What stands behind a member and is none is padding.
+        """
         while True:
             if not self._packed:
                 self._packed = self._file.read(CHUNK)
             if self._inflating.eof:
-                if not self._packed:
+                if len(self._packed) < len(_kernels.PACKED_MARK):
+                    self._packed += self._file.read(CHUNK)
+                if not self._packed.startswith(_kernels.PACKED_MARK):
                     return b""
                 self._inflating = zlib.decompressobj(zlib.MAX_WBITS + 32)
             ended = not self._packed

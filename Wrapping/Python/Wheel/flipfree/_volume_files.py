@@ -87,15 +87,18 @@ def _open(name: str) -> Any:
     with InflatedFile(file, file, is_packed(file)) as beginning:
         header = _kernels.VolumeFileHeader(file, beginning.read(_kernels.HEADER_BYTES))
     folder = os.path.dirname(file)
-    header.files = [os.path.join(folder, part) if part else file for part in header.files]
+    # The header may have the names in any encoding.
+    parts = [os.fsdecode(part) for part in header.files]
+    files = [os.path.join(folder, part) if part else file for part in parts]
     if header.may_be_packed:
-        (voxels,) = header.files
+        (voxels,) = files
         if not os.path.exists(voxels) and os.path.exists(voxels + ".gz"):
             voxels += ".gz"
-        header.files = [voxels]
+        files = [voxels]
         if os.path.isfile(voxels) and is_packed(voxels):
             header.take_packed()
-    header.require_files([_size_of(part) for part in header.files])
+    header.files = [os.fsencode(part) for part in files]
+    header.require_files([_size_of(part) for part in files])
     return header
 
 
@@ -114,7 +117,7 @@ def _voxels_of(header: Any, tell: Progress | None) -> npt.NDArray[Any]:
     values = numpy.empty(math.prod(header.size) * header.layers, dtype=header.value_type)
     count = values.size // len(header.files)
     done = 0
-    for path in header.files:
+    for path in map(os.fsdecode, header.files):
         offset = header.offset
         if header.is_at_end:
             offset = max(0, os.path.getsize(path) - count * header.voxel_bytes)
