@@ -76,7 +76,8 @@ def seen_at(place):
     renderer.SetWorldPoint(*place, 1)
     renderer.WorldToDisplay()
     across, up, _ = renderer.GetDisplayPoint()
-    return [across - view.ViewSize[0] / 2, view.ViewSize[1] / 2 - up]
+    # The last digits depend on how near and far the camera sees.
+    return [round(across - view.ViewSize[0] / 2, 3), round(view.ViewSize[1] / 2 - up, 3)]
 
 
 def show_organ_to_correct():
