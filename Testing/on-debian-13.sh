@@ -28,7 +28,9 @@ source "$here/Support/debian-root.sh"
 make_root trixie "$folder"
 # Whatever signs the connections here, by a certificate of its own, does so there.
 inside apt-get install --quiet --yes --no-install-recommends ca-certificates ccache
-find /usr/local/share/ca-certificates -name '*.crt' -exec cp -t "$root/usr/local/share/ca-certificates" {} +
+if [[ -d /usr/local/share/ca-certificates ]]; then
+  find /usr/local/share/ca-certificates -name '*.crt' -exec cp -t "$root/usr/local/share/ca-certificates" {} +
+fi
 inside update-ca-certificates
 
 rm -rf --one-file-system "$root/root/flipfree"

@@ -74,7 +74,7 @@ def show_slices(image, center, view):
         cut = Slice(registrationName=plane, Input=image)
         cut.SliceType.Origin = center
         cut.SliceType.Normal = normal
-        Hide3DWidgets(proxy=cut.SliceType)
+        HideInteractiveWidgets(proxy=cut.SliceType)
         ColorBy(Show(cut, view), ("POINTS", name))
     colors = GetColorTransferFunction(name)
     colors.ApplyPreset("Grayscale", True)

@@ -13,6 +13,7 @@
 #include "vtkDataArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkMatrix3x3.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
@@ -81,7 +82,7 @@ bool CopyRegion(vtkImageData* image, const VoxelBox& region, const FlipFree::Mon
   copy->SetExtent(FlipFree::ExtentOf(region, image->GetExtent()).data());
   copy->SetOrigin(image->GetOrigin());
   copy->SetSpacing(image->GetSpacing());
-  copy->SetDirectionMatrix(image->GetDirectionMatrix());
+  copy->SetDirectionMatrix(image->GetDirectionMatrix()->GetData());
   copy->AllocateScalars(VTK_FLOAT, 1);
   const FlipFree::VoxelReader read =
     FlipFree::GrayReaderOf(image, FlipFree::WholeBox(FlipFree::GeometryOf(image)));

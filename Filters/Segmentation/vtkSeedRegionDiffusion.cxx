@@ -118,7 +118,7 @@ int vtkSeedRegionDiffusion::RequestData(vtkInformation*, vtkInformationVector** 
     output->SetExtent(outputVector->GetInformationObject(0)->Get(Pipeline::WHOLE_EXTENT()));
     output->SetSpacing(image->GetSpacing());
     output->SetOrigin(image->GetOrigin());
-    output->SetDirectionMatrix(image->GetDirectionMatrix());
+    output->SetDirectionMatrix(image->GetDirectionMatrix()->GetData()); // not the matrix itself
     FlipFree::SetFloatScalars("Intensity", region.Voxels, output);
     FlipFree::AddFieldValues("NoiseStandardDeviation", { noise }, output);
   }

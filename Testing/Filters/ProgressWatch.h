@@ -42,6 +42,9 @@ public:
 
   bool Aborted() const { return this->ReportsAfterAbort >= 0; }
 
+  /// After at most the report that was on its way and the pipeline's of the end.
+  bool StoppedSoon() const { return this->Aborted() && this->ReportsAfterAbort <= 2; }
+
   int Reports = 0;
   int ReportsAfterAbort = -1; ///< -1: not aborted
   double Last = 0;            ///< progress

@@ -1,6 +1,8 @@
 // The same voxels in another frame give the same surface: permuted, reversed, or rotated.
 #include "PhantomCases.h"
+#include "vtkPhantomSource.h"
 #include "vtkQuadSphereSource.h"
+#include "vtkSeedRegionDiffusion.h"
 
 #include "vtkImageData.h"
 #include "vtkMatrix3x3.h"
@@ -178,4 +180,19 @@ TEST(SegmentationFrames, SameSurfaceUpToTheMotion)
     // axes.
     EXPECT_LE(farthest, frame.Angle == 0 ? 2e-4 : 1e-3);
   }
+}
+
+// VTK keeps the very matrix that it is handed, and changes it in place.
+TEST(SegmentationFrames, ASmoothedImageTurnsWithoutItsInput)
+{
+  vtkNew<vtkPhantomSource> phantom;
+  phantom->SetDimensions(32, 32, 32);
+  phantom->SetSpacing(3, 3, 3);
+  vtkNew<vtkSeedRegionDiffusion> smooth;
+  smooth->SetInputConnection(phantom->GetOutputPort());
+  smooth->SetSeedCenter(46.5, 46.5, 46.5);
+  smooth->SetSeedRadius(18);
+  smooth->Update();
+  smooth->GetOutput()->SetDirectionMatrix(-1, 0, 0, 0, -1, 0, 0, 0, 1);
+  EXPECT_EQ(phantom->GetOutput()->GetDirectionMatrix()->GetElement(0, 0), 1);
 }

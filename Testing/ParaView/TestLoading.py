@@ -60,7 +60,7 @@ class Loading(unittest.TestCase):
             file.write(OTHER_PATCH)
         subprocess.run(["cc", "-shared", "-fPIC", "-o", library, source], check=True)
         result = self.load(LD_PRELOAD=library)
-        self.assertRegex(result.stdout, r"FlipFree was built with ParaView 5\.11\.0, and this is ParaView 5\.11\.7")
+        self.assertRegex(result.stdout, rf"FlipFree was built with ParaView {VERSION}\.\d, and this is ParaView {VERSION}\.7")
         self.assertIn("build-plugin.sh", result.stdout)
 
 

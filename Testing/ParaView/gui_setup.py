@@ -39,7 +39,7 @@ def write_note(*_):
                                         if is_shown(source, port))})
         if organ.Corrections:
             (point,) = organ.Corrections
-            Show3DWidgets(proxy=point)  # what a script makes has its handle hidden
+            ShowInteractiveWidgets(proxy=point)  # what a script makes has its handle hidden
             placed = point.SMProxy.GetProperty("Position")
             place = [placed.GetUncheckedElement(index) for index in range(3)]
             labels = servermanager.Fetch(organ, idx=1)
@@ -54,7 +54,7 @@ def write_note(*_):
 
 
 def state_of(vessel):
-    Show3DWidgets(proxy=vessel)
+    ShowInteractiveWidgets(proxy=vessel)
     vessel.UpdatePropertyInformation()
     placed = vessel.SMProxy.GetProperty("Points")
     placed = [placed.GetUncheckedElement(index) for index in range(placed.GetNumberOfUncheckedElements())]
@@ -76,7 +76,8 @@ def seen_at(place):
     renderer.SetWorldPoint(*place, 1)
     renderer.WorldToDisplay()
     across, up, _ = renderer.GetDisplayPoint()
-    return [across - view.ViewSize[0] / 2, view.ViewSize[1] / 2 - up]
+    # The last digits depend on how near and far the camera sees.
+    return [round(across - view.ViewSize[0] / 2, 3), round(view.ViewSize[1] / 2 - up, 3)]
 
 
 def show_organ_to_correct():
@@ -87,7 +88,7 @@ def show_organ_to_correct():
     contour = Slice(registrationName="Contour", Input=organ)
     contour.SliceType.Origin = CENTER
     contour.SliceType.Normal = [0, 0, 1]
-    Hide3DWidgets(proxy=contour.SliceType)
+    HideInteractiveWidgets(proxy=contour.SliceType)
     shown = Show(contour, view)
     ColorBy(shown, ("POINTS", ""))
     shown.AmbientColor = shown.DiffuseColor = [1, 0.76, 0.2]
@@ -123,7 +124,7 @@ def show_vessel():
     cut = Slice(registrationName="Along", Input=ct)
     cut.SliceType.Origin = track[0].tolist()
     cut.SliceType.Normal = normal.tolist()
-    Hide3DWidgets(proxy=cut.SliceType)
+    HideInteractiveWidgets(proxy=cut.SliceType)
     ColorBy(Show(cut, view), ("POINTS", "Intensity"))
     colors = GetColorTransferFunction("Intensity")
     colors.ApplyPreset("Grayscale", True)

@@ -32,8 +32,8 @@ folder=$(cd -P "$folder" && pwd)
 # Debian's emscripten: its parser of JavaScript is where Debian's Node packages are, and newer Nodes' fetch gets into
 # the way of its programs. Its cache of libraries is complete and must not be moved.
 export NODE_PATH=/usr/share/nodejs
-if command -v ccache >/dev/null; then
-  export EM_COMPILER_WRAPPER=ccache
+if EM_COMPILER_WRAPPER=$(command -v ccache); then
+  export EM_COMPILER_WRAPPER
 fi
 if [[ ! -e $folder/kernels/build.ninja ]]; then
   NODE_OPTIONS=--no-experimental-fetch emcmake cmake -S "$here/Kernels" -B "$folder/kernels" -G Ninja

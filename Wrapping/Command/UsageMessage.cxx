@@ -114,7 +114,9 @@ std::string RefusedValueMessage(const CLI::Option& option, const std::string& te
   const std::string name = option.get_name();
   std::smatch found;
   static const std::regex choices(R"(^\S+: (.*) not in \{(.*)\}$)");
-  static const std::regex range(R"(^\S+: Value (.*) not in range (\S+) to (\S+)$)");
+  // "0 to 1024" of CLI11 2.1, "[0 - 1024]" of 2.4.
+  static const std::regex range(
+    R"(^\S+: Value (.*) not in range \[?(\S+) (?:to|-) ([^\s\]]+)\]?$)");
   if (std::regex_match(text, found, range))
   {
     const bool bounded = found[3].str().size() < 12; // not the greatest double
