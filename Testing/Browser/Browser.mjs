@@ -39,6 +39,7 @@ async function startProxy(asked) {
   });
   proxy.on("connect", (request, socket) => {
     take(request);
+    socket.on("error", () => {}); // Chromium may hang up first
     socket.end("HTTP/1.1 403 Forbidden\r\n\r\n");
   });
   await new Promise((resolve) => proxy.listen(0, "127.0.0.1", resolve));
