@@ -117,6 +117,30 @@ TEST(DicomDataSet, SequencesOfOthersAreNotMistaken)
   ExpectTheSlice(ExampleDicom::FileOf(data));
 }
 
+TEST(DicomDataSet, CompressedPixelsOfAnIcon)
+{
+  ExampleDicom::DataSet icon;
+  icon.AddShort(0x00280010, 77).AddFragments({ "", "half", std::string(5000, '\x05') });
+  for (const bool isDelimited : { false, true })
+  {
+    ExampleDicom::DataSet data;
+    data.Add(0x00080016, "UI", "1.2.840.10008.5.1.4.1.1.2");
+    data.AddSequence(0x00880200, { icon }, isDelimited);
+    data.AddBytes(ExampleDicom::Slice(SliceOptions()).Bytes);
+    ExpectTheSlice(ExampleDicom::FileOf(data));
+  }
+}
+
+TEST(DicomDataSet, NoMoreFramesThanAnyScannerMakes)
+{
+  ExampleDicom::DataSet data;
+  data.Add(0x00080016, "UI", "1.2.840.10008.5.1.4.1.1.2.1");
+  data.AddSequence(0x52009230, std::vector<ExampleDicom::DataSet>(MostDicomFrames + 1));
+  const DicomDataSet parsed = Parsed(ExampleDicom::FileOf(data));
+  EXPECT_NE(parsed.Damage.find("more than 100000 frames"), std::string::npos) << parsed.Damage;
+  EXPECT_EQ(parsed.Frames.size(), MostDicomFrames);
+}
+
 TEST(DicomDataSet, FunctionalGroupsOfEachFrame)
 {
   for (const Coding how : { Coding::Explicit, Coding::Implicit, Coding::BigEndian })

@@ -193,6 +193,52 @@ TEST(DicomPixels, CodestreamsOfTheFilesOwnSize)
     EXPECT_FALSE(IsCodestreamOf(wrong, jpeg2000, format)) << place;
   }
   EXPECT_FALSE(IsCodestreamOf(stream.substr(0, 40), jpeg2000, format));
+  // Signed, as the file must say, too.
+  stream[42] = static_cast<char>(0x8B);
+  EXPECT_FALSE(IsCodestreamOf(stream, jpeg2000, format));
+  DicomPixelFormat withSign = format;
+  withSign.IsSigned = true;
+  EXPECT_TRUE(IsCodestreamOf(stream, jpeg2000, withSign));
+}
+
+TEST(DicomPixels, DecodedBitsBeyondTheStoredOnesAreNoticed)
+{
+  const auto isSound = [](std::vector<int> values, bool isSigned)
+  { return HasOnlyStoredBits(ExampleDicom::Shorts(values), Format(16, 12, 11, isSigned)); };
+  EXPECT_TRUE(isSound({ 0, 0x0FFF, 0x0800 }, false));
+  EXPECT_FALSE(isSound({ 0, 0x1000 }, false));
+  EXPECT_FALSE(isSound({ 0xFFFF }, false));
+  EXPECT_TRUE(isSound({ 0x0FFF, 0xFFFF, 0xF800, 0x07FF }, true));
+  EXPECT_FALSE(isSound({ 0xF7FF }, true));
+  EXPECT_FALSE(isSound({ 0x7FFF }, true));
+  EXPECT_TRUE(HasOnlyStoredBits(ExampleDicom::Shorts({ 0xFFFF }), Format(16, 16, 15, false)));
+  const std::string wide(4, '\xFF');
+  EXPECT_TRUE(HasOnlyStoredBits(wide, Format(32, 32, 31, false)));
+  EXPECT_FALSE(HasOnlyStoredBits(wide, Format(32, 31, 30, false)));
+}
+
+TEST(DicomPixels, ATinyFileOfGiantRowsIsRefused)
+{
+  const auto why = [](const std::string& process, int side, std::size_t size)
+  {
+    ExampleDicom::Options options;
+    options.Rows = options.Columns = side;
+    options.Fragments = { "", std::string(size, '\0') };
+    std::istringstream stream(
+      ExampleDicom::FileOf(ExampleDicom::Slice(options), "1.2.840.10008.1.2." + process));
+    return WhyPixelsAreIncomplete(ReadDicomDataSet(stream));
+  };
+  for (const std::string process : { "5", "4.50", "4.57", "4.70", "4.80", "4.90" })
+  {
+    EXPECT_NE(why(process, 65535, 1000).find("fewer pixels"), std::string::npos) << process;
+  }
+  // Blank slices are small, though.
+  EXPECT_EQ(why("5", 512, 64 + 2 * 2 * 2048), "");
+  EXPECT_NE(why("5", 512, 64 + 2 * 2 * 2048 - 2), "");
+  EXPECT_EQ(why("4.50", 512, 1024), "");
+  EXPECT_EQ(why("4.70", 512, 32768), "");
+  EXPECT_EQ(why("4.80", 2048, 140), "");
+  EXPECT_EQ(why("4.90", 2048, 140), "");
 }
 
 TEST(DicomPixels, WhatIsNotGrayOrNotThereIsSaid)
@@ -226,6 +272,19 @@ TEST(DicomPixels, WhatIsNotGrayOrNotThereIsSaid)
   changed.Colors = "RGB";
   EXPECT_NE(why(changed).find("colors"), std::string::npos);
   EXPECT_NE(why(options, "1.2.840.10008.1.2.4.100").find("transfer syntax"), std::string::npos);
+  // What is there, but no number, is not replaced.
+  const auto withText = [](std::uint32_t tag)
+  {
+    ExampleDicom::Options sound;
+    sound.Pixels = std::string(24, '\0');
+    ExampleDicom::DataSet data;
+    data.Add(0x00080016, "UI", sound.Class).Add(tag, "LO", "many");
+    data.AddBytes(ExampleDicom::Slice(sound).Bytes);
+    std::istringstream stream(ExampleDicom::FileOf(data));
+    return WhyPixelsAreIncomplete(ReadDicomDataSet(stream));
+  };
+  EXPECT_NE(withText(DicomTag::BitsStored).find("BitsStored"), std::string::npos);
+  EXPECT_NE(withText(DicomTag::HighBit).find("HighBit"), std::string::npos);
   // Without HighBit, the stored bits are the lowest ones.
   EXPECT_EQ(PixelFormatOf(parsed(options, "")).HighBit, 15);
 }

@@ -1,5 +1,6 @@
 // Which files of a folder make up which volumes, where these lie, and what is left out.
 #include "Exchange/DicomChoice.h"
+#include "Exchange/DicomReading.h"
 #include "Exchange/DicomVolumes.h"
 #include "Exchange/FileProblem.h"
 
@@ -9,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <new>
 
 namespace
 {
@@ -465,6 +467,221 @@ TEST(DicomVolumes, FramesThatOneNumberPlaces)
   EXPECT_EQ(volume.Geometry.Spacing[2], 2.5);
   EXPECT_EQ(volume.Frames.front().Number, 2U);
   ExpectRefusal(folderOf(0x00180050, "3"), { "where its 3 frames lie" });
+}
+
+/// A tag as a value.
+std::string TagBytes(std::uint32_t tag)
+{
+  return ExampleDicom::Shorts({ static_cast<int>(tag >> 16), static_cast<int>(tag & 0xFFFF) });
+}
+
+TEST(DicomVolumes, FramesOfOtherThingsThanSlicesAreNoTallVolume)
+{
+  const auto folderOf = [](const std::string& pointer, const std::vector<int>& slices)
+  {
+    ExampleDicom::Options options;
+    options.Frames = "4";
+    options.Class = "1.2.840.10008.5.1.4.1.1.20"; // nuclear medicine
+    options.Pixels = std::string(96, '\0');
+    ExampleDicom::DataSet data;
+    data.Add(0x00080016, "UI", options.Class).Add(0x00180088, "DS", "3");
+    if (!pointer.empty())
+    {
+      data.Add(0x00280009, "AT", pointer);
+    }
+    if (!slices.empty())
+    {
+      data.Add(0x00540080, "US", ExampleDicom::Shorts(slices));
+    }
+    data.AddBytes(ExampleDicom::Slice(options).Bytes);
+    ExampleFolder folder;
+    folder.Add("nm.dcm", ExampleDicom::FileOf(data));
+    return folder.Read();
+  };
+  const std::string slice = TagBytes(0x00540080);
+  for (const DicomFolder& sound :
+    { folderOf("", {}), folderOf(slice, {}), folderOf(slice, { 1, 2, 3, 4 }) })
+  {
+    EXPECT_EQ(ChooseDicomVolume(sound, "").Geometry.Spacing[2], 3);
+  }
+  const DicomFolder mixed = folderOf(slice, { 2, 1, 4, 3 });
+  EXPECT_EQ(ChooseDicomVolume(mixed, "").Frames.front().Number, 1U);
+  // Times of the heart, then slices; times alone; the same slices twice.
+  const std::string times = TagBytes(0x00540070);
+  ExpectRefusal(folderOf(times + slice, { 1, 2, 1, 2 }), { "FrameIncrementPointer", "4 frames" });
+  ExpectRefusal(folderOf(TagBytes(0x00540100), {}), { "FrameIncrementPointer" });
+  EXPECT_NE(WhyRefused(folderOf(slice, { 1, 2, 1, 2 })), "");
+  ExpectRefusal(folderOf(slice, { 1, 2 }), { "where its 4 frames lie" });
+}
+
+TEST(DicomVolumes, WhatPixelsMeanIsSaidOrWarnedOf)
+{
+  const auto folderOf = [](const std::function<void(std::string&)>& change)
+  {
+    ExampleFolder folder;
+    folder.AddSeries("a", 4);
+    for (std::string& bytes : folder.Bytes)
+    {
+      change(bytes);
+    }
+    return folder.Read();
+  };
+  const auto element = [](std::uint32_t tag)
+  { return TagBytes(tag) + "US" + ExampleDicom::Shorts({ 2 }); };
+  const auto without = [&](std::uint32_t tag)
+  {
+    return folderOf(
+      [&](std::string& bytes) { bytes.erase(bytes.find(element(tag)), element(tag).size() + 2); });
+  };
+  const DicomFolder unsaid = without(0x00280103);
+  EXPECT_EQ(ChooseDicomVolume(unsaid, "").Type, VoxelType::UInt16);
+  ExpectWords(ChooseDicomVolume(unsaid, "").Warning,
+    { "no PixelRepresentation", "taken as unsigned", "'a3.dcm'" });
+  ExpectWords(ChooseDicomVolume(without(0x00280101), "").Warning, { "BitsStored", "all 16 bits" });
+  ExpectRefusal(folderOf([&](std::string& bytes)
+                  { bytes[bytes.find(element(0x00280103)) + element(0x00280103).size()] = 7; }),
+    { "PixelRepresentation '7'", "neither 0 (unsigned) nor 1 (signed)", "Export" });
+}
+
+TEST(DicomVolumes, ATableOfGrayValuesIsNoRescale)
+{
+  const auto folderOf = [](const std::string& slope, bool isDelimited)
+  {
+    ExampleFolder folder;
+    for (int slice = 0; slice < 4; ++slice)
+    {
+      ExampleDicom::Options options;
+      options.Slope = slope;
+      options.Intercept = slope.empty() ? "" : "0";
+      options.Instance += std::to_string(slice);
+      options.Position = "0\\0\\" + std::to_string(3 * slice);
+      options.Pixels = std::string(24, '\0');
+      ExampleDicom::DataSet table;
+      table.Add(0x00283002, "US", ExampleDicom::Shorts({ 4, 0, 16 }));
+      ExampleDicom::DataSet data;
+      data.Add(0x00080016, "UI", options.Class);
+      data.AddSequence(0x00283000, { table }, isDelimited);
+      data.AddBytes(ExampleDicom::Slice(options).Bytes);
+      folder.Add("a" + std::to_string(slice), ExampleDicom::FileOf(data));
+    }
+    return folder.Read();
+  };
+  for (const bool isDelimited : { false, true })
+  {
+    ExpectRefusal(folderOf("", isDelimited), { "ModalityLUTSequence", "RescaleSlope", "Export" });
+    EXPECT_EQ(WhyRefused(folderOf("1", isDelimited)), "");
+  }
+}
+
+TEST(DicomVolumes, RoundedAxesAreOfLengthOne)
+{
+  ExampleFolder folder;
+  ExampleDicom::Options options;
+  options.Orientation = R"(1.005\0\0\0\0.71\0.71)";
+  for (int slice = 0; slice < 4; ++slice)
+  {
+    options.Instance += std::to_string(slice);
+    const std::string place = std::to_string(2 * slice);
+    options.Position = "0\\-" + place + "\\" + place;
+    options.Pixels = std::string(24, '\0');
+    folder.Add("a" + std::to_string(slice), ExampleDicom::FileOf(ExampleDicom::Slice(options)));
+  }
+  const DicomFolder found = folder.Read();
+  const DicomVolume& volume = ChooseDicomVolume(found, "");
+  for (const int axis : { 0, 1, 2 })
+  {
+    EXPECT_NEAR(volume.Geometry.Direction.col(axis).norm(), 1, 1e-12);
+  }
+  EXPECT_NEAR(volume.Frames.front().Axes.col(0).norm(), 1, 1e-12);
+}
+
+/// The files of a folder in memory, read as those of the disk are.
+DicomAccess AccessInMemory(const ExampleFolder& folder)
+{
+  DicomAccess access;
+  access.Open = [&folder](const std::string& name)
+  {
+    const auto found = std::find(folder.Names.begin(), folder.Names.end(), name);
+    return std::make_unique<std::istringstream>(
+      folder.Bytes[static_cast<std::size_t>(found - folder.Names.begin())]);
+  };
+  return access;
+}
+
+TEST(DicomVolumes, DeflatedFilesAreBoundedInMemory)
+{
+  // Packed as it is, for the test.
+  ExampleFolder folder;
+  folder.AddSeries("a", 4);
+  for (std::string& bytes : folder.Bytes)
+  {
+    const std::size_t start = bytes.find(std::string("\x08\0\x08\0CS", 6));
+    bytes = ExampleDicom::FileOf(ExampleDicom::DataSet().AddBytes(bytes.substr(start)),
+      "1.2.840.10008.1.2.1.99");
+  }
+  const auto goOn = [](double) { return true; };
+  DicomAccess access = AccessInMemory(folder);
+  std::size_t greatest = 0;
+  access.Inflate = [&greatest](const std::string& packed, std::size_t most)
+  {
+    greatest = most;
+    return packed;
+  };
+  const DicomFolder found = ReadDicomFolder("folder", folder.Names, access, goOn);
+  EXPECT_EQ(ChooseDicomVolume(found, "").Frames.size(), 4U);
+  EXPECT_EQ(greatest, std::size_t(1) << 30);
+  access.Inflate = [](const std::string&, std::size_t) -> std::string { throw std::bad_alloc(); };
+  ExpectRefusal(ReadDicomFolder("folder", folder.Names, access, goOn), { "not enough memory" });
+}
+
+TEST(DicomVolumes, TheSearchForTheSameSliceCanBeStopped)
+{
+  ExampleFolder folder;
+  folder.AddSeries("a", 4);
+  folder.Add("copy.dcm", folder.Bytes[2]);
+  const DicomAccess access = AccessInMemory(folder);
+  const auto stop = [](double fraction) { return fraction < 1; };
+  EXPECT_TRUE(ReadDicomFolder("folder", folder.Names, access, stop).Name.empty());
+}
+
+TEST(DicomVolumes, CompressedPixelsOfMoreBitsThanTheFileSays)
+{
+  // Lossless JPEG up to its scan: 16 bits, of which the file stores 12.
+  const std::string stream("\xFF\xD8\xFF\xC4\x00\x04\x00\x00\xFF\xC3\x00\x0B\x10\x00\x03\x00"
+                           "\x04\x01\x01\x11\x00\xFF\xDA\x00\x08\x01\x01\x00\x01\x00\x00",
+    31);
+  ExampleFolder folder;
+  for (int slice = 0; slice < 2; ++slice)
+  {
+    ExampleDicom::Options options;
+    options.IsSigned = 0;
+    options.Stored = 12;
+    options.Instance += std::to_string(slice);
+    options.Position = "0\\0\\" + std::to_string(3 * slice);
+    options.Fragments = { "", stream + " " };
+    folder.Add("a" + std::to_string(slice),
+      ExampleDicom::FileOf(ExampleDicom::Slice(options), "1.2.840.10008.1.2.4.70"));
+  }
+  DicomAccess access = AccessInMemory(folder);
+  int value = 4095;
+  access.Decode = [&value](const std::string&)
+  { return ExampleDicom::Shorts(std::vector<int>(12, value)); };
+  const auto goOn = [](double) { return true; };
+  const DicomFolder found = ReadDicomFolder("folder", folder.Names, access, goOn);
+  const DicomVolume& volume = ChooseDicomVolume(found, "");
+  std::vector<std::uint16_t> voxels(24);
+  ReadDicomVoxels(found, volume, access, voxels.data(), goOn);
+  EXPECT_EQ(voxels, std::vector<std::uint16_t>(24, 4095));
+  value = 5000;
+  try
+  {
+    ReadDicomVoxels(found, volume, access, voxels.data(), goOn);
+    ADD_FAILURE() << "read as " << voxels.front();
+  }
+  catch (const FileProblem& problem)
+  {
+    ExpectWords(problem.what(), { "'a0'", "12 of its BitsStored", "Export" });
+  }
 }
 
 TEST(DicomVolumes, TheGreatestSeriesUnlessToldOtherwise)

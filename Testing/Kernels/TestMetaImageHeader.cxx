@@ -21,9 +21,9 @@ VolumeFileHeader ReadMetaImage(const std::string& bytes)
 
 TEST(MetaImageHeader, EachRowOfTheMatrixIsAnAxis)
 {
-  const VolumeFileHeader header =
-    ReadMetaImage(MetaImageFile("ElementSpacing = 2 1.5 3\nOffset = 10 20 30\n"
-                                "TransformMatrix = 0 1 0 0 0.6 0.8 1 0 0\n"));
+  const VolumeFileHeader header = ReadMetaImage(
+    MetaImageFile("BinaryDataByteOrderMSB = False\nElementSpacing = 2 1.5 3\nOffset = 10 20 30\n"
+                  "TransformMatrix = 0 1 0 0 0.6 0.8 1 0 0\n"));
   EXPECT_TRUE(header.Warnings.empty());
   EXPECT_TRUE(header.Geometry.ToPhysical(Eigen::Vector3d(1, 0, 0))
                 .isApprox(Eigen::Vector3d(10, 22, 30), 1e-12));
@@ -42,9 +42,70 @@ TEST(MetaImageHeader, OtherNamesOfFields)
   EXPECT_TRUE(header.Storage.IsBigEndian);
 }
 
-TEST(MetaImageHeader, WithoutAVoxelSizeThereIsAWarning)
+void ExpectMetaImageRefusal(const std::string& bytes, const std::string& word)
 {
-  EXPECT_EQ(ReadMetaImage(MetaImageFile("")).Warnings.size(), 1);
+  try
+  {
+    ReadMetaImage(bytes);
+    FAIL() << "not refused: " << word;
+  }
+  catch (const FileProblem& problem)
+  {
+    EXPECT_NE(std::string(problem.what()).find(word), std::string::npos) << problem.what();
+  }
+}
+
+TEST(MetaImageHeader, OneWarningSaysAllThatWasTaken)
+{
+  struct Field
+  {
+    std::string Line;
+    std::string Taken;
+  };
+  const std::vector<Field> fields{ { "ElementSpacing = 2 2 2\n", "1 mm was taken" },
+    { "TransformMatrix = 1 0 0 0 1 0 0 0 1\n", "left, posterior and superior were taken" },
+    { "Offset = 1 2 3\n", "the origin was taken" },
+    { "ElementByteOrderMSB = False\n", "the least significant first was taken" } };
+  for (unsigned int left = 0; left < 16; ++left)
+  {
+    std::string lines;
+    for (std::size_t index = 0; index < fields.size(); ++index)
+    {
+      lines += (left >> index & 1) ? "" : fields[index].Line;
+    }
+    const std::vector<std::string> warnings = ReadMetaImage(MetaImageFile(lines)).Warnings;
+    ASSERT_EQ(warnings.size(), left ? 1 : 0);
+    for (std::size_t index = 0; left && index < fields.size(); ++index)
+    {
+      EXPECT_EQ(warnings[0].find(fields[index].Taken) != std::string::npos,
+        (left >> index & 1) == 1)
+        << warnings[0];
+    }
+  }
+  std::string bytes = MetaImageFile(fields[0].Line + fields[1].Line + fields[2].Line);
+  bytes.replace(bytes.find("MET_SHORT"), 9, "MET_UCHAR"); // has no order of bytes
+  EXPECT_TRUE(ReadMetaImage(bytes).Warnings.empty());
+}
+
+TEST(MetaImageHeader, NegativeSpacingsAreRefused)
+{
+  ExpectMetaImageRefusal(MetaImageFile("ElementSpacing = 2 -2 2\n"),
+    "ElementSpacing is negative, but a spacing must be positive");
+}
+
+TEST(MetaImageHeader, ScaledVoxels)
+{
+  const VolumeFileHeader header =
+    ReadMetaImage(MetaImageFile("ElementToIntensityFunctionSlope = 0.5\n"
+                                "ElementToIntensityFunctionOffset = -1024\n"));
+  EXPECT_EQ(header.Slope, 0.5);
+  EXPECT_EQ(header.Intercept, -1024);
+  EXPECT_EQ(header.ValueType(), VoxelType::Float32);
+  EXPECT_FALSE(ReadMetaImage(MetaImageFile("ElementToIntensityFunctionSlope = 1\n")).IsScaled());
+  ExpectMetaImageRefusal(MetaImageFile("ElementToIntensityFunctionSlope = 0\n"),
+    "ElementToIntensityFunctionSlope is 0");
+  ExpectMetaImageRefusal(MetaImageFile("ElementToIntensityFunctionOffset = nan\n"),
+    "ElementToIntensityFunctionOffset is nan");
 }
 
 TEST(MetaImageHeader, WhereVoxelsAre)
@@ -57,6 +118,8 @@ TEST(MetaImageHeader, WhereVoxelsAre)
   EXPECT_EQ(other.Files.front(), "image.raw");
   EXPECT_EQ(other.Offset, 100);
   EXPECT_TRUE(ReadMetaImage(MetaImageFile("HeaderSize = -1\n", "image.raw")).Storage.IsAtEnd);
+  ExpectMetaImageRefusal(MetaImageFile("HeaderSize = -1\nCompressedData = True\n", "image.zraw"),
+    "HeaderSize is -1");
   EXPECT_EQ(ReadMetaImage(MetaImageFile("BinaryData = False\n")).Storage.Form,
     VoxelStorage::Coding::Text);
   EXPECT_EQ(ReadMetaImage(MetaImageFile("", "LIST\na.raw\nb.raw\nc.raw")).Storage.Files[2],

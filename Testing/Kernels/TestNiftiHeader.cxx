@@ -234,6 +234,19 @@ TEST(NiftiHeader, ScalesThatMeanNone)
   ExpectNiftiRefusal(NiftiWith(NiftiWith(UprightFile(), 112, 2.F), 116, NiftiNaN), "scl_inter");
 }
 
+TEST(NiftiHeader, AScaleThatAnalyzeDoesNotHaveIsAWarning)
+{
+  std::string analyze = UprightFile();
+  analyze.replace(344, 3, 3, '\0');
+  for (const float none : { 0.F, 1.F, NiftiNaN })
+  {
+    EXPECT_FALSE(NiftiSays(NiftiWarnings(NiftiWith(analyze, 112, none)), "scale"));
+  }
+  const std::string scaled = NiftiWith(analyze, 112, 0.5F);
+  EXPECT_TRUE(NiftiSays(NiftiWarnings(scaled), "the scale 0.5, as SPM writes it"));
+  EXPECT_FALSE(ReadNifti(scaled).IsScaled());
+}
+
 TEST(NiftiHeader, VoxelsNeverBeginWithinTheHeader)
 {
   for (const float offset : { 0.F, 348.F, 352.F })

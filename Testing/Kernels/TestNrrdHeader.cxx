@@ -65,7 +65,18 @@ TEST(NrrdHeader, WhatIsNotSaidIsAWarning)
   EXPECT_EQ(ReadNrrd(NrrdFile("space: scanner-xyz\n" + NrrdDirections)).Warnings.size(), 1);
   EXPECT_EQ(ReadNrrd(NrrdFile("space dimension: 3\n" + NrrdDirections)).Warnings.size(), 1);
   EXPECT_EQ(ReadNrrd(NrrdFile("spacings: 2 1.5 3")).Warnings.size(), 1);
-  EXPECT_EQ(ReadNrrd(NrrdFile("# nothing")).Warnings.size(), 2);
+  const std::vector<std::string> nothing = ReadNrrd(NrrdFile("# nothing")).Warnings;
+  ASSERT_EQ(nothing.size(), 1);
+  for (const std::string taken :
+    { "1 mm was taken", "left, posterior", "and where its first voxel" })
+  {
+    EXPECT_NE(nothing[0].find(taken), std::string::npos) << nothing[0];
+  }
+  const std::string space = "space: LPS\nspace directions: (2,0,0) (0,1.5,0) (0,0,3)\n";
+  const std::vector<std::string> warnings = ReadNrrd(NrrdFile(space)).Warnings;
+  ASSERT_EQ(warnings.size(), 1);
+  EXPECT_EQ(warnings[0],
+    "'image.nrrd' does not say where its first voxel is (the origin was taken).");
   EXPECT_EQ(ReadNrrd(NrrdFile("spacings: 2 1.5 3")).Geometry.Spacing, Eigen::Vector3d(2, 1.5, 3));
   std::string bytes = NrrdFile(NrrdDirections);
   bytes.erase(bytes.find("endian"), std::string("endian: little\n").size());
@@ -110,6 +121,64 @@ TEST(NrrdHeader, AxesThatAreNotOfSpace)
   EXPECT_EQ(layers.Pairs.at("Segment0_Name"), "a: b := c");
 }
 
+TEST(NrrdHeader, LayersBetweenAxesOfSpaceAreRefused)
+{
+  const std::string last =
+    "space: left-posterior-superior\nspace directions: (2,0,0) (0,1,0) (0,0,3) none\n"
+    "Segment0_ID:=Segment_1";
+  const VolumeFileHeader header = ReadNrrd(NrrdFile(last, "dimension: 4\nsizes: 5 4 6 2"));
+  EXPECT_EQ(header.Layers.Count, 2);
+  EXPECT_FALSE(header.Layers.AreInterleaved);
+  const std::string between =
+    "space: left-posterior-superior\nspace directions: (2,0,0) none (0,1,0) (0,0,3)\n"
+    "Segment0_ID:=Segment_1";
+  ExpectNrrdRefusal(NrrdFile(between, "dimension: 4\nsizes: 5 2 4 6"),
+    "space directions puts the layers of segments between");
+  EXPECT_NO_THROW(ReadNrrd(NrrdFile(between, "dimension: 4\nsizes: 5 1 4 6")));
+}
+
+TEST(NrrdHeader, SpacingsAlongTheAxesOfASpace)
+{
+  const VolumeFileHeader header =
+    ReadNrrd(NrrdFile("space: RAS\nspacings: 2 1.5 3\nspace origin: (10,20,30)"));
+  EXPECT_EQ(header.Geometry.Origin, Eigen::Vector3d(-10, -20, 30));
+  EXPECT_TRUE(header.Geometry.ToPhysical(Eigen::Vector3d(1, 1, 1))
+                .isApprox(Eigen::Vector3d(-12, -21.5, 33), 1e-12));
+  ASSERT_EQ(header.Warnings.size(), 1);
+  EXPECT_NE(header.Warnings[0].find("along the axes of the space"), std::string::npos);
+  ExpectNrrdRefusal(NrrdFile("spacings: 2 -1.5 3"),
+    "spacings is negative, but a spacing must be positive");
+}
+
+TEST(NrrdHeader, BoundsOfAxesAreRefused)
+{
+  ExpectNrrdRefusal(NrrdFile("spacings: 2 1.5 3\naxis mins: 0 0 7"), "axis mins places");
+  ExpectNrrdRefusal(NrrdFile("axismaxs: 0 0 7"), "axis maxs places");
+  EXPECT_NO_THROW(ReadNrrd(NrrdFile("spacings: 2 1.5 3\naxis mins: NaN nan NaN")));
+  EXPECT_NO_THROW(ReadNrrd(NrrdFile("space: LPS\n" + NrrdDirections + "axis mins: NaN NaN NaN")));
+}
+
+TEST(NrrdHeader, ColonsInKeysAndFieldsWithoutBlanks)
+{
+  const VolumeFileHeader header = ReadNrrd(
+    NrrdFile("spacings:2 1.5 3\ncontent: a := b\nDICOM:a:=1\nhttp://a:=2\ntype:of scan:=CT\n"
+             "endian:=x\nunknown: y\nlabels:"));
+  const std::map<std::string, std::string> pairs{ { "DICOM:a", "1" }, { "http://a", "2" },
+    { "type:of scan", "CT" }, { "endian", "x" } };
+  EXPECT_EQ(header.Pairs, pairs);
+  EXPECT_EQ(header.Geometry.Spacing, Eigen::Vector3d(2, 1.5, 3));
+  ExpectNrrdRefusal(NrrdFile("unknown:y"), "not valid NRRD");
+}
+
+TEST(NrrdHeader, PairsAreUtf8)
+{
+  const VolumeFileHeader header =
+    ReadNrrd(NrrdFile("spacings: 1 1 1\nlatin:=caf\xE9\nutf:=caf\xC3\xA9\nk\xE9y:=v"));
+  EXPECT_EQ(header.Pairs.at("latin"), "caf\xC3\xA9");
+  EXPECT_EQ(header.Pairs.at("utf"), "caf\xC3\xA9");
+  EXPECT_EQ(header.Pairs.at("k\xC3\xA9y"), "v");
+}
+
 TEST(NrrdHeader, LongLinesAndColonsInKeysAreText)
 {
   const std::string space = "space: left-posterior-superior\n" + NrrdDirections;
@@ -141,6 +210,12 @@ TEST(NrrdHeader, WhereVoxelsAre)
   EXPECT_TRUE(storage("byte skip: -1").IsAtEnd);
   EXPECT_EQ(storage("line skip: 2\nbyte skip: 7").Skipped, 7);
   EXPECT_EQ(storage("line skip: 2\nbyte skip: 7").Lines, 2);
+  for (const std::string encoding : { "gzip", "text", "hex" })
+  {
+    std::string bytes = NrrdFile("spacings: 1 1 1\nbyte skip: -1");
+    bytes.replace(bytes.find("raw"), 3, encoding);
+    ExpectNrrdRefusal(bytes, "byte skip is -1");
+  }
 }
 
 } // namespace

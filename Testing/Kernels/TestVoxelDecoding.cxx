@@ -63,6 +63,11 @@ TEST(VoxelDecoding, Digits)
   DecodeDigits(header, "1 20,\n255 ", values);
   EXPECT_EQ(values[2], 255);
   EXPECT_THROW(DecodeDigits(header, "1 20", values), FileProblem);
+  header.Slope = 0.5;
+  float scaled[3];
+  DecodeDigits(header, "1 20 255", scaled);
+  EXPECT_EQ(scaled[2], 127.5F);
+  header.Slope = 1;
   EXPECT_THROW(DecodeDigits(header, "1 20 256", values), FileProblem);
   EXPECT_THROW(DecodeDigits(header, "1 20 2.5", values), FileProblem);
   EXPECT_THROW(DecodeDigits(header, "1 20 " + std::string(500, '7'), values), FileProblem);
@@ -95,6 +100,8 @@ TEST(VoxelDecoding, FilesThatAreMissingOrTooSmall)
   EXPECT_NE(reason({ 199 }).find("'a.raw' holds fewer voxels"), std::string::npos);
   EXPECT_NE(reason({ MissingFile }).find("'a.raw' is missing"), std::string::npos);
   EXPECT_NE(reason({ IrregularFile }).find("not a regular file"), std::string::npos);
+  header.Storage.Files = { "caf\xE9.raw" }; // in Latin-1; messages are in UTF-8
+  EXPECT_NE(reason({ MissingFile }).find("'caf\xC3\xA9.raw' is missing"), std::string::npos);
   header.Storage.Files = { "a.raw", "b.raw", "c.raw" };
   EXPECT_NE(reason({ 100, 100, 100 }).find("3 files"), std::string::npos);
   header.Storage.Files = { "image.nii.gz" };

@@ -152,7 +152,7 @@ public:
   std::string Peek(std::uint32_t length)
   {
     const std::uint64_t start = this->At;
-    const std::string bytes =
+    std::string bytes =
       this->Read(static_cast<std::uint32_t>(std::min<std::uint64_t>(length, this->End - this->At)));
     this->MoveTo(start);
     return bytes;

@@ -10,6 +10,9 @@ namespace
 /// Longer ones are no measures of the body.
 constexpr double GreatestDicomLength = 1e6; // mm
 
+/// Every frame holds its keys, so that long ones of many frames would fill the memory.
+constexpr std::size_t LongestKey = 256;
+
 /// In the order of DicomFrame::Keys.
 constexpr std::uint32_t TellingTags[] = { DicomTag::StackID, DicomTag::TemporalPositionIndex,
   DicomTag::TemporalPositionIdentifier, DicomTag::AcquisitionNumber,
@@ -102,14 +105,15 @@ std::string ReadOffsets(const DicomDataSet& data, std::vector<double>& offsets)
     }
     return {};
   }
-  if (distances.empty() && spacing.size() == 1 && !isBySlice)
+  const bool isBySpacing = !known.Has(DicomTag::GridFrameOffsetVector) && spacing.size() == 1;
+  if (isBySpacing && !isBySlice)
   {
     return "counts its " + std::to_string(frames) +
       " frames by other things than slices (FrameIncrementPointer), such as times, energies or "
       "detectors, so their places in the patient are unknown. Export it as an enhanced image, or "
       "choose another series";
   }
-  if (!distances.empty() || spacing.size() != 1 || (!slices.empty() && slices.size() != frames))
+  if (!isBySpacing || (!slices.empty() && slices.size() != frames))
   {
     return "does not say where its " + std::to_string(frames) +
       " frames lie in the patient. Export it as an enhanced image, or choose another series";
@@ -228,7 +232,7 @@ std::vector<DicomFrame> DicomFramesOf(const DicomDataSet& data, std::size_t file
     frame.Format = format;
     frame.IsLocalizer = isLocalizer;
     frame.HasPosition = !data.TextOf(DicomTag::ImagePositionPatient, number).empty();
-    frame.Instance = data.Attributes.Text(DicomTag::SOPInstanceUID);
+    frame.Instance = data.Attributes.Text(DicomTag::SOPInstanceUID).substr(0, LongestKey);
     for (const auto read : { ReadSpacing, ReadAxes, ReadPosition, ReadStorage, ReadRescale })
     {
       if (frame.Problem.empty())
@@ -243,7 +247,7 @@ std::vector<DicomFrame> DicomFramesOf(const DicomDataSet& data, std::size_t file
     }
     for (const std::uint32_t tag : TellingTags)
     {
-      frame.Keys.push_back(data.TextOf(tag, number));
+      frame.Keys.push_back(data.TextOf(tag, number).substr(0, LongestKey));
     }
   }
   return frames;

@@ -118,10 +118,9 @@ std::uint64_t LeastCompressedSize(const std::string& syntax, const DicomPixelFor
       (64 + static_cast<std::uint64_t>(format.BitsAllocated / 8) * 2 * ((pixels + 127) / 128));
   }
   const std::string process = syntax.substr(syntax.find_last_of('.') + 1);
-  constexpr std::uint64_t lossless = 8; // one bit for each pixel
-  constexpr std::uint64_t lossy = 256;  // two bits for each block of 64
-  constexpr std::uint64_t others =
-    16384; // no bound, but blank slices of 1024 x 1024 take 100 bytes
+  constexpr std::uint64_t lossless = 8;   // one bit for each pixel
+  constexpr std::uint64_t lossy = 256;    // two bits for each block of 64
+  constexpr std::uint64_t others = 65536; // a blank slice of 2048 x 2048 takes 140 bytes
   const bool isLossless = process == "57" || process == "70";
   const bool isLossy = process == "50" || process == "51";
   return frames * pixels / (isLossless ? lossless : isLossy ? lossy : others);
@@ -153,7 +152,8 @@ bool UnpackRun(const std::string& packed, std::size_t begin, std::size_t end, st
   std::size_t done = 0;
   while (begin < end && done < count)
   {
-    const int control = static_cast<signed char>(packed[begin++]);
+    const auto byte = static_cast<unsigned char>(packed[begin++]);
+    const int control = byte < 128 ? byte : byte - 256;
     if (control == -128)
     {
       continue;

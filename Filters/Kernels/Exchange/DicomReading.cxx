@@ -118,11 +118,11 @@ public:
       {
         const std::string minimal = MinimalDicomFile(*this->Stream, file.Data);
         this->Decoded = minimal.empty() ? minimal : this->Access.Decode(minimal);
-        RequireStoredBits(file.Name, this->Decoded, frame.Format);
       }
       if (this->Decoded.size() == size * NumberOfDicomFrames(file.Data))
       {
         stored = this->Decoded.substr(size * frame.Number, size);
+        RequireStoredBits(file.Name, stored, frame.Format);
       }
     }
     if (stored.size() != size)

@@ -21,6 +21,7 @@ std::vector<double> PlacesAlongNormal(const std::vector<DicomFrame>& frames)
 {
   const Eigen::Vector3d normal = frames.front().Normal();
   std::vector<double> places;
+  places.reserve(frames.size());
   for (const DicomFrame& frame : frames)
   {
     places.push_back(normal.dot(frame.Position));

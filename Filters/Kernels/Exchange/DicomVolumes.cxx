@@ -413,19 +413,19 @@ private:
       }
     }
     volume.Type = values.Type();
-    const auto assumed = std::find_if(frames.begin(), frames.end(),
-      [](const DicomFrame& frame) { return !frame.Assumption.empty(); });
-    if (assumed != frames.end())
-    {
-      volume.Warning += (volume.Warning.empty() ? beginning : " ") + this->NameOf(*assumed) + " " +
-        assumed->Assumption + ".";
-    }
     if (volume.Modality == "CT" && !frames.front().HasRescale && volume.Warning.empty())
     {
       volume.Warning = beginning +
         "it has no RescaleSlope and RescaleIntercept; its gray values are taken as they are "
         "stored, "
         "which may not be Hounsfield units.";
+    }
+    const auto assumed = std::find_if(frames.begin(), frames.end(),
+      [](const DicomFrame& frame) { return !frame.Assumption.empty(); });
+    if (assumed != frames.end())
+    {
+      volume.Warning += (volume.Warning.empty() ? beginning : " ") + this->NameOf(*assumed) + " " +
+        assumed->Assumption + ".";
     }
   }
 

@@ -160,7 +160,7 @@ void ReadMetaImageScale(const TextFields& fields, VolumeFileHeader& header)
       *value = fields.Numbers(field, 1).front();
       if (!std::isfinite(*value) || header.Slope == 0)
       {
-        fields.Refuse(field, "is " + TextOf(*value) + ", which leaves nothing of the voxels");
+        fields.Refuse(field, "is " + TextOf(*value) + ", which gives the voxels no values");
       }
     }
   }

@@ -83,8 +83,8 @@ std::uint64_t NiftiOffset(const std::string& name, const NiftiFields& fields)
   return static_cast<std::uint64_t>(std::max(least, offset));
 }
 
-/// A slope of zero means none. So does what is no number, of which programs make use. Analyze has no
-/// scale, but SPM puts one in the same place.
+/// A slope of zero means none. So does what is no number, of which programs make use. Analyze has
+/// no scale, but SPM puts one in the same place.
 void ReadScale(const std::string& name, const NiftiFields& fields, VolumeFileHeader& header)
 {
   const double slope = fields.Slope();

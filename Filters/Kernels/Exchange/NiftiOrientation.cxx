@@ -58,7 +58,7 @@ bool CanBeInverted(const Affine& affine)
   const Eigen::Vector3d lengths = steps.colwise().norm();
   return affine.allFinite() && affine.cwiseAbs().maxCoeff() <= GreatestLength &&
     lengths.minCoeff() > LeastSpacing &&
-std::abs(steps.determinant()) > LeastDeterminant * lengths.prod();
+    std::abs(steps.determinant()) > LeastDeterminant * lengths.prod();
 }
 
 /// What makes the sform unusable.

@@ -34,11 +34,11 @@ struct NrrdText
 
 bool IsNrrdField(const std::string& name)
 {
-  static const std::set<std::string> fields{ "content", "number", "type", "block size",
-    "dimension", "space", "space dimension", "sizes", "spacings", "thicknesses", "axis mins",
-    "axis maxs", "space directions", "centerings", "kinds", "labels", "units", "min", "max",
-    "old min", "old max", "endian", "encoding", "line skip", "byte skip", "sample units",
-    "space units", "space origin", "measurement frame", "data file" };
+  static const std::set<std::string> fields{ "content", "number", "type", "block size", "dimension",
+    "space", "space dimension", "sizes", "spacings", "thicknesses", "axis mins", "axis maxs",
+    "space directions", "centerings", "kinds", "labels", "units", "min", "max", "old min",
+    "old max", "endian", "encoding", "line skip", "byte skip", "sample units", "space units",
+    "space origin", "measurement frame", "data file" };
   return fields.count(NrrdFieldOf(name)) > 0;
 }
 
@@ -203,7 +203,7 @@ VoxelLayers NrrdLayers(const std::string& name, const NrrdText& text, const Nrrd
     {
       if (!isFirst && axis < axes.OfSpace.back())
       {
-        text.Fields.Refuse("kinds",
+        text.Fields.Refuse(text.Fields.Has("kinds") ? "kinds" : "space directions",
           "puts the layers of segments between axes of space, but they must come first or last");
       }
       layers = { size, isFirst };
