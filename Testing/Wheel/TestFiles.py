@@ -203,6 +203,35 @@ class Files(FileTest):
         (self.folder / "members.nii.gz").write_bytes(gzip.compress(whole[:half]) + gzip.compress(whole[half:]))
         flipfree.read_image(self.folder / "members.nii.gz")
 
+    def test_padding_behind_a_compressed_file(self):
+        image = example(OBLIQUE)
+        flipfree.write_image(image, self.folder / "plain.nii.gz")
+        packed = (self.folder / "plain.nii.gz").read_bytes()
+        for padding in (bytes(1000), b"junk", b"\x1f"):
+            (self.folder / "padded.nii.gz").write_bytes(packed + padding)
+            with self.subTest(padding=padding[:4]):
+                self.assert_same(flipfree.read_image(self.folder / "padded.nii.gz"), image)
+
+    def write_nrrd(self, name, fields, voxels=bytes(120)):
+        path = self.folder / name
+        path.write_bytes(b"NRRD0005\ntype: uint8\ndimension: 3\nsizes: 4 5 6\nencoding: raw\nspace: LPS\n"
+                         b"space directions: (1,0,0) (0,1,0) (0,0,1)\nspace origin: (0,0,0)\n" + fields + b"\n\n" + voxels)
+        return path
+
+    def test_text_in_any_encoding(self):
+        path = self.write_nrrd("latin.nrrd", b"name:=caf\xe9")
+        self.assertEqual(flipfree.read_image(path).voxels.shape, (6, 5, 4))
+        path = self.write_nrrd("latin.nhdr", b"data file: caf\xe9.raw", b"")
+        with self.assertRaisesRegex(flipfree.FileError, "caf\xe9.raw' is missing"):
+            flipfree.read_image(path)
+        (self.folder / os.fsdecode(b"caf\xe9.raw")).write_bytes(bytes(120))
+        self.assertEqual(flipfree.read_image(path).voxels.shape, (6, 5, 4))
+
+    def test_more_lines_than_there_are(self):
+        path = self.write_nrrd("lines.nrrd", b"line skip: 2000000000")
+        with self.assertRaisesRegex(flipfree.FileError, "fewer voxels"):
+            flipfree.read_image(path)
+
     def test_simpleitk_may_be_missing(self):
         program = ("import sys; sys.modules['SimpleITK'] = None; import flipfree\n"
                    "try: flipfree.read_image('.')\nexcept flipfree.FileError as error: print(error)")

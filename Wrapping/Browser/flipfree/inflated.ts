@@ -9,7 +9,7 @@ const hasMark = (bytes: Uint8Array, at: number): boolean => bytes[at] === 0x1f &
 
 /** What pako keeps of a stream, beyond its declared types. */
 interface PakoStream {
-  strm: { next_in: number; avail_in: number; total_in: number; output: Uint8Array; next_out: number };
+  strm: { next_in: number; avail_in: number; total_in: number; output: Uint8Array; next_out: number; avail_out: number };
 }
 
 /** Reads a file from its beginning on, a part at a time. */
@@ -89,6 +89,7 @@ export class InflatedFile {
     const stream = new Inflate();
     stream.onData = (part) => this.keep(part as Uint8Array);
     stream.onEnd = (status) => {
+      stream.err = status as typeof stream.err;
       this.hasEnded = status === 0;
     };
     this.hasEnded = false;
@@ -125,8 +126,11 @@ export class InflatedFile {
   private endAtPadding(inflate: Inflate, part: Uint8Array): void {
     const { strm } = inflate as unknown as PakoStream;
     const begin = strm.next_in - strm.total_in; // of the last member, if it is in this part
-    if (inflate.err !== 0 && begin > 0 && !hasMark(part, begin)) {
-      this.keep(strm.output.subarray(0, strm.next_out));
+    const isCut = begin + 1 === part.length && this.place < this.file.size; // in the middle of a mark
+    if (begin > 0 && !isCut && !hasMark(part, begin)) {
+      if (inflate.err !== 0 || strm.avail_out > 0) {
+        this.keep(strm.output.subarray(0, strm.next_out));
+      }
       inflate.err = 0;
       this.hasEnded = true;
       this.place = this.file.size;
