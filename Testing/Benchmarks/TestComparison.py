@@ -122,7 +122,8 @@ class RunMethod(unittest.TestCase):
     @classmethod
     def write(cls, name, is_inside):
         path = os.path.join(cls.folder, name)
-        header = ("ObjectType = Image\nNDims = 3\nDimSize = 32 32 32\nElementSpacing = 2 2 2\n"
+        header = ("ObjectType = Image\nNDims = 3\nDimSize = 32 32 32\nElementSpacing = 2 2 2\nOffset = 0 0 0\n"
+                  "TransformMatrix = 1 0 0 0 1 0 0 0 1\n"
                   "ElementType = MET_UCHAR\nElementDataFile = LOCAL\n")
         with open(path, "wb") as file:
             file.write(header.encode())

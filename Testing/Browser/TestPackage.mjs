@@ -443,7 +443,7 @@ test("files are read as the command reads them", async () => {
 
   // A header and its voxels.
   const grid = { ...phantom.image };
-  write("pair.mhd", `ObjectType = Image\nNDims = 3\nDimSize = ${grid.size.join(" ")}\nElementSpacing = ${grid.spacing.join(" ")}\n`
+  write("pair.mhd", `ObjectType = Image\nNDims = 3\nDimSize = ${grid.size.join(" ")}\nElementSpacing = ${grid.spacing.join(" ")}\nTransformMatrix = 1 0 0 0 1 0 0 0 1\nBinaryDataByteOrderMSB = False\n`
     + `Offset = ${grid.origin.join(" ")}\nElementType = MET_SHORT\nElementDataFile = pair.raw\n`);
   write("pair.raw", Buffer.from(grid.voxels.buffer));
   const pair = await opened("pair.raw", "pair.mhd");

@@ -283,7 +283,7 @@ class TestBadInput(command.CommandTest):
 
     def test_libraries_are_quiet(self):
         """ITK's library prints a line about voxels that cannot be inflated, in a thread of its own."""
-        header = ("ObjectType = Image\nNDims = 3\nBinaryData = True\nCompressedData = True\nElementSpacing = 1 1 1\n"
+        header = ("ObjectType = Image\nNDims = 3\nOffset = 0 0 0\nTransformMatrix = 1 0 0 0 1 0 0 0 1\nBinaryData = True\nCompressedData = True\nElementSpacing = 1 1 1\n"
                   "DimSize = 20 20 20\nElementType = MET_UCHAR\nElementDataFile = LOCAL\n").encode()
         for index in range(10):
             name = self.input(f"broken{index}.mha", header + zlib.compress(bytes(8000))[:2] + bytes(1000))
@@ -291,7 +291,7 @@ class TestBadInput(command.CommandTest):
 
     def test_inputs_that_never_end(self):
         # A stream that asks for a dictionary, which ITK's MetaImage library would wait for.
-        asking = self.input("asking.mha", b"ObjectType = Image\nNDims = 3\nBinaryData = True\nCompressedData = True\n"
+        asking = self.input("asking.mha", b"ObjectType = Image\nNDims = 3\nOffset = 0 0 0\nTransformMatrix = 1 0 0 0 1 0 0 0 1\nBinaryData = True\nCompressedData = True\n"
                             b"ElementSpacing = 1 1 1\nDimSize = 20 20 20\nElementType = MET_UCHAR\n"
                             b"ElementDataFile = LOCAL\nx " + bytes(1000))
         self.assert_refused(command.run("evaluate", asking, self.truth), 1, f"'{asking}'", "damaged")
@@ -299,7 +299,7 @@ class TestBadInput(command.CommandTest):
     def test_texts_of_any_length(self):
         """ITK's MetaImage library copied them into buffers of fixed size."""
         voxels = b"ElementDataFile = LOCAL\n" + bytes(8000)
-        long = self.input("long.mha", b"ObjectType = Image" + 300 * b" 0" + b"\nNDims = 3\nElementSpacing = 1 1 1\n"
+        long = self.input("long.mha", b"ObjectType = Image" + 300 * b" 0" + b"\nNDims = 3\nOffset = 0 0 0\nTransformMatrix = 1 0 0 0 1 0 0 0 1\nElementSpacing = 1 1 1\n"
                           b"DimSize = 20 20 20\nElementType = MET_UCHAR\n" + voxels)
         self.assert_refused(command.run("evaluate", long, self.truth), 1, f"'{long}'", "spacings")
 

@@ -17,7 +17,7 @@ def write_volume(name, organ, noise, offset=0):
     """A MetaImage of short integers."""
     values = (100 * organ + noise * numpy.random.default_rng(1).normal(size=organ.shape)).astype("<i2")
     with open(name, "wb") as file:
-        file.write(("ObjectType = Image\nNDims = 3\nBinaryData = True\nBinaryDataByteOrderMSB = False\n"
+        file.write(("ObjectType = Image\nNDims = 3\nBinaryData = True\nBinaryDataByteOrderMSB = False\nTransformMatrix = 1 0 0 0 1 0 0 0 1\n"
                     f"Offset = {offset} 0 0\nElementSpacing = 1 1 1\n"
                     f"DimSize = {' '.join(map(str, organ.shape[::-1]))}\n"
                     "ElementType = MET_SHORT\nElementDataFile = LOCAL\n").encode())

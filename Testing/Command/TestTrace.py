@@ -108,6 +108,7 @@ class TestTrace(command.CommandTest):
         size = " ".join(map(str, voxels.shape[::-1]))
         with open(path, "wb") as file:
             file.write(f"ObjectType = Image\nNDims = 3\nDimSize = {size}\nElementSpacing = {SPACING} {SPACING} {SPACING}\n"
+                       "Offset = 0 0 0\nTransformMatrix = 1 0 0 0 1 0 0 0 1\nBinaryDataByteOrderMSB = False\n"
                        "ElementType = MET_SHORT\nElementDataFile = LOCAL\n".encode())
             file.write(voxels.astype("<i2").tobytes())
         return path
