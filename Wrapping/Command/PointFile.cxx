@@ -189,8 +189,9 @@ MarkupsFrame FrameOf(const Json& list)
 /// 3D Slicer also saves points that are yet to be placed, with or without a position.
 bool IsPlaced(const Json& control)
 {
-  return control.value("positionStatus", Json("defined")) == "defined" &&
-    control.at("position") != "";
+  const Json& position = control.at("position");
+  const bool isEmpty = position.is_string() && position.get<std::string>().empty();
+  return control.value("positionStatus", Json("defined")) == "defined" && !isEmpty;
 }
 
 std::string LabelOf(const Json& control)
