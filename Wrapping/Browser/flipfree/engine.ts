@@ -207,9 +207,9 @@ export class Engine {
   }
 
   /** The volume in a file, in a header and the files that it names, or in DICOM files. */
-  readVolume(files: readonly NamedFile[], series = "", report: Report = goOn): Promise<OpenedVolume> {
+  async readVolume(files: readonly NamedFile[], series = "", report: Report = goOn): Promise<OpenedVolume> {
     const checked = <T>(answer: Answer<T>) => this.checked(answer);
-    return hasVolumeFile(files)
+    return (await hasVolumeFile(files))
       ? readVolume(this.kernels, files, checked, report)
       : readSeries(this.kernels, files, series, checked, report);
   }

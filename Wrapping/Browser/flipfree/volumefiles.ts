@@ -64,9 +64,14 @@ function besides(files: readonly NamedFile[], header: NamedFile, name: string): 
 
 const volumeEndings = /\.(nii|nii\.gz|hdr|hdr\.gz|img|img\.gz|nrrd|nhdr|mha|mhd)$/i;
 
-/** Whether a volume is in one of the files, by their names; else they are DICOM, which has none. */
-export function hasVolumeFile(files: readonly NamedFile[]): boolean {
-  return files.some(({ name }) => volumeEndings.test(name));
+/** Whether a volume is in one of the files, by their names; DICOM files have none that tells. A file alone that is not DICOM can
+ * be nothing else. */
+export async function hasVolumeFile(files: readonly NamedFile[]): Promise<boolean> {
+  if (files.some(({ name }) => volumeEndings.test(name))) {
+    return true;
+  }
+  const mark = files.length === 1 ? await files[0].data.slice(128, 132).text() : "DICM";
+  return mark !== "DICM";
 }
 
 /** The volume that one of the files is the header of. Throws a FlipFreeError for what is none. */

@@ -82,7 +82,7 @@ nb::list HistoryList(std::vector<Iteration>& history)
   return surfaces;
 }
 
-nb::dict Segment(const Voxels& voxels, const Triple& spacing, const Triple& origin,
+nb::dict SegmentOrgan(const Voxels& voxels, const Triple& spacing, const Triple& origin,
   const Nine& direction, const Triple& center, double radius, const std::optional<Start>& start,
   const std::optional<LabelMap>& labels, int label, const std::vector<ConstraintRow>& rows,
   const Settings& settings, const nb::callable& report)
@@ -205,7 +205,7 @@ void BindSegmentation(nb::module_& module)
   BindSettings<Settings>(module, "SegmentationSettings", &SegmentationParameters)
     .def(nb::new_(&SettingsOf), nb::arg("preset"));
   module.def("comments_on", &CommentsOn, nb::arg("provenance"));
-  module.def("segment", &Segment, nb::arg("voxels").noconvert(), nb::arg("spacing"),
+  module.def("segment", &SegmentOrgan, nb::arg("voxels").noconvert(), nb::arg("spacing"),
     nb::arg("origin"), nb::arg("direction"), nb::arg("center"), nb::arg("radius"),
     nb::arg("start").none(), nb::arg("labels").none(), nb::arg("label"), nb::arg("constraints"),
     nb::arg("settings"), nb::arg("report"));
