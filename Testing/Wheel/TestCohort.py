@@ -161,7 +161,7 @@ class Local(CohortTest):
         good = self.rows(1, reference="truth.nii.gz", reference_label=1, comment="kept, as it is")
         bad = {
             "gone": ({"volume": "gone.nii.gz"}, r"'.*gone\.nii\.gz' does not exist"),
-            "text": ({"volume": "table.csv"}, r"The file extension of '.*table\.csv' is not supported"),
+            "text": ({"volume": "table.csv"}, r"The format of '.*table\.csv' is unknown"),
             "away": ({"seed_x": 900}, r"No segmentation: the seed's center \(900, .*lies outside"),
             "word": ({"radius": "big"}, "radius: a number is needed, not 'big'"),
             "none": ({"seed_y": ""}, "seed_y: the cell is empty"),
@@ -175,7 +175,7 @@ class Local(CohortTest):
                                  capture_output=True, text=True, timeout=300, check=False)
         self.assertRegex(process.stdout, r"\A11 rows: 2 segmented, 0 kept, 9 failed; \d+\.\d s; see .*report\.html\n\Z")
         self.assertRegex(process.stderr, r"\Aflipfree: error: row 3: '.*gone\.nii\.gz' does not exist.*\n"
-                         r"flipfree: error: row 4: The file extension of .*\nflipfree: error: row 5: No segmentation: .*\n"
+                         r"flipfree: error: row 4: The format of .*\nflipfree: error: row 5: No segmentation: .*\n"
                          r"flipfree: error: 9 of 11 rows failed\. Their messages are in .*csv'.*\.\n\Z")
         self.assertEqual(process.returncode, 1)
         found = list(csv.DictReader((self.out / "cohort.csv").read_text(encoding="utf-8").splitlines()))

@@ -229,7 +229,7 @@ class Work(unittest.TestCase):
                                 ("ModuleNotFoundError('No module', name='other')", r"cannot be loaded \(No module\): install it anew"),
                                 ("ModuleNotFoundError('No module', name='SimpleITK')", "which is not installed: pip install")):
             (package / "__init__.py").write_text(f"raise {raised}")
-            process = run("segment", self.volume, *self.seed, "-o", self.folder / "never.stl",
+            process = run("segment", self.volume, *self.seed, "-o", self.folder / "never.stl", "--labels", self.folder / "never.mha",
                           env={**os.environ, "PYTHONPATH": str(package.parent)})
             with self.subTest(raised):
                 self.assertEqual(process.returncode, 1)
