@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import zlib
+from typing import Any
 
 from . import _kernels
 from ._errors import FileError
@@ -20,7 +21,7 @@ class InflatedFile:
         self.name = name
         self._file = open(path, "rb")
         self._file.seek(offset)
-        self._inflating = zlib.decompressobj(zlib.MAX_WBITS + 32) if packed else None
+        self._inflating: Any = zlib.decompressobj(zlib.MAX_WBITS + 32) if packed else None
         self._packed = b""
 
     def __enter__(self) -> InflatedFile:
@@ -85,7 +86,7 @@ class InflatedFile:
                 self._inflating = zlib.decompressobj(zlib.MAX_WBITS + 32)
             ended = not self._packed
             try:
-                part = self._inflating.decompress(self._packed, min(size, CHUNK))
+                part: bytes = self._inflating.decompress(self._packed, min(size, CHUNK))
             except zlib.error:
                 raise self.broken() from None
             self._packed = self._inflating.unconsumed_tail or self._inflating.unused_data
@@ -96,4 +97,4 @@ class InflatedFile:
 def is_packed(path: str) -> bool:
     """Whether the file begins with the mark of gzip."""
     with open(path, "rb") as file:
-        return file.read(2) == _kernels.PACKED_MARK
+        return bool(file.read(2) == _kernels.PACKED_MARK)

@@ -77,7 +77,7 @@ def write_nifti(image: Image, name: str) -> None:
     with replacing(name) as temporary:
         with opener(temporary, "wb") as file:
             file.write(header)
-            file.write(memoryview(voxels).cast("B"))
+            file.write(voxels.data.cast("B"))
 
 
 def _open(name: str) -> Any:
