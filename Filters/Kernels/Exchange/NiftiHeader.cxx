@@ -203,11 +203,10 @@ std::string NiftiHeaderOf(const std::string& name, const ImageGeometry& grid, Vo
   const double handedness = axes.determinant() < 0 ? -1 : 1;
   Put(bytes, 76, static_cast<float>(handedness));
   axes.col(2) *= handedness;
-  const Eigen::Vector3d quaternion = QuaternionOf(axes).cast<float>().cast<double>();
+  const Eigen::Vector3d quaternion = QuaternionOf(axes);
   ImageGeometry turned = grid;
   turned.Direction = MirroredAxes.asDiagonal() * RotationOf(quaternion);
   turned.Direction.col(2) *= handedness;
-  // In single precision, a quaternion turns a large grid by some micrometers.
   constexpr double same = 0.01; // of a voxel
   if (GreatestShift(turned, grid) < same * grid.Spacing.minCoeff())
   {
