@@ -20,8 +20,7 @@ const float NiftiNaN = std::numeric_limits<float>::quiet_NaN();
 template <typename T>
 std::string NiftiWith(std::string bytes, std::size_t offset, T value)
 {
-  std::memcpy(&bytes[offset], &value, sizeof(value));
-  return bytes;
+  return bytes.replace(offset, sizeof(value), reinterpret_cast<const char*>(&value), sizeof(value));
 }
 
 /// The sform in RAS, row by row.
