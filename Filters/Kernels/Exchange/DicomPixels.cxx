@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <type_traits>
 
 namespace FlipFree
 {
@@ -520,29 +521,9 @@ bool HasOnlyStoredBits(const std::string& stored, const DicomPixelFormat& format
 void ToVoxels(const char* stored, const DicomPixelFormat& format, const DicomRescale& rescale,
   VoxelType type, void* voxels)
 {
-  switch (type)
-  {
-    case VoxelType::Int8:
-      return ConvertPixelsTo<std::int8_t>(stored, format, rescale, voxels);
-    case VoxelType::UInt8:
-      return ConvertPixelsTo<std::uint8_t>(stored, format, rescale, voxels);
-    case VoxelType::Int16:
-      return ConvertPixelsTo<std::int16_t>(stored, format, rescale, voxels);
-    case VoxelType::UInt16:
-      return ConvertPixelsTo<std::uint16_t>(stored, format, rescale, voxels);
-    case VoxelType::Int32:
-      return ConvertPixelsTo<std::int32_t>(stored, format, rescale, voxels);
-    case VoxelType::UInt32:
-      return ConvertPixelsTo<std::uint32_t>(stored, format, rescale, voxels);
-    case VoxelType::Int64:
-      return ConvertPixelsTo<std::int64_t>(stored, format, rescale, voxels);
-    case VoxelType::UInt64:
-      return ConvertPixelsTo<std::uint64_t>(stored, format, rescale, voxels);
-    case VoxelType::Float32:
-      return ConvertPixelsTo<float>(stored, format, rescale, voxels);
-    case VoxelType::Float64:
-      return ConvertPixelsTo<double>(stored, format, rescale, voxels);
-  }
+  WithVoxelType(type,
+    [&](auto* value)
+    { ConvertPixelsTo<std::remove_pointer_t<decltype(value)>>(stored, format, rescale, voxels); });
 }
 
 } // namespace FlipFree

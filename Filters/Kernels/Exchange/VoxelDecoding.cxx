@@ -13,35 +13,6 @@ namespace FlipFree
 namespace
 {
 
-/// Calls visit with a null pointer of the type.
-template <typename Visit>
-void WithType(VoxelType type, const Visit& visit)
-{
-  switch (type)
-  {
-    case VoxelType::Int8:
-      return visit(static_cast<std::int8_t*>(nullptr));
-    case VoxelType::UInt8:
-      return visit(static_cast<std::uint8_t*>(nullptr));
-    case VoxelType::Int16:
-      return visit(static_cast<std::int16_t*>(nullptr));
-    case VoxelType::UInt16:
-      return visit(static_cast<std::uint16_t*>(nullptr));
-    case VoxelType::Int32:
-      return visit(static_cast<std::int32_t*>(nullptr));
-    case VoxelType::UInt32:
-      return visit(static_cast<std::uint32_t*>(nullptr));
-    case VoxelType::Int64:
-      return visit(static_cast<std::int64_t*>(nullptr));
-    case VoxelType::UInt64:
-      return visit(static_cast<std::uint64_t*>(nullptr));
-    case VoxelType::Float32:
-      return visit(static_cast<float*>(nullptr));
-    case VoxelType::Float64:
-      return visit(static_cast<double*>(nullptr));
-  }
-}
-
 bool BytesAreReversed(const VoxelStorage& storage)
 {
   const std::uint16_t one = 1;
@@ -110,7 +81,7 @@ void DecodeText(const VolumeFileHeader& header, const std::string& stored, void*
     {
       RefuseDigits(header, "text, but the voxels are not numbers");
     }
-    WithType(header.Storage.Type,
+    WithVoxelType(header.Storage.Type,
       [&](auto* type)
       {
         using T = std::remove_pointer_t<decltype(type)>;
@@ -179,7 +150,7 @@ void DecodeVoxels(const VolumeFileHeader& header, const void* stored, std::size_
     return;
   }
   const auto* const bytes = static_cast<const unsigned char*>(stored);
-  WithType(header.Storage.Type,
+  WithVoxelType(header.Storage.Type,
     [&](auto* type)
     {
       using T = std::remove_pointer_t<decltype(type)>;
