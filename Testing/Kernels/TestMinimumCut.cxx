@@ -12,6 +12,49 @@ using namespace FlipFree;
 namespace
 {
 
+// What each node's terminals may carry, which CutNode::Terminal knows only as a difference.
+struct Terminals
+{
+  std::vector<long> FromSource;
+  std::vector<long> ToSink;
+
+  explicit Terminals(const CutNetwork& network)
+  {
+    for (const CutNode& node : network)
+    {
+      this->FromSource.push_back(std::max(0, node.Terminal));
+      this->ToSink.push_back(std::max(0, -node.Terminal));
+    }
+  }
+
+  void Add(int node, std::int32_t capacity)
+  {
+    (capacity > 0 ? this->FromSource : this->ToSink)[node] += std::abs(capacity);
+  }
+
+  // The same network with these terminals.
+  CutNetwork In(CutNetwork network) const
+  {
+    for (std::size_t node = 0; node < network.size(); ++node)
+    {
+      network[node].Terminal =
+        static_cast<std::int32_t>(this->FromSource[node] - this->ToSink[node]);
+    }
+    return network;
+  }
+
+  // What is cut, whatever the sides.
+  long InCommon() const
+  {
+    long common = 0;
+    for (std::size_t node = 0; node < this->ToSink.size(); ++node)
+    {
+      common += std::min(this->FromSource[node], this->ToSink[node]);
+    }
+    return common;
+  }
+};
+
 // Random capacities on a grid, many of them zero; terminals of either sign.
 CutNetwork RandomNetwork(const ImageGeometry& geometry, int greatest, std::mt19937& random)
 {
@@ -128,6 +171,76 @@ TEST(MinimumCut, IsTheSameWhateverTheParts)
     {
       ASSERT_EQ(side[node], other[place[node]]) << node;
     }
+  }
+}
+
+// Terminals change again and again; each cut is the one that is found anew.
+TEST(MinimumCut, IsKept)
+{
+  std::mt19937 random(11);
+  std::uniform_int_distribution<std::int32_t> change(-60, 60);
+  for (const std::array<int, 3>& size :
+    { std::array<int, 3>{ { 5, 4, 3 } }, std::array<int, 3>{ { 44, 40, 42 } } })
+  {
+    const CutNetwork network = RandomNetwork(Grid(size, { 1, 1, 1 }), 20, random);
+    Terminals terminals(network);
+    MinimumCut cut(network);
+    std::uniform_int_distribution<int> place(0, cut.NumberOfNodes() - 1);
+    for (int round = 0; round < 6; ++round)
+    {
+      ASSERT_TRUE(cut.Execute(ScatteredFor, NeverStop));
+      const CutNetwork anew = terminals.In(network);
+      const std::vector<unsigned char> side = SourceSide(CutNetwork(anew), SerialFor, NeverStop);
+      for (int node = 0; node < cut.NumberOfNodes(); ++node)
+      {
+        ASSERT_EQ(cut.IsOnSourceSide(node), side[node] != 0) << round << ", " << node;
+      }
+      EXPECT_EQ(cut.GetCost(), CostOf(anew, side) + terminals.InCommon()) << round;
+      for (int changed = 0; changed < cut.NumberOfNodes() / 8; ++changed)
+      {
+        const int node = place(random);
+        const std::int32_t capacity = change(random);
+        terminals.Add(node, capacity);
+        cut.AddToTerminal(node, capacity);
+      }
+    }
+  }
+}
+
+// One more source only adds nodes, one more sink only takes some away.
+TEST(MinimumCut, IsMonotoneInItsTerminals)
+{
+  std::mt19937 random(13);
+  for (int trial = 0; trial < 40; ++trial)
+  {
+    MinimumCut cut(RandomNetwork(Grid({ { 12, 10, 8 } }, { 1, 1, 1 }), 30, random));
+    ASSERT_TRUE(cut.Execute(SerialFor, NeverStop));
+    MinimumCut other = cut;
+    const bool isSource = trial % 2 == 0;
+    std::uniform_int_distribution<int> place(0, cut.NumberOfNodes() - 1);
+    other.AddToTerminal(place(random), isSource ? CutNode::Infinite : -CutNode::Infinite);
+    ASSERT_TRUE(other.Execute(SerialFor, NeverStop));
+    for (int node = 0; node < cut.NumberOfNodes(); ++node)
+    {
+      const bool before = cut.IsOnSourceSide(node);
+      const bool after = other.IsOnSourceSide(node);
+      ASSERT_TRUE(isSource ? after || !before : before || !after) << trial << ", " << node;
+    }
+  }
+}
+
+TEST(MinimumCut, GoesOnAfterAStop)
+{
+  std::mt19937 random(17);
+  const CutNetwork network = RandomNetwork(Grid({ { 52, 50, 54 } }, { 1, 1, 1 }), 50, random);
+  MinimumCut cut(network);
+  int questions = 0;
+  EXPECT_FALSE(cut.Execute(SerialFor, [&](double) { return ++questions < 2; }));
+  ASSERT_TRUE(cut.Execute(SerialFor, NeverStop));
+  const std::vector<unsigned char> side = SourceSide(CutNetwork(network), SerialFor, NeverStop);
+  for (int node = 0; node < cut.NumberOfNodes(); ++node)
+  {
+    ASSERT_EQ(cut.IsOnSourceSide(node), side[node] != 0) << node;
   }
 }
 

@@ -1,6 +1,7 @@
 #include "Image/MinimumCut.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <limits>
 #include <utility>
 
@@ -57,6 +58,9 @@ public:
     {
       CutNode& own = this->Nodes[node];
       own.Parent = None;
+      own.Tree = Free;
+      own.IsActive = false;
+      own.Time = 0;
       if (own.Terminal != 0)
       {
         own.Tree = own.Terminal > 0 ? Source : Sink;
@@ -122,6 +126,8 @@ public:
       this->Adopt();
     }
   }
+
+  std::int64_t GetFlow() const { return this->Flow; }
 
 private:
   bool Holds(int node) const { return node >= this->Begin && node < this->End; }
@@ -189,6 +195,7 @@ private:
       this->Nodes[node].Capacities[way] += flow;
     }
     this->Nodes[sink].Terminal += flow;
+    this->Flow += flow;
   }
 
   // The way to a node of the other tree; -1 if there is none.
@@ -286,6 +293,7 @@ private:
     const int last = this->Climb(other,
       [&](int child, int up, int) { flow = std::min(flow, this->Nodes[child].Capacities[up]); });
     flow = std::min({ flow, this->Nodes[first].Terminal, -this->Nodes[last].Terminal });
+    this->Flow += flow;
 
     this->Nodes[node].Capacities[way] -= flow;
     this->Nodes[other].Capacities[Opposite(way)] += flow;
@@ -406,27 +414,37 @@ private:
   std::vector<int> Orphans;
   std::vector<std::int32_t> FlowFrom; // the nodes of a line
   int Time = 0;
+  std::int64_t Flow = 0;
 };
 
 } // namespace
 
+void MinimumCut::AddToTerminal(int node, std::int32_t capacity)
+{
+  std::int32_t& terminal = this->Nodes[node].Terminal;
+  // What goes from the source to the sink over this node alone.
+  if ((terminal < 0) != (capacity < 0))
+  {
+    this->Cost += std::min(std::abs(terminal), std::abs(capacity));
+  }
+  terminal += capacity;
+}
+
 // Most of the flow ends near where it begins. So parts are cut first, each for itself, and what is
 // left to the whole is what flows between them (J. Liu, J. Sun: Parallel graph-cuts by adaptive
 // bottom-up merging, 2010). The cut nearest to the source is the same, whatever the parts.
-std::vector<unsigned char> SourceSide(CutNetwork&& network, const ParallelFor& parallelFor,
-  const Monitor& monitor)
+bool MinimumCut::Execute(const ParallelFor& parallelFor, const Monitor& monitor)
 {
   if (!monitor(0))
   {
-    return {};
+    return false;
   }
-  CutNetwork nodes = std::move(network);
-  const std::size_t size = nodes.size();
+  const std::size_t size = this->Nodes.size();
   const std::size_t count = std::max<std::size_t>(1, std::min(MaximumParts, size / NodesOfPart));
   std::vector<TwoTrees> parts;
   for (std::size_t part = 0; part < count; ++part)
   {
-    parts.emplace_back(nodes, size * part / count, size * (part + 1) / count);
+    parts.emplace_back(this->Nodes, size * part / count, size * (part + 1) / count);
   }
   parallelFor(0, static_cast<std::ptrdiff_t>(count),
     [&](std::ptrdiff_t first, std::ptrdiff_t last)
@@ -437,15 +455,35 @@ std::vector<unsigned char> SourceSide(CutNetwork&& network, const ParallelFor& p
         parts[part].Execute(NeverStop); // the monitor belongs to one thread
       }
     });
-  TwoTrees whole(nodes, 0, size);
+  TwoTrees whole(this->Nodes, 0, size);
   whole.Join(parts);
-  if (!whole.Execute(monitor))
+  const bool done = whole.Execute(monitor);
+  for (const TwoTrees& part : parts)
+  {
+    this->Cost += part.GetFlow();
+  }
+  this->Cost += whole.GetFlow();
+  return done;
+}
+
+bool MinimumCut::IsOnSourceSide(int node) const
+{
+  return this->Nodes[node].Tree == Source;
+}
+
+std::vector<unsigned char> SourceSide(CutNetwork&& network, const ParallelFor& parallelFor,
+  const Monitor& monitor)
+{
+  MinimumCut cut(std::move(network));
+  if (!cut.Execute(parallelFor, monitor))
   {
     return {};
   }
-  std::vector<unsigned char> side(size);
-  std::transform(nodes.begin(), nodes.end(), side.begin(),
-    [](const CutNode& node) { return static_cast<unsigned char>(node.Tree == Source); });
+  std::vector<unsigned char> side(cut.NumberOfNodes());
+  for (int node = 0; node < cut.NumberOfNodes(); ++node)
+  {
+    side[node] = cut.IsOnSourceSide(node) ? 1 : 0;
+  }
   return side;
 }
 

@@ -10,6 +10,7 @@
 
 #include <array>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace FlipFree
@@ -41,8 +42,40 @@ static_assert(sizeof(CutNode) == 64);
 
 using CutNetwork = std::vector<CutNode>;
 
-/// For each node, 1 if it is on the source's side: of all minimum cuts, the one nearest to the
-/// source. Uses up the network. Empty if the monitor, asked now and then, stopped it.
+/// A minimum cut that is kept: where terminals change, only the flow that they change is found anew
+/// (P. Kohli, P. Torr: Dynamic graph cuts for efficient inference in Markov random fields, 2007).
+class MinimumCut
+{
+public:
+  explicit MinimumCut(CutNetwork network)
+    : Nodes(std::move(network))
+  {
+  }
+
+  /// Adds to the capacity from the source; negative, to that to the sink. What is taken away is
+  /// given to the other side, which changes all costs by the same amount.
+  void AddToTerminal(int node, std::int32_t capacity);
+
+  /// Returns false if the monitor, asked now and then, stopped it; the sides are then unknown, and
+  /// it can be executed again.
+  bool Execute(const ParallelFor& parallelFor, const Monitor& monitor);
+
+  /// Of all minimum cuts, the one nearest to the source.
+  bool IsOnSourceSide(int node) const;
+
+  /// By how much the cut costs more than one that cuts nothing of what the network began with; only
+  /// differences of it mean something.
+  std::int64_t GetCost() const { return this->Cost; }
+
+  int NumberOfNodes() const { return static_cast<int>(this->Nodes.size()); }
+
+private:
+  CutNetwork Nodes; ///< what of the capacities is left by the flow
+  std::int64_t Cost = 0;
+};
+
+/// For each node, 1 if it is on the source's side of the minimum cut. Uses up the network. Empty if
+/// the monitor stopped it.
 std::vector<unsigned char> SourceSide(CutNetwork&& network, const ParallelFor& parallelFor,
   const Monitor& monitor);
 
