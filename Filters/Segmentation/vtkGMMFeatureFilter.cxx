@@ -1,12 +1,12 @@
 #include "vtkGMMFeatureFilter.h"
 
 #include "Deformation/SegmentationParameters.h"
+#include "Evidence/CarvedForeground.h"
+#include "Evidence/OrganCarving.h"
 #include "FieldData.h"
 #include "FilterReport.h"
 #include "GrayImageAdapter.h"
-#include "Intensity/CarvedForeground.h"
 #include "Intensity/ModelFit.h"
-#include "Intensity/OrganCarving.h"
 #include "Intensity/OrganFeature.h"
 #include "PipelineAdapter.h"
 #include "StageProperties.h"
@@ -64,8 +64,8 @@ bool Carve(vtkPolyData* surface, const FlipFree::ImageView<float>& smooth,
   inputs.Settings = settings;
   inputs.Settings.Modality =
     FlipFree::ResolveModality(settings.Modality, FlipFree::ReaderOf(smooth), smooth.Geometry);
-  double unanimity = 1;
-  return FlipFree::CarveForeground(inputs, FlipFree::SMPFor, monitor, foreground, unanimity);
+  FlipFree::CarvingReport report;
+  return FlipFree::CarveForeground(inputs, FlipFree::SMPFor, monitor, foreground, report);
 }
 
 // By carving the inside of a surface, or without one by the model, which must show contrast if it

@@ -143,15 +143,17 @@ public:
 
   ///@{
   /**
-   * With a surface on port 1 that has found its organ, the foreground is its inside, without what
-   * leaked through a neck (a minimum cut separates it from the seed), up to where the gray values
-   * are halfway between those of the organ and those of its surroundings, both taken locally. In
-   * CT, the fat in hollows that open to the outside, at most 20 mm wide, is removed from it, and
-   * so is the inferior vena cava from an organ of 0.7 to 4 l, as a liver is.
-   * Default on. vtkFlipFreeSegmentation first runs all levels without carving, then carves, and
-   * runs all levels again, from the start, on that foreground. A pipeline of the stages does the
-   * same with CarvingOff() at first and CarvingOn() later. See Y. Boykov, G. Funka-Lea: Graph cuts
-   * and efficient N-D image segmentation, 2006. Without a surface, it does nothing.
+   * With a surface on port 1 that has found its organ, the foreground is its inside and, in CT,
+   * what else is connected with it and has its gray values, without what leaked through a neck (a
+   * minimum cut separates it from the seed; in CT, not where the gray values go on unchanged and no
+   * edge is in between), up to where the gray values are halfway between those of the organ and
+   * those of its surroundings, both taken locally. In CT, the fat in hollows that open to the
+   * outside, at most 20 mm wide, is removed from it, and so is the inferior vena cava from an organ
+   * of 0.7 to 4 l, as a liver is. Default on. vtkFlipFreeSegmentation first runs all levels without
+   * carving, then carves, and runs all levels again, from the start, on that foreground. A pipeline
+   * of the stages does the same with CarvingOff() at first and CarvingOn() later. See Y. Boykov, G.
+   * Funka-Lea: Graph cuts and efficient N-D image segmentation, 2006. Without a surface, it does
+   * nothing.
    */
   void SetCarving(bool value);
   bool GetCarving() const;

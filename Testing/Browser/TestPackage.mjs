@@ -78,7 +78,7 @@ test("its confidence is the command's, as a whole and at each vertex", async () 
   assert.equal(liver.vertexConfidence.length, liver.surface.points.length / 3);
   assert.ok(liver.vertexConfidence.every((value) => value >= 0 && value <= 1));
   assert.ok(liver.vertexConfidence.some((value) => value < 0.5) && liver.vertexConfidence.some((value) => value > 0.9));
-  const header = readFileSync(join(process.env.FLIPFREE_BROWSER_SOURCE, "../../Filters/Kernels/Intensity/SurfaceConfidence.h"), "utf8");
+  const header = readFileSync(join(process.env.FLIPFREE_BROWSER_SOURCE, "../../Filters/Kernels/Evidence/SurfaceConfidence.h"), "utf8");
   assert.equal(`${doubtfulConfidence}`, header.match(/DoubtfulConfidence = ([\d.]+)/)[1]);
   const aorta = { center: [168.75, 148.75, 139], radius: 6.2 };
   const found = await flipfree.segment(phantom.image, aorta);

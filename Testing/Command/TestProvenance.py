@@ -203,6 +203,7 @@ class TestOrgansProvenance(ProvenanceTest):
 
     def test_organs_together(self):
         x, y, z, radius = map(float, self.organs["spleen"])
+        radius *= 0.8  # so that it keeps off the kidney, whose slices are 6 mm thick
         liver = ("--organ", "liver", *self.organs["liver"])
         spleen = ("--organ", "left spleen", x, y, z, radius, "--outside", x, y + 0.8 * radius, z)
         kidney = self.organs["left kidney"]

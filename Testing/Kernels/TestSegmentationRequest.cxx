@@ -128,7 +128,7 @@ void ExpectSame(const VolumeSegmentation& one, const VolumeSegmentation& other)
   EXPECT_EQ(one.Organ.Points, other.Organ.Points);
   EXPECT_EQ(one.Organ.Mesh.Faces.Connectivity, other.Organ.Mesh.Faces.Connectivity);
   EXPECT_EQ(one.Organ.Iterations.size(), other.Organ.Iterations.size());
-  EXPECT_EQ(one.Organ.Unanimity, other.Organ.Unanimity);
+  EXPECT_EQ(one.Organ.Carving.Unanimity, other.Organ.Carving.Unanimity);
   EXPECT_EQ(CountVoxels(one.Voxels), CountVoxels(other.Voxels));
   EXPECT_EQ(one.Confidence.OfSurface, other.Confidence.OfSurface);
   EXPECT_EQ(one.Confidence.OfVertices, other.Confidence.OfVertices);

@@ -107,3 +107,33 @@ TEST(SegmentationWarnings, ASurfaceThatEnclosesMuchMoreThanItsLabelsIsNoticed)
   }
   EXPECT_EQ(WarningsOfFilling(beside, 20, true).size(), 2U);
 }
+
+// The largest first, each once, on the side where the surface has it.
+TEST(SegmentationWarnings, PartsThatTheCutWasNotSureOfAreNamed)
+{
+  const ImageGeometry geometry = Grid({ { 100, 100, 100 } }, { 1, 1, 1 });
+  std::vector<VoxelRun> voxels;
+  for (int k = 20; k < 60; ++k)
+  {
+    for (int j = 20; j < 60; ++j)
+    {
+      voxels.push_back({ j, k, 20, 60 }); // 64 ml
+    }
+  }
+  const auto part = [](double x, double milliliters, double margin) {
+    return DoubtfulPart{ { x, 40, 40.4 }, 1000 * milliliters, false, margin };
+  };
+  const std::vector<std::string> warnings = WarningsOfParts(
+    { part(50, 6, 0.4), part(80, 9, 1.9), part(84, 5, 0.1), part(30, 50, 5), part(10, 2, 0.1) },
+    voxels, geometry);
+  ASSERT_EQ(warnings.size(), 2U);
+  EXPECT_EQ(warnings[0],
+    "9 ml around (80, 40, 40) mm are joined to the organ by a neck, and were left out, though the "
+    "image hardly shows an end there; look at them, and add an inside point where they belong to "
+    "it.");
+  EXPECT_EQ(warnings[1],
+    "6 ml around (50, 40, 40) mm are joined to the organ by a neck, and were taken for a part of "
+    "it, since the image shows no end there; look at them, and add an outside point where they are "
+    "none.");
+  EXPECT_TRUE(WarningsOfParts({}, voxels, geometry).empty());
+}

@@ -1,6 +1,6 @@
 // Confidence on phantoms whose boundary is known.
+#include "Evidence/SurfaceConfidence.h"
 #include "Image/SeedRegion.h"
-#include "Intensity/SurfaceConfidence.h"
 #include "Mesh/QuadSphere.h"
 #include "Phantom/VoxelNoise.h"
 

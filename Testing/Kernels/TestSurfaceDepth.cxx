@@ -1,5 +1,5 @@
 // Depths inside balls and a body of two unlike ones.
-#include "Intensity/SurfaceDepth.h"
+#include "Evidence/SurfaceDepth.h"
 #include "Mesh/QuadSphere.h"
 
 #include <gtest/gtest.h>

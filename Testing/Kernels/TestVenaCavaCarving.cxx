@@ -1,8 +1,8 @@
 // The vein beside a liver: found, told from others, and carved.
+#include "Evidence/DiskEvidence.h"
+#include "Evidence/VenaCavaCarving.h"
 #include "ExampleSurfaces.h"
 #include "ExampleVolumes.h"
-#include "Intensity/DiskEvidence.h"
-#include "Intensity/VenaCavaCarving.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Paths through slices of disks that are made by hand.
-#include "Intensity/VesselTrack.h"
+#include "Evidence/VesselTrack.h"
 
 #include "Image/SeedRegion.h"
 

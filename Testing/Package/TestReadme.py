@@ -55,7 +55,7 @@ def main(readme, prefix, python, vtk, compiler):
         write(folder, "CMakeLists.txt", block(text, "### C++", "cmake"))
         run(["cmake", "-S", ".", "-B", "build", "-DVTK_DIR=" + vtk], folder, environment)
         run(["cmake", "--build", "build"], folder, environment)
-        expect("^6144 vertices, a label map of [0-9]+ voxels, 0 self-intersections\n$",
+        expect("(?m)^6144 vertices, a label map of [0-9]+ voxels, 0 self-intersections\n$",
                run(["build/liver"], folder, environment))
         layer, filters, correction, labels = blocks(text, "### Python", "python")
         expect(r"(?m)^at rest \(6144, 3\) [0-9]+ voxels\n0\.9[3-9].*\n(.*\n)*<Segmentation: 6144 vertices, 0 self-inter",

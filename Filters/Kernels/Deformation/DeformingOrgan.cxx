@@ -1,7 +1,7 @@
 #include "Deformation/DeformingOrgan.h"
 
+#include "Evidence/OrganCarving.h"
 #include "Intensity/ModelFit.h"
-#include "Intensity/OrganCarving.h"
 #include "Stopwatch.h"
 
 #include <utility>
@@ -95,9 +95,23 @@ bool DeformingOrgan::FindForegroundOfSurface(const Monitor& monitor)
 bool DeformingOrgan::CarveSurface(const Monitor& monitor)
 {
   const SecondsOfBlock timing(this->Surface.FeatureSeconds);
-  this->Settled = this->Foreground.Carve(this->Surface.Points, this->Surface.Mesh.Triangles,
-    this->Noise, monitor);
-  return this->Settled;
+  this->Foreground.Clear(); // smoothing needs the memory
+  CarvedForegroundInputs inputs;
+  inputs.Smooth = this->Foreground.GetImage();
+  inputs.MakeSmooth = [&](const VoxelBox& box) { return this->Foreground.Smooth(box, monitor); };
+  inputs.Points = &this->Surface.Points;
+  inputs.Triangles = &this->Surface.Mesh.Triangles;
+  inputs.Seed = this->Seed;
+  inputs.Noise = this->Noise;
+  inputs.Settings = this->Settings.Feature;
+  inputs.Settings.Modality = this->Foreground.GetModality();
+  BitMask carved;
+  if (!CarveForeground(inputs, this->Parallel, monitor, carved, this->Surface.Carving))
+  {
+    return false;
+  }
+  this->SettleForeground(std::move(carved));
+  return true;
 }
 
 bool DeformingOrgan::CorrectForeground(const ConstraintList& constraints, const Monitor& monitor)

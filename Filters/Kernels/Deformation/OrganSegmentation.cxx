@@ -33,6 +33,7 @@ struct OrganSegmenter::State
   // Of the first run, if there is one; kept, too.
   std::vector<IterationRecord> FirstIterations;
   DeformableSurface FirstSurface;
+  CarvingReport Carving;
 
   UnconstrainedCorrection Correction; // keeps the surface without constraints
 };
@@ -83,6 +84,7 @@ bool OrganSegmenter::RunAndCarve(const Monitor& monitor, const IterationObserver
   const OrganSurface& surface = kept.Organ.GetSurface();
   kept.FirstSurface = { surface.Mesh, surface.Points };
   kept.FirstIterations = surface.Iterations;
+  kept.Carving = surface.Carving;
   kept.Uncorrected = kept.Organ.GetForeground().GetMask();
   kept.HasUncorrected = true;
   return true;
@@ -134,7 +136,7 @@ bool OrganSegmenter::FindForeground(const ConstraintList& constraints, const Mon
   OrganSurface& surface = kept.Organ.GetSurface();
   surface.Iterations = kept.FirstIterations;
   surface.First = kept.FirstSurface;
-  surface.Unanimity = kept.Organ.GetForeground().GetUnanimity();
+  surface.Carving = kept.Carving;
   return kept.Organ.CorrectForeground(constraints, [&](double) { return monitor(1); });
 }
 

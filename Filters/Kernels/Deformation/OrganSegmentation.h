@@ -8,6 +8,7 @@
 #include "Deformation/SegmentationSettings.h"
 #include "Deformation/StartSurface.h"
 #include "Deformation/StopReason.h"
+#include "Evidence/CarvedForeground.h"
 #include "Image/PointConstraint.h"
 
 #include <memory>
@@ -32,7 +33,7 @@ struct OrganSurface
   PointList Points;
   CorrespondenceField Field; ///< of the last iteration
   DeformableSurface First;   ///< what the first run ended with; empty without carving
-  double Unanimity = 1;      ///< of the opinions about what was carved (OrganConsensus.h)
+  CarvingReport Carving;     ///< what it says of the first run
   std::vector<IterationRecord> Iterations;
   StopReason Reason = StopReason::NotRun;
   std::ptrdiff_t SelfIntersections = 0;

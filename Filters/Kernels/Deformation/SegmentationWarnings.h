@@ -30,6 +30,11 @@ std::string WarningOfMixedSeed(const ImageView<float>& image, const SeedSphere& 
 std::vector<std::string> WarningsOfFilling(const BitMask& labels,
   const std::vector<VoxelRun>& voxels, const std::string& name, bool isFree);
 
+/// A message for each of the largest parts, with its remedy, of which the cut was not sure and
+/// which matter in an organ of these voxels, on the grid of the image.
+std::vector<std::string> WarningsOfParts(const std::vector<DoubtfulPart>& doubts,
+  const std::vector<VoxelRun>& voxels, const ImageGeometry& image);
+
 /// A message for a result of low confidence, with its remedy; empty for any other, and without
 /// carving, for which the threshold does not hold.
 std::string DoubtOf(double confidence, const OrganSegmentationSettings& settings);

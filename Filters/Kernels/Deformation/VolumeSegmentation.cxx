@@ -256,7 +256,7 @@ void VolumeSegmenter::Complete(const ConstraintList& constraints, VolumeSegmenta
   // nothing.
   const bool isFree = constraints.empty();
   result.Confidence = JudgeSurface(this->Volume.Read, geometry, organ.Mesh, organ.Points,
-    this->Seed, isFree ? ShiftsOf(organ) : Eigen::VectorXd(), isFree ? organ.Unanimity : 1,
+    this->Seed, isFree ? ShiftsOf(organ) : Eigen::VectorXd(), isFree ? organ.Carving.Unanimity : 1,
     this->Threads.For);
   result.Warnings = WarningsOf(organ, this->Region, geometry, this->Seed, method,
     this->StartsAtSeed && !this->Given);
@@ -275,6 +275,12 @@ void VolumeSegmenter::Complete(const ConstraintList& constraints, VolumeSegmenta
   if (result.Warnings.empty() && !doubt.empty() && isFree)
   {
     result.Warnings.push_back(doubt);
+  }
+  if (isFree)
+  {
+    const std::vector<std::string> warnings =
+      WarningsOfParts(organ.Carving.Doubts, result.Voxels, geometry);
+    result.Warnings.insert(result.Warnings.end(), warnings.begin(), warnings.end());
   }
 }
 

@@ -8,9 +8,9 @@
 
 #include "Deformation/OrganSegmentation.h"
 #include "Deformation/StartSurface.h"
+#include "Evidence/SurfaceConfidence.h"
 #include "Image/BitMask.h"
 #include "Image/SliceParts.h"
-#include "Intensity/SurfaceConfidence.h"
 #include "Mesh/SurfaceVoxelization.h"
 
 #include <array>

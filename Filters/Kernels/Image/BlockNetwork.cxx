@@ -85,8 +85,7 @@ public:
     , Volume(blocks.VoxelVolume())
     , Area{ { this->Volume / blocks.Spacing[0], this->Volume / blocks.Spacing[1],
         this->Volume / blocks.Spacing[2] } }
-    , Unit(
-        links.PerArea * *std::max_element(this->Area.begin(), this->Area.end()) / GreatestCapacity)
+    , Unit(CapacityUnit(blocks, links))
     , Step(StepsOf(blocks))
   {
   }
@@ -199,6 +198,11 @@ std::vector<float> SmoothBlockMeans(const ImagePart& image, const BlockGrid& gri
     smooth[block] = std::numeric_limits<float>::quiet_NaN();
   }
   return smooth;
+}
+
+double CapacityUnit(const ImageGeometry& blocks, const BlockLinks& links)
+{
+  return links.PerArea * blocks.VoxelVolume() / blocks.Spacing.minCoeff() / GreatestCapacity;
 }
 
 CutNetwork MakeBlockNetwork(const ImageGeometry& blocks, const BlockNodes& nodes,

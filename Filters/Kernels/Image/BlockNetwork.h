@@ -24,6 +24,9 @@ struct BlockLinks
   double EdgeContrast = 1; ///< the difference of gray values that makes an edge
 };
 
+/// What a capacity of 1 costs.
+double CapacityUnit(const ImageGeometry& blocks, const BlockLinks& links);
+
 /// `unary` is what a block's being on the source's side is worth, per mm3; `side` says for a block
 /// that is no node on which side it is: 1 with the source, -1 with the sink. Both are asked in
 /// parallel.

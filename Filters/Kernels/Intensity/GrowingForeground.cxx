@@ -1,6 +1,5 @@
 #include "Intensity/GrowingForeground.h"
 
-#include "Intensity/CarvedForeground.h"
 #include "Intensity/ForegroundCorrection.h"
 #include "Stopwatch.h"
 
@@ -144,22 +143,10 @@ Modality GrowingForeground::GetModality() const
   return ResolveModality(this->Settings.Modality, this->Region.GetReader(), this->Geometry);
 }
 
-bool GrowingForeground::Carve(const PointList& points, const TriangleList& triangles, double noise,
-  const Monitor& monitor)
+void GrowingForeground::SetMask(BitMask mask)
 {
-  this->Clear(); // smoothing needs the memory
-  CarvedForegroundInputs inputs;
-  inputs.Smooth = this->GetImage();
-  inputs.MakeSmooth = [&](const VoxelBox& box) { return this->Smooth(box, monitor); };
-  inputs.Points = &points;
-  inputs.Triangles = &triangles;
-  inputs.Seed = this->Seed;
-  inputs.Noise = noise;
-  inputs.Settings = this->Settings;
-  inputs.Settings.Modality = this->GetModality();
-  const bool done = CarveForeground(inputs, this->Parallel, monitor, this->Mask, this->Unanimity);
+  this->Mask = std::move(mask);
   this->Bounds = this->Mask.Bounds();
-  return done;
 }
 
 bool GrowingForeground::Correct(const ConstraintList& constraints, double noise,

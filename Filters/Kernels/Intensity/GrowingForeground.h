@@ -30,23 +30,16 @@ public:
 
   /// Smooths the seed's surroundings.
   bool SmoothAroundSeed(const Monitor& monitor);
+  bool Smooth(const VoxelBox& box, const Monitor& monitor);
   /// Smooths all within `reach` millimeters of the points.
   bool SmoothAround(const PointList& points, double reach, const Monitor& monitor);
   /// Finds the foreground, smoothing more wherever it comes near the sides of the box.
   bool Update(const IntensityModel& model, const Monitor& monitor);
 
-  /// Makes the foreground from the inside of a closed surface (CarvedForeground.h).
-  bool Carve(const PointList& points, const TriangleList& triangles, double noise,
-    const Monitor& monitor);
-
-  /// Of the opinions about what was carved (OrganConsensus.h); 1 where no further one was asked
-  /// for.
-  double GetUnanimity() const { return this->Unanimity; }
-
   /// Corrects the foreground by constraints (ForegroundCorrection.h).
   bool Correct(const ConstraintList& constraints, double noise, const Monitor& monitor);
 
-  void SetMask(BitMask mask) { this->Mask = std::move(mask); }
+  void SetMask(BitMask mask);
   /// Leaves none.
   BitMask TakeMask() { return std::exchange(this->Mask, BitMask()); }
 
@@ -63,7 +56,6 @@ public:
   double GetSmoothingSeconds() const { return this->SmoothingSeconds; }
 
 private:
-  bool Smooth(const VoxelBox& box, const Monitor& monitor);
   VoxelBox BoundsOfBalls(const PointList& points, double reach,
     const std::array<int, 3>& margin) const;
   VoxelBox FirstSearched() const;
@@ -79,7 +71,6 @@ private:
   const LeakControlRadii Leaks;
   std::array<int, 3> Margin; ///< voxels between the foreground and the sides of the box
   BitMask Mask;
-  double Unanimity = 1;
   VoxelBox Bounds; ///< of the foreground; empty before the first update
   double SmoothingSeconds = 0;
 };

@@ -1,4 +1,4 @@
-#include "Intensity/BoundarySupport.h"
+#include "Evidence/BoundarySupport.h"
 
 #include "Image/NoData.h"
 

@@ -1,10 +1,10 @@
-#include "Intensity/OrganConsensus.h"
+#include "Evidence/OrganConsensus.h"
 
+#include "Evidence/BoundarySupport.h"
+#include "Evidence/OrganCarving.h"
 #include "Image/BallMorphology.h"
-#include "Intensity/BoundarySupport.h"
 #include "Intensity/IntensityField.h"
 #include "Intensity/ModelFit.h"
-#include "Intensity/OrganCarving.h"
 #include "Intensity/RobustStatistics.h"
 
 #include <algorithm>
@@ -38,22 +38,6 @@ constexpr double UnanimityWithoutVote = 0.5;
 constexpr double SupportMargin = 1.25;
 // In standard deviations of the seed's gray values. Less does not count as contrast.
 constexpr double LeastContrast = 0.1;
-
-std::vector<VoxelRun> RunsOf(const BitMask& mask)
-{
-  std::vector<VoxelRun> runs;
-  mask.ForEachRun(0, mask.GetGeometry().Dimensions[2],
-    [&](int begin, int end, int j, int k)
-    {
-      VoxelRun run;
-      run.J = j;
-      run.K = k;
-      run.Begin = begin;
-      run.End = end;
-      runs.push_back(run);
-    });
-  return runs;
-}
 
 double DiceOf(std::size_t inBoth, std::size_t inOne, std::size_t inOther)
 {
@@ -163,10 +147,11 @@ private:
     }
     const auto count = static_cast<double>(grown.Count());
     BitMask carved;
+    std::vector<DoubtfulPart> doubts; // what is asked about is what was carved at first
     const double most = this->IsCut(grown) ? GreatestCutGrowth : GreatestGrowth;
     if (count < LeastGrowth * this->Count || count > most * this->Count ||
-      !CarveOrgan(image, RunsOf(grown), this->Seed, this->Noise, this->Settings.Modality,
-        this->Parallel, proceed, carved))
+      !CarveOrgan(image, grown, nullptr, this->Seed, this->Noise, this->Settings.Modality,
+        this->Parallel, proceed, carved, doubts))
     {
       ++this->Grown;
       return std::nullopt;
@@ -283,14 +268,9 @@ private:
 
 } // namespace
 
-bool IsDoubtful(const std::vector<VoxelRun>& inside, const BitMask& carved)
+bool IsDoubtful(const BitMask& inside, const BitMask& carved)
 {
-  std::size_t inBoth = 0;
-  for (const VoxelRun& run : inside)
-  {
-    inBoth += carved.CountRun(run.Begin, run.End, run.J, run.K);
-  }
-  return DiceOf(inBoth, CountVoxels(inside), carved.Count()) < DoubtfulOverlap;
+  return OverlapOf(inside, carved) < DoubtfulOverlap;
 }
 
 VoxelBox ConsensusBox(const BitMask& carved, const SeedSphere& seed)
@@ -302,7 +282,7 @@ VoxelBox ConsensusBox(const BitMask& carved, const SeedSphere& seed)
 
 bool SeekConsensus(const ImageView<float>& smooth, const SeedSphere& seed, double noise,
   const OrganFeatureSettings& settings, const ParallelFor& parallelFor, const Monitor& monitor,
-  BitMask& carved, double* unanimity)
+  BitMask& carved, CarvingReport& report)
 {
   const VoxelBox box = ConsensusBox(carved, seed);
   Consensus seeker(smooth, box, seed, noise, settings, parallelFor, monitor, carved);
@@ -313,10 +293,7 @@ bool SeekConsensus(const ImageView<float>& smooth, const SeedSphere& seed, doubl
   }
   carved = BitMask(smooth.Geometry);
   carved.Insert(*consensus, box.Begin);
-  if (unanimity)
-  {
-    *unanimity = seeker.GetUnanimity();
-  }
+  report.Unanimity = seeker.GetUnanimity();
   return true;
 }
 

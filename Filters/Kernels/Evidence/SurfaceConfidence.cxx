@@ -1,9 +1,9 @@
-#include "Intensity/SurfaceConfidence.h"
+#include "Evidence/SurfaceConfidence.h"
 
+#include "Evidence/SurfaceDepth.h"
 #include "Image/BoxReading.h"
 #include "Image/ImageInterpolation.h"
 #include "Intensity/RobustStatistics.h"
-#include "Intensity/SurfaceDepth.h"
 #include "Mesh/SurfaceNormals.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-#include "Intensity/SurfaceDepth.h"
+#include "Evidence/SurfaceDepth.h"
 
 #include "Image/DistanceTransform.h"
 #include "Mesh/SurfaceVoxelization.h"

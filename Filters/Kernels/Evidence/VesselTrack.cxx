@@ -1,4 +1,4 @@
-#include "Intensity/VesselTrack.h"
+#include "Evidence/VesselTrack.h"
 
 #include "Intensity/RobustStatistics.h"
 

@@ -1,10 +1,10 @@
-#include "Intensity/VenaCavaCarving.h"
+#include "Evidence/VenaCavaCarving.h"
 
+#include "Evidence/OrganCarving.h"
+#include "Evidence/VesselTrack.h"
 #include "Image/BallMorphology.h"
 #include "Image/VoxelOffsets.h"
 #include "Intensity/LeakControl.h"
-#include "Intensity/OrganCarving.h"
-#include "Intensity/VesselTrack.h"
 
 #include <algorithm>
 #include <cmath>

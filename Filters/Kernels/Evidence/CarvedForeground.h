@@ -1,11 +1,13 @@
 /**
- * From a closed surface that has found its organ, more or less, to the organ's foreground: what is
- * inside is carved (OrganCarving.h), and where that changes much of it, further opinions are sought
- * (OrganConsensus.h). In CT, the vena cava beside a liver is removed at last (VenaCavaCarving.h).
+ * From a closed surface that has found its organ, more or less, to the organ's foreground: of all
+ * that may be the organ (OrganCandidate.h), what is not is carved off (OrganCarving.h), and where
+ * that changes much, further opinions are sought (OrganConsensus.h). In CT, the vena cava beside a
+ * liver is removed at last (VenaCavaCarving.h).
  */
 #ifndef FlipFreeCarvedForeground_h
 #define FlipFreeCarvedForeground_h
 
+#include "Evidence/OrganCarving.h"
 #include "Image/SmoothRegion.h"
 #include "Intensity/OrganFeature.h"
 
@@ -24,11 +26,10 @@ struct CarvedForegroundInputs
   OrganFeatureSettings Settings; ///< the modality is not Automatic
 };
 
-/// Carves the foreground from the inside of the surface. `unanimity` is that of the opinions
-/// (SeekConsensus()), and 1 where no further one was asked for. Returns false if the monitor
-/// stopped it; the foreground is then useless.
+/// Carves the foreground from the inside of the surface. Returns false if the monitor stopped it;
+/// the foreground is then useless.
 bool CarveForeground(const CarvedForegroundInputs& inputs, const ParallelFor& parallelFor,
-  const Monitor& monitor, BitMask& foreground, double& unanimity);
+  const Monitor& monitor, BitMask& foreground, CarvingReport& report);
 
 } // namespace FlipFree
 

@@ -1,4 +1,4 @@
-#include "Intensity/UnaryTerms.h"
+#include "Evidence/UnaryTerms.h"
 
 #include "Intensity/RobustStatistics.h"
 

@@ -1,4 +1,4 @@
-#include "Intensity/HalfContrastRim.h"
+#include "Evidence/HalfContrastRim.h"
 
 #include "Image/BallMorphology.h"
 #include "Image/LocalMeans.h"

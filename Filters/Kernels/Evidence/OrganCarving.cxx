@@ -1,9 +1,9 @@
-#include "Intensity/OrganCarving.h"
+#include "Evidence/OrganCarving.h"
 
+#include "Evidence/HalfContrastRim.h"
+#include "Evidence/HollowCarving.h"
+#include "Evidence/OrganCut.h"
 #include "Image/NoData.h"
-#include "Intensity/HalfContrastRim.h"
-#include "Intensity/HollowCarving.h"
-#include "Intensity/NeckCarving.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,27 +17,24 @@ constexpr int CarvingRounds = 2;
 
 } // namespace
 
-VoxelBox CarvingBox(const ImageGeometry& geometry, const std::vector<VoxelRun>& inside,
-  const SeedSphere& seed)
+VoxelBox CarvingBox(const BitMask& candidate, const SeedSphere& seed)
 {
-  VoxelBox box = BoxAround(geometry, seed.Center, seed.Radius);
-  for (const VoxelRun& run : inside)
-  {
-    box = box.Joined({ { { run.Begin, run.J, run.K } }, { { run.End, run.J + 1, run.K + 1 } } });
-  }
-  return box.Widened(RimReachOf(geometry, CarvingRounds), WholeBox(geometry));
+  const ImageGeometry& geometry = candidate.GetGeometry();
+  return candidate.Bounds()
+    .Joined(BoxAround(geometry, seed.Center, seed.Radius))
+    .Widened(RimReachOf(geometry, CarvingRounds), WholeBox(geometry));
 }
 
-bool CarveOrgan(const ImageView<float>& smooth, const std::vector<VoxelRun>& inside,
+bool CarveOrgan(const ImageView<float>& smooth, const BitMask& candidate, const BitMask* supported,
   const SeedSphere& seed, double noise, Modality modality, const ParallelFor& parallelFor,
-  const Monitor& monitor, BitMask& foreground)
+  const Monitor& monitor, BitMask& foreground, std::vector<DoubtfulPart>& doubts)
 {
-  const VoxelBox box = CarvingBox(smooth.Geometry, inside, seed);
-  const auto [i, j, k] = box.Begin;
-  BitMask mask(CropGeometry(smooth.Geometry, box));
-  for (const VoxelRun& run : inside)
+  const VoxelBox box = CarvingBox(candidate, seed);
+  BitMask mask = candidate.Cropped(box);
+  OrganCutState state;
+  if (supported)
   {
-    mask.InsertRun(run.Begin - i, run.End - i, run.J - j, run.K - k);
+    state.Supported = supported->Cropped(box);
   }
   RemoveNoData(ReaderOf(smooth, box.Begin), parallelFor, mask);
   const ImagePart part{ smooth, box.Begin };
@@ -45,10 +42,11 @@ bool CarveOrgan(const ImageView<float>& smooth, const std::vector<VoxelRun>& ins
   const Monitor proceed = [&](double) { return monitor(done / (2 * CarvingRounds + 1)); };
   for (int round = 0; round < CarvingRounds; ++round)
   {
-    if (!CarveNecks(part, seed, noise, modality, parallelFor, proceed, mask))
+    if (!CutOrgan(part, seed, noise, modality, {}, parallelFor, proceed, mask, state))
     {
       return false;
     }
+    state.Supported = BitMask(); // what is left is what the cut has chosen
     ++done;
     if (!GrowRim(part, noise, modality, parallelFor, proceed, mask))
     {
@@ -60,6 +58,7 @@ bool CarveOrgan(const ImageView<float>& smooth, const std::vector<VoxelRun>& ins
   {
     return false;
   }
+  doubts.insert(doubts.end(), state.Doubts.begin(), state.Doubts.end());
   foreground = BitMask(smooth.Geometry);
   foreground.Insert(mask, box.Begin);
   return true;

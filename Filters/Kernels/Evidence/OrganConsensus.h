@@ -10,15 +10,15 @@
 #ifndef FlipFreeOrganConsensus_h
 #define FlipFreeOrganConsensus_h
 
+#include "Evidence/OrganCarving.h"
 #include "Intensity/OrganFeature.h"
-#include "Mesh/SurfaceVoxelization.h"
 
 namespace FlipFree
 {
 
 /// Whether the carved foreground and the inside of the surface that was carved overlap by less than
 /// a Dice score of 0.92.
-bool IsDoubtful(const std::vector<VoxelRun>& inside, const BitMask& carved);
+bool IsDoubtful(const BitMask& inside, const BitMask& carved);
 
 /// The part of the image in which opinions are sought: 30 mm around the carved foreground and the
 /// seed. The image must have values there.
@@ -28,12 +28,13 @@ VoxelBox ConsensusBox(const BitMask& carved, const SeedSphere& seed);
 /// than half or more than twice its volume are about another organ, and a foreground that fills
 /// thrice its volume, or twice and goes on beyond ConsensusBox(), has leaked; neither counts, and
 /// with fewer than two opinions, nothing is voted on. `noise` is the standard deviation before
-/// smoothing; the settings' modality is not Automatic. `unanimity` is the least Dice score between
-/// one of the three opinions and their vote, and 1/2 where there was none. Returns false if the
-/// monitor, asked before each pass over the image, stopped it; the foreground is then as it was.
+/// smoothing; the settings' modality is not Automatic. The report's unanimity becomes the least
+/// Dice score between one of the three opinions and their vote, and 1/2 where there was none.
+/// Returns false if the monitor, asked before each pass over the image, stopped it; the foreground
+/// is then as it was.
 bool SeekConsensus(const ImageView<float>& smooth, const SeedSphere& seed, double noise,
   const OrganFeatureSettings& settings, const ParallelFor& parallelFor, const Monitor& monitor,
-  BitMask& carved, double* unanimity = nullptr);
+  BitMask& carved, CarvingReport& report);
 
 } // namespace FlipFree
 

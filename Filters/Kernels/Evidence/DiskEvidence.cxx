@@ -1,4 +1,4 @@
-#include "Intensity/DiskEvidence.h"
+#include "Evidence/DiskEvidence.h"
 
 #include "Image/NoData.h"
 

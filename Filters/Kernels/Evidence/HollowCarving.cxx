@@ -1,4 +1,4 @@
-#include "Intensity/HollowCarving.h"
+#include "Evidence/HollowCarving.h"
 
 #include "Image/BallMorphology.h"
 #include "Image/LocalMeans.h"

@@ -6,7 +6,7 @@
 #ifndef FlipFreeVesselTrack_h
 #define FlipFreeVesselTrack_h
 
-#include "Intensity/DiskEvidence.h"
+#include "Evidence/DiskEvidence.h"
 
 #include <array>
 #include <vector>

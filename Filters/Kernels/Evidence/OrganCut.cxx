@@ -1,0 +1,448 @@
+#include "Evidence/OrganCut.h"
+
+#include "Evidence/RegionCut.h"
+#include "Evidence/SeveredParts.h"
+#include "Evidence/UnaryTerms.h"
+#include "Image/BallInside.h"
+#include "Image/DistanceParts.h"
+#include "Image/DistanceTransform.h"
+#include "Image/VoxelOffsets.h"
+#include "Intensity/GrayValueSimilarity.h"
+#include "Intensity/LeakControl.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <utility>
+
+namespace FlipFree
+{
+namespace
+{
+
+// What an entire part is worth to the cut where its gray values are the organ's, per mm3; what a
+// proposal weighs of which the image is sure.
+constexpr double WorthOfOrgan = 0.7;
+// Beyond, more evidence does not make the image surer.
+constexpr double MostEvidence = 16;
+// Of the organ's volume: parts that are smaller are not worth a doubt.
+constexpr double LeastDoubt = 0.02;
+
+void Insert(const std::vector<std::size_t>& voxels, BitMask& mask)
+{
+  for (const std::size_t voxel : voxels)
+  {
+    const std::array<int, 3> index = IndexOf(voxel, mask.GetGeometry());
+    mask.Insert(index[0], index[1], index[2]);
+  }
+}
+
+bool HasGrid(const BitMask& mask)
+{
+  return !mask.GetWords().empty();
+}
+
+BitMask CroppedIfAny(const BitMask& mask, const VoxelBox& box)
+{
+  return HasGrid(mask) ? mask.Cropped(box) : BitMask();
+}
+
+class OrganCutter
+{
+public:
+  OrganCutter(const ImagePart& image, const SeedSphere& seed, double noise, Modality modality,
+    const OrganCutSettings& settings, const ParallelFor& parallelFor, const Monitor& monitor,
+    BitMask& mask, OrganCutState& state)
+    : Image(image)
+    , Seed(seed)
+    , Ball(BallInside(mask, seed))
+    , IsMR(modality == Modality::MR)
+    , Settings(settings)
+    , Parallel(parallelFor)
+    , Ask(monitor)
+    , Mask(mask)
+    , State(state)
+    , Grid(mask.GetGeometry(), std::max(1.2, std::min(2.5, this->Ball.Radius / 8)))
+    , Size(Grid.Blocks.Dimensions)
+    , OfBall(StatisticsInBall(image, Grid.Voxels, Ball))
+    , Spread(std::max({ OfBall.StandardDeviation, 0.5 * noise, LeastDeviation }))
+  {
+  }
+
+  bool Execute()
+  {
+    this->FillBlocks();
+    this->SourceBlocks = VoxelsAround(this->Grid.Blocks,
+      { this->Seed.Center, this->Settings.SourceRadius * this->Seed.Radius });
+    for (const std::size_t block : this->SourceBlocks)
+    {
+      this->Inside[block] = 1;
+    }
+    if (!this->FindUnariesAndCores())
+    {
+      return false;
+    }
+    this->Smooth = SmoothBlockMeans(this->Image, this->Grid, this->Parallel);
+    RegionCut cut = this->MakeCut();
+    // At first as if all that lies behind necks were certain: that shows where the organ may end.
+    cut.Fix(this->Cores, false);
+    if (!cut.Execute(this->Parallel, this->Ask))
+    {
+      return false;
+    }
+    std::vector<SeveredPart> parts = this->FindParts(cut);
+    if (!parts.empty())
+    {
+      this->Propose(parts, cut);
+      if (!cut.Execute(this->Parallel, this->Ask) || !this->FindDoubts(parts, cut))
+      {
+        return false;
+      }
+      this->RememberOwn(parts, cut);
+    }
+    this->RemoveBlocks(cut);
+    return true;
+  }
+
+private:
+  // Which blocks are in the mask, and the sums of their gray values there.
+  void FillBlocks()
+  {
+    const std::size_t count = this->Grid.Blocks.NumberOfVoxels();
+    this->Inside.assign(count, 0);
+    this->IsTouched.assign(count, false);
+    this->Sums = SumInBlocks(this->Image, this->Mask, this->Grid, this->Parallel);
+    const auto half = 0.5F * static_cast<float>(this->Grid.VoxelsPerBlock());
+    for (std::size_t block = 0; block < count; ++block)
+    {
+      this->Inside[block] = this->Sums.Weights[block] >= half ? 1 : 0;
+      this->IsTouched[block] = this->Sums.Weights[block] > 0;
+    }
+  }
+
+  // Cores are found by one thread; meanwhile the others find the terms, which do not need them.
+  bool FindUnariesAndCores()
+  {
+    this->SquaredDepth =
+      SquaredDistance(this->Inside, this->Grid.Blocks, 0, this->Parallel, this->Ask);
+    if (this->SquaredDepth.empty())
+    {
+      return false;
+    }
+    this->Parallel(0, 2,
+      [&](std::ptrdiff_t first, std::ptrdiff_t last)
+      {
+        if (first == 0)
+        {
+          this->Unaries = FindUnaryTerms(std::move(this->Sums), this->Inside, this->Grid.Blocks,
+            { this->Seed.Center, this->Ball.Radius }, this->OfBall.StandardDeviation, this->IsMR,
+            this->Parallel);
+          this->WeakenUnsupported();
+        }
+        if (last == 2)
+        {
+          this->FindCores();
+        }
+      });
+    return true;
+  }
+
+  // By the part of its voxels that are unsupported.
+  void WeakenUnsupported()
+  {
+    if (!HasGrid(this->State.Supported))
+    {
+      return;
+    }
+    const double perVoxel = this->Settings.UnsupportedLoss / this->Grid.VoxelsPerBlock();
+    BitMask unsupported = this->Mask;
+    unsupported.Remove(this->State.Supported);
+    this->Grid.ForEachRun(unsupported, SerialFor,
+      [&](std::size_t block, int begin, int end, int, int)
+      { this->Unaries[block] -= static_cast<float>(perVoxel * (end - begin)); });
+  }
+
+  void FindCores()
+  {
+    const OrganCutSettings& settings = this->Settings;
+    const double ratio =
+      this->Ball.Radius < settings.SlenderRadius ? settings.NeckRatioOfSlender : settings.NeckRatio;
+    const std::vector<float>& depth = this->SquaredDepth;
+    const DistanceParts parts =
+      FindDistanceParts(depth, this->Grid.Blocks, this->SourceBlocks, ratio);
+    for (std::size_t block = 0; block < depth.size(); ++block)
+    {
+      const int part = parts.PartOf[block];
+      if (part >= 0 && this->Inside[block] && !parts.HoldsSeed[part] &&
+        parts.Peaks[part] >= settings.LeastPeak * settings.LeastPeak &&
+        depth[block] > settings.CoreDepth * settings.CoreDepth * parts.Peaks[part])
+      {
+        this->Cores.push_back(block);
+      }
+    }
+  }
+
+  RegionCut MakeCut()
+  {
+    this->Nodes = BlockNodes(this->Inside.size(),
+      [this](std::size_t block) { return this->Inside[block] != 0; });
+    this->KeepUnariesOfNodes();
+    const BlockLinks links{ this->Settings.Smoothness *
+        std::max(5.0, std::min(40.0, this->Ball.Radius)),
+      this->EdgeContrast() };
+    RegionCut cut(MakeBlockNetwork(
+                    this->Grid.Blocks, this->Nodes, this->Smooth, links,
+                    [this](std::size_t block) { return this->Unaries[this->Nodes[block]]; },
+                    [](std::size_t) { return -1; }, this->Parallel),
+      CapacityUnit(this->Grid.Blocks, links), this->Nodes);
+    std::vector<float>().swap(this->Unaries);
+    cut.Fix(this->SourceBlocks, true);
+    return cut;
+  }
+
+  double EdgeContrast() const { return 3 * this->Spread; }
+
+  // The severed parts that are large enough to be compared with the rest, and not so large that
+  // they are the organ themselves.
+  std::vector<SeveredPart> FindParts(const RegionCut& cut)
+  {
+    const auto isInside = [&cut](std::size_t block) { return cut.IsInside(block); };
+    std::vector<SeveredPart> parts = FindSeveredParts(this->Grid.Blocks, this->Nodes, this->Smooth,
+      this->SquaredDepth, this->EdgeContrast(), isInside);
+    this->Kept = this->Nodes.NumberOfNodes() * this->Grid.Blocks.VoxelVolume();
+    for (const SeveredPart& part : parts)
+    {
+      this->Kept -= part.Volume;
+    }
+    const auto cannotBeCompared = [this](const SeveredPart& part)
+    {
+      return part.Volume < 1000 * this->Settings.LeastPart ||
+        part.Volume > this->Settings.GreatestRatio * this->Kept ||
+        part.Samples < this->Settings.LeastSamples;
+    };
+    parts.erase(std::remove_if(parts.begin(), parts.end(), cannotBeCompared), parts.end());
+    return parts;
+  }
+
+  // In place of the certainty about the parts' cores, a proposal about each part.
+  void Propose(const std::vector<SeveredPart>& parts, RegionCut& cut) const
+  {
+    std::vector<bool> isCore(this->Inside.size(), false);
+    for (const std::size_t block : this->Cores)
+    {
+      isCore[block] = true;
+    }
+    for (const SeveredPart& part : parts)
+    {
+      std::vector<std::size_t> cores;
+      std::copy_if(part.Blocks.begin(), part.Blocks.end(), std::back_inserter(cores),
+        [&](std::size_t block) { return isCore[block]; });
+      cut.Fix(cores, true);
+      const double evidence = this->EvidenceOf(part);
+      const bool isOwn = evidence < 1;
+      cut.Add({ part.Blocks, isOwn,
+        WorthOfOrgan * part.Volume * (isOwn ? 1 - evidence : std::min(evidence, MostEvidence)) });
+    }
+  }
+
+  // That a part is a neighbor of the organ: above 1.
+  double EvidenceOf(const SeveredPart& part) const
+  {
+    if (this->IsKnownToBeOwn(part))
+    {
+      return 0;
+    }
+    const OrganCutSettings& settings = this->Settings;
+    const double least = this->IsMR ? 0 : settings.LeastStepInCT;
+    const double step = part.Step / std::max(settings.NeighborStep * this->Spread, least);
+    const double edge = part.Edge / settings.NeighborEdge;
+    const double evidence = std::max(step * step, edge * edge);
+    const bool mayBeOwn = !this->IsMR && part.Volume >= settings.LeastOwnPart * this->Kept;
+    return mayBeOwn ? evidence : std::max(evidence, settings.LeastEvidence);
+  }
+
+  // Most of its blocks, by their first voxels.
+  bool IsKnownToBeOwn(const SeveredPart& part) const
+  {
+    return HasGrid(this->State.Own) &&
+      2 *
+        std::count_if(part.Blocks.begin(), part.Blocks.end(),
+          [this](std::size_t block)
+          {
+            const std::array<int, 3> index = IndexOf(block, this->Grid.Blocks);
+            const std::array<int, 3>& factor = this->Grid.Factor;
+            return this->State.Own(index[0] * factor[0], index[1] * factor[1],
+              index[2] * factor[2]);
+          }) >
+      static_cast<std::ptrdiff_t>(part.Blocks.size());
+  }
+
+  void RememberOwn(const std::vector<SeveredPart>& parts, const RegionCut& cut)
+  {
+    if (!HasGrid(this->State.Own))
+    {
+      this->State.Own = BitMask(this->Mask.GetGeometry());
+    }
+    for (const SeveredPart& part : parts)
+    {
+      if (this->EvidenceOf(part) >= 1)
+      {
+        continue;
+      }
+      for (const std::size_t block : part.Blocks)
+      {
+        if (cut.IsInside(block))
+        {
+          const std::array<int, 3> index = IndexOf(block, this->Grid.Blocks);
+          this->Grid.SetBlock(true, index[0], index[1], index[2], this->State.Own);
+        }
+      }
+    }
+  }
+
+  bool FindDoubts(const std::vector<SeveredPart>& parts, const RegionCut& cut)
+  {
+    for (const SeveredPart& part : parts)
+    {
+      if (part.Volume < LeastDoubt * this->Kept)
+      {
+        continue;
+      }
+      const double margin = cut.MarginOf(part.Blocks, this->Parallel, this->Ask);
+      if (margin < 0)
+      {
+        return false;
+      }
+      const std::size_t deepest = *std::max_element(part.Blocks.begin(), part.Blocks.end(),
+        [this](std::size_t a, std::size_t b)
+        { return this->SquaredDepth[a] < this->SquaredDepth[b]; });
+      this->State.Doubts.push_back(
+        { this->Grid.CenterOf(deepest), part.Volume, cut.IsInside(deepest), margin / part.Volume });
+    }
+    return true;
+  }
+
+  // Numbers the terms as the nodes, and frees what the network does not need.
+  void KeepUnariesOfNodes()
+  {
+    std::vector<float> unaries;
+    unaries.reserve(this->Nodes.NumberOfNodes());
+    for (std::size_t block = 0; block < this->Unaries.size(); ++block)
+    {
+      if (this->Nodes.IsNode(block))
+      {
+        unaries.push_back(this->Unaries[block]);
+      }
+    }
+    this->Unaries.swap(unaries);
+  }
+
+  // Voxels at the mask's rim whose block is not in the network follow the blocks around.
+  void RemoveBlocks(const RegionCut& cut)
+  {
+    const ImageGeometry& blocks = this->Grid.Blocks;
+    const auto isRemoved = [&](int i, int j, int k)
+    {
+      const std::size_t own = blocks.Offset(i, j, k);
+      if (this->Nodes.IsNode(own))
+      {
+        return !cut.IsInside(own);
+      }
+      int balance = 0;
+      for (int z = std::max(0, k - 1); z <= std::min(this->Size[2] - 1, k + 1); ++z)
+      {
+        for (int y = std::max(0, j - 1); y <= std::min(this->Size[1] - 1, j + 1); ++y)
+        {
+          for (int x = std::max(0, i - 1); x <= std::min(this->Size[0] - 1, i + 1); ++x)
+          {
+            const std::size_t block = blocks.Offset(x, y, z);
+            balance += !this->Nodes.IsNode(block) ? 0 : (cut.IsInside(block) ? 1 : -1);
+          }
+        }
+      }
+      return balance < 0;
+    };
+    this->Parallel(0, this->Size[2],
+      [&](std::ptrdiff_t first, std::ptrdiff_t last)
+      {
+        for (int k = static_cast<int>(first); k < last; ++k)
+        {
+          for (int j = 0; j < this->Size[1]; ++j)
+          {
+            for (int i = 0; i < this->Size[0]; ++i)
+            {
+              if (this->IsTouched[blocks.Offset(i, j, k)] && isRemoved(i, j, k))
+              {
+                this->Grid.SetBlock(false, i, j, k, this->Mask);
+              }
+            }
+          }
+        }
+      });
+  }
+
+  const ImagePart Image;
+  const SeedSphere& Seed;
+  const SeedSphere Ball;
+  const bool IsMR;
+  const OrganCutSettings& Settings;
+  const ParallelFor& Parallel;
+  const Monitor& Ask;
+  BitMask& Mask;
+  OrganCutState& State;
+  const BlockGrid Grid;
+  const std::array<int, 3> Size;
+  const RobustStatistics OfBall;
+  const double Spread; // of the organ's gray values
+
+  std::vector<std::size_t> SourceBlocks;
+  std::vector<unsigned char> Inside; // half of the block is in the mask
+  std::vector<bool> IsTouched;       // a voxel is
+  std::vector<float> SquaredDepth;
+  std::vector<std::size_t> Cores;
+  std::vector<float> Smooth; // gray values
+  double Kept = 0;           // mm3 inside the first cut
+  BlockSums Sums;
+  std::vector<float> Unaries; // of the blocks, later of the nodes
+  BlockNodes Nodes;
+};
+
+} // namespace
+
+bool CutOrgan(const ImagePart& image, const SeedSphere& seed, double noise, Modality modality,
+  const OrganCutSettings& settings, const ParallelFor& parallelFor, const Monitor& monitor,
+  BitMask& mask, OrganCutState& state)
+{
+  const ImageGeometry geometry = mask.GetGeometry();
+  // The edges at the mask's rim need what lies around it.
+  constexpr double margin = 6;
+  const VoxelBox box = WidenedBy(
+    mask.Bounds().Joined(BoxAround(geometry, seed.Center, seed.Radius)), margin, 2, geometry);
+  BitMask part = mask.Cropped(box);
+  mask = BitMask(); // its memory is needed
+  OrganCutState ofPart;
+  ofPart.Supported = CroppedIfAny(state.Supported, box);
+  ofPart.Own = CroppedIfAny(state.Own, box);
+  Insert(VoxelsAround(part.GetGeometry(), seed), part);
+  const std::vector<std::size_t> source =
+    VoxelsAround(part.GetGeometry(), { seed.Center, settings.SourceRadius * seed.Radius });
+  if (!FillHoles(part, monitor) || !KeepConnected(part, source, monitor) ||
+    !OrganCutter(image.Cropped(box), seed, noise, modality, settings, parallelFor, monitor, part,
+      ofPart)
+       .Execute() ||
+    !KeepConnected(part, source, monitor) || !FillHoles(part, monitor))
+  {
+    return false;
+  }
+  mask = BitMask(geometry);
+  mask.Insert(part, box.Begin);
+  if (HasGrid(ofPart.Own))
+  {
+    state.Own = BitMask(geometry);
+    state.Own.Insert(ofPart.Own, box.Begin);
+  }
+  state.Doubts.insert(state.Doubts.end(), ofPart.Doubts.begin(), ofPart.Doubts.end());
+  return true;
+}
+
+} // namespace FlipFree

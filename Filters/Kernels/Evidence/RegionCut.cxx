@@ -1,0 +1,43 @@
+#include "Evidence/RegionCut.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace FlipFree
+{
+
+void RegionCut::Fix(const std::vector<std::size_t>& blocks, bool isInside)
+{
+  for (const std::size_t block : blocks)
+  {
+    this->Cut.AddToTerminal(this->Nodes[block], isInside ? CutNode::Infinite : -CutNode::Infinite);
+  }
+}
+
+void RegionCut::Add(const RegionProposal& proposal)
+{
+  if (proposal.Blocks.empty())
+  {
+    return;
+  }
+  const double share = proposal.Weight / (this->Unit * static_cast<double>(proposal.Blocks.size()));
+  constexpr double greatest = CutNode::Infinite / 4;
+  const auto capacity = static_cast<std::int32_t>(std::lround(std::min(share, greatest)));
+  for (const std::size_t block : proposal.Blocks)
+  {
+    this->Cut.AddToTerminal(this->Nodes[block], proposal.IsInside ? capacity : -capacity);
+  }
+}
+
+double RegionCut::MarginOf(const std::vector<std::size_t>& blocks, const ParallelFor& parallelFor,
+  const Monitor& monitor) const
+{
+  RegionCut other = *this;
+  const bool isInside = !blocks.empty() && this->IsInside(blocks.front());
+  other.Fix(blocks, !isInside);
+  return other.Execute(parallelFor, monitor)
+    ? static_cast<double>(other.Cut.GetCost() - this->Cut.GetCost()) * this->Unit
+    : -1;
+}
+
+} // namespace FlipFree

@@ -1,0 +1,37 @@
+/**
+ * The parts that a cut severs from an organ, and what the image shows along the cut: whether it
+ * follows an edge, and whether the gray values on its two sides differ. A part whose gray values go
+ * on unchanged across a cut without an edge is the organ's own (its left lobe, behind a neck); a
+ * neighbor differs, by a few Hounsfield units at least, which hundreds of voxels show in spite of
+ * the noise.
+ */
+#ifndef FlipFreeSeveredParts_h
+#define FlipFreeSeveredParts_h
+
+#include "Image/BlockNetwork.h"
+
+#include <functional>
+#include <vector>
+
+namespace FlipFree
+{
+
+struct SeveredPart
+{
+  std::vector<std::size_t> Blocks;
+  double Volume = 0; ///< mm3
+  double Area = 0;   ///< of the cut, mm2
+  double Edge = 0;   ///< 0 without an edge along the cut, up to 1
+  double Step = 0;   ///< mean gray value of the part less that of the rest, 2 to 8 mm from the cut
+  int Samples = 0;   ///< blocks on the side that has fewer of them
+};
+
+/// The connected parts of the nodes that are not kept. `smooth` are the blocks' gray values
+/// (SmoothBlockMeans()).
+std::vector<SeveredPart> FindSeveredParts(const ImageGeometry& blocks, const BlockNodes& nodes,
+  const std::vector<float>& smooth, const std::vector<float>& squaredDepth, double edgeContrast,
+  const std::function<bool(std::size_t block)>& isKept);
+
+} // namespace FlipFree
+
+#endif
