@@ -33,7 +33,17 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#if defined(__SANITIZE_ADDRESS__)
+// GCC tells it by a macro, Clang by a feature.
+#if defined(__has_feature)
+#if __has_feature(address_sanitizer)
+#define FLIPFREE_HAS_SANITIZER
+#endif
+#elif defined(__SANITIZE_ADDRESS__)
+#define FLIPFREE_HAS_SANITIZER
+#endif
+
+#if defined(FLIPFREE_HAS_SANITIZER)
+#undef FLIPFREE_HAS_SANITIZER
 // An error is told from a refusal by its status; leaks of other people's readers are no finds here.
 extern "C" const char* __asan_default_options();
 extern "C" const char* __asan_default_options()
