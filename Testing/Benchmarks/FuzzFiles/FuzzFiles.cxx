@@ -293,8 +293,7 @@ std::string Judge(const Child& child, int state, double seconds, long megabytes,
   {
     return std::to_string(errorLines) + " errors with status " + std::to_string(status);
   }
-  if (errors.find("Out of memory") != std::string::npos ||
-    errors.find("more memory than is available") != std::string::npos)
+  if (failed && errors.find("memory") != std::string::npos)
   {
     return "it wants more memory than is available";
   }
