@@ -4,6 +4,7 @@
 
 #include <map>
 #include <tuple>
+#include <utility>
 
 namespace FlipFree
 {
@@ -18,7 +19,7 @@ bool HaveSamePixels(const DicomFrame& a, const DicomFrame& b, const FrameBytes& 
   return !bytes.empty() && bytes == bytesOf(b);
 }
 
-/// Frames of which all but the pixels is the same.
+/// Frames that are the same if their pixels are.
 class LikeFrames
 {
 public:
@@ -34,7 +35,7 @@ public:
     {
       this->ByDigest.emplace(DigestOf(*this->First, bytesOf), this->First);
     }
-    // Of those with the same pixels, all but copies are of the first one's file.
+    // One of each kind of pixels is enough: those of other files are its copies.
     const auto known = this->ByDigest.emplace(DigestOf(frame, bytesOf), &frame);
     const DicomFrame& other = *known.first->second;
     return !known.second && other.File != frame.File && HaveSamePixels(other, frame, bytesOf);

@@ -36,26 +36,26 @@ const std::map<std::uint32_t, const char*>& WantedElements()
 }
 
 template <typename T>
-std::string DicomNumbersText(const std::string& bytes, bool bigEndian)
+std::string DicomNumbersText(const std::string& bytes, bool isBigEndian)
 {
   std::ostringstream text;
   text.imbue(std::locale::classic());
   text.precision(17);
   for (std::size_t at = 0; at + sizeof(T) <= bytes.size(); at += sizeof(T))
   {
-    text << (at ? "\\" : "") << DicomNumberAt<T>(bytes, at, bigEndian);
+    text << (at ? "\\" : "") << DicomNumberAt<T>(bytes, at, isBigEndian);
   }
   return text.str();
 }
 
 /// Tags as numbers. The group comes first, whatever the order of bytes.
-std::string DicomTagsText(const std::string& bytes, bool bigEndian)
+std::string DicomTagsText(const std::string& bytes, bool isBigEndian)
 {
   std::string text;
   for (std::size_t at = 0; at + 4 <= bytes.size(); at += 4)
   {
-    const std::uint32_t group = DicomNumberAt<std::uint16_t>(bytes, at, bigEndian);
-    const std::uint32_t element = DicomNumberAt<std::uint16_t>(bytes, at + 2, bigEndian);
+    const std::uint32_t group = DicomNumberAt<std::uint16_t>(bytes, at, isBigEndian);
+    const std::uint32_t element = DicomNumberAt<std::uint16_t>(bytes, at + 2, isBigEndian);
     text += (at ? "\\" : "") + std::to_string(group << 16 | element);
   }
   return text;
@@ -102,35 +102,35 @@ bool IsLongDicomType(const std::string& type)
   return types.find(type + ' ') != std::string::npos;
 }
 
-std::string DicomValueText(const std::string& bytes, const std::string& type, bool bigEndian)
+std::string DicomValueText(const std::string& bytes, const std::string& type, bool isBigEndian)
 {
   if (type == "US")
   {
-    return DicomNumbersText<std::uint16_t>(bytes, bigEndian);
+    return DicomNumbersText<std::uint16_t>(bytes, isBigEndian);
   }
   if (type == "SS")
   {
-    return DicomNumbersText<std::int16_t>(bytes, bigEndian);
+    return DicomNumbersText<std::int16_t>(bytes, isBigEndian);
   }
   if (type == "UL")
   {
-    return DicomNumbersText<std::uint32_t>(bytes, bigEndian);
+    return DicomNumbersText<std::uint32_t>(bytes, isBigEndian);
   }
   if (type == "SL")
   {
-    return DicomNumbersText<std::int32_t>(bytes, bigEndian);
+    return DicomNumbersText<std::int32_t>(bytes, isBigEndian);
   }
   if (type == "AT")
   {
-    return DicomTagsText(bytes, bigEndian);
+    return DicomTagsText(bytes, isBigEndian);
   }
   if (type == "FL")
   {
-    return DicomNumbersText<float>(bytes, bigEndian);
+    return DicomNumbersText<float>(bytes, isBigEndian);
   }
   if (type == "FD")
   {
-    return DicomNumbersText<double>(bytes, bigEndian);
+    return DicomNumbersText<double>(bytes, isBigEndian);
   }
   return WithoutDicomPadding(bytes);
 }

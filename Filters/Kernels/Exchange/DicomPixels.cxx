@@ -121,7 +121,8 @@ std::uint64_t LeastCompressedSize(const std::string& syntax, const DicomPixelFor
   const std::string process = syntax.substr(syntax.find_last_of('.') + 1);
   constexpr std::uint64_t lossless = 8; // one bit for each pixel
   constexpr std::uint64_t lossy = 256;  // two bits for each block of 64
-  // JPEG 2000 and JPEG-LS take about 140 bytes for a blank slice of any size.
+  // In JPEG 2000, a blank slice takes about 140 bytes, whatever its size. One may be as large as
+  // slices are.
   constexpr std::uint64_t others = 8192;
   constexpr std::uint64_t greatestBlank = 2048 * 2048;
   const bool isLossless = process == "57" || process == "70";
