@@ -3,6 +3,7 @@
 #include <vtkCamera.h>
 #include <vtkCutter.h>
 #include <vtkImageShrink3D.h>
+#include <vtkLogger.h>
 #include <vtkLookupTable.h>
 #include <vtkMath.h>
 #include <vtkNew.h>
@@ -135,6 +136,7 @@ vtkSmartPointer<vtkActor> ContourActor(vtkPolyData* surface, const Vector& cente
   vtkNew<vtkPlane> cutting;
   cutting->SetOrigin(center.data());
   cutting->SetNormal(normal.data());
+  vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_WARNING); // VTK 9.3's cutter says that it runs
   vtkNew<vtkCutter> cutter;
   cutter->SetInputData(surface);
   cutter->SetCutFunction(cutting);

@@ -9,7 +9,7 @@ import ctypes
 # To import these is to choose the classes that draw.
 import vtkmodules.vtkRenderingFreeType  # noqa: F401
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
-from vtkmodules.vtkCommonCore import vtkLookupTable
+from vtkmodules.vtkCommonCore import vtkLogger, vtkLookupTable
 from vtkmodules.vtkCommonDataModel import vtkPlane
 from vtkmodules.vtkFiltersCore import (
     vtkCutter,
@@ -131,6 +131,8 @@ def contour_actor(surface, center, plane, color=YELLOW, width=2.2):
     if surface.GetNumberOfLines():  # an outline of that slice already
         lines.SetInputData(surface)
     else:  # which may still be empty, and grow
+        # VTK 9.3's cutter says that it runs.
+        vtkLogger.SetStderrVerbosity(vtkLogger.VERBOSITY_WARNING)
         cutter = vtkCutter()
         cutter.SetInputData(surface)
         cutter.SetCutFunction(cutting)

@@ -5,6 +5,7 @@
 #include "itk_zlib.h"
 
 #include <algorithm>
+#include <limits>
 #include <new>
 
 namespace FlipFree
@@ -82,9 +83,9 @@ std::size_t InflatedFile::Read(void* bytes, std::size_t size)
 
 void InflatedFile::SkipLines(std::uint64_t lines)
 {
-  for (char letter = 0; lines > 0 && this->Read(&letter, 1) == 1;)
+  for (; lines > 0 && this->File; --lines)
   {
-    lines -= letter == '\n' ? 1 : 0;
+    this->File.ignore(std::numeric_limits<std::streamsize>::max(), '\n');
   }
 }
 

@@ -26,7 +26,7 @@ public:
   /// Returns how many bytes there were, fewer at the end or where the stream breaks off.
   std::size_t Read(void* bytes, std::size_t size);
 
-  /// Past the ends of so many lines.
+  /// Past the ends of so many lines, as they are stored; before anything is read.
   void SkipLines(std::uint64_t lines);
 
   /// Reads on to the end of the stream, or of the part that has been begun, and returns whether it

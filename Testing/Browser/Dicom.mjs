@@ -1,7 +1,9 @@
 // A CT series as DICOM files, as small as the standard allows.
+import { losslessJpeg } from "./LosslessJpeg.mjs";
 
 const imageClass = "1.2.840.10008.5.1.4.1.1.2"; // CT
 const explicitLittleEndian = "1.2.840.10008.1.2.1";
+const jpegLossless = "1.2.840.10008.1.2.4.70";
 const root = "1.2.826.0.1.3680043.10.999"; // of nobody
 
 function element(group, number, representation, value) {
@@ -27,7 +29,22 @@ function short(value) {
   return bytes;
 }
 
-function fileOf(slice, grid, voxels) {
+/** Pixel data of one frame in one fragment, without a table of offsets. */
+function encapsulated(fragment) {
+  const item = (number, bytes) => {
+    const head = Buffer.alloc(8);
+    head.writeUInt16LE(0xfffe, 0);
+    head.writeUInt16LE(number, 2);
+    head.writeUInt32LE(bytes.length, 4);
+    return Buffer.concat([head, bytes]);
+  };
+  const head = element(0x7fe0, 0x10, "OB", Buffer.alloc(0));
+  head.writeUInt32LE(0xffffffff, 8);
+  const even = Buffer.concat([fragment, Buffer.alloc(fragment.length % 2)]);
+  return Buffer.concat([head, item(0xe000, Buffer.alloc(0)), item(0xe000, even), item(0xe0dd, Buffer.alloc(0))]);
+}
+
+function fileOf(slice, grid, voxels, isCompressed) {
   const [columns, rows] = grid.size;
   const count = columns * rows;
   const axis = (at) => [0, 1, 2].map((row) => grid.direction[3 * row + at]);
@@ -41,7 +58,7 @@ function fileOf(slice, grid, voxels) {
     element(2, 1, "OB", Buffer.from([0, 1])),
     element(2, 2, "UI", imageClass),
     element(2, 3, "UI", instance),
-    element(2, 0x10, "UI", explicitLittleEndian),
+    element(2, 0x10, "UI", isCompressed ? jpegLossless : explicitLittleEndian),
     element(2, 0x12, "UI", root),
   ]);
   const length = Buffer.alloc(4);
@@ -75,11 +92,11 @@ function fileOf(slice, grid, voxels) {
     element(0x28, 0x103, "US", short(1)),
     element(0x28, 0x1052, "DS", "-1024"),
     element(0x28, 0x1053, "DS", "1"),
-    element(0x7fe0, 0x10, "OW", pixels),
+    isCompressed ? encapsulated(losslessJpeg(pixels, columns, rows)) : element(0x7fe0, 0x10, "OW", pixels),
   ]);
 }
 
 /** One file for each slice. */
-export function dicomFiles(grid, voxels) {
-  return Array.from({ length: grid.size[2] }, (_, slice) => fileOf(slice, grid, voxels));
+export function dicomFiles(grid, voxels, { isCompressed = false } = {}) {
+  return Array.from({ length: grid.size[2] }, (_, slice) => fileOf(slice, grid, voxels, isCompressed));
 }

@@ -7,6 +7,7 @@ import { after, before, test } from "node:test";
 import { pathToFileURL } from "node:url";
 import { gunzipSync, gzipSync } from "node:zlib";
 import { dicomFiles } from "./Dicom.mjs";
+import { nrrd } from "./Volumes.mjs";
 import { command, dice, fieldDataOf, liverLabel, readNifti, readNiftiFile, readPlyPoints, seed } from "./Support.mjs";
 
 const folder = process.env.FLIPFREE_BROWSER_PACKAGE;
@@ -434,6 +435,10 @@ test("files are read as the command reads them", async () => {
   await assert.rejects(opened("cut.nii"), /holds fewer voxels than its header says/);
   write("members.nii.gz", Buffer.concat([gzipSync(plain.subarray(0, 5000)), gzipSync(plain.subarray(5000))]));
   assert.deepEqual((await opened("members.nii.gz")).image.voxels, phantom.image.voxels);
+  for (const padding of [Buffer.alloc(1000), Buffer.from("junk"), Buffer.from([0x1f])]) {
+    write("padded.nii.gz", Buffer.concat([packed, padding]));
+    assert.deepEqual((await opened("padded.nii.gz")).image.voxels, phantom.image.voxels, `${padding.subarray(0, 4)}`);
+  }
   const nowhere = Buffer.from(plain);
   nowhere.writeInt32LE(0, 252);
   write("nowhere.nii", nowhere);
@@ -452,11 +457,30 @@ test("files are read as the command reads them", async () => {
   await assert.rejects(opened("pair.mhd"), /'pair\.raw' is missing/);
 });
 
+test("lines and bytes before the voxels of an NRRD file are skipped, lines before it is inflated", async () => {
+  const bytes = nrrd(phantom.image, phantom.image.voxels).toString("latin1");
+  const [header, voxels] = [bytes.slice(0, bytes.indexOf("\n\n")), bytes.slice(bytes.indexOf("\n\n") + 2)];
+  const file = async (fields, content) => {
+    const data = new Blob([Buffer.from(`${fields}\n\n${content}`, "latin1")]);
+    return (await flipfree.readVolume([{ name: "lines.nrrd", data }])).image.voxels;
+  };
+  const skipping = `${header}\nline skip: 2\nbyte skip: 3`;
+  assert.deepEqual(await file(skipping, `one\ntwo\nabc${voxels}`), phantom.image.voxels);
+  const packed = gzipSync(Buffer.from(`abc${voxels}`, "latin1")).toString("latin1");
+  assert.deepEqual(await file(skipping.replace("raw", "gzip"), `one\ntwo\n${packed}`), phantom.image.voxels);
+  await assert.rejects(file(`${header}\nline skip: 2000000000`, voxels), /fewer voxels/);
+});
+
+const ctGrid = { size: [6, 5, 4], spacing: [2, 1.5, 3], origin: [-40, -150, 300], direction: [1, 0, 0, 0, 1, 0, 0, 0, 1] };
+const ctVoxels = Int16Array.from({ length: 120 }, (_, at) => at * 7 - 400);
+
+function ctFiles(options) {
+  const slices = dicomFiles(ctGrid, ctVoxels, options);
+  return slices.map((bytes, at) => ({ name: `ct/${9 - at}.dcm`, data: new Blob([bytes]) })); // in no order of places
+}
+
 test("DICOM files are read as the command reads them", async () => {
-  const grid = { size: [6, 5, 4], spacing: [2, 1.5, 3], origin: [-40, -150, 300], direction: [1, 0, 0, 0, 1, 0, 0, 0, 1] };
-  const voxels = Int16Array.from({ length: 120 }, (_, at) => at * 7 - 400);
-  const slices = dicomFiles(grid, voxels);
-  const files = slices.map((bytes, at) => ({ name: `ct/${9 - at}.dcm`, data: new Blob([bytes]) })); // in no order of places
+  const [grid, voxels, files] = [ctGrid, ctVoxels, ctFiles()];
   const [series, ...others] = await flipfree.listSeries(files);
   assert.deepEqual(others, []);
   assert.deepEqual([series.slices, series.modality, series.spacing, series.problem], [4, "CT", grid.spacing, ""]);
@@ -473,6 +497,26 @@ test("DICOM files are read as the command reads them", async () => {
   await assert.rejects(flipfree.readVolume([{ name: "notes.txt", data: new Blob(["no image"]) }]), FlipFreeError);
   const cut = files.map((file, at) => (at === 2 ? { ...file, data: file.data.slice(0, 500) } : file));
   await assert.rejects(flipfree.readVolume(cut), /7\.dcm/);
+});
+
+test("compressed DICOM files are decoded, by what is loaded with the first of them", async () => {
+  const files = ctFiles({ isCompressed: true });
+  assert.deepEqual([...(await flipfree.readVolume(files)).image.voxels], [...ctVoxels]);
+  const damaged = files.map(({ name, data }) => ({ name, data: new Blob([data.slice(0, -40), new Uint8Array(40)]) }));
+  await assert.rejects(flipfree.readVolume(damaged), /\.dcm/);
+
+  // What is loaded at the start; the decoder alone is far larger.
+  const loaded = new Map();
+  const load = (name) => {
+    if (!loaded.has(name)) {
+      const text = readFileSync(join(folder, name), "utf8");
+      loaded.set(name, text.length);
+      [...text.matchAll(/^(?:import "|(?:import |export |\} )[^;]*? ?from ")\.\/([^"]+)"/gm)].forEach(([, part]) => load(part));
+    }
+  };
+  load("worker.js");
+  assert.ok(loaded.size > 1);
+  assert.ok([...loaded.values()].reduce((sum, length) => sum + length) < 1e6, [...loaded].join());
 });
 
 test("label maps of sheared grids are written by an sform", async () => {

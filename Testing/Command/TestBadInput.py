@@ -270,6 +270,10 @@ class TestBadInput(command.CommandTest):
                   b"</PolyData><AppendedData encoding='raw'>_%s</AppendedData></VTKFile>")
         cases += [("vtp", packed % struct.pack("<4I", *words), "cannot hold")
                   for words in ((2**31, 2**31, 0, 9), (0, 48, 12, 0), (1, 48, 99, 9), (1, 48, 0, 2**31))]
+        cases.append(("vtp", packed.replace(b"format=", b"form=") % struct.pack("<4I", 2**28, 48, 0, 9), "cannot hold"))
+        block = zlib.compress(bytes(48))
+        misplaced = packed.replace(b">_", b"><Points/>_") % (struct.pack("<4I", 1, 48, 0, len(block)) + block)
+        cases.append(("vtp", misplaced, "cannot hold"))
         for form in ("ascii", "binary_little_endian", "binary_big_endian"):
             cases += [("ply", self.ply(form, counts=(4, 5)), "the file is truncated"),
                       ("ply", self.ply(form, counts=(2**31 - 1, 4)), "truncated|number"),

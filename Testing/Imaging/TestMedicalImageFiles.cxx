@@ -320,6 +320,19 @@ TEST(TestMedicalImageFiles, GzipStreamOfSeveralMembers)
   ExpectRefusal(folder / "image.nii.gz", { "image.nii.gz", "breaks off" });
 }
 
+TEST(TestMedicalImageFiles, LinesBeforeACompressedStreamAreNoPartOfIt)
+{
+  ExampleImages::Folder folder;
+  const auto image = ExampleImages::Noise(8, 4000);
+  ASSERT_EQ(Write(image, folder / "image.nrrd"), 1);
+  std::string bytes = ExampleImages::ReadBytes(folder / "image.nrrd");
+  ASSERT_NE(bytes.find("encoding: gzip"), std::string::npos);
+  bytes.insert(bytes.find("\n\n") + 2, "one\ntwo\n");
+  bytes.insert(bytes.find("\n\n") + 1, "line skip: 2\n");
+  ExampleImages::WriteBytes(folder / "image.nrrd", bytes);
+  ExampleImages::ExpectSameVoxels(Read(folder / "image.nrrd"), image);
+}
+
 TEST(TestMedicalImageFiles, ShearedGridInEveryFormat)
 {
   ExampleImages::Folder folder;

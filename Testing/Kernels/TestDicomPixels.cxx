@@ -239,6 +239,8 @@ TEST(DicomPixels, ATinyFileOfGiantRowsIsRefused)
   EXPECT_EQ(why("4.70", 512, 32768), "");
   EXPECT_EQ(why("4.80", 2048, 140), "");
   EXPECT_EQ(why("4.90", 2048, 140), "");
+  EXPECT_EQ(why("4.90", 4096, 4096), "");
+  EXPECT_NE(why("4.90", 65535, 65536), ""); // 8 GB
 }
 
 TEST(DicomPixels, WhatIsNotGrayOrNotThereIsSaid)

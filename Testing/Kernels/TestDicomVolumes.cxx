@@ -74,6 +74,7 @@ public:
     return FindDicomVolumes("folder", std::move(files),
       [this](const DicomFile& file, std::size_t frame)
       {
+        ++this->Reads;
         const auto index = std::find(this->Names.begin(), this->Names.end(), file.Name.substr(7)) -
           this->Names.begin();
         std::istringstream stream(this->Bytes[static_cast<std::size_t>(index)]);
@@ -83,6 +84,7 @@ public:
 
   std::vector<std::string> Names;
   std::vector<std::string> Bytes;
+  mutable int Reads = 0; // of pixels
 };
 
 std::string WhyRefused(const DicomFolder& folder, const std::string& wanted = "")
@@ -316,6 +318,22 @@ TEST(DicomVolumes, TheSameSliceTwice)
   other.back() = '\x7F';
   folder.Add("a2 (edited).dcm", other);
   ExpectRefusal(folder.Read(), { "at the same place", "a2 (edited).dcm" });
+}
+
+TEST(DicomVolumes, ManySlicesAtOnePlaceAreEachReadAFewTimes)
+{
+  ExampleFolder folder;
+  constexpr int count = 60;
+  for (int slice = 0; slice < count; ++slice)
+  {
+    folder.AddSlice("a" + std::to_string(slice), 3, {}, slice);
+    folder.AddSlice("b" + std::to_string(slice), 6, {}, 0);
+  }
+  const DicomFolder found = folder.Read();
+  ASSERT_EQ(found.Volumes.size(), 1U);
+  EXPECT_EQ(found.Volumes.front().Frames.size(), count + 1U);
+  EXPECT_EQ(found.LeftOut.size(), count - 1U);
+  EXPECT_LE(folder.Reads, 6 * 2 * count);
 }
 
 TEST(DicomVolumes, WhatIsNoSliceIsLeftOutAndCounted)

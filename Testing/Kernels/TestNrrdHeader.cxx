@@ -210,6 +210,8 @@ TEST(NrrdHeader, WhereVoxelsAre)
   EXPECT_TRUE(storage("byte skip: -1").IsAtEnd);
   EXPECT_EQ(storage("line skip: 2\nbyte skip: 7").Skipped, 7);
   EXPECT_EQ(storage("line skip: 2\nbyte skip: 7").Lines, 2);
+  EXPECT_EQ(storage("line skip: 2\nbyte skip: -1").Lines,
+    0); // voxels are at the end, whatever precedes
   for (const std::string encoding : { "gzip", "text", "hex" })
   {
     std::string bytes = NrrdFile("spacings: 1 1 1\nbyte skip: -1");

@@ -1,5 +1,6 @@
-"""Run by ParaView's window at its start, for TestGui.py: shows a scene, and notes after each drawing, in the file
-FLIPFREE_GUI_NOTE, the view's size and what the segmentation is by then. FLIPFREE_GUI_SCENE names the scene:
+"""Run by ParaView's window at its start, for TestGui.py: shows a scene, and notes after each drawing and each move of
+the pointer, in the file FLIPFREE_GUI_NOTE, the view's size, where it sees the pointer, and what the segmentation is by
+then. FLIPFREE_GUI_SCENE names the scene:
 
     organ       the abdomen on two slices, with the camera on its liver
     correction  the same, the liver segmented, and a point selected that may correct it
@@ -25,7 +26,8 @@ MOVED = 22
 
 
 def write_note(*_):
-    state = {"view": list(view.ViewSize)}
+    across, up = view.SMProxy.GetInteractor().GetEventPosition()
+    state = {"view": list(view.ViewSize), "pointer": from_middle(across, up)}
     organ = FindSource("FlipFreeSegmentation1")
     if organ is not None:
         organ.UpdatePropertyInformation()
@@ -71,11 +73,14 @@ def centerline(vessel):
 
 
 def seen_at(place):
-    """Pixels to the right of and below the view's middle."""
     renderer = view.GetClientSideObject().GetRenderer()
     renderer.SetWorldPoint(*place, 1)
     renderer.WorldToDisplay()
-    across, up, _ = renderer.GetDisplayPoint()
+    return from_middle(*renderer.GetDisplayPoint()[:2])
+
+
+def from_middle(across, up):
+    """Pixels to the right of and below the view's middle."""
     # The last digits depend on how near and far the camera sees.
     return [round(across - view.ViewSize[0] / 2, 3), round(view.ViewSize[1] / 2 - up, 3)]
 
@@ -154,4 +159,5 @@ else:
 SetActiveSource(selected)
 Render(view)
 view.SMProxy.AddObserver("EndEvent", write_note)
+view.SMProxy.GetInteractor().AddObserver("MouseMoveEvent", write_note)
 write_note()

@@ -154,6 +154,7 @@ def handle(*_):
     raise Timeout
 
 signal.signal(signal.SIGALRM, handle)
+image()  # by modules that are imported with the first one, and imports do not survive a signal
 raised = 0
 for attempt in range(100):
     try:

@@ -227,6 +227,14 @@ class Files(FileTest):
         (self.folder / os.fsdecode(b"caf\xe9.raw")).write_bytes(bytes(120))
         self.assertEqual(flipfree.read_image(path).voxels.shape, (6, 5, 4))
 
+    def test_lines_before_the_voxels_are_not_compressed(self):
+        voxels = bytes(range(120))
+        path = self.write_nrrd("lines.nrrd", b"line skip: 2\nbyte skip: 3", b"one\ntwo\nabc" + voxels)
+        self.assertEqual(flipfree.read_image(path).voxels.tobytes(), voxels)
+        packed = path.read_bytes().replace(b"raw", b"gzip").partition(b"one")[0]
+        path.write_bytes(packed + b"one\ntwo\n" + gzip.compress(b"abc" + voxels))
+        self.assertEqual(flipfree.read_image(path).voxels.tobytes(), voxels)
+
     def test_more_lines_than_there_are(self):
         path = self.write_nrrd("lines.nrrd", b"line skip: 2000000000")
         with self.assertRaisesRegex(flipfree.FileError, "fewer voxels"):

@@ -21,6 +21,8 @@ const common = {
   bundle: true,
   format: "esm",
   target: "es2022",
+  splitting: true, // what is loaded later, such as a decoder, is a file of its own
+  chunkNames: "part-[hash]",
   legalComments: "linked",
   logLevel: "warning",
   define: { FLIPFREE_VERSION: JSON.stringify(version) },
@@ -80,6 +82,7 @@ await build({
   entryPoints: { offline: join(here, "page/offline.ts") },
   outdir: page,
   format: "iife",
+  splitting: false,
   minify: true,
 });
 

@@ -87,7 +87,9 @@ public:
     std::size_t at = 0;
     const std::string appended = NextTag(this->Bytes, "AppendedData", at);
     const bool isRaw = Attribute(appended, "encoding") == "raw";
-    const std::size_t begin = this->Bytes.find('_', at);
+    // Behind a mark. Where others stand before it, VTK's reader looks for it elsewhere.
+    std::size_t begin = this->Bytes.find_first_not_of(" \t\r\n", at);
+    begin = begin != std::string::npos && this->Bytes[begin] == '_' ? begin : std::string::npos;
     at = 0;
     for (std::string tag = NextTag(this->Bytes, "Piece", at); !tag.empty();
          tag = NextTag(this->Bytes, "Piece", at))
@@ -115,14 +117,15 @@ private:
     {
       this->RequireRoom(std::strtod(Attribute(tag, "NumberOfComponents").c_str(), nullptr));
       this->RequireRoom(std::strtod(Attribute(tag, "NumberOfTuples").c_str(), nullptr));
-      const std::string format = Attribute(tag, "format");
-      if (format == "binary")
+      // VTK's reader goes by the offset, whatever the format is.
+      const std::string place = Attribute(tag, "offset");
+      if (place.empty() && Attribute(tag, "format") == "binary")
       {
         this->JudgeArray(at, false);
       }
-      else if (format == "appended")
+      else if (!place.empty())
       {
-        const double offset = std::strtod(Attribute(tag, "offset").c_str(), nullptr);
+        const double offset = std::strtod(place.c_str(), nullptr);
         if (begin == std::string::npos || !(offset >= 0) ||
           offset >= static_cast<double>(this->Bytes.size() - begin))
         {

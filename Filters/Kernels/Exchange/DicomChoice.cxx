@@ -103,12 +103,12 @@ const DicomVolume& TheOneOf(const std::vector<const DicomVolume*>& volumes)
   return *greatest;
 }
 
-const DicomVolume& NamedVolume(const DicomFolder& folder, const std::string& wanted)
+const DicomVolume& NamedVolume(const DicomFolder& folder, std::string_view wanted)
 {
-  const std::string uid =
-    wanted.empty() ? folder.Volumes.front().SeriesUID : wanted.substr(0, wanted.find('#'));
+  const std::string uid(
+    wanted.empty() ? folder.Volumes.front().SeriesUID : wanted.substr(0, wanted.find('#')));
   const std::vector<const DicomVolume*> volumes = VolumesOf(folder, uid);
-  if (!volumes.empty() && wanted.find('#') == std::string::npos)
+  if (!volumes.empty() && wanted.find('#') == std::string_view::npos)
   {
     return TheOneOf(volumes);
   }
@@ -125,8 +125,8 @@ const DicomVolume& NamedVolume(const DicomFolder& folder, const std::string& wan
     all.push_back(&volume);
   }
   throw FileProblem(FileProblem::Kind::Missing,
-    "The folder " + InQuotes(folder.Name) + " holds no series " + InQuotes(wanted) + ". It holds " +
-      VolumesText(all) + ".");
+    "The folder " + InQuotes(folder.Name) + " holds no series " + InQuotes(std::string(wanted)) +
+      ". It holds " + VolumesText(all) + ".");
 }
 
 } // namespace
@@ -139,7 +139,7 @@ void RequireDicomVolumes(const DicomFolder& folder)
   }
 }
 
-const DicomVolume& ChooseDicomVolume(const DicomFolder& folder, const std::string& wanted)
+const DicomVolume& ChooseDicomVolume(const DicomFolder& folder, std::string_view wanted)
 {
   RequireDicomVolumes(folder);
   const DicomVolume& volume = NamedVolume(folder, wanted);

@@ -1,14 +1,10 @@
 #include "Exchange/DicomDataSet.h"
 
+#include "Exchange/DicomElements.h"
 #include "Exchange/FileProblem.h"
 
 #include <algorithm>
-#include <cmath>
-#include <cstring>
-#include <limits>
-#include <locale>
 #include <new>
-#include <sstream>
 
 namespace FlipFree
 {
@@ -33,63 +29,6 @@ constexpr std::size_t MostFragments = 1 << 20; // far beyond one for each frame
 
 const char* const ExplicitBigEndian = "1.2.840.10008.1.2.2";
 const char* const DeflatedLittleEndian = "1.2.840.10008.1.2.1.99";
-
-/// Of the elements that matter, the coding of those that are not text, where the file does not say.
-const std::map<std::uint32_t, const char*>& WantedElements()
-{
-  using namespace DicomTag;
-  static const std::map<std::uint32_t, const char*> wanted{ { TransferSyntaxUID, "UI" },
-    { SpecificCharacterSet, "CS" }, { ImageType, "CS" }, { SOPClassUID, "UI" },
-    { SOPInstanceUID, "UI" }, { AcquisitionTime, "TM" }, { Modality, "CS" },
-    { SeriesDescription, "LO" }, { FrameType, "CS" }, { KVP, "DS" }, { EchoTime, "DS" },
-    { EchoNumbers, "IS" }, { SpacingBetweenSlices, "DS" }, { TriggerTime, "DS" },
-    { ConvolutionKernel, "SH" }, { ImagerPixelSpacing, "DS" }, { EffectiveEchoTime, "FD" },
-    { DiffusionBValue, "FD" }, { DiffusionGradientOrientation, "FD" }, { SeriesInstanceUID, "UI" },
-    { SeriesNumber, "IS" }, { AcquisitionNumber, "IS" }, { ImagePositionPatient, "DS" },
-    { ImageOrientationPatient, "DS" }, { TemporalPositionIdentifier, "IS" }, { StackID, "SH" },
-    { TemporalPositionIndex, "UL" }, { NominalCardiacTriggerDelayTime, "FD" },
-    { FrameAcquisitionNumber, "US" }, { TemporalPositionTimeOffset, "FD" },
-    { SamplesPerPixel, "US" }, { PhotometricInterpretation, "CS" }, { NumberOfFrames, "IS" },
-    { FrameIncrementPointer, "AT" }, { SliceVector, "US" }, { Rows, "US" }, { Columns, "US" },
-    { PixelSpacing, "DS" }, { BitsAllocated, "US" }, { BitsStored, "US" }, { HighBit, "US" },
-    { PixelRepresentation, "US" }, { RescaleIntercept, "DS" }, { RescaleSlope, "DS" },
-    { FrameReferenceTime, "DS" }, { GridFrameOffsetVector, "DS" }, { DoseGridScaling, "DS" } };
-  return wanted;
-}
-
-/// The functional groups whose elements matter; others may hold the same tags in another sense.
-bool IsFunctionalGroup(std::uint32_t tag)
-{
-  constexpr std::uint32_t groups[] = {
-    0x00189114, // MR echo
-    0x00189117, // MR diffusion
-    0x00189076, // diffusion gradient direction, within it
-    0x00189118, // cardiac synchronization
-    0x00189226, // MR image frame type
-    0x00189329, // CT image frame type
-    0x00189751, // PET image frame type
-    0x00209111, // frame content
-    0x00209113, // plane position
-    0x00209116, // plane orientation
-    0x00209310, // temporal position
-    0x00289110, // pixel measures
-    0x00289145  // pixel value transformation
-  };
-  return std::find(std::begin(groups), std::end(groups), tag) != std::end(groups);
-}
-
-bool IsShortType(const std::string& type)
-{
-  static const std::string types =
-    "AE AS AT CS DA DS DT FD FL IS LO LT PN SH SL SS ST TM UI UL US ";
-  return types.find(type + ' ') != std::string::npos;
-}
-
-bool IsLongType(const std::string& type)
-{
-  static const std::string types = "OB OD OF OL OV OW SQ SV UC UN UR UT UV ";
-  return types.find(type + ' ') != std::string::npos;
-}
 
 struct DicomCoding
 {
@@ -185,96 +124,6 @@ private:
   std::uint64_t End = 0;
 };
 
-template <typename T>
-T DicomNumberAt(const std::string& bytes, std::size_t offset, bool bigEndian)
-{
-  std::uint64_t value = 0;
-  for (std::size_t index = 0; index < sizeof(T); ++index)
-  {
-    const std::size_t byte = bigEndian ? index : sizeof(T) - 1 - index;
-    value = value << 8 | static_cast<unsigned char>(bytes[offset + byte]);
-  }
-  if constexpr (sizeof(T) == 8)
-  {
-    T number;
-    std::memcpy(&number, &value, 8);
-    return number;
-  }
-  else
-  {
-    const auto narrow = static_cast<std::uint32_t>(value);
-    T number;
-    if constexpr (sizeof(T) == 4)
-    {
-      std::memcpy(&number, &narrow, 4);
-    }
-    else
-    {
-      number = static_cast<T>(narrow);
-    }
-    return number;
-  }
-}
-
-template <typename T>
-std::string DicomNumbersText(const std::string& bytes, bool bigEndian)
-{
-  std::ostringstream text;
-  text.imbue(std::locale::classic());
-  text.precision(17);
-  for (std::size_t at = 0; at + sizeof(T) <= bytes.size(); at += sizeof(T))
-  {
-    text << (at ? "\\" : "") << DicomNumberAt<T>(bytes, at, bigEndian);
-  }
-  return text.str();
-}
-
-/// Tags as numbers. The group comes first, whatever the order of bytes.
-std::string DicomTagsText(const std::string& bytes, bool bigEndian)
-{
-  std::string text;
-  for (std::size_t at = 0; at + 4 <= bytes.size(); at += 4)
-  {
-    const std::uint32_t group = DicomNumberAt<std::uint16_t>(bytes, at, bigEndian);
-    const std::uint32_t element = DicomNumberAt<std::uint16_t>(bytes, at + 2, bigEndian);
-    text += (at ? "\\" : "") + std::to_string(group << 16 | element);
-  }
-  return text;
-}
-
-std::string DicomValueText(const std::string& bytes, const std::string& type, bool bigEndian)
-{
-  if (type == "US")
-  {
-    return DicomNumbersText<std::uint16_t>(bytes, bigEndian);
-  }
-  if (type == "SS")
-  {
-    return DicomNumbersText<std::int16_t>(bytes, bigEndian);
-  }
-  if (type == "UL")
-  {
-    return DicomNumbersText<std::uint32_t>(bytes, bigEndian);
-  }
-  if (type == "SL")
-  {
-    return DicomNumbersText<std::int32_t>(bytes, bigEndian);
-  }
-  if (type == "AT")
-  {
-    return DicomTagsText(bytes, bigEndian);
-  }
-  if (type == "FL")
-  {
-    return DicomNumbersText<float>(bytes, bigEndian);
-  }
-  if (type == "FD")
-  {
-    return DicomNumbersText<double>(bytes, bigEndian);
-  }
-  return WithoutDicomPadding(bytes);
-}
-
 class DicomParser
 {
 public:
@@ -341,7 +190,7 @@ private:
     const DicomCoding coding;
     for (std::string next = this->Bytes.Peek(6);
          next.size() == 6 && DicomNumberAt<std::uint16_t>(next, 0, false) == 2 &&
-         (IsShortType(next.substr(4)) || IsLongType(next.substr(4)) ||
+         (IsShortDicomType(next.substr(4)) || IsLongDicomType(next.substr(4)) ||
            this->Bytes.Position() > 128);
          next = this->Bytes.Peek(6))
     {
@@ -368,7 +217,7 @@ private:
       return false;
     }
     const std::string type = head.substr(4, 2);
-    coding.IsExplicit = IsShortType(type) || IsLongType(type);
+    coding.IsExplicit = IsShortDicomType(type) || IsLongDicomType(type);
     const auto little = DicomNumberAt<std::uint16_t>(head, 0, false);
     const auto big = DicomNumberAt<std::uint16_t>(head, 0, true);
     coding.IsBigEndian = this->Data.TransferSyntax == ExplicitBigEndian ||
@@ -398,12 +247,12 @@ private:
       return element;
     }
     element.Type = head.substr(4, 2);
-    if (IsShortType(element.Type))
+    if (IsShortDicomType(element.Type))
     {
       element.Length = DicomNumberAt<std::uint16_t>(head, 6, big);
       return element;
     }
-    if (!IsLongType(element.Type))
+    if (!IsLongDicomType(element.Type))
     {
       StopReading("an element has no known type");
     }
@@ -477,8 +326,8 @@ private:
       this->ReadSequence(element, end, coding, target, hasFrames, depth);
       return;
     }
-    const auto wanted = WantedElements().find(element.Tag);
-    if (!into || wanted == WantedElements().end())
+    const char* const wanted = TypeOfWantedElement(element.Tag);
+    if (!into || !wanted)
     {
       this->Bytes.Skip(element.Length);
       return;
@@ -489,7 +338,7 @@ private:
     }
     const bool isTyped = !element.Type.empty() && element.Type != "UN";
     into->Add(element.Tag,
-      DicomValueText(this->Bytes.Read(element.Length), isTyped ? element.Type : wanted->second,
+      DicomValueText(this->Bytes.Read(element.Length), isTyped ? element.Type : wanted,
         coding.IsBigEndian));
   }
 

@@ -119,12 +119,18 @@ std::uint64_t LeastCompressedSize(const std::string& syntax, const DicomPixelFor
       (64 + static_cast<std::uint64_t>(format.BitsAllocated / 8) * 2 * ((pixels + 127) / 128));
   }
   const std::string process = syntax.substr(syntax.find_last_of('.') + 1);
-  constexpr std::uint64_t lossless = 8;   // one bit for each pixel
-  constexpr std::uint64_t lossy = 256;    // two bits for each block of 64
-  constexpr std::uint64_t others = 65536; // a blank slice of 2048 x 2048 takes 140 bytes
+  constexpr std::uint64_t lossless = 8; // one bit for each pixel
+  constexpr std::uint64_t lossy = 256;  // two bits for each block of 64
+  // In JPEG 2000, a blank slice takes about 140 bytes, whatever its size. One may be as large as
+  // slices are.
+  constexpr std::uint64_t others = 8192;
+  constexpr std::uint64_t greatestBlank = 2048 * 2048;
   const bool isLossless = process == "57" || process == "70";
   const bool isLossy = process == "50" || process == "51";
-  return frames * pixels / (isLossless ? lossless : isLossy ? lossy : others);
+  const std::uint64_t all = frames * pixels;
+  return isLossless ? all / lossless
+    : isLossy       ? all / lossy
+                    : (all - std::min(all, greatestBlank)) / others;
 }
 
 bool HasEnoughPixels(const DicomDataSet& data, const DicomPixelFormat& format, std::uint64_t frames)

@@ -198,6 +198,12 @@ DicomFolder ReadDicomFolder(const std::string& name, const std::vector<std::stri
   return isStopped ? DicomFolder() : std::move(folder);
 }
 
+bool NeedsDecoder(const DicomFolder& folder, const DicomVolume& volume)
+{
+  return std::any_of(volume.Frames.begin(), volume.Frames.end(),
+    [&folder](const DicomFrame& frame) { return !IsReadDirectly(folder.Files[frame.File].Data); });
+}
+
 void ReadDicomVoxels(const DicomFolder& folder, const DicomVolume& volume,
   const DicomAccess& access, void* voxels, const Monitor& monitor)
 {

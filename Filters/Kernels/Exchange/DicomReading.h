@@ -42,6 +42,9 @@ std::vector<std::string> FilesInFolder(const std::string& folder);
 DicomFolder ReadDicomFolder(const std::string& name, const std::vector<std::string>& files,
   const DicomAccess& access, const Monitor& monitor);
 
+/// Whether pixels of the volume are compressed in a way that DicomAccess::Decode is needed for.
+bool NeedsDecoder(const DicomFolder& folder, const DicomVolume& volume);
+
 /// Reads the voxels of all slices, one after the other, as VoxelType `volume.Type`. Where the
 /// monitor says stop, the rest is left as it was. A FileProblem where pixels are damaged.
 void ReadDicomVoxels(const DicomFolder& folder, const DicomVolume& volume,

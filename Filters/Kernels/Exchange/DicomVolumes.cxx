@@ -1,5 +1,6 @@
 #include "Exchange/DicomVolumes.h"
 
+#include "Exchange/DicomCopies.h"
 #include "Exchange/FileNames.h"
 
 #include <algorithm>
@@ -280,7 +281,7 @@ private:
       if (isSound)
       {
         SortAlongNormal(group);
-        this->RemoveTheSame(group, uid);
+        this->RemoveCopies(group, uid);
         for (Frames& part : this->Divided(group))
         {
           parts.push_back(std::move(part));
@@ -294,44 +295,14 @@ private:
     return parts;
   }
 
-  /// Of ordered frames.
-  void RemoveTheSame(Frames& frames, const std::string& uid)
-  {
-    Frames kept;
-    std::map<std::size_t, std::size_t> removed; // files, with how many frames of each
-    for (const DicomFrame& frame : frames)
-    {
-      bool isThere = false;
-      for (auto other = kept.rbegin();
-           other != kept.rend() && AreAtOnePlace(*other, frame) && !isThere; ++other)
-      {
-        const bool mayBe = other->Instance == frame.Instance ? other->Number == frame.Number
-                                                             : other->Keys == frame.Keys;
-        isThere = mayBe && other->Rescale == frame.Rescale && other->File != frame.File &&
-          this->HaveSamePixels(*other, frame);
-      }
-      if (isThere)
-      {
-        ++removed[frame.File];
-      }
-      else
-      {
-        kept.push_back(frame);
-      }
-    }
-    for (const auto& file : removed)
-    {
-      this->LeaveOut(Reason::TheSame, file.first, uid);
-    }
-    frames = std::move(kept);
-  }
-
-  bool HaveSamePixels(const DicomFrame& a, const DicomFrame& b) const
+  void RemoveCopies(Frames& frames, const std::string& uid)
   {
     const auto bytesOf = [this](const DicomFrame& frame)
     { return this->BytesOf(this->Folder.Files[frame.File], frame.Number); };
-    const std::string bytes = bytesOf(a);
-    return !bytes.empty() && bytes == bytesOf(b);
+    for (const std::size_t file : RemoveDicomCopies(frames, bytesOf))
+    {
+      this->LeaveOut(Reason::TheSame, file, uid);
+    }
   }
 
   bool IsEvenStack(const Frames& frames) const

@@ -4,10 +4,9 @@
 #ifndef FlipFreeNiftiFields_h
 #define FlipFreeNiftiFields_h
 
-#include <algorithm>
-#include <array>
+#include "Exchange/ByteOrder.h"
+
 #include <cstdint>
-#include <cstring>
 #include <string>
 
 namespace FlipFree
@@ -29,9 +28,9 @@ public:
   {
     for (const Version version : { Version::First, Version::Second })
     {
-      for (const bool swapped : { false, true })
+      for (const bool isBigEndian : { false, true })
       {
-        this->IsSwapped = swapped;
+        this->HasBigEndian = isBigEndian;
         if (start.size() >= 4 && this->At<std::int32_t>(0) == static_cast<int>(version))
         {
           this->OwnVersion = version;
@@ -50,7 +49,7 @@ public:
   }
   /// The voxels are in a file of their own.
   bool IsPair() const { return !this->HasMagic(this->IsFirst() ? "n+1" : "n+2"); }
-  bool IsBigEndian() const { return this->IsSwapped != MachineIsBigEndian(); }
+  bool IsBigEndian() const { return this->HasBigEndian; }
 
   double Dimension(int index) const
   {
@@ -79,13 +78,6 @@ public:
   double Affine(int index) const { return this->Real(280, 400, index); }
 
 private:
-  static bool MachineIsBigEndian()
-  {
-    const std::uint16_t one = 1;
-    unsigned char first = 0;
-    std::memcpy(&first, &one, 1);
-    return first == 0;
-  }
   bool HasMagic(const char* magic) const
   {
     return this->Bytes.compare(this->IsFirst() ? 344 : 4, 3, magic) == 0;
@@ -103,19 +95,11 @@ private:
   template <typename T>
   T At(int offset) const
   {
-    std::array<char, sizeof(T)> bytes;
-    std::copy_n(this->Bytes.begin() + offset, sizeof(T), bytes.begin());
-    if (this->IsSwapped)
-    {
-      std::reverse(bytes.begin(), bytes.end());
-    }
-    T value;
-    std::memcpy(&value, bytes.data(), sizeof(T));
-    return value;
+    return NumberFrom<T>(this->Bytes.data() + offset, this->HasBigEndian);
   }
 
   const std::string& Bytes;
-  bool IsSwapped = false;
+  bool HasBigEndian = false;
   Version OwnVersion = Version::None;
 };
 

@@ -170,9 +170,10 @@ VoxelStorage NrrdStorage(const std::string& name, const NrrdText& text)
   {
     storage.Offset = text.End;
   }
-  storage.Lines = static_cast<std::uint64_t>(fields.Integer("line skip", 0, INT_MAX, 0));
+  const long lines = fields.Integer("line skip", 0, INT_MAX, 0);
   const long bytes = fields.Integer("byte skip", -1, INT_MAX, 0);
   storage.IsAtEnd = bytes < 0;
+  storage.Lines = storage.IsAtEnd ? 0 : static_cast<std::uint64_t>(lines);
   storage.Skipped = static_cast<std::uint64_t>(std::max(0L, bytes));
   RequireLengthOfVoxels(name, "byte skip", storage);
   return storage;

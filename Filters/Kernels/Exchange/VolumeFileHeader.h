@@ -38,7 +38,7 @@ struct VoxelStorage
   /// own folder. The header's own file is an empty name.
   std::vector<std::string> Files{ std::string() };
   std::uint64_t Offset = 0;  ///< of the first byte in each file, as it is stored
-  std::uint64_t Lines = 0;   ///< to skip there first
+  std::uint64_t Lines = 0;   ///< to skip there first, as they are stored
   std::uint64_t Skipped = 0; ///< bytes before the voxels, once they are inflated
   bool IsAtEnd = false;      ///< the voxels are the last bytes of the file, wherever they begin
   Coding Form = Coding::Raw;

@@ -1,10 +1,10 @@
 #include "Exchange/VoxelDecoding.h"
 
+#include "Exchange/ByteOrder.h"
 #include "Exchange/HeaderField.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <cstring>
 #include <limits>
 
@@ -12,28 +12,6 @@ namespace FlipFree
 {
 namespace
 {
-
-bool BytesAreReversed(const VoxelStorage& storage)
-{
-  const std::uint16_t one = 1;
-  unsigned char first = 0;
-  std::memcpy(&first, &one, 1);
-  return SizeOf(storage.Type) > 1 && storage.IsBigEndian != (first == 0);
-}
-
-template <typename T>
-T StoredVoxel(const unsigned char* bytes, bool isReversed)
-{
-  unsigned char ordered[sizeof(T)];
-  std::memcpy(ordered, bytes, sizeof(T));
-  if (isReversed)
-  {
-    std::reverse(ordered, ordered + sizeof(T));
-  }
-  T voxel;
-  std::memcpy(&voxel, ordered, sizeof(T));
-  return voxel;
-}
 
 template <typename T>
 void Scale(const VolumeFileHeader& header, T voxel, std::size_t index, void* values)
@@ -139,8 +117,8 @@ std::string BytesOfHex(const VolumeFileHeader& header, const std::string& stored
 void DecodeVoxels(const VolumeFileHeader& header, const void* stored, std::size_t count,
   void* values)
 {
-  const bool isReversed = BytesAreReversed(header.Storage);
   const std::size_t size = SizeOf(header.Storage.Type);
+  const bool isReversed = size > 1 && header.Storage.IsBigEndian != MachineIsBigEndian();
   if (!isReversed && !header.IsScaled())
   {
     if (values != stored)
@@ -149,14 +127,14 @@ void DecodeVoxels(const VolumeFileHeader& header, const void* stored, std::size_
     }
     return;
   }
-  const auto* const bytes = static_cast<const unsigned char*>(stored);
+  const auto* const bytes = static_cast<const char*>(stored);
   WithVoxelType(header.Storage.Type,
     [&](auto* type)
     {
       using T = std::remove_pointer_t<decltype(type)>;
       for (std::size_t index = 0; index < count; ++index)
       {
-        const T voxel = StoredVoxel<T>(bytes + index * size, isReversed);
+        const T voxel = NumberFrom<T>(bytes + index * size, header.Storage.IsBigEndian);
         if (header.IsScaled())
         {
           Scale(header, voxel, index, values);

@@ -33,7 +33,17 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#if defined(__SANITIZE_ADDRESS__)
+// GCC tells it by a macro, Clang by a feature.
+#if defined(__has_feature)
+#if __has_feature(address_sanitizer)
+#define FLIPFREE_HAS_SANITIZER
+#endif
+#elif defined(__SANITIZE_ADDRESS__)
+#define FLIPFREE_HAS_SANITIZER
+#endif
+
+#if defined(FLIPFREE_HAS_SANITIZER)
+#undef FLIPFREE_HAS_SANITIZER
 // An error is told from a refusal by its status; leaks of other people's readers are no finds here.
 extern "C" const char* __asan_default_options();
 extern "C" const char* __asan_default_options()
@@ -283,7 +293,7 @@ std::string Judge(const Child& child, int state, double seconds, long megabytes,
   {
     return std::to_string(errorLines) + " errors with status " + std::to_string(status);
   }
-  if (errors.find("Out of memory") != std::string::npos)
+  if (failed && errors.find("memory") != std::string::npos)
   {
     return "it wants more memory than is available";
   }

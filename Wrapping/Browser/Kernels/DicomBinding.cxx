@@ -160,6 +160,18 @@ public:
       });
   }
 
+  val Choose(const std::string& wanted) const
+  {
+    return Guarded(
+      [&]
+      {
+        val answer = val::object();
+        answer.set("needsDecoder",
+          NeedsDecoder(this->Folder, ChooseDicomVolume(this->Folder, wanted)));
+        return answer;
+      });
+  }
+
   val Read(const std::string& wanted, const val& report) const
   {
     return Guarded(
@@ -217,6 +229,7 @@ void BindDicom()
   emscripten::class_<ReadFolder>("DicomFolder")
     .smart_ptr<std::shared_ptr<ReadFolder>>("DicomFolder")
     .function("list", &ReadFolder::List)
+    .function("choose", &ReadFolder::Choose)
     .function("read", &ReadFolder::Read);
   emscripten::function("openDicom", &OpenFolder);
 }

@@ -1,5 +1,4 @@
 /** Folders of DICOM files. The kernels understand them; pako inflates, and daikon decodes compressed pixels. */
-import daikon from "daikon";
 import { Inflate } from "pako";
 import type { DicomSeries, NamedFile, OpenedVolume, Triple, Voxels } from "./types.js";
 import type { Answer, Check } from "./volumefiles.js";
@@ -9,6 +8,7 @@ type Bytes = (bytes: Uint8Array) => Uint8Array;
 
 interface KernelFolder {
   list(): Answer<{ list: (Omit<DicomSeries, "spacing"> & { spacing: Float64Array | null })[] }>;
+  choose(series: string): Answer<{ needsDecoder: boolean }>;
   read(series: string, report: Report): Answer<{
     size: Int32Array;
     spacing: Float64Array;
@@ -58,10 +58,13 @@ function inflate(bytes: Uint8Array, most: number): Uint8Array {
   return plain;
 }
 
+/** Large, and needed by few: loaded with the first compressed pixels. */
+let daikon: typeof import("daikon").default | undefined;
+
 /** The pixels of a file; none where they are damaged. */
 const decode: Bytes = (bytes) => {
   try {
-    const image = daikon.Series.parseImage(new DataView(bytes.slice().buffer));
+    const image = daikon?.Series.parseImage(new DataView(bytes.slice().buffer));
     return image ? new Uint8Array(image.getRawData()) : new Uint8Array();
   } catch {
     return new Uint8Array();
@@ -73,7 +76,7 @@ async function withFolder<T>(
   files: readonly NamedFile[],
   checked: Check,
   report: Report,
-  use: (folder: KernelFolder) => T,
+  use: (folder: KernelFolder) => T | Promise<T>,
 ): Promise<T> {
   const read = [];
   for (const { name, data } of files) {
@@ -85,7 +88,7 @@ async function withFolder<T>(
   const name = files[0]?.name.includes("/") ? files[0].name.slice(0, files[0].name.lastIndexOf("/")) : "the folder";
   const { folder } = checked(kernels.openDicom(name, read, inflate, decode, report));
   try {
-    return use(folder);
+    return await use(folder);
   } finally {
     folder.delete();
   }
@@ -109,7 +112,10 @@ export function readSeries(
   checked: Check,
   report: Report,
 ): Promise<OpenedVolume> {
-  return withFolder(kernels, files, checked, report, (folder) => {
+  return withFolder(kernels, files, checked, report, async (folder) => {
+    if (checked(folder.choose(series)).needsDecoder) {
+      daikon ??= (await import("daikon")).default;
+    }
     const read = checked(folder.read(series, report));
     const triple = (numbers: ArrayLike<number>): Triple => [numbers[0], numbers[1], numbers[2]];
     return {

@@ -57,14 +57,17 @@ export class InflatedFile {
     }
   }
 
-  /** Past the ends of so many lines. */
+  /** Past the ends of so many lines, as they are stored; before anything is read. */
   async skipLines(lines: number): Promise<void> {
-    for (let left = lines; left > 0; ) {
-      const letter = await this.read(1);
-      if (letter.length === 0) {
-        return;
+    for (let left = lines; left > 0 && this.place < this.file.size; ) {
+      const part = await this.stored();
+      let begin = 0;
+      while (left > 0 && begin < part.length) {
+        const end = part.indexOf(lineEnd, begin);
+        left -= end < 0 ? 0 : 1;
+        begin = end < 0 ? part.length : end + 1;
       }
-      left -= letter[0] === lineEnd ? 1 : 0;
+      this.place += begin;
     }
   }
 
@@ -83,6 +86,11 @@ export class InflatedFile {
       this.available = 0;
     }
     return !this.inflate || (this.hasEnded && this.inflate.err === 0);
+  }
+
+  /** The part of the file that comes next. */
+  private async stored(): Promise<Uint8Array> {
+    return new Uint8Array(await this.file.slice(this.place, this.place + partSize).arrayBuffer());
   }
 
   private newStream(): Inflate {
@@ -106,7 +114,7 @@ export class InflatedFile {
     if (this.place >= this.file.size || (this.inflate && this.inflate.err !== 0)) {
       return false;
     }
-    const part = new Uint8Array(await this.file.slice(this.place, this.place + partSize).arrayBuffer());
+    const part = await this.stored();
     this.place += part.length;
     if (this.inflate) {
       if (this.hasEnded && !hasMark(part, 0)) {

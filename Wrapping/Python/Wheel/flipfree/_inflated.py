@@ -50,12 +50,12 @@ class InflatedFile:
             size = size - part if part else 0
 
     def skip_lines(self, lines: int) -> None:
-        """Past the ends of so many lines."""
+        """Past the ends of so many lines, as they are stored; before anything is read."""
         while lines > 0:
-            letter = self.read(1)
-            if not letter:
+            part = self._file.readline(CHUNK)
+            if not part:
                 break
-            lines -= letter == b"\n"
+            lines -= part.endswith(b"\n")
 
     def rest(self) -> bytes:
         """All that follows."""

@@ -1,0 +1,39 @@
+/**
+ * Numbers from the bytes of files, in either order.
+ */
+#ifndef FlipFreeByteOrder_h
+#define FlipFreeByteOrder_h
+
+#include <algorithm>
+#include <cstdint>
+#include <cstring>
+
+namespace FlipFree
+{
+
+inline bool MachineIsBigEndian()
+{
+  const std::uint16_t one = 1;
+  unsigned char first = 0;
+  std::memcpy(&first, &one, 1);
+  return first == 0;
+}
+
+/// Of the first sizeof(T) bytes.
+template <typename T>
+T NumberFrom(const void* bytes, bool isBigEndian)
+{
+  unsigned char ordered[sizeof(T)];
+  std::memcpy(ordered, bytes, sizeof(T));
+  if (isBigEndian != MachineIsBigEndian())
+  {
+    std::reverse(ordered, ordered + sizeof(T));
+  }
+  T number;
+  std::memcpy(&number, ordered, sizeof(T));
+  return number;
+}
+
+} // namespace FlipFree
+
+#endif
