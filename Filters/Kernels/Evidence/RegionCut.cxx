@@ -21,8 +21,8 @@ void RegionCut::Add(const RegionProposal& proposal)
     return;
   }
   const double share = proposal.Weight / (this->Unit * static_cast<double>(proposal.Blocks.size()));
-  constexpr double greatest = CutNode::Infinite / 4;
-  const auto capacity = static_cast<std::int32_t>(std::lround(std::min(share, greatest)));
+  constexpr std::int32_t greatest = CutNode::Infinite / 4;
+  const auto capacity = static_cast<std::int32_t>(std::lround(std::min<double>(share, greatest)));
   for (const std::size_t block : proposal.Blocks)
   {
     this->Cut.AddToTerminal(this->Nodes[block], proposal.IsInside ? capacity : -capacity);
