@@ -128,12 +128,11 @@ TEST(SegmentationWarnings, PartsThatTheCutWasNotSureOfAreNamed)
     voxels, geometry);
   ASSERT_EQ(warnings.size(), 2U);
   EXPECT_EQ(warnings[0],
-    "9 ml around (80, 40, 40) mm are joined to the organ by a neck, and were left out, though the "
-    "image hardly shows an end there; look at them, and add an inside point where they belong to "
-    "it.");
+    "9 ml around (80, 40, 40) mm were left out, but may be a part of the organ, which they join at "
+    "a neck; look at them, and add an inside point there if they are one.");
   EXPECT_EQ(warnings[1],
-    "6 ml around (50, 40, 40) mm are joined to the organ by a neck, and were taken for a part of "
-    "it, since the image shows no end there; look at them, and add an outside point where they are "
-    "none.");
+    "6 ml around (50, 40, 40) mm were taken for a part of the organ, which they join at a neck, "
+    "but "
+    "may be none; look at them, and add an outside point there if they are none.");
   EXPECT_TRUE(WarningsOfParts({}, voxels, geometry).empty());
 }

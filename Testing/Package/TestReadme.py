@@ -60,7 +60,7 @@ def main(readme, prefix, python, vtk, compiler):
         layer, filters, correction, labels = blocks(text, "### Python", "python")
         expect(r"(?m)^at rest \(6144, 3\) [0-9]+ voxels\n0\.9[3-9].*\n(.*\n)*<Segmentation: 6144 vertices, 0 self-inter",
                run([sys.executable, "-c", f"{layer}\n{correction}\nprint(better)"], folder, environment))
-        expect("^at rest 6144\n$", run([sys.executable, "-c", filters], folder, environment))
+        expect("(?m)^at rest 6144\n$", run([sys.executable, "-c", filters], folder, environment))
         expect("<Segmentation: 6144 vertices, 0 self-intersections",
                run([sys.executable, "-c", f"import flipfree\n{labels}\nprint(liver)"], folder, environment))
         lines = block(text, "### Python", "sh").replace("/usr/bin/python3", sys.executable)

@@ -181,7 +181,7 @@ std::vector<std::string> WarningsOfParts(const std::vector<DoubtfulPart>& doubts
   std::copy_if(doubts.begin(), doubts.end(), std::back_inserter(parts),
     [volume](const DoubtfulPart& part)
     { return part.Margin < DoubtfulMargin && part.Volume > DoubtfulVolume * volume; });
-  std::sort(parts.begin(), parts.end(),
+  std::stable_sort(parts.begin(), parts.end(),
     [](const DoubtfulPart& one, const DoubtfulPart& other) { return one.Volume > other.Volume; });
   std::vector<DoubtfulPart> told;
   std::vector<std::string> warnings;
@@ -200,12 +200,14 @@ std::vector<std::string> WarningsOfParts(const std::vector<DoubtfulPart>& doubts
     std::snprintf(milliliters, sizeof(milliliters), "%.0f ml", part.Volume / 1000);
     const std::string where = std::string(milliliters) + " around " +
       TextOf(Eigen::RowVector3d(part.Place.array().round() + 0.0)) + " mm ";
-    warnings.push_back(Holds(voxels, NearestVoxel(image, part.Place)) ? where +
-          "are joined to the organ by a neck, and were taken for a part of it, since the image "
-          "shows no end there; look at them, and add an outside point where they are none."
-                                                                      : where +
-          "are joined to the organ by a neck, and were left out, though the image hardly shows an "
-          "end there; look at them, and add an inside point where they belong to it.");
+    warnings.push_back(where +
+      (Holds(voxels, NearestVoxel(image, part.Place))
+          ? "were taken for a part of the organ, which they join at a neck, but may be none; look "
+            "at "
+            "them, and add an outside point there if they are none."
+          : "were left out, but may be a part of the organ, which they join at a neck; look at "
+            "them, "
+            "and add an inside point there if they are one."));
   }
   return warnings;
 }

@@ -19,22 +19,25 @@ bool AddForeground(const ImageView<float>& smooth, const ImageMaker& makeSmooth,
     return true;
   }
   const ImageGeometry& geometry = smooth.Geometry;
-  const VoxelBox box =
+  const LeakControlRadii leaks = RadiiOf(settings.Leaks, seed.Radius, geometry);
+  const VoxelBox reach =
     WidenedBy(mask.Bounds().Joined(BoxAround(geometry, seed.Center, seed.Radius)),
       std::max(limits.Reach, settings.Intensity.ShellEnd), 1, geometry);
-  if (!makeSmooth(box))
+  const VoxelBox searched = reach.Widened(ForegroundMargin(geometry, leaks), WholeBox(geometry));
+  if (!makeSmooth(searched))
   {
     return false;
   }
   IntensityModel model = FitToSeed(smooth, seed, noise, settings.Intensity);
-  if (RefitToSurface(smooth, points, triangles, noise, settings.Intensity, parallelFor,
-        PartOf(monitor, 0, 0.4), model) == Refit::Stopped)
+  const Refit refit = RefitToSurface(smooth, points, triangles, noise, settings.Intensity,
+    parallelFor, PartOf(monitor, 0, 0.4), model);
+  if (refit != Refit::Done)
   {
-    return false;
+    return refit != Refit::Stopped;
   }
   BitMask found;
-  if (!FindForegroundInBox(smooth, box, model, seed, RadiiOf(settings.Leaks, seed.Radius, geometry),
-        parallelFor, PartOf(monitor, 0.4, 0.9), found))
+  if (!FindForegroundInBox(smooth, searched, model, seed, leaks, parallelFor,
+        PartOf(monitor, 0.4, 0.9), found))
   {
     return false;
   }
@@ -43,7 +46,9 @@ bool AddForeground(const ImageView<float>& smooth, const ImageMaker& makeSmooth,
   {
     return true;
   }
-  mask.Unite(found);
+  BitMask within(geometry);
+  within.Insert(found.Cropped(reach), reach.Begin);
+  mask.Unite(within);
   return KeepConnected(mask, VoxelsAround(geometry, seed), PartOf(monitor, 0.9, 1));
 }
 

@@ -11,7 +11,6 @@
 #include "Intensity/LeakControl.h"
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
 #include <utility>
 
@@ -25,8 +24,8 @@ namespace
 constexpr double WorthOfOrgan = 0.7;
 // Beyond, more evidence does not make the image surer.
 constexpr double MostEvidence = 16;
-// Of the organ's volume: parts that are smaller are not worth a doubt.
-constexpr double LeastDoubt = 0.02;
+// Of what the first cut keeps: parts that are smaller are not worth a doubt.
+constexpr double LeastDoubt = 0.035;
 
 void Insert(const std::vector<std::size_t>& voxels, BitMask& mask)
 {
@@ -202,8 +201,7 @@ private:
 
   double EdgeContrast() const { return 3 * this->Spread; }
 
-  // The severed parts that are large enough to be compared with the rest, and not so large that
-  // they are the organ themselves.
+  // The severed parts that are not too small for a proposal.
   std::vector<SeveredPart> FindParts(const RegionCut& cut)
   {
     const auto isInside = [&cut](std::size_t block) { return cut.IsInside(block); };
@@ -214,13 +212,9 @@ private:
     {
       this->Kept -= part.Volume;
     }
-    const auto cannotBeCompared = [this](const SeveredPart& part)
-    {
-      return part.Volume < 1000 * this->Settings.LeastPart ||
-        part.Volume > this->Settings.GreatestRatio * this->Kept ||
-        part.Samples < this->Settings.LeastSamples;
-    };
-    parts.erase(std::remove_if(parts.begin(), parts.end(), cannotBeCompared), parts.end());
+    const auto isSmall = [this](const SeveredPart& part)
+    { return part.Volume < 1000 * this->Settings.LeastPart; };
+    parts.erase(std::remove_if(parts.begin(), parts.end(), isSmall), parts.end());
     return parts;
   }
 
@@ -253,11 +247,16 @@ private:
       return 0;
     }
     const OrganCutSettings& settings = this->Settings;
+    if (part.Area == 0 || part.Samples < settings.LeastSamples)
+    {
+      return settings.LeastEvidence;
+    }
     const double least = this->IsMR ? 0 : settings.LeastStepInCT;
     const double step = part.Step / std::max(settings.NeighborStep * this->Spread, least);
     const double edge = part.Edge / settings.NeighborEdge;
     const double evidence = std::max(step * step, edge * edge);
-    const bool mayBeOwn = !this->IsMR && part.Volume >= settings.LeastOwnPart * this->Kept;
+    const bool mayBeOwn = !this->IsMR && part.Volume >= settings.LeastOwnPart * this->Kept &&
+      part.Volume <= settings.GreatestOwnPart * this->Kept;
     return mayBeOwn ? evidence : std::max(evidence, settings.LeastEvidence);
   }
 
@@ -308,16 +307,22 @@ private:
       {
         continue;
       }
-      const double margin = cut.MarginOf(part.Blocks, this->Parallel, this->Ask);
+      const std::size_t deepest = *std::max_element(part.Blocks.begin(), part.Blocks.end(),
+        [this](std::size_t a, std::size_t b)
+        { return this->SquaredDepth[a] < this->SquaredDepth[b]; });
+      // The cut may have divided the part.
+      const bool isInside = cut.IsInside(deepest);
+      std::vector<std::size_t> blocks;
+      std::copy_if(part.Blocks.begin(), part.Blocks.end(), std::back_inserter(blocks),
+        [&](std::size_t block) { return cut.IsInside(block) == isInside; });
+      const double margin = cut.MarginOf(blocks, this->Parallel, this->Ask);
       if (margin < 0)
       {
         return false;
       }
-      const std::size_t deepest = *std::max_element(part.Blocks.begin(), part.Blocks.end(),
-        [this](std::size_t a, std::size_t b)
-        { return this->SquaredDepth[a] < this->SquaredDepth[b]; });
+      const double volume = static_cast<double>(blocks.size()) * this->Grid.Blocks.VoxelVolume();
       this->State.Doubts.push_back(
-        { this->Grid.CenterOf(deepest), part.Volume, cut.IsInside(deepest), margin / part.Volume });
+        { this->Grid.CenterOf(deepest), volume, isInside, margin / volume });
     }
     return true;
   }

@@ -24,8 +24,8 @@ struct OrganCutSettings
 {
   double SourceRadius = 0.6; ///< seed radii; what of the seed is certain
 
-  /// A part's neck is narrower than this fraction of the part; in slender organs, in which no ball
-  /// of SlenderRadius (mm) fits, than the other.
+  /// A neck is narrower than this fraction of the part behind it; NeckRatioOfSlender counts in
+  /// organs in which no ball of SlenderRadius (mm) fits.
   double NeckRatio = 0.7;
   double NeckRatioOfSlender = 0.5;
   double SlenderRadius = 12;
@@ -44,17 +44,18 @@ struct OrganCutSettings
   double LeastStepInCT = 2.5;
   double NeighborEdge = 0.1;
 
-  /// There is more evidence than that always in MR, where the coil's field hides the difference
-  /// between a part and a neighbor, and for parts of less than LeastOwnPart of the organ's volume,
-  /// most of which are neighbors whatever their gray values.
+  /// The least evidence in MR, where the coil's field hides the difference between a part and a
+  /// neighbor; for parts of less than LeastOwnPart or more than GreatestOwnPart of what the cut
+  /// keeps without them, most of which are neighbors whatever their gray values; and where fewer
+  /// than LeastSamples blocks can be compared.
   double LeastEvidence = 2.25;
   double LeastOwnPart = 0.065;
-  /// What less a block is worth, per mm3, that the mask holds but not what supports it.
-  double UnsupportedLoss = 0.5;
+  double GreatestOwnPart = 2;
+  int LeastSamples = 20;
+  double LeastPart = 1; ///< ml; of smaller ones, all that lies behind a neck is cut off
 
-  double LeastPart = 1;     ///< ml; smaller parts are too small for the comparison
-  int LeastSamples = 20;    ///< blocks on either side, likewise
-  double GreatestRatio = 2; ///< of a part's volume to the organ's without it: the organ's own
+  /// What a block that nothing supports (OrganCutState) loses of its worth, per mm3.
+  double UnsupportedLoss = 0.5;
 };
 
 /// What is known beside the image, and what one cut tells the next one. On the grid of the mask.

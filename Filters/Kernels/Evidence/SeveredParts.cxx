@@ -82,7 +82,6 @@ private:
     std::vector<std::size_t> own;
     std::vector<std::size_t> rest;
     double attenuated = 0;
-    double deepArea = 0;
     for (const std::size_t block : part.Blocks)
     {
       VisitNeighbors(block, this->Blocks,
@@ -94,17 +93,16 @@ private:
           }
           const double area = this->AreaBetween(block, other);
           const double jump = (this->Smooth[block] - this->Smooth[other]) / this->EdgeContrast;
-          part.Area += area;
           if (this->IsDeep(block) && this->IsDeep(other))
           {
-            deepArea += area;
+            part.Area += area;
             attenuated += area * (std::isfinite(jump) ? std::exp(-0.5 * jump * jump) : 0);
           }
           own.push_back(block);
           rest.push_back(other);
         });
     }
-    part.Edge = deepArea > 0 ? 1 - attenuated / deepArea : 1;
+    part.Edge = part.Area > 0 ? 1 - attenuated / part.Area : 0;
     const auto [meanOfPart, samplesOfPart] =
       this->MeanBehind(own, [this](std::size_t block) { return this->IsSevered(block); });
     const auto [meanOfRest, samplesOfRest] =

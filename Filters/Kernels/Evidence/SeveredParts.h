@@ -20,10 +20,12 @@ struct SeveredPart
 {
   std::vector<std::size_t> Blocks;
   double Volume = 0; ///< mm3
-  double Area = 0;   ///< of the cut, mm2
+  double Area = 0;   ///< of the cut, without the organ's blurred rim, mm2; may be zero
   double Edge = 0;   ///< 0 without an edge along the cut, up to 1
-  double Step = 0;   ///< mean gray value of the part less that of the rest, 2 to 8 mm from the cut
-  int Samples = 0;   ///< blocks on the side that has fewer of them
+  /// Mean gray value of the part less that of the rest, 2 to 8 mm from the blocks at the cut, from
+  /// face to face, and without the rim.
+  double Step = 0;
+  int Samples = 0; ///< blocks on the side that has fewer of them
 };
 
 /// The connected parts of the nodes that are not kept. `smooth` are the blocks' gray values
