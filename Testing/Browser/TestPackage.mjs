@@ -54,7 +54,7 @@ test("the liver is the command's", async () => {
   liver = await flipfree.segment(phantom.image, seed, { onProgress: (fraction) => fractions.push(fraction) });
   assert.equal(liver.stopReason, "at rest");
   assert.equal(liver.selfIntersections, 0);
-  assert.match(liver.warnings.join(), /^\d+ ml around .* mm were left out, but may be a part of the organ/);
+  assert.deepEqual(liver.warnings, []);
   assert.ok(fractions.length > 2);
   assert.ok(fractions.every((fraction, at) => fraction >= (fractions[at - 1] ?? 0) && fraction <= 1), `${fractions}`);
 

@@ -155,7 +155,7 @@ TEST_F(PhantomSegmentation, LiverFromASeedOfHalfItsRadius)
   this->Phantom->SetShapeToAbdomen();
   FlipFree::StartInside(this->Filter, this->Phantom, vtkPhantomSource::LIVER);
   this->Filter->SetSeedRadius(this->Filter->GetSeedRadius() / 2);
-  EXPECT_GE(this->Measure(this->Metrics, vtkPhantomSource::LIVER), 0.92); // measured 0.934
+  EXPECT_GE(this->Measure(this->Metrics, vtkPhantomSource::LIVER), 0.92); // measured 0.933
   this->ExpectConverged();
   this->ExpectValid(6144);
 }

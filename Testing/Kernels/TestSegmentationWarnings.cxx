@@ -124,7 +124,7 @@ TEST(SegmentationWarnings, PartsThatTheCutWasNotSureOfAreNamed)
     return DoubtfulPart{ { x, 40, 40.4 }, 1000 * milliliters, false, margin };
   };
   const std::vector<std::string> warnings = WarningsOfParts(
-    { part(50, 6, 0.4), part(80, 9, 1.9), part(84, 5, 0.1), part(30, 50, 5), part(10, 2, 0.1) },
+    { part(50, 6, 0.4), part(80, 9, 1.9), part(84, 5, 0.1), part(30, 50, 5), part(10, 4, 0.1) },
     voxels, geometry);
   ASSERT_EQ(warnings.size(), 2U);
   EXPECT_EQ(warnings[0],

@@ -53,7 +53,8 @@ public:
   /// Refits the intensities to the surface, finds the foreground anew by their threshold, and
   /// corrects it by the run's constraints.
   bool RefitForeground(const Monitor& monitor);
-  /// Makes the foreground from the inside of the surface (CarvedForeground.h). It is then settled.
+  /// Makes the foreground by the surface and the image around it (CarvedForeground.h). It is then
+  /// settled.
   bool CarveSurface(const Monitor& monitor);
   /// Corrects the foreground by constraints (ForegroundCorrection.h).
   bool CorrectForeground(const ConstraintList& constraints, const Monitor& monitor);

@@ -33,7 +33,7 @@ struct OrganSurface
   PointList Points;
   CorrespondenceField Field; ///< of the last iteration
   DeformableSurface First;   ///< what the first run ended with; empty without carving
-  CarvingReport Carving;     ///< what it says of the first run
+  CarvingReport Carving;     ///< how sure the foreground is that the first run gave
   std::vector<IterationRecord> Iterations;
   StopReason Reason = StopReason::NotRun;
   std::ptrdiff_t SelfIntersections = 0;

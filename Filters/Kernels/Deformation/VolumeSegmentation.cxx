@@ -271,17 +271,18 @@ void VolumeSegmenter::Complete(const ConstraintList& constraints, VolumeSegmenta
       WarningsOfFilling(*this->Given, result.Voxels, this->GivenName, isFree);
     result.Warnings.insert(result.Warnings.end(), warnings.begin(), warnings.end());
   }
+  if (!result.Warnings.empty() || !isFree)
+  {
+    return; // more is wrong than a part
+  }
   const std::string doubt = DoubtOf(result.Confidence.OfSurface, method);
-  if (result.Warnings.empty() && !doubt.empty() && isFree)
+  if (!doubt.empty())
   {
     result.Warnings.push_back(doubt);
   }
-  if (isFree)
-  {
-    const std::vector<std::string> warnings =
-      WarningsOfParts(organ.Carving.Doubts, result.Voxels, geometry);
-    result.Warnings.insert(result.Warnings.end(), warnings.begin(), warnings.end());
-  }
+  const std::vector<std::string> parts =
+    WarningsOfParts(organ.Carving.Doubts, result.Voxels, geometry);
+  result.Warnings.insert(result.Warnings.end(), parts.begin(), parts.end());
 }
 
 } // namespace FlipFree

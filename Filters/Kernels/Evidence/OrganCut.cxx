@@ -25,7 +25,7 @@ constexpr double WorthOfOrgan = 0.7;
 // Beyond, more evidence does not make the image surer.
 constexpr double MostEvidence = 16;
 // Of what the first cut keeps: parts that are smaller are not worth a doubt.
-constexpr double LeastDoubt = 0.035;
+constexpr double LeastDoubt = 0.06;
 
 void Insert(const std::vector<std::size_t>& voxels, BitMask& mask)
 {

@@ -53,7 +53,8 @@ public:
   }
 
   /// Adds to the capacity from the source; negative, to that to the sink. What is taken away is
-  /// given to the other side, which changes all costs by the same amount.
+  /// given to the other side, which changes all costs by the same amount. All that is added to a
+  /// node must fit into its capacity: Infinite not more than three times.
   void AddToTerminal(int node, std::int32_t capacity);
 
   /// Returns false if the monitor, asked now and then, stopped it; the sides are then unknown, and
@@ -63,8 +64,8 @@ public:
   /// Of all minimum cuts, the one nearest to the source.
   bool IsOnSourceSide(int node) const;
 
-  /// By how much the cut costs more than one that cuts nothing of what the network began with; only
-  /// differences of it mean something.
+  /// What the cut costs, all capacities that were ever added counted; compare it with that of other
+  /// cuts of the same network.
   std::int64_t GetCost() const { return this->Cost; }
 
   int NumberOfNodes() const { return static_cast<int>(this->Nodes.size()); }

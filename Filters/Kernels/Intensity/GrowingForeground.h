@@ -30,6 +30,7 @@ public:
 
   /// Smooths the seed's surroundings.
   bool SmoothAroundSeed(const Monitor& monitor);
+  /// Smooths a box of the image.
   bool Smooth(const VoxelBox& box, const Monitor& monitor);
   /// Smooths all within `reach` millimeters of the points.
   bool SmoothAround(const PointList& points, double reach, const Monitor& monitor);
