@@ -351,7 +351,6 @@ TEST(OrganCandidate, HoldsWhatTheSurfaceHasNotReached)
       }
     });
   const FloatImage image = organ.Image();
-  const Surface surface = Sphere(16, Center, 20);
   const BitMask inside = BallMask(organ.Geometry, 20);
   const auto candidate = [&](const OrganFeatureSettings& settings, double growth)
   {
@@ -359,8 +358,8 @@ TEST(OrganCandidate, HoldsWhatTheSurfaceHasNotReached)
     OrganCandidateSettings limits;
     limits.GreatestGrowth = growth;
     EXPECT_TRUE(AddForeground(
-      image.View(), [](const VoxelBox&) { return true; }, surface.Points, surface.Triangles,
-      organ.Seed, organ.Noise, settings, limits, SerialFor, NeverStop, mask));
+      image.View(), [](const VoxelBox&) { return true; }, organ.Seed, organ.Noise, settings, limits,
+      SerialFor, NeverStop, mask));
     return mask;
   };
   OrganFeatureSettings settings = organ.Settings;

@@ -30,9 +30,9 @@ constexpr double MissedSilently = 0.05;
 constexpr double GainedSilently = 0.1;
 
 // Below this margin, per mm3, and of at least this part of the organ's volume; most of the smaller
-// parts are neighbors, whatever their gray values. Of the 50 of that size that
-// were cut off at first in 115 organs, 11 in 8 organs are below, and 4 of these were decided
-// wrongly; of the other 39, 3.
+// parts are neighbors, whatever their gray values. Of the 50 of that size that were cut off at
+// first in 115 organs, 11 in 8 organs are below, and 4 of these were decided wrongly; of the other
+// 39, 3.
 constexpr double DoubtfulMargin = 2.1;
 constexpr double DoubtfulVolume = 0.065;
 constexpr std::size_t MostDoubts = 3;
@@ -201,14 +201,14 @@ std::vector<std::string> WarningsOfParts(const std::vector<DoubtfulPart>& doubts
     std::snprintf(milliliters, sizeof(milliliters), "%.0f ml", part.Volume / 1000);
     const std::string where = std::string(milliliters) + " around " +
       TextOf(Eigen::RowVector3d(part.Place.array().round() + 0.0)) + " mm ";
+    const bool isIncluded = Holds(voxels, NearestVoxel(image, part.Place));
     warnings.push_back(where +
-      (Holds(voxels, NearestVoxel(image, part.Place))
+      (isIncluded
           ? "were taken for a part of the organ, which they join at a neck, but may be none; look "
             "at "
             "them, and add an outside point there if they are none."
           : "were left out, but may be a part of the organ, which they join at a neck; look at "
-            "them, "
-            "and add an inside point there if they are one."));
+            "them, and add an inside point there if they are one."));
   }
   return warnings;
 }

@@ -28,8 +28,8 @@ bool CarveForeground(const CarvedForegroundInputs& inputs, const ParallelFor& pa
   }
   BitMask candidate = enclosed;
   report = {};
-  if (!AddForeground(smooth, inputs.MakeSmooth, *inputs.Points, *inputs.Triangles, seed,
-        inputs.Noise, settings, {}, parallelFor, PartOf(monitor, 0.1, 0.2), candidate) ||
+  if (!AddForeground(smooth, inputs.MakeSmooth, seed, inputs.Noise, settings, {}, parallelFor,
+        PartOf(monitor, 0.1, 0.2), candidate) ||
     !inputs.MakeSmooth(CarvingBox(candidate, seed)) ||
     !CarveOrgan(smooth, candidate, &enclosed, seed, inputs.Noise, settings.Modality, parallelFor,
       PartOf(monitor, 0.2, 0.4), foreground, report.Doubts))

@@ -9,9 +9,9 @@ namespace FlipFree
 {
 
 bool AddForeground(const ImageView<float>& smooth, const ImageMaker& makeSmooth,
-  const PointList& points, const TriangleList& triangles, const SeedSphere& seed, double noise,
-  const OrganFeatureSettings& settings, const OrganCandidateSettings& limits,
-  const ParallelFor& parallelFor, const Monitor& monitor, BitMask& mask)
+  const SeedSphere& seed, double noise, const OrganFeatureSettings& settings,
+  const OrganCandidateSettings& limits, const ParallelFor& parallelFor, const Monitor& monitor,
+  BitMask& mask)
 {
   if (settings.Modality != Modality::CT || !settings.ControlLeaks ||
     !settings.ReestimateIntensities)
@@ -29,8 +29,8 @@ bool AddForeground(const ImageView<float>& smooth, const ImageMaker& makeSmooth,
     return false;
   }
   IntensityModel model = FitToSeed(smooth, seed, noise, settings.Intensity);
-  const Refit refit = RefitToSurface(smooth, points, triangles, noise, settings.Intensity,
-    parallelFor, PartOf(monitor, 0, 0.4), model);
+  const Refit refit = RefitToInside(smooth, reach.Begin, mask.Cropped(reach), noise,
+    settings.Intensity, parallelFor, PartOf(monitor, 0, 0.4), model);
   if (refit != Refit::Done)
   {
     return refit != Refit::Stopped;

@@ -21,14 +21,14 @@ struct OrganCandidateSettings
   double GreatestGrowth = 1.2;
 };
 
-/// Adds the foreground by the gray values inside a closed surface to a mask of the voxels inside,
-/// on the grid of the image; nothing in MR, where the coil's field gives the same tissue another
+/// Adds the foreground by the gray values inside a surface to a mask of the voxels inside, on the
+/// grid of the image; nothing in MR, where the coil's field gives the same tissue another
 /// gray value elsewhere, and nothing without leak control or re-estimation. `makeSmooth` is called
 /// before voxels are read. Returns false if the monitor stopped it; the mask is then useless.
 bool AddForeground(const ImageView<float>& smooth, const ImageMaker& makeSmooth,
-  const PointList& points, const TriangleList& triangles, const SeedSphere& seed, double noise,
-  const OrganFeatureSettings& settings, const OrganCandidateSettings& limits,
-  const ParallelFor& parallelFor, const Monitor& monitor, BitMask& mask);
+  const SeedSphere& seed, double noise, const OrganFeatureSettings& settings,
+  const OrganCandidateSettings& limits, const ParallelFor& parallelFor, const Monitor& monitor,
+  BitMask& mask);
 
 } // namespace FlipFree
 

@@ -165,16 +165,10 @@ private:
   {
     const Monitor proceed = this->Proceed();
     IntensityModel model = FitToSeed(image, this->Seed, this->Noise, this->Settings.Intensity);
-    BitMask inside = this->Usual;
-    BitMask shell;
-    if (!MakeInsideAndShell(this->Settings.Intensity, this->Parallel, proceed, inside, shell))
+    if (RefitToInside(image, { { 0, 0, 0 } }, this->Usual, this->Noise, this->Settings.Intensity,
+          this->Parallel, proceed, model) == Refit::Stopped)
     {
       return std::nullopt;
-    }
-    if (inside.Count() > MinimumRefitSample)
-    {
-      model.Reestimate(image, { { 0, 0, 0 } }, inside, shell, this->Noise, this->Settings.Intensity,
-        this->Parallel);
     }
     std::optional<BitMask> opinion = this->GrowAndCarve(image, model, WiderOpening);
     if (opinion)

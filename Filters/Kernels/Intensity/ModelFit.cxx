@@ -6,6 +6,7 @@
 #include "Mesh/SurfaceVoxelization.h"
 
 #include <cmath>
+#include <utility>
 
 namespace FlipFree
 {
@@ -72,9 +73,16 @@ Refit RefitToSurface(const ImageView<float>& smooth, const PointList& points,
   {
     inside.InsertRun(run.Begin - i, run.End - i, run.J - j, run.K - k);
   }
+  return RefitToInside(smooth, box.Begin, std::move(inside), noise, settings, parallelFor,
+    PartOf(monitor, 0.2, 1), model);
+}
+
+Refit RefitToInside(const ImageView<float>& smooth, const std::array<int, 3>& first, BitMask inside,
+  double noise, const IntensitySettings& settings, const ParallelFor& parallelFor,
+  const Monitor& monitor, IntensityModel& model)
+{
   BitMask shell;
-  if (!MakeInsideAndShell(settings, parallelFor, PartOf(monitor, 0.2, 0.9), inside, shell) ||
-    !monitor(0.9))
+  if (!MakeInsideAndShell(settings, parallelFor, monitor, inside, shell))
   {
     return Refit::Stopped;
   }
@@ -82,7 +90,7 @@ Refit RefitToSurface(const ImageView<float>& smooth, const PointList& points,
   {
     return Refit::TooFewInside;
   }
-  model.Reestimate(smooth, box.Begin, inside, shell, noise, settings, parallelFor);
+  model.Reestimate(smooth, first, inside, shell, noise, settings, parallelFor);
   return Refit::Done;
 }
 

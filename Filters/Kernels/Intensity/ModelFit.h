@@ -31,6 +31,12 @@ Refit RefitToSurface(const ImageView<float>& smooth, const PointList& points,
   const TriangleList& triangles, double noise, const IntensitySettings& settings,
   const ParallelFor& parallelFor, const Monitor& monitor, IntensityModel& model);
 
+/// The same, to the voxels inside it, a mask of the part of the image that begins at the voxel
+/// `first`; the part holds the shell around them, as far as the image does.
+Refit RefitToInside(const ImageView<float>& smooth, const std::array<int, 3>& first, BitMask inside,
+  double noise, const IntensitySettings& settings, const ParallelFor& parallelFor,
+  const Monitor& monitor, IntensityModel& model);
+
 /// Reduces `inside`, the voxels inside a surface, to those well inside, and makes the shell around
 /// the surface. Returns false if the monitor, asked before each pass over the masks, stopped it;
 /// the masks are then useless.
